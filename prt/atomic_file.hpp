@@ -1,0 +1,28 @@
+// A file that appears complete or not at all: written beside its destination, then renamed over it.
+#pragma once
+#include <cstddef>
+#include <string>
+
+namespace sh::prt {
+
+/// Write, then commit(). Destroyed without commit(), nothing remains and an old file stays as it was. A destination
+/// that exists but is no regular file (a device, a pipe) is written directly. Errors (not writable, disk full) throw
+/// std::runtime_error `path: cannot write: reason`.
+class AtomicFile {
+ public:
+  explicit AtomicFile(std::string path);
+  ~AtomicFile();
+  AtomicFile(const AtomicFile&) = delete;
+  AtomicFile& operator=(const AtomicFile&) = delete;
+  void write(const void* data, std::size_t size);
+  void commit();
+
+ private:
+  [[noreturn]] void fail(int error) const;
+
+  std::string path_;
+  std::string temporary_;  // empty: path_ is written directly
+  int descriptor_ = -1;
+};
+
+}  // namespace sh::prt

@@ -1,0 +1,13 @@
+// Flaws of the input that can be mended: one line on standard error each, or, when strict, an error.
+#pragma once
+#include <string>
+
+namespace sh::prt {
+
+enum class OnFlaw { kMend, kRefuse };
+
+/// Call once per kind of flaw, with a complete line such as `a.obj: 3 faces have no area (dropped)`.
+/// kMend: prints `warning: line` on standard error; kRefuse: throws std::runtime_error(line + why).
+void report_flaw(OnFlaw on_flaw, const std::string& line);
+
+}  // namespace sh::prt
