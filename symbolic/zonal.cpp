@@ -133,7 +133,8 @@ const ZonalFamily& zonal_family(std::string_view name) {
 void require_zonal_degree(int degree) {
   if (degree < 0 || degree > kMaxZonalDegree) {
     throw std::invalid_argument("zonal function: degree " + std::to_string(degree) + "; it should be 0 to " +
-                                std::to_string(kMaxZonalDegree) + " (exponents stay below 128)");
+                                std::to_string(kMaxZonalDegree) +
+                                " (the norm squares P_l and exponents stay below 128)");
   }
 }
 

@@ -21,8 +21,8 @@
 
 namespace sh::symbolic {
 
-/// Exponents stay below Monomial::kMaxExponent = 127 in everything that is derived from a coefficient.
-inline constexpr int kMaxZonalDegree = 100;
+/// The norm of P_l squares it, and exponents stay below 128 (Monomial::kMaxExponent).
+inline constexpr int kMaxZonalDegree = 60;
 
 /// One coefficient: factor * product(numerator) / product(denominator). An empty product is 1. Variables 0, 1, ... are
 /// the family's parameters in their order.

@@ -1,0 +1,17 @@
+// A kernel at the end of the pipeline with everything its file says about it.
+#pragma once
+
+#include "codegen/cost.hpp"
+#include "codegen/ir.hpp"
+#include "codegen/measure.hpp"
+
+namespace sh::codegen {
+
+struct FinishedKernel {
+  Kernel kernel;
+  Cost cost;
+  MeasuredError in_float;
+  MeasuredError in_double;
+};
+
+}  // namespace sh::codegen

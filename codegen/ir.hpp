@@ -1,0 +1,99 @@
+// The kernel IR: straight-line code in static single assignment form.
+//
+// A Kernel computes flat arrays of results from scalar or array parameters by a list of nodes, each of which refers to
+// earlier nodes only. It supports inputs, exact real constants, negation, addition, subtraction, multiplication and
+// fused multiply-add. It deliberately does not support control flow, memory, loops, calls or types: a kernel means the
+// same in every scalar type and language, and the printer chooses the type. Division, square root and selection will be
+// added with the first recipe that needs them. Constants stay exact until a printer rounds them (codegen/literal.hpp).
+//
+// Names are hints for readers, never identity. Nodes that reach no output are allowed (passes leave them behind,
+// `prune` drops them) and cost nothing.
+#pragma once
+
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "codegen/exact_real.hpp"
+
+namespace sh::codegen {
+
+enum class Op { kInput, kConstant, kNeg, kAdd, kSub, kMul, kFma };
+
+using NodeId = int;  ///< position in Kernel::nodes
+
+struct Node {
+  Op op = Op::kInput;
+  std::array<NodeId, 3> args{-1, -1, -1};  ///< kFma is args[0] * args[1] + args[2]
+  int input = -1;                          ///< kInput: position among the flattened parameters
+  ExactReal constant;                      ///< kConstant
+  std::string name;                        ///< a hint such as "p_4_2"; may be empty
+};
+
+struct Parameter {
+  std::string name;
+  std::vector<int> shape;  ///< empty: a scalar
+  int size() const;
+};
+
+struct Output {
+  NodeId node = -1;
+  std::string label;  ///< what the value is, e.g. "l=2 m=-1"
+};
+
+struct Kernel {
+  std::string name;    ///< "basis_l4", the same in every language
+  std::string family;  ///< "basis"
+  int degree = 0;
+  std::string recipe;    ///< which way of computing the family
+  std::string citation;  ///< where the way comes from
+  std::string title;     ///< one line: what is computed
+  std::string domain;    ///< what the inputs have to satisfy
+  std::string result;    ///< what the outputs are, in which order and convention
+  std::vector<Parameter> parameters;
+  std::vector<Parameter> results;
+  std::vector<Node> nodes;
+  std::vector<Output> outputs;  ///< the flattened results, in order
+
+  const Node& node(NodeId id) const { return nodes[static_cast<std::size_t>(id)]; }
+  NodeId size() const { return static_cast<NodeId>(nodes.size()); }
+};
+
+int argument_count(Op op);
+/// Printable name of an operation: "mul".
+std::string op_name(Op op);
+/// For every node, whether an output depends on it.
+std::vector<bool> live_nodes(const Kernel& kernel);
+/// The kernel with the nodes listed in `order` (earlier ones first, arguments before users) and no others.
+Kernel with_order(const Kernel& kernel, const std::vector<NodeId>& order);
+/// Throws std::logic_error when a node refers forward or an output to nothing; the message names the kernel.
+void require_well_formed(const Kernel& kernel);
+
+/// Appends nodes to a kernel.
+class Builder {
+ public:
+  explicit Builder(Kernel& kernel) : kernel_(kernel) {}
+  NodeId append(Node node);
+  NodeId input(int index, std::string name);
+  NodeId constant(ExactReal value, std::string name = {});
+  NodeId neg(NodeId a, std::string name = {}) { return append({Op::kNeg, {a, -1, -1}, -1, {}, std::move(name)}); }
+  NodeId add(NodeId a, NodeId b, std::string name = {}) {
+    return append({Op::kAdd, {a, b, -1}, -1, {}, std::move(name)});
+  }
+  NodeId sub(NodeId a, NodeId b, std::string name = {}) {
+    return append({Op::kSub, {a, b, -1}, -1, {}, std::move(name)});
+  }
+  NodeId mul(NodeId a, NodeId b, std::string name = {}) {
+    return append({Op::kMul, {a, b, -1}, -1, {}, std::move(name)});
+  }
+  NodeId fma(NodeId a, NodeId b, NodeId c, std::string name = {}) {
+    return append({Op::kFma, {a, b, c}, -1, {}, std::move(name)});
+  }
+  void name(NodeId id, std::string name) { kernel_.nodes[static_cast<std::size_t>(id)].name = std::move(name); }
+
+ private:
+  Kernel& kernel_;
+};
+
+}  // namespace sh::codegen

@@ -1,0 +1,25 @@
+// Writes a set of rendered files to a folder, or compares it with one, byte for byte.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace sh::codegen {
+
+using RenderedFiles = std::map<std::string, std::string>;  ///< relative path -> content
+
+/// Handwritten files of generated/, which are neither written nor compared.
+const std::set<std::string>& handwritten_files();
+
+/// Writes what differs; each file appears complete or not at all. Returns the paths written. Throws std::runtime_error
+/// naming the file that could not be written.
+std::vector<std::string> write_tree(const std::filesystem::path& folder, const RenderedFiles& files);
+
+/// One line for each file that differs, is missing or should not be there; empty when equal. Throws std::runtime_error
+/// when the folder does not exist.
+std::vector<std::string> compare_tree(const std::filesystem::path& folder, const RenderedFiles& files);
+
+}  // namespace sh::codegen

@@ -1,0 +1,14 @@
+#include "codegen/passes/prune.hpp"
+
+namespace sh::codegen::passes {
+
+Kernel prune(const Kernel& kernel) {
+  const std::vector<bool> live = live_nodes(kernel);
+  std::vector<NodeId> order;
+  for (NodeId id = 0; id < kernel.size(); ++id) {
+    if (live[static_cast<std::size_t>(id)]) order.push_back(id);
+  }
+  return with_order(kernel, order);
+}
+
+}  // namespace sh::codegen::passes

@@ -1,0 +1,85 @@
+#include "codegen/passes/schedule.hpp"
+
+#include "codegen/cost.hpp"
+
+namespace sh::codegen::passes {
+namespace {
+
+class ListScheduler {
+ public:
+  explicit ListScheduler(const Kernel& kernel)
+      : kernel_(kernel), done_(kernel.nodes.size(), false), uses_left_(kernel.nodes.size(), 0) {
+    for (const Node& node : kernel.nodes) {
+      for (int i = 0; i < argument_count(node.op); ++i) ++uses_left_[index(node.args[static_cast<std::size_t>(i)])];
+    }
+  }
+
+  std::vector<NodeId> order() {
+    // Inputs and constants need no computing: they come first, in their own order.
+    for (NodeId id = 0; id < kernel_.size(); ++id) {
+      if (argument_count(kernel_.node(id).op) == 0) take(id);
+    }
+    while (order_.size() < kernel_.nodes.size()) take(best_ready());
+    return std::move(order_);
+  }
+
+ private:
+  static std::size_t index(NodeId id) { return static_cast<std::size_t>(id); }
+
+  bool ready(NodeId id) const {
+    if (done_[index(id)]) return false;
+    const Node& node = kernel_.node(id);
+    for (int i = 0; i < argument_count(node.op); ++i) {
+      if (!done_[index(node.args[static_cast<std::size_t>(i)])]) return false;
+    }
+    return true;
+  }
+
+  // How many more values are live after computing the node than before.
+  int live_change(NodeId id) const {
+    const Node& node = kernel_.node(id);
+    int change = uses_left_[index(id)] > 0 ? 1 : 0;
+    for (int i = 0; i < argument_count(node.op); ++i) {
+      const NodeId arg = node.args[static_cast<std::size_t>(i)];
+      const bool repeated = i == 1 && node.args[0] == arg;
+      const int uses_here = node.op != Op::kNeg && node.args[0] == node.args[1] ? 2 : 1;
+      if (!repeated && kernel_.node(arg).op != Op::kConstant && uses_left_[index(arg)] == uses_here) --change;
+    }
+    return change;
+  }
+
+  NodeId best_ready() const {
+    NodeId best = -1;
+    int best_change = 0;
+    for (NodeId id = 0; id < kernel_.size(); ++id) {
+      if (!ready(id)) continue;
+      const int change = live_change(id);
+      if (best < 0 || change < best_change) {
+        best = id;
+        best_change = change;
+      }
+    }
+    return best;
+  }
+
+  void take(NodeId id) {
+    const Node& node = kernel_.node(id);
+    for (int i = 0; i < argument_count(node.op); ++i) --uses_left_[index(node.args[static_cast<std::size_t>(i)])];
+    done_[index(id)] = true;
+    order_.push_back(id);
+  }
+
+  const Kernel& kernel_;
+  std::vector<bool> done_;
+  std::vector<int> uses_left_;
+  std::vector<NodeId> order_;
+};
+
+}  // namespace
+
+Kernel schedule(const Kernel& kernel) {
+  Kernel listed = with_order(kernel, ListScheduler(kernel).order());
+  return cost(listed).max_live < cost(kernel).max_live ? listed : kernel;
+}
+
+}  // namespace sh::codegen::passes

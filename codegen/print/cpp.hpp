@@ -1,0 +1,18 @@
+// Printer: C++17 headers, templated on the scalar.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "codegen/finished_kernel.hpp"
+
+namespace sh::codegen::print {
+
+/// One self-contained header with one kernel.
+std::string cpp_kernel(const FinishedKernel& finished);
+
+/// The header of a whole family: includes every kernel's header and chooses by degree, `sh::basis<4>(x, y, z, out)`.
+/// kernels: of one family, in order of degree from 0.
+std::string cpp_family(const std::vector<FinishedKernel>& kernels);
+
+}  // namespace sh::codegen::print

@@ -1,0 +1,42 @@
+// From a kernel to named constants and infix statements: what C-like languages have in common.
+//
+// A value used once is written into the expression that uses it (with brackets wherever the order of operations would
+// change otherwise); a value used more often becomes a variable under its hint, or a name made from its operands.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "codegen/ir.hpp"
+
+namespace sh::codegen::print {
+
+struct NamedConstant {
+  std::string name;
+  ExactReal value;
+};
+
+struct Statement {
+  std::string target;  ///< a new variable, or an element of a result such as "out[4]"
+  bool is_store = false;
+  std::string expression;
+  std::string comment;  ///< stores: which value this is
+};
+
+struct Listing {
+  std::vector<NamedConstant> constants;  ///< in order of first use
+  std::vector<Statement> statements;
+};
+
+/// result_names: one name per result array, in order. Throws std::invalid_argument for operations without an infix form
+/// (fma: whether a * b + c contracts is left to the compiler).
+Listing make_listing(const Kernel& kernel, const std::vector<std::string>& result_names);
+
+/// The statements as lines: `declaration` ("const T ") before every new variable, comments in one column.
+std::vector<std::string> statement_lines(const Listing& listing, const std::string& indent,
+                                         const std::string& declaration);
+
+/// Pads every row's cells so that columns line up; the last cell of a row is never padded.
+std::vector<std::string> align_columns(const std::vector<std::vector<std::string>>& rows);
+
+}  // namespace sh::codegen::print

@@ -1,0 +1,19 @@
+// Recipe: all real spherical harmonics up to a degree by the normalised recurrence in l, one column per order m.
+//
+// With c_m + i s_m = (x + iy)^m and Y_lm = p_l_m c_m (m >= 0), p_l_m s_-m (m < 0):
+//     p_m_m = k_m_m,   p_l_m = a_l_m z p_(l-1)_m - b_l_m p_(l-2)_m,
+//     c_(m+1) = x c_m - y s_m,   s_(m+1) = x s_m + y c_m.
+// [Sloan 2013] P.-P. Sloan, "Efficient Spherical Harmonic Evaluation", Journal of Computer Graphics Techniques 2(2),
+// 2013: the structure. The constants are derived here, exactly. What is written is the plain recurrence; its short
+// forms for small l - m are found by the passes.
+#pragma once
+
+#include "codegen/ir.hpp"
+
+namespace sh::codegen::recipes {
+
+/// basis_l<degree>: inputs x, y, z with |d| = 1; out ((degree+1)^2). Throws std::invalid_argument for a degree that
+/// symbolic::require_basis_index refuses.
+Kernel basis_recurrence(int degree);
+
+}  // namespace sh::codegen::recipes

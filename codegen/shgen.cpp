@@ -1,0 +1,130 @@
+// shgen: writes, checks and shows the generated kernels.
+//
+//   shgen write [--out DIR]                          write generated/ (unchanged files are left alone)
+//   shgen check [--dir DIR]                          compare generated/ with what would be written
+//   shgen list                                       kernels with recipe, operations and measured error
+//   shgen emit FAMILY --degree N --lang cpp|glsl     print one kernel's file
+//   shgen dump STAGE KERNEL                          print the SSA of a kernel after a stage: dump share basis_l4
+//
+// Exit: 0 done, 1 `check` found a difference, 2 bad input.
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <iostream>
+#include <stdexcept>
+#include <string>
+
+#include "codegen/catalogue.hpp"
+#include "codegen/output_tree.hpp"
+#include "codegen/print/dump.hpp"
+
+namespace sh::codegen {
+namespace {
+
+constexpr int kDone = 0;
+constexpr int kDifferent = 1;
+constexpr int kBadInput = 2;
+
+// ./generated when it exists (run from a checkout), otherwise the folder this tool was built from.
+std::string default_folder() {
+  return std::filesystem::is_regular_file("generated/MANIFEST") ? "generated" : SHFORGE_GENERATED_DIR;
+}
+
+void report_progress(const std::string& kernel) { std::cerr << "shgen: " << kernel << '\n'; }
+
+void ignore_progress(const std::string& /*kernel*/) {}
+
+int write(const std::string& folder) {
+  const std::vector<std::string> written = write_tree(folder, render_all(report_progress));
+  for (const std::string& name : written) std::cout << name << '\n';
+  std::cerr << "shgen: " << written.size() << " files written under " << folder << '\n';
+  return kDone;
+}
+
+int check(const std::string& folder) {
+  const std::vector<std::string> differences = compare_tree(folder, render_all(ignore_progress));
+  for (const std::string& line : differences) std::cout << line << '\n';
+  if (!differences.empty()) return kDifferent;
+  std::cerr << "shgen: " << folder << " is what the generator writes\n";
+  return kDone;
+}
+
+int list() {
+  std::cout << render_all(report_progress).at("MANIFEST");
+  return kDone;
+}
+
+int emit(const std::string& family, int degree, const std::string& language) {
+  const Language& target = find_language(language);
+  std::cout << target.print_kernel(finish_kernel(find_family(family), degree));
+  return kDone;
+}
+
+// "basis_l4" -> the stages of family basis at degree 4.
+std::vector<Stage> stages_of(const std::string& kernel) {
+  const std::size_t split = kernel.rfind("_l");
+  const std::string digits = split == std::string::npos ? "" : kernel.substr(split + 2);
+  if (digits.empty() || digits.size() > 3 || digits.find_first_not_of("0123456789") != std::string::npos) {
+    throw std::invalid_argument("unknown kernel '" + kernel + "'; it should be FAMILY_lDEGREE such as basis_l4");
+  }
+  return kernel_stages(find_family(kernel.substr(0, split)), std::stoi(digits));
+}
+
+int dump(const std::string& stage, const std::string& kernel) {
+  std::string known;
+  for (const Stage& s : stages_of(kernel)) {
+    if (s.name == stage) {
+      std::cout << print::dump(s.kernel);
+      return kDone;
+    }
+    known += (known.empty() ? "" : ", ") + s.name;
+  }
+  throw std::invalid_argument("unknown stage '" + stage + "'; it should be one of: " + known);
+}
+
+int run(int argc, char** argv) {
+  CLI::App app{"Writes, checks and shows the generated spherical-harmonics kernels."};
+  app.require_subcommand(1);
+  std::string folder;
+  std::string family;
+  std::string language;
+  std::string stage;
+  std::string kernel;
+  int degree = 0;
+  auto* write_command = app.add_subcommand("write", "Write the generated files that differ");
+  write_command->add_option("--out", folder, "Folder to write to (default: ./generated or the source tree's)");
+  auto* check_command = app.add_subcommand("check", "Compare the generated files with what would be written");
+  check_command->add_option("--dir", folder, "Folder to compare (default: ./generated or the source tree's)");
+  const auto* list_command = app.add_subcommand("list", "List every kernel with its cost and error");
+  auto* emit_command = app.add_subcommand("emit", "Print the file of one kernel");
+  emit_command->add_option("family", family, "Family, e.g. basis")->required();
+  emit_command->add_option("--degree", degree, "Largest degree l")->required();
+  emit_command->add_option("--lang", language, "Language: cpp or glsl")->required();
+  auto* dump_command = app.add_subcommand("dump", "Print the SSA of a kernel after a stage");
+  dump_command->add_option("stage", stage, "recipe, share, factor, prune or schedule")->required();
+  dump_command->add_option("kernel", kernel, "Kernel, e.g. basis_l4")->required();
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& request) {  // --help
+    return app.exit(request);
+  } catch (const CLI::ParseError& error) {
+    throw std::invalid_argument(error.what());
+  }
+  if (folder.empty()) folder = default_folder();
+  if (write_command->parsed()) return write(folder);
+  if (check_command->parsed()) return check(folder);
+  if (list_command->parsed()) return list();
+  if (emit_command->parsed()) return emit(family, degree, language);
+  return dump(stage, kernel);
+}
+
+}  // namespace
+}  // namespace sh::codegen
+
+int main(int argc, char** argv) {
+  try {
+    return sh::codegen::run(argc, argv);
+  } catch (const std::exception& error) {
+    std::cerr << "shgen: " << error.what() << '\n';
+    return sh::codegen::kBadInput;
+  }
+}
