@@ -1,0 +1,58 @@
+// The commands of the tool `prt`, one file each: options in, the work done by the library, a file or JSON out.
+// Results go to standard output, progress and messages to standard error. An error is an exception with one line.
+#pragma once
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "prt/light.hpp"
+#include "prt/light_coefficients.hpp"
+#include "prt/mend.hpp"
+#include "prt/scene.hpp"
+
+namespace sh::prt {
+
+/// Each adds its subcommand to the tool; parsing the command line then runs it.
+void add_bake_command(CLI::App& tool);
+void add_relight_command(CLI::App& tool);
+void add_render_command(CLI::App& tool);
+void add_info_command(CLI::App& tool);
+void add_project_command(CLI::App& tool);
+
+/// What several commands take: the light, as a scene's or as a word, and how flaws are met.
+struct LightOptions {
+  std::string scene;          // JSON file or `demo`: its lights (and camera)
+  std::string light;          // instead: constant, overcast or an environment picture
+  float turn_degrees = 0.0F;  // about +z, on top of the lights' own rotations
+  bool strict = false;
+
+  void add_to(CLI::App& command);
+  OnFlaw on_flaw() const { return strict ? OnFlaw::kRefuse : OnFlaw::kMend; }
+};
+
+/// The lights the options name and the camera of their scene; without a scene `camera` stays empty. Without any option
+/// the CIE overcast sky.
+struct ChosenLight {
+  std::vector<Light> lights;
+  std::vector<Camera> camera;  // none or one
+};
+ChosenLight choose_light(const LightOptions& options);
+
+/// `--threads N`: 0 takes every core. Runs `work` with at most that many threads.
+void with_threads(int threads, const std::function<void()>& work);
+
+/// Throws std::runtime_error at once, before long work, where `file` could not be written at its end.
+void require_writable(const std::string& file);
+
+/// Prints `prt: what in S s` on standard error when it goes out of scope without an exception.
+class Stopwatch {
+ public:
+  Stopwatch();
+  void report(const std::string& what) const;
+
+ private:
+  std::int64_t start_;
+};
+
+}  // namespace sh::prt

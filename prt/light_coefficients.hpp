@@ -1,0 +1,33 @@
+// Incident radiance as spherical-harmonics coefficients, channel by channel.
+#pragma once
+#include <Eigen/Core>
+#include <cstddef>
+#include <vector>
+
+namespace sh::prt {
+
+/// L_i = integral of radiance(s) Y_i(s) over the sphere, per channel; i = l(l+1)+m, unit W m^-2 sr^-1 times sqrt(sr).
+struct LightCoefficients {
+  int degree = 0;
+  std::vector<double> values;  // (3, bands^2): red, then green, then blue
+
+  /// All zero. Throws std::invalid_argument unless 0 <= degree <= kMaxDegree.
+  static LightCoefficients zero(int degree);
+  std::size_t bands_squared() const { return static_cast<std::size_t>((degree + 1) * (degree + 1)); }
+  double& at(std::size_t channel, std::size_t i) { return values[channel * bands_squared() + i]; }
+  double at(std::size_t channel, std::size_t i) const { return values[channel * bands_squared() + i]; }
+};
+
+/// sum += more. Both of one degree.
+void accumulate(LightCoefficients& sum, const LightCoefficients& more);
+
+/// The light turned by the rotation matrix r: (R f)(s) = f(R^-1 s).
+LightCoefficients turned(const LightCoefficients& light, const Eigen::Matrix3d& r);
+
+/// The radiance of the band-limited light towards a unit direction; it may be negative where the light rings.
+Eigen::Vector3d radiance(const LightCoefficients& light, const Eigen::Vector3d& direction);
+
+/// The rotation by an angle about an axis, right-handed. The axis need not be unit, but not zero.
+Eigen::Matrix3d rotation_about(const Eigen::Vector3d& axis, double degrees);
+
+}  // namespace sh::prt

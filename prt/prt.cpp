@@ -1,0 +1,36 @@
+// The tool `prt`: bakes, relights and renders. Exit: 0 done, 2 bad input, 130 interrupted.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+
+#include "prt/commands.hpp"
+#include "prt/progress.hpp"
+
+namespace {
+
+int run(int argc, char** argv) {
+  CLI::App tool("Precomputed radiance transfer with spherical harmonics: bake, relight, render.", "prt");
+  tool.require_subcommand(1);
+  try {
+    sh::prt::stop_on_interrupt();
+    sh::prt::add_bake_command(tool);
+    sh::prt::add_relight_command(tool);
+    sh::prt::add_render_command(tool);
+    sh::prt::add_info_command(tool);
+    sh::prt::add_project_command(tool);
+    tool.parse(argc, argv);
+    return 0;
+  } catch (const CLI::Success& done) {  // --help
+    return tool.exit(done);
+  } catch (const sh::prt::Interrupted& stop) {
+    std::fprintf(stderr, "prt: %s\n", stop.what());
+    return 130;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "prt: %s\n", error.what());
+    return 2;
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) { return run(argc, argv); }

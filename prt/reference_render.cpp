@@ -1,0 +1,135 @@
+// Brute-force reference pictures: prt/reference_render.hpp.
+#include "prt/reference_render.hpp"
+
+#include <oneapi/tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+namespace sh::prt {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+/// Directions of equal weight, and the light towards them.
+struct LightSamples {
+  std::vector<Eigen::Vector3f> directions;
+  std::vector<Eigen::Vector3f> radiance;
+};
+
+/// Fibonacci points on the sphere. [Swinbank and Purser 2006, "Fibonacci grids: a novel approach to global modelling"]
+LightSamples sample_light(const LightCoefficients& light, std::size_t count) {
+  LightSamples samples;
+  const double turn = kPi * (3.0 - std::sqrt(5.0));
+  for (std::size_t k = 0; k < count; ++k) {
+    const double z = 1.0 - (2.0 * static_cast<double>(k) + 1.0) / static_cast<double>(count);
+    const double r = std::sqrt(1.0 - z * z);
+    const double phi = std::fmod(turn * static_cast<double>(k), 2.0 * kPi);
+    const Eigen::Vector3d s(r * std::cos(phi), r * std::sin(phi), z);
+    samples.directions.push_back(s.cast<float>());
+    samples.radiance.push_back(radiance(light, s).cast<float>());
+  }
+  return samples;
+}
+
+struct SurfacePoint {
+  Eigen::Vector3f position;
+  Eigen::Vector3f normal;            // shading, unit
+  Eigen::Vector3f geometric_normal;  // of the face, unit
+  Eigen::Vector3f albedo;
+};
+
+SurfacePoint surface_point(const Mesh& mesh, const Hit& hit) {
+  const Face& face = mesh.faces[hit.face];
+  const Eigen::Vector3f& a = mesh.positions[face[0]];
+  const Eigen::Vector3f across = (mesh.positions[face[1]] - a).cross(mesh.positions[face[2]] - a);
+  return {interpolated(hit, mesh, mesh.positions), interpolated(hit, mesh, mesh.normals).normalized(),
+          across.normalized(), interpolated(hit, mesh, mesh.albedo)};
+}
+
+/// The directions above both horizons that reach the sky, weighted by the cosine. (double: thousands of terms)
+Eigen::Vector3f exit_radiance(const SurfacePoint& point, const Tracer& tracer, const LightSamples& samples,
+                              float offset) {
+  std::vector<Eigen::Vector3f> directions;
+  std::vector<Eigen::Vector3f> weighted;
+  for (std::size_t k = 0; k < samples.directions.size(); ++k) {
+    const float cosine = point.normal.dot(samples.directions[k]);
+    if (cosine > 0.0F && point.geometric_normal.dot(samples.directions[k]) > 0.0F) {
+      directions.push_back(samples.directions[k]);
+      weighted.push_back(cosine * samples.radiance[k]);
+    }
+  }
+  std::vector<std::uint8_t> blocked(directions.size());
+  tracer.occluded(point.position + offset * point.geometric_normal, directions, blocked);
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (std::size_t k = 0; k < directions.size(); ++k) {
+    if (blocked[k] == 0) {
+      sum += weighted[k].cast<double>();
+    }
+  }
+  const double factor = 4.0 * kPi / static_cast<double>(samples.directions.size()) / kPi;
+  return point.albedo.cwiseProduct((factor * sum).cast<float>());
+}
+
+/// 1e-4 of the mesh's extent keeps a shadow ray off the face it starts from.
+float ray_offset(const Mesh& mesh) {
+  Eigen::Vector3f low = mesh.positions.front();
+  Eigen::Vector3f high = low;
+  for (const Eigen::Vector3f& p : mesh.positions) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  return 1e-4F * (high - low).norm();
+}
+
+}  // namespace
+
+Picture reference_render(const Mesh& mesh, const Tracer& tracer, const LightCoefficients& light, const Camera& camera,
+                         const PictureSize& size, std::size_t directions) {
+  require_picture_size(size);
+  if (size.samples != 1) {
+    throw std::invalid_argument("reference_render takes one sample a pixel");
+  }
+  const LightSamples samples = sample_light(light, directions);
+  const float offset = ray_offset(mesh);
+  const auto width = static_cast<std::size_t>(size.width);
+  const std::size_t pixels = width * static_cast<std::size_t>(size.height);
+  Picture picture{size.width, size.height, std::vector<Eigen::Vector3f>(pixels, Eigen::Vector3f::Zero()),
+                  std::vector<float>(pixels, 0.0F)};
+  tbb::parallel_for(0, size.height, [&](int row) {
+    RowOfRays rays;
+    trace_row(tracer, camera, size, row, rays);
+    for (std::size_t column = 0; column < width; ++column) {
+      if (rays.hits[column].face != Hit::kNothing) {
+        const std::size_t pixel = static_cast<std::size_t>(row) * width + column;
+        picture.radiance[pixel] = exit_radiance(surface_point(mesh, rays.hits[column]), tracer, samples, offset);
+        picture.coverage[pixel] = 1.0F;
+      }
+    }
+  });
+  return picture;
+}
+
+PictureDifference difference(const Picture& a, const Picture& b) {
+  PictureDifference out;
+  double squares = 0.0;
+  double reference = 0.0;
+  for (std::size_t i = 0; i < a.radiance.size(); ++i) {
+    if (a.coverage[i] == 1.0F && b.coverage[i] == 1.0F) {
+      const Eigen::Vector3d delta = (a.radiance[i] - b.radiance[i]).cast<double>();
+      squares += delta.squaredNorm();
+      reference += b.radiance[i].cast<double>().squaredNorm();
+      out.largest = std::max(out.largest, delta.cwiseAbs().maxCoeff());
+      ++out.pixels;
+    }
+  }
+  if (out.pixels > 0 && reference > 0.0) {
+    out.relative_rms = std::sqrt(squares / reference);
+    out.largest /= std::sqrt(reference / (3.0 * static_cast<double>(out.pixels)));
+  }
+  return out;
+}
+
+}  // namespace sh::prt

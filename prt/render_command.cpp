@@ -1,0 +1,109 @@
+// `prt render FILE -o out.png`: pictures of a baked mesh, the light turned from frame to frame.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+#include <memory>
+
+#include "prt/commands.hpp"
+#include "prt/default_camera.hpp"
+#include "prt/image_io.hpp"
+#include "prt/project.hpp"
+#include "prt/relight.hpp"
+#include "prt/render.hpp"
+#include "prt/tone_map.hpp"
+#include "prt/transfer_file.hpp"
+
+namespace sh::prt {
+namespace {
+
+struct Options {
+  std::string transfer;
+  std::string output;
+  LightOptions light;
+  PictureSize size;
+  int frames = 1;
+  float exposure_stops = 0.0F;
+  std::string background = "light";
+  int threads = 0;
+};
+
+/// out.png -> out_000.png ...; a single frame keeps its name.
+std::string frame_name(const Options& options, int frame) {
+  if (options.frames == 1) {
+    return options.output;
+  }
+  const std::filesystem::path path(options.output);
+  const std::string name = fmt::format("{}_{:03}{}", path.stem().string(), frame, path.extension().string());
+  return (path.parent_path() / name).string();
+}
+
+Background background(const Options& options, const std::vector<Light>& lights) {
+  if (options.background == "light") {
+    return [lights](const Eigen::Vector3f& direction) { return radiance(lights, direction.cast<double>()); };
+  }
+  return [](const Eigen::Vector3f& /*direction*/) { return Eigen::Vector3f(Eigen::Vector3f::Zero()); };
+}
+
+void check(const Options& options) {
+  require_picture_size(options.size);
+  constexpr int kMaxFrames = 1000;  // three digits in the names
+  if (options.frames < 1 || options.frames > kMaxFrames) {
+    throw std::invalid_argument(fmt::format("--frames {}: 1 to {} can be made", options.frames, kMaxFrames));
+  }
+  constexpr float kMaxStops = 64.0F;
+  if (!(std::abs(options.exposure_stops) <= kMaxStops)) {
+    throw std::invalid_argument(
+        fmt::format("--exposure {}: must be within {} stops", options.exposure_stops, kMaxStops));
+  }
+  require_writable(frame_name(options, 0));
+}
+
+void run(const Options& options) {
+  check(options);
+  const Stopwatch stopwatch;
+  const Transfer transfer = read_transfer(options.transfer);
+  const ChosenLight chosen = choose_light(options.light);
+  const LightCoefficients light = project(chosen.lights, transfer.degree);
+  const Camera camera = chosen.camera.empty() ? default_camera(transfer.mesh, options.size) : chosen.camera.front();
+  const Tracer tracer(transfer.mesh, options.threads);
+  float exposure = 0.0F;
+  for (int frame = 0; frame < options.frames; ++frame) {
+    const Eigen::Matrix3d r = rotation_about(Eigen::Vector3d::UnitZ(), 360.0 * frame / options.frames);
+    const std::vector<Eigen::Vector3f> radiance = relight(transfer, turned(light, r));
+    const std::string name = frame_name(options, frame);
+    const Picture picture = render(transfer.mesh, tracer, radiance, camera, options.size,
+                                   background(options, turned(chosen.lights, r)), fmt::format("render {}", name));
+    if (frame == 0) {  // one exposure for all frames: the picture must not flicker
+      exposure = automatic_exposure(picture.covered()) * std::exp2(options.exposure_stops);
+    }
+    write_png(name, picture.width, picture.height, tone_map(picture.radiance, exposure));
+  }
+  stopwatch.report(fmt::format("rendered {} picture{} of {} x {} pixels, {} samples each, exposure {:.4g}",
+                               options.frames, options.frames == 1 ? "" : "s", options.size.width, options.size.height,
+                               options.size.samples, exposure));
+}
+
+}  // namespace
+
+void add_render_command(CLI::App& tool) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = tool.add_subcommand("render", "render a baked mesh to PNG");
+  command->add_option("FILE", options->transfer, "what `prt bake` made")->required();
+  command->add_option("-o,--output", options->output, "PNG file to write; frames become out_000.png, ...")->required();
+  command->add_option("--width", options->size.width, "pixels")->capture_default_str();
+  command->add_option("--height", options->size.height, "pixels")->capture_default_str();
+  command->add_option("--samples", options->size.samples, "rays a pixel")->capture_default_str();
+  command->add_option("--frames", options->frames, "pictures, the light turned about +z by 360/N degrees each")
+      ->capture_default_str();
+  command->add_option("--exposure", options->exposure_stops, "stops brighter than the automatic exposure")
+      ->capture_default_str();
+  command->add_option("--background", options->background, "what rays that miss see: light or black")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"light", "black"}));
+  command->add_option("--threads", options->threads, "0: every core")->capture_default_str();
+  options->light.add_to(*command);
+  command->callback([options] { with_threads(options->threads, [&] { run(*options); }); });
+}
+
+}  // namespace sh::prt
