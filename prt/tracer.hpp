@@ -1,9 +1,10 @@
 // Rays against a mesh: a thin wrapper, the only place that knows Embree.
-// Embree 4 has no stream calls; occluded() and intersect() are where packets would take their place.
+// Embree 4 has no stream calls; the two calls of tracer.cpp that use them are where packets would take their place.
 #pragma once
 #include <Eigen/Core>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <span>
 #include <string>
@@ -21,11 +22,32 @@ struct Hit {
   float distance = 0.0F;
 };
 
+/// A ray that only asks whether anything is in its way. Laid out as the tracer reads it, so that no copy is made.
+struct alignas(16) ShadowRay {
+  Eigen::Matrix<float, 3, 1, Eigen::DontAlign> origin;
+  float near = 0.0F;
+  Eigen::Matrix<float, 3, 1, Eigen::DontAlign> direction;
+  float time = 0.0F;
+  float far = std::numeric_limits<float>::infinity();  // the tracer writes -infinity: something is in the way
+  std::uint32_t mask = 0xFFFFFFFFU;
+  std::uint32_t id = 0;
+  std::uint32_t flags = 0;
+
+  void aim(const Eigen::Vector3f& from, const Eigen::Vector3f& along) {
+    origin = from;
+    direction = along;
+    far = std::numeric_limits<float>::infinity();
+  }
+  bool blocked() const { return far < 0.0F; }
+};
+
 /// A mesh ready for rays. Const calls may come from any thread. The mesh may go away after construction.
 class Tracer {
  public:
-  /// `threads` builds the tree; 0 takes every core. Throws std::runtime_error when Embree refuses.
-  explicit Tracer(const Mesh& mesh, int threads = 0);
+  /// `threads` for building the tree, 0 takes every core; `instruction_set` is sse4.2, avx, avx2 or avx512, empty takes
+  /// the best up to avx2 that the processor has. Throws std::invalid_argument for an instruction set that is unknown or
+  /// not there, std::runtime_error when Embree refuses.
+  explicit Tracer(const Mesh& mesh, int threads = 0, const std::string& instruction_set = "");
   ~Tracer();
   Tracer(const Tracer&) = delete;
   Tracer& operator=(const Tracer&) = delete;
@@ -34,9 +56,11 @@ class Tracer {
   void intersect(std::span<const Eigen::Vector3f> origins, std::span<const Eigen::Vector3f> directions,
                  std::span<Hit> hits) const;
 
-  /// Which rays from `origin` along directions[i] hit anything: blocked[i] = 1 or 0.
-  void occluded(const Eigen::Vector3f& origin, std::span<const Eigen::Vector3f> directions,
-                std::span<std::uint8_t> blocked) const;
+  /// Sets `far` of the rays that hit anything to -infinity.
+  void occluded(std::span<ShadowRay> rays) const;
+
+  /// The one the rays run on: its bits are reproducible on every machine that has it.
+  const std::string& instruction_set() const;
 
  private:
   struct Impl;

@@ -1,0 +1,82 @@
+#include "prt/atomic_file.hpp"
+
+#include <fcntl.h>
+#include <fmt/core.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <stdexcept>
+#include <utility>
+
+namespace sh::prt {
+
+namespace {
+
+// What a rename would replace by mistake: a device or a pipe; false for what is not there yet.
+bool is_special(const std::string& path) {
+  struct stat status = {};
+  return stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode);
+}
+
+}  // namespace
+
+AtomicFile::AtomicFile(std::string path) : path_(std::move(path)) {
+  if (!is_special(path_)) {
+    temporary_ = fmt::format("{}.{}.tmp", path_, getpid());
+  }
+  const std::string& target = temporary_.empty() ? path_ : temporary_;
+  descriptor_ = open(target.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (descriptor_ < 0) {
+    const int error = errno;
+    temporary_.clear();
+    fail(error);
+  }
+}
+
+AtomicFile::~AtomicFile() {
+  if (descriptor_ >= 0) {
+    close(descriptor_);
+  }
+  if (!temporary_.empty()) {
+    unlink(temporary_.c_str());
+  }
+}
+
+void AtomicFile::write(const void* data, std::size_t size) {
+  const char* next = static_cast<const char*>(data);
+  while (size > 0) {
+    const ssize_t written = ::write(descriptor_, next, size);
+    if (written < 0 && errno != EINTR) {
+      fail(errno);
+    }
+    if (written > 0) {
+      next += written;
+      size -= static_cast<std::size_t>(written);
+    }
+  }
+}
+
+void AtomicFile::commit() {
+  // A network or quota file system may report a full disk only here; devices and pipes know no fsync.
+  if (!temporary_.empty() && fsync(descriptor_) != 0) {
+    fail(errno);
+  }
+  if (close(std::exchange(descriptor_, -1)) != 0) {
+    fail(errno);
+  }
+  if (!temporary_.empty()) {
+    if (std::rename(temporary_.c_str(), path_.c_str()) != 0) {
+      fail(errno);
+    }
+    temporary_.clear();
+  }
+}
+
+void AtomicFile::fail(int error) const {
+  throw std::runtime_error(fmt::format("{}: cannot write: {}", path_, std::strerror(error)));
+}
+
+}  // namespace sh::prt

@@ -1,0 +1,28 @@
+// Diffuse transfer vectors of every vertex of a mesh, unshadowed (DU) or shadowed (DS) [Sloan, Kautz, Snyder 2002].
+// DU is closed: T_lm = A_l/pi Y_lm(n), A_l the clamped-cosine factors [Ramamoorthi, Hanrahan 2001].
+// DS sums over shared directions s_j, weights w_j = 4/N max(0, n.s_j): with S over the visible ones, S_all over all of
+// them and f = (sum of visible w) / (sum of w),
+//   T = S + f (DU - S_all),
+// a control variate: exact where nothing is in the way, zero where everything is, continuous between.
+// One task owns one vertex, so the result has the same bits for any number of threads.
+#pragma once
+#include <string>
+
+#include "prt/mend.hpp"
+#include "prt/mesh.hpp"
+#include "prt/scene.hpp"
+#include "prt/transfer.hpp"
+
+namespace sh::prt {
+
+struct BakeSettings {
+  int threads = 0;              // 0: every core
+  std::string instruction_set;  // of the rays, see Tracer; empty: the best up to avx2
+  OnFlaw on_flaw = OnFlaw::kMend;
+};
+
+/// Bakes scene.mesh with scene.bake. Shows progress; vertices no ray can leave are filled from their neighbours and
+/// reported as a flaw. Throws std::invalid_argument for options out of range, Interrupted when asked to stop.
+Transfer bake(const Scene& scene, const BakeSettings& settings = {});
+
+}  // namespace sh::prt
