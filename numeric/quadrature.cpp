@@ -1,0 +1,17 @@
+// Instances of quadrature.hpp for the types of real.hpp.
+#include "numeric/quadrature_impl.hpp"
+
+namespace sh::numeric {
+
+#define SHFORGE_INSTANCE(Real)                                \
+  template GaussLegendreRule<Real> gauss_legendre<Real>(int); \
+  template std::vector<SphereNode<Real>> sphere_rule<Real>(int);
+
+SHFORGE_INSTANCE(float)
+SHFORGE_INSTANCE(double)
+SHFORGE_INSTANCE(long double)
+SHFORGE_INSTANCE(Mpfr50)
+SHFORGE_INSTANCE(Mpfr100)
+SHFORGE_INSTANCE(MpfrAny)
+
+}  // namespace sh::numeric
