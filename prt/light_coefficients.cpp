@@ -1,14 +1,23 @@
 // Sums, rotations and values of SH lights: prt/light_coefficients.hpp.
 #include "prt/light_coefficients.hpp"
 
+#include <fmt/format.h>
+
 #include <Eigen/Geometry>
 #include <array>
 #include <numbers>
+#include <stdexcept>
 
 #include "numeric/rotation.hpp"
-#include "prt/any_degree.hpp"
+#include "prt/basis.hpp"
 
 namespace sh::prt {
+
+void require_degree(int degree) {
+  if (degree < 0 || degree > kMaxDegree) {
+    throw std::invalid_argument(fmt::format("degree {} is out of range; 0 to {} can be used", degree, kMaxDegree));
+  }
+}
 
 LightCoefficients LightCoefficients::zero(int degree) {
   require_degree(degree);
@@ -35,7 +44,7 @@ LightCoefficients turned(const LightCoefficients& light, const Eigen::Matrix3d& 
 
 Eigen::Vector3d radiance(const LightCoefficients& light, const Eigen::Vector3d& direction) {
   std::array<double, (kMaxDegree + 1) * (kMaxDegree + 1)> basis;
-  basis_kernel<double>(light.degree)(direction.x(), direction.y(), direction.z(), basis.data());
+  evaluate_basis(light.degree, direction.x(), direction.y(), direction.z(), basis.data());
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (std::size_t i = 0; i < light.bands_squared(); ++i) {
     sum += basis[i] * Eigen::Vector3d(light.at(0, i), light.at(1, i), light.at(2, i));

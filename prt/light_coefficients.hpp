@@ -6,6 +6,9 @@
 
 namespace sh::prt {
 
+/// Throws std::invalid_argument unless 0 <= degree <= kMaxDegree.
+void require_degree(int degree);
+
 /// L_i = integral of radiance(s) Y_i(s) over the sphere, per channel; i = l(l+1)+m, unit W m^-2 sr^-1 times sqrt(sr).
 struct LightCoefficients {
   int degree = 0;

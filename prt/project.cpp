@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "numeric/quadrature.hpp"
-#include "prt/any_degree.hpp"
+#include "prt/basis.hpp"
 
 namespace sh::prt {
 namespace {
@@ -30,13 +30,12 @@ const numeric::GaussLegendreRule<double>& rule() {
 /// Y_lm at azimuth 0, m >= 0, integrated over sin(theta) d(theta) from theta = `from` to `to`. For -m, with the sine
 /// for the cosine, the polar factor is the same.
 Basis polar_integrals(int degree, double from, double to) {
-  const auto kernel = basis_kernel<double>(degree);
   Basis sum{};
   Basis y;
   for (std::size_t k = 0; k < rule().nodes.size(); ++k) {
     const double theta = 0.5 * (from + to) + 0.5 * (to - from) * rule().nodes[k];
     const double weight = 0.5 * (to - from) * rule().weights[k] * std::sin(theta);
-    kernel(std::sin(theta), 0.0, std::cos(theta), y.data());
+    evaluate_basis(degree, std::sin(theta), 0.0, std::cos(theta), y.data());
     for (std::size_t i = 0; i < index(degree, degree) + 1; ++i) {
       sum[i] += weight * y[i];
     }
@@ -98,12 +97,11 @@ void add_row(LightCoefficients& light, const RowSums& sums, const Basis& polar) 
 
 /// The zonal function 1 above the horizon (slope 0) or z above the horizon (slope 1), times `radiance`.
 void add_upper_hemisphere(LightCoefficients& light, const Eigen::Vector3d& radiance, int power) {
-  const auto kernel = basis_kernel<double>(light.degree);
   Basis y;
   for (std::size_t k = 0; k < rule().nodes.size(); ++k) {
     const double z = 0.5 + 0.5 * rule().nodes[k];
     const double weight = 2.0 * kPi * 0.5 * rule().weights[k] * std::pow(z, power);
-    kernel(std::sqrt(1.0 - z * z), 0.0, z, y.data());
+    evaluate_basis(light.degree, std::sqrt(1.0 - z * z), 0.0, z, y.data());
     for (int l = 0; l <= light.degree; ++l) {
       for (std::size_t channel = 0; channel < 3; ++channel) {
         light.at(channel, index(l, 0)) += weight * radiance[static_cast<int>(channel)] * y[index(l, 0)];

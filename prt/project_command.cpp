@@ -6,7 +6,6 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "prt/any_degree.hpp"
 #include "prt/commands.hpp"
 #include "prt/image_io.hpp"
 #include "prt/lat_long.hpp"

@@ -5,13 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
+
+#include "prt/directions.hpp"
 
 namespace sh::prt {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 /// Directions of equal weight, and the light towards them.
 struct LightSamples {
@@ -19,17 +18,10 @@ struct LightSamples {
   std::vector<Eigen::Vector3f> radiance;
 };
 
-/// Fibonacci points on the sphere. [Swinbank and Purser 2006, "Fibonacci grids: a novel approach to global modelling"]
-LightSamples sample_light(const LightCoefficients& light, std::size_t count) {
-  LightSamples samples;
-  const double turn = kPi * (3.0 - std::sqrt(5.0));
-  for (std::size_t k = 0; k < count; ++k) {
-    const double z = 1.0 - (2.0 * static_cast<double>(k) + 1.0) / static_cast<double>(count);
-    const double r = std::sqrt(1.0 - z * z);
-    const double phi = std::fmod(turn * static_cast<double>(k), 2.0 * kPi);
-    const Eigen::Vector3d s(r * std::cos(phi), r * std::sin(phi), z);
-    samples.directions.push_back(s.cast<float>());
-    samples.radiance.push_back(radiance(light, s).cast<float>());
+LightSamples sample_light(const LightCoefficients& light, int count) {
+  LightSamples samples{fibonacci_directions(count), {}};
+  for (const Eigen::Vector3f& s : samples.directions) {
+    samples.radiance.push_back(radiance(light, s.cast<double>().normalized()).cast<float>());
   }
   return samples;
 }
@@ -49,27 +41,27 @@ SurfacePoint surface_point(const Mesh& mesh, const Hit& hit) {
           across.normalized(), interpolated(hit, mesh, mesh.albedo)};
 }
 
-/// The directions above both horizons that reach the sky, weighted by the cosine. (double: thousands of terms)
+/// The directions above both horizons that reach the sky, weighted by the cosine.
 Eigen::Vector3f exit_radiance(const SurfacePoint& point, const Tracer& tracer, const LightSamples& samples,
                               float offset) {
-  std::vector<Eigen::Vector3f> directions;
+  std::vector<ShadowRay> rays;
   std::vector<Eigen::Vector3f> weighted;
+  const Eigen::Vector3f origin = point.position + offset * point.geometric_normal;
   for (std::size_t k = 0; k < samples.directions.size(); ++k) {
     const float cosine = point.normal.dot(samples.directions[k]);
     if (cosine > 0.0F && point.geometric_normal.dot(samples.directions[k]) > 0.0F) {
-      directions.push_back(samples.directions[k]);
+      rays.emplace_back().aim(origin, samples.directions[k]);
       weighted.push_back(cosine * samples.radiance[k]);
     }
   }
-  std::vector<std::uint8_t> blocked(directions.size());
-  tracer.occluded(point.position + offset * point.geometric_normal, directions, blocked);
+  tracer.occluded(rays);
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (std::size_t k = 0; k < directions.size(); ++k) {
-    if (blocked[k] == 0) {
+  for (std::size_t k = 0; k < rays.size(); ++k) {
+    if (!rays[k].blocked()) {
       sum += weighted[k].cast<double>();
     }
   }
-  const double factor = 4.0 * kPi / static_cast<double>(samples.directions.size()) / kPi;
+  const double factor = 4.0 / static_cast<double>(samples.directions.size());  // 4 pi / count, over pi
   return point.albedo.cwiseProduct((factor * sum).cast<float>());
 }
 
@@ -87,7 +79,7 @@ float ray_offset(const Mesh& mesh) {
 }  // namespace
 
 Picture reference_render(const Mesh& mesh, const Tracer& tracer, const LightCoefficients& light, const Camera& camera,
-                         const PictureSize& size, std::size_t directions) {
+                         const PictureSize& size, int directions) {
   require_picture_size(size);
   if (size.samples != 1) {
     throw std::invalid_argument("reference_render takes one sample a pixel");

@@ -13,7 +13,7 @@ namespace sh::prt {
 /// `directions` (over the whole sphere) are the same Fibonacci points for every pixel. Pixels that hit nothing are
 /// black and have coverage 0. `size.samples` must be 1. The same bits for any number of threads.
 Picture reference_render(const Mesh& mesh, const Tracer& tracer, const LightCoefficients& light, const Camera& camera,
-                         const PictureSize& size, std::size_t directions);
+                         const PictureSize& size, int directions);
 
 /// How two pictures of one size differ over the pixels both cover completely.
 struct PictureDifference {

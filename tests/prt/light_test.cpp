@@ -1,0 +1,140 @@
+// The lat-long mapping, the radiance of lights and their rotation.
+#include "prt/light.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "prt/lat_long.hpp"
+#include "prt/light_coefficients.hpp"
+#include "prt/transfer.hpp"
+#include "tests/prt/image_files.hpp"
+#include "tests/prt/temporary_folder.hpp"
+
+namespace sh::prt {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+Eigen::Vector3d random_direction(std::mt19937& random) {
+  std::normal_distribution<double> normal;
+  return Eigen::Vector3d(normal(random), normal(random), normal(random)).normalized();
+}
+
+LightSpec environment(const std::string& file, float scale = 1.0F) {
+  LightSpec spec;
+  spec.type = LightType::kEnvironment;
+  spec.file = file;
+  spec.scale = scale;
+  return spec;
+}
+
+TEST(LatLong, SolidAnglesSumToTheSphere) {
+  for (const int height : {1, 2, 31, 512, 4096}) {
+    double sum = 0.0;
+    for (int row = 0; row < height; ++row) {
+      const double angle = lat_long_solid_angle(row, 2 * height, height);
+      const double step = kPi / height;
+      EXPECT_NEAR(angle, step * (std::cos(row * step) - std::cos((row + 1) * step)), 4e-16 * step);
+      sum += 2 * height * angle;
+    }
+    EXPECT_NEAR(sum, 4.0 * kPi, 2e-13) << height;
+  }
+}
+
+TEST(LatLong, AxesLieWhereTheHeaderSays) {
+  const auto at = [](double column, double row) { return lat_long_direction({column, row}, 16, 8); };
+  EXPECT_LT((at(8, 4) - Eigen::Vector3d::UnitX()).norm(), 1e-15);
+  EXPECT_LT((at(4, 4) - Eigen::Vector3d::UnitY()).norm(), 1e-15);
+  EXPECT_LT((at(12, 4) + Eigen::Vector3d::UnitY()).norm(), 1e-15);
+  EXPECT_LT((at(0, 4) + Eigen::Vector3d::UnitX()).norm(), 1e-15);
+  EXPECT_LT((at(3, 0) - Eigen::Vector3d::UnitZ()).norm(), 1e-15);
+  EXPECT_LT((at(3, 8) + Eigen::Vector3d::UnitZ()).norm(), 1e-15);
+}
+
+TEST(LatLong, PointIsTheInverseOfDirection) {
+  std::mt19937 random(1);
+  for (int i = 0; i < 1000; ++i) {
+    const Eigen::Vector3d d = random_direction(random);
+    EXPECT_LT((lat_long_direction(lat_long_point(d, 64, 32), 64, 32) - d).norm(), 1e-15);
+  }
+}
+
+TEST(LatLong, LookupIsThePixelAtItsCentreAndWrapsAround) {
+  const Image image = test::pattern_image(32, 16);
+  for (int row = 0; row < 16; ++row) {
+    for (int column = 0; column < 32; ++column) {
+      const Eigen::Vector3d d = lat_long_direction({column + 0.5, row + 0.5}, 32, 16);
+      EXPECT_LT((lat_long_lookup(image, d) - image.at(column, row)).norm(), 1e-5F);
+    }
+  }
+  const Eigen::Vector3f seam = lat_long_lookup(image, lat_long_direction({0.0, 8.5}, 32, 16));
+  EXPECT_LT((seam - 0.5F * (image.at(0, 8) + image.at(31, 8))).norm(), 1e-5F);
+  EXPECT_TRUE(lat_long_lookup(image, Eigen::Vector3d::UnitZ()).allFinite());
+  EXPECT_TRUE(lat_long_lookup(image, -Eigen::Vector3d::UnitZ()).allFinite());
+}
+
+TEST(LatLong, OtherShapesAreRefused) {
+  const test::TemporaryFolder folder;
+  test::write_exr(folder.file("square.exr"), test::pattern_image(16, 16));
+  const std::string message =
+      test::message_of([&] { load_lights({environment(folder.file("square.exr"))}, OnFlaw::kMend); });
+  EXPECT_NE(message.find("square.exr: the picture is 16 x 16 pixels"), std::string::npos) << message;
+}
+
+TEST(Light, OvercastSkyHasThreeTimesTheHorizonsRadianceAtTheZenithAndNoneBelow) {
+  LightSpec spec;
+  spec.type = LightType::kCieOvercast;
+  spec.radiance = {3.0F, 6.0F, 9.0F};
+  const std::vector<Light> lights = load_lights({spec}, OnFlaw::kRefuse);
+  EXPECT_LT((radiance(lights, Eigen::Vector3d::UnitZ()) - spec.radiance).norm(), 1e-6F);
+  EXPECT_LT((radiance(lights, Eigen::Vector3d(1.0, 0.0, 1e-9).normalized()) - spec.radiance / 3.0F).norm(), 1e-6F);
+  EXPECT_EQ(radiance(lights, Eigen::Vector3d(0.6, 0.0, -0.8)), Eigen::Vector3f::Zero());
+}
+
+TEST(Light, LightsAddUpAndScaleAndTurn) {
+  const test::TemporaryFolder folder;
+  const Image image = test::pattern_image(64, 32);
+  test::write_exr(folder.file("a.exr"), image);
+  LightSpec constant;
+  constant.radiance = {0.5F, 0.25F, 0.125F};
+  LightSpec picture = environment(folder.file("a.exr"), 2.0F);
+  picture.rotation_axis = {0.0F, 0.0F, 3.0F};  // not unit
+  picture.rotation_degrees = 90.0F;
+  const std::vector<Light> lights = load_lights({constant, picture}, OnFlaw::kRefuse);
+  // Turned by +90 degrees about z, what was at +x stands at +y.
+  const Eigen::Vector3f expected = 2.0F * lat_long_lookup(image, Eigen::Vector3d::UnitX()) + constant.radiance;
+  EXPECT_LT((radiance(lights, Eigen::Vector3d::UnitY()) - expected).norm(), 1e-5F);
+  const std::vector<Light> again = turned(lights, rotation_about(Eigen::Vector3d::UnitX(), 90.0));
+  EXPECT_LT((radiance(again, Eigen::Vector3d::UnitZ()) - expected).norm(), 1e-5F);  // +y -> +z
+}
+
+TEST(Light, CoefficientsTurnAsTheFunctionDoes) {
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  for (const int degree : {0, 1, 4, kMaxDegree}) {
+    LightCoefficients light = LightCoefficients::zero(degree);
+    for (double& value : light.values) {
+      value = uniform(random);
+    }
+    const Eigen::Matrix3d r = rotation_about(random_direction(random), 77.0);
+    const LightCoefficients moved = turned(light, r);
+    for (int i = 0; i < 100; ++i) {
+      const Eigen::Vector3d s = random_direction(random);
+      EXPECT_LT((radiance(moved, s) - radiance(light, r.transpose() * s)).norm(), 2e-13) << degree;
+    }
+  }
+}
+
+TEST(Light, DegreesOutOfRangeAreRefused) {
+  for (const int degree : {-1, kMaxDegree + 1}) {
+    const std::string message = test::message_of([&] { LightCoefficients::zero(degree); });
+    EXPECT_NE(message.find("degree " + std::to_string(degree) + " is out of range"), std::string::npos) << message;
+  }
+}
+
+}  // namespace
+}  // namespace sh::prt
