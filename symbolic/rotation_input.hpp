@@ -84,12 +84,15 @@ template <class T>
 Matrix<T> matrix_from_axis_angle(const std::array<T, 3>& axis, const CosSin<T>& angle, const T& one) {
   const T versine = one - angle.cosine;
   Matrix<T> result(3, 3);
+  const auto at = [&axis](int k) { return axis[static_cast<std::size_t>(k % 3)]; };
   for (int i = 0; i < 3; ++i) {
-    const auto at = [&](int k) { return axis[static_cast<std::size_t>(k % 3)]; };
     for (int j = 0; j < 3; ++j) result(i, j) = versine * at(i) * at(j);
     result(i, i) = result(i, i) + angle.cosine;
-    result((i + 1) % 3, i) = result((i + 1) % 3, i) + angle.sine * at(i + 2);
-    result(i, (i + 1) % 3) = result(i, (i + 1) % 3) - angle.sine * at(i + 2);
+  }
+  for (int i = 0; i < 3; ++i) {  // sine times the cross product with the axis
+    const int next = (i + 1) % 3;
+    result(next, i) = result(next, i) + angle.sine * at(i + 2);
+    result(i, next) = result(i, next) - angle.sine * at(i + 2);
   }
   return result;
 }
