@@ -73,7 +73,8 @@ Image pattern_image(int width, int height) {
 
 void write_exr(const std::string& file, const Image& image, const ExrOptions& options) {
   const Imath::Box2i display({0, 0}, {image.width - 1, image.height - 1});
-  const Imath::Box2i data({options.left, options.top}, {options.left + image.width - 1, options.top + image.height - 1});
+  const Imath::Box2i data({options.left, options.top},
+                          {options.left + image.width - 1, options.top + image.height - 1});
   Imf::Header header(display, data);
   header.compression() = options.compression;
   const Imf::PixelType type = options.half ? Imf::HALF : Imf::FLOAT;
@@ -114,8 +115,8 @@ void write_exr(const std::string& file, const Image& image, const ExrOptions& op
 }
 
 std::string radiance_bytes(const Image& image, bool run_length, const std::string& header) {
-  std::string bytes = fmt::format("#?RADIANCE\n{}FORMAT=32-bit_rle_rgbe\n\n-Y {} +X {}\n", header, image.height,
-                                  image.width);
+  std::string bytes =
+      fmt::format("#?RADIANCE\n{}FORMAT=32-bit_rle_rgbe\n\n-Y {} +X {}\n", header, image.height, image.width);
   for (int row = 0; row < image.height; ++row) {
     std::vector<Rgbe> pixels;
     for (int column = 0; column < image.width; ++column) {

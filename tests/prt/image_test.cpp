@@ -41,7 +41,8 @@ void expect_refused(const std::string& file, const std::string& reason, OnFlaw o
 struct Form {
   const char* name;
   ExrOptions options;
-  float tolerance;  // 0: lossless. DWA at its default level on values of 0.25..1: measured 0.0032 and 0.0025, B44 0.0078
+  float
+      tolerance;  // 0: lossless. DWA at its default level on values of 0.25..1: measured 0.0032 and 0.0025, B44 0.0078
 };
 
 const std::vector<Form>& forms() {

@@ -46,7 +46,8 @@ double largest_difference(const LightCoefficients& a, const LightCoefficients& b
   return largest;
 }
 
-/// The slow, obvious rule: every pixel's basis by quadrature over the pixel itself, (n x n) Gauss-free midpoints.
+/// The slow, obvious rule: every pixel's basis by quadrature over the pixel itself, n x n midpoints of exact solid
+/// angle.
 LightCoefficients by_midpoints(const Image& image, int degree, int n) {
   LightCoefficients sum = LightCoefficients::zero(degree);
   std::vector<double> basis(sum.bands_squared());
@@ -79,14 +80,14 @@ Image noise(int height, unsigned seed) {
 TEST(Project, ConstantPictureHasBandZeroOnly) {
   const Eigen::Vector3f color(0.5F, 1.0F, 2.0F);
   for (const int height : {1, 2, 8, 512}) {
-    const Image image{2 * height, height, std::vector<Eigen::Vector3f>(static_cast<std::size_t>(2 * height * height), color),
-                      0};
+    const Image image{2 * height, height,
+                      std::vector<Eigen::Vector3f>(static_cast<std::size_t>(2 * height * height), color), 0};
     const LightCoefficients light = project_lat_long(image, kMaxDegree);
     LightCoefficients expected = LightCoefficients::zero(kMaxDegree);
     for (std::size_t c = 0; c < 3; ++c) {
       expected.at(c, 0) = std::sqrt(4.0 * kPi) * static_cast<double>(color[static_cast<int>(c)]);
     }
-    EXPECT_LT(largest_difference(light, expected), 2e-13) << height;
+    EXPECT_LT(largest_difference(light, expected), 1e-13) << height;
   }
 }
 
@@ -103,7 +104,7 @@ TEST(Project, ConstantLightHasBandZeroOnly) {
 }
 
 TEST(Project, PictureOfAKnownFunctionGivesItsCoefficientsBack) {
-  // Second order in the pixel's size. Measured, degree 4: 7.0e-3 at 64 x 32, 2.7e-5 at 1024 x 512.
+  // Second order in the pixel's size. Measured, degree 4: 6.5e-3 at 64 x 32, 2.6e-5 at 1024 x 512.
   const LightCoefficients known = random_coefficients(4, 3);
   const double coarse = largest_difference(project_lat_long(picture_of(known, 32), 4), known);
   const double fine = largest_difference(project_lat_long(picture_of(known, 512), 4), known);
@@ -113,12 +114,12 @@ TEST(Project, PictureOfAKnownFunctionGivesItsCoefficientsBack) {
 }
 
 TEST(Project, EveryPixelIsAPatchOfConstantRadiance) {
-  // Refining every pixel into n x n midpoints converges on the exact integral: measured 2.5e-6 at n = 32.
+  // Refining every pixel into n x n midpoints converges on the exact integral: measured 1.7e-4 at n = 32.
   const Image image = noise(4, 4);
   const LightCoefficients exact = project_lat_long(image, 6);
   const double rough = largest_difference(by_midpoints(image, 6, 8), exact);
   const double better = largest_difference(by_midpoints(image, 6, 32), exact);
-  EXPECT_LT(better, 4e-3);
+  EXPECT_LT(better, 5e-4);
   EXPECT_NEAR(rough / better, 16.0, 2.0);
 }
 
@@ -154,8 +155,8 @@ TEST(Project, TurningTheLightByWholePixelsShiftsThePicture) {
   const LightCoefficients light = project_lat_long(image, 8);
   const Eigen::Matrix3d about_z = rotation_about(Eigen::Vector3d::UnitZ(), 90.0);
   const Eigen::Matrix3d about_x = rotation_about(Eigen::Vector3d::UnitX(), 180.0);
-  EXPECT_LT(largest_difference(turned(light, about_z), project_lat_long(shifted, 8)), 1e-13);
-  EXPECT_LT(largest_difference(turned(light, about_x), project_lat_long(flipped, 8)), 1e-13);
+  EXPECT_LT(largest_difference(turned(light, about_z), project_lat_long(shifted, 8)), 3e-15);
+  EXPECT_LT(largest_difference(turned(light, about_x), project_lat_long(flipped, 8)), 3e-15);
 }
 
 TEST(Project, TurnedScaledAndSummedLightsAreLinear) {
@@ -172,10 +173,10 @@ TEST(Project, TurnedScaledAndSummedLightsAreLinear) {
     value *= 0.5;
   }
   accumulate(expected, project({sky}, 5));
-  EXPECT_LT(largest_difference(project({picture, sky}, 5), expected), 1e-13);
+  EXPECT_LT(largest_difference(project({picture, sky}, 5), expected), 1e-15);
   // turned lights have turned coefficients
   const Eigen::Matrix3d r = rotation_about(Eigen::Vector3d(-1.0, 1.0, 1.0), 250.0);
-  EXPECT_LT(largest_difference(project(turned({picture, sky}, r), 5), turned(expected, r)), 1e-13);
+  EXPECT_LT(largest_difference(project(turned({picture, sky}, r), 5), turned(expected, r)), 1e-15);
 }
 
 TEST(Project, BitsDoNotDependOnTheNumberOfThreads) {

@@ -1,0 +1,146 @@
+// Relighting against the plain double sum, and the PLY file it is written to.
+#include "prt/relight.hpp"
+
+#include <gtest/gtest.h>
+#include <oneapi/tbb/global_control.h>
+
+#include <cmath>
+#include <cstring>
+#include <numbers>
+#include <random>
+
+#include "tests/prt/temporary_folder.hpp"
+
+namespace sh::prt {
+namespace {
+
+/// `vertices` vertices in a row with random transfer vectors and albedo.
+Transfer random_transfer(int degree, std::size_t vertices, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<float> uniform(-1.0F, 1.0F);
+  Transfer transfer;
+  transfer.degree = degree;
+  for (std::size_t i = 0; i < vertices; ++i) {
+    transfer.mesh.positions.emplace_back(static_cast<float>(i), 0.0F, uniform(random));
+    transfer.mesh.normals.push_back(Eigen::Vector3f::UnitZ());
+    transfer.mesh.albedo.emplace_back(0.5F + 0.5F * uniform(random), 0.25F, 1.0F);
+  }
+  for (std::uint32_t i = 0; i + 2 < vertices; ++i) {
+    transfer.mesh.faces.push_back({i, i + 1, i + 2});
+  }
+  for (std::size_t i = 0; i < vertices * transfer.bands_squared(); ++i) {
+    transfer.coefficients.push_back(uniform(random));
+  }
+  return transfer;
+}
+
+LightCoefficients random_light(int degree, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  LightCoefficients light = LightCoefficients::zero(degree);
+  for (double& value : light.values) {
+    value = uniform(random);
+  }
+  return light;
+}
+
+TEST(Relight, IsAlbedoTimesTheDotProductOfTransferAndLight) {
+  for (const int degree : {0, 1, 2, 4, kMaxDegree}) {
+    const Transfer transfer = random_transfer(degree, 3001, 1);
+    const LightCoefficients light = random_light(degree, 2);
+    const std::vector<Eigen::Vector3f> radiance = relight(transfer, light);
+    ASSERT_EQ(radiance.size(), 3001U);
+    const std::size_t n = light.bands_squared();
+    for (std::size_t v = 0; v < radiance.size(); ++v) {
+      for (int c = 0; c < 3; ++c) {
+        double sum = 0.0;
+        double terms = 0.0;
+        for (std::size_t i = 0; i < n; ++i) {
+          const double term =
+              static_cast<double>(transfer.coefficients[v * n + i]) * light.at(static_cast<std::size_t>(c), i);
+          sum += term;
+          terms += std::abs(term);
+        }
+        const auto albedo = static_cast<double>(transfer.mesh.albedo[v][c]);
+        EXPECT_NEAR(static_cast<double>(radiance[v][c]), albedo * sum, 5e-7 * terms + 1e-12) << degree;
+      }
+    }
+  }
+}
+
+TEST(Relight, IsLinearInTheLight) {
+  const Transfer transfer = random_transfer(3, 100, 3);
+  LightCoefficients light = random_light(3, 4);
+  const std::vector<Eigen::Vector3f> once = relight(transfer, light);
+  for (double& value : light.values) {
+    value *= 4.0;
+  }
+  const std::vector<Eigen::Vector3f> fourfold = relight(transfer, light);
+  for (std::size_t v = 0; v < once.size(); ++v) {
+    EXPECT_EQ(fourfold[v], 4.0F * once[v]);
+  }
+}
+
+TEST(Relight, OpenUpwardVertexUnderUnitConstantLightLeavesItsAlbedo) {
+  Transfer transfer = random_transfer(1, 3, 5);
+  transfer.coefficients.assign(12, 0.0F);
+  const auto dc = static_cast<float>(1.0 / std::sqrt(4.0 * std::numbers::pi));
+  for (const std::size_t v : {0U, 1U, 2U}) {
+    transfer.coefficients[4 * v] = dc;  // A_0 / pi Y_00
+  }
+  LightCoefficients light = LightCoefficients::zero(1);
+  for (std::size_t c = 0; c < 3; ++c) {
+    light.at(c, 0) = std::sqrt(4.0 * std::numbers::pi);
+  }
+  const std::vector<Eigen::Vector3f> radiance = relight(transfer, light);
+  for (const std::size_t v : {0U, 1U, 2U}) {
+    EXPECT_LT((radiance[v] - transfer.mesh.albedo[v]).norm(), 2e-7F);
+  }
+}
+
+TEST(Relight, BitsDoNotDependOnTheNumberOfThreads) {
+  const Transfer transfer = random_transfer(4, 20000, 6);
+  const LightCoefficients light = random_light(4, 7);
+  const std::vector<Eigen::Vector3f> expected = relight(transfer, light);
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 1);
+  EXPECT_EQ(relight(transfer, light), expected);
+}
+
+TEST(Relight, OtherDegreesAreRefused) {
+  const std::string message = test::message_of([] { relight(random_transfer(2, 3, 8), random_light(3, 9)); });
+  EXPECT_EQ(message, "the light has degree 3, the transfer degree 2; they must be the same");
+}
+
+TEST(Relight, PlyHoldsPositionsNormalsRadianceAndFaces) {
+  const test::TemporaryFolder folder;
+  const Transfer transfer = random_transfer(0, 5, 10);
+  const std::vector<Eigen::Vector3f> radiance = relight(transfer, random_light(0, 11));
+  write_ply(folder.file("a.ply"), transfer.mesh, radiance);
+  const std::string bytes = test::read_all(folder.file("a.ply"));
+  const std::string end = "end_header\n";
+  const std::size_t body = bytes.find(end) + end.size();
+  ASSERT_EQ(bytes.size(), body + 5 * 9 * sizeof(float) + 3 * (1 + 3 * sizeof(std::uint32_t)));
+  EXPECT_NE(bytes.find("element vertex 5\n"), std::string::npos);
+  EXPECT_NE(bytes.find("element face 3\n"), std::string::npos);
+  for (std::size_t v = 0; v < 5; ++v) {
+    Eigen::Matrix<float, 3, 3> row;  // columns: position, normal, radiance
+    std::memcpy(row.data(), bytes.data() + body + v * 9 * sizeof(float), 9 * sizeof(float));
+    EXPECT_EQ(row.col(0), transfer.mesh.positions[v]);
+    EXPECT_EQ(row.col(1), transfer.mesh.normals[v]);
+    EXPECT_EQ(row.col(2), radiance[v]);
+  }
+}
+
+TEST(Relight, PlyThatCannotBeWrittenIsNamedAndLeavesNothing) {
+  const test::TemporaryFolder folder;
+  const Transfer transfer = random_transfer(0, 5, 12);
+  const std::vector<Eigen::Vector3f> radiance(5, Eigen::Vector3f::Ones());
+  for (const std::string& file : {folder.file("no/a.ply"), std::string("/dev/full")}) {
+    const std::string message = test::message_of([&] { write_ply(file, transfer.mesh, radiance); });
+    EXPECT_EQ(message.rfind(file + ": cannot write", 0), 0U) << message;
+  }
+  EXPECT_EQ(folder.entries(), 0U);
+}
+
+}  // namespace
+}  // namespace sh::prt
