@@ -17,7 +17,7 @@
 namespace sh::symbolic {
 
 /// Largest degree of the first two functions; the third reaches twice as far. Beyond it monomial integration is slow.
-inline constexpr int kMaxGauntDegree = 15;
+inline constexpr int kMaxGauntDegree = 12;
 
 /// Place of (degree, order) among the coefficients, and back.
 constexpr int coefficient_index(int degree, int order) { return degree * (degree + 1) + order; }
