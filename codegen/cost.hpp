@@ -12,7 +12,7 @@ struct Cost {
   int neg = 0;
   int depth = 0;     ///< operations on the longest chain from an input to an output
   int max_live = 0;  ///< most values (inputs included, constants not) held at once in the given order
-  int operations() const { return mul + add + fma + neg; }
+  [[nodiscard]] int operations() const { return mul + add + fma + neg; }
 };
 
 /// Nodes that reach no output cost nothing.

@@ -34,7 +34,7 @@ struct Node {
 struct Parameter {
   std::string name;
   std::vector<int> shape;  ///< empty: a scalar
-  int size() const;
+  [[nodiscard]] int size() const;
 };
 
 struct Output {
@@ -56,8 +56,8 @@ struct Kernel {
   std::vector<Node> nodes;
   std::vector<Output> outputs;  ///< the flattened results, in order
 
-  const Node& node(NodeId id) const { return nodes[static_cast<std::size_t>(id)]; }
-  NodeId size() const { return static_cast<NodeId>(nodes.size()); }
+  [[nodiscard]] const Node& node(NodeId id) const { return nodes[static_cast<std::size_t>(id)]; }
+  [[nodiscard]] NodeId size() const { return static_cast<NodeId>(nodes.size()); }
 };
 
 int argument_count(Op op);

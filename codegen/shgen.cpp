@@ -83,7 +83,7 @@ int dump(const std::string& stage, const std::string& kernel) {
 
 int run(int argc, char** argv) {
   CLI::App app{"Writes, checks and shows the generated spherical-harmonics kernels."};
-  app.require_subcommand(1);
+  app.require_subcommand(0, 1);
   std::string folder;
   std::string family;
   std::string language;
@@ -109,6 +109,9 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     throw std::invalid_argument(error.what());
   }
+  if (app.get_subcommands().empty()) {
+    throw std::invalid_argument("no command; it should be one of: write, check, list, emit, dump");
+  }
   if (folder.empty()) folder = default_folder();
   if (write_command->parsed()) return write(folder);
   if (check_command->parsed()) return check(folder);
@@ -122,7 +125,9 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   try {
-    return sh::codegen::run(argc, argv);
+    const int result = sh::codegen::run(argc, argv);
+    if (!std::cout.flush()) throw std::runtime_error("standard output: cannot be written; the disk should have space");
+    return result;
   } catch (const std::exception& error) {
     std::cerr << "shgen: " << error.what() << '\n';
     return sh::codegen::kBadInput;

@@ -29,8 +29,8 @@ class Monomial {
   Monomial(std::initializer_list<int> exponents)
       : Monomial(std::span<const int>(exponents.begin(), exponents.size())) {}
 
-  int exponent(int variable) const { return static_cast<int>(packed_ >> shift(variable)) & kMaxExponent; }
-  int degree() const;
+  [[nodiscard]] int exponent(int variable) const { return static_cast<int>(packed_ >> shift(variable)) & kMaxExponent; }
+  [[nodiscard]] int degree() const;
   /// Throws std::overflow_error when an exponent exceeds kMaxExponent.
   friend Monomial operator*(Monomial a, Monomial b);
   friend auto operator<=>(const Monomial&, const Monomial&) = default;
@@ -51,20 +51,20 @@ class Polynomial {
 
   /// Adds coefficient * monomial; a term that cancels to zero is removed.
   void add_term(const Monomial& monomial, const cln::cl_RA& coefficient);
-  const Terms& terms() const { return terms_; }
-  bool is_zero() const { return terms_.empty(); }
+  [[nodiscard]] const Terms& terms() const { return terms_; }
+  [[nodiscard]] bool is_zero() const { return terms_.empty(); }
   /// The coefficient of a monomial, zero when it is absent.
-  cln::cl_RA coefficient(const Monomial& monomial) const;
+  [[nodiscard]] cln::cl_RA coefficient(const Monomial& monomial) const;
   /// The largest degree of a term; -1 for the zero polynomial.
-  int degree() const;
-  bool is_homogeneous() const;
+  [[nodiscard]] int degree() const;
+  [[nodiscard]] bool is_homogeneous() const;
 
-  Polynomial derivative(int variable) const;
-  Polynomial power(int exponent) const;
+  [[nodiscard]] Polynomial derivative(int variable) const;
+  [[nodiscard]] Polynomial power(int exponent) const;
   /// point: one value per variable that occurs.
-  cln::cl_RA evaluate(std::span<const cln::cl_RA> point) const;
+  [[nodiscard]] cln::cl_RA evaluate(std::span<const cln::cl_RA> point) const;
   /// names: one per variable that occurs. Highest monomial first: "3/2 z^2 - 1/2".
-  std::string to_string(const std::vector<std::string>& names) const;
+  [[nodiscard]] std::string to_string(const std::vector<std::string>& names) const;
 
   Polynomial& operator+=(const Polynomial& other);
   Polynomial& operator-=(const Polynomial& other);

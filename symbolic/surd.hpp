@@ -23,21 +23,21 @@ class Surd {
   /// factor too large to split off by trial division.
   static Surd square_root(const cln::cl_RA& square, int pi_half_power = 0);
 
-  const cln::cl_RA& rational() const { return rational_; }
-  const cln::cl_I& radicand() const { return radicand_; }
-  int pi_half_power() const { return pi_half_power_; }
+  [[nodiscard]] const cln::cl_RA& rational() const { return rational_; }
+  [[nodiscard]] const cln::cl_I& radicand() const { return radicand_; }
+  [[nodiscard]] int pi_half_power() const { return pi_half_power_; }
 
-  bool is_zero() const { return cln::zerop(rational_); }
-  bool is_negative() const { return cln::minusp(rational_); }
+  [[nodiscard]] bool is_zero() const { return cln::zerop(rational_); }
+  [[nodiscard]] bool is_negative() const { return cln::minusp(rational_); }
   /// True when the sum of both is again a surd.
-  bool adds_to(const Surd& other) const;
+  [[nodiscard]] bool adds_to(const Surd& other) const;
   /// The value rounded to at least `digits` decimal digits.
-  cln::cl_F evaluate(int digits) const;
+  [[nodiscard]] cln::cl_F evaluate(int digits) const;
   /// For people: "1/2 sqrt(3/pi)".
-  std::string to_string() const;
+  [[nodiscard]] std::string to_string() const;
 
   Surd operator-() const;
-  Surd inverse() const;  ///< throws std::invalid_argument for zero
+  [[nodiscard]] Surd inverse() const;  ///< throws std::invalid_argument for zero
   friend Surd operator*(const Surd& a, const Surd& b);
   friend Surd operator/(const Surd& a, const Surd& b) { return a * b.inverse(); }
   friend Surd operator+(const Surd& a, const Surd& b);  ///< throws std::invalid_argument unless a.adds_to(b)

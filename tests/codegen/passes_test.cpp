@@ -1,0 +1,183 @@
+#include <gtest/gtest.h>
+
+#include "codegen/cost.hpp"
+#include "codegen/evaluate.hpp"
+#include "codegen/passes/factor.hpp"
+#include "codegen/passes/prune.hpp"
+#include "codegen/passes/schedule.hpp"
+#include "codegen/passes/share.hpp"
+#include "codegen/print/dump.hpp"
+#include "tests/codegen/support.hpp"
+
+namespace sh::codegen {
+namespace {
+
+using symbolic::Surd;
+using test::add_output;
+using test::empty_kernel;
+
+constexpr NodeId kX = 0;
+constexpr NodeId kY = 1;
+constexpr NodeId kZ = 2;
+
+std::vector<double> values(const Kernel& kernel) {
+  const std::vector<double> point{0.3125, -1.75, 2.5};
+  return Evaluator<double>(kernel)(point);
+}
+
+TEST(Share, ComputesCommutedProductsAndSumsOnce) {
+  Kernel kernel = empty_kernel();
+  Builder build(kernel);
+  const NodeId xy = build.mul(kX, kY);
+  const NodeId yx = build.mul(kY, kX);
+  add_output(kernel, build.add(xy, kZ));
+  add_output(kernel, build.add(kZ, yx));
+  const Kernel shared = passes::share(kernel);
+  EXPECT_EQ(cost(shared).mul, 1);
+  EXPECT_EQ(cost(shared).add, 1);
+  EXPECT_EQ(values(shared), values(kernel));
+}
+
+TEST(Share, KeepsDifferencesOfSwappedOperandsApart) {
+  Kernel kernel = empty_kernel();
+  Builder build(kernel);
+  const NodeId xy = build.sub(kX, kY);
+  const NodeId yx = build.sub(kY, kX);
+  add_output(kernel, xy);
+  add_output(kernel, yx);
+  EXPECT_EQ(cost(passes::share(kernel)).add, 2);
+  EXPECT_EQ(values(passes::share(kernel)), values(kernel));
+}
+
+TEST(Share, MergesEqualConstantsAndKeepsAName) {
+  Kernel kernel = empty_kernel();
+  Builder build(kernel);
+  const NodeId a = build.constant(Surd::square_root(8));
+  const NodeId b = build.constant(Surd(2) * Surd::square_root(2), "root");
+  const NodeId ax = build.mul(a, kX);
+  const NodeId bx = build.mul(b, kX);
+  add_output(kernel, build.add(ax, bx));
+  const Kernel shared = passes::share(kernel);
+  EXPECT_EQ(shared.nodes.size(), 6U);
+  EXPECT_EQ(shared.nodes[3].name, "root");
+}
+
+TEST(Factor, WritesACubicOfARecurrenceAsZTimesALinearFormInZSquared) {
+  // P3 = (5/3 z) P2 - 2/3 z with P2 = (3/2 z) z - 1/2, both wanted.
+  Kernel kernel = empty_kernel();
+  Builder build(kernel);
+  const auto constant = [&](long p, long q) { return build.constant(Surd(cln::cl_RA(p) / q)); };
+  const NodeId k32 = constant(3, 2);
+  const NodeId k12 = constant(1, 2);
+  const NodeId k53 = constant(5, 3);
+  const NodeId k23 = constant(2, 3);
+  const NodeId z32 = build.mul(k32, kZ);
+  const NodeId p2 = build.sub(build.mul(z32, kZ), k12, "p_2_0");
+  const NodeId z53 = build.mul(k53, kZ);
+  const NodeId first = build.mul(z53, p2);
+  const NodeId second = build.mul(k23, kZ);
+  add_output(kernel, p2);
+  add_output(kernel, build.sub(first, second, "p_3_0"));
+  const Kernel factored = passes::factor(passes::share(kernel));
+  EXPECT_EQ(cost(kernel).mul, 5);
+  EXPECT_EQ(cost(factored).mul, 4);  // z^2, 3/2 z^2, 5/2 z^2, z (...)
+  EXPECT_EQ(cost(factored).add, 2);
+  EXPECT_NEAR(values(factored)[1], values(kernel)[1], 1e-14);
+}
+
+TEST(Factor, FoldsConstantsAndExactDoublings) {
+  Kernel kernel = empty_kernel();
+  Builder build(kernel);
+  const NodeId xy = build.mul(kX, kY);
+  const NodeId twice = build.add(xy, xy);
+  const NodeId k = build.constant(Surd::square_root(3));
+  add_output(kernel, build.mul(k, twice));
+  const Kernel factored = passes::factor(kernel);
+  EXPECT_EQ(cost(factored).mul, 2);
+  EXPECT_EQ(cost(factored).add, 0);
+  EXPECT_DOUBLE_EQ(values(factored)[0], values(kernel)[0]);
+}
+
+TEST(Factor, LeavesAloneWhatWouldCostMore) {
+  // (a z) x and (a z) y: three products as they stand, four with one constant each.
+  Kernel kernel = empty_kernel();
+  Builder build(kernel);
+  const NodeId a = build.constant(Surd::square_root(3));
+  const NodeId az = build.mul(a, kZ);
+  add_output(kernel, build.mul(az, kX));
+  add_output(kernel, build.mul(az, kY));
+  EXPECT_EQ(print::dump(passes::factor(kernel)), print::dump(kernel));
+}
+
+TEST(Factor, NeverAddsConstantsWhoseRadicalsDiffer) {
+  Kernel kernel = empty_kernel();
+  Builder build(kernel);
+  const NodeId a = build.constant(Surd::square_root(2));
+  const NodeId b = build.constant(Surd::square_root(3));
+  const NodeId az = build.mul(a, kZ);
+  const NodeId bz = build.mul(b, kZ);
+  add_output(kernel, build.add(az, bz));
+  EXPECT_EQ(values(passes::factor(kernel)), values(kernel));
+}
+
+TEST(Prune, DropsWhatReachesNoOutput) {
+  Kernel kernel = empty_kernel();
+  Builder build(kernel);
+  build.mul(kX, kY);
+  build.constant(Surd(5));
+  add_output(kernel, build.neg(kZ));
+  const Kernel pruned = passes::prune(kernel);
+  EXPECT_EQ(pruned.nodes.size(), 2U);
+  EXPECT_EQ(cost(pruned).operations(), cost(kernel).operations());
+  EXPECT_EQ(values(pruned), values(kernel));
+}
+
+TEST(Schedule, LowersTheNumberOfLiveValues) {
+  // Four squares computed first and used one by one afterwards.
+  Kernel kernel = empty_kernel();
+  Builder build(kernel);
+  std::vector<NodeId> powers{kX};
+  for (int i = 0; i < 6; ++i) powers.push_back(build.mul(powers.back(), kY));
+  for (const NodeId power : powers) add_output(kernel, build.add(power, kZ));
+  const Kernel scheduled = passes::schedule(kernel);
+  EXPECT_LT(cost(scheduled).max_live, cost(kernel).max_live);
+  EXPECT_EQ(cost(scheduled).max_live, 4);
+  EXPECT_EQ(values(scheduled), values(kernel));
+}
+
+TEST(Cost, CountsOperationsThatReachAnOutputOnly) {
+  Kernel kernel = empty_kernel();
+  Builder build(kernel);
+  const NodeId dead = build.mul(kX, kX);
+  build.add(dead, kY);
+  const NodeId product = build.mul(kX, kY);
+  const NodeId sum = build.sub(product, kZ);
+  add_output(kernel, build.fma(sum, kX, build.neg(product)));
+  const Cost c = cost(kernel);
+  EXPECT_EQ(c.mul, 1);
+  EXPECT_EQ(c.add, 1);
+  EXPECT_EQ(c.neg, 1);
+  EXPECT_EQ(c.fma, 1);
+  EXPECT_EQ(c.depth, 3);
+}
+
+TEST(Evaluate, FusedMultiplyAddRoundsOnce) {
+  Kernel kernel = empty_kernel();
+  Builder build(kernel);
+  add_output(kernel, build.fma(kX, kY, kZ));
+  const float e = std::ldexp(1.0F, -20);
+  const std::vector<float> point{1 + e, 1 - e, -1};
+  EXPECT_EQ(Evaluator<float>(kernel)(point)[0], -e * e);
+}
+
+TEST(Ir, RefusesKernelsThatReferForward) {
+  Kernel kernel = empty_kernel();
+  Builder(kernel).append({Op::kAdd, {0, 5, -1}, -1, {}, ""});
+  EXPECT_THROW(require_well_formed(kernel), std::logic_error);
+  Kernel without_node = empty_kernel();
+  add_output(without_node, 7);
+  EXPECT_THROW(require_well_formed(without_node), std::logic_error);
+}
+
+}  // namespace
+}  // namespace sh::codegen

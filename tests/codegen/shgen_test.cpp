@@ -1,0 +1,155 @@
+// The tool from outside: the committed files, reproducibility, what check finds, bad arguments.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+
+#include "tests/codegen/support.hpp"
+
+namespace sh::codegen {
+namespace {
+
+namespace fs = std::filesystem;
+using test::quoted;
+using test::run_command;
+
+const std::string kShgen = quoted(std::string(SHFORGE_BIN_DIR) + "/shgen");
+const fs::path kCommitted = fs::path(SHFORGE_SOURCE_DIR) / "generated";
+
+std::map<std::string, std::string> content_of(const fs::path& folder) {
+  std::map<std::string, std::string> files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    const std::string name = fs::relative(entry.path(), folder).generic_string();
+    if (entry.is_regular_file() && name != "README.md" && name != "CMakeLists.txt")
+      files[name] = test::read_file(entry.path());
+  }
+  return files;
+}
+
+// A fresh copy of what the generator writes.
+class WrittenTree : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto result = run_command(kShgen + " write --out " + quoted(folder()));
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+  }
+  const fs::path& folder() const { return temporary_.path(); }
+  test::CommandResult check() const { return run_command(kShgen + " check --dir " + quoted(folder())); }
+
+ private:
+  test::TemporaryFolder temporary_;
+};
+
+TEST_F(WrittenTree, EqualsTheCommittedOneAndASecondRunByteForByte) {
+  const test::TemporaryFolder second;
+  ASSERT_EQ(run_command(kShgen + " write --out " + quoted(second.path())).exit_code, 0);
+  EXPECT_EQ(content_of(folder()), content_of(second.path()));
+  EXPECT_EQ(content_of(folder()), content_of(kCommitted));
+  EXPECT_EQ(content_of(folder()).size(), 24U);  // 11 degrees x 2 languages, basis.hpp, MANIFEST
+}
+
+TEST_F(WrittenTree, RunsWithAddressRandomisation) {
+  // Otherwise the test above would show nothing about hash order.
+  const auto setting = run_command("cat /proc/sys/kernel/randomize_va_space");
+  ASSERT_EQ(setting.exit_code, 0);
+  EXPECT_NE(setting.out, "0\n");
+}
+
+TEST_F(WrittenTree, PassesItsOwnCheck) {
+  EXPECT_EQ(check().exit_code, 0);
+  EXPECT_EQ(check().out, "");
+}
+
+TEST_F(WrittenTree, CheckNamesAFileWithOneByteChanged) {
+  for (const auto& [name, content] : content_of(folder())) {
+    if (name != "MANIFEST" && name != "cpp/basis_l4.hpp" && name != "glsl/basis_l10.glsl") continue;
+    std::string changed = content;
+    changed[changed.size() / 2] = static_cast<char>(changed[changed.size() / 2] ^ 1);
+    test::write_file(folder() / name, changed);
+    const auto result = check();
+    EXPECT_EQ(result.exit_code, 1);
+    EXPECT_EQ(result.out.find(name + ": differs"), 0U) << result.out;
+    EXPECT_EQ(std::count(result.out.begin(), result.out.end(), '\n'), 1);
+    test::write_file(folder() / name, content);
+  }
+}
+
+TEST_F(WrittenTree, CheckNamesMissingAndExtraFiles) {
+  fs::remove(folder() / "cpp/basis_l3.hpp");
+  test::write_file(folder() / "cpp/basis_l11.hpp", "stale");
+  test::write_file(folder() / "README.md", "handwritten, never compared");
+  const auto result = check();
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_EQ(result.out, "cpp/basis_l3.hpp: missing\ncpp/basis_l11.hpp: extra, the generator does not write it\n");
+}
+
+TEST_F(WrittenTree, WriteLeavesUnchangedFilesAloneAndNoTemporaries) {
+  const fs::path kept = folder() / "cpp/basis_l4.hpp";
+  const auto before = fs::last_write_time(kept);
+  test::write_file(folder() / "cpp/basis_l5.hpp", "old");
+  const auto result = run_command(kShgen + " write --out " + quoted(folder()));
+  EXPECT_EQ(result.out, "cpp/basis_l5.hpp\n");
+  EXPECT_EQ(fs::last_write_time(kept), before);
+  EXPECT_EQ(check().exit_code, 0);
+}
+
+TEST(Shgen, CommittedFilesPassTheCheckFromAnyFolder) {
+  EXPECT_EQ(run_command("cd / && " + kShgen + " check").exit_code, 0);
+  EXPECT_EQ(run_command("cd " + quoted(SHFORGE_SOURCE_DIR) + " && " + kShgen + " check").exit_code, 0);
+}
+
+TEST(Shgen, EmitPrintsTheCommittedFile) {
+  EXPECT_EQ(run_command(kShgen + " emit basis --degree 4 --lang cpp").out,
+            test::read_file(kCommitted / "cpp/basis_l4.hpp"));
+  EXPECT_EQ(run_command(kShgen + " emit basis --degree 0 --lang glsl").out,
+            test::read_file(kCommitted / "glsl/basis_l0.glsl"));
+}
+
+TEST(Shgen, ListPrintsTheManifest) {
+  EXPECT_EQ(run_command(kShgen + " list").out, test::read_file(kCommitted / "MANIFEST"));
+}
+
+TEST(Shgen, DumpShowsEachStage) {
+  for (const std::string stage : {"recipe", "share", "factor", "prune", "schedule"}) {
+    const auto result = run_command(kShgen + " dump " + stage + " basis_l4");
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(result.out.find("basis_l4: "), 0U) << result.out;
+  }
+}
+
+TEST(Shgen, BadArgumentsAreOneLineAndExitTwo) {
+  const std::map<std::string, std::string> cases{
+      {"", "it should be one of: write, check, list, emit, dump"},
+      {"frobnicate", "frobnicate"},
+      {"emit", "family"},
+      {"emit basis --lang cpp", "--degree"},
+      {"emit basis --degree -1 --lang cpp", "degree -1; it should be 0 to 20"},
+      {"emit basis --degree 21 --lang cpp", "degree 21; it should be 0 to 20"},
+      {"emit basis --degree four --lang cpp", "four"},
+      {"emit basis --degree 99999999999 --lang cpp", "99999999999"},
+      {"emit nothing --degree 1 --lang cpp", "unknown family 'nothing'; it should be one of: basis"},
+      {"emit basis --degree 1 --lang cobol", "unknown language 'cobol'; it should be one of: cpp, glsl"},
+      {"dump nothing basis_l4", "it should be one of: recipe, share, factor, prune, schedule"},
+      {"dump share basis", "unknown kernel 'basis'"},
+      {"dump share basis_l99", "degree 99"},
+      {"dump share basis_lx", "unknown kernel 'basis_lx'"},
+      {"check --dir /nonexistent", "/nonexistent"},
+      {"write --out /dev/null/here", "/dev/null/here"},
+      {"emit basis --degree 4 --lang cpp >/dev/full", "standard output"},
+  };
+  for (const auto& [arguments, part] : cases) {
+    const auto result = run_command(kShgen + " " + arguments);
+    EXPECT_EQ(result.exit_code, 2) << arguments;
+    EXPECT_EQ(result.out, "") << arguments;
+    std::string message = result.err;
+    message.erase(
+        0, message.find("shgen: basis_l10\n") == std::string::npos ? 0 : message.find("shgen: basis_l10\n") + 17);
+    EXPECT_EQ(std::count(message.begin(), message.end(), '\n'), 1) << arguments << ": " << message;
+    EXPECT_EQ(message.find("shgen: "), 0U) << message;
+    EXPECT_NE(message.find(part), std::string::npos) << arguments << ": " << message;
+  }
+}
+
+}  // namespace
+}  // namespace sh::codegen
