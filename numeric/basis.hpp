@@ -4,7 +4,8 @@
 // Compiled for the six types of real.hpp; another type needs basis_impl.hpp. Slow and obvious on purpose: one square
 // root and a handful of products a value. Algorithm and references: legendre.hpp.
 //
-// Measured against 100 digits on the sets of directions.hpp (tests/numeric/test_basis.cpp holds it to that).
+// Measured against 100 digits on the sets of directions.hpp: 3.3 epsilon x band maximum at degree 10 in every type;
+// in double the norm of a band of degree 1000 is right to 3e-13 (tests/numeric/test_basis.cpp).
 #pragma once
 
 #include <array>

@@ -12,41 +12,41 @@
 namespace sh::numeric {
 namespace detail {
 
+// P_n at 1 - delta and its derivative in delta, for 0 < delta < 2. Bonnet's recurrence written for the differences
+// D_k = P_k - P_(k-1): (k+1) D_(k+1) = k D_k - (2k+1) delta P_k. With delta = 1 - t instead of t a zero close to 1
+// keeps its relative precision, on which its weight depends (in t the weight loses a factor n^2 of epsilon).
 template <class Real>
 struct LegendreValue {
-  Real value, derivative;
+  Real value, slope;
 };
 
-// P_n and P_n' at |t| < 1, by Bonnet's recurrence k P_k = (2k-1) t P_(k-1) - (k-1) P_(k-2), written as a correction to
-// P_(k-1) t so that every coefficient stays below 1.
 template <class Real>
-LegendreValue<Real> legendre_value(int n, const Real& t) {
-  Real previous = 1;
-  Real current = t;
-  for (int k = 2; k <= n; ++k) {
-    const Real ratio = static_cast<Real>(k - 1) / static_cast<Real>(k);
-    const Real next = t * current + ratio * (t * current - previous);
-    previous = current;
-    current = next;
+LegendreValue<Real> legendre_value(int n, const Real& delta) {
+  Real value = 1;
+  Real difference = 0;
+  for (int k = 0; k < n; ++k) {
+    difference =
+        (static_cast<Real>(k) * difference - static_cast<Real>(2 * k + 1) * delta * value) / static_cast<Real>(k + 1);
+    value += difference;
   }
-  return {current, static_cast<Real>(n) * (previous - t * current) / ((1 - t) * (1 + t))};
+  return {value, static_cast<Real>(n) * (difference - delta * value) / (delta * (2 - delta))};
 }
 
-// The i-th zero of P_n from the top (i = 1 .. n/2): Newton from the classical estimate cos(pi (i - 1/4) / (n + 1/2)),
-// which lies within the zero's own basin for every n.
+// 1 - t for the i-th zero t of P_n from the top (i = 1 .. n/2): Newton from the classical estimate
+// t = cos(pi (i - 1/4) / (n + 1/2)), until the steps no longer shrink.
 template <class Real>
 Real legendre_zero(int n, int i) {
   using std::abs;
-  Real t = static_cast<Real>(std::cos(pi<double>() * (i - 0.25) / (n + 0.5)));
+  const double half_sine = std::sin(0.5 * pi<double>() * (i - 0.25) / (n + 0.5));
+  Real delta = static_cast<Real>(2 * half_sine * half_sine);
   Real step = 1;
-  for (Real before = 2; abs(step) < abs(before);) {
+  for (Real before = 2; abs(step) < abs(before) && abs(step) > machine_epsilon<Real>() * delta / 2;) {
     before = step;
-    const auto p = legendre_value(n, t);
-    step = p.value / p.derivative;
-    t -= step;
-    if (abs(step) < machine_epsilon<Real>() * abs(t)) break;
+    const auto p = legendre_value(n, delta);
+    step = p.value / p.slope;
+    delta -= step;
   }
-  return t;
+  return delta;
 }
 
 }  // namespace detail
@@ -58,11 +58,11 @@ GaussLegendreRule<Real> gauss_legendre(int n) {
   GaussLegendreRule<Real> rule{std::vector<Real>(size, Real(0)), std::vector<Real>(size, Real(2))};
   for (std::size_t i = 0; i < (size + 1) / 2; ++i) {
     const bool middle = 2 * i + 1 == size;
-    const Real t = middle ? Real(0) : detail::legendre_zero<Real>(n, static_cast<int>(i) + 1);
-    const Real slope = n == 1 ? Real(1) : detail::legendre_value(n, t).derivative;
-    const Real weight = 2 / ((1 - t) * (1 + t) * slope * slope);
-    rule.nodes[i] = -t;
-    rule.nodes[size - 1 - i] = t;
+    const Real delta = middle ? Real(1) : detail::legendre_zero<Real>(n, static_cast<int>(i) + 1);
+    const Real slope = detail::legendre_value(n, delta).slope;
+    const Real weight = 2 / (delta * (2 - delta) * slope * slope);
+    rule.nodes[i] = delta - 1;
+    rule.nodes[size - 1 - i] = 1 - delta;
     rule.weights[i] = rule.weights[size - 1 - i] = weight;
   }
   return rule;
