@@ -1,5 +1,6 @@
 // The tool `prt`: bakes, relights and renders. Exit: 0 done, 2 bad input, 130 interrupted.
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <cstdio>
 #include <exception>
 
@@ -12,6 +13,7 @@ int run(int argc, char** argv) {
   CLI::App tool("Precomputed radiance transfer with spherical harmonics: bake, relight, render.", "prt");
   tool.require_subcommand(1);
   try {
+    std::signal(SIGXFSZ, SIG_IGN);  // a file-size limit is then an error of write(), reported like a full disk
     sh::prt::stop_on_interrupt();
     sh::prt::add_bake_command(tool);
     sh::prt::add_relight_command(tool);

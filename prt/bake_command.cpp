@@ -1,0 +1,69 @@
+// `prt bake SCENE -o FILE`: the transfer vectors of a scene's mesh.
+#include <fmt/format.h>
+
+#include <memory>
+#include <optional>
+
+#include "prt/bake.hpp"
+#include "prt/commands.hpp"
+#include "prt/light_coefficients.hpp"
+#include "prt/scene.hpp"
+#include "prt/transfer_file.hpp"
+
+namespace sh::prt {
+namespace {
+
+struct Options {
+  std::string scene;
+  std::string output;
+  std::optional<int> degree;  // these three override the scene's
+  std::optional<int> directions;
+  std::string kind;
+  std::string instruction_set;
+  int threads = 0;
+  bool strict = false;
+};
+
+void override_bake(const Options& options, BakeOptions& bake) {
+  bake.degree = options.degree.value_or(bake.degree);
+  bake.directions = options.directions.value_or(bake.directions);
+  if (!options.kind.empty()) {
+    bake.kind = options.kind == "shadowed" ? TransferKind::kShadowed : TransferKind::kUnshadowed;
+  }
+  require_degree(bake.degree);
+}
+
+void run(const Options& options) {
+  const Stopwatch stopwatch;
+  require_writable(options.output);
+  const OnFlaw on_flaw = options.strict ? OnFlaw::kRefuse : OnFlaw::kMend;
+  Scene scene = load_scene(options.scene, on_flaw);
+  override_bake(options, scene.bake);
+  const Transfer transfer = bake(scene, {options.threads, options.instruction_set, on_flaw});
+  write_transfer(options.output, transfer);
+  stopwatch.report(fmt::format("baked {} vertices, {} faces, degree {}, {} directions, into {}",
+                               transfer.mesh.positions.size(), transfer.mesh.faces.size(), transfer.degree,
+                               transfer.directions, options.output));
+}
+
+}  // namespace
+
+void add_bake_command(CLI::App& tool) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = tool.add_subcommand("bake", "compute the transfer vectors of a scene");
+  command->add_option("SCENE", options->scene, "a scene's JSON file, or `demo`, the embedded scene")->required();
+  command->add_option("-o,--output", options->output, "transfer file to write")->required();
+  command->add_option("--degree", options->degree, "0 to 10, instead of the scene's");
+  command->add_option("--directions", options->directions,
+                      "rays a vertex over the whole sphere, instead of the scene's");
+  command->add_option("--kind", options->kind, "shadowed or unshadowed, instead of the scene's")
+      ->check(CLI::IsMember({"shadowed", "unshadowed"}));
+  command->add_option("--threads", options->threads, "0: every core; the file does not depend on it")
+      ->capture_default_str();
+  command->add_option("--instruction-set", options->instruction_set,
+                      "of the rays: sse4.2, avx, avx2 or avx512; bits are reproducible on each");
+  command->add_flag("--strict", options->strict, "refuse meshes that would otherwise be mended with a warning");
+  command->callback([options] { with_threads(options->threads, [&] { run(*options); }); });
+}
+
+}  // namespace sh::prt

@@ -1,0 +1,248 @@
+// The tool `prt` as its users run it: results, exit status, one-line errors, nothing half-written.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "tests/prt/image_files.hpp"
+#include "tests/prt/temporary_folder.hpp"
+#include "tests/prt/tool.hpp"
+
+namespace sh::prt {
+namespace {
+
+using test::Finished;
+using test::interrupt_prt;
+using test::read_all;
+using test::run_prt;
+using test::TemporaryFolder;
+using test::write_all;
+using Arguments = std::vector<std::string>;
+
+/// Exit 2, one line on standard error that begins with `prt: ` and holds `reason`, nothing on standard output.
+void expect_refused(const Arguments& arguments, const std::string& reason, const std::string& before = {}) {
+  const Finished run = run_prt(arguments, before);
+  EXPECT_EQ(run.status, 2) << run.err;
+  EXPECT_EQ(run.err.rfind("prt: ", 0), 0U) << run.err;
+  EXPECT_NE(run.err.find(reason), std::string::npos) << run.err;
+  EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+  EXPECT_EQ(run.out, "");
+}
+
+/// The last line of standard error; progress stands before it.
+std::string last_line(const std::string& text) {
+  const std::size_t end = text.find_last_not_of('\n');
+  const std::size_t begin = text.find_last_of('\n', end);
+  return text.substr(begin == std::string::npos ? 0 : begin + 1, end - begin);
+}
+
+/// Exit 2 with `reason` in the last line of standard error; for failures after progress was shown.
+void expect_failed_late(const Finished& run, const std::string& reason) {
+  EXPECT_EQ(run.status, 2) << run.err;
+  EXPECT_EQ(last_line(run.err).rfind("prt: ", 0), 0U) << run.err;
+  EXPECT_NE(last_line(run.err).find(reason), std::string::npos) << run.err;
+}
+
+/// One small bake of the embedded scene for all tests of this file.
+class Tool : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder = new TemporaryFolder;
+    baked = folder->file("demo.transfer");
+    const Finished run = run_prt({"bake", "demo", "-o", baked, "--degree", "2", "--directions", "64"});
+    ASSERT_EQ(run.status, 0) << run.err;
+  }
+  static void TearDownTestSuite() { delete folder; }
+
+  static inline TemporaryFolder* folder = nullptr;
+  static inline std::string baked;
+};
+
+TEST_F(Tool, ProjectPrintsCoefficientsWithConventionAxesAndUnits) {
+  Image image = test::pattern_image(64, 32);
+  for (Eigen::Vector3f& pixel : image.pixels) {
+    pixel = {1.0F, 2.0F, 4.0F};
+  }
+  image.pixels[7].x() = -1.0F;
+  test::write_exr(folder->file("light.exr"), image);
+  const Finished run = run_prt({"project", folder->file("light.exr"), "--degree", "2"});
+  ASSERT_EQ(run.status, 0) << run.err;
+  const auto json = nlohmann::json::parse(run.out);
+  EXPECT_EQ(json["file"], "light.exr");
+  EXPECT_EQ(json["width"], 64);
+  EXPECT_EQ(json["height"], 32);
+  EXPECT_EQ(json["negative_pixels"], 1);
+  EXPECT_EQ(json["degree"], 2);
+  for (const char* key : {"convention", "axes", "mapping", "unit", "color_space", "layout"}) {
+    EXPECT_TRUE(json[key].is_string()) << key;
+  }
+  ASSERT_EQ(json["coefficients"].size(), 3U);
+  for (std::size_t c = 0; c < 3; ++c) {
+    ASSERT_EQ(json["coefficients"][c].size(), 9U);
+  }
+  EXPECT_NEAR(json["coefficients"][2][0].get<double>(), 4.0 * std::sqrt(4.0 * std::numbers::pi), 1e-12);
+  EXPECT_EQ(run.out.find(folder->file("")), std::string::npos) << "no machine path belongs in a result";
+  EXPECT_NE(run.err.find("1 of 2048 pixels"), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find(" s\n"), std::string::npos) << run.err;
+}
+
+TEST_F(Tool, ProjectRefusesBadPictures) {
+  Image image = test::pattern_image(8, 4);
+  image.pixels[0].x() = -1.0F;
+  test::write_exr(folder->file("negative.exr"), image);
+  expect_refused({"project", folder->file("negative.exr"), "--strict"}, "1 of 32 pixels");
+  image.pixels[9].y() = std::nanf("");
+  image.pixels[0].x() = 1.0F;
+  test::write_exr(folder->file("nan.exr"), image);
+  expect_refused({"project", folder->file("nan.exr")}, "nan.exr: the pixel in column 1, row 1");
+  write_all(folder->file("cut.exr"), read_all(folder->file("negative.exr")).substr(0, 400));
+  expect_refused({"project", folder->file("cut.exr")}, "cut.exr");
+  test::write_exr(folder->file("square.exr"), test::pattern_image(8, 8));
+  expect_refused({"project", folder->file("square.exr")}, "8 x 8 pixels");
+  write_all(folder->file("text.exr"), "hello");
+  expect_refused({"project", folder->file("text.exr")}, "is not an OpenEXR");
+  expect_refused({"project", folder->file("none.exr")}, "No such file");
+  test::write_exr(folder->file("good.exr"), test::pattern_image(8, 4));
+  expect_refused({"project", folder->file("good.exr"), "--degree", "11"}, "degree 11 is out of range");
+  expect_refused({"project", folder->file("good.exr"), "--degree", "-1"}, "degree -1 is out of range");
+  expect_refused({"project", folder->file("good.exr"), "--threads", "-2"}, "--threads -2");
+  expect_failed_late(run_prt({"project", folder->file("good.exr")}, {}, "/dev/full"), "standard output: cannot write");
+}
+
+TEST_F(Tool, CommandLinesThatCannotBeParsedAreOneLine) {
+  expect_refused({}, "subcommand");
+  expect_refused({"bake"}, "SCENE");
+  expect_refused({"bake", "demo"}, "--output");
+  expect_refused({"bake", "demo", "-o", "x", "--degree", "two"}, "two");
+  expect_refused({"fly"}, "fly");
+  expect_refused({"render", baked, "-o", "x.png", "--scene", "demo", "--light", "constant"}, "--scene");
+  expect_refused({"render", baked, "-o", "x.png", "--background", "pink"}, "pink");
+}
+
+TEST_F(Tool, HelpExitsZeroAndGoesToStandardOutput) {
+  const Finished run = run_prt({"render", "--help"});
+  EXPECT_EQ(run.status, 0);
+  EXPECT_NE(run.out.find("--exposure"), std::string::npos);
+}
+
+TEST_F(Tool, InfoDescribesABake) {
+  const Finished run = run_prt({"info", baked});
+  ASSERT_EQ(run.status, 0) << run.err;
+  const auto json = nlohmann::json::parse(run.out);
+  EXPECT_EQ(json["file"], "demo.transfer");
+  EXPECT_EQ(json["degree"], 2);
+  EXPECT_EQ(json["bytes"], std::filesystem::file_size(baked));
+  EXPECT_GT(json["mean_of_first_coefficient"].get<double>(), 0.0);
+}
+
+TEST_F(Tool, FilesThatAreNoTransferAreRefusedByEveryCommand) {
+  write_all(folder->file("cut.transfer"), read_all(baked).substr(0, 1000));
+  for (const char* name : {"cut.transfer", "none.transfer"}) {
+    expect_refused({"info", folder->file(name)}, name);
+    expect_refused({"relight", folder->file(name), "-o", folder->file("x.ply")}, name);
+    expect_refused({"render", folder->file(name), "-o", folder->file("x.png")}, name);
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder->file("x.ply")));
+  EXPECT_FALSE(std::filesystem::exists(folder->file("x.png")));
+}
+
+TEST_F(Tool, BakeIsTheSameFileForAnyNumberOfThreads) {
+  const std::string again = folder->file("again.transfer");
+  const Finished run = run_prt({"bake", "demo", "-o", again, "--degree", "2", "--directions", "64", "--threads", "1"});
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_TRUE(read_all(again) == read_all(baked));
+}
+
+TEST_F(Tool, BakeRefusesWhatItCannotDo) {
+  const std::string out = folder->file("no.transfer");
+  expect_refused({"bake", folder->file("none.json"), "-o", out}, "none.json");
+  expect_refused({"bake", "demo", "-o", out, "--degree", "11"}, "degree 11");
+  expect_refused({"bake", "demo", "-o", out, "--directions", "0"}, "0");
+  expect_refused({"bake", "demo", "-o", out, "--instruction-set", "abacus"}, "abacus");
+  expect_refused({"bake", "demo", "-o", folder->file("no/such/folder.transfer")}, "cannot write");
+  expect_refused({"bake", "demo", "-o", folder->file("")}, "cannot write");
+  EXPECT_FALSE(std::filesystem::exists(out));
+}
+
+TEST_F(Tool, RelightWritesAPlyOfTheWholeMesh) {
+  const std::string ply = folder->file("demo.ply");
+  const Finished run = run_prt({"relight", baked, "--light", "constant", "-o", ply});
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_EQ(read_all(ply).rfind("ply\n", 0), 0U);
+  EXPECT_NE(run.err.find("mean exit radiance"), std::string::npos) << run.err;
+}
+
+TEST_F(Tool, RenderWritesOnePictureOrNumberedFrames) {
+  const Arguments common{"render", baked, "--scene", "demo", "--width", "64", "--height", "48", "--samples", "2"};
+  const auto with = [&](const Arguments& more) {
+    Arguments all = common;
+    all.insert(all.end(), more.begin(), more.end());
+    return run_prt(all);
+  };
+  ASSERT_EQ(with({"-o", folder->file("one.png")}).status, 0);
+  ASSERT_EQ(with({"-o", folder->file("turn.png"), "--frames", "3"}).status, 0);
+  EXPECT_TRUE(std::filesystem::exists(folder->file("turn_000.png")));
+  EXPECT_TRUE(std::filesystem::exists(folder->file("turn_001.png")));
+  EXPECT_TRUE(std::filesystem::exists(folder->file("turn_002.png")));
+  EXPECT_FALSE(std::filesystem::exists(folder->file("turn.png")));
+  EXPECT_TRUE(read_all(folder->file("one.png")) == read_all(folder->file("turn_000.png")));
+  ASSERT_EQ(with({"-o", folder->file("single.png"), "--threads", "1"}).status, 0);
+  EXPECT_TRUE(read_all(folder->file("one.png")) == read_all(folder->file("single.png")));
+}
+
+TEST_F(Tool, TurningTheLightChangesThePicture) {
+  Image image = test::pattern_image(32, 16);
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+    image.pixels[i] = i % 32 < 16 ? Eigen::Vector3f(2.0F, 1.0F, 0.5F) : Eigen::Vector3f(0.1F, 0.2F, 0.4F);
+  }
+  test::write_exr(folder->file("half.exr"), image);
+  const auto render = [&](const std::string& name, const std::string& turn) {
+    const Finished run = run_prt({"render", baked, "--light", folder->file("half.exr"), "--turn", turn, "--width", "64",
+                                  "--height", "48", "--samples", "1", "-o", folder->file(name)});
+    EXPECT_EQ(run.status, 0) << run.err;
+    return read_all(folder->file(name));
+  };
+  const std::string once = render("a.png", "0");
+  EXPECT_FALSE(once == render("b.png", "120"));
+}
+
+TEST_F(Tool, RenderRefusesWhatItCannotDo) {
+  const std::string out = folder->file("no.png");
+  expect_refused({"render", baked, "-o", out, "--width", "0"}, "0 x 540 pixels");
+  expect_refused({"render", baked, "-o", out, "--samples", "0"}, "0 samples");
+  expect_refused({"render", baked, "-o", out, "--frames", "0"}, "--frames 0");
+  expect_refused({"render", baked, "-o", out, "--exposure", "nan"}, "--exposure nan");
+  expect_refused({"render", baked, "-o", out, "--light", folder->file("none.exr")}, "none.exr");
+  expect_refused({"render", baked, "-o", folder->file("no/such.png")}, "cannot write");
+  EXPECT_FALSE(std::filesystem::exists(out));
+}
+
+TEST_F(Tool, AFullDiskLeavesTheOldFileOrNone) {
+  const std::string limit = "ulimit -f 8";  // blocks of 512 bytes: 4 KiB
+  const std::size_t before = folder->entries();
+  const std::string out = folder->file("full.transfer");
+  expect_failed_late(run_prt({"bake", "demo", "-o", out, "--degree", "1", "--directions", "16"}, limit),
+                     "cannot write");
+  expect_failed_late(run_prt({"relight", baked, "-o", folder->file("full.ply")}, limit), "cannot write");
+  expect_failed_late(run_prt({"bake", "demo", "-o", "/dev/full", "--degree", "1", "--directions", "16"}),
+                     "No space left");
+  EXPECT_EQ(folder->entries(), before);
+  write_all(out, "old");
+  expect_failed_late(run_prt({"bake", "demo", "-o", out, "--degree", "1", "--directions", "16"}, limit),
+                     "cannot write");
+  EXPECT_EQ(read_all(out), "old");
+}
+
+TEST_F(Tool, InterruptionLeavesNothing) {
+  const std::size_t before = folder->entries();
+  const Finished run = interrupt_prt(
+      {"bake", "demo", "-o", folder->file("never.transfer"), "--directions", "1000000", "--threads", "1"}, 1500);
+  EXPECT_EQ(run.status, 130) << run.err;
+  EXPECT_EQ(folder->entries(), before);
+}
+
+}  // namespace
+}  // namespace sh::prt

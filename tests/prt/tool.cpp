@@ -1,0 +1,69 @@
+// Child processes for tests: tests/prt/tool.hpp.
+#include "tests/prt/tool.hpp"
+
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <thread>
+
+#include "tests/prt/temporary_folder.hpp"
+
+namespace sh::prt::test {
+namespace {
+
+std::string quoted(const std::string& text) {
+  std::string out = "'";
+  for (const char c : text) {
+    out += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  }
+  return out + "'";
+}
+
+std::string command_line(const std::vector<std::string>& arguments) {
+  std::string line = quoted(std::string(SHFORGE_BIN_DIR) + "/prt");
+  for (const std::string& argument : arguments) {
+    line += ' ' + quoted(argument);
+  }
+  return line;
+}
+
+pid_t start_shell(const std::string& text) {
+  const pid_t child = fork();
+  if (child == 0) {
+    execl("/bin/sh", "sh", "-c", text.c_str(), static_cast<char*>(nullptr));
+    _exit(127);
+  }
+  return child;
+}
+
+int wait_for(pid_t child) {
+  int status = 0;
+  waitpid(child, &status, 0);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+}  // namespace
+
+Finished run_prt(const std::vector<std::string>& arguments, const std::string& before, const std::string& redirect) {
+  const TemporaryFolder folder;
+  const std::string out = redirect.empty() ? folder.file("out") : redirect;
+  const std::string text = (before.empty() ? "" : before + "; ") + "exec " + command_line(arguments) + " > " +
+                           quoted(out) + " 2> " + quoted(folder.file("err"));
+  const int status = wait_for(start_shell(text));
+  return {status, redirect.empty() ? read_all(out) : std::string(), read_all(folder.file("err"))};
+}
+
+Finished interrupt_prt(const std::vector<std::string>& arguments, int milliseconds) {
+  const TemporaryFolder folder;
+  const pid_t child = start_shell("exec " + command_line(arguments) + " > /dev/null 2> " + quoted(folder.file("err")));
+  std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
+  kill(child, SIGINT);
+  const int status = wait_for(child);
+  return {status, {}, read_all(folder.file("err"))};
+}
+
+}  // namespace sh::prt::test

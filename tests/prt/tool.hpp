@@ -1,0 +1,23 @@
+// The tool `prt` as a child process.
+#pragma once
+#include <string>
+#include <vector>
+
+namespace sh::prt::test {
+
+/// What a finished process left behind.
+struct Finished {
+  int status = 0;  // exit status, or 128 + signal
+  std::string out;
+  std::string err;
+};
+
+/// Runs SHFORGE_BIN_DIR/prt with the arguments; `before` is shell text run first in the same process (limits, cd);
+/// `redirect` replaces the capture of standard output when not empty.
+Finished run_prt(const std::vector<std::string>& arguments, const std::string& before = {},
+                 const std::string& redirect = {});
+
+/// Runs it and sends SIGINT after `milliseconds`.
+Finished interrupt_prt(const std::vector<std::string>& arguments, int milliseconds);
+
+}  // namespace sh::prt::test
