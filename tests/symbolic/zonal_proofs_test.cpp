@@ -1,0 +1,142 @@
+// Each proof holds for what is derived and falls for a spoiled copy of it.
+#include "symbolic/zonal_proofs.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <stdexcept>
+
+#include "symbolic/green_circular_light.hpp"
+#include "symbolic/irradiance.hpp"
+
+namespace sh::symbolic {
+namespace {
+
+const cln::cl_RA kOneInAMillion = cln::cl_RA(1000001) / 1000000;
+
+// Scales one coefficient of the first polynomial (or the factor where there is none).
+ZonalTerm nudged(ZonalTerm term) {
+  if (term.numerator.empty()) {
+    term.factor = Surd(kOneInAMillion) * term.factor;
+  } else {
+    const auto [monomial, coefficient] = *term.numerator.front().terms().begin();
+    term.numerator.front().add_term(monomial, coefficient * (kOneInAMillion - 1));
+  }
+  return term;
+}
+
+TEST(ZonalProofs, EveryEntryOfTheCatalogueHolds) {
+  std::set<std::string> names;
+  for (const Proof& proof : zonal_proofs()) {
+    const ProofResult result = proof.run(proof.default_degree);
+    EXPECT_TRUE(result.proved) << proof.name << ": " << result.detail;
+    EXPECT_TRUE(names.insert(proof.name).second) << proof.name;
+    EXPECT_THROW(proof.run(-1), std::invalid_argument);
+    EXPECT_THROW(proof.run(proof.max_degree + 1), std::invalid_argument);
+  }
+}
+
+TEST(ZonalProofs, ClosedFormsOffByOnePartInAMillionAreRefuted) {
+  for (const ZonalFamily& family : zonal_families()) {
+    for (std::size_t l = 0; l <= 6; ++l) {
+      std::vector<ZonalTerm> spoiled = zonal_coefficients(family, 6);
+      if (spoiled[l].factor.is_zero()) continue;
+      spoiled[l] = nudged(spoiled[l]);
+      EXPECT_FALSE(prove_zonal_closed_form(family, spoiled).proved) << family.name << " " << l;
+    }
+  }
+}
+
+TEST(ZonalProofs, ClosedFormsOfTheWrongSignOrDegreeAreRefuted) {
+  for (const ZonalFamily& family : zonal_families()) {
+    std::vector<ZonalTerm> wrong_sign = zonal_coefficients(family, 2);
+    wrong_sign[1].factor = -wrong_sign[1].factor;
+    EXPECT_FALSE(prove_zonal_closed_form(family, wrong_sign).proved) << family.name;
+    std::vector<ZonalTerm> swapped = zonal_coefficients(family, 2);
+    std::swap(swapped[0], swapped[1]);
+    EXPECT_FALSE(prove_zonal_closed_form(family, swapped).proved) << family.name;
+  }
+}
+
+TEST(ZonalProofs, CosinePowersOfAShiftedExponentAreRefuted) {
+  const ZonalFamily& family = zonal_family("cosine-power");
+  std::vector<ZonalTerm> shifted = zonal_coefficients(family, 4);
+  shifted[4].denominator.back() += Polynomial(2);
+  EXPECT_FALSE(prove_zonal_closed_form(family, shifted).proved);
+}
+
+TEST(ZonalProofs, AComplementThatLeavesAGapIsRefuted) {
+  const std::vector<ZonalTerm> cap = zonal_coefficients(zonal_family("cap"), 6);
+  const std::vector<ZonalTerm> complement = zonal_coefficients(zonal_family("cap-complement"), 6);
+  EXPECT_TRUE(prove_cap_complement(cap, complement).proved);
+  for (std::size_t l = 0; l <= 6; ++l) {
+    std::vector<ZonalTerm> spoiled = complement;
+    spoiled[l] = nudged(spoiled[l]);
+    EXPECT_FALSE(prove_cap_complement(cap, spoiled).proved) << l;
+  }
+  EXPECT_FALSE(prove_cap_complement(cap, cap).proved);
+}
+
+TEST(ZonalProofs, IrradianceFactorsThatAreWrongAreRefuted) {
+  std::vector<Surd> factors;
+  for (int l = 0; l <= 8; ++l) factors.push_back(irradiance_factor(l));
+  for (std::size_t l = 0; l <= 8; ++l) {
+    std::vector<Surd> spoiled = factors;
+    spoiled[l] = spoiled[l].is_zero() ? Surd(cln::cl_RA(1) / 1000000) : Surd(kOneInAMillion) * spoiled[l];
+    EXPECT_FALSE(prove_irradiance_factors(spoiled).proved) << l;
+  }
+  std::swap(factors[2], factors[4]);
+  EXPECT_FALSE(prove_irradiance_factors(factors).proved);
+}
+
+TEST(ZonalProofs, ConvolutionFactorsThatAreWrongAreRefuted) {
+  std::vector<Surd> factors;
+  for (int l = 0; l <= 5; ++l) factors.push_back(convolution_factor(l));
+  for (std::size_t l = 0; l <= 5; ++l) {
+    std::vector<Surd> spoiled = factors;
+    spoiled[l] = Surd(kOneInAMillion) * spoiled[l];
+    EXPECT_FALSE(prove_convolution(spoiled).proved) << l;
+  }
+  std::vector<Surd> inverted = factors;  // sqrt((2l+1) / 4 pi), a factor upside down
+  for (Surd& factor : inverted) factor = factor.inverse();
+  EXPECT_FALSE(prove_convolution(inverted).proved);
+}
+
+TEST(ZonalProofs, TurnedZonalFunctionsThatAreWrongAreRefuted) {
+  const std::vector<TurnedZonal> entries = turned_zonal(4);
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    std::vector<TurnedZonal> spoiled = entries;
+    spoiled[i].factor = Surd(kOneInAMillion) * spoiled[i].factor;
+    EXPECT_FALSE(prove_turned_zonal(spoiled).proved) << i;
+    spoiled = entries;
+    const auto [monomial, coefficient] = *entries[i].polynomial.terms().rbegin();
+    spoiled[i].polynomial.add_term(monomial, coefficient / 1000000);
+    EXPECT_FALSE(prove_turned_zonal(spoiled).proved) << i;
+  }
+  std::vector<TurnedZonal> swapped = entries;  // x for y
+  std::swap(swapped[1].polynomial, swapped[3].polynomial);
+  EXPECT_FALSE(prove_turned_zonal(swapped).proved);
+  std::vector<TurnedZonal> wrong_phase = entries;  // with a Condon-Shortley phase
+  wrong_phase[3].factor = -wrong_phase[3].factor;
+  EXPECT_FALSE(prove_turned_zonal(wrong_phase).proved);
+  std::vector<TurnedZonal> incomplete = entries;
+  incomplete.pop_back();
+  EXPECT_FALSE(prove_turned_zonal(incomplete).proved);
+}
+
+TEST(ZonalProofs, OneWrongDigitOfGreensCircularLightIsRefuted) {
+  const std::vector<PrintedTerm> printed = green_circular_light();
+  EXPECT_TRUE(prove_green_circular_light(printed).proved);
+  for (std::size_t i = 0; i < printed.size(); ++i) {
+    std::vector<PrintedTerm> spoiled = printed;
+    char& digit = spoiled[i].decimal[spoiled[i].decimal.size() - 2];
+    digit = digit == '9' ? '8' : static_cast<char>(digit + 1);
+    EXPECT_FALSE(prove_green_circular_light(spoiled).proved) << i;
+  }
+  std::vector<PrintedTerm> misplaced = printed;
+  misplaced[5].index = 3;
+  EXPECT_FALSE(prove_green_circular_light(misplaced).proved);
+}
+
+}  // namespace
+}  // namespace sh::symbolic
