@@ -52,7 +52,7 @@ T nearest(const cln::cl_RA& value) {
 template <class T>
 T nearest(const ExactReal& value) {
   if (const auto rational = as_rational(value)) return nearest<T>(*rational);
-  // Narrow the interval around the irrational value until both its ends round alike [Ziv 1991].
+  // Narrow the interval around the irrational value until both its ends round alike [Ziv91].
   constexpr int kMostDigits = 2000;
   for (int digits = 50; digits <= kMostDigits; digits *= 2) {
     const cln::cl_RA centre = cln::rational(evaluate(value, digits));

@@ -5,8 +5,9 @@
 //   shgen list                                       kernels with recipe, operations and measured error
 //   shgen emit FAMILY --degree N --lang cpp|glsl     print one kernel's file
 //   shgen dump STAGE KERNEL                          print the SSA of a kernel after a stage: dump share basis_l4
+//   shgen prove [NAME...] [--degree L] [--json FILE] prove every identity of symbolic/, or those named
 //
-// Exit: 0 done, 1 `check` found a difference, 2 bad input.
+// Exit: 0 done, 1 `check` found a difference or `prove` a false identity, 2 bad input.
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <iostream>
@@ -16,6 +17,7 @@
 #include "codegen/catalogue.hpp"
 #include "codegen/output_tree.hpp"
 #include "codegen/print/dump.hpp"
+#include "codegen/prove_command.hpp"
 
 namespace sh::codegen {
 namespace {
@@ -102,6 +104,12 @@ int run(int argc, char** argv) {
   auto* dump_command = app.add_subcommand("dump", "Print the SSA of a kernel after a stage");
   dump_command->add_option("stage", stage, "recipe, share, factor, prune or schedule")->required();
   dump_command->add_option("kernel", kernel, "Kernel, e.g. basis_l4")->required();
+  ProveOptions prove_options;
+  auto* prove_command = app.add_subcommand("prove", "Prove every identity that the kernels rest on");
+  prove_command->add_option("name", prove_options.only, "Proofs to run (default: all)");
+  const auto* prove_degree =
+      prove_command->add_option("--degree", degree, "Prove to this degree where the range allows");
+  prove_command->add_option("--json", prove_options.json, "File to write the results to");
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& request) {  // --help
@@ -110,7 +118,11 @@ int run(int argc, char** argv) {
     throw std::invalid_argument(error.what());
   }
   if (app.get_subcommands().empty()) {
-    throw std::invalid_argument("no command; it should be one of: write, check, list, emit, dump");
+    throw std::invalid_argument("no command; it should be one of: write, check, list, emit, dump, prove");
+  }
+  if (prove_command->parsed()) {
+    if (prove_degree->count() > 0) prove_options.degree = degree;
+    return prove(prove_options, std::cout, std::cerr) ? kDone : kDifferent;
   }
   if (folder.empty()) folder = default_folder();
   if (write_command->parsed()) return write(folder);

@@ -6,7 +6,7 @@
 // That is the reduced form, equal to Y_lm on the unit sphere. In the homogeneous form every term has degree l (missing
 // powers of x^2+y^2+z^2 = 1 are put back), which is the solid harmonic r^l Y_lm everywhere.
 //
-// Route: q by its explicit binomial sum [Abramowitz & Stegun 1964, 22.3.8], the homogeneous form by the
+// Route: q by its explicit binomial sum [AbramowitzStegun64] 22.3.8, the homogeneous form by the
 // solid-harmonic recurrence in l, the factor by exact integration of the square.
 // symbolic/basis_ginac.hpp derives the same objects by another route; the two agree term by term.
 #pragma once

@@ -1,7 +1,7 @@
 // Exact integrals of polynomials in x, y, z over the unit sphere.
 //
 // integral x^a y^b z^c = 4 pi (a-1)!! (b-1)!! (c-1)!! / (a+b+c+1)!! for even a, b, c, otherwise zero
-// [Folland, "How to integrate a polynomial over a sphere", Amer. Math. Monthly 108 (2001)].
+// [Folland01].
 #pragma once
 
 #include "symbolic/polynomial.hpp"

@@ -57,7 +57,8 @@ std::vector<std::string> describe(const FinishedKernel& finished, const std::str
       "Input:        " + parameter_list(kernel),
       "Domain:       " + kernel.domain,
       "Output:       " + result + " (" + std::to_string(kernel.results.front().size()) + "): " + kernel.result,
-      "Recipe:       " + kernel.recipe + "; " + kernel.citation,
+      "Recipe:       " + kernel.recipe,
+      "Source:       " + kernel.citation,
       "Cost:         " + cost_line(finished.cost),
       "Error:        largest over " + std::to_string(finished.in_float.directions) +
           " directions (random, axes, poles, near poles), without contraction;",

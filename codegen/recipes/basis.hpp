@@ -3,8 +3,7 @@
 // With c_m + i s_m = (x + iy)^m and Y_lm = p_l_m c_m (m >= 0), p_l_m s_-m (m < 0):
 //     p_m_m = k_m_m,   p_l_m = a_l_m z p_(l-1)_m - b_l_m p_(l-2)_m,
 //     c_(m+1) = x c_m - y s_m,   s_(m+1) = x s_m + y c_m.
-// [Sloan 2013] P.-P. Sloan, "Efficient Spherical Harmonic Evaluation", Journal of Computer Graphics Techniques 2(2),
-// 2013: the structure. The constants are derived here, exactly. What is written is the plain recurrence; its short
+// [Sloan13] has the structure; the constants are derived here, exactly. What is written is the plain recurrence; its short
 // forms for small l - m are found by the passes.
 #pragma once
 

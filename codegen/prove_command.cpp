@@ -1,0 +1,118 @@
+#include "codegen/prove_command.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <iomanip>
+#include <nlohmann/json.hpp>
+#include <ostream>
+#include <stdexcept>
+
+#include "symbolic/proofs.hpp"
+
+namespace sh::codegen {
+namespace {
+
+using symbolic::Proof;
+
+struct Outcome {
+  int degree = 0;
+  double seconds = 0;
+  symbolic::ProofResult result;
+};
+
+std::vector<Proof> chosen_proofs(const std::vector<std::string>& only) {
+  const std::vector<Proof> all = symbolic::all_proofs();
+  if (only.empty()) return all;
+  std::vector<Proof> chosen;
+  for (const std::string& name : only) {
+    const auto found = std::find_if(all.begin(), all.end(), [&](const Proof& proof) { return proof.name == name; });
+    if (found == all.end()) {
+      std::string known;
+      for (const Proof& proof : all) known += (known.empty() ? "" : ", ") + proof.name;
+      throw std::invalid_argument("unknown proof '" + name + "'; it should be one of: " + known);
+    }
+    chosen.push_back(*found);
+  }
+  return chosen;
+}
+
+Outcome run(const Proof& proof, int degree) {
+  const auto start = std::chrono::steady_clock::now();
+  symbolic::ProofResult result = proof.run(degree);
+  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+  return {degree, time.count(), std::move(result)};
+}
+
+const char* verdict(const Outcome& outcome) { return outcome.result.proved ? "proved" : "REFUTED"; }
+
+std::string range(const Proof& proof, int degree) {
+  return proof.every_degree ? "every l" : "l <= " + std::to_string(degree);
+}
+
+void print_line(std::ostream& out, const Proof& proof, const Outcome& outcome) {
+  out << std::left << std::setw(8) << verdict(outcome) << std::setw(25) << proof.name << std::setw(8)
+      << range(proof, outcome.degree) << std::right << std::fixed << std::setprecision(2) << std::setw(8)
+      << outcome.seconds << " s  " << proof.statement << " | " << proof.method << " | " << outcome.result.detail
+      << std::endl;  // one line at a time: a proof may take minutes
+}
+
+nlohmann::ordered_json as_json(const Proof& proof, const Outcome& outcome) {
+  nlohmann::ordered_json entry;
+  entry["name"] = proof.name;
+  entry["statement"] = proof.statement;
+  entry["method"] = proof.method;
+  if (proof.every_degree) {
+    entry["degree"] = "every";
+  } else {
+    entry["degree"] = outcome.degree;
+    entry["max_degree"] = proof.max_degree;
+    entry["limit"] = proof.limit;
+  }
+  entry["seconds"] = outcome.seconds;
+  entry["result"] = verdict(outcome);
+  entry["detail"] = outcome.result.detail;
+  return entry;
+}
+
+// To a temporary beside the file, renamed when complete.
+void write_file(const std::string& path, const std::string& text) {
+  const std::string temporary = path + ".tmp";
+  std::ofstream file(temporary, std::ios::binary);
+  file << text;
+  file.close();
+  std::error_code failure;
+  if (file) std::filesystem::rename(temporary, path, failure);
+  if (!file || failure) {
+    std::filesystem::remove(temporary, failure);
+    throw std::runtime_error(path + ": cannot be written; it should be in a writable folder with space left");
+  }
+}
+
+}  // namespace
+
+bool prove(const ProveOptions& options, std::ostream& out, std::ostream& progress) {
+  if (options.degree) symbolic::require_proof_degree(*options.degree);
+  nlohmann::ordered_json report = nlohmann::ordered_json::array();
+  std::size_t refuted = 0;
+  double seconds = 0;
+  const std::vector<Proof> proofs = chosen_proofs(options.only);
+  std::vector<int> degrees;
+  for (const Proof& proof : proofs) {
+    degrees.push_back(options.degree ? std::min(*options.degree, proof.max_degree) : proof.default_degree);
+  }
+  for (std::size_t i = 0; i < proofs.size(); ++i) {
+    const Outcome outcome = run(proofs[i], degrees[i]);
+    print_line(out, proofs[i], outcome);
+    report.push_back(as_json(proofs[i], outcome));
+    seconds += outcome.seconds;
+    if (!outcome.result.proved) ++refuted;
+  }
+  if (!options.json.empty()) write_file(options.json, report.dump(2) + "\n");
+  progress << "shgen: " << proofs.size() - refuted << " of " << proofs.size() << " identities proved in " << std::fixed
+           << std::setprecision(1) << seconds << " s\n";
+  return refuted == 0;
+}
+
+}  // namespace sh::codegen
