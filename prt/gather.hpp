@@ -1,0 +1,70 @@
+// What one vertex sees along the shared directions: the inner loop of the shadowed bake.
+#pragma once
+#include <Eigen/Geometry>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "prt/mesh.hpp"
+#include "prt/tracer.hpp"
+#include "prt/transfer.hpp"
+
+namespace sh::prt {
+
+/// Where the rays of each vertex start: a hair off the surface along the geometric normal, and as much towards the
+/// middle of the faces around it, so that a vertex on the foot of a wall stands before the wall and not inside it.
+std::vector<Eigen::Vector3f> ray_origins(const Mesh& mesh);
+
+/// The directions with their basis values, rows padded with zeros to whole SIMD registers.
+class SharedDirections {
+ public:
+  SharedDirections(int count, int degree);
+  std::size_t size() const { return directions_.size(); }
+  std::size_t row_length() const { return row_length_; }
+  const Eigen::Vector3f& direction(std::size_t j) const { return directions_[j]; }
+  const float* row(std::size_t j) const { return values_.data() + j * row_length_; }
+
+ private:
+  std::vector<Eigen::Vector3f> directions_;
+  std::size_t row_length_;
+  std::vector<float> values_;  // (directions, row_length)
+};
+
+inline constexpr std::size_t kMaxRow = 128;
+
+/// Quadrature sums over the hemisphere of the shading normal, weights 4/N cos: of Y_lm and of 1.
+struct Gathered {
+  alignas(64) std::array<float, kMaxRow> visible;
+  alignas(64) std::array<float, kMaxRow> all;
+  float weight_visible = 0.0F;
+  float weight_all = 0.0F;
+};
+
+/// Reusable buffers of one thread. Everything passed in must outlive it.
+class Gatherer {
+ public:
+  Gatherer(const SharedDirections& directions, const Tracer& tracer);
+  /// Traces one vertex; the result stays valid until the next call.
+  const Gathered& gather(const Eigen::Vector3f& origin, const Eigen::Vector3f& normal,
+                         const Eigen::Vector3f& geometric_normal);
+  /// The rays of one vertex that gather() would trace, for measurements.
+  std::vector<ShadowRay> rays(const Eigen::Vector3f& origin, const Eigen::Vector3f& normal,
+                              const Eigen::Vector3f& geometric_normal);
+
+ private:
+  // Fills the three buffers below: first the directions to trace, then those under the horizon. Returns how many to
+  // trace.
+  std::size_t aim(const Eigen::Vector3f& origin, const Eigen::Vector3f& normal,
+                  const Eigen::Vector3f& geometric_normal);
+
+  const SharedDirections& directions_;
+  const Tracer& tracer_;
+  std::vector<ShadowRay> rays_;
+  std::vector<std::uint32_t> chosen_;  // indices of directions, traced ones first
+  std::vector<std::uint32_t> below_;
+  std::vector<float> weights_;  // of every direction
+  Gathered result_;
+};
+
+}  // namespace sh::prt
