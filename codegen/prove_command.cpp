@@ -52,7 +52,7 @@ std::string range(const Proof& proof, int degree) {
 }
 
 void print_line(std::ostream& out, const Proof& proof, const Outcome& outcome) {
-  out << std::left << std::setw(8) << verdict(outcome) << std::setw(25) << proof.name << std::setw(8)
+  out << std::left << std::setw(8) << verdict(outcome) << std::setw(31) << proof.name << std::setw(8)
       << range(proof, outcome.degree) << std::right << std::fixed << std::setprecision(2) << std::setw(8)
       << outcome.seconds << " s  " << proof.statement << " | " << proof.method << " | " << outcome.result.detail
       << std::endl;  // one line at a time: a proof may take minutes

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "symbolic/normalisation.hpp"
 #include "symbolic/sphere_integral.hpp"
 
 namespace sh::symbolic {
@@ -79,6 +80,12 @@ BasisFunction basis_function(int degree, int order) {
   f.homogeneous = solid_harmonic(degree, a, f.azimuthal);
   f.factor = normalising_factor(f.homogeneous);
   return f;
+}
+
+BasisFunction reduced_basis_function(int degree, int order) {
+  require_basis_index(degree, order);
+  return {degree, order, orthonormal_factor(degree, order), axial_part(degree, std::abs(order)), azimuthal_part(order),
+          {}};
 }
 
 }  // namespace sh::symbolic

@@ -34,4 +34,8 @@ void require_basis_index(int degree, int order);
 /// Y_lm by the route stated above; throws as require_basis_index does.
 BasisFunction basis_function(int degree, int order);
 
+/// The reduced form alone, with the factor in closed form (symbolic/normalisation.hpp) and `homogeneous` empty: quick
+/// at degree 50, where the homogeneous forms have hundreds of terms. Throws as require_basis_index does.
+BasisFunction reduced_basis_function(int degree, int order);
+
 }  // namespace sh::symbolic

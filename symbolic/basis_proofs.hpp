@@ -19,6 +19,7 @@ using Basis = std::vector<BasisFunction>;
 /// Throws std::invalid_argument unless 0 <= degree <= kMaxBasisDegree.
 Basis derive_basis(int degree);
 Basis derive_basis_ginac(int degree);
+Basis derive_reduced_basis(int degree);  ///< reduced forms only
 
 /// "l=2 m=-1"
 std::string name_of(const BasisFunction& f);

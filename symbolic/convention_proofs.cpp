@@ -258,7 +258,7 @@ std::vector<Proof> convention_proofs() {
        prove_all_basis_changes},
       {"convention-round-trip", "ours -> convention -> ours is the identity", "exact products, every preset and others",
        10, 10, "enough: each band is like the last", prove_all_round_trips},
-      {"convention-composition", "ours -> a -> b equals ours -> b", "exact products, every preset and others", 5, 10,
+      {"convention-composition", "ours -> a -> b equals ours -> b", "exact products, every preset and others", 10, 10,
        "enough: each band is like the last", prove_all_compositions},
   };
 }

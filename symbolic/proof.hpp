@@ -30,6 +30,7 @@ struct Proof {
   std::string limit;        ///< why not further, one line
   /// Derives what is to be proved to a degree in 0 .. max_degree and proves it; throws std::invalid_argument beyond.
   std::function<ProofResult(int degree)> run;
+  bool every_degree = false;  ///< the identity does not depend on the degree
 };
 
 }  // namespace sh::symbolic

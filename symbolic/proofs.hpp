@@ -1,7 +1,6 @@
 // The catalogue of everything that is proved: one list for `shgen prove`, for tests, and for readers.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "symbolic/proof.hpp"
@@ -11,11 +10,8 @@ namespace sh::symbolic {
 /// Every proof of every area, in reading order: basis, rotations, conventions, zonal functions, Gaunt tensors.
 std::vector<Proof> all_proofs();
 
-/// Largest degree that any proof accepts.
-int max_proof_degree();
-
-/// The degree at which a proof runs: its default, or `requested` (>= 0) as far as it supports it. With a negative
-/// `requested` the default. Throws std::invalid_argument when `requested` exceeds what every proof supports.
-int proof_degree(const Proof& proof, int requested);
+/// Throws std::invalid_argument, with the limit and the reason, unless 0 <= degree <= kMaxBasisDegree. Each proof goes
+/// as far as its own max_degree.
+void require_proof_degree(int degree);
 
 }  // namespace sh::symbolic

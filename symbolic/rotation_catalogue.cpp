@@ -89,11 +89,11 @@ std::vector<Proof> axis_proofs() {
 std::vector<Proof> input_proofs() {
   return {
       {"zyz-angles", "Rz(alpha) Ry(beta) Rz(gamma) = R, beta = 0 and pi included", "identity in q and sqrt(h)", 0, 50,
-       kIndependent, [](int) { return prove_zyz_angles(zyz_from_azimuth<Polynomial>); }},
+       kIndependent, [](int) { return prove_zyz_angles(zyz_from_azimuth<Polynomial>); }, true},
       {"euler-orders", "quaternion = product of three turns, twelve orders, two frames", "identity in the half angles",
-       0, 50, kIndependent, [](int) { return prove_euler_orders(quaternion_from_euler<Polynomial>); }},
+       0, 50, kIndependent, [](int) { return prove_euler_orders(quaternion_from_euler<Polynomial>); }, true},
       {"axis-angle", "Rodrigues' formula = quaternion of the half angle", "identity in half angle and axis", 0, 50,
-       kIndependent, [](int) { return prove_axis_angle(matrix_from_axis_angle<Polynomial>); }},
+       kIndependent, [](int) { return prove_axis_angle(matrix_from_axis_angle<Polynomial>); }, true},
   };
 }
 
