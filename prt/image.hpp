@@ -16,7 +16,7 @@ struct Image {
   std::vector<Eigen::Vector3f> pixels;  // (height, width), row-major
   std::size_t negative_pixels = 0;      // that the file had before mend_pixels set them to 0
 
-  const Eigen::Vector3f& at(int column, int row) const {
+  [[nodiscard]] const Eigen::Vector3f& at(int column, int row) const {
     return pixels[static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column)];
   }
 };

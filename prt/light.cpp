@@ -36,6 +36,7 @@ Eigen::Vector3f radiance(const Light& light, const Eigen::Vector3d& direction) {
 
 std::vector<Light> load_lights(const std::vector<LightSpec>& specs, OnFlaw on_flaw) {
   std::vector<Light> lights;
+  lights.reserve(specs.size());
   for (const LightSpec& spec : specs) {
     lights.push_back(load_light(spec, on_flaw));
   }

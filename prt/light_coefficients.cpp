@@ -43,7 +43,7 @@ LightCoefficients turned(const LightCoefficients& light, const Eigen::Matrix3d& 
 }
 
 Eigen::Vector3d radiance(const LightCoefficients& light, const Eigen::Vector3d& direction) {
-  std::array<double, (kMaxDegree + 1) * (kMaxDegree + 1)> basis;
+  std::array<double, std::size_t{kMaxDegree + 1} * (kMaxDegree + 1)> basis;
   evaluate_basis(light.degree, direction.x(), direction.y(), direction.z(), basis.data());
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (std::size_t i = 0; i < light.bands_squared(); ++i) {

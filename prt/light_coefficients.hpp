@@ -16,9 +16,12 @@ struct LightCoefficients {
 
   /// All zero. Throws std::invalid_argument unless 0 <= degree <= kMaxDegree.
   static LightCoefficients zero(int degree);
-  std::size_t bands_squared() const { return static_cast<std::size_t>((degree + 1) * (degree + 1)); }
+  [[nodiscard]] std::size_t bands_squared() const {
+    const auto bands = static_cast<std::size_t>(degree) + 1;
+    return bands * bands;
+  }
   double& at(std::size_t channel, std::size_t i) { return values[channel * bands_squared() + i]; }
-  double at(std::size_t channel, std::size_t i) const { return values[channel * bands_squared() + i]; }
+  [[nodiscard]] double at(std::size_t channel, std::size_t i) const { return values[channel * bands_squared() + i]; }
 };
 
 /// sum += more. Both of one degree.

@@ -24,7 +24,7 @@ class CameraFrame {
   /// Throws std::invalid_argument for a camera that looks at its own place, along its own up, or has no field of view.
   CameraFrame(const Camera& camera, const PictureSize& size);
   /// Continuous pixel coordinates; a pixel's centre is at column + 1/2, row + 1/2.
-  Eigen::Vector3f direction(float column, float row) const;
+  [[nodiscard]] Eigen::Vector3f direction(float column, float row) const;
 
  private:
   Eigen::Vector3f forward_;

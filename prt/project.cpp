@@ -17,8 +17,8 @@ constexpr double kPi = std::numbers::pi;
 constexpr std::size_t kMaxBands = kMaxDegree + 1;
 using Basis = std::array<double, kMaxBands * kMaxBands>;
 
-std::size_t index(int l, int m) { return static_cast<std::size_t>(l * (l + 1) + m); }
 std::size_t size(int n) { return static_cast<std::size_t>(n); }
+std::size_t index(int l, int m) { return size(l * l + l + m); }
 
 /// Gauss-Legendre on [-1, 1]. A row is at most pi high (a picture of one row), the basis at most of degree 10: 24 nodes
 /// integrate it to rounding.

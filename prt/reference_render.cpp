@@ -22,7 +22,7 @@ struct LightSamples {
 LightSamples sample_light(const LightCoefficients& light, int count) {
   LightSamples samples{fibonacci_directions(count), {}};
   for (const Eigen::Vector3f& s : samples.directions) {
-    samples.radiance.push_back(radiance(light, s.cast<double>().normalized()).cast<float>());
+    samples.radiance.emplace_back(radiance(light, s.cast<double>().normalized()).cast<float>());
   }
   return samples;
 }
@@ -52,7 +52,7 @@ Eigen::Vector3f exit_radiance(const SurfacePoint& point, const Tracer& tracer, c
     const float cosine = point.normal.dot(samples.directions[k]);
     if (cosine > 0.0F && point.geometric_normal.dot(samples.directions[k]) > 0.0F) {
       rays.emplace_back().aim(origin, samples.directions[k]);
-      weighted.push_back(cosine * samples.radiance[k]);
+      weighted.emplace_back(cosine * samples.radiance[k]);
     }
   }
   tracer.occluded(rays);

@@ -19,7 +19,7 @@ struct Picture {
   std::vector<float> coverage;            // (height, width): the part of a pixel's samples that hit the mesh
 
   /// The radiance of the pixels that the mesh covers completely.
-  std::vector<Eigen::Vector3f> covered() const;
+  [[nodiscard]] std::vector<Eigen::Vector3f> covered() const;
 };
 
 /// What a ray that hits nothing sees: radiance towards a unit direction.
