@@ -15,6 +15,15 @@ namespace {
 constexpr int kGroupSize = 64;
 constexpr int kTextureWidth = 2048;  // the least that ES 3.0 guarantees
 
+// name[i]
+std::string indexed(const std::string& name, int i) {
+  std::string text = name;
+  text += '[';
+  text += std::to_string(i);
+  text += ']';
+  return text;
+}
+
 // "void call(int item)": reads the item's inputs by READ(i), calls the function and leaves its outputs in result[].
 std::string wrapper(const GlslFunction& function) {
   std::ostringstream before;
@@ -25,11 +34,11 @@ std::string wrapper(const GlslFunction& function) {
   if (function.returns_float) ++output;
   for (std::size_t i = 0; i < function.parameters.size(); ++i) {
     const auto& p = function.parameters[i];
-    const std::string name = "p" + std::to_string(i);
-    before << "    float " << name << (p.count == 0 ? "" : "[" + std::to_string(p.count) + "]") << ";\n";
+    const std::string name = std::string("p").append(std::to_string(i));
+    before << "    float " << (p.count == 0 ? name : indexed(name, p.count)) << ";\n";
     arguments << (i == 0 ? "" : ", ") << name;
     for (int k = 0; k < p.floats(); ++k) {
-      const std::string element = p.count == 0 ? name : name + "[" + std::to_string(k) + "]";
+      const std::string element = p.count == 0 ? name : indexed(name, k);
       if (p.output) {
         after << "    result[" << output++ << "] = " << element << ";\n";
       } else {

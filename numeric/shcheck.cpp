@@ -1,0 +1,97 @@
+// shcheck: the oracle at the command line.
+//
+//   shcheck kernels [--json FILE] [--generated DIR]                              every generated kernel against the
+//   oracle shcheck eval --degree L --order M --direction x,y,z --digits D               one reference value
+// Results on standard output, progress and messages on standard error. Exit: 0 done, 1 a kernel differs or exceeds its
+// limit, 2 bad input.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <string>
+#include <vector>
+
+#include "numeric/kernel_check.hpp"
+#include "numeric/kernel_limits.hpp"
+#include "numeric/reference.hpp"
+#include "numeric/report.hpp"
+
+namespace {
+
+struct Options {
+  std::string generated = SHFORGE_GENERATED_DIR;
+  std::string json_file;
+  int degree = 0;
+  int order = 0;
+  std::string direction;
+  int digits = 0;
+};
+
+void say(const std::string& line) { std::fprintf(stderr, "shcheck: %s\n", line.c_str()); }
+
+// Throws std::runtime_error when standard output cannot take the text (a full disk, say).
+void print(const std::string& text) {
+  if (std::fputs(text.c_str(), stdout) < 0 || std::fflush(stdout) != 0) {
+    throw std::runtime_error("standard output: cannot be written");
+  }
+}
+
+int run_kernels(const Options& options) {
+  const auto results = sh::numeric::check_kernels(options.generated, say);
+  std::vector<std::string> failures;
+  for (const auto& result : results) {
+    for (auto& failure : failures_of(result)) failures.push_back(std::move(failure));
+  }
+  print(format_table(results));
+  if (!options.json_file.empty()) sh::numeric::write_file(options.json_file, format_json(results, failures));
+  for (const auto& failure : failures) say(failure);
+  return failures.empty() ? 0 : 1;
+}
+
+std::array<std::string, 3> split_direction(const std::string& text) {
+  const auto first = text.find(',');
+  const auto second = first == std::string::npos ? first : text.find(',', first + 1);
+  if (second == std::string::npos || text.find(',', second + 1) != std::string::npos) {
+    throw std::invalid_argument("--direction: '" + text + "' must be three numbers x,y,z separated by commas");
+  }
+  return {text.substr(0, first), text.substr(first + 1, second - first - 1), text.substr(second + 1)};
+}
+
+int run_eval(const Options& options) {
+  print(
+      sh::numeric::reference_value(options.degree, options.order, split_direction(options.direction), options.digits) +
+      "\n");
+  return 0;
+}
+
+void describe(CLI::App& app, Options& options) {
+  app.require_subcommand(1);
+  auto* kernels = app.add_subcommand("kernels", "compare every generated kernel with the oracle");
+  kernels->add_option("--json", options.json_file, "also write the results to this file");
+  kernels->add_option("--generated", options.generated, "the folder generated/ whose GLSL files are run")
+      ->capture_default_str();
+  auto* eval =
+      app.add_subcommand("eval", "print a reference value of Y_lm, orthonormal, without Condon-Shortley phase");
+  eval->add_option("--degree", options.degree, "l, 0 to 10000")->required();
+  eval->add_option("--order", options.order, "m, -l to l")->required();
+  eval->add_option("--direction", options.direction, "x,y,z: decimals, taken exactly; of any length but zero")
+      ->required();
+  eval->add_option("--digits", options.digits, "significant decimals, 1 to 10000")->required();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Options options;
+  CLI::App app("Checks spherical-harmonics kernels against a multiprecision oracle", "shcheck");
+  try {
+    describe(app, options);
+    app.parse(argc, argv);
+    return app.got_subcommand("eval") ? run_eval(options) : run_kernels(options);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app.exit(error);
+    say(error.what());
+  } catch (const std::exception& error) {
+    say(error.what());
+  }
+  return 2;
+}

@@ -1,0 +1,169 @@
+// The tool as its users run it: exit codes, one-line errors, the list of kernels, and what it finds in tampered code.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "numeric/cpp_kernels.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string read(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+struct Outcome {
+  int exit_code;
+  std::string out, err;
+};
+
+class Shcheck : public testing::Test {
+ protected:
+  Shcheck() {
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+  ~Shcheck() override { fs::remove_all(folder_); }
+  Shcheck(const Shcheck&) = delete;
+  Shcheck& operator=(const Shcheck&) = delete;
+
+  Outcome run(const std::string& arguments) const {
+    const auto out = folder_ / "stdout";
+    const auto err = folder_ / "stderr";
+    const std::string command =
+        std::string(SHFORGE_BIN_DIR) + "/shcheck " + arguments + " >" + out.string() + " 2>" + err.string();
+    const int status = std::system(command.c_str());  // NOLINT(cert-env33-c): a fixed command line of this test
+    return {WEXITSTATUS(status), read(out), read(err)};
+  }
+
+  // Exit 2, nothing on stdout, exactly one line on stderr that begins with the tool's name and contains `part`.
+  void expect_refused(const std::string& arguments, const std::string& part) const {
+    const auto outcome = run(arguments);
+    EXPECT_EQ(outcome.exit_code, 2) << arguments;
+    EXPECT_EQ(outcome.out, "") << arguments;
+    EXPECT_EQ(outcome.err.find("shcheck: "), 0) << arguments << ": " << outcome.err;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << arguments << ": " << outcome.err;
+    EXPECT_NE(outcome.err.find(part), std::string::npos) << arguments << ": " << outcome.err;
+  }
+
+  fs::path copy_of_generated() const {
+    const auto copy = folder_ / "generated";
+    fs::create_directories(copy);
+    fs::copy(fs::path(SHFORGE_SOURCE_DIR) / "generated" / "glsl", copy / "glsl");
+    return copy;
+  }
+
+  fs::path folder_ = fs::path(testing::TempDir()) /
+                     (std::string("shcheck_") + testing::UnitTest::GetInstance()->current_test_info()->name());
+};
+
+TEST_F(Shcheck, EveryKernelInEveryLanguageAndScalarPasses) {
+  const auto file = folder_ / "report.json";
+  const auto outcome = run("kernels --json " + file.string());
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto json = nlohmann::json::parse(read(file));
+  std::set<std::string> seen;
+  for (const auto& k : json.at("kernels")) {
+    const std::string name = k.at("kernel");
+    seen.insert(name + " " + std::string(k.at("language")) + " " + std::string(k.at("scalar")));
+    EXPECT_NE(outcome.out.find(name + " "), std::string::npos);
+    EXPECT_GT(k.at("rounding").at("absolute").at("max"), 0) << name;
+    EXPECT_GE(k.at("total").at("absolute").at("max"), k.at("total").at("absolute").at("rms")) << name;
+    EXPECT_EQ(k.at("total").at("absolute").at("worst").at("direction").size(), 3) << name;
+    EXPECT_EQ(k.contains("bits"), k.at("language") != "c++") << name;
+    EXPECT_EQ(k.contains("nanoseconds"), k.at("language") == "c++") << name;
+    if (k.contains("bits")) {
+      EXPECT_EQ(k.at("bits").at("different"), 0) << name;
+      EXPECT_EQ(k.at("bits").at("compared"),
+                json.at("directions").get<int>() * (int{k.at("degree")} + 1) * (int{k.at("degree")} + 1));
+    }
+  }
+  std::set<std::string> wanted;
+  for (int degree = 0; degree <= 10; ++degree) {
+    for (const char* variant : {" c++ float", " c++ double", " glsl 450 float", " glsl es 300 float"}) {
+      wanted.insert("basis_l" + std::to_string(degree) + variant);
+    }
+  }
+  EXPECT_EQ(seen, wanted);
+  EXPECT_EQ(json.at("kernels").size(), 11 * 4);
+  EXPECT_TRUE(json.at("failures").empty());
+}
+
+TEST_F(Shcheck, FindsAChangedDigitInAGlslKernel) {
+  const auto generated = copy_of_generated();
+  const auto file = generated / "glsl" / "basis_l3.glsl";
+  std::string text = read(file);
+  const auto digit = text.find("0.48860252");
+  ASSERT_NE(digit, std::string::npos);
+  text[digit + 9] = '9';
+  std::ofstream(file) << text;
+  const auto outcome = run("kernels --generated " + generated.string());
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_NE(outcome.err.find("basis_l3 glsl 450 float: "), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("basis_l3 glsl es 300 float: "), std::string::npos) << outcome.err;
+  EXPECT_EQ(outcome.err.find("basis_l4 glsl"), std::string::npos) << outcome.err;
+}
+
+TEST_F(Shcheck, RefusesAGlslKernelThatIsMissingOrDoesNotCompile) {
+  const auto generated = copy_of_generated();
+  std::ofstream(generated / "glsl" / "basis_l0.glsl") << "void basis_l0(";
+  auto outcome = run("kernels --generated " + generated.string());
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.err.find("basis_l0.glsl: does not compile as GLSL: "), std::string::npos) << outcome.err;
+  fs::remove(generated / "glsl" / "basis_l0.glsl");
+  outcome = run("kernels --generated " + generated.string());
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.err.find("basis_l0.glsl: cannot be read"), std::string::npos) << outcome.err;
+}
+
+TEST_F(Shcheck, LeavesNothingBehindWhenTheReportCannotBeWritten) {
+  const auto outcome = run("kernels --json " + (folder_ / "missing" / "report.json").string());
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.err.find("report.json: cannot be written: No such file or directory"), std::string::npos)
+      << outcome.err;
+  EXPECT_FALSE(fs::exists(folder_ / "missing"));
+}
+
+TEST_F(Shcheck, EvaluatesAReferenceValueToAThousandDigits) {
+  const auto outcome = run("eval --degree 3 --order -2 --direction -0.1,0.2,-3e-1 --digits 1000");
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.err, "");
+  // Y_(3,-2) = sqrt(105 / 4 pi) x y z / r^3 = sqrt(105 / 4 pi) * 0.006 / 0.14^(3/2)
+  EXPECT_EQ(outcome.out.substr(0, 20), "3.310921731627339260");
+  EXPECT_EQ(outcome.out.size(), std::string("3.e-01\n").size() + 999);
+}
+
+TEST_F(Shcheck, RefusesBadInputInOneLineWithExitTwo) {
+  const std::string good = "--degree 2 --order 1 --digits 9 --direction ";
+  expect_refused("eval " + good + "0,0,0", "zero vector");
+  expect_refused("eval " + good + "nan,0,1", "direction x: 'nan'");
+  expect_refused("eval " + good + "0,inf,1", "direction y: 'inf'");
+  expect_refused("eval " + good + "0,1", "x,y,z");
+  expect_refused("eval " + good + "0,1,2,3", "x,y,z");
+  expect_refused("eval " + good + "0,1,2x", "direction z: '2x'");
+  expect_refused("eval --degree 2 --order 3 --digits 9 --direction 0,0,1", "order is 3, must be -2 to 2");
+  expect_refused("eval --degree 10001 --order 3 --digits 9 --direction 0,0,1", "must be 0 to 10000");
+  expect_refused("eval --degree x --order 3 --digits 9 --direction 0,0,1", "--degree");
+  expect_refused("eval --degree 2 --order 1 --direction 0,0,1", "--digits");
+  expect_refused("", "subcommand");
+  expect_refused("frobnicate", "");
+  expect_refused("kernels --bogus", "--bogus");
+}
+
+TEST_F(Shcheck, ExplainsItself) {
+  const auto outcome = run("--help");
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_NE(outcome.out.find("kernels"), std::string::npos);
+  EXPECT_EQ(outcome.err, "");
+}
+
+}  // namespace
