@@ -9,7 +9,7 @@ enum class LightType { kConstant, kCieOvercast, kEnvironment };
 
 /// One light; a scene adds its lights up. Radiance is W m^-2 sr^-1, linear RGB.
 struct LightSpec {
-  LightType type = LightType::kConstant;
+  LightType type = LightType::kCieOvercast;
   Eigen::Vector3f radiance = Eigen::Vector3f::Ones();  // constant: everywhere; cie_overcast: at the zenith
   std::string file;                                    // environment: lat-long EXR or Radiance .hdr, path resolved
   float scale = 1.0F;                                  // environment: factor on every pixel (exposure)

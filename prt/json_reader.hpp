@@ -1,0 +1,51 @@
+// A JSON value with its path in its file, so that whatever is wrong with it can be named:
+//   scene.json: /meshes/0/max_edge: expected a positive number, got "x"
+#pragma once
+#include <Eigen/Core>
+#include <initializer_list>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace sh::prt {
+
+/// Parses a file; throws std::runtime_error with one line for one that is missing or not JSON.
+nlohmann::json read_json(const std::string& file);
+
+/// Each reader throws std::runtime_error, one line `file: path: expected ..., got ...`. Copies refer to the same
+/// document, which must outlive them.
+class JsonReader {
+ public:
+  JsonReader(const std::string& file, const nlohmann::json& value) : file_(&file), value_(&value) {}
+
+  /// Refuses anything but an object with no other keys than these.
+  void allow(std::initializer_list<std::string_view> keys) const;
+  /// Empty where an object has no such key.
+  std::optional<JsonReader> find(std::string_view key) const;
+  JsonReader at(std::string_view key) const;
+  std::vector<JsonReader> items() const;  // of an array
+
+  bool is_array() const { return value_->is_array(); }
+  std::string text() const;
+  std::string one_of(std::initializer_list<std::string_view> words) const;
+  double number(double least, double most, std::string_view expected) const;
+  float finite() const;
+  float positive() const;
+  int integer(int least, int most) const;
+  Eigen::Vector3f vector() const;                         // three numbers
+  Eigen::Vector3f vector(float least, float most) const;  // within limits
+
+  [[noreturn]] void expected(std::string_view what) const;
+
+ private:
+  JsonReader(const JsonReader& parent, std::string path, const nlohmann::json& value)
+      : file_(parent.file_), path_(std::move(path)), value_(&value) {}
+
+  const std::string* file_;
+  std::string path_;
+  const nlohmann::json* value_;
+};
+
+}  // namespace sh::prt
