@@ -6,6 +6,7 @@
 //   shgen emit FAMILY --degree N --lang cpp|glsl     print one kernel's file
 //   shgen dump STAGE KERNEL                          print the SSA of a kernel after a stage: dump share basis_l4
 //   shgen prove [NAME...] [--degree L] [--json FILE] prove every identity of symbolic/, or those named
+//   shgen tex|markdown FAMILY --degree N [--convention C]  formulas of symbolic/, typeset
 //
 // Exit: 0 done, 1 `check` found a difference or `prove` a false identity, 2 bad input.
 #include <CLI/CLI.hpp>
@@ -18,6 +19,7 @@
 #include "codegen/output_tree.hpp"
 #include "codegen/print/dump.hpp"
 #include "codegen/prove_command.hpp"
+#include "codegen/typeset_command.hpp"
 
 namespace sh::codegen {
 namespace {
@@ -110,6 +112,16 @@ int run(int argc, char** argv) {
   const auto* prove_degree =
       prove_command->add_option("--degree", degree, "Prove to this degree where the range allows");
   prove_command->add_option("--json", prove_options.json, "File to write the results to");
+  TypesetOptions typeset_options;
+  const auto add_typeset_command = [&](const char* name, const char* what) {
+    auto* command = app.add_subcommand(name, what);
+    command->add_option("family", typeset_options.family, "Family, e.g. basis, rotation, gaunt, cap")->required();
+    command->add_option("--degree", typeset_options.degree, "Largest degree l")->required();
+    command->add_option("--convention", typeset_options.convention, "Convention, e.g. shforge, directxmath, unity");
+    return command;
+  };
+  const auto* tex_command = add_typeset_command("tex", "Print formulas as a LaTeX document");
+  const auto* markdown_command = add_typeset_command("markdown", "Print formulas as Markdown with TeX mathematics");
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& request) {  // --help
@@ -118,11 +130,16 @@ int run(int argc, char** argv) {
     throw std::invalid_argument(error.what());
   }
   if (app.get_subcommands().empty()) {
-    throw std::invalid_argument("no command; it should be one of: write, check, list, emit, dump, prove");
+    throw std::invalid_argument(
+        "no command; it should be one of: write, check, list, emit, dump, prove, tex, markdown");
   }
   if (prove_command->parsed()) {
     if (prove_degree->count() > 0) prove_options.degree = degree;
     return prove(prove_options, std::cout, std::cerr) ? kDone : kDifferent;
+  }
+  if (tex_command->parsed() || markdown_command->parsed()) {
+    std::cout << (tex_command->parsed() ? typeset_tex(typeset_options) : typeset_markdown(typeset_options));
+    return kDone;
   }
   if (folder.empty()) folder = default_folder();
   if (write_command->parsed()) return write(folder);
