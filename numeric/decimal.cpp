@@ -1,7 +1,8 @@
 // See decimal.hpp.
 #include "numeric/decimal.hpp"
 
-#include <regex>
+#include <algorithm>
+#include <cstddef>
 #include <stdexcept>
 
 namespace sh::numeric {
@@ -23,6 +24,37 @@ std::string without_leading_zeros(const std::string& digits) {
   return first == std::string::npos ? "0" : digits.substr(first);
 }
 
+std::string shown(const std::string& text) { return text.size() > 40 ? text.substr(0, 40) + "..." : text; }
+
+// Reads a text from left to right, a piece at a time.
+class Scanner {
+ public:
+  explicit Scanner(const std::string& text) : text_(text) {}
+
+  bool accept(char c) {
+    if (at_end() || text_[place_] != c) return false;
+    ++place_;
+    return true;
+  }
+  // Takes one sign, if there is one; true for '-'.
+  bool sign() {
+    const bool negative = accept('-');
+    if (!negative) accept('+');
+    return negative;
+  }
+  std::string digits() {
+    const auto end = std::min(text_.find_first_not_of("0123456789", place_), text_.size());
+    const auto begin = place_;
+    place_ = end;
+    return text_.substr(begin, end - begin);
+  }
+  bool at_end() const { return place_ == text_.size(); }
+
+ private:
+  const std::string& text_;
+  std::size_t place_ = 0;
+};
+
 }  // namespace
 
 std::uint64_t Decimal::modulo(std::uint64_t prime, long lowest_exponent) const {
@@ -34,18 +66,28 @@ std::uint64_t Decimal::modulo(std::uint64_t prime, long lowest_exponent) const {
 }
 
 Decimal parse_decimal(const std::string& name, const std::string& text) {
-  static const std::regex kPattern("([+-]?)([0-9]*)(?:\\.([0-9]*))?(?:[eE]([+-]?[0-9]{1,7}))?");
-  constexpr std::size_t kLongest = 20000;  // the regular expression recurses once a character
-  std::smatch part;
-  if (text.size() > kLongest || !std::regex_match(text, part, kPattern) || part.length(2) + part.length(3) == 0) {
-    const std::string shown = text.size() > 40 ? text.substr(0, 40) + "..." : text;
-    throw std::invalid_argument(name + ": '" + shown + "' is not a decimal number such as -0.5 or 1e-3");
+  Scanner scanner(text);
+  const bool negative = scanner.sign();
+  const std::string whole = scanner.digits();
+  const std::string fraction = scanner.accept('.') ? scanner.digits() : "";
+  bool well_formed = !whole.empty() || !fraction.empty();
+  std::string exponent = "0";
+  bool small = false;
+  if (scanner.accept('e') || scanner.accept('E')) {
+    small = scanner.sign();
+    exponent = scanner.digits();
+    well_formed = well_formed && !exponent.empty();
   }
-  const long exponent = part.length(4) > 0 ? std::stol(part.str(4)) : 0;
-  if (exponent > kMaxExponent || exponent < -kMaxExponent) {
-    throw std::invalid_argument(name + ": the exponent of '" + text + "' is beyond +-" + std::to_string(kMaxExponent));
+  if (!well_formed || !scanner.at_end()) {
+    throw std::invalid_argument(name + ": '" + shown(text) + "' is not a decimal number such as -0.5 or 1e-3");
   }
-  return {part.str(1) == "-", without_leading_zeros(part.str(2) + part.str(3)), exponent - part.length(3)};
+  exponent = without_leading_zeros(exponent);
+  if (exponent.size() > 6 || std::stol(exponent) > kMaxExponent) {
+    throw std::invalid_argument(name + ": the exponent of '" + shown(text) + "' is beyond +-" +
+                                std::to_string(kMaxExponent));
+  }
+  const long power = small ? -std::stol(exponent) : std::stol(exponent);
+  return {negative, without_leading_zeros(whole + fraction), power - static_cast<long>(fraction.size())};
 }
 
 }  // namespace sh::numeric

@@ -62,11 +62,13 @@ TEST(Reference, RefusesBadInputInOneLine) {
   EXPECT_EQ(refusal(10001, 0, {"0", "0", "1"}, 5), "degree is 10001, must be 0 to 10000");
   EXPECT_EQ(refusal(1, 0, {"0", "0", "1"}, 0), "digits is 0, must be 1 to 10000");
   EXPECT_EQ(refusal(1, 0, {"0", "-0.0", "0e9"}, 5), "direction: the zero vector has no direction");
-  for (const std::string bad : {"nan", "inf", "", ".", "-", "1e", "0x1", "1 ", "1..2", "--1", "1e99999999"}) {
+  for (const std::string bad : {"nan", "inf", "", ".", "-", "1e", "0x1", "1 ", "1..2", "--1", "+-1", "1e+-2"}) {
     EXPECT_EQ(refusal(1, 0, {"1", bad, "1"}, 5),
               "direction y: '" + bad + "' is not a decimal number such as -0.5 or 1e-3");
   }
-  EXPECT_EQ(refusal(1, 0, {"1", "1e200000", "1"}, 5), "direction y: the exponent of '1e200000' is beyond +-100000");
+  for (const std::string far : {"1e200000", "1e-99999999999999999999"}) {
+    EXPECT_EQ(refusal(1, 0, {"1", far, "1"}, 5), "direction y: the exponent of '" + far + "' is beyond +-100000");
+  }
 }
 
 }  // namespace
