@@ -46,7 +46,7 @@ struct Convention {
   bool condon_shortley = false;  ///< factor (-1)^m: real functions, both signs of m; complex, m > 0
   bool complex = false;
   IndexOrder order = IndexOrder::kAcn;
-  SignedPermutation axes;  ///< its coordinates of a direction: s' = axes s
+  SignedPermutation axes{};  ///< its coordinates of a direction: s' = axes s
   Folded folded = Folded::kNothing;
 
   friend bool operator==(const Convention&, const Convention&) = default;

@@ -1,6 +1,5 @@
 #include "symbolic/radical_sum.hpp"
 
-#include <cln/float.h>
 #include <cln/integer_io.h>
 #include <cln/rational_io.h>
 #include <cln/real.h>
@@ -73,11 +72,13 @@ Surd RadicalSum::surd() const {
   return Surd::square_root(cln::cl_RA(radical.first), radical.second) * Surd(as_rational(cln::realpart(coefficient)));
 }
 
-cln::cl_N RadicalSum::evaluate(int digits) const {
-  cln::cl_N sum = 0;
+std::pair<cln::cl_F, cln::cl_F> RadicalSum::evaluate(int digits) const {
+  const cln::cl_F zero = Surd().evaluate(digits);
+  std::pair<cln::cl_F, cln::cl_F> sum{zero, zero};
   for (const auto& [radical, coefficient] : terms_) {
-    const cln::cl_F size = Surd::square_root(cln::cl_RA(radical.first), radical.second).evaluate(digits);
-    sum = sum + coefficient * size;
+    const Surd root = Surd::square_root(cln::cl_RA(radical.first), radical.second);
+    sum.first = sum.first + (root * Surd(as_rational(cln::realpart(coefficient)))).evaluate(digits);
+    sum.second = sum.second + (root * Surd(as_rational(cln::imagpart(coefficient)))).evaluate(digits);
   }
   return sum;
 }

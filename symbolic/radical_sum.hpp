@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cln/complex.h>
+#include <cln/float.h>
 #include <cln/integer.h>
 #include <cln/rational.h>
 
@@ -39,8 +40,8 @@ class RadicalSum {
   RadicalSum inverse() const;
   /// The number as a surd; throws std::invalid_argument when it is not real or has several radicals.
   Surd surd() const;
-  /// Real and imaginary part rounded to at least `digits` decimal digits.
-  cln::cl_N evaluate(int digits) const;
+  /// (real part, imaginary part), summed from terms that are rounded to at least `digits` decimal digits.
+  std::pair<cln::cl_F, cln::cl_F> evaluate(int digits) const;
   /// For people: "1/2 + i/2 sqrt(3)".
   std::string to_string() const;
 

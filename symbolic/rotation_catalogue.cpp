@@ -30,13 +30,13 @@ ProofResult for_each_band(int degree, Prove prove) {
 
 std::vector<Proof> outright_proofs() {
   return {
-      {"equivariance", "Y_l(M(q) v) = D_l(q) Y_l(v), M(q) = |q|^2 R(q)", "polynomial identity in q and v", 7,
-       kMaxQuaternionDegree, kQuaternion,
+      {"equivariance", "Y_l(M(q) v) = D_l(q) Y_l(v), M(q) = |q|^2 R(q)", "polynomial identity in q and v",
+       kMaxQuaternionDegree, kMaxQuaternionDegree, kQuaternion,
        [](int degree) { return prove_equivariance(derive_quaternion_rotations(degree), derive_basis(degree)); }},
-      {"rotation-orthogonal", "D(q) D(q)^T = |q|^(4l)", "polynomial identity in q", 6, 7, kExpanded,
+      {"rotation-orthogonal", "D(q) D(q)^T = |q|^(4l)", "polynomial identity in q", 7, 7, kExpanded,
        [](int degree) { return prove_orthogonality(derive_quaternion_rotations(degree)); }},
       {"rotation-composition", "D(ab) = D(a) D(b)",
-       "polynomial identity in two quaternions (beyond: equivariance implies it, and the next lines test it)", 3, 4,
+       "polynomial identity in two quaternions (beyond: equivariance implies it, and the next lines test it)", 4, 4,
        kExpanded, [](int degree) { return prove_composition(derive_quaternion_rotations(degree)); }},
       {"quaternion-recursion", "quaternion form = recursion in R_ij at R_ij = M_ij(q)",
        "two derivations compared term by term", kMaxQuaternionDegree, kMaxQuaternionDegree, kQuaternion,

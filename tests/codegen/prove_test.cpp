@@ -1,0 +1,73 @@
+// `shgen prove` from outside: a line and a JSON entry for each identity, exit codes, bad arguments.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "symbolic/proofs.hpp"
+#include "tests/codegen/support.hpp"
+
+namespace sh::codegen {
+namespace {
+
+using test::quoted;
+using test::run_command;
+
+const std::string kProve = quoted(std::string(SHFORGE_BIN_DIR) + "/shgen") + " prove ";
+
+std::ptrdiff_t lines(const std::string& text) { return std::count(text.begin(), text.end(), '\n'); }
+
+TEST(Prove, EveryIdentityIsProvedWithALineAndAJsonEntry) {
+  const test::TemporaryFolder folder;
+  const auto file = folder.path() / "proofs.json";
+  const auto result = run_command(kProve + "--degree 4 --json " + quoted(file));
+  EXPECT_EQ(result.exit_code, 0) << result.out << result.err;
+  const auto expected = symbolic::all_proofs();
+  EXPECT_EQ(lines(result.out), static_cast<std::ptrdiff_t>(expected.size()));
+  const auto report = nlohmann::json::parse(test::read_file(file));
+  ASSERT_EQ(report.size(), expected.size());
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    EXPECT_EQ(report[i].at("name"), expected[i].name);
+    EXPECT_EQ(report[i].at("result"), "proved");
+    for (const char* key : {"statement", "method", "degree", "seconds", "detail"}) {
+      EXPECT_TRUE(report[i].contains(key)) << key;
+    }
+    EXPECT_NE(result.out.find("proved  " + expected[i].name), std::string::npos);
+  }
+}
+
+TEST(Prove, NamesAreUniqueAndDefaultsLieInTheirRange) {
+  std::set<std::string> names;
+  for (const symbolic::Proof& proof : symbolic::all_proofs()) {
+    EXPECT_TRUE(names.insert(proof.name).second) << proof.name;
+    EXPECT_GE(proof.default_degree, 0) << proof.name;
+    EXPECT_LE(proof.default_degree, proof.max_degree) << proof.name;
+    EXPECT_FALSE(proof.limit.empty()) << proof.name;
+    EXPECT_THROW(proof.run(proof.max_degree + 1), std::invalid_argument) << proof.name;
+  }
+}
+
+TEST(Prove, ChosenProofsRunAlone) {
+  const auto result = run_command(kProve + "axis-angle zyz-angles");
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(lines(result.out), 2);
+}
+
+TEST(Prove, BadArgumentsAreOneLineAndExitTwo) {
+  const char* const cases[][2] = {{"--degree -1", "0 to 50"},
+                                  {"--degree 51", "0 to 50"},
+                                  {"--degree ten", "--degree"},
+                                  {"no-such-identity", "orthonormality"},
+                                  {"axis-angle --json /no/such/folder/proofs.json", "/no/such/folder/proofs.json"}};
+  for (const auto& [arguments, mention] : cases) {
+    const auto result = run_command(kProve + arguments);
+    EXPECT_EQ(result.exit_code, 2) << arguments;
+    EXPECT_NE(result.err.find(mention), std::string::npos) << result.err;
+    EXPECT_EQ(result.err.find("shgen: "), 0U) << result.err;
+    EXPECT_EQ(lines(result.err), 1) << result.err;
+  }
+}
+
+}  // namespace
+}  // namespace sh::codegen
