@@ -6,7 +6,7 @@
 // the tangential gradient is grad(homogeneous) - l Y_lm s. All polynomials are rational and share the function's
 // factor.
 //
-// The homogeneous gradient has a second derivation, by its ladder to band l-1 [Hobson 1931, sec. 80].
+// The homogeneous gradient has a second derivation, by its ladder to band l-1 [Hobson31].
 #pragma once
 
 #include <array>

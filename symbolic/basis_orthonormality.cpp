@@ -11,7 +11,7 @@ namespace {
 
 cln::cl_I double_factorial(int n) { return n <= 0 ? cln::cl_I(1) : cln::doublefactorial(static_cast<unsigned>(n)); }
 
-// Mean of x^a y^b z^c over the sphere [Folland 2001], remembered.
+// Mean of x^a y^b z^c over the sphere [Folland01], remembered.
 class Moments {
  public:
   const cln::cl_RA& of(int a, int b, int c) {

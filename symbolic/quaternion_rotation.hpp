@@ -9,7 +9,7 @@
 //
 // Route: Cayley-Klein parameters a = w + iz, b = -y + ix act on the spinor (s1, s2) of the generating function
 // (s1 s2 z + (s1^2 (x-iy) - s2^2 (x+iy)) / 2)^l, a power of a null form whose coefficients are the solid harmonics
-// [Wigner 1959, ch. 15; Hobson 1931, sec. 85]. symbolic/rotation_recursion.hpp reaches the same matrices from the nine
+// [Wigner59] ch. 15, [Hobson31]. symbolic/rotation_recursion.hpp reaches the same matrices from the nine
 // R_ij.
 #pragma once
 
@@ -34,7 +34,7 @@ struct QuaternionRotation {
 /// Band `degree` by the route above; throws std::invalid_argument unless 0 <= degree <= kMaxQuaternionDegree.
 QuaternionRotation quaternion_rotation(int degree);
 
-/// M(q) = |q|^2 R(q) as nine quadratic forms in w, x, y, z (Euler 1770, Rodrigues 1840).
+/// M(q) = |q|^2 R(q) as nine quadratic forms in w, x, y, z [Rodrigues1840].
 Matrix<Polynomial> quaternion_matrix();
 
 /// T at an exact quaternion.

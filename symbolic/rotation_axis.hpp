@@ -2,7 +2,7 @@
 // angles.
 //
 // Same matrices and conventions as symbolic/quaternion_rotation.hpp. They are the pieces of the decomposition
-// R = Rz(alpha) Ry(beta) Rz(gamma) with Ry(beta) = Rx(-90) Rz(beta) Rx(90) [Green 2003, p. 24; PinchonHoggan07].
+// R = Rz(alpha) Ry(beta) Rz(gamma) with Ry(beta) = Rx(-90) Rz(beta) Rx(90) [Green03], [PinchonHoggan07].
 #pragma once
 
 #include <cln/rational.h>
@@ -31,7 +31,7 @@ struct WignerEntry {
 };
 
 /// d^l_(row,column)(beta), complex harmonics with the Condon-Shortley phase, Y_lm(R^-1 s) = sum D_(m',m) Y_lm'(s) with
-/// D_(m',m) = exp(-i m' alpha) d_(m',m)(beta) exp(-i m gamma) [Wigner 1959, eq. 15.27; Varshalovich 1988, 4.3.1 (2)].
+/// D_(m',m) = exp(-i m' alpha) d_(m',m)(beta) exp(-i m gamma) [Wigner59] eq. 15.27, [Varshalovich88] 4.3.1.
 WignerEntry wigner_d(int degree, int row, int column);
 
 /// T of Ry(beta) in the real basis from Wigner's formula, entries in c, s of beta/2: cosine rows meet only cosine

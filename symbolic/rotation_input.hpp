@@ -5,7 +5,7 @@
 // about the axis seen from its tip, quaternions (w, x, y, z), q v q^-1. Angles come as (cosine, sine) pairs;
 // quaternions take those of the half angle. Intrinsic orders turn about the axes of the turned body: "zyx" applies
 // first z, then the new y, then the new x, R = Rz Ry Rx; extrinsic orders turn about fixed axes, R = Rx Ry Rz for the
-// same word [Diebel 2006, sec. 5.6 and 8; Green 2003, p. 22 names XYZ, ZYX, ZYZ].
+// same word [Diebel06]; [Green03] asks for XYZ, ZYX and ZYZ.
 #pragma once
 
 #include <array>

@@ -21,7 +21,7 @@ struct Ladder {
 
 // The terms of one below = +-c: from (2l-1) sin(t) P_(l-1)^c = P_l^(c+1) - P_(l-2)^(c+1)
 // = (l+c-1)(l+c-2) P_(l-2)^(c-1) - (l-c)(l-c+1) P_l^(c-1), P without the Condon-Shortley sign
-// [Abramowitz & Stegun 1964, 8.5.3 and 8.5.5], times cos or sin of (c +- 1) phi.
+// [AbramowitzStegun64] 8.5.3, 8.5.5, times cos or sin of (c +- 1) phi.
 std::vector<Ladder> ladders_of(int l, int c) {
   const cln::cl_RA up = cln::cl_RA(1) / (2 * (2 * l - 1));
   const cln::cl_RA down = up * ((l - c) * (l - c + 1));

@@ -6,7 +6,7 @@
 //     cos gamma = r11 cos alpha - r01 sin alpha,   sin gamma = r10 cos alpha - r00 sin alpha.
 // Only alpha is normalised. When h is tiny alpha carries the rounding error of r02, r12, but it is an exact point of
 // the circle, and gamma, taken from the matrix and this very alpha, makes up for it: the product is R to rounding at
-// every beta. Formulas that read gamma from r20, r21 as well [Green 2003, p. 25] divide two small numbers and need the
+// every beta. Formulas that read gamma from r20, r21 as well [Green03] divide two small numbers and need the
 // case beta = 0 by hand. cos beta as sqrt(1 - sin^2 beta) or sin beta as sqrt(1 - r22^2) would lose half the digits
 // near the poles. symbolic/rotation_proofs.hpp proves the identity exactly for every rotation, with and without h = 0.
 #pragma once
