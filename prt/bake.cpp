@@ -58,23 +58,26 @@ void for_parts(tbb::task_arena& arena, std::size_t count, const Each& each) {
   });
 }
 
-// Replaces the unshadowed vectors in `transfer` by shadowed ones; marks in `closed` the vertices no ray left.
+// Replaces the unshadowed vectors in `transfer` by shadowed ones; notes in `sight` what became of the rays.
 void shadow(const Scene& scene, tbb::task_arena& arena, const BakeSettings& settings, Transfer& transfer,
-            std::vector<std::uint8_t>& closed) {
+            std::vector<Sight>& sight) {
   const Tracer tracer(scene.mesh, settings.threads, settings.instruction_set);
   transfer.instruction_set = tracer.instruction_set();
   transfer.directions = static_cast<std::uint32_t>(scene.bake.directions);
   const SharedDirections shared(scene.bake.directions, transfer.degree);
   const std::vector<Eigen::Vector3f> origins = ray_origins(scene.mesh);
   const std::size_t count = transfer.bands_squared();
-  closed.assign(origins.size(), 0);
+  sight.assign(origins.size(), Sight::kSome);
   Progress progress("bake", origins.size());
   for_parts(arena, origins.size(), [&](std::size_t first, std::size_t last) {
     Gatherer gatherer(shared, tracer);
     for (std::size_t v = first; v < last; ++v) {
       const Gathered& seen = gatherer.gather(origins[v], scene.mesh.normals[v], scene.mesh.geometric_normals[v]);
-      closed[v] = seen.weight_visible > 0.0F ? 0 : 1;
+      const bool is_dark = !(seen.weight_visible > 0.0F);
       control_with_unshadowed(seen, count, transfer.coefficients.data() + v * count);
+      if (is_dark) {
+        sight[v] = gatherer.is_buried(scene.mesh, v, origins[v]) ? Sight::kBuried : Sight::kDark;
+      }
     }
     progress.advance(last - first);
   });
@@ -101,12 +104,12 @@ Transfer bake(const Scene& scene, const BakeSettings& settings) {
     }
   });
   if (transfer.kind == TransferKind::kShadowed) {
-    std::vector<std::uint8_t> closed;
-    shadow(scene, arena, settings, transfer, closed);
-    const FillCount filled = fill_closed(transfer, closed);
+    std::vector<Sight> sight;
+    shadow(scene, arena, settings, transfer, sight);
+    const FillCount filled = fill_closed(transfer, sight);
     if (filled.closed > 0) {
       report_flaw(settings.on_flaw,
-                  fmt::format("{}: no ray leaves {} of {} vertices ({} filled from neighbours, {} "
+                  fmt::format("{}: no ray can leave {} of {} vertices ({} filled from neighbours, {} "
                               "in closed parts left dark)",
                               scene.name, filled.closed, vertices, filled.filled, filled.closed - filled.filled));
     }

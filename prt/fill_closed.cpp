@@ -1,20 +1,22 @@
 #include "prt/fill_closed.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <set>
+#include <utility>
 
 namespace sh::prt {
 
 namespace {
 
-using Neighbours = std::map<std::uint32_t, std::set<std::uint32_t>>;  // of closed vertices only
+using Neighbours = std::map<std::uint32_t, std::set<std::uint32_t>>;  // of some vertices
 
-Neighbours neighbours_of_closed(const Mesh& mesh, const std::vector<std::uint8_t>& closed) {
+Neighbours neighbours_of_sightless(const Mesh& mesh, const std::vector<Sight>& sight) {
   Neighbours neighbours;
   for (const Face& face : mesh.faces) {
     for (std::size_t k = 0; k < 3; ++k) {
-      if (closed[face[k]] != 0) {
+      if (sight[face[k]] != Sight::kSome) {
         neighbours[face[k]].insert({face[(k + 1) % 3], face[(k + 2) % 3]});
       }
     }
@@ -22,49 +24,52 @@ Neighbours neighbours_of_closed(const Mesh& mesh, const std::vector<std::uint8_t
   return neighbours;
 }
 
-// The mean of the neighbours that have a value; false where none has.
-bool mean_of_known(const Transfer& transfer, const std::vector<std::uint8_t>& unknown,
-                   const std::set<std::uint32_t>& neighbours, std::vector<float>& mean) {
+bool is_closed(const std::vector<Sight>& sight, std::uint32_t vertex, const std::set<std::uint32_t>& neighbours) {
+  return sight[vertex] == Sight::kBuried ||
+         std::all_of(neighbours.begin(), neighbours.end(), [&](std::uint32_t n) { return sight[n] == Sight::kSome; });
+}
+
+// The mean of the neighbours that are not left to fill; empty where all are.
+std::vector<float> mean_of_known(const Transfer& transfer, const Neighbours& unknown,
+                                 const std::set<std::uint32_t>& neighbours) {
   const std::size_t count = transfer.bands_squared();
-  mean.assign(count, 0.0F);
-  std::size_t known = 0;
+  std::vector<float> mean;
+  float known = 0.0F;
   for (const std::uint32_t n : neighbours) {
-    if (unknown[n] == 0) {
+    if (unknown.count(n) == 0) {
+      mean.resize(count, 0.0F);
       const float* value = transfer.coefficients.data() + n * count;
       std::transform(value, value + count, mean.begin(), mean.begin(), std::plus<>());
-      ++known;
+      known += 1.0F;
     }
   }
-  std::for_each(mean.begin(), mean.end(),
-                [&](float& value) { value /= static_cast<float>(std::max<std::size_t>(known, 1)); });
-  return known > 0;
+  for (float& value : mean) {
+    value /= known;
+  }
+  return mean;
 }
 
 }  // namespace
 
-FillCount fill_closed(Transfer& transfer, const std::vector<std::uint8_t>& closed) {
-  FillCount result;
-  result.closed = static_cast<std::size_t>(std::count(closed.begin(), closed.end(), std::uint8_t{1}));
-  Neighbours open_tasks = result.closed > 0 ? neighbours_of_closed(transfer.mesh, closed) : Neighbours();
-  std::vector<std::uint8_t> unknown = closed;
-  bool progressed = true;
-  while (progressed) {
-    std::vector<std::pair<std::uint32_t, std::vector<float>>> ring;
-    std::vector<float> mean;
-    for (const auto& [vertex, neighbours] : open_tasks) {
-      if (mean_of_known(transfer, unknown, neighbours, mean)) {
-        ring.emplace_back(vertex, mean);
+FillCount fill_closed(Transfer& transfer, const std::vector<Sight>& sight) {
+  Neighbours unknown = neighbours_of_sightless(transfer.mesh, sight);
+  std::erase_if(unknown, [&](const auto& entry) { return !is_closed(sight, entry.first, entry.second); });
+  FillCount result{unknown.size(), 0};
+  std::vector<std::pair<std::uint32_t, std::vector<float>>> ring;
+  do {
+    ring.clear();
+    for (const auto& [vertex, neighbours] : unknown) {
+      std::vector<float> mean = mean_of_known(transfer, unknown, neighbours);
+      if (!mean.empty()) {
+        ring.emplace_back(vertex, std::move(mean));
       }
     }
     for (const auto& [vertex, value] : ring) {
-      std::copy(value.begin(), value.end(),
-                transfer.coefficients.begin() + static_cast<std::ptrdiff_t>(vertex * value.size()));
-      unknown[vertex] = 0;
-      open_tasks.erase(vertex);
+      std::copy(value.begin(), value.end(), transfer.coefficients.data() + vertex * value.size());
+      unknown.erase(vertex);
     }
     result.filled += ring.size();
-    progressed = !ring.empty();
-  }
+  } while (!ring.empty());
   return result;
 }
 

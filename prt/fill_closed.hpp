@@ -1,4 +1,4 @@
-// Vertices no ray can leave (their origin lies inside something) would show as black speckles: filled from neighbours.
+// Vertices no ray can leave would show as black speckles: filled from their neighbours.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -8,14 +8,18 @@
 
 namespace sh::prt {
 
+/// What became of a vertex's rays: some got away; all were blocked, by something seen from its front (a shadow like any
+/// other); all were blocked because the vertex lies inside something.
+enum class Sight : std::uint8_t { kSome, kDark, kBuried };
+
 struct FillCount {
-  std::size_t closed = 0;  // vertices marked
-  std::size_t filled = 0;  // of them, those that some path of edges joins to an open vertex
+  std::size_t closed = 0;  // vertices no ray can leave
+  std::size_t filled = 0;  // of them, those that some path of edges joins to a vertex that is not
 };
 
-/// Gives every vertex marked in `closed` the mean of its neighbours that have a value, ring by ring from the open ones
-/// inwards, always from the ring before: the result does not depend on any order. Where a whole connected part is
-/// closed, it stays as it is.
-FillCount fill_closed(Transfer& transfer, const std::vector<std::uint8_t>& closed);
+/// No ray can leave a vertex that is buried, nor one that is dark while every neighbour sees some light. They get the
+/// mean of their neighbours, ring by ring from the sound ones inwards, always from the ring before, so that no order of
+/// work shows in the result. Where a whole connected part is closed, it stays as it is.
+FillCount fill_closed(Transfer& transfer, const std::vector<Sight>& sight);
 
 }  // namespace sh::prt

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "prt/basis.hpp"
+#include "prt/corner_angle.hpp"
 #include "prt/directions.hpp"
 
 namespace sh::prt {
@@ -125,6 +126,22 @@ const Gathered& Gatherer::gather(const Eigen::Vector3f& origin, const Eigen::Vec
     result_.all[i] = result_.visible[i] + blocked.all[i];
   }
   return result_;
+}
+
+bool Gatherer::is_buried(const Mesh& mesh, std::size_t vertex, const Eigen::Vector3f& origin) {
+  const std::size_t traced = aim(origin, mesh.normals[vertex], mesh.geometric_normals[vertex]);
+  std::vector<Eigen::Vector3f> directions;
+  for (std::size_t i = 0; i < traced; ++i) {
+    directions.push_back(directions_.direction(chosen_[i]));
+  }
+  std::vector<Hit> hits(traced);
+  tracer_.intersect(std::vector<Eigen::Vector3f>(traced, origin), directions, hits);
+  std::size_t backs = 0;
+  for (std::size_t i = 0; i < traced; ++i) {
+    const bool hit = hits[i].face != Hit::kNothing;
+    backs += hit && face_normal(mesh.positions, mesh.faces[hits[i].face]).dot(directions[i]) > 0.0F ? 1 : 0;
+  }
+  return 2 * backs >= traced;
 }
 
 std::vector<ShadowRay> Gatherer::rays(const Eigen::Vector3f& origin, const Eigen::Vector3f& normal,

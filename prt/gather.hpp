@@ -48,6 +48,9 @@ class Gatherer {
   /// Traces one vertex; the result stays valid until the next call.
   const Gathered& gather(const Eigen::Vector3f& origin, const Eigen::Vector3f& normal,
                          const Eigen::Vector3f& geometric_normal);
+  /// For a vertex none of whose rays got away: does it lie inside something? Then most rays first meet the back of a
+  /// face, or there was none to trace; a vertex in deep shadow meets fronts.
+  bool is_buried(const Mesh& mesh, std::size_t vertex, const Eigen::Vector3f& origin);
   /// The rays of one vertex that gather() would trace, for measurements.
   std::vector<ShadowRay> rays(const Eigen::Vector3f& origin, const Eigen::Vector3f& normal,
                               const Eigen::Vector3f& geometric_normal);
