@@ -58,6 +58,7 @@ std::vector<std::array<T, 3>> test_directions() {
     for (int repeat = 0; repeat < 4; ++repeat) directions.push_back(near_pole(random, k));
   }
   std::vector<std::array<T, 3>> rounded;
+  rounded.reserve(directions.size());
   for (const auto& d : directions) {
     rounded.push_back({static_cast<T>(d[0]), static_cast<T>(d[1]), static_cast<T>(d[2])});
   }

@@ -54,7 +54,7 @@ class Evaluator {
     }
   }
 
-  const T& value(NodeId id) const { return values_[static_cast<std::size_t>(id)]; }
+  [[nodiscard]] const T& value(NodeId id) const { return values_[static_cast<std::size_t>(id)]; }
 
   void step(const Node& node, std::span<const T> inputs, T& result) const {
     switch (node.op) {

@@ -20,7 +20,7 @@ int binary_exponent(const cln::cl_RA& value) {
   return value < cln::expt(cln::cl_RA(2), guess) ? guess - 1 : guess;
 }
 
-std::string with_point(std::string digits) {
+std::string with_point(const std::string& digits) {
   return digits.find_first_of(".e") == std::string::npos ? digits + ".0" : digits;
 }
 

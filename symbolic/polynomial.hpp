@@ -33,6 +33,7 @@ class Monomial {
   [[nodiscard]] int degree() const;
   /// Throws std::overflow_error when an exponent exceeds kMaxExponent.
   friend Monomial operator*(Monomial a, Monomial b);
+  // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy 14 misreads a defaulted <=>
   friend auto operator<=>(const Monomial&, const Monomial&) = default;
 
  private:

@@ -112,7 +112,7 @@ class FormBuilder {
  private:
   using Term = Form::value_type;
 
-  NodeId at(NodeId input) const { return position_[static_cast<std::size_t>(input)]; }
+  [[nodiscard]] NodeId at(NodeId input) const { return position_[static_cast<std::size_t>(input)]; }
 
   NodeId product(NodeId v, NodeId w) {
     const std::string& left = kernel_.node(at(v)).name;

@@ -26,7 +26,7 @@ class ListScheduler {
  private:
   static std::size_t index(NodeId id) { return static_cast<std::size_t>(id); }
 
-  bool ready(NodeId id) const {
+  [[nodiscard]] bool ready(NodeId id) const {
     if (done_[index(id)]) return false;
     const Node& node = kernel_.node(id);
     for (int i = 0; i < argument_count(node.op); ++i) {
@@ -36,7 +36,7 @@ class ListScheduler {
   }
 
   // How many more values are live after computing the node than before.
-  int live_change(NodeId id) const {
+  [[nodiscard]] int live_change(NodeId id) const {
     const Node& node = kernel_.node(id);
     int change = uses_left_[index(id)] > 0 ? 1 : 0;
     for (int i = 0; i < argument_count(node.op); ++i) {
@@ -48,7 +48,7 @@ class ListScheduler {
     return change;
   }
 
-  NodeId best_ready() const {
+  [[nodiscard]] NodeId best_ready() const {
     NodeId best = -1;
     int best_change = 0;
     for (NodeId id = 0; id < kernel_.size(); ++id) {

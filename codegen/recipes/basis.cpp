@@ -80,7 +80,8 @@ void describe(Kernel& kernel, int degree) {
 }
 
 void set_output(Kernel& kernel, int l, int m, NodeId node) {
-  Output& output = kernel.outputs[static_cast<std::size_t>(l * (l + 1) + m)];
+  const int index = l * (l + 1) + m;
+  Output& output = kernel.outputs[static_cast<std::size_t>(index)];
   output.node = node;
   output.label = "l=" + std::to_string(l) + " m=" + std::to_string(m);
 }

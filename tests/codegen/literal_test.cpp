@@ -65,7 +65,7 @@ TEST(Literal, AgreesWithTheCorrectlyRoundedSquareRoot) {
 TEST(Literal, DoublesReadBackFromTheirDigits) {
   std::mt19937_64 random(1);
   for (int i = 0; i < 20000; ++i) {
-    const double value = std::bit_cast<double>(random());
+    const auto value = std::bit_cast<double>(random());
     if (!std::isfinite(value)) continue;
     EXPECT_EQ(std::strtod(decimal(value).c_str(), nullptr), value) << decimal(value);
   }
@@ -74,7 +74,7 @@ TEST(Literal, DoublesReadBackFromTheirDigits) {
 TEST(Literal, FloatsReadBackFromTheirDigitsDirectlyAndThroughDouble) {
   std::mt19937 random(1);
   for (int i = 0; i < 20000; ++i) {
-    const float value = std::bit_cast<float>(static_cast<std::uint32_t>(random()));
+    const auto value = std::bit_cast<float>(static_cast<std::uint32_t>(random()));
     if (!std::isfinite(value)) continue;
     const std::string digits = decimal(value);
     EXPECT_EQ(std::strtof(digits.c_str(), nullptr), value) << digits;

@@ -89,85 +89,85 @@ std::string compile_and_run(const std::filesystem::path& folder, const std::stri
   return run_command(binary).out;
 }
 
-// Prints every output of basis_l7 at the first directions as hexadecimal floats.
+constexpr std::size_t kDirections = 60;
+
 template <class T>
-std::string evaluated(const Kernel& kernel, std::size_t count) {
+std::vector<std::array<T, 3>> first_directions() {
+  std::vector<std::array<T, 3>> directions = test_directions<T>();
+  directions.resize(kDirections);
+  return directions;
+}
+
+// Every output of the kernel at the first directions, evaluated here, as hexadecimal floats.
+template <class T>
+std::string evaluated(const Kernel& kernel) {
   std::ostringstream text;
+  text << std::hexfloat;
   Evaluator<T> evaluator(kernel);
-  for (std::size_t i = 0; i < count; ++i) {
-    for (const T value : evaluator(test_directions<T>()[i]))
-      text << std::hexfloat << static_cast<double>(value) << '\n';
+  for (const auto& d : first_directions<T>()) {
+    for (const T value : evaluator(d)) text << static_cast<double>(value) << '\n';
   }
   return text.str();
 }
 
+// A program that prints the same by calling `call` ("sh::basis_l7") at directions written into it.
 template <class T>
-std::string directions_as_code(const std::string& type, std::size_t count) {
+std::string program_for(const std::string& type, const std::string& call) {
   std::ostringstream text;
-  text << std::hexfloat << "const " << type << " d[][3] = {\n";
-  for (std::size_t i = 0; i < count; ++i) {
-    text << "{";
-    for (const T v : test_directions<T>()[i]) text << type << "(" << static_cast<double>(v) << "), ";
+  text << std::hexfloat << "#include <ios>\n#include <iostream>\nint main() {\n  const " << type << " d[][3] = {\n";
+  for (const auto& d : first_directions<T>()) {
+    text << "      {";
+    for (const T v : d) text << type << "(" << static_cast<double>(v) << "), ";
     text << "},\n";
   }
-  text << "};\n";
+  text << "  };\n  std::cout << std::hexfloat;\n  for (const auto& p : d) {\n    " << type << " out[64];\n    " << call
+       << "(p[0], p[1], p[2], out);\n    for (auto v : out) std::cout << static_cast<double>(v) << '\\n';\n  }\n}\n";
   return text.str();
 }
-
-constexpr std::size_t kDirections = 60;
-constexpr const char* kPrintLoop = "  for (double v : out) std::printf(\"%s\\n\", hex(v).c_str());\n";
-constexpr const char* kHex =
-    "#include <cstdio>\n#include <ios>\n#include <sstream>\n#include <string>\n"
-    "std::string hex(double v) { std::ostringstream s; s << std::hexfloat << v; return s.str(); }\n";
 
 TEST(CppPrinter, CompiledCodeComputesTheKernelBitForBit) {
   const test::TemporaryFolder folder;
   const FinishedKernel finished = finish_kernel(find_family("basis"), 7);
   test::write_file(folder.path() / "kernel.hpp", print::cpp_kernel(finished));
-  for (const std::string type : {"float", "double"}) {
-    const bool is_float = type == "float";
-    const std::string program =
-        std::string("#include \"kernel.hpp\"\n") + kHex +
-        (is_float ? directions_as_code<float>(type, kDirections) : directions_as_code<double>(type, kDirections)) +
-        "int main() {\n for (const auto& p : d) {\n  " + type + " out[64];\n  sh::basis_l7(p[0], p[1], p[2], out);\n" +
-        kPrintLoop + " }\n}\n";
-    std::string adapted = program;
-    if (is_float) adapted.replace(adapted.find("for (double v"), 13, "for (float w");
-    if (is_float) adapted.replace(adapted.find("hex(v)"), 6, "hex(static_cast<double>(w))");
-    const std::string expected =
-        is_float ? evaluated<float>(finished.kernel, kDirections) : evaluated<double>(finished.kernel, kDirections);
-    EXPECT_EQ(compile_and_run(folder.path(), adapted, "-std=c++17"), expected) << type;
-  }
+  const std::string include = "#include \"kernel.hpp\"\n";
+  const std::string flags = "-std=c++17";
+  EXPECT_EQ(compile_and_run(folder.path(), include + program_for<float>("float", "sh::basis_l7"), flags),
+            evaluated<float>(finished.kernel));
+  EXPECT_EQ(compile_and_run(folder.path(), include + program_for<double>("double", "sh::basis_l7"), flags),
+            evaluated<double>(finished.kernel));
 }
 
 TEST(GlslPrinter, BodyComputesTheKernelBitForBit) {
-  // With `out float r[64]` spelt as a C++ reference the GLSL function is C++ on float.
+  // With `out float result[64]` spelt as a C++ reference the GLSL function is C++ on float.
   const test::TemporaryFolder folder;
   const FinishedKernel finished = finish_kernel(find_family("basis"), 7);
   std::string source = print::glsl_kernel(finished);
   const std::string parameter = "out float result[64]";
   ASSERT_NE(source.find(parameter), std::string::npos);
   source.replace(source.find(parameter), parameter.size(), "float (&result)[64]");
-  const std::string program =
-      std::string(kHex) + source + directions_as_code<float>("float", kDirections) +
-      "int main() {\n for (const auto& p : d) {\n  float out[64];\n  basis_l7(p[0], p[1], p[2], out);\n"
-      "  for (float w : out) std::printf(\"%s\\n\", hex(static_cast<double>(w)).c_str());\n }\n}\n";
+  const std::string program = source + program_for<float>("float", "basis_l7");
   EXPECT_EQ(compile_and_run(folder.path(), program, "-std=c++17 -fsingle-precision-constant"),
-            evaluated<float>(finished.kernel, kDirections));
+            evaluated<float>(finished.kernel));
+}
+
+// A fragment shader that calls one basis kernel.
+std::string shader(const std::string& version, int degree) {
+  std::ostringstream text;
+  text << "#version " << version << '\n'
+       << print::glsl_kernel(finish_kernel(find_family("basis"), degree))
+       << "layout(location = 0) out highp vec4 colour;\nvoid main() {\n    float values[" << (degree + 1) * (degree + 1)
+       << "];\n    basis_l" << degree << "(0.0, 0.6, 0.8, values);\n    colour = vec4(values[0]);\n}\n";
+  return text.str();
 }
 
 TEST(GlslPrinter, IsValidInDesktopAndEmbeddedGlsl) {
   const test::TemporaryFolder folder;
+  const std::string file = folder.path() / "kernel.frag";
+  const std::string validate = "glslangValidator " + quoted(file);
   for (const int degree : {0, 1, 4, 10}) {
-    const std::string source = print::glsl_kernel(finish_kernel(find_family("basis"), degree));
     for (const std::string version : {"450 core", "300 es"}) {
-      const std::string size = std::to_string((degree + 1) * (degree + 1));
-      test::write_file(folder.path() / "kernel.frag",
-                       "#version " + version + "\n" + source +
-                           "layout(location = 0) out highp vec4 colour;\nvoid main() {\n    float values[" + size +
-                           "];\n    basis_l" + std::to_string(degree) +
-                           "(0.0, 0.6, 0.8, values);\n    colour = vec4(values[0]);\n}\n");
-      const auto result = run_command("glslangValidator " + quoted(folder.path() / "kernel.frag"));
+      test::write_file(file, shader(version, degree));
+      const auto result = run_command(validate);
       EXPECT_EQ(result.exit_code, 0) << version << result.out;
     }
   }

@@ -12,10 +12,13 @@ namespace {
 
 namespace fs = std::filesystem;
 using test::quoted;
-using test::run_command;
 
-const std::string kShgen = quoted(std::string(SHFORGE_BIN_DIR) + "/shgen");
 const fs::path kCommitted = fs::path(SHFORGE_SOURCE_DIR) / "generated";
+
+// Runs the tool with the arguments, from the folder given.
+test::CommandResult shgen(const std::string& arguments, const fs::path& from = "/") {
+  return test::run_command("cd " + quoted(from) + " && " + quoted(SHFORGE_BIN_DIR "/shgen") + " " + arguments);
+}
 
 std::map<std::string, std::string> content_of(const fs::path& folder) {
   std::map<std::string, std::string> files;
@@ -31,11 +34,11 @@ std::map<std::string, std::string> content_of(const fs::path& folder) {
 class WrittenTree : public testing::Test {
  protected:
   void SetUp() override {
-    const auto result = run_command(kShgen + " write --out " + quoted(folder()));
+    const auto result = shgen("write --out " + quoted(folder()));
     ASSERT_EQ(result.exit_code, 0) << result.err;
   }
-  const fs::path& folder() const { return temporary_.path(); }
-  test::CommandResult check() const { return run_command(kShgen + " check --dir " + quoted(folder())); }
+  [[nodiscard]] const fs::path& folder() const { return temporary_.path(); }
+  [[nodiscard]] test::CommandResult check() const { return shgen("check --dir " + quoted(folder())); }
 
  private:
   test::TemporaryFolder temporary_;
@@ -43,7 +46,7 @@ class WrittenTree : public testing::Test {
 
 TEST_F(WrittenTree, EqualsTheCommittedOneAndASecondRunByteForByte) {
   const test::TemporaryFolder second;
-  ASSERT_EQ(run_command(kShgen + " write --out " + quoted(second.path())).exit_code, 0);
+  ASSERT_EQ(shgen("write --out " + quoted(second.path())).exit_code, 0);
   EXPECT_EQ(content_of(folder()), content_of(second.path()));
   EXPECT_EQ(content_of(folder()), content_of(kCommitted));
   EXPECT_EQ(content_of(folder()).size(), 24U);  // 11 degrees x 2 languages, basis.hpp, MANIFEST
@@ -51,7 +54,7 @@ TEST_F(WrittenTree, EqualsTheCommittedOneAndASecondRunByteForByte) {
 
 TEST_F(WrittenTree, RunsWithAddressRandomisation) {
   // Otherwise the test above would show nothing about hash order.
-  const auto setting = run_command("cat /proc/sys/kernel/randomize_va_space");
+  const auto setting = test::run_command("cat /proc/sys/kernel/randomize_va_space");
   ASSERT_EQ(setting.exit_code, 0);
   EXPECT_NE(setting.out, "0\n");
 }
@@ -88,31 +91,27 @@ TEST_F(WrittenTree, WriteLeavesUnchangedFilesAloneAndNoTemporaries) {
   const fs::path kept = folder() / "cpp/basis_l4.hpp";
   const auto before = fs::last_write_time(kept);
   test::write_file(folder() / "cpp/basis_l5.hpp", "old");
-  const auto result = run_command(kShgen + " write --out " + quoted(folder()));
+  const auto result = shgen("write --out " + quoted(folder()));
   EXPECT_EQ(result.out, "cpp/basis_l5.hpp\n");
   EXPECT_EQ(fs::last_write_time(kept), before);
   EXPECT_EQ(check().exit_code, 0);
 }
 
 TEST(Shgen, CommittedFilesPassTheCheckFromAnyFolder) {
-  EXPECT_EQ(run_command("cd / && " + kShgen + " check").exit_code, 0);
-  EXPECT_EQ(run_command("cd " + quoted(SHFORGE_SOURCE_DIR) + " && " + kShgen + " check").exit_code, 0);
+  EXPECT_EQ(shgen("check").exit_code, 0);
+  EXPECT_EQ(shgen("check", SHFORGE_SOURCE_DIR).exit_code, 0);
 }
 
 TEST(Shgen, EmitPrintsTheCommittedFile) {
-  EXPECT_EQ(run_command(kShgen + " emit basis --degree 4 --lang cpp").out,
-            test::read_file(kCommitted / "cpp/basis_l4.hpp"));
-  EXPECT_EQ(run_command(kShgen + " emit basis --degree 0 --lang glsl").out,
-            test::read_file(kCommitted / "glsl/basis_l0.glsl"));
+  EXPECT_EQ(shgen("emit basis --degree 4 --lang cpp").out, test::read_file(kCommitted / "cpp/basis_l4.hpp"));
+  EXPECT_EQ(shgen("emit basis --degree 0 --lang glsl").out, test::read_file(kCommitted / "glsl/basis_l0.glsl"));
 }
 
-TEST(Shgen, ListPrintsTheManifest) {
-  EXPECT_EQ(run_command(kShgen + " list").out, test::read_file(kCommitted / "MANIFEST"));
-}
+TEST(Shgen, ListPrintsTheManifest) { EXPECT_EQ(shgen("list").out, test::read_file(kCommitted / "MANIFEST")); }
 
 TEST(Shgen, DumpShowsEachStage) {
   for (const std::string stage : {"recipe", "share", "factor", "prune", "schedule"}) {
-    const auto result = run_command(kShgen + " dump " + stage + " basis_l4");
+    const auto result = shgen("dump " + std::string(stage).append(" basis_l4"));
     EXPECT_EQ(result.exit_code, 0) << result.err;
     EXPECT_EQ(result.out.find("basis_l4: "), 0U) << result.out;
   }
@@ -139,7 +138,7 @@ TEST(Shgen, BadArgumentsAreOneLineAndExitTwo) {
       {"emit basis --degree 4 --lang cpp >/dev/full", "standard output"},
   };
   for (const auto& [arguments, part] : cases) {
-    const auto result = run_command(kShgen + " " + arguments);
+    const auto result = shgen(arguments);
     EXPECT_EQ(result.exit_code, 2) << arguments;
     EXPECT_EQ(result.out, "") << arguments;
     std::string message = result.err;

@@ -23,6 +23,10 @@ namespace {
 
 constexpr int kMaxDegree = 10;
 constexpr int count_of(int degree) { return (degree + 1) * (degree + 1); }
+constexpr std::size_t index(int l, int m) {
+  const int i = l * (l + 1) + m;
+  return static_cast<std::size_t>(i);
+}
 
 using Direction = std::array<double, 3>;
 
@@ -72,8 +76,7 @@ TEST(GeneratedBasis, AgreesWithLegendreFunctionsOfTheStandardLibrary) {
       const auto out = evaluate<kDegree, double>(d);
       for (int l = 0; l <= kDegree; ++l) {
         for (int m = -l; m <= l; ++m) {
-          ASSERT_NEAR(out[static_cast<std::size_t>(l * (l + 1) + m)], textbook(l, m, d), 2e-14)
-              << kDegree << " " << l << " " << m;
+          ASSERT_NEAR(out[index(l, m)], textbook(l, m, d), 2e-14) << kDegree << " " << l << " " << m;
         }
       }
     }
@@ -86,7 +89,7 @@ TEST(GeneratedBasis, SatisfiesTheAdditionTheoremInEveryBand) {
       const auto out = evaluate<kDegree, double>(d);
       for (int l = 0; l <= kDegree; ++l) {
         double sum = 0;
-        for (int m = -l; m <= l; ++m) sum += std::pow(out[static_cast<std::size_t>(l * (l + 1) + m)], 2);
+        for (int m = -l; m <= l; ++m) sum += std::pow(out[index(l, m)], 2);
         ASSERT_NEAR(sum, (2 * l + 1) / (4 * std::numbers::pi), 3e-14);
       }
     }
