@@ -24,6 +24,14 @@ int run(int argc, char** argv) {
     return 0;
   } catch (const CLI::Success& done) {  // --help
     return tool.exit(done);
+  } catch (const CLI::ParseError& error) {
+    if (tool.get_subcommands().empty()) {
+      std::fprintf(stderr, "prt: `%s` is no command; bake, relight, render, info and project are\n",
+                   argc > 1 ? argv[1] : "");
+    } else {
+      std::fprintf(stderr, "prt: %s\n", error.what());
+    }
+    return 2;
   } catch (const sh::prt::Interrupted& stop) {
     std::fprintf(stderr, "prt: %s\n", stop.what());
     return 130;

@@ -107,6 +107,7 @@ Picture reference_render(const Mesh& mesh, const Tracer& tracer, const LightCoef
 
 PictureDifference difference(const Picture& a, const Picture& b) {
   PictureDifference out;
+  std::vector<double> largest;  // (pixels both cover), over the channels
   double squares = 0.0;
   double reference = 0.0;
   for (std::size_t i = 0; i < a.radiance.size(); ++i) {
@@ -114,14 +115,18 @@ PictureDifference difference(const Picture& a, const Picture& b) {
       const Eigen::Vector3d delta = (a.radiance[i] - b.radiance[i]).cast<double>();
       squares += delta.squaredNorm();
       reference += b.radiance[i].cast<double>().squaredNorm();
-      out.largest = std::max(out.largest, delta.cwiseAbs().maxCoeff());
-      ++out.pixels;
+      largest.push_back(delta.cwiseAbs().maxCoeff());
     }
   }
-  if (out.pixels > 0 && reference > 0.0) {
-    out.relative_rms = std::sqrt(squares / reference);
-    out.largest /= std::sqrt(reference / (3.0 * static_cast<double>(out.pixels)));
+  out.pixels = largest.size();
+  if (largest.empty() || !(reference > 0.0)) {
+    return out;
   }
+  const double typical = std::sqrt(reference / (3.0 * static_cast<double>(out.pixels)));
+  out.relative_rms = std::sqrt(squares / reference);
+  out.largest = *std::max_element(largest.begin(), largest.end()) / typical;
+  const auto far_off = std::count_if(largest.begin(), largest.end(), [&](double d) { return d > 0.1 * typical; });
+  out.far_off = static_cast<double>(far_off) / static_cast<double>(out.pixels);
   return out;
 }
 

@@ -18,7 +18,8 @@ Picture reference_render(const Mesh& mesh, const Tracer& tracer, const LightCoef
 /// How two pictures of one size differ over the pixels both cover completely.
 struct PictureDifference {
   double relative_rms = 0.0;  // root of mean |a-b|^2 over root of mean |b|^2, all channels
-  double largest = 0.0;       // the largest |a-b| of any channel over the root of mean b^2
+  double largest = 0.0;       // the largest |a-b| of any channel over the root of mean b^2 of a channel
+  double far_off = 0.0;       // the part of the pixels in which |a-b| of some channel is over a tenth of the latter
   std::size_t pixels = 0;
 };
 PictureDifference difference(const Picture& a, const Picture& b);

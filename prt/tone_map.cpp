@@ -9,7 +9,7 @@ namespace sh::prt {
 
 float automatic_exposure(std::span<const Eigen::Vector3f> radiance) {
   constexpr double kPercentile = 0.95;
-  constexpr float kTarget = 0.8F;
+  constexpr float kTarget = 0.7F;
   if (radiance.empty()) {
     return 1.0F;
   }

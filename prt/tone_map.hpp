@@ -9,7 +9,7 @@
 
 namespace sh::prt {
 
-/// The factor that brings the 95th percentile of the brightest channel of `radiance` to 0.8; 1 where all is black.
+/// The factor that brings the 95th percentile of the brightest channel of `radiance` to 0.7; 1 where all is black.
 float automatic_exposure(std::span<const Eigen::Vector3f> radiance);
 
 /// The tone curve: linear Rec. 709, any value >= 0 -> [0, 1).

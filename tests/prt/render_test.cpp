@@ -168,7 +168,7 @@ TEST(ToneMap, AutomaticExposureBringsThe95thPercentileToItsTarget) {
   for (int i = 0; i <= 100; ++i) {
     radiance.emplace_back(0.0F, static_cast<float>(i), 0.0F);
   }
-  EXPECT_NEAR(automatic_exposure(radiance), 0.8F / 95.0F, 1e-7F);
+  EXPECT_NEAR(automatic_exposure(radiance), 0.7F / 95.0F, 1e-7F);
   EXPECT_EQ(automatic_exposure({}), 1.0F);
   EXPECT_EQ(automatic_exposure(std::vector<Eigen::Vector3f>(5, Eigen::Vector3f::Zero())), 1.0F);
 }
@@ -205,6 +205,8 @@ TEST(Reference, DifferenceIsRelativeAndOverCommonPixels) {
   EXPECT_NEAR(d.relative_rms, 0.1, 1e-6);
   EXPECT_NEAR(d.largest, 0.1, 1e-6);
   EXPECT_EQ(d.pixels, 1U);
+  EXPECT_EQ(difference(b, b).far_off, 0.0);
+  EXPECT_EQ(difference(Picture{1, 1, {Eigen::Vector3f::Constant(1.2F)}, {1.0F}}, b).far_off, 1.0);
 }
 
 }  // namespace
