@@ -22,6 +22,7 @@ namespace sh::prt {
 namespace {
 
 constexpr std::size_t kVerticesPerTask = 32;
+constexpr float kNearlyDark = 0.03F;  // of the cosine; such vertices are looked at more closely
 
 // T_lm = A_l/pi Y_lm(n), out (bands^2) [RamamoorthiHanrahan01]
 void unshadowed_transfer(int degree, const Eigen::Vector3f& normal, float* out) {
@@ -65,18 +66,19 @@ void shadow(const Scene& scene, tbb::task_arena& arena, const BakeSettings& sett
   transfer.instruction_set = tracer.instruction_set();
   transfer.directions = static_cast<std::uint32_t>(scene.bake.directions);
   const SharedDirections shared(scene.bake.directions, transfer.degree);
-  const std::vector<Eigen::Vector3f> origins = ray_origins(scene.mesh);
+  const std::vector<RayStart> starts = ray_starts(scene.mesh);
   const std::size_t count = transfer.bands_squared();
-  sight.assign(origins.size(), Sight::kSome);
-  Progress progress("bake", origins.size());
-  for_parts(arena, origins.size(), [&](std::size_t first, std::size_t last) {
+  sight.assign(starts.size(), Sight::kSome);
+  Progress progress("bake", starts.size());
+  for_parts(arena, starts.size(), [&](std::size_t first, std::size_t last) {
     Gatherer gatherer(shared, tracer);
     for (std::size_t v = first; v < last; ++v) {
-      const Gathered& seen = gatherer.gather(origins[v], scene.mesh.normals[v], scene.mesh.geometric_normals[v]);
+      const Gathered& seen = gatherer.gather(starts[v].origin, scene.mesh.normals[v], scene.mesh.geometric_normals[v]);
       const bool is_dark = !(seen.weight_visible > 0.0F);
+      const bool is_nearly_dark = is_dark || seen.weight_visible < kNearlyDark * seen.weight_all;
       control_with_unshadowed(seen, count, transfer.coefficients.data() + v * count);
-      if (is_dark) {
-        sight[v] = gatherer.is_buried(scene.mesh, v, origins[v]) ? Sight::kBuried : Sight::kDark;
+      if (is_nearly_dark) {
+        sight[v] = gatherer.classify(scene.mesh, v, starts[v], is_dark);
       }
     }
     progress.advance(last - first);

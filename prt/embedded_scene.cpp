@@ -73,9 +73,9 @@ Scene make_embedded_scene() {
   for (const Piece& piece : pieces) {
     append(scene.mesh, make(piece));
   }
-  add_ground(scene.mesh, {0.0F, 14.0F, 0.06F, {0.58F, 0.57F, 0.54F}});
+  add_ground(scene.mesh, {0.0F, 150.0F, 0.06F, {0.58F, 0.57F, 0.54F}});
   scene.lights.emplace_back();  // the CIE overcast sky
-  scene.camera = {{1.6F, -5.2F, 2.7F}, {-0.05F, 0.0F, 0.62F}, {0.0F, 0.0F, 1.0F}, 34.0F};
+  scene.camera = {{1.6F, -5.6F, 2.5F}, {-0.05F, 0.0F, 0.72F}, {0.0F, 0.0F, 1.0F}, 32.0F};
   return scene;
 }
 

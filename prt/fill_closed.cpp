@@ -24,8 +24,8 @@ Neighbours neighbours_of_sightless(const Mesh& mesh, const std::vector<Sight>& s
   return neighbours;
 }
 
-bool is_closed(const std::vector<Sight>& sight, std::uint32_t vertex, const std::set<std::uint32_t>& neighbours) {
-  return sight[vertex] == Sight::kBuried ||
+bool is_filled(const std::vector<Sight>& sight, std::uint32_t vertex, const std::set<std::uint32_t>& neighbours) {
+  return sight[vertex] == Sight::kBuried || sight[vertex] == Sight::kCovered ||
          std::all_of(neighbours.begin(), neighbours.end(), [&](std::uint32_t n) { return sight[n] == Sight::kSome; });
 }
 
@@ -53,8 +53,10 @@ std::vector<float> mean_of_known(const Transfer& transfer, const Neighbours& unk
 
 FillCount fill_closed(Transfer& transfer, const std::vector<Sight>& sight) {
   Neighbours unknown = neighbours_of_sightless(transfer.mesh, sight);
-  std::erase_if(unknown, [&](const auto& entry) { return !is_closed(sight, entry.first, entry.second); });
-  FillCount result{unknown.size(), 0};
+  std::erase_if(unknown, [&](const auto& entry) { return !is_filled(sight, entry.first, entry.second); });
+  const auto is_flaw = [&](const auto& entry) { return sight[entry.first] != Sight::kCovered; };
+  FillCount result;
+  result.closed = static_cast<std::size_t>(std::count_if(unknown.begin(), unknown.end(), is_flaw));
   std::vector<std::pair<std::uint32_t, std::vector<float>>> ring;
   do {
     ring.clear();
@@ -66,9 +68,9 @@ FillCount fill_closed(Transfer& transfer, const std::vector<Sight>& sight) {
     }
     for (const auto& [vertex, value] : ring) {
       std::copy(value.begin(), value.end(), transfer.coefficients.data() + vertex * value.size());
+      result.filled += sight[vertex] != Sight::kCovered ? 1 : 0;
       unknown.erase(vertex);
     }
-    result.filled += ring.size();
   } while (!ring.empty());
   return result;
 }

@@ -12,7 +12,10 @@ namespace sh::prt {
 
 namespace {
 
-constexpr float kOffset = 1e-5F;           // of the mesh's extent
+constexpr float kOffset = 2e-3F;           // of the reach of the mesh around
+constexpr float kRoundings = 32.0F;        // and no less than this many roundings of the coordinates
+constexpr float kCoveredReach = 2.0F;      // what is nearer than this many reaches
+constexpr float kCoveredWeight = 0.97F;    // along so much of the cosine covers a vertex
 constexpr std::size_t kRowUnit = 8;        // floats
 constexpr std::size_t kStreamRays = 1024;  // a stream call
 
@@ -25,37 +28,32 @@ inline void add_row(float weight, const float* row, std::size_t row_length, floa
   }
 }
 
-float offset_length(const Mesh& mesh) {
-  Eigen::AlignedBox3f box;
-  for (const Eigen::Vector3f& position : mesh.positions) {
-    box.extend(position);
-  }
-  // Far from the origin of the coordinates, their rounding is what must be cleared.
-  const float farthest = std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
-  return std::max(kOffset * box.diagonal().norm(), 32.0F * std::numeric_limits<float>::epsilon() * farthest);
-}
-
 }  // namespace
 
-std::vector<Eigen::Vector3f> ray_origins(const Mesh& mesh) {
+std::vector<RayStart> ray_starts(const Mesh& mesh) {
   std::vector<Eigen::Vector3f> inward(mesh.positions.size(), Eigen::Vector3f::Zero());
-  std::vector<float> reach(mesh.positions.size(), 0.0F);
+  std::vector<float> distance(mesh.positions.size(), 0.0F);
+  std::vector<int> faces(mesh.positions.size(), 0);
   for (const Face& face : mesh.faces) {
     const Eigen::Vector3f middle = (mesh.positions[face[0]] + mesh.positions[face[1]] + mesh.positions[face[2]]) / 3.0F;
     for (const std::uint32_t v : face) {
       inward[v] += middle - mesh.positions[v];
-      reach[v] += (middle - mesh.positions[v]).norm();
+      distance[v] += (middle - mesh.positions[v]).norm();
+      ++faces[v];
     }
   }
-  const float length = mesh.positions.empty() ? 0.0F : offset_length(mesh);
-  std::vector<Eigen::Vector3f> origins;
-  origins.reserve(mesh.positions.size());
+  std::vector<RayStart> starts;
+  starts.reserve(mesh.positions.size());
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+    const Eigen::Vector3f& position = mesh.positions[v];
+    const float reach = distance[v] / static_cast<float>(std::max(faces[v], 1));
+    const float rounding = std::numeric_limits<float>::epsilon() * position.cwiseAbs().maxCoeff();
+    const float length = std::max(kOffset * reach, kRoundings * rounding);
     const Eigen::Vector3f& up = mesh.geometric_normals[v];
-    const Eigen::Vector3f along = reach[v] > 0.0F ? (inward[v] / reach[v]).eval() : Eigen::Vector3f::Zero().eval();
-    origins.emplace_back(mesh.positions[v] + length * (up + along - along.dot(up) * up));
+    const Eigen::Vector3f along = distance[v] > 0.0F ? (inward[v] / distance[v]).eval() : inward[v];
+    starts.push_back({position + length * (up + along - along.dot(up) * up), reach});
   }
-  return origins;
+  return starts;
 }
 
 SharedDirections::SharedDirections(int count, int degree)
@@ -128,20 +126,30 @@ const Gathered& Gatherer::gather(const Eigen::Vector3f& origin, const Eigen::Vec
   return result_;
 }
 
-bool Gatherer::is_buried(const Mesh& mesh, std::size_t vertex, const Eigen::Vector3f& origin) {
-  const std::size_t traced = aim(origin, mesh.normals[vertex], mesh.geometric_normals[vertex]);
+Sight Gatherer::classify(const Mesh& mesh, std::size_t vertex, const RayStart& start, bool is_dark) {
+  const std::size_t traced = aim(start.origin, mesh.normals[vertex], mesh.geometric_normals[vertex]);
   std::vector<Eigen::Vector3f> directions;
   for (std::size_t i = 0; i < traced; ++i) {
     directions.push_back(directions_.direction(chosen_[i]));
   }
   std::vector<Hit> hits(traced);
-  tracer_.intersect(std::vector<Eigen::Vector3f>(traced, origin), directions, hits);
+  tracer_.intersect(std::vector<Eigen::Vector3f>(traced, start.origin), directions, hits);
   std::size_t backs = 0;
+  float weight_near = 0.0F;
+  float weight = 0.0F;
   for (std::size_t i = 0; i < traced; ++i) {
     const bool hit = hits[i].face != Hit::kNothing;
     backs += hit && face_normal(mesh.positions, mesh.faces[hits[i].face]).dot(directions[i]) > 0.0F ? 1 : 0;
+    weight_near += hit && hits[i].distance < kCoveredReach * start.reach ? weights_[chosen_[i]] : 0.0F;
+    weight += weights_[chosen_[i]];
   }
-  return 2 * backs >= traced;
+  if (is_dark && 2 * backs >= traced) {
+    return Sight::kBuried;
+  }
+  if (weight_near > kCoveredWeight * weight) {
+    return Sight::kCovered;
+  }
+  return is_dark ? Sight::kDark : Sight::kSome;
 }
 
 std::vector<ShadowRay> Gatherer::rays(const Eigen::Vector3f& origin, const Eigen::Vector3f& normal,

@@ -6,15 +6,23 @@
 #include <cstdint>
 #include <vector>
 
+#include "prt/fill_closed.hpp"
 #include "prt/mesh.hpp"
 #include "prt/tracer.hpp"
 #include "prt/transfer.hpp"
 
 namespace sh::prt {
 
-/// Where the rays of each vertex start: a hair off the surface along the geometric normal, and as much towards the
-/// middle of the faces around it, so that a vertex on the foot of a wall stands before the wall and not inside it.
-std::vector<Eigen::Vector3f> ray_origins(const Mesh& mesh);
+/// Where the rays of a vertex start, and how far the mesh around it reaches: the mean distance to the middles of its
+/// faces, about half an edge.
+struct RayStart {
+  Eigen::Vector3f origin;
+  float reach;
+};
+
+/// Origins lie a hair off the surface along the geometric normal, and as much towards the middle of the faces around,
+/// so that a vertex on the foot of a wall stands before the wall and not inside it.
+std::vector<RayStart> ray_starts(const Mesh& mesh);
 
 /// The directions with their basis values, rows padded with zeros to whole SIMD registers.
 class SharedDirections {
@@ -48,9 +56,8 @@ class Gatherer {
   /// Traces one vertex; the result stays valid until the next call.
   const Gathered& gather(const Eigen::Vector3f& origin, const Eigen::Vector3f& normal,
                          const Eigen::Vector3f& geometric_normal);
-  /// For a vertex none of whose rays got away: does it lie inside something? Then most rays first meet the back of a
-  /// face, or there was none to trace; a vertex in deep shadow meets fronts.
-  bool is_buried(const Mesh& mesh, std::size_t vertex, const Eigen::Vector3f& origin);
+  /// What became of the rays of a vertex that gather() found nearly dark.
+  Sight classify(const Mesh& mesh, std::size_t vertex, const RayStart& start, bool is_dark);
   /// The rays of one vertex that gather() would trace, for measurements.
   std::vector<ShadowRay> rays(const Eigen::Vector3f& origin, const Eigen::Vector3f& normal,
                               const Eigen::Vector3f& geometric_normal);
