@@ -1,6 +1,7 @@
 // `prt render FILE -o out.png`: pictures of a baked mesh, the light turned from frame to frame.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -24,7 +25,7 @@ struct Options {
   PictureSize size;
   int frames = 1;
   float exposure_stops = 0.0F;
-  std::string background = "light";
+  std::string background = "auto";
   int threads = 0;
 };
 
@@ -38,11 +39,27 @@ std::string frame_name(const Options& options, int frame) {
   return (path.parent_path() / name).string();
 }
 
-Background background(const Options& options, const std::vector<Light>& lights) {
-  if (options.background == "light") {
+/// What stands behind the mesh: the light, or a grey that does not depend on the exposure. `auto`: the light where it
+/// is a picture; a sky without one is black below its horizon.
+bool shows_light(const Options& options, const std::vector<Light>& lights) {
+  const auto is_picture = [](const Light& light) { return light.image != nullptr; };
+  return options.background == "light" ||
+         (options.background == "auto" && std::any_of(lights.begin(), lights.end(), is_picture));
+}
+
+Background background(bool show_light, const std::vector<Light>& lights) {
+  if (show_light) {
     return [lights](const Eigen::Vector3f& direction) { return radiance(lights, direction.cast<double>()); };
   }
   return [](const Eigen::Vector3f& /*direction*/) { return Eigen::Vector3f(Eigen::Vector3f::Zero()); };
+}
+
+/// Adds grey of linear 0.3 after exposure where samples missed the mesh.
+void put_on_grey(Picture& picture, float exposure) {
+  constexpr float kGrey = 0.3F;
+  for (std::size_t i = 0; i < picture.radiance.size(); ++i) {
+    picture.radiance[i].array() += (1.0F - picture.coverage[i]) * kGrey / exposure;
+  }
 }
 
 void check(const Options& options) {
@@ -67,15 +84,19 @@ void run(const Options& options) {
   const LightCoefficients light = project(chosen.lights, transfer.degree);
   const Camera camera = chosen.camera.empty() ? default_camera(transfer.mesh, options.size) : chosen.camera.front();
   const Tracer tracer(transfer.mesh, options.threads);
+  const bool show_light = shows_light(options, chosen.lights);
   float exposure = 0.0F;
   for (int frame = 0; frame < options.frames; ++frame) {
     const Eigen::Matrix3d r = rotation_about(Eigen::Vector3d::UnitZ(), 360.0 * frame / options.frames);
     const std::vector<Eigen::Vector3f> radiance = relight(transfer, turned(light, r));
     const std::string name = frame_name(options, frame);
-    const Picture picture = render(transfer.mesh, tracer, radiance, camera, options.size,
-                                   background(options, turned(chosen.lights, r)), fmt::format("render {}", name));
+    Picture picture = render(transfer.mesh, tracer, radiance, camera, options.size,
+                             background(show_light, turned(chosen.lights, r)), fmt::format("render {}", name));
     if (frame == 0) {  // one exposure for all frames: the picture must not flicker
       exposure = automatic_exposure(picture.covered()) * std::exp2(options.exposure_stops);
+    }
+    if (!show_light) {
+      put_on_grey(picture, exposure);
     }
     write_png(name, picture.width, picture.height, tone_map(picture.radiance, exposure));
   }
@@ -98,9 +119,11 @@ void add_render_command(CLI::App& tool) {
       ->capture_default_str();
   command->add_option("--exposure", options->exposure_stops, "stops brighter than the automatic exposure")
       ->capture_default_str();
-  command->add_option("--background", options->background, "what rays that miss see: light or black")
+  command
+      ->add_option("--background", options->background,
+                   "behind the mesh: light, grey, or auto: light where it is a picture")
       ->capture_default_str()
-      ->check(CLI::IsMember({"light", "black"}));
+      ->check(CLI::IsMember({"auto", "light", "grey"}));
   command->add_option("--threads", options->threads, "0: every core")->capture_default_str();
   options->light.add_to(*command);
   command->callback([options] { with_threads(options->threads, [&] { run(*options); }); });
