@@ -147,7 +147,7 @@ ProofResult prove_orthonormality_by_reduction(const Basis& basis) {
     for (const BasisFunction* f : functions) {
       if (!(f->azimuthal == azimuthal)) return refuted(name_of(*f) + ": the azimuthal part is not cos or sin of m phi");
     }
-    const ProofResult result = prove_order(functions, std::abs(order), highest);
+    ProofResult result = prove_order(functions, std::abs(order), highest);
     if (!result.proved) return result;
   }
   return proved(std::to_string(basis.size()) + " functions, " + std::to_string(by_order.size()) + " orders");

@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "symbolic/basis_ginac.hpp"
+#include "symbolic/matrix.hpp"
 #include "symbolic/substitute.hpp"
 
 namespace sh::symbolic {
@@ -52,7 +53,7 @@ std::array<Polynomial, 3> cross_with_direction(const Gradient& g) {
   return {y * g[2] - z * g[1], z * g[0] - x * g[2], x * g[1] - y * g[0]};
 }
 
-std::size_t index_of(int degree, int order) { return static_cast<std::size_t>(degree * (degree + 1) + order); }
+std::size_t index_of(int degree, int order) { return to_size(degree * (degree + 1) + order); }
 
 // "" when every identity holds for one function.
 std::string gradient_error(const Basis& basis, const BasisFunction& f, const BasisDerivatives& d) {

@@ -77,7 +77,7 @@ ProofResult for_samples(int degree, Prove prove) {
   std::size_t count = 0;
   for (int top : {std::min(degree, 2), degree}) {
     for (const Convention& convention : sample_conventions(top)) {
-      const ProofResult result = prove(convention, top);
+      ProofResult result = prove(convention, top);
       if (!result.proved) return result;
       ++count;
     }
@@ -88,7 +88,7 @@ ProofResult for_samples(int degree, Prove prove) {
 ProofResult prove_all_basis_changes(int degree) {
   return for_samples(degree, [](const Convention& convention, int top) {
     for (int l = 0; l <= top; ++l) {
-      const ProofResult result =
+      ProofResult result =
           prove_basis_change(convention, l, basis_change(convention, l), basis_change_inverse(convention, l));
       if (!result.proved) return result;
     }
@@ -110,8 +110,8 @@ ProofResult prove_all_compositions(int degree) {
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const Convention& middle = samples[i];
     const Convention& end = samples[(i + 1) % samples.size()];
-    const ProofResult result = prove_through(convention_map(ours, middle, degree), convention_map(middle, end, degree),
-                                             convention_map(ours, end, degree));
+    ProofResult result = prove_through(convention_map(ours, middle, degree), convention_map(middle, end, degree),
+                                       convention_map(ours, end, degree));
     if (!result.proved) return result;
   }
   return proved(std::to_string(samples.size()) + " triples");
@@ -157,7 +157,7 @@ ProofResult prove_basis_change(const Convention& convention, int degree, const R
     add(difference, RadicalSum(f.factor) * RadicalSum::imaginary_unit(), substitute(f.im, moved));
     for (int n = -degree; n <= degree; ++n) {
       add(difference, -(change(degree + m, degree + n) * RadicalSum(orthonormal_factor(degree, n))),
-          functions[static_cast<std::size_t>(degree + n)]);
+          functions[to_size(degree + n)]);
     }
     if (!vanishes(difference)) return refuted("l=" + std::to_string(degree) + " m=" + std::to_string(m));
   }
@@ -231,7 +231,7 @@ std::vector<Proof> convention_proofs() {
        [](int degree) {
          for (int l = 0; l <= degree; ++l) {
            for (const bool phase : {false, true}) {
-             const ProofResult result = prove_unitary(real_from_complex(l, phase));
+             ProofResult result = prove_unitary(real_from_complex(l, phase));
              if (!result.proved) return result;
            }
          }
@@ -248,7 +248,7 @@ std::vector<Proof> convention_proofs() {
        "substitution, exact products", 10, 10, "48 matrices with all products take minutes beyond",
        [](int degree) {
          for (int l = 0; l <= degree; ++l) {
-           const ProofResult result = prove_axes(axes_band, l);
+           ProofResult result = prove_axes(axes_band, l);
            if (!result.proved) return result;
          }
          return proved("48 signed permutations, " + std::to_string(degree + 1) + " bands");

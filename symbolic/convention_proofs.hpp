@@ -29,8 +29,8 @@ ProofResult prove_there_and_back(const ConventionMap& there, const ConventionMap
 /// the map a -> c equals b -> c after a -> b.
 ProofResult prove_through(const ConventionMap& a_to_b, const ConventionMap& b_to_c, const ConventionMap& a_to_c);
 
-/// Brown's R = W D W*: with D the complex matrix of functions made from Wigner's d at rational angles, real = W D W*.
-/// real_bands: the T_l(R) of the recursion; w: one W per band.
+/// Brown's R = W D W* at a rational rotation, w: one W per band from 0 on, with the Condon-Shortley phase; R from the
+/// recursion in R_ij, D from Wigner's d at rational half angles, Y_complex(R s) = D Y_complex(s).
 ProofResult prove_complex_rotation(const std::vector<Matrix<RadicalSum>>& w);
 
 /// Every preset, in its own axes and in the world's, and a spread of other combinations.

@@ -10,6 +10,9 @@
 
 namespace sh::symbolic {
 
+/// A non-negative int as an index.
+constexpr std::size_t to_size(int i) { return static_cast<std::size_t>(i); }
+
 template <class T>
 class Matrix {
  public:
@@ -31,12 +34,12 @@ class Matrix {
     return result;
   }
 
-  int rows() const { return rows_; }
-  int columns() const { return columns_; }
+  [[nodiscard]] int rows() const { return rows_; }
+  [[nodiscard]] int columns() const { return columns_; }
   T& operator()(int row, int column) { return entries_[index(row, column)]; }
   const T& operator()(int row, int column) const { return entries_[index(row, column)]; }
 
-  Matrix transposed() const {
+  [[nodiscard]] Matrix transposed() const {
     Matrix result(columns_, rows_);
     for (int i = 0; i < rows_; ++i) {
       for (int j = 0; j < columns_; ++j) result(j, i) = (*this)(i, j);
@@ -61,7 +64,7 @@ class Matrix {
   }
 
  private:
-  std::size_t index(int row, int column) const {
+  [[nodiscard]] std::size_t index(int row, int column) const {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
   }
   int rows_ = 0;

@@ -32,18 +32,18 @@ class RadicalSum {
 
   /// Adds coefficient * sqrt(radicand) * pi^(power/2); `radical.first` must be square-free, coefficient exact.
   void add_term(const Radical& radical, const cln::cl_N& coefficient);
-  const Terms& terms() const { return terms_; }
-  bool is_zero() const { return terms_.empty(); }
-  bool is_real() const;
-  RadicalSum conjugate() const;
+  [[nodiscard]] const Terms& terms() const { return terms_; }
+  [[nodiscard]] bool is_zero() const { return terms_.empty(); }
+  [[nodiscard]] bool is_real() const;
+  [[nodiscard]] RadicalSum conjugate() const;
   /// The reciprocal of a single term; throws std::invalid_argument for zero and for sums of several radicals.
-  RadicalSum inverse() const;
+  [[nodiscard]] RadicalSum inverse() const;
   /// The number as a surd; throws std::invalid_argument when it is not real or has several radicals.
-  Surd surd() const;
+  [[nodiscard]] Surd surd() const;
   /// (real part, imaginary part), summed from terms that are rounded to at least `digits` decimal digits.
-  std::pair<cln::cl_F, cln::cl_F> evaluate(int digits) const;
+  [[nodiscard]] std::pair<cln::cl_F, cln::cl_F> evaluate(int digits) const;
   /// For people: "1/2 + i/2 sqrt(3)".
-  std::string to_string() const;
+  [[nodiscard]] std::string to_string() const;
 
   RadicalSum operator-() const;
   RadicalSum& operator+=(const RadicalSum& other);

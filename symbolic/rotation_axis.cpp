@@ -70,10 +70,9 @@ Matrix<cln::cl_RA> rotation_x90(int degree, bool positive) {
   for (int m = -degree; m <= degree; ++m) band.push_back(basis_function(degree, m).homogeneous);
   Matrix<cln::cl_RA> t(2 * degree + 1, 2 * degree + 1);
   for (int m = -degree; m <= degree; ++m) {
-    const Polynomial moved = substitute(band[static_cast<std::size_t>(degree + m)], turned);
+    const Polynomial moved = substitute(band[to_size(degree + m)], turned);
     for (int n = -degree; n <= degree; ++n) {  // S_m(R v) = sum T_mn S_n(v), and the mean of S_n^2 is 1 / (4 pi k_n^2)
-      t(degree + m, degree + n) =
-          squared_factor(degree, n) * sphere_mean(moved * band[static_cast<std::size_t>(degree + n)]);
+      t(degree + m, degree + n) = squared_factor(degree, n) * sphere_mean(moved * band[to_size(degree + n)]);
     }
   }
   return t;

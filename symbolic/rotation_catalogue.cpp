@@ -22,7 +22,7 @@ BandsAt recursion_at_points(int degree) {
 template <class Prove>
 ProofResult for_each_band(int degree, Prove prove) {
   for (int l = 0; l <= degree; ++l) {
-    const ProofResult result = prove(l);
+    ProofResult result = prove(l);
     if (!result.proved) return result;
   }
   return proved(std::to_string(degree + 1) + " bands");
@@ -33,10 +33,10 @@ std::vector<Proof> outright_proofs() {
       {"equivariance", "Y_l(M(q) v) = D_l(q) Y_l(v), M(q) = |q|^2 R(q)", "polynomial identity in q and v",
        kMaxQuaternionDegree, kMaxQuaternionDegree, kQuaternion,
        [](int degree) { return prove_equivariance(derive_quaternion_rotations(degree), derive_basis(degree)); }},
-      {"rotation-orthogonal", "D(q) D(q)^T = |q|^(4l)", "polynomial identity in q", 7, 7, kExpanded,
+      {"rotation-orthogonal", "D(q) D(q)^T = |q|^(4l)", "polynomial identity in q", 6, 7, kExpanded,
        [](int degree) { return prove_orthogonality(derive_quaternion_rotations(degree)); }},
       {"rotation-composition", "D(ab) = D(a) D(b)",
-       "polynomial identity in two quaternions (beyond: equivariance implies it, and the next lines test it)", 4, 4,
+       "polynomial identity in two quaternions (beyond: equivariance implies it, and the next lines test it)", 3, 4,
        kExpanded, [](int degree) { return prove_composition(derive_quaternion_rotations(degree)); }},
       {"quaternion-recursion", "quaternion form = recursion in R_ij at R_ij = M_ij(q)",
        "two derivations compared term by term", kMaxQuaternionDegree, kMaxQuaternionDegree, kQuaternion,

@@ -107,7 +107,7 @@ ProofResult prove_zyz_angles(const ZyzFormula& formula) {
 
 ProofResult prove_euler_orders(const EulerFormula& formula) {
   for (const std::string_view order : kEulerOrders) {
-    const ProofResult result = prove_euler_order(order, formula);
+    ProofResult result = prove_euler_order(order, formula);
     if (!result.proved) return result;
   }
   return proved("12 orders, 2 frames");

@@ -69,7 +69,7 @@ class RationalRotations {
     do {
       norm = 0;
       for (cln::cl_RA& component : q) {
-        component = static_cast<int>(random_() % 199U) - 99;
+        component = static_cast<int>(random_() % 19999U) - 9999;
         norm = norm + component * component;
       }
     } while (cln::zerop(norm));
@@ -156,10 +156,10 @@ ProofResult prove_equivariance(const std::vector<QuaternionRotation>& bands, con
   for (const QuaternionRotation& band : bands) {
     const int l = band.degree;
     std::vector<Polynomial> right;  // S_ln(v)
-    for (int n = 0; n <= 2 * l; ++n) right.push_back(in_v(basis.at(static_cast<std::size_t>(l * l + n)).homogeneous));
+    for (int n = 0; n <= 2 * l; ++n) right.push_back(in_v(basis.at(to_size(l * l + n)).homogeneous));
     for (int m = 0; m <= 2 * l; ++m) {
       Polynomial difference;
-      for (const auto& [monomial, coefficient] : basis.at(static_cast<std::size_t>(l * l + m)).homogeneous.terms()) {
+      for (const auto& [monomial, coefficient] : basis.at(to_size(l * l + m)).homogeneous.terms()) {
         difference += coefficient * turned(monomial);
       }
       for (int n = 0; n <= 2 * l; ++n) difference -= band.entries(m, n) * right[static_cast<std::size_t>(n)];
@@ -189,7 +189,7 @@ ProofResult prove_composition(const std::vector<QuaternionRotation>& bands) {
   for (const QuaternionRotation& band : bands) {
     const Matrix<Polynomial> t_b = mapped(band.entries, [&](const Polynomial& p) { return substitute(p, b); });
     const Matrix<Polynomial> t_ab = mapped(band.entries, [&](const Polynomial& p) { return substitute(p, ab); });
-    const ProofResult result = compare(band.degree, band.entries * t_b, t_ab, "T(a) T(b) differs from T(ab)");
+    ProofResult result = compare(band.degree, band.entries * t_b, t_ab, "T(a) T(b) differs from T(ab)");
     if (!result.proved) return result;
   }
   return proved(band_count(bands.size()));
@@ -198,8 +198,8 @@ ProofResult prove_composition(const std::vector<QuaternionRotation>& bands) {
 ProofResult prove_recursion_agrees(const std::vector<QuaternionRotation>& bands,
                                    const std::vector<Matrix<Polynomial>>& recursion) {
   for (const QuaternionRotation& band : bands) {
-    const ProofResult result = compare(band.degree, band.entries, recursion.at(static_cast<std::size_t>(band.degree)),
-                                       "quaternion form and recursion differ");
+    ProofResult result = compare(band.degree, band.entries, recursion.at(static_cast<std::size_t>(band.degree)),
+                                 "quaternion form and recursion differ");
     if (!result.proved) return result;
   }
   return proved(band_count(bands.size()));
@@ -226,7 +226,7 @@ ProofResult prove_composition_at_points(const BandsAt& bands_at, int points) {
     const auto bands_b = bands_at(b);
     const auto bands_ab = bands_at(a * b);
     for (std::size_t l = 0; l < bands_a.size(); ++l) {
-      const ProofResult result =
+      ProofResult result =
           compare(static_cast<int>(l), bands_a[l] * bands_b[l], bands_ab[l], "D(a) D(b) differs from D(ab)");
       if (!result.proved) return result;
     }
@@ -249,10 +249,10 @@ ProofResult prove_x90(const QuaternionRotation& band, const RationalMatrix& plus
   for (int i = 0; i < scaled.rows(); ++i) {
     for (int j = 0; j < scaled.columns(); ++j) scaled(i, j) = scaled(i, j) / norm;
   }
-  const ProofResult same = compare(band.degree, plus, scaled, "differs from the quaternion form at (1,1,0,0)");
+  ProofResult same = compare(band.degree, plus, scaled, "differs from the quaternion form at (1,1,0,0)");
   if (!same.proved) return same;
   const auto one = RationalMatrix::identity(plus.rows(), 1);
-  const ProofResult inverse = compare(band.degree, plus * minus, one, "+90 and -90 degrees are not inverse");
+  ProofResult inverse = compare(band.degree, plus * minus, one, "+90 and -90 degrees are not inverse");
   if (!inverse.proved) return inverse;
   return compare(band.degree, plus * plus * plus * plus, one, "four quarter turns are not the identity");
 }

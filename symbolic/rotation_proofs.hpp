@@ -2,8 +2,8 @@
 //
 // Each function proves the objects it is given, so a spoiled copy is refuted; rotation_proofs() lists them for the
 // catalogue. T, M(q) and the variables are those of symbolic/quaternion_rotation.hpp. "Outright" means a polynomial
-// identity in all variables; "at points" means exact arithmetic at random rational rotations (fixed seed), where a
-// wrong entry survives with a probability below one in a million, not zero.
+// identity in all variables; "at points" means exact arithmetic at three random rational rotations (fixed seed): by the
+// Schwartz-Zippel bound an identity of degree 80 that is false passes with a probability below one in a million.
 #pragma once
 
 #include <functional>

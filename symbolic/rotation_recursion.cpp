@@ -41,12 +41,12 @@ std::vector<Ladder> ladders_of(int l, int c) {
 }  // namespace
 
 std::vector<std::vector<Coupling>> band_couplings(int degree) {
-  std::vector<std::vector<Coupling>> result(static_cast<std::size_t>(2 * degree + 1));
+  std::vector<std::vector<Coupling>> result(to_size(2 * degree + 1));
   for (int c = 0; c < degree; ++c) {
     for (const Ladder& ladder : ladders_of(degree, c)) {
       const cln::cl_RA weight =
           ladder.g * squared_factor(degree - 1, ladder.below) / squared_factor(degree, ladder.above);
-      result[static_cast<std::size_t>(degree + ladder.above)].push_back({ladder.axis, ladder.below, weight});
+      result[to_size(degree + ladder.above)].push_back({ladder.axis, ladder.below, weight});
     }
   }
   return result;

@@ -25,13 +25,13 @@ class SignedPermutation {
   explicit SignedPermutation(std::string_view text);
 
   /// Coordinate `row` of s' is sign(row) * (coordinate axis(row) of s).
-  int axis(int row) const { return axes_[static_cast<std::size_t>(row)]; }
-  int sign(int row) const { return signs_[static_cast<std::size_t>(row)]; }
+  [[nodiscard]] int axis(int row) const { return axes_[static_cast<std::size_t>(row)]; }
+  [[nodiscard]] int sign(int row) const { return signs_[static_cast<std::size_t>(row)]; }
   /// +1 keeps the handedness, -1 changes it.
-  int determinant() const;
-  Matrix<cln::cl_RA> matrix() const;  // (3, 3)
-  SignedPermutation inverse() const;
-  std::string to_string() const;
+  [[nodiscard]] int determinant() const;
+  [[nodiscard]] Matrix<cln::cl_RA> matrix() const;  // (3, 3)
+  [[nodiscard]] SignedPermutation inverse() const;
+  [[nodiscard]] std::string to_string() const;
 
   /// First b, then a.
   friend SignedPermutation operator*(const SignedPermutation& a, const SignedPermutation& b);
