@@ -45,13 +45,15 @@ class AzimuthalPowers {
   }
 
   // The real and the imaginary part times a scaled factor, as plain numbers.
-  Real real_times(const Scaled<Real>& q) const { return times_power_of_two(Real(real_ * q.mantissa), shift(q)); }
-  Real imaginary_times(const Scaled<Real>& q) const {
+  [[nodiscard]] Real real_times(const Scaled<Real>& q) const {
+    return times_power_of_two(Real(real_ * q.mantissa), shift(q));
+  }
+  [[nodiscard]] Real imaginary_times(const Scaled<Real>& q) const {
     return times_power_of_two(Real(imaginary_ * q.mantissa), shift(q));
   }
 
  private:
-  long shift(const Scaled<Real>& q) const { return exponent_ + q.exponent; }
+  [[nodiscard]] long shift(const Scaled<Real>& q) const { return exponent_ + q.exponent; }
 
   Real x_, y_;
   Real real_ = 1, imaginary_ = 0;

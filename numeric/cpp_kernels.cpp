@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "generated/cpp/basis.hpp"
+#include "numeric/basis.hpp"
 #include "numeric/directions.hpp"
 
 namespace sh::numeric {
@@ -31,7 +32,7 @@ BasisKernel<T> basis_kernel(int degree) {
 }
 
 Operations count_operations(int degree) {
-  std::vector<Counted> out(static_cast<std::size_t>((degree + 1) * (degree + 1)));
+  std::vector<Counted> out(static_cast<std::size_t>(coefficient_count(degree)));
   const auto before = Counted::counts();
   basis_kernel<Counted>(degree)(Counted(0.6F), Counted(0.48F), Counted(0.64F), out.data());
   return Counted::counts() - before;
@@ -45,7 +46,7 @@ double nanoseconds_per_call(int degree) {
   for (const auto& d : random_directions(kCalls, 1)) {
     inputs.push_back({static_cast<T>(d.x), static_cast<T>(d.y), static_cast<T>(d.z)});
   }
-  const auto stride = static_cast<std::size_t>((degree + 1) * (degree + 1));
+  const auto stride = static_cast<std::size_t>(coefficient_count(degree));
   std::vector<T> out(stride);
   const auto kernel = basis_kernel<T>(degree);
   double least = std::numeric_limits<double>::infinity();

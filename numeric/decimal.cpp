@@ -48,7 +48,7 @@ class Scanner {
     place_ = end;
     return text_.substr(begin, end - begin);
   }
-  bool at_end() const { return place_ == text_.size(); }
+  [[nodiscard]] bool at_end() const { return place_ == text_.size(); }
 
  private:
   const std::string& text_;

@@ -12,11 +12,11 @@ struct Decimal {
   std::string digits;  // one or more of 0-9
   long exponent = 0;
 
-  bool is_zero() const { return digits.find_first_not_of('0') == std::string::npos; }
+  [[nodiscard]] bool is_zero() const { return digits.find_first_not_of('0') == std::string::npos; }
   // For mpfr_set_str: "-123e-2".
-  std::string text() const { return (negative ? "-" : "") + digits + "e" + std::to_string(exponent); }
+  [[nodiscard]] std::string text() const { return (negative ? "-" : "") + digits + "e" + std::to_string(exponent); }
   // The integer sign * digits * 10^(exponent - lowest_exponent) modulo a prime below 2^31.
-  std::uint64_t modulo(std::uint64_t prime, long lowest_exponent) const;
+  [[nodiscard]] std::uint64_t modulo(std::uint64_t prime, long lowest_exponent) const;
 };
 
 // [+-]digits[.digits][e[+-]digits], with digits on at least one side of the point and the exponent within +-100000.

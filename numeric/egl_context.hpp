@@ -27,7 +27,7 @@ class EglContext {
 
   void make_current() const;
   // The renderer's own name, such as "llvmpipe (LLVM 15.0.6, 256 bits)".
-  std::string renderer() const;
+  [[nodiscard]] std::string renderer() const;
 
  private:
   struct Handles;

@@ -25,10 +25,10 @@ class ErrorMeasure {
  public:
   void add(int degree, int order, const Direction& input, double error);
 
-  double max() const { return worst_.error; }
-  double rms() const;
-  const WorstInput& worst() const { return worst_; }
-  std::size_t count() const { return count_; }
+  [[nodiscard]] double max() const { return worst_.error; }
+  [[nodiscard]] double rms() const;
+  [[nodiscard]] const WorstInput& worst() const { return worst_; }
+  [[nodiscard]] std::size_t count() const { return count_; }
 
  private:
   WorstInput worst_;
@@ -44,8 +44,8 @@ class ErrorStats {
   // error = computed - exact, of Y_(degree, order) at `input`.
   void add(int degree, int order, const Direction& input, double error);
 
-  const ErrorMeasure& absolute() const { return absolute_; }
-  const ErrorMeasure& scaled() const { return scaled_; }  // in epsilon x band maximum
+  [[nodiscard]] const ErrorMeasure& absolute() const { return absolute_; }
+  [[nodiscard]] const ErrorMeasure& scaled() const { return scaled_; }  // in epsilon x band maximum
 
  private:
   double epsilon_;

@@ -22,7 +22,7 @@ class GlslProgram {
   GlslProgram(const GlslProgram&) = delete;
   GlslProgram& operator=(const GlslProgram&) = delete;
 
-  GLuint id() const { return id_; }
+  [[nodiscard]] GLuint id() const { return id_; }
 
  private:
   GLuint id_;

@@ -18,7 +18,7 @@ struct GlslParameter {
   int count = 0;        // 0: a plain float; n: float[n]
   bool output = false;  // out instead of in
 
-  int floats() const { return count == 0 ? 1 : count; }
+  [[nodiscard]] int floats() const { return count == 0 ? 1 : count; }
 };
 
 struct GlslFunction {
@@ -26,8 +26,8 @@ struct GlslFunction {
   std::vector<GlslParameter> parameters;
   bool returns_float = false;
 
-  int input_floats() const;
-  int output_floats() const;
+  [[nodiscard]] int input_floats() const;
+  [[nodiscard]] int output_floats() const;
 };
 
 class GlslRunner {
@@ -41,7 +41,7 @@ class GlslRunner {
   std::vector<float> run(const std::string& label, const std::string& source, const GlslFunction& function,
                          const std::vector<float>& inputs);
 
-  std::string renderer() const { return context_.renderer(); }
+  [[nodiscard]] std::string renderer() const { return context_.renderer(); }
 
  private:
   GlslLanguage language_;

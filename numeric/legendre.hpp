@@ -45,7 +45,7 @@ class SectoralConstant {
     ++degree_;
     squared_ = squared_ * static_cast<Real>(2 * degree_ + 1) / static_cast<Real>(2 * degree_);
   }
-  Real value() const {
+  [[nodiscard]] Real value() const {
     using std::sqrt;
     return sqrt(squared_);
   }

@@ -17,7 +17,7 @@ class ExactValue {
  public:
   ExactValue(double high, double low) : high_(high), low_(low) {}
   // computed - exact, with a relative error near 2^-52: computed - high cancels without rounding where it is small.
-  double error_of(double computed) const { return (computed - high_) - low_; }
+  [[nodiscard]] double error_of(double computed) const { return (computed - high_) - low_; }
 
  private:
   double high_;

@@ -3,9 +3,11 @@
 
 namespace sh::numeric {
 
+// NOLINTBEGIN(bugprone-macro-parentheses): a type cannot stand in parentheses.
 #define SHFORGE_INSTANCE(Real)                                \
   template GaussLegendreRule<Real> gauss_legendre<Real>(int); \
   template std::vector<SphereNode<Real>> sphere_rule<Real>(int);
+// NOLINTEND(bugprone-macro-parentheses)
 
 SHFORGE_INSTANCE(float)
 SHFORGE_INSTANCE(double)

@@ -3,9 +3,11 @@
 
 namespace sh::numeric {
 
+// NOLINTBEGIN(bugprone-macro-parentheses): a type cannot stand in parentheses.
 #define SHFORGE_INSTANCE(Real)                                                    \
   template std::vector<std::vector<Real>> rotation_bands<Real>(int, const Real*); \
   template void rotate<Real>(int, const Real*, const Real*, Real*);
+// NOLINTEND(bugprone-macro-parentheses)
 
 SHFORGE_INSTANCE(float)
 SHFORGE_INSTANCE(double)

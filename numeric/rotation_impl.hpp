@@ -25,7 +25,7 @@ class BandStep {
       : l_(l), first_(first), previous_(previous) {}
 
   // D_l(m, n).
-  Real entry(int m, int n) const {
+  [[nodiscard]] Real entry(int m, int n) const {
     const Real u = root((l_ + m) * (l_ - m));
     const Real v = half_root(m == 0 ? 2 * (l_ - 1) * l_ : (l_ + std::abs(m) - 1) * (l_ + std::abs(m)));
     const Real w = half_root((l_ - std::abs(m) - 1) * (l_ - std::abs(m)));
@@ -43,20 +43,24 @@ class BandStep {
   }
   static Real half_root(int n) { return root(n) / 2; }
 
-  const Real& r(int i, int j) const { return first_[static_cast<std::size_t>((i + 1) * 3 + j + 1)]; }
-  const Real& d(int m, int n) const {
-    return previous_[static_cast<std::size_t>((m + l_ - 1) * (2 * l_ - 1) + n + l_ - 1)];
+  [[nodiscard]] const Real& r(int i, int j) const {
+    const int place = (i + 1) * 3 + j + 1;
+    return first_[static_cast<std::size_t>(place)];
+  }
+  [[nodiscard]] const Real& d(int m, int n) const {
+    const int place = (m + l_ - 1) * (2 * l_ - 1) + n + l_ - 1;
+    return previous_[static_cast<std::size_t>(place)];
   }
 
   // P_i(m, n): the row i of band 1 with the row m of band l-1.
-  Real product(int i, int m, int n) const {
+  [[nodiscard]] Real product(int i, int m, int n) const {
     if (n == l_) return r(i, 1) * d(m, l_ - 1) - r(i, -1) * d(m, 1 - l_);
     if (n == -l_) return r(i, 1) * d(m, 1 - l_) + r(i, -1) * d(m, l_ - 1);
     return r(i, 0) * d(m, n);
   }
 
   // V: from |m| - 1.
-  Real from_below(int m, int n) const {
+  [[nodiscard]] Real from_below(int m, int n) const {
     if (m == 0) return product(1, 1, n) + product(-1, -1, n);
     if (m == 1) return root(2) * product(1, 0, n);
     if (m == -1) return root(2) * product(-1, 0, n);
@@ -65,7 +69,7 @@ class BandStep {
   }
 
   // W: from |m| + 1.
-  Real from_above(int m, int n) const {
+  [[nodiscard]] Real from_above(int m, int n) const {
     if (m > 0) return product(1, m + 1, n) + product(-1, -m - 1, n);
     return product(1, m - 1, n) - product(-1, 1 - m, n);
   }

@@ -5,9 +5,12 @@
 // Results on standard output, progress and messages on standard error. Exit: 0 done, 1 a kernel differs or exceeds its
 // limit, 2 bad input.
 #include <CLI/CLI.hpp>
+#include <array>
 #include <cstdio>
 #include <exception>
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "numeric/kernel_check.hpp"
@@ -78,20 +81,26 @@ void describe(CLI::App& app, Options& options) {
   eval->add_option("--digits", options.digits, "significant decimals, 1 to 10000")->required();
 }
 
+int run(int argc, char** argv) {
+  Options options;
+  CLI::App app("Checks spherical-harmonics kernels against a multiprecision oracle", "shcheck");
+  describe(app, options);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app.exit(error);  // --help
+    throw;
+  }
+  return app.got_subcommand("eval") ? run_eval(options) : run_kernels(options);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  Options options;
-  CLI::App app("Checks spherical-harmonics kernels against a multiprecision oracle", "shcheck");
   try {
-    describe(app, options);
-    app.parse(argc, argv);
-    return app.got_subcommand("eval") ? run_eval(options) : run_kernels(options);
-  } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return app.exit(error);
-    say(error.what());
+    return run(argc, argv);
   } catch (const std::exception& error) {
-    say(error.what());
+    std::fprintf(stderr, "shcheck: %s\n", error.what());
+    return 2;
   }
-  return 2;
 }
