@@ -99,7 +99,8 @@ Transfer bake(const Scene& scene, const BakeSettings& settings) {
   const std::size_t count = transfer.bands_squared();
   const std::size_t vertices = scene.mesh.positions.size();
   transfer.coefficients.resize(vertices * count);
-  tbb::task_arena arena(settings.threads == 0 ? tbb::task_arena::automatic : settings.threads);
+  const int cores = tbb::this_task_arena::max_concurrency();
+  tbb::task_arena arena(settings.threads == 0 ? cores : std::min(settings.threads, cores));
   for_parts(arena, vertices, [&](std::size_t first, std::size_t last) {
     for (std::size_t v = first; v < last; ++v) {
       unshadowed_transfer(transfer.degree, scene.mesh.normals[v], transfer.coefficients.data() + v * count);

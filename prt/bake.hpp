@@ -16,7 +16,7 @@
 namespace sh::prt {
 
 struct BakeSettings {
-  int threads = 0;              // 0: every core
+  int threads = 0;              // 0: every core; no more than there are cores
   std::string instruction_set;  // of the rays, see Tracer; empty: the best up to avx2
   OnFlaw on_flaw = OnFlaw::kMend;
 };

@@ -11,8 +11,8 @@ namespace sh::prt {
 
 namespace {
 
-constexpr float kGap = 0.004F;  // between a shape and what it stands on: no faces coincide
-constexpr float kEdge = 0.08F;
+constexpr float kGap = 0.0005F;  // between a shape and what it stands on: no faces coincide
+constexpr float kEdge = 0.09F;
 
 struct Piece {
   const char* primitive;
@@ -64,7 +64,7 @@ Scene make_embedded_scene() {
                                      {"cylinder", {0.36F, 0.36F, 1.1F}, {0.75F, -0.55F, 0.0F}, 0.0F, 0.0F, chalk},
                                      {"sphere", {0.56F, 0.56F, 0.56F}, {0.75F, -0.55F, 1.1F + kGap}, 0.0F, 0.0F, gold},
                                      {"torus", {1.0F, 1.0F, 1.0F}, {-0.55F, -0.65F, 0.0F}, 25.0F, 0.0F, brick},
-                                     {"sphere", {0.45F, 0.45F, 0.45F}, {-0.55F, -0.65F, 0.0F}, 0.0F, 0.0F, slate},
+                                     {"sphere", {0.43F, 0.43F, 0.43F}, {-0.55F, -0.65F, 0.0F}, 0.0F, 0.0F, slate},
                                      {"cone", {0.5F, 0.5F, 0.75F}, {1.5F, -0.25F, 0.0F}, 0.0F, 0.0F, moss},
                                      {"box", {0.5F, 0.5F, 0.5F}, {-1.6F, -0.35F, 0.0F}, 33.0F, 0.0F, slate},
                                      {"torus", {0.5F, 0.5F, 0.5F}, {-1.6F, -0.35F, 0.5F + kGap}, 0.0F, 0.0F, moss}};
@@ -75,7 +75,7 @@ Scene make_embedded_scene() {
   }
   add_ground(scene.mesh, {0.0F, 150.0F, 0.06F, {0.58F, 0.57F, 0.54F}});
   scene.lights.emplace_back();  // the CIE overcast sky
-  scene.camera = {{1.6F, -5.6F, 2.5F}, {-0.05F, 0.0F, 0.72F}, {0.0F, 0.0F, 1.0F}, 32.0F};
+  scene.camera = {{1.6F, -5.6F, 2.5F}, {-0.05F, 0.0F, 0.6F}, {0.0F, 0.0F, 1.0F}, 32.0F};
   return scene;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "prt/basis.hpp"
 #include "prt/corner_angle.hpp"
@@ -19,12 +20,43 @@ constexpr float kCoveredWeight = 0.97F;    // along so much of the cosine covers
 constexpr std::size_t kRowUnit = 8;        // floats
 constexpr std::size_t kStreamRays = 1024;  // a stream call
 
-// sum (row_length) += weight row; lanes are coefficients, so the bits do not depend on the width of the registers.
-inline void add_row(float weight, const float* row, std::size_t row_length, float* sum) {
-  for (std::size_t first = 0; first < row_length; first += kRowUnit) {
-    for (std::size_t i = first; i < first + kRowUnit; ++i) {
-      sum[i] += weight * row[i];
+// The sums below run on the widest registers there are. Lanes are coefficients or directions, never terms of one sum,
+// and nothing is contracted: the bits do not depend on the width.
+#define SHFORGE_WIDEST __attribute__((target_clones("avx2", "default")))
+
+// sum (Width) = the weighted sum of the chosen rows, kept in registers.
+template <std::size_t Width>
+[[gnu::always_inline]] inline void sum_block(const float* values, std::size_t row_length, const std::uint32_t* chosen,
+                                             std::size_t count, const float* weights, float* sum) {
+  std::array<float, Width> block{};
+  for (std::size_t k = 0; k < count; ++k) {
+    const float weight = weights[chosen[k]];
+    const float* row = values + chosen[k] * row_length;
+    for (std::size_t i = 0; i < Width; ++i) {
+      block[i] += weight * row[i];
     }
+  }
+  std::copy(block.begin(), block.end(), sum);
+}
+
+SHFORGE_WIDEST void sum_rows(const float* values, std::size_t row_length, const std::uint32_t* chosen,
+                             std::size_t count, const float* weights, float* sum) {
+  std::size_t first = 0;
+  for (; first + 32 <= row_length; first += 32) {
+    sum_block<32>(values + first, row_length, chosen, count, weights, sum + first);
+  }
+  for (; first + kRowUnit <= row_length; first += kRowUnit) {
+    sum_block<kRowUnit>(values + first, row_length, chosen, count, weights, sum + first);
+  }
+}
+
+// out (count) = scale normal.direction for directions (3, count).
+SHFORGE_WIDEST void cosines(const float* directions, std::size_t count, float x, float y, float z, float* out) {
+  const float* dx = directions;
+  const float* dy = directions + count;
+  const float* dz = directions + 2 * count;
+  for (std::size_t j = 0; j < count; ++j) {
+    out[j] = x * dx[j] + y * dy[j] + z * dz[j];
   }
 }
 
@@ -59,11 +91,24 @@ std::vector<RayStart> ray_starts(const Mesh& mesh) {
 SharedDirections::SharedDirections(int count, int degree)
     : directions_(fibonacci_directions(count)),
       row_length_((static_cast<std::size_t>((degree + 1) * (degree + 1)) + kRowUnit - 1) / kRowUnit * kRowUnit),
-      values_(directions_.size() * row_length_, 0.0F) {
+      values_(directions_.size() * row_length_, 0.0F),
+      components_(3 * directions_.size()) {
   for (std::size_t j = 0; j < directions_.size(); ++j) {
     const Eigen::Vector3f& d = directions_[j];
     evaluate_basis(degree, d.x(), d.y(), d.z(), values_.data() + j * row_length_);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      components_[axis * directions_.size() + j] = d[static_cast<int>(axis)];
+    }
   }
+}
+
+void SharedDirections::cosines_with(const Eigen::Vector3f& normal, float* out) const {
+  cosines(components_.data(), directions_.size(), normal.x(), normal.y(), normal.z(), out);
+}
+
+void SharedDirections::sum(const std::vector<std::uint32_t>& chosen, std::size_t count, const float* weights,
+                           float* result) const {
+  sum_rows(values_.data(), row_length_, chosen.data(), count, weights, result);
 }
 
 Gatherer::Gatherer(const SharedDirections& directions, const Tracer& tracer)
@@ -71,28 +116,27 @@ Gatherer::Gatherer(const SharedDirections& directions, const Tracer& tracer)
       tracer_(tracer),
       rays_(directions.size()),
       chosen_(directions.size()),
-      below_(directions.size()),
-      weights_(directions.size()) {}
+      visible_(directions.size()),
+      blocked_(directions.size()),
+      weights_(directions.size()),
+      heights_(directions.size()) {}
 
 std::size_t Gatherer::aim(const Eigen::Vector3f& origin, const Eigen::Vector3f& normal,
                           const Eigen::Vector3f& geometric_normal) {
-  const float scale = 4.0F / static_cast<float>(directions_.size());
+  directions_.cosines_with(normal * (4.0F / static_cast<float>(directions_.size())), weights_.data());
+  directions_.cosines_with(geometric_normal, heights_.data());
   std::size_t traced = 0;
-  below_.clear();
+  below_ = 0;
   for (std::uint32_t j = 0; j < directions_.size(); ++j) {
-    const Eigen::Vector3f& direction = directions_.direction(j);
-    const float cosine = normal.dot(direction);
-    if (cosine <= 0.0F) {
-      continue;
-    }
-    weights_[j] = scale * cosine;
-    if (geometric_normal.dot(direction) > 0.0F) {
-      rays_[traced].aim(origin, direction);
-      chosen_[traced] = j;
-      ++traced;
-    } else {
-      below_.push_back(j);
-    }
+    const bool counts = weights_[j] > 0.0F;
+    const bool is_above = heights_[j] > 0.0F;
+    chosen_[traced] = j;
+    blocked_[below_] = j;
+    traced += counts && is_above ? 1 : 0;
+    below_ += counts && !is_above ? 1 : 0;
+  }
+  for (std::size_t i = 0; i < traced; ++i) {
+    rays_[i].aim(origin, directions_.direction(chosen_[i]));
   }
   return traced;
 }
@@ -100,28 +144,26 @@ std::size_t Gatherer::aim(const Eigen::Vector3f& origin, const Eigen::Vector3f& 
 const Gathered& Gatherer::gather(const Eigen::Vector3f& origin, const Eigen::Vector3f& normal,
                                  const Eigen::Vector3f& geometric_normal) {
   const std::size_t traced = aim(origin, normal, geometric_normal);
-  const std::size_t length = directions_.row_length();
   for (std::size_t first = 0; first < traced; first += kStreamRays) {
     tracer_.occluded({rays_.data() + first, std::min(kStreamRays, traced - first)});
   }
-  Gathered blocked;
-  std::fill_n(result_.visible.begin(), length, 0.0F);
-  std::fill_n(blocked.all.begin(), length, 0.0F);
-  float weight_blocked = 0.0F;
-  result_.weight_visible = 0.0F;
+  std::size_t visible = 0;
+  std::size_t blocked = below_;
   for (std::size_t i = 0; i < traced; ++i) {
-    const std::uint32_t j = chosen_[i];
     const bool hit = rays_[i].blocked();
-    add_row(weights_[j], directions_.row(j), length, hit ? blocked.all.data() : result_.visible.data());
-    (hit ? weight_blocked : result_.weight_visible) += weights_[j];
+    visible_[visible] = chosen_[i];
+    blocked_[blocked] = chosen_[i];
+    visible += hit ? 0 : 1;
+    blocked += hit ? 1 : 0;
   }
-  for (const std::uint32_t j : below_) {
-    add_row(weights_[j], directions_.row(j), length, blocked.all.data());
-    weight_blocked += weights_[j];
-  }
-  result_.weight_all = result_.weight_visible + weight_blocked;
-  for (std::size_t i = 0; i < length; ++i) {
-    result_.all[i] = result_.visible[i] + blocked.all[i];
+  const auto add_weight = [&](float sum, std::uint32_t j) { return sum + weights_[j]; };
+  result_.weight_visible = std::accumulate(visible_.data(), visible_.data() + visible, 0.0F, add_weight);
+  result_.weight_all =
+      std::accumulate(blocked_.data(), blocked_.data() + blocked, 0.0F, add_weight) + result_.weight_visible;
+  directions_.sum(visible_, visible, weights_.data(), result_.visible.data());
+  directions_.sum(blocked_, blocked, weights_.data(), result_.all.data());
+  for (std::size_t i = 0; i < directions_.row_length(); ++i) {
+    result_.all[i] += result_.visible[i];
   }
   return result_;
 }

@@ -31,12 +31,16 @@ class SharedDirections {
   std::size_t size() const { return directions_.size(); }
   std::size_t row_length() const { return row_length_; }
   const Eigen::Vector3f& direction(std::size_t j) const { return directions_[j]; }
-  const float* row(std::size_t j) const { return values_.data() + j * row_length_; }
+  /// out (size) = normal.direction of every direction.
+  void cosines_with(const Eigen::Vector3f& normal, float* out) const;
+  /// result (row_length) = the sum of weights[j] Y(direction j) over the first `count` indices j in `chosen`.
+  void sum(const std::vector<std::uint32_t>& chosen, std::size_t count, const float* weights, float* result) const;
 
  private:
   std::vector<Eigen::Vector3f> directions_;
   std::size_t row_length_;
-  std::vector<float> values_;  // (directions, row_length)
+  std::vector<float> values_;      // (directions, row_length)
+  std::vector<float> components_;  // (3, directions)
 };
 
 inline constexpr std::size_t kMaxRow = 128;
@@ -63,17 +67,19 @@ class Gatherer {
                               const Eigen::Vector3f& geometric_normal);
 
  private:
-  // Fills the three buffers below: first the directions to trace, then those under the horizon. Returns how many to
-  // trace.
+  // Finds what counts: `chosen_` to trace, `blocked_` under the horizon. Returns how many to trace.
   std::size_t aim(const Eigen::Vector3f& origin, const Eigen::Vector3f& normal,
                   const Eigen::Vector3f& geometric_normal);
 
   const SharedDirections& directions_;
   const Tracer& tracer_;
   std::vector<ShadowRay> rays_;
-  std::vector<std::uint32_t> chosen_;  // indices of directions, traced ones first
-  std::vector<std::uint32_t> below_;
-  std::vector<float> weights_;  // of every direction
+  std::vector<std::uint32_t> chosen_;  // directions to trace
+  std::vector<std::uint32_t> visible_;
+  std::vector<std::uint32_t> blocked_;  // the first below_ lie under the horizon
+  std::size_t below_ = 0;
+  std::vector<float> weights_;  // 4/N cosine of every direction with the shading normal
+  std::vector<float> heights_;  // cosine with the geometric normal
   Gathered result_;
 };
 

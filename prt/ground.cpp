@@ -11,7 +11,7 @@ namespace sh::prt {
 
 namespace {
 
-constexpr float kGap = 1.0F / 2000.0F;
+constexpr float kGap = 1.0F / 10000.0F;
 constexpr float kWidth = 4.0F;
 constexpr float kEdge = 1.0F / 50.0F;
 constexpr float kGrowth = 0.25F;

@@ -19,7 +19,7 @@ struct Ground {
   Eigen::Vector3f albedo = Eigen::Vector3f::Constant(0.5F);
 };
 
-/// What is left out is derived from the meshes: just below them (by 1/2000 of their extent, so that no face of theirs
+/// What is left out is derived from the meshes: just below them (by 1/10000 of their extent, so that no face of theirs
 /// coincides with it), four times as wide, edges of 1/50 of their extent.
 Ground default_ground(const Mesh& mesh);
 void add_ground(Mesh& mesh, const Ground& ground);

@@ -1,0 +1,133 @@
+// The transfer file: what is written comes back; anything else is refused in one line.
+#include "prt/transfer_file.hpp"
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <csignal>
+#include <nlohmann/json.hpp>
+
+#include "prt/atomic_file.hpp"
+#include "prt/bake.hpp"
+#include "tests/prt/meshes.hpp"
+#include "tests/prt/temporary_folder.hpp"
+
+namespace sh::prt::test {
+namespace {
+
+Transfer small_transfer() {
+  Scene scene;
+  scene.name = "small";
+  scene.mesh = primitive_mesh("plane");
+  scene.bake.degree = 1;
+  return bake(scene);
+}
+
+class TransferFile : public testing::Test {
+ protected:
+  std::string refusal() const {
+    return message_of([&] { read_transfer(file_); });
+  }
+
+  TemporaryFolder folder_;
+  std::string file_ = folder_.file("a.prt");
+};
+
+TEST_F(TransferFile, GivesBackWhatWasWritten) {
+  const Transfer written = small_transfer();
+  write_transfer(file_, written);
+  const Transfer read = read_transfer(file_);
+  EXPECT_EQ(read.scene, written.scene);
+  EXPECT_EQ(read.degree, written.degree);
+  EXPECT_EQ(read.kind, written.kind);
+  EXPECT_EQ(read.directions, written.directions);
+  EXPECT_EQ(read.instruction_set, written.instruction_set);
+  EXPECT_EQ(read.coefficients, written.coefficients);
+  EXPECT_EQ(read.mesh.positions, written.mesh.positions);
+  EXPECT_EQ(read.mesh.normals, written.mesh.normals);
+  EXPECT_EQ(read.mesh.geometric_normals, written.mesh.geometric_normals);
+  EXPECT_EQ(read.mesh.albedo, written.mesh.albedo);
+  EXPECT_EQ(read.mesh.faces, written.mesh.faces);
+  EXPECT_EQ(read.mesh.remap, written.mesh.remap);
+  EXPECT_EQ(folder_.entries(), 1U);
+}
+
+TEST_F(TransferFile, NamesItsConventionsInItsHeader) {
+  const nlohmann::json header = nlohmann::json::parse(transfer_header(small_transfer()));
+  for (const char* key : {"kind", "degree", "convention", "axes", "units", "colour_space", "holds", "vertices"}) {
+    EXPECT_TRUE(header.contains(key)) << key;
+  }
+  EXPECT_EQ(header["kind"], "DS");
+}
+
+TEST_F(TransferFile, IsRefusedWithAnyOneByteChanged) {
+  write_transfer(file_, small_transfer());
+  const std::string good = read_all(file_);
+  ASSERT_GT(good.size(), 500U);
+  for (std::size_t i = 0; i < good.size(); ++i) {
+    for (const unsigned flip : {0x01U, 0x80U, 0xFFU}) {
+      std::string bad = good;
+      bad[i] = static_cast<char>(static_cast<unsigned char>(bad[i]) ^ flip);
+      write_all(file_, bad);
+      const std::string said = refusal();
+      ASSERT_EQ(said.find(file_ + ": "), 0U) << "byte " << i << ": " << said;
+      ASSERT_EQ(said.find('\n'), std::string::npos) << "byte " << i << ": " << said;
+    }
+  }
+}
+
+TEST_F(TransferFile, IsRefusedWhenTruncatedAnywhereOrContinued) {
+  write_transfer(file_, small_transfer());
+  const std::string good = read_all(file_);
+  for (std::size_t size = 0; size < good.size(); ++size) {
+    write_all(file_, good.substr(0, size));
+    ASSERT_EQ(refusal().find(file_ + ": "), 0U) << size;
+  }
+  write_all(file_, good + '\0');
+  EXPECT_NE(refusal().find("overlong"), std::string::npos) << refusal();
+}
+
+TEST_F(TransferFile, IsRefusedWhenMissingOrAFolder) {
+  EXPECT_EQ(refusal().find(file_ + ": cannot read"), 0U) << refusal();
+  EXPECT_NE(message_of([&] { read_transfer(std::filesystem::path(file_).parent_path().string()); }), "");
+}
+
+TEST_F(TransferFile, LeavesTheOldFileWhenTheDiskIsFull) {
+  write_all(file_, "old");
+  const Transfer transfer = small_transfer();
+  rlimit before{};
+  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
+  const rlimit tiny{64, before.rlim_max};
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &tiny), 0);
+  const std::string said = message_of([&] { write_transfer(file_, transfer); });
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &before), 0);
+  std::signal(SIGXFSZ, handler);
+  EXPECT_EQ(said, file_ + ": cannot write: File too large");
+  EXPECT_EQ(read_all(file_), "old");
+  EXPECT_EQ(folder_.entries(), 1U);
+}
+
+TEST_F(TransferFile, ReportsAFullDevice) {
+  EXPECT_EQ(message_of([] { write_transfer("/dev/full", small_transfer()); }),
+            "/dev/full: cannot write: No space left on device");
+  EXPECT_TRUE(std::filesystem::is_character_file("/dev/full"));
+}
+
+TEST_F(TransferFile, IsRefusedWhereItCannotBeWritten) {
+  const std::string there = folder_.file("missing/a.prt");
+  EXPECT_EQ(message_of([&] { write_transfer(there, small_transfer()); }),
+            there + ": cannot write: No such file or directory");
+}
+
+TEST_F(TransferFile, AppearsOnlyWhenComplete) {
+  {
+    AtomicFile file(file_);
+    file.write("half", 4);
+    EXPECT_FALSE(std::filesystem::exists(file_));
+  }
+  EXPECT_EQ(folder_.entries(), 0U);
+}
+
+}  // namespace
+}  // namespace sh::prt::test
