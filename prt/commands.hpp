@@ -28,7 +28,7 @@ struct LightOptions {
   bool strict = false;
 
   void add_to(CLI::App& command);
-  OnFlaw on_flaw() const { return strict ? OnFlaw::kRefuse : OnFlaw::kMend; }
+  [[nodiscard]] OnFlaw on_flaw() const { return strict ? OnFlaw::kRefuse : OnFlaw::kMend; }
 };
 
 /// The lights the options name and the camera of their scene; without a scene `camera` stays empty. Without any option
@@ -45,7 +45,7 @@ void with_threads(int threads, const std::function<void()>& work);
 /// Throws std::runtime_error at once, before long work, where `file` could not be written at its end.
 void require_writable(const std::string& file);
 
-/// Prints `prt: what in S s` on standard error when it goes out of scope without an exception.
+/// Time since construction; report() prints `prt: what in S s` on standard error.
 class Stopwatch {
  public:
   Stopwatch();

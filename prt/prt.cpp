@@ -9,29 +9,40 @@
 
 namespace {
 
-int run(int argc, char** argv) {
-  CLI::App tool("Precomputed radiance transfer with spherical harmonics: bake, relight, render.", "prt");
+void add_commands(CLI::App& tool) {
   tool.require_subcommand(1);
+  sh::prt::add_bake_command(tool);
+  sh::prt::add_relight_command(tool);
+  sh::prt::add_render_command(tool);
+  sh::prt::add_info_command(tool);
+  sh::prt::add_project_command(tool);
+}
+
+int run(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file-size limit is then an error of write(), reported like a full disk
+  sh::prt::stop_on_interrupt();
+  CLI::App tool("Precomputed radiance transfer with spherical harmonics: bake, relight, render.", "prt");
+  add_commands(tool);
   try {
-    std::signal(SIGXFSZ, SIG_IGN);  // a file-size limit is then an error of write(), reported like a full disk
-    sh::prt::stop_on_interrupt();
-    sh::prt::add_bake_command(tool);
-    sh::prt::add_relight_command(tool);
-    sh::prt::add_render_command(tool);
-    sh::prt::add_info_command(tool);
-    sh::prt::add_project_command(tool);
-    tool.parse(argc, argv);
+    tool.parse(argc, argv);  // runs the command
     return 0;
   } catch (const CLI::Success& done) {  // --help
     return tool.exit(done);
   } catch (const CLI::ParseError& error) {
-    if (tool.get_subcommands().empty()) {
-      std::fprintf(stderr, "prt: `%s` is no command; bake, relight, render, info and project are\n",
-                   argc > 1 ? argv[1] : "");
-    } else {
-      std::fprintf(stderr, "prt: %s\n", error.what());
+    if (!tool.get_subcommands().empty()) {
+      throw;
     }
+    std::fprintf(stderr, "prt: `%s` is no command; bake, relight, render, info and project are\n",
+                 argc > 1 ? argv[1] : "");
     return 2;
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
   } catch (const sh::prt::Interrupted& stop) {
     std::fprintf(stderr, "prt: %s\n", stop.what());
     return 130;
@@ -40,7 +51,3 @@ int run(int argc, char** argv) {
     return 2;
   }
 }
-
-}  // namespace
-
-int main(int argc, char** argv) { return run(argc, argv); }

@@ -26,7 +26,7 @@ struct Stage {
     reference = reference_render(scene.mesh, tracer, light, scene.camera, kSize, 8192);
   }
 
-  PictureDifference baked_difference(TransferKind kind) const {
+  [[nodiscard]] PictureDifference baked_difference(TransferKind kind) const {
     Scene changed = scene;
     changed.bake.kind = kind;
     changed.bake.directions = 1024;

@@ -119,6 +119,7 @@ std::string radiance_bytes(const Image& image, bool run_length, const std::strin
       fmt::format("#?RADIANCE\n{}FORMAT=32-bit_rle_rgbe\n\n-Y {} +X {}\n", header, image.height, image.width);
   for (int row = 0; row < image.height; ++row) {
     std::vector<Rgbe> pixels;
+    pixels.reserve(static_cast<std::size_t>(image.width));
     for (int column = 0; column < image.width; ++column) {
       pixels.push_back(rgbe(image.at(column, row)));
     }

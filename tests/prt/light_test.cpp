@@ -100,6 +100,7 @@ TEST(Light, LightsAddUpAndScaleAndTurn) {
   const Image image = test::pattern_image(64, 32);
   test::write_exr(folder.file("a.exr"), image);
   LightSpec constant;
+  constant.type = LightType::kConstant;
   constant.radiance = {0.5F, 0.25F, 0.125F};
   LightSpec picture = environment(folder.file("a.exr"), 2.0F);
   picture.rotation_axis = {0.0F, 0.0F, 3.0F};  // not unit

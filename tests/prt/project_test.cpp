@@ -93,6 +93,7 @@ TEST(Project, ConstantPictureHasBandZeroOnly) {
 
 TEST(Project, ConstantLightHasBandZeroOnly) {
   LightSpec spec;
+  spec.type = LightType::kConstant;
   spec.radiance = {1.0F, 2.0F, 4.0F};
   const LightCoefficients light = project(load_lights({spec}, OnFlaw::kRefuse), 3);
   for (std::size_t c = 0; c < 3; ++c) {
