@@ -9,8 +9,8 @@
 //   gaunt_by_wigner     Wigner 3j symbols, taken from the complex to the real basis          gaunt_wigner.cpp
 #pragma once
 
-#include <compare>
 #include <map>
+#include <tuple>
 
 #include "symbolic/surd.hpp"
 
@@ -31,7 +31,11 @@ struct IndexTriple {
   int i = 0;
   int j = 0;
   int k = 0;
-  friend auto operator<=>(const IndexTriple&, const IndexTriple&) = default;
+  friend bool operator==(const IndexTriple&, const IndexTriple&) = default;
+  /// Lexicographic.
+  friend bool operator<(const IndexTriple& a, const IndexTriple& b) {
+    return std::tie(a.i, a.j, a.k) < std::tie(b.i, b.j, b.k);
+  }
 };
 
 /// The same triple with i <= j <= k.
@@ -50,7 +54,7 @@ GauntTensor gaunt_by_wigner(int degree);
 /// One entry, indices in any order, of any degree, by Wigner 3j symbols [Gaunt29], [HomeierSteinborn96].
 Surd gaunt(int i, int j, int k);
 
-/// What must hold for an entry to be other than zero [HomeierSteinborn96] section 3: the degrees add up to an even
+/// What must hold for an entry to be other than zero [HomeierSteinborn96]: the degrees add up to an even
 /// number and form a triangle, an even number of the orders is negative, and one |order| is the sum of the other two.
 bool gaunt_may_differ_from_zero(int i, int j, int k);
 

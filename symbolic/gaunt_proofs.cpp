@@ -36,7 +36,7 @@ class RaisedBasis {
     r2_ = Polynomial::variable(0).power(2) + Polynomial::variable(1).power(2) + Polynomial::variable(2).power(2);
   }
   const BasisFunction& operator[](int index) const { return basis_[static_cast<std::size_t>(index)]; }
-  std::size_t size() const { return basis_.size(); }
+  [[nodiscard]] std::size_t size() const { return basis_.size(); }
   /// The homogeneous polynomial times (x^2+y^2+z^2)^power.
   const Polynomial& raised(int index, int power) {
     std::vector<Polynomial>& list = raised_[static_cast<std::size_t>(index)];
@@ -198,6 +198,7 @@ namespace {
 // A function with every coefficient different: 1, 1/2, 1/3, ...
 std::vector<Surd> harmonic_coefficients(int degree) {
   std::vector<Surd> known;
+  known.reserve(static_cast<std::size_t>(count(degree)));
   for (int k = 0; k < count(degree); ++k) known.emplace_back(cln::cl_RA(1) / (k + 1));
   return known;
 }
@@ -208,31 +209,31 @@ std::vector<Proof> gaunt_proofs() {
   const std::string slow = "products of polynomials of higher degree are slow to integrate";
   const std::string expansion = "each product is multiplied out and expanded on up to 2 degree + 1 bands";
   return {
-      with_range_check({"Gaunt tensor", "G_ijk = integral Y_i Y_j Y_k",
+      with_range_check({"gaunt-tensor", "G_ijk = integral Y_i Y_j Y_k",
                         "Wigner 3j symbols against integration of monomials", 9, kMaxGauntDegree, slow,
                         [](int degree) { return prove_gaunt_tensor(gaunt_by_wigner(degree), degree); }}),
-      with_range_check({"Gaunt symmetry", "G_ijk does not change when its indices are permuted",
+      with_range_check({"gaunt-symmetry", "G_ijk does not change when its indices are permuted",
                         "every order derived by itself", 9, 10, slow,
                         [](int degree) {
                           return prove_gaunt_symmetry(product_form({degree, degree, degree}));
                         }}),
-      with_range_check({"Gaunt selection rules", "G_ijk = 0 unless parity, triangle, signs and orders match",
+      with_range_check({"gaunt-selection-rules", "G_ijk = 0 unless parity, triangle, signs and orders match",
                         "the tensor by integration, which does not use the rules", 9, kMaxGauntDegree, slow,
                         [](int degree) { return prove_gaunt_selection_rules(gaunt_by_monomials(degree)); }}),
-      with_range_check({"product identity", "Y_i Y_j = sum_k G_ijk Y_k on the sphere, k up to 2 degree + 1 bands",
+      with_range_check({"product-identity", "Y_i Y_j = sum_k G_ijk Y_k on the sphere, k up to 2 degree + 1 bands",
                         "polynomials modulo x^2+y^2+z^2 = 1", 9, 10, expansion,
                         [](int degree) {
                           return prove_product_identity(product_form({degree, degree, 2 * degree}), degree);
                         }}),
-      with_range_check({"square identity", "(sum_i a_i Y_i)^2 = sum_k c_k Y_k on the sphere, c = square_form(a)",
+      with_range_check({"square-identity", "(sum_i a_i Y_i)^2 = sum_k c_k Y_k on the sphere, c = square_form(a)",
                         "polynomials modulo x^2+y^2+z^2 = 1", 6, 10, expansion,
                         [](int degree) { return prove_square_identity(square_form(degree, 2 * degree), degree); }}),
-      with_range_check({"zonal product identity", "Y_i Y_l0 = sum_k G Y_k on the sphere",
+      with_range_check({"zonal-product-identity", "Y_i Y_l0 = sum_k G Y_k on the sphere",
                         "polynomials modulo x^2+y^2+z^2 = 1", 9, 10, expansion,
                         [](int degree) {
                           return prove_zonal_product_identity(zonal_product_form({degree, degree, 2 * degree}), degree);
                         }}),
-      with_range_check({"transfer matrix", "M_ij = integral b Y_i Y_j for a known function b",
+      with_range_check({"transfer-matrix", "M_ij = integral b Y_i Y_j for a known function b",
                         "sum of Gaunt entries against integration of monomials", 3, 6, slow,
                         [](int degree) {
                           const ProductShape shape{degree, degree, degree};

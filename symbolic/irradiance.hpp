@@ -11,7 +11,7 @@ namespace sh::symbolic {
 /// Limit of irradiance_factor_integral: exponents stay below 127.
 inline constexpr int kMaxIrradianceDegree = 100;
 
-/// Closed form [RamamoorthiHanrahan01b] eqs. 19-21: A_1 = 2 pi / 3, A_l = 0 for odd l > 1, and for even l
+/// Closed form [RamamoorthiHanrahan01b]: A_1 = 2 pi / 3, A_l = 0 for odd l > 1, and for even l
 ///     A_l = 2 pi (-1)^(l/2 - 1) / ((l+2)(l-1)) * l! / (2^l (l/2)!^2).
 /// Any degree >= 0; throws std::invalid_argument below.
 Surd irradiance_factor(int degree);

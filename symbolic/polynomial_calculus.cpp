@@ -36,9 +36,7 @@ Polynomial substitute(const Polynomial& p, int variable, const Polynomial& value
     coefficients[power].add_term(with_exponent(monomial, variable, 0), coefficient);
   }
   Polynomial result;
-  for (auto coefficient = coefficients.rbegin(); coefficient != coefficients.rend(); ++coefficient) {
-    result = result * value + *coefficient;
-  }
+  for (std::size_t power = coefficients.size(); power-- > 0;) result = result * value + coefficients[power];
   return result;
 }
 

@@ -16,7 +16,7 @@ class PolynomialSum {
   /// Adds coefficient * p.
   void add(const RadicalSum& coefficient, const Polynomial& p);
   /// One term per radical, real before imaginary; names: TeX, one per variable.
-  std::vector<FormulaTerm> terms(const std::vector<std::string>& names) const;
+  [[nodiscard]] std::vector<FormulaTerm> terms(const std::vector<std::string>& names) const;
 
  private:
   std::map<std::pair<RadicalSum::Radical, bool>, Polynomial> parts_;  // (radical, imaginary) -> rational polynomial

@@ -84,7 +84,7 @@ std::string tex_polynomial(const Polynomial& p, const std::vector<std::string>& 
     const std::string monomial = tex_monomial(term->first, names);
     if (cln::minusp(term->second)) {
       text += " - ";
-    } else if (!text.empty()) {
+    } else if (term != p.terms().rbegin()) {
       text += " + ";
     }
     if (size != 1 || monomial.empty()) text += to_text(size);

@@ -29,13 +29,14 @@ std::string tex_parameter(const std::string& name) {
 
 std::vector<NamedPolynomial> named(const std::vector<Polynomial>& factors, const std::vector<std::string>& names) {
   std::vector<NamedPolynomial> result;
+  result.reserve(factors.size());
   for (const Polynomial& factor : factors) result.push_back({factor, names});
   return result;
 }
 
 FormulaTable family_table(const ZonalFamily& family, int degree, const Convention& convention) {
   FormulaTable table{{}, {"f(t) = " + family.function + ", t the cosine of the angle to the polar axis."}, {}};
-  if (!family.domain.empty()) table.notes.push_back("Domain: " + family.domain + ".");
+  if (!family.domain.empty()) table.notes.emplace_back("Domain: " + family.domain + ".");
   table.notes.push_back("z_l is the coefficient of the function (l, 0); all others are zero.");
   std::vector<std::string> names;
   for (const std::string& parameter : family.parameters) names.push_back(tex_parameter(parameter));
@@ -82,7 +83,7 @@ FormulaTable turned_table(int degree, const Convention& convention) {
     for (int m = -l; m <= l; ++m) {
       PolynomialSum sum;
       for (int n = -l; n <= l; ++n) {
-        const TurnedZonal& entry = entries[static_cast<std::size_t>(l * (l + 1) + n)];
+        const TurnedZonal& entry = entries[static_cast<std::size_t>(coefficient_index(l, n))];
         const RadicalSum& weight = map.forward[static_cast<std::size_t>(l)](l + m, l + n);
         if (!weight.is_zero()) sum.add(weight * own_scale * RadicalSum(entry.factor), entry.polynomial);
       }

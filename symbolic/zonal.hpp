@@ -32,7 +32,7 @@ struct ZonalTerm {
   std::vector<Polynomial> denominator = {};
 
   /// The exact value at rational parameters. Throws std::invalid_argument where the denominator vanishes.
-  Surd at(std::span<const cln::cl_RA> parameters) const;
+  [[nodiscard]] Surd at(std::span<const cln::cl_RA> parameters) const;
 };
 
 /// True when both are the same function of the parameters (cross-multiplied, exact).

@@ -98,7 +98,7 @@ class Reader {
     if (!take("{")) fail("'{'");
     const std::size_t end = text_.find('}', place_);
     if (end == std::string::npos) fail("'}'");
-    const std::string inside = text_.substr(place_, end - place_);
+    std::string inside = text_.substr(place_, end - place_);
     place_ = end + 1;
     return inside;
   }

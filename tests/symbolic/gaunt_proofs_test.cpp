@@ -113,6 +113,7 @@ TEST(GauntProofs, OneSpoiledTermRefutesTheZonalProductIdentity) {
 TEST(GauntProofs, OneSpoiledEntryRefutesTheTransferMatrix) {
   const ProductShape shape{2, 1, 1};
   std::vector<Surd> known;
+  known.reserve(4);
   for (int k = 0; k < 4; ++k) known.emplace_back(cln::cl_RA(1) / (k + 1));
   std::vector<std::vector<RadicalSum>> matrix = transfer_matrix(known, shape);
   EXPECT_TRUE(prove_transfer_matrix(matrix, known, shape).proved);
