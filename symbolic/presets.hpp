@@ -20,7 +20,7 @@ struct Preset {
   std::string source;  ///< where the convention is documented: file or page
   std::string covers;  ///< what the coefficients are, and what is not covered
 
-  Convention in_world() const;
+  [[nodiscard]] Convention in_world() const;
 };
 
 /// All presets; the first is this project's own convention, "shforge".
