@@ -118,6 +118,10 @@ class Collector {
   Eigen::Vector3f material_albedo(const aiMesh& mesh) const {
     aiString name;
     aiColor4D colour;
+    const std::string extension = extension_of(path_);
+    if (extension == ".ply" || extension == ".stl" || extension == ".off") {  // these know no materials
+      return mesh.HasVertexColors(0) ? Eigen::Vector3f::Ones().eval() : default_albedo_;
+    }
     if (mesh.mMaterialIndex >= scene_.mNumMaterials) {
       return default_albedo_;
     }
@@ -184,6 +188,13 @@ void check_indices(const std::string& path, const aiScene& scene) {
   }
 }
 
+bool has_polygons(const aiScene& scene) {
+  return std::any_of(scene.mMeshes, scene.mMeshes + scene.mNumMeshes, [](const aiMesh* mesh) {
+    return std::any_of(mesh->mFaces, mesh->mFaces + mesh->mNumFaces,
+                       [](const aiFace& face) { return face.mNumIndices >= 3; });
+  });
+}
+
 void check_readable(const std::string& path) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
@@ -214,9 +225,10 @@ ImportedMesh import_mesh(const std::string& path, const Eigen::Vector3f& default
         fmt::format("{}: a face names a vertex that is not there: {}", path, one_line(complaints.about_an_index())));
   }
   check_indices(path, *scene);
-  if (scene->mNumMeshes > 0) {
-    scene = importer.ApplyPostProcessing(aiProcess_Triangulate | aiProcess_SortByPType);
+  if (!has_polygons(*scene)) {
+    throw std::runtime_error(fmt::format("{}: the mesh has no faces, expected at least one triangle", path));
   }
+  scene = importer.ApplyPostProcessing(aiProcess_Triangulate | aiProcess_SortByPType);
   if (scene == nullptr) {
     throw std::runtime_error(
         fmt::format("{}: cannot triangulate the mesh: {}", path, one_line(importer.GetErrorString())));

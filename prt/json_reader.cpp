@@ -35,10 +35,10 @@ nlohmann::json read_json(const std::string& file) {
   }
   try {
     return nlohmann::json::parse(stream);
-  } catch (const nlohmann::json::parse_error& error) {
+  } catch (const nlohmann::json::exception& error) {
     const std::string what = error.what();
-    const std::size_t detail = what.find("parse error");
-    std::string line = detail == std::string::npos ? what : what.substr(detail);
+    const std::size_t detail = what.find("] ");  // after the library's own name and number of the error
+    std::string line = detail == std::string::npos ? what : what.substr(detail + 2);
     std::replace(line.begin(), line.end(), '\n', ' ');
     throw std::runtime_error(fmt::format("{}: not JSON: {}", file, line));
   }

@@ -1,0 +1,173 @@
+// Mesh files: axes, transforms, colours, and every kind of bad file by name.
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "prt/import_mesh.hpp"
+#include "prt/scene.hpp"
+#include "tests/prt/meshes.hpp"
+#include "tests/prt/temporary_folder.hpp"
+
+namespace sh::prt::test {
+namespace {
+
+const Eigen::Vector3f kGrey = Eigen::Vector3f::Constant(0.5F);
+
+const std::string kPly =
+    "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+    "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
+
+// A glTF file of one triangle, whose node moves and scales it; the buffer lies in the file.
+std::string gltf(const std::vector<float>& positions, const std::vector<std::uint16_t>& indices) {
+  std::string bytes(positions.size() * 4 + indices.size() * 2, '\0');
+  std::memcpy(bytes.data(), positions.data(), positions.size() * 4);
+  std::memcpy(bytes.data() + positions.size() * 4, indices.data(), indices.size() * 2);
+  static const std::string kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string base64;
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    std::uint32_t word = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      word = word << 8U | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U);
+    }
+    for (std::size_t k = 0; k < 4; ++k) {
+      base64 += i + k > bytes.size() ? '=' : kDigits[word >> (18U - 6U * k) & 63U];
+    }
+  }
+  const nlohmann::json document = {
+      {"asset", {{"version", "2.0"}}},
+      {"scene", 0},
+      {"scenes", {{{"nodes", {0}}}}},
+      {"nodes", {{{"mesh", 0}, {"translation", {10, 20, 30}}, {"scale", {2, 2, 2}}}}},
+      {"meshes", {{{"primitives", {{{"attributes", {{"POSITION", 0}}}, {"indices", 1}, {"material", 0}}}}}}},
+      {"materials", {{{"name", "paint"}, {"pbrMetallicRoughness", {{"baseColorFactor", {0.25, 0.5, 0.75, 1.0}}}}}}},
+      {"buffers", {{{"byteLength", bytes.size()}, {"uri", "data:application/octet-stream;base64," + base64}}}},
+      {"bufferViews",
+       {{{"buffer", 0}, {"byteOffset", 0}, {"byteLength", positions.size() * 4}},
+        {{"buffer", 0}, {"byteOffset", positions.size() * 4}, {"byteLength", indices.size() * 2}}}},
+      {"accessors",
+       {{{"bufferView", 0},
+         {"componentType", 5126},
+         {"count", positions.size() / 3},
+         {"type", "VEC3"},
+         {"min", {0, 0, 0}},
+         {"max", {1, 1, 1}}},
+        {{"bufferView", 1}, {"componentType", 5123}, {"count", indices.size()}, {"type", "SCALAR"}}}}};
+  return document.dump();
+}
+
+class Import : public testing::Test {
+ protected:
+  ImportedMesh import(const std::string& name, const std::string& text) {
+    write_all(folder_.file(name), text);
+    return import_mesh(folder_.file(name), kGrey);
+  }
+  // What a scene with this one mesh says, without the folder's name.
+  std::string refusal(const std::string& name, const std::string& text, OnFlaw on_flaw = OnFlaw::kMend) {
+    write_all(folder_.file(name), text);
+    write_all(folder_.file("scene.json"), R"({"meshes": [{"file": ")" + name + R"("}]})");
+    std::string said = message_of([&] { load_scene(folder_.file("scene.json"), on_flaw); });
+    const std::string folder = folder_.file("");
+    if (said.find(folder) == 0) {
+      said.erase(0, folder.size());
+    }
+    EXPECT_EQ(said.find('\n'), std::string::npos) << said;
+    return said;
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(Import, ReadsPositionsFacesAndPolygons) {
+  const ImportedMesh mesh = import("a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n");
+  EXPECT_EQ(mesh.soup.faces.size(), 2U);
+  EXPECT_EQ(mesh.file_vertices, mesh.soup.positions.size());
+  EXPECT_TRUE(mesh.soup.normals.empty());
+}
+
+TEST_F(Import, AppliesNodeTransformsAndLinearBaseColour) {
+  const ImportedMesh mesh = import("a.gltf", gltf({0, 0, 0, 1, 0, 0, 0, 1, 0}, {0, 1, 2}));
+  ASSERT_EQ(mesh.soup.positions.size(), 3U);
+  EXPECT_EQ(mesh.soup.positions[1], Eigen::Vector3f(12, 20, 30));
+  EXPECT_EQ(mesh.soup.albedo[0], Eigen::Vector3f(0.25F, 0.5F, 0.75F));
+  EXPECT_EQ(mesh.up, UpAxis::kY);
+}
+
+TEST_F(Import, DecodesTheDiffuseColourOfOlderFormatsFromSrgb) {
+  write_all(folder_.file("a.mtl"), "newmtl paint\nKd 1.0 0.5 0.0\n");
+  const ImportedMesh mesh = import("a.obj", "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl paint\nf 1 2 3\n");
+  EXPECT_LT((mesh.soup.albedo[0] - Eigen::Vector3f(1.0F, 0.21404F, 0.0F)).norm(), 1e-4F);
+}
+
+TEST_F(Import, GivesMeshesWithoutMaterialTheDefaultAlbedo) {
+  EXPECT_EQ(import("a.ply", kPly + "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n").soup.albedo[0], kGrey);
+  EXPECT_EQ(import("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").soup.albedo[0], kGrey);
+}
+
+TEST_F(Import, KnowsTheCustomOfEachFormatsAxes) {
+  EXPECT_EQ(import("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").up, UpAxis::kY);
+  EXPECT_EQ(import("a.ply", kPly + "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n").up, UpAxis::kZ);
+}
+
+TEST_F(Import, StandsYUpGltfUpright) {
+  write_all(folder_.file("a.gltf"), gltf({0, 0, 0, 1, 0, 0, 0, 1, 0}, {0, 1, 2}));
+  write_all(folder_.file("scene.json"), R"({"meshes": [{"file": "a.gltf"}]})");
+  const Scene scene = load_scene(folder_.file("scene.json"), OnFlaw::kRefuse);
+  // The file's (10, 20 + 2, 30) is 22 high and 30 towards the viewer, -y.
+  ASSERT_EQ(scene.mesh.positions.size(), 3U);
+  EXPECT_EQ(scene.mesh.positions[scene.mesh.remap[2]], Eigen::Vector3f(10, -30, 22));
+  EXPECT_LT((scene.mesh.normals[0] - Eigen::Vector3f(0, -1, 0)).norm(), 1e-6F);
+}
+
+TEST_F(Import, RefusesAMissingFile) {
+  write_all(folder_.file("scene.json"), R"({"meshes": [{"file": "none.obj"}]})");
+  EXPECT_EQ(message_of([&] { load_scene(folder_.file("scene.json"), OnFlaw::kMend); }),
+            folder_.file("none.obj") + ": no such mesh file");
+}
+
+TEST_F(Import, RefusesEmptyUnknownAndDamagedFiles) {
+  EXPECT_EQ(refusal("a.obj", ""), "a.obj: the file is empty, expected a mesh");
+  EXPECT_EQ(refusal("a.txt", "hello").find("a.txt: cannot read the mesh: "), 0U);
+  EXPECT_EQ(refusal("a.gltf", "{}").find("a.gltf: cannot read the mesh: "), 0U);
+  EXPECT_EQ(refusal("a.ply", "not a ply").find("a.ply: cannot read the mesh: "), 0U);
+}
+
+TEST_F(Import, RefusesAMeshWithoutFaces) {
+  const std::string said = "the mesh has no faces, expected at least one triangle";
+  EXPECT_EQ(refusal("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n"), "a.obj: " + said);
+  EXPECT_EQ(refusal("a.obj", "v 0 0 0\nv 1 0 0\nl 1 2\n"), "a.obj: " + said);
+  EXPECT_EQ(refusal("a.stl", "solid a\nendsolid a\n").find("a.stl: "), 0U);
+}
+
+TEST_F(Import, RefusesVerticesThatAreNotFinite) {
+  const std::string said = ": vertex 1 has a coordinate that is not finite";
+  EXPECT_EQ(refusal("a.obj", "v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n"), "a.obj" + said);
+  EXPECT_EQ(refusal("a.ply", kPly + "0 0 0\n1 inf 0\n0 1 0\n3 0 1 2\n"), "a.ply" + said);
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_EQ(refusal("a.gltf", gltf({0, 0, 0, nan, 0, 0, 0, 1, 0}, {0, 1, 2})), "a.gltf" + said);
+}
+
+TEST_F(Import, RefusesFacesOutOfRange) {
+  EXPECT_EQ(refusal("a.ply", kPly + "0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n"),
+            "a.ply: face 0 names vertex 7, but there are 3 vertices");
+  EXPECT_EQ(refusal("a.ply", kPly + "0 0 0\n1 0 0\n0 1 0\n3 0 1 -2\n"),
+            "a.ply: face 0 names vertex 4294967294, but there are 3 vertices");
+  EXPECT_EQ(refusal("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n").find("a.obj: "), 0U);
+  EXPECT_EQ(refusal("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n").find("a.off: a face names a vertex"), 0U);
+  EXPECT_EQ(refusal("a.gltf", gltf({0, 0, 0, 1, 0, 0, 0, 1, 0}, {0, 1, 9})).find("a.gltf: "), 0U);
+}
+
+TEST_F(Import, DropsFacesWithoutAreaAndCountsThem) {
+  const std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 2 0 0\nf 1 2 3\nf 1 2 4\n";
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(refusal("a.obj", text), "");
+  const std::string warned = testing::internal::GetCapturedStderr();
+  EXPECT_EQ(warned, "warning: " + folder_.file("a.obj") + ": 1 of 2 faces have no area (dropped)\n");
+  EXPECT_EQ(refusal("a.obj", text, OnFlaw::kRefuse).find("a.obj: 1 of 2 faces have no area"), 0U);
+  EXPECT_EQ(refusal("a.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n"), "a.obj: none of the 1 faces has an area");
+}
+
+}  // namespace
+}  // namespace sh::prt::test

@@ -1,0 +1,182 @@
+// Scene files: what they make, and how whatever is wrong in them is named.
+#include "prt/scene.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/prt/meshes.hpp"
+#include "tests/prt/temporary_folder.hpp"
+
+namespace sh::prt::test {
+namespace {
+
+class SceneFile : public testing::Test {
+ protected:
+  Scene load(const std::string& text) {
+    write_all(file_, text);
+    return load_scene(file_, OnFlaw::kRefuse);
+  }
+  // The message without the path of the file before its name.
+  std::string refusal(const std::string& text) {
+    const std::string said = message_of([&] { load(text); });
+    const std::string folder = folder_.file("");
+    EXPECT_EQ(said.find(folder), 0U) << said;
+    EXPECT_EQ(said.find('\n'), std::string::npos) << said;
+    return said.substr(std::min(folder.size(), said.size()));
+  }
+  // Of a scene with one box that has these further entries.
+  std::string mesh_refusal(const std::string& entries) {
+    return refusal(R"({"meshes": [{"primitive": "box", )" + entries + "}]}");
+  }
+
+  TemporaryFolder folder_;
+  std::string file_ = folder_.file("scene.json");
+};
+
+TEST_F(SceneFile, MakesPrimitivesWithTransformAlbedoAndEdgeLimit) {
+  const Scene scene = load(R"({"name": "crate", "meshes": [{"primitive": "box", "albedo": [0.1, 0.2, 0.3],
+    "max_edge": 0.4, "transform": {"scale": [2, 1, 1], "rotate": {"degrees": 90}, "translate": [0, 0, 5]}}]})");
+  EXPECT_EQ(scene.name, "crate");
+  EXPECT_TRUE(is_closed_surface(scene.mesh));
+  EXPECT_LE(longest_edge(scene.mesh), 0.4F);
+  EXPECT_NEAR(signed_volume(scene.mesh), 2.0, 1e-5);
+  Eigen::AlignedBox3f box;
+  for (const Eigen::Vector3f& position : scene.mesh.positions) {
+    box.extend(position);
+  }
+  EXPECT_LT((box.min() - Eigen::Vector3f(-0.5F, -1.0F, 4.5F)).norm(), 1e-6F);
+  EXPECT_EQ(scene.mesh.albedo.front(), Eigen::Vector3f(0.1F, 0.2F, 0.3F));
+}
+
+TEST_F(SceneFile, FillsInWhatIsLeftOut) {
+  const Scene scene = load(R"({"meshes": [{"primitive": "sphere"}]})");
+  EXPECT_EQ(scene.name, "scene");
+  ASSERT_EQ(scene.lights.size(), 1U);
+  EXPECT_EQ(scene.lights[0].type, LightType::kCieOvercast);
+  EXPECT_EQ(scene.bake.degree, 4);
+  EXPECT_EQ(scene.bake.directions, 2048);
+  EXPECT_EQ(scene.bake.kind, TransferKind::kShadowed);
+  EXPECT_GT((scene.camera.position - scene.camera.target).norm(), 1.0F);
+}
+
+TEST_F(SceneFile, ReadsLightsCameraAndBakeOptions) {
+  const Scene scene = load(R"({"meshes": [{"primitive": "plane"}],
+    "lights": [{"type": "constant", "radiance": [1, 2, 3]},
+               {"type": "environment", "file": "sky/a.exr", "scale": 0.5, "rotate": {"axis": [0, 2, 0], "degrees": 30}}],
+    "camera": {"position": [1, 2, 3], "target": [0, 0, 1], "up": [0, 1, 0], "field_of_view": 25},
+    "bake": {"degree": 7, "directions": 512, "transfer": "unshadowed"}})");
+  ASSERT_EQ(scene.lights.size(), 2U);
+  EXPECT_EQ(scene.lights[0].radiance, Eigen::Vector3f(1, 2, 3));
+  EXPECT_EQ(scene.lights[1].file, folder_.file("sky/a.exr"));
+  EXPECT_EQ(scene.lights[1].scale, 0.5F);
+  EXPECT_EQ(scene.lights[1].rotation_axis, Eigen::Vector3f(0, 1, 0));
+  EXPECT_EQ(scene.camera.up, Eigen::Vector3f(0, 1, 0));
+  EXPECT_EQ(scene.camera.vertical_field_of_view, 25.0F);
+  EXPECT_EQ(scene.bake.degree, 7);
+  EXPECT_EQ(scene.bake.directions, 512);
+  EXPECT_EQ(scene.bake.kind, TransferKind::kUnshadowed);
+}
+
+TEST_F(SceneFile, PutsGroundJustBelowTheMeshesFineNearThemAndWithoutCracks) {
+  const Scene scene = load(R"({"meshes": [{"primitive": "box"}], "ground": {"max_edge": 0.1, "size": 20}})");
+  Mesh ground;
+  ground.positions = scene.mesh.positions;
+  float finest = 1e9F;
+  for (const Face& face : scene.mesh.faces) {
+    if (scene.mesh.positions[face[0]].z() < -0.5F) {
+      ground.faces.push_back(face);
+      finest = std::min(finest, (scene.mesh.positions[face[0]] - scene.mesh.positions[face[1]]).norm());
+      EXPECT_NEAR(scene.mesh.positions[face[0]].z(), -0.5F, 1e-3F);
+    }
+  }
+  EXPECT_LE(finest, 0.1F);
+  EXPECT_GT(longest_edge(ground), 0.5F);
+  int borders = 0;
+  for (const auto& [edge, faces] : edges_by_position(ground)) {
+    EXPECT_LE(faces.first, 1);
+    EXPECT_LE(faces.second, 1);
+    borders += faces.first + faces.second == 1 ? 1 : 0;
+  }
+  EXPECT_LT(borders, 400);
+  EXPECT_EQ(scene.mesh.remap.size(), make_primitive("box").positions.size());
+}
+
+TEST_F(SceneFile, NamesWhatIsWrongByItsPath) {
+  EXPECT_EQ(mesh_refusal(R"("max_edge": "x")"),
+            R"(scene.json: /meshes/0/max_edge: expected a positive number, got "x")");
+  EXPECT_EQ(mesh_refusal(R"("max_edge": 0)"), "scene.json: /meshes/0/max_edge: expected a positive number, got 0");
+  EXPECT_EQ(mesh_refusal(R"("max_edge": 1e999)").find("scene.json: "), 0U);
+  EXPECT_EQ(mesh_refusal(R"("albedo": [0.5, 0.5, 1.5])"),
+            "scene.json: /meshes/0/albedo/2: expected three numbers from 0 to 1, got 1.5");
+  EXPECT_EQ(mesh_refusal(R"("albedo": 0.5)"),
+            "scene.json: /meshes/0/albedo: expected three numbers from 0 to 1, got 0.5");
+  EXPECT_EQ(mesh_refusal(R"("up": "x")"), R"(scene.json: /meshes/0/up: expected one of y, z, got "x")");
+  EXPECT_EQ(mesh_refusal(R"("colour": 1)").find("scene.json: /meshes/0/colour: unknown key, expected one of file, "),
+            0U);
+  EXPECT_EQ(mesh_refusal(R"("transform": {"scale": 0})"),
+            "scene.json: /meshes/0/transform/scale: expected factors that are not zero, got 0");
+  EXPECT_EQ(mesh_refusal(R"("transform": {"rotate": {"axis": [0, 0, 0], "degrees": 1}})"),
+            "scene.json: /meshes/0/transform/rotate/axis: expected an axis that is not zero, got [0,0,0]");
+  EXPECT_EQ(mesh_refusal(R"("transform": {"rotate": {}})"),
+            "scene.json: /meshes/0/transform/rotate: the key `degrees` is missing");
+  EXPECT_EQ(mesh_refusal(R"("transform": [])"), "scene.json: /meshes/0/transform: expected an object, got []");
+  EXPECT_EQ(mesh_refusal(R"("segments": 2.5)"),
+            "scene.json: /meshes/0/segments: expected an integer from 3 to 4096, got 2.5");
+  EXPECT_EQ(mesh_refusal(R"("file": "a.obj")").find("scene.json: /meshes/0: expected either `file` or `primitive`"),
+            0U);
+}
+
+TEST_F(SceneFile, IsRefusedWithAWrongShape) {
+  EXPECT_EQ(refusal("[]"), "scene.json: /: expected an object, got []");
+  EXPECT_EQ(refusal("{}"), "scene.json: /: the key `meshes` is missing");
+  EXPECT_EQ(refusal(R"({"meshes": {}})"), "scene.json: /meshes: expected an array, got {}");
+  EXPECT_EQ(refusal(R"({"meshes": []})"), "scene.json: /meshes: expected at least one mesh, got []");
+  EXPECT_EQ(refusal(R"({"meshes": [3]})"), "scene.json: /meshes/0: expected an object, got 3");
+  EXPECT_EQ(refusal(R"({"meshes": [{"primitive": "cube"}]})").find("scene.json: /meshes/0/primitive: expected one of"),
+            0U);
+  EXPECT_EQ(refusal(R"({"meshes": )").find("scene.json: not JSON: parse error"), 0U);
+}
+
+TEST_F(SceneFile, IsRefusedWithABadLightCameraGroundOrOption) {
+  const auto with = [&](const std::string& entry) {
+    return refusal(R"({"meshes": [{"primitive": "box"}], )" + entry + "}");
+  };
+  EXPECT_EQ(with(R"("lights": [{"type": "sun"}])"),
+            R"(scene.json: /lights/0/type: expected one of constant, cie_overcast, environment, got "sun")");
+  EXPECT_EQ(with(R"("lights": [{"type": "environment"}])"), "scene.json: /lights/0: the key `file` is missing");
+  EXPECT_EQ(with(R"("lights": [{"type": "constant", "radiance": [1, -1, 1]}])"),
+            "scene.json: /lights/0/radiance/1: expected three numbers of 0 or more, got -1");
+  EXPECT_EQ(
+      with(R"("lights": [{"type": "constant", "file": "a.exr"}])").find("scene.json: /lights/0/file: unknown key"), 0U);
+  EXPECT_EQ(with(R"("bake": {"degree": 11})"), "scene.json: /bake/degree: expected an integer from 0 to 10, got 11");
+  EXPECT_EQ(with(R"("bake": {"degree": true})"),
+            "scene.json: /bake/degree: expected an integer from 0 to 10, got true");
+  EXPECT_EQ(with(R"("bake": {"transfer": "glossy"})"),
+            R"(scene.json: /bake/transfer: expected one of unshadowed, shadowed, got "glossy")");
+  EXPECT_EQ(with(R"("ground": {"size": -1})"), "scene.json: /ground/size: expected a positive number, got -1");
+  EXPECT_EQ(with(R"("camera": {"field_of_view": 180})"),
+            "scene.json: /camera/field_of_view: expected degrees from 1 to 170, got 180");
+  EXPECT_EQ(
+      with(R"("camera": {"position": [0, 0, 0], "target": [0, 0, 0]})").find("scene.json: /camera: expected a target"),
+      0U);
+}
+
+TEST_F(SceneFile, IsRefusedWhenMissing) {
+  EXPECT_EQ(message_of([] { load_scene("/nowhere/scene.json", OnFlaw::kMend); }),
+            "/nowhere/scene.json: cannot read: No such file or directory");
+}
+
+TEST(EmbeddedScene, IsLargeEnoughHasNoFlawsAndStandsOnGround) {
+  const Scene scene = load_scene("demo", OnFlaw::kRefuse);
+  EXPECT_GT(scene.mesh.positions.size(), 20000U);
+  EXPECT_LT(scene.mesh.positions.size(), 60000U);
+  float lowest = 1.0F;
+  for (const Eigen::Vector3f& position : scene.mesh.positions) {
+    lowest = std::min(lowest, position.z());
+  }
+  EXPECT_EQ(lowest, 0.0F);
+  ASSERT_EQ(scene.lights.size(), 1U);
+  EXPECT_EQ(scene.lights[0].type, LightType::kCieOvercast);
+}
+
+}  // namespace
+}  // namespace sh::prt::test
