@@ -37,7 +37,7 @@ std::vector<NamedPolynomial> named(const std::vector<Polynomial>& factors, const
 FormulaTable family_table(const ZonalFamily& family, int degree, const Convention& convention) {
   FormulaTable table{{}, {"f(t) = " + family.function + ", t the cosine of the angle to the polar axis."}, {}};
   if (!family.domain.empty()) table.notes.emplace_back("Domain: " + family.domain + ".");
-  table.notes.push_back("z_l is the coefficient of the function (l, 0); all others are zero.");
+  table.notes.emplace_back("z_l is the coefficient of the function (l, 0); all others are zero.");
   std::vector<std::string> names;
   for (const std::string& parameter : family.parameters) names.push_back(tex_parameter(parameter));
   const ConventionMap map = map_to(convention, degree);
