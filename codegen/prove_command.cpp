@@ -23,14 +23,14 @@ struct Outcome {
 };
 
 std::vector<Proof> chosen_proofs(const std::vector<std::string>& only) {
-  const std::vector<Proof> all = symbolic::all_proofs();
+  std::vector<Proof> all = symbolic::all_proofs();
   if (only.empty()) return all;
   std::vector<Proof> chosen;
   for (const std::string& name : only) {
     const auto found = std::find_if(all.begin(), all.end(), [&](const Proof& proof) { return proof.name == name; });
     if (found == all.end()) {
       std::string known;
-      for (const Proof& proof : all) known += (known.empty() ? "" : ", ") + proof.name;
+      for (const Proof& proof : all) known.append(known.empty() ? "" : ", ").append(proof.name);
       throw std::invalid_argument("unknown proof '" + name + "'; it should be one of: " + known);
     }
     chosen.push_back(*found);
@@ -99,6 +99,7 @@ bool prove(const ProveOptions& options, std::ostream& out, std::ostream& progres
   double seconds = 0;
   const std::vector<Proof> proofs = chosen_proofs(options.only);
   std::vector<int> degrees;
+  degrees.reserve(proofs.size());
   for (const Proof& proof : proofs) {
     degrees.push_back(options.degree ? std::min(*options.degree, proof.max_degree) : proof.default_degree);
   }
