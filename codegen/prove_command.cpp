@@ -22,17 +22,19 @@ struct Outcome {
   symbolic::ProofResult result;
 };
 
+[[noreturn]] void refuse_unknown(const std::string& name, const std::vector<Proof>& all) {
+  std::string known;
+  for (const Proof& proof : all) known.append(known.empty() ? "" : ", ").append(proof.name);
+  throw std::invalid_argument("unknown proof '" + name + "'; it should be one of: " + known);
+}
+
 std::vector<Proof> chosen_proofs(const std::vector<std::string>& only) {
   std::vector<Proof> all = symbolic::all_proofs();
   if (only.empty()) return all;
   std::vector<Proof> chosen;
   for (const std::string& name : only) {
     const auto found = std::find_if(all.begin(), all.end(), [&](const Proof& proof) { return proof.name == name; });
-    if (found == all.end()) {
-      std::string known;
-      for (const Proof& proof : all) known.append(known.empty() ? "" : ", ").append(proof.name);
-      throw std::invalid_argument("unknown proof '" + name + "'; it should be one of: " + known);
-    }
+    if (found == all.end()) refuse_unknown(name, all);
     chosen.push_back(*found);
   }
   return chosen;
