@@ -33,6 +33,7 @@ TEST_P(GlslRun, PassesScalarsArraysAndReturnValues) {
 // More than one work group, more than one row of texels, and an output that does not fill its last texel.
 TEST_P(GlslRun, KeepsTheOrderOfManyItems) {
   std::vector<float> inputs;
+  inputs.reserve(10001);
   for (int i = 0; i < 10001; ++i) inputs.push_back(static_cast<float>(i));
   const auto out = run("void f(float a, out float b[5]) { for (int i = 0; i < 5; ++i) b[i] = a + float(i) * 0.125; }\n",
                        {"f", {{}, {5, true}}}, inputs);

@@ -38,6 +38,7 @@ TEST(Reference, KnowsExactZerosFromValuesThatAreOnlySmall) {
   EXPECT_EQ(reference_value(9, 4, {"0", "0", "1"}, 20), "0");
   EXPECT_EQ(reference_value(5, 2, {"1", "3", "0"}, 20), "0");
   // 3 z^2 - 1 = 4/3 1e-80 beside the zero: every digit of z above the last one cancels.
+  EXPECT_EQ(reference_value(2, 0, {"1", "1", "1." + std::string(73, '0') + "1"}, 20), "4.2052208700336000804e-75");
   const std::string beside = "1." + std::string(79, '0') + "1";
   EXPECT_EQ(reference_value(2, 0, {"1", "1", beside}, 12), "4.20522087003e-81");
 }

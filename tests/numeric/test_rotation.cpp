@@ -8,6 +8,7 @@
 #include "numeric/directions.hpp"
 #include "numeric/real.hpp"
 #include "numeric/rotation.hpp"
+#include "tests/numeric/keep_worst.hpp"
 
 namespace sh::numeric {
 namespace {
@@ -44,6 +45,7 @@ std::vector<Matrix<Real>> rotations() {
       {0, 1, 0, 0},          {0, 0, 1, 0},           {0, 0, 0, 1},           {0, 1, -1, 0},        {1e-9, 1, 2, 3},
       {1, 1, 0, 0},          {1, 0, 1, 0},           {1, 0, 0, -1}};
   std::vector<Matrix<Real>> all;
+  all.reserve(quaternions.size());
   for (const auto& q : quaternions) all.push_back(from_quaternion(Real(q[0]), Real(q[1]), Real(q[2]), Real(q[3])));
   return all;
 }
@@ -63,7 +65,7 @@ double worst_rotated_basis(int degree) {
       rotate(degree, r.data(), before.data(), before.data());
       for (std::size_t i = 0; i < count; ++i) {
         using std::abs;
-        worst = std::max(worst, static_cast<double>(Real(abs(before[i] - after[i]))));
+        keep_worst(worst, static_cast<double>(Real(abs(before[i] - after[i]))));
       }
     }
   }
@@ -85,7 +87,7 @@ double distance_from_product(const std::vector<Mpfr50>& a, const std::vector<Mpf
     for (std::size_t j = 0; j < n; ++j) {
       Mpfr50 sum = -ab[i * n + j];
       for (std::size_t k = 0; k < n; ++k) sum += a[i * n + k] * b[k * n + j];
-      worst = std::max(worst, static_cast<double>(Mpfr50(abs(sum))));
+      keep_worst(worst, static_cast<double>(Mpfr50(abs(sum))));
     }
   }
   return worst;

@@ -27,16 +27,18 @@ struct Outcome {
 };
 
 class Shcheck : public testing::Test {
+ public:
+  Shcheck(const Shcheck&) = delete;
+  Shcheck& operator=(const Shcheck&) = delete;
+
  protected:
   Shcheck() {
     fs::remove_all(folder_);
     fs::create_directories(folder_);
   }
   ~Shcheck() override { fs::remove_all(folder_); }
-  Shcheck(const Shcheck&) = delete;
-  Shcheck& operator=(const Shcheck&) = delete;
 
-  Outcome run(const std::string& arguments) const {
+  [[nodiscard]] Outcome run(const std::string& arguments) const {
     const auto out = folder_ / "stdout";
     const auto err = folder_ / "stderr";
     const std::string command =
@@ -55,8 +57,8 @@ class Shcheck : public testing::Test {
     EXPECT_NE(outcome.err.find(part), std::string::npos) << arguments << ": " << outcome.err;
   }
 
-  fs::path copy_of_generated() const {
-    const auto copy = folder_ / "generated";
+  [[nodiscard]] fs::path copy_of_generated() const {
+    auto copy = folder_ / "generated";
     fs::create_directories(copy);
     fs::copy(fs::path(SHFORGE_SOURCE_DIR) / "generated" / "glsl", copy / "glsl");
     return copy;
