@@ -27,15 +27,16 @@ constexpr float kNearlyDark = 0.03F;  // of the cosine; such vertices are looked
 // T_lm = A_l/pi Y_lm(n), out (bands^2) [RamamoorthiHanrahan01]
 void unshadowed_transfer(int degree, const Eigen::Vector3f& normal, float* out) {
   evaluate_basis(degree, normal.x(), normal.y(), normal.z(), out);
-  for (int l = 0; l <= degree; ++l) {
-    const auto factor = static_cast<float>(numeric::clamped_cosine_factor<double>(l) / std::numbers::pi);
+  for (std::ptrdiff_t l = 0; l <= degree; ++l) {
+    const auto factor =
+        static_cast<float>(numeric::clamped_cosine_factor<double>(static_cast<int>(l)) / std::numbers::pi);
     std::for_each(out + l * l, out + (l + 1) * (l + 1), [&](float& value) { value *= factor; });
   }
 }
 
 // f DU + (S - f S_all): the order in which an open vertex keeps every bit of DU.
 void control_with_unshadowed(const Gathered& seen, std::size_t count, float* transfer) {
-  const float fraction = seen.weight_all > 0.0F ? seen.weight_visible / seen.weight_all : 0.0F;
+  const float fraction = seen.fraction();
   for (std::size_t i = 0; i < count; ++i) {
     transfer[i] = fraction * transfer[i] + (seen.visible[i] - fraction * seen.all[i]);
   }
@@ -74,11 +75,9 @@ void shadow(const Scene& scene, tbb::task_arena& arena, const BakeSettings& sett
     Gatherer gatherer(shared, tracer);
     for (std::size_t v = first; v < last; ++v) {
       const Gathered& seen = gatherer.gather(starts[v].origin, scene.mesh.normals[v], scene.mesh.geometric_normals[v]);
-      const bool is_dark = !(seen.weight_visible > 0.0F);
-      const bool is_nearly_dark = is_dark || seen.weight_visible < kNearlyDark * seen.weight_all;
       control_with_unshadowed(seen, count, transfer.coefficients.data() + v * count);
-      if (is_nearly_dark) {
-        sight[v] = gatherer.classify(scene.mesh, v, starts[v], is_dark);
+      if (const float fraction = seen.fraction(); fraction < kNearlyDark) {
+        sight[v] = gatherer.classify(scene.mesh, v, starts[v], fraction <= 0.0F);
       }
     }
     progress.advance(last - first);

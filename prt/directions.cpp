@@ -19,7 +19,7 @@ std::vector<Eigen::Vector3f> fibonacci_directions(int count) {
     const double z = 1.0 - (2.0 * i + 1.0) / count;
     const double radius = std::sqrt(1.0 - z * z);
     const double azimuth = i * kGoldenAngle;
-    directions.push_back(
+    directions.emplace_back(
         Eigen::Vector3d(radius * std::cos(azimuth), radius * std::sin(azimuth), z).normalized().cast<float>());
   }
   return directions;

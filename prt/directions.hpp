@@ -1,6 +1,5 @@
 // The directions every vertex shares: points spread evenly over the sphere, each of solid angle 4 pi / count.
 // Spherical Fibonacci points, [Swinbank, Purser 2006]: z_i = 1 - (2i+1)/n, azimuth i times the golden angle.
-// They are sorted along a curve over the sphere so that neighbours in the list make coherent ray batches.
 #pragma once
 #include <Eigen/Core>
 #include <vector>

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include "prt/basis.hpp"
 #include "prt/corner_angle.hpp"
@@ -24,29 +23,32 @@ constexpr std::size_t kStreamRays = 1024;  // a stream call
 // and nothing is contracted: the bits do not depend on the width.
 #define SHFORGE_WIDEST __attribute__((target_clones("avx2", "default")))
 
-// sum (Width) = the weighted sum of the chosen rows, kept in registers.
-template <std::size_t Width>
+// Eight floats at any address; two registers where one is not wide enough.
+using Lanes = float __attribute__((vector_size(kRowUnit * sizeof(float)), aligned(alignof(float)), may_alias));
+
+// sum (8 Count) = the weighted sum of the chosen rows, kept in registers.
+template <std::size_t Count>
 [[gnu::always_inline]] inline void sum_block(const float* values, std::size_t row_length, const std::uint32_t* chosen,
                                              std::size_t count, const float* weights, float* sum) {
-  std::array<float, Width> block{};
+  Lanes block[Count] = {};  // a std::array would drop the attributes
   for (std::size_t k = 0; k < count; ++k) {
     const float weight = weights[chosen[k]];
-    const float* row = values + chosen[k] * row_length;
-    for (std::size_t i = 0; i < Width; ++i) {
+    const auto* row = reinterpret_cast<const Lanes*>(values + chosen[k] * row_length);
+    for (std::size_t i = 0; i < Count; ++i) {
       block[i] += weight * row[i];
     }
   }
-  std::copy(block.begin(), block.end(), sum);
+  std::copy_n(block, Count, reinterpret_cast<Lanes*>(sum));
 }
 
 SHFORGE_WIDEST void sum_rows(const float* values, std::size_t row_length, const std::uint32_t* chosen,
                              std::size_t count, const float* weights, float* sum) {
   std::size_t first = 0;
-  for (; first + 32 <= row_length; first += 32) {
-    sum_block<32>(values + first, row_length, chosen, count, weights, sum + first);
+  for (; first + 4 * kRowUnit <= row_length; first += 4 * kRowUnit) {
+    sum_block<4>(values + first, row_length, chosen, count, weights, sum + first);
   }
   for (; first + kRowUnit <= row_length; first += kRowUnit) {
-    sum_block<kRowUnit>(values + first, row_length, chosen, count, weights, sum + first);
+    sum_block<1>(values + first, row_length, chosen, count, weights, sum + first);
   }
 }
 
@@ -128,12 +130,13 @@ std::size_t Gatherer::aim(const Eigen::Vector3f& origin, const Eigen::Vector3f& 
   std::size_t traced = 0;
   below_ = 0;
   for (std::uint32_t j = 0; j < directions_.size(); ++j) {
-    const bool counts = weights_[j] > 0.0F;
-    const bool is_above = heights_[j] > 0.0F;
+    // Without branches, which nothing could predict.
+    const std::size_t counts = weights_[j] > 0.0F ? 1U : 0U;
+    const std::size_t is_above = heights_[j] > 0.0F ? 1U : 0U;
     chosen_[traced] = j;
     blocked_[below_] = j;
-    traced += counts && is_above ? 1 : 0;
-    below_ += counts && !is_above ? 1 : 0;
+    traced += counts & is_above;
+    below_ += counts & (is_above ^ 1U);
   }
   for (std::size_t i = 0; i < traced; ++i) {
     rays_[i].aim(origin, directions_.direction(chosen_[i]));
@@ -150,16 +153,12 @@ const Gathered& Gatherer::gather(const Eigen::Vector3f& origin, const Eigen::Vec
   std::size_t visible = 0;
   std::size_t blocked = below_;
   for (std::size_t i = 0; i < traced; ++i) {
-    const bool hit = rays_[i].blocked();
+    const std::size_t hit = rays_[i].blocked() ? 1U : 0U;
     visible_[visible] = chosen_[i];
     blocked_[blocked] = chosen_[i];
-    visible += hit ? 0 : 1;
-    blocked += hit ? 1 : 0;
+    visible += hit ^ 1U;
+    blocked += hit;
   }
-  const auto add_weight = [&](float sum, std::uint32_t j) { return sum + weights_[j]; };
-  result_.weight_visible = std::accumulate(visible_.data(), visible_.data() + visible, 0.0F, add_weight);
-  result_.weight_all =
-      std::accumulate(blocked_.data(), blocked_.data() + blocked, 0.0F, add_weight) + result_.weight_visible;
   directions_.sum(visible_, visible, weights_.data(), result_.visible.data());
   directions_.sum(blocked_, blocked, weights_.data(), result_.all.data());
   for (std::size_t i = 0; i < directions_.row_length(); ++i) {

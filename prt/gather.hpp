@@ -28,9 +28,9 @@ std::vector<RayStart> ray_starts(const Mesh& mesh);
 class SharedDirections {
  public:
   SharedDirections(int count, int degree);
-  std::size_t size() const { return directions_.size(); }
-  std::size_t row_length() const { return row_length_; }
-  const Eigen::Vector3f& direction(std::size_t j) const { return directions_[j]; }
+  [[nodiscard]] std::size_t size() const { return directions_.size(); }
+  [[nodiscard]] std::size_t row_length() const { return row_length_; }
+  [[nodiscard]] const Eigen::Vector3f& direction(std::size_t j) const { return directions_[j]; }
   /// out (size) = normal.direction of every direction.
   void cosines_with(const Eigen::Vector3f& normal, float* out) const;
   /// result (row_length) = the sum of weights[j] Y(direction j) over the first `count` indices j in `chosen`.
@@ -45,12 +45,12 @@ class SharedDirections {
 
 inline constexpr std::size_t kMaxRow = 128;
 
-/// Quadrature sums over the hemisphere of the shading normal, weights 4/N cos: of Y_lm and of 1.
+/// Quadrature sums of Y_lm over the hemisphere of the shading normal, weights 4/N cos.
 struct Gathered {
   alignas(64) std::array<float, kMaxRow> visible;
   alignas(64) std::array<float, kMaxRow> all;
-  float weight_visible = 0.0F;
-  float weight_all = 0.0F;
+  /// The visible part of the cosine, 0..1; Y_00 is constant, so that the first sums are proportional to it.
+  [[nodiscard]] float fraction() const { return all[0] > 0.0F ? visible[0] / all[0] : 0.0F; }
 };
 
 /// Reusable buffers of one thread. Everything passed in must outlive it.

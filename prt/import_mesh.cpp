@@ -46,8 +46,8 @@ std::string one_line(std::string text) {
 
 class Collector {
  public:
-  Collector(const std::string& path, const aiScene& scene, const Eigen::Vector3f& default_albedo)
-      : path_(path), scene_(scene), default_albedo_(default_albedo), is_linear_(path_is_gltf(path)) {}
+  Collector(const std::string& path, const aiScene& scene, Eigen::Vector3f default_albedo)
+      : path_(path), scene_(scene), default_albedo_(std::move(default_albedo)), is_linear_(path_is_gltf(path)) {}
 
   ImportedMesh collect() {
     visit(*scene_.mRootNode, Eigen::Affine3f::Identity());
@@ -67,7 +67,7 @@ class Collector {
   }
 
   // Collada and 3DS are turned to y-up by the importer; FBX says.
-  UpAxis up_axis() const {
+  [[nodiscard]] UpAxis up_axis() const {
     const std::string extension = extension_of(path_);
     int axis = 1;
     if (scene_.mMetaData != nullptr && scene_.mMetaData->Get("UpAxis", axis)) {
@@ -90,7 +90,7 @@ class Collector {
     Soup part;
     const Eigen::Vector3f albedo = material_albedo(mesh);
     for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
-      part.positions.push_back(to_eigen(mesh.mVertices[v]));
+      part.positions.emplace_back(to_eigen(mesh.mVertices[v]));
       part.normals.push_back(mesh.HasNormals() ? to_eigen(mesh.mNormals[v]) : Eigen::Vector3f::Zero().eval());
       part.albedo.push_back(albedo.cwiseProduct(vertex_colour(mesh, v)).cwiseMax(0.0F).cwiseMin(1.0F));
     }
@@ -115,7 +115,7 @@ class Collector {
     }
   }
 
-  Eigen::Vector3f material_albedo(const aiMesh& mesh) const {
+  [[nodiscard]] Eigen::Vector3f material_albedo(const aiMesh& mesh) const {
     aiString name;
     aiColor4D colour;
     const std::string extension = extension_of(path_);
@@ -134,7 +134,7 @@ class Collector {
     return is_linear_ ? to_eigen(colour) : to_eigen(colour).unaryExpr(&from_srgb).eval();
   }
 
-  Eigen::Vector3f vertex_colour(const aiMesh& mesh, unsigned v) const {
+  [[nodiscard]] Eigen::Vector3f vertex_colour(const aiMesh& mesh, unsigned v) const {
     if (!mesh.HasVertexColors(0)) {
       return Eigen::Vector3f::Ones();
     }
@@ -167,7 +167,7 @@ class Complaints final : public Assimp::LogStream {
       index_ = text;
     }
   }
-  const std::string& about_an_index() const { return index_; }
+  [[nodiscard]] const std::string& about_an_index() const { return index_; }
 
  private:
   std::string index_;

@@ -23,19 +23,19 @@ class JsonReader {
   /// Refuses anything but an object with no other keys than these.
   void allow(std::initializer_list<std::string_view> keys) const;
   /// Empty where an object has no such key.
-  std::optional<JsonReader> find(std::string_view key) const;
-  JsonReader at(std::string_view key) const;
-  std::vector<JsonReader> items() const;  // of an array
+  [[nodiscard]] std::optional<JsonReader> find(std::string_view key) const;
+  [[nodiscard]] JsonReader at(std::string_view key) const;
+  [[nodiscard]] std::vector<JsonReader> items() const;  // of an array
 
-  bool is_array() const { return value_->is_array(); }
-  std::string text() const;
-  std::string one_of(std::initializer_list<std::string_view> words) const;
-  double number(double least, double most, std::string_view expected) const;
-  float finite() const;
-  float positive() const;
-  int integer(int least, int most) const;
-  Eigen::Vector3f vector() const;                         // three numbers
-  Eigen::Vector3f vector(float least, float most) const;  // within limits
+  [[nodiscard]] bool is_array() const { return value_->is_array(); }
+  [[nodiscard]] std::string text() const;
+  [[nodiscard]] std::string one_of(std::initializer_list<std::string_view> words) const;
+  [[nodiscard]] double number(double least, double most, std::string_view expected) const;
+  [[nodiscard]] float finite() const;
+  [[nodiscard]] float positive() const;
+  [[nodiscard]] int integer(int least, int most) const;
+  [[nodiscard]] Eigen::Vector3f vector() const;                         // three numbers
+  [[nodiscard]] Eigen::Vector3f vector(float least, float most) const;  // within limits
 
   [[noreturn]] void expected(std::string_view what) const;
 

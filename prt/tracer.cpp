@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
 #include <stdexcept>
 #include <string_view>
 #include <vector>
@@ -82,8 +81,8 @@ struct Tracer::Impl {
       rtcReleaseGeometry(geometry);
       fail("not enough memory for the mesh");
     }
-    std::memcpy(vertices, mesh.positions.data(), mesh.positions.size() * sizeof(Eigen::Vector3f));
-    std::memcpy(indices, mesh.faces.data(), mesh.faces.size() * sizeof(Face));
+    std::copy(mesh.positions.begin(), mesh.positions.end(), static_cast<Eigen::Vector3f*>(vertices));
+    std::copy(mesh.faces.begin(), mesh.faces.end(), static_cast<Face*>(indices));
     rtcCommitGeometry(geometry);
     rtcAttachGeometry(scene, geometry);
     rtcReleaseGeometry(geometry);

@@ -38,7 +38,7 @@ struct alignas(16) ShadowRay {
     direction = along;
     far = std::numeric_limits<float>::infinity();
   }
-  bool blocked() const { return far < 0.0F; }
+  [[nodiscard]] bool blocked() const { return far < 0.0F; }
 };
 
 /// A mesh ready for rays. Const calls may come from any thread. The mesh may go away after construction.
@@ -60,7 +60,7 @@ class Tracer {
   void occluded(std::span<ShadowRay> rays) const;
 
   /// The one the rays run on: its bits are reproducible on every machine that has it.
-  const std::string& instruction_set() const;
+  [[nodiscard]] const std::string& instruction_set() const;
 
  private:
   struct Impl;

@@ -26,7 +26,10 @@ struct Transfer {
   std::uint32_t directions = 0;     // over the whole sphere; 0 where no ray was traced
   std::string instruction_set;      // bits are reproducible on this instruction set
   std::vector<float> coefficients;  // (vertices, bands^2), row-major, i = l(l+1)+m
-  std::size_t bands_squared() const { return static_cast<std::size_t>((degree + 1) * (degree + 1)); }
+  [[nodiscard]] std::size_t bands_squared() const {
+    const auto bands = static_cast<std::size_t>(degree) + 1;
+    return bands * bands;
+  }
 };
 
 }  // namespace sh::prt

@@ -34,8 +34,8 @@ double bake(const sh::prt::Mesh& mesh, const std::vector<sh::prt::RayStart>& sta
             double& sum) {
   const auto start = Clock::now();
   for (std::size_t v = 0; v < starts.size(); v += kVertexStep) {
-    sum += static_cast<double>(
-        gatherer.gather(starts[v].origin, mesh.normals[v], mesh.geometric_normals[v]).weight_visible);
+    sum +=
+        static_cast<double>(gatherer.gather(starts[v].origin, mesh.normals[v], mesh.geometric_normals[v]).fraction());
   }
   return seconds_since(start);
 }
