@@ -92,7 +92,7 @@ class Collector {
     for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
       part.positions.emplace_back(to_eigen(mesh.mVertices[v]));
       part.normals.push_back(mesh.HasNormals() ? to_eigen(mesh.mNormals[v]) : Eigen::Vector3f::Zero().eval());
-      part.albedo.push_back(albedo.cwiseProduct(vertex_colour(mesh, v)).cwiseMax(0.0F).cwiseMin(1.0F));
+      part.albedo.emplace_back(albedo.cwiseProduct(vertex_colour(mesh, v)).cwiseMax(0.0F).cwiseMin(1.0F));
     }
     for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
       const aiFace& face = mesh.mFaces[f];

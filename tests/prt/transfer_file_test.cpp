@@ -25,7 +25,7 @@ Transfer small_transfer() {
 
 class TransferFile : public testing::Test {
  protected:
-  std::string refusal() const {
+  [[nodiscard]] std::string refusal() const {
     return message_of([&] { read_transfer(file_); });
   }
 
