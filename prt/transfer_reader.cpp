@@ -1,5 +1,4 @@
 #include <fmt/core.h>
-#include <xxhash.h>
 
 #include <algorithm>
 #include <array>
@@ -12,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "prt/checksum.hpp"
 #include "prt/transfer_file.hpp"
 #include "prt/transfer_layout.hpp"
 
@@ -83,7 +83,7 @@ class Reader {
     std::vector<unsigned char> front(offsetof(layout::Prologue, checksum) + sizeof table_);
     std::memcpy(front.data(), &prologue_, offsetof(layout::Prologue, checksum));
     std::memcpy(front.data() + offsetof(layout::Prologue, checksum), table_.data(), sizeof table_);
-    if (XXH3_64bits(front.data(), front.size()) != prologue_.checksum) {
+    if (checksum(front.data(), front.size()) != prologue_.checksum) {
       fail("damaged transfer file: the checksum of its section table differs");
     }
   }
@@ -94,7 +94,7 @@ class Reader {
     }
     std::string header(prologue_.header_size, ' ');
     fetch(header.data(), header.size());
-    if (XXH3_64bits(header.data(), header.size()) != prologue_.header_checksum) {
+    if (checksum(header.data(), header.size()) != prologue_.header_checksum) {
       fail("damaged transfer file: the checksum of its JSON header differs");
     }
     return header;
@@ -141,7 +141,7 @@ class Reader {
   void fetch_section(std::size_t index, std::size_t items_a_row, std::vector<T>& items) {
     items.resize(table_[index].rows * items_a_row);
     fetch(items.data(), items.size() * sizeof(T));
-    if (XXH3_64bits(items.data(), items.size() * sizeof(T)) != table_[index].checksum) {
+    if (checksum(items.data(), items.size() * sizeof(T)) != table_[index].checksum) {
       fail(fmt::format("damaged transfer file: the checksum of section {} differs", layout::kSections[index].name));
     }
   }

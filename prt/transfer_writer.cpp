@@ -1,5 +1,3 @@
-#include <xxhash.h>
-
 #include <algorithm>
 #include <array>
 #include <stdexcept>
@@ -7,6 +5,7 @@
 #include <vector>
 
 #include "prt/atomic_file.hpp"
+#include "prt/checksum.hpp"
 #include "prt/transfer_file.hpp"
 #include "prt/transfer_layout.hpp"
 
@@ -48,7 +47,7 @@ void write_transfer(const std::string& path, const Transfer& transfer) {
   layout::Prologue prologue;
   prologue.sections = layout::kSections.size();
   prologue.header_size = header.size();
-  prologue.header_checksum = XXH3_64bits(header.data(), header.size());
+  prologue.header_checksum = checksum(header.data(), header.size());
   std::array<layout::Section, layout::kSections.size()> table;
   std::uint64_t offset = sizeof prologue + sizeof table + header.size();
   for (std::size_t i = 0; i < table.size(); ++i) {
@@ -58,7 +57,7 @@ void write_transfer(const std::string& path, const Transfer& transfer) {
     table[i].columns = kind.columns != 0 ? kind.columns : static_cast<std::uint32_t>(transfer.bands_squared());
     table[i].rows = data[i].rows;
     table[i].offset = offset;
-    table[i].checksum = XXH3_64bits(data[i].first, bytes_of(table[i]));
+    table[i].checksum = checksum(data[i].first, bytes_of(table[i]));
     offset += bytes_of(table[i]);
   }
   prologue.file_size = offset;
@@ -67,7 +66,7 @@ void write_transfer(const std::string& path, const Transfer& transfer) {
   const auto* table_bytes = reinterpret_cast<const unsigned char*>(table.data());
   std::copy_n(table_bytes, sizeof table,
               std::copy_n(prologue_bytes, offsetof(layout::Prologue, checksum), front.begin()));
-  prologue.checksum = XXH3_64bits(front.data(), front.size());
+  prologue.checksum = checksum(front.data(), front.size());
 
   AtomicFile file(path);
   file.write(&prologue, sizeof prologue);
