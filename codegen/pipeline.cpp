@@ -4,6 +4,7 @@
 
 #include "codegen/cost.hpp"
 #include "codegen/evaluate.hpp"
+#include "codegen/passes/associate.hpp"
 #include "codegen/passes/factor.hpp"
 #include "codegen/passes/prune.hpp"
 #include "codegen/passes/schedule.hpp"
@@ -45,8 +46,11 @@ void require_cost(const Stage& before, const Stage& after) {
 }  // namespace
 
 const std::vector<Pass>& default_passes() {
-  static const std::vector<Pass> kPasses{
-      {"share", passes::share}, {"factor", passes::factor}, {"prune", passes::prune}, {"schedule", passes::schedule}};
+  static const std::vector<Pass> kPasses{{"share", passes::share},
+                                         {"factor", passes::factor},
+                                         {"prune", passes::prune},
+                                         {"associate", passes::associate},
+                                         {"schedule", passes::schedule}};
   return kPasses;
 }
 

@@ -11,8 +11,8 @@
 // Cost:         13 multiplications, 2 additions; longest chain 3; at most 4 values live
 // Error:        largest over 1110 directions (random, axes, poles, near poles), without contraction;
 //               eps counts units of machine epsilon x sqrt((2l+1)/(4 pi))
-//               float   rounding 9.7e-08 (1.3 eps)  total 1.4e-07 (1.9 eps)
-//               double  rounding 1.3e-16 (0.9 eps)  total 3.0e-16 (2.2 eps)
+//               float   rounding 1.0e-07 (1.4 eps)  total 1.4e-07 (1.9 eps)
+//               double  rounding 1.4e-16 (1.0 eps)  total 2.9e-16 (2.1 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               total:    against the exact function at the input scaled to length 1
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
@@ -30,12 +30,12 @@ void basis_l2(float x, float y, float z, out float result[9]) {
 
     result[0] = k_0_0;                    // l=0 m=0
     result[2] = k_1_0 * z;                // l=1 m=0
-    result[6] = a_2_0 * (z * z) - b_2_0;  // l=2 m=0
+    result[6] = a_2_0 * z * z - b_2_0;    // l=2 m=0
     float p_2_1 = k_2_1 * z;
     result[1] = k_1_0 * y;                // l=1 m=-1
     result[3] = k_1_0 * x;                // l=1 m=1
     result[5] = p_2_1 * y;                // l=2 m=-1
     result[7] = p_2_1 * x;                // l=2 m=1
-    result[4] = k_2_1 * (x * y);          // l=2 m=-2
+    result[4] = k_2_1 * x * y;            // l=2 m=-2
     result[8] = k_2_2 * (x * x - y * y);  // l=2 m=2
 }

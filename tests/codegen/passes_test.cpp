@@ -2,6 +2,7 @@
 
 #include "codegen/cost.hpp"
 #include "codegen/evaluate.hpp"
+#include "codegen/passes/associate.hpp"
 #include "codegen/passes/factor.hpp"
 #include "codegen/passes/prune.hpp"
 #include "codegen/passes/schedule.hpp"
@@ -118,6 +119,30 @@ TEST(Factor, NeverAddsConstantsWhoseRadicalsDiffer) {
   const NodeId bz = build.mul(b, kZ);
   add_output(kernel, build.add(az, bz));
   EXPECT_EQ(values(passes::factor(kernel)), values(kernel));
+}
+
+TEST(Associate, PutsAConstantFirstInAProductThatIsUsedOnce) {
+  Kernel kernel = empty_kernel();
+  Builder build(kernel);
+  const NodeId xy = build.mul(kX, kY);
+  add_output(kernel, build.mul(build.constant(Surd::square_root(3)), xy));
+  const Kernel regrouped = passes::associate(kernel);
+  const Node& outer = regrouped.node(regrouped.outputs[0].node);
+  EXPECT_EQ(regrouped.node(regrouped.node(outer.args[0]).args[0]).op, Op::kConstant);
+  EXPECT_EQ(regrouped.node(outer.args[1]).op, Op::kInput);
+  EXPECT_EQ(cost(regrouped).mul, 2);
+  EXPECT_NEAR(values(regrouped)[0], values(kernel)[0], 1e-15);
+}
+
+TEST(Associate, LeavesAloneAProductThatServesTwice) {
+  Kernel kernel = empty_kernel();
+  Builder build(kernel);
+  const NodeId xy = build.mul(kX, kY);
+  const NodeId k = build.constant(Surd::square_root(3));
+  add_output(kernel, build.mul(k, xy));
+  add_output(kernel, xy);
+  EXPECT_EQ(cost(passes::associate(kernel)).mul, 2);
+  EXPECT_EQ(values(passes::associate(kernel)), values(kernel));
 }
 
 TEST(Prune, DropsWhatReachesNoOutput) {

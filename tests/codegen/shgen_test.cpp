@@ -110,7 +110,7 @@ TEST(Shgen, EmitPrintsTheCommittedFile) {
 TEST(Shgen, ListPrintsTheManifest) { EXPECT_EQ(shgen("list").out, test::read_file(kCommitted / "MANIFEST")); }
 
 TEST(Shgen, DumpShowsEachStage) {
-  for (const std::string stage : {"recipe", "share", "factor", "prune", "schedule"}) {
+  for (const std::string stage : {"recipe", "share", "factor", "prune", "associate", "schedule"}) {
     const auto result = shgen("dump " + std::string(stage).append(" basis_l4"));
     EXPECT_EQ(result.exit_code, 0) << result.err;
     EXPECT_EQ(result.out.find("basis_l4: "), 0U) << result.out;
@@ -129,7 +129,7 @@ TEST(Shgen, BadArgumentsAreOneLineAndExitTwo) {
       {"emit basis --degree 99999999999 --lang cpp", "99999999999"},
       {"emit nothing --degree 1 --lang cpp", "unknown family 'nothing'; it should be one of: basis"},
       {"emit basis --degree 1 --lang cobol", "unknown language 'cobol'; it should be one of: cpp, glsl"},
-      {"dump nothing basis_l4", "it should be one of: recipe, share, factor, prune, schedule"},
+      {"dump nothing basis_l4", "it should be one of: recipe, share, factor, prune, associate, schedule"},
       {"dump share basis", "unknown kernel 'basis'"},
       {"dump share basis_l99", "degree 99"},
       {"dump share basis_lx", "unknown kernel 'basis_lx'"},

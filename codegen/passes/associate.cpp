@@ -1,0 +1,52 @@
+#include "codegen/passes/associate.hpp"
+
+namespace sh::codegen::passes {
+namespace {
+
+// The kernel with its inputs and constants in front, so that any product may use any of them.
+Kernel leaves_first(const Kernel& kernel) {
+  std::vector<NodeId> order;
+  for (const bool leaf : {true, false}) {
+    for (NodeId id = 0; id < kernel.size(); ++id) {
+      if ((argument_count(kernel.node(id).op) == 0) == leaf) order.push_back(id);
+    }
+  }
+  return with_order(kernel, order);
+}
+
+std::vector<int> use_counts(const Kernel& kernel) {
+  std::vector<int> uses(kernel.nodes.size());
+  for (const Node& node : kernel.nodes) {
+    for (int i = 0; i < argument_count(node.op); ++i) {
+      ++uses[static_cast<std::size_t>(node.args[static_cast<std::size_t>(i)])];
+    }
+  }
+  for (const Output& output : kernel.outputs) ++uses[static_cast<std::size_t>(output.node)];
+  return uses;
+}
+
+}  // namespace
+
+Kernel associate(const Kernel& kernel) {
+  Kernel result = leaves_first(kernel);
+  const std::vector<int> uses = use_counts(result);
+  const auto at = [&result](NodeId id) -> Node& { return result.nodes[static_cast<std::size_t>(id)]; };
+  const auto is_constant = [&at](NodeId id) { return at(id).op == Op::kConstant; };
+  for (Node& outer : result.nodes) {
+    if (outer.op != Op::kMul) continue;
+    const auto [left, right, unused] = outer.args;
+    const NodeId k = is_constant(left) ? left : right;
+    const NodeId vw = is_constant(left) ? right : left;
+    if (!is_constant(k) || at(vw).op != Op::kMul || uses[static_cast<std::size_t>(vw)] > 1) continue;
+    Node& inner = at(vw);
+    const NodeId v = inner.args[0];
+    const NodeId w = inner.args[1];
+    if (is_constant(v) || is_constant(w)) continue;
+    inner.args = {k, v, unused};
+    inner.name.clear();
+    outer.args = {vw, w, unused};
+  }
+  return result;
+}
+
+}  // namespace sh::codegen::passes
