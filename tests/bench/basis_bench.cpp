@@ -105,7 +105,7 @@ class MinimumReporter : public benchmark::BenchmarkReporter {
   void ReportRuns(const std::vector<Run>& runs) override {
     for (const Run& one : runs) {
       if (one.run_type != Run::RT_Iteration) continue;
-      const auto [entry, fresh] = minimum_.try_emplace(one.run_name.function_name, std::numeric_limits<double>::max());
+      const auto entry = minimum_.try_emplace(one.run_name.function_name, std::numeric_limits<double>::max()).first;
       entry->second = std::min(entry->second, one.GetAdjustedCPUTime());
     }
   }

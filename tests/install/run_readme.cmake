@@ -1,0 +1,22 @@
+# Input: README, BUILD_DIR, SOURCE_DIR, SCRATCH. Runs every indented command of the README that begins with build/bin/.
+file(REMOVE_RECURSE ${SCRATCH})
+file(MAKE_DIRECTORY ${SCRATCH}/out)
+file(CREATE_LINK ${BUILD_DIR} ${SCRATCH}/build SYMBOLIC)
+file(CREATE_LINK ${SOURCE_DIR}/generated ${SCRATCH}/generated SYMBOLIC)
+file(STRINGS ${README} commands REGEX "^    build/bin/")
+list(LENGTH commands count)
+if(count LESS 8)
+  message(FATAL_ERROR "README.md shows ${count} commands; it should show the three jobs")
+endif()
+foreach(command IN LISTS commands)
+  string(REGEX REPLACE "  +#.*$" "" command "${command}")
+  string(STRIP "${command}" command)
+  if(command MATCHES "shgen prove" OR command MATCHES "shcheck kernels")
+    continue()  # tests of their own run these
+  endif()
+  execute_process(COMMAND sh -c "${command}" WORKING_DIRECTORY ${SCRATCH}
+    RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  if(NOT code EQUAL 0)
+    message(FATAL_ERROR "${command}\n${output}")
+  endif()
+endforeach()
