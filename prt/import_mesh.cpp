@@ -149,7 +149,7 @@ class Collector {
   ImportedMesh result_;
 };
 
-// Some importers (OFF) mend an index that is out of range and only log it: what they say, kept while this lives.
+// Some importers (OFF, glTF) mend an index that is out of range and only log it: what they say, kept while this lives.
 class Complaints final : public Assimp::LogStream {
  public:
   Complaints() {
@@ -163,9 +163,8 @@ class Complaints final : public Assimp::LogStream {
   Complaints(const Complaints&) = delete;
   Complaints& operator=(const Complaints&) = delete;
   void write(const char* message) override {
-    if (const std::string text = message; text.find("out of range") != std::string::npos) {
-      index_ = text;
-    }
+    const std::string text = message;
+    if (text.find("out of range") != std::string::npos || text.find("out-of-range") != std::string::npos) index_ = text;
   }
   [[nodiscard]] const std::string& about_an_index() const { return index_; }
 
@@ -217,12 +216,12 @@ ImportedMesh import_mesh(const std::string& path, const Eigen::Vector3f& default
   Assimp::Importer importer;
   importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
   const aiScene* scene = importer.ReadFile(path, 0);
-  if (scene == nullptr || scene->mRootNode == nullptr) {
-    throw std::runtime_error(fmt::format("{}: cannot read the mesh: {}", path, one_line(importer.GetErrorString())));
-  }
   if (!complaints.about_an_index().empty()) {
     throw std::runtime_error(
         fmt::format("{}: a face names a vertex that is not there: {}", path, one_line(complaints.about_an_index())));
+  }
+  if (scene == nullptr || scene->mRootNode == nullptr) {
+    throw std::runtime_error(fmt::format("{}: cannot read the mesh: {}", path, one_line(importer.GetErrorString())));
   }
   check_indices(path, *scene);
   if (!has_polygons(*scene)) {
