@@ -76,7 +76,7 @@ void textbook(float x, float y, float z, float* out) {
 
 template <int Degree, void (*Evaluate)(float, float, float, float*)>
 void run(benchmark::State& state) {
-  std::array<float, (Degree + 1) * (Degree + 1)> out{};
+  std::array<float, std::size_t{Degree + 1} * std::size_t{Degree + 1}> out{};
   const auto& set = directions();
   std::size_t i = 0;
   for (auto _ : state) {

@@ -22,7 +22,7 @@ Transfer random_transfer(int degree, std::size_t vertices, unsigned seed) {
   transfer.degree = degree;
   for (std::size_t i = 0; i < vertices; ++i) {
     transfer.mesh.positions.emplace_back(static_cast<float>(i), 0.0F, uniform(random));
-    transfer.mesh.normals.push_back(Eigen::Vector3f::UnitZ());
+    transfer.mesh.normals.emplace_back(Eigen::Vector3f::UnitZ());
     transfer.mesh.albedo.emplace_back(0.5F + 0.5F * uniform(random), 0.25F, 1.0F);
   }
   for (std::uint32_t i = 0; i + 2 < vertices; ++i) {
@@ -119,7 +119,7 @@ TEST(Relight, PlyHoldsPositionsNormalsRadianceAndFaces) {
   const std::string bytes = test::read_all(folder.file("a.ply"));
   const std::string end = "end_header\n";
   const std::size_t body = bytes.find(end) + end.size();
-  ASSERT_EQ(bytes.size(), body + 5 * 9 * sizeof(float) + 3 * (1 + 3 * sizeof(std::uint32_t)));
+  ASSERT_EQ(bytes.size(), body + 5U * 9U * sizeof(float) + 3U * (1U + 3U * sizeof(std::uint32_t)));
   EXPECT_NE(bytes.find("element vertex 5\n"), std::string::npos);
   EXPECT_NE(bytes.find("element face 3\n"), std::string::npos);
   for (std::size_t v = 0; v < 5; ++v) {
