@@ -220,7 +220,8 @@ TEST(Image, RadianceHeadersThatCannotBeReadAreNamed) {
   refuse("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 0 +X 2\n", "2 x 0 pixels");
   refuse("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 900000 +X 900000\n", "900000 x 900000 pixels");
   refuse("#?RADIANCE\nEXPOSURE=-1\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 1\n1234", "exposure");
-  refuse(std::string("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 8\n\2\2\0\x8\0\0\0\0\0\0\0\0", 62), "run length");
+  refuse(std::string("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 8\n\2\2") + '\0' + '\x8' + std::string(8, '\0'),
+         "run length");
 }
 
 TEST(Image, ExrWithoutColourChannelsIsRefusedWithItsChannels) {
