@@ -1,0 +1,25 @@
+// The sections of the longer sources; symbolic/errata/errata.cpp joins them.
+#pragma once
+
+#include <vector>
+
+#include "symbolic/errata/entry.hpp"
+
+namespace sh::symbolic::errata {
+
+std::vector<Entry> green_monte_carlo();  ///< G-01 to G-16
+std::vector<Entry> green_basis();        ///< G-17 to G-37
+std::vector<Entry> green_projection();   ///< G-38 to G-57
+std::vector<Entry> green_rotation();     ///< G-58 to G-70, G-95 to G-98
+std::vector<Entry> green_transfer();     ///< G-71 to G-86
+std::vector<Entry> green_lights();       ///< G-87 to G-94
+
+std::vector<Entry> gpfault_foundations();  ///< GP-01 to GP-14
+std::vector<Entry> gpfault_basis();        ///< GP-15 to GP-31
+std::vector<Entry> gpfault_projection();   ///< GP-32 to GP-43
+std::vector<Entry> gpfault_irradiance();   ///< GP-44 to GP-54
+
+std::vector<Entry> sloan_basis();     ///< S-01 to S-18
+std::vector<Entry> sloan_transfer();  ///< S-19 to S-38
+
+}  // namespace sh::symbolic::errata

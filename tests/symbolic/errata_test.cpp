@@ -1,0 +1,56 @@
+// Every formula of the sources has a verdict, and it is the one that exact decisions give.
+#include "symbolic/errata/errata.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace sh::symbolic::errata {
+namespace {
+
+class ErrataOfSource : public testing::TestWithParam<std::size_t> {};
+
+TEST_P(ErrataOfSource, EveryVerdictFollowsFromExactDecisions) {
+  for (const Entry& entry : all_sources()[GetParam()].entries) {
+    SCOPED_TRACE(entry.id + " " + entry.where);
+    EXPECT_FALSE(entry.printed.empty());
+    EXPECT_EQ(to_string(decide(entry)), to_string(entry.verdict));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Sources, ErrataOfSource, testing::Range<std::size_t>(0, 8),
+                         [](const auto& source) { return all_sources()[source.param].prefix; });
+
+bool yes() { return true; }
+bool no() { return false; }
+
+TEST(Errata, AVerdictComesFromTheReadings) {
+  Entry entry;
+  entry.id = "X-1";
+  entry.readings = {{"a", yes}};
+  EXPECT_EQ(decide(entry), Verdict::kCorrect);
+  entry.readings = {{"a", yes}, {"b", no}};
+  EXPECT_EQ(decide(entry), Verdict::kUnderReading);
+  entry.readings = {{"a", no}};
+  EXPECT_THROW(decide(entry), std::logic_error);  // and what is right?
+  entry.correct = "c";
+  entry.correct_holds = yes;
+  EXPECT_EQ(decide(entry), Verdict::kWrong);
+  entry.correct_holds = no;
+  EXPECT_THROW(decide(entry), std::logic_error);
+}
+
+TEST(Errata, AVerdictWithoutADecisionIsRefused) {
+  Entry entry;
+  entry.id = "X-1";
+  entry.verdict = Verdict::kCorrect;
+  entry.remark = "obviously";
+  EXPECT_THROW(decide(entry), std::logic_error);
+  entry.verdict = Verdict::kUndecided;
+  EXPECT_EQ(decide(entry), Verdict::kUndecided);
+  entry.remark.clear();
+  EXPECT_THROW(decide(entry), std::logic_error);
+}
+
+}  // namespace
+}  // namespace sh::symbolic::errata
