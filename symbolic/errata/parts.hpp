@@ -15,7 +15,8 @@ std::vector<Entry> green_transfer();     ///< G-71 to G-86
 std::vector<Entry> green_lights();       ///< G-87 to G-94
 
 std::vector<Entry> gpfault_foundations();  ///< GP-01 to GP-14
-std::vector<Entry> gpfault_basis();        ///< GP-15 to GP-31
+std::vector<Entry> gpfault_basis();        ///< GP-15 to GP-24
+std::vector<Entry> gpfault_real_basis();   ///< GP-25 to GP-31
 std::vector<Entry> gpfault_projection();   ///< GP-32 to GP-43
 std::vector<Entry> gpfault_irradiance();   ///< GP-44 to GP-54
 
