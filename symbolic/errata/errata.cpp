@@ -15,7 +15,8 @@ std::vector<Entry> joined(std::initializer_list<std::vector<Entry>> parts) {
 
 std::vector<Entry> green() {
   return joined(
-      {green_monte_carlo(), green_basis(), green_projection(), green_rotation(), green_transfer(), green_lights()});
+      {green_monte_carlo(), green_basis(), green_projection(), green_rotation(), green_euler_angles(), green_transfer(),
+       green_rendering(), green_lights(), green_appendix()});
 }
 
 std::vector<Entry> gpfault() {
