@@ -1,34 +1,19 @@
 #include "codegen/catalogue.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
-#include "codegen/directions.hpp"
+#include "codegen/families/families.hpp"
 #include "codegen/manifest.hpp"
 #include "codegen/print/cpp.hpp"
 #include "codegen/print/glsl.hpp"
-#include "codegen/recipes/basis.hpp"
-#include "symbolic/basis.hpp"
 
 namespace sh::codegen {
 namespace {
 
 constexpr int kReferencePoints = 3;
-
-Reference basis_reference(int degree, int count) {
-  Reference reference;
-  for (const auto& d : rational_directions(count)) reference.push_back({{d[0], d[1], d[2]}, {}});
-  for (int l = 0; l <= degree; ++l) {
-    for (int m = -l; m <= l; ++m) {
-      const symbolic::BasisFunction f = symbolic::basis_function(l, m);
-      for (ReferencePoint& point : reference) {
-        // One exact rational factor and one irrational one, so the product is as precise as the latter.
-        const symbolic::Surd value = symbolic::Surd(f.homogeneous.evaluate(point.inputs)) * f.factor;
-        point.outputs.push_back(value.evaluate(kCheckDigits));
-      }
-    }
-  }
-  return reference;
-}
+// A second kernel for accuracy is written where it errs less than this part of what the fastest one does.
+constexpr double kWorthwhile = 0.75;
 
 template <class T>
 std::string names_of(const std::vector<T>& items) {
@@ -48,8 +33,7 @@ const T& find(const std::vector<T>& items, const std::string& kind, const std::s
 }  // namespace
 
 const std::vector<Family>& families() {
-  static const std::vector<Family> kFamilies{{"basis", 10, 20, recipes::basis_recurrence, basis_reference,
-                                              measure_on_sphere<float>, measure_on_sphere<double>}};
+  static const std::vector<Family> kFamilies{basis_family()};
   return kFamilies;
 }
 
@@ -62,46 +46,120 @@ const std::vector<Language>& languages() {
 const Family& find_family(const std::string& name) { return find(families(), "family", name); }
 const Language& find_language(const std::string& name) { return find(languages(), "language", name); }
 
+const Recipe& find_recipe(const Family& family, int degree, const std::string& name) {
+  const Recipe& recipe = find(family.recipes, "recipe of " + family.name, name);
+  if (degree < recipe.smallest || degree > recipe.largest) {
+    throw std::invalid_argument("recipe " + name + " of " + family.name + ": degree " + std::to_string(degree) +
+                                "; it should be " + std::to_string(recipe.smallest) + " to " +
+                                std::to_string(recipe.largest));
+  }
+  return recipe;
+}
+
+Prefer find_preference(const std::string& name) {
+  if (name == "speed") return Prefer::kSpeed;
+  if (name == "accuracy") return Prefer::kAccuracy;
+  if (name == "size") return Prefer::kSize;
+  throw std::invalid_argument("unknown preference '" + name + "'; it should be one of: speed, accuracy, size");
+}
+
 void require_degree(const Family& family, int degree) {
   if (degree < 0 || degree > family.largest_emitted) {
     throw std::invalid_argument(family.name + ": degree " + std::to_string(degree) + "; it should be 0 to " +
-                                std::to_string(family.largest_emitted) +
-                                ", beyond which straight-line code is too long to be useful");
+                                std::to_string(family.largest_emitted) + ", " + family.limit);
   }
 }
 
-std::vector<Stage> kernel_stages(const Family& family, int degree) {
+std::vector<Recipe> recipes_for(const Family& family, int degree) {
   require_degree(family, degree);
-  return run_pipeline(family.recipe(degree), family.reference(degree, kReferencePoints), default_passes());
+  std::vector<Recipe> serving;
+  for (const Recipe& recipe : family.recipes) {
+    if (recipe.smallest <= degree && degree <= recipe.largest) serving.push_back(recipe);
+  }
+  return serving;
 }
 
-FinishedKernel finish_kernel(const Family& family, int degree) {
+std::vector<Stage> kernel_stages(const Family& family, const Recipe& recipe, int degree) {
+  require_degree(family, degree);
+  Kernel kernel = recipe.make(degree);
+  kernel.name = family.name + "_l" + std::to_string(degree);
+  kernel.family = family.name;
+  kernel.degree = degree;
+  kernel.recipe = recipe.name;
+  kernel.arguments = family.name + " --degree " + std::to_string(degree);
+  return run_pipeline(std::move(kernel), family.reference(degree, kReferencePoints), default_passes());
+}
+
+FinishedKernel finish_kernel(const Family& family, const Recipe& recipe, int degree) {
   FinishedKernel finished;
-  finished.kernel = kernel_stages(family, degree).back().kernel;
+  finished.kernel = kernel_stages(family, recipe, degree).back().kernel;
+  finished.domain = family.domain;
   finished.cost = cost(finished.kernel);
-  finished.in_float = family.measure_float(finished.kernel);
-  finished.in_double = family.measure_double(finished.kernel);
+  finished.in_float = measure<float>(finished.kernel, family.domain);
+  finished.in_double = measure<double>(finished.kernel, family.domain);
   return finished;
+}
+
+namespace {
+
+std::vector<FinishedKernel> finish_all(const Family& family, int degree) {
+  std::vector<FinishedKernel> finished;
+  for (const Recipe& recipe : recipes_for(family, degree)) finished.push_back(finish_kernel(family, recipe, degree));
+  return finished;
+}
+
+// kernels: those of every recipe, the fastest first.
+FinishedKernel choose(const std::vector<FinishedKernel>& kernels, Prefer prefer) {
+  const auto error = [](const FinishedKernel& k) { return k.in_float.rounding.eps; };
+  const auto size = [](const FinishedKernel& k) { return k.cost.operations(); };
+  const auto least = [&](const auto& of) {
+    return *std::min_element(kernels.begin(), kernels.end(),
+                             [&](const FinishedKernel& a, const FinishedKernel& b) { return of(a) < of(b); });
+  };
+  if (prefer == Prefer::kSpeed) return kernels.front();
+  FinishedKernel chosen = prefer == Prefer::kSize ? least(size) : least(error);
+  if (chosen.kernel.recipe == kernels.front().kernel.recipe) return chosen;
+  if (prefer == Prefer::kSize) {
+    chosen.kernel.arguments += " --prefer size";
+  } else {
+    chosen.kernel.arguments += " --prefer accuracy";
+    chosen.kernel.name = chosen.kernel.family + "_accurate_l" + std::to_string(chosen.kernel.degree);
+  }
+  return chosen;
+}
+
+}  // namespace
+
+FinishedKernel preferred_kernel(const Family& family, int degree, Prefer prefer) {
+  if (prefer == Prefer::kSpeed) return finish_kernel(family, recipes_for(family, degree).front(), degree);
+  return choose(finish_all(family, degree), prefer);
 }
 
 std::map<std::string, std::string> render_all(const std::function<void(const std::string&)>& progress) {
   std::map<std::string, std::string> files;
   std::vector<ManifestEntry> manifest;
+  const auto add = [&](const FinishedKernel& finished) {
+    manifest.push_back({finished, {}});
+    progress(finished.kernel.name);
+    for (const Language& language : languages()) {
+      const std::string path = language.name + "/" + finished.kernel.name + language.suffix;
+      files[path] = language.print_kernel(finished);
+      manifest.back().files.push_back(path);
+    }
+  };
   for (const Family& family : families()) {
-    std::vector<FinishedKernel> kernels;
+    std::vector<FinishedKernel> fastest;
     for (int degree = 0; degree <= family.largest_written; ++degree) {
-      kernels.push_back(finish_kernel(family, degree));
-      manifest.push_back({kernels.back(), {}});
-      progress(kernels.back().kernel.name);
-      for (const Language& language : languages()) {
-        const std::string path = language.name + "/" + kernels.back().kernel.name + language.suffix;
-        files[path] = language.print_kernel(kernels.back());
-        manifest.back().files.push_back(path);
-      }
+      const std::vector<FinishedKernel> all = finish_all(family, degree);
+      if (all.empty()) continue;
+      fastest.push_back(choose(all, Prefer::kSpeed));
+      add(fastest.back());
+      const FinishedKernel accurate = choose(all, Prefer::kAccuracy);
+      if (accurate.in_float.rounding.eps < kWorthwhile * fastest.back().in_float.rounding.eps) add(accurate);
     }
     for (const Language& language : languages()) {
       if (language.print_family == nullptr) continue;
-      files[language.name + "/" + family.name + language.suffix] = language.print_family(kernels);
+      files[language.name + "/" + family.name + language.suffix] = language.print_family(fastest);
     }
   }
   files["MANIFEST"] = print_manifest(manifest);

@@ -24,6 +24,15 @@ void count(const Node& node, Cost& cost) {
     case Op::kFma:
       ++cost.fma;
       return;
+    case Op::kDiv:
+      ++cost.div;
+      return;
+    case Op::kSqrt:
+      ++cost.sqrt;
+      return;
+    case Op::kSelect:
+      ++cost.select;
+      return;
   }
   throw std::logic_error("cost: unknown operation");
 }

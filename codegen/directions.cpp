@@ -49,23 +49,14 @@ std::vector<std::array<cln::cl_RA, 3>> rational_directions(int count) {
   return directions;
 }
 
-template <class T>
-std::vector<std::array<T, 3>> test_directions() {
+std::vector<std::array<double, 3>> test_directions() {
   std::mt19937_64 random(1782);
   std::vector<std::array<double, 3>> directions{{0, 0, 1}, {0, 0, -1}, {1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}};
   for (int i = 0; i < kRandomDirections; ++i) directions.push_back(random_direction(random));
   for (int k = 1; k <= kSmallestPolarAngle; ++k) {
     for (int repeat = 0; repeat < 4; ++repeat) directions.push_back(near_pole(random, k));
   }
-  std::vector<std::array<T, 3>> rounded;
-  rounded.reserve(directions.size());
-  for (const auto& d : directions) {
-    rounded.push_back({static_cast<T>(d[0]), static_cast<T>(d[1]), static_cast<T>(d[2])});
-  }
-  return rounded;
+  return directions;
 }
-
-template std::vector<std::array<float, 3>> test_directions<float>();
-template std::vector<std::array<double, 3>> test_directions<double>();
 
 }  // namespace sh::codegen

@@ -12,8 +12,7 @@ namespace sh::codegen {
 /// Points with rational coordinates and length exactly 1, spread over the sphere.
 std::vector<std::array<cln::cl_RA, 3>> rational_directions(int count);
 
-/// Random directions, the axes and poles, and directions near the poles, each rounded to T (so of length 1 +- eps).
-template <class T>
-std::vector<std::array<T, 3>> test_directions();
+/// Random directions, the axes and poles, and directions near the poles, in double (so of length 1 +- eps).
+std::vector<std::array<double, 3>> test_directions();
 
 }  // namespace sh::codegen

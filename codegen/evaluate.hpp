@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cln/float.h>
+#include <cln/real.h>
 
 #include <cmath>
 #include <span>
@@ -54,6 +55,14 @@ class Evaluator {
     }
   }
 
+  static T square_root(const T& a) {
+    if constexpr (std::is_floating_point_v<T>) {
+      return std::sqrt(a);
+    } else {
+      return cln::sqrt(a);
+    }
+  }
+
   [[nodiscard]] const T& value(NodeId id) const { return values_[static_cast<std::size_t>(id)]; }
 
   void step(const Node& node, std::span<const T> inputs, T& result) const {
@@ -77,6 +86,15 @@ class Evaluator {
         return;
       case Op::kFma:
         result = multiply_add(value(node.args[0]), value(node.args[1]), value(node.args[2]));
+        return;
+      case Op::kDiv:
+        result = value(node.args[0]) / value(node.args[1]);
+        return;
+      case Op::kSqrt:
+        result = square_root(value(node.args[0]));
+        return;
+      case Op::kSelect:
+        result = value(node.args[0]) < value(node.args[1]) ? value(node.args[2]) : value(node.args[3]);
         return;
     }
     throw std::logic_error("evaluate: unknown operation");

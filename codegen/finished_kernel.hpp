@@ -9,6 +9,7 @@ namespace sh::codegen {
 
 struct FinishedKernel {
   Kernel kernel;
+  Domain domain;
   Cost cost;
   MeasuredError in_float;
   MeasuredError in_double;

@@ -15,13 +15,17 @@ int argument_count(Op op) {
     case Op::kConstant:
       return 0;
     case Op::kNeg:
+    case Op::kSqrt:
       return 1;
     case Op::kAdd:
     case Op::kSub:
     case Op::kMul:
+    case Op::kDiv:
       return 2;
     case Op::kFma:
       return 3;
+    case Op::kSelect:
+      return 4;
   }
   throw std::logic_error("argument_count: unknown operation");
 }
@@ -42,6 +46,12 @@ std::string op_name(Op op) {
       return "mul";
     case Op::kFma:
       return "fma";
+    case Op::kDiv:
+      return "div";
+    case Op::kSqrt:
+      return "sqrt";
+    case Op::kSelect:
+      return "select";
   }
   throw std::logic_error("op_name: unknown operation");
 }
@@ -98,12 +108,16 @@ NodeId Builder::append(Node node) {
   return kernel_.size() - 1;
 }
 
+NodeId Builder::operation(Op op, const std::array<NodeId, 4>& args, std::string name) {
+  return append({op, args, -1, {}, std::move(name)});
+}
+
 NodeId Builder::input(int index, std::string name) {
-  return append({Op::kInput, {-1, -1, -1}, index, {}, std::move(name)});
+  return append({Op::kInput, {-1, -1, -1, -1}, index, {}, std::move(name)});
 }
 
 NodeId Builder::constant(ExactReal value, std::string name) {
-  return append({Op::kConstant, {-1, -1, -1}, -1, std::move(value), std::move(name)});
+  return append({Op::kConstant, {-1, -1, -1, -1}, -1, std::move(value), std::move(name)});
 }
 
 }  // namespace sh::codegen

@@ -1,10 +1,10 @@
 // The kernel IR: straight-line code in static single assignment form.
 //
 // A Kernel computes flat arrays of results from scalar or array parameters by a list of nodes, each of which refers to
-// earlier nodes only. It supports inputs, exact real constants, negation, addition, subtraction, multiplication and
-// fused multiply-add. It deliberately does not support control flow, memory, loops, calls or types: a kernel means the
-// same in every scalar type and language, and the printer chooses the type. Division, square root and selection will be
-// added with the first recipe that needs them. Constants stay exact until a printer rounds them (codegen/literal.hpp).
+// earlier nodes only. It supports inputs, exact real constants, negation, addition, subtraction, multiplication,
+// fused multiply-add and, for the few recipes that need them, division, square root and selection. It deliberately does
+// not support control flow, memory, loops, calls or types: a kernel means the same in every scalar type and language,
+// and the printer chooses the type. Constants stay exact until a printer rounds them (codegen/literal.hpp).
 //
 // Names are hints for readers, never identity. Nodes that reach no output are allowed (passes leave them behind,
 // `prune` drops them) and cost nothing.
@@ -19,16 +19,17 @@
 
 namespace sh::codegen {
 
-enum class Op { kInput, kConstant, kNeg, kAdd, kSub, kMul, kFma };
+enum class Op { kInput, kConstant, kNeg, kAdd, kSub, kMul, kFma, kDiv, kSqrt, kSelect };
 
 using NodeId = int;  ///< position in Kernel::nodes
 
 struct Node {
   Op op = Op::kInput;
-  std::array<NodeId, 3> args{-1, -1, -1};  ///< kFma is args[0] * args[1] + args[2]
-  int input = -1;                          ///< kInput: position among the flattened parameters
-  ExactReal constant;                      ///< kConstant
-  std::string name;                        ///< a hint such as "p_4_2"; may be empty
+  /// kFma is args[0] * args[1] + args[2]; kSelect is args[0] < args[1] ? args[2] : args[3]
+  std::array<NodeId, 4> args{-1, -1, -1, -1};
+  int input = -1;      ///< kInput: position among the flattened parameters
+  ExactReal constant;  ///< kConstant
+  std::string name;    ///< a hint such as "p_4_2"; may be empty
 };
 
 struct Parameter {
@@ -46,16 +47,19 @@ struct Kernel {
   std::string name;    ///< "basis_l4", the same in every language
   std::string family;  ///< "basis"
   int degree = 0;
-  std::string recipe;    ///< which way of computing the family
-  std::string citation;  ///< where the way comes from
-  std::string title;     ///< one line: what is computed
-  std::string domain;    ///< what the inputs have to satisfy
-  std::string result;    ///< what the outputs are, in which order and convention
+  std::string arguments;  ///< of `shgen emit` that give this kernel: "basis --degree 4"
+  std::string recipe;     ///< which way of computing the family
+  std::string citation;   ///< where the way comes from
+  std::string title;      ///< one line: what is computed
+  std::string domain;     ///< what the inputs have to satisfy
+  std::string result;     ///< what the outputs are, in which order and convention
   std::vector<Parameter> parameters;
-  std::vector<Parameter> results;
+  std::vector<Parameter> results;  ///< arrays, or one scalar; a result named as a parameter is updated in place
   std::vector<Node> nodes;
   std::vector<Output> outputs;  ///< the flattened results, in order
 
+  /// True when the only result is a scalar, which functions return.
+  [[nodiscard]] bool returns_scalar() const { return results.size() == 1 && results[0].shape.empty(); }
   [[nodiscard]] const Node& node(NodeId id) const { return nodes[static_cast<std::size_t>(id)]; }
   [[nodiscard]] NodeId size() const { return static_cast<NodeId>(nodes.size()); }
 };
@@ -77,22 +81,24 @@ class Builder {
   NodeId append(Node node);
   NodeId input(int index, std::string name);
   NodeId constant(ExactReal value, std::string name = {});
-  NodeId neg(NodeId a, std::string name = {}) { return append({Op::kNeg, {a, -1, -1}, -1, {}, std::move(name)}); }
-  NodeId add(NodeId a, NodeId b, std::string name = {}) {
-    return append({Op::kAdd, {a, b, -1}, -1, {}, std::move(name)});
-  }
-  NodeId sub(NodeId a, NodeId b, std::string name = {}) {
-    return append({Op::kSub, {a, b, -1}, -1, {}, std::move(name)});
-  }
-  NodeId mul(NodeId a, NodeId b, std::string name = {}) {
-    return append({Op::kMul, {a, b, -1}, -1, {}, std::move(name)});
-  }
+  NodeId neg(NodeId a, std::string name = {}) { return operation(Op::kNeg, {a, -1, -1, -1}, std::move(name)); }
+  NodeId add(NodeId a, NodeId b, std::string name = {}) { return operation(Op::kAdd, {a, b, -1, -1}, std::move(name)); }
+  NodeId sub(NodeId a, NodeId b, std::string name = {}) { return operation(Op::kSub, {a, b, -1, -1}, std::move(name)); }
+  NodeId mul(NodeId a, NodeId b, std::string name = {}) { return operation(Op::kMul, {a, b, -1, -1}, std::move(name)); }
   NodeId fma(NodeId a, NodeId b, NodeId c, std::string name = {}) {
-    return append({Op::kFma, {a, b, c}, -1, {}, std::move(name)});
+    return operation(Op::kFma, {a, b, c, -1}, std::move(name));
+  }
+  NodeId div(NodeId a, NodeId b, std::string name = {}) { return operation(Op::kDiv, {a, b, -1, -1}, std::move(name)); }
+  NodeId sqrt(NodeId a, std::string name = {}) { return operation(Op::kSqrt, {a, -1, -1, -1}, std::move(name)); }
+  /// a < b ? then : otherwise
+  NodeId select(NodeId a, NodeId b, NodeId then, NodeId otherwise, std::string name = {}) {
+    return operation(Op::kSelect, {a, b, then, otherwise}, std::move(name));
   }
   void name(NodeId id, std::string name) { kernel_.nodes[static_cast<std::size_t>(id)].name = std::move(name); }
 
  private:
+  NodeId operation(Op op, const std::array<NodeId, 4>& args, std::string name);
+
   Kernel& kernel_;
 };
 

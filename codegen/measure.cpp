@@ -5,9 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
-#include "codegen/directions.hpp"
 #include "codegen/evaluate.hpp"
 
 namespace sh::codegen {
@@ -26,43 +24,43 @@ cln::cl_F exact(T value) {
                           exponent - std::numeric_limits<double>::digits);
 }
 
-std::vector<cln::cl_F> normalised(const std::vector<cln::cl_F>& d) {
-  const cln::cl_F length = cln::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
-  return {d[0] / length, d[1] / length, d[2] / length};
-}
-
 template <class T>
-void take_largest(Error& error, const cln::cl_F& difference, std::size_t output) {
+void take_largest(Error& error, const cln::cl_F& difference, double size) {
   const double absolute = cln::double_approx(cln::abs(difference));
-  const double band = std::floor(std::sqrt(static_cast<double>(output)));
-  const double band_maximum = std::sqrt((2 * band + 1) / (4 * std::numbers::pi));
   error.absolute = std::max(error.absolute, absolute);
-  error.eps = std::max(error.eps, absolute / (static_cast<double>(std::numeric_limits<T>::epsilon()) * band_maximum));
+  error.eps = std::max(error.eps, absolute / (static_cast<double>(std::numeric_limits<T>::epsilon()) * size));
 }
 
 }  // namespace
 
 template <class T>
-MeasuredError measure_on_sphere(const Kernel& kernel) {
+MeasuredError measure(const Kernel& kernel, const Domain& domain) {
   MeasuredError result;
   Evaluator<T> rounded(kernel);
   Evaluator<cln::cl_F> formula(kernel, kDigits);
-  for (const std::array<T, 3>& d : test_directions<T>()) {
-    const std::vector<cln::cl_F> input{exact(d[0]), exact(d[1]), exact(d[2])};
-    const std::vector<T> computed = rounded(d);
-    const std::vector<cln::cl_F> same_input = formula(input);
-    const std::vector<cln::cl_F> unit_input = formula(normalised(input));
+  for (const std::vector<double>& wanted : domain.test_inputs(kernel.degree)) {
+    std::vector<T> input;
+    std::vector<cln::cl_F> exact_input;
+    for (const double component : wanted) {
+      input.push_back(static_cast<T>(component));
+      exact_input.push_back(exact(input.back()));
+    }
+    const std::vector<T> computed = rounded(input);
+    const std::vector<cln::cl_F> same_input = formula(exact_input);
+    const std::vector<cln::cl_F> in_domain =
+        domain.nearest_in_domain == nullptr ? same_input : formula(domain.nearest_in_domain(exact_input));
     for (std::size_t i = 0; i < computed.size(); ++i) {
       const cln::cl_F value = exact(computed[i]);
-      take_largest<T>(result.rounding, value - same_input[i], i);
-      take_largest<T>(result.total, value - unit_input[i], i);
+      const double size = domain.size(wanted, i);
+      take_largest<T>(result.rounding, value - same_input[i], size);
+      take_largest<T>(result.total, value - in_domain[i], size);
     }
-    ++result.directions;
+    ++result.inputs;
   }
   return result;
 }
 
-template MeasuredError measure_on_sphere<float>(const Kernel&);
-template MeasuredError measure_on_sphere<double>(const Kernel&);
+template MeasuredError measure<float>(const Kernel&, const Domain&);
+template MeasuredError measure<double>(const Kernel&, const Domain&);
 
 }  // namespace sh::codegen

@@ -1,12 +1,12 @@
-// Measures the error of a kernel on directions, in float and double, without contraction.
+// Measures the error of a kernel on its family's test inputs, in float and double, without contraction.
 //
 // Rounding error: against the kernel's own formula in exact arithmetic at the same rounded input. Total error: against
-// the exact functions at that input scaled to length 1, which is what a caller sees. Both are the largest over all
-// test_directions() and all outputs; "eps" counts units of machine epsilon x sqrt((2l+1)/(4 pi)), the largest value
-// that a function of band l takes.
+// the exact functions at the point of the domain that the input stands for (a direction scaled to length 1), which is
+// what a caller sees. Both are the largest over all test inputs and all outputs; "eps" counts units of machine epsilon
+// x the size that the domain gives for the output.
 #pragma once
 
-#include "codegen/ir.hpp"
+#include "codegen/family.hpp"
 
 namespace sh::codegen {
 
@@ -16,13 +16,13 @@ struct Error {
 };
 
 struct MeasuredError {
-  int directions = 0;
+  int inputs = 0;
   Error rounding;
   Error total;
 };
 
-/// kernel: inputs are x, y, z, outputs are the basis functions in order, so that output i is of band floor(sqrt(i)).
+/// T: float or double.
 template <class T>
-MeasuredError measure_on_sphere(const Kernel& kernel);
+MeasuredError measure(const Kernel& kernel, const Domain& domain);
 
 }  // namespace sh::codegen

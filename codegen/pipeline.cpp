@@ -46,11 +46,9 @@ void require_cost(const Stage& before, const Stage& after) {
 }  // namespace
 
 const std::vector<Pass>& default_passes() {
-  static const std::vector<Pass> kPasses{{"share", passes::share},
-                                         {"factor", passes::factor},
-                                         {"prune", passes::prune},
-                                         {"associate", passes::associate},
-                                         {"schedule", passes::schedule}};
+  static const std::vector<Pass> kPasses{{"share", passes::share},         {"factor", passes::factor},
+                                         {"fold", passes::fold},           {"prune", passes::prune},
+                                         {"associate", passes::associate}, {"schedule", passes::schedule}};
   return kPasses;
 }
 

@@ -1,4 +1,4 @@
-// The whole way of a kernel: recipe -> share -> factor -> prune -> schedule, checked after every step.
+// The whole way of a kernel: recipe -> share -> factor -> fold -> prune -> associate -> schedule, checked after every step.
 //
 // After the recipe and after every pass the kernel is evaluated with 100 digits at random points of its domain and has
 // to agree with the exact functions to 90 digits; a pass that promises not to raise the cost is held to it.
@@ -8,18 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "codegen/ir.hpp"
+#include "codegen/family.hpp"
 
 namespace sh::codegen {
-
-/// Exact points of a kernel's domain with the exact outputs there.
-struct ReferencePoint {
-  std::vector<cln::cl_RA> inputs;  // flattened parameters
-  std::vector<cln::cl_F> outputs;  // flattened results, kCheckDigits digits
-};
-using Reference = std::vector<ReferencePoint>;
-
-inline constexpr int kCheckDigits = 100;
 
 struct Pass {
   std::string name;
@@ -32,7 +23,7 @@ struct Stage {
   Kernel kernel;
 };
 
-/// share, factor, prune, schedule.
+/// share, factor, fold, prune, associate, schedule.
 const std::vector<Pass>& default_passes();
 
 /// All stages, the recipe first; the last one is the result. Throws std::runtime_error naming the pass, the kernel and

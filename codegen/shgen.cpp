@@ -3,7 +3,7 @@
 //   shgen write [--out DIR]                          write generated/ (unchanged files are left alone)
 //   shgen check [--dir DIR]                          compare generated/ with what would be written
 //   shgen list                                       kernels with recipe, operations and measured error
-//   shgen emit FAMILY --degree N --lang cpp|glsl     print one kernel's file
+//   shgen emit FAMILY --degree N --lang cpp|glsl [--prefer speed|accuracy|size]   print one kernel's file
 //   shgen dump STAGE KERNEL                          print the SSA of a kernel after a stage: dump share basis_l4
 //   shgen prove [NAME...] [--degree L] [--json FILE] prove every identity of symbolic/, or those named
 //   shgen tex|markdown FAMILY --degree N [--convention C]  formulas of symbolic/, typeset
@@ -57,9 +57,9 @@ int list() {
   return kDone;
 }
 
-int emit(const std::string& family, int degree, const std::string& language) {
+int emit(const std::string& family, int degree, const std::string& language, const std::string& prefer) {
   const Language& target = find_language(language);
-  std::cout << target.print_kernel(finish_kernel(find_family(family), degree));
+  std::cout << target.print_kernel(preferred_kernel(find_family(family), degree, find_preference(prefer)));
   return kDone;
 }
 
@@ -70,7 +70,9 @@ std::vector<Stage> stages_of(const std::string& kernel) {
   if (digits.empty() || digits.size() > 3 || digits.find_first_not_of("0123456789") != std::string::npos) {
     throw std::invalid_argument("unknown kernel '" + kernel + "'; it should be FAMILY_lDEGREE such as basis_l4");
   }
-  return kernel_stages(find_family(kernel.substr(0, split)), std::stoi(digits));
+  const Family& family = find_family(kernel.substr(0, split));
+  const int degree = std::stoi(digits);
+  return kernel_stages(family, recipes_for(family, degree).at(0), degree);
 }
 
 int dump(const std::string& stage, const std::string& kernel) {
@@ -91,6 +93,7 @@ int run(int argc, char** argv) {
   std::string folder;
   std::string family;
   std::string language;
+  std::string prefer = "speed";
   std::string stage;
   std::string kernel;
   int degree = 0;
@@ -103,6 +106,7 @@ int run(int argc, char** argv) {
   emit_command->add_option("family", family, "Family, e.g. basis")->required();
   emit_command->add_option("--degree", degree, "Largest degree l")->required();
   emit_command->add_option("--lang", language, "Language: cpp or glsl")->required();
+  emit_command->add_option("--prefer", prefer, "What the recipe is chosen for: speed, accuracy or size");
   auto* dump_command = app.add_subcommand("dump", "Print the SSA of a kernel after a stage");
   dump_command->add_option("stage", stage, "recipe, share, factor, prune or schedule")->required();
   dump_command->add_option("kernel", kernel, "Kernel, e.g. basis_l4")->required();
@@ -145,7 +149,7 @@ int run(int argc, char** argv) {
   if (write_command->parsed()) return write(folder);
   if (check_command->parsed()) return check(folder);
   if (list_command->parsed()) return list();
-  if (emit_command->parsed()) return emit(family, degree, language);
+  if (emit_command->parsed()) return emit(family, degree, language, prefer);
   return dump(stage, kernel);
 }
 

@@ -34,7 +34,8 @@ Kernel associate(const Kernel& kernel) {
   const auto is_constant = [&at](NodeId id) { return at(id).op == Op::kConstant; };
   for (Node& outer : result.nodes) {
     if (outer.op != Op::kMul) continue;
-    const auto [left, right, unused] = outer.args;
+    const NodeId left = outer.args[0];
+    const NodeId right = outer.args[1];
     const NodeId k = is_constant(left) ? left : right;
     const NodeId vw = is_constant(left) ? right : left;
     if (!is_constant(k) || at(vw).op != Op::kMul || uses[static_cast<std::size_t>(vw)] > 1) continue;
@@ -42,9 +43,9 @@ Kernel associate(const Kernel& kernel) {
     const NodeId v = inner.args[0];
     const NodeId w = inner.args[1];
     if (is_constant(v) || is_constant(w)) continue;
-    inner.args = {k, v, unused};
+    inner.args = {k, v, -1, -1};
     inner.name.clear();
-    outer.args = {vw, w, unused};
+    outer.args = {vw, w, -1, -1};
   }
   return result;
 }

@@ -16,6 +16,7 @@ using Forms = std::vector<std::optional<Form>>;
 
 constexpr std::size_t kMostTerms = 2;
 constexpr std::size_t kMostFactors = 3;
+constexpr std::size_t kMostNodes = 1500;  // trying every product takes the cube of this
 
 bool accumulate(Form& sum, const Factors& factors, const ExactReal& coefficient) {
   const auto [position, inserted] = sum.try_emplace(factors, coefficient);
@@ -82,6 +83,10 @@ std::optional<Form> form_of(const Kernel& kernel, NodeId id, const Forms& forms)
     case Op::kFma:
       form = product_of(*arg(0), *arg(1));
       if (form) form = sum_of(*form, *arg(2), false);
+      break;
+    case Op::kDiv:
+    case Op::kSqrt:
+    case Op::kSelect:
       break;
   }
   return form && is_short(*form) ? form : std::nullopt;
@@ -203,6 +208,7 @@ std::optional<Kernel> with_better_product(const Kernel& kernel) {
 }  // namespace
 
 Kernel factor(const Kernel& kernel) {
+  if (kernel.nodes.size() > kMostNodes) return kernel;
   Kernel result = with_factored_sums(kernel);
   while (std::optional<Kernel> better = with_better_product(result)) result = std::move(*better);
   return result;

@@ -1,5 +1,7 @@
 #include "codegen/passes/schedule.hpp"
 
+#include <algorithm>
+
 #include "codegen/cost.hpp"
 
 namespace sh::codegen::passes {
@@ -38,12 +40,11 @@ class ListScheduler {
   // How many more values are live after computing the node than before.
   [[nodiscard]] int live_change(NodeId id) const {
     const Node& node = kernel_.node(id);
+    const auto end = node.args.begin() + argument_count(node.op);
     int change = uses_left_[index(id)] > 0 ? 1 : 0;
-    for (int i = 0; i < argument_count(node.op); ++i) {
-      const NodeId arg = node.args[static_cast<std::size_t>(i)];
-      const bool repeated = i == 1 && node.args[0] == arg;
-      const int uses_here = node.op != Op::kNeg && node.args[0] == node.args[1] ? 2 : 1;
-      if (!repeated && kernel_.node(arg).op != Op::kConstant && uses_left_[index(arg)] == uses_here) --change;
+    for (auto arg = node.args.begin(); arg != end; ++arg) {
+      if (std::find(node.args.begin(), arg, *arg) != arg || kernel_.node(*arg).op == Op::kConstant) continue;
+      if (uses_left_[index(*arg)] == std::count(arg, end, *arg)) --change;
     }
     return change;
   }

@@ -4,7 +4,7 @@
 
 #include "codegen/literal.hpp"
 #include "codegen/print/describe.hpp"
-#include "codegen/print/statements.hpp"
+#include "codegen/print/function.hpp"
 
 namespace sh::codegen::print {
 namespace {
@@ -41,92 +41,96 @@ constexpr T constant([[maybe_unused]] float in_float, [[maybe_unused]] double in
 #endif
 )";
 
+// Square roots and selections for scalars and for lane types (std::sqrt or a sqrt and select found by their type).
+constexpr const char* kMathTrait = R"(
+#ifndef SH_GENERATED_MATH
+#define SH_GENERATED_MATH
+namespace sh::detail {
+
+template <class T>
+T square_root(const T& x) noexcept {
+  using std::sqrt;
+  return sqrt(x);
+}
+
+// condition ? then : otherwise, lane by lane where T has lanes.
+template <class Condition, class T>
+constexpr T choose(const Condition& condition, const T& then, const T& otherwise) noexcept {
+  if constexpr (std::is_same<Condition, bool>::value) {
+    return condition ? then : otherwise;
+  } else {
+    return select(condition, then, otherwise);
+  }
+}
+
+}  // namespace sh::detail
+#endif
+)";
+
 std::string comment_block(const std::vector<std::string>& lines) {
   std::string text;
   for (const std::string& line : lines) text += line.empty() ? "//\n" : "// " + line + "\n";
   return text;
 }
 
-bool is_used(const Kernel& kernel, int input) {
-  for (const Node& node : kernel.nodes) {
-    if (node.op == Op::kInput && node.input == input) return true;
-  }
-  return false;
-}
-
-// "T x, T y, T z, T* out"; scalars that the kernel does not read stay unnamed.
-std::string signature(const Kernel& kernel) {
-  std::string text;
-  int flat = 0;
-  for (const Parameter& parameter : kernel.parameters) {
-    const bool scalar = parameter.shape.empty();
-    const std::string name = scalar && !is_used(kernel, flat) ? "/*" + parameter.name + "*/" : parameter.name;
-    text += (scalar ? "T " : "const T* ") + name + ", ";
-    flat += parameter.size();
-  }
-  for (const Parameter& result : kernel.results) text += "T* " + result.name + ", ";
-  text.resize(text.size() - 2);
-  return text;
-}
-
-std::string arguments(const Kernel& kernel) {
-  std::string text;
-  for (const Parameter& parameter : kernel.parameters) text += parameter.name + ", ";
-  for (const Parameter& result : kernel.results) text += result.name + ", ";
-  text.resize(text.size() - 2);
-  return text;
-}
-
-std::vector<std::string> result_names(const Kernel& kernel) {
-  std::vector<std::string> names;
-  for (const Parameter& result : kernel.results) names.push_back(result.name);
-  return names;
-}
-
-void print_body(std::ostream& text, const Listing& listing) {
-  std::vector<std::vector<std::string>> constants;
-  for (const NamedConstant& c : listing.constants) {
-    constants.push_back({"  const T " + c.name, " = detail::constant<T>(" + decimal(nearest<float>(c.value)) + "f, ",
-                         decimal(nearest<double>(c.value)) + ");", "  // " + to_string(c.value)});
-  }
-  for (const std::string& line : align_columns(constants)) text << line << '\n';
-  text << '\n';
-  for (const std::string& line : statement_lines(listing, "  ", "const T ")) text << line << '\n';
-}
-
 }  // namespace
 
+const Dialect& cpp_dialect() {
+  static const Dialect kDialect = [] {
+    Dialect d;
+    d.scalar = "T";
+    d.head = "template <class T>\nconstexpr ";
+    d.tail = " noexcept";
+    d.indent = "  ";
+    d.constant = "const T ";
+    d.variable = "const T ";
+    d.literal = [](const ExactReal& value) {
+      return "detail::constant<T>(" + decimal(nearest<float>(value)) + "f, " + decimal(nearest<double>(value)) + ")";
+    };
+    d.in_array = [](const std::string& name, int /*size*/) { return "const T* " + name; };
+    d.out_array = [](const std::string& name, int /*size*/) { return "T* " + name; };
+    d.in_out_array = d.out_array;
+    d.square_root = "detail::square_root";
+    d.select = [](const std::string& a, const std::string& b, const std::string& then, const std::string& otherwise) {
+      return "detail::choose(" + a + " < " + b + ", " + then + ", " + otherwise + ")";
+    };
+    d.unused = Unused::kUnnamed;
+    return d;
+  }();
+  return kDialect;
+}
+
 std::string cpp_kernel(const FinishedKernel& finished) {
-  const Kernel& kernel = finished.kernel;
-  std::ostringstream text;
-  text << comment_block(describe(finished, "cpp", kernel.results.front().name)) << "#pragma once\n\n"
-       << "#include <type_traits>\n\n"
-       << kConstantTrait << "\nnamespace sh {\n\n"
-       << "template <class T>\nconstexpr void " << kernel.name << '(' << signature(kernel) << ") noexcept {\n";
-  print_body(text, make_listing(kernel, result_names(kernel)));
-  text << "}\n\n}  // namespace sh\n";
-  return text.str();
+  const bool needs_math = finished.cost.sqrt + finished.cost.select > 0;
+  return comment_block(describe(finished, "cpp", cpp_dialect())) + "#pragma once\n\n" +
+         (needs_math ? "#include <cmath>\n" : "") + "#include <type_traits>\n\n" + kConstantTrait +
+         (needs_math ? kMathTrait : "") + "\nnamespace sh {\n\n" + function(finished.kernel, cpp_dialect()) +
+         "\n}  // namespace sh\n";
 }
 
 std::string cpp_family(const std::vector<FinishedKernel>& kernels) {
   const Kernel& last = kernels.back().kernel;
-  const std::string family = last.family;
-  const std::string limit = std::to_string(last.degree);
+  const Dialect& dialect = cpp_dialect();
+  const std::string& family = last.family;
+  const std::string first_degree = std::to_string(kernels.front().kernel.degree);
+  const std::string last_degree = std::to_string(last.degree);
   std::ostringstream text;
-  text << "// All generated " << family << " kernels, chosen by degree: sh::" << family << "<4>(" << arguments(last)
-       << ").\n"
+  text << "// All generated " << family << " kernels, chosen by degree: sh::" << family << "<" << last_degree << ">("
+       << arguments(last, dialect) << ").\n"
        << "//\n// Generated by: shgen write\n// Licence:      MIT-0; paste it anywhere.\n#pragma once\n\n";
   for (const FinishedKernel& finished : kernels) text << "#include \"" << finished.kernel.name << ".hpp\"\n";
   text << "\nnamespace sh {\n\n"
-       << "// Degree: 0 to " << limit << ". Domain: " << last.domain << ".\n"
-       << "// Output: " << last.results.front().name << " ((Degree+1)^2): " << last.result << ".\n"
-       << "template <int Degree, class T>\nconstexpr void " << family << '(' << signature(last) << ") noexcept {\n"
-       << "  static_assert(Degree >= 0 && Degree <= " << limit << ",\n"
-       << "                \"sh::" << family << "<Degree>: Degree has to be 0 to " << limit << "; `shgen emit "
-       << family << " --degree N` prints others\");\n";
+       << "// Degree: " << first_degree << " to " << last_degree << ". Domain: " << last.domain << ".\n"
+       << "// Output: " << last.result << ".\n"
+       << "template <int Degree, class T>\nconstexpr " << return_type(last, dialect) << ' ' << family << '('
+       << signature(last, dialect) << ") noexcept {\n"
+       << "  static_assert(Degree >= " << first_degree << " && Degree <= " << last_degree << ",\n"
+       << "                \"sh::" << family << "<Degree>: Degree has to be " << first_degree << " to " << last_degree
+       << "; `shgen emit " << family << " --degree N` prints others\");\n";
   for (const FinishedKernel& finished : kernels) {
     const Kernel& kernel = finished.kernel;
-    text << "  if constexpr (Degree == " << kernel.degree << ") " << kernel.name << '(' << arguments(kernel) << ");\n";
+    text << "  if constexpr (Degree == " << kernel.degree << ") " << (kernel.returns_scalar() ? "return " : "")
+         << kernel.name << '(' << arguments(kernel, dialect) << ");\n";
   }
   text << "}\n\n}  // namespace sh\n";
   return text.str();

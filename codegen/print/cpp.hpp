@@ -5,14 +5,18 @@
 #include <vector>
 
 #include "codegen/finished_kernel.hpp"
+#include "codegen/print/dialect.hpp"
 
 namespace sh::codegen::print {
+
+/// Functions are constexpr templates on the scalar T; arrays are pointers.
+const Dialect& cpp_dialect();
 
 /// One self-contained header with one kernel.
 std::string cpp_kernel(const FinishedKernel& finished);
 
 /// The header of a whole family: includes every kernel's header and chooses by degree, `sh::basis<4>(x, y, z, out)`.
-/// kernels: of one family, in order of degree from 0.
+/// kernels: of one family, in order of degree without a gap.
 std::string cpp_family(const std::vector<FinishedKernel>& kernels);
 
 }  // namespace sh::codegen::print

@@ -5,12 +5,12 @@
 #include <vector>
 
 #include "codegen/finished_kernel.hpp"
+#include "codegen/print/dialect.hpp"
 
 namespace sh::codegen::print {
 
-/// Lines without comment marks. language: as in `shgen emit --lang`; result: the name of the result array there.
-std::vector<std::string> describe(const FinishedKernel& finished, const std::string& language,
-                                  const std::string& result);
+/// Lines without comment marks. language: as in `shgen emit --lang`.
+std::vector<std::string> describe(const FinishedKernel& finished, const std::string& language, const Dialect& dialect);
 
 /// "1.2e-07": two significant digits.
 std::string two_digits(double value);

@@ -1,52 +1,47 @@
 #include "codegen/print/glsl.hpp"
 
-#include <sstream>
-
 #include "codegen/literal.hpp"
 #include "codegen/print/describe.hpp"
-#include "codegen/print/statements.hpp"
+#include "codegen/print/function.hpp"
 
 namespace sh::codegen::print {
 namespace {
 
-constexpr const char* kResult = "result";
-
-std::string array_suffix(const Parameter& parameter) {
-  return parameter.shape.empty() ? "" : "[" + std::to_string(parameter.size()) + "]";
-}
-
-// "float x, float y, float z, out float result[25]"
-std::string signature(const Kernel& kernel) {
-  std::string text;
-  for (const Parameter& parameter : kernel.parameters)
-    text += "float " + parameter.name + array_suffix(parameter) + ", ";
-  return text + "out float " + kResult + array_suffix(kernel.results.front());
-}
-
-void print_body(std::ostream& text, const Listing& listing) {
-  std::vector<std::vector<std::string>> constants;
-  for (const NamedConstant& c : listing.constants) {
-    constants.push_back(
-        {"    const float " + c.name, " = " + decimal(nearest<float>(c.value)) + ";", "  // " + to_string(c.value)});
-  }
-  for (const std::string& line : align_columns(constants)) text << line << '\n';
-  text << '\n';
-  for (const std::string& line : statement_lines(listing, "    ", "float ")) text << line << '\n';
+std::string sized(const std::string& qualifier, const std::string& name, int size) {
+  return qualifier + "float " + name + "[" + std::to_string(size) + "]";
 }
 
 }  // namespace
 
+const Dialect& glsl_dialect() {
+  static const Dialect kDialect = [] {
+    Dialect d;
+    d.scalar = "float";
+    d.indent = "    ";
+    d.constant = "const float ";
+    d.variable = "float ";
+    d.literal = [](const ExactReal& value) { return decimal(nearest<float>(value)); };
+    d.in_array = [](const std::string& name, int size) { return sized("", name, size); };
+    d.out_array = [](const std::string& name, int size) { return sized("out ", name, size); };
+    d.in_out_array = [](const std::string& name, int size) { return sized("inout ", name, size); };
+    d.square_root = "sqrt";
+    d.select = [](const std::string& a, const std::string& b, const std::string& then, const std::string& otherwise) {
+      return "(" + a + " < " + b + " ? " + then + " : " + otherwise + ")";
+    };
+    d.renamed = {{"out", "result"}};
+    return d;
+  }();
+  return kDialect;
+}
+
 std::string glsl_kernel(const FinishedKernel& finished) {
-  const Kernel& kernel = finished.kernel;
-  std::ostringstream text;
-  for (const std::string& line : describe(finished, "glsl", kResult))
-    text << (line.empty() ? "//" : "// " + line) << '\n';
-  text << "// GLSL 4.50 and GLSL ES 3.00; put it below your #version line.\n"
-       << "#ifdef GL_ES\nprecision highp float;\n#endif\n\n"
-       << "void " << kernel.name << '(' << signature(kernel) << ") {\n";
-  print_body(text, make_listing(kernel, {kResult}));
-  text << "}\n";
-  return text.str();
+  std::string text;
+  for (const std::string& line : describe(finished, "glsl", glsl_dialect()))
+    text += (line.empty() ? "//" : "// " + line) + "\n";
+  return text +
+         "// GLSL 4.50 and GLSL ES 3.00; put it below your #version line.\n"
+         "#ifdef GL_ES\nprecision highp float;\n#endif\n\n" +
+         function(finished.kernel, glsl_dialect());
 }
 
 }  // namespace sh::codegen::print

@@ -4,10 +4,14 @@
 #include <string>
 
 #include "codegen/finished_kernel.hpp"
+#include "codegen/print/dialect.hpp"
 
 namespace sh::codegen::print {
 
-/// One function on float, without a #version line. The result array is called `result`.
+/// `out` is a word of the language: that array is called `result`.
+const Dialect& glsl_dialect();
+
+/// One function on float, without a #version line.
 std::string glsl_kernel(const FinishedKernel& finished);
 
 }  // namespace sh::codegen::print

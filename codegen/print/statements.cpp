@@ -1,6 +1,7 @@
 #include "codegen/print/statements.hpp"
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <stdexcept>
 
@@ -21,42 +22,67 @@ std::string infix(const Expression& left, const char* sign, const Expression& ri
   return bracketed(left, left.precedence < precedence) + sign + bracketed(right, right.precedence <= precedence);
 }
 
-// Names of the elements of flattened arrays: "x" for a scalar, "r[3]" for an element.
-std::vector<std::string> element_names(const std::vector<Parameter>& arrays, const std::vector<std::string>& names) {
-  std::vector<std::string> elements;
-  for (std::size_t a = 0; a < arrays.size(); ++a) {
-    for (int i = 0; i < arrays[a].size(); ++i) {
-      elements.push_back(arrays[a].shape.empty() ? names[a] : names[a] + "[" + std::to_string(i) + "]");
+// An element of a flattened array: "x" for a scalar, "r[3]" for an element.
+struct Element {
+  std::string name;
+  std::string local;  // the variable it is copied to where it has to be
+  int index = 0;      // within its array
+  bool may_be_overwritten = false;
+};
+
+std::vector<Element> elements_of(const std::vector<Parameter>& arrays, const Dialect& dialect) {
+  std::vector<Element> elements;
+  for (const Parameter& array : arrays) {
+    const std::string name = dialect.name(array.name);
+    for (int i = 0; i < array.size(); ++i) {
+      const bool scalar = array.shape.empty();
+      elements.push_back({scalar ? name : name + "[" + std::to_string(i) + "]", name + std::to_string(i), i, false});
     }
   }
   return elements;
 }
 
-std::vector<std::string> parameter_names(const Kernel& kernel) {
-  std::vector<std::string> names;
-  for (const Parameter& parameter : kernel.parameters) names.push_back(parameter.name);
-  return names;
+// An array parameter may be the result array itself when both have the same shape.
+void mark_overwritten(std::vector<Element>& inputs, const Kernel& kernel) {
+  std::size_t first = 0;
+  for (const Parameter& parameter : kernel.parameters) {
+    const auto size = static_cast<std::size_t>(parameter.size());
+    const bool overwritten = !parameter.shape.empty() &&
+                             std::any_of(kernel.results.begin(), kernel.results.end(),
+                                         [&](const Parameter& result) { return result.shape == parameter.shape; });
+    for (std::size_t i = first; i < first + size; ++i) inputs[i].may_be_overwritten = overwritten;
+    first += size;
+  }
 }
 
 class Lister {
  public:
-  Lister(const Kernel& kernel, const std::vector<std::string>& result_names)
+  Lister(const Kernel& kernel, const Dialect& dialect)
       : kernel_(kernel),
+        dialect_(dialect),
+        live_(live_nodes(kernel)),
         uses_(kernel.nodes.size(), 0),
         expressions_(kernel.nodes.size()),
-        inputs_(element_names(kernel.parameters, parameter_names(kernel))),
-        results_(element_names(kernel.results, result_names)),
-        taken_(result_names.begin(), result_names.end()) {
-    for (const Parameter& parameter : kernel.parameters) taken_.insert(parameter.name);
-    for (const Node& node : kernel.nodes) {
+        inputs_(elements_of(kernel.parameters, dialect)),
+        results_(elements_of(kernel.results, dialect)),
+        stores_(kernel.nodes.size()) {
+    mark_overwritten(inputs_, kernel);
+    for (const auto& names : {&kernel.parameters, &kernel.results}) {
+      for (const Parameter& parameter : *names) taken_.insert(dialect.name(parameter.name));
+    }
+    for (std::size_t i = 0; i < kernel.outputs.size(); ++i) stores_[index(kernel.outputs[i].node)].push_back(i);
+    for (NodeId id = 0; id < kernel.size(); ++id) {
+      if (!live_[index(id)]) continue;
+      const Node& node = kernel.node(id);
       for (int i = 0; i < argument_count(node.op); ++i) ++uses_[index(node.args[index(i)])];
+      if (node.op == Op::kInput && inputs_[index(node.input)].may_be_overwritten)
+        overwritable_[inputs_[index(node.input)].index].push_back(id);
     }
   }
 
   Listing list() {
-    const std::vector<bool> live = live_nodes(kernel_);
     for (NodeId id = 0; id < kernel_.size(); ++id) {
-      if (live[index(id)]) visit(id);
+      if (live_[index(id)]) visit(id);
     }
     return std::move(listing_);
   }
@@ -66,28 +92,47 @@ class Lister {
 
   void visit(NodeId id) {
     const Node& node = kernel_.node(id);
-    std::vector<std::size_t> stores;
-    for (std::size_t i = 0; i < kernel_.outputs.size(); ++i) {
-      if (kernel_.outputs[i].node == id) stores.push_back(i);
+    const std::vector<std::size_t>& stores = stores_[index(id)];
+    if (node.op == Op::kInput) {
+      if (!stores.empty()) load(id);
+    } else {
+      expressions_[index(id)] = express(node);
+      if (argument_count(node.op) > 0 && uses_[index(id)] + static_cast<int>(stores.size()) > 1) {
+        const std::string name = unique_name(node);
+        listing_.statements.push_back({Statement::Kind::kVariable, name, expressions_[index(id)].text, ""});
+        expressions_[index(id)] = {name, kAtom};
+      }
     }
+    for (const std::size_t i : stores) store(i, expressions_[index(id)]);
+  }
+
+  void store(std::size_t output, const Expression& expression) {
+    const std::string& label = kernel_.outputs[output].label;
+    if (kernel_.returns_scalar()) {
+      listing_.statements.push_back({Statement::Kind::kReturn, "", expression.text, label});
+      return;
+    }
+    for (const NodeId input : overwritable_[results_[output].index]) load(input);
+    listing_.statements.push_back({Statement::Kind::kStore, results_[output].name, expression.text, label});
+  }
+
+  // The element under its name, or as a variable when a store might change it.
+  void load(NodeId id) {
     Expression& expression = expressions_[index(id)];
-    expression = express(node);
-    const bool computed = argument_count(node.op) > 0;
-    if (computed && (uses_[index(id)] + static_cast<int>(stores.size()) > 1)) {
-      const std::string name = unique_name(node);
-      listing_.statements.push_back({name, false, expression.text, ""});
-      expression = {name, kAtom};
-    }
-    for (const std::size_t i : stores) {
-      listing_.statements.push_back({results_[i], true, expression.text, kernel_.outputs[i].label});
-    }
+    if (!expression.text.empty()) return;
+    const Element& element = inputs_[index(kernel_.node(id).input)];
+    expression = {element.name, kAtom};
+    if (!element.may_be_overwritten) return;
+    expression.text = unused_name(element.local);
+    listing_.statements.push_back({Statement::Kind::kVariable, expression.text, element.name, ""});
   }
 
   Expression express(const Node& node) {
+    for (int i = 0; i < argument_count(node.op); ++i) {
+      if (kernel_.node(node.args[index(i)]).op == Op::kInput) load(node.args[index(i)]);
+    }
     const auto arg = [&](int i) -> const Expression& { return expressions_[index(node.args[index(i)])]; };
     switch (node.op) {
-      case Op::kInput:
-        return {inputs_[index(node.input)], kAtom};
       case Op::kConstant:
         listing_.constants.push_back({unique_name(node), node.constant});
         return {listing_.constants.back().name, kAtom};
@@ -99,11 +144,18 @@ class Lister {
         return {infix(arg(0), " - ", arg(1), kSum), kSum};
       case Op::kMul:
         return {infix(arg(0), " * ", arg(1), kProduct), kProduct};
+      case Op::kDiv:
+        return {infix(arg(0), " / ", arg(1), kProduct), kProduct};
+      case Op::kSqrt:
+        return {dialect_.square_root + "(" + arg(0).text + ")", kAtom};
+      case Op::kSelect:
+        return {dialect_.select(arg(0).text, arg(1).text, arg(2).text, arg(3).text), kAtom};
+      case Op::kInput:
       case Op::kFma:
         break;
     }
     throw std::invalid_argument(kernel_.name + ": cannot print " + op_name(node.op) +
-                                "; only + - * and unary - are printed");
+                                "; only + - * / unary - sqrt and select are printed");
   }
 
   // The node's hint, or "xy" for x * y, or a numbered name; never one that is taken.
@@ -114,33 +166,52 @@ class Lister {
       const std::string& right = expressions_[index(node.args[1])].text;
       if (left.size() == 1 && right.size() == 1) name = left == right ? left + "2" : left + right;
     }
-    if (name.empty()) name = node.op == Op::kConstant ? "k" : "t";
+    return unused_name(name.empty() ? (node.op == Op::kConstant ? "k" : "t") : name);
+  }
+
+  std::string unused_name(const std::string& name) {
     std::string candidate = name;
-    for (int i = 2; !taken_.insert(candidate).second; ++i) candidate = name + "_" + std::to_string(i);
+    for (int& i = copies_[name]; !taken_.insert(candidate).second; ++i) {
+      candidate = name + "_" + std::to_string(i + 2);
+    }
     return candidate;
   }
 
   const Kernel& kernel_;
+  const Dialect& dialect_;
+  std::vector<bool> live_;
   std::vector<int> uses_;
   std::vector<Expression> expressions_;
-  std::vector<std::string> inputs_;
-  std::vector<std::string> results_;
+  std::vector<Element> inputs_;
+  std::vector<Element> results_;
+  std::vector<std::vector<std::size_t>> stores_;     // outputs, by node
+  std::map<int, std::vector<NodeId>> overwritable_;  // input nodes that a store may change, by index in their array
   std::set<std::string> taken_;
+  std::map<std::string, int> copies_;
   Listing listing_;
 };
 
-}  // namespace
-
-Listing make_listing(const Kernel& kernel, const std::vector<std::string>& result_names) {
-  return Lister(kernel, result_names).list();
+std::string line_of(const Statement& statement, const Dialect& dialect) {
+  switch (statement.kind) {
+    case Statement::Kind::kVariable:
+      return dialect.variable + statement.target + " = " + statement.expression + ";";
+    case Statement::Kind::kStore:
+      return statement.target + " = " + statement.expression + ";";
+    case Statement::Kind::kReturn:
+      return "return " + statement.expression + ";";
+  }
+  throw std::logic_error("statement: unknown kind");
 }
 
-std::vector<std::string> statement_lines(const Listing& listing, const std::string& indent,
-                                         const std::string& declaration) {
+}  // namespace
+
+Listing make_listing(const Kernel& kernel, const Dialect& dialect) { return Lister(kernel, dialect).list(); }
+
+std::vector<std::string> statement_lines(const Listing& listing, const Dialect& dialect) {
   std::vector<std::string> lines;
   std::size_t width = 0;
   for (const Statement& s : listing.statements) {
-    lines.push_back(indent + (s.is_store ? "" : declaration) + s.target + " = " + s.expression + ";");
+    lines.push_back(dialect.indent + line_of(s, dialect));
     if (!s.comment.empty()) width = std::max(width, lines.back().size());
   }
   for (std::size_t i = 0; i < lines.size(); ++i) {

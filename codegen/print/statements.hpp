@@ -2,12 +2,15 @@
 //
 // A value used once is written into the expression that uses it (with brackets wherever the order of operations would
 // change otherwise); a value used more often becomes a variable under its hint, or a name made from its operands.
+// An array parameter that has the shape of a result may be the same array: its elements become variables before the
+// element of the same index is stored.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "codegen/ir.hpp"
+#include "codegen/print/dialect.hpp"
 
 namespace sh::codegen::print {
 
@@ -17,8 +20,9 @@ struct NamedConstant {
 };
 
 struct Statement {
-  std::string target;  ///< a new variable, or an element of a result such as "out[4]"
-  bool is_store = false;
+  enum class Kind { kVariable, kStore, kReturn };
+  Kind kind = Kind::kVariable;
+  std::string target;  ///< a new variable, or an element of a result such as "out[4]"; empty for a return
   std::string expression;
   std::string comment;  ///< stores: which value this is
 };
@@ -28,13 +32,12 @@ struct Listing {
   std::vector<Statement> statements;
 };
 
-/// result_names: one name per result array, in order. Throws std::invalid_argument for operations without an infix form
-/// (fma: whether a * b + c contracts is left to the compiler).
-Listing make_listing(const Kernel& kernel, const std::vector<std::string>& result_names);
+/// Throws std::invalid_argument for operations without an infix form (fma: whether a * b + c contracts is left to the
+/// compiler).
+Listing make_listing(const Kernel& kernel, const Dialect& dialect);
 
-/// The statements as lines: `declaration` ("const T ") before every new variable, comments in one column.
-std::vector<std::string> statement_lines(const Listing& listing, const std::string& indent,
-                                         const std::string& declaration);
+/// The statements as lines, indented, comments in one column.
+std::vector<std::string> statement_lines(const Listing& listing, const Dialect& dialect);
 
 /// Pads every row's cells so that columns line up; the last cell of a row is never padded.
 std::vector<std::string> align_columns(const std::vector<std::vector<std::string>>& rows);

@@ -64,10 +64,6 @@ std::pair<NodeId, NodeId> next_azimuthal(Builder& build, const Direction& d, Nod
 }
 
 void describe(Kernel& kernel, int degree) {
-  kernel.name = "basis_l" + std::to_string(degree);
-  kernel.family = "basis";
-  kernel.degree = degree;
-  kernel.recipe = "recurrence";
   kernel.citation =
       "P.-P. Sloan, \"Efficient Spherical Harmonic Evaluation\", JCGT 2(2), 2013; constants derived exactly";
   kernel.title = degree == 0

@@ -53,12 +53,12 @@ namespace sh {
 
 template <class T>
 constexpr void basis_l2(T x, T y, T z, T* out) noexcept {
-  const T k_0_0 = detail::constant<T>(0.2820948f,  0.28209479177387814);  // 1/2 sqrt(1/pi)
-  const T k_1_0 = detail::constant<T>(0.48860252f, 0.4886025119029199);   // 1/2 sqrt(3/pi)
-  const T a_2_0 = detail::constant<T>(0.9461747f,  0.94617469575756);     // 3/4 sqrt(5/pi)
-  const T b_2_0 = detail::constant<T>(0.31539157f, 0.31539156525252);     // 1/4 sqrt(5/pi)
-  const T k_2_1 = detail::constant<T>(1.0925485f,  1.0925484305920792);   // 1/2 sqrt(15/pi)
-  const T k_2_2 = detail::constant<T>(0.54627424f, 0.5462742152960396);   // 1/4 sqrt(15/pi)
+  const T k_0_0 = detail::constant<T>(0.2820948f, 0.28209479177387814);  // 1/2 sqrt(1/pi)
+  const T k_1_0 = detail::constant<T>(0.48860252f, 0.4886025119029199);  // 1/2 sqrt(3/pi)
+  const T b_2_0 = detail::constant<T>(0.31539157f, 0.31539156525252);    // 1/4 sqrt(5/pi)
+  const T a_2_0 = detail::constant<T>(0.9461747f, 0.94617469575756);     // 3/4 sqrt(5/pi)
+  const T k_2_1 = detail::constant<T>(1.0925485f, 1.0925484305920792);   // 1/2 sqrt(15/pi)
+  const T k_2_2 = detail::constant<T>(0.54627424f, 0.5462742152960396);  // 1/4 sqrt(15/pi)
 
   out[0] = k_0_0;                    // l=0 m=0
   out[2] = k_1_0 * z;                // l=1 m=0

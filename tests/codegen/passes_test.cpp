@@ -1,7 +1,10 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "codegen/cost.hpp"
 #include "codegen/evaluate.hpp"
+#include "codegen/literal.hpp"
 #include "codegen/passes/associate.hpp"
 #include "codegen/passes/factor.hpp"
 #include "codegen/passes/prune.hpp"
@@ -195,9 +198,48 @@ TEST(Evaluate, FusedMultiplyAddRoundsOnce) {
   EXPECT_EQ(Evaluator<float>(kernel)(point)[0], -e * e);
 }
 
+TEST(Fold, ResolvesZeroOneAndSigns) {
+  Kernel kernel = empty_kernel();
+  Builder build(kernel);
+  const NodeId zero = build.constant(Surd(0));
+  const NodeId one = build.constant(Surd(1));
+  const NodeId minus_one = build.neg(one);
+  const NodeId dropped = build.mul(zero, build.add(kX, kY));
+  add_output(kernel, build.add(dropped, build.mul(one, kZ)));           // z
+  add_output(kernel, build.sub(kX, build.mul(minus_one, kY)));          // x + y
+  add_output(kernel, build.sub(dropped, build.neg(kX)));                // x
+  add_output(kernel, build.sub(build.mul(kX, kY), build.mul(kY, kX)));  // 0
+  const Kernel shared = passes::fold(kernel);
+  EXPECT_EQ(cost(shared).operations(), 1) << print::dump(shared);
+  EXPECT_EQ(values(shared), values(kernel));
+}
+
+TEST(Evaluate, DividesTakesRootsAndSelects) {
+  Kernel kernel = empty_kernel();
+  Builder build(kernel);
+  add_output(kernel, build.div(kX, kZ));
+  add_output(kernel, build.sqrt(kZ));
+  add_output(kernel, build.select(kY, kX, kZ, kX));
+  add_output(kernel, build.select(kX, kX, kZ, kY));
+  EXPECT_EQ(values(kernel), (std::vector<double>{0.125, std::sqrt(2.5), 2.5, -1.75}));
+  EXPECT_EQ(cost(kernel).operations(), 4);
+}
+
+TEST(ExactReal, ComputedConstantsAreEqualByDefinitionAndNeverRounded) {
+  const Computed third("root of 3x - 1",
+                       [](int digits) { return cln::cl_float(cln::cl_RA(1) / 3, cln::float_format(digits + 3)); });
+  const ExactReal value = third;
+  EXPECT_EQ(value, ExactReal(third));
+  EXPECT_EQ(negate(negate(value)), value);
+  EXPECT_TRUE(is_negative(negate(value)));
+  EXPECT_EQ(multiply(value, ExactReal(Surd(3))), std::nullopt);
+  EXPECT_EQ(add(value, ExactReal(Surd(0))), value);
+  EXPECT_EQ(nearest<float>(value), 1.0F / 3);
+}
+
 TEST(Ir, RefusesKernelsThatReferForward) {
   Kernel kernel = empty_kernel();
-  Builder(kernel).append({Op::kAdd, {0, 5, -1}, -1, {}, ""});
+  Builder(kernel).append({Op::kAdd, {0, 5, -1, -1}, -1, {}, ""});
   EXPECT_THROW(require_well_formed(kernel), std::logic_error);
   Kernel without_node = empty_kernel();
   add_output(without_node, 7);

@@ -129,7 +129,7 @@ TEST(Shgen, BadArgumentsAreOneLineAndExitTwo) {
       {"emit basis --degree 99999999999 --lang cpp", "99999999999"},
       {"emit nothing --degree 1 --lang cpp", "unknown family 'nothing'; it should be one of: basis"},
       {"emit basis --degree 1 --lang cobol", "unknown language 'cobol'; it should be one of: cpp, glsl"},
-      {"dump nothing basis_l4", "it should be one of: recipe, share, factor, prune, associate, schedule"},
+      {"dump nothing basis_l4", "it should be one of: recipe, share, factor, fold, prune, associate, schedule"},
       {"dump share basis", "unknown kernel 'basis'"},
       {"dump share basis_l99", "degree 99"},
       {"dump share basis_lx", "unknown kernel 'basis_lx'"},

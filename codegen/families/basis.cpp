@@ -1,0 +1,39 @@
+#include "codegen/recipes/basis.hpp"
+
+#include "codegen/directions.hpp"
+#include "codegen/domains.hpp"
+#include "codegen/families/families.hpp"
+#include "symbolic/basis.hpp"
+
+namespace sh::codegen {
+namespace {
+
+Reference reference(int degree, int count) {
+  Reference reference;
+  for (const auto& d : rational_directions(count)) reference.push_back({{d[0], d[1], d[2]}, {}});
+  for (int l = 0; l <= degree; ++l) {
+    for (int m = -l; m <= l; ++m) {
+      const symbolic::BasisFunction f = symbolic::basis_function(l, m);
+      for (ReferencePoint& point : reference) {
+        // One exact rational factor and one irrational one, so the product is as precise as the latter.
+        const symbolic::Surd value = symbolic::Surd(f.homogeneous.evaluate(point.inputs)) * f.factor;
+        point.outputs.push_back(value.evaluate(kCheckDigits));
+      }
+    }
+  }
+  return reference;
+}
+
+}  // namespace
+
+Family basis_family() {
+  return {"basis",
+          10,
+          20,
+          "beyond which straight-line code is too long to be useful",
+          {{"recurrence", recipes::basis_recurrence}},
+          reference,
+          direction_domain()};
+}
+
+}  // namespace sh::codegen

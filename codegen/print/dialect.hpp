@@ -1,0 +1,42 @@
+// What differs between the C-like languages that kernels are printed in; codegen/print/function.hpp uses it.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "codegen/exact_real.hpp"
+
+namespace sh::codegen::print {
+
+enum class Unused {
+  kUnnamed,    ///< a parameter that is not read stays unnamed: "T /*x*/"
+  kNamed,      ///< it keeps its name
+  kDiscarded,  ///< it keeps its name and is discarded at the top: "(void)x;"
+};
+
+struct Dialect {
+  std::string scalar;    ///< the scalar type: "T", "float"
+  std::string head;      ///< before the type that a function returns: "constexpr "
+  std::string tail;      ///< between its parameters and its body: " noexcept"
+  std::string indent;    ///< of its body
+  std::string constant;  ///< before a named constant: "const float "
+  std::string variable;  ///< before a new variable: "const float "
+  std::string (*literal)(const ExactReal& value) = nullptr;
+  /// Parameters that are arrays: "const float c[25]".
+  std::string (*in_array)(const std::string& name, int size) = nullptr;
+  std::string (*out_array)(const std::string& name, int size) = nullptr;
+  std::string (*in_out_array)(const std::string& name, int size) = nullptr;
+  std::string square_root;  ///< the function: "sqrt"
+  /// a < b ? then : otherwise
+  std::string (*select)(const std::string& a, const std::string& b, const std::string& then,
+                        const std::string& otherwise) = nullptr;
+  std::map<std::string, std::string> renamed;  ///< names that the language keeps for itself: {"out", "result"}
+  Unused unused = Unused::kNamed;
+
+  [[nodiscard]] std::string name(const std::string& wanted) const {
+    const auto found = renamed.find(wanted);
+    return found == renamed.end() ? wanted : found->second;
+  }
+};
+
+}  // namespace sh::codegen::print
