@@ -1,0 +1,7 @@
+#include "symbolic/errata/parts.hpp"
+
+namespace sh::symbolic::errata {
+
+std::vector<Entry> green_products() { return {}; }
+
+}  // namespace sh::symbolic::errata
