@@ -20,8 +20,8 @@ std::vector<Entry> green() {
 }
 
 std::vector<Entry> gpfault() {
-  return joined(
-      {gpfault_foundations(), gpfault_basis(), gpfault_real_basis(), gpfault_projection(), gpfault_irradiance()});
+  return joined({gpfault_foundations(), gpfault_basis(), gpfault_real_basis(), gpfault_projection(),
+                 gpfault_evaluation(), gpfault_irradiance()});
 }
 
 std::vector<Entry> sloan() { return joined({sloan_basis(), sloan_transfer()}); }

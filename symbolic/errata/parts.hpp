@@ -23,7 +23,8 @@ std::vector<Entry> green_appendix();      ///< G-95 to G-98
 std::vector<Entry> gpfault_foundations();  ///< GP-01 to GP-14
 std::vector<Entry> gpfault_basis();        ///< GP-15 to GP-24
 std::vector<Entry> gpfault_real_basis();   ///< GP-25 to GP-31
-std::vector<Entry> gpfault_projection();   ///< GP-32 to GP-43
+std::vector<Entry> gpfault_projection();   ///< GP-32 to GP-39
+std::vector<Entry> gpfault_evaluation();   ///< GP-40 to GP-43
 std::vector<Entry> gpfault_irradiance();   ///< GP-44 to GP-54
 
 std::vector<Entry> sloan_basis();     ///< S-01 to S-18

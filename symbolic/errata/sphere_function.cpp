@@ -165,6 +165,18 @@ RadicalSum zone_integral(const SphereFunction& f, const cln::cl_RA& lower, const
   return sum;
 }
 
+SphereFunction convolved(const SphereFunction& f, const SphereFunction& h) {
+  const auto v = [](int i) { return Polynomial::variable(i); };
+  const std::array<Polynomial, 3> w{v(3), v(4), v(5)};
+  const std::array<Polynomial, 3> cosine{Polynomial(), Polynomial(), v(0) * v(3) + v(1) * v(4) + v(2) * v(5)};
+  return integral_over_sphere(f.substituted(w) * h.substituted(cosine), 3);
+}
+
+SphereFunction zonal_harmonic(int degree) {
+  const BasisFunction y = reduced_basis_function(degree, 0);
+  return SphereFunction(y.factor, y.axial);
+}
+
 std::vector<RadicalSum> projection(const SphereFunction& f, int degree) {
   std::vector<RadicalSum> coefficients;
   for (const SphereFunction& y : spherical_harmonics(degree)) coefficients.push_back(sphere_integral(f * y));

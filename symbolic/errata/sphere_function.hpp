@@ -62,6 +62,11 @@ RadicalSum sphere_integral(const SphereFunction& f);
 /// The integral over the part lower < z < upper of the sphere.
 RadicalSum zone_integral(const SphereFunction& f, const cln::cl_RA& lower, const cln::cl_RA& upper);
 
+/// (f * h)(t) = integral f(w) h(w.t) dw; h holds z alone, which stands for w.t.
+SphereFunction convolved(const SphereFunction& f, const SphereFunction& h);
+/// Y_l0 as a polynomial in z alone.
+SphereFunction zonal_harmonic(int degree);
+
 /// Coefficients (integral of f Y_i) of degree 0..degree, and the sum of coefficients times Y_i.
 std::vector<RadicalSum> projection(const SphereFunction& f, int degree);
 SphereFunction expansion(const std::vector<RadicalSum>& coefficients);
