@@ -2,11 +2,14 @@
 
 #include <cln/real.h>
 
+#include <algorithm>
 #include <array>
+#include <map>
 #include <stdexcept>
 
 #include "symbolic/green_circular_light.hpp"
 #include "symbolic/polynomial_calculus.hpp"
+#include "symbolic/rotation_input.hpp"
 #include "symbolic/substitute.hpp"
 
 namespace sh::symbolic::errata {
@@ -19,6 +22,16 @@ cln::cl_I double_factorial(int n) {
   cln::cl_I product = 1;
   for (int k = n; k > 1; k -= 2) product = product * k;
   return product;
+}
+
+// Re and Im of (cos phi + i sin phi)^m
+CosSin<Polynomial> multiple_angle(int m) {
+  const Angles a;
+  CosSin<Polynomial> power{Polynomial(1), Polynomial()};
+  for (int k = 0; k < m; ++k) {
+    power = {power.cosine * a.cos_phi - power.sine * a.sin_phi, power.sine * a.cos_phi + power.cosine * a.sin_phi};
+  }
+  return power;
 }
 
 // Every even power of `sine` becomes a power of 1 - cosine^2.
@@ -51,6 +64,14 @@ bool same_function(const Surd& f, const Polynomial& p, const Surd& g, const Poly
   return quotient.radicand() == 1 && quotient.pi_half_power() == 0 && quotient.rational() * p == q;
 }
 
+bool vanishes(const std::vector<SurdTerm>& terms) {
+  std::map<RadicalSum::Radical, Polynomial> sums;
+  for (const SurdTerm& term : terms) {
+    sums[{term.factor.radicand(), term.factor.pi_half_power()}] += term.factor.rational() * term.polynomial;
+  }
+  return std::all_of(sums.begin(), sums.end(), [](const auto& sum) { return sum.second.is_zero(); });
+}
+
 Polynomial reduce_angles(const Polynomial& p) { return reduce_pair(reduce_pair(p, 0, 1), 2, 3); }
 
 Polynomial in_angles(const Polynomial& p) {
@@ -58,6 +79,10 @@ Polynomial in_angles(const Polynomial& p) {
   const std::array<Polynomial, 3> direction{a.sin_theta * a.cos_phi, a.sin_theta * a.sin_phi, a.cos_theta};
   return reduce_angles(substitute(p, direction));
 }
+
+Polynomial cosine_of_multiple(int m) { return multiple_angle(m).cosine; }
+
+Polynomial sine_of_multiple(int m) { return multiple_angle(m).sine; }
 
 Polynomial circle_mean(const Polynomial& p) {
   Polynomial result;
@@ -69,6 +94,17 @@ Polynomial circle_mean(const Polynomial& p) {
     result.add_term({0, 0, monomial.exponent(2), monomial.exponent(3)}, mean * coefficient);
   }
   return result;
+}
+
+bool orthogonal_over_circle(const std::vector<SurdTerm>& functions) {
+  for (std::size_t i = 0; i < functions.size(); ++i) {
+    for (std::size_t j = 0; j <= i; ++j) {
+      const cln::cl_RA mean = circle_mean(functions[i].polynomial * functions[j].polynomial).coefficient({});
+      const Surd product = functions[i].factor * functions[j].factor * Surd(mean);
+      if (!(product == Surd(cln::cl_RA(i == j ? 1 : 0)))) return false;
+    }
+  }
+  return true;
 }
 
 cln::cl_RA angle_mean(const Polynomial& p) {

@@ -5,6 +5,7 @@
 #include <cln/rational.h>
 
 #include <string>
+#include <vector>
 
 #include "symbolic/basis.hpp"
 #include "symbolic/polynomial.hpp"
@@ -29,6 +30,15 @@ bool rounds_to(const Surd& value, const std::string& decimal);
 /// Whether f * p and g * q are the same function, where p and q are in a normal form.
 bool same_function(const Surd& f, const Polynomial& p, const Surd& g, const Polynomial& q);
 
+/// One term of a sum: factor * polynomial.
+struct SurdTerm {
+  Surd factor;
+  Polynomial polynomial;
+};
+
+/// Whether the terms add up to zero, as polynomials.
+bool vanishes(const std::vector<SurdTerm>& terms);
+
 /// Polynomials in the angles of a direction: variables 0..3 are cos phi, sin phi, cos theta, sin theta.
 struct Angles {
   Polynomial cos_phi = Polynomial::variable(0);
@@ -43,8 +53,15 @@ Polynomial reduce_angles(const Polynomial& p);
 /// A polynomial in x, y, z at (sin theta cos phi, sin theta sin phi, cos theta), reduced.
 Polynomial in_angles(const Polynomial& p);
 
+/// cos m phi and sin m phi for m >= 0, as polynomials in cos phi and sin phi.
+Polynomial cosine_of_multiple(int m);
+Polynomial sine_of_multiple(int m);
+
 /// The mean of a polynomial in c, s = cos, sin phi (variables 0, 1) over the circle; other variables are kept.
 Polynomial circle_mean(const Polynomial& p);
+
+/// Whether INT_0^2pi f_m f_n dphi = 2 pi delta_mn for all pairs, f = factor * polynomial in cos phi, sin phi.
+bool orthogonal_over_circle(const std::vector<SurdTerm>& functions);
 
 /// INT_0^pi INT_0^2pi p sin theta dphi dtheta / (4 pi). Throws std::logic_error when the integral over theta is not
 /// rational (an odd power of sin theta is left).
