@@ -5,8 +5,10 @@
 
 #include "codegen/families/families.hpp"
 #include "codegen/manifest.hpp"
+#include "codegen/print/c99.hpp"
 #include "codegen/print/cpp.hpp"
 #include "codegen/print/glsl.hpp"
+#include "codegen/print/hlsl.hpp"
 
 namespace sh::codegen {
 namespace {
@@ -38,8 +40,11 @@ const std::vector<Family>& families() {
 }
 
 const std::vector<Language>& languages() {
-  static const std::vector<Language> kLanguages{{"cpp", ".hpp", print::cpp_kernel, print::cpp_family},
-                                                {"glsl", ".glsl", print::glsl_kernel, nullptr}};
+  static const std::vector<Language> kLanguages{{"cpp", ".hpp", true, print::cpp_kernel, print::cpp_family},
+                                                {"glsl", ".glsl", true, print::glsl_kernel, nullptr},
+                                                {"glsl-es", ".glsl", false, print::glsl_es_kernel, nullptr},
+                                                {"hlsl", ".hlsl", false, print::hlsl_kernel, nullptr},
+                                                {"c99", ".h", false, print::c99_kernel, nullptr}};
   return kLanguages;
 }
 
@@ -61,6 +66,12 @@ Prefer find_preference(const std::string& name) {
   if (name == "accuracy") return Prefer::kAccuracy;
   if (name == "size") return Prefer::kSize;
   throw std::invalid_argument("unknown preference '" + name + "'; it should be one of: speed, accuracy, size");
+}
+
+print::Scalar find_scalar(const std::string& name) {
+  if (name == "float") return print::Scalar::kFloat;
+  if (name == "double") return print::Scalar::kDouble;
+  throw std::invalid_argument("unknown scalar '" + name + "'; it should be one of: float, double");
 }
 
 void require_degree(const Family& family, int degree) {
@@ -142,8 +153,9 @@ std::map<std::string, std::string> render_all(const std::function<void(const std
     manifest.push_back({finished, {}});
     progress(finished.kernel.name);
     for (const Language& language : languages()) {
+      if (!language.written) continue;
       const std::string path = language.name + "/" + finished.kernel.name + language.suffix;
-      files[path] = language.print_kernel(finished);
+      files[path] = language.print_kernel(finished, print::Scalar::kFloat);
       manifest.back().files.push_back(path);
     }
   };

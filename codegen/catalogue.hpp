@@ -9,13 +9,15 @@
 #include "codegen/family.hpp"
 #include "codegen/finished_kernel.hpp"
 #include "codegen/pipeline.hpp"
+#include "codegen/print/dialect.hpp"
 
 namespace sh::codegen {
 
 struct Language {
-  std::string name;    ///< as in `--lang`, and the folder under generated/
-  std::string suffix;  ///< of its files
-  std::string (*print_kernel)(const FinishedKernel&) = nullptr;
+  std::string name;      ///< as in `--lang`, and the folder under generated/
+  std::string suffix;    ///< of its files
+  bool written = false;  ///< `shgen write` writes it; the others are for `shgen emit`
+  std::string (*print_kernel)(const FinishedKernel&, print::Scalar) = nullptr;
   /// One file for the whole family; nullptr where the language has no such file.
   std::string (*print_family)(const std::vector<FinishedKernel>&) = nullptr;
 };
@@ -31,6 +33,7 @@ const Family& find_family(const std::string& name);
 const Language& find_language(const std::string& name);
 const Recipe& find_recipe(const Family& family, int degree, const std::string& name);
 Prefer find_preference(const std::string& name);
+print::Scalar find_scalar(const std::string& name);
 
 /// Throws std::invalid_argument unless 0 <= degree <= family.largest_emitted.
 void require_degree(const Family& family, int degree);

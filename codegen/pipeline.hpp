@@ -1,4 +1,5 @@
-// The whole way of a kernel: recipe -> share -> factor -> fold -> prune -> associate -> schedule, checked after every step.
+// The whole way of a kernel: recipe -> share -> factor -> fold -> prune -> associate -> schedule, checked after every
+// step.
 //
 // After the recipe and after every pass the kernel is evaluated with 100 digits at random points of its domain and has
 // to agree with the exact functions to 90 digits; a pass that promises not to raise the cost is held to it.

@@ -3,7 +3,8 @@
 //   shgen write [--out DIR]                          write generated/ (unchanged files are left alone)
 //   shgen check [--dir DIR]                          compare generated/ with what would be written
 //   shgen list                                       kernels with recipe, operations and measured error
-//   shgen emit FAMILY --degree N --lang cpp|glsl [--prefer speed|accuracy|size]   print one kernel's file
+//   shgen emit FAMILY --degree N --lang cpp|glsl|glsl-es|hlsl|c99 [--scalar float|double]
+//                     [--prefer speed|accuracy|size]  print one kernel's file
 //   shgen dump STAGE KERNEL                          print the SSA of a kernel after a stage: dump share basis_l4
 //   shgen prove [NAME...] [--degree L] [--json FILE] prove every identity of symbolic/, or those named
 //   shgen tex|markdown FAMILY --degree N [--convention C]  formulas of symbolic/, typeset
@@ -57,9 +58,11 @@ int list() {
   return kDone;
 }
 
-int emit(const std::string& family, int degree, const std::string& language, const std::string& prefer) {
+int emit(const std::string& family, int degree, const std::string& language, const std::string& scalar,
+         const std::string& prefer) {
   const Language& target = find_language(language);
-  std::cout << target.print_kernel(preferred_kernel(find_family(family), degree, find_preference(prefer)));
+  std::cout << target.print_kernel(preferred_kernel(find_family(family), degree, find_preference(prefer)),
+                                   find_scalar(scalar));
   return kDone;
 }
 
@@ -93,6 +96,7 @@ int run(int argc, char** argv) {
   std::string folder;
   std::string family;
   std::string language;
+  std::string scalar = "float";
   std::string prefer = "speed";
   std::string stage;
   std::string kernel;
@@ -105,7 +109,8 @@ int run(int argc, char** argv) {
   auto* emit_command = app.add_subcommand("emit", "Print the file of one kernel");
   emit_command->add_option("family", family, "Family, e.g. basis")->required();
   emit_command->add_option("--degree", degree, "Largest degree l")->required();
-  emit_command->add_option("--lang", language, "Language: cpp or glsl")->required();
+  emit_command->add_option("--lang", language, "Language: cpp, glsl, glsl-es, hlsl or c99")->required();
+  emit_command->add_option("--scalar", scalar, "Scalar type: float or double (C++ is templated on it)");
   emit_command->add_option("--prefer", prefer, "What the recipe is chosen for: speed, accuracy or size");
   auto* dump_command = app.add_subcommand("dump", "Print the SSA of a kernel after a stage");
   dump_command->add_option("stage", stage, "recipe, share, factor, prune or schedule")->required();
@@ -149,7 +154,7 @@ int run(int argc, char** argv) {
   if (write_command->parsed()) return write(folder);
   if (check_command->parsed()) return check(folder);
   if (list_command->parsed()) return list();
-  if (emit_command->parsed()) return emit(family, degree, language, prefer);
+  if (emit_command->parsed()) return emit(family, degree, language, scalar, prefer);
   return dump(stage, kernel);
 }
 

@@ -67,12 +67,6 @@ constexpr T choose(const Condition& condition, const T& then, const T& otherwise
 #endif
 )";
 
-std::string comment_block(const std::vector<std::string>& lines) {
-  std::string text;
-  for (const std::string& line : lines) text += line.empty() ? "//\n" : "// " + line + "\n";
-  return text;
-}
-
 }  // namespace
 
 const Dialect& cpp_dialect() {
@@ -100,7 +94,7 @@ const Dialect& cpp_dialect() {
   return kDialect;
 }
 
-std::string cpp_kernel(const FinishedKernel& finished) {
+std::string cpp_kernel(const FinishedKernel& finished, Scalar /*scalar*/) {
   const bool needs_math = finished.cost.sqrt + finished.cost.select > 0;
   return comment_block(describe(finished, "cpp", cpp_dialect())) + "#pragma once\n\n" +
          (needs_math ? "#include <cmath>\n" : "") + "#include <type_traits>\n\n" + kConstantTrait +

@@ -12,8 +12,8 @@ namespace sh::codegen::print {
 /// Functions are constexpr templates on the scalar T; arrays are pointers.
 const Dialect& cpp_dialect();
 
-/// One self-contained header with one kernel.
-std::string cpp_kernel(const FinishedKernel& finished);
+/// One self-contained header with one kernel, for every scalar.
+std::string cpp_kernel(const FinishedKernel& finished, Scalar scalar);
 
 /// The header of a whole family: includes every kernel's header and chooses by degree, `sh::basis<4>(x, y, z, out)`.
 /// kernels: of one family, in order of degree without a gap.

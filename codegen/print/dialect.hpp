@@ -3,10 +3,13 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 #include "codegen/exact_real.hpp"
 
 namespace sh::codegen::print {
+
+enum class Scalar { kFloat, kDouble };
 
 enum class Unused {
   kUnnamed,    ///< a parameter that is not read stays unnamed: "T /*x*/"
@@ -38,5 +41,14 @@ struct Dialect {
     return found == renamed.end() ? wanted : found->second;
   }
 };
+
+/// "float" or "double".
+std::string scalar_name(Scalar scalar);
+
+/// What `shgen emit` needs to be told: "" for float, " --scalar double".
+std::string scalar_option(Scalar scalar);
+
+/// Lines as line comments of C-like languages.
+std::string comment_block(const std::vector<std::string>& lines);
 
 }  // namespace sh::codegen::print

@@ -1,5 +1,7 @@
 #include "codegen/print/glsl.hpp"
 
+#include <stdexcept>
+
 #include "codegen/literal.hpp"
 #include "codegen/print/describe.hpp"
 #include "codegen/print/function.hpp"
@@ -7,41 +9,54 @@
 namespace sh::codegen::print {
 namespace {
 
+template <Scalar kScalar>
 std::string sized(const std::string& qualifier, const std::string& name, int size) {
-  return qualifier + "float " + name + "[" + std::to_string(size) + "]";
+  return qualifier + scalar_name(kScalar) + " " + name + "[" + std::to_string(size) + "]";
+}
+
+template <Scalar kScalar>
+Dialect dialect() {
+  Dialect d;
+  d.scalar = scalar_name(kScalar);
+  d.indent = "    ";
+  d.constant = "const " + d.scalar + " ";
+  d.variable = d.scalar + " ";
+  d.literal = [](const ExactReal& value) {
+    return kScalar == Scalar::kFloat ? decimal(nearest<float>(value)) : decimal(nearest<double>(value)) + "lf";
+  };
+  d.in_array = [](const std::string& name, int size) { return sized<kScalar>("", name, size); };
+  d.out_array = [](const std::string& name, int size) { return sized<kScalar>("out ", name, size); };
+  d.in_out_array = [](const std::string& name, int size) { return sized<kScalar>("inout ", name, size); };
+  d.square_root = "sqrt";
+  d.select = [](const std::string& a, const std::string& b, const std::string& then, const std::string& otherwise) {
+    return "(" + a + " < " + b + " ? " + then + " : " + otherwise + ")";
+  };
+  d.renamed = {{"out", "result"}};
+  return d;
 }
 
 }  // namespace
 
-const Dialect& glsl_dialect() {
-  static const Dialect kDialect = [] {
-    Dialect d;
-    d.scalar = "float";
-    d.indent = "    ";
-    d.constant = "const float ";
-    d.variable = "float ";
-    d.literal = [](const ExactReal& value) { return decimal(nearest<float>(value)); };
-    d.in_array = [](const std::string& name, int size) { return sized("", name, size); };
-    d.out_array = [](const std::string& name, int size) { return sized("out ", name, size); };
-    d.in_out_array = [](const std::string& name, int size) { return sized("inout ", name, size); };
-    d.square_root = "sqrt";
-    d.select = [](const std::string& a, const std::string& b, const std::string& then, const std::string& otherwise) {
-      return "(" + a + " < " + b + " ? " + then + " : " + otherwise + ")";
-    };
-    d.renamed = {{"out", "result"}};
-    return d;
-  }();
-  return kDialect;
+Dialect glsl_dialect(Scalar scalar) {
+  return scalar == Scalar::kFloat ? dialect<Scalar::kFloat>() : dialect<Scalar::kDouble>();
 }
 
-std::string glsl_kernel(const FinishedKernel& finished) {
-  std::string text;
-  for (const std::string& line : describe(finished, "glsl", glsl_dialect()))
-    text += (line.empty() ? "//" : "// " + line) + "\n";
-  return text +
-         "// GLSL 4.50 and GLSL ES 3.00; put it below your #version line.\n"
-         "#ifdef GL_ES\nprecision highp float;\n#endif\n\n" +
-         function(finished.kernel, glsl_dialect());
+std::string glsl_kernel(const FinishedKernel& finished, Scalar scalar) {
+  const Dialect d = glsl_dialect(scalar);
+  const std::string head = comment_block(describe(finished, "glsl" + scalar_option(scalar), d));
+  const std::string version = scalar == Scalar::kFloat
+                                  ? "// GLSL 4.50 and GLSL ES 3.00; put it below your #version line.\n"
+                                    "#ifdef GL_ES\nprecision highp float;\n#endif\n\n"
+                                  : "// GLSL 4.50; put it below your #version line.\n\n";
+  return head + version + function(finished.kernel, d);
+}
+
+std::string glsl_es_kernel(const FinishedKernel& finished, Scalar scalar) {
+  if (scalar == Scalar::kDouble)
+    throw std::invalid_argument("language glsl-es: scalar double; it should be float, GLSL ES has no double");
+  const Dialect d = glsl_dialect(scalar);
+  return comment_block(describe(finished, "glsl-es", d)) +
+         "// GLSL ES 3.00; put it below your #version line.\nprecision highp float;\n\n" + function(finished.kernel, d);
 }
 
 }  // namespace sh::codegen::print

@@ -1,4 +1,4 @@
-// Printer: GLSL functions, valid in GLSL 4.50 core and GLSL ES 3.00 alike.
+// Printer: GLSL functions. On float they are valid in GLSL 4.50 core and GLSL ES 3.00 alike; ES has no double.
 #pragma once
 
 #include <string>
@@ -9,9 +9,11 @@
 namespace sh::codegen::print {
 
 /// `out` is a word of the language: that array is called `result`.
-const Dialect& glsl_dialect();
+Dialect glsl_dialect(Scalar scalar = Scalar::kFloat);
 
-/// One function on float, without a #version line.
-std::string glsl_kernel(const FinishedKernel& finished);
+/// One function, without a #version line.
+std::string glsl_kernel(const FinishedKernel& finished, Scalar scalar);
+/// The same for GLSL ES only. Throws std::invalid_argument for double.
+std::string glsl_es_kernel(const FinishedKernel& finished, Scalar scalar);
 
 }  // namespace sh::codegen::print

@@ -172,7 +172,7 @@ std::string program_for(const std::string& type, const std::string& call) {
 TEST(CppPrinter, CompiledCodeComputesTheKernelBitForBit) {
   const test::TemporaryFolder folder;
   const FinishedKernel finished = fastest(7);
-  test::write_file(folder.path() / "kernel.hpp", print::cpp_kernel(finished));
+  test::write_file(folder.path() / "kernel.hpp", print::cpp_kernel(finished, print::Scalar::kFloat));
   const std::string include = "#include \"kernel.hpp\"\n";
   const std::string flags = "-std=c++17";
   EXPECT_EQ(compile_and_run(folder.path(), include + program_for<float>("float", "sh::basis_l7"), flags),
@@ -185,7 +185,7 @@ TEST(GlslPrinter, BodyComputesTheKernelBitForBit) {
   // With `out float result[64]` spelt as a C++ reference the GLSL function is C++ on float.
   const test::TemporaryFolder folder;
   const FinishedKernel finished = fastest(7);
-  std::string source = print::glsl_kernel(finished);
+  std::string source = print::glsl_kernel(finished, print::Scalar::kFloat);
   const std::string parameter = "out float result[64]";
   ASSERT_NE(source.find(parameter), std::string::npos);
   source.replace(source.find(parameter), parameter.size(), "float (&result)[64]");
@@ -205,7 +205,7 @@ TEST(CppPrinter, DivisionRootAndSelectionCompileAndAgree) {
     add_output(finished.kernel,
                build.select(kZ, kX, build.div(kY, build.add(length, build.constant(symbolic::Surd(i + 1)))), length));
   finished.cost = cost(finished.kernel);
-  test::write_file(folder.path() / "kernel.hpp", print::cpp_kernel(finished));
+  test::write_file(folder.path() / "kernel.hpp", print::cpp_kernel(finished, print::Scalar::kFloat));
   EXPECT_EQ(compile_and_run(folder.path(), "#include \"kernel.hpp\"\n" + program_for<float>("float", "sh::probe"),
                             "-std=c++17"),
             evaluated<float>(finished.kernel));
@@ -215,7 +215,7 @@ TEST(CppPrinter, DivisionRootAndSelectionCompileAndAgree) {
 std::string shader(const std::string& version, int degree) {
   std::ostringstream text;
   text << "#version " << version << '\n'
-       << print::glsl_kernel(fastest(degree))
+       << print::glsl_kernel(fastest(degree), print::Scalar::kFloat)
        << "layout(location = 0) out highp vec4 colour;\nvoid main() {\n    float values[" << (degree + 1) * (degree + 1)
        << "];\n    basis_l" << degree << "(0.0, 0.6, 0.8, values);\n    colour = vec4(values[0]);\n}\n";
   return text.str();
@@ -237,7 +237,7 @@ TEST(GlslPrinter, IsValidInDesktopAndEmbeddedGlsl) {
 TEST(Printers, SayWhatAReaderNeeds) {
   const FinishedKernel finished = fastest(2);
   for (const Language& language : languages()) {
-    const std::string text = language.print_kernel(finished);
+    const std::string text = language.print_kernel(finished, print::Scalar::kFloat);
     for (const std::string& part :
          {"shgen emit basis --degree 2 --lang " + language.name, std::string("MIT-0"), std::string("|d| = 1"),
           std::string("Sloan"), std::string("13 multiplications, 2 additions"), std::string("rounding"),
