@@ -17,7 +17,8 @@ std::vector<Entry> green_rotation();      ///< G-58 to G-62
 std::vector<Entry> green_euler_angles();  ///< G-63 to G-70
 std::vector<Entry> green_transfer();      ///< G-71 to G-79
 std::vector<Entry> green_rendering();     ///< G-80 to G-86
-std::vector<Entry> green_lights();        ///< G-87 to G-94
+std::vector<Entry> green_environments();  ///< G-87 to G-91
+std::vector<Entry> green_lights();        ///< G-92 to G-94
 std::vector<Entry> green_appendix();      ///< G-95 to G-98
 
 std::vector<Entry> gpfault_foundations();  ///< GP-01 to GP-14
