@@ -15,7 +15,7 @@ std::vector<Entry> joined(std::initializer_list<std::vector<Entry>> parts) {
 
 std::vector<Entry> green() {
   return joined({green_monte_carlo(), green_sampling(), green_legendre(), green_basis(), green_projection(),
-                 green_products(), green_rotation(), green_euler_angles(), green_transfer(), green_rendering(),
+                 green_reconstruction(), green_products(), green_rotation(), green_euler_angles(), green_transfer(), green_rendering(),
                  green_environments(), green_lights(), green_appendix()});
 }
 

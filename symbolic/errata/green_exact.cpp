@@ -2,6 +2,7 @@
 
 #include <cln/integer.h>
 
+#include <algorithm>
 #include <array>
 #include <stdexcept>
 
@@ -133,6 +134,11 @@ Polynomial projection(const Polynomial& f, int first, int last) {
     sum += (rational.rational()) * basis(i).homogeneous;
   }
   return sum;
+}
+
+bool reproduces(int degree, int first, int last) {
+  return std::ranges::all_of(monomials(degree),
+                             [&](const Polynomial& f) { return equal_on_sphere(projection(f, first, last), f); });
 }
 
 Polynomial legendre_derivative(int l, int m) {

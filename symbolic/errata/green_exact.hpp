@@ -100,6 +100,8 @@ Surd coefficient(const Polynomial& f, int i);
 Surd coefficient(const Polynomial& f, int i, int j);
 /// sum of (INT f y_i ds) y_i for first <= i <= last.
 Polynomial projection(const Polynomial& f, int first, int last);
+/// Whether that sum is f for every polynomial f of the degree.
+bool reproduces(int degree, int first, int last);
 
 /// D^m P_l in variable 0, from Rodrigues' formula; zero when m > l. The associated function without phase is
 /// (1-x^2)^(m/2) times it.

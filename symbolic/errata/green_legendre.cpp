@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <stdexcept>
 
 #include "symbolic/errata/green_code.hpp"
 #include "symbolic/errata/green_exact.hpp"

@@ -11,7 +11,8 @@ std::vector<Entry> green_monte_carlo();   ///< G-01 to G-11
 std::vector<Entry> green_sampling();      ///< G-12 to G-16
 std::vector<Entry> green_legendre();      ///< G-17 to G-28
 std::vector<Entry> green_basis();         ///< G-29 to G-37
-std::vector<Entry> green_projection();    ///< G-38 to G-49
+std::vector<Entry> green_projection();    ///< G-38 to G-46
+std::vector<Entry> green_reconstruction();  ///< G-47 to G-49
 std::vector<Entry> green_products();      ///< G-50 to G-57
 std::vector<Entry> green_rotation();      ///< G-58 to G-62
 std::vector<Entry> green_euler_angles();  ///< G-63 to G-70
