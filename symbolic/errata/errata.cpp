@@ -24,7 +24,9 @@ std::vector<Entry> gpfault() {
                  gpfault_evaluation(), gpfault_irradiance()});
 }
 
-std::vector<Entry> sloan() { return joined({sloan_basis(), sloan_transfer()}); }
+std::vector<Entry> sloan() {
+  return joined({sloan_basis(), sloan_properties(), sloan_transfer(), sloan_simulation(), sloan_sampling()});
+}
 
 std::vector<Source> all_sources() {
   return {

@@ -131,16 +131,10 @@ bool evaluation_is_right_up_to(int degree) {
 bool evaluation_is_right_to_degree_3() { return evaluation_is_right_up_to(3); }
 bool evaluation_is_right_to_degree_4() { return evaluation_is_right_up_to(4); }
 
-std::vector<RadicalSum> some_coefficients(int first) {
-  std::vector<RadicalSum> coefficients;
-  for (int i = 0; i < 9; ++i) coefficients.emplace_back(cl_RA(first + i * i) / (i + 2));
-  return coefficients;
-}
-
 // On coefficients the helpers do what + and * do on functions.
 bool helpers_are_linear() {
-  const std::vector<RadicalSum> a = some_coefficients(1);
-  const std::vector<RadicalSum> b = some_coefficients(-7);
+  const std::vector<RadicalSum> a = sphere::some_coefficients(2, 4);
+  const std::vector<RadicalSum> b = sphere::some_coefficients(2, 7);
   const cl_RA scalar = cl_RA(-3) / 5;
   const auto sum = gpfault_code::add(a, b);
   const auto multiple = gpfault_code::multiply(RadicalSum(scalar), a);

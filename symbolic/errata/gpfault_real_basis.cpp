@@ -71,22 +71,6 @@ bool first_step_of_y22(int divisor) {
 bool first_step_as_printed() { return first_step_of_y22(1); }
 bool first_step_with_four_pi() { return first_step_of_y22(4); }
 
-// cos^2 p and cos^2 t (variables 0 and 2) become 1 - sin^2 (variables 1 and 3).
-Polynomial reduce_squared_cosines(const Polynomial& p) {
-  Polynomial result;
-  for (const auto& [monomial, coefficient] : p.terms()) {
-    Polynomial term(coefficient);
-    for (const int cosine : {0, 2}) {
-      const Polynomial sine = Polynomial::variable(cosine + 1);
-      const int power = monomial.exponent(cosine);
-      term = term * sine.power(monomial.exponent(cosine + 1)) * (Polynomial(1) - sine * sine).power(power / 2) *
-             Polynomial::variable(cosine).power(power % 2);
-    }
-    result += term;
-  }
-  return result;
-}
-
 bool remaining_steps_of_y22() {
   const Polynomial cos_p = Polynomial::variable(0);
   const Polynomial sin_p = Polynomial::variable(1);
@@ -98,18 +82,19 @@ bool remaining_steps_of_y22() {
                        Surd::square_root(fraction(5 * 9, 48), -1) == factor &&
                        Surd::square_root(fraction(5 * 3, 16), -1) == factor;
   // cos 2p sin^2 t by the addition theorem, and the steps that follow it
-  const Polynomial start = reduce_squared_cosines((cos_p * cos_p - sin_p * sin_p) * sin_t * sin_t);
+  const Polynomial start = sphere::reduce_squared_cosines((cos_p * cos_p - sin_p * sin_p) * sin_t * sin_t);
   const Polynomial twice = cl_RA(2) * (cos_p * cos_p);
   const std::array<Polynomial, 3> steps{(twice - one) * sin_t * sin_t, twice * sin_t * sin_t - sin_t * sin_t,
                                         twice * sin_t * sin_t - one + cos_t * cos_t};
-  const bool angles = std::all_of(steps.begin(), steps.end(),
-                                  [&start](const Polynomial& step) { return reduce_squared_cosines(step) == start; });
+  const bool angles = std::all_of(steps.begin(), steps.end(), [&start](const Polynomial& step) {
+    return sphere::reduce_squared_cosines(step) == start;
+  });
   const Polynomial y = Polynomial::variable(1);
   const Polynomial z = Polynomial::variable(2);
   const Polynomial cartesian = cl_RA(2) * (x() * x()) + z * z;
   const std::array<Polynomial, 3> direction{cos_p * sin_t, sin_p * sin_t, cos_t};
   const SphereFunction in_angles = SphereFunction(Surd(1), cartesian - one).substituted(direction);
-  return factors && angles && reduce_squared_cosines(in_angles.parts().begin()->second) == start &&
+  return factors && angles && sphere::reduce_squared_cosines(in_angles.parts().begin()->second) == start &&
          cartesian - x() * x() - y * y - z * z == x() * x() - y * y &&
          sphere::equal_on_sphere(SphereFunction(factor, cartesian - one), sphere::spherical_harmonic(2, 2));
 }

@@ -29,7 +29,10 @@ std::vector<Entry> gpfault_projection();   ///< GP-32 to GP-39
 std::vector<Entry> gpfault_evaluation();   ///< GP-40 to GP-43
 std::vector<Entry> gpfault_irradiance();   ///< GP-44 to GP-54
 
-std::vector<Entry> sloan_basis();     ///< S-01 to S-18
-std::vector<Entry> sloan_transfer();  ///< S-19 to S-38
+std::vector<Entry> sloan_basis();       ///< S-01 to S-07
+std::vector<Entry> sloan_properties();  ///< S-08 to S-14
+std::vector<Entry> sloan_transfer();    ///< S-15 to S-23
+std::vector<Entry> sloan_simulation();  ///< S-24 to S-30
+std::vector<Entry> sloan_sampling();    ///< S-31 to S-38
 
 }  // namespace sh::symbolic::errata

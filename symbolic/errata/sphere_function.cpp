@@ -194,6 +194,14 @@ SphereFunction expansion(const std::vector<RadicalSum>& coefficients) {
   return sum;
 }
 
+std::vector<RadicalSum> some_coefficients(int degree, int seed) {
+  std::vector<RadicalSum> coefficients;
+  for (int i = 0; i < (degree + 1) * (degree + 1); ++i) {
+    coefficients.emplace_back(cln::cl_RA((seed * i + 3) % 11 - 5) / (i + seed));
+  }
+  return coefficients;
+}
+
 int rank(const std::vector<Polynomial>& polynomials) {
   std::vector<Polynomial> pivots;
   for (const Polynomial& p : polynomials) append_pivot(pivots, p);
@@ -216,6 +224,21 @@ std::vector<Polynomial> monomials(int degree) {
         result.push_back(std::move(p));
       }
     }
+  }
+  return result;
+}
+
+Polynomial reduce_squared_cosines(const Polynomial& p) {
+  Polynomial result;
+  for (const auto& [monomial, coefficient] : p.terms()) {
+    Polynomial term(coefficient);
+    for (const int cosine : {0, 2}) {
+      const Polynomial sine = Polynomial::variable(cosine + 1);
+      const int power = monomial.exponent(cosine);
+      term = term * sine.power(monomial.exponent(cosine + 1)) * (Polynomial(1) - sine * sine).power(power / 2) *
+             Polynomial::variable(cosine).power(power % 2);
+    }
+    result += term;
   }
   return result;
 }

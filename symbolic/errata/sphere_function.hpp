@@ -70,12 +70,17 @@ SphereFunction zonal_harmonic(int degree);
 /// Coefficients (integral of f Y_i) of degree 0..degree, and the sum of coefficients times Y_i.
 std::vector<RadicalSum> projection(const SphereFunction& f, int degree);
 SphereFunction expansion(const std::vector<RadicalSum>& coefficients);
+/// Rational numbers without a pattern, one for each function of degree 0..degree.
+std::vector<RadicalSum> some_coefficients(int degree, int seed);
 
 /// The dimension of the span, as polynomials. On the sphere: of their normal forms.
 int rank(const std::vector<Polynomial>& polynomials);
 int rank_on_sphere(const std::vector<Polynomial>& polynomials);
 /// x^a y^b z^c, a + b + c <= degree.
 std::vector<Polynomial> monomials(int degree);
+
+/// With cos p, sin p, cos t, sin t in variables 0..3: every squared cosine becomes 1 - sine^2.
+Polynomial reduce_squared_cosines(const Polynomial& p);
 
 /// A rotation by no special angle about no special axis, rational.
 Matrix<cln::cl_RA> some_rotation();
