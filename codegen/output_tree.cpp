@@ -1,12 +1,12 @@
 #include "codegen/output_tree.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <optional>
 #include <stdexcept>
+
+#include "codegen/write_file.hpp"
 
 namespace sh::codegen {
 namespace {
@@ -17,24 +17,6 @@ std::optional<std::string> read_file(const fs::path& path) {
   std::ifstream stream(path, std::ios::binary);
   if (!stream || fs::is_directory(path)) return std::nullopt;
   return std::string(std::istreambuf_iterator<char>(stream), {});
-}
-
-// Writes beside the target and renames, so that an interrupted run leaves the old file.
-void write_file(const fs::path& path, const std::string& content) {
-  fs::path temporary = path;
-  temporary += ".new" + std::to_string(::getpid());
-  std::error_code error;
-  fs::create_directories(path.parent_path(), error);
-  std::ofstream stream(temporary, std::ios::binary);
-  stream.write(content.data(), static_cast<std::streamsize>(content.size()));
-  stream.close();
-  if (stream) fs::rename(temporary, path, error);
-  if (!stream || error) {
-    std::error_code ignored;
-    fs::remove(temporary, ignored);
-    throw std::runtime_error(path.string() +
-                             ": cannot be written; the folder should be writable and the disk have space");
-  }
 }
 
 // The line number and column of the first byte that differs, for people.
@@ -54,6 +36,8 @@ std::vector<std::string> write_tree(const fs::path& folder, const RenderedFiles&
   std::vector<std::string> written;
   for (const auto& [name, content] : files) {
     if (read_file(folder / name) == content) continue;
+    std::error_code ignored;  // write_file says when there is no folder
+    fs::create_directories((folder / name).parent_path(), ignored);
     write_file(folder / name, content);
     written.push_back(name);
   }

@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <chrono>
-#include <filesystem>
-#include <fstream>
 #include <iomanip>
 #include <nlohmann/json.hpp>
 #include <ostream>
 #include <stdexcept>
 
+#include "codegen/write_file.hpp"
 #include "symbolic/proofs.hpp"
 
 namespace sh::codegen {
@@ -76,20 +75,6 @@ nlohmann::ordered_json as_json(const Proof& proof, const Outcome& outcome) {
   entry["result"] = verdict(outcome);
   entry["detail"] = outcome.result.detail;
   return entry;
-}
-
-// To a temporary beside the file, renamed when complete.
-void write_file(const std::string& path, const std::string& text) {
-  const std::string temporary = path + ".tmp";
-  std::ofstream file(temporary, std::ios::binary);
-  file << text;
-  file.close();
-  std::error_code failure;
-  if (file) std::filesystem::rename(temporary, path, failure);
-  if (!file || failure) {
-    std::filesystem::remove(temporary, failure);
-    throw std::runtime_error(path + ": cannot be written; it should be in a writable folder with space left");
-  }
 }
 
 }  // namespace

@@ -7,9 +7,10 @@
 //                     [--prefer speed|accuracy|size]  print one kernel's file
 //   shgen dump STAGE KERNEL                          print the SSA of a kernel after a stage: dump share basis_l4
 //   shgen prove [NAME...] [--degree L] [--json FILE] prove every identity of symbolic/, or those named
+//   shgen errata [ID|SOURCE...] [--verdict V] [--json FILE]  formulas of the sources, each decided exactly
 //   shgen tex|markdown FAMILY --degree N [--convention C]  formulas of symbolic/, typeset
 //
-// Exit: 0 done, 1 `check` found a difference or `prove` a false identity, 2 bad input.
+// Exit: 0 done, 1 `check` found a difference, `prove` a false identity or `errata` a false verdict, 2 bad input.
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <iostream>
@@ -17,6 +18,7 @@
 #include <string>
 
 #include "codegen/catalogue.hpp"
+#include "codegen/errata_command.hpp"
 #include "codegen/output_tree.hpp"
 #include "codegen/print/dump.hpp"
 #include "codegen/prove_command.hpp"
@@ -121,6 +123,11 @@ int run(int argc, char** argv) {
   const auto* prove_degree =
       prove_command->add_option("--degree", degree, "Prove to this degree where the range allows");
   prove_command->add_option("--json", prove_options.json, "File to write the results to");
+  ErrataOptions errata_options;
+  auto* errata_command = app.add_subcommand("errata", "Decide the formulas of the sources");
+  errata_command->add_option("name", errata_options.only, "Entries (B-08) or sources (B) (default: all)");
+  errata_command->add_option("--verdict", errata_options.verdict, "Only entries of this verdict, e.g. wrong");
+  errata_command->add_option("--json", errata_options.json, "File to write the results to");
   TypesetOptions typeset_options;
   const auto add_typeset_command = [&](const char* name, const char* what) {
     auto* command = app.add_subcommand(name, what);
@@ -140,11 +147,14 @@ int run(int argc, char** argv) {
   }
   if (app.get_subcommands().empty()) {
     throw std::invalid_argument(
-        "no command; it should be one of: write, check, list, emit, dump, prove, tex, markdown");
+        "no command; it should be one of: write, check, list, emit, dump, prove, errata, tex, markdown");
   }
   if (prove_command->parsed()) {
     if (prove_degree->count() > 0) prove_options.degree = degree;
     return prove(prove_options, std::cout, std::cerr) ? kDone : kDifferent;
+  }
+  if (errata_command->parsed()) {
+    return errata(symbolic::errata::all_sources(), errata_options, std::cout, std::cerr) ? kDone : kDifferent;
   }
   if (tex_command->parsed() || markdown_command->parsed()) {
     std::cout << (tex_command->parsed() ? typeset_tex(typeset_options) : typeset_markdown(typeset_options));

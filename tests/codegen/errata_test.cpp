@@ -1,0 +1,119 @@
+// `shgen errata` from outside: the table, its filters, the JSON file, exit codes, bad arguments.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "codegen/errata_command.hpp"
+#include "tests/codegen/support.hpp"
+
+namespace sh::codegen {
+namespace {
+
+using symbolic::errata::Entry;
+using symbolic::errata::Kind;
+using symbolic::errata::Print;
+using symbolic::errata::Source;
+using symbolic::errata::Verdict;
+using test::quoted;
+using test::run_command;
+
+const std::string kErrata = quoted(std::string(SHFORGE_BIN_DIR) + "/shgen") + " errata ";
+
+std::ptrdiff_t lines(const std::string& text) { return std::count(text.begin(), text.end(), '\n'); }
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+TEST(Errata, AWrongFormulaIsShownWithTheCorrectOne) {
+  const auto result = run_command(kErrata + "B-08");
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_TRUE(contains(result.out, "B: Brown, Spherical Harmonic Basis Functions, 2004\n")) << result.out;
+  EXPECT_TRUE(contains(result.out, "B-08    wrong                  Table l <= 2, labels\n")) << result.out;
+  EXPECT_TRUE(contains(result.out, "        correct   Y_1^-1 = sqrt3/(2 sqrt pi) y, Y_1^1")) << result.out;
+  EXPECT_TRUE(contains(result.err, "1 entries decided in ")) << result.err;
+  EXPECT_TRUE(contains(result.err, ": 1 wrong\n")) << result.err;
+}
+
+TEST(Errata, ReadingsSayWhichHoldAndWhichFail) {
+  const auto result = run_command(kErrata + "BL-10");
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_TRUE(contains(result.out, "holds     0 <= b < pi, cos b other than m/l\n")) << result.out;
+  EXPECT_TRUE(contains(result.out, "fails     cos b = m/l, as b = pi/2 with m = 0\n")) << result.out;
+}
+
+TEST(Errata, ASourceAndAVerdictChooseEntries) {
+  const auto result = run_command(kErrata + "IR CH --verdict wrong");
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  for (const char* id : {"IR-09 ", "CH-08 ", "CH-10 "}) EXPECT_TRUE(contains(result.out, id)) << id;
+  EXPECT_FALSE(contains(result.out, "IR-04 "));
+  EXPECT_TRUE(contains(result.err, "3 entries ")) << result.err;
+}
+
+TEST(Errata, NoLineIsLongerThanAPage) {
+  std::istringstream table(run_command(kErrata + "B RH").out);
+  for (std::string line; std::getline(table, line);) EXPECT_LE(line.size(), 118U) << line;
+}
+
+TEST(Errata, TheJsonFileHoldsEveryEntryOfTheSources) {
+  const test::TemporaryFolder folder;
+  const auto file = folder.path() / "errata.json";
+  const auto result = run_command(kErrata + "--json " + quoted(file));
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  const auto report = nlohmann::json::parse(test::read_file(file));
+  const auto sources = symbolic::errata::all_sources();
+  ASSERT_EQ(report.size(), sources.size());
+  for (std::size_t i = 0; i < sources.size(); ++i) {
+    EXPECT_EQ(report[i].at("source"), sources[i].prefix);
+    ASSERT_EQ(report[i].at("entries").size(), sources[i].entries.size());
+    for (std::size_t k = 0; k < sources[i].entries.size(); ++k) {
+      const auto& entry = report[i].at("entries")[k];
+      EXPECT_EQ(entry.at("id"), sources[i].entries[k].id);
+      EXPECT_EQ(entry.at("verdict"), to_string(sources[i].entries[k].verdict)) << entry.at("id");
+      EXPECT_EQ(entry.at("contradiction"), "");
+      EXPECT_EQ(entry.at("readings").size(), sources[i].entries[k].readings.size());
+      for (const char* key : {"where", "kind", "print", "printed", "stated", "correct", "remark", "seconds"}) {
+        EXPECT_TRUE(entry.contains(key)) << key;
+      }
+    }
+  }
+}
+
+bool yes() { return true; }
+bool no() { return false; }
+
+std::vector<Source> source_of(const Entry& entry) { return {{"X", "a source", {entry}}}; }
+
+TEST(Errata, AStatedVerdictThatTheDecisionsContradictIsNamed) {
+  const Entry wrong{
+      "X-1", "Eq. 1", Kind::kEquation, Print::kRead, "1 = 1", Verdict::kWrong, {{"as printed", yes}}, "", nullptr, ""};
+  const Entry unfit{"X-1",   "Eq. 1", Kind::kEquation, Print::kRead, "1 = 2", Verdict::kWrong, {{"as printed", no}}, "",
+                    nullptr, ""};
+  for (const Entry& entry : {wrong, unfit}) {
+    std::ostringstream out;
+    std::ostringstream progress;
+    EXPECT_FALSE(errata(source_of(entry), {}, out, progress));
+    EXPECT_TRUE(contains(out.str(), "X-1     CONTRADICTED")) << out.str();
+    EXPECT_TRUE(contains(progress.str(), "contradicted: ")) << progress.str();
+    EXPECT_TRUE(contains(progress.str(), "X-1")) << progress.str();
+  }
+}
+
+TEST(Errata, BadArgumentsAreOneLineAndExitTwo) {
+  const char* const cases[][2] = {{"B-99", "B (B-01 to B-22)"},
+                                  {"Brown", "GP (GP-01 to GP-54)"},
+                                  {"B- ", "RH (RH-01 to "},
+                                  {"--verdict right",
+                                   "'correct', 'correct under reading', 'wrong', 'definition', "
+                                   "'lost, derived', 'undecided'"},
+                                  {"B-08 --json /no/such/folder/errata.json", "/no/such/folder/errata.json"}};
+  for (const auto& [arguments, mention] : cases) {
+    const auto result = run_command(kErrata + arguments);
+    EXPECT_EQ(result.exit_code, 2) << arguments;
+    EXPECT_TRUE(contains(result.err, mention)) << result.err;
+    EXPECT_EQ(result.err.find("shgen: "), 0U) << result.err;
+    EXPECT_EQ(lines(result.err), 1) << result.err;
+  }
+}
+
+}  // namespace
+}  // namespace sh::codegen
