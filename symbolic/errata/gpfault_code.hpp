@@ -70,6 +70,7 @@ std::vector<T> evaluate_basis(const std::array<T, 3>& d, int l) {
 template <class T>
 std::vector<T> multiply(const T& scalar, const std::vector<T>& coefficients) {
   std::vector<T> result;
+  result.reserve(coefficients.size());
   for (const T& c : coefficients) result.push_back(scalar * c);
   return result;
 }

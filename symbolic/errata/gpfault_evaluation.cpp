@@ -134,15 +134,6 @@ bool window_tapers(int q, int p, int last) {
 
 constexpr std::array<int, 4> kWidths{2, 3, 4, 6};
 
-bool window_tapers_to_q() {
-  return std::all_of(kWidths.begin(), kWidths.end(), [](int q) {
-    return window_tapers(q, 1, q) && window_tapers(q, 2, q) && window(q, q, 1).is_zero();
-  });
-}
-bool window_tapers_for_ever() {
-  return std::all_of(kWidths.begin(), kWidths.end(), [](int q) { return window_tapers(q, 1, 2 * q); });
-}
-
 // p = 2 is two convolutions with the zonal kernel h_l0 = w(l) sqrt((2l+1)/(4 pi)), q = 3.
 bool power_repeats_the_blur() {
   SphereFunction kernel;
@@ -159,6 +150,15 @@ bool power_repeats_the_blur() {
   }
   const SphereFunction blurred = sphere::convolved(sphere::convolved(sphere::expansion(coefficients), kernel), kernel);
   return sphere::equal_on_sphere(blurred, sphere::expansion(windowed));
+}
+
+bool window_tapers_to_q_and_repeats() {
+  return power_repeats_the_blur() && std::all_of(kWidths.begin(), kWidths.end(), [](int q) {
+           return window_tapers(q, 1, q) && window_tapers(q, 2, q) && window(q, q, 1).is_zero();
+         });
+}
+bool window_tapers_for_ever() {
+  return std::all_of(kWidths.begin(), kWidths.end(), [](int q) { return window_tapers(q, 1, 2 * q); });
 }
 
 }  // namespace
@@ -202,9 +202,8 @@ std::vector<Entry> gpfault_evaluation() {
        Print::kRead,
        "w(0) = 1, w(l) = (sin(pi l/q)/(pi l/q))^p; tapers to 0 as l grows; p blurs",
        Verdict::kUnderReading,
-       {{"0 <= l <= q", window_tapers_to_q},
-        {"every l, with p = 1", window_tapers_for_ever},
-        {"p whole: the same as p convolutions with h_l0 = w(l) sqrt((2l+1)/(4 pi))", power_repeats_the_blur}},
+       {{"0 <= l <= q; p whole: p convolutions with h_l0 = w(l) sqrt((2l+1)/(4 pi))", window_tapers_to_q_and_repeats},
+        {"every l, with p = 1", window_tapers_for_ever}},
        "w(l) for l <= q, 0 beyond",
        nullptr,
        "Beyond q the window is negative for odd p and undefined for fractional p: -0.207 at l = 4 for q = 3, p = 1."},

@@ -130,6 +130,8 @@ bool product_of_two_of_order_n() {  // of degree 2 each: no degree above 4 in th
   return true;
 }
 
+bool one_or_both_factors_of_order_n() { return one_factor_of_order_n() && product_of_two_of_order_n(); }
+
 // y_i(Q s) has no part in another band.
 bool rotation_keeps_bands_apart() {
   const Matrix<cl_RA> q = sphere::some_rotation();
@@ -205,8 +207,7 @@ std::vector<Entry> sloan_properties() {
        "the product's order n projection involves coefficients of the two factors up to order 2n-1",
        Verdict::kUnderReading,
        {{"both factors arbitrary", both_factors_arbitrary},
-        {"one factor of order n, the other arbitrary", one_factor_of_order_n},
-        {"the product of two functions of order n", product_of_two_of_order_n}},
+        {"one factor of order n; the product of two such has order 2n-1", one_or_both_factors_of_order_n}},
        "a is needed to degree 2(n-1) when b has n bands",
        nullptr,
        "Arbitrarily high bands of both factors together reach band 0: the square of y_20,0 does."},

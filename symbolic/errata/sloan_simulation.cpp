@@ -101,8 +101,8 @@ RadicalSum accumulated(const std::vector<Direction>& directions, Weight weight, 
 RadicalSum cosine(const Direction& d) {  // H for N = z
   return d[2].is_zero() || d[2].surd().is_negative() ? RadicalSum() : d[2];
 }
-const cl_RA kAlbedo = fraction(3, 10);
-RadicalSum albedo_over_pi() { return RadicalSum(Surd(kAlbedo) * Surd::square_root(1, -2)); }
+cl_RA albedo() { return fraction(3, 10); }
+RadicalSum albedo_over_pi() { return RadicalSum(Surd(albedo()) * Surd::square_root(1, -2)); }
 
 // += (rho/pi) V H y_i with V = 1: coefficient 0 exact, the error of y_10 four times smaller with twice the rings.
 bool diffuse_shadow_rule(Weight weight) {
@@ -139,7 +139,7 @@ bool diffuse_bounce_rule(Weight weight) {
   const RadicalSum t(fraction(-7, 4));
   for (const int n : {1, 2, 3}) {
     const auto term = [&t](const Direction& d) { return albedo_over_pi() * t * cosine(d); };
-    if (!(accumulated(rings(n), weight, term) == RadicalSum(kAlbedo) * t)) return false;
+    if (!(accumulated(rings(n), weight, term) == RadicalSum(albedo()) * t)) return false;
   }
   return true;
 }
@@ -168,12 +168,24 @@ SphereFunction glossy_sum(KernelIndex index, const std::vector<RadicalSum>& c) {
   return sphere::expansion(scaled);
 }
 
-// reflect(-s, N) = 2 (N.(-s)) N + s, for a normal N that is no axis.
+std::array<cl_RA, 3> normal() { return {fraction(2, 3), fraction(-1, 3), fraction(2, 3)}; }
+
+// reflect(-s, N) = 2 (N.(-s)) N + s
 Matrix<cl_RA> reflection() {
-  const std::array<cl_RA, 3> n{fraction(2, 3), fraction(-1, 3), fraction(2, 3)};
+  const std::array<cl_RA, 3> n = normal();
   Matrix<cl_RA> m = Matrix<cl_RA>::identity(3, 1);
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) m(i, j) = m(i, j) - 2 * n[to_size(i)] * n[to_size(j)];
+  }
+  return m;
+}
+
+// The same as half a turn of -s about N.
+Matrix<cl_RA> half_turn_of_opposite() {
+  const auto [x, y, z] = normal();
+  Matrix<cl_RA> m = matrix_from_quaternion<cl_RA>({0, x, y, z});
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) m(i, j) = -m(i, j);
   }
   return m;
 }
@@ -182,7 +194,7 @@ Matrix<cl_RA> reflection() {
 bool glossy_bounce_rule(KernelIndex index, Weight weight) {
   const std::vector<RadicalSum> column = sphere::some_coefficients(1, 5);
   const SphereFunction leaving = glossy_sum(index, column).turned(reflection());
-  const SphereFunction exact = sphere::convolved(sphere::expansion(column), kernel()).turned(reflection());
+  const SphereFunction exact = sphere::convolved(sphere::expansion(column), kernel()).turned(half_turn_of_opposite());
   for (const SphereFunction& y : sphere::spherical_harmonics(1)) {
     const auto term = [&](const Direction& d) { return leaving.at(d) * y.at(d); };
     if (!(accumulated(axes(), weight, term) == sphere::sphere_integral(exact * y))) return false;

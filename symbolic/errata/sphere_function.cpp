@@ -195,9 +195,11 @@ SphereFunction expansion(const std::vector<RadicalSum>& coefficients) {
 }
 
 std::vector<RadicalSum> some_coefficients(int degree, int seed) {
-  std::vector<RadicalSum> coefficients;
-  for (int i = 0; i < (degree + 1) * (degree + 1); ++i) {
-    coefficients.emplace_back(cln::cl_RA((seed * i + 3) % 11 - 5) / (i + seed));
+  std::vector<RadicalSum> coefficients(to_size((degree + 1) * (degree + 1)));
+  int i = 0;
+  for (RadicalSum& c : coefficients) {
+    c = RadicalSum(cln::cl_RA((seed * i + 3) % 11 - 5) / (i + seed));
+    ++i;
   }
   return coefficients;
 }

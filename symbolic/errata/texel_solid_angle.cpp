@@ -64,8 +64,8 @@ bool corner_of_face_is_sixth_of_pi() {
 }
 
 std::vector<cln::cl_RA> texel_centres(int count) {
-  std::vector<cln::cl_RA> centres;
-  for (int k = 0; k < count; ++k) centres.push_back(cln::cl_RA(2 * k + 1) / count - 1);
+  std::vector<cln::cl_RA> centres(to_size(count));
+  for (int k = 0; k < count; ++k) centres[to_size(k)] = cln::cl_RA(2 * k + 1) / count - 1;
   return centres;
 }
 
