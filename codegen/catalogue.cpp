@@ -9,6 +9,7 @@
 #include "codegen/print/cpp.hpp"
 #include "codegen/print/glsl.hpp"
 #include "codegen/print/hlsl.hpp"
+#include "codegen/wisdom.hpp"
 
 namespace sh::codegen {
 namespace {
@@ -51,6 +52,24 @@ const std::vector<Language>& languages() {
 const Family& find_family(const std::string& name) { return find(families(), "family", name); }
 const Language& find_language(const std::string& name) { return find(languages(), "language", name); }
 
+namespace {
+
+// The first recipe that is about as fast as any; the first one when some were not measured.
+std::vector<Recipe>::iterator fastest(const Family& family, int degree, std::vector<Recipe>& recipes) {
+  std::vector<double> times;
+  for (const Recipe& recipe : recipes) {
+    const std::optional<Timing> timing = committed_wisdom().find(family.name, degree, recipe.name);
+    if (!timing) return recipes.begin();
+    times.push_back(timing->call);
+  }
+  if (times.empty()) return recipes.begin();
+  const double enough = kNoise * *std::min_element(times.begin(), times.end());
+  const auto found = std::find_if(times.begin(), times.end(), [enough](double time) { return time <= enough; });
+  return recipes.begin() + (found - times.begin());
+}
+
+}  // namespace
+
 const Recipe& find_recipe(const Family& family, int degree, const std::string& name) {
   const Recipe& recipe = find(family.recipes, "recipe of " + family.name, name);
   if (degree < recipe.smallest || degree > recipe.largest) {
@@ -87,6 +106,7 @@ std::vector<Recipe> recipes_for(const Family& family, int degree) {
   for (const Recipe& recipe : family.recipes) {
     if (recipe.smallest <= degree && degree <= recipe.largest) serving.push_back(recipe);
   }
+  std::rotate(serving.begin(), fastest(family, degree, serving), serving.end());
   return serving;
 }
 
@@ -139,6 +159,17 @@ FinishedKernel choose(const std::vector<FinishedKernel>& kernels, Prefer prefer)
   return chosen;
 }
 
+// Prints a kernel in every written language; returns the paths.
+std::vector<std::string> add_files(std::map<std::string, std::string>& files, const FinishedKernel& finished) {
+  std::vector<std::string> paths;
+  for (const Language& language : languages()) {
+    if (!language.written) continue;
+    paths.push_back(language.name + "/" + finished.kernel.name + language.suffix);
+    files[paths.back()] = language.print_kernel(finished, print::Scalar::kFloat);
+  }
+  return paths;
+}
+
 }  // namespace
 
 FinishedKernel preferred_kernel(const Family& family, int degree, Prefer prefer) {
@@ -149,29 +180,25 @@ FinishedKernel preferred_kernel(const Family& family, int degree, Prefer prefer)
 std::map<std::string, std::string> render_all(const std::function<void(const std::string&)>& progress) {
   std::map<std::string, std::string> files;
   std::vector<ManifestEntry> manifest;
-  const auto add = [&](const FinishedKernel& finished) {
-    manifest.push_back({finished, {}});
-    progress(finished.kernel.name);
-    for (const Language& language : languages()) {
-      if (!language.written) continue;
-      const std::string path = language.name + "/" + finished.kernel.name + language.suffix;
-      files[path] = language.print_kernel(finished, print::Scalar::kFloat);
-      manifest.back().files.push_back(path);
-    }
-  };
   for (const Family& family : families()) {
-    std::vector<FinishedKernel> fastest;
+    std::vector<FinishedKernel> written;
     for (int degree = 0; degree <= family.largest_written; ++degree) {
       const std::vector<FinishedKernel> all = finish_all(family, degree);
       if (all.empty()) continue;
-      fastest.push_back(choose(all, Prefer::kSpeed));
-      add(fastest.back());
+      written.push_back(choose(all, Prefer::kSpeed));
+      progress(written.back().kernel.name);
       const FinishedKernel accurate = choose(all, Prefer::kAccuracy);
-      if (accurate.in_float.rounding.eps < kWorthwhile * fastest.back().in_float.rounding.eps) add(accurate);
+      const bool worthwhile = accurate.in_float.rounding.eps < kWorthwhile * all.front().in_float.rounding.eps;
+      for (const FinishedKernel& candidate : all) {
+        const std::string& recipe = candidate.kernel.recipe;
+        manifest.push_back({candidate, {}, committed_wisdom().find(family.name, degree, recipe)});
+        if (recipe == written.back().kernel.recipe) manifest.back().files = add_files(files, written.back());
+        if (worthwhile && recipe == accurate.kernel.recipe) manifest.back().files = add_files(files, accurate);
+      }
     }
     for (const Language& language : languages()) {
       if (language.print_family == nullptr) continue;
-      files[language.name + "/" + family.name + language.suffix] = language.print_family(fastest);
+      files[language.name + "/" + family.name + language.suffix] = language.print_family(written);
     }
   }
   files["MANIFEST"] = print_manifest(manifest);

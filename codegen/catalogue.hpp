@@ -38,7 +38,7 @@ print::Scalar find_scalar(const std::string& name);
 /// Throws std::invalid_argument unless 0 <= degree <= family.largest_emitted.
 void require_degree(const Family& family, int degree);
 
-/// The recipes that serve a degree, the fastest first.
+/// The recipes that serve a degree, the fastest first according to the committed wisdom, else as the family lists them.
 std::vector<Recipe> recipes_for(const Family& family, int degree);
 
 /// The kernel after the recipe and after every pass; errors as run_pipeline and require_degree.

@@ -1,16 +1,19 @@
-// generated/MANIFEST: one line a kernel with its recipe, cost, measured error and files.
+// generated/MANIFEST: one line a recipe of every kernel with its cost, measured error, tuned time and files.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "codegen/finished_kernel.hpp"
+#include "codegen/wisdom.hpp"
 
 namespace sh::codegen {
 
 struct ManifestEntry {
   FinishedKernel finished;
-  std::vector<std::string> files;  ///< relative to generated/
+  std::vector<std::string> files;  ///< relative to generated/; none when another recipe was chosen
+  std::optional<Timing> timing;    ///< where the recipe was tuned
 };
 
 std::string print_manifest(const std::vector<ManifestEntry>& entries);

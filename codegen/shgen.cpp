@@ -2,7 +2,8 @@
 //
 //   shgen write [--out DIR]                          write generated/ (unchanged files are left alone)
 //   shgen check [--dir DIR]                          compare generated/ with what would be written
-//   shgen list                                       kernels with recipe, operations and measured error
+//   shgen list [FAMILY...]                           kernels and recipes: operations, measured error, time, files
+//   shgen tune [FAMILY...] [--degree N] [--out FILE] [--check]  measure the recipes, so that `write` takes the fastest
 //   shgen emit FAMILY --degree N --lang cpp|glsl|glsl-es|hlsl|c99 [--scalar float|double]
 //                     [--prefer speed|accuracy|size]  print one kernel's file
 //   shgen dump STAGE KERNEL                          print the SSA of a kernel after a stage: dump share basis_l4
@@ -12,7 +13,9 @@
 //
 // Exit: 0 done, 1 `check` found a difference, `prove` a false identity or `errata` a false verdict, 2 bad input.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <iostream>
 #include <stdexcept>
 #include <string>
@@ -22,6 +25,7 @@
 #include "codegen/output_tree.hpp"
 #include "codegen/print/dump.hpp"
 #include "codegen/prove_command.hpp"
+#include "codegen/tune_command.hpp"
 #include "codegen/typeset_command.hpp"
 
 namespace sh::codegen {
@@ -55,8 +59,18 @@ int check(const std::string& folder) {
   return kDone;
 }
 
-int list() {
-  std::cout << render_all(report_progress).at("MANIFEST");
+// The manifest of a folder: every line, or those of some families.
+int list(const std::string& folder, const std::vector<std::string>& only) {
+  std::vector<std::string> prefixes;
+  for (const std::string& name : only) prefixes.push_back(find_family(name).name + "_l");
+  std::ifstream manifest(folder + "/MANIFEST");
+  if (!manifest) throw std::runtime_error(folder + "/MANIFEST: cannot be read; `shgen write` writes it");
+  std::string line;
+  while (std::getline(manifest, line)) {
+    const bool chosen = std::any_of(prefixes.begin(), prefixes.end(),
+                                    [&](const std::string& prefix) { return line.rfind(prefix, 0) == 0; });
+    if (prefixes.empty() || line[0] == '#' || chosen) std::cout << line << '\n';
+  }
   return kDone;
 }
 
@@ -107,7 +121,15 @@ int run(int argc, char** argv) {
   write_command->add_option("--out", folder, "Folder to write to (default: ./generated or the source tree's)");
   auto* check_command = app.add_subcommand("check", "Compare the generated files with what would be written");
   check_command->add_option("--dir", folder, "Folder to compare (default: ./generated or the source tree's)");
-  const auto* list_command = app.add_subcommand("list", "List every kernel with its cost and error");
+  std::vector<std::string> chosen;
+  auto* list_command = app.add_subcommand("list", "List every kernel and recipe with cost, error, time and files");
+  list_command->add_option("family", chosen, "Families (default: all)");
+  TuneOptions tune_options;
+  auto* tune_command = app.add_subcommand("tune", "Measure the recipes on this machine, for `shgen write` to choose");
+  tune_command->add_option("family", tune_options.families, "Families (default: all)");
+  const auto* tune_degree = tune_command->add_option("--degree", degree, "This degree only");
+  tune_command->add_option("--out", tune_options.file, "Wisdom file to update (default: the source tree's)");
+  tune_command->add_flag("--check", tune_options.check, "Only compare the recipes with the choice; write nothing");
   auto* emit_command = app.add_subcommand("emit", "Print the file of one kernel");
   emit_command->add_option("family", family, "Family, e.g. basis")->required();
   emit_command->add_option("--degree", degree, "Largest degree l")->required();
@@ -147,7 +169,7 @@ int run(int argc, char** argv) {
   }
   if (app.get_subcommands().empty()) {
     throw std::invalid_argument(
-        "no command; it should be one of: write, check, list, emit, dump, prove, errata, tex, markdown");
+        "no command; it should be one of: write, check, list, tune, emit, dump, prove, errata, tex, markdown");
   }
   if (prove_command->parsed()) {
     if (prove_degree->count() > 0) prove_options.degree = degree;
@@ -163,7 +185,11 @@ int run(int argc, char** argv) {
   if (folder.empty()) folder = default_folder();
   if (write_command->parsed()) return write(folder);
   if (check_command->parsed()) return check(folder);
-  if (list_command->parsed()) return list();
+  if (list_command->parsed()) return list(folder, chosen);
+  if (tune_command->parsed()) {
+    if (tune_degree->count() > 0) tune_options.degree = degree;
+    return tune(tune_options, std::cout, std::cerr) ? kDone : kDifferent;
+  }
   if (emit_command->parsed()) return emit(family, degree, language, scalar, prefer);
   return dump(stage, kernel);
 }

@@ -94,6 +94,8 @@ const Dialect& cpp_dialect() {
   return kDialect;
 }
 
+std::string cpp_prelude() { return std::string(kConstantTrait) + kMathTrait; }
+
 std::string cpp_kernel(const FinishedKernel& finished, Scalar /*scalar*/) {
   const bool needs_math = finished.cost.sqrt + finished.cost.select > 0;
   return comment_block(describe(finished, "cpp", cpp_dialect())) + "#pragma once\n\n" +

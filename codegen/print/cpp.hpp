@@ -12,6 +12,9 @@ namespace sh::codegen::print {
 /// Functions are constexpr templates on the scalar T; arrays are pointers.
 const Dialect& cpp_dialect();
 
+/// The definitions that functions in C++ rest on: constants, square roots, selections. Needs <cmath> and <type_traits>.
+std::string cpp_prelude();
+
 /// One self-contained header with one kernel, for every scalar.
 std::string cpp_kernel(const FinishedKernel& finished, Scalar scalar);
 

@@ -119,7 +119,7 @@ TEST(Shgen, DumpShowsEachStage) {
 
 TEST(Shgen, BadArgumentsAreOneLineAndExitTwo) {
   const std::map<std::string, std::string> cases{
-      {"", "it should be one of: write, check, list, emit, dump"},
+      {"", "it should be one of: write, check, list, tune, emit, dump"},
       {"frobnicate", "frobnicate"},
       {"emit", "family"},
       {"emit basis --lang cpp", "--degree"},
