@@ -40,7 +40,8 @@ std::string print_manifest(const std::vector<ManifestEntry>& entries) {
       "# Every kernel and every recipe for it, one a line. Written by `shgen write`; licence MIT-0.\n"
       "# mul, add: operations (add holds subtractions and negations); other: divisions, square roots, selections;\n"
       "# chain: the longest one; live: most values held at once; rounding, total: largest absolute error measured, as\n"
-      "# explained at the head of each file; ns, lane_ns: tuned time of a float call, and of a lane of a SIMD register;\n"
+      "# explained at the head of each file; ns, lane_ns: tuned time of a float call, and of a lane of a SIMD "
+      "register;\n"
       "# files: what is written with this recipe, - when another one was chosen.\n";
   std::vector<std::vector<std::string>> rows;
   rows.reserve(entries.size());

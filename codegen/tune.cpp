@@ -202,7 +202,8 @@ std::string describe_machine() {
   while (std::getline(processors, line) && line.rfind("model name", 0) != 0) {
   }
   const std::size_t colon = line.find(": ");
-  return (colon == std::string::npos ? "unknown processor" : line.substr(colon + 2)) + "; " + first_line(version) + kFlags;
+  return (colon == std::string::npos ? "unknown processor" : line.substr(colon + 2)) + "; " + first_line(version) +
+         kFlags;
 }
 
 std::vector<Timing> measure_times(const Family& family, const std::vector<Recipe>& recipes, int degree) {

@@ -1,0 +1,74 @@
+// Wisdom: reading, writing, choosing; and `shgen tune` on one small kernel.
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "codegen/wisdom.hpp"
+#include "tests/codegen/support.hpp"
+
+namespace sh::codegen {
+namespace {
+
+using test::quoted;
+using test::run_command;
+
+TEST(Wisdom, ReadsBackWhatItWrites) {
+  const test::TemporaryFolder folder;
+  Wisdom wisdom;
+  wisdom.set_machine("a processor; a compiler");
+  wisdom.set("rotate", 3, "zxz", {27.7, 2.3});
+  wisdom.set("basis", 10, "recurrence", {36, 3.5});
+  test::write_file(folder.path() / "wisdom.txt", wisdom.to_string());
+  const Wisdom read = Wisdom::read(folder.path() / "wisdom.txt");
+  EXPECT_EQ(read.to_string(), wisdom.to_string());
+  EXPECT_EQ(read.find("rotate", 3, "zxz")->call, 27.7);
+  EXPECT_EQ(read.find("rotate", 3, "zxz")->lane, 2.3);
+  EXPECT_FALSE(read.find("rotate", 4, "zxz"));
+}
+
+TEST(Wisdom, OfAMissingFileIsEmpty) {
+  EXPECT_FALSE(Wisdom::read("/nonexistent/wisdom").find("basis", 4, "recurrence"));
+}
+
+TEST(Wisdom, RefusesALineThatIsNoMeasurementAndNamesIt) {
+  const test::TemporaryFolder folder;
+  const auto file = folder.path() / "wisdom.txt";
+  for (const std::string line : {"basis four recurrence 1 1", "basis 4 recurrence 1", "basis 4 recurrence -1 1"}) {
+    test::write_file(file, "# head\n" + line + "\n");
+    try {
+      Wisdom::read(file);
+      FAIL() << line;
+    } catch (const std::runtime_error& error) {
+      EXPECT_NE(std::string(error.what()).find("wisdom.txt:2: not a measurement"), std::string::npos) << error.what();
+    }
+  }
+}
+
+TEST(Tune, MeasuresAKernelAndWritesWhatItLearned) {
+  const test::TemporaryFolder folder;
+  const auto file = folder.path() / "wisdom.txt";
+  const auto result = run_command(std::string(SHFORGE_BIN_DIR) + "/shgen tune basis --degree 1 --out " + quoted(file));
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_NE(result.out.find("basis 1 "), std::string::npos);
+  const Wisdom wisdom = Wisdom::read(file);
+  EXPECT_NE(wisdom.to_string().find("Measured on: "), std::string::npos);
+  ASSERT_TRUE(wisdom.find("basis", 1, "recurrence"));
+  EXPECT_GT(wisdom.find("basis", 1, "recurrence")->call, 0);
+}
+
+TEST(Tune, BadArgumentsAreOneLineAndExitTwo) {
+  for (const auto& [arguments, part] : {std::pair<std::string, std::string>{"nothing", "unknown family"},
+                                        {"basis --degree 99", "degree 99"},
+                                        {"basis --degree 0 --out /dev/null/here", "/dev/null/here"}}) {
+    const auto result = run_command(std::string(SHFORGE_BIN_DIR) + "/shgen tune " + arguments);
+    EXPECT_EQ(result.exit_code, 2) << arguments;
+    EXPECT_NE(result.err.find(part), std::string::npos) << result.err;
+  }
+  const auto without =
+      run_command("CXX=/nonexistent/c++ " + std::string(SHFORGE_BIN_DIR) + "/shgen tune basis --degree 1");
+  EXPECT_EQ(without.exit_code, 2);
+  EXPECT_NE(without.err.find("CXX should name a C++ compiler"), std::string::npos) << without.err;
+}
+
+}  // namespace
+}  // namespace sh::codegen
