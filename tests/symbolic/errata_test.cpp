@@ -11,7 +11,8 @@ namespace {
 class ErrataOfSource : public testing::TestWithParam<std::size_t> {};
 
 TEST_P(ErrataOfSource, EveryVerdictFollowsFromExactDecisions) {
-  for (const Entry& entry : all_sources()[GetParam()].entries) {
+  const std::vector<Source> sources = all_sources();
+  for (const Entry& entry : sources[GetParam()].entries) {
     SCOPED_TRACE(entry.id + " " + entry.where);
     EXPECT_FALSE(entry.printed.empty());
     EXPECT_EQ(to_string(decide(entry)), to_string(entry.verdict));
