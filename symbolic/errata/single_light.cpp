@@ -24,7 +24,7 @@ Polynomial projection() {
 // projection - t for t > 0; for t < 0 it is the mirror image, so means over 0..1 are means over the sphere.
 Polynomial error_above() {
   const Polynomial t = Polynomial::variable(0);
-  const Polynomial above = projection() - t;
+  Polynomial above = projection() - t;
   if (!(substitute(projection(), 0, Rational(-1) * t) == above)) {
     throw std::logic_error("single light: the error should be even");
   }
