@@ -36,7 +36,23 @@ const T& find(const std::vector<T>& items, const std::string& kind, const std::s
 }  // namespace
 
 const std::vector<Family>& families() {
-  static const std::vector<Family> kFamilies{basis_family()};
+  static const std::vector<Family> kFamilies{basis_family(),
+                                             cap_family(),
+                                             zonal_family(),
+                                             add_cap_family(),
+                                             add_cap_rgb_family(),
+                                             irradiance_family(),
+                                             irradiance_matrix_family(),
+                                             irradiance_evaluate_family(),
+                                             lightmap_family(),
+                                             lightmap_project_family(),
+                                             lightmap_evaluate_family(),
+                                             window_hann_family(),
+                                             window_lanczos_family(),
+                                             window_lanczos2_family(),
+                                             window_lanczos4_family(),
+                                             window_gaussian_family(),
+                                             window_laplacian_family()};
   return kFamilies;
 }
 
@@ -110,6 +126,17 @@ std::vector<Recipe> recipes_for(const Family& family, int degree) {
   return serving;
 }
 
+Recipe fastest_recipe(const Family& family, int degree) {
+  const std::vector<Recipe> serving = recipes_for(family, degree);
+  if (!serving.empty()) return serving.front();
+  std::string degrees;
+  for (int other = 0; other <= family.largest_emitted; ++other) {
+    if (recipes_for(family, other).empty()) continue;
+    degrees += (degrees.empty() ? "" : ", ") + std::to_string(other);
+  }
+  throw std::invalid_argument(family.name + ": degree " + std::to_string(degree) + "; it should be one of: " + degrees);
+}
+
 std::vector<Stage> kernel_stages(const Family& family, const Recipe& recipe, int degree) {
   require_degree(family, degree);
   Kernel kernel = recipe.make(degree);
@@ -173,7 +200,8 @@ std::vector<std::string> add_files(std::map<std::string, std::string>& files, co
 }  // namespace
 
 FinishedKernel preferred_kernel(const Family& family, int degree, Prefer prefer) {
-  if (prefer == Prefer::kSpeed) return finish_kernel(family, recipes_for(family, degree).front(), degree);
+  const Recipe fastest = fastest_recipe(family, degree);
+  if (prefer == Prefer::kSpeed) return finish_kernel(family, fastest, degree);
   return choose(finish_all(family, degree), prefer);
 }
 

@@ -38,8 +38,11 @@ print::Scalar find_scalar(const std::string& name);
 /// Throws std::invalid_argument unless 0 <= degree <= family.largest_emitted.
 void require_degree(const Family& family, int degree);
 
-/// The recipes that serve a degree, the fastest first according to the committed wisdom, else as the family lists them.
+/// The recipes that serve a degree, the fastest first according to the committed wisdom, else as the family lists them;
+/// none where the family has no such kernel.
 std::vector<Recipe> recipes_for(const Family& family, int degree);
+/// The first of them. Throws std::invalid_argument listing the degrees when there is none.
+Recipe fastest_recipe(const Family& family, int degree);
 
 /// The kernel after the recipe and after every pass; errors as run_pipeline and require_degree.
 std::vector<Stage> kernel_stages(const Family& family, const Recipe& recipe, int degree);

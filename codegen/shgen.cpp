@@ -91,7 +91,7 @@ std::vector<Stage> stages_of(const std::string& kernel) {
   }
   const Family& family = find_family(kernel.substr(0, split));
   const int degree = std::stoi(digits);
-  return kernel_stages(family, recipes_for(family, degree).at(0), degree);
+  return kernel_stages(family, fastest_recipe(family, degree), degree);
 }
 
 int dump(const std::string& stage, const std::string& kernel) {

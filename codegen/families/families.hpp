@@ -6,5 +6,21 @@
 namespace sh::codegen {
 
 Family basis_family();
+Family cap_family();
+Family zonal_family();
+Family add_cap_family();
+Family add_cap_rgb_family();
+Family irradiance_family();
+Family irradiance_matrix_family();
+Family irradiance_evaluate_family();
+Family lightmap_family();
+Family lightmap_project_family();
+Family lightmap_evaluate_family();
+Family window_hann_family();
+Family window_lanczos_family();
+Family window_lanczos2_family();
+Family window_lanczos4_family();
+Family window_gaussian_family();
+Family window_laplacian_family();
 
 }  // namespace sh::codegen

@@ -35,6 +35,24 @@ std::string cost_line(const Cost& cost) {
          " values live";
 }
 
+// Breaks lines that are too long at spaces and indents what follows like the first word after the label.
+std::vector<std::string> wrapped(const std::vector<std::string>& lines) {
+  constexpr std::size_t kWidth = 117;
+  constexpr std::size_t kLabel = 14;
+  std::vector<std::string> result;
+  for (const std::string& line : lines) {
+    result.push_back(line);
+    while (result.back().size() > kWidth) {
+      const std::string last = result.back();
+      const std::size_t space = last.rfind(' ', kWidth);
+      if (space == std::string::npos || space <= kLabel) break;
+      result.back() = last.substr(0, space);
+      result.push_back(std::string(kLabel, ' ') + last.substr(space + 1));
+    }
+  }
+  return result;
+}
+
 std::vector<std::string> error_row(const std::string& type, const MeasuredError& error, bool total) {
   const auto cell = [](const Error& e) { return two_digits(e.absolute) + " (" + fixed_one(e.eps) + " eps)"; };
   std::vector<std::string> row{"              " + type + "  ", "rounding " + cell(error.rounding)};
@@ -78,7 +96,7 @@ std::vector<std::string> describe(const FinishedKernel& finished, const std::str
   }
   lines.emplace_back("              rounding: against this formula in exact arithmetic at the same input");
   if (total) lines.push_back("              total:    against the exact function at " + domain.nearest);
-  return lines;
+  return wrapped(lines);
 }
 
 }  // namespace sh::codegen::print

@@ -65,7 +65,8 @@ class Lister {
         expressions_(kernel.nodes.size()),
         inputs_(elements_of(kernel.parameters, dialect)),
         results_(elements_of(kernel.results, dialect)),
-        stores_(kernel.nodes.size()) {
+        stores_(kernel.nodes.size()),
+        users_(kernel.nodes.size(), -1) {
     mark_overwritten(inputs_, kernel);
     for (const auto& names : {&kernel.parameters, &kernel.results}) {
       for (const Parameter& parameter : *names) taken_.insert(dialect.name(parameter.name));
@@ -74,9 +75,17 @@ class Lister {
     for (NodeId id = 0; id < kernel.size(); ++id) {
       if (!live_[index(id)]) continue;
       const Node& node = kernel.node(id);
-      for (int i = 0; i < argument_count(node.op); ++i) ++uses_[index(node.args[index(i)])];
-      if (node.op == Op::kInput && inputs_[index(node.input)].may_be_overwritten)
-        overwritable_[inputs_[index(node.input)].index].push_back(id);
+      for (int i = 0; i < argument_count(node.op); ++i) {
+        ++uses_[index(node.args[index(i)])];
+        users_[index(node.args[index(i)])] = id;
+      }
+    }
+    for (NodeId id = 0; id < kernel.size(); ++id) {
+      const Node& node = kernel.node(id);
+      if (!live_[index(id)] || node.op != Op::kInput) continue;
+      Element& element = inputs_[index(node.input)];
+      if (is_read_by_own_store(id)) element.may_be_overwritten = false;
+      if (element.may_be_overwritten) overwritable_[element.index].push_back(id);
     }
   }
 
@@ -89,6 +98,17 @@ class Lister {
 
  private:
   static std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+  // True when the element is needed only by the expression that is stored at its own index.
+  [[nodiscard]] bool is_read_by_own_store(NodeId id) const {
+    if (kernel_.results.size() != 1) return false;  // the element of another result might be stored before
+    const int element = inputs_[index(kernel_.node(id).input)].index;
+    for (NodeId at = id;; at = users_[index(at)]) {
+      const std::vector<std::size_t>& stores = stores_[index(at)];
+      if (uses_[index(at)] + static_cast<int>(stores.size()) != 1) return false;
+      if (!stores.empty()) return results_[stores[0]].index == element;
+    }
+  }
 
   void visit(NodeId id) {
     const Node& node = kernel_.node(id);
@@ -112,6 +132,7 @@ class Lister {
       listing_.statements.push_back({Statement::Kind::kReturn, "", expression.text, label});
       return;
     }
+    if (expression.text == results_[output].name) return;  // an element that stays as it is
     for (const NodeId input : overwritable_[results_[output].index]) load(input);
     listing_.statements.push_back({Statement::Kind::kStore, results_[output].name, expression.text, label});
   }
@@ -185,6 +206,7 @@ class Lister {
   std::vector<Element> inputs_;
   std::vector<Element> results_;
   std::vector<std::vector<std::size_t>> stores_;     // outputs, by node
+  std::vector<NodeId> users_;                        // the last node that uses a node
   std::map<int, std::vector<NodeId>> overwritable_;  // input nodes that a store may change, by index in their array
   std::set<std::string> taken_;
   std::map<std::string, int> copies_;
@@ -203,20 +225,37 @@ std::string line_of(const Statement& statement, const Dialect& dialect) {
   throw std::logic_error("statement: unknown kind");
 }
 
+// Breaks a line that is too long in front of + and -.
+std::vector<std::string> wrapped(const std::string& line, const std::string& indent) {
+  constexpr std::size_t kWidth = 118;
+  std::vector<std::string> lines{line};
+  while (lines.back().size() > kWidth) {
+    const std::string last = lines.back();
+    const std::size_t at = std::max(last.rfind(" + ", kWidth) + 1, last.rfind(" - ", kWidth) + 1);
+    if (at <= indent.size() + 4) break;
+    lines.back() = last.substr(0, at - 1);
+    lines.push_back(indent + "    " + last.substr(at));
+  }
+  return lines;
+}
+
 }  // namespace
 
 Listing make_listing(const Kernel& kernel, const Dialect& dialect) { return Lister(kernel, dialect).list(); }
 
 std::vector<std::string> statement_lines(const Listing& listing, const Dialect& dialect) {
   std::vector<std::string> lines;
+  std::vector<std::pair<std::size_t, std::string>> comments;  // by line
   std::size_t width = 0;
   for (const Statement& s : listing.statements) {
-    lines.push_back(dialect.indent + line_of(s, dialect));
-    if (!s.comment.empty()) width = std::max(width, lines.back().size());
+    for (std::string& line : wrapped(dialect.indent + line_of(s, dialect), dialect.indent))
+      lines.push_back(std::move(line));
+    if (s.comment.empty()) continue;
+    width = std::max(width, lines.back().size());
+    comments.emplace_back(lines.size() - 1, s.comment);
   }
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    const std::string& comment = listing.statements[i].comment;
-    if (!comment.empty()) lines[i] += std::string(width - lines[i].size(), ' ') + "  // " + comment;
+  for (const auto& [line, comment] : comments) {
+    lines[line] += std::string(width - lines[line].size(), ' ') + "  // " + comment;
   }
   return lines;
 }

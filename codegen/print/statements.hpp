@@ -3,7 +3,7 @@
 // A value used once is written into the expression that uses it (with brackets wherever the order of operations would
 // change otherwise); a value used more often becomes a variable under its hint, or a name made from its operands.
 // An array parameter that has the shape of a result may be the same array: its elements become variables before the
-// element of the same index is stored.
+// element of the same index is stored, unless only that store needs them.
 #pragma once
 
 #include <string>

@@ -1,0 +1,265 @@
+#include "codegen/recipes/irradiance.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "codegen/directions.hpp"
+#include "codegen/domains.hpp"
+#include "codegen/families/families.hpp"
+#include "symbolic/basis.hpp"
+#include "symbolic/irradiance.hpp"
+
+namespace sh::codegen {
+namespace {
+
+using symbolic::Surd;
+
+constexpr int kInputs = 400;
+constexpr int kLargest = 20;
+constexpr const char* kLimit = "beyond which straight-line code is too long to be useful";
+constexpr const char* kOneDegree = "the only one that has this form";
+constexpr const char* kCoefficients = "coefficient vectors (random, of norm 1)";
+constexpr const char* kWithNormals =
+    "coefficient vectors (random, of norm 1) with normals (random, axes, poles, near poles)";
+constexpr const char* kNormalised = "the normal scaled to length 1";
+
+int count(int degree) { return (degree + 1) * (degree + 1); }
+
+int band(std::size_t index) { return static_cast<int>(std::sqrt(static_cast<double>(index))); }
+
+// A_l by its integral, where the recipes have the closed form.
+Surd factor(std::size_t index) { return symbolic::irradiance_factor_integral(band(index)); }
+
+cln::cl_F value(const Surd& surd) { return surd.evaluate(kCheckDigits + 10); }
+
+std::vector<std::vector<double>> coefficient_inputs(int degree) { return unit_vectors(kInputs, count(degree), 81); }
+
+// --- irradiance
+
+Reference irradiance_reference(int degree, int points) {
+  Reference reference;
+  for (const auto& c : rational_vectors(points, count(degree), 82)) {
+    ReferencePoint point{c, {}};
+    for (std::size_t i = 0; i < c.size(); ++i) point.outputs.push_back(value(Surd(c[i]) * factor(i)));
+    reference.push_back(std::move(point));
+  }
+  return reference;
+}
+
+double irradiance_size(std::span<const double> inputs, std::size_t output) {
+  static const std::vector<double> kFactors = [] {
+    std::vector<double> factors;
+    for (int l = 0; l <= kLargest; ++l)
+      factors.push_back(cln::double_approx(symbolic::irradiance_factor(l).evaluate(20)));
+    return factors;
+  }();
+  const double a = kFactors[static_cast<std::size_t>(band(output))];
+  return a == 0 ? 1 : std::abs(a * inputs[output]);
+}
+
+// --- quadratic form
+
+// E as a polynomial of the normal in reduced form, whose coefficients M holds by definition.
+Reference matrix_reference(int degree, int points) {
+  Reference reference;
+  for (const auto& c : rational_vectors(points, count(degree), 83)) {
+    ReferencePoint point{c, std::vector<cln::cl_F>(16, cln::cl_float(0, cln::float_format(kCheckDigits)))};
+    for (std::size_t i = 0; i < c.size(); ++i) {
+      const int l = band(i);
+      const symbolic::BasisFunction f = symbolic::basis_function(l, static_cast<int>(i) - l * (l + 1));
+      const symbolic::Polynomial reduced = f.axial * f.azimuthal;
+      for (const auto& [monomial, coefficient] : reduced.terms()) {
+        // The two factors of the monomial among (x, y, z, 1).
+        std::vector<std::size_t> factors;
+        for (int axis = 0; axis < 3; ++axis) {
+          factors.insert(factors.end(), static_cast<std::size_t>(monomial.exponent(axis)),
+                         static_cast<std::size_t>(axis));
+        }
+        factors.resize(2, 3);
+        const bool diagonal = factors[0] == factors[1];
+        const cln::cl_F part = value(Surd(coefficient * c[i] / (diagonal ? 1 : 2)) * f.factor * factor(i));
+        cln::cl_F& upper = point.outputs[4 * factors[0] + factors[1]];
+        upper = upper + part;
+        if (!diagonal) point.outputs[4 * factors[1] + factors[0]] = upper;
+      }
+    }
+    reference.push_back(std::move(point));
+  }
+  return reference;
+}
+
+double vector_length(std::span<const double> inputs, std::size_t /*output*/) { return length(inputs); }
+
+// --- E(n)
+
+Reference evaluate_reference(int degree, int points) {
+  const auto normals = rational_directions(points);
+  const auto vectors = rational_vectors(points, count(degree), 84);
+  Reference reference;
+  for (std::size_t k = 0; k < vectors.size(); ++k) {
+    ReferencePoint point{vectors[k], {cln::cl_float(0, cln::float_format(kCheckDigits))}};
+    for (std::size_t i = 0; i < vectors[k].size(); ++i) {
+      const int l = band(i);
+      const symbolic::BasisFunction f = symbolic::basis_function(l, static_cast<int>(i) - l * (l + 1));
+      const cln::cl_RA rational = vectors[k][i] * f.homogeneous.evaluate(normals[k]);
+      point.outputs[0] = point.outputs[0] + value(Surd(rational) * f.factor * factor(i));
+    }
+    point.inputs.insert(point.inputs.end(), normals[k].begin(), normals[k].end());
+    reference.push_back(std::move(point));
+  }
+  return reference;
+}
+
+std::vector<std::vector<double>> evaluate_inputs(int degree) {
+  const auto normals = some_test_directions(kInputs);
+  auto inputs = unit_vectors(static_cast<int>(normals.size()), count(degree), 85);
+  for (std::size_t i = 0; i < inputs.size(); ++i)
+    inputs[i].insert(inputs[i].end(), normals[i].begin(), normals[i].end());
+  return inputs;
+}
+
+// The length of the coefficient vector in front of a normal.
+double coefficients_length(std::span<const double> inputs, std::size_t /*output*/) {
+  return length(inputs.first(inputs.size() - 3));
+}
+
+std::vector<cln::cl_F> normal_last(const std::vector<cln::cl_F>& inputs) {
+  return with_unit_direction(inputs, inputs.size() - 3);
+}
+
+// --- lightmap form: E(n) = e_0 + e_1 y + e_2 z + e_3 x
+
+// E of one coefficient or sample is linear in (1, y, z, x): read its coefficients from the basis functions.
+Surd lightmap_factor(std::size_t i) {
+  const symbolic::BasisFunction f = symbolic::basis_function(band(i), 0);
+  return f.factor * factor(i);
+}
+
+Reference lightmap_reference(int degree, int points) {
+  Reference reference;
+  for (const auto& c : rational_vectors(points, count(degree), 86)) {
+    ReferencePoint point{c, {}};
+    for (std::size_t i = 0; i < c.size(); ++i) point.outputs.push_back(value(Surd(c[i]) * lightmap_factor(i)));
+    reference.push_back(std::move(point));
+  }
+  return reference;
+}
+
+double lightmap_size(std::span<const double> inputs, std::size_t output) {
+  return std::abs(inputs[output]) * std::sqrt(output == 0 ? std::numbers::pi / 4 : std::numbers::pi / 3);
+}
+
+Reference project_reference(int degree, int points) {
+  const auto directions = rational_directions(points);
+  const auto others = rational_vectors(points, 1 + count(degree), 87);
+  Reference reference;
+  for (std::size_t k = 0; k < directions.size(); ++k) {
+    ReferencePoint point{{directions[k].begin(), directions[k].end()}, {}};
+    point.inputs.insert(point.inputs.end(), others[k].begin(), others[k].end());
+    for (std::size_t i = 0; i < 4; ++i) {
+      const int l = band(i);
+      const symbolic::BasisFunction f = symbolic::basis_function(l, static_cast<int>(i) - l * (l + 1));
+      const Surd added = Surd(others[k][0] * f.homogeneous.evaluate(directions[k])) * f.factor * lightmap_factor(i);
+      point.outputs.push_back(value(Surd(others[k][1 + i])) + value(added));
+    }
+    reference.push_back(std::move(point));
+  }
+  return reference;
+}
+
+std::vector<std::vector<double>> project_inputs(int degree) {
+  const auto directions = some_test_directions(kInputs);
+  const auto others = unit_vectors(static_cast<int>(directions.size()), 1 + count(degree), 88);
+  std::vector<std::vector<double>> inputs;
+  for (std::size_t i = 0; i < directions.size(); ++i) {
+    inputs.emplace_back(directions[i].begin(), directions[i].end());
+    inputs.back().insert(inputs.back().end(), others[i].begin(), others[i].end());
+  }
+  return inputs;
+}
+
+double project_size(std::span<const double> inputs, std::size_t output) {
+  return std::abs(inputs[3]) / 2 + std::abs(inputs[4 + output]);
+}
+
+std::vector<cln::cl_F> direction_first(const std::vector<cln::cl_F>& inputs) { return with_unit_direction(inputs, 0); }
+
+Reference lightmap_evaluate_reference(int degree, int points) {
+  const auto normals = rational_directions(points);
+  const auto forms = rational_vectors(points, count(degree), 89);
+  Reference reference;
+  for (std::size_t k = 0; k < normals.size(); ++k) {
+    const auto& n = normals[k];
+    const auto& e = forms[k];
+    ReferencePoint point{e, {value(Surd(e[0] + e[1] * n[1] + e[2] * n[2] + e[3] * n[0]))}};
+    point.inputs.insert(point.inputs.end(), n.begin(), n.end());
+    reference.push_back(std::move(point));
+  }
+  return reference;
+}
+
+}  // namespace
+
+Family irradiance_family() {
+  return {"irradiance",
+          10,
+          kLargest,
+          kLimit,
+          {{"factors", recipes::irradiance}},
+          irradiance_reference,
+          {kCoefficients, "|A_l c_lm|", "", coefficient_inputs, irradiance_size, nullptr}};
+}
+
+Family irradiance_matrix_family() {
+  return {"irradiance_matrix",
+          2,
+          2,
+          kOneDegree,
+          {{"entries", recipes::irradiance_matrix, 2, 2}},
+          matrix_reference,
+          {kCoefficients, "the norm of c", "", coefficient_inputs, vector_length, nullptr}};
+}
+
+Family irradiance_evaluate_family() {
+  return {"irradiance_evaluate",
+          10,
+          kLargest,
+          kLimit,
+          {{"nested", recipes::irradiance_evaluate_nested, 2, 3}, {"columns", recipes::irradiance_evaluate}},
+          evaluate_reference,
+          {kWithNormals, "the norm of c", kNormalised, evaluate_inputs, coefficients_length, normal_last}};
+}
+
+Family lightmap_family() {
+  return {"lightmap",
+          1,
+          1,
+          kOneDegree,
+          {{"factors", recipes::lightmap, 1, 1}},
+          lightmap_reference,
+          {kCoefficients, "|out|", "", coefficient_inputs, lightmap_size, nullptr}};
+}
+
+Family lightmap_project_family() {
+  return {"lightmap_project",
+          1,
+          1,
+          kOneDegree,
+          {{"factors", recipes::lightmap_project, 1, 1}},
+          project_reference,
+          {"samples (random, axes, poles, near poles) with random weights and sums", "(|weight| / 2 + |sum|)",
+           "the direction scaled to length 1", project_inputs, project_size, direction_first}};
+}
+
+Family lightmap_evaluate_family() {
+  return {"lightmap_evaluate",
+          1,
+          1,
+          kOneDegree,
+          {{"dot", recipes::lightmap_evaluate, 1, 1}},
+          lightmap_evaluate_reference,
+          {kWithNormals, "the norm of e", kNormalised, evaluate_inputs, coefficients_length, normal_last}};
+}
+
+}  // namespace sh::codegen

@@ -1,0 +1,165 @@
+#include "codegen/recipes/window.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "codegen/domains.hpp"
+#include "codegen/families/families.hpp"
+#include "symbolic/basis.hpp"
+
+namespace sh::codegen {
+namespace {
+
+constexpr int kInputs = 300;
+constexpr int kLargest = 20;
+constexpr const char* kLimit = "beyond which straight-line code is too long to be useful; degree 0 needs no window";
+constexpr const char* kUnit = "|c_lm|";
+
+int count(int degree) { return (degree + 1) * (degree + 1); }
+
+// Points whose windows `factor(l, parameters)` gives exactly; parameters(k): those of point k.
+using Parameters = std::vector<cln::cl_RA>;
+Reference window_reference(int degree, int points, const std::function<Parameters(std::size_t)>& parameters,
+                           const std::function<cln::cl_RA(int, std::size_t)>& factor) {
+  Reference reference;
+  const auto vectors = rational_vectors(points, count(degree), 91);
+  for (std::size_t k = 0; k < vectors.size(); ++k) {
+    ReferencePoint point{parameters(k), {}};
+    point.inputs.insert(point.inputs.end(), vectors[k].begin(), vectors[k].end());
+    for (std::size_t i = 0; i < vectors[k].size(); ++i) {
+      const cln::cl_RA windowed = factor(static_cast<int>(std::sqrt(static_cast<double>(i))), k) * vectors[k][i];
+      point.outputs.push_back(symbolic::Surd(windowed).evaluate(kCheckDigits));
+    }
+    reference.push_back(std::move(point));
+  }
+  return reference;
+}
+
+// cos(l angle) and sin(l angle) at a rational point (cos, sin) of the circle: the functions Re and Im (x + iy)^l.
+cln::cl_RA multiple(int l, bool sine, const std::vector<cln::cl_RA>& circle) {
+  if (l == 0) return sine ? 0 : 1;
+  return symbolic::reduced_basis_function(l, sine ? -l : l).azimuthal.evaluate(circle);
+}
+
+std::vector<std::vector<cln::cl_RA>> circle_points(int points) {
+  std::vector<std::vector<cln::cl_RA>> circle;
+  for (const auto& v : rational_vectors(points, 1, 92)) {
+    const cln::cl_RA square = v[0] * v[0];
+    circle.push_back({(square - 1) / (square + 1), 2 * v[0] / (square + 1)});
+  }
+  return circle;
+}
+
+Reference hann_reference(int degree, int points) {
+  const auto circle = circle_points(points);
+  return window_reference(
+      degree, points, [&](std::size_t k) { return Parameters{circle[k][0]}; },
+      [&](int l, std::size_t k) { return (1 + multiple(l, false, circle[k])) / 2; });
+}
+
+// At angles whose sine and cosine are rational and with any number as the angle: the formula is linear in 1 / angle.
+Reference lanczos_reference(int degree, int points, int power) {
+  const auto circle = circle_points(points);
+  const auto angles = rational_vectors(points, 1, 93);
+  const auto angle = [&](std::size_t k) { return 1 + cln::abs(angles[k][0]); };
+  return window_reference(
+      degree, points,
+      [&](std::size_t k) {
+        return Parameters{circle[k][0], circle[k][1] / angle(k)};
+      },
+      [&](int l, std::size_t k) {
+        return l == 0 ? cln::cl_RA(1) : cln::expt(multiple(l, true, circle[k]) / (angle(k) * l), power);
+      });
+}
+
+Reference gaussian_reference(int degree, int points) {
+  const auto g = rational_vectors(points, 1, 94);
+  const auto parameter = [&](std::size_t k) { return 1 / (1 + cln::abs(g[k][0])); };
+  return window_reference(
+      degree, points, [&](std::size_t k) { return Parameters{parameter(k)}; },
+      [&](int l, std::size_t k) { return cln::expt(parameter(k), l * l); });
+}
+
+Reference laplacian_reference(int degree, int points) {
+  const auto lambda = rational_vectors(points, 1, 95);
+  const auto parameter = [&](std::size_t k) { return cln::abs(lambda[k][0]); };
+  return window_reference(
+      degree, points, [&](std::size_t k) { return Parameters{parameter(k)}; },
+      [&](int l, std::size_t k) { return 1 / (1 + parameter(k) * (l * l * (l + 1) * (l + 1))); });
+}
+
+// Coefficient vectors of norm 1 behind parameters between 0 and 1, ends included; `signs`: between -1 and 1.
+std::vector<std::vector<double>> inputs(int degree, std::size_t parameters, bool signs) {
+  const std::vector<std::vector<double>> vectors = unit_vectors(kInputs, count(degree), 96);
+  std::vector<std::vector<double>> inputs;
+  for (std::size_t i = 0; i < vectors.size(); ++i) {
+    const double t = static_cast<double>(i) / (kInputs - 1);
+    // Twice as dense towards 1, where wide windows are.
+    const double value = 1 - (1 - t) * (1 - t) * (signs ? 2 : 1);
+    std::vector<double> input{value};
+    if (parameters == 2) input.push_back(static_cast<double>((i * 7) % kInputs) / kInputs);
+    input.insert(input.end(), vectors[i].begin(), vectors[i].end());
+    inputs.push_back(std::move(input));
+  }
+  return inputs;
+}
+
+std::vector<std::vector<double>> cosine_inputs(int degree) { return inputs(degree, 1, true); }
+std::vector<std::vector<double>> sinc_inputs(int degree) { return inputs(degree, 2, true); }
+std::vector<std::vector<double>> positive_inputs(int degree) { return inputs(degree, 1, false); }
+
+double size_after_one(std::span<const double> inputs, std::size_t output) { return std::abs(inputs[1 + output]); }
+double size_after_two(std::span<const double> inputs, std::size_t output) { return std::abs(inputs[2 + output]); }
+
+Family lanczos_family(const std::string& name, int power) {
+  return {name,
+          10,
+          kLargest,
+          kLimit,
+          {{"recurrence", [power](int degree) { return recipes::window_lanczos(degree, power); }, 1}},
+          [power](int degree, int points) { return lanczos_reference(degree, points, power); },
+          {"coefficient vectors (random, of norm 1), cosines -1 to 1 and sincs 0 to 1", kUnit, "", sinc_inputs,
+           size_after_two, nullptr}};
+}
+
+}  // namespace
+
+Family window_hann_family() {
+  return {"window_hann",
+          10,
+          kLargest,
+          kLimit,
+          {{"halves", recipes::window_hann, 1}, {"chebyshev", recipes::window_hann_chebyshev, 1}},
+          hann_reference,
+          {"coefficient vectors (random, of norm 1) and cosines -1 to 1", kUnit, "", cosine_inputs, size_after_one,
+           nullptr}};
+}
+
+Family window_lanczos_family() { return lanczos_family("window_lanczos", 1); }
+Family window_lanczos2_family() { return lanczos_family("window_lanczos2", 2); }
+Family window_lanczos4_family() { return lanczos_family("window_lanczos4", 4); }
+
+Family window_gaussian_family() {
+  return {
+      "window_gaussian",
+      10,
+      kLargest,
+      kLimit,
+      {{"powers", recipes::window_gaussian, 1}},
+      gaussian_reference,
+      {"coefficient vectors (random, of norm 1) and g 0 to 1", kUnit, "", positive_inputs, size_after_one, nullptr}};
+}
+
+Family window_laplacian_family() {
+  return {"window_laplacian",
+          10,
+          kLargest,
+          kLimit,
+          {{"quotients", recipes::window_laplacian, 1}},
+          laplacian_reference,
+          {"coefficient vectors (random, of norm 1) and lambda 0 to 1", kUnit, "", positive_inputs, size_after_one,
+           nullptr}};
+}
+
+}  // namespace sh::codegen

@@ -1,0 +1,158 @@
+#include "codegen/recipes/zonal.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "codegen/directions.hpp"
+#include "codegen/domains.hpp"
+#include "codegen/families/families.hpp"
+#include "symbolic/convolution.hpp"
+#include "symbolic/zonal.hpp"
+
+namespace sh::codegen {
+namespace {
+
+constexpr int kInputs = 400;
+
+void append(std::vector<double>& inputs, const std::vector<double>& more) {
+  inputs.insert(inputs.end(), more.begin(), more.end());
+}
+
+Reference zonal_reference(int degree, int count) {
+  const auto directions = rational_directions(count);
+  const auto zonals = rational_vectors(count, degree + 1, 71);
+  const auto turned = symbolic::turned_zonal(degree);
+  Reference reference;
+  for (std::size_t i = 0; i < directions.size(); ++i) {
+    ReferencePoint point{zonals[i], {}};
+    point.inputs.insert(point.inputs.end(), directions[i].begin(), directions[i].end());
+    for (const symbolic::TurnedZonal& f : turned) {
+      const cln::cl_RA value = f.polynomial.evaluate(directions[i]) * zonals[i][static_cast<std::size_t>(f.degree)];
+      point.outputs.push_back((symbolic::Surd(value) * f.factor).evaluate(kCheckDigits));
+    }
+    reference.push_back(std::move(point));
+  }
+  return reference;
+}
+
+std::vector<std::vector<double>> zonal_inputs(int degree) {
+  const auto chosen = some_test_directions(kInputs);
+  std::vector<std::vector<double>> inputs = unit_vectors(static_cast<int>(chosen.size()), degree + 1, 72);
+  for (std::size_t i = 0; i < chosen.size(); ++i) append(inputs[i], {chosen[i].begin(), chosen[i].end()});
+  return inputs;
+}
+
+double zonal_size(std::span<const double> inputs, std::size_t output) {
+  return std::abs(inputs[static_cast<std::size_t>(std::sqrt(static_cast<double>(output)))]);
+}
+
+std::vector<cln::cl_F> zonal_nearest(const std::vector<cln::cl_F>& inputs) {
+  return with_unit_direction(inputs, inputs.size() - 3);
+}
+
+// x, y, z, 1 - cos, colours, sum
+Reference cap_reference(int degree, int count, int channels) {
+  const auto directions = rational_directions(count);
+  const int coefficients = (degree + 1) * (degree + 1);
+  const auto others = rational_vectors(count, 1 + channels + channels * coefficients, 73);
+  const auto cap = symbolic::zonal_coefficients(symbolic::zonal_family("cap-small"), degree);
+  const auto turned = symbolic::turned_zonal(degree);
+  Reference reference;
+  for (std::size_t i = 0; i < directions.size(); ++i) {
+    ReferencePoint point{{directions[i].begin(), directions[i].end()}, {}};
+    point.inputs.insert(point.inputs.end(), others[i].begin(), others[i].end());
+    cln::cl_RA& u = point.inputs[3];
+    u = 2 * cln::abs(u) / (1 + cln::abs(u));
+    for (int k = 0; k < channels * coefficients; ++k) {
+      const symbolic::TurnedZonal& f = turned[static_cast<std::size_t>(k % coefficients)];
+      const cln::cl_RA& colour = point.inputs[static_cast<std::size_t>(4 + k / coefficients)];
+      const cln::cl_RA& sum = point.inputs[static_cast<std::size_t>(4 + channels + k)];
+      const symbolic::Surd added = symbolic::Surd(colour * f.polynomial.evaluate(directions[i])) * f.factor *
+                                   cap[static_cast<std::size_t>(f.degree)].at({&u, 1});
+      point.outputs.push_back(symbolic::Surd(sum).evaluate(kCheckDigits + 10) + added.evaluate(kCheckDigits + 10));
+    }
+    reference.push_back(std::move(point));
+  }
+  return reference;
+}
+
+std::vector<std::vector<double>> cap_inputs(int degree, int channels, std::size_t count) {
+  const auto chosen = some_test_directions(count);
+  const auto coefficients = static_cast<std::size_t>((degree + 1) * (degree + 1));
+  const std::vector<double> sizes = cap_sizes(static_cast<int>(chosen.size()), 74);
+  const auto n = static_cast<std::size_t>(channels);
+  const auto colours = unit_vectors(static_cast<int>(chosen.size()), channels, 75);
+  auto sums = unit_vectors(static_cast<int>(chosen.size()), channels * static_cast<int>(coefficients), 76);
+  std::vector<std::vector<double>> inputs;
+  for (std::size_t i = 0; i < chosen.size(); ++i) {
+    std::vector<double> input{chosen[i].begin(), chosen[i].end()};
+    input.push_back(sizes[i]);
+    append(input, colours[i]);
+    // Half of them start at zero: the light alone is measured, relative to its own size.
+    if (i % 2 == 0) sums[i].assign(n * coefficients, 0);
+    append(input, sums[i]);
+    inputs.push_back(std::move(input));
+  }
+  return inputs;
+}
+
+double cap_light_size(std::span<const double> inputs, std::size_t output, std::size_t channels) {
+  const std::size_t coefficients = (inputs.size() - 4 - channels) / channels;
+  const auto l = static_cast<std::size_t>(std::sqrt(static_cast<double>(output % coefficients)));
+  return std::abs(inputs[4 + output / coefficients]) * cap_size(inputs[3], l) + std::abs(inputs[4 + channels + output]);
+}
+
+std::vector<cln::cl_F> cap_light_nearest(const std::vector<cln::cl_F>& inputs) {
+  return with_unit_direction(inputs, 0);
+}
+
+Domain cap_light_domain(bool rgb) {
+  Domain domain;
+  domain.inputs = "lights (random, axes, poles, near poles; half-angles from tiny to pi), half of them added to zero";
+  domain.unit = "(|colour| sqrt((2l+1) pi) (1 - cos^2) / 2, at l = 0 |colour| sqrt(pi) (1 - cos), plus |sum|)";
+  domain.nearest = "the direction scaled to length 1";
+  domain.test_inputs = rgb ? [](int degree) { return cap_inputs(degree, 3, 200); }
+                           : [](int degree) { return cap_inputs(degree, 1, kInputs); };
+  domain.size =
+      rgb ? [](std::span<const double> inputs, std::size_t output) { return cap_light_size(inputs, output, 3); }
+          : [](std::span<const double> inputs, std::size_t output) { return cap_light_size(inputs, output, 1); };
+  domain.nearest_in_domain = cap_light_nearest;
+  return domain;
+}
+
+constexpr const char* kLimit = "beyond which straight-line code is too long to be useful";
+
+}  // namespace
+
+Family zonal_family() {
+  return {"zonal",
+          10,
+          20,
+          kLimit,
+          {{"columns", recipes::zonal_columns}, {"recurrence", recipes::zonal_recurrence}},
+          zonal_reference,
+          {"directions (random, axes, poles, near poles) with random zonal functions of norm 1", "|zonal[l]|",
+           "the direction scaled to length 1", zonal_inputs, zonal_size, zonal_nearest}};
+}
+
+Family add_cap_family() {
+  return {"add_cap",
+          10,
+          20,
+          kLimit,
+          {{"columns", recipes::add_cap}},
+          [](int degree, int count) { return cap_reference(degree, count, 1); },
+          cap_light_domain(false)};
+}
+
+Family add_cap_rgb_family() {
+  return {"add_cap_rgb",
+          10,
+          20,
+          kLimit,
+          {{"columns", recipes::add_cap_rgb}},
+          [](int degree, int count) { return cap_reference(degree, count, 3); },
+          cap_light_domain(true)};
+}
+
+}  // namespace sh::codegen

@@ -1,0 +1,277 @@
+// The committed caps, zonal functions, irradiance and windows against quadrature, angles and each other.
+#include "generated/cpp/zonal.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <random>
+#include <utility>
+#include <vector>
+
+#include "generated/cpp/add_cap.hpp"
+#include "generated/cpp/add_cap_rgb.hpp"
+#include "generated/cpp/cap.hpp"
+#include "generated/cpp/irradiance.hpp"
+#include "generated/cpp/irradiance_evaluate.hpp"
+#include "generated/cpp/irradiance_matrix.hpp"
+#include "generated/cpp/lightmap.hpp"
+#include "generated/cpp/lightmap_evaluate.hpp"
+#include "generated/cpp/lightmap_project.hpp"
+#include "generated/cpp/window_gaussian.hpp"
+#include "generated/cpp/window_hann.hpp"
+#include "generated/cpp/window_lanczos.hpp"
+#include "generated/cpp/window_lanczos2.hpp"
+#include "generated/cpp/window_lanczos4.hpp"
+#include "generated/cpp/window_laplacian.hpp"
+#include "numeric/basis.hpp"
+#include "numeric/quadrature.hpp"
+#include "numeric/zonal.hpp"
+
+namespace sh {
+namespace {
+
+constexpr int kMaxDegree = 10;
+constexpr std::size_t count_of(int degree) { return static_cast<std::size_t>((degree + 1) * (degree + 1)); }
+std::size_t band(std::size_t index) { return static_cast<std::size_t>(std::sqrt(static_cast<double>(index))); }
+
+using Direction = std::array<double, 3>;
+
+std::vector<Direction> directions(int count) {
+  std::mt19937 random(17);
+  std::normal_distribution<double> normal;
+  std::vector<Direction> result{{0, 0, 1}, {0, 0, -1}, {1, 0, 0}, {0, 1, 0}};
+  for (int i = 0; i < count; ++i) result.push_back(numeric::normalised(normal(random), normal(random), normal(random)));
+  return result;
+}
+
+template <std::size_t N>
+std::array<double, N> random_array(unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  std::array<double, N> values;
+  for (double& v : values) v = uniform(random);
+  return values;
+}
+
+// f.operator()<Degree>() for First .. kMaxDegree.
+template <int First, class F>
+void for_degrees_from(F&& f) {
+  [&]<int... kOffset>(std::integer_sequence<int, kOffset...>) { (f.template operator()<First + kOffset>(), ...); }
+  (std::make_integer_sequence<int, kMaxDegree + 1 - First>());
+}
+
+// z_l = 2 pi integral of Y_l0 over the cap, by a Gauss rule in the cosine.
+double cap_by_quadrature(int l, double u) {
+  const auto rule = numeric::gauss_legendre<double>(12);
+  double sum = 0;
+  for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
+    const double t = 1 - u * (1 + rule.nodes[i]) / 2;
+    const double across = std::sqrt(std::max(0.0, 1 - t * t));
+    sum += rule.weights[i] * numeric::basis_value<double>(l, 0, across, 0.0, t);
+  }
+  return std::numbers::pi * u * sum;
+}
+
+TEST(GeneratedCap, AgreesWithQuadrature) {
+  for_degrees_from<0>([]<int kDegree>() {
+    for (const double u : {1e-3, 0.1, 0.5, 1.0, 1.7, 1.99, 2.0}) {
+      std::array<double, kDegree + 1> z;
+      cap<kDegree>(u, z.data());
+      for (int l = 0; l <= kDegree; ++l)
+        EXPECT_NEAR(z[static_cast<std::size_t>(l)], cap_by_quadrature(l, u), 8e-15) << l << " " << u;
+    }
+  });
+}
+
+TEST(GeneratedZonal, TurnsALobeToADirection) {
+  for_degrees_from<0>([]<int kDegree>() {
+    const auto lobe = random_array<kDegree + 1>(3);
+    for (const Direction& d : directions(20)) {
+      std::array<double, count_of(kDegree)> out;
+      zonal<kDegree>(lobe.data(), d[0], d[1], d[2], out.data());
+      const auto y = numeric::basis<double>(kDegree, d[0], d[1], d[2]);
+      for (std::size_t i = 0; i < out.size(); ++i) {
+        const auto l = static_cast<double>(band(i));
+        EXPECT_NEAR(out[i], std::sqrt(4 * std::numbers::pi / (2 * l + 1)) * lobe[band(i)] * y[i], 1e-14);
+      }
+    }
+  });
+}
+
+TEST(GeneratedZonal, TowardsThePoleIsTheLobeItself) {
+  for_degrees_from<0>([]<int kDegree>() {
+    const auto lobe = random_array<kDegree + 1>(4);
+    std::array<double, count_of(kDegree)> out;
+    zonal<kDegree>(lobe.data(), 0.0, 0.0, 1.0, out.data());
+    for (std::size_t i = 0; i < out.size(); ++i) {
+      const std::size_t l = band(i);
+      EXPECT_NEAR(out[i], i == l * (l + 1) ? lobe[l] : 0.0, 4e-15);
+    }
+  });
+}
+
+TEST(GeneratedAddCap, AddsTheCapTurnedToItsDirection) {
+  for_degrees_from<0>([]<int kDegree>() {
+    constexpr std::size_t kCount = count_of(kDegree);
+    for (const Direction& d : directions(5)) {
+      std::array<double, kDegree + 1> z;
+      cap<kDegree>(0.3, z.data());
+      std::array<double, kCount> light;
+      zonal<kDegree>(z.data(), d[0], d[1], d[2], light.data());
+      const auto before = random_array<3 * kCount>(5);
+      auto sum = before;
+      add_cap<kDegree>(d[0], d[1], d[2], 0.3, 2.5, sum.data());
+      for (std::size_t i = 0; i < kCount; ++i) EXPECT_NEAR(sum[i], before[i] + 2.5 * light[i], 2e-14);
+      EXPECT_EQ(sum[kCount], before[kCount]);
+      sum = before;
+      add_cap_rgb<kDegree>(d[0], d[1], d[2], 0.3, 2.5, -1.0, 0.125, sum.data());
+      const std::array<double, 3> colour{2.5, -1, 0.125};
+      for (std::size_t i = 0; i < sum.size(); ++i)
+        EXPECT_NEAR(sum[i], before[i] + colour[i / kCount] * light[i % kCount], 2e-14);
+    }
+  });
+}
+
+TEST(GeneratedAddCap, TinyLightsOfGreatRadianceKeepTheirEnergy) {
+  // Radiance 1 / solid angle: a delta function of unit energy, c_lm = Y_lm(d), to 24 bits.
+  const double u = 1e-30;
+  const auto intensity = static_cast<float>(1 / (2 * std::numbers::pi * u));
+  for (const Direction& d : directions(10)) {
+    std::array<float, 25> sum{};
+    add_cap_l4(static_cast<float>(d[0]), static_cast<float>(d[1]), static_cast<float>(d[2]), static_cast<float>(u),
+               intensity, sum.data());
+    const auto y = numeric::basis<double>(4, d[0], d[1], d[2]);
+    for (std::size_t i = 0; i < sum.size(); ++i) EXPECT_NEAR(static_cast<double>(sum[i]), y[i], 1e-6);
+  }
+}
+
+TEST(GeneratedIrradiance, MultipliesEveryBandByTheClampedCosine) {
+  for_degrees_from<0>([]<int kDegree>() {
+    const auto before = random_array<count_of(kDegree)>(6);
+    auto c = before;
+    irradiance<kDegree>(c.data());
+    for (std::size_t i = 0; i < c.size(); ++i) {
+      const int l = static_cast<int>(band(i));
+      EXPECT_NEAR(c[i], numeric::clamped_cosine_factor<double>(l) * before[i], 1e-15);
+      if (l % 2 == 1 && l > 1) {
+        EXPECT_EQ(c[i], 0.0);
+      }
+    }
+  });
+}
+
+TEST(GeneratedIrradiance, EvaluatesLikeTheConvolutionAndTheQuadraticForm) {
+  for_degrees_from<0>([]<int kDegree>() {
+    const auto c = random_array<count_of(kDegree)>(7);
+    auto e = c;
+    irradiance<kDegree>(e.data());
+    for (const Direction& n : directions(20)) {
+      const auto y = numeric::basis<double>(kDegree, n[0], n[1], n[2]);
+      double expected = 0;
+      for (std::size_t i = 0; i < e.size(); ++i) expected += e[i] * y[i];
+      EXPECT_NEAR(irradiance_evaluate<kDegree>(c.data(), n[0], n[1], n[2]), expected, 1e-14);
+    }
+  });
+  const auto c = random_array<9>(8);
+  std::array<double, 16> m;
+  irradiance_matrix<2>(c.data(), m.data());
+  for (const Direction& n : directions(20)) {
+    const std::array<double, 4> v{n[0], n[1], n[2], 1};
+    double form = 0;
+    for (std::size_t i = 0; i < 16; ++i) {
+      form += v[i / 4] * m[i] * v[i % 4];
+      EXPECT_EQ(m[i], m[4 * (i % 4) + i / 4]);
+    }
+    EXPECT_NEAR(form, irradiance_evaluate_l2(c.data(), n[0], n[1], n[2]), 4e-15);
+  }
+}
+
+TEST(GeneratedLightmap, ProjectsAndEvaluatesIrradianceOfDegreeOne) {
+  // Samples, their coefficients, and the irradiance they give towards a normal.
+  std::array<double, 4> projected{};
+  std::array<double, 4> c{};
+  int k = 0;
+  for (const Direction& d : directions(30)) {
+    const double weight = 0.1 + 0.01 * k++;
+    lightmap_project_l1(d[0], d[1], d[2], weight, projected.data());
+    const auto y = numeric::basis<double>(1, d[0], d[1], d[2]);
+    for (std::size_t i = 0; i < 4; ++i) c[i] += weight * y[i];
+  }
+  std::array<double, 4> e;
+  lightmap_l1(c.data(), e.data());
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(e[i], projected[i], 1e-14);
+  for (const Direction& n : directions(10)) {
+    EXPECT_NEAR(lightmap_evaluate_l1(e.data(), n[0], n[1], n[2]), irradiance_evaluate_l1(c.data(), n[0], n[1], n[2]),
+                1e-14);
+  }
+  lightmap_l1(c.data(), c.data());  // in place
+  EXPECT_EQ(c, e);
+}
+
+// Applies `window` to ones and compares with expected(l).
+template <int Degree, class Window, class Expected>
+void expect_window(const Window& window, const Expected& expected, double tolerance) {
+  std::array<double, count_of(Degree) + 2> c;
+  c.fill(1);
+  c.front() = c.back() = std::numeric_limits<double>::quiet_NaN();
+  window(c.data() + 1);
+  for (std::size_t i = 0; i < count_of(Degree); ++i)
+    EXPECT_NEAR(c[i + 1], i == 0 ? 1.0 : expected(static_cast<double>(band(i))), tolerance) << i;
+  EXPECT_TRUE(std::isnan(c.front()));
+  EXPECT_TRUE(std::isnan(c.back()));
+}
+
+TEST(GeneratedWindows, FollowTheirFormulas) {
+  for_degrees_from<1>([]<int kDegree>() {
+    for (const double w : {double(kDegree), kDegree + 0.5, 3.0 * kDegree, 1000.0}) {
+      const double angle = std::numbers::pi / w;
+      const double cosine = std::cos(angle);
+      const double sinc = std::sin(angle) / angle;
+      const auto sinc_at = [&](double l) { return std::sin(angle * l) / (angle * l); };
+      expect_window<kDegree>([&](double* c) { window_hann<kDegree>(cosine, c); },
+                             [&](double l) { return (1 + std::cos(angle * l)) / 2; }, 5e-15);
+      expect_window<kDegree>([&](double* c) { window_lanczos<kDegree>(cosine, sinc, c); }, sinc_at, 5e-15);
+      expect_window<kDegree>([&](double* c) { window_lanczos2<kDegree>(cosine, sinc, c); },
+                             [&](double l) { return std::pow(sinc_at(l), 2); }, 5e-15);
+      expect_window<kDegree>([&](double* c) { window_lanczos4<kDegree>(cosine, sinc, c); },
+                             [&](double l) { return std::pow(sinc_at(l), 4); }, 8e-15);
+      expect_window<kDegree>([&](double* c) { window_gaussian<kDegree>(std::exp(-1 / (2 * w * w)), c); },
+                             [&](double l) { return std::exp(-l * l / (2 * w * w)); }, 1e-14);
+      expect_window<kDegree>([&](double* c) { window_laplacian<kDegree>(w, c); },
+                             [&](double l) { return 1 / (1 + w * l * l * (l + 1) * (l + 1)); }, 1e-15);
+    }
+  });
+}
+
+TEST(GeneratedWindows, CutOffWhereTheyShould) {
+  std::array<double, 25> c;
+  c.fill(1);
+  window_hann_l4(std::cos(std::numbers::pi / 4), c.data());
+  EXPECT_NEAR(c[20], 0, 1e-15);
+  EXPECT_NEAR(c[6], 0.5, 1e-15);
+  c.fill(1);
+  window_laplacian_l4(std::numeric_limits<double>::infinity(), c.data());
+  for (std::size_t i = 0; i < c.size(); ++i) EXPECT_EQ(c[i], i == 0 ? 1.0 : 0.0);
+}
+
+TEST(GeneratedZonalFamilies, AreConstantExpressions) {
+  constexpr auto kLight = [] {
+    std::array<double, 9> sum{};
+    add_cap_l2(0.0, 0.0, 1.0, 2.0, 1.0, sum.data());
+    irradiance_l2(sum.data());
+    window_hann_l2(1.0, sum.data());
+    return sum;
+  }();
+  // The whole sphere of unit radiance: irradiance pi in every direction.
+  static_assert(kLight[0] > 11.1366 && kLight[0] < 11.1367);  // pi 2 sqrt(pi)
+  static_assert(kLight[6] == 0);
+  constexpr std::array<double, 9> kSky{1};
+  static_assert(irradiance_evaluate_l2(kSky.data(), 0.0, 0.6, 0.8) > 0.886);
+  EXPECT_NEAR(irradiance_evaluate_l2(kLight.data(), 0.0, 0.6, 0.8), std::pow(std::numbers::pi, 2), 1e-13);
+}
+
+}  // namespace
+}  // namespace sh
