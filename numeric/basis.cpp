@@ -1,5 +1,6 @@
 // Instances of basis.hpp for the types of real.hpp: multiprecision templates compile here, once.
 #include "numeric/basis_impl.hpp"
+#include "numeric/instances.hpp"
 
 namespace sh::numeric {
 
@@ -13,11 +14,6 @@ namespace sh::numeric {
   template std::array<Real, 3> normalised<Real>(const Real&, const Real&, const Real&);
 // NOLINTEND(bugprone-macro-parentheses)
 
-SHFORGE_INSTANCE(float)
-SHFORGE_INSTANCE(double)
-SHFORGE_INSTANCE(long double)
-SHFORGE_INSTANCE(Mpfr50)
-SHFORGE_INSTANCE(Mpfr100)
-SHFORGE_INSTANCE(MpfrAny)
+SHFORGE_FOR_EACH_REAL(SHFORGE_INSTANCE)
 
 }  // namespace sh::numeric

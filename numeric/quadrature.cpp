@@ -1,4 +1,5 @@
 // Instances of quadrature.hpp for the types of real.hpp.
+#include "numeric/instances.hpp"
 #include "numeric/quadrature_impl.hpp"
 
 namespace sh::numeric {
@@ -9,11 +10,6 @@ namespace sh::numeric {
   template std::vector<SphereNode<Real>> sphere_rule<Real>(int);
 // NOLINTEND(bugprone-macro-parentheses)
 
-SHFORGE_INSTANCE(float)
-SHFORGE_INSTANCE(double)
-SHFORGE_INSTANCE(long double)
-SHFORGE_INSTANCE(Mpfr50)
-SHFORGE_INSTANCE(Mpfr100)
-SHFORGE_INSTANCE(MpfrAny)
+SHFORGE_FOR_EACH_REAL(SHFORGE_INSTANCE)
 
 }  // namespace sh::numeric

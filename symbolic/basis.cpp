@@ -61,6 +61,12 @@ Surd normalising_factor(const Polynomial& p) { return Surd::square_root(1 / (4 *
 
 }  // namespace
 
+DegreeOrder degree_order(int index) {
+  int degree = 0;
+  while ((degree + 1) * (degree + 1) <= index) ++degree;
+  return {degree, index - degree * (degree + 1)};
+}
+
 void require_basis_index(int degree, int order) {
   if (degree < 0 || degree > kMaxBasisDegree) {
     throw std::invalid_argument("basis: degree " + std::to_string(degree) + "; it should be 0 to " +

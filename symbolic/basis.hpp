@@ -18,6 +18,14 @@ namespace sh::symbolic {
 
 inline constexpr int kMaxBasisDegree = 50;
 
+/// Index l(l+1)+m and its inverse.
+constexpr int coefficient_index(int degree, int order) { return degree * (degree + 1) + order; }
+struct DegreeOrder {
+  int degree = 0;
+  int order = 0;
+};
+DegreeOrder degree_order(int index);
+
 /// One function Y_lm; variables 0, 1, 2 are x, y, z.
 struct BasisFunction {
   int degree = 0;          ///< l

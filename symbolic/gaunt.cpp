@@ -8,12 +8,6 @@
 
 namespace sh::symbolic {
 
-DegreeOrder degree_order(int index) {
-  int degree = 0;
-  while ((degree + 1) * (degree + 1) <= index) ++degree;
-  return {degree, index - degree * (degree + 1)};
-}
-
 IndexTriple sorted(IndexTriple triple) {
   std::array<int, 3> indices{triple.i, triple.j, triple.k};
   std::sort(indices.begin(), indices.end());

@@ -12,20 +12,13 @@
 #include <map>
 #include <tuple>
 
+#include "symbolic/basis.hpp"
 #include "symbolic/surd.hpp"
 
 namespace sh::symbolic {
 
 /// Largest degree of the first two functions; the third reaches twice as far. Beyond it monomial integration is slow.
 inline constexpr int kMaxGauntDegree = 12;
-
-/// Place of (degree, order) among the coefficients, and back.
-constexpr int coefficient_index(int degree, int order) { return degree * (degree + 1) + order; }
-struct DegreeOrder {
-  int degree = 0;
-  int order = 0;
-};
-DegreeOrder degree_order(int index);
 
 struct IndexTriple {
   int i = 0;

@@ -10,21 +10,14 @@
 
 #include "prt/basis.hpp"
 #include "prt/lat_long.hpp"
+#include "tests/prt/random_light.hpp"
 
 namespace sh::prt {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using test::random_light;
 
-LightCoefficients random_coefficients(int degree, unsigned seed) {
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
-  LightCoefficients light = LightCoefficients::zero(degree);
-  for (double& value : light.values) {
-    value = uniform(random);
-  }
-  return light;
-}
+constexpr double kPi = std::numbers::pi;
 
 /// The band-limited function sampled at pixel centres (it may be negative: no file is involved).
 Image picture_of(const LightCoefficients& light, int height) {
@@ -106,7 +99,7 @@ TEST(Project, ConstantLightHasBandZeroOnly) {
 
 TEST(Project, PictureOfAKnownFunctionGivesItsCoefficientsBack) {
   // Second order in the pixel's size. Measured, degree 4: 6.5e-3 at 64 x 32, 2.6e-5 at 1024 x 512.
-  const LightCoefficients known = random_coefficients(4, 3);
+  const LightCoefficients known = random_light(4, 3);
   const double coarse = largest_difference(project_lat_long(picture_of(known, 32), 4), known);
   const double fine = largest_difference(project_lat_long(picture_of(known, 512), 4), known);
   EXPECT_LT(coarse, 1.4e-2);

@@ -9,10 +9,13 @@
 #include <numbers>
 #include <random>
 
+#include "tests/prt/random_light.hpp"
 #include "tests/prt/temporary_folder.hpp"
 
 namespace sh::prt {
 namespace {
+
+using test::random_light;
 
 /// `vertices` vertices in a row with random transfer vectors and albedo.
 Transfer random_transfer(int degree, std::size_t vertices, unsigned seed) {
@@ -32,16 +35,6 @@ Transfer random_transfer(int degree, std::size_t vertices, unsigned seed) {
     transfer.coefficients.push_back(uniform(random));
   }
   return transfer;
-}
-
-LightCoefficients random_light(int degree, unsigned seed) {
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
-  LightCoefficients light = LightCoefficients::zero(degree);
-  for (double& value : light.values) {
-    value = uniform(random);
-  }
-  return light;
 }
 
 TEST(Relight, IsAlbedoTimesTheDotProductOfTransferAndLight) {

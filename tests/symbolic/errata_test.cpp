@@ -3,10 +3,35 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <set>
 #include <string>
 
 namespace sh::symbolic::errata {
 namespace {
+
+// Identifiers of the committed list of everything that the sources print.
+std::set<std::string> inventory() {
+  std::set<std::string> ids;
+  std::ifstream file(SHFORGE_SOURCE_DIR "/tests/data/errata_inventory.txt");
+  std::string line;
+  while (std::getline(file, line)) {
+    if (!line.empty() && line[0] != '#') ids.insert(line.substr(0, line.find(' ')));
+  }
+  return ids;
+}
+
+TEST(Errata, LeaveOutNothingThatTheSourcesPrint) {
+  std::set<std::string> given;
+  const std::vector<Source> sources = all_sources();
+  for (const Source& source : sources) {
+    for (const Entry& entry : source.entries) {
+      EXPECT_EQ(entry.id.substr(0, entry.id.find('-')), source.prefix);
+      EXPECT_TRUE(given.insert(entry.id).second) << entry.id << " is given twice";
+    }
+  }
+  EXPECT_EQ(given, inventory());
+}
 
 class ErrataOfSource : public testing::TestWithParam<std::size_t> {};
 
