@@ -17,41 +17,12 @@
 #include "numeric/zonal.hpp"
 #include "symbolic/gaunt.hpp"
 #include "symbolic/typeset_families.hpp"
-#include "tests/symbolic/formula_reader.hpp"
+#include "tests/symbolic/typeset_support.hpp"
 
 namespace sh::symbolic {
 namespace {
 
-using test::Values;
-using Formulas = std::map<std::string, std::string>;
-
-// measured: at most 1.8e-15 on anything below
-constexpr double kTolerance = 6e-15;
-
-Formulas formulas(const std::string& family, int degree, const std::string& convention = "shforge") {
-  return test::read_formulas(tex_document(typeset_table(family, degree, find_preset(convention))));
-}
-
-double real(const Formulas& table, const std::string& symbol, const Values& values) {
-  const auto found = table.find(symbol);
-  const std::complex<double> value = found == table.end() ? 0 : test::evaluate(found->second, values);
-  EXPECT_EQ(value.imag(), 0) << symbol;
-  return value.real();
-}
-
-std::vector<std::array<double, 3>> directions(int count) {
-  std::mt19937 random(7);
-  std::normal_distribution<double> normal;
-  std::vector<std::array<double, 3>> result;
-  while (static_cast<int>(result.size()) < count) {
-    result.push_back(numeric::normalised(normal(random), normal(random), normal(random)));
-  }
-  return result;
-}
-
-Values point(const std::array<double, 3>& d) { return {{"x", d[0]}, {"y", d[1]}, {"z", d[2]}}; }
-
-std::string function_symbol(int l, int m) { return "Y" + tex_indices(l, m); }
+using namespace test;  // NOLINT(google-build-using-namespace): the vocabulary of these tests
 
 TEST(Typeset, SurdsAreFractionsAndRoots) {
   EXPECT_EQ(tex_surd(Surd()), "0");
@@ -130,22 +101,6 @@ TEST(Typeset, DerivativesMatchDifferencesOfTheOracle) {
       }
     }
   }
-}
-
-// Row-major rotation matrix of a unit quaternion (w, x, y, z).
-std::array<double, 9> matrix_of(const std::array<double, 4>& q) {
-  const auto [w, x, y, z] = q;
-  return {1 - 2 * (y * y + z * z), 2 * (x * y - w * z),     2 * (x * z + w * y),
-          2 * (x * y + w * z),     1 - 2 * (x * x + z * z), 2 * (y * z - w * x),
-          2 * (x * z - w * y),     2 * (y * z + w * x),     1 - 2 * (x * x + y * y)};
-}
-
-Values entries_of(const std::array<double, 9>& r) {
-  Values values;
-  for (int i = 0; i < 9; ++i) {
-    values["r_{" + std::to_string(i / 3) + std::to_string(i % 3) + "}"] = r[static_cast<std::size_t>(i)];
-  }
-  return values;
 }
 
 void expect_rotation(const Formulas& table, int degree, const Values& values, const std::array<double, 9>& r) {
@@ -343,98 +298,6 @@ TEST(Typeset, TurnedZonalFunctionMatchesTheOracle) {
       const double expected =
           std::sqrt(4 * std::numbers::pi / (2 * index.degree + 1)) * 0.7 * y[static_cast<std::size_t>(i)];
       EXPECT_NEAR(real(table, "c" + tex_indices(index.degree, index.order), values), expected, kTolerance) << i;
-    }
-  }
-}
-
-// In each convention the typeset functions and the typeset rotation fit together: sum c'_m Y_m(s) = sum c_m Y_m(R^-1
-// s).
-TEST(Typeset, RotationsFitTheFunctionsInEveryConvention) {
-  const std::array<double, 9> r = matrix_of({0.1, -0.7, 0.5, 0.5});
-  const Values turn = entries_of(r);
-  for (const Preset& preset : presets()) {
-    const Formulas rotation = formulas("rotation", 2, preset.name);
-    for (const char* family : {"basis", "solid"}) {
-      const Formulas basis = formulas(family, 2, preset.name);
-      for (const auto& s : directions(3)) {
-        const std::array<double, 3> back{r[0] * s[0] + r[3] * s[1] + r[6] * s[2],
-                                         r[1] * s[0] + r[4] * s[1] + r[7] * s[2],
-                                         r[2] * s[0] + r[5] * s[1] + r[8] * s[2]};
-        for (int n = -2; n <= 2; ++n) {  // the function (2, n)
-          std::complex<double> turned = 0;
-          for (int m = -2; m <= 2; ++m) {
-            const auto entry = rotation.find("D^{2}" + tex_indices(m, n));
-            if (entry == rotation.end()) continue;
-            turned += test::evaluate(entry->second, turn) * test::evaluate(basis.at(function_symbol(2, m)), point(s));
-          }
-          const std::complex<double> expected = test::evaluate(basis.at(function_symbol(2, n)), point(back));
-          EXPECT_NEAR(std::abs(turned - expected), 0, kTolerance) << preset.name << " " << n;
-        }
-      }
-    }
-  }
-}
-
-TEST(Typeset, GauntFitsTheFunctionsInEveryConventionThatKeepsRadiance) {
-  for (const Preset& preset : presets()) {
-    if (preset.convention.folded != Folded::kNothing) {
-      EXPECT_THROW(formulas("gaunt", 1, preset.name), std::invalid_argument);
-      continue;
-    }
-    const Formulas gaunt = formulas("gaunt", 1, preset.name);
-    const Formulas basis = formulas("basis", 1, preset.name);
-    std::vector<std::complex<double>> sums(64);
-    for (const auto& node : numeric::sphere_rule<double>(3)) {
-      std::vector<std::complex<double>> y;
-      for (int i = 0; i < 4; ++i) {
-        const DegreeOrder index = degree_order(i);
-        y.push_back(
-            test::evaluate(basis.at(function_symbol(index.degree, index.order)), point({node.x, node.y, node.z})));
-      }
-      for (std::size_t t = 0; t < 64; ++t) sums[t] += node.weight * y[t / 16] * y[t / 4 % 4] * y[t % 4];
-    }
-    for (int t = 0; t < 64; ++t) {
-      const IndexTriple triple = sorted({t / 16, t / 4 % 4, t % 4});
-      const auto entry = gaunt.find("G" + tex_indices(triple.i, triple.j, triple.k));
-      const std::complex<double> value = entry == gaunt.end() ? 0 : test::evaluate(entry->second, {});
-      EXPECT_NEAR(std::abs(value - sums[static_cast<std::size_t>(t)]), 0, kTolerance) << preset.name << " " << t;
-    }
-  }
-}
-
-// A cap, its coefficients in a convention, summed with the functions of that convention: the same value everywhere.
-TEST(Typeset, ZonalFunctionsAndTurnsFitTheFunctionsInEveryConvention) {
-  const Formulas own_cap = formulas("cap", 2);
-  const Formulas own_basis = formulas("basis", 2);
-  const Values half_angle{{"c", 0.4}};
-  for (const Preset& preset : presets()) {
-    if (preset.convention.folded != Folded::kNothing) continue;
-    const Formulas cap = formulas("cap", 2, preset.name);
-    const Formulas basis = formulas("basis", 2, preset.name);
-    const Formulas turned = formulas("turned-zonal", 2, preset.name);
-    Values axis = point({0.6, 0.0, 0.8});
-    for (int l = 0; l <= 2; ++l) {
-      axis["h_{" + std::to_string(l) + "}"] = real(cap, "z_{" + std::to_string(l) + "}", half_angle);
-    }
-    for (const auto& s : directions(5)) {
-      double expected = 0;
-      std::complex<double> upright = 0;
-      std::complex<double> tilted = 0;
-      const double t = 0.6 * s[0] + 0.8 * s[2];
-      double expected_tilted = 0;
-      for (int l = 0; l <= 2; ++l) {
-        const std::string z = "z_{" + std::to_string(l) + "}";
-        const double own = real(own_cap, z, half_angle);
-        expected += own * real(own_basis, function_symbol(l, 0), point(s));
-        expected_tilted += own * real(own_basis, function_symbol(l, 0), point({0, 0, t}));
-        upright += real(cap, z, half_angle) * test::evaluate(basis.at(function_symbol(l, 0)), point(s));
-        for (int m = -l; m <= l; ++m) {
-          tilted += test::evaluate(turned.at("c" + tex_indices(l, m)), axis) *
-                    test::evaluate(basis.at(function_symbol(l, m)), point(s));
-        }
-      }
-      EXPECT_NEAR(std::abs(upright - expected), 0, kTolerance) << preset.name;
-      EXPECT_NEAR(std::abs(tilted - expected_tilted), 0, kTolerance) << preset.name;
     }
   }
 }
