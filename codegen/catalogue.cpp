@@ -5,6 +5,7 @@
 
 #include "codegen/families/families.hpp"
 #include "codegen/manifest.hpp"
+#include "codegen/print/batch.hpp"
 #include "codegen/print/c99.hpp"
 #include "codegen/print/cpp.hpp"
 #include "codegen/print/glsl.hpp"
@@ -208,8 +209,9 @@ FinishedKernel preferred_kernel(const Family& family, int degree, Prefer prefer)
 std::map<std::string, std::string> render_all(const std::function<void(const std::string&)>& progress) {
   std::map<std::string, std::string> files;
   std::vector<ManifestEntry> manifest;
+  print::WrittenFamilies all_written;
   for (const Family& family : families()) {
-    std::vector<FinishedKernel> written;
+    std::vector<FinishedKernel>& written = all_written[family.name];
     for (int degree = 0; degree <= family.largest_written; ++degree) {
       const std::vector<FinishedKernel> all = finish_all(family, degree);
       if (all.empty()) continue;
@@ -229,6 +231,7 @@ std::map<std::string, std::string> render_all(const std::function<void(const std
       files[language.name + "/" + family.name + language.suffix] = language.print_family(written);
     }
   }
+  files.merge(print::batch_files(all_written));
   files["MANIFEST"] = print_manifest(manifest);
   return files;
 }

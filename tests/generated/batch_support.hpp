@@ -1,0 +1,131 @@
+// What the tests of sh::batch stand on: arrays of records with guard zones, drivers beside the kernels they run.
+#pragma once
+
+#include <array>
+#include <cstring>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "generated/batch/batch.hpp"
+
+namespace sh::test {
+
+using batch::InstructionSet;
+using batch::Layout;
+using batch::Records;
+
+inline constexpr std::size_t kMostInputs = 3;
+constexpr std::size_t count_of(int degree) { return static_cast<std::size_t>((degree + 1) * (degree + 1)); }
+
+/// Runs f on every available instruction set, then goes back to the one before.
+template <class F>
+void on_every_set(const F& f) {
+  const InstructionSet before = batch::instruction_set();
+  for (const InstructionSet set : {InstructionSet::kBaseline, InstructionSet::kAvx2, InstructionSet::kAvx512}) {
+    if (!batch::available(set)) continue;
+    batch::use_instruction_set(set);
+    f();
+  }
+  batch::use_instruction_set(before);
+}
+
+/// Calls f.operator()<Degree>() for a degree known at run time, 0 to 10.
+template <class F>
+void with_degree(int degree, const F& f) {
+  [&]<int... kDegree>(std::integer_sequence<int, kDegree...>) {
+    ((degree == kDegree ? f.template operator()<kDegree>() : void()), ...);
+  }
+  (std::make_integer_sequence<int, 11>());
+}
+
+/// How an array of records lies in memory; `offset` values past an address that is a multiple of 64.
+struct Place {
+  Layout layout = Layout::kPlain;
+  std::size_t offset = 0;
+};
+
+/// n records of `size` values between guard zones. Whatever belongs to no record is not a number, so that a driver that
+/// reads it spoils its results.
+template <class T>
+class Array {
+ public:
+  Array(Place place, std::size_t n, std::size_t size)
+      : layout_(place.layout), n_(place.layout == Layout::kShared ? 1 : n), size_(size) {
+    const std::size_t values = layout_ == Layout::kBlocked ? batch::blocked_size<T>(n_, size) : n_ * size;
+    memory_.assign(values + 3 * kGuard, std::numeric_limits<T>::quiet_NaN());
+    void* start = memory_.data() + kGuard;
+    std::size_t space = (values + 2 * kGuard) * sizeof(T);
+    first_ = static_cast<T*>(std::align(64, values * sizeof(T), start, space)) + place.offset;
+  }
+  Array(Place place, const std::vector<std::vector<T>>& records, std::size_t size)
+      : Array(place, records.size(), size) {
+    for (std::size_t i = 0; i < n_; ++i) {
+      for (std::size_t k = 0; k < size_; ++k) at(i, k) = records[i][k];
+    }
+  }
+
+  T& at(std::size_t i, std::size_t k) { return first_[index(i, k)]; }
+  [[nodiscard]] Records<T> records() const { return {first_, layout_}; }
+
+  [[nodiscard]] std::vector<std::vector<T>> read() {
+    std::vector<std::vector<T>> result(n_, std::vector<T>(size_));
+    for (std::size_t i = 0; i < n_; ++i) {
+      for (std::size_t k = 0; k < size_; ++k) result[i][k] = at(i, k);
+    }
+    return result;
+  }
+
+  /// Whether everything that belongs to no record is what it was.
+  [[nodiscard]] bool guarded() {
+    std::vector<T> rest = memory_;
+    for (std::size_t i = 0; i < n_; ++i) {
+      for (std::size_t k = 0; k < size_; ++k) rest[static_cast<std::size_t>(&at(i, k) - memory_.data())] = T(0);
+    }
+    std::size_t numbers = 0;
+    for (const T value : rest) numbers += value == T(0) ? 1 : 0;
+    return numbers == n_ * size_;
+  }
+
+ private:
+  static constexpr std::size_t kGuard = 64;
+  [[nodiscard]] std::size_t index(std::size_t i, std::size_t k) const {
+    constexpr std::size_t kBlock = batch::kBlock<T>;
+    if (layout_ != Layout::kBlocked) return i * size_ + k;
+    return i / kBlock * kBlock * size_ + k * kBlock + i % kBlock;
+  }
+
+  Layout layout_;
+  std::size_t n_;
+  std::size_t size_;
+  std::vector<T> memory_;
+  T* first_ = nullptr;
+};
+
+/// A driver at one degree, beside the kernel that it runs.
+template <class T>
+struct Subject {
+  std::string name;
+  int degree = 0;
+  std::vector<std::size_t> in;  ///< sizes of the input records
+  std::size_t out = 0;
+  /// A valid record of input j.
+  std::function<std::vector<T>(std::size_t j, std::mt19937& random)> record;
+  std::function<void(std::size_t n, const std::array<Records<const T>, kMostInputs>& in, Records<T> out)> run;
+  std::function<void(const std::array<const T*, kMostInputs>& in, T* out)> kernel;
+  double tolerance = 0;         ///< largest difference between the two, machine epsilons
+  double tolerance_shared = 0;  ///< the same where an input is shared and something is computed from it once
+};
+
+/// Every driver at some degrees.
+template <class T>
+std::vector<Subject<T>> subjects();
+
+extern template std::vector<Subject<float>> subjects<float>();
+extern template std::vector<Subject<double>> subjects<double>();
+
+}  // namespace sh::test

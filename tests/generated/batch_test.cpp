@@ -1,0 +1,217 @@
+// The drivers over many records: every driver against its kernel run record by record, on every instruction set.
+#include "generated/batch/batch.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "tests/generated/batch_support.hpp"
+
+namespace sh::test {
+namespace {
+
+template <class T>
+using Table = std::vector<std::vector<T>>;
+
+template <class T>
+class BatchDrivers : public testing::Test {};
+using Scalars = testing::Types<float, double>;
+TYPED_TEST_SUITE(BatchDrivers, Scalars);
+
+template <class T>
+std::vector<Table<T>> random_inputs(const Subject<T>& subject, std::size_t n) {
+  std::mt19937 random(static_cast<unsigned>(n) + 1);
+  std::vector<Table<T>> inputs(subject.in.size());
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < inputs.size(); ++j) inputs[j].push_back(subject.record(j, random));
+  }
+  return inputs;
+}
+
+// Runs the driver with arrays placed as told; places: of the inputs, then of the output.
+template <class T>
+Table<T> run(const Subject<T>& subject, const std::vector<Table<T>>& inputs, const std::vector<Place>& places) {
+  const std::size_t n = inputs[0].size();
+  std::vector<Array<T>> arrays;
+  std::array<Records<const T>, kMostInputs> in;
+  for (std::size_t j = 0; j < inputs.size(); ++j) {
+    arrays.emplace_back(places[j], inputs[j], subject.in[j]);
+    in[j] = arrays[j].records();
+  }
+  Array<T> out(places.back(), n, subject.out);
+  subject.run(n, in, out.records());
+  EXPECT_TRUE(out.guarded()) << subject.name << " degree " << subject.degree << ", " << n << " records";
+  return out.read();
+}
+
+template <class T>
+Table<T> run_kernel(const Subject<T>& subject, const std::vector<Table<T>>& inputs) {
+  Table<T> out;
+  for (std::size_t i = 0; i < inputs[0].size(); ++i) {
+    std::array<const T*, kMostInputs> in{};
+    for (std::size_t j = 0; j < inputs.size(); ++j) in[j] = inputs[j][i].data();
+    out.emplace_back(subject.out);
+    subject.kernel(in, out.back().data());
+  }
+  return out;
+}
+
+// Largest difference in machine epsilons; infinite where a value is not a number.
+template <class T>
+double difference(const Table<T>& a, const Table<T>& b) {
+  double largest = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    for (std::size_t k = 0; k < a[i].size(); ++k) {
+      const double d = std::abs(static_cast<double>(a[i][k]) - static_cast<double>(b[i][k]));
+      if (!(d <= largest)) largest = std::isnan(d) ? std::numeric_limits<double>::infinity() : d;
+    }
+  }
+  return largest / static_cast<double>(std::numeric_limits<T>::epsilon());
+}
+
+TYPED_TEST(BatchDrivers, EqualTheirKernelsForEveryLengthAndWriteNothingElse) {
+  using T = TypeParam;
+  constexpr std::size_t kBlock = batch::kBlock<T>;
+  for (const Subject<T>& subject : subjects<T>()) {
+    for (const std::size_t n : {std::size_t{0}, std::size_t{1}, kBlock - 1, kBlock, kBlock + 1, std::size_t{1000}}) {
+      const auto inputs = random_inputs(subject, n);
+      const auto expected = run_kernel(subject, inputs);
+      on_every_set([&] {
+        const auto result = run(subject, inputs, std::vector<Place>(inputs.size() + 1));
+        EXPECT_LE(difference(result, expected), subject.tolerance) << subject.name << " " << subject.degree << " " << n;
+      });
+    }
+  }
+}
+
+TYPED_TEST(BatchDrivers, GiveTheSameBitsInEveryLayoutAndAlignment) {
+  using T = TypeParam;
+  for (const Subject<T>& subject : subjects<T>()) {
+    const auto inputs = random_inputs(subject, 3 * batch::kBlock<T> + 5);
+    on_every_set([&] {
+      const auto plain = run(subject, inputs, std::vector<Place>(inputs.size() + 1));
+      for (const Place in : {Place{Layout::kPlain, 1}, Place{Layout::kBlocked, 0}, Place{Layout::kBlocked, 3}}) {
+        for (const Place out : {Place{Layout::kPlain, 1}, Place{Layout::kBlocked, 0}, Place{Layout::kBlocked, 5}}) {
+          std::vector<Place> places(inputs.size(), in);
+          places.push_back(out);
+          EXPECT_EQ(run(subject, inputs, places), plain) << subject.name << " " << subject.degree;
+        }
+      }
+    });
+  }
+}
+
+TYPED_TEST(BatchDrivers, GiveARecordTheSameBitsWhereverItStands) {
+  using T = TypeParam;
+  for (const Subject<T>& subject : subjects<T>()) {
+    auto inputs = random_inputs(subject, 101);
+    on_every_set([&] {
+      const std::vector<Place> places(inputs.size() + 1);
+      const auto all = run(subject, inputs, places);
+      std::vector<Table<T>> rest = inputs;
+      for (Table<T>& table : rest) table.erase(table.begin(), table.begin() + 37);
+      EXPECT_EQ(run(subject, rest, places), Table<T>(all.begin() + 37, all.end())) << subject.name;
+    });
+  }
+}
+
+TYPED_TEST(BatchDrivers, TakeOneRecordForAll) {
+  using T = TypeParam;
+  for (const Subject<T>& subject : subjects<T>()) {
+    for (std::size_t shared = 0; shared < subject.in.size(); ++shared) {
+      auto inputs = random_inputs(subject, batch::kBlock<T> + 3);
+      std::fill(inputs[shared].begin(), inputs[shared].end(), inputs[shared][0]);
+      const auto expected = run_kernel(subject, inputs);
+      on_every_set([&] {
+        std::vector<Place> places(inputs.size() + 1);
+        places[shared].layout = Layout::kShared;
+        EXPECT_LE(difference(run(subject, inputs, places), expected), subject.tolerance_shared)
+            << subject.name << " " << subject.degree << " input " << shared;
+      });
+    }
+  }
+}
+
+TYPED_TEST(BatchDrivers, WriteOverAnInputOfTheSameShape) {
+  using T = TypeParam;
+  for (const Subject<T>& subject : subjects<T>()) {
+    for (std::size_t j = 0; j < subject.in.size(); ++j) {
+      if (subject.in[j] != subject.out) continue;
+      const auto inputs = random_inputs(subject, batch::kBlock<T> + 3);
+      on_every_set([&] {
+        for (const Layout layout : {Layout::kPlain, Layout::kBlocked}) {
+          const std::vector<Place> places(inputs.size() + 1, Place{layout, 0});
+          std::vector<Array<T>> arrays;
+          std::array<Records<const T>, kMostInputs> in;
+          for (std::size_t i = 0; i < inputs.size(); ++i) {
+            arrays.emplace_back(places[i], inputs[i], subject.in[i]);
+            in[i] = arrays[i].records();
+          }
+          subject.run(inputs[0].size(), in, arrays[j].records());
+          EXPECT_EQ(arrays[j].read(), run(subject, inputs, places)) << subject.name << " " << subject.degree;
+        }
+      });
+    }
+  }
+}
+
+TYPED_TEST(BatchDrivers, GiveTheSameBitsPastTheCache) {
+  using T = TypeParam;
+  const std::size_t n = (std::size_t{32} << 20) / sizeof(T) / count_of(10) + 7;  // 32 MB
+  const Subject<T> subject = subjects<T>().front();
+  ASSERT_EQ(subject.name, "basis");
+  for (const Layout layout : {Layout::kPlain, Layout::kBlocked}) {
+    const std::size_t size = count_of(10);
+    std::mt19937 random(3);
+    std::vector<T> directions(3 * n);
+    for (std::size_t i = 0; i < n; ++i) {
+      const std::vector<T> d = subject.record(0, random);
+      std::copy(d.begin(), d.end(), directions.begin() + static_cast<std::ptrdiff_t>(3 * i));
+    }
+    Array<T> out({layout, layout == Layout::kPlain ? std::size_t{1} : std::size_t{0}}, n, size);
+    batch::basis(10, n, batch::plain(directions.data()), out.records());
+    EXPECT_TRUE(out.guarded());
+    for (std::size_t i = 0; i < n; i += 1 + n / 50) {
+      std::vector<T> alone(size);
+      batch::basis(10, 1, batch::plain(directions.data() + 3 * i), batch::plain(alone.data()));
+      for (std::size_t k = 0; k < size; ++k) ASSERT_EQ(out.at(i, k), alone[k]) << i;
+    }
+  }
+}
+
+template <class F>
+std::string message_of(const F& f) {
+  try {
+    f();
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "nothing thrown";
+}
+
+TEST(Batch, RefusesWhatItCannotDoInOneLine) {
+  std::array<float, 1000> values{};
+  const auto plain = batch::plain(values.data());
+  EXPECT_EQ(message_of([&] { batch::basis(11, 1, plain, plain); }),
+            "sh::batch::basis: degree 11; it should be 0 to 10");
+  EXPECT_EQ(message_of([&] { batch::basis(-1, 1, plain, plain); }),
+            "sh::batch::basis: degree -1; it should be 0 to 10");
+  EXPECT_EQ(message_of([&] { batch::basis(2, 1, plain, batch::shared(values.data())); }),
+            "sh::batch::basis: the output is shared; it should be plain or blocked");
+  EXPECT_EQ(message_of([&] { batch::basis(2, 7, Records<const float>{}, plain); }),
+            "sh::batch::basis: an array is a null pointer; it should hold 7 records");
+  EXPECT_EQ(message_of([&] { batch::basis(2, 0, Records<const float>{}, Records<float>{}); }), "nothing thrown");
+}
+
+TEST(Batch, ChoosesTheWidestInstructionSetUnlessTold) {
+  const InstructionSet widest = batch::instruction_set();
+  on_every_set([&] { EXPECT_GE(widest, batch::instruction_set()); });
+  EXPECT_TRUE(batch::available(InstructionSet::kBaseline));
+  EXPECT_EQ(batch::instruction_set(), widest);
+}
+
+}  // namespace
+}  // namespace sh::test
