@@ -53,7 +53,11 @@ const std::vector<Family>& families() {
                                              window_lanczos2_family(),
                                              window_lanczos4_family(),
                                              window_gaussian_family(),
-                                             window_laplacian_family()};
+                                             window_laplacian_family(),
+                                             product_family(),
+                                             square_family(),
+                                             product_zonal_family(),
+                                             triple_family()};
   return kFamilies;
 }
 

@@ -25,9 +25,9 @@ struct Domain {
   std::string unit;     ///< for people: "sqrt((2l+1)/(4 pi))", the size that machine epsilon is multiplied by
   std::string nearest;  ///< for people: "the input scaled to length 1"; empty when every input is in the domain
   /// Flattened inputs, each rounded to the kernel's type before use.
-  std::vector<std::vector<double>> (*test_inputs)(int degree) = nullptr;
+  std::function<std::vector<std::vector<double>>(int degree)> test_inputs;
   /// The size of the values that an output is compared with, at an input.
-  double (*size)(std::span<const double> inputs, std::size_t output) = nullptr;
+  std::function<double(std::span<const double> inputs, std::size_t output)> size;
   /// The point of the domain that a rounded input stands for; nullptr when every input is in the domain.
   std::vector<cln::cl_F> (*nearest_in_domain)(const std::vector<cln::cl_F>& inputs) = nullptr;
 };

@@ -22,5 +22,9 @@ Family window_lanczos2_family();
 Family window_lanczos4_family();
 Family window_gaussian_family();
 Family window_laplacian_family();
+Family product_family();
+Family square_family();
+Family product_zonal_family();
+Family triple_family();
 
 }  // namespace sh::codegen

@@ -19,14 +19,20 @@ namespace sh::batch {
 namespace baseline {
 void basis(const detail::Call<float>& call);
 void basis(const detail::Call<double>& call);
+void product(const detail::Call<float>& call);
+void product(const detail::Call<double>& call);
 }  // namespace baseline
 namespace avx2 {
 void basis(const detail::Call<float>& call);
 void basis(const detail::Call<double>& call);
+void product(const detail::Call<float>& call);
+void product(const detail::Call<double>& call);
 }  // namespace avx2
 namespace avx512 {
 void basis(const detail::Call<float>& call);
 void basis(const detail::Call<double>& call);
+void product(const detail::Call<float>& call);
+void product(const detail::Call<double>& call);
 }  // namespace avx512
 namespace {
 
@@ -127,6 +133,20 @@ void basis(int degree, std::size_t n, Records<const double> directions, Records<
   detail::Call<T> call{degree, n, {directions}, out};
   check("basis", call, 1, 10, {1, 0});
   SH_BATCH_CHOOSE(basis)(call);
+}
+
+void product(int degree, std::size_t n, Records<const float> a, Records<const float> b, Records<float> out) {
+  using T = float;
+  detail::Call<T> call{degree, n, {a, b}, out};
+  check("product", call, 2, 6, {1, 0});
+  SH_BATCH_CHOOSE(product)(call);
+}
+
+void product(int degree, std::size_t n, Records<const double> a, Records<const double> b, Records<double> out) {
+  using T = double;
+  detail::Call<T> call{degree, n, {a, b}, out};
+  check("product", call, 2, 6, {1, 0});
+  SH_BATCH_CHOOSE(product)(call);
 }
 
 }  // namespace sh::batch

@@ -77,4 +77,10 @@ void use_instruction_set(InstructionSet set);
 void basis(int degree, std::size_t n, Records<const float> directions, Records<float> out);
 void basis(int degree, std::size_t n, Records<const double> directions, Records<double> out);
 
+/// Products of two functions, projected on the same bands.
+/// degree 0 to 6; a (bands^2), b (bands^2), out (bands^2).
+/// Domain: any coefficients: a has degree 0 to 6, b has degree 0 to 6.
+void product(int degree, std::size_t n, Records<const float> a, Records<const float> b, Records<float> out);
+void product(int degree, std::size_t n, Records<const double> a, Records<const double> b, Records<double> out);
+
 }  // namespace sh::batch

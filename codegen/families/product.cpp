@@ -1,0 +1,98 @@
+#include "codegen/families/families.hpp"
+#include "codegen/families/product_reference.hpp"
+#include "codegen/recipes/product_pairs.hpp"
+#include "codegen/recipes/product_separable.hpp"
+#include "codegen/recipes/product_tensor.hpp"
+
+namespace sh::codegen {
+namespace {
+
+using recipes::Factors;
+using recipes::SampleProduct;
+using symbolic::ProductShape;
+
+constexpr int kLargestWritten = 6;
+constexpr int kLargestEmitted = symbolic::kMaxProductDegree;
+constexpr const char* kLimit = "to which the Gaunt tensor is derived";
+constexpr int kLargestByTerms = 3;  // beyond, one product a term is too long to be useful
+
+FactorSizes equal_factors(std::size_t count) {
+  return [count](int degree) { return std::vector<int>(count, recipes::coefficient_count(degree)); };
+}
+
+ProductShape equal(int degree) { return {degree, degree, degree}; }
+
+Kernel pairs(int degree) { return recipes::product_pairs(equal(degree), Factors::kTwo); }
+Kernel greedy_pairs(int degree) {
+  return recipes::product_pairs(equal(degree), Factors::kTwo, recipes::greedy_cover(equal(degree)));
+}
+Kernel separable(int degree) {
+  return recipes::product_separable(equal(degree), Factors::kTwo, SampleProduct::kDirect);
+}
+Kernel halves(int degree) { return recipes::product_separable(equal(degree), Factors::kTwo, SampleProduct::kHalves); }
+Kernel tensor(int degree) { return recipes::product_tensor(equal(degree), Factors::kTwo); }
+
+std::function<Kernel(int)> integrated(Kernel (*product)(int)) {
+  return [product](int degree) { return recipes::triple(product(degree), degree); };
+}
+
+}  // namespace
+
+Family product_family() {
+  return {"product",
+          kLargestWritten,
+          kLargestEmitted,
+          kLimit,
+          // Pairs win up to degree 3, quadrature from 4 on.
+          {{"pairs", pairs, 0, 3},
+           {"separable", separable, 2, kLargestEmitted},
+           {"separable-halves", halves, 2, kLargestEmitted},
+           {"greedy-pairs", greedy_pairs, 2, 6},
+           {"tensor", tensor, 0, kLargestByTerms}},
+          [](int degree, int count) { return product_reference(equal(degree), count); },
+          factor_domain(equal_factors(2), "|a| |b|")};
+}
+
+Family triple_family() {
+  return {"triple",
+          kLargestWritten,
+          kLargestEmitted,
+          kLimit,
+          {{"pairs", integrated(pairs), 0, 3},
+           {"separable", integrated(separable), 2, kLargestEmitted},
+           {"separable-halves", integrated(halves), 2, kLargestEmitted}},
+          triple_reference,
+          factor_domain(equal_factors(3), "|a| |b| |c|")};
+}
+
+Family square_family() {
+  return {
+      "square",
+      kLargestWritten,
+      kLargestEmitted,
+      kLimit,
+      {{"pairs", [](int degree) { return recipes::product_pairs(equal(degree), Factors::kSame); }, 0, 3},
+       {"separable",
+        [](int degree) { return recipes::product_separable(equal(degree), Factors::kSame, SampleProduct::kDirect); }, 2,
+        kLargestEmitted},
+       {"tensor", [](int degree) { return recipes::product_tensor(equal(degree), Factors::kSame); }, 0,
+        kLargestByTerms}},
+      square_reference,
+      square_domain()};
+}
+
+Family product_zonal_family() {
+  return {"product_zonal",
+          kLargestWritten,
+          kLargestEmitted,
+          kLimit,
+          {{"matrices", recipes::product_zonal}},
+          product_zonal_reference,
+          factor_domain(
+              [](int degree) {
+                return std::vector<int>{recipes::coefficient_count(degree), degree + 1};
+              },
+              "|a| |zonal|")};
+}
+
+}  // namespace sh::codegen

@@ -1,0 +1,187 @@
+// The committed kernels for products: against quadrature with the oracle's basis, in place, as constants.
+#include "generated/cpp/product.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <random>
+#include <utility>
+#include <vector>
+
+#include "generated/cpp/product_zonal.hpp"
+#include "generated/cpp/square.hpp"
+#include "generated/cpp/triple.hpp"
+#include "numeric/basis.hpp"
+#include "numeric/quadrature.hpp"
+
+namespace sh {
+namespace {
+
+constexpr int kMaxDegree = 6;
+constexpr std::size_t count_of(int degree) { return static_cast<std::size_t>((degree + 1) * (degree + 1)); }
+
+template <class F>
+void for_every_degree(F&& f) {
+  [&]<int... kDegree>(std::integer_sequence<int, kDegree...>) { (f.template operator()<kDegree>(), ...); }
+  (std::make_integer_sequence<int, kMaxDegree + 1>());
+}
+
+using Coefficients = std::vector<double>;
+
+double dot(const Coefficients& a, const Coefficients& b) {
+  return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
+}
+
+// Random vectors of length 1.
+Coefficients random_unit(std::size_t size, unsigned seed) {
+  std::mt19937 random(seed);
+  std::normal_distribution<double> normal;
+  Coefficients c(size);
+  for (double& x : c) x = normal(random);
+  const double length = std::sqrt(dot(c, c));
+  for (double& x : c) x /= length;
+  return c;
+}
+
+// The coefficients of a pointwise product by integration over the sphere; exact up to rounding.
+Coefficients integrated_product(const Coefficients& a, const Coefficients& b, int degree) {
+  Coefficients result(count_of(degree));
+  for (const auto& node : numeric::sphere_rule<double>(3 * degree)) {
+    Coefficients y(count_of(degree));
+    numeric::basis(degree, node.x, node.y, node.z, y.data());
+    const double value = node.weight * dot(a, y) * dot(b, y);
+    for (std::size_t i = 0; i < y.size(); ++i) result[i] += value * y[i];
+  }
+  return result;
+}
+
+Coefficients with_zeros(const Coefficients& zonal) {
+  Coefficients c(zonal.size() * zonal.size());
+  for (std::size_t l = 0; l < zonal.size(); ++l) c[l * (l + 1)] = zonal[l];
+  return c;
+}
+
+void expect_near(const Coefficients& values, const Coefficients& wanted, double tolerance) {
+  for (std::size_t i = 0; i < wanted.size(); ++i) ASSERT_NEAR(values[i], wanted[i], tolerance) << i;
+}
+
+TEST(GeneratedProducts, AgreeWithIntegrationOverTheSphere) {
+  for_every_degree([]<int kDegree>() {
+    const auto a = random_unit(count_of(kDegree), 1);
+    const auto b = random_unit(count_of(kDegree), 2);
+    const auto zonal = random_unit(kDegree + 1, 3);
+    Coefficients out(count_of(kDegree));
+    product<kDegree>(a.data(), b.data(), out.data());
+    expect_near(out, integrated_product(a, b, kDegree), 2e-15);
+    EXPECT_NEAR(triple<kDegree>(a.data(), b.data(), b.data()), dot(out, b), 1e-15);
+    square<kDegree>(a.data(), out.data());
+    expect_near(out, integrated_product(a, a, kDegree), 2e-15);
+    product_zonal<kDegree>(a.data(), zonal.data(), out.data());
+    expect_near(out, integrated_product(a, with_zeros(zonal), kDegree), 2e-15);
+  });
+}
+
+TEST(GeneratedProducts, InFloatStayWithinFourEpsOfTheLengths) {
+  for_every_degree([]<int kDegree>() {
+    constexpr double kLimit = 4 * std::numeric_limits<float>::epsilon();
+    for (unsigned seed = 0; seed < 20; ++seed) {
+      const auto a = random_unit(count_of(kDegree), 2 * seed);
+      // Sharp peaks add up all coefficients: b is a again in every other pair.
+      const auto b = seed % 2 == 0 ? a : random_unit(count_of(kDegree), 2 * seed + 1);
+      const std::vector<float> a_float(a.begin(), a.end());
+      const std::vector<float> b_float(b.begin(), b.end());
+      const Coefficients a_rounded(a_float.begin(), a_float.end());
+      const Coefficients b_rounded(b_float.begin(), b_float.end());
+      Coefficients wanted(count_of(kDegree));
+      std::vector<float> out(count_of(kDegree));
+      product<kDegree>(a_rounded.data(), b_rounded.data(), wanted.data());
+      product<kDegree>(a_float.data(), b_float.data(), out.data());
+      expect_near({out.begin(), out.end()}, wanted, kLimit);
+    }
+  });
+}
+
+TEST(GeneratedProducts, DoNotDependOnTheOrderOfTheFactors) {
+  for_every_degree([]<int kDegree>() {
+    const auto a = random_unit(count_of(kDegree), 4);
+    const auto b = random_unit(count_of(kDegree), 5);
+    Coefficients ab(count_of(kDegree));
+    Coefficients ba(count_of(kDegree));
+    product<kDegree>(a.data(), b.data(), ab.data());
+    product<kDegree>(b.data(), a.data(), ba.data());
+    expect_near(ab, ba, 4e-16);
+  });
+}
+
+TEST(GeneratedProducts, WorkInPlace) {
+  for_every_degree([]<int kDegree>() {
+    const auto a = random_unit(count_of(kDegree), 6);
+    const auto b = random_unit(count_of(kDegree), 7);
+    const auto zonal = random_unit(kDegree + 1, 8);
+    Coefficients wanted(count_of(kDegree));
+    product<kDegree>(a.data(), b.data(), wanted.data());
+    Coefficients over_a = a;
+    product<kDegree>(over_a.data(), b.data(), over_a.data());
+    EXPECT_EQ(over_a, wanted);
+    Coefficients over_b = b;
+    product<kDegree>(a.data(), over_b.data(), over_b.data());
+    EXPECT_EQ(over_b, wanted);
+    square<kDegree>(a.data(), wanted.data());
+    over_a = a;
+    square<kDegree>(over_a.data(), over_a.data());
+    EXPECT_EQ(over_a, wanted);
+    Coefficients twice = a;
+    product<kDegree>(twice.data(), twice.data(), twice.data());
+    expect_near(twice, wanted, 4e-16);
+    product_zonal<kDegree>(a.data(), zonal.data(), wanted.data());
+    over_a = a;
+    product_zonal<kDegree>(over_a.data(), zonal.data(), over_a.data());
+    EXPECT_EQ(over_a, wanted);
+  });
+}
+
+TEST(GeneratedProducts, WithAConstantScaleTheOtherFactor) {
+  // 1 = sqrt(4 pi) Y_00.
+  for_every_degree([]<int kDegree>() {
+    Coefficients one(count_of(kDegree));
+    one[0] = std::sqrt(4 * M_PI);
+    const auto b = random_unit(count_of(kDegree), 9);
+    Coefficients out(count_of(kDegree));
+    product<kDegree>(one.data(), b.data(), out.data());
+    expect_near(out, b, 4e-15);
+    product<kDegree>(Coefficients(count_of(kDegree)).data(), b.data(), out.data());
+    expect_near(out, Coefficients(count_of(kDegree)), 0);
+  });
+}
+
+TEST(GeneratedProducts, AreConstantExpressions) {
+  constexpr auto kSquare = [] {
+    const std::array<double, 9> z{0, 0, 1};
+    std::array<double, 9> out{};
+    product<2>(z.data(), z.data(), out.data());
+    return out;
+  }();
+  static_assert(kSquare[0] > 0.28 && kSquare[6] > 0.25 && kSquare[1] == 0);
+  constexpr auto kIntegral = [] {
+    const std::array<double, 4> y{1, 0, 0, 0};
+    return triple<1>(y.data(), y.data(), y.data());
+  }();
+  static_assert(kIntegral > 0.2820947917738 && kIntegral < 0.2820947917739);
+}
+
+TEST(GeneratedProducts, WriteExactlyTheirOwnElements) {
+  for_every_degree([]<int kDegree>() {
+    const auto a = random_unit(count_of(kDegree), 10);
+    Coefficients out(count_of(kDegree) + 2, std::numeric_limits<double>::quiet_NaN());
+    product<kDegree>(a.data(), a.data(), out.data() + 1);
+    EXPECT_TRUE(std::isnan(out.front()));
+    EXPECT_TRUE(std::isnan(out.back()));
+    for (std::size_t i = 1; i + 1 < out.size(); ++i) EXPECT_FALSE(std::isnan(out[i])) << kDegree << " " << i;
+  });
+}
+
+}  // namespace
+}  // namespace sh
