@@ -15,7 +15,6 @@
 namespace sh::codegen {
 namespace {
 
-constexpr int kReferencePoints = 3;
 // A second kernel for accuracy is written where it errs less than this part of what the fastest one does.
 constexpr double kWorthwhile = 0.75;
 

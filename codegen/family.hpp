@@ -28,8 +28,8 @@ struct Domain {
   std::function<std::vector<std::vector<double>>(int degree)> test_inputs;
   /// The size of the values that an output is compared with, at an input.
   std::function<double(std::span<const double> inputs, std::size_t output)> size;
-  /// The point of the domain that a rounded input stands for; nullptr when every input is in the domain.
-  std::vector<cln::cl_F> (*nearest_in_domain)(const std::vector<cln::cl_F>& inputs) = nullptr;
+  /// The point of the domain that a rounded input stands for; empty when every input is in the domain.
+  std::function<std::vector<cln::cl_F>(const std::vector<cln::cl_F>& inputs)> nearest_in_domain;
 };
 
 /// One way to compute a family.

@@ -22,6 +22,7 @@
 
 #include "codegen/catalogue.hpp"
 #include "codegen/errata_command.hpp"
+#include "codegen/in_convention.hpp"
 #include "codegen/output_tree.hpp"
 #include "codegen/print/dump.hpp"
 #include "codegen/prove_command.hpp"
@@ -75,10 +76,12 @@ int list(const std::string& folder, const std::vector<std::string>& only) {
 }
 
 int emit(const std::string& family, int degree, const std::string& language, const std::string& scalar,
-         const std::string& prefer) {
+         const std::string& prefer, const ConventionOptions& convention) {
   const Language& target = find_language(language);
-  std::cout << target.print_kernel(preferred_kernel(find_family(family), degree, find_preference(prefer)),
-                                   find_scalar(scalar));
+  const Family& chosen = find_family(family);
+  FinishedKernel finished = preferred_kernel(chosen, degree, find_preference(prefer));
+  if (!convention.empty()) finished = in_convention(finished, chosen.reference(degree, kReferencePoints), convention);
+  std::cout << target.print_kernel(finished, find_scalar(scalar));
   return kDone;
 }
 
@@ -136,6 +139,9 @@ int run(int argc, char** argv) {
   emit_command->add_option("--lang", language, "Language: cpp, glsl, glsl-es, hlsl or c99")->required();
   emit_command->add_option("--scalar", scalar, "Scalar type: float or double (C++ is templated on it)");
   emit_command->add_option("--prefer", prefer, "What the recipe is chosen for: speed, accuracy or size");
+  ConventionOptions convention;
+  emit_command->add_option("--convention", convention.convention, "Convention of arrays, e.g. directxmath, unity");
+  emit_command->add_option("--axes", convention.axes, "The convention's coordinates from the caller's, e.g. x,z,-y");
   auto* dump_command = app.add_subcommand("dump", "Print the SSA of a kernel after a stage");
   dump_command->add_option("stage", stage, "recipe, share, factor, prune or schedule")->required();
   dump_command->add_option("kernel", kernel, "Kernel, e.g. basis_l4")->required();
@@ -190,7 +196,7 @@ int run(int argc, char** argv) {
     if (tune_degree->count() > 0) tune_options.degree = degree;
     return tune(tune_options, std::cout, std::cerr) ? kDone : kDifferent;
   }
-  if (emit_command->parsed()) return emit(family, degree, language, scalar, prefer);
+  if (emit_command->parsed()) return emit(family, degree, language, scalar, prefer, convention);
   return dump(stage, kernel);
 }
 

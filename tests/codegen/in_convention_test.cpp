@@ -1,0 +1,149 @@
+// Kernels in other conventions, against the exact functions of each convention; what that costs.
+#include "codegen/in_convention.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "codegen/catalogue.hpp"
+#include "codegen/directions.hpp"
+#include "codegen/evaluate.hpp"
+#include "codegen/gauge.hpp"
+#include "symbolic/presets.hpp"
+#include "tests/codegen/support.hpp"
+
+namespace sh::codegen {
+namespace {
+
+using symbolic::Preset;
+using symbolic::Surd;
+
+constexpr int kDigits = 60;
+
+FinishedKernel emitted(const std::string& family, int degree, const ConventionOptions& options) {
+  const Family& f = find_family(family);
+  return in_convention(preferred_kernel(f, degree, Prefer::kSpeed), f.reference(degree, kReferencePoints), options);
+}
+
+int largest_degree(const Preset& preset) { return preset.convention.folded == symbolic::Folded::kNothing ? 4 : 2; }
+
+cln::cl_F as_float(const cln::cl_RA& value) { return cln::cl_float(value, cln::float_format(kDigits)); }
+
+void expect_close(const cln::cl_F& a, const cln::cl_F& b, const std::string& what) {
+  EXPECT_LT(cln::double_approx(cln::abs(a - b)), 1e-50) << what;
+}
+
+TEST(InConvention, BasisEqualsTheFunctionsOfEveryRealPreset) {
+  for (const Preset& preset : symbolic::presets()) {
+    if (preset.convention.complex) continue;
+    const int degree = largest_degree(preset);
+    const FinishedKernel finished = emitted("basis", degree, {preset.name, ""});
+    Evaluator<cln::cl_F> kernel(finished.kernel, kDigits);
+    for (const auto& d : rational_directions(3)) {
+      const std::vector<cln::cl_F> values =
+          kernel(std::vector<cln::cl_F>{as_float(d[0]), as_float(d[1]), as_float(d[2])});
+      for (int l = 0; l <= degree; ++l) {
+        for (int m = -l; m <= l; ++m) {
+          const auto exact = convention_function(preset.convention, l, m);
+          const int place = storage_position(preset.convention.order, degree, l, m);
+          expect_close(values[static_cast<std::size_t>(place)],
+                       (Surd(exact.re.evaluate({d.begin(), d.end()})) * exact.factor).evaluate(kDigits), preset.name);
+        }
+      }
+    }
+  }
+}
+
+TEST(InConvention, CostsNothingAtRunTime) {
+  // Signs and scales go into constants. Where one product serves several outputs of a zonal function turned, up to two
+  // changes of sign or scale are left.
+  for (const Preset& preset : symbolic::presets()) {
+    if (preset.convention.complex) continue;
+    for (const char* family : {"basis", "zonal"}) {
+      const int degree = largest_degree(preset);
+      const FinishedKernel ours = preferred_kernel(find_family(family), degree, Prefer::kSpeed);
+      const FinishedKernel theirs = emitted(family, degree, {preset.name, ""});
+      const int left_over = family == std::string("basis") ? 0 : 2;
+      EXPECT_LE(theirs.cost.operations(), ours.cost.operations() + left_over) << family << " " << preset.name;
+    }
+  }
+}
+
+TEST(InConvention, AxesOnlyRenameTheArguments) {
+  const FinishedKernel finished = emitted("basis", 4, {"", "x,z,-y"});
+  const FinishedKernel ours = preferred_kernel(find_family("basis"), 4, Prefer::kSpeed);
+  EXPECT_LE(finished.cost.operations(), ours.cost.operations());
+  Evaluator<cln::cl_F> kernel(finished.kernel, kDigits);
+  Evaluator<cln::cl_F> own(ours.kernel, kDigits);
+  for (const auto& d : rational_directions(3)) {
+    const cln::cl_F x = as_float(d[0]);
+    const cln::cl_F y = as_float(d[1]);
+    const cln::cl_F z = as_float(d[2]);
+    const auto values = kernel(std::vector<cln::cl_F>{x, y, z});
+    const auto expected = own(std::vector<cln::cl_F>{x, z, -y});
+    for (std::size_t i = 0; i < values.size(); ++i) expect_close(values[i], expected[i], "axes");
+  }
+}
+
+TEST(InConvention, CoefficientsScaleTheOtherWay) {
+  // A zonal function turned to d and summed with the convention's functions is the same everywhere.
+  const int degree = 3;
+  for (const std::string name : {"ambix", "gaussian-splatting", "shtools"}) {
+    const FinishedKernel turned = emitted("zonal", degree, {name, ""});
+    const FinishedKernel basis = emitted("basis", degree, {name, ""});
+    const FinishedKernel own = preferred_kernel(find_family("zonal"), degree, Prefer::kSpeed);
+    const FinishedKernel own_basis = preferred_kernel(find_family("basis"), degree, Prefer::kSpeed);
+    const symbolic::Convention convention = symbolic::find_preset(name).convention;
+    std::vector<cln::cl_F> theirs;
+    std::vector<cln::cl_F> ours;
+    for (int l = 0; l <= degree; ++l) {
+      ours.push_back(as_float(cln::cl_RA(l + 2) / 7));
+      const Surd scale =
+          convention_factor(convention, l, 0) / convention_factor(symbolic::presets().front().convention, l, 0);
+      theirs.push_back(ours.back() / scale.evaluate(kDigits));
+    }
+    const auto directions = rational_directions(2);
+    std::vector<cln::cl_F> at;
+    for (const cln::cl_RA& coordinate : directions[1]) at.push_back(as_float(coordinate));
+    for (const cln::cl_RA& coordinate : directions[0]) {
+      ours.push_back(as_float(coordinate));
+      theirs.push_back(as_float(coordinate));
+    }
+    const auto sum = [&](const FinishedKernel& coefficients, const FinishedKernel& functions,
+                         const std::vector<cln::cl_F>& inputs) {
+      const auto c = Evaluator<cln::cl_F>(coefficients.kernel, kDigits)(inputs);
+      const auto y = Evaluator<cln::cl_F>(functions.kernel, kDigits)(at);
+      cln::cl_F total = as_float(0);
+      for (std::size_t i = 0; i < c.size(); ++i) total = total + c[i] * y[i];
+      return total;
+    };
+    expect_close(sum(turned, basis, theirs), sum(own, own_basis, ours), name);
+  }
+}
+
+TEST(InConvention, RefusesWhatItCannotMean) {
+  EXPECT_THROW(emitted("basis", 2, {"scipy", ""}), std::invalid_argument);  // complex
+  EXPECT_THROW(emitted("basis", 3, {"unity", ""}), std::invalid_argument);  // folded: to degree 2
+  EXPECT_THROW(emitted("basis", 2, {"nothing", ""}), std::invalid_argument);
+  EXPECT_THROW(emitted("basis", 2, {"", "x,x,z"}), std::invalid_argument);
+  EXPECT_THROW(emitted("irradiance_matrix", 2, {"directxmath", ""}), std::invalid_argument);
+}
+
+TEST(Gauge, MultipliesOnceWhereNoConstantIsFree) {
+  Kernel kernel = test::empty_kernel();
+  Builder build(kernel);
+  const NodeId product = build.mul(0, 1);
+  test::add_output(kernel, product);
+  test::add_output(kernel, build.add(product, build.mul(1, 2)));
+  const Kernel scaled = with_gauges(kernel, {Surd(1), Surd(1), Surd(1)}, {Surd(3), Surd::square_root(2)});
+  const std::vector<double> point{0.3125, -1.75, 2.5};
+  const auto before = Evaluator<double>(kernel)(point);
+  const auto after = Evaluator<double>(scaled)(point);
+  EXPECT_DOUBLE_EQ(after[0], 3 * before[0]);
+  EXPECT_DOUBLE_EQ(after[1], std::sqrt(2.0) * before[1]);
+  EXPECT_EQ(cost(scaled).operations(), cost(kernel).operations() + 2);
+}
+
+}  // namespace
+}  // namespace sh::codegen
