@@ -141,7 +141,7 @@ Recipe fastest_recipe(const Family& family, int degree) {
   throw std::invalid_argument(family.name + ": degree " + std::to_string(degree) + "; it should be one of: " + degrees);
 }
 
-std::vector<Stage> kernel_stages(const Family& family, const Recipe& recipe, int degree) {
+Kernel recipe_kernel(const Family& family, const Recipe& recipe, int degree) {
   require_degree(family, degree);
   Kernel kernel = recipe.make(degree);
   kernel.name = family.name + "_l" + std::to_string(degree);
@@ -149,6 +149,11 @@ std::vector<Stage> kernel_stages(const Family& family, const Recipe& recipe, int
   kernel.degree = degree;
   kernel.recipe = recipe.name;
   kernel.arguments = family.name + " --degree " + std::to_string(degree);
+  return kernel;
+}
+
+std::vector<Stage> kernel_stages(const Family& family, const Recipe& recipe, int degree) {
+  Kernel kernel = recipe_kernel(family, recipe, degree);
   return run_pipeline(std::move(kernel), family.reference(degree, kReferencePoints), default_passes());
 }
 

@@ -44,6 +44,8 @@ std::vector<Recipe> recipes_for(const Family& family, int degree);
 /// The first of them. Throws std::invalid_argument listing the degrees when there is none.
 Recipe fastest_recipe(const Family& family, int degree);
 
+/// What the recipe makes, with the names and arguments of the catalogue. Errors as require_degree.
+Kernel recipe_kernel(const Family& family, const Recipe& recipe, int degree);
 /// At how many points a kernel is checked against the exact functions.
 inline constexpr int kReferencePoints = 3;
 /// The kernel after the recipe and after every pass; errors as run_pipeline and require_degree.

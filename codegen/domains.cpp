@@ -70,6 +70,7 @@ std::vector<cln::cl_F> with_unit_direction(std::vector<cln::cl_F> inputs, std::s
 std::vector<double> cap_sizes(int count, unsigned long seed) {
   std::mt19937_64 random(seed);
   std::vector<double> sizes;
+  sizes.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) {
     const double u = std::ldexp(static_cast<double>((random() >> 11U) | 1U), -52);
     const double near = u * std::ldexp(1.0, -static_cast<int>(random() % 20));

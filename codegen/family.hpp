@@ -26,8 +26,8 @@ struct Domain {
   std::string nearest;  ///< for people: "the input scaled to length 1"; empty when every input is in the domain
   /// Flattened inputs, each rounded to the kernel's type before use.
   std::function<std::vector<std::vector<double>>(int degree)> test_inputs;
-  /// The size of the values that an output is compared with, at an input.
-  std::function<double(std::span<const double> inputs, std::size_t output)> size;
+  /// The size of the values that an element of the flattened results is compared with, at an input.
+  std::function<double(std::span<const double> inputs, std::size_t element)> size;
   /// The point of the domain that a rounded input stands for; empty when every input is in the domain.
   std::function<std::vector<cln::cl_F>(const std::vector<cln::cl_F>& inputs)> nearest_in_domain;
 };

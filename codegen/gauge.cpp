@@ -48,9 +48,9 @@ class GaugeSolver {
       : kernel_(kernel), result_(kernel), build_(result_) {
     result_.nodes.clear();
     for (NodeId id = 0; id < kernel.size(); ++id) position_.push_back(rebuilt(kernel.node(id), inputs));
-    for (std::size_t i = 0; i < outputs.size(); ++i) {
+    for (std::size_t i = 0; i < kernel.outputs.size(); ++i) {
       const NodeId value = value_of(kernel.outputs[i].node);
-      result_.outputs[i].node = with_gauge(value, Gauge{outputs[i], {}});
+      result_.outputs[i].node = with_gauge(value, Gauge{outputs[static_cast<std::size_t>(kernel.element(i))], {}});
     }
   }
 

@@ -204,6 +204,11 @@ std::vector<cln::cl_F> as_ours(const std::vector<cln::cl_F>& theirs, const Layou
   return ours;
 }
 
+// Where an output of ours is stored.
+std::size_t output_place(const Kernel& kernel, const Layout& outputs, std::size_t output) {
+  return static_cast<std::size_t>(outputs.place[static_cast<std::size_t>(kernel.element(output))]);
+}
+
 // The kernel with its arrays laid out as the convention does.
 Kernel relaid(Kernel kernel, const Layout& inputs, const Layout& outputs) {
   kernel = with_gauges(kernel, inputs.factor, outputs.factor);
@@ -213,20 +218,25 @@ Kernel relaid(Kernel kernel, const Layout& inputs, const Layout& outputs) {
   kernel.parameters = inputs.arrays;
   kernel.results = outputs.arrays;
   std::vector<Output> stored(static_cast<std::size_t>(total_size(outputs.arrays)));
-  for (std::size_t i = 0; i < kernel.outputs.size(); ++i)
-    stored[static_cast<std::size_t>(outputs.place[i])] = kernel.outputs[i];
+  for (std::size_t i = 0; i < kernel.outputs.size(); ++i) stored[output_place(kernel, outputs, i)] = kernel.outputs[i];
+  // Places that hold no element of ours are zero; elements that the kernel does not write stay unwritten.
+  std::vector<bool> hole(stored.size(), true);
+  for (const int place : outputs.place) hole[static_cast<std::size_t>(place)] = false;
   NodeId none = -1;
-  for (Output& output : stored) {
-    if (output.node >= 0) continue;
-    if (none < 0) none = Builder(kernel).constant(Surd(), "none");
-    output = {none, "unused"};
+  kernel.outputs.clear();
+  for (std::size_t i = 0; i < stored.size(); ++i) {
+    if (hole[i] && none < 0) none = Builder(kernel).constant(Surd(), "none");
+    if (hole[i]) stored[i] = {none, "unused"};
+    stored[i].element = static_cast<int>(i);
+    if (stored[i].node >= 0) kernel.outputs.push_back(std::move(stored[i]));
   }
-  kernel.outputs = std::move(stored);
   return kernel;
 }
 
-// What the kernel in our convention gives at the points, mapped; its inputs are exact to the digits of the check.
-Reference reference_in(const Kernel& kernel, const Reference& points, const Layout& inputs, const Layout& outputs) {
+// What the kernel in our convention gives at the points, mapped, for the outputs of `relaid`; its inputs are exact to
+// the digits of the check.
+Reference reference_in(const Kernel& kernel, const Kernel& relaid, const Reference& points, const Layout& inputs,
+                       const Layout& outputs) {
   Evaluator<cln::cl_F> ours(kernel, kCheckDigits);
   Reference reference;
   for (const ReferencePoint& point : points) {
@@ -234,7 +244,12 @@ Reference reference_in(const Kernel& kernel, const Reference& points, const Layo
     for (const cln::cl_RA& value : point.inputs) in.push_back(cln::cl_float(value, cln::float_format(kCheckDigits)));
     ReferencePoint mapped;
     for (const cln::cl_F& value : as_stored(in, inputs, kCheckDigits)) mapped.inputs.push_back(cln::rational(value));
-    mapped.outputs = as_stored(ours(in), outputs, kCheckDigits);
+    std::vector<cln::cl_F> all(outputs.place.size(), cln::cl_float(0, cln::float_format(kCheckDigits)));
+    const std::vector<cln::cl_F> written = ours(in);
+    for (std::size_t i = 0; i < written.size(); ++i) all[static_cast<std::size_t>(kernel.element(i))] = written[i];
+    const std::vector<cln::cl_F> stored = as_stored(all, outputs, kCheckDigits);
+    for (std::size_t i = 0; i < relaid.outputs.size(); ++i)
+      mapped.outputs.push_back(stored[static_cast<std::size_t>(relaid.element(i))]);
     reference.push_back(std::move(mapped));
   }
   return reference;
@@ -315,7 +330,7 @@ FinishedKernel in_convention(const FinishedKernel& finished, const Reference& po
   if (!options.axes.empty())
     result.kernel.domain +=
         ". Directions are the caller's; the convention's coordinates are (" + options.axes + ") of them";
-  const Reference reference = reference_in(finished.kernel, points, inputs, outputs);
+  const Reference reference = reference_in(finished.kernel, result.kernel, points, inputs, outputs);
   result.kernel = run_pipeline(std::move(result.kernel), reference, kPasses).back().kernel;
   result.domain = domain_in(finished.domain, inputs, outputs);
   result.cost = cost(result.kernel);

@@ -41,6 +41,7 @@ struct Parameter {
 struct Output {
   NodeId node = -1;
   std::string label;  ///< what the value is, e.g. "l=2 m=-1"
+  int element = -1;   ///< which of the flattened results it is; -1: as many as there are outputs before it
 };
 
 struct Kernel {
@@ -56,10 +57,14 @@ struct Kernel {
   std::vector<Parameter> parameters;
   std::vector<Parameter> results;  ///< arrays, or one scalar; a result named as a parameter is updated in place
   std::vector<Node> nodes;
-  std::vector<Output> outputs;  ///< the flattened results, in order
+  std::vector<Output> outputs;  ///< the flattened results, in order; those left out are not written
 
   /// True when the only result is a scalar, which functions return.
   [[nodiscard]] bool returns_scalar() const { return results.size() == 1 && results[0].shape.empty(); }
+  /// Which of the flattened results an output is.
+  [[nodiscard]] int element(std::size_t output) const {
+    return outputs[output].element < 0 ? static_cast<int>(output) : outputs[output].element;
+  }
   [[nodiscard]] const Node& node(NodeId id) const { return nodes[static_cast<std::size_t>(id)]; }
   [[nodiscard]] NodeId size() const { return static_cast<NodeId>(nodes.size()); }
 };

@@ -6,6 +6,8 @@
 //   shgen tune [FAMILY...] [--degree N] [--out FILE] [--check]  measure the recipes, so that `write` takes the fastest
 //   shgen emit FAMILY --degree N --lang cpp|glsl|glsl-es|hlsl|c99 [--scalar float|double]
 //                     [--prefer speed|accuracy|size]  print one kernel's file
+//                     [--left S] [--right S] [--keep-bands L,...] [--keep-orders=M,...] [--outputs S|I,...]
+//                                                   without what these say is zero or not wanted (codegen/mask.hpp)
 //   shgen dump STAGE KERNEL                          print the SSA of a kernel after a stage: dump share basis_l4
 //   shgen prove [NAME...] [--degree L] [--json FILE] prove every identity of symbolic/, or those named
 //   shgen errata [ID|SOURCE...] [--verdict V] [--json FILE]  formulas of the sources, each decided exactly
@@ -23,6 +25,7 @@
 #include "codegen/catalogue.hpp"
 #include "codegen/errata_command.hpp"
 #include "codegen/in_convention.hpp"
+#include "codegen/masked_kernel.hpp"
 #include "codegen/output_tree.hpp"
 #include "codegen/print/dump.hpp"
 #include "codegen/prove_command.hpp"
@@ -76,13 +79,24 @@ int list(const std::string& folder, const std::vector<std::string>& only) {
 }
 
 int emit(const std::string& family, int degree, const std::string& language, const std::string& scalar,
-         const std::string& prefer, const ConventionOptions& convention) {
+         const std::string& prefer, const MaskOptions& mask, const ConventionOptions& convention) {
   const Language& target = find_language(language);
   const Family& chosen = find_family(family);
-  FinishedKernel finished = preferred_kernel(chosen, degree, find_preference(prefer));
+  const Prefer preference = find_preference(prefer);
+  FinishedKernel finished =
+      mask.empty() ? preferred_kernel(chosen, degree, preference) : masked_kernel(chosen, degree, preference, mask);
   if (!convention.empty()) finished = in_convention(finished, chosen.reference(degree, kReferencePoints), convention);
   std::cout << target.print_kernel(finished, find_scalar(scalar));
   return kDone;
+}
+
+void add_mask_options(CLI::App& command, MaskOptions& mask) {
+  command.add_option("--left", mask.left, "Symmetries of the first coefficient array, e.g. zonal or mirror-x,mirror-y");
+  command.add_option("--right", mask.right, "Symmetries of the second coefficient array");
+  command.add_option("--keep-bands", mask.keep_bands, "Degrees l that are not zero, e.g. 0,1,2,4")->delimiter(',');
+  command.add_option("--keep-orders", mask.keep_orders, "Orders m that are not zero, e.g. --keep-orders=-2,0,2")
+      ->delimiter(',');
+  command.add_option("--outputs", mask.outputs, "Wanted results: a symmetry or a list of entries, e.g. 0,2,6");
 }
 
 // "basis_l4" -> the stages of family basis at degree 4.
@@ -142,6 +156,8 @@ int run(int argc, char** argv) {
   ConventionOptions convention;
   emit_command->add_option("--convention", convention.convention, "Convention of arrays, e.g. directxmath, unity");
   emit_command->add_option("--axes", convention.axes, "The convention's coordinates from the caller's, e.g. x,z,-y");
+  MaskOptions mask;
+  add_mask_options(*emit_command, mask);
   auto* dump_command = app.add_subcommand("dump", "Print the SSA of a kernel after a stage");
   dump_command->add_option("stage", stage, "recipe, share, factor, prune or schedule")->required();
   dump_command->add_option("kernel", kernel, "Kernel, e.g. basis_l4")->required();
@@ -196,7 +212,7 @@ int run(int argc, char** argv) {
     if (tune_degree->count() > 0) tune_options.degree = degree;
     return tune(tune_options, std::cout, std::cerr) ? kDone : kDifferent;
   }
-  if (emit_command->parsed()) return emit(family, degree, language, scalar, prefer, convention);
+  if (emit_command->parsed()) return emit(family, degree, language, scalar, prefer, mask, convention);
   return dump(stage, kernel);
 }
 

@@ -99,6 +99,10 @@ class Lister {
  private:
   static std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
+  [[nodiscard]] const Element& result_of(std::size_t output) const {
+    return results_[static_cast<std::size_t>(kernel_.element(output))];
+  }
+
   // True when the element is needed only by the expression that is stored at its own index.
   [[nodiscard]] bool is_read_by_own_store(NodeId id) const {
     if (kernel_.results.size() != 1) return false;  // the element of another result might be stored before
@@ -106,7 +110,7 @@ class Lister {
     for (NodeId at = id;; at = users_[index(at)]) {
       const std::vector<std::size_t>& stores = stores_[index(at)];
       if (uses_[index(at)] + static_cast<int>(stores.size()) != 1) return false;
-      if (!stores.empty()) return results_[stores[0]].index == element;
+      if (!stores.empty()) return result_of(stores[0]).index == element;
     }
   }
 
@@ -132,9 +136,10 @@ class Lister {
       listing_.statements.push_back({Statement::Kind::kReturn, "", expression.text, label});
       return;
     }
-    if (expression.text == results_[output].name) return;  // an element that stays as it is
-    for (const NodeId input : overwritable_[results_[output].index]) load(input);
-    listing_.statements.push_back({Statement::Kind::kStore, results_[output].name, expression.text, label});
+    const Element& result = result_of(output);
+    if (expression.text == result.name) return;  // an element that stays as it is
+    for (const NodeId input : overwritable_[result.index]) load(input);
+    listing_.statements.push_back({Statement::Kind::kStore, result.name, expression.text, label});
   }
 
   // The element under its name, or as a variable when a store might change it.

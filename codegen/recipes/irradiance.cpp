@@ -10,6 +10,9 @@
 namespace sh::codegen::recipes {
 namespace {
 
+// The place of an element; arithmetic on positions stays in int.
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
 using symbolic::irradiance_factor;
 using symbolic::Surd;
 
@@ -29,6 +32,7 @@ int count(int degree) { return (degree + 1) * (degree + 1); }
 
 std::vector<NodeId> coefficients(Builder& build, int degree) {
   std::vector<NodeId> c;
+  c.reserve(index(count(degree)));
   for (int i = 0; i < count(degree); ++i) c.push_back(build.input(i, "c" + std::to_string(i)));
   return c;
 }
@@ -72,7 +76,7 @@ NodeId column(Builder& build, AxialPolynomials& axial, const Normal& n, const st
   NodeId odd = -1;
   for (int l = m; l <= degree; ++l) {
     if (irradiance_factor(l).is_zero()) continue;
-    const NodeId coefficient = c[static_cast<std::size_t>(l * (l + 1) + sign * m)];
+    const NodeId coefficient = c[index(l * (l + 1) + sign * m)];
     NodeId& part = (l - m) % 2 == 0 ? even : odd;
     part = sum(build, part, build.mul(axial.at(l, m), coefficient));
   }

@@ -8,6 +8,9 @@
 namespace sh::codegen::recipes {
 namespace {
 
+// The place of an element; arithmetic on positions stays in int.
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
 using symbolic::Surd;
 
 constexpr const char* kCitation =
@@ -33,7 +36,7 @@ class Turned {
   std::vector<NodeId> coefficients() {
     const int degree = static_cast<int>(weights_.size()) - 1;
     std::vector<NodeId> result(weights_.size() * weights_.size());
-    const auto at = [&](int l, int m) -> NodeId& { return result[static_cast<std::size_t>(l * (l + 1) + m)]; };
+    const auto at = [&](int l, int m) -> NodeId& { return result[index(l * (l + 1) + m)]; };
     for (int l = 0; l <= degree; ++l) at(l, 0) = axial(l, 0);
     for (int m = 1; m <= degree; ++m) {
       const auto [c, s] = azimuth_.power(m);
@@ -71,6 +74,7 @@ class Turned {
 
 std::vector<NodeId> inputs(Builder& build, int first, int count, const std::string& name) {
   std::vector<NodeId> nodes;
+  nodes.reserve(index(count));
   for (int i = 0; i < count; ++i) nodes.push_back(build.input(first + i, name + std::to_string(i)));
   return nodes;
 }
@@ -109,7 +113,7 @@ std::vector<NodeId> turned_column(Builder& build, NodeId z, int degree, int m) {
     } else {
       const NodeId b =
           build.constant(Surd::square_root(cln::cl_RA((l - 1) * (l - 1) - m * m)) / root, indexed("b", l, m));
-      p.push_back(build.sub(raised, build.mul(b, p[static_cast<std::size_t>(l - m - 2)])));
+      p.push_back(build.sub(raised, build.mul(b, p[index(l - m - 2)])));
     }
     build.name(p.back(), indexed("p", l, m));
   }
@@ -146,7 +150,7 @@ Kernel cap_light(int degree, bool rgb) {
   const NodeId u = build.input(3, "u");
   const int channels = rgb ? 3 : 1;
   std::vector<NodeId> colours = inputs(build, 4, channels, "colour");
-  const auto count = static_cast<std::size_t>((degree + 1) * (degree + 1));
+  const auto count = index((degree + 1) * (degree + 1));
   const std::vector<NodeId> sum = inputs(build, 4 + channels, channels * static_cast<int>(count), "sum");
   const std::vector<NodeId> cap = append_cap(build, u, rgb ? -1 : colours[0], degree);
   const std::vector<NodeId> light = Turned(build, d, cap).coefficients();
@@ -181,9 +185,9 @@ Kernel zonal_recurrence(int degree) {
   for (int m = 0; m <= degree; ++m) {
     const std::vector<NodeId> p = turned_column(build, d.z, degree, m);
     for (int l = m; l <= degree; ++l) {
-      const NodeId shared = build.mul(p[static_cast<std::size_t>(l - m)], zonal[static_cast<std::size_t>(l)]);
+      const NodeId shared = build.mul(p[index(l - m)], zonal[static_cast<std::size_t>(l)]);
       const auto set = [&](int order, NodeId node) {
-        kernel.outputs[static_cast<std::size_t>(l * (l + 1) + order)].node = node;
+        kernel.outputs[index(l * (l + 1) + order)].node = node;
       };
       if (m == 0) {
         set(0, shared);

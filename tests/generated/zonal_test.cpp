@@ -34,7 +34,10 @@ namespace sh {
 namespace {
 
 constexpr int kMaxDegree = 10;
-constexpr std::size_t count_of(int degree) { return static_cast<std::size_t>((degree + 1) * (degree + 1)); }
+constexpr std::size_t count_of(int degree) {
+  const auto bands = static_cast<std::size_t>(degree) + 1;
+  return bands * bands;
+}
 std::size_t band(std::size_t index) { return static_cast<std::size_t>(std::sqrt(static_cast<double>(index))); }
 
 using Direction = std::array<double, 3>;
