@@ -5,7 +5,7 @@
 //   shgen list [FAMILY...]                           kernels and recipes: operations, measured error, time, files
 //   shgen tune [FAMILY...] [--degree N] [--out FILE] [--check]  measure the recipes, so that `write` takes the fastest
 //   shgen emit FAMILY --degree N --lang cpp|glsl|glsl-es|hlsl|c99 [--scalar float|double]
-//                     [--prefer speed|accuracy|size]  print one kernel's file
+//                     [--prefer speed|accuracy|size | --recipe NAME]  print one kernel's file
 //                     [--left S] [--right S] [--keep-bands L,...] [--keep-orders=M,...] [--outputs S|I,...]
 //                                                   without what these say is zero or not wanted (codegen/mask.hpp)
 //   shgen dump STAGE KERNEL                          print the SSA of a kernel after a stage: dump share basis_l4
@@ -99,6 +99,15 @@ void add_mask_options(CLI::App& command, MaskOptions& mask) {
   command.add_option("--outputs", mask.outputs, "Wanted results: a symmetry or a list of entries, e.g. 0,2,6");
 }
 
+int emit_recipe(const std::string& family_name, int degree, const std::string& language, const std::string& scalar,
+                const std::string& recipe) {
+  const Family& family = find_family(family_name);
+  FinishedKernel finished = finish_kernel(family, find_recipe(family, degree, recipe), degree);
+  finished.kernel.arguments += " --recipe " + recipe;
+  std::cout << find_language(language).print_kernel(finished, find_scalar(scalar));
+  return kDone;
+}
+
 // "basis_l4" -> the stages of family basis at degree 4.
 std::vector<Stage> stages_of(const std::string& kernel) {
   const std::size_t split = kernel.rfind("_l");
@@ -158,6 +167,9 @@ int run(int argc, char** argv) {
   emit_command->add_option("--axes", convention.axes, "The convention's coordinates from the caller's, e.g. x,z,-y");
   MaskOptions mask;
   add_mask_options(*emit_command, mask);
+  std::string recipe;
+  emit_command->add_option("--recipe", recipe, "This recipe of the family, whatever it is good for")
+      ->excludes("--prefer", "--convention", "--axes", "--left", "--right", "--keep-bands", "--keep-orders", "--outputs");
   auto* dump_command = app.add_subcommand("dump", "Print the SSA of a kernel after a stage");
   dump_command->add_option("stage", stage, "recipe, share, factor, prune or schedule")->required();
   dump_command->add_option("kernel", kernel, "Kernel, e.g. basis_l4")->required();
@@ -212,6 +224,7 @@ int run(int argc, char** argv) {
     if (tune_degree->count() > 0) tune_options.degree = degree;
     return tune(tune_options, std::cout, std::cerr) ? kDone : kDifferent;
   }
+  if (!recipe.empty()) return emit_recipe(family, degree, language, scalar, recipe);
   if (emit_command->parsed()) return emit(family, degree, language, scalar, prefer, mask, convention);
   return dump(stage, kernel);
 }

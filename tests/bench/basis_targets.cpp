@@ -1,0 +1,97 @@
+// Basis: one direction against the scalar recurrence and the textbook, batches against what stores and multiply-adds
+// take.
+#include <algorithm>
+#include <string>
+
+#include "generated/batch/batch.hpp"
+#include "generated/cpp/basis.hpp"
+#include "tests/bench/controls/recurrence_basis.hpp"
+#include "tests/bench/controls/textbook_basis.hpp"
+#include "tests/bench/degrees.hpp"
+#include "tests/bench/harness.hpp"
+#include "tests/bench/limits.hpp"
+
+namespace sh::bench {
+namespace {
+
+constexpr std::size_t kSingles = 512;   // directions, taken one by one
+constexpr std::size_t kMany = 100'000;  // directions of a large batch
+constexpr double kNano = 1e9;
+
+template <class F>
+std::function<void()> one_by_one(const std::vector<float>& directions, float* out, const F& f) {
+  return [&directions, out, f] {
+    for (std::size_t i = 0; i < directions.size(); i += 3) {
+      f(directions[i], directions[i + 1], directions[i + 2], out);
+      keep(*out);
+    }
+  };
+}
+
+// Multiplications and additions of a kernel cannot take less than this many multiply-adds.
+int least_instructions(int degree) {
+  const Counts counts = manifest_counts("basis_l" + std::to_string(degree));
+  return std::max(counts.mul, counts.add);
+}
+
+void single(Table& table) {
+  table.section("Basis, one float direction, ns",
+                "controls: the scalar recurrence of [Sloan13], the textbook's formula");
+  const std::vector<float> directions = random_directions(kSingles);
+  const Buffer<float> out = make_buffer<float>(count_of(10));
+  for_degrees<2, 10>([&]<int kDegree>() {
+    const std::vector<double> t = least_times(
+        {one_by_one(directions, out.get(), [](float x, float y, float z, float* o) { sh::basis<kDegree>(x, y, z, o); }),
+         one_by_one(directions, out.get(),
+                    [](float x, float y, float z, float* o) { control::recurrence_basis<kDegree>(x, y, z, o); }),
+         one_by_one(directions, out.get(),
+                    [](float x, float y, float z, float* o) { control::textbook_basis<kDegree>(x, y, z, o); })});
+    const double ns = kNano / kSingles;
+    const std::string what = "basis_l" + std::to_string(kDegree);
+    table.ratio(what + " against the recurrence", "ns", t[0] * ns, t[1] * ns, "recurrence", 1.0);
+    table.ratio(what + " against the textbook", "ns", t[0] * ns, t[2] * ns, "textbook", 0.05);
+  });
+}
+
+// Blocks of directions whose values stay in half of the first cache.
+std::size_t cached_directions(std::size_t values) { return 16 * std::max<std::size_t>(1, 16384 / (64 * values)); }
+
+void batched(Table& table) {
+  table.section("Basis, batches that stay in the first cache, blocked, ns a direction",
+                "limit: the larger of filling the output and of the multiply-adds alone");
+  for (int degree = 2; degree <= 9; ++degree) {
+    const std::size_t n = cached_directions(count_of(degree));
+    const Buffer<float> in = to_blocks(random_directions(n), 3);
+    const Buffer<float> out = make_buffer<float>(n * count_of(degree));
+    const std::vector<double> t =
+        least_times({[&] { batch::basis(degree, n, batch::blocked(in.get()), batch::blocked(out.get())); },
+                     fill_task(out.get(), n * count_of(degree)), fma_task()});
+    const double store = t[1] / static_cast<double>(n);
+    const double fma = t[2] / kFmaOperations * least_instructions(degree) / 16;
+    table.ratio("batch basis, degree " + std::to_string(degree), "ns", t[0] * kNano / static_cast<double>(n),
+                std::max(store, fma) * kNano, store > fma ? "stores" : "multiply-adds", 1.4);
+  }
+}
+
+void many(Table& table) {
+  table.section("Basis, 100,000 directions, blocked, ns a direction", "limit: a plain fill of the output");
+  const Buffer<float> in = to_blocks(random_directions(kMany), 3);
+  for (int degree = 2; degree <= 9; ++degree) {
+    const Buffer<float> out = make_buffer<float>(kMany * count_of(degree));
+    const std::vector<double> t =
+        least_times({[&] { batch::basis(degree, kMany, batch::blocked(in.get()), batch::blocked(out.get())); },
+                     fill_task(out.get(), kMany * count_of(degree))});
+    table.ratio("batch basis, 100k, degree " + std::to_string(degree), "ns", t[0] * kNano / kMany, t[1] * kNano / kMany,
+                "fill", 1.2);
+  }
+}
+
+}  // namespace
+
+void basis(Table& table) {
+  single(table);
+  batched(table);
+  many(table);
+}
+
+}  // namespace sh::bench

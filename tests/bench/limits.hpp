@@ -1,0 +1,20 @@
+// The limits of the machine that the batched kernels are held against, measured where they are used.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+namespace sh::bench {
+
+/// A task that fills `count` values, 64 bytes a store.
+std::function<void()> fill_task(float* values, std::size_t count);
+
+/// A task that reads `count` values once.
+std::function<void()> read_task(const float* values, std::size_t count);
+
+/// Operations of fma_task: each a multiply-add of 16 floats.
+inline constexpr int kFmaOperations = 16 * 256;
+/// A task of independent multiply-adds of 16 floats: chains enough to hide their latency.
+std::function<void()> fma_task();
+
+}  // namespace sh::bench
