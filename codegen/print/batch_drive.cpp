@@ -33,6 +33,8 @@ struct Plan {
   BlockKernel<T> prepare = nullptr;
   std::size_t prepared = 0;
   BlockKernel<T> kernel_prepared = nullptr;
+  // Where the kernel adds up something else: from that to the sum.
+  BlockKernel<double> finish = nullptr;
 };
 
 template <class T>
@@ -63,6 +65,8 @@ class Driver {
     return blocks && reinterpret_cast<std::uintptr_t>(data) % detail::kLine == 0;
   }
 
+  bool is_half(int j) const { return j == 0 && call_.half != nullptr; }
+
   T* take_room(std::size_t values) {
     T* room = room_;
     room_ += values * kBlock<T>;
@@ -72,11 +76,17 @@ class Driver {
   // Shared inputs are spread over a block once.
   void take_input(int j) {
     const Records<const T>& in = call_.in[j];
-    direct_in_[j] = in.layout == Layout::kShared || direct(in.data, in.layout, plan_.in[j]);
+    const bool halves = is_half(j);
+    direct_in_[j] = in.layout == Layout::kShared || (!halves && direct(in.data, in.layout, plan_.in[j]));
     if (in.layout != Layout::kShared) return;
     T* room = take_room(plan_.in[j]);
+    const T* record = in.data;
+    if (halves) {
+      widen(call_.half, plan_.in[j], room_);
+      record = room_;
+    }
     for (std::size_t k = 0; k < plan_.in[j]; ++k) {
-      for (std::size_t lane = 0; lane < kBlock<T>; ++lane) room[k * kBlock<T> + lane] = in.data[k];
+      for (std::size_t lane = 0; lane < kBlock<T>; ++lane) room[k * kBlock<T> + lane] = record[k];
     }
     blocks_.in[j] = room;
   }
@@ -108,21 +118,37 @@ class Driver {
       const bool shared = call_.in[j].layout == Layout::kShared;
       if (shared && (lanes == kBlock<T> || !plan_.sums)) continue;  // in a sum, lanes that are not in use have to be 0
       const std::size_t block = plan_.in[j] * kBlock<T>;
-      const T* from = shared ? blocks_.in[j] : call_.in[j].data + first * block;
-      blocks_.in[j] = from;
       blocks_.step[j] = shared ? 0 : block;
-      if (direct_in_[j] && lanes == kBlock<T>) continue;
-      fetch(j, from, count, lanes, room);
+      if (is_half(j) && !shared) {
+        fetch_halves(first * block, count, lanes, room);
+      } else {
+        const T* from = shared ? blocks_.in[j] : call_.in[j].data + first * block;
+        blocks_.in[j] = from;
+        if (direct_in_[j] && lanes == kBlock<T>) continue;
+        fetch(call_.in[j].layout, plan_.in[j], from, count, lanes, room);
+      }
       blocks_.in[j] = room;
       room += count * block;
     }
     return room;
   }
 
-  void fetch(int j, const T* from, std::size_t count, std::size_t lanes, T* to) const {
-    const std::size_t size = plan_.in[j];
+  // Input 0 from half precision; a block at a time is widened behind the room that it will take.
+  void fetch_halves(std::size_t start, std::size_t count, std::size_t lanes, T* to) const {
+    const std::size_t size = plan_.in[0];
+    const bool plain = call_.in[0].layout == Layout::kPlain;
+    if (!plain && lanes == kBlock<T>) return widen(call_.half + start, count * size * kBlock<T>, to);
+    T* wide = to + count * size * kBlock<T>;
+    for (std::size_t b = 0; b < count; ++b) {
+      const std::size_t block = b * size * kBlock<T>;
+      widen(call_.half + start + block, plain ? lanes * size : (size - 1) * kBlock<T> + lanes, wide);
+      fetch(call_.in[0].layout, size, wide, 1, lanes, to + block);
+    }
+  }
+
+  void fetch(Layout layout, std::size_t size, const T* from, std::size_t count, std::size_t lanes, T* to) const {
     for (std::size_t b = 0; b < count; ++b, from += size * kBlock<T>, to += size * kBlock<T>) {
-      if (call_.in[j].layout == Layout::kPlain) {
+      if (layout == Layout::kPlain) {
         to_block(from, lanes, size, to);
       } else {
         copy_lanes_and_zeros(from, lanes, size, to);
@@ -176,7 +202,20 @@ class Driver {
         for (std::size_t lane = 0; lane < kBlock<T>; ++lane) totals[k] += double(lanes[k * kBlock<T> + lane]);
       }
     }
+    if (plan_.finish != nullptr) finish(totals);
     for (std::size_t k = 0; k < plan_.out; ++k) call_.out.data[k] += T(totals[k]);
+  }
+
+  void finish(double* totals) const {
+    alignas(detail::kLine) double from[detail::kMostSums * kBlock<double>];
+    alignas(detail::kLine) double to[detail::kMostSums * kBlock<double>];
+    for (std::size_t i = 0; i < plan_.out * kBlock<double>; ++i) from[i] = totals[i / kBlock<double>];
+    Blocks<double> once;
+    once.in[0] = from;
+    once.out = to;
+    once.count = 1;
+    plan_.finish(once);
+    for (std::size_t k = 0; k < plan_.out; ++k) totals[k] = to[k * kBlock<double>];
   }
 
   const detail::Call<T>& call_;

@@ -32,8 +32,12 @@ const char* const kBatchHeader =
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 namespace sh::batch {
+
+/// A half-precision number, IEEE 754 binary16, by its bits.
+enum class Half : std::uint16_t {};
 
 /// Records in a block: 16 of float, 8 of double.
 template <class T>
@@ -136,7 +140,7 @@ void check(const char* driver, detail::Call<T>& call, int inputs, int largest_de
   if (call.out.layout == Layout::kShared) refuse("the output is shared; it should be plain or blocked");
   if (call.n == 0) return;
   bool missing = call.out.data == nullptr;
-  for (int j = 0; j < inputs; ++j) missing = missing || call.in[j].data == nullptr;
+  for (int j = 0; j < inputs; ++j) missing = missing || (call.in[j].data == nullptr && (j > 0 || call.half == nullptr));
   if (missing) refuse("an array is a null pointer; it should hold " + std::to_string(call.n) + " records");
   static const std::size_t kLargestCached = largest_cached();
   const auto bands = static_cast<std::size_t>(call.degree) + 1;
@@ -162,7 +166,8 @@ Run<T> choose(Run<T> baseline, Run<T> avx2, Run<T> avx512) noexcept {
 
 bool available(InstructionSet set) noexcept {
 #if defined(SH_BATCH_X86)
-  if (set == InstructionSet::kAvx2) return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+  if (set == InstructionSet::kAvx2) return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") &&
+           __builtin_cpu_supports("f16c");
   if (set == InstructionSet::kAvx512) {
     return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
            __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("fma");

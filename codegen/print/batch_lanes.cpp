@@ -92,6 +92,24 @@ template <int Inputs, class T, class Kernel>
   }
 }
 
+// The same for a kernel that adds to Size values: they stay in registers, as far as those go, for all blocks.
+template <int Inputs, int Size, class T, class Kernel>
+[[gnu::always_inline]] inline void sum_every_register(const Blocks<T>& blocks, const Kernel& kernel) {
+  for (std::size_t lane = 0; lane < kBlock<T>; lane += Lanes<T>::kWidth) {
+    auto* out = reinterpret_cast<Lanes<T>*>(blocks.out + lane);
+    Lanes<T> sum[Size];
+    for (int k = 0; k < Size; ++k) sum[k] = out[k];
+    for (std::size_t b = 0; b < blocks.count; ++b) {
+      const Lanes<T>* in[Inputs];
+      for (int j = 0; j < Inputs; ++j) {
+        in[j] = reinterpret_cast<const Lanes<T>*>(blocks.in[j] + b * blocks.step[j] + lane);
+      }
+      kernel(in, sum);
+    }
+    for (int k = 0; k < Size; ++k) out[k] = sum[k];
+  }
+}
+
 }  // namespace sh::batch::SH_BATCH_ISA
 )text";
 

@@ -126,6 +126,36 @@ void copy_lanes_and_zeros(const T* from, std::size_t count, std::size_t size, T*
   }
 }
 
+// A half-precision number (IEEE 754 binary16) as float, exactly.
+inline float widen(Half half) {
+  const auto bits = static_cast<std::uint32_t>(half);
+  const std::uint32_t magnitude = (bits & 0x7fffU) << 13U;
+  std::uint32_t wide = magnitude + 0x38000000U;                     // exponent bias 127 for 15
+  if ((bits & 0x7c00U) == 0x7c00U) wide = magnitude | 0x7f800000U;  // infinite or not a number
+  float value;
+  std::memcpy(&value, &wide, sizeof value);
+  if ((bits & 0x7c00U) == 0) value = float(bits & 0x3ffU) * 5.9604645e-08F;  // 2^-24: subnormal
+  return (bits & 0x8000U) != 0 ? -value : value;
+}
+
+// `count` of them.
+inline void widen(const Half* from, std::size_t count, float* to) {
+  std::size_t i = 0;
+#if defined(__AVX512F__)
+  for (; i + 16 <= count; i += 16) {
+    const __m256i halves = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(from + i));
+    _mm512_storeu_ps(to + i, _mm512_cvtph_ps(halves));
+  }
+#elif defined(__F16C__)
+  for (; i + 8 <= count; i += 8) {
+    const __m128i halves = _mm_loadu_si128(reinterpret_cast<const __m128i*>(from + i));
+    _mm256_storeu_ps(to + i, _mm256_cvtph_ps(halves));
+  }
+#endif
+  for (; i < count; ++i) to[i] = widen(from[i]);
+}
+inline void widen(const Half* /*from*/, std::size_t /*count*/, double* /*to*/) {}  // float only
+
 // A line of 64 bytes, aligned in `to` at least, written past the cache.
 template <class T>
 inline void stream_line(const T* from, T* to) {

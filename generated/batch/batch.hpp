@@ -26,8 +26,12 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 namespace sh::batch {
+
+/// A half-precision number, IEEE 754 binary16, by its bits.
+enum class Half : std::uint16_t {};
 
 /// Records in a block: 16 of float, 8 of double.
 template <class T>

@@ -22,7 +22,8 @@ struct Call {
   std::size_t n = 0;
   Records<const T> in[kMostInputs];
   Records<T> out;
-  bool stream = false;  ///< write past the cache
+  const Half* half = nullptr;  ///< data of input 0 where it is half precision
+  bool stream = false;         ///< write past the cache
 };
 
 }  // namespace sh::batch::detail

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "generated/cpp/basis.hpp"
+#include "generated/cpp/product.hpp"
 #include "tests/generated/batch_support.hpp"
 
 namespace sh::test {
@@ -23,6 +24,15 @@ std::vector<T> random_direction(std::mt19937& random) {
 }
 
 template <class T>
+std::vector<T> random_vector(int degree, std::mt19937& random) {
+  std::vector<T> values = random_numbers<T>(count_of(degree), random);
+  double square = 0;
+  for (const T value : values) square += static_cast<double>(value) * static_cast<double>(value);
+  for (T& value : values) value = static_cast<T>(static_cast<double>(value) / std::sqrt(square));
+  return values;
+}
+
+template <class T>
 Subject<T> basis_subject(int degree) {
   return {"basis",
           degree,
@@ -31,10 +41,26 @@ Subject<T> basis_subject(int degree) {
           [](std::size_t /*j*/, std::mt19937& random) { return random_direction<T>(random); },
           [degree](std::size_t n, const auto& in, Records<T> out) { batch::basis(degree, n, in[0], out); },
           [degree](const auto& in, T* out) {
-            with_degree(degree, [&]<int kDegree>() { basis<kDegree>(in[0][0], in[0][1], in[0][2], out); });
+            with_degree<10>(degree, [&]<int kDegree>() { basis<kDegree>(in[0][0], in[0][1], in[0][2], out); });
           },
           8,
           8};
+}
+
+template <class T>
+Subject<T> product_subject(int degree) {
+  const std::size_t size = count_of(degree);
+  return {"product",
+          degree,
+          {size, size},
+          size,
+          [degree](std::size_t /*j*/, std::mt19937& random) { return random_vector<T>(degree, random); },
+          [degree](std::size_t n, const auto& in, Records<T> out) { batch::product(degree, n, in[0], in[1], out); },
+          [degree](const auto& in, T* out) {
+            with_degree<6>(degree, [&]<int kDegree>() { product<kDegree>(in[0], in[1], out); });
+          },
+          2,
+          2};
 }
 
 }  // namespace
@@ -43,6 +69,7 @@ template <class T>
 std::vector<Subject<T>> subjects() {
   std::vector<Subject<T>> all;
   for (const int degree : {0, 1, 2, 4, 5, 9, 10}) all.push_back(basis_subject<T>(degree));
+  for (const int degree : {0, 2, 4, 6}) all.push_back(product_subject<T>(degree));
   return all;
 }
 

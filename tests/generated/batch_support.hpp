@@ -34,13 +34,13 @@ void on_every_set(const F& f) {
   batch::use_instruction_set(before);
 }
 
-/// Calls f.operator()<Degree>() for a degree known at run time, 0 to 10.
-template <class F>
+/// Calls f.operator()<Degree>() for a degree known at run time, 0 to Largest.
+template <int Largest, class F>
 void with_degree(int degree, const F& f) {
   [&]<int... kDegree>(std::integer_sequence<int, kDegree...>) {
     ((degree == kDegree ? f.template operator()<kDegree>() : void()), ...);
   }
-  (std::make_integer_sequence<int, 11>());
+  (std::make_integer_sequence<int, Largest + 1>());
 }
 
 /// How an array of records lies in memory; `offset` values past an address that is a multiple of 64.
