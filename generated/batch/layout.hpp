@@ -124,8 +124,8 @@ void copy_lanes_and_zeros(const T* from, std::size_t count, std::size_t size, T*
 inline float widen(Half half) {
   const auto bits = static_cast<std::uint32_t>(half);
   const std::uint32_t magnitude = (bits & 0x7fffU) << 13U;
-  std::uint32_t wide = magnitude + 0x38000000U;                              // exponent bias 127 for 15
-  if ((bits & 0x7c00U) == 0x7c00U) wide = magnitude | 0x7f800000U;           // infinite or not a number
+  std::uint32_t wide = magnitude + 0x38000000U;                     // exponent bias 127 for 15
+  if ((bits & 0x7c00U) == 0x7c00U) wide = magnitude | 0x7f800000U;  // infinite or not a number
   float value;
   std::memcpy(&value, &wide, sizeof value);
   if ((bits & 0x7c00U) == 0) value = float(bits & 0x3ffU) * 5.9604645e-08F;  // 2^-24: subnormal
