@@ -34,6 +34,12 @@ std::string number(double value) {
 
 }  // namespace
 
+std::string scientific(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.1e", value);
+  return text.data();
+}
+
 std::vector<double> least_times(const std::vector<std::function<void()>>& tasks, int passes) {
   std::vector<int> repetitions;
   repetitions.reserve(tasks.size());

@@ -38,6 +38,9 @@ class Table {
   std::vector<std::string> missed_;
 };
 
+/// "1.2e-07"
+std::string scientific(double value);
+
 struct Free {
   void operator()(void* memory) const { std::free(memory); }
 };
@@ -46,7 +49,7 @@ using Buffer = std::unique_ptr<T[], Free>;
 
 /// `count` values, aligned to 64 bytes, set to `value`.
 template <class T>
-Buffer<T> make_buffer(std::size_t count, T value = T(0)) {
+Buffer<T> make_buffer(std::size_t count, T value = T{}) {
   const std::size_t bytes = (count * sizeof(T) + 127) / 64 * 64;
   Buffer<T> buffer(static_cast<T*>(std::aligned_alloc(64, bytes)));
   for (std::size_t i = 0; i < count; ++i) buffer[i] = value;

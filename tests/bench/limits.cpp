@@ -5,8 +5,8 @@
 namespace sh::bench {
 namespace {
 
-// A block of sixteen floats in whatever registers the machine has. May alias floats.
-using Sixteen = float __attribute__((vector_size(64), may_alias));
+// Sixteen floats in whatever registers the machine has. May alias floats.
+using Block = float __attribute__((vector_size(64), may_alias));
 constexpr std::size_t kLanes = 16;
 constexpr int kChains = 16;
 
@@ -14,8 +14,8 @@ constexpr int kChains = 16;
 
 std::function<void()> fill_task(float* values, std::size_t count) {
   return [values, count] {
-    const Sixteen one = Sixteen{} + 1.F;
-    auto* to = reinterpret_cast<Sixteen*>(values);
+    const Block one = Block{} + 1.F;
+    auto* to = reinterpret_cast<Block*>(values);
     for (std::size_t i = 0; i < count / kLanes; ++i) to[i] = one;
     keep(*values);
   };
@@ -23,8 +23,8 @@ std::function<void()> fill_task(float* values, std::size_t count) {
 
 std::function<void()> read_task(const float* values, std::size_t count) {
   return [values, count] {
-    Sixteen sum[4] = {};
-    const auto* from = reinterpret_cast<const Sixteen*>(values);
+    Block sum[4] = {};
+    const auto* from = reinterpret_cast<const Block*>(values);
     for (std::size_t i = 0; i + 4 <= count / kLanes; i += 4) {
       for (std::size_t j = 0; j < 4; ++j) sum[j] += from[i + j];
     }
@@ -34,11 +34,11 @@ std::function<void()> read_task(const float* values, std::size_t count) {
 
 std::function<void()> fma_task() {
   return [] {
-    Sixteen chain[kChains] = {};
-    Sixteen factor = Sixteen{} + 0.5F;
+    Block chain[kChains] = {};
+    Block factor = Block{} + 0.5F;
     keep(factor);  // not a constant
     for (int i = 0; i < kFmaOperations / kChains; ++i) {
-      for (Sixteen& c : chain) c = c * factor + factor;
+      for (Block& c : chain) c = c * factor + factor;
     }
     keep(chain);
   };

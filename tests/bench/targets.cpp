@@ -13,6 +13,7 @@ int main(int argc, char** argv) {
   const std::vector<std::pair<std::string, void (*)(Table&)>> sections{{"operations", sh::bench::operations},
                                                                        {"basis", sh::bench::basis},
 
+                                                                       {"product", sh::bench::product},
                                                                        {"build", sh::bench::build}};
   const std::vector<std::string> wanted(argv + 1, argv + argc);
   try {
