@@ -94,6 +94,7 @@ std::vector<std::vector<cln::cl_RA>> rational_vectors(int count, int size, unsig
   std::vector<std::vector<cln::cl_RA>> vectors;
   for (int i = 0; i < count; ++i) {
     std::vector<cln::cl_RA> v;
+    v.reserve(static_cast<std::size_t>(size));
     for (int k = 0; k < size; ++k) {
       v.push_back(cln::cl_RA(static_cast<long>(random() % 2001) - 1000) / static_cast<long>(random() % 500 + 1));
     }

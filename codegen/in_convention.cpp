@@ -94,7 +94,7 @@ class LayoutMaker {
     return std::nullopt;
   }
 
-  int base() const {
+  [[nodiscard]] int base() const {
     int size = 0;
     for (const Parameter& array : layout_.arrays) size += array.size();
     return size;
@@ -265,6 +265,7 @@ Domain domain_in(const Domain& ours, const Layout& inputs, const Layout& outputs
   }
   const auto in_double = [](const std::vector<cln::cl_F>& values) {
     std::vector<double> result;
+    result.reserve(values.size());
     for (const cln::cl_F& value : values) result.push_back(cln::double_approx(value));
     return result;
   };

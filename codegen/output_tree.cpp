@@ -32,6 +32,18 @@ const std::set<std::string>& handwritten_files() {
   return kFiles;
 }
 
+void make_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (!fs::is_directory(folder))
+    throw std::runtime_error(folder.string() + ": no folder and none can be made; it should be a folder to write to");
+}
+
+void require_existing(const fs::path& folder) {
+  if (!fs::is_directory(folder))
+    throw std::runtime_error(folder.string() + ": no such folder; it should hold the generated files");
+}
+
 std::vector<std::string> write_tree(const fs::path& folder, const RenderedFiles& files) {
   std::vector<std::string> written;
   for (const auto& [name, content] : files) {
@@ -45,8 +57,7 @@ std::vector<std::string> write_tree(const fs::path& folder, const RenderedFiles&
 }
 
 std::vector<std::string> compare_tree(const fs::path& folder, const RenderedFiles& files) {
-  if (!fs::is_directory(folder))
-    throw std::runtime_error(folder.string() + ": no such folder; it should hold the generated files");
+  require_existing(folder);
   std::vector<std::string> differences;
   for (const auto& [name, content] : files) {
     const std::optional<std::string> found = read_file(folder / name);

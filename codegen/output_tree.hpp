@@ -14,6 +14,11 @@ using RenderedFiles = std::map<std::string, std::string>;  ///< relative path ->
 /// Handwritten files of generated/, which are neither written nor compared.
 const std::set<std::string>& handwritten_files();
 
+/// Makes the folder where there is none. Throws std::runtime_error naming it when that is impossible.
+void make_folder(const std::filesystem::path& folder);
+/// Throws std::runtime_error when there is no such folder.
+void require_existing(const std::filesystem::path& folder);
+
 /// Writes what differs; each file appears complete or not at all. Returns the paths written. Throws std::runtime_error
 /// naming the file that could not be written.
 std::vector<std::string> write_tree(const std::filesystem::path& folder, const RenderedFiles& files);

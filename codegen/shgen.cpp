@@ -49,6 +49,7 @@ void report_progress(const std::string& kernel) { std::cerr << "shgen: " << kern
 void ignore_progress(const std::string& /*kernel*/) {}
 
 int write(const std::string& folder) {
+  make_folder(folder);
   const std::vector<std::string> written = write_tree(folder, render_all(report_progress));
   for (const std::string& name : written) std::cout << name << '\n';
   std::cerr << "shgen: " << written.size() << " files written under " << folder << '\n';
@@ -56,6 +57,7 @@ int write(const std::string& folder) {
 }
 
 int check(const std::string& folder) {
+  require_existing(folder);
   const std::vector<std::string> differences = compare_tree(folder, render_all(ignore_progress));
   for (const std::string& line : differences) std::cout << line << '\n';
   if (!differences.empty()) return kDifferent;
