@@ -56,7 +56,13 @@ const std::vector<Family>& families() {
                                              product_family(),
                                              square_family(),
                                              product_zonal_family(),
-                                             triple_family()};
+                                             triple_family(),
+                                             rotate_family(),
+                                             rotate_quaternion_family(),
+                                             rotate_z_family(),
+                                             rotate_build_family(),
+                                             rotate_apply_family(),
+                                             rotate_evaluate_family()};
   return kFamilies;
 }
 

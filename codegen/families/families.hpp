@@ -26,5 +26,6 @@ Family product_family();
 Family square_family();
 Family product_zonal_family();
 Family triple_family();
+Family rotate_family();
 
 }  // namespace sh::codegen
