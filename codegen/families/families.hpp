@@ -27,5 +27,10 @@ Family square_family();
 Family product_zonal_family();
 Family triple_family();
 Family rotate_family();
+Family rotate_quaternion_family();
+Family rotate_z_family();
+Family rotate_build_family();
+Family rotate_apply_family();
+Family rotate_evaluate_family();
 
 }  // namespace sh::codegen

@@ -1,75 +1,32 @@
-// rotate: coefficients of a function turned by a 3x3 matrix.
+// Rotation of coefficients: by a matrix, by a quaternion, about z; matrices built once and applied; the value of a
+// rotated function.
+#include <cln/real.h>
+
+#include <cmath>
+#include <numbers>
+
 #include "codegen/domains.hpp"
 #include "codegen/families/families.hpp"
-#include "codegen/literal.hpp"
+#include "codegen/families/rotation_inputs.hpp"
 #include "codegen/recipes/rotation.hpp"
 #include "codegen/rotations.hpp"
-#include "symbolic/quaternion_rotation.hpp"
-#include "symbolic/rotation_recursion.hpp"
+#include "symbolic/matrix.hpp"
 
 namespace sh::codegen {
 namespace {
 
-using symbolic::Matrix;
-using symbolic::Surd;
+constexpr int kLargestDegree = 10;
+constexpr const char* kLimit = "beyond which straight-line code is too long to be useful";
+constexpr const char* kTurnedVectors = "turned unit vectors (random, axes, half turns, tilts from 2^-99 to pi)";
+constexpr const char* kTurns = "rotations (random, axes, half turns, tilts from 2^-99 to pi)";
 
-constexpr int kMatrixSize = 9;
-constexpr int kManyInputs = 5;  // kernels to this degree are small enough to be measured at more inputs
-constexpr unsigned long kSeed = 1959;
-
-int count_of(int degree) { return (degree + 1) * (degree + 1); }
-
-// D_l c for every band, from the recursion in exact rationals.
-std::vector<cln::cl_F> rotated(int degree, const std::vector<cln::cl_RA>& r, const std::vector<cln::cl_RA>& c) {
-  const auto bands = symbolic::rotation_bands<cln::cl_RA>(degree, Matrix<cln::cl_RA>(3, 3, r), 1);
-  std::vector<cln::cl_F> result;
-  for (int l = 0; l <= degree; ++l) {
-    const Matrix<Surd> d = symbolic::surd_entries(l, bands[symbolic::to_size(l)]);
-    for (int m = 0; m <= 2 * l; ++m) {
-      cln::cl_F sum = cln::cl_float(0, cln::float_format(kCheckDigits));
-      for (int n = 0; n <= 2 * l; ++n) {
-        sum = sum + (d(m, n) * Surd(c[symbolic::to_size(l * l + n)])).evaluate(kCheckDigits + 5);
-      }
-      result.push_back(sum);
-    }
-  }
-  return result;
-}
-
-Reference reference(int degree, int count) {
-  Reference reference;
-  const auto coefficients = rational_vectors(count, count_of(degree), kSeed);
-  const std::vector<RationalQuaternion> rotations = rational_rotations(count);
-  for (std::size_t i = 0; i < rotations.size(); ++i) {
-    std::vector<cln::cl_RA> inputs = rotation_entries(rotations[i]);
-    std::vector<cln::cl_F> outputs = rotated(degree, inputs, coefficients[i]);
-    inputs.insert(inputs.end(), coefficients[i].begin(), coefficients[i].end());
-    reference.push_back({std::move(inputs), std::move(outputs)});
-  }
-  return reference;
-}
-
-std::vector<std::vector<double>> test_inputs(int degree) {
-  std::vector<std::vector<double>> inputs;
-  const auto rotations = test_rotations(degree <= kManyInputs ? 6 : 2);
-  const auto whole = unit_vectors(static_cast<int>(rotations.size()), count_of(degree), kSeed);
-  const auto band = unit_vectors(static_cast<int>(rotations.size()), 2 * degree + 1, kSeed);
-  for (std::size_t i = 0; i < rotations.size(); ++i) {
-    std::vector<double>& input = inputs.emplace_back();
-    for (const cln::cl_RA& entry : rotation_entries(rotations[i])) input.push_back(nearest<double>(entry));
-    if (i % 2 == 0) {
-      input.insert(input.end(), whole[i].begin(), whole[i].end());
-    } else {  // the highest band alone
-      input.resize(input.size() + symbolic::to_size(degree * degree), 0.0);
-      input.insert(input.end(), band[i].begin(), band[i].end());
-    }
-  }
-  return inputs;
-}
-
+// Everything before the coefficients has `kFirst` numbers.
+template <std::size_t kFirst>
 double length_of_coefficients(std::span<const double> inputs, std::size_t /*output*/) {
-  return length(inputs.subspan(kMatrixSize));
+  return length(inputs.subspan(kFirst));
 }
+
+double one(std::span<const double> /*inputs*/, std::size_t /*output*/) { return 1; }
 
 std::vector<cln::cl_F> with_nearest_rotation(const std::vector<cln::cl_F>& inputs) {
   std::vector<cln::cl_F> result = nearest_rotation({inputs.begin(), inputs.begin() + kMatrixSize});
@@ -77,17 +34,97 @@ std::vector<cln::cl_F> with_nearest_rotation(const std::vector<cln::cl_F>& input
   return result;
 }
 
+template <std::size_t kSize>
+std::vector<cln::cl_F> with_unit_start(const std::vector<cln::cl_F>& rounded) {
+  std::vector<cln::cl_F> inputs = rounded;
+  cln::cl_F square = inputs[0] * inputs[0];
+  for (std::size_t i = 1; i < kSize; ++i) square = square + inputs[i] * inputs[i];
+  const cln::cl_F length = cln::sqrt(square);
+  for (std::size_t i = 0; i < kSize; ++i) inputs[i] = inputs[i] / length;
+  return inputs;
+}
+
+std::vector<cln::cl_F> with_nearest_rotation_and_direction(const std::vector<cln::cl_F>& inputs) {
+  return with_unit_direction(with_nearest_rotation(inputs), inputs.size() - 3);
+}
+
+// sqrt of the sum of all Y_lm^2, times |c|
+double size_of_value(std::span<const double> inputs, std::size_t /*output*/) {
+  const std::span<const double> c = inputs.subspan(kMatrixSize, inputs.size() - kMatrixSize - 3);
+  return length(c) * std::sqrt(static_cast<double>(c.size()) / (4 * std::numbers::pi));
+}
+
 }  // namespace
 
 Family rotate_family() {
   return {"rotate",
-          10,
-          10,
-          "beyond which straight-line code is too long to be useful",
-          {{"zxz", recipes::rotate_zxz, 0, 10}},
-          reference,
-          {"turned unit vectors (random, axes, half turns, tilts from 2^-99 to pi)", "|c|",
-           "the nearest rotation matrix", test_inputs, length_of_coefficients, with_nearest_rotation}};
+          kLargestDegree,
+          kLargestDegree,
+          kLimit,
+          {{"zxz", recipes::rotate_zxz, 0, kLargestDegree},
+           {"dense", recipes::rotate_dense, 2, kLargestDegree},
+           {"recursive", recipes::rotate_recursive, 2, 3}},
+          rotate_reference,
+          {kTurnedVectors, "|c|", "the nearest rotation matrix", rotate_inputs, length_of_coefficients<kMatrixSize>,
+           with_nearest_rotation}};
+}
+
+Family rotate_quaternion_family() {
+  return {"rotate_quaternion",
+          kLargestDegree,
+          kLargestDegree,
+          kLimit,
+          {{"zxz", recipes::rotate_quaternion_zxz, 2, kLargestDegree},
+           {"polynomial", recipes::rotate_quaternion_polynomial, 0, kLargestDegree}},
+          rotate_quaternion_reference,
+          {kTurnedVectors, "|c|", "the quaternion scaled to length 1", rotate_quaternion_inputs,
+           length_of_coefficients<4>, with_unit_start<4>}};
+}
+
+Family rotate_z_family() {
+  return {"rotate_z",
+          kLargestDegree,
+          20,
+          kLimit,
+          {{"steps", recipes::rotate_z_steps}, {"products", recipes::rotate_z_products, 2}},
+          rotate_z_reference,
+          {"unit vectors turned about z (random angles, quarter turns, angles from 2^-99)", "|c|",
+           "cosine and sine scaled to the unit circle", rotate_z_inputs, length_of_coefficients<2>,
+           with_unit_start<2>}};
+}
+
+Family rotate_build_family() {
+  return {"rotate_build",
+          kLargestDegree,
+          kLargestDegree,
+          kLimit,
+          {{"dense", recipes::rotate_build_dense, 0, kLargestDegree},
+           {"recursive", recipes::rotate_build_recursive, 2, 5}},
+          rotate_build_reference,
+          {kTurns, "1", "the nearest rotation matrix", rotate_build_inputs, one, with_nearest_rotation}};
+}
+
+Family rotate_apply_family() {
+  return {"rotate_apply",
+          kLargestDegree,
+          kLargestDegree,
+          kLimit,
+          {{"rows", recipes::rotate_apply_rows, 0, kLargestDegree}},
+          rotate_apply_reference,
+          {"random unit vectors and matrices with rows of length 1", "|c|", "", rotate_apply_inputs,
+           length_of_applied, nullptr}};
+}
+
+Family rotate_evaluate_family() {
+  return {"rotate_evaluate",
+          kLargestDegree,
+          kLargestDegree,
+          kLimit,
+          {{"turned", recipes::rotate_evaluate_turned, 0, kLargestDegree}},
+          rotate_evaluate_reference,
+          {"turned unit vectors in random directions", "|c| (degree+1) / sqrt(4 pi)",
+           "the nearest rotation matrix and the direction scaled to length 1", rotate_evaluate_inputs, size_of_value,
+           with_nearest_rotation_and_direction}};
 }
 
 }  // namespace sh::codegen

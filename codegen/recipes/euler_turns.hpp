@@ -44,6 +44,16 @@ struct EulerTurns {
 /// Multiples 1 .. most (at least 2) of the angles of r (3x3, row-major).
 EulerTurns euler_turns(Builder& build, const std::array<NodeId, 9>& r, int most);
 
+/// Multiples 1 .. most (at least 1) of the angles of a unit quaternion (w, x, y, z): with a = w + iz and b = y - ix,
+/// e^(i alpha) = ab / |ab|, e^(i gamma) = a conj(b) / |ab|, cos beta = |a|^2 - |b|^2, sin beta = 2 |ab|; a or b counts
+/// as 1 where it is 0.
+EulerTurns euler_turns(Builder& build, const std::array<NodeId, 4>& q, int most);
+
+/// Multiples 1 .. most of an angle about z from its cosine and sine, most of them by e_k = 2 cos a e_(k-1) - e_(k-2) or
+/// all of them as products of two others, which costs more and errs less.
+Turn turn_by_steps(Builder& build, NodeId cosine, NodeId sine, int most);
+Turn turn_by_products(Builder& build, NodeId cosine, NodeId sine, int most);
+
 /// A band (element l + m) turned about z: for m > 0, (v_m, v_-m) -> (cos v_m - sin v_-m, sin v_m + cos v_-m).
 /// name: of the results, v_2_1c and v_2_1s.
 void turn_about_z(Builder& build, const Turn& turn, int degree, std::vector<Signed>& band, const std::string& name);

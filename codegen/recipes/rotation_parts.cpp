@@ -8,11 +8,13 @@ namespace sh::codegen::recipes {
 
 using symbolic::to_size;
 
+std::string degrees_to(int degree) { return degree == 0 ? "degree 0" : "degree 0 to " + std::to_string(degree); }
+
 Kernel rotation_kernel(int degree) {
   Kernel kernel;
   const int count = (degree + 1) * (degree + 1);
-  kernel.title = std::string("Coefficients of a rotated function, degree 0") + (degree == 0 ? "" : " to " + std::to_string(degree));
-  kernel.domain = "r, row by row, is a rotation: r r^T = 1, det r = 1";
+  kernel.title = "Coefficients of a rotated function, " + degrees_to(degree);
+  kernel.domain = kRotationDomain;
   kernel.result =
       "c' = D(r) c, so that f'(s) = f(r^-1 s), at index l(l+1)+m, orthonormal basis, no Condon-Shortley phase; "
       "may be c itself";
@@ -22,16 +24,44 @@ Kernel rotation_kernel(int degree) {
   return kernel;
 }
 
+Kernel quaternion_kernel(int degree) {
+  Kernel kernel = rotation_kernel(degree);
+  kernel.domain = "q = (w, x, y, z) with |q| = 1; it turns v into q v q^-1";
+  kernel.parameters[0] = {"q", {4}};
+  const std::size_t at = kernel.result.find("D(r)");
+  kernel.result = "c' = D(q) c, so that f'(s) = f(q^-1 s q)" + kernel.result.substr(kernel.result.find(", at", at));
+  return kernel;
+}
+
+std::array<NodeId, 4> quaternion_inputs(Builder& build) {
+  const std::array<const char*, 4> names{"w", "x", "y", "z"};
+  std::array<NodeId, 4> q{};
+  for (int i = 0; i < 4; ++i) q[to_size(i)] = build.input(i, names[to_size(i)]);
+  return q;
+}
+
 std::vector<Signed> RotationInputs::band(int l) const {
   std::vector<Signed> values;
   for (int i = l * l; i < (l + 1) * (l + 1); ++i) values.push_back({c[to_size(i)]});
   return values;
 }
 
+std::array<NodeId, 9> matrix_inputs(Builder& build) {
+  std::array<NodeId, 9> r{};
+  for (int i = 0; i < 9; ++i) r[to_size(i)] = build.input(i, "r" + std::to_string(i));
+  return r;
+}
+
+std::vector<NodeId> coefficient_inputs(Builder& build, int first, int degree) {
+  std::vector<NodeId> c;
+  for (int i = 0; i < (degree + 1) * (degree + 1); ++i) c.push_back(build.input(first + i, "c" + std::to_string(i)));
+  return c;
+}
+
 RotationInputs rotation_inputs(Builder& build, int degree) {
   RotationInputs in;
-  for (int i = 0; i < 9; ++i) in.r[to_size(i)] = build.input(i, "r" + std::to_string(i));
-  for (int i = 0; i < (degree + 1) * (degree + 1); ++i) in.c.push_back(build.input(9 + i, "c" + std::to_string(i)));
+  in.r = matrix_inputs(build);
+  in.c = coefficient_inputs(build, 9, degree);
   return in;
 }
 

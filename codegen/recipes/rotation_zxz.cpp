@@ -51,6 +51,7 @@ class HalfTilt {
 
   // v: the band, element l + m.
   void apply(std::vector<Signed>& v) const {
+    if (rows_.empty()) return;
     std::vector<Signed> p = cosines_->forward(build_, gather(v, cosine_columns_));
     std::vector<Signed> q = sines_->forward(build_, gather(v, sine_columns_));
     for (std::size_t i = 0; i < rows_.size(); ++i) turn_pair(i, p[i], q[i]);
@@ -112,11 +113,11 @@ class HalfTilt {
   std::optional<QuarterTurnClass> sines_;
 };
 
-// Of every band from 2 on; scales are chosen so that bands share products with cosines and sines.
-std::vector<std::array<HalfTilt, 2>> half_tilts(Builder& build, const Tilt& beta, int degree) {
+// Of every band from `first` on; scales are chosen so that bands share products with cosines and sines.
+std::vector<std::array<HalfTilt, 2>> half_tilts(Builder& build, const Tilt& beta, int first, int degree) {
   std::vector<std::array<HalfTilt, 2>> tilts;
   HalfTilt::Squares squares;
-  for (int l = 2; l <= degree; ++l) {
+  for (int l = first; l <= degree; ++l) {
     const auto turn = symbolic::rotation_x90(l);
     tilts.push_back({HalfTilt(build, beta, l, turn, 0), HalfTilt(build, beta, l, turn, 1)});
   }
@@ -129,28 +130,45 @@ std::vector<std::array<HalfTilt, 2>> half_tilts(Builder& build, const Tilt& beta
   return tilts;
 }
 
+// Bands `first` to degree.
+void rotate_bands(Kernel& kernel, Builder& build, const EulerTurns& turns, const RotationInputs& in, int first,
+                  int degree) {
+  const auto tilts = half_tilts(build, turns.beta, first, degree);
+  for (int l = first; l <= degree; ++l) {
+    std::vector<Signed> band = in.band(l);
+    turn_about_z(build, turns.gamma, l, band, "v");
+    for (const HalfTilt& half : tilts[symbolic::to_size(l - first)]) half.apply(band);
+    turn_about_z(build, turns.alpha, l, band, "y");
+    set_band(kernel, build, l, band);
+  }
+}
+
+constexpr const char* kSource =
+    "D. Pinchon, P. E. Hoggan, \"Rotation matrices for real spherical harmonics\", J. Phys. A 40, 2007; angles without "
+    "a hole at the poles; constants derived exactly";
+
 }  // namespace
 
 Kernel rotate_zxz(int degree) {
   Kernel kernel = rotation_kernel(degree);
-  kernel.citation =
-      "D. Pinchon, P. E. Hoggan, \"Rotation matrices for real spherical harmonics\", J. Phys. A 40, 2007; no hole at "
-      "the poles; constants derived exactly";
-  kernel.domain += "; one square root and one division";
+  kernel.citation = kSource;
   Builder build(kernel);
   const RotationInputs in = rotation_inputs(build, degree);
   copy_band_zero(kernel, in);
   if (degree >= 1) rotate_band_one(kernel, build, in);
-  if (degree < 2) return kernel;
-  const EulerTurns turns = euler_turns(build, in.r, degree);
-  const auto tilts = half_tilts(build, turns.beta, degree);
-  for (int l = 2; l <= degree; ++l) {
-    std::vector<Signed> band = in.band(l);
-    turn_about_z(build, turns.gamma, l, band, "v");
-    for (const HalfTilt& half : tilts[symbolic::to_size(l - 2)]) half.apply(band);
-    turn_about_z(build, turns.alpha, l, band, "y");
-    set_band(kernel, build, l, band);
-  }
+  if (degree >= 2) rotate_bands(kernel, build, euler_turns(build, in.r, degree), in, 2, degree);
+  return kernel;
+}
+
+Kernel rotate_quaternion_zxz(int degree) {
+  Kernel kernel = quaternion_kernel(degree);
+  kernel.citation = kSource;
+  Builder build(kernel);
+  const std::array<NodeId, 4> q = quaternion_inputs(build);
+  RotationInputs in;
+  in.c = coefficient_inputs(build, 4, degree);
+  copy_band_zero(kernel, in);
+  if (degree >= 1) rotate_bands(kernel, build, euler_turns(build, q, degree), in, 1, degree);
   return kernel;
 }
 

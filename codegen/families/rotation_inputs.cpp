@@ -1,0 +1,278 @@
+#include "codegen/families/rotation_inputs.hpp"
+
+#include <cln/real.h>
+
+#include "codegen/domains.hpp"
+#include "codegen/literal.hpp"
+#include "codegen/rotations.hpp"
+#include "symbolic/basis.hpp"
+#include "symbolic/quaternion_rotation.hpp"
+#include "symbolic/rotation_axis.hpp"
+#include "symbolic/rotation_recursion.hpp"
+
+namespace sh::codegen {
+namespace {
+
+using symbolic::Matrix;
+using symbolic::Surd;
+using symbolic::to_size;
+using Rationals = std::vector<cln::cl_RA>;
+using Surds = Matrix<Surd>;
+
+constexpr unsigned long kSeed = 1959;
+// Kernels to this degree are small enough to be measured at more inputs.
+constexpr int kManyInputs = 5;
+
+int count_of(int degree) { return (degree + 1) * (degree + 1); }
+
+// D_0 .. D_degree by the recursion in exact rationals.
+std::vector<Surds> exact_bands(int degree, const Rationals& r) {
+  const auto rational = symbolic::rotation_bands<cln::cl_RA>(degree, Matrix<cln::cl_RA>(3, 3, r), 1);
+  std::vector<Surds> bands;
+  for (int l = 0; l <= degree; ++l) bands.push_back(symbolic::surd_entries(l, rational[to_size(l)]));
+  return bands;
+}
+
+// Each matrix times its part of c.
+std::vector<cln::cl_F> times(const std::vector<Surds>& bands, const Rationals& c) {
+  std::vector<cln::cl_F> result;
+  std::size_t first = 0;
+  for (const Surds& d : bands) {
+    for (int m = 0; m < d.rows(); ++m) {
+      cln::cl_F sum = cln::cl_float(0, cln::float_format(kCheckDigits));
+      for (int n = 0; n < d.columns(); ++n) {
+        sum = sum + (d(m, n) * Surd(c[first + to_size(n)])).evaluate(kCheckDigits);
+      }
+      result.push_back(sum);
+    }
+    first += to_size(d.columns());
+  }
+  return result;
+}
+
+void append(Rationals& list, const Rationals& more) { list.insert(list.end(), more.begin(), more.end()); }
+
+// The square of q scaled to length 1: rational, and a rotation twice as far.
+Rationals unit_square(const RationalQuaternion& q) {
+  const RationalQuaternion square = symbolic::quaternion_product(q, q);
+  const cln::cl_RA length = q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
+  Rationals unit;
+  for (const cln::cl_RA& component : square) unit.push_back(component / length);
+  return unit;
+}
+
+// How coefficients are made: all bands for even i, the highest alone for odd i.
+class Coefficients {
+ public:
+  Coefficients(int degree, std::size_t count)
+      : degree_(degree),
+        whole_(unit_vectors(static_cast<int>(count), count_of(degree), kSeed)),
+        band_(unit_vectors(static_cast<int>(count), 2 * degree + 1, kSeed)) {}
+
+  void append_to(std::vector<double>& input, std::size_t i) const {
+    const std::vector<double>& c = i % 2 == 0 ? whole_[i] : band_[i];
+    if (i % 2 != 0) input.resize(input.size() + to_size(degree_ * degree_), 0.0);
+    input.insert(input.end(), c.begin(), c.end());
+  }
+
+ private:
+  int degree_;
+  std::vector<std::vector<double>> whole_;
+  std::vector<std::vector<double>> band_;
+};
+
+std::vector<RationalQuaternion> rotations_for(int degree) { return test_rotations(degree <= kManyInputs ? 6 : 2); }
+
+void append_rounded(std::vector<double>& input, const Rationals& values) {
+  for (const cln::cl_RA& value : values) input.push_back(nearest<double>(value));
+}
+
+// Scaled to length 1 in double.
+void append_unit(std::vector<double>& input, const RationalQuaternion& q) {
+  std::vector<double> unit;
+  for (const cln::cl_RA& component : q) unit.push_back(nearest<double>(component));
+  const double norm = length(unit);
+  for (const double component : unit) input.push_back(component / norm);
+}
+
+}  // namespace
+
+Reference rotate_reference(int degree, int count) {
+  Reference reference;
+  const auto coefficients = rational_vectors(count, count_of(degree), kSeed);
+  for (const RationalQuaternion& q : rational_rotations(count)) {
+    Rationals inputs = rotation_entries(q);
+    const Rationals& c = coefficients[reference.size()];
+    std::vector<cln::cl_F> outputs = times(exact_bands(degree, inputs), c);
+    append(inputs, c);
+    reference.push_back({std::move(inputs), std::move(outputs)});
+  }
+  return reference;
+}
+
+Reference rotate_quaternion_reference(int degree, int count) {
+  Reference reference;
+  const auto coefficients = rational_vectors(count, count_of(degree), kSeed);
+  std::vector<RationalQuaternion> rotations = rational_rotations(count);
+  rotations.back() = {0, 1, 2, 0};  // its square is -1 apart from its size: beta = 0
+  for (const RationalQuaternion& q : rotations) {
+    Rationals inputs = unit_square(q);
+    const Rationals& c = coefficients[reference.size()];
+    std::vector<cln::cl_F> outputs =
+        times(exact_bands(degree, rotation_entries({inputs[0], inputs[1], inputs[2], inputs[3]})), c);
+    append(inputs, c);
+    reference.push_back({std::move(inputs), std::move(outputs)});
+  }
+  return reference;
+}
+
+Reference rotate_z_reference(int degree, int count) {
+  Reference reference;
+  const auto coefficients = rational_vectors(count, count_of(degree), kSeed);
+  for (const RationalQuaternion& q : rational_rotations(count)) {
+    const Rationals unit = unit_square({q[0], 0, 0, q[1]});
+    Rationals inputs{unit[0], unit[3]};
+    std::vector<Surds> bands;
+    for (int l = 0; l <= degree; ++l) {
+      const auto about_z = symbolic::rotation_about_z(l);
+      Surds& band = bands.emplace_back(2 * l + 1, 2 * l + 1);
+      for (int m = 0; m <= 2 * l; ++m) {
+        for (int n = 0; n <= 2 * l; ++n) band(m, n) = Surd(about_z(m, n).evaluate(inputs));
+      }
+    }
+    const Rationals& c = coefficients[reference.size()];
+    std::vector<cln::cl_F> outputs = times(bands, c);
+    append(inputs, c);
+    reference.push_back({std::move(inputs), std::move(outputs)});
+  }
+  return reference;
+}
+
+Reference rotate_build_reference(int degree, int count) {
+  Reference reference;
+  for (const RationalQuaternion& q : rational_rotations(count)) {
+    const Rationals inputs = rotation_entries(q);
+    std::vector<cln::cl_F> outputs;
+    for (const Surds& d : exact_bands(degree, inputs)) {
+      for (int i = 0; i < d.rows() * d.rows(); ++i) {
+        outputs.push_back(d(i / d.rows(), i % d.rows()).evaluate(kCheckDigits));
+      }
+    }
+    reference.push_back({inputs, std::move(outputs)});
+  }
+  return reference;
+}
+
+Reference rotate_apply_reference(int degree, int count) {
+  Reference reference;
+  const auto coefficients = rational_vectors(count, count_of(degree), kSeed);
+  for (const Rationals& c : coefficients) {
+    Rationals inputs;
+    std::vector<Surds> bands;
+    for (int l = 0; l <= degree; ++l) {
+      const int size = 2 * l + 1;
+      Rationals entries = rational_vectors(1, size * size, kSeed + reference.size() + to_size(l))[0];
+      if (l == 0) entries = {1};
+      Surds& band = bands.emplace_back(size, size);
+      for (int i = 0; i < size * size; ++i) band(i / size, i % size) = Surd(entries[to_size(i)]);
+      append(inputs, entries);
+    }
+    std::vector<cln::cl_F> outputs = times(bands, c);
+    append(inputs, c);
+    reference.push_back({std::move(inputs), std::move(outputs)});
+  }
+  return reference;
+}
+
+Reference rotate_evaluate_reference(int degree, int count) {
+  Reference reference;
+  for (const ReferencePoint& rotated : rotate_reference(degree, count)) {
+    const Rationals unit = unit_square(rational_rotations(count)[reference.size()]);
+    const Rationals r = rotation_entries({unit[0], unit[1], unit[2], unit[3]});
+    const Rationals d{r[1], r[4], r[7]};  // a column of another rotation: exactly of length 1
+    cln::cl_F value = cln::cl_float(0, cln::float_format(kCheckDigits));
+    for (int l = 0; l <= degree; ++l) {
+      for (int m = -l; m <= l; ++m) {
+        const symbolic::BasisFunction f = symbolic::basis_function(l, m);
+        const Surd y = Surd(f.homogeneous.evaluate(d)) * f.factor;
+        value = value + rotated.outputs[to_size(l * (l + 1) + m)] * y.evaluate(kCheckDigits);
+      }
+    }
+    Rationals inputs = rotated.inputs;
+    append(inputs, d);
+    reference.push_back({std::move(inputs), {value}});
+  }
+  return reference;
+}
+
+std::vector<std::vector<double>> rotate_inputs(int degree) {
+  std::vector<std::vector<double>> inputs = rotate_build_inputs(degree);
+  const Coefficients coefficients(degree, inputs.size());
+  for (std::size_t i = 0; i < inputs.size(); ++i) coefficients.append_to(inputs[i], i);
+  return inputs;
+}
+
+std::vector<std::vector<double>> rotate_quaternion_inputs(int degree) {
+  std::vector<std::vector<double>> inputs;
+  const auto rotations = rotations_for(degree);
+  const Coefficients coefficients(degree, rotations.size());
+  for (std::size_t i = 0; i < rotations.size(); ++i) {
+    append_unit(inputs.emplace_back(), rotations[i]);
+    coefficients.append_to(inputs.back(), i);
+  }
+  return inputs;
+}
+
+std::vector<std::vector<double>> rotate_z_inputs(int degree) {
+  std::vector<std::vector<double>> inputs;
+  const auto rotations = rotations_for(degree);
+  const Coefficients coefficients(degree, rotations.size());
+  for (std::size_t i = 0; i < rotations.size(); ++i) {
+    // The rotation's angle, about z.
+    const Rationals r = rotation_entries({rotations[i][0], 0, 0, rotations[i][1] + rotations[i][2] + rotations[i][3]});
+    append_rounded(inputs.emplace_back(), {r[0], r[3]});
+    coefficients.append_to(inputs.back(), i);
+  }
+  return inputs;
+}
+
+std::vector<std::vector<double>> rotate_build_inputs(int degree) {
+  std::vector<std::vector<double>> inputs;
+  for (const RationalQuaternion& q : rotations_for(degree)) {
+    append_rounded(inputs.emplace_back(), rotation_entries(q));
+  }
+  return inputs;
+}
+
+std::vector<std::vector<double>> rotate_apply_inputs(int degree) {
+  const int count = degree <= kManyInputs ? 300 : 100;
+  std::vector<std::vector<double>> inputs(to_size(count));
+  for (int l = 0; l <= degree; ++l) {
+    const auto rows = unit_vectors(count * (2 * l + 1), 2 * l + 1, kSeed + to_size(l));
+    for (std::size_t row = 0; row < rows.size(); ++row) {
+      std::vector<double>& input = inputs[row % inputs.size()];
+      input.insert(input.end(), rows[row].begin(), rows[row].end());
+    }
+  }
+  const Coefficients coefficients(degree, inputs.size());
+  for (std::size_t i = 0; i < inputs.size(); ++i) coefficients.append_to(inputs[i], i);
+  return inputs;
+}
+
+std::vector<std::vector<double>> rotate_evaluate_inputs(int degree) {
+  std::vector<std::vector<double>> inputs = rotate_inputs(degree);
+  const auto directions = unit_vectors(static_cast<int>(inputs.size()), 3, kSeed + 1);
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    inputs[i].insert(inputs[i].end(), directions[i].begin(), directions[i].end());
+  }
+  return inputs;
+}
+
+double length_of_applied(std::span<const double> inputs, std::size_t /*output*/) {
+  // bands^2 coefficients after bands matrices with the squares of 1, 3, 5, ... entries.
+  std::size_t size = 0;
+  for (std::size_t bands = 0; size + bands * bands < inputs.size(); ++bands) size += (2 * bands + 1) * (2 * bands + 1);
+  return length(inputs.subspan(size));
+}
+
+}  // namespace sh::codegen

@@ -1,0 +1,27 @@
+// Where the rotation families are checked and measured: exact references and test inputs.
+#pragma once
+
+#include "codegen/family.hpp"
+
+namespace sh::codegen {
+
+inline constexpr std::size_t kMatrixSize = 9;
+
+Reference rotate_reference(int degree, int count);
+Reference rotate_quaternion_reference(int degree, int count);
+Reference rotate_z_reference(int degree, int count);
+Reference rotate_build_reference(int degree, int count);
+Reference rotate_apply_reference(int degree, int count);
+Reference rotate_evaluate_reference(int degree, int count);
+
+std::vector<std::vector<double>> rotate_inputs(int degree);
+std::vector<std::vector<double>> rotate_quaternion_inputs(int degree);
+std::vector<std::vector<double>> rotate_z_inputs(int degree);
+std::vector<std::vector<double>> rotate_build_inputs(int degree);
+std::vector<std::vector<double>> rotate_apply_inputs(int degree);
+std::vector<std::vector<double>> rotate_evaluate_inputs(int degree);
+
+/// The length of the coefficients of rotate_apply, at the end of its inputs.
+double length_of_applied(std::span<const double> inputs, std::size_t output);
+
+}  // namespace sh::codegen

@@ -1,0 +1,13 @@
+// One kernel inside another: a recipe that begins or ends with what another recipe computes.
+#pragma once
+
+#include <vector>
+
+#include "codegen/ir.hpp"
+
+namespace sh::codegen::recipes {
+
+/// Appends the nodes of `part`, its flattened parameters being the nodes `inputs`; returns its flattened results.
+std::vector<NodeId> splice(Builder& build, const Kernel& part, const std::vector<NodeId>& inputs);
+
+}  // namespace sh::codegen::recipes
