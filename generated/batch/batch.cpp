@@ -19,18 +19,24 @@ namespace sh::batch {
 namespace baseline {
 void basis(const detail::Call<float>& call);
 void basis(const detail::Call<double>& call);
+void rotate(const detail::Call<float>& call);
+void rotate(const detail::Call<double>& call);
 void product(const detail::Call<float>& call);
 void product(const detail::Call<double>& call);
 }  // namespace baseline
 namespace avx2 {
 void basis(const detail::Call<float>& call);
 void basis(const detail::Call<double>& call);
+void rotate(const detail::Call<float>& call);
+void rotate(const detail::Call<double>& call);
 void product(const detail::Call<float>& call);
 void product(const detail::Call<double>& call);
 }  // namespace avx2
 namespace avx512 {
 void basis(const detail::Call<float>& call);
 void basis(const detail::Call<double>& call);
+void rotate(const detail::Call<float>& call);
+void rotate(const detail::Call<double>& call);
 void product(const detail::Call<float>& call);
 void product(const detail::Call<double>& call);
 }  // namespace avx512
@@ -134,6 +140,20 @@ void basis(int degree, std::size_t n, Records<const double> directions, Records<
   detail::Call<T> call{degree, n, {directions}, out};
   check("basis", call, 1, 10, {1, 0});
   SH_BATCH_CHOOSE(basis)(call);
+}
+
+void rotate(int degree, std::size_t n, Records<const float> r, Records<const float> c, Records<float> out) {
+  using T = float;
+  detail::Call<T> call{degree, n, {r, c}, out};
+  check("rotate", call, 2, 10, {1, 0});
+  SH_BATCH_CHOOSE(rotate)(call);
+}
+
+void rotate(int degree, std::size_t n, Records<const double> r, Records<const double> c, Records<double> out) {
+  using T = double;
+  detail::Call<T> call{degree, n, {r, c}, out};
+  check("rotate", call, 2, 10, {1, 0});
+  SH_BATCH_CHOOSE(rotate)(call);
 }
 
 void product(int degree, std::size_t n, Records<const float> a, Records<const float> b, Records<float> out) {

@@ -13,7 +13,7 @@ namespace sh::batch::detail {
 constexpr std::size_t kLine = 64;  // bytes of a cache line, and of one value of a block
 constexpr int kMostInputs = 3;
 constexpr int kMostSums = 1;             // values of the largest sum
-constexpr std::size_t kRoomLines = 484;  // for copies of a chunk of records
+constexpr std::size_t kRoomLines = 2346;  // for copies of a chunk of records
 
 /// One call of a driver, checked.
 template <class T>
