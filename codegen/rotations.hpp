@@ -18,8 +18,8 @@ std::vector<cln::cl_RA> rotation_entries(const RationalQuaternion& q);
 /// Random rotations, and among every three a half turn about a horizontal axis, where Euler angles are not unique.
 std::vector<RationalQuaternion> rational_rotations(int count);
 
-/// Identity, turns about the axes (quarter, half and random ones), and `repeats` times: random rotations, tilts of the z
-/// axis by angles from 2^-99 to pi - 2^-99 between random turns about z, small turns about random axes. Not of unit
+/// Identity, turns about the axes (quarter, half and random ones), and `repeats` times: random rotations, tilts of the
+/// z axis by angles from 2^-99 to pi - 2^-99 between random turns about z, small turns about random axes. Not of unit
 /// length.
 std::vector<RationalQuaternion> test_rotations(int repeats);
 

@@ -1,5 +1,7 @@
 // Rotation of coefficients: by a matrix, by a quaternion, about z; matrices built once and applied; the value of a
 // rotated function.
+#include "codegen/recipes/rotation.hpp"
+
 #include <cln/real.h>
 
 #include <cmath>
@@ -8,7 +10,6 @@
 #include "codegen/domains.hpp"
 #include "codegen/families/families.hpp"
 #include "codegen/families/rotation_inputs.hpp"
-#include "codegen/recipes/rotation.hpp"
 #include "codegen/rotations.hpp"
 #include "symbolic/matrix.hpp"
 
@@ -62,7 +63,7 @@ Family rotate_family() {
           kLargestDegree,
           kLimit,
           {{"zxz", recipes::rotate_zxz, 0, kLargestDegree},
-           {"dense", recipes::rotate_dense, 2, kLargestDegree},
+           {"dense", recipes::rotate_dense, 2, 8},
            {"recursive", recipes::rotate_recursive, 2, 3}},
           rotate_reference,
           {kTurnedVectors, "|c|", "the nearest rotation matrix", rotate_inputs, length_of_coefficients<kMatrixSize>,
@@ -75,33 +76,33 @@ Family rotate_quaternion_family() {
           kLargestDegree,
           kLimit,
           {{"zxz", recipes::rotate_quaternion_zxz, 2, kLargestDegree},
-           {"polynomial", recipes::rotate_quaternion_polynomial, 0, kLargestDegree}},
+           {"polynomial", recipes::rotate_quaternion_polynomial, 0, 8}},
           rotate_quaternion_reference,
           {kTurnedVectors, "|c|", "the quaternion scaled to length 1", rotate_quaternion_inputs,
            length_of_coefficients<4>, with_unit_start<4>}};
 }
 
 Family rotate_z_family() {
-  return {"rotate_z",
-          kLargestDegree,
-          20,
-          kLimit,
-          {{"steps", recipes::rotate_z_steps}, {"products", recipes::rotate_z_products, 2}},
-          rotate_z_reference,
-          {"unit vectors turned about z (random angles, quarter turns, angles from 2^-99)", "|c|",
-           "cosine and sine scaled to the unit circle", rotate_z_inputs, length_of_coefficients<2>,
-           with_unit_start<2>}};
+  return {
+      "rotate_z",
+      kLargestDegree,
+      20,
+      kLimit,
+      {{"steps", recipes::rotate_z_steps}, {"products", recipes::rotate_z_products, 2}},
+      rotate_z_reference,
+      {"unit vectors turned about z (random angles, quarter turns, angles from 2^-99)", "|c|",
+       "cosine and sine scaled to the unit circle", rotate_z_inputs, length_of_coefficients<2>, with_unit_start<2>}};
 }
 
 Family rotate_build_family() {
-  return {"rotate_build",
-          kLargestDegree,
-          kLargestDegree,
-          kLimit,
-          {{"dense", recipes::rotate_build_dense, 0, kLargestDegree},
-           {"recursive", recipes::rotate_build_recursive, 2, 5}},
-          rotate_build_reference,
-          {kTurns, "1", "the nearest rotation matrix", rotate_build_inputs, one, with_nearest_rotation}};
+  return {
+      "rotate_build",
+      kLargestDegree,
+      kLargestDegree,
+      kLimit,
+      {{"dense", recipes::rotate_build_dense, 0, kLargestDegree}, {"recursive", recipes::rotate_build_recursive, 2, 5}},
+      rotate_build_reference,
+      {kTurns, "1", "the nearest rotation matrix", rotate_build_inputs, one, with_nearest_rotation}};
 }
 
 Family rotate_apply_family() {
@@ -111,8 +112,8 @@ Family rotate_apply_family() {
           kLimit,
           {{"rows", recipes::rotate_apply_rows, 0, kLargestDegree}},
           rotate_apply_reference,
-          {"random unit vectors and matrices with rows of length 1", "|c|", "", rotate_apply_inputs,
-           length_of_applied, nullptr}};
+          {"random unit vectors and matrices with rows of length 1", "|c|", "", rotate_apply_inputs, length_of_applied,
+           nullptr}};
 }
 
 Family rotate_evaluate_family() {

@@ -29,7 +29,8 @@ class Powers {
     for (int i = 1; i <= most; ++i) {
       powers_[to_size(i)].push_back(i == 1 ? first : multiply(build, powers_[to_size(i - 1)][0], first));
       for (int m = 1; m <= i; ++m) {
-        powers_[to_size(i)].push_back(i == 1 ? second : multiply(build, powers_[to_size(i - 1)][to_size(m - 1)], second));
+        powers_[to_size(i)].push_back(i == 1 ? second
+                                             : multiply(build, powers_[to_size(i - 1)][to_size(m - 1)], second));
       }
     }
   }
@@ -252,9 +253,9 @@ BandMatrices dense_bands(Builder& build, const std::array<NodeId, 9>& r, int deg
   const Signed a_im = sum(build, {entry(1, 0), -entry(0, 1)}, "a_im");
   const Signed b_re = sum(build, {entry(1, 1), -entry(0, 0)}, "b_re");
   const Signed b_im = -sum(build, {entry(0, 1), entry(1, 0)}, "b_im");
-  append_dense_bands(
-      build, bands,
-      {r[8], {a_re, a_im}, {b_re, b_im}, {entry(0, 2), entry(1, 2)}, {-entry(2, 0), entry(2, 1)}}, degree);
+  append_dense_bands(build, bands,
+                     {r[8], {a_re, a_im}, {b_re, b_im}, {entry(0, 2), entry(1, 2)}, {-entry(2, 0), entry(2, 1)}},
+                     degree);
   return bands;
 }
 

@@ -160,9 +160,7 @@ Turn turn_of(Builder& build, char angle, NodeId x, NodeId y, const Inverse& inve
   return turn.complete(most, kDoubledAlpha);
 }
 
-NodeId tiny_number(Builder& build) {
-  return build.constant(Surd(cln::expt(cln::cl_RA(2), kPoleExponent)), "tiny");
-}
+NodeId tiny_number(Builder& build) { return build.constant(Surd(cln::expt(cln::cl_RA(2), kPoleExponent)), "tiny"); }
 
 }  // namespace
 

@@ -124,7 +124,7 @@ void QuarterTurnClass::prefer_scale(std::size_t row, std::multiset<Surd>& square
 
 // With T^2 = 1, E = (1 -+ T) / 2 is a projector, and E = E(:,p) E(p,p)^-1 E(p,:) for as many pivots p as its rank.
 QuarterTurnClass::Reflection QuarterTurnClass::find_reflection(int degree, const Rationals& turn,
-                                                              const std::vector<int>& orders) {
+                                                               const std::vector<int>& orders) {
   const int size = static_cast<int>(orders.size());
   cln::cl_RA trace = 0;
   for (const int m : orders) trace = trace + turn(degree + m, degree + m);

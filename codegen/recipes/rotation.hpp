@@ -16,8 +16,8 @@ Kernel rotate_zxz(int degree);
 Kernel rotate_dense(int degree);
 Kernel rotate_recursive(int degree);
 
-/// rotate_quaternion: the same two ways from a unit quaternion (w, x, y, z); one has square root and division, the other
-/// is polynomials of degree 2l.
+/// rotate_quaternion: the same two ways from a unit quaternion (w, x, y, z); one has square root and division, the
+/// other is polynomials of degree 2l.
 Kernel rotate_quaternion_zxz(int degree);
 Kernel rotate_quaternion_polynomial(int degree);
 

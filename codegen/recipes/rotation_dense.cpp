@@ -106,7 +106,8 @@ Kernel build_by(Bands make_bands, const std::string& source, int degree) {
     for (int m = -l; m <= l; ++m) {
       for (int n = -l; n <= l; ++n) {
         const NodeId entry = settled(build, bands[to_size(l)](l + m, l + n));
-        kernel.outputs.push_back({entry, "l=" + std::to_string(l) + " m=" + std::to_string(m) + "," + std::to_string(n)});
+        kernel.outputs.push_back(
+            {entry, "l=" + std::to_string(l) + " m=" + std::to_string(m) + "," + std::to_string(n)});
       }
     }
   }

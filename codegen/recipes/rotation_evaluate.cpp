@@ -31,7 +31,8 @@ Kernel rotate_evaluate_turned(int degree) {
   Kernel kernel;
   kernel.title = "The value of a rotated function in a direction, " + degrees_to(degree);
   kernel.domain = kRotationDomain + std::string("; |d| = 1 for d = (x, y, z)");
-  kernel.result = "f(r^-1 d) = sum of c_lm Y_lm(r^-1 d), c_lm at index l(l+1)+m, orthonormal basis, no Condon-Shortley phase";
+  kernel.result =
+      "f(r^-1 d) = sum of c_lm Y_lm(r^-1 d), c_lm at index l(l+1)+m, orthonormal basis, no Condon-Shortley phase";
   kernel.citation = "the direction turned back, then the basis";
   kernel.parameters = {{"r", {3, 3}}, {"c", {count}}, {"x", {}}, {"y", {}}, {"z", {}}};
   kernel.results = {{"value", {}}};

@@ -22,8 +22,8 @@ Kernel quaternion_kernel(int degree);
 std::array<NodeId, 4> quaternion_inputs(Builder& build);
 
 struct RotationInputs {
-  std::array<NodeId, 9> r{};  ///< the matrix, row-major
-  std::vector<NodeId> c;      ///< the coefficients
+  std::array<NodeId, 9> r{};                            ///< the matrix, row-major
+  std::vector<NodeId> c;                                ///< the coefficients
   [[nodiscard]] std::vector<Signed> band(int l) const;  ///< element l + m
 };
 

@@ -23,7 +23,8 @@ class HalfTilt {
   HalfTilt(Builder& build, const Tilt& beta, int degree, const symbolic::Matrix<cln::cl_RA>& turn, int parity)
       : build_(build), beta_(beta), degree_(degree) {
     const int sign = parity == 0 ? 1 : -1;
-    for (int m = parity; m <= degree; ++m) ((degree + m) % 2 == 0 ? cosine_columns_ : sine_columns_).push_back(sign * m);
+    for (int m = parity; m <= degree; ++m)
+      ((degree + m) % 2 == 0 ? cosine_columns_ : sine_columns_).push_back(sign * m);
     for (int m = 1; m <= degree; ++m) {
       if ((degree + m) % 2 == parity) rows_.push_back(m);
     }

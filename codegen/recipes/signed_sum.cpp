@@ -15,9 +15,7 @@ Signed scaled(Builder& build, const Surd& factor, Signed value, const std::strin
   return {build.mul(constant, value.node, name), value.negative};
 }
 
-Signed product(Builder& build, Signed a, Signed b) {
-  return {build.mul(a.node, b.node), a.negative != b.negative};
-}
+Signed product(Builder& build, Signed a, Signed b) { return {build.mul(a.node, b.node), a.negative != b.negative}; }
 
 Signed sum(Builder& build, const std::vector<Signed>& values, const std::string& name) {
   const bool negative = std::all_of(values.begin(), values.end(), [](const Signed& v) { return v.negative; });

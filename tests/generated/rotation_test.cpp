@@ -1,0 +1,256 @@
+// The committed rotations against the oracle, each other and what a rotation is.
+#include "numeric/rotation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <random>
+#include <utility>
+#include <vector>
+
+#include "generated/cpp/rotate.hpp"
+#include "generated/cpp/rotate_accurate_l4.hpp"
+#include "generated/cpp/rotate_apply.hpp"
+#include "generated/cpp/rotate_build.hpp"
+#include "generated/cpp/rotate_evaluate.hpp"
+#include "generated/cpp/rotate_quaternion.hpp"
+#include "generated/cpp/rotate_z.hpp"
+#include "numeric/basis.hpp"
+
+namespace sh {
+namespace {
+
+constexpr int kMaxDegree = 10;
+constexpr std::size_t count_of(int degree) { return static_cast<std::size_t>((degree + 1) * (degree + 1)); }
+constexpr std::size_t matrix_size(int degree) {
+  std::size_t size = 0;
+  for (int l = 0; l <= degree; ++l) size += static_cast<std::size_t>((2 * l + 1) * (2 * l + 1));
+  return size;
+}
+
+using Quaternion = std::array<long double, 4>;
+using Matrix = std::array<double, 9>;
+
+template <class T, class Wide, std::size_t N>
+std::array<T, N> rounded(const std::array<Wide, N>& values) {
+  std::array<T, N> result;
+  for (std::size_t i = 0; i < N; ++i) result[i] = static_cast<T>(values[i]);
+  return result;
+}
+
+// In long double, so that matrix_of rounds a rotation once.
+Quaternion normalised(Quaternion q) {
+  const long double length = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
+  for (long double& component : q) component /= length;
+  return q;
+}
+
+Quaternion times(const Quaternion& a, const Quaternion& b) {
+  return {a[0] * b[0] - a[1] * b[1] - a[2] * b[2] - a[3] * b[3], a[0] * b[1] + a[1] * b[0] + a[2] * b[3] - a[3] * b[2],
+          a[0] * b[2] - a[1] * b[3] + a[2] * b[0] + a[3] * b[1], a[0] * b[3] + a[1] * b[2] - a[2] * b[1] + a[3] * b[0]};
+}
+
+Matrix matrix_of(const Quaternion& q) {
+  const auto& [w, x, y, z] = q;
+  return rounded<double>(std::array{1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y),
+                                    2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x),
+                                    2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)});
+}
+
+// Identity, half and quarter turns about the axes, random rotations, tilts from 1e-9 to pi - 1e-9.
+std::vector<Quaternion> rotations() {
+  std::mt19937 random(31);
+  std::normal_distribution<long double> normal;
+  std::uniform_real_distribution<long double> angle(-std::numbers::pi, std::numbers::pi);
+  std::vector<Quaternion> result{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}, {-1, 0, 0, 0}};
+  for (const int sign : {1, -1}) {
+    for (std::size_t axis = 1; axis <= 3; ++axis) {
+      result.push_back({1, 0, 0, 0});
+      result.back()[axis] = sign;
+    }
+  }
+  for (int i = 0; i < 20; ++i) result.push_back({normal(random), normal(random), normal(random), normal(random)});
+  for (long double tilt = 1e-9L; tilt < 1; tilt *= 10) {
+    for (const long double beta : {tilt, std::numbers::pi_v<long double> - tilt}) {
+      const long double alpha = angle(random);
+      const long double gamma = angle(random);
+      result.push_back(
+          times(times({std::cos(alpha), 0, 0, std::sin(alpha)}, {std::cos(beta / 2), 0, std::sin(beta / 2), 0}),
+                {std::cos(gamma), 0, 0, std::sin(gamma)}));
+    }
+  }
+  for (Quaternion& q : result) q = normalised(q);
+  return result;
+}
+
+template <std::size_t N>
+std::array<double, N> unit_coefficients(unsigned seed) {
+  std::mt19937 random(seed);
+  std::normal_distribution<double> normal;
+  std::array<double, N> c;
+  double square = 0;
+  for (double& v : c) square += std::pow(v = normal(random), 2);
+  for (double& v : c) v /= std::sqrt(square);
+  return c;
+}
+
+// f.operator()<Degree>() for 0 .. kMaxDegree.
+template <class F>
+void for_every_degree(F&& f) {
+  [&]<int... kDegree>(std::integer_sequence<int, kDegree...>) { (f.template operator()<kDegree>(), ...); }
+  (std::make_integer_sequence<int, kMaxDegree + 1>());
+}
+
+template <class T, std::size_t N>
+void expect_near(const std::array<T, N>& actual, const std::array<double, N>& expected, double tolerance) {
+  for (std::size_t i = 0; i < N; ++i) ASSERT_NEAR(double(actual[i]), expected[i], tolerance) << N << " " << i;
+}
+
+// What the oracle makes of c, in double.
+template <std::size_t N>
+std::array<double, N> oracle(int degree, const Matrix& r, const std::array<double, N>& c) {
+  std::array<double, N> out;
+  numeric::rotate<double>(degree, r.data(), c.data(), out.data());
+  return out;
+}
+
+TEST(GeneratedRotation, AgreesWithTheOracleAtEveryTilt) {
+  for_every_degree([]<int kDegree>() {
+    const auto c = unit_coefficients<count_of(kDegree)>(1);
+    for (const Quaternion& q : rotations()) {
+      const auto expected = oracle(kDegree, matrix_of(q), c);
+      std::array<double, count_of(kDegree)> out;
+      rotate<kDegree>(matrix_of(q).data(), c.data(), out.data());
+      expect_near(out, expected, 6e-15);
+      rotate_quaternion<kDegree>(rounded<double>(q).data(), c.data(), out.data());
+      expect_near(out, expected, 6e-15);
+
+      std::array<float, count_of(kDegree)> single;
+      rotate<kDegree>(rounded<float>(matrix_of(q)).data(), rounded<float>(c).data(), single.data());
+      expect_near(single, expected, kDegree <= 5 ? 1e-6 : 2e-6);
+      rotate_quaternion<kDegree>(rounded<float>(q).data(), rounded<float>(c).data(), single.data());
+      expect_near(single, expected, kDegree <= 5 ? 1e-6 : 2e-6);
+    }
+  });
+}
+
+TEST(GeneratedRotation, BuiltMatricesAppliedAreTheRotation) {
+  for_every_degree([]<int kDegree>() {
+    const auto c = unit_coefficients<count_of(kDegree)>(2);
+    for (const Quaternion& q : rotations()) {
+      std::array<double, matrix_size(kDegree)> m;
+      rotate_build<kDegree>(matrix_of(q).data(), m.data());
+      const auto bands = numeric::rotation_bands<double>(kDegree, matrix_of(q).data());
+      std::size_t first = 0;
+      for (const auto& band : bands) {
+        for (std::size_t i = 0; i < band.size(); ++i) ASSERT_NEAR(m[first + i], band[i], 8e-15) << kDegree;
+        first += band.size();
+      }
+      std::array<double, count_of(kDegree)> out;
+      rotate_apply<kDegree>(m.data(), c.data(), out.data());
+      expect_near(out, oracle(kDegree, matrix_of(q), c), 8e-15);
+    }
+  });
+}
+
+TEST(GeneratedRotation, AboutZIsTheMatrixAboutZ) {
+  for_every_degree([]<int kDegree>() {
+    const auto c = unit_coefficients<count_of(kDegree)>(3);
+    for (const double angle : {0.0, 1e-9, 0.3, 1.0, std::numbers::pi / 2, 2.5, std::numbers::pi, -0.7}) {
+      const double cosine = std::cos(angle);
+      const double sine = std::sin(angle);
+      std::array<double, count_of(kDegree)> out;
+      rotate_z<kDegree>(cosine, sine, c.data(), out.data());
+      expect_near(out, oracle(kDegree, Matrix{cosine, -sine, 0, sine, cosine, 0, 0, 0, 1}, c), 4e-15);
+    }
+  });
+}
+
+TEST(GeneratedRotation, ValueIsThatOfTheFunctionAtTheDirectionTurnedBack) {
+  for_every_degree([]<int kDegree>() {
+    const auto c = unit_coefficients<count_of(kDegree)>(4);
+    for (const Quaternion& q : rotations()) {
+      const Matrix r = matrix_of(q);
+      const auto v = rounded<double>(q);
+      const auto d = numeric::normalised(v[0] + 0.2, v[1] - 0.3, v[2] + v[3] + 0.1);
+      const auto y = numeric::basis<double>(kDegree, d[0], d[1], d[2]);
+      const auto turned = oracle(kDegree, r, c);
+      double expected = 0;
+      for (std::size_t i = 0; i < turned.size(); ++i) expected += turned[i] * y[i];
+      EXPECT_NEAR(rotate_evaluate<kDegree>(r.data(), c.data(), d[0], d[1], d[2]), expected, 1e-14) << kDegree;
+    }
+  });
+}
+
+TEST(GeneratedRotation, ComposesLikeQuaternions) {
+  const auto c = unit_coefficients<25>(5);
+  const std::vector<Quaternion> all = rotations();
+  for (std::size_t i = 0; i + 1 < all.size(); ++i) {
+    std::array<double, 25> once;
+    std::array<double, 25> twice;
+    rotate<4>(matrix_of(normalised(times(all[i], all[i + 1]))).data(), c.data(), once.data());
+    rotate<4>(matrix_of(all[i + 1]).data(), c.data(), twice.data());
+    rotate<4>(matrix_of(all[i]).data(), twice.data(), twice.data());
+    expect_near(twice, once, 6e-15);
+  }
+}
+
+TEST(GeneratedRotation, WorksInPlace) {
+  for_every_degree([]<int kDegree>() {
+    const auto c = unit_coefficients<count_of(kDegree)>(6);
+    const Quaternion q = normalised({0.3L, -0.5L, 0.7L, 0.2L});
+    const Matrix r = matrix_of(q);
+    std::array<double, matrix_size(kDegree)> m;
+    rotate_build<kDegree>(r.data(), m.data());
+    const auto same = [&](const auto& kernel) {
+      auto in_place = c;
+      std::array<double, count_of(kDegree)> out;
+      kernel(c.data(), out.data());
+      kernel(in_place.data(), in_place.data());
+      EXPECT_EQ(in_place, out) << kDegree;
+    };
+    same([&](const double* in, double* out) { rotate<kDegree>(r.data(), in, out); });
+    same([&](const double* in, double* out) { rotate_quaternion<kDegree>(rounded<double>(q).data(), in, out); });
+    same([&](const double* in, double* out) { rotate_z<kDegree>(0.6, 0.8, in, out); });
+    same([&](const double* in, double* out) { rotate_apply<kDegree>(m.data(), in, out); });
+  });
+}
+
+TEST(GeneratedRotation, WritesExactlyItsOwnElements) {
+  for_every_degree([]<int kDegree>() {
+    const auto c = unit_coefficients<count_of(kDegree)>(7);
+    const Quaternion q = normalised({0.3L, -0.5L, 0.7L, 0.2L});
+    const Matrix r = matrix_of(q);
+    const auto check = [](const auto& kernel, std::size_t size) {
+      std::vector<double> out(size + 2, std::numeric_limits<double>::quiet_NaN());
+      kernel(out.data() + 1);
+      EXPECT_TRUE(std::isnan(out.front()));
+      EXPECT_TRUE(std::isnan(out.back()));
+      for (std::size_t i = 1; i <= size; ++i) EXPECT_FALSE(std::isnan(out[i])) << kDegree << " " << i;
+    };
+    check([&](double* out) { rotate<kDegree>(r.data(), c.data(), out); }, c.size());
+    check([&](double* out) { rotate_quaternion<kDegree>(rounded<double>(q).data(), c.data(), out); }, c.size());
+    check([&](double* out) { rotate_z<kDegree>(0.6, 0.8, c.data(), out); }, c.size());
+    check([&](double* out) { rotate_build<kDegree>(r.data(), out); }, matrix_size(kDegree));
+  });
+}
+
+TEST(GeneratedRotation, WithoutRootsIsAConstantExpression) {
+  constexpr auto kTurned = [] {
+    // A quarter turn about z.
+    const std::array<double, 9> r{0, -1, 0, 1, 0, 0, 0, 0, 1};
+    std::array<double, 25> c{};
+    c[8] = 1;
+    rotate_accurate_l4(r.data(), c.data(), c.data());
+    rotate_z<4>(0.0, 1.0, c.data(), c.data());
+    return c;
+  }();
+  static_assert(kTurned[8] == 1);
+  static_assert(kTurned[4] == 0);
+}
+
+}  // namespace
+}  // namespace sh
