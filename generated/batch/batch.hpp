@@ -81,7 +81,7 @@ void use_instruction_set(InstructionSet set);
 void basis(int degree, std::size_t n, Records<const float> directions, Records<float> out);
 void basis(int degree, std::size_t n, Records<const double> directions, Records<double> out);
 
-/// Rotated coefficients, by matrices.
+/// Coefficients of rotated functions, by rotation matrices.
 /// degree 0 to 10; r (9), c (bands^2), out (bands^2).
 /// Domain: r, row by row, is a rotation: r r^T = 1, det r = 1.
 void rotate(int degree, std::size_t n, Records<const float> r, Records<const float> c, Records<float> out);

@@ -35,17 +35,17 @@ template <int Degree, class T>
 template <class T>
 void run(const detail::Call<T>& call) {
   static constexpr Plan<T> kPlans[] = {
-      {2, {9, 1}, 1, false, kernel<0, T>, prepare<0, T>, 1, kernel_prepared<0, T>},
-      {2, {9, 4}, 4, false, kernel<1, T>, prepare<1, T>, 10, kernel_prepared<1, T>},
-      {2, {9, 9}, 9, false, kernel<2, T>, prepare<2, T>, 35, kernel_prepared<2, T>},
-      {2, {9, 16}, 16, false, kernel<3, T>, prepare<3, T>, 84, kernel_prepared<3, T>},
-      {2, {9, 25}, 25, false, kernel<4, T>, prepare<4, T>, 165, kernel_prepared<4, T>},
-      {2, {9, 36}, 36, false, kernel<5, T>, prepare<5, T>, 286, kernel_prepared<5, T>},
-      {2, {9, 49}, 49, false, kernel<6, T>, prepare<6, T>, 455, kernel_prepared<6, T>},
-      {2, {9, 64}, 64, false, kernel<7, T>, prepare<7, T>, 680, kernel_prepared<7, T>},
-      {2, {9, 81}, 81, false, kernel<8, T>, prepare<8, T>, 969, kernel_prepared<8, T>},
-      {2, {9, 100}, 100, false, kernel<9, T>, prepare<9, T>, 1330, kernel_prepared<9, T>},
-      {2, {9, 121}, 121, false, kernel<10, T>, prepare<10, T>, 1771, kernel_prepared<10, T>},
+      {2, {9, 1}, 1, false, kernel<0, T>, prepare<0, T>, 1, kernel_prepared<0, T>, nullptr},
+      {2, {9, 4}, 4, false, kernel<1, T>, prepare<1, T>, 10, kernel_prepared<1, T>, nullptr},
+      {2, {9, 9}, 9, false, kernel<2, T>, prepare<2, T>, 35, kernel_prepared<2, T>, nullptr},
+      {2, {9, 16}, 16, false, kernel<3, T>, prepare<3, T>, 84, kernel_prepared<3, T>, nullptr},
+      {2, {9, 25}, 25, false, kernel<4, T>, prepare<4, T>, 165, kernel_prepared<4, T>, nullptr},
+      {2, {9, 36}, 36, false, kernel<5, T>, prepare<5, T>, 286, kernel_prepared<5, T>, nullptr},
+      {2, {9, 49}, 49, false, kernel<6, T>, prepare<6, T>, 455, kernel_prepared<6, T>, nullptr},
+      {2, {9, 64}, 64, false, kernel<7, T>, prepare<7, T>, 680, kernel_prepared<7, T>, nullptr},
+      {2, {9, 81}, 81, false, kernel<8, T>, prepare<8, T>, 969, kernel_prepared<8, T>, nullptr},
+      {2, {9, 100}, 100, false, kernel<9, T>, prepare<9, T>, 1330, kernel_prepared<9, T>, nullptr},
+      {2, {9, 121}, 121, false, kernel<10, T>, prepare<10, T>, 1771, kernel_prepared<10, T>, nullptr},
   };
   Driver<T>(call, kPlans[call.degree]).run();
 }
