@@ -24,39 +24,37 @@ std::string indexed(const std::string& name, int i) {
   return text;
 }
 
-// "void call(int item)": reads the item's inputs by READ(i), calls the function and leaves its outputs in result[].
+// "void call(int item)": reads the item's inputs by read_input, calls the function, leaves its outputs in result[].
 std::string wrapper(const GlslFunction& function) {
   std::ostringstream before;
   std::ostringstream arguments;
   std::ostringstream after;
+  const Signature& signature = function.signature;
   int input = 0;
-  int output = 0;
-  if (function.returns_float) ++output;
-  for (std::size_t i = 0; i < function.parameters.size(); ++i) {
-    const auto& p = function.parameters[i];
+  int output = signature.returns_value ? 1 : 0;
+  for (std::size_t i = 0; i < signature.parameters.size(); ++i) {
+    const auto& p = signature.parameters[i];
     const std::string name = std::string("p").append(std::to_string(i));
     before << "    float " << (p.count == 0 ? name : indexed(name, p.count)) << ";\n";
     arguments << (i == 0 ? "" : ", ") << name;
-    for (int k = 0; k < p.floats(); ++k) {
+    for (int k = 0; k < p.values(); ++k) {
       const std::string element = p.count == 0 ? name : indexed(name, k);
-      if (p.output) {
-        after << "    result[" << output++ << "] = " << element << ";\n";
-      } else {
-        before << "    " << element << " = read_input(item * " << function.input_floats() << " + " << input++ << ");\n";
-      }
+      if (p.is_written()) after << "    result[" << output++ << "] = " << element << ";\n";
+      if (!p.is_read()) continue;
+      before << "    " << element << " = read_input(item * " << signature.input_count() << " + " << input++ << ");\n";
     }
   }
   std::ostringstream text;
-  text << "float result[" << function.output_floats() << "];\n"
+  text << "float result[" << signature.output_count() << "];\n"
        << "void call(int item) {\n"
-       << before.str() << "    " << (function.returns_float ? "result[0] = " : "") << function.name << "("
+       << before.str() << "    " << (signature.returns_value ? "result[0] = " : "") << function.name << "("
        << arguments.str() << ");\n"
        << after.str() << "}\n";
   return text.str();
 }
 
 std::string compute_source(const std::string& source, const GlslFunction& function) {
-  const int outputs = function.output_floats();
+  const int outputs = function.signature.output_count();
   std::ostringstream text;
   text << "#version 450 core\n#line 1\n"
        << source << "layout(local_size_x = " << kGroupSize << ") in;\n"
@@ -73,7 +71,7 @@ std::string compute_source(const std::string& source, const GlslFunction& functi
   return text.str();
 }
 
-int texels_per_item(const GlslFunction& function) { return (function.output_floats() + 3) / 4; }
+int texels_per_item(const GlslFunction& function) { return (function.signature.output_count() + 3) / 4; }
 
 // One triangle that covers the target.
 constexpr const char* kCoveringTriangle =
@@ -81,7 +79,7 @@ constexpr const char* kCoveringTriangle =
     "void main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0); }\n";
 
 std::string fragment_source(const std::string& source, const GlslFunction& function) {
-  const int outputs = function.output_floats();
+  const int outputs = function.signature.output_count();
   std::ostringstream text;
   text << "#version 300 es\n#line 1\n"
        << source << "precision highp float;\nprecision highp int;\nprecision highp sampler2D;\n"
@@ -105,7 +103,7 @@ GLsizeiptr bytes(std::size_t floats) { return static_cast<GLsizeiptr>(floats * s
 std::vector<float> run_compute(const std::string& label, const std::string& source, const GlslFunction& function,
                                const std::vector<float>& inputs, int items) {
   const GlslProgram program(label, {{GL_COMPUTE_SHADER, compute_source(source, function)}});
-  std::vector<float> outputs(static_cast<std::size_t>(items) * static_cast<std::size_t>(function.output_floats()));
+  std::vector<float> outputs(static_cast<std::size_t>(items) * static_cast<std::size_t>(function.signature.output_count()));
   GLuint buffers[2] = {0, 0};
   glGenBuffers(2, buffers);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, buffers[0]);
@@ -185,7 +183,7 @@ std::vector<float> run_fragment(const std::string& label, const std::string& sou
   glDeleteTextures(2, textures);
   require_no_gl_error(label);
   // Drop the padding of each item to whole texels.
-  const auto wanted = static_cast<std::size_t>(function.output_floats());
+  const auto wanted = static_cast<std::size_t>(function.signature.output_count());
   std::vector<float> outputs;
   outputs.reserve(static_cast<std::size_t>(items) * wanted);
   for (std::size_t i = 0; i < static_cast<std::size_t>(items); ++i) {
@@ -195,22 +193,13 @@ std::vector<float> run_fragment(const std::string& label, const std::string& sou
   return outputs;
 }
 
-int total(const std::vector<GlslParameter>& parameters, bool output) {
-  int sum = 0;
-  for (const auto& p : parameters) sum += p.output == output ? p.floats() : 0;
-  return sum;
-}
-
 }  // namespace
-
-int GlslFunction::input_floats() const { return total(parameters, false); }
-int GlslFunction::output_floats() const { return total(parameters, true) + (returns_float ? 1 : 0); }
 
 GlslRunner::GlslRunner(GlslLanguage language) : language_(language), context_(language) {}
 
 std::vector<float> GlslRunner::run(const std::string& label, const std::string& source, const GlslFunction& function,
                                    const std::vector<float>& inputs) {
-  const auto width = static_cast<std::size_t>(function.input_floats());
+  const auto width = static_cast<std::size_t>(function.signature.input_count());
   if (width == 0 || inputs.empty() || inputs.size() % width != 0) {
     throw std::invalid_argument(label + ": " + std::to_string(inputs.size()) + " inputs given, must be a multiple of " +
                                 std::to_string(width) + " and not none");

@@ -1,33 +1,22 @@
 // Runs a GLSL function over many inputs on a CPU and returns its outputs as floats, to compare them bit by bit.
 //
 // Input: the text of one or more functions without a #version line, the signature of the one to call, and n packed
-// items of its `in` parameters. Output: n packed items of its `out` parameters (and of its return value first, if it
-// has one). GLSL 4.50 runs in a compute shader on two std430 buffers of float. GLSL ES 3.00 has neither: there a
+// items of its inputs. Output: n packed items of its outputs, both in the flat order of signature.hpp. GLSL 4.50 runs in a compute shader on two std430 buffers of float. GLSL ES 3.00 has neither: there a
 // fragment shader reads a float texture and writes another, four values a texel. Both take any function whose
-// parameters are float or float[n], such as basis_l4(float, float, float, out float[25]).
+// parameters are float or float[n], in, out or inout, such as basis_l4(float, float, float, out float[25]).
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "numeric/egl_context.hpp"
+#include "numeric/signature.hpp"
 
 namespace sh::numeric {
 
-struct GlslParameter {
-  int count = 0;        // 0: a plain float; n: float[n]
-  bool output = false;  // out instead of in
-
-  [[nodiscard]] int floats() const { return count == 0 ? 1 : count; }
-};
-
 struct GlslFunction {
   std::string name;
-  std::vector<GlslParameter> parameters;
-  bool returns_float = false;
-
-  [[nodiscard]] int input_floats() const;
-  [[nodiscard]] int output_floats() const;
+  Signature signature;
 };
 
 class GlslRunner {
@@ -35,7 +24,7 @@ class GlslRunner {
   // Throws std::runtime_error, one line, when EGL or the version of GL is missing.
   explicit GlslRunner(GlslLanguage language);
 
-  // inputs (n, function.input_floats()) row-major -> (n, function.output_floats()). `label` names the source in errors,
+  // inputs (n, input_count()) row-major -> (n, output_count()) of the signature. `label` names the source in errors,
   // usually its file. Throws std::runtime_error with one line when the source does not compile (the compiler's first
   // message) or GL reports an error, std::invalid_argument when inputs is not a whole number of items.
   std::vector<float> run(const std::string& label, const std::string& source, const GlslFunction& function,

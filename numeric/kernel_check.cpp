@@ -1,97 +1,154 @@
 // See kernel_check.hpp.
 #include "numeric/kernel_check.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
 #include <fstream>
 #include <iterator>
 #include <limits>
+#include <map>
+#include <memory>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
-#include "numeric/basis.hpp"
-#include "numeric/cpp_kernels.hpp"
+#include "numeric/checks/checks.hpp"
+#include "numeric/flat_call.hpp"
 #include "numeric/glsl_runner.hpp"
-#include "numeric/oracle_table.hpp"
+#include "numeric/samples.hpp"
+#include "numeric/timing.hpp"
 
 namespace sh::numeric {
 namespace {
 
-using Progress = std::function<void(const std::string&)>;
+// The exact values of one family and degree, shared by its variants.
+struct Truth {
+  Samples<float> in_float;
+  Samples<double> in_double;
+};
 
-constexpr int kRandomDirections = 4096;
+Truth make_truth(const FamilyCheck& check, int degree) {
+  return {make_samples<float>(check, degree), make_samples<double>(check, degree)};
+}
 
-// The kernel at every input of the table: (n, bands^2).
-template <class T>
-std::vector<T> run_cpp(int degree, const OracleTable<T>& table) {
-  const auto count = static_cast<std::size_t>(coefficient_count(degree));
-  std::vector<T> values(table.inputs.size() * count);
-  T* out = values.data();
-  for (const auto& [x, y, z] : table.inputs) {
-    basis_kernel<T>(degree)(x, y, z, out);
-    out += count;
+// "out l=4 m=-3" where the array holds all coefficients up to the degree, "m[13]" elsewhere, "value" if returned.
+std::string output_label(const Signature& signature, int degree, std::size_t output) {
+  if (signature.returns_value && output-- == 0) return "value";
+  for (const auto& parameter : signature.parameters) {
+    if (!parameter.is_written()) continue;
+    const auto values = static_cast<std::size_t>(parameter.values());
+    if (output >= values) {
+      output -= values;
+      continue;
+    }
+    const auto coefficients = static_cast<std::size_t>((degree + 1) * (degree + 1));
+    if (values != coefficients) return parameter.name + "[" + std::to_string(output) + "]";
+    const auto l = static_cast<std::size_t>(std::sqrt(static_cast<double>(output)));
+    const auto m = static_cast<long>(output) - static_cast<long>(l * (l + 1));
+    return parameter.name + " l=" + std::to_string(l) + " m=" + std::to_string(m);
   }
+  throw std::logic_error("output_label: no such output");
+}
+
+template <class T>
+WorstCase worst_case(const ErrorStats& stats, int degree, const Samples<T>& samples) {
+  const Place& worst = stats.scaled().worst();
+  const T* const input = samples.input(worst.input);
+  return {samples.names[worst.input],
+          {input, input + samples.signature.input_count()},
+          output_label(samples.signature, degree, worst.output)};
+}
+
+template <class T>
+KernelResult measure(const BoundKernel& kernel, const std::string& unit, const std::string& language,
+                     const std::vector<T>& values, const std::vector<Wide>& own, const Samples<T>& samples) {
+  const ErrorStats none(static_cast<double>(std::numeric_limits<T>::epsilon()));
+  KernelResult result{.kernel = kernel.name(),
+                      .family = kernel.family,
+                      .language = language,
+                      .scalar = sizeof(T) == sizeof(float) ? "float" : "double",
+                      .degree = kernel.degree,
+                      .unit = unit,
+                      .inputs = samples.count(),
+                      .operations = count_operations(kernel, samples.signature),
+                      .rounding = none,
+                      .total = none,
+                      .worst_rounding = {},
+                      .worst_total = {},
+                      .nanoseconds = {},
+                      .bits = {}};
+  const auto outputs = static_cast<std::size_t>(samples.signature.output_count());
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const Place place = {i / outputs, i % outputs};
+    const Wide value(static_cast<double>(values[i]));
+    result.rounding.add(place, (value - own[i]).high(), samples.sizes[i]);
+    result.total.add(place, (value - samples.exact[i]).high(), samples.sizes[i]);
+  }
+  result.worst_rounding = worst_case(result.rounding, kernel.degree, samples);
+  result.worst_total = worst_case(result.total, kernel.degree, samples);
+  return result;
+}
+
+template <class T>
+std::vector<T> run_cpp(const BoundKernel& kernel, const Samples<T>& samples) {
+  const auto outputs = static_cast<std::size_t>(samples.signature.output_count());
+  std::vector<T> values(samples.count() * outputs);
+  FlatCall<T> call(kernel, samples.signature);
+  for (std::size_t i = 0; i < samples.count(); ++i) call(samples.input(i), values.data() + i * outputs);
   return values;
 }
 
 template <class T>
-KernelResult measure(int degree, const std::string& language, const std::vector<T>& values,
-                     const OracleTable<T>& table) {
-  const ErrorStats none(static_cast<double>(std::numeric_limits<T>::epsilon()));
-  KernelResult result{basis_kernel_name(degree),
-                      language,
-                      sizeof(T) == sizeof(float) ? "float" : "double",
-                      degree,
-                      {},
-                      none,
-                      none,
-                      {},
-                      {}};
-  result.operations = count_operations(degree);
-  const auto count = static_cast<std::size_t>(coefficient_count(degree));
-  const auto stride = static_cast<std::size_t>(coefficient_count(table.degree));
-  for (std::size_t k = 0; k < table.inputs.size(); ++k) {
-    const auto& [x, y, z] = table.inputs[k];
-    const Direction input = {static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)};
-    for (int l = 0; l <= degree; ++l) {
-      for (int m = -l; m <= l; ++m) {
-        const auto i = static_cast<std::size_t>(coefficient_index(l, m));
-        const auto value = static_cast<double>(values[k * count + i]);
-        result.rounding.add(l, m, input, table.own_polynomial[k * stride + i].error_of(value));
-        result.total.add(l, m, input, table.true_function[k * stride + i].error_of(value));
-      }
+bool same_bits(T a, T b) {
+  using Bits = std::conditional_t<sizeof(T) == sizeof(float), std::uint32_t, std::uint64_t>;
+  return std::bit_cast<Bits>(a) == std::bit_cast<Bits>(b);
+}
+
+// How many outputs change when an array of the inputs is the array of the outputs.
+template <class T>
+std::size_t count_different_in_place(const BoundKernel& kernel, const Samples<T>& samples,
+                                     const std::vector<T>& values) {
+  constexpr std::size_t kTried = 16;
+  const auto outputs = static_cast<std::size_t>(samples.signature.output_count());
+  std::size_t different = 0;
+  FlatCall<T> call(kernel, samples.signature);
+  std::vector<T> out(outputs);
+  for (const auto& pair : in_place_pairs(samples.signature)) {
+    const std::size_t step = std::max<std::size_t>(1, samples.count() / kTried);
+    for (std::size_t i = 0; i < samples.count(); i += step) {
+      call.in_place(pair, samples.input(i), out.data());
+      for (std::size_t k = 0; k < outputs; ++k) different += same_bits(out[k], values[i * outputs + k]) ? 0 : 1;
     }
   }
-  return result;
+  return different;
 }
 
 template <class T>
-KernelResult check_cpp(int degree, const OracleTable<T>& table) {
-  auto result = measure(degree, "c++", run_cpp(degree, table), table);
-  result.nanoseconds = nanoseconds_per_call<T>(degree);
+KernelResult check_cpp(const BoundKernel& kernel, const std::string& unit, const std::vector<T>& values,
+                       const std::vector<Wide>& own, const Samples<T>& samples) {
+  auto result = measure(kernel, unit, "c++", values, own, samples);
+  result.different_in_place = count_different_in_place(kernel, samples, values);
+  result.nanoseconds = nanoseconds_per_call(kernel, samples);
   return result;
 }
 
-std::string describe(std::size_t item, std::size_t index, float cpp, float glsl, const OracleTable<float>& table) {
-  std::ostringstream text;
-  const auto& [x, y, z] = table.inputs[item];
-  text.precision(9);
-  text << "value " << index << " at (" << x << ", " << y << ", " << z << "): " << glsl << ", c++ " << cpp;
-  return text.str();
-}
-
 BitComparison compare_bits(int degree, const std::vector<float>& cpp, const std::vector<float>& glsl,
-                           const OracleTable<float>& table) {
+                           const Samples<float>& samples) {
   BitComparison bits;
-  const auto count = static_cast<std::size_t>(coefficient_count(degree));
+  const auto outputs = static_cast<std::size_t>(samples.signature.output_count());
   bits.compared = cpp.size();
   for (std::size_t i = 0; i < cpp.size(); ++i) {
-    if (std::bit_cast<std::uint32_t>(cpp[i]) == std::bit_cast<std::uint32_t>(glsl[i])) continue;
-    if (glsl[i] == 0 && std::abs(cpp[i]) < std::numeric_limits<float>::min()) {
+    if (same_bits(cpp[i], glsl[i])) continue;
+    if (std::abs(glsl[i] - cpp[i]) < std::numeric_limits<float>::min()) {
       ++bits.flushed;
     } else if (bits.different++ == 0) {
-      bits.first_difference = describe(i / count, i % count, cpp[i], glsl[i], table);
+      std::ostringstream text;
+      text.precision(9);
+      text << output_label(samples.signature, degree, i % outputs) << " at " << samples.names[i / outputs] << ": "
+           << glsl[i] << ", c++ " << cpp[i];
+      bits.first_difference = text.str();
     }
   }
   return bits;
@@ -104,38 +161,112 @@ std::string read_text(const std::filesystem::path& file) {
   return text;
 }
 
-KernelResult check_glsl(int degree, GlslRunner& runner, GlslLanguage language, const std::filesystem::path& generated,
-                        const OracleTable<float>& table) {
-  const auto file = generated / "glsl" / (basis_kernel_name(degree) + ".glsl");
-  const GlslFunction function{basis_kernel_name(degree), {{}, {}, {}, {coefficient_count(degree), true}}};
-  std::vector<float> inputs;
-  for (const auto& input : table.inputs) inputs.insert(inputs.end(), input.begin(), input.end());
-  const auto values = runner.run(file.string(), read_text(file), function, inputs);
-  auto result = measure(degree, to_string(language), values, table);
-  result.bits = compare_bits(degree, run_cpp(degree, table), values, table);
+// The contexts of the two GLSL languages, and the folder that the kernels come from.
+class GlslCheck {
+ public:
+  explicit GlslCheck(std::filesystem::path generated)
+      : folder_(std::move(generated) / "glsl"), core_(GlslLanguage::kCore450), es_(GlslLanguage::kEs300) {}
+
+  std::vector<KernelResult> check(const BoundKernel& kernel, const std::string& unit, const std::vector<float>& cpp,
+                                  const std::vector<Wide>& own, const Samples<float>& samples) {
+    const auto file = folder_ / (kernel.name() + ".glsl");
+    const std::string source = read_text(file);
+    std::vector<KernelResult> results;
+    for (const auto& [language, runner] : {std::pair{GlslLanguage::kCore450, &core_}, {GlslLanguage::kEs300, &es_}}) {
+      const auto values = runner->run(file.string(), source, {kernel.name(), samples.signature}, samples.inputs);
+      results.push_back(measure(kernel, unit, to_string(language), values, own, samples));
+      results.back().bits = compare_bits(kernel.degree, cpp, values, samples);
+    }
+    return results;
+  }
+
+  [[nodiscard]] std::string renderer() const { return core_.renderer(); }
+
+ private:
+  std::filesystem::path folder_;
+  GlslRunner core_;
+  GlslRunner es_;
+};
+
+void append_results(std::vector<KernelResult>& all, const BoundKernel& kernel, const std::string& unit,
+                    const Truth& truth, GlslCheck* glsl) {
+  const auto float_values = run_cpp(kernel, truth.in_float);
+  const auto float_own = own_formula(kernel, truth.in_float);
+  const auto double_own = own_formula(kernel, truth.in_double);
+  all.push_back(check_cpp(kernel, unit, float_values, float_own, truth.in_float));
+  all.push_back(check_cpp(kernel, unit, run_cpp(kernel, truth.in_double), double_own, truth.in_double));
+  if (glsl == nullptr) return;
+  for (auto& result : glsl->check(kernel, unit, float_values, float_own, truth.in_float)) {
+    all.push_back(std::move(result));
+  }
+}
+
+// The kernels of one check by degree, so that variants share their exact values.
+using ByDegree = std::map<int, std::vector<BoundKernel>>;
+
+ByDegree kernels_of(const FamilyCheck& check, const std::vector<FamilyCheck>& checks) {
+  ByDegree result;
+  for (auto& kernel : bound_kernels()) {
+    const FamilyCheck* const found = find_check(checks, kernel.family);
+    if (found == nullptr || found->family != check.family) continue;
+    result[kernel.degree].push_back(std::move(kernel));
+  }
   return result;
+}
+
+void require_family(const std::string& family) {
+  const auto names = checked_families();
+  if (family.empty() || std::find(names.begin(), names.end(), family) != names.end()) return;
+  std::string list;
+  for (const auto& name : names) list += (list.empty() ? "" : ", ") + name;
+  throw std::invalid_argument("--family: '" + family + "' is not a family; there are " + list);
 }
 
 }  // namespace
 
-std::size_t checked_direction_count() { return standard_directions(kRandomDirections).size(); }
+std::vector<std::string> checked_families() {
+  std::vector<std::string> names;
+  for (const auto& check : all_checks()) names.push_back(check.family);
+  return names;
+}
 
-std::vector<KernelResult> check_kernels(const std::filesystem::path& generated, const Progress& progress) {
-  const auto directions = standard_directions(kRandomDirections);
-  progress("oracle: " + std::to_string(directions.size()) + " directions at 100 digits, as float and as double");
-  const auto in_float = make_oracle_table<float>(kMaxKernelDegree, directions);
-  const auto in_double = make_oracle_table<double>(kMaxKernelDegree, directions);
-  GlslRunner core(GlslLanguage::kCore450);
-  GlslRunner es(GlslLanguage::kEs300);
-  progress("GLSL: " + core.renderer());
-  std::vector<KernelResult> results;
-  for (int degree = 0; degree <= kMaxKernelDegree; ++degree) {
-    progress("checking " + basis_kernel_name(degree));
-    results.push_back(check_cpp(degree, in_float));
-    results.push_back(check_cpp(degree, in_double));
-    results.push_back(check_glsl(degree, core, GlslLanguage::kCore450, generated, in_float));
-    results.push_back(check_glsl(degree, es, GlslLanguage::kEs300, generated, in_float));
+std::vector<std::string> unchecked_kernels(const std::vector<BoundKernel>& kernels) {
+  const auto checks = all_checks();
+  std::vector<std::string> names;
+  for (const auto& kernel : kernels) {
+    if (find_check(checks, kernel.family) == nullptr) names.push_back(kernel.name());
   }
+  return names;
+}
+
+std::vector<KernelResult> check_kernels(const CheckOptions& options,
+                                        const std::function<void(const std::string&)>& progress) {
+  require_family(options.family);
+  GlslCheck glsl(options.generated);
+  progress("GLSL: " + glsl.renderer());
+  const auto checks = all_checks();
+  std::vector<KernelResult> results;
+  for (const auto& check : checks) {
+    if (!options.family.empty() && options.family != check.family) continue;
+    progress("checking " + check.family);
+    for (const auto& [degree, kernels] : kernels_of(check, checks)) {
+      const Truth truth = make_truth(check, degree);
+      for (const auto& kernel : kernels) append_results(results, kernel, check.unit, truth, &glsl);
+    }
+  }
+  std::stable_sort(results.begin(), results.end(), [](const KernelResult& a, const KernelResult& b) {
+    return a.family < b.family;
+  });
+  return results;
+}
+
+std::vector<KernelResult> check_kernel(const BoundKernel& kernel, const std::filesystem::path& generated) {
+  const auto checks = all_checks();
+  const FamilyCheck* const check = find_check(checks, kernel.family);
+  if (check == nullptr) throw std::invalid_argument(kernel.name() + ": no check describes its family");
+  const auto glsl = generated.empty() ? nullptr : std::make_unique<GlslCheck>(generated);
+  std::vector<KernelResult> results;
+  append_results(results, kernel, check->unit, make_truth(*check, kernel.degree), glsl.get());
   return results;
 }
 

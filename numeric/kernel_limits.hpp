@@ -1,6 +1,7 @@
-// The limits that a kernel's measured error must keep: a readable table, set from measurement.
+// The limits that a kernel's measured error must keep: a readable table, set from measurement and from what is promised.
 #pragma once
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -9,12 +10,14 @@
 namespace sh::numeric {
 
 struct KernelLimits {
-  double rounding;  // largest rounding error, in epsilon x band maximum: what the kernel itself answers for
-  double total;  // largest total error, absolute: what a user reads; it includes the input's distance from the sphere
+  double rounding;  // largest rounding error, in epsilon x the family's unit: what the kernel itself answers for
+  double total;     // largest total error, likewise: what a user reads; it includes the input's distance from the domain
+  double total_absolute = std::numeric_limits<double>::infinity();  // where users are promised a number
 };
 
-// For degree 0..10 and scalar "float" or "double"; every language of a scalar has the same limits.
-KernelLimits limits_for(int degree, const std::string& scalar);
+// Every language of a scalar ("float" or "double") has the same limits. Throws std::out_of_range, one line, for a family
+// and degree that the table does not have.
+KernelLimits limits_for(const std::string& family, int degree, const std::string& scalar);
 
 // One line for every limit exceeded or comparison failed, naming kernel, language and scalar; empty if all is well.
 std::vector<std::string> failures_of(const KernelResult& result);

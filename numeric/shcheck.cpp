@@ -1,7 +1,7 @@
 // shcheck: the oracle at the command line.
 //
-//   shcheck kernels [--json FILE] [--generated DIR]                              every generated kernel against the
-//   oracle shcheck eval --degree L --order M --direction x,y,z --digits D               one reference value
+//   shcheck kernels [--family NAME] [--json FILE] [--generated DIR]    every generated kernel against the oracle
+//   shcheck eval --degree L --order M --direction x,y,z --digits D     one reference value
 // Results on standard output, progress and messages on standard error. Exit: 0 done, 1 a kernel differs or exceeds its
 // limit, 2 bad input.
 #include <CLI/CLI.hpp>
@@ -22,6 +22,7 @@ namespace {
 
 struct Options {
   std::string generated = SHFORGE_GENERATED_DIR;
+  std::string family;
   std::string json_file;
   int degree = 0;
   int order = 0;
@@ -39,12 +40,15 @@ void print(const std::string& text) {
 }
 
 int run_kernels(const Options& options) {
-  const auto results = sh::numeric::check_kernels(options.generated, say);
+  const auto results = sh::numeric::check_kernels({options.generated, options.family}, say);
   std::vector<std::string> failures;
+  for (const auto& kernel : sh::numeric::unchecked_kernels(sh::numeric::bound_kernels())) {
+    failures.push_back(kernel + ": no check describes its family");
+  }
   for (const auto& result : results) {
     for (auto& failure : failures_of(result)) failures.push_back(std::move(failure));
   }
-  print(format_table(results));
+  print(options.family.empty() ? format_summary(results) : format_details(results));
   if (!options.json_file.empty()) sh::numeric::write_file(options.json_file, format_json(results, failures));
   for (const auto& failure : failures) say(failure);
   return failures.empty() ? 0 : 1;
@@ -69,6 +73,7 @@ int run_eval(const Options& options) {
 void describe(CLI::App& app, Options& options) {
   app.require_subcommand(1);
   auto* kernels = app.add_subcommand("kernels", "compare every generated kernel with the oracle");
+  kernels->add_option("--family", options.family, "only this family and its variants, a line a language and scalar");
   kernels->add_option("--json", options.json_file, "also write the results to this file");
   kernels->add_option("--generated", options.generated, "the folder generated/ whose GLSL files are run")
       ->capture_default_str();

@@ -1,0 +1,28 @@
+// See checks.hpp.
+#include "numeric/checks/checks.hpp"
+
+#include <algorithm>
+
+namespace sh::numeric {
+namespace {
+
+// Endings of the names of variants: the same function by another recipe.
+constexpr const char* kVariant = "_accurate";
+
+std::string without_variant(const std::string& family) {
+  const std::string ending = kVariant;
+  return family.ends_with(ending) ? family.substr(0, family.size() - ending.size()) : family;
+}
+
+}  // namespace
+
+std::vector<FamilyCheck> all_checks() { return {basis_check()}; }
+
+const FamilyCheck* find_check(const std::vector<FamilyCheck>& checks, const std::string& family) {
+  const auto found = std::find_if(checks.begin(), checks.end(), [&](const FamilyCheck& check) {
+    return check.family == without_variant(family);
+  });
+  return found == checks.end() ? nullptr : &*found;
+}
+
+}  // namespace sh::numeric
