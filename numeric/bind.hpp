@@ -1,7 +1,7 @@
 // The generated C++ kernels as data: by name a function to call on float, double and Wide, and what its arguments are.
 //
-// The list is made by kernel_bindings.cmake from the files in generated/cpp: one row a kernel, one source file a family.
-// Only shcheck and the tests include this: numeric's library knows nothing of the generated code.
+// The list is made by kernel_bindings.cmake from the files in generated/cpp: one row a kernel, one source file a
+// family. Only shcheck and the tests include this: numeric's library knows nothing of the generated code.
 #pragma once
 
 #include <cstddef>

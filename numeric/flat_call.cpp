@@ -14,8 +14,7 @@ ArgumentKind kind_of(const Parameter& parameter) {
 }  // namespace
 
 void require_match(const BoundKernel& kernel, const Signature& signature) {
-  bool same = kernel.returns_value == signature.returns_value &&
-              kernel.arguments.size() == signature.parameters.size();
+  bool same = kernel.returns_value == signature.returns_value && kernel.arguments.size() == signature.parameters.size();
   for (std::size_t i = 0; same && i < kernel.arguments.size(); ++i) {
     same = kernel.arguments[i] == kind_of(signature.parameters[i]);
   }

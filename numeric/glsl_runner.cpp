@@ -12,7 +12,6 @@
 namespace sh::numeric {
 namespace {
 
-constexpr int kGroupSize = 64;
 constexpr int kTextureWidth = 2048;  // the least that ES 3.0 guarantees
 
 // name[i]
@@ -24,14 +23,18 @@ std::string indexed(const std::string& name, int i) {
   return text;
 }
 
-// "void call(int item)": reads the item's inputs by read_input, calls the function, leaves its outputs in result[].
-std::string wrapper(const GlslFunction& function) {
+// The body of "void call(int item)": reads the item's inputs by read_input, calls the function and hands every output, a
+// name with a constant index, to `store`. Constant indices throughout: drivers compile arrays that are indexed by
+// variables, and loops, many times slower.
+template <class Store>
+std::string wrapper(const GlslFunction& function, Store&& store) {
   std::ostringstream before;
   std::ostringstream arguments;
   std::ostringstream after;
   const Signature& signature = function.signature;
   int input = 0;
-  int output = signature.returns_value ? 1 : 0;
+  int output = 0;
+  if (signature.returns_value) after << store(output++, "returned");
   for (std::size_t i = 0; i < signature.parameters.size(); ++i) {
     const auto& p = signature.parameters[i];
     const std::string name = std::string("p").append(std::to_string(i));
@@ -39,86 +42,47 @@ std::string wrapper(const GlslFunction& function) {
     arguments << (i == 0 ? "" : ", ") << name;
     for (int k = 0; k < p.values(); ++k) {
       const std::string element = p.count == 0 ? name : indexed(name, k);
-      if (p.is_written()) after << "    result[" << output++ << "] = " << element << ";\n";
+      if (p.is_written()) after << store(output++, element);
       if (!p.is_read()) continue;
       before << "    " << element << " = read_input(item * " << signature.input_count() << " + " << input++ << ");\n";
     }
   }
-  std::ostringstream text;
-  text << "float result[" << signature.output_count() << "];\n"
-       << "void call(int item) {\n"
-       << before.str() << "    " << (signature.returns_value ? "result[0] = " : "") << function.name << "("
-       << arguments.str() << ");\n"
-       << after.str() << "}\n";
-  return text.str();
-}
-
-std::string compute_source(const std::string& source, const GlslFunction& function) {
-  const int outputs = function.signature.output_count();
-  std::ostringstream text;
-  text << "#version 450 core\n#line 1\n"
-       << source << "layout(local_size_x = " << kGroupSize << ") in;\n"
-       << "layout(std430, binding = 0) readonly buffer Inputs { float inputs[]; };\n"
-       << "layout(std430, binding = 1) writeonly buffer Outputs { float outputs[]; };\n"
-       << "uniform int items;\n"
-       << "float read_input(int i) { return inputs[i]; }\n"
-       << wrapper(function) << "void main() {\n"
-       << "    int item = int(gl_GlobalInvocationID.x);\n"
-       << "    if (item >= items) return;\n"
-       << "    call(item);\n"
-       << "    for (int i = 0; i < " << outputs << "; ++i) outputs[item * " << outputs << " + i] = result[i];\n"
-       << "}\n";
-  return text.str();
+  return "void call(int item) {\n" + before.str() + "    " + (signature.returns_value ? "float returned = " : "") +
+         function.name + "(" + arguments.str() + ");\n" + after.str() + "}\n";
 }
 
 int texels_per_item(const GlslFunction& function) { return (function.signature.output_count() + 3) / 4; }
 
-// One triangle that covers the target.
-constexpr const char* kCoveringTriangle =
-    "#version 300 es\n"
-    "void main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0); }\n";
-
-std::string fragment_source(const std::string& source, const GlslFunction& function) {
-  const int outputs = function.signature.output_count();
-  std::ostringstream text;
-  text << "#version 300 es\n#line 1\n"
-       << source << "precision highp float;\nprecision highp int;\nprecision highp sampler2D;\n"
-       << "uniform sampler2D inputs;\nuniform int items;\nout vec4 texel;\n"
-       << "float read_input(int i) { return texelFetch(inputs, ivec2(i % " << kTextureWidth << ", i / " << kTextureWidth
-       << "), 0).r; }\n"
-       << wrapper(function) << "void main() {\n"
-       << "    int place = int(gl_FragCoord.y) * " << kTextureWidth << " + int(gl_FragCoord.x);\n"
-       << "    int item = place / " << texels_per_item(function) << ";\n"
-       << "    int first = 4 * (place - item * " << texels_per_item(function) << ");\n"
-       << "    texel = vec4(0.0);\n"
-       << "    if (item >= items) return;\n"
-       << "    call(item);\n"
-       << "    for (int i = 0; i < 4; ++i) if (first + i < " << outputs << ") texel[i] = result[first + i];\n"
-       << "}\n";
-  return text.str();
+std::string version_line(GlslLanguage language) {
+  return language == GlslLanguage::kCore450 ? "#version 450 core\n" : "#version 300 es\n";
 }
 
-GLsizeiptr bytes(std::size_t floats) { return static_cast<GLsizeiptr>(floats * sizeof(float)); }
+// One triangle that covers the target.
+std::string vertex_source(GlslLanguage language) {
+  return version_line(language) +
+         "void main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0); }\n";
+}
 
-std::vector<float> run_compute(const std::string& label, const std::string& source, const GlslFunction& function,
-                               const std::vector<float>& inputs, int items) {
-  const GlslProgram program(label, {{GL_COMPUTE_SHADER, compute_source(source, function)}});
-  std::vector<float> outputs(static_cast<std::size_t>(items) * static_cast<std::size_t>(function.signature.output_count()));
-  GLuint buffers[2] = {0, 0};
-  glGenBuffers(2, buffers);
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, buffers[0]);
-  glBufferData(GL_SHADER_STORAGE_BUFFER, bytes(inputs.size()), inputs.data(), GL_STATIC_DRAW);
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, buffers[1]);
-  glBufferData(GL_SHADER_STORAGE_BUFFER, bytes(outputs.size()), nullptr, GL_DYNAMIC_READ);
-  glUseProgram(program.id());
-  glUniform1i(glGetUniformLocation(program.id(), "items"), items);
-  glDispatchCompute((static_cast<GLuint>(items) + kGroupSize - 1) / kGroupSize, 1, 1);
-  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-  glGetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, bytes(outputs.size()), outputs.data());
-  glUseProgram(0);
-  glDeleteBuffers(2, buffers);
-  require_no_gl_error(label);
-  return outputs;
+std::string fragment_source(GlslLanguage language, const std::string& source, const GlslFunction& function) {
+  std::ostringstream text;
+  text << version_line(language) << "#line 1\n"
+       << source << "precision highp float;\nprecision highp int;\nprecision highp sampler2D;\n"
+       << "uniform sampler2D inputs;\nuniform int items;\nout vec4 texel;\nint part;\n"
+       << "float read_input(int i) { return texelFetch(inputs, ivec2(i % " << kTextureWidth << ", i / " << kTextureWidth
+       << "), 0).r; }\n"
+       << wrapper(function,
+                  [](int i, const std::string& value) {
+                    return "    if (part == " + std::to_string(i / 4) + ") texel[" + std::to_string(i % 4) +
+                           "] = " + value + ";\n";
+                  })
+       << "void main() {\n"
+       << "    int place = int(gl_FragCoord.y) * " << kTextureWidth << " + int(gl_FragCoord.x);\n"
+       << "    int item = place / " << texels_per_item(function) << ";\n"
+       << "    part = place - item * " << texels_per_item(function) << ";\n"
+       << "    texel = vec4(0.0);\n"
+       << "    if (item < items) call(item);\n"
+       << "}\n";
+  return text.str();
 }
 
 int rows_for(std::size_t texels) {
@@ -139,6 +103,9 @@ GLuint make_texture(GLint internal_format, GLenum format, int rows, const float*
 std::vector<float> draw(const std::string& label, const GlslProgram& program, GLuint input, GLuint target, int rows,
                         int items) {
   GLuint framebuffer = 0;
+  GLuint no_vertices = 0;
+  glGenVertexArrays(1, &no_vertices);
+  glBindVertexArray(no_vertices);
   glGenFramebuffers(1, &framebuffer);
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target, 0);
@@ -156,16 +123,17 @@ std::vector<float> draw(const std::string& label, const GlslProgram& program, GL
   }
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
   glDeleteFramebuffers(1, &framebuffer);
+  glDeleteVertexArrays(1, &no_vertices);
   if (!complete) {
-    throw std::runtime_error(label + ": this GL ES cannot render to float textures (EXT_color_buffer_float)");
+    throw std::runtime_error(label + ": this GL cannot render to float textures (EXT_color_buffer_float)");
   }
   return texels;
 }
 
-std::vector<float> run_fragment(const std::string& label, const std::string& source, const GlslFunction& function,
-                                const std::vector<float>& inputs, int items) {
-  const GlslProgram program(
-      label, {{GL_VERTEX_SHADER, kCoveringTriangle}, {GL_FRAGMENT_SHADER, fragment_source(source, function)}});
+std::vector<float> run_items(GlslLanguage language, const std::string& label, const std::string& source,
+                             const GlslFunction& function, const std::vector<float>& inputs, int items) {
+  const GlslProgram program(label, {{GL_VERTEX_SHADER, vertex_source(language)},
+                                    {GL_FRAGMENT_SHADER, fragment_source(language, source, function)}});
   const int input_rows = rows_for(inputs.size());
   std::vector<float> padded(inputs);
   padded.resize(static_cast<std::size_t>(input_rows) * kTextureWidth);
@@ -206,8 +174,7 @@ std::vector<float> GlslRunner::run(const std::string& label, const std::string& 
   }
   context_.make_current();
   const auto items = static_cast<int>(inputs.size() / width);
-  return language_ == GlslLanguage::kCore450 ? run_compute(label, source, function, inputs, items)
-                                             : run_fragment(label, source, function, inputs, items);
+  return run_items(language_, label, source, function, inputs, items);
 }
 
 }  // namespace sh::numeric

@@ -1,9 +1,10 @@
 // Runs a GLSL function over many inputs on a CPU and returns its outputs as floats, to compare them bit by bit.
 //
 // Input: the text of one or more functions without a #version line, the signature of the one to call, and n packed
-// items of its inputs. Output: n packed items of its outputs, both in the flat order of signature.hpp. GLSL 4.50 runs in a compute shader on two std430 buffers of float. GLSL ES 3.00 has neither: there a
-// fragment shader reads a float texture and writes another, four values a texel. Both take any function whose
-// parameters are float or float[n], in, out or inout, such as basis_l4(float, float, float, out float[25]).
+// items of its inputs. Output: n packed items of its outputs, both in the flat order of signature.hpp. A fragment
+// shader reads a float texture and writes another, four values a texel: GLSL ES 3.00 has nothing else, and drivers
+// compile that faster than storage buffers. Takes any function whose parameters are float or float[n], in, out or
+// inout, such as basis_l4(float, float, float, out float[25]).
 #pragma once
 
 #include <string>

@@ -254,9 +254,8 @@ std::vector<KernelResult> check_kernels(const CheckOptions& options,
       for (const auto& kernel : kernels) append_results(results, kernel, check.unit, truth, &glsl);
     }
   }
-  std::stable_sort(results.begin(), results.end(), [](const KernelResult& a, const KernelResult& b) {
-    return a.family < b.family;
-  });
+  std::stable_sort(results.begin(), results.end(),
+                   [](const KernelResult& a, const KernelResult& b) { return a.family < b.family; });
   return results;
 }
 

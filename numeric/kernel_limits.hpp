@@ -1,4 +1,5 @@
-// The limits that a kernel's measured error must keep: a readable table, set from measurement and from what is promised.
+// The limits that a kernel's measured error must keep: a readable table, set from measurement and from what is
+// promised.
 #pragma once
 
 #include <limits>
@@ -11,12 +12,12 @@ namespace sh::numeric {
 
 struct KernelLimits {
   double rounding;  // largest rounding error, in epsilon x the family's unit: what the kernel itself answers for
-  double total;     // largest total error, likewise: what a user reads; it includes the input's distance from the domain
+  double total;  // largest total error, likewise: what a user reads; it includes the input's distance from the domain
   double total_absolute = std::numeric_limits<double>::infinity();  // where users are promised a number
 };
 
-// Every language of a scalar ("float" or "double") has the same limits. Throws std::out_of_range, one line, for a family
-// and degree that the table does not have.
+// Every language of a scalar ("float" or "double") has the same limits. Throws std::out_of_range, one line, for a
+// family and degree that the table does not have.
 KernelLimits limits_for(const std::string& family, int degree, const std::string& scalar);
 
 // One line for every limit exceeded or comparison failed, naming kernel, language and scalar; empty if all is well.

@@ -92,7 +92,9 @@ Json result_json(const KernelResult& r) {
   if (std::isfinite(limits.total_absolute)) json["limits"]["total_absolute"] = limits.total_absolute;
   if (r.nanoseconds) json["nanoseconds"] = *r.nanoseconds;
   if (r.bits) {
-    json["bits"] = {{"compared", r.bits->compared}, {"flushed", r.bits->flushed}, {"different", r.bits->different},
+    json["bits"] = {{"compared", r.bits->compared},
+                    {"flushed", r.bits->flushed},
+                    {"different", r.bits->different},
                     {"must_agree", r.bits_must_agree()}};
   }
   return json;
@@ -117,13 +119,14 @@ std::string format_summary(const std::vector<KernelResult>& results) {
   return text +
          "round, total: largest rounding and total error in machine epsilon x the family's unit; absolute: largest " +
          "total error.\nrounding: against the kernel's own formula at the rounded input; total: against the exact " +
-         "function at the nearest point of its domain.\nglsl: 'same' bits as C++ float, else the rounding error (with " +
+         "function at the nearest point of its domain.\nglsl: 'same' bits as C++ float, else the rounding error "
+         "(with " +
          "a division, root or selection bits may differ).\n";
 }
 
 std::string format_details(const std::vector<KernelResult>& results) {
-  std::string text = print("%-24s %-11s %-6s %17s  %-14s  %-14s\n", "", "", "", "operations", "max rounding",
-                           "max total");
+  std::string text =
+      print("%-24s %-11s %-6s %17s  %-14s  %-14s\n", "", "", "", "operations", "max rounding", "max total");
   text += print("%-24s %-11s %-6s %5s %5s %5s  %8s %5s  %8s %5s  %8s %-9s %s\n", "kernel", "language", "scalar", "mul",
                 "add", "other", "absolute", "eps", "absolute", "eps", "ns/call", "bits", "worst input (rounding)");
   for (const auto& result : results) text += details_row(result);

@@ -1,11 +1,11 @@
 // The exact values that kernels of one family and degree are measured against, at every input of the family's check.
 //
-// Two errors are told apart (README.md): total, against the true function at the point x' of the domain that the rounded
-// input x stands for; and rounding, against the kernel's own formula in exact arithmetic at x itself. The own formula
-// comes from running the kernel on Wide: it is f(x') + K(x) - K(x'), f the oracle, K the kernel on Wide. The difference
-// cancels what K does not have exactly, its rounded constants, and leaves what the formula makes of an input slightly
-// outside its domain. A kernel with a wrong formula fails both: K(x') is no part of the result but as a difference.
-// Where every input is in the domain, x = x', the two errors are one.
+// Two errors are told apart (README.md): total, against the true function at the point x' of the domain that the
+// rounded input x stands for; and rounding, against the kernel's own formula in exact arithmetic at x itself. The own
+// formula comes from running the kernel on Wide: it is f(x') + K(x) - K(x'), f the oracle, K the kernel on Wide. The
+// difference cancels what K does not have exactly, its rounded constants, and leaves what the formula makes of an input
+// slightly outside its domain. A kernel with a wrong formula fails both: K(x') is no part of the result but as a
+// difference. Where every input is in the domain, x = x', the two errors are one.
 #pragma once
 
 #include <cstddef>

@@ -1,8 +1,8 @@
-// What a kernel takes and gives, the same in every language: scalars and arrays in, arrays out, arrays updated in place,
-// perhaps a returned scalar.
+// What a kernel takes and gives, the same in every language: scalars and arrays in, arrays out, arrays updated in
+// place, perhaps a returned scalar.
 //
-// Flat order, used wherever inputs or outputs travel as one array: inputs are the `in` and `in-out` parameters one after
-// the other; outputs are the returned scalar, if any, then the `out` and `in-out` parameters.
+// Flat order, used wherever inputs or outputs travel as one array: inputs are the `in` and `in-out` parameters one
+// after the other; outputs are the returned scalar, if any, then the `out` and `in-out` parameters.
 #pragma once
 
 #include <numeric>

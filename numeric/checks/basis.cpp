@@ -9,17 +9,17 @@ namespace sh::numeric {
 
 FamilyCheck basis_check() {
   constexpr int kRandomDirections = 2048;
-  return {.family = "basis",
-          .signature =
-              [](int degree) {
-                return Signature{{scalar("x"), scalar("y"), scalar("z"), out_array("out", coefficient_count(degree))}};
-              },
-          .inputs = [](int /*degree*/) { return direction_inputs(kRandomDirections); },
-          .oracle = [](int degree, const auto* d, auto* out) { basis(degree, d[0], d[1], d[2], out); },
-          .nearest = [](int /*degree*/, const auto* in, auto* out) { scale_to_unit(in, out); },
-          .size = [](int /*degree*/, const double* /*in*/,
-                     std::size_t output) { return band_maximum(degree_of(output)); },
-          .unit = "sqrt((2l+1)/4pi)"};
+  return {
+      .family = "basis",
+      .signature =
+          [](int degree) {
+            return Signature{{scalar("x"), scalar("y"), scalar("z"), out_array("out", coefficient_count(degree))}};
+          },
+      .inputs = [](int /*degree*/) { return direction_inputs(kRandomDirections); },
+      .oracle = [](int degree, const auto* d, auto* out) { basis(degree, d[0], d[1], d[2], out); },
+      .nearest = with_unit_direction([](int) { return 0; }, [](int) { return 3; }),
+      .size = [](int /*degree*/, const double* /*in*/, std::size_t output) { return band_maximum(degree_of(output)); },
+      .unit = "sqrt((2l+1)/4pi)"};
 }
 
 }  // namespace sh::numeric

@@ -16,12 +16,29 @@ std::string without_variant(const std::string& family) {
 
 }  // namespace
 
-std::vector<FamilyCheck> all_checks() { return {basis_check()}; }
+std::vector<FamilyCheck> all_checks() {
+  return {basis_check(),
+          cap_check(),
+          zonal_check(),
+          add_cap_check(),
+          add_cap_rgb_check(),
+          irradiance_check(),
+          irradiance_matrix_check(),
+          irradiance_evaluate_check(),
+          lightmap_check(),
+          lightmap_project_check(),
+          lightmap_evaluate_check(),
+          window_hann_check(),
+          window_lanczos_check(),
+          window_lanczos2_check(),
+          window_lanczos4_check(),
+          window_gaussian_check(),
+          window_laplacian_check()};
+}
 
 const FamilyCheck* find_check(const std::vector<FamilyCheck>& checks, const std::string& family) {
-  const auto found = std::find_if(checks.begin(), checks.end(), [&](const FamilyCheck& check) {
-    return check.family == without_variant(family);
-  });
+  const auto found = std::find_if(checks.begin(), checks.end(),
+                                  [&](const FamilyCheck& check) { return check.family == without_variant(family); });
   return found == checks.end() ? nullptr : &*found;
 }
 

@@ -8,6 +8,22 @@
 namespace sh::numeric {
 
 FamilyCheck basis_check();
+FamilyCheck cap_check();
+FamilyCheck zonal_check();
+FamilyCheck add_cap_check();
+FamilyCheck add_cap_rgb_check();
+FamilyCheck irradiance_check();
+FamilyCheck irradiance_matrix_check();
+FamilyCheck irradiance_evaluate_check();
+FamilyCheck lightmap_check();
+FamilyCheck lightmap_project_check();
+FamilyCheck lightmap_evaluate_check();
+FamilyCheck window_hann_check();
+FamilyCheck window_lanczos_check();
+FamilyCheck window_lanczos2_check();
+FamilyCheck window_lanczos4_check();
+FamilyCheck window_gaussian_check();
+FamilyCheck window_laplacian_check();
 
 std::vector<FamilyCheck> all_checks();
 

@@ -1,7 +1,7 @@
 // What is checked of a family of kernels: its signature, the inputs tried, the exact values, the unit of its error.
 //
-// One file a family in this folder makes one, from numeric's algorithms alone; checks.hpp lists them. Inputs and outputs
-// are flat, in the order of signature.hpp. A family's variants (basis_accurate of basis) share its check.
+// One file a family in this folder makes one, from numeric's algorithms alone; checks.hpp lists them. Inputs and
+// outputs are flat, in the order of signature.hpp. A family's variants (basis_accurate of basis) share its check.
 #pragma once
 
 #include <cstddef>
@@ -26,7 +26,8 @@ class RealFunction {
  public:
   RealFunction() = default;
   template <class F>
-  RealFunction(F function)  // NOLINT(google-explicit-constructor,bugprone-forwarding-reference-overload): a lambda is one
+  RealFunction(
+      F function)  // NOLINT(google-explicit-constructor,bugprone-forwarding-reference-overload): a lambda is one
       : in_long_double_(function), in_mpfr_(function) {}
 
   explicit operator bool() const { return static_cast<bool>(in_mpfr_); }
@@ -44,8 +45,8 @@ struct FamilyCheck {
   std::function<std::vector<NamedInput>(int degree)> inputs;
   // out = the exact outputs at `in`.
   RealFunction oracle;
-  // out = the point of the domain that the rounded input `in` stands for, such as a direction scaled to length 1. Empty:
-  // every input is in the domain.
+  // out = the point of the domain that the rounded input `in` stands for, such as a direction scaled to length 1.
+  // Empty: every input is in the domain.
   RealFunction nearest;
   // What the error of an output is compared with, at an input; in words for reports.
   std::function<double(int degree, const double* in, std::size_t output)> size;

@@ -21,8 +21,8 @@ class GlslRun : public testing::TestWithParam<GlslLanguage> {
 
 TEST_P(GlslRun, PassesScalarsArraysAndReturnValues) {
   const Parameter t{"t", 0, Access::kOut};
-  const GlslFunction function{
-      "mix_up", {{in_array("a", 2), in_out_array("c", 2), scalar("s"), out_array("b", 3), t}, true}};
+  const GlslFunction function{"mix_up",
+                              {{in_array("a", 2), in_out_array("c", 2), scalar("s"), out_array("b", 3), t}, true}};
   EXPECT_EQ(function.signature.input_count(), 5);
   EXPECT_EQ(function.signature.output_count(), 7);
   const auto out =
@@ -47,7 +47,8 @@ TEST_P(GlslRun, KeepsTheOrderOfManyItems) {
 
 std::string message_of(GlslLanguage language, const std::string& source, const std::vector<float>& inputs) {
   try {
-    GlslRunner(language).run("test.glsl", kPrecision + source, {"f", {{in_array("a", 2), {"b", 0, Access::kOut}}}}, inputs);
+    GlslRunner(language).run("test.glsl", kPrecision + source, {"f", {{in_array("a", 2), {"b", 0, Access::kOut}}}},
+                             inputs);
   } catch (const std::exception& error) {
     return error.what();
   }
@@ -67,7 +68,9 @@ TEST_P(GlslRun, SaysInOneLineWhatIsWrong) {
 // A file without a default precision is valid in GLSL 4.50 only; the runner must not hide that.
 TEST_P(GlslRun, DoesNotSupplyAPrecision) {
   GlslRunner runner(GetParam());
-  const auto call = [&] { return runner.run("test.glsl", "float f(float a) { return a; }\n", {"f", {{scalar("a")}, true}}, {1}); };
+  const auto call = [&] {
+    return runner.run("test.glsl", "float f(float a) { return a; }\n", {"f", {{scalar("a")}, true}}, {1});
+  };
   if (GetParam() == GlslLanguage::kEs300) {
     EXPECT_THROW(call(), std::runtime_error);
   } else {

@@ -86,7 +86,8 @@ TEST(KernelCheck, PassesAKernelOfEachFamilyAndFailsItWithOneValueWrongByAThousan
 
 TEST(KernelCheck, FailsABasisValueThatIsWrongByAFewOfItsLimits) {
   const auto kernels = bound_kernels();
-  const auto kernel = std::find_if(kernels.begin(), kernels.end(), [](const auto& k) { return k.name() == "basis_l2"; });
+  const auto kernel =
+      std::find_if(kernels.begin(), kernels.end(), [](const auto& k) { return k.name() == "basis_l2"; });
   EXPECT_EQ(failures(spoiled(*kernel, 1 + 0x1p-20)).size(), 4);
 }
 

@@ -143,8 +143,8 @@ TEST_F(Shcheck, EveryKernelInEveryLanguageAndScalarPasses) {
 TEST_F(Shcheck, ShowsOneFamilyWithALineForEachLanguageAndScalar) {
   const auto outcome = run("kernels --family basis");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  for (const char* line : {"basis_l3 +c\\+\\+ +float ", "basis_l3 +c\\+\\+ +double ", "basis_l3 +glsl 450 +float .* same",
-                           "basis_l3 +glsl es 300 +float .* same"}) {
+  for (const char* line : {"basis_l3 +c\\+\\+ +float ", "basis_l3 +c\\+\\+ +double ",
+                           "basis_l3 +glsl 450 +float .* same", "basis_l3 +glsl es 300 +float .* same"}) {
     EXPECT_TRUE(std::regex_search(outcome.out, std::regex(line))) << line;
   }
   EXPECT_EQ(outcome.out.find("rotate_l"), std::string::npos);
