@@ -23,8 +23,8 @@ std::string indexed(const std::string& name, int i) {
   return text;
 }
 
-// The body of "void call(int item)": reads the item's inputs by read_input, calls the function and hands every output, a
-// name with a constant index, to `store`. Constant indices throughout: drivers compile arrays that are indexed by
+// The body of "void call(int item)": reads the item's inputs by read_input, calls the function and hands every output,
+// a name with a constant index, to `store`. Constant indices throughout: drivers compile arrays that are indexed by
 // variables, and loops, many times slower.
 template <class Store>
 std::string wrapper(const GlslFunction& function, Store&& store) {
@@ -60,14 +60,17 @@ std::string version_line(GlslLanguage language) {
 // One triangle that covers the target.
 std::string vertex_source(GlslLanguage language) {
   return version_line(language) +
-         "void main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0); }\n";
+         "void main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0); "
+         "}\n";
 }
 
-std::string fragment_source(GlslLanguage language, const std::string& source, const GlslFunction& function) {
+std::string fragment_source(GlslLanguage language, const std::string& source, const GlslFunction& function,
+                            Grouping grouping) {
   std::ostringstream text;
   text << version_line(language) << "#line 1\n"
        << source << "precision highp float;\nprecision highp int;\nprecision highp sampler2D;\n"
-       << "uniform sampler2D inputs;\nuniform int items;\nout vec4 texel;\nint part;\n"
+       << "uniform sampler2D inputs;\nuniform int items;\n"
+       << (grouping == Grouping::kInvariant ? "invariant " : "") << "out vec4 texel;\nint part;\n"
        << "float read_input(int i) { return texelFetch(inputs, ivec2(i % " << kTextureWidth << ", i / " << kTextureWidth
        << "), 0).r; }\n"
        << wrapper(function,
@@ -131,9 +134,10 @@ std::vector<float> draw(const std::string& label, const GlslProgram& program, GL
 }
 
 std::vector<float> run_items(GlslLanguage language, const std::string& label, const std::string& source,
-                             const GlslFunction& function, const std::vector<float>& inputs, int items) {
+                             const GlslFunction& function, const std::vector<float>& inputs, int items,
+                             Grouping grouping) {
   const GlslProgram program(label, {{GL_VERTEX_SHADER, vertex_source(language)},
-                                    {GL_FRAGMENT_SHADER, fragment_source(language, source, function)}});
+                                    {GL_FRAGMENT_SHADER, fragment_source(language, source, function, grouping)}});
   const int input_rows = rows_for(inputs.size());
   std::vector<float> padded(inputs);
   padded.resize(static_cast<std::size_t>(input_rows) * kTextureWidth);
@@ -166,7 +170,7 @@ std::vector<float> run_items(GlslLanguage language, const std::string& label, co
 GlslRunner::GlslRunner(GlslLanguage language) : language_(language), context_(language) {}
 
 std::vector<float> GlslRunner::run(const std::string& label, const std::string& source, const GlslFunction& function,
-                                   const std::vector<float>& inputs) {
+                                   const std::vector<float>& inputs, Grouping grouping) {
   const auto width = static_cast<std::size_t>(function.signature.input_count());
   if (width == 0 || inputs.empty() || inputs.size() % width != 0) {
     throw std::invalid_argument(label + ": " + std::to_string(inputs.size()) + " inputs given, must be a multiple of " +
@@ -174,7 +178,7 @@ std::vector<float> GlslRunner::run(const std::string& label, const std::string& 
   }
   context_.make_current();
   const auto items = static_cast<int>(inputs.size() / width);
-  return run_items(language_, label, source, function, inputs, items);
+  return run_items(language_, label, source, function, inputs, items, grouping);
 }
 
 }  // namespace sh::numeric

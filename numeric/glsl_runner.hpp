@@ -20,6 +20,10 @@ struct GlslFunction {
   Signature signature;
 };
 
+// Whether the compiler may regroup what a kernel computes, such as k1 (k2 v) as (k1 k2) v. GLSL leaves it free unless
+// the result is declared invariant (OpenGL Shading Language 4.50, section 4.8.1).
+enum class Grouping { kFree, kInvariant };
+
 class GlslRunner {
  public:
   // Throws std::runtime_error, one line, when EGL or the version of GL is missing.
@@ -29,7 +33,7 @@ class GlslRunner {
   // usually its file. Throws std::runtime_error with one line when the source does not compile (the compiler's first
   // message) or GL reports an error, std::invalid_argument when inputs is not a whole number of items.
   std::vector<float> run(const std::string& label, const std::string& source, const GlslFunction& function,
-                         const std::vector<float>& inputs);
+                         const std::vector<float>& inputs, Grouping grouping = Grouping::kFree);
 
   [[nodiscard]] std::string renderer() const { return context_.renderer(); }
 

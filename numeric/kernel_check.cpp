@@ -23,6 +23,8 @@
 namespace sh::numeric {
 namespace {
 
+constexpr const char* kCpp = "c++";
+
 // The exact values of one family and degree, shared by its variants.
 struct Truth {
   Samples<float> in_float;
@@ -80,11 +82,17 @@ KernelResult measure(const BoundKernel& kernel, const std::string& unit, const s
                       .nanoseconds = {},
                       .bits = {}};
   const auto outputs = static_cast<std::size_t>(samples.signature.output_count());
+  // The spacing of numbers, and with it the error, does not fall below that of the smallest normal number; in GLSL what
+  // is smaller than that number may be lost as a whole.
+  const auto smallest_normal = static_cast<double>(std::numeric_limits<T>::min());
+  const double smallest_size =
+      language == kCpp ? smallest_normal : smallest_normal / static_cast<double>(std::numeric_limits<T>::epsilon());
   for (std::size_t i = 0; i < values.size(); ++i) {
     const Place place = {i / outputs, i % outputs};
     const Wide value(static_cast<double>(values[i]));
-    result.rounding.add(place, (value - own[i]).high(), samples.sizes[i]);
-    result.total.add(place, (value - samples.exact[i]).high(), samples.sizes[i]);
+    const double size = samples.sizes[i] == 0 ? 0 : std::max(samples.sizes[i], smallest_size);
+    result.rounding.add(place, (value - own[i]).high(), size);
+    result.total.add(place, (value - samples.exact[i]).high(), size);
   }
   result.worst_rounding = worst_case(result.rounding, kernel.degree, samples);
   result.worst_total = worst_case(result.total, kernel.degree, samples);
@@ -128,7 +136,7 @@ std::size_t count_different_in_place(const BoundKernel& kernel, const Samples<T>
 template <class T>
 KernelResult check_cpp(const BoundKernel& kernel, const std::string& unit, const std::vector<T>& values,
                        const std::vector<Wide>& own, const Samples<T>& samples) {
-  auto result = measure(kernel, unit, "c++", values, own, samples);
+  auto result = measure(kernel, unit, kCpp, values, own, samples);
   result.different_in_place = count_different_in_place(kernel, samples, values);
   result.nanoseconds = nanoseconds_per_call(kernel, samples);
   return result;
@@ -173,9 +181,17 @@ class GlslCheck {
     const std::string source = read_text(file);
     std::vector<KernelResult> results;
     for (const auto& [language, runner] : {std::pair{GlslLanguage::kCore450, &core_}, {GlslLanguage::kEs300, &es_}}) {
-      const auto values = runner->run(file.string(), source, {kernel.name(), samples.signature}, samples.inputs);
+      const auto run = [&, runner = runner](Grouping grouping) {
+        return runner->run(file.string(), source, {kernel.name(), samples.signature}, samples.inputs, grouping);
+      };
+      const auto values = run(Grouping::kFree);
       results.push_back(measure(kernel, unit, to_string(language), values, own, samples));
-      results.back().bits = compare_bits(kernel.degree, cpp, values, samples);
+      auto bits = compare_bits(kernel.degree, cpp, values, samples);
+      if (const std::size_t differ_when_free = bits.different; differ_when_free > 0) {
+        bits = compare_bits(kernel.degree, cpp, run(Grouping::kInvariant), samples);
+        bits.regrouped = differ_when_free;
+      }
+      results.back().bits = bits;
     }
     return results;
   }

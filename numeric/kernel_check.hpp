@@ -20,10 +20,13 @@ namespace sh::numeric {
 
 // Values of a GLSL kernel against C++ float without contraction. Values that differ by less than the smallest normal
 // number count as flushed, not as different: GLSL may take subnormal numbers for zero (OpenGL Shading Language 4.50,
-// section 4.7.1).
+// section 4.7.1). Where values differ otherwise, the kernel is run once more with its results declared invariant, which
+// keeps the compiler from regrouping: what differs then is different, what differed before was regrouped. The errors of
+// a kernel are those of the first run.
 struct BitComparison {
   std::size_t compared = 0;
   std::size_t flushed = 0;
+  std::size_t regrouped = 0;
   std::size_t different = 0;
   std::string first_difference;  // empty if none
 };

@@ -24,10 +24,11 @@ std::string print(const char* format, Argument... argument) {
   return text.data();
 }
 
-// "same" or the number of differences; the error where bits need not agree, "-" where there is nothing to compare.
+// "same", "regrouped" or the number of differences; the error where bits need not agree, "-" where there is nothing to
+// compare.
 std::string bits_text(const KernelResult& result) {
   if (!result.bits) return "-";
-  if (result.bits->different == 0) return "same";
+  if (result.bits->different == 0) return result.bits->regrouped == 0 ? "same" : "regrouped";
   if (!result.bits_must_agree()) return print("%.2f", result.rounding.scaled().max());
   return std::to_string(result.bits->different) + " differ";
 }
@@ -94,6 +95,7 @@ Json result_json(const KernelResult& r) {
   if (r.bits) {
     json["bits"] = {{"compared", r.bits->compared},
                     {"flushed", r.bits->flushed},
+                    {"regrouped", r.bits->regrouped},
                     {"different", r.bits->different},
                     {"must_agree", r.bits_must_agree()}};
   }
@@ -119,9 +121,9 @@ std::string format_summary(const std::vector<KernelResult>& results) {
   return text +
          "round, total: largest rounding and total error in machine epsilon x the family's unit; absolute: largest " +
          "total error.\nrounding: against the kernel's own formula at the rounded input; total: against the exact " +
-         "function at the nearest point of its domain.\nglsl: 'same' bits as C++ float, else the rounding error "
-         "(with " +
-         "a division, root or selection bits may differ).\n";
+         "function at the nearest point of its domain.\nglsl: 'same' bits as C++ float; 'regrouped': the same once " +
+         "the compiler may not regroup; a number: the rounding error\n(bits may differ with a division, root or " +
+         "selection).\n";
 }
 
 std::string format_details(const std::vector<KernelResult>& results) {

@@ -1,0 +1,172 @@
+// Products: product(a, b), square(a), product_zonal(a, zonal) -> coefficients of the product on the same bands, and
+// triple(a, b, c) -> the integral of a b c. Against quadrature on the sphere, exact for the degree of the integrand, of
+// the values of numeric's basis at its nodes.
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <vector>
+
+#include "numeric/checks/checks.hpp"
+#include "numeric/checks/inputs.hpp"
+#include "numeric/quadrature.hpp"
+
+namespace sh::numeric {
+namespace {
+
+constexpr int kVectors = 60;
+
+// A rule for products of three functions of one degree, with the values of the basis at its nodes.
+template <class Real>
+struct ProductRule {
+  std::size_t coefficients = 0;
+  std::vector<Real> weights;  // (nodes)
+  std::vector<Real> basis;    // (nodes, bands^2)
+
+  explicit ProductRule(int degree) : coefficients(static_cast<std::size_t>(coefficient_count(degree))) {
+    for (const auto& node : sphere_rule<Real>(3 * degree)) {
+      weights.push_back(node.weight);
+      basis.resize(basis.size() + coefficients);
+      sh::numeric::basis(degree, node.x, node.y, node.z, basis.data() + basis.size() - coefficients);
+    }
+  }
+
+  // The function with coefficients c at node k.
+  Real value(std::size_t k, const Real* c) const {
+    Real sum = 0;
+    for (std::size_t i = 0; i < coefficients; ++i) sum += c[i] * basis[k * coefficients + i];
+    return sum;
+  }
+};
+
+template <class Real>
+const ProductRule<Real>& cached_product_rule(int degree) {
+  static std::map<int, ProductRule<Real>> rules;
+  const auto found = rules.find(degree);
+  return found != rules.end() ? found->second : rules.emplace(degree, ProductRule<Real>(degree)).first->second;
+}
+
+template <class Real>
+void product(int degree, const Real* a, const Real* b, Real* out) {
+  const auto& rule = cached_product_rule<Real>(degree);
+  std::fill_n(out, rule.coefficients, Real(0));
+  for (std::size_t k = 0; k < rule.weights.size(); ++k) {
+    const Real weighted = rule.weights[k] * rule.value(k, a) * rule.value(k, b);
+    for (std::size_t i = 0; i < rule.coefficients; ++i) out[i] += weighted * rule.basis[k * rule.coefficients + i];
+  }
+}
+
+std::vector<NamedInput> pairs(int degree) {
+  auto inputs = combined(coefficient_inputs(degree, kVectors, 31), coefficient_inputs(degree, kVectors - 1, 32));
+  for (const auto& input : coefficient_inputs(degree, 4, 33)) {
+    inputs.push_back(combined({input}, {input})[0]);
+    inputs.back().name += ", a square";
+  }
+  // Small numbers, to see that nothing underflows where |a| |b| does not.
+  inputs.push_back(inputs[0]);
+  inputs.back().name += ", scaled";
+  for (double& value : inputs.back().values) value *= 1e-15;
+  return inputs;
+}
+
+std::vector<NamedInput> with_zonal(int degree) {
+  return combined(coefficient_inputs(degree, kVectors, 31), vector_inputs(degree + 1, kVectors - 1, 34));
+}
+
+// The product of the lengths of the vectors that the input consists of.
+double lengths(const double* in, std::initializer_list<int> counts) {
+  double product = 1;
+  for (const int count : counts) {
+    product *= length(in, count);
+    in += count;
+  }
+  return product;
+}
+
+Parameter coefficients(const char* name, int degree) { return in_array(name, coefficient_count(degree)); }
+
+}  // namespace
+
+FamilyCheck product_check() {
+  return {
+      .family = "product",
+      .signature =
+          [](int degree) {
+            return Signature{
+                {coefficients("a", degree), coefficients("b", degree), out_array("out", coefficient_count(degree))}};
+          },
+      .inputs = pairs,
+      .oracle = [](int degree, const auto* in, auto* out) { product(degree, in, in + coefficient_count(degree), out); },
+      .nearest = {},
+      .size =
+          [](int degree, const double* in, std::size_t /*output*/) {
+            return lengths(in, {coefficient_count(degree), coefficient_count(degree)});
+          },
+      .unit = "|a| |b|"};
+}
+
+FamilyCheck square_check() {
+  return {.family = "square",
+          .signature =
+              [](int degree) {
+                return Signature{{coefficients("a", degree), out_array("out", coefficient_count(degree))}};
+              },
+          .inputs = [](int degree) { return coefficient_inputs(degree, kVectors, 31); },
+          .oracle = [](int degree, const auto* in, auto* out) { product(degree, in, in, out); },
+          .nearest = {},
+          .size = [](int degree, const double* in,
+                     std::size_t /*output*/) { return std::pow(length(in, coefficient_count(degree)), 2); },
+          .unit = "|a|^2"};
+}
+
+FamilyCheck product_zonal_check() {
+  return {.family = "product_zonal",
+          .signature =
+              [](int degree) {
+                return Signature{{coefficients("a", degree), in_array("zonal", degree + 1),
+                                  out_array("out", coefficient_count(degree))}};
+              },
+          .inputs = with_zonal,
+          .oracle =
+              [](int degree, const auto* in, auto* out) {
+                using Real = std::remove_cvref_t<decltype(*in)>;
+                std::vector<Real> zonal(static_cast<std::size_t>(coefficient_count(degree)));
+                for (int l = 0; l <= degree; ++l) {
+                  zonal[static_cast<std::size_t>(coefficient_index(l, 0))] = in[coefficient_count(degree) + l];
+                }
+                product(degree, in, zonal.data(), out);
+              },
+          .nearest = {},
+          .size =
+              [](int degree, const double* in, std::size_t /*output*/) {
+                return lengths(in, {coefficient_count(degree), degree + 1});
+              },
+          .unit = "|a| |zonal|"};
+}
+
+FamilyCheck triple_check() {
+  return {
+      .family = "triple",
+      .signature =
+          [](int degree) {
+            return Signature{{coefficients("a", degree), coefficients("b", degree), coefficients("c", degree)}, true};
+          },
+      .inputs = [](int degree) { return combined(pairs(degree), coefficient_inputs(degree, kVectors - 2, 35)); },
+      .oracle =
+          [](int degree, const auto* in, auto* out) {
+            using Real = std::remove_cvref_t<decltype(*in)>;
+            const int count = coefficient_count(degree);
+            std::vector<Real> product_ab(static_cast<std::size_t>(count));
+            product(degree, in, in + count, product_ab.data());
+            *out = 0;
+            for (int i = 0; i < count; ++i) *out += product_ab[static_cast<std::size_t>(i)] * in[2 * count + i];
+          },
+      .nearest = {},
+      .size =
+          [](int degree, const double* in, std::size_t /*output*/) {
+            const int count = coefficient_count(degree);
+            return lengths(in, {count, count, count});
+          },
+      .unit = "|a| |b| |c|"};
+}
+
+}  // namespace sh::numeric
