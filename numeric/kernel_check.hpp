@@ -54,9 +54,6 @@ struct KernelResult {
   std::optional<double> nanoseconds;   // a call; informative, C++ only
   std::optional<BitComparison> bits;   // GLSL only
   std::size_t different_in_place = 0;  // outputs that change when an input array is overwritten; C++ only
-
-  // Languages agree on + - * to the last bit; on division, roots and selections they need not.
-  [[nodiscard]] bool bits_must_agree() const { return operations.other == 0; }
 };
 
 struct CheckOptions {

@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <stdexcept>
+
+#include "numeric/checks/checks.hpp"
 
 namespace sh::numeric {
 namespace {
@@ -16,25 +17,84 @@ struct Row {
   KernelLimits in_double;
 };
 
-// Rounding of basis: at most twice what Sloan's own code errs by at that degree (1.05, 1.3, 2.5, 4.2, 6.1, 7.7, 9.6,
-// 11.7 eps at degree 2 to 9); its totals, and whatever has no such reason here: at most four times what was measured on
-// the inputs of the family's check, so that other compilers and rounding of the same formula fit.
+// The promises: rounding of basis at most twice what Sloan's own code errs by at that degree (1.05, 1.3, 2.5, 4.2, 6.1,
+// 7.7, 9.6, 11.7 eps at degree 2 to 9), of its accuracy choice at most 8; products less than 4. Whatever has no such
+// reason: between 1.7 and 4 times what was measured on the inputs of the family's check, so that other compilers and
+// rounding of the same formula fit. A variant without a row of its own has that of its family.
 // clang-format off
 constexpr std::array kRows = {
-    //   family              degrees     float: rounding, total         double: rounding, total
-    Row{"basis",              0,  0,   {  0.9,   0.9 },               {  0.9,   0.9 }},
-    Row{"basis",              1,  1,   {  0.9,   2.0 },               {  0.9,   2.0 }},
-    Row{"basis",              2,  2,   {  2.1,   5.0 },               {  2.1,   5.0 }},
-    Row{"basis",              3,  3,   {  2.6,   7.0 },               {  2.6,   7.0 }},
-    Row{"basis",              4,  4,   {  5.0,  12.0, 7e-7 },         {  5.0,  12.0, 3e-15 }},
-    Row{"basis",              5,  5,   {  8.4,  20.0 },               {  8.4,  20.0 }},
-    Row{"basis",              6,  6,   { 12.2,  28.0 },               { 12.2,  28.0 }},
-    Row{"basis",              7,  7,   { 15.4,  35.0 },               { 15.4,  35.0 }},
-    Row{"basis",              8,  8,   { 19.2,  40.0 },               { 19.2,  40.0 }},
-    Row{"basis",              9,  9,   { 23.4,  45.0 },               { 23.4,  45.0 }},
-    Row{"basis",             10, 10,   { 26.0,  50.0 },               { 26.0,  50.0 }},
+    //  family                   degrees      float: rounding, total          double: rounding, total
+    Row{"basis",                  0,  0,   {   0.9,    0.9 },               {   0.9,    0.9 }},
+    Row{"basis",                  1,  1,   {   0.9,    2.0 },               {   0.9,    2.0 }},
+    Row{"basis",                  2,  2,   {   2.1,    5.0 },               {   2.1,    5.0 }},
+    Row{"basis",                  3,  3,   {   2.6,    7.0 },               {   2.6,    7.0 }},
+    Row{"basis",                  4,  4,   {   5.0,     12, 7e-7 },         {   5.0,     12, 3e-15 }},
+    Row{"basis",                  5,  5,   {   8.4,     20 },               {   8.4,     20 }},
+    Row{"basis",                  6,  6,   {  12.2,     28 },               {  12.2,     28 }},
+    Row{"basis",                  7,  7,   {  15.4,     35 },               {  15.4,     35 }},
+    Row{"basis",                  8,  8,   {  19.2,     40 },               {  19.2,     40 }},
+    Row{"basis",                  9,  9,   {  23.4,     45 },               {  23.4,     45 }},
+    Row{"basis",                 10, 10,   {  26.0,     50 },               {  26.0,     50 }},
+    Row{"basis_accurate",         0, 10,   {   8.0,     24 },               {   8.0,     24 }},
+    Row{"add_cap",                0,  1,   {   1.9,    1.9 },               {   1.6,    1.8 }},
+    Row{"add_cap",                2,  3,   {   2.2,    3.0 },               {   2.7,    4.1 }},
+    Row{"add_cap",                4,  5,   {    11,    8.8 },               {    11,    9.6 }},
+    Row{"add_cap",                6,  9,   {    25,     21 },               {    28,     27 }},
+    Row{"add_cap",               10, 10,   {    29,     23 },               {    29,     33 }},
+    Row{"add_cap_rgb",            0,  1,   {   2.4,    2.4 },               {   2.1,    2.3 }},
+    Row{"add_cap_rgb",            2,  3,   {   2.6,    3.3 },               {   3.2,    4.5 }},
+    Row{"add_cap_rgb",            4,  5,   {    12,    9.4 },               {    12,     10 }},
+    Row{"add_cap_rgb",            6,  9,   {    26,     21 },               {    28,     27 }},
+    Row{"add_cap_rgb",           10, 10,   {    12,     14 },               {    24,     49 }},
+    Row{"cap",                    0,  4,   {   2.4,    2.4 },               {   2.2,    2.2 }},
+    Row{"cap",                    5,  6,   {   2.4,    2.4 },               {   3.2,    3.2 }},
+    Row{"cap",                    7, 10,   {    17,     17 },               {    19,     19 }},
+    Row{"cap_accurate",           7, 10,   {   6.2,    6.2 },               {   6.3,    6.3 }},
+    Row{"irradiance",             0,  0,   {   0.4,    0.4 },               {   0.4,    0.4 }},
+    Row{"irradiance",             1, 10,   {   1.3,    1.3 },               {   1.7,    1.7 }},
+    Row{"irradiance_evaluate",    0,  0,   {   0.4,    0.4 },               {   0.4,    0.4 }},
+    Row{"irradiance_evaluate",    1,  2,   {   2.2,    2.5 },               {   2.0,    2.2 }},
+    Row{"irradiance_evaluate",    3,  6,   {   1.4,    1.6 },               {   2.0,    2.1 }},
+    Row{"irradiance_evaluate",    7, 10,   {   1.2,    1.3 },               {   1.2,    1.3 }},
+    Row{"irradiance_matrix",      2,  2,   {   0.7,    0.7 },               {   0.8,    0.8 }},
+    Row{"lightmap",               1,  1,   {   1.5,    1.5 },               {   1.0,    1.0 }},
+    Row{"lightmap_evaluate",      1,  1,   {   1.7,    1.7 },               {   1.7,    1.9 }},
+    Row{"lightmap_project",       1,  1,   {   0.9,    0.9 },               {   1.1,    1.3 }},
+    Row{"product",                0,  6,   {   0.8,    0.8 },               {   0.8,    0.8 }},
+    Row{"product_zonal",          0,  6,   {   0.4,    0.4 },               {   0.4,    0.4 }},
+    Row{"square",                 0,  6,   {   0.7,    0.7 },               {   0.8,    0.8 }},
+    Row{"triple",                 0,  6,   {   0.5,    0.5 },               {   0.4,    0.4 }},
+    Row{"window_gaussian",        1,  2,   {   1.2,    1.2 },               {   1.2,    1.2 }},
+    Row{"window_gaussian",        3,  5,   {   4.5,    4.5 },               {   4.3,    4.3 }},
+    Row{"window_gaussian",        6, 10,   {   8.1,    8.1 },               {    14,     14 }},
+    Row{"window_hann",            1,  4,   {   2.7,    2.7 },               {   2.3,    2.3 }},
+    Row{"window_hann",            5,  8,   {   8.6,    8.6 },               {   8.9,    8.9 }},
+    Row{"window_hann",            9, 10,   {    12,     12 },               {    15,     15 }},
+    Row{"window_hann_accurate",   7,  7,   {   6.6,    6.6 },               {   7.7,    7.7 }},
+    Row{"window_hann_accurate",  10, 10,   {    11,     11 },               {    14,     14 }},
+    Row{"window_lanczos",         1,  2,   {   1.2,    1.2 },               {   1.3,    1.3 }},
+    Row{"window_lanczos",         3,  5,   {   4.7,    4.7 },               {   4.3,    4.3 }},
+    Row{"window_lanczos",         6, 10,   {   9.9,    9.9 },               {    11,     11 }},
+    Row{"window_lanczos2",        1,  2,   {   1.9,    1.9 },               {   1.7,    1.7 }},
+    Row{"window_lanczos2",        3,  5,   {   8.6,    8.6 },               {   8.1,    8.1 }},
+    Row{"window_lanczos2",        6, 10,   {    17,     17 },               {    22,     22 }},
+    Row{"window_lanczos4",        1,  2,   {   2.9,    2.9 },               {   2.7,    2.7 }},
+    Row{"window_lanczos4",        3,  5,   {    17,     17 },               {    16,     16 }},
+    Row{"window_lanczos4",        6, 10,   {    34,     34 },               {    42,     42 }},
+    Row{"window_laplacian",       1, 10,   {   1.7,    1.7 },               {   1.3,    1.3 }},
+    Row{"zonal",                  0,  0,   {   0.4,    0.4 },               {   0.4,    0.4 }},
+    Row{"zonal",                  1,  1,   {   0.8,    1.1 },               {   0.9,    1.3 }},
+    Row{"zonal",                  2,  3,   {   2.1,    3.6 },               {   2.2,    4.6 }},
+    Row{"zonal",                  4,  5,   {    12,     14 },               {    11,     14 }},
+    Row{"zonal",                  6, 10,   {    29,     39 },               {    28,     42 }},
+    Row{"zonal_accurate",         4,  6,   {   6.1,    8.2 },               {   7.5,     16 }},
+    Row{"zonal_accurate",         7,  9,   {    17,     21 },               {    13,     31 }},
+    Row{"zonal_accurate",        10, 10,   {    21,     26 },               {    15,     35 }},
 };
 // clang-format on
+
+// Kernels in which Mesa 22 multiplies neighbouring constants together although the result is declared invariant.
+constexpr std::array kRegroupedAnyway = {"product_l5", "square_l5"};
 
 std::string exceeded(const std::string& what, double value, double limit, const WorstCase& worst) {
   std::array<char, 64> numbers{};
@@ -50,45 +110,50 @@ std::string exceeded(const std::string& what, double value, double limit, const 
 
 void check_errors(const KernelResult& result, const std::string& name, std::vector<std::string>& failures) {
   const auto limits = limits_for(result.family, result.degree, result.scalar);
+  if (!limits) {
+    failures.push_back(name + "no limit is set");
+    return;
+  }
   const double rounding = result.rounding.scaled().max();
-  if (!(rounding <= limits.rounding)) {
-    failures.push_back(name + exceeded("rounding error in eps", rounding, limits.rounding, result.worst_rounding));
+  if (!(rounding <= limits->rounding)) {
+    failures.push_back(name + exceeded("rounding error in eps", rounding, limits->rounding, result.worst_rounding));
   }
   const double total = result.total.scaled().max();
-  if (!(total <= limits.total)) {
-    failures.push_back(name + exceeded("total error in eps", total, limits.total, result.worst_total));
+  if (!(total <= limits->total)) {
+    failures.push_back(name + exceeded("total error in eps", total, limits->total, result.worst_total));
   }
   const double absolute = result.total.absolute().max();
-  if (!(absolute <= limits.total_absolute)) {
-    failures.push_back(name + exceeded("total error", absolute, limits.total_absolute, result.worst_total));
+  if (!(absolute <= limits->total_absolute)) {
+    failures.push_back(name + exceeded("total error", absolute, limits->total_absolute, result.worst_total));
   }
 }
 
 }  // namespace
 
-KernelLimits limits_for(const std::string& family, int degree, const std::string& scalar) {
-  const auto* const row = std::find_if(kRows.begin(), kRows.end(), [&](const Row& r) {
-    return family == r.family && degree >= r.first_degree && degree <= r.last_degree;
-  });
-  if (row == kRows.end()) {
-    throw std::out_of_range(family + ": no limit is set for degree " + std::to_string(degree));
+std::optional<KernelLimits> limits_for(const std::string& family, int degree, const std::string& scalar) {
+  for (const std::string& name : {family, without_variant(family)}) {
+    const auto* const row = std::find_if(kRows.begin(), kRows.end(), [&](const Row& r) {
+      return name == r.family && degree >= r.first_degree && degree <= r.last_degree;
+    });
+    if (row != kRows.end()) return scalar == "float" ? row->in_float : row->in_double;
   }
-  return scalar == "float" ? row->in_float : row->in_double;
+  return {};
+}
+
+bool bits_must_agree(const KernelResult& result) {
+  const auto is_excused = [&](const char* kernel) { return result.kernel == kernel; };
+  return result.operations.other == 0 && std::none_of(kRegroupedAnyway.begin(), kRegroupedAnyway.end(), is_excused);
 }
 
 std::vector<std::string> failures_of(const KernelResult& result) {
   const std::string name = result.kernel + " " + result.language + " " + result.scalar + ": ";
   std::vector<std::string> failures;
-  try {
-    check_errors(result, name, failures);
-  } catch (const std::out_of_range& error) {
-    failures.push_back(name + error.what());
-  }
+  check_errors(result, name, failures);
   if (result.different_in_place > 0) {
     failures.push_back(name + std::to_string(result.different_in_place) +
                        " values change when an input array is overwritten by the output");
   }
-  if (result.bits && result.bits->different > 0 && result.bits_must_agree()) {
+  if (result.bits && result.bits->different > 0 && bits_must_agree(result)) {
     failures.push_back(name + std::to_string(result.bits->different) + " of " + std::to_string(result.bits->compared) +
                        " values differ from c++ float in their bits; first: " + result.bits->first_difference);
   }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,9 +17,13 @@ struct KernelLimits {
   double total_absolute = std::numeric_limits<double>::infinity();  // where users are promised a number
 };
 
-// Every language of a scalar ("float" or "double") has the same limits. Throws std::out_of_range, one line, for a
-// family and degree that the table does not have.
-KernelLimits limits_for(const std::string& family, int degree, const std::string& scalar);
+// Every language of a scalar ("float" or "double") has the same limits. None for a family and degree that the table
+// does not have, which failures_of reports.
+std::optional<KernelLimits> limits_for(const std::string& family, int degree, const std::string& scalar);
+
+// Whether a GLSL kernel has to have the bits of C++ float (BitComparison::different = 0): the languages agree on + - *
+// to the last bit; on division, roots and selections they need not.
+bool bits_must_agree(const KernelResult& result);
 
 // One line for every limit exceeded or comparison failed, naming kernel, language and scalar; empty if all is well.
 std::vector<std::string> failures_of(const KernelResult& result);

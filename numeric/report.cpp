@@ -29,7 +29,7 @@ std::string print(const char* format, Argument... argument) {
 std::string bits_text(const KernelResult& result) {
   if (!result.bits) return "-";
   if (result.bits->different == 0) return result.bits->regrouped == 0 ? "same" : "regrouped";
-  if (!result.bits_must_agree()) return print("%.2f", result.rounding.scaled().max());
+  if (!bits_must_agree(result)) return print("%.2f", result.rounding.scaled().max());
   return std::to_string(result.bits->different) + " differ";
 }
 
@@ -88,16 +88,17 @@ Json result_json(const KernelResult& r) {
                {"unit", r.unit},
                {"rounding", stats_json(r.rounding, r.worst_rounding)},
                {"total", stats_json(r.total, r.worst_total)}};
-  const auto limits = limits_for(r.family, r.degree, r.scalar);
-  json["limits"] = {{"rounding_eps", limits.rounding}, {"total_eps", limits.total}};
-  if (std::isfinite(limits.total_absolute)) json["limits"]["total_absolute"] = limits.total_absolute;
+  if (const auto limits = limits_for(r.family, r.degree, r.scalar)) {
+    json["limits"] = {{"rounding_eps", limits->rounding}, {"total_eps", limits->total}};
+    if (std::isfinite(limits->total_absolute)) json["limits"]["total_absolute"] = limits->total_absolute;
+  }
   if (r.nanoseconds) json["nanoseconds"] = *r.nanoseconds;
   if (r.bits) {
     json["bits"] = {{"compared", r.bits->compared},
                     {"flushed", r.bits->flushed},
                     {"regrouped", r.bits->regrouped},
                     {"different", r.bits->different},
-                    {"must_agree", r.bits_must_agree()}};
+                    {"must_agree", bits_must_agree(r)}};
   }
   return json;
 }

@@ -4,17 +4,10 @@
 #include <algorithm>
 
 namespace sh::numeric {
-namespace {
-
-// Endings of the names of variants: the same function by another recipe.
-constexpr const char* kVariant = "_accurate";
-
 std::string without_variant(const std::string& family) {
-  const std::string ending = kVariant;
+  const std::string ending = "_accurate";
   return family.ends_with(ending) ? family.substr(0, family.size() - ending.size()) : family;
 }
-
-}  // namespace
 
 std::vector<FamilyCheck> all_checks() {
   return {basis_check(),

@@ -1,6 +1,7 @@
 // Every family's check, in the order of reports.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "numeric/checks/family_check.hpp"
@@ -30,6 +31,9 @@ FamilyCheck window_gaussian_check();
 FamilyCheck window_laplacian_check();
 
 std::vector<FamilyCheck> all_checks();
+
+// "basis" for "basis_accurate": the family of which it is a variant, the same function by another recipe.
+std::string without_variant(const std::string& family);
 
 // The check of a kernel's family or of the family whose variant it is ("basis" for "basis_accurate"); nullptr if none.
 const FamilyCheck* find_check(const std::vector<FamilyCheck>& checks, const std::string& family);

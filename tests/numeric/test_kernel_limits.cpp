@@ -69,16 +69,16 @@ TEST(KernelLimits, RefuseAKernelThatDoesNotWorkInPlaceOrHasNoLimit) {
   result = clean_result();
   result.family = "unknown";
   ASSERT_EQ(failures_of(result).size(), 1);
-  EXPECT_NE(failures_of(result)[0].find("no limit is set for degree 4"), std::string::npos);
+  EXPECT_NE(failures_of(result)[0].find("no limit is set"), std::string::npos);
 }
 
 TEST(KernelLimits, KeepThePromiseOfDegreeFourAndGrowWithDegree) {
-  EXPECT_EQ(limits_for("basis", 4, "float").total_absolute, 7e-7);
-  EXPECT_EQ(limits_for("basis", 4, "double").total_absolute, 3e-15);
+  EXPECT_EQ(limits_for("basis", 4, "float")->total_absolute, 7e-7);
+  EXPECT_EQ(limits_for("basis", 4, "double")->total_absolute, 3e-15);
   for (const char* scalar : {"float", "double"}) {
     for (int l = 1; l <= 10; ++l) {
-      EXPECT_GE(limits_for("basis", l, scalar).rounding, limits_for("basis", l - 1, scalar).rounding);
-      EXPECT_GE(limits_for("basis", l, scalar).total, limits_for("basis", l - 1, scalar).total);
+      EXPECT_GE(limits_for("basis", l, scalar)->rounding, limits_for("basis", l - 1, scalar)->rounding);
+      EXPECT_GE(limits_for("basis", l, scalar)->total, limits_for("basis", l - 1, scalar)->total);
     }
   }
 }
