@@ -14,6 +14,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "numeric/basis.hpp"
 #include "numeric/checks/checks.hpp"
 #include "numeric/flat_call.hpp"
 #include "numeric/glsl_runner.hpp"
@@ -45,8 +46,7 @@ std::string output_label(const Signature& signature, int degree, std::size_t out
       output -= values;
       continue;
     }
-    const auto coefficients = static_cast<std::size_t>((degree + 1) * (degree + 1));
-    if (values != coefficients) return parameter.name + "[" + std::to_string(output) + "]";
+    if (parameter.values() != coefficient_count(degree)) return parameter.name + "[" + std::to_string(output) + "]";
     const auto l = static_cast<std::size_t>(std::sqrt(static_cast<double>(output)));
     const auto m = static_cast<long>(output) - static_cast<long>(l * (l + 1));
     return parameter.name + " l=" + std::to_string(l) + " m=" + std::to_string(m);
@@ -172,8 +172,8 @@ std::string read_text(const std::filesystem::path& file) {
 // The contexts of the two GLSL languages, and the folder that the kernels come from.
 class GlslCheck {
  public:
-  explicit GlslCheck(std::filesystem::path generated)
-      : folder_(std::move(generated) / "glsl"), core_(GlslLanguage::kCore450), es_(GlslLanguage::kEs300) {}
+  explicit GlslCheck(const std::filesystem::path& generated)
+      : folder_(generated / "glsl"), core_(GlslLanguage::kCore450), es_(GlslLanguage::kEs300) {}
 
   std::vector<KernelResult> check(const BoundKernel& kernel, const std::string& unit, const std::vector<float>& cpp,
                                   const std::vector<Wide>& own, const Samples<float>& samples) {

@@ -8,7 +8,7 @@
 namespace sh::numeric {
 
 FamilyCheck basis_check() {
-  constexpr int kRandomDirections = 2048;
+  constexpr int kRandomDirections = 4096;
   return {
       .family = "basis",
       .signature =
