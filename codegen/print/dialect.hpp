@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,7 @@ struct Dialect {
   std::string (*select)(const std::string& a, const std::string& b, const std::string& then,
                         const std::string& otherwise) = nullptr;
   std::map<std::string, std::string> renamed;  ///< names that the language keeps for itself: {"out", "result"}
+  std::set<std::string> reserved;              ///< words that no variable may be called
   Unused unused = Unused::kNamed;
 
   [[nodiscard]] std::string name(const std::string& wanted) const {

@@ -32,6 +32,8 @@ Dialect dialect() {
     return "(" + a + " < " + b + " ? " + then + " : " + otherwise + ")";
   };
   d.renamed = {{"out", "result"}};
+  d.reserved = {"active", "common",    "filter", "fixed",  "half",  "input",
+                "output", "partition", "sample", "vector", "matrix"};
   return d;
 }
 

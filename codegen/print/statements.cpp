@@ -67,6 +67,7 @@ class Lister {
         results_(elements_of(kernel.results, dialect)),
         stores_(kernel.nodes.size()),
         users_(kernel.nodes.size(), -1) {
+    taken_ = dialect.reserved;
     mark_overwritten(inputs_, kernel);
     for (const auto& names : {&kernel.parameters, &kernel.results}) {
       for (const Parameter& parameter : *names) taken_.insert(dialect.name(parameter.name));

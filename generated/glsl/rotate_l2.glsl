@@ -25,14 +25,14 @@ precision highp float;
 #endif
 
 void rotate_l2(float r[9], float c[9], out float result[9]) {
-    const float tiny = 1.9721523e-31;  // 1/5070602400912917605986812821504
-    const float one  = 1.0;            // 1
-    const float zero = 0.0;            // 0
-    const float two  = 2.0;            // 2
-    const float half = 0.5;            // 1/2
-    const float k    = 0.57735026;     // 1/3 sqrt(3)
-    const float k_2  = 1.5;            // 3/2
-    const float k_3  = 1.7320508;      // sqrt(3)
+    const float tiny   = 1.9721523e-31;  // 1/5070602400912917605986812821504
+    const float one    = 1.0;            // 1
+    const float zero   = 0.0;            // 0
+    const float two    = 2.0;            // 2
+    const float half_2 = 0.5;            // 1/2
+    const float k      = 0.57735026;     // 1/3 sqrt(3)
+    const float k_2    = 1.5;            // 3/2
+    const float k_3    = 1.7320508;      // sqrt(3)
 
     result[0] = c[0];                               // l=0 m=0
     float c1 = c[1];
@@ -45,7 +45,7 @@ void rotate_l2(float r[9], float c[9], out float result[9]) {
     float x = (sin2_b < tiny ? one : r[2]);
     float y = (sin2_b < tiny ? zero : r[5]);
     float inv2 = two / (sin2_b < tiny ? one : sin2_b);
-    float inv = sqrt(half * inv2);
+    float inv = sqrt(half_2 * inv2);
     float t = y * inv2;
     float cos_a = x * inv;
     float sin_2a = t * x;

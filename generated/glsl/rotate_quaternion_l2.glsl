@@ -25,15 +25,15 @@ precision highp float;
 #endif
 
 void rotate_quaternion_l2(float q[4], float c[9], out float result[9]) {
-    const float tiny = 1.9721523e-31;  // 1/5070602400912917605986812821504
-    const float one  = 1.0;            // 1
-    const float zero = 0.0;            // 0
-    const float two  = 2.0;            // 2
-    const float half = 0.5;            // 1/2
-    const float k    = 0.57735026;     // 1/3 sqrt(3)
-    const float k_2  = 6.0;            // 6
-    const float k_3  = 1.7320508;      // sqrt(3)
-    const float k_4  = 8.0;            // 8
+    const float tiny   = 1.9721523e-31;  // 1/5070602400912917605986812821504
+    const float one    = 1.0;            // 1
+    const float zero   = 0.0;            // 0
+    const float two    = 2.0;            // 2
+    const float half_2 = 0.5;            // 1/2
+    const float k      = 0.57735026;     // 1/3 sqrt(3)
+    const float k_2    = 6.0;            // 6
+    const float k_3    = 1.7320508;      // sqrt(3)
+    const float k_4    = 8.0;            // 8
 
     result[0] = c[0];                            // l=0 m=0
     float aa = q[0] * q[0] + q[3] * q[3];
@@ -43,7 +43,7 @@ void rotate_quaternion_l2(float q[4], float c[9], out float result[9]) {
     float b_re = (bb < tiny ? one : q[2]);
     float b_im = (bb < tiny ? zero : q[1]);
     float inv2 = two / ((aa < tiny ? one : aa) * (bb < tiny ? one : bb));
-    float inv = sqrt(half * inv2);
+    float inv = sqrt(half_2 * inv2);
     float t = a_re * b_re;
     float t_2 = a_im * b_im;
     float t_3 = a_im * b_re;

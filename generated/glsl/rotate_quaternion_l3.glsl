@@ -25,22 +25,22 @@ precision highp float;
 #endif
 
 void rotate_quaternion_l3(float q[4], float c[16], out float result[16]) {
-    const float tiny = 1.9721523e-31;  // 1/5070602400912917605986812821504
-    const float one  = 1.0;            // 1
-    const float zero = 0.0;            // 0
-    const float two  = 2.0;            // 2
-    const float half = 0.5;            // 1/2
-    const float k    = 8.0;            // 8
-    const float k_2  = 0.57735026;     // 1/3 sqrt(3)
-    const float k_3  = 6.0;            // 6
-    const float k_4  = 1.7320508;      // sqrt(3)
-    const float k_5  = 0.2581989;      // 1/15 sqrt(15)
-    const float k_6  = 0.7745967;      // 1/5 sqrt(15)
-    const float k_7  = 0.9375;         // 15/16
-    const float k_8  = 0.76546556;     // 5/16 sqrt(6)
-    const float k_9  = 0.625;          // 5/8
-    const float k_10 = 5.0;            // 5
-    const float k_11 = 1.5811388;      // 1/2 sqrt(10)
+    const float tiny   = 1.9721523e-31;  // 1/5070602400912917605986812821504
+    const float one    = 1.0;            // 1
+    const float zero   = 0.0;            // 0
+    const float two    = 2.0;            // 2
+    const float half_2 = 0.5;            // 1/2
+    const float k      = 8.0;            // 8
+    const float k_2    = 0.57735026;     // 1/3 sqrt(3)
+    const float k_3    = 6.0;            // 6
+    const float k_4    = 1.7320508;      // sqrt(3)
+    const float k_5    = 0.2581989;      // 1/15 sqrt(15)
+    const float k_6    = 0.7745967;      // 1/5 sqrt(15)
+    const float k_7    = 0.9375;         // 15/16
+    const float k_8    = 0.76546556;     // 5/16 sqrt(6)
+    const float k_9    = 0.625;          // 5/8
+    const float k_10   = 5.0;            // 5
+    const float k_11   = 1.5811388;      // 1/2 sqrt(10)
 
     result[0] = c[0];                             // l=0 m=0
     float aa = q[0] * q[0] + q[3] * q[3];
@@ -50,7 +50,7 @@ void rotate_quaternion_l3(float q[4], float c[16], out float result[16]) {
     float b_re = (bb < tiny ? one : q[2]);
     float b_im = (bb < tiny ? zero : q[1]);
     float inv2 = two / ((aa < tiny ? one : aa) * (bb < tiny ? one : bb));
-    float inv = sqrt(half * inv2);
+    float inv = sqrt(half_2 * inv2);
     float t = a_re * b_re;
     float t_2 = a_im * b_re;
     float t_3 = a_im * b_im;

@@ -25,36 +25,36 @@ precision highp float;
 #endif
 
 void rotate_quaternion_l4(float q[4], float c[25], out float result[25]) {
-    const float tiny = 1.9721523e-31;  // 1/5070602400912917605986812821504
-    const float one  = 1.0;            // 1
-    const float zero = 0.0;            // 0
-    const float two  = 2.0;            // 2
-    const float half = 0.5;            // 1/2
-    const float k    = 8.0;            // 8
-    const float k_2  = 0.57735026;     // 1/3 sqrt(3)
-    const float k_3  = 6.0;            // 6
-    const float k_4  = 1.7320508;      // sqrt(3)
-    const float k_5  = 0.2581989;      // 1/15 sqrt(15)
-    const float k_6  = 0.7745967;      // 1/5 sqrt(15)
-    const float k_7  = 0.9375;         // 15/16
-    const float k_8  = 0.76546556;     // 5/16 sqrt(6)
-    const float k_9  = 0.625;          // 5/8
-    const float k_10 = 5.0;            // 5
-    const float k_11 = 1.5811388;      // 1/2 sqrt(10)
-    const float k_12 = 0.8451542;      // 1/7 sqrt(35)
-    const float k_13 = 0.75592893;     // 2/7 sqrt(7)
-    const float k_14 = 0.8944272;      // 2/5 sqrt(5)
-    const float k_15 = 0.16903085;     // 1/35 sqrt(35)
-    const float k_16 = 0.37796447;     // 1/7 sqrt(7)
-    const float k_17 = 3.5;            // 7/2
-    const float k_18 = 1.2374369;      // 7/8 sqrt(2)
-    const float k_19 = 0.875;          // 7/8
-    const float k_20 = 4.375;          // 35/8
-    const float k_21 = 2.766993;       // 7/8 sqrt(10)
-    const float k_22 = 7.0;            // 7
-    const float k_23 = 0.8819171;      // 1/3 sqrt(7)
-    const float k_24 = 0.70156074;     // 3/16 sqrt(14)
-    const float k_25 = 0.5625;         // 9/16
+    const float tiny   = 1.9721523e-31;  // 1/5070602400912917605986812821504
+    const float one    = 1.0;            // 1
+    const float zero   = 0.0;            // 0
+    const float two    = 2.0;            // 2
+    const float half_2 = 0.5;            // 1/2
+    const float k      = 8.0;            // 8
+    const float k_2    = 0.57735026;     // 1/3 sqrt(3)
+    const float k_3    = 6.0;            // 6
+    const float k_4    = 1.7320508;      // sqrt(3)
+    const float k_5    = 0.2581989;      // 1/15 sqrt(15)
+    const float k_6    = 0.7745967;      // 1/5 sqrt(15)
+    const float k_7    = 0.9375;         // 15/16
+    const float k_8    = 0.76546556;     // 5/16 sqrt(6)
+    const float k_9    = 0.625;          // 5/8
+    const float k_10   = 5.0;            // 5
+    const float k_11   = 1.5811388;      // 1/2 sqrt(10)
+    const float k_12   = 0.8451542;      // 1/7 sqrt(35)
+    const float k_13   = 0.75592893;     // 2/7 sqrt(7)
+    const float k_14   = 0.8944272;      // 2/5 sqrt(5)
+    const float k_15   = 0.16903085;     // 1/35 sqrt(35)
+    const float k_16   = 0.37796447;     // 1/7 sqrt(7)
+    const float k_17   = 3.5;            // 7/2
+    const float k_18   = 1.2374369;      // 7/8 sqrt(2)
+    const float k_19   = 0.875;          // 7/8
+    const float k_20   = 4.375;          // 35/8
+    const float k_21   = 2.766993;       // 7/8 sqrt(10)
+    const float k_22   = 7.0;            // 7
+    const float k_23   = 0.8819171;      // 1/3 sqrt(7)
+    const float k_24   = 0.70156074;     // 3/16 sqrt(14)
+    const float k_25   = 0.5625;         // 9/16
 
     result[0] = c[0];                             // l=0 m=0
     float aa = q[0] * q[0] + q[3] * q[3];
@@ -64,7 +64,7 @@ void rotate_quaternion_l4(float q[4], float c[25], out float result[25]) {
     float b_re = (bb < tiny ? one : q[2]);
     float b_im = (bb < tiny ? zero : q[1]);
     float inv2 = two / ((aa < tiny ? one : aa) * (bb < tiny ? one : bb));
-    float inv = sqrt(half * inv2);
+    float inv = sqrt(half_2 * inv2);
     float t = a_re * b_re;
     float t_2 = a_im * b_im;
     float t_3 = a_im * b_re;
