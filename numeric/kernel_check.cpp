@@ -150,7 +150,7 @@ BitComparison compare_bits(int degree, const std::vector<float>& cpp, const std:
   for (std::size_t i = 0; i < cpp.size(); ++i) {
     if (same_bits(cpp[i], glsl[i])) continue;
     // An intermediate value may have been flushed and multiplied since.
-    if (std::abs(glsl[i] - cpp[i]) < 16 * std::numeric_limits<float>::min()) {
+    if (std::abs(glsl[i] - cpp[i]) < 256 * std::numeric_limits<float>::min()) {
       ++bits.flushed;
     } else if (bits.different++ == 0) {
       std::ostringstream text;
