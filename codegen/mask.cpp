@@ -205,8 +205,7 @@ void drop_unchanged(Mask& mask, const Kernel& kernel) {
     int first = 0;
     for (const Parameter& parameter : kernel.parameters) {
       for (int i = 0; parameter.name == result.name && i < parameter.size(); ++i) {
-        if (mask.inputs[index(first + i)].kind == Kind::kZero)
-          mask.wanted[index(first_result + i)] = false;
+        if (mask.inputs[index(first + i)].kind == Kind::kZero) mask.wanted[index(first_result + i)] = false;
       }
       first += parameter.size();
     }

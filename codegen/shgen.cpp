@@ -171,7 +171,8 @@ int run(int argc, char** argv) {
   add_mask_options(*emit_command, mask);
   std::string recipe;
   emit_command->add_option("--recipe", recipe, "This recipe of the family, whatever it is good for")
-      ->excludes("--prefer", "--convention", "--axes", "--left", "--right", "--keep-bands", "--keep-orders", "--outputs");
+      ->excludes("--prefer", "--convention", "--axes", "--left", "--right", "--keep-bands", "--keep-orders",
+                 "--outputs");
   auto* dump_command = app.add_subcommand("dump", "Print the SSA of a kernel after a stage");
   dump_command->add_option("stage", stage, "recipe, share, factor, prune or schedule")->required();
   dump_command->add_option("kernel", kernel, "Kernel, e.g. basis_l4")->required();

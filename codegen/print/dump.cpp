@@ -30,7 +30,8 @@ std::string dump(const Kernel& kernel) {
     text << line << '\n';
   }
   for (std::size_t i = 0; i < kernel.outputs.size(); ++i) {
-    text << "output " << kernel.element(i) << " = %" << kernel.outputs[i].node << "  ; " << kernel.outputs[i].label << '\n';
+    text << "output " << kernel.element(i) << " = %" << kernel.outputs[i].node << "  ; " << kernel.outputs[i].label
+         << '\n';
   }
   return text.str();
 }

@@ -186,9 +186,7 @@ Kernel zonal_recurrence(int degree) {
     const std::vector<NodeId> p = turned_column(build, d.z, degree, m);
     for (int l = m; l <= degree; ++l) {
       const NodeId shared = build.mul(p[index(l - m)], zonal[static_cast<std::size_t>(l)]);
-      const auto set = [&](int order, NodeId node) {
-        kernel.outputs[index(l * (l + 1) + order)].node = node;
-      };
+      const auto set = [&](int order, NodeId node) { kernel.outputs[index(l * (l + 1) + order)].node = node; };
       if (m == 0) {
         set(0, shared);
         continue;

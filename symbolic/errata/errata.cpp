@@ -15,8 +15,8 @@ std::vector<Entry> joined(std::initializer_list<std::vector<Entry>> parts) {
 
 std::vector<Entry> green() {
   return joined({green_monte_carlo(), green_sampling(), green_legendre(), green_basis(), green_projection(),
-                 green_reconstruction(), green_products(), green_rotation(), green_euler_angles(), green_transfer(), green_rendering(),
-                 green_environments(), green_lights(), green_appendix()});
+                 green_reconstruction(), green_products(), green_rotation(), green_euler_angles(), green_transfer(),
+                 green_rendering(), green_environments(), green_lights(), green_appendix()});
 }
 
 std::vector<Entry> gpfault() {
