@@ -1,6 +1,7 @@
 #include "codegen/catalogue.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 
 #include "codegen/families/families.hpp"
@@ -84,6 +85,10 @@ namespace {
 std::vector<Recipe>::iterator fastest(const Family& family, int degree, std::vector<Recipe>& recipes) {
   std::vector<double> times;
   for (const Recipe& recipe : recipes) {
+    if (!recipe.for_speed) {
+      times.push_back(std::numeric_limits<double>::infinity());
+      continue;
+    }
     const std::optional<Timing> timing = committed_wisdom().find(family.name, degree, recipe.name);
     if (!timing) return recipes.begin();
     times.push_back(timing->call);

@@ -38,6 +38,7 @@ struct Recipe {
   std::function<Kernel(int degree)> make;
   int smallest = 0;  ///< it serves degrees smallest .. largest
   int largest = 20;
+  bool for_speed = true;  ///< false: its error keeps it from being the speed choice, however fast it is
 };
 
 struct Family {

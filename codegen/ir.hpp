@@ -54,6 +54,7 @@ struct Kernel {
   std::string title;      ///< one line: what is computed
   std::string domain;     ///< what the inputs have to satisfy
   std::string result;     ///< what the outputs are, in which order and convention
+  bool factored = false;  ///< the recipe chose the forms of its polynomials: the pass `factor` leaves them alone
   std::vector<Parameter> parameters;
   std::vector<Parameter> results;  ///< arrays, or one scalar; a result named as a parameter is updated in place
   std::vector<Node> nodes;

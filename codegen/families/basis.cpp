@@ -3,6 +3,8 @@
 #include "codegen/directions.hpp"
 #include "codegen/domains.hpp"
 #include "codegen/families/families.hpp"
+#include "codegen/recipes/basis_centred.hpp"
+#include "codegen/recipes/basis_parity.hpp"
 #include "symbolic/basis.hpp"
 
 namespace sh::codegen {
@@ -31,7 +33,10 @@ Family basis_family() {
           10,
           20,
           "beyond which straight-line code is too long to be useful",
-          {{"recurrence", recipes::basis_recurrence}},
+          {{"parity", recipes::basis_parity},
+           {"recurrence", recipes::basis_recurrence},
+           {"centred", recipes::basis_centred},
+           {"parity-least", recipes::basis_parity_least, 0, 20, false}},
           reference,
           direction_domain()};
 }

@@ -208,7 +208,7 @@ std::optional<Kernel> with_better_product(const Kernel& kernel) {
 }  // namespace
 
 Kernel factor(const Kernel& kernel) {
-  if (kernel.nodes.size() > kMostNodes) return kernel;
+  if (kernel.factored || kernel.nodes.size() > kMostNodes) return kernel;
   Kernel result = with_factored_sums(kernel);
   while (std::optional<Kernel> better = with_better_product(result)) result = std::move(*better);
   return result;

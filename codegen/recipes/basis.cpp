@@ -1,7 +1,5 @@
 #include "codegen/recipes/basis.hpp"
 
-#include <cln/integer.h>
-
 #include <tuple>
 #include <utility>
 
@@ -9,30 +7,6 @@
 
 namespace sh::codegen::recipes {
 namespace {
-
-using symbolic::Surd;
-
-std::string indexed(const char* letter, int l, int m) {
-  return std::string(letter) + "_" + std::to_string(l) + "_" + std::to_string(m);
-}
-
-// Y_mm / Re (x+iy)^m = (2m-1)!! sqrt((2 - delta_m0) (2m+1) / (4 pi (2m)!))
-Surd sectoral_factor(int m) {
-  const cln::cl_I odd = m == 0 ? cln::cl_I(1) : cln::doublefactorial(static_cast<unsigned>(2 * m - 1));
-  const cln::cl_RA square =
-      cln::cl_RA((m == 0 ? 1 : 2) * (2 * m + 1)) / (4 * cln::factorial(static_cast<unsigned>(2 * m)));
-  return Surd(odd) * Surd::square_root(square, -1);
-}
-
-// a_l_m = sqrt((4l^2 - 1) / (l^2 - m^2))
-Surd upper_factor(int l, int m) { return Surd::square_root(cln::cl_RA(4 * l * l - 1) / (l * l - m * m)); }
-
-// b_l_m = sqrt((2l+1) ((l-1)^2 - m^2) / ((2l-3) (l^2 - m^2))) = a_l_m / a_(l-1)_m
-Surd lower_factor(int l, int m) { return upper_factor(l, m) / upper_factor(l - 1, m); }
-
-struct Direction {
-  NodeId x, y, z;
-};
 
 // p_l_m for l = m .. degree; element l - m.
 std::vector<NodeId> axial_column(Builder& build, NodeId z, int degree, int m) {
@@ -63,37 +37,13 @@ std::pair<NodeId, NodeId> next_azimuthal(Builder& build, const Direction& d, Nod
   return {next_c, next_s};
 }
 
-void describe(Kernel& kernel, int degree) {
-  kernel.citation =
-      "P.-P. Sloan, \"Efficient Spherical Harmonic Evaluation\", JCGT 2(2), 2013; constants derived exactly";
-  kernel.title = degree == 0
-                     ? "The real spherical harmonic of degree 0"
-                     : "Real spherical harmonics of degree 0 to " + std::to_string(degree) + " in one direction";
-  kernel.domain = "|d| = 1 for d = (x, y, z); z is the polar axis";
-  kernel.result = "Y_lm(d) at index l(l+1)+m, orthonormal on the unit sphere, no Condon-Shortley phase";
-  kernel.parameters = {{"x", {}}, {"y", {}}, {"z", {}}};
-  kernel.results = {{"out", {(degree + 1) * (degree + 1)}}};
-}
-
-void set_output(Kernel& kernel, int l, int m, NodeId node) {
-  const int index = l * (l + 1) + m;
-  Output& output = kernel.outputs[static_cast<std::size_t>(index)];
-  output.node = node;
-  output.label = "l=" + std::to_string(l) + " m=" + std::to_string(m);
-}
-
 }  // namespace
 
-Kernel basis_recurrence(int degree) {
+std::vector<NodeId> append_recurrence(Builder& build, const Direction& d, int degree) {
   symbolic::require_basis_index(degree, 0);
-  Kernel kernel;
-  describe(kernel, degree);
-  kernel.outputs.resize(static_cast<std::size_t>(kernel.results[0].size()));
-  Builder build(kernel);
-  const Direction d{build.input(0, "x"), build.input(1, "y"), build.input(2, "z")};
-
+  std::vector<NodeId> values(static_cast<std::size_t>(basis_count(degree)));
   const std::vector<NodeId> zonal = axial_column(build, d.z, degree, 0);
-  for (int l = 0; l <= degree; ++l) set_output(kernel, l, 0, zonal[static_cast<std::size_t>(l)]);
+  for (int l = 0; l <= degree; ++l) values[basis_index(l, 0)] = zonal[static_cast<std::size_t>(l)];
   NodeId c = d.x;
   NodeId s = d.y;
   for (int m = 1; m <= degree; ++m) {
@@ -101,10 +51,20 @@ Kernel basis_recurrence(int degree) {
     const std::vector<NodeId> p = axial_column(build, d.z, degree, m);
     for (int l = m; l <= degree; ++l) {
       const NodeId axial = p[static_cast<std::size_t>(l - m)];
-      set_output(kernel, l, -m, build.mul(axial, s, indexed("y", l, m) + "s"));
-      set_output(kernel, l, m, build.mul(axial, c, indexed("y", l, m) + "c"));
+      values[basis_index(l, -m)] = build.mul(axial, s, indexed("y", l, m) + "s");
+      values[basis_index(l, m)] = build.mul(axial, c, indexed("y", l, m) + "c");
     }
   }
+  return values;
+}
+
+Kernel basis_recurrence(int degree) {
+  Kernel kernel;
+  describe_basis(kernel, degree);
+  kernel.citation = kRecurrenceSource;
+  Builder build(kernel);
+  const Direction d = direction_inputs(build);
+  set_basis_outputs(kernel, append_recurrence(build, d, degree));
   return kernel;
 }
 

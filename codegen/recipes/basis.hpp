@@ -7,12 +7,18 @@
 // passes find its short forms for small l - m.
 #pragma once
 
-#include "codegen/ir.hpp"
+#include "codegen/recipes/sphere.hpp"
 
 namespace sh::codegen::recipes {
 
-/// basis_l<degree>: inputs x, y, z with |d| = 1; out ((degree+1)^2). Throws std::invalid_argument for a degree that
+inline constexpr const char* kRecurrenceSource =
+    "P.-P. Sloan, \"Efficient Spherical Harmonic Evaluation\", JCGT 2(2), 2013; constants derived exactly";
+
+/// Appends the nodes of every Y_lm, in order. Throws std::invalid_argument for a degree that
 /// symbolic::require_basis_index refuses.
+std::vector<NodeId> append_recurrence(Builder& build, const Direction& d, int degree);
+
+/// basis_l<degree>: inputs x, y, z with |d| = 1; out ((degree+1)^2). Throws as append_recurrence does.
 Kernel basis_recurrence(int degree);
 
 }  // namespace sh::codegen::recipes

@@ -6,13 +6,14 @@
 // Input:        x, y, z
 // Domain:       |d| = 1 for d = (x, y, z); z is the polar axis
 // Output:       out (16): Y_lm(d) at index l(l+1)+m, orthonormal on the unit sphere, no Condon-Shortley phase
-// Recipe:       recurrence
-// Source:       P.-P. Sloan, "Efficient Spherical Harmonic Evaluation", JCGT 2(2), 2013; constants derived exactly
-// Cost:         27 multiplications, 7 additions; longest chain 5; at most 5 values live
+// Recipe:       parity
+// Source:       parity in z, doubling in m, columns tied by Gegenbauer relations (Abramowitz and Stegun 22.7); derived
+//               exactly
+// Cost:         24 multiplications, 8 additions; longest chain 6; at most 9 values live
 // Error:        largest over 1110 directions (random, axes, poles, near poles), without contraction;
 //               eps counts units of machine epsilon x sqrt((2l+1)/(4 pi))
-//               float   rounding 1.3e-07 (1.4 eps)  total 2.0e-07 (2.2 eps)
-//               double  rounding 2.2e-16 (1.3 eps)  total 8.5e-16 (5.2 eps)
+//               float   rounding 1.8e-07 (2.0 eps)  total 2.4e-07 (2.7 eps)
+//               double  rounding 4.0e-16 (2.4 eps)  total 8.5e-16 (5.2 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               total:    against the exact function at the input scaled to length 1
 #pragma once
@@ -53,42 +54,49 @@ namespace sh {
 
 template <class T>
 constexpr void basis_l3(T x, T y, T z, T* out) noexcept {
-  const T k_0_0 = detail::constant<T>(0.2820948f, 0.28209479177387814);  // 1/2 sqrt(1/pi)
-  const T k_1_0 = detail::constant<T>(0.48860252f, 0.4886025119029199);  // 1/2 sqrt(3/pi)
-  const T b_2_0 = detail::constant<T>(0.31539157f, 0.31539156525252);    // 1/4 sqrt(5/pi)
-  const T a_2_0 = detail::constant<T>(0.9461747f, 0.94617469575756);     // 3/4 sqrt(5/pi)
-  const T a_3_0 = detail::constant<T>(1.8658817f, 1.865881662950577);    // 5/4 sqrt(7/pi)
-  const T b_3_0 = detail::constant<T>(1.119529f, 1.1195289977703462);    // 3/4 sqrt(7/pi)
-  const T k_2_1 = detail::constant<T>(1.0925485f, 1.0925484305920792);   // 1/2 sqrt(15/pi)
-  const T b_3_1 = detail::constant<T>(0.4570458f, 0.4570457994644657);   // 1/8 sqrt(42/pi)
-  const T a_3_1 = detail::constant<T>(2.285229f, 2.2852289973223288);    // 5/8 sqrt(42/pi)
-  const T k_2_2 = detail::constant<T>(0.54627424f, 0.5462742152960396);  // 1/4 sqrt(15/pi)
-  const T k_3_2 = detail::constant<T>(1.4453057f, 1.4453057213202771);   // 1/4 sqrt(105/pi)
-  const T k_3_3 = detail::constant<T>(0.5900436f, 0.5900435899266435);   // 1/8 sqrt(70/pi)
+  const T k_0_0  = detail::constant<T>(0.2820948f, 0.28209479177387814);  // 1/2 sqrt(1/pi)
+  const T one    = detail::constant<T>(1.0f, 1.0);                        // 1
+  const T k_1_1  = detail::constant<T>(0.48860252f, 0.4886025119029199);  // 1/2 sqrt(3/pi)
+  const T k_2_2s = detail::constant<T>(1.0925485f, 1.0925484305920792);   // 1/2 sqrt(15/pi)
+  const T k_2_2c = detail::constant<T>(0.54627424f, 0.5462742152960396);  // 1/4 sqrt(15/pi)
+  const T b_3_3  = detail::constant<T>(1.2076148f, 1.20761472884912);     // 1/12 sqrt(210)
+  const T a_3_3  = detail::constant<T>(4.4212766f, 4.421276695971028);    // 2/3 sqrt(14) pi^(1/2)
+  const T k_3_2  = detail::constant<T>(2.6457512f, 2.6457513110645907);   // sqrt(7)
+  const T k_2_1  = detail::constant<T>(2.236068f, 2.23606797749979);      // sqrt(5)
+  const T a_3_1  = detail::constant<T>(4.6770716f, 4.677071733467427);    // 5/4 sqrt(14)
+  const T b_3_1  = detail::constant<T>(0.9354144f, 0.9354143466934853);   // 1/4 sqrt(14)
+  const T a_2_0  = detail::constant<T>(0.9461747f, 0.94617469575756);     // 3/4 sqrt(5/pi)
+  const T b_2_0  = detail::constant<T>(0.31539157f, 0.31539156525252);    // 1/4 sqrt(5/pi)
+  const T a_3_0  = detail::constant<T>(3.818813f, 3.8188130791298667);    // 5/6 sqrt(21)
+  const T b_3_0  = detail::constant<T>(2.291288f, 2.29128784747792);      // 1/2 sqrt(21)
 
-  out[0] = k_0_0;                       // l=0 m=0
-  out[2] = k_1_0 * z;                   // l=1 m=0
-  out[1] = k_1_0 * y;                   // l=1 m=-1
-  out[3] = k_1_0 * x;                   // l=1 m=1
+  out[0] = k_0_0;                          // l=0 m=0
   const T z2 = z * z;
-  out[6] = a_2_0 * z2 - b_2_0;          // l=2 m=0
-  out[12] = z * (a_3_0 * z2 - b_3_0);   // l=3 m=0
+  const T y_1_1c = k_1_1 * x;
+  out[3] = y_1_1c;                         // l=1 m=1
+  const T y_1_1s = k_1_1 * y;
+  out[1] = y_1_1s;                         // l=1 m=-1
+  const T y_2_2s = k_2_2s * x * y;
+  out[4] = y_2_2s;                         // l=2 m=-2
+  const T y_2_2c = k_2_2c * (x - y) * (x + y);
+  out[8] = y_2_2c;                         // l=2 m=2
+  const T t = b_3_3 * (one - z2);
+  const T t_2 = a_3_3 * y_2_2c;
+  out[15] = y_1_1c * (t_2 - t);            // l=3 m=3
+  out[9] = y_1_1s * (t_2 + t);             // l=3 m=-3
+  const T t_3_2 = k_3_2 * z;
+  out[10] = t_3_2 * y_2_2s;                // l=3 m=-2
+  out[14] = t_3_2 * y_2_2c;                // l=3 m=2
+  const T t_2_1 = k_2_1 * z;
+  out[5] = t_2_1 * y_1_1s;                 // l=2 m=-1
+  out[7] = t_2_1 * y_1_1c;                 // l=2 m=1
   const T p_3_1 = a_3_1 * z2 - b_3_1;
-  out[11] = p_3_1 * y;                  // l=3 m=-1
-  out[13] = p_3_1 * x;                  // l=3 m=1
-  const T p_2_1 = k_2_1 * z;
-  out[5] = p_2_1 * y;                   // l=2 m=-1
-  out[7] = p_2_1 * x;                   // l=2 m=1
-  const T p_3_2 = k_3_2 * z;
-  const T c2 = x * x - y * y;
-  out[8] = k_2_2 * c2;                  // l=2 m=2
-  out[14] = p_3_2 * c2;                 // l=3 m=2
-  const T xy = x * y;
-  const T s2 = xy + xy;
-  out[10] = p_3_2 * s2;                 // l=3 m=-2
-  out[4] = k_2_2 * s2;                  // l=2 m=-2
-  out[9] = k_3_3 * (x * s2 + y * c2);   // l=3 m=-3
-  out[15] = k_3_3 * (x * c2 - y * s2);  // l=3 m=3
+  out[11] = p_3_1 * y_1_1s;                // l=3 m=-1
+  out[13] = p_3_1 * y_1_1c;                // l=3 m=1
+  const T t_1_0 = k_1_1 * z;
+  out[2] = t_1_0;                          // l=1 m=0
+  out[6] = a_2_0 * z2 - b_2_0;             // l=2 m=0
+  out[12] = (a_3_0 * z2 - b_3_0) * t_1_0;  // l=3 m=0
 }
 
 }  // namespace sh

@@ -6,13 +6,14 @@
 // Input:        x, y, z
 // Domain:       |d| = 1 for d = (x, y, z); z is the polar axis
 // Output:       out (25): Y_lm(d) at index l(l+1)+m, orthonormal on the unit sphere, no Condon-Shortley phase
-// Recipe:       recurrence
-// Source:       P.-P. Sloan, "Efficient Spherical Harmonic Evaluation", JCGT 2(2), 2013; constants derived exactly
-// Cost:         46 multiplications, 12 additions; longest chain 7; at most 7 values live
+// Recipe:       parity
+// Source:       parity in z, doubling in m, columns tied by Gegenbauer relations (Abramowitz and Stegun 22.7); derived
+//               exactly
+// Cost:         39 multiplications, 12 additions; longest chain 8; at most 10 values live
 // Error:        largest over 1110 directions (random, axes, poles, near poles), without contraction;
 //               eps counts units of machine epsilon x sqrt((2l+1)/(4 pi))
-//               float   rounding 2.9e-07 (2.9 eps)  total 4.9e-07 (4.8 eps)
-//               double  rounding 6.1e-16 (3.3 eps)  total 1.7e-15 (9.1 eps)
+//               float   rounding 3.3e-07 (3.4 eps)  total 4.2e-07 (4.1 eps)
+//               double  rounding 8.8e-16 (4.7 eps)  total 1.5e-15 (7.8 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               total:    against the exact function at the input scaled to length 1
 #pragma once
@@ -53,66 +54,76 @@ namespace sh {
 
 template <class T>
 constexpr void basis_l4(T x, T y, T z, T* out) noexcept {
-  const T k_0_0 = detail::constant<T>(0.2820948f, 0.28209479177387814);  // 1/2 sqrt(1/pi)
-  const T k_1_0 = detail::constant<T>(0.48860252f, 0.4886025119029199);  // 1/2 sqrt(3/pi)
-  const T b_2_0 = detail::constant<T>(0.31539157f, 0.31539156525252);    // 1/4 sqrt(5/pi)
-  const T a_2_0 = detail::constant<T>(0.9461747f, 0.94617469575756);     // 3/4 sqrt(5/pi)
-  const T a_3_0 = detail::constant<T>(1.8658817f, 1.865881662950577);    // 5/4 sqrt(7/pi)
-  const T b_3_0 = detail::constant<T>(1.119529f, 1.1195289977703462);    // 3/4 sqrt(7/pi)
-  const T a_4_0 = detail::constant<T>(1.9843135f, 1.984313483298443);    // 3/4 sqrt(7)
-  const T b_4_0 = detail::constant<T>(1.0062306f, 1.0062305898749053);   // 9/20 sqrt(5)
-  const T k_2_1 = detail::constant<T>(1.0925485f, 1.0925484305920792);   // 1/2 sqrt(15/pi)
-  const T b_3_1 = detail::constant<T>(0.4570458f, 0.4570457994644657);   // 1/8 sqrt(42/pi)
-  const T a_3_1 = detail::constant<T>(2.285229f, 2.2852289973223288);    // 5/8 sqrt(42/pi)
-  const T a_4_1 = detail::constant<T>(4.683326f, 4.683325804901024);     // 21/8 sqrt(10/pi)
-  const T b_4_1 = detail::constant<T>(2.0071397f, 2.0071396306718676);   // 9/8 sqrt(10/pi)
-  const T k_2_2 = detail::constant<T>(0.54627424f, 0.5462742152960396);  // 1/4 sqrt(15/pi)
-  const T k_3_2 = detail::constant<T>(1.4453057f, 1.4453057213202771);   // 1/4 sqrt(105/pi)
-  const T b_4_2 = detail::constant<T>(0.47308734f, 0.47308734787878);    // 3/8 sqrt(5/pi)
-  const T a_4_2 = detail::constant<T>(3.3116114f, 3.3116114351514603);   // 21/8 sqrt(5/pi)
-  const T k_3_3 = detail::constant<T>(0.5900436f, 0.5900435899266435);   // 1/8 sqrt(70/pi)
-  const T k_4_3 = detail::constant<T>(1.7701308f, 1.7701307697799304);   // 3/8 sqrt(70/pi)
-  const T k_4_4 = detail::constant<T>(0.6258357f, 0.6258357354491761);   // 3/16 sqrt(35/pi)
+  const T k_0_0  = detail::constant<T>(0.2820948f, 0.28209479177387814);  // 1/2 sqrt(1/pi)
+  const T one    = detail::constant<T>(1.0f, 1.0);                        // 1
+  const T k_1_1  = detail::constant<T>(0.48860252f, 0.4886025119029199);  // 1/2 sqrt(3/pi)
+  const T k_2_2s = detail::constant<T>(1.0925485f, 1.0925484305920792);   // 1/2 sqrt(15/pi)
+  const T k_2_2c = detail::constant<T>(0.54627424f, 0.5462742152960396);  // 1/4 sqrt(15/pi)
+  const T b_3_3  = detail::constant<T>(1.2076148f, 1.20761472884912);     // 1/12 sqrt(210)
+  const T a_3_3  = detail::constant<T>(4.4212766f, 4.421276695971028);    // 2/3 sqrt(14) pi^(1/2)
+  const T k_4_4s = detail::constant<T>(4.1943913f, 4.194391357527674);    // 2/5 sqrt(35) pi^(1/2)
+  const T k_4_4c = detail::constant<T>(2.0971956f, 2.097195678763837);    // 1/5 sqrt(35) pi^(1/2)
+  const T k_4_3  = detail::constant<T>(3.0f, 3.0);                        // 3
+  const T k_3_2  = detail::constant<T>(2.6457512f, 2.6457513110645907);   // sqrt(7)
+  const T a_4_2  = detail::constant<T>(6.0621777f, 6.06217782649107);     // 7/2 sqrt(3)
+  const T b_4_2  = detail::constant<T>(0.8660254f, 0.8660254037844386);   // 1/2 sqrt(3)
+  const T k_2_1  = detail::constant<T>(2.236068f, 2.23606797749979);      // sqrt(5)
+  const T a_3_1  = detail::constant<T>(4.6770716f, 4.677071733467427);    // 5/4 sqrt(14)
+  const T b_3_1  = detail::constant<T>(3.7416575f, 3.7416573867739413);   // sqrt(14)
+  const T a_4_1  = detail::constant<T>(4.2866073f, 4.286607049870562);    // 7/4 sqrt(6)
+  const T b_4_1  = detail::constant<T>(2.4494898f, 2.449489742783178);    // sqrt(6)
+  const T a_2_0  = detail::constant<T>(0.9461747f, 0.94617469575756);     // 3/4 sqrt(5/pi)
+  const T b_2_0  = detail::constant<T>(0.63078314f, 0.63078313050504);    // 1/2 sqrt(5/pi)
+  const T a_3_0  = detail::constant<T>(3.818813f, 3.8188130791298667);    // 5/6 sqrt(21)
+  const T b_3_0  = detail::constant<T>(1.5275252f, 1.5275252316519468);   // 1/3 sqrt(21)
+  const T a_4_0  = detail::constant<T>(0.20149627f, 0.2014962798384844);  // 5/14 sqrt(1/pi)
+  const T b_4_0  = detail::constant<T>(0.3626933f, 0.3626933037092719);   // 9/14 sqrt(1/pi)
 
-  out[0] = k_0_0;                               // l=0 m=0
-  out[2] = k_1_0 * z;                           // l=1 m=0
-  out[1] = k_1_0 * y;                           // l=1 m=-1
-  out[3] = k_1_0 * x;                           // l=1 m=1
+  out[0] = k_0_0;                                            // l=0 m=0
   const T z2 = z * z;
-  const T p_2_0 = a_2_0 * z2 - b_2_0;
-  out[6] = p_2_0;                               // l=2 m=0
-  const T p_3_0 = z * (a_3_0 * z2 - b_3_0);
-  out[12] = p_3_0;                              // l=3 m=0
-  out[20] = a_4_0 * z * p_3_0 - b_4_0 * p_2_0;  // l=4 m=0
-  const T p_2_1 = k_2_1 * z;
-  out[5] = p_2_1 * y;                           // l=2 m=-1
-  out[7] = p_2_1 * x;                           // l=2 m=1
-  const T p_3_1 = a_3_1 * z2 - b_3_1;
-  out[11] = p_3_1 * y;                          // l=3 m=-1
-  out[13] = p_3_1 * x;                          // l=3 m=1
-  const T p_4_1 = z * (a_4_1 * z2 - b_4_1);
-  out[19] = p_4_1 * y;                          // l=4 m=-1
-  out[21] = p_4_1 * x;                          // l=4 m=1
+  const T xy2 = one - z2;
   const T p_4_2 = a_4_2 * z2 - b_4_2;
-  const T c2 = x * x - y * y;
-  out[8] = k_2_2 * c2;                          // l=2 m=2
-  out[22] = p_4_2 * c2;                         // l=4 m=2
-  const T xy = x * y;
-  const T s2 = xy + xy;
-  out[18] = p_4_2 * s2;                         // l=4 m=-2
-  out[4] = k_2_2 * s2;                          // l=2 m=-2
-  const T p_3_2 = k_3_2 * z;
-  out[10] = p_3_2 * s2;                         // l=3 m=-2
-  out[14] = p_3_2 * c2;                         // l=3 m=2
-  const T p_4_3 = k_4_3 * z;
-  const T c3 = x * c2 - y * s2;
-  const T s3 = x * s2 + y * c2;
-  out[9] = k_3_3 * s3;                          // l=3 m=-3
-  out[15] = k_3_3 * c3;                         // l=3 m=3
-  out[17] = p_4_3 * s3;                         // l=4 m=-3
-  out[23] = p_4_3 * c3;                         // l=4 m=3
-  out[16] = k_4_4 * (x * s3 + y * c3);          // l=4 m=-4
-  out[24] = k_4_4 * (x * c3 - y * s3);          // l=4 m=4
+  const T y_1_1c = k_1_1 * x;
+  out[3] = y_1_1c;                                           // l=1 m=1
+  const T y_1_1s = k_1_1 * y;
+  out[1] = y_1_1s;                                           // l=1 m=-1
+  const T t = k_2_2s * x;
+  const T y_2_2s = t * y;
+  out[4] = y_2_2s;                                           // l=2 m=-2
+  out[18] = p_4_2 * y_2_2s;                                  // l=4 m=-2
+  const T y_2_2c = t * x - k_2_2c * xy2;
+  out[8] = y_2_2c;                                           // l=2 m=2
+  out[22] = p_4_2 * y_2_2c;                                  // l=4 m=2
+  const T t_2 = b_3_3 * xy2;
+  const T t_3 = a_3_3 * y_2_2c;
+  const T y_3_3c = y_1_1c * (t_3 - t_2);
+  out[15] = y_3_3c;                                          // l=3 m=3
+  const T y_3_3s = y_1_1s * (t_3 + t_2);
+  out[9] = y_3_3s;                                           // l=3 m=-3
+  out[16] = k_4_4s * y_2_2c * y_2_2s;                        // l=4 m=-4
+  out[24] = k_4_4c * (y_2_2c - y_2_2s) * (y_2_2c + y_2_2s);  // l=4 m=4
+  const T t_4_3 = k_4_3 * z;
+  out[17] = t_4_3 * y_3_3s;                                  // l=4 m=-3
+  out[23] = t_4_3 * y_3_3c;                                  // l=4 m=3
+  const T t_3_2 = k_3_2 * z;
+  out[10] = t_3_2 * y_2_2s;                                  // l=3 m=-2
+  out[14] = t_3_2 * y_2_2c;                                  // l=3 m=2
+  const T t_2_1 = k_2_1 * z;
+  const T t_1_0 = k_1_1 * z;
+  out[2] = t_1_0;                                            // l=1 m=0
+  const T y_2_1s = t_2_1 * y_1_1s;
+  out[5] = y_2_1s;                                           // l=2 m=-1
+  const T y_2_1c = t_2_1 * y_1_1c;
+  out[7] = y_2_1c;                                           // l=2 m=1
+  const T p_3_1 = b_3_1 - a_3_1 * xy2;
+  out[11] = p_3_1 * y_1_1s;                                  // l=3 m=-1
+  out[13] = p_3_1 * y_1_1c;                                  // l=3 m=1
+  const T p_4_1 = b_4_1 - a_4_1 * xy2;
+  out[19] = p_4_1 * y_2_1s;                                  // l=4 m=-1
+  out[21] = p_4_1 * y_2_1c;                                  // l=4 m=1
+  out[6] = b_2_0 - a_2_0 * xy2;                              // l=2 m=0
+  out[12] = (b_3_0 - a_3_0 * xy2) * t_1_0;                   // l=3 m=0
+  out[20] = a_4_0 * p_4_1 * p_4_1 - b_4_0;                   // l=4 m=0
 }
 
 }  // namespace sh

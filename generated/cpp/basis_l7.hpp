@@ -6,13 +6,14 @@
 // Input:        x, y, z
 // Domain:       |d| = 1 for d = (x, y, z); z is the polar axis
 // Output:       out (64): Y_lm(d) at index l(l+1)+m, orthonormal on the unit sphere, no Condon-Shortley phase
-// Recipe:       recurrence
-// Source:       P.-P. Sloan, "Efficient Spherical Harmonic Evaluation", JCGT 2(2), 2013; constants derived exactly
-// Cost:         133 multiplications, 33 additions; longest chain 13; at most 9 values live
+// Recipe:       parity
+// Source:       parity in z, doubling in m, columns tied by Gegenbauer relations (Abramowitz and Stegun 22.7); derived
+//               exactly
+// Cost:         116 multiplications, 33 additions; longest chain 13; at most 19 values live
 // Error:        largest over 1110 directions (random, axes, poles, near poles), without contraction;
 //               eps counts units of machine epsilon x sqrt((2l+1)/(4 pi))
-//               float   rounding 9.6e-07 (7.3 eps)  total 1.6e-06 (12.0 eps)
-//               double  rounding 1.8e-15 (7.4 eps)  total 4.7e-15 (19.5 eps)
+//               float   rounding 1.3e-06 (9.8 eps)   total 1.5e-06 (11.5 eps)
+//               double  rounding 2.7e-15 (11.3 eps)  total 5.6e-15 (23.0 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               total:    against the exact function at the input scaled to length 1
 #pragma once
@@ -53,165 +54,187 @@ namespace sh {
 
 template <class T>
 constexpr void basis_l7(T x, T y, T z, T* out) noexcept {
-  const T k_0_0 = detail::constant<T>(0.2820948f, 0.28209479177387814);  // 1/2 sqrt(1/pi)
-  const T k_1_0 = detail::constant<T>(0.48860252f, 0.4886025119029199);  // 1/2 sqrt(3/pi)
-  const T b_2_0 = detail::constant<T>(0.31539157f, 0.31539156525252);    // 1/4 sqrt(5/pi)
-  const T a_2_0 = detail::constant<T>(0.9461747f, 0.94617469575756);     // 3/4 sqrt(5/pi)
-  const T a_3_0 = detail::constant<T>(1.8658817f, 1.865881662950577);    // 5/4 sqrt(7/pi)
-  const T b_3_0 = detail::constant<T>(1.119529f, 1.1195289977703462);    // 3/4 sqrt(7/pi)
-  const T a_4_0 = detail::constant<T>(1.9843135f, 1.984313483298443);    // 3/4 sqrt(7)
-  const T b_4_0 = detail::constant<T>(1.0062306f, 1.0062305898749053);   // 9/20 sqrt(5)
-  const T a_5_0 = detail::constant<T>(1.9899749f, 1.98997487421324);     // 3/5 sqrt(11)
-  const T b_5_0 = detail::constant<T>(1.002853f, 1.002853072844814);     // 4/35 sqrt(77)
-  const T a_6_0 = detail::constant<T>(1.9930434f, 1.9930434571835662);   // 1/6 sqrt(143)
-  const T b_6_0 = detail::constant<T>(1.001542f, 1.0015420209622192);    // 5/18 sqrt(13)
-  const T a_7_0 = detail::constant<T>(1.9948914f, 1.9948914348241344);   // 1/7 sqrt(195)
-  const T b_7_0 = detail::constant<T>(1.0009272f, 1.000927213921958);    // 6/77 sqrt(165)
-  const T k_2_1 = detail::constant<T>(1.0925485f, 1.0925484305920792);   // 1/2 sqrt(15/pi)
-  const T b_3_1 = detail::constant<T>(0.4570458f, 0.4570457994644657);   // 1/8 sqrt(42/pi)
-  const T a_3_1 = detail::constant<T>(2.285229f, 2.2852289973223288);    // 5/8 sqrt(42/pi)
-  const T a_4_1 = detail::constant<T>(4.683326f, 4.683325804901024);     // 21/8 sqrt(10/pi)
-  const T b_4_1 = detail::constant<T>(2.0071397f, 2.0071396306718676);   // 9/8 sqrt(10/pi)
-  const T a_5_1 = detail::constant<T>(2.0310097f, 2.03100960115899);     // 1/4 sqrt(66)
-  const T b_5_1 = detail::constant<T>(0.9910312f, 0.9910312089651149);   // 1/28 sqrt(770)
-  const T a_6_1 = detail::constant<T>(2.021315f, 2.0213149892370277);    // 1/35 sqrt(5005)
-  const T b_6_1 = detail::constant<T>(0.9952267f, 0.9952267030562386);   // 2/105 sqrt(2730)
-  const T a_7_1 = detail::constant<T>(2.0155644f, 2.0155644370746373);   // 1/4 sqrt(65)
-  const T b_7_1 = detail::constant<T>(0.9971551f, 0.9971550440218321);   // 5/44 sqrt(77)
-  const T k_2_2 = detail::constant<T>(0.54627424f, 0.5462742152960396);  // 1/4 sqrt(15/pi)
-  const T k_3_2 = detail::constant<T>(1.4453057f, 1.4453057213202771);   // 1/4 sqrt(105/pi)
-  const T b_4_2 = detail::constant<T>(0.47308734f, 0.47308734787878);    // 3/8 sqrt(5/pi)
-  const T a_4_2 = detail::constant<T>(3.3116114f, 3.3116114351514603);   // 21/8 sqrt(5/pi)
-  const T a_5_2 = detail::constant<T>(7.190305f, 7.190305177459986);     // 3/8 sqrt(1155/pi)
-  const T b_5_2 = detail::constant<T>(2.3967683f, 2.396768392486662);    // 1/8 sqrt(1155/pi)
-  const T a_6_2 = detail::constant<T>(2.113942f, 2.1139418156609704);    // 1/8 sqrt(286)
-  const T b_6_2 = detail::constant<T>(0.9736101f, 0.9736101204623269);   // 1/24 sqrt(546)
-  const T a_7_2 = detail::constant<T>(2.081666f, 2.0816659994661326);    // 1/3 sqrt(39)
-  const T b_7_2 = detail::constant<T>(0.9847319f, 0.9847319278346619);   // 4/33 sqrt(66)
-  const T k_3_3 = detail::constant<T>(0.5900436f, 0.5900435899266435);   // 1/8 sqrt(70/pi)
-  const T k_4_3 = detail::constant<T>(1.7701308f, 1.7701307697799304);   // 3/8 sqrt(70/pi)
-  const T b_5_3 = detail::constant<T>(0.4892383f, 0.4892382994352504);   // 1/32 sqrt(770/pi)
-  const T a_5_3 = detail::constant<T>(4.403145f, 4.403144694917254);     // 9/32 sqrt(770/pi)
-  const T a_6_3 = detail::constant<T>(10.133258f, 10.133257854664159);   // 11/32 sqrt(2730/pi)
-  const T b_6_3 = detail::constant<T>(2.7636158f, 2.7636157785447706);   // 3/32 sqrt(2730/pi)
-  const T a_7_3 = detail::constant<T>(2.20794f, 2.207940216581962);      // 1/4 sqrt(78)
-  const T b_7_3 = detail::constant<T>(0.9594032f, 0.959403223600247);    // 9/44 sqrt(22)
-  const T k_4_4 = detail::constant<T>(0.6258357f, 0.6258357354491761);   // 3/16 sqrt(35/pi)
-  const T k_5_4 = detail::constant<T>(2.0756624f, 2.075662314881041);    // 3/16 sqrt(385/pi)
-  const T b_6_4 = detail::constant<T>(0.5045649f, 0.5045649007287242);   // 3/32 sqrt(91/pi)
-  const T a_6_4 = detail::constant<T>(5.550214f, 5.550213908015966);     // 33/32 sqrt(91/pi)
-  const T a_7_4 = detail::constant<T>(13.491805f, 13.491805046726768);   // 39/32 sqrt(385/pi)
-  const T b_7_4 = detail::constant<T>(3.1134934f, 3.113493472321562);    // 9/32 sqrt(385/pi)
-  const T k_5_5 = detail::constant<T>(0.6563821f, 0.6563820568401701);   // 3/32 sqrt(154/pi)
-  const T k_6_5 = detail::constant<T>(2.366619f, 2.366619162231752);     // 3/32 sqrt(2002/pi)
-  const T b_7_5 = detail::constant<T>(0.5189156f, 0.5189155787202603);   // 3/64 sqrt(385/pi)
-  const T a_7_5 = detail::constant<T>(6.7459025f, 6.745902523363384);    // 39/64 sqrt(385/pi)
-  const T k_6_6 = detail::constant<T>(0.6831841f, 0.6831841051919143);   // 1/64 sqrt(6006/pi)
-  const T k_7_6 = detail::constant<T>(2.6459606f, 2.6459606618019);      // 3/64 sqrt(10010/pi)
-  const T k_7_7 = detail::constant<T>(0.70716274f, 0.7071627325245962);  // 3/64 sqrt(715/pi)
+  const T k_0_0  = detail::constant<T>(0.2820948f, 0.28209479177387814);  // 1/2 sqrt(1/pi)
+  const T one    = detail::constant<T>(1.0f, 1.0);                        // 1
+  const T k_1_1  = detail::constant<T>(0.48860252f, 0.4886025119029199);  // 1/2 sqrt(3/pi)
+  const T k_2_2s = detail::constant<T>(1.0925485f, 1.0925484305920792);   // 1/2 sqrt(15/pi)
+  const T k_2_2c = detail::constant<T>(0.54627424f, 0.5462742152960396);  // 1/4 sqrt(15/pi)
+  const T b_3_3  = detail::constant<T>(1.2076148f, 1.20761472884912);     // 1/12 sqrt(210)
+  const T a_3_3  = detail::constant<T>(4.4212766f, 4.421276695971028);    // 2/3 sqrt(14) pi^(1/2)
+  const T k_4_4s = detail::constant<T>(4.1943913f, 4.194391357527674);    // 2/5 sqrt(35) pi^(1/2)
+  const T k_4_4c = detail::constant<T>(2.0971956f, 2.097195678763837);    // 1/5 sqrt(35) pi^(1/2)
+  const T k_5_5  = detail::constant<T>(1.0488088f, 1.0488088481701516);   // 1/10 sqrt(110)
+  const T k_6_6s = detail::constant<T>(3.9246376f, 3.9246375605398574);   // 1/35 sqrt(6006) pi^(1/2)
+  const T k_6_6c = detail::constant<T>(1.9623188f, 1.9623187802699287);   // 1/70 sqrt(6006) pi^(1/2)
+  const T k_7_7  = detail::constant<T>(1.0350983f, 1.0350983390135313);   // 1/14 sqrt(210)
+  const T k_7_6  = detail::constant<T>(3.8729835f, 3.872983346207417);    // sqrt(15)
+  const T k_6_5  = detail::constant<T>(3.6055512f, 3.605551275463989);    // sqrt(13)
+  const T a_7_5  = detail::constant<T>(10.277402f, 10.277402395547233);   // 13/4 sqrt(10)
+  const T b_7_5  = detail::constant<T>(0.7905694f, 0.7905694150420949);   // 1/4 sqrt(10)
+  const T k_5_4  = detail::constant<T>(3.3166249f, 3.3166247903554);      // sqrt(11)
+  const T a_6_4  = detail::constant<T>(8.868484f, 8.868483523128404);     // 11/10 sqrt(65)
+  const T b_6_4  = detail::constant<T>(0.8062258f, 0.8062257748298549);   // 1/10 sqrt(65)
+  const T a_7_4  = detail::constant<T>(6.5f, 6.5);                        // 13/2
+  const T b_7_4  = detail::constant<T>(1.5f, 1.5);                        // 3/2
+  const T k_4_3  = detail::constant<T>(3.0f, 3.0);                        // 3
+  const T a_5_3  = detail::constant<T>(7.4624057f, 7.46240577829965);     // 9/4 sqrt(11)
+  const T b_5_3  = detail::constant<T>(0.8291562f, 0.82915619758885);     // 1/4 sqrt(11)
+  const T a_6_3  = detail::constant<T>(5.7245817f, 5.724581498531865);    // 11/12 sqrt(39)
+  const T b_6_3  = detail::constant<T>(1.5612495f, 1.5612494995995996);   // 1/4 sqrt(39)
+  const T a_7_3  = detail::constant<T>(0.8974817f, 0.897481683813695);    // 33/52 sqrt(2)
+  const T b_7_3  = detail::constant<T>(1.2238387f, 1.2238386597459476);   // 45/52 sqrt(2)
+  const T k_3_2  = detail::constant<T>(2.6457512f, 2.6457513110645907);   // sqrt(7)
+  const T a_4_2  = detail::constant<T>(6.0621777f, 6.06217782649107);     // 7/2 sqrt(3)
+  const T b_4_2  = detail::constant<T>(0.8660254f, 0.8660254037844386);   // 1/2 sqrt(3)
+  const T a_5_2  = detail::constant<T>(4.974937f, 4.9749371855331);       // 3/2 sqrt(11)
+  const T b_5_2  = detail::constant<T>(1.6583124f, 1.6583123951777);      // 1/2 sqrt(11)
+  const T a_6_2  = detail::constant<T>(0.8490674f, 0.8490673990845341);   // 9/143 sqrt(182)
+  const T b_6_2  = detail::constant<T>(1.2264307f, 1.2264306875665492);   // 1/11 sqrt(182)
+  const T a_7_2  = detail::constant<T>(0.7867958f, 0.7867957924694432);   // 1/21 sqrt(273)
+  const T b_7_2  = detail::constant<T>(0.9847319f, 0.9847319278346619);   // 4/33 sqrt(66)
+  const T k_2_1  = detail::constant<T>(2.236068f, 2.23606797749979);      // sqrt(5)
+  const T a_3_1  = detail::constant<T>(4.6770716f, 4.677071733467427);    // 5/4 sqrt(14)
+  const T b_3_1  = detail::constant<T>(3.7416575f, 3.7416573867739413);   // sqrt(14)
+  const T a_4_1  = detail::constant<T>(4.2866073f, 4.286607049870562);    // 7/4 sqrt(6)
+  const T b_4_1  = detail::constant<T>(2.4494898f, 2.449489742783178);    // sqrt(6)
+  const T a_5_1  = detail::constant<T>(0.7865665f, 0.7865665062071158);   // 7/66 sqrt(55)
+  const T b_5_1  = detail::constant<T>(1.2360331f, 1.2360330811826106);   // 1/6 sqrt(55)
+  const T a_6_1  = detail::constant<T>(0.9039596f, 0.90395954397465);     // 1/35 sqrt(1001)
+  const T b_6_1  = detail::constant<T>(0.9952267f, 0.9952267030562386);   // 2/105 sqrt(2730)
+  const T a_7_1  = detail::constant<T>(4.506939f, 4.5069390943299865);    // 5/4 sqrt(13)
+  const T b_7_1  = detail::constant<T>(0.9971551f, 0.9971550440218321);   // 5/44 sqrt(77)
+  const T a_2_0  = detail::constant<T>(0.9461747f, 0.94617469575756);     // 3/4 sqrt(5/pi)
+  const T b_2_0  = detail::constant<T>(0.63078314f, 0.63078313050504);    // 1/2 sqrt(5/pi)
+  const T a_3_0  = detail::constant<T>(3.818813f, 3.8188130791298667);    // 5/6 sqrt(21)
+  const T b_3_0  = detail::constant<T>(1.5275252f, 1.5275252316519468);   // 1/3 sqrt(21)
+  const T a_4_0  = detail::constant<T>(0.20149627f, 0.2014962798384844);  // 5/14 sqrt(1/pi)
+  const T b_4_0  = detail::constant<T>(0.3626933f, 0.3626933037092719);   // 9/14 sqrt(1/pi)
+  const T a_5_0  = detail::constant<T>(1.9899749f, 1.98997487421324);     // 3/5 sqrt(11)
+  const T b_5_0  = detail::constant<T>(1.002853f, 1.002853072844814);     // 4/35 sqrt(77)
+  const T a_6_0  = detail::constant<T>(1.9930434f, 1.9930434571835662);   // 1/6 sqrt(143)
+  const T b_6_0  = detail::constant<T>(1.001542f, 1.0015420209622192);    // 5/18 sqrt(13)
+  const T a_7_0  = detail::constant<T>(1.9948914f, 1.9948914348241344);   // 1/7 sqrt(195)
+  const T b_7_0  = detail::constant<T>(1.0009272f, 1.000927213921958);    // 6/77 sqrt(165)
 
   out[0] = k_0_0;                               // l=0 m=0
-  out[2] = k_1_0 * z;                           // l=1 m=0
-  out[1] = k_1_0 * y;                           // l=1 m=-1
-  out[3] = k_1_0 * x;                           // l=1 m=1
   const T z2 = z * z;
-  const T p_2_0 = a_2_0 * z2 - b_2_0;
-  out[6] = p_2_0;                               // l=2 m=0
-  const T p_3_0 = z * (a_3_0 * z2 - b_3_0);
-  out[12] = p_3_0;                              // l=3 m=0
-  const T p_4_0 = a_4_0 * z * p_3_0 - b_4_0 * p_2_0;
+  const T xy2 = one - z2;
+  const T y_1_1c = k_1_1 * x;
+  out[3] = y_1_1c;                              // l=1 m=1
+  const T y_1_1s = k_1_1 * y;
+  out[1] = y_1_1s;                              // l=1 m=-1
+  const T t = k_2_2s * x;
+  const T y_2_2s = t * y;
+  out[4] = y_2_2s;                              // l=2 m=-2
+  const T y_2_2c = t * x - k_2_2c * xy2;
+  out[8] = y_2_2c;                              // l=2 m=2
+  const T t_2 = b_3_3 * xy2;
+  const T t_3 = a_3_3 * y_2_2c;
+  const T y_3_3c = y_1_1c * (t_3 - t_2);
+  out[15] = y_3_3c;                             // l=3 m=3
+  const T y_3_3s = y_1_1s * (t_3 + t_2);
+  out[9] = y_3_3s;                              // l=3 m=-3
+  const T y_4_4s = k_4_4s * y_2_2c * y_2_2s;
+  out[16] = y_4_4s;                             // l=4 m=-4
+  const T y_4_4c = k_4_4c * (y_2_2c - y_2_2s) * (y_2_2c + y_2_2s);
+  out[24] = y_4_4c;                             // l=4 m=4
+  const T t_4 = k_5_5 * x;
+  const T t_5 = k_5_5 * y;
+  const T y_5_5c = t_4 * y_4_4c - t_5 * y_4_4s;
+  out[35] = y_5_5c;                             // l=5 m=5
+  const T y_5_5s = t_4 * y_4_4s + t_5 * y_4_4c;
+  out[25] = y_5_5s;                             // l=5 m=-5
+  const T y_6_6s = k_6_6s * y_3_3c * y_3_3s;
+  out[36] = y_6_6s;                             // l=6 m=-6
+  const T y_6_6c = k_6_6c * (y_3_3c - y_3_3s) * (y_3_3c + y_3_3s);
+  out[48] = y_6_6c;                             // l=6 m=6
+  const T t_6 = k_7_7 * x;
+  const T t_7 = k_7_7 * y;
+  out[63] = t_6 * y_6_6c - t_7 * y_6_6s;        // l=7 m=7
+  out[49] = t_6 * y_6_6s + t_7 * y_6_6c;        // l=7 m=-7
+  const T t_7_6 = k_7_6 * z;
+  out[50] = t_7_6 * y_6_6s;                     // l=7 m=-6
+  out[62] = t_7_6 * y_6_6c;                     // l=7 m=6
+  const T t_6_5 = k_6_5 * z;
+  out[37] = t_6_5 * y_5_5s;                     // l=6 m=-5
+  out[47] = t_6_5 * y_5_5c;                     // l=6 m=5
+  const T p_7_5 = a_7_5 * z2 - b_7_5;
+  out[51] = p_7_5 * y_5_5s;                     // l=7 m=-5
+  out[61] = p_7_5 * y_5_5c;                     // l=7 m=5
+  const T t_5_4 = k_5_4 * z;
+  const T y_5_4s = t_5_4 * y_4_4s;
+  out[26] = y_5_4s;                             // l=5 m=-4
+  const T y_5_4c = t_5_4 * y_4_4c;
+  out[34] = y_5_4c;                             // l=5 m=4
+  const T p_6_4 = a_6_4 * z2 - b_6_4;
+  out[38] = p_6_4 * y_4_4s;                     // l=6 m=-4
+  out[46] = p_6_4 * y_4_4c;                     // l=6 m=4
+  const T p_7_4 = a_7_4 * z2 - b_7_4;
+  out[52] = p_7_4 * y_5_4s;                     // l=7 m=-4
+  out[60] = p_7_4 * y_5_4c;                     // l=7 m=4
+  const T t_4_3 = k_4_3 * z;
+  const T y_4_3s = t_4_3 * y_3_3s;
+  out[17] = y_4_3s;                             // l=4 m=-3
+  const T y_4_3c = t_4_3 * y_3_3c;
+  out[23] = y_4_3c;                             // l=4 m=3
+  const T p_5_3 = a_5_3 * z2 - b_5_3;
+  out[27] = p_5_3 * y_3_3s;                     // l=5 m=-3
+  out[33] = p_5_3 * y_3_3c;                     // l=5 m=3
+  const T p_6_3 = a_6_3 * z2 - b_6_3;
+  out[39] = p_6_3 * y_4_3s;                     // l=6 m=-3
+  out[45] = p_6_3 * y_4_3c;                     // l=6 m=3
+  const T p_7_3 = a_7_3 * p_7_4 * p_7_4 - b_7_3;
+  out[53] = p_7_3 * y_3_3s;                     // l=7 m=-3
+  out[59] = p_7_3 * y_3_3c;                     // l=7 m=3
+  const T t_3_2 = k_3_2 * z;
+  const T y_3_2s = t_3_2 * y_2_2s;
+  out[10] = y_3_2s;                             // l=3 m=-2
+  const T y_3_2c = t_3_2 * y_2_2c;
+  out[14] = y_3_2c;                             // l=3 m=2
+  const T p_4_2 = a_4_2 * z2 - b_4_2;
+  out[18] = p_4_2 * y_2_2s;                     // l=4 m=-2
+  out[22] = p_4_2 * y_2_2c;                     // l=4 m=2
+  const T p_5_2 = a_5_2 * z2 - b_5_2;
+  out[28] = p_5_2 * y_3_2s;                     // l=5 m=-2
+  out[32] = p_5_2 * y_3_2c;                     // l=5 m=2
+  const T p_6_2 = a_6_2 * p_6_3 * p_6_3 - b_6_2;
+  out[40] = p_6_2 * y_2_2s;                     // l=6 m=-2
+  out[44] = p_6_2 * y_2_2c;                     // l=6 m=2
+  const T p_7_2 = a_7_2 * p_6_2 - b_7_2 * p_5_2;
+  out[54] = p_7_2 * y_3_2s;                     // l=7 m=-2
+  out[58] = p_7_2 * y_3_2c;                     // l=7 m=2
+  const T t_2_1 = k_2_1 * z;
+  const T y_2_1s = t_2_1 * y_1_1s;
+  out[5] = y_2_1s;                              // l=2 m=-1
+  const T y_2_1c = t_2_1 * y_1_1c;
+  out[7] = y_2_1c;                              // l=2 m=1
+  const T p_3_1 = b_3_1 - a_3_1 * xy2;
+  out[11] = p_3_1 * y_1_1s;                     // l=3 m=-1
+  out[13] = p_3_1 * y_1_1c;                     // l=3 m=1
+  const T p_4_1 = b_4_1 - a_4_1 * xy2;
+  out[19] = p_4_1 * y_2_1s;                     // l=4 m=-1
+  out[21] = p_4_1 * y_2_1c;                     // l=4 m=1
+  const T p_5_1 = a_5_1 * p_5_2 * p_5_2 - b_5_1;
+  out[29] = p_5_1 * y_1_1s;                     // l=5 m=-1
+  out[31] = p_5_1 * y_1_1c;                     // l=5 m=1
+  const T p_6_1 = a_6_1 * p_5_1 - b_6_1 * p_4_1;
+  out[41] = p_6_1 * y_2_1s;                     // l=6 m=-1
+  out[43] = p_6_1 * y_2_1c;                     // l=6 m=1
+  const T p_7_1 = a_7_1 * z2 * p_6_1 - b_7_1 * p_5_1;
+  out[55] = p_7_1 * y_1_1s;                     // l=7 m=-1
+  out[57] = p_7_1 * y_1_1c;                     // l=7 m=1
+  const T t_1_0 = k_1_1 * z;
+  out[2] = t_1_0;                               // l=1 m=0
+  out[6] = b_2_0 - a_2_0 * xy2;                 // l=2 m=0
+  const T y_3_0 = (b_3_0 - a_3_0 * xy2) * t_1_0;
+  out[12] = y_3_0;                              // l=3 m=0
+  const T p_4_0 = a_4_0 * p_4_1 * p_4_1 - b_4_0;
   out[20] = p_4_0;                              // l=4 m=0
-  const T p_5_0 = a_5_0 * z * p_4_0 - b_5_0 * p_3_0;
+  const T p_5_0 = a_5_0 * z * p_4_0 - b_5_0 * y_3_0;
   out[30] = p_5_0;                              // l=5 m=0
   const T p_6_0 = a_6_0 * z * p_5_0 - b_6_0 * p_4_0;
   out[42] = p_6_0;                              // l=6 m=0
   out[56] = a_7_0 * z * p_6_0 - b_7_0 * p_5_0;  // l=7 m=0
-  const T p_2_1 = k_2_1 * z;
-  out[5] = p_2_1 * y;                           // l=2 m=-1
-  out[7] = p_2_1 * x;                           // l=2 m=1
-  const T p_3_1 = a_3_1 * z2 - b_3_1;
-  out[11] = p_3_1 * y;                          // l=3 m=-1
-  out[13] = p_3_1 * x;                          // l=3 m=1
-  const T p_4_1 = z * (a_4_1 * z2 - b_4_1);
-  out[19] = p_4_1 * y;                          // l=4 m=-1
-  out[21] = p_4_1 * x;                          // l=4 m=1
-  const T p_5_1 = a_5_1 * z * p_4_1 - b_5_1 * p_3_1;
-  out[29] = p_5_1 * y;                          // l=5 m=-1
-  out[31] = p_5_1 * x;                          // l=5 m=1
-  const T p_6_1 = a_6_1 * z * p_5_1 - b_6_1 * p_4_1;
-  out[41] = p_6_1 * y;                          // l=6 m=-1
-  out[43] = p_6_1 * x;                          // l=6 m=1
-  const T p_7_1 = a_7_1 * z * p_6_1 - b_7_1 * p_5_1;
-  out[55] = p_7_1 * y;                          // l=7 m=-1
-  out[57] = p_7_1 * x;                          // l=7 m=1
-  const T c2 = x * x - y * y;
-  out[8] = k_2_2 * c2;                          // l=2 m=2
-  const T xy = x * y;
-  const T s2 = xy + xy;
-  out[4] = k_2_2 * s2;                          // l=2 m=-2
-  const T p_3_2 = k_3_2 * z;
-  out[10] = p_3_2 * s2;                         // l=3 m=-2
-  out[14] = p_3_2 * c2;                         // l=3 m=2
-  const T p_4_2 = a_4_2 * z2 - b_4_2;
-  out[18] = p_4_2 * s2;                         // l=4 m=-2
-  out[22] = p_4_2 * c2;                         // l=4 m=2
-  const T p_5_2 = z * (a_5_2 * z2 - b_5_2);
-  out[28] = p_5_2 * s2;                         // l=5 m=-2
-  out[32] = p_5_2 * c2;                         // l=5 m=2
-  const T p_6_2 = a_6_2 * z * p_5_2 - b_6_2 * p_4_2;
-  out[40] = p_6_2 * s2;                         // l=6 m=-2
-  out[44] = p_6_2 * c2;                         // l=6 m=2
-  const T p_7_2 = a_7_2 * z * p_6_2 - b_7_2 * p_5_2;
-  out[54] = p_7_2 * s2;                         // l=7 m=-2
-  out[58] = p_7_2 * c2;                         // l=7 m=2
-  const T c3 = x * c2 - y * s2;
-  const T s3 = x * s2 + y * c2;
-  out[9] = k_3_3 * s3;                          // l=3 m=-3
-  out[15] = k_3_3 * c3;                         // l=3 m=3
-  const T p_4_3 = k_4_3 * z;
-  out[17] = p_4_3 * s3;                         // l=4 m=-3
-  out[23] = p_4_3 * c3;                         // l=4 m=3
-  const T p_5_3 = a_5_3 * z2 - b_5_3;
-  out[27] = p_5_3 * s3;                         // l=5 m=-3
-  out[33] = p_5_3 * c3;                         // l=5 m=3
-  const T p_6_3 = z * (a_6_3 * z2 - b_6_3);
-  out[39] = p_6_3 * s3;                         // l=6 m=-3
-  out[45] = p_6_3 * c3;                         // l=6 m=3
-  const T p_7_3 = a_7_3 * z * p_6_3 - b_7_3 * p_5_3;
-  out[53] = p_7_3 * s3;                         // l=7 m=-3
-  out[59] = p_7_3 * c3;                         // l=7 m=3
-  const T c4 = x * c3 - y * s3;
-  const T s4 = x * s3 + y * c3;
-  out[16] = k_4_4 * s4;                         // l=4 m=-4
-  out[24] = k_4_4 * c4;                         // l=4 m=4
-  const T p_5_4 = k_5_4 * z;
-  out[26] = p_5_4 * s4;                         // l=5 m=-4
-  out[34] = p_5_4 * c4;                         // l=5 m=4
-  const T p_6_4 = a_6_4 * z2 - b_6_4;
-  out[38] = p_6_4 * s4;                         // l=6 m=-4
-  out[46] = p_6_4 * c4;                         // l=6 m=4
-  const T p_7_4 = z * (a_7_4 * z2 - b_7_4);
-  out[52] = p_7_4 * s4;                         // l=7 m=-4
-  out[60] = p_7_4 * c4;                         // l=7 m=4
-  const T p_7_5 = a_7_5 * z2 - b_7_5;
-  const T c5 = x * c4 - y * s4;
-  const T s5 = x * s4 + y * c4;
-  out[25] = k_5_5 * s5;                         // l=5 m=-5
-  out[35] = k_5_5 * c5;                         // l=5 m=5
-  out[51] = p_7_5 * s5;                         // l=7 m=-5
-  out[61] = p_7_5 * c5;                         // l=7 m=5
-  const T p_6_5 = k_6_5 * z;
-  out[37] = p_6_5 * s5;                         // l=6 m=-5
-  out[47] = p_6_5 * c5;                         // l=6 m=5
-  const T p_7_6 = k_7_6 * z;
-  const T c6 = x * c5 - y * s5;
-  const T s6 = x * s5 + y * c5;
-  out[36] = k_6_6 * s6;                         // l=6 m=-6
-  out[48] = k_6_6 * c6;                         // l=6 m=6
-  out[50] = p_7_6 * s6;                         // l=7 m=-6
-  out[62] = p_7_6 * c6;                         // l=7 m=6
-  out[49] = k_7_7 * (x * s6 + y * c6);          // l=7 m=-7
-  out[63] = k_7_7 * (x * c6 - y * s6);          // l=7 m=7
 }
 
 }  // namespace sh

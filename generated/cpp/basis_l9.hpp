@@ -6,13 +6,14 @@
 // Input:        x, y, z
 // Domain:       |d| = 1 for d = (x, y, z); z is the polar axis
 // Output:       out (100): Y_lm(d) at index l(l+1)+m, orthonormal on the unit sphere, no Condon-Shortley phase
-// Recipe:       recurrence
-// Source:       P.-P. Sloan, "Efficient Spherical Harmonic Evaluation", JCGT 2(2), 2013; constants derived exactly
-// Cost:         216 multiplications, 52 additions; longest chain 17; at most 9 values live
+// Recipe:       parity
+// Source:       parity in z, doubling in m, columns tied by Gegenbauer relations (Abramowitz and Stegun 22.7); derived
+//               exactly
+// Cost:         189 multiplications, 52 additions; longest chain 17; at most 23 values live
 // Error:        largest over 1110 directions (random, axes, poles, near poles), without contraction;
 //               eps counts units of machine epsilon x sqrt((2l+1)/(4 pi))
-//               float   rounding 1.8e-06 (12.2 eps)  total 2.4e-06 (16.3 eps)
-//               double  rounding 2.6e-15 (9.6 eps)   total 6.4e-15 (23.4 eps)
+//               float   rounding 2.6e-06 (17.9 eps)  total 2.3e-06 (15.9 eps)
+//               double  rounding 3.9e-15 (14.2 eps)  total 9.2e-15 (33.6 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               total:    against the exact function at the input scaled to length 1
 #pragma once
@@ -53,109 +54,277 @@ namespace sh {
 
 template <class T>
 constexpr void basis_l9(T x, T y, T z, T* out) noexcept {
-  const T k_0_0 = detail::constant<T>(0.2820948f, 0.28209479177387814);  // 1/2 sqrt(1/pi)
-  const T k_1_0 = detail::constant<T>(0.48860252f, 0.4886025119029199);  // 1/2 sqrt(3/pi)
-  const T b_2_0 = detail::constant<T>(0.31539157f, 0.31539156525252);    // 1/4 sqrt(5/pi)
-  const T a_2_0 = detail::constant<T>(0.9461747f, 0.94617469575756);     // 3/4 sqrt(5/pi)
-  const T a_3_0 = detail::constant<T>(1.8658817f, 1.865881662950577);    // 5/4 sqrt(7/pi)
-  const T b_3_0 = detail::constant<T>(1.119529f, 1.1195289977703462);    // 3/4 sqrt(7/pi)
-  const T a_4_0 = detail::constant<T>(1.9843135f, 1.984313483298443);    // 3/4 sqrt(7)
-  const T b_4_0 = detail::constant<T>(1.0062306f, 1.0062305898749053);   // 9/20 sqrt(5)
-  const T a_5_0 = detail::constant<T>(1.9899749f, 1.98997487421324);     // 3/5 sqrt(11)
-  const T b_5_0 = detail::constant<T>(1.002853f, 1.002853072844814);     // 4/35 sqrt(77)
-  const T a_6_0 = detail::constant<T>(1.9930434f, 1.9930434571835662);   // 1/6 sqrt(143)
-  const T b_6_0 = detail::constant<T>(1.001542f, 1.0015420209622192);    // 5/18 sqrt(13)
-  const T a_7_0 = detail::constant<T>(1.9948914f, 1.9948914348241344);   // 1/7 sqrt(195)
-  const T b_7_0 = detail::constant<T>(1.0009272f, 1.000927213921958);    // 6/77 sqrt(165)
-  const T a_8_0 = detail::constant<T>(1.9960899f, 1.996089927833914);    // 1/8 sqrt(255)
-  const T b_8_0 = detail::constant<T>(1.0006008f, 1.0006007810695148);   // 7/104 sqrt(221)
-  const T a_9_0 = detail::constant<T>(1.9969112f, 1.9969111950679366);   // 1/9 sqrt(323)
-  const T b_9_0 = detail::constant<T>(1.0004114f, 1.0004114379931337);   // 8/135 sqrt(285)
-  const T k_2_1 = detail::constant<T>(1.0925485f, 1.0925484305920792);   // 1/2 sqrt(15/pi)
-  const T b_3_1 = detail::constant<T>(0.4570458f, 0.4570457994644657);   // 1/8 sqrt(42/pi)
-  const T a_3_1 = detail::constant<T>(2.285229f, 2.2852289973223288);    // 5/8 sqrt(42/pi)
-  const T a_4_1 = detail::constant<T>(4.683326f, 4.683325804901024);     // 21/8 sqrt(10/pi)
-  const T b_4_1 = detail::constant<T>(2.0071397f, 2.0071396306718676);   // 9/8 sqrt(10/pi)
-  const T a_5_1 = detail::constant<T>(2.0310097f, 2.03100960115899);     // 1/4 sqrt(66)
-  const T b_5_1 = detail::constant<T>(0.9910312f, 0.9910312089651149);   // 1/28 sqrt(770)
-  const T a_6_1 = detail::constant<T>(2.021315f, 2.0213149892370277);    // 1/35 sqrt(5005)
-  const T b_6_1 = detail::constant<T>(0.9952267f, 0.9952267030562386);   // 2/105 sqrt(2730)
-  const T a_7_1 = detail::constant<T>(2.0155644f, 2.0155644370746373);   // 1/4 sqrt(65)
-  const T b_7_1 = detail::constant<T>(0.9971551f, 0.9971550440218321);   // 5/44 sqrt(77)
-  const T a_8_1 = detail::constant<T>(2.0118694f, 2.011869540407391);    // 1/21 sqrt(1785)
-  const T b_8_1 = detail::constant<T>(0.9981668f, 0.9981668178901743);   // 4/273 sqrt(4641)
-  const T a_9_1 = detail::constant<T>(2.0093532f, 2.009353129741012);    // 1/20 sqrt(1615)
-  const T b_9_1 = detail::constant<T>(0.9987492f, 0.998749217771909);    // 1/20 sqrt(399)
-  const T k_2_2 = detail::constant<T>(0.54627424f, 0.5462742152960396);  // 1/4 sqrt(15/pi)
-  const T k_3_2 = detail::constant<T>(1.4453057f, 1.4453057213202771);   // 1/4 sqrt(105/pi)
-  const T b_4_2 = detail::constant<T>(0.47308734f, 0.47308734787878);    // 3/8 sqrt(5/pi)
-  const T a_4_2 = detail::constant<T>(3.3116114f, 3.3116114351514603);   // 21/8 sqrt(5/pi)
-  const T a_5_2 = detail::constant<T>(7.190305f, 7.190305177459986);     // 3/8 sqrt(1155/pi)
-  const T b_5_2 = detail::constant<T>(2.3967683f, 2.396768392486662);    // 1/8 sqrt(1155/pi)
-  const T a_6_2 = detail::constant<T>(2.113942f, 2.1139418156609704);    // 1/8 sqrt(286)
-  const T b_6_2 = detail::constant<T>(0.9736101f, 0.9736101204623269);   // 1/24 sqrt(546)
-  const T a_7_2 = detail::constant<T>(2.081666f, 2.0816659994661326);    // 1/3 sqrt(39)
-  const T b_7_2 = detail::constant<T>(0.9847319f, 0.9847319278346619);   // 4/33 sqrt(66)
-  const T a_8_2 = detail::constant<T>(2.0615528f, 2.0615528128088303);   // 1/2 sqrt(17)
-  const T b_8_2 = detail::constant<T>(0.9903379f, 0.9903379376602871);   // 1/26 sqrt(663)
-  const T a_9_2 = detail::constant<T>(2.0481224f, 2.048122358357819);    // 1/77 sqrt(24871)
-  const T b_9_2 = detail::constant<T>(0.9934853f, 0.993485272670404);    // 2/77 sqrt(1463)
-  const T k_3_3 = detail::constant<T>(0.5900436f, 0.5900435899266435);   // 1/8 sqrt(70/pi)
-  const T k_4_3 = detail::constant<T>(1.7701308f, 1.7701307697799304);   // 3/8 sqrt(70/pi)
-  const T b_5_3 = detail::constant<T>(0.4892383f, 0.4892382994352504);   // 1/32 sqrt(770/pi)
-  const T a_5_3 = detail::constant<T>(4.403145f, 4.403144694917254);     // 9/32 sqrt(770/pi)
-  const T a_6_3 = detail::constant<T>(10.133258f, 10.133257854664159);   // 11/32 sqrt(2730/pi)
-  const T b_6_3 = detail::constant<T>(2.7636158f, 2.7636157785447706);   // 3/32 sqrt(2730/pi)
-  const T a_7_3 = detail::constant<T>(2.20794f, 2.207940216581962);      // 1/4 sqrt(78)
-  const T b_7_3 = detail::constant<T>(0.9594032f, 0.959403223600247);    // 9/44 sqrt(22)
-  const T a_8_3 = detail::constant<T>(2.1532216f, 2.15322168769582);     // 1/11 sqrt(561)
-  const T b_8_3 = detail::constant<T>(0.9752174f, 0.9752173865600178);   // 2/143 sqrt(4862)
-  const T a_9_3 = detail::constant<T>(2.1180441f, 2.1180441711898057);   // 1/12 sqrt(646)
-  const T b_9_3 = detail::constant<T>(0.98366284f, 0.9836628449792096);  // 1/36 sqrt(1254)
-  const T k_4_4 = detail::constant<T>(0.6258357f, 0.6258357354491761);   // 3/16 sqrt(35/pi)
-  const T k_5_4 = detail::constant<T>(2.0756624f, 2.075662314881041);    // 3/16 sqrt(385/pi)
-  const T b_6_4 = detail::constant<T>(0.5045649f, 0.5045649007287242);   // 3/32 sqrt(91/pi)
-  const T a_6_4 = detail::constant<T>(5.550214f, 5.550213908015966);     // 33/32 sqrt(91/pi)
-  const T a_7_4 = detail::constant<T>(13.491805f, 13.491805046726768);   // 39/32 sqrt(385/pi)
-  const T b_7_4 = detail::constant<T>(3.1134934f, 3.113493472321562);    // 9/32 sqrt(385/pi)
-  const T a_8_4 = detail::constant<T>(2.304886f, 2.3048861143232218);    // 1/4 sqrt(85)
-  const T b_8_4 = detail::constant<T>(0.9481764f, 0.9481763873554654);   // 1/52 sqrt(2431)
-  const T a_9_4 = detail::constant<T>(2.2291772f, 2.229177150706235);    // 1/65 sqrt(20995)
-  const T b_9_4 = detail::constant<T>(0.96715283f, 0.9671528397231822);  // 4/65 sqrt(247)
-  const T k_5_5 = detail::constant<T>(0.6563821f, 0.6563820568401701);   // 3/32 sqrt(154/pi)
-  const T k_6_5 = detail::constant<T>(2.366619f, 2.366619162231752);     // 3/32 sqrt(2002/pi)
-  const T b_7_5 = detail::constant<T>(0.5189156f, 0.5189155787202603);   // 3/64 sqrt(385/pi)
-  const T a_7_5 = detail::constant<T>(6.7459025f, 6.745902523363384);    // 39/64 sqrt(385/pi)
-  const T a_8_5 = detail::constant<T>(17.249554f, 17.24955311049054);    // 15/64 sqrt(17017/pi)
-  const T b_8_5 = detail::constant<T>(3.4499106f, 3.449910622098108);    // 3/64 sqrt(17017/pi)
-  const T a_9_5 = detail::constant<T>(2.4016364f, 2.401636346922061);    // 1/28 sqrt(4522)
-  const T b_9_5 = detail::constant<T>(0.9392246f, 0.9392246042043709);   // 1/140 sqrt(17290)
-  const T k_6_6 = detail::constant<T>(0.6831841f, 0.6831841051919143);   // 1/64 sqrt(6006/pi)
-  const T k_7_6 = detail::constant<T>(2.6459606f, 2.6459606618019);      // 3/64 sqrt(10010/pi)
-  const T b_8_6 = detail::constant<T>(0.5323328f, 0.5323327660595426);   // 1/128 sqrt(14586/pi)
-  const T a_8_6 = detail::constant<T>(7.9849916f, 7.9849914908931385);   // 15/128 sqrt(14586/pi)
-  const T a_9_6 = detail::constant<T>(21.39289f, 21.392890190908638);    // 17/128 sqrt(81510/pi)
-  const T b_9_6 = detail::constant<T>(3.7752159f, 3.7752159160427006);   // 3/128 sqrt(81510/pi)
-  const T k_7_7 = detail::constant<T>(0.70716274f, 0.7071627325245962);  // 3/64 sqrt(715/pi)
-  const T k_8_7 = detail::constant<T>(2.9157066f, 2.9157066406993195);   // 3/64 sqrt(12155/pi)
-  const T b_9_7 = detail::constant<T>(0.5449055f, 0.5449054813440531);   // 3/512 sqrt(27170/pi)
-  const T a_9_7 = detail::constant<T>(9.263393f, 9.263393182848905);     // 51/512 sqrt(27170/pi)
-  const T k_8_8 = detail::constant<T>(0.72892666f, 0.7289266601748299);  // 3/256 sqrt(12155/pi)
-  const T k_9_8 = detail::constant<T>(3.1773176f, 3.1773176489546975);   // 3/256 sqrt(230945/pi)
-  const T k_9_9 = detail::constant<T>(0.74890095f, 0.7489009518531883);  // 1/512 sqrt(461890/pi)
+  const T k_0_0  = detail::constant<T>(0.2820948f, 0.28209479177387814);  // 1/2 sqrt(1/pi)
+  const T one    = detail::constant<T>(1.0f, 1.0);                        // 1
+  const T k_1_1  = detail::constant<T>(0.48860252f, 0.4886025119029199);  // 1/2 sqrt(3/pi)
+  const T k_2_2s = detail::constant<T>(1.0925485f, 1.0925484305920792);   // 1/2 sqrt(15/pi)
+  const T k_2_2c = detail::constant<T>(0.54627424f, 0.5462742152960396);  // 1/4 sqrt(15/pi)
+  const T b_3_3  = detail::constant<T>(1.2076148f, 1.20761472884912);     // 1/12 sqrt(210)
+  const T a_3_3  = detail::constant<T>(4.4212766f, 4.421276695971028);    // 2/3 sqrt(14) pi^(1/2)
+  const T k_4_4s = detail::constant<T>(4.1943913f, 4.194391357527674);    // 2/5 sqrt(35) pi^(1/2)
+  const T k_4_4c = detail::constant<T>(2.0971956f, 2.097195678763837);    // 1/5 sqrt(35) pi^(1/2)
+  const T k_5_5  = detail::constant<T>(1.0488088f, 1.0488088481701516);   // 1/10 sqrt(110)
+  const T k_6_6s = detail::constant<T>(3.9246376f, 3.9246375605398574);   // 1/35 sqrt(6006) pi^(1/2)
+  const T k_6_6c = detail::constant<T>(1.9623188f, 1.9623187802699287);   // 1/70 sqrt(6006) pi^(1/2)
+  const T k_7_7  = detail::constant<T>(1.0350983f, 1.0350983390135313);   // 1/14 sqrt(210)
+  const T k_8_8s = detail::constant<T>(3.7221434f, 3.7221435174375443);   // 2/105 sqrt(12155) pi^(1/2)
+  const T k_8_8c = detail::constant<T>(1.8610717f, 1.8610717587187722);   // 1/105 sqrt(12155) pi^(1/2)
+  const T k_9_9  = detail::constant<T>(1.0274023f, 1.0274023338281628);   // 1/6 sqrt(38)
+  const T k_9_8  = detail::constant<T>(4.358899f, 4.358898943540674);     // sqrt(19)
+  const T k_8_7  = detail::constant<T>(4.1231055f, 4.123105625617661);    // sqrt(17)
+  const T a_9_7  = detail::constant<T>(13.09938f, 13.099379756309075);    // 17/8 sqrt(38)
+  const T b_9_7  = detail::constant<T>(0.77055174f, 0.770551750371122);   // 1/8 sqrt(38)
+  const T k_7_6  = detail::constant<T>(3.8729835f, 3.872983346207417);    // sqrt(15)
+  const T a_8_6  = detail::constant<T>(11.687906f, 11.687905837109694);   // 15/14 sqrt(119)
+  const T b_8_6  = detail::constant<T>(0.7791937f, 0.7791937224739796);   // 1/14 sqrt(119)
+  const T a_9_6  = detail::constant<T>(8.085113f, 8.085112715296406);     // 17/42 sqrt(399)
+  const T b_9_6  = detail::constant<T>(1.4267846f, 1.4267845968170128);   // 1/14 sqrt(399)
+  const T k_6_5  = detail::constant<T>(3.6055512f, 3.605551275463989);    // sqrt(13)
+  const T a_7_5  = detail::constant<T>(10.277402f, 10.277402395547233);   // 13/4 sqrt(10)
+  const T b_7_5  = detail::constant<T>(0.7905694f, 0.7905694150420949);   // 1/4 sqrt(10)
+  const T a_8_5  = detail::constant<T>(7.28869f, 7.2886898685566255);     // 5/4 sqrt(34)
+  const T b_8_5  = detail::constant<T>(1.4577379f, 1.4577379737113252);   // 1/4 sqrt(34)
+  const T a_9_5  = detail::constant<T>(0.9655088f, 0.9655088027689687);   // 15/646 sqrt(1729)
+  const T b_9_5  = detail::constant<T>(1.2229778f, 1.2229778168406935);   // 1/34 sqrt(1729)
+  const T k_5_4  = detail::constant<T>(3.3166249f, 3.3166247903554);      // sqrt(11)
+  const T a_6_4  = detail::constant<T>(8.868484f, 8.868483523128404);     // 11/10 sqrt(65)
+  const T b_6_4  = detail::constant<T>(0.8062258f, 0.8062257748298549);   // 1/10 sqrt(65)
+  const T a_7_4  = detail::constant<T>(6.5f, 6.5);                        // 13/2
+  const T b_7_4  = detail::constant<T>(1.5f, 1.5);                        // 3/2
+  const T a_8_4  = detail::constant<T>(0.93532f, 0.9353200144398519);     // 13/425 sqrt(935)
+  const T b_8_4  = detail::constant<T>(1.2231108f, 1.2231107881136525);   // 1/25 sqrt(935)
+  const T a_9_4  = detail::constant<T>(0.52915025f, 0.5291502622129182);  // 1/5 sqrt(7)
+  const T b_9_4  = detail::constant<T>(1.0781248f, 1.078124733589055);    // 1/85 sqrt(8398)
+  const T k_4_3  = detail::constant<T>(3.0f, 3.0);                        // 3
+  const T a_5_3  = detail::constant<T>(7.4624057f, 7.46240577829965);     // 9/4 sqrt(11)
+  const T b_5_3  = detail::constant<T>(0.8291562f, 0.82915619758885);     // 1/4 sqrt(11)
+  const T a_6_3  = detail::constant<T>(5.7245817f, 5.724581498531865);    // 11/12 sqrt(39)
+  const T b_6_3  = detail::constant<T>(1.5612495f, 1.5612494995995996);   // 1/4 sqrt(39)
+  const T a_7_3  = detail::constant<T>(0.8974817f, 0.897481683813695);    // 33/52 sqrt(2)
+  const T b_7_3  = detail::constant<T>(1.2238387f, 1.2238386597459476);   // 45/52 sqrt(2)
+  const T a_8_3  = detail::constant<T>(0.5477226f, 0.5477225575051661);   // 1/10 sqrt(30)
+  const T b_8_3  = detail::constant<T>(1.1165423f, 1.116542281629615);    // 1/30 sqrt(1122)
+  const T a_9_3  = detail::constant<T>(5.1780787f, 5.178078794301995);    // 1/4 sqrt(429)
+  const T b_9_3  = detail::constant<T>(1.0236181f, 1.023618150311462);    // 1/68 sqrt(4845)
+  const T k_3_2  = detail::constant<T>(2.6457512f, 2.6457513110645907);   // sqrt(7)
+  const T a_4_2  = detail::constant<T>(6.0621777f, 6.06217782649107);     // 7/2 sqrt(3)
+  const T b_4_2  = detail::constant<T>(0.8660254f, 0.8660254037844386);   // 1/2 sqrt(3)
+  const T a_5_2  = detail::constant<T>(4.974937f, 4.9749371855331);       // 3/2 sqrt(11)
+  const T b_5_2  = detail::constant<T>(1.6583124f, 1.6583123951777);      // 1/2 sqrt(11)
+  const T a_6_2  = detail::constant<T>(0.8490674f, 0.8490673990845341);   // 9/143 sqrt(182)
+  const T b_6_2  = detail::constant<T>(1.2264307f, 1.2264306875665492);   // 1/11 sqrt(182)
+  const T a_7_2  = detail::constant<T>(0.7867958f, 0.7867957924694432);   // 1/21 sqrt(273)
+  const T b_7_2  = detail::constant<T>(0.9847319f, 0.9847319278346619);   // 4/33 sqrt(66)
+  const T a_8_2  = detail::constant<T>(5.454356f, 5.454356057317857);     // 1/2 sqrt(119)
+  const T b_8_2  = detail::constant<T>(0.9903379f, 0.9903379376602871);   // 1/26 sqrt(663)
+  const T a_9_2  = detail::constant<T>(0.77411747f, 0.7741174878351287);  // 1/77 sqrt(3553)
+  const T b_9_2  = detail::constant<T>(0.9934853f, 0.993485272670404);    // 2/77 sqrt(1463)
+  const T k_2_1  = detail::constant<T>(2.236068f, 2.23606797749979);      // sqrt(5)
+  const T a_3_1  = detail::constant<T>(4.6770716f, 4.677071733467427);    // 5/4 sqrt(14)
+  const T b_3_1  = detail::constant<T>(3.7416575f, 3.7416573867739413);   // sqrt(14)
+  const T a_4_1  = detail::constant<T>(4.2866073f, 4.286607049870562);    // 7/4 sqrt(6)
+  const T b_4_1  = detail::constant<T>(2.4494898f, 2.449489742783178);    // sqrt(6)
+  const T a_5_1  = detail::constant<T>(0.7865665f, 0.7865665062071158);   // 7/66 sqrt(55)
+  const T b_5_1  = detail::constant<T>(1.2360331f, 1.2360330811826106);   // 1/6 sqrt(55)
+  const T a_6_1  = detail::constant<T>(0.9039596f, 0.90395954397465);     // 1/35 sqrt(1001)
+  const T b_6_1  = detail::constant<T>(0.9952267f, 0.9952267030562386);   // 2/105 sqrt(2730)
+  const T a_7_1  = detail::constant<T>(4.506939f, 4.5069390943299865);    // 5/4 sqrt(13)
+  const T b_7_1  = detail::constant<T>(0.9971551f, 0.9971550440218321);   // 5/44 sqrt(77)
+  const T a_8_1  = detail::constant<T>(0.8997354f, 0.8997354108424374);   // 1/21 sqrt(357)
+  const T b_8_1  = detail::constant<T>(0.9981668f, 0.9981668178901743);   // 4/273 sqrt(4641)
+  const T a_9_1  = detail::constant<T>(4.49305f, 4.493050188902857);      // 1/4 sqrt(323)
+  const T b_9_1  = detail::constant<T>(0.9987492f, 0.998749217771909);    // 1/20 sqrt(399)
+  const T a_2_0  = detail::constant<T>(0.9461747f, 0.94617469575756);     // 3/4 sqrt(5/pi)
+  const T b_2_0  = detail::constant<T>(0.63078314f, 0.63078313050504);    // 1/2 sqrt(5/pi)
+  const T a_3_0  = detail::constant<T>(3.818813f, 3.8188130791298667);    // 5/6 sqrt(21)
+  const T b_3_0  = detail::constant<T>(1.5275252f, 1.5275252316519468);   // 1/3 sqrt(21)
+  const T a_4_0  = detail::constant<T>(0.20149627f, 0.2014962798384844);  // 5/14 sqrt(1/pi)
+  const T b_4_0  = detail::constant<T>(0.3626933f, 0.3626933037092719);   // 9/14 sqrt(1/pi)
+  const T a_5_0  = detail::constant<T>(1.9899749f, 1.98997487421324);     // 3/5 sqrt(11)
+  const T b_5_0  = detail::constant<T>(1.002853f, 1.002853072844814);     // 4/35 sqrt(77)
+  const T a_6_0  = detail::constant<T>(1.9930434f, 1.9930434571835662);   // 1/6 sqrt(143)
+  const T b_6_0  = detail::constant<T>(1.001542f, 1.0015420209622192);    // 5/18 sqrt(13)
+  const T a_7_0  = detail::constant<T>(1.9948914f, 1.9948914348241344);   // 1/7 sqrt(195)
+  const T b_7_0  = detail::constant<T>(1.0009272f, 1.000927213921958);    // 6/77 sqrt(165)
+  const T a_8_0  = detail::constant<T>(1.9960899f, 1.996089927833914);    // 1/8 sqrt(255)
+  const T b_8_0  = detail::constant<T>(1.0006008f, 1.0006007810695148);   // 7/104 sqrt(221)
+  const T a_9_0  = detail::constant<T>(1.9969112f, 1.9969111950679366);   // 1/9 sqrt(323)
+  const T b_9_0  = detail::constant<T>(1.0004114f, 1.0004114379931337);   // 8/135 sqrt(285)
 
   out[0] = k_0_0;                               // l=0 m=0
-  out[2] = k_1_0 * z;                           // l=1 m=0
-  out[1] = k_1_0 * y;                           // l=1 m=-1
-  out[3] = k_1_0 * x;                           // l=1 m=1
   const T z2 = z * z;
-  const T p_2_0 = a_2_0 * z2 - b_2_0;
-  out[6] = p_2_0;                               // l=2 m=0
-  const T p_3_0 = z * (a_3_0 * z2 - b_3_0);
-  out[12] = p_3_0;                              // l=3 m=0
-  const T p_4_0 = a_4_0 * z * p_3_0 - b_4_0 * p_2_0;
+  const T xy2 = one - z2;
+  const T y_1_1c = k_1_1 * x;
+  out[3] = y_1_1c;                              // l=1 m=1
+  const T y_1_1s = k_1_1 * y;
+  out[1] = y_1_1s;                              // l=1 m=-1
+  const T t = k_2_2s * x;
+  const T y_2_2s = t * y;
+  out[4] = y_2_2s;                              // l=2 m=-2
+  const T y_2_2c = t * x - k_2_2c * xy2;
+  out[8] = y_2_2c;                              // l=2 m=2
+  const T t_2 = b_3_3 * xy2;
+  const T t_3 = a_3_3 * y_2_2c;
+  const T y_3_3c = y_1_1c * (t_3 - t_2);
+  out[15] = y_3_3c;                             // l=3 m=3
+  const T y_3_3s = y_1_1s * (t_3 + t_2);
+  out[9] = y_3_3s;                              // l=3 m=-3
+  const T y_4_4s = k_4_4s * y_2_2c * y_2_2s;
+  out[16] = y_4_4s;                             // l=4 m=-4
+  const T y_4_4c = k_4_4c * (y_2_2c - y_2_2s) * (y_2_2c + y_2_2s);
+  out[24] = y_4_4c;                             // l=4 m=4
+  const T t_4 = k_5_5 * x;
+  const T t_5 = k_5_5 * y;
+  const T y_5_5c = t_4 * y_4_4c - t_5 * y_4_4s;
+  out[35] = y_5_5c;                             // l=5 m=5
+  const T y_5_5s = t_4 * y_4_4s + t_5 * y_4_4c;
+  out[25] = y_5_5s;                             // l=5 m=-5
+  const T y_6_6s = k_6_6s * y_3_3c * y_3_3s;
+  out[36] = y_6_6s;                             // l=6 m=-6
+  const T y_6_6c = k_6_6c * (y_3_3c - y_3_3s) * (y_3_3c + y_3_3s);
+  out[48] = y_6_6c;                             // l=6 m=6
+  const T t_6 = k_7_7 * x;
+  const T t_7 = k_7_7 * y;
+  const T y_7_7c = t_6 * y_6_6c - t_7 * y_6_6s;
+  out[63] = y_7_7c;                             // l=7 m=7
+  const T y_7_7s = t_6 * y_6_6s + t_7 * y_6_6c;
+  out[49] = y_7_7s;                             // l=7 m=-7
+  const T y_8_8s = k_8_8s * y_4_4c * y_4_4s;
+  out[64] = y_8_8s;                             // l=8 m=-8
+  const T y_8_8c = k_8_8c * (y_4_4c - y_4_4s) * (y_4_4c + y_4_4s);
+  out[80] = y_8_8c;                             // l=8 m=8
+  const T t_8 = k_9_9 * x;
+  const T t_9 = k_9_9 * y;
+  out[99] = t_8 * y_8_8c - t_9 * y_8_8s;        // l=9 m=9
+  out[81] = t_8 * y_8_8s + t_9 * y_8_8c;        // l=9 m=-9
+  const T t_9_8 = k_9_8 * z;
+  out[82] = t_9_8 * y_8_8s;                     // l=9 m=-8
+  out[98] = t_9_8 * y_8_8c;                     // l=9 m=8
+  const T t_8_7 = k_8_7 * z;
+  out[65] = t_8_7 * y_7_7s;                     // l=8 m=-7
+  out[79] = t_8_7 * y_7_7c;                     // l=8 m=7
+  const T p_9_7 = a_9_7 * z2 - b_9_7;
+  out[83] = p_9_7 * y_7_7s;                     // l=9 m=-7
+  out[97] = p_9_7 * y_7_7c;                     // l=9 m=7
+  const T t_7_6 = k_7_6 * z;
+  const T y_7_6s = t_7_6 * y_6_6s;
+  out[50] = y_7_6s;                             // l=7 m=-6
+  const T y_7_6c = t_7_6 * y_6_6c;
+  out[62] = y_7_6c;                             // l=7 m=6
+  const T p_8_6 = a_8_6 * z2 - b_8_6;
+  out[66] = p_8_6 * y_6_6s;                     // l=8 m=-6
+  out[78] = p_8_6 * y_6_6c;                     // l=8 m=6
+  const T p_9_6 = a_9_6 * z2 - b_9_6;
+  out[84] = p_9_6 * y_7_6s;                     // l=9 m=-6
+  out[96] = p_9_6 * y_7_6c;                     // l=9 m=6
+  const T t_6_5 = k_6_5 * z;
+  const T y_6_5s = t_6_5 * y_5_5s;
+  out[37] = y_6_5s;                             // l=6 m=-5
+  const T y_6_5c = t_6_5 * y_5_5c;
+  out[47] = y_6_5c;                             // l=6 m=5
+  const T p_7_5 = a_7_5 * z2 - b_7_5;
+  out[51] = p_7_5 * y_5_5s;                     // l=7 m=-5
+  out[61] = p_7_5 * y_5_5c;                     // l=7 m=5
+  const T p_8_5 = a_8_5 * z2 - b_8_5;
+  out[67] = p_8_5 * y_6_5s;                     // l=8 m=-5
+  out[77] = p_8_5 * y_6_5c;                     // l=8 m=5
+  const T p_9_5 = a_9_5 * p_9_6 * p_9_6 - b_9_5;
+  out[85] = p_9_5 * y_5_5s;                     // l=9 m=-5
+  out[95] = p_9_5 * y_5_5c;                     // l=9 m=5
+  const T t_5_4 = k_5_4 * z;
+  const T y_5_4s = t_5_4 * y_4_4s;
+  out[26] = y_5_4s;                             // l=5 m=-4
+  const T y_5_4c = t_5_4 * y_4_4c;
+  out[34] = y_5_4c;                             // l=5 m=4
+  const T p_6_4 = a_6_4 * z2 - b_6_4;
+  out[38] = p_6_4 * y_4_4s;                     // l=6 m=-4
+  out[46] = p_6_4 * y_4_4c;                     // l=6 m=4
+  const T p_7_4 = a_7_4 * z2 - b_7_4;
+  out[52] = p_7_4 * y_5_4s;                     // l=7 m=-4
+  out[60] = p_7_4 * y_5_4c;                     // l=7 m=4
+  const T p_8_4 = a_8_4 * p_8_5 * p_8_5 - b_8_4;
+  out[68] = p_8_4 * y_4_4s;                     // l=8 m=-4
+  out[76] = p_8_4 * y_4_4c;                     // l=8 m=4
+  const T p_9_4 = a_9_4 * p_9_5 - b_9_4 * p_8_5;
+  out[86] = p_9_4 * y_5_4s;                     // l=9 m=-4
+  out[94] = p_9_4 * y_5_4c;                     // l=9 m=4
+  const T t_4_3 = k_4_3 * z;
+  const T y_4_3s = t_4_3 * y_3_3s;
+  out[17] = y_4_3s;                             // l=4 m=-3
+  const T y_4_3c = t_4_3 * y_3_3c;
+  out[23] = y_4_3c;                             // l=4 m=3
+  const T p_5_3 = a_5_3 * z2 - b_5_3;
+  out[27] = p_5_3 * y_3_3s;                     // l=5 m=-3
+  out[33] = p_5_3 * y_3_3c;                     // l=5 m=3
+  const T p_6_3 = a_6_3 * z2 - b_6_3;
+  out[39] = p_6_3 * y_4_3s;                     // l=6 m=-3
+  out[45] = p_6_3 * y_4_3c;                     // l=6 m=3
+  const T p_7_3 = a_7_3 * p_7_4 * p_7_4 - b_7_3;
+  out[53] = p_7_3 * y_3_3s;                     // l=7 m=-3
+  out[59] = p_7_3 * y_3_3c;                     // l=7 m=3
+  const T p_8_3 = a_8_3 * p_8_4 - b_8_3 * p_7_4;
+  out[69] = p_8_3 * y_4_3s;                     // l=8 m=-3
+  out[75] = p_8_3 * y_4_3c;                     // l=8 m=3
+  const T p_9_3 = a_9_3 * z2 * p_9_4 - b_9_3 * p_8_4;
+  out[87] = p_9_3 * y_3_3s;                     // l=9 m=-3
+  out[93] = p_9_3 * y_3_3c;                     // l=9 m=3
+  const T t_3_2 = k_3_2 * z;
+  const T y_3_2s = t_3_2 * y_2_2s;
+  out[10] = y_3_2s;                             // l=3 m=-2
+  const T y_3_2c = t_3_2 * y_2_2c;
+  out[14] = y_3_2c;                             // l=3 m=2
+  const T p_4_2 = a_4_2 * z2 - b_4_2;
+  out[18] = p_4_2 * y_2_2s;                     // l=4 m=-2
+  out[22] = p_4_2 * y_2_2c;                     // l=4 m=2
+  const T p_5_2 = a_5_2 * z2 - b_5_2;
+  out[28] = p_5_2 * y_3_2s;                     // l=5 m=-2
+  out[32] = p_5_2 * y_3_2c;                     // l=5 m=2
+  const T p_6_2 = a_6_2 * p_6_3 * p_6_3 - b_6_2;
+  out[40] = p_6_2 * y_2_2s;                     // l=6 m=-2
+  out[44] = p_6_2 * y_2_2c;                     // l=6 m=2
+  const T p_7_2 = a_7_2 * p_6_2 - b_7_2 * p_5_2;
+  out[54] = p_7_2 * y_3_2s;                     // l=7 m=-2
+  out[58] = p_7_2 * y_3_2c;                     // l=7 m=2
+  const T p_8_2 = a_8_2 * z2 * p_7_2 - b_8_2 * p_6_2;
+  out[70] = p_8_2 * y_2_2s;                     // l=8 m=-2
+  out[74] = p_8_2 * y_2_2c;                     // l=8 m=2
+  const T p_9_2 = a_9_2 * p_8_2 - b_9_2 * p_7_2;
+  out[88] = p_9_2 * y_3_2s;                     // l=9 m=-2
+  out[92] = p_9_2 * y_3_2c;                     // l=9 m=2
+  const T t_2_1 = k_2_1 * z;
+  const T y_2_1s = t_2_1 * y_1_1s;
+  out[5] = y_2_1s;                              // l=2 m=-1
+  const T y_2_1c = t_2_1 * y_1_1c;
+  out[7] = y_2_1c;                              // l=2 m=1
+  const T p_3_1 = b_3_1 - a_3_1 * xy2;
+  out[11] = p_3_1 * y_1_1s;                     // l=3 m=-1
+  out[13] = p_3_1 * y_1_1c;                     // l=3 m=1
+  const T p_4_1 = b_4_1 - a_4_1 * xy2;
+  out[19] = p_4_1 * y_2_1s;                     // l=4 m=-1
+  out[21] = p_4_1 * y_2_1c;                     // l=4 m=1
+  const T p_5_1 = a_5_1 * p_5_2 * p_5_2 - b_5_1;
+  out[29] = p_5_1 * y_1_1s;                     // l=5 m=-1
+  out[31] = p_5_1 * y_1_1c;                     // l=5 m=1
+  const T p_6_1 = a_6_1 * p_5_1 - b_6_1 * p_4_1;
+  out[41] = p_6_1 * y_2_1s;                     // l=6 m=-1
+  out[43] = p_6_1 * y_2_1c;                     // l=6 m=1
+  const T p_7_1 = a_7_1 * z2 * p_6_1 - b_7_1 * p_5_1;
+  out[55] = p_7_1 * y_1_1s;                     // l=7 m=-1
+  out[57] = p_7_1 * y_1_1c;                     // l=7 m=1
+  const T p_8_1 = a_8_1 * p_7_1 - b_8_1 * p_6_1;
+  out[71] = p_8_1 * y_2_1s;                     // l=8 m=-1
+  out[73] = p_8_1 * y_2_1c;                     // l=8 m=1
+  const T p_9_1 = a_9_1 * z2 * p_8_1 - b_9_1 * p_7_1;
+  out[89] = p_9_1 * y_1_1s;                     // l=9 m=-1
+  out[91] = p_9_1 * y_1_1c;                     // l=9 m=1
+  const T t_1_0 = k_1_1 * z;
+  out[2] = t_1_0;                               // l=1 m=0
+  out[6] = b_2_0 - a_2_0 * xy2;                 // l=2 m=0
+  const T y_3_0 = (b_3_0 - a_3_0 * xy2) * t_1_0;
+  out[12] = y_3_0;                              // l=3 m=0
+  const T p_4_0 = a_4_0 * p_4_1 * p_4_1 - b_4_0;
   out[20] = p_4_0;                              // l=4 m=0
-  const T p_5_0 = a_5_0 * z * p_4_0 - b_5_0 * p_3_0;
+  const T p_5_0 = a_5_0 * z * p_4_0 - b_5_0 * y_3_0;
   out[30] = p_5_0;                              // l=5 m=0
   const T p_6_0 = a_6_0 * z * p_5_0 - b_6_0 * p_4_0;
   out[42] = p_6_0;                              // l=6 m=0
@@ -164,145 +333,6 @@ constexpr void basis_l9(T x, T y, T z, T* out) noexcept {
   const T p_8_0 = a_8_0 * z * p_7_0 - b_8_0 * p_6_0;
   out[72] = p_8_0;                              // l=8 m=0
   out[90] = a_9_0 * z * p_8_0 - b_9_0 * p_7_0;  // l=9 m=0
-  const T p_2_1 = k_2_1 * z;
-  out[5] = p_2_1 * y;                           // l=2 m=-1
-  out[7] = p_2_1 * x;                           // l=2 m=1
-  const T p_3_1 = a_3_1 * z2 - b_3_1;
-  out[11] = p_3_1 * y;                          // l=3 m=-1
-  out[13] = p_3_1 * x;                          // l=3 m=1
-  const T p_4_1 = z * (a_4_1 * z2 - b_4_1);
-  out[19] = p_4_1 * y;                          // l=4 m=-1
-  out[21] = p_4_1 * x;                          // l=4 m=1
-  const T p_5_1 = a_5_1 * z * p_4_1 - b_5_1 * p_3_1;
-  out[29] = p_5_1 * y;                          // l=5 m=-1
-  out[31] = p_5_1 * x;                          // l=5 m=1
-  const T p_6_1 = a_6_1 * z * p_5_1 - b_6_1 * p_4_1;
-  out[41] = p_6_1 * y;                          // l=6 m=-1
-  out[43] = p_6_1 * x;                          // l=6 m=1
-  const T p_7_1 = a_7_1 * z * p_6_1 - b_7_1 * p_5_1;
-  out[55] = p_7_1 * y;                          // l=7 m=-1
-  out[57] = p_7_1 * x;                          // l=7 m=1
-  const T p_8_1 = a_8_1 * z * p_7_1 - b_8_1 * p_6_1;
-  out[71] = p_8_1 * y;                          // l=8 m=-1
-  out[73] = p_8_1 * x;                          // l=8 m=1
-  const T p_9_1 = a_9_1 * z * p_8_1 - b_9_1 * p_7_1;
-  out[89] = p_9_1 * y;                          // l=9 m=-1
-  out[91] = p_9_1 * x;                          // l=9 m=1
-  const T c2 = x * x - y * y;
-  out[8] = k_2_2 * c2;                          // l=2 m=2
-  const T xy = x * y;
-  const T s2 = xy + xy;
-  out[4] = k_2_2 * s2;                          // l=2 m=-2
-  const T p_3_2 = k_3_2 * z;
-  out[10] = p_3_2 * s2;                         // l=3 m=-2
-  out[14] = p_3_2 * c2;                         // l=3 m=2
-  const T p_4_2 = a_4_2 * z2 - b_4_2;
-  out[18] = p_4_2 * s2;                         // l=4 m=-2
-  out[22] = p_4_2 * c2;                         // l=4 m=2
-  const T p_5_2 = z * (a_5_2 * z2 - b_5_2);
-  out[28] = p_5_2 * s2;                         // l=5 m=-2
-  out[32] = p_5_2 * c2;                         // l=5 m=2
-  const T p_6_2 = a_6_2 * z * p_5_2 - b_6_2 * p_4_2;
-  out[40] = p_6_2 * s2;                         // l=6 m=-2
-  out[44] = p_6_2 * c2;                         // l=6 m=2
-  const T p_7_2 = a_7_2 * z * p_6_2 - b_7_2 * p_5_2;
-  out[54] = p_7_2 * s2;                         // l=7 m=-2
-  out[58] = p_7_2 * c2;                         // l=7 m=2
-  const T p_8_2 = a_8_2 * z * p_7_2 - b_8_2 * p_6_2;
-  out[70] = p_8_2 * s2;                         // l=8 m=-2
-  out[74] = p_8_2 * c2;                         // l=8 m=2
-  const T p_9_2 = a_9_2 * z * p_8_2 - b_9_2 * p_7_2;
-  out[88] = p_9_2 * s2;                         // l=9 m=-2
-  out[92] = p_9_2 * c2;                         // l=9 m=2
-  const T c3 = x * c2 - y * s2;
-  const T s3 = x * s2 + y * c2;
-  out[9] = k_3_3 * s3;                          // l=3 m=-3
-  out[15] = k_3_3 * c3;                         // l=3 m=3
-  const T p_4_3 = k_4_3 * z;
-  out[17] = p_4_3 * s3;                         // l=4 m=-3
-  out[23] = p_4_3 * c3;                         // l=4 m=3
-  const T p_5_3 = a_5_3 * z2 - b_5_3;
-  out[27] = p_5_3 * s3;                         // l=5 m=-3
-  out[33] = p_5_3 * c3;                         // l=5 m=3
-  const T p_6_3 = z * (a_6_3 * z2 - b_6_3);
-  out[39] = p_6_3 * s3;                         // l=6 m=-3
-  out[45] = p_6_3 * c3;                         // l=6 m=3
-  const T p_7_3 = a_7_3 * z * p_6_3 - b_7_3 * p_5_3;
-  out[53] = p_7_3 * s3;                         // l=7 m=-3
-  out[59] = p_7_3 * c3;                         // l=7 m=3
-  const T p_8_3 = a_8_3 * z * p_7_3 - b_8_3 * p_6_3;
-  out[69] = p_8_3 * s3;                         // l=8 m=-3
-  out[75] = p_8_3 * c3;                         // l=8 m=3
-  const T p_9_3 = a_9_3 * z * p_8_3 - b_9_3 * p_7_3;
-  out[87] = p_9_3 * s3;                         // l=9 m=-3
-  out[93] = p_9_3 * c3;                         // l=9 m=3
-  const T c4 = x * c3 - y * s3;
-  const T s4 = x * s3 + y * c3;
-  out[16] = k_4_4 * s4;                         // l=4 m=-4
-  out[24] = k_4_4 * c4;                         // l=4 m=4
-  const T p_5_4 = k_5_4 * z;
-  out[26] = p_5_4 * s4;                         // l=5 m=-4
-  out[34] = p_5_4 * c4;                         // l=5 m=4
-  const T p_6_4 = a_6_4 * z2 - b_6_4;
-  out[38] = p_6_4 * s4;                         // l=6 m=-4
-  out[46] = p_6_4 * c4;                         // l=6 m=4
-  const T p_7_4 = z * (a_7_4 * z2 - b_7_4);
-  out[52] = p_7_4 * s4;                         // l=7 m=-4
-  out[60] = p_7_4 * c4;                         // l=7 m=4
-  const T p_8_4 = a_8_4 * z * p_7_4 - b_8_4 * p_6_4;
-  out[68] = p_8_4 * s4;                         // l=8 m=-4
-  out[76] = p_8_4 * c4;                         // l=8 m=4
-  const T p_9_4 = a_9_4 * z * p_8_4 - b_9_4 * p_7_4;
-  out[86] = p_9_4 * s4;                         // l=9 m=-4
-  out[94] = p_9_4 * c4;                         // l=9 m=4
-  const T c5 = x * c4 - y * s4;
-  const T s5 = x * s4 + y * c4;
-  out[25] = k_5_5 * s5;                         // l=5 m=-5
-  out[35] = k_5_5 * c5;                         // l=5 m=5
-  const T p_6_5 = k_6_5 * z;
-  out[37] = p_6_5 * s5;                         // l=6 m=-5
-  out[47] = p_6_5 * c5;                         // l=6 m=5
-  const T p_7_5 = a_7_5 * z2 - b_7_5;
-  out[51] = p_7_5 * s5;                         // l=7 m=-5
-  out[61] = p_7_5 * c5;                         // l=7 m=5
-  const T p_8_5 = z * (a_8_5 * z2 - b_8_5);
-  out[67] = p_8_5 * s5;                         // l=8 m=-5
-  out[77] = p_8_5 * c5;                         // l=8 m=5
-  const T p_9_5 = a_9_5 * z * p_8_5 - b_9_5 * p_7_5;
-  out[85] = p_9_5 * s5;                         // l=9 m=-5
-  out[95] = p_9_5 * c5;                         // l=9 m=5
-  const T c6 = x * c5 - y * s5;
-  const T s6 = x * s5 + y * c5;
-  out[36] = k_6_6 * s6;                         // l=6 m=-6
-  out[48] = k_6_6 * c6;                         // l=6 m=6
-  const T p_7_6 = k_7_6 * z;
-  out[50] = p_7_6 * s6;                         // l=7 m=-6
-  out[62] = p_7_6 * c6;                         // l=7 m=6
-  const T p_8_6 = a_8_6 * z2 - b_8_6;
-  out[66] = p_8_6 * s6;                         // l=8 m=-6
-  out[78] = p_8_6 * c6;                         // l=8 m=6
-  const T p_9_6 = z * (a_9_6 * z2 - b_9_6);
-  out[84] = p_9_6 * s6;                         // l=9 m=-6
-  out[96] = p_9_6 * c6;                         // l=9 m=6
-  const T p_9_7 = a_9_7 * z2 - b_9_7;
-  const T c7 = x * c6 - y * s6;
-  const T s7 = x * s6 + y * c6;
-  out[49] = k_7_7 * s7;                         // l=7 m=-7
-  out[63] = k_7_7 * c7;                         // l=7 m=7
-  out[83] = p_9_7 * s7;                         // l=9 m=-7
-  out[97] = p_9_7 * c7;                         // l=9 m=7
-  const T p_8_7 = k_8_7 * z;
-  out[65] = p_8_7 * s7;                         // l=8 m=-7
-  out[79] = p_8_7 * c7;                         // l=8 m=7
-  const T p_9_8 = k_9_8 * z;
-  const T c8 = x * c7 - y * s7;
-  const T s8 = x * s7 + y * c7;
-  out[64] = k_8_8 * s8;                         // l=8 m=-8
-  out[80] = k_8_8 * c8;                         // l=8 m=8
-  out[82] = p_9_8 * s8;                         // l=9 m=-8
-  out[98] = p_9_8 * c8;                         // l=9 m=8
-  out[81] = k_9_9 * (x * s8 + y * c8);          // l=9 m=-9
-  out[99] = k_9_9 * (x * c8 - y * s8);          // l=9 m=9
 }
 
 }  // namespace sh

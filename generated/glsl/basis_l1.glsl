@@ -6,8 +6,9 @@
 // Input:        x, y, z
 // Domain:       |d| = 1 for d = (x, y, z); z is the polar axis
 // Output:       result (4): Y_lm(d) at index l(l+1)+m, orthonormal on the unit sphere, no Condon-Shortley phase
-// Recipe:       recurrence
-// Source:       P.-P. Sloan, "Efficient Spherical Harmonic Evaluation", JCGT 2(2), 2013; constants derived exactly
+// Recipe:       parity
+// Source:       parity in z, doubling in m, columns tied by Gegenbauer relations (Abramowitz and Stegun 22.7); derived
+//               exactly
 // Cost:         3 multiplications, 0 additions; longest chain 1; at most 3 values live
 // Error:        largest over 1110 directions (random, axes, poles, near poles), without contraction;
 //               eps counts units of machine epsilon x sqrt((2l+1)/(4 pi))
@@ -22,10 +23,10 @@ precision highp float;
 
 void basis_l1(float x, float y, float z, out float result[4]) {
     const float k_0_0 = 0.2820948;   // 1/2 sqrt(1/pi)
-    const float k_1_0 = 0.48860252;  // 1/2 sqrt(3/pi)
+    const float k_1_1 = 0.48860252;  // 1/2 sqrt(3/pi)
 
     result[0] = k_0_0;      // l=0 m=0
-    result[2] = k_1_0 * z;  // l=1 m=0
-    result[1] = k_1_0 * y;  // l=1 m=-1
-    result[3] = k_1_0 * x;  // l=1 m=1
+    result[3] = k_1_1 * x;  // l=1 m=1
+    result[1] = k_1_1 * y;  // l=1 m=-1
+    result[2] = k_1_1 * z;  // l=1 m=0
 }

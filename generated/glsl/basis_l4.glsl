@@ -6,13 +6,14 @@
 // Input:        x, y, z
 // Domain:       |d| = 1 for d = (x, y, z); z is the polar axis
 // Output:       result (25): Y_lm(d) at index l(l+1)+m, orthonormal on the unit sphere, no Condon-Shortley phase
-// Recipe:       recurrence
-// Source:       P.-P. Sloan, "Efficient Spherical Harmonic Evaluation", JCGT 2(2), 2013; constants derived exactly
-// Cost:         46 multiplications, 12 additions; longest chain 7; at most 7 values live
+// Recipe:       parity
+// Source:       parity in z, doubling in m, columns tied by Gegenbauer relations (Abramowitz and Stegun 22.7); derived
+//               exactly
+// Cost:         39 multiplications, 12 additions; longest chain 8; at most 10 values live
 // Error:        largest over 1110 directions (random, axes, poles, near poles), without contraction;
 //               eps counts units of machine epsilon x sqrt((2l+1)/(4 pi))
-//               float   rounding 2.9e-07 (2.9 eps)  total 4.9e-07 (4.8 eps)
-//               double  rounding 6.1e-16 (3.3 eps)  total 1.7e-15 (9.1 eps)
+//               float   rounding 3.3e-07 (3.4 eps)  total 4.2e-07 (4.1 eps)
+//               double  rounding 8.8e-16 (4.7 eps)  total 1.5e-15 (7.8 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               total:    against the exact function at the input scaled to length 1
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
@@ -21,64 +22,74 @@ precision highp float;
 #endif
 
 void basis_l4(float x, float y, float z, out float result[25]) {
-    const float k_0_0 = 0.2820948;   // 1/2 sqrt(1/pi)
-    const float k_1_0 = 0.48860252;  // 1/2 sqrt(3/pi)
-    const float b_2_0 = 0.31539157;  // 1/4 sqrt(5/pi)
-    const float a_2_0 = 0.9461747;   // 3/4 sqrt(5/pi)
-    const float a_3_0 = 1.8658817;   // 5/4 sqrt(7/pi)
-    const float b_3_0 = 1.119529;    // 3/4 sqrt(7/pi)
-    const float a_4_0 = 1.9843135;   // 3/4 sqrt(7)
-    const float b_4_0 = 1.0062306;   // 9/20 sqrt(5)
-    const float k_2_1 = 1.0925485;   // 1/2 sqrt(15/pi)
-    const float b_3_1 = 0.4570458;   // 1/8 sqrt(42/pi)
-    const float a_3_1 = 2.285229;    // 5/8 sqrt(42/pi)
-    const float a_4_1 = 4.683326;    // 21/8 sqrt(10/pi)
-    const float b_4_1 = 2.0071397;   // 9/8 sqrt(10/pi)
-    const float k_2_2 = 0.54627424;  // 1/4 sqrt(15/pi)
-    const float k_3_2 = 1.4453057;   // 1/4 sqrt(105/pi)
-    const float b_4_2 = 0.47308734;  // 3/8 sqrt(5/pi)
-    const float a_4_2 = 3.3116114;   // 21/8 sqrt(5/pi)
-    const float k_3_3 = 0.5900436;   // 1/8 sqrt(70/pi)
-    const float k_4_3 = 1.7701308;   // 3/8 sqrt(70/pi)
-    const float k_4_4 = 0.6258357;   // 3/16 sqrt(35/pi)
+    const float k_0_0  = 0.2820948;   // 1/2 sqrt(1/pi)
+    const float one    = 1.0;         // 1
+    const float k_1_1  = 0.48860252;  // 1/2 sqrt(3/pi)
+    const float k_2_2s = 1.0925485;   // 1/2 sqrt(15/pi)
+    const float k_2_2c = 0.54627424;  // 1/4 sqrt(15/pi)
+    const float b_3_3  = 1.2076148;   // 1/12 sqrt(210)
+    const float a_3_3  = 4.4212766;   // 2/3 sqrt(14) pi^(1/2)
+    const float k_4_4s = 4.1943913;   // 2/5 sqrt(35) pi^(1/2)
+    const float k_4_4c = 2.0971956;   // 1/5 sqrt(35) pi^(1/2)
+    const float k_4_3  = 3.0;         // 3
+    const float k_3_2  = 2.6457512;   // sqrt(7)
+    const float a_4_2  = 6.0621777;   // 7/2 sqrt(3)
+    const float b_4_2  = 0.8660254;   // 1/2 sqrt(3)
+    const float k_2_1  = 2.236068;    // sqrt(5)
+    const float a_3_1  = 4.6770716;   // 5/4 sqrt(14)
+    const float b_3_1  = 3.7416575;   // sqrt(14)
+    const float a_4_1  = 4.2866073;   // 7/4 sqrt(6)
+    const float b_4_1  = 2.4494898;   // sqrt(6)
+    const float a_2_0  = 0.9461747;   // 3/4 sqrt(5/pi)
+    const float b_2_0  = 0.63078314;  // 1/2 sqrt(5/pi)
+    const float a_3_0  = 3.818813;    // 5/6 sqrt(21)
+    const float b_3_0  = 1.5275252;   // 1/3 sqrt(21)
+    const float a_4_0  = 0.20149627;  // 5/14 sqrt(1/pi)
+    const float b_4_0  = 0.3626933;   // 9/14 sqrt(1/pi)
 
-    result[0] = k_0_0;                               // l=0 m=0
-    result[2] = k_1_0 * z;                           // l=1 m=0
-    result[1] = k_1_0 * y;                           // l=1 m=-1
-    result[3] = k_1_0 * x;                           // l=1 m=1
+    result[0] = k_0_0;                                            // l=0 m=0
     float z2 = z * z;
-    float p_2_0 = a_2_0 * z2 - b_2_0;
-    result[6] = p_2_0;                               // l=2 m=0
-    float p_3_0 = z * (a_3_0 * z2 - b_3_0);
-    result[12] = p_3_0;                              // l=3 m=0
-    result[20] = a_4_0 * z * p_3_0 - b_4_0 * p_2_0;  // l=4 m=0
-    float p_2_1 = k_2_1 * z;
-    result[5] = p_2_1 * y;                           // l=2 m=-1
-    result[7] = p_2_1 * x;                           // l=2 m=1
-    float p_3_1 = a_3_1 * z2 - b_3_1;
-    result[11] = p_3_1 * y;                          // l=3 m=-1
-    result[13] = p_3_1 * x;                          // l=3 m=1
-    float p_4_1 = z * (a_4_1 * z2 - b_4_1);
-    result[19] = p_4_1 * y;                          // l=4 m=-1
-    result[21] = p_4_1 * x;                          // l=4 m=1
+    float xy2 = one - z2;
     float p_4_2 = a_4_2 * z2 - b_4_2;
-    float c2 = x * x - y * y;
-    result[8] = k_2_2 * c2;                          // l=2 m=2
-    result[22] = p_4_2 * c2;                         // l=4 m=2
-    float xy = x * y;
-    float s2 = xy + xy;
-    result[18] = p_4_2 * s2;                         // l=4 m=-2
-    result[4] = k_2_2 * s2;                          // l=2 m=-2
-    float p_3_2 = k_3_2 * z;
-    result[10] = p_3_2 * s2;                         // l=3 m=-2
-    result[14] = p_3_2 * c2;                         // l=3 m=2
-    float p_4_3 = k_4_3 * z;
-    float c3 = x * c2 - y * s2;
-    float s3 = x * s2 + y * c2;
-    result[9] = k_3_3 * s3;                          // l=3 m=-3
-    result[15] = k_3_3 * c3;                         // l=3 m=3
-    result[17] = p_4_3 * s3;                         // l=4 m=-3
-    result[23] = p_4_3 * c3;                         // l=4 m=3
-    result[16] = k_4_4 * (x * s3 + y * c3);          // l=4 m=-4
-    result[24] = k_4_4 * (x * c3 - y * s3);          // l=4 m=4
+    float y_1_1c = k_1_1 * x;
+    result[3] = y_1_1c;                                           // l=1 m=1
+    float y_1_1s = k_1_1 * y;
+    result[1] = y_1_1s;                                           // l=1 m=-1
+    float t = k_2_2s * x;
+    float y_2_2s = t * y;
+    result[4] = y_2_2s;                                           // l=2 m=-2
+    result[18] = p_4_2 * y_2_2s;                                  // l=4 m=-2
+    float y_2_2c = t * x - k_2_2c * xy2;
+    result[8] = y_2_2c;                                           // l=2 m=2
+    result[22] = p_4_2 * y_2_2c;                                  // l=4 m=2
+    float t_2 = b_3_3 * xy2;
+    float t_3 = a_3_3 * y_2_2c;
+    float y_3_3c = y_1_1c * (t_3 - t_2);
+    result[15] = y_3_3c;                                          // l=3 m=3
+    float y_3_3s = y_1_1s * (t_3 + t_2);
+    result[9] = y_3_3s;                                           // l=3 m=-3
+    result[16] = k_4_4s * y_2_2c * y_2_2s;                        // l=4 m=-4
+    result[24] = k_4_4c * (y_2_2c - y_2_2s) * (y_2_2c + y_2_2s);  // l=4 m=4
+    float t_4_3 = k_4_3 * z;
+    result[17] = t_4_3 * y_3_3s;                                  // l=4 m=-3
+    result[23] = t_4_3 * y_3_3c;                                  // l=4 m=3
+    float t_3_2 = k_3_2 * z;
+    result[10] = t_3_2 * y_2_2s;                                  // l=3 m=-2
+    result[14] = t_3_2 * y_2_2c;                                  // l=3 m=2
+    float t_2_1 = k_2_1 * z;
+    float t_1_0 = k_1_1 * z;
+    result[2] = t_1_0;                                            // l=1 m=0
+    float y_2_1s = t_2_1 * y_1_1s;
+    result[5] = y_2_1s;                                           // l=2 m=-1
+    float y_2_1c = t_2_1 * y_1_1c;
+    result[7] = y_2_1c;                                           // l=2 m=1
+    float p_3_1 = b_3_1 - a_3_1 * xy2;
+    result[11] = p_3_1 * y_1_1s;                                  // l=3 m=-1
+    result[13] = p_3_1 * y_1_1c;                                  // l=3 m=1
+    float p_4_1 = b_4_1 - a_4_1 * xy2;
+    result[19] = p_4_1 * y_2_1s;                                  // l=4 m=-1
+    result[21] = p_4_1 * y_2_1c;                                  // l=4 m=1
+    result[6] = b_2_0 - a_2_0 * xy2;                              // l=2 m=0
+    result[12] = (b_3_0 - a_3_0 * xy2) * t_1_0;                   // l=3 m=0
+    result[20] = a_4_0 * p_4_1 * p_4_1 - b_4_0;                   // l=4 m=0
 }

@@ -6,13 +6,14 @@
 // Input:        x, y, z
 // Domain:       |d| = 1 for d = (x, y, z); z is the polar axis
 // Output:       result (49): Y_lm(d) at index l(l+1)+m, orthonormal on the unit sphere, no Condon-Shortley phase
-// Recipe:       recurrence
-// Source:       P.-P. Sloan, "Efficient Spherical Harmonic Evaluation", JCGT 2(2), 2013; constants derived exactly
-// Cost:         99 multiplications, 25 additions; longest chain 11; at most 9 values live
+// Recipe:       parity
+// Source:       parity in z, doubling in m, columns tied by Gegenbauer relations (Abramowitz and Stegun 22.7); derived
+//               exactly
+// Cost:         85 multiplications, 25 additions; longest chain 11; at most 15 values live
 // Error:        largest over 1110 directions (random, axes, poles, near poles), without contraction;
 //               eps counts units of machine epsilon x sqrt((2l+1)/(4 pi))
-//               float   rounding 7.6e-07 (6.3 eps)  total 1.2e-06 (9.8 eps)
-//               double  rounding 1.4e-15 (6.3 eps)  total 3.8e-15 (16.7 eps)
+//               float   rounding 8.5e-07 (7.0 eps)  total 1.1e-06 (9.3 eps)
+//               double  rounding 1.9e-15 (8.3 eps)  total 4.0e-15 (17.6 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               total:    against the exact function at the input scaled to length 1
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
@@ -21,125 +22,143 @@ precision highp float;
 #endif
 
 void basis_l6(float x, float y, float z, out float result[49]) {
-    const float k_0_0 = 0.2820948;   // 1/2 sqrt(1/pi)
-    const float k_1_0 = 0.48860252;  // 1/2 sqrt(3/pi)
-    const float b_2_0 = 0.31539157;  // 1/4 sqrt(5/pi)
-    const float a_2_0 = 0.9461747;   // 3/4 sqrt(5/pi)
-    const float a_3_0 = 1.8658817;   // 5/4 sqrt(7/pi)
-    const float b_3_0 = 1.119529;    // 3/4 sqrt(7/pi)
-    const float a_4_0 = 1.9843135;   // 3/4 sqrt(7)
-    const float b_4_0 = 1.0062306;   // 9/20 sqrt(5)
-    const float a_5_0 = 1.9899749;   // 3/5 sqrt(11)
-    const float b_5_0 = 1.002853;    // 4/35 sqrt(77)
-    const float a_6_0 = 1.9930434;   // 1/6 sqrt(143)
-    const float b_6_0 = 1.001542;    // 5/18 sqrt(13)
-    const float k_2_1 = 1.0925485;   // 1/2 sqrt(15/pi)
-    const float b_3_1 = 0.4570458;   // 1/8 sqrt(42/pi)
-    const float a_3_1 = 2.285229;    // 5/8 sqrt(42/pi)
-    const float a_4_1 = 4.683326;    // 21/8 sqrt(10/pi)
-    const float b_4_1 = 2.0071397;   // 9/8 sqrt(10/pi)
-    const float a_5_1 = 2.0310097;   // 1/4 sqrt(66)
-    const float b_5_1 = 0.9910312;   // 1/28 sqrt(770)
-    const float a_6_1 = 2.021315;    // 1/35 sqrt(5005)
-    const float b_6_1 = 0.9952267;   // 2/105 sqrt(2730)
-    const float k_2_2 = 0.54627424;  // 1/4 sqrt(15/pi)
-    const float k_3_2 = 1.4453057;   // 1/4 sqrt(105/pi)
-    const float b_4_2 = 0.47308734;  // 3/8 sqrt(5/pi)
-    const float a_4_2 = 3.3116114;   // 21/8 sqrt(5/pi)
-    const float a_5_2 = 7.190305;    // 3/8 sqrt(1155/pi)
-    const float b_5_2 = 2.3967683;   // 1/8 sqrt(1155/pi)
-    const float a_6_2 = 2.113942;    // 1/8 sqrt(286)
-    const float b_6_2 = 0.9736101;   // 1/24 sqrt(546)
-    const float k_3_3 = 0.5900436;   // 1/8 sqrt(70/pi)
-    const float k_4_3 = 1.7701308;   // 3/8 sqrt(70/pi)
-    const float b_5_3 = 0.4892383;   // 1/32 sqrt(770/pi)
-    const float a_5_3 = 4.403145;    // 9/32 sqrt(770/pi)
-    const float a_6_3 = 10.133258;   // 11/32 sqrt(2730/pi)
-    const float b_6_3 = 2.7636158;   // 3/32 sqrt(2730/pi)
-    const float k_4_4 = 0.6258357;   // 3/16 sqrt(35/pi)
-    const float k_5_4 = 2.0756624;   // 3/16 sqrt(385/pi)
-    const float b_6_4 = 0.5045649;   // 3/32 sqrt(91/pi)
-    const float a_6_4 = 5.550214;    // 33/32 sqrt(91/pi)
-    const float k_5_5 = 0.6563821;   // 3/32 sqrt(154/pi)
-    const float k_6_5 = 2.366619;    // 3/32 sqrt(2002/pi)
-    const float k_6_6 = 0.6831841;   // 1/64 sqrt(6006/pi)
+    const float k_0_0  = 0.2820948;   // 1/2 sqrt(1/pi)
+    const float one    = 1.0;         // 1
+    const float k_1_1  = 0.48860252;  // 1/2 sqrt(3/pi)
+    const float k_2_2s = 1.0925485;   // 1/2 sqrt(15/pi)
+    const float k_2_2c = 0.54627424;  // 1/4 sqrt(15/pi)
+    const float b_3_3  = 1.2076148;   // 1/12 sqrt(210)
+    const float a_3_3  = 4.4212766;   // 2/3 sqrt(14) pi^(1/2)
+    const float k_4_4s = 4.1943913;   // 2/5 sqrt(35) pi^(1/2)
+    const float k_4_4c = 2.0971956;   // 1/5 sqrt(35) pi^(1/2)
+    const float k_5_5  = 1.0488088;   // 1/10 sqrt(110)
+    const float k_6_6s = 3.9246376;   // 1/35 sqrt(6006) pi^(1/2)
+    const float k_6_6c = 1.9623188;   // 1/70 sqrt(6006) pi^(1/2)
+    const float k_6_5  = 3.6055512;   // sqrt(13)
+    const float k_5_4  = 3.3166249;   // sqrt(11)
+    const float a_6_4  = 8.868484;    // 11/10 sqrt(65)
+    const float b_6_4  = 0.8062258;   // 1/10 sqrt(65)
+    const float k_4_3  = 3.0;         // 3
+    const float a_5_3  = 7.4624057;   // 9/4 sqrt(11)
+    const float b_5_3  = 0.8291562;   // 1/4 sqrt(11)
+    const float a_6_3  = 5.7245817;   // 11/12 sqrt(39)
+    const float b_6_3  = 1.5612495;   // 1/4 sqrt(39)
+    const float k_3_2  = 2.6457512;   // sqrt(7)
+    const float a_4_2  = 6.0621777;   // 7/2 sqrt(3)
+    const float b_4_2  = 0.8660254;   // 1/2 sqrt(3)
+    const float a_5_2  = 4.974937;    // 3/2 sqrt(11)
+    const float b_5_2  = 1.6583124;   // 1/2 sqrt(11)
+    const float a_6_2  = 0.8490674;   // 9/143 sqrt(182)
+    const float b_6_2  = 1.2264307;   // 1/11 sqrt(182)
+    const float k_2_1  = 2.236068;    // sqrt(5)
+    const float a_3_1  = 4.6770716;   // 5/4 sqrt(14)
+    const float b_3_1  = 3.7416575;   // sqrt(14)
+    const float a_4_1  = 4.2866073;   // 7/4 sqrt(6)
+    const float b_4_1  = 2.4494898;   // sqrt(6)
+    const float a_5_1  = 0.7865665;   // 7/66 sqrt(55)
+    const float b_5_1  = 1.2360331;   // 1/6 sqrt(55)
+    const float a_6_1  = 0.9039596;   // 1/35 sqrt(1001)
+    const float b_6_1  = 0.9952267;   // 2/105 sqrt(2730)
+    const float a_2_0  = 0.9461747;   // 3/4 sqrt(5/pi)
+    const float b_2_0  = 0.63078314;  // 1/2 sqrt(5/pi)
+    const float a_3_0  = 3.818813;    // 5/6 sqrt(21)
+    const float b_3_0  = 1.5275252;   // 1/3 sqrt(21)
+    const float a_4_0  = 0.20149627;  // 5/14 sqrt(1/pi)
+    const float b_4_0  = 0.3626933;   // 9/14 sqrt(1/pi)
+    const float a_5_0  = 1.9899749;   // 3/5 sqrt(11)
+    const float b_5_0  = 1.002853;    // 4/35 sqrt(77)
+    const float a_6_0  = 1.9930434;   // 1/6 sqrt(143)
+    const float b_6_0  = 1.001542;    // 5/18 sqrt(13)
 
-    result[0] = k_0_0;                               // l=0 m=0
-    result[2] = k_1_0 * z;                           // l=1 m=0
-    result[1] = k_1_0 * y;                           // l=1 m=-1
-    result[3] = k_1_0 * x;                           // l=1 m=1
+    result[0] = k_0_0;                                            // l=0 m=0
     float z2 = z * z;
-    float p_2_0 = a_2_0 * z2 - b_2_0;
-    result[6] = p_2_0;                               // l=2 m=0
-    float p_3_0 = z * (a_3_0 * z2 - b_3_0);
-    result[12] = p_3_0;                              // l=3 m=0
-    float p_4_0 = a_4_0 * z * p_3_0 - b_4_0 * p_2_0;
-    result[20] = p_4_0;                              // l=4 m=0
-    float p_5_0 = a_5_0 * z * p_4_0 - b_5_0 * p_3_0;
-    result[30] = p_5_0;                              // l=5 m=0
-    result[42] = a_6_0 * z * p_5_0 - b_6_0 * p_4_0;  // l=6 m=0
-    float p_2_1 = k_2_1 * z;
-    result[5] = p_2_1 * y;                           // l=2 m=-1
-    result[7] = p_2_1 * x;                           // l=2 m=1
-    float p_3_1 = a_3_1 * z2 - b_3_1;
-    result[11] = p_3_1 * y;                          // l=3 m=-1
-    result[13] = p_3_1 * x;                          // l=3 m=1
-    float p_4_1 = z * (a_4_1 * z2 - b_4_1);
-    result[19] = p_4_1 * y;                          // l=4 m=-1
-    result[21] = p_4_1 * x;                          // l=4 m=1
-    float p_5_1 = a_5_1 * z * p_4_1 - b_5_1 * p_3_1;
-    result[29] = p_5_1 * y;                          // l=5 m=-1
-    result[31] = p_5_1 * x;                          // l=5 m=1
-    float p_6_1 = a_6_1 * z * p_5_1 - b_6_1 * p_4_1;
-    result[41] = p_6_1 * y;                          // l=6 m=-1
-    result[43] = p_6_1 * x;                          // l=6 m=1
-    float c2 = x * x - y * y;
-    result[8] = k_2_2 * c2;                          // l=2 m=2
-    float xy = x * y;
-    float s2 = xy + xy;
-    result[4] = k_2_2 * s2;                          // l=2 m=-2
-    float p_3_2 = k_3_2 * z;
-    result[10] = p_3_2 * s2;                         // l=3 m=-2
-    result[14] = p_3_2 * c2;                         // l=3 m=2
-    float p_4_2 = a_4_2 * z2 - b_4_2;
-    result[18] = p_4_2 * s2;                         // l=4 m=-2
-    result[22] = p_4_2 * c2;                         // l=4 m=2
-    float p_5_2 = z * (a_5_2 * z2 - b_5_2);
-    result[28] = p_5_2 * s2;                         // l=5 m=-2
-    result[32] = p_5_2 * c2;                         // l=5 m=2
-    float p_6_2 = a_6_2 * z * p_5_2 - b_6_2 * p_4_2;
-    result[40] = p_6_2 * s2;                         // l=6 m=-2
-    result[44] = p_6_2 * c2;                         // l=6 m=2
-    float c3 = x * c2 - y * s2;
-    float s3 = x * s2 + y * c2;
-    result[9] = k_3_3 * s3;                          // l=3 m=-3
-    result[15] = k_3_3 * c3;                         // l=3 m=3
-    float p_4_3 = k_4_3 * z;
-    result[17] = p_4_3 * s3;                         // l=4 m=-3
-    result[23] = p_4_3 * c3;                         // l=4 m=3
-    float p_5_3 = a_5_3 * z2 - b_5_3;
-    result[27] = p_5_3 * s3;                         // l=5 m=-3
-    result[33] = p_5_3 * c3;                         // l=5 m=3
-    float p_6_3 = z * (a_6_3 * z2 - b_6_3);
-    result[39] = p_6_3 * s3;                         // l=6 m=-3
-    result[45] = p_6_3 * c3;                         // l=6 m=3
+    float xy2 = one - z2;
+    float y_1_1c = k_1_1 * x;
+    result[3] = y_1_1c;                                           // l=1 m=1
+    float y_1_1s = k_1_1 * y;
+    result[1] = y_1_1s;                                           // l=1 m=-1
+    float t = k_2_2s * x;
+    float y_2_2s = t * y;
+    result[4] = y_2_2s;                                           // l=2 m=-2
+    float y_2_2c = t * x - k_2_2c * xy2;
+    result[8] = y_2_2c;                                           // l=2 m=2
+    float t_2 = b_3_3 * xy2;
+    float t_3 = a_3_3 * y_2_2c;
+    float y_3_3c = y_1_1c * (t_3 - t_2);
+    result[15] = y_3_3c;                                          // l=3 m=3
+    float y_3_3s = y_1_1s * (t_3 + t_2);
+    result[9] = y_3_3s;                                           // l=3 m=-3
+    float y_4_4s = k_4_4s * y_2_2c * y_2_2s;
+    result[16] = y_4_4s;                                          // l=4 m=-4
+    float y_4_4c = k_4_4c * (y_2_2c - y_2_2s) * (y_2_2c + y_2_2s);
+    result[24] = y_4_4c;                                          // l=4 m=4
+    float t_4 = k_5_5 * x;
+    float t_5 = k_5_5 * y;
+    float y_5_5c = t_4 * y_4_4c - t_5 * y_4_4s;
+    result[35] = y_5_5c;                                          // l=5 m=5
+    float y_5_5s = t_4 * y_4_4s + t_5 * y_4_4c;
+    result[25] = y_5_5s;                                          // l=5 m=-5
+    result[36] = k_6_6s * y_3_3c * y_3_3s;                        // l=6 m=-6
+    result[48] = k_6_6c * (y_3_3c - y_3_3s) * (y_3_3c + y_3_3s);  // l=6 m=6
+    float t_6_5 = k_6_5 * z;
+    result[37] = t_6_5 * y_5_5s;                                  // l=6 m=-5
+    result[47] = t_6_5 * y_5_5c;                                  // l=6 m=5
+    float t_5_4 = k_5_4 * z;
+    result[26] = t_5_4 * y_4_4s;                                  // l=5 m=-4
+    result[34] = t_5_4 * y_4_4c;                                  // l=5 m=4
     float p_6_4 = a_6_4 * z2 - b_6_4;
-    float c4 = x * c3 - y * s3;
-    float s4 = x * s3 + y * c3;
-    result[16] = k_4_4 * s4;                         // l=4 m=-4
-    result[24] = k_4_4 * c4;                         // l=4 m=4
-    result[38] = p_6_4 * s4;                         // l=6 m=-4
-    result[46] = p_6_4 * c4;                         // l=6 m=4
-    float p_5_4 = k_5_4 * z;
-    result[26] = p_5_4 * s4;                         // l=5 m=-4
-    result[34] = p_5_4 * c4;                         // l=5 m=4
-    float p_6_5 = k_6_5 * z;
-    float c5 = x * c4 - y * s4;
-    float s5 = x * s4 + y * c4;
-    result[25] = k_5_5 * s5;                         // l=5 m=-5
-    result[35] = k_5_5 * c5;                         // l=5 m=5
-    result[37] = p_6_5 * s5;                         // l=6 m=-5
-    result[47] = p_6_5 * c5;                         // l=6 m=5
-    result[36] = k_6_6 * (x * s5 + y * c5);          // l=6 m=-6
-    result[48] = k_6_6 * (x * c5 - y * s5);          // l=6 m=6
+    result[38] = p_6_4 * y_4_4s;                                  // l=6 m=-4
+    result[46] = p_6_4 * y_4_4c;                                  // l=6 m=4
+    float t_4_3 = k_4_3 * z;
+    float y_4_3s = t_4_3 * y_3_3s;
+    result[17] = y_4_3s;                                          // l=4 m=-3
+    float y_4_3c = t_4_3 * y_3_3c;
+    result[23] = y_4_3c;                                          // l=4 m=3
+    float p_5_3 = a_5_3 * z2 - b_5_3;
+    result[27] = p_5_3 * y_3_3s;                                  // l=5 m=-3
+    result[33] = p_5_3 * y_3_3c;                                  // l=5 m=3
+    float p_6_3 = a_6_3 * z2 - b_6_3;
+    result[39] = p_6_3 * y_4_3s;                                  // l=6 m=-3
+    result[45] = p_6_3 * y_4_3c;                                  // l=6 m=3
+    float t_3_2 = k_3_2 * z;
+    float y_3_2s = t_3_2 * y_2_2s;
+    result[10] = y_3_2s;                                          // l=3 m=-2
+    float y_3_2c = t_3_2 * y_2_2c;
+    result[14] = y_3_2c;                                          // l=3 m=2
+    float p_4_2 = a_4_2 * z2 - b_4_2;
+    result[18] = p_4_2 * y_2_2s;                                  // l=4 m=-2
+    result[22] = p_4_2 * y_2_2c;                                  // l=4 m=2
+    float p_5_2 = a_5_2 * z2 - b_5_2;
+    result[28] = p_5_2 * y_3_2s;                                  // l=5 m=-2
+    result[32] = p_5_2 * y_3_2c;                                  // l=5 m=2
+    float p_6_2 = a_6_2 * p_6_3 * p_6_3 - b_6_2;
+    result[40] = p_6_2 * y_2_2s;                                  // l=6 m=-2
+    result[44] = p_6_2 * y_2_2c;                                  // l=6 m=2
+    float t_2_1 = k_2_1 * z;
+    float y_2_1s = t_2_1 * y_1_1s;
+    result[5] = y_2_1s;                                           // l=2 m=-1
+    float y_2_1c = t_2_1 * y_1_1c;
+    result[7] = y_2_1c;                                           // l=2 m=1
+    float p_3_1 = b_3_1 - a_3_1 * xy2;
+    result[11] = p_3_1 * y_1_1s;                                  // l=3 m=-1
+    result[13] = p_3_1 * y_1_1c;                                  // l=3 m=1
+    float p_4_1 = b_4_1 - a_4_1 * xy2;
+    result[19] = p_4_1 * y_2_1s;                                  // l=4 m=-1
+    result[21] = p_4_1 * y_2_1c;                                  // l=4 m=1
+    float p_5_1 = a_5_1 * p_5_2 * p_5_2 - b_5_1;
+    result[29] = p_5_1 * y_1_1s;                                  // l=5 m=-1
+    result[31] = p_5_1 * y_1_1c;                                  // l=5 m=1
+    float p_6_1 = a_6_1 * p_5_1 - b_6_1 * p_4_1;
+    result[41] = p_6_1 * y_2_1s;                                  // l=6 m=-1
+    result[43] = p_6_1 * y_2_1c;                                  // l=6 m=1
+    float t_1_0 = k_1_1 * z;
+    result[2] = t_1_0;                                            // l=1 m=0
+    result[6] = b_2_0 - a_2_0 * xy2;                              // l=2 m=0
+    float y_3_0 = (b_3_0 - a_3_0 * xy2) * t_1_0;
+    result[12] = y_3_0;                                           // l=3 m=0
+    float p_4_0 = a_4_0 * p_4_1 * p_4_1 - b_4_0;
+    result[20] = p_4_0;                                           // l=4 m=0
+    float p_5_0 = a_5_0 * z * p_4_0 - b_5_0 * y_3_0;
+    result[30] = p_5_0;                                           // l=5 m=0
+    result[42] = a_6_0 * z * p_5_0 - b_6_0 * p_4_0;               // l=6 m=0
 }

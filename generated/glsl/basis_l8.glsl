@@ -6,13 +6,14 @@
 // Input:        x, y, z
 // Domain:       |d| = 1 for d = (x, y, z); z is the polar axis
 // Output:       result (81): Y_lm(d) at index l(l+1)+m, orthonormal on the unit sphere, no Condon-Shortley phase
-// Recipe:       recurrence
-// Source:       P.-P. Sloan, "Efficient Spherical Harmonic Evaluation", JCGT 2(2), 2013; constants derived exactly
-// Cost:         172 multiplications, 42 additions; longest chain 15; at most 9 values live
+// Recipe:       parity
+// Source:       parity in z, doubling in m, columns tied by Gegenbauer relations (Abramowitz and Stegun 22.7); derived
+//               exactly
+// Cost:         149 multiplications, 42 additions; longest chain 15; at most 19 values live
 // Error:        largest over 1110 directions (random, axes, poles, near poles), without contraction;
 //               eps counts units of machine epsilon x sqrt((2l+1)/(4 pi))
-//               float   rounding 1.2e-06 (8.4 eps)  total 1.9e-06 (14.0 eps)
-//               double  rounding 2.2e-15 (8.4 eps)  total 5.6e-15 (21.7 eps)
+//               float   rounding 1.9e-06 (13.5 eps)  total 1.9e-06 (13.6 eps)
+//               double  rounding 3.4e-15 (13.1 eps)  total 7.4e-15 (28.7 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               total:    against the exact function at the input scaled to length 1
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
@@ -21,206 +22,231 @@ precision highp float;
 #endif
 
 void basis_l8(float x, float y, float z, out float result[81]) {
-    const float k_0_0 = 0.2820948;   // 1/2 sqrt(1/pi)
-    const float k_1_0 = 0.48860252;  // 1/2 sqrt(3/pi)
-    const float b_2_0 = 0.31539157;  // 1/4 sqrt(5/pi)
-    const float a_2_0 = 0.9461747;   // 3/4 sqrt(5/pi)
-    const float a_3_0 = 1.8658817;   // 5/4 sqrt(7/pi)
-    const float b_3_0 = 1.119529;    // 3/4 sqrt(7/pi)
-    const float a_4_0 = 1.9843135;   // 3/4 sqrt(7)
-    const float b_4_0 = 1.0062306;   // 9/20 sqrt(5)
-    const float a_5_0 = 1.9899749;   // 3/5 sqrt(11)
-    const float b_5_0 = 1.002853;    // 4/35 sqrt(77)
-    const float a_6_0 = 1.9930434;   // 1/6 sqrt(143)
-    const float b_6_0 = 1.001542;    // 5/18 sqrt(13)
-    const float a_7_0 = 1.9948914;   // 1/7 sqrt(195)
-    const float b_7_0 = 1.0009272;   // 6/77 sqrt(165)
-    const float a_8_0 = 1.9960899;   // 1/8 sqrt(255)
-    const float b_8_0 = 1.0006008;   // 7/104 sqrt(221)
-    const float k_2_1 = 1.0925485;   // 1/2 sqrt(15/pi)
-    const float b_3_1 = 0.4570458;   // 1/8 sqrt(42/pi)
-    const float a_3_1 = 2.285229;    // 5/8 sqrt(42/pi)
-    const float a_4_1 = 4.683326;    // 21/8 sqrt(10/pi)
-    const float b_4_1 = 2.0071397;   // 9/8 sqrt(10/pi)
-    const float a_5_1 = 2.0310097;   // 1/4 sqrt(66)
-    const float b_5_1 = 0.9910312;   // 1/28 sqrt(770)
-    const float a_6_1 = 2.021315;    // 1/35 sqrt(5005)
-    const float b_6_1 = 0.9952267;   // 2/105 sqrt(2730)
-    const float a_7_1 = 2.0155644;   // 1/4 sqrt(65)
-    const float b_7_1 = 0.9971551;   // 5/44 sqrt(77)
-    const float a_8_1 = 2.0118694;   // 1/21 sqrt(1785)
-    const float b_8_1 = 0.9981668;   // 4/273 sqrt(4641)
-    const float k_2_2 = 0.54627424;  // 1/4 sqrt(15/pi)
-    const float k_3_2 = 1.4453057;   // 1/4 sqrt(105/pi)
-    const float b_4_2 = 0.47308734;  // 3/8 sqrt(5/pi)
-    const float a_4_2 = 3.3116114;   // 21/8 sqrt(5/pi)
-    const float a_5_2 = 7.190305;    // 3/8 sqrt(1155/pi)
-    const float b_5_2 = 2.3967683;   // 1/8 sqrt(1155/pi)
-    const float a_6_2 = 2.113942;    // 1/8 sqrt(286)
-    const float b_6_2 = 0.9736101;   // 1/24 sqrt(546)
-    const float a_7_2 = 2.081666;    // 1/3 sqrt(39)
-    const float b_7_2 = 0.9847319;   // 4/33 sqrt(66)
-    const float a_8_2 = 2.0615528;   // 1/2 sqrt(17)
-    const float b_8_2 = 0.9903379;   // 1/26 sqrt(663)
-    const float k_3_3 = 0.5900436;   // 1/8 sqrt(70/pi)
-    const float k_4_3 = 1.7701308;   // 3/8 sqrt(70/pi)
-    const float b_5_3 = 0.4892383;   // 1/32 sqrt(770/pi)
-    const float a_5_3 = 4.403145;    // 9/32 sqrt(770/pi)
-    const float a_6_3 = 10.133258;   // 11/32 sqrt(2730/pi)
-    const float b_6_3 = 2.7636158;   // 3/32 sqrt(2730/pi)
-    const float a_7_3 = 2.20794;     // 1/4 sqrt(78)
-    const float b_7_3 = 0.9594032;   // 9/44 sqrt(22)
-    const float a_8_3 = 2.1532216;   // 1/11 sqrt(561)
-    const float b_8_3 = 0.9752174;   // 2/143 sqrt(4862)
-    const float k_4_4 = 0.6258357;   // 3/16 sqrt(35/pi)
-    const float k_5_4 = 2.0756624;   // 3/16 sqrt(385/pi)
-    const float b_6_4 = 0.5045649;   // 3/32 sqrt(91/pi)
-    const float a_6_4 = 5.550214;    // 33/32 sqrt(91/pi)
-    const float a_7_4 = 13.491805;   // 39/32 sqrt(385/pi)
-    const float b_7_4 = 3.1134934;   // 9/32 sqrt(385/pi)
-    const float a_8_4 = 2.304886;    // 1/4 sqrt(85)
-    const float b_8_4 = 0.9481764;   // 1/52 sqrt(2431)
-    const float k_5_5 = 0.6563821;   // 3/32 sqrt(154/pi)
-    const float k_6_5 = 2.366619;    // 3/32 sqrt(2002/pi)
-    const float b_7_5 = 0.5189156;   // 3/64 sqrt(385/pi)
-    const float a_7_5 = 6.7459025;   // 39/64 sqrt(385/pi)
-    const float a_8_5 = 17.249554;   // 15/64 sqrt(17017/pi)
-    const float b_8_5 = 3.4499106;   // 3/64 sqrt(17017/pi)
-    const float k_6_6 = 0.6831841;   // 1/64 sqrt(6006/pi)
-    const float k_7_6 = 2.6459606;   // 3/64 sqrt(10010/pi)
-    const float b_8_6 = 0.5323328;   // 1/128 sqrt(14586/pi)
-    const float a_8_6 = 7.9849916;   // 15/128 sqrt(14586/pi)
-    const float k_7_7 = 0.70716274;  // 3/64 sqrt(715/pi)
-    const float k_8_7 = 2.9157066;   // 3/64 sqrt(12155/pi)
-    const float k_8_8 = 0.72892666;  // 3/256 sqrt(12155/pi)
+    const float k_0_0  = 0.2820948;   // 1/2 sqrt(1/pi)
+    const float one    = 1.0;         // 1
+    const float k_1_1  = 0.48860252;  // 1/2 sqrt(3/pi)
+    const float k_2_2s = 1.0925485;   // 1/2 sqrt(15/pi)
+    const float k_2_2c = 0.54627424;  // 1/4 sqrt(15/pi)
+    const float b_3_3  = 1.2076148;   // 1/12 sqrt(210)
+    const float a_3_3  = 4.4212766;   // 2/3 sqrt(14) pi^(1/2)
+    const float k_4_4s = 4.1943913;   // 2/5 sqrt(35) pi^(1/2)
+    const float k_4_4c = 2.0971956;   // 1/5 sqrt(35) pi^(1/2)
+    const float k_5_5  = 1.0488088;   // 1/10 sqrt(110)
+    const float k_6_6s = 3.9246376;   // 1/35 sqrt(6006) pi^(1/2)
+    const float k_6_6c = 1.9623188;   // 1/70 sqrt(6006) pi^(1/2)
+    const float k_7_7  = 1.0350983;   // 1/14 sqrt(210)
+    const float k_8_8s = 3.7221434;   // 2/105 sqrt(12155) pi^(1/2)
+    const float k_8_8c = 1.8610717;   // 1/105 sqrt(12155) pi^(1/2)
+    const float k_8_7  = 4.1231055;   // sqrt(17)
+    const float k_7_6  = 3.8729835;   // sqrt(15)
+    const float a_8_6  = 11.687906;   // 15/14 sqrt(119)
+    const float b_8_6  = 0.7791937;   // 1/14 sqrt(119)
+    const float k_6_5  = 3.6055512;   // sqrt(13)
+    const float a_7_5  = 10.277402;   // 13/4 sqrt(10)
+    const float b_7_5  = 0.7905694;   // 1/4 sqrt(10)
+    const float a_8_5  = 7.28869;     // 5/4 sqrt(34)
+    const float b_8_5  = 1.4577379;   // 1/4 sqrt(34)
+    const float k_5_4  = 3.3166249;   // sqrt(11)
+    const float a_6_4  = 8.868484;    // 11/10 sqrt(65)
+    const float b_6_4  = 0.8062258;   // 1/10 sqrt(65)
+    const float a_7_4  = 6.5;         // 13/2
+    const float b_7_4  = 1.5;         // 3/2
+    const float a_8_4  = 0.93532;     // 13/425 sqrt(935)
+    const float b_8_4  = 1.2231108;   // 1/25 sqrt(935)
+    const float k_4_3  = 3.0;         // 3
+    const float a_5_3  = 7.4624057;   // 9/4 sqrt(11)
+    const float b_5_3  = 0.8291562;   // 1/4 sqrt(11)
+    const float a_6_3  = 5.7245817;   // 11/12 sqrt(39)
+    const float b_6_3  = 1.5612495;   // 1/4 sqrt(39)
+    const float a_7_3  = 0.8974817;   // 33/52 sqrt(2)
+    const float b_7_3  = 1.2238387;   // 45/52 sqrt(2)
+    const float a_8_3  = 0.5477226;   // 1/10 sqrt(30)
+    const float b_8_3  = 1.1165423;   // 1/30 sqrt(1122)
+    const float k_3_2  = 2.6457512;   // sqrt(7)
+    const float a_4_2  = 6.0621777;   // 7/2 sqrt(3)
+    const float b_4_2  = 0.8660254;   // 1/2 sqrt(3)
+    const float a_5_2  = 4.974937;    // 3/2 sqrt(11)
+    const float b_5_2  = 1.6583124;   // 1/2 sqrt(11)
+    const float a_6_2  = 0.8490674;   // 9/143 sqrt(182)
+    const float b_6_2  = 1.2264307;   // 1/11 sqrt(182)
+    const float a_7_2  = 0.7867958;   // 1/21 sqrt(273)
+    const float b_7_2  = 0.9847319;   // 4/33 sqrt(66)
+    const float a_8_2  = 5.454356;    // 1/2 sqrt(119)
+    const float b_8_2  = 0.9903379;   // 1/26 sqrt(663)
+    const float k_2_1  = 2.236068;    // sqrt(5)
+    const float a_3_1  = 4.6770716;   // 5/4 sqrt(14)
+    const float b_3_1  = 3.7416575;   // sqrt(14)
+    const float a_4_1  = 4.2866073;   // 7/4 sqrt(6)
+    const float b_4_1  = 2.4494898;   // sqrt(6)
+    const float a_5_1  = 0.7865665;   // 7/66 sqrt(55)
+    const float b_5_1  = 1.2360331;   // 1/6 sqrt(55)
+    const float a_6_1  = 0.9039596;   // 1/35 sqrt(1001)
+    const float b_6_1  = 0.9952267;   // 2/105 sqrt(2730)
+    const float a_7_1  = 4.506939;    // 5/4 sqrt(13)
+    const float b_7_1  = 0.9971551;   // 5/44 sqrt(77)
+    const float a_8_1  = 0.8997354;   // 1/21 sqrt(357)
+    const float b_8_1  = 0.9981668;   // 4/273 sqrt(4641)
+    const float a_2_0  = 0.9461747;   // 3/4 sqrt(5/pi)
+    const float b_2_0  = 0.63078314;  // 1/2 sqrt(5/pi)
+    const float a_3_0  = 3.818813;    // 5/6 sqrt(21)
+    const float b_3_0  = 1.5275252;   // 1/3 sqrt(21)
+    const float a_4_0  = 0.20149627;  // 5/14 sqrt(1/pi)
+    const float b_4_0  = 0.3626933;   // 9/14 sqrt(1/pi)
+    const float a_5_0  = 1.9899749;   // 3/5 sqrt(11)
+    const float b_5_0  = 1.002853;    // 4/35 sqrt(77)
+    const float a_6_0  = 1.9930434;   // 1/6 sqrt(143)
+    const float b_6_0  = 1.001542;    // 5/18 sqrt(13)
+    const float a_7_0  = 1.9948914;   // 1/7 sqrt(195)
+    const float b_7_0  = 1.0009272;   // 6/77 sqrt(165)
+    const float a_8_0  = 1.9960899;   // 1/8 sqrt(255)
+    const float b_8_0  = 1.0006008;   // 7/104 sqrt(221)
 
-    result[0] = k_0_0;                               // l=0 m=0
-    result[2] = k_1_0 * z;                           // l=1 m=0
-    result[1] = k_1_0 * y;                           // l=1 m=-1
-    result[3] = k_1_0 * x;                           // l=1 m=1
+    result[0] = k_0_0;                                            // l=0 m=0
     float z2 = z * z;
-    float p_2_0 = a_2_0 * z2 - b_2_0;
-    result[6] = p_2_0;                               // l=2 m=0
-    float p_3_0 = z * (a_3_0 * z2 - b_3_0);
-    result[12] = p_3_0;                              // l=3 m=0
-    float p_4_0 = a_4_0 * z * p_3_0 - b_4_0 * p_2_0;
-    result[20] = p_4_0;                              // l=4 m=0
-    float p_5_0 = a_5_0 * z * p_4_0 - b_5_0 * p_3_0;
-    result[30] = p_5_0;                              // l=5 m=0
-    float p_6_0 = a_6_0 * z * p_5_0 - b_6_0 * p_4_0;
-    result[42] = p_6_0;                              // l=6 m=0
-    float p_7_0 = a_7_0 * z * p_6_0 - b_7_0 * p_5_0;
-    result[56] = p_7_0;                              // l=7 m=0
-    result[72] = a_8_0 * z * p_7_0 - b_8_0 * p_6_0;  // l=8 m=0
-    float p_2_1 = k_2_1 * z;
-    result[5] = p_2_1 * y;                           // l=2 m=-1
-    result[7] = p_2_1 * x;                           // l=2 m=1
-    float p_3_1 = a_3_1 * z2 - b_3_1;
-    result[11] = p_3_1 * y;                          // l=3 m=-1
-    result[13] = p_3_1 * x;                          // l=3 m=1
-    float p_4_1 = z * (a_4_1 * z2 - b_4_1);
-    result[19] = p_4_1 * y;                          // l=4 m=-1
-    result[21] = p_4_1 * x;                          // l=4 m=1
-    float p_5_1 = a_5_1 * z * p_4_1 - b_5_1 * p_3_1;
-    result[29] = p_5_1 * y;                          // l=5 m=-1
-    result[31] = p_5_1 * x;                          // l=5 m=1
-    float p_6_1 = a_6_1 * z * p_5_1 - b_6_1 * p_4_1;
-    result[41] = p_6_1 * y;                          // l=6 m=-1
-    result[43] = p_6_1 * x;                          // l=6 m=1
-    float p_7_1 = a_7_1 * z * p_6_1 - b_7_1 * p_5_1;
-    result[55] = p_7_1 * y;                          // l=7 m=-1
-    result[57] = p_7_1 * x;                          // l=7 m=1
-    float p_8_1 = a_8_1 * z * p_7_1 - b_8_1 * p_6_1;
-    result[71] = p_8_1 * y;                          // l=8 m=-1
-    result[73] = p_8_1 * x;                          // l=8 m=1
-    float c2 = x * x - y * y;
-    result[8] = k_2_2 * c2;                          // l=2 m=2
-    float xy = x * y;
-    float s2 = xy + xy;
-    result[4] = k_2_2 * s2;                          // l=2 m=-2
-    float p_3_2 = k_3_2 * z;
-    result[10] = p_3_2 * s2;                         // l=3 m=-2
-    result[14] = p_3_2 * c2;                         // l=3 m=2
-    float p_4_2 = a_4_2 * z2 - b_4_2;
-    result[18] = p_4_2 * s2;                         // l=4 m=-2
-    result[22] = p_4_2 * c2;                         // l=4 m=2
-    float p_5_2 = z * (a_5_2 * z2 - b_5_2);
-    result[28] = p_5_2 * s2;                         // l=5 m=-2
-    result[32] = p_5_2 * c2;                         // l=5 m=2
-    float p_6_2 = a_6_2 * z * p_5_2 - b_6_2 * p_4_2;
-    result[40] = p_6_2 * s2;                         // l=6 m=-2
-    result[44] = p_6_2 * c2;                         // l=6 m=2
-    float p_7_2 = a_7_2 * z * p_6_2 - b_7_2 * p_5_2;
-    result[54] = p_7_2 * s2;                         // l=7 m=-2
-    result[58] = p_7_2 * c2;                         // l=7 m=2
-    float p_8_2 = a_8_2 * z * p_7_2 - b_8_2 * p_6_2;
-    result[70] = p_8_2 * s2;                         // l=8 m=-2
-    result[74] = p_8_2 * c2;                         // l=8 m=2
-    float c3 = x * c2 - y * s2;
-    float s3 = x * s2 + y * c2;
-    result[9] = k_3_3 * s3;                          // l=3 m=-3
-    result[15] = k_3_3 * c3;                         // l=3 m=3
-    float p_4_3 = k_4_3 * z;
-    result[17] = p_4_3 * s3;                         // l=4 m=-3
-    result[23] = p_4_3 * c3;                         // l=4 m=3
-    float p_5_3 = a_5_3 * z2 - b_5_3;
-    result[27] = p_5_3 * s3;                         // l=5 m=-3
-    result[33] = p_5_3 * c3;                         // l=5 m=3
-    float p_6_3 = z * (a_6_3 * z2 - b_6_3);
-    result[39] = p_6_3 * s3;                         // l=6 m=-3
-    result[45] = p_6_3 * c3;                         // l=6 m=3
-    float p_7_3 = a_7_3 * z * p_6_3 - b_7_3 * p_5_3;
-    result[53] = p_7_3 * s3;                         // l=7 m=-3
-    result[59] = p_7_3 * c3;                         // l=7 m=3
-    float p_8_3 = a_8_3 * z * p_7_3 - b_8_3 * p_6_3;
-    result[69] = p_8_3 * s3;                         // l=8 m=-3
-    result[75] = p_8_3 * c3;                         // l=8 m=3
-    float c4 = x * c3 - y * s3;
-    float s4 = x * s3 + y * c3;
-    result[16] = k_4_4 * s4;                         // l=4 m=-4
-    result[24] = k_4_4 * c4;                         // l=4 m=4
-    float p_5_4 = k_5_4 * z;
-    result[26] = p_5_4 * s4;                         // l=5 m=-4
-    result[34] = p_5_4 * c4;                         // l=5 m=4
-    float p_6_4 = a_6_4 * z2 - b_6_4;
-    result[38] = p_6_4 * s4;                         // l=6 m=-4
-    result[46] = p_6_4 * c4;                         // l=6 m=4
-    float p_7_4 = z * (a_7_4 * z2 - b_7_4);
-    result[52] = p_7_4 * s4;                         // l=7 m=-4
-    result[60] = p_7_4 * c4;                         // l=7 m=4
-    float p_8_4 = a_8_4 * z * p_7_4 - b_8_4 * p_6_4;
-    result[68] = p_8_4 * s4;                         // l=8 m=-4
-    result[76] = p_8_4 * c4;                         // l=8 m=4
-    float c5 = x * c4 - y * s4;
-    float s5 = x * s4 + y * c4;
-    result[25] = k_5_5 * s5;                         // l=5 m=-5
-    result[35] = k_5_5 * c5;                         // l=5 m=5
-    float p_6_5 = k_6_5 * z;
-    result[37] = p_6_5 * s5;                         // l=6 m=-5
-    result[47] = p_6_5 * c5;                         // l=6 m=5
-    float p_7_5 = a_7_5 * z2 - b_7_5;
-    result[51] = p_7_5 * s5;                         // l=7 m=-5
-    result[61] = p_7_5 * c5;                         // l=7 m=5
-    float p_8_5 = z * (a_8_5 * z2 - b_8_5);
-    result[67] = p_8_5 * s5;                         // l=8 m=-5
-    result[77] = p_8_5 * c5;                         // l=8 m=5
+    float xy2 = one - z2;
+    float y_1_1c = k_1_1 * x;
+    result[3] = y_1_1c;                                           // l=1 m=1
+    float y_1_1s = k_1_1 * y;
+    result[1] = y_1_1s;                                           // l=1 m=-1
+    float t = k_2_2s * x;
+    float y_2_2s = t * y;
+    result[4] = y_2_2s;                                           // l=2 m=-2
+    float y_2_2c = t * x - k_2_2c * xy2;
+    result[8] = y_2_2c;                                           // l=2 m=2
+    float t_2 = b_3_3 * xy2;
+    float t_3 = a_3_3 * y_2_2c;
+    float y_3_3c = y_1_1c * (t_3 - t_2);
+    result[15] = y_3_3c;                                          // l=3 m=3
+    float y_3_3s = y_1_1s * (t_3 + t_2);
+    result[9] = y_3_3s;                                           // l=3 m=-3
+    float y_4_4s = k_4_4s * y_2_2c * y_2_2s;
+    result[16] = y_4_4s;                                          // l=4 m=-4
+    float y_4_4c = k_4_4c * (y_2_2c - y_2_2s) * (y_2_2c + y_2_2s);
+    result[24] = y_4_4c;                                          // l=4 m=4
+    float t_4 = k_5_5 * x;
+    float t_5 = k_5_5 * y;
+    float y_5_5c = t_4 * y_4_4c - t_5 * y_4_4s;
+    result[35] = y_5_5c;                                          // l=5 m=5
+    float y_5_5s = t_4 * y_4_4s + t_5 * y_4_4c;
+    result[25] = y_5_5s;                                          // l=5 m=-5
+    float y_6_6s = k_6_6s * y_3_3c * y_3_3s;
+    result[36] = y_6_6s;                                          // l=6 m=-6
+    float y_6_6c = k_6_6c * (y_3_3c - y_3_3s) * (y_3_3c + y_3_3s);
+    result[48] = y_6_6c;                                          // l=6 m=6
+    float t_6 = k_7_7 * x;
+    float t_7 = k_7_7 * y;
+    float y_7_7c = t_6 * y_6_6c - t_7 * y_6_6s;
+    result[63] = y_7_7c;                                          // l=7 m=7
+    float y_7_7s = t_6 * y_6_6s + t_7 * y_6_6c;
+    result[49] = y_7_7s;                                          // l=7 m=-7
+    result[64] = k_8_8s * y_4_4c * y_4_4s;                        // l=8 m=-8
+    result[80] = k_8_8c * (y_4_4c - y_4_4s) * (y_4_4c + y_4_4s);  // l=8 m=8
+    float t_8_7 = k_8_7 * z;
+    result[65] = t_8_7 * y_7_7s;                                  // l=8 m=-7
+    result[79] = t_8_7 * y_7_7c;                                  // l=8 m=7
+    float t_7_6 = k_7_6 * z;
+    result[50] = t_7_6 * y_6_6s;                                  // l=7 m=-6
+    result[62] = t_7_6 * y_6_6c;                                  // l=7 m=6
     float p_8_6 = a_8_6 * z2 - b_8_6;
-    float c6 = x * c5 - y * s5;
-    float s6 = x * s5 + y * c5;
-    result[36] = k_6_6 * s6;                         // l=6 m=-6
-    result[48] = k_6_6 * c6;                         // l=6 m=6
-    result[66] = p_8_6 * s6;                         // l=8 m=-6
-    result[78] = p_8_6 * c6;                         // l=8 m=6
-    float p_7_6 = k_7_6 * z;
-    result[50] = p_7_6 * s6;                         // l=7 m=-6
-    result[62] = p_7_6 * c6;                         // l=7 m=6
-    float p_8_7 = k_8_7 * z;
-    float c7 = x * c6 - y * s6;
-    float s7 = x * s6 + y * c6;
-    result[49] = k_7_7 * s7;                         // l=7 m=-7
-    result[63] = k_7_7 * c7;                         // l=7 m=7
-    result[65] = p_8_7 * s7;                         // l=8 m=-7
-    result[79] = p_8_7 * c7;                         // l=8 m=7
-    result[64] = k_8_8 * (x * s7 + y * c7);          // l=8 m=-8
-    result[80] = k_8_8 * (x * c7 - y * s7);          // l=8 m=8
+    result[66] = p_8_6 * y_6_6s;                                  // l=8 m=-6
+    result[78] = p_8_6 * y_6_6c;                                  // l=8 m=6
+    float t_6_5 = k_6_5 * z;
+    float y_6_5s = t_6_5 * y_5_5s;
+    result[37] = y_6_5s;                                          // l=6 m=-5
+    float y_6_5c = t_6_5 * y_5_5c;
+    result[47] = y_6_5c;                                          // l=6 m=5
+    float p_7_5 = a_7_5 * z2 - b_7_5;
+    result[51] = p_7_5 * y_5_5s;                                  // l=7 m=-5
+    result[61] = p_7_5 * y_5_5c;                                  // l=7 m=5
+    float p_8_5 = a_8_5 * z2 - b_8_5;
+    result[67] = p_8_5 * y_6_5s;                                  // l=8 m=-5
+    result[77] = p_8_5 * y_6_5c;                                  // l=8 m=5
+    float t_5_4 = k_5_4 * z;
+    float y_5_4s = t_5_4 * y_4_4s;
+    result[26] = y_5_4s;                                          // l=5 m=-4
+    float y_5_4c = t_5_4 * y_4_4c;
+    result[34] = y_5_4c;                                          // l=5 m=4
+    float p_6_4 = a_6_4 * z2 - b_6_4;
+    result[38] = p_6_4 * y_4_4s;                                  // l=6 m=-4
+    result[46] = p_6_4 * y_4_4c;                                  // l=6 m=4
+    float p_7_4 = a_7_4 * z2 - b_7_4;
+    result[52] = p_7_4 * y_5_4s;                                  // l=7 m=-4
+    result[60] = p_7_4 * y_5_4c;                                  // l=7 m=4
+    float p_8_4 = a_8_4 * p_8_5 * p_8_5 - b_8_4;
+    result[68] = p_8_4 * y_4_4s;                                  // l=8 m=-4
+    result[76] = p_8_4 * y_4_4c;                                  // l=8 m=4
+    float t_4_3 = k_4_3 * z;
+    float y_4_3s = t_4_3 * y_3_3s;
+    result[17] = y_4_3s;                                          // l=4 m=-3
+    float y_4_3c = t_4_3 * y_3_3c;
+    result[23] = y_4_3c;                                          // l=4 m=3
+    float p_5_3 = a_5_3 * z2 - b_5_3;
+    result[27] = p_5_3 * y_3_3s;                                  // l=5 m=-3
+    result[33] = p_5_3 * y_3_3c;                                  // l=5 m=3
+    float p_6_3 = a_6_3 * z2 - b_6_3;
+    result[39] = p_6_3 * y_4_3s;                                  // l=6 m=-3
+    result[45] = p_6_3 * y_4_3c;                                  // l=6 m=3
+    float p_7_3 = a_7_3 * p_7_4 * p_7_4 - b_7_3;
+    result[53] = p_7_3 * y_3_3s;                                  // l=7 m=-3
+    result[59] = p_7_3 * y_3_3c;                                  // l=7 m=3
+    float p_8_3 = a_8_3 * p_8_4 - b_8_3 * p_7_4;
+    result[69] = p_8_3 * y_4_3s;                                  // l=8 m=-3
+    result[75] = p_8_3 * y_4_3c;                                  // l=8 m=3
+    float t_3_2 = k_3_2 * z;
+    float y_3_2s = t_3_2 * y_2_2s;
+    result[10] = y_3_2s;                                          // l=3 m=-2
+    float y_3_2c = t_3_2 * y_2_2c;
+    result[14] = y_3_2c;                                          // l=3 m=2
+    float p_4_2 = a_4_2 * z2 - b_4_2;
+    result[18] = p_4_2 * y_2_2s;                                  // l=4 m=-2
+    result[22] = p_4_2 * y_2_2c;                                  // l=4 m=2
+    float p_5_2 = a_5_2 * z2 - b_5_2;
+    result[28] = p_5_2 * y_3_2s;                                  // l=5 m=-2
+    result[32] = p_5_2 * y_3_2c;                                  // l=5 m=2
+    float p_6_2 = a_6_2 * p_6_3 * p_6_3 - b_6_2;
+    result[40] = p_6_2 * y_2_2s;                                  // l=6 m=-2
+    result[44] = p_6_2 * y_2_2c;                                  // l=6 m=2
+    float p_7_2 = a_7_2 * p_6_2 - b_7_2 * p_5_2;
+    result[54] = p_7_2 * y_3_2s;                                  // l=7 m=-2
+    result[58] = p_7_2 * y_3_2c;                                  // l=7 m=2
+    float p_8_2 = a_8_2 * z2 * p_7_2 - b_8_2 * p_6_2;
+    result[70] = p_8_2 * y_2_2s;                                  // l=8 m=-2
+    result[74] = p_8_2 * y_2_2c;                                  // l=8 m=2
+    float t_2_1 = k_2_1 * z;
+    float y_2_1s = t_2_1 * y_1_1s;
+    result[5] = y_2_1s;                                           // l=2 m=-1
+    float y_2_1c = t_2_1 * y_1_1c;
+    result[7] = y_2_1c;                                           // l=2 m=1
+    float p_3_1 = b_3_1 - a_3_1 * xy2;
+    result[11] = p_3_1 * y_1_1s;                                  // l=3 m=-1
+    result[13] = p_3_1 * y_1_1c;                                  // l=3 m=1
+    float p_4_1 = b_4_1 - a_4_1 * xy2;
+    result[19] = p_4_1 * y_2_1s;                                  // l=4 m=-1
+    result[21] = p_4_1 * y_2_1c;                                  // l=4 m=1
+    float p_5_1 = a_5_1 * p_5_2 * p_5_2 - b_5_1;
+    result[29] = p_5_1 * y_1_1s;                                  // l=5 m=-1
+    result[31] = p_5_1 * y_1_1c;                                  // l=5 m=1
+    float p_6_1 = a_6_1 * p_5_1 - b_6_1 * p_4_1;
+    result[41] = p_6_1 * y_2_1s;                                  // l=6 m=-1
+    result[43] = p_6_1 * y_2_1c;                                  // l=6 m=1
+    float p_7_1 = a_7_1 * z2 * p_6_1 - b_7_1 * p_5_1;
+    result[55] = p_7_1 * y_1_1s;                                  // l=7 m=-1
+    result[57] = p_7_1 * y_1_1c;                                  // l=7 m=1
+    float p_8_1 = a_8_1 * p_7_1 - b_8_1 * p_6_1;
+    result[71] = p_8_1 * y_2_1s;                                  // l=8 m=-1
+    result[73] = p_8_1 * y_2_1c;                                  // l=8 m=1
+    float t_1_0 = k_1_1 * z;
+    result[2] = t_1_0;                                            // l=1 m=0
+    result[6] = b_2_0 - a_2_0 * xy2;                              // l=2 m=0
+    float y_3_0 = (b_3_0 - a_3_0 * xy2) * t_1_0;
+    result[12] = y_3_0;                                           // l=3 m=0
+    float p_4_0 = a_4_0 * p_4_1 * p_4_1 - b_4_0;
+    result[20] = p_4_0;                                           // l=4 m=0
+    float p_5_0 = a_5_0 * z * p_4_0 - b_5_0 * y_3_0;
+    result[30] = p_5_0;                                           // l=5 m=0
+    float p_6_0 = a_6_0 * z * p_5_0 - b_6_0 * p_4_0;
+    result[42] = p_6_0;                                           // l=6 m=0
+    float p_7_0 = a_7_0 * z * p_6_0 - b_7_0 * p_5_0;
+    result[56] = p_7_0;                                           // l=7 m=0
+    result[72] = a_8_0 * z * p_7_0 - b_8_0 * p_6_0;               // l=8 m=0
 }

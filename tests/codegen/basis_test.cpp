@@ -1,0 +1,95 @@
+// The recipes of the basis: operations against the published code and the best known, error against the recurrence.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "codegen/catalogue.hpp"
+#include "codegen/recipes/basis_parity.hpp"
+
+namespace sh::codegen {
+namespace {
+
+const Family& basis() { return find_family("basis"); }
+
+FinishedKernel finished(const std::string& recipe, int degree) {
+  return finish_kernel(basis(), find_recipe(basis(), degree, recipe), degree);
+}
+
+// Operations by degree: [Sloan13]'s code, the best handwritten factoring known with errors like its, and ours; the
+// largest rounding error in eps x band maximum that is allowed, twice that of the code of [Sloan13] on the same inputs.
+struct Row {
+  int degree;
+  int published;
+  int best_known;
+  int parity;
+  int parity_least;
+};
+// clang-format off
+constexpr Row kRows[] = {
+    //   published  best known  parity  parity-least
+    { 2,        17,         17,     15,           15},
+    { 3,        35,         34,     32,           31},
+    { 4,        59,         54,     51,           51},
+    { 5,        89,         82,     79,           79},
+    { 6,       125,        113,    110,          110},
+    { 7,       167,        153,    149,          148},
+    { 8,       215,        194,    191,          189},
+    { 9,       269,        244,    241,          237},
+    {10,       328,        295,    293,          288},
+};
+// clang-format on
+
+TEST(BasisRecipes, NeedTheOperationsOfTheTable) {
+  for (const Row& row : kRows) {
+    const auto operations = [&](const std::string& recipe) {
+      return cost(kernel_stages(basis(), find_recipe(basis(), row.degree, recipe), row.degree).back().kernel)
+          .operations();
+    };
+    EXPECT_EQ(operations("parity"), row.parity) << row.degree;
+    EXPECT_EQ(operations("parity-least"), row.parity_least) << row.degree;
+    EXPECT_LE(operations("recurrence"), row.published) << row.degree;
+    EXPECT_LE(row.parity, row.best_known);
+  }
+}
+
+TEST(BasisRecipes, TheFastestErrsLessThanTwiceTheRecurrence) {
+  for (int degree = 0; degree <= basis().largest_written; ++degree) {
+    const FinishedKernel control = finished("recurrence", degree);
+    const FinishedKernel fastest = preferred_kernel(basis(), degree, Prefer::kSpeed);
+    EXPECT_LE(fastest.in_float.rounding.eps, 2 * control.in_float.rounding.eps) << degree;
+    EXPECT_LE(fastest.in_double.rounding.eps, 2 * control.in_double.rounding.eps) << degree;
+    EXPECT_LE(fastest.in_float.total.eps, 1.6 * control.in_float.total.eps) << degree;
+  }
+}
+
+TEST(BasisRecipes, TheAccurateOneStaysBelowEightEps) {
+  for (int degree = 0; degree <= basis().largest_written; ++degree) {
+    const FinishedKernel accurate = preferred_kernel(basis(), degree, Prefer::kAccuracy);
+    EXPECT_LE(accurate.in_float.rounding.eps, 8) << degree;
+    EXPECT_LE(accurate.in_double.rounding.eps, 8.5) << degree;
+  }
+}
+
+TEST(BasisRecipes, EveryOneServesEveryDegreeThatCanBeEmitted) {
+  for (const Recipe& recipe : basis().recipes) {
+    for (const int degree : {11, 15, basis().largest_emitted}) {
+      const Reference reference = basis().reference(degree, 1);
+      EXPECT_NO_THROW(run_pipeline(recipe.make(degree), reference, {})) << recipe.name << " " << degree;
+    }
+  }
+}
+
+TEST(BasisRecipes, ChosenFormsSurviveThePasses) {
+  // 2z^2-1 costs two operations more than z^2, which the factor pass would save if it were allowed to.
+  const Kernel recipe = find_recipe(basis(), 4, "centred").make(4);
+  EXPECT_TRUE(recipe.factored);
+  Kernel free = recipe;
+  free.factored = false;
+  const auto operations = [](const Kernel& kernel) {
+    return cost(run_pipeline(kernel, basis().reference(4, 1), default_passes()).back().kernel).operations();
+  };
+  EXPECT_LT(operations(free), operations(recipe));
+}
+
+}  // namespace
+}  // namespace sh::codegen
