@@ -38,6 +38,15 @@ const T& find(const std::vector<T>& items, const std::string& kind, const std::s
 
 const std::vector<Family>& families() {
   static const std::vector<Family> kFamilies{basis_family(),
+                                             basis_gradient_family(),
+                                             basis_normalised_family(),
+                                             evaluate_family(),
+                                             evaluate_rgb_family(),
+                                             evaluate_prepare_family(),
+                                             evaluate_prepared_family(),
+                                             project_family(),
+                                             project_moments_family(),
+                                             project_finish_family(),
                                              cap_family(),
                                              zonal_family(),
                                              add_cap_family(),

@@ -30,6 +30,8 @@ struct Domain {
   std::function<double(std::span<const double> inputs, std::size_t element)> size;
   /// The point of the domain that a rounded input stands for; empty when every input is in the domain.
   std::function<std::vector<cln::cl_F>(const std::vector<cln::cl_F>& inputs)> nearest_in_domain;
+  /// Instead of `size` where it depends on the kernel's degree.
+  std::function<double(int degree, std::span<const double> inputs, std::size_t element)> size_at_degree = {};
 };
 
 /// One way to compute a family.

@@ -6,6 +6,15 @@
 namespace sh::codegen {
 
 Family basis_family();
+Family basis_gradient_family();
+Family basis_normalised_family();
+Family evaluate_family();
+Family evaluate_rgb_family();
+Family evaluate_prepare_family();
+Family evaluate_prepared_family();
+Family project_family();
+Family project_moments_family();
+Family project_finish_family();
 Family cap_family();
 Family zonal_family();
 Family add_cap_family();

@@ -39,7 +39,7 @@ class Centred {
     if (degree_ == 0) return std::move(values_);
     make_variables();
     const NodeId across = build_.sub(one_, z2_, "xy2");
-    const std::vector<Pair> sectoral = append_sectoral(build_, d_, degree_, across, true);
+    const std::vector<Pair> sectoral = append_sectoral(build_, d_, degree_, {across, true, -1, -1});
     for (int l = 1; l <= degree_; ++l) values_[basis_index(l, 0)] = with_z(axial_form(l, 0), l, 0);
     for (int m = 1; m <= degree_; ++m) column(m, sectoral[static_cast<std::size_t>(m)]);
     return std::move(values_);

@@ -5,14 +5,24 @@ namespace {
 
 using symbolic::Surd;
 
+// k_3 / (k_1 k_2)
+Surd third_ratio() { return sectoral_factor(3) / (sectoral_factor(1) * sectoral_factor(2)); }
+
 class Sectoral {
  public:
-  Sectoral(Builder& build, const Direction& d, NodeId across, bool split_square)
-      : build_(build), d_(d), across_(across), split_square_(split_square) {}
+  Sectoral(Builder& build, const Direction& d, const SectoralChoices& choices)
+      : build_(build), d_(d), choices_(choices) {}
 
   std::vector<Pair> pairs(int degree) && {
     pairs_.resize(static_cast<std::size_t>(degree + 1));
-    for (int m = 1; m <= degree; ++m) pairs_[static_cast<std::size_t>(m)] = pair(m);
+    for (int m = 1; m <= degree; ++m) pairs_[static_cast<std::size_t>(m)] = named(m, pair(m));
+    return std::move(pairs_);
+  }
+
+  // All of them times a weight.
+  std::vector<Pair> weighted(const std::vector<Pair>& plain, NodeId weight) && {
+    pairs_.resize(plain.size());
+    for (std::size_t m = 1; m < plain.size(); ++m) pairs_[m] = named(static_cast<int>(m), weighted(m, plain, weight));
     return std::move(pairs_);
   }
 
@@ -20,8 +30,20 @@ class Sectoral {
   Pair pair(int m) {
     if (m == 1) return first();
     if (m == 2) return second();
-    if (m == 3) return third();
+    if (m == 3) return third(at(1), at(2).cosine);
     return m % 2 == 0 ? doubled(m) : stepped(m);
+  }
+
+  Pair weighted(std::size_t m, const std::vector<Pair>& plain, NodeId weight) {
+    if (m == 1) {
+      const NodeId k = scaled(sectoral_factor(1), weight, "k_1_1");
+      const NodeId cosine = build_.mul(k, d_.x);
+      return {cosine, build_.mul(k, d_.y)};
+    }
+    if (m == 3) return third(at(1), plain[2].cosine);
+    if (m % 2 != 0) return stepped(static_cast<int>(m));
+    const NodeId cosine = build_.mul(weight, plain[m].cosine);
+    return {cosine, build_.mul(weight, plain[m].sine)};
   }
 
   [[nodiscard]] const Pair& at(int m) const { return pairs_[static_cast<std::size_t>(m)]; }
@@ -39,28 +61,28 @@ class Sectoral {
   Pair first() {
     const NodeId cosine = scaled(sectoral_factor(1), d_.x, "k_1_1");
     const NodeId sine = scaled(sectoral_factor(1), d_.y, "k_1_1");
-    return named(1, {cosine, sine});
+    return {cosine, sine};
   }
 
   Pair second() {
     const Surd k = sectoral_factor(2);
     const NodeId p = scaled(Surd(2) * k, d_.x, "k_2_2s");
     const NodeId sine = build_.mul(p, d_.y);
-    if (split_square_) {
+    if (choices_.x2 >= 0) return {scaled(k, build_.sub(choices_.x2, choices_.y2), "k_2_2c"), sine};
+    if (choices_.split_square) {
       const NodeId difference = scaled(k, build_.sub(d_.x, d_.y), "k_2_2c");
-      return named(2, {build_.mul(difference, build_.add(d_.x, d_.y)), sine});
+      return {build_.mul(difference, build_.add(d_.x, d_.y)), sine};
     }
-    const NodeId across = scaled(k, across_, "k_2_2c");
-    return named(2, {build_.sub(build_.mul(p, d_.x), across), sine});
+    const NodeId across = scaled(k, choices_.across, "k_2_2c");
+    return {build_.sub(build_.mul(p, d_.x), across), sine};
   }
 
-  Pair third() {
-    const Surd ratio = sectoral_factor(3) / (sectoral_factor(1) * sectoral_factor(2));
-    const NodeId across = scaled(ratio * sectoral_factor(2), across_, "b_3_3");
-    const NodeId h = scaled(Surd(2) * ratio, at(2).cosine, "a_3_3");
-    const NodeId cosine = build_.mul(at(1).cosine, build_.sub(h, across));
-    const NodeId sine = build_.mul(at(1).sine, build_.add(h, across));
-    return named(3, {cosine, sine});
+  // From (a multiple of) order 1 and A_2.
+  Pair third(const Pair& one, NodeId two) {
+    const NodeId across = scaled(third_ratio() * sectoral_factor(2), choices_.across, "b_3_3");
+    const NodeId h = scaled(Surd(2) * third_ratio(), two, "a_3_3");
+    const NodeId cosine = build_.mul(one.cosine, build_.sub(h, across));
+    return {cosine, build_.mul(one.sine, build_.add(h, across))};
   }
 
   Pair doubled(int m) {
@@ -68,9 +90,10 @@ class Sectoral {
     const Surd ratio = sectoral_factor(m) / (sectoral_factor(m / 2) * sectoral_factor(m / 2));
     const NodeId sine = build_.mul(scaled(Surd(2) * ratio, half.cosine, indexed("k", m, m) + "s"), half.sine);
     const NodeId difference = scaled(ratio, build_.sub(half.cosine, half.sine), indexed("k", m, m) + "c");
-    return named(m, {build_.mul(difference, build_.add(half.cosine, half.sine)), sine});
+    return {build_.mul(difference, build_.add(half.cosine, half.sine)), sine};
   }
 
+  // From order m-1.
   Pair stepped(int m) {
     const Surd ratio = sectoral_factor(m) / sectoral_factor(m - 1);
     const Pair& last = at(m - 1);
@@ -81,21 +104,24 @@ class Sectoral {
     const NodeId xs = build_.mul(x, last.sine);
     const NodeId yc = build_.mul(y, last.cosine);
     const NodeId cosine = build_.sub(xc, ys);
-    const NodeId sine = build_.add(xs, yc);
-    return named(m, {cosine, sine});
+    return {cosine, build_.add(xs, yc)};
   }
 
   Builder& build_;
   Direction d_;
-  NodeId across_;
-  bool split_square_;
+  SectoralChoices choices_;
   std::vector<Pair> pairs_;
 };
 
 }  // namespace
 
-std::vector<Pair> append_sectoral(Builder& build, const Direction& d, int degree, NodeId across, bool split_square) {
-  return Sectoral(build, d, across, split_square).pairs(degree);
+std::vector<Pair> append_sectoral(Builder& build, const Direction& d, int degree, const SectoralChoices& choices) {
+  return Sectoral(build, d, choices).pairs(degree);
+}
+
+std::vector<Pair> append_weighted_sectoral(Builder& build, const Direction& d, NodeId weight,
+                                           const std::vector<Pair>& plain, NodeId across) {
+  return Sectoral(build, d, {across, false, -1, -1}).weighted(plain, weight);
 }
 
 }  // namespace sh::codegen::recipes

@@ -43,8 +43,8 @@ Subject<T> basis_subject(int degree) {
           [degree](const auto& in, T* out) {
             with_degree<10>(degree, [&]<int kDegree>() { basis<kDegree>(in[0][0], in[0][1], in[0][2], out); });
           },
-          8,
-          8};
+          40,
+          40};
 }
 
 template <class T>

@@ -1,0 +1,83 @@
+#include "codegen/recipes/basis_gradient.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "codegen/directions.hpp"
+#include "codegen/domains.hpp"
+#include "codegen/families/families.hpp"
+#include "symbolic/basis_derivatives.hpp"
+
+namespace sh::codegen {
+namespace {
+
+std::size_t count(int degree) {
+  const int bands = degree + 1;
+  return static_cast<std::size_t>(bands * bands);
+}
+
+// The homogeneous forms and their derivatives, term by term, at exact points off the unit sphere too.
+Reference reference(int degree, int points) {
+  Reference reference;
+  cln::cl_RA length = 1;
+  for (const auto& d : rational_directions(points)) {
+    reference.push_back({{length * d[0], length * d[1], length * d[2]}, {}});
+    reference.back().outputs.resize(4 * count(degree));
+    length = length * 4 / 3;
+  }
+  std::size_t index = 0;
+  for (int l = 0; l <= degree; ++l) {
+    for (int m = -l; m <= l; ++m, ++index) {
+      const symbolic::BasisFunction f = symbolic::basis_function(l, m);
+      const symbolic::Gradient gradient = symbolic::gradient(f, symbolic::BasisForm::kHomogeneous);
+      for (ReferencePoint& point : reference) {
+        const auto value = [&](const symbolic::Polynomial& p) {
+          return (symbolic::Surd(p.evaluate(point.inputs)) * f.factor).evaluate(kCheckDigits);
+        };
+        point.outputs[index] = value(f.homogeneous);
+        for (std::size_t axis = 0; axis < 3; ++axis)
+          point.outputs[(axis + 1) * count(degree) + index] = value(gradient[axis]);
+      }
+    }
+  }
+  return reference;
+}
+
+// Directions, and vectors of length 1/2 to 2.
+std::vector<std::vector<double>> test_inputs(int /*degree*/) {
+  std::vector<std::vector<double>> inputs;
+  for (const auto& d : some_test_directions(200)) {
+    inputs.push_back({d[0], d[1], d[2]});
+    const double length = std::ldexp(1.0, inputs.size() % 4 == 1 ? 1 : -1) * (1 - 0.3 * std::abs(d[0]));
+    inputs.push_back({length * d[0], length * d[1], length * d[2]});
+  }
+  return inputs;
+}
+
+// r^l sqrt((2l+1)/(4 pi)) for values; l r^(l-1) sqrt((2l+1)/(4 pi)), the largest gradient of the band (d/dz of S_l0 at
+// the pole), for derivatives.
+double size(int degree, std::span<const double> d, std::size_t output) {
+  const int band = static_cast<int>(std::sqrt(static_cast<double>(output % count(degree))));
+  const double maximum = std::sqrt((2 * band + 1) / (4 * std::numbers::pi));
+  if (output < count(degree)) return maximum * std::pow(length(d), band);
+  return band == 0 ? maximum : maximum * band * std::pow(length(d), band - 1);
+}
+
+}  // namespace
+
+Family basis_gradient_family() {
+  Domain domain;
+  domain.inputs = "vectors (random, axes, poles, near poles; lengths 1/3 to 2)";
+  domain.unit = "sqrt((2l+1)/(4 pi)) r^l, for derivatives l sqrt((2l+1)/(4 pi)) r^(l-1)";
+  domain.test_inputs = test_inputs;
+  domain.size_at_degree = size;
+  return {"basis_gradient",
+          10,
+          20,
+          "beyond which straight-line code is too long to be useful",
+          {{"ladder", recipes::basis_gradient_ladder}, {"ladder-recurrence", recipes::basis_gradient_recurrence}},
+          reference,
+          domain};
+}
+
+}  // namespace sh::codegen

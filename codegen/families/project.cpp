@@ -1,0 +1,193 @@
+#include "codegen/recipes/project.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "codegen/directions.hpp"
+#include "codegen/domains.hpp"
+#include "codegen/families/families.hpp"
+#include "symbolic/basis.hpp"
+
+namespace sh::codegen {
+namespace {
+
+using symbolic::Surd;
+
+constexpr std::size_t kInputs = 400;
+constexpr int kLargestWritten = 10;
+constexpr int kLargestEmitted = 20;
+constexpr std::size_t kFirstSum = 4;  // x, y, z, weight, sums
+constexpr const char* kLimit = "beyond which straight-line code is too long to be useful";
+constexpr const char* kSamples = "samples (directions random, axes, poles, near poles; weights and sums in -1 .. 1)";
+constexpr const char* kNormalised = "the direction scaled to length 1";
+
+int count(int degree) { return (degree + 1) * (degree + 1); }
+
+double band_maximum(std::size_t output) {
+  const double band = std::floor(std::sqrt(static_cast<double>(output)));
+  return std::sqrt((2 * band + 1) / (4 * std::numbers::pi));
+}
+
+// --- project, project_moments
+
+// x, y, z, weight and the sums before.
+std::vector<std::vector<cln::cl_RA>> exact_samples(int degree, int points) {
+  std::vector<std::vector<cln::cl_RA>> samples;
+  const auto directions = rational_directions(points);
+  const auto rest = rational_vectors(points, 1 + count(degree), 401);
+  for (std::size_t k = 0; k < directions.size(); ++k) {
+    samples.emplace_back(directions[k].begin(), directions[k].end());
+    samples.back().insert(samples.back().end(), rest[k].begin(), rest[k].end());
+  }
+  return samples;
+}
+
+// Sums plus weight times f(l, m), a polynomial and its factor.
+template <class Function>
+Reference accumulated(int degree, int points, const Function& function) {
+  Reference reference;
+  for (auto& sample : exact_samples(degree, points)) reference.push_back({std::move(sample), {}});
+  for (int l = 0; l <= degree; ++l) {
+    for (int m = -l; m <= l; ++m) {
+      const auto [polynomial, factor] = function(l, m);
+      for (ReferencePoint& point : reference) {
+        const std::vector<cln::cl_RA> d(point.inputs.begin(), point.inputs.begin() + 3);
+        const Surd added = Surd(point.inputs[3] * polynomial.evaluate(d)) * factor;
+        const cln::cl_RA& before = point.inputs[kFirstSum + point.outputs.size()];
+        point.outputs.push_back(added.evaluate(kCheckDigits + 10) +
+                                cln::cl_float(before, cln::float_format(kCheckDigits + 10)));
+      }
+    }
+  }
+  return reference;
+}
+
+Reference project_reference(int degree, int points) {
+  return accumulated(degree, points, [](int l, int m) {
+    const symbolic::BasisFunction f = symbolic::basis_function(l, m);
+    return std::pair(f.homogeneous, f.factor);
+  });
+}
+
+Reference moments_reference(int degree, int points) {
+  return accumulated(degree, points, [](int l, int m) {
+    const int order = std::abs(m);
+    const symbolic::Polynomial z = symbolic::Polynomial::variable(2).power(l - order);
+    return std::pair(symbolic::reduced_basis_function(order, m).azimuthal * z, Surd(1));
+  });
+}
+
+std::vector<std::vector<double>> samples(int degree) {
+  std::vector<std::vector<double>> inputs;
+  const auto directions = some_test_directions(kInputs);
+  const auto rest = unit_vectors(static_cast<int>(directions.size()), 1 + count(degree), 402);
+  for (std::size_t i = 0; i < directions.size(); ++i) {
+    inputs.emplace_back(directions[i].begin(), directions[i].end());
+    // Of the order of 1 at every degree.
+    for (const double value : rest[i]) inputs.back().push_back(value * degree + value);
+  }
+  return inputs;
+}
+
+double project_size(std::span<const double> inputs, std::size_t output) {
+  return std::abs(inputs[3]) * band_maximum(output) + std::abs(inputs[kFirstSum + output]);
+}
+
+double moments_size(std::span<const double> inputs, std::size_t output) {
+  return std::abs(inputs[3]) + std::abs(inputs[kFirstSum + output]);
+}
+
+std::vector<cln::cl_F> unit_direction_first(const std::vector<cln::cl_F>& inputs) {
+  return with_unit_direction(inputs, 0);
+}
+
+// --- project_finish
+
+// A_lm is linear in the moments: the axial polynomial's coefficient of z^n times the moment of (m, n).
+Reference finish_reference(int degree, int points) {
+  Reference reference;
+  for (const auto& moments : rational_vectors(points, count(degree), 403)) {
+    ReferencePoint point{moments, {}};
+    for (int l = 0; l <= degree; ++l) {
+      for (int m = -l; m <= l; ++m) {
+        const symbolic::BasisFunction f = symbolic::reduced_basis_function(l, m);
+        cln::cl_RA sum = 0;
+        for (const auto& [monomial, coefficient] : f.axial.terms()) {
+          const int place = std::abs(m) + monomial.exponent(2);
+          const int index = place * (place + 1) + m;
+          sum = sum + coefficient * moments[static_cast<std::size_t>(index)];
+        }
+        point.outputs.push_back((Surd(sum) * f.factor).evaluate(kCheckDigits));
+      }
+    }
+    reference.push_back(std::move(point));
+  }
+  return reference;
+}
+
+// Moments of a few samples with |weights| that add up to 1.
+std::vector<std::vector<double>> moments_of_samples(int degree) {
+  constexpr std::size_t kSamplesEach = 4;
+  const auto directions = some_test_directions(kInputs);
+  std::vector<std::vector<double>> inputs;
+  for (std::size_t first = 0; first < directions.size(); ++first) {
+    std::vector<double> moments(static_cast<std::size_t>(count(degree)), 0.0);
+    for (std::size_t k = 0; k < kSamplesEach; ++k) {
+      const auto& [x, y, z] = directions[(first + k * k) % directions.size()];
+      double c = (k % 2 == 0 ? 1.0 : -1.0) / kSamplesEach;
+      double s = 0;
+      for (int m = 0; m <= degree; ++m) {
+        double power = 1;
+        for (int l = m; l <= degree; ++l) {
+          const int zonal = l * (l + 1);
+          moments[static_cast<std::size_t>(zonal + m)] += c * power;
+          if (m > 0) moments[static_cast<std::size_t>(zonal - m)] += s * power;
+          power *= z;
+        }
+        const double next = x * c - y * s;
+        s = x * s + y * c;
+        c = next;
+      }
+    }
+    inputs.push_back(std::move(moments));
+  }
+  return inputs;
+}
+
+double finish_size(std::span<const double> /*moments*/, std::size_t output) { return band_maximum(output); }
+
+}  // namespace
+
+Family project_family() {
+  return {"project",
+          kLargestWritten,
+          kLargestEmitted,
+          kLimit,
+          {{"parity", recipes::project_parity}, {"recurrence", recipes::project_recurrence}},
+          project_reference,
+          {kSamples, "|weight| sqrt((2l+1)/(4 pi)) + |sum before|", kNormalised, samples, project_size,
+           unit_direction_first}};
+}
+
+Family project_moments_family() {
+  return {"project_moments",
+          kLargestWritten,
+          kLargestEmitted,
+          kLimit,
+          {{"products", recipes::project_moments}},
+          moments_reference,
+          {kSamples, "|weight| + |moment before|", kNormalised, samples, moments_size, unit_direction_first}};
+}
+
+Family project_finish_family() {
+  return {"project_finish",
+          kLargestWritten,
+          kLargestEmitted,
+          kLimit,
+          {{"direct", recipes::project_finish}},
+          finish_reference,
+          {"moments of samples whose |weights| add up to 1", "sqrt((2l+1)/(4 pi)) x the sum of |weights|", "",
+           moments_of_samples, finish_size, nullptr}};
+}
+
+}  // namespace sh::codegen
