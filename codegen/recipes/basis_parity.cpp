@@ -102,8 +102,9 @@ std::vector<NodeId> append_parity(Builder& build, const Direction& d, int degree
                                   NodeId weight) {
   symbolic::require_basis_index(degree, 0);
   const Squares squares = unit_squares(build, d.z);
-  std::vector<Pair> sectoral = append_sectoral(build, d, degree, {squares.across, choices.split_square, -1, -1});
-  if (weight >= 0) sectoral = append_weighted_sectoral(build, d, weight, sectoral, squares.across);
+  const SectoralChoices of_orders{squares.across, choices.split_square, -1, -1};
+  std::vector<Pair> sectoral = append_sectoral(build, d, degree, of_orders);
+  if (weight >= 0) sectoral = append_weighted_sectoral(build, d, weight, sectoral, of_orders);
   const ParityColumns columns(build, d.z, squares, degree, choices);
   return Values(build, d.z, degree, {-1, weight, choices.rows > 0, false}).make(columns, sectoral);
 }

@@ -68,19 +68,26 @@ class Sectoral {
     const Surd k = sectoral_factor(2);
     const NodeId p = scaled(Surd(2) * k, d_.x, "k_2_2s");
     const NodeId sine = build_.mul(p, d_.y);
-    if (choices_.x2 >= 0) return {scaled(k, build_.sub(choices_.x2, choices_.y2), "k_2_2c"), sine};
-    if (choices_.split_square) {
-      const NodeId difference = scaled(k, build_.sub(d_.x, d_.y), "k_2_2c");
-      return {build_.mul(difference, build_.add(d_.x, d_.y)), sine};
-    }
+    if (has_square_difference()) return {scaled(k, square_difference(), "k_2_2c"), sine};
     const NodeId across = scaled(k, choices_.across, "k_2_2c");
     return {build_.sub(build_.mul(p, d_.x), across), sine};
+  }
+
+  [[nodiscard]] bool has_square_difference() const { return choices_.split_square || choices_.x2 >= 0; }
+
+  // x^2 - y^2
+  NodeId square_difference() {
+    if (choices_.x2 >= 0) return build_.sub(choices_.x2, choices_.y2);
+    const NodeId difference = build_.sub(d_.x, d_.y);
+    return build_.mul(difference, build_.add(d_.x, d_.y));
   }
 
   // From (a multiple of) order 1 and A_2.
   Pair third(const Pair& one, NodeId two) {
     const NodeId across = scaled(third_ratio() * sectoral_factor(2), choices_.across, "b_3_3");
-    const NodeId h = scaled(Surd(2) * third_ratio(), two, "a_3_3");
+    const Surd twice = Surd(2) * third_ratio();
+    const NodeId h = has_square_difference() ? scaled(twice * sectoral_factor(2), square_difference(), "a_3_3")
+                                             : scaled(twice, two, "a_3_3");
     const NodeId cosine = build_.mul(one.cosine, build_.sub(h, across));
     return {cosine, build_.mul(one.sine, build_.add(h, across))};
   }
@@ -120,8 +127,8 @@ std::vector<Pair> append_sectoral(Builder& build, const Direction& d, int degree
 }
 
 std::vector<Pair> append_weighted_sectoral(Builder& build, const Direction& d, NodeId weight,
-                                           const std::vector<Pair>& plain, NodeId across) {
-  return Sectoral(build, d, {across, false, -1, -1}).weighted(plain, weight);
+                                           const std::vector<Pair>& plain, const SectoralChoices& choices) {
+  return Sectoral(build, d, choices).weighted(plain, weight);
 }
 
 }  // namespace sh::codegen::recipes

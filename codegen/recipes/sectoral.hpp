@@ -2,7 +2,7 @@
 // operations.
 //
 // A_2 = k_2 (x-y)(x+y) or 2 k_2 x^2 - k_2 v, B_2 = 2 k_2 x y, v = x^2+y^2;
-// A_3 = A_1 (h - D), B_3 = B_1 (h + D) with h = 2r A_2, D = r k_2 v, r = k_3 / (k_1 k_2);
+// A_3 = A_1 (h - D), B_3 = B_1 (h + D) with h = 2r A_2 = 2r k_2 (x-y)(x+y), D = r k_2 v, r = k_3 / (k_1 k_2);
 // even m = 2j: B_m = 2r A_j B_j, A_m = r (A_j - B_j)(A_j + B_j), r = k_m / k_j^2; odd m: one factor r (x+iy).
 #pragma once
 
@@ -20,8 +20,9 @@ struct SectoralChoices {
 /// Element m holds A_m, B_m; element 0 is empty.
 std::vector<Pair> append_sectoral(Builder& build, const Direction& d, int degree, const SectoralChoices& choices);
 
-/// The same times a weight, in which every formula is linear; `plain` is what append_sectoral returned.
+/// The same times a weight, in which every formula is linear; `plain` is what append_sectoral returned for the same
+/// choices.
 std::vector<Pair> append_weighted_sectoral(Builder& build, const Direction& d, NodeId weight,
-                                           const std::vector<Pair>& plain, NodeId across);
+                                           const std::vector<Pair>& plain, const SectoralChoices& choices);
 
 }  // namespace sh::codegen::recipes

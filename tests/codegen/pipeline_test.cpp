@@ -65,7 +65,7 @@ TEST(Pipeline, CatchesAPassThatChangesAValueAndNamesIt) {
 
 TEST(Pipeline, CatchesAConstantOffInTheEightiethDigit) {
   const std::string message = failure_of({{"nudge", nudge_a_constant}});
-  EXPECT_NE(message.find("pass nudge: probe output 0 (l=0 m=0)"), std::string::npos) << message;
+  EXPECT_NE(message.find("pass nudge: probe output"), std::string::npos) << message;
 }
 
 TEST(Pipeline, HoldsAPassToItsPromiseOfCost) {

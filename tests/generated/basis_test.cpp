@@ -147,10 +147,12 @@ std::map<std::string, std::map<std::string, std::string>> manifest() {
   std::ifstream stream(std::string(SHFORGE_SOURCE_DIR) + "/generated/MANIFEST");
   std::map<std::string, std::map<std::string, std::string>> kernels;
   for (std::string line; std::getline(stream, line);) {
-    if (line.empty() || line.front() == '#' || line.find("files=-") != std::string::npos) continue;
+    if (line.empty() || line.front() == '#') continue;
     std::istringstream words(line);
     std::string name;
     words >> name;
+    // Other recipes are listed too, without this file.
+    if (line.find("cpp/" + name + ".hpp") == std::string::npos) continue;
     for (std::string word; words >> word;) {
       const std::size_t equals = word.find('=');
       if (equals != std::string::npos) kernels[name][word.substr(0, equals)] = word.substr(equals + 1);
