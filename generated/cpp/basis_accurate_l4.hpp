@@ -11,8 +11,8 @@
 // Cost:         42 multiplications, 22 additions; longest chain 9; at most 11 values live
 // Error:        largest over 1110 directions (random, axes, poles, near poles), without contraction;
 //               eps counts units of machine epsilon x sqrt((2l+1)/(4 pi))
-//               float   rounding 2.1e-07 (2.0 eps)  total 3.6e-07 (3.5 eps)
-//               double  rounding 4.0e-16 (2.4 eps)  total 1.3e-15 (6.8 eps)
+//               float   rounding 2.5e-07 (2.4 eps)  total 3.6e-07 (3.5 eps)
+//               double  rounding 3.5e-16 (1.8 eps)  total 1.3e-15 (6.8 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               total:    against the exact function at the input scaled to length 1
 #pragma once
@@ -59,7 +59,7 @@ constexpr void basis_accurate_l4(T x, T y, T z, T* out) noexcept {
   const T k_2_2s = detail::constant<T>(1.0925485f, 1.0925484305920792);     // 1/2 sqrt(15/pi)
   const T k_2_2c = detail::constant<T>(0.54627424f, 0.5462742152960396);    // 1/4 sqrt(15/pi)
   const T b_3_3  = detail::constant<T>(1.2076148f, 1.20761472884912);       // 1/12 sqrt(210)
-  const T a_3_3  = detail::constant<T>(4.4212766f, 4.421276695971028);      // 2/3 sqrt(14) pi^(1/2)
+  const T a_3_3  = detail::constant<T>(2.4152296f, 2.41522945769824);       // 1/6 sqrt(210)
   const T k_4_4s = detail::constant<T>(4.1943913f, 4.194391357527674);      // 2/5 sqrt(35) pi^(1/2)
   const T k_4_4c = detail::constant<T>(2.0971956f, 2.097195678763837);      // 1/5 sqrt(35) pi^(1/2)
   const T k      = detail::constant<T>(0.15769579f, 0.15769578262626);      // 1/8 sqrt(5/pi)
@@ -93,12 +93,13 @@ constexpr void basis_accurate_l4(T x, T y, T z, T* out) noexcept {
   out[1] = y_1_1s;                                           // l=1 m=-1
   const T y_2_2s = k_2_2s * x * y;
   out[4] = y_2_2s;                                           // l=2 m=-2
-  const T y_2_2c = k_2_2c * (x - y) * (x + y);
+  const T t_4 = (x - y) * (x + y);
+  const T y_2_2c = k_2_2c * t_4;
   out[8] = y_2_2c;                                           // l=2 m=2
-  const T t_4 = a_3_3 * y_2_2c;
-  const T y_3_3c = y_1_1c * (t_4 - t_2);
+  const T t_5 = a_3_3 * t_4;
+  const T y_3_3c = y_1_1c * (t_5 - t_2);
   out[15] = y_3_3c;                                          // l=3 m=3
-  const T y_3_3s = y_1_1s * (t_4 + t_2);
+  const T y_3_3s = y_1_1s * (t_5 + t_2);
   out[9] = y_3_3s;                                           // l=3 m=-3
   out[16] = k_4_4s * y_2_2c * y_2_2s;                        // l=4 m=-4
   out[24] = k_4_4c * (y_2_2c - y_2_2s) * (y_2_2c + y_2_2s);  // l=4 m=4

@@ -59,7 +59,7 @@ constexpr void basis_accurate_l8(T x, T y, T z, T* out) noexcept {
   const T k_2_2s = detail::constant<T>(1.0925485f, 1.0925484305920792);      // 1/2 sqrt(15/pi)
   const T k_2_2c = detail::constant<T>(0.54627424f, 0.5462742152960396);     // 1/4 sqrt(15/pi)
   const T b_3_3  = detail::constant<T>(1.2076148f, 1.20761472884912);        // 1/12 sqrt(210)
-  const T a_3_3  = detail::constant<T>(4.4212766f, 4.421276695971028);       // 2/3 sqrt(14) pi^(1/2)
+  const T a_3_3  = detail::constant<T>(2.4152296f, 2.41522945769824);        // 1/6 sqrt(210)
   const T k_4_4s = detail::constant<T>(4.1943913f, 4.194391357527674);       // 2/5 sqrt(35) pi^(1/2)
   const T k_4_4c = detail::constant<T>(2.0971956f, 2.097195678763837);       // 1/5 sqrt(35) pi^(1/2)
   const T k_5_5  = detail::constant<T>(1.0488088f, 1.0488088481701516);      // 1/10 sqrt(110)
@@ -161,33 +161,34 @@ constexpr void basis_accurate_l8(T x, T y, T z, T* out) noexcept {
   out[1] = y_1_1s;                                                         // l=1 m=-1
   const T y_2_2s = k_2_2s * x * y;
   out[4] = y_2_2s;                                                         // l=2 m=-2
-  const T y_2_2c = k_2_2c * (x - y) * (x + y);
+  const T t_5 = (x - y) * (x + y);
+  const T y_2_2c = k_2_2c * t_5;
   out[8] = y_2_2c;                                                         // l=2 m=2
-  const T t_5 = b_3_3 * (one - z2);
-  const T t_6 = a_3_3 * y_2_2c;
-  const T y_3_3c = y_1_1c * (t_6 - t_5);
+  const T t_6 = b_3_3 * (one - z2);
+  const T t_7 = a_3_3 * t_5;
+  const T y_3_3c = y_1_1c * (t_7 - t_6);
   out[15] = y_3_3c;                                                        // l=3 m=3
-  const T y_3_3s = y_1_1s * (t_6 + t_5);
+  const T y_3_3s = y_1_1s * (t_7 + t_6);
   out[9] = y_3_3s;                                                         // l=3 m=-3
   const T y_4_4s = k_4_4s * y_2_2c * y_2_2s;
   out[16] = y_4_4s;                                                        // l=4 m=-4
   const T y_4_4c = k_4_4c * (y_2_2c - y_2_2s) * (y_2_2c + y_2_2s);
   out[24] = y_4_4c;                                                        // l=4 m=4
-  const T t_7 = k_5_5 * x;
-  const T t_8 = k_5_5 * y;
-  const T y_5_5c = t_7 * y_4_4c - t_8 * y_4_4s;
+  const T t_8 = k_5_5 * x;
+  const T t_9 = k_5_5 * y;
+  const T y_5_5c = t_8 * y_4_4c - t_9 * y_4_4s;
   out[35] = y_5_5c;                                                        // l=5 m=5
-  const T y_5_5s = t_7 * y_4_4s + t_8 * y_4_4c;
+  const T y_5_5s = t_8 * y_4_4s + t_9 * y_4_4c;
   out[25] = y_5_5s;                                                        // l=5 m=-5
   const T y_6_6s = k_6_6s * y_3_3c * y_3_3s;
   out[36] = y_6_6s;                                                        // l=6 m=-6
   const T y_6_6c = k_6_6c * (y_3_3c - y_3_3s) * (y_3_3c + y_3_3s);
   out[48] = y_6_6c;                                                        // l=6 m=6
-  const T t_9 = k_7_7 * x;
-  const T t_10 = k_7_7 * y;
-  const T y_7_7c = t_9 * y_6_6c - t_10 * y_6_6s;
+  const T t_10 = k_7_7 * x;
+  const T t_11 = k_7_7 * y;
+  const T y_7_7c = t_10 * y_6_6c - t_11 * y_6_6s;
   out[63] = y_7_7c;                                                        // l=7 m=7
-  const T y_7_7s = t_9 * y_6_6s + t_10 * y_6_6c;
+  const T y_7_7s = t_10 * y_6_6s + t_11 * y_6_6c;
   out[49] = y_7_7s;                                                        // l=7 m=-7
   out[64] = k_8_8s * y_4_4c * y_4_4s;                                      // l=8 m=-8
   out[80] = k_8_8c * (y_4_4c - y_4_4s) * (y_4_4c + y_4_4s);                // l=8 m=8

@@ -54,8 +54,8 @@ namespace sh {
 
 template <class T>
 constexpr void basis_l1(T x, T y, T z, T* out) noexcept {
-  const T k_0_0 = detail::constant<T>(0.2820948f, 0.28209479177387814);  // 1/2 sqrt(1/pi)
   const T k_1_1 = detail::constant<T>(0.48860252f, 0.4886025119029199);  // 1/2 sqrt(3/pi)
+  const T k_0_0 = detail::constant<T>(0.2820948f, 0.28209479177387814);  // 1/2 sqrt(1/pi)
 
   out[0] = k_0_0;      // l=0 m=0
   out[3] = k_1_1 * x;  // l=1 m=1

@@ -54,11 +54,11 @@ namespace sh {
 
 template <class T>
 constexpr void basis_l2(T x, T y, T z, T* out) noexcept {
-  const T k_0_0  = detail::constant<T>(0.2820948f, 0.28209479177387814);  // 1/2 sqrt(1/pi)
   const T k_1_1  = detail::constant<T>(0.48860252f, 0.4886025119029199);  // 1/2 sqrt(3/pi)
   const T k_2_2s = detail::constant<T>(1.0925485f, 1.0925484305920792);   // 1/2 sqrt(15/pi)
   const T k_2_2c = detail::constant<T>(0.54627424f, 0.5462742152960396);  // 1/4 sqrt(15/pi)
   const T k_2_1  = detail::constant<T>(2.236068f, 2.23606797749979);      // sqrt(5)
+  const T k_0_0  = detail::constant<T>(0.2820948f, 0.28209479177387814);  // 1/2 sqrt(1/pi)
   const T a_2_0  = detail::constant<T>(0.9461747f, 0.94617469575756);     // 3/4 sqrt(5/pi)
   const T b_2_0  = detail::constant<T>(0.31539157f, 0.31539156525252);    // 1/4 sqrt(5/pi)
 

@@ -9,11 +9,11 @@
 // Recipe:       parity
 // Source:       parity in z, doubling in m, columns tied by Gegenbauer relations (Abramowitz and Stegun 22.7); derived
 //               exactly
-// Cost:         24 multiplications, 8 additions; longest chain 6; at most 9 values live
+// Cost:         24 multiplications, 8 additions; longest chain 5; at most 9 values live
 // Error:        largest over 1110 directions (random, axes, poles, near poles), without contraction;
 //               eps counts units of machine epsilon x sqrt((2l+1)/(4 pi))
 //               float   rounding 1.8e-07 (2.0 eps)  total 2.4e-07 (2.7 eps)
-//               double  rounding 4.0e-16 (2.4 eps)  total 8.5e-16 (5.2 eps)
+//               double  rounding 2.9e-16 (1.8 eps)  total 8.5e-16 (5.2 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               total:    against the exact function at the input scaled to length 1
 #pragma once
@@ -54,17 +54,17 @@ namespace sh {
 
 template <class T>
 constexpr void basis_l3(T x, T y, T z, T* out) noexcept {
-  const T k_0_0  = detail::constant<T>(0.2820948f, 0.28209479177387814);  // 1/2 sqrt(1/pi)
   const T one    = detail::constant<T>(1.0f, 1.0);                        // 1
   const T k_1_1  = detail::constant<T>(0.48860252f, 0.4886025119029199);  // 1/2 sqrt(3/pi)
   const T k_2_2s = detail::constant<T>(1.0925485f, 1.0925484305920792);   // 1/2 sqrt(15/pi)
   const T k_2_2c = detail::constant<T>(0.54627424f, 0.5462742152960396);  // 1/4 sqrt(15/pi)
   const T b_3_3  = detail::constant<T>(1.2076148f, 1.20761472884912);     // 1/12 sqrt(210)
-  const T a_3_3  = detail::constant<T>(4.4212766f, 4.421276695971028);    // 2/3 sqrt(14) pi^(1/2)
+  const T a_3_3  = detail::constant<T>(2.4152296f, 2.41522945769824);     // 1/6 sqrt(210)
   const T k_3_2  = detail::constant<T>(2.6457512f, 2.6457513110645907);   // sqrt(7)
   const T k_2_1  = detail::constant<T>(2.236068f, 2.23606797749979);      // sqrt(5)
   const T a_3_1  = detail::constant<T>(4.6770716f, 4.677071733467427);    // 5/4 sqrt(14)
   const T b_3_1  = detail::constant<T>(0.9354144f, 0.9354143466934853);   // 1/4 sqrt(14)
+  const T k_0_0  = detail::constant<T>(0.2820948f, 0.28209479177387814);  // 1/2 sqrt(1/pi)
   const T a_2_0  = detail::constant<T>(0.9461747f, 0.94617469575756);     // 3/4 sqrt(5/pi)
   const T b_2_0  = detail::constant<T>(0.31539157f, 0.31539156525252);    // 1/4 sqrt(5/pi)
   const T a_3_0  = detail::constant<T>(3.818813f, 3.8188130791298667);    // 5/6 sqrt(21)
@@ -72,29 +72,30 @@ constexpr void basis_l3(T x, T y, T z, T* out) noexcept {
 
   out[0] = k_0_0;                          // l=0 m=0
   const T z2 = z * z;
+  const T t = b_3_3 * (one - z2);
   const T y_1_1c = k_1_1 * x;
   out[3] = y_1_1c;                         // l=1 m=1
   const T y_1_1s = k_1_1 * y;
   out[1] = y_1_1s;                         // l=1 m=-1
   const T y_2_2s = k_2_2s * x * y;
   out[4] = y_2_2s;                         // l=2 m=-2
-  const T y_2_2c = k_2_2c * (x - y) * (x + y);
+  const T t_2 = (x - y) * (x + y);
+  const T y_2_2c = k_2_2c * t_2;
   out[8] = y_2_2c;                         // l=2 m=2
-  const T t = b_3_3 * (one - z2);
-  const T t_2 = a_3_3 * y_2_2c;
-  out[15] = y_1_1c * (t_2 - t);            // l=3 m=3
-  out[9] = y_1_1s * (t_2 + t);             // l=3 m=-3
+  const T t_3 = a_3_3 * t_2;
+  out[15] = y_1_1c * (t_3 - t);            // l=3 m=3
+  out[9] = y_1_1s * (t_3 + t);             // l=3 m=-3
   const T t_3_2 = k_3_2 * z;
   out[10] = t_3_2 * y_2_2s;                // l=3 m=-2
   out[14] = t_3_2 * y_2_2c;                // l=3 m=2
   const T t_2_1 = k_2_1 * z;
+  const T t_1_0 = k_1_1 * z;
+  out[2] = t_1_0;                          // l=1 m=0
   out[5] = t_2_1 * y_1_1s;                 // l=2 m=-1
   out[7] = t_2_1 * y_1_1c;                 // l=2 m=1
   const T p_3_1 = a_3_1 * z2 - b_3_1;
   out[11] = p_3_1 * y_1_1s;                // l=3 m=-1
   out[13] = p_3_1 * y_1_1c;                // l=3 m=1
-  const T t_1_0 = k_1_1 * z;
-  out[2] = t_1_0;                          // l=1 m=0
   out[6] = a_2_0 * z2 - b_2_0;             // l=2 m=0
   out[12] = (a_3_0 * z2 - b_3_0) * t_1_0;  // l=3 m=0
 }

@@ -54,7 +54,6 @@ namespace sh {
 
 template <class T>
 constexpr void basis_l4(T x, T y, T z, T* out) noexcept {
-  const T k_0_0  = detail::constant<T>(0.2820948f, 0.28209479177387814);  // 1/2 sqrt(1/pi)
   const T one    = detail::constant<T>(1.0f, 1.0);                        // 1
   const T k_1_1  = detail::constant<T>(0.48860252f, 0.4886025119029199);  // 1/2 sqrt(3/pi)
   const T k_2_2s = detail::constant<T>(1.0925485f, 1.0925484305920792);   // 1/2 sqrt(15/pi)
@@ -72,6 +71,7 @@ constexpr void basis_l4(T x, T y, T z, T* out) noexcept {
   const T b_3_1  = detail::constant<T>(3.7416575f, 3.7416573867739413);   // sqrt(14)
   const T a_4_1  = detail::constant<T>(4.2866073f, 4.286607049870562);    // 7/4 sqrt(6)
   const T b_4_1  = detail::constant<T>(2.4494898f, 2.449489742783178);    // sqrt(6)
+  const T k_0_0  = detail::constant<T>(0.2820948f, 0.28209479177387814);  // 1/2 sqrt(1/pi)
   const T a_2_0  = detail::constant<T>(0.9461747f, 0.94617469575756);     // 3/4 sqrt(5/pi)
   const T b_2_0  = detail::constant<T>(0.63078314f, 0.63078313050504);    // 1/2 sqrt(5/pi)
   const T a_3_0  = detail::constant<T>(3.818813f, 3.8188130791298667);    // 5/6 sqrt(21)
@@ -111,13 +111,13 @@ constexpr void basis_l4(T x, T y, T z, T* out) noexcept {
   const T t_2_1 = k_2_1 * z;
   const T t_1_0 = k_1_1 * z;
   out[2] = t_1_0;                                            // l=1 m=0
+  const T p_3_1 = b_3_1 - a_3_1 * xy2;
+  out[11] = p_3_1 * y_1_1s;                                  // l=3 m=-1
+  out[13] = p_3_1 * y_1_1c;                                  // l=3 m=1
   const T y_2_1s = t_2_1 * y_1_1s;
   out[5] = y_2_1s;                                           // l=2 m=-1
   const T y_2_1c = t_2_1 * y_1_1c;
   out[7] = y_2_1c;                                           // l=2 m=1
-  const T p_3_1 = b_3_1 - a_3_1 * xy2;
-  out[11] = p_3_1 * y_1_1s;                                  // l=3 m=-1
-  out[13] = p_3_1 * y_1_1c;                                  // l=3 m=1
   const T p_4_1 = b_4_1 - a_4_1 * xy2;
   out[19] = p_4_1 * y_2_1s;                                  // l=4 m=-1
   out[21] = p_4_1 * y_2_1c;                                  // l=4 m=1

@@ -54,7 +54,6 @@ namespace sh {
 
 template <class T>
 constexpr void basis_l9(T x, T y, T z, T* out) noexcept {
-  const T k_0_0  = detail::constant<T>(0.2820948f, 0.28209479177387814);  // 1/2 sqrt(1/pi)
   const T one    = detail::constant<T>(1.0f, 1.0);                        // 1
   const T k_1_1  = detail::constant<T>(0.48860252f, 0.4886025119029199);  // 1/2 sqrt(3/pi)
   const T k_2_2s = detail::constant<T>(1.0925485f, 1.0925484305920792);   // 1/2 sqrt(15/pi)
@@ -134,22 +133,23 @@ constexpr void basis_l9(T x, T y, T z, T* out) noexcept {
   const T b_8_1  = detail::constant<T>(0.9981668f, 0.9981668178901743);   // 4/273 sqrt(4641)
   const T a_9_1  = detail::constant<T>(4.49305f, 4.493050188902857);      // 1/4 sqrt(323)
   const T b_9_1  = detail::constant<T>(0.9987492f, 0.998749217771909);    // 1/20 sqrt(399)
+  const T k_0_0  = detail::constant<T>(0.2820948f, 0.28209479177387814);  // 1/2 sqrt(1/pi)
   const T a_2_0  = detail::constant<T>(0.9461747f, 0.94617469575756);     // 3/4 sqrt(5/pi)
   const T b_2_0  = detail::constant<T>(0.63078314f, 0.63078313050504);    // 1/2 sqrt(5/pi)
   const T a_3_0  = detail::constant<T>(3.818813f, 3.8188130791298667);    // 5/6 sqrt(21)
   const T b_3_0  = detail::constant<T>(1.5275252f, 1.5275252316519468);   // 1/3 sqrt(21)
   const T a_4_0  = detail::constant<T>(0.20149627f, 0.2014962798384844);  // 5/14 sqrt(1/pi)
   const T b_4_0  = detail::constant<T>(0.3626933f, 0.3626933037092719);   // 9/14 sqrt(1/pi)
-  const T a_5_0  = detail::constant<T>(1.9899749f, 1.98997487421324);     // 3/5 sqrt(11)
   const T b_5_0  = detail::constant<T>(1.002853f, 1.002853072844814);     // 4/35 sqrt(77)
-  const T a_6_0  = detail::constant<T>(1.9930434f, 1.9930434571835662);   // 1/6 sqrt(143)
   const T b_6_0  = detail::constant<T>(1.001542f, 1.0015420209622192);    // 5/18 sqrt(13)
-  const T a_7_0  = detail::constant<T>(1.9948914f, 1.9948914348241344);   // 1/7 sqrt(195)
   const T b_7_0  = detail::constant<T>(1.0009272f, 1.000927213921958);    // 6/77 sqrt(165)
-  const T a_8_0  = detail::constant<T>(1.9960899f, 1.996089927833914);    // 1/8 sqrt(255)
   const T b_8_0  = detail::constant<T>(1.0006008f, 1.0006007810695148);   // 7/104 sqrt(221)
-  const T a_9_0  = detail::constant<T>(1.9969112f, 1.9969111950679366);   // 1/9 sqrt(323)
   const T b_9_0  = detail::constant<T>(1.0004114f, 1.0004114379931337);   // 8/135 sqrt(285)
+  const T a_5_0  = detail::constant<T>(1.9899749f, 1.98997487421324);     // 3/5 sqrt(11)
+  const T a_6_0  = detail::constant<T>(1.9930434f, 1.9930434571835662);   // 1/6 sqrt(143)
+  const T a_7_0  = detail::constant<T>(1.9948914f, 1.9948914348241344);   // 1/7 sqrt(195)
+  const T a_8_0  = detail::constant<T>(1.9960899f, 1.996089927833914);    // 1/8 sqrt(255)
+  const T a_9_0  = detail::constant<T>(1.9969112f, 1.9969111950679366);   // 1/9 sqrt(323)
 
   out[0] = k_0_0;                               // l=0 m=0
   const T z2 = z * z;
@@ -184,19 +184,19 @@ constexpr void basis_l9(T x, T y, T z, T* out) noexcept {
   const T y_6_6c = k_6_6c * (y_3_3c - y_3_3s) * (y_3_3c + y_3_3s);
   out[48] = y_6_6c;                             // l=6 m=6
   const T t_6 = k_7_7 * x;
-  const T t_7 = k_7_7 * y;
-  const T y_7_7c = t_6 * y_6_6c - t_7 * y_6_6s;
+  const T t_7 = k_9_9 * x;
+  const T t_8 = k_7_7 * y;
+  const T t_9 = k_9_9 * y;
+  const T y_7_7c = t_6 * y_6_6c - t_8 * y_6_6s;
   out[63] = y_7_7c;                             // l=7 m=7
-  const T y_7_7s = t_6 * y_6_6s + t_7 * y_6_6c;
+  const T y_7_7s = t_6 * y_6_6s + t_8 * y_6_6c;
   out[49] = y_7_7s;                             // l=7 m=-7
   const T y_8_8s = k_8_8s * y_4_4c * y_4_4s;
   out[64] = y_8_8s;                             // l=8 m=-8
   const T y_8_8c = k_8_8c * (y_4_4c - y_4_4s) * (y_4_4c + y_4_4s);
   out[80] = y_8_8c;                             // l=8 m=8
-  const T t_8 = k_9_9 * x;
-  const T t_9 = k_9_9 * y;
-  out[99] = t_8 * y_8_8c - t_9 * y_8_8s;        // l=9 m=9
-  out[81] = t_8 * y_8_8s + t_9 * y_8_8c;        // l=9 m=-9
+  out[99] = t_7 * y_8_8c - t_9 * y_8_8s;        // l=9 m=9
+  out[81] = t_7 * y_8_8s + t_9 * y_8_8c;        // l=9 m=-9
   const T t_9_8 = k_9_8 * z;
   out[82] = t_9_8 * y_8_8s;                     // l=9 m=-8
   out[98] = t_9_8 * y_8_8c;                     // l=9 m=8
@@ -207,116 +207,116 @@ constexpr void basis_l9(T x, T y, T z, T* out) noexcept {
   out[83] = p_9_7 * y_7_7s;                     // l=9 m=-7
   out[97] = p_9_7 * y_7_7c;                     // l=9 m=7
   const T t_7_6 = k_7_6 * z;
+  const T p_8_6 = a_8_6 * z2 - b_8_6;
+  out[66] = p_8_6 * y_6_6s;                     // l=8 m=-6
+  out[78] = p_8_6 * y_6_6c;                     // l=8 m=6
   const T y_7_6s = t_7_6 * y_6_6s;
   out[50] = y_7_6s;                             // l=7 m=-6
   const T y_7_6c = t_7_6 * y_6_6c;
   out[62] = y_7_6c;                             // l=7 m=6
-  const T p_8_6 = a_8_6 * z2 - b_8_6;
-  out[66] = p_8_6 * y_6_6s;                     // l=8 m=-6
-  out[78] = p_8_6 * y_6_6c;                     // l=8 m=6
   const T p_9_6 = a_9_6 * z2 - b_9_6;
   out[84] = p_9_6 * y_7_6s;                     // l=9 m=-6
   out[96] = p_9_6 * y_7_6c;                     // l=9 m=6
   const T t_6_5 = k_6_5 * z;
-  const T y_6_5s = t_6_5 * y_5_5s;
-  out[37] = y_6_5s;                             // l=6 m=-5
-  const T y_6_5c = t_6_5 * y_5_5c;
-  out[47] = y_6_5c;                             // l=6 m=5
   const T p_7_5 = a_7_5 * z2 - b_7_5;
   out[51] = p_7_5 * y_5_5s;                     // l=7 m=-5
   out[61] = p_7_5 * y_5_5c;                     // l=7 m=5
   const T p_8_5 = a_8_5 * z2 - b_8_5;
-  out[67] = p_8_5 * y_6_5s;                     // l=8 m=-5
-  out[77] = p_8_5 * y_6_5c;                     // l=8 m=5
   const T p_9_5 = a_9_5 * p_9_6 * p_9_6 - b_9_5;
   out[85] = p_9_5 * y_5_5s;                     // l=9 m=-5
+  const T y_6_5s = t_6_5 * y_5_5s;
+  out[37] = y_6_5s;                             // l=6 m=-5
+  out[67] = p_8_5 * y_6_5s;                     // l=8 m=-5
+  const T y_6_5c = t_6_5 * y_5_5c;
+  out[47] = y_6_5c;                             // l=6 m=5
+  out[77] = p_8_5 * y_6_5c;                     // l=8 m=5
   out[95] = p_9_5 * y_5_5c;                     // l=9 m=5
   const T t_5_4 = k_5_4 * z;
-  const T y_5_4s = t_5_4 * y_4_4s;
-  out[26] = y_5_4s;                             // l=5 m=-4
-  const T y_5_4c = t_5_4 * y_4_4c;
-  out[34] = y_5_4c;                             // l=5 m=4
   const T p_6_4 = a_6_4 * z2 - b_6_4;
   out[38] = p_6_4 * y_4_4s;                     // l=6 m=-4
   out[46] = p_6_4 * y_4_4c;                     // l=6 m=4
   const T p_7_4 = a_7_4 * z2 - b_7_4;
-  out[52] = p_7_4 * y_5_4s;                     // l=7 m=-4
-  out[60] = p_7_4 * y_5_4c;                     // l=7 m=4
   const T p_8_4 = a_8_4 * p_8_5 * p_8_5 - b_8_4;
-  out[68] = p_8_4 * y_4_4s;                     // l=8 m=-4
-  out[76] = p_8_4 * y_4_4c;                     // l=8 m=4
   const T p_9_4 = a_9_4 * p_9_5 - b_9_4 * p_8_5;
+  out[68] = p_8_4 * y_4_4s;                     // l=8 m=-4
+  const T y_5_4s = t_5_4 * y_4_4s;
+  out[26] = y_5_4s;                             // l=5 m=-4
+  const T y_5_4c = t_5_4 * y_4_4c;
+  out[34] = y_5_4c;                             // l=5 m=4
+  out[76] = p_8_4 * y_4_4c;                     // l=8 m=4
+  out[52] = p_7_4 * y_5_4s;                     // l=7 m=-4
   out[86] = p_9_4 * y_5_4s;                     // l=9 m=-4
+  out[60] = p_7_4 * y_5_4c;                     // l=7 m=4
   out[94] = p_9_4 * y_5_4c;                     // l=9 m=4
   const T t_4_3 = k_4_3 * z;
-  const T y_4_3s = t_4_3 * y_3_3s;
-  out[17] = y_4_3s;                             // l=4 m=-3
-  const T y_4_3c = t_4_3 * y_3_3c;
-  out[23] = y_4_3c;                             // l=4 m=3
   const T p_5_3 = a_5_3 * z2 - b_5_3;
   out[27] = p_5_3 * y_3_3s;                     // l=5 m=-3
   out[33] = p_5_3 * y_3_3c;                     // l=5 m=3
   const T p_6_3 = a_6_3 * z2 - b_6_3;
-  out[39] = p_6_3 * y_4_3s;                     // l=6 m=-3
-  out[45] = p_6_3 * y_4_3c;                     // l=6 m=3
   const T p_7_3 = a_7_3 * p_7_4 * p_7_4 - b_7_3;
   out[53] = p_7_3 * y_3_3s;                     // l=7 m=-3
   out[59] = p_7_3 * y_3_3c;                     // l=7 m=3
   const T p_8_3 = a_8_3 * p_8_4 - b_8_3 * p_7_4;
-  out[69] = p_8_3 * y_4_3s;                     // l=8 m=-3
-  out[75] = p_8_3 * y_4_3c;                     // l=8 m=3
   const T p_9_3 = a_9_3 * z2 * p_9_4 - b_9_3 * p_8_4;
   out[87] = p_9_3 * y_3_3s;                     // l=9 m=-3
   out[93] = p_9_3 * y_3_3c;                     // l=9 m=3
+  const T y_4_3s = t_4_3 * y_3_3s;
+  out[17] = y_4_3s;                             // l=4 m=-3
+  const T y_4_3c = t_4_3 * y_3_3c;
+  out[23] = y_4_3c;                             // l=4 m=3
+  out[39] = p_6_3 * y_4_3s;                     // l=6 m=-3
+  out[69] = p_8_3 * y_4_3s;                     // l=8 m=-3
+  out[75] = p_8_3 * y_4_3c;                     // l=8 m=3
+  out[45] = p_6_3 * y_4_3c;                     // l=6 m=3
   const T t_3_2 = k_3_2 * z;
-  const T y_3_2s = t_3_2 * y_2_2s;
-  out[10] = y_3_2s;                             // l=3 m=-2
-  const T y_3_2c = t_3_2 * y_2_2c;
-  out[14] = y_3_2c;                             // l=3 m=2
   const T p_4_2 = a_4_2 * z2 - b_4_2;
   out[18] = p_4_2 * y_2_2s;                     // l=4 m=-2
   out[22] = p_4_2 * y_2_2c;                     // l=4 m=2
   const T p_5_2 = a_5_2 * z2 - b_5_2;
-  out[28] = p_5_2 * y_3_2s;                     // l=5 m=-2
-  out[32] = p_5_2 * y_3_2c;                     // l=5 m=2
   const T p_6_2 = a_6_2 * p_6_3 * p_6_3 - b_6_2;
   out[40] = p_6_2 * y_2_2s;                     // l=6 m=-2
   out[44] = p_6_2 * y_2_2c;                     // l=6 m=2
   const T p_7_2 = a_7_2 * p_6_2 - b_7_2 * p_5_2;
-  out[54] = p_7_2 * y_3_2s;                     // l=7 m=-2
-  out[58] = p_7_2 * y_3_2c;                     // l=7 m=2
   const T p_8_2 = a_8_2 * z2 * p_7_2 - b_8_2 * p_6_2;
   out[70] = p_8_2 * y_2_2s;                     // l=8 m=-2
+  const T y_3_2s = t_3_2 * y_2_2s;
+  out[10] = y_3_2s;                             // l=3 m=-2
+  const T y_3_2c = t_3_2 * y_2_2c;
+  out[14] = y_3_2c;                             // l=3 m=2
   out[74] = p_8_2 * y_2_2c;                     // l=8 m=2
+  out[28] = p_5_2 * y_3_2s;                     // l=5 m=-2
+  out[32] = p_5_2 * y_3_2c;                     // l=5 m=2
+  out[54] = p_7_2 * y_3_2s;                     // l=7 m=-2
+  out[58] = p_7_2 * y_3_2c;                     // l=7 m=2
   const T p_9_2 = a_9_2 * p_8_2 - b_9_2 * p_7_2;
   out[88] = p_9_2 * y_3_2s;                     // l=9 m=-2
   out[92] = p_9_2 * y_3_2c;                     // l=9 m=2
   const T t_2_1 = k_2_1 * z;
-  const T y_2_1s = t_2_1 * y_1_1s;
-  out[5] = y_2_1s;                              // l=2 m=-1
-  const T y_2_1c = t_2_1 * y_1_1c;
-  out[7] = y_2_1c;                              // l=2 m=1
   const T p_3_1 = b_3_1 - a_3_1 * xy2;
   out[11] = p_3_1 * y_1_1s;                     // l=3 m=-1
   out[13] = p_3_1 * y_1_1c;                     // l=3 m=1
   const T p_4_1 = b_4_1 - a_4_1 * xy2;
-  out[19] = p_4_1 * y_2_1s;                     // l=4 m=-1
-  out[21] = p_4_1 * y_2_1c;                     // l=4 m=1
   const T p_5_1 = a_5_1 * p_5_2 * p_5_2 - b_5_1;
   out[29] = p_5_1 * y_1_1s;                     // l=5 m=-1
   out[31] = p_5_1 * y_1_1c;                     // l=5 m=1
   const T p_6_1 = a_6_1 * p_5_1 - b_6_1 * p_4_1;
-  out[41] = p_6_1 * y_2_1s;                     // l=6 m=-1
-  out[43] = p_6_1 * y_2_1c;                     // l=6 m=1
   const T p_7_1 = a_7_1 * z2 * p_6_1 - b_7_1 * p_5_1;
   out[55] = p_7_1 * y_1_1s;                     // l=7 m=-1
   out[57] = p_7_1 * y_1_1c;                     // l=7 m=1
   const T p_8_1 = a_8_1 * p_7_1 - b_8_1 * p_6_1;
-  out[71] = p_8_1 * y_2_1s;                     // l=8 m=-1
-  out[73] = p_8_1 * y_2_1c;                     // l=8 m=1
   const T p_9_1 = a_9_1 * z2 * p_8_1 - b_9_1 * p_7_1;
   out[89] = p_9_1 * y_1_1s;                     // l=9 m=-1
   out[91] = p_9_1 * y_1_1c;                     // l=9 m=1
+  const T y_2_1s = t_2_1 * y_1_1s;
+  out[5] = y_2_1s;                              // l=2 m=-1
+  const T y_2_1c = t_2_1 * y_1_1c;
+  out[7] = y_2_1c;                              // l=2 m=1
+  out[19] = p_4_1 * y_2_1s;                     // l=4 m=-1
+  out[21] = p_4_1 * y_2_1c;                     // l=4 m=1
+  out[41] = p_6_1 * y_2_1s;                     // l=6 m=-1
+  out[43] = p_6_1 * y_2_1c;                     // l=6 m=1
+  out[71] = p_8_1 * y_2_1s;                     // l=8 m=-1
+  out[73] = p_8_1 * y_2_1c;                     // l=8 m=1
   const T t_1_0 = k_1_1 * z;
   out[2] = t_1_0;                               // l=1 m=0
   out[6] = b_2_0 - a_2_0 * xy2;                 // l=2 m=0

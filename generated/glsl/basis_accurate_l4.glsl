@@ -11,8 +11,8 @@
 // Cost:         42 multiplications, 22 additions; longest chain 9; at most 11 values live
 // Error:        largest over 1110 directions (random, axes, poles, near poles), without contraction;
 //               eps counts units of machine epsilon x sqrt((2l+1)/(4 pi))
-//               float   rounding 2.1e-07 (2.0 eps)  total 3.6e-07 (3.5 eps)
-//               double  rounding 4.0e-16 (2.4 eps)  total 1.3e-15 (6.8 eps)
+//               float   rounding 2.5e-07 (2.4 eps)  total 3.6e-07 (3.5 eps)
+//               double  rounding 3.5e-16 (1.8 eps)  total 1.3e-15 (6.8 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               total:    against the exact function at the input scaled to length 1
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
@@ -27,7 +27,7 @@ void basis_accurate_l4(float x, float y, float z, out float result[25]) {
     const float k_2_2s = 1.0925485;    // 1/2 sqrt(15/pi)
     const float k_2_2c = 0.54627424;   // 1/4 sqrt(15/pi)
     const float b_3_3  = 1.2076148;    // 1/12 sqrt(210)
-    const float a_3_3  = 4.4212766;    // 2/3 sqrt(14) pi^(1/2)
+    const float a_3_3  = 2.4152296;    // 1/6 sqrt(210)
     const float k_4_4s = 4.1943913;    // 2/5 sqrt(35) pi^(1/2)
     const float k_4_4c = 2.0971956;    // 1/5 sqrt(35) pi^(1/2)
     const float k      = 0.15769579;   // 1/8 sqrt(5/pi)
@@ -61,12 +61,13 @@ void basis_accurate_l4(float x, float y, float z, out float result[25]) {
     result[1] = y_1_1s;                                           // l=1 m=-1
     float y_2_2s = k_2_2s * x * y;
     result[4] = y_2_2s;                                           // l=2 m=-2
-    float y_2_2c = k_2_2c * (x - y) * (x + y);
+    float t_4 = (x - y) * (x + y);
+    float y_2_2c = k_2_2c * t_4;
     result[8] = y_2_2c;                                           // l=2 m=2
-    float t_4 = a_3_3 * y_2_2c;
-    float y_3_3c = y_1_1c * (t_4 - t_2);
+    float t_5 = a_3_3 * t_4;
+    float y_3_3c = y_1_1c * (t_5 - t_2);
     result[15] = y_3_3c;                                          // l=3 m=3
-    float y_3_3s = y_1_1s * (t_4 + t_2);
+    float y_3_3s = y_1_1s * (t_5 + t_2);
     result[9] = y_3_3s;                                           // l=3 m=-3
     result[16] = k_4_4s * y_2_2c * y_2_2s;                        // l=4 m=-4
     result[24] = k_4_4c * (y_2_2c - y_2_2s) * (y_2_2c + y_2_2s);  // l=4 m=4

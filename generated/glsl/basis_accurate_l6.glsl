@@ -12,7 +12,7 @@
 // Error:        largest over 1110 directions (random, axes, poles, near poles), without contraction;
 //               eps counts units of machine epsilon x sqrt((2l+1)/(4 pi))
 //               float   rounding 3.9e-07 (3.2 eps)  total 7.7e-07 (6.3 eps)
-//               double  rounding 8.8e-16 (3.9 eps)  total 2.9e-15 (12.7 eps)
+//               double  rounding 7.3e-16 (3.2 eps)  total 2.9e-15 (12.7 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               total:    against the exact function at the input scaled to length 1
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
@@ -27,7 +27,7 @@ void basis_accurate_l6(float x, float y, float z, out float result[49]) {
     const float k_2_2s = 1.0925485;    // 1/2 sqrt(15/pi)
     const float k_2_2c = 0.54627424;   // 1/4 sqrt(15/pi)
     const float b_3_3  = 1.2076148;    // 1/12 sqrt(210)
-    const float a_3_3  = 4.4212766;    // 2/3 sqrt(14) pi^(1/2)
+    const float a_3_3  = 2.4152296;    // 1/6 sqrt(210)
     const float k_4_4s = 4.1943913;    // 2/5 sqrt(35) pi^(1/2)
     const float k_4_4c = 2.0971956;    // 1/5 sqrt(35) pi^(1/2)
     const float k_5_5  = 1.0488088;    // 1/10 sqrt(110)
@@ -88,23 +88,24 @@ void basis_accurate_l6(float x, float y, float z, out float result[49]) {
     result[1] = y_1_1s;                                           // l=1 m=-1
     float y_2_2s = k_2_2s * x * y;
     result[4] = y_2_2s;                                           // l=2 m=-2
-    float y_2_2c = k_2_2c * (x - y) * (x + y);
+    float t_4 = (x - y) * (x + y);
+    float y_2_2c = k_2_2c * t_4;
     result[8] = y_2_2c;                                           // l=2 m=2
-    float t_4 = b_3_3 * (one - z2);
-    float t_5 = a_3_3 * y_2_2c;
-    float y_3_3c = y_1_1c * (t_5 - t_4);
+    float t_5 = b_3_3 * (one - z2);
+    float t_6 = a_3_3 * t_4;
+    float y_3_3c = y_1_1c * (t_6 - t_5);
     result[15] = y_3_3c;                                          // l=3 m=3
-    float y_3_3s = y_1_1s * (t_5 + t_4);
+    float y_3_3s = y_1_1s * (t_6 + t_5);
     result[9] = y_3_3s;                                           // l=3 m=-3
     float y_4_4s = k_4_4s * y_2_2c * y_2_2s;
     result[16] = y_4_4s;                                          // l=4 m=-4
     float y_4_4c = k_4_4c * (y_2_2c - y_2_2s) * (y_2_2c + y_2_2s);
     result[24] = y_4_4c;                                          // l=4 m=4
-    float t_6 = k_5_5 * x;
-    float t_7 = k_5_5 * y;
-    float y_5_5c = t_6 * y_4_4c - t_7 * y_4_4s;
+    float t_7 = k_5_5 * x;
+    float t_8 = k_5_5 * y;
+    float y_5_5c = t_7 * y_4_4c - t_8 * y_4_4s;
     result[35] = y_5_5c;                                          // l=5 m=5
-    float y_5_5s = t_6 * y_4_4s + t_7 * y_4_4c;
+    float y_5_5s = t_7 * y_4_4s + t_8 * y_4_4c;
     result[25] = y_5_5s;                                          // l=5 m=-5
     result[36] = k_6_6s * y_3_3c * y_3_3s;                        // l=6 m=-6
     result[48] = k_6_6c * (y_3_3c - y_3_3s) * (y_3_3c + y_3_3s);  // l=6 m=6

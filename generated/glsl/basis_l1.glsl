@@ -22,8 +22,8 @@ precision highp float;
 #endif
 
 void basis_l1(float x, float y, float z, out float result[4]) {
-    const float k_0_0 = 0.2820948;   // 1/2 sqrt(1/pi)
     const float k_1_1 = 0.48860252;  // 1/2 sqrt(3/pi)
+    const float k_0_0 = 0.2820948;   // 1/2 sqrt(1/pi)
 
     result[0] = k_0_0;      // l=0 m=0
     result[3] = k_1_1 * x;  // l=1 m=1

@@ -22,11 +22,11 @@ precision highp float;
 #endif
 
 void basis_l2(float x, float y, float z, out float result[9]) {
-    const float k_0_0  = 0.2820948;   // 1/2 sqrt(1/pi)
     const float k_1_1  = 0.48860252;  // 1/2 sqrt(3/pi)
     const float k_2_2s = 1.0925485;   // 1/2 sqrt(15/pi)
     const float k_2_2c = 0.54627424;  // 1/4 sqrt(15/pi)
     const float k_2_1  = 2.236068;    // sqrt(5)
+    const float k_0_0  = 0.2820948;   // 1/2 sqrt(1/pi)
     const float a_2_0  = 0.9461747;   // 3/4 sqrt(5/pi)
     const float b_2_0  = 0.31539157;  // 1/4 sqrt(5/pi)
 

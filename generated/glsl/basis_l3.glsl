@@ -9,11 +9,11 @@
 // Recipe:       parity
 // Source:       parity in z, doubling in m, columns tied by Gegenbauer relations (Abramowitz and Stegun 22.7); derived
 //               exactly
-// Cost:         24 multiplications, 8 additions; longest chain 6; at most 9 values live
+// Cost:         24 multiplications, 8 additions; longest chain 5; at most 9 values live
 // Error:        largest over 1110 directions (random, axes, poles, near poles), without contraction;
 //               eps counts units of machine epsilon x sqrt((2l+1)/(4 pi))
 //               float   rounding 1.8e-07 (2.0 eps)  total 2.4e-07 (2.7 eps)
-//               double  rounding 4.0e-16 (2.4 eps)  total 8.5e-16 (5.2 eps)
+//               double  rounding 2.9e-16 (1.8 eps)  total 8.5e-16 (5.2 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               total:    against the exact function at the input scaled to length 1
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
@@ -22,17 +22,17 @@ precision highp float;
 #endif
 
 void basis_l3(float x, float y, float z, out float result[16]) {
-    const float k_0_0  = 0.2820948;   // 1/2 sqrt(1/pi)
     const float one    = 1.0;         // 1
     const float k_1_1  = 0.48860252;  // 1/2 sqrt(3/pi)
     const float k_2_2s = 1.0925485;   // 1/2 sqrt(15/pi)
     const float k_2_2c = 0.54627424;  // 1/4 sqrt(15/pi)
     const float b_3_3  = 1.2076148;   // 1/12 sqrt(210)
-    const float a_3_3  = 4.4212766;   // 2/3 sqrt(14) pi^(1/2)
+    const float a_3_3  = 2.4152296;   // 1/6 sqrt(210)
     const float k_3_2  = 2.6457512;   // sqrt(7)
     const float k_2_1  = 2.236068;    // sqrt(5)
     const float a_3_1  = 4.6770716;   // 5/4 sqrt(14)
     const float b_3_1  = 0.9354144;   // 1/4 sqrt(14)
+    const float k_0_0  = 0.2820948;   // 1/2 sqrt(1/pi)
     const float a_2_0  = 0.9461747;   // 3/4 sqrt(5/pi)
     const float b_2_0  = 0.31539157;  // 1/4 sqrt(5/pi)
     const float a_3_0  = 3.818813;    // 5/6 sqrt(21)
@@ -40,29 +40,30 @@ void basis_l3(float x, float y, float z, out float result[16]) {
 
     result[0] = k_0_0;                          // l=0 m=0
     float z2 = z * z;
+    float t = b_3_3 * (one - z2);
     float y_1_1c = k_1_1 * x;
     result[3] = y_1_1c;                         // l=1 m=1
     float y_1_1s = k_1_1 * y;
     result[1] = y_1_1s;                         // l=1 m=-1
     float y_2_2s = k_2_2s * x * y;
     result[4] = y_2_2s;                         // l=2 m=-2
-    float y_2_2c = k_2_2c * (x - y) * (x + y);
+    float t_2 = (x - y) * (x + y);
+    float y_2_2c = k_2_2c * t_2;
     result[8] = y_2_2c;                         // l=2 m=2
-    float t = b_3_3 * (one - z2);
-    float t_2 = a_3_3 * y_2_2c;
-    result[15] = y_1_1c * (t_2 - t);            // l=3 m=3
-    result[9] = y_1_1s * (t_2 + t);             // l=3 m=-3
+    float t_3 = a_3_3 * t_2;
+    result[15] = y_1_1c * (t_3 - t);            // l=3 m=3
+    result[9] = y_1_1s * (t_3 + t);             // l=3 m=-3
     float t_3_2 = k_3_2 * z;
     result[10] = t_3_2 * y_2_2s;                // l=3 m=-2
     result[14] = t_3_2 * y_2_2c;                // l=3 m=2
     float t_2_1 = k_2_1 * z;
+    float t_1_0 = k_1_1 * z;
+    result[2] = t_1_0;                          // l=1 m=0
     result[5] = t_2_1 * y_1_1s;                 // l=2 m=-1
     result[7] = t_2_1 * y_1_1c;                 // l=2 m=1
     float p_3_1 = a_3_1 * z2 - b_3_1;
     result[11] = p_3_1 * y_1_1s;                // l=3 m=-1
     result[13] = p_3_1 * y_1_1c;                // l=3 m=1
-    float t_1_0 = k_1_1 * z;
-    result[2] = t_1_0;                          // l=1 m=0
     result[6] = a_2_0 * z2 - b_2_0;             // l=2 m=0
     result[12] = (a_3_0 * z2 - b_3_0) * t_1_0;  // l=3 m=0
 }

@@ -22,7 +22,6 @@ precision highp float;
 #endif
 
 void basis_l4(float x, float y, float z, out float result[25]) {
-    const float k_0_0  = 0.2820948;   // 1/2 sqrt(1/pi)
     const float one    = 1.0;         // 1
     const float k_1_1  = 0.48860252;  // 1/2 sqrt(3/pi)
     const float k_2_2s = 1.0925485;   // 1/2 sqrt(15/pi)
@@ -40,6 +39,7 @@ void basis_l4(float x, float y, float z, out float result[25]) {
     const float b_3_1  = 3.7416575;   // sqrt(14)
     const float a_4_1  = 4.2866073;   // 7/4 sqrt(6)
     const float b_4_1  = 2.4494898;   // sqrt(6)
+    const float k_0_0  = 0.2820948;   // 1/2 sqrt(1/pi)
     const float a_2_0  = 0.9461747;   // 3/4 sqrt(5/pi)
     const float b_2_0  = 0.63078314;  // 1/2 sqrt(5/pi)
     const float a_3_0  = 3.818813;    // 5/6 sqrt(21)
@@ -79,13 +79,13 @@ void basis_l4(float x, float y, float z, out float result[25]) {
     float t_2_1 = k_2_1 * z;
     float t_1_0 = k_1_1 * z;
     result[2] = t_1_0;                                            // l=1 m=0
+    float p_3_1 = b_3_1 - a_3_1 * xy2;
+    result[11] = p_3_1 * y_1_1s;                                  // l=3 m=-1
+    result[13] = p_3_1 * y_1_1c;                                  // l=3 m=1
     float y_2_1s = t_2_1 * y_1_1s;
     result[5] = y_2_1s;                                           // l=2 m=-1
     float y_2_1c = t_2_1 * y_1_1c;
     result[7] = y_2_1c;                                           // l=2 m=1
-    float p_3_1 = b_3_1 - a_3_1 * xy2;
-    result[11] = p_3_1 * y_1_1s;                                  // l=3 m=-1
-    result[13] = p_3_1 * y_1_1c;                                  // l=3 m=1
     float p_4_1 = b_4_1 - a_4_1 * xy2;
     result[19] = p_4_1 * y_2_1s;                                  // l=4 m=-1
     result[21] = p_4_1 * y_2_1c;                                  // l=4 m=1

@@ -22,7 +22,6 @@ precision highp float;
 #endif
 
 void basis_l5(float x, float y, float z, out float result[36]) {
-    const float k_0_0  = 0.2820948;   // 1/2 sqrt(1/pi)
     const float one    = 1.0;         // 1
     const float k_1_1  = 0.48860252;  // 1/2 sqrt(3/pi)
     const float k_2_2s = 1.0925485;   // 1/2 sqrt(15/pi)
@@ -48,14 +47,15 @@ void basis_l5(float x, float y, float z, out float result[36]) {
     const float b_4_1  = 2.4494898;   // sqrt(6)
     const float a_5_1  = 0.7865665;   // 7/66 sqrt(55)
     const float b_5_1  = 1.2360331;   // 1/6 sqrt(55)
+    const float k_0_0  = 0.2820948;   // 1/2 sqrt(1/pi)
     const float a_2_0  = 0.9461747;   // 3/4 sqrt(5/pi)
     const float b_2_0  = 0.63078314;  // 1/2 sqrt(5/pi)
     const float a_3_0  = 3.818813;    // 5/6 sqrt(21)
     const float b_3_0  = 1.5275252;   // 1/3 sqrt(21)
     const float a_4_0  = 0.20149627;  // 5/14 sqrt(1/pi)
     const float b_4_0  = 0.3626933;   // 9/14 sqrt(1/pi)
-    const float a_5_0  = 1.9899749;   // 3/5 sqrt(11)
     const float b_5_0  = 1.002853;    // 4/35 sqrt(77)
+    const float a_5_0  = 1.9899749;   // 3/5 sqrt(11)
 
     result[0] = k_0_0;                               // l=0 m=0
     float z2 = z * z;
@@ -67,22 +67,22 @@ void basis_l5(float x, float y, float z, out float result[36]) {
     float t = k_2_2s * x;
     float y_2_2s = t * y;
     result[4] = y_2_2s;                              // l=2 m=-2
+    float t_2 = k_5_5 * x;
+    float t_3 = k_5_5 * y;
     float y_2_2c = t * x - k_2_2c * xy2;
     result[8] = y_2_2c;                              // l=2 m=2
-    float t_2 = b_3_3 * xy2;
-    float t_3 = a_3_3 * y_2_2c;
-    float y_3_3c = y_1_1c * (t_3 - t_2);
+    float t_4 = b_3_3 * xy2;
+    float t_5 = a_3_3 * y_2_2c;
+    float y_3_3c = y_1_1c * (t_5 - t_4);
     result[15] = y_3_3c;                             // l=3 m=3
-    float y_3_3s = y_1_1s * (t_3 + t_2);
+    float y_3_3s = y_1_1s * (t_5 + t_4);
     result[9] = y_3_3s;                              // l=3 m=-3
     float y_4_4s = k_4_4s * y_2_2c * y_2_2s;
     result[16] = y_4_4s;                             // l=4 m=-4
     float y_4_4c = k_4_4c * (y_2_2c - y_2_2s) * (y_2_2c + y_2_2s);
     result[24] = y_4_4c;                             // l=4 m=4
-    float t_4 = k_5_5 * x;
-    float t_5 = k_5_5 * y;
-    result[35] = t_4 * y_4_4c - t_5 * y_4_4s;        // l=5 m=5
-    result[25] = t_4 * y_4_4s + t_5 * y_4_4c;        // l=5 m=-5
+    result[35] = t_2 * y_4_4c - t_3 * y_4_4s;        // l=5 m=5
+    result[25] = t_2 * y_4_4s + t_3 * y_4_4c;        // l=5 m=-5
     float t_5_4 = k_5_4 * z;
     result[26] = t_5_4 * y_4_4s;                     // l=5 m=-4
     result[34] = t_5_4 * y_4_4c;                     // l=5 m=4
@@ -93,30 +93,30 @@ void basis_l5(float x, float y, float z, out float result[36]) {
     result[27] = p_5_3 * y_3_3s;                     // l=5 m=-3
     result[33] = p_5_3 * y_3_3c;                     // l=5 m=3
     float t_3_2 = k_3_2 * z;
+    float p_4_2 = a_4_2 * z2 - b_4_2;
+    float p_5_2 = a_5_2 * z2 - b_5_2;
+    result[18] = p_4_2 * y_2_2s;                     // l=4 m=-2
+    result[22] = p_4_2 * y_2_2c;                     // l=4 m=2
     float y_3_2s = t_3_2 * y_2_2s;
     result[10] = y_3_2s;                             // l=3 m=-2
     float y_3_2c = t_3_2 * y_2_2c;
     result[14] = y_3_2c;                             // l=3 m=2
-    float p_4_2 = a_4_2 * z2 - b_4_2;
-    result[18] = p_4_2 * y_2_2s;                     // l=4 m=-2
-    result[22] = p_4_2 * y_2_2c;                     // l=4 m=2
-    float p_5_2 = a_5_2 * z2 - b_5_2;
     result[28] = p_5_2 * y_3_2s;                     // l=5 m=-2
     result[32] = p_5_2 * y_3_2c;                     // l=5 m=2
     float t_2_1 = k_2_1 * z;
-    float y_2_1s = t_2_1 * y_1_1s;
-    result[5] = y_2_1s;                              // l=2 m=-1
-    float y_2_1c = t_2_1 * y_1_1c;
-    result[7] = y_2_1c;                              // l=2 m=1
     float p_3_1 = b_3_1 - a_3_1 * xy2;
     result[11] = p_3_1 * y_1_1s;                     // l=3 m=-1
     result[13] = p_3_1 * y_1_1c;                     // l=3 m=1
     float p_4_1 = b_4_1 - a_4_1 * xy2;
-    result[19] = p_4_1 * y_2_1s;                     // l=4 m=-1
-    result[21] = p_4_1 * y_2_1c;                     // l=4 m=1
     float p_5_1 = a_5_1 * p_5_2 * p_5_2 - b_5_1;
     result[29] = p_5_1 * y_1_1s;                     // l=5 m=-1
     result[31] = p_5_1 * y_1_1c;                     // l=5 m=1
+    float y_2_1s = t_2_1 * y_1_1s;
+    result[5] = y_2_1s;                              // l=2 m=-1
+    float y_2_1c = t_2_1 * y_1_1c;
+    result[7] = y_2_1c;                              // l=2 m=1
+    result[19] = p_4_1 * y_2_1s;                     // l=4 m=-1
+    result[21] = p_4_1 * y_2_1c;                     // l=4 m=1
     float t_1_0 = k_1_1 * z;
     result[2] = t_1_0;                               // l=1 m=0
     result[6] = b_2_0 - a_2_0 * xy2;                 // l=2 m=0

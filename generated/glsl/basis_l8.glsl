@@ -22,7 +22,6 @@ precision highp float;
 #endif
 
 void basis_l8(float x, float y, float z, out float result[81]) {
-    const float k_0_0  = 0.2820948;   // 1/2 sqrt(1/pi)
     const float one    = 1.0;         // 1
     const float k_1_1  = 0.48860252;  // 1/2 sqrt(3/pi)
     const float k_2_2s = 1.0925485;   // 1/2 sqrt(15/pi)
@@ -86,20 +85,21 @@ void basis_l8(float x, float y, float z, out float result[81]) {
     const float b_7_1  = 0.9971551;   // 5/44 sqrt(77)
     const float a_8_1  = 0.8997354;   // 1/21 sqrt(357)
     const float b_8_1  = 0.9981668;   // 4/273 sqrt(4641)
+    const float k_0_0  = 0.2820948;   // 1/2 sqrt(1/pi)
     const float a_2_0  = 0.9461747;   // 3/4 sqrt(5/pi)
     const float b_2_0  = 0.63078314;  // 1/2 sqrt(5/pi)
     const float a_3_0  = 3.818813;    // 5/6 sqrt(21)
     const float b_3_0  = 1.5275252;   // 1/3 sqrt(21)
     const float a_4_0  = 0.20149627;  // 5/14 sqrt(1/pi)
     const float b_4_0  = 0.3626933;   // 9/14 sqrt(1/pi)
-    const float a_5_0  = 1.9899749;   // 3/5 sqrt(11)
     const float b_5_0  = 1.002853;    // 4/35 sqrt(77)
-    const float a_6_0  = 1.9930434;   // 1/6 sqrt(143)
     const float b_6_0  = 1.001542;    // 5/18 sqrt(13)
-    const float a_7_0  = 1.9948914;   // 1/7 sqrt(195)
     const float b_7_0  = 1.0009272;   // 6/77 sqrt(165)
-    const float a_8_0  = 1.9960899;   // 1/8 sqrt(255)
     const float b_8_0  = 1.0006008;   // 7/104 sqrt(221)
+    const float a_5_0  = 1.9899749;   // 3/5 sqrt(11)
+    const float a_6_0  = 1.9930434;   // 1/6 sqrt(143)
+    const float a_7_0  = 1.9948914;   // 1/7 sqrt(195)
+    const float a_8_0  = 1.9960899;   // 1/8 sqrt(255)
 
     result[0] = k_0_0;                                            // l=0 m=0
     float z2 = z * z;
@@ -124,20 +124,20 @@ void basis_l8(float x, float y, float z, out float result[81]) {
     float y_4_4c = k_4_4c * (y_2_2c - y_2_2s) * (y_2_2c + y_2_2s);
     result[24] = y_4_4c;                                          // l=4 m=4
     float t_4 = k_5_5 * x;
-    float t_5 = k_5_5 * y;
-    float y_5_5c = t_4 * y_4_4c - t_5 * y_4_4s;
+    float t_5 = k_7_7 * x;
+    float t_6 = k_5_5 * y;
+    float t_7 = k_7_7 * y;
+    float y_5_5c = t_4 * y_4_4c - t_6 * y_4_4s;
     result[35] = y_5_5c;                                          // l=5 m=5
-    float y_5_5s = t_4 * y_4_4s + t_5 * y_4_4c;
+    float y_5_5s = t_4 * y_4_4s + t_6 * y_4_4c;
     result[25] = y_5_5s;                                          // l=5 m=-5
     float y_6_6s = k_6_6s * y_3_3c * y_3_3s;
     result[36] = y_6_6s;                                          // l=6 m=-6
     float y_6_6c = k_6_6c * (y_3_3c - y_3_3s) * (y_3_3c + y_3_3s);
     result[48] = y_6_6c;                                          // l=6 m=6
-    float t_6 = k_7_7 * x;
-    float t_7 = k_7_7 * y;
-    float y_7_7c = t_6 * y_6_6c - t_7 * y_6_6s;
+    float y_7_7c = t_5 * y_6_6c - t_7 * y_6_6s;
     result[63] = y_7_7c;                                          // l=7 m=7
-    float y_7_7s = t_6 * y_6_6s + t_7 * y_6_6c;
+    float y_7_7s = t_5 * y_6_6s + t_7 * y_6_6c;
     result[49] = y_7_7s;                                          // l=7 m=-7
     result[64] = k_8_8s * y_4_4c * y_4_4s;                        // l=8 m=-8
     result[80] = k_8_8c * (y_4_4c - y_4_4s) * (y_4_4c + y_4_4s);  // l=8 m=8
@@ -151,87 +151,87 @@ void basis_l8(float x, float y, float z, out float result[81]) {
     result[66] = p_8_6 * y_6_6s;                                  // l=8 m=-6
     result[78] = p_8_6 * y_6_6c;                                  // l=8 m=6
     float t_6_5 = k_6_5 * z;
+    float p_7_5 = a_7_5 * z2 - b_7_5;
+    result[51] = p_7_5 * y_5_5s;                                  // l=7 m=-5
+    result[61] = p_7_5 * y_5_5c;                                  // l=7 m=5
     float y_6_5s = t_6_5 * y_5_5s;
     result[37] = y_6_5s;                                          // l=6 m=-5
     float y_6_5c = t_6_5 * y_5_5c;
     result[47] = y_6_5c;                                          // l=6 m=5
-    float p_7_5 = a_7_5 * z2 - b_7_5;
-    result[51] = p_7_5 * y_5_5s;                                  // l=7 m=-5
-    result[61] = p_7_5 * y_5_5c;                                  // l=7 m=5
     float p_8_5 = a_8_5 * z2 - b_8_5;
     result[67] = p_8_5 * y_6_5s;                                  // l=8 m=-5
     result[77] = p_8_5 * y_6_5c;                                  // l=8 m=5
     float t_5_4 = k_5_4 * z;
-    float y_5_4s = t_5_4 * y_4_4s;
-    result[26] = y_5_4s;                                          // l=5 m=-4
-    float y_5_4c = t_5_4 * y_4_4c;
-    result[34] = y_5_4c;                                          // l=5 m=4
     float p_6_4 = a_6_4 * z2 - b_6_4;
     result[38] = p_6_4 * y_4_4s;                                  // l=6 m=-4
     result[46] = p_6_4 * y_4_4c;                                  // l=6 m=4
     float p_7_4 = a_7_4 * z2 - b_7_4;
-    result[52] = p_7_4 * y_5_4s;                                  // l=7 m=-4
-    result[60] = p_7_4 * y_5_4c;                                  // l=7 m=4
     float p_8_4 = a_8_4 * p_8_5 * p_8_5 - b_8_4;
     result[68] = p_8_4 * y_4_4s;                                  // l=8 m=-4
+    float y_5_4s = t_5_4 * y_4_4s;
+    result[26] = y_5_4s;                                          // l=5 m=-4
+    result[52] = p_7_4 * y_5_4s;                                  // l=7 m=-4
+    float y_5_4c = t_5_4 * y_4_4c;
+    result[34] = y_5_4c;                                          // l=5 m=4
+    result[60] = p_7_4 * y_5_4c;                                  // l=7 m=4
     result[76] = p_8_4 * y_4_4c;                                  // l=8 m=4
     float t_4_3 = k_4_3 * z;
-    float y_4_3s = t_4_3 * y_3_3s;
-    result[17] = y_4_3s;                                          // l=4 m=-3
-    float y_4_3c = t_4_3 * y_3_3c;
-    result[23] = y_4_3c;                                          // l=4 m=3
     float p_5_3 = a_5_3 * z2 - b_5_3;
     result[27] = p_5_3 * y_3_3s;                                  // l=5 m=-3
     result[33] = p_5_3 * y_3_3c;                                  // l=5 m=3
     float p_6_3 = a_6_3 * z2 - b_6_3;
-    result[39] = p_6_3 * y_4_3s;                                  // l=6 m=-3
-    result[45] = p_6_3 * y_4_3c;                                  // l=6 m=3
     float p_7_3 = a_7_3 * p_7_4 * p_7_4 - b_7_3;
+    float p_8_3 = a_8_3 * p_8_4 - b_8_3 * p_7_4;
     result[53] = p_7_3 * y_3_3s;                                  // l=7 m=-3
     result[59] = p_7_3 * y_3_3c;                                  // l=7 m=3
-    float p_8_3 = a_8_3 * p_8_4 - b_8_3 * p_7_4;
+    float y_4_3s = t_4_3 * y_3_3s;
+    result[17] = y_4_3s;                                          // l=4 m=-3
+    float y_4_3c = t_4_3 * y_3_3c;
+    result[23] = y_4_3c;                                          // l=4 m=3
+    result[39] = p_6_3 * y_4_3s;                                  // l=6 m=-3
     result[69] = p_8_3 * y_4_3s;                                  // l=8 m=-3
     result[75] = p_8_3 * y_4_3c;                                  // l=8 m=3
+    result[45] = p_6_3 * y_4_3c;                                  // l=6 m=3
     float t_3_2 = k_3_2 * z;
-    float y_3_2s = t_3_2 * y_2_2s;
-    result[10] = y_3_2s;                                          // l=3 m=-2
-    float y_3_2c = t_3_2 * y_2_2c;
-    result[14] = y_3_2c;                                          // l=3 m=2
     float p_4_2 = a_4_2 * z2 - b_4_2;
     result[18] = p_4_2 * y_2_2s;                                  // l=4 m=-2
     result[22] = p_4_2 * y_2_2c;                                  // l=4 m=2
     float p_5_2 = a_5_2 * z2 - b_5_2;
-    result[28] = p_5_2 * y_3_2s;                                  // l=5 m=-2
-    result[32] = p_5_2 * y_3_2c;                                  // l=5 m=2
     float p_6_2 = a_6_2 * p_6_3 * p_6_3 - b_6_2;
     result[40] = p_6_2 * y_2_2s;                                  // l=6 m=-2
     result[44] = p_6_2 * y_2_2c;                                  // l=6 m=2
     float p_7_2 = a_7_2 * p_6_2 - b_7_2 * p_5_2;
-    result[54] = p_7_2 * y_3_2s;                                  // l=7 m=-2
-    result[58] = p_7_2 * y_3_2c;                                  // l=7 m=2
     float p_8_2 = a_8_2 * z2 * p_7_2 - b_8_2 * p_6_2;
     result[70] = p_8_2 * y_2_2s;                                  // l=8 m=-2
     result[74] = p_8_2 * y_2_2c;                                  // l=8 m=2
+    float y_3_2s = t_3_2 * y_2_2s;
+    result[10] = y_3_2s;                                          // l=3 m=-2
+    float y_3_2c = t_3_2 * y_2_2c;
+    result[14] = y_3_2c;                                          // l=3 m=2
+    result[28] = p_5_2 * y_3_2s;                                  // l=5 m=-2
+    result[54] = p_7_2 * y_3_2s;                                  // l=7 m=-2
+    result[58] = p_7_2 * y_3_2c;                                  // l=7 m=2
+    result[32] = p_5_2 * y_3_2c;                                  // l=5 m=2
     float t_2_1 = k_2_1 * z;
-    float y_2_1s = t_2_1 * y_1_1s;
-    result[5] = y_2_1s;                                           // l=2 m=-1
-    float y_2_1c = t_2_1 * y_1_1c;
-    result[7] = y_2_1c;                                           // l=2 m=1
     float p_3_1 = b_3_1 - a_3_1 * xy2;
     result[11] = p_3_1 * y_1_1s;                                  // l=3 m=-1
     result[13] = p_3_1 * y_1_1c;                                  // l=3 m=1
     float p_4_1 = b_4_1 - a_4_1 * xy2;
-    result[19] = p_4_1 * y_2_1s;                                  // l=4 m=-1
-    result[21] = p_4_1 * y_2_1c;                                  // l=4 m=1
     float p_5_1 = a_5_1 * p_5_2 * p_5_2 - b_5_1;
     result[29] = p_5_1 * y_1_1s;                                  // l=5 m=-1
     result[31] = p_5_1 * y_1_1c;                                  // l=5 m=1
     float p_6_1 = a_6_1 * p_5_1 - b_6_1 * p_4_1;
-    result[41] = p_6_1 * y_2_1s;                                  // l=6 m=-1
-    result[43] = p_6_1 * y_2_1c;                                  // l=6 m=1
     float p_7_1 = a_7_1 * z2 * p_6_1 - b_7_1 * p_5_1;
     result[55] = p_7_1 * y_1_1s;                                  // l=7 m=-1
+    float y_2_1s = t_2_1 * y_1_1s;
+    result[5] = y_2_1s;                                           // l=2 m=-1
+    float y_2_1c = t_2_1 * y_1_1c;
+    result[7] = y_2_1c;                                           // l=2 m=1
     result[57] = p_7_1 * y_1_1c;                                  // l=7 m=1
+    result[19] = p_4_1 * y_2_1s;                                  // l=4 m=-1
+    result[21] = p_4_1 * y_2_1c;                                  // l=4 m=1
+    result[41] = p_6_1 * y_2_1s;                                  // l=6 m=-1
+    result[43] = p_6_1 * y_2_1c;                                  // l=6 m=1
     float p_8_1 = a_8_1 * p_7_1 - b_8_1 * p_6_1;
     result[71] = p_8_1 * y_2_1s;                                  // l=8 m=-1
     result[73] = p_8_1 * y_2_1c;                                  // l=8 m=1
