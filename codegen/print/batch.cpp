@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <sstream>
+#include <stdexcept>
 
 #include "codegen/print/cpp.hpp"
 #include "codegen/print/function.hpp"
@@ -121,13 +122,24 @@ std::vector<Driver> drivers_of(const WrittenFamilies& families) {
   return drivers;
 }
 
-std::string block_kernel(const std::string& name, const Kernel& kernel) {
+enum class Loop { kPlain, kFixed, kHalf };
+
+std::string block_kernel(const std::string& name, const Kernel& kernel, Loop loop = Loop::kPlain) {
   const Signature s = signature_of(kernel);
-  const std::string loop = s.sums ? "sum_every_register" : "for_every_register";
-  const std::string size = s.sums ? ", (Degree + 1) * (Degree + 1)" : "";
-  return "template <int Degree, class T>\n[[gnu::flatten]] void " + name + "(const Blocks<T>& blocks) {\n  " + loop +
-         "<" + std::to_string(s.inputs.size()) + size +
-         ">(blocks, [](const Lanes<T>* const* in, Lanes<T>* out) {\n    " + call_of(kernel) + "\n  });\n}\n\n";
+  const std::string count = "(Degree + 1) * (Degree + 1)";
+  const std::string times = std::to_string(s.inputs[0].size / ((kernel.degree + 1) * (kernel.degree + 1)));
+  std::string call = "for_every_register<" + std::to_string(s.inputs.size());
+  if (s.sums) call = "sum_every_register<" + std::to_string(s.inputs.size()) + ", " + count;
+  if (loop == Loop::kFixed) call = "for_every_register_fixed<" + std::to_string(s.inputs.size()) + ", " + count;
+  if (loop == Loop::kHalf) {
+    call = "for_every_register_half<" + std::to_string(s.inputs.size()) + ", " + (times == "1" ? "" : times + " * ") +
+           count;
+  }
+  const std::string scalars = loop == Loop::kHalf ? "<int Degree>" : "<int Degree, class T>";
+  const std::string t = loop == Loop::kHalf ? "float" : "T";
+  return "template " + scalars + "\n[[gnu::flatten]] void " + name + "(const Blocks<" + t + ">& blocks) {\n  " + call +
+         ">(blocks, [](const Lanes<" + t + ">* const* in, Lanes<" + t + ">* out) {\n    " + call_of(kernel) +
+         "\n  });\n}\n\n";
 }
 
 // The row of the table of plans for one degree.
@@ -139,14 +151,16 @@ std::string plan_row(const Driver& driver, std::size_t i) {
   for (const Record& record : s.inputs) sizes += (sizes.empty() ? "" : ", ") + std::to_string(record.size);
   const bool by_parts = driver.adds_parts() && kernel.degree <= kLargestByParts;
   std::string row = "      {" + std::to_string(s.inputs.size()) + ", {" + sizes + "}, " + std::to_string(s.out_size) +
-                    ", " + (s.sums ? "true" : "false") + ", " + (by_parts ? "parts<" : "kernel<") + degree + ", T>";
+                    ", " + (s.sums ? "true" : "false") + ", " + (by_parts ? "parts<" : "kernel<") + degree + ", T>, " +
+                    (driver.spec.half ? "half_or_none<" + degree + ", T>()" : "nullptr");
   if (driver.prepares()) {
     const Signature once = signature_of((*driver.prepare)[i].kernel);
-    row += ", prepare<" + degree + ", T>, " + std::to_string(once.out_size) + ", kernel_prepared<" + degree + ", T>";
+    row += ", detail::prepare_" + driver.spec.name + ", " + std::to_string(once.out_size) + ", kernel_prepared<" +
+           degree + ", T>";
   } else {
     row += ", nullptr, 0, nullptr";
   }
-  row += by_parts ? ", finish<" + degree + ", double>" : ", nullptr";
+  row += by_parts ? ", detail::finish_" + driver.spec.name : ", nullptr";
   return row + "},\n";
 }
 
@@ -154,17 +168,23 @@ std::string driver_file(const Driver& driver) {
   std::ostringstream text;
   text << "// sh::batch::" << driver.spec.name << " on the instruction set SH_BATCH_ISA.\n//\n" << kStamp;
   text << "#include \"generated/cpp/" << driver.spec.name << ".hpp\"\n";
-  for (const auto* further : {driver.prepare, driver.prepared, driver.parts, driver.finish}) {
+  for (const auto* further : {driver.prepared, driver.parts}) {
     if (further != nullptr) text << "#include \"generated/cpp/" << further->back().kernel.family << ".hpp\"\n";
   }
   text << "\n#include \"generated/batch/drive.hpp\"\n\nnamespace sh::batch::SH_BATCH_ISA {\nnamespace {\n\n"
        << block_kernel("kernel", driver.last());
-  if (driver.adds_parts()) {
-    text << block_kernel("parts", driver.parts->back().kernel) << block_kernel("finish", driver.finish->back().kernel);
-  }
+  if (driver.adds_parts()) text << block_kernel("parts", driver.parts->back().kernel);
   if (driver.prepares()) {
-    text << block_kernel("prepare", driver.prepare->back().kernel)
-         << block_kernel("kernel_prepared", driver.prepared->back().kernel);
+    // A prepared record of bands^2 values is kept in registers.
+    const Kernel& kernel = driver.prepared->back().kernel;
+    const bool small = signature_of(kernel).inputs[0].size == (kernel.degree + 1) * (kernel.degree + 1);
+    text << block_kernel("kernel_prepared", kernel, small ? Loop::kFixed : Loop::kPlain);
+  }
+  if (driver.spec.half) {
+    text << block_kernel("kernel_half", driver.last(), Loop::kHalf)
+         << "template <int Degree, class T>\nconstexpr BlockKernel<T> half_or_none() {\n"
+            "  if constexpr (sizeof(T) == sizeof(float)) {\n    return kernel_half<Degree>;\n  } else {\n"
+            "    return nullptr;\n  }\n}\n\n";
   }
   text << "template <class T>\nvoid run(const detail::Call<T>& call) {\n  static constexpr Plan<T> kPlans[] = {\n";
   for (std::size_t i = 0; i < driver.kernels->size(); ++i) text << plan_row(driver, i);
@@ -265,6 +285,43 @@ std::string choice_file(const std::vector<Driver>& drivers) {
   return text.str();
 }
 
+// A function that chooses by degree among kernels that run once a call.
+std::string once_function(const std::string& name, const std::string& scalar,
+                          const std::vector<FinishedKernel>& kernels) {
+  const Kernel& last = kernels.back().kernel;
+  std::string text = "void " + name + "(int degree, const " + scalar + "* in, " + scalar +
+                     "* out) {\n  static constexpr Run<" + scalar + "> kRuns[] = {\n";
+  for (const FinishedKernel& finished : kernels) {
+    text += "      sh::" + finished.kernel.name + "<" + scalar + ">,\n";
+  }
+  if (last.parameters.size() != 1 || last.results.size() != 1) {
+    throw std::logic_error(last.name + ": only a kernel from one array to one array can run once a call");
+  }
+  return text + "  };\n  kRuns[degree](in, out);\n}\n\n";
+}
+
+std::string once_file(const std::vector<Driver>& drivers) {
+  std::string includes;
+  std::string functions;
+  const auto add = [&](const std::string& name, const std::string& scalar, const std::vector<FinishedKernel>& kernels) {
+    const std::string include = "#include \"generated/cpp/" + kernels.back().kernel.family + ".hpp\"\n";
+    if (includes.find(include) == std::string::npos) includes += include;
+    functions += once_function(name, scalar, kernels);
+  };
+  for (const Driver& driver : drivers) {
+    if (driver.prepares()) {
+      for (const char* scalar : kScalars) add("prepare_" + driver.spec.name, scalar, *driver.prepare);
+    }
+    if (driver.adds_parts()) add("finish_" + driver.spec.name, "double", *driver.finish);
+  }
+  return std::string(
+             "// What drivers compute once a call, whatever the instruction set: from a shared input, or of a "
+             "sum.\n//\n") +
+         kStamp + includes + "#include \"generated/batch/call.hpp\"\n\nnamespace sh::batch::detail {\nnamespace {\n\n" +
+         "template <class T>\nusing Run = void (*)(const T*, T*);\n\n}  // namespace\n\n" + functions +
+         "}  // namespace sh::batch::detail\n";
+}
+
 // What the driver has to hold beside the caller's arrays, in lines of 64 bytes.
 int room_lines(const std::vector<Driver>& drivers) {
   int most = 0;
@@ -273,7 +330,7 @@ int room_lines(const std::vector<Driver>& drivers) {
     int in = 0;
     for (const Record& record : s.inputs) in += record.size;
     int prepared = 0;
-    if (driver.prepares()) prepared = signature_of(driver.prepare->back().kernel).out_size;
+    if (driver.prepares()) prepared = 2 * signature_of(driver.prepare->back().kernel).out_size;  // once plain
     const int chunk = std::max(kChunkLines, in + s.out_size);
     const int halves = driver.spec.half ? s.inputs[0].size : 0;  // widened before they are put in place
     most = std::max(most, in + prepared + chunk + std::max(kChunkLines, s.out_size) + halves);
@@ -292,6 +349,17 @@ int most_sums(const std::vector<Driver>& drivers) {
 
 std::string call_file(const std::vector<Driver>& drivers) {
   std::ostringstream text;
+  std::string once;
+  for (const Driver& driver : drivers) {
+    if (driver.prepares()) {
+      for (const std::string scalar : kScalars) {
+        once += "void prepare_" + driver.spec.name + "(int degree, const " + scalar + "* in, " + scalar + "* out);\n";
+      }
+    }
+    if (driver.adds_parts()) {
+      once += "void finish_" + driver.spec.name + "(int degree, const double* in, double* out);\n";
+    }
+  }
   text << "// What the drivers of sh::batch share, whatever the instruction set.\n//\n"
        << kStamp << R"text(#pragma once
 
@@ -318,8 +386,12 @@ struct Call {
   bool stream = false;         ///< write past the cache
 };
 
-}  // namespace sh::batch::detail
-)text";
+/// Something computed once a call.
+template <class T>
+using Once = void (*)(int degree, const T* in, T* out);
+
+)text" << once
+       << "\n}  // namespace sh::batch::detail\n";
   return text.str();
 }
 
@@ -328,9 +400,10 @@ struct Call {
 std::map<std::string, std::string> batch_files(const WrittenFamilies& families) {
   const std::vector<Driver> drivers = drivers_of(families);
   std::map<std::string, std::string> files{
-      {"batch/batch.hpp", header_file(drivers)}, {"batch/batch.cpp", choice_file(drivers)},
-      {"batch/call.hpp", call_file(drivers)},    {"batch/lanes.hpp", kBatchLanes},
-      {"batch/layout.hpp", kBatchLayout},        {"batch/drive.hpp", kBatchDrive}};
+      {"batch/batch.hpp", header_file(drivers)}, {"batch/once.cpp", once_file(drivers)},
+      {"batch/batch.cpp", choice_file(drivers)}, {"batch/call.hpp", call_file(drivers)},
+      {"batch/lanes.hpp", kBatchLanes},          {"batch/layout.hpp", kBatchLayout},
+      {"batch/drive.hpp", kBatchDrive}};
   for (const Driver& driver : drivers) files["batch/" + driver.spec.name + ".cpp"] = driver_file(driver);
   return files;
 }

@@ -20,17 +20,17 @@ template <int Degree, class T>
 template <class T>
 void run(const detail::Call<T>& call) {
   static constexpr Plan<T> kPlans[] = {
-      {1, {3}, 4, false, kernel<0, T>, nullptr, 0, nullptr, nullptr},
-      {1, {3}, 16, false, kernel<1, T>, nullptr, 0, nullptr, nullptr},
-      {1, {3}, 36, false, kernel<2, T>, nullptr, 0, nullptr, nullptr},
-      {1, {3}, 64, false, kernel<3, T>, nullptr, 0, nullptr, nullptr},
-      {1, {3}, 100, false, kernel<4, T>, nullptr, 0, nullptr, nullptr},
-      {1, {3}, 144, false, kernel<5, T>, nullptr, 0, nullptr, nullptr},
-      {1, {3}, 196, false, kernel<6, T>, nullptr, 0, nullptr, nullptr},
-      {1, {3}, 256, false, kernel<7, T>, nullptr, 0, nullptr, nullptr},
-      {1, {3}, 324, false, kernel<8, T>, nullptr, 0, nullptr, nullptr},
-      {1, {3}, 400, false, kernel<9, T>, nullptr, 0, nullptr, nullptr},
-      {1, {3}, 484, false, kernel<10, T>, nullptr, 0, nullptr, nullptr},
+      {1, {3}, 4, false, kernel<0, T>, nullptr, nullptr, 0, nullptr, nullptr},
+      {1, {3}, 16, false, kernel<1, T>, nullptr, nullptr, 0, nullptr, nullptr},
+      {1, {3}, 36, false, kernel<2, T>, nullptr, nullptr, 0, nullptr, nullptr},
+      {1, {3}, 64, false, kernel<3, T>, nullptr, nullptr, 0, nullptr, nullptr},
+      {1, {3}, 100, false, kernel<4, T>, nullptr, nullptr, 0, nullptr, nullptr},
+      {1, {3}, 144, false, kernel<5, T>, nullptr, nullptr, 0, nullptr, nullptr},
+      {1, {3}, 196, false, kernel<6, T>, nullptr, nullptr, 0, nullptr, nullptr},
+      {1, {3}, 256, false, kernel<7, T>, nullptr, nullptr, 0, nullptr, nullptr},
+      {1, {3}, 324, false, kernel<8, T>, nullptr, nullptr, 0, nullptr, nullptr},
+      {1, {3}, 400, false, kernel<9, T>, nullptr, nullptr, 0, nullptr, nullptr},
+      {1, {3}, 484, false, kernel<10, T>, nullptr, nullptr, 0, nullptr, nullptr},
   };
   Driver<T>(call, kPlans[call.degree]).run();
 }

@@ -19,6 +19,14 @@ namespace sh::batch {
 namespace baseline {
 void basis(const detail::Call<float>& call);
 void basis(const detail::Call<double>& call);
+void basis_gradient(const detail::Call<float>& call);
+void basis_gradient(const detail::Call<double>& call);
+void evaluate(const detail::Call<float>& call);
+void evaluate(const detail::Call<double>& call);
+void evaluate_rgb(const detail::Call<float>& call);
+void evaluate_rgb(const detail::Call<double>& call);
+void project(const detail::Call<float>& call);
+void project(const detail::Call<double>& call);
 void rotate(const detail::Call<float>& call);
 void rotate(const detail::Call<double>& call);
 void product(const detail::Call<float>& call);
@@ -27,6 +35,14 @@ void product(const detail::Call<double>& call);
 namespace avx2 {
 void basis(const detail::Call<float>& call);
 void basis(const detail::Call<double>& call);
+void basis_gradient(const detail::Call<float>& call);
+void basis_gradient(const detail::Call<double>& call);
+void evaluate(const detail::Call<float>& call);
+void evaluate(const detail::Call<double>& call);
+void evaluate_rgb(const detail::Call<float>& call);
+void evaluate_rgb(const detail::Call<double>& call);
+void project(const detail::Call<float>& call);
+void project(const detail::Call<double>& call);
 void rotate(const detail::Call<float>& call);
 void rotate(const detail::Call<double>& call);
 void product(const detail::Call<float>& call);
@@ -35,6 +51,14 @@ void product(const detail::Call<double>& call);
 namespace avx512 {
 void basis(const detail::Call<float>& call);
 void basis(const detail::Call<double>& call);
+void basis_gradient(const detail::Call<float>& call);
+void basis_gradient(const detail::Call<double>& call);
+void evaluate(const detail::Call<float>& call);
+void evaluate(const detail::Call<double>& call);
+void evaluate_rgb(const detail::Call<float>& call);
+void evaluate_rgb(const detail::Call<double>& call);
+void project(const detail::Call<float>& call);
+void project(const detail::Call<double>& call);
 void rotate(const detail::Call<float>& call);
 void rotate(const detail::Call<double>& call);
 void product(const detail::Call<float>& call);
@@ -140,6 +164,76 @@ void basis(int degree, std::size_t n, Records<const double> directions, Records<
   detail::Call<T> call{degree, n, {directions}, out};
   check("basis", call, 1, 10, {1, 0});
   SH_BATCH_CHOOSE(basis)(call);
+}
+
+void basis_gradient(int degree, std::size_t n, Records<const float> directions, Records<float> out) {
+  using T = float;
+  detail::Call<T> call{degree, n, {directions}, out};
+  check("basis_gradient", call, 1, 10, {4, 0});
+  SH_BATCH_CHOOSE(basis_gradient)(call);
+}
+
+void basis_gradient(int degree, std::size_t n, Records<const double> directions, Records<double> out) {
+  using T = double;
+  detail::Call<T> call{degree, n, {directions}, out};
+  check("basis_gradient", call, 1, 10, {4, 0});
+  SH_BATCH_CHOOSE(basis_gradient)(call);
+}
+
+void evaluate(int degree, std::size_t n, Records<const float> c, Records<const float> directions, Records<float> out) {
+  using T = float;
+  detail::Call<T> call{degree, n, {c, directions}, out};
+  check("evaluate", call, 2, 10, {0, 1});
+  SH_BATCH_CHOOSE(evaluate)(call);
+}
+
+void evaluate(int degree, std::size_t n, Records<const double> c, Records<const double> directions, Records<double> out) {
+  using T = double;
+  detail::Call<T> call{degree, n, {c, directions}, out};
+  check("evaluate", call, 2, 10, {0, 1});
+  SH_BATCH_CHOOSE(evaluate)(call);
+}
+
+void evaluate(int degree, std::size_t n, Records<const Half> c, Records<const float> directions, Records<float> out) {
+  using T = float;
+  detail::Call<T> call{degree, n, {{nullptr, c.layout}, directions}, out, c.data};
+  check("evaluate", call, 2, 10, {0, 1});
+  SH_BATCH_CHOOSE(evaluate)(call);
+}
+
+void evaluate_rgb(int degree, std::size_t n, Records<const float> c, Records<const float> directions, Records<float> out) {
+  using T = float;
+  detail::Call<T> call{degree, n, {c, directions}, out};
+  check("evaluate_rgb", call, 2, 10, {0, 3});
+  SH_BATCH_CHOOSE(evaluate_rgb)(call);
+}
+
+void evaluate_rgb(int degree, std::size_t n, Records<const double> c, Records<const double> directions, Records<double> out) {
+  using T = double;
+  detail::Call<T> call{degree, n, {c, directions}, out};
+  check("evaluate_rgb", call, 2, 10, {0, 3});
+  SH_BATCH_CHOOSE(evaluate_rgb)(call);
+}
+
+void evaluate_rgb(int degree, std::size_t n, Records<const Half> c, Records<const float> directions, Records<float> out) {
+  using T = float;
+  detail::Call<T> call{degree, n, {{nullptr, c.layout}, directions}, out, c.data};
+  check("evaluate_rgb", call, 2, 10, {0, 3});
+  SH_BATCH_CHOOSE(evaluate_rgb)(call);
+}
+
+void project(int degree, std::size_t n, Records<const float> directions, Records<const float> weight, float* sum) {
+  using T = float;
+  detail::Call<T> call{degree, n, {directions, weight}, plain(sum)};
+  check("project", call, 2, 10, {0, 0});
+  SH_BATCH_CHOOSE(project)(call);
+}
+
+void project(int degree, std::size_t n, Records<const double> directions, Records<const double> weight, double* sum) {
+  using T = double;
+  detail::Call<T> call{degree, n, {directions, weight}, plain(sum)};
+  check("project", call, 2, 10, {0, 0});
+  SH_BATCH_CHOOSE(project)(call);
 }
 
 void rotate(int degree, std::size_t n, Records<const float> r, Records<const float> c, Records<float> out) {

@@ -81,6 +81,32 @@ void use_instruction_set(InstructionSet set);
 void basis(int degree, std::size_t n, Records<const float> directions, Records<float> out);
 void basis(int degree, std::size_t n, Records<const double> directions, Records<double> out);
 
+/// Values and Cartesian gradient of the solid harmonics: values, d/dx, d/dy, d/dz.
+/// degree 0 to 10; directions (3), out (4 bands^2).
+/// Domain: any d = (x, y, z); z is the polar axis.
+void basis_gradient(int degree, std::size_t n, Records<const float> directions, Records<float> out);
+void basis_gradient(int degree, std::size_t n, Records<const double> directions, Records<double> out);
+
+/// Functions given by coefficients, at directions.
+/// degree 0 to 10; c (bands^2), directions (3), out (1).
+/// Domain: |d| = 1 for d = (x, y, z); z is the polar axis; any c.
+void evaluate(int degree, std::size_t n, Records<const float> c, Records<const float> directions, Records<float> out);
+void evaluate(int degree, std::size_t n, Records<const double> c, Records<const double> directions, Records<double> out);
+void evaluate(int degree, std::size_t n, Records<const Half> c, Records<const float> directions, Records<float> out);
+
+/// Colours given by coefficients, channel by channel, at directions.
+/// degree 0 to 10; c (3 bands^2), directions (3), out (3).
+/// Domain: |d| = 1 for d = (x, y, z); z is the polar axis; any c.
+void evaluate_rgb(int degree, std::size_t n, Records<const float> c, Records<const float> directions, Records<float> out);
+void evaluate_rgb(int degree, std::size_t n, Records<const double> c, Records<const double> directions, Records<double> out);
+void evaluate_rgb(int degree, std::size_t n, Records<const Half> c, Records<const float> directions, Records<float> out);
+
+/// Adds weight * Y of every direction to the sum.
+/// degree 0 to 10; directions (3), weight (1), sum (bands^2).
+/// Domain: |d| = 1 for d = (x, y, z); z is the polar axis; any weight.
+void project(int degree, std::size_t n, Records<const float> directions, Records<const float> weight, float* sum);
+void project(int degree, std::size_t n, Records<const double> directions, Records<const double> weight, double* sum);
+
 /// Coefficients of rotated functions, by rotation matrices.
 /// degree 0 to 10; r (9), c (bands^2), out (bands^2).
 /// Domain: r, row by row, is a rotation: r r^T = 1, det r = 1.

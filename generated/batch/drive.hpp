@@ -23,12 +23,13 @@ struct Plan {
   std::size_t out = 0;
   bool sums = false;  // out is one record, a sum over all
   BlockKernel<T> kernel = nullptr;
-  // When input 0 is shared: what is computed from it once, and the kernel that takes this instead.
-  BlockKernel<T> prepare = nullptr;
+  BlockKernel<T> kernel_half = nullptr;  // takes input 0 in half precision
+  // When input 0 is shared: what is computed from it once, its size, and the kernel that takes it instead.
+  detail::Once<T> prepare = nullptr;
   std::size_t prepared = 0;
   BlockKernel<T> kernel_prepared = nullptr;
   // Where the kernel adds up something else: from that to the sum.
-  BlockKernel<double> finish = nullptr;
+  detail::Once<double> finish = nullptr;
 };
 
 template <class T>
@@ -36,7 +37,6 @@ class Driver {
  public:
   Driver(const detail::Call<T>& call, const Plan<T>& plan) : call_(call), plan_(plan) {
     for (int j = 0; j < plan.inputs; ++j) take_input(j);
-    if (plan.prepare != nullptr && call.in[0].layout == Layout::kShared) prepare();
     direct_out_ = direct(call.out.data, call.out.layout, plan.out) && !call.stream;
   }
 
@@ -54,7 +54,7 @@ class Driver {
 
  private:
   // Whether a kernel can work on the array itself; records of one value are blocked as they are.
-  static bool direct(const T* data, Layout layout, std::size_t size) {
+  static bool direct(const void* data, Layout layout, std::size_t size) {
     const bool blocks = layout == Layout::kBlocked || (layout == Layout::kPlain && size == 1);
     return blocks && reinterpret_cast<std::uintptr_t>(data) % detail::kLine == 0;
   }
@@ -67,32 +67,30 @@ class Driver {
     return room;
   }
 
-  // Shared inputs are spread over a block once.
+  // Shared inputs are prepared if there is a kernel for that, and spread over a block.
   void take_input(int j) {
     const Records<const T>& in = call_.in[j];
     const bool halves = is_half(j);
-    direct_in_[j] = in.layout == Layout::kShared || (!halves && direct(in.data, in.layout, plan_.in[j]));
+    direct_in_[j] = in.layout == Layout::kShared || (halves ? direct(call_.half, in.layout, plan_.in[j])
+                                                            : direct(in.data, in.layout, plan_.in[j]));
     if (in.layout != Layout::kShared) return;
-    T* room = take_room(plan_.in[j]);
     const T* record = in.data;
+    std::size_t size = plan_.in[j];
     if (halves) {
-      widen(call_.half, plan_.in[j], room_);
-      record = room_;
+      T* wide = take_room(size);
+      widen(call_.half, size, wide);
+      record = wide;
     }
-    for (std::size_t k = 0; k < plan_.in[j]; ++k) {
-      for (std::size_t lane = 0; lane < kBlock<T>; ++lane) room[k * kBlock<T> + lane] = record[k];
+    if (j == 0 && plan_.prepare != nullptr) {
+      size = plan_.prepared;
+      T* prepared = take_room(size);
+      plan_.prepare(call_.degree, record, prepared);
+      record = prepared;
+      kernel_ = plan_.kernel_prepared;
     }
+    T* room = take_room(size);
+    for (std::size_t i = 0; i < size * kBlock<T>; ++i) room[i] = record[i / kBlock<T>];
     blocks_.in[j] = room;
-  }
-
-  void prepare() {
-    Blocks<T> once;
-    once.in[0] = blocks_.in[0];
-    once.out = take_room(plan_.prepared);
-    once.count = 1;
-    plan_.prepare(once);
-    blocks_.in[0] = once.out;
-    kernel_ = plan_.kernel_prepared;
   }
 
   // Blocks that are copied at a time; out: values of an output record that is copied.
@@ -114,6 +112,11 @@ class Driver {
       const std::size_t block = plan_.in[j] * kBlock<T>;
       blocks_.step[j] = shared ? 0 : block;
       if (is_half(j) && !shared) {
+        if (direct_in_[j] && lanes == kBlock<T>) {
+          blocks_.in[j] = reinterpret_cast<const T*>(call_.half + first * block);
+          blocks_.step[j] = block / 2;
+          continue;
+        }
         fetch_halves(first * block, count, lanes, room);
       } else {
         const T* from = shared ? blocks_.in[j] : call_.in[j].data + first * block;
@@ -156,7 +159,8 @@ class Driver {
     T* out = call_.out.data + first * block;
     blocks_.out_step = block;
     blocks_.out = direct_out_ ? out : room;
-    kernel_(blocks_);
+    const bool halves = is_half(0) && direct_in_[0] && call_.in[0].layout != Layout::kShared && lanes == kBlock<T>;
+    (halves ? plan_.kernel_half : kernel_)(blocks_);
     if (!direct_out_) deliver(count, lanes, room + count * block, out);
   }
 
@@ -196,20 +200,10 @@ class Driver {
         for (std::size_t lane = 0; lane < kBlock<T>; ++lane) totals[k] += double(lanes[k * kBlock<T> + lane]);
       }
     }
-    if (plan_.finish != nullptr) finish(totals);
-    for (std::size_t k = 0; k < plan_.out; ++k) call_.out.data[k] += T(totals[k]);
-  }
-
-  void finish(double* totals) const {
-    alignas(detail::kLine) double from[detail::kMostSums * kBlock<double>];
-    alignas(detail::kLine) double to[detail::kMostSums * kBlock<double>];
-    for (std::size_t i = 0; i < plan_.out * kBlock<double>; ++i) from[i] = totals[i / kBlock<double>];
-    Blocks<double> once;
-    once.in[0] = from;
-    once.out = to;
-    once.count = 1;
-    plan_.finish(once);
-    for (std::size_t k = 0; k < plan_.out; ++k) totals[k] = to[k * kBlock<double>];
+    double finished[detail::kMostSums];
+    if (plan_.finish != nullptr) plan_.finish(call_.degree, totals, finished);
+    const double* sums = plan_.finish != nullptr ? finished : totals;
+    for (std::size_t k = 0; k < plan_.out; ++k) call_.out.data[k] += T(sums[k]);
   }
 
   const detail::Call<T>& call_;

@@ -16,20 +16,36 @@ template <int Degree, class T>
   });
 }
 
+template <int Degree>
+[[gnu::flatten]] void kernel_half(const Blocks<float>& blocks) {
+  for_every_register_half<2, 3 * (Degree + 1) * (Degree + 1)>(blocks, [](const Lanes<float>* const* in, Lanes<float>* out) {
+    sh::evaluate_rgb<Degree>(in[0], in[1][0], in[1][1], in[1][2], out);
+  });
+}
+
+template <int Degree, class T>
+constexpr BlockKernel<T> half_or_none() {
+  if constexpr (sizeof(T) == sizeof(float)) {
+    return kernel_half<Degree>;
+  } else {
+    return nullptr;
+  }
+}
+
 template <class T>
 void run(const detail::Call<T>& call) {
   static constexpr Plan<T> kPlans[] = {
-      {2, {3, 3}, 3, false, kernel<0, T>, nullptr, 0, nullptr, nullptr},
-      {2, {12, 3}, 3, false, kernel<1, T>, nullptr, 0, nullptr, nullptr},
-      {2, {27, 3}, 3, false, kernel<2, T>, nullptr, 0, nullptr, nullptr},
-      {2, {48, 3}, 3, false, kernel<3, T>, nullptr, 0, nullptr, nullptr},
-      {2, {75, 3}, 3, false, kernel<4, T>, nullptr, 0, nullptr, nullptr},
-      {2, {108, 3}, 3, false, kernel<5, T>, nullptr, 0, nullptr, nullptr},
-      {2, {147, 3}, 3, false, kernel<6, T>, nullptr, 0, nullptr, nullptr},
-      {2, {192, 3}, 3, false, kernel<7, T>, nullptr, 0, nullptr, nullptr},
-      {2, {243, 3}, 3, false, kernel<8, T>, nullptr, 0, nullptr, nullptr},
-      {2, {300, 3}, 3, false, kernel<9, T>, nullptr, 0, nullptr, nullptr},
-      {2, {363, 3}, 3, false, kernel<10, T>, nullptr, 0, nullptr, nullptr},
+      {2, {3, 3}, 3, false, kernel<0, T>, half_or_none<0, T>(), nullptr, 0, nullptr, nullptr},
+      {2, {12, 3}, 3, false, kernel<1, T>, half_or_none<1, T>(), nullptr, 0, nullptr, nullptr},
+      {2, {27, 3}, 3, false, kernel<2, T>, half_or_none<2, T>(), nullptr, 0, nullptr, nullptr},
+      {2, {48, 3}, 3, false, kernel<3, T>, half_or_none<3, T>(), nullptr, 0, nullptr, nullptr},
+      {2, {75, 3}, 3, false, kernel<4, T>, half_or_none<4, T>(), nullptr, 0, nullptr, nullptr},
+      {2, {108, 3}, 3, false, kernel<5, T>, half_or_none<5, T>(), nullptr, 0, nullptr, nullptr},
+      {2, {147, 3}, 3, false, kernel<6, T>, half_or_none<6, T>(), nullptr, 0, nullptr, nullptr},
+      {2, {192, 3}, 3, false, kernel<7, T>, half_or_none<7, T>(), nullptr, 0, nullptr, nullptr},
+      {2, {243, 3}, 3, false, kernel<8, T>, half_or_none<8, T>(), nullptr, 0, nullptr, nullptr},
+      {2, {300, 3}, 3, false, kernel<9, T>, half_or_none<9, T>(), nullptr, 0, nullptr, nullptr},
+      {2, {363, 3}, 3, false, kernel<10, T>, half_or_none<10, T>(), nullptr, 0, nullptr, nullptr},
   };
   Driver<T>(call, kPlans[call.degree]).run();
 }

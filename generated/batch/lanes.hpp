@@ -10,7 +10,7 @@
 #include <cstddef>
 #include <xsimd/xsimd.hpp>
 
-#include "generated/batch/call.hpp"
+#include "generated/batch/layout.hpp"
 
 namespace sh::batch::SH_BATCH_ISA {
 
@@ -59,6 +59,19 @@ class Lanes {
   Register part_[kParts];
 };
 
+// The lanes of a register from half precision.
+inline Lanes<float> widen_lanes(const Half* from) {
+#if defined(__AVX512F__)
+  return Lanes<float>::Register(_mm512_cvtph_ps(_mm256_loadu_si256(reinterpret_cast<const __m256i*>(from))));
+#elif defined(__F16C__)
+  return Lanes<float>::Register(_mm256_cvtph_ps(_mm_loadu_si128(reinterpret_cast<const __m128i*>(from))));
+#else
+  float wide[Lanes<float>::kWidth];
+  widen(from, Lanes<float>::kWidth, static_cast<float*>(wide));
+  return Lanes<float>::Register::load_unaligned(static_cast<const float*>(wide));
+#endif
+}
+
 // Blocks in memory for a kernel: `blocks` of them, those of input j `step[j]` values apart (0: always the same one).
 template <class T>
 struct Blocks {
@@ -82,6 +95,35 @@ template <int Inputs, class T, class Kernel>
         in[j] = reinterpret_cast<const Lanes<T>*>(blocks.in[j] + b * blocks.step[j] + lane);
       }
       kernel(in, reinterpret_cast<Lanes<T>*>(blocks.out + b * blocks.out_step + lane));
+    }
+  }
+}
+
+// The same where input 0 is one record for all blocks: its Size values stay in registers, as far as those go.
+template <int Inputs, int Size, class T, class Kernel>
+[[gnu::always_inline]] inline void for_every_register_fixed(const Blocks<T>& blocks, const Kernel& kernel) {
+  Lanes<T> fixed[Size];
+  for (int k = 0; k < Size; ++k) fixed[k] = reinterpret_cast<const Lanes<T>*>(blocks.in[0])[k];
+  for_every_register<Inputs>(blocks, [&](const Lanes<T>* const* in, Lanes<T>* out) {
+    const Lanes<T>* with_fixed[Inputs] = {fixed};
+    for (int j = 1; j < Inputs; ++j) with_fixed[j] = in[j];
+    kernel(with_fixed, out);
+  });
+}
+
+// The same where input 0, Size values a record, is in half precision: `in[0]` and `step[0]` count two of them as one.
+template <int Inputs, int Size, class Kernel>
+[[gnu::always_inline]] inline void for_every_register_half(const Blocks<float>& blocks, const Kernel& kernel) {
+  for (std::size_t b = 0; b < blocks.count; ++b) {
+    const auto* halves = reinterpret_cast<const Half*>(blocks.in[0] + b * blocks.step[0]);
+    for (std::size_t lane = 0; lane < kBlock<float>; lane += Lanes<float>::kWidth) {
+      Lanes<float> wide[Size];
+      for (int k = 0; k < Size; ++k) wide[k] = widen_lanes(halves + k * kBlock<float> + lane);
+      const Lanes<float>* in[Inputs] = {wide};
+      for (int j = 1; j < Inputs; ++j) {
+        in[j] = reinterpret_cast<const Lanes<float>*>(blocks.in[j] + b * blocks.step[j] + lane);
+      }
+      kernel(in, reinterpret_cast<Lanes<float>*>(blocks.out + b * blocks.out_step + lane));
     }
   }
 }

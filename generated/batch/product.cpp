@@ -19,13 +19,13 @@ template <int Degree, class T>
 template <class T>
 void run(const detail::Call<T>& call) {
   static constexpr Plan<T> kPlans[] = {
-      {2, {1, 1}, 1, false, kernel<0, T>, nullptr, 0, nullptr, nullptr},
-      {2, {4, 4}, 4, false, kernel<1, T>, nullptr, 0, nullptr, nullptr},
-      {2, {9, 9}, 9, false, kernel<2, T>, nullptr, 0, nullptr, nullptr},
-      {2, {16, 16}, 16, false, kernel<3, T>, nullptr, 0, nullptr, nullptr},
-      {2, {25, 25}, 25, false, kernel<4, T>, nullptr, 0, nullptr, nullptr},
-      {2, {36, 36}, 36, false, kernel<5, T>, nullptr, 0, nullptr, nullptr},
-      {2, {49, 49}, 49, false, kernel<6, T>, nullptr, 0, nullptr, nullptr},
+      {2, {1, 1}, 1, false, kernel<0, T>, nullptr, nullptr, 0, nullptr, nullptr},
+      {2, {4, 4}, 4, false, kernel<1, T>, nullptr, nullptr, 0, nullptr, nullptr},
+      {2, {9, 9}, 9, false, kernel<2, T>, nullptr, nullptr, 0, nullptr, nullptr},
+      {2, {16, 16}, 16, false, kernel<3, T>, nullptr, nullptr, 0, nullptr, nullptr},
+      {2, {25, 25}, 25, false, kernel<4, T>, nullptr, nullptr, 0, nullptr, nullptr},
+      {2, {36, 36}, 36, false, kernel<5, T>, nullptr, nullptr, 0, nullptr, nullptr},
+      {2, {49, 49}, 49, false, kernel<6, T>, nullptr, nullptr, 0, nullptr, nullptr},
   };
   Driver<T>(call, kPlans[call.degree]).run();
 }

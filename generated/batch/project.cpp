@@ -4,7 +4,6 @@
 // Licence:      MIT-0; paste it anywhere.
 #include "generated/cpp/project.hpp"
 #include "generated/cpp/project_moments.hpp"
-#include "generated/cpp/project_finish.hpp"
 
 #include "generated/batch/drive.hpp"
 
@@ -25,27 +24,20 @@ template <int Degree, class T>
   });
 }
 
-template <int Degree, class T>
-[[gnu::flatten]] void finish(const Blocks<T>& blocks) {
-  for_every_register<1>(blocks, [](const Lanes<T>* const* in, Lanes<T>* out) {
-    sh::project_finish<Degree>(in[0], out);
-  });
-}
-
 template <class T>
 void run(const detail::Call<T>& call) {
   static constexpr Plan<T> kPlans[] = {
-      {2, {3, 1}, 1, true, parts<0, T>, nullptr, 0, nullptr, finish<0, double>},
-      {2, {3, 1}, 4, true, parts<1, T>, nullptr, 0, nullptr, finish<1, double>},
-      {2, {3, 1}, 9, true, parts<2, T>, nullptr, 0, nullptr, finish<2, double>},
-      {2, {3, 1}, 16, true, parts<3, T>, nullptr, 0, nullptr, finish<3, double>},
-      {2, {3, 1}, 25, true, parts<4, T>, nullptr, 0, nullptr, finish<4, double>},
-      {2, {3, 1}, 36, true, parts<5, T>, nullptr, 0, nullptr, finish<5, double>},
-      {2, {3, 1}, 49, true, kernel<6, T>, nullptr, 0, nullptr, nullptr},
-      {2, {3, 1}, 64, true, kernel<7, T>, nullptr, 0, nullptr, nullptr},
-      {2, {3, 1}, 81, true, kernel<8, T>, nullptr, 0, nullptr, nullptr},
-      {2, {3, 1}, 100, true, kernel<9, T>, nullptr, 0, nullptr, nullptr},
-      {2, {3, 1}, 121, true, kernel<10, T>, nullptr, 0, nullptr, nullptr},
+      {2, {3, 1}, 1, true, parts<0, T>, nullptr, nullptr, 0, nullptr, detail::finish_project},
+      {2, {3, 1}, 4, true, parts<1, T>, nullptr, nullptr, 0, nullptr, detail::finish_project},
+      {2, {3, 1}, 9, true, parts<2, T>, nullptr, nullptr, 0, nullptr, detail::finish_project},
+      {2, {3, 1}, 16, true, parts<3, T>, nullptr, nullptr, 0, nullptr, detail::finish_project},
+      {2, {3, 1}, 25, true, parts<4, T>, nullptr, nullptr, 0, nullptr, detail::finish_project},
+      {2, {3, 1}, 36, true, parts<5, T>, nullptr, nullptr, 0, nullptr, detail::finish_project},
+      {2, {3, 1}, 49, true, kernel<6, T>, nullptr, nullptr, 0, nullptr, nullptr},
+      {2, {3, 1}, 64, true, kernel<7, T>, nullptr, nullptr, 0, nullptr, nullptr},
+      {2, {3, 1}, 81, true, kernel<8, T>, nullptr, nullptr, 0, nullptr, nullptr},
+      {2, {3, 1}, 100, true, kernel<9, T>, nullptr, nullptr, 0, nullptr, nullptr},
+      {2, {3, 1}, 121, true, kernel<10, T>, nullptr, nullptr, 0, nullptr, nullptr},
   };
   Driver<T>(call, kPlans[call.degree]).run();
 }

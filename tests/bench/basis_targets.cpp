@@ -53,8 +53,8 @@ void single(Table& table) {
   });
 }
 
-// Blocks of directions whose values stay in half of the first cache.
-std::size_t cached_directions(std::size_t values) { return 16 * std::max<std::size_t>(1, 16384 / (64 * values)); }
+// Whole blocks of directions whose values take half of a first cache of 48 KB.
+std::size_t cached_directions(std::size_t values) { return 16 * std::max<std::size_t>(1, 24576 / (64 * values)); }
 
 void batched(Table& table) {
   table.section("Basis, batches that stay in the first cache, blocked, ns a direction",
@@ -70,6 +70,22 @@ void batched(Table& table) {
     const double fma = t[2] / kFmaOperations * least_instructions(degree) / 16;
     table.ratio("batch basis, degree " + std::to_string(degree), "ns", t[0] * kNano / static_cast<double>(n),
                 std::max(store, fma) * kNano, store > fma ? "stores" : "multiply-adds", 1.4);
+  }
+}
+
+void gradients(Table& table) {
+  table.section("Values and gradients, batches that stay in the first cache, blocked, ns a direction",
+                "limit: filling the output");
+  for (int degree = 2; degree <= 6; ++degree) {
+    const std::size_t values = 4 * count_of(degree);
+    const std::size_t n = cached_directions(values);
+    const Buffer<float> in = to_blocks(random_directions(n), 3);
+    const Buffer<float> out = make_buffer<float>(n * values);
+    const std::vector<double> t =
+        least_times({[&] { batch::basis_gradient(degree, n, batch::blocked(in.get()), batch::blocked(out.get())); },
+                     fill_task(out.get(), n * values)});
+    const double ns = kNano / static_cast<double>(n);
+    table.ratio("batch basis_gradient, degree " + std::to_string(degree), "ns", t[0] * ns, t[1] * ns, "stores", 1.2);
   }
 }
 
@@ -91,6 +107,7 @@ void many(Table& table) {
 void basis(Table& table) {
   single(table);
   batched(table);
+  gradients(table);
   many(table);
 }
 

@@ -1,0 +1,130 @@
+// Evaluating functions given by coefficients: one for many directions, and one each (Gaussian splats).
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "generated/batch/batch.hpp"
+#include "generated/cpp/basis.hpp"
+#include "numeric/basis.hpp"
+#include "tests/bench/controls/splat_colour.hpp"
+#include "tests/bench/degrees.hpp"
+#include "tests/bench/harness.hpp"
+#include "tests/bench/limits.hpp"
+#include "tests/bench/sixteen.hpp"
+
+namespace sh::bench {
+namespace {
+
+constexpr double kNano = 1e9;
+constexpr std::size_t kCached = 1024;  // directions; in and out stay in the first cache
+constexpr int kSplatDegree = 3;
+constexpr std::size_t kSplatValues = 3 * count_of(kSplatDegree);
+
+// Basis, then the sum of products, sixteen directions at a time.
+template <int Degree>
+void basis_and_dot(const float* c, const float* directions, std::size_t n, float* out) {
+  constexpr std::size_t kSize = count_of(Degree);
+  for (std::size_t block = 0; block < n / 16; ++block) {
+    const auto* d = reinterpret_cast<const Sixteen*>(directions + 48 * block);
+    Sixteen values[kSize];
+    sh::basis<Degree>(d[0], d[1], d[2], static_cast<Sixteen*>(values));
+    Sixteen sums[4];  // short chains
+    const auto add = [&]<std::size_t... K>(std::index_sequence<K...>) {
+      ((sums[K % 4] = sums[K % 4] + Sixteen(c[K]) * values[K]), ...);
+    };
+    add(std::make_index_sequence<kSize>());
+    reinterpret_cast<Sixteen*>(out)[block] = (sums[0] + sums[1]) + (sums[2] + sums[3]);
+  }
+}
+
+// Largest error for a function of unit length.
+double error_of(int degree, const std::vector<float>& c, const std::vector<float>& directions, const float* values) {
+  double largest = 0;
+  std::vector<double> basis(count_of(degree));
+  for (std::size_t i = 0; i < directions.size() / 3; ++i) {
+    const double x = static_cast<double>(directions[3 * i]);
+    const double y = static_cast<double>(directions[3 * i + 1]);
+    const double z = static_cast<double>(directions[3 * i + 2]);
+    const double length = std::hypot(x, y, z);
+    numeric::basis(degree, x / length, y / length, z / length, basis.data());
+    double exact = 0;
+    for (std::size_t k = 0; k < basis.size(); ++k) exact += static_cast<double>(c[k]) * basis[k];
+    largest = std::max(largest, std::abs(exact - static_cast<double>(values[i])));
+  }
+  return largest;
+}
+
+void one_function(Table& table) {
+  table.section("One function at many directions, float, blocked, ns a direction",
+                "control: basis and dot in lanes; largest error beside it");
+  const std::vector<float> plain = random_directions(kCached);
+  const Buffer<float> directions = to_blocks(plain, 3);
+  const Buffer<float> ours = make_buffer<float>(kCached);
+  const Buffer<float> other = make_buffer<float>(kCached);
+  for_degrees<3, 6>([&]<int kDegree>() {
+    const std::vector<float> c = random_vectors(1, count_of(kDegree));
+    const std::vector<double> t =
+        least_times({[&] {
+                       batch::evaluate(kDegree, kCached, batch::shared(c.data()), batch::blocked(directions.get()),
+                                       batch::blocked(ours.get()));
+                     },
+                     [&] { basis_and_dot<kDegree>(c.data(), directions.get(), kCached, other.get()); }});
+    table.ratio("evaluate, degree " + std::to_string(kDegree) + ", error " +
+                    scientific(error_of(kDegree, c, plain, ours.get())) + " (" +
+                    scientific(error_of(kDegree, c, plain, other.get())) + ")",
+                "ns", t[0] * kNano / kCached, t[1] * kNano / kCached, "basis and dot", 0.5);
+  });
+}
+
+std::function<void()> usual_splats(const std::vector<float>& c, const std::vector<float>& directions, float* rgb) {
+  return [&c, &directions, rgb] {
+    for (std::size_t i = 0; i < directions.size() / 3; ++i) {
+      control::splat_colour(&c[kSplatValues * i], directions[3 * i], directions[3 * i + 1], directions[3 * i + 2],
+                            rgb + 3 * i);
+    }
+    keep(*rgb);
+  };
+}
+
+void splats(Table& table, std::size_t n, const std::string& where) {
+  const std::vector<float> c = random_vectors(n, kSplatValues);
+  const std::vector<float> plain = random_directions(n);
+  const Buffer<float> directions = to_blocks(plain, 3);
+  const Buffer<float> blocks = to_blocks(c, kSplatValues);
+  Buffer<batch::Half> halves =
+      make_buffer<batch::Half>(batch::blocked_size<float>(n, kSplatValues), batch::Half{0x3400});
+  const Buffer<float> rgb = make_buffer<float>(batch::blocked_size<float>(n, 3));
+  const auto half_values = reinterpret_cast<const float*>(halves.get());
+  const std::vector<double> t =
+      least_times({[&] {
+                     batch::evaluate_rgb(kSplatDegree, n, batch::blocked(blocks.get()),
+                                         batch::blocked(directions.get()), batch::blocked(rgb.get()));
+                   },
+                   usual_splats(c, plain, rgb.get()), read_task(blocks.get(), n * kSplatValues),
+                   [&] {
+                     batch::evaluate_rgb(kSplatDegree, n, batch::blocked<const batch::Half>(halves.get()),
+                                         batch::blocked(directions.get()), batch::blocked(rgb.get()));
+                   },
+                   read_task(half_values, n * kSplatValues / 2)});
+  const double ns = kNano / static_cast<double>(n);
+  if (where == "in L1") {
+    table.ratio("splats, " + where, "ns", t[0] * ns, t[1] * ns, "usual code", 0.15);
+    table.ratio("splats in half precision, " + where, "ns", t[3] * ns, t[1] * ns, "usual code", 0.15);
+  } else {
+    table.ratio("splats, " + where, "ns", t[0] * ns, t[2] * ns, "read", 1.2);
+    table.ratio("splats in half precision, " + where, "ns", t[3] * ns, t[4] * ns, "read", 1.2);
+  }
+}
+
+}  // namespace
+
+void evaluate(Table& table) {
+  one_function(table);
+  table.section("Gaussian splats, degree 3, own colour coefficients, float, blocked, ns a splat",
+                "controls: the usual scalar code, and reading the coefficients");
+  splats(table, 128, "in L1");
+  splats(table, 100'000, "100k");
+}
+
+}  // namespace sh::bench

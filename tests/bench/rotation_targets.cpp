@@ -1,0 +1,149 @@
+// Rotation of coefficient vectors against the classic z-x90-z rotation, and its error over all tilts.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "generated/batch/batch.hpp"
+#include "generated/cpp/rotate.hpp"
+#include "generated/cpp/rotate_apply.hpp"
+#include "generated/cpp/rotate_build.hpp"
+#include "numeric/rotation.hpp"
+#include "tests/bench/controls/classic_rotation.hpp"
+#include "tests/bench/degrees.hpp"
+#include "tests/bench/harness.hpp"
+
+namespace sh::bench {
+namespace {
+
+constexpr std::size_t kRotations = 64;
+
+// The targets are stated against the rotation of a widely used library: 1 for a call, 0.1 for one of a batch. The
+// control here takes 1.07, 1.08 and 1.25 of its time at degree 3, 4 and 5; the library stops there.
+constexpr std::array<double, 4> kSlower{1.07, 1.08, 1.25, 1.25};
+
+void times(Table& table) {
+  table.section("Rotation by a matrix, float, ns", "control: z-x90-z with angles from the matrix; building included");
+  for_degrees<3, 6>([&]<int kDegree>() {
+    constexpr std::size_t kSize = count_of(kDegree);
+    const std::vector<float> r = random_rotations(kRotations);
+    const std::vector<float> c = random_vectors(kRotations, kSize);
+    const Buffer<float> out = make_buffer<float>(kRotations * kSize);
+    const Buffer<float> blocks_r = to_blocks(r, 9);
+    const Buffer<float> blocks_c = to_blocks(c, kSize);
+    const auto one_by_one = [&](auto rotate_one) {
+      return [&, rotate_one] {
+        for (std::size_t i = 0; i < kRotations; ++i) {
+          rotate_one(&r[9 * i], &c[kSize * i], &out[kSize * i]);
+          keep(out[0]);
+        }
+      };
+    };
+    std::vector<float> built(kSize * kSize);
+    const std::vector<double> t = least_times(
+        {one_by_one([](const float* m, const float* v, float* o) { sh::rotate<kDegree>(m, v, o); }),
+         one_by_one([](const float* m, const float* v, float* o) { control::classic_rotation<kDegree>(m, v, o); }),
+         [&] {
+           batch::rotate(kDegree, kRotations, batch::blocked(blocks_r.get()), batch::blocked(blocks_c.get()),
+                         batch::blocked(out.get()));
+         },
+         one_by_one([&built](const float* /*m*/, const float* v, float* o) {
+           sh::rotate_apply<kDegree>(static_cast<const float*>(built.data()), v, o);
+         }),
+         [&] {
+           batch::rotate(kDegree, kRotations, batch::shared(r.data()), batch::blocked(blocks_c.get()),
+                         batch::blocked(out.get()));
+         }});
+    const double ns = 1e9 / kRotations;
+    const std::string degree = "degree " + std::to_string(kDegree);
+    const double slower = kSlower[kDegree - 3];
+    table.ratio("rotate, " + degree, "ns", t[0] * ns, t[1] * ns, "z-x90-z", 1.0 / slower);
+    table.ratio("rotate, batch of pairs, " + degree, "ns", t[2] * ns, t[1] * ns, "z-x90-z", 0.1 / slower);
+    table.ratio("apply a cached matrix, " + degree, "ns", t[3] * ns, t[0] * ns, "build and apply", 1.0 / 3);
+    table.ratio("one matrix for a batch, " + degree, "ns", t[4] * ns, t[2] * ns, "a matrix each", 1.0 / 3);
+  });
+}
+
+using Wide = long double;
+using Matrix = std::array<Wide, 9>;  // row by row
+
+// Rz(a) Ry(tilt) Rz(g).
+Matrix turn(Wide a, Wide tilt, Wide g) {
+  const Wide ca = std::cos(a);
+  const Wide sa = std::sin(a);
+  const Wide cb = std::cos(tilt);
+  const Wide sb = std::sin(tilt);
+  const Wide cg = std::cos(g);
+  const Wide sg = std::sin(g);
+  return {ca * cb * cg - sa * sg,
+          -ca * cb * sg - sa * cg,
+          ca * sb,
+          sa * cb * cg + ca * sg,
+          -sa * cb * sg + ca * cg,
+          sa * sb,
+          -sb * cg,
+          sb * sg,
+          cb};
+}
+
+// The rotation nearest to a rounded one: steps of X <- X (3 - X^T X) / 2.
+Matrix nearest_rotation(Matrix x) {
+  for (int step = 0; step < 4; ++step) {
+    Matrix next{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t j = 0; j < 3; ++j) {
+        next[3 * i + j] = 1.5L * x[3 * i + j];
+        for (std::size_t k = 0; k < 9; ++k)
+          next[3 * i + j] -= x[3 * i + k / 3] * x[k / 3 + 3 * (k % 3)] * x[3 * (k % 3) + j] / 2;
+      }
+    }
+    x = next;
+  }
+  return x;
+}
+
+// Largest error of rotated unit vectors over tilts from 1e-9 to pi; matrix and vector are rounded to T first.
+template <int Degree, class T>
+double largest_error() {
+  constexpr std::size_t kSize = count_of(Degree);
+  constexpr std::size_t kVectors = 4;
+  const std::vector<float> vectors = random_vectors(kVectors, kSize);
+  std::mt19937 random(2);
+  std::uniform_real_distribution<Wide> angle(-3.2L, 3.2L);
+  Wide largest = 0;
+  for (Wide exponent = -9; exponent < 0.4971L; exponent += 0.01L) {
+    const Matrix exact = turn(angle(random), std::pow(10.0L, exponent), angle(random));
+    std::array<T, 9> r;
+    for (std::size_t i = 0; i < 9; ++i) r[i] = static_cast<T>(exact[i]);
+    const Matrix rounded = nearest_rotation({r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8]});
+    for (std::size_t v = 0; v < kVectors; ++v) {
+      std::array<T, kSize> c;
+      std::array<Wide, kSize> wide;
+      for (std::size_t i = 0; i < kSize; ++i) wide[i] = c[i] = static_cast<T>(vectors[v * kSize + i]);
+      std::array<T, kSize> out;
+      sh::rotate<Degree>(static_cast<const T*>(r.data()), static_cast<const T*>(c.data()), out.data());
+      std::array<Wide, kSize> expected;
+      numeric::rotate<Wide>(Degree, rounded.data(), wide.data(), expected.data());
+      for (std::size_t i = 0; i < kSize; ++i) largest = std::max(largest, std::abs(Wide{out[i]} - expected[i]));
+    }
+  }
+  return static_cast<double>(largest);
+}
+
+void errors(Table& table) {
+  table.section("Rotation, largest error for unit vectors over tilts from 1e-9 to pi", "against the oracle");
+  for_degrees<2, 5>([&]<int kDegree>() {
+    const std::string degree = ", degree " + std::to_string(kDegree);
+    table.figure("rotate" + degree + ", float", "", largest_error<kDegree, float>(), 1e-6);
+    table.figure("rotate" + degree + ", double", "", largest_error<kDegree, double>(), 4e-15);
+  });
+}
+
+}  // namespace
+
+void rotation(Table& table) {
+  times(table);
+  errors(table);
+}
+
+}  // namespace sh::bench

@@ -1,0 +1,144 @@
+// Drivers that are more than a kernel per record: sums over all records, and coefficients in half precision.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "generated/batch/batch.hpp"
+#include "generated/cpp/project.hpp"
+#include "tests/generated/batch_support.hpp"
+
+namespace sh::test {
+namespace {
+
+template <class T>
+class BatchSums : public testing::Test {};
+using Scalars = testing::Types<float, double>;
+TYPED_TEST_SUITE(BatchSums, Scalars);
+
+template <class T>
+struct Samples {
+  std::vector<std::vector<T>> directions;
+  std::vector<std::vector<T>> weights;
+};
+
+template <class T>
+Samples<T> random_samples(std::size_t n) {
+  std::mt19937 random(5);
+  std::normal_distribution<double> normal;
+  Samples<T> samples;
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::array<double, 3> v{normal(random), normal(random), normal(random)};
+    const double length = std::hypot(v[0], v[1], v[2]);
+    samples.directions.push_back(
+        {static_cast<T>(v[0] / length), static_cast<T>(v[1] / length), static_cast<T>(v[2] / length)});
+    samples.weights.push_back({static_cast<T>(normal(random) / static_cast<double>(n))});
+  }
+  return samples;
+}
+
+// Sums kernel by kernel in double.
+template <class T>
+std::vector<double> expected_sum(int degree, const Samples<T>& samples) {
+  std::vector<double> sum(count_of(degree), 1.0);
+  for (std::size_t i = 0; i < samples.weights.size(); ++i) {
+    const auto& d = samples.directions[i];
+    with_degree<10>(degree, [&]<int kDegree>() {
+      project<kDegree>(static_cast<double>(d[0]), static_cast<double>(d[1]), static_cast<double>(d[2]),
+                       static_cast<double>(samples.weights[i][0]), sum.data());
+    });
+  }
+  return sum;
+}
+
+template <class T>
+std::vector<T> run_sum(int degree, const Samples<T>& samples, Place directions_place, Place weights_place) {
+  const std::size_t n = samples.weights.size();
+  const Array<T> directions(directions_place, samples.directions, 3);
+  const Array<T> weights(weights_place, samples.weights, 1);
+  std::vector<T> sum(count_of(degree) + 2, T(1));
+  batch::project(degree, n, directions.records(), weights.records(), sum.data() + 1);
+  EXPECT_EQ(sum.front(), T(1));
+  EXPECT_EQ(sum.back(), T(1));
+  return {sum.begin() + 1, sum.end() - 1};
+}
+
+TYPED_TEST(BatchSums, AddToWhatIsThereForEveryLengthAndTheSameBitsInEveryLayout) {
+  using T = TypeParam;
+  constexpr std::size_t kBlock = batch::kBlock<T>;
+  for (int degree = 0; degree <= 10; ++degree) {
+    for (const std::size_t n :
+         {std::size_t{0}, std::size_t{1}, kBlock, kBlock + 1, 64 * kBlock, 64 * kBlock + 3, std::size_t{5000}}) {
+      const Samples<T> samples = random_samples<T>(n);
+      const std::vector<double> expected = expected_sum(degree, samples);
+      on_every_set([&] {
+        const std::vector<T> sum = run_sum(degree, samples, {}, {});
+        for (std::size_t k = 0; k < sum.size(); ++k) {
+          EXPECT_NEAR(static_cast<double>(sum[k]), expected[k], 4 * std::numeric_limits<T>::epsilon())
+              << degree << " " << n << " " << k;
+        }
+        EXPECT_EQ(run_sum(degree, samples, {Layout::kBlocked, 0}, {Layout::kBlocked, 0}), sum);
+        EXPECT_EQ(run_sum(degree, samples, {Layout::kBlocked, 1}, {Layout::kPlain, 3}), sum);
+      });
+    }
+  }
+}
+
+TYPED_TEST(BatchSums, TakeOneWeightForAll) {
+  using T = TypeParam;
+  Samples<T> samples = random_samples<T>(1000);
+  for (auto& weight : samples.weights) weight[0] = T(0.001);
+  for (const int degree : {0, 3, 7}) {
+    on_every_set([&] {
+      EXPECT_EQ(run_sum(degree, samples, {}, {Layout::kShared, 0}), run_sum(degree, samples, {}, {}));
+    });
+  }
+}
+
+// Half-precision numbers of every kind, with their values.
+const std::vector<std::pair<std::uint16_t, float>> kHalves{{0x0000, 0.F},
+                                                           {0x3c00, 1.F},
+                                                           {0xc000, -2.F},
+                                                           {0x3555, 0.33325195F},
+                                                           {0x0001, 5.9604645e-08F},
+                                                           {0x03ff, 6.097555e-05F},
+                                                           {0x0400, 6.1035156e-05F},
+                                                           {0x7bff, 65504.F},
+                                                           {0x8001, -5.9604645e-08F}};
+
+TEST(BatchHalves, GiveTheBitsOfTheSameNumbersInFloat) {
+  constexpr int kDegree = 3;
+  constexpr std::size_t kSize = 3 * count_of(kDegree);
+  std::mt19937 random(11);
+  std::uniform_int_distribution<std::size_t> any(0, kHalves.size() - 1);
+  for (const std::size_t n : {std::size_t{1}, std::size_t{15}, std::size_t{16}, std::size_t{53}}) {
+    const Samples<float> samples = random_samples<float>(n);
+    for (const Layout layout : {Layout::kPlain, Layout::kBlocked, Layout::kShared}) {
+      Array<float> wide({layout, 0}, n, kSize);
+      const std::size_t values = layout == Layout::kBlocked  ? batch::blocked_size<float>(n, kSize)
+                                 : layout == Layout::kShared ? kSize
+                                                             : n * kSize;
+      std::vector<batch::Half> halves(values, batch::Half{0x7e00});  // not a number
+      for (std::size_t i = 0; i < (layout == Layout::kShared ? 1 : n); ++i) {
+        for (std::size_t k = 0; k < kSize; ++k) {
+          const auto& [bits, value] = kHalves[any(random)];
+          wide.at(i, k) = value;
+          halves[static_cast<std::size_t>(&wide.at(i, k) - wide.records().data)] = batch::Half{bits};
+        }
+      }
+      const Array<float> directions({}, samples.directions, 3);
+      on_every_set([&] {
+        std::vector<float> from_floats(3 * n);
+        std::vector<float> from_halves(3 * n);
+        batch::evaluate_rgb(kDegree, n, wide.records(), directions.records(), batch::plain(from_floats.data()));
+        batch::evaluate_rgb(kDegree, n, Records<const batch::Half>{halves.data(), layout}, directions.records(),
+                            batch::plain(from_halves.data()));
+        EXPECT_EQ(from_halves, from_floats);
+      });
+    }
+  }
+}
+
+}  // namespace
+}  // namespace sh::test
