@@ -12,6 +12,10 @@ using cln::cl_RA;
 using symbolic::Surd;
 using Powers = std::vector<cl_RA>;
 
+constexpr int kLastPolynomialOrder = 2;
+constexpr std::size_t kLastPolynomial = 7;  // l - m for m > 0: two accurate rows make a better one than its polynomial
+constexpr int kFirstSplit = 8;              // the first even l where the slope at the poles tells
+
 // p((1 + u) / 2) as powers of u, p given by powers of its argument.
 Powers centred(const Powers& p) {
   Powers result;
@@ -61,6 +65,11 @@ class Centred {
     const NodeId across = build_.mul(below, above);
     const NodeId polar_t = build_.sub(one_, build_.add(across, across), "u");
     polar_ = {polar_t, doubled(polar_t)};
+    if (degree_ >= kFirstSplit) {
+      const NodeId radius2 = build_.add(build_.mul(d_.x, d_.x), build_.mul(d_.y, d_.y), "r2");
+      const NodeId split_t = build_.sub(z2_, radius2, "v");
+      split_ = {split_t, doubled(split_t)};
+    }
   }
 
   NodeId doubled(NodeId t) {
@@ -92,8 +101,8 @@ class Centred {
   }
 
   NodeId with_z(const AxialForm& form, int l, int m) {
-    const bool steep = m == 0 && form.odd;
-    const NodeId p = polynomial(form, steep ? polar_ : general_, indexed("q", l, m));
+    const Variable& variable = m > 0 ? general_ : form.odd ? polar_ : l < kFirstSplit ? general_ : split_;
+    const NodeId p = polynomial(form, variable, indexed("q", l, m));
     return form.odd ? build_.mul(p, d_.z, indexed("p", l, m)) : p;
   }
 
@@ -102,7 +111,8 @@ class Centred {
     set(m, m, sectoral);
     for (int l = m + 1; l <= degree_; ++l) {
       const auto n = static_cast<std::size_t>(l - m);
-      t.push_back(m > 1 && n > 2 ? row(l, m, t[n - 1], t[n - 2]) : with_z(axial_form(l, m), l, m));
+      t.push_back((m > kLastPolynomialOrder && n > 2) || n > kLastPolynomial ? row(l, m, t[n - 1], t[n - 2])
+                                                                             : with_z(axial_form(l, m), l, m));
       const NodeId sine = build_.mul(t[n], sectoral.sine, indexed("y", l, m) + "s");
       const NodeId cosine = build_.mul(t[n], sectoral.cosine, indexed("y", l, m) + "c");
       set(l, m, {cosine, sine});
@@ -129,6 +139,7 @@ class Centred {
   NodeId z2_ = -1;
   Variable general_;
   Variable polar_;  // the same numbers, accurate near the poles
+  Variable split_;  // z^2 - (x^2 + y^2): errors are divided between poles and equator
   std::vector<NodeId> values_;
 };
 

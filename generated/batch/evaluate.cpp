@@ -50,10 +50,10 @@ void run(const detail::Call<T>& call) {
       {2, {25, 3}, 1, false, kernel<4, T>, half_or_none<4, T>(), detail::prepare_evaluate, 25, kernel_prepared<4, T>, nullptr},
       {2, {36, 3}, 1, false, kernel<5, T>, half_or_none<5, T>(), detail::prepare_evaluate, 36, kernel_prepared<5, T>, nullptr},
       {2, {49, 3}, 1, false, kernel<6, T>, half_or_none<6, T>(), detail::prepare_evaluate, 49, kernel_prepared<6, T>, nullptr},
-      {2, {64, 3}, 1, false, kernel<7, T>, half_or_none<7, T>(), detail::prepare_evaluate, 64, kernel_prepared<7, T>, nullptr},
-      {2, {81, 3}, 1, false, kernel<8, T>, half_or_none<8, T>(), detail::prepare_evaluate, 81, kernel_prepared<8, T>, nullptr},
-      {2, {100, 3}, 1, false, kernel<9, T>, half_or_none<9, T>(), detail::prepare_evaluate, 100, kernel_prepared<9, T>, nullptr},
-      {2, {121, 3}, 1, false, kernel<10, T>, half_or_none<10, T>(), detail::prepare_evaluate, 121, kernel_prepared<10, T>, nullptr},
+      {2, {64, 3}, 1, false, kernel<7, T>, half_or_none<7, T>(), nullptr, 0, nullptr, nullptr},
+      {2, {81, 3}, 1, false, kernel<8, T>, half_or_none<8, T>(), nullptr, 0, nullptr, nullptr},
+      {2, {100, 3}, 1, false, kernel<9, T>, half_or_none<9, T>(), nullptr, 0, nullptr, nullptr},
+      {2, {121, 3}, 1, false, kernel<10, T>, half_or_none<10, T>(), nullptr, 0, nullptr, nullptr},
   };
   Driver<T>(call, kPlans[call.degree]).run();
 }

@@ -7,8 +7,8 @@
 // Domain:       |d| = 1 for d = (x, y, z); z is the polar axis
 // Output:       out (36): Y_lm(d) at index l(l+1)+m, orthonormal on the unit sphere, no Condon-Shortley phase
 // Recipe:       centred
-// Source:       polynomials in 2z^2-1 for m < 2, the recurrence in l for m >= 2, doubling in m; derived exactly
-// Cost:         67 multiplications, 32 additions; longest chain 11; at most 17 values live
+// Source:       polynomials in 2z^2-1 for m <= 2, the recurrence in l for m > 2, doubling in m; derived exactly
+// Cost:         66 multiplications, 32 additions; longest chain 11; at most 17 values live
 // Error:        largest over 1110 directions (random, axes, poles, near poles), without contraction;
 //               eps counts units of machine epsilon x sqrt((2l+1)/(4 pi))
 //               float   rounding 3.2e-07 (2.9 eps)  total 5.1e-07 (4.6 eps)
@@ -84,12 +84,12 @@ constexpr void basis_accurate_l5(T x, T y, T z, T* out) noexcept {
   const T k_19   = detail::constant<T>(2.6457512f, 2.6457513110645907);     // sqrt(7)
   const T k_20   = detail::constant<T>(2.1650636f, 2.165063509461097);      // 5/4 sqrt(3)
   const T k_21   = detail::constant<T>(3.0310888f, 3.031088913245535);      // 7/4 sqrt(3)
-  const T a_5_2  = detail::constant<T>(2.1712406f, 2.1712405933672376);     // 1/7 sqrt(231)
-  const T b_5_2  = detail::constant<T>(0.9476071f, 0.9476070829586857);     // 2/7 sqrt(11)
-  const T k_22   = detail::constant<T>(3.0f, 3.0);                          // 3
-  const T k_23   = detail::constant<T>(2.9020467f, 2.902046691560975);      // 7/8 sqrt(11)
-  const T k_24   = detail::constant<T>(3.7312028f, 3.731202889149825);      // 9/8 sqrt(11)
-  const T k_25   = detail::constant<T>(3.3166249f, 3.3166247903554);        // sqrt(11)
+  const T k_22   = detail::constant<T>(2.193741f, 2.1937410968480306);      // 1/4 sqrt(77)
+  const T k_23   = detail::constant<T>(6.5812235f, 6.5812232905440915);     // 3/4 sqrt(77)
+  const T k_24   = detail::constant<T>(3.0f, 3.0);                          // 3
+  const T k_25   = detail::constant<T>(2.9020467f, 2.902046691560975);      // 7/8 sqrt(11)
+  const T k_26   = detail::constant<T>(3.7312028f, 3.731202889149825);      // 9/8 sqrt(11)
+  const T k_27   = detail::constant<T>(3.3166249f, 3.3166247903554);        // sqrt(11)
 
   out[0] = k_0_0;                                            // l=0 m=0
   const T z2 = z * z;
@@ -145,16 +145,16 @@ constexpr void basis_accurate_l5(T x, T y, T z, T* out) noexcept {
   const T q_4_2 = k_21 * t + k_20;
   out[18] = q_4_2 * y_2_2s;                                  // l=4 m=-2
   out[22] = q_4_2 * y_2_2c;                                  // l=4 m=2
-  const T p_5_2 = a_5_2 * z * q_4_2 - b_5_2 * p_3_2;
+  const T p_5_2 = (k_23 * t + k_22) * z;
   out[28] = p_5_2 * y_2_2s;                                  // l=5 m=-2
   out[32] = p_5_2 * y_2_2c;                                  // l=5 m=2
-  const T p_4_3 = k_22 * z;
+  const T p_4_3 = k_24 * z;
   out[17] = p_4_3 * y_3_3s;                                  // l=4 m=-3
   out[23] = p_4_3 * y_3_3c;                                  // l=4 m=3
-  const T q_5_3 = k_24 * t + k_23;
+  const T q_5_3 = k_26 * t + k_25;
   out[27] = q_5_3 * y_3_3s;                                  // l=5 m=-3
   out[33] = q_5_3 * y_3_3c;                                  // l=5 m=3
-  const T p_5_4 = k_25 * z;
+  const T p_5_4 = k_27 * z;
   out[26] = p_5_4 * y_4_4s;                                  // l=5 m=-4
   out[34] = p_5_4 * y_4_4c;                                  // l=5 m=4
 }

@@ -7,12 +7,12 @@
 // Domain:       |d| = 1 for d = (x, y, z); z is the polar axis
 // Output:       out (49): Y_lm(d) at index l(l+1)+m, orthonormal on the unit sphere, no Condon-Shortley phase
 // Recipe:       centred
-// Source:       polynomials in 2z^2-1 for m < 2, the recurrence in l for m >= 2, doubling in m; derived exactly
-// Cost:         95 multiplications, 42 additions; longest chain 11; at most 17 values live
+// Source:       polynomials in 2z^2-1 for m <= 2, the recurrence in l for m > 2, doubling in m; derived exactly
+// Cost:         93 multiplications, 43 additions; longest chain 11; at most 17 values live
 // Error:        largest over 1110 directions (random, axes, poles, near poles), without contraction;
 //               eps counts units of machine epsilon x sqrt((2l+1)/(4 pi))
-//               float   rounding 3.9e-07 (3.2 eps)  total 7.7e-07 (6.3 eps)
-//               double  rounding 7.3e-16 (3.2 eps)  total 2.9e-15 (12.7 eps)
+//               float   rounding 4.3e-07 (3.5 eps)  total 7.7e-07 (6.3 eps)
+//               double  rounding 7.8e-16 (3.4 eps)  total 2.9e-15 (12.7 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               total:    against the exact function at the input scaled to length 1
 #pragma once
@@ -92,19 +92,20 @@ constexpr void basis_accurate_l6(T x, T y, T z, T* out) noexcept {
   const T k_25   = detail::constant<T>(2.6457512f, 2.6457513110645907);     // sqrt(7)
   const T k_26   = detail::constant<T>(2.1650636f, 2.165063509461097);      // 5/4 sqrt(3)
   const T k_27   = detail::constant<T>(3.0310888f, 3.031088913245535);      // 7/4 sqrt(3)
-  const T a_5_2  = detail::constant<T>(2.1712406f, 2.1712405933672376);     // 1/7 sqrt(231)
-  const T b_5_2  = detail::constant<T>(0.9476071f, 0.9476070829586857);     // 2/7 sqrt(11)
-  const T a_6_2  = detail::constant<T>(2.113942f, 2.1139418156609704);      // 1/8 sqrt(286)
-  const T b_6_2  = detail::constant<T>(0.9736101f, 0.9736101204623269);     // 1/24 sqrt(546)
-  const T k_28   = detail::constant<T>(3.0f, 3.0);                          // 3
-  const T k_29   = detail::constant<T>(2.9020467f, 2.902046691560975);      // 7/8 sqrt(11)
-  const T k_30   = detail::constant<T>(3.7312028f, 3.731202889149825);      // 9/8 sqrt(11)
+  const T k_28   = detail::constant<T>(2.193741f, 2.1937410968480306);      // 1/4 sqrt(77)
+  const T k_29   = detail::constant<T>(6.5812235f, 6.5812232905440915);     // 3/4 sqrt(77)
+  const T k_30   = detail::constant<T>(3.4780807f, 3.4780807780207605);     // 33/128 sqrt(182)
+  const T k_31   = detail::constant<T>(3.6888735f, 3.6888735524462613);     // 35/128 sqrt(182)
+  const T k_32   = detail::constant<T>(6.3237834f, 6.323783232765019);      // 15/32 sqrt(182)
+  const T k_33   = detail::constant<T>(3.0f, 3.0);                          // 3
+  const T k_34   = detail::constant<T>(2.9020467f, 2.902046691560975);      // 7/8 sqrt(11)
+  const T k_35   = detail::constant<T>(3.7312028f, 3.731202889149825);      // 9/8 sqrt(11)
   const T a_6_3  = detail::constant<T>(2.3013682f, 2.3013683530231086);     // 1/9 sqrt(429)
   const T b_6_3  = detail::constant<T>(0.9251849f, 0.9251848886516145);     // 4/27 sqrt(39)
-  const T k_31   = detail::constant<T>(3.3166249f, 3.3166247903554);        // sqrt(11)
-  const T k_32   = detail::constant<T>(3.628016f, 3.6280159867343476);      // 9/20 sqrt(65)
-  const T k_33   = detail::constant<T>(4.434242f, 4.434241761564202);       // 11/20 sqrt(65)
-  const T k_34   = detail::constant<T>(3.6055512f, 3.605551275463989);      // sqrt(13)
+  const T k_36   = detail::constant<T>(3.3166249f, 3.3166247903554);        // sqrt(11)
+  const T k_37   = detail::constant<T>(3.628016f, 3.6280159867343476);      // 9/20 sqrt(65)
+  const T k_38   = detail::constant<T>(4.434242f, 4.434241761564202);       // 11/20 sqrt(65)
+  const T k_39   = detail::constant<T>(3.6055512f, 3.605551275463989);      // sqrt(13)
 
   out[0] = k_0_0;                                            // l=0 m=0
   const T z2 = z * z;
@@ -168,28 +169,28 @@ constexpr void basis_accurate_l6(T x, T y, T z, T* out) noexcept {
   const T q_4_2 = k_27 * t + k_26;
   out[18] = q_4_2 * y_2_2s;                                  // l=4 m=-2
   out[22] = q_4_2 * y_2_2c;                                  // l=4 m=2
-  const T p_5_2 = a_5_2 * z * q_4_2 - b_5_2 * p_3_2;
+  const T p_5_2 = (k_29 * t + k_28) * z;
   out[28] = p_5_2 * y_2_2s;                                  // l=5 m=-2
   out[32] = p_5_2 * y_2_2c;                                  // l=5 m=2
-  const T p_6_2 = a_6_2 * z * p_5_2 - b_6_2 * q_4_2;
-  out[40] = p_6_2 * y_2_2s;                                  // l=6 m=-2
-  out[44] = p_6_2 * y_2_2c;                                  // l=6 m=2
-  const T p_4_3 = k_28 * z;
+  const T q_6_2 = k_32 * t + (k_30 * t_2 + k_31);
+  out[40] = q_6_2 * y_2_2s;                                  // l=6 m=-2
+  out[44] = q_6_2 * y_2_2c;                                  // l=6 m=2
+  const T p_4_3 = k_33 * z;
   out[17] = p_4_3 * y_3_3s;                                  // l=4 m=-3
   out[23] = p_4_3 * y_3_3c;                                  // l=4 m=3
-  const T q_5_3 = k_30 * t + k_29;
+  const T q_5_3 = k_35 * t + k_34;
   out[27] = q_5_3 * y_3_3s;                                  // l=5 m=-3
   out[33] = q_5_3 * y_3_3c;                                  // l=5 m=3
   const T p_6_3 = a_6_3 * z * q_5_3 - b_6_3 * p_4_3;
   out[39] = p_6_3 * y_3_3s;                                  // l=6 m=-3
   out[45] = p_6_3 * y_3_3c;                                  // l=6 m=3
-  const T p_5_4 = k_31 * z;
+  const T p_5_4 = k_36 * z;
   out[26] = p_5_4 * y_4_4s;                                  // l=5 m=-4
   out[34] = p_5_4 * y_4_4c;                                  // l=5 m=4
-  const T q_6_4 = k_33 * t + k_32;
+  const T q_6_4 = k_38 * t + k_37;
   out[38] = q_6_4 * y_4_4s;                                  // l=6 m=-4
   out[46] = q_6_4 * y_4_4c;                                  // l=6 m=4
-  const T p_6_5 = k_34 * z;
+  const T p_6_5 = k_39 * z;
   out[37] = p_6_5 * y_5_5s;                                  // l=6 m=-5
   out[47] = p_6_5 * y_5_5c;                                  // l=6 m=5
 }

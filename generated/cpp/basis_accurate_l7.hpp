@@ -7,11 +7,11 @@
 // Domain:       |d| = 1 for d = (x, y, z); z is the polar axis
 // Output:       out (64): Y_lm(d) at index l(l+1)+m, orthonormal on the unit sphere, no Condon-Shortley phase
 // Recipe:       centred
-// Source:       polynomials in 2z^2-1 for m < 2, the recurrence in l for m >= 2, doubling in m; derived exactly
-// Cost:         131 multiplications, 54 additions; longest chain 12; at most 21 values live
+// Source:       polynomials in 2z^2-1 for m <= 2, the recurrence in l for m > 2, doubling in m; derived exactly
+// Cost:         129 multiplications, 56 additions; longest chain 12; at most 21 values live
 // Error:        largest over 1110 directions (random, axes, poles, near poles), without contraction;
 //               eps counts units of machine epsilon x sqrt((2l+1)/(4 pi))
-//               float   rounding 5.3e-07 (4.1 eps)  total 9.4e-07 (7.2 eps)
+//               float   rounding 4.3e-07 (3.5 eps)  total 9.4e-07 (7.2 eps)
 //               double  rounding 8.5e-16 (3.5 eps)  total 3.4e-15 (13.9 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               total:    against the exact function at the input scaled to length 1
@@ -101,28 +101,30 @@ constexpr void basis_accurate_l7(T x, T y, T z, T* out) noexcept {
   const T k_33   = detail::constant<T>(2.6457512f, 2.6457513110645907);      // sqrt(7)
   const T k_34   = detail::constant<T>(2.1650636f, 2.165063509461097);       // 5/4 sqrt(3)
   const T k_35   = detail::constant<T>(3.0310888f, 3.031088913245535);       // 7/4 sqrt(3)
-  const T a_5_2  = detail::constant<T>(2.1712406f, 2.1712405933672376);      // 1/7 sqrt(231)
-  const T b_5_2  = detail::constant<T>(0.9476071f, 0.9476070829586857);      // 2/7 sqrt(11)
-  const T a_6_2  = detail::constant<T>(2.113942f, 2.1139418156609704);       // 1/8 sqrt(286)
-  const T b_6_2  = detail::constant<T>(0.9736101f, 0.9736101204623269);      // 1/24 sqrt(546)
-  const T a_7_2  = detail::constant<T>(2.081666f, 2.0816659994661326);       // 1/3 sqrt(39)
-  const T b_7_2  = detail::constant<T>(0.9847319f, 0.9847319278346619);      // 4/33 sqrt(66)
-  const T k_36   = detail::constant<T>(3.0f, 3.0);                           // 3
-  const T k_37   = detail::constant<T>(2.9020467f, 2.902046691560975);       // 7/8 sqrt(11)
-  const T k_38   = detail::constant<T>(3.7312028f, 3.731202889149825);       // 9/8 sqrt(11)
+  const T k_36   = detail::constant<T>(2.193741f, 2.1937410968480306);       // 1/4 sqrt(77)
+  const T k_37   = detail::constant<T>(6.5812235f, 6.5812232905440915);      // 3/4 sqrt(77)
+  const T k_38   = detail::constant<T>(3.4780807f, 3.4780807780207605);      // 33/128 sqrt(182)
+  const T k_39   = detail::constant<T>(3.6888735f, 3.6888735524462613);      // 35/128 sqrt(182)
+  const T k_40   = detail::constant<T>(6.3237834f, 6.323783232765019);       // 15/32 sqrt(182)
+  const T k_41   = detail::constant<T>(7.2402024f, 7.240202499002532);       // 143/128 sqrt(42)
+  const T k_42   = detail::constant<T>(5.518756f, 5.5187557509879435);       // 109/128 sqrt(42)
+  const T k_43   = detail::constant<T>(6.683264f, 6.683263845233106);        // 33/32 sqrt(42)
+  const T k_44   = detail::constant<T>(3.0f, 3.0);                           // 3
+  const T k_45   = detail::constant<T>(2.9020467f, 2.902046691560975);       // 7/8 sqrt(11)
+  const T k_46   = detail::constant<T>(3.7312028f, 3.731202889149825);       // 9/8 sqrt(11)
   const T a_6_3  = detail::constant<T>(2.3013682f, 2.3013683530231086);      // 1/9 sqrt(429)
   const T b_6_3  = detail::constant<T>(0.9251849f, 0.9251848886516145);      // 4/27 sqrt(39)
   const T a_7_3  = detail::constant<T>(2.20794f, 2.207940216581962);         // 1/4 sqrt(78)
   const T b_7_3  = detail::constant<T>(0.9594032f, 0.959403223600247);       // 9/44 sqrt(22)
-  const T k_39   = detail::constant<T>(3.3166249f, 3.3166247903554);         // sqrt(11)
-  const T k_40   = detail::constant<T>(3.628016f, 3.6280159867343476);       // 9/20 sqrt(65)
-  const T k_41   = detail::constant<T>(4.434242f, 4.434241761564202);        // 11/20 sqrt(65)
+  const T k_47   = detail::constant<T>(3.3166249f, 3.3166247903554);         // sqrt(11)
+  const T k_48   = detail::constant<T>(3.628016f, 3.6280159867343476);       // 9/20 sqrt(65)
+  const T k_49   = detail::constant<T>(4.434242f, 4.434241761564202);        // 11/20 sqrt(65)
   const T a_7_4  = detail::constant<T>(2.4308622f, 2.4308621740219887);      // 1/11 sqrt(715)
   const T b_7_4  = detail::constant<T>(0.90909094f, 0.9090909090909091);     // 10/11
-  const T k_42   = detail::constant<T>(3.6055512f, 3.605551275463989);       // sqrt(13)
-  const T k_43   = detail::constant<T>(4.3481317f, 4.348131782731522);       // 11/8 sqrt(10)
-  const T k_44   = detail::constant<T>(5.138701f, 5.138701197773616);        // 13/8 sqrt(10)
-  const T k_45   = detail::constant<T>(3.8729835f, 3.872983346207417);       // sqrt(15)
+  const T k_50   = detail::constant<T>(3.6055512f, 3.605551275463989);       // sqrt(13)
+  const T k_51   = detail::constant<T>(4.3481317f, 4.348131782731522);       // 11/8 sqrt(10)
+  const T k_52   = detail::constant<T>(5.138701f, 5.138701197773616);        // 13/8 sqrt(10)
+  const T k_53   = detail::constant<T>(3.8729835f, 3.872983346207417);       // sqrt(15)
 
   out[0] = k_0_0;                                                 // l=0 m=0
   const T z2 = z * z;
@@ -197,19 +199,19 @@ constexpr void basis_accurate_l7(T x, T y, T z, T* out) noexcept {
   const T q_4_2 = k_35 * t + k_34;
   out[18] = q_4_2 * y_2_2s;                                       // l=4 m=-2
   out[22] = q_4_2 * y_2_2c;                                       // l=4 m=2
-  const T p_5_2 = a_5_2 * z * q_4_2 - b_5_2 * p_3_2;
+  const T p_5_2 = (k_37 * t + k_36) * z;
   out[28] = p_5_2 * y_2_2s;                                       // l=5 m=-2
   out[32] = p_5_2 * y_2_2c;                                       // l=5 m=2
-  const T p_6_2 = a_6_2 * z * p_5_2 - b_6_2 * q_4_2;
-  out[40] = p_6_2 * y_2_2s;                                       // l=6 m=-2
-  out[44] = p_6_2 * y_2_2c;                                       // l=6 m=2
-  const T p_7_2 = a_7_2 * z * p_6_2 - b_7_2 * p_5_2;
+  const T q_6_2 = k_40 * t + (k_38 * t_2 + k_39);
+  out[40] = q_6_2 * y_2_2s;                                       // l=6 m=-2
+  out[44] = q_6_2 * y_2_2c;                                       // l=6 m=2
+  const T p_7_2 = (k_43 * t + (k_41 * t_2 + k_42)) * z;
   out[54] = p_7_2 * y_2_2s;                                       // l=7 m=-2
   out[58] = p_7_2 * y_2_2c;                                       // l=7 m=2
-  const T p_4_3 = k_36 * z;
+  const T p_4_3 = k_44 * z;
   out[17] = p_4_3 * y_3_3s;                                       // l=4 m=-3
   out[23] = p_4_3 * y_3_3c;                                       // l=4 m=3
-  const T q_5_3 = k_38 * t + k_37;
+  const T q_5_3 = k_46 * t + k_45;
   out[27] = q_5_3 * y_3_3s;                                       // l=5 m=-3
   out[33] = q_5_3 * y_3_3c;                                       // l=5 m=3
   const T p_6_3 = a_6_3 * z * q_5_3 - b_6_3 * p_4_3;
@@ -218,22 +220,22 @@ constexpr void basis_accurate_l7(T x, T y, T z, T* out) noexcept {
   const T p_7_3 = a_7_3 * z * p_6_3 - b_7_3 * q_5_3;
   out[53] = p_7_3 * y_3_3s;                                       // l=7 m=-3
   out[59] = p_7_3 * y_3_3c;                                       // l=7 m=3
-  const T p_5_4 = k_39 * z;
+  const T p_5_4 = k_47 * z;
   out[26] = p_5_4 * y_4_4s;                                       // l=5 m=-4
   out[34] = p_5_4 * y_4_4c;                                       // l=5 m=4
-  const T q_6_4 = k_41 * t + k_40;
+  const T q_6_4 = k_49 * t + k_48;
   out[38] = q_6_4 * y_4_4s;                                       // l=6 m=-4
   out[46] = q_6_4 * y_4_4c;                                       // l=6 m=4
   const T p_7_4 = a_7_4 * z * q_6_4 - b_7_4 * p_5_4;
   out[52] = p_7_4 * y_4_4s;                                       // l=7 m=-4
   out[60] = p_7_4 * y_4_4c;                                       // l=7 m=4
-  const T p_6_5 = k_42 * z;
+  const T p_6_5 = k_50 * z;
   out[37] = p_6_5 * y_5_5s;                                       // l=6 m=-5
   out[47] = p_6_5 * y_5_5c;                                       // l=6 m=5
-  const T q_7_5 = k_44 * t + k_43;
+  const T q_7_5 = k_52 * t + k_51;
   out[51] = q_7_5 * y_5_5s;                                       // l=7 m=-5
   out[61] = q_7_5 * y_5_5c;                                       // l=7 m=5
-  const T p_7_6 = k_45 * z;
+  const T p_7_6 = k_53 * z;
   out[50] = p_7_6 * y_6_6s;                                       // l=7 m=-6
   out[62] = p_7_6 * y_6_6c;                                       // l=7 m=6
 }

@@ -7,12 +7,12 @@
 // Domain:       |d| = 1 for d = (x, y, z); z is the polar axis
 // Output:       out (100): Y_lm(d) at index l(l+1)+m, orthonormal on the unit sphere, no Condon-Shortley phase
 // Recipe:       centred
-// Source:       polynomials in 2z^2-1 for m < 2, the recurrence in l for m >= 2, doubling in m; derived exactly
-// Cost:         219 multiplications, 84 additions; longest chain 16; at most 25 values live
+// Source:       polynomials in 2z^2-1 for m <= 2, the recurrence in l for m > 2, doubling in m; derived exactly
+// Cost:         219 multiplications, 91 additions; longest chain 14; at most 27 values live
 // Error:        largest over 1110 directions (random, axes, poles, near poles), without contraction;
 //               eps counts units of machine epsilon x sqrt((2l+1)/(4 pi))
-//               float   rounding 1.0e-06 (7.0 eps)  total 2.0e-06 (13.7 eps)
-//               double  rounding 1.7e-15 (6.2 eps)  total 5.9e-15 (21.8 eps)
+//               float   rounding 6.9e-07 (5.0 eps)  total 2.0e-06 (13.7 eps)
+//               double  rounding 1.5e-15 (5.8 eps)  total 5.9e-15 (21.8 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               total:    against the exact function at the input scaled to length 1
 #pragma once
@@ -115,27 +115,29 @@ constexpr void basis_accurate_l9(T x, T y, T z, T* out) noexcept {
   const T k_44   = detail::constant<T>(1.2413812f, 1.2413811135553001);      // 89/512 sqrt(51)
   const T k_45   = detail::constant<T>(9.972893f, 9.972893215640894);        // 715/512 sqrt(51)
   const T k_46   = detail::constant<T>(1.0740039f, 1.0740038847613271);      // 77/512 sqrt(51)
-  const T k_47   = detail::constant<T>(5.009766f, 5.009766048855234);        // 2431/8192 sqrt(285)
-  const T k_48   = detail::constant<T>(4.1256895f, 4.125689687292546);       // 1001/4096 sqrt(285)
-  const T k_49   = detail::constant<T>(0.2328686f, 0.23286859873329552);     // 113/8192 sqrt(285)
-  const T k_50   = detail::constant<T>(7.072611f, 7.0726108925015065);       // 429/1024 sqrt(285)
-  const T k_51   = detail::constant<T>(0.90674496f, 0.9067449862181418);     // 55/1024 sqrt(285)
-  const T k_52   = detail::constant<T>(2.6457512f, 2.6457513110645907);      // sqrt(7)
-  const T k_53   = detail::constant<T>(2.1650636f, 2.165063509461097);       // 5/4 sqrt(3)
-  const T k_54   = detail::constant<T>(3.0310888f, 3.031088913245535);       // 7/4 sqrt(3)
-  const T a_5_2  = detail::constant<T>(2.1712406f, 2.1712405933672376);      // 1/7 sqrt(231)
-  const T b_5_2  = detail::constant<T>(0.9476071f, 0.9476070829586857);      // 2/7 sqrt(11)
-  const T a_6_2  = detail::constant<T>(2.113942f, 2.1139418156609704);       // 1/8 sqrt(286)
-  const T b_6_2  = detail::constant<T>(0.9736101f, 0.9736101204623269);      // 1/24 sqrt(546)
-  const T a_7_2  = detail::constant<T>(2.081666f, 2.0816659994661326);       // 1/3 sqrt(39)
-  const T b_7_2  = detail::constant<T>(0.9847319f, 0.9847319278346619);      // 4/33 sqrt(66)
-  const T a_8_2  = detail::constant<T>(2.0615528f, 2.0615528128088303);      // 1/2 sqrt(17)
-  const T b_8_2  = detail::constant<T>(0.9903379f, 0.9903379376602871);      // 1/26 sqrt(663)
-  const T a_9_2  = detail::constant<T>(2.0481224f, 2.048122358357819);       // 1/77 sqrt(24871)
-  const T b_9_2  = detail::constant<T>(0.9934853f, 0.993485272670404);       // 2/77 sqrt(1463)
-  const T k_55   = detail::constant<T>(3.0f, 3.0);                           // 3
-  const T k_56   = detail::constant<T>(2.9020467f, 2.902046691560975);       // 7/8 sqrt(11)
-  const T k_57   = detail::constant<T>(3.7312028f, 3.731202889149825);       // 9/8 sqrt(11)
+  const T a_9_1  = detail::constant<T>(2.0093532f, 2.009353129741012);       // 1/20 sqrt(1615)
+  const T b_9_1  = detail::constant<T>(0.9987492f, 0.998749217771909);       // 1/20 sqrt(399)
+  const T k_47   = detail::constant<T>(2.6457512f, 2.6457513110645907);      // sqrt(7)
+  const T k_48   = detail::constant<T>(2.1650636f, 2.165063509461097);       // 5/4 sqrt(3)
+  const T k_49   = detail::constant<T>(3.0310888f, 3.031088913245535);       // 7/4 sqrt(3)
+  const T k_50   = detail::constant<T>(2.193741f, 2.1937410968480306);       // 1/4 sqrt(77)
+  const T k_51   = detail::constant<T>(6.5812235f, 6.5812232905440915);      // 3/4 sqrt(77)
+  const T k_52   = detail::constant<T>(3.4780807f, 3.4780807780207605);      // 33/128 sqrt(182)
+  const T k_53   = detail::constant<T>(3.6888735f, 3.6888735524462613);      // 35/128 sqrt(182)
+  const T k_54   = detail::constant<T>(6.3237834f, 6.323783232765019);       // 15/32 sqrt(182)
+  const T k_55   = detail::constant<T>(7.2402024f, 7.240202499002532);       // 143/128 sqrt(42)
+  const T k_56   = detail::constant<T>(5.518756f, 5.5187557509879435);       // 109/128 sqrt(42)
+  const T k_57   = detail::constant<T>(6.683264f, 6.683263845233106);        // 33/32 sqrt(42)
+  const T k_58   = detail::constant<T>(7.46303f, 7.463029913562095);         // 143/512 sqrt(714)
+  const T k_59   = detail::constant<T>(5.479847f, 5.479847139328811);        // 105/512 sqrt(714)
+  const T k_60   = detail::constant<T>(6.3148713f, 6.314871465321773);       // 121/512 sqrt(714)
+  const T k_61   = detail::constant<T>(8.092164f, 8.092163873149278);        // 117/512 sqrt(1254)
+  const T k_62   = detail::constant<T>(5.740595f, 5.740594884370856);        // 83/512 sqrt(1254)
+  const T k_63   = detail::constant<T>(15.285198f, 15.285198427059749);      // 221/512 sqrt(1254)
+  const T k_64   = detail::constant<T>(6.2939053f, 6.293905234671661);       // 91/512 sqrt(1254)
+  const T k_65   = detail::constant<T>(3.0f, 3.0);                           // 3
+  const T k_66   = detail::constant<T>(2.9020467f, 2.902046691560975);       // 7/8 sqrt(11)
+  const T k_67   = detail::constant<T>(3.7312028f, 3.731202889149825);       // 9/8 sqrt(11)
   const T a_6_3  = detail::constant<T>(2.3013682f, 2.3013683530231086);      // 1/9 sqrt(429)
   const T b_6_3  = detail::constant<T>(0.9251849f, 0.9251848886516145);      // 4/27 sqrt(39)
   const T a_7_3  = detail::constant<T>(2.20794f, 2.207940216581962);         // 1/4 sqrt(78)
@@ -144,31 +146,31 @@ constexpr void basis_accurate_l9(T x, T y, T z, T* out) noexcept {
   const T b_8_3  = detail::constant<T>(0.9752174f, 0.9752173865600178);      // 2/143 sqrt(4862)
   const T a_9_3  = detail::constant<T>(2.1180441f, 2.1180441711898057);      // 1/12 sqrt(646)
   const T b_9_3  = detail::constant<T>(0.98366284f, 0.9836628449792096);     // 1/36 sqrt(1254)
-  const T k_58   = detail::constant<T>(3.3166249f, 3.3166247903554);         // sqrt(11)
-  const T k_59   = detail::constant<T>(3.628016f, 3.6280159867343476);       // 9/20 sqrt(65)
-  const T k_60   = detail::constant<T>(4.434242f, 4.434241761564202);        // 11/20 sqrt(65)
+  const T k_68   = detail::constant<T>(3.3166249f, 3.3166247903554);         // sqrt(11)
+  const T k_69   = detail::constant<T>(3.628016f, 3.6280159867343476);       // 9/20 sqrt(65)
+  const T k_70   = detail::constant<T>(4.434242f, 4.434241761564202);        // 11/20 sqrt(65)
   const T a_7_4  = detail::constant<T>(2.4308622f, 2.4308621740219887);      // 1/11 sqrt(715)
   const T b_7_4  = detail::constant<T>(0.90909094f, 0.9090909090909091);     // 10/11
   const T a_8_4  = detail::constant<T>(2.304886f, 2.3048861143232218);       // 1/4 sqrt(85)
   const T b_8_4  = detail::constant<T>(0.9481764f, 0.9481763873554654);      // 1/52 sqrt(2431)
   const T a_9_4  = detail::constant<T>(2.2291772f, 2.229177150706235);       // 1/65 sqrt(20995)
   const T b_9_4  = detail::constant<T>(0.96715283f, 0.9671528397231822);     // 4/65 sqrt(247)
-  const T k_61   = detail::constant<T>(3.6055512f, 3.605551275463989);       // sqrt(13)
-  const T k_62   = detail::constant<T>(4.3481317f, 4.348131782731522);       // 11/8 sqrt(10)
-  const T k_63   = detail::constant<T>(5.138701f, 5.138701197773616);        // 13/8 sqrt(10)
+  const T k_71   = detail::constant<T>(3.6055512f, 3.605551275463989);       // sqrt(13)
+  const T k_72   = detail::constant<T>(4.3481317f, 4.348131782731522);       // 11/8 sqrt(10)
+  const T k_73   = detail::constant<T>(5.138701f, 5.138701197773616);        // 13/8 sqrt(10)
   const T a_8_5  = detail::constant<T>(2.5570416f, 2.557041559783794);       // 1/13 sqrt(1105)
   const T b_8_5  = detail::constant<T>(0.8970695f, 0.8970695222838924);      // 2/13 sqrt(34)
   const T a_9_5  = detail::constant<T>(2.4016364f, 2.401636346922061);       // 1/28 sqrt(4522)
   const T b_9_5  = detail::constant<T>(0.9392246f, 0.9392246042043709);      // 1/140 sqrt(17290)
-  const T k_64   = detail::constant<T>(3.8729835f, 3.872983346207417);       // sqrt(15)
-  const T k_65   = detail::constant<T>(5.0647593f, 5.0647591960808676);      // 13/28 sqrt(119)
-  const T k_66   = detail::constant<T>(5.843953f, 5.843952918554847);        // 15/28 sqrt(119)
+  const T k_74   = detail::constant<T>(3.8729835f, 3.872983346207417);       // sqrt(15)
+  const T k_75   = detail::constant<T>(5.0647593f, 5.0647591960808676);      // 13/28 sqrt(119)
+  const T k_76   = detail::constant<T>(5.843953f, 5.843952918554847);        // 15/28 sqrt(119)
   const T a_9_6  = detail::constant<T>(2.6791375f, 2.679137506321349);       // 1/15 sqrt(1615)
   const T b_9_6  = detail::constant<T>(0.8877771f, 0.8877770824639191);      // 2/45 sqrt(399)
-  const T k_67   = detail::constant<T>(4.1231055f, 4.123105625617661);       // sqrt(17)
-  const T k_68   = detail::constant<T>(5.779138f, 5.7791381277834155);       // 15/16 sqrt(38)
-  const T k_69   = detail::constant<T>(6.54969f, 6.549689878154537);         // 17/16 sqrt(38)
-  const T k_70   = detail::constant<T>(4.358899f, 4.358898943540674);        // sqrt(19)
+  const T k_77   = detail::constant<T>(4.1231055f, 4.123105625617661);       // sqrt(17)
+  const T k_78   = detail::constant<T>(5.779138f, 5.7791381277834155);       // 15/16 sqrt(38)
+  const T k_79   = detail::constant<T>(6.54969f, 6.549689878154537);         // 17/16 sqrt(38)
+  const T k_80   = detail::constant<T>(4.358899f, 4.358898943540674);        // sqrt(19)
 
   out[0] = k_0_0;                                                                // l=0 m=0
   const T z2 = z * z;
@@ -179,49 +181,52 @@ constexpr void basis_accurate_l9(T x, T y, T z, T* out) noexcept {
   const T u = one - (t_3 + t_3);
   const T u2 = u * u;
   const T t_4 = u2 + u2 - one;
+  const T v = z2 - (x * x + y * y);
+  const T v2 = v * v;
+  const T t_5 = v2 + v2 - one;
   const T y_1_1c = k_1_1 * x;
   out[3] = y_1_1c;                                                               // l=1 m=1
   const T y_1_1s = k_1_1 * y;
   out[1] = y_1_1s;                                                               // l=1 m=-1
   const T y_2_2s = k_2_2s * x * y;
   out[4] = y_2_2s;                                                               // l=2 m=-2
-  const T t_5 = (x - y) * (x + y);
-  const T y_2_2c = k_2_2c * t_5;
+  const T t_6 = (x - y) * (x + y);
+  const T y_2_2c = k_2_2c * t_6;
   out[8] = y_2_2c;                                                               // l=2 m=2
-  const T t_6 = b_3_3 * (one - z2);
-  const T t_7 = a_3_3 * t_5;
-  const T y_3_3c = y_1_1c * (t_7 - t_6);
+  const T t_7 = b_3_3 * (one - z2);
+  const T t_8 = a_3_3 * t_6;
+  const T y_3_3c = y_1_1c * (t_8 - t_7);
   out[15] = y_3_3c;                                                              // l=3 m=3
-  const T y_3_3s = y_1_1s * (t_7 + t_6);
+  const T y_3_3s = y_1_1s * (t_8 + t_7);
   out[9] = y_3_3s;                                                               // l=3 m=-3
   const T y_4_4s = k_4_4s * y_2_2c * y_2_2s;
   out[16] = y_4_4s;                                                              // l=4 m=-4
   const T y_4_4c = k_4_4c * (y_2_2c - y_2_2s) * (y_2_2c + y_2_2s);
   out[24] = y_4_4c;                                                              // l=4 m=4
-  const T t_8 = k_5_5 * x;
-  const T t_9 = k_5_5 * y;
-  const T y_5_5c = t_8 * y_4_4c - t_9 * y_4_4s;
+  const T t_9 = k_5_5 * x;
+  const T t_10 = k_5_5 * y;
+  const T y_5_5c = t_9 * y_4_4c - t_10 * y_4_4s;
   out[35] = y_5_5c;                                                              // l=5 m=5
-  const T y_5_5s = t_8 * y_4_4s + t_9 * y_4_4c;
+  const T y_5_5s = t_9 * y_4_4s + t_10 * y_4_4c;
   out[25] = y_5_5s;                                                              // l=5 m=-5
   const T y_6_6s = k_6_6s * y_3_3c * y_3_3s;
   out[36] = y_6_6s;                                                              // l=6 m=-6
   const T y_6_6c = k_6_6c * (y_3_3c - y_3_3s) * (y_3_3c + y_3_3s);
   out[48] = y_6_6c;                                                              // l=6 m=6
-  const T t_10 = k_7_7 * x;
-  const T t_11 = k_7_7 * y;
-  const T y_7_7c = t_10 * y_6_6c - t_11 * y_6_6s;
+  const T t_11 = k_7_7 * x;
+  const T t_12 = k_7_7 * y;
+  const T y_7_7c = t_11 * y_6_6c - t_12 * y_6_6s;
   out[63] = y_7_7c;                                                              // l=7 m=7
-  const T y_7_7s = t_10 * y_6_6s + t_11 * y_6_6c;
+  const T y_7_7s = t_11 * y_6_6s + t_12 * y_6_6c;
   out[49] = y_7_7s;                                                              // l=7 m=-7
   const T y_8_8s = k_8_8s * y_4_4c * y_4_4s;
   out[64] = y_8_8s;                                                              // l=8 m=-8
   const T y_8_8c = k_8_8c * (y_4_4c - y_4_4s) * (y_4_4c + y_4_4s);
   out[80] = y_8_8c;                                                              // l=8 m=8
-  const T t_12 = k_9_9 * x;
-  const T t_13 = k_9_9 * y;
-  out[99] = t_12 * y_8_8c - t_13 * y_8_8s;                                       // l=9 m=9
-  out[81] = t_12 * y_8_8s + t_13 * y_8_8c;                                       // l=9 m=-9
+  const T t_13 = k_9_9 * x;
+  const T t_14 = k_9_9 * y;
+  out[99] = t_13 * y_8_8c - t_14 * y_8_8s;                                       // l=9 m=9
+  out[81] = t_13 * y_8_8s + t_14 * y_8_8c;                                       // l=9 m=-9
   out[2] = k_1_1 * z;                                                            // l=1 m=0
   out[6] = k_2 * t + k;                                                          // l=2 m=0
   out[12] = (k_4 * u + k_3) * z;                                                 // l=3 m=0
@@ -229,7 +234,7 @@ constexpr void basis_accurate_l9(T x, T y, T z, T* out) noexcept {
   out[30] = (k_10 * u + (k_8 * t_4 + k_9)) * z;                                  // l=5 m=0
   out[42] = (k_13 * t_2 - k_11) * t + (k_11 * t_2 + k_12);                       // l=6 m=0
   out[56] = ((k_16 * t_4 - k_17) * u + (k_14 * t_4 - k_15)) * z;                 // l=7 m=0
-  out[72] = (k_21 * t_2 - k_22) * t + ((k_18 * t_2 + k_19) * t_2 - k_20);        // l=8 m=0
+  out[72] = (k_21 * t_5 - k_22) * v + ((k_18 * t_5 + k_19) * t_5 - k_20);        // l=8 m=0
   out[90] = ((k_26 * t_4 - k_27) * u + ((k_23 * t_4 + k_24) * t_4 - k_25)) * z;  // l=9 m=0
   const T p_2_1 = k_28 * z;
   out[5] = p_2_1 * y_1_1s;                                                       // l=2 m=-1
@@ -252,34 +257,35 @@ constexpr void basis_accurate_l9(T x, T y, T z, T* out) noexcept {
   const T p_8_1 = ((k_45 * t_2 + k_46) * t + (k_43 * t_2 + k_44)) * z;
   out[71] = p_8_1 * y_1_1s;                                                      // l=8 m=-1
   out[73] = p_8_1 * y_1_1c;                                                      // l=8 m=1
-  const T q_9_1 = (k_50 * t_2 + k_51) * t + ((k_47 * t_2 + k_48) * t_2 - k_49);
-  out[89] = q_9_1 * y_1_1s;                                                      // l=9 m=-1
-  out[91] = q_9_1 * y_1_1c;                                                      // l=9 m=1
-  const T p_3_2 = k_52 * z;
+  const T p_9_1 = a_9_1 * z * p_8_1 - b_9_1 * q_7_1;
+  out[89] = p_9_1 * y_1_1s;                                                      // l=9 m=-1
+  out[91] = p_9_1 * y_1_1c;                                                      // l=9 m=1
+  const T p_3_2 = k_47 * z;
   out[10] = p_3_2 * y_2_2s;                                                      // l=3 m=-2
   out[14] = p_3_2 * y_2_2c;                                                      // l=3 m=2
-  const T q_4_2 = k_54 * t + k_53;
+  const T q_4_2 = k_49 * t + k_48;
   out[18] = q_4_2 * y_2_2s;                                                      // l=4 m=-2
   out[22] = q_4_2 * y_2_2c;                                                      // l=4 m=2
-  const T p_5_2 = a_5_2 * z * q_4_2 - b_5_2 * p_3_2;
+  const T p_5_2 = (k_51 * t + k_50) * z;
   out[28] = p_5_2 * y_2_2s;                                                      // l=5 m=-2
   out[32] = p_5_2 * y_2_2c;                                                      // l=5 m=2
-  const T p_6_2 = a_6_2 * z * p_5_2 - b_6_2 * q_4_2;
-  out[40] = p_6_2 * y_2_2s;                                                      // l=6 m=-2
-  out[44] = p_6_2 * y_2_2c;                                                      // l=6 m=2
-  const T p_7_2 = a_7_2 * z * p_6_2 - b_7_2 * p_5_2;
+  const T q_6_2 = k_54 * t + (k_52 * t_2 + k_53);
+  out[40] = q_6_2 * y_2_2s;                                                      // l=6 m=-2
+  out[44] = q_6_2 * y_2_2c;                                                      // l=6 m=2
+  const T p_7_2 = (k_57 * t + (k_55 * t_2 + k_56)) * z;
   out[54] = p_7_2 * y_2_2s;                                                      // l=7 m=-2
   out[58] = p_7_2 * y_2_2c;                                                      // l=7 m=2
-  const T p_8_2 = a_8_2 * z * p_7_2 - b_8_2 * p_6_2;
-  out[70] = p_8_2 * y_2_2s;                                                      // l=8 m=-2
-  out[74] = p_8_2 * y_2_2c;                                                      // l=8 m=2
-  const T p_9_2 = a_9_2 * z * p_8_2 - b_9_2 * p_7_2;
+  const T t_15 = k_58 * t_2;
+  const T q_8_2 = (t_15 + k_60) * t + (t_15 + k_59);
+  out[70] = q_8_2 * y_2_2s;                                                      // l=8 m=-2
+  out[74] = q_8_2 * y_2_2c;                                                      // l=8 m=2
+  const T p_9_2 = ((k_63 * t_2 + k_64) * t + (k_61 * t_2 + k_62)) * z;
   out[88] = p_9_2 * y_2_2s;                                                      // l=9 m=-2
   out[92] = p_9_2 * y_2_2c;                                                      // l=9 m=2
-  const T p_4_3 = k_55 * z;
+  const T p_4_3 = k_65 * z;
   out[17] = p_4_3 * y_3_3s;                                                      // l=4 m=-3
   out[23] = p_4_3 * y_3_3c;                                                      // l=4 m=3
-  const T q_5_3 = k_57 * t + k_56;
+  const T q_5_3 = k_67 * t + k_66;
   out[27] = q_5_3 * y_3_3s;                                                      // l=5 m=-3
   out[33] = q_5_3 * y_3_3c;                                                      // l=5 m=3
   const T p_6_3 = a_6_3 * z * q_5_3 - b_6_3 * p_4_3;
@@ -294,10 +300,10 @@ constexpr void basis_accurate_l9(T x, T y, T z, T* out) noexcept {
   const T p_9_3 = a_9_3 * z * p_8_3 - b_9_3 * p_7_3;
   out[87] = p_9_3 * y_3_3s;                                                      // l=9 m=-3
   out[93] = p_9_3 * y_3_3c;                                                      // l=9 m=3
-  const T p_5_4 = k_58 * z;
+  const T p_5_4 = k_68 * z;
   out[26] = p_5_4 * y_4_4s;                                                      // l=5 m=-4
   out[34] = p_5_4 * y_4_4c;                                                      // l=5 m=4
-  const T q_6_4 = k_60 * t + k_59;
+  const T q_6_4 = k_70 * t + k_69;
   out[38] = q_6_4 * y_4_4s;                                                      // l=6 m=-4
   out[46] = q_6_4 * y_4_4c;                                                      // l=6 m=4
   const T p_7_4 = a_7_4 * z * q_6_4 - b_7_4 * p_5_4;
@@ -309,10 +315,10 @@ constexpr void basis_accurate_l9(T x, T y, T z, T* out) noexcept {
   const T p_9_4 = a_9_4 * z * p_8_4 - b_9_4 * p_7_4;
   out[86] = p_9_4 * y_4_4s;                                                      // l=9 m=-4
   out[94] = p_9_4 * y_4_4c;                                                      // l=9 m=4
-  const T p_6_5 = k_61 * z;
+  const T p_6_5 = k_71 * z;
   out[37] = p_6_5 * y_5_5s;                                                      // l=6 m=-5
   out[47] = p_6_5 * y_5_5c;                                                      // l=6 m=5
-  const T q_7_5 = k_63 * t + k_62;
+  const T q_7_5 = k_73 * t + k_72;
   out[51] = q_7_5 * y_5_5s;                                                      // l=7 m=-5
   out[61] = q_7_5 * y_5_5c;                                                      // l=7 m=5
   const T p_8_5 = a_8_5 * z * q_7_5 - b_8_5 * p_6_5;
@@ -321,22 +327,22 @@ constexpr void basis_accurate_l9(T x, T y, T z, T* out) noexcept {
   const T p_9_5 = a_9_5 * z * p_8_5 - b_9_5 * q_7_5;
   out[85] = p_9_5 * y_5_5s;                                                      // l=9 m=-5
   out[95] = p_9_5 * y_5_5c;                                                      // l=9 m=5
-  const T p_7_6 = k_64 * z;
+  const T p_7_6 = k_74 * z;
   out[50] = p_7_6 * y_6_6s;                                                      // l=7 m=-6
   out[62] = p_7_6 * y_6_6c;                                                      // l=7 m=6
-  const T q_8_6 = k_66 * t + k_65;
+  const T q_8_6 = k_76 * t + k_75;
   out[66] = q_8_6 * y_6_6s;                                                      // l=8 m=-6
   out[78] = q_8_6 * y_6_6c;                                                      // l=8 m=6
   const T p_9_6 = a_9_6 * z * q_8_6 - b_9_6 * p_7_6;
   out[84] = p_9_6 * y_6_6s;                                                      // l=9 m=-6
   out[96] = p_9_6 * y_6_6c;                                                      // l=9 m=6
-  const T p_8_7 = k_67 * z;
+  const T p_8_7 = k_77 * z;
   out[65] = p_8_7 * y_7_7s;                                                      // l=8 m=-7
   out[79] = p_8_7 * y_7_7c;                                                      // l=8 m=7
-  const T q_9_7 = k_69 * t + k_68;
+  const T q_9_7 = k_79 * t + k_78;
   out[83] = q_9_7 * y_7_7s;                                                      // l=9 m=-7
   out[97] = q_9_7 * y_7_7c;                                                      // l=9 m=7
-  const T p_9_8 = k_70 * z;
+  const T p_9_8 = k_80 * z;
   out[82] = p_9_8 * y_8_8s;                                                      // l=9 m=-8
   out[98] = p_9_8 * y_8_8c;                                                      // l=9 m=8
 }

@@ -7,13 +7,13 @@
 // Domain:       d = (x, y, z) finite, not zero, |d|^2 neither over- nor underflows; z is the polar axis
 // Output:       out (121): Y_lm(d/|d|) at index l(l+1)+m, orthonormal on the unit sphere, no Condon-Shortley phase
 // Recipe:       centred
-// Source:       polynomials in 2z^2-1 for m < 2, the recurrence in l for m >= 2, doubling in m; derived exactly
-// Cost:         277 multiplications, 104 additions, 1 divisions, 1 square roots; longest chain 24; at most 25 values
+// Source:       polynomials in 2z^2-1 for m <= 2, the recurrence in l for m > 2, doubling in m; derived exactly
+// Cost:         275 multiplications, 108 additions, 1 divisions, 1 square roots; longest chain 22; at most 27 values
 //               live
 // Error:        largest over 558 vectors (random, axes, poles, near poles; lengths 2^-20 to 2^20), without contraction;
 //               eps counts units of machine epsilon x sqrt((2l+1)/(4 pi))
-//               float   rounding 4.2e-06 (27.2 eps)
-//               double  rounding 1.6e-14 (54.7 eps)
+//               float   rounding 3.9e-06 (26.9 eps)
+//               double  rounding 1.2e-14 (44.7 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 #pragma once
 
@@ -147,34 +147,33 @@ constexpr void basis_normalised_accurate_l10(T x, T y, T z, T* out) noexcept {
   const T k_50     = detail::constant<T>(1.2413812f, 1.2413811135553001);      // 89/512 sqrt(51)
   const T k_51     = detail::constant<T>(9.972893f, 9.972893215640894);        // 715/512 sqrt(51)
   const T k_52     = detail::constant<T>(1.0740039f, 1.0740038847613271);      // 77/512 sqrt(51)
-  const T k_53     = detail::constant<T>(5.009766f, 5.009766048855234);        // 2431/8192 sqrt(285)
-  const T k_54     = detail::constant<T>(4.1256895f, 4.125689687292546);       // 1001/4096 sqrt(285)
-  const T k_55     = detail::constant<T>(0.2328686f, 0.23286859873329552);     // 113/8192 sqrt(285)
-  const T k_56     = detail::constant<T>(7.072611f, 7.0726108925015065);       // 429/1024 sqrt(285)
-  const T k_57     = detail::constant<T>(0.90674496f, 0.9067449862181418);     // 55/1024 sqrt(285)
-  const T k_58     = detail::constant<T>(10.057413f, 10.057413261547083);      // 4199/8192 sqrt(385)
-  const T k_59     = detail::constant<T>(6.2897754f, 6.289775476261643);       // 1313/4096 sqrt(385)
-  const T k_60     = detail::constant<T>(1.7077723f, 1.7077722446970873);      // 713/8192 sqrt(385)
-  const T k_61     = detail::constant<T>(4.2347f, 4.234700320651403);          // 221/1024 sqrt(385)
-  const T k_62     = detail::constant<T>(0.7473f, 0.7473000565855418);         // 39/1024 sqrt(385)
-  const T k_63     = detail::constant<T>(2.6457512f, 2.6457513110645907);      // sqrt(7)
-  const T k_64     = detail::constant<T>(2.1650636f, 2.165063509461097);       // 5/4 sqrt(3)
-  const T k_65     = detail::constant<T>(3.0310888f, 3.031088913245535);       // 7/4 sqrt(3)
-  const T a_5_2    = detail::constant<T>(2.1712406f, 2.1712405933672376);      // 1/7 sqrt(231)
-  const T b_5_2    = detail::constant<T>(0.9476071f, 0.9476070829586857);      // 2/7 sqrt(11)
-  const T a_6_2    = detail::constant<T>(2.113942f, 2.1139418156609704);       // 1/8 sqrt(286)
-  const T b_6_2    = detail::constant<T>(0.9736101f, 0.9736101204623269);      // 1/24 sqrt(546)
-  const T a_7_2    = detail::constant<T>(2.081666f, 2.0816659994661326);       // 1/3 sqrt(39)
-  const T b_7_2    = detail::constant<T>(0.9847319f, 0.9847319278346619);      // 4/33 sqrt(66)
-  const T a_8_2    = detail::constant<T>(2.0615528f, 2.0615528128088303);      // 1/2 sqrt(17)
-  const T b_8_2    = detail::constant<T>(0.9903379f, 0.9903379376602871);      // 1/26 sqrt(663)
-  const T a_9_2    = detail::constant<T>(2.0481224f, 2.048122358357819);       // 1/77 sqrt(24871)
-  const T b_9_2    = detail::constant<T>(0.9934853f, 0.993485272670404);       // 2/77 sqrt(1463)
+  const T a_9_1    = detail::constant<T>(2.0093532f, 2.009353129741012);       // 1/20 sqrt(1615)
+  const T b_9_1    = detail::constant<T>(0.9987492f, 0.998749217771909);       // 1/20 sqrt(399)
+  const T a_10_1   = detail::constant<T>(2.0075614f, 2.0075614636426526);      // 1/33 sqrt(4389)
+  const T b_10_1   = detail::constant<T>(0.9991083f, 0.9991083368712845);      // 4/561 sqrt(19635)
+  const T k_53     = detail::constant<T>(2.6457512f, 2.6457513110645907);      // sqrt(7)
+  const T k_54     = detail::constant<T>(2.1650636f, 2.165063509461097);       // 5/4 sqrt(3)
+  const T k_55     = detail::constant<T>(3.0310888f, 3.031088913245535);       // 7/4 sqrt(3)
+  const T k_56     = detail::constant<T>(2.193741f, 2.1937410968480306);       // 1/4 sqrt(77)
+  const T k_57     = detail::constant<T>(6.5812235f, 6.5812232905440915);      // 3/4 sqrt(77)
+  const T k_58     = detail::constant<T>(3.4780807f, 3.4780807780207605);      // 33/128 sqrt(182)
+  const T k_59     = detail::constant<T>(3.6888735f, 3.6888735524462613);      // 35/128 sqrt(182)
+  const T k_60     = detail::constant<T>(6.3237834f, 6.323783232765019);       // 15/32 sqrt(182)
+  const T k_61     = detail::constant<T>(7.2402024f, 7.240202499002532);       // 143/128 sqrt(42)
+  const T k_62     = detail::constant<T>(5.518756f, 5.5187557509879435);       // 109/128 sqrt(42)
+  const T k_63     = detail::constant<T>(6.683264f, 6.683263845233106);        // 33/32 sqrt(42)
+  const T k_64     = detail::constant<T>(7.46303f, 7.463029913562095);         // 143/512 sqrt(714)
+  const T k_65     = detail::constant<T>(5.479847f, 5.479847139328811);        // 105/512 sqrt(714)
+  const T k_66     = detail::constant<T>(6.3148713f, 6.314871465321773);       // 121/512 sqrt(714)
+  const T k_67     = detail::constant<T>(8.092164f, 8.092163873149278);        // 117/512 sqrt(1254)
+  const T k_68     = detail::constant<T>(5.740595f, 5.740594884370856);        // 83/512 sqrt(1254)
+  const T k_69     = detail::constant<T>(15.285198f, 15.285198427059749);      // 221/512 sqrt(1254)
+  const T k_70     = detail::constant<T>(6.2939053f, 6.293905234671661);       // 91/512 sqrt(1254)
   const T a_10_2   = detail::constant<T>(2.0386884f, 2.038688303787511);       // 1/8 sqrt(266)
   const T b_10_2   = detail::constant<T>(0.9953938f, 0.9953938032404118);      // 7/136 sqrt(374)
-  const T k_66     = detail::constant<T>(3.0f, 3.0);                           // 3
-  const T k_67     = detail::constant<T>(2.9020467f, 2.902046691560975);       // 7/8 sqrt(11)
-  const T k_68     = detail::constant<T>(3.7312028f, 3.731202889149825);       // 9/8 sqrt(11)
+  const T k_71     = detail::constant<T>(3.0f, 3.0);                           // 3
+  const T k_72     = detail::constant<T>(2.9020467f, 2.902046691560975);       // 7/8 sqrt(11)
+  const T k_73     = detail::constant<T>(3.7312028f, 3.731202889149825);       // 9/8 sqrt(11)
   const T a_6_3    = detail::constant<T>(2.3013682f, 2.3013683530231086);      // 1/9 sqrt(429)
   const T b_6_3    = detail::constant<T>(0.9251849f, 0.9251848886516145);      // 4/27 sqrt(39)
   const T a_7_3    = detail::constant<T>(2.20794f, 2.207940216581962);         // 1/4 sqrt(78)
@@ -185,9 +184,9 @@ constexpr void basis_normalised_accurate_l10(T x, T y, T z, T* out) noexcept {
   const T b_9_3    = detail::constant<T>(0.98366284f, 0.9836628449792096);     // 1/36 sqrt(1254)
   const T a_10_3   = detail::constant<T>(2.0939474f, 2.0939473213563384);      // 1/13 sqrt(741)
   const T b_10_3   = detail::constant<T>(0.9886231f, 0.9886230654859615);      // 6/221 sqrt(1326)
-  const T k_69     = detail::constant<T>(3.3166249f, 3.3166247903554);         // sqrt(11)
-  const T k_70     = detail::constant<T>(3.628016f, 3.6280159867343476);       // 9/20 sqrt(65)
-  const T k_71     = detail::constant<T>(4.434242f, 4.434241761564202);        // 11/20 sqrt(65)
+  const T k_74     = detail::constant<T>(3.3166249f, 3.3166247903554);         // sqrt(11)
+  const T k_75     = detail::constant<T>(3.628016f, 3.6280159867343476);       // 9/20 sqrt(65)
+  const T k_76     = detail::constant<T>(4.434242f, 4.434241761564202);        // 11/20 sqrt(65)
   const T a_7_4    = detail::constant<T>(2.4308622f, 2.4308621740219887);      // 1/11 sqrt(715)
   const T b_7_4    = detail::constant<T>(0.90909094f, 0.9090909090909091);     // 10/11
   const T a_8_4    = detail::constant<T>(2.304886f, 2.3048861143232218);       // 1/4 sqrt(85)
@@ -196,31 +195,31 @@ constexpr void basis_normalised_accurate_l10(T x, T y, T z, T* out) noexcept {
   const T b_9_4    = detail::constant<T>(0.96715283f, 0.9671528397231822);     // 4/65 sqrt(247)
   const T a_10_4   = detail::constant<T>(2.1794496f, 2.179449471770337);       // 1/2 sqrt(19)
   const T b_10_4   = detail::constant<T>(0.97769237f, 0.9776923610938036);     // 1/34 sqrt(1105)
-  const T k_72     = detail::constant<T>(3.6055512f, 3.605551275463989);       // sqrt(13)
-  const T k_73     = detail::constant<T>(4.3481317f, 4.348131782731522);       // 11/8 sqrt(10)
-  const T k_74     = detail::constant<T>(5.138701f, 5.138701197773616);        // 13/8 sqrt(10)
+  const T k_77     = detail::constant<T>(3.6055512f, 3.605551275463989);       // sqrt(13)
+  const T k_78     = detail::constant<T>(4.3481317f, 4.348131782731522);       // 11/8 sqrt(10)
+  const T k_79     = detail::constant<T>(5.138701f, 5.138701197773616);        // 13/8 sqrt(10)
   const T a_8_5    = detail::constant<T>(2.5570416f, 2.557041559783794);       // 1/13 sqrt(1105)
   const T b_8_5    = detail::constant<T>(0.8970695f, 0.8970695222838924);      // 2/13 sqrt(34)
   const T a_9_5    = detail::constant<T>(2.4016364f, 2.401636346922061);       // 1/28 sqrt(4522)
   const T b_9_5    = detail::constant<T>(0.9392246f, 0.9392246042043709);      // 1/140 sqrt(17290)
   const T a_10_5   = detail::constant<T>(2.3065126f, 2.3065125189341593);      // 1/5 sqrt(133)
   const T b_10_5   = detail::constant<T>(0.96039206f, 0.9603920767980495);     // 14/85 sqrt(34)
-  const T k_75     = detail::constant<T>(3.8729835f, 3.872983346207417);       // sqrt(15)
-  const T k_76     = detail::constant<T>(5.0647593f, 5.0647591960808676);      // 13/28 sqrt(119)
-  const T k_77     = detail::constant<T>(5.843953f, 5.843952918554847);        // 15/28 sqrt(119)
+  const T k_80     = detail::constant<T>(3.8729835f, 3.872983346207417);       // sqrt(15)
+  const T k_81     = detail::constant<T>(5.0647593f, 5.0647591960808676);      // 13/28 sqrt(119)
+  const T k_82     = detail::constant<T>(5.843953f, 5.843952918554847);        // 15/28 sqrt(119)
   const T a_9_6    = detail::constant<T>(2.6791375f, 2.679137506321349);       // 1/15 sqrt(1615)
   const T b_9_6    = detail::constant<T>(0.8877771f, 0.8877770824639191);      // 2/45 sqrt(399)
   const T a_10_6   = detail::constant<T>(2.4968731f, 2.496873044429772);       // 1/8 sqrt(399)
   const T b_10_6   = detail::constant<T>(0.931969f, 0.9319689782769532);       // 3/136 sqrt(1785)
-  const T k_78     = detail::constant<T>(4.1231055f, 4.123105625617661);       // sqrt(17)
-  const T k_79     = detail::constant<T>(5.779138f, 5.7791381277834155);       // 15/16 sqrt(38)
-  const T k_80     = detail::constant<T>(6.54969f, 6.549689878154537);         // 17/16 sqrt(38)
+  const T k_83     = detail::constant<T>(4.1231055f, 4.123105625617661);       // sqrt(17)
+  const T k_84     = detail::constant<T>(5.779138f, 5.7791381277834155);       // 15/16 sqrt(38)
+  const T k_85     = detail::constant<T>(6.54969f, 6.549689878154537);         // 17/16 sqrt(38)
   const T a_10_7   = detail::constant<T>(2.7970574f, 2.7970572771691153);      // 1/17 sqrt(2261)
   const T b_10_7   = detail::constant<T>(0.88039f, 0.8803899733585745);        // 4/17 sqrt(14)
-  const T k_81     = detail::constant<T>(4.358899f, 4.358898943540674);        // sqrt(19)
-  const T k_82     = detail::constant<T>(6.4919825f, 6.491982234520774);       // 17/12 sqrt(21)
-  const T k_83     = detail::constant<T>(7.255745f, 7.255744850346747);        // 19/12 sqrt(21)
-  const T k_84     = detail::constant<T>(4.582576f, 4.58257569495584);         // sqrt(21)
+  const T k_86     = detail::constant<T>(4.358899f, 4.358898943540674);        // sqrt(19)
+  const T k_87     = detail::constant<T>(6.4919825f, 6.491982234520774);       // 17/12 sqrt(21)
+  const T k_88     = detail::constant<T>(7.255745f, 7.255744850346747);        // 19/12 sqrt(21)
+  const T k_89     = detail::constant<T>(4.582576f, 4.58257569495584);         // sqrt(21)
 
   out[0] = k_0_0;                                                                          // l=0 m=0
   const T inverse = one / detail::square_root(x * x + y * y + z * z);
@@ -235,50 +234,53 @@ constexpr void basis_normalised_accurate_l10(T x, T y, T z, T* out) noexcept {
   const T u = one - (t_3 + t_3);
   const T u2 = u * u;
   const T t_4 = u2 + u2 - one;
+  const T v = z2 - (nx * nx + ny * ny);
+  const T v2 = v * v;
+  const T t_5 = v2 + v2 - one;
   const T y_1_1c = k_1_1 * nx;
   out[3] = y_1_1c;                                                                         // l=1 m=1
   const T y_1_1s = k_1_1 * ny;
   out[1] = y_1_1s;                                                                         // l=1 m=-1
   const T y_2_2s = k_2_2s * nx * ny;
   out[4] = y_2_2s;                                                                         // l=2 m=-2
-  const T t_5 = (nx - ny) * (nx + ny);
-  const T y_2_2c = k_2_2c * t_5;
+  const T t_6 = (nx - ny) * (nx + ny);
+  const T y_2_2c = k_2_2c * t_6;
   out[8] = y_2_2c;                                                                         // l=2 m=2
-  const T t_6 = b_3_3 * (one - z2);
-  const T t_7 = a_3_3 * t_5;
-  const T y_3_3c = y_1_1c * (t_7 - t_6);
+  const T t_7 = b_3_3 * (one - z2);
+  const T t_8 = a_3_3 * t_6;
+  const T y_3_3c = y_1_1c * (t_8 - t_7);
   out[15] = y_3_3c;                                                                        // l=3 m=3
-  const T y_3_3s = y_1_1s * (t_7 + t_6);
+  const T y_3_3s = y_1_1s * (t_8 + t_7);
   out[9] = y_3_3s;                                                                         // l=3 m=-3
   const T y_4_4s = k_4_4s * y_2_2c * y_2_2s;
   out[16] = y_4_4s;                                                                        // l=4 m=-4
   const T y_4_4c = k_4_4c * (y_2_2c - y_2_2s) * (y_2_2c + y_2_2s);
   out[24] = y_4_4c;                                                                        // l=4 m=4
-  const T t_8 = k_5_5 * nx;
-  const T t_9 = k_5_5 * ny;
-  const T y_5_5c = t_8 * y_4_4c - t_9 * y_4_4s;
+  const T t_9 = k_5_5 * nx;
+  const T t_10 = k_5_5 * ny;
+  const T y_5_5c = t_9 * y_4_4c - t_10 * y_4_4s;
   out[35] = y_5_5c;                                                                        // l=5 m=5
-  const T y_5_5s = t_8 * y_4_4s + t_9 * y_4_4c;
+  const T y_5_5s = t_9 * y_4_4s + t_10 * y_4_4c;
   out[25] = y_5_5s;                                                                        // l=5 m=-5
   const T y_6_6s = k_6_6s * y_3_3c * y_3_3s;
   out[36] = y_6_6s;                                                                        // l=6 m=-6
   const T y_6_6c = k_6_6c * (y_3_3c - y_3_3s) * (y_3_3c + y_3_3s);
   out[48] = y_6_6c;                                                                        // l=6 m=6
-  const T t_10 = k_7_7 * nx;
-  const T t_11 = k_7_7 * ny;
-  const T y_7_7c = t_10 * y_6_6c - t_11 * y_6_6s;
+  const T t_11 = k_7_7 * nx;
+  const T t_12 = k_7_7 * ny;
+  const T y_7_7c = t_11 * y_6_6c - t_12 * y_6_6s;
   out[63] = y_7_7c;                                                                        // l=7 m=7
-  const T y_7_7s = t_10 * y_6_6s + t_11 * y_6_6c;
+  const T y_7_7s = t_11 * y_6_6s + t_12 * y_6_6c;
   out[49] = y_7_7s;                                                                        // l=7 m=-7
   const T y_8_8s = k_8_8s * y_4_4c * y_4_4s;
   out[64] = y_8_8s;                                                                        // l=8 m=-8
   const T y_8_8c = k_8_8c * (y_4_4c - y_4_4s) * (y_4_4c + y_4_4s);
   out[80] = y_8_8c;                                                                        // l=8 m=8
-  const T t_12 = k_9_9 * nx;
-  const T t_13 = k_9_9 * ny;
-  const T y_9_9c = t_12 * y_8_8c - t_13 * y_8_8s;
+  const T t_13 = k_9_9 * nx;
+  const T t_14 = k_9_9 * ny;
+  const T y_9_9c = t_13 * y_8_8c - t_14 * y_8_8s;
   out[99] = y_9_9c;                                                                        // l=9 m=9
-  const T y_9_9s = t_12 * y_8_8s + t_13 * y_8_8c;
+  const T y_9_9s = t_13 * y_8_8s + t_14 * y_8_8c;
   out[81] = y_9_9s;                                                                        // l=9 m=-9
   out[100] = k_10_10s * y_5_5c * y_5_5s;                                                   // l=10 m=-10
   out[120] = k_10_10c * (y_5_5c - y_5_5s) * (y_5_5c + y_5_5s);                             // l=10 m=10
@@ -289,9 +291,9 @@ constexpr void basis_normalised_accurate_l10(T x, T y, T z, T* out) noexcept {
   out[30] = (k_10 * u + (k_8 * t_4 + k_9)) * nz;                                           // l=5 m=0
   out[42] = (k_13 * t_2 - k_11) * t + (k_11 * t_2 + k_12);                                 // l=6 m=0
   out[56] = ((k_16 * t_4 - k_17) * u + (k_14 * t_4 - k_15)) * nz;                          // l=7 m=0
-  out[72] = (k_21 * t_2 - k_22) * t + ((k_18 * t_2 + k_19) * t_2 - k_20);                  // l=8 m=0
+  out[72] = (k_21 * t_5 - k_22) * v + ((k_18 * t_5 + k_19) * t_5 - k_20);                  // l=8 m=0
   out[90] = ((k_26 * t_4 - k_27) * u + ((k_23 * t_4 + k_24) * t_4 - k_25)) * nz;           // l=9 m=0
-  out[110] = ((k_31 * t_2 - k_32) * t_2 - k_33) * t + ((k_28 * t_2 + k_29) * t_2 - k_30);  // l=10 m=0
+  out[110] = ((k_31 * t_5 - k_32) * t_5 - k_33) * v + ((k_28 * t_5 + k_29) * t_5 - k_30);  // l=10 m=0
   const T p_2_1 = k_34 * nz;
   out[5] = p_2_1 * y_1_1s;                                                                 // l=2 m=-1
   out[7] = p_2_1 * y_1_1c;                                                                 // l=2 m=1
@@ -313,40 +315,41 @@ constexpr void basis_normalised_accurate_l10(T x, T y, T z, T* out) noexcept {
   const T p_8_1 = ((k_51 * t_2 + k_52) * t + (k_49 * t_2 + k_50)) * nz;
   out[71] = p_8_1 * y_1_1s;                                                                // l=8 m=-1
   out[73] = p_8_1 * y_1_1c;                                                                // l=8 m=1
-  const T q_9_1 = (k_56 * t_2 + k_57) * t + ((k_53 * t_2 + k_54) * t_2 - k_55);
-  out[89] = q_9_1 * y_1_1s;                                                                // l=9 m=-1
-  out[91] = q_9_1 * y_1_1c;                                                                // l=9 m=1
-  const T p_10_1 = ((k_61 * t_2 + k_62) * t + ((k_58 * t_2 + k_59) * t_2 - k_60)) * nz;
+  const T p_9_1 = a_9_1 * nz * p_8_1 - b_9_1 * q_7_1;
+  out[89] = p_9_1 * y_1_1s;                                                                // l=9 m=-1
+  out[91] = p_9_1 * y_1_1c;                                                                // l=9 m=1
+  const T p_10_1 = a_10_1 * nz * p_9_1 - b_10_1 * p_8_1;
   out[109] = p_10_1 * y_1_1s;                                                              // l=10 m=-1
   out[111] = p_10_1 * y_1_1c;                                                              // l=10 m=1
-  const T p_3_2 = k_63 * nz;
+  const T p_3_2 = k_53 * nz;
   out[10] = p_3_2 * y_2_2s;                                                                // l=3 m=-2
   out[14] = p_3_2 * y_2_2c;                                                                // l=3 m=2
-  const T q_4_2 = k_65 * t + k_64;
+  const T q_4_2 = k_55 * t + k_54;
   out[18] = q_4_2 * y_2_2s;                                                                // l=4 m=-2
   out[22] = q_4_2 * y_2_2c;                                                                // l=4 m=2
-  const T p_5_2 = a_5_2 * nz * q_4_2 - b_5_2 * p_3_2;
+  const T p_5_2 = (k_57 * t + k_56) * nz;
   out[28] = p_5_2 * y_2_2s;                                                                // l=5 m=-2
   out[32] = p_5_2 * y_2_2c;                                                                // l=5 m=2
-  const T p_6_2 = a_6_2 * nz * p_5_2 - b_6_2 * q_4_2;
-  out[40] = p_6_2 * y_2_2s;                                                                // l=6 m=-2
-  out[44] = p_6_2 * y_2_2c;                                                                // l=6 m=2
-  const T p_7_2 = a_7_2 * nz * p_6_2 - b_7_2 * p_5_2;
+  const T q_6_2 = k_60 * t + (k_58 * t_2 + k_59);
+  out[40] = q_6_2 * y_2_2s;                                                                // l=6 m=-2
+  out[44] = q_6_2 * y_2_2c;                                                                // l=6 m=2
+  const T p_7_2 = (k_63 * t + (k_61 * t_2 + k_62)) * nz;
   out[54] = p_7_2 * y_2_2s;                                                                // l=7 m=-2
   out[58] = p_7_2 * y_2_2c;                                                                // l=7 m=2
-  const T p_8_2 = a_8_2 * nz * p_7_2 - b_8_2 * p_6_2;
-  out[70] = p_8_2 * y_2_2s;                                                                // l=8 m=-2
-  out[74] = p_8_2 * y_2_2c;                                                                // l=8 m=2
-  const T p_9_2 = a_9_2 * nz * p_8_2 - b_9_2 * p_7_2;
+  const T t_15 = k_64 * t_2;
+  const T q_8_2 = (t_15 + k_66) * t + (t_15 + k_65);
+  out[70] = q_8_2 * y_2_2s;                                                                // l=8 m=-2
+  out[74] = q_8_2 * y_2_2c;                                                                // l=8 m=2
+  const T p_9_2 = ((k_69 * t_2 + k_70) * t + (k_67 * t_2 + k_68)) * nz;
   out[88] = p_9_2 * y_2_2s;                                                                // l=9 m=-2
   out[92] = p_9_2 * y_2_2c;                                                                // l=9 m=2
-  const T p_10_2 = a_10_2 * nz * p_9_2 - b_10_2 * p_8_2;
+  const T p_10_2 = a_10_2 * nz * p_9_2 - b_10_2 * q_8_2;
   out[108] = p_10_2 * y_2_2s;                                                              // l=10 m=-2
   out[112] = p_10_2 * y_2_2c;                                                              // l=10 m=2
-  const T p_4_3 = k_66 * nz;
+  const T p_4_3 = k_71 * nz;
   out[17] = p_4_3 * y_3_3s;                                                                // l=4 m=-3
   out[23] = p_4_3 * y_3_3c;                                                                // l=4 m=3
-  const T q_5_3 = k_68 * t + k_67;
+  const T q_5_3 = k_73 * t + k_72;
   out[27] = q_5_3 * y_3_3s;                                                                // l=5 m=-3
   out[33] = q_5_3 * y_3_3c;                                                                // l=5 m=3
   const T p_6_3 = a_6_3 * nz * q_5_3 - b_6_3 * p_4_3;
@@ -364,10 +367,10 @@ constexpr void basis_normalised_accurate_l10(T x, T y, T z, T* out) noexcept {
   const T p_10_3 = a_10_3 * nz * p_9_3 - b_10_3 * p_8_3;
   out[107] = p_10_3 * y_3_3s;                                                              // l=10 m=-3
   out[113] = p_10_3 * y_3_3c;                                                              // l=10 m=3
-  const T p_5_4 = k_69 * nz;
+  const T p_5_4 = k_74 * nz;
   out[26] = p_5_4 * y_4_4s;                                                                // l=5 m=-4
   out[34] = p_5_4 * y_4_4c;                                                                // l=5 m=4
-  const T q_6_4 = k_71 * t + k_70;
+  const T q_6_4 = k_76 * t + k_75;
   out[38] = q_6_4 * y_4_4s;                                                                // l=6 m=-4
   out[46] = q_6_4 * y_4_4c;                                                                // l=6 m=4
   const T p_7_4 = a_7_4 * nz * q_6_4 - b_7_4 * p_5_4;
@@ -382,10 +385,10 @@ constexpr void basis_normalised_accurate_l10(T x, T y, T z, T* out) noexcept {
   const T p_10_4 = a_10_4 * nz * p_9_4 - b_10_4 * p_8_4;
   out[106] = p_10_4 * y_4_4s;                                                              // l=10 m=-4
   out[114] = p_10_4 * y_4_4c;                                                              // l=10 m=4
-  const T p_6_5 = k_72 * nz;
+  const T p_6_5 = k_77 * nz;
   out[37] = p_6_5 * y_5_5s;                                                                // l=6 m=-5
   out[47] = p_6_5 * y_5_5c;                                                                // l=6 m=5
-  const T q_7_5 = k_74 * t + k_73;
+  const T q_7_5 = k_79 * t + k_78;
   out[51] = q_7_5 * y_5_5s;                                                                // l=7 m=-5
   out[61] = q_7_5 * y_5_5c;                                                                // l=7 m=5
   const T p_8_5 = a_8_5 * nz * q_7_5 - b_8_5 * p_6_5;
@@ -397,10 +400,10 @@ constexpr void basis_normalised_accurate_l10(T x, T y, T z, T* out) noexcept {
   const T p_10_5 = a_10_5 * nz * p_9_5 - b_10_5 * p_8_5;
   out[105] = p_10_5 * y_5_5s;                                                              // l=10 m=-5
   out[115] = p_10_5 * y_5_5c;                                                              // l=10 m=5
-  const T p_7_6 = k_75 * nz;
+  const T p_7_6 = k_80 * nz;
   out[50] = p_7_6 * y_6_6s;                                                                // l=7 m=-6
   out[62] = p_7_6 * y_6_6c;                                                                // l=7 m=6
-  const T q_8_6 = k_77 * t + k_76;
+  const T q_8_6 = k_82 * t + k_81;
   out[66] = q_8_6 * y_6_6s;                                                                // l=8 m=-6
   out[78] = q_8_6 * y_6_6c;                                                                // l=8 m=6
   const T p_9_6 = a_9_6 * nz * q_8_6 - b_9_6 * p_7_6;
@@ -409,22 +412,22 @@ constexpr void basis_normalised_accurate_l10(T x, T y, T z, T* out) noexcept {
   const T p_10_6 = a_10_6 * nz * p_9_6 - b_10_6 * q_8_6;
   out[104] = p_10_6 * y_6_6s;                                                              // l=10 m=-6
   out[116] = p_10_6 * y_6_6c;                                                              // l=10 m=6
-  const T p_8_7 = k_78 * nz;
+  const T p_8_7 = k_83 * nz;
   out[65] = p_8_7 * y_7_7s;                                                                // l=8 m=-7
   out[79] = p_8_7 * y_7_7c;                                                                // l=8 m=7
-  const T q_9_7 = k_80 * t + k_79;
+  const T q_9_7 = k_85 * t + k_84;
   out[83] = q_9_7 * y_7_7s;                                                                // l=9 m=-7
   out[97] = q_9_7 * y_7_7c;                                                                // l=9 m=7
   const T p_10_7 = a_10_7 * nz * q_9_7 - b_10_7 * p_8_7;
   out[103] = p_10_7 * y_7_7s;                                                              // l=10 m=-7
   out[117] = p_10_7 * y_7_7c;                                                              // l=10 m=7
-  const T p_9_8 = k_81 * nz;
+  const T p_9_8 = k_86 * nz;
   out[82] = p_9_8 * y_8_8s;                                                                // l=9 m=-8
   out[98] = p_9_8 * y_8_8c;                                                                // l=9 m=8
-  const T q_10_8 = k_83 * t + k_82;
+  const T q_10_8 = k_88 * t + k_87;
   out[102] = q_10_8 * y_8_8s;                                                              // l=10 m=-8
   out[118] = q_10_8 * y_8_8c;                                                              // l=10 m=8
-  const T p_10_9 = k_84 * nz;
+  const T p_10_9 = k_89 * nz;
   out[101] = p_10_9 * y_9_9s;                                                              // l=10 m=-9
   out[119] = p_10_9 * y_9_9c;                                                              // l=10 m=9
 }

@@ -7,13 +7,13 @@
 // Domain:       d = (x, y, z) finite, not zero, |d|^2 neither over- nor underflows; z is the polar axis
 // Output:       out (81): Y_lm(d/|d|) at index l(l+1)+m, orthonormal on the unit sphere, no Condon-Shortley phase
 // Recipe:       centred
-// Source:       polynomials in 2z^2-1 for m < 2, the recurrence in l for m >= 2, doubling in m; derived exactly
-// Cost:         177 multiplications, 70 additions, 1 divisions, 1 square roots; longest chain 20; at most 21 values
+// Source:       polynomials in 2z^2-1 for m <= 2, the recurrence in l for m > 2, doubling in m; derived exactly
+// Cost:         177 multiplications, 78 additions, 1 divisions, 1 square roots; longest chain 18; at most 23 values
 //               live
 // Error:        largest over 558 vectors (random, axes, poles, near poles; lengths 2^-20 to 2^20), without contraction;
 //               eps counts units of machine epsilon x sqrt((2l+1)/(4 pi))
-//               float   rounding 2.5e-06 (18.1 eps)
-//               double  rounding 9.6e-15 (37.1 eps)
+//               float   rounding 2.1e-06 (14.9 eps)
+//               double  rounding 6.7e-15 (27.7 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 #pragma once
 
@@ -136,39 +136,42 @@ constexpr void basis_normalised_accurate_l8(T x, T y, T z, T* out) noexcept {
   const T k_42   = detail::constant<T>(2.6457512f, 2.6457513110645907);      // sqrt(7)
   const T k_43   = detail::constant<T>(2.1650636f, 2.165063509461097);       // 5/4 sqrt(3)
   const T k_44   = detail::constant<T>(3.0310888f, 3.031088913245535);       // 7/4 sqrt(3)
-  const T a_5_2  = detail::constant<T>(2.1712406f, 2.1712405933672376);      // 1/7 sqrt(231)
-  const T b_5_2  = detail::constant<T>(0.9476071f, 0.9476070829586857);      // 2/7 sqrt(11)
-  const T a_6_2  = detail::constant<T>(2.113942f, 2.1139418156609704);       // 1/8 sqrt(286)
-  const T b_6_2  = detail::constant<T>(0.9736101f, 0.9736101204623269);      // 1/24 sqrt(546)
-  const T a_7_2  = detail::constant<T>(2.081666f, 2.0816659994661326);       // 1/3 sqrt(39)
-  const T b_7_2  = detail::constant<T>(0.9847319f, 0.9847319278346619);      // 4/33 sqrt(66)
-  const T a_8_2  = detail::constant<T>(2.0615528f, 2.0615528128088303);      // 1/2 sqrt(17)
-  const T b_8_2  = detail::constant<T>(0.9903379f, 0.9903379376602871);      // 1/26 sqrt(663)
-  const T k_45   = detail::constant<T>(3.0f, 3.0);                           // 3
-  const T k_46   = detail::constant<T>(2.9020467f, 2.902046691560975);       // 7/8 sqrt(11)
-  const T k_47   = detail::constant<T>(3.7312028f, 3.731202889149825);       // 9/8 sqrt(11)
+  const T k_45   = detail::constant<T>(2.193741f, 2.1937410968480306);       // 1/4 sqrt(77)
+  const T k_46   = detail::constant<T>(6.5812235f, 6.5812232905440915);      // 3/4 sqrt(77)
+  const T k_47   = detail::constant<T>(3.4780807f, 3.4780807780207605);      // 33/128 sqrt(182)
+  const T k_48   = detail::constant<T>(3.6888735f, 3.6888735524462613);      // 35/128 sqrt(182)
+  const T k_49   = detail::constant<T>(6.3237834f, 6.323783232765019);       // 15/32 sqrt(182)
+  const T k_50   = detail::constant<T>(7.2402024f, 7.240202499002532);       // 143/128 sqrt(42)
+  const T k_51   = detail::constant<T>(5.518756f, 5.5187557509879435);       // 109/128 sqrt(42)
+  const T k_52   = detail::constant<T>(6.683264f, 6.683263845233106);        // 33/32 sqrt(42)
+  const T k_53   = detail::constant<T>(7.46303f, 7.463029913562095);         // 143/512 sqrt(714)
+  const T k_54   = detail::constant<T>(5.479847f, 5.479847139328811);        // 105/512 sqrt(714)
+  const T k_55   = detail::constant<T>(6.3148713f, 6.314871465321773);       // 121/512 sqrt(714)
+  const T k_56   = detail::constant<T>(3.0f, 3.0);                           // 3
+  const T k_57   = detail::constant<T>(2.9020467f, 2.902046691560975);       // 7/8 sqrt(11)
+  const T k_58   = detail::constant<T>(3.7312028f, 3.731202889149825);       // 9/8 sqrt(11)
   const T a_6_3  = detail::constant<T>(2.3013682f, 2.3013683530231086);      // 1/9 sqrt(429)
   const T b_6_3  = detail::constant<T>(0.9251849f, 0.9251848886516145);      // 4/27 sqrt(39)
   const T a_7_3  = detail::constant<T>(2.20794f, 2.207940216581962);         // 1/4 sqrt(78)
   const T b_7_3  = detail::constant<T>(0.9594032f, 0.959403223600247);       // 9/44 sqrt(22)
   const T a_8_3  = detail::constant<T>(2.1532216f, 2.15322168769582);        // 1/11 sqrt(561)
   const T b_8_3  = detail::constant<T>(0.9752174f, 0.9752173865600178);      // 2/143 sqrt(4862)
-  const T k_48   = detail::constant<T>(3.3166249f, 3.3166247903554);         // sqrt(11)
-  const T k_49   = detail::constant<T>(3.628016f, 3.6280159867343476);       // 9/20 sqrt(65)
-  const T k_50   = detail::constant<T>(4.434242f, 4.434241761564202);        // 11/20 sqrt(65)
+  const T k_59   = detail::constant<T>(3.3166249f, 3.3166247903554);         // sqrt(11)
+  const T k_60   = detail::constant<T>(3.628016f, 3.6280159867343476);       // 9/20 sqrt(65)
+  const T k_61   = detail::constant<T>(4.434242f, 4.434241761564202);        // 11/20 sqrt(65)
   const T a_7_4  = detail::constant<T>(2.4308622f, 2.4308621740219887);      // 1/11 sqrt(715)
   const T b_7_4  = detail::constant<T>(0.90909094f, 0.9090909090909091);     // 10/11
   const T a_8_4  = detail::constant<T>(2.304886f, 2.3048861143232218);       // 1/4 sqrt(85)
   const T b_8_4  = detail::constant<T>(0.9481764f, 0.9481763873554654);      // 1/52 sqrt(2431)
-  const T k_51   = detail::constant<T>(3.6055512f, 3.605551275463989);       // sqrt(13)
-  const T k_52   = detail::constant<T>(4.3481317f, 4.348131782731522);       // 11/8 sqrt(10)
-  const T k_53   = detail::constant<T>(5.138701f, 5.138701197773616);        // 13/8 sqrt(10)
+  const T k_62   = detail::constant<T>(3.6055512f, 3.605551275463989);       // sqrt(13)
+  const T k_63   = detail::constant<T>(4.3481317f, 4.348131782731522);       // 11/8 sqrt(10)
+  const T k_64   = detail::constant<T>(5.138701f, 5.138701197773616);        // 13/8 sqrt(10)
   const T a_8_5  = detail::constant<T>(2.5570416f, 2.557041559783794);       // 1/13 sqrt(1105)
   const T b_8_5  = detail::constant<T>(0.8970695f, 0.8970695222838924);      // 2/13 sqrt(34)
-  const T k_54   = detail::constant<T>(3.8729835f, 3.872983346207417);       // sqrt(15)
-  const T k_55   = detail::constant<T>(5.0647593f, 5.0647591960808676);      // 13/28 sqrt(119)
-  const T k_56   = detail::constant<T>(5.843953f, 5.843952918554847);        // 15/28 sqrt(119)
-  const T k_57   = detail::constant<T>(4.1231055f, 4.123105625617661);       // sqrt(17)
+  const T k_65   = detail::constant<T>(3.8729835f, 3.872983346207417);       // sqrt(15)
+  const T k_66   = detail::constant<T>(5.0647593f, 5.0647591960808676);      // 13/28 sqrt(119)
+  const T k_67   = detail::constant<T>(5.843953f, 5.843952918554847);        // 15/28 sqrt(119)
+  const T k_68   = detail::constant<T>(4.1231055f, 4.123105625617661);       // sqrt(17)
 
   out[0] = k_0_0;                                                          // l=0 m=0
   const T inverse = one / detail::square_root(x * x + y * y + z * z);
@@ -183,40 +186,43 @@ constexpr void basis_normalised_accurate_l8(T x, T y, T z, T* out) noexcept {
   const T u = one - (t_3 + t_3);
   const T u2 = u * u;
   const T t_4 = u2 + u2 - one;
+  const T v = z2 - (nx * nx + ny * ny);
+  const T v2 = v * v;
+  const T t_5 = v2 + v2 - one;
   const T y_1_1c = k_1_1 * nx;
   out[3] = y_1_1c;                                                         // l=1 m=1
   const T y_1_1s = k_1_1 * ny;
   out[1] = y_1_1s;                                                         // l=1 m=-1
   const T y_2_2s = k_2_2s * nx * ny;
   out[4] = y_2_2s;                                                         // l=2 m=-2
-  const T t_5 = (nx - ny) * (nx + ny);
-  const T y_2_2c = k_2_2c * t_5;
+  const T t_6 = (nx - ny) * (nx + ny);
+  const T y_2_2c = k_2_2c * t_6;
   out[8] = y_2_2c;                                                         // l=2 m=2
-  const T t_6 = b_3_3 * (one - z2);
-  const T t_7 = a_3_3 * t_5;
-  const T y_3_3c = y_1_1c * (t_7 - t_6);
+  const T t_7 = b_3_3 * (one - z2);
+  const T t_8 = a_3_3 * t_6;
+  const T y_3_3c = y_1_1c * (t_8 - t_7);
   out[15] = y_3_3c;                                                        // l=3 m=3
-  const T y_3_3s = y_1_1s * (t_7 + t_6);
+  const T y_3_3s = y_1_1s * (t_8 + t_7);
   out[9] = y_3_3s;                                                         // l=3 m=-3
   const T y_4_4s = k_4_4s * y_2_2c * y_2_2s;
   out[16] = y_4_4s;                                                        // l=4 m=-4
   const T y_4_4c = k_4_4c * (y_2_2c - y_2_2s) * (y_2_2c + y_2_2s);
   out[24] = y_4_4c;                                                        // l=4 m=4
-  const T t_8 = k_5_5 * nx;
-  const T t_9 = k_5_5 * ny;
-  const T y_5_5c = t_8 * y_4_4c - t_9 * y_4_4s;
+  const T t_9 = k_5_5 * nx;
+  const T t_10 = k_5_5 * ny;
+  const T y_5_5c = t_9 * y_4_4c - t_10 * y_4_4s;
   out[35] = y_5_5c;                                                        // l=5 m=5
-  const T y_5_5s = t_8 * y_4_4s + t_9 * y_4_4c;
+  const T y_5_5s = t_9 * y_4_4s + t_10 * y_4_4c;
   out[25] = y_5_5s;                                                        // l=5 m=-5
   const T y_6_6s = k_6_6s * y_3_3c * y_3_3s;
   out[36] = y_6_6s;                                                        // l=6 m=-6
   const T y_6_6c = k_6_6c * (y_3_3c - y_3_3s) * (y_3_3c + y_3_3s);
   out[48] = y_6_6c;                                                        // l=6 m=6
-  const T t_10 = k_7_7 * nx;
-  const T t_11 = k_7_7 * ny;
-  const T y_7_7c = t_10 * y_6_6c - t_11 * y_6_6s;
+  const T t_11 = k_7_7 * nx;
+  const T t_12 = k_7_7 * ny;
+  const T y_7_7c = t_11 * y_6_6c - t_12 * y_6_6s;
   out[63] = y_7_7c;                                                        // l=7 m=7
-  const T y_7_7s = t_10 * y_6_6s + t_11 * y_6_6c;
+  const T y_7_7s = t_11 * y_6_6s + t_12 * y_6_6c;
   out[49] = y_7_7s;                                                        // l=7 m=-7
   out[64] = k_8_8s * y_4_4c * y_4_4s;                                      // l=8 m=-8
   out[80] = k_8_8c * (y_4_4c - y_4_4s) * (y_4_4c + y_4_4s);                // l=8 m=8
@@ -227,7 +233,7 @@ constexpr void basis_normalised_accurate_l8(T x, T y, T z, T* out) noexcept {
   out[30] = (k_10 * u + (k_8 * t_4 + k_9)) * nz;                           // l=5 m=0
   out[42] = (k_13 * t_2 - k_11) * t + (k_11 * t_2 + k_12);                 // l=6 m=0
   out[56] = ((k_16 * t_4 - k_17) * u + (k_14 * t_4 - k_15)) * nz;          // l=7 m=0
-  out[72] = (k_21 * t_2 - k_22) * t + ((k_18 * t_2 + k_19) * t_2 - k_20);  // l=8 m=0
+  out[72] = (k_21 * t_5 - k_22) * v + ((k_18 * t_5 + k_19) * t_5 - k_20);  // l=8 m=0
   const T p_2_1 = k_23 * nz;
   out[5] = p_2_1 * y_1_1s;                                                 // l=2 m=-1
   out[7] = p_2_1 * y_1_1c;                                                 // l=2 m=1
@@ -255,22 +261,23 @@ constexpr void basis_normalised_accurate_l8(T x, T y, T z, T* out) noexcept {
   const T q_4_2 = k_44 * t + k_43;
   out[18] = q_4_2 * y_2_2s;                                                // l=4 m=-2
   out[22] = q_4_2 * y_2_2c;                                                // l=4 m=2
-  const T p_5_2 = a_5_2 * nz * q_4_2 - b_5_2 * p_3_2;
+  const T p_5_2 = (k_46 * t + k_45) * nz;
   out[28] = p_5_2 * y_2_2s;                                                // l=5 m=-2
   out[32] = p_5_2 * y_2_2c;                                                // l=5 m=2
-  const T p_6_2 = a_6_2 * nz * p_5_2 - b_6_2 * q_4_2;
-  out[40] = p_6_2 * y_2_2s;                                                // l=6 m=-2
-  out[44] = p_6_2 * y_2_2c;                                                // l=6 m=2
-  const T p_7_2 = a_7_2 * nz * p_6_2 - b_7_2 * p_5_2;
+  const T q_6_2 = k_49 * t + (k_47 * t_2 + k_48);
+  out[40] = q_6_2 * y_2_2s;                                                // l=6 m=-2
+  out[44] = q_6_2 * y_2_2c;                                                // l=6 m=2
+  const T p_7_2 = (k_52 * t + (k_50 * t_2 + k_51)) * nz;
   out[54] = p_7_2 * y_2_2s;                                                // l=7 m=-2
   out[58] = p_7_2 * y_2_2c;                                                // l=7 m=2
-  const T p_8_2 = a_8_2 * nz * p_7_2 - b_8_2 * p_6_2;
-  out[70] = p_8_2 * y_2_2s;                                                // l=8 m=-2
-  out[74] = p_8_2 * y_2_2c;                                                // l=8 m=2
-  const T p_4_3 = k_45 * nz;
+  const T t_13 = k_53 * t_2;
+  const T q_8_2 = (t_13 + k_55) * t + (t_13 + k_54);
+  out[70] = q_8_2 * y_2_2s;                                                // l=8 m=-2
+  out[74] = q_8_2 * y_2_2c;                                                // l=8 m=2
+  const T p_4_3 = k_56 * nz;
   out[17] = p_4_3 * y_3_3s;                                                // l=4 m=-3
   out[23] = p_4_3 * y_3_3c;                                                // l=4 m=3
-  const T q_5_3 = k_47 * t + k_46;
+  const T q_5_3 = k_58 * t + k_57;
   out[27] = q_5_3 * y_3_3s;                                                // l=5 m=-3
   out[33] = q_5_3 * y_3_3c;                                                // l=5 m=3
   const T p_6_3 = a_6_3 * nz * q_5_3 - b_6_3 * p_4_3;
@@ -282,10 +289,10 @@ constexpr void basis_normalised_accurate_l8(T x, T y, T z, T* out) noexcept {
   const T p_8_3 = a_8_3 * nz * p_7_3 - b_8_3 * p_6_3;
   out[69] = p_8_3 * y_3_3s;                                                // l=8 m=-3
   out[75] = p_8_3 * y_3_3c;                                                // l=8 m=3
-  const T p_5_4 = k_48 * nz;
+  const T p_5_4 = k_59 * nz;
   out[26] = p_5_4 * y_4_4s;                                                // l=5 m=-4
   out[34] = p_5_4 * y_4_4c;                                                // l=5 m=4
-  const T q_6_4 = k_50 * t + k_49;
+  const T q_6_4 = k_61 * t + k_60;
   out[38] = q_6_4 * y_4_4s;                                                // l=6 m=-4
   out[46] = q_6_4 * y_4_4c;                                                // l=6 m=4
   const T p_7_4 = a_7_4 * nz * q_6_4 - b_7_4 * p_5_4;
@@ -294,22 +301,22 @@ constexpr void basis_normalised_accurate_l8(T x, T y, T z, T* out) noexcept {
   const T p_8_4 = a_8_4 * nz * p_7_4 - b_8_4 * q_6_4;
   out[68] = p_8_4 * y_4_4s;                                                // l=8 m=-4
   out[76] = p_8_4 * y_4_4c;                                                // l=8 m=4
-  const T p_6_5 = k_51 * nz;
+  const T p_6_5 = k_62 * nz;
   out[37] = p_6_5 * y_5_5s;                                                // l=6 m=-5
   out[47] = p_6_5 * y_5_5c;                                                // l=6 m=5
-  const T q_7_5 = k_53 * t + k_52;
+  const T q_7_5 = k_64 * t + k_63;
   out[51] = q_7_5 * y_5_5s;                                                // l=7 m=-5
   out[61] = q_7_5 * y_5_5c;                                                // l=7 m=5
   const T p_8_5 = a_8_5 * nz * q_7_5 - b_8_5 * p_6_5;
   out[67] = p_8_5 * y_5_5s;                                                // l=8 m=-5
   out[77] = p_8_5 * y_5_5c;                                                // l=8 m=5
-  const T p_7_6 = k_54 * nz;
+  const T p_7_6 = k_65 * nz;
   out[50] = p_7_6 * y_6_6s;                                                // l=7 m=-6
   out[62] = p_7_6 * y_6_6c;                                                // l=7 m=6
-  const T q_8_6 = k_56 * t + k_55;
+  const T q_8_6 = k_67 * t + k_66;
   out[66] = q_8_6 * y_6_6s;                                                // l=8 m=-6
   out[78] = q_8_6 * y_6_6c;                                                // l=8 m=6
-  const T p_8_7 = k_57 * nz;
+  const T p_8_7 = k_68 * nz;
   out[65] = p_8_7 * y_7_7s;                                                // l=8 m=-7
   out[79] = p_8_7 * y_7_7c;                                                // l=8 m=7
 }

@@ -7,12 +7,12 @@
 // Domain:       |d| = 1 for d = (x, y, z); z is the polar axis
 // Output:       result (121): Y_lm(d) at index l(l+1)+m, orthonormal on the unit sphere, no Condon-Shortley phase
 // Recipe:       centred
-// Source:       polynomials in 2z^2-1 for m < 2, the recurrence in l for m >= 2, doubling in m; derived exactly
-// Cost:         271 multiplications, 102 additions; longest chain 18; at most 25 values live
+// Source:       polynomials in 2z^2-1 for m <= 2, the recurrence in l for m > 2, doubling in m; derived exactly
+// Cost:         269 multiplications, 106 additions; longest chain 16; at most 27 values live
 // Error:        largest over 1110 directions (random, axes, poles, near poles), without contraction;
 //               eps counts units of machine epsilon x sqrt((2l+1)/(4 pi))
-//               float   rounding 1.1e-06 (7.3 eps)  total 2.1e-06 (13.7 eps)
-//               double  rounding 2.1e-15 (7.4 eps)  total 7.2e-15 (25.0 eps)
+//               float   rounding 8.3e-07 (5.4 eps)  total 2.0e-06 (13.7 eps)
+//               double  rounding 1.5e-15 (5.8 eps)  total 5.9e-15 (21.8 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               total:    against the exact function at the input scaled to length 1
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
@@ -91,34 +91,33 @@ void basis_accurate_l10(float x, float y, float z, out float result[121]) {
     const float k_50     = 1.2413812;    // 89/512 sqrt(51)
     const float k_51     = 9.972893;     // 715/512 sqrt(51)
     const float k_52     = 1.0740039;    // 77/512 sqrt(51)
-    const float k_53     = 5.009766;     // 2431/8192 sqrt(285)
-    const float k_54     = 4.1256895;    // 1001/4096 sqrt(285)
-    const float k_55     = 0.2328686;    // 113/8192 sqrt(285)
-    const float k_56     = 7.072611;     // 429/1024 sqrt(285)
-    const float k_57     = 0.90674496;   // 55/1024 sqrt(285)
-    const float k_58     = 10.057413;    // 4199/8192 sqrt(385)
-    const float k_59     = 6.2897754;    // 1313/4096 sqrt(385)
-    const float k_60     = 1.7077723;    // 713/8192 sqrt(385)
-    const float k_61     = 4.2347;       // 221/1024 sqrt(385)
-    const float k_62     = 0.7473;       // 39/1024 sqrt(385)
-    const float k_63     = 2.6457512;    // sqrt(7)
-    const float k_64     = 2.1650636;    // 5/4 sqrt(3)
-    const float k_65     = 3.0310888;    // 7/4 sqrt(3)
-    const float a_5_2    = 2.1712406;    // 1/7 sqrt(231)
-    const float b_5_2    = 0.9476071;    // 2/7 sqrt(11)
-    const float a_6_2    = 2.113942;     // 1/8 sqrt(286)
-    const float b_6_2    = 0.9736101;    // 1/24 sqrt(546)
-    const float a_7_2    = 2.081666;     // 1/3 sqrt(39)
-    const float b_7_2    = 0.9847319;    // 4/33 sqrt(66)
-    const float a_8_2    = 2.0615528;    // 1/2 sqrt(17)
-    const float b_8_2    = 0.9903379;    // 1/26 sqrt(663)
-    const float a_9_2    = 2.0481224;    // 1/77 sqrt(24871)
-    const float b_9_2    = 0.9934853;    // 2/77 sqrt(1463)
+    const float a_9_1    = 2.0093532;    // 1/20 sqrt(1615)
+    const float b_9_1    = 0.9987492;    // 1/20 sqrt(399)
+    const float a_10_1   = 2.0075614;    // 1/33 sqrt(4389)
+    const float b_10_1   = 0.9991083;    // 4/561 sqrt(19635)
+    const float k_53     = 2.6457512;    // sqrt(7)
+    const float k_54     = 2.1650636;    // 5/4 sqrt(3)
+    const float k_55     = 3.0310888;    // 7/4 sqrt(3)
+    const float k_56     = 2.193741;     // 1/4 sqrt(77)
+    const float k_57     = 6.5812235;    // 3/4 sqrt(77)
+    const float k_58     = 3.4780807;    // 33/128 sqrt(182)
+    const float k_59     = 3.6888735;    // 35/128 sqrt(182)
+    const float k_60     = 6.3237834;    // 15/32 sqrt(182)
+    const float k_61     = 7.2402024;    // 143/128 sqrt(42)
+    const float k_62     = 5.518756;     // 109/128 sqrt(42)
+    const float k_63     = 6.683264;     // 33/32 sqrt(42)
+    const float k_64     = 7.46303;      // 143/512 sqrt(714)
+    const float k_65     = 5.479847;     // 105/512 sqrt(714)
+    const float k_66     = 6.3148713;    // 121/512 sqrt(714)
+    const float k_67     = 8.092164;     // 117/512 sqrt(1254)
+    const float k_68     = 5.740595;     // 83/512 sqrt(1254)
+    const float k_69     = 15.285198;    // 221/512 sqrt(1254)
+    const float k_70     = 6.2939053;    // 91/512 sqrt(1254)
     const float a_10_2   = 2.0386884;    // 1/8 sqrt(266)
     const float b_10_2   = 0.9953938;    // 7/136 sqrt(374)
-    const float k_66     = 3.0;          // 3
-    const float k_67     = 2.9020467;    // 7/8 sqrt(11)
-    const float k_68     = 3.7312028;    // 9/8 sqrt(11)
+    const float k_71     = 3.0;          // 3
+    const float k_72     = 2.9020467;    // 7/8 sqrt(11)
+    const float k_73     = 3.7312028;    // 9/8 sqrt(11)
     const float a_6_3    = 2.3013682;    // 1/9 sqrt(429)
     const float b_6_3    = 0.9251849;    // 4/27 sqrt(39)
     const float a_7_3    = 2.20794;      // 1/4 sqrt(78)
@@ -129,9 +128,9 @@ void basis_accurate_l10(float x, float y, float z, out float result[121]) {
     const float b_9_3    = 0.98366284;   // 1/36 sqrt(1254)
     const float a_10_3   = 2.0939474;    // 1/13 sqrt(741)
     const float b_10_3   = 0.9886231;    // 6/221 sqrt(1326)
-    const float k_69     = 3.3166249;    // sqrt(11)
-    const float k_70     = 3.628016;     // 9/20 sqrt(65)
-    const float k_71     = 4.434242;     // 11/20 sqrt(65)
+    const float k_74     = 3.3166249;    // sqrt(11)
+    const float k_75     = 3.628016;     // 9/20 sqrt(65)
+    const float k_76     = 4.434242;     // 11/20 sqrt(65)
     const float a_7_4    = 2.4308622;    // 1/11 sqrt(715)
     const float b_7_4    = 0.90909094;   // 10/11
     const float a_8_4    = 2.304886;     // 1/4 sqrt(85)
@@ -140,31 +139,31 @@ void basis_accurate_l10(float x, float y, float z, out float result[121]) {
     const float b_9_4    = 0.96715283;   // 4/65 sqrt(247)
     const float a_10_4   = 2.1794496;    // 1/2 sqrt(19)
     const float b_10_4   = 0.97769237;   // 1/34 sqrt(1105)
-    const float k_72     = 3.6055512;    // sqrt(13)
-    const float k_73     = 4.3481317;    // 11/8 sqrt(10)
-    const float k_74     = 5.138701;     // 13/8 sqrt(10)
+    const float k_77     = 3.6055512;    // sqrt(13)
+    const float k_78     = 4.3481317;    // 11/8 sqrt(10)
+    const float k_79     = 5.138701;     // 13/8 sqrt(10)
     const float a_8_5    = 2.5570416;    // 1/13 sqrt(1105)
     const float b_8_5    = 0.8970695;    // 2/13 sqrt(34)
     const float a_9_5    = 2.4016364;    // 1/28 sqrt(4522)
     const float b_9_5    = 0.9392246;    // 1/140 sqrt(17290)
     const float a_10_5   = 2.3065126;    // 1/5 sqrt(133)
     const float b_10_5   = 0.96039206;   // 14/85 sqrt(34)
-    const float k_75     = 3.8729835;    // sqrt(15)
-    const float k_76     = 5.0647593;    // 13/28 sqrt(119)
-    const float k_77     = 5.843953;     // 15/28 sqrt(119)
+    const float k_80     = 3.8729835;    // sqrt(15)
+    const float k_81     = 5.0647593;    // 13/28 sqrt(119)
+    const float k_82     = 5.843953;     // 15/28 sqrt(119)
     const float a_9_6    = 2.6791375;    // 1/15 sqrt(1615)
     const float b_9_6    = 0.8877771;    // 2/45 sqrt(399)
     const float a_10_6   = 2.4968731;    // 1/8 sqrt(399)
     const float b_10_6   = 0.931969;     // 3/136 sqrt(1785)
-    const float k_78     = 4.1231055;    // sqrt(17)
-    const float k_79     = 5.779138;     // 15/16 sqrt(38)
-    const float k_80     = 6.54969;      // 17/16 sqrt(38)
+    const float k_83     = 4.1231055;    // sqrt(17)
+    const float k_84     = 5.779138;     // 15/16 sqrt(38)
+    const float k_85     = 6.54969;      // 17/16 sqrt(38)
     const float a_10_7   = 2.7970574;    // 1/17 sqrt(2261)
     const float b_10_7   = 0.88039;      // 4/17 sqrt(14)
-    const float k_81     = 4.358899;     // sqrt(19)
-    const float k_82     = 6.4919825;    // 17/12 sqrt(21)
-    const float k_83     = 7.255745;     // 19/12 sqrt(21)
-    const float k_84     = 4.582576;     // sqrt(21)
+    const float k_86     = 4.358899;     // sqrt(19)
+    const float k_87     = 6.4919825;    // 17/12 sqrt(21)
+    const float k_88     = 7.255745;     // 19/12 sqrt(21)
+    const float k_89     = 4.582576;     // sqrt(21)
 
     result[0] = k_0_0;                                                                          // l=0 m=0
     float z2 = z * z;
@@ -175,50 +174,53 @@ void basis_accurate_l10(float x, float y, float z, out float result[121]) {
     float u = one - (t_3 + t_3);
     float u2 = u * u;
     float t_4 = u2 + u2 - one;
+    float v = z2 - (x * x + y * y);
+    float v2 = v * v;
+    float t_5 = v2 + v2 - one;
     float y_1_1c = k_1_1 * x;
     result[3] = y_1_1c;                                                                         // l=1 m=1
     float y_1_1s = k_1_1 * y;
     result[1] = y_1_1s;                                                                         // l=1 m=-1
     float y_2_2s = k_2_2s * x * y;
     result[4] = y_2_2s;                                                                         // l=2 m=-2
-    float t_5 = (x - y) * (x + y);
-    float y_2_2c = k_2_2c * t_5;
+    float t_6 = (x - y) * (x + y);
+    float y_2_2c = k_2_2c * t_6;
     result[8] = y_2_2c;                                                                         // l=2 m=2
-    float t_6 = b_3_3 * (one - z2);
-    float t_7 = a_3_3 * t_5;
-    float y_3_3c = y_1_1c * (t_7 - t_6);
+    float t_7 = b_3_3 * (one - z2);
+    float t_8 = a_3_3 * t_6;
+    float y_3_3c = y_1_1c * (t_8 - t_7);
     result[15] = y_3_3c;                                                                        // l=3 m=3
-    float y_3_3s = y_1_1s * (t_7 + t_6);
+    float y_3_3s = y_1_1s * (t_8 + t_7);
     result[9] = y_3_3s;                                                                         // l=3 m=-3
     float y_4_4s = k_4_4s * y_2_2c * y_2_2s;
     result[16] = y_4_4s;                                                                        // l=4 m=-4
     float y_4_4c = k_4_4c * (y_2_2c - y_2_2s) * (y_2_2c + y_2_2s);
     result[24] = y_4_4c;                                                                        // l=4 m=4
-    float t_8 = k_5_5 * x;
-    float t_9 = k_5_5 * y;
-    float y_5_5c = t_8 * y_4_4c - t_9 * y_4_4s;
+    float t_9 = k_5_5 * x;
+    float t_10 = k_5_5 * y;
+    float y_5_5c = t_9 * y_4_4c - t_10 * y_4_4s;
     result[35] = y_5_5c;                                                                        // l=5 m=5
-    float y_5_5s = t_8 * y_4_4s + t_9 * y_4_4c;
+    float y_5_5s = t_9 * y_4_4s + t_10 * y_4_4c;
     result[25] = y_5_5s;                                                                        // l=5 m=-5
     float y_6_6s = k_6_6s * y_3_3c * y_3_3s;
     result[36] = y_6_6s;                                                                        // l=6 m=-6
     float y_6_6c = k_6_6c * (y_3_3c - y_3_3s) * (y_3_3c + y_3_3s);
     result[48] = y_6_6c;                                                                        // l=6 m=6
-    float t_10 = k_7_7 * x;
-    float t_11 = k_7_7 * y;
-    float y_7_7c = t_10 * y_6_6c - t_11 * y_6_6s;
+    float t_11 = k_7_7 * x;
+    float t_12 = k_7_7 * y;
+    float y_7_7c = t_11 * y_6_6c - t_12 * y_6_6s;
     result[63] = y_7_7c;                                                                        // l=7 m=7
-    float y_7_7s = t_10 * y_6_6s + t_11 * y_6_6c;
+    float y_7_7s = t_11 * y_6_6s + t_12 * y_6_6c;
     result[49] = y_7_7s;                                                                        // l=7 m=-7
     float y_8_8s = k_8_8s * y_4_4c * y_4_4s;
     result[64] = y_8_8s;                                                                        // l=8 m=-8
     float y_8_8c = k_8_8c * (y_4_4c - y_4_4s) * (y_4_4c + y_4_4s);
     result[80] = y_8_8c;                                                                        // l=8 m=8
-    float t_12 = k_9_9 * x;
-    float t_13 = k_9_9 * y;
-    float y_9_9c = t_12 * y_8_8c - t_13 * y_8_8s;
+    float t_13 = k_9_9 * x;
+    float t_14 = k_9_9 * y;
+    float y_9_9c = t_13 * y_8_8c - t_14 * y_8_8s;
     result[99] = y_9_9c;                                                                        // l=9 m=9
-    float y_9_9s = t_12 * y_8_8s + t_13 * y_8_8c;
+    float y_9_9s = t_13 * y_8_8s + t_14 * y_8_8c;
     result[81] = y_9_9s;                                                                        // l=9 m=-9
     result[100] = k_10_10s * y_5_5c * y_5_5s;                                                   // l=10 m=-10
     result[120] = k_10_10c * (y_5_5c - y_5_5s) * (y_5_5c + y_5_5s);                             // l=10 m=10
@@ -229,9 +231,9 @@ void basis_accurate_l10(float x, float y, float z, out float result[121]) {
     result[30] = (k_10 * u + (k_8 * t_4 + k_9)) * z;                                            // l=5 m=0
     result[42] = (k_13 * t_2 - k_11) * t + (k_11 * t_2 + k_12);                                 // l=6 m=0
     result[56] = ((k_16 * t_4 - k_17) * u + (k_14 * t_4 - k_15)) * z;                           // l=7 m=0
-    result[72] = (k_21 * t_2 - k_22) * t + ((k_18 * t_2 + k_19) * t_2 - k_20);                  // l=8 m=0
+    result[72] = (k_21 * t_5 - k_22) * v + ((k_18 * t_5 + k_19) * t_5 - k_20);                  // l=8 m=0
     result[90] = ((k_26 * t_4 - k_27) * u + ((k_23 * t_4 + k_24) * t_4 - k_25)) * z;            // l=9 m=0
-    result[110] = ((k_31 * t_2 - k_32) * t_2 - k_33) * t + ((k_28 * t_2 + k_29) * t_2 - k_30);  // l=10 m=0
+    result[110] = ((k_31 * t_5 - k_32) * t_5 - k_33) * v + ((k_28 * t_5 + k_29) * t_5 - k_30);  // l=10 m=0
     float p_2_1 = k_34 * z;
     result[5] = p_2_1 * y_1_1s;                                                                 // l=2 m=-1
     result[7] = p_2_1 * y_1_1c;                                                                 // l=2 m=1
@@ -253,40 +255,41 @@ void basis_accurate_l10(float x, float y, float z, out float result[121]) {
     float p_8_1 = ((k_51 * t_2 + k_52) * t + (k_49 * t_2 + k_50)) * z;
     result[71] = p_8_1 * y_1_1s;                                                                // l=8 m=-1
     result[73] = p_8_1 * y_1_1c;                                                                // l=8 m=1
-    float q_9_1 = (k_56 * t_2 + k_57) * t + ((k_53 * t_2 + k_54) * t_2 - k_55);
-    result[89] = q_9_1 * y_1_1s;                                                                // l=9 m=-1
-    result[91] = q_9_1 * y_1_1c;                                                                // l=9 m=1
-    float p_10_1 = ((k_61 * t_2 + k_62) * t + ((k_58 * t_2 + k_59) * t_2 - k_60)) * z;
+    float p_9_1 = a_9_1 * z * p_8_1 - b_9_1 * q_7_1;
+    result[89] = p_9_1 * y_1_1s;                                                                // l=9 m=-1
+    result[91] = p_9_1 * y_1_1c;                                                                // l=9 m=1
+    float p_10_1 = a_10_1 * z * p_9_1 - b_10_1 * p_8_1;
     result[109] = p_10_1 * y_1_1s;                                                              // l=10 m=-1
     result[111] = p_10_1 * y_1_1c;                                                              // l=10 m=1
-    float p_3_2 = k_63 * z;
+    float p_3_2 = k_53 * z;
     result[10] = p_3_2 * y_2_2s;                                                                // l=3 m=-2
     result[14] = p_3_2 * y_2_2c;                                                                // l=3 m=2
-    float q_4_2 = k_65 * t + k_64;
+    float q_4_2 = k_55 * t + k_54;
     result[18] = q_4_2 * y_2_2s;                                                                // l=4 m=-2
     result[22] = q_4_2 * y_2_2c;                                                                // l=4 m=2
-    float p_5_2 = a_5_2 * z * q_4_2 - b_5_2 * p_3_2;
+    float p_5_2 = (k_57 * t + k_56) * z;
     result[28] = p_5_2 * y_2_2s;                                                                // l=5 m=-2
     result[32] = p_5_2 * y_2_2c;                                                                // l=5 m=2
-    float p_6_2 = a_6_2 * z * p_5_2 - b_6_2 * q_4_2;
-    result[40] = p_6_2 * y_2_2s;                                                                // l=6 m=-2
-    result[44] = p_6_2 * y_2_2c;                                                                // l=6 m=2
-    float p_7_2 = a_7_2 * z * p_6_2 - b_7_2 * p_5_2;
+    float q_6_2 = k_60 * t + (k_58 * t_2 + k_59);
+    result[40] = q_6_2 * y_2_2s;                                                                // l=6 m=-2
+    result[44] = q_6_2 * y_2_2c;                                                                // l=6 m=2
+    float p_7_2 = (k_63 * t + (k_61 * t_2 + k_62)) * z;
     result[54] = p_7_2 * y_2_2s;                                                                // l=7 m=-2
     result[58] = p_7_2 * y_2_2c;                                                                // l=7 m=2
-    float p_8_2 = a_8_2 * z * p_7_2 - b_8_2 * p_6_2;
-    result[70] = p_8_2 * y_2_2s;                                                                // l=8 m=-2
-    result[74] = p_8_2 * y_2_2c;                                                                // l=8 m=2
-    float p_9_2 = a_9_2 * z * p_8_2 - b_9_2 * p_7_2;
+    float t_15 = k_64 * t_2;
+    float q_8_2 = (t_15 + k_66) * t + (t_15 + k_65);
+    result[70] = q_8_2 * y_2_2s;                                                                // l=8 m=-2
+    result[74] = q_8_2 * y_2_2c;                                                                // l=8 m=2
+    float p_9_2 = ((k_69 * t_2 + k_70) * t + (k_67 * t_2 + k_68)) * z;
     result[88] = p_9_2 * y_2_2s;                                                                // l=9 m=-2
     result[92] = p_9_2 * y_2_2c;                                                                // l=9 m=2
-    float p_10_2 = a_10_2 * z * p_9_2 - b_10_2 * p_8_2;
+    float p_10_2 = a_10_2 * z * p_9_2 - b_10_2 * q_8_2;
     result[108] = p_10_2 * y_2_2s;                                                              // l=10 m=-2
     result[112] = p_10_2 * y_2_2c;                                                              // l=10 m=2
-    float p_4_3 = k_66 * z;
+    float p_4_3 = k_71 * z;
     result[17] = p_4_3 * y_3_3s;                                                                // l=4 m=-3
     result[23] = p_4_3 * y_3_3c;                                                                // l=4 m=3
-    float q_5_3 = k_68 * t + k_67;
+    float q_5_3 = k_73 * t + k_72;
     result[27] = q_5_3 * y_3_3s;                                                                // l=5 m=-3
     result[33] = q_5_3 * y_3_3c;                                                                // l=5 m=3
     float p_6_3 = a_6_3 * z * q_5_3 - b_6_3 * p_4_3;
@@ -304,10 +307,10 @@ void basis_accurate_l10(float x, float y, float z, out float result[121]) {
     float p_10_3 = a_10_3 * z * p_9_3 - b_10_3 * p_8_3;
     result[107] = p_10_3 * y_3_3s;                                                              // l=10 m=-3
     result[113] = p_10_3 * y_3_3c;                                                              // l=10 m=3
-    float p_5_4 = k_69 * z;
+    float p_5_4 = k_74 * z;
     result[26] = p_5_4 * y_4_4s;                                                                // l=5 m=-4
     result[34] = p_5_4 * y_4_4c;                                                                // l=5 m=4
-    float q_6_4 = k_71 * t + k_70;
+    float q_6_4 = k_76 * t + k_75;
     result[38] = q_6_4 * y_4_4s;                                                                // l=6 m=-4
     result[46] = q_6_4 * y_4_4c;                                                                // l=6 m=4
     float p_7_4 = a_7_4 * z * q_6_4 - b_7_4 * p_5_4;
@@ -322,10 +325,10 @@ void basis_accurate_l10(float x, float y, float z, out float result[121]) {
     float p_10_4 = a_10_4 * z * p_9_4 - b_10_4 * p_8_4;
     result[106] = p_10_4 * y_4_4s;                                                              // l=10 m=-4
     result[114] = p_10_4 * y_4_4c;                                                              // l=10 m=4
-    float p_6_5 = k_72 * z;
+    float p_6_5 = k_77 * z;
     result[37] = p_6_5 * y_5_5s;                                                                // l=6 m=-5
     result[47] = p_6_5 * y_5_5c;                                                                // l=6 m=5
-    float q_7_5 = k_74 * t + k_73;
+    float q_7_5 = k_79 * t + k_78;
     result[51] = q_7_5 * y_5_5s;                                                                // l=7 m=-5
     result[61] = q_7_5 * y_5_5c;                                                                // l=7 m=5
     float p_8_5 = a_8_5 * z * q_7_5 - b_8_5 * p_6_5;
@@ -337,10 +340,10 @@ void basis_accurate_l10(float x, float y, float z, out float result[121]) {
     float p_10_5 = a_10_5 * z * p_9_5 - b_10_5 * p_8_5;
     result[105] = p_10_5 * y_5_5s;                                                              // l=10 m=-5
     result[115] = p_10_5 * y_5_5c;                                                              // l=10 m=5
-    float p_7_6 = k_75 * z;
+    float p_7_6 = k_80 * z;
     result[50] = p_7_6 * y_6_6s;                                                                // l=7 m=-6
     result[62] = p_7_6 * y_6_6c;                                                                // l=7 m=6
-    float q_8_6 = k_77 * t + k_76;
+    float q_8_6 = k_82 * t + k_81;
     result[66] = q_8_6 * y_6_6s;                                                                // l=8 m=-6
     result[78] = q_8_6 * y_6_6c;                                                                // l=8 m=6
     float p_9_6 = a_9_6 * z * q_8_6 - b_9_6 * p_7_6;
@@ -349,22 +352,22 @@ void basis_accurate_l10(float x, float y, float z, out float result[121]) {
     float p_10_6 = a_10_6 * z * p_9_6 - b_10_6 * q_8_6;
     result[104] = p_10_6 * y_6_6s;                                                              // l=10 m=-6
     result[116] = p_10_6 * y_6_6c;                                                              // l=10 m=6
-    float p_8_7 = k_78 * z;
+    float p_8_7 = k_83 * z;
     result[65] = p_8_7 * y_7_7s;                                                                // l=8 m=-7
     result[79] = p_8_7 * y_7_7c;                                                                // l=8 m=7
-    float q_9_7 = k_80 * t + k_79;
+    float q_9_7 = k_85 * t + k_84;
     result[83] = q_9_7 * y_7_7s;                                                                // l=9 m=-7
     result[97] = q_9_7 * y_7_7c;                                                                // l=9 m=7
     float p_10_7 = a_10_7 * z * q_9_7 - b_10_7 * p_8_7;
     result[103] = p_10_7 * y_7_7s;                                                              // l=10 m=-7
     result[117] = p_10_7 * y_7_7c;                                                              // l=10 m=7
-    float p_9_8 = k_81 * z;
+    float p_9_8 = k_86 * z;
     result[82] = p_9_8 * y_8_8s;                                                                // l=9 m=-8
     result[98] = p_9_8 * y_8_8c;                                                                // l=9 m=8
-    float q_10_8 = k_83 * t + k_82;
+    float q_10_8 = k_88 * t + k_87;
     result[102] = q_10_8 * y_8_8s;                                                              // l=10 m=-8
     result[118] = q_10_8 * y_8_8c;                                                              // l=10 m=8
-    float p_10_9 = k_84 * z;
+    float p_10_9 = k_89 * z;
     result[101] = p_10_9 * y_9_9s;                                                              // l=10 m=-9
     result[119] = p_10_9 * y_9_9c;                                                              // l=10 m=9
 }

@@ -7,8 +7,8 @@
 // Domain:       |d| = 1 for d = (x, y, z); z is the polar axis
 // Output:       result (36): Y_lm(d) at index l(l+1)+m, orthonormal on the unit sphere, no Condon-Shortley phase
 // Recipe:       centred
-// Source:       polynomials in 2z^2-1 for m < 2, the recurrence in l for m >= 2, doubling in m; derived exactly
-// Cost:         67 multiplications, 32 additions; longest chain 11; at most 17 values live
+// Source:       polynomials in 2z^2-1 for m <= 2, the recurrence in l for m > 2, doubling in m; derived exactly
+// Cost:         66 multiplications, 32 additions; longest chain 11; at most 17 values live
 // Error:        largest over 1110 directions (random, axes, poles, near poles), without contraction;
 //               eps counts units of machine epsilon x sqrt((2l+1)/(4 pi))
 //               float   rounding 3.2e-07 (2.9 eps)  total 5.1e-07 (4.6 eps)
@@ -52,12 +52,12 @@ void basis_accurate_l5(float x, float y, float z, out float result[36]) {
     const float k_19   = 2.6457512;    // sqrt(7)
     const float k_20   = 2.1650636;    // 5/4 sqrt(3)
     const float k_21   = 3.0310888;    // 7/4 sqrt(3)
-    const float a_5_2  = 2.1712406;    // 1/7 sqrt(231)
-    const float b_5_2  = 0.9476071;    // 2/7 sqrt(11)
-    const float k_22   = 3.0;          // 3
-    const float k_23   = 2.9020467;    // 7/8 sqrt(11)
-    const float k_24   = 3.7312028;    // 9/8 sqrt(11)
-    const float k_25   = 3.3166249;    // sqrt(11)
+    const float k_22   = 2.193741;     // 1/4 sqrt(77)
+    const float k_23   = 6.5812235;    // 3/4 sqrt(77)
+    const float k_24   = 3.0;          // 3
+    const float k_25   = 2.9020467;    // 7/8 sqrt(11)
+    const float k_26   = 3.7312028;    // 9/8 sqrt(11)
+    const float k_27   = 3.3166249;    // sqrt(11)
 
     result[0] = k_0_0;                                            // l=0 m=0
     float z2 = z * z;
@@ -113,16 +113,16 @@ void basis_accurate_l5(float x, float y, float z, out float result[36]) {
     float q_4_2 = k_21 * t + k_20;
     result[18] = q_4_2 * y_2_2s;                                  // l=4 m=-2
     result[22] = q_4_2 * y_2_2c;                                  // l=4 m=2
-    float p_5_2 = a_5_2 * z * q_4_2 - b_5_2 * p_3_2;
+    float p_5_2 = (k_23 * t + k_22) * z;
     result[28] = p_5_2 * y_2_2s;                                  // l=5 m=-2
     result[32] = p_5_2 * y_2_2c;                                  // l=5 m=2
-    float p_4_3 = k_22 * z;
+    float p_4_3 = k_24 * z;
     result[17] = p_4_3 * y_3_3s;                                  // l=4 m=-3
     result[23] = p_4_3 * y_3_3c;                                  // l=4 m=3
-    float q_5_3 = k_24 * t + k_23;
+    float q_5_3 = k_26 * t + k_25;
     result[27] = q_5_3 * y_3_3s;                                  // l=5 m=-3
     result[33] = q_5_3 * y_3_3c;                                  // l=5 m=3
-    float p_5_4 = k_25 * z;
+    float p_5_4 = k_27 * z;
     result[26] = p_5_4 * y_4_4s;                                  // l=5 m=-4
     result[34] = p_5_4 * y_4_4c;                                  // l=5 m=4
 }

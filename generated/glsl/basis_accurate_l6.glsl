@@ -7,12 +7,12 @@
 // Domain:       |d| = 1 for d = (x, y, z); z is the polar axis
 // Output:       result (49): Y_lm(d) at index l(l+1)+m, orthonormal on the unit sphere, no Condon-Shortley phase
 // Recipe:       centred
-// Source:       polynomials in 2z^2-1 for m < 2, the recurrence in l for m >= 2, doubling in m; derived exactly
-// Cost:         95 multiplications, 42 additions; longest chain 11; at most 17 values live
+// Source:       polynomials in 2z^2-1 for m <= 2, the recurrence in l for m > 2, doubling in m; derived exactly
+// Cost:         93 multiplications, 43 additions; longest chain 11; at most 17 values live
 // Error:        largest over 1110 directions (random, axes, poles, near poles), without contraction;
 //               eps counts units of machine epsilon x sqrt((2l+1)/(4 pi))
-//               float   rounding 3.9e-07 (3.2 eps)  total 7.7e-07 (6.3 eps)
-//               double  rounding 7.3e-16 (3.2 eps)  total 2.9e-15 (12.7 eps)
+//               float   rounding 4.3e-07 (3.5 eps)  total 7.7e-07 (6.3 eps)
+//               double  rounding 7.8e-16 (3.4 eps)  total 2.9e-15 (12.7 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               total:    against the exact function at the input scaled to length 1
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
@@ -60,19 +60,20 @@ void basis_accurate_l6(float x, float y, float z, out float result[49]) {
     const float k_25   = 2.6457512;    // sqrt(7)
     const float k_26   = 2.1650636;    // 5/4 sqrt(3)
     const float k_27   = 3.0310888;    // 7/4 sqrt(3)
-    const float a_5_2  = 2.1712406;    // 1/7 sqrt(231)
-    const float b_5_2  = 0.9476071;    // 2/7 sqrt(11)
-    const float a_6_2  = 2.113942;     // 1/8 sqrt(286)
-    const float b_6_2  = 0.9736101;    // 1/24 sqrt(546)
-    const float k_28   = 3.0;          // 3
-    const float k_29   = 2.9020467;    // 7/8 sqrt(11)
-    const float k_30   = 3.7312028;    // 9/8 sqrt(11)
+    const float k_28   = 2.193741;     // 1/4 sqrt(77)
+    const float k_29   = 6.5812235;    // 3/4 sqrt(77)
+    const float k_30   = 3.4780807;    // 33/128 sqrt(182)
+    const float k_31   = 3.6888735;    // 35/128 sqrt(182)
+    const float k_32   = 6.3237834;    // 15/32 sqrt(182)
+    const float k_33   = 3.0;          // 3
+    const float k_34   = 2.9020467;    // 7/8 sqrt(11)
+    const float k_35   = 3.7312028;    // 9/8 sqrt(11)
     const float a_6_3  = 2.3013682;    // 1/9 sqrt(429)
     const float b_6_3  = 0.9251849;    // 4/27 sqrt(39)
-    const float k_31   = 3.3166249;    // sqrt(11)
-    const float k_32   = 3.628016;     // 9/20 sqrt(65)
-    const float k_33   = 4.434242;     // 11/20 sqrt(65)
-    const float k_34   = 3.6055512;    // sqrt(13)
+    const float k_36   = 3.3166249;    // sqrt(11)
+    const float k_37   = 3.628016;     // 9/20 sqrt(65)
+    const float k_38   = 4.434242;     // 11/20 sqrt(65)
+    const float k_39   = 3.6055512;    // sqrt(13)
 
     result[0] = k_0_0;                                            // l=0 m=0
     float z2 = z * z;
@@ -136,28 +137,28 @@ void basis_accurate_l6(float x, float y, float z, out float result[49]) {
     float q_4_2 = k_27 * t + k_26;
     result[18] = q_4_2 * y_2_2s;                                  // l=4 m=-2
     result[22] = q_4_2 * y_2_2c;                                  // l=4 m=2
-    float p_5_2 = a_5_2 * z * q_4_2 - b_5_2 * p_3_2;
+    float p_5_2 = (k_29 * t + k_28) * z;
     result[28] = p_5_2 * y_2_2s;                                  // l=5 m=-2
     result[32] = p_5_2 * y_2_2c;                                  // l=5 m=2
-    float p_6_2 = a_6_2 * z * p_5_2 - b_6_2 * q_4_2;
-    result[40] = p_6_2 * y_2_2s;                                  // l=6 m=-2
-    result[44] = p_6_2 * y_2_2c;                                  // l=6 m=2
-    float p_4_3 = k_28 * z;
+    float q_6_2 = k_32 * t + (k_30 * t_2 + k_31);
+    result[40] = q_6_2 * y_2_2s;                                  // l=6 m=-2
+    result[44] = q_6_2 * y_2_2c;                                  // l=6 m=2
+    float p_4_3 = k_33 * z;
     result[17] = p_4_3 * y_3_3s;                                  // l=4 m=-3
     result[23] = p_4_3 * y_3_3c;                                  // l=4 m=3
-    float q_5_3 = k_30 * t + k_29;
+    float q_5_3 = k_35 * t + k_34;
     result[27] = q_5_3 * y_3_3s;                                  // l=5 m=-3
     result[33] = q_5_3 * y_3_3c;                                  // l=5 m=3
     float p_6_3 = a_6_3 * z * q_5_3 - b_6_3 * p_4_3;
     result[39] = p_6_3 * y_3_3s;                                  // l=6 m=-3
     result[45] = p_6_3 * y_3_3c;                                  // l=6 m=3
-    float p_5_4 = k_31 * z;
+    float p_5_4 = k_36 * z;
     result[26] = p_5_4 * y_4_4s;                                  // l=5 m=-4
     result[34] = p_5_4 * y_4_4c;                                  // l=5 m=4
-    float q_6_4 = k_33 * t + k_32;
+    float q_6_4 = k_38 * t + k_37;
     result[38] = q_6_4 * y_4_4s;                                  // l=6 m=-4
     result[46] = q_6_4 * y_4_4c;                                  // l=6 m=4
-    float p_6_5 = k_34 * z;
+    float p_6_5 = k_39 * z;
     result[37] = p_6_5 * y_5_5s;                                  // l=6 m=-5
     result[47] = p_6_5 * y_5_5c;                                  // l=6 m=5
 }

@@ -7,8 +7,8 @@
 // Domain:       d = (x, y, z) finite, not zero, |d|^2 neither over- nor underflows; z is the polar axis
 // Output:       result (64): Y_lm(d/|d|) at index l(l+1)+m, orthonormal on the unit sphere, no Condon-Shortley phase
 // Recipe:       centred
-// Source:       polynomials in 2z^2-1 for m < 2, the recurrence in l for m >= 2, doubling in m; derived exactly
-// Cost:         137 multiplications, 56 additions, 1 divisions, 1 square roots; longest chain 18; at most 21 values
+// Source:       polynomials in 2z^2-1 for m <= 2, the recurrence in l for m > 2, doubling in m; derived exactly
+// Cost:         135 multiplications, 58 additions, 1 divisions, 1 square roots; longest chain 18; at most 21 values
 //               live
 // Error:        largest over 558 vectors (random, axes, poles, near poles; lengths 2^-20 to 2^20), without contraction;
 //               eps counts units of machine epsilon x sqrt((2l+1)/(4 pi))
@@ -69,28 +69,30 @@ void basis_normalised_accurate_l7(float x, float y, float z, out float result[64
     const float k_33   = 2.6457512;    // sqrt(7)
     const float k_34   = 2.1650636;    // 5/4 sqrt(3)
     const float k_35   = 3.0310888;    // 7/4 sqrt(3)
-    const float a_5_2  = 2.1712406;    // 1/7 sqrt(231)
-    const float b_5_2  = 0.9476071;    // 2/7 sqrt(11)
-    const float a_6_2  = 2.113942;     // 1/8 sqrt(286)
-    const float b_6_2  = 0.9736101;    // 1/24 sqrt(546)
-    const float a_7_2  = 2.081666;     // 1/3 sqrt(39)
-    const float b_7_2  = 0.9847319;    // 4/33 sqrt(66)
-    const float k_36   = 3.0;          // 3
-    const float k_37   = 2.9020467;    // 7/8 sqrt(11)
-    const float k_38   = 3.7312028;    // 9/8 sqrt(11)
+    const float k_36   = 2.193741;     // 1/4 sqrt(77)
+    const float k_37   = 6.5812235;    // 3/4 sqrt(77)
+    const float k_38   = 3.4780807;    // 33/128 sqrt(182)
+    const float k_39   = 3.6888735;    // 35/128 sqrt(182)
+    const float k_40   = 6.3237834;    // 15/32 sqrt(182)
+    const float k_41   = 7.2402024;    // 143/128 sqrt(42)
+    const float k_42   = 5.518756;     // 109/128 sqrt(42)
+    const float k_43   = 6.683264;     // 33/32 sqrt(42)
+    const float k_44   = 3.0;          // 3
+    const float k_45   = 2.9020467;    // 7/8 sqrt(11)
+    const float k_46   = 3.7312028;    // 9/8 sqrt(11)
     const float a_6_3  = 2.3013682;    // 1/9 sqrt(429)
     const float b_6_3  = 0.9251849;    // 4/27 sqrt(39)
     const float a_7_3  = 2.20794;      // 1/4 sqrt(78)
     const float b_7_3  = 0.9594032;    // 9/44 sqrt(22)
-    const float k_39   = 3.3166249;    // sqrt(11)
-    const float k_40   = 3.628016;     // 9/20 sqrt(65)
-    const float k_41   = 4.434242;     // 11/20 sqrt(65)
+    const float k_47   = 3.3166249;    // sqrt(11)
+    const float k_48   = 3.628016;     // 9/20 sqrt(65)
+    const float k_49   = 4.434242;     // 11/20 sqrt(65)
     const float a_7_4  = 2.4308622;    // 1/11 sqrt(715)
     const float b_7_4  = 0.90909094;   // 10/11
-    const float k_42   = 3.6055512;    // sqrt(13)
-    const float k_43   = 4.3481317;    // 11/8 sqrt(10)
-    const float k_44   = 5.138701;     // 13/8 sqrt(10)
-    const float k_45   = 3.8729835;    // sqrt(15)
+    const float k_50   = 3.6055512;    // sqrt(13)
+    const float k_51   = 4.3481317;    // 11/8 sqrt(10)
+    const float k_52   = 5.138701;     // 13/8 sqrt(10)
+    const float k_53   = 3.8729835;    // sqrt(15)
 
     result[0] = k_0_0;                                                  // l=0 m=0
     float inverse = one / sqrt(x * x + y * y + z * z);
@@ -169,19 +171,19 @@ void basis_normalised_accurate_l7(float x, float y, float z, out float result[64
     float q_4_2 = k_35 * t + k_34;
     result[18] = q_4_2 * y_2_2s;                                        // l=4 m=-2
     result[22] = q_4_2 * y_2_2c;                                        // l=4 m=2
-    float p_5_2 = a_5_2 * nz * q_4_2 - b_5_2 * p_3_2;
+    float p_5_2 = (k_37 * t + k_36) * nz;
     result[28] = p_5_2 * y_2_2s;                                        // l=5 m=-2
     result[32] = p_5_2 * y_2_2c;                                        // l=5 m=2
-    float p_6_2 = a_6_2 * nz * p_5_2 - b_6_2 * q_4_2;
-    result[40] = p_6_2 * y_2_2s;                                        // l=6 m=-2
-    result[44] = p_6_2 * y_2_2c;                                        // l=6 m=2
-    float p_7_2 = a_7_2 * nz * p_6_2 - b_7_2 * p_5_2;
+    float q_6_2 = k_40 * t + (k_38 * t_2 + k_39);
+    result[40] = q_6_2 * y_2_2s;                                        // l=6 m=-2
+    result[44] = q_6_2 * y_2_2c;                                        // l=6 m=2
+    float p_7_2 = (k_43 * t + (k_41 * t_2 + k_42)) * nz;
     result[54] = p_7_2 * y_2_2s;                                        // l=7 m=-2
     result[58] = p_7_2 * y_2_2c;                                        // l=7 m=2
-    float p_4_3 = k_36 * nz;
+    float p_4_3 = k_44 * nz;
     result[17] = p_4_3 * y_3_3s;                                        // l=4 m=-3
     result[23] = p_4_3 * y_3_3c;                                        // l=4 m=3
-    float q_5_3 = k_38 * t + k_37;
+    float q_5_3 = k_46 * t + k_45;
     result[27] = q_5_3 * y_3_3s;                                        // l=5 m=-3
     result[33] = q_5_3 * y_3_3c;                                        // l=5 m=3
     float p_6_3 = a_6_3 * nz * q_5_3 - b_6_3 * p_4_3;
@@ -190,22 +192,22 @@ void basis_normalised_accurate_l7(float x, float y, float z, out float result[64
     float p_7_3 = a_7_3 * nz * p_6_3 - b_7_3 * q_5_3;
     result[53] = p_7_3 * y_3_3s;                                        // l=7 m=-3
     result[59] = p_7_3 * y_3_3c;                                        // l=7 m=3
-    float p_5_4 = k_39 * nz;
+    float p_5_4 = k_47 * nz;
     result[26] = p_5_4 * y_4_4s;                                        // l=5 m=-4
     result[34] = p_5_4 * y_4_4c;                                        // l=5 m=4
-    float q_6_4 = k_41 * t + k_40;
+    float q_6_4 = k_49 * t + k_48;
     result[38] = q_6_4 * y_4_4s;                                        // l=6 m=-4
     result[46] = q_6_4 * y_4_4c;                                        // l=6 m=4
     float p_7_4 = a_7_4 * nz * q_6_4 - b_7_4 * p_5_4;
     result[52] = p_7_4 * y_4_4s;                                        // l=7 m=-4
     result[60] = p_7_4 * y_4_4c;                                        // l=7 m=4
-    float p_6_5 = k_42 * nz;
+    float p_6_5 = k_50 * nz;
     result[37] = p_6_5 * y_5_5s;                                        // l=6 m=-5
     result[47] = p_6_5 * y_5_5c;                                        // l=6 m=5
-    float q_7_5 = k_44 * t + k_43;
+    float q_7_5 = k_52 * t + k_51;
     result[51] = q_7_5 * y_5_5s;                                        // l=7 m=-5
     result[61] = q_7_5 * y_5_5c;                                        // l=7 m=5
-    float p_7_6 = k_45 * nz;
+    float p_7_6 = k_53 * nz;
     result[50] = p_7_6 * y_6_6s;                                        // l=7 m=-6
     result[62] = p_7_6 * y_6_6c;                                        // l=7 m=6
 }

@@ -7,13 +7,13 @@
 // Domain:       d = (x, y, z) finite, not zero, |d|^2 neither over- nor underflows; z is the polar axis
 // Output:       result (81): Y_lm(d/|d|) at index l(l+1)+m, orthonormal on the unit sphere, no Condon-Shortley phase
 // Recipe:       centred
-// Source:       polynomials in 2z^2-1 for m < 2, the recurrence in l for m >= 2, doubling in m; derived exactly
-// Cost:         177 multiplications, 70 additions, 1 divisions, 1 square roots; longest chain 20; at most 21 values
+// Source:       polynomials in 2z^2-1 for m <= 2, the recurrence in l for m > 2, doubling in m; derived exactly
+// Cost:         177 multiplications, 78 additions, 1 divisions, 1 square roots; longest chain 18; at most 23 values
 //               live
 // Error:        largest over 558 vectors (random, axes, poles, near poles; lengths 2^-20 to 2^20), without contraction;
 //               eps counts units of machine epsilon x sqrt((2l+1)/(4 pi))
-//               float   rounding 2.5e-06 (18.1 eps)
-//               double  rounding 9.6e-15 (37.1 eps)
+//               float   rounding 2.1e-06 (14.9 eps)
+//               double  rounding 6.7e-15 (27.7 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
@@ -80,39 +80,42 @@ void basis_normalised_accurate_l8(float x, float y, float z, out float result[81
     const float k_42   = 2.6457512;    // sqrt(7)
     const float k_43   = 2.1650636;    // 5/4 sqrt(3)
     const float k_44   = 3.0310888;    // 7/4 sqrt(3)
-    const float a_5_2  = 2.1712406;    // 1/7 sqrt(231)
-    const float b_5_2  = 0.9476071;    // 2/7 sqrt(11)
-    const float a_6_2  = 2.113942;     // 1/8 sqrt(286)
-    const float b_6_2  = 0.9736101;    // 1/24 sqrt(546)
-    const float a_7_2  = 2.081666;     // 1/3 sqrt(39)
-    const float b_7_2  = 0.9847319;    // 4/33 sqrt(66)
-    const float a_8_2  = 2.0615528;    // 1/2 sqrt(17)
-    const float b_8_2  = 0.9903379;    // 1/26 sqrt(663)
-    const float k_45   = 3.0;          // 3
-    const float k_46   = 2.9020467;    // 7/8 sqrt(11)
-    const float k_47   = 3.7312028;    // 9/8 sqrt(11)
+    const float k_45   = 2.193741;     // 1/4 sqrt(77)
+    const float k_46   = 6.5812235;    // 3/4 sqrt(77)
+    const float k_47   = 3.4780807;    // 33/128 sqrt(182)
+    const float k_48   = 3.6888735;    // 35/128 sqrt(182)
+    const float k_49   = 6.3237834;    // 15/32 sqrt(182)
+    const float k_50   = 7.2402024;    // 143/128 sqrt(42)
+    const float k_51   = 5.518756;     // 109/128 sqrt(42)
+    const float k_52   = 6.683264;     // 33/32 sqrt(42)
+    const float k_53   = 7.46303;      // 143/512 sqrt(714)
+    const float k_54   = 5.479847;     // 105/512 sqrt(714)
+    const float k_55   = 6.3148713;    // 121/512 sqrt(714)
+    const float k_56   = 3.0;          // 3
+    const float k_57   = 2.9020467;    // 7/8 sqrt(11)
+    const float k_58   = 3.7312028;    // 9/8 sqrt(11)
     const float a_6_3  = 2.3013682;    // 1/9 sqrt(429)
     const float b_6_3  = 0.9251849;    // 4/27 sqrt(39)
     const float a_7_3  = 2.20794;      // 1/4 sqrt(78)
     const float b_7_3  = 0.9594032;    // 9/44 sqrt(22)
     const float a_8_3  = 2.1532216;    // 1/11 sqrt(561)
     const float b_8_3  = 0.9752174;    // 2/143 sqrt(4862)
-    const float k_48   = 3.3166249;    // sqrt(11)
-    const float k_49   = 3.628016;     // 9/20 sqrt(65)
-    const float k_50   = 4.434242;     // 11/20 sqrt(65)
+    const float k_59   = 3.3166249;    // sqrt(11)
+    const float k_60   = 3.628016;     // 9/20 sqrt(65)
+    const float k_61   = 4.434242;     // 11/20 sqrt(65)
     const float a_7_4  = 2.4308622;    // 1/11 sqrt(715)
     const float b_7_4  = 0.90909094;   // 10/11
     const float a_8_4  = 2.304886;     // 1/4 sqrt(85)
     const float b_8_4  = 0.9481764;    // 1/52 sqrt(2431)
-    const float k_51   = 3.6055512;    // sqrt(13)
-    const float k_52   = 4.3481317;    // 11/8 sqrt(10)
-    const float k_53   = 5.138701;     // 13/8 sqrt(10)
+    const float k_62   = 3.6055512;    // sqrt(13)
+    const float k_63   = 4.3481317;    // 11/8 sqrt(10)
+    const float k_64   = 5.138701;     // 13/8 sqrt(10)
     const float a_8_5  = 2.5570416;    // 1/13 sqrt(1105)
     const float b_8_5  = 0.8970695;    // 2/13 sqrt(34)
-    const float k_54   = 3.8729835;    // sqrt(15)
-    const float k_55   = 5.0647593;    // 13/28 sqrt(119)
-    const float k_56   = 5.843953;     // 15/28 sqrt(119)
-    const float k_57   = 4.1231055;    // sqrt(17)
+    const float k_65   = 3.8729835;    // sqrt(15)
+    const float k_66   = 5.0647593;    // 13/28 sqrt(119)
+    const float k_67   = 5.843953;     // 15/28 sqrt(119)
+    const float k_68   = 4.1231055;    // sqrt(17)
 
     result[0] = k_0_0;                                                          // l=0 m=0
     float inverse = one / sqrt(x * x + y * y + z * z);
@@ -127,40 +130,43 @@ void basis_normalised_accurate_l8(float x, float y, float z, out float result[81
     float u = one - (t_3 + t_3);
     float u2 = u * u;
     float t_4 = u2 + u2 - one;
+    float v = z2 - (nx * nx + ny * ny);
+    float v2 = v * v;
+    float t_5 = v2 + v2 - one;
     float y_1_1c = k_1_1 * nx;
     result[3] = y_1_1c;                                                         // l=1 m=1
     float y_1_1s = k_1_1 * ny;
     result[1] = y_1_1s;                                                         // l=1 m=-1
     float y_2_2s = k_2_2s * nx * ny;
     result[4] = y_2_2s;                                                         // l=2 m=-2
-    float t_5 = (nx - ny) * (nx + ny);
-    float y_2_2c = k_2_2c * t_5;
+    float t_6 = (nx - ny) * (nx + ny);
+    float y_2_2c = k_2_2c * t_6;
     result[8] = y_2_2c;                                                         // l=2 m=2
-    float t_6 = b_3_3 * (one - z2);
-    float t_7 = a_3_3 * t_5;
-    float y_3_3c = y_1_1c * (t_7 - t_6);
+    float t_7 = b_3_3 * (one - z2);
+    float t_8 = a_3_3 * t_6;
+    float y_3_3c = y_1_1c * (t_8 - t_7);
     result[15] = y_3_3c;                                                        // l=3 m=3
-    float y_3_3s = y_1_1s * (t_7 + t_6);
+    float y_3_3s = y_1_1s * (t_8 + t_7);
     result[9] = y_3_3s;                                                         // l=3 m=-3
     float y_4_4s = k_4_4s * y_2_2c * y_2_2s;
     result[16] = y_4_4s;                                                        // l=4 m=-4
     float y_4_4c = k_4_4c * (y_2_2c - y_2_2s) * (y_2_2c + y_2_2s);
     result[24] = y_4_4c;                                                        // l=4 m=4
-    float t_8 = k_5_5 * nx;
-    float t_9 = k_5_5 * ny;
-    float y_5_5c = t_8 * y_4_4c - t_9 * y_4_4s;
+    float t_9 = k_5_5 * nx;
+    float t_10 = k_5_5 * ny;
+    float y_5_5c = t_9 * y_4_4c - t_10 * y_4_4s;
     result[35] = y_5_5c;                                                        // l=5 m=5
-    float y_5_5s = t_8 * y_4_4s + t_9 * y_4_4c;
+    float y_5_5s = t_9 * y_4_4s + t_10 * y_4_4c;
     result[25] = y_5_5s;                                                        // l=5 m=-5
     float y_6_6s = k_6_6s * y_3_3c * y_3_3s;
     result[36] = y_6_6s;                                                        // l=6 m=-6
     float y_6_6c = k_6_6c * (y_3_3c - y_3_3s) * (y_3_3c + y_3_3s);
     result[48] = y_6_6c;                                                        // l=6 m=6
-    float t_10 = k_7_7 * nx;
-    float t_11 = k_7_7 * ny;
-    float y_7_7c = t_10 * y_6_6c - t_11 * y_6_6s;
+    float t_11 = k_7_7 * nx;
+    float t_12 = k_7_7 * ny;
+    float y_7_7c = t_11 * y_6_6c - t_12 * y_6_6s;
     result[63] = y_7_7c;                                                        // l=7 m=7
-    float y_7_7s = t_10 * y_6_6s + t_11 * y_6_6c;
+    float y_7_7s = t_11 * y_6_6s + t_12 * y_6_6c;
     result[49] = y_7_7s;                                                        // l=7 m=-7
     result[64] = k_8_8s * y_4_4c * y_4_4s;                                      // l=8 m=-8
     result[80] = k_8_8c * (y_4_4c - y_4_4s) * (y_4_4c + y_4_4s);                // l=8 m=8
@@ -171,7 +177,7 @@ void basis_normalised_accurate_l8(float x, float y, float z, out float result[81
     result[30] = (k_10 * u + (k_8 * t_4 + k_9)) * nz;                           // l=5 m=0
     result[42] = (k_13 * t_2 - k_11) * t + (k_11 * t_2 + k_12);                 // l=6 m=0
     result[56] = ((k_16 * t_4 - k_17) * u + (k_14 * t_4 - k_15)) * nz;          // l=7 m=0
-    result[72] = (k_21 * t_2 - k_22) * t + ((k_18 * t_2 + k_19) * t_2 - k_20);  // l=8 m=0
+    result[72] = (k_21 * t_5 - k_22) * v + ((k_18 * t_5 + k_19) * t_5 - k_20);  // l=8 m=0
     float p_2_1 = k_23 * nz;
     result[5] = p_2_1 * y_1_1s;                                                 // l=2 m=-1
     result[7] = p_2_1 * y_1_1c;                                                 // l=2 m=1
@@ -199,22 +205,23 @@ void basis_normalised_accurate_l8(float x, float y, float z, out float result[81
     float q_4_2 = k_44 * t + k_43;
     result[18] = q_4_2 * y_2_2s;                                                // l=4 m=-2
     result[22] = q_4_2 * y_2_2c;                                                // l=4 m=2
-    float p_5_2 = a_5_2 * nz * q_4_2 - b_5_2 * p_3_2;
+    float p_5_2 = (k_46 * t + k_45) * nz;
     result[28] = p_5_2 * y_2_2s;                                                // l=5 m=-2
     result[32] = p_5_2 * y_2_2c;                                                // l=5 m=2
-    float p_6_2 = a_6_2 * nz * p_5_2 - b_6_2 * q_4_2;
-    result[40] = p_6_2 * y_2_2s;                                                // l=6 m=-2
-    result[44] = p_6_2 * y_2_2c;                                                // l=6 m=2
-    float p_7_2 = a_7_2 * nz * p_6_2 - b_7_2 * p_5_2;
+    float q_6_2 = k_49 * t + (k_47 * t_2 + k_48);
+    result[40] = q_6_2 * y_2_2s;                                                // l=6 m=-2
+    result[44] = q_6_2 * y_2_2c;                                                // l=6 m=2
+    float p_7_2 = (k_52 * t + (k_50 * t_2 + k_51)) * nz;
     result[54] = p_7_2 * y_2_2s;                                                // l=7 m=-2
     result[58] = p_7_2 * y_2_2c;                                                // l=7 m=2
-    float p_8_2 = a_8_2 * nz * p_7_2 - b_8_2 * p_6_2;
-    result[70] = p_8_2 * y_2_2s;                                                // l=8 m=-2
-    result[74] = p_8_2 * y_2_2c;                                                // l=8 m=2
-    float p_4_3 = k_45 * nz;
+    float t_13 = k_53 * t_2;
+    float q_8_2 = (t_13 + k_55) * t + (t_13 + k_54);
+    result[70] = q_8_2 * y_2_2s;                                                // l=8 m=-2
+    result[74] = q_8_2 * y_2_2c;                                                // l=8 m=2
+    float p_4_3 = k_56 * nz;
     result[17] = p_4_3 * y_3_3s;                                                // l=4 m=-3
     result[23] = p_4_3 * y_3_3c;                                                // l=4 m=3
-    float q_5_3 = k_47 * t + k_46;
+    float q_5_3 = k_58 * t + k_57;
     result[27] = q_5_3 * y_3_3s;                                                // l=5 m=-3
     result[33] = q_5_3 * y_3_3c;                                                // l=5 m=3
     float p_6_3 = a_6_3 * nz * q_5_3 - b_6_3 * p_4_3;
@@ -226,10 +233,10 @@ void basis_normalised_accurate_l8(float x, float y, float z, out float result[81
     float p_8_3 = a_8_3 * nz * p_7_3 - b_8_3 * p_6_3;
     result[69] = p_8_3 * y_3_3s;                                                // l=8 m=-3
     result[75] = p_8_3 * y_3_3c;                                                // l=8 m=3
-    float p_5_4 = k_48 * nz;
+    float p_5_4 = k_59 * nz;
     result[26] = p_5_4 * y_4_4s;                                                // l=5 m=-4
     result[34] = p_5_4 * y_4_4c;                                                // l=5 m=4
-    float q_6_4 = k_50 * t + k_49;
+    float q_6_4 = k_61 * t + k_60;
     result[38] = q_6_4 * y_4_4s;                                                // l=6 m=-4
     result[46] = q_6_4 * y_4_4c;                                                // l=6 m=4
     float p_7_4 = a_7_4 * nz * q_6_4 - b_7_4 * p_5_4;
@@ -238,22 +245,22 @@ void basis_normalised_accurate_l8(float x, float y, float z, out float result[81
     float p_8_4 = a_8_4 * nz * p_7_4 - b_8_4 * q_6_4;
     result[68] = p_8_4 * y_4_4s;                                                // l=8 m=-4
     result[76] = p_8_4 * y_4_4c;                                                // l=8 m=4
-    float p_6_5 = k_51 * nz;
+    float p_6_5 = k_62 * nz;
     result[37] = p_6_5 * y_5_5s;                                                // l=6 m=-5
     result[47] = p_6_5 * y_5_5c;                                                // l=6 m=5
-    float q_7_5 = k_53 * t + k_52;
+    float q_7_5 = k_64 * t + k_63;
     result[51] = q_7_5 * y_5_5s;                                                // l=7 m=-5
     result[61] = q_7_5 * y_5_5c;                                                // l=7 m=5
     float p_8_5 = a_8_5 * nz * q_7_5 - b_8_5 * p_6_5;
     result[67] = p_8_5 * y_5_5s;                                                // l=8 m=-5
     result[77] = p_8_5 * y_5_5c;                                                // l=8 m=5
-    float p_7_6 = k_54 * nz;
+    float p_7_6 = k_65 * nz;
     result[50] = p_7_6 * y_6_6s;                                                // l=7 m=-6
     result[62] = p_7_6 * y_6_6c;                                                // l=7 m=6
-    float q_8_6 = k_56 * t + k_55;
+    float q_8_6 = k_67 * t + k_66;
     result[66] = q_8_6 * y_6_6s;                                                // l=8 m=-6
     result[78] = q_8_6 * y_6_6c;                                                // l=8 m=6
-    float p_8_7 = k_57 * nz;
+    float p_8_7 = k_68 * nz;
     result[65] = p_8_7 * y_7_7s;                                                // l=8 m=-7
     result[79] = p_8_7 * y_7_7c;                                                // l=8 m=7
 }

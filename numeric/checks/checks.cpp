@@ -4,6 +4,7 @@
 #include <algorithm>
 
 namespace sh::numeric {
+
 std::string without_variant(const std::string& family) {
   const std::string ending = "_accurate";
   return family.ends_with(ending) ? family.substr(0, family.size() - ending.size()) : family;
@@ -11,6 +12,15 @@ std::string without_variant(const std::string& family) {
 
 std::vector<FamilyCheck> all_checks() {
   return {basis_check(),
+          basis_gradient_check(),
+          basis_normalised_check(),
+          evaluate_check(),
+          evaluate_rgb_check(),
+          evaluate_prepare_check(),
+          evaluate_prepared_check(),
+          project_check(),
+          project_moments_check(),
+          project_finish_check(),
           cap_check(),
           zonal_check(),
           add_cap_check(),

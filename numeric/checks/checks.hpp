@@ -9,6 +9,15 @@
 namespace sh::numeric {
 
 FamilyCheck basis_check();
+FamilyCheck basis_gradient_check();
+FamilyCheck basis_normalised_check();
+FamilyCheck evaluate_check();
+FamilyCheck evaluate_rgb_check();
+FamilyCheck evaluate_prepare_check();
+FamilyCheck evaluate_prepared_check();
+FamilyCheck project_check();
+FamilyCheck project_moments_check();
+FamilyCheck project_finish_check();
 FamilyCheck cap_check();
 FamilyCheck zonal_check();
 FamilyCheck add_cap_check();

@@ -1,0 +1,44 @@
+// Functions on the sphere as polynomials of the direction, by interpolation of the oracle's values at 50 digits.
+//
+// Two linear maps: from coefficients to the polynomial p(x, y) + z q(x, y) that evaluate_prepare writes, and from the
+// moments of project_moments to coefficients. Neither uses a formula for the polynomials: both solve for the ones that
+// take the values of numeric's basis.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <vector>
+
+#include "numeric/real.hpp"
+
+namespace sh::numeric {
+
+// Exponents of x^i y^j z^k, k = 0 or 1, of the coefficient at `index` (bands^2 of them): those without z by falling i,
+// then falling j, i + j <= degree; then those with z likewise, i + j < degree.
+struct PreparedTerm {
+  int i = 0, j = 0, k = 0;
+};
+std::vector<PreparedTerm> prepared_terms(int degree);
+
+// (bands^2, bands^2) row-major: polynomial = matrix c.
+const std::vector<Mpfr50>& prepare_matrix(int degree);
+
+// (bands^2, bands^2) row-major: c = matrix moments; the moment of z^n Re (x+iy)^m stands at index l(l+1)+m, of Im at
+// l(l+1)-m, l = m+n.
+const std::vector<Mpfr50>& finish_matrix(int degree);
+
+// out (n) = matrix (n, n) in (n), the matrix given in Mpfr50.
+template <class Real>
+void multiply(const std::vector<Mpfr50>& matrix, std::size_t n, const Real* in, Real* out) {
+  static std::map<const Mpfr50*, std::vector<Real>> converted;  // by the address of a matrix that lives as long
+  auto& entries = converted[matrix.data()];
+  if (entries.empty()) {
+    for (const auto& entry : matrix) entries.push_back(static_cast<Real>(entry));
+  }
+  for (std::size_t row = 0; row < n; ++row) {
+    out[row] = 0;
+    for (std::size_t i = 0; i < n; ++i) out[row] += entries[row * n + i] * in[i];
+  }
+}
+
+}  // namespace sh::numeric
