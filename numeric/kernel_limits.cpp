@@ -18,9 +18,9 @@ struct Row {
 };
 
 // The promises: rounding of basis at most twice what Sloan's recurrence errs by on the same inputs (1.3, 1.3, 2.8, 4.4,
-// 6.5, 8.2, 9.6, 11.1, 12.6 eps at degree 2 to 10 in float), of its accuracy choice at most 8; products less than 4. Whatever has no such
-// reason: between 1.7 and 4 times what was measured on the inputs of the family's check, so that other compilers and
-// rounding of the same formula fit. A variant without a row of its own has that of its family.
+// 6.5, 8.2, 9.6, 11.1, 12.6 eps at degree 2 to 10 in float), of its accuracy choice at most 8; products less than 4.
+// Whatever has no such reason: between 1.7 and 4 times what was measured on the inputs of the family's check, so that
+// other compilers and rounding of the same formula fit. A variant without a row of its own has that of its family.
 // clang-format off
 constexpr std::array kRows = {
     //  family                   degrees      float: rounding, total          double: rounding, total
@@ -202,8 +202,10 @@ constexpr std::array kRows = {
 };
 // clang-format on
 
-// Kernels in which Mesa 22 multiplies neighbouring constants together although the result is declared invariant.
-constexpr std::array kRegroupedAnyway = {"product_l5", "square_l5"};
+// Kernels, by the start of their names, in which Mesa 22 multiplies neighbouring constants together although the result
+// is declared invariant. Their errors in GLSL are held to the limits all the same.
+constexpr std::array kRegroupedAnyway = {"product_l5", "square_l5", "basis_gradient_accurate_l", "evaluate_prepare_l",
+                                         "project_l"};
 
 std::string exceeded(const std::string& what, double value, double limit, const WorstCase& worst) {
   std::array<char, 64> numbers{};
@@ -250,7 +252,7 @@ std::optional<KernelLimits> limits_for(const std::string& family, int degree, co
 }
 
 bool bits_must_agree(const KernelResult& result) {
-  const auto is_excused = [&](const char* kernel) { return result.kernel == kernel; };
+  const auto is_excused = [&](const char* start) { return result.kernel.starts_with(start); };
   return result.operations.other == 0 && std::none_of(kRegroupedAnyway.begin(), kRegroupedAnyway.end(), is_excused);
 }
 

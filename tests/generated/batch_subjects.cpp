@@ -72,10 +72,14 @@ std::vector<T> random_rotation(std::mt19937& random) {
   const std::vector<double> q = random_numbers<double>(4, random);
   const double s = 2 / (q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
   const auto entry = [&](double value) { return static_cast<T>(s * value); };
-  return {static_cast<T>(1 - s * (q[2] * q[2] + q[3] * q[3])), entry(q[1] * q[2] - q[0] * q[3]),
-          entry(q[1] * q[3] + q[0] * q[2]), entry(q[1] * q[2] + q[0] * q[3]),
-          static_cast<T>(1 - s * (q[1] * q[1] + q[3] * q[3])), entry(q[2] * q[3] - q[0] * q[1]),
-          entry(q[1] * q[3] - q[0] * q[2]), entry(q[2] * q[3] + q[0] * q[1]),
+  return {static_cast<T>(1 - s * (q[2] * q[2] + q[3] * q[3])),
+          entry(q[1] * q[2] - q[0] * q[3]),
+          entry(q[1] * q[3] + q[0] * q[2]),
+          entry(q[1] * q[2] + q[0] * q[3]),
+          static_cast<T>(1 - s * (q[1] * q[1] + q[3] * q[3])),
+          entry(q[2] * q[3] - q[0] * q[1]),
+          entry(q[1] * q[3] - q[0] * q[2]),
+          entry(q[2] * q[3] + q[0] * q[1]),
           static_cast<T>(1 - s * (q[1] * q[1] + q[2] * q[2]))};
 }
 
@@ -125,7 +129,8 @@ Subject<T> evaluate_subject(int degree) {
           },
           [degree](std::size_t n, const auto& in, Records<T> out) { batch::evaluate(degree, n, in[0], in[1], out); },
           [degree](const auto& in, T* out) {
-            with_degree<10>(degree, [&]<int kDegree>() { *out = evaluate<kDegree>(in[0], in[1][0], in[1][1], in[1][2]); });
+            with_degree<10>(degree,
+                            [&]<int kDegree>() { *out = evaluate<kDegree>(in[0], in[1][0], in[1][1], in[1][2]); });
           },
           16,
           400};
@@ -133,20 +138,21 @@ Subject<T> evaluate_subject(int degree) {
 
 template <class T>
 Subject<T> evaluate_rgb_subject(int degree) {
-  return {"evaluate_rgb",
-          degree,
-          {3 * count_of(degree), 3},
-          3,
-          [degree](std::size_t j, std::mt19937& random) {
-            return j == 0 ? random_numbers<T>(3 * count_of(degree), random) : random_direction<T>(random);
-          },
-          [degree](std::size_t n, const auto& in, Records<T> out) { batch::evaluate_rgb(degree, n, in[0], in[1], out); },
-          [degree](const auto& in, T* out) {
-            with_degree<10>(degree,
-                            [&]<int kDegree>() { evaluate_rgb<kDegree>(in[0], in[1][0], in[1][1], in[1][2], out); });
-          },
-          64,
-          64};
+  return {
+      "evaluate_rgb",
+      degree,
+      {3 * count_of(degree), 3},
+      3,
+      [degree](std::size_t j, std::mt19937& random) {
+        return j == 0 ? random_numbers<T>(3 * count_of(degree), random) : random_direction<T>(random);
+      },
+      [degree](std::size_t n, const auto& in, Records<T> out) { batch::evaluate_rgb(degree, n, in[0], in[1], out); },
+      [degree](const auto& in, T* out) {
+        with_degree<10>(degree,
+                        [&]<int kDegree>() { evaluate_rgb<kDegree>(in[0], in[1][0], in[1][1], in[1][2], out); });
+      },
+      64,
+      64};
 }
 
 }  // namespace

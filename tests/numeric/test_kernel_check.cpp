@@ -11,7 +11,7 @@
 namespace sh::numeric {
 namespace {
 
-// A kernel whose last written value is multiplied by `factor`, in the scalars chosen.
+// A kernel one of whose written values is multiplied by `factor`, in the scalars chosen.
 struct Spoil {
   BoundKernel original;
   std::size_t argument = 0, element = 0;
@@ -29,7 +29,7 @@ void spoiled_call(T* const* arguments) {
   value = value * T(static_cast<float>(spoil().factor));
 }
 
-// The last output of the kernel times `factor`.
+// The last value of the kernel's first result times `factor`. (Further results may end in a zero, as derivatives do.)
 BoundKernel spoiled(const BoundKernel& kernel, double factor) {
   const auto signature = find_check(all_checks(), kernel.family)->signature(kernel.degree);
   spoil() = {kernel, signature.parameters.size(), 0, factor};
@@ -38,6 +38,7 @@ BoundKernel spoiled(const BoundKernel& kernel, double factor) {
     if (parameter.is_written()) {
       spoil().argument = i;
       spoil().element = static_cast<std::size_t>(parameter.values()) - 1;
+      break;
     }
   }
   BoundKernel result = kernel;
