@@ -13,7 +13,7 @@ namespace sh::batch::detail {
 constexpr std::size_t kLine = 64;  // bytes of a cache line, and of one value of a block
 constexpr int kMostInputs = 3;
 constexpr int kMostSums = 121;             // values of the largest sum
-constexpr std::size_t kRoomLines = 4117;  // for copies of a chunk of records
+constexpr std::size_t kRoomLines = 1292;  // for copies of a chunk of records
 
 /// One call of a driver, checked.
 template <class T>
@@ -33,7 +33,5 @@ using Once = void (*)(int degree, const T* in, T* out);
 void prepare_evaluate(int degree, const float* in, float* out);
 void prepare_evaluate(int degree, const double* in, double* out);
 void finish_project(int degree, const double* in, double* out);
-void prepare_rotate(int degree, const float* in, float* out);
-void prepare_rotate(int degree, const double* in, double* out);
 
 }  // namespace sh::batch::detail

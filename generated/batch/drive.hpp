@@ -89,7 +89,9 @@ class Driver {
       kernel_ = plan_.kernel_prepared;
     }
     T* room = take_room(size);
-    for (std::size_t i = 0; i < size * kBlock<T>; ++i) room[i] = record[i / kBlock<T>];
+    for (std::size_t k = 0; k < size * kBlock<T>; k += Lanes<T>::kWidth) {
+      *reinterpret_cast<Lanes<T>*>(room + k) = Lanes<T>(record[k / kBlock<T>]);
+    }
     blocks_.in[j] = room;
   }
 

@@ -4,7 +4,6 @@
 // Licence:      MIT-0; paste it anywhere.
 #include "generated/cpp/evaluate_prepare.hpp"
 #include "generated/cpp/project_finish.hpp"
-#include "generated/cpp/rotate_build.hpp"
 #include "generated/batch/call.hpp"
 
 namespace sh::batch::detail {
@@ -62,40 +61,6 @@ void finish_project(int degree, const double* in, double* out) {
       sh::project_finish_l8<double>,
       sh::project_finish_l9<double>,
       sh::project_finish_l10<double>,
-  };
-  kRuns[degree](in, out);
-}
-
-void prepare_rotate(int degree, const float* in, float* out) {
-  static constexpr Run<float> kRuns[] = {
-      sh::rotate_build_l0<float>,
-      sh::rotate_build_l1<float>,
-      sh::rotate_build_l2<float>,
-      sh::rotate_build_l3<float>,
-      sh::rotate_build_l4<float>,
-      sh::rotate_build_l5<float>,
-      sh::rotate_build_l6<float>,
-      sh::rotate_build_l7<float>,
-      sh::rotate_build_l8<float>,
-      sh::rotate_build_l9<float>,
-      sh::rotate_build_l10<float>,
-  };
-  kRuns[degree](in, out);
-}
-
-void prepare_rotate(int degree, const double* in, double* out) {
-  static constexpr Run<double> kRuns[] = {
-      sh::rotate_build_l0<double>,
-      sh::rotate_build_l1<double>,
-      sh::rotate_build_l2<double>,
-      sh::rotate_build_l3<double>,
-      sh::rotate_build_l4<double>,
-      sh::rotate_build_l5<double>,
-      sh::rotate_build_l6<double>,
-      sh::rotate_build_l7<double>,
-      sh::rotate_build_l8<double>,
-      sh::rotate_build_l9<double>,
-      sh::rotate_build_l10<double>,
   };
   kRuns[degree](in, out);
 }

@@ -49,18 +49,13 @@ void times(Table& table) {
          },
          one_by_one([&built](const float* /*m*/, const float* v, float* o) {
            sh::rotate_apply<kDegree>(static_cast<const float*>(built.data()), v, o);
-         }),
-         [&] {
-           batch::rotate(kDegree, kRotations, batch::shared(r.data()), batch::blocked(blocks_c.get()),
-                         batch::blocked(out.get()));
-         }});
+         })});
     const double ns = 1e9 / kRotations;
     const std::string degree = "degree " + std::to_string(kDegree);
     const double slower = kSlower[kDegree - 3];
     table.ratio("rotate, " + degree, "ns", t[0] * ns, t[1] * ns, "z-x90-z", 1.0 / slower);
     table.ratio("rotate, batch of pairs, " + degree, "ns", t[2] * ns, t[1] * ns, "z-x90-z", 0.1 / slower);
     table.ratio("apply a cached matrix, " + degree, "ns", t[3] * ns, t[0] * ns, "build and apply", 1.0 / 3);
-    table.ratio("one matrix for a batch, " + degree, "ns", t[4] * ns, t[2] * ns, "a matrix each", 1.0 / 3);
   });
 }
 
