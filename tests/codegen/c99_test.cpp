@@ -91,7 +91,7 @@ class Program {
     for (const Expected& expected : expected_) {
       ASSERT_TRUE(printed >> number) << expected.kernel;
       const double value = std::strtod(number.c_str(), nullptr);
-      EXPECT_EQ(std::bit_cast<std::uint64_t>(value), std::bit_cast<std::uint64_t>(expected.value))
+      ASSERT_EQ(std::bit_cast<std::uint64_t>(value), std::bit_cast<std::uint64_t>(expected.value))
           << expected.kernel << " output " << expected.output << ": " << value << " instead of " << expected.value;
     }
     EXPECT_FALSE(printed >> number);

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -25,19 +26,37 @@ struct Compiled {
   std::string messages;
 };
 
-// Compiles a source text with `compiler`, e.g. "g++ -std=c++17".
-Compiled compile(const std::string& compiler, const std::string& source) {
-  const fs::path file = fs::temp_directory_path() / ("shforge-compile-" + std::to_string(::getpid()) + ".cpp");
-  const fs::path log = file.string() + ".log";
-  std::ofstream(file) << source;
-  const std::string command =
-      compiler + kStrict + "-I '" + SHFORGE_SOURCE_DIR + "' '" + file.string() + "' >'" + log.string() + "' 2>&1";
+// A folder that is removed with its content.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() : path_(fs::temp_directory_path() / ("shforge-compile-" + std::to_string(::getpid()))) {
+    fs::create_directories(path_);
+  }
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  [[nodiscard]] const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+// Compiles source texts, each a unit of its own, in one call of `compiler`, e.g. "g++ -std=c++17".
+Compiled compile(const std::string& compiler, const std::map<std::string, std::string>& sources) {
+  const TemporaryFolder folder;
+  for (const auto& [name, source] : sources) std::ofstream(folder.path() / (name + ".cpp")) << source;
+  const std::string command = "cd '" + folder.path().string() + "' && " + compiler + kStrict + "-I '" +
+                              SHFORGE_SOURCE_DIR + "' *.cpp >log 2>&1";
   const int status = std::system(command.c_str());
-  std::ifstream stream(log);
-  Compiled result{WIFEXITED(status) && WEXITSTATUS(status) == 0, {std::istreambuf_iterator<char>(stream), {}}};
-  fs::remove(file);
-  fs::remove(log);
-  return result;
+  std::ifstream stream(folder.path() / "log");
+  return {WIFEXITED(status) && WEXITSTATUS(status) == 0, {std::istreambuf_iterator<char>(stream), {}}};
+}
+
+Compiled compile(const std::string& compiler, const std::string& source) {
+  return compile(compiler, {{"one", source}});
 }
 
 // The generated headers: of kernels, or of families.
@@ -56,14 +75,29 @@ std::vector<std::string> headers(bool of_kernels) {
 
 std::string include(const std::string& name) { return "#include \"generated/cpp/" + name + ".hpp\"\n"; }
 
-TEST(GeneratedHeaders, EachCompilesAlone) {
-  for (const bool of_kernels : {true, false}) {
-    for (const std::string& name : headers(of_kernels)) {
-      const Compiled result = compile("g++ -std=c++17", include(name));
-      EXPECT_TRUE(result.accepted) << name << "\n" << result.messages;
-    }
+// The compiler and standard to use.
+class GeneratedHeader : public testing::TestWithParam<std::string> {};
+
+// A kernel is instantiated for both scalars; headers of families include those of their kernels.
+TEST_P(GeneratedHeader, OfEveryKernelAndFamilyCompilesAlone) {
+  std::map<std::string, std::string> sources;
+  for (const std::string& name : headers(false)) sources[name] = include(name);
+  for (const std::string& name : headers(true)) {
+    sources[name] = include(name) + "template <auto kFunction>\nstruct Use {};\ntemplate struct Use<&sh::" + name +
+                    "<float>>;\ntemplate struct Use<&sh::" + name + "<double>>;\n";
   }
+  const Compiled result = compile(GetParam(), sources);
+  constexpr std::size_t kMostPrinted = 4000;
+  EXPECT_TRUE(result.accepted) << result.messages.substr(0, kMostPrinted);
 }
+
+INSTANTIATE_TEST_SUITE_P(Compilers, GeneratedHeader,
+                         testing::Values("g++ -std=c++17", "g++ -std=c++20", "clang++ -std=c++17",
+                                         "clang++ -std=c++20"),
+                         [](const auto& compiler) {
+                           const std::string& command = compiler.param;
+                           return (command[0] == 'g' ? "gcc" : "clang") + command.substr(command.size() - 2);
+                         });
 
 TEST(GeneratedHeaders, AllCompileTogetherInBothCompilersAndStandards) {
   std::string all;
