@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "codegen/errata_command.hpp"
+#include "codegen/commands/errata.hpp"
 #include "tests/codegen/support.hpp"
 
 namespace sh::codegen {

@@ -1,12 +1,16 @@
-#include "codegen/prove_command.hpp"
+#include "codegen/commands/prove.hpp"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <iomanip>
+#include <iostream>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <ostream>
 #include <stdexcept>
 
+#include "codegen/commands/commands.hpp"
 #include "codegen/write_file.hpp"
 #include "symbolic/proofs.hpp"
 
@@ -101,6 +105,15 @@ bool prove(const ProveOptions& options, std::ostream& out, std::ostream& progres
   progress << "shgen: " << proofs.size() - refuted << " of " << proofs.size() << " identities proved in " << std::fixed
            << std::setprecision(1) << seconds << " s\n";
   return refuted == 0;
+}
+
+void add_prove_command(CLI::App& tool, int& exit_code) {
+  const auto options = std::make_shared<ProveOptions>();
+  CLI::App* const command = tool.add_subcommand("prove", "Prove every identity that the kernels rest on");
+  command->add_option("name", options->only, "Proofs to run (default: all)");
+  command->add_option("--degree", options->degree, "Prove to this degree where the range allows");
+  command->add_option("--json", options->json, "File to write the results to");
+  command->callback([options, &exit_code] { exit_code = prove(*options, std::cout, std::cerr) ? kDone : kDifferent; });
 }
 
 }  // namespace sh::codegen

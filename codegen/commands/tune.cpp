@@ -1,13 +1,17 @@
-#include "codegen/tune_command.hpp"
+#include "codegen/commands/tune.hpp"
 
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
+#include <iostream>
 #include <limits>
+#include <memory>
 #include <ostream>
 
 #include "codegen/catalogue.hpp"
+#include "codegen/commands/commands.hpp"
 #include "codegen/tune.hpp"
 #include "codegen/write_file.hpp"
 
@@ -87,6 +91,17 @@ bool tune(const TuneOptions& options, std::ostream& out, std::ostream& progress)
   progress << (options.check ? fmt::format(", {} chosen recipes are more than 10 % slower than the fastest\n", slower)
                              : fmt::format(", written to {}; `shgen write` uses it\n", file.string()));
   return !options.check || slower == 0;
+}
+
+void add_tune_command(CLI::App& tool, int& exit_code) {
+  const auto options = std::make_shared<TuneOptions>();
+  CLI::App* const command =
+      tool.add_subcommand("tune", "Measure the recipes on this machine, for `shgen write` to choose");
+  command->add_option("family", options->families, "Families (default: all)");
+  command->add_option("--degree", options->degree, "This degree only");
+  command->add_option("--out", options->file, "Wisdom file to update (default: the source tree's)");
+  command->add_flag("--check", options->check, "Only compare the recipes with the choice; write nothing");
+  command->callback([options, &exit_code] { exit_code = tune(*options, std::cout, std::cerr) ? kDone : kDifferent; });
 }
 
 }  // namespace sh::codegen

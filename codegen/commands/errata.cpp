@@ -1,14 +1,18 @@
-#include "codegen/errata_command.hpp"
+#include "codegen/commands/errata.hpp"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <iomanip>
+#include <iostream>
 #include <map>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <ostream>
 #include <stdexcept>
 #include <utility>
 
+#include "codegen/commands/commands.hpp"
 #include "codegen/write_file.hpp"
 
 namespace sh::codegen {
@@ -233,6 +237,17 @@ bool errata(const std::vector<Source>& sources, const ErrataOptions& options, st
   if (!options.json.empty()) write_file(options.json, report.dump(2) + "\n");
   totals.print(progress);
   return totals.consistent();
+}
+
+void add_errata_command(CLI::App& tool, int& exit_code) {
+  const auto options = std::make_shared<ErrataOptions>();
+  CLI::App* const command = tool.add_subcommand("errata", "Decide the formulas of the sources");
+  command->add_option("name", options->only, "Entries (B-08) or sources (B) (default: all)");
+  command->add_option("--verdict", options->verdict, "Only entries of this verdict, e.g. wrong");
+  command->add_option("--json", options->json, "File to write the results to");
+  command->callback([options, &exit_code] {
+    exit_code = errata(symbolic::errata::all_sources(), *options, std::cout, std::cerr) ? kDone : kDifferent;
+  });
 }
 
 }  // namespace sh::codegen

@@ -1,0 +1,80 @@
+// `shgen emit`: one kernel's file on standard output, in a language, a convention, with or without what a mask leaves
+// out.
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include "codegen/catalogue.hpp"
+#include "codegen/commands/commands.hpp"
+#include "codegen/in_convention.hpp"
+#include "codegen/masked_kernel.hpp"
+
+namespace sh::codegen {
+namespace {
+
+struct EmitOptions {
+  std::string family;
+  int degree = 0;
+  std::string language;
+  std::string scalar = "float";
+  std::string prefer = "speed";
+  std::string recipe;  // this one instead of the preferred one, if not empty
+  MaskOptions mask;
+  ConventionOptions convention;
+};
+
+FinishedKernel by_recipe(const Family& family, const EmitOptions& options) {
+  FinishedKernel finished = finish_kernel(family, find_recipe(family, options.degree, options.recipe), options.degree);
+  finished.kernel.arguments += " --recipe " + options.recipe;
+  return finished;
+}
+
+FinishedKernel by_preference(const Family& family, const EmitOptions& options) {
+  const Prefer prefer = find_preference(options.prefer);
+  FinishedKernel finished = options.mask.empty() ? preferred_kernel(family, options.degree, prefer)
+                                                 : masked_kernel(family, options.degree, prefer, options.mask);
+  if (options.convention.empty()) return finished;
+  return in_convention(finished, family.reference(options.degree, kReferencePoints), options.convention);
+}
+
+void emit(const EmitOptions& options) {
+  const Language& language = find_language(options.language);
+  const Family& family = find_family(options.family);
+  const FinishedKernel finished = options.recipe.empty() ? by_preference(family, options) : by_recipe(family, options);
+  std::cout << language.print_kernel(finished, find_scalar(options.scalar));
+}
+
+void add_mask_options(CLI::App& command, MaskOptions& mask) {
+  command.add_option("--left", mask.left, "Symmetries of the first coefficient array, e.g. zonal or mirror-x,mirror-y");
+  command.add_option("--right", mask.right, "Symmetries of the second coefficient array");
+  command.add_option("--keep-bands", mask.keep_bands, "Degrees l that are not zero, e.g. 0,1,2,4")->delimiter(',');
+  command.add_option("--keep-orders", mask.keep_orders, "Orders m that are not zero, e.g. --keep-orders=-2,0,2")
+      ->delimiter(',');
+  command.add_option("--outputs", mask.outputs, "Wanted results: a symmetry or a list of entries, e.g. 0,2,6");
+}
+
+}  // namespace
+
+void add_emit_command(CLI::App& tool, int& exit_code) {
+  const auto options = std::make_shared<EmitOptions>();
+  CLI::App* const command = tool.add_subcommand("emit", "Print the file of one kernel");
+  command->add_option("family", options->family, "Family, e.g. basis")->required();
+  command->add_option("--degree", options->degree, "Largest degree l")->required();
+  command->add_option("--lang", options->language, "Language: cpp, glsl, glsl-es, hlsl or c99")->required();
+  command->add_option("--scalar", options->scalar, "Scalar type: float or double (C++ is templated on it)");
+  command->add_option("--prefer", options->prefer, "What the recipe is chosen for: speed, accuracy or size");
+  command->add_option("--convention", options->convention.convention, "Convention of arrays, e.g. directxmath, unity");
+  command->add_option("--axes", options->convention.axes,
+                      "The convention's coordinates from the caller's, e.g. x,z,-y");
+  add_mask_options(*command, options->mask);
+  command->add_option("--recipe", options->recipe, "This recipe of the family, whatever it is good for")
+      ->excludes("--prefer", "--convention", "--axes", "--left", "--right", "--keep-bands", "--keep-orders",
+                 "--outputs");
+  command->callback([options, &exit_code] {
+    emit(*options);
+    exit_code = kDone;
+  });
+}
+
+}  // namespace sh::codegen

@@ -1,0 +1,86 @@
+// `shgen write`, `shgen check` and `shgen list`: the folder generated/.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "codegen/catalogue.hpp"
+#include "codegen/commands/commands.hpp"
+#include "codegen/output_tree.hpp"
+
+namespace sh::codegen {
+namespace {
+
+// ./generated when it exists (run from a checkout), otherwise the folder this tool was built from.
+std::string default_folder() {
+  return std::filesystem::is_regular_file("generated/MANIFEST") ? "generated" : SHFORGE_GENERATED_DIR;
+}
+
+std::string chosen_folder(const std::string& wanted) { return wanted.empty() ? default_folder() : wanted; }
+
+void report_progress(const std::string& kernel) { std::cerr << "shgen: " << kernel << '\n'; }
+
+void ignore_progress(const std::string& /*kernel*/) {}
+
+int write(const std::string& folder) {
+  make_folder(folder);
+  const std::vector<std::string> written = write_tree(folder, render_all(report_progress));
+  for (const std::string& name : written) std::cout << name << '\n';
+  std::cerr << "shgen: " << written.size() << " files written under " << folder << '\n';
+  return kDone;
+}
+
+int check(const std::string& folder) {
+  require_existing(folder);
+  const std::vector<std::string> differences = compare_tree(folder, render_all(ignore_progress));
+  for (const std::string& line : differences) std::cout << line << '\n';
+  if (!differences.empty()) return kDifferent;
+  std::cerr << "shgen: " << folder << " is what the generator writes\n";
+  return kDone;
+}
+
+// The manifest of a folder: every line, or those of some families.
+int list(const std::string& folder, const std::vector<std::string>& only) {
+  std::vector<std::string> prefixes;
+  for (const std::string& name : only) prefixes.push_back(find_family(name).name + "_l");
+  std::ifstream manifest(folder + "/MANIFEST");
+  if (!manifest) throw std::runtime_error(folder + "/MANIFEST: cannot be read; `shgen write` writes it");
+  std::string line;
+  while (std::getline(manifest, line)) {
+    const bool chosen = std::any_of(prefixes.begin(), prefixes.end(),
+                                    [&](const std::string& prefix) { return line.rfind(prefix, 0) == 0; });
+    if (prefixes.empty() || line[0] == '#' || chosen) std::cout << line << '\n';
+  }
+  return kDone;
+}
+
+}  // namespace
+
+void add_write_command(CLI::App& tool, int& exit_code) {
+  const auto folder = std::make_shared<std::string>();
+  CLI::App* const command = tool.add_subcommand("write", "Write the generated files that differ");
+  command->add_option("--out", *folder, "Folder to write to (default: ./generated or the source tree's)");
+  command->callback([folder, &exit_code] { exit_code = write(chosen_folder(*folder)); });
+}
+
+void add_check_command(CLI::App& tool, int& exit_code) {
+  const auto folder = std::make_shared<std::string>();
+  CLI::App* const command = tool.add_subcommand("check", "Compare the generated files with what would be written");
+  command->add_option("--dir", *folder, "Folder to compare (default: ./generated or the source tree's)");
+  command->callback([folder, &exit_code] { exit_code = check(chosen_folder(*folder)); });
+}
+
+void add_list_command(CLI::App& tool, int& exit_code) {
+  const auto only = std::make_shared<std::vector<std::string>>();
+  CLI::App* const command =
+      tool.add_subcommand("list", "List every kernel and recipe with cost, error, time and files");
+  command->add_option("family", *only, "Families (default: all)");
+  command->callback([only, &exit_code] { exit_code = list(default_folder(), *only); });
+}
+
+}  // namespace sh::codegen
