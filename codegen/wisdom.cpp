@@ -6,6 +6,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "codegen/installed.hpp"
+
 namespace sh::codegen {
 namespace {
 
@@ -55,7 +57,7 @@ std::string Wisdom::to_string() const {
   return text;
 }
 
-std::filesystem::path wisdom_file() { return SHFORGE_WISDOM_FILE; }
+std::filesystem::path wisdom_file() { return installed_or("share/shforge/wisdom.txt", SHFORGE_WISDOM_FILE); }
 
 const Wisdom& committed_wisdom() {
   static const Wisdom kWisdom = Wisdom::read(wisdom_file());

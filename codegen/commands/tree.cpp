@@ -11,14 +11,17 @@
 
 #include "codegen/catalogue.hpp"
 #include "codegen/commands/commands.hpp"
+#include "codegen/installed.hpp"
 #include "codegen/output_tree.hpp"
 
 namespace sh::codegen {
 namespace {
 
-// ./generated when it exists (run from a checkout), otherwise the folder this tool was built from.
+// ./generated when it exists (run from a checkout), otherwise what was installed with this tool or what it was built
+// from.
 std::string default_folder() {
-  return std::filesystem::is_regular_file("generated/MANIFEST") ? "generated" : SHFORGE_GENERATED_DIR;
+  if (std::filesystem::is_regular_file("generated/MANIFEST")) return "generated";
+  return installed_or("include/shforge/generated", SHFORGE_GENERATED_DIR);
 }
 
 std::string chosen_folder(const std::string& wanted) { return wanted.empty() ? default_folder() : wanted; }

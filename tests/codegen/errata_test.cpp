@@ -1,11 +1,12 @@
 // `shgen errata` from outside: the table, its filters, the JSON file, exit codes, bad arguments.
+#include "codegen/commands/errata.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "codegen/commands/errata.hpp"
 #include "tests/codegen/support.hpp"
 
 namespace sh::codegen {
