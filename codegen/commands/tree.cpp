@@ -50,6 +50,7 @@ int check(const std::string& folder) {
 // The manifest of a folder: every line, or those of some families.
 int list(const std::string& folder, const std::vector<std::string>& only) {
   std::vector<std::string> prefixes;
+  prefixes.reserve(only.size());
   for (const std::string& name : only) prefixes.push_back(find_family(name).name + "_l");
   std::ifstream manifest(folder + "/MANIFEST");
   if (!manifest) throw std::runtime_error(folder + "/MANIFEST: cannot be read; `shgen write` writes it");

@@ -59,7 +59,7 @@ std::string c_unit(const FinishedKernel& finished, const std::string& name, cons
       declarations << "    " << variable << '[' << i << "] = in[item][" << first++ << "];\n";
     arguments << (arguments.str().empty() ? "" : ", ") << variable << (p.count == 0 ? "[0]" : "");
     if (p.is_written()) {
-      prints << "    for (int i = 0; i < " << p.values() << "; ++i) printf(\"%a\\n\", (double)" << variable
+      prints << "    for (int i = 0; i < " << p.values() << R"(; ++i) printf("%a\n", (double))" << variable
              << "[i]);\n";
     }
   }

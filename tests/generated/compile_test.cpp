@@ -75,17 +75,23 @@ std::vector<std::string> headers(bool of_kernels) {
 
 std::string include(const std::string& name) { return "#include \"generated/cpp/" + name + ".hpp\"\n"; }
 
+// A unit that instantiates the kernel for both scalars.
+std::string use(const std::string& name) {
+  std::string unit = include(name) + "template <auto kFunction>\nstruct Use {};\n";
+  for (const std::string scalar : {"float", "double"}) {
+    unit.append("template struct Use<&sh::").append(name).append("<").append(scalar).append(">>;\n");
+  }
+  return unit;
+}
+
 // The compiler and standard to use.
 class GeneratedHeader : public testing::TestWithParam<std::string> {};
 
-// A kernel is instantiated for both scalars; headers of families include those of their kernels.
+// Headers of families include those of their kernels.
 TEST_P(GeneratedHeader, OfEveryKernelAndFamilyCompilesAlone) {
   std::map<std::string, std::string> sources;
   for (const std::string& name : headers(false)) sources[name] = include(name);
-  for (const std::string& name : headers(true)) {
-    sources[name] = include(name) + "template <auto kFunction>\nstruct Use {};\ntemplate struct Use<&sh::" + name +
-                    "<float>>;\ntemplate struct Use<&sh::" + name + "<double>>;\n";
-  }
+  for (const std::string& name : headers(true)) sources[name] = use(name);
   const Compiled result = compile(GetParam(), sources);
   constexpr std::size_t kMostPrinted = 4000;
   EXPECT_TRUE(result.accepted) << result.messages.substr(0, kMostPrinted);
