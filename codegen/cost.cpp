@@ -6,32 +6,34 @@
 namespace sh::codegen {
 namespace {
 
-void count(const Node& node, Cost& cost) {
+void count(const Node& node, int times, Cost& cost) {
   switch (node.op) {
     case Op::kInput:
     case Op::kConstant:
+    case Op::kTable:
       return;
     case Op::kNeg:
-      ++cost.neg;
+      cost.neg += times;
       return;
     case Op::kAdd:
     case Op::kSub:
-      ++cost.add;
+    case Op::kRowSum:
+      cost.add += times;
       return;
     case Op::kMul:
-      ++cost.mul;
+      cost.mul += times;
       return;
     case Op::kFma:
-      ++cost.fma;
+      cost.fma += times;
       return;
     case Op::kDiv:
-      ++cost.div;
+      cost.div += times;
       return;
     case Op::kSqrt:
-      ++cost.sqrt;
+      cost.sqrt += times;
       return;
     case Op::kSelect:
-      ++cost.select;
+      cost.select += times;
       return;
   }
   throw std::logic_error("cost: unknown operation");
@@ -51,7 +53,7 @@ int most_live_values(const Kernel& kernel, const std::vector<bool>& live) {
   std::vector<int> change(kernel.nodes.size() + 1, 0);
   for (NodeId id = 0; id < kernel.size(); ++id) {
     const Node& node = kernel.node(id);
-    if (!live[static_cast<std::size_t>(id)] || node.op == Op::kConstant) continue;
+    if (!live[static_cast<std::size_t>(id)] || node.op == Op::kConstant || node.op == Op::kTable) continue;
     const NodeId end = std::max(last_use[static_cast<std::size_t>(id)], id);
     ++change[static_cast<std::size_t>(node.op == Op::kInput ? 0 : id)];
     --change[static_cast<std::size_t>(std::max(end, id + 1))];
@@ -66,15 +68,19 @@ int most_live_values(const Kernel& kernel, const std::vector<bool>& live) {
 
 Cost cost(const Kernel& kernel) {
   const std::vector<bool> live = live_nodes(kernel);
+  const std::vector<Phase> phase = phases(kernel);
+  const auto rows = static_cast<int>(kernel.table.size());
   Cost result;
   std::vector<int> depth(kernel.nodes.size(), 0);
   for (NodeId id = 0; id < kernel.size(); ++id) {
     if (!live[static_cast<std::size_t>(id)]) continue;
     const Node& node = kernel.node(id);
-    count(node, result);
+    const bool every_row = phase[static_cast<std::size_t>(id)] == Phase::kBody || node.op == Op::kRowSum;
+    count(node, every_row ? rows : 1, result);
     int& here = depth[static_cast<std::size_t>(id)];
+    const int steps = node.op == Op::kRowSum ? rows : 1;
     for (int i = 0; i < argument_count(node.op); ++i) {
-      here = std::max(here, depth[static_cast<std::size_t>(node.args[static_cast<std::size_t>(i)])] + 1);
+      here = std::max(here, depth[static_cast<std::size_t>(node.args[static_cast<std::size_t>(i)])] + steps);
     }
     result.depth = std::max(result.depth, here);
   }

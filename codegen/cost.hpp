@@ -18,7 +18,8 @@ struct Cost {
   [[nodiscard]] int operations() const { return mul + add + fma + neg + div + sqrt + select; }
 };
 
-/// Nodes that reach no output cost nothing.
+/// Nodes that reach no output cost nothing; the body of a loop costs what it does once for every row, a sum over the
+/// rows one addition a row.
 Cost cost(const Kernel& kernel);
 
 }  // namespace sh::codegen

@@ -23,15 +23,22 @@ template <class T>
 class Evaluator {
  public:
   /// digits: decimal digits of the constants, for cl_F only. The kernel has to outlive the evaluator.
-  explicit Evaluator(const Kernel& kernel, int digits = 0) : kernel_(kernel), values_(kernel.nodes.size()) {
+  explicit Evaluator(const Kernel& kernel, int digits = 0)
+      : kernel_(kernel), phases_(phases(kernel)), values_(kernel.nodes.size()) {
     for (std::size_t i = 0; i < kernel.nodes.size(); ++i) {
       if (kernel.nodes[i].op == Op::kConstant) values_[i] = convert(kernel.nodes[i].constant, digits);
+    }
+    for (const auto& row : kernel.table) {
+      table_.emplace_back();
+      for (const ExactReal& constant : row) table_.back().push_back(convert(constant, digits));
     }
   }
 
   /// inputs: the flattened parameters; result: the flattened outputs.
   std::vector<T> operator()(std::span<const T> inputs) {
-    for (std::size_t i = 0; i < values_.size(); ++i) step(kernel_.nodes[i], inputs, values_[i]);
+    run(Phase::kBefore, inputs);
+    for (std::size_t row = 0; row < table_.size(); ++row) run_row(row, inputs);
+    run(Phase::kAfter, inputs);
     std::vector<T> results;
     results.reserve(kernel_.outputs.size());
     for (const Output& output : kernel_.outputs) results.push_back(value(output.node));
@@ -39,6 +46,24 @@ class Evaluator {
   }
 
  private:
+  void run(Phase phase, std::span<const T> inputs) {
+    for (std::size_t i = 0; i < values_.size(); ++i) {
+      if (phases_[i] == phase && kernel_.nodes[i].op != Op::kRowSum) step(kernel_.nodes[i], inputs, values_[i]);
+    }
+  }
+
+  void run_row(std::size_t row, std::span<const T> inputs) {
+    for (std::size_t i = 0; i < values_.size(); ++i) {
+      if (kernel_.nodes[i].op == Op::kTable) values_[i] = table_[row][static_cast<std::size_t>(kernel_.nodes[i].input)];
+    }
+    run(Phase::kBody, inputs);
+    for (std::size_t i = 0; i < values_.size(); ++i) {
+      if (kernel_.nodes[i].op != Op::kRowSum) continue;
+      const T& term = value(kernel_.nodes[i].args[0]);
+      values_[i] = row == 0 ? term : values_[i] + term;
+    }
+  }
+
   static T convert(const ExactReal& constant, [[maybe_unused]] int digits) {
     if constexpr (std::is_floating_point_v<T>) {
       return nearest<T>(constant);
@@ -71,6 +96,8 @@ class Evaluator {
         result = inputs[static_cast<std::size_t>(node.input)];
         return;
       case Op::kConstant:
+      case Op::kTable:
+      case Op::kRowSum:
         return;
       case Op::kNeg:
         result = -value(node.args[0]);
@@ -101,7 +128,9 @@ class Evaluator {
   }
 
   const Kernel& kernel_;
+  std::vector<Phase> phases_;
   std::vector<T> values_;
+  std::vector<std::vector<T>> table_;  // the constants of the loop, by row
 };
 
 }  // namespace sh::codegen

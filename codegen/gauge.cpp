@@ -58,10 +58,8 @@ class GaugeSolver {
     for (const Rescaled& r : rescaled_) {
       const Surd after = value(gauge(r.node));
       const Surd before = r.argument < 0 ? Surd(1) : value(gauge(r.argument));
-      const auto constant = multiply(r.constant, after / before);
-      if (!constant) throw std::logic_error(kernel_.name + ": a constant that is no surd cannot be rescaled");
       const NodeId place = r.argument < 0 ? r.node : result_.node(r.node).args[0];
-      result_.nodes[static_cast<std::size_t>(place)].constant = *constant;
+      result_.nodes[static_cast<std::size_t>(place)].constant = multiply(r.constant, after / before);
     }
     return passes::prune(passes::fold(result_));
   }
@@ -97,7 +95,7 @@ class GaugeSolver {
     const Node& node = kernel_.node(old);
     if (node.op != Op::kConstant) return position_[static_cast<std::size_t>(old)];
     const NodeId id = build_.constant(node.constant, node.name);
-    if (!std::holds_alternative<Surd>(node.constant) || is_zero(node.constant)) return keep(id, Gauge{});
+    if (is_zero(node.constant)) return keep(id, Gauge{});
     rescaled_.push_back({id, -1, node.constant});
     return keep(id, fresh());
   }
@@ -106,7 +104,6 @@ class GaugeSolver {
   NodeId times_constant(const ExactReal& k, const std::string& k_name, NodeId argument, const std::string& name) {
     const NodeId constant = keep(build_.constant(k, k_name), Gauge{});
     const NodeId id = build_.mul(constant, argument, name);
-    if (!std::holds_alternative<Surd>(k)) return keep(id, gauge(argument));
     rescaled_.push_back({id, argument, k});
     return keep(id, fresh());
   }
@@ -167,6 +164,12 @@ class GaugeSolver {
         const NodeId then = arg(2);
         const NodeId otherwise = with_gauge(arg(3), gauge(then));
         return keep(build_.select(a, b, then, otherwise, node.name), gauge(then));
+      }
+      case Op::kTable:
+        return keep(build_.table(node.input), Gauge{});
+      case Op::kRowSum: {
+        const NodeId a = arg(0);
+        return keep(build_.row_sum(a, node.name), gauge(a));
       }
       case Op::kFma:
         break;

@@ -13,9 +13,11 @@ int argument_count(Op op) {
   switch (op) {
     case Op::kInput:
     case Op::kConstant:
+    case Op::kTable:
       return 0;
     case Op::kNeg:
     case Op::kSqrt:
+    case Op::kRowSum:
       return 1;
     case Op::kAdd:
     case Op::kSub:
@@ -52,8 +54,36 @@ std::string op_name(Op op) {
       return "sqrt";
     case Op::kSelect:
       return "select";
+    case Op::kTable:
+      return "table";
+    case Op::kRowSum:
+      return "row_sum";
   }
   throw std::logic_error("op_name: unknown operation");
+}
+
+std::vector<Phase> phases(const Kernel& kernel) {
+  std::vector<Phase> result(kernel.nodes.size(), Phase::kBefore);
+  for (NodeId id = 0; id < kernel.size(); ++id) {
+    const Node& node = kernel.node(id);
+    bool in_row = node.op == Op::kTable;
+    bool after = node.op == Op::kRowSum;
+    for (int i = 0; i < argument_count(node.op); ++i) {
+      const Phase of_argument = result[static_cast<std::size_t>(node.args[static_cast<std::size_t>(i)])];
+      in_row = in_row || of_argument == Phase::kBody;
+      after = after || of_argument == Phase::kAfter;
+    }
+    if (in_row != (node.op == Op::kRowSum) && in_row && after) {
+      throw std::logic_error(kernel.name + ": node " + std::to_string(id) +
+                             " needs a row of the table and a sum over all rows; it should need one of them");
+    }
+    if (node.op == Op::kRowSum && !in_row) {
+      throw std::logic_error(kernel.name + ": node " + std::to_string(id) +
+                             " sums over the rows what depends on none; it should depend on the table");
+    }
+    result[static_cast<std::size_t>(id)] = after ? Phase::kAfter : in_row ? Phase::kBody : Phase::kBefore;
+  }
+  return result;
 }
 
 std::vector<bool> live_nodes(const Kernel& kernel) {

@@ -3,8 +3,12 @@
 // A Kernel computes flat arrays of results from scalar or array parameters by a list of nodes, each of which refers to
 // earlier nodes only. It supports inputs, exact real constants, negation, addition, subtraction, multiplication,
 // fused multiply-add and, for the few recipes that need them, division, square root and selection. It deliberately does
-// not support control flow, memory, loops, calls or types: a kernel means the same in every scalar type and language,
-// and the printer chooses the type. Constants stay exact until a printer rounds them (codegen/literal.hpp).
+// not support control flow, memory, calls or types: a kernel means the same in every scalar type and language, and the
+// printer chooses the type. Constants stay exact until a printer rounds them (codegen/literal.hpp).
+//
+// One counted loop is possible, for what would outgrow the instruction cache: a kernel with a table of constants has
+// nodes kTable, an element of the table's current row, and kRowSum, the sum of a value over all rows. What depends on
+// the row and on no sum is the body of the loop; everything else is computed once, before it or after it.
 //
 // Names are hints for readers, never identity. Nodes that reach no output are allowed (passes leave them behind,
 // `prune` drops them) and cost nothing.
@@ -19,7 +23,7 @@
 
 namespace sh::codegen {
 
-enum class Op { kInput, kConstant, kNeg, kAdd, kSub, kMul, kFma, kDiv, kSqrt, kSelect };
+enum class Op { kInput, kConstant, kNeg, kAdd, kSub, kMul, kFma, kDiv, kSqrt, kSelect, kTable, kRowSum };
 
 using NodeId = int;  ///< position in Kernel::nodes
 
@@ -27,7 +31,7 @@ struct Node {
   Op op = Op::kInput;
   /// kFma is args[0] * args[1] + args[2]; kSelect is args[0] < args[1] ? args[2] : args[3]
   std::array<NodeId, 4> args{-1, -1, -1, -1};
-  int input = -1;      ///< kInput: position among the flattened parameters
+  int input = -1;      ///< kInput: position among the flattened parameters; kTable: column of the table
   ExactReal constant;  ///< kConstant
   std::string name;    ///< a hint such as "p_4_2"; may be empty
 };
@@ -58,7 +62,8 @@ struct Kernel {
   std::vector<Parameter> parameters;
   std::vector<Parameter> results;  ///< arrays, or one scalar; a result named as a parameter is updated in place
   std::vector<Node> nodes;
-  std::vector<Output> outputs;  ///< the flattened results, in order; those left out are not written
+  std::vector<Output> outputs;                ///< the flattened results, in order; those left out are not written
+  std::vector<std::vector<ExactReal>> table;  ///< rows of constants that the loop runs over; empty: no loop
 
   /// True when the only result is a scalar, which functions return.
   [[nodiscard]] bool returns_scalar() const { return results.size() == 1 && results[0].shape.empty(); }
@@ -71,6 +76,10 @@ struct Kernel {
 };
 
 int argument_count(Op op);
+/// When a node is computed: before the loop (also when there is none), for every row of the table, after the loop.
+enum class Phase { kBefore, kBody, kAfter };
+/// By node. Throws std::logic_error for a sum of what depends on no row, or on a sum and a row.
+std::vector<Phase> phases(const Kernel& kernel);
 /// Printable name of an operation: "mul".
 std::string op_name(Op op);
 /// For every node, whether an output depends on it.
@@ -100,6 +109,8 @@ class Builder {
   NodeId select(NodeId a, NodeId b, NodeId then, NodeId otherwise, std::string name = {}) {
     return operation(Op::kSelect, {a, b, then, otherwise}, std::move(name));
   }
+  NodeId table(int column) { return append({Op::kTable, {-1, -1, -1, -1}, column, {}, {}}); }
+  NodeId row_sum(NodeId a, std::string name = {}) { return operation(Op::kRowSum, {a, -1, -1, -1}, std::move(name)); }
   void name(NodeId id, std::string name) { kernel_.nodes[static_cast<std::size_t>(id)].name = std::move(name); }
 
  private:

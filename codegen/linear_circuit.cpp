@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <map>
+#include <memory>
 #include <optional>
 #include <random>
 #include <tuple>
@@ -12,31 +15,25 @@ namespace {
 constexpr int kDigits = 30;
 constexpr double kSame = 1e-12;  // relative; every circuit is checked with 100 digits afterwards
 
-// An exact constant with the double that the search compares.
+// An exact constant with the double that the search compares; shared, as the search copies it often.
 struct Factor {
-  ExactReal exact;
+  std::shared_ptr<const ExactReal> exact;
   double value = 0;
 };
 
 bool same(double a, double b) { return std::abs(a - b) <= kSame * std::abs(b); }
 bool is_unit(double a) { return same(std::abs(a), 1); }
 
-Factor factor_of(const ExactReal& exact) { return {exact, cln::double_approx(evaluate(exact, kDigits))}; }
+Factor factor_of(const ExactReal& exact) {
+  return {std::make_shared<const ExactReal>(exact), cln::double_approx(evaluate(exact, kDigits))};
+}
 
 ExactReal unit(double sign) { return symbolic::Surd(sign < 0 ? -1 : 1); }
 
-ExactReal quotient(const ExactReal& a, const ExactReal& b) {
-  const auto* left = std::get_if<symbolic::Surd>(&a);
-  const auto* right = std::get_if<symbolic::Surd>(&b);
-  if (left != nullptr && right != nullptr) return *left / *right;
-  return Computed("(" + to_string(a) + ") / (" + to_string(b) + ")",
-                  [a, b](int digits) { return evaluate(a, digits + 3) / evaluate(b, digits + 3); });
-}
-
 Factor quotient(const Factor& a, const Factor& b) {
   const double value = a.value / b.value;
-  if (is_unit(value)) return {unit(value), value < 0 ? -1.0 : 1.0};
-  return {quotient(a.exact, b.exact), value};
+  if (is_unit(value)) return {std::make_shared<const ExactReal>(unit(value)), value < 0 ? -1.0 : 1.0};
+  return {std::make_shared<const ExactReal>(multiply(*a.exact, reciprocal(*b.exact))), value};
 }
 
 using Row = std::map<int, Factor>;
@@ -102,23 +99,25 @@ class Search {
   }
 
   [[nodiscard]] std::vector<Candidate> candidates() const {
-    std::vector<Candidate> found;
+    std::map<std::pair<int, int>, std::vector<Candidate>> found;
     for (std::size_t r = 0; r < rows_.size(); ++r) {
       for (auto x = rows_[r].begin(); x != rows_[r].end(); ++x) {
         for (auto y = std::next(x); y != rows_[r].end(); ++y) {
           const double ratio = y->second.value / x->second.value;
-          const auto known = std::find_if(found.begin(), found.end(), [&](const Candidate& c) {
-            return c.first == x->first && c.second == y->first && same(c.ratio, ratio);
-          });
-          if (known == found.end()) {
-            found.push_back({x->first, y->first, ratio, {r}});
+          std::vector<Candidate>& of_pair = found[{x->first, y->first}];
+          const auto known = std::find_if(of_pair.begin(), of_pair.end(),
+                                          [ratio](const Candidate& c) { return same(c.ratio, ratio); });
+          if (known == of_pair.end()) {
+            of_pair.push_back({x->first, y->first, ratio, {r}});
           } else {
             known->rows.push_back(r);
           }
         }
       }
     }
-    return found;
+    std::vector<Candidate> all;
+    for (auto& [pair, of_pair] : found) std::move(of_pair.begin(), of_pair.end(), std::back_inserter(all));
+    return all;
   }
 
   std::optional<Candidate> best() {
@@ -139,7 +138,7 @@ class Search {
   void replace(const Candidate& c) {
     const Factor x = rows_[c.rows[0]].at(c.first);
     const Factor y = rows_[c.rows[0]].at(c.second);
-    const Factor one{symbolic::Surd(1), 1};
+    const Factor one{std::make_shared<const ExactReal>(unit(1)), 1};
     const int added = values_++;
     if (c.scaled_by == 0) sums_.push_back({{c.first, one}, {c.second, quotient(y, x)}});
     if (c.scaled_by == 1) sums_.push_back({{c.first, quotient(x, y)}, {c.second, one}});
@@ -175,11 +174,11 @@ class Search {
       const int source = position[static_cast<std::size_t>(value)];
       if (is_unit(f.value)) return {source, unit(f.value)};
       const double size = std::abs(f.value);
-      if (uses(value, size) < 2) return {source, f.exact};
+      if (uses(value, size) < 2) return {source, *f.exact};
       auto& known = products[static_cast<std::size_t>(value)];
       auto found = std::find_if(known.begin(), known.end(), [size](const auto& p) { return same(p.first, size); });
       if (found == known.end()) {
-        known.emplace_back(size, append({{source, f.value < 0 ? negate(f.exact) : f.exact}}));
+        known.emplace_back(size, append({{source, f.value < 0 ? negate(*f.exact) : *f.exact}}));
         found = std::prev(known.end());
       }
       return {found->second, unit(f.value)};

@@ -31,6 +31,9 @@ class SignedBuilder {
   Value minus(Value a, Value b) { return plus(a, opposite(b)); }
   /// One after the other, beginning with one that needs no negation where there is one.
   Value sum(const std::vector<Value>& terms);
+  /// The element of the table's current row, and the sum of a value over all rows.
+  Value table(int column) { return {build_.table(column)}; }
+  Value row_sum(Value a) { return a.is_zero() ? a : Value{build_.row_sum(a.node), a.negative}; }
   /// By halves: a short chain and little rounding error for many terms.
   Value balanced_sum(const std::vector<Value>& terms);
   static Value opposite(Value a) { return {a.node, !a.negative}; }

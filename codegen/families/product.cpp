@@ -11,7 +11,8 @@ using recipes::Factors;
 using recipes::SampleProduct;
 using symbolic::ProductShape;
 
-constexpr int kLargestWritten = 6;
+constexpr int kLargestWritten = 10;
+constexpr int kLargestUnrolled = 6;  // longer code falls out of the instruction cache
 constexpr int kLargestEmitted = symbolic::kMaxProductDegree;
 constexpr const char* kLimit = "to which the Gaunt tensor is derived";
 constexpr int kLargestByTerms = 3;  // beyond, one product a term is too long to be useful
@@ -30,6 +31,7 @@ Kernel separable(int degree) {
   return recipes::product_separable(equal(degree), Factors::kTwo, SampleProduct::kDirect);
 }
 Kernel halves(int degree) { return recipes::product_separable(equal(degree), Factors::kTwo, SampleProduct::kHalves); }
+Kernel looped(int degree) { return recipes::product_looped(equal(degree), Factors::kTwo); }
 Kernel tensor(int degree) { return recipes::product_tensor(equal(degree), Factors::kTwo); }
 
 std::function<Kernel(int)> integrated(Kernel (*product)(int)) {
@@ -45,8 +47,9 @@ Family product_family() {
           kLimit,
           // Pairs win up to degree 3, quadrature from 4 on.
           {{"pairs", pairs, 0, 3},
-           {"separable", separable, 2, kLargestEmitted},
-           {"separable-halves", halves, 2, kLargestEmitted},
+           {"separable", separable, 2, kLargestUnrolled},
+           {"separable-halves", halves, 2, kLargestUnrolled},
+           {"looped", looped, kLargestUnrolled, kLargestEmitted},
            {"greedy-pairs", greedy_pairs, 2, 6},
            {"tensor", tensor, 0, kLargestByTerms}},
           [](int degree, int count) { return product_reference(equal(degree), count); },
@@ -59,8 +62,9 @@ Family triple_family() {
           kLargestEmitted,
           kLimit,
           {{"pairs", integrated(pairs), 0, 3},
-           {"separable", integrated(separable), 2, kLargestEmitted},
-           {"separable-halves", integrated(halves), 2, kLargestEmitted}},
+           {"separable", integrated(separable), 2, kLargestUnrolled},
+           {"separable-halves", integrated(halves), 2, kLargestUnrolled},
+           {"looped", integrated(looped), kLargestUnrolled, kLargestEmitted}},
           triple_reference,
           factor_domain(equal_factors(3), "|a| |b| |c|")};
 }
@@ -74,6 +78,8 @@ Family square_family() {
       {{"pairs", [](int degree) { return recipes::product_pairs(equal(degree), Factors::kSame); }, 0, 3},
        {"separable",
         [](int degree) { return recipes::product_separable(equal(degree), Factors::kSame, SampleProduct::kDirect); }, 2,
+        kLargestUnrolled},
+       {"looped", [](int degree) { return recipes::product_looped(equal(degree), Factors::kSame); }, kLargestUnrolled,
         kLargestEmitted},
        {"tensor", [](int degree) { return recipes::product_tensor(equal(degree), Factors::kSame); }, 0,
         kLargestByTerms}},

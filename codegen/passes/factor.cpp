@@ -42,8 +42,7 @@ std::optional<Form> product_of(const Form& a, const Form& b) {
       Factors factors = factors_a;
       factors.insert(factors.end(), factors_b.begin(), factors_b.end());
       std::sort(factors.begin(), factors.end());
-      const std::optional<ExactReal> coefficient = multiply(coefficient_a, coefficient_b);
-      if (!coefficient || !accumulate(result, factors, *coefficient)) return std::nullopt;
+      if (!accumulate(result, factors, multiply(coefficient_a, coefficient_b))) return std::nullopt;
     }
   }
   return result;
@@ -87,6 +86,8 @@ std::optional<Form> form_of(const Kernel& kernel, NodeId id, const Forms& forms)
     case Op::kDiv:
     case Op::kSqrt:
     case Op::kSelect:
+    case Op::kTable:
+    case Op::kRowSum:
       break;
   }
   return form && is_short(*form) ? form : std::nullopt;

@@ -37,13 +37,17 @@ class ListScheduler {
     return true;
   }
 
+  [[nodiscard]] bool is_constant(NodeId id) const {
+    return kernel_.node(id).op == Op::kConstant || kernel_.node(id).op == Op::kTable;
+  }
+
   // How many more values are live after computing the node than before.
   [[nodiscard]] int live_change(NodeId id) const {
     const Node& node = kernel_.node(id);
     const auto end = node.args.begin() + argument_count(node.op);
     int change = uses_left_[index(id)] > 0 ? 1 : 0;
     for (auto arg = node.args.begin(); arg != end; ++arg) {
-      if (std::find(node.args.begin(), arg, *arg) != arg || kernel_.node(*arg).op == Op::kConstant) continue;
+      if (std::find(node.args.begin(), arg, *arg) != arg || is_constant(*arg)) continue;
       if (uses_left_[index(*arg)] == std::count(arg, end, *arg)) --change;
     }
     return change;

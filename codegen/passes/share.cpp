@@ -114,7 +114,7 @@ class Sharer {
       if (is_rational_at(k, -1)) return negation({Op::kNeg, {v, -1, -1, -1}, -1, {}, node.name});
     }
     if (const ExactReal* left = constant_at(a), *right = constant_at(b); left != nullptr && right != nullptr) {
-      if (const auto value = multiply(*left, *right)) return constant(*value, node.name);
+      return constant(multiply(*left, *right), node.name);
     }
     return known(std::move(node));
   }

@@ -1,6 +1,7 @@
 #include "codegen/print/batch.hpp"
 
 #include <algorithm>
+#include <span>
 #include <sstream>
 #include <stdexcept>
 
@@ -25,6 +26,7 @@ struct Spec {
   std::string parts;     // for a sum: the family that adds up something faster, to degree kLargestByParts
   std::string finish;    // the family that makes the sum of it
   bool half = false;     // input 0 may be half precision
+  int largest = 10;      // degree; beyond, a driver is not worth the time it takes to compile
 };
 
 const std::vector<Spec>& specs() {
@@ -37,7 +39,7 @@ const std::vector<Spec>& specs() {
       {"evaluate_rgb", "Colours given by coefficients, channel by channel, at directions", "", "", "", "", true},
       {"project", "Adds weight * Y of every direction to the sum", "", "", "project_moments", "project_finish"},
       {"rotate", "Coefficients of rotated functions, by rotation matrices", "", "", "", ""},
-      {"product", "Products of two functions, projected on the same bands", "", "", "", ""}};
+      {"product", "Products of two functions, projected on the same bands", "", "", "", "", false, 6}};
   return kSpecs;
 }
 
@@ -99,14 +101,15 @@ std::string call_of(const Kernel& kernel) {
 
 struct Driver {
   Spec spec;
-  const std::vector<FinishedKernel>* kernels = nullptr;
+  std::span<const FinishedKernel> kernels;  // to the largest degree of the driver
+  int further = 0;                          // the largest degree of the family where the driver ends before it
   const std::vector<FinishedKernel>* prepare = nullptr;
   const std::vector<FinishedKernel>* prepared = nullptr;
   const std::vector<FinishedKernel>* parts = nullptr;
   const std::vector<FinishedKernel>* finish = nullptr;
   [[nodiscard]] bool prepares() const { return prepare != nullptr && prepared != nullptr; }
   [[nodiscard]] bool adds_parts() const { return parts != nullptr && finish != nullptr; }
-  [[nodiscard]] const Kernel& last() const { return kernels->back().kernel; }
+  [[nodiscard]] const Kernel& last() const { return kernels.back().kernel; }
 };
 
 std::vector<Driver> drivers_of(const WrittenFamilies& families) {
@@ -117,7 +120,13 @@ std::vector<Driver> drivers_of(const WrittenFamilies& families) {
   std::vector<Driver> drivers;
   for (const Spec& spec : specs()) {
     if (const auto* kernels = find(spec.name)) {
-      drivers.push_back({spec, kernels, find(spec.prepare), find(spec.prepared), find(spec.parts), find(spec.finish)});
+      const auto served = std::count_if(kernels->begin(), kernels->end(), [&](const FinishedKernel& finished) {
+        return finished.kernel.degree <= spec.largest;
+      });
+      const std::span<const FinishedKernel> used = std::span(*kernels).first(static_cast<std::size_t>(served));
+      const int further = used.size() < kernels->size() ? kernels->back().kernel.degree : 0;
+      drivers.push_back(
+          {spec, used, further, find(spec.prepare), find(spec.prepared), find(spec.parts), find(spec.finish)});
     }
   }
   return drivers;
@@ -145,7 +154,7 @@ std::string block_kernel(const std::string& name, const Kernel& kernel, Loop loo
 
 // The row of the table of plans for one degree.
 std::string plan_row(const Driver& driver, std::size_t i) {
-  const Kernel& kernel = (*driver.kernels)[i].kernel;
+  const Kernel& kernel = driver.kernels[i].kernel;
   const Signature s = signature_of(kernel);
   const std::string degree = std::to_string(kernel.degree);
   std::string sizes;
@@ -185,7 +194,7 @@ std::string driver_file(const Driver& driver) {
             "    return nullptr;\n  }\n}\n\n";
   }
   text << "template <class T>\nvoid run(const detail::Call<T>& call) {\n  static constexpr Plan<T> kPlans[] = {\n";
-  for (std::size_t i = 0; i < driver.kernels->size(); ++i) text << plan_row(driver, i);
+  for (std::size_t i = 0; i < driver.kernels.size(); ++i) text << plan_row(driver, i);
   text << "  };\n  Driver<T>(call, kPlans[call.degree]).run();\n}\n\n}  // namespace\n\n";
   for (const char* scalar : kScalars) {
     text << "void " << driver.spec.name << "(const detail::Call<" << scalar << ">& call) { run(call); }\n";
@@ -237,6 +246,10 @@ std::string header_file(const std::vector<Driver>& drivers) {
     }
     text << ' ' << s.out << " (" << size_text(s.out_size, kernel.degree) << ").\n/// Domain: " << kernel.domain
          << ".\n";
+    if (driver.further > 0) {
+      text << "/// Single calls go on to degree " << driver.further << ": sh::" << driver.spec.name << "<"
+           << driver.further << ">.\n";
+    }
     for (const auto& [scalar, first] : overloads(driver)) {
       text << "void " << driver.spec.name << '(' << public_signature(driver, scalar, first) << ");\n";
     }

@@ -32,6 +32,13 @@ Dialect dialect() {
   d.select = [](const std::string& a, const std::string& b, const std::string& then, const std::string& otherwise) {
     return "(" + a + " < " + b + " ? " + then + " : " + otherwise + ")";
   };
+  d.table_definition = [](const std::string& name, const std::vector<std::vector<ExactReal>>& rows) {
+    return "static const " + scalar_name(kScalar) + " " + name + "[" + std::to_string(rows.size() * rows[0].size()) +
+           "] = {\n" + table_rows(rows, dialect<kScalar>().literal) + "};\n\n";
+  };
+  d.table_entry = [](const std::string& kernel, const std::string& index) {
+    return Dialect().table_name(kernel) + "[" + index + "]";
+  };
   d.unused = Unused::kDiscarded;
   return d;
 }

@@ -88,6 +88,19 @@ const Dialect& cpp_dialect() {
     d.select = [](const std::string& a, const std::string& b, const std::string& then, const std::string& otherwise) {
       return "detail::choose(" + a + " < " + b + ", " + then + ", " + otherwise + ")";
     };
+    d.table_definition = [](const std::string& name, const std::vector<std::vector<ExactReal>>& rows) {
+      const auto literal = [](const ExactReal& value) {
+        return "constant<S>(" + decimal(nearest<float>(value)) + "f, " + decimal(nearest<double>(value)) + ")";
+      };
+      return "namespace detail {\n\n// Constants of the loop, row by row.\ntemplate <class S>\ninline constexpr S " +
+             name + "[" + std::to_string(rows.size() * rows[0].size()) + "] = {\n" + table_rows(rows, literal) +
+             "};\n\n}  // namespace detail\n\n";
+    };
+    d.table_use = [](const std::string& name) {
+      return "constexpr const auto& table = detail::" + name + "<typename detail::scalar<T>::type>;";
+    };
+    d.table_name = [](const std::string& /*kernel*/) { return std::string("table"); };
+    d.table_entry = [](const std::string& /*kernel*/, const std::string& index) { return "T(table[" + index + "])"; };
     d.unused = Unused::kUnnamed;
     return d;
   }();

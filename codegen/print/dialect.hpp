@@ -34,6 +34,12 @@ struct Dialect {
   /// a < b ? then : otherwise
   std::string (*select)(const std::string& a, const std::string& b, const std::string& then,
                         const std::string& otherwise) = nullptr;
+  /// A table of constants: its name within the function, its definition in front of the function, a line at the top of
+  /// the function ("" or nullptr for none) and an element.
+  std::string (*table_name)(const std::string& kernel) = [](const std::string& kernel) { return kernel + "_table"; };
+  std::string (*table_definition)(const std::string& name, const std::vector<std::vector<ExactReal>>& rows) = nullptr;
+  std::string (*table_use)(const std::string& name) = nullptr;
+  std::string (*table_entry)(const std::string& kernel, const std::string& index) = nullptr;
   std::map<std::string, std::string> renamed;  ///< names that the language keeps for itself: {"out", "result"}
   std::set<std::string> reserved;              ///< words that no variable may be called
   Unused unused = Unused::kNamed;
@@ -43,6 +49,9 @@ struct Dialect {
     return found == renamed.end() ? wanted : found->second;
   }
 };
+
+/// The numbers of a table, separated by commas, every row on lines of its own.
+std::string table_rows(const std::vector<std::vector<ExactReal>>& rows, std::string (*literal)(const ExactReal& value));
 
 /// "float" or "double".
 std::string scalar_name(Scalar scalar);

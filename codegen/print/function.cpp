@@ -89,11 +89,15 @@ std::string return_type(const Kernel& kernel, const Dialect& dialect) {
 
 std::string function(const Kernel& kernel, const Dialect& dialect) {
   const Listing listing = make_listing(kernel, dialect);
-  std::string text = dialect.head + return_type(kernel, dialect) + " " + kernel.name + "(" +
-                     signature(kernel, dialect) + ")" + dialect.tail + " {\n";
+  std::string text;
+  const std::string table = kernel.name + "_table";
+  if (!kernel.table.empty()) text += dialect.table_definition(table, kernel.table);
+  text += dialect.head + return_type(kernel, dialect) + " " + kernel.name + "(" + signature(kernel, dialect) + ")" +
+          dialect.tail + " {\n";
   if (dialect.unused == Unused::kDiscarded) {
     for (const std::string& name : unused_parameters(kernel, dialect)) text += dialect.indent + "(void)" + name + ";\n";
   }
+  if (!kernel.table.empty() && dialect.table_use != nullptr) text += dialect.indent + dialect.table_use(table) + "\n";
   text += constant_lines(listing, dialect);
   for (const std::string& line : statement_lines(listing, dialect)) text += line + "\n";
   return text + "}\n";

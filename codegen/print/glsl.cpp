@@ -31,6 +31,14 @@ Dialect dialect() {
   d.select = [](const std::string& a, const std::string& b, const std::string& then, const std::string& otherwise) {
     return "(" + a + " < " + b + " ? " + then + " : " + otherwise + ")";
   };
+  d.table_definition = [](const std::string& name, const std::vector<std::vector<ExactReal>>& rows) {
+    const std::string size = "[" + std::to_string(rows.size() * rows[0].size()) + "]";
+    return "const " + scalar_name(kScalar) + " " + name + size + " = " + scalar_name(kScalar) + size + "(\n" +
+           table_rows(rows, dialect<kScalar>().literal) + ");\n\n";
+  };
+  d.table_entry = [](const std::string& kernel, const std::string& index) {
+    return Dialect().table_name(kernel) + "[" + index + "]";
+  };
   d.renamed = {{"out", "result"}};
   d.reserved = {"active", "common",    "filter", "fixed",  "half",  "input",
                 "output", "partition", "sample", "vector", "matrix"};

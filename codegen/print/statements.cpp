@@ -66,9 +66,12 @@ class Lister {
         inputs_(elements_of(kernel.parameters, dialect)),
         results_(elements_of(kernel.results, dialect)),
         stores_(kernel.nodes.size()),
-        users_(kernel.nodes.size(), -1) {
+        users_(kernel.nodes.size(), -1),
+        phases_(phases(kernel)),
+        last_phase_(phases_) {
     taken_ = dialect.reserved;
     mark_overwritten(inputs_, kernel);
+    if (has_loop()) taken_.insert({kRow, kRowStart, dialect.table_name(kernel.name)});
     for (const auto& names : {&kernel.parameters, &kernel.results}) {
       for (const Parameter& parameter : *names) taken_.insert(dialect.name(parameter.name));
     }
@@ -79,6 +82,8 @@ class Lister {
       for (int i = 0; i < argument_count(node.op); ++i) {
         ++uses_[index(node.args[index(i)])];
         users_[index(node.args[index(i)])] = id;
+        Phase& last = last_phase_[index(node.args[index(i)])];
+        last = std::max(last, node.op == Op::kRowSum ? Phase::kBody : phases_[index(id)]);
       }
     }
     for (NodeId id = 0; id < kernel.size(); ++id) {
@@ -86,13 +91,21 @@ class Lister {
       if (!live_[index(id)] || node.op != Op::kInput) continue;
       Element& element = inputs_[index(node.input)];
       if (is_read_by_own_store(id)) element.may_be_overwritten = false;
+      // Stores follow the loop.
+      if (has_loop() && last_phase_[index(id)] != Phase::kAfter && stores_[index(id)].empty())
+        element.may_be_overwritten = false;
       if (element.may_be_overwritten) overwritable_[element.index].push_back(id);
     }
   }
 
   Listing list() {
-    for (NodeId id = 0; id < kernel_.size(); ++id) {
-      if (live_[index(id)]) visit(id);
+    visit_all(Phase::kBefore);
+    if (has_loop()) {
+      list_loop();
+      for (NodeId id = 0; id < kernel_.size(); ++id) {
+        if (live_[index(id)] && phases_[index(id)] == Phase::kBefore) store_all(id);
+      }
+      visit_all(Phase::kAfter);
     }
     return std::move(listing_);
   }
@@ -102,6 +115,41 @@ class Lister {
 
   [[nodiscard]] const Element& result_of(std::size_t output) const {
     return results_[static_cast<std::size_t>(kernel_.element(output))];
+  }
+
+  [[nodiscard]] bool has_loop() const { return !kernel_.table.empty(); }
+
+  void visit_all(Phase phase) {
+    for (NodeId id = 0; id < kernel_.size(); ++id) {
+      if (live_[index(id)] && phases_[index(id)] == phase && kernel_.node(id).op != Op::kRowSum) visit(id);
+    }
+  }
+
+  void list_loop() {
+    for (NodeId id = 0; id < kernel_.size(); ++id) {
+      if (!live_[index(id)] || kernel_.node(id).op != Op::kRowSum) continue;
+      expressions_[index(id)] = {unused_name(kernel_.node(id).name.empty() ? "sum" : kernel_.node(id).name), kAtom};
+      listing_.statements.push_back({Statement::Kind::kSumStart, expressions_[index(id)].text, "", ""});
+    }
+    listing_.statements.push_back({Statement::Kind::kLoopStart, std::to_string(kernel_.table[0].size()),
+                                   std::to_string(kernel_.table.size()), ""});
+    const std::size_t first = listing_.statements.size();
+    for (NodeId id = 0; id < kernel_.size(); ++id) {
+      const Node& node = kernel_.node(id);
+      if (!live_[index(id)]) continue;
+      if (node.op == Op::kRowSum) {
+        const Expression& sum = expressions_[index(id)];
+        listing_.statements.push_back(
+            {Statement::Kind::kSumStep, sum.text, infix(sum, " + ", expressions_[index(node.args[0])], kSum), ""});
+      } else if (phases_[index(id)] == Phase::kBody) {
+        visit(id);
+      }
+    }
+    for (std::size_t i = first; i < listing_.statements.size(); ++i) listing_.statements[i].in_loop = true;
+    listing_.statements.push_back({Statement::Kind::kLoopEnd, "", "", ""});
+    for (NodeId id = 0; id < kernel_.size(); ++id) {
+      if (live_[index(id)] && kernel_.node(id).op == Op::kRowSum) store_all(id);
+    }
   }
 
   // True when the element is needed only by the expression that is stored at its own index.
@@ -122,13 +170,21 @@ class Lister {
       if (!stores.empty()) load(id);
     } else {
       expressions_[index(id)] = express(node);
-      if (argument_count(node.op) > 0 && uses_[index(id)] + static_cast<int>(stores.size()) > 1) {
+      const bool kept = last_phase_[index(id)] != phases_[index(id)] || (postponed(id) && !stores.empty());
+      if (argument_count(node.op) > 0 && (kept || uses_[index(id)] + static_cast<int>(stores.size()) > 1)) {
         const std::string name = unique_name(node);
         listing_.statements.push_back({Statement::Kind::kVariable, name, expressions_[index(id)].text, ""});
         expressions_[index(id)] = {name, kAtom};
       }
     }
-    for (const std::size_t i : stores) store(i, expressions_[index(id)]);
+    if (!postponed(id)) store_all(id);
+  }
+
+  // Nothing is stored before or in the loop.
+  [[nodiscard]] bool postponed(NodeId id) const { return has_loop() && phases_[index(id)] != Phase::kAfter; }
+
+  void store_all(NodeId id) {
+    for (const std::size_t i : stores_[index(id)]) store(i, expressions_[index(id)]);
   }
 
   void store(std::size_t output, const Expression& expression) {
@@ -177,8 +233,11 @@ class Lister {
         return {dialect_.square_root + "(" + arg(0).text + ")", kAtom};
       case Op::kSelect:
         return {dialect_.select(arg(0).text, arg(1).text, arg(2).text, arg(3).text), kAtom};
+      case Op::kTable:
+        return {dialect_.table_entry(kernel_.name, std::string(kRowStart) + "+" + std::to_string(node.input)), kAtom};
       case Op::kInput:
       case Op::kFma:
+      case Op::kRowSum:
         break;
     }
     throw std::invalid_argument(kernel_.name + ": cannot print " + op_name(node.op) +
@@ -211,8 +270,10 @@ class Lister {
   std::vector<Expression> expressions_;
   std::vector<Element> inputs_;
   std::vector<Element> results_;
-  std::vector<std::vector<std::size_t>> stores_;     // outputs, by node
-  std::vector<NodeId> users_;                        // the last node that uses a node
+  std::vector<std::vector<std::size_t>> stores_;  // outputs, by node
+  std::vector<NodeId> users_;                     // the last node that uses a node
+  std::vector<Phase> phases_;
+  std::vector<Phase> last_phase_;                    // of the users of a node
   std::map<int, std::vector<NodeId>> overwritable_;  // input nodes that a store may change, by index in their array
   std::set<std::string> taken_;
   std::map<std::string, int> copies_;
@@ -227,6 +288,16 @@ std::string line_of(const Statement& statement, const Dialect& dialect) {
       return statement.target + " = " + statement.expression + ";";
     case Statement::Kind::kReturn:
       return "return " + statement.expression + ";";
+    case Statement::Kind::kSumStart:
+      return dialect.scalar + " " + statement.target + " = " + dialect.literal(symbolic::Surd()) + ";";
+    case Statement::Kind::kLoopStart:
+      return std::string("for (int ") + kRow + " = 0; " + kRow + " < " + statement.expression + "; ++" + kRow +
+             ") {\n" + dialect.indent + dialect.indent + "int " + kRowStart + " = " + statement.target + " * " + kRow +
+             ";";
+    case Statement::Kind::kSumStep:
+      return statement.target + " = " + statement.expression + ";";
+    case Statement::Kind::kLoopEnd:
+      return "}";
   }
   throw std::logic_error("statement: unknown kind");
 }
@@ -254,8 +325,8 @@ std::vector<std::string> statement_lines(const Listing& listing, const Dialect& 
   std::vector<std::pair<std::size_t, std::string>> comments;  // by line
   std::size_t width = 0;
   for (const Statement& s : listing.statements) {
-    for (std::string& line : wrapped(dialect.indent + line_of(s, dialect), dialect.indent))
-      lines.push_back(std::move(line));
+    const std::string indent = dialect.indent + (s.in_loop ? dialect.indent : "");
+    for (std::string& line : wrapped(indent + line_of(s, dialect), indent)) lines.push_back(std::move(line));
     if (s.comment.empty()) continue;
     width = std::max(width, lines.back().size());
     comments.emplace_back(lines.size() - 1, s.comment);

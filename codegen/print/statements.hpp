@@ -4,6 +4,8 @@
 // change otherwise); a value used more often becomes a variable under its hint, or a name made from its operands.
 // An array parameter that has the shape of a result may be the same array: its elements become variables before the
 // element of the same index is stored, unless only that store needs them.
+//
+// The loop over the rows of a table adds to variables that are declared before it; all results are stored after it.
 #pragma once
 
 #include <string>
@@ -20,12 +22,17 @@ struct NamedConstant {
 };
 
 struct Statement {
-  enum class Kind { kVariable, kStore, kReturn };
+  enum class Kind { kVariable, kStore, kReturn, kSumStart, kLoopStart, kSumStep, kLoopEnd };
   Kind kind = Kind::kVariable;
   std::string target;  ///< a new variable, or an element of a result such as "out[4]"; empty for a return
   std::string expression;
   std::string comment;  ///< stores: which value this is
+  bool in_loop = false;
 };
+
+/// The variables of the loop over a table: the row, and where it starts.
+inline constexpr const char* kRow = "row";
+inline constexpr const char* kRowStart = "at";
 
 struct Listing {
   std::vector<NamedConstant> constants;  ///< in order of first use

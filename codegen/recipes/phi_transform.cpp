@@ -47,7 +47,7 @@ std::vector<int> PhiTransform::orders_of(int part) const {
 ExactReal PhiTransform::entry(int order, int j) const {
   const ExactReal value = order < 0 ? sine(-order * j, shape_.angles) : cosine(order * j, shape_.angles);
   const bool end = j == 0 || j + 1 == samples();
-  return shape_.half_at_ends && end ? product_of(value, Surd(cln::cl_RA(1) / 2)) : value;
+  return shape_.half_at_ends && end ? multiply(value, Surd(cln::cl_RA(1) / 2)) : value;
 }
 
 LinearMap PhiTransform::matrix(int part) const {
@@ -60,8 +60,8 @@ LinearMap PhiTransform::matrix(int part) const {
       if (is_zero(value)) continue;
       for (int ring = 0; ring < shape_.rings; ++ring) {
         if (!shared(column.order) && ring != column.ring) continue;
-        rows[static_cast<std::size_t>(ring * samples() + j)].emplace(
-            static_cast<int>(c), product_of(value, reciprocal(scale(column.order))));
+        rows[static_cast<std::size_t>(ring * samples() + j)].emplace(static_cast<int>(c),
+                                                                     multiply(value, reciprocal(scale(column.order))));
       }
     }
   }

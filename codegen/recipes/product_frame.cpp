@@ -15,8 +15,8 @@ Kernel product_frame(const ProductShape& shape, Factors factors) {
   const bool exact = shape.result >= shape.a + shape.b;
   kernel.title = (same ? "The square of a function on the sphere" : "The product of two functions on the sphere") +
                  std::string(exact ? ", complete, in " : ", projected on ") + degrees(shape.result);
-  kernel.domain = "any coefficients: a has " + degrees(shape.a);
-  if (!same) kernel.domain += ", b has " + degrees(shape.b);
+  kernel.domain = "any coefficients";
+  if (shape.a != shape.b) kernel.domain += ": a has " + degrees(shape.a) + ", b has " + degrees(shape.b);
   kernel.result = std::string("coefficients of ") + (same ? "a a" : "a b") +
                   " at index l(l+1)+m, orthonormal on the unit sphere, no Condon-Shortley phase";
   kernel.parameters = {{"a", {coefficient_count(shape.a)}}};

@@ -90,7 +90,7 @@ class Pairs {
   [[nodiscard]] int attempts() const { return count_ <= 16 ? 100 : 1; }
 
   static std::map<int, ExactReal> doubled(std::map<int, ExactReal> entries) {
-    for (auto& [column, entry] : entries) entry = std::get<Surd>(entry) * Surd(2);
+    for (auto& [column, entry] : entries) entry = multiply(Surd(2), entry);
     return entries;
   }
 

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
+#include <tuple>
 
 #include "codegen/cost.hpp"
 #include "codegen/passes/share.hpp"
@@ -17,7 +19,32 @@ using Samples = PhiTransform::Samples;
 using Coefficients = PhiTransform::Coefficients;
 using Parts = std::array<Value, kParts>;
 
+// A constant of a ring; one for each pair of rings where a loop runs over the pairs.
+using Factor = std::vector<ExactReal>;
+
+Factor times(Factor factor, const ExactReal& scale) {
+  for (ExactReal& element : factor) element = multiply(element, scale);
+  return factor;
+}
+
+Factor times(Factor factor, const Factor& other) {
+  for (std::size_t i = 0; i < factor.size(); ++i) factor[i] = multiply(factor[i], other[i]);
+  return factor;
+}
+
+Factor quotient(Factor factor, const Factor& divisor) {
+  for (std::size_t i = 0; i < factor.size(); ++i) factor[i] = multiply(factor[i], reciprocal(divisor[i]));
+  return factor;
+}
+
 double approximate(const ExactReal& value) { return std::abs(cln::double_approx(evaluate(value, 20))); }
+
+// The size of the smallest element.
+double approximate(const Factor& factor) {
+  double smallest = approximate(factor.front());
+  for (const ExactReal& element : factor) smallest = std::min(smallest, approximate(element));
+  return smallest;
+}
 
 std::string named(const char* letter, int ring, int order, const char* suffix) {
   return letter + std::to_string(ring + 1) + (order < 0 ? "s" : "c") + std::to_string(std::abs(order)) + suffix;
@@ -33,6 +60,7 @@ class Separable {
         same_(factors == Factors::kSame),
         halves_(sample_product == SampleProduct::kHalves && !same_),
         angles_(plan.angles),
+        looped_(plan.looped && plan.rings.pairs > 1),
         quadrature_(plan.rings),
         sums_(static_cast<std::size_t>(coefficient_count(shape.result))) {}
 
@@ -43,7 +71,7 @@ class Separable {
     for (int ring = 0; ring < quadrature_.count(); ++ring) {
       if (quadrature_.is_pole(ring)) {
         poles(ring, a, b);
-      } else {
+      } else if (!looped_ || ring == 0 || quadrature_.is_equator(ring)) {
         ring_or_pair(ring, a, b);
       }
     }
@@ -59,36 +87,59 @@ class Separable {
     Value odd;
   };
 
+  // The constant of a ring, or of all pairs of rings where a loop runs over them.
+  template <class Of>
+  Factor of_rings(int ring, const Of& of) const {
+    const bool all = looped_ && ring < quadrature_.rings().pairs;
+    Factor factor;
+    for (int r = ring; r < (all ? quadrature_.rings().pairs : ring + 1); ++r) factor.push_back(of(r));
+    return factor;
+  }
+  [[nodiscard]] Factor theta(int l, int m, int ring) const {
+    return of_rings(ring, [&](int r) { return quadrature_.theta(l, m, r); });
+  }
+  [[nodiscard]] Factor weight(int ring) const {
+    return of_rings(ring, [&](int r) { return quadrature_.weight(r); });
+  }
+
+  Value scaled(const Factor& factor, Value value) {
+    if (value.is_zero() || factor.size() == 1) return build_.times(factor[0], value);
+    std::string key;
+    for (const ExactReal& element : factor) key += to_string(element) + ";";
+    const auto [column, added] = columns_.try_emplace(key, static_cast<int>(columns_.size()));
+    kernel_.table.resize(factor.size());
+    for (std::size_t row = 0; added && row < factor.size(); ++row) kernel_.table[row].push_back(factor[row]);
+    return build_.times(build_.table(column->second), value);
+  }
+
   // scale: a constant that goes into all products.
   Halves synthesise(const std::vector<Value>& c, int degree, int order, int ring, const ExactReal& scale) {
     const int m = std::abs(order);
     std::vector<Value> even;
-    std::vector<std::pair<ExactReal, Value>> odd;
+    std::vector<std::pair<Factor, Value>> odd;
     for (int l = m; l <= degree; ++l) {
       const Value value = c[static_cast<std::size_t>(symbolic::coefficient_index(l, order))];
-      const ExactReal theta = quadrature_.theta(l, m, ring);
+      const Factor factor = theta(l, m, ring);
       if ((l - m) % 2 == 0) {
-        even.push_back(build_.times(product_of(theta, scale), value));
-      } else if (!is_zero(theta) && !value.is_zero()) {
-        odd.emplace_back(theta, value);
+        even.push_back(scaled(times(factor, scale), value));
+      } else if (!is_zero(factor[0]) && !value.is_zero()) {
+        odd.emplace_back(factor, value);
       }
     }
     return {build_.sum(even), scaled_sum(odd, scale)};
   }
 
   // The largest constant is taken out: it multiplies when the sum is added to E and subtracted from it.
-  Value scaled_sum(const std::vector<std::pair<ExactReal, Value>>& terms, const ExactReal& scale) {
+  Value scaled_sum(const std::vector<std::pair<Factor, Value>>& terms, const ExactReal& scale) {
     if (terms.empty()) return {};
     const auto largest = std::max_element(terms.begin(), terms.end(), [](const auto& x, const auto& y) {
       return approximate(x.first) < approximate(y.first) * (1 - 1e-9);
     });
     std::vector<Value> values;
     for (auto term = terms.begin(); term != terms.end(); ++term) {
-      values.push_back(term == largest
-                           ? term->second
-                           : build_.times(product_of(term->first, reciprocal(largest->first)), term->second));
+      values.push_back(term == largest ? term->second : scaled(quotient(term->first, largest->first), term->second));
     }
-    return build_.times(product_of(largest->first, scale), build_.sum(values));
+    return scaled(times(largest->first, scale), build_.sum(values));
   }
 
   void poles(int ring, const std::vector<Value>& a, const std::vector<Value>& b) {
@@ -98,17 +149,19 @@ class Separable {
     const Value south_a = build_.minus(of_a.even, of_a.odd);
     const Value north = build_.times(north_a, same_ ? north_a : build_.plus(of_b.even, of_b.odd));
     const Value south = build_.times(south_a, same_ ? south_a : build_.minus(of_b.even, of_b.odd));
-    const ExactReal weight = product_of(Surd::square_root(4, 2), quadrature_.weight(ring));
-    collect(0, ring, {build_.plus(north, south), build_.minus(north, south)}, weight);
+    collect(0, ring, {build_.plus(north, south), build_.minus(north, south)},
+            times({Surd::square_root(4, 2)}, weight(ring)));
   }
 
   // c_lm += weight theta_lm (E or O)
-  void collect(int order, int ring, const Halves& halves, const ExactReal& weight) {
+  void collect(int order, int ring, const Halves& halves, const Factor& weight) {
     const int m = std::abs(order);
     for (int l = m; l <= shape_.result; ++l) {
       const Value half = (l - m) % 2 == 0 ? halves.even : halves.odd;
-      const Value term = build_.times(product_of(weight, quadrature_.theta(l, m, ring)), half);
-      if (!term.is_zero()) sums_[static_cast<std::size_t>(symbolic::coefficient_index(l, order))].push_back(term);
+      const Value term = scaled(times(weight, theta(l, m, ring)), half);
+      if (term.is_zero()) continue;
+      sums_[static_cast<std::size_t>(symbolic::coefficient_index(l, order))].push_back(
+          weight.size() > 1 ? build_.row_sum(term) : term);
     }
   }
 
@@ -142,7 +195,7 @@ class Separable {
         const bool once = angles_ - q == shape_.a + shape_.b && rings == 2;
         for (const bool sine : {false, true}) {
           const ExactReal factor = alias_factor(q, sine);
-          shape.preferred[sine ? -q : q] = {once ? product_of(factor, Surd(2)) : factor, once ? 1 : rings};
+          shape.preferred[sine ? -q : q] = {once ? multiply(factor, Surd(2)) : factor, once ? 1 : rings};
         }
       }
     } else {
@@ -263,9 +316,8 @@ class Separable {
       // 8 pi / M, half of it where samples are doubled; the square leaves out a factor of two in three of the parts.
       cln::cl_RA factor = cln::cl_RA(halves_ ? 4 : 8) / angles_;
       if (same_ && part_of(order) != 0) factor = 2 * factor;
-      const ExactReal weight =
-          product_of(product_of(Surd(factor) * Surd::square_root(1, 2), quadrature_.weight(ring)), phi_c.scale(order));
-      collect(order, ring, halves[static_cast<std::size_t>(order + shape_.result)], weight);
+      const ExactReal same_on_all = multiply(Surd(factor) * Surd::square_root(1, 2), phi_c.scale(order));
+      collect(order, ring, halves[static_cast<std::size_t>(order + shape_.result)], times(weight(ring), same_on_all));
     }
   }
 
@@ -282,8 +334,8 @@ class Separable {
         for (const bool sine : {false, true}) {
           const auto at = static_cast<std::size_t>((sine ? -q : q) + shape_.result);
           const ExactReal scale = reciprocal(phi.scale(sine ? -q : q));
-          ExactReal factor = product_of(alias_factor(q, sine), scale);
-          if (once) factor = product_of(factor, Surd(2));
+          ExactReal factor = multiply(alias_factor(q, sine), scale);
+          if (once) factor = multiply(factor, Surd(2));
           // cos k phi falls upon cos q phi, sin k phi upon -sin q phi.
           const Value alias = build_.times(factor, sine ? s : SignedBuilder::opposite(c));
           if (once) {
@@ -315,7 +367,9 @@ class Separable {
   bool same_;
   bool halves_;
   int angles_;
+  bool looped_;
   RingQuadrature quadrature_;
+  std::map<std::string, int> columns_;    // of the loop's table, by the constants in them
   std::vector<std::vector<Value>> sums_;  // terms of every coefficient of the result
   std::vector<std::pair<std::pair<int, int>, PhiTransform>> forwards_;
   std::vector<std::pair<std::pair<int, int>, PhiTransform>> backwards_;
@@ -334,26 +388,40 @@ Kernel product_separable(const ProductShape& shape, Factors factors, SampleProdu
   return kernel;
 }
 
-SeparablePlan separable_plan(const ProductShape& shape, Factors factors, SampleProduct sample_product) {
+namespace {
+
+SeparablePlan shortest_plan(const ProductShape& shape, Factors factors, SampleProduct sample_product) {
+  constexpr int kMostAliases = 4;  // more cost more than further angles
   const int total = shape.a + shape.b + shape.result;
   const int largest = std::max({shape.a, shape.b, shape.result});
   SeparablePlan best;
   int fewest = -1;
   for (int angles = 4 * (largest / 2 + 1); angles < total + 5; angles += 4) {
-    for (const bool pole : {false, true}) {
-      for (const bool equator : {false, true}) {
-        const int in_pairs = total / 2 + 1 - (pole ? 1 : 0) - (equator ? 1 : 0);
-        if (in_pairs < 0 || in_pairs % 2 != 0) continue;
-        const SeparablePlan plan{{in_pairs / 2, pole, equator}, angles};
-        const int operations =
-            cost(passes::fold(passes::share(product_separable(shape, factors, sample_product, plan)))).operations();
-        if (fewest >= 0 && operations >= fewest) continue;
-        fewest = operations;
-        best = plan;
-      }
-    }
+    if (total + 1 - angles > kMostAliases && angles + 4 < total + 5) continue;
+    // A polar ring costs little; an equator, which costs half a pair, is needed for every other degree.
+    const SeparablePlan plan{{total / 4, true, total / 2 % 2 != 0}, angles};
+    const int operations =
+        cost(passes::fold(passes::share(product_separable(shape, factors, sample_product, plan)))).operations();
+    if (fewest >= 0 && operations >= fewest) continue;
+    fewest = operations;
+    best = plan;
   }
   return best;
+}
+
+}  // namespace
+
+SeparablePlan separable_plan(const ProductShape& shape, Factors factors, SampleProduct sample_product) {
+  static std::map<std::tuple<int, int, int, Factors, SampleProduct>, SeparablePlan> known;
+  const auto [position, added] = known.try_emplace({shape.a, shape.b, shape.result, factors, sample_product});
+  if (added) position->second = shortest_plan(shape, factors, sample_product);
+  return position->second;
+}
+
+Kernel product_looped(const ProductShape& shape, Factors factors) {
+  SeparablePlan plan = separable_plan(shape, factors, SampleProduct::kDirect);
+  plan.looped = true;
+  return product_separable(shape, factors, SampleProduct::kDirect, plan);
 }
 
 Kernel product_separable(const ProductShape& shape, Factors factors, SampleProduct sample_product) {

@@ -22,15 +22,17 @@ enum class SampleProduct {
 
 struct SeparablePlan {
   Rings rings;
-  int angles = 0;  ///< M, a multiple of 4 above twice the largest degree
+  int angles = 0;       ///< M, a multiple of 4 above twice the largest degree
+  bool looped = false;  ///< a loop runs over the pairs of rings, with their constants in a table
 };
 
-/// The plan with the fewest operations among those that are exact for the shape.
+/// The plan with the fewest operations among those with poles that are exact for the shape; never looped.
 SeparablePlan separable_plan(const ProductShape& shape, Factors factors, SampleProduct sample_product);
 
 Kernel product_separable(const ProductShape& shape, Factors factors, SampleProduct sample_product,
                          const SeparablePlan& plan);
-/// With separable_plan.
+/// With separable_plan, and that in a loop.
+Kernel product_looped(const ProductShape& shape, Factors factors);
 Kernel product_separable(const ProductShape& shape, Factors factors, SampleProduct sample_product);
 
 }  // namespace sh::codegen::recipes

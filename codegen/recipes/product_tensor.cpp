@@ -79,7 +79,7 @@ Kernel product_zonal(int degree) {
       }
     }
   }
-  const std::vector<Value> values = run_forwards(build, short_circuit(map, degree + 1), zonal);
+  const std::vector<Value> values = run_forwards(build, short_circuit(map, degree + 1, degree <= 6 ? 20 : 2), zonal);
   std::map<ZonalEntry, Value> matrix;
   for (std::size_t i = 0; i < entries.size(); ++i) {
     const auto& [m, row, column] = entries[i];

@@ -165,20 +165,6 @@ std::string RingQuadrature::definition() const {
          (rings_.pole ? "1" : "0") + "," + (rings_.equator ? "1/2" : "-1/2") + ")(2t-1), falling";
 }
 
-ExactReal product_of(const ExactReal& base, const ExactReal& factor) {
-  if (const auto exact = multiply(base, factor)) return *exact;
-  if (as_rational(factor) == cln::cl_RA(1)) return base;
-  if (as_rational(base) == cln::cl_RA(1)) return factor;
-  return Computed(to_string(base) + " * " + to_string(factor),
-                  [base, factor](int digits) { return evaluate(base, digits + 3) * evaluate(factor, digits + 3); });
-}
-
-ExactReal reciprocal(const ExactReal& value) {
-  if (const Surd* surd = std::get_if<Surd>(&value)) return surd->inverse();
-  return Computed("1/(" + to_string(value) + ")",
-                  [value](int digits) { return cln::recip(evaluate(value, digits + 3)); });
-}
-
 ExactReal cosine(int numerator, int denominator) {
   int k = std::abs(numerator) % denominator;
   if (2 * k > denominator) k = denominator - k;

@@ -49,9 +49,6 @@ class RingQuadrature {
   std::shared_ptr<Cache> cache_;
 };
 
-/// base * factor, a surd where both are.
-ExactReal product_of(const ExactReal& base, const ExactReal& factor);
-ExactReal reciprocal(const ExactReal& value);
 /// cos(2 pi numerator / denominator), the denominator a multiple of 4.
 ExactReal cosine(int numerator, int denominator);
 ExactReal sine(int numerator, int denominator);

@@ -115,7 +115,8 @@ void rotate(int degree, std::size_t n, Records<const double> r, Records<const do
 
 /// Products of two functions, projected on the same bands.
 /// degree 0 to 6; a (bands^2), b (bands^2), out (bands^2).
-/// Domain: any coefficients: a has degree 0 to 6, b has degree 0 to 6.
+/// Domain: any coefficients.
+/// Single calls go on to degree 10: sh::product<10>.
 void product(int degree, std::size_t n, Records<const float> a, Records<const float> b, Records<float> out);
 void product(int degree, std::size_t n, Records<const double> a, Records<const double> b, Records<double> out);
 

@@ -4,7 +4,7 @@
 // Licence:      MIT-0; paste it anywhere.
 //
 // Input:        a (16), b (16)
-// Domain:       any coefficients: a has degree 0 to 3, b has degree 0 to 3
+// Domain:       any coefficients
 // Output:       out (16): coefficients of a b at index l(l+1)+m, orthonormal on the unit sphere, no Condon-Shortley
 //               phase
 // Recipe:       pairs
@@ -57,14 +57,14 @@ template <class T>
 constexpr void product_l3(const T* a, const T* b, T* out) noexcept {
   const T k    = detail::constant<T>(0.2820948f, 0.28209479177387814);    // 1/2 sqrt(1/pi)
   const T k_2  = detail::constant<T>(0.12615663f, 0.126156626101008);     // 1/10 sqrt(5/pi)
-  const T k_3  = detail::constant<T>(0.65465367f, 0.6546536707079772);    // 1/7 sqrt(21)
-  const T k_4  = detail::constant<T>(0.18022375f, 0.18022375157286857);   // 1/7 sqrt(5/pi)
-  const T k_5  = detail::constant<T>(0.41573972f, 0.41573970964154905);   // 1/9 sqrt(14)
-  const T k_6  = detail::constant<T>(1.0183501f, 1.0183501544346312);     // 2/9 sqrt(21)
-  const T k_7  = detail::constant<T>(0.090111874f, 0.09011187578643429);  // 1/14 sqrt(5/pi)
-  const T k_8  = detail::constant<T>(0.62360954f, 0.6236095644623235);    // 1/6 sqrt(14)
-  const T k_9  = detail::constant<T>(0.25458753f, 0.2545875386086578);    // 1/18 sqrt(21)
-  const T k_10 = detail::constant<T>(0.21026105f, 0.21026104350168);      // 1/6 sqrt(5/pi)
+  const T k_3  = detail::constant<T>(0.18022375f, 0.18022375157286857);   // 1/7 sqrt(5/pi)
+  const T k_4  = detail::constant<T>(0.090111874f, 0.09011187578643429);  // 1/14 sqrt(5/pi)
+  const T k_5  = detail::constant<T>(0.21026105f, 0.21026104350168);      // 1/6 sqrt(5/pi)
+  const T k_6  = detail::constant<T>(0.41573972f, 0.41573970964154905);   // 1/9 sqrt(14)
+  const T k_7  = detail::constant<T>(0.62360954f, 0.6236095644623235);    // 1/6 sqrt(14)
+  const T k_8  = detail::constant<T>(0.65465367f, 0.6546536707079772);    // 1/7 sqrt(21)
+  const T k_9  = detail::constant<T>(1.0183501f, 1.0183501544346312);     // 2/9 sqrt(21)
+  const T k_10 = detail::constant<T>(0.25458753f, 0.2545875386086578);    // 1/18 sqrt(21)
   const T k_11 = detail::constant<T>(0.21850969f, 0.2185096861184158);    // 1/10 sqrt(15/pi)
   const T k_12 = detail::constant<T>(0.05839917f, 0.05839917008190185);   // 1/140 sqrt(210/pi)
   const T k_13 = detail::constant<T>(0.20230065f, 0.20230065940342062);   // 3/70 sqrt(70/pi)
@@ -86,22 +86,22 @@ constexpr void product_l3(const T* a, const T* b, T* out) noexcept {
   const T t_3 = k_2 * a6;
   const T t_4 = t - t_3;
   const T t_5 = t + t_3;
-  const T a12 = a[12];
-  const T a2 = a[2];
-  const T t_6 = k_11 * (a2 - k_3 * a12);
-  const T t_7 = t - k_4 * a6;
-  const T a13 = a[13];
-  const T a3 = a[3];
-  const T t_8 = k_15 * (a3 - k_5 * a13);
-  const T t_9 = k_16 * (a2 - k_6 * a12);
+  const T t_6 = t - k_3 * a6;
+  const T t_7 = t + k_4 * a6;
+  const T t_8 = t - k_5 * a6;
   const T a11 = a[11];
   const T a1 = a[1];
-  const T t_10 = k_15 * (a1 - k_5 * a11);
-  const T t_11 = t + k_7 * a6;
-  const T t_12 = k_16 * (a3 + k_8 * a13);
-  const T t_13 = k_20 * (a2 + k_9 * a12);
-  const T t_14 = k_16 * (a1 + k_8 * a11);
-  const T t_15 = t - k_10 * a6;
+  const T t_9 = k_15 * (a1 - k_6 * a11);
+  const T t_10 = k_16 * (a1 + k_7 * a11);
+  const T a12 = a[12];
+  const T a2 = a[2];
+  const T t_11 = k_11 * (a2 - k_8 * a12);
+  const T t_12 = k_16 * (a2 - k_9 * a12);
+  const T t_13 = k_20 * (a2 + k_10 * a12);
+  const T a13 = a[13];
+  const T a3 = a[3];
+  const T t_14 = k_15 * (a3 - k_6 * a13);
+  const T t_15 = k_16 * (a3 + k_7 * a13);
   const T a8 = a[8];
   const T t_16 = k_11 * a8;
   const T b1 = b[1];
@@ -120,12 +120,12 @@ constexpr void product_l3(const T* a, const T* b, T* out) noexcept {
   const T t_24 = k_18 * a4;
   const T a15 = a[15];
   const T t_25 = k_19 * a15;
-  const T t_26 = t_12 - t_25;
-  const T t_27 = t_25 + t_12;
+  const T t_26 = t_15 - t_25;
+  const T t_27 = t_25 + t_15;
   const T a9 = a[9];
   const T t_28 = k_19 * a9;
-  const T t_29 = t_28 - t_14;
-  const T t_30 = t_28 + t_14;
+  const T t_29 = t_28 - t_10;
+  const T t_30 = t_28 + t_10;
   const T t_31 = k_21 * a2;
   const T t_32 = k_17 * a8;
   const T b11 = b[11];
@@ -135,16 +135,16 @@ constexpr void product_l3(const T* a, const T* b, T* out) noexcept {
   const T t_33 = k_2 * b6;
   const T t_34 = t_2 - t_33;
   const T t_35 = t_2 + t_33;
-  const T t_36 = k_11 * (b2 - k_3 * b12);
-  const T t_37 = t_2 - k_4 * b6;
-  const T t_38 = k_15 * (b3 - k_5 * b13);
-  const T t_39 = k_16 * (b2 - k_6 * b12);
-  const T t_40 = k_15 * (b1 - k_5 * b11);
-  const T t_41 = t_2 + k_7 * b6;
-  const T t_42 = k_16 * (b3 + k_8 * b13);
-  const T t_43 = k_20 * (b2 + k_9 * b12);
-  const T t_44 = k_16 * (b1 + k_8 * b11);
-  const T t_45 = t_2 - k_10 * b6;
+  const T t_36 = t_2 - k_3 * b6;
+  const T t_37 = t_2 + k_4 * b6;
+  const T t_38 = t_2 - k_5 * b6;
+  const T t_39 = k_15 * (b1 - k_6 * b11);
+  const T t_40 = k_16 * (b1 + k_7 * b11);
+  const T t_41 = k_11 * (b2 - k_8 * b12);
+  const T t_42 = k_16 * (b2 - k_9 * b12);
+  const T t_43 = k_20 * (b2 + k_10 * b12);
+  const T t_44 = k_15 * (b3 - k_6 * b13);
+  const T t_45 = k_16 * (b3 + k_7 * b13);
   const T b8 = b[8];
   const T t_46 = k_11 * b8;
   const T t_47 = k_11 * b3 - k_12 * b13;
@@ -162,12 +162,12 @@ constexpr void product_l3(const T* a, const T* b, T* out) noexcept {
   const T t_55 = k_18 * b4;
   const T b15 = b[15];
   const T t_56 = k_19 * b15;
-  const T t_57 = t_42 - t_56;
-  const T t_58 = t_56 + t_42;
+  const T t_57 = t_45 - t_56;
+  const T t_58 = t_56 + t_45;
   const T b9 = b[9];
   const T t_59 = k_19 * b9;
-  const T t_60 = t_59 - t_44;
-  const T t_61 = t_59 + t_44;
+  const T t_60 = t_59 - t_40;
+  const T t_61 = t_59 + t_40;
   const T t_62 = k_17 * b8;
   const T p_1_1 = a1 * b1;
   const T p_1_4 = a1 * b4 + a4 * b1;
@@ -179,14 +179,14 @@ constexpr void product_l3(const T* a, const T* b, T* out) noexcept {
   const T a10 = a[10];
   const T p_4_11 = a4 * b11 + a11 * b4;
   const T p_5_5 = a5 * b5;
-  out[4] = t_17 * b1 + t_47 * a1 + t_7 * b4 + t_37 * a4 + t_8 * b9 + t_38 * a9 + t_9 * b10 + t_39 * a10 + t_22 * b11
-      + t_53 * a11 - t_10 * b15 - t_40 * a15 + k_18 * (a5 * b7 + a7 * b5);                                          // l=2 m=-2
+  out[4] = t_17 * b1 + t_47 * a1 + t_6 * b4 + t_36 * a4 + t_14 * b9 + t_44 * a9 + t_12 * b10 + t_42 * a10 + t_22 * b11
+      + t_53 * a11 - t_9 * b15 - t_39 * a15 + k_18 * (a5 * b7 + a7 * b5);                                           // l=2 m=-2
   const T p_5_10 = a5 * b10 + a10 * b5;
   const T p_11_11 = a11 * b11;
   const T b14 = b[14];
   const T a14 = a[14];
   const T p_5_14 = a5 * b14 + a14 * b5;
-  out[5] = t_6 * b1 + t_36 * a1 + (t_11 - t_23) * b5 + (t_41 - t_54) * a5 + t_24 * b7 + t_55 * a7 + t_26 * b10
+  out[5] = t_11 * b1 + t_41 * a1 + (t_7 - t_23) * b5 + (t_37 - t_54) * a5 + t_24 * b7 + t_55 * a7 + t_26 * b10
       + t_57 * a10 + t_13 * b11 + t_43 * a11 + t_29 * b14 + t_60 * a14;                                             // l=2 m=-1
   const T p_6_6 = a6 * b6;
   const T p_12_12 = a12 * b12;
@@ -195,38 +195,38 @@ constexpr void product_l3(const T* a, const T* b, T* out) noexcept {
   const T t_64 = k_20 * (a7 * b13 + a13 * b7 + (a5 * b11 + a11 * b5));
   const T p_13_13 = a13 * b13;
   const T p_7_14 = a7 * b14 + a14 * b7;
-  out[7] = t_6 * b3 + t_36 * a3 + t_24 * b5 + t_55 * a5 + (t_23 + t_11) * b7 + (t_54 + t_41) * a7 + t_30 * b10
+  out[7] = t_11 * b3 + t_41 * a3 + t_24 * b5 + t_55 * a5 + (t_23 + t_7) * b7 + (t_54 + t_37) * a7 + t_30 * b10
       + t_61 * a10 + t_13 * b13 + t_43 * a13 + t_27 * b14 + t_58 * a14;                                             // l=2 m=1
   const T t_65 = a8 * b8 + a4 * b4;
   const T t_66 = k_15 * (a8 * b9 + a9 * b8 - (a4 * b15 + a15 * b4));
   const T t_67 = k_16 * (a8 * b14 + a14 * b8 + (a4 * b10 + a10 * b4));
   out[2] = (t + k_14 * a6) * b2 + (t_2 + k_14 * b6) * a2 + (k_21 * (a6 * b12 + a12 * b6) + t_64 + t_67 + t_63);     // l=1 m=0
-  out[12] = t_31 * b6 + t_52 * a6 + (t + k_22 * a6) * b12 + (t_2 + k_22 * b6) * a12 + (k_9 * t_64 - k_6 * t_67
-      - k_3 * t_63);                                                                                                // l=3 m=0
+  out[12] = t_31 * b6 + t_52 * a6 + (t + k_22 * a6) * b12 + (t_2 + k_22 * b6) * a12 + (k_10 * t_64 - k_9 * t_67
+      - k_8 * t_63);                                                                                                // l=3 m=0
   const T t_68 = k_15 * (a8 * b15 + a15 * b8 + (a4 * b9 + a9 * b4));
   const T t_69 = a15 * b15 + a9 * b9;
-  out[10] = t_9 * b4 + t_39 * a4 + t_26 * b5 + t_57 * a5 + t_30 * b7 + t_61 * a7 + t * b10 + t_2 * a10;             // l=3 m=-2
-  out[14] = t_29 * b5 + t_60 * a5 + t_27 * b7 + t_58 * a7 + t_9 * b8 + t_39 * a8 + t * b14 + t_2 * a14;             // l=3 m=2
+  out[10] = t_12 * b4 + t_42 * a4 + t_26 * b5 + t_57 * a5 + t_30 * b7 + t_61 * a7 + t * b10 + t_2 * a10;            // l=3 m=-2
+  out[14] = t_29 * b5 + t_60 * a5 + t_27 * b7 + t_58 * a7 + t_12 * b8 + t_42 * a8 + t * b14 + t_2 * a14;            // l=3 m=2
   const T t_70 = p_13_13 + p_11_11;
   const T t_71 = k_16 * (p_7_10 - p_5_14);
-  out[9] = t_8 * b4 + t_38 * a4 + t_10 * b8 + t_40 * a8 + t_15 * b9 + t_45 * a9 + k_19 * (p_7_10 + p_5_14);         // l=3 m=-3
+  out[9] = t_14 * b4 + t_44 * a4 + t_9 * b8 + t_39 * a8 + t_8 * b9 + t_38 * a9 + k_19 * (p_7_10 + p_5_14);          // l=3 m=-3
   const T t_72 = k_16 * (p_7_14 + p_5_10);
-  out[15] = t_8 * b8 - t_10 * b4 - t_40 * a4 + t_38 * a8 + t_15 * b15 + t_45 * a15 + k_19 * (p_7_14 - p_5_10);      // l=3 m=3
+  out[15] = t_14 * b8 - t_9 * b4 - t_39 * a4 + t_44 * a8 + t_8 * b15 + t_38 * a15 + k_19 * (p_7_14 - p_5_10);       // l=3 m=3
   const T t_73 = p_7_7 + p_5_5;
-  out[3] = (t_16 + t_4) * b3 + (t_46 + t_34) * a3 + t_6 * b7 + t_36 * a7 + t_21 * b13 + t_51 * a13 + (k_11 * p_1_4
+  out[3] = (t_16 + t_4) * b3 + (t_46 + t_34) * a3 + t_11 * b7 + t_41 * a7 + t_21 * b13 + t_51 * a13 + (k_11 * p_1_4
       - k_12 * p_4_11 + t_72 + t_68);                                                                               // l=1 m=1
   out[13] = t_21 * b3 + t_51 * a3 + t_13 * b7 + t_43 * a7 + (t_32 + t_5) * b13 + (t_62 + t_35) * a13 + (k_17 * p_4_11
-      - k_12 * p_1_4 + k_8 * t_72 - k_5 * t_68);                                                                    // l=3 m=1
+      - k_12 * p_1_4 + k_7 * t_72 - k_6 * t_68);                                                                    // l=3 m=1
   const T t_74 = p_3_3 + p_1_1;
-  out[8] = t_7 * b8 + t_37 * a8 + t_10 * b9 + t_40 * a9 + t_9 * b14 + t_39 * a14 + t_8 * b15 + t_38 * a15
+  out[8] = t_6 * b8 + t_36 * a8 + t_9 * b9 + t_39 * a9 + t_12 * b14 + t_42 * a14 + t_14 * b15 + t_44 * a15
       + (k_17 * (p_13_13 - p_11_11) + k_18 * (p_7_7 - p_5_5) + k_12 * (p_1_11 - p_3_13) + k_11 * (p_3_3 - p_1_1));  // l=2 m=2
   out[0] = k * (a0 * b0 + a14 * b14 + p_12_12 + a10 * b10 + p_6_6 + p_2_2 + t_70 + t_69 + t_73 + t_65 + t_74);      // l=0 m=0
   out[6] = t * b6 + t_2 * a6 + t_31 * b12 + t_52 * a12 + (k_22 * p_12_12 + k_14 * p_2_2 + k_13 * (p_3_13 + p_1_11)
-      - k_10 * t_69 + k_7 * t_73 + k_4 * (p_6_6 - t_65) + k_2 * (t_70 - t_74));                                     // l=2 m=0
-  out[1] = (t_4 - t_16) * b1 + (t_34 - t_46) * a1 + t_17 * b4 + t_47 * a4 + t_6 * b5 + t_36 * a5 + t_20 * b11
+      - k_5 * t_69 + k_4 * t_73 + k_3 * (p_6_6 - t_65) + k_2 * (t_70 - t_74));                                      // l=2 m=0
+  out[1] = (t_4 - t_16) * b1 + (t_34 - t_46) * a1 + t_17 * b4 + t_47 * a4 + t_11 * b5 + t_41 * a5 + t_20 * b11
       + t_50 * a11 + (t_71 + t_66);                                                                                 // l=1 m=-1
   out[11] = t_20 * b1 + t_50 * a1 + t_22 * b4 + t_53 * a4 + t_13 * b5 + t_43 * a5 + (t_5 - t_32) * b11 + (t_35
-      - t_62) * a11 + (k_8 * t_71 - k_5 * t_66);                                                                    // l=3 m=-1
+      - t_62) * a11 + (k_7 * t_71 - k_6 * t_66);                                                                    // l=3 m=-1
 }
 
 }  // namespace sh

@@ -4,7 +4,7 @@
 // Licence:      MIT-0; paste it anywhere.
 //
 // Input:        a (36), b (36)
-// Domain:       any coefficients: a has degree 0 to 5, b has degree 0 to 5
+// Domain:       any coefficients
 // Output:       out (36): coefficients of a b at index l(l+1)+m, orthonormal on the unit sphere, no Condon-Shortley
 //               phase
 // Recipe:       separable
@@ -64,218 +64,215 @@ constexpr void product_l5(const T* a, const T* b, T* out) noexcept {
   const T k_6   = detail::constant<T>(0.13235888f, 0.1323588855326501);       // theta_4_3(z1)
   const T k_7   = detail::constant<T>(0.10403003f, 0.10403003047309592);      // theta_2_2(z1)
   const T k_8   = detail::constant<T>(0.420458f, 0.42045799273278023);        // theta_4_2(z1)
-  const T k_9   = detail::constant<T>(0.42207986f, 0.4220798597312591);       // theta_3_2(z1) * 1/(theta_5_2(z1))
+  const T k_9   = detail::constant<T>(0.42207986f, 0.4220798597312591);       // theta_3_2(z1) / theta_5_2(z1)
   const T k_10  = detail::constant<T>(0.5867307f, 0.5867307242779412);        // theta_5_2(z1)
   const T k_11  = detail::constant<T>(0.21322086f, 0.21322086814177182);      // theta_1_1(z1)
   const T k_12  = detail::constant<T>(0.60788774f, 0.6078877185518786);       // theta_3_1(z1)
   const T k_13  = detail::constant<T>(0.6778557f, 0.6778556458678917);        // theta_5_1(z1)
-  const T k_14  = detail::constant<T>(0.61230713f, 0.6123071135143404);       // theta_2_1(z1) * 1/(theta_4_1(z1))
+  const T k_14  = detail::constant<T>(0.61230713f, 0.6123071135143404);       // theta_2_1(z1) / theta_4_1(z1)
   const T k_15  = detail::constant<T>(0.7006016f, 0.7006015907932306);        // theta_4_1(z1)
   const T k_16  = detail::constant<T>(0.2820948f, 0.28209479177387814);       // theta_0_0(z1)
   const T k_17  = detail::constant<T>(0.45059782f, 0.45059783221269933);      // theta_2_0(z1)
   const T k_18  = detail::constant<T>(0.17474476f, 0.17474476084095458);      // theta_4_0(z1)
-  const T k_19  = detail::constant<T>(0.8002875f, 0.8002874637524565);        // theta_3_0(z1) * 1/(theta_1_0(z1))
-  const T k_20  = detail::constant<T>(0.09087223f, 0.09087222446676285);      // -(theta_5_0(z1) * 1/(theta_1_0(z1)))
+  const T k_19  = detail::constant<T>(0.8002875f, 0.8002874637524565);        // theta_3_0(z1) / theta_1_0(z1)
+  const T k_20  = detail::constant<T>(0.09087223f, 0.09087222446676285);      // -theta_5_0(z1) / theta_1_0(z1)
   const T k_21  = detail::constant<T>(0.439624f, 0.43962401666277534);        // theta_1_0(z1)
   const T k_22  = detail::constant<T>(0.70710677f, 0.7071067811865476);       // 1/2 sqrt(2)
   const T k_23  = detail::constant<T>(0.9238795f, 0.9238795325112867);        // cos(2 pi/16)
   const T k_24  = detail::constant<T>(0.38268343f, 0.3826834323650898);       // cos(6 pi/16)
   const T k_25  = detail::constant<T>(1.4142135f, 1.4142135623730951);        // sqrt(2)
   const T k_26  = detail::constant<T>(0.5f, 0.5);                             // 1/2
-  const T k_27  = detail::constant<T>(0.76536685f, 0.7653668647301796);       // cos(6 pi/16) * 2
-  const T k_28  = detail::constant<T>(2.4142137f, 2.414213562373095);         // cos(2 pi/16)) * 1/(cos(6 pi/16)
-  const T k_29  = detail::constant<T>(1.847759f, 1.8477590650225735);         // -(-1/2 sqrt(2) * 1/(cos(6 pi/16)))
-  const T k_30  = detail::constant<T>(1.847759f, 1.8477590650225735);         // cos(2 pi/16) * 2
-  const T k_31  = detail::constant<T>(1.306563f, 1.3065629648763766);         // 1/2 * 1/(cos(6 pi/16))
-  const T k_32  = detail::constant<T>(2.4142137f, 2.414213562373095);         // cos(2 pi/16) * 1/(cos(6 pi/16))
-  const T k_33  = detail::constant<T>(0.5411961f, 0.541196100146197);         // cos(6 pi/16)) * sqrt(2
-  const T k_34  = detail::constant<T>(1.847759f, 1.8477590650225735);         // 1/2 sqrt(2) * 1/(cos(6 pi/16))
-  const T k_35  = detail::constant<T>(1.306563f, 1.3065629648763766);         // cos(2 pi/16) * sqrt(2)
-  const T k_36  = detail::constant<T>(0.70710677f, 0.7071067811865476);       // (cos(2 pi/16)) / (cos(2 pi/16) * sqrt(2))
-  const T k_37  = detail::constant<T>(0.002700427f, 0.00270042713417727);     // 1/2 pi * w(z1) * theta_5_5(z1)
-  const T k_38  = detail::constant<T>(0.005900137f, 0.005900137172274866);    // 1/2 pi * w(z1) * theta_4_4(z1)
-  const T k_39  = detail::constant<T>(0.017606951f, 0.017606951414093457);    // 1/2 pi * w(z1) * theta_5_4(z1)
-  const T k_40  = detail::constant<T>(0.00901357f, 0.009013570038333788);     // 1/2 pi * w(z1) * 1/2 sqrt(2) * theta_3_3(z1)
-  const T k_41  = detail::constant<T>(0.024330094f, 0.02433009512757602);     // 1/2 pi * w(z1) * 1/2 sqrt(2) * theta_4_3(z1)
-  const T k_42  = detail::constant<T>(0.04698001f, 0.046980009078503075);     // 1/2 pi * w(z1) * 1/2 sqrt(2) * theta_5_3(z1)
-  const T k_43  = detail::constant<T>(0.027043596f, 0.027043595335248093);    // 1/2 pi * w(z1) * theta_2_2(z1)
-  const T k_44  = detail::constant<T>(0.06437825f, 0.06437824945247567);      // 1/2 pi * w(z1) * theta_3_2(z1)
-  const T k_45  = detail::constant<T>(0.10930205f, 0.10930205210193285);      // 1/2 pi * w(z1) * theta_4_2(z1)
-  const T k_46  = detail::constant<T>(0.15252623f, 0.15252622926255166);      // 1/2 pi * w(z1) * theta_5_2(z1)
-  const T k_47  = detail::constant<T>(0.02121168f, 0.02121168020596623);      // 1/2 pi * w(z1) * cos(6 pi/16) * theta_1_1(z1)
-  const T k_48  = detail::constant<T>(0.042676203f, 0.04267620451049306);     // 1/2 pi * w(z1) * cos(6 pi/16) * theta_2_1(z1)
-  const T k_49  = detail::constant<T>(0.060474005f, 0.06047400519204033);     // 1/2 pi * w(z1) * cos(6 pi/16) * theta_3_1(z1)
-  const T k_50  = detail::constant<T>(0.06969739f, 0.06969738480670709);      // 1/2 pi * w(z1) * cos(6 pi/16) * theta_4_1(z1)
-  const T k_51  = detail::constant<T>(0.06743457f, 0.0674345682543516);       // 1/2 pi * w(z1) * cos(6 pi/16) * theta_5_1(z1)
-  const T k_52  = detail::constant<T>(0.073333226f, 0.07333322272636261);     // 1/2 pi * w(z1) * theta_0_0(z1)
-  const T k_53  = detail::constant<T>(0.11428444f, 0.11428444221555024);      // 1/2 pi * w(z1) * theta_1_0(z1)
-  const T k_54  = detail::constant<T>(0.117137186f, 0.11713718988529688);     // 1/2 pi * w(z1) * theta_2_0(z1)
-  const T k_55  = detail::constant<T>(0.09146041f, 0.09146040640704688);      // 1/2 pi * w(z1) * theta_3_0(z1)
-  const T k_56  = detail::constant<T>(0.045426562f, 0.04542656171152082);     // 1/2 pi * w(z1) * theta_4_0(z1)
-  const T k_57  = detail::constant<T>(0.010385281f, 0.010385281486070269);    // -(1/2 pi * w(z1) * theta_5_0(z1))
-  const T k_58  = detail::constant<T>(0.027714396f, 0.02771439577991679);     // 1/2 pi * w(z1) * 1/2 * theta_1_1(z1)
-  const T k_59  = detail::constant<T>(0.055759147f, 0.05575914829490041);     // 1/2 pi * w(z1) * 1/2 * theta_2_1(z1)
-  const T k_60  = detail::constant<T>(0.079013094f, 0.07901309552166161);     // 1/2 pi * w(z1) * 1/2 * theta_3_1(z1)
-  const T k_61  = detail::constant<T>(0.09106402f, 0.09106402173718094);      // 1/2 pi * w(z1) * 1/2 * theta_4_1(z1)
-  const T k_62  = detail::constant<T>(0.08810751f, 0.088107509433564);        // 1/2 pi * w(z1) * 1/2 * theta_5_1(z1)
-  const T k_63  = detail::constant<T>(0.013521798f, 0.013521797667624047);    // 1/2 pi * w(z1) * 1/2 * theta_2_2(z1)
-  const T k_64  = detail::constant<T>(0.032189123f, 0.03218912472623783);     // 1/2 pi * w(z1) * 1/2 * theta_3_2(z1)
-  const T k_65  = detail::constant<T>(0.054651026f, 0.054651026050966424);    // 1/2 pi * w(z1) * 1/2 * theta_4_2(z1)
-  const T k_66  = detail::constant<T>(0.076263115f, 0.07626311463127583);     // 1/2 pi * w(z1) * 1/2 * theta_5_2(z1)
-  const T k_67  = detail::constant<T>(0.004878109f, 0.004878108953140853);    // 1/2 pi * w(z1) * cos(6 pi/16) * theta_3_3(z1)
-  const T k_68  = detail::constant<T>(0.013167352f, 0.013167352599230131);    // 1/2 pi * w(z1) * cos(6 pi/16) * theta_4_3(z1)
-  const T k_69  = detail::constant<T>(0.025425397f, 0.025425397698118794);    // 1/2 pi * w(z1) * cos(6 pi/16) * theta_5_3(z1)
-  const T k_70  = detail::constant<T>(0.0010334087f, 0.0010334087245587804);  // 1/2 pi * w(z1) * cos(6 pi/16) * theta_5_5(z1)
-  const T k_71  = detail::constant<T>(0.1415761f, 0.141576090579728);         // theta_5_5(z2)
-  const T k_72  = detail::constant<T>(0.18345389f, 0.1834538921265122);       // theta_4_4(z2)
-  const T k_73  = detail::constant<T>(0.41203246f, 0.41203245219476603);      // theta_5_4(z2)
-  const T k_74  = detail::constant<T>(0.23506287f, 0.2350628653792768);       // theta_3_3(z2)
-  const T k_75  = detail::constant<T>(0.60950935f, 0.6095093656429484);       // theta_5_3(z2)
-  const T k_76  = detail::constant<T>(0.47754404f, 0.4775440417719775);       // theta_4_3(z2)
-  const T k_77  = detail::constant<T>(0.2957631f, 0.295763098892803);         // theta_2_2(z2)
-  const T k_78  = detail::constant<T>(0.5660834f, 0.5660833916318162);        // theta_4_2(z2)
-  const T k_79  = detail::constant<T>(0.6231006f, 0.6231005536441366);        // theta_5_2(z2) * 1/(theta_3_2(z2))
-  const T k_80  = detail::constant<T>(0.52990884f, 0.5299088323332815);       // theta_3_2(z2)
-  const T k_81  = detail::constant<T>(0.3595194f, 0.35951940672090665);       // theta_1_1(z2)
-  const T k_82  = detail::constant<T>(0.43480387f, 0.4348038809201305);       // theta_3_1(z2)
-  const T k_83  = detail::constant<T>(0.33458504f, 0.3345850292081286);       // -(theta_5_1(z2))
-  const T k_84  = detail::constant<T>(0.12864034f, 0.1286403427828683);       // theta_4_1(z2) * 1/(theta_2_1(z2))
-  const T k_85  = detail::constant<T>(0.5443967f, 0.5443967086400024);        // theta_2_1(z2)
-  const T k_86  = detail::constant<T>(0.2820948f, 0.28209479177387814);       // theta_0_0(z2)
-  const T k_87  = detail::constant<T>(0.11850642f, 0.11850641621868688);      // theta_2_0(z2)
-  const T k_88  = detail::constant<T>(0.35935888f, 0.3593588752068156);       // -(theta_4_0(z2))
-  const T k_89  = detail::constant<T>(0.54005176f, 0.5400517448006793);       // -(theta_3_0(z2) * 1/(theta_1_0(z2)))
-  const T k_90  = detail::constant<T>(0.9220003f, 0.9220002768929056);        // -(theta_5_0(z2) * 1/(theta_1_0(z2)))
-  const T k_91  = detail::constant<T>(0.33087492f, 0.3308749171951393);       // theta_1_0(z2)
-  const T k_92  = detail::constant<T>(0.0610539f, 0.061053896400381565);      // 1/2 pi * w(z2) * theta_5_5(z2)
-  const T k_93  = detail::constant<T>(0.07911346f, 0.07911346385024871);      // 1/2 pi * w(z2) * theta_4_4(z2)
-  const T k_94  = detail::constant<T>(0.17768669f, 0.1776866881044989);       // 1/2 pi * w(z2) * theta_5_4(z2)
-  const T k_95  = detail::constant<T>(0.07167909f, 0.07167909240307967);      // 1/2 pi * w(z2) * 1/2 sqrt(2) * theta_3_3(z2)
-  const T k_96  = detail::constant<T>(0.14562029f, 0.1456202937094437);       // 1/2 pi * w(z2) * 1/2 sqrt(2) * theta_4_3(z2)
-  const T k_97  = detail::constant<T>(0.18586124f, 0.18586125064871695);      // 1/2 pi * w(z2) * 1/2 sqrt(2) * theta_5_3(z2)
-  const T k_98  = detail::constant<T>(0.12754618f, 0.12754618046673635);      // 1/2 pi * w(z2) * theta_2_2(z2)
-  const T k_99  = detail::constant<T>(0.22852021f, 0.22852021706803569);      // 1/2 pi * w(z2) * theta_3_2(z2)
-  const T k_100 = detail::constant<T>(0.2441203f, 0.2441202932298961);        // 1/2 pi * w(z2) * theta_4_2(z2)
-  const T k_101 = detail::constant<T>(0.14239107f, 0.1423910737739713);       // 1/2 pi * w(z2) * theta_5_2(z2)
-  const T k_102 = detail::constant<T>(0.059331518f, 0.05933151919348861);     // 1/2 pi * w(z2) * cos(6 pi/16) * theta_1_1(z2)
-  const T k_103 = detail::constant<T>(0.089841835f, 0.08984183652878741);     // 1/2 pi * w(z2) * cos(6 pi/16) * theta_2_1(z2)
-  const T k_104 = detail::constant<T>(0.07175572f, 0.07175572256727326);      // 1/2 pi * w(z2) * cos(6 pi/16) * theta_3_1(z2)
-  const T k_105 = detail::constant<T>(0.011557285f, 0.01155728464730563);     // 1/2 pi * w(z2) * cos(6 pi/16) * theta_4_1(z2)
-  const T k_106 = detail::constant<T>(0.055216596f, 0.0552165966877182);      // -(1/2 pi * w(z2) * cos(6 pi/16) * theta_5_1(z2))
-  const T k_107 = detail::constant<T>(0.1216518f, 0.1216517995483885);        // 1/2 pi * w(z2) * theta_0_0(z2)
-  const T k_108 = detail::constant<T>(0.14268796f, 0.1426879555241048);       // 1/2 pi * w(z2) * theta_1_0(z2)
-  const T k_109 = detail::constant<T>(0.051105227f, 0.05110522849563844);     // 1/2 pi * w(z2) * theta_2_0(z2)
-  const T k_110 = detail::constant<T>(0.07705888f, 0.07705887934283452);      // -(1/2 pi * w(z2) * theta_3_0(z2))
-  const T k_111 = detail::constant<T>(0.15497151f, 0.154971502939467);        // -(1/2 pi * w(z2) * theta_4_0(z2))
-  const T k_112 = detail::constant<T>(0.13155833f, 0.13155833450250723);      // -(1/2 pi * w(z2) * theta_5_0(z2))
-  const T k_113 = detail::constant<T>(0.07752036f, 0.07752036562806412);      // 1/2 pi * w(z2) * 1/2 * theta_1_1(z2)
-  const T k_114 = detail::constant<T>(0.11738402f, 0.11738401630499123);      // 1/2 pi * w(z2) * 1/2 * theta_2_1(z2)
-  const T k_115 = detail::constant<T>(0.09375337f, 0.09375336962434327);      // 1/2 pi * w(z2) * 1/2 * theta_3_1(z2)
-  const T k_116 = detail::constant<T>(0.01510032f, 0.015100320094703872);     // 1/2 pi * w(z2) * 1/2 * theta_4_1(z2)
-  const T k_117 = detail::constant<T>(0.07214396f, 0.0721439602786882);       // -(1/2 pi * w(z2) * 1/2 * theta_5_1(z2))
-  const T k_118 = detail::constant<T>(0.06377309f, 0.06377309023336818);      // 1/2 pi * w(z2) * 1/2 * theta_2_2(z2)
-  const T k_119 = detail::constant<T>(0.11426011f, 0.11426010853401784);      // 1/2 pi * w(z2) * 1/2 * theta_3_2(z2)
-  const T k_120 = detail::constant<T>(0.12206015f, 0.12206014661494805);      // 1/2 pi * w(z2) * 1/2 * theta_4_2(z2)
-  const T k_121 = detail::constant<T>(0.071195535f, 0.07119553688698566);     // 1/2 pi * w(z2) * 1/2 * theta_5_2(z2)
-  const T k_122 = detail::constant<T>(0.038792446f, 0.038792445270565606);    // 1/2 pi * w(z2) * cos(6 pi/16) * theta_3_3(z2)
-  const T k_123 = detail::constant<T>(0.078809135f, 0.07880913505769471);     // 1/2 pi * w(z2) * cos(6 pi/16) * theta_4_3(z2)
-  const T k_124 = detail::constant<T>(0.10058738f, 0.10058738401938044);      // 1/2 pi * w(z2) * cos(6 pi/16) * theta_5_3(z2)
-  const T k_125 = detail::constant<T>(0.023364315f, 0.023364314633760618);    // 1/2 pi * w(z2) * cos(6 pi/16) * theta_5_5(z2)
-  const T k_126 = detail::constant<T>(0.46093348f, 0.4609334817931772);       // theta_5_5(z3)
-  const T k_127 = detail::constant<T>(0.471678f, 0.4716779804286337);         // theta_4_4(z3)
-  const T k_128 = detail::constant<T>(0.5680533f, 0.5680532924416225);        // theta_5_4(z3)
-  const T k_129 = detail::constant<T>(0.47727978f, 0.47727977359513457);      // theta_3_3(z3)
-  const T k_130 = detail::constant<T>(0.07388006f, 0.07388006289605394);      // theta_5_3(z3)
-  const T k_131 = detail::constant<T>(0.5199259f, 0.5199258627701934);        // theta_4_3(z3)
-  const T k_132 = detail::constant<T>(0.4742456f, 0.47424561510776436);       // theta_2_2(z3)
-  const T k_133 = detail::constant<T>(0.03163277f, 0.03163276833850512);      // -(theta_4_2(z3))
-  const T k_134 = detail::constant<T>(0.9976599f, 0.9976599166639456);        // -(theta_3_2(z3) * 1/(theta_5_2(z3)))
-  const T k_135 = detail::constant<T>(0.45668522f, 0.45668522029178416);      // -(theta_5_2(z3))
-  const T k_136 = detail::constant<T>(0.45525214f, 0.45525215101135463);      // theta_1_1(z3)
-  const T k_137 = detail::constant<T>(0.14509904f, 0.14509904093924164);      // -(theta_3_1(z3))
-  const T k_138 = detail::constant<T>(0.20293882f, 0.20293882142713077);      // -(theta_5_1(z3))
-  const T k_139 = detail::constant<T>(0.7862193f, 0.7862192946608849);        // -(theta_2_1(z3) * 1/(theta_4_1(z3)))
-  const T k_140 = detail::constant<T>(0.47015435f, 0.4701543377947349);       // -(theta_4_1(z3))
-  const T k_141 = detail::constant<T>(0.2820948f, 0.28209479177387814);       // theta_0_0(z3)
-  const T k_142 = detail::constant<T>(0.19063437f, 0.19063437012836218);      // -(theta_2_0(z3))
-  const T k_143 = detail::constant<T>(0.0367218f, 0.03672179917979723);       // -(theta_4_0(z3))
-  const T k_144 = detail::constant<T>(0.5593589f, 0.5593589006753401);        // -(theta_1_0(z3) * 1/(theta_3_0(z3)))
-  const T k_145 = detail::constant<T>(0.9191953f, 0.9191952800751957);        // -(theta_5_0(z3) * 1/(theta_3_0(z3)))
-  const T k_146 = detail::constant<T>(0.31718475f, 0.31718473546605);         // -(theta_3_0(z3))
-  const T k_147 = detail::constant<T>(0.25082555f, 0.2508255424762921);       // 1/2 pi * w(z3) * theta_5_5(z3)
-  const T k_148 = detail::constant<T>(0.25667235f, 0.2566723616060063);       // 1/2 pi * w(z3) * theta_4_4(z3)
-  const T k_149 = detail::constant<T>(0.30911678f, 0.30911678335410253);      // 1/2 pi * w(z3) * theta_5_4(z3)
-  const T k_150 = detail::constant<T>(0.18365026f, 0.18365025526790807);      // 1/2 pi * w(z3) * 1/2 sqrt(2) * theta_3_3(z3)
-  const T k_151 = detail::constant<T>(0.20005985f, 0.20005984477173896);      // 1/2 pi * w(z3) * 1/2 sqrt(2) * theta_4_3(z3)
-  const T k_152 = detail::constant<T>(0.028427964f, 0.028427964394692553);    // 1/2 pi * w(z3) * 1/2 sqrt(2) * theta_5_3(z3)
-  const T k_153 = detail::constant<T>(0.25806957f, 0.2580695878581944);       // 1/2 pi * w(z3) * theta_2_2(z3)
-  const T k_154 = detail::constant<T>(0.24793223f, 0.24793222888820793);      // 1/2 pi * w(z3) * theta_3_2(z3)
-  const T k_155 = detail::constant<T>(0.01721356f, 0.017213560290012905);     // -(1/2 pi * w(z3) * theta_4_2(z3))
-  const T k_156 = detail::constant<T>(0.24851377f, 0.24851377182443432);      // -(1/2 pi * w(z3) * theta_5_2(z3))
-  const T k_157 = detail::constant<T>(0.094803676f, 0.09480367465383391);     // 1/2 pi * w(z3) * cos(6 pi/16) * theta_1_1(z3)
-  const T k_158 = detail::constant<T>(0.07697635f, 0.07697634921679285);      // 1/2 pi * w(z3) * cos(6 pi/16) * theta_2_1(z3)
-  const T k_159 = detail::constant<T>(0.030216051f, 0.030216051125135927);    // -(1/2 pi * w(z3) * cos(6 pi/16) * theta_3_1(z3))
-  const T k_160 = detail::constant<T>(0.09790697f, 0.09790697040829376);      // -(1/2 pi * w(z3) * cos(6 pi/16) * theta_4_1(z3))
-  const T k_161 = detail::constant<T>(0.042260855f, 0.042260856886605566);    // -(1/2 pi * w(z3) * cos(6 pi/16) * theta_5_1(z3))
-  const T k_162 = detail::constant<T>(0.15350714f, 0.15350713708440994);      // 1/2 pi * w(z3) * theta_0_0(z3)
-  const T k_163 = detail::constant<T>(0.096546456f, 0.09654645588984857);     // 1/2 pi * w(z3) * theta_1_0(z3)
-  const T k_164 = detail::constant<T>(0.10373724f, 0.10373724450663342);      // -(1/2 pi * w(z3) * theta_2_0(z3))
-  const T k_165 = detail::constant<T>(0.17260198f, 0.1726019837590562);       // -(1/2 pi * w(z3) * theta_3_0(z3))
-  const T k_166 = detail::constant<T>(0.019982852f, 0.019982851243839576);    // -(1/2 pi * w(z3) * theta_4_0(z3))
-  const T k_167 = detail::constant<T>(0.15865493f, 0.15865492880294002);      // 1/2 pi * w(z3) * theta_5_0(z3)
-  const T k_168 = detail::constant<T>(0.12386697f, 0.12386697023688863);      // 1/2 pi * w(z3) * 1/2 * theta_1_1(z3)
-  const T k_169 = detail::constant<T>(0.10057445f, 0.1005744470580522);       // 1/2 pi * w(z3) * 1/2 * theta_2_1(z3)
-  const T k_170 = detail::constant<T>(0.039479174f, 0.03947917334491377);     // -(1/2 pi * w(z3) * 1/2 * theta_3_1(z3))
-  const T k_171 = detail::constant<T>(0.12792163f, 0.12792162153872394);      // -(1/2 pi * w(z3) * 1/2 * theta_4_1(z3))
-  const T k_172 = detail::constant<T>(0.05521647f, 0.055216470471979605);     // -(1/2 pi * w(z3) * 1/2 * theta_5_1(z3))
-  const T k_173 = detail::constant<T>(0.12903479f, 0.1290347939290972);       // 1/2 pi * w(z3) * 1/2 * theta_2_2(z3)
-  const T k_174 = detail::constant<T>(0.12396611f, 0.12396611444410396);      // 1/2 pi * w(z3) * 1/2 * theta_3_2(z3)
-  const T k_175 = detail::constant<T>(0.00860678f, 0.008606780145006453);     // -(1/2 pi * w(z3) * 1/2 * theta_4_2(z3))
-  const T k_176 = detail::constant<T>(0.12425689f, 0.12425688591221716);      // -(1/2 pi * w(z3) * 1/2 * theta_5_2(z3))
-  const T k_177 = detail::constant<T>(0.099390805f, 0.09939080194184541);     // 1/2 pi * w(z3) * cos(6 pi/16) * theta_3_3(z3)
-  const T k_178 = detail::constant<T>(0.108271606f, 0.10827160778631867);     // 1/2 pi * w(z3) * cos(6 pi/16) * theta_4_3(z3)
-  const T k_179 = detail::constant<T>(0.015385103f, 0.015385103465502554);    // 1/2 pi * w(z3) * cos(6 pi/16) * theta_5_3(z3)
-  const T k_180 = detail::constant<T>(0.095986776f, 0.09598677951966306);     // 1/2 pi * w(z3) * cos(6 pi/16) * theta_5_5(z3)
-  const T k_181 = detail::constant<T>(0.2820948f, 0.28209479177387814);       // 1/2 sqrt(1/pi)
-  const T k_182 = detail::constant<T>(0.63078314f, 0.63078313050504);         // 1/2 sqrt(5/pi)
-  const T k_183 = detail::constant<T>(0.8462844f, 0.8462843753216345);        // 3/2 sqrt(1/pi)
-  const T k_184 = detail::constant<T>(0.52223295f, 0.5222329678670935);       // 1/11 sqrt(33)
-  const T k_185 = detail::constant<T>(0.797724f, 0.7977240352174656);         // 1/11 sqrt(77)
-  const T k_186 = detail::constant<T>(0.9356026f, 0.9356025796273888);        // 1/2 sqrt(11/pi)
-  const T k_187 = detail::constant<T>(0.04923483f, 0.04923482919181989);      // 2 pi * w(pole) * 1/2 sqrt(1/pi)
-  const T k_188 = detail::constant<T>(0.08527722f, 0.08527722566220737);      // 2 pi * w(pole) * 1/2 sqrt(3/pi)
-  const T k_189 = detail::constant<T>(0.110092424f, 0.1100924249335003);      // 2 pi * w(pole) * 1/2 sqrt(5/pi)
-  const T k_190 = detail::constant<T>(0.13026312f, 0.13026311388429865);      // 2 pi * w(pole) * 1/2 sqrt(7/pi)
-  const T k_191 = detail::constant<T>(0.14770448f, 0.14770448757545968);      // 2 pi * w(pole) * 3/2 sqrt(1/pi)
-  const T k_192 = detail::constant<T>(0.16329345f, 0.16329345504650356);      // 2 pi * w(pole) * 1/2 sqrt(11/pi)
-  const T k_193 = detail::constant<T>(0.6563821f, 0.6563820568401701);        // 3/32 sqrt(154/pi)
-  const T k_194 = detail::constant<T>(0.6258357f, 0.6258357354491761);        // 3/16 sqrt(35/pi)
-  const T k_195 = detail::constant<T>(0.5900436f, 0.5900435899266435);        // 1/8 sqrt(70/pi)
-  const T k_196 = detail::constant<T>(0.4892383f, 0.4892382994352504);        // 1/32 sqrt(770/pi)
-  const T k_197 = detail::constant<T>(0.54627424f, 0.5462742152960396);       // 1/4 sqrt(15/pi)
-  const T k_198 = detail::constant<T>(0.47308734f, 0.47308734787878);         // 3/8 sqrt(5/pi)
-  const T k_199 = detail::constant<T>(0.48860252f, 0.4886025119029199);       // 1/2 sqrt(3/pi)
-  const T k_200 = detail::constant<T>(0.4570458f, 0.4570457994644657);        // 1/8 sqrt(42/pi)
-  const T k_201 = detail::constant<T>(0.45294666f, 0.45294665119569694);      // 1/16 sqrt(165/pi)
-  const T k_202 = detail::constant<T>(0.31539157f, 0.31539156525252);         // 1/4 sqrt(5/pi)
-  const T k_203 = detail::constant<T>(0.31735665f, 0.31735664074561293);      // 9/16 sqrt(1/pi)
-  const T k_204 = detail::constant<T>(0.38305217f, 0.3830521703151837);       // 1/2 pi * w(equator) * 3/32 sqrt(154/pi)
-  const T k_205 = detail::constant<T>(0.3652259f, 0.36522591412485866);       // 1/2 pi * w(equator) * 3/16 sqrt(35/pi)
-  const T k_206 = detail::constant<T>(0.3443383f, 0.34433829405699096);       // 1/2 pi * w(equator) * 1/8 sqrt(70/pi)
-  const T k_207 = detail::constant<T>(0.28551024f, 0.28551023058452596);      // -(1/2 pi * w(equator) * -1/32 sqrt(770/pi))
-  const T k_208 = detail::constant<T>(0.31879532f, 0.31879531375935355);      // 1/2 pi * w(equator) * 1/4 sqrt(15/pi)
-  const T k_209 = detail::constant<T>(0.27608484f, 0.276084840323031);        // -(1/2 pi * w(equator) * -3/8 sqrt(5/pi))
-  const T k_210 = detail::constant<T>(0.109118044f, 0.10911804660584977);     // 1/2 pi * w(equator) * cos(6 pi/16) * 1/2 sqrt(3/pi)
-  const T k_211 = detail::constant<T>(0.102070585f, 0.10207058627828025);     // -(1/2 pi * w(equator) * cos(6 pi/16) * -1/8 sqrt(42/pi))
-  const T k_212 = detail::constant<T>(0.10115514f, 0.10115513651914214);      // 1/2 pi * w(equator) * cos(6 pi/16) * 1/16 sqrt(165/pi)
-  const T k_213 = detail::constant<T>(0.1646252f, 0.16462519213852594);       // 1/2 pi * w(equator) * 1/2 sqrt(1/pi)
-  const T k_214 = detail::constant<T>(0.18405657f, 0.184056560215354);        // -(1/2 pi * w(equator) * -1/4 sqrt(5/pi))
-  const T k_215 = detail::constant<T>(0.18520334f, 0.18520334115584167);      // 1/2 pi * w(equator) * 9/16 sqrt(1/pi)
-  const T k_216 = detail::constant<T>(0.1425696f, 0.1425695984948577);        // 1/2 pi * w(equator) * 1/2 * 1/2 sqrt(3/pi)
-  const T k_217 = detail::constant<T>(0.13336165f, 0.13336164783441984);      // -(1/2 pi * w(equator) * 1/2 * -1/8 sqrt(42/pi))
-  const T k_218 = detail::constant<T>(0.13216555f, 0.132165555082925);        // 1/2 pi * w(equator) * 1/2 * 1/16 sqrt(165/pi)
-  const T k_219 = detail::constant<T>(0.15939766f, 0.15939765687967677);      // 1/2 pi * w(equator) * 1/2 * 1/4 sqrt(15/pi)
-  const T k_220 = detail::constant<T>(0.13804242f, 0.1380424201615155);       // -(1/2 pi * w(equator) * 1/2 * -3/8 sqrt(5/pi))
+  const T k_27  = detail::constant<T>(0.76536685f, 0.7653668647301796);       // 2 cos(6 pi/16)
+  const T k_28  = detail::constant<T>(2.4142137f, 2.414213562373095);         // cos(2 pi/16) / cos(6 pi/16)
+  const T k_29  = detail::constant<T>(1.847759f, 1.8477590650225735);         // 1/2 sqrt(2) / cos(6 pi/16)
+  const T k_30  = detail::constant<T>(1.847759f, 1.8477590650225735);         // 2 cos(2 pi/16)
+  const T k_31  = detail::constant<T>(1.306563f, 1.3065629648763766);         // 1/2 / cos(6 pi/16)
+  const T k_32  = detail::constant<T>(0.5411961f, 0.541196100146197);         // sqrt(2) cos(6 pi/16)
+  const T k_33  = detail::constant<T>(1.306563f, 1.3065629648763766);         // sqrt(2) cos(2 pi/16)
+  const T k_34  = detail::constant<T>(0.002700427f, 0.00270042713417727);     // 1/2 pi theta_5_5(z1) w(z1)
+  const T k_35  = detail::constant<T>(0.005900137f, 0.005900137172274866);    // 1/2 pi theta_4_4(z1) w(z1)
+  const T k_36  = detail::constant<T>(0.017606951f, 0.017606951414093457);    // 1/2 pi theta_5_4(z1) w(z1)
+  const T k_37  = detail::constant<T>(0.00901357f, 0.009013570038333788);     // 1/4 sqrt(2) pi theta_3_3(z1) w(z1)
+  const T k_38  = detail::constant<T>(0.024330094f, 0.02433009512757602);     // 1/4 sqrt(2) pi theta_4_3(z1) w(z1)
+  const T k_39  = detail::constant<T>(0.04698001f, 0.046980009078503075);     // 1/4 sqrt(2) pi theta_5_3(z1) w(z1)
+  const T k_40  = detail::constant<T>(0.027043596f, 0.027043595335248093);    // 1/2 pi theta_2_2(z1) w(z1)
+  const T k_41  = detail::constant<T>(0.06437825f, 0.06437824945247567);      // 1/2 pi theta_3_2(z1) w(z1)
+  const T k_42  = detail::constant<T>(0.10930205f, 0.10930205210193285);      // 1/2 pi theta_4_2(z1) w(z1)
+  const T k_43  = detail::constant<T>(0.15252623f, 0.15252622926255166);      // 1/2 pi theta_5_2(z1) w(z1)
+  const T k_44  = detail::constant<T>(0.02121168f, 0.02121168020596623);      // 1/2 pi cos(6 pi/16) theta_1_1(z1) w(z1)
+  const T k_45  = detail::constant<T>(0.042676203f, 0.04267620451049306);     // 1/2 pi cos(6 pi/16) theta_2_1(z1) w(z1)
+  const T k_46  = detail::constant<T>(0.060474005f, 0.06047400519204033);     // 1/2 pi cos(6 pi/16) theta_3_1(z1) w(z1)
+  const T k_47  = detail::constant<T>(0.06969739f, 0.06969738480670709);      // 1/2 pi cos(6 pi/16) theta_4_1(z1) w(z1)
+  const T k_48  = detail::constant<T>(0.06743457f, 0.0674345682543516);       // 1/2 pi cos(6 pi/16) theta_5_1(z1) w(z1)
+  const T k_49  = detail::constant<T>(0.073333226f, 0.07333322272636261);     // 1/2 pi theta_0_0(z1) w(z1)
+  const T k_50  = detail::constant<T>(0.11428444f, 0.11428444221555024);      // 1/2 pi theta_1_0(z1) w(z1)
+  const T k_51  = detail::constant<T>(0.117137186f, 0.11713718988529688);     // 1/2 pi theta_2_0(z1) w(z1)
+  const T k_52  = detail::constant<T>(0.09146041f, 0.09146040640704688);      // 1/2 pi theta_3_0(z1) w(z1)
+  const T k_53  = detail::constant<T>(0.045426562f, 0.04542656171152082);     // 1/2 pi theta_4_0(z1) w(z1)
+  const T k_54  = detail::constant<T>(0.010385281f, 0.010385281486070269);    // -1/2 pi theta_5_0(z1) w(z1)
+  const T k_55  = detail::constant<T>(0.027714396f, 0.02771439577991679);     // 1/4 pi theta_1_1(z1) w(z1)
+  const T k_56  = detail::constant<T>(0.055759147f, 0.05575914829490041);     // 1/4 pi theta_2_1(z1) w(z1)
+  const T k_57  = detail::constant<T>(0.079013094f, 0.07901309552166161);     // 1/4 pi theta_3_1(z1) w(z1)
+  const T k_58  = detail::constant<T>(0.09106402f, 0.09106402173718094);      // 1/4 pi theta_4_1(z1) w(z1)
+  const T k_59  = detail::constant<T>(0.08810751f, 0.088107509433564);        // 1/4 pi theta_5_1(z1) w(z1)
+  const T k_60  = detail::constant<T>(0.013521798f, 0.013521797667624047);    // 1/4 pi theta_2_2(z1) w(z1)
+  const T k_61  = detail::constant<T>(0.032189123f, 0.03218912472623783);     // 1/4 pi theta_3_2(z1) w(z1)
+  const T k_62  = detail::constant<T>(0.054651026f, 0.054651026050966424);    // 1/4 pi theta_4_2(z1) w(z1)
+  const T k_63  = detail::constant<T>(0.076263115f, 0.07626311463127583);     // 1/4 pi theta_5_2(z1) w(z1)
+  const T k_64  = detail::constant<T>(0.004878109f, 0.004878108953140853);    // 1/2 pi cos(6 pi/16) theta_3_3(z1) w(z1)
+  const T k_65  = detail::constant<T>(0.013167352f, 0.013167352599230131);    // 1/2 pi cos(6 pi/16) theta_4_3(z1) w(z1)
+  const T k_66  = detail::constant<T>(0.025425397f, 0.025425397698118794);    // 1/2 pi cos(6 pi/16) theta_5_3(z1) w(z1)
+  const T k_67  = detail::constant<T>(0.0010334087f, 0.0010334087245587804);  // 1/2 pi cos(6 pi/16) theta_5_5(z1) w(z1)
+  const T k_68  = detail::constant<T>(0.1415761f, 0.141576090579728);         // theta_5_5(z2)
+  const T k_69  = detail::constant<T>(0.18345389f, 0.1834538921265122);       // theta_4_4(z2)
+  const T k_70  = detail::constant<T>(0.41203246f, 0.41203245219476603);      // theta_5_4(z2)
+  const T k_71  = detail::constant<T>(0.23506287f, 0.2350628653792768);       // theta_3_3(z2)
+  const T k_72  = detail::constant<T>(0.60950935f, 0.6095093656429484);       // theta_5_3(z2)
+  const T k_73  = detail::constant<T>(0.47754404f, 0.4775440417719775);       // theta_4_3(z2)
+  const T k_74  = detail::constant<T>(0.2957631f, 0.295763098892803);         // theta_2_2(z2)
+  const T k_75  = detail::constant<T>(0.5660834f, 0.5660833916318162);        // theta_4_2(z2)
+  const T k_76  = detail::constant<T>(0.6231006f, 0.6231005536441366);        // theta_5_2(z2) / theta_3_2(z2)
+  const T k_77  = detail::constant<T>(0.52990884f, 0.5299088323332815);       // theta_3_2(z2)
+  const T k_78  = detail::constant<T>(0.3595194f, 0.35951940672090665);       // theta_1_1(z2)
+  const T k_79  = detail::constant<T>(0.43480387f, 0.4348038809201305);       // theta_3_1(z2)
+  const T k_80  = detail::constant<T>(0.33458504f, 0.3345850292081286);       // -theta_5_1(z2)
+  const T k_81  = detail::constant<T>(0.12864034f, 0.1286403427828683);       // theta_4_1(z2) / theta_2_1(z2)
+  const T k_82  = detail::constant<T>(0.5443967f, 0.5443967086400024);        // theta_2_1(z2)
+  const T k_83  = detail::constant<T>(0.2820948f, 0.28209479177387814);       // theta_0_0(z2)
+  const T k_84  = detail::constant<T>(0.11850642f, 0.11850641621868688);      // theta_2_0(z2)
+  const T k_85  = detail::constant<T>(0.35935888f, 0.3593588752068156);       // -theta_4_0(z2)
+  const T k_86  = detail::constant<T>(0.54005176f, 0.5400517448006793);       // -theta_3_0(z2) / theta_1_0(z2)
+  const T k_87  = detail::constant<T>(0.9220003f, 0.9220002768929056);        // -theta_5_0(z2) / theta_1_0(z2)
+  const T k_88  = detail::constant<T>(0.33087492f, 0.3308749171951393);       // theta_1_0(z2)
+  const T k_89  = detail::constant<T>(0.0610539f, 0.061053896400381565);      // 1/2 pi theta_5_5(z2) w(z2)
+  const T k_90  = detail::constant<T>(0.07911346f, 0.07911346385024871);      // 1/2 pi theta_4_4(z2) w(z2)
+  const T k_91  = detail::constant<T>(0.17768669f, 0.1776866881044989);       // 1/2 pi theta_5_4(z2) w(z2)
+  const T k_92  = detail::constant<T>(0.07167909f, 0.07167909240307967);      // 1/4 sqrt(2) pi theta_3_3(z2) w(z2)
+  const T k_93  = detail::constant<T>(0.14562029f, 0.1456202937094437);       // 1/4 sqrt(2) pi theta_4_3(z2) w(z2)
+  const T k_94  = detail::constant<T>(0.18586124f, 0.18586125064871695);      // 1/4 sqrt(2) pi theta_5_3(z2) w(z2)
+  const T k_95  = detail::constant<T>(0.12754618f, 0.12754618046673635);      // 1/2 pi theta_2_2(z2) w(z2)
+  const T k_96  = detail::constant<T>(0.22852021f, 0.22852021706803569);      // 1/2 pi theta_3_2(z2) w(z2)
+  const T k_97  = detail::constant<T>(0.2441203f, 0.2441202932298961);        // 1/2 pi theta_4_2(z2) w(z2)
+  const T k_98  = detail::constant<T>(0.14239107f, 0.1423910737739713);       // 1/2 pi theta_5_2(z2) w(z2)
+  const T k_99  = detail::constant<T>(0.059331518f, 0.05933151919348861);     // 1/2 pi cos(6 pi/16) theta_1_1(z2) w(z2)
+  const T k_100 = detail::constant<T>(0.089841835f, 0.08984183652878741);     // 1/2 pi cos(6 pi/16) theta_2_1(z2) w(z2)
+  const T k_101 = detail::constant<T>(0.07175572f, 0.07175572256727326);      // 1/2 pi cos(6 pi/16) theta_3_1(z2) w(z2)
+  const T k_102 = detail::constant<T>(0.011557285f, 0.01155728464730563);     // 1/2 pi cos(6 pi/16) theta_4_1(z2) w(z2)
+  const T k_103 = detail::constant<T>(0.055216596f, 0.0552165966877182);      // -1/2 pi cos(6 pi/16) theta_5_1(z2) w(z2)
+  const T k_104 = detail::constant<T>(0.1216518f, 0.1216517995483885);        // 1/2 pi theta_0_0(z2) w(z2)
+  const T k_105 = detail::constant<T>(0.14268796f, 0.1426879555241048);       // 1/2 pi theta_1_0(z2) w(z2)
+  const T k_106 = detail::constant<T>(0.051105227f, 0.05110522849563844);     // 1/2 pi theta_2_0(z2) w(z2)
+  const T k_107 = detail::constant<T>(0.07705888f, 0.07705887934283452);      // -1/2 pi theta_3_0(z2) w(z2)
+  const T k_108 = detail::constant<T>(0.15497151f, 0.154971502939467);        // -1/2 pi theta_4_0(z2) w(z2)
+  const T k_109 = detail::constant<T>(0.13155833f, 0.13155833450250723);      // -1/2 pi theta_5_0(z2) w(z2)
+  const T k_110 = detail::constant<T>(0.07752036f, 0.07752036562806412);      // 1/4 pi theta_1_1(z2) w(z2)
+  const T k_111 = detail::constant<T>(0.11738402f, 0.11738401630499123);      // 1/4 pi theta_2_1(z2) w(z2)
+  const T k_112 = detail::constant<T>(0.09375337f, 0.09375336962434327);      // 1/4 pi theta_3_1(z2) w(z2)
+  const T k_113 = detail::constant<T>(0.01510032f, 0.015100320094703872);     // 1/4 pi theta_4_1(z2) w(z2)
+  const T k_114 = detail::constant<T>(0.07214396f, 0.0721439602786882);       // -1/4 pi theta_5_1(z2) w(z2)
+  const T k_115 = detail::constant<T>(0.06377309f, 0.06377309023336818);      // 1/4 pi theta_2_2(z2) w(z2)
+  const T k_116 = detail::constant<T>(0.11426011f, 0.11426010853401784);      // 1/4 pi theta_3_2(z2) w(z2)
+  const T k_117 = detail::constant<T>(0.12206015f, 0.12206014661494805);      // 1/4 pi theta_4_2(z2) w(z2)
+  const T k_118 = detail::constant<T>(0.071195535f, 0.07119553688698566);     // 1/4 pi theta_5_2(z2) w(z2)
+  const T k_119 = detail::constant<T>(0.038792446f, 0.038792445270565606);    // 1/2 pi cos(6 pi/16) theta_3_3(z2) w(z2)
+  const T k_120 = detail::constant<T>(0.078809135f, 0.07880913505769471);     // 1/2 pi cos(6 pi/16) theta_4_3(z2) w(z2)
+  const T k_121 = detail::constant<T>(0.10058738f, 0.10058738401938044);      // 1/2 pi cos(6 pi/16) theta_5_3(z2) w(z2)
+  const T k_122 = detail::constant<T>(0.023364315f, 0.023364314633760618);    // 1/2 pi cos(6 pi/16) theta_5_5(z2) w(z2)
+  const T k_123 = detail::constant<T>(0.46093348f, 0.4609334817931772);       // theta_5_5(z3)
+  const T k_124 = detail::constant<T>(0.471678f, 0.4716779804286337);         // theta_4_4(z3)
+  const T k_125 = detail::constant<T>(0.5680533f, 0.5680532924416225);        // theta_5_4(z3)
+  const T k_126 = detail::constant<T>(0.47727978f, 0.47727977359513457);      // theta_3_3(z3)
+  const T k_127 = detail::constant<T>(0.07388006f, 0.07388006289605394);      // theta_5_3(z3)
+  const T k_128 = detail::constant<T>(0.5199259f, 0.5199258627701934);        // theta_4_3(z3)
+  const T k_129 = detail::constant<T>(0.4742456f, 0.47424561510776436);       // theta_2_2(z3)
+  const T k_130 = detail::constant<T>(0.03163277f, 0.03163276833850512);      // -theta_4_2(z3)
+  const T k_131 = detail::constant<T>(0.9976599f, 0.9976599166639456);        // -theta_3_2(z3) / theta_5_2(z3)
+  const T k_132 = detail::constant<T>(0.45668522f, 0.45668522029178416);      // -theta_5_2(z3)
+  const T k_133 = detail::constant<T>(0.45525214f, 0.45525215101135463);      // theta_1_1(z3)
+  const T k_134 = detail::constant<T>(0.14509904f, 0.14509904093924164);      // -theta_3_1(z3)
+  const T k_135 = detail::constant<T>(0.20293882f, 0.20293882142713077);      // -theta_5_1(z3)
+  const T k_136 = detail::constant<T>(0.7862193f, 0.7862192946608849);        // -theta_2_1(z3) / theta_4_1(z3)
+  const T k_137 = detail::constant<T>(0.47015435f, 0.4701543377947349);       // -theta_4_1(z3)
+  const T k_138 = detail::constant<T>(0.2820948f, 0.28209479177387814);       // theta_0_0(z3)
+  const T k_139 = detail::constant<T>(0.19063437f, 0.19063437012836218);      // -theta_2_0(z3)
+  const T k_140 = detail::constant<T>(0.0367218f, 0.03672179917979723);       // -theta_4_0(z3)
+  const T k_141 = detail::constant<T>(0.5593589f, 0.5593589006753401);        // -theta_1_0(z3) / theta_3_0(z3)
+  const T k_142 = detail::constant<T>(0.9191953f, 0.9191952800751957);        // -theta_5_0(z3) / theta_3_0(z3)
+  const T k_143 = detail::constant<T>(0.31718475f, 0.31718473546605);         // -theta_3_0(z3)
+  const T k_144 = detail::constant<T>(0.25082555f, 0.2508255424762921);       // 1/2 pi theta_5_5(z3) w(z3)
+  const T k_145 = detail::constant<T>(0.25667235f, 0.2566723616060063);       // 1/2 pi theta_4_4(z3) w(z3)
+  const T k_146 = detail::constant<T>(0.30911678f, 0.30911678335410253);      // 1/2 pi theta_5_4(z3) w(z3)
+  const T k_147 = detail::constant<T>(0.18365026f, 0.18365025526790807);      // 1/4 sqrt(2) pi theta_3_3(z3) w(z3)
+  const T k_148 = detail::constant<T>(0.20005985f, 0.20005984477173896);      // 1/4 sqrt(2) pi theta_4_3(z3) w(z3)
+  const T k_149 = detail::constant<T>(0.028427964f, 0.028427964394692553);    // 1/4 sqrt(2) pi theta_5_3(z3) w(z3)
+  const T k_150 = detail::constant<T>(0.25806957f, 0.2580695878581944);       // 1/2 pi theta_2_2(z3) w(z3)
+  const T k_151 = detail::constant<T>(0.24793223f, 0.24793222888820793);      // 1/2 pi theta_3_2(z3) w(z3)
+  const T k_152 = detail::constant<T>(0.01721356f, 0.017213560290012905);     // -1/2 pi theta_4_2(z3) w(z3)
+  const T k_153 = detail::constant<T>(0.24851377f, 0.24851377182443432);      // -1/2 pi theta_5_2(z3) w(z3)
+  const T k_154 = detail::constant<T>(0.094803676f, 0.09480367465383391);     // 1/2 pi cos(6 pi/16) theta_1_1(z3) w(z3)
+  const T k_155 = detail::constant<T>(0.07697635f, 0.07697634921679285);      // 1/2 pi cos(6 pi/16) theta_2_1(z3) w(z3)
+  const T k_156 = detail::constant<T>(0.030216051f, 0.030216051125135927);    // -1/2 pi cos(6 pi/16) theta_3_1(z3) w(z3)
+  const T k_157 = detail::constant<T>(0.09790697f, 0.09790697040829376);      // -1/2 pi cos(6 pi/16) theta_4_1(z3) w(z3)
+  const T k_158 = detail::constant<T>(0.042260855f, 0.042260856886605566);    // -1/2 pi cos(6 pi/16) theta_5_1(z3) w(z3)
+  const T k_159 = detail::constant<T>(0.15350714f, 0.15350713708440994);      // 1/2 pi theta_0_0(z3) w(z3)
+  const T k_160 = detail::constant<T>(0.096546456f, 0.09654645588984857);     // 1/2 pi theta_1_0(z3) w(z3)
+  const T k_161 = detail::constant<T>(0.10373724f, 0.10373724450663342);      // -1/2 pi theta_2_0(z3) w(z3)
+  const T k_162 = detail::constant<T>(0.17260198f, 0.1726019837590562);       // -1/2 pi theta_3_0(z3) w(z3)
+  const T k_163 = detail::constant<T>(0.019982852f, 0.019982851243839576);    // -1/2 pi theta_4_0(z3) w(z3)
+  const T k_164 = detail::constant<T>(0.15865493f, 0.15865492880294002);      // 1/2 pi theta_5_0(z3) w(z3)
+  const T k_165 = detail::constant<T>(0.12386697f, 0.12386697023688863);      // 1/4 pi theta_1_1(z3) w(z3)
+  const T k_166 = detail::constant<T>(0.10057445f, 0.1005744470580522);       // 1/4 pi theta_2_1(z3) w(z3)
+  const T k_167 = detail::constant<T>(0.039479174f, 0.03947917334491377);     // -1/4 pi theta_3_1(z3) w(z3)
+  const T k_168 = detail::constant<T>(0.12792163f, 0.12792162153872394);      // -1/4 pi theta_4_1(z3) w(z3)
+  const T k_169 = detail::constant<T>(0.05521647f, 0.055216470471979605);     // -1/4 pi theta_5_1(z3) w(z3)
+  const T k_170 = detail::constant<T>(0.12903479f, 0.1290347939290972);       // 1/4 pi theta_2_2(z3) w(z3)
+  const T k_171 = detail::constant<T>(0.12396611f, 0.12396611444410396);      // 1/4 pi theta_3_2(z3) w(z3)
+  const T k_172 = detail::constant<T>(0.00860678f, 0.008606780145006453);     // -1/4 pi theta_4_2(z3) w(z3)
+  const T k_173 = detail::constant<T>(0.12425689f, 0.12425688591221716);      // -1/4 pi theta_5_2(z3) w(z3)
+  const T k_174 = detail::constant<T>(0.099390805f, 0.09939080194184541);     // 1/2 pi cos(6 pi/16) theta_3_3(z3) w(z3)
+  const T k_175 = detail::constant<T>(0.108271606f, 0.10827160778631867);     // 1/2 pi cos(6 pi/16) theta_4_3(z3) w(z3)
+  const T k_176 = detail::constant<T>(0.015385103f, 0.015385103465502554);    // 1/2 pi cos(6 pi/16) theta_5_3(z3) w(z3)
+  const T k_177 = detail::constant<T>(0.095986776f, 0.09598677951966306);     // 1/2 pi cos(6 pi/16) theta_5_5(z3) w(z3)
+  const T k_178 = detail::constant<T>(0.2820948f, 0.28209479177387814);       // 1/2 sqrt(1/pi)
+  const T k_179 = detail::constant<T>(0.63078314f, 0.63078313050504);         // 1/2 sqrt(5/pi)
+  const T k_180 = detail::constant<T>(0.8462844f, 0.8462843753216345);        // 3/2 sqrt(1/pi)
+  const T k_181 = detail::constant<T>(0.52223295f, 0.5222329678670935);       // 1/11 sqrt(33)
+  const T k_182 = detail::constant<T>(0.797724f, 0.7977240352174656);         // 1/11 sqrt(77)
+  const T k_183 = detail::constant<T>(0.9356026f, 0.9356025796273888);        // 1/2 sqrt(11/pi)
+  const T k_184 = detail::constant<T>(0.04923483f, 0.04923482919181989);      // pi^(1/2) w(pole)
+  const T k_185 = detail::constant<T>(0.08527722f, 0.08527722566220737);      // sqrt(3) pi^(1/2) w(pole)
+  const T k_186 = detail::constant<T>(0.110092424f, 0.1100924249335003);      // sqrt(5) pi^(1/2) w(pole)
+  const T k_187 = detail::constant<T>(0.13026312f, 0.13026311388429865);      // sqrt(7) pi^(1/2) w(pole)
+  const T k_188 = detail::constant<T>(0.14770448f, 0.14770448757545968);      // 3 pi^(1/2) w(pole)
+  const T k_189 = detail::constant<T>(0.16329345f, 0.16329345504650356);      // sqrt(11) pi^(1/2) w(pole)
+  const T k_190 = detail::constant<T>(0.6563821f, 0.6563820568401701);        // 3/32 sqrt(154/pi)
+  const T k_191 = detail::constant<T>(0.6258357f, 0.6258357354491761);        // 3/16 sqrt(35/pi)
+  const T k_192 = detail::constant<T>(0.5900436f, 0.5900435899266435);        // 1/8 sqrt(70/pi)
+  const T k_193 = detail::constant<T>(0.4892383f, 0.4892382994352504);        // 1/32 sqrt(770/pi)
+  const T k_194 = detail::constant<T>(0.54627424f, 0.5462742152960396);       // 1/4 sqrt(15/pi)
+  const T k_195 = detail::constant<T>(0.47308734f, 0.47308734787878);         // 3/8 sqrt(5/pi)
+  const T k_196 = detail::constant<T>(0.48860252f, 0.4886025119029199);       // 1/2 sqrt(3/pi)
+  const T k_197 = detail::constant<T>(0.4570458f, 0.4570457994644657);        // 1/8 sqrt(42/pi)
+  const T k_198 = detail::constant<T>(0.45294666f, 0.45294665119569694);      // 1/16 sqrt(165/pi)
+  const T k_199 = detail::constant<T>(0.31539157f, 0.31539156525252);         // 1/4 sqrt(5/pi)
+  const T k_200 = detail::constant<T>(0.31735665f, 0.31735664074561293);      // 9/16 sqrt(1/pi)
+  const T k_201 = detail::constant<T>(0.38305217f, 0.3830521703151837);       // 3/64 sqrt(154) pi^(1/2) w(equator)
+  const T k_202 = detail::constant<T>(0.3652259f, 0.36522591412485866);       // 3/32 sqrt(35) pi^(1/2) w(equator)
+  const T k_203 = detail::constant<T>(0.3443383f, 0.34433829405699096);       // 1/16 sqrt(70) pi^(1/2) w(equator)
+  const T k_204 = detail::constant<T>(0.28551024f, 0.28551023058452596);      // 1/64 sqrt(770) pi^(1/2) w(equator)
+  const T k_205 = detail::constant<T>(0.31879532f, 0.31879531375935355);      // 1/8 sqrt(15) pi^(1/2) w(equator)
+  const T k_206 = detail::constant<T>(0.27608484f, 0.276084840323031);        // 3/16 sqrt(5) pi^(1/2) w(equator)
+  const T k_207 = detail::constant<T>(0.109118044f, 0.10911804660584977);     // 1/4 sqrt(3) pi^(1/2) cos(6 pi/16) w(equator)
+  const T k_208 = detail::constant<T>(0.102070585f, 0.10207058627828025);     // 1/16 sqrt(42) pi^(1/2) cos(6 pi/16) w(equator)
+  const T k_209 = detail::constant<T>(0.10115514f, 0.10115513651914214);      // 1/32 sqrt(165) pi^(1/2) cos(6 pi/16) w(equator)
+  const T k_210 = detail::constant<T>(0.1646252f, 0.16462519213852594);       // 1/4 pi^(1/2) w(equator)
+  const T k_211 = detail::constant<T>(0.18405657f, 0.184056560215354);        // 1/8 sqrt(5) pi^(1/2) w(equator)
+  const T k_212 = detail::constant<T>(0.18520334f, 0.18520334115584167);      // 9/32 pi^(1/2) w(equator)
+  const T k_213 = detail::constant<T>(0.1425696f, 0.1425695984948577);        // 1/8 sqrt(3) pi^(1/2) w(equator)
+  const T k_214 = detail::constant<T>(0.13336165f, 0.13336164783441984);      // 1/32 sqrt(42) pi^(1/2) w(equator)
+  const T k_215 = detail::constant<T>(0.13216555f, 0.132165555082925);        // 1/64 sqrt(165) pi^(1/2) w(equator)
+  const T k_216 = detail::constant<T>(0.15939766f, 0.15939765687967677);      // 1/16 sqrt(15) pi^(1/2) w(equator)
+  const T k_217 = detail::constant<T>(0.13804242f, 0.1380424201615155);       // 3/32 sqrt(5) pi^(1/2) w(equator)
 
   const T a25 = a[25];
   const T a1s5n = k * a25;
@@ -564,11 +561,11 @@ constexpr void product_l5(const T* a, const T* b, T* out) noexcept {
   const T t_173 = t_170 + t_172;
   const T t_174 = t_167 + t_169;
   const T t_175 = t_148 - k_22 * t_154;
-  const T t_176 = k_31 * t_154 + k_32 * t_152 + k_34 * t_148 + t_145;
-  const T t_177 = k_35 * t_145 - k_33 * t_152;
+  const T t_176 = k_31 * t_154 + k_28 * t_152 + k_29 * t_148 + t_145;
+  const T t_177 = k_33 * t_145 - k_32 * t_152;
   const T t_178 = t_133 - k_22 * t_139;
-  const T t_179 = k_31 * t_139 + k_32 * t_137 + k_34 * t_133 + t_130;
-  const T t_180 = k_35 * t_130 - k_33 * t_137;
+  const T t_179 = k_31 * t_139 + k_28 * t_137 + k_29 * t_133 + t_130;
+  const T t_180 = k_33 * t_130 - k_32 * t_137;
   const T t_181 = t_175 + t_177;
   const T t_182 = t_178 + t_180;
   const T t_183 = t_182 + t_181;
@@ -583,98 +580,98 @@ constexpr void product_l5(const T* a, const T* b, T* out) noexcept {
   const T t_192 = t_159 + t_155;
   const T t_193 = t_159 - t_155;
   const T t_194 = t_173 + t_174;
-  const T a2s5n = k_71 * a25;
-  const T t_195 = k_72 * a16;
-  const T t_196 = k_73 * a26;
-  const T t_197 = k_128 * a26;
+  const T a2s5n = k_68 * a25;
+  const T t_195 = k_69 * a16;
+  const T t_196 = k_70 * a26;
+  const T t_197 = k_125 * a26;
   const T a2s4n = t_195 + t_196;
   const T a2s4s = t_195 - t_196;
-  const T t_198 = k_74 * a9 + k_75 * a27;
-  const T t_199 = k_76 * a17;
-  const T t_200 = k_131 * a17;
+  const T t_198 = k_71 * a9 + k_72 * a27;
+  const T t_199 = k_73 * a17;
+  const T t_200 = k_128 * a17;
   const T a2s3n = t_198 + t_199;
   const T a2s3s = t_198 - t_199;
-  const T t_201 = k_77 * a4 + k_78 * a18;
-  const T t_202 = k_80 * (a10 + k_79 * a28);
-  const T t_203 = k_135 * (a28 - k_134 * a10);
+  const T t_201 = k_74 * a4 + k_75 * a18;
+  const T t_202 = k_77 * (a10 + k_76 * a28);
+  const T t_203 = k_132 * (a28 - k_131 * a10);
   const T a2s2n = t_201 + t_202;
   const T a2s2s = t_201 - t_202;
-  const T t_204 = k_81 * a1 + k_82 * a11 - k_83 * a29;
-  const T t_205 = k_85 * (a5 + k_84 * a19);
-  const T t_206 = k_140 * (a19 - k_139 * a5);
+  const T t_204 = k_78 * a1 + k_79 * a11 - k_80 * a29;
+  const T t_205 = k_82 * (a5 + k_81 * a19);
+  const T t_206 = k_137 * (a19 - k_136 * a5);
   const T a2s1n = t_204 + t_205;
   const T a2s1s = t_204 - t_205;
-  const T t_207 = k_86 * a0 + k_87 * a6 - k_88 * a20;
-  const T t_208 = k_91 * (a2 - k_89 * a12 - k_90 * a30);
+  const T t_207 = k_83 * a0 + k_84 * a6 - k_85 * a20;
+  const T t_208 = k_88 * (a2 - k_86 * a12 - k_87 * a30);
   const T a2c0n = t_207 + t_208;
   const T a2c0s = t_207 - t_208;
-  const T t_209 = k_81 * a3 + k_82 * a13 - k_83 * a31;
-  const T t_210 = k_85 * (a7 + k_84 * a21);
-  const T t_211 = k_140 * (a21 - k_139 * a7);
+  const T t_209 = k_78 * a3 + k_79 * a13 - k_80 * a31;
+  const T t_210 = k_82 * (a7 + k_81 * a21);
+  const T t_211 = k_137 * (a21 - k_136 * a7);
   const T a2c1n = t_209 + t_210;
   const T a2c1s = t_209 - t_210;
-  const T t_212 = k_77 * a8 + k_78 * a22;
-  const T t_213 = k_80 * (a14 + k_79 * a32);
-  const T t_214 = k_135 * (a32 - k_134 * a14);
+  const T t_212 = k_74 * a8 + k_75 * a22;
+  const T t_213 = k_77 * (a14 + k_76 * a32);
+  const T t_214 = k_132 * (a32 - k_131 * a14);
   const T a2c2n = t_212 + t_213;
   const T a2c2s = t_212 - t_213;
-  const T t_215 = k_74 * a15 + k_75 * a33;
-  const T t_216 = k_76 * a23;
-  const T t_217 = k_131 * a23;
+  const T t_215 = k_71 * a15 + k_72 * a33;
+  const T t_216 = k_73 * a23;
+  const T t_217 = k_128 * a23;
   const T a2c3n = t_215 + t_216;
   const T a2c3s = t_215 - t_216;
-  const T t_218 = k_72 * a24;
-  const T t_219 = k_73 * a34;
-  const T t_220 = k_128 * a34;
+  const T t_218 = k_69 * a24;
+  const T t_219 = k_70 * a34;
+  const T t_220 = k_125 * a34;
   const T a2c4n = t_218 + t_219;
   const T a2c4s = t_218 - t_219;
-  const T a2c5n = k_71 * a35;
-  const T b2s5n = k_71 * b25;
-  const T t_221 = k_72 * b16;
-  const T t_222 = k_73 * b26;
-  const T t_223 = k_128 * b26;
+  const T a2c5n = k_68 * a35;
+  const T b2s5n = k_68 * b25;
+  const T t_221 = k_69 * b16;
+  const T t_222 = k_70 * b26;
+  const T t_223 = k_125 * b26;
   const T b2s4n = t_221 + t_222;
   const T b2s4s = t_221 - t_222;
-  const T t_224 = k_74 * b9 + k_75 * b27;
-  const T t_225 = k_76 * b17;
-  const T t_226 = k_131 * b17;
+  const T t_224 = k_71 * b9 + k_72 * b27;
+  const T t_225 = k_73 * b17;
+  const T t_226 = k_128 * b17;
   const T b2s3n = t_224 + t_225;
   const T b2s3s = t_224 - t_225;
-  const T t_227 = k_77 * b4 + k_78 * b18;
-  const T t_228 = k_80 * (b10 + k_79 * b28);
-  const T t_229 = k_135 * (b28 - k_134 * b10);
+  const T t_227 = k_74 * b4 + k_75 * b18;
+  const T t_228 = k_77 * (b10 + k_76 * b28);
+  const T t_229 = k_132 * (b28 - k_131 * b10);
   const T b2s2n = t_227 + t_228;
   const T b2s2s = t_227 - t_228;
-  const T t_230 = k_81 * b1 + k_82 * b11 - k_83 * b29;
-  const T t_231 = k_85 * (b5 + k_84 * b19);
-  const T t_232 = k_140 * (b19 - k_139 * b5);
+  const T t_230 = k_78 * b1 + k_79 * b11 - k_80 * b29;
+  const T t_231 = k_82 * (b5 + k_81 * b19);
+  const T t_232 = k_137 * (b19 - k_136 * b5);
   const T b2s1n = t_230 + t_231;
   const T b2s1s = t_230 - t_231;
-  const T t_233 = k_86 * b0 + k_87 * b6 - k_88 * b20;
-  const T t_234 = k_91 * (b2 - k_89 * b12 - k_90 * b30);
+  const T t_233 = k_83 * b0 + k_84 * b6 - k_85 * b20;
+  const T t_234 = k_88 * (b2 - k_86 * b12 - k_87 * b30);
   const T b2c0n = t_233 + t_234;
   const T b2c0s = t_233 - t_234;
-  const T t_235 = k_81 * b3 + k_82 * b13 - k_83 * b31;
-  const T t_236 = k_85 * (b7 + k_84 * b21);
-  const T t_237 = k_140 * (b21 - k_139 * b7);
+  const T t_235 = k_78 * b3 + k_79 * b13 - k_80 * b31;
+  const T t_236 = k_82 * (b7 + k_81 * b21);
+  const T t_237 = k_137 * (b21 - k_136 * b7);
   const T b2c1n = t_235 + t_236;
   const T b2c1s = t_235 - t_236;
-  const T t_238 = k_77 * b8 + k_78 * b22;
-  const T t_239 = k_80 * (b14 + k_79 * b32);
-  const T t_240 = k_135 * (b32 - k_134 * b14);
+  const T t_238 = k_74 * b8 + k_75 * b22;
+  const T t_239 = k_77 * (b14 + k_76 * b32);
+  const T t_240 = k_132 * (b32 - k_131 * b14);
   const T b2c2n = t_238 + t_239;
   const T b2c2s = t_238 - t_239;
-  const T t_241 = k_74 * b15 + k_75 * b33;
-  const T t_242 = k_76 * b23;
-  const T t_243 = k_131 * b23;
+  const T t_241 = k_71 * b15 + k_72 * b33;
+  const T t_242 = k_73 * b23;
+  const T t_243 = k_128 * b23;
   const T b2c3n = t_241 + t_242;
   const T b2c3s = t_241 - t_242;
-  const T t_244 = k_72 * b24;
-  const T t_245 = k_73 * b34;
-  const T t_246 = k_128 * b34;
+  const T t_244 = k_69 * b24;
+  const T t_245 = k_70 * b34;
+  const T t_246 = k_125 * b34;
   const T b2c4n = t_244 + t_245;
   const T b2c4s = t_244 - t_245;
-  const T b2c5n = k_71 * b35;
+  const T b2c5n = k_68 * b35;
   const T t_247 = a2c0n + a2c4n;
   const T t_248 = a2c0n - a2c4n;
   const T t_249 = a2c0s + a2c4s;
@@ -814,11 +811,11 @@ constexpr void product_l5(const T* a, const T* b, T* out) noexcept {
   const T t_383 = t_380 + t_382;
   const T t_384 = t_377 + t_379;
   const T t_385 = t_358 - k_22 * t_364;
-  const T t_386 = k_31 * t_364 + k_32 * t_362 + k_34 * t_358 + t_355;
-  const T t_387 = k_35 * t_355 - k_33 * t_362;
+  const T t_386 = k_31 * t_364 + k_28 * t_362 + k_29 * t_358 + t_355;
+  const T t_387 = k_33 * t_355 - k_32 * t_362;
   const T t_388 = t_343 - k_22 * t_349;
-  const T t_389 = k_31 * t_349 + k_32 * t_347 + k_34 * t_343 + t_340;
-  const T t_390 = k_35 * t_340 - k_33 * t_347;
+  const T t_389 = k_31 * t_349 + k_28 * t_347 + k_29 * t_343 + t_340;
+  const T t_390 = k_33 * t_340 - k_32 * t_347;
   const T t_391 = t_385 + t_387;
   const T t_392 = t_388 + t_390;
   const T t_393 = t_392 + t_391;
@@ -833,90 +830,90 @@ constexpr void product_l5(const T* a, const T* b, T* out) noexcept {
   const T t_402 = t_369 + t_365;
   const T t_403 = t_369 - t_365;
   const T t_404 = t_383 + t_384;
-  const T a3s5n = k_126 * a25;
-  const T a5s5n = k_193 * a25;
-  const T t_405 = k_127 * a16;
-  const T a5s4n = k_194 * a16;
+  const T a3s5n = k_123 * a25;
+  const T a5s5n = k_190 * a25;
+  const T t_405 = k_124 * a16;
+  const T a5s4n = k_191 * a16;
   const T a3s4n = t_405 + t_197;
   const T a3s4s = t_405 - t_197;
-  const T t_406 = k_129 * a9 + k_130 * a27;
-  const T a5s3n = k_195 * a9 - k_196 * a27;
+  const T t_406 = k_126 * a9 + k_127 * a27;
+  const T a5s3n = k_192 * a9 - k_193 * a27;
   const T a3s3n = t_406 + t_200;
   const T a3s3s = t_406 - t_200;
-  const T t_407 = k_132 * a4 - k_133 * a18;
-  const T a5s2n = k_197 * a4 - k_198 * a18;
+  const T t_407 = k_129 * a4 - k_130 * a18;
+  const T a5s2n = k_194 * a4 - k_195 * a18;
   const T a3s2n = t_407 - t_203;
   const T a3s2s = t_407 + t_203;
-  const T t_408 = k_136 * a1 - k_137 * a11 - k_138 * a29;
-  const T a5s1n = k_199 * a1 - k_200 * a11 + k_201 * a29;
+  const T t_408 = k_133 * a1 - k_134 * a11 - k_135 * a29;
+  const T a5s1n = k_196 * a1 - k_197 * a11 + k_198 * a29;
   const T a3s1n = t_408 - t_206;
   const T a3s1s = t_408 + t_206;
-  const T t_409 = k_181 * a0;
-  const T t_410 = k_141 * a0 - k_142 * a6 - k_143 * a20;
-  const T t_411 = k_146 * (a12 - k_144 * a2 - k_145 * a30);
-  const T t_412 = k_186 * (k_184 * a2 + k_185 * a12 + a30);
+  const T t_409 = k_178 * a0;
+  const T t_410 = k_138 * a0 - k_139 * a6 - k_140 * a20;
+  const T t_411 = k_143 * (a12 - k_141 * a2 - k_142 * a30);
+  const T t_412 = k_183 * (k_181 * a2 + k_182 * a12 + a30);
   const T a3c0n = t_410 - t_411;
   const T a3c0s = t_410 + t_411;
-  const T t_413 = k_136 * a3 - k_137 * a13 - k_138 * a31;
-  const T a5c1n = k_199 * a3 - k_200 * a13 + k_201 * a31;
+  const T t_413 = k_133 * a3 - k_134 * a13 - k_135 * a31;
+  const T a5c1n = k_196 * a3 - k_197 * a13 + k_198 * a31;
   const T a3c1n = t_413 - t_211;
   const T a3c1s = t_413 + t_211;
-  const T t_414 = k_132 * a8 - k_133 * a22;
-  const T a5c2n = k_197 * a8 - k_198 * a22;
+  const T t_414 = k_129 * a8 - k_130 * a22;
+  const T a5c2n = k_194 * a8 - k_195 * a22;
   const T a3c2n = t_414 - t_214;
   const T a3c2s = t_414 + t_214;
-  const T t_415 = k_129 * a15 + k_130 * a33;
-  const T a5c3n = k_195 * a15 - k_196 * a33;
+  const T t_415 = k_126 * a15 + k_127 * a33;
+  const T a5c3n = k_192 * a15 - k_193 * a33;
   const T a3c3n = t_415 + t_217;
   const T a3c3s = t_415 - t_217;
-  const T t_416 = k_127 * a24;
-  const T a5c4n = k_194 * a24;
+  const T t_416 = k_124 * a24;
+  const T a5c4n = k_191 * a24;
   const T a3c4n = t_416 + t_220;
   const T a3c4s = t_416 - t_220;
-  const T a3c5n = k_126 * a35;
-  const T a5c5n = k_193 * a35;
-  const T b3s5n = k_126 * b25;
-  const T b5s5n = k_193 * b25;
-  const T t_417 = k_127 * b16;
-  const T b5s4n = k_194 * b16;
+  const T a3c5n = k_123 * a35;
+  const T a5c5n = k_190 * a35;
+  const T b3s5n = k_123 * b25;
+  const T b5s5n = k_190 * b25;
+  const T t_417 = k_124 * b16;
+  const T b5s4n = k_191 * b16;
   const T b3s4n = t_417 + t_223;
   const T b3s4s = t_417 - t_223;
-  const T t_418 = k_129 * b9 + k_130 * b27;
-  const T b5s3n = k_195 * b9 - k_196 * b27;
+  const T t_418 = k_126 * b9 + k_127 * b27;
+  const T b5s3n = k_192 * b9 - k_193 * b27;
   const T b3s3n = t_418 + t_226;
   const T b3s3s = t_418 - t_226;
-  const T t_419 = k_132 * b4 - k_133 * b18;
-  const T b5s2n = k_197 * b4 - k_198 * b18;
+  const T t_419 = k_129 * b4 - k_130 * b18;
+  const T b5s2n = k_194 * b4 - k_195 * b18;
   const T b3s2n = t_419 - t_229;
   const T b3s2s = t_419 + t_229;
-  const T t_420 = k_136 * b1 - k_137 * b11 - k_138 * b29;
-  const T b5s1n = k_199 * b1 - k_200 * b11 + k_201 * b29;
+  const T t_420 = k_133 * b1 - k_134 * b11 - k_135 * b29;
+  const T b5s1n = k_196 * b1 - k_197 * b11 + k_198 * b29;
   const T b3s1n = t_420 - t_232;
   const T b3s1s = t_420 + t_232;
-  const T t_421 = k_181 * b0;
-  const T t_422 = k_141 * b0 - k_142 * b6 - k_143 * b20;
-  const T t_423 = k_146 * (b12 - k_144 * b2 - k_145 * b30);
-  const T t_424 = k_186 * (k_184 * b2 + k_185 * b12 + b30);
+  const T t_421 = k_178 * b0;
+  const T t_422 = k_138 * b0 - k_139 * b6 - k_140 * b20;
+  const T t_423 = k_143 * (b12 - k_141 * b2 - k_142 * b30);
+  const T t_424 = k_183 * (k_181 * b2 + k_182 * b12 + b30);
   const T b3c0n = t_422 - t_423;
   const T b3c0s = t_422 + t_423;
-  const T t_425 = k_136 * b3 - k_137 * b13 - k_138 * b31;
-  const T b5c1n = k_199 * b3 - k_200 * b13 + k_201 * b31;
+  const T t_425 = k_133 * b3 - k_134 * b13 - k_135 * b31;
+  const T b5c1n = k_196 * b3 - k_197 * b13 + k_198 * b31;
   const T b3c1n = t_425 - t_237;
   const T b3c1s = t_425 + t_237;
-  const T t_426 = k_132 * b8 - k_133 * b22;
-  const T b5c2n = k_197 * b8 - k_198 * b22;
+  const T t_426 = k_129 * b8 - k_130 * b22;
+  const T b5c2n = k_194 * b8 - k_195 * b22;
   const T b3c2n = t_426 - t_240;
   const T b3c2s = t_426 + t_240;
-  const T t_427 = k_129 * b15 + k_130 * b33;
-  const T b5c3n = k_195 * b15 - k_196 * b33;
+  const T t_427 = k_126 * b15 + k_127 * b33;
+  const T b5c3n = k_192 * b15 - k_193 * b33;
   const T b3c3n = t_427 + t_243;
   const T b3c3s = t_427 - t_243;
-  const T t_428 = k_127 * b24;
-  const T b5c4n = k_194 * b24;
+  const T t_428 = k_124 * b24;
+  const T b5c4n = k_191 * b24;
   const T b3c4n = t_428 + t_246;
   const T b3c4s = t_428 - t_246;
-  const T b3c5n = k_126 * b35;
-  const T b5c5n = k_193 * b35;
+  const T b3c5n = k_123 * b35;
+  const T b5c5n = k_190 * b35;
   const T t_429 = a3c0n + a3c4n;
   const T t_430 = a3c0n - a3c4n;
   const T t_431 = a3c0s + a3c4s;
@@ -1056,16 +1053,16 @@ constexpr void product_l5(const T* a, const T* b, T* out) noexcept {
   const T t_565 = t_562 + t_564;
   const T t_566 = t_559 + t_561;
   const T t_567 = t_540 - k_22 * t_546;
-  const T t_568 = k_31 * t_546 + k_32 * t_544 + k_34 * t_540 + t_537;
-  const T t_569 = k_35 * t_537 - k_33 * t_544;
+  const T t_568 = k_31 * t_546 + k_28 * t_544 + k_29 * t_540 + t_537;
+  const T t_569 = k_33 * t_537 - k_32 * t_544;
   const T t_570 = t_525 - k_22 * t_531;
-  const T t_571 = k_31 * t_531 + k_32 * t_529 + k_34 * t_525 + t_522;
-  const T t_572 = k_35 * t_522 - k_33 * t_529;
+  const T t_571 = k_31 * t_531 + k_28 * t_529 + k_29 * t_525 + t_522;
+  const T t_572 = k_33 * t_522 - k_32 * t_529;
   const T t_573 = t_567 + t_569;
   const T t_574 = t_570 + t_572;
-  out[26] = k_39 * (t_165 - t_163) + k_94 * (t_375 - t_373) + k_149 * (t_557 - t_555);                            // l=5 m=-4
+  out[26] = k_36 * (t_165 - t_163) + k_91 * (t_375 - t_373) + k_146 * (t_557 - t_555);                            // l=5 m=-4
   const T t_575 = t_574 + t_573;
-  out[17] = k_41 * (t_182 - t_181) + k_96 * (t_392 - t_391) + k_151 * (t_574 - t_573);                            // l=4 m=-3
+  out[17] = k_38 * (t_182 - t_181) + k_93 * (t_392 - t_391) + k_148 * (t_574 - t_573);                            // l=4 m=-3
   const T t_576 = t_558 + t_556;
   const T t_577 = t_558 - t_556;
   const T t_578 = t_571 + t_568;
@@ -1077,27 +1074,27 @@ constexpr void product_l5(const T* a, const T* b, T* out) noexcept {
   const T t_584 = t_551 + t_547;
   const T t_585 = t_551 - t_547;
   const T t_586 = t_565 + t_566;
-  out[23] = k_68 * (t_173 - t_174) + k_123 * (t_383 - t_384) + k_178 * (t_565 - t_566);                           // l=4 m=3
-  out[34] = k_39 * (t_162 - t_158) + k_94 * (t_372 - t_368) + k_149 * (t_554 - t_550);                            // l=5 m=4
-  out[10] = k_44 * t_185 + k_99 * t_395 + k_154 * t_577;                                                          // l=3 m=-2
-  out[28] = k_46 * t_185 + k_101 * t_395 - k_156 * t_577;                                                         // l=5 m=-2
-  out[5] = k_48 * t_187 + k_103 * t_397 + k_158 * t_579;                                                          // l=2 m=-1
-  out[19] = k_50 * t_187 + k_105 * t_397 - k_160 * t_579;                                                         // l=4 m=-1
-  out[7] = k_59 * t_191 + k_114 * t_401 + k_169 * t_583;                                                          // l=2 m=1
-  out[21] = k_61 * t_191 + k_116 * t_401 - k_171 * t_583;                                                         // l=4 m=1
-  out[14] = k_64 * t_193 + k_119 * t_403 + k_174 * t_585;                                                         // l=3 m=2
-  out[32] = k_66 * t_193 + k_121 * t_403 - k_176 * t_585;                                                         // l=5 m=2
-  const T t_587 = t_409 + k_182 * a6 + k_183 * a20;
-  const T a5c0n = t_409 - k_202 * a6 + k_203 * a20;
-  const T t_588 = t_421 + k_182 * b6 + k_183 * b20;
-  const T b5c0n = t_421 - k_202 * b6 + k_203 * b20;
+  out[23] = k_65 * (t_173 - t_174) + k_120 * (t_383 - t_384) + k_175 * (t_565 - t_566);                           // l=4 m=3
+  out[34] = k_36 * (t_162 - t_158) + k_91 * (t_372 - t_368) + k_146 * (t_554 - t_550);                            // l=5 m=4
+  out[10] = k_41 * t_185 + k_96 * t_395 + k_151 * t_577;                                                          // l=3 m=-2
+  out[28] = k_43 * t_185 + k_98 * t_395 - k_153 * t_577;                                                          // l=5 m=-2
+  out[5] = k_45 * t_187 + k_100 * t_397 + k_155 * t_579;                                                          // l=2 m=-1
+  out[19] = k_47 * t_187 + k_102 * t_397 - k_157 * t_579;                                                         // l=4 m=-1
+  out[7] = k_56 * t_191 + k_111 * t_401 + k_166 * t_583;                                                          // l=2 m=1
+  out[21] = k_58 * t_191 + k_113 * t_401 - k_168 * t_583;                                                         // l=4 m=1
+  out[14] = k_61 * t_193 + k_116 * t_403 + k_171 * t_585;                                                         // l=3 m=2
+  out[32] = k_63 * t_193 + k_118 * t_403 - k_173 * t_585;                                                         // l=5 m=2
+  const T t_587 = t_409 + k_179 * a6 + k_180 * a20;
+  const T a5c0n = t_409 - k_199 * a6 + k_200 * a20;
+  const T t_588 = t_421 + k_179 * b6 + k_180 * b20;
+  const T b5c0n = t_421 - k_199 * b6 + k_200 * b20;
   const T t_589 = (t_587 + t_412) * (t_588 + t_424);
   const T t_590 = (t_587 - t_412) * (t_588 - t_424);
   const T t_591 = t_589 + t_590;
   const T t_592 = t_589 - t_590;
-  out[2] = k_53 * t_189 + k_108 * t_399 + k_163 * t_581 + k_188 * t_592;                                          // l=1 m=0
-  out[12] = k_55 * t_189 - k_110 * t_399 - k_165 * t_581 + k_190 * t_592;                                         // l=3 m=0
-  out[30] = k_167 * t_581 - k_57 * t_189 - k_112 * t_399 + k_192 * t_592;                                         // l=5 m=0
+  out[2] = k_50 * t_189 + k_105 * t_399 + k_160 * t_581 + k_185 * t_592;                                          // l=1 m=0
+  out[12] = k_52 * t_189 - k_107 * t_399 - k_162 * t_581 + k_187 * t_592;                                         // l=3 m=0
+  out[30] = k_164 * t_581 - k_54 * t_189 - k_109 * t_399 + k_189 * t_592;                                         // l=5 m=0
   const T t_593 = a5c0n + a5c4n;
   const T t_594 = a5c0n - a5c4n;
   const T t_595 = a5c2n + t_593;
@@ -1160,38 +1157,38 @@ constexpr void product_l5(const T* a, const T* b, T* out) noexcept {
   const T t_652 = k_25 * (t_639 - t_646) - t_650 + t_637;
   const T t_653 = k_26 * (t_650 + t_637);
   const T t_654 = t_646 + t_643 + t_639 + t_653;
-  out[24] = k_38 * (t_162 + t_158) + k_93 * (t_372 + t_368) + k_148 * (t_554 + t_550) + k_205 * (t_653 - t_643);  // l=4 m=4
+  out[24] = k_35 * (t_162 + t_158) + k_90 * (t_372 + t_368) + k_145 * (t_554 + t_550) + k_202 * (t_653 - t_643);  // l=4 m=4
   const T t_655 = t_594 * b5s2n + a5s2n * t_616 + t_607 * t_634 + t_612 * t_629 + k_22 * (t_647 + t_640);
-  out[16] = k_38 * (t_165 + t_163) + k_93 * (t_375 + t_373) + k_148 * (t_557 + t_555) + k_205 * (t_640 - t_647);  // l=4 m=-4
+  out[16] = k_35 * (t_165 + t_163) + k_90 * (t_375 + t_373) + k_145 * (t_557 + t_555) + k_202 * (t_640 - t_647);  // l=4 m=-4
   const T t_656 = k_24 * t_641 - k_23 * t_648;
   const T t_657 = k_27 * t_648 + k_25 * t_644 + k_30 * t_641 + t_638;
   const T t_658 = k_26 * t_638 - k_22 * t_644;
   const T t_659 = t_656 + t_658;
-  out[35] = k_70 * (t_169 - t_167 - t_170 + t_172) + k_125 * (t_379 - t_377 - t_380 + t_382) + k_180 * (t_561 - t_559
-      - t_562 + t_564) + k_204 * (t_658 - t_656);                                                                 // l=5 m=5
+  out[35] = k_67 * (t_169 - t_167 - t_170 + t_172) + k_122 * (t_379 - t_377 - t_380 + t_382) + k_177 * (t_561 - t_559
+      - t_562 + t_564) + k_201 * (t_658 - t_656);                                                                 // l=5 m=5
   const T t_660 = k_26 * t_651 - k_22 * t_645;
-  const T t_661 = k_31 * t_651 + k_32 * t_649 + k_34 * t_645 + t_642;
+  const T t_661 = k_31 * t_651 + k_28 * t_649 + k_29 * t_645 + t_642;
   const T t_662 = k_23 * t_642 - k_24 * t_649;
   const T t_663 = t_662 - t_660;
-  out[25] = k_37 * (k_36 * (t_177 - t_175 - t_178 + t_180)) + k_92 * (k_36 * (t_387 - t_385 - t_388 + t_390))
-      + k_147 * (k_36 * (t_569 - t_567 - t_570 + t_572)) + k_204 * (t_660 + t_662);                               // l=5 m=-5
-  out[9] = k_40 * t_183 + k_95 * t_393 + k_150 * t_575 + k_206 * t_663;                                           // l=3 m=-3
-  out[27] = k_42 * t_183 + k_97 * t_393 + k_152 * t_575 - k_207 * t_663;                                          // l=5 m=-3
-  out[4] = k_43 * t_184 + k_98 * t_394 + k_153 * t_576 + k_208 * t_655;                                           // l=2 m=-2
-  out[18] = k_45 * t_184 + k_100 * t_394 - k_155 * t_576 - k_209 * t_655;                                         // l=4 m=-2
-  out[1] = k_47 * t_186 + k_102 * t_396 + k_157 * t_578 + k_210 * t_661;                                          // l=1 m=-1
-  out[11] = k_49 * t_186 + k_104 * t_396 - k_159 * t_578 - k_211 * t_661;                                         // l=3 m=-1
-  out[29] = k_51 * t_186 - k_106 * t_396 - k_161 * t_578 + k_212 * t_661;                                         // l=5 m=-1
-  out[0] = k_52 * t_188 + k_107 * t_398 + k_162 * t_580 + k_187 * t_591 + k_213 * t_654;                          // l=0 m=0
-  out[6] = k_54 * t_188 + k_109 * t_398 - k_164 * t_580 + k_189 * t_591 - k_214 * t_654;                          // l=2 m=0
-  out[20] = k_56 * t_188 - k_111 * t_398 - k_166 * t_580 + k_191 * t_591 + k_215 * t_654;                         // l=4 m=0
-  out[3] = k_58 * t_190 + k_113 * t_400 + k_168 * t_582 + k_216 * t_657;                                          // l=1 m=1
-  out[13] = k_60 * t_190 + k_115 * t_400 - k_170 * t_582 - k_217 * t_657;                                         // l=3 m=1
-  out[31] = k_62 * t_190 - k_117 * t_400 - k_172 * t_582 + k_218 * t_657;                                         // l=5 m=1
-  out[8] = k_63 * t_192 + k_118 * t_402 + k_173 * t_584 + k_219 * t_652;                                          // l=2 m=2
-  out[22] = k_65 * t_192 + k_120 * t_402 - k_175 * t_584 - k_220 * t_652;                                         // l=4 m=2
-  out[15] = k_67 * t_194 + k_122 * t_404 + k_177 * t_586 + k_206 * t_659;                                         // l=3 m=3
-  out[33] = k_69 * t_194 + k_124 * t_404 + k_179 * t_586 - k_207 * t_659;                                         // l=5 m=3
+  out[25] = k_34 * (k_22 * (t_177 - t_175 - t_178 + t_180)) + k_89 * (k_22 * (t_387 - t_385 - t_388 + t_390))
+      + k_144 * (k_22 * (t_569 - t_567 - t_570 + t_572)) + k_201 * (t_660 + t_662);                               // l=5 m=-5
+  out[9] = k_37 * t_183 + k_92 * t_393 + k_147 * t_575 + k_203 * t_663;                                           // l=3 m=-3
+  out[27] = k_39 * t_183 + k_94 * t_393 + k_149 * t_575 - k_204 * t_663;                                          // l=5 m=-3
+  out[4] = k_40 * t_184 + k_95 * t_394 + k_150 * t_576 + k_205 * t_655;                                           // l=2 m=-2
+  out[18] = k_42 * t_184 + k_97 * t_394 - k_152 * t_576 - k_206 * t_655;                                          // l=4 m=-2
+  out[1] = k_44 * t_186 + k_99 * t_396 + k_154 * t_578 + k_207 * t_661;                                           // l=1 m=-1
+  out[11] = k_46 * t_186 + k_101 * t_396 - k_156 * t_578 - k_208 * t_661;                                         // l=3 m=-1
+  out[29] = k_48 * t_186 - k_103 * t_396 - k_158 * t_578 + k_209 * t_661;                                         // l=5 m=-1
+  out[0] = k_49 * t_188 + k_104 * t_398 + k_159 * t_580 + k_184 * t_591 + k_210 * t_654;                          // l=0 m=0
+  out[6] = k_51 * t_188 + k_106 * t_398 - k_161 * t_580 + k_186 * t_591 - k_211 * t_654;                          // l=2 m=0
+  out[20] = k_53 * t_188 - k_108 * t_398 - k_163 * t_580 + k_188 * t_591 + k_212 * t_654;                         // l=4 m=0
+  out[3] = k_55 * t_190 + k_110 * t_400 + k_165 * t_582 + k_213 * t_657;                                          // l=1 m=1
+  out[13] = k_57 * t_190 + k_112 * t_400 - k_167 * t_582 - k_214 * t_657;                                         // l=3 m=1
+  out[31] = k_59 * t_190 - k_114 * t_400 - k_169 * t_582 + k_215 * t_657;                                         // l=5 m=1
+  out[8] = k_60 * t_192 + k_115 * t_402 + k_170 * t_584 + k_216 * t_652;                                          // l=2 m=2
+  out[22] = k_62 * t_192 + k_117 * t_402 - k_172 * t_584 - k_217 * t_652;                                         // l=4 m=2
+  out[15] = k_64 * t_194 + k_119 * t_404 + k_174 * t_586 + k_203 * t_659;                                         // l=3 m=3
+  out[33] = k_66 * t_194 + k_121 * t_404 + k_176 * t_586 - k_204 * t_659;                                         // l=5 m=3
 }
 
 }  // namespace sh

@@ -55,12 +55,12 @@ namespace sh {
 
 template <class T>
 constexpr void product_zonal_l5(const T* a, const T* zonal, T* out) noexcept {
-  const T k    = detail::constant<T>(1.6595403f, 1.659540320110986);       // 13/45 sqrt(33)
+  const T k    = detail::constant<T>(0.6025765f, 0.6025765013851079);      // 15/143 sqrt(33)
   const T k_2  = detail::constant<T>(0.2820948f, 0.28209479177387814);     // 1/2 sqrt(1/pi)
   const T k_3  = detail::constant<T>(0.1301976f, 0.13019759620332838);     // 3/13 sqrt(1/pi)
-  const T k_4  = detail::constant<T>(0.18022375f, 0.18022375157286857);    // 1/7 sqrt(5/pi)
-  const T k_5  = detail::constant<T>(0.040299255f, 0.04029925596769688);   // 1/14 sqrt(1/pi)
-  const T k_6  = detail::constant<T>(4.9193497f, 4.919349550499537);       // 11/5 sqrt(5)
+  const T k_4  = detail::constant<T>(0.20327891f, 0.20327890704543541);    // 1/11 sqrt(5)
+  const T k_5  = detail::constant<T>(0.18022375f, 0.18022375157286857);    // 1/7 sqrt(5/pi)
+  const T k_6  = detail::constant<T>(0.040299255f, 0.04029925596769688);   // 1/14 sqrt(1/pi)
   const T k_7  = detail::constant<T>(0.25231326f, 0.252313252202016);      // 1/5 sqrt(5/pi)
   const T k_8  = detail::constant<T>(0.24776669f, 0.24776669508347607);    // 3/70 sqrt(105/pi)
   const T k_9  = detail::constant<T>(0.24623252f, 0.24623252122982908);    // 2/21 sqrt(21/pi)
@@ -86,66 +86,65 @@ constexpr void product_zonal_l5(const T* a, const T* zonal, T* out) noexcept {
   const T k_29 = detail::constant<T>(0.23359668f, 0.2335966803276074);     // 1/35 sqrt(210/pi)
   const T k_30 = detail::constant<T>(0.059470803f, 0.059470803871759036);  // 1/30 sqrt(10/pi)
   const T k_31 = detail::constant<T>(0.16943318f, 0.1694331772935932);     // 5/462 sqrt(770/pi)
-  const T k_32 = detail::constant<T>(0.04486937f, 0.0448693700612124);     // 5/154 sqrt(6/pi)
+  const T k_32 = detail::constant<T>(0.22072811f, 0.2207281154418226);     // 1/14 sqrt(30/pi)
   const T k_33 = detail::constant<T>(0.2143179f, 0.21431790057875125);     // 10/231 sqrt(77/pi)
   const T k_34 = detail::constant<T>(0.036165997f, 0.036165998945368996);  // 5/78 sqrt(1/pi)
-  const T k_35 = detail::constant<T>(0.02564498f, 0.025644981070352558);   // 1/22 sqrt(1/pi)
-  const T k_36 = detail::constant<T>(0.23841362f, 0.23841361350444806);    // 1/14 sqrt(35/pi)
-  const T k_37 = detail::constant<T>(0.09932259f, 0.09932258459927991);    // 1/22 sqrt(15/pi)
-  const T k_38 = detail::constant<T>(0.009577496f, 0.009577496073872776);  // 1/2002 sqrt(1155/pi)
-  const T k_39 = detail::constant<T>(0.22731847f, 0.22731846124334895);    // 5/154 sqrt(154/pi)
-  const T k_40 = detail::constant<T>(0.08601992f, 0.08601992077982425);    // 1/182 sqrt(770/pi)
-  const T k_41 = detail::constant<T>(0.13926381f, 0.13926380803358027);    // 17/154 sqrt(5/pi)
-  const T k_42 = detail::constant<T>(0.06848055f, 0.06848055384720518);    // 243/2002 sqrt(1/pi)
-  const T k_43 = detail::constant<T>(0.24057125f, 0.24057124674551034);    // 1/11 sqrt(22/pi)
-  const T k_44 = detail::constant<T>(0.11508947f, 0.1150894671240813);     // 19/2002 sqrt(462/pi)
-  const T k_45 = detail::constant<T>(0.053152945f, 0.05315294607251315);   // 1/26 sqrt(6/pi)
-  const T k_46 = detail::constant<T>(0.14556533f, 0.1455653378088554);     // 3/26 sqrt(5/pi)
-  const T k_47 = detail::constant<T>(0.0867984f, 0.08679839746888558);     // 2/13 sqrt(1/pi)
-  const T k_48 = detail::constant<T>(0.1846744f, 0.1846743909223718);      // 1/14 sqrt(21/pi)
-  const T k_49 = detail::constant<T>(0.18806319f, 0.18806319451591877);    // 1/3 sqrt(1/pi)
-  const T k_50 = detail::constant<T>(0.053579476f, 0.05357947514468781);   // 5/462 sqrt(77/pi)
-  const T k_51 = detail::constant<T>(0.15607835f, 0.15607834722743988);    // 1/14 sqrt(15/pi)
-  const T k_52 = detail::constant<T>(0.19036461f, 0.19036461502711166);    // 15/77 sqrt(3/pi)
-  const T k_53 = detail::constant<T>(0.14175797f, 0.14175796661021042);    // 5/66 sqrt(11/pi)
-  const T k_54 = detail::constant<T>(0.19137248f, 0.19137247825134124);    // 5/39 sqrt(7/pi)
-  const T k_55 = detail::constant<T>(0.17951487f, 0.17951486749246792);    // 7/22 sqrt(1/pi)
-  const T k_56 = detail::constant<T>(0.21324362f, 0.21324361862292307);    // 1/7 sqrt(7/pi)
-  const T k_57 = detail::constant<T>(0.04441841f, 0.04441841017299272);    // 1/22 sqrt(3/pi)
-  const T k_58 = detail::constant<T>(0.17132746f, 0.17132745820333498);    // 20/1001 sqrt(231/pi)
-  const T k_59 = detail::constant<T>(0.06542675f, 0.06542675382009712);    // 5/143 sqrt(11/pi)
-  const T k_60 = detail::constant<T>(0.06553591f, 0.0655359096628613);     // 4/77 sqrt(5/pi)
-  const T k_61 = detail::constant<T>(0.08369845f, 0.08369845470213967);    // 27/182 sqrt(1/pi)
-  const T k_62 = detail::constant<T>(0.22503379f, 0.2250337956076888);     // 1/22 sqrt(77/pi)
-  const T k_63 = detail::constant<T>(0.022664493f, 0.022664492358141868);  // 1/143 sqrt(33/pi)
-  const T k_64 = detail::constant<T>(0.09944005f, 0.0994400566505079);     // 1/26 sqrt(21/pi)
-  const T k_65 = detail::constant<T>(0.53846157f, 0.5384615384615384);     // 7/13
-  const T k_66 = detail::constant<T>(0.21026105f, 0.21026104350168);       // 1/6 sqrt(5/pi)
-  const T k_67 = detail::constant<T>(0.07693494f, 0.07693494321105768);    // 3/22 sqrt(1/pi)
-  const T k_68 = detail::constant<T>(0.20355073f, 0.20355072686733566);    // 3/22 sqrt(7/pi)
-  const T k_69 = detail::constant<T>(0.09814013f, 0.09814013073014567);    // 15/286 sqrt(11/pi)
-  const T k_70 = detail::constant<T>(0.12679218f, 0.12679217987703037);    // 1/33 sqrt(55/pi)
-  const T k_71 = detail::constant<T>(0.19628026f, 0.19628026146029134);    // 15/143 sqrt(11/pi)
-  const T k_72 = detail::constant<T>(0.057343923f, 0.05734392095500364);   // 1/22 sqrt(5/pi)
-  const T k_73 = detail::constant<T>(0.15978795f, 0.15978795897681208);    // 81/286 sqrt(1/pi)
-  const T k_74 = detail::constant<T>(0.1964256f, 0.1964256004372295);      // 2/33 sqrt(33/pi)
-  const T k_75 = detail::constant<T>(0.10386175f, 0.1038617518189333);     // 3/143 sqrt(77/pi)
-  const T k_76 = detail::constant<T>(0.016173927f, 0.016173926423206156);  // 1/78 sqrt(5/pi)
-  const T k_77 = detail::constant<T>(0.22937569f, 0.22937568382001455);    // 2/11 sqrt(5/pi)
-  const T k_78 = detail::constant<T>(0.10652531f, 0.1065253059845414);     // 27/143 sqrt(1/pi)
-  const T k_79 = detail::constant<T>(0.1473192f, 0.14731920032792215);     // 1/22 sqrt(33/pi)
-  const T k_80 = detail::constant<T>(0.2077235f, 0.2077235036378666);      // 6/143 sqrt(77/pi)
-  const T k_81 = detail::constant<T>(0.09704356f, 0.09704355853923692);    // 1/13 sqrt(5/pi)
-  const T k_82 = detail::constant<T>(0.24260889f, 0.24260889634809232);    // 5/26 sqrt(5/pi)
+  const T k_35 = detail::constant<T>(0.23841362f, 0.23841361350444806);    // 1/14 sqrt(35/pi)
+  const T k_36 = detail::constant<T>(0.09932259f, 0.09932258459927991);    // 1/22 sqrt(15/pi)
+  const T k_37 = detail::constant<T>(0.009577496f, 0.009577496073872776);  // 1/2002 sqrt(1155/pi)
+  const T k_38 = detail::constant<T>(0.22731847f, 0.22731846124334895);    // 5/154 sqrt(154/pi)
+  const T k_39 = detail::constant<T>(0.08601992f, 0.08601992077982425);    // 1/182 sqrt(770/pi)
+  const T k_40 = detail::constant<T>(0.13926381f, 0.13926380803358027);    // 17/154 sqrt(5/pi)
+  const T k_41 = detail::constant<T>(0.06848055f, 0.06848055384720518);    // 243/2002 sqrt(1/pi)
+  const T k_42 = detail::constant<T>(0.24057125f, 0.24057124674551034);    // 1/11 sqrt(22/pi)
+  const T k_43 = detail::constant<T>(0.11508947f, 0.1150894671240813);     // 19/2002 sqrt(462/pi)
+  const T k_44 = detail::constant<T>(0.053152945f, 0.05315294607251315);   // 1/26 sqrt(6/pi)
+  const T k_45 = detail::constant<T>(0.14556533f, 0.1455653378088554);     // 3/26 sqrt(5/pi)
+  const T k_46 = detail::constant<T>(0.0867984f, 0.08679839746888558);     // 2/13 sqrt(1/pi)
+  const T k_47 = detail::constant<T>(0.1846744f, 0.1846743909223718);      // 1/14 sqrt(21/pi)
+  const T k_48 = detail::constant<T>(0.18806319f, 0.18806319451591877);    // 1/3 sqrt(1/pi)
+  const T k_49 = detail::constant<T>(0.053579476f, 0.05357947514468781);   // 5/462 sqrt(77/pi)
+  const T k_50 = detail::constant<T>(0.15607835f, 0.15607834722743988);    // 1/14 sqrt(15/pi)
+  const T k_51 = detail::constant<T>(0.19036461f, 0.19036461502711166);    // 15/77 sqrt(3/pi)
+  const T k_52 = detail::constant<T>(0.14175797f, 0.14175796661021042);    // 5/66 sqrt(11/pi)
+  const T k_53 = detail::constant<T>(0.19137248f, 0.19137247825134124);    // 5/39 sqrt(7/pi)
+  const T k_54 = detail::constant<T>(0.17951487f, 0.17951486749246792);    // 7/22 sqrt(1/pi)
+  const T k_55 = detail::constant<T>(0.21324362f, 0.21324361862292307);    // 1/7 sqrt(7/pi)
+  const T k_56 = detail::constant<T>(0.04441841f, 0.04441841017299272);    // 1/22 sqrt(3/pi)
+  const T k_57 = detail::constant<T>(0.17132746f, 0.17132745820333498);    // 20/1001 sqrt(231/pi)
+  const T k_58 = detail::constant<T>(0.06542675f, 0.06542675382009712);    // 5/143 sqrt(11/pi)
+  const T k_59 = detail::constant<T>(0.06553591f, 0.0655359096628613);     // 4/77 sqrt(5/pi)
+  const T k_60 = detail::constant<T>(0.08369845f, 0.08369845470213967);    // 27/182 sqrt(1/pi)
+  const T k_61 = detail::constant<T>(0.22503379f, 0.2250337956076888);     // 1/22 sqrt(77/pi)
+  const T k_62 = detail::constant<T>(0.022664493f, 0.022664492358141868);  // 1/143 sqrt(33/pi)
+  const T k_63 = detail::constant<T>(0.09944005f, 0.0994400566505079);     // 1/26 sqrt(21/pi)
+  const T k_64 = detail::constant<T>(0.53846157f, 0.5384615384615384);     // 7/13
+  const T k_65 = detail::constant<T>(0.21026105f, 0.21026104350168);       // 1/6 sqrt(5/pi)
+  const T k_66 = detail::constant<T>(0.07693494f, 0.07693494321105768);    // 3/22 sqrt(1/pi)
+  const T k_67 = detail::constant<T>(0.20355073f, 0.20355072686733566);    // 3/22 sqrt(7/pi)
+  const T k_68 = detail::constant<T>(0.1628675f, 0.16286750396763996);     // 1/6 sqrt(3/pi)
+  const T k_69 = detail::constant<T>(0.12679218f, 0.12679217987703037);    // 1/33 sqrt(55/pi)
+  const T k_70 = detail::constant<T>(0.19628026f, 0.19628026146029134);    // 15/143 sqrt(11/pi)
+  const T k_71 = detail::constant<T>(0.057343923f, 0.05734392095500364);   // 1/22 sqrt(5/pi)
+  const T k_72 = detail::constant<T>(0.15978795f, 0.15978795897681208);    // 81/286 sqrt(1/pi)
+  const T k_73 = detail::constant<T>(0.1964256f, 0.1964256004372295);      // 2/33 sqrt(33/pi)
+  const T k_74 = detail::constant<T>(0.10386175f, 0.1038617518189333);     // 3/143 sqrt(77/pi)
+  const T k_75 = detail::constant<T>(0.016173927f, 0.016173926423206156);  // 1/78 sqrt(5/pi)
+  const T k_76 = detail::constant<T>(0.22937569f, 0.22937568382001455);    // 2/11 sqrt(5/pi)
+  const T k_77 = detail::constant<T>(0.10652531f, 0.1065253059845414);     // 27/143 sqrt(1/pi)
+  const T k_78 = detail::constant<T>(0.1473192f, 0.14731920032792215);     // 1/22 sqrt(33/pi)
+  const T k_79 = detail::constant<T>(0.2077235f, 0.2077235036378666);      // 6/143 sqrt(77/pi)
+  const T k_80 = detail::constant<T>(0.09704356f, 0.09704355853923692);    // 1/13 sqrt(5/pi)
+  const T k_81 = detail::constant<T>(0.24260889f, 0.24260889634809232);    // 5/26 sqrt(5/pi)
 
   const T m0_0_0 = k_2 * zonal[0];
-  const T t = k * zonal[1] + zonal[5];
+  const T t = zonal[1] + k * zonal[5];
   const T t_2 = k_3 * zonal[4];
-  const T t_3 = m0_0_0 - t_2;
-  const T t_4 = m0_0_0 + t_2;
-  const T t_5 = k_4 * zonal[2];
-  const T t_6 = k_5 * zonal[4] - t_5;
-  const T t_7 = k_6 * zonal[2] + zonal[4];
+  const T t_3 = m0_0_0 + t_2;
+  const T t_4 = m0_0_0 - t_2;
+  const T t_5 = zonal[2] + k_4 * zonal[4];
+  const T t_6 = k_5 * zonal[2];
+  const T t_7 = k_6 * zonal[4] - t_6;
   const T m0_0_1 = k_2 * zonal[1];
   const T m0_0_2 = k_2 * zonal[2];
   const T m0_0_3 = k_2 * zonal[3];
@@ -161,7 +160,7 @@ constexpr void product_zonal_l5(const T* a, const T* zonal, T* out) noexcept {
   const T m0_2_4 = k_11 * zonal[2] + k_14 * zonal[4];
   const T m0_2_5 = k_13 * zonal[3] + k_15 * zonal[5];
   const T a12 = a[12];
-  const T m0_3_4 = k_16 * zonal[3] + k_17 * t;
+  const T m0_3_4 = k_16 * zonal[3] + k_9 * t;
   const T m0_3_5 = k_13 * zonal[2] + k_17 * zonal[4];
   const T a20 = a[20];
   const T t_8 = k_3 * zonal[5];
@@ -174,35 +173,35 @@ constexpr void product_zonal_l5(const T* a, const T* zonal, T* out) noexcept {
   const T m1_1_5 = k_26 * zonal[4];
   const T m1_2_2 = m0_0_0 + k_27 * zonal[2] - k_28 * zonal[4];
   const T m1_2_3 = k_29 * zonal[1] + k_30 * zonal[3] - k_31 * zonal[5];
-  const T m1_2_4 = k_32 * t_7;
-  const T m1_3_3 = m0_0_0 + k_35 * t_7;
+  const T m1_2_4 = k_32 * t_5;
+  const T m1_3_3 = m0_0_0 + k_19 * t_5;
   const T m1_2_5 = k_33 * zonal[3] + k_34 * zonal[5];
-  const T m1_3_4 = k_36 * zonal[1] + k_37 * zonal[3] + k_38 * zonal[5];
-  const T m1_3_5 = k_39 * zonal[2] + k_40 * zonal[4];
-  const T m1_4_4 = m0_0_0 + k_41 * zonal[2] + k_42 * zonal[4];
-  const T m1_4_5 = k_43 * zonal[1] + k_44 * zonal[3] + k_45 * zonal[5];
-  const T m1_5_5 = m0_0_0 + k_46 * zonal[2] + k_47 * zonal[4];
-  const T m2_2_2 = m0_0_0 + t_6;
-  const T m2_5_5 = m0_0_0 - k_65 * t_6;
-  const T m2_2_3 = k_48 * zonal[1] - k_49 * zonal[3] + k_50 * zonal[5];
-  const T m2_2_4 = k_51 * zonal[2] - k_52 * zonal[4];
-  const T m2_2_5 = k_53 * zonal[3] - k_54 * zonal[5];
-  const T m2_3_3 = m0_0_0 - k_55 * zonal[4];
-  const T m2_3_4 = k_56 * zonal[1] - k_57 * zonal[3] - k_58 * zonal[5];
-  const T m2_3_5 = k_26 * zonal[2] - k_59 * zonal[4];
-  const T m2_4_4 = m0_0_0 + k_60 * zonal[2] - k_61 * zonal[4];
-  const T m2_4_5 = k_62 * zonal[1] + k_63 * zonal[3] - k_64 * zonal[5];
-  const T m3_3_3 = m0_0_0 - k_66 * zonal[2] + k_67 * zonal[4];
-  const T m3_3_4 = k_69 * t - k_68 * zonal[3];
-  const T m3_3_5 = k_70 * zonal[2] - k_71 * zonal[4];
-  const T m3_4_4 = m0_0_0 - k_72 * zonal[2] - k_73 * zonal[4];
-  const T m3_4_5 = k_74 * zonal[1] - k_75 * zonal[3] - t_8;
-  const T m4_4_5 = k_79 * zonal[1] - k_80 * zonal[3] + t_8;
-  const T m3_5_5 = k_76 * zonal[2] + t_3;
-  const T m4_4_4 = m0_0_0 - k_77 * zonal[2] + k_78 * zonal[4];
+  const T m1_3_4 = k_35 * zonal[1] + k_36 * zonal[3] + k_37 * zonal[5];
+  const T m1_3_5 = k_38 * zonal[2] + k_39 * zonal[4];
+  const T m1_4_4 = m0_0_0 + k_40 * zonal[2] + k_41 * zonal[4];
+  const T m1_4_5 = k_42 * zonal[1] + k_43 * zonal[3] + k_44 * zonal[5];
+  const T m1_5_5 = m0_0_0 + k_45 * zonal[2] + k_46 * zonal[4];
+  const T m2_2_2 = m0_0_0 + t_7;
+  const T m2_5_5 = m0_0_0 - k_64 * t_7;
+  const T m2_2_3 = k_47 * zonal[1] - k_48 * zonal[3] + k_49 * zonal[5];
+  const T m2_2_4 = k_50 * zonal[2] - k_51 * zonal[4];
+  const T m2_2_5 = k_52 * zonal[3] - k_53 * zonal[5];
+  const T m2_3_3 = m0_0_0 - k_54 * zonal[4];
+  const T m2_3_4 = k_55 * zonal[1] - k_56 * zonal[3] - k_57 * zonal[5];
+  const T m2_3_5 = k_26 * zonal[2] - k_58 * zonal[4];
+  const T m2_4_4 = m0_0_0 + k_59 * zonal[2] - k_60 * zonal[4];
+  const T m2_4_5 = k_61 * zonal[1] + k_62 * zonal[3] - k_63 * zonal[5];
+  const T m3_3_3 = m0_0_0 - k_65 * zonal[2] + k_66 * zonal[4];
+  const T m3_3_4 = k_68 * t - k_67 * zonal[3];
+  const T m3_3_5 = k_69 * zonal[2] - k_70 * zonal[4];
+  const T m3_4_4 = m0_0_0 - k_71 * zonal[2] - k_72 * zonal[4];
+  const T m3_4_5 = k_73 * zonal[1] - k_74 * zonal[3] - t_8;
+  const T m4_4_5 = k_78 * zonal[1] - k_79 * zonal[3] + t_8;
+  const T m3_5_5 = k_75 * zonal[2] + t_4;
+  const T m4_4_4 = m0_0_0 - k_76 * zonal[2] + k_77 * zonal[4];
   const T a0 = a[0];
-  const T m4_5_5 = t_3 - k_81 * zonal[2];
-  const T m5_5_5 = t_4 - k_82 * zonal[2];
+  const T m4_5_5 = t_4 - k_80 * zonal[2];
+  const T m5_5_5 = t_3 - k_81 * zonal[2];
   out[25] = m5_5_5 * a[25];                                                                                          // l=5 m=-5
   out[35] = m5_5_5 * a[35];                                                                                          // l=5 m=5
   out[0] = m0_0_0 * a0 + m0_0_1 * a2 + m0_0_2 * a6 + m0_0_3 * a12 + m0_0_4 * a20 + m0_0_5 * a30;                     // l=0 m=0
@@ -226,7 +225,7 @@ constexpr void product_zonal_l5(const T* a, const T* zonal, T* out) noexcept {
   const T a28 = a[28];
   out[4] = m2_2_2 * a4 + m2_2_3 * a10 + m2_2_4 * a18 + m2_2_5 * a28;                                                 // l=2 m=-2
   out[5] = m1_1_2 * a1 + m1_2_2 * a5 + m1_2_3 * a11 + m1_2_4 * a19 + m1_2_5 * a29;                                   // l=2 m=-1
-  out[6] = m0_0_2 * a0 + m0_1_2 * a2 + (m0_0_0 + t_5 + k_11 * zonal[4]) * a6 + m0_2_3 * a12 + m0_2_4 * a20
+  out[6] = m0_0_2 * a0 + m0_1_2 * a2 + (m0_0_0 + t_6 + k_11 * zonal[4]) * a6 + m0_2_3 * a12 + m0_2_4 * a20
       + m0_2_5 * a30;                                                                                                // l=2 m=0
   out[7] = m1_1_2 * a3 + m1_2_2 * a7 + m1_2_3 * a13 + m1_2_4 * a21 + m1_2_5 * a31;                                   // l=2 m=1
   const T a14 = a[14];
@@ -244,7 +243,7 @@ constexpr void product_zonal_l5(const T* a, const T* zonal, T* out) noexcept {
       + m0_3_4 * a20 + m0_3_5 * a30;                                                                                 // l=3 m=0
   out[20] = m0_0_4 * a0 + m0_1_4 * a2 + m0_2_4 * a6 + m0_3_4 * a12 + (m0_0_0 + k_14 * zonal[2]
       + k_18 * zonal[4]) * a20 + m0_4_5 * a30;                                                                       // l=4 m=0
-  out[30] = m0_0_5 * a0 + m0_1_5 * a2 + m0_2_5 * a6 + m0_3_5 * a12 + m0_4_5 * a20 + (k_15 * zonal[2] + t_4) * a30;   // l=5 m=0
+  out[30] = m0_0_5 * a0 + m0_1_5 * a2 + m0_2_5 * a6 + m0_3_5 * a12 + m0_4_5 * a20 + (k_15 * zonal[2] + t_3) * a30;   // l=5 m=0
   out[13] = m1_1_3 * a3 + m1_2_3 * a7 + m1_3_3 * a13 + m1_3_4 * a21 + m1_3_5 * a31;                                  // l=3 m=1
   out[14] = m2_2_3 * a8 + m2_3_3 * a14 + m2_3_4 * a22 + m2_3_5 * a32;                                                // l=3 m=2
   const T a23 = a[23];

@@ -10,7 +10,7 @@
 // Recipe:       matrices
 // Source:       J. A. Gaunt, "The Triplets of Helium", Phil. Trans. R. Soc. A 228, 1929; constants derived exactly,
 //               sums found by search
-// Cost:         416 multiplications, 317 additions; longest chain 10; at most 140 values live
+// Cost:         416 multiplications, 317 additions; longest chain 10; at most 139 values live
 // Error:        largest over 120 sets of unit vectors of coefficients (random, single coefficients, equal), without
 //               contraction;
 //               eps counts units of machine epsilon x |a| |zonal|
@@ -55,18 +55,18 @@ namespace sh {
 
 template <class T>
 constexpr void product_zonal_l6(const T* a, const T* zonal, T* out) noexcept {
-  const T k     = detail::constant<T>(0.18970019f, 0.18970018231290706);    // 2/85 sqrt(65)
-  const T k_2   = detail::constant<T>(1.3416408f, 1.3416407864998738);      // 3/5 sqrt(5)
-  const T k_3   = detail::constant<T>(0.86824316f, 0.8682431421244592);     // 7/65 sqrt(65)
-  const T k_4   = detail::constant<T>(0.5962848f, 0.5962847939999439);      // 4/15 sqrt(5)
-  const T k_5   = detail::constant<T>(3.927922f, 3.927922024247863);        // 6/7 sqrt(21)
-  const T k_6   = detail::constant<T>(0.559017f, 0.5590169943749475);       // 1/4 sqrt(5)
-  const T k_7   = detail::constant<T>(1.6951636f, 1.6951635748371146);      // 17/88 sqrt(77)
-  const T k_8   = detail::constant<T>(0.6025765f, 0.6025765013851079);      // 15/143 sqrt(33)
-  const T k_9   = detail::constant<T>(0.7892005f, 0.7892004626469846);      // 6/17 sqrt(5)
-  const T k_10  = detail::constant<T>(0.2820948f, 0.28209479177387814);     // 1/2 sqrt(1/pi)
-  const T k_11  = detail::constant<T>(0.1301976f, 0.13019759620332838);     // 3/13 sqrt(1/pi)
-  const T k_12  = detail::constant<T>(4.9193497f, 4.919349550499537);       // 11/5 sqrt(5)
+  const T k     = detail::constant<T>(0.25458753f, 0.2545875386086578);     // 1/18 sqrt(21)
+  const T k_2   = detail::constant<T>(0.6025765f, 0.6025765013851079);      // 15/143 sqrt(33)
+  const T k_3   = detail::constant<T>(0.5962848f, 0.5962847939999439);      // 4/15 sqrt(5)
+  const T k_4   = detail::constant<T>(0.74535596f, 0.7453559924999299);     // 1/3 sqrt(5)
+  const T k_5   = detail::constant<T>(1.7888544f, 1.7888543819998317);      // 4/5 sqrt(5)
+  const T k_6   = detail::constant<T>(0.86824316f, 0.8682431421244592);     // 7/65 sqrt(65)
+  const T k_7   = detail::constant<T>(0.18970019f, 0.18970018231290706);    // 2/85 sqrt(65)
+  const T k_8   = detail::constant<T>(0.58991355f, 0.5899135722616553);     // 8/119 sqrt(77)
+  const T k_9   = detail::constant<T>(0.2820948f, 0.28209479177387814);     // 1/2 sqrt(1/pi)
+  const T k_10  = detail::constant<T>(0.12615663f, 0.126156626101008);      // 1/10 sqrt(5/pi)
+  const T k_11  = detail::constant<T>(0.20327891f, 0.20327890704543541);    // 1/11 sqrt(5)
+  const T k_12  = detail::constant<T>(0.1301976f, 0.13019759620332838);     // 3/13 sqrt(1/pi)
   const T k_13  = detail::constant<T>(0.062978774f, 0.06297877624037491);   // 10/323 sqrt(13/pi)
   const T k_14  = detail::constant<T>(0.18022375f, 0.18022375157286857);    // 1/7 sqrt(5/pi)
   const T k_15  = detail::constant<T>(0.040299255f, 0.04029925596769688);   // 1/14 sqrt(1/pi)
@@ -90,148 +90,147 @@ constexpr void product_zonal_l6(const T* a, const T* zonal, T* out) noexcept {
   const T k_33  = detail::constant<T>(0.12671638f, 0.12671637705350677);    // 42/187 sqrt(1/pi)
   const T k_34  = detail::constant<T>(0.12272787f, 0.12272787164791009);    // 40/663 sqrt(13/pi)
   const T k_35  = detail::constant<T>(0.11450686f, 0.11450686589159075);    // 200/3553 sqrt(13/pi)
-  const T k_36  = detail::constant<T>(0.12615663f, 0.126156626101008);      // 1/10 sqrt(5/pi)
-  const T k_37  = detail::constant<T>(0.21850969f, 0.2185096861184158);     // 1/10 sqrt(15/pi)
-  const T k_38  = detail::constant<T>(0.14304817f, 0.14304816810266882);    // 3/70 sqrt(35/pi)
-  const T k_39  = detail::constant<T>(0.15078601f, 0.15078600877302686);    // 1/14 sqrt(14/pi)
-  const T k_40  = detail::constant<T>(0.1946639f, 0.19466390027300617);     // 1/42 sqrt(210/pi)
-  const T k_41  = detail::constant<T>(0.15528807f, 0.1552880720369528);     // 1/66 sqrt(330/pi)
-  const T k_42  = detail::constant<T>(0.19018827f, 0.19018826981554557);    // 1/22 sqrt(55/pi)
-  const T k_43  = detail::constant<T>(0.1582462f, 0.15824620587962993);     // 3/286 sqrt(715/pi)
-  const T k_44  = detail::constant<T>(0.18723944f, 0.18723943587133962);    // 3/286 sqrt(1001/pi)
-  const T k_45  = detail::constant<T>(0.16119702f, 0.16119702387078752);    // 2/7 sqrt(1/pi)
-  const T k_46  = detail::constant<T>(0.16943318f, 0.1694331772935932);     // 5/462 sqrt(770/pi)
-  const T k_47  = detail::constant<T>(0.059470803f, 0.059470803871759036);  // 1/30 sqrt(10/pi)
-  const T k_48  = detail::constant<T>(0.17422333f, 0.17422333864219858);    // 5/143 sqrt(78/pi)
-  const T k_49  = detail::constant<T>(0.04486937f, 0.0448693700612124);     // 5/154 sqrt(6/pi)
-  const T k_50  = detail::constant<T>(0.2143179f, 0.21431790057875125);     // 10/231 sqrt(77/pi)
-  const T k_51  = detail::constant<T>(0.036165997f, 0.036165998945368996);  // 5/78 sqrt(1/pi)
-  const T k_52  = detail::constant<T>(0.21039467f, 0.210394669853587);      // 5/286 sqrt(455/pi)
-  const T k_53  = detail::constant<T>(0.030343551f, 0.030343550809657026);  // 1/110 sqrt(35/pi)
-  const T k_54  = detail::constant<T>(0.17781594f, 0.17781595039896064);    // 25/286 sqrt(13/pi)
-  const T k_55  = detail::constant<T>(0.02564498f, 0.025644981070352558);   // 1/22 sqrt(1/pi)
-  const T k_56  = detail::constant<T>(0.23841362f, 0.23841361350444806);    // 1/14 sqrt(35/pi)
-  const T k_57  = detail::constant<T>(0.09932259f, 0.09932258459927991);    // 1/22 sqrt(15/pi)
-  const T k_58  = detail::constant<T>(0.009577496f, 0.009577496073872776);  // 1/2002 sqrt(1155/pi)
-  const T k_59  = detail::constant<T>(0.22731847f, 0.22731846124334895);    // 5/154 sqrt(154/pi)
-  const T k_60  = detail::constant<T>(0.08601992f, 0.08601992077982425);    // 1/182 sqrt(770/pi)
-  const T k_61  = detail::constant<T>(0.07784287f, 0.07784286870259818);    // 7/858 sqrt(286/pi)
-  const T k_62  = detail::constant<T>(0.22177546f, 0.22177545476549995);    // 25/858 sqrt(182/pi)
-  const T k_63  = detail::constant<T>(0.13926381f, 0.13926380803358027);    // 17/154 sqrt(5/pi)
-  const T k_64  = detail::constant<T>(0.06848055f, 0.06848055384720518);    // 243/2002 sqrt(1/pi)
-  const T k_65  = detail::constant<T>(0.007112638f, 0.007112638015958426);  // 1/286 sqrt(13/pi)
-  const T k_66  = detail::constant<T>(0.24057125f, 0.24057124674551034);    // 1/11 sqrt(22/pi)
-  const T k_67  = detail::constant<T>(0.11508947f, 0.1150894671240813);     // 19/2002 sqrt(462/pi)
-  const T k_68  = detail::constant<T>(0.053152945f, 0.05315294607251315);   // 1/26 sqrt(6/pi)
-  const T k_69  = detail::constant<T>(0.10307192f, 0.10307191714852292);    // 1/286 sqrt(2730/pi)
-  const T k_70  = detail::constant<T>(0.23047581f, 0.23047581331532352);    // 5/286 sqrt(546/pi)
-  const T k_71  = detail::constant<T>(0.036818363f, 0.03681836149437302);   // 4/221 sqrt(13/pi)
-  const T k_72  = detail::constant<T>(0.14556533f, 0.1455653378088554);     // 3/26 sqrt(5/pi)
-  const T k_73  = detail::constant<T>(0.24172507f, 0.24172507229432333);    // 1/286 sqrt(15015/pi)
-  const T k_74  = detail::constant<T>(0.07260679f, 0.07260678802790455);    // 4/663 sqrt(455/pi)
-  const T k_75  = detail::constant<T>(0.1490942f, 0.14909419448300945);     // 13/110 sqrt(5/pi)
-  const T k_76  = detail::constant<T>(0.09654581f, 0.0965458110883861);     // 32/187 sqrt(1/pi)
-  const T k_77  = detail::constant<T>(0.05725343f, 0.05725343294579537);    // 100/3553 sqrt(13/pi)
-  const T k_78  = detail::constant<T>(0.1846744f, 0.1846743909223718);      // 1/14 sqrt(21/pi)
-  const T k_79  = detail::constant<T>(0.18806319f, 0.18806319451591877);    // 1/3 sqrt(1/pi)
-  const T k_80  = detail::constant<T>(0.053579476f, 0.05357947514468781);   // 5/462 sqrt(77/pi)
-  const T k_81  = detail::constant<T>(0.15607835f, 0.15607834722743988);    // 1/14 sqrt(15/pi)
-  const T k_82  = detail::constant<T>(0.19036461f, 0.19036461502711166);    // 15/77 sqrt(3/pi)
-  const T k_83  = detail::constant<T>(0.06159725f, 0.06159725209742944);    // 5/286 sqrt(39/pi)
-  const T k_84  = detail::constant<T>(0.14175797f, 0.14175796661021042);    // 5/66 sqrt(11/pi)
-  const T k_85  = detail::constant<T>(0.19137248f, 0.19137247825134124);    // 5/39 sqrt(7/pi)
-  const T k_86  = detail::constant<T>(0.13306527f, 0.13306527285929998);    // 5/286 sqrt(182/pi)
-  const T k_87  = detail::constant<T>(0.19190946f, 0.1919094657111251);     // 1/11 sqrt(14/pi)
-  const T k_88  = detail::constant<T>(0.17951487f, 0.17951486749246792);    // 7/22 sqrt(1/pi)
-  const T k_89  = detail::constant<T>(0.07112638f, 0.07112638015958425);    // 5/143 sqrt(13/pi)
-  const T k_90  = detail::constant<T>(0.21324362f, 0.21324361862292307);    // 1/7 sqrt(7/pi)
-  const T k_91  = detail::constant<T>(0.04441841f, 0.04441841017299272);    // 1/22 sqrt(3/pi)
-  const T k_92  = detail::constant<T>(0.17132746f, 0.17132745820333498);    // 20/1001 sqrt(231/pi)
-  const T k_93  = detail::constant<T>(0.06542675f, 0.06542675382009712);    // 5/143 sqrt(11/pi)
-  const T k_94  = detail::constant<T>(0.16512966f, 0.16512966097986373);    // 7/286 sqrt(143/pi)
-  const T k_95  = detail::constant<T>(0.17742036f, 0.17742036381239995);    // 10/429 sqrt(182/pi)
-  const T k_96  = detail::constant<T>(0.06553591f, 0.0655359096628613);     // 4/77 sqrt(5/pi)
-  const T k_97  = detail::constant<T>(0.08369845f, 0.08369845470213967);    // 27/182 sqrt(1/pi)
-  const T k_98  = detail::constant<T>(0.15647803f, 0.15647803635108537);    // 1/13 sqrt(13/pi)
-  const T k_99  = detail::constant<T>(0.22503379f, 0.2250337956076888);     // 1/22 sqrt(77/pi)
-  const T k_100 = detail::constant<T>(0.022664493f, 0.022664492358141868);  // 1/143 sqrt(33/pi)
-  const T k_101 = detail::constant<T>(0.09944005f, 0.0994400566505079);     // 1/26 sqrt(21/pi)
-  const T k_102 = detail::constant<T>(0.20614384f, 0.20614383429704583);    // 1/143 sqrt(2730/pi)
-  const T k_103 = detail::constant<T>(0.10754019f, 0.10754018810928606);    // 1/34 sqrt(42/pi)
-  const T k_104 = detail::constant<T>(0.11045508f, 0.11045508448311908);    // 12/221 sqrt(13/pi)
-  const T k_105 = detail::constant<T>(0.53846157f, 0.5384615384615384);     // 7/13
-  const T k_106 = detail::constant<T>(0.043390855f, 0.04339085514141472);   // 10/663 sqrt(26/pi)
-  const T k_107 = detail::constant<T>(0.058843676f, 0.058843677693407974);  // 1/429 sqrt(2002/pi)
-  const T k_108 = detail::constant<T>(0.114687845f, 0.11468784191000728);   // 1/11 sqrt(5/pi)
-  const T k_109 = detail::constant<T>(0.016593812f, 0.01659381128081636);   // 1/34 sqrt(1/pi)
-  const T k_110 = detail::constant<T>(0.21026105f, 0.21026104350168);       // 1/6 sqrt(5/pi)
-  const T k_111 = detail::constant<T>(0.07693494f, 0.07693494321105768);    // 3/22 sqrt(1/pi)
-  const T k_112 = detail::constant<T>(0.011854397f, 0.011854396693264041);  // 5/858 sqrt(13/pi)
-  const T k_113 = detail::constant<T>(0.20355073f, 0.20355072686733566);    // 3/22 sqrt(7/pi)
-  const T k_114 = detail::constant<T>(0.1628675f, 0.16286750396763996);     // 1/6 sqrt(3/pi)
-  const T k_115 = detail::constant<T>(0.19628026f, 0.19628026146029134);    // 15/143 sqrt(11/pi)
-  const T k_116 = detail::constant<T>(0.12679218f, 0.12679217987703037);    // 1/33 sqrt(55/pi)
-  const T k_117 = detail::constant<T>(0.10864734f, 0.10864734032983336);    // 5/429 sqrt(273/pi)
-  const T k_118 = detail::constant<T>(0.1906753f, 0.19067530843583191);     // 7/429 sqrt(429/pi)
-  const T k_119 = detail::constant<T>(0.057343923f, 0.05734392095500364);   // 1/22 sqrt(5/pi)
-  const T k_120 = detail::constant<T>(0.15978795f, 0.15978795897681208);    // 81/286 sqrt(1/pi)
-  const T k_121 = detail::constant<T>(0.12091485f, 0.12091484627129323);    // 17/286 sqrt(13/pi)
-  const T k_122 = detail::constant<T>(0.1964256f, 0.1964256004372295);      // 2/33 sqrt(33/pi)
-  const T k_123 = detail::constant<T>(0.10386175f, 0.1038617518189333);     // 3/143 sqrt(77/pi)
-  const T k_124 = detail::constant<T>(0.1097396f, 0.10973960160386437);     // 21/187 sqrt(3/pi)
-  const T k_125 = detail::constant<T>(0.1231945f, 0.12319450419485888);     // 5/143 sqrt(39/pi)
-  const T k_126 = detail::constant<T>(0.016173927f, 0.016173926423206156);  // 1/78 sqrt(5/pi)
-  const T k_127 = detail::constant<T>(0.08897771f, 0.08897770694473481);    // 29/663 sqrt(13/pi)
-  const T k_128 = detail::constant<T>(0.21230957f, 0.21230956411696764);    // 9/286 sqrt(143/pi)
-  const T k_129 = detail::constant<T>(0.036034245f, 0.03603424623441053);   // 1/858 sqrt(3003/pi)
-  const T k_130 = detail::constant<T>(0.13285682f, 0.1328568182493576);     // 25/663 sqrt(39/pi)
-  const T k_131 = detail::constant<T>(0.08146053f, 0.08146052810582577);    // 27/187 sqrt(1/pi)
-  const T k_132 = detail::constant<T>(0.12309488f, 0.12309488083346005);    // 215/3553 sqrt(13/pi)
-  const T k_133 = detail::constant<T>(0.22937569f, 0.22937568382001455);    // 2/11 sqrt(5/pi)
-  const T k_134 = detail::constant<T>(0.10652531f, 0.1065253059845414);     // 27/143 sqrt(1/pi)
-  const T k_135 = detail::constant<T>(0.028450552f, 0.028450552063833703);  // 2/143 sqrt(13/pi)
-  const T k_136 = detail::constant<T>(0.1473192f, 0.14731920032792215);     // 1/22 sqrt(33/pi)
-  const T k_137 = detail::constant<T>(0.2077235f, 0.2077235036378666);      // 6/143 sqrt(77/pi)
-  const T k_138 = detail::constant<T>(0.14167322f, 0.14167321647706782);    // 21/187 sqrt(5/pi)
-  const T k_139 = detail::constant<T>(0.1908521f, 0.19085210523638726);     // 6/143 sqrt(65/pi)
-  const T k_140 = detail::constant<T>(0.09704356f, 0.09704355853923692);    // 1/13 sqrt(5/pi)
-  const T k_141 = detail::constant<T>(0.14727345f, 0.1472734459774921);     // 16/221 sqrt(13/pi)
-  const T k_142 = detail::constant<T>(0.18272698f, 0.18272697912568253);    // 1/143 sqrt(2145/pi)
-  const T k_143 = detail::constant<T>(0.08232836f, 0.08232835912157882);    // 4/221 sqrt(65/pi)
-  const T k_144 = detail::constant<T>(0.022937568f, 0.022937568382001457);  // 1/55 sqrt(5/pi)
-  const T k_145 = detail::constant<T>(0.14481872f, 0.14481871663257914);    // 48/187 sqrt(1/pi)
-  const T k_146 = detail::constant<T>(0.022901373f, 0.02290137317831815);   // 40/3553 sqrt(13/pi)
-  const T k_147 = detail::constant<T>(0.24260889f, 0.24260889634809232);    // 5/26 sqrt(5/pi)
-  const T k_148 = detail::constant<T>(0.13551396f, 0.13551395461434476);    // 1/26 sqrt(39/pi)
-  const T k_149 = detail::constant<T>(0.20700099f, 0.20700098491434837);    // 1/26 sqrt(91/pi)
-  const T k_150 = detail::constant<T>(0.15264086f, 0.15264086309063032);    // 5/221 sqrt(143/pi)
-  const T k_151 = detail::constant<T>(0.15744694f, 0.15744694060093728);    // 25/323 sqrt(13/pi)
-  const T k_152 = detail::constant<T>(0.1493443f, 0.14934430152734726);     // 9/34 sqrt(1/pi)
+  const T k_36  = detail::constant<T>(0.21850969f, 0.2185096861184158);     // 1/10 sqrt(15/pi)
+  const T k_37  = detail::constant<T>(0.14304817f, 0.14304816810266882);    // 3/70 sqrt(35/pi)
+  const T k_38  = detail::constant<T>(0.20230065f, 0.20230065940342062);    // 3/70 sqrt(70/pi)
+  const T k_39  = detail::constant<T>(0.1946639f, 0.19466390027300617);     // 1/42 sqrt(210/pi)
+  const T k_40  = detail::constant<T>(0.15528807f, 0.1552880720369528);     // 1/66 sqrt(330/pi)
+  const T k_41  = detail::constant<T>(0.19018827f, 0.19018826981554557);    // 1/22 sqrt(55/pi)
+  const T k_42  = detail::constant<T>(0.1582462f, 0.15824620587962993);     // 3/286 sqrt(715/pi)
+  const T k_43  = detail::constant<T>(0.18723944f, 0.18723943587133962);    // 3/286 sqrt(1001/pi)
+  const T k_44  = detail::constant<T>(0.090111874f, 0.09011187578643429);   // 1/14 sqrt(5/pi)
+  const T k_45  = detail::constant<T>(0.16943318f, 0.1694331772935932);     // 5/462 sqrt(770/pi)
+  const T k_46  = detail::constant<T>(0.23359668f, 0.2335966803276074);     // 1/35 sqrt(210/pi)
+  const T k_47  = detail::constant<T>(0.17422333f, 0.17422333864219858);    // 5/143 sqrt(78/pi)
+  const T k_48  = detail::constant<T>(0.22072811f, 0.2207281154418226);     // 1/14 sqrt(30/pi)
+  const T k_49  = detail::constant<T>(0.2143179f, 0.21431790057875125);     // 10/231 sqrt(77/pi)
+  const T k_50  = detail::constant<T>(0.036165997f, 0.036165998945368996);  // 5/78 sqrt(1/pi)
+  const T k_51  = detail::constant<T>(0.21039467f, 0.210394669853587);      // 5/286 sqrt(455/pi)
+  const T k_52  = detail::constant<T>(0.030343551f, 0.030343550809657026);  // 1/110 sqrt(35/pi)
+  const T k_53  = detail::constant<T>(0.17781594f, 0.17781595039896064);    // 25/286 sqrt(13/pi)
+  const T k_54  = detail::constant<T>(0.23841362f, 0.23841361350444806);    // 1/14 sqrt(35/pi)
+  const T k_55  = detail::constant<T>(0.09932259f, 0.09932258459927991);    // 1/22 sqrt(15/pi)
+  const T k_56  = detail::constant<T>(0.009577496f, 0.009577496073872776);  // 1/2002 sqrt(1155/pi)
+  const T k_57  = detail::constant<T>(0.22731847f, 0.22731846124334895);    // 5/154 sqrt(154/pi)
+  const T k_58  = detail::constant<T>(0.08601992f, 0.08601992077982425);    // 1/182 sqrt(770/pi)
+  const T k_59  = detail::constant<T>(0.07784287f, 0.07784286870259818);    // 7/858 sqrt(286/pi)
+  const T k_60  = detail::constant<T>(0.22177546f, 0.22177545476549995);    // 25/858 sqrt(182/pi)
+  const T k_61  = detail::constant<T>(0.13926381f, 0.13926380803358027);    // 17/154 sqrt(5/pi)
+  const T k_62  = detail::constant<T>(0.06848055f, 0.06848055384720518);    // 243/2002 sqrt(1/pi)
+  const T k_63  = detail::constant<T>(0.007112638f, 0.007112638015958426);  // 1/286 sqrt(13/pi)
+  const T k_64  = detail::constant<T>(0.24057125f, 0.24057124674551034);    // 1/11 sqrt(22/pi)
+  const T k_65  = detail::constant<T>(0.11508947f, 0.1150894671240813);     // 19/2002 sqrt(462/pi)
+  const T k_66  = detail::constant<T>(0.053152945f, 0.05315294607251315);   // 1/26 sqrt(6/pi)
+  const T k_67  = detail::constant<T>(0.10307192f, 0.10307191714852292);    // 1/286 sqrt(2730/pi)
+  const T k_68  = detail::constant<T>(0.23047581f, 0.23047581331532352);    // 5/286 sqrt(546/pi)
+  const T k_69  = detail::constant<T>(0.036818363f, 0.03681836149437302);   // 4/221 sqrt(13/pi)
+  const T k_70  = detail::constant<T>(0.14556533f, 0.1455653378088554);     // 3/26 sqrt(5/pi)
+  const T k_71  = detail::constant<T>(0.24172507f, 0.24172507229432333);    // 1/286 sqrt(15015/pi)
+  const T k_72  = detail::constant<T>(0.12308038f, 0.12308038235082326);    // 7/858 sqrt(715/pi)
+  const T k_73  = detail::constant<T>(0.1490942f, 0.14909419448300945);     // 13/110 sqrt(5/pi)
+  const T k_74  = detail::constant<T>(0.09654581f, 0.0965458110883861);     // 32/187 sqrt(1/pi)
+  const T k_75  = detail::constant<T>(0.05725343f, 0.05725343294579537);    // 100/3553 sqrt(13/pi)
+  const T k_76  = detail::constant<T>(0.1846744f, 0.1846743909223718);      // 1/14 sqrt(21/pi)
+  const T k_77  = detail::constant<T>(0.18806319f, 0.18806319451591877);    // 1/3 sqrt(1/pi)
+  const T k_78  = detail::constant<T>(0.053579476f, 0.05357947514468781);   // 5/462 sqrt(77/pi)
+  const T k_79  = detail::constant<T>(0.15607835f, 0.15607834722743988);    // 1/14 sqrt(15/pi)
+  const T k_80  = detail::constant<T>(0.19036461f, 0.19036461502711166);    // 15/77 sqrt(3/pi)
+  const T k_81  = detail::constant<T>(0.06159725f, 0.06159725209742944);    // 5/286 sqrt(39/pi)
+  const T k_82  = detail::constant<T>(0.14175797f, 0.14175796661021042);    // 5/66 sqrt(11/pi)
+  const T k_83  = detail::constant<T>(0.19137248f, 0.19137247825134124);    // 5/39 sqrt(7/pi)
+  const T k_84  = detail::constant<T>(0.13306527f, 0.13306527285929998);    // 5/286 sqrt(182/pi)
+  const T k_85  = detail::constant<T>(0.19190946f, 0.1919094657111251);     // 1/11 sqrt(14/pi)
+  const T k_86  = detail::constant<T>(0.17951487f, 0.17951486749246792);    // 7/22 sqrt(1/pi)
+  const T k_87  = detail::constant<T>(0.07112638f, 0.07112638015958425);    // 5/143 sqrt(13/pi)
+  const T k_88  = detail::constant<T>(0.21324362f, 0.21324361862292307);    // 1/7 sqrt(7/pi)
+  const T k_89  = detail::constant<T>(0.04441841f, 0.04441841017299272);    // 1/22 sqrt(3/pi)
+  const T k_90  = detail::constant<T>(0.17132746f, 0.17132745820333498);    // 20/1001 sqrt(231/pi)
+  const T k_91  = detail::constant<T>(0.06542675f, 0.06542675382009712);    // 5/143 sqrt(11/pi)
+  const T k_92  = detail::constant<T>(0.16512966f, 0.16512966097986373);    // 7/286 sqrt(143/pi)
+  const T k_93  = detail::constant<T>(0.17742036f, 0.17742036381239995);    // 10/429 sqrt(182/pi)
+  const T k_94  = detail::constant<T>(0.06553591f, 0.0655359096628613);     // 4/77 sqrt(5/pi)
+  const T k_95  = detail::constant<T>(0.08369845f, 0.08369845470213967);    // 27/182 sqrt(1/pi)
+  const T k_96  = detail::constant<T>(0.15647803f, 0.15647803635108537);    // 1/13 sqrt(13/pi)
+  const T k_97  = detail::constant<T>(0.22503379f, 0.2250337956076888);     // 1/22 sqrt(77/pi)
+  const T k_98  = detail::constant<T>(0.022664493f, 0.022664492358141868);  // 1/143 sqrt(33/pi)
+  const T k_99  = detail::constant<T>(0.09944005f, 0.0994400566505079);     // 1/26 sqrt(21/pi)
+  const T k_100 = detail::constant<T>(0.20614384f, 0.20614383429704583);    // 1/143 sqrt(2730/pi)
+  const T k_101 = detail::constant<T>(0.10754019f, 0.10754018810928606);    // 1/34 sqrt(42/pi)
+  const T k_102 = detail::constant<T>(0.11045508f, 0.11045508448311908);    // 12/221 sqrt(13/pi)
+  const T k_103 = detail::constant<T>(0.53846157f, 0.5384615384615384);     // 7/13
+  const T k_104 = detail::constant<T>(0.043390855f, 0.04339085514141472);   // 10/663 sqrt(26/pi)
+  const T k_105 = detail::constant<T>(0.23113337f, 0.23113337759967986);    // 2/143 sqrt(858/pi)
+  const T k_106 = detail::constant<T>(0.114687845f, 0.11468784191000728);   // 1/11 sqrt(5/pi)
+  const T k_107 = detail::constant<T>(0.016593812f, 0.01659381128081636);   // 1/34 sqrt(1/pi)
+  const T k_108 = detail::constant<T>(0.21026105f, 0.21026104350168);       // 1/6 sqrt(5/pi)
+  const T k_109 = detail::constant<T>(0.07693494f, 0.07693494321105768);    // 3/22 sqrt(1/pi)
+  const T k_110 = detail::constant<T>(0.011854397f, 0.011854396693264041);  // 5/858 sqrt(13/pi)
+  const T k_111 = detail::constant<T>(0.20355073f, 0.20355072686733566);    // 3/22 sqrt(7/pi)
+  const T k_112 = detail::constant<T>(0.1628675f, 0.16286750396763996);     // 1/6 sqrt(3/pi)
+  const T k_113 = detail::constant<T>(0.19628026f, 0.19628026146029134);    // 15/143 sqrt(11/pi)
+  const T k_114 = detail::constant<T>(0.12679218f, 0.12679217987703037);    // 1/33 sqrt(55/pi)
+  const T k_115 = detail::constant<T>(0.10864734f, 0.10864734032983336);    // 5/429 sqrt(273/pi)
+  const T k_116 = detail::constant<T>(0.1906753f, 0.19067530843583191);     // 7/429 sqrt(429/pi)
+  const T k_117 = detail::constant<T>(0.057343923f, 0.05734392095500364);   // 1/22 sqrt(5/pi)
+  const T k_118 = detail::constant<T>(0.15978795f, 0.15978795897681208);    // 81/286 sqrt(1/pi)
+  const T k_119 = detail::constant<T>(0.12091485f, 0.12091484627129323);    // 17/286 sqrt(13/pi)
+  const T k_120 = detail::constant<T>(0.1964256f, 0.1964256004372295);      // 2/33 sqrt(33/pi)
+  const T k_121 = detail::constant<T>(0.10386175f, 0.1038617518189333);     // 3/143 sqrt(77/pi)
+  const T k_122 = detail::constant<T>(0.1097396f, 0.10973960160386437);     // 21/187 sqrt(3/pi)
+  const T k_123 = detail::constant<T>(0.16528277f, 0.16528277150045248);    // 3/143 sqrt(195/pi)
+  const T k_124 = detail::constant<T>(0.016173927f, 0.016173926423206156);  // 1/78 sqrt(5/pi)
+  const T k_125 = detail::constant<T>(0.08897771f, 0.08897770694473481);    // 29/663 sqrt(13/pi)
+  const T k_126 = detail::constant<T>(0.21230957f, 0.21230956411696764);    // 9/286 sqrt(143/pi)
+  const T k_127 = detail::constant<T>(0.036034245f, 0.03603424623441053);   // 1/858 sqrt(3003/pi)
+  const T k_128 = detail::constant<T>(0.13285682f, 0.1328568182493576);     // 25/663 sqrt(39/pi)
+  const T k_129 = detail::constant<T>(0.08146053f, 0.08146052810582577);    // 27/187 sqrt(1/pi)
+  const T k_130 = detail::constant<T>(0.12309488f, 0.12309488083346005);    // 215/3553 sqrt(13/pi)
+  const T k_131 = detail::constant<T>(0.22937569f, 0.22937568382001455);    // 2/11 sqrt(5/pi)
+  const T k_132 = detail::constant<T>(0.10652531f, 0.1065253059845414);     // 27/143 sqrt(1/pi)
+  const T k_133 = detail::constant<T>(0.028450552f, 0.028450552063833703);  // 2/143 sqrt(13/pi)
+  const T k_134 = detail::constant<T>(0.1473192f, 0.14731920032792215);     // 1/22 sqrt(33/pi)
+  const T k_135 = detail::constant<T>(0.2077235f, 0.2077235036378666);      // 6/143 sqrt(77/pi)
+  const T k_136 = detail::constant<T>(0.14167322f, 0.14167321647706782);    // 21/187 sqrt(5/pi)
+  const T k_137 = detail::constant<T>(0.10668957f, 0.10668957023937638);    // 15/286 sqrt(13/pi)
+  const T k_138 = detail::constant<T>(0.09704356f, 0.09704355853923692);    // 1/13 sqrt(5/pi)
+  const T k_139 = detail::constant<T>(0.14727345f, 0.1472734459774921);     // 16/221 sqrt(13/pi)
+  const T k_140 = detail::constant<T>(0.18272698f, 0.18272697912568253);    // 1/143 sqrt(2145/pi)
+  const T k_141 = detail::constant<T>(0.13956003f, 0.1395600355590093);     // 1/286 sqrt(5005/pi)
+  const T k_142 = detail::constant<T>(0.022937568f, 0.022937568382001457);  // 1/55 sqrt(5/pi)
+  const T k_143 = detail::constant<T>(0.14481872f, 0.14481871663257914);    // 48/187 sqrt(1/pi)
+  const T k_144 = detail::constant<T>(0.022901373f, 0.02290137317831815);   // 40/3553 sqrt(13/pi)
+  const T k_145 = detail::constant<T>(0.24260889f, 0.24260889634809232);    // 5/26 sqrt(5/pi)
+  const T k_146 = detail::constant<T>(0.13551396f, 0.13551395461434476);    // 1/26 sqrt(39/pi)
+  const T k_147 = detail::constant<T>(0.20700099f, 0.20700098491434837);    // 1/26 sqrt(91/pi)
+  const T k_148 = detail::constant<T>(0.15264086f, 0.15264086309063032);    // 5/221 sqrt(143/pi)
+  const T k_149 = detail::constant<T>(0.09956287f, 0.09956286768489817);    // 3/17 sqrt(1/pi)
+  const T k_150 = detail::constant<T>(0.15744694f, 0.15744694060093728);    // 25/323 sqrt(13/pi)
+  const T k_151 = detail::constant<T>(0.1493443f, 0.14934430152734726);     // 9/34 sqrt(1/pi)
 
-  const T m0_0_0 = k_10 * zonal[0];
-  const T t = zonal[2] + k * zonal[6];
-  const T t_2 = zonal[4] - k_2 * zonal[2];
-  const T t_3 = zonal[2] + k_3 * zonal[6];
-  const T t_4 = zonal[2] + k_4 * zonal[4];
-  const T t_5 = k_5 * zonal[1] + zonal[3];
-  const T t_6 = zonal[4] - k_6 * zonal[2];
-  const T t_7 = k_7 * zonal[3] + zonal[5];
-  const T t_8 = zonal[1] + k_8 * zonal[5];
-  const T t_9 = zonal[2] + k_9 * zonal[4];
-  const T t_10 = k_11 * zonal[4];
-  const T t_11 = m0_0_0 - t_10;
-  const T t_12 = m0_0_0 + t_10;
-  const T t_13 = k_12 * zonal[2] + zonal[4];
-  const T t_14 = m0_0_0 - k_13 * zonal[6];
-  const T t_15 = k_14 * zonal[2];
-  const T t_16 = k_15 * zonal[4] - t_15;
-  const T m0_0_1 = k_10 * zonal[1];
-  const T m0_0_2 = k_10 * zonal[2];
-  const T m0_0_3 = k_10 * zonal[3];
-  const T m0_0_4 = k_10 * zonal[4];
-  const T m0_0_5 = k_10 * zonal[5];
-  const T m0_0_6 = k_10 * zonal[6];
-  const T t_17 = k_16 * zonal[2];
+  const T m0_0_0 = k_9 * zonal[0];
+  const T t = zonal[1] + k * zonal[3];
+  const T t_2 = zonal[1] + k_2 * zonal[5];
+  const T t_3 = zonal[2] + k_3 * zonal[4];
+  const T t_4 = zonal[2] - k_4 * zonal[4];
+  const T t_5 = zonal[2] - k_5 * zonal[4];
+  const T t_6 = zonal[2] + k_6 * zonal[6];
+  const T t_7 = zonal[2] + k_7 * zonal[6];
+  const T t_8 = zonal[3] + k_8 * zonal[5];
+  const T m1_1_1 = m0_0_0 - k_10 * zonal[2];
+  const T t_9 = zonal[2] + k_11 * zonal[4];
+  const T t_10 = k_12 * zonal[4];
+  const T t_11 = m0_0_0 + t_10;
+  const T t_12 = m0_0_0 - t_10;
+  const T t_13 = m0_0_0 - k_13 * zonal[6];
+  const T t_14 = k_14 * zonal[2];
+  const T t_15 = k_15 * zonal[4] - t_14;
+  const T m0_0_1 = k_9 * zonal[1];
+  const T m0_0_2 = k_9 * zonal[2];
+  const T m0_0_3 = k_9 * zonal[3];
+  const T m0_0_4 = k_9 * zonal[4];
+  const T m0_0_5 = k_9 * zonal[5];
+  const T m0_0_6 = k_9 * zonal[6];
+  const T t_16 = k_16 * zonal[2];
   const T a2 = a[2];
   const T m0_1_2 = k_16 * zonal[1] + k_17 * zonal[3];
   const T m0_1_3 = k_17 * zonal[2] + k_18 * zonal[4];
@@ -244,77 +243,76 @@ constexpr void product_zonal_l6(const T* a, const T* zonal, T* out) noexcept {
   const T m0_2_5 = k_23 * zonal[3] + k_26 * zonal[5];
   const T m0_2_6 = k_25 * zonal[4] + k_27 * zonal[6];
   const T a12 = a[12];
-  const T m0_3_4 = k_28 * zonal[3] + k_18 * t_8;
+  const T m0_3_4 = k_28 * zonal[3] + k_18 * t_2;
   const T m0_3_5 = k_23 * zonal[2] + k_30 * zonal[4] + k_31 * zonal[6];
   const T m0_3_6 = k_29 * zonal[3] + k_31 * zonal[5];
   const T a20 = a[20];
-  const T t_18 = k_11 * zonal[5];
-  const T m0_4_5 = k_19 * zonal[1] + k_30 * zonal[3] + t_18;
-  const T m0_4_6 = k_33 * zonal[6] + k_25 * t_4;
+  const T t_17 = k_12 * zonal[5];
+  const T m0_4_5 = k_19 * zonal[1] + k_30 * zonal[3] + t_17;
+  const T m0_4_6 = k_33 * zonal[6] + k_25 * t_3;
   const T a30 = a[30];
   const T m0_5_6 = k_20 * zonal[1] + k_31 * zonal[3] + k_34 * zonal[5];
   const T a42 = a[42];
-  const T m1_1_1 = m0_0_0 - k_36 * zonal[2];
-  const T m1_1_2 = k_37 * zonal[1] - k_38 * zonal[3];
-  const T m1_1_3 = k_39 * t_2;
-  const T m1_1_4 = k_40 * zonal[3] - k_41 * zonal[5];
-  const T m1_1_5 = k_42 * zonal[4] - k_43 * zonal[6];
-  const T m1_1_6 = k_44 * zonal[5];
-  const T m1_2_2 = m0_0_0 - k_45 * t_6;
-  const T m1_2_3 = k_47 * t_5 - k_46 * zonal[5];
-  const T m1_2_4 = k_49 * t_13 - k_48 * zonal[6];
-  const T m1_2_5 = k_50 * zonal[3] + k_51 * zonal[5];
-  const T m1_2_6 = k_52 * zonal[4] + k_53 * zonal[6];
-  const T m1_3_3 = m0_0_0 - k_54 * zonal[6] + k_55 * t_13;
-  const T m1_3_4 = k_56 * zonal[1] + k_57 * zonal[3] + k_58 * zonal[5];
-  const T m1_3_5 = k_59 * zonal[2] + k_60 * zonal[4];
-  const T t_19 = k_61 * zonal[5];
-  const T m1_3_6 = k_62 * zonal[3] + t_19;
-  const T m1_4_4 = m0_0_0 + k_63 * zonal[2] + k_64 * zonal[4] - k_65 * zonal[6];
-  const T m1_4_5 = k_66 * zonal[1] + k_67 * zonal[3] + k_68 * zonal[5];
-  const T m1_4_6 = k_69 * zonal[4] + k_70 * t;
-  const T m5_5_5 = t_12 - k_147 * t;
-  const T m1_5_5 = m0_0_0 + k_71 * zonal[6] + k_72 * t_4;
-  const T m1_5_6 = k_73 * zonal[1] + k_74 * t_7;
-  const T m1_6_6 = m0_0_0 + k_75 * zonal[2] + k_76 * zonal[4] + k_77 * zonal[6];
-  const T m2_2_2 = m0_0_0 + t_16;
-  const T m2_2_3 = k_78 * zonal[1] - k_79 * zonal[3] + k_80 * zonal[5];
-  const T m2_2_4 = k_81 * zonal[2] - k_82 * zonal[4] + k_83 * zonal[6];
-  const T m2_2_5 = k_84 * zonal[3] - k_85 * zonal[5];
-  const T m2_2_6 = k_86 * zonal[4] - k_87 * zonal[6];
-  const T m2_3_3 = m0_0_0 - k_88 * zonal[4] + k_89 * zonal[6];
-  const T m2_3_4 = k_90 * zonal[1] - k_91 * zonal[3] - k_92 * zonal[5];
-  const T m2_3_5 = k_42 * zonal[2] - k_93 * zonal[4] - k_94 * zonal[6];
-  const T m2_3_6 = k_95 * zonal[3] - t_19;
-  const T m2_4_4 = m0_0_0 + k_96 * zonal[2] - k_97 * zonal[4] - k_98 * zonal[6];
-  const T m2_4_5 = k_99 * zonal[1] + k_100 * zonal[3] - k_101 * zonal[5];
-  const T m2_4_6 = k_102 * zonal[2] - k_103 * zonal[6];
-  const T m2_5_5 = m0_0_0 - k_104 * zonal[6] - k_105 * t_16;
-  const T m2_5_6 = k_107 * t_5 - k_106 * zonal[5];
-  const T m2_6_6 = k_108 * zonal[2] + k_109 * zonal[4] + t_14;
-  const T m3_3_3 = m0_0_0 - k_110 * zonal[2] + k_111 * zonal[4] - k_112 * zonal[6];
-  const T m3_3_4 = k_114 * t_8 - k_113 * zonal[3];
-  const T m3_3_5 = k_116 * t_3 - k_115 * zonal[4];
-  const T m3_3_6 = k_117 * zonal[3] - k_118 * zonal[5];
-  const T t_20 = k_119 * zonal[2];
-  const T m3_4_4 = m0_0_0 - t_20 - k_120 * zonal[4] + k_121 * zonal[6];
-  const T m3_4_5 = k_122 * zonal[1] - k_123 * zonal[3] - t_18;
-  const T m3_4_6 = k_124 * zonal[6] + k_125 * t_2;
-  const T m3_5_5 = k_126 * zonal[2] - k_127 * zonal[6] + t_11;
-  const T m3_5_6 = k_128 * zonal[1] - k_129 * zonal[3] - k_130 * zonal[5];
-  const T m3_6_6 = m0_0_0 + t_20 - k_131 * zonal[4] - k_132 * zonal[6];
-  const T m4_4_4 = m0_0_0 - k_133 * zonal[2] + k_134 * zonal[4] - k_135 * zonal[6];
-  const T m4_4_5 = k_136 * zonal[1] - k_137 * zonal[3] + t_18;
-  const T m4_4_6 = k_138 * zonal[6] - k_139 * t_6;
-  const T m4_5_5 = k_141 * zonal[6] - k_140 * zonal[2] + t_11;
-  const T m4_5_6 = k_142 * zonal[1] - k_143 * t_7;
-  const T m5_5_6 = k_148 * zonal[1] - k_149 * zonal[3] + k_150 * zonal[5];
-  const T m6_6_6 = k_152 * zonal[4] - t_17 + t_14;
+  const T m1_1_2 = k_36 * zonal[1] - k_37 * zonal[3];
+  const T m1_1_3 = k_38 * t_4;
+  const T m1_1_4 = k_39 * zonal[3] - k_40 * zonal[5];
+  const T m1_1_5 = k_41 * zonal[4] - k_42 * zonal[6];
+  const T m1_1_6 = k_43 * zonal[5];
+  const T m1_2_2 = m0_0_0 + k_44 * t_5;
+  const T m1_2_3 = k_46 * t - k_45 * zonal[5];
+  const T m1_2_4 = k_48 * t_9 - k_47 * zonal[6];
+  const T m1_2_5 = k_49 * zonal[3] + k_50 * zonal[5];
+  const T m1_2_6 = k_51 * zonal[4] + k_52 * zonal[6];
+  const T m1_3_3 = m0_0_0 - k_53 * zonal[6] + k_10 * t_9;
+  const T m1_3_4 = k_54 * zonal[1] + k_55 * zonal[3] + k_56 * zonal[5];
+  const T m1_3_5 = k_57 * zonal[2] + k_58 * zonal[4];
+  const T t_18 = k_59 * zonal[5];
+  const T m1_3_6 = k_60 * zonal[3] + t_18;
+  const T m1_4_4 = m0_0_0 + k_61 * zonal[2] + k_62 * zonal[4] - k_63 * zonal[6];
+  const T m1_4_5 = k_64 * zonal[1] + k_65 * zonal[3] + k_66 * zonal[5];
+  const T m1_4_6 = k_67 * zonal[4] + k_68 * t_7;
+  const T m5_5_5 = t_11 - k_145 * t_7;
+  const T m1_5_5 = m0_0_0 + k_69 * zonal[6] + k_70 * t_3;
+  const T m1_5_6 = k_71 * zonal[1] + k_72 * t_8;
+  const T m1_6_6 = m0_0_0 + k_73 * zonal[2] + k_74 * zonal[4] + k_75 * zonal[6];
+  const T m2_2_2 = m0_0_0 + t_15;
+  const T m2_2_3 = k_76 * zonal[1] - k_77 * zonal[3] + k_78 * zonal[5];
+  const T m2_2_4 = k_79 * zonal[2] - k_80 * zonal[4] + k_81 * zonal[6];
+  const T m2_2_5 = k_82 * zonal[3] - k_83 * zonal[5];
+  const T m2_2_6 = k_84 * zonal[4] - k_85 * zonal[6];
+  const T m2_3_3 = m0_0_0 - k_86 * zonal[4] + k_87 * zonal[6];
+  const T m2_3_4 = k_88 * zonal[1] - k_89 * zonal[3] - k_90 * zonal[5];
+  const T m2_3_5 = k_41 * zonal[2] - k_91 * zonal[4] - k_92 * zonal[6];
+  const T m2_3_6 = k_93 * zonal[3] - t_18;
+  const T m2_4_4 = m0_0_0 + k_94 * zonal[2] - k_95 * zonal[4] - k_96 * zonal[6];
+  const T m2_4_5 = k_97 * zonal[1] + k_98 * zonal[3] - k_99 * zonal[5];
+  const T m2_4_6 = k_100 * zonal[2] - k_101 * zonal[6];
+  const T m2_5_5 = m0_0_0 - k_102 * zonal[6] - k_103 * t_15;
+  const T m2_5_6 = k_105 * t - k_104 * zonal[5];
+  const T m2_6_6 = k_106 * zonal[2] + k_107 * zonal[4] + t_13;
+  const T m3_3_3 = m0_0_0 - k_108 * zonal[2] + k_109 * zonal[4] - k_110 * zonal[6];
+  const T m3_3_4 = k_112 * t_2 - k_111 * zonal[3];
+  const T m3_3_5 = k_114 * t_6 - k_113 * zonal[4];
+  const T m3_3_6 = k_115 * zonal[3] - k_116 * zonal[5];
+  const T t_19 = k_117 * zonal[2];
+  const T m3_4_4 = m0_0_0 - t_19 - k_118 * zonal[4] + k_119 * zonal[6];
+  const T m3_4_5 = k_120 * zonal[1] - k_121 * zonal[3] - t_17;
+  const T m3_4_6 = k_123 * t_4 - k_122 * zonal[6];
+  const T m3_5_5 = k_124 * zonal[2] - k_125 * zonal[6] + t_12;
+  const T m3_5_6 = k_126 * zonal[1] - k_127 * zonal[3] - k_128 * zonal[5];
+  const T m3_6_6 = m0_0_0 + t_19 - k_129 * zonal[4] - k_130 * zonal[6];
+  const T m4_4_4 = m0_0_0 - k_131 * zonal[2] + k_132 * zonal[4] - k_133 * zonal[6];
+  const T m4_4_5 = k_134 * zonal[1] - k_135 * zonal[3] + t_17;
+  const T m4_4_6 = k_136 * zonal[6] + k_137 * t_5;
+  const T a0 = a[0];
+  const T m4_5_5 = k_139 * zonal[6] - k_138 * zonal[2] + t_12;
+  const T m4_5_6 = k_140 * zonal[1] - k_141 * t_8;
+  const T m5_5_6 = k_146 * zonal[1] - k_147 * zonal[3] + k_148 * zonal[5];
+  const T m4_6_6 = m0_0_0 - k_142 * zonal[2] - k_143 * zonal[4] - k_144 * zonal[6];
+  const T m5_6_6 = k_150 * zonal[6] - k_149 * zonal[4] + m1_1_1;
+  const T m6_6_6 = k_151 * zonal[4] - t_16 + t_13;
   out[36] = m6_6_6 * a[36];                                                                                      // l=6 m=-6
   out[48] = m6_6_6 * a[48];                                                                                      // l=6 m=6
-  const T m4_6_6 = m0_0_0 - k_144 * zonal[2] - k_145 * zonal[4] - k_146 * zonal[6];
-  const T m5_6_6 = m0_0_0 + k_151 * zonal[6] - k_36 * t_9;
-  const T a0 = a[0];
   out[0] = m0_0_0 * a0 + m0_0_1 * a2 + m0_0_2 * a6 + m0_0_3 * a12 + m0_0_4 * a20 + m0_0_5 * a30 + m0_0_6 * a42;  // l=0 m=0
   const T a1 = a[1];
   const T a3 = a[3];
@@ -323,15 +321,15 @@ constexpr void product_zonal_l6(const T* a, const T* zonal, T* out) noexcept {
   const T a19 = a[19];
   const T a29 = a[29];
   const T a41 = a[41];
-  out[1] = m1_1_1 * a1 + m1_1_2 * a5 - m1_1_3 * a11 + m1_1_4 * a19 + m1_1_5 * a29 + m1_1_6 * a41;                // l=1 m=-1
-  out[2] = m0_0_1 * a0 + (m0_0_0 + t_17) * a2 + m0_1_2 * a6 + m0_1_3 * a12 + m0_1_4 * a20 + m0_1_5 * a30
+  out[1] = m1_1_1 * a1 + m1_1_2 * a5 + m1_1_3 * a11 + m1_1_4 * a19 + m1_1_5 * a29 + m1_1_6 * a41;                // l=1 m=-1
+  out[2] = m0_0_1 * a0 + (m0_0_0 + t_16) * a2 + m0_1_2 * a6 + m0_1_3 * a12 + m0_1_4 * a20 + m0_1_5 * a30
       + m0_1_6 * a42;                                                                                            // l=1 m=0
   const T a7 = a[7];
   const T a13 = a[13];
   const T a21 = a[21];
   const T a31 = a[31];
   const T a43 = a[43];
-  out[3] = m1_1_1 * a3 + m1_1_2 * a7 - m1_1_3 * a13 + m1_1_4 * a21 + m1_1_5 * a31 + m1_1_6 * a43;                // l=1 m=1
+  out[3] = m1_1_1 * a3 + m1_1_2 * a7 + m1_1_3 * a13 + m1_1_4 * a21 + m1_1_5 * a31 + m1_1_6 * a43;                // l=1 m=1
   const T a4 = a[4];
   const T a8 = a[8];
   const T a10 = a[10];
@@ -340,7 +338,7 @@ constexpr void product_zonal_l6(const T* a, const T* zonal, T* out) noexcept {
   const T a40 = a[40];
   out[4] = m2_2_2 * a4 + m2_2_3 * a10 + m2_2_4 * a18 + m2_2_5 * a28 + m2_2_6 * a40;                              // l=2 m=-2
   out[5] = m1_1_2 * a1 + m1_2_2 * a5 + m1_2_3 * a11 + m1_2_4 * a19 + m1_2_5 * a29 + m1_2_6 * a41;                // l=2 m=-1
-  out[6] = m0_0_2 * a0 + m0_1_2 * a2 + (m0_0_0 + t_15 + k_21 * zonal[4]) * a6 + m0_2_3 * a12 + m0_2_4 * a20
+  out[6] = m0_0_2 * a0 + m0_1_2 * a2 + (m0_0_0 + t_14 + k_21 * zonal[4]) * a6 + m0_2_3 * a12 + m0_2_4 * a20
       + m0_2_5 * a30 + m0_2_6 * a42;                                                                             // l=2 m=0
   out[7] = m1_1_2 * a3 + m1_2_2 * a7 + m1_2_3 * a13 + m1_2_4 * a21 + m1_2_5 * a31 + m1_2_6 * a43;                // l=2 m=1
   const T a14 = a[14];
@@ -355,10 +353,10 @@ constexpr void product_zonal_l6(const T* a, const T* zonal, T* out) noexcept {
   const T a39 = a[39];
   out[9] = m3_3_3 * a9 + m3_3_4 * a17 + m3_3_5 * a27 + m3_3_6 * a39;                                             // l=3 m=-3
   out[10] = m2_2_3 * a4 + m2_3_3 * a10 + m2_3_4 * a18 + m2_3_5 * a28 + m2_3_6 * a40;                             // l=3 m=-2
-  out[11] = m1_2_3 * a5 - m1_1_3 * a1 + m1_3_3 * a11 + m1_3_4 * a19 + m1_3_5 * a29 + m1_3_6 * a41;               // l=3 m=-1
+  out[11] = m1_1_3 * a1 + m1_2_3 * a5 + m1_3_3 * a11 + m1_3_4 * a19 + m1_3_5 * a29 + m1_3_6 * a41;               // l=3 m=-1
   out[12] = m0_0_3 * a0 + m0_1_3 * a2 + m0_2_3 * a6 + (m0_0_0 + k_22 * zonal[2] + k_28 * zonal[4]
       + k_29 * zonal[6]) * a12 + m0_3_4 * a20 + m0_3_5 * a30 + m0_3_6 * a42;                                     // l=3 m=0
-  out[13] = m1_2_3 * a7 - m1_1_3 * a3 + m1_3_3 * a13 + m1_3_4 * a21 + m1_3_5 * a31 + m1_3_6 * a43;               // l=3 m=1
+  out[13] = m1_1_3 * a3 + m1_2_3 * a7 + m1_3_3 * a13 + m1_3_4 * a21 + m1_3_5 * a31 + m1_3_6 * a43;               // l=3 m=1
   out[14] = m2_2_3 * a8 + m2_3_3 * a14 + m2_3_4 * a22 + m2_3_5 * a32 + m2_3_6 * a44;                             // l=3 m=2
   const T a23 = a[23];
   const T a33 = a[33];
@@ -369,18 +367,18 @@ constexpr void product_zonal_l6(const T* a, const T* zonal, T* out) noexcept {
   const T a26 = a[26];
   const T a38 = a[38];
   out[16] = m4_4_4 * a16 + m4_4_5 * a26 + m4_4_6 * a38;                                                          // l=4 m=-4
-  out[17] = m3_3_4 * a9 + m3_4_4 * a17 + m3_4_5 * a27 - m3_4_6 * a39;                                            // l=4 m=-3
+  out[17] = m3_3_4 * a9 + m3_4_4 * a17 + m3_4_5 * a27 + m3_4_6 * a39;                                            // l=4 m=-3
   out[18] = m2_2_4 * a4 + m2_3_4 * a10 + m2_4_4 * a18 + m2_4_5 * a28 + m2_4_6 * a40;                             // l=4 m=-2
   out[19] = m1_1_4 * a1 + m1_2_4 * a5 + m1_3_4 * a11 + m1_4_4 * a19 + m1_4_5 * a29 + m1_4_6 * a41;               // l=4 m=-1
-  out[20] = m0_0_4 * a0 + m0_1_4 * a2 + m0_2_4 * a6 + m0_3_4 * a12 + (m0_0_0 + k_32 * zonal[4] + k_24 * t_3) * a20
+  out[20] = m0_0_4 * a0 + m0_1_4 * a2 + m0_2_4 * a6 + m0_3_4 * a12 + (m0_0_0 + k_32 * zonal[4] + k_24 * t_6) * a20
       + m0_4_5 * a30 + m0_4_6 * a42;                                                                             // l=4 m=0
   out[30] = m0_0_5 * a0 + m0_1_5 * a2 + m0_2_5 * a6 + m0_3_5 * a12 + m0_4_5 * a20 + (k_26 * zonal[2] + k_34 * zonal[6]
-      + t_12) * a30 + m0_5_6 * a42;                                                                              // l=5 m=0
+      + t_11) * a30 + m0_5_6 * a42;                                                                              // l=5 m=0
   out[42] = m0_0_6 * a0 + m0_1_6 * a2 + m0_2_6 * a6 + m0_3_6 * a12 + m0_4_6 * a20 + m0_5_6 * a30 + (m0_0_0
-      + k_35 * zonal[6] + k_27 * t_9) * a42;                                                                     // l=6 m=0
+      + k_27 * zonal[2] + k_33 * zonal[4] + k_35 * zonal[6]) * a42;                                              // l=6 m=0
   out[21] = m1_1_4 * a3 + m1_2_4 * a7 + m1_3_4 * a13 + m1_4_4 * a21 + m1_4_5 * a31 + m1_4_6 * a43;               // l=4 m=1
   out[22] = m2_2_4 * a8 + m2_3_4 * a14 + m2_4_4 * a22 + m2_4_5 * a32 + m2_4_6 * a44;                             // l=4 m=2
-  out[23] = m3_3_4 * a15 + m3_4_4 * a23 + m3_4_5 * a33 - m3_4_6 * a45;                                           // l=4 m=3
+  out[23] = m3_3_4 * a15 + m3_4_4 * a23 + m3_4_5 * a33 + m3_4_6 * a45;                                           // l=4 m=3
   const T a34 = a[34];
   const T a46 = a[46];
   out[24] = m4_4_4 * a24 + m4_4_5 * a34 + m4_4_6 * a46;                                                          // l=4 m=4
@@ -398,8 +396,8 @@ constexpr void product_zonal_l6(const T* a, const T* zonal, T* out) noexcept {
   out[46] = m4_4_6 * a24 + m4_5_6 * a34 + m4_6_6 * a46;                                                          // l=6 m=4
   out[27] = m3_3_5 * a9 + m3_4_5 * a17 + m3_5_5 * a27 + m3_5_6 * a39;                                            // l=5 m=-3
   out[33] = m3_3_5 * a15 + m3_4_5 * a23 + m3_5_5 * a33 + m3_5_6 * a45;                                           // l=5 m=3
-  out[39] = m3_3_6 * a9 - m3_4_6 * a17 + m3_5_6 * a27 + m3_6_6 * a39;                                            // l=6 m=-3
-  out[45] = m3_3_6 * a15 - m3_4_6 * a23 + m3_5_6 * a33 + m3_6_6 * a45;                                           // l=6 m=3
+  out[39] = m3_3_6 * a9 + m3_4_6 * a17 + m3_5_6 * a27 + m3_6_6 * a39;                                            // l=6 m=-3
+  out[45] = m3_3_6 * a15 + m3_4_6 * a23 + m3_5_6 * a33 + m3_6_6 * a45;                                           // l=6 m=3
   out[28] = m2_2_5 * a4 + m2_3_5 * a10 + m2_4_5 * a18 + m2_5_5 * a28 + m2_5_6 * a40;                             // l=5 m=-2
   out[32] = m2_2_5 * a8 + m2_3_5 * a14 + m2_4_5 * a22 + m2_5_5 * a32 + m2_5_6 * a44;                             // l=5 m=2
   out[40] = m2_2_6 * a4 + m2_3_6 * a10 + m2_4_6 * a18 + m2_5_6 * a28 + m2_6_6 * a40;                             // l=6 m=-2

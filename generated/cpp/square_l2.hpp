@@ -4,7 +4,7 @@
 // Licence:      MIT-0; paste it anywhere.
 //
 // Input:        a (9)
-// Domain:       any coefficients: a has degree 0 to 2
+// Domain:       any coefficients
 // Output:       out (9): coefficients of a a at index l(l+1)+m, orthonormal on the unit sphere, no Condon-Shortley
 //               phase
 // Recipe:       pairs

@@ -4,7 +4,7 @@
 // Licence:      MIT-0; paste it anywhere.
 //
 // Input:        a (16)
-// Domain:       any coefficients: a has degree 0 to 3
+// Domain:       any coefficients
 // Output:       out (16): coefficients of a a at index l(l+1)+m, orthonormal on the unit sphere, no Condon-Shortley
 //               phase
 // Recipe:       pairs
@@ -57,14 +57,14 @@ template <class T>
 constexpr void square_l3(const T* a, T* out) noexcept {
   const T k    = detail::constant<T>(0.5641896f, 0.5641895835477563);     // sqrt(1/pi)
   const T k_2  = detail::constant<T>(0.25231326f, 0.252313252202016);     // 1/5 sqrt(5/pi)
-  const T k_3  = detail::constant<T>(0.65465367f, 0.6546536707079772);    // 1/7 sqrt(21)
-  const T k_4  = detail::constant<T>(0.3604475f, 0.36044750314573715);    // 2/7 sqrt(5/pi)
-  const T k_5  = detail::constant<T>(0.41573972f, 0.41573970964154905);   // 1/9 sqrt(14)
-  const T k_6  = detail::constant<T>(1.0183501f, 1.0183501544346312);     // 2/9 sqrt(21)
-  const T k_7  = detail::constant<T>(0.18022375f, 0.18022375157286857);   // 1/7 sqrt(5/pi)
-  const T k_8  = detail::constant<T>(0.62360954f, 0.6236095644623235);    // 1/6 sqrt(14)
-  const T k_9  = detail::constant<T>(0.25458753f, 0.2545875386086578);    // 1/18 sqrt(21)
-  const T k_10 = detail::constant<T>(0.4205221f, 0.42052208700336);       // 1/3 sqrt(5/pi)
+  const T k_3  = detail::constant<T>(0.3604475f, 0.36044750314573715);    // 2/7 sqrt(5/pi)
+  const T k_4  = detail::constant<T>(0.18022375f, 0.18022375157286857);   // 1/7 sqrt(5/pi)
+  const T k_5  = detail::constant<T>(0.4205221f, 0.42052208700336);       // 1/3 sqrt(5/pi)
+  const T k_6  = detail::constant<T>(0.41573972f, 0.41573970964154905);   // 1/9 sqrt(14)
+  const T k_7  = detail::constant<T>(0.62360954f, 0.6236095644623235);    // 1/6 sqrt(14)
+  const T k_8  = detail::constant<T>(0.65465367f, 0.6546536707079772);    // 1/7 sqrt(21)
+  const T k_9  = detail::constant<T>(1.0183501f, 1.0183501544346312);     // 2/9 sqrt(21)
+  const T k_10 = detail::constant<T>(0.25458753f, 0.2545875386086578);    // 1/18 sqrt(21)
   const T k_11 = detail::constant<T>(0.43701938f, 0.4370193722368316);    // 1/5 sqrt(15/pi)
   const T k_12 = detail::constant<T>(0.11679834f, 0.1167983401638037);    // 1/70 sqrt(210/pi)
   const T k_13 = detail::constant<T>(0.4046013f, 0.40460131880684125);    // 3/35 sqrt(70/pi)
@@ -92,22 +92,22 @@ constexpr void square_l3(const T* a, T* out) noexcept {
   const T t_2 = k_2 * a6;
   const T t_3 = t - t_2;
   const T t_4 = t + t_2;
-  const T a12 = a[12];
-  const T a2 = a[2];
-  const T t_5 = k_11 * (a2 - k_3 * a12);
-  const T t_6 = t - k_4 * a6;
-  const T a13 = a[13];
-  const T a3 = a[3];
-  const T t_7 = k_15 * (a3 - k_5 * a13);
-  const T t_8 = k_16 * (a2 - k_6 * a12);
+  const T t_5 = t - k_3 * a6;
+  const T t_6 = t + k_4 * a6;
+  const T t_7 = t - k_5 * a6;
   const T a11 = a[11];
   const T a1 = a[1];
-  const T t_9 = k_15 * (a1 - k_5 * a11);
-  const T t_10 = t + k_7 * a6;
-  const T t_11 = k_16 * (a3 + k_8 * a13);
-  const T t_12 = k_20 * (a2 + k_9 * a12);
-  const T t_13 = k_16 * (a1 + k_8 * a11);
-  const T t_14 = t - k_10 * a6;
+  const T t_8 = k_15 * (a1 - k_6 * a11);
+  const T t_9 = k_16 * (a1 + k_7 * a11);
+  const T a12 = a[12];
+  const T a2 = a[2];
+  const T t_10 = k_11 * (a2 - k_8 * a12);
+  const T t_11 = k_16 * (a2 - k_9 * a12);
+  const T t_12 = k_20 * (a2 + k_10 * a12);
+  const T a13 = a[13];
+  const T a3 = a[3];
+  const T t_13 = k_15 * (a3 - k_6 * a13);
+  const T t_14 = k_16 * (a3 + k_7 * a13);
   const T a8 = a[8];
   const T t_15 = k_11 * a8;
   const T t_16 = k_11 * a3 - k_12 * a13;
@@ -123,12 +123,12 @@ constexpr void square_l3(const T* a, T* out) noexcept {
   const T t_23 = k_18 * a4;
   const T a15 = a[15];
   const T t_24 = k_19 * a15;
-  const T t_25 = t_11 - t_24;
-  const T t_26 = t_24 + t_11;
+  const T t_25 = t_14 - t_24;
+  const T t_26 = t_24 + t_14;
   const T a9 = a[9];
   const T t_27 = k_19 * a9;
-  const T t_28 = t_27 - t_13;
-  const T t_29 = t_27 + t_13;
+  const T t_28 = t_27 - t_9;
+  const T t_29 = t_27 + t_9;
   const T t_30 = k_21 * a2;
   const T p_2_2 = a2 * a2;
   const T t_31 = k_17 * a8;
@@ -141,12 +141,12 @@ constexpr void square_l3(const T* a, T* out) noexcept {
   const T a10 = a[10];
   const T p_4_11 = a4 * a11;
   const T p_5_5 = a5 * a5;
-  out[4] = t_16 * a1 + t_6 * a4 + t_7 * a9 + t_8 * a10 + t_21 * a11 - t_9 * a15 + k_18 * a5 * a7;                   // l=2 m=-2
+  out[4] = t_16 * a1 + t_5 * a4 + t_13 * a9 + t_11 * a10 + t_21 * a11 - t_8 * a15 + k_18 * a5 * a7;                 // l=2 m=-2
   const T p_5_10 = a5 * a10;
   const T p_11_11 = a11 * a11;
   const T a14 = a[14];
   const T p_5_14 = a5 * a14;
-  out[5] = t_5 * a1 + (t_10 - t_22) * a5 + t_23 * a7 + t_25 * a10 + t_12 * a11 + t_28 * a14;                        // l=2 m=-1
+  out[5] = t_10 * a1 + (t_6 - t_22) * a5 + t_23 * a7 + t_25 * a10 + t_12 * a11 + t_28 * a14;                        // l=2 m=-1
   const T p_6_6 = a6 * a6;
   const T p_12_12 = a12 * a12;
   const T p_7_7 = a7 * a7;
@@ -154,32 +154,32 @@ constexpr void square_l3(const T* a, T* out) noexcept {
   const T t_33 = k_20 * (a7 * a13 + a5 * a11);
   const T p_13_13 = a13 * a13;
   const T p_7_14 = a7 * a14;
-  out[7] = t_5 * a3 + t_23 * a5 + (t_22 + t_10) * a7 + t_29 * a10 + t_12 * a13 + t_26 * a14;                        // l=2 m=1
+  out[7] = t_10 * a3 + t_23 * a5 + (t_22 + t_6) * a7 + t_29 * a10 + t_12 * a13 + t_26 * a14;                        // l=2 m=1
   const T t_34 = a8 * a8 + a4 * a4;
   const T t_35 = k_15 * (a8 * a9 - a4 * a15);
   const T t_36 = k_16 * (a8 * a14 + a4 * a10);
   out[2] = (t + k_14 * a6) * a2 + (k_21 * a6 * a12 + t_33 + t_36 + t_32);                                           // l=1 m=0
-  out[12] = t_30 * a6 + (t + k_22 * a6) * a12 + (k_9 * t_33 - k_6 * t_36 - k_3 * t_32);                             // l=3 m=0
+  out[12] = t_30 * a6 + (t + k_22 * a6) * a12 + (k_10 * t_33 - k_9 * t_36 - k_8 * t_32);                            // l=3 m=0
   const T t_37 = k_15 * (a8 * a15 + a4 * a9);
   const T t_38 = a15 * a15 + a9 * a9;
-  out[10] = t_8 * a4 + t_25 * a5 + t_29 * a7 + t * a10;                                                             // l=3 m=-2
-  out[14] = t_28 * a5 + t_26 * a7 + t_8 * a8 + t * a14;                                                             // l=3 m=2
+  out[10] = t_11 * a4 + t_25 * a5 + t_29 * a7 + t * a10;                                                            // l=3 m=-2
+  out[14] = t_28 * a5 + t_26 * a7 + t_11 * a8 + t * a14;                                                            // l=3 m=2
   const T t_39 = p_13_13 + p_11_11;
   const T t_40 = k_16 * (p_7_10 - p_5_14);
-  out[9] = t_7 * a4 + t_9 * a8 + t_14 * a9 + k_19 * (p_7_10 + p_5_14);                                              // l=3 m=-3
+  out[9] = t_13 * a4 + t_8 * a8 + t_7 * a9 + k_19 * (p_7_10 + p_5_14);                                              // l=3 m=-3
   const T t_41 = k_16 * (p_7_14 + p_5_10);
-  out[15] = t_7 * a8 - t_9 * a4 + t_14 * a15 + k_19 * (p_7_14 - p_5_10);                                            // l=3 m=3
+  out[15] = t_13 * a8 - t_8 * a4 + t_7 * a15 + k_19 * (p_7_14 - p_5_10);                                            // l=3 m=3
   const T t_42 = p_7_7 + p_5_5;
-  out[3] = (t_15 + t_3) * a3 + t_5 * a7 + t_20 * a13 + (k_11 * p_1_4 - k_12 * p_4_11 + t_41 + t_37);                // l=1 m=1
-  out[13] = t_20 * a3 + t_12 * a7 + (t_31 + t_4) * a13 + (k_17 * p_4_11 - k_12 * p_1_4 + k_8 * t_41 - k_5 * t_37);  // l=3 m=1
+  out[3] = (t_15 + t_3) * a3 + t_10 * a7 + t_20 * a13 + (k_11 * p_1_4 - k_12 * p_4_11 + t_41 + t_37);               // l=1 m=1
+  out[13] = t_20 * a3 + t_12 * a7 + (t_31 + t_4) * a13 + (k_17 * p_4_11 - k_12 * p_1_4 + k_7 * t_41 - k_6 * t_37);  // l=3 m=1
   const T t_43 = p_3_3 + p_1_1;
-  out[8] = t_6 * a8 + t_9 * a9 + t_8 * a14 + t_7 * a15 + (k_24 * (p_13_13 - p_11_11) + k_25 * (p_7_7 - p_5_5)
+  out[8] = t_5 * a8 + t_8 * a9 + t_11 * a14 + t_13 * a15 + (k_24 * (p_13_13 - p_11_11) + k_25 * (p_7_7 - p_5_5)
       + k_12 * (p_1_11 - p_3_13) + k_26 * (p_3_3 - p_1_1));                                                         // l=2 m=2
   out[0] = k_30 * (a0 * a0 + a14 * a14 + p_12_12 + a10 * a10 + p_6_6 + p_2_2 + t_39 + t_38 + t_42 + t_34 + t_43);   // l=0 m=0
   out[6] = t * a6 + t_30 * a12 + (k_23 * p_12_12 + k_2 * p_2_2 + k_13 * (p_3_13 + p_1_11) - k_27 * t_38 + k_28 * t_42
-      + k_7 * (p_6_6 - t_34) + k_29 * (t_39 - t_43));                                                               // l=2 m=0
-  out[1] = (t_3 - t_15) * a1 + t_16 * a4 + t_5 * a5 + t_19 * a11 + (t_40 + t_35);                                   // l=1 m=-1
-  out[11] = t_19 * a1 + t_21 * a4 + t_12 * a5 + (t_4 - t_31) * a11 + (k_8 * t_40 - k_5 * t_35);                     // l=3 m=-1
+      + k_4 * (p_6_6 - t_34) + k_29 * (t_39 - t_43));                                                               // l=2 m=0
+  out[1] = (t_3 - t_15) * a1 + t_16 * a4 + t_10 * a5 + t_19 * a11 + (t_40 + t_35);                                  // l=1 m=-1
+  out[11] = t_19 * a1 + t_21 * a4 + t_12 * a5 + (t_4 - t_31) * a11 + (k_7 * t_40 - k_6 * t_35);                     // l=3 m=-1
 }
 
 }  // namespace sh

@@ -4,7 +4,7 @@
 // Licence:      MIT-0; paste it anywhere.
 //
 // Input:        a (25)
-// Domain:       any coefficients: a has degree 0 to 4
+// Domain:       any coefficients
 // Output:       out (25): coefficients of a a at index l(l+1)+m, orthonormal on the unit sphere, no Condon-Shortley
 //               phase
 // Recipe:       separable
@@ -59,17 +59,17 @@ constexpr void square_l4(const T* a, T* out) noexcept {
   const T k     = detail::constant<T>(0.0360689f, 0.03606890311929917);     // theta_4_4(z1)
   const T k_2   = detail::constant<T>(0.06940465f, 0.06940464381157198);    // theta_3_3(z1)
   const T k_3   = detail::constant<T>(0.18150844f, 0.1815084435106683);     // theta_4_3(z1)
-  const T k_4   = detail::constant<T>(0.11357366f, 0.11357366020218314);    // theta_2_2(z1) * 1/2 sqrt(3)
-  const T k_5   = detail::constant<T>(0.42485756f, 0.4248575708370165);     // theta_4_2(z1) * 1/2 sqrt(3)
-  const T k_6   = detail::constant<T>(0.26194715f, 0.2619471576869969);     // theta_3_2(z1) * 1/2 sqrt(3)
+  const T k_4   = detail::constant<T>(0.11357366f, 0.11357366020218314);    // 1/2 sqrt(3) theta_2_2(z1)
+  const T k_5   = detail::constant<T>(0.42485756f, 0.4248575708370165);     // 1/2 sqrt(3) theta_4_2(z1)
+  const T k_6   = detail::constant<T>(0.26194715f, 0.2619471576869969);     // 1/2 sqrt(3) theta_3_2(z1)
   const T k_7   = detail::constant<T>(0.23939984f, 0.2393998311198214);     // theta_1_1(z1)
   const T k_8   = detail::constant<T>(0.62694913f, 0.6269491168702379);     // theta_3_1(z1)
-  const T k_9   = detail::constant<T>(0.7040232f, 0.7040231742581757);      // theta_2_1(z1) * 1/(theta_4_1(z1))
+  const T k_9   = detail::constant<T>(0.7040232f, 0.7040231742581757);      // theta_2_1(z1) / theta_4_1(z1)
   const T k_10  = detail::constant<T>(0.66284037f, 0.6628403454873693);     // theta_4_1(z1)
   const T k_11  = detail::constant<T>(0.2820948f, 0.28209479177387814);     // theta_0_0(z1)
   const T k_12  = detail::constant<T>(0.4036358f, 0.40363581010067373);     // theta_2_0(z1)
   const T k_13  = detail::constant<T>(0.043837186f, 0.043837185202122854);  // theta_4_0(z1)
-  const T k_14  = detail::constant<T>(0.61074615f, 0.6107461612129711);     // theta_3_0(z1) * 1/(theta_1_0(z1))
+  const T k_14  = detail::constant<T>(0.61074615f, 0.6107461612129711);     // theta_3_0(z1) / theta_1_0(z1)
   const T k_15  = detail::constant<T>(0.42593443f, 0.42593442628841827);    // theta_1_0(z1)
   const T k_16  = detail::constant<T>(0.13114357f, 0.13114356658116305);    // theta_2_2(z1)
   const T k_17  = detail::constant<T>(0.49058327f, 0.4905832657800039);     // theta_4_2(z1)
@@ -79,109 +79,106 @@ constexpr void square_l4(const T* a, T* out) noexcept {
   const T k_21  = detail::constant<T>(0.33333334f, 0.3333333333333333);     // 1/3
   const T k_22  = detail::constant<T>(1.1547005f, 1.1547005383792515);      // 2/3 sqrt(3)
   const T k_23  = detail::constant<T>(1.7320508f, 1.7320508075688772);      // sqrt(3)
-  const T k_24  = detail::constant<T>(0.023875697f, 0.023875696877594922);  // 4/3 pi * w(z1) * 3/4 * theta_4_4(z1)
-  const T k_25  = detail::constant<T>(0.06125625f, 0.061256247320549115);   // 4/3 pi * w(z1) * theta_3_3(z1)
-  const T k_26  = detail::constant<T>(0.16019858f, 0.16019859040907003);    // 4/3 pi * w(z1) * theta_4_3(z1)
-  const T k_27  = detail::constant<T>(0.100239635f, 0.10023963579919658);   // 4/3 pi * w(z1) * 1/2 sqrt(3) * theta_2_2(z1)
-  const T k_28  = detail::constant<T>(0.23119347f, 0.23119346192097592);    // 4/3 pi * w(z1) * 1/2 sqrt(3) * theta_3_2(z1)
-  const T k_29  = detail::constant<T>(0.3749775f, 0.37497750879402636);     // 4/3 pi * w(z1) * 1/2 sqrt(3) * theta_4_2(z1)
-  const T k_30  = detail::constant<T>(0.10564664f, 0.10564664306459845);    // 4/3 pi * w(z1) * 1/2 * theta_1_1(z1)
-  const T k_31  = detail::constant<T>(0.20593385f, 0.20593385630800465);    // 4/3 pi * w(z1) * 1/2 * theta_2_1(z1)
-  const T k_32  = detail::constant<T>(0.27667132f, 0.27667132954870005);    // 4/3 pi * w(z1) * 1/2 * theta_3_1(z1)
-  const T k_33  = detail::constant<T>(0.29251006f, 0.2925100534154941);     // 4/3 pi * w(z1) * 1/2 * theta_4_1(z1)
-  const T k_34  = detail::constant<T>(0.12448784f, 0.12448783960085928);    // 2/3 pi * w(z1) * theta_0_0(z1)
-  const T k_35  = detail::constant<T>(0.18796396f, 0.18796396844780952);    // 2/3 pi * w(z1) * theta_1_0(z1)
-  const T k_36  = detail::constant<T>(0.17812364f, 0.17812363592041505);    // 2/3 pi * w(z1) * theta_2_0(z1)
-  const T k_37  = detail::constant<T>(0.11479827f, 0.11479827217585568);    // 2/3 pi * w(z1) * theta_3_0(z1)
-  const T k_38  = detail::constant<T>(0.019345257f, 0.019345257832230442);  // 2/3 pi * w(z1) * theta_4_0(z1)
-  const T k_39  = detail::constant<T>(0.02893669f, 0.028936690356068096);   // 2/3 pi * w(z1) * 1/2 * theta_2_2(z1)
-  const T k_40  = detail::constant<T>(0.066739805f, 0.06673980373747847);   // 2/3 pi * w(z1) * 1/2 * theta_3_2(z1)
-  const T k_41  = detail::constant<T>(0.108246684f, 0.10824668282114319);   // 2/3 pi * w(z1) * 1/2 * theta_4_2(z1)
-  const T k_42  = detail::constant<T>(0.023875697f, 0.023875696877594922);  // 2/3 pi * w(z1) * 3/2 * theta_4_4(z1)
-  const T k_43  = detail::constant<T>(0.26432684f, 0.2643268395643889);     // theta_4_4(z2)
-  const T k_44  = detail::constant<T>(0.30913258f, 0.3091325780428469);     // theta_3_3(z2)
-  const T k_45  = detail::constant<T>(0.5487414f, 0.5487414075445425);      // theta_4_3(z2)
-  const T k_46  = detail::constant<T>(0.30745515f, 0.3074551600642518);     // theta_2_2(z2) * 1/2 sqrt(3)
-  const T k_47  = detail::constant<T>(0.3862861f, 0.38628612432925696);     // theta_4_2(z2) * 1/2 sqrt(3)
-  const T k_48  = detail::constant<T>(0.48131844f, 0.4813184491763922);     // theta_3_2(z2) * 1/2 sqrt(3)
-  const T k_49  = detail::constant<T>(0.3938909f, 0.39389087661966166);     // theta_1_1(z2)
-  const T k_50  = detail::constant<T>(0.2765394f, 0.27653938155670976);     // theta_3_1(z2)
-  const T k_51  = detail::constant<T>(0.33633715f, 0.33633715062214214);    // -(theta_4_1(z2) * 1/(theta_2_1(z2)))
-  const T k_52  = detail::constant<T>(0.5211499f, 0.5211498610639514);      // theta_2_1(z2)
-  const T k_53  = detail::constant<T>(0.2820948f, 0.28209479177387814);     // theta_0_0(z2)
-  const T k_54  = detail::constant<T>(0.01587281f, 0.015872810376536407);   // theta_2_0(z2)
-  const T k_55  = detail::constant<T>(0.3398995f, 0.3398995047478512);      // -(theta_4_0(z2))
-  const T k_56  = detail::constant<T>(0.95428663f, 0.95428661929651);       // -(theta_3_0(z2) * 1/(theta_1_0(z2)))
-  const T k_57  = detail::constant<T>(0.2891062f, 0.2891061949416468);      // theta_1_0(z2)
-  const T k_58  = detail::constant<T>(0.35501865f, 0.3550186388536705);     // theta_2_2(z2)
-  const T k_59  = detail::constant<T>(0.4460448f, 0.4460447957314275);      // theta_4_2(z2)
-  const T k_60  = detail::constant<T>(0.5557787f, 0.5557786723958464);      // theta_3_2(z2)
-  const T k_61  = detail::constant<T>(0.28327075f, 0.2832707594755543);     // 4/3 pi * w(z2) * 3/4 * theta_4_4(z2)
-  const T k_62  = detail::constant<T>(0.44171688f, 0.44171688003203846);    // 4/3 pi * w(z2) * theta_3_3(z2)
-  const T k_63  = detail::constant<T>(0.7840919f, 0.7840918741711161);      // 4/3 pi * w(z2) * theta_4_3(z2)
-  const T k_64  = detail::constant<T>(0.43932003f, 0.4393200319201194);     // 4/3 pi * w(z2) * 1/2 sqrt(3) * theta_2_2(z2)
-  const T k_65  = detail::constant<T>(0.68775177f, 0.6877517892746563);     // 4/3 pi * w(z2) * 1/2 sqrt(3) * theta_3_2(z2)
-  const T k_66  = detail::constant<T>(0.55196095f, 0.5519609182528077);     // 4/3 pi * w(z2) * 1/2 sqrt(3) * theta_4_2(z2)
-  const T k_67  = detail::constant<T>(0.28141364f, 0.2814136416728718);     // 4/3 pi * w(z2) * 1/2 * theta_1_1(z2)
-  const T k_68  = detail::constant<T>(0.3723333f, 0.37233327544402706);     // 4/3 pi * w(z2) * 1/2 * theta_2_1(z2)
-  const T k_69  = detail::constant<T>(0.19757237f, 0.19757237105286354);    // 4/3 pi * w(z2) * 1/2 * theta_3_1(z2)
-  const T k_70  = detail::constant<T>(0.12522951f, 0.12522951294465326);    // -(4/3 pi * w(z2) * 1/2 * theta_4_1(z2))
-  const T k_71  = detail::constant<T>(0.20154141f, 0.20154140997454847);    // 2/3 pi * w(z2) * theta_0_0(z2)
-  const T k_72  = detail::constant<T>(0.20655067f, 0.20655067679385514);    // 2/3 pi * w(z2) * theta_1_0(z2)
-  const T k_73  = detail::constant<T>(0.011340261f, 0.011340261064125112);  // 2/3 pi * w(z2) * theta_2_0(z2)
-  const T k_74  = detail::constant<T>(0.19710855f, 0.1971085470710141);     // -(2/3 pi * w(z2) * theta_3_0(z2))
-  const T k_75  = detail::constant<T>(0.24283974f, 0.24283973839348313);    // -(2/3 pi * w(z2) * theta_4_0(z2))
-  const T k_76  = detail::constant<T>(0.12682077f, 0.12682076934473796);    // 2/3 pi * w(z2) * 1/2 * theta_2_2(z2)
-  const T k_77  = detail::constant<T>(0.19853684f, 0.19853684033668478);    // 2/3 pi * w(z2) * 1/2 * theta_3_2(z2)
-  const T k_78  = detail::constant<T>(0.15933739f, 0.15933739236770578);    // 2/3 pi * w(z2) * 1/2 * theta_4_2(z2)
-  const T k_79  = detail::constant<T>(0.28327075f, 0.2832707594755543);     // 2/3 pi * w(z2) * 3/2 * theta_4_4(z2)
-  const T k_80  = detail::constant<T>(0.5722058f, 0.57220577764136);        // theta_4_4(z3)
-  const T k_81  = detail::constant<T>(0.55170006f, 0.5517000295466499);     // theta_3_3(z3)
-  const T k_82  = detail::constant<T>(0.34641117f, 0.34641115410266493);    // theta_4_3(z3)
-  const T k_83  = detail::constant<T>(0.4523632f, 0.4523632065866974);      // theta_2_2(z3) * 1/2 sqrt(3)
-  const T k_84  = detail::constant<T>(0.2716281f, 0.2716281172837944);      // -(theta_4_2(z3) * 1/2 sqrt(3))
-  const T k_85  = detail::constant<T>(0.2504978f, 0.2504977904210109);      // theta_3_2(z3) * 1/2 sqrt(3)
-  const T k_86  = detail::constant<T>(0.47778076f, 0.47778076945482445);    // theta_1_1(z3)
-  const T k_87  = detail::constant<T>(0.3490331f, 0.34903308124713356);     // -(theta_3_1(z3))
-  const T k_88  = detail::constant<T>(0.60630405f, 0.6063040457349658);     // -(theta_2_1(z3) * 1/(theta_4_1(z3)))
-  const T k_89  = detail::constant<T>(0.36879992f, 0.3687999105081175);     // -(theta_4_1(z3))
-  const T k_90  = detail::constant<T>(0.2820948f, 0.28209479177387814);     // theta_0_0(z3)
-  const T k_91  = detail::constant<T>(0.27394328f, 0.27394328266835477);    // -(theta_2_0(z3))
-  const T k_92  = detail::constant<T>(0.18543988f, 0.18543988640793535);    // theta_4_0(z3)
-  const T k_93  = detail::constant<T>(0.47080973f, 0.4708097261813704);     // -(theta_1_0(z3) * 1/(theta_3_0(z3)))
-  const T k_94  = detail::constant<T>(0.21720903f, 0.21720902929493108);    // -(theta_3_0(z3))
-  const T k_95  = detail::constant<T>(0.52234405f, 0.5223440381886241);     // theta_2_2(z3)
-  const T k_96  = detail::constant<T>(0.31364915f, 0.31364913326653987);    // -(theta_4_2(z3))
-  const T k_97  = detail::constant<T>(0.28924993f, 0.2892499334619542);     // theta_3_2(z3)
-  const T k_98  = detail::constant<T>(0.7414514f, 0.7414513830287692);      // 4/3 pi * w(z3) * 3/4 * theta_4_4(z3)
-  const T k_99  = detail::constant<T>(0.953174f, 0.9531739941774608);       // 4/3 pi * w(z3) * theta_3_3(z3)
-  const T k_100 = detail::constant<T>(0.5984957f, 0.5984957145189735);      // 4/3 pi * w(z3) * theta_4_3(z3)
-  const T k_101 = detail::constant<T>(0.78154945f, 0.7815494314826876);     // 4/3 pi * w(z3) * 1/2 sqrt(3) * theta_2_2(z3)
-  const T k_102 = detail::constant<T>(0.43278587f, 0.43278587391852597);    // 4/3 pi * w(z3) * 1/2 sqrt(3) * theta_3_2(z3)
-  const T k_103 = detail::constant<T>(0.46929282f, 0.4692928106149496);     // -(4/3 pi * w(z3) * 1/2 sqrt(3) * theta_4_2(z3))
-  const T k_104 = detail::constant<T>(0.4127317f, 0.41273172011306536);     // 4/3 pi * w(z3) * 1/2 * theta_1_1(z3)
-  const T k_105 = detail::constant<T>(0.19316144f, 0.1931614492324116);     // 4/3 pi * w(z3) * 1/2 * theta_2_1(z3)
-  const T k_106 = detail::constant<T>(0.3015128f, 0.30151281342668973);     // -(4/3 pi * w(z3) * 1/2 * theta_3_1(z3))
-  const T k_107 = detail::constant<T>(0.31858844f, 0.31858842208163074);    // -(4/3 pi * w(z3) * 1/2 * theta_4_1(z3))
-  const T k_108 = detail::constant<T>(0.24368806f, 0.24368805964422238);    // 2/3 pi * w(z3) * theta_0_0(z3)
-  const T k_109 = detail::constant<T>(0.088341035f, 0.08834103492719882);   // 2/3 pi * w(z3) * theta_1_0(z3)
-  const T k_110 = detail::constant<T>(0.23664637f, 0.23664636481318316);    // -(2/3 pi * w(z3) * theta_2_0(z3))
-  const T k_111 = detail::constant<T>(0.18763639f, 0.18763638475295036);    // -(2/3 pi * w(z3) * theta_3_0(z3))
-  const T k_112 = detail::constant<T>(0.16019256f, 0.16019255731462712);    // 2/3 pi * w(z3) * theta_4_0(z3)
-  const T k_113 = detail::constant<T>(0.22561389f, 0.22561388732576435);    // 2/3 pi * w(z3) * 1/2 * theta_2_2(z3)
-  const T k_114 = detail::constant<T>(0.12493452f, 0.1249345204041642);     // 2/3 pi * w(z3) * 1/2 * theta_3_2(z3)
-  const T k_115 = detail::constant<T>(0.13547316f, 0.1354731652686486);     // -(2/3 pi * w(z3) * 1/2 * theta_4_2(z3))
-  const T k_116 = detail::constant<T>(0.7414514f, 0.7414513830287692);      // 2/3 pi * w(z3) * 3/2 * theta_4_4(z3)
-  const T k_117 = detail::constant<T>(0.2820948f, 0.28209479177387814);     // 1/2 sqrt(1/pi)
-  const T k_118 = detail::constant<T>(0.63078314f, 0.63078313050504);       // 1/2 sqrt(5/pi)
-  const T k_119 = detail::constant<T>(0.8462844f, 0.8462843753216345);      // 3/2 sqrt(1/pi)
-  const T k_120 = detail::constant<T>(0.65465367f, 0.6546536707079772);     // 1/7 sqrt(21)
-  const T k_121 = detail::constant<T>(0.7463527f, 0.7463526651802308);      // 1/2 sqrt(7/pi)
-  const T k_122 = detail::constant<T>(0.06330192f, 0.06330192324662558);    // 2 pi * w(pole) * 1/2 sqrt(1/pi)
-  const T k_123 = detail::constant<T>(0.10964215f, 0.10964214727998091);    // 2 pi * w(pole) * 1/2 sqrt(3/pi)
-  const T k_124 = detail::constant<T>(0.1415474f, 0.14154740348592895);     // 2 pi * w(pole) * 1/2 sqrt(5/pi)
-  const T k_125 = detail::constant<T>(0.16748114f, 0.1674811464226697);     // 2 pi * w(pole) * 1/2 sqrt(7/pi)
-  const T k_126 = detail::constant<T>(0.18990576f, 0.18990576973987672);    // 2 pi * w(pole) * 3/2 sqrt(1/pi)
+  const T k_24  = detail::constant<T>(0.023875697f, 0.023875696877594922);  // pi theta_4_4(z1) w(z1)
+  const T k_25  = detail::constant<T>(0.06125625f, 0.061256247320549115);   // 4/3 pi theta_3_3(z1) w(z1)
+  const T k_26  = detail::constant<T>(0.16019858f, 0.16019859040907003);    // 4/3 pi theta_4_3(z1) w(z1)
+  const T k_27  = detail::constant<T>(0.100239635f, 0.10023963579919658);   // 2/3 sqrt(3) pi theta_2_2(z1) w(z1)
+  const T k_28  = detail::constant<T>(0.23119347f, 0.23119346192097592);    // 2/3 sqrt(3) pi theta_3_2(z1) w(z1)
+  const T k_29  = detail::constant<T>(0.3749775f, 0.37497750879402636);     // 2/3 sqrt(3) pi theta_4_2(z1) w(z1)
+  const T k_30  = detail::constant<T>(0.10564664f, 0.10564664306459845);    // 2/3 pi theta_1_1(z1) w(z1)
+  const T k_31  = detail::constant<T>(0.20593385f, 0.20593385630800465);    // 2/3 pi theta_2_1(z1) w(z1)
+  const T k_32  = detail::constant<T>(0.27667132f, 0.27667132954870005);    // 2/3 pi theta_3_1(z1) w(z1)
+  const T k_33  = detail::constant<T>(0.29251006f, 0.2925100534154941);     // 2/3 pi theta_4_1(z1) w(z1)
+  const T k_34  = detail::constant<T>(0.12448784f, 0.12448783960085928);    // 2/3 pi theta_0_0(z1) w(z1)
+  const T k_35  = detail::constant<T>(0.18796396f, 0.18796396844780952);    // 2/3 pi theta_1_0(z1) w(z1)
+  const T k_36  = detail::constant<T>(0.17812364f, 0.17812363592041505);    // 2/3 pi theta_2_0(z1) w(z1)
+  const T k_37  = detail::constant<T>(0.11479827f, 0.11479827217585568);    // 2/3 pi theta_3_0(z1) w(z1)
+  const T k_38  = detail::constant<T>(0.019345257f, 0.019345257832230442);  // 2/3 pi theta_4_0(z1) w(z1)
+  const T k_39  = detail::constant<T>(0.02893669f, 0.028936690356068096);   // 1/3 pi theta_2_2(z1) w(z1)
+  const T k_40  = detail::constant<T>(0.066739805f, 0.06673980373747847);   // 1/3 pi theta_3_2(z1) w(z1)
+  const T k_41  = detail::constant<T>(0.108246684f, 0.10824668282114319);   // 1/3 pi theta_4_2(z1) w(z1)
+  const T k_42  = detail::constant<T>(0.26432684f, 0.2643268395643889);     // theta_4_4(z2)
+  const T k_43  = detail::constant<T>(0.30913258f, 0.3091325780428469);     // theta_3_3(z2)
+  const T k_44  = detail::constant<T>(0.5487414f, 0.5487414075445425);      // theta_4_3(z2)
+  const T k_45  = detail::constant<T>(0.30745515f, 0.3074551600642518);     // 1/2 sqrt(3) theta_2_2(z2)
+  const T k_46  = detail::constant<T>(0.3862861f, 0.38628612432925696);     // 1/2 sqrt(3) theta_4_2(z2)
+  const T k_47  = detail::constant<T>(0.48131844f, 0.4813184491763922);     // 1/2 sqrt(3) theta_3_2(z2)
+  const T k_48  = detail::constant<T>(0.3938909f, 0.39389087661966166);     // theta_1_1(z2)
+  const T k_49  = detail::constant<T>(0.2765394f, 0.27653938155670976);     // theta_3_1(z2)
+  const T k_50  = detail::constant<T>(0.33633715f, 0.33633715062214214);    // -theta_4_1(z2) / theta_2_1(z2)
+  const T k_51  = detail::constant<T>(0.5211499f, 0.5211498610639514);      // theta_2_1(z2)
+  const T k_52  = detail::constant<T>(0.2820948f, 0.28209479177387814);     // theta_0_0(z2)
+  const T k_53  = detail::constant<T>(0.01587281f, 0.015872810376536407);   // theta_2_0(z2)
+  const T k_54  = detail::constant<T>(0.3398995f, 0.3398995047478512);      // -theta_4_0(z2)
+  const T k_55  = detail::constant<T>(0.95428663f, 0.95428661929651);       // -theta_3_0(z2) / theta_1_0(z2)
+  const T k_56  = detail::constant<T>(0.2891062f, 0.2891061949416468);      // theta_1_0(z2)
+  const T k_57  = detail::constant<T>(0.35501865f, 0.3550186388536705);     // theta_2_2(z2)
+  const T k_58  = detail::constant<T>(0.4460448f, 0.4460447957314275);      // theta_4_2(z2)
+  const T k_59  = detail::constant<T>(0.5557787f, 0.5557786723958464);      // theta_3_2(z2)
+  const T k_60  = detail::constant<T>(0.28327075f, 0.2832707594755543);     // pi theta_4_4(z2) w(z2)
+  const T k_61  = detail::constant<T>(0.44171688f, 0.44171688003203846);    // 4/3 pi theta_3_3(z2) w(z2)
+  const T k_62  = detail::constant<T>(0.7840919f, 0.7840918741711161);      // 4/3 pi theta_4_3(z2) w(z2)
+  const T k_63  = detail::constant<T>(0.43932003f, 0.4393200319201194);     // 2/3 sqrt(3) pi theta_2_2(z2) w(z2)
+  const T k_64  = detail::constant<T>(0.68775177f, 0.6877517892746563);     // 2/3 sqrt(3) pi theta_3_2(z2) w(z2)
+  const T k_65  = detail::constant<T>(0.55196095f, 0.5519609182528077);     // 2/3 sqrt(3) pi theta_4_2(z2) w(z2)
+  const T k_66  = detail::constant<T>(0.28141364f, 0.2814136416728718);     // 2/3 pi theta_1_1(z2) w(z2)
+  const T k_67  = detail::constant<T>(0.3723333f, 0.37233327544402706);     // 2/3 pi theta_2_1(z2) w(z2)
+  const T k_68  = detail::constant<T>(0.19757237f, 0.19757237105286354);    // 2/3 pi theta_3_1(z2) w(z2)
+  const T k_69  = detail::constant<T>(0.12522951f, 0.12522951294465326);    // -2/3 pi theta_4_1(z2) w(z2)
+  const T k_70  = detail::constant<T>(0.20154141f, 0.20154140997454847);    // 2/3 pi theta_0_0(z2) w(z2)
+  const T k_71  = detail::constant<T>(0.20655067f, 0.20655067679385514);    // 2/3 pi theta_1_0(z2) w(z2)
+  const T k_72  = detail::constant<T>(0.011340261f, 0.011340261064125112);  // 2/3 pi theta_2_0(z2) w(z2)
+  const T k_73  = detail::constant<T>(0.19710855f, 0.1971085470710141);     // -2/3 pi theta_3_0(z2) w(z2)
+  const T k_74  = detail::constant<T>(0.24283974f, 0.24283973839348313);    // -2/3 pi theta_4_0(z2) w(z2)
+  const T k_75  = detail::constant<T>(0.12682077f, 0.12682076934473796);    // 1/3 pi theta_2_2(z2) w(z2)
+  const T k_76  = detail::constant<T>(0.19853684f, 0.19853684033668478);    // 1/3 pi theta_3_2(z2) w(z2)
+  const T k_77  = detail::constant<T>(0.15933739f, 0.15933739236770578);    // 1/3 pi theta_4_2(z2) w(z2)
+  const T k_78  = detail::constant<T>(0.5722058f, 0.57220577764136);        // theta_4_4(z3)
+  const T k_79  = detail::constant<T>(0.55170006f, 0.5517000295466499);     // theta_3_3(z3)
+  const T k_80  = detail::constant<T>(0.34641117f, 0.34641115410266493);    // theta_4_3(z3)
+  const T k_81  = detail::constant<T>(0.4523632f, 0.4523632065866974);      // 1/2 sqrt(3) theta_2_2(z3)
+  const T k_82  = detail::constant<T>(0.2716281f, 0.2716281172837944);      // -1/2 sqrt(3) theta_4_2(z3)
+  const T k_83  = detail::constant<T>(0.2504978f, 0.2504977904210109);      // 1/2 sqrt(3) theta_3_2(z3)
+  const T k_84  = detail::constant<T>(0.47778076f, 0.47778076945482445);    // theta_1_1(z3)
+  const T k_85  = detail::constant<T>(0.3490331f, 0.34903308124713356);     // -theta_3_1(z3)
+  const T k_86  = detail::constant<T>(0.60630405f, 0.6063040457349658);     // -theta_2_1(z3) / theta_4_1(z3)
+  const T k_87  = detail::constant<T>(0.36879992f, 0.3687999105081175);     // -theta_4_1(z3)
+  const T k_88  = detail::constant<T>(0.2820948f, 0.28209479177387814);     // theta_0_0(z3)
+  const T k_89  = detail::constant<T>(0.27394328f, 0.27394328266835477);    // -theta_2_0(z3)
+  const T k_90  = detail::constant<T>(0.18543988f, 0.18543988640793535);    // theta_4_0(z3)
+  const T k_91  = detail::constant<T>(0.47080973f, 0.4708097261813704);     // -theta_1_0(z3) / theta_3_0(z3)
+  const T k_92  = detail::constant<T>(0.21720903f, 0.21720902929493108);    // -theta_3_0(z3)
+  const T k_93  = detail::constant<T>(0.52234405f, 0.5223440381886241);     // theta_2_2(z3)
+  const T k_94  = detail::constant<T>(0.31364915f, 0.31364913326653987);    // -theta_4_2(z3)
+  const T k_95  = detail::constant<T>(0.28924993f, 0.2892499334619542);     // theta_3_2(z3)
+  const T k_96  = detail::constant<T>(0.7414514f, 0.7414513830287692);      // pi theta_4_4(z3) w(z3)
+  const T k_97  = detail::constant<T>(0.953174f, 0.9531739941774608);       // 4/3 pi theta_3_3(z3) w(z3)
+  const T k_98  = detail::constant<T>(0.5984957f, 0.5984957145189735);      // 4/3 pi theta_4_3(z3) w(z3)
+  const T k_99  = detail::constant<T>(0.78154945f, 0.7815494314826876);     // 2/3 sqrt(3) pi theta_2_2(z3) w(z3)
+  const T k_100 = detail::constant<T>(0.43278587f, 0.43278587391852597);    // 2/3 sqrt(3) pi theta_3_2(z3) w(z3)
+  const T k_101 = detail::constant<T>(0.46929282f, 0.4692928106149496);     // -2/3 sqrt(3) pi theta_4_2(z3) w(z3)
+  const T k_102 = detail::constant<T>(0.4127317f, 0.41273172011306536);     // 2/3 pi theta_1_1(z3) w(z3)
+  const T k_103 = detail::constant<T>(0.19316144f, 0.1931614492324116);     // 2/3 pi theta_2_1(z3) w(z3)
+  const T k_104 = detail::constant<T>(0.3015128f, 0.30151281342668973);     // -2/3 pi theta_3_1(z3) w(z3)
+  const T k_105 = detail::constant<T>(0.31858844f, 0.31858842208163074);    // -2/3 pi theta_4_1(z3) w(z3)
+  const T k_106 = detail::constant<T>(0.24368806f, 0.24368805964422238);    // 2/3 pi theta_0_0(z3) w(z3)
+  const T k_107 = detail::constant<T>(0.088341035f, 0.08834103492719882);   // 2/3 pi theta_1_0(z3) w(z3)
+  const T k_108 = detail::constant<T>(0.23664637f, 0.23664636481318316);    // -2/3 pi theta_2_0(z3) w(z3)
+  const T k_109 = detail::constant<T>(0.18763639f, 0.18763638475295036);    // -2/3 pi theta_3_0(z3) w(z3)
+  const T k_110 = detail::constant<T>(0.16019256f, 0.16019255731462712);    // 2/3 pi theta_4_0(z3) w(z3)
+  const T k_111 = detail::constant<T>(0.22561389f, 0.22561388732576435);    // 1/3 pi theta_2_2(z3) w(z3)
+  const T k_112 = detail::constant<T>(0.12493452f, 0.1249345204041642);     // 1/3 pi theta_3_2(z3) w(z3)
+  const T k_113 = detail::constant<T>(0.13547316f, 0.1354731652686486);     // -1/3 pi theta_4_2(z3) w(z3)
+  const T k_114 = detail::constant<T>(0.2820948f, 0.28209479177387814);     // 1/2 sqrt(1/pi)
+  const T k_115 = detail::constant<T>(0.63078314f, 0.63078313050504);       // 1/2 sqrt(5/pi)
+  const T k_116 = detail::constant<T>(0.8462844f, 0.8462843753216345);      // 3/2 sqrt(1/pi)
+  const T k_117 = detail::constant<T>(0.65465367f, 0.6546536707079772);     // 1/7 sqrt(21)
+  const T k_118 = detail::constant<T>(0.7463527f, 0.7463526651802308);      // 1/2 sqrt(7/pi)
+  const T k_119 = detail::constant<T>(0.06330192f, 0.06330192324662558);    // pi^(1/2) w(pole)
+  const T k_120 = detail::constant<T>(0.10964215f, 0.10964214727998091);    // sqrt(3) pi^(1/2) w(pole)
+  const T k_121 = detail::constant<T>(0.1415474f, 0.14154740348592895);     // sqrt(5) pi^(1/2) w(pole)
+  const T k_122 = detail::constant<T>(0.16748114f, 0.1674811464226697);     // sqrt(7) pi^(1/2) w(pole)
+  const T k_123 = detail::constant<T>(0.18990576f, 0.18990576973987672);    // 3 pi^(1/2) w(pole)
 
   const T a16 = a[16];
   const T a1s4n = k * a16;
@@ -317,50 +314,50 @@ constexpr void square_l4(const T* a, T* out) noexcept {
   const T t_91 = t_55 + t_69;
   const T t_92 = t_55 - t_69;
   const T t_93 = t_81 + t_77;
-  const T a2s4n = k_43 * a16;
-  const T a3s4n = k_80 * a16;
-  const T t_94 = k_44 * a9;
-  const T t_95 = k_81 * a9;
-  const T t_96 = k_45 * a17;
-  const T t_97 = k_82 * a17;
+  const T a2s4n = k_42 * a16;
+  const T a3s4n = k_78 * a16;
+  const T t_94 = k_43 * a9;
+  const T t_95 = k_79 * a9;
+  const T t_96 = k_44 * a17;
+  const T t_97 = k_80 * a17;
   const T a2s3n = t_94 + t_96;
   const T a2s3s = t_94 - t_96;
-  const T t_98 = k_46 * a4 + k_47 * a18;
-  const T t_99 = k_83 * a4 - k_84 * a18;
-  const T t_100 = k_48 * a10;
-  const T t_101 = k_85 * a10;
+  const T t_98 = k_45 * a4 + k_46 * a18;
+  const T t_99 = k_81 * a4 - k_82 * a18;
+  const T t_100 = k_47 * a10;
+  const T t_101 = k_83 * a10;
   const T a2s2n = t_98 + t_100;
   const T a2s2s = t_98 - t_100;
-  const T t_102 = k_49 * a1 + k_50 * a11;
-  const T t_103 = k_86 * a1 - k_87 * a11;
-  const T t_104 = k_52 * (a5 - k_51 * a19);
-  const T t_105 = k_89 * (a19 - k_88 * a5);
+  const T t_102 = k_48 * a1 + k_49 * a11;
+  const T t_103 = k_84 * a1 - k_85 * a11;
+  const T t_104 = k_51 * (a5 - k_50 * a19);
+  const T t_105 = k_87 * (a19 - k_86 * a5);
   const T a2s1n = t_102 + t_104;
   const T a2s1s = t_102 - t_104;
-  const T t_106 = k_53 * a0 + k_54 * a6 - k_55 * a20;
-  const T t_107 = k_57 * (a2 - k_56 * a12);
+  const T t_106 = k_52 * a0 + k_53 * a6 - k_54 * a20;
+  const T t_107 = k_56 * (a2 - k_55 * a12);
   const T a2c0n = t_106 + t_107;
   const T a2c0s = t_106 - t_107;
-  const T t_108 = k_49 * a3 + k_50 * a13;
-  const T t_109 = k_86 * a3 - k_87 * a13;
-  const T t_110 = k_52 * (a7 - k_51 * a21);
-  const T t_111 = k_89 * (a21 - k_88 * a7);
+  const T t_108 = k_48 * a3 + k_49 * a13;
+  const T t_109 = k_84 * a3 - k_85 * a13;
+  const T t_110 = k_51 * (a7 - k_50 * a21);
+  const T t_111 = k_87 * (a21 - k_86 * a7);
   const T a2c1n = t_108 + t_110;
   const T a2c1s = t_108 - t_110;
-  const T t_112 = k_58 * a8 + k_59 * a22;
-  const T t_113 = k_95 * a8 - k_96 * a22;
-  const T t_114 = k_60 * a14;
-  const T t_115 = k_97 * a14;
+  const T t_112 = k_57 * a8 + k_58 * a22;
+  const T t_113 = k_93 * a8 - k_94 * a22;
+  const T t_114 = k_59 * a14;
+  const T t_115 = k_95 * a14;
   const T a2c2n = t_112 + t_114;
   const T a2c2s = t_112 - t_114;
-  const T t_116 = k_44 * a15;
-  const T t_117 = k_81 * a15;
-  const T t_118 = k_45 * a23;
-  const T t_119 = k_82 * a23;
+  const T t_116 = k_43 * a15;
+  const T t_117 = k_79 * a15;
+  const T t_118 = k_44 * a23;
+  const T t_119 = k_80 * a23;
   const T a2c3n = t_116 + t_118;
   const T a2c3s = t_116 - t_118;
-  const T a2c4n = k_43 * a24;
-  const T a3c4n = k_80 * a24;
+  const T a2c4n = k_42 * a24;
+  const T a3c4n = k_78 * a24;
   const T t_120 = a2c0n + a2c4n;
   const T t_121 = k_19 * a2c4n;
   const T t_122 = a2c0n - t_121;
@@ -446,10 +443,10 @@ constexpr void square_l4(const T* a, T* out) noexcept {
   const T a3s2s = t_99 - t_101;
   const T a3s1n = t_103 - t_105;
   const T a3s1s = t_103 + t_105;
-  const T t_199 = k_90 * a0 - k_91 * a6 + k_92 * a20;
-  const T t_200 = k_117 * a0 + k_118 * a6 + k_119 * a20;
-  const T t_201 = k_94 * (a12 - k_93 * a2);
-  const T t_202 = k_121 * (k_120 * a2 + a12);
+  const T t_199 = k_88 * a0 - k_89 * a6 + k_90 * a20;
+  const T t_200 = k_114 * a0 + k_115 * a6 + k_116 * a20;
+  const T t_201 = k_92 * (a12 - k_91 * a2);
+  const T t_202 = k_118 * (k_117 * a2 + a12);
   const T a3c0n = t_199 - t_201;
   const T a3c0s = t_199 + t_201;
   const T a3c1n = t_109 - t_111;
@@ -529,15 +526,15 @@ constexpr void square_l4(const T* a, T* out) noexcept {
   const T t_271 = t_255 + t_252;
   const T t_272 = t_241 + t_238;
   const T t_273 = a3s4n * a3c4n;
-  out[16] = k_24 * (k_22 * (t_64 - t_67 - t_53 + t_50) + (t_85 + t_85)) + k_61 * (k_22 * (t_169 - t_172 - t_158
-      + t_155) + (t_190 + t_190)) + k_98 * (k_22 * (t_252 - t_255 - t_241 + t_238) + (t_273 + t_273));  // l=4 m=-4
-  out[24] = k_42 * (k_21 * (t_76 - t_75 - t_79 + t_80) - (a1c4n * a1c4n - a1s4n * a1s4n)) + k_79 * (k_21 * (t_181
-      - t_180 - t_184 + t_185) - (a2c4n * a2c4n - a2s4n * a2s4n)) + k_116 * (k_21 * (t_264 - t_263 - t_267 + t_268)
+  out[16] = k_24 * (k_22 * (t_64 - t_67 - t_53 + t_50) + (t_85 + t_85)) + k_60 * (k_22 * (t_169 - t_172 - t_158
+      + t_155) + (t_190 + t_190)) + k_96 * (k_22 * (t_252 - t_255 - t_241 + t_238) + (t_273 + t_273));  // l=4 m=-4
+  out[24] = k_24 * (k_21 * (t_76 - t_75 - t_79 + t_80) - (a1c4n * a1c4n - a1s4n * a1s4n)) + k_60 * (k_21 * (t_181
+      - t_180 - t_184 + t_185) - (a2c4n * a2c4n - a2s4n * a2s4n)) + k_96 * (k_21 * (t_264 - t_263 - t_267 + t_268)
       - (a3c4n * a3c4n - a3s4n * a3s4n));                                                               // l=4 m=4
-  out[9] = k_25 * (t_59 + t_73) + k_62 * (t_164 + t_178) + k_99 * (t_247 + t_261);                      // l=3 m=-3
-  out[17] = k_26 * (t_59 - t_73) + k_63 * (t_164 - t_178) + k_100 * (t_247 - t_261);                    // l=4 m=-3
+  out[9] = k_25 * (t_59 + t_73) + k_61 * (t_164 + t_178) + k_97 * (t_247 + t_261);                      // l=3 m=-3
+  out[17] = k_26 * (t_59 - t_73) + k_62 * (t_164 - t_178) + k_98 * (t_247 - t_261);                     // l=4 m=-3
   const T t_274 = t_272 + t_271;
-  out[10] = k_28 * (t_84 - t_83) + k_65 * (t_189 - t_188) + k_102 * (t_272 - t_271);                    // l=3 m=-2
+  out[10] = k_28 * (t_84 - t_83) + k_64 * (t_189 - t_188) + k_100 * (t_272 - t_271);                    // l=3 m=-2
   const T t_275 = t_248 + t_262;
   const T t_276 = t_248 - t_262;
   const T t_277 = t_270 + t_266;
@@ -545,32 +542,32 @@ constexpr void square_l4(const T* a, T* out) noexcept {
   const T t_279 = t_243 + t_257;
   const T t_280 = t_243 - t_257;
   const T t_281 = t_269 + t_265;
-  out[14] = k_40 * (t_81 - t_77) + k_77 * (t_186 - t_182) + k_114 * (t_269 - t_265);                    // l=3 m=2
-  out[15] = k_25 * (t_56 + t_70) + k_62 * (t_161 + t_175) + k_99 * (t_244 + t_258);                     // l=3 m=3
-  out[23] = k_26 * (t_56 - t_70) + k_63 * (t_161 - t_175) + k_100 * (t_244 - t_258);                    // l=4 m=3
-  out[4] = k_27 * t_86 + k_64 * t_191 + k_101 * t_274;                                                  // l=2 m=-2
-  out[18] = k_29 * t_86 + k_66 * t_191 - k_103 * t_274;                                                 // l=4 m=-2
-  out[1] = k_30 * t_87 + k_67 * t_192 + k_104 * t_275;                                                  // l=1 m=-1
-  out[11] = k_32 * t_87 + k_69 * t_192 - k_106 * t_275;                                                 // l=3 m=-1
-  out[5] = k_31 * t_88 + k_68 * t_193 + k_105 * t_276;                                                  // l=2 m=-1
-  out[19] = k_33 * t_88 - k_70 * t_193 - k_107 * t_276;                                                 // l=4 m=-1
-  out[3] = k_30 * t_91 + k_67 * t_196 + k_104 * t_279;                                                  // l=1 m=1
-  out[13] = k_32 * t_91 + k_69 * t_196 - k_106 * t_279;                                                 // l=3 m=1
-  out[7] = k_31 * t_92 + k_68 * t_197 + k_105 * t_280;                                                  // l=2 m=1
-  out[21] = k_33 * t_92 - k_70 * t_197 - k_107 * t_280;                                                 // l=4 m=1
-  out[8] = k_39 * t_93 + k_76 * t_198 + k_113 * t_281;                                                  // l=2 m=2
-  out[22] = k_41 * t_93 + k_78 * t_198 - k_115 * t_281;                                                 // l=4 m=2
+  out[14] = k_40 * (t_81 - t_77) + k_76 * (t_186 - t_182) + k_112 * (t_269 - t_265);                    // l=3 m=2
+  out[15] = k_25 * (t_56 + t_70) + k_61 * (t_161 + t_175) + k_97 * (t_244 + t_258);                     // l=3 m=3
+  out[23] = k_26 * (t_56 - t_70) + k_62 * (t_161 - t_175) + k_98 * (t_244 - t_258);                     // l=4 m=3
+  out[4] = k_27 * t_86 + k_63 * t_191 + k_99 * t_274;                                                   // l=2 m=-2
+  out[18] = k_29 * t_86 + k_65 * t_191 - k_101 * t_274;                                                 // l=4 m=-2
+  out[1] = k_30 * t_87 + k_66 * t_192 + k_102 * t_275;                                                  // l=1 m=-1
+  out[11] = k_32 * t_87 + k_68 * t_192 - k_104 * t_275;                                                 // l=3 m=-1
+  out[5] = k_31 * t_88 + k_67 * t_193 + k_103 * t_276;                                                  // l=2 m=-1
+  out[19] = k_33 * t_88 - k_69 * t_193 - k_105 * t_276;                                                 // l=4 m=-1
+  out[3] = k_30 * t_91 + k_66 * t_196 + k_102 * t_279;                                                  // l=1 m=1
+  out[13] = k_32 * t_91 + k_68 * t_196 - k_104 * t_279;                                                 // l=3 m=1
+  out[7] = k_31 * t_92 + k_67 * t_197 + k_103 * t_280;                                                  // l=2 m=1
+  out[21] = k_33 * t_92 - k_69 * t_197 - k_105 * t_280;                                                 // l=4 m=1
+  out[8] = k_39 * t_93 + k_75 * t_198 + k_111 * t_281;                                                  // l=2 m=2
+  out[22] = k_41 * t_93 + k_77 * t_198 - k_113 * t_281;                                                 // l=4 m=2
   const T t_282 = t_200 + t_202;
   const T t_283 = t_200 - t_202;
   const T t_284 = t_282 * t_282;
   const T t_285 = t_283 * t_283;
   const T t_286 = t_284 + t_285;
   const T t_287 = t_284 - t_285;
-  out[0] = k_34 * t_89 + k_71 * t_194 + k_108 * t_277 + k_122 * t_286;                                  // l=0 m=0
-  out[2] = k_35 * t_90 + k_72 * t_195 + k_109 * t_278 + k_123 * t_287;                                  // l=1 m=0
-  out[12] = k_37 * t_90 - k_74 * t_195 - k_111 * t_278 + k_125 * t_287;                                 // l=3 m=0
-  out[6] = k_36 * t_89 + k_73 * t_194 - k_110 * t_277 + k_124 * t_286;                                  // l=2 m=0
-  out[20] = k_38 * t_89 - k_75 * t_194 + k_112 * t_277 + k_126 * t_286;                                 // l=4 m=0
+  out[0] = k_34 * t_89 + k_70 * t_194 + k_106 * t_277 + k_119 * t_286;                                  // l=0 m=0
+  out[2] = k_35 * t_90 + k_71 * t_195 + k_107 * t_278 + k_120 * t_287;                                  // l=1 m=0
+  out[12] = k_37 * t_90 - k_73 * t_195 - k_109 * t_278 + k_122 * t_287;                                 // l=3 m=0
+  out[6] = k_36 * t_89 + k_72 * t_194 - k_108 * t_277 + k_121 * t_286;                                  // l=2 m=0
+  out[20] = k_38 * t_89 - k_74 * t_194 + k_110 * t_277 + k_123 * t_286;                                 // l=4 m=0
 }
 
 }  // namespace sh

@@ -4,7 +4,7 @@
 // Licence:      MIT-0; paste it anywhere.
 //
 // Input:        a (36)
-// Domain:       any coefficients: a has degree 0 to 5
+// Domain:       any coefficients
 // Output:       out (36): coefficients of a a at index l(l+1)+m, orthonormal on the unit sphere, no Condon-Shortley
 //               phase
 // Recipe:       separable
@@ -64,225 +64,222 @@ constexpr void square_l5(const T* a, T* out) noexcept {
   const T k_6   = detail::constant<T>(0.13235888f, 0.1323588855326501);       // theta_4_3(z1)
   const T k_7   = detail::constant<T>(0.10403003f, 0.10403003047309592);      // theta_2_2(z1)
   const T k_8   = detail::constant<T>(0.420458f, 0.42045799273278023);        // theta_4_2(z1)
-  const T k_9   = detail::constant<T>(0.42207986f, 0.4220798597312591);       // theta_3_2(z1) * 1/(theta_5_2(z1))
+  const T k_9   = detail::constant<T>(0.42207986f, 0.4220798597312591);       // theta_3_2(z1) / theta_5_2(z1)
   const T k_10  = detail::constant<T>(0.5867307f, 0.5867307242779412);        // theta_5_2(z1)
   const T k_11  = detail::constant<T>(0.21322086f, 0.21322086814177182);      // theta_1_1(z1)
   const T k_12  = detail::constant<T>(0.60788774f, 0.6078877185518786);       // theta_3_1(z1)
   const T k_13  = detail::constant<T>(0.6778557f, 0.6778556458678917);        // theta_5_1(z1)
-  const T k_14  = detail::constant<T>(0.61230713f, 0.6123071135143404);       // theta_2_1(z1) * 1/(theta_4_1(z1))
+  const T k_14  = detail::constant<T>(0.61230713f, 0.6123071135143404);       // theta_2_1(z1) / theta_4_1(z1)
   const T k_15  = detail::constant<T>(0.7006016f, 0.7006015907932306);        // theta_4_1(z1)
   const T k_16  = detail::constant<T>(0.2820948f, 0.28209479177387814);       // theta_0_0(z1)
   const T k_17  = detail::constant<T>(0.45059782f, 0.45059783221269933);      // theta_2_0(z1)
   const T k_18  = detail::constant<T>(0.17474476f, 0.17474476084095458);      // theta_4_0(z1)
-  const T k_19  = detail::constant<T>(0.8002875f, 0.8002874637524565);        // theta_3_0(z1) * 1/(theta_1_0(z1))
-  const T k_20  = detail::constant<T>(0.09087223f, 0.09087222446676285);      // -(theta_5_0(z1) * 1/(theta_1_0(z1)))
+  const T k_19  = detail::constant<T>(0.8002875f, 0.8002874637524565);        // theta_3_0(z1) / theta_1_0(z1)
+  const T k_20  = detail::constant<T>(0.09087223f, 0.09087222446676285);      // -theta_5_0(z1) / theta_1_0(z1)
   const T k_21  = detail::constant<T>(0.439624f, 0.43962401666277534);        // theta_1_0(z1)
   const T k_22  = detail::constant<T>(0.70710677f, 0.7071067811865476);       // 1/2 sqrt(2)
   const T k_23  = detail::constant<T>(0.9238795f, 0.9238795325112867);        // cos(2 pi/16)
   const T k_24  = detail::constant<T>(0.38268343f, 0.3826834323650898);       // cos(6 pi/16)
   const T k_25  = detail::constant<T>(1.4142135f, 1.4142135623730951);        // sqrt(2)
   const T k_26  = detail::constant<T>(0.5f, 0.5);                             // 1/2
-  const T k_27  = detail::constant<T>(0.76536685f, 0.7653668647301796);       // cos(6 pi/16) * 2
-  const T k_28  = detail::constant<T>(2.4142137f, 2.414213562373095);         // cos(2 pi/16)) * 1/(cos(6 pi/16)
-  const T k_29  = detail::constant<T>(1.847759f, 1.8477590650225735);         // -(-1/2 sqrt(2) * 1/(cos(6 pi/16)))
-  const T k_30  = detail::constant<T>(1.847759f, 1.8477590650225735);         // cos(2 pi/16) * 2
-  const T k_31  = detail::constant<T>(1.306563f, 1.3065629648763766);         // 1/2 * 1/(cos(6 pi/16))
-  const T k_32  = detail::constant<T>(2.4142137f, 2.414213562373095);         // cos(2 pi/16) * 1/(cos(6 pi/16))
-  const T k_33  = detail::constant<T>(0.5411961f, 0.541196100146197);         // cos(6 pi/16)) * sqrt(2
-  const T k_34  = detail::constant<T>(1.847759f, 1.8477590650225735);         // 1/2 sqrt(2) * 1/(cos(6 pi/16))
-  const T k_35  = detail::constant<T>(1.306563f, 1.3065629648763766);         // cos(2 pi/16) * sqrt(2)
-  const T k_36  = detail::constant<T>(0.70710677f, 0.7071067811865476);       // (cos(2 pi/16)) / (cos(2 pi/16) * sqrt(2))
-  const T k_37  = detail::constant<T>(0.005400854f, 0.00540085426835454);     // pi * w(z1) * theta_5_5(z1)
-  const T k_38  = detail::constant<T>(0.011800274f, 0.011800274344549732);    // pi * w(z1) * theta_4_4(z1)
-  const T k_39  = detail::constant<T>(0.035213903f, 0.03521390282818691);     // pi * w(z1) * theta_5_4(z1)
-  const T k_40  = detail::constant<T>(0.01802714f, 0.018027140076667576);     // pi * w(z1) * 1/2 sqrt(2) * theta_3_3(z1)
-  const T k_41  = detail::constant<T>(0.04866019f, 0.04866019025515204);      // pi * w(z1) * 1/2 sqrt(2) * theta_4_3(z1)
-  const T k_42  = detail::constant<T>(0.09396002f, 0.09396001815700615);      // pi * w(z1) * 1/2 sqrt(2) * theta_5_3(z1)
-  const T k_43  = detail::constant<T>(0.05408719f, 0.05408719067049619);      // pi * w(z1) * theta_2_2(z1)
-  const T k_44  = detail::constant<T>(0.1287565f, 0.12875649890495133);       // pi * w(z1) * theta_3_2(z1)
-  const T k_45  = detail::constant<T>(0.2186041f, 0.2186041042038657);        // pi * w(z1) * theta_4_2(z1)
-  const T k_46  = detail::constant<T>(0.30505246f, 0.3050524585251033);       // pi * w(z1) * theta_5_2(z1)
-  const T k_47  = detail::constant<T>(0.04242336f, 0.04242336041193246);      // pi * w(z1) * cos(6 pi/16) * theta_1_1(z1)
-  const T k_48  = detail::constant<T>(0.085352406f, 0.08535240902098612);     // pi * w(z1) * cos(6 pi/16) * theta_2_1(z1)
-  const T k_49  = detail::constant<T>(0.12094801f, 0.12094801038408066);      // pi * w(z1) * cos(6 pi/16) * theta_3_1(z1)
-  const T k_50  = detail::constant<T>(0.13939478f, 0.13939476961341418);      // pi * w(z1) * cos(6 pi/16) * theta_4_1(z1)
-  const T k_51  = detail::constant<T>(0.13486914f, 0.1348691365087032);       // pi * w(z1) * cos(6 pi/16) * theta_5_1(z1)
-  const T k_52  = detail::constant<T>(0.073333226f, 0.07333322272636261);     // 1/2 pi * w(z1) * theta_0_0(z1)
-  const T k_53  = detail::constant<T>(0.11428444f, 0.11428444221555024);      // 1/2 pi * w(z1) * theta_1_0(z1)
-  const T k_54  = detail::constant<T>(0.117137186f, 0.11713718988529688);     // 1/2 pi * w(z1) * theta_2_0(z1)
-  const T k_55  = detail::constant<T>(0.09146041f, 0.09146040640704688);      // 1/2 pi * w(z1) * theta_3_0(z1)
-  const T k_56  = detail::constant<T>(0.045426562f, 0.04542656171152082);     // 1/2 pi * w(z1) * theta_4_0(z1)
-  const T k_57  = detail::constant<T>(0.010385281f, 0.010385281486070269);    // -(1/2 pi * w(z1) * theta_5_0(z1))
-  const T k_58  = detail::constant<T>(0.05542879f, 0.05542879155983358);      // pi * w(z1) * 1/2 * theta_1_1(z1)
-  const T k_59  = detail::constant<T>(0.11151829f, 0.11151829658980082);      // pi * w(z1) * 1/2 * theta_2_1(z1)
-  const T k_60  = detail::constant<T>(0.15802619f, 0.15802619104332322);      // pi * w(z1) * 1/2 * theta_3_1(z1)
-  const T k_61  = detail::constant<T>(0.18212804f, 0.18212804347436187);      // pi * w(z1) * 1/2 * theta_4_1(z1)
-  const T k_62  = detail::constant<T>(0.17621502f, 0.176215018867128);        // pi * w(z1) * 1/2 * theta_5_1(z1)
-  const T k_63  = detail::constant<T>(0.013521798f, 0.013521797667624047);    // 1/2 pi * w(z1) * 1/2 * theta_2_2(z1)
-  const T k_64  = detail::constant<T>(0.032189123f, 0.03218912472623783);     // 1/2 pi * w(z1) * 1/2 * theta_3_2(z1)
-  const T k_65  = detail::constant<T>(0.054651026f, 0.054651026050966424);    // 1/2 pi * w(z1) * 1/2 * theta_4_2(z1)
-  const T k_66  = detail::constant<T>(0.076263115f, 0.07626311463127583);     // 1/2 pi * w(z1) * 1/2 * theta_5_2(z1)
-  const T k_67  = detail::constant<T>(0.009756218f, 0.009756217906281705);    // pi * w(z1) * cos(6 pi/16) * theta_3_3(z1)
-  const T k_68  = detail::constant<T>(0.026334705f, 0.026334705198460262);    // pi * w(z1) * cos(6 pi/16) * theta_4_3(z1)
-  const T k_69  = detail::constant<T>(0.050850794f, 0.05085079539623759);     // pi * w(z1) * cos(6 pi/16) * theta_5_3(z1)
-  const T k_70  = detail::constant<T>(0.005900137f, 0.005900137172274866);    // 1/2 pi * w(z1) * theta_4_4(z1)
-  const T k_71  = detail::constant<T>(0.017606951f, 0.017606951414093457);    // 1/2 pi * w(z1) * theta_5_4(z1)
-  const T k_72  = detail::constant<T>(0.0020668174f, 0.0020668174491175607);  // pi * w(z1) * cos(6 pi/16) * theta_5_5(z1)
-  const T k_73  = detail::constant<T>(0.1415761f, 0.141576090579728);         // theta_5_5(z2)
-  const T k_74  = detail::constant<T>(0.18345389f, 0.1834538921265122);       // theta_4_4(z2)
-  const T k_75  = detail::constant<T>(0.41203246f, 0.41203245219476603);      // theta_5_4(z2)
-  const T k_76  = detail::constant<T>(0.23506287f, 0.2350628653792768);       // theta_3_3(z2)
-  const T k_77  = detail::constant<T>(0.60950935f, 0.6095093656429484);       // theta_5_3(z2)
-  const T k_78  = detail::constant<T>(0.47754404f, 0.4775440417719775);       // theta_4_3(z2)
-  const T k_79  = detail::constant<T>(0.2957631f, 0.295763098892803);         // theta_2_2(z2)
-  const T k_80  = detail::constant<T>(0.5660834f, 0.5660833916318162);        // theta_4_2(z2)
-  const T k_81  = detail::constant<T>(0.6231006f, 0.6231005536441366);        // theta_5_2(z2) * 1/(theta_3_2(z2))
-  const T k_82  = detail::constant<T>(0.52990884f, 0.5299088323332815);       // theta_3_2(z2)
-  const T k_83  = detail::constant<T>(0.3595194f, 0.35951940672090665);       // theta_1_1(z2)
-  const T k_84  = detail::constant<T>(0.43480387f, 0.4348038809201305);       // theta_3_1(z2)
-  const T k_85  = detail::constant<T>(0.33458504f, 0.3345850292081286);       // -(theta_5_1(z2))
-  const T k_86  = detail::constant<T>(0.12864034f, 0.1286403427828683);       // theta_4_1(z2) * 1/(theta_2_1(z2))
-  const T k_87  = detail::constant<T>(0.5443967f, 0.5443967086400024);        // theta_2_1(z2)
-  const T k_88  = detail::constant<T>(0.2820948f, 0.28209479177387814);       // theta_0_0(z2)
-  const T k_89  = detail::constant<T>(0.11850642f, 0.11850641621868688);      // theta_2_0(z2)
-  const T k_90  = detail::constant<T>(0.35935888f, 0.3593588752068156);       // -(theta_4_0(z2))
-  const T k_91  = detail::constant<T>(0.54005176f, 0.5400517448006793);       // -(theta_3_0(z2) * 1/(theta_1_0(z2)))
-  const T k_92  = detail::constant<T>(0.9220003f, 0.9220002768929056);        // -(theta_5_0(z2) * 1/(theta_1_0(z2)))
-  const T k_93  = detail::constant<T>(0.33087492f, 0.3308749171951393);       // theta_1_0(z2)
-  const T k_94  = detail::constant<T>(0.1221078f, 0.12210779280076313);       // pi * w(z2) * theta_5_5(z2)
-  const T k_95  = detail::constant<T>(0.15822692f, 0.15822692770049743);      // pi * w(z2) * theta_4_4(z2)
-  const T k_96  = detail::constant<T>(0.35537338f, 0.3553733762089978);       // pi * w(z2) * theta_5_4(z2)
-  const T k_97  = detail::constant<T>(0.14335819f, 0.14335818480615933);      // pi * w(z2) * 1/2 sqrt(2) * theta_3_3(z2)
-  const T k_98  = detail::constant<T>(0.29124057f, 0.2912405874188874);       // pi * w(z2) * 1/2 sqrt(2) * theta_4_3(z2)
-  const T k_99  = detail::constant<T>(0.3717225f, 0.3717225012974339);        // pi * w(z2) * 1/2 sqrt(2) * theta_5_3(z2)
-  const T k_100 = detail::constant<T>(0.25509235f, 0.2550923609334727);       // pi * w(z2) * theta_2_2(z2)
-  const T k_101 = detail::constant<T>(0.45704043f, 0.45704043413607137);      // pi * w(z2) * theta_3_2(z2)
-  const T k_102 = detail::constant<T>(0.4882406f, 0.4882405864597922);        // pi * w(z2) * theta_4_2(z2)
-  const T k_103 = detail::constant<T>(0.28478214f, 0.2847821475479426);       // pi * w(z2) * theta_5_2(z2)
-  const T k_104 = detail::constant<T>(0.118663035f, 0.11866303838697723);     // pi * w(z2) * cos(6 pi/16) * theta_1_1(z2)
-  const T k_105 = detail::constant<T>(0.17968367f, 0.17968367305757482);      // pi * w(z2) * cos(6 pi/16) * theta_2_1(z2)
-  const T k_106 = detail::constant<T>(0.14351144f, 0.14351144513454653);      // pi * w(z2) * cos(6 pi/16) * theta_3_1(z2)
-  const T k_107 = detail::constant<T>(0.02311457f, 0.02311456929461126);      // pi * w(z2) * cos(6 pi/16) * theta_4_1(z2)
-  const T k_108 = detail::constant<T>(0.11043319f, 0.1104331933754364);       // -(pi * w(z2) * cos(6 pi/16) * theta_5_1(z2))
-  const T k_109 = detail::constant<T>(0.1216518f, 0.1216517995483885);        // 1/2 pi * w(z2) * theta_0_0(z2)
-  const T k_110 = detail::constant<T>(0.14268796f, 0.1426879555241048);       // 1/2 pi * w(z2) * theta_1_0(z2)
-  const T k_111 = detail::constant<T>(0.051105227f, 0.05110522849563844);     // 1/2 pi * w(z2) * theta_2_0(z2)
-  const T k_112 = detail::constant<T>(0.07705888f, 0.07705887934283452);      // -(1/2 pi * w(z2) * theta_3_0(z2))
-  const T k_113 = detail::constant<T>(0.15497151f, 0.154971502939467);        // -(1/2 pi * w(z2) * theta_4_0(z2))
-  const T k_114 = detail::constant<T>(0.13155833f, 0.13155833450250723);      // -(1/2 pi * w(z2) * theta_5_0(z2))
-  const T k_115 = detail::constant<T>(0.15504073f, 0.15504073125612824);      // pi * w(z2) * 1/2 * theta_1_1(z2)
-  const T k_116 = detail::constant<T>(0.23476803f, 0.23476803260998247);      // pi * w(z2) * 1/2 * theta_2_1(z2)
-  const T k_117 = detail::constant<T>(0.18750674f, 0.18750673924868655);      // pi * w(z2) * 1/2 * theta_3_1(z2)
-  const T k_118 = detail::constant<T>(0.03020064f, 0.030200640189407744);     // pi * w(z2) * 1/2 * theta_4_1(z2)
-  const T k_119 = detail::constant<T>(0.14428791f, 0.1442879205573764);       // -(pi * w(z2) * 1/2 * theta_5_1(z2))
-  const T k_120 = detail::constant<T>(0.06377309f, 0.06377309023336818);      // 1/2 pi * w(z2) * 1/2 * theta_2_2(z2)
-  const T k_121 = detail::constant<T>(0.11426011f, 0.11426010853401784);      // 1/2 pi * w(z2) * 1/2 * theta_3_2(z2)
-  const T k_122 = detail::constant<T>(0.12206015f, 0.12206014661494805);      // 1/2 pi * w(z2) * 1/2 * theta_4_2(z2)
-  const T k_123 = detail::constant<T>(0.071195535f, 0.07119553688698566);     // 1/2 pi * w(z2) * 1/2 * theta_5_2(z2)
-  const T k_124 = detail::constant<T>(0.07758489f, 0.07758489054113121);      // pi * w(z2) * cos(6 pi/16) * theta_3_3(z2)
-  const T k_125 = detail::constant<T>(0.15761827f, 0.15761827011538943);      // pi * w(z2) * cos(6 pi/16) * theta_4_3(z2)
-  const T k_126 = detail::constant<T>(0.20117477f, 0.2011747680387609);       // pi * w(z2) * cos(6 pi/16) * theta_5_3(z2)
-  const T k_127 = detail::constant<T>(0.07911346f, 0.07911346385024871);      // 1/2 pi * w(z2) * theta_4_4(z2)
-  const T k_128 = detail::constant<T>(0.17768669f, 0.1776866881044989);       // 1/2 pi * w(z2) * theta_5_4(z2)
-  const T k_129 = detail::constant<T>(0.04672863f, 0.046728629267521235);     // pi * w(z2) * cos(6 pi/16) * theta_5_5(z2)
-  const T k_130 = detail::constant<T>(0.46093348f, 0.4609334817931772);       // theta_5_5(z3)
-  const T k_131 = detail::constant<T>(0.471678f, 0.4716779804286337);         // theta_4_4(z3)
-  const T k_132 = detail::constant<T>(0.5680533f, 0.5680532924416225);        // theta_5_4(z3)
-  const T k_133 = detail::constant<T>(0.47727978f, 0.47727977359513457);      // theta_3_3(z3)
-  const T k_134 = detail::constant<T>(0.07388006f, 0.07388006289605394);      // theta_5_3(z3)
-  const T k_135 = detail::constant<T>(0.5199259f, 0.5199258627701934);        // theta_4_3(z3)
-  const T k_136 = detail::constant<T>(0.4742456f, 0.47424561510776436);       // theta_2_2(z3)
-  const T k_137 = detail::constant<T>(0.03163277f, 0.03163276833850512);      // -(theta_4_2(z3))
-  const T k_138 = detail::constant<T>(0.9976599f, 0.9976599166639456);        // -(theta_3_2(z3) * 1/(theta_5_2(z3)))
-  const T k_139 = detail::constant<T>(0.45668522f, 0.45668522029178416);      // -(theta_5_2(z3))
-  const T k_140 = detail::constant<T>(0.45525214f, 0.45525215101135463);      // theta_1_1(z3)
-  const T k_141 = detail::constant<T>(0.14509904f, 0.14509904093924164);      // -(theta_3_1(z3))
-  const T k_142 = detail::constant<T>(0.20293882f, 0.20293882142713077);      // -(theta_5_1(z3))
-  const T k_143 = detail::constant<T>(0.7862193f, 0.7862192946608849);        // -(theta_2_1(z3) * 1/(theta_4_1(z3)))
-  const T k_144 = detail::constant<T>(0.47015435f, 0.4701543377947349);       // -(theta_4_1(z3))
-  const T k_145 = detail::constant<T>(0.2820948f, 0.28209479177387814);       // theta_0_0(z3)
-  const T k_146 = detail::constant<T>(0.19063437f, 0.19063437012836218);      // -(theta_2_0(z3))
-  const T k_147 = detail::constant<T>(0.0367218f, 0.03672179917979723);       // -(theta_4_0(z3))
-  const T k_148 = detail::constant<T>(0.5593589f, 0.5593589006753401);        // -(theta_1_0(z3) * 1/(theta_3_0(z3)))
-  const T k_149 = detail::constant<T>(0.9191953f, 0.9191952800751957);        // -(theta_5_0(z3) * 1/(theta_3_0(z3)))
-  const T k_150 = detail::constant<T>(0.31718475f, 0.31718473546605);         // -(theta_3_0(z3))
-  const T k_151 = detail::constant<T>(0.5016511f, 0.5016510849525841);        // pi * w(z3) * theta_5_5(z3)
-  const T k_152 = detail::constant<T>(0.5133447f, 0.5133447232120126);        // pi * w(z3) * theta_4_4(z3)
-  const T k_153 = detail::constant<T>(0.61823356f, 0.6182335667082051);       // pi * w(z3) * theta_5_4(z3)
-  const T k_154 = detail::constant<T>(0.3673005f, 0.36730051053581614);       // pi * w(z3) * 1/2 sqrt(2) * theta_3_3(z3)
-  const T k_155 = detail::constant<T>(0.4001197f, 0.40011968954347793);       // pi * w(z3) * 1/2 sqrt(2) * theta_4_3(z3)
-  const T k_156 = detail::constant<T>(0.05685593f, 0.056855928789385106);     // pi * w(z3) * 1/2 sqrt(2) * theta_5_3(z3)
-  const T k_157 = detail::constant<T>(0.51613915f, 0.5161391757163888);       // pi * w(z3) * theta_2_2(z3)
-  const T k_158 = detail::constant<T>(0.49586445f, 0.49586445777641586);      // pi * w(z3) * theta_3_2(z3)
-  const T k_159 = detail::constant<T>(0.03442712f, 0.03442712058002581);      // -(pi * w(z3) * theta_4_2(z3))
-  const T k_160 = detail::constant<T>(0.49702755f, 0.49702754364886864);      // -(pi * w(z3) * theta_5_2(z3))
-  const T k_161 = detail::constant<T>(0.18960735f, 0.18960734930766782);      // pi * w(z3) * cos(6 pi/16) * theta_1_1(z3)
-  const T k_162 = detail::constant<T>(0.1539527f, 0.1539526984335857);        // pi * w(z3) * cos(6 pi/16) * theta_2_1(z3)
-  const T k_163 = detail::constant<T>(0.060432103f, 0.06043210225027185);     // -(pi * w(z3) * cos(6 pi/16) * theta_3_1(z3))
-  const T k_164 = detail::constant<T>(0.19581394f, 0.1958139408165875);       // -(pi * w(z3) * cos(6 pi/16) * theta_4_1(z3))
-  const T k_165 = detail::constant<T>(0.08452171f, 0.08452171377321113);      // -(pi * w(z3) * cos(6 pi/16) * theta_5_1(z3))
-  const T k_166 = detail::constant<T>(0.15350714f, 0.15350713708440994);      // 1/2 pi * w(z3) * theta_0_0(z3)
-  const T k_167 = detail::constant<T>(0.096546456f, 0.09654645588984857);     // 1/2 pi * w(z3) * theta_1_0(z3)
-  const T k_168 = detail::constant<T>(0.10373724f, 0.10373724450663342);      // -(1/2 pi * w(z3) * theta_2_0(z3))
-  const T k_169 = detail::constant<T>(0.17260198f, 0.1726019837590562);       // -(1/2 pi * w(z3) * theta_3_0(z3))
-  const T k_170 = detail::constant<T>(0.019982852f, 0.019982851243839576);    // -(1/2 pi * w(z3) * theta_4_0(z3))
-  const T k_171 = detail::constant<T>(0.15865493f, 0.15865492880294002);      // 1/2 pi * w(z3) * theta_5_0(z3)
-  const T k_172 = detail::constant<T>(0.24773394f, 0.24773394047377725);      // pi * w(z3) * 1/2 * theta_1_1(z3)
-  const T k_173 = detail::constant<T>(0.2011489f, 0.2011488941161044);        // pi * w(z3) * 1/2 * theta_2_1(z3)
-  const T k_174 = detail::constant<T>(0.07895835f, 0.07895834668982754);      // -(pi * w(z3) * 1/2 * theta_3_1(z3))
-  const T k_175 = detail::constant<T>(0.25584325f, 0.2558432430774479);       // -(pi * w(z3) * 1/2 * theta_4_1(z3))
-  const T k_176 = detail::constant<T>(0.11043294f, 0.11043294094395921);      // -(pi * w(z3) * 1/2 * theta_5_1(z3))
-  const T k_177 = detail::constant<T>(0.12903479f, 0.1290347939290972);       // 1/2 pi * w(z3) * 1/2 * theta_2_2(z3)
-  const T k_178 = detail::constant<T>(0.12396611f, 0.12396611444410396);      // 1/2 pi * w(z3) * 1/2 * theta_3_2(z3)
-  const T k_179 = detail::constant<T>(0.00860678f, 0.008606780145006453);     // -(1/2 pi * w(z3) * 1/2 * theta_4_2(z3))
-  const T k_180 = detail::constant<T>(0.12425689f, 0.12425688591221716);      // -(1/2 pi * w(z3) * 1/2 * theta_5_2(z3))
-  const T k_181 = detail::constant<T>(0.19878161f, 0.19878160388369082);      // pi * w(z3) * cos(6 pi/16) * theta_3_3(z3)
-  const T k_182 = detail::constant<T>(0.21654321f, 0.21654321557263734);      // pi * w(z3) * cos(6 pi/16) * theta_4_3(z3)
-  const T k_183 = detail::constant<T>(0.030770207f, 0.030770206931005108);    // pi * w(z3) * cos(6 pi/16) * theta_5_3(z3)
-  const T k_184 = detail::constant<T>(0.25667235f, 0.2566723616060063);       // 1/2 pi * w(z3) * theta_4_4(z3)
-  const T k_185 = detail::constant<T>(0.30911678f, 0.30911678335410253);      // 1/2 pi * w(z3) * theta_5_4(z3)
-  const T k_186 = detail::constant<T>(0.19197355f, 0.1919735590393261);       // pi * w(z3) * cos(6 pi/16) * theta_5_5(z3)
-  const T k_187 = detail::constant<T>(0.2820948f, 0.28209479177387814);       // 1/2 sqrt(1/pi)
-  const T k_188 = detail::constant<T>(0.63078314f, 0.63078313050504);         // 1/2 sqrt(5/pi)
-  const T k_189 = detail::constant<T>(0.8462844f, 0.8462843753216345);        // 3/2 sqrt(1/pi)
-  const T k_190 = detail::constant<T>(0.52223295f, 0.5222329678670935);       // 1/11 sqrt(33)
-  const T k_191 = detail::constant<T>(0.797724f, 0.7977240352174656);         // 1/11 sqrt(77)
-  const T k_192 = detail::constant<T>(0.9356026f, 0.9356025796273888);        // 1/2 sqrt(11/pi)
-  const T k_193 = detail::constant<T>(0.04923483f, 0.04923482919181989);      // 2 pi * w(pole) * 1/2 sqrt(1/pi)
-  const T k_194 = detail::constant<T>(0.08527722f, 0.08527722566220737);      // 2 pi * w(pole) * 1/2 sqrt(3/pi)
-  const T k_195 = detail::constant<T>(0.110092424f, 0.1100924249335003);      // 2 pi * w(pole) * 1/2 sqrt(5/pi)
-  const T k_196 = detail::constant<T>(0.13026312f, 0.13026311388429865);      // 2 pi * w(pole) * 1/2 sqrt(7/pi)
-  const T k_197 = detail::constant<T>(0.14770448f, 0.14770448757545968);      // 2 pi * w(pole) * 3/2 sqrt(1/pi)
-  const T k_198 = detail::constant<T>(0.16329345f, 0.16329345504650356);      // 2 pi * w(pole) * 1/2 sqrt(11/pi)
-  const T k_199 = detail::constant<T>(0.6563821f, 0.6563820568401701);        // 3/32 sqrt(154/pi)
-  const T k_200 = detail::constant<T>(0.6258357f, 0.6258357354491761);        // 3/16 sqrt(35/pi)
-  const T k_201 = detail::constant<T>(0.5900436f, 0.5900435899266435);        // 1/8 sqrt(70/pi)
-  const T k_202 = detail::constant<T>(0.4892383f, 0.4892382994352504);        // 1/32 sqrt(770/pi)
-  const T k_203 = detail::constant<T>(0.54627424f, 0.5462742152960396);       // 1/4 sqrt(15/pi)
-  const T k_204 = detail::constant<T>(0.47308734f, 0.47308734787878);         // 3/8 sqrt(5/pi)
-  const T k_205 = detail::constant<T>(0.48860252f, 0.4886025119029199);       // 1/2 sqrt(3/pi)
-  const T k_206 = detail::constant<T>(0.4570458f, 0.4570457994644657);        // 1/8 sqrt(42/pi)
-  const T k_207 = detail::constant<T>(0.45294666f, 0.45294665119569694);      // 1/16 sqrt(165/pi)
-  const T k_208 = detail::constant<T>(0.31539157f, 0.31539156525252);         // 1/4 sqrt(5/pi)
-  const T k_209 = detail::constant<T>(0.31735665f, 0.31735664074561293);      // 9/16 sqrt(1/pi)
-  const T k_210 = detail::constant<T>(0.76610434f, 0.7661043406303674);       // pi * w(equator) * 3/32 sqrt(154/pi)
-  const T k_211 = detail::constant<T>(0.7304518f, 0.7304518282497173);        // pi * w(equator) * 3/16 sqrt(35/pi)
-  const T k_212 = detail::constant<T>(0.6886766f, 0.6886765881139819);        // pi * w(equator) * 1/8 sqrt(70/pi)
-  const T k_213 = detail::constant<T>(0.5710205f, 0.5710204611690519);        // -(pi * w(equator) * -1/32 sqrt(770/pi))
-  const T k_214 = detail::constant<T>(0.63759065f, 0.6375906275187071);       // pi * w(equator) * 1/4 sqrt(15/pi)
-  const T k_215 = detail::constant<T>(0.5521697f, 0.552169680646062);         // -(pi * w(equator) * -3/8 sqrt(5/pi))
-  const T k_216 = detail::constant<T>(0.21823609f, 0.21823609321169954);      // pi * w(equator) * cos(6 pi/16) * 1/2 sqrt(3/pi)
-  const T k_217 = detail::constant<T>(0.20414117f, 0.2041411725565605);       // -(pi * w(equator) * cos(6 pi/16) * -1/8 sqrt(42/pi))
-  const T k_218 = detail::constant<T>(0.20231028f, 0.20231027303828428);      // pi * w(equator) * cos(6 pi/16) * 1/16 sqrt(165/pi)
-  const T k_219 = detail::constant<T>(0.1646252f, 0.16462519213852594);       // 1/2 pi * w(equator) * 1/2 sqrt(1/pi)
-  const T k_220 = detail::constant<T>(0.18405657f, 0.184056560215354);        // -(1/2 pi * w(equator) * -1/4 sqrt(5/pi))
-  const T k_221 = detail::constant<T>(0.18520334f, 0.18520334115584167);      // 1/2 pi * w(equator) * 9/16 sqrt(1/pi)
-  const T k_222 = detail::constant<T>(0.2851392f, 0.2851391969897154);        // pi * w(equator) * 1/2 * 1/2 sqrt(3/pi)
-  const T k_223 = detail::constant<T>(0.2667233f, 0.2667232956688397);        // -(pi * w(equator) * 1/2 * -1/8 sqrt(42/pi))
-  const T k_224 = detail::constant<T>(0.2643311f, 0.26433111016585);          // pi * w(equator) * 1/2 * 1/16 sqrt(165/pi)
-  const T k_225 = detail::constant<T>(0.15939766f, 0.15939765687967677);      // 1/2 pi * w(equator) * 1/2 * 1/4 sqrt(15/pi)
-  const T k_226 = detail::constant<T>(0.13804242f, 0.1380424201615155);       // -(1/2 pi * w(equator) * 1/2 * -3/8 sqrt(5/pi))
-  const T k_227 = detail::constant<T>(0.3652259f, 0.36522591412485866);       // 1/2 pi * w(equator) * 3/16 sqrt(35/pi)
+  const T k_27  = detail::constant<T>(0.76536685f, 0.7653668647301796);       // 2 cos(6 pi/16)
+  const T k_28  = detail::constant<T>(2.4142137f, 2.414213562373095);         // cos(2 pi/16) / cos(6 pi/16)
+  const T k_29  = detail::constant<T>(1.847759f, 1.8477590650225735);         // 1/2 sqrt(2) / cos(6 pi/16)
+  const T k_30  = detail::constant<T>(1.847759f, 1.8477590650225735);         // 2 cos(2 pi/16)
+  const T k_31  = detail::constant<T>(1.306563f, 1.3065629648763766);         // 1/2 / cos(6 pi/16)
+  const T k_32  = detail::constant<T>(0.5411961f, 0.541196100146197);         // sqrt(2) cos(6 pi/16)
+  const T k_33  = detail::constant<T>(1.306563f, 1.3065629648763766);         // sqrt(2) cos(2 pi/16)
+  const T k_34  = detail::constant<T>(0.005400854f, 0.00540085426835454);     // pi theta_5_5(z1) w(z1)
+  const T k_35  = detail::constant<T>(0.011800274f, 0.011800274344549732);    // pi theta_4_4(z1) w(z1)
+  const T k_36  = detail::constant<T>(0.035213903f, 0.03521390282818691);     // pi theta_5_4(z1) w(z1)
+  const T k_37  = detail::constant<T>(0.01802714f, 0.018027140076667576);     // 1/2 sqrt(2) pi theta_3_3(z1) w(z1)
+  const T k_38  = detail::constant<T>(0.04866019f, 0.04866019025515204);      // 1/2 sqrt(2) pi theta_4_3(z1) w(z1)
+  const T k_39  = detail::constant<T>(0.09396002f, 0.09396001815700615);      // 1/2 sqrt(2) pi theta_5_3(z1) w(z1)
+  const T k_40  = detail::constant<T>(0.05408719f, 0.05408719067049619);      // pi theta_2_2(z1) w(z1)
+  const T k_41  = detail::constant<T>(0.1287565f, 0.12875649890495133);       // pi theta_3_2(z1) w(z1)
+  const T k_42  = detail::constant<T>(0.2186041f, 0.2186041042038657);        // pi theta_4_2(z1) w(z1)
+  const T k_43  = detail::constant<T>(0.30505246f, 0.3050524585251033);       // pi theta_5_2(z1) w(z1)
+  const T k_44  = detail::constant<T>(0.04242336f, 0.04242336041193246);      // pi cos(6 pi/16) theta_1_1(z1) w(z1)
+  const T k_45  = detail::constant<T>(0.085352406f, 0.08535240902098612);     // pi cos(6 pi/16) theta_2_1(z1) w(z1)
+  const T k_46  = detail::constant<T>(0.12094801f, 0.12094801038408066);      // pi cos(6 pi/16) theta_3_1(z1) w(z1)
+  const T k_47  = detail::constant<T>(0.13939478f, 0.13939476961341418);      // pi cos(6 pi/16) theta_4_1(z1) w(z1)
+  const T k_48  = detail::constant<T>(0.13486914f, 0.1348691365087032);       // pi cos(6 pi/16) theta_5_1(z1) w(z1)
+  const T k_49  = detail::constant<T>(0.073333226f, 0.07333322272636261);     // 1/2 pi theta_0_0(z1) w(z1)
+  const T k_50  = detail::constant<T>(0.11428444f, 0.11428444221555024);      // 1/2 pi theta_1_0(z1) w(z1)
+  const T k_51  = detail::constant<T>(0.117137186f, 0.11713718988529688);     // 1/2 pi theta_2_0(z1) w(z1)
+  const T k_52  = detail::constant<T>(0.09146041f, 0.09146040640704688);      // 1/2 pi theta_3_0(z1) w(z1)
+  const T k_53  = detail::constant<T>(0.045426562f, 0.04542656171152082);     // 1/2 pi theta_4_0(z1) w(z1)
+  const T k_54  = detail::constant<T>(0.010385281f, 0.010385281486070269);    // -1/2 pi theta_5_0(z1) w(z1)
+  const T k_55  = detail::constant<T>(0.05542879f, 0.05542879155983358);      // 1/2 pi theta_1_1(z1) w(z1)
+  const T k_56  = detail::constant<T>(0.11151829f, 0.11151829658980082);      // 1/2 pi theta_2_1(z1) w(z1)
+  const T k_57  = detail::constant<T>(0.15802619f, 0.15802619104332322);      // 1/2 pi theta_3_1(z1) w(z1)
+  const T k_58  = detail::constant<T>(0.18212804f, 0.18212804347436187);      // 1/2 pi theta_4_1(z1) w(z1)
+  const T k_59  = detail::constant<T>(0.17621502f, 0.176215018867128);        // 1/2 pi theta_5_1(z1) w(z1)
+  const T k_60  = detail::constant<T>(0.013521798f, 0.013521797667624047);    // 1/4 pi theta_2_2(z1) w(z1)
+  const T k_61  = detail::constant<T>(0.032189123f, 0.03218912472623783);     // 1/4 pi theta_3_2(z1) w(z1)
+  const T k_62  = detail::constant<T>(0.054651026f, 0.054651026050966424);    // 1/4 pi theta_4_2(z1) w(z1)
+  const T k_63  = detail::constant<T>(0.076263115f, 0.07626311463127583);     // 1/4 pi theta_5_2(z1) w(z1)
+  const T k_64  = detail::constant<T>(0.009756218f, 0.009756217906281705);    // pi cos(6 pi/16) theta_3_3(z1) w(z1)
+  const T k_65  = detail::constant<T>(0.026334705f, 0.026334705198460262);    // pi cos(6 pi/16) theta_4_3(z1) w(z1)
+  const T k_66  = detail::constant<T>(0.050850794f, 0.05085079539623759);     // pi cos(6 pi/16) theta_5_3(z1) w(z1)
+  const T k_67  = detail::constant<T>(0.005900137f, 0.005900137172274866);    // 1/2 pi theta_4_4(z1) w(z1)
+  const T k_68  = detail::constant<T>(0.017606951f, 0.017606951414093457);    // 1/2 pi theta_5_4(z1) w(z1)
+  const T k_69  = detail::constant<T>(0.0020668174f, 0.0020668174491175607);  // pi cos(6 pi/16) theta_5_5(z1) w(z1)
+  const T k_70  = detail::constant<T>(0.1415761f, 0.141576090579728);         // theta_5_5(z2)
+  const T k_71  = detail::constant<T>(0.18345389f, 0.1834538921265122);       // theta_4_4(z2)
+  const T k_72  = detail::constant<T>(0.41203246f, 0.41203245219476603);      // theta_5_4(z2)
+  const T k_73  = detail::constant<T>(0.23506287f, 0.2350628653792768);       // theta_3_3(z2)
+  const T k_74  = detail::constant<T>(0.60950935f, 0.6095093656429484);       // theta_5_3(z2)
+  const T k_75  = detail::constant<T>(0.47754404f, 0.4775440417719775);       // theta_4_3(z2)
+  const T k_76  = detail::constant<T>(0.2957631f, 0.295763098892803);         // theta_2_2(z2)
+  const T k_77  = detail::constant<T>(0.5660834f, 0.5660833916318162);        // theta_4_2(z2)
+  const T k_78  = detail::constant<T>(0.6231006f, 0.6231005536441366);        // theta_5_2(z2) / theta_3_2(z2)
+  const T k_79  = detail::constant<T>(0.52990884f, 0.5299088323332815);       // theta_3_2(z2)
+  const T k_80  = detail::constant<T>(0.3595194f, 0.35951940672090665);       // theta_1_1(z2)
+  const T k_81  = detail::constant<T>(0.43480387f, 0.4348038809201305);       // theta_3_1(z2)
+  const T k_82  = detail::constant<T>(0.33458504f, 0.3345850292081286);       // -theta_5_1(z2)
+  const T k_83  = detail::constant<T>(0.12864034f, 0.1286403427828683);       // theta_4_1(z2) / theta_2_1(z2)
+  const T k_84  = detail::constant<T>(0.5443967f, 0.5443967086400024);        // theta_2_1(z2)
+  const T k_85  = detail::constant<T>(0.2820948f, 0.28209479177387814);       // theta_0_0(z2)
+  const T k_86  = detail::constant<T>(0.11850642f, 0.11850641621868688);      // theta_2_0(z2)
+  const T k_87  = detail::constant<T>(0.35935888f, 0.3593588752068156);       // -theta_4_0(z2)
+  const T k_88  = detail::constant<T>(0.54005176f, 0.5400517448006793);       // -theta_3_0(z2) / theta_1_0(z2)
+  const T k_89  = detail::constant<T>(0.9220003f, 0.9220002768929056);        // -theta_5_0(z2) / theta_1_0(z2)
+  const T k_90  = detail::constant<T>(0.33087492f, 0.3308749171951393);       // theta_1_0(z2)
+  const T k_91  = detail::constant<T>(0.1221078f, 0.12210779280076313);       // pi theta_5_5(z2) w(z2)
+  const T k_92  = detail::constant<T>(0.15822692f, 0.15822692770049743);      // pi theta_4_4(z2) w(z2)
+  const T k_93  = detail::constant<T>(0.35537338f, 0.3553733762089978);       // pi theta_5_4(z2) w(z2)
+  const T k_94  = detail::constant<T>(0.14335819f, 0.14335818480615933);      // 1/2 sqrt(2) pi theta_3_3(z2) w(z2)
+  const T k_95  = detail::constant<T>(0.29124057f, 0.2912405874188874);       // 1/2 sqrt(2) pi theta_4_3(z2) w(z2)
+  const T k_96  = detail::constant<T>(0.3717225f, 0.3717225012974339);        // 1/2 sqrt(2) pi theta_5_3(z2) w(z2)
+  const T k_97  = detail::constant<T>(0.25509235f, 0.2550923609334727);       // pi theta_2_2(z2) w(z2)
+  const T k_98  = detail::constant<T>(0.45704043f, 0.45704043413607137);      // pi theta_3_2(z2) w(z2)
+  const T k_99  = detail::constant<T>(0.4882406f, 0.4882405864597922);        // pi theta_4_2(z2) w(z2)
+  const T k_100 = detail::constant<T>(0.28478214f, 0.2847821475479426);       // pi theta_5_2(z2) w(z2)
+  const T k_101 = detail::constant<T>(0.118663035f, 0.11866303838697723);     // pi cos(6 pi/16) theta_1_1(z2) w(z2)
+  const T k_102 = detail::constant<T>(0.17968367f, 0.17968367305757482);      // pi cos(6 pi/16) theta_2_1(z2) w(z2)
+  const T k_103 = detail::constant<T>(0.14351144f, 0.14351144513454653);      // pi cos(6 pi/16) theta_3_1(z2) w(z2)
+  const T k_104 = detail::constant<T>(0.02311457f, 0.02311456929461126);      // pi cos(6 pi/16) theta_4_1(z2) w(z2)
+  const T k_105 = detail::constant<T>(0.11043319f, 0.1104331933754364);       // -pi cos(6 pi/16) theta_5_1(z2) w(z2)
+  const T k_106 = detail::constant<T>(0.1216518f, 0.1216517995483885);        // 1/2 pi theta_0_0(z2) w(z2)
+  const T k_107 = detail::constant<T>(0.14268796f, 0.1426879555241048);       // 1/2 pi theta_1_0(z2) w(z2)
+  const T k_108 = detail::constant<T>(0.051105227f, 0.05110522849563844);     // 1/2 pi theta_2_0(z2) w(z2)
+  const T k_109 = detail::constant<T>(0.07705888f, 0.07705887934283452);      // -1/2 pi theta_3_0(z2) w(z2)
+  const T k_110 = detail::constant<T>(0.15497151f, 0.154971502939467);        // -1/2 pi theta_4_0(z2) w(z2)
+  const T k_111 = detail::constant<T>(0.13155833f, 0.13155833450250723);      // -1/2 pi theta_5_0(z2) w(z2)
+  const T k_112 = detail::constant<T>(0.15504073f, 0.15504073125612824);      // 1/2 pi theta_1_1(z2) w(z2)
+  const T k_113 = detail::constant<T>(0.23476803f, 0.23476803260998247);      // 1/2 pi theta_2_1(z2) w(z2)
+  const T k_114 = detail::constant<T>(0.18750674f, 0.18750673924868655);      // 1/2 pi theta_3_1(z2) w(z2)
+  const T k_115 = detail::constant<T>(0.03020064f, 0.030200640189407744);     // 1/2 pi theta_4_1(z2) w(z2)
+  const T k_116 = detail::constant<T>(0.14428791f, 0.1442879205573764);       // -1/2 pi theta_5_1(z2) w(z2)
+  const T k_117 = detail::constant<T>(0.06377309f, 0.06377309023336818);      // 1/4 pi theta_2_2(z2) w(z2)
+  const T k_118 = detail::constant<T>(0.11426011f, 0.11426010853401784);      // 1/4 pi theta_3_2(z2) w(z2)
+  const T k_119 = detail::constant<T>(0.12206015f, 0.12206014661494805);      // 1/4 pi theta_4_2(z2) w(z2)
+  const T k_120 = detail::constant<T>(0.071195535f, 0.07119553688698566);     // 1/4 pi theta_5_2(z2) w(z2)
+  const T k_121 = detail::constant<T>(0.07758489f, 0.07758489054113121);      // pi cos(6 pi/16) theta_3_3(z2) w(z2)
+  const T k_122 = detail::constant<T>(0.15761827f, 0.15761827011538943);      // pi cos(6 pi/16) theta_4_3(z2) w(z2)
+  const T k_123 = detail::constant<T>(0.20117477f, 0.2011747680387609);       // pi cos(6 pi/16) theta_5_3(z2) w(z2)
+  const T k_124 = detail::constant<T>(0.07911346f, 0.07911346385024871);      // 1/2 pi theta_4_4(z2) w(z2)
+  const T k_125 = detail::constant<T>(0.17768669f, 0.1776866881044989);       // 1/2 pi theta_5_4(z2) w(z2)
+  const T k_126 = detail::constant<T>(0.04672863f, 0.046728629267521235);     // pi cos(6 pi/16) theta_5_5(z2) w(z2)
+  const T k_127 = detail::constant<T>(0.46093348f, 0.4609334817931772);       // theta_5_5(z3)
+  const T k_128 = detail::constant<T>(0.471678f, 0.4716779804286337);         // theta_4_4(z3)
+  const T k_129 = detail::constant<T>(0.5680533f, 0.5680532924416225);        // theta_5_4(z3)
+  const T k_130 = detail::constant<T>(0.47727978f, 0.47727977359513457);      // theta_3_3(z3)
+  const T k_131 = detail::constant<T>(0.07388006f, 0.07388006289605394);      // theta_5_3(z3)
+  const T k_132 = detail::constant<T>(0.5199259f, 0.5199258627701934);        // theta_4_3(z3)
+  const T k_133 = detail::constant<T>(0.4742456f, 0.47424561510776436);       // theta_2_2(z3)
+  const T k_134 = detail::constant<T>(0.03163277f, 0.03163276833850512);      // -theta_4_2(z3)
+  const T k_135 = detail::constant<T>(0.9976599f, 0.9976599166639456);        // -theta_3_2(z3) / theta_5_2(z3)
+  const T k_136 = detail::constant<T>(0.45668522f, 0.45668522029178416);      // -theta_5_2(z3)
+  const T k_137 = detail::constant<T>(0.45525214f, 0.45525215101135463);      // theta_1_1(z3)
+  const T k_138 = detail::constant<T>(0.14509904f, 0.14509904093924164);      // -theta_3_1(z3)
+  const T k_139 = detail::constant<T>(0.20293882f, 0.20293882142713077);      // -theta_5_1(z3)
+  const T k_140 = detail::constant<T>(0.7862193f, 0.7862192946608849);        // -theta_2_1(z3) / theta_4_1(z3)
+  const T k_141 = detail::constant<T>(0.47015435f, 0.4701543377947349);       // -theta_4_1(z3)
+  const T k_142 = detail::constant<T>(0.2820948f, 0.28209479177387814);       // theta_0_0(z3)
+  const T k_143 = detail::constant<T>(0.19063437f, 0.19063437012836218);      // -theta_2_0(z3)
+  const T k_144 = detail::constant<T>(0.0367218f, 0.03672179917979723);       // -theta_4_0(z3)
+  const T k_145 = detail::constant<T>(0.5593589f, 0.5593589006753401);        // -theta_1_0(z3) / theta_3_0(z3)
+  const T k_146 = detail::constant<T>(0.9191953f, 0.9191952800751957);        // -theta_5_0(z3) / theta_3_0(z3)
+  const T k_147 = detail::constant<T>(0.31718475f, 0.31718473546605);         // -theta_3_0(z3)
+  const T k_148 = detail::constant<T>(0.5016511f, 0.5016510849525841);        // pi theta_5_5(z3) w(z3)
+  const T k_149 = detail::constant<T>(0.5133447f, 0.5133447232120126);        // pi theta_4_4(z3) w(z3)
+  const T k_150 = detail::constant<T>(0.61823356f, 0.6182335667082051);       // pi theta_5_4(z3) w(z3)
+  const T k_151 = detail::constant<T>(0.3673005f, 0.36730051053581614);       // 1/2 sqrt(2) pi theta_3_3(z3) w(z3)
+  const T k_152 = detail::constant<T>(0.4001197f, 0.40011968954347793);       // 1/2 sqrt(2) pi theta_4_3(z3) w(z3)
+  const T k_153 = detail::constant<T>(0.05685593f, 0.056855928789385106);     // 1/2 sqrt(2) pi theta_5_3(z3) w(z3)
+  const T k_154 = detail::constant<T>(0.51613915f, 0.5161391757163888);       // pi theta_2_2(z3) w(z3)
+  const T k_155 = detail::constant<T>(0.49586445f, 0.49586445777641586);      // pi theta_3_2(z3) w(z3)
+  const T k_156 = detail::constant<T>(0.03442712f, 0.03442712058002581);      // -pi theta_4_2(z3) w(z3)
+  const T k_157 = detail::constant<T>(0.49702755f, 0.49702754364886864);      // -pi theta_5_2(z3) w(z3)
+  const T k_158 = detail::constant<T>(0.18960735f, 0.18960734930766782);      // pi cos(6 pi/16) theta_1_1(z3) w(z3)
+  const T k_159 = detail::constant<T>(0.1539527f, 0.1539526984335857);        // pi cos(6 pi/16) theta_2_1(z3) w(z3)
+  const T k_160 = detail::constant<T>(0.060432103f, 0.06043210225027185);     // -pi cos(6 pi/16) theta_3_1(z3) w(z3)
+  const T k_161 = detail::constant<T>(0.19581394f, 0.1958139408165875);       // -pi cos(6 pi/16) theta_4_1(z3) w(z3)
+  const T k_162 = detail::constant<T>(0.08452171f, 0.08452171377321113);      // -pi cos(6 pi/16) theta_5_1(z3) w(z3)
+  const T k_163 = detail::constant<T>(0.15350714f, 0.15350713708440994);      // 1/2 pi theta_0_0(z3) w(z3)
+  const T k_164 = detail::constant<T>(0.096546456f, 0.09654645588984857);     // 1/2 pi theta_1_0(z3) w(z3)
+  const T k_165 = detail::constant<T>(0.10373724f, 0.10373724450663342);      // -1/2 pi theta_2_0(z3) w(z3)
+  const T k_166 = detail::constant<T>(0.17260198f, 0.1726019837590562);       // -1/2 pi theta_3_0(z3) w(z3)
+  const T k_167 = detail::constant<T>(0.019982852f, 0.019982851243839576);    // -1/2 pi theta_4_0(z3) w(z3)
+  const T k_168 = detail::constant<T>(0.15865493f, 0.15865492880294002);      // 1/2 pi theta_5_0(z3) w(z3)
+  const T k_169 = detail::constant<T>(0.24773394f, 0.24773394047377725);      // 1/2 pi theta_1_1(z3) w(z3)
+  const T k_170 = detail::constant<T>(0.2011489f, 0.2011488941161044);        // 1/2 pi theta_2_1(z3) w(z3)
+  const T k_171 = detail::constant<T>(0.07895835f, 0.07895834668982754);      // -1/2 pi theta_3_1(z3) w(z3)
+  const T k_172 = detail::constant<T>(0.25584325f, 0.2558432430774479);       // -1/2 pi theta_4_1(z3) w(z3)
+  const T k_173 = detail::constant<T>(0.11043294f, 0.11043294094395921);      // -1/2 pi theta_5_1(z3) w(z3)
+  const T k_174 = detail::constant<T>(0.12903479f, 0.1290347939290972);       // 1/4 pi theta_2_2(z3) w(z3)
+  const T k_175 = detail::constant<T>(0.12396611f, 0.12396611444410396);      // 1/4 pi theta_3_2(z3) w(z3)
+  const T k_176 = detail::constant<T>(0.00860678f, 0.008606780145006453);     // -1/4 pi theta_4_2(z3) w(z3)
+  const T k_177 = detail::constant<T>(0.12425689f, 0.12425688591221716);      // -1/4 pi theta_5_2(z3) w(z3)
+  const T k_178 = detail::constant<T>(0.19878161f, 0.19878160388369082);      // pi cos(6 pi/16) theta_3_3(z3) w(z3)
+  const T k_179 = detail::constant<T>(0.21654321f, 0.21654321557263734);      // pi cos(6 pi/16) theta_4_3(z3) w(z3)
+  const T k_180 = detail::constant<T>(0.030770207f, 0.030770206931005108);    // pi cos(6 pi/16) theta_5_3(z3) w(z3)
+  const T k_181 = detail::constant<T>(0.25667235f, 0.2566723616060063);       // 1/2 pi theta_4_4(z3) w(z3)
+  const T k_182 = detail::constant<T>(0.30911678f, 0.30911678335410253);      // 1/2 pi theta_5_4(z3) w(z3)
+  const T k_183 = detail::constant<T>(0.19197355f, 0.1919735590393261);       // pi cos(6 pi/16) theta_5_5(z3) w(z3)
+  const T k_184 = detail::constant<T>(0.2820948f, 0.28209479177387814);       // 1/2 sqrt(1/pi)
+  const T k_185 = detail::constant<T>(0.63078314f, 0.63078313050504);         // 1/2 sqrt(5/pi)
+  const T k_186 = detail::constant<T>(0.8462844f, 0.8462843753216345);        // 3/2 sqrt(1/pi)
+  const T k_187 = detail::constant<T>(0.52223295f, 0.5222329678670935);       // 1/11 sqrt(33)
+  const T k_188 = detail::constant<T>(0.797724f, 0.7977240352174656);         // 1/11 sqrt(77)
+  const T k_189 = detail::constant<T>(0.9356026f, 0.9356025796273888);        // 1/2 sqrt(11/pi)
+  const T k_190 = detail::constant<T>(0.04923483f, 0.04923482919181989);      // pi^(1/2) w(pole)
+  const T k_191 = detail::constant<T>(0.08527722f, 0.08527722566220737);      // sqrt(3) pi^(1/2) w(pole)
+  const T k_192 = detail::constant<T>(0.110092424f, 0.1100924249335003);      // sqrt(5) pi^(1/2) w(pole)
+  const T k_193 = detail::constant<T>(0.13026312f, 0.13026311388429865);      // sqrt(7) pi^(1/2) w(pole)
+  const T k_194 = detail::constant<T>(0.14770448f, 0.14770448757545968);      // 3 pi^(1/2) w(pole)
+  const T k_195 = detail::constant<T>(0.16329345f, 0.16329345504650356);      // sqrt(11) pi^(1/2) w(pole)
+  const T k_196 = detail::constant<T>(0.6563821f, 0.6563820568401701);        // 3/32 sqrt(154/pi)
+  const T k_197 = detail::constant<T>(0.6258357f, 0.6258357354491761);        // 3/16 sqrt(35/pi)
+  const T k_198 = detail::constant<T>(0.5900436f, 0.5900435899266435);        // 1/8 sqrt(70/pi)
+  const T k_199 = detail::constant<T>(0.4892383f, 0.4892382994352504);        // 1/32 sqrt(770/pi)
+  const T k_200 = detail::constant<T>(0.54627424f, 0.5462742152960396);       // 1/4 sqrt(15/pi)
+  const T k_201 = detail::constant<T>(0.47308734f, 0.47308734787878);         // 3/8 sqrt(5/pi)
+  const T k_202 = detail::constant<T>(0.48860252f, 0.4886025119029199);       // 1/2 sqrt(3/pi)
+  const T k_203 = detail::constant<T>(0.4570458f, 0.4570457994644657);        // 1/8 sqrt(42/pi)
+  const T k_204 = detail::constant<T>(0.45294666f, 0.45294665119569694);      // 1/16 sqrt(165/pi)
+  const T k_205 = detail::constant<T>(0.31539157f, 0.31539156525252);         // 1/4 sqrt(5/pi)
+  const T k_206 = detail::constant<T>(0.31735665f, 0.31735664074561293);      // 9/16 sqrt(1/pi)
+  const T k_207 = detail::constant<T>(0.76610434f, 0.7661043406303674);       // 3/32 sqrt(154) pi^(1/2) w(equator)
+  const T k_208 = detail::constant<T>(0.7304518f, 0.7304518282497173);        // 3/16 sqrt(35) pi^(1/2) w(equator)
+  const T k_209 = detail::constant<T>(0.6886766f, 0.6886765881139819);        // 1/8 sqrt(70) pi^(1/2) w(equator)
+  const T k_210 = detail::constant<T>(0.5710205f, 0.5710204611690519);        // 1/32 sqrt(770) pi^(1/2) w(equator)
+  const T k_211 = detail::constant<T>(0.63759065f, 0.6375906275187071);       // 1/4 sqrt(15) pi^(1/2) w(equator)
+  const T k_212 = detail::constant<T>(0.5521697f, 0.552169680646062);         // 3/8 sqrt(5) pi^(1/2) w(equator)
+  const T k_213 = detail::constant<T>(0.21823609f, 0.21823609321169954);      // 1/2 sqrt(3) pi^(1/2) cos(6 pi/16) w(equator)
+  const T k_214 = detail::constant<T>(0.20414117f, 0.2041411725565605);       // 1/8 sqrt(42) pi^(1/2) cos(6 pi/16) w(equator)
+  const T k_215 = detail::constant<T>(0.20231028f, 0.20231027303828428);      // 1/16 sqrt(165) pi^(1/2) cos(6 pi/16) w(equator)
+  const T k_216 = detail::constant<T>(0.1646252f, 0.16462519213852594);       // 1/4 pi^(1/2) w(equator)
+  const T k_217 = detail::constant<T>(0.18405657f, 0.184056560215354);        // 1/8 sqrt(5) pi^(1/2) w(equator)
+  const T k_218 = detail::constant<T>(0.18520334f, 0.18520334115584167);      // 9/32 pi^(1/2) w(equator)
+  const T k_219 = detail::constant<T>(0.2851392f, 0.2851391969897154);        // 1/4 sqrt(3) pi^(1/2) w(equator)
+  const T k_220 = detail::constant<T>(0.2667233f, 0.2667232956688397);        // 1/16 sqrt(42) pi^(1/2) w(equator)
+  const T k_221 = detail::constant<T>(0.2643311f, 0.26433111016585);          // 1/32 sqrt(165) pi^(1/2) w(equator)
+  const T k_222 = detail::constant<T>(0.15939766f, 0.15939765687967677);      // 1/16 sqrt(15) pi^(1/2) w(equator)
+  const T k_223 = detail::constant<T>(0.13804242f, 0.1380424201615155);       // 3/32 sqrt(5) pi^(1/2) w(equator)
+  const T k_224 = detail::constant<T>(0.3652259f, 0.36522591412485866);       // 3/32 sqrt(35) pi^(1/2) w(equator)
 
   const T a25 = a[25];
   const T a1s5n = k * a25;
@@ -453,11 +450,11 @@ constexpr void square_l5(const T* a, T* out) noexcept {
   const T t_111 = t_108 + t_110;
   const T t_112 = t_105 + t_107;
   const T t_113 = t_86 - k_22 * t_91;
-  const T t_114 = k_31 * t_91 + k_32 * t_90 + k_34 * t_86 + t_83;
-  const T t_115 = k_35 * t_83 - k_33 * t_90;
+  const T t_114 = k_31 * t_91 + k_28 * t_90 + k_29 * t_86 + t_83;
+  const T t_115 = k_33 * t_83 - k_32 * t_90;
   const T t_116 = t_71 - k_22 * t_76;
-  const T t_117 = k_31 * t_76 + k_32 * t_75 + k_34 * t_71 + t_68;
-  const T t_118 = k_35 * t_68 - k_33 * t_75;
+  const T t_117 = k_31 * t_76 + k_28 * t_75 + k_29 * t_71 + t_68;
+  const T t_118 = k_33 * t_68 - k_32 * t_75;
   const T t_119 = t_113 + t_115;
   const T t_120 = t_116 + t_118;
   const T t_121 = t_120 + t_119;
@@ -472,52 +469,52 @@ constexpr void square_l5(const T* a, T* out) noexcept {
   const T t_130 = t_97 + t_93;
   const T t_131 = t_97 - t_93;
   const T t_132 = t_111 + t_112;
-  const T a2s5n = k_73 * a25;
-  const T t_133 = k_74 * a16;
-  const T t_134 = k_75 * a26;
-  const T t_135 = k_132 * a26;
+  const T a2s5n = k_70 * a25;
+  const T t_133 = k_71 * a16;
+  const T t_134 = k_72 * a26;
+  const T t_135 = k_129 * a26;
   const T a2s4n = t_133 + t_134;
   const T a2s4s = t_133 - t_134;
-  const T t_136 = k_76 * a9 + k_77 * a27;
-  const T t_137 = k_78 * a17;
-  const T t_138 = k_135 * a17;
+  const T t_136 = k_73 * a9 + k_74 * a27;
+  const T t_137 = k_75 * a17;
+  const T t_138 = k_132 * a17;
   const T a2s3n = t_136 + t_137;
   const T a2s3s = t_136 - t_137;
-  const T t_139 = k_79 * a4 + k_80 * a18;
-  const T t_140 = k_82 * (a10 + k_81 * a28);
-  const T t_141 = k_139 * (a28 - k_138 * a10);
+  const T t_139 = k_76 * a4 + k_77 * a18;
+  const T t_140 = k_79 * (a10 + k_78 * a28);
+  const T t_141 = k_136 * (a28 - k_135 * a10);
   const T a2s2n = t_139 + t_140;
   const T a2s2s = t_139 - t_140;
-  const T t_142 = k_83 * a1 + k_84 * a11 - k_85 * a29;
-  const T t_143 = k_87 * (a5 + k_86 * a19);
-  const T t_144 = k_144 * (a19 - k_143 * a5);
+  const T t_142 = k_80 * a1 + k_81 * a11 - k_82 * a29;
+  const T t_143 = k_84 * (a5 + k_83 * a19);
+  const T t_144 = k_141 * (a19 - k_140 * a5);
   const T a2s1n = t_142 + t_143;
   const T a2s1s = t_142 - t_143;
-  const T t_145 = k_88 * a0 + k_89 * a6 - k_90 * a20;
-  const T t_146 = k_93 * (a2 - k_91 * a12 - k_92 * a30);
+  const T t_145 = k_85 * a0 + k_86 * a6 - k_87 * a20;
+  const T t_146 = k_90 * (a2 - k_88 * a12 - k_89 * a30);
   const T a2c0n = t_145 + t_146;
   const T a2c0s = t_145 - t_146;
-  const T t_147 = k_83 * a3 + k_84 * a13 - k_85 * a31;
-  const T t_148 = k_87 * (a7 + k_86 * a21);
-  const T t_149 = k_144 * (a21 - k_143 * a7);
+  const T t_147 = k_80 * a3 + k_81 * a13 - k_82 * a31;
+  const T t_148 = k_84 * (a7 + k_83 * a21);
+  const T t_149 = k_141 * (a21 - k_140 * a7);
   const T a2c1n = t_147 + t_148;
   const T a2c1s = t_147 - t_148;
-  const T t_150 = k_79 * a8 + k_80 * a22;
-  const T t_151 = k_82 * (a14 + k_81 * a32);
-  const T t_152 = k_139 * (a32 - k_138 * a14);
+  const T t_150 = k_76 * a8 + k_77 * a22;
+  const T t_151 = k_79 * (a14 + k_78 * a32);
+  const T t_152 = k_136 * (a32 - k_135 * a14);
   const T a2c2n = t_150 + t_151;
   const T a2c2s = t_150 - t_151;
-  const T t_153 = k_76 * a15 + k_77 * a33;
-  const T t_154 = k_78 * a23;
-  const T t_155 = k_135 * a23;
+  const T t_153 = k_73 * a15 + k_74 * a33;
+  const T t_154 = k_75 * a23;
+  const T t_155 = k_132 * a23;
   const T a2c3n = t_153 + t_154;
   const T a2c3s = t_153 - t_154;
-  const T t_156 = k_74 * a24;
-  const T t_157 = k_75 * a34;
-  const T t_158 = k_132 * a34;
+  const T t_156 = k_71 * a24;
+  const T t_157 = k_72 * a34;
+  const T t_158 = k_129 * a34;
   const T a2c4n = t_156 + t_157;
   const T a2c4s = t_156 - t_157;
-  const T a2c5n = k_73 * a35;
+  const T a2c5n = k_70 * a35;
   const T t_159 = a2c0n + a2c4n;
   const T t_160 = a2c0n - a2c4n;
   const T t_161 = a2c0s + a2c4s;
@@ -613,11 +610,11 @@ constexpr void square_l5(const T* a, T* out) noexcept {
   const T t_251 = t_248 + t_250;
   const T t_252 = t_245 + t_247;
   const T t_253 = t_226 - k_22 * t_231;
-  const T t_254 = k_31 * t_231 + k_32 * t_230 + k_34 * t_226 + t_223;
-  const T t_255 = k_35 * t_223 - k_33 * t_230;
+  const T t_254 = k_31 * t_231 + k_28 * t_230 + k_29 * t_226 + t_223;
+  const T t_255 = k_33 * t_223 - k_32 * t_230;
   const T t_256 = t_211 - k_22 * t_216;
-  const T t_257 = k_31 * t_216 + k_32 * t_215 + k_34 * t_211 + t_208;
-  const T t_258 = k_35 * t_208 - k_33 * t_215;
+  const T t_257 = k_31 * t_216 + k_28 * t_215 + k_29 * t_211 + t_208;
+  const T t_258 = k_33 * t_208 - k_32 * t_215;
   const T t_259 = t_253 + t_255;
   const T t_260 = t_256 + t_258;
   const T t_261 = t_260 + t_259;
@@ -632,48 +629,48 @@ constexpr void square_l5(const T* a, T* out) noexcept {
   const T t_270 = t_237 + t_233;
   const T t_271 = t_237 - t_233;
   const T t_272 = t_251 + t_252;
-  const T a3s5n = k_130 * a25;
-  const T a5s5n = k_199 * a25;
-  const T t_273 = k_131 * a16;
-  const T a5s4n = k_200 * a16;
+  const T a3s5n = k_127 * a25;
+  const T a5s5n = k_196 * a25;
+  const T t_273 = k_128 * a16;
+  const T a5s4n = k_197 * a16;
   const T a3s4n = t_273 + t_135;
   const T a3s4s = t_273 - t_135;
-  const T t_274 = k_133 * a9 + k_134 * a27;
-  const T a5s3n = k_201 * a9 - k_202 * a27;
+  const T t_274 = k_130 * a9 + k_131 * a27;
+  const T a5s3n = k_198 * a9 - k_199 * a27;
   const T a3s3n = t_274 + t_138;
   const T a3s3s = t_274 - t_138;
-  const T t_275 = k_136 * a4 - k_137 * a18;
-  const T a5s2n = k_203 * a4 - k_204 * a18;
+  const T t_275 = k_133 * a4 - k_134 * a18;
+  const T a5s2n = k_200 * a4 - k_201 * a18;
   const T a3s2n = t_275 - t_141;
   const T a3s2s = t_275 + t_141;
-  const T t_276 = k_140 * a1 - k_141 * a11 - k_142 * a29;
-  const T a5s1n = k_205 * a1 - k_206 * a11 + k_207 * a29;
+  const T t_276 = k_137 * a1 - k_138 * a11 - k_139 * a29;
+  const T a5s1n = k_202 * a1 - k_203 * a11 + k_204 * a29;
   const T a3s1n = t_276 - t_144;
   const T a3s1s = t_276 + t_144;
-  const T t_277 = k_187 * a0;
-  const T t_278 = k_145 * a0 - k_146 * a6 - k_147 * a20;
-  const T t_279 = k_150 * (a12 - k_148 * a2 - k_149 * a30);
-  const T t_280 = k_192 * (k_190 * a2 + k_191 * a12 + a30);
+  const T t_277 = k_184 * a0;
+  const T t_278 = k_142 * a0 - k_143 * a6 - k_144 * a20;
+  const T t_279 = k_147 * (a12 - k_145 * a2 - k_146 * a30);
+  const T t_280 = k_189 * (k_187 * a2 + k_188 * a12 + a30);
   const T a3c0n = t_278 - t_279;
   const T a3c0s = t_278 + t_279;
-  const T t_281 = k_140 * a3 - k_141 * a13 - k_142 * a31;
-  const T a5c1n = k_205 * a3 - k_206 * a13 + k_207 * a31;
+  const T t_281 = k_137 * a3 - k_138 * a13 - k_139 * a31;
+  const T a5c1n = k_202 * a3 - k_203 * a13 + k_204 * a31;
   const T a3c1n = t_281 - t_149;
   const T a3c1s = t_281 + t_149;
-  const T t_282 = k_136 * a8 - k_137 * a22;
-  const T a5c2n = k_203 * a8 - k_204 * a22;
+  const T t_282 = k_133 * a8 - k_134 * a22;
+  const T a5c2n = k_200 * a8 - k_201 * a22;
   const T a3c2n = t_282 - t_152;
   const T a3c2s = t_282 + t_152;
-  const T t_283 = k_133 * a15 + k_134 * a33;
-  const T a5c3n = k_201 * a15 - k_202 * a33;
+  const T t_283 = k_130 * a15 + k_131 * a33;
+  const T a5c3n = k_198 * a15 - k_199 * a33;
   const T a3c3n = t_283 + t_155;
   const T a3c3s = t_283 - t_155;
-  const T t_284 = k_131 * a24;
-  const T a5c4n = k_200 * a24;
+  const T t_284 = k_128 * a24;
+  const T a5c4n = k_197 * a24;
   const T a3c4n = t_284 + t_158;
   const T a3c4s = t_284 - t_158;
-  const T a3c5n = k_130 * a35;
-  const T a5c5n = k_199 * a35;
+  const T a3c5n = k_127 * a35;
+  const T a5c5n = k_196 * a35;
   const T t_285 = a3c0n + a3c4n;
   const T t_286 = a3c0n - a3c4n;
   const T t_287 = a3c0s + a3c4s;
@@ -769,16 +766,16 @@ constexpr void square_l5(const T* a, T* out) noexcept {
   const T t_377 = t_374 + t_376;
   const T t_378 = t_371 + t_373;
   const T t_379 = t_352 - k_22 * t_357;
-  const T t_380 = k_31 * t_357 + k_32 * t_356 + k_34 * t_352 + t_349;
-  const T t_381 = k_35 * t_349 - k_33 * t_356;
+  const T t_380 = k_31 * t_357 + k_28 * t_356 + k_29 * t_352 + t_349;
+  const T t_381 = k_33 * t_349 - k_32 * t_356;
   const T t_382 = t_337 - k_22 * t_342;
-  const T t_383 = k_31 * t_342 + k_32 * t_341 + k_34 * t_337 + t_334;
-  const T t_384 = k_35 * t_334 - k_33 * t_341;
+  const T t_383 = k_31 * t_342 + k_28 * t_341 + k_29 * t_337 + t_334;
+  const T t_384 = k_33 * t_334 - k_32 * t_341;
   const T t_385 = t_379 + t_381;
   const T t_386 = t_382 + t_384;
-  out[26] = k_39 * (t_103 - t_101) + k_96 * (t_243 - t_241) + k_153 * (t_369 - t_367);                            // l=5 m=-4
+  out[26] = k_36 * (t_103 - t_101) + k_93 * (t_243 - t_241) + k_150 * (t_369 - t_367);                            // l=5 m=-4
   const T t_387 = t_386 + t_385;
-  out[17] = k_41 * (t_120 - t_119) + k_98 * (t_260 - t_259) + k_155 * (t_386 - t_385);                            // l=4 m=-3
+  out[17] = k_38 * (t_120 - t_119) + k_95 * (t_260 - t_259) + k_152 * (t_386 - t_385);                            // l=4 m=-3
   const T t_388 = t_370 + t_368;
   const T t_389 = t_370 - t_368;
   const T t_390 = t_383 + t_380;
@@ -790,27 +787,27 @@ constexpr void square_l5(const T* a, T* out) noexcept {
   const T t_396 = t_363 + t_359;
   const T t_397 = t_363 - t_359;
   const T t_398 = t_377 + t_378;
-  out[23] = k_68 * (t_111 - t_112) + k_125 * (t_251 - t_252) + k_182 * (t_377 - t_378);                           // l=4 m=3
-  out[34] = k_71 * (t_100 - t_96) + k_128 * (t_240 - t_236) + k_185 * (t_366 - t_362);                            // l=5 m=4
-  out[10] = k_44 * t_123 + k_101 * t_263 + k_158 * t_389;                                                         // l=3 m=-2
-  out[28] = k_46 * t_123 + k_103 * t_263 - k_160 * t_389;                                                         // l=5 m=-2
-  out[5] = k_48 * t_125 + k_105 * t_265 + k_162 * t_391;                                                          // l=2 m=-1
-  out[19] = k_50 * t_125 + k_107 * t_265 - k_164 * t_391;                                                         // l=4 m=-1
-  out[7] = k_59 * t_129 + k_116 * t_269 + k_173 * t_395;                                                          // l=2 m=1
-  out[21] = k_61 * t_129 + k_118 * t_269 - k_175 * t_395;                                                         // l=4 m=1
-  out[14] = k_64 * t_131 + k_121 * t_271 + k_178 * t_397;                                                         // l=3 m=2
-  out[32] = k_66 * t_131 + k_123 * t_271 - k_180 * t_397;                                                         // l=5 m=2
-  const T t_399 = t_277 + k_188 * a6 + k_189 * a20;
-  const T a5c0n = t_277 - k_208 * a6 + k_209 * a20;
+  out[23] = k_65 * (t_111 - t_112) + k_122 * (t_251 - t_252) + k_179 * (t_377 - t_378);                           // l=4 m=3
+  out[34] = k_68 * (t_100 - t_96) + k_125 * (t_240 - t_236) + k_182 * (t_366 - t_362);                            // l=5 m=4
+  out[10] = k_41 * t_123 + k_98 * t_263 + k_155 * t_389;                                                          // l=3 m=-2
+  out[28] = k_43 * t_123 + k_100 * t_263 - k_157 * t_389;                                                         // l=5 m=-2
+  out[5] = k_45 * t_125 + k_102 * t_265 + k_159 * t_391;                                                          // l=2 m=-1
+  out[19] = k_47 * t_125 + k_104 * t_265 - k_161 * t_391;                                                         // l=4 m=-1
+  out[7] = k_56 * t_129 + k_113 * t_269 + k_170 * t_395;                                                          // l=2 m=1
+  out[21] = k_58 * t_129 + k_115 * t_269 - k_172 * t_395;                                                         // l=4 m=1
+  out[14] = k_61 * t_131 + k_118 * t_271 + k_175 * t_397;                                                         // l=3 m=2
+  out[32] = k_63 * t_131 + k_120 * t_271 - k_177 * t_397;                                                         // l=5 m=2
+  const T t_399 = t_277 + k_185 * a6 + k_186 * a20;
+  const T a5c0n = t_277 - k_205 * a6 + k_206 * a20;
   const T t_400 = t_399 + t_280;
   const T t_401 = t_399 - t_280;
   const T t_402 = t_400 * t_400;
   const T t_403 = t_401 * t_401;
   const T t_404 = t_402 + t_403;
   const T t_405 = t_402 - t_403;
-  out[2] = k_53 * t_127 + k_110 * t_267 + k_167 * t_393 + k_194 * t_405;                                          // l=1 m=0
-  out[12] = k_55 * t_127 - k_112 * t_267 - k_169 * t_393 + k_196 * t_405;                                         // l=3 m=0
-  out[30] = k_171 * t_393 - k_57 * t_127 - k_114 * t_267 + k_198 * t_405;                                         // l=5 m=0
+  out[2] = k_50 * t_127 + k_107 * t_267 + k_164 * t_393 + k_191 * t_405;                                          // l=1 m=0
+  out[12] = k_52 * t_127 - k_109 * t_267 - k_166 * t_393 + k_193 * t_405;                                         // l=3 m=0
+  out[30] = k_168 * t_393 - k_54 * t_127 - k_111 * t_267 + k_195 * t_405;                                         // l=5 m=0
   const T t_406 = a5c0n + a5c4n;
   const T t_407 = a5c0n - a5c4n;
   const T t_408 = a5c2n + t_406;
@@ -851,38 +848,38 @@ constexpr void square_l5(const T* a, T* out) noexcept {
   const T t_443 = k_25 * (t_430 - t_437) - t_442 + t_429;
   const T t_444 = k_26 * (t_442 + t_429);
   const T t_445 = t_437 + t_434 + t_430 + t_444;
-  out[24] = k_70 * (t_100 + t_96) + k_127 * (t_240 + t_236) + k_184 * (t_366 + t_362) + k_227 * (t_444 - t_434);  // l=4 m=4
+  out[24] = k_67 * (t_100 + t_96) + k_124 * (t_240 + t_236) + k_181 * (t_366 + t_362) + k_224 * (t_444 - t_434);  // l=4 m=4
   const T t_446 = t_407 * a5s2n + t_420 * t_425 + k_22 * (t_438 + t_431);
-  out[16] = k_38 * (t_103 + t_101) + k_95 * (t_243 + t_241) + k_152 * (t_369 + t_367) + k_211 * (t_431 - t_438);  // l=4 m=-4
+  out[16] = k_35 * (t_103 + t_101) + k_92 * (t_243 + t_241) + k_149 * (t_369 + t_367) + k_208 * (t_431 - t_438);  // l=4 m=-4
   const T t_447 = k_24 * t_432 - k_23 * t_439;
   const T t_448 = k_27 * t_439 + k_25 * t_435 + k_30 * t_432 + t_428;
   const T t_449 = k_26 * t_428 - k_22 * t_435;
   const T t_450 = t_447 + t_449;
-  out[35] = k_72 * (t_107 - t_105 - t_108 + t_110) + k_129 * (t_247 - t_245 - t_248 + t_250) + k_186 * (t_373 - t_371
-      - t_374 + t_376) + k_210 * (t_449 - t_447);                                                                 // l=5 m=5
+  out[35] = k_69 * (t_107 - t_105 - t_108 + t_110) + k_126 * (t_247 - t_245 - t_248 + t_250) + k_183 * (t_373 - t_371
+      - t_374 + t_376) + k_207 * (t_449 - t_447);                                                                 // l=5 m=5
   const T t_451 = k_26 * t_441 - k_22 * t_436;
-  const T t_452 = k_31 * t_441 + k_32 * t_440 + k_34 * t_436 + t_433;
+  const T t_452 = k_31 * t_441 + k_28 * t_440 + k_29 * t_436 + t_433;
   const T t_453 = k_23 * t_433 - k_24 * t_440;
   const T t_454 = t_453 - t_451;
-  out[25] = k_37 * (k_36 * (t_115 - t_113 - t_116 + t_118)) + k_94 * (k_36 * (t_255 - t_253 - t_256 + t_258))
-      + k_151 * (k_36 * (t_381 - t_379 - t_382 + t_384)) + k_210 * (t_451 + t_453);                               // l=5 m=-5
-  out[9] = k_40 * t_121 + k_97 * t_261 + k_154 * t_387 + k_212 * t_454;                                           // l=3 m=-3
-  out[27] = k_42 * t_121 + k_99 * t_261 + k_156 * t_387 - k_213 * t_454;                                          // l=5 m=-3
-  out[4] = k_43 * t_122 + k_100 * t_262 + k_157 * t_388 + k_214 * t_446;                                          // l=2 m=-2
-  out[18] = k_45 * t_122 + k_102 * t_262 - k_159 * t_388 - k_215 * t_446;                                         // l=4 m=-2
-  out[1] = k_47 * t_124 + k_104 * t_264 + k_161 * t_390 + k_216 * t_452;                                          // l=1 m=-1
-  out[11] = k_49 * t_124 + k_106 * t_264 - k_163 * t_390 - k_217 * t_452;                                         // l=3 m=-1
-  out[29] = k_51 * t_124 - k_108 * t_264 - k_165 * t_390 + k_218 * t_452;                                         // l=5 m=-1
-  out[0] = k_52 * t_126 + k_109 * t_266 + k_166 * t_392 + k_193 * t_404 + k_219 * t_445;                          // l=0 m=0
-  out[6] = k_54 * t_126 + k_111 * t_266 - k_168 * t_392 + k_195 * t_404 - k_220 * t_445;                          // l=2 m=0
-  out[20] = k_56 * t_126 - k_113 * t_266 - k_170 * t_392 + k_197 * t_404 + k_221 * t_445;                         // l=4 m=0
-  out[3] = k_58 * t_128 + k_115 * t_268 + k_172 * t_394 + k_222 * t_448;                                          // l=1 m=1
-  out[13] = k_60 * t_128 + k_117 * t_268 - k_174 * t_394 - k_223 * t_448;                                         // l=3 m=1
-  out[31] = k_62 * t_128 - k_119 * t_268 - k_176 * t_394 + k_224 * t_448;                                         // l=5 m=1
-  out[8] = k_63 * t_130 + k_120 * t_270 + k_177 * t_396 + k_225 * t_443;                                          // l=2 m=2
-  out[22] = k_65 * t_130 + k_122 * t_270 - k_179 * t_396 - k_226 * t_443;                                         // l=4 m=2
-  out[15] = k_67 * t_132 + k_124 * t_272 + k_181 * t_398 + k_212 * t_450;                                         // l=3 m=3
-  out[33] = k_69 * t_132 + k_126 * t_272 + k_183 * t_398 - k_213 * t_450;                                         // l=5 m=3
+  out[25] = k_34 * (k_22 * (t_115 - t_113 - t_116 + t_118)) + k_91 * (k_22 * (t_255 - t_253 - t_256 + t_258))
+      + k_148 * (k_22 * (t_381 - t_379 - t_382 + t_384)) + k_207 * (t_451 + t_453);                               // l=5 m=-5
+  out[9] = k_37 * t_121 + k_94 * t_261 + k_151 * t_387 + k_209 * t_454;                                           // l=3 m=-3
+  out[27] = k_39 * t_121 + k_96 * t_261 + k_153 * t_387 - k_210 * t_454;                                          // l=5 m=-3
+  out[4] = k_40 * t_122 + k_97 * t_262 + k_154 * t_388 + k_211 * t_446;                                           // l=2 m=-2
+  out[18] = k_42 * t_122 + k_99 * t_262 - k_156 * t_388 - k_212 * t_446;                                          // l=4 m=-2
+  out[1] = k_44 * t_124 + k_101 * t_264 + k_158 * t_390 + k_213 * t_452;                                          // l=1 m=-1
+  out[11] = k_46 * t_124 + k_103 * t_264 - k_160 * t_390 - k_214 * t_452;                                         // l=3 m=-1
+  out[29] = k_48 * t_124 - k_105 * t_264 - k_162 * t_390 + k_215 * t_452;                                         // l=5 m=-1
+  out[0] = k_49 * t_126 + k_106 * t_266 + k_163 * t_392 + k_190 * t_404 + k_216 * t_445;                          // l=0 m=0
+  out[6] = k_51 * t_126 + k_108 * t_266 - k_165 * t_392 + k_192 * t_404 - k_217 * t_445;                          // l=2 m=0
+  out[20] = k_53 * t_126 - k_110 * t_266 - k_167 * t_392 + k_194 * t_404 + k_218 * t_445;                         // l=4 m=0
+  out[3] = k_55 * t_128 + k_112 * t_268 + k_169 * t_394 + k_219 * t_448;                                          // l=1 m=1
+  out[13] = k_57 * t_128 + k_114 * t_268 - k_171 * t_394 - k_220 * t_448;                                         // l=3 m=1
+  out[31] = k_59 * t_128 - k_116 * t_268 - k_173 * t_394 + k_221 * t_448;                                         // l=5 m=1
+  out[8] = k_60 * t_130 + k_117 * t_270 + k_174 * t_396 + k_222 * t_443;                                          // l=2 m=2
+  out[22] = k_62 * t_130 + k_119 * t_270 - k_176 * t_396 - k_223 * t_443;                                         // l=4 m=2
+  out[15] = k_64 * t_132 + k_121 * t_272 + k_178 * t_398 + k_209 * t_450;                                         // l=3 m=3
+  out[33] = k_66 * t_132 + k_123 * t_272 + k_180 * t_398 - k_210 * t_450;                                         // l=5 m=3
 }
 
 }  // namespace sh

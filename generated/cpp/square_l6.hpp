@@ -4,7 +4,7 @@
 // Licence:      MIT-0; paste it anywhere.
 //
 // Input:        a (49)
-// Domain:       any coefficients: a has degree 0 to 6
+// Domain:       any coefficients
 // Output:       out (49): coefficients of a a at index l(l+1)+m, orthonormal on the unit sphere, no Condon-Shortley
 //               phase
 // Recipe:       separable
@@ -64,25 +64,25 @@ constexpr void square_l6(const T* a, T* out) noexcept {
   const T k_6   = detail::constant<T>(0.031585436f, 0.03158543553535305);       // theta_5_4(z1)
   const T k_7   = detail::constant<T>(0.026907358f, 0.026907358659285056);      // theta_3_3(z1)
   const T k_8   = detail::constant<T>(0.15285365f, 0.15285366011956567);        // theta_5_3(z1)
-  const T k_9   = detail::constant<T>(0.29132107f, 0.29132106642026373);        // theta_4_3(z1) * 1/(theta_6_3(z1))
+  const T k_9   = detail::constant<T>(0.29132107f, 0.29132106642026373);        // theta_4_3(z1) / theta_6_3(z1)
   const T k_10  = detail::constant<T>(0.2588022f, 0.2588022052619414);          // theta_6_3(z1)
   const T k_11  = detail::constant<T>(0.06972717f, 0.06972716629019513);        // theta_2_2(z1)
   const T k_12  = detail::constant<T>(0.30835918f, 0.308359188541075);          // theta_4_2(z1)
   const T k_13  = detail::constant<T>(0.61207473f, 0.612074709793072);          // theta_6_2(z1)
-  const T k_14  = detail::constant<T>(0.3729093f, 0.3729093024596044);          // theta_3_2(z1) * 1/(theta_5_2(z1))
+  const T k_14  = detail::constant<T>(0.3729093f, 0.3729093024596044);          // theta_3_2(z1) / theta_5_2(z1)
   const T k_15  = detail::constant<T>(0.4620568f, 0.4620567935094254);          // theta_5_2(z1)
   const T k_16  = detail::constant<T>(0.17456266f, 0.17456266049758248);        // theta_1_1(z1)
   const T k_17  = detail::constant<T>(0.5489419f, 0.5489419161278503);          // theta_3_1(z1)
   const T k_18  = detail::constant<T>(0.7716058f, 0.7716057760445927);          // theta_5_1(z1)
-  const T k_19  = detail::constant<T>(0.47563758f, 0.47563757964738906);        // theta_2_1(z1) * 1/(theta_6_1(z1))
-  const T k_20  = detail::constant<T>(0.9048251f, 0.9048251192520155);          // theta_4_1(z1) * 1/(theta_6_1(z1))
+  const T k_19  = detail::constant<T>(0.47563758f, 0.47563757964738906);        // theta_2_1(z1) / theta_6_1(z1)
+  const T k_20  = detail::constant<T>(0.9048251f, 0.9048251192520155);          // theta_4_1(z1) / theta_6_1(z1)
   const T k_21  = detail::constant<T>(0.7664922f, 0.766492192331324);           // theta_6_1(z1)
   const T k_22  = detail::constant<T>(0.2820948f, 0.28209479177387814);         // theta_0_0(z1)
   const T k_23  = detail::constant<T>(0.51001215f, 0.5100121358226182);         // theta_2_0(z1)
   const T k_24  = detail::constant<T>(0.36650226f, 0.366502244879295);          // theta_4_0(z1)
   const T k_25  = detail::constant<T>(0.014898615f, 0.014898614871543312);      // theta_6_0(z1)
-  const T k_26  = detail::constant<T>(0.96145815f, 0.9614581623421048);         // theta_1_0(z1) * 1/(theta_3_0(z1))
-  const T k_27  = detail::constant<T>(0.43230233f, 0.43230232063358265);        // theta_5_0(z1) * 1/(theta_3_0(z1))
+  const T k_26  = detail::constant<T>(0.96145815f, 0.9614581623421048);         // theta_1_0(z1) / theta_3_0(z1)
+  const T k_27  = detail::constant<T>(0.43230233f, 0.43230232063358265);        // theta_5_0(z1) / theta_3_0(z1)
   const T k_28  = detail::constant<T>(0.4746493f, 0.4746493013347763);          // theta_3_0(z1)
   const T k_29  = detail::constant<T>(0.70710677f, 0.7071067811865476);         // 1/2 sqrt(2)
   const T k_30  = detail::constant<T>(0.9238795f, 0.9238795325112867);          // cos(2 pi/16)
@@ -90,341 +90,335 @@ constexpr void square_l6(const T* a, T* out) noexcept {
   const T k_32  = detail::constant<T>(1.4142135f, 1.4142135623730951);          // sqrt(2)
   const T k_33  = detail::constant<T>(0.5f, 0.5);                               // 1/2
   const T k_34  = detail::constant<T>(2.0f, 2.0);                               // 2
-  const T k_35  = detail::constant<T>(0.76536685f, 0.7653668647301796);         // cos(6 pi/16) * 2
-  const T k_36  = detail::constant<T>(1.847759f, 1.8477590650225735);           // cos(2 pi/16) * 2
-  const T k_37  = detail::constant<T>(0.76536685f, 0.7653668647301796);         // -(-(cos(6 pi/16)) * 2)
-  const T k_38  = detail::constant<T>(0.5f, 0.5);                               // -((cos(6 pi/16)) / (-(cos(6 pi/16)) * 2))
-  const T k_39  = detail::constant<T>(1.306563f, 1.3065629648763766);           // 1/2 * 1/(cos(6 pi/16))
-  const T k_40  = detail::constant<T>(2.4142137f, 2.414213562373095);           // cos(2 pi/16) * 1/(cos(6 pi/16))
-  const T k_41  = detail::constant<T>(1.847759f, 1.8477590650225735);           // 1/2 sqrt(2) * 1/(cos(6 pi/16))
-  const T k_42  = detail::constant<T>(0.00024461932f, 0.00024461932157509106);  // pi * w(z1) * 1/2 * theta_6_6(z1)
-  const T k_43  = detail::constant<T>(0.00065783056f, 0.0006578305632687417);   // pi * w(z1) * 1/2 * theta_5_5(z1)
-  const T k_44  = detail::constant<T>(0.0022153037f, 0.0022153036585899045);    // pi * w(z1) * 1/2 * theta_6_5(z1)
-  const T k_45  = detail::constant<T>(0.0035111716f, 0.003511171505033299);     // pi * w(z1) * theta_4_4(z1)
-  const T k_46  = detail::constant<T>(0.01087667f, 0.010876669376078186);       // pi * w(z1) * theta_5_4(z1)
-  const T k_47  = detail::constant<T>(0.024333376f, 0.024333376146075728);      // pi * w(z1) * theta_6_4(z1)
-  const T k_48  = detail::constant<T>(0.00463287f, 0.004632870165634186);       // pi * w(z1) * 1/2 * theta_3_3(z1)
-  const T k_49  = detail::constant<T>(0.012981322f, 0.012981322084791453);      // pi * w(z1) * 1/2 * theta_4_3(z1)
-  const T k_50  = detail::constant<T>(0.026318122f, 0.026318122512242886);      // pi * w(z1) * 1/2 * theta_5_3(z1)
-  const T k_51  = detail::constant<T>(0.04456019f, 0.04456019004840667);        // pi * w(z1) * 1/2 * theta_6_3(z1)
-  const T k_52  = detail::constant<T>(0.024011046f, 0.024011045642236366);      // pi * w(z1) * theta_2_2(z1)
-  const T k_53  = detail::constant<T>(0.059334546f, 0.059334547495670235);      // pi * w(z1) * theta_3_2(z1)
-  const T k_54  = detail::constant<T>(0.10618568f, 0.10618567975999706);        // pi * w(z1) * theta_4_2(z1)
-  const T k_55  = detail::constant<T>(0.15911254f, 0.159112543195668);          // pi * w(z1) * theta_5_2(z1)
-  const T k_56  = detail::constant<T>(0.21077228f, 0.21077227966120038);        // pi * w(z1) * theta_6_2(z1)
-  const T k_57  = detail::constant<T>(0.023003826f, 0.023003825810370176);      // pi * w(z1) * cos(6 pi/16) * theta_1_1(z1)
-  const T k_58  = detail::constant<T>(0.048043277f, 0.04804327602725037);       // pi * w(z1) * cos(6 pi/16) * theta_2_1(z1)
-  const T k_59  = detail::constant<T>(0.07233944f, 0.07233943492050973);        // pi * w(z1) * cos(6 pi/16) * theta_3_1(z1)
-  const T k_60  = detail::constant<T>(0.09139472f, 0.09139471904814815);        // pi * w(z1) * cos(6 pi/16) * theta_4_1(z1)
-  const T k_61  = detail::constant<T>(0.10168202f, 0.10168202533010276);        // pi * w(z1) * cos(6 pi/16) * theta_5_1(z1)
-  const T k_62  = detail::constant<T>(0.10100816f, 0.10100815848669265);        // pi * w(z1) * cos(6 pi/16) * theta_6_1(z1)
-  const T k_63  = detail::constant<T>(0.048570674f, 0.048570673964648196);      // 1/2 pi * w(z1) * theta_0_0(z1)
-  const T k_64  = detail::constant<T>(0.07857462f, 0.07857462164612783);        // 1/2 pi * w(z1) * theta_1_0(z1)
-  const T k_65  = detail::constant<T>(0.087813154f, 0.08781315320032826);       // 1/2 pi * w(z1) * theta_2_0(z1)
-  const T k_66  = detail::constant<T>(0.081724435f, 0.08172443141438483);       // 1/2 pi * w(z1) * theta_3_0(z1)
-  const T k_67  = detail::constant<T>(0.063103825f, 0.06310382737449845);       // 1/2 pi * w(z1) * theta_4_0(z1)
-  const T k_68  = detail::constant<T>(0.035329662f, 0.035329661352898625);      // 1/2 pi * w(z1) * theta_5_0(z1)
-  const T k_69  = detail::constant<T>(0.002565222f, 0.002565221998251715);      // 1/2 pi * w(z1) * theta_6_0(z1)
-  const T k_70  = detail::constant<T>(0.030055948f, 0.030055946854296973);      // pi * w(z1) * 1/2 * theta_1_1(z1)
-  const T k_71  = detail::constant<T>(0.062771566f, 0.06277156516853839);       // pi * w(z1) * 1/2 * theta_2_1(z1)
-  const T k_72  = detail::constant<T>(0.094516024f, 0.09451602656722287);       // pi * w(z1) * 1/2 * theta_3_1(z1)
-  const T k_73  = detail::constant<T>(0.11941296f, 0.11941295509359189);        // pi * w(z1) * 1/2 * theta_4_1(z1)
-  const T k_74  = detail::constant<T>(0.13285397f, 0.1328539684899339);         // pi * w(z1) * 1/2 * theta_5_1(z1)
-  const T k_75  = detail::constant<T>(0.13197352f, 0.1319735190290761);         // pi * w(z1) * 1/2 * theta_6_1(z1)
-  const T k_76  = detail::constant<T>(0.0060027614f, 0.006002761410559092);     // 1/2 pi * w(z1) * 1/2 * theta_2_2(z1)
-  const T k_77  = detail::constant<T>(0.014833637f, 0.014833636873917559);      // 1/2 pi * w(z1) * 1/2 * theta_3_2(z1)
-  const T k_78  = detail::constant<T>(0.02654642f, 0.026546419939999264);       // 1/2 pi * w(z1) * 1/2 * theta_4_2(z1)
-  const T k_79  = detail::constant<T>(0.039778136f, 0.039778135798917);         // 1/2 pi * w(z1) * 1/2 * theta_5_2(z1)
-  const T k_80  = detail::constant<T>(0.05269307f, 0.052693069915300095);       // 1/2 pi * w(z1) * 1/2 * theta_6_2(z1)
-  const T k_81  = detail::constant<T>(0.00926574f, 0.009265740331268372);       // pi * w(z1) * theta_3_3(z1)
-  const T k_82  = detail::constant<T>(0.025962643f, 0.025962644169582907);      // pi * w(z1) * theta_4_3(z1)
-  const T k_83  = detail::constant<T>(0.052636243f, 0.05263624502448577);       // pi * w(z1) * theta_5_3(z1)
-  const T k_84  = detail::constant<T>(0.08912038f, 0.08912038009681333);        // pi * w(z1) * theta_6_3(z1)
-  const T k_85  = detail::constant<T>(0.0017555858f, 0.0017555857525166495);    // 1/2 pi * w(z1) * theta_4_4(z1)
-  const T k_86  = detail::constant<T>(0.005438335f, 0.005438334688039093);      // 1/2 pi * w(z1) * theta_5_4(z1)
-  const T k_87  = detail::constant<T>(0.012166688f, 0.012166688073037864);      // 1/2 pi * w(z1) * theta_6_4(z1)
-  const T k_88  = detail::constant<T>(0.00024461932f, 0.00024461932157509106);  // 1/2 pi * w(z1) * theta_6_6(z1)
-  const T k_89  = detail::constant<T>(0.03886128f, 0.03886127810602685);        // theta_6_6(z2)
-  const T k_90  = detail::constant<T>(0.06020596f, 0.06020595816023053);        // theta_5_5(z2)
-  const T k_91  = detail::constant<T>(0.17029227f, 0.17029227504934286);        // theta_6_5(z2)
-  const T k_92  = detail::constant<T>(0.09256495f, 0.0925649509800053);         // theta_4_4(z2)
-  const T k_93  = detail::constant<T>(0.43057197f, 0.4305719774728224);         // theta_6_4(z2)
-  const T k_94  = detail::constant<T>(0.24083894f, 0.24083894549952742);        // theta_5_4(z2)
-  const T k_95  = detail::constant<T>(0.1407258f, 0.1407258108991568);          // theta_3_3(z2)
-  const T k_96  = detail::constant<T>(0.52959555f, 0.5295955808516682);         // theta_5_3(z2)
-  const T k_97  = detail::constant<T>(0.50975156f, 0.5097515644580078);         // theta_4_3(z2) * 1/(theta_6_3(z2))
-  const T k_98  = detail::constant<T>(0.649711f, 0.6497110396450441);           // theta_6_3(z2)
-  const T k_99  = detail::constant<T>(0.21008924f, 0.21008924030994622);        // theta_2_2(z2)
-  const T k_100 = detail::constant<T>(0.601848f, 0.6018480341931656);           // theta_4_2(z2)
-  const T k_101 = detail::constant<T>(0.42882162f, 0.42882161493476983);        // theta_6_2(z2)
-  const T k_102 = detail::constant<T>(0.71258813f, 0.7125881297638975);         // theta_3_2(z2) * 1/(theta_5_2(z2))
-  const T k_103 = detail::constant<T>(0.61192477f, 0.6119247878677917);         // theta_5_2(z2)
-  const T k_104 = detail::constant<T>(0.3030067f, 0.3030067126549601);          // theta_1_1(z2)
-  const T k_105 = detail::constant<T>(0.5887186f, 0.588718582653552);           // theta_3_1(z2)
-  const T k_106 = detail::constant<T>(0.09483849f, 0.09483849567775747);        // theta_5_1(z2)
-  const T k_107 = detail::constant<T>(0.80092204f, 0.8009220575474311);         // theta_4_1(z2) * 1/(theta_2_1(z2))
-  const T k_108 = detail::constant<T>(0.5141674f, 0.5141674541104346);          // -(theta_6_1(z2) * 1/(theta_2_1(z2)))
-  const T k_109 = detail::constant<T>(0.53152174f, 0.5315217624837072);         // theta_2_1(z2)
-  const T k_110 = detail::constant<T>(0.2820948f, 0.28209479177387814);         // theta_0_0(z2)
-  const T k_111 = detail::constant<T>(0.2668979f, 0.26689789216466575);         // theta_2_0(z2)
-  const T k_112 = detail::constant<T>(0.23343825f, 0.23343824743752842);        // -(theta_4_0(z2))
-  const T k_113 = detail::constant<T>(0.3713553f, 0.3713552970606213);          // -(theta_6_0(z2))
-  const T k_114 = detail::constant<T>(0.99031764f, 0.990317615275724);          // -(theta_1_0(z2) * 1/(theta_5_0(z2)))
-  const T k_115 = detail::constant<T>(0.05829446f, 0.058294460692548414);       // -(theta_3_0(z2) * 1/(theta_5_0(z2)))
-  const T k_116 = detail::constant<T>(0.38704816f, 0.3870481448231354);         // -(theta_5_0(z2))
-  const T k_117 = detail::constant<T>(0.011425439f, 0.011425439712445548);      // pi * w(z2) * 1/2 * theta_6_6(z2)
-  const T k_118 = detail::constant<T>(0.0177009f, 0.01770089865322912);         // pi * w(z2) * 1/2 * theta_5_5(z2)
-  const T k_119 = detail::constant<T>(0.05006691f, 0.05006691022263923);        // pi * w(z2) * 1/2 * theta_6_5(z2)
-  const T k_120 = detail::constant<T>(0.05442926f, 0.05442925804046107);        // pi * w(z2) * theta_4_4(z2)
-  const T k_121 = detail::constant<T>(0.14161608f, 0.14161607576087726);        // pi * w(z2) * theta_5_4(z2)
-  const T k_122 = detail::constant<T>(0.25318128f, 0.2531812853433275);         // pi * w(z2) * theta_6_4(z2)
-  const T k_123 = detail::constant<T>(0.0413742f, 0.0413741993772452);          // pi * w(z2) * 1/2 * theta_3_3(z2)
-  const T k_124 = detail::constant<T>(0.09737213f, 0.09737212694247846);        // pi * w(z2) * 1/2 * theta_4_3(z2)
-  const T k_125 = detail::constant<T>(0.15570416f, 0.15570415271699237);        // pi * w(z2) * 1/2 * theta_5_3(z2)
-  const T k_126 = detail::constant<T>(0.19101879f, 0.19101878980206594);        // pi * w(z2) * 1/2 * theta_6_3(z2)
-  const T k_127 = detail::constant<T>(0.123534895f, 0.12353489470139234);       // pi * w(z2) * theta_2_2(z2)
-  const T k_128 = detail::constant<T>(0.2564026f, 0.2564026257345969);          // pi * w(z2) * theta_3_2(z2)
-  const T k_129 = detail::constant<T>(0.35389358f, 0.35389358074980287);        // pi * w(z2) * theta_4_2(z2)
-  const T k_130 = detail::constant<T>(0.35981882f, 0.359818828050856);          // pi * w(z2) * theta_5_2(z2)
-  const T k_131 = detail::constant<T>(0.25215206f, 0.2521520519970191);         // pi * w(z2) * theta_6_2(z2)
-  const T k_132 = detail::constant<T>(0.06818326f, 0.06818325796657941);        // pi * w(z2) * cos(6 pi/16) * theta_1_1(z2)
-  const T k_133 = detail::constant<T>(0.11960423f, 0.11960423295158414);        // pi * w(z2) * cos(6 pi/16) * theta_2_1(z2)
-  const T k_134 = detail::constant<T>(0.1324748f, 0.13247479119875222);         // pi * w(z2) * cos(6 pi/16) * theta_3_1(z2)
-  const T k_135 = detail::constant<T>(0.09579367f, 0.09579366834696502);        // pi * w(z2) * cos(6 pi/16) * theta_4_1(z2)
-  const T k_136 = detail::constant<T>(0.021340774f, 0.021340773474290267);      // pi * w(z2) * cos(6 pi/16) * theta_5_1(z2)
-  const T k_137 = detail::constant<T>(0.061496604f, 0.06149660395754737);       // -(pi * w(z2) * cos(6 pi/16) * theta_6_1(z2))
-  const T k_138 = detail::constant<T>(0.082937494f, 0.08293749443375803);       // 1/2 pi * w(z2) * theta_0_0(z2)
-  const T k_139 = detail::constant<T>(0.11269259f, 0.11269258403851681);        // 1/2 pi * w(z2) * theta_1_0(z2)
-  const T k_140 = detail::constant<T>(0.078469515f, 0.07846951837215198);       // 1/2 pi * w(z2) * theta_2_0(z2)
-  const T k_141 = detail::constant<T>(0.0066335825f, 0.0066335823065673625);    // 1/2 pi * w(z2) * theta_3_0(z2)
-  const T k_142 = detail::constant<T>(0.06863219f, 0.06863219000156331);        // -(1/2 pi * w(z2) * theta_4_0(z2))
-  const T k_143 = detail::constant<T>(0.11379439f, 0.11379438505407276);        // -(1/2 pi * w(z2) * theta_5_0(z2))
-  const T k_144 = detail::constant<T>(0.1091806f, 0.10918059737735238);         // -(1/2 pi * w(z2) * theta_6_0(z2))
-  const T k_145 = detail::constant<T>(0.08908572f, 0.08908571968374482);        // pi * w(z2) * 1/2 * theta_1_1(z2)
-  const T k_146 = detail::constant<T>(0.15627046f, 0.15627046121698657);        // pi * w(z2) * 1/2 * theta_2_1(z2)
-  const T k_147 = detail::constant<T>(0.17308666f, 0.1730866559600206);         // pi * w(z2) * 1/2 * theta_3_1(z2)
-  const T k_148 = detail::constant<T>(0.12516046f, 0.12516045933179493);        // pi * w(z2) * 1/2 * theta_4_1(z2)
-  const T k_149 = detail::constant<T>(0.027883064f, 0.02788306426332382);       // pi * w(z2) * 1/2 * theta_5_1(z2)
-  const T k_150 = detail::constant<T>(0.080349185f, 0.0803491851966014);        // -(pi * w(z2) * 1/2 * theta_6_1(z2))
-  const T k_151 = detail::constant<T>(0.030883724f, 0.030883723675348085);      // 1/2 pi * w(z2) * 1/2 * theta_2_2(z2)
-  const T k_152 = detail::constant<T>(0.06410065f, 0.06410065643364922);        // 1/2 pi * w(z2) * 1/2 * theta_3_2(z2)
-  const T k_153 = detail::constant<T>(0.088473395f, 0.08847339518745072);       // 1/2 pi * w(z2) * 1/2 * theta_4_2(z2)
-  const T k_154 = detail::constant<T>(0.089954704f, 0.089954707012714);         // 1/2 pi * w(z2) * 1/2 * theta_5_2(z2)
-  const T k_155 = detail::constant<T>(0.063038014f, 0.06303801299925478);       // 1/2 pi * w(z2) * 1/2 * theta_6_2(z2)
-  const T k_156 = detail::constant<T>(0.0827484f, 0.0827483987544904);          // pi * w(z2) * theta_3_3(z2)
-  const T k_157 = detail::constant<T>(0.19474426f, 0.19474425388495692);        // pi * w(z2) * theta_4_3(z2)
-  const T k_158 = detail::constant<T>(0.3114083f, 0.31140830543398473);         // pi * w(z2) * theta_5_3(z2)
-  const T k_159 = detail::constant<T>(0.38203758f, 0.38203757960413187);        // pi * w(z2) * theta_6_3(z2)
-  const T k_160 = detail::constant<T>(0.02721463f, 0.027214629020230537);       // 1/2 pi * w(z2) * theta_4_4(z2)
-  const T k_161 = detail::constant<T>(0.07080804f, 0.07080803788043863);        // 1/2 pi * w(z2) * theta_5_4(z2)
-  const T k_162 = detail::constant<T>(0.12659064f, 0.12659064267166376);        // 1/2 pi * w(z2) * theta_6_4(z2)
-  const T k_163 = detail::constant<T>(0.011425439f, 0.011425439712445548);      // 1/2 pi * w(z2) * theta_6_6(z2)
-  const T k_164 = detail::constant<T>(0.21529771f, 0.21529771548404458);        // theta_6_6(z3)
-  const T k_165 = detail::constant<T>(0.25075027f, 0.2507502783417561);         // theta_5_5(z3)
-  const T k_166 = detail::constant<T>(0.5110253f, 0.5110252945190704);          // theta_6_5(z3)
-  const T k_167 = detail::constant<T>(0.28981987f, 0.28981985613607153);        // theta_4_4(z3)
-  const T k_168 = detail::constant<T>(0.5875155f, 0.5875154717210493);          // theta_6_4(z3)
-  const T k_169 = detail::constant<T>(0.5433176f, 0.5433176034635577);          // theta_5_4(z3)
-  const T k_170 = detail::constant<T>(0.331234f, 0.33123401636383426);          // theta_3_3(z3)
-  const T k_171 = detail::constant<T>(0.5150739f, 0.5150738969150781);          // theta_5_3(z3)
-  const T k_172 = detail::constant<T>(0.2677026f, 0.26770262417215684);         // theta_6_3(z3) * 1/(theta_4_3(z3))
-  const T k_173 = detail::constant<T>(0.5616755f, 0.5616755026550345);          // theta_4_3(z3)
-  const T k_174 = detail::constant<T>(0.37174454f, 0.3717445336968389);         // theta_2_2(z3)
-  const T k_175 = detail::constant<T>(0.39805874f, 0.39805873070765196);        // theta_4_2(z3)
-  const T k_176 = detail::constant<T>(0.43329895f, 0.4332989346153968);         // -(theta_6_2(z3))
-  const T k_177 = detail::constant<T>(0.06886487f, 0.0688648637825454);         // -(theta_5_2(z3) * 1/(theta_3_2(z3)))
-  const T k_178 = detail::constant<T>(0.5559336f, 0.5559335812444329);          // theta_3_2(z3)
-  const T k_179 = detail::constant<T>(0.40306273f, 0.4030627280568947);         // theta_1_1(z3)
-  const T k_180 = detail::constant<T>(0.2252588f, 0.2252588046928113);          // theta_3_1(z3)
-  const T k_181 = detail::constant<T>(0.49669537f, 0.4966953655234746);         // -(theta_5_1(z3))
-  const T k_182 = detail::constant<T>(0.46758503f, 0.46758504177743815);        // -(theta_4_1(z3) * 1/(theta_2_1(z3)))
-  const T k_183 = detail::constant<T>(0.64859885f, 0.6485988409472917);         // -(theta_6_1(z3) * 1/(theta_2_1(z3)))
-  const T k_184 = detail::constant<T>(0.50943285f, 0.5094328419030426);         // theta_2_1(z3)
-  const T k_185 = detail::constant<T>(0.2820948f, 0.28209479177387814);         // theta_0_0(z3)
-  const T k_186 = detail::constant<T>(0.013097289f, 0.013097289293885536);      // -(theta_2_0(z3))
-  const T k_187 = detail::constant<T>(0.318639f, 0.31863900915391147);          // -(theta_4_0(z3))
-  const T k_188 = detail::constant<T>(0.24960025f, 0.24960025078816908);        // theta_6_0(z3)
-  const T k_189 = detail::constant<T>(0.93352246f, 0.9335224354203056);         // -(theta_1_0(z3) * 1/(theta_3_0(z3)))
-  const T k_190 = detail::constant<T>(0.20862512f, 0.20862511811666937);        // theta_5_0(z3) * 1/(theta_3_0(z3))
-  const T k_191 = detail::constant<T>(0.29584226f, 0.295842274494742);          // -(theta_3_0(z3))
-  const T k_192 = detail::constant<T>(0.08388711f, 0.08388710576736227);        // pi * w(z3) * 1/2 * theta_6_6(z3)
-  const T k_193 = detail::constant<T>(0.097700596f, 0.09770059600102574);       // pi * w(z3) * 1/2 * theta_5_5(z3)
-  const T k_194 = detail::constant<T>(0.19911234f, 0.19911234466533687);        // pi * w(z3) * 1/2 * theta_6_5(z3)
-  const T k_195 = detail::constant<T>(0.22584678f, 0.22584678960023702);        // pi * w(z3) * theta_4_4(z3)
-  const T k_196 = detail::constant<T>(0.423389f, 0.4233889910494191);           // pi * w(z3) * theta_5_4(z3)
-  const T k_197 = detail::constant<T>(0.4578309f, 0.45783089156724327);         // pi * w(z3) * theta_6_4(z3)
-  const T k_198 = detail::constant<T>(0.12905972f, 0.12905972040618505);        // pi * w(z3) * 1/2 * theta_3_3(z3)
-  const T k_199 = detail::constant<T>(0.21884733f, 0.21884733979748638);        // pi * w(z3) * 1/2 * theta_4_3(z3)
-  const T k_200 = detail::constant<T>(0.20068981f, 0.20068981396936703);        // pi * w(z3) * 1/2 * theta_5_3(z3)
-  const T k_201 = detail::constant<T>(0.05858601f, 0.0585860071568828);         // pi * w(z3) * 1/2 * theta_6_3(z3)
-  const T k_202 = detail::constant<T>(0.2896879f, 0.2896879137482213);          // pi * w(z3) * theta_2_2(z3)
-  const T k_203 = detail::constant<T>(0.4332202f, 0.43322019487881036);         // pi * w(z3) * theta_3_2(z3)
-  const T k_204 = detail::constant<T>(0.3101937f, 0.3101936754825382);          // pi * w(z3) * theta_4_2(z3)
-  const T k_205 = detail::constant<T>(0.02983365f, 0.02983364970817705);        // -(pi * w(z3) * theta_5_2(z3))
-  const T k_206 = detail::constant<T>(0.3376552f, 0.3376551718186801);          // -(pi * w(z3) * theta_6_2(z3))
-  const T k_207 = detail::constant<T>(0.120198235f, 0.12019823362339205);       // pi * w(z3) * cos(6 pi/16) * theta_1_1(z3)
-  const T k_208 = detail::constant<T>(0.1519191f, 0.1519191021250843);          // pi * w(z3) * cos(6 pi/16) * theta_2_1(z3)
-  const T k_209 = detail::constant<T>(0.06717493f, 0.06717492972550584);        // pi * w(z3) * cos(6 pi/16) * theta_3_1(z3)
-  const T k_210 = detail::constant<T>(0.0710351f, 0.07103509971394843);         // -(pi * w(z3) * cos(6 pi/16) * theta_4_1(z3))
-  const T k_211 = detail::constant<T>(0.14812063f, 0.14812063093171798);        // -(pi * w(z3) * cos(6 pi/16) * theta_5_1(z3))
-  const T k_212 = detail::constant<T>(0.098534554f, 0.09853455355608291);       // -(pi * w(z3) * cos(6 pi/16) * theta_6_1(z3))
-  const T k_213 = detail::constant<T>(0.10991345f, 0.10991345440314748);        // 1/2 pi * w(z3) * theta_0_0(z3)
-  const T k_214 = detail::constant<T>(0.10760707f, 0.10760706395451677);        // 1/2 pi * w(z3) * theta_1_0(z3)
-  const T k_215 = detail::constant<T>(0.005103137f, 0.00510313678801362);       // -(1/2 pi * w(z3) * theta_2_0(z3))
-  const T k_216 = detail::constant<T>(0.11526993f, 0.11526992803988496);        // -(1/2 pi * w(z3) * theta_3_0(z3))
-  const T k_217 = detail::constant<T>(0.12415229f, 0.12415228931903177);        // -(1/2 pi * w(z3) * theta_4_0(z3))
-  const T k_218 = detail::constant<T>(0.024048202f, 0.02404820235262098);       // -(1/2 pi * w(z3) * theta_5_0(z3))
-  const T k_219 = detail::constant<T>(0.09725251f, 0.09725250725653424);        // 1/2 pi * w(z3) * theta_6_0(z3)
-  const T k_220 = detail::constant<T>(0.15704656f, 0.1570465604958825);         // pi * w(z3) * 1/2 * theta_1_1(z3)
-  const T k_221 = detail::constant<T>(0.19849187f, 0.19849187249390718);        // pi * w(z3) * 1/2 * theta_2_1(z3)
-  const T k_222 = detail::constant<T>(0.08776828f, 0.08776827534751916);        // pi * w(z3) * 1/2 * theta_3_1(z3)
-  const T k_223 = detail::constant<T>(0.09281183f, 0.09281183049254552);        // -(pi * w(z3) * 1/2 * theta_4_1(z3))
-  const T k_224 = detail::constant<T>(0.19352894f, 0.19352893070950497);        // -(pi * w(z3) * 1/2 * theta_5_1(z3))
-  const T k_225 = detail::constant<T>(0.12874159f, 0.1287415984370058);         // -(pi * w(z3) * 1/2 * theta_6_1(z3))
-  const T k_226 = detail::constant<T>(0.072421975f, 0.07242197843705532);       // 1/2 pi * w(z3) * 1/2 * theta_2_2(z3)
-  const T k_227 = detail::constant<T>(0.10830505f, 0.10830504871970259);        // 1/2 pi * w(z3) * 1/2 * theta_3_2(z3)
-  const T k_228 = detail::constant<T>(0.07754842f, 0.07754841887063454);        // 1/2 pi * w(z3) * 1/2 * theta_4_2(z3)
-  const T k_229 = detail::constant<T>(0.0074584126f, 0.007458412427044262);     // -(1/2 pi * w(z3) * 1/2 * theta_5_2(z3))
-  const T k_230 = detail::constant<T>(0.0844138f, 0.08441379295467002);         // -(1/2 pi * w(z3) * 1/2 * theta_6_2(z3))
-  const T k_231 = detail::constant<T>(0.25811943f, 0.2581194408123701);         // pi * w(z3) * theta_3_3(z3)
-  const T k_232 = detail::constant<T>(0.43769467f, 0.43769467959497277);        // pi * w(z3) * theta_4_3(z3)
-  const T k_233 = detail::constant<T>(0.40137962f, 0.40137962793873405);        // pi * w(z3) * theta_5_3(z3)
-  const T k_234 = detail::constant<T>(0.11717202f, 0.1171720143137656);         // pi * w(z3) * theta_6_3(z3)
-  const T k_235 = detail::constant<T>(0.11292339f, 0.11292339480011851);        // 1/2 pi * w(z3) * theta_4_4(z3)
-  const T k_236 = detail::constant<T>(0.2116945f, 0.21169449552470954);         // 1/2 pi * w(z3) * theta_5_4(z3)
-  const T k_237 = detail::constant<T>(0.22891545f, 0.22891544578362163);        // 1/2 pi * w(z3) * theta_6_4(z3)
-  const T k_238 = detail::constant<T>(0.08388711f, 0.08388710576736227);        // 1/2 pi * w(z3) * theta_6_6(z3)
-  const T k_239 = detail::constant<T>(0.5191288f, 0.5191287750743847);          // theta_6_6(z4)
-  const T k_240 = detail::constant<T>(0.522121f, 0.5221209958945917);           // theta_5_5(z4)
-  const T k_241 = detail::constant<T>(0.55677474f, 0.5567747527310394);         // theta_6_5(z4)
-  const T k_242 = detail::constant<T>(0.521137f, 0.5211370181476411);           // theta_4_4(z4)
-  const T k_243 = detail::constant<T>(0.015881144f, 0.01588114316990323);       // -(theta_6_4(z4))
-  const T k_244 = detail::constant<T>(0.5111931f, 0.5111930799437336);          // theta_5_4(z4)
-  const T k_245 = detail::constant<T>(0.5143429f, 0.5143429258331865);          // theta_3_3(z4)
-  const T k_246 = detail::constant<T>(0.09072912f, 0.09072912077603644);        // -(theta_5_3(z4))
-  const T k_247 = detail::constant<T>(0.942948f, 0.9429479711075295);           // -(theta_4_3(z4) * 1/(theta_6_3(z4)))
-  const T k_248 = detail::constant<T>(0.48397508f, 0.48397507431321735);        // -(theta_6_3(z4))
-  const T k_249 = detail::constant<T>(0.49849004f, 0.4984900392736293);         // theta_2_2(z4)
-  const T k_250 = detail::constant<T>(0.16736767f, 0.16736767275003273);        // -(theta_4_2(z4))
-  const T k_251 = detail::constant<T>(0.13534568f, 0.13534568481529086);        // -(theta_6_2(z4))
-  const T k_252 = detail::constant<T>(0.81756765f, 0.8175676732364037);         // -(theta_3_2(z4) * 1/(theta_5_2(z4)))
-  const T k_253 = detail::constant<T>(0.47710997f, 0.4771099717579867);         // -(theta_5_2(z4))
-  const T k_254 = detail::constant<T>(0.46674383f, 0.4667438312711535);         // theta_1_1(z4)
-  const T k_255 = detail::constant<T>(0.24564609f, 0.2456460819846465);         // -(theta_3_1(z4))
-  const T k_256 = detail::constant<T>(0.027665181f, 0.02766518119570615);       // -(theta_5_1(z4))
-  const T k_257 = detail::constant<T>(0.6839218f, 0.6839218015005109);          // -(theta_2_1(z4) * 1/(theta_4_1(z4)))
-  const T k_258 = detail::constant<T>(0.95858204f, 0.9585820702167291);         // -(theta_6_1(z4) * 1/(theta_4_1(z4)))
-  const T k_259 = detail::constant<T>(0.45132962f, 0.4513296244772347);         // -(theta_4_1(z4))
-  const T k_260 = detail::constant<T>(0.2820948f, 0.28209479177387814);         // theta_0_0(z4)
-  const T k_261 = detail::constant<T>(0.23262694f, 0.23262694458389097);        // -(theta_2_0(z4))
-  const T k_262 = detail::constant<T>(0.06808531f, 0.06808531189561687);        // theta_4_0(z4)
-  const T k_263 = detail::constant<T>(0.122627296f, 0.12262729392758455);       // theta_6_0(z4)
-  const T k_264 = detail::constant<T>(0.44640335f, 0.44640335095465367);        // theta_1_0(z4) * 1/(theta_5_0(z4))
-  const T k_265 = detail::constant<T>(0.8737209f, 0.8737208557627298);          // -(theta_3_0(z4) * 1/(theta_5_0(z4)))
-  const T k_266 = detail::constant<T>(0.32371658f, 0.32371658423814637);        // theta_5_0(z4)
-  const T k_267 = detail::constant<T>(0.23393431f, 0.23393431229300266);        // pi * w(z4) * 1/2 * theta_6_6(z4)
-  const T k_268 = detail::constant<T>(0.23528269f, 0.23528269279782757);        // pi * w(z4) * 1/2 * theta_5_5(z4)
-  const T k_269 = detail::constant<T>(0.25089866f, 0.25089866933995186);        // pi * w(z4) * 1/2 * theta_6_5(z4)
-  const T k_270 = detail::constant<T>(0.46967858f, 0.46967856841811945);        // pi * w(z4) * theta_4_4(z4)
-  const T k_271 = detail::constant<T>(0.46071652f, 0.460716521015211);          // pi * w(z4) * theta_5_4(z4)
-  const T k_272 = detail::constant<T>(0.014312997f, 0.014312997022157728);      // -(pi * w(z4) * theta_6_4(z4))
-  const T k_273 = detail::constant<T>(0.23177767f, 0.23177767138860036);        // pi * w(z4) * 1/2 * theta_3_3(z4)
-  const T k_274 = detail::constant<T>(0.20565039f, 0.20565039588172424);        // pi * w(z4) * 1/2 * theta_4_3(z4)
-  const T k_275 = detail::constant<T>(0.040885143f, 0.04088514351886896);       // -(pi * w(z4) * 1/2 * theta_5_3(z4))
-  const T k_276 = detail::constant<T>(0.21809305f, 0.21809304668228913);        // -(pi * w(z4) * 1/2 * theta_6_3(z4))
-  const T k_277 = detail::constant<T>(0.4492678f, 0.4492678122328281);          // pi * w(z4) * theta_2_2(z4)
-  const T k_278 = detail::constant<T>(0.35155317f, 0.35155317500425637);        // pi * w(z4) * theta_3_2(z4)
-  const T k_279 = detail::constant<T>(0.15084134f, 0.1508413453646413);         // -(pi * w(z4) * theta_4_2(z4))
-  const T k_280 = detail::constant<T>(0.42999887f, 0.42999886922217273);        // -(pi * w(z4) * theta_5_2(z4))
-  const T k_281 = detail::constant<T>(0.12198129f, 0.1219812933488566);         // -(pi * w(z4) * theta_6_2(z4))
-  const T k_282 = detail::constant<T>(0.1609782f, 0.16097820013902778);         // pi * w(z4) * cos(6 pi/16) * theta_1_1(z4)
-  const T k_283 = detail::constant<T>(0.106460564f, 0.10646056564992001);       // pi * w(z4) * cos(6 pi/16) * theta_2_1(z4)
-  const T k_284 = detail::constant<T>(0.084722415f, 0.0847224140946807);        // -(pi * w(z4) * cos(6 pi/16) * theta_3_1(z4))
-  const T k_285 = detail::constant<T>(0.1556619f, 0.15566189791924698);         // -(pi * w(z4) * cos(6 pi/16) * theta_4_1(z4))
-  const T k_286 = detail::constant<T>(0.009541618f, 0.009541617429149501);      // -(pi * w(z4) * cos(6 pi/16) * theta_5_1(z4))
-  const T k_287 = detail::constant<T>(0.1492147f, 0.1492147043612969);          // pi * w(z4) * cos(6 pi/16) * theta_6_1(z4)
-  const T k_288 = detail::constant<T>(0.12712f, 0.12712000236473922);           // 1/2 pi * w(z4) * theta_0_0(z4)
-  const T k_289 = detail::constant<T>(0.06511953f, 0.06511952431922095);        // 1/2 pi * w(z4) * theta_1_0(z4)
-  const T k_290 = detail::constant<T>(0.10482837f, 0.10482837190879536);        // -(1/2 pi * w(z4) * theta_2_0(z4))
-  const T k_291 = detail::constant<T>(0.12745488f, 0.1274548822121885);         // -(1/2 pi * w(z4) * theta_3_0(z4))
-  const T k_292 = detail::constant<T>(0.030681195f, 0.030681193916236898);      // 1/2 pi * w(z4) * theta_4_0(z4)
-  const T k_293 = detail::constant<T>(0.14587598f, 0.14587597557222617);        // 1/2 pi * w(z4) * theta_5_0(z4)
-  const T k_294 = detail::constant<T>(0.055259377f, 0.05525937503501118);       // 1/2 pi * w(z4) * theta_6_0(z4)
-  const T k_295 = detail::constant<T>(0.21032816f, 0.21032815445411085);        // pi * w(z4) * 1/2 * theta_1_1(z4)
-  const T k_296 = detail::constant<T>(0.13909744f, 0.1390974322979756);         // pi * w(z4) * 1/2 * theta_2_1(z4)
-  const T k_297 = detail::constant<T>(0.11069517f, 0.11069516855103012);        // -(pi * w(z4) * 1/2 * theta_3_1(z4))
-  const T k_298 = detail::constant<T>(0.20338207f, 0.2033820708636552);         // -(pi * w(z4) * 1/2 * theta_4_1(z4))
-  const T k_299 = detail::constant<T>(0.012466724f, 0.012466723957945682);      // -(pi * w(z4) * 1/2 * theta_5_1(z4))
-  const T k_300 = detail::constant<T>(0.1949584f, 0.1949584065334481);          // pi * w(z4) * 1/2 * theta_6_1(z4)
-  const T k_301 = detail::constant<T>(0.11231695f, 0.11231695305820702);        // 1/2 pi * w(z4) * 1/2 * theta_2_2(z4)
-  const T k_302 = detail::constant<T>(0.08788829f, 0.08788829375106409);        // 1/2 pi * w(z4) * 1/2 * theta_3_2(z4)
-  const T k_303 = detail::constant<T>(0.037710335f, 0.037710336341160326);      // -(1/2 pi * w(z4) * 1/2 * theta_4_2(z4))
-  const T k_304 = detail::constant<T>(0.10749972f, 0.10749971730554318);        // -(1/2 pi * w(z4) * 1/2 * theta_5_2(z4))
-  const T k_305 = detail::constant<T>(0.030495323f, 0.03049532333721415);       // -(1/2 pi * w(z4) * 1/2 * theta_6_2(z4))
-  const T k_306 = detail::constant<T>(0.46355534f, 0.46355534277720073);        // pi * w(z4) * theta_3_3(z4)
-  const T k_307 = detail::constant<T>(0.41130078f, 0.41130079176344847);        // pi * w(z4) * theta_4_3(z4)
-  const T k_308 = detail::constant<T>(0.081770286f, 0.08177028703773792);       // -(pi * w(z4) * theta_5_3(z4))
-  const T k_309 = detail::constant<T>(0.4361861f, 0.43618609336457825);         // -(pi * w(z4) * theta_6_3(z4))
-  const T k_310 = detail::constant<T>(0.23483929f, 0.23483928420905972);        // 1/2 pi * w(z4) * theta_4_4(z4)
-  const T k_311 = detail::constant<T>(0.23035826f, 0.2303582605076055);         // 1/2 pi * w(z4) * theta_5_4(z4)
-  const T k_312 = detail::constant<T>(0.0071564987f, 0.007156498511078864);     // -(1/2 pi * w(z4) * theta_6_4(z4))
-  const T k_313 = detail::constant<T>(0.23393431f, 0.23393431229300266);        // 1/2 pi * w(z4) * theta_6_6(z4)
-  const T k_314 = detail::constant<T>(0.2820948f, 0.28209479177387814);         // 1/2 sqrt(1/pi)
-  const T k_315 = detail::constant<T>(0.63078314f, 0.63078313050504);           // 1/2 sqrt(5/pi)
-  const T k_316 = detail::constant<T>(0.8462844f, 0.8462843753216345);          // 3/2 sqrt(1/pi)
-  const T k_317 = detail::constant<T>(1.0171072f, 1.0171072362820548);          // 1/2 sqrt(13/pi)
-  const T k_318 = detail::constant<T>(0.52223295f, 0.5222329678670935);         // 1/11 sqrt(33)
-  const T k_319 = detail::constant<T>(0.797724f, 0.7977240352174656);           // 1/11 sqrt(77)
-  const T k_320 = detail::constant<T>(0.9356026f, 0.9356025796273888);          // 1/2 sqrt(11/pi)
-  const T k_321 = detail::constant<T>(0.032226432f, 0.03222643365282756);       // 2 pi * w(pole) * 1/2 sqrt(1/pi)
-  const T k_322 = detail::constant<T>(0.05581782f, 0.055817820433444826);       // 2 pi * w(pole) * 1/2 sqrt(3/pi)
-  const T k_323 = detail::constant<T>(0.072060496f, 0.07206049632010929);       // 2 pi * w(pole) * 1/2 sqrt(5/pi)
-  const T k_324 = detail::constant<T>(0.085263126f, 0.08526312908790457);       // 2 pi * w(pole) * 1/2 sqrt(7/pi)
-  const T k_325 = detail::constant<T>(0.0966793f, 0.09667930095848269);         // 2 pi * w(pole) * 3/2 sqrt(1/pi)
-  const T k_326 = detail::constant<T>(0.10688299f, 0.10688298875771142);        // 2 pi * w(pole) * 1/2 sqrt(11/pi)
-  const T k_327 = detail::constant<T>(0.11619406f, 0.11619405896060805);        // 2 pi * w(pole) * 1/2 sqrt(13/pi)
-  const T k_328 = detail::constant<T>(0.6831841f, 0.6831841051919143);          // 1/64 sqrt(6006/pi)
-  const T k_329 = detail::constant<T>(0.6563821f, 0.6563820568401701);          // 3/32 sqrt(154/pi)
-  const T k_330 = detail::constant<T>(0.6258357f, 0.6258357354491761);          // 3/16 sqrt(35/pi)
-  const T k_331 = detail::constant<T>(0.5045649f, 0.5045649007287242);          // 3/32 sqrt(91/pi)
-  const T k_332 = detail::constant<T>(0.5900436f, 0.5900435899266435);          // 1/8 sqrt(70/pi)
-  const T k_333 = detail::constant<T>(0.4892383f, 0.4892382994352504);          // 1/32 sqrt(770/pi)
-  const T k_334 = detail::constant<T>(0.54627424f, 0.5462742152960396);         // 1/4 sqrt(15/pi)
-  const T k_335 = detail::constant<T>(0.47308734f, 0.47308734787878);           // 3/8 sqrt(5/pi)
-  const T k_336 = detail::constant<T>(0.46060264f, 0.46060262975746175);        // 1/64 sqrt(2730/pi)
-  const T k_337 = detail::constant<T>(0.48860252f, 0.4886025119029199);         // 1/2 sqrt(3/pi)
-  const T k_338 = detail::constant<T>(0.4570458f, 0.4570457994644657);          // 1/8 sqrt(42/pi)
-  const T k_339 = detail::constant<T>(0.45294666f, 0.45294665119569694);        // 1/16 sqrt(165/pi)
-  const T k_340 = detail::constant<T>(0.31539157f, 0.31539156525252);           // 1/4 sqrt(5/pi)
-  const T k_341 = detail::constant<T>(0.31735665f, 0.31735664074561293);        // 9/16 sqrt(1/pi)
-  const T k_342 = detail::constant<T>(0.317846f, 0.3178460113381421);           // 5/32 sqrt(13/pi)
-  const T k_343 = detail::constant<T>(0.64435285f, 0.6443528718923864);         // pi * w(equator) * 1/64 sqrt(6006/pi)
-  const T k_344 = detail::constant<T>(0.3095371f, 0.30953710732540096);         // pi * w(equator) * 1/2 * 3/32 sqrt(154/pi)
-  const T k_345 = detail::constant<T>(0.5902641f, 0.5902641036361352);          // pi * w(equator) * 3/16 sqrt(35/pi)
-  const T k_346 = detail::constant<T>(0.47588614f, 0.4758861343082929);         // -(pi * w(equator) * -3/32 sqrt(91/pi))
-  const T k_347 = detail::constant<T>(0.27825317f, 0.27825316691474017);        // pi * w(equator) * 1/2 * 1/8 sqrt(70/pi)
-  const T k_348 = detail::constant<T>(0.23071533f, 0.23071533784608156);        // -(pi * w(equator) * 1/2 * -1/32 sqrt(770/pi))
-  const T k_349 = detail::constant<T>(0.51522475f, 0.5152247495100664);         // pi * w(equator) * 1/4 sqrt(15/pi)
-  const T k_350 = detail::constant<T>(0.44619772f, 0.4461977217341915);         // -(pi * w(equator) * -3/8 sqrt(5/pi))
-  const T k_351 = detail::constant<T>(0.4344226f, 0.43442261760764195);         // pi * w(equator) * 1/64 sqrt(2730/pi)
-  const T k_352 = detail::constant<T>(0.1763524f, 0.17635239855490872);         // pi * w(equator) * cos(6 pi/16) * 1/2 sqrt(3/pi)
-  const T k_353 = detail::constant<T>(0.16496256f, 0.1649625636820691);         // -(pi * w(equator) * cos(6 pi/16) * -1/8 sqrt(42/pi))
-  const T k_354 = detail::constant<T>(0.16348305f, 0.16348304891982568);        // pi * w(equator) * cos(6 pi/16) * 1/16 sqrt(165/pi)
-  const T k_355 = detail::constant<T>(0.13303046f, 0.13303045829375834);        // 1/2 pi * w(equator) * 1/2 sqrt(1/pi)
-  const T k_356 = detail::constant<T>(0.14873257f, 0.14873257391139716);        // -(1/2 pi * w(equator) * -1/4 sqrt(5/pi))
-  const T k_357 = detail::constant<T>(0.14965926f, 0.14965926558047812);        // 1/2 pi * w(equator) * 9/16 sqrt(1/pi)
-  const T k_358 = detail::constant<T>(0.14989005f, 0.14989004330519357);        // -(1/2 pi * w(equator) * -5/32 sqrt(13/pi))
-  const T k_359 = detail::constant<T>(0.23041551f, 0.23041551271896196);        // pi * w(equator) * 1/2 * 1/2 sqrt(3/pi)
-  const T k_360 = detail::constant<T>(0.21553397f, 0.21553397629805227);        // -(pi * w(equator) * 1/2 * -1/8 sqrt(42/pi))
-  const T k_361 = detail::constant<T>(0.2136009f, 0.21360089710371716);         // pi * w(equator) * 1/2 * 1/16 sqrt(165/pi)
-  const T k_362 = detail::constant<T>(0.25761238f, 0.2576123747550332);         // 1/2 pi * w(equator) * 1/4 sqrt(15/pi)
-  const T k_363 = detail::constant<T>(0.22309886f, 0.22309886086709574);        // -(1/2 pi * w(equator) * -3/8 sqrt(5/pi))
-  const T k_364 = detail::constant<T>(0.2172113f, 0.21721130880382097);         // 1/2 pi * w(equator) * 1/64 sqrt(2730/pi)
-  const T k_365 = detail::constant<T>(0.55650634f, 0.5565063338294803);         // pi * w(equator) * 1/8 sqrt(70/pi)
-  const T k_366 = detail::constant<T>(0.46143067f, 0.4614306756921631);         // -(pi * w(equator) * -1/32 sqrt(770/pi))
-  const T k_367 = detail::constant<T>(0.29513204f, 0.2951320518180676);         // 1/2 pi * w(equator) * 3/16 sqrt(35/pi)
-  const T k_368 = detail::constant<T>(0.23794307f, 0.23794306715414645);        // -(1/2 pi * w(equator) * -3/32 sqrt(91/pi))
-  const T k_369 = detail::constant<T>(0.32217643f, 0.3221764359461932);         // 1/2 pi * w(equator) * 1/64 sqrt(6006/pi)
+  const T k_35  = detail::constant<T>(0.76536685f, 0.7653668647301796);         // 2 cos(6 pi/16)
+  const T k_36  = detail::constant<T>(1.847759f, 1.8477590650225735);           // 2 cos(2 pi/16)
+  const T k_37  = detail::constant<T>(1.306563f, 1.3065629648763766);           // 1/2 / cos(6 pi/16)
+  const T k_38  = detail::constant<T>(2.4142137f, 2.414213562373095);           // cos(2 pi/16) / cos(6 pi/16)
+  const T k_39  = detail::constant<T>(1.847759f, 1.8477590650225735);           // 1/2 sqrt(2) / cos(6 pi/16)
+  const T k_40  = detail::constant<T>(0.00024461932f, 0.00024461932157509106);  // 1/2 pi theta_6_6(z1) w(z1)
+  const T k_41  = detail::constant<T>(0.00065783056f, 0.0006578305632687417);   // 1/2 pi theta_5_5(z1) w(z1)
+  const T k_42  = detail::constant<T>(0.0022153037f, 0.0022153036585899045);    // 1/2 pi theta_6_5(z1) w(z1)
+  const T k_43  = detail::constant<T>(0.0035111716f, 0.003511171505033299);     // pi theta_4_4(z1) w(z1)
+  const T k_44  = detail::constant<T>(0.01087667f, 0.010876669376078186);       // pi theta_5_4(z1) w(z1)
+  const T k_45  = detail::constant<T>(0.024333376f, 0.024333376146075728);      // pi theta_6_4(z1) w(z1)
+  const T k_46  = detail::constant<T>(0.00463287f, 0.004632870165634186);       // 1/2 pi theta_3_3(z1) w(z1)
+  const T k_47  = detail::constant<T>(0.012981322f, 0.012981322084791453);      // 1/2 pi theta_4_3(z1) w(z1)
+  const T k_48  = detail::constant<T>(0.026318122f, 0.026318122512242886);      // 1/2 pi theta_5_3(z1) w(z1)
+  const T k_49  = detail::constant<T>(0.04456019f, 0.04456019004840667);        // 1/2 pi theta_6_3(z1) w(z1)
+  const T k_50  = detail::constant<T>(0.024011046f, 0.024011045642236366);      // pi theta_2_2(z1) w(z1)
+  const T k_51  = detail::constant<T>(0.059334546f, 0.059334547495670235);      // pi theta_3_2(z1) w(z1)
+  const T k_52  = detail::constant<T>(0.10618568f, 0.10618567975999706);        // pi theta_4_2(z1) w(z1)
+  const T k_53  = detail::constant<T>(0.15911254f, 0.159112543195668);          // pi theta_5_2(z1) w(z1)
+  const T k_54  = detail::constant<T>(0.21077228f, 0.21077227966120038);        // pi theta_6_2(z1) w(z1)
+  const T k_55  = detail::constant<T>(0.023003826f, 0.023003825810370176);      // pi cos(6 pi/16) theta_1_1(z1) w(z1)
+  const T k_56  = detail::constant<T>(0.048043277f, 0.04804327602725037);       // pi cos(6 pi/16) theta_2_1(z1) w(z1)
+  const T k_57  = detail::constant<T>(0.07233944f, 0.07233943492050973);        // pi cos(6 pi/16) theta_3_1(z1) w(z1)
+  const T k_58  = detail::constant<T>(0.09139472f, 0.09139471904814815);        // pi cos(6 pi/16) theta_4_1(z1) w(z1)
+  const T k_59  = detail::constant<T>(0.10168202f, 0.10168202533010276);        // pi cos(6 pi/16) theta_5_1(z1) w(z1)
+  const T k_60  = detail::constant<T>(0.10100816f, 0.10100815848669265);        // pi cos(6 pi/16) theta_6_1(z1) w(z1)
+  const T k_61  = detail::constant<T>(0.048570674f, 0.048570673964648196);      // 1/2 pi theta_0_0(z1) w(z1)
+  const T k_62  = detail::constant<T>(0.07857462f, 0.07857462164612783);        // 1/2 pi theta_1_0(z1) w(z1)
+  const T k_63  = detail::constant<T>(0.087813154f, 0.08781315320032826);       // 1/2 pi theta_2_0(z1) w(z1)
+  const T k_64  = detail::constant<T>(0.081724435f, 0.08172443141438483);       // 1/2 pi theta_3_0(z1) w(z1)
+  const T k_65  = detail::constant<T>(0.063103825f, 0.06310382737449845);       // 1/2 pi theta_4_0(z1) w(z1)
+  const T k_66  = detail::constant<T>(0.035329662f, 0.035329661352898625);      // 1/2 pi theta_5_0(z1) w(z1)
+  const T k_67  = detail::constant<T>(0.002565222f, 0.002565221998251715);      // 1/2 pi theta_6_0(z1) w(z1)
+  const T k_68  = detail::constant<T>(0.030055948f, 0.030055946854296973);      // 1/2 pi theta_1_1(z1) w(z1)
+  const T k_69  = detail::constant<T>(0.062771566f, 0.06277156516853839);       // 1/2 pi theta_2_1(z1) w(z1)
+  const T k_70  = detail::constant<T>(0.094516024f, 0.09451602656722287);       // 1/2 pi theta_3_1(z1) w(z1)
+  const T k_71  = detail::constant<T>(0.11941296f, 0.11941295509359189);        // 1/2 pi theta_4_1(z1) w(z1)
+  const T k_72  = detail::constant<T>(0.13285397f, 0.1328539684899339);         // 1/2 pi theta_5_1(z1) w(z1)
+  const T k_73  = detail::constant<T>(0.13197352f, 0.1319735190290761);         // 1/2 pi theta_6_1(z1) w(z1)
+  const T k_74  = detail::constant<T>(0.0060027614f, 0.006002761410559092);     // 1/4 pi theta_2_2(z1) w(z1)
+  const T k_75  = detail::constant<T>(0.014833637f, 0.014833636873917559);      // 1/4 pi theta_3_2(z1) w(z1)
+  const T k_76  = detail::constant<T>(0.02654642f, 0.026546419939999264);       // 1/4 pi theta_4_2(z1) w(z1)
+  const T k_77  = detail::constant<T>(0.039778136f, 0.039778135798917);         // 1/4 pi theta_5_2(z1) w(z1)
+  const T k_78  = detail::constant<T>(0.05269307f, 0.052693069915300095);       // 1/4 pi theta_6_2(z1) w(z1)
+  const T k_79  = detail::constant<T>(0.00926574f, 0.009265740331268372);       // pi theta_3_3(z1) w(z1)
+  const T k_80  = detail::constant<T>(0.025962643f, 0.025962644169582907);      // pi theta_4_3(z1) w(z1)
+  const T k_81  = detail::constant<T>(0.052636243f, 0.05263624502448577);       // pi theta_5_3(z1) w(z1)
+  const T k_82  = detail::constant<T>(0.08912038f, 0.08912038009681333);        // pi theta_6_3(z1) w(z1)
+  const T k_83  = detail::constant<T>(0.0017555858f, 0.0017555857525166495);    // 1/2 pi theta_4_4(z1) w(z1)
+  const T k_84  = detail::constant<T>(0.005438335f, 0.005438334688039093);      // 1/2 pi theta_5_4(z1) w(z1)
+  const T k_85  = detail::constant<T>(0.012166688f, 0.012166688073037864);      // 1/2 pi theta_6_4(z1) w(z1)
+  const T k_86  = detail::constant<T>(0.03886128f, 0.03886127810602685);        // theta_6_6(z2)
+  const T k_87  = detail::constant<T>(0.06020596f, 0.06020595816023053);        // theta_5_5(z2)
+  const T k_88  = detail::constant<T>(0.17029227f, 0.17029227504934286);        // theta_6_5(z2)
+  const T k_89  = detail::constant<T>(0.09256495f, 0.0925649509800053);         // theta_4_4(z2)
+  const T k_90  = detail::constant<T>(0.43057197f, 0.4305719774728224);         // theta_6_4(z2)
+  const T k_91  = detail::constant<T>(0.24083894f, 0.24083894549952742);        // theta_5_4(z2)
+  const T k_92  = detail::constant<T>(0.1407258f, 0.1407258108991568);          // theta_3_3(z2)
+  const T k_93  = detail::constant<T>(0.52959555f, 0.5295955808516682);         // theta_5_3(z2)
+  const T k_94  = detail::constant<T>(0.50975156f, 0.5097515644580078);         // theta_4_3(z2) / theta_6_3(z2)
+  const T k_95  = detail::constant<T>(0.649711f, 0.6497110396450441);           // theta_6_3(z2)
+  const T k_96  = detail::constant<T>(0.21008924f, 0.21008924030994622);        // theta_2_2(z2)
+  const T k_97  = detail::constant<T>(0.601848f, 0.6018480341931656);           // theta_4_2(z2)
+  const T k_98  = detail::constant<T>(0.42882162f, 0.42882161493476983);        // theta_6_2(z2)
+  const T k_99  = detail::constant<T>(0.71258813f, 0.7125881297638975);         // theta_3_2(z2) / theta_5_2(z2)
+  const T k_100 = detail::constant<T>(0.61192477f, 0.6119247878677917);         // theta_5_2(z2)
+  const T k_101 = detail::constant<T>(0.3030067f, 0.3030067126549601);          // theta_1_1(z2)
+  const T k_102 = detail::constant<T>(0.5887186f, 0.588718582653552);           // theta_3_1(z2)
+  const T k_103 = detail::constant<T>(0.09483849f, 0.09483849567775747);        // theta_5_1(z2)
+  const T k_104 = detail::constant<T>(0.80092204f, 0.8009220575474311);         // theta_4_1(z2) / theta_2_1(z2)
+  const T k_105 = detail::constant<T>(0.5141674f, 0.5141674541104346);          // -theta_6_1(z2) / theta_2_1(z2)
+  const T k_106 = detail::constant<T>(0.53152174f, 0.5315217624837072);         // theta_2_1(z2)
+  const T k_107 = detail::constant<T>(0.2820948f, 0.28209479177387814);         // theta_0_0(z2)
+  const T k_108 = detail::constant<T>(0.2668979f, 0.26689789216466575);         // theta_2_0(z2)
+  const T k_109 = detail::constant<T>(0.23343825f, 0.23343824743752842);        // -theta_4_0(z2)
+  const T k_110 = detail::constant<T>(0.3713553f, 0.3713552970606213);          // -theta_6_0(z2)
+  const T k_111 = detail::constant<T>(0.99031764f, 0.990317615275724);          // -theta_1_0(z2) / theta_5_0(z2)
+  const T k_112 = detail::constant<T>(0.05829446f, 0.058294460692548414);       // -theta_3_0(z2) / theta_5_0(z2)
+  const T k_113 = detail::constant<T>(0.38704816f, 0.3870481448231354);         // -theta_5_0(z2)
+  const T k_114 = detail::constant<T>(0.011425439f, 0.011425439712445548);      // 1/2 pi theta_6_6(z2) w(z2)
+  const T k_115 = detail::constant<T>(0.0177009f, 0.01770089865322912);         // 1/2 pi theta_5_5(z2) w(z2)
+  const T k_116 = detail::constant<T>(0.05006691f, 0.05006691022263923);        // 1/2 pi theta_6_5(z2) w(z2)
+  const T k_117 = detail::constant<T>(0.05442926f, 0.05442925804046107);        // pi theta_4_4(z2) w(z2)
+  const T k_118 = detail::constant<T>(0.14161608f, 0.14161607576087726);        // pi theta_5_4(z2) w(z2)
+  const T k_119 = detail::constant<T>(0.25318128f, 0.2531812853433275);         // pi theta_6_4(z2) w(z2)
+  const T k_120 = detail::constant<T>(0.0413742f, 0.0413741993772452);          // 1/2 pi theta_3_3(z2) w(z2)
+  const T k_121 = detail::constant<T>(0.09737213f, 0.09737212694247846);        // 1/2 pi theta_4_3(z2) w(z2)
+  const T k_122 = detail::constant<T>(0.15570416f, 0.15570415271699237);        // 1/2 pi theta_5_3(z2) w(z2)
+  const T k_123 = detail::constant<T>(0.19101879f, 0.19101878980206594);        // 1/2 pi theta_6_3(z2) w(z2)
+  const T k_124 = detail::constant<T>(0.123534895f, 0.12353489470139234);       // pi theta_2_2(z2) w(z2)
+  const T k_125 = detail::constant<T>(0.2564026f, 0.2564026257345969);          // pi theta_3_2(z2) w(z2)
+  const T k_126 = detail::constant<T>(0.35389358f, 0.35389358074980287);        // pi theta_4_2(z2) w(z2)
+  const T k_127 = detail::constant<T>(0.35981882f, 0.359818828050856);          // pi theta_5_2(z2) w(z2)
+  const T k_128 = detail::constant<T>(0.25215206f, 0.2521520519970191);         // pi theta_6_2(z2) w(z2)
+  const T k_129 = detail::constant<T>(0.06818326f, 0.06818325796657941);        // pi cos(6 pi/16) theta_1_1(z2) w(z2)
+  const T k_130 = detail::constant<T>(0.11960423f, 0.11960423295158414);        // pi cos(6 pi/16) theta_2_1(z2) w(z2)
+  const T k_131 = detail::constant<T>(0.1324748f, 0.13247479119875222);         // pi cos(6 pi/16) theta_3_1(z2) w(z2)
+  const T k_132 = detail::constant<T>(0.09579367f, 0.09579366834696502);        // pi cos(6 pi/16) theta_4_1(z2) w(z2)
+  const T k_133 = detail::constant<T>(0.021340774f, 0.021340773474290267);      // pi cos(6 pi/16) theta_5_1(z2) w(z2)
+  const T k_134 = detail::constant<T>(0.061496604f, 0.06149660395754737);       // -pi cos(6 pi/16) theta_6_1(z2) w(z2)
+  const T k_135 = detail::constant<T>(0.082937494f, 0.08293749443375803);       // 1/2 pi theta_0_0(z2) w(z2)
+  const T k_136 = detail::constant<T>(0.11269259f, 0.11269258403851681);        // 1/2 pi theta_1_0(z2) w(z2)
+  const T k_137 = detail::constant<T>(0.078469515f, 0.07846951837215198);       // 1/2 pi theta_2_0(z2) w(z2)
+  const T k_138 = detail::constant<T>(0.0066335825f, 0.0066335823065673625);    // 1/2 pi theta_3_0(z2) w(z2)
+  const T k_139 = detail::constant<T>(0.06863219f, 0.06863219000156331);        // -1/2 pi theta_4_0(z2) w(z2)
+  const T k_140 = detail::constant<T>(0.11379439f, 0.11379438505407276);        // -1/2 pi theta_5_0(z2) w(z2)
+  const T k_141 = detail::constant<T>(0.1091806f, 0.10918059737735238);         // -1/2 pi theta_6_0(z2) w(z2)
+  const T k_142 = detail::constant<T>(0.08908572f, 0.08908571968374482);        // 1/2 pi theta_1_1(z2) w(z2)
+  const T k_143 = detail::constant<T>(0.15627046f, 0.15627046121698657);        // 1/2 pi theta_2_1(z2) w(z2)
+  const T k_144 = detail::constant<T>(0.17308666f, 0.1730866559600206);         // 1/2 pi theta_3_1(z2) w(z2)
+  const T k_145 = detail::constant<T>(0.12516046f, 0.12516045933179493);        // 1/2 pi theta_4_1(z2) w(z2)
+  const T k_146 = detail::constant<T>(0.027883064f, 0.02788306426332382);       // 1/2 pi theta_5_1(z2) w(z2)
+  const T k_147 = detail::constant<T>(0.080349185f, 0.0803491851966014);        // -1/2 pi theta_6_1(z2) w(z2)
+  const T k_148 = detail::constant<T>(0.030883724f, 0.030883723675348085);      // 1/4 pi theta_2_2(z2) w(z2)
+  const T k_149 = detail::constant<T>(0.06410065f, 0.06410065643364922);        // 1/4 pi theta_3_2(z2) w(z2)
+  const T k_150 = detail::constant<T>(0.088473395f, 0.08847339518745072);       // 1/4 pi theta_4_2(z2) w(z2)
+  const T k_151 = detail::constant<T>(0.089954704f, 0.089954707012714);         // 1/4 pi theta_5_2(z2) w(z2)
+  const T k_152 = detail::constant<T>(0.063038014f, 0.06303801299925478);       // 1/4 pi theta_6_2(z2) w(z2)
+  const T k_153 = detail::constant<T>(0.0827484f, 0.0827483987544904);          // pi theta_3_3(z2) w(z2)
+  const T k_154 = detail::constant<T>(0.19474426f, 0.19474425388495692);        // pi theta_4_3(z2) w(z2)
+  const T k_155 = detail::constant<T>(0.3114083f, 0.31140830543398473);         // pi theta_5_3(z2) w(z2)
+  const T k_156 = detail::constant<T>(0.38203758f, 0.38203757960413187);        // pi theta_6_3(z2) w(z2)
+  const T k_157 = detail::constant<T>(0.02721463f, 0.027214629020230537);       // 1/2 pi theta_4_4(z2) w(z2)
+  const T k_158 = detail::constant<T>(0.07080804f, 0.07080803788043863);        // 1/2 pi theta_5_4(z2) w(z2)
+  const T k_159 = detail::constant<T>(0.12659064f, 0.12659064267166376);        // 1/2 pi theta_6_4(z2) w(z2)
+  const T k_160 = detail::constant<T>(0.21529771f, 0.21529771548404458);        // theta_6_6(z3)
+  const T k_161 = detail::constant<T>(0.25075027f, 0.2507502783417561);         // theta_5_5(z3)
+  const T k_162 = detail::constant<T>(0.5110253f, 0.5110252945190704);          // theta_6_5(z3)
+  const T k_163 = detail::constant<T>(0.28981987f, 0.28981985613607153);        // theta_4_4(z3)
+  const T k_164 = detail::constant<T>(0.5875155f, 0.5875154717210493);          // theta_6_4(z3)
+  const T k_165 = detail::constant<T>(0.5433176f, 0.5433176034635577);          // theta_5_4(z3)
+  const T k_166 = detail::constant<T>(0.331234f, 0.33123401636383426);          // theta_3_3(z3)
+  const T k_167 = detail::constant<T>(0.5150739f, 0.5150738969150781);          // theta_5_3(z3)
+  const T k_168 = detail::constant<T>(0.2677026f, 0.26770262417215684);         // theta_6_3(z3) / theta_4_3(z3)
+  const T k_169 = detail::constant<T>(0.5616755f, 0.5616755026550345);          // theta_4_3(z3)
+  const T k_170 = detail::constant<T>(0.37174454f, 0.3717445336968389);         // theta_2_2(z3)
+  const T k_171 = detail::constant<T>(0.39805874f, 0.39805873070765196);        // theta_4_2(z3)
+  const T k_172 = detail::constant<T>(0.43329895f, 0.4332989346153968);         // -theta_6_2(z3)
+  const T k_173 = detail::constant<T>(0.06886487f, 0.0688648637825454);         // -theta_5_2(z3) / theta_3_2(z3)
+  const T k_174 = detail::constant<T>(0.5559336f, 0.5559335812444329);          // theta_3_2(z3)
+  const T k_175 = detail::constant<T>(0.40306273f, 0.4030627280568947);         // theta_1_1(z3)
+  const T k_176 = detail::constant<T>(0.2252588f, 0.2252588046928113);          // theta_3_1(z3)
+  const T k_177 = detail::constant<T>(0.49669537f, 0.4966953655234746);         // -theta_5_1(z3)
+  const T k_178 = detail::constant<T>(0.46758503f, 0.46758504177743815);        // -theta_4_1(z3) / theta_2_1(z3)
+  const T k_179 = detail::constant<T>(0.64859885f, 0.6485988409472917);         // -theta_6_1(z3) / theta_2_1(z3)
+  const T k_180 = detail::constant<T>(0.50943285f, 0.5094328419030426);         // theta_2_1(z3)
+  const T k_181 = detail::constant<T>(0.2820948f, 0.28209479177387814);         // theta_0_0(z3)
+  const T k_182 = detail::constant<T>(0.013097289f, 0.013097289293885536);      // -theta_2_0(z3)
+  const T k_183 = detail::constant<T>(0.318639f, 0.31863900915391147);          // -theta_4_0(z3)
+  const T k_184 = detail::constant<T>(0.24960025f, 0.24960025078816908);        // theta_6_0(z3)
+  const T k_185 = detail::constant<T>(0.93352246f, 0.9335224354203056);         // -theta_1_0(z3) / theta_3_0(z3)
+  const T k_186 = detail::constant<T>(0.20862512f, 0.20862511811666937);        // theta_5_0(z3) / theta_3_0(z3)
+  const T k_187 = detail::constant<T>(0.29584226f, 0.295842274494742);          // -theta_3_0(z3)
+  const T k_188 = detail::constant<T>(0.08388711f, 0.08388710576736227);        // 1/2 pi theta_6_6(z3) w(z3)
+  const T k_189 = detail::constant<T>(0.097700596f, 0.09770059600102574);       // 1/2 pi theta_5_5(z3) w(z3)
+  const T k_190 = detail::constant<T>(0.19911234f, 0.19911234466533687);        // 1/2 pi theta_6_5(z3) w(z3)
+  const T k_191 = detail::constant<T>(0.22584678f, 0.22584678960023702);        // pi theta_4_4(z3) w(z3)
+  const T k_192 = detail::constant<T>(0.423389f, 0.4233889910494191);           // pi theta_5_4(z3) w(z3)
+  const T k_193 = detail::constant<T>(0.4578309f, 0.45783089156724327);         // pi theta_6_4(z3) w(z3)
+  const T k_194 = detail::constant<T>(0.12905972f, 0.12905972040618505);        // 1/2 pi theta_3_3(z3) w(z3)
+  const T k_195 = detail::constant<T>(0.21884733f, 0.21884733979748638);        // 1/2 pi theta_4_3(z3) w(z3)
+  const T k_196 = detail::constant<T>(0.20068981f, 0.20068981396936703);        // 1/2 pi theta_5_3(z3) w(z3)
+  const T k_197 = detail::constant<T>(0.05858601f, 0.0585860071568828);         // 1/2 pi theta_6_3(z3) w(z3)
+  const T k_198 = detail::constant<T>(0.2896879f, 0.2896879137482213);          // pi theta_2_2(z3) w(z3)
+  const T k_199 = detail::constant<T>(0.4332202f, 0.43322019487881036);         // pi theta_3_2(z3) w(z3)
+  const T k_200 = detail::constant<T>(0.3101937f, 0.3101936754825382);          // pi theta_4_2(z3) w(z3)
+  const T k_201 = detail::constant<T>(0.02983365f, 0.02983364970817705);        // -pi theta_5_2(z3) w(z3)
+  const T k_202 = detail::constant<T>(0.3376552f, 0.3376551718186801);          // -pi theta_6_2(z3) w(z3)
+  const T k_203 = detail::constant<T>(0.120198235f, 0.12019823362339205);       // pi cos(6 pi/16) theta_1_1(z3) w(z3)
+  const T k_204 = detail::constant<T>(0.1519191f, 0.1519191021250843);          // pi cos(6 pi/16) theta_2_1(z3) w(z3)
+  const T k_205 = detail::constant<T>(0.06717493f, 0.06717492972550584);        // pi cos(6 pi/16) theta_3_1(z3) w(z3)
+  const T k_206 = detail::constant<T>(0.0710351f, 0.07103509971394843);         // -pi cos(6 pi/16) theta_4_1(z3) w(z3)
+  const T k_207 = detail::constant<T>(0.14812063f, 0.14812063093171798);        // -pi cos(6 pi/16) theta_5_1(z3) w(z3)
+  const T k_208 = detail::constant<T>(0.098534554f, 0.09853455355608291);       // -pi cos(6 pi/16) theta_6_1(z3) w(z3)
+  const T k_209 = detail::constant<T>(0.10991345f, 0.10991345440314748);        // 1/2 pi theta_0_0(z3) w(z3)
+  const T k_210 = detail::constant<T>(0.10760707f, 0.10760706395451677);        // 1/2 pi theta_1_0(z3) w(z3)
+  const T k_211 = detail::constant<T>(0.005103137f, 0.00510313678801362);       // -1/2 pi theta_2_0(z3) w(z3)
+  const T k_212 = detail::constant<T>(0.11526993f, 0.11526992803988496);        // -1/2 pi theta_3_0(z3) w(z3)
+  const T k_213 = detail::constant<T>(0.12415229f, 0.12415228931903177);        // -1/2 pi theta_4_0(z3) w(z3)
+  const T k_214 = detail::constant<T>(0.024048202f, 0.02404820235262098);       // -1/2 pi theta_5_0(z3) w(z3)
+  const T k_215 = detail::constant<T>(0.09725251f, 0.09725250725653424);        // 1/2 pi theta_6_0(z3) w(z3)
+  const T k_216 = detail::constant<T>(0.15704656f, 0.1570465604958825);         // 1/2 pi theta_1_1(z3) w(z3)
+  const T k_217 = detail::constant<T>(0.19849187f, 0.19849187249390718);        // 1/2 pi theta_2_1(z3) w(z3)
+  const T k_218 = detail::constant<T>(0.08776828f, 0.08776827534751916);        // 1/2 pi theta_3_1(z3) w(z3)
+  const T k_219 = detail::constant<T>(0.09281183f, 0.09281183049254552);        // -1/2 pi theta_4_1(z3) w(z3)
+  const T k_220 = detail::constant<T>(0.19352894f, 0.19352893070950497);        // -1/2 pi theta_5_1(z3) w(z3)
+  const T k_221 = detail::constant<T>(0.12874159f, 0.1287415984370058);         // -1/2 pi theta_6_1(z3) w(z3)
+  const T k_222 = detail::constant<T>(0.072421975f, 0.07242197843705532);       // 1/4 pi theta_2_2(z3) w(z3)
+  const T k_223 = detail::constant<T>(0.10830505f, 0.10830504871970259);        // 1/4 pi theta_3_2(z3) w(z3)
+  const T k_224 = detail::constant<T>(0.07754842f, 0.07754841887063454);        // 1/4 pi theta_4_2(z3) w(z3)
+  const T k_225 = detail::constant<T>(0.0074584126f, 0.007458412427044262);     // -1/4 pi theta_5_2(z3) w(z3)
+  const T k_226 = detail::constant<T>(0.0844138f, 0.08441379295467002);         // -1/4 pi theta_6_2(z3) w(z3)
+  const T k_227 = detail::constant<T>(0.25811943f, 0.2581194408123701);         // pi theta_3_3(z3) w(z3)
+  const T k_228 = detail::constant<T>(0.43769467f, 0.43769467959497277);        // pi theta_4_3(z3) w(z3)
+  const T k_229 = detail::constant<T>(0.40137962f, 0.40137962793873405);        // pi theta_5_3(z3) w(z3)
+  const T k_230 = detail::constant<T>(0.11717202f, 0.1171720143137656);         // pi theta_6_3(z3) w(z3)
+  const T k_231 = detail::constant<T>(0.11292339f, 0.11292339480011851);        // 1/2 pi theta_4_4(z3) w(z3)
+  const T k_232 = detail::constant<T>(0.2116945f, 0.21169449552470954);         // 1/2 pi theta_5_4(z3) w(z3)
+  const T k_233 = detail::constant<T>(0.22891545f, 0.22891544578362163);        // 1/2 pi theta_6_4(z3) w(z3)
+  const T k_234 = detail::constant<T>(0.5191288f, 0.5191287750743847);          // theta_6_6(z4)
+  const T k_235 = detail::constant<T>(0.522121f, 0.5221209958945917);           // theta_5_5(z4)
+  const T k_236 = detail::constant<T>(0.55677474f, 0.5567747527310394);         // theta_6_5(z4)
+  const T k_237 = detail::constant<T>(0.521137f, 0.5211370181476411);           // theta_4_4(z4)
+  const T k_238 = detail::constant<T>(0.015881144f, 0.01588114316990323);       // -theta_6_4(z4)
+  const T k_239 = detail::constant<T>(0.5111931f, 0.5111930799437336);          // theta_5_4(z4)
+  const T k_240 = detail::constant<T>(0.5143429f, 0.5143429258331865);          // theta_3_3(z4)
+  const T k_241 = detail::constant<T>(0.09072912f, 0.09072912077603644);        // -theta_5_3(z4)
+  const T k_242 = detail::constant<T>(0.942948f, 0.9429479711075295);           // -theta_4_3(z4) / theta_6_3(z4)
+  const T k_243 = detail::constant<T>(0.48397508f, 0.48397507431321735);        // -theta_6_3(z4)
+  const T k_244 = detail::constant<T>(0.49849004f, 0.4984900392736293);         // theta_2_2(z4)
+  const T k_245 = detail::constant<T>(0.16736767f, 0.16736767275003273);        // -theta_4_2(z4)
+  const T k_246 = detail::constant<T>(0.13534568f, 0.13534568481529086);        // -theta_6_2(z4)
+  const T k_247 = detail::constant<T>(0.81756765f, 0.8175676732364037);         // -theta_3_2(z4) / theta_5_2(z4)
+  const T k_248 = detail::constant<T>(0.47710997f, 0.4771099717579867);         // -theta_5_2(z4)
+  const T k_249 = detail::constant<T>(0.46674383f, 0.4667438312711535);         // theta_1_1(z4)
+  const T k_250 = detail::constant<T>(0.24564609f, 0.2456460819846465);         // -theta_3_1(z4)
+  const T k_251 = detail::constant<T>(0.027665181f, 0.02766518119570615);       // -theta_5_1(z4)
+  const T k_252 = detail::constant<T>(0.6839218f, 0.6839218015005109);          // -theta_2_1(z4) / theta_4_1(z4)
+  const T k_253 = detail::constant<T>(0.95858204f, 0.9585820702167291);         // -theta_6_1(z4) / theta_4_1(z4)
+  const T k_254 = detail::constant<T>(0.45132962f, 0.4513296244772347);         // -theta_4_1(z4)
+  const T k_255 = detail::constant<T>(0.2820948f, 0.28209479177387814);         // theta_0_0(z4)
+  const T k_256 = detail::constant<T>(0.23262694f, 0.23262694458389097);        // -theta_2_0(z4)
+  const T k_257 = detail::constant<T>(0.06808531f, 0.06808531189561687);        // theta_4_0(z4)
+  const T k_258 = detail::constant<T>(0.122627296f, 0.12262729392758455);       // theta_6_0(z4)
+  const T k_259 = detail::constant<T>(0.44640335f, 0.44640335095465367);        // theta_1_0(z4) / theta_5_0(z4)
+  const T k_260 = detail::constant<T>(0.8737209f, 0.8737208557627298);          // -theta_3_0(z4) / theta_5_0(z4)
+  const T k_261 = detail::constant<T>(0.32371658f, 0.32371658423814637);        // theta_5_0(z4)
+  const T k_262 = detail::constant<T>(0.23393431f, 0.23393431229300266);        // 1/2 pi theta_6_6(z4) w(z4)
+  const T k_263 = detail::constant<T>(0.23528269f, 0.23528269279782757);        // 1/2 pi theta_5_5(z4) w(z4)
+  const T k_264 = detail::constant<T>(0.25089866f, 0.25089866933995186);        // 1/2 pi theta_6_5(z4) w(z4)
+  const T k_265 = detail::constant<T>(0.46967858f, 0.46967856841811945);        // pi theta_4_4(z4) w(z4)
+  const T k_266 = detail::constant<T>(0.46071652f, 0.460716521015211);          // pi theta_5_4(z4) w(z4)
+  const T k_267 = detail::constant<T>(0.014312997f, 0.014312997022157728);      // -pi theta_6_4(z4) w(z4)
+  const T k_268 = detail::constant<T>(0.23177767f, 0.23177767138860036);        // 1/2 pi theta_3_3(z4) w(z4)
+  const T k_269 = detail::constant<T>(0.20565039f, 0.20565039588172424);        // 1/2 pi theta_4_3(z4) w(z4)
+  const T k_270 = detail::constant<T>(0.040885143f, 0.04088514351886896);       // -1/2 pi theta_5_3(z4) w(z4)
+  const T k_271 = detail::constant<T>(0.21809305f, 0.21809304668228913);        // -1/2 pi theta_6_3(z4) w(z4)
+  const T k_272 = detail::constant<T>(0.4492678f, 0.4492678122328281);          // pi theta_2_2(z4) w(z4)
+  const T k_273 = detail::constant<T>(0.35155317f, 0.35155317500425637);        // pi theta_3_2(z4) w(z4)
+  const T k_274 = detail::constant<T>(0.15084134f, 0.1508413453646413);         // -pi theta_4_2(z4) w(z4)
+  const T k_275 = detail::constant<T>(0.42999887f, 0.42999886922217273);        // -pi theta_5_2(z4) w(z4)
+  const T k_276 = detail::constant<T>(0.12198129f, 0.1219812933488566);         // -pi theta_6_2(z4) w(z4)
+  const T k_277 = detail::constant<T>(0.1609782f, 0.16097820013902778);         // pi cos(6 pi/16) theta_1_1(z4) w(z4)
+  const T k_278 = detail::constant<T>(0.106460564f, 0.10646056564992001);       // pi cos(6 pi/16) theta_2_1(z4) w(z4)
+  const T k_279 = detail::constant<T>(0.084722415f, 0.0847224140946807);        // -pi cos(6 pi/16) theta_3_1(z4) w(z4)
+  const T k_280 = detail::constant<T>(0.1556619f, 0.15566189791924698);         // -pi cos(6 pi/16) theta_4_1(z4) w(z4)
+  const T k_281 = detail::constant<T>(0.009541618f, 0.009541617429149501);      // -pi cos(6 pi/16) theta_5_1(z4) w(z4)
+  const T k_282 = detail::constant<T>(0.1492147f, 0.1492147043612969);          // pi cos(6 pi/16) theta_6_1(z4) w(z4)
+  const T k_283 = detail::constant<T>(0.12712f, 0.12712000236473922);           // 1/2 pi theta_0_0(z4) w(z4)
+  const T k_284 = detail::constant<T>(0.06511953f, 0.06511952431922095);        // 1/2 pi theta_1_0(z4) w(z4)
+  const T k_285 = detail::constant<T>(0.10482837f, 0.10482837190879536);        // -1/2 pi theta_2_0(z4) w(z4)
+  const T k_286 = detail::constant<T>(0.12745488f, 0.1274548822121885);         // -1/2 pi theta_3_0(z4) w(z4)
+  const T k_287 = detail::constant<T>(0.030681195f, 0.030681193916236898);      // 1/2 pi theta_4_0(z4) w(z4)
+  const T k_288 = detail::constant<T>(0.14587598f, 0.14587597557222617);        // 1/2 pi theta_5_0(z4) w(z4)
+  const T k_289 = detail::constant<T>(0.055259377f, 0.05525937503501118);       // 1/2 pi theta_6_0(z4) w(z4)
+  const T k_290 = detail::constant<T>(0.21032816f, 0.21032815445411085);        // 1/2 pi theta_1_1(z4) w(z4)
+  const T k_291 = detail::constant<T>(0.13909744f, 0.1390974322979756);         // 1/2 pi theta_2_1(z4) w(z4)
+  const T k_292 = detail::constant<T>(0.11069517f, 0.11069516855103012);        // -1/2 pi theta_3_1(z4) w(z4)
+  const T k_293 = detail::constant<T>(0.20338207f, 0.2033820708636552);         // -1/2 pi theta_4_1(z4) w(z4)
+  const T k_294 = detail::constant<T>(0.012466724f, 0.012466723957945682);      // -1/2 pi theta_5_1(z4) w(z4)
+  const T k_295 = detail::constant<T>(0.1949584f, 0.1949584065334481);          // 1/2 pi theta_6_1(z4) w(z4)
+  const T k_296 = detail::constant<T>(0.11231695f, 0.11231695305820702);        // 1/4 pi theta_2_2(z4) w(z4)
+  const T k_297 = detail::constant<T>(0.08788829f, 0.08788829375106409);        // 1/4 pi theta_3_2(z4) w(z4)
+  const T k_298 = detail::constant<T>(0.037710335f, 0.037710336341160326);      // -1/4 pi theta_4_2(z4) w(z4)
+  const T k_299 = detail::constant<T>(0.10749972f, 0.10749971730554318);        // -1/4 pi theta_5_2(z4) w(z4)
+  const T k_300 = detail::constant<T>(0.030495323f, 0.03049532333721415);       // -1/4 pi theta_6_2(z4) w(z4)
+  const T k_301 = detail::constant<T>(0.46355534f, 0.46355534277720073);        // pi theta_3_3(z4) w(z4)
+  const T k_302 = detail::constant<T>(0.41130078f, 0.41130079176344847);        // pi theta_4_3(z4) w(z4)
+  const T k_303 = detail::constant<T>(0.081770286f, 0.08177028703773792);       // -pi theta_5_3(z4) w(z4)
+  const T k_304 = detail::constant<T>(0.4361861f, 0.43618609336457825);         // -pi theta_6_3(z4) w(z4)
+  const T k_305 = detail::constant<T>(0.23483929f, 0.23483928420905972);        // 1/2 pi theta_4_4(z4) w(z4)
+  const T k_306 = detail::constant<T>(0.23035826f, 0.2303582605076055);         // 1/2 pi theta_5_4(z4) w(z4)
+  const T k_307 = detail::constant<T>(0.0071564987f, 0.007156498511078864);     // -1/2 pi theta_6_4(z4) w(z4)
+  const T k_308 = detail::constant<T>(0.2820948f, 0.28209479177387814);         // 1/2 sqrt(1/pi)
+  const T k_309 = detail::constant<T>(0.63078314f, 0.63078313050504);           // 1/2 sqrt(5/pi)
+  const T k_310 = detail::constant<T>(0.8462844f, 0.8462843753216345);          // 3/2 sqrt(1/pi)
+  const T k_311 = detail::constant<T>(1.0171072f, 1.0171072362820548);          // 1/2 sqrt(13/pi)
+  const T k_312 = detail::constant<T>(0.52223295f, 0.5222329678670935);         // 1/11 sqrt(33)
+  const T k_313 = detail::constant<T>(0.797724f, 0.7977240352174656);           // 1/11 sqrt(77)
+  const T k_314 = detail::constant<T>(0.9356026f, 0.9356025796273888);          // 1/2 sqrt(11/pi)
+  const T k_315 = detail::constant<T>(0.032226432f, 0.03222643365282756);       // pi^(1/2) w(pole)
+  const T k_316 = detail::constant<T>(0.05581782f, 0.055817820433444826);       // sqrt(3) pi^(1/2) w(pole)
+  const T k_317 = detail::constant<T>(0.072060496f, 0.07206049632010929);       // sqrt(5) pi^(1/2) w(pole)
+  const T k_318 = detail::constant<T>(0.085263126f, 0.08526312908790457);       // sqrt(7) pi^(1/2) w(pole)
+  const T k_319 = detail::constant<T>(0.0966793f, 0.09667930095848269);         // 3 pi^(1/2) w(pole)
+  const T k_320 = detail::constant<T>(0.10688299f, 0.10688298875771142);        // sqrt(11) pi^(1/2) w(pole)
+  const T k_321 = detail::constant<T>(0.11619406f, 0.11619405896060805);        // sqrt(13) pi^(1/2) w(pole)
+  const T k_322 = detail::constant<T>(0.6831841f, 0.6831841051919143);          // 1/64 sqrt(6006/pi)
+  const T k_323 = detail::constant<T>(0.6563821f, 0.6563820568401701);          // 3/32 sqrt(154/pi)
+  const T k_324 = detail::constant<T>(0.6258357f, 0.6258357354491761);          // 3/16 sqrt(35/pi)
+  const T k_325 = detail::constant<T>(0.5045649f, 0.5045649007287242);          // 3/32 sqrt(91/pi)
+  const T k_326 = detail::constant<T>(0.5900436f, 0.5900435899266435);          // 1/8 sqrt(70/pi)
+  const T k_327 = detail::constant<T>(0.4892383f, 0.4892382994352504);          // 1/32 sqrt(770/pi)
+  const T k_328 = detail::constant<T>(0.54627424f, 0.5462742152960396);         // 1/4 sqrt(15/pi)
+  const T k_329 = detail::constant<T>(0.47308734f, 0.47308734787878);           // 3/8 sqrt(5/pi)
+  const T k_330 = detail::constant<T>(0.46060264f, 0.46060262975746175);        // 1/64 sqrt(2730/pi)
+  const T k_331 = detail::constant<T>(0.48860252f, 0.4886025119029199);         // 1/2 sqrt(3/pi)
+  const T k_332 = detail::constant<T>(0.4570458f, 0.4570457994644657);          // 1/8 sqrt(42/pi)
+  const T k_333 = detail::constant<T>(0.45294666f, 0.45294665119569694);        // 1/16 sqrt(165/pi)
+  const T k_334 = detail::constant<T>(0.31539157f, 0.31539156525252);           // 1/4 sqrt(5/pi)
+  const T k_335 = detail::constant<T>(0.31735665f, 0.31735664074561293);        // 9/16 sqrt(1/pi)
+  const T k_336 = detail::constant<T>(0.317846f, 0.3178460113381421);           // 5/32 sqrt(13/pi)
+  const T k_337 = detail::constant<T>(0.64435285f, 0.6443528718923864);         // 1/64 sqrt(6006) pi^(1/2) w(equator)
+  const T k_338 = detail::constant<T>(0.3095371f, 0.30953710732540096);         // 3/64 sqrt(154) pi^(1/2) w(equator)
+  const T k_339 = detail::constant<T>(0.5902641f, 0.5902641036361352);          // 3/16 sqrt(35) pi^(1/2) w(equator)
+  const T k_340 = detail::constant<T>(0.47588614f, 0.4758861343082929);         // 3/32 sqrt(91) pi^(1/2) w(equator)
+  const T k_341 = detail::constant<T>(0.27825317f, 0.27825316691474017);        // 1/16 sqrt(70) pi^(1/2) w(equator)
+  const T k_342 = detail::constant<T>(0.23071533f, 0.23071533784608156);        // 1/64 sqrt(770) pi^(1/2) w(equator)
+  const T k_343 = detail::constant<T>(0.51522475f, 0.5152247495100664);         // 1/4 sqrt(15) pi^(1/2) w(equator)
+  const T k_344 = detail::constant<T>(0.44619772f, 0.4461977217341915);         // 3/8 sqrt(5) pi^(1/2) w(equator)
+  const T k_345 = detail::constant<T>(0.4344226f, 0.43442261760764195);         // 1/64 sqrt(2730) pi^(1/2) w(equator)
+  const T k_346 = detail::constant<T>(0.1763524f, 0.17635239855490872);         // 1/2 sqrt(3) pi^(1/2) cos(6 pi/16) w(equator)
+  const T k_347 = detail::constant<T>(0.16496256f, 0.1649625636820691);         // 1/8 sqrt(42) pi^(1/2) cos(6 pi/16) w(equator)
+  const T k_348 = detail::constant<T>(0.16348305f, 0.16348304891982568);        // 1/16 sqrt(165) pi^(1/2) cos(6 pi/16) w(equator)
+  const T k_349 = detail::constant<T>(0.13303046f, 0.13303045829375834);        // 1/4 pi^(1/2) w(equator)
+  const T k_350 = detail::constant<T>(0.14873257f, 0.14873257391139716);        // 1/8 sqrt(5) pi^(1/2) w(equator)
+  const T k_351 = detail::constant<T>(0.14965926f, 0.14965926558047812);        // 9/32 pi^(1/2) w(equator)
+  const T k_352 = detail::constant<T>(0.14989005f, 0.14989004330519357);        // 5/64 sqrt(13) pi^(1/2) w(equator)
+  const T k_353 = detail::constant<T>(0.23041551f, 0.23041551271896196);        // 1/4 sqrt(3) pi^(1/2) w(equator)
+  const T k_354 = detail::constant<T>(0.21553397f, 0.21553397629805227);        // 1/16 sqrt(42) pi^(1/2) w(equator)
+  const T k_355 = detail::constant<T>(0.2136009f, 0.21360089710371716);         // 1/32 sqrt(165) pi^(1/2) w(equator)
+  const T k_356 = detail::constant<T>(0.25761238f, 0.2576123747550332);         // 1/8 sqrt(15) pi^(1/2) w(equator)
+  const T k_357 = detail::constant<T>(0.22309886f, 0.22309886086709574);        // 3/16 sqrt(5) pi^(1/2) w(equator)
+  const T k_358 = detail::constant<T>(0.2172113f, 0.21721130880382097);         // 1/128 sqrt(2730) pi^(1/2) w(equator)
+  const T k_359 = detail::constant<T>(0.55650634f, 0.5565063338294803);         // 1/8 sqrt(70) pi^(1/2) w(equator)
+  const T k_360 = detail::constant<T>(0.46143067f, 0.4614306756921631);         // 1/32 sqrt(770) pi^(1/2) w(equator)
+  const T k_361 = detail::constant<T>(0.29513204f, 0.2951320518180676);         // 3/32 sqrt(35) pi^(1/2) w(equator)
+  const T k_362 = detail::constant<T>(0.23794307f, 0.23794306715414645);        // 3/64 sqrt(91) pi^(1/2) w(equator)
+  const T k_363 = detail::constant<T>(0.32217643f, 0.3221764359461932);         // 1/128 sqrt(6006) pi^(1/2) w(equator)
 
   const T a36 = a[36];
   const T a1s6n = k * a36;
@@ -522,20 +516,20 @@ constexpr void square_l6(const T* a, T* out) noexcept {
   const T a48 = a[48];
   const T a1c6n = k * a48;
   const T t_23 = a1c0n + a1c4n;
-  const T t_24 = a1c2n + a1c6n;
-  const T t_25 = k_29 * (a1c2n - a1c6n);
-  const T t_26 = a1c2s + a1c6n;
-  const T t_27 = k_29 * (a1c2s - a1c6n);
-  const T t_28 = a1c0s + a1c4s;
-  const T t_29 = t_23 + t_24;
-  const T t_30 = t_23 - t_24;
-  const T t_31 = a1c0n + t_25;
-  const T t_32 = a1c0n - t_25;
+  const T t_24 = a1c0s + a1c4s;
+  const T t_25 = a1c2n + a1c6n;
+  const T t_26 = k_29 * (a1c2n - a1c6n);
+  const T t_27 = a1c2s + a1c6n;
+  const T t_28 = k_29 * (a1c2s - a1c6n);
+  const T t_29 = t_23 + t_25;
+  const T t_30 = t_23 - t_25;
+  const T t_31 = a1c0n + t_26;
+  const T t_32 = a1c0n - t_26;
   const T t_33 = a1c0n - a1c4n;
-  const T t_34 = t_28 + t_26;
-  const T t_35 = t_28 - t_26;
-  const T t_36 = a1c0s + t_27;
-  const T t_37 = a1c0s - t_27;
+  const T t_34 = t_24 + t_27;
+  const T t_35 = t_24 - t_27;
+  const T t_36 = a1c0s + t_28;
+  const T t_37 = a1c0s - t_28;
   const T t_38 = a1c0s - a1c4s;
   const T t_39 = k_29 * (a1s6n + a1s2n);
   const T t_40 = a1s2n - a1s6n;
@@ -621,18 +615,18 @@ constexpr void square_l6(const T* a, T* out) noexcept {
   const T t_120 = t_78 + t_118;
   const T t_121 = t_87 - t_96;
   const T t_122 = k_35 * t_99 + t_96 + k_36 * t_91 + t_87;
-  const T t_123 = k_36 * t_99 - k_37 * t_91;
+  const T t_123 = k_36 * t_99 - k_35 * t_91;
   const T t_124 = t_71 - t_80;
   const T t_125 = k_35 * t_83 + t_80 + k_36 * t_75 + t_71;
-  const T t_126 = k_36 * t_83 - k_37 * t_75;
-  const T t_127 = k_38 * (t_121 - t_123);
-  const T t_128 = k_38 * (t_124 - t_126);
+  const T t_126 = k_36 * t_83 - k_35 * t_75;
+  const T t_127 = k_33 * (t_121 - t_123);
+  const T t_128 = k_33 * (t_124 - t_126);
   const T t_129 = t_101 - k_32 * t_95;
-  const T t_130 = k_39 * t_101 + k_40 * t_100 + k_41 * t_95 + t_92;
-  const T t_131 = k_36 * t_92 - k_37 * t_100;
+  const T t_130 = k_37 * t_101 + k_38 * t_100 + k_39 * t_95 + t_92;
+  const T t_131 = k_36 * t_92 - k_35 * t_100;
   const T t_132 = t_85 - k_32 * t_79;
-  const T t_133 = k_39 * t_85 + k_40 * t_84 + k_41 * t_79 + t_76;
-  const T t_134 = k_36 * t_76 - k_37 * t_84;
+  const T t_133 = k_37 * t_85 + k_38 * t_84 + k_39 * t_79 + t_76;
+  const T t_134 = k_36 * t_76 - k_35 * t_84;
   const T t_135 = t_134 - t_132;
   const T t_136 = t_131 - t_129;
   const T t_137 = a1s6n * a1c6n;
@@ -658,67 +652,67 @@ constexpr void square_l6(const T* a, T* out) noexcept {
   const T t_157 = t_128 + t_127;
   const T t_158 = t_128 - t_127;
   const T t_159 = t_112 + t_107 - k_34 * (a1c6n * a1c6n - a1s6n * a1s6n);
-  const T a2s6n = k_89 * a36;
-  const T t_160 = k_90 * a25;
-  const T t_161 = k_91 * a37;
+  const T a2s6n = k_86 * a36;
+  const T t_160 = k_87 * a25;
+  const T t_161 = k_88 * a37;
   const T a2s5n = t_160 + t_161;
   const T a2s5s = t_160 - t_161;
-  const T t_162 = k_92 * a16 + k_93 * a38;
-  const T t_163 = k_94 * a26;
+  const T t_162 = k_89 * a16 + k_90 * a38;
+  const T t_163 = k_91 * a26;
   const T a2s4n = t_162 + t_163;
   const T a2s4s = t_162 - t_163;
-  const T t_164 = k_95 * a9 + k_96 * a27;
-  const T t_165 = k_98 * (k_97 * a17 + a39);
+  const T t_164 = k_92 * a9 + k_93 * a27;
+  const T t_165 = k_95 * (k_94 * a17 + a39);
   const T a2s3n = t_164 + t_165;
   const T a2s3s = t_164 - t_165;
-  const T t_166 = k_99 * a4 + k_100 * a18 + k_101 * a40;
-  const T t_167 = k_103 * (k_102 * a10 + a28);
+  const T t_166 = k_96 * a4 + k_97 * a18 + k_98 * a40;
+  const T t_167 = k_100 * (k_99 * a10 + a28);
   const T a2s2n = t_166 + t_167;
   const T a2s2s = t_166 - t_167;
-  const T t_168 = k_104 * a1 + k_105 * a11 + k_106 * a29;
-  const T t_169 = k_109 * (a5 + k_107 * a19 - k_108 * a41);
+  const T t_168 = k_101 * a1 + k_102 * a11 + k_103 * a29;
+  const T t_169 = k_106 * (a5 + k_104 * a19 - k_105 * a41);
   const T a2s1n = t_168 + t_169;
   const T a2s1s = t_168 - t_169;
-  const T t_170 = k_110 * a0 + k_111 * a6 - k_112 * a20 - k_113 * a42;
-  const T t_171 = k_116 * (a30 - k_114 * a2 - k_115 * a12);
+  const T t_170 = k_107 * a0 + k_108 * a6 - k_109 * a20 - k_110 * a42;
+  const T t_171 = k_113 * (a30 - k_111 * a2 - k_112 * a12);
   const T a2c0n = t_170 - t_171;
   const T a2c0s = t_170 + t_171;
-  const T t_172 = k_104 * a3 + k_105 * a13 + k_106 * a31;
-  const T t_173 = k_109 * (a7 + k_107 * a21 - k_108 * a43);
+  const T t_172 = k_101 * a3 + k_102 * a13 + k_103 * a31;
+  const T t_173 = k_106 * (a7 + k_104 * a21 - k_105 * a43);
   const T a2c1n = t_172 + t_173;
   const T a2c1s = t_172 - t_173;
-  const T t_174 = k_99 * a8 + k_100 * a22 + k_101 * a44;
-  const T t_175 = k_103 * (k_102 * a14 + a32);
+  const T t_174 = k_96 * a8 + k_97 * a22 + k_98 * a44;
+  const T t_175 = k_100 * (k_99 * a14 + a32);
   const T a2c2n = t_174 + t_175;
   const T a2c2s = t_174 - t_175;
-  const T t_176 = k_95 * a15 + k_96 * a33;
-  const T t_177 = k_98 * (k_97 * a23 + a45);
+  const T t_176 = k_92 * a15 + k_93 * a33;
+  const T t_177 = k_95 * (k_94 * a23 + a45);
   const T a2c3n = t_176 + t_177;
   const T a2c3s = t_176 - t_177;
-  const T t_178 = k_92 * a24 + k_93 * a46;
-  const T t_179 = k_94 * a34;
+  const T t_178 = k_89 * a24 + k_90 * a46;
+  const T t_179 = k_91 * a34;
   const T a2c4n = t_178 + t_179;
   const T a2c4s = t_178 - t_179;
-  const T t_180 = k_90 * a35;
-  const T t_181 = k_91 * a47;
+  const T t_180 = k_87 * a35;
+  const T t_181 = k_88 * a47;
   const T a2c5n = t_180 + t_181;
   const T a2c5s = t_180 - t_181;
-  const T a2c6n = k_89 * a48;
+  const T a2c6n = k_86 * a48;
   const T t_182 = a2c0n + a2c4n;
-  const T t_183 = a2c2n + a2c6n;
-  const T t_184 = k_29 * (a2c2n - a2c6n);
-  const T t_185 = a2c2s + a2c6n;
-  const T t_186 = k_29 * (a2c2s - a2c6n);
-  const T t_187 = a2c0s + a2c4s;
-  const T t_188 = t_182 + t_183;
-  const T t_189 = t_182 - t_183;
-  const T t_190 = a2c0n + t_184;
-  const T t_191 = a2c0n - t_184;
+  const T t_183 = a2c0s + a2c4s;
+  const T t_184 = a2c2n + a2c6n;
+  const T t_185 = k_29 * (a2c2n - a2c6n);
+  const T t_186 = a2c2s + a2c6n;
+  const T t_187 = k_29 * (a2c2s - a2c6n);
+  const T t_188 = t_182 + t_184;
+  const T t_189 = t_182 - t_184;
+  const T t_190 = a2c0n + t_185;
+  const T t_191 = a2c0n - t_185;
   const T t_192 = a2c0n - a2c4n;
-  const T t_193 = t_187 + t_185;
-  const T t_194 = t_187 - t_185;
-  const T t_195 = a2c0s + t_186;
-  const T t_196 = a2c0s - t_186;
+  const T t_193 = t_183 + t_186;
+  const T t_194 = t_183 - t_186;
+  const T t_195 = a2c0s + t_187;
+  const T t_196 = a2c0s - t_187;
   const T t_197 = a2c0s - a2c4s;
   const T t_198 = k_29 * (a2s6n + a2s2n);
   const T t_199 = a2s2n - a2s6n;
@@ -804,18 +798,18 @@ constexpr void square_l6(const T* a, T* out) noexcept {
   const T t_279 = t_237 + t_277;
   const T t_280 = t_246 - t_255;
   const T t_281 = k_35 * t_258 + t_255 + k_36 * t_250 + t_246;
-  const T t_282 = k_36 * t_258 - k_37 * t_250;
+  const T t_282 = k_36 * t_258 - k_35 * t_250;
   const T t_283 = t_230 - t_239;
   const T t_284 = k_35 * t_242 + t_239 + k_36 * t_234 + t_230;
-  const T t_285 = k_36 * t_242 - k_37 * t_234;
-  const T t_286 = k_38 * (t_280 - t_282);
-  const T t_287 = k_38 * (t_283 - t_285);
+  const T t_285 = k_36 * t_242 - k_35 * t_234;
+  const T t_286 = k_33 * (t_280 - t_282);
+  const T t_287 = k_33 * (t_283 - t_285);
   const T t_288 = t_260 - k_32 * t_254;
-  const T t_289 = k_39 * t_260 + k_40 * t_259 + k_41 * t_254 + t_251;
-  const T t_290 = k_36 * t_251 - k_37 * t_259;
+  const T t_289 = k_37 * t_260 + k_38 * t_259 + k_39 * t_254 + t_251;
+  const T t_290 = k_36 * t_251 - k_35 * t_259;
   const T t_291 = t_244 - k_32 * t_238;
-  const T t_292 = k_39 * t_244 + k_40 * t_243 + k_41 * t_238 + t_235;
-  const T t_293 = k_36 * t_235 - k_37 * t_243;
+  const T t_292 = k_37 * t_244 + k_38 * t_243 + k_39 * t_238 + t_235;
+  const T t_293 = k_36 * t_235 - k_35 * t_243;
   const T t_294 = t_293 - t_291;
   const T t_295 = t_290 - t_288;
   const T t_296 = a2s6n * a2c6n;
@@ -841,77 +835,77 @@ constexpr void square_l6(const T* a, T* out) noexcept {
   const T t_316 = t_287 + t_286;
   const T t_317 = t_287 - t_286;
   const T t_318 = t_271 + t_266 - k_34 * (a2c6n * a2c6n - a2s6n * a2s6n);
-  const T a3s6n = k_164 * a36;
-  const T t_319 = k_165 * a25;
-  const T t_320 = k_166 * a37;
-  const T t_321 = k_241 * a37;
+  const T a3s6n = k_160 * a36;
+  const T t_319 = k_161 * a25;
+  const T t_320 = k_162 * a37;
+  const T t_321 = k_236 * a37;
   const T a3s5n = t_319 + t_320;
   const T a3s5s = t_319 - t_320;
-  const T t_322 = k_167 * a16 + k_168 * a38;
-  const T t_323 = k_169 * a26;
-  const T t_324 = k_244 * a26;
+  const T t_322 = k_163 * a16 + k_164 * a38;
+  const T t_323 = k_165 * a26;
+  const T t_324 = k_239 * a26;
   const T a3s4n = t_322 + t_323;
   const T a3s4s = t_322 - t_323;
-  const T t_325 = k_170 * a9 + k_171 * a27;
-  const T t_326 = k_173 * (a17 + k_172 * a39);
-  const T t_327 = k_248 * (a39 - k_247 * a17);
+  const T t_325 = k_166 * a9 + k_167 * a27;
+  const T t_326 = k_169 * (a17 + k_168 * a39);
+  const T t_327 = k_243 * (a39 - k_242 * a17);
   const T a3s3n = t_325 + t_326;
   const T a3s3s = t_325 - t_326;
-  const T t_328 = k_174 * a4 + k_175 * a18 - k_176 * a40;
-  const T t_329 = k_178 * (a10 - k_177 * a28);
-  const T t_330 = k_253 * (a28 - k_252 * a10);
+  const T t_328 = k_170 * a4 + k_171 * a18 - k_172 * a40;
+  const T t_329 = k_174 * (a10 - k_173 * a28);
+  const T t_330 = k_248 * (a28 - k_247 * a10);
   const T a3s2n = t_328 + t_329;
   const T a3s2s = t_328 - t_329;
-  const T t_331 = k_179 * a1 + k_180 * a11 - k_181 * a29;
-  const T t_332 = k_184 * (a5 - k_182 * a19 - k_183 * a41);
-  const T t_333 = k_259 * (a19 - k_257 * a5 - k_258 * a41);
+  const T t_331 = k_175 * a1 + k_176 * a11 - k_177 * a29;
+  const T t_332 = k_180 * (a5 - k_178 * a19 - k_179 * a41);
+  const T t_333 = k_254 * (a19 - k_252 * a5 - k_253 * a41);
   const T a3s1n = t_331 + t_332;
   const T a3s1s = t_331 - t_332;
-  const T t_334 = k_185 * a0 - k_186 * a6 - k_187 * a20 + k_188 * a42;
-  const T t_335 = k_191 * (a12 - k_189 * a2 + k_190 * a30);
+  const T t_334 = k_181 * a0 - k_182 * a6 - k_183 * a20 + k_184 * a42;
+  const T t_335 = k_187 * (a12 - k_185 * a2 + k_186 * a30);
   const T a3c0n = t_334 - t_335;
   const T a3c0s = t_334 + t_335;
-  const T t_336 = k_179 * a3 + k_180 * a13 - k_181 * a31;
-  const T t_337 = k_184 * (a7 - k_182 * a21 - k_183 * a43);
-  const T t_338 = k_259 * (a21 - k_257 * a7 - k_258 * a43);
+  const T t_336 = k_175 * a3 + k_176 * a13 - k_177 * a31;
+  const T t_337 = k_180 * (a7 - k_178 * a21 - k_179 * a43);
+  const T t_338 = k_254 * (a21 - k_252 * a7 - k_253 * a43);
   const T a3c1n = t_336 + t_337;
   const T a3c1s = t_336 - t_337;
-  const T t_339 = k_174 * a8 + k_175 * a22 - k_176 * a44;
-  const T t_340 = k_178 * (a14 - k_177 * a32);
-  const T t_341 = k_253 * (a32 - k_252 * a14);
+  const T t_339 = k_170 * a8 + k_171 * a22 - k_172 * a44;
+  const T t_340 = k_174 * (a14 - k_173 * a32);
+  const T t_341 = k_248 * (a32 - k_247 * a14);
   const T a3c2n = t_339 + t_340;
   const T a3c2s = t_339 - t_340;
-  const T t_342 = k_170 * a15 + k_171 * a33;
-  const T t_343 = k_173 * (a23 + k_172 * a45);
-  const T t_344 = k_248 * (a45 - k_247 * a23);
+  const T t_342 = k_166 * a15 + k_167 * a33;
+  const T t_343 = k_169 * (a23 + k_168 * a45);
+  const T t_344 = k_243 * (a45 - k_242 * a23);
   const T a3c3n = t_342 + t_343;
   const T a3c3s = t_342 - t_343;
-  const T t_345 = k_167 * a24 + k_168 * a46;
-  const T t_346 = k_169 * a34;
-  const T t_347 = k_244 * a34;
+  const T t_345 = k_163 * a24 + k_164 * a46;
+  const T t_346 = k_165 * a34;
+  const T t_347 = k_239 * a34;
   const T a3c4n = t_345 + t_346;
   const T a3c4s = t_345 - t_346;
-  const T t_348 = k_165 * a35;
-  const T t_349 = k_166 * a47;
-  const T t_350 = k_241 * a47;
+  const T t_348 = k_161 * a35;
+  const T t_349 = k_162 * a47;
+  const T t_350 = k_236 * a47;
   const T a3c5n = t_348 + t_349;
   const T a3c5s = t_348 - t_349;
-  const T a3c6n = k_164 * a48;
+  const T a3c6n = k_160 * a48;
   const T t_351 = a3c0n + a3c4n;
-  const T t_352 = a3c2n + a3c6n;
-  const T t_353 = k_29 * (a3c2n - a3c6n);
-  const T t_354 = a3c2s + a3c6n;
-  const T t_355 = k_29 * (a3c2s - a3c6n);
-  const T t_356 = a3c0s + a3c4s;
-  const T t_357 = t_351 + t_352;
-  const T t_358 = t_351 - t_352;
-  const T t_359 = a3c0n + t_353;
-  const T t_360 = a3c0n - t_353;
+  const T t_352 = a3c0s + a3c4s;
+  const T t_353 = a3c2n + a3c6n;
+  const T t_354 = k_29 * (a3c2n - a3c6n);
+  const T t_355 = a3c2s + a3c6n;
+  const T t_356 = k_29 * (a3c2s - a3c6n);
+  const T t_357 = t_351 + t_353;
+  const T t_358 = t_351 - t_353;
+  const T t_359 = a3c0n + t_354;
+  const T t_360 = a3c0n - t_354;
   const T t_361 = a3c0n - a3c4n;
-  const T t_362 = t_356 + t_354;
-  const T t_363 = t_356 - t_354;
-  const T t_364 = a3c0s + t_355;
-  const T t_365 = a3c0s - t_355;
+  const T t_362 = t_352 + t_355;
+  const T t_363 = t_352 - t_355;
+  const T t_364 = a3c0s + t_356;
+  const T t_365 = a3c0s - t_356;
   const T t_366 = a3c0s - a3c4s;
   const T t_367 = k_29 * (a3s6n + a3s2n);
   const T t_368 = a3s2n - a3s6n;
@@ -997,18 +991,18 @@ constexpr void square_l6(const T* a, T* out) noexcept {
   const T t_448 = t_406 + t_446;
   const T t_449 = t_415 - t_424;
   const T t_450 = k_35 * t_427 + t_424 + k_36 * t_419 + t_415;
-  const T t_451 = k_36 * t_427 - k_37 * t_419;
+  const T t_451 = k_36 * t_427 - k_35 * t_419;
   const T t_452 = t_399 - t_408;
   const T t_453 = k_35 * t_411 + t_408 + k_36 * t_403 + t_399;
-  const T t_454 = k_36 * t_411 - k_37 * t_403;
-  const T t_455 = k_38 * (t_449 - t_451);
-  const T t_456 = k_38 * (t_452 - t_454);
+  const T t_454 = k_36 * t_411 - k_35 * t_403;
+  const T t_455 = k_33 * (t_449 - t_451);
+  const T t_456 = k_33 * (t_452 - t_454);
   const T t_457 = t_429 - k_32 * t_423;
-  const T t_458 = k_39 * t_429 + k_40 * t_428 + k_41 * t_423 + t_420;
-  const T t_459 = k_36 * t_420 - k_37 * t_428;
+  const T t_458 = k_37 * t_429 + k_38 * t_428 + k_39 * t_423 + t_420;
+  const T t_459 = k_36 * t_420 - k_35 * t_428;
   const T t_460 = t_413 - k_32 * t_407;
-  const T t_461 = k_39 * t_413 + k_40 * t_412 + k_41 * t_407 + t_404;
-  const T t_462 = k_36 * t_404 - k_37 * t_412;
+  const T t_461 = k_37 * t_413 + k_38 * t_412 + k_39 * t_407 + t_404;
+  const T t_462 = k_36 * t_404 - k_35 * t_412;
   const T t_463 = t_462 - t_460;
   const T t_464 = t_459 - t_457;
   const T t_465 = a3s6n * a3c6n;
@@ -1034,71 +1028,71 @@ constexpr void square_l6(const T* a, T* out) noexcept {
   const T t_485 = t_456 + t_455;
   const T t_486 = t_456 - t_455;
   const T t_487 = t_440 + t_435 - k_34 * (a3c6n * a3c6n - a3s6n * a3s6n);
-  const T a4s6n = k_239 * a36;
-  const T a6s6n = k_328 * a36;
-  const T t_488 = k_240 * a25;
-  const T a6s5n = k_329 * a25;
+  const T a4s6n = k_234 * a36;
+  const T a6s6n = k_322 * a36;
+  const T t_488 = k_235 * a25;
+  const T a6s5n = k_323 * a25;
   const T a4s5n = t_488 + t_321;
   const T a4s5s = t_488 - t_321;
-  const T t_489 = k_242 * a16 - k_243 * a38;
-  const T a6s4n = k_330 * a16 - k_331 * a38;
+  const T t_489 = k_237 * a16 - k_238 * a38;
+  const T a6s4n = k_324 * a16 - k_325 * a38;
   const T a4s4n = t_489 + t_324;
   const T a4s4s = t_489 - t_324;
-  const T t_490 = k_245 * a9 - k_246 * a27;
-  const T a6s3n = k_332 * a9 - k_333 * a27;
+  const T t_490 = k_240 * a9 - k_241 * a27;
+  const T a6s3n = k_326 * a9 - k_327 * a27;
   const T a4s3n = t_490 - t_327;
   const T a4s3s = t_490 + t_327;
-  const T t_491 = k_249 * a4 - k_250 * a18 - k_251 * a40;
-  const T a6s2n = k_334 * a4 - k_335 * a18 + k_336 * a40;
+  const T t_491 = k_244 * a4 - k_245 * a18 - k_246 * a40;
+  const T a6s2n = k_328 * a4 - k_329 * a18 + k_330 * a40;
   const T a4s2n = t_491 - t_330;
   const T a4s2s = t_491 + t_330;
-  const T t_492 = k_254 * a1 - k_255 * a11 - k_256 * a29;
-  const T a6s1n = k_337 * a1 - k_338 * a11 + k_339 * a29;
+  const T t_492 = k_249 * a1 - k_250 * a11 - k_251 * a29;
+  const T a6s1n = k_331 * a1 - k_332 * a11 + k_333 * a29;
   const T a4s1n = t_492 - t_333;
   const T a4s1s = t_492 + t_333;
-  const T t_493 = k_314 * a0;
-  const T t_494 = k_260 * a0 - k_261 * a6 + k_262 * a20 + k_263 * a42;
-  const T t_495 = k_266 * (k_264 * a2 - k_265 * a12 + a30);
-  const T t_496 = k_320 * (k_318 * a2 + k_319 * a12 + a30);
+  const T t_493 = k_308 * a0;
+  const T t_494 = k_255 * a0 - k_256 * a6 + k_257 * a20 + k_258 * a42;
+  const T t_495 = k_261 * (k_259 * a2 - k_260 * a12 + a30);
+  const T t_496 = k_314 * (k_312 * a2 + k_313 * a12 + a30);
   const T a4c0n = t_494 + t_495;
   const T a4c0s = t_494 - t_495;
-  const T t_497 = k_254 * a3 - k_255 * a13 - k_256 * a31;
-  const T a6c1n = k_337 * a3 - k_338 * a13 + k_339 * a31;
+  const T t_497 = k_249 * a3 - k_250 * a13 - k_251 * a31;
+  const T a6c1n = k_331 * a3 - k_332 * a13 + k_333 * a31;
   const T a4c1n = t_497 - t_338;
   const T a4c1s = t_497 + t_338;
-  const T t_498 = k_249 * a8 - k_250 * a22 - k_251 * a44;
-  const T a6c2n = k_334 * a8 - k_335 * a22 + k_336 * a44;
+  const T t_498 = k_244 * a8 - k_245 * a22 - k_246 * a44;
+  const T a6c2n = k_328 * a8 - k_329 * a22 + k_330 * a44;
   const T a4c2n = t_498 - t_341;
   const T a4c2s = t_498 + t_341;
-  const T t_499 = k_245 * a15 - k_246 * a33;
-  const T a6c3n = k_332 * a15 - k_333 * a33;
+  const T t_499 = k_240 * a15 - k_241 * a33;
+  const T a6c3n = k_326 * a15 - k_327 * a33;
   const T a4c3n = t_499 - t_344;
   const T a4c3s = t_499 + t_344;
-  const T t_500 = k_242 * a24 - k_243 * a46;
-  const T a6c4n = k_330 * a24 - k_331 * a46;
+  const T t_500 = k_237 * a24 - k_238 * a46;
+  const T a6c4n = k_324 * a24 - k_325 * a46;
   const T a4c4n = t_500 + t_347;
   const T a4c4s = t_500 - t_347;
-  const T t_501 = k_240 * a35;
-  const T a6c5n = k_329 * a35;
+  const T t_501 = k_235 * a35;
+  const T a6c5n = k_323 * a35;
   const T a4c5n = t_501 + t_350;
   const T a4c5s = t_501 - t_350;
-  const T a4c6n = k_239 * a48;
-  const T a6c6n = k_328 * a48;
+  const T a4c6n = k_234 * a48;
+  const T a6c6n = k_322 * a48;
   const T t_502 = a4c0n + a4c4n;
-  const T t_503 = a4c2n + a4c6n;
-  const T t_504 = k_29 * (a4c2n - a4c6n);
-  const T t_505 = a4c2s + a4c6n;
-  const T t_506 = k_29 * (a4c2s - a4c6n);
-  const T t_507 = a4c0s + a4c4s;
-  const T t_508 = t_502 + t_503;
-  const T t_509 = t_502 - t_503;
-  const T t_510 = a4c0n + t_504;
-  const T t_511 = a4c0n - t_504;
+  const T t_503 = a4c0s + a4c4s;
+  const T t_504 = a4c2n + a4c6n;
+  const T t_505 = k_29 * (a4c2n - a4c6n);
+  const T t_506 = a4c2s + a4c6n;
+  const T t_507 = k_29 * (a4c2s - a4c6n);
+  const T t_508 = t_502 + t_504;
+  const T t_509 = t_502 - t_504;
+  const T t_510 = a4c0n + t_505;
+  const T t_511 = a4c0n - t_505;
   const T t_512 = a4c0n - a4c4n;
-  const T t_513 = t_507 + t_505;
-  const T t_514 = t_507 - t_505;
-  const T t_515 = a4c0s + t_506;
-  const T t_516 = a4c0s - t_506;
+  const T t_513 = t_503 + t_506;
+  const T t_514 = t_503 - t_506;
+  const T t_515 = a4c0s + t_507;
+  const T t_516 = a4c0s - t_507;
   const T t_517 = a4c0s - a4c4s;
   const T t_518 = k_29 * (a4s6n + a4s2n);
   const T t_519 = a4s2n - a4s6n;
@@ -1184,18 +1178,18 @@ constexpr void square_l6(const T* a, T* out) noexcept {
   const T t_599 = t_557 + t_597;
   const T t_600 = t_566 - t_575;
   const T t_601 = k_35 * t_578 + t_575 + k_36 * t_570 + t_566;
-  const T t_602 = k_36 * t_578 - k_37 * t_570;
+  const T t_602 = k_36 * t_578 - k_35 * t_570;
   const T t_603 = t_550 - t_559;
   const T t_604 = k_35 * t_562 + t_559 + k_36 * t_554 + t_550;
-  const T t_605 = k_36 * t_562 - k_37 * t_554;
-  const T t_606 = k_38 * (t_600 - t_602);
-  const T t_607 = k_38 * (t_603 - t_605);
+  const T t_605 = k_36 * t_562 - k_35 * t_554;
+  const T t_606 = k_33 * (t_600 - t_602);
+  const T t_607 = k_33 * (t_603 - t_605);
   const T t_608 = t_580 - k_32 * t_574;
-  const T t_609 = k_39 * t_580 + k_40 * t_579 + k_41 * t_574 + t_571;
-  const T t_610 = k_36 * t_571 - k_37 * t_579;
+  const T t_609 = k_37 * t_580 + k_38 * t_579 + k_39 * t_574 + t_571;
+  const T t_610 = k_36 * t_571 - k_35 * t_579;
   const T t_611 = t_564 - k_32 * t_558;
-  const T t_612 = k_39 * t_564 + k_40 * t_563 + k_41 * t_558 + t_555;
-  const T t_613 = k_36 * t_555 - k_37 * t_563;
+  const T t_612 = k_37 * t_564 + k_38 * t_563 + k_39 * t_558 + t_555;
+  const T t_613 = k_36 * t_555 - k_35 * t_563;
   const T t_614 = t_613 - t_611;
   const T t_615 = t_610 - t_608;
   const T t_616 = a4s6n * a4c6n;
@@ -1205,9 +1199,9 @@ constexpr void square_l6(const T* a, T* out) noexcept {
   const T t_620 = t_608 + t_610 + k_34 * (a4s5s * a4c6n + a4c5s * a4s6n);
   const T t_621 = a4s5n * a4c5n;
   const T t_622 = a4s5s * a4c5s;
-  out[37] = k_44 * (t_139 - t_141) + k_119 * (t_298 - t_300) + k_194 * (t_467 - t_469) + k_269 * (t_618 - t_620);  // l=6 m=-5
+  out[37] = k_42 * (t_139 - t_141) + k_116 * (t_298 - t_300) + k_190 * (t_467 - t_469) + k_264 * (t_618 - t_620);  // l=6 m=-5
   const T t_623 = t_596 + t_594 + (t_616 + t_616);
-  out[26] = k_46 * (t_117 - t_115) + k_121 * (t_276 - t_274) + k_196 * (t_445 - t_443) + k_271 * (t_596 - t_594);  // l=5 m=-4
+  out[26] = k_44 * (t_117 - t_115) + k_118 * (t_276 - t_274) + k_192 * (t_445 - t_443) + k_266 * (t_596 - t_594);  // l=5 m=-4
   const T t_624 = t_614 + t_615;
   const T t_625 = t_614 - t_615;
   const T t_626 = t_599 + t_598;
@@ -1223,33 +1217,33 @@ constexpr void square_l6(const T* a, T* out) noexcept {
   const T t_636 = t_607 + t_606;
   const T t_637 = t_607 - t_606;
   const T t_638 = t_591 + t_586 - k_34 * (a4c6n * a4c6n - a4s6n * a4s6n);
-  out[34] = k_86 * (t_112 - t_107) + k_161 * (t_271 - t_266) + k_236 * (t_440 - t_435) + k_311 * (t_591 - t_586);  // l=5 m=4
-  out[47] = k_44 * (t_138 - t_140) + k_119 * (t_297 - t_299) + k_194 * (t_466 - t_468) + k_269 * (t_617 - t_619);  // l=6 m=5
-  out[17] = k_49 * t_146 + k_124 * t_305 + k_199 * t_474 + k_274 * t_625;                                          // l=4 m=-3
-  out[39] = k_51 * t_146 + k_126 * t_305 + k_201 * t_474 - k_276 * t_625;                                          // l=6 m=-3
-  out[10] = k_53 * t_148 + k_128 * t_307 + k_203 * t_476 + k_278 * t_627;                                          // l=3 m=-2
-  out[28] = k_55 * t_148 + k_130 * t_307 - k_205 * t_476 - k_280 * t_627;                                          // l=5 m=-2
-  out[5] = k_58 * t_150 + k_133 * t_309 + k_208 * t_478 + k_283 * t_629;                                           // l=2 m=-1
-  out[19] = k_60 * t_150 + k_135 * t_309 - k_210 * t_478 - k_285 * t_629;                                          // l=4 m=-1
-  out[41] = k_62 * t_150 - k_137 * t_309 - k_212 * t_478 + k_287 * t_629;                                          // l=6 m=-1
-  out[7] = k_71 * t_154 + k_146 * t_313 + k_221 * t_482 + k_296 * t_633;                                           // l=2 m=1
-  out[21] = k_73 * t_154 + k_148 * t_313 - k_223 * t_482 - k_298 * t_633;                                          // l=4 m=1
-  out[43] = k_75 * t_154 - k_150 * t_313 - k_225 * t_482 + k_300 * t_633;                                          // l=6 m=1
-  out[14] = k_77 * t_156 + k_152 * t_315 + k_227 * t_484 + k_302 * t_635;                                          // l=3 m=2
-  out[32] = k_79 * t_156 + k_154 * t_315 - k_229 * t_484 - k_304 * t_635;                                          // l=5 m=2
-  out[23] = k_82 * t_158 + k_157 * t_317 + k_232 * t_486 + k_307 * t_637;                                          // l=4 m=3
-  out[45] = k_84 * t_158 + k_159 * t_317 + k_234 * t_486 - k_309 * t_637;                                          // l=6 m=3
-  const T t_639 = t_493 + k_315 * a6 + k_316 * a20 + k_317 * a42;
-  const T a6c0n = t_493 - k_340 * a6 + k_341 * a20 - k_342 * a42;
+  out[34] = k_84 * (t_112 - t_107) + k_158 * (t_271 - t_266) + k_232 * (t_440 - t_435) + k_306 * (t_591 - t_586);  // l=5 m=4
+  out[47] = k_42 * (t_138 - t_140) + k_116 * (t_297 - t_299) + k_190 * (t_466 - t_468) + k_264 * (t_617 - t_619);  // l=6 m=5
+  out[17] = k_47 * t_146 + k_121 * t_305 + k_195 * t_474 + k_269 * t_625;                                          // l=4 m=-3
+  out[39] = k_49 * t_146 + k_123 * t_305 + k_197 * t_474 - k_271 * t_625;                                          // l=6 m=-3
+  out[10] = k_51 * t_148 + k_125 * t_307 + k_199 * t_476 + k_273 * t_627;                                          // l=3 m=-2
+  out[28] = k_53 * t_148 + k_127 * t_307 - k_201 * t_476 - k_275 * t_627;                                          // l=5 m=-2
+  out[5] = k_56 * t_150 + k_130 * t_309 + k_204 * t_478 + k_278 * t_629;                                           // l=2 m=-1
+  out[19] = k_58 * t_150 + k_132 * t_309 - k_206 * t_478 - k_280 * t_629;                                          // l=4 m=-1
+  out[41] = k_60 * t_150 - k_134 * t_309 - k_208 * t_478 + k_282 * t_629;                                          // l=6 m=-1
+  out[7] = k_69 * t_154 + k_143 * t_313 + k_217 * t_482 + k_291 * t_633;                                           // l=2 m=1
+  out[21] = k_71 * t_154 + k_145 * t_313 - k_219 * t_482 - k_293 * t_633;                                          // l=4 m=1
+  out[43] = k_73 * t_154 - k_147 * t_313 - k_221 * t_482 + k_295 * t_633;                                          // l=6 m=1
+  out[14] = k_75 * t_156 + k_149 * t_315 + k_223 * t_484 + k_297 * t_635;                                          // l=3 m=2
+  out[32] = k_77 * t_156 + k_151 * t_315 - k_225 * t_484 - k_299 * t_635;                                          // l=5 m=2
+  out[23] = k_80 * t_158 + k_154 * t_317 + k_228 * t_486 + k_302 * t_637;                                          // l=4 m=3
+  out[45] = k_82 * t_158 + k_156 * t_317 + k_230 * t_486 - k_304 * t_637;                                          // l=6 m=3
+  const T t_639 = t_493 + k_309 * a6 + k_310 * a20 + k_311 * a42;
+  const T a6c0n = t_493 - k_334 * a6 + k_335 * a20 - k_336 * a42;
   const T t_640 = t_639 + t_496;
   const T t_641 = t_639 - t_496;
   const T t_642 = t_640 * t_640;
   const T t_643 = t_641 * t_641;
   const T t_644 = t_642 + t_643;
   const T t_645 = t_642 - t_643;
-  out[2] = k_64 * t_152 + k_139 * t_311 + k_214 * t_480 + k_289 * t_631 + k_322 * t_645;                           // l=1 m=0
-  out[12] = k_66 * t_152 + k_141 * t_311 - k_216 * t_480 - k_291 * t_631 + k_324 * t_645;                          // l=3 m=0
-  out[30] = k_68 * t_152 - k_143 * t_311 - k_218 * t_480 + k_293 * t_631 + k_326 * t_645;                          // l=5 m=0
+  out[2] = k_62 * t_152 + k_136 * t_311 + k_210 * t_480 + k_284 * t_631 + k_316 * t_645;                           // l=1 m=0
+  out[12] = k_64 * t_152 + k_138 * t_311 - k_212 * t_480 - k_286 * t_631 + k_318 * t_645;                          // l=3 m=0
+  out[30] = k_66 * t_152 - k_140 * t_311 - k_214 * t_480 + k_288 * t_631 + k_320 * t_645;                          // l=5 m=0
   const T t_646 = a6c2n + a6c6n;
   const T t_647 = k_29 * (a6c2n - a6c6n);
   const T t_648 = a6c0n + a6c4n;
@@ -1299,61 +1293,61 @@ constexpr void square_l6(const T* a, T* out) noexcept {
   const T t_692 = t_677 + t_691;
   const T t_693 = t_670 - t_679;
   const T t_694 = k_35 * t_682 + t_679 + k_36 * t_674 + t_670;
-  const T t_695 = k_36 * t_682 - k_37 * t_674;
-  const T t_696 = k_38 * (t_693 - t_695);
+  const T t_695 = k_36 * t_682 - k_35 * t_674;
+  const T t_696 = k_33 * (t_693 - t_695);
   const T t_697 = t_684 - k_32 * t_678;
-  const T t_698 = k_39 * t_684 + k_40 * t_683 + k_41 * t_678 + t_675;
-  const T t_699 = k_36 * t_675 - k_37 * t_683;
+  const T t_698 = k_37 * t_684 + k_38 * t_683 + k_39 * t_678 + t_675;
+  const T t_699 = k_36 * t_675 - k_35 * t_683;
   const T t_700 = t_699 - t_697;
   const T t_701 = t_688 - t_676 - (a6c6n * a6c6n - a6s6n * a6s6n);
   const T t_702 = a6s6n * a6c6n;
   const T t_703 = t_673 - t_681 + k_33 * (t_702 + t_702);
-  out[35] = k_43 * (t_138 + t_140) + k_118 * (t_297 + t_299) + k_193 * (t_466 + t_468) + k_268 * (t_617 + t_619)
-      + k_344 * (t_693 + t_695 - k_34 * (a6c5n * a6c6n - a6s5n * a6s6n));                                          // l=5 m=5
-  out[25] = k_43 * (t_139 + t_141) + k_118 * (t_298 + t_300) + k_193 * (t_467 + t_469) + k_268 * (t_618 + t_620)
-      + k_344 * (t_697 + t_699 + k_34 * (a6s5n * a6c6n + a6c5n * a6s6n));                                          // l=5 m=-5
+  out[35] = k_41 * (t_138 + t_140) + k_115 * (t_297 + t_299) + k_189 * (t_466 + t_468) + k_263 * (t_617 + t_619)
+      + k_338 * (t_693 + t_695 - k_34 * (a6c5n * a6c6n - a6s5n * a6s6n));                                          // l=5 m=5
+  out[25] = k_41 * (t_139 + t_141) + k_115 * (t_298 + t_300) + k_189 * (t_467 + t_469) + k_263 * (t_618 + t_620)
+      + k_338 * (t_697 + t_699 + k_34 * (a6s5n * a6c6n + a6c5n * a6s6n));                                          // l=5 m=-5
   const T t_704 = a6s5n * a6c5n;
-  out[36] = k_42 * (k_34 * (t_116 - t_94 - t_78 + t_118) + (k_34 * (a1s4n * a1c6n + a1c4n * a1s6n) + (t_142 + t_142))
-      + (k_34 * (a1s4s * a1c6n + a1c4s * a1s6n) + (t_143 + t_143))) + k_117 * (k_34 * (t_275 - t_253 - t_237 + t_277)
+  out[36] = k_40 * (k_34 * (t_116 - t_94 - t_78 + t_118) + (k_34 * (a1s4n * a1c6n + a1c4n * a1s6n) + (t_142 + t_142))
+      + (k_34 * (a1s4s * a1c6n + a1c4s * a1s6n) + (t_143 + t_143))) + k_114 * (k_34 * (t_275 - t_253 - t_237 + t_277)
       + (k_34 * (a2s4n * a2c6n + a2c4n * a2s6n) + (t_301 + t_301)) + (k_34 * (a2s4s * a2c6n + a2c4s * a2s6n) + (t_302
-      + t_302))) + k_192 * (k_34 * (t_444 - t_422 - t_406 + t_446) + (k_34 * (a3s4n * a3c6n + a3c4n * a3s6n) + (t_470
-      + t_470)) + (k_34 * (a3s4s * a3c6n + a3c4s * a3s6n) + (t_471 + t_471))) + k_267 * (k_34 * (t_595 - t_573 - t_557
+      + t_302))) + k_188 * (k_34 * (t_444 - t_422 - t_406 + t_446) + (k_34 * (a3s4n * a3c6n + a3c4n * a3s6n) + (t_470
+      + t_470)) + (k_34 * (a3s4s * a3c6n + a3c4s * a3s6n) + (t_471 + t_471))) + k_262 * (k_34 * (t_595 - t_573 - t_557
       + t_597) + (k_34 * (a4s4n * a4c6n + a4c4n * a4s6n) + (t_621 + t_621)) + (k_34 * (a4s4s * a4c6n + a4c4s * a4s6n)
-      + (t_622 + t_622))) + k_343 * (t_691 - t_677 + k_33 * (k_34 * (a6s4n * a6c6n + a6c4n * a6s6n) + (t_704
+      + (t_622 + t_622))) + k_337 * (t_691 - t_677 + k_33 * (k_34 * (a6s4n * a6c6n + a6c4n * a6s6n) + (t_704
       + t_704)));                                                                                                  // l=6 m=-6
-  out[48] = k_88 * (k_33 * (t_104 - t_103 - t_108 + t_109) - (k_34 * (a1c4n * a1c6n - a1s4n * a1s6n) + (a1c5n * a1c5n
+  out[48] = k_40 * (k_33 * (t_104 - t_103 - t_108 + t_109) - (k_34 * (a1c4n * a1c6n - a1s4n * a1s6n) + (a1c5n * a1c5n
       - a1s5n * a1s5n)) - (k_34 * (a1c4s * a1c6n - a1s4s * a1s6n) + (a1c5s * a1c5s - a1s5s * a1s5s)))
-      + k_163 * (k_33 * (t_263 - t_262 - t_267 + t_268) - (k_34 * (a2c4n * a2c6n - a2s4n * a2s6n) + (a2c5n * a2c5n
+      + k_114 * (k_33 * (t_263 - t_262 - t_267 + t_268) - (k_34 * (a2c4n * a2c6n - a2s4n * a2s6n) + (a2c5n * a2c5n
       - a2s5n * a2s5n)) - (k_34 * (a2c4s * a2c6n - a2s4s * a2s6n) + (a2c5s * a2c5s - a2s5s * a2s5s)))
-      + k_238 * (k_33 * (t_432 - t_431 - t_436 + t_437) - (k_34 * (a3c4n * a3c6n - a3s4n * a3s6n) + (a3c5n * a3c5n
+      + k_188 * (k_33 * (t_432 - t_431 - t_436 + t_437) - (k_34 * (a3c4n * a3c6n - a3s4n * a3s6n) + (a3c5n * a3c5n
       - a3s5n * a3s5n)) - (k_34 * (a3c4s * a3c6n - a3s4s * a3s6n) + (a3c5s * a3c5s - a3s5s * a3s5s)))
-      + k_313 * (k_33 * (t_583 - t_582 - t_587 + t_588) - (k_34 * (a4c4n * a4c6n - a4s4n * a4s6n) + (a4c5n * a4c5n
-      - a4s5n * a4s5n)) - (k_34 * (a4c4s * a4c6n - a4s4s * a4s6n) + (a4c5s * a4c5s - a4s5s * a4s5s))) + k_369 * (t_687
+      + k_262 * (k_33 * (t_583 - t_582 - t_587 + t_588) - (k_34 * (a4c4n * a4c6n - a4s4n * a4s6n) + (a4c5n * a4c5n
+      - a4s5n * a4s5n)) - (k_34 * (a4c4s * a4c6n - a4s4s * a4s6n) + (a4c5s * a4c5s - a4s5s * a4s5s))) + k_363 * (t_687
       - t_686 - (k_34 * (a6c4n * a6c6n - a6s4n * a6s6n) + (a6c5n * a6c5n - a6s5n * a6s5n)));                       // l=6 m=6
-  out[16] = k_45 * t_144 + k_120 * t_303 + k_195 * t_472 + k_270 * t_623 + k_345 * t_703;                          // l=4 m=-4
-  out[38] = k_47 * t_144 + k_122 * t_303 + k_197 * t_472 - k_272 * t_623 - k_346 * t_703;                          // l=6 m=-4
-  out[9] = k_48 * t_145 + k_123 * t_304 + k_198 * t_473 + k_273 * t_624 + k_347 * t_700;                           // l=3 m=-3
-  out[27] = k_50 * t_145 + k_125 * t_304 + k_200 * t_473 - k_275 * t_624 - k_348 * t_700;                          // l=5 m=-3
-  out[4] = k_52 * t_147 + k_127 * t_306 + k_202 * t_475 + k_277 * t_626 + k_349 * t_692;                           // l=2 m=-2
-  out[18] = k_54 * t_147 + k_129 * t_306 + k_204 * t_475 - k_279 * t_626 - k_350 * t_692;                          // l=4 m=-2
-  out[40] = k_56 * t_147 + k_131 * t_306 - k_206 * t_475 - k_281 * t_626 + k_351 * t_692;                          // l=6 m=-2
-  out[1] = k_57 * t_149 + k_132 * t_308 + k_207 * t_477 + k_282 * t_628 + k_352 * t_698;                           // l=1 m=-1
-  out[11] = k_59 * t_149 + k_134 * t_308 + k_209 * t_477 - k_284 * t_628 - k_353 * t_698;                          // l=3 m=-1
-  out[29] = k_61 * t_149 + k_136 * t_308 - k_211 * t_477 - k_286 * t_628 + k_354 * t_698;                          // l=5 m=-1
-  out[0] = k_63 * t_151 + k_138 * t_310 + k_213 * t_479 + k_288 * t_630 + k_321 * t_644 + k_355 * t_689;           // l=0 m=0
-  out[6] = k_65 * t_151 + k_140 * t_310 - k_215 * t_479 - k_290 * t_630 + k_323 * t_644 - k_356 * t_689;           // l=2 m=0
-  out[20] = k_67 * t_151 - k_142 * t_310 - k_217 * t_479 + k_292 * t_630 + k_325 * t_644 + k_357 * t_689;          // l=4 m=0
-  out[42] = k_69 * t_151 - k_144 * t_310 + k_219 * t_479 + k_294 * t_630 + k_327 * t_644 - k_358 * t_689;          // l=6 m=0
-  out[3] = k_70 * t_153 + k_145 * t_312 + k_220 * t_481 + k_295 * t_632 + k_359 * t_694;                           // l=1 m=1
-  out[13] = k_72 * t_153 + k_147 * t_312 + k_222 * t_481 - k_297 * t_632 - k_360 * t_694;                          // l=3 m=1
-  out[31] = k_74 * t_153 + k_149 * t_312 - k_224 * t_481 - k_299 * t_632 + k_361 * t_694;                          // l=5 m=1
-  out[8] = k_76 * t_155 + k_151 * t_314 + k_226 * t_483 + k_301 * t_634 + k_362 * t_690;                           // l=2 m=2
-  out[22] = k_78 * t_155 + k_153 * t_314 + k_228 * t_483 - k_303 * t_634 - k_363 * t_690;                          // l=4 m=2
-  out[44] = k_80 * t_155 + k_155 * t_314 - k_230 * t_483 - k_305 * t_634 + k_364 * t_690;                          // l=6 m=2
-  out[15] = k_81 * t_157 + k_156 * t_316 + k_231 * t_485 + k_306 * t_636 + k_365 * t_696;                          // l=3 m=3
-  out[33] = k_83 * t_157 + k_158 * t_316 + k_233 * t_485 - k_308 * t_636 - k_366 * t_696;                          // l=5 m=3
-  out[24] = k_85 * t_159 + k_160 * t_318 + k_235 * t_487 + k_310 * t_638 + k_367 * t_701;                          // l=4 m=4
-  out[46] = k_87 * t_159 + k_162 * t_318 + k_237 * t_487 - k_312 * t_638 - k_368 * t_701;                          // l=6 m=4
+  out[16] = k_43 * t_144 + k_117 * t_303 + k_191 * t_472 + k_265 * t_623 + k_339 * t_703;                          // l=4 m=-4
+  out[38] = k_45 * t_144 + k_119 * t_303 + k_193 * t_472 - k_267 * t_623 - k_340 * t_703;                          // l=6 m=-4
+  out[9] = k_46 * t_145 + k_120 * t_304 + k_194 * t_473 + k_268 * t_624 + k_341 * t_700;                           // l=3 m=-3
+  out[27] = k_48 * t_145 + k_122 * t_304 + k_196 * t_473 - k_270 * t_624 - k_342 * t_700;                          // l=5 m=-3
+  out[4] = k_50 * t_147 + k_124 * t_306 + k_198 * t_475 + k_272 * t_626 + k_343 * t_692;                           // l=2 m=-2
+  out[18] = k_52 * t_147 + k_126 * t_306 + k_200 * t_475 - k_274 * t_626 - k_344 * t_692;                          // l=4 m=-2
+  out[40] = k_54 * t_147 + k_128 * t_306 - k_202 * t_475 - k_276 * t_626 + k_345 * t_692;                          // l=6 m=-2
+  out[1] = k_55 * t_149 + k_129 * t_308 + k_203 * t_477 + k_277 * t_628 + k_346 * t_698;                           // l=1 m=-1
+  out[11] = k_57 * t_149 + k_131 * t_308 + k_205 * t_477 - k_279 * t_628 - k_347 * t_698;                          // l=3 m=-1
+  out[29] = k_59 * t_149 + k_133 * t_308 - k_207 * t_477 - k_281 * t_628 + k_348 * t_698;                          // l=5 m=-1
+  out[0] = k_61 * t_151 + k_135 * t_310 + k_209 * t_479 + k_283 * t_630 + k_315 * t_644 + k_349 * t_689;           // l=0 m=0
+  out[6] = k_63 * t_151 + k_137 * t_310 - k_211 * t_479 - k_285 * t_630 + k_317 * t_644 - k_350 * t_689;           // l=2 m=0
+  out[20] = k_65 * t_151 - k_139 * t_310 - k_213 * t_479 + k_287 * t_630 + k_319 * t_644 + k_351 * t_689;          // l=4 m=0
+  out[42] = k_67 * t_151 - k_141 * t_310 + k_215 * t_479 + k_289 * t_630 + k_321 * t_644 - k_352 * t_689;          // l=6 m=0
+  out[3] = k_68 * t_153 + k_142 * t_312 + k_216 * t_481 + k_290 * t_632 + k_353 * t_694;                           // l=1 m=1
+  out[13] = k_70 * t_153 + k_144 * t_312 + k_218 * t_481 - k_292 * t_632 - k_354 * t_694;                          // l=3 m=1
+  out[31] = k_72 * t_153 + k_146 * t_312 - k_220 * t_481 - k_294 * t_632 + k_355 * t_694;                          // l=5 m=1
+  out[8] = k_74 * t_155 + k_148 * t_314 + k_222 * t_483 + k_296 * t_634 + k_356 * t_690;                           // l=2 m=2
+  out[22] = k_76 * t_155 + k_150 * t_314 + k_224 * t_483 - k_298 * t_634 - k_357 * t_690;                          // l=4 m=2
+  out[44] = k_78 * t_155 + k_152 * t_314 - k_226 * t_483 - k_300 * t_634 + k_358 * t_690;                          // l=6 m=2
+  out[15] = k_79 * t_157 + k_153 * t_316 + k_227 * t_485 + k_301 * t_636 + k_359 * t_696;                          // l=3 m=3
+  out[33] = k_81 * t_157 + k_155 * t_316 + k_229 * t_485 - k_303 * t_636 - k_360 * t_696;                          // l=5 m=3
+  out[24] = k_83 * t_159 + k_157 * t_318 + k_231 * t_487 + k_305 * t_638 + k_361 * t_701;                          // l=4 m=4
+  out[46] = k_85 * t_159 + k_159 * t_318 + k_233 * t_487 - k_307 * t_638 - k_362 * t_701;                          // l=6 m=4
 }
 
 }  // namespace sh

@@ -56,14 +56,14 @@ template <class T>
 constexpr T triple_l3(const T* a, const T* b, const T* c) noexcept {
   const T k    = detail::constant<T>(0.2820948f, 0.28209479177387814);    // 1/2 sqrt(1/pi)
   const T k_2  = detail::constant<T>(0.12615663f, 0.126156626101008);     // 1/10 sqrt(5/pi)
-  const T k_3  = detail::constant<T>(0.65465367f, 0.6546536707079772);    // 1/7 sqrt(21)
-  const T k_4  = detail::constant<T>(0.18022375f, 0.18022375157286857);   // 1/7 sqrt(5/pi)
-  const T k_5  = detail::constant<T>(0.41573972f, 0.41573970964154905);   // 1/9 sqrt(14)
-  const T k_6  = detail::constant<T>(1.0183501f, 1.0183501544346312);     // 2/9 sqrt(21)
-  const T k_7  = detail::constant<T>(0.090111874f, 0.09011187578643429);  // 1/14 sqrt(5/pi)
-  const T k_8  = detail::constant<T>(0.62360954f, 0.6236095644623235);    // 1/6 sqrt(14)
-  const T k_9  = detail::constant<T>(0.25458753f, 0.2545875386086578);    // 1/18 sqrt(21)
-  const T k_10 = detail::constant<T>(0.21026105f, 0.21026104350168);      // 1/6 sqrt(5/pi)
+  const T k_3  = detail::constant<T>(0.18022375f, 0.18022375157286857);   // 1/7 sqrt(5/pi)
+  const T k_4  = detail::constant<T>(0.090111874f, 0.09011187578643429);  // 1/14 sqrt(5/pi)
+  const T k_5  = detail::constant<T>(0.21026105f, 0.21026104350168);      // 1/6 sqrt(5/pi)
+  const T k_6  = detail::constant<T>(0.41573972f, 0.41573970964154905);   // 1/9 sqrt(14)
+  const T k_7  = detail::constant<T>(0.62360954f, 0.6236095644623235);    // 1/6 sqrt(14)
+  const T k_8  = detail::constant<T>(0.65465367f, 0.6546536707079772);    // 1/7 sqrt(21)
+  const T k_9  = detail::constant<T>(1.0183501f, 1.0183501544346312);     // 2/9 sqrt(21)
+  const T k_10 = detail::constant<T>(0.25458753f, 0.2545875386086578);    // 1/18 sqrt(21)
   const T k_11 = detail::constant<T>(0.21850969f, 0.2185096861184158);    // 1/10 sqrt(15/pi)
   const T k_12 = detail::constant<T>(0.05839917f, 0.05839917008190185);   // 1/140 sqrt(210/pi)
   const T k_13 = detail::constant<T>(0.20230065f, 0.20230065940342062);   // 3/70 sqrt(70/pi)
@@ -82,16 +82,16 @@ constexpr T triple_l3(const T* a, const T* b, const T* c) noexcept {
   const T t_3 = k_2 * a[6];
   const T t_4 = t - t_3;
   const T t_5 = t + t_3;
-  const T t_6 = k_11 * (a[2] - k_3 * a[12]);
-  const T t_7 = t - k_4 * a[6];
-  const T t_8 = k_15 * (a[3] - k_5 * a[13]);
-  const T t_9 = k_16 * (a[2] - k_6 * a[12]);
-  const T t_10 = k_15 * (a[1] - k_5 * a[11]);
-  const T t_11 = t + k_7 * a[6];
-  const T t_12 = k_16 * (a[3] + k_8 * a[13]);
-  const T t_13 = k_20 * (a[2] + k_9 * a[12]);
-  const T t_14 = k_16 * (a[1] + k_8 * a[11]);
-  const T t_15 = t - k_10 * a[6];
+  const T t_6 = t - k_3 * a[6];
+  const T t_7 = t + k_4 * a[6];
+  const T t_8 = t - k_5 * a[6];
+  const T t_9 = k_15 * (a[1] - k_6 * a[11]);
+  const T t_10 = k_16 * (a[1] + k_7 * a[11]);
+  const T t_11 = k_11 * (a[2] - k_8 * a[12]);
+  const T t_12 = k_16 * (a[2] - k_9 * a[12]);
+  const T t_13 = k_20 * (a[2] + k_10 * a[12]);
+  const T t_14 = k_15 * (a[3] - k_6 * a[13]);
+  const T t_15 = k_16 * (a[3] + k_7 * a[13]);
   const T t_16 = k_11 * a[8];
   const T t_17 = k_11 * a[3] - k_12 * a[13];
   const T t_18 = k_13 * a[6];
@@ -102,26 +102,26 @@ constexpr T triple_l3(const T* a, const T* b, const T* c) noexcept {
   const T t_23 = k_18 * a[8];
   const T t_24 = k_18 * a[4];
   const T t_25 = k_19 * a[15];
-  const T t_26 = t_12 - t_25;
-  const T t_27 = t_25 + t_12;
+  const T t_26 = t_15 - t_25;
+  const T t_27 = t_25 + t_15;
   const T t_28 = k_19 * a[9];
-  const T t_29 = t_28 - t_14;
-  const T t_30 = t_28 + t_14;
+  const T t_29 = t_28 - t_10;
+  const T t_30 = t_28 + t_10;
   const T t_31 = k_21 * a[2];
   const T t_32 = k_17 * a[8];
   const T t_33 = k_2 * b[6];
   const T t_34 = t_2 - t_33;
   const T t_35 = t_2 + t_33;
-  const T t_36 = k_11 * (b[2] - k_3 * b[12]);
-  const T t_37 = t_2 - k_4 * b[6];
-  const T t_38 = k_15 * (b[3] - k_5 * b[13]);
-  const T t_39 = k_16 * (b[2] - k_6 * b[12]);
-  const T t_40 = k_15 * (b[1] - k_5 * b[11]);
-  const T t_41 = t_2 + k_7 * b[6];
-  const T t_42 = k_16 * (b[3] + k_8 * b[13]);
-  const T t_43 = k_20 * (b[2] + k_9 * b[12]);
-  const T t_44 = k_16 * (b[1] + k_8 * b[11]);
-  const T t_45 = t_2 - k_10 * b[6];
+  const T t_36 = t_2 - k_3 * b[6];
+  const T t_37 = t_2 + k_4 * b[6];
+  const T t_38 = t_2 - k_5 * b[6];
+  const T t_39 = k_15 * (b[1] - k_6 * b[11]);
+  const T t_40 = k_16 * (b[1] + k_7 * b[11]);
+  const T t_41 = k_11 * (b[2] - k_8 * b[12]);
+  const T t_42 = k_16 * (b[2] - k_9 * b[12]);
+  const T t_43 = k_20 * (b[2] + k_10 * b[12]);
+  const T t_44 = k_15 * (b[3] - k_6 * b[13]);
+  const T t_45 = k_16 * (b[3] + k_7 * b[13]);
   const T t_46 = k_11 * b[8];
   const T t_47 = k_11 * b[3] - k_12 * b[13];
   const T t_48 = k_13 * b[6];
@@ -134,11 +134,11 @@ constexpr T triple_l3(const T* a, const T* b, const T* c) noexcept {
   const T t_54 = k_18 * b[8];
   const T t_55 = k_18 * b[4];
   const T t_56 = k_19 * b[15];
-  const T t_57 = t_42 - t_56;
-  const T t_58 = t_56 + t_42;
+  const T t_57 = t_45 - t_56;
+  const T t_58 = t_56 + t_45;
   const T t_59 = k_19 * b[9];
-  const T t_60 = t_59 - t_44;
-  const T t_61 = t_59 + t_44;
+  const T t_60 = t_59 - t_40;
+  const T t_61 = t_59 + t_40;
   const T t_62 = k_17 * b[8];
   const T p_1_1 = a[1] * b[1];
   const T p_1_4 = a[1] * b[4] + a[4] * b[1];
@@ -169,30 +169,30 @@ constexpr T triple_l3(const T* a, const T* b, const T* c) noexcept {
   const T t_73 = p_7_7 + p_5_5;
   const T t_74 = p_3_3 + p_1_1;
   return k * (a[0] * b[0] + a[14] * b[14] + p_12_12 + a[10] * b[10] + p_6_6 + p_2_2 + t_70 + t_69 + t_73 + t_65
-      + t_74) * c[0] + ((t_4 - t_16) * b[1] + (t_34 - t_46) * a[1] + t_17 * b[4] + t_47 * a[4] + t_6 * b[5]
-      + t_36 * a[5] + t_20 * b[11] + t_50 * a[11] + (t_71 + t_66)) * c[1] + (((t + k_14 * a[6]) * b[2] + (t_2
+      + t_74) * c[0] + ((t_4 - t_16) * b[1] + (t_34 - t_46) * a[1] + t_17 * b[4] + t_47 * a[4] + t_11 * b[5]
+      + t_41 * a[5] + t_20 * b[11] + t_50 * a[11] + (t_71 + t_66)) * c[1] + (((t + k_14 * a[6]) * b[2] + (t_2
       + k_14 * b[6]) * a[2] + (k_21 * (a[6] * b[12] + a[12] * b[6]) + t_64 + t_67 + t_63)) * c[2] + ((t_16
-      + t_4) * b[3] + (t_46 + t_34) * a[3] + t_6 * b[7] + t_36 * a[7] + t_21 * b[13] + t_51 * a[13] + (k_11 * p_1_4
-      - k_12 * p_4_11 + t_72 + t_68)) * c[3]) + ((t_17 * b[1] + t_47 * a[1] + t_7 * b[4] + t_37 * a[4] + t_8 * b[9]
-      + t_38 * a[9] + t_9 * b[10] + t_39 * a[10] + t_22 * b[11] + t_53 * a[11] - t_10 * b[15] - t_40 * a[15]
-      + k_18 * (a[5] * b[7] + a[7] * b[5])) * c[4] + (t_6 * b[1] + t_36 * a[1] + (t_11 - t_23) * b[5] + (t_41
+      + t_4) * b[3] + (t_46 + t_34) * a[3] + t_11 * b[7] + t_41 * a[7] + t_21 * b[13] + t_51 * a[13] + (k_11 * p_1_4
+      - k_12 * p_4_11 + t_72 + t_68)) * c[3]) + ((t_17 * b[1] + t_47 * a[1] + t_6 * b[4] + t_36 * a[4] + t_14 * b[9]
+      + t_44 * a[9] + t_12 * b[10] + t_42 * a[10] + t_22 * b[11] + t_53 * a[11] - t_9 * b[15] - t_39 * a[15]
+      + k_18 * (a[5] * b[7] + a[7] * b[5])) * c[4] + (t_11 * b[1] + t_41 * a[1] + (t_7 - t_23) * b[5] + (t_37
       - t_54) * a[5] + t_24 * b[7] + t_55 * a[7] + t_26 * b[10] + t_57 * a[10] + t_13 * b[11] + t_43 * a[11]
       + t_29 * b[14] + t_60 * a[14]) * c[5] + ((t * b[6] + t_2 * a[6] + t_31 * b[12] + t_52 * a[12] + (k_22 * p_12_12
-      + k_14 * p_2_2 + k_13 * (p_3_13 + p_1_11) - k_10 * t_69 + k_7 * t_73 + k_4 * (p_6_6 - t_65) + k_2 * (t_70
-      - t_74))) * c[6] + (t_6 * b[3] + t_36 * a[3] + t_24 * b[5] + t_55 * a[5] + (t_23 + t_11) * b[7] + (t_54
-      + t_41) * a[7] + t_30 * b[10] + t_61 * a[10] + t_13 * b[13] + t_43 * a[13] + t_27 * b[14]
-      + t_58 * a[14]) * c[7])) + ((t_7 * b[8] + t_37 * a[8] + t_10 * b[9] + t_40 * a[9] + t_9 * b[14] + t_39 * a[14]
-      + t_8 * b[15] + t_38 * a[15] + (k_17 * (p_13_13 - p_11_11) + k_18 * (p_7_7 - p_5_5) + k_12 * (p_1_11 - p_3_13)
-      + k_11 * (p_3_3 - p_1_1))) * c[8] + (t_8 * b[4] + t_38 * a[4] + t_10 * b[8] + t_40 * a[8] + t_15 * b[9]
-      + t_45 * a[9] + k_19 * (p_7_10 + p_5_14)) * c[9] + ((t_9 * b[4] + t_39 * a[4] + t_26 * b[5] + t_57 * a[5]
+      + k_14 * p_2_2 + k_13 * (p_3_13 + p_1_11) - k_5 * t_69 + k_4 * t_73 + k_3 * (p_6_6 - t_65) + k_2 * (t_70
+      - t_74))) * c[6] + (t_11 * b[3] + t_41 * a[3] + t_24 * b[5] + t_55 * a[5] + (t_23 + t_7) * b[7] + (t_54
+      + t_37) * a[7] + t_30 * b[10] + t_61 * a[10] + t_13 * b[13] + t_43 * a[13] + t_27 * b[14]
+      + t_58 * a[14]) * c[7])) + ((t_6 * b[8] + t_36 * a[8] + t_9 * b[9] + t_39 * a[9] + t_12 * b[14] + t_42 * a[14]
+      + t_14 * b[15] + t_44 * a[15] + (k_17 * (p_13_13 - p_11_11) + k_18 * (p_7_7 - p_5_5) + k_12 * (p_1_11 - p_3_13)
+      + k_11 * (p_3_3 - p_1_1))) * c[8] + (t_14 * b[4] + t_44 * a[4] + t_9 * b[8] + t_39 * a[8] + t_8 * b[9]
+      + t_38 * a[9] + k_19 * (p_7_10 + p_5_14)) * c[9] + ((t_12 * b[4] + t_42 * a[4] + t_26 * b[5] + t_57 * a[5]
       + t_30 * b[7] + t_61 * a[7] + t * b[10] + t_2 * a[10]) * c[10] + (t_20 * b[1] + t_50 * a[1] + t_22 * b[4]
-      + t_53 * a[4] + t_13 * b[5] + t_43 * a[5] + (t_5 - t_32) * b[11] + (t_35 - t_62) * a[11] + (k_8 * t_71
-      - k_5 * t_66)) * c[11]) + ((t_31 * b[6] + t_52 * a[6] + (t + k_22 * a[6]) * b[12] + (t_2 + k_22 * b[6]) * a[12]
-      + (k_9 * t_64 - k_6 * t_67 - k_3 * t_63)) * c[12] + (t_21 * b[3] + t_51 * a[3] + t_13 * b[7] + t_43 * a[7]
-      + (t_32 + t_5) * b[13] + (t_62 + t_35) * a[13] + (k_17 * p_4_11 - k_12 * p_1_4 + k_8 * t_72
-      - k_5 * t_68)) * c[13] + ((t_29 * b[5] + t_60 * a[5] + t_27 * b[7] + t_58 * a[7] + t_9 * b[8] + t_39 * a[8]
-      + t * b[14] + t_2 * a[14]) * c[14] + (t_8 * b[8] - t_10 * b[4] - t_40 * a[4] + t_38 * a[8] + t_15 * b[15]
-      + t_45 * a[15] + k_19 * (p_7_14 - p_5_10)) * c[15])));  // integral of a b c
+      + t_53 * a[4] + t_13 * b[5] + t_43 * a[5] + (t_5 - t_32) * b[11] + (t_35 - t_62) * a[11] + (k_7 * t_71
+      - k_6 * t_66)) * c[11]) + ((t_31 * b[6] + t_52 * a[6] + (t + k_22 * a[6]) * b[12] + (t_2 + k_22 * b[6]) * a[12]
+      + (k_10 * t_64 - k_9 * t_67 - k_8 * t_63)) * c[12] + (t_21 * b[3] + t_51 * a[3] + t_13 * b[7] + t_43 * a[7]
+      + (t_32 + t_5) * b[13] + (t_62 + t_35) * a[13] + (k_17 * p_4_11 - k_12 * p_1_4 + k_7 * t_72
+      - k_6 * t_68)) * c[13] + ((t_29 * b[5] + t_60 * a[5] + t_27 * b[7] + t_58 * a[7] + t_12 * b[8] + t_42 * a[8]
+      + t * b[14] + t_2 * a[14]) * c[14] + (t_14 * b[8] - t_9 * b[4] - t_39 * a[4] + t_44 * a[8] + t_8 * b[15]
+      + t_38 * a[15] + k_19 * (p_7_14 - p_5_10)) * c[15])));  // integral of a b c
 }
 
 }  // namespace sh

@@ -4,7 +4,7 @@
 // Licence:      MIT-0; paste it anywhere.
 //
 // Input:        a (4), b (4)
-// Domain:       any coefficients: a has degree 0 to 1, b has degree 0 to 1
+// Domain:       any coefficients
 // Output:       result (4): coefficients of a b at index l(l+1)+m, orthonormal on the unit sphere, no Condon-Shortley
 //               phase
 // Recipe:       pairs

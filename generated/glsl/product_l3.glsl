@@ -4,7 +4,7 @@
 // Licence:      MIT-0; paste it anywhere.
 //
 // Input:        a (16), b (16)
-// Domain:       any coefficients: a has degree 0 to 3, b has degree 0 to 3
+// Domain:       any coefficients
 // Output:       result (16): coefficients of a b at index l(l+1)+m, orthonormal on the unit sphere, no Condon-Shortley
 //               phase
 // Recipe:       pairs
@@ -25,14 +25,14 @@ precision highp float;
 void product_l3(float a[16], float b[16], out float result[16]) {
     const float k    = 0.2820948;    // 1/2 sqrt(1/pi)
     const float k_2  = 0.12615663;   // 1/10 sqrt(5/pi)
-    const float k_3  = 0.65465367;   // 1/7 sqrt(21)
-    const float k_4  = 0.18022375;   // 1/7 sqrt(5/pi)
-    const float k_5  = 0.41573972;   // 1/9 sqrt(14)
-    const float k_6  = 1.0183501;    // 2/9 sqrt(21)
-    const float k_7  = 0.090111874;  // 1/14 sqrt(5/pi)
-    const float k_8  = 0.62360954;   // 1/6 sqrt(14)
-    const float k_9  = 0.25458753;   // 1/18 sqrt(21)
-    const float k_10 = 0.21026105;   // 1/6 sqrt(5/pi)
+    const float k_3  = 0.18022375;   // 1/7 sqrt(5/pi)
+    const float k_4  = 0.090111874;  // 1/14 sqrt(5/pi)
+    const float k_5  = 0.21026105;   // 1/6 sqrt(5/pi)
+    const float k_6  = 0.41573972;   // 1/9 sqrt(14)
+    const float k_7  = 0.62360954;   // 1/6 sqrt(14)
+    const float k_8  = 0.65465367;   // 1/7 sqrt(21)
+    const float k_9  = 1.0183501;    // 2/9 sqrt(21)
+    const float k_10 = 0.25458753;   // 1/18 sqrt(21)
     const float k_11 = 0.21850969;   // 1/10 sqrt(15/pi)
     const float k_12 = 0.05839917;   // 1/140 sqrt(210/pi)
     const float k_13 = 0.20230065;   // 3/70 sqrt(70/pi)
@@ -54,22 +54,22 @@ void product_l3(float a[16], float b[16], out float result[16]) {
     float t_3 = k_2 * a6;
     float t_4 = t - t_3;
     float t_5 = t + t_3;
-    float a12 = a[12];
-    float a2 = a[2];
-    float t_6 = k_11 * (a2 - k_3 * a12);
-    float t_7 = t - k_4 * a6;
-    float a13 = a[13];
-    float a3 = a[3];
-    float t_8 = k_15 * (a3 - k_5 * a13);
-    float t_9 = k_16 * (a2 - k_6 * a12);
+    float t_6 = t - k_3 * a6;
+    float t_7 = t + k_4 * a6;
+    float t_8 = t - k_5 * a6;
     float a11 = a[11];
     float a1 = a[1];
-    float t_10 = k_15 * (a1 - k_5 * a11);
-    float t_11 = t + k_7 * a6;
-    float t_12 = k_16 * (a3 + k_8 * a13);
-    float t_13 = k_20 * (a2 + k_9 * a12);
-    float t_14 = k_16 * (a1 + k_8 * a11);
-    float t_15 = t - k_10 * a6;
+    float t_9 = k_15 * (a1 - k_6 * a11);
+    float t_10 = k_16 * (a1 + k_7 * a11);
+    float a12 = a[12];
+    float a2 = a[2];
+    float t_11 = k_11 * (a2 - k_8 * a12);
+    float t_12 = k_16 * (a2 - k_9 * a12);
+    float t_13 = k_20 * (a2 + k_10 * a12);
+    float a13 = a[13];
+    float a3 = a[3];
+    float t_14 = k_15 * (a3 - k_6 * a13);
+    float t_15 = k_16 * (a3 + k_7 * a13);
     float a8 = a[8];
     float t_16 = k_11 * a8;
     float b1 = b[1];
@@ -88,12 +88,12 @@ void product_l3(float a[16], float b[16], out float result[16]) {
     float t_24 = k_18 * a4;
     float a15 = a[15];
     float t_25 = k_19 * a15;
-    float t_26 = t_12 - t_25;
-    float t_27 = t_25 + t_12;
+    float t_26 = t_15 - t_25;
+    float t_27 = t_25 + t_15;
     float a9 = a[9];
     float t_28 = k_19 * a9;
-    float t_29 = t_28 - t_14;
-    float t_30 = t_28 + t_14;
+    float t_29 = t_28 - t_10;
+    float t_30 = t_28 + t_10;
     float t_31 = k_21 * a2;
     float t_32 = k_17 * a8;
     float b11 = b[11];
@@ -103,16 +103,16 @@ void product_l3(float a[16], float b[16], out float result[16]) {
     float t_33 = k_2 * b6;
     float t_34 = t_2 - t_33;
     float t_35 = t_2 + t_33;
-    float t_36 = k_11 * (b2 - k_3 * b12);
-    float t_37 = t_2 - k_4 * b6;
-    float t_38 = k_15 * (b3 - k_5 * b13);
-    float t_39 = k_16 * (b2 - k_6 * b12);
-    float t_40 = k_15 * (b1 - k_5 * b11);
-    float t_41 = t_2 + k_7 * b6;
-    float t_42 = k_16 * (b3 + k_8 * b13);
-    float t_43 = k_20 * (b2 + k_9 * b12);
-    float t_44 = k_16 * (b1 + k_8 * b11);
-    float t_45 = t_2 - k_10 * b6;
+    float t_36 = t_2 - k_3 * b6;
+    float t_37 = t_2 + k_4 * b6;
+    float t_38 = t_2 - k_5 * b6;
+    float t_39 = k_15 * (b1 - k_6 * b11);
+    float t_40 = k_16 * (b1 + k_7 * b11);
+    float t_41 = k_11 * (b2 - k_8 * b12);
+    float t_42 = k_16 * (b2 - k_9 * b12);
+    float t_43 = k_20 * (b2 + k_10 * b12);
+    float t_44 = k_15 * (b3 - k_6 * b13);
+    float t_45 = k_16 * (b3 + k_7 * b13);
     float b8 = b[8];
     float t_46 = k_11 * b8;
     float t_47 = k_11 * b3 - k_12 * b13;
@@ -130,12 +130,12 @@ void product_l3(float a[16], float b[16], out float result[16]) {
     float t_55 = k_18 * b4;
     float b15 = b[15];
     float t_56 = k_19 * b15;
-    float t_57 = t_42 - t_56;
-    float t_58 = t_56 + t_42;
+    float t_57 = t_45 - t_56;
+    float t_58 = t_56 + t_45;
     float b9 = b[9];
     float t_59 = k_19 * b9;
-    float t_60 = t_59 - t_44;
-    float t_61 = t_59 + t_44;
+    float t_60 = t_59 - t_40;
+    float t_61 = t_59 + t_40;
     float t_62 = k_17 * b8;
     float p_1_1 = a1 * b1;
     float p_1_4 = a1 * b4 + a4 * b1;
@@ -147,14 +147,14 @@ void product_l3(float a[16], float b[16], out float result[16]) {
     float a10 = a[10];
     float p_4_11 = a4 * b11 + a11 * b4;
     float p_5_5 = a5 * b5;
-    result[4] = t_17 * b1 + t_47 * a1 + t_7 * b4 + t_37 * a4 + t_8 * b9 + t_38 * a9 + t_9 * b10 + t_39 * a10
-        + t_22 * b11 + t_53 * a11 - t_10 * b15 - t_40 * a15 + k_18 * (a5 * b7 + a7 * b5);                             // l=2 m=-2
+    result[4] = t_17 * b1 + t_47 * a1 + t_6 * b4 + t_36 * a4 + t_14 * b9 + t_44 * a9 + t_12 * b10 + t_42 * a10
+        + t_22 * b11 + t_53 * a11 - t_9 * b15 - t_39 * a15 + k_18 * (a5 * b7 + a7 * b5);                              // l=2 m=-2
     float p_5_10 = a5 * b10 + a10 * b5;
     float p_11_11 = a11 * b11;
     float b14 = b[14];
     float a14 = a[14];
     float p_5_14 = a5 * b14 + a14 * b5;
-    result[5] = t_6 * b1 + t_36 * a1 + (t_11 - t_23) * b5 + (t_41 - t_54) * a5 + t_24 * b7 + t_55 * a7 + t_26 * b10
+    result[5] = t_11 * b1 + t_41 * a1 + (t_7 - t_23) * b5 + (t_37 - t_54) * a5 + t_24 * b7 + t_55 * a7 + t_26 * b10
         + t_57 * a10 + t_13 * b11 + t_43 * a11 + t_29 * b14 + t_60 * a14;                                             // l=2 m=-1
     float p_6_6 = a6 * b6;
     float p_12_12 = a12 * b12;
@@ -163,36 +163,36 @@ void product_l3(float a[16], float b[16], out float result[16]) {
     float t_64 = k_20 * (a7 * b13 + a13 * b7 + (a5 * b11 + a11 * b5));
     float p_13_13 = a13 * b13;
     float p_7_14 = a7 * b14 + a14 * b7;
-    result[7] = t_6 * b3 + t_36 * a3 + t_24 * b5 + t_55 * a5 + (t_23 + t_11) * b7 + (t_54 + t_41) * a7 + t_30 * b10
+    result[7] = t_11 * b3 + t_41 * a3 + t_24 * b5 + t_55 * a5 + (t_23 + t_7) * b7 + (t_54 + t_37) * a7 + t_30 * b10
         + t_61 * a10 + t_13 * b13 + t_43 * a13 + t_27 * b14 + t_58 * a14;                                             // l=2 m=1
     float t_65 = a8 * b8 + a4 * b4;
     float t_66 = k_15 * (a8 * b9 + a9 * b8 - (a4 * b15 + a15 * b4));
     float t_67 = k_16 * (a8 * b14 + a14 * b8 + (a4 * b10 + a10 * b4));
     result[2] = (t + k_14 * a6) * b2 + (t_2 + k_14 * b6) * a2 + (k_21 * (a6 * b12 + a12 * b6) + t_64 + t_67 + t_63);  // l=1 m=0
-    result[12] = t_31 * b6 + t_52 * a6 + (t + k_22 * a6) * b12 + (t_2 + k_22 * b6) * a12 + (k_9 * t_64 - k_6 * t_67
-        - k_3 * t_63);                                                                                                // l=3 m=0
+    result[12] = t_31 * b6 + t_52 * a6 + (t + k_22 * a6) * b12 + (t_2 + k_22 * b6) * a12 + (k_10 * t_64 - k_9 * t_67
+        - k_8 * t_63);                                                                                                // l=3 m=0
     float t_68 = k_15 * (a8 * b15 + a15 * b8 + (a4 * b9 + a9 * b4));
     float t_69 = a15 * b15 + a9 * b9;
-    result[10] = t_9 * b4 + t_39 * a4 + t_26 * b5 + t_57 * a5 + t_30 * b7 + t_61 * a7 + t * b10 + t_2 * a10;          // l=3 m=-2
-    result[14] = t_29 * b5 + t_60 * a5 + t_27 * b7 + t_58 * a7 + t_9 * b8 + t_39 * a8 + t * b14 + t_2 * a14;          // l=3 m=2
+    result[10] = t_12 * b4 + t_42 * a4 + t_26 * b5 + t_57 * a5 + t_30 * b7 + t_61 * a7 + t * b10 + t_2 * a10;         // l=3 m=-2
+    result[14] = t_29 * b5 + t_60 * a5 + t_27 * b7 + t_58 * a7 + t_12 * b8 + t_42 * a8 + t * b14 + t_2 * a14;         // l=3 m=2
     float t_70 = p_13_13 + p_11_11;
     float t_71 = k_16 * (p_7_10 - p_5_14);
-    result[9] = t_8 * b4 + t_38 * a4 + t_10 * b8 + t_40 * a8 + t_15 * b9 + t_45 * a9 + k_19 * (p_7_10 + p_5_14);      // l=3 m=-3
+    result[9] = t_14 * b4 + t_44 * a4 + t_9 * b8 + t_39 * a8 + t_8 * b9 + t_38 * a9 + k_19 * (p_7_10 + p_5_14);       // l=3 m=-3
     float t_72 = k_16 * (p_7_14 + p_5_10);
-    result[15] = t_8 * b8 - t_10 * b4 - t_40 * a4 + t_38 * a8 + t_15 * b15 + t_45 * a15 + k_19 * (p_7_14 - p_5_10);   // l=3 m=3
+    result[15] = t_14 * b8 - t_9 * b4 - t_39 * a4 + t_44 * a8 + t_8 * b15 + t_38 * a15 + k_19 * (p_7_14 - p_5_10);    // l=3 m=3
     float t_73 = p_7_7 + p_5_5;
-    result[3] = (t_16 + t_4) * b3 + (t_46 + t_34) * a3 + t_6 * b7 + t_36 * a7 + t_21 * b13 + t_51 * a13
+    result[3] = (t_16 + t_4) * b3 + (t_46 + t_34) * a3 + t_11 * b7 + t_41 * a7 + t_21 * b13 + t_51 * a13
         + (k_11 * p_1_4 - k_12 * p_4_11 + t_72 + t_68);                                                               // l=1 m=1
     result[13] = t_21 * b3 + t_51 * a3 + t_13 * b7 + t_43 * a7 + (t_32 + t_5) * b13 + (t_62 + t_35) * a13
-        + (k_17 * p_4_11 - k_12 * p_1_4 + k_8 * t_72 - k_5 * t_68);                                                   // l=3 m=1
+        + (k_17 * p_4_11 - k_12 * p_1_4 + k_7 * t_72 - k_6 * t_68);                                                   // l=3 m=1
     float t_74 = p_3_3 + p_1_1;
-    result[8] = t_7 * b8 + t_37 * a8 + t_10 * b9 + t_40 * a9 + t_9 * b14 + t_39 * a14 + t_8 * b15 + t_38 * a15
+    result[8] = t_6 * b8 + t_36 * a8 + t_9 * b9 + t_39 * a9 + t_12 * b14 + t_42 * a14 + t_14 * b15 + t_44 * a15
         + (k_17 * (p_13_13 - p_11_11) + k_18 * (p_7_7 - p_5_5) + k_12 * (p_1_11 - p_3_13) + k_11 * (p_3_3 - p_1_1));  // l=2 m=2
     result[0] = k * (a0 * b0 + a14 * b14 + p_12_12 + a10 * b10 + p_6_6 + p_2_2 + t_70 + t_69 + t_73 + t_65 + t_74);   // l=0 m=0
     result[6] = t * b6 + t_2 * a6 + t_31 * b12 + t_52 * a12 + (k_22 * p_12_12 + k_14 * p_2_2 + k_13 * (p_3_13
-        + p_1_11) - k_10 * t_69 + k_7 * t_73 + k_4 * (p_6_6 - t_65) + k_2 * (t_70 - t_74));                           // l=2 m=0
-    result[1] = (t_4 - t_16) * b1 + (t_34 - t_46) * a1 + t_17 * b4 + t_47 * a4 + t_6 * b5 + t_36 * a5 + t_20 * b11
+        + p_1_11) - k_5 * t_69 + k_4 * t_73 + k_3 * (p_6_6 - t_65) + k_2 * (t_70 - t_74));                            // l=2 m=0
+    result[1] = (t_4 - t_16) * b1 + (t_34 - t_46) * a1 + t_17 * b4 + t_47 * a4 + t_11 * b5 + t_41 * a5 + t_20 * b11
         + t_50 * a11 + (t_71 + t_66);                                                                                 // l=1 m=-1
     result[11] = t_20 * b1 + t_50 * a1 + t_22 * b4 + t_53 * a4 + t_13 * b5 + t_43 * a5 + (t_5 - t_32) * b11 + (t_35
-        - t_62) * a11 + (k_8 * t_71 - k_5 * t_66);                                                                    // l=3 m=-1
+        - t_62) * a11 + (k_7 * t_71 - k_6 * t_66);                                                                    // l=3 m=-1
 }

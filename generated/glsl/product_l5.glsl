@@ -4,7 +4,7 @@
 // Licence:      MIT-0; paste it anywhere.
 //
 // Input:        a (36), b (36)
-// Domain:       any coefficients: a has degree 0 to 5, b has degree 0 to 5
+// Domain:       any coefficients
 // Output:       result (36): coefficients of a b at index l(l+1)+m, orthonormal on the unit sphere, no Condon-Shortley
 //               phase
 // Recipe:       separable
@@ -32,218 +32,215 @@ void product_l5(float a[36], float b[36], out float result[36]) {
     const float k_6   = 0.13235888;    // theta_4_3(z1)
     const float k_7   = 0.10403003;    // theta_2_2(z1)
     const float k_8   = 0.420458;      // theta_4_2(z1)
-    const float k_9   = 0.42207986;    // theta_3_2(z1) * 1/(theta_5_2(z1))
+    const float k_9   = 0.42207986;    // theta_3_2(z1) / theta_5_2(z1)
     const float k_10  = 0.5867307;     // theta_5_2(z1)
     const float k_11  = 0.21322086;    // theta_1_1(z1)
     const float k_12  = 0.60788774;    // theta_3_1(z1)
     const float k_13  = 0.6778557;     // theta_5_1(z1)
-    const float k_14  = 0.61230713;    // theta_2_1(z1) * 1/(theta_4_1(z1))
+    const float k_14  = 0.61230713;    // theta_2_1(z1) / theta_4_1(z1)
     const float k_15  = 0.7006016;     // theta_4_1(z1)
     const float k_16  = 0.2820948;     // theta_0_0(z1)
     const float k_17  = 0.45059782;    // theta_2_0(z1)
     const float k_18  = 0.17474476;    // theta_4_0(z1)
-    const float k_19  = 0.8002875;     // theta_3_0(z1) * 1/(theta_1_0(z1))
-    const float k_20  = 0.09087223;    // -(theta_5_0(z1) * 1/(theta_1_0(z1)))
+    const float k_19  = 0.8002875;     // theta_3_0(z1) / theta_1_0(z1)
+    const float k_20  = 0.09087223;    // -theta_5_0(z1) / theta_1_0(z1)
     const float k_21  = 0.439624;      // theta_1_0(z1)
     const float k_22  = 0.70710677;    // 1/2 sqrt(2)
     const float k_23  = 0.9238795;     // cos(2 pi/16)
     const float k_24  = 0.38268343;    // cos(6 pi/16)
     const float k_25  = 1.4142135;     // sqrt(2)
     const float k_26  = 0.5;           // 1/2
-    const float k_27  = 0.76536685;    // cos(6 pi/16) * 2
-    const float k_28  = 2.4142137;     // cos(2 pi/16)) * 1/(cos(6 pi/16)
-    const float k_29  = 1.847759;      // -(-1/2 sqrt(2) * 1/(cos(6 pi/16)))
-    const float k_30  = 1.847759;      // cos(2 pi/16) * 2
-    const float k_31  = 1.306563;      // 1/2 * 1/(cos(6 pi/16))
-    const float k_32  = 2.4142137;     // cos(2 pi/16) * 1/(cos(6 pi/16))
-    const float k_33  = 0.5411961;     // cos(6 pi/16)) * sqrt(2
-    const float k_34  = 1.847759;      // 1/2 sqrt(2) * 1/(cos(6 pi/16))
-    const float k_35  = 1.306563;      // cos(2 pi/16) * sqrt(2)
-    const float k_36  = 0.70710677;    // (cos(2 pi/16)) / (cos(2 pi/16) * sqrt(2))
-    const float k_37  = 0.002700427;   // 1/2 pi * w(z1) * theta_5_5(z1)
-    const float k_38  = 0.005900137;   // 1/2 pi * w(z1) * theta_4_4(z1)
-    const float k_39  = 0.017606951;   // 1/2 pi * w(z1) * theta_5_4(z1)
-    const float k_40  = 0.00901357;    // 1/2 pi * w(z1) * 1/2 sqrt(2) * theta_3_3(z1)
-    const float k_41  = 0.024330094;   // 1/2 pi * w(z1) * 1/2 sqrt(2) * theta_4_3(z1)
-    const float k_42  = 0.04698001;    // 1/2 pi * w(z1) * 1/2 sqrt(2) * theta_5_3(z1)
-    const float k_43  = 0.027043596;   // 1/2 pi * w(z1) * theta_2_2(z1)
-    const float k_44  = 0.06437825;    // 1/2 pi * w(z1) * theta_3_2(z1)
-    const float k_45  = 0.10930205;    // 1/2 pi * w(z1) * theta_4_2(z1)
-    const float k_46  = 0.15252623;    // 1/2 pi * w(z1) * theta_5_2(z1)
-    const float k_47  = 0.02121168;    // 1/2 pi * w(z1) * cos(6 pi/16) * theta_1_1(z1)
-    const float k_48  = 0.042676203;   // 1/2 pi * w(z1) * cos(6 pi/16) * theta_2_1(z1)
-    const float k_49  = 0.060474005;   // 1/2 pi * w(z1) * cos(6 pi/16) * theta_3_1(z1)
-    const float k_50  = 0.06969739;    // 1/2 pi * w(z1) * cos(6 pi/16) * theta_4_1(z1)
-    const float k_51  = 0.06743457;    // 1/2 pi * w(z1) * cos(6 pi/16) * theta_5_1(z1)
-    const float k_52  = 0.073333226;   // 1/2 pi * w(z1) * theta_0_0(z1)
-    const float k_53  = 0.11428444;    // 1/2 pi * w(z1) * theta_1_0(z1)
-    const float k_54  = 0.117137186;   // 1/2 pi * w(z1) * theta_2_0(z1)
-    const float k_55  = 0.09146041;    // 1/2 pi * w(z1) * theta_3_0(z1)
-    const float k_56  = 0.045426562;   // 1/2 pi * w(z1) * theta_4_0(z1)
-    const float k_57  = 0.010385281;   // -(1/2 pi * w(z1) * theta_5_0(z1))
-    const float k_58  = 0.027714396;   // 1/2 pi * w(z1) * 1/2 * theta_1_1(z1)
-    const float k_59  = 0.055759147;   // 1/2 pi * w(z1) * 1/2 * theta_2_1(z1)
-    const float k_60  = 0.079013094;   // 1/2 pi * w(z1) * 1/2 * theta_3_1(z1)
-    const float k_61  = 0.09106402;    // 1/2 pi * w(z1) * 1/2 * theta_4_1(z1)
-    const float k_62  = 0.08810751;    // 1/2 pi * w(z1) * 1/2 * theta_5_1(z1)
-    const float k_63  = 0.013521798;   // 1/2 pi * w(z1) * 1/2 * theta_2_2(z1)
-    const float k_64  = 0.032189123;   // 1/2 pi * w(z1) * 1/2 * theta_3_2(z1)
-    const float k_65  = 0.054651026;   // 1/2 pi * w(z1) * 1/2 * theta_4_2(z1)
-    const float k_66  = 0.076263115;   // 1/2 pi * w(z1) * 1/2 * theta_5_2(z1)
-    const float k_67  = 0.004878109;   // 1/2 pi * w(z1) * cos(6 pi/16) * theta_3_3(z1)
-    const float k_68  = 0.013167352;   // 1/2 pi * w(z1) * cos(6 pi/16) * theta_4_3(z1)
-    const float k_69  = 0.025425397;   // 1/2 pi * w(z1) * cos(6 pi/16) * theta_5_3(z1)
-    const float k_70  = 0.0010334087;  // 1/2 pi * w(z1) * cos(6 pi/16) * theta_5_5(z1)
-    const float k_71  = 0.1415761;     // theta_5_5(z2)
-    const float k_72  = 0.18345389;    // theta_4_4(z2)
-    const float k_73  = 0.41203246;    // theta_5_4(z2)
-    const float k_74  = 0.23506287;    // theta_3_3(z2)
-    const float k_75  = 0.60950935;    // theta_5_3(z2)
-    const float k_76  = 0.47754404;    // theta_4_3(z2)
-    const float k_77  = 0.2957631;     // theta_2_2(z2)
-    const float k_78  = 0.5660834;     // theta_4_2(z2)
-    const float k_79  = 0.6231006;     // theta_5_2(z2) * 1/(theta_3_2(z2))
-    const float k_80  = 0.52990884;    // theta_3_2(z2)
-    const float k_81  = 0.3595194;     // theta_1_1(z2)
-    const float k_82  = 0.43480387;    // theta_3_1(z2)
-    const float k_83  = 0.33458504;    // -(theta_5_1(z2))
-    const float k_84  = 0.12864034;    // theta_4_1(z2) * 1/(theta_2_1(z2))
-    const float k_85  = 0.5443967;     // theta_2_1(z2)
-    const float k_86  = 0.2820948;     // theta_0_0(z2)
-    const float k_87  = 0.11850642;    // theta_2_0(z2)
-    const float k_88  = 0.35935888;    // -(theta_4_0(z2))
-    const float k_89  = 0.54005176;    // -(theta_3_0(z2) * 1/(theta_1_0(z2)))
-    const float k_90  = 0.9220003;     // -(theta_5_0(z2) * 1/(theta_1_0(z2)))
-    const float k_91  = 0.33087492;    // theta_1_0(z2)
-    const float k_92  = 0.0610539;     // 1/2 pi * w(z2) * theta_5_5(z2)
-    const float k_93  = 0.07911346;    // 1/2 pi * w(z2) * theta_4_4(z2)
-    const float k_94  = 0.17768669;    // 1/2 pi * w(z2) * theta_5_4(z2)
-    const float k_95  = 0.07167909;    // 1/2 pi * w(z2) * 1/2 sqrt(2) * theta_3_3(z2)
-    const float k_96  = 0.14562029;    // 1/2 pi * w(z2) * 1/2 sqrt(2) * theta_4_3(z2)
-    const float k_97  = 0.18586124;    // 1/2 pi * w(z2) * 1/2 sqrt(2) * theta_5_3(z2)
-    const float k_98  = 0.12754618;    // 1/2 pi * w(z2) * theta_2_2(z2)
-    const float k_99  = 0.22852021;    // 1/2 pi * w(z2) * theta_3_2(z2)
-    const float k_100 = 0.2441203;     // 1/2 pi * w(z2) * theta_4_2(z2)
-    const float k_101 = 0.14239107;    // 1/2 pi * w(z2) * theta_5_2(z2)
-    const float k_102 = 0.059331518;   // 1/2 pi * w(z2) * cos(6 pi/16) * theta_1_1(z2)
-    const float k_103 = 0.089841835;   // 1/2 pi * w(z2) * cos(6 pi/16) * theta_2_1(z2)
-    const float k_104 = 0.07175572;    // 1/2 pi * w(z2) * cos(6 pi/16) * theta_3_1(z2)
-    const float k_105 = 0.011557285;   // 1/2 pi * w(z2) * cos(6 pi/16) * theta_4_1(z2)
-    const float k_106 = 0.055216596;   // -(1/2 pi * w(z2) * cos(6 pi/16) * theta_5_1(z2))
-    const float k_107 = 0.1216518;     // 1/2 pi * w(z2) * theta_0_0(z2)
-    const float k_108 = 0.14268796;    // 1/2 pi * w(z2) * theta_1_0(z2)
-    const float k_109 = 0.051105227;   // 1/2 pi * w(z2) * theta_2_0(z2)
-    const float k_110 = 0.07705888;    // -(1/2 pi * w(z2) * theta_3_0(z2))
-    const float k_111 = 0.15497151;    // -(1/2 pi * w(z2) * theta_4_0(z2))
-    const float k_112 = 0.13155833;    // -(1/2 pi * w(z2) * theta_5_0(z2))
-    const float k_113 = 0.07752036;    // 1/2 pi * w(z2) * 1/2 * theta_1_1(z2)
-    const float k_114 = 0.11738402;    // 1/2 pi * w(z2) * 1/2 * theta_2_1(z2)
-    const float k_115 = 0.09375337;    // 1/2 pi * w(z2) * 1/2 * theta_3_1(z2)
-    const float k_116 = 0.01510032;    // 1/2 pi * w(z2) * 1/2 * theta_4_1(z2)
-    const float k_117 = 0.07214396;    // -(1/2 pi * w(z2) * 1/2 * theta_5_1(z2))
-    const float k_118 = 0.06377309;    // 1/2 pi * w(z2) * 1/2 * theta_2_2(z2)
-    const float k_119 = 0.11426011;    // 1/2 pi * w(z2) * 1/2 * theta_3_2(z2)
-    const float k_120 = 0.12206015;    // 1/2 pi * w(z2) * 1/2 * theta_4_2(z2)
-    const float k_121 = 0.071195535;   // 1/2 pi * w(z2) * 1/2 * theta_5_2(z2)
-    const float k_122 = 0.038792446;   // 1/2 pi * w(z2) * cos(6 pi/16) * theta_3_3(z2)
-    const float k_123 = 0.078809135;   // 1/2 pi * w(z2) * cos(6 pi/16) * theta_4_3(z2)
-    const float k_124 = 0.10058738;    // 1/2 pi * w(z2) * cos(6 pi/16) * theta_5_3(z2)
-    const float k_125 = 0.023364315;   // 1/2 pi * w(z2) * cos(6 pi/16) * theta_5_5(z2)
-    const float k_126 = 0.46093348;    // theta_5_5(z3)
-    const float k_127 = 0.471678;      // theta_4_4(z3)
-    const float k_128 = 0.5680533;     // theta_5_4(z3)
-    const float k_129 = 0.47727978;    // theta_3_3(z3)
-    const float k_130 = 0.07388006;    // theta_5_3(z3)
-    const float k_131 = 0.5199259;     // theta_4_3(z3)
-    const float k_132 = 0.4742456;     // theta_2_2(z3)
-    const float k_133 = 0.03163277;    // -(theta_4_2(z3))
-    const float k_134 = 0.9976599;     // -(theta_3_2(z3) * 1/(theta_5_2(z3)))
-    const float k_135 = 0.45668522;    // -(theta_5_2(z3))
-    const float k_136 = 0.45525214;    // theta_1_1(z3)
-    const float k_137 = 0.14509904;    // -(theta_3_1(z3))
-    const float k_138 = 0.20293882;    // -(theta_5_1(z3))
-    const float k_139 = 0.7862193;     // -(theta_2_1(z3) * 1/(theta_4_1(z3)))
-    const float k_140 = 0.47015435;    // -(theta_4_1(z3))
-    const float k_141 = 0.2820948;     // theta_0_0(z3)
-    const float k_142 = 0.19063437;    // -(theta_2_0(z3))
-    const float k_143 = 0.0367218;     // -(theta_4_0(z3))
-    const float k_144 = 0.5593589;     // -(theta_1_0(z3) * 1/(theta_3_0(z3)))
-    const float k_145 = 0.9191953;     // -(theta_5_0(z3) * 1/(theta_3_0(z3)))
-    const float k_146 = 0.31718475;    // -(theta_3_0(z3))
-    const float k_147 = 0.25082555;    // 1/2 pi * w(z3) * theta_5_5(z3)
-    const float k_148 = 0.25667235;    // 1/2 pi * w(z3) * theta_4_4(z3)
-    const float k_149 = 0.30911678;    // 1/2 pi * w(z3) * theta_5_4(z3)
-    const float k_150 = 0.18365026;    // 1/2 pi * w(z3) * 1/2 sqrt(2) * theta_3_3(z3)
-    const float k_151 = 0.20005985;    // 1/2 pi * w(z3) * 1/2 sqrt(2) * theta_4_3(z3)
-    const float k_152 = 0.028427964;   // 1/2 pi * w(z3) * 1/2 sqrt(2) * theta_5_3(z3)
-    const float k_153 = 0.25806957;    // 1/2 pi * w(z3) * theta_2_2(z3)
-    const float k_154 = 0.24793223;    // 1/2 pi * w(z3) * theta_3_2(z3)
-    const float k_155 = 0.01721356;    // -(1/2 pi * w(z3) * theta_4_2(z3))
-    const float k_156 = 0.24851377;    // -(1/2 pi * w(z3) * theta_5_2(z3))
-    const float k_157 = 0.094803676;   // 1/2 pi * w(z3) * cos(6 pi/16) * theta_1_1(z3)
-    const float k_158 = 0.07697635;    // 1/2 pi * w(z3) * cos(6 pi/16) * theta_2_1(z3)
-    const float k_159 = 0.030216051;   // -(1/2 pi * w(z3) * cos(6 pi/16) * theta_3_1(z3))
-    const float k_160 = 0.09790697;    // -(1/2 pi * w(z3) * cos(6 pi/16) * theta_4_1(z3))
-    const float k_161 = 0.042260855;   // -(1/2 pi * w(z3) * cos(6 pi/16) * theta_5_1(z3))
-    const float k_162 = 0.15350714;    // 1/2 pi * w(z3) * theta_0_0(z3)
-    const float k_163 = 0.096546456;   // 1/2 pi * w(z3) * theta_1_0(z3)
-    const float k_164 = 0.10373724;    // -(1/2 pi * w(z3) * theta_2_0(z3))
-    const float k_165 = 0.17260198;    // -(1/2 pi * w(z3) * theta_3_0(z3))
-    const float k_166 = 0.019982852;   // -(1/2 pi * w(z3) * theta_4_0(z3))
-    const float k_167 = 0.15865493;    // 1/2 pi * w(z3) * theta_5_0(z3)
-    const float k_168 = 0.12386697;    // 1/2 pi * w(z3) * 1/2 * theta_1_1(z3)
-    const float k_169 = 0.10057445;    // 1/2 pi * w(z3) * 1/2 * theta_2_1(z3)
-    const float k_170 = 0.039479174;   // -(1/2 pi * w(z3) * 1/2 * theta_3_1(z3))
-    const float k_171 = 0.12792163;    // -(1/2 pi * w(z3) * 1/2 * theta_4_1(z3))
-    const float k_172 = 0.05521647;    // -(1/2 pi * w(z3) * 1/2 * theta_5_1(z3))
-    const float k_173 = 0.12903479;    // 1/2 pi * w(z3) * 1/2 * theta_2_2(z3)
-    const float k_174 = 0.12396611;    // 1/2 pi * w(z3) * 1/2 * theta_3_2(z3)
-    const float k_175 = 0.00860678;    // -(1/2 pi * w(z3) * 1/2 * theta_4_2(z3))
-    const float k_176 = 0.12425689;    // -(1/2 pi * w(z3) * 1/2 * theta_5_2(z3))
-    const float k_177 = 0.099390805;   // 1/2 pi * w(z3) * cos(6 pi/16) * theta_3_3(z3)
-    const float k_178 = 0.108271606;   // 1/2 pi * w(z3) * cos(6 pi/16) * theta_4_3(z3)
-    const float k_179 = 0.015385103;   // 1/2 pi * w(z3) * cos(6 pi/16) * theta_5_3(z3)
-    const float k_180 = 0.095986776;   // 1/2 pi * w(z3) * cos(6 pi/16) * theta_5_5(z3)
-    const float k_181 = 0.2820948;     // 1/2 sqrt(1/pi)
-    const float k_182 = 0.63078314;    // 1/2 sqrt(5/pi)
-    const float k_183 = 0.8462844;     // 3/2 sqrt(1/pi)
-    const float k_184 = 0.52223295;    // 1/11 sqrt(33)
-    const float k_185 = 0.797724;      // 1/11 sqrt(77)
-    const float k_186 = 0.9356026;     // 1/2 sqrt(11/pi)
-    const float k_187 = 0.04923483;    // 2 pi * w(pole) * 1/2 sqrt(1/pi)
-    const float k_188 = 0.08527722;    // 2 pi * w(pole) * 1/2 sqrt(3/pi)
-    const float k_189 = 0.110092424;   // 2 pi * w(pole) * 1/2 sqrt(5/pi)
-    const float k_190 = 0.13026312;    // 2 pi * w(pole) * 1/2 sqrt(7/pi)
-    const float k_191 = 0.14770448;    // 2 pi * w(pole) * 3/2 sqrt(1/pi)
-    const float k_192 = 0.16329345;    // 2 pi * w(pole) * 1/2 sqrt(11/pi)
-    const float k_193 = 0.6563821;     // 3/32 sqrt(154/pi)
-    const float k_194 = 0.6258357;     // 3/16 sqrt(35/pi)
-    const float k_195 = 0.5900436;     // 1/8 sqrt(70/pi)
-    const float k_196 = 0.4892383;     // 1/32 sqrt(770/pi)
-    const float k_197 = 0.54627424;    // 1/4 sqrt(15/pi)
-    const float k_198 = 0.47308734;    // 3/8 sqrt(5/pi)
-    const float k_199 = 0.48860252;    // 1/2 sqrt(3/pi)
-    const float k_200 = 0.4570458;     // 1/8 sqrt(42/pi)
-    const float k_201 = 0.45294666;    // 1/16 sqrt(165/pi)
-    const float k_202 = 0.31539157;    // 1/4 sqrt(5/pi)
-    const float k_203 = 0.31735665;    // 9/16 sqrt(1/pi)
-    const float k_204 = 0.38305217;    // 1/2 pi * w(equator) * 3/32 sqrt(154/pi)
-    const float k_205 = 0.3652259;     // 1/2 pi * w(equator) * 3/16 sqrt(35/pi)
-    const float k_206 = 0.3443383;     // 1/2 pi * w(equator) * 1/8 sqrt(70/pi)
-    const float k_207 = 0.28551024;    // -(1/2 pi * w(equator) * -1/32 sqrt(770/pi))
-    const float k_208 = 0.31879532;    // 1/2 pi * w(equator) * 1/4 sqrt(15/pi)
-    const float k_209 = 0.27608484;    // -(1/2 pi * w(equator) * -3/8 sqrt(5/pi))
-    const float k_210 = 0.109118044;   // 1/2 pi * w(equator) * cos(6 pi/16) * 1/2 sqrt(3/pi)
-    const float k_211 = 0.102070585;   // -(1/2 pi * w(equator) * cos(6 pi/16) * -1/8 sqrt(42/pi))
-    const float k_212 = 0.10115514;    // 1/2 pi * w(equator) * cos(6 pi/16) * 1/16 sqrt(165/pi)
-    const float k_213 = 0.1646252;     // 1/2 pi * w(equator) * 1/2 sqrt(1/pi)
-    const float k_214 = 0.18405657;    // -(1/2 pi * w(equator) * -1/4 sqrt(5/pi))
-    const float k_215 = 0.18520334;    // 1/2 pi * w(equator) * 9/16 sqrt(1/pi)
-    const float k_216 = 0.1425696;     // 1/2 pi * w(equator) * 1/2 * 1/2 sqrt(3/pi)
-    const float k_217 = 0.13336165;    // -(1/2 pi * w(equator) * 1/2 * -1/8 sqrt(42/pi))
-    const float k_218 = 0.13216555;    // 1/2 pi * w(equator) * 1/2 * 1/16 sqrt(165/pi)
-    const float k_219 = 0.15939766;    // 1/2 pi * w(equator) * 1/2 * 1/4 sqrt(15/pi)
-    const float k_220 = 0.13804242;    // -(1/2 pi * w(equator) * 1/2 * -3/8 sqrt(5/pi))
+    const float k_27  = 0.76536685;    // 2 cos(6 pi/16)
+    const float k_28  = 2.4142137;     // cos(2 pi/16) / cos(6 pi/16)
+    const float k_29  = 1.847759;      // 1/2 sqrt(2) / cos(6 pi/16)
+    const float k_30  = 1.847759;      // 2 cos(2 pi/16)
+    const float k_31  = 1.306563;      // 1/2 / cos(6 pi/16)
+    const float k_32  = 0.5411961;     // sqrt(2) cos(6 pi/16)
+    const float k_33  = 1.306563;      // sqrt(2) cos(2 pi/16)
+    const float k_34  = 0.002700427;   // 1/2 pi theta_5_5(z1) w(z1)
+    const float k_35  = 0.005900137;   // 1/2 pi theta_4_4(z1) w(z1)
+    const float k_36  = 0.017606951;   // 1/2 pi theta_5_4(z1) w(z1)
+    const float k_37  = 0.00901357;    // 1/4 sqrt(2) pi theta_3_3(z1) w(z1)
+    const float k_38  = 0.024330094;   // 1/4 sqrt(2) pi theta_4_3(z1) w(z1)
+    const float k_39  = 0.04698001;    // 1/4 sqrt(2) pi theta_5_3(z1) w(z1)
+    const float k_40  = 0.027043596;   // 1/2 pi theta_2_2(z1) w(z1)
+    const float k_41  = 0.06437825;    // 1/2 pi theta_3_2(z1) w(z1)
+    const float k_42  = 0.10930205;    // 1/2 pi theta_4_2(z1) w(z1)
+    const float k_43  = 0.15252623;    // 1/2 pi theta_5_2(z1) w(z1)
+    const float k_44  = 0.02121168;    // 1/2 pi cos(6 pi/16) theta_1_1(z1) w(z1)
+    const float k_45  = 0.042676203;   // 1/2 pi cos(6 pi/16) theta_2_1(z1) w(z1)
+    const float k_46  = 0.060474005;   // 1/2 pi cos(6 pi/16) theta_3_1(z1) w(z1)
+    const float k_47  = 0.06969739;    // 1/2 pi cos(6 pi/16) theta_4_1(z1) w(z1)
+    const float k_48  = 0.06743457;    // 1/2 pi cos(6 pi/16) theta_5_1(z1) w(z1)
+    const float k_49  = 0.073333226;   // 1/2 pi theta_0_0(z1) w(z1)
+    const float k_50  = 0.11428444;    // 1/2 pi theta_1_0(z1) w(z1)
+    const float k_51  = 0.117137186;   // 1/2 pi theta_2_0(z1) w(z1)
+    const float k_52  = 0.09146041;    // 1/2 pi theta_3_0(z1) w(z1)
+    const float k_53  = 0.045426562;   // 1/2 pi theta_4_0(z1) w(z1)
+    const float k_54  = 0.010385281;   // -1/2 pi theta_5_0(z1) w(z1)
+    const float k_55  = 0.027714396;   // 1/4 pi theta_1_1(z1) w(z1)
+    const float k_56  = 0.055759147;   // 1/4 pi theta_2_1(z1) w(z1)
+    const float k_57  = 0.079013094;   // 1/4 pi theta_3_1(z1) w(z1)
+    const float k_58  = 0.09106402;    // 1/4 pi theta_4_1(z1) w(z1)
+    const float k_59  = 0.08810751;    // 1/4 pi theta_5_1(z1) w(z1)
+    const float k_60  = 0.013521798;   // 1/4 pi theta_2_2(z1) w(z1)
+    const float k_61  = 0.032189123;   // 1/4 pi theta_3_2(z1) w(z1)
+    const float k_62  = 0.054651026;   // 1/4 pi theta_4_2(z1) w(z1)
+    const float k_63  = 0.076263115;   // 1/4 pi theta_5_2(z1) w(z1)
+    const float k_64  = 0.004878109;   // 1/2 pi cos(6 pi/16) theta_3_3(z1) w(z1)
+    const float k_65  = 0.013167352;   // 1/2 pi cos(6 pi/16) theta_4_3(z1) w(z1)
+    const float k_66  = 0.025425397;   // 1/2 pi cos(6 pi/16) theta_5_3(z1) w(z1)
+    const float k_67  = 0.0010334087;  // 1/2 pi cos(6 pi/16) theta_5_5(z1) w(z1)
+    const float k_68  = 0.1415761;     // theta_5_5(z2)
+    const float k_69  = 0.18345389;    // theta_4_4(z2)
+    const float k_70  = 0.41203246;    // theta_5_4(z2)
+    const float k_71  = 0.23506287;    // theta_3_3(z2)
+    const float k_72  = 0.60950935;    // theta_5_3(z2)
+    const float k_73  = 0.47754404;    // theta_4_3(z2)
+    const float k_74  = 0.2957631;     // theta_2_2(z2)
+    const float k_75  = 0.5660834;     // theta_4_2(z2)
+    const float k_76  = 0.6231006;     // theta_5_2(z2) / theta_3_2(z2)
+    const float k_77  = 0.52990884;    // theta_3_2(z2)
+    const float k_78  = 0.3595194;     // theta_1_1(z2)
+    const float k_79  = 0.43480387;    // theta_3_1(z2)
+    const float k_80  = 0.33458504;    // -theta_5_1(z2)
+    const float k_81  = 0.12864034;    // theta_4_1(z2) / theta_2_1(z2)
+    const float k_82  = 0.5443967;     // theta_2_1(z2)
+    const float k_83  = 0.2820948;     // theta_0_0(z2)
+    const float k_84  = 0.11850642;    // theta_2_0(z2)
+    const float k_85  = 0.35935888;    // -theta_4_0(z2)
+    const float k_86  = 0.54005176;    // -theta_3_0(z2) / theta_1_0(z2)
+    const float k_87  = 0.9220003;     // -theta_5_0(z2) / theta_1_0(z2)
+    const float k_88  = 0.33087492;    // theta_1_0(z2)
+    const float k_89  = 0.0610539;     // 1/2 pi theta_5_5(z2) w(z2)
+    const float k_90  = 0.07911346;    // 1/2 pi theta_4_4(z2) w(z2)
+    const float k_91  = 0.17768669;    // 1/2 pi theta_5_4(z2) w(z2)
+    const float k_92  = 0.07167909;    // 1/4 sqrt(2) pi theta_3_3(z2) w(z2)
+    const float k_93  = 0.14562029;    // 1/4 sqrt(2) pi theta_4_3(z2) w(z2)
+    const float k_94  = 0.18586124;    // 1/4 sqrt(2) pi theta_5_3(z2) w(z2)
+    const float k_95  = 0.12754618;    // 1/2 pi theta_2_2(z2) w(z2)
+    const float k_96  = 0.22852021;    // 1/2 pi theta_3_2(z2) w(z2)
+    const float k_97  = 0.2441203;     // 1/2 pi theta_4_2(z2) w(z2)
+    const float k_98  = 0.14239107;    // 1/2 pi theta_5_2(z2) w(z2)
+    const float k_99  = 0.059331518;   // 1/2 pi cos(6 pi/16) theta_1_1(z2) w(z2)
+    const float k_100 = 0.089841835;   // 1/2 pi cos(6 pi/16) theta_2_1(z2) w(z2)
+    const float k_101 = 0.07175572;    // 1/2 pi cos(6 pi/16) theta_3_1(z2) w(z2)
+    const float k_102 = 0.011557285;   // 1/2 pi cos(6 pi/16) theta_4_1(z2) w(z2)
+    const float k_103 = 0.055216596;   // -1/2 pi cos(6 pi/16) theta_5_1(z2) w(z2)
+    const float k_104 = 0.1216518;     // 1/2 pi theta_0_0(z2) w(z2)
+    const float k_105 = 0.14268796;    // 1/2 pi theta_1_0(z2) w(z2)
+    const float k_106 = 0.051105227;   // 1/2 pi theta_2_0(z2) w(z2)
+    const float k_107 = 0.07705888;    // -1/2 pi theta_3_0(z2) w(z2)
+    const float k_108 = 0.15497151;    // -1/2 pi theta_4_0(z2) w(z2)
+    const float k_109 = 0.13155833;    // -1/2 pi theta_5_0(z2) w(z2)
+    const float k_110 = 0.07752036;    // 1/4 pi theta_1_1(z2) w(z2)
+    const float k_111 = 0.11738402;    // 1/4 pi theta_2_1(z2) w(z2)
+    const float k_112 = 0.09375337;    // 1/4 pi theta_3_1(z2) w(z2)
+    const float k_113 = 0.01510032;    // 1/4 pi theta_4_1(z2) w(z2)
+    const float k_114 = 0.07214396;    // -1/4 pi theta_5_1(z2) w(z2)
+    const float k_115 = 0.06377309;    // 1/4 pi theta_2_2(z2) w(z2)
+    const float k_116 = 0.11426011;    // 1/4 pi theta_3_2(z2) w(z2)
+    const float k_117 = 0.12206015;    // 1/4 pi theta_4_2(z2) w(z2)
+    const float k_118 = 0.071195535;   // 1/4 pi theta_5_2(z2) w(z2)
+    const float k_119 = 0.038792446;   // 1/2 pi cos(6 pi/16) theta_3_3(z2) w(z2)
+    const float k_120 = 0.078809135;   // 1/2 pi cos(6 pi/16) theta_4_3(z2) w(z2)
+    const float k_121 = 0.10058738;    // 1/2 pi cos(6 pi/16) theta_5_3(z2) w(z2)
+    const float k_122 = 0.023364315;   // 1/2 pi cos(6 pi/16) theta_5_5(z2) w(z2)
+    const float k_123 = 0.46093348;    // theta_5_5(z3)
+    const float k_124 = 0.471678;      // theta_4_4(z3)
+    const float k_125 = 0.5680533;     // theta_5_4(z3)
+    const float k_126 = 0.47727978;    // theta_3_3(z3)
+    const float k_127 = 0.07388006;    // theta_5_3(z3)
+    const float k_128 = 0.5199259;     // theta_4_3(z3)
+    const float k_129 = 0.4742456;     // theta_2_2(z3)
+    const float k_130 = 0.03163277;    // -theta_4_2(z3)
+    const float k_131 = 0.9976599;     // -theta_3_2(z3) / theta_5_2(z3)
+    const float k_132 = 0.45668522;    // -theta_5_2(z3)
+    const float k_133 = 0.45525214;    // theta_1_1(z3)
+    const float k_134 = 0.14509904;    // -theta_3_1(z3)
+    const float k_135 = 0.20293882;    // -theta_5_1(z3)
+    const float k_136 = 0.7862193;     // -theta_2_1(z3) / theta_4_1(z3)
+    const float k_137 = 0.47015435;    // -theta_4_1(z3)
+    const float k_138 = 0.2820948;     // theta_0_0(z3)
+    const float k_139 = 0.19063437;    // -theta_2_0(z3)
+    const float k_140 = 0.0367218;     // -theta_4_0(z3)
+    const float k_141 = 0.5593589;     // -theta_1_0(z3) / theta_3_0(z3)
+    const float k_142 = 0.9191953;     // -theta_5_0(z3) / theta_3_0(z3)
+    const float k_143 = 0.31718475;    // -theta_3_0(z3)
+    const float k_144 = 0.25082555;    // 1/2 pi theta_5_5(z3) w(z3)
+    const float k_145 = 0.25667235;    // 1/2 pi theta_4_4(z3) w(z3)
+    const float k_146 = 0.30911678;    // 1/2 pi theta_5_4(z3) w(z3)
+    const float k_147 = 0.18365026;    // 1/4 sqrt(2) pi theta_3_3(z3) w(z3)
+    const float k_148 = 0.20005985;    // 1/4 sqrt(2) pi theta_4_3(z3) w(z3)
+    const float k_149 = 0.028427964;   // 1/4 sqrt(2) pi theta_5_3(z3) w(z3)
+    const float k_150 = 0.25806957;    // 1/2 pi theta_2_2(z3) w(z3)
+    const float k_151 = 0.24793223;    // 1/2 pi theta_3_2(z3) w(z3)
+    const float k_152 = 0.01721356;    // -1/2 pi theta_4_2(z3) w(z3)
+    const float k_153 = 0.24851377;    // -1/2 pi theta_5_2(z3) w(z3)
+    const float k_154 = 0.094803676;   // 1/2 pi cos(6 pi/16) theta_1_1(z3) w(z3)
+    const float k_155 = 0.07697635;    // 1/2 pi cos(6 pi/16) theta_2_1(z3) w(z3)
+    const float k_156 = 0.030216051;   // -1/2 pi cos(6 pi/16) theta_3_1(z3) w(z3)
+    const float k_157 = 0.09790697;    // -1/2 pi cos(6 pi/16) theta_4_1(z3) w(z3)
+    const float k_158 = 0.042260855;   // -1/2 pi cos(6 pi/16) theta_5_1(z3) w(z3)
+    const float k_159 = 0.15350714;    // 1/2 pi theta_0_0(z3) w(z3)
+    const float k_160 = 0.096546456;   // 1/2 pi theta_1_0(z3) w(z3)
+    const float k_161 = 0.10373724;    // -1/2 pi theta_2_0(z3) w(z3)
+    const float k_162 = 0.17260198;    // -1/2 pi theta_3_0(z3) w(z3)
+    const float k_163 = 0.019982852;   // -1/2 pi theta_4_0(z3) w(z3)
+    const float k_164 = 0.15865493;    // 1/2 pi theta_5_0(z3) w(z3)
+    const float k_165 = 0.12386697;    // 1/4 pi theta_1_1(z3) w(z3)
+    const float k_166 = 0.10057445;    // 1/4 pi theta_2_1(z3) w(z3)
+    const float k_167 = 0.039479174;   // -1/4 pi theta_3_1(z3) w(z3)
+    const float k_168 = 0.12792163;    // -1/4 pi theta_4_1(z3) w(z3)
+    const float k_169 = 0.05521647;    // -1/4 pi theta_5_1(z3) w(z3)
+    const float k_170 = 0.12903479;    // 1/4 pi theta_2_2(z3) w(z3)
+    const float k_171 = 0.12396611;    // 1/4 pi theta_3_2(z3) w(z3)
+    const float k_172 = 0.00860678;    // -1/4 pi theta_4_2(z3) w(z3)
+    const float k_173 = 0.12425689;    // -1/4 pi theta_5_2(z3) w(z3)
+    const float k_174 = 0.099390805;   // 1/2 pi cos(6 pi/16) theta_3_3(z3) w(z3)
+    const float k_175 = 0.108271606;   // 1/2 pi cos(6 pi/16) theta_4_3(z3) w(z3)
+    const float k_176 = 0.015385103;   // 1/2 pi cos(6 pi/16) theta_5_3(z3) w(z3)
+    const float k_177 = 0.095986776;   // 1/2 pi cos(6 pi/16) theta_5_5(z3) w(z3)
+    const float k_178 = 0.2820948;     // 1/2 sqrt(1/pi)
+    const float k_179 = 0.63078314;    // 1/2 sqrt(5/pi)
+    const float k_180 = 0.8462844;     // 3/2 sqrt(1/pi)
+    const float k_181 = 0.52223295;    // 1/11 sqrt(33)
+    const float k_182 = 0.797724;      // 1/11 sqrt(77)
+    const float k_183 = 0.9356026;     // 1/2 sqrt(11/pi)
+    const float k_184 = 0.04923483;    // pi^(1/2) w(pole)
+    const float k_185 = 0.08527722;    // sqrt(3) pi^(1/2) w(pole)
+    const float k_186 = 0.110092424;   // sqrt(5) pi^(1/2) w(pole)
+    const float k_187 = 0.13026312;    // sqrt(7) pi^(1/2) w(pole)
+    const float k_188 = 0.14770448;    // 3 pi^(1/2) w(pole)
+    const float k_189 = 0.16329345;    // sqrt(11) pi^(1/2) w(pole)
+    const float k_190 = 0.6563821;     // 3/32 sqrt(154/pi)
+    const float k_191 = 0.6258357;     // 3/16 sqrt(35/pi)
+    const float k_192 = 0.5900436;     // 1/8 sqrt(70/pi)
+    const float k_193 = 0.4892383;     // 1/32 sqrt(770/pi)
+    const float k_194 = 0.54627424;    // 1/4 sqrt(15/pi)
+    const float k_195 = 0.47308734;    // 3/8 sqrt(5/pi)
+    const float k_196 = 0.48860252;    // 1/2 sqrt(3/pi)
+    const float k_197 = 0.4570458;     // 1/8 sqrt(42/pi)
+    const float k_198 = 0.45294666;    // 1/16 sqrt(165/pi)
+    const float k_199 = 0.31539157;    // 1/4 sqrt(5/pi)
+    const float k_200 = 0.31735665;    // 9/16 sqrt(1/pi)
+    const float k_201 = 0.38305217;    // 3/64 sqrt(154) pi^(1/2) w(equator)
+    const float k_202 = 0.3652259;     // 3/32 sqrt(35) pi^(1/2) w(equator)
+    const float k_203 = 0.3443383;     // 1/16 sqrt(70) pi^(1/2) w(equator)
+    const float k_204 = 0.28551024;    // 1/64 sqrt(770) pi^(1/2) w(equator)
+    const float k_205 = 0.31879532;    // 1/8 sqrt(15) pi^(1/2) w(equator)
+    const float k_206 = 0.27608484;    // 3/16 sqrt(5) pi^(1/2) w(equator)
+    const float k_207 = 0.109118044;   // 1/4 sqrt(3) pi^(1/2) cos(6 pi/16) w(equator)
+    const float k_208 = 0.102070585;   // 1/16 sqrt(42) pi^(1/2) cos(6 pi/16) w(equator)
+    const float k_209 = 0.10115514;    // 1/32 sqrt(165) pi^(1/2) cos(6 pi/16) w(equator)
+    const float k_210 = 0.1646252;     // 1/4 pi^(1/2) w(equator)
+    const float k_211 = 0.18405657;    // 1/8 sqrt(5) pi^(1/2) w(equator)
+    const float k_212 = 0.18520334;    // 9/32 pi^(1/2) w(equator)
+    const float k_213 = 0.1425696;     // 1/8 sqrt(3) pi^(1/2) w(equator)
+    const float k_214 = 0.13336165;    // 1/32 sqrt(42) pi^(1/2) w(equator)
+    const float k_215 = 0.13216555;    // 1/64 sqrt(165) pi^(1/2) w(equator)
+    const float k_216 = 0.15939766;    // 1/16 sqrt(15) pi^(1/2) w(equator)
+    const float k_217 = 0.13804242;    // 3/32 sqrt(5) pi^(1/2) w(equator)
 
     float a25 = a[25];
     float a1s5n = k * a25;
@@ -532,11 +529,11 @@ void product_l5(float a[36], float b[36], out float result[36]) {
     float t_173 = t_170 + t_172;
     float t_174 = t_167 + t_169;
     float t_175 = t_148 - k_22 * t_154;
-    float t_176 = k_31 * t_154 + k_32 * t_152 + k_34 * t_148 + t_145;
-    float t_177 = k_35 * t_145 - k_33 * t_152;
+    float t_176 = k_31 * t_154 + k_28 * t_152 + k_29 * t_148 + t_145;
+    float t_177 = k_33 * t_145 - k_32 * t_152;
     float t_178 = t_133 - k_22 * t_139;
-    float t_179 = k_31 * t_139 + k_32 * t_137 + k_34 * t_133 + t_130;
-    float t_180 = k_35 * t_130 - k_33 * t_137;
+    float t_179 = k_31 * t_139 + k_28 * t_137 + k_29 * t_133 + t_130;
+    float t_180 = k_33 * t_130 - k_32 * t_137;
     float t_181 = t_175 + t_177;
     float t_182 = t_178 + t_180;
     float t_183 = t_182 + t_181;
@@ -551,98 +548,98 @@ void product_l5(float a[36], float b[36], out float result[36]) {
     float t_192 = t_159 + t_155;
     float t_193 = t_159 - t_155;
     float t_194 = t_173 + t_174;
-    float a2s5n = k_71 * a25;
-    float t_195 = k_72 * a16;
-    float t_196 = k_73 * a26;
-    float t_197 = k_128 * a26;
+    float a2s5n = k_68 * a25;
+    float t_195 = k_69 * a16;
+    float t_196 = k_70 * a26;
+    float t_197 = k_125 * a26;
     float a2s4n = t_195 + t_196;
     float a2s4s = t_195 - t_196;
-    float t_198 = k_74 * a9 + k_75 * a27;
-    float t_199 = k_76 * a17;
-    float t_200 = k_131 * a17;
+    float t_198 = k_71 * a9 + k_72 * a27;
+    float t_199 = k_73 * a17;
+    float t_200 = k_128 * a17;
     float a2s3n = t_198 + t_199;
     float a2s3s = t_198 - t_199;
-    float t_201 = k_77 * a4 + k_78 * a18;
-    float t_202 = k_80 * (a10 + k_79 * a28);
-    float t_203 = k_135 * (a28 - k_134 * a10);
+    float t_201 = k_74 * a4 + k_75 * a18;
+    float t_202 = k_77 * (a10 + k_76 * a28);
+    float t_203 = k_132 * (a28 - k_131 * a10);
     float a2s2n = t_201 + t_202;
     float a2s2s = t_201 - t_202;
-    float t_204 = k_81 * a1 + k_82 * a11 - k_83 * a29;
-    float t_205 = k_85 * (a5 + k_84 * a19);
-    float t_206 = k_140 * (a19 - k_139 * a5);
+    float t_204 = k_78 * a1 + k_79 * a11 - k_80 * a29;
+    float t_205 = k_82 * (a5 + k_81 * a19);
+    float t_206 = k_137 * (a19 - k_136 * a5);
     float a2s1n = t_204 + t_205;
     float a2s1s = t_204 - t_205;
-    float t_207 = k_86 * a0 + k_87 * a6 - k_88 * a20;
-    float t_208 = k_91 * (a2 - k_89 * a12 - k_90 * a30);
+    float t_207 = k_83 * a0 + k_84 * a6 - k_85 * a20;
+    float t_208 = k_88 * (a2 - k_86 * a12 - k_87 * a30);
     float a2c0n = t_207 + t_208;
     float a2c0s = t_207 - t_208;
-    float t_209 = k_81 * a3 + k_82 * a13 - k_83 * a31;
-    float t_210 = k_85 * (a7 + k_84 * a21);
-    float t_211 = k_140 * (a21 - k_139 * a7);
+    float t_209 = k_78 * a3 + k_79 * a13 - k_80 * a31;
+    float t_210 = k_82 * (a7 + k_81 * a21);
+    float t_211 = k_137 * (a21 - k_136 * a7);
     float a2c1n = t_209 + t_210;
     float a2c1s = t_209 - t_210;
-    float t_212 = k_77 * a8 + k_78 * a22;
-    float t_213 = k_80 * (a14 + k_79 * a32);
-    float t_214 = k_135 * (a32 - k_134 * a14);
+    float t_212 = k_74 * a8 + k_75 * a22;
+    float t_213 = k_77 * (a14 + k_76 * a32);
+    float t_214 = k_132 * (a32 - k_131 * a14);
     float a2c2n = t_212 + t_213;
     float a2c2s = t_212 - t_213;
-    float t_215 = k_74 * a15 + k_75 * a33;
-    float t_216 = k_76 * a23;
-    float t_217 = k_131 * a23;
+    float t_215 = k_71 * a15 + k_72 * a33;
+    float t_216 = k_73 * a23;
+    float t_217 = k_128 * a23;
     float a2c3n = t_215 + t_216;
     float a2c3s = t_215 - t_216;
-    float t_218 = k_72 * a24;
-    float t_219 = k_73 * a34;
-    float t_220 = k_128 * a34;
+    float t_218 = k_69 * a24;
+    float t_219 = k_70 * a34;
+    float t_220 = k_125 * a34;
     float a2c4n = t_218 + t_219;
     float a2c4s = t_218 - t_219;
-    float a2c5n = k_71 * a35;
-    float b2s5n = k_71 * b25;
-    float t_221 = k_72 * b16;
-    float t_222 = k_73 * b26;
-    float t_223 = k_128 * b26;
+    float a2c5n = k_68 * a35;
+    float b2s5n = k_68 * b25;
+    float t_221 = k_69 * b16;
+    float t_222 = k_70 * b26;
+    float t_223 = k_125 * b26;
     float b2s4n = t_221 + t_222;
     float b2s4s = t_221 - t_222;
-    float t_224 = k_74 * b9 + k_75 * b27;
-    float t_225 = k_76 * b17;
-    float t_226 = k_131 * b17;
+    float t_224 = k_71 * b9 + k_72 * b27;
+    float t_225 = k_73 * b17;
+    float t_226 = k_128 * b17;
     float b2s3n = t_224 + t_225;
     float b2s3s = t_224 - t_225;
-    float t_227 = k_77 * b4 + k_78 * b18;
-    float t_228 = k_80 * (b10 + k_79 * b28);
-    float t_229 = k_135 * (b28 - k_134 * b10);
+    float t_227 = k_74 * b4 + k_75 * b18;
+    float t_228 = k_77 * (b10 + k_76 * b28);
+    float t_229 = k_132 * (b28 - k_131 * b10);
     float b2s2n = t_227 + t_228;
     float b2s2s = t_227 - t_228;
-    float t_230 = k_81 * b1 + k_82 * b11 - k_83 * b29;
-    float t_231 = k_85 * (b5 + k_84 * b19);
-    float t_232 = k_140 * (b19 - k_139 * b5);
+    float t_230 = k_78 * b1 + k_79 * b11 - k_80 * b29;
+    float t_231 = k_82 * (b5 + k_81 * b19);
+    float t_232 = k_137 * (b19 - k_136 * b5);
     float b2s1n = t_230 + t_231;
     float b2s1s = t_230 - t_231;
-    float t_233 = k_86 * b0 + k_87 * b6 - k_88 * b20;
-    float t_234 = k_91 * (b2 - k_89 * b12 - k_90 * b30);
+    float t_233 = k_83 * b0 + k_84 * b6 - k_85 * b20;
+    float t_234 = k_88 * (b2 - k_86 * b12 - k_87 * b30);
     float b2c0n = t_233 + t_234;
     float b2c0s = t_233 - t_234;
-    float t_235 = k_81 * b3 + k_82 * b13 - k_83 * b31;
-    float t_236 = k_85 * (b7 + k_84 * b21);
-    float t_237 = k_140 * (b21 - k_139 * b7);
+    float t_235 = k_78 * b3 + k_79 * b13 - k_80 * b31;
+    float t_236 = k_82 * (b7 + k_81 * b21);
+    float t_237 = k_137 * (b21 - k_136 * b7);
     float b2c1n = t_235 + t_236;
     float b2c1s = t_235 - t_236;
-    float t_238 = k_77 * b8 + k_78 * b22;
-    float t_239 = k_80 * (b14 + k_79 * b32);
-    float t_240 = k_135 * (b32 - k_134 * b14);
+    float t_238 = k_74 * b8 + k_75 * b22;
+    float t_239 = k_77 * (b14 + k_76 * b32);
+    float t_240 = k_132 * (b32 - k_131 * b14);
     float b2c2n = t_238 + t_239;
     float b2c2s = t_238 - t_239;
-    float t_241 = k_74 * b15 + k_75 * b33;
-    float t_242 = k_76 * b23;
-    float t_243 = k_131 * b23;
+    float t_241 = k_71 * b15 + k_72 * b33;
+    float t_242 = k_73 * b23;
+    float t_243 = k_128 * b23;
     float b2c3n = t_241 + t_242;
     float b2c3s = t_241 - t_242;
-    float t_244 = k_72 * b24;
-    float t_245 = k_73 * b34;
-    float t_246 = k_128 * b34;
+    float t_244 = k_69 * b24;
+    float t_245 = k_70 * b34;
+    float t_246 = k_125 * b34;
     float b2c4n = t_244 + t_245;
     float b2c4s = t_244 - t_245;
-    float b2c5n = k_71 * b35;
+    float b2c5n = k_68 * b35;
     float t_247 = a2c0n + a2c4n;
     float t_248 = a2c0n - a2c4n;
     float t_249 = a2c0s + a2c4s;
@@ -782,11 +779,11 @@ void product_l5(float a[36], float b[36], out float result[36]) {
     float t_383 = t_380 + t_382;
     float t_384 = t_377 + t_379;
     float t_385 = t_358 - k_22 * t_364;
-    float t_386 = k_31 * t_364 + k_32 * t_362 + k_34 * t_358 + t_355;
-    float t_387 = k_35 * t_355 - k_33 * t_362;
+    float t_386 = k_31 * t_364 + k_28 * t_362 + k_29 * t_358 + t_355;
+    float t_387 = k_33 * t_355 - k_32 * t_362;
     float t_388 = t_343 - k_22 * t_349;
-    float t_389 = k_31 * t_349 + k_32 * t_347 + k_34 * t_343 + t_340;
-    float t_390 = k_35 * t_340 - k_33 * t_347;
+    float t_389 = k_31 * t_349 + k_28 * t_347 + k_29 * t_343 + t_340;
+    float t_390 = k_33 * t_340 - k_32 * t_347;
     float t_391 = t_385 + t_387;
     float t_392 = t_388 + t_390;
     float t_393 = t_392 + t_391;
@@ -801,90 +798,90 @@ void product_l5(float a[36], float b[36], out float result[36]) {
     float t_402 = t_369 + t_365;
     float t_403 = t_369 - t_365;
     float t_404 = t_383 + t_384;
-    float a3s5n = k_126 * a25;
-    float a5s5n = k_193 * a25;
-    float t_405 = k_127 * a16;
-    float a5s4n = k_194 * a16;
+    float a3s5n = k_123 * a25;
+    float a5s5n = k_190 * a25;
+    float t_405 = k_124 * a16;
+    float a5s4n = k_191 * a16;
     float a3s4n = t_405 + t_197;
     float a3s4s = t_405 - t_197;
-    float t_406 = k_129 * a9 + k_130 * a27;
-    float a5s3n = k_195 * a9 - k_196 * a27;
+    float t_406 = k_126 * a9 + k_127 * a27;
+    float a5s3n = k_192 * a9 - k_193 * a27;
     float a3s3n = t_406 + t_200;
     float a3s3s = t_406 - t_200;
-    float t_407 = k_132 * a4 - k_133 * a18;
-    float a5s2n = k_197 * a4 - k_198 * a18;
+    float t_407 = k_129 * a4 - k_130 * a18;
+    float a5s2n = k_194 * a4 - k_195 * a18;
     float a3s2n = t_407 - t_203;
     float a3s2s = t_407 + t_203;
-    float t_408 = k_136 * a1 - k_137 * a11 - k_138 * a29;
-    float a5s1n = k_199 * a1 - k_200 * a11 + k_201 * a29;
+    float t_408 = k_133 * a1 - k_134 * a11 - k_135 * a29;
+    float a5s1n = k_196 * a1 - k_197 * a11 + k_198 * a29;
     float a3s1n = t_408 - t_206;
     float a3s1s = t_408 + t_206;
-    float t_409 = k_181 * a0;
-    float t_410 = k_141 * a0 - k_142 * a6 - k_143 * a20;
-    float t_411 = k_146 * (a12 - k_144 * a2 - k_145 * a30);
-    float t_412 = k_186 * (k_184 * a2 + k_185 * a12 + a30);
+    float t_409 = k_178 * a0;
+    float t_410 = k_138 * a0 - k_139 * a6 - k_140 * a20;
+    float t_411 = k_143 * (a12 - k_141 * a2 - k_142 * a30);
+    float t_412 = k_183 * (k_181 * a2 + k_182 * a12 + a30);
     float a3c0n = t_410 - t_411;
     float a3c0s = t_410 + t_411;
-    float t_413 = k_136 * a3 - k_137 * a13 - k_138 * a31;
-    float a5c1n = k_199 * a3 - k_200 * a13 + k_201 * a31;
+    float t_413 = k_133 * a3 - k_134 * a13 - k_135 * a31;
+    float a5c1n = k_196 * a3 - k_197 * a13 + k_198 * a31;
     float a3c1n = t_413 - t_211;
     float a3c1s = t_413 + t_211;
-    float t_414 = k_132 * a8 - k_133 * a22;
-    float a5c2n = k_197 * a8 - k_198 * a22;
+    float t_414 = k_129 * a8 - k_130 * a22;
+    float a5c2n = k_194 * a8 - k_195 * a22;
     float a3c2n = t_414 - t_214;
     float a3c2s = t_414 + t_214;
-    float t_415 = k_129 * a15 + k_130 * a33;
-    float a5c3n = k_195 * a15 - k_196 * a33;
+    float t_415 = k_126 * a15 + k_127 * a33;
+    float a5c3n = k_192 * a15 - k_193 * a33;
     float a3c3n = t_415 + t_217;
     float a3c3s = t_415 - t_217;
-    float t_416 = k_127 * a24;
-    float a5c4n = k_194 * a24;
+    float t_416 = k_124 * a24;
+    float a5c4n = k_191 * a24;
     float a3c4n = t_416 + t_220;
     float a3c4s = t_416 - t_220;
-    float a3c5n = k_126 * a35;
-    float a5c5n = k_193 * a35;
-    float b3s5n = k_126 * b25;
-    float b5s5n = k_193 * b25;
-    float t_417 = k_127 * b16;
-    float b5s4n = k_194 * b16;
+    float a3c5n = k_123 * a35;
+    float a5c5n = k_190 * a35;
+    float b3s5n = k_123 * b25;
+    float b5s5n = k_190 * b25;
+    float t_417 = k_124 * b16;
+    float b5s4n = k_191 * b16;
     float b3s4n = t_417 + t_223;
     float b3s4s = t_417 - t_223;
-    float t_418 = k_129 * b9 + k_130 * b27;
-    float b5s3n = k_195 * b9 - k_196 * b27;
+    float t_418 = k_126 * b9 + k_127 * b27;
+    float b5s3n = k_192 * b9 - k_193 * b27;
     float b3s3n = t_418 + t_226;
     float b3s3s = t_418 - t_226;
-    float t_419 = k_132 * b4 - k_133 * b18;
-    float b5s2n = k_197 * b4 - k_198 * b18;
+    float t_419 = k_129 * b4 - k_130 * b18;
+    float b5s2n = k_194 * b4 - k_195 * b18;
     float b3s2n = t_419 - t_229;
     float b3s2s = t_419 + t_229;
-    float t_420 = k_136 * b1 - k_137 * b11 - k_138 * b29;
-    float b5s1n = k_199 * b1 - k_200 * b11 + k_201 * b29;
+    float t_420 = k_133 * b1 - k_134 * b11 - k_135 * b29;
+    float b5s1n = k_196 * b1 - k_197 * b11 + k_198 * b29;
     float b3s1n = t_420 - t_232;
     float b3s1s = t_420 + t_232;
-    float t_421 = k_181 * b0;
-    float t_422 = k_141 * b0 - k_142 * b6 - k_143 * b20;
-    float t_423 = k_146 * (b12 - k_144 * b2 - k_145 * b30);
-    float t_424 = k_186 * (k_184 * b2 + k_185 * b12 + b30);
+    float t_421 = k_178 * b0;
+    float t_422 = k_138 * b0 - k_139 * b6 - k_140 * b20;
+    float t_423 = k_143 * (b12 - k_141 * b2 - k_142 * b30);
+    float t_424 = k_183 * (k_181 * b2 + k_182 * b12 + b30);
     float b3c0n = t_422 - t_423;
     float b3c0s = t_422 + t_423;
-    float t_425 = k_136 * b3 - k_137 * b13 - k_138 * b31;
-    float b5c1n = k_199 * b3 - k_200 * b13 + k_201 * b31;
+    float t_425 = k_133 * b3 - k_134 * b13 - k_135 * b31;
+    float b5c1n = k_196 * b3 - k_197 * b13 + k_198 * b31;
     float b3c1n = t_425 - t_237;
     float b3c1s = t_425 + t_237;
-    float t_426 = k_132 * b8 - k_133 * b22;
-    float b5c2n = k_197 * b8 - k_198 * b22;
+    float t_426 = k_129 * b8 - k_130 * b22;
+    float b5c2n = k_194 * b8 - k_195 * b22;
     float b3c2n = t_426 - t_240;
     float b3c2s = t_426 + t_240;
-    float t_427 = k_129 * b15 + k_130 * b33;
-    float b5c3n = k_195 * b15 - k_196 * b33;
+    float t_427 = k_126 * b15 + k_127 * b33;
+    float b5c3n = k_192 * b15 - k_193 * b33;
     float b3c3n = t_427 + t_243;
     float b3c3s = t_427 - t_243;
-    float t_428 = k_127 * b24;
-    float b5c4n = k_194 * b24;
+    float t_428 = k_124 * b24;
+    float b5c4n = k_191 * b24;
     float b3c4n = t_428 + t_246;
     float b3c4s = t_428 - t_246;
-    float b3c5n = k_126 * b35;
-    float b5c5n = k_193 * b35;
+    float b3c5n = k_123 * b35;
+    float b5c5n = k_190 * b35;
     float t_429 = a3c0n + a3c4n;
     float t_430 = a3c0n - a3c4n;
     float t_431 = a3c0s + a3c4s;
@@ -1024,16 +1021,16 @@ void product_l5(float a[36], float b[36], out float result[36]) {
     float t_565 = t_562 + t_564;
     float t_566 = t_559 + t_561;
     float t_567 = t_540 - k_22 * t_546;
-    float t_568 = k_31 * t_546 + k_32 * t_544 + k_34 * t_540 + t_537;
-    float t_569 = k_35 * t_537 - k_33 * t_544;
+    float t_568 = k_31 * t_546 + k_28 * t_544 + k_29 * t_540 + t_537;
+    float t_569 = k_33 * t_537 - k_32 * t_544;
     float t_570 = t_525 - k_22 * t_531;
-    float t_571 = k_31 * t_531 + k_32 * t_529 + k_34 * t_525 + t_522;
-    float t_572 = k_35 * t_522 - k_33 * t_529;
+    float t_571 = k_31 * t_531 + k_28 * t_529 + k_29 * t_525 + t_522;
+    float t_572 = k_33 * t_522 - k_32 * t_529;
     float t_573 = t_567 + t_569;
     float t_574 = t_570 + t_572;
-    result[26] = k_39 * (t_165 - t_163) + k_94 * (t_375 - t_373) + k_149 * (t_557 - t_555);                            // l=5 m=-4
+    result[26] = k_36 * (t_165 - t_163) + k_91 * (t_375 - t_373) + k_146 * (t_557 - t_555);                            // l=5 m=-4
     float t_575 = t_574 + t_573;
-    result[17] = k_41 * (t_182 - t_181) + k_96 * (t_392 - t_391) + k_151 * (t_574 - t_573);                            // l=4 m=-3
+    result[17] = k_38 * (t_182 - t_181) + k_93 * (t_392 - t_391) + k_148 * (t_574 - t_573);                            // l=4 m=-3
     float t_576 = t_558 + t_556;
     float t_577 = t_558 - t_556;
     float t_578 = t_571 + t_568;
@@ -1045,27 +1042,27 @@ void product_l5(float a[36], float b[36], out float result[36]) {
     float t_584 = t_551 + t_547;
     float t_585 = t_551 - t_547;
     float t_586 = t_565 + t_566;
-    result[23] = k_68 * (t_173 - t_174) + k_123 * (t_383 - t_384) + k_178 * (t_565 - t_566);                           // l=4 m=3
-    result[34] = k_39 * (t_162 - t_158) + k_94 * (t_372 - t_368) + k_149 * (t_554 - t_550);                            // l=5 m=4
-    result[10] = k_44 * t_185 + k_99 * t_395 + k_154 * t_577;                                                          // l=3 m=-2
-    result[28] = k_46 * t_185 + k_101 * t_395 - k_156 * t_577;                                                         // l=5 m=-2
-    result[5] = k_48 * t_187 + k_103 * t_397 + k_158 * t_579;                                                          // l=2 m=-1
-    result[19] = k_50 * t_187 + k_105 * t_397 - k_160 * t_579;                                                         // l=4 m=-1
-    result[7] = k_59 * t_191 + k_114 * t_401 + k_169 * t_583;                                                          // l=2 m=1
-    result[21] = k_61 * t_191 + k_116 * t_401 - k_171 * t_583;                                                         // l=4 m=1
-    result[14] = k_64 * t_193 + k_119 * t_403 + k_174 * t_585;                                                         // l=3 m=2
-    result[32] = k_66 * t_193 + k_121 * t_403 - k_176 * t_585;                                                         // l=5 m=2
-    float t_587 = t_409 + k_182 * a6 + k_183 * a20;
-    float a5c0n = t_409 - k_202 * a6 + k_203 * a20;
-    float t_588 = t_421 + k_182 * b6 + k_183 * b20;
-    float b5c0n = t_421 - k_202 * b6 + k_203 * b20;
+    result[23] = k_65 * (t_173 - t_174) + k_120 * (t_383 - t_384) + k_175 * (t_565 - t_566);                           // l=4 m=3
+    result[34] = k_36 * (t_162 - t_158) + k_91 * (t_372 - t_368) + k_146 * (t_554 - t_550);                            // l=5 m=4
+    result[10] = k_41 * t_185 + k_96 * t_395 + k_151 * t_577;                                                          // l=3 m=-2
+    result[28] = k_43 * t_185 + k_98 * t_395 - k_153 * t_577;                                                          // l=5 m=-2
+    result[5] = k_45 * t_187 + k_100 * t_397 + k_155 * t_579;                                                          // l=2 m=-1
+    result[19] = k_47 * t_187 + k_102 * t_397 - k_157 * t_579;                                                         // l=4 m=-1
+    result[7] = k_56 * t_191 + k_111 * t_401 + k_166 * t_583;                                                          // l=2 m=1
+    result[21] = k_58 * t_191 + k_113 * t_401 - k_168 * t_583;                                                         // l=4 m=1
+    result[14] = k_61 * t_193 + k_116 * t_403 + k_171 * t_585;                                                         // l=3 m=2
+    result[32] = k_63 * t_193 + k_118 * t_403 - k_173 * t_585;                                                         // l=5 m=2
+    float t_587 = t_409 + k_179 * a6 + k_180 * a20;
+    float a5c0n = t_409 - k_199 * a6 + k_200 * a20;
+    float t_588 = t_421 + k_179 * b6 + k_180 * b20;
+    float b5c0n = t_421 - k_199 * b6 + k_200 * b20;
     float t_589 = (t_587 + t_412) * (t_588 + t_424);
     float t_590 = (t_587 - t_412) * (t_588 - t_424);
     float t_591 = t_589 + t_590;
     float t_592 = t_589 - t_590;
-    result[2] = k_53 * t_189 + k_108 * t_399 + k_163 * t_581 + k_188 * t_592;                                          // l=1 m=0
-    result[12] = k_55 * t_189 - k_110 * t_399 - k_165 * t_581 + k_190 * t_592;                                         // l=3 m=0
-    result[30] = k_167 * t_581 - k_57 * t_189 - k_112 * t_399 + k_192 * t_592;                                         // l=5 m=0
+    result[2] = k_50 * t_189 + k_105 * t_399 + k_160 * t_581 + k_185 * t_592;                                          // l=1 m=0
+    result[12] = k_52 * t_189 - k_107 * t_399 - k_162 * t_581 + k_187 * t_592;                                         // l=3 m=0
+    result[30] = k_164 * t_581 - k_54 * t_189 - k_109 * t_399 + k_189 * t_592;                                         // l=5 m=0
     float t_593 = a5c0n + a5c4n;
     float t_594 = a5c0n - a5c4n;
     float t_595 = a5c2n + t_593;
@@ -1128,36 +1125,36 @@ void product_l5(float a[36], float b[36], out float result[36]) {
     float t_652 = k_25 * (t_639 - t_646) - t_650 + t_637;
     float t_653 = k_26 * (t_650 + t_637);
     float t_654 = t_646 + t_643 + t_639 + t_653;
-    result[24] = k_38 * (t_162 + t_158) + k_93 * (t_372 + t_368) + k_148 * (t_554 + t_550) + k_205 * (t_653 - t_643);  // l=4 m=4
+    result[24] = k_35 * (t_162 + t_158) + k_90 * (t_372 + t_368) + k_145 * (t_554 + t_550) + k_202 * (t_653 - t_643);  // l=4 m=4
     float t_655 = t_594 * b5s2n + a5s2n * t_616 + t_607 * t_634 + t_612 * t_629 + k_22 * (t_647 + t_640);
-    result[16] = k_38 * (t_165 + t_163) + k_93 * (t_375 + t_373) + k_148 * (t_557 + t_555) + k_205 * (t_640 - t_647);  // l=4 m=-4
+    result[16] = k_35 * (t_165 + t_163) + k_90 * (t_375 + t_373) + k_145 * (t_557 + t_555) + k_202 * (t_640 - t_647);  // l=4 m=-4
     float t_656 = k_24 * t_641 - k_23 * t_648;
     float t_657 = k_27 * t_648 + k_25 * t_644 + k_30 * t_641 + t_638;
     float t_658 = k_26 * t_638 - k_22 * t_644;
     float t_659 = t_656 + t_658;
-    result[35] = k_70 * (t_169 - t_167 - t_170 + t_172) + k_125 * (t_379 - t_377 - t_380 + t_382) + k_180 * (t_561
-        - t_559 - t_562 + t_564) + k_204 * (t_658 - t_656);                                                            // l=5 m=5
+    result[35] = k_67 * (t_169 - t_167 - t_170 + t_172) + k_122 * (t_379 - t_377 - t_380 + t_382) + k_177 * (t_561
+        - t_559 - t_562 + t_564) + k_201 * (t_658 - t_656);                                                            // l=5 m=5
     float t_660 = k_26 * t_651 - k_22 * t_645;
-    float t_661 = k_31 * t_651 + k_32 * t_649 + k_34 * t_645 + t_642;
+    float t_661 = k_31 * t_651 + k_28 * t_649 + k_29 * t_645 + t_642;
     float t_662 = k_23 * t_642 - k_24 * t_649;
     float t_663 = t_662 - t_660;
-    result[25] = k_37 * (k_36 * (t_177 - t_175 - t_178 + t_180)) + k_92 * (k_36 * (t_387 - t_385 - t_388 + t_390))
-        + k_147 * (k_36 * (t_569 - t_567 - t_570 + t_572)) + k_204 * (t_660 + t_662);                                  // l=5 m=-5
-    result[9] = k_40 * t_183 + k_95 * t_393 + k_150 * t_575 + k_206 * t_663;                                           // l=3 m=-3
-    result[27] = k_42 * t_183 + k_97 * t_393 + k_152 * t_575 - k_207 * t_663;                                          // l=5 m=-3
-    result[4] = k_43 * t_184 + k_98 * t_394 + k_153 * t_576 + k_208 * t_655;                                           // l=2 m=-2
-    result[18] = k_45 * t_184 + k_100 * t_394 - k_155 * t_576 - k_209 * t_655;                                         // l=4 m=-2
-    result[1] = k_47 * t_186 + k_102 * t_396 + k_157 * t_578 + k_210 * t_661;                                          // l=1 m=-1
-    result[11] = k_49 * t_186 + k_104 * t_396 - k_159 * t_578 - k_211 * t_661;                                         // l=3 m=-1
-    result[29] = k_51 * t_186 - k_106 * t_396 - k_161 * t_578 + k_212 * t_661;                                         // l=5 m=-1
-    result[0] = k_52 * t_188 + k_107 * t_398 + k_162 * t_580 + k_187 * t_591 + k_213 * t_654;                          // l=0 m=0
-    result[6] = k_54 * t_188 + k_109 * t_398 - k_164 * t_580 + k_189 * t_591 - k_214 * t_654;                          // l=2 m=0
-    result[20] = k_56 * t_188 - k_111 * t_398 - k_166 * t_580 + k_191 * t_591 + k_215 * t_654;                         // l=4 m=0
-    result[3] = k_58 * t_190 + k_113 * t_400 + k_168 * t_582 + k_216 * t_657;                                          // l=1 m=1
-    result[13] = k_60 * t_190 + k_115 * t_400 - k_170 * t_582 - k_217 * t_657;                                         // l=3 m=1
-    result[31] = k_62 * t_190 - k_117 * t_400 - k_172 * t_582 + k_218 * t_657;                                         // l=5 m=1
-    result[8] = k_63 * t_192 + k_118 * t_402 + k_173 * t_584 + k_219 * t_652;                                          // l=2 m=2
-    result[22] = k_65 * t_192 + k_120 * t_402 - k_175 * t_584 - k_220 * t_652;                                         // l=4 m=2
-    result[15] = k_67 * t_194 + k_122 * t_404 + k_177 * t_586 + k_206 * t_659;                                         // l=3 m=3
-    result[33] = k_69 * t_194 + k_124 * t_404 + k_179 * t_586 - k_207 * t_659;                                         // l=5 m=3
+    result[25] = k_34 * (k_22 * (t_177 - t_175 - t_178 + t_180)) + k_89 * (k_22 * (t_387 - t_385 - t_388 + t_390))
+        + k_144 * (k_22 * (t_569 - t_567 - t_570 + t_572)) + k_201 * (t_660 + t_662);                                  // l=5 m=-5
+    result[9] = k_37 * t_183 + k_92 * t_393 + k_147 * t_575 + k_203 * t_663;                                           // l=3 m=-3
+    result[27] = k_39 * t_183 + k_94 * t_393 + k_149 * t_575 - k_204 * t_663;                                          // l=5 m=-3
+    result[4] = k_40 * t_184 + k_95 * t_394 + k_150 * t_576 + k_205 * t_655;                                           // l=2 m=-2
+    result[18] = k_42 * t_184 + k_97 * t_394 - k_152 * t_576 - k_206 * t_655;                                          // l=4 m=-2
+    result[1] = k_44 * t_186 + k_99 * t_396 + k_154 * t_578 + k_207 * t_661;                                           // l=1 m=-1
+    result[11] = k_46 * t_186 + k_101 * t_396 - k_156 * t_578 - k_208 * t_661;                                         // l=3 m=-1
+    result[29] = k_48 * t_186 - k_103 * t_396 - k_158 * t_578 + k_209 * t_661;                                         // l=5 m=-1
+    result[0] = k_49 * t_188 + k_104 * t_398 + k_159 * t_580 + k_184 * t_591 + k_210 * t_654;                          // l=0 m=0
+    result[6] = k_51 * t_188 + k_106 * t_398 - k_161 * t_580 + k_186 * t_591 - k_211 * t_654;                          // l=2 m=0
+    result[20] = k_53 * t_188 - k_108 * t_398 - k_163 * t_580 + k_188 * t_591 + k_212 * t_654;                         // l=4 m=0
+    result[3] = k_55 * t_190 + k_110 * t_400 + k_165 * t_582 + k_213 * t_657;                                          // l=1 m=1
+    result[13] = k_57 * t_190 + k_112 * t_400 - k_167 * t_582 - k_214 * t_657;                                         // l=3 m=1
+    result[31] = k_59 * t_190 - k_114 * t_400 - k_169 * t_582 + k_215 * t_657;                                         // l=5 m=1
+    result[8] = k_60 * t_192 + k_115 * t_402 + k_170 * t_584 + k_216 * t_652;                                          // l=2 m=2
+    result[22] = k_62 * t_192 + k_117 * t_402 - k_172 * t_584 - k_217 * t_652;                                         // l=4 m=2
+    result[15] = k_64 * t_194 + k_119 * t_404 + k_174 * t_586 + k_203 * t_659;                                         // l=3 m=3
+    result[33] = k_66 * t_194 + k_121 * t_404 + k_176 * t_586 - k_204 * t_659;                                         // l=5 m=3
 }

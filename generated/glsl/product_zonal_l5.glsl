@@ -23,12 +23,12 @@ precision highp float;
 #endif
 
 void product_zonal_l5(float a[36], float zonal[6], out float result[36]) {
-    const float k    = 1.6595403;    // 13/45 sqrt(33)
+    const float k    = 0.6025765;    // 15/143 sqrt(33)
     const float k_2  = 0.2820948;    // 1/2 sqrt(1/pi)
     const float k_3  = 0.1301976;    // 3/13 sqrt(1/pi)
-    const float k_4  = 0.18022375;   // 1/7 sqrt(5/pi)
-    const float k_5  = 0.040299255;  // 1/14 sqrt(1/pi)
-    const float k_6  = 4.9193497;    // 11/5 sqrt(5)
+    const float k_4  = 0.20327891;   // 1/11 sqrt(5)
+    const float k_5  = 0.18022375;   // 1/7 sqrt(5/pi)
+    const float k_6  = 0.040299255;  // 1/14 sqrt(1/pi)
     const float k_7  = 0.25231326;   // 1/5 sqrt(5/pi)
     const float k_8  = 0.24776669;   // 3/70 sqrt(105/pi)
     const float k_9  = 0.24623252;   // 2/21 sqrt(21/pi)
@@ -54,66 +54,65 @@ void product_zonal_l5(float a[36], float zonal[6], out float result[36]) {
     const float k_29 = 0.23359668;   // 1/35 sqrt(210/pi)
     const float k_30 = 0.059470803;  // 1/30 sqrt(10/pi)
     const float k_31 = 0.16943318;   // 5/462 sqrt(770/pi)
-    const float k_32 = 0.04486937;   // 5/154 sqrt(6/pi)
+    const float k_32 = 0.22072811;   // 1/14 sqrt(30/pi)
     const float k_33 = 0.2143179;    // 10/231 sqrt(77/pi)
     const float k_34 = 0.036165997;  // 5/78 sqrt(1/pi)
-    const float k_35 = 0.02564498;   // 1/22 sqrt(1/pi)
-    const float k_36 = 0.23841362;   // 1/14 sqrt(35/pi)
-    const float k_37 = 0.09932259;   // 1/22 sqrt(15/pi)
-    const float k_38 = 0.009577496;  // 1/2002 sqrt(1155/pi)
-    const float k_39 = 0.22731847;   // 5/154 sqrt(154/pi)
-    const float k_40 = 0.08601992;   // 1/182 sqrt(770/pi)
-    const float k_41 = 0.13926381;   // 17/154 sqrt(5/pi)
-    const float k_42 = 0.06848055;   // 243/2002 sqrt(1/pi)
-    const float k_43 = 0.24057125;   // 1/11 sqrt(22/pi)
-    const float k_44 = 0.11508947;   // 19/2002 sqrt(462/pi)
-    const float k_45 = 0.053152945;  // 1/26 sqrt(6/pi)
-    const float k_46 = 0.14556533;   // 3/26 sqrt(5/pi)
-    const float k_47 = 0.0867984;    // 2/13 sqrt(1/pi)
-    const float k_48 = 0.1846744;    // 1/14 sqrt(21/pi)
-    const float k_49 = 0.18806319;   // 1/3 sqrt(1/pi)
-    const float k_50 = 0.053579476;  // 5/462 sqrt(77/pi)
-    const float k_51 = 0.15607835;   // 1/14 sqrt(15/pi)
-    const float k_52 = 0.19036461;   // 15/77 sqrt(3/pi)
-    const float k_53 = 0.14175797;   // 5/66 sqrt(11/pi)
-    const float k_54 = 0.19137248;   // 5/39 sqrt(7/pi)
-    const float k_55 = 0.17951487;   // 7/22 sqrt(1/pi)
-    const float k_56 = 0.21324362;   // 1/7 sqrt(7/pi)
-    const float k_57 = 0.04441841;   // 1/22 sqrt(3/pi)
-    const float k_58 = 0.17132746;   // 20/1001 sqrt(231/pi)
-    const float k_59 = 0.06542675;   // 5/143 sqrt(11/pi)
-    const float k_60 = 0.06553591;   // 4/77 sqrt(5/pi)
-    const float k_61 = 0.08369845;   // 27/182 sqrt(1/pi)
-    const float k_62 = 0.22503379;   // 1/22 sqrt(77/pi)
-    const float k_63 = 0.022664493;  // 1/143 sqrt(33/pi)
-    const float k_64 = 0.09944005;   // 1/26 sqrt(21/pi)
-    const float k_65 = 0.53846157;   // 7/13
-    const float k_66 = 0.21026105;   // 1/6 sqrt(5/pi)
-    const float k_67 = 0.07693494;   // 3/22 sqrt(1/pi)
-    const float k_68 = 0.20355073;   // 3/22 sqrt(7/pi)
-    const float k_69 = 0.09814013;   // 15/286 sqrt(11/pi)
-    const float k_70 = 0.12679218;   // 1/33 sqrt(55/pi)
-    const float k_71 = 0.19628026;   // 15/143 sqrt(11/pi)
-    const float k_72 = 0.057343923;  // 1/22 sqrt(5/pi)
-    const float k_73 = 0.15978795;   // 81/286 sqrt(1/pi)
-    const float k_74 = 0.1964256;    // 2/33 sqrt(33/pi)
-    const float k_75 = 0.10386175;   // 3/143 sqrt(77/pi)
-    const float k_76 = 0.016173927;  // 1/78 sqrt(5/pi)
-    const float k_77 = 0.22937569;   // 2/11 sqrt(5/pi)
-    const float k_78 = 0.10652531;   // 27/143 sqrt(1/pi)
-    const float k_79 = 0.1473192;    // 1/22 sqrt(33/pi)
-    const float k_80 = 0.2077235;    // 6/143 sqrt(77/pi)
-    const float k_81 = 0.09704356;   // 1/13 sqrt(5/pi)
-    const float k_82 = 0.24260889;   // 5/26 sqrt(5/pi)
+    const float k_35 = 0.23841362;   // 1/14 sqrt(35/pi)
+    const float k_36 = 0.09932259;   // 1/22 sqrt(15/pi)
+    const float k_37 = 0.009577496;  // 1/2002 sqrt(1155/pi)
+    const float k_38 = 0.22731847;   // 5/154 sqrt(154/pi)
+    const float k_39 = 0.08601992;   // 1/182 sqrt(770/pi)
+    const float k_40 = 0.13926381;   // 17/154 sqrt(5/pi)
+    const float k_41 = 0.06848055;   // 243/2002 sqrt(1/pi)
+    const float k_42 = 0.24057125;   // 1/11 sqrt(22/pi)
+    const float k_43 = 0.11508947;   // 19/2002 sqrt(462/pi)
+    const float k_44 = 0.053152945;  // 1/26 sqrt(6/pi)
+    const float k_45 = 0.14556533;   // 3/26 sqrt(5/pi)
+    const float k_46 = 0.0867984;    // 2/13 sqrt(1/pi)
+    const float k_47 = 0.1846744;    // 1/14 sqrt(21/pi)
+    const float k_48 = 0.18806319;   // 1/3 sqrt(1/pi)
+    const float k_49 = 0.053579476;  // 5/462 sqrt(77/pi)
+    const float k_50 = 0.15607835;   // 1/14 sqrt(15/pi)
+    const float k_51 = 0.19036461;   // 15/77 sqrt(3/pi)
+    const float k_52 = 0.14175797;   // 5/66 sqrt(11/pi)
+    const float k_53 = 0.19137248;   // 5/39 sqrt(7/pi)
+    const float k_54 = 0.17951487;   // 7/22 sqrt(1/pi)
+    const float k_55 = 0.21324362;   // 1/7 sqrt(7/pi)
+    const float k_56 = 0.04441841;   // 1/22 sqrt(3/pi)
+    const float k_57 = 0.17132746;   // 20/1001 sqrt(231/pi)
+    const float k_58 = 0.06542675;   // 5/143 sqrt(11/pi)
+    const float k_59 = 0.06553591;   // 4/77 sqrt(5/pi)
+    const float k_60 = 0.08369845;   // 27/182 sqrt(1/pi)
+    const float k_61 = 0.22503379;   // 1/22 sqrt(77/pi)
+    const float k_62 = 0.022664493;  // 1/143 sqrt(33/pi)
+    const float k_63 = 0.09944005;   // 1/26 sqrt(21/pi)
+    const float k_64 = 0.53846157;   // 7/13
+    const float k_65 = 0.21026105;   // 1/6 sqrt(5/pi)
+    const float k_66 = 0.07693494;   // 3/22 sqrt(1/pi)
+    const float k_67 = 0.20355073;   // 3/22 sqrt(7/pi)
+    const float k_68 = 0.1628675;    // 1/6 sqrt(3/pi)
+    const float k_69 = 0.12679218;   // 1/33 sqrt(55/pi)
+    const float k_70 = 0.19628026;   // 15/143 sqrt(11/pi)
+    const float k_71 = 0.057343923;  // 1/22 sqrt(5/pi)
+    const float k_72 = 0.15978795;   // 81/286 sqrt(1/pi)
+    const float k_73 = 0.1964256;    // 2/33 sqrt(33/pi)
+    const float k_74 = 0.10386175;   // 3/143 sqrt(77/pi)
+    const float k_75 = 0.016173927;  // 1/78 sqrt(5/pi)
+    const float k_76 = 0.22937569;   // 2/11 sqrt(5/pi)
+    const float k_77 = 0.10652531;   // 27/143 sqrt(1/pi)
+    const float k_78 = 0.1473192;    // 1/22 sqrt(33/pi)
+    const float k_79 = 0.2077235;    // 6/143 sqrt(77/pi)
+    const float k_80 = 0.09704356;   // 1/13 sqrt(5/pi)
+    const float k_81 = 0.24260889;   // 5/26 sqrt(5/pi)
 
     float m0_0_0 = k_2 * zonal[0];
-    float t = k * zonal[1] + zonal[5];
+    float t = zonal[1] + k * zonal[5];
     float t_2 = k_3 * zonal[4];
-    float t_3 = m0_0_0 - t_2;
-    float t_4 = m0_0_0 + t_2;
-    float t_5 = k_4 * zonal[2];
-    float t_6 = k_5 * zonal[4] - t_5;
-    float t_7 = k_6 * zonal[2] + zonal[4];
+    float t_3 = m0_0_0 + t_2;
+    float t_4 = m0_0_0 - t_2;
+    float t_5 = zonal[2] + k_4 * zonal[4];
+    float t_6 = k_5 * zonal[2];
+    float t_7 = k_6 * zonal[4] - t_6;
     float m0_0_1 = k_2 * zonal[1];
     float m0_0_2 = k_2 * zonal[2];
     float m0_0_3 = k_2 * zonal[3];
@@ -129,7 +128,7 @@ void product_zonal_l5(float a[36], float zonal[6], out float result[36]) {
     float m0_2_4 = k_11 * zonal[2] + k_14 * zonal[4];
     float m0_2_5 = k_13 * zonal[3] + k_15 * zonal[5];
     float a12 = a[12];
-    float m0_3_4 = k_16 * zonal[3] + k_17 * t;
+    float m0_3_4 = k_16 * zonal[3] + k_9 * t;
     float m0_3_5 = k_13 * zonal[2] + k_17 * zonal[4];
     float a20 = a[20];
     float t_8 = k_3 * zonal[5];
@@ -142,35 +141,35 @@ void product_zonal_l5(float a[36], float zonal[6], out float result[36]) {
     float m1_1_5 = k_26 * zonal[4];
     float m1_2_2 = m0_0_0 + k_27 * zonal[2] - k_28 * zonal[4];
     float m1_2_3 = k_29 * zonal[1] + k_30 * zonal[3] - k_31 * zonal[5];
-    float m1_2_4 = k_32 * t_7;
-    float m1_3_3 = m0_0_0 + k_35 * t_7;
+    float m1_2_4 = k_32 * t_5;
+    float m1_3_3 = m0_0_0 + k_19 * t_5;
     float m1_2_5 = k_33 * zonal[3] + k_34 * zonal[5];
-    float m1_3_4 = k_36 * zonal[1] + k_37 * zonal[3] + k_38 * zonal[5];
-    float m1_3_5 = k_39 * zonal[2] + k_40 * zonal[4];
-    float m1_4_4 = m0_0_0 + k_41 * zonal[2] + k_42 * zonal[4];
-    float m1_4_5 = k_43 * zonal[1] + k_44 * zonal[3] + k_45 * zonal[5];
-    float m1_5_5 = m0_0_0 + k_46 * zonal[2] + k_47 * zonal[4];
-    float m2_2_2 = m0_0_0 + t_6;
-    float m2_5_5 = m0_0_0 - k_65 * t_6;
-    float m2_2_3 = k_48 * zonal[1] - k_49 * zonal[3] + k_50 * zonal[5];
-    float m2_2_4 = k_51 * zonal[2] - k_52 * zonal[4];
-    float m2_2_5 = k_53 * zonal[3] - k_54 * zonal[5];
-    float m2_3_3 = m0_0_0 - k_55 * zonal[4];
-    float m2_3_4 = k_56 * zonal[1] - k_57 * zonal[3] - k_58 * zonal[5];
-    float m2_3_5 = k_26 * zonal[2] - k_59 * zonal[4];
-    float m2_4_4 = m0_0_0 + k_60 * zonal[2] - k_61 * zonal[4];
-    float m2_4_5 = k_62 * zonal[1] + k_63 * zonal[3] - k_64 * zonal[5];
-    float m3_3_3 = m0_0_0 - k_66 * zonal[2] + k_67 * zonal[4];
-    float m3_3_4 = k_69 * t - k_68 * zonal[3];
-    float m3_3_5 = k_70 * zonal[2] - k_71 * zonal[4];
-    float m3_4_4 = m0_0_0 - k_72 * zonal[2] - k_73 * zonal[4];
-    float m3_4_5 = k_74 * zonal[1] - k_75 * zonal[3] - t_8;
-    float m4_4_5 = k_79 * zonal[1] - k_80 * zonal[3] + t_8;
-    float m3_5_5 = k_76 * zonal[2] + t_3;
-    float m4_4_4 = m0_0_0 - k_77 * zonal[2] + k_78 * zonal[4];
+    float m1_3_4 = k_35 * zonal[1] + k_36 * zonal[3] + k_37 * zonal[5];
+    float m1_3_5 = k_38 * zonal[2] + k_39 * zonal[4];
+    float m1_4_4 = m0_0_0 + k_40 * zonal[2] + k_41 * zonal[4];
+    float m1_4_5 = k_42 * zonal[1] + k_43 * zonal[3] + k_44 * zonal[5];
+    float m1_5_5 = m0_0_0 + k_45 * zonal[2] + k_46 * zonal[4];
+    float m2_2_2 = m0_0_0 + t_7;
+    float m2_5_5 = m0_0_0 - k_64 * t_7;
+    float m2_2_3 = k_47 * zonal[1] - k_48 * zonal[3] + k_49 * zonal[5];
+    float m2_2_4 = k_50 * zonal[2] - k_51 * zonal[4];
+    float m2_2_5 = k_52 * zonal[3] - k_53 * zonal[5];
+    float m2_3_3 = m0_0_0 - k_54 * zonal[4];
+    float m2_3_4 = k_55 * zonal[1] - k_56 * zonal[3] - k_57 * zonal[5];
+    float m2_3_5 = k_26 * zonal[2] - k_58 * zonal[4];
+    float m2_4_4 = m0_0_0 + k_59 * zonal[2] - k_60 * zonal[4];
+    float m2_4_5 = k_61 * zonal[1] + k_62 * zonal[3] - k_63 * zonal[5];
+    float m3_3_3 = m0_0_0 - k_65 * zonal[2] + k_66 * zonal[4];
+    float m3_3_4 = k_68 * t - k_67 * zonal[3];
+    float m3_3_5 = k_69 * zonal[2] - k_70 * zonal[4];
+    float m3_4_4 = m0_0_0 - k_71 * zonal[2] - k_72 * zonal[4];
+    float m3_4_5 = k_73 * zonal[1] - k_74 * zonal[3] - t_8;
+    float m4_4_5 = k_78 * zonal[1] - k_79 * zonal[3] + t_8;
+    float m3_5_5 = k_75 * zonal[2] + t_4;
+    float m4_4_4 = m0_0_0 - k_76 * zonal[2] + k_77 * zonal[4];
     float a0 = a[0];
-    float m4_5_5 = t_3 - k_81 * zonal[2];
-    float m5_5_5 = t_4 - k_82 * zonal[2];
+    float m4_5_5 = t_4 - k_80 * zonal[2];
+    float m5_5_5 = t_3 - k_81 * zonal[2];
     result[25] = m5_5_5 * a[25];                                                                       // l=5 m=-5
     result[35] = m5_5_5 * a[35];                                                                       // l=5 m=5
     result[0] = m0_0_0 * a0 + m0_0_1 * a2 + m0_0_2 * a6 + m0_0_3 * a12 + m0_0_4 * a20 + m0_0_5 * a30;  // l=0 m=0
@@ -195,7 +194,7 @@ void product_zonal_l5(float a[36], float zonal[6], out float result[36]) {
     float a28 = a[28];
     result[4] = m2_2_2 * a4 + m2_2_3 * a10 + m2_2_4 * a18 + m2_2_5 * a28;                              // l=2 m=-2
     result[5] = m1_1_2 * a1 + m1_2_2 * a5 + m1_2_3 * a11 + m1_2_4 * a19 + m1_2_5 * a29;                // l=2 m=-1
-    result[6] = m0_0_2 * a0 + m0_1_2 * a2 + (m0_0_0 + t_5 + k_11 * zonal[4]) * a6 + m0_2_3 * a12 + m0_2_4 * a20
+    result[6] = m0_0_2 * a0 + m0_1_2 * a2 + (m0_0_0 + t_6 + k_11 * zonal[4]) * a6 + m0_2_3 * a12 + m0_2_4 * a20
         + m0_2_5 * a30;                                                                                // l=2 m=0
     result[7] = m1_1_2 * a3 + m1_2_2 * a7 + m1_2_3 * a13 + m1_2_4 * a21 + m1_2_5 * a31;                // l=2 m=1
     float a14 = a[14];
@@ -214,7 +213,7 @@ void product_zonal_l5(float a[36], float zonal[6], out float result[36]) {
     result[20] = m0_0_4 * a0 + m0_1_4 * a2 + m0_2_4 * a6 + m0_3_4 * a12 + (m0_0_0 + k_14 * zonal[2]
         + k_18 * zonal[4]) * a20 + m0_4_5 * a30;                                                       // l=4 m=0
     result[30] = m0_0_5 * a0 + m0_1_5 * a2 + m0_2_5 * a6 + m0_3_5 * a12 + m0_4_5 * a20 + (k_15 * zonal[2]
-        + t_4) * a30;                                                                                  // l=5 m=0
+        + t_3) * a30;                                                                                  // l=5 m=0
     result[13] = m1_1_3 * a3 + m1_2_3 * a7 + m1_3_3 * a13 + m1_3_4 * a21 + m1_3_5 * a31;               // l=3 m=1
     result[14] = m2_2_3 * a8 + m2_3_3 * a14 + m2_3_4 * a22 + m2_3_5 * a32;                             // l=3 m=2
     float a23 = a[23];

@@ -10,7 +10,7 @@
 // Recipe:       matrices
 // Source:       J. A. Gaunt, "The Triplets of Helium", Phil. Trans. R. Soc. A 228, 1929; constants derived exactly,
 //               sums found by search
-// Cost:         416 multiplications, 317 additions; longest chain 10; at most 140 values live
+// Cost:         416 multiplications, 317 additions; longest chain 10; at most 139 values live
 // Error:        largest over 120 sets of unit vectors of coefficients (random, single coefficients, equal), without
 //               contraction;
 //               eps counts units of machine epsilon x |a| |zonal|
@@ -23,18 +23,18 @@ precision highp float;
 #endif
 
 void product_zonal_l6(float a[49], float zonal[7], out float result[49]) {
-    const float k     = 0.18970019;   // 2/85 sqrt(65)
-    const float k_2   = 1.3416408;    // 3/5 sqrt(5)
-    const float k_3   = 0.86824316;   // 7/65 sqrt(65)
-    const float k_4   = 0.5962848;    // 4/15 sqrt(5)
-    const float k_5   = 3.927922;     // 6/7 sqrt(21)
-    const float k_6   = 0.559017;     // 1/4 sqrt(5)
-    const float k_7   = 1.6951636;    // 17/88 sqrt(77)
-    const float k_8   = 0.6025765;    // 15/143 sqrt(33)
-    const float k_9   = 0.7892005;    // 6/17 sqrt(5)
-    const float k_10  = 0.2820948;    // 1/2 sqrt(1/pi)
-    const float k_11  = 0.1301976;    // 3/13 sqrt(1/pi)
-    const float k_12  = 4.9193497;    // 11/5 sqrt(5)
+    const float k     = 0.25458753;   // 1/18 sqrt(21)
+    const float k_2   = 0.6025765;    // 15/143 sqrt(33)
+    const float k_3   = 0.5962848;    // 4/15 sqrt(5)
+    const float k_4   = 0.74535596;   // 1/3 sqrt(5)
+    const float k_5   = 1.7888544;    // 4/5 sqrt(5)
+    const float k_6   = 0.86824316;   // 7/65 sqrt(65)
+    const float k_7   = 0.18970019;   // 2/85 sqrt(65)
+    const float k_8   = 0.58991355;   // 8/119 sqrt(77)
+    const float k_9   = 0.2820948;    // 1/2 sqrt(1/pi)
+    const float k_10  = 0.12615663;   // 1/10 sqrt(5/pi)
+    const float k_11  = 0.20327891;   // 1/11 sqrt(5)
+    const float k_12  = 0.1301976;    // 3/13 sqrt(1/pi)
     const float k_13  = 0.062978774;  // 10/323 sqrt(13/pi)
     const float k_14  = 0.18022375;   // 1/7 sqrt(5/pi)
     const float k_15  = 0.040299255;  // 1/14 sqrt(1/pi)
@@ -58,148 +58,147 @@ void product_zonal_l6(float a[49], float zonal[7], out float result[49]) {
     const float k_33  = 0.12671638;   // 42/187 sqrt(1/pi)
     const float k_34  = 0.12272787;   // 40/663 sqrt(13/pi)
     const float k_35  = 0.11450686;   // 200/3553 sqrt(13/pi)
-    const float k_36  = 0.12615663;   // 1/10 sqrt(5/pi)
-    const float k_37  = 0.21850969;   // 1/10 sqrt(15/pi)
-    const float k_38  = 0.14304817;   // 3/70 sqrt(35/pi)
-    const float k_39  = 0.15078601;   // 1/14 sqrt(14/pi)
-    const float k_40  = 0.1946639;    // 1/42 sqrt(210/pi)
-    const float k_41  = 0.15528807;   // 1/66 sqrt(330/pi)
-    const float k_42  = 0.19018827;   // 1/22 sqrt(55/pi)
-    const float k_43  = 0.1582462;    // 3/286 sqrt(715/pi)
-    const float k_44  = 0.18723944;   // 3/286 sqrt(1001/pi)
-    const float k_45  = 0.16119702;   // 2/7 sqrt(1/pi)
-    const float k_46  = 0.16943318;   // 5/462 sqrt(770/pi)
-    const float k_47  = 0.059470803;  // 1/30 sqrt(10/pi)
-    const float k_48  = 0.17422333;   // 5/143 sqrt(78/pi)
-    const float k_49  = 0.04486937;   // 5/154 sqrt(6/pi)
-    const float k_50  = 0.2143179;    // 10/231 sqrt(77/pi)
-    const float k_51  = 0.036165997;  // 5/78 sqrt(1/pi)
-    const float k_52  = 0.21039467;   // 5/286 sqrt(455/pi)
-    const float k_53  = 0.030343551;  // 1/110 sqrt(35/pi)
-    const float k_54  = 0.17781594;   // 25/286 sqrt(13/pi)
-    const float k_55  = 0.02564498;   // 1/22 sqrt(1/pi)
-    const float k_56  = 0.23841362;   // 1/14 sqrt(35/pi)
-    const float k_57  = 0.09932259;   // 1/22 sqrt(15/pi)
-    const float k_58  = 0.009577496;  // 1/2002 sqrt(1155/pi)
-    const float k_59  = 0.22731847;   // 5/154 sqrt(154/pi)
-    const float k_60  = 0.08601992;   // 1/182 sqrt(770/pi)
-    const float k_61  = 0.07784287;   // 7/858 sqrt(286/pi)
-    const float k_62  = 0.22177546;   // 25/858 sqrt(182/pi)
-    const float k_63  = 0.13926381;   // 17/154 sqrt(5/pi)
-    const float k_64  = 0.06848055;   // 243/2002 sqrt(1/pi)
-    const float k_65  = 0.007112638;  // 1/286 sqrt(13/pi)
-    const float k_66  = 0.24057125;   // 1/11 sqrt(22/pi)
-    const float k_67  = 0.11508947;   // 19/2002 sqrt(462/pi)
-    const float k_68  = 0.053152945;  // 1/26 sqrt(6/pi)
-    const float k_69  = 0.10307192;   // 1/286 sqrt(2730/pi)
-    const float k_70  = 0.23047581;   // 5/286 sqrt(546/pi)
-    const float k_71  = 0.036818363;  // 4/221 sqrt(13/pi)
-    const float k_72  = 0.14556533;   // 3/26 sqrt(5/pi)
-    const float k_73  = 0.24172507;   // 1/286 sqrt(15015/pi)
-    const float k_74  = 0.07260679;   // 4/663 sqrt(455/pi)
-    const float k_75  = 0.1490942;    // 13/110 sqrt(5/pi)
-    const float k_76  = 0.09654581;   // 32/187 sqrt(1/pi)
-    const float k_77  = 0.05725343;   // 100/3553 sqrt(13/pi)
-    const float k_78  = 0.1846744;    // 1/14 sqrt(21/pi)
-    const float k_79  = 0.18806319;   // 1/3 sqrt(1/pi)
-    const float k_80  = 0.053579476;  // 5/462 sqrt(77/pi)
-    const float k_81  = 0.15607835;   // 1/14 sqrt(15/pi)
-    const float k_82  = 0.19036461;   // 15/77 sqrt(3/pi)
-    const float k_83  = 0.06159725;   // 5/286 sqrt(39/pi)
-    const float k_84  = 0.14175797;   // 5/66 sqrt(11/pi)
-    const float k_85  = 0.19137248;   // 5/39 sqrt(7/pi)
-    const float k_86  = 0.13306527;   // 5/286 sqrt(182/pi)
-    const float k_87  = 0.19190946;   // 1/11 sqrt(14/pi)
-    const float k_88  = 0.17951487;   // 7/22 sqrt(1/pi)
-    const float k_89  = 0.07112638;   // 5/143 sqrt(13/pi)
-    const float k_90  = 0.21324362;   // 1/7 sqrt(7/pi)
-    const float k_91  = 0.04441841;   // 1/22 sqrt(3/pi)
-    const float k_92  = 0.17132746;   // 20/1001 sqrt(231/pi)
-    const float k_93  = 0.06542675;   // 5/143 sqrt(11/pi)
-    const float k_94  = 0.16512966;   // 7/286 sqrt(143/pi)
-    const float k_95  = 0.17742036;   // 10/429 sqrt(182/pi)
-    const float k_96  = 0.06553591;   // 4/77 sqrt(5/pi)
-    const float k_97  = 0.08369845;   // 27/182 sqrt(1/pi)
-    const float k_98  = 0.15647803;   // 1/13 sqrt(13/pi)
-    const float k_99  = 0.22503379;   // 1/22 sqrt(77/pi)
-    const float k_100 = 0.022664493;  // 1/143 sqrt(33/pi)
-    const float k_101 = 0.09944005;   // 1/26 sqrt(21/pi)
-    const float k_102 = 0.20614384;   // 1/143 sqrt(2730/pi)
-    const float k_103 = 0.10754019;   // 1/34 sqrt(42/pi)
-    const float k_104 = 0.11045508;   // 12/221 sqrt(13/pi)
-    const float k_105 = 0.53846157;   // 7/13
-    const float k_106 = 0.043390855;  // 10/663 sqrt(26/pi)
-    const float k_107 = 0.058843676;  // 1/429 sqrt(2002/pi)
-    const float k_108 = 0.114687845;  // 1/11 sqrt(5/pi)
-    const float k_109 = 0.016593812;  // 1/34 sqrt(1/pi)
-    const float k_110 = 0.21026105;   // 1/6 sqrt(5/pi)
-    const float k_111 = 0.07693494;   // 3/22 sqrt(1/pi)
-    const float k_112 = 0.011854397;  // 5/858 sqrt(13/pi)
-    const float k_113 = 0.20355073;   // 3/22 sqrt(7/pi)
-    const float k_114 = 0.1628675;    // 1/6 sqrt(3/pi)
-    const float k_115 = 0.19628026;   // 15/143 sqrt(11/pi)
-    const float k_116 = 0.12679218;   // 1/33 sqrt(55/pi)
-    const float k_117 = 0.10864734;   // 5/429 sqrt(273/pi)
-    const float k_118 = 0.1906753;    // 7/429 sqrt(429/pi)
-    const float k_119 = 0.057343923;  // 1/22 sqrt(5/pi)
-    const float k_120 = 0.15978795;   // 81/286 sqrt(1/pi)
-    const float k_121 = 0.12091485;   // 17/286 sqrt(13/pi)
-    const float k_122 = 0.1964256;    // 2/33 sqrt(33/pi)
-    const float k_123 = 0.10386175;   // 3/143 sqrt(77/pi)
-    const float k_124 = 0.1097396;    // 21/187 sqrt(3/pi)
-    const float k_125 = 0.1231945;    // 5/143 sqrt(39/pi)
-    const float k_126 = 0.016173927;  // 1/78 sqrt(5/pi)
-    const float k_127 = 0.08897771;   // 29/663 sqrt(13/pi)
-    const float k_128 = 0.21230957;   // 9/286 sqrt(143/pi)
-    const float k_129 = 0.036034245;  // 1/858 sqrt(3003/pi)
-    const float k_130 = 0.13285682;   // 25/663 sqrt(39/pi)
-    const float k_131 = 0.08146053;   // 27/187 sqrt(1/pi)
-    const float k_132 = 0.12309488;   // 215/3553 sqrt(13/pi)
-    const float k_133 = 0.22937569;   // 2/11 sqrt(5/pi)
-    const float k_134 = 0.10652531;   // 27/143 sqrt(1/pi)
-    const float k_135 = 0.028450552;  // 2/143 sqrt(13/pi)
-    const float k_136 = 0.1473192;    // 1/22 sqrt(33/pi)
-    const float k_137 = 0.2077235;    // 6/143 sqrt(77/pi)
-    const float k_138 = 0.14167322;   // 21/187 sqrt(5/pi)
-    const float k_139 = 0.1908521;    // 6/143 sqrt(65/pi)
-    const float k_140 = 0.09704356;   // 1/13 sqrt(5/pi)
-    const float k_141 = 0.14727345;   // 16/221 sqrt(13/pi)
-    const float k_142 = 0.18272698;   // 1/143 sqrt(2145/pi)
-    const float k_143 = 0.08232836;   // 4/221 sqrt(65/pi)
-    const float k_144 = 0.022937568;  // 1/55 sqrt(5/pi)
-    const float k_145 = 0.14481872;   // 48/187 sqrt(1/pi)
-    const float k_146 = 0.022901373;  // 40/3553 sqrt(13/pi)
-    const float k_147 = 0.24260889;   // 5/26 sqrt(5/pi)
-    const float k_148 = 0.13551396;   // 1/26 sqrt(39/pi)
-    const float k_149 = 0.20700099;   // 1/26 sqrt(91/pi)
-    const float k_150 = 0.15264086;   // 5/221 sqrt(143/pi)
-    const float k_151 = 0.15744694;   // 25/323 sqrt(13/pi)
-    const float k_152 = 0.1493443;    // 9/34 sqrt(1/pi)
+    const float k_36  = 0.21850969;   // 1/10 sqrt(15/pi)
+    const float k_37  = 0.14304817;   // 3/70 sqrt(35/pi)
+    const float k_38  = 0.20230065;   // 3/70 sqrt(70/pi)
+    const float k_39  = 0.1946639;    // 1/42 sqrt(210/pi)
+    const float k_40  = 0.15528807;   // 1/66 sqrt(330/pi)
+    const float k_41  = 0.19018827;   // 1/22 sqrt(55/pi)
+    const float k_42  = 0.1582462;    // 3/286 sqrt(715/pi)
+    const float k_43  = 0.18723944;   // 3/286 sqrt(1001/pi)
+    const float k_44  = 0.090111874;  // 1/14 sqrt(5/pi)
+    const float k_45  = 0.16943318;   // 5/462 sqrt(770/pi)
+    const float k_46  = 0.23359668;   // 1/35 sqrt(210/pi)
+    const float k_47  = 0.17422333;   // 5/143 sqrt(78/pi)
+    const float k_48  = 0.22072811;   // 1/14 sqrt(30/pi)
+    const float k_49  = 0.2143179;    // 10/231 sqrt(77/pi)
+    const float k_50  = 0.036165997;  // 5/78 sqrt(1/pi)
+    const float k_51  = 0.21039467;   // 5/286 sqrt(455/pi)
+    const float k_52  = 0.030343551;  // 1/110 sqrt(35/pi)
+    const float k_53  = 0.17781594;   // 25/286 sqrt(13/pi)
+    const float k_54  = 0.23841362;   // 1/14 sqrt(35/pi)
+    const float k_55  = 0.09932259;   // 1/22 sqrt(15/pi)
+    const float k_56  = 0.009577496;  // 1/2002 sqrt(1155/pi)
+    const float k_57  = 0.22731847;   // 5/154 sqrt(154/pi)
+    const float k_58  = 0.08601992;   // 1/182 sqrt(770/pi)
+    const float k_59  = 0.07784287;   // 7/858 sqrt(286/pi)
+    const float k_60  = 0.22177546;   // 25/858 sqrt(182/pi)
+    const float k_61  = 0.13926381;   // 17/154 sqrt(5/pi)
+    const float k_62  = 0.06848055;   // 243/2002 sqrt(1/pi)
+    const float k_63  = 0.007112638;  // 1/286 sqrt(13/pi)
+    const float k_64  = 0.24057125;   // 1/11 sqrt(22/pi)
+    const float k_65  = 0.11508947;   // 19/2002 sqrt(462/pi)
+    const float k_66  = 0.053152945;  // 1/26 sqrt(6/pi)
+    const float k_67  = 0.10307192;   // 1/286 sqrt(2730/pi)
+    const float k_68  = 0.23047581;   // 5/286 sqrt(546/pi)
+    const float k_69  = 0.036818363;  // 4/221 sqrt(13/pi)
+    const float k_70  = 0.14556533;   // 3/26 sqrt(5/pi)
+    const float k_71  = 0.24172507;   // 1/286 sqrt(15015/pi)
+    const float k_72  = 0.12308038;   // 7/858 sqrt(715/pi)
+    const float k_73  = 0.1490942;    // 13/110 sqrt(5/pi)
+    const float k_74  = 0.09654581;   // 32/187 sqrt(1/pi)
+    const float k_75  = 0.05725343;   // 100/3553 sqrt(13/pi)
+    const float k_76  = 0.1846744;    // 1/14 sqrt(21/pi)
+    const float k_77  = 0.18806319;   // 1/3 sqrt(1/pi)
+    const float k_78  = 0.053579476;  // 5/462 sqrt(77/pi)
+    const float k_79  = 0.15607835;   // 1/14 sqrt(15/pi)
+    const float k_80  = 0.19036461;   // 15/77 sqrt(3/pi)
+    const float k_81  = 0.06159725;   // 5/286 sqrt(39/pi)
+    const float k_82  = 0.14175797;   // 5/66 sqrt(11/pi)
+    const float k_83  = 0.19137248;   // 5/39 sqrt(7/pi)
+    const float k_84  = 0.13306527;   // 5/286 sqrt(182/pi)
+    const float k_85  = 0.19190946;   // 1/11 sqrt(14/pi)
+    const float k_86  = 0.17951487;   // 7/22 sqrt(1/pi)
+    const float k_87  = 0.07112638;   // 5/143 sqrt(13/pi)
+    const float k_88  = 0.21324362;   // 1/7 sqrt(7/pi)
+    const float k_89  = 0.04441841;   // 1/22 sqrt(3/pi)
+    const float k_90  = 0.17132746;   // 20/1001 sqrt(231/pi)
+    const float k_91  = 0.06542675;   // 5/143 sqrt(11/pi)
+    const float k_92  = 0.16512966;   // 7/286 sqrt(143/pi)
+    const float k_93  = 0.17742036;   // 10/429 sqrt(182/pi)
+    const float k_94  = 0.06553591;   // 4/77 sqrt(5/pi)
+    const float k_95  = 0.08369845;   // 27/182 sqrt(1/pi)
+    const float k_96  = 0.15647803;   // 1/13 sqrt(13/pi)
+    const float k_97  = 0.22503379;   // 1/22 sqrt(77/pi)
+    const float k_98  = 0.022664493;  // 1/143 sqrt(33/pi)
+    const float k_99  = 0.09944005;   // 1/26 sqrt(21/pi)
+    const float k_100 = 0.20614384;   // 1/143 sqrt(2730/pi)
+    const float k_101 = 0.10754019;   // 1/34 sqrt(42/pi)
+    const float k_102 = 0.11045508;   // 12/221 sqrt(13/pi)
+    const float k_103 = 0.53846157;   // 7/13
+    const float k_104 = 0.043390855;  // 10/663 sqrt(26/pi)
+    const float k_105 = 0.23113337;   // 2/143 sqrt(858/pi)
+    const float k_106 = 0.114687845;  // 1/11 sqrt(5/pi)
+    const float k_107 = 0.016593812;  // 1/34 sqrt(1/pi)
+    const float k_108 = 0.21026105;   // 1/6 sqrt(5/pi)
+    const float k_109 = 0.07693494;   // 3/22 sqrt(1/pi)
+    const float k_110 = 0.011854397;  // 5/858 sqrt(13/pi)
+    const float k_111 = 0.20355073;   // 3/22 sqrt(7/pi)
+    const float k_112 = 0.1628675;    // 1/6 sqrt(3/pi)
+    const float k_113 = 0.19628026;   // 15/143 sqrt(11/pi)
+    const float k_114 = 0.12679218;   // 1/33 sqrt(55/pi)
+    const float k_115 = 0.10864734;   // 5/429 sqrt(273/pi)
+    const float k_116 = 0.1906753;    // 7/429 sqrt(429/pi)
+    const float k_117 = 0.057343923;  // 1/22 sqrt(5/pi)
+    const float k_118 = 0.15978795;   // 81/286 sqrt(1/pi)
+    const float k_119 = 0.12091485;   // 17/286 sqrt(13/pi)
+    const float k_120 = 0.1964256;    // 2/33 sqrt(33/pi)
+    const float k_121 = 0.10386175;   // 3/143 sqrt(77/pi)
+    const float k_122 = 0.1097396;    // 21/187 sqrt(3/pi)
+    const float k_123 = 0.16528277;   // 3/143 sqrt(195/pi)
+    const float k_124 = 0.016173927;  // 1/78 sqrt(5/pi)
+    const float k_125 = 0.08897771;   // 29/663 sqrt(13/pi)
+    const float k_126 = 0.21230957;   // 9/286 sqrt(143/pi)
+    const float k_127 = 0.036034245;  // 1/858 sqrt(3003/pi)
+    const float k_128 = 0.13285682;   // 25/663 sqrt(39/pi)
+    const float k_129 = 0.08146053;   // 27/187 sqrt(1/pi)
+    const float k_130 = 0.12309488;   // 215/3553 sqrt(13/pi)
+    const float k_131 = 0.22937569;   // 2/11 sqrt(5/pi)
+    const float k_132 = 0.10652531;   // 27/143 sqrt(1/pi)
+    const float k_133 = 0.028450552;  // 2/143 sqrt(13/pi)
+    const float k_134 = 0.1473192;    // 1/22 sqrt(33/pi)
+    const float k_135 = 0.2077235;    // 6/143 sqrt(77/pi)
+    const float k_136 = 0.14167322;   // 21/187 sqrt(5/pi)
+    const float k_137 = 0.10668957;   // 15/286 sqrt(13/pi)
+    const float k_138 = 0.09704356;   // 1/13 sqrt(5/pi)
+    const float k_139 = 0.14727345;   // 16/221 sqrt(13/pi)
+    const float k_140 = 0.18272698;   // 1/143 sqrt(2145/pi)
+    const float k_141 = 0.13956003;   // 1/286 sqrt(5005/pi)
+    const float k_142 = 0.022937568;  // 1/55 sqrt(5/pi)
+    const float k_143 = 0.14481872;   // 48/187 sqrt(1/pi)
+    const float k_144 = 0.022901373;  // 40/3553 sqrt(13/pi)
+    const float k_145 = 0.24260889;   // 5/26 sqrt(5/pi)
+    const float k_146 = 0.13551396;   // 1/26 sqrt(39/pi)
+    const float k_147 = 0.20700099;   // 1/26 sqrt(91/pi)
+    const float k_148 = 0.15264086;   // 5/221 sqrt(143/pi)
+    const float k_149 = 0.09956287;   // 3/17 sqrt(1/pi)
+    const float k_150 = 0.15744694;   // 25/323 sqrt(13/pi)
+    const float k_151 = 0.1493443;    // 9/34 sqrt(1/pi)
 
-    float m0_0_0 = k_10 * zonal[0];
-    float t = zonal[2] + k * zonal[6];
-    float t_2 = zonal[4] - k_2 * zonal[2];
-    float t_3 = zonal[2] + k_3 * zonal[6];
-    float t_4 = zonal[2] + k_4 * zonal[4];
-    float t_5 = k_5 * zonal[1] + zonal[3];
-    float t_6 = zonal[4] - k_6 * zonal[2];
-    float t_7 = k_7 * zonal[3] + zonal[5];
-    float t_8 = zonal[1] + k_8 * zonal[5];
-    float t_9 = zonal[2] + k_9 * zonal[4];
-    float t_10 = k_11 * zonal[4];
-    float t_11 = m0_0_0 - t_10;
-    float t_12 = m0_0_0 + t_10;
-    float t_13 = k_12 * zonal[2] + zonal[4];
-    float t_14 = m0_0_0 - k_13 * zonal[6];
-    float t_15 = k_14 * zonal[2];
-    float t_16 = k_15 * zonal[4] - t_15;
-    float m0_0_1 = k_10 * zonal[1];
-    float m0_0_2 = k_10 * zonal[2];
-    float m0_0_3 = k_10 * zonal[3];
-    float m0_0_4 = k_10 * zonal[4];
-    float m0_0_5 = k_10 * zonal[5];
-    float m0_0_6 = k_10 * zonal[6];
-    float t_17 = k_16 * zonal[2];
+    float m0_0_0 = k_9 * zonal[0];
+    float t = zonal[1] + k * zonal[3];
+    float t_2 = zonal[1] + k_2 * zonal[5];
+    float t_3 = zonal[2] + k_3 * zonal[4];
+    float t_4 = zonal[2] - k_4 * zonal[4];
+    float t_5 = zonal[2] - k_5 * zonal[4];
+    float t_6 = zonal[2] + k_6 * zonal[6];
+    float t_7 = zonal[2] + k_7 * zonal[6];
+    float t_8 = zonal[3] + k_8 * zonal[5];
+    float m1_1_1 = m0_0_0 - k_10 * zonal[2];
+    float t_9 = zonal[2] + k_11 * zonal[4];
+    float t_10 = k_12 * zonal[4];
+    float t_11 = m0_0_0 + t_10;
+    float t_12 = m0_0_0 - t_10;
+    float t_13 = m0_0_0 - k_13 * zonal[6];
+    float t_14 = k_14 * zonal[2];
+    float t_15 = k_15 * zonal[4] - t_14;
+    float m0_0_1 = k_9 * zonal[1];
+    float m0_0_2 = k_9 * zonal[2];
+    float m0_0_3 = k_9 * zonal[3];
+    float m0_0_4 = k_9 * zonal[4];
+    float m0_0_5 = k_9 * zonal[5];
+    float m0_0_6 = k_9 * zonal[6];
+    float t_16 = k_16 * zonal[2];
     float a2 = a[2];
     float m0_1_2 = k_16 * zonal[1] + k_17 * zonal[3];
     float m0_1_3 = k_17 * zonal[2] + k_18 * zonal[4];
@@ -212,77 +211,76 @@ void product_zonal_l6(float a[49], float zonal[7], out float result[49]) {
     float m0_2_5 = k_23 * zonal[3] + k_26 * zonal[5];
     float m0_2_6 = k_25 * zonal[4] + k_27 * zonal[6];
     float a12 = a[12];
-    float m0_3_4 = k_28 * zonal[3] + k_18 * t_8;
+    float m0_3_4 = k_28 * zonal[3] + k_18 * t_2;
     float m0_3_5 = k_23 * zonal[2] + k_30 * zonal[4] + k_31 * zonal[6];
     float m0_3_6 = k_29 * zonal[3] + k_31 * zonal[5];
     float a20 = a[20];
-    float t_18 = k_11 * zonal[5];
-    float m0_4_5 = k_19 * zonal[1] + k_30 * zonal[3] + t_18;
-    float m0_4_6 = k_33 * zonal[6] + k_25 * t_4;
+    float t_17 = k_12 * zonal[5];
+    float m0_4_5 = k_19 * zonal[1] + k_30 * zonal[3] + t_17;
+    float m0_4_6 = k_33 * zonal[6] + k_25 * t_3;
     float a30 = a[30];
     float m0_5_6 = k_20 * zonal[1] + k_31 * zonal[3] + k_34 * zonal[5];
     float a42 = a[42];
-    float m1_1_1 = m0_0_0 - k_36 * zonal[2];
-    float m1_1_2 = k_37 * zonal[1] - k_38 * zonal[3];
-    float m1_1_3 = k_39 * t_2;
-    float m1_1_4 = k_40 * zonal[3] - k_41 * zonal[5];
-    float m1_1_5 = k_42 * zonal[4] - k_43 * zonal[6];
-    float m1_1_6 = k_44 * zonal[5];
-    float m1_2_2 = m0_0_0 - k_45 * t_6;
-    float m1_2_3 = k_47 * t_5 - k_46 * zonal[5];
-    float m1_2_4 = k_49 * t_13 - k_48 * zonal[6];
-    float m1_2_5 = k_50 * zonal[3] + k_51 * zonal[5];
-    float m1_2_6 = k_52 * zonal[4] + k_53 * zonal[6];
-    float m1_3_3 = m0_0_0 - k_54 * zonal[6] + k_55 * t_13;
-    float m1_3_4 = k_56 * zonal[1] + k_57 * zonal[3] + k_58 * zonal[5];
-    float m1_3_5 = k_59 * zonal[2] + k_60 * zonal[4];
-    float t_19 = k_61 * zonal[5];
-    float m1_3_6 = k_62 * zonal[3] + t_19;
-    float m1_4_4 = m0_0_0 + k_63 * zonal[2] + k_64 * zonal[4] - k_65 * zonal[6];
-    float m1_4_5 = k_66 * zonal[1] + k_67 * zonal[3] + k_68 * zonal[5];
-    float m1_4_6 = k_69 * zonal[4] + k_70 * t;
-    float m5_5_5 = t_12 - k_147 * t;
-    float m1_5_5 = m0_0_0 + k_71 * zonal[6] + k_72 * t_4;
-    float m1_5_6 = k_73 * zonal[1] + k_74 * t_7;
-    float m1_6_6 = m0_0_0 + k_75 * zonal[2] + k_76 * zonal[4] + k_77 * zonal[6];
-    float m2_2_2 = m0_0_0 + t_16;
-    float m2_2_3 = k_78 * zonal[1] - k_79 * zonal[3] + k_80 * zonal[5];
-    float m2_2_4 = k_81 * zonal[2] - k_82 * zonal[4] + k_83 * zonal[6];
-    float m2_2_5 = k_84 * zonal[3] - k_85 * zonal[5];
-    float m2_2_6 = k_86 * zonal[4] - k_87 * zonal[6];
-    float m2_3_3 = m0_0_0 - k_88 * zonal[4] + k_89 * zonal[6];
-    float m2_3_4 = k_90 * zonal[1] - k_91 * zonal[3] - k_92 * zonal[5];
-    float m2_3_5 = k_42 * zonal[2] - k_93 * zonal[4] - k_94 * zonal[6];
-    float m2_3_6 = k_95 * zonal[3] - t_19;
-    float m2_4_4 = m0_0_0 + k_96 * zonal[2] - k_97 * zonal[4] - k_98 * zonal[6];
-    float m2_4_5 = k_99 * zonal[1] + k_100 * zonal[3] - k_101 * zonal[5];
-    float m2_4_6 = k_102 * zonal[2] - k_103 * zonal[6];
-    float m2_5_5 = m0_0_0 - k_104 * zonal[6] - k_105 * t_16;
-    float m2_5_6 = k_107 * t_5 - k_106 * zonal[5];
-    float m2_6_6 = k_108 * zonal[2] + k_109 * zonal[4] + t_14;
-    float m3_3_3 = m0_0_0 - k_110 * zonal[2] + k_111 * zonal[4] - k_112 * zonal[6];
-    float m3_3_4 = k_114 * t_8 - k_113 * zonal[3];
-    float m3_3_5 = k_116 * t_3 - k_115 * zonal[4];
-    float m3_3_6 = k_117 * zonal[3] - k_118 * zonal[5];
-    float t_20 = k_119 * zonal[2];
-    float m3_4_4 = m0_0_0 - t_20 - k_120 * zonal[4] + k_121 * zonal[6];
-    float m3_4_5 = k_122 * zonal[1] - k_123 * zonal[3] - t_18;
-    float m3_4_6 = k_124 * zonal[6] + k_125 * t_2;
-    float m3_5_5 = k_126 * zonal[2] - k_127 * zonal[6] + t_11;
-    float m3_5_6 = k_128 * zonal[1] - k_129 * zonal[3] - k_130 * zonal[5];
-    float m3_6_6 = m0_0_0 + t_20 - k_131 * zonal[4] - k_132 * zonal[6];
-    float m4_4_4 = m0_0_0 - k_133 * zonal[2] + k_134 * zonal[4] - k_135 * zonal[6];
-    float m4_4_5 = k_136 * zonal[1] - k_137 * zonal[3] + t_18;
-    float m4_4_6 = k_138 * zonal[6] - k_139 * t_6;
-    float m4_5_5 = k_141 * zonal[6] - k_140 * zonal[2] + t_11;
-    float m4_5_6 = k_142 * zonal[1] - k_143 * t_7;
-    float m5_5_6 = k_148 * zonal[1] - k_149 * zonal[3] + k_150 * zonal[5];
-    float m6_6_6 = k_152 * zonal[4] - t_17 + t_14;
+    float m1_1_2 = k_36 * zonal[1] - k_37 * zonal[3];
+    float m1_1_3 = k_38 * t_4;
+    float m1_1_4 = k_39 * zonal[3] - k_40 * zonal[5];
+    float m1_1_5 = k_41 * zonal[4] - k_42 * zonal[6];
+    float m1_1_6 = k_43 * zonal[5];
+    float m1_2_2 = m0_0_0 + k_44 * t_5;
+    float m1_2_3 = k_46 * t - k_45 * zonal[5];
+    float m1_2_4 = k_48 * t_9 - k_47 * zonal[6];
+    float m1_2_5 = k_49 * zonal[3] + k_50 * zonal[5];
+    float m1_2_6 = k_51 * zonal[4] + k_52 * zonal[6];
+    float m1_3_3 = m0_0_0 - k_53 * zonal[6] + k_10 * t_9;
+    float m1_3_4 = k_54 * zonal[1] + k_55 * zonal[3] + k_56 * zonal[5];
+    float m1_3_5 = k_57 * zonal[2] + k_58 * zonal[4];
+    float t_18 = k_59 * zonal[5];
+    float m1_3_6 = k_60 * zonal[3] + t_18;
+    float m1_4_4 = m0_0_0 + k_61 * zonal[2] + k_62 * zonal[4] - k_63 * zonal[6];
+    float m1_4_5 = k_64 * zonal[1] + k_65 * zonal[3] + k_66 * zonal[5];
+    float m1_4_6 = k_67 * zonal[4] + k_68 * t_7;
+    float m5_5_5 = t_11 - k_145 * t_7;
+    float m1_5_5 = m0_0_0 + k_69 * zonal[6] + k_70 * t_3;
+    float m1_5_6 = k_71 * zonal[1] + k_72 * t_8;
+    float m1_6_6 = m0_0_0 + k_73 * zonal[2] + k_74 * zonal[4] + k_75 * zonal[6];
+    float m2_2_2 = m0_0_0 + t_15;
+    float m2_2_3 = k_76 * zonal[1] - k_77 * zonal[3] + k_78 * zonal[5];
+    float m2_2_4 = k_79 * zonal[2] - k_80 * zonal[4] + k_81 * zonal[6];
+    float m2_2_5 = k_82 * zonal[3] - k_83 * zonal[5];
+    float m2_2_6 = k_84 * zonal[4] - k_85 * zonal[6];
+    float m2_3_3 = m0_0_0 - k_86 * zonal[4] + k_87 * zonal[6];
+    float m2_3_4 = k_88 * zonal[1] - k_89 * zonal[3] - k_90 * zonal[5];
+    float m2_3_5 = k_41 * zonal[2] - k_91 * zonal[4] - k_92 * zonal[6];
+    float m2_3_6 = k_93 * zonal[3] - t_18;
+    float m2_4_4 = m0_0_0 + k_94 * zonal[2] - k_95 * zonal[4] - k_96 * zonal[6];
+    float m2_4_5 = k_97 * zonal[1] + k_98 * zonal[3] - k_99 * zonal[5];
+    float m2_4_6 = k_100 * zonal[2] - k_101 * zonal[6];
+    float m2_5_5 = m0_0_0 - k_102 * zonal[6] - k_103 * t_15;
+    float m2_5_6 = k_105 * t - k_104 * zonal[5];
+    float m2_6_6 = k_106 * zonal[2] + k_107 * zonal[4] + t_13;
+    float m3_3_3 = m0_0_0 - k_108 * zonal[2] + k_109 * zonal[4] - k_110 * zonal[6];
+    float m3_3_4 = k_112 * t_2 - k_111 * zonal[3];
+    float m3_3_5 = k_114 * t_6 - k_113 * zonal[4];
+    float m3_3_6 = k_115 * zonal[3] - k_116 * zonal[5];
+    float t_19 = k_117 * zonal[2];
+    float m3_4_4 = m0_0_0 - t_19 - k_118 * zonal[4] + k_119 * zonal[6];
+    float m3_4_5 = k_120 * zonal[1] - k_121 * zonal[3] - t_17;
+    float m3_4_6 = k_123 * t_4 - k_122 * zonal[6];
+    float m3_5_5 = k_124 * zonal[2] - k_125 * zonal[6] + t_12;
+    float m3_5_6 = k_126 * zonal[1] - k_127 * zonal[3] - k_128 * zonal[5];
+    float m3_6_6 = m0_0_0 + t_19 - k_129 * zonal[4] - k_130 * zonal[6];
+    float m4_4_4 = m0_0_0 - k_131 * zonal[2] + k_132 * zonal[4] - k_133 * zonal[6];
+    float m4_4_5 = k_134 * zonal[1] - k_135 * zonal[3] + t_17;
+    float m4_4_6 = k_136 * zonal[6] + k_137 * t_5;
+    float a0 = a[0];
+    float m4_5_5 = k_139 * zonal[6] - k_138 * zonal[2] + t_12;
+    float m4_5_6 = k_140 * zonal[1] - k_141 * t_8;
+    float m5_5_6 = k_146 * zonal[1] - k_147 * zonal[3] + k_148 * zonal[5];
+    float m4_6_6 = m0_0_0 - k_142 * zonal[2] - k_143 * zonal[4] - k_144 * zonal[6];
+    float m5_6_6 = k_150 * zonal[6] - k_149 * zonal[4] + m1_1_1;
+    float m6_6_6 = k_151 * zonal[4] - t_16 + t_13;
     result[36] = m6_6_6 * a[36];                                                                                      // l=6 m=-6
     result[48] = m6_6_6 * a[48];                                                                                      // l=6 m=6
-    float m4_6_6 = m0_0_0 - k_144 * zonal[2] - k_145 * zonal[4] - k_146 * zonal[6];
-    float m5_6_6 = m0_0_0 + k_151 * zonal[6] - k_36 * t_9;
-    float a0 = a[0];
     result[0] = m0_0_0 * a0 + m0_0_1 * a2 + m0_0_2 * a6 + m0_0_3 * a12 + m0_0_4 * a20 + m0_0_5 * a30 + m0_0_6 * a42;  // l=0 m=0
     float a1 = a[1];
     float a3 = a[3];
@@ -291,15 +289,15 @@ void product_zonal_l6(float a[49], float zonal[7], out float result[49]) {
     float a19 = a[19];
     float a29 = a[29];
     float a41 = a[41];
-    result[1] = m1_1_1 * a1 + m1_1_2 * a5 - m1_1_3 * a11 + m1_1_4 * a19 + m1_1_5 * a29 + m1_1_6 * a41;                // l=1 m=-1
-    result[2] = m0_0_1 * a0 + (m0_0_0 + t_17) * a2 + m0_1_2 * a6 + m0_1_3 * a12 + m0_1_4 * a20 + m0_1_5 * a30
+    result[1] = m1_1_1 * a1 + m1_1_2 * a5 + m1_1_3 * a11 + m1_1_4 * a19 + m1_1_5 * a29 + m1_1_6 * a41;                // l=1 m=-1
+    result[2] = m0_0_1 * a0 + (m0_0_0 + t_16) * a2 + m0_1_2 * a6 + m0_1_3 * a12 + m0_1_4 * a20 + m0_1_5 * a30
         + m0_1_6 * a42;                                                                                               // l=1 m=0
     float a7 = a[7];
     float a13 = a[13];
     float a21 = a[21];
     float a31 = a[31];
     float a43 = a[43];
-    result[3] = m1_1_1 * a3 + m1_1_2 * a7 - m1_1_3 * a13 + m1_1_4 * a21 + m1_1_5 * a31 + m1_1_6 * a43;                // l=1 m=1
+    result[3] = m1_1_1 * a3 + m1_1_2 * a7 + m1_1_3 * a13 + m1_1_4 * a21 + m1_1_5 * a31 + m1_1_6 * a43;                // l=1 m=1
     float a4 = a[4];
     float a8 = a[8];
     float a10 = a[10];
@@ -308,7 +306,7 @@ void product_zonal_l6(float a[49], float zonal[7], out float result[49]) {
     float a40 = a[40];
     result[4] = m2_2_2 * a4 + m2_2_3 * a10 + m2_2_4 * a18 + m2_2_5 * a28 + m2_2_6 * a40;                              // l=2 m=-2
     result[5] = m1_1_2 * a1 + m1_2_2 * a5 + m1_2_3 * a11 + m1_2_4 * a19 + m1_2_5 * a29 + m1_2_6 * a41;                // l=2 m=-1
-    result[6] = m0_0_2 * a0 + m0_1_2 * a2 + (m0_0_0 + t_15 + k_21 * zonal[4]) * a6 + m0_2_3 * a12 + m0_2_4 * a20
+    result[6] = m0_0_2 * a0 + m0_1_2 * a2 + (m0_0_0 + t_14 + k_21 * zonal[4]) * a6 + m0_2_3 * a12 + m0_2_4 * a20
         + m0_2_5 * a30 + m0_2_6 * a42;                                                                                // l=2 m=0
     result[7] = m1_1_2 * a3 + m1_2_2 * a7 + m1_2_3 * a13 + m1_2_4 * a21 + m1_2_5 * a31 + m1_2_6 * a43;                // l=2 m=1
     float a14 = a[14];
@@ -323,10 +321,10 @@ void product_zonal_l6(float a[49], float zonal[7], out float result[49]) {
     float a39 = a[39];
     result[9] = m3_3_3 * a9 + m3_3_4 * a17 + m3_3_5 * a27 + m3_3_6 * a39;                                             // l=3 m=-3
     result[10] = m2_2_3 * a4 + m2_3_3 * a10 + m2_3_4 * a18 + m2_3_5 * a28 + m2_3_6 * a40;                             // l=3 m=-2
-    result[11] = m1_2_3 * a5 - m1_1_3 * a1 + m1_3_3 * a11 + m1_3_4 * a19 + m1_3_5 * a29 + m1_3_6 * a41;               // l=3 m=-1
+    result[11] = m1_1_3 * a1 + m1_2_3 * a5 + m1_3_3 * a11 + m1_3_4 * a19 + m1_3_5 * a29 + m1_3_6 * a41;               // l=3 m=-1
     result[12] = m0_0_3 * a0 + m0_1_3 * a2 + m0_2_3 * a6 + (m0_0_0 + k_22 * zonal[2] + k_28 * zonal[4]
         + k_29 * zonal[6]) * a12 + m0_3_4 * a20 + m0_3_5 * a30 + m0_3_6 * a42;                                        // l=3 m=0
-    result[13] = m1_2_3 * a7 - m1_1_3 * a3 + m1_3_3 * a13 + m1_3_4 * a21 + m1_3_5 * a31 + m1_3_6 * a43;               // l=3 m=1
+    result[13] = m1_1_3 * a3 + m1_2_3 * a7 + m1_3_3 * a13 + m1_3_4 * a21 + m1_3_5 * a31 + m1_3_6 * a43;               // l=3 m=1
     result[14] = m2_2_3 * a8 + m2_3_3 * a14 + m2_3_4 * a22 + m2_3_5 * a32 + m2_3_6 * a44;                             // l=3 m=2
     float a23 = a[23];
     float a33 = a[33];
@@ -337,18 +335,18 @@ void product_zonal_l6(float a[49], float zonal[7], out float result[49]) {
     float a26 = a[26];
     float a38 = a[38];
     result[16] = m4_4_4 * a16 + m4_4_5 * a26 + m4_4_6 * a38;                                                          // l=4 m=-4
-    result[17] = m3_3_4 * a9 + m3_4_4 * a17 + m3_4_5 * a27 - m3_4_6 * a39;                                            // l=4 m=-3
+    result[17] = m3_3_4 * a9 + m3_4_4 * a17 + m3_4_5 * a27 + m3_4_6 * a39;                                            // l=4 m=-3
     result[18] = m2_2_4 * a4 + m2_3_4 * a10 + m2_4_4 * a18 + m2_4_5 * a28 + m2_4_6 * a40;                             // l=4 m=-2
     result[19] = m1_1_4 * a1 + m1_2_4 * a5 + m1_3_4 * a11 + m1_4_4 * a19 + m1_4_5 * a29 + m1_4_6 * a41;               // l=4 m=-1
     result[20] = m0_0_4 * a0 + m0_1_4 * a2 + m0_2_4 * a6 + m0_3_4 * a12 + (m0_0_0 + k_32 * zonal[4]
-        + k_24 * t_3) * a20 + m0_4_5 * a30 + m0_4_6 * a42;                                                            // l=4 m=0
+        + k_24 * t_6) * a20 + m0_4_5 * a30 + m0_4_6 * a42;                                                            // l=4 m=0
     result[30] = m0_0_5 * a0 + m0_1_5 * a2 + m0_2_5 * a6 + m0_3_5 * a12 + m0_4_5 * a20 + (k_26 * zonal[2]
-        + k_34 * zonal[6] + t_12) * a30 + m0_5_6 * a42;                                                               // l=5 m=0
+        + k_34 * zonal[6] + t_11) * a30 + m0_5_6 * a42;                                                               // l=5 m=0
     result[42] = m0_0_6 * a0 + m0_1_6 * a2 + m0_2_6 * a6 + m0_3_6 * a12 + m0_4_6 * a20 + m0_5_6 * a30 + (m0_0_0
-        + k_35 * zonal[6] + k_27 * t_9) * a42;                                                                        // l=6 m=0
+        + k_27 * zonal[2] + k_33 * zonal[4] + k_35 * zonal[6]) * a42;                                                 // l=6 m=0
     result[21] = m1_1_4 * a3 + m1_2_4 * a7 + m1_3_4 * a13 + m1_4_4 * a21 + m1_4_5 * a31 + m1_4_6 * a43;               // l=4 m=1
     result[22] = m2_2_4 * a8 + m2_3_4 * a14 + m2_4_4 * a22 + m2_4_5 * a32 + m2_4_6 * a44;                             // l=4 m=2
-    result[23] = m3_3_4 * a15 + m3_4_4 * a23 + m3_4_5 * a33 - m3_4_6 * a45;                                           // l=4 m=3
+    result[23] = m3_3_4 * a15 + m3_4_4 * a23 + m3_4_5 * a33 + m3_4_6 * a45;                                           // l=4 m=3
     float a34 = a[34];
     float a46 = a[46];
     result[24] = m4_4_4 * a24 + m4_4_5 * a34 + m4_4_6 * a46;                                                          // l=4 m=4
@@ -366,8 +364,8 @@ void product_zonal_l6(float a[49], float zonal[7], out float result[49]) {
     result[46] = m4_4_6 * a24 + m4_5_6 * a34 + m4_6_6 * a46;                                                          // l=6 m=4
     result[27] = m3_3_5 * a9 + m3_4_5 * a17 + m3_5_5 * a27 + m3_5_6 * a39;                                            // l=5 m=-3
     result[33] = m3_3_5 * a15 + m3_4_5 * a23 + m3_5_5 * a33 + m3_5_6 * a45;                                           // l=5 m=3
-    result[39] = m3_3_6 * a9 - m3_4_6 * a17 + m3_5_6 * a27 + m3_6_6 * a39;                                            // l=6 m=-3
-    result[45] = m3_3_6 * a15 - m3_4_6 * a23 + m3_5_6 * a33 + m3_6_6 * a45;                                           // l=6 m=3
+    result[39] = m3_3_6 * a9 + m3_4_6 * a17 + m3_5_6 * a27 + m3_6_6 * a39;                                            // l=6 m=-3
+    result[45] = m3_3_6 * a15 + m3_4_6 * a23 + m3_5_6 * a33 + m3_6_6 * a45;                                           // l=6 m=3
     result[28] = m2_2_5 * a4 + m2_3_5 * a10 + m2_4_5 * a18 + m2_5_5 * a28 + m2_5_6 * a40;                             // l=5 m=-2
     result[32] = m2_2_5 * a8 + m2_3_5 * a14 + m2_4_5 * a22 + m2_5_5 * a32 + m2_5_6 * a44;                             // l=5 m=2
     result[40] = m2_2_6 * a4 + m2_3_6 * a10 + m2_4_6 * a18 + m2_5_6 * a28 + m2_6_6 * a40;                             // l=6 m=-2

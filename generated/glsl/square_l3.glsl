@@ -4,7 +4,7 @@
 // Licence:      MIT-0; paste it anywhere.
 //
 // Input:        a (16)
-// Domain:       any coefficients: a has degree 0 to 3
+// Domain:       any coefficients
 // Output:       result (16): coefficients of a a at index l(l+1)+m, orthonormal on the unit sphere, no Condon-Shortley
 //               phase
 // Recipe:       pairs
@@ -25,14 +25,14 @@ precision highp float;
 void square_l3(float a[16], out float result[16]) {
     const float k    = 0.5641896;    // sqrt(1/pi)
     const float k_2  = 0.25231326;   // 1/5 sqrt(5/pi)
-    const float k_3  = 0.65465367;   // 1/7 sqrt(21)
-    const float k_4  = 0.3604475;    // 2/7 sqrt(5/pi)
-    const float k_5  = 0.41573972;   // 1/9 sqrt(14)
-    const float k_6  = 1.0183501;    // 2/9 sqrt(21)
-    const float k_7  = 0.18022375;   // 1/7 sqrt(5/pi)
-    const float k_8  = 0.62360954;   // 1/6 sqrt(14)
-    const float k_9  = 0.25458753;   // 1/18 sqrt(21)
-    const float k_10 = 0.4205221;    // 1/3 sqrt(5/pi)
+    const float k_3  = 0.3604475;    // 2/7 sqrt(5/pi)
+    const float k_4  = 0.18022375;   // 1/7 sqrt(5/pi)
+    const float k_5  = 0.4205221;    // 1/3 sqrt(5/pi)
+    const float k_6  = 0.41573972;   // 1/9 sqrt(14)
+    const float k_7  = 0.62360954;   // 1/6 sqrt(14)
+    const float k_8  = 0.65465367;   // 1/7 sqrt(21)
+    const float k_9  = 1.0183501;    // 2/9 sqrt(21)
+    const float k_10 = 0.25458753;   // 1/18 sqrt(21)
     const float k_11 = 0.43701938;   // 1/5 sqrt(15/pi)
     const float k_12 = 0.11679834;   // 1/70 sqrt(210/pi)
     const float k_13 = 0.4046013;    // 3/35 sqrt(70/pi)
@@ -60,22 +60,22 @@ void square_l3(float a[16], out float result[16]) {
     float t_2 = k_2 * a6;
     float t_3 = t - t_2;
     float t_4 = t + t_2;
-    float a12 = a[12];
-    float a2 = a[2];
-    float t_5 = k_11 * (a2 - k_3 * a12);
-    float t_6 = t - k_4 * a6;
-    float a13 = a[13];
-    float a3 = a[3];
-    float t_7 = k_15 * (a3 - k_5 * a13);
-    float t_8 = k_16 * (a2 - k_6 * a12);
+    float t_5 = t - k_3 * a6;
+    float t_6 = t + k_4 * a6;
+    float t_7 = t - k_5 * a6;
     float a11 = a[11];
     float a1 = a[1];
-    float t_9 = k_15 * (a1 - k_5 * a11);
-    float t_10 = t + k_7 * a6;
-    float t_11 = k_16 * (a3 + k_8 * a13);
-    float t_12 = k_20 * (a2 + k_9 * a12);
-    float t_13 = k_16 * (a1 + k_8 * a11);
-    float t_14 = t - k_10 * a6;
+    float t_8 = k_15 * (a1 - k_6 * a11);
+    float t_9 = k_16 * (a1 + k_7 * a11);
+    float a12 = a[12];
+    float a2 = a[2];
+    float t_10 = k_11 * (a2 - k_8 * a12);
+    float t_11 = k_16 * (a2 - k_9 * a12);
+    float t_12 = k_20 * (a2 + k_10 * a12);
+    float a13 = a[13];
+    float a3 = a[3];
+    float t_13 = k_15 * (a3 - k_6 * a13);
+    float t_14 = k_16 * (a3 + k_7 * a13);
     float a8 = a[8];
     float t_15 = k_11 * a8;
     float t_16 = k_11 * a3 - k_12 * a13;
@@ -91,12 +91,12 @@ void square_l3(float a[16], out float result[16]) {
     float t_23 = k_18 * a4;
     float a15 = a[15];
     float t_24 = k_19 * a15;
-    float t_25 = t_11 - t_24;
-    float t_26 = t_24 + t_11;
+    float t_25 = t_14 - t_24;
+    float t_26 = t_24 + t_14;
     float a9 = a[9];
     float t_27 = k_19 * a9;
-    float t_28 = t_27 - t_13;
-    float t_29 = t_27 + t_13;
+    float t_28 = t_27 - t_9;
+    float t_29 = t_27 + t_9;
     float t_30 = k_21 * a2;
     float p_2_2 = a2 * a2;
     float t_31 = k_17 * a8;
@@ -109,12 +109,12 @@ void square_l3(float a[16], out float result[16]) {
     float a10 = a[10];
     float p_4_11 = a4 * a11;
     float p_5_5 = a5 * a5;
-    result[4] = t_16 * a1 + t_6 * a4 + t_7 * a9 + t_8 * a10 + t_21 * a11 - t_9 * a15 + k_18 * a5 * a7;                  // l=2 m=-2
+    result[4] = t_16 * a1 + t_5 * a4 + t_13 * a9 + t_11 * a10 + t_21 * a11 - t_8 * a15 + k_18 * a5 * a7;                // l=2 m=-2
     float p_5_10 = a5 * a10;
     float p_11_11 = a11 * a11;
     float a14 = a[14];
     float p_5_14 = a5 * a14;
-    result[5] = t_5 * a1 + (t_10 - t_22) * a5 + t_23 * a7 + t_25 * a10 + t_12 * a11 + t_28 * a14;                       // l=2 m=-1
+    result[5] = t_10 * a1 + (t_6 - t_22) * a5 + t_23 * a7 + t_25 * a10 + t_12 * a11 + t_28 * a14;                       // l=2 m=-1
     float p_6_6 = a6 * a6;
     float p_12_12 = a12 * a12;
     float p_7_7 = a7 * a7;
@@ -122,31 +122,31 @@ void square_l3(float a[16], out float result[16]) {
     float t_33 = k_20 * (a7 * a13 + a5 * a11);
     float p_13_13 = a13 * a13;
     float p_7_14 = a7 * a14;
-    result[7] = t_5 * a3 + t_23 * a5 + (t_22 + t_10) * a7 + t_29 * a10 + t_12 * a13 + t_26 * a14;                       // l=2 m=1
+    result[7] = t_10 * a3 + t_23 * a5 + (t_22 + t_6) * a7 + t_29 * a10 + t_12 * a13 + t_26 * a14;                       // l=2 m=1
     float t_34 = a8 * a8 + a4 * a4;
     float t_35 = k_15 * (a8 * a9 - a4 * a15);
     float t_36 = k_16 * (a8 * a14 + a4 * a10);
     result[2] = (t + k_14 * a6) * a2 + (k_21 * a6 * a12 + t_33 + t_36 + t_32);                                          // l=1 m=0
-    result[12] = t_30 * a6 + (t + k_22 * a6) * a12 + (k_9 * t_33 - k_6 * t_36 - k_3 * t_32);                            // l=3 m=0
+    result[12] = t_30 * a6 + (t + k_22 * a6) * a12 + (k_10 * t_33 - k_9 * t_36 - k_8 * t_32);                           // l=3 m=0
     float t_37 = k_15 * (a8 * a15 + a4 * a9);
     float t_38 = a15 * a15 + a9 * a9;
-    result[10] = t_8 * a4 + t_25 * a5 + t_29 * a7 + t * a10;                                                            // l=3 m=-2
-    result[14] = t_28 * a5 + t_26 * a7 + t_8 * a8 + t * a14;                                                            // l=3 m=2
+    result[10] = t_11 * a4 + t_25 * a5 + t_29 * a7 + t * a10;                                                           // l=3 m=-2
+    result[14] = t_28 * a5 + t_26 * a7 + t_11 * a8 + t * a14;                                                           // l=3 m=2
     float t_39 = p_13_13 + p_11_11;
     float t_40 = k_16 * (p_7_10 - p_5_14);
-    result[9] = t_7 * a4 + t_9 * a8 + t_14 * a9 + k_19 * (p_7_10 + p_5_14);                                             // l=3 m=-3
+    result[9] = t_13 * a4 + t_8 * a8 + t_7 * a9 + k_19 * (p_7_10 + p_5_14);                                             // l=3 m=-3
     float t_41 = k_16 * (p_7_14 + p_5_10);
-    result[15] = t_7 * a8 - t_9 * a4 + t_14 * a15 + k_19 * (p_7_14 - p_5_10);                                           // l=3 m=3
+    result[15] = t_13 * a8 - t_8 * a4 + t_7 * a15 + k_19 * (p_7_14 - p_5_10);                                           // l=3 m=3
     float t_42 = p_7_7 + p_5_5;
-    result[3] = (t_15 + t_3) * a3 + t_5 * a7 + t_20 * a13 + (k_11 * p_1_4 - k_12 * p_4_11 + t_41 + t_37);               // l=1 m=1
-    result[13] = t_20 * a3 + t_12 * a7 + (t_31 + t_4) * a13 + (k_17 * p_4_11 - k_12 * p_1_4 + k_8 * t_41
-        - k_5 * t_37);                                                                                                  // l=3 m=1
+    result[3] = (t_15 + t_3) * a3 + t_10 * a7 + t_20 * a13 + (k_11 * p_1_4 - k_12 * p_4_11 + t_41 + t_37);              // l=1 m=1
+    result[13] = t_20 * a3 + t_12 * a7 + (t_31 + t_4) * a13 + (k_17 * p_4_11 - k_12 * p_1_4 + k_7 * t_41
+        - k_6 * t_37);                                                                                                  // l=3 m=1
     float t_43 = p_3_3 + p_1_1;
-    result[8] = t_6 * a8 + t_9 * a9 + t_8 * a14 + t_7 * a15 + (k_24 * (p_13_13 - p_11_11) + k_25 * (p_7_7 - p_5_5)
+    result[8] = t_5 * a8 + t_8 * a9 + t_11 * a14 + t_13 * a15 + (k_24 * (p_13_13 - p_11_11) + k_25 * (p_7_7 - p_5_5)
         + k_12 * (p_1_11 - p_3_13) + k_26 * (p_3_3 - p_1_1));                                                           // l=2 m=2
     result[0] = k_30 * (a0 * a0 + a14 * a14 + p_12_12 + a10 * a10 + p_6_6 + p_2_2 + t_39 + t_38 + t_42 + t_34 + t_43);  // l=0 m=0
     result[6] = t * a6 + t_30 * a12 + (k_23 * p_12_12 + k_2 * p_2_2 + k_13 * (p_3_13 + p_1_11) - k_27 * t_38
-        + k_28 * t_42 + k_7 * (p_6_6 - t_34) + k_29 * (t_39 - t_43));                                                   // l=2 m=0
-    result[1] = (t_3 - t_15) * a1 + t_16 * a4 + t_5 * a5 + t_19 * a11 + (t_40 + t_35);                                  // l=1 m=-1
-    result[11] = t_19 * a1 + t_21 * a4 + t_12 * a5 + (t_4 - t_31) * a11 + (k_8 * t_40 - k_5 * t_35);                    // l=3 m=-1
+        + k_28 * t_42 + k_4 * (p_6_6 - t_34) + k_29 * (t_39 - t_43));                                                   // l=2 m=0
+    result[1] = (t_3 - t_15) * a1 + t_16 * a4 + t_10 * a5 + t_19 * a11 + (t_40 + t_35);                                 // l=1 m=-1
+    result[11] = t_19 * a1 + t_21 * a4 + t_12 * a5 + (t_4 - t_31) * a11 + (k_7 * t_40 - k_6 * t_35);                    // l=3 m=-1
 }

@@ -4,7 +4,7 @@
 // Licence:      MIT-0; paste it anywhere.
 //
 // Input:        a (25)
-// Domain:       any coefficients: a has degree 0 to 4
+// Domain:       any coefficients
 // Output:       result (25): coefficients of a a at index l(l+1)+m, orthonormal on the unit sphere, no Condon-Shortley
 //               phase
 // Recipe:       separable
@@ -27,17 +27,17 @@ void square_l4(float a[25], out float result[25]) {
     const float k     = 0.0360689;    // theta_4_4(z1)
     const float k_2   = 0.06940465;   // theta_3_3(z1)
     const float k_3   = 0.18150844;   // theta_4_3(z1)
-    const float k_4   = 0.11357366;   // theta_2_2(z1) * 1/2 sqrt(3)
-    const float k_5   = 0.42485756;   // theta_4_2(z1) * 1/2 sqrt(3)
-    const float k_6   = 0.26194715;   // theta_3_2(z1) * 1/2 sqrt(3)
+    const float k_4   = 0.11357366;   // 1/2 sqrt(3) theta_2_2(z1)
+    const float k_5   = 0.42485756;   // 1/2 sqrt(3) theta_4_2(z1)
+    const float k_6   = 0.26194715;   // 1/2 sqrt(3) theta_3_2(z1)
     const float k_7   = 0.23939984;   // theta_1_1(z1)
     const float k_8   = 0.62694913;   // theta_3_1(z1)
-    const float k_9   = 0.7040232;    // theta_2_1(z1) * 1/(theta_4_1(z1))
+    const float k_9   = 0.7040232;    // theta_2_1(z1) / theta_4_1(z1)
     const float k_10  = 0.66284037;   // theta_4_1(z1)
     const float k_11  = 0.2820948;    // theta_0_0(z1)
     const float k_12  = 0.4036358;    // theta_2_0(z1)
     const float k_13  = 0.043837186;  // theta_4_0(z1)
-    const float k_14  = 0.61074615;   // theta_3_0(z1) * 1/(theta_1_0(z1))
+    const float k_14  = 0.61074615;   // theta_3_0(z1) / theta_1_0(z1)
     const float k_15  = 0.42593443;   // theta_1_0(z1)
     const float k_16  = 0.13114357;   // theta_2_2(z1)
     const float k_17  = 0.49058327;   // theta_4_2(z1)
@@ -47,109 +47,106 @@ void square_l4(float a[25], out float result[25]) {
     const float k_21  = 0.33333334;   // 1/3
     const float k_22  = 1.1547005;    // 2/3 sqrt(3)
     const float k_23  = 1.7320508;    // sqrt(3)
-    const float k_24  = 0.023875697;  // 4/3 pi * w(z1) * 3/4 * theta_4_4(z1)
-    const float k_25  = 0.06125625;   // 4/3 pi * w(z1) * theta_3_3(z1)
-    const float k_26  = 0.16019858;   // 4/3 pi * w(z1) * theta_4_3(z1)
-    const float k_27  = 0.100239635;  // 4/3 pi * w(z1) * 1/2 sqrt(3) * theta_2_2(z1)
-    const float k_28  = 0.23119347;   // 4/3 pi * w(z1) * 1/2 sqrt(3) * theta_3_2(z1)
-    const float k_29  = 0.3749775;    // 4/3 pi * w(z1) * 1/2 sqrt(3) * theta_4_2(z1)
-    const float k_30  = 0.10564664;   // 4/3 pi * w(z1) * 1/2 * theta_1_1(z1)
-    const float k_31  = 0.20593385;   // 4/3 pi * w(z1) * 1/2 * theta_2_1(z1)
-    const float k_32  = 0.27667132;   // 4/3 pi * w(z1) * 1/2 * theta_3_1(z1)
-    const float k_33  = 0.29251006;   // 4/3 pi * w(z1) * 1/2 * theta_4_1(z1)
-    const float k_34  = 0.12448784;   // 2/3 pi * w(z1) * theta_0_0(z1)
-    const float k_35  = 0.18796396;   // 2/3 pi * w(z1) * theta_1_0(z1)
-    const float k_36  = 0.17812364;   // 2/3 pi * w(z1) * theta_2_0(z1)
-    const float k_37  = 0.11479827;   // 2/3 pi * w(z1) * theta_3_0(z1)
-    const float k_38  = 0.019345257;  // 2/3 pi * w(z1) * theta_4_0(z1)
-    const float k_39  = 0.02893669;   // 2/3 pi * w(z1) * 1/2 * theta_2_2(z1)
-    const float k_40  = 0.066739805;  // 2/3 pi * w(z1) * 1/2 * theta_3_2(z1)
-    const float k_41  = 0.108246684;  // 2/3 pi * w(z1) * 1/2 * theta_4_2(z1)
-    const float k_42  = 0.023875697;  // 2/3 pi * w(z1) * 3/2 * theta_4_4(z1)
-    const float k_43  = 0.26432684;   // theta_4_4(z2)
-    const float k_44  = 0.30913258;   // theta_3_3(z2)
-    const float k_45  = 0.5487414;    // theta_4_3(z2)
-    const float k_46  = 0.30745515;   // theta_2_2(z2) * 1/2 sqrt(3)
-    const float k_47  = 0.3862861;    // theta_4_2(z2) * 1/2 sqrt(3)
-    const float k_48  = 0.48131844;   // theta_3_2(z2) * 1/2 sqrt(3)
-    const float k_49  = 0.3938909;    // theta_1_1(z2)
-    const float k_50  = 0.2765394;    // theta_3_1(z2)
-    const float k_51  = 0.33633715;   // -(theta_4_1(z2) * 1/(theta_2_1(z2)))
-    const float k_52  = 0.5211499;    // theta_2_1(z2)
-    const float k_53  = 0.2820948;    // theta_0_0(z2)
-    const float k_54  = 0.01587281;   // theta_2_0(z2)
-    const float k_55  = 0.3398995;    // -(theta_4_0(z2))
-    const float k_56  = 0.95428663;   // -(theta_3_0(z2) * 1/(theta_1_0(z2)))
-    const float k_57  = 0.2891062;    // theta_1_0(z2)
-    const float k_58  = 0.35501865;   // theta_2_2(z2)
-    const float k_59  = 0.4460448;    // theta_4_2(z2)
-    const float k_60  = 0.5557787;    // theta_3_2(z2)
-    const float k_61  = 0.28327075;   // 4/3 pi * w(z2) * 3/4 * theta_4_4(z2)
-    const float k_62  = 0.44171688;   // 4/3 pi * w(z2) * theta_3_3(z2)
-    const float k_63  = 0.7840919;    // 4/3 pi * w(z2) * theta_4_3(z2)
-    const float k_64  = 0.43932003;   // 4/3 pi * w(z2) * 1/2 sqrt(3) * theta_2_2(z2)
-    const float k_65  = 0.68775177;   // 4/3 pi * w(z2) * 1/2 sqrt(3) * theta_3_2(z2)
-    const float k_66  = 0.55196095;   // 4/3 pi * w(z2) * 1/2 sqrt(3) * theta_4_2(z2)
-    const float k_67  = 0.28141364;   // 4/3 pi * w(z2) * 1/2 * theta_1_1(z2)
-    const float k_68  = 0.3723333;    // 4/3 pi * w(z2) * 1/2 * theta_2_1(z2)
-    const float k_69  = 0.19757237;   // 4/3 pi * w(z2) * 1/2 * theta_3_1(z2)
-    const float k_70  = 0.12522951;   // -(4/3 pi * w(z2) * 1/2 * theta_4_1(z2))
-    const float k_71  = 0.20154141;   // 2/3 pi * w(z2) * theta_0_0(z2)
-    const float k_72  = 0.20655067;   // 2/3 pi * w(z2) * theta_1_0(z2)
-    const float k_73  = 0.011340261;  // 2/3 pi * w(z2) * theta_2_0(z2)
-    const float k_74  = 0.19710855;   // -(2/3 pi * w(z2) * theta_3_0(z2))
-    const float k_75  = 0.24283974;   // -(2/3 pi * w(z2) * theta_4_0(z2))
-    const float k_76  = 0.12682077;   // 2/3 pi * w(z2) * 1/2 * theta_2_2(z2)
-    const float k_77  = 0.19853684;   // 2/3 pi * w(z2) * 1/2 * theta_3_2(z2)
-    const float k_78  = 0.15933739;   // 2/3 pi * w(z2) * 1/2 * theta_4_2(z2)
-    const float k_79  = 0.28327075;   // 2/3 pi * w(z2) * 3/2 * theta_4_4(z2)
-    const float k_80  = 0.5722058;    // theta_4_4(z3)
-    const float k_81  = 0.55170006;   // theta_3_3(z3)
-    const float k_82  = 0.34641117;   // theta_4_3(z3)
-    const float k_83  = 0.4523632;    // theta_2_2(z3) * 1/2 sqrt(3)
-    const float k_84  = 0.2716281;    // -(theta_4_2(z3) * 1/2 sqrt(3))
-    const float k_85  = 0.2504978;    // theta_3_2(z3) * 1/2 sqrt(3)
-    const float k_86  = 0.47778076;   // theta_1_1(z3)
-    const float k_87  = 0.3490331;    // -(theta_3_1(z3))
-    const float k_88  = 0.60630405;   // -(theta_2_1(z3) * 1/(theta_4_1(z3)))
-    const float k_89  = 0.36879992;   // -(theta_4_1(z3))
-    const float k_90  = 0.2820948;    // theta_0_0(z3)
-    const float k_91  = 0.27394328;   // -(theta_2_0(z3))
-    const float k_92  = 0.18543988;   // theta_4_0(z3)
-    const float k_93  = 0.47080973;   // -(theta_1_0(z3) * 1/(theta_3_0(z3)))
-    const float k_94  = 0.21720903;   // -(theta_3_0(z3))
-    const float k_95  = 0.52234405;   // theta_2_2(z3)
-    const float k_96  = 0.31364915;   // -(theta_4_2(z3))
-    const float k_97  = 0.28924993;   // theta_3_2(z3)
-    const float k_98  = 0.7414514;    // 4/3 pi * w(z3) * 3/4 * theta_4_4(z3)
-    const float k_99  = 0.953174;     // 4/3 pi * w(z3) * theta_3_3(z3)
-    const float k_100 = 0.5984957;    // 4/3 pi * w(z3) * theta_4_3(z3)
-    const float k_101 = 0.78154945;   // 4/3 pi * w(z3) * 1/2 sqrt(3) * theta_2_2(z3)
-    const float k_102 = 0.43278587;   // 4/3 pi * w(z3) * 1/2 sqrt(3) * theta_3_2(z3)
-    const float k_103 = 0.46929282;   // -(4/3 pi * w(z3) * 1/2 sqrt(3) * theta_4_2(z3))
-    const float k_104 = 0.4127317;    // 4/3 pi * w(z3) * 1/2 * theta_1_1(z3)
-    const float k_105 = 0.19316144;   // 4/3 pi * w(z3) * 1/2 * theta_2_1(z3)
-    const float k_106 = 0.3015128;    // -(4/3 pi * w(z3) * 1/2 * theta_3_1(z3))
-    const float k_107 = 0.31858844;   // -(4/3 pi * w(z3) * 1/2 * theta_4_1(z3))
-    const float k_108 = 0.24368806;   // 2/3 pi * w(z3) * theta_0_0(z3)
-    const float k_109 = 0.088341035;  // 2/3 pi * w(z3) * theta_1_0(z3)
-    const float k_110 = 0.23664637;   // -(2/3 pi * w(z3) * theta_2_0(z3))
-    const float k_111 = 0.18763639;   // -(2/3 pi * w(z3) * theta_3_0(z3))
-    const float k_112 = 0.16019256;   // 2/3 pi * w(z3) * theta_4_0(z3)
-    const float k_113 = 0.22561389;   // 2/3 pi * w(z3) * 1/2 * theta_2_2(z3)
-    const float k_114 = 0.12493452;   // 2/3 pi * w(z3) * 1/2 * theta_3_2(z3)
-    const float k_115 = 0.13547316;   // -(2/3 pi * w(z3) * 1/2 * theta_4_2(z3))
-    const float k_116 = 0.7414514;    // 2/3 pi * w(z3) * 3/2 * theta_4_4(z3)
-    const float k_117 = 0.2820948;    // 1/2 sqrt(1/pi)
-    const float k_118 = 0.63078314;   // 1/2 sqrt(5/pi)
-    const float k_119 = 0.8462844;    // 3/2 sqrt(1/pi)
-    const float k_120 = 0.65465367;   // 1/7 sqrt(21)
-    const float k_121 = 0.7463527;    // 1/2 sqrt(7/pi)
-    const float k_122 = 0.06330192;   // 2 pi * w(pole) * 1/2 sqrt(1/pi)
-    const float k_123 = 0.10964215;   // 2 pi * w(pole) * 1/2 sqrt(3/pi)
-    const float k_124 = 0.1415474;    // 2 pi * w(pole) * 1/2 sqrt(5/pi)
-    const float k_125 = 0.16748114;   // 2 pi * w(pole) * 1/2 sqrt(7/pi)
-    const float k_126 = 0.18990576;   // 2 pi * w(pole) * 3/2 sqrt(1/pi)
+    const float k_24  = 0.023875697;  // pi theta_4_4(z1) w(z1)
+    const float k_25  = 0.06125625;   // 4/3 pi theta_3_3(z1) w(z1)
+    const float k_26  = 0.16019858;   // 4/3 pi theta_4_3(z1) w(z1)
+    const float k_27  = 0.100239635;  // 2/3 sqrt(3) pi theta_2_2(z1) w(z1)
+    const float k_28  = 0.23119347;   // 2/3 sqrt(3) pi theta_3_2(z1) w(z1)
+    const float k_29  = 0.3749775;    // 2/3 sqrt(3) pi theta_4_2(z1) w(z1)
+    const float k_30  = 0.10564664;   // 2/3 pi theta_1_1(z1) w(z1)
+    const float k_31  = 0.20593385;   // 2/3 pi theta_2_1(z1) w(z1)
+    const float k_32  = 0.27667132;   // 2/3 pi theta_3_1(z1) w(z1)
+    const float k_33  = 0.29251006;   // 2/3 pi theta_4_1(z1) w(z1)
+    const float k_34  = 0.12448784;   // 2/3 pi theta_0_0(z1) w(z1)
+    const float k_35  = 0.18796396;   // 2/3 pi theta_1_0(z1) w(z1)
+    const float k_36  = 0.17812364;   // 2/3 pi theta_2_0(z1) w(z1)
+    const float k_37  = 0.11479827;   // 2/3 pi theta_3_0(z1) w(z1)
+    const float k_38  = 0.019345257;  // 2/3 pi theta_4_0(z1) w(z1)
+    const float k_39  = 0.02893669;   // 1/3 pi theta_2_2(z1) w(z1)
+    const float k_40  = 0.066739805;  // 1/3 pi theta_3_2(z1) w(z1)
+    const float k_41  = 0.108246684;  // 1/3 pi theta_4_2(z1) w(z1)
+    const float k_42  = 0.26432684;   // theta_4_4(z2)
+    const float k_43  = 0.30913258;   // theta_3_3(z2)
+    const float k_44  = 0.5487414;    // theta_4_3(z2)
+    const float k_45  = 0.30745515;   // 1/2 sqrt(3) theta_2_2(z2)
+    const float k_46  = 0.3862861;    // 1/2 sqrt(3) theta_4_2(z2)
+    const float k_47  = 0.48131844;   // 1/2 sqrt(3) theta_3_2(z2)
+    const float k_48  = 0.3938909;    // theta_1_1(z2)
+    const float k_49  = 0.2765394;    // theta_3_1(z2)
+    const float k_50  = 0.33633715;   // -theta_4_1(z2) / theta_2_1(z2)
+    const float k_51  = 0.5211499;    // theta_2_1(z2)
+    const float k_52  = 0.2820948;    // theta_0_0(z2)
+    const float k_53  = 0.01587281;   // theta_2_0(z2)
+    const float k_54  = 0.3398995;    // -theta_4_0(z2)
+    const float k_55  = 0.95428663;   // -theta_3_0(z2) / theta_1_0(z2)
+    const float k_56  = 0.2891062;    // theta_1_0(z2)
+    const float k_57  = 0.35501865;   // theta_2_2(z2)
+    const float k_58  = 0.4460448;    // theta_4_2(z2)
+    const float k_59  = 0.5557787;    // theta_3_2(z2)
+    const float k_60  = 0.28327075;   // pi theta_4_4(z2) w(z2)
+    const float k_61  = 0.44171688;   // 4/3 pi theta_3_3(z2) w(z2)
+    const float k_62  = 0.7840919;    // 4/3 pi theta_4_3(z2) w(z2)
+    const float k_63  = 0.43932003;   // 2/3 sqrt(3) pi theta_2_2(z2) w(z2)
+    const float k_64  = 0.68775177;   // 2/3 sqrt(3) pi theta_3_2(z2) w(z2)
+    const float k_65  = 0.55196095;   // 2/3 sqrt(3) pi theta_4_2(z2) w(z2)
+    const float k_66  = 0.28141364;   // 2/3 pi theta_1_1(z2) w(z2)
+    const float k_67  = 0.3723333;    // 2/3 pi theta_2_1(z2) w(z2)
+    const float k_68  = 0.19757237;   // 2/3 pi theta_3_1(z2) w(z2)
+    const float k_69  = 0.12522951;   // -2/3 pi theta_4_1(z2) w(z2)
+    const float k_70  = 0.20154141;   // 2/3 pi theta_0_0(z2) w(z2)
+    const float k_71  = 0.20655067;   // 2/3 pi theta_1_0(z2) w(z2)
+    const float k_72  = 0.011340261;  // 2/3 pi theta_2_0(z2) w(z2)
+    const float k_73  = 0.19710855;   // -2/3 pi theta_3_0(z2) w(z2)
+    const float k_74  = 0.24283974;   // -2/3 pi theta_4_0(z2) w(z2)
+    const float k_75  = 0.12682077;   // 1/3 pi theta_2_2(z2) w(z2)
+    const float k_76  = 0.19853684;   // 1/3 pi theta_3_2(z2) w(z2)
+    const float k_77  = 0.15933739;   // 1/3 pi theta_4_2(z2) w(z2)
+    const float k_78  = 0.5722058;    // theta_4_4(z3)
+    const float k_79  = 0.55170006;   // theta_3_3(z3)
+    const float k_80  = 0.34641117;   // theta_4_3(z3)
+    const float k_81  = 0.4523632;    // 1/2 sqrt(3) theta_2_2(z3)
+    const float k_82  = 0.2716281;    // -1/2 sqrt(3) theta_4_2(z3)
+    const float k_83  = 0.2504978;    // 1/2 sqrt(3) theta_3_2(z3)
+    const float k_84  = 0.47778076;   // theta_1_1(z3)
+    const float k_85  = 0.3490331;    // -theta_3_1(z3)
+    const float k_86  = 0.60630405;   // -theta_2_1(z3) / theta_4_1(z3)
+    const float k_87  = 0.36879992;   // -theta_4_1(z3)
+    const float k_88  = 0.2820948;    // theta_0_0(z3)
+    const float k_89  = 0.27394328;   // -theta_2_0(z3)
+    const float k_90  = 0.18543988;   // theta_4_0(z3)
+    const float k_91  = 0.47080973;   // -theta_1_0(z3) / theta_3_0(z3)
+    const float k_92  = 0.21720903;   // -theta_3_0(z3)
+    const float k_93  = 0.52234405;   // theta_2_2(z3)
+    const float k_94  = 0.31364915;   // -theta_4_2(z3)
+    const float k_95  = 0.28924993;   // theta_3_2(z3)
+    const float k_96  = 0.7414514;    // pi theta_4_4(z3) w(z3)
+    const float k_97  = 0.953174;     // 4/3 pi theta_3_3(z3) w(z3)
+    const float k_98  = 0.5984957;    // 4/3 pi theta_4_3(z3) w(z3)
+    const float k_99  = 0.78154945;   // 2/3 sqrt(3) pi theta_2_2(z3) w(z3)
+    const float k_100 = 0.43278587;   // 2/3 sqrt(3) pi theta_3_2(z3) w(z3)
+    const float k_101 = 0.46929282;   // -2/3 sqrt(3) pi theta_4_2(z3) w(z3)
+    const float k_102 = 0.4127317;    // 2/3 pi theta_1_1(z3) w(z3)
+    const float k_103 = 0.19316144;   // 2/3 pi theta_2_1(z3) w(z3)
+    const float k_104 = 0.3015128;    // -2/3 pi theta_3_1(z3) w(z3)
+    const float k_105 = 0.31858844;   // -2/3 pi theta_4_1(z3) w(z3)
+    const float k_106 = 0.24368806;   // 2/3 pi theta_0_0(z3) w(z3)
+    const float k_107 = 0.088341035;  // 2/3 pi theta_1_0(z3) w(z3)
+    const float k_108 = 0.23664637;   // -2/3 pi theta_2_0(z3) w(z3)
+    const float k_109 = 0.18763639;   // -2/3 pi theta_3_0(z3) w(z3)
+    const float k_110 = 0.16019256;   // 2/3 pi theta_4_0(z3) w(z3)
+    const float k_111 = 0.22561389;   // 1/3 pi theta_2_2(z3) w(z3)
+    const float k_112 = 0.12493452;   // 1/3 pi theta_3_2(z3) w(z3)
+    const float k_113 = 0.13547316;   // -1/3 pi theta_4_2(z3) w(z3)
+    const float k_114 = 0.2820948;    // 1/2 sqrt(1/pi)
+    const float k_115 = 0.63078314;   // 1/2 sqrt(5/pi)
+    const float k_116 = 0.8462844;    // 3/2 sqrt(1/pi)
+    const float k_117 = 0.65465367;   // 1/7 sqrt(21)
+    const float k_118 = 0.7463527;    // 1/2 sqrt(7/pi)
+    const float k_119 = 0.06330192;   // pi^(1/2) w(pole)
+    const float k_120 = 0.10964215;   // sqrt(3) pi^(1/2) w(pole)
+    const float k_121 = 0.1415474;    // sqrt(5) pi^(1/2) w(pole)
+    const float k_122 = 0.16748114;   // sqrt(7) pi^(1/2) w(pole)
+    const float k_123 = 0.18990576;   // 3 pi^(1/2) w(pole)
 
     float a16 = a[16];
     float a1s4n = k * a16;
@@ -285,50 +282,50 @@ void square_l4(float a[25], out float result[25]) {
     float t_91 = t_55 + t_69;
     float t_92 = t_55 - t_69;
     float t_93 = t_81 + t_77;
-    float a2s4n = k_43 * a16;
-    float a3s4n = k_80 * a16;
-    float t_94 = k_44 * a9;
-    float t_95 = k_81 * a9;
-    float t_96 = k_45 * a17;
-    float t_97 = k_82 * a17;
+    float a2s4n = k_42 * a16;
+    float a3s4n = k_78 * a16;
+    float t_94 = k_43 * a9;
+    float t_95 = k_79 * a9;
+    float t_96 = k_44 * a17;
+    float t_97 = k_80 * a17;
     float a2s3n = t_94 + t_96;
     float a2s3s = t_94 - t_96;
-    float t_98 = k_46 * a4 + k_47 * a18;
-    float t_99 = k_83 * a4 - k_84 * a18;
-    float t_100 = k_48 * a10;
-    float t_101 = k_85 * a10;
+    float t_98 = k_45 * a4 + k_46 * a18;
+    float t_99 = k_81 * a4 - k_82 * a18;
+    float t_100 = k_47 * a10;
+    float t_101 = k_83 * a10;
     float a2s2n = t_98 + t_100;
     float a2s2s = t_98 - t_100;
-    float t_102 = k_49 * a1 + k_50 * a11;
-    float t_103 = k_86 * a1 - k_87 * a11;
-    float t_104 = k_52 * (a5 - k_51 * a19);
-    float t_105 = k_89 * (a19 - k_88 * a5);
+    float t_102 = k_48 * a1 + k_49 * a11;
+    float t_103 = k_84 * a1 - k_85 * a11;
+    float t_104 = k_51 * (a5 - k_50 * a19);
+    float t_105 = k_87 * (a19 - k_86 * a5);
     float a2s1n = t_102 + t_104;
     float a2s1s = t_102 - t_104;
-    float t_106 = k_53 * a0 + k_54 * a6 - k_55 * a20;
-    float t_107 = k_57 * (a2 - k_56 * a12);
+    float t_106 = k_52 * a0 + k_53 * a6 - k_54 * a20;
+    float t_107 = k_56 * (a2 - k_55 * a12);
     float a2c0n = t_106 + t_107;
     float a2c0s = t_106 - t_107;
-    float t_108 = k_49 * a3 + k_50 * a13;
-    float t_109 = k_86 * a3 - k_87 * a13;
-    float t_110 = k_52 * (a7 - k_51 * a21);
-    float t_111 = k_89 * (a21 - k_88 * a7);
+    float t_108 = k_48 * a3 + k_49 * a13;
+    float t_109 = k_84 * a3 - k_85 * a13;
+    float t_110 = k_51 * (a7 - k_50 * a21);
+    float t_111 = k_87 * (a21 - k_86 * a7);
     float a2c1n = t_108 + t_110;
     float a2c1s = t_108 - t_110;
-    float t_112 = k_58 * a8 + k_59 * a22;
-    float t_113 = k_95 * a8 - k_96 * a22;
-    float t_114 = k_60 * a14;
-    float t_115 = k_97 * a14;
+    float t_112 = k_57 * a8 + k_58 * a22;
+    float t_113 = k_93 * a8 - k_94 * a22;
+    float t_114 = k_59 * a14;
+    float t_115 = k_95 * a14;
     float a2c2n = t_112 + t_114;
     float a2c2s = t_112 - t_114;
-    float t_116 = k_44 * a15;
-    float t_117 = k_81 * a15;
-    float t_118 = k_45 * a23;
-    float t_119 = k_82 * a23;
+    float t_116 = k_43 * a15;
+    float t_117 = k_79 * a15;
+    float t_118 = k_44 * a23;
+    float t_119 = k_80 * a23;
     float a2c3n = t_116 + t_118;
     float a2c3s = t_116 - t_118;
-    float a2c4n = k_43 * a24;
-    float a3c4n = k_80 * a24;
+    float a2c4n = k_42 * a24;
+    float a3c4n = k_78 * a24;
     float t_120 = a2c0n + a2c4n;
     float t_121 = k_19 * a2c4n;
     float t_122 = a2c0n - t_121;
@@ -414,10 +411,10 @@ void square_l4(float a[25], out float result[25]) {
     float a3s2s = t_99 - t_101;
     float a3s1n = t_103 - t_105;
     float a3s1s = t_103 + t_105;
-    float t_199 = k_90 * a0 - k_91 * a6 + k_92 * a20;
-    float t_200 = k_117 * a0 + k_118 * a6 + k_119 * a20;
-    float t_201 = k_94 * (a12 - k_93 * a2);
-    float t_202 = k_121 * (k_120 * a2 + a12);
+    float t_199 = k_88 * a0 - k_89 * a6 + k_90 * a20;
+    float t_200 = k_114 * a0 + k_115 * a6 + k_116 * a20;
+    float t_201 = k_92 * (a12 - k_91 * a2);
+    float t_202 = k_118 * (k_117 * a2 + a12);
     float a3c0n = t_199 - t_201;
     float a3c0s = t_199 + t_201;
     float a3c1n = t_109 - t_111;
@@ -497,15 +494,15 @@ void square_l4(float a[25], out float result[25]) {
     float t_271 = t_255 + t_252;
     float t_272 = t_241 + t_238;
     float t_273 = a3s4n * a3c4n;
-    result[16] = k_24 * (k_22 * (t_64 - t_67 - t_53 + t_50) + (t_85 + t_85)) + k_61 * (k_22 * (t_169 - t_172 - t_158
-        + t_155) + (t_190 + t_190)) + k_98 * (k_22 * (t_252 - t_255 - t_241 + t_238) + (t_273 + t_273));  // l=4 m=-4
-    result[24] = k_42 * (k_21 * (t_76 - t_75 - t_79 + t_80) - (a1c4n * a1c4n - a1s4n * a1s4n)) + k_79 * (k_21 * (t_181
-        - t_180 - t_184 + t_185) - (a2c4n * a2c4n - a2s4n * a2s4n)) + k_116 * (k_21 * (t_264 - t_263 - t_267 + t_268)
+    result[16] = k_24 * (k_22 * (t_64 - t_67 - t_53 + t_50) + (t_85 + t_85)) + k_60 * (k_22 * (t_169 - t_172 - t_158
+        + t_155) + (t_190 + t_190)) + k_96 * (k_22 * (t_252 - t_255 - t_241 + t_238) + (t_273 + t_273));  // l=4 m=-4
+    result[24] = k_24 * (k_21 * (t_76 - t_75 - t_79 + t_80) - (a1c4n * a1c4n - a1s4n * a1s4n)) + k_60 * (k_21 * (t_181
+        - t_180 - t_184 + t_185) - (a2c4n * a2c4n - a2s4n * a2s4n)) + k_96 * (k_21 * (t_264 - t_263 - t_267 + t_268)
         - (a3c4n * a3c4n - a3s4n * a3s4n));                                                               // l=4 m=4
-    result[9] = k_25 * (t_59 + t_73) + k_62 * (t_164 + t_178) + k_99 * (t_247 + t_261);                   // l=3 m=-3
-    result[17] = k_26 * (t_59 - t_73) + k_63 * (t_164 - t_178) + k_100 * (t_247 - t_261);                 // l=4 m=-3
+    result[9] = k_25 * (t_59 + t_73) + k_61 * (t_164 + t_178) + k_97 * (t_247 + t_261);                   // l=3 m=-3
+    result[17] = k_26 * (t_59 - t_73) + k_62 * (t_164 - t_178) + k_98 * (t_247 - t_261);                  // l=4 m=-3
     float t_274 = t_272 + t_271;
-    result[10] = k_28 * (t_84 - t_83) + k_65 * (t_189 - t_188) + k_102 * (t_272 - t_271);                 // l=3 m=-2
+    result[10] = k_28 * (t_84 - t_83) + k_64 * (t_189 - t_188) + k_100 * (t_272 - t_271);                 // l=3 m=-2
     float t_275 = t_248 + t_262;
     float t_276 = t_248 - t_262;
     float t_277 = t_270 + t_266;
@@ -513,30 +510,30 @@ void square_l4(float a[25], out float result[25]) {
     float t_279 = t_243 + t_257;
     float t_280 = t_243 - t_257;
     float t_281 = t_269 + t_265;
-    result[14] = k_40 * (t_81 - t_77) + k_77 * (t_186 - t_182) + k_114 * (t_269 - t_265);                 // l=3 m=2
-    result[15] = k_25 * (t_56 + t_70) + k_62 * (t_161 + t_175) + k_99 * (t_244 + t_258);                  // l=3 m=3
-    result[23] = k_26 * (t_56 - t_70) + k_63 * (t_161 - t_175) + k_100 * (t_244 - t_258);                 // l=4 m=3
-    result[4] = k_27 * t_86 + k_64 * t_191 + k_101 * t_274;                                               // l=2 m=-2
-    result[18] = k_29 * t_86 + k_66 * t_191 - k_103 * t_274;                                              // l=4 m=-2
-    result[1] = k_30 * t_87 + k_67 * t_192 + k_104 * t_275;                                               // l=1 m=-1
-    result[11] = k_32 * t_87 + k_69 * t_192 - k_106 * t_275;                                              // l=3 m=-1
-    result[5] = k_31 * t_88 + k_68 * t_193 + k_105 * t_276;                                               // l=2 m=-1
-    result[19] = k_33 * t_88 - k_70 * t_193 - k_107 * t_276;                                              // l=4 m=-1
-    result[3] = k_30 * t_91 + k_67 * t_196 + k_104 * t_279;                                               // l=1 m=1
-    result[13] = k_32 * t_91 + k_69 * t_196 - k_106 * t_279;                                              // l=3 m=1
-    result[7] = k_31 * t_92 + k_68 * t_197 + k_105 * t_280;                                               // l=2 m=1
-    result[21] = k_33 * t_92 - k_70 * t_197 - k_107 * t_280;                                              // l=4 m=1
-    result[8] = k_39 * t_93 + k_76 * t_198 + k_113 * t_281;                                               // l=2 m=2
-    result[22] = k_41 * t_93 + k_78 * t_198 - k_115 * t_281;                                              // l=4 m=2
+    result[14] = k_40 * (t_81 - t_77) + k_76 * (t_186 - t_182) + k_112 * (t_269 - t_265);                 // l=3 m=2
+    result[15] = k_25 * (t_56 + t_70) + k_61 * (t_161 + t_175) + k_97 * (t_244 + t_258);                  // l=3 m=3
+    result[23] = k_26 * (t_56 - t_70) + k_62 * (t_161 - t_175) + k_98 * (t_244 - t_258);                  // l=4 m=3
+    result[4] = k_27 * t_86 + k_63 * t_191 + k_99 * t_274;                                                // l=2 m=-2
+    result[18] = k_29 * t_86 + k_65 * t_191 - k_101 * t_274;                                              // l=4 m=-2
+    result[1] = k_30 * t_87 + k_66 * t_192 + k_102 * t_275;                                               // l=1 m=-1
+    result[11] = k_32 * t_87 + k_68 * t_192 - k_104 * t_275;                                              // l=3 m=-1
+    result[5] = k_31 * t_88 + k_67 * t_193 + k_103 * t_276;                                               // l=2 m=-1
+    result[19] = k_33 * t_88 - k_69 * t_193 - k_105 * t_276;                                              // l=4 m=-1
+    result[3] = k_30 * t_91 + k_66 * t_196 + k_102 * t_279;                                               // l=1 m=1
+    result[13] = k_32 * t_91 + k_68 * t_196 - k_104 * t_279;                                              // l=3 m=1
+    result[7] = k_31 * t_92 + k_67 * t_197 + k_103 * t_280;                                               // l=2 m=1
+    result[21] = k_33 * t_92 - k_69 * t_197 - k_105 * t_280;                                              // l=4 m=1
+    result[8] = k_39 * t_93 + k_75 * t_198 + k_111 * t_281;                                               // l=2 m=2
+    result[22] = k_41 * t_93 + k_77 * t_198 - k_113 * t_281;                                              // l=4 m=2
     float t_282 = t_200 + t_202;
     float t_283 = t_200 - t_202;
     float t_284 = t_282 * t_282;
     float t_285 = t_283 * t_283;
     float t_286 = t_284 + t_285;
     float t_287 = t_284 - t_285;
-    result[0] = k_34 * t_89 + k_71 * t_194 + k_108 * t_277 + k_122 * t_286;                               // l=0 m=0
-    result[2] = k_35 * t_90 + k_72 * t_195 + k_109 * t_278 + k_123 * t_287;                               // l=1 m=0
-    result[12] = k_37 * t_90 - k_74 * t_195 - k_111 * t_278 + k_125 * t_287;                              // l=3 m=0
-    result[6] = k_36 * t_89 + k_73 * t_194 - k_110 * t_277 + k_124 * t_286;                               // l=2 m=0
-    result[20] = k_38 * t_89 - k_75 * t_194 + k_112 * t_277 + k_126 * t_286;                              // l=4 m=0
+    result[0] = k_34 * t_89 + k_70 * t_194 + k_106 * t_277 + k_119 * t_286;                               // l=0 m=0
+    result[2] = k_35 * t_90 + k_71 * t_195 + k_107 * t_278 + k_120 * t_287;                               // l=1 m=0
+    result[12] = k_37 * t_90 - k_73 * t_195 - k_109 * t_278 + k_122 * t_287;                              // l=3 m=0
+    result[6] = k_36 * t_89 + k_72 * t_194 - k_108 * t_277 + k_121 * t_286;                               // l=2 m=0
+    result[20] = k_38 * t_89 - k_74 * t_194 + k_110 * t_277 + k_123 * t_286;                              // l=4 m=0
 }

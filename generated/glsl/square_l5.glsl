@@ -4,7 +4,7 @@
 // Licence:      MIT-0; paste it anywhere.
 //
 // Input:        a (36)
-// Domain:       any coefficients: a has degree 0 to 5
+// Domain:       any coefficients
 // Output:       result (36): coefficients of a a at index l(l+1)+m, orthonormal on the unit sphere, no Condon-Shortley
 //               phase
 // Recipe:       separable
@@ -32,225 +32,222 @@ void square_l5(float a[36], out float result[36]) {
     const float k_6   = 0.13235888;    // theta_4_3(z1)
     const float k_7   = 0.10403003;    // theta_2_2(z1)
     const float k_8   = 0.420458;      // theta_4_2(z1)
-    const float k_9   = 0.42207986;    // theta_3_2(z1) * 1/(theta_5_2(z1))
+    const float k_9   = 0.42207986;    // theta_3_2(z1) / theta_5_2(z1)
     const float k_10  = 0.5867307;     // theta_5_2(z1)
     const float k_11  = 0.21322086;    // theta_1_1(z1)
     const float k_12  = 0.60788774;    // theta_3_1(z1)
     const float k_13  = 0.6778557;     // theta_5_1(z1)
-    const float k_14  = 0.61230713;    // theta_2_1(z1) * 1/(theta_4_1(z1))
+    const float k_14  = 0.61230713;    // theta_2_1(z1) / theta_4_1(z1)
     const float k_15  = 0.7006016;     // theta_4_1(z1)
     const float k_16  = 0.2820948;     // theta_0_0(z1)
     const float k_17  = 0.45059782;    // theta_2_0(z1)
     const float k_18  = 0.17474476;    // theta_4_0(z1)
-    const float k_19  = 0.8002875;     // theta_3_0(z1) * 1/(theta_1_0(z1))
-    const float k_20  = 0.09087223;    // -(theta_5_0(z1) * 1/(theta_1_0(z1)))
+    const float k_19  = 0.8002875;     // theta_3_0(z1) / theta_1_0(z1)
+    const float k_20  = 0.09087223;    // -theta_5_0(z1) / theta_1_0(z1)
     const float k_21  = 0.439624;      // theta_1_0(z1)
     const float k_22  = 0.70710677;    // 1/2 sqrt(2)
     const float k_23  = 0.9238795;     // cos(2 pi/16)
     const float k_24  = 0.38268343;    // cos(6 pi/16)
     const float k_25  = 1.4142135;     // sqrt(2)
     const float k_26  = 0.5;           // 1/2
-    const float k_27  = 0.76536685;    // cos(6 pi/16) * 2
-    const float k_28  = 2.4142137;     // cos(2 pi/16)) * 1/(cos(6 pi/16)
-    const float k_29  = 1.847759;      // -(-1/2 sqrt(2) * 1/(cos(6 pi/16)))
-    const float k_30  = 1.847759;      // cos(2 pi/16) * 2
-    const float k_31  = 1.306563;      // 1/2 * 1/(cos(6 pi/16))
-    const float k_32  = 2.4142137;     // cos(2 pi/16) * 1/(cos(6 pi/16))
-    const float k_33  = 0.5411961;     // cos(6 pi/16)) * sqrt(2
-    const float k_34  = 1.847759;      // 1/2 sqrt(2) * 1/(cos(6 pi/16))
-    const float k_35  = 1.306563;      // cos(2 pi/16) * sqrt(2)
-    const float k_36  = 0.70710677;    // (cos(2 pi/16)) / (cos(2 pi/16) * sqrt(2))
-    const float k_37  = 0.005400854;   // pi * w(z1) * theta_5_5(z1)
-    const float k_38  = 0.011800274;   // pi * w(z1) * theta_4_4(z1)
-    const float k_39  = 0.035213903;   // pi * w(z1) * theta_5_4(z1)
-    const float k_40  = 0.01802714;    // pi * w(z1) * 1/2 sqrt(2) * theta_3_3(z1)
-    const float k_41  = 0.04866019;    // pi * w(z1) * 1/2 sqrt(2) * theta_4_3(z1)
-    const float k_42  = 0.09396002;    // pi * w(z1) * 1/2 sqrt(2) * theta_5_3(z1)
-    const float k_43  = 0.05408719;    // pi * w(z1) * theta_2_2(z1)
-    const float k_44  = 0.1287565;     // pi * w(z1) * theta_3_2(z1)
-    const float k_45  = 0.2186041;     // pi * w(z1) * theta_4_2(z1)
-    const float k_46  = 0.30505246;    // pi * w(z1) * theta_5_2(z1)
-    const float k_47  = 0.04242336;    // pi * w(z1) * cos(6 pi/16) * theta_1_1(z1)
-    const float k_48  = 0.085352406;   // pi * w(z1) * cos(6 pi/16) * theta_2_1(z1)
-    const float k_49  = 0.12094801;    // pi * w(z1) * cos(6 pi/16) * theta_3_1(z1)
-    const float k_50  = 0.13939478;    // pi * w(z1) * cos(6 pi/16) * theta_4_1(z1)
-    const float k_51  = 0.13486914;    // pi * w(z1) * cos(6 pi/16) * theta_5_1(z1)
-    const float k_52  = 0.073333226;   // 1/2 pi * w(z1) * theta_0_0(z1)
-    const float k_53  = 0.11428444;    // 1/2 pi * w(z1) * theta_1_0(z1)
-    const float k_54  = 0.117137186;   // 1/2 pi * w(z1) * theta_2_0(z1)
-    const float k_55  = 0.09146041;    // 1/2 pi * w(z1) * theta_3_0(z1)
-    const float k_56  = 0.045426562;   // 1/2 pi * w(z1) * theta_4_0(z1)
-    const float k_57  = 0.010385281;   // -(1/2 pi * w(z1) * theta_5_0(z1))
-    const float k_58  = 0.05542879;    // pi * w(z1) * 1/2 * theta_1_1(z1)
-    const float k_59  = 0.11151829;    // pi * w(z1) * 1/2 * theta_2_1(z1)
-    const float k_60  = 0.15802619;    // pi * w(z1) * 1/2 * theta_3_1(z1)
-    const float k_61  = 0.18212804;    // pi * w(z1) * 1/2 * theta_4_1(z1)
-    const float k_62  = 0.17621502;    // pi * w(z1) * 1/2 * theta_5_1(z1)
-    const float k_63  = 0.013521798;   // 1/2 pi * w(z1) * 1/2 * theta_2_2(z1)
-    const float k_64  = 0.032189123;   // 1/2 pi * w(z1) * 1/2 * theta_3_2(z1)
-    const float k_65  = 0.054651026;   // 1/2 pi * w(z1) * 1/2 * theta_4_2(z1)
-    const float k_66  = 0.076263115;   // 1/2 pi * w(z1) * 1/2 * theta_5_2(z1)
-    const float k_67  = 0.009756218;   // pi * w(z1) * cos(6 pi/16) * theta_3_3(z1)
-    const float k_68  = 0.026334705;   // pi * w(z1) * cos(6 pi/16) * theta_4_3(z1)
-    const float k_69  = 0.050850794;   // pi * w(z1) * cos(6 pi/16) * theta_5_3(z1)
-    const float k_70  = 0.005900137;   // 1/2 pi * w(z1) * theta_4_4(z1)
-    const float k_71  = 0.017606951;   // 1/2 pi * w(z1) * theta_5_4(z1)
-    const float k_72  = 0.0020668174;  // pi * w(z1) * cos(6 pi/16) * theta_5_5(z1)
-    const float k_73  = 0.1415761;     // theta_5_5(z2)
-    const float k_74  = 0.18345389;    // theta_4_4(z2)
-    const float k_75  = 0.41203246;    // theta_5_4(z2)
-    const float k_76  = 0.23506287;    // theta_3_3(z2)
-    const float k_77  = 0.60950935;    // theta_5_3(z2)
-    const float k_78  = 0.47754404;    // theta_4_3(z2)
-    const float k_79  = 0.2957631;     // theta_2_2(z2)
-    const float k_80  = 0.5660834;     // theta_4_2(z2)
-    const float k_81  = 0.6231006;     // theta_5_2(z2) * 1/(theta_3_2(z2))
-    const float k_82  = 0.52990884;    // theta_3_2(z2)
-    const float k_83  = 0.3595194;     // theta_1_1(z2)
-    const float k_84  = 0.43480387;    // theta_3_1(z2)
-    const float k_85  = 0.33458504;    // -(theta_5_1(z2))
-    const float k_86  = 0.12864034;    // theta_4_1(z2) * 1/(theta_2_1(z2))
-    const float k_87  = 0.5443967;     // theta_2_1(z2)
-    const float k_88  = 0.2820948;     // theta_0_0(z2)
-    const float k_89  = 0.11850642;    // theta_2_0(z2)
-    const float k_90  = 0.35935888;    // -(theta_4_0(z2))
-    const float k_91  = 0.54005176;    // -(theta_3_0(z2) * 1/(theta_1_0(z2)))
-    const float k_92  = 0.9220003;     // -(theta_5_0(z2) * 1/(theta_1_0(z2)))
-    const float k_93  = 0.33087492;    // theta_1_0(z2)
-    const float k_94  = 0.1221078;     // pi * w(z2) * theta_5_5(z2)
-    const float k_95  = 0.15822692;    // pi * w(z2) * theta_4_4(z2)
-    const float k_96  = 0.35537338;    // pi * w(z2) * theta_5_4(z2)
-    const float k_97  = 0.14335819;    // pi * w(z2) * 1/2 sqrt(2) * theta_3_3(z2)
-    const float k_98  = 0.29124057;    // pi * w(z2) * 1/2 sqrt(2) * theta_4_3(z2)
-    const float k_99  = 0.3717225;     // pi * w(z2) * 1/2 sqrt(2) * theta_5_3(z2)
-    const float k_100 = 0.25509235;    // pi * w(z2) * theta_2_2(z2)
-    const float k_101 = 0.45704043;    // pi * w(z2) * theta_3_2(z2)
-    const float k_102 = 0.4882406;     // pi * w(z2) * theta_4_2(z2)
-    const float k_103 = 0.28478214;    // pi * w(z2) * theta_5_2(z2)
-    const float k_104 = 0.118663035;   // pi * w(z2) * cos(6 pi/16) * theta_1_1(z2)
-    const float k_105 = 0.17968367;    // pi * w(z2) * cos(6 pi/16) * theta_2_1(z2)
-    const float k_106 = 0.14351144;    // pi * w(z2) * cos(6 pi/16) * theta_3_1(z2)
-    const float k_107 = 0.02311457;    // pi * w(z2) * cos(6 pi/16) * theta_4_1(z2)
-    const float k_108 = 0.11043319;    // -(pi * w(z2) * cos(6 pi/16) * theta_5_1(z2))
-    const float k_109 = 0.1216518;     // 1/2 pi * w(z2) * theta_0_0(z2)
-    const float k_110 = 0.14268796;    // 1/2 pi * w(z2) * theta_1_0(z2)
-    const float k_111 = 0.051105227;   // 1/2 pi * w(z2) * theta_2_0(z2)
-    const float k_112 = 0.07705888;    // -(1/2 pi * w(z2) * theta_3_0(z2))
-    const float k_113 = 0.15497151;    // -(1/2 pi * w(z2) * theta_4_0(z2))
-    const float k_114 = 0.13155833;    // -(1/2 pi * w(z2) * theta_5_0(z2))
-    const float k_115 = 0.15504073;    // pi * w(z2) * 1/2 * theta_1_1(z2)
-    const float k_116 = 0.23476803;    // pi * w(z2) * 1/2 * theta_2_1(z2)
-    const float k_117 = 0.18750674;    // pi * w(z2) * 1/2 * theta_3_1(z2)
-    const float k_118 = 0.03020064;    // pi * w(z2) * 1/2 * theta_4_1(z2)
-    const float k_119 = 0.14428791;    // -(pi * w(z2) * 1/2 * theta_5_1(z2))
-    const float k_120 = 0.06377309;    // 1/2 pi * w(z2) * 1/2 * theta_2_2(z2)
-    const float k_121 = 0.11426011;    // 1/2 pi * w(z2) * 1/2 * theta_3_2(z2)
-    const float k_122 = 0.12206015;    // 1/2 pi * w(z2) * 1/2 * theta_4_2(z2)
-    const float k_123 = 0.071195535;   // 1/2 pi * w(z2) * 1/2 * theta_5_2(z2)
-    const float k_124 = 0.07758489;    // pi * w(z2) * cos(6 pi/16) * theta_3_3(z2)
-    const float k_125 = 0.15761827;    // pi * w(z2) * cos(6 pi/16) * theta_4_3(z2)
-    const float k_126 = 0.20117477;    // pi * w(z2) * cos(6 pi/16) * theta_5_3(z2)
-    const float k_127 = 0.07911346;    // 1/2 pi * w(z2) * theta_4_4(z2)
-    const float k_128 = 0.17768669;    // 1/2 pi * w(z2) * theta_5_4(z2)
-    const float k_129 = 0.04672863;    // pi * w(z2) * cos(6 pi/16) * theta_5_5(z2)
-    const float k_130 = 0.46093348;    // theta_5_5(z3)
-    const float k_131 = 0.471678;      // theta_4_4(z3)
-    const float k_132 = 0.5680533;     // theta_5_4(z3)
-    const float k_133 = 0.47727978;    // theta_3_3(z3)
-    const float k_134 = 0.07388006;    // theta_5_3(z3)
-    const float k_135 = 0.5199259;     // theta_4_3(z3)
-    const float k_136 = 0.4742456;     // theta_2_2(z3)
-    const float k_137 = 0.03163277;    // -(theta_4_2(z3))
-    const float k_138 = 0.9976599;     // -(theta_3_2(z3) * 1/(theta_5_2(z3)))
-    const float k_139 = 0.45668522;    // -(theta_5_2(z3))
-    const float k_140 = 0.45525214;    // theta_1_1(z3)
-    const float k_141 = 0.14509904;    // -(theta_3_1(z3))
-    const float k_142 = 0.20293882;    // -(theta_5_1(z3))
-    const float k_143 = 0.7862193;     // -(theta_2_1(z3) * 1/(theta_4_1(z3)))
-    const float k_144 = 0.47015435;    // -(theta_4_1(z3))
-    const float k_145 = 0.2820948;     // theta_0_0(z3)
-    const float k_146 = 0.19063437;    // -(theta_2_0(z3))
-    const float k_147 = 0.0367218;     // -(theta_4_0(z3))
-    const float k_148 = 0.5593589;     // -(theta_1_0(z3) * 1/(theta_3_0(z3)))
-    const float k_149 = 0.9191953;     // -(theta_5_0(z3) * 1/(theta_3_0(z3)))
-    const float k_150 = 0.31718475;    // -(theta_3_0(z3))
-    const float k_151 = 0.5016511;     // pi * w(z3) * theta_5_5(z3)
-    const float k_152 = 0.5133447;     // pi * w(z3) * theta_4_4(z3)
-    const float k_153 = 0.61823356;    // pi * w(z3) * theta_5_4(z3)
-    const float k_154 = 0.3673005;     // pi * w(z3) * 1/2 sqrt(2) * theta_3_3(z3)
-    const float k_155 = 0.4001197;     // pi * w(z3) * 1/2 sqrt(2) * theta_4_3(z3)
-    const float k_156 = 0.05685593;    // pi * w(z3) * 1/2 sqrt(2) * theta_5_3(z3)
-    const float k_157 = 0.51613915;    // pi * w(z3) * theta_2_2(z3)
-    const float k_158 = 0.49586445;    // pi * w(z3) * theta_3_2(z3)
-    const float k_159 = 0.03442712;    // -(pi * w(z3) * theta_4_2(z3))
-    const float k_160 = 0.49702755;    // -(pi * w(z3) * theta_5_2(z3))
-    const float k_161 = 0.18960735;    // pi * w(z3) * cos(6 pi/16) * theta_1_1(z3)
-    const float k_162 = 0.1539527;     // pi * w(z3) * cos(6 pi/16) * theta_2_1(z3)
-    const float k_163 = 0.060432103;   // -(pi * w(z3) * cos(6 pi/16) * theta_3_1(z3))
-    const float k_164 = 0.19581394;    // -(pi * w(z3) * cos(6 pi/16) * theta_4_1(z3))
-    const float k_165 = 0.08452171;    // -(pi * w(z3) * cos(6 pi/16) * theta_5_1(z3))
-    const float k_166 = 0.15350714;    // 1/2 pi * w(z3) * theta_0_0(z3)
-    const float k_167 = 0.096546456;   // 1/2 pi * w(z3) * theta_1_0(z3)
-    const float k_168 = 0.10373724;    // -(1/2 pi * w(z3) * theta_2_0(z3))
-    const float k_169 = 0.17260198;    // -(1/2 pi * w(z3) * theta_3_0(z3))
-    const float k_170 = 0.019982852;   // -(1/2 pi * w(z3) * theta_4_0(z3))
-    const float k_171 = 0.15865493;    // 1/2 pi * w(z3) * theta_5_0(z3)
-    const float k_172 = 0.24773394;    // pi * w(z3) * 1/2 * theta_1_1(z3)
-    const float k_173 = 0.2011489;     // pi * w(z3) * 1/2 * theta_2_1(z3)
-    const float k_174 = 0.07895835;    // -(pi * w(z3) * 1/2 * theta_3_1(z3))
-    const float k_175 = 0.25584325;    // -(pi * w(z3) * 1/2 * theta_4_1(z3))
-    const float k_176 = 0.11043294;    // -(pi * w(z3) * 1/2 * theta_5_1(z3))
-    const float k_177 = 0.12903479;    // 1/2 pi * w(z3) * 1/2 * theta_2_2(z3)
-    const float k_178 = 0.12396611;    // 1/2 pi * w(z3) * 1/2 * theta_3_2(z3)
-    const float k_179 = 0.00860678;    // -(1/2 pi * w(z3) * 1/2 * theta_4_2(z3))
-    const float k_180 = 0.12425689;    // -(1/2 pi * w(z3) * 1/2 * theta_5_2(z3))
-    const float k_181 = 0.19878161;    // pi * w(z3) * cos(6 pi/16) * theta_3_3(z3)
-    const float k_182 = 0.21654321;    // pi * w(z3) * cos(6 pi/16) * theta_4_3(z3)
-    const float k_183 = 0.030770207;   // pi * w(z3) * cos(6 pi/16) * theta_5_3(z3)
-    const float k_184 = 0.25667235;    // 1/2 pi * w(z3) * theta_4_4(z3)
-    const float k_185 = 0.30911678;    // 1/2 pi * w(z3) * theta_5_4(z3)
-    const float k_186 = 0.19197355;    // pi * w(z3) * cos(6 pi/16) * theta_5_5(z3)
-    const float k_187 = 0.2820948;     // 1/2 sqrt(1/pi)
-    const float k_188 = 0.63078314;    // 1/2 sqrt(5/pi)
-    const float k_189 = 0.8462844;     // 3/2 sqrt(1/pi)
-    const float k_190 = 0.52223295;    // 1/11 sqrt(33)
-    const float k_191 = 0.797724;      // 1/11 sqrt(77)
-    const float k_192 = 0.9356026;     // 1/2 sqrt(11/pi)
-    const float k_193 = 0.04923483;    // 2 pi * w(pole) * 1/2 sqrt(1/pi)
-    const float k_194 = 0.08527722;    // 2 pi * w(pole) * 1/2 sqrt(3/pi)
-    const float k_195 = 0.110092424;   // 2 pi * w(pole) * 1/2 sqrt(5/pi)
-    const float k_196 = 0.13026312;    // 2 pi * w(pole) * 1/2 sqrt(7/pi)
-    const float k_197 = 0.14770448;    // 2 pi * w(pole) * 3/2 sqrt(1/pi)
-    const float k_198 = 0.16329345;    // 2 pi * w(pole) * 1/2 sqrt(11/pi)
-    const float k_199 = 0.6563821;     // 3/32 sqrt(154/pi)
-    const float k_200 = 0.6258357;     // 3/16 sqrt(35/pi)
-    const float k_201 = 0.5900436;     // 1/8 sqrt(70/pi)
-    const float k_202 = 0.4892383;     // 1/32 sqrt(770/pi)
-    const float k_203 = 0.54627424;    // 1/4 sqrt(15/pi)
-    const float k_204 = 0.47308734;    // 3/8 sqrt(5/pi)
-    const float k_205 = 0.48860252;    // 1/2 sqrt(3/pi)
-    const float k_206 = 0.4570458;     // 1/8 sqrt(42/pi)
-    const float k_207 = 0.45294666;    // 1/16 sqrt(165/pi)
-    const float k_208 = 0.31539157;    // 1/4 sqrt(5/pi)
-    const float k_209 = 0.31735665;    // 9/16 sqrt(1/pi)
-    const float k_210 = 0.76610434;    // pi * w(equator) * 3/32 sqrt(154/pi)
-    const float k_211 = 0.7304518;     // pi * w(equator) * 3/16 sqrt(35/pi)
-    const float k_212 = 0.6886766;     // pi * w(equator) * 1/8 sqrt(70/pi)
-    const float k_213 = 0.5710205;     // -(pi * w(equator) * -1/32 sqrt(770/pi))
-    const float k_214 = 0.63759065;    // pi * w(equator) * 1/4 sqrt(15/pi)
-    const float k_215 = 0.5521697;     // -(pi * w(equator) * -3/8 sqrt(5/pi))
-    const float k_216 = 0.21823609;    // pi * w(equator) * cos(6 pi/16) * 1/2 sqrt(3/pi)
-    const float k_217 = 0.20414117;    // -(pi * w(equator) * cos(6 pi/16) * -1/8 sqrt(42/pi))
-    const float k_218 = 0.20231028;    // pi * w(equator) * cos(6 pi/16) * 1/16 sqrt(165/pi)
-    const float k_219 = 0.1646252;     // 1/2 pi * w(equator) * 1/2 sqrt(1/pi)
-    const float k_220 = 0.18405657;    // -(1/2 pi * w(equator) * -1/4 sqrt(5/pi))
-    const float k_221 = 0.18520334;    // 1/2 pi * w(equator) * 9/16 sqrt(1/pi)
-    const float k_222 = 0.2851392;     // pi * w(equator) * 1/2 * 1/2 sqrt(3/pi)
-    const float k_223 = 0.2667233;     // -(pi * w(equator) * 1/2 * -1/8 sqrt(42/pi))
-    const float k_224 = 0.2643311;     // pi * w(equator) * 1/2 * 1/16 sqrt(165/pi)
-    const float k_225 = 0.15939766;    // 1/2 pi * w(equator) * 1/2 * 1/4 sqrt(15/pi)
-    const float k_226 = 0.13804242;    // -(1/2 pi * w(equator) * 1/2 * -3/8 sqrt(5/pi))
-    const float k_227 = 0.3652259;     // 1/2 pi * w(equator) * 3/16 sqrt(35/pi)
+    const float k_27  = 0.76536685;    // 2 cos(6 pi/16)
+    const float k_28  = 2.4142137;     // cos(2 pi/16) / cos(6 pi/16)
+    const float k_29  = 1.847759;      // 1/2 sqrt(2) / cos(6 pi/16)
+    const float k_30  = 1.847759;      // 2 cos(2 pi/16)
+    const float k_31  = 1.306563;      // 1/2 / cos(6 pi/16)
+    const float k_32  = 0.5411961;     // sqrt(2) cos(6 pi/16)
+    const float k_33  = 1.306563;      // sqrt(2) cos(2 pi/16)
+    const float k_34  = 0.005400854;   // pi theta_5_5(z1) w(z1)
+    const float k_35  = 0.011800274;   // pi theta_4_4(z1) w(z1)
+    const float k_36  = 0.035213903;   // pi theta_5_4(z1) w(z1)
+    const float k_37  = 0.01802714;    // 1/2 sqrt(2) pi theta_3_3(z1) w(z1)
+    const float k_38  = 0.04866019;    // 1/2 sqrt(2) pi theta_4_3(z1) w(z1)
+    const float k_39  = 0.09396002;    // 1/2 sqrt(2) pi theta_5_3(z1) w(z1)
+    const float k_40  = 0.05408719;    // pi theta_2_2(z1) w(z1)
+    const float k_41  = 0.1287565;     // pi theta_3_2(z1) w(z1)
+    const float k_42  = 0.2186041;     // pi theta_4_2(z1) w(z1)
+    const float k_43  = 0.30505246;    // pi theta_5_2(z1) w(z1)
+    const float k_44  = 0.04242336;    // pi cos(6 pi/16) theta_1_1(z1) w(z1)
+    const float k_45  = 0.085352406;   // pi cos(6 pi/16) theta_2_1(z1) w(z1)
+    const float k_46  = 0.12094801;    // pi cos(6 pi/16) theta_3_1(z1) w(z1)
+    const float k_47  = 0.13939478;    // pi cos(6 pi/16) theta_4_1(z1) w(z1)
+    const float k_48  = 0.13486914;    // pi cos(6 pi/16) theta_5_1(z1) w(z1)
+    const float k_49  = 0.073333226;   // 1/2 pi theta_0_0(z1) w(z1)
+    const float k_50  = 0.11428444;    // 1/2 pi theta_1_0(z1) w(z1)
+    const float k_51  = 0.117137186;   // 1/2 pi theta_2_0(z1) w(z1)
+    const float k_52  = 0.09146041;    // 1/2 pi theta_3_0(z1) w(z1)
+    const float k_53  = 0.045426562;   // 1/2 pi theta_4_0(z1) w(z1)
+    const float k_54  = 0.010385281;   // -1/2 pi theta_5_0(z1) w(z1)
+    const float k_55  = 0.05542879;    // 1/2 pi theta_1_1(z1) w(z1)
+    const float k_56  = 0.11151829;    // 1/2 pi theta_2_1(z1) w(z1)
+    const float k_57  = 0.15802619;    // 1/2 pi theta_3_1(z1) w(z1)
+    const float k_58  = 0.18212804;    // 1/2 pi theta_4_1(z1) w(z1)
+    const float k_59  = 0.17621502;    // 1/2 pi theta_5_1(z1) w(z1)
+    const float k_60  = 0.013521798;   // 1/4 pi theta_2_2(z1) w(z1)
+    const float k_61  = 0.032189123;   // 1/4 pi theta_3_2(z1) w(z1)
+    const float k_62  = 0.054651026;   // 1/4 pi theta_4_2(z1) w(z1)
+    const float k_63  = 0.076263115;   // 1/4 pi theta_5_2(z1) w(z1)
+    const float k_64  = 0.009756218;   // pi cos(6 pi/16) theta_3_3(z1) w(z1)
+    const float k_65  = 0.026334705;   // pi cos(6 pi/16) theta_4_3(z1) w(z1)
+    const float k_66  = 0.050850794;   // pi cos(6 pi/16) theta_5_3(z1) w(z1)
+    const float k_67  = 0.005900137;   // 1/2 pi theta_4_4(z1) w(z1)
+    const float k_68  = 0.017606951;   // 1/2 pi theta_5_4(z1) w(z1)
+    const float k_69  = 0.0020668174;  // pi cos(6 pi/16) theta_5_5(z1) w(z1)
+    const float k_70  = 0.1415761;     // theta_5_5(z2)
+    const float k_71  = 0.18345389;    // theta_4_4(z2)
+    const float k_72  = 0.41203246;    // theta_5_4(z2)
+    const float k_73  = 0.23506287;    // theta_3_3(z2)
+    const float k_74  = 0.60950935;    // theta_5_3(z2)
+    const float k_75  = 0.47754404;    // theta_4_3(z2)
+    const float k_76  = 0.2957631;     // theta_2_2(z2)
+    const float k_77  = 0.5660834;     // theta_4_2(z2)
+    const float k_78  = 0.6231006;     // theta_5_2(z2) / theta_3_2(z2)
+    const float k_79  = 0.52990884;    // theta_3_2(z2)
+    const float k_80  = 0.3595194;     // theta_1_1(z2)
+    const float k_81  = 0.43480387;    // theta_3_1(z2)
+    const float k_82  = 0.33458504;    // -theta_5_1(z2)
+    const float k_83  = 0.12864034;    // theta_4_1(z2) / theta_2_1(z2)
+    const float k_84  = 0.5443967;     // theta_2_1(z2)
+    const float k_85  = 0.2820948;     // theta_0_0(z2)
+    const float k_86  = 0.11850642;    // theta_2_0(z2)
+    const float k_87  = 0.35935888;    // -theta_4_0(z2)
+    const float k_88  = 0.54005176;    // -theta_3_0(z2) / theta_1_0(z2)
+    const float k_89  = 0.9220003;     // -theta_5_0(z2) / theta_1_0(z2)
+    const float k_90  = 0.33087492;    // theta_1_0(z2)
+    const float k_91  = 0.1221078;     // pi theta_5_5(z2) w(z2)
+    const float k_92  = 0.15822692;    // pi theta_4_4(z2) w(z2)
+    const float k_93  = 0.35537338;    // pi theta_5_4(z2) w(z2)
+    const float k_94  = 0.14335819;    // 1/2 sqrt(2) pi theta_3_3(z2) w(z2)
+    const float k_95  = 0.29124057;    // 1/2 sqrt(2) pi theta_4_3(z2) w(z2)
+    const float k_96  = 0.3717225;     // 1/2 sqrt(2) pi theta_5_3(z2) w(z2)
+    const float k_97  = 0.25509235;    // pi theta_2_2(z2) w(z2)
+    const float k_98  = 0.45704043;    // pi theta_3_2(z2) w(z2)
+    const float k_99  = 0.4882406;     // pi theta_4_2(z2) w(z2)
+    const float k_100 = 0.28478214;    // pi theta_5_2(z2) w(z2)
+    const float k_101 = 0.118663035;   // pi cos(6 pi/16) theta_1_1(z2) w(z2)
+    const float k_102 = 0.17968367;    // pi cos(6 pi/16) theta_2_1(z2) w(z2)
+    const float k_103 = 0.14351144;    // pi cos(6 pi/16) theta_3_1(z2) w(z2)
+    const float k_104 = 0.02311457;    // pi cos(6 pi/16) theta_4_1(z2) w(z2)
+    const float k_105 = 0.11043319;    // -pi cos(6 pi/16) theta_5_1(z2) w(z2)
+    const float k_106 = 0.1216518;     // 1/2 pi theta_0_0(z2) w(z2)
+    const float k_107 = 0.14268796;    // 1/2 pi theta_1_0(z2) w(z2)
+    const float k_108 = 0.051105227;   // 1/2 pi theta_2_0(z2) w(z2)
+    const float k_109 = 0.07705888;    // -1/2 pi theta_3_0(z2) w(z2)
+    const float k_110 = 0.15497151;    // -1/2 pi theta_4_0(z2) w(z2)
+    const float k_111 = 0.13155833;    // -1/2 pi theta_5_0(z2) w(z2)
+    const float k_112 = 0.15504073;    // 1/2 pi theta_1_1(z2) w(z2)
+    const float k_113 = 0.23476803;    // 1/2 pi theta_2_1(z2) w(z2)
+    const float k_114 = 0.18750674;    // 1/2 pi theta_3_1(z2) w(z2)
+    const float k_115 = 0.03020064;    // 1/2 pi theta_4_1(z2) w(z2)
+    const float k_116 = 0.14428791;    // -1/2 pi theta_5_1(z2) w(z2)
+    const float k_117 = 0.06377309;    // 1/4 pi theta_2_2(z2) w(z2)
+    const float k_118 = 0.11426011;    // 1/4 pi theta_3_2(z2) w(z2)
+    const float k_119 = 0.12206015;    // 1/4 pi theta_4_2(z2) w(z2)
+    const float k_120 = 0.071195535;   // 1/4 pi theta_5_2(z2) w(z2)
+    const float k_121 = 0.07758489;    // pi cos(6 pi/16) theta_3_3(z2) w(z2)
+    const float k_122 = 0.15761827;    // pi cos(6 pi/16) theta_4_3(z2) w(z2)
+    const float k_123 = 0.20117477;    // pi cos(6 pi/16) theta_5_3(z2) w(z2)
+    const float k_124 = 0.07911346;    // 1/2 pi theta_4_4(z2) w(z2)
+    const float k_125 = 0.17768669;    // 1/2 pi theta_5_4(z2) w(z2)
+    const float k_126 = 0.04672863;    // pi cos(6 pi/16) theta_5_5(z2) w(z2)
+    const float k_127 = 0.46093348;    // theta_5_5(z3)
+    const float k_128 = 0.471678;      // theta_4_4(z3)
+    const float k_129 = 0.5680533;     // theta_5_4(z3)
+    const float k_130 = 0.47727978;    // theta_3_3(z3)
+    const float k_131 = 0.07388006;    // theta_5_3(z3)
+    const float k_132 = 0.5199259;     // theta_4_3(z3)
+    const float k_133 = 0.4742456;     // theta_2_2(z3)
+    const float k_134 = 0.03163277;    // -theta_4_2(z3)
+    const float k_135 = 0.9976599;     // -theta_3_2(z3) / theta_5_2(z3)
+    const float k_136 = 0.45668522;    // -theta_5_2(z3)
+    const float k_137 = 0.45525214;    // theta_1_1(z3)
+    const float k_138 = 0.14509904;    // -theta_3_1(z3)
+    const float k_139 = 0.20293882;    // -theta_5_1(z3)
+    const float k_140 = 0.7862193;     // -theta_2_1(z3) / theta_4_1(z3)
+    const float k_141 = 0.47015435;    // -theta_4_1(z3)
+    const float k_142 = 0.2820948;     // theta_0_0(z3)
+    const float k_143 = 0.19063437;    // -theta_2_0(z3)
+    const float k_144 = 0.0367218;     // -theta_4_0(z3)
+    const float k_145 = 0.5593589;     // -theta_1_0(z3) / theta_3_0(z3)
+    const float k_146 = 0.9191953;     // -theta_5_0(z3) / theta_3_0(z3)
+    const float k_147 = 0.31718475;    // -theta_3_0(z3)
+    const float k_148 = 0.5016511;     // pi theta_5_5(z3) w(z3)
+    const float k_149 = 0.5133447;     // pi theta_4_4(z3) w(z3)
+    const float k_150 = 0.61823356;    // pi theta_5_4(z3) w(z3)
+    const float k_151 = 0.3673005;     // 1/2 sqrt(2) pi theta_3_3(z3) w(z3)
+    const float k_152 = 0.4001197;     // 1/2 sqrt(2) pi theta_4_3(z3) w(z3)
+    const float k_153 = 0.05685593;    // 1/2 sqrt(2) pi theta_5_3(z3) w(z3)
+    const float k_154 = 0.51613915;    // pi theta_2_2(z3) w(z3)
+    const float k_155 = 0.49586445;    // pi theta_3_2(z3) w(z3)
+    const float k_156 = 0.03442712;    // -pi theta_4_2(z3) w(z3)
+    const float k_157 = 0.49702755;    // -pi theta_5_2(z3) w(z3)
+    const float k_158 = 0.18960735;    // pi cos(6 pi/16) theta_1_1(z3) w(z3)
+    const float k_159 = 0.1539527;     // pi cos(6 pi/16) theta_2_1(z3) w(z3)
+    const float k_160 = 0.060432103;   // -pi cos(6 pi/16) theta_3_1(z3) w(z3)
+    const float k_161 = 0.19581394;    // -pi cos(6 pi/16) theta_4_1(z3) w(z3)
+    const float k_162 = 0.08452171;    // -pi cos(6 pi/16) theta_5_1(z3) w(z3)
+    const float k_163 = 0.15350714;    // 1/2 pi theta_0_0(z3) w(z3)
+    const float k_164 = 0.096546456;   // 1/2 pi theta_1_0(z3) w(z3)
+    const float k_165 = 0.10373724;    // -1/2 pi theta_2_0(z3) w(z3)
+    const float k_166 = 0.17260198;    // -1/2 pi theta_3_0(z3) w(z3)
+    const float k_167 = 0.019982852;   // -1/2 pi theta_4_0(z3) w(z3)
+    const float k_168 = 0.15865493;    // 1/2 pi theta_5_0(z3) w(z3)
+    const float k_169 = 0.24773394;    // 1/2 pi theta_1_1(z3) w(z3)
+    const float k_170 = 0.2011489;     // 1/2 pi theta_2_1(z3) w(z3)
+    const float k_171 = 0.07895835;    // -1/2 pi theta_3_1(z3) w(z3)
+    const float k_172 = 0.25584325;    // -1/2 pi theta_4_1(z3) w(z3)
+    const float k_173 = 0.11043294;    // -1/2 pi theta_5_1(z3) w(z3)
+    const float k_174 = 0.12903479;    // 1/4 pi theta_2_2(z3) w(z3)
+    const float k_175 = 0.12396611;    // 1/4 pi theta_3_2(z3) w(z3)
+    const float k_176 = 0.00860678;    // -1/4 pi theta_4_2(z3) w(z3)
+    const float k_177 = 0.12425689;    // -1/4 pi theta_5_2(z3) w(z3)
+    const float k_178 = 0.19878161;    // pi cos(6 pi/16) theta_3_3(z3) w(z3)
+    const float k_179 = 0.21654321;    // pi cos(6 pi/16) theta_4_3(z3) w(z3)
+    const float k_180 = 0.030770207;   // pi cos(6 pi/16) theta_5_3(z3) w(z3)
+    const float k_181 = 0.25667235;    // 1/2 pi theta_4_4(z3) w(z3)
+    const float k_182 = 0.30911678;    // 1/2 pi theta_5_4(z3) w(z3)
+    const float k_183 = 0.19197355;    // pi cos(6 pi/16) theta_5_5(z3) w(z3)
+    const float k_184 = 0.2820948;     // 1/2 sqrt(1/pi)
+    const float k_185 = 0.63078314;    // 1/2 sqrt(5/pi)
+    const float k_186 = 0.8462844;     // 3/2 sqrt(1/pi)
+    const float k_187 = 0.52223295;    // 1/11 sqrt(33)
+    const float k_188 = 0.797724;      // 1/11 sqrt(77)
+    const float k_189 = 0.9356026;     // 1/2 sqrt(11/pi)
+    const float k_190 = 0.04923483;    // pi^(1/2) w(pole)
+    const float k_191 = 0.08527722;    // sqrt(3) pi^(1/2) w(pole)
+    const float k_192 = 0.110092424;   // sqrt(5) pi^(1/2) w(pole)
+    const float k_193 = 0.13026312;    // sqrt(7) pi^(1/2) w(pole)
+    const float k_194 = 0.14770448;    // 3 pi^(1/2) w(pole)
+    const float k_195 = 0.16329345;    // sqrt(11) pi^(1/2) w(pole)
+    const float k_196 = 0.6563821;     // 3/32 sqrt(154/pi)
+    const float k_197 = 0.6258357;     // 3/16 sqrt(35/pi)
+    const float k_198 = 0.5900436;     // 1/8 sqrt(70/pi)
+    const float k_199 = 0.4892383;     // 1/32 sqrt(770/pi)
+    const float k_200 = 0.54627424;    // 1/4 sqrt(15/pi)
+    const float k_201 = 0.47308734;    // 3/8 sqrt(5/pi)
+    const float k_202 = 0.48860252;    // 1/2 sqrt(3/pi)
+    const float k_203 = 0.4570458;     // 1/8 sqrt(42/pi)
+    const float k_204 = 0.45294666;    // 1/16 sqrt(165/pi)
+    const float k_205 = 0.31539157;    // 1/4 sqrt(5/pi)
+    const float k_206 = 0.31735665;    // 9/16 sqrt(1/pi)
+    const float k_207 = 0.76610434;    // 3/32 sqrt(154) pi^(1/2) w(equator)
+    const float k_208 = 0.7304518;     // 3/16 sqrt(35) pi^(1/2) w(equator)
+    const float k_209 = 0.6886766;     // 1/8 sqrt(70) pi^(1/2) w(equator)
+    const float k_210 = 0.5710205;     // 1/32 sqrt(770) pi^(1/2) w(equator)
+    const float k_211 = 0.63759065;    // 1/4 sqrt(15) pi^(1/2) w(equator)
+    const float k_212 = 0.5521697;     // 3/8 sqrt(5) pi^(1/2) w(equator)
+    const float k_213 = 0.21823609;    // 1/2 sqrt(3) pi^(1/2) cos(6 pi/16) w(equator)
+    const float k_214 = 0.20414117;    // 1/8 sqrt(42) pi^(1/2) cos(6 pi/16) w(equator)
+    const float k_215 = 0.20231028;    // 1/16 sqrt(165) pi^(1/2) cos(6 pi/16) w(equator)
+    const float k_216 = 0.1646252;     // 1/4 pi^(1/2) w(equator)
+    const float k_217 = 0.18405657;    // 1/8 sqrt(5) pi^(1/2) w(equator)
+    const float k_218 = 0.18520334;    // 9/32 pi^(1/2) w(equator)
+    const float k_219 = 0.2851392;     // 1/4 sqrt(3) pi^(1/2) w(equator)
+    const float k_220 = 0.2667233;     // 1/16 sqrt(42) pi^(1/2) w(equator)
+    const float k_221 = 0.2643311;     // 1/32 sqrt(165) pi^(1/2) w(equator)
+    const float k_222 = 0.15939766;    // 1/16 sqrt(15) pi^(1/2) w(equator)
+    const float k_223 = 0.13804242;    // 3/32 sqrt(5) pi^(1/2) w(equator)
+    const float k_224 = 0.3652259;     // 3/32 sqrt(35) pi^(1/2) w(equator)
 
     float a25 = a[25];
     float a1s5n = k * a25;
@@ -421,11 +418,11 @@ void square_l5(float a[36], out float result[36]) {
     float t_111 = t_108 + t_110;
     float t_112 = t_105 + t_107;
     float t_113 = t_86 - k_22 * t_91;
-    float t_114 = k_31 * t_91 + k_32 * t_90 + k_34 * t_86 + t_83;
-    float t_115 = k_35 * t_83 - k_33 * t_90;
+    float t_114 = k_31 * t_91 + k_28 * t_90 + k_29 * t_86 + t_83;
+    float t_115 = k_33 * t_83 - k_32 * t_90;
     float t_116 = t_71 - k_22 * t_76;
-    float t_117 = k_31 * t_76 + k_32 * t_75 + k_34 * t_71 + t_68;
-    float t_118 = k_35 * t_68 - k_33 * t_75;
+    float t_117 = k_31 * t_76 + k_28 * t_75 + k_29 * t_71 + t_68;
+    float t_118 = k_33 * t_68 - k_32 * t_75;
     float t_119 = t_113 + t_115;
     float t_120 = t_116 + t_118;
     float t_121 = t_120 + t_119;
@@ -440,52 +437,52 @@ void square_l5(float a[36], out float result[36]) {
     float t_130 = t_97 + t_93;
     float t_131 = t_97 - t_93;
     float t_132 = t_111 + t_112;
-    float a2s5n = k_73 * a25;
-    float t_133 = k_74 * a16;
-    float t_134 = k_75 * a26;
-    float t_135 = k_132 * a26;
+    float a2s5n = k_70 * a25;
+    float t_133 = k_71 * a16;
+    float t_134 = k_72 * a26;
+    float t_135 = k_129 * a26;
     float a2s4n = t_133 + t_134;
     float a2s4s = t_133 - t_134;
-    float t_136 = k_76 * a9 + k_77 * a27;
-    float t_137 = k_78 * a17;
-    float t_138 = k_135 * a17;
+    float t_136 = k_73 * a9 + k_74 * a27;
+    float t_137 = k_75 * a17;
+    float t_138 = k_132 * a17;
     float a2s3n = t_136 + t_137;
     float a2s3s = t_136 - t_137;
-    float t_139 = k_79 * a4 + k_80 * a18;
-    float t_140 = k_82 * (a10 + k_81 * a28);
-    float t_141 = k_139 * (a28 - k_138 * a10);
+    float t_139 = k_76 * a4 + k_77 * a18;
+    float t_140 = k_79 * (a10 + k_78 * a28);
+    float t_141 = k_136 * (a28 - k_135 * a10);
     float a2s2n = t_139 + t_140;
     float a2s2s = t_139 - t_140;
-    float t_142 = k_83 * a1 + k_84 * a11 - k_85 * a29;
-    float t_143 = k_87 * (a5 + k_86 * a19);
-    float t_144 = k_144 * (a19 - k_143 * a5);
+    float t_142 = k_80 * a1 + k_81 * a11 - k_82 * a29;
+    float t_143 = k_84 * (a5 + k_83 * a19);
+    float t_144 = k_141 * (a19 - k_140 * a5);
     float a2s1n = t_142 + t_143;
     float a2s1s = t_142 - t_143;
-    float t_145 = k_88 * a0 + k_89 * a6 - k_90 * a20;
-    float t_146 = k_93 * (a2 - k_91 * a12 - k_92 * a30);
+    float t_145 = k_85 * a0 + k_86 * a6 - k_87 * a20;
+    float t_146 = k_90 * (a2 - k_88 * a12 - k_89 * a30);
     float a2c0n = t_145 + t_146;
     float a2c0s = t_145 - t_146;
-    float t_147 = k_83 * a3 + k_84 * a13 - k_85 * a31;
-    float t_148 = k_87 * (a7 + k_86 * a21);
-    float t_149 = k_144 * (a21 - k_143 * a7);
+    float t_147 = k_80 * a3 + k_81 * a13 - k_82 * a31;
+    float t_148 = k_84 * (a7 + k_83 * a21);
+    float t_149 = k_141 * (a21 - k_140 * a7);
     float a2c1n = t_147 + t_148;
     float a2c1s = t_147 - t_148;
-    float t_150 = k_79 * a8 + k_80 * a22;
-    float t_151 = k_82 * (a14 + k_81 * a32);
-    float t_152 = k_139 * (a32 - k_138 * a14);
+    float t_150 = k_76 * a8 + k_77 * a22;
+    float t_151 = k_79 * (a14 + k_78 * a32);
+    float t_152 = k_136 * (a32 - k_135 * a14);
     float a2c2n = t_150 + t_151;
     float a2c2s = t_150 - t_151;
-    float t_153 = k_76 * a15 + k_77 * a33;
-    float t_154 = k_78 * a23;
-    float t_155 = k_135 * a23;
+    float t_153 = k_73 * a15 + k_74 * a33;
+    float t_154 = k_75 * a23;
+    float t_155 = k_132 * a23;
     float a2c3n = t_153 + t_154;
     float a2c3s = t_153 - t_154;
-    float t_156 = k_74 * a24;
-    float t_157 = k_75 * a34;
-    float t_158 = k_132 * a34;
+    float t_156 = k_71 * a24;
+    float t_157 = k_72 * a34;
+    float t_158 = k_129 * a34;
     float a2c4n = t_156 + t_157;
     float a2c4s = t_156 - t_157;
-    float a2c5n = k_73 * a35;
+    float a2c5n = k_70 * a35;
     float t_159 = a2c0n + a2c4n;
     float t_160 = a2c0n - a2c4n;
     float t_161 = a2c0s + a2c4s;
@@ -581,11 +578,11 @@ void square_l5(float a[36], out float result[36]) {
     float t_251 = t_248 + t_250;
     float t_252 = t_245 + t_247;
     float t_253 = t_226 - k_22 * t_231;
-    float t_254 = k_31 * t_231 + k_32 * t_230 + k_34 * t_226 + t_223;
-    float t_255 = k_35 * t_223 - k_33 * t_230;
+    float t_254 = k_31 * t_231 + k_28 * t_230 + k_29 * t_226 + t_223;
+    float t_255 = k_33 * t_223 - k_32 * t_230;
     float t_256 = t_211 - k_22 * t_216;
-    float t_257 = k_31 * t_216 + k_32 * t_215 + k_34 * t_211 + t_208;
-    float t_258 = k_35 * t_208 - k_33 * t_215;
+    float t_257 = k_31 * t_216 + k_28 * t_215 + k_29 * t_211 + t_208;
+    float t_258 = k_33 * t_208 - k_32 * t_215;
     float t_259 = t_253 + t_255;
     float t_260 = t_256 + t_258;
     float t_261 = t_260 + t_259;
@@ -600,48 +597,48 @@ void square_l5(float a[36], out float result[36]) {
     float t_270 = t_237 + t_233;
     float t_271 = t_237 - t_233;
     float t_272 = t_251 + t_252;
-    float a3s5n = k_130 * a25;
-    float a5s5n = k_199 * a25;
-    float t_273 = k_131 * a16;
-    float a5s4n = k_200 * a16;
+    float a3s5n = k_127 * a25;
+    float a5s5n = k_196 * a25;
+    float t_273 = k_128 * a16;
+    float a5s4n = k_197 * a16;
     float a3s4n = t_273 + t_135;
     float a3s4s = t_273 - t_135;
-    float t_274 = k_133 * a9 + k_134 * a27;
-    float a5s3n = k_201 * a9 - k_202 * a27;
+    float t_274 = k_130 * a9 + k_131 * a27;
+    float a5s3n = k_198 * a9 - k_199 * a27;
     float a3s3n = t_274 + t_138;
     float a3s3s = t_274 - t_138;
-    float t_275 = k_136 * a4 - k_137 * a18;
-    float a5s2n = k_203 * a4 - k_204 * a18;
+    float t_275 = k_133 * a4 - k_134 * a18;
+    float a5s2n = k_200 * a4 - k_201 * a18;
     float a3s2n = t_275 - t_141;
     float a3s2s = t_275 + t_141;
-    float t_276 = k_140 * a1 - k_141 * a11 - k_142 * a29;
-    float a5s1n = k_205 * a1 - k_206 * a11 + k_207 * a29;
+    float t_276 = k_137 * a1 - k_138 * a11 - k_139 * a29;
+    float a5s1n = k_202 * a1 - k_203 * a11 + k_204 * a29;
     float a3s1n = t_276 - t_144;
     float a3s1s = t_276 + t_144;
-    float t_277 = k_187 * a0;
-    float t_278 = k_145 * a0 - k_146 * a6 - k_147 * a20;
-    float t_279 = k_150 * (a12 - k_148 * a2 - k_149 * a30);
-    float t_280 = k_192 * (k_190 * a2 + k_191 * a12 + a30);
+    float t_277 = k_184 * a0;
+    float t_278 = k_142 * a0 - k_143 * a6 - k_144 * a20;
+    float t_279 = k_147 * (a12 - k_145 * a2 - k_146 * a30);
+    float t_280 = k_189 * (k_187 * a2 + k_188 * a12 + a30);
     float a3c0n = t_278 - t_279;
     float a3c0s = t_278 + t_279;
-    float t_281 = k_140 * a3 - k_141 * a13 - k_142 * a31;
-    float a5c1n = k_205 * a3 - k_206 * a13 + k_207 * a31;
+    float t_281 = k_137 * a3 - k_138 * a13 - k_139 * a31;
+    float a5c1n = k_202 * a3 - k_203 * a13 + k_204 * a31;
     float a3c1n = t_281 - t_149;
     float a3c1s = t_281 + t_149;
-    float t_282 = k_136 * a8 - k_137 * a22;
-    float a5c2n = k_203 * a8 - k_204 * a22;
+    float t_282 = k_133 * a8 - k_134 * a22;
+    float a5c2n = k_200 * a8 - k_201 * a22;
     float a3c2n = t_282 - t_152;
     float a3c2s = t_282 + t_152;
-    float t_283 = k_133 * a15 + k_134 * a33;
-    float a5c3n = k_201 * a15 - k_202 * a33;
+    float t_283 = k_130 * a15 + k_131 * a33;
+    float a5c3n = k_198 * a15 - k_199 * a33;
     float a3c3n = t_283 + t_155;
     float a3c3s = t_283 - t_155;
-    float t_284 = k_131 * a24;
-    float a5c4n = k_200 * a24;
+    float t_284 = k_128 * a24;
+    float a5c4n = k_197 * a24;
     float a3c4n = t_284 + t_158;
     float a3c4s = t_284 - t_158;
-    float a3c5n = k_130 * a35;
-    float a5c5n = k_199 * a35;
+    float a3c5n = k_127 * a35;
+    float a5c5n = k_196 * a35;
     float t_285 = a3c0n + a3c4n;
     float t_286 = a3c0n - a3c4n;
     float t_287 = a3c0s + a3c4s;
@@ -737,16 +734,16 @@ void square_l5(float a[36], out float result[36]) {
     float t_377 = t_374 + t_376;
     float t_378 = t_371 + t_373;
     float t_379 = t_352 - k_22 * t_357;
-    float t_380 = k_31 * t_357 + k_32 * t_356 + k_34 * t_352 + t_349;
-    float t_381 = k_35 * t_349 - k_33 * t_356;
+    float t_380 = k_31 * t_357 + k_28 * t_356 + k_29 * t_352 + t_349;
+    float t_381 = k_33 * t_349 - k_32 * t_356;
     float t_382 = t_337 - k_22 * t_342;
-    float t_383 = k_31 * t_342 + k_32 * t_341 + k_34 * t_337 + t_334;
-    float t_384 = k_35 * t_334 - k_33 * t_341;
+    float t_383 = k_31 * t_342 + k_28 * t_341 + k_29 * t_337 + t_334;
+    float t_384 = k_33 * t_334 - k_32 * t_341;
     float t_385 = t_379 + t_381;
     float t_386 = t_382 + t_384;
-    result[26] = k_39 * (t_103 - t_101) + k_96 * (t_243 - t_241) + k_153 * (t_369 - t_367);                            // l=5 m=-4
+    result[26] = k_36 * (t_103 - t_101) + k_93 * (t_243 - t_241) + k_150 * (t_369 - t_367);                            // l=5 m=-4
     float t_387 = t_386 + t_385;
-    result[17] = k_41 * (t_120 - t_119) + k_98 * (t_260 - t_259) + k_155 * (t_386 - t_385);                            // l=4 m=-3
+    result[17] = k_38 * (t_120 - t_119) + k_95 * (t_260 - t_259) + k_152 * (t_386 - t_385);                            // l=4 m=-3
     float t_388 = t_370 + t_368;
     float t_389 = t_370 - t_368;
     float t_390 = t_383 + t_380;
@@ -758,27 +755,27 @@ void square_l5(float a[36], out float result[36]) {
     float t_396 = t_363 + t_359;
     float t_397 = t_363 - t_359;
     float t_398 = t_377 + t_378;
-    result[23] = k_68 * (t_111 - t_112) + k_125 * (t_251 - t_252) + k_182 * (t_377 - t_378);                           // l=4 m=3
-    result[34] = k_71 * (t_100 - t_96) + k_128 * (t_240 - t_236) + k_185 * (t_366 - t_362);                            // l=5 m=4
-    result[10] = k_44 * t_123 + k_101 * t_263 + k_158 * t_389;                                                         // l=3 m=-2
-    result[28] = k_46 * t_123 + k_103 * t_263 - k_160 * t_389;                                                         // l=5 m=-2
-    result[5] = k_48 * t_125 + k_105 * t_265 + k_162 * t_391;                                                          // l=2 m=-1
-    result[19] = k_50 * t_125 + k_107 * t_265 - k_164 * t_391;                                                         // l=4 m=-1
-    result[7] = k_59 * t_129 + k_116 * t_269 + k_173 * t_395;                                                          // l=2 m=1
-    result[21] = k_61 * t_129 + k_118 * t_269 - k_175 * t_395;                                                         // l=4 m=1
-    result[14] = k_64 * t_131 + k_121 * t_271 + k_178 * t_397;                                                         // l=3 m=2
-    result[32] = k_66 * t_131 + k_123 * t_271 - k_180 * t_397;                                                         // l=5 m=2
-    float t_399 = t_277 + k_188 * a6 + k_189 * a20;
-    float a5c0n = t_277 - k_208 * a6 + k_209 * a20;
+    result[23] = k_65 * (t_111 - t_112) + k_122 * (t_251 - t_252) + k_179 * (t_377 - t_378);                           // l=4 m=3
+    result[34] = k_68 * (t_100 - t_96) + k_125 * (t_240 - t_236) + k_182 * (t_366 - t_362);                            // l=5 m=4
+    result[10] = k_41 * t_123 + k_98 * t_263 + k_155 * t_389;                                                          // l=3 m=-2
+    result[28] = k_43 * t_123 + k_100 * t_263 - k_157 * t_389;                                                         // l=5 m=-2
+    result[5] = k_45 * t_125 + k_102 * t_265 + k_159 * t_391;                                                          // l=2 m=-1
+    result[19] = k_47 * t_125 + k_104 * t_265 - k_161 * t_391;                                                         // l=4 m=-1
+    result[7] = k_56 * t_129 + k_113 * t_269 + k_170 * t_395;                                                          // l=2 m=1
+    result[21] = k_58 * t_129 + k_115 * t_269 - k_172 * t_395;                                                         // l=4 m=1
+    result[14] = k_61 * t_131 + k_118 * t_271 + k_175 * t_397;                                                         // l=3 m=2
+    result[32] = k_63 * t_131 + k_120 * t_271 - k_177 * t_397;                                                         // l=5 m=2
+    float t_399 = t_277 + k_185 * a6 + k_186 * a20;
+    float a5c0n = t_277 - k_205 * a6 + k_206 * a20;
     float t_400 = t_399 + t_280;
     float t_401 = t_399 - t_280;
     float t_402 = t_400 * t_400;
     float t_403 = t_401 * t_401;
     float t_404 = t_402 + t_403;
     float t_405 = t_402 - t_403;
-    result[2] = k_53 * t_127 + k_110 * t_267 + k_167 * t_393 + k_194 * t_405;                                          // l=1 m=0
-    result[12] = k_55 * t_127 - k_112 * t_267 - k_169 * t_393 + k_196 * t_405;                                         // l=3 m=0
-    result[30] = k_171 * t_393 - k_57 * t_127 - k_114 * t_267 + k_198 * t_405;                                         // l=5 m=0
+    result[2] = k_50 * t_127 + k_107 * t_267 + k_164 * t_393 + k_191 * t_405;                                          // l=1 m=0
+    result[12] = k_52 * t_127 - k_109 * t_267 - k_166 * t_393 + k_193 * t_405;                                         // l=3 m=0
+    result[30] = k_168 * t_393 - k_54 * t_127 - k_111 * t_267 + k_195 * t_405;                                         // l=5 m=0
     float t_406 = a5c0n + a5c4n;
     float t_407 = a5c0n - a5c4n;
     float t_408 = a5c2n + t_406;
@@ -819,36 +816,36 @@ void square_l5(float a[36], out float result[36]) {
     float t_443 = k_25 * (t_430 - t_437) - t_442 + t_429;
     float t_444 = k_26 * (t_442 + t_429);
     float t_445 = t_437 + t_434 + t_430 + t_444;
-    result[24] = k_70 * (t_100 + t_96) + k_127 * (t_240 + t_236) + k_184 * (t_366 + t_362) + k_227 * (t_444 - t_434);  // l=4 m=4
+    result[24] = k_67 * (t_100 + t_96) + k_124 * (t_240 + t_236) + k_181 * (t_366 + t_362) + k_224 * (t_444 - t_434);  // l=4 m=4
     float t_446 = t_407 * a5s2n + t_420 * t_425 + k_22 * (t_438 + t_431);
-    result[16] = k_38 * (t_103 + t_101) + k_95 * (t_243 + t_241) + k_152 * (t_369 + t_367) + k_211 * (t_431 - t_438);  // l=4 m=-4
+    result[16] = k_35 * (t_103 + t_101) + k_92 * (t_243 + t_241) + k_149 * (t_369 + t_367) + k_208 * (t_431 - t_438);  // l=4 m=-4
     float t_447 = k_24 * t_432 - k_23 * t_439;
     float t_448 = k_27 * t_439 + k_25 * t_435 + k_30 * t_432 + t_428;
     float t_449 = k_26 * t_428 - k_22 * t_435;
     float t_450 = t_447 + t_449;
-    result[35] = k_72 * (t_107 - t_105 - t_108 + t_110) + k_129 * (t_247 - t_245 - t_248 + t_250) + k_186 * (t_373
-        - t_371 - t_374 + t_376) + k_210 * (t_449 - t_447);                                                            // l=5 m=5
+    result[35] = k_69 * (t_107 - t_105 - t_108 + t_110) + k_126 * (t_247 - t_245 - t_248 + t_250) + k_183 * (t_373
+        - t_371 - t_374 + t_376) + k_207 * (t_449 - t_447);                                                            // l=5 m=5
     float t_451 = k_26 * t_441 - k_22 * t_436;
-    float t_452 = k_31 * t_441 + k_32 * t_440 + k_34 * t_436 + t_433;
+    float t_452 = k_31 * t_441 + k_28 * t_440 + k_29 * t_436 + t_433;
     float t_453 = k_23 * t_433 - k_24 * t_440;
     float t_454 = t_453 - t_451;
-    result[25] = k_37 * (k_36 * (t_115 - t_113 - t_116 + t_118)) + k_94 * (k_36 * (t_255 - t_253 - t_256 + t_258))
-        + k_151 * (k_36 * (t_381 - t_379 - t_382 + t_384)) + k_210 * (t_451 + t_453);                                  // l=5 m=-5
-    result[9] = k_40 * t_121 + k_97 * t_261 + k_154 * t_387 + k_212 * t_454;                                           // l=3 m=-3
-    result[27] = k_42 * t_121 + k_99 * t_261 + k_156 * t_387 - k_213 * t_454;                                          // l=5 m=-3
-    result[4] = k_43 * t_122 + k_100 * t_262 + k_157 * t_388 + k_214 * t_446;                                          // l=2 m=-2
-    result[18] = k_45 * t_122 + k_102 * t_262 - k_159 * t_388 - k_215 * t_446;                                         // l=4 m=-2
-    result[1] = k_47 * t_124 + k_104 * t_264 + k_161 * t_390 + k_216 * t_452;                                          // l=1 m=-1
-    result[11] = k_49 * t_124 + k_106 * t_264 - k_163 * t_390 - k_217 * t_452;                                         // l=3 m=-1
-    result[29] = k_51 * t_124 - k_108 * t_264 - k_165 * t_390 + k_218 * t_452;                                         // l=5 m=-1
-    result[0] = k_52 * t_126 + k_109 * t_266 + k_166 * t_392 + k_193 * t_404 + k_219 * t_445;                          // l=0 m=0
-    result[6] = k_54 * t_126 + k_111 * t_266 - k_168 * t_392 + k_195 * t_404 - k_220 * t_445;                          // l=2 m=0
-    result[20] = k_56 * t_126 - k_113 * t_266 - k_170 * t_392 + k_197 * t_404 + k_221 * t_445;                         // l=4 m=0
-    result[3] = k_58 * t_128 + k_115 * t_268 + k_172 * t_394 + k_222 * t_448;                                          // l=1 m=1
-    result[13] = k_60 * t_128 + k_117 * t_268 - k_174 * t_394 - k_223 * t_448;                                         // l=3 m=1
-    result[31] = k_62 * t_128 - k_119 * t_268 - k_176 * t_394 + k_224 * t_448;                                         // l=5 m=1
-    result[8] = k_63 * t_130 + k_120 * t_270 + k_177 * t_396 + k_225 * t_443;                                          // l=2 m=2
-    result[22] = k_65 * t_130 + k_122 * t_270 - k_179 * t_396 - k_226 * t_443;                                         // l=4 m=2
-    result[15] = k_67 * t_132 + k_124 * t_272 + k_181 * t_398 + k_212 * t_450;                                         // l=3 m=3
-    result[33] = k_69 * t_132 + k_126 * t_272 + k_183 * t_398 - k_213 * t_450;                                         // l=5 m=3
+    result[25] = k_34 * (k_22 * (t_115 - t_113 - t_116 + t_118)) + k_91 * (k_22 * (t_255 - t_253 - t_256 + t_258))
+        + k_148 * (k_22 * (t_381 - t_379 - t_382 + t_384)) + k_207 * (t_451 + t_453);                                  // l=5 m=-5
+    result[9] = k_37 * t_121 + k_94 * t_261 + k_151 * t_387 + k_209 * t_454;                                           // l=3 m=-3
+    result[27] = k_39 * t_121 + k_96 * t_261 + k_153 * t_387 - k_210 * t_454;                                          // l=5 m=-3
+    result[4] = k_40 * t_122 + k_97 * t_262 + k_154 * t_388 + k_211 * t_446;                                           // l=2 m=-2
+    result[18] = k_42 * t_122 + k_99 * t_262 - k_156 * t_388 - k_212 * t_446;                                          // l=4 m=-2
+    result[1] = k_44 * t_124 + k_101 * t_264 + k_158 * t_390 + k_213 * t_452;                                          // l=1 m=-1
+    result[11] = k_46 * t_124 + k_103 * t_264 - k_160 * t_390 - k_214 * t_452;                                         // l=3 m=-1
+    result[29] = k_48 * t_124 - k_105 * t_264 - k_162 * t_390 + k_215 * t_452;                                         // l=5 m=-1
+    result[0] = k_49 * t_126 + k_106 * t_266 + k_163 * t_392 + k_190 * t_404 + k_216 * t_445;                          // l=0 m=0
+    result[6] = k_51 * t_126 + k_108 * t_266 - k_165 * t_392 + k_192 * t_404 - k_217 * t_445;                          // l=2 m=0
+    result[20] = k_53 * t_126 - k_110 * t_266 - k_167 * t_392 + k_194 * t_404 + k_218 * t_445;                         // l=4 m=0
+    result[3] = k_55 * t_128 + k_112 * t_268 + k_169 * t_394 + k_219 * t_448;                                          // l=1 m=1
+    result[13] = k_57 * t_128 + k_114 * t_268 - k_171 * t_394 - k_220 * t_448;                                         // l=3 m=1
+    result[31] = k_59 * t_128 - k_116 * t_268 - k_173 * t_394 + k_221 * t_448;                                         // l=5 m=1
+    result[8] = k_60 * t_130 + k_117 * t_270 + k_174 * t_396 + k_222 * t_443;                                          // l=2 m=2
+    result[22] = k_62 * t_130 + k_119 * t_270 - k_176 * t_396 - k_223 * t_443;                                         // l=4 m=2
+    result[15] = k_64 * t_132 + k_121 * t_272 + k_178 * t_398 + k_209 * t_450;                                         // l=3 m=3
+    result[33] = k_66 * t_132 + k_123 * t_272 + k_180 * t_398 - k_210 * t_450;                                         // l=5 m=3
 }

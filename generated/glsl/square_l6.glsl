@@ -4,7 +4,7 @@
 // Licence:      MIT-0; paste it anywhere.
 //
 // Input:        a (49)
-// Domain:       any coefficients: a has degree 0 to 6
+// Domain:       any coefficients
 // Output:       result (49): coefficients of a a at index l(l+1)+m, orthonormal on the unit sphere, no Condon-Shortley
 //               phase
 // Recipe:       separable
@@ -32,25 +32,25 @@ void square_l6(float a[49], out float result[49]) {
     const float k_6   = 0.031585436;    // theta_5_4(z1)
     const float k_7   = 0.026907358;    // theta_3_3(z1)
     const float k_8   = 0.15285365;     // theta_5_3(z1)
-    const float k_9   = 0.29132107;     // theta_4_3(z1) * 1/(theta_6_3(z1))
+    const float k_9   = 0.29132107;     // theta_4_3(z1) / theta_6_3(z1)
     const float k_10  = 0.2588022;      // theta_6_3(z1)
     const float k_11  = 0.06972717;     // theta_2_2(z1)
     const float k_12  = 0.30835918;     // theta_4_2(z1)
     const float k_13  = 0.61207473;     // theta_6_2(z1)
-    const float k_14  = 0.3729093;      // theta_3_2(z1) * 1/(theta_5_2(z1))
+    const float k_14  = 0.3729093;      // theta_3_2(z1) / theta_5_2(z1)
     const float k_15  = 0.4620568;      // theta_5_2(z1)
     const float k_16  = 0.17456266;     // theta_1_1(z1)
     const float k_17  = 0.5489419;      // theta_3_1(z1)
     const float k_18  = 0.7716058;      // theta_5_1(z1)
-    const float k_19  = 0.47563758;     // theta_2_1(z1) * 1/(theta_6_1(z1))
-    const float k_20  = 0.9048251;      // theta_4_1(z1) * 1/(theta_6_1(z1))
+    const float k_19  = 0.47563758;     // theta_2_1(z1) / theta_6_1(z1)
+    const float k_20  = 0.9048251;      // theta_4_1(z1) / theta_6_1(z1)
     const float k_21  = 0.7664922;      // theta_6_1(z1)
     const float k_22  = 0.2820948;      // theta_0_0(z1)
     const float k_23  = 0.51001215;     // theta_2_0(z1)
     const float k_24  = 0.36650226;     // theta_4_0(z1)
     const float k_25  = 0.014898615;    // theta_6_0(z1)
-    const float k_26  = 0.96145815;     // theta_1_0(z1) * 1/(theta_3_0(z1))
-    const float k_27  = 0.43230233;     // theta_5_0(z1) * 1/(theta_3_0(z1))
+    const float k_26  = 0.96145815;     // theta_1_0(z1) / theta_3_0(z1)
+    const float k_27  = 0.43230233;     // theta_5_0(z1) / theta_3_0(z1)
     const float k_28  = 0.4746493;      // theta_3_0(z1)
     const float k_29  = 0.70710677;     // 1/2 sqrt(2)
     const float k_30  = 0.9238795;      // cos(2 pi/16)
@@ -58,341 +58,335 @@ void square_l6(float a[49], out float result[49]) {
     const float k_32  = 1.4142135;      // sqrt(2)
     const float k_33  = 0.5;            // 1/2
     const float k_34  = 2.0;            // 2
-    const float k_35  = 0.76536685;     // cos(6 pi/16) * 2
-    const float k_36  = 1.847759;       // cos(2 pi/16) * 2
-    const float k_37  = 0.76536685;     // -(-(cos(6 pi/16)) * 2)
-    const float k_38  = 0.5;            // -((cos(6 pi/16)) / (-(cos(6 pi/16)) * 2))
-    const float k_39  = 1.306563;       // 1/2 * 1/(cos(6 pi/16))
-    const float k_40  = 2.4142137;      // cos(2 pi/16) * 1/(cos(6 pi/16))
-    const float k_41  = 1.847759;       // 1/2 sqrt(2) * 1/(cos(6 pi/16))
-    const float k_42  = 0.00024461932;  // pi * w(z1) * 1/2 * theta_6_6(z1)
-    const float k_43  = 0.00065783056;  // pi * w(z1) * 1/2 * theta_5_5(z1)
-    const float k_44  = 0.0022153037;   // pi * w(z1) * 1/2 * theta_6_5(z1)
-    const float k_45  = 0.0035111716;   // pi * w(z1) * theta_4_4(z1)
-    const float k_46  = 0.01087667;     // pi * w(z1) * theta_5_4(z1)
-    const float k_47  = 0.024333376;    // pi * w(z1) * theta_6_4(z1)
-    const float k_48  = 0.00463287;     // pi * w(z1) * 1/2 * theta_3_3(z1)
-    const float k_49  = 0.012981322;    // pi * w(z1) * 1/2 * theta_4_3(z1)
-    const float k_50  = 0.026318122;    // pi * w(z1) * 1/2 * theta_5_3(z1)
-    const float k_51  = 0.04456019;     // pi * w(z1) * 1/2 * theta_6_3(z1)
-    const float k_52  = 0.024011046;    // pi * w(z1) * theta_2_2(z1)
-    const float k_53  = 0.059334546;    // pi * w(z1) * theta_3_2(z1)
-    const float k_54  = 0.10618568;     // pi * w(z1) * theta_4_2(z1)
-    const float k_55  = 0.15911254;     // pi * w(z1) * theta_5_2(z1)
-    const float k_56  = 0.21077228;     // pi * w(z1) * theta_6_2(z1)
-    const float k_57  = 0.023003826;    // pi * w(z1) * cos(6 pi/16) * theta_1_1(z1)
-    const float k_58  = 0.048043277;    // pi * w(z1) * cos(6 pi/16) * theta_2_1(z1)
-    const float k_59  = 0.07233944;     // pi * w(z1) * cos(6 pi/16) * theta_3_1(z1)
-    const float k_60  = 0.09139472;     // pi * w(z1) * cos(6 pi/16) * theta_4_1(z1)
-    const float k_61  = 0.10168202;     // pi * w(z1) * cos(6 pi/16) * theta_5_1(z1)
-    const float k_62  = 0.10100816;     // pi * w(z1) * cos(6 pi/16) * theta_6_1(z1)
-    const float k_63  = 0.048570674;    // 1/2 pi * w(z1) * theta_0_0(z1)
-    const float k_64  = 0.07857462;     // 1/2 pi * w(z1) * theta_1_0(z1)
-    const float k_65  = 0.087813154;    // 1/2 pi * w(z1) * theta_2_0(z1)
-    const float k_66  = 0.081724435;    // 1/2 pi * w(z1) * theta_3_0(z1)
-    const float k_67  = 0.063103825;    // 1/2 pi * w(z1) * theta_4_0(z1)
-    const float k_68  = 0.035329662;    // 1/2 pi * w(z1) * theta_5_0(z1)
-    const float k_69  = 0.002565222;    // 1/2 pi * w(z1) * theta_6_0(z1)
-    const float k_70  = 0.030055948;    // pi * w(z1) * 1/2 * theta_1_1(z1)
-    const float k_71  = 0.062771566;    // pi * w(z1) * 1/2 * theta_2_1(z1)
-    const float k_72  = 0.094516024;    // pi * w(z1) * 1/2 * theta_3_1(z1)
-    const float k_73  = 0.11941296;     // pi * w(z1) * 1/2 * theta_4_1(z1)
-    const float k_74  = 0.13285397;     // pi * w(z1) * 1/2 * theta_5_1(z1)
-    const float k_75  = 0.13197352;     // pi * w(z1) * 1/2 * theta_6_1(z1)
-    const float k_76  = 0.0060027614;   // 1/2 pi * w(z1) * 1/2 * theta_2_2(z1)
-    const float k_77  = 0.014833637;    // 1/2 pi * w(z1) * 1/2 * theta_3_2(z1)
-    const float k_78  = 0.02654642;     // 1/2 pi * w(z1) * 1/2 * theta_4_2(z1)
-    const float k_79  = 0.039778136;    // 1/2 pi * w(z1) * 1/2 * theta_5_2(z1)
-    const float k_80  = 0.05269307;     // 1/2 pi * w(z1) * 1/2 * theta_6_2(z1)
-    const float k_81  = 0.00926574;     // pi * w(z1) * theta_3_3(z1)
-    const float k_82  = 0.025962643;    // pi * w(z1) * theta_4_3(z1)
-    const float k_83  = 0.052636243;    // pi * w(z1) * theta_5_3(z1)
-    const float k_84  = 0.08912038;     // pi * w(z1) * theta_6_3(z1)
-    const float k_85  = 0.0017555858;   // 1/2 pi * w(z1) * theta_4_4(z1)
-    const float k_86  = 0.005438335;    // 1/2 pi * w(z1) * theta_5_4(z1)
-    const float k_87  = 0.012166688;    // 1/2 pi * w(z1) * theta_6_4(z1)
-    const float k_88  = 0.00024461932;  // 1/2 pi * w(z1) * theta_6_6(z1)
-    const float k_89  = 0.03886128;     // theta_6_6(z2)
-    const float k_90  = 0.06020596;     // theta_5_5(z2)
-    const float k_91  = 0.17029227;     // theta_6_5(z2)
-    const float k_92  = 0.09256495;     // theta_4_4(z2)
-    const float k_93  = 0.43057197;     // theta_6_4(z2)
-    const float k_94  = 0.24083894;     // theta_5_4(z2)
-    const float k_95  = 0.1407258;      // theta_3_3(z2)
-    const float k_96  = 0.52959555;     // theta_5_3(z2)
-    const float k_97  = 0.50975156;     // theta_4_3(z2) * 1/(theta_6_3(z2))
-    const float k_98  = 0.649711;       // theta_6_3(z2)
-    const float k_99  = 0.21008924;     // theta_2_2(z2)
-    const float k_100 = 0.601848;       // theta_4_2(z2)
-    const float k_101 = 0.42882162;     // theta_6_2(z2)
-    const float k_102 = 0.71258813;     // theta_3_2(z2) * 1/(theta_5_2(z2))
-    const float k_103 = 0.61192477;     // theta_5_2(z2)
-    const float k_104 = 0.3030067;      // theta_1_1(z2)
-    const float k_105 = 0.5887186;      // theta_3_1(z2)
-    const float k_106 = 0.09483849;     // theta_5_1(z2)
-    const float k_107 = 0.80092204;     // theta_4_1(z2) * 1/(theta_2_1(z2))
-    const float k_108 = 0.5141674;      // -(theta_6_1(z2) * 1/(theta_2_1(z2)))
-    const float k_109 = 0.53152174;     // theta_2_1(z2)
-    const float k_110 = 0.2820948;      // theta_0_0(z2)
-    const float k_111 = 0.2668979;      // theta_2_0(z2)
-    const float k_112 = 0.23343825;     // -(theta_4_0(z2))
-    const float k_113 = 0.3713553;      // -(theta_6_0(z2))
-    const float k_114 = 0.99031764;     // -(theta_1_0(z2) * 1/(theta_5_0(z2)))
-    const float k_115 = 0.05829446;     // -(theta_3_0(z2) * 1/(theta_5_0(z2)))
-    const float k_116 = 0.38704816;     // -(theta_5_0(z2))
-    const float k_117 = 0.011425439;    // pi * w(z2) * 1/2 * theta_6_6(z2)
-    const float k_118 = 0.0177009;      // pi * w(z2) * 1/2 * theta_5_5(z2)
-    const float k_119 = 0.05006691;     // pi * w(z2) * 1/2 * theta_6_5(z2)
-    const float k_120 = 0.05442926;     // pi * w(z2) * theta_4_4(z2)
-    const float k_121 = 0.14161608;     // pi * w(z2) * theta_5_4(z2)
-    const float k_122 = 0.25318128;     // pi * w(z2) * theta_6_4(z2)
-    const float k_123 = 0.0413742;      // pi * w(z2) * 1/2 * theta_3_3(z2)
-    const float k_124 = 0.09737213;     // pi * w(z2) * 1/2 * theta_4_3(z2)
-    const float k_125 = 0.15570416;     // pi * w(z2) * 1/2 * theta_5_3(z2)
-    const float k_126 = 0.19101879;     // pi * w(z2) * 1/2 * theta_6_3(z2)
-    const float k_127 = 0.123534895;    // pi * w(z2) * theta_2_2(z2)
-    const float k_128 = 0.2564026;      // pi * w(z2) * theta_3_2(z2)
-    const float k_129 = 0.35389358;     // pi * w(z2) * theta_4_2(z2)
-    const float k_130 = 0.35981882;     // pi * w(z2) * theta_5_2(z2)
-    const float k_131 = 0.25215206;     // pi * w(z2) * theta_6_2(z2)
-    const float k_132 = 0.06818326;     // pi * w(z2) * cos(6 pi/16) * theta_1_1(z2)
-    const float k_133 = 0.11960423;     // pi * w(z2) * cos(6 pi/16) * theta_2_1(z2)
-    const float k_134 = 0.1324748;      // pi * w(z2) * cos(6 pi/16) * theta_3_1(z2)
-    const float k_135 = 0.09579367;     // pi * w(z2) * cos(6 pi/16) * theta_4_1(z2)
-    const float k_136 = 0.021340774;    // pi * w(z2) * cos(6 pi/16) * theta_5_1(z2)
-    const float k_137 = 0.061496604;    // -(pi * w(z2) * cos(6 pi/16) * theta_6_1(z2))
-    const float k_138 = 0.082937494;    // 1/2 pi * w(z2) * theta_0_0(z2)
-    const float k_139 = 0.11269259;     // 1/2 pi * w(z2) * theta_1_0(z2)
-    const float k_140 = 0.078469515;    // 1/2 pi * w(z2) * theta_2_0(z2)
-    const float k_141 = 0.0066335825;   // 1/2 pi * w(z2) * theta_3_0(z2)
-    const float k_142 = 0.06863219;     // -(1/2 pi * w(z2) * theta_4_0(z2))
-    const float k_143 = 0.11379439;     // -(1/2 pi * w(z2) * theta_5_0(z2))
-    const float k_144 = 0.1091806;      // -(1/2 pi * w(z2) * theta_6_0(z2))
-    const float k_145 = 0.08908572;     // pi * w(z2) * 1/2 * theta_1_1(z2)
-    const float k_146 = 0.15627046;     // pi * w(z2) * 1/2 * theta_2_1(z2)
-    const float k_147 = 0.17308666;     // pi * w(z2) * 1/2 * theta_3_1(z2)
-    const float k_148 = 0.12516046;     // pi * w(z2) * 1/2 * theta_4_1(z2)
-    const float k_149 = 0.027883064;    // pi * w(z2) * 1/2 * theta_5_1(z2)
-    const float k_150 = 0.080349185;    // -(pi * w(z2) * 1/2 * theta_6_1(z2))
-    const float k_151 = 0.030883724;    // 1/2 pi * w(z2) * 1/2 * theta_2_2(z2)
-    const float k_152 = 0.06410065;     // 1/2 pi * w(z2) * 1/2 * theta_3_2(z2)
-    const float k_153 = 0.088473395;    // 1/2 pi * w(z2) * 1/2 * theta_4_2(z2)
-    const float k_154 = 0.089954704;    // 1/2 pi * w(z2) * 1/2 * theta_5_2(z2)
-    const float k_155 = 0.063038014;    // 1/2 pi * w(z2) * 1/2 * theta_6_2(z2)
-    const float k_156 = 0.0827484;      // pi * w(z2) * theta_3_3(z2)
-    const float k_157 = 0.19474426;     // pi * w(z2) * theta_4_3(z2)
-    const float k_158 = 0.3114083;      // pi * w(z2) * theta_5_3(z2)
-    const float k_159 = 0.38203758;     // pi * w(z2) * theta_6_3(z2)
-    const float k_160 = 0.02721463;     // 1/2 pi * w(z2) * theta_4_4(z2)
-    const float k_161 = 0.07080804;     // 1/2 pi * w(z2) * theta_5_4(z2)
-    const float k_162 = 0.12659064;     // 1/2 pi * w(z2) * theta_6_4(z2)
-    const float k_163 = 0.011425439;    // 1/2 pi * w(z2) * theta_6_6(z2)
-    const float k_164 = 0.21529771;     // theta_6_6(z3)
-    const float k_165 = 0.25075027;     // theta_5_5(z3)
-    const float k_166 = 0.5110253;      // theta_6_5(z3)
-    const float k_167 = 0.28981987;     // theta_4_4(z3)
-    const float k_168 = 0.5875155;      // theta_6_4(z3)
-    const float k_169 = 0.5433176;      // theta_5_4(z3)
-    const float k_170 = 0.331234;       // theta_3_3(z3)
-    const float k_171 = 0.5150739;      // theta_5_3(z3)
-    const float k_172 = 0.2677026;      // theta_6_3(z3) * 1/(theta_4_3(z3))
-    const float k_173 = 0.5616755;      // theta_4_3(z3)
-    const float k_174 = 0.37174454;     // theta_2_2(z3)
-    const float k_175 = 0.39805874;     // theta_4_2(z3)
-    const float k_176 = 0.43329895;     // -(theta_6_2(z3))
-    const float k_177 = 0.06886487;     // -(theta_5_2(z3) * 1/(theta_3_2(z3)))
-    const float k_178 = 0.5559336;      // theta_3_2(z3)
-    const float k_179 = 0.40306273;     // theta_1_1(z3)
-    const float k_180 = 0.2252588;      // theta_3_1(z3)
-    const float k_181 = 0.49669537;     // -(theta_5_1(z3))
-    const float k_182 = 0.46758503;     // -(theta_4_1(z3) * 1/(theta_2_1(z3)))
-    const float k_183 = 0.64859885;     // -(theta_6_1(z3) * 1/(theta_2_1(z3)))
-    const float k_184 = 0.50943285;     // theta_2_1(z3)
-    const float k_185 = 0.2820948;      // theta_0_0(z3)
-    const float k_186 = 0.013097289;    // -(theta_2_0(z3))
-    const float k_187 = 0.318639;       // -(theta_4_0(z3))
-    const float k_188 = 0.24960025;     // theta_6_0(z3)
-    const float k_189 = 0.93352246;     // -(theta_1_0(z3) * 1/(theta_3_0(z3)))
-    const float k_190 = 0.20862512;     // theta_5_0(z3) * 1/(theta_3_0(z3))
-    const float k_191 = 0.29584226;     // -(theta_3_0(z3))
-    const float k_192 = 0.08388711;     // pi * w(z3) * 1/2 * theta_6_6(z3)
-    const float k_193 = 0.097700596;    // pi * w(z3) * 1/2 * theta_5_5(z3)
-    const float k_194 = 0.19911234;     // pi * w(z3) * 1/2 * theta_6_5(z3)
-    const float k_195 = 0.22584678;     // pi * w(z3) * theta_4_4(z3)
-    const float k_196 = 0.423389;       // pi * w(z3) * theta_5_4(z3)
-    const float k_197 = 0.4578309;      // pi * w(z3) * theta_6_4(z3)
-    const float k_198 = 0.12905972;     // pi * w(z3) * 1/2 * theta_3_3(z3)
-    const float k_199 = 0.21884733;     // pi * w(z3) * 1/2 * theta_4_3(z3)
-    const float k_200 = 0.20068981;     // pi * w(z3) * 1/2 * theta_5_3(z3)
-    const float k_201 = 0.05858601;     // pi * w(z3) * 1/2 * theta_6_3(z3)
-    const float k_202 = 0.2896879;      // pi * w(z3) * theta_2_2(z3)
-    const float k_203 = 0.4332202;      // pi * w(z3) * theta_3_2(z3)
-    const float k_204 = 0.3101937;      // pi * w(z3) * theta_4_2(z3)
-    const float k_205 = 0.02983365;     // -(pi * w(z3) * theta_5_2(z3))
-    const float k_206 = 0.3376552;      // -(pi * w(z3) * theta_6_2(z3))
-    const float k_207 = 0.120198235;    // pi * w(z3) * cos(6 pi/16) * theta_1_1(z3)
-    const float k_208 = 0.1519191;      // pi * w(z3) * cos(6 pi/16) * theta_2_1(z3)
-    const float k_209 = 0.06717493;     // pi * w(z3) * cos(6 pi/16) * theta_3_1(z3)
-    const float k_210 = 0.0710351;      // -(pi * w(z3) * cos(6 pi/16) * theta_4_1(z3))
-    const float k_211 = 0.14812063;     // -(pi * w(z3) * cos(6 pi/16) * theta_5_1(z3))
-    const float k_212 = 0.098534554;    // -(pi * w(z3) * cos(6 pi/16) * theta_6_1(z3))
-    const float k_213 = 0.10991345;     // 1/2 pi * w(z3) * theta_0_0(z3)
-    const float k_214 = 0.10760707;     // 1/2 pi * w(z3) * theta_1_0(z3)
-    const float k_215 = 0.005103137;    // -(1/2 pi * w(z3) * theta_2_0(z3))
-    const float k_216 = 0.11526993;     // -(1/2 pi * w(z3) * theta_3_0(z3))
-    const float k_217 = 0.12415229;     // -(1/2 pi * w(z3) * theta_4_0(z3))
-    const float k_218 = 0.024048202;    // -(1/2 pi * w(z3) * theta_5_0(z3))
-    const float k_219 = 0.09725251;     // 1/2 pi * w(z3) * theta_6_0(z3)
-    const float k_220 = 0.15704656;     // pi * w(z3) * 1/2 * theta_1_1(z3)
-    const float k_221 = 0.19849187;     // pi * w(z3) * 1/2 * theta_2_1(z3)
-    const float k_222 = 0.08776828;     // pi * w(z3) * 1/2 * theta_3_1(z3)
-    const float k_223 = 0.09281183;     // -(pi * w(z3) * 1/2 * theta_4_1(z3))
-    const float k_224 = 0.19352894;     // -(pi * w(z3) * 1/2 * theta_5_1(z3))
-    const float k_225 = 0.12874159;     // -(pi * w(z3) * 1/2 * theta_6_1(z3))
-    const float k_226 = 0.072421975;    // 1/2 pi * w(z3) * 1/2 * theta_2_2(z3)
-    const float k_227 = 0.10830505;     // 1/2 pi * w(z3) * 1/2 * theta_3_2(z3)
-    const float k_228 = 0.07754842;     // 1/2 pi * w(z3) * 1/2 * theta_4_2(z3)
-    const float k_229 = 0.0074584126;   // -(1/2 pi * w(z3) * 1/2 * theta_5_2(z3))
-    const float k_230 = 0.0844138;      // -(1/2 pi * w(z3) * 1/2 * theta_6_2(z3))
-    const float k_231 = 0.25811943;     // pi * w(z3) * theta_3_3(z3)
-    const float k_232 = 0.43769467;     // pi * w(z3) * theta_4_3(z3)
-    const float k_233 = 0.40137962;     // pi * w(z3) * theta_5_3(z3)
-    const float k_234 = 0.11717202;     // pi * w(z3) * theta_6_3(z3)
-    const float k_235 = 0.11292339;     // 1/2 pi * w(z3) * theta_4_4(z3)
-    const float k_236 = 0.2116945;      // 1/2 pi * w(z3) * theta_5_4(z3)
-    const float k_237 = 0.22891545;     // 1/2 pi * w(z3) * theta_6_4(z3)
-    const float k_238 = 0.08388711;     // 1/2 pi * w(z3) * theta_6_6(z3)
-    const float k_239 = 0.5191288;      // theta_6_6(z4)
-    const float k_240 = 0.522121;       // theta_5_5(z4)
-    const float k_241 = 0.55677474;     // theta_6_5(z4)
-    const float k_242 = 0.521137;       // theta_4_4(z4)
-    const float k_243 = 0.015881144;    // -(theta_6_4(z4))
-    const float k_244 = 0.5111931;      // theta_5_4(z4)
-    const float k_245 = 0.5143429;      // theta_3_3(z4)
-    const float k_246 = 0.09072912;     // -(theta_5_3(z4))
-    const float k_247 = 0.942948;       // -(theta_4_3(z4) * 1/(theta_6_3(z4)))
-    const float k_248 = 0.48397508;     // -(theta_6_3(z4))
-    const float k_249 = 0.49849004;     // theta_2_2(z4)
-    const float k_250 = 0.16736767;     // -(theta_4_2(z4))
-    const float k_251 = 0.13534568;     // -(theta_6_2(z4))
-    const float k_252 = 0.81756765;     // -(theta_3_2(z4) * 1/(theta_5_2(z4)))
-    const float k_253 = 0.47710997;     // -(theta_5_2(z4))
-    const float k_254 = 0.46674383;     // theta_1_1(z4)
-    const float k_255 = 0.24564609;     // -(theta_3_1(z4))
-    const float k_256 = 0.027665181;    // -(theta_5_1(z4))
-    const float k_257 = 0.6839218;      // -(theta_2_1(z4) * 1/(theta_4_1(z4)))
-    const float k_258 = 0.95858204;     // -(theta_6_1(z4) * 1/(theta_4_1(z4)))
-    const float k_259 = 0.45132962;     // -(theta_4_1(z4))
-    const float k_260 = 0.2820948;      // theta_0_0(z4)
-    const float k_261 = 0.23262694;     // -(theta_2_0(z4))
-    const float k_262 = 0.06808531;     // theta_4_0(z4)
-    const float k_263 = 0.122627296;    // theta_6_0(z4)
-    const float k_264 = 0.44640335;     // theta_1_0(z4) * 1/(theta_5_0(z4))
-    const float k_265 = 0.8737209;      // -(theta_3_0(z4) * 1/(theta_5_0(z4)))
-    const float k_266 = 0.32371658;     // theta_5_0(z4)
-    const float k_267 = 0.23393431;     // pi * w(z4) * 1/2 * theta_6_6(z4)
-    const float k_268 = 0.23528269;     // pi * w(z4) * 1/2 * theta_5_5(z4)
-    const float k_269 = 0.25089866;     // pi * w(z4) * 1/2 * theta_6_5(z4)
-    const float k_270 = 0.46967858;     // pi * w(z4) * theta_4_4(z4)
-    const float k_271 = 0.46071652;     // pi * w(z4) * theta_5_4(z4)
-    const float k_272 = 0.014312997;    // -(pi * w(z4) * theta_6_4(z4))
-    const float k_273 = 0.23177767;     // pi * w(z4) * 1/2 * theta_3_3(z4)
-    const float k_274 = 0.20565039;     // pi * w(z4) * 1/2 * theta_4_3(z4)
-    const float k_275 = 0.040885143;    // -(pi * w(z4) * 1/2 * theta_5_3(z4))
-    const float k_276 = 0.21809305;     // -(pi * w(z4) * 1/2 * theta_6_3(z4))
-    const float k_277 = 0.4492678;      // pi * w(z4) * theta_2_2(z4)
-    const float k_278 = 0.35155317;     // pi * w(z4) * theta_3_2(z4)
-    const float k_279 = 0.15084134;     // -(pi * w(z4) * theta_4_2(z4))
-    const float k_280 = 0.42999887;     // -(pi * w(z4) * theta_5_2(z4))
-    const float k_281 = 0.12198129;     // -(pi * w(z4) * theta_6_2(z4))
-    const float k_282 = 0.1609782;      // pi * w(z4) * cos(6 pi/16) * theta_1_1(z4)
-    const float k_283 = 0.106460564;    // pi * w(z4) * cos(6 pi/16) * theta_2_1(z4)
-    const float k_284 = 0.084722415;    // -(pi * w(z4) * cos(6 pi/16) * theta_3_1(z4))
-    const float k_285 = 0.1556619;      // -(pi * w(z4) * cos(6 pi/16) * theta_4_1(z4))
-    const float k_286 = 0.009541618;    // -(pi * w(z4) * cos(6 pi/16) * theta_5_1(z4))
-    const float k_287 = 0.1492147;      // pi * w(z4) * cos(6 pi/16) * theta_6_1(z4)
-    const float k_288 = 0.12712;        // 1/2 pi * w(z4) * theta_0_0(z4)
-    const float k_289 = 0.06511953;     // 1/2 pi * w(z4) * theta_1_0(z4)
-    const float k_290 = 0.10482837;     // -(1/2 pi * w(z4) * theta_2_0(z4))
-    const float k_291 = 0.12745488;     // -(1/2 pi * w(z4) * theta_3_0(z4))
-    const float k_292 = 0.030681195;    // 1/2 pi * w(z4) * theta_4_0(z4)
-    const float k_293 = 0.14587598;     // 1/2 pi * w(z4) * theta_5_0(z4)
-    const float k_294 = 0.055259377;    // 1/2 pi * w(z4) * theta_6_0(z4)
-    const float k_295 = 0.21032816;     // pi * w(z4) * 1/2 * theta_1_1(z4)
-    const float k_296 = 0.13909744;     // pi * w(z4) * 1/2 * theta_2_1(z4)
-    const float k_297 = 0.11069517;     // -(pi * w(z4) * 1/2 * theta_3_1(z4))
-    const float k_298 = 0.20338207;     // -(pi * w(z4) * 1/2 * theta_4_1(z4))
-    const float k_299 = 0.012466724;    // -(pi * w(z4) * 1/2 * theta_5_1(z4))
-    const float k_300 = 0.1949584;      // pi * w(z4) * 1/2 * theta_6_1(z4)
-    const float k_301 = 0.11231695;     // 1/2 pi * w(z4) * 1/2 * theta_2_2(z4)
-    const float k_302 = 0.08788829;     // 1/2 pi * w(z4) * 1/2 * theta_3_2(z4)
-    const float k_303 = 0.037710335;    // -(1/2 pi * w(z4) * 1/2 * theta_4_2(z4))
-    const float k_304 = 0.10749972;     // -(1/2 pi * w(z4) * 1/2 * theta_5_2(z4))
-    const float k_305 = 0.030495323;    // -(1/2 pi * w(z4) * 1/2 * theta_6_2(z4))
-    const float k_306 = 0.46355534;     // pi * w(z4) * theta_3_3(z4)
-    const float k_307 = 0.41130078;     // pi * w(z4) * theta_4_3(z4)
-    const float k_308 = 0.081770286;    // -(pi * w(z4) * theta_5_3(z4))
-    const float k_309 = 0.4361861;      // -(pi * w(z4) * theta_6_3(z4))
-    const float k_310 = 0.23483929;     // 1/2 pi * w(z4) * theta_4_4(z4)
-    const float k_311 = 0.23035826;     // 1/2 pi * w(z4) * theta_5_4(z4)
-    const float k_312 = 0.0071564987;   // -(1/2 pi * w(z4) * theta_6_4(z4))
-    const float k_313 = 0.23393431;     // 1/2 pi * w(z4) * theta_6_6(z4)
-    const float k_314 = 0.2820948;      // 1/2 sqrt(1/pi)
-    const float k_315 = 0.63078314;     // 1/2 sqrt(5/pi)
-    const float k_316 = 0.8462844;      // 3/2 sqrt(1/pi)
-    const float k_317 = 1.0171072;      // 1/2 sqrt(13/pi)
-    const float k_318 = 0.52223295;     // 1/11 sqrt(33)
-    const float k_319 = 0.797724;       // 1/11 sqrt(77)
-    const float k_320 = 0.9356026;      // 1/2 sqrt(11/pi)
-    const float k_321 = 0.032226432;    // 2 pi * w(pole) * 1/2 sqrt(1/pi)
-    const float k_322 = 0.05581782;     // 2 pi * w(pole) * 1/2 sqrt(3/pi)
-    const float k_323 = 0.072060496;    // 2 pi * w(pole) * 1/2 sqrt(5/pi)
-    const float k_324 = 0.085263126;    // 2 pi * w(pole) * 1/2 sqrt(7/pi)
-    const float k_325 = 0.0966793;      // 2 pi * w(pole) * 3/2 sqrt(1/pi)
-    const float k_326 = 0.10688299;     // 2 pi * w(pole) * 1/2 sqrt(11/pi)
-    const float k_327 = 0.11619406;     // 2 pi * w(pole) * 1/2 sqrt(13/pi)
-    const float k_328 = 0.6831841;      // 1/64 sqrt(6006/pi)
-    const float k_329 = 0.6563821;      // 3/32 sqrt(154/pi)
-    const float k_330 = 0.6258357;      // 3/16 sqrt(35/pi)
-    const float k_331 = 0.5045649;      // 3/32 sqrt(91/pi)
-    const float k_332 = 0.5900436;      // 1/8 sqrt(70/pi)
-    const float k_333 = 0.4892383;      // 1/32 sqrt(770/pi)
-    const float k_334 = 0.54627424;     // 1/4 sqrt(15/pi)
-    const float k_335 = 0.47308734;     // 3/8 sqrt(5/pi)
-    const float k_336 = 0.46060264;     // 1/64 sqrt(2730/pi)
-    const float k_337 = 0.48860252;     // 1/2 sqrt(3/pi)
-    const float k_338 = 0.4570458;      // 1/8 sqrt(42/pi)
-    const float k_339 = 0.45294666;     // 1/16 sqrt(165/pi)
-    const float k_340 = 0.31539157;     // 1/4 sqrt(5/pi)
-    const float k_341 = 0.31735665;     // 9/16 sqrt(1/pi)
-    const float k_342 = 0.317846;       // 5/32 sqrt(13/pi)
-    const float k_343 = 0.64435285;     // pi * w(equator) * 1/64 sqrt(6006/pi)
-    const float k_344 = 0.3095371;      // pi * w(equator) * 1/2 * 3/32 sqrt(154/pi)
-    const float k_345 = 0.5902641;      // pi * w(equator) * 3/16 sqrt(35/pi)
-    const float k_346 = 0.47588614;     // -(pi * w(equator) * -3/32 sqrt(91/pi))
-    const float k_347 = 0.27825317;     // pi * w(equator) * 1/2 * 1/8 sqrt(70/pi)
-    const float k_348 = 0.23071533;     // -(pi * w(equator) * 1/2 * -1/32 sqrt(770/pi))
-    const float k_349 = 0.51522475;     // pi * w(equator) * 1/4 sqrt(15/pi)
-    const float k_350 = 0.44619772;     // -(pi * w(equator) * -3/8 sqrt(5/pi))
-    const float k_351 = 0.4344226;      // pi * w(equator) * 1/64 sqrt(2730/pi)
-    const float k_352 = 0.1763524;      // pi * w(equator) * cos(6 pi/16) * 1/2 sqrt(3/pi)
-    const float k_353 = 0.16496256;     // -(pi * w(equator) * cos(6 pi/16) * -1/8 sqrt(42/pi))
-    const float k_354 = 0.16348305;     // pi * w(equator) * cos(6 pi/16) * 1/16 sqrt(165/pi)
-    const float k_355 = 0.13303046;     // 1/2 pi * w(equator) * 1/2 sqrt(1/pi)
-    const float k_356 = 0.14873257;     // -(1/2 pi * w(equator) * -1/4 sqrt(5/pi))
-    const float k_357 = 0.14965926;     // 1/2 pi * w(equator) * 9/16 sqrt(1/pi)
-    const float k_358 = 0.14989005;     // -(1/2 pi * w(equator) * -5/32 sqrt(13/pi))
-    const float k_359 = 0.23041551;     // pi * w(equator) * 1/2 * 1/2 sqrt(3/pi)
-    const float k_360 = 0.21553397;     // -(pi * w(equator) * 1/2 * -1/8 sqrt(42/pi))
-    const float k_361 = 0.2136009;      // pi * w(equator) * 1/2 * 1/16 sqrt(165/pi)
-    const float k_362 = 0.25761238;     // 1/2 pi * w(equator) * 1/4 sqrt(15/pi)
-    const float k_363 = 0.22309886;     // -(1/2 pi * w(equator) * -3/8 sqrt(5/pi))
-    const float k_364 = 0.2172113;      // 1/2 pi * w(equator) * 1/64 sqrt(2730/pi)
-    const float k_365 = 0.55650634;     // pi * w(equator) * 1/8 sqrt(70/pi)
-    const float k_366 = 0.46143067;     // -(pi * w(equator) * -1/32 sqrt(770/pi))
-    const float k_367 = 0.29513204;     // 1/2 pi * w(equator) * 3/16 sqrt(35/pi)
-    const float k_368 = 0.23794307;     // -(1/2 pi * w(equator) * -3/32 sqrt(91/pi))
-    const float k_369 = 0.32217643;     // 1/2 pi * w(equator) * 1/64 sqrt(6006/pi)
+    const float k_35  = 0.76536685;     // 2 cos(6 pi/16)
+    const float k_36  = 1.847759;       // 2 cos(2 pi/16)
+    const float k_37  = 1.306563;       // 1/2 / cos(6 pi/16)
+    const float k_38  = 2.4142137;      // cos(2 pi/16) / cos(6 pi/16)
+    const float k_39  = 1.847759;       // 1/2 sqrt(2) / cos(6 pi/16)
+    const float k_40  = 0.00024461932;  // 1/2 pi theta_6_6(z1) w(z1)
+    const float k_41  = 0.00065783056;  // 1/2 pi theta_5_5(z1) w(z1)
+    const float k_42  = 0.0022153037;   // 1/2 pi theta_6_5(z1) w(z1)
+    const float k_43  = 0.0035111716;   // pi theta_4_4(z1) w(z1)
+    const float k_44  = 0.01087667;     // pi theta_5_4(z1) w(z1)
+    const float k_45  = 0.024333376;    // pi theta_6_4(z1) w(z1)
+    const float k_46  = 0.00463287;     // 1/2 pi theta_3_3(z1) w(z1)
+    const float k_47  = 0.012981322;    // 1/2 pi theta_4_3(z1) w(z1)
+    const float k_48  = 0.026318122;    // 1/2 pi theta_5_3(z1) w(z1)
+    const float k_49  = 0.04456019;     // 1/2 pi theta_6_3(z1) w(z1)
+    const float k_50  = 0.024011046;    // pi theta_2_2(z1) w(z1)
+    const float k_51  = 0.059334546;    // pi theta_3_2(z1) w(z1)
+    const float k_52  = 0.10618568;     // pi theta_4_2(z1) w(z1)
+    const float k_53  = 0.15911254;     // pi theta_5_2(z1) w(z1)
+    const float k_54  = 0.21077228;     // pi theta_6_2(z1) w(z1)
+    const float k_55  = 0.023003826;    // pi cos(6 pi/16) theta_1_1(z1) w(z1)
+    const float k_56  = 0.048043277;    // pi cos(6 pi/16) theta_2_1(z1) w(z1)
+    const float k_57  = 0.07233944;     // pi cos(6 pi/16) theta_3_1(z1) w(z1)
+    const float k_58  = 0.09139472;     // pi cos(6 pi/16) theta_4_1(z1) w(z1)
+    const float k_59  = 0.10168202;     // pi cos(6 pi/16) theta_5_1(z1) w(z1)
+    const float k_60  = 0.10100816;     // pi cos(6 pi/16) theta_6_1(z1) w(z1)
+    const float k_61  = 0.048570674;    // 1/2 pi theta_0_0(z1) w(z1)
+    const float k_62  = 0.07857462;     // 1/2 pi theta_1_0(z1) w(z1)
+    const float k_63  = 0.087813154;    // 1/2 pi theta_2_0(z1) w(z1)
+    const float k_64  = 0.081724435;    // 1/2 pi theta_3_0(z1) w(z1)
+    const float k_65  = 0.063103825;    // 1/2 pi theta_4_0(z1) w(z1)
+    const float k_66  = 0.035329662;    // 1/2 pi theta_5_0(z1) w(z1)
+    const float k_67  = 0.002565222;    // 1/2 pi theta_6_0(z1) w(z1)
+    const float k_68  = 0.030055948;    // 1/2 pi theta_1_1(z1) w(z1)
+    const float k_69  = 0.062771566;    // 1/2 pi theta_2_1(z1) w(z1)
+    const float k_70  = 0.094516024;    // 1/2 pi theta_3_1(z1) w(z1)
+    const float k_71  = 0.11941296;     // 1/2 pi theta_4_1(z1) w(z1)
+    const float k_72  = 0.13285397;     // 1/2 pi theta_5_1(z1) w(z1)
+    const float k_73  = 0.13197352;     // 1/2 pi theta_6_1(z1) w(z1)
+    const float k_74  = 0.0060027614;   // 1/4 pi theta_2_2(z1) w(z1)
+    const float k_75  = 0.014833637;    // 1/4 pi theta_3_2(z1) w(z1)
+    const float k_76  = 0.02654642;     // 1/4 pi theta_4_2(z1) w(z1)
+    const float k_77  = 0.039778136;    // 1/4 pi theta_5_2(z1) w(z1)
+    const float k_78  = 0.05269307;     // 1/4 pi theta_6_2(z1) w(z1)
+    const float k_79  = 0.00926574;     // pi theta_3_3(z1) w(z1)
+    const float k_80  = 0.025962643;    // pi theta_4_3(z1) w(z1)
+    const float k_81  = 0.052636243;    // pi theta_5_3(z1) w(z1)
+    const float k_82  = 0.08912038;     // pi theta_6_3(z1) w(z1)
+    const float k_83  = 0.0017555858;   // 1/2 pi theta_4_4(z1) w(z1)
+    const float k_84  = 0.005438335;    // 1/2 pi theta_5_4(z1) w(z1)
+    const float k_85  = 0.012166688;    // 1/2 pi theta_6_4(z1) w(z1)
+    const float k_86  = 0.03886128;     // theta_6_6(z2)
+    const float k_87  = 0.06020596;     // theta_5_5(z2)
+    const float k_88  = 0.17029227;     // theta_6_5(z2)
+    const float k_89  = 0.09256495;     // theta_4_4(z2)
+    const float k_90  = 0.43057197;     // theta_6_4(z2)
+    const float k_91  = 0.24083894;     // theta_5_4(z2)
+    const float k_92  = 0.1407258;      // theta_3_3(z2)
+    const float k_93  = 0.52959555;     // theta_5_3(z2)
+    const float k_94  = 0.50975156;     // theta_4_3(z2) / theta_6_3(z2)
+    const float k_95  = 0.649711;       // theta_6_3(z2)
+    const float k_96  = 0.21008924;     // theta_2_2(z2)
+    const float k_97  = 0.601848;       // theta_4_2(z2)
+    const float k_98  = 0.42882162;     // theta_6_2(z2)
+    const float k_99  = 0.71258813;     // theta_3_2(z2) / theta_5_2(z2)
+    const float k_100 = 0.61192477;     // theta_5_2(z2)
+    const float k_101 = 0.3030067;      // theta_1_1(z2)
+    const float k_102 = 0.5887186;      // theta_3_1(z2)
+    const float k_103 = 0.09483849;     // theta_5_1(z2)
+    const float k_104 = 0.80092204;     // theta_4_1(z2) / theta_2_1(z2)
+    const float k_105 = 0.5141674;      // -theta_6_1(z2) / theta_2_1(z2)
+    const float k_106 = 0.53152174;     // theta_2_1(z2)
+    const float k_107 = 0.2820948;      // theta_0_0(z2)
+    const float k_108 = 0.2668979;      // theta_2_0(z2)
+    const float k_109 = 0.23343825;     // -theta_4_0(z2)
+    const float k_110 = 0.3713553;      // -theta_6_0(z2)
+    const float k_111 = 0.99031764;     // -theta_1_0(z2) / theta_5_0(z2)
+    const float k_112 = 0.05829446;     // -theta_3_0(z2) / theta_5_0(z2)
+    const float k_113 = 0.38704816;     // -theta_5_0(z2)
+    const float k_114 = 0.011425439;    // 1/2 pi theta_6_6(z2) w(z2)
+    const float k_115 = 0.0177009;      // 1/2 pi theta_5_5(z2) w(z2)
+    const float k_116 = 0.05006691;     // 1/2 pi theta_6_5(z2) w(z2)
+    const float k_117 = 0.05442926;     // pi theta_4_4(z2) w(z2)
+    const float k_118 = 0.14161608;     // pi theta_5_4(z2) w(z2)
+    const float k_119 = 0.25318128;     // pi theta_6_4(z2) w(z2)
+    const float k_120 = 0.0413742;      // 1/2 pi theta_3_3(z2) w(z2)
+    const float k_121 = 0.09737213;     // 1/2 pi theta_4_3(z2) w(z2)
+    const float k_122 = 0.15570416;     // 1/2 pi theta_5_3(z2) w(z2)
+    const float k_123 = 0.19101879;     // 1/2 pi theta_6_3(z2) w(z2)
+    const float k_124 = 0.123534895;    // pi theta_2_2(z2) w(z2)
+    const float k_125 = 0.2564026;      // pi theta_3_2(z2) w(z2)
+    const float k_126 = 0.35389358;     // pi theta_4_2(z2) w(z2)
+    const float k_127 = 0.35981882;     // pi theta_5_2(z2) w(z2)
+    const float k_128 = 0.25215206;     // pi theta_6_2(z2) w(z2)
+    const float k_129 = 0.06818326;     // pi cos(6 pi/16) theta_1_1(z2) w(z2)
+    const float k_130 = 0.11960423;     // pi cos(6 pi/16) theta_2_1(z2) w(z2)
+    const float k_131 = 0.1324748;      // pi cos(6 pi/16) theta_3_1(z2) w(z2)
+    const float k_132 = 0.09579367;     // pi cos(6 pi/16) theta_4_1(z2) w(z2)
+    const float k_133 = 0.021340774;    // pi cos(6 pi/16) theta_5_1(z2) w(z2)
+    const float k_134 = 0.061496604;    // -pi cos(6 pi/16) theta_6_1(z2) w(z2)
+    const float k_135 = 0.082937494;    // 1/2 pi theta_0_0(z2) w(z2)
+    const float k_136 = 0.11269259;     // 1/2 pi theta_1_0(z2) w(z2)
+    const float k_137 = 0.078469515;    // 1/2 pi theta_2_0(z2) w(z2)
+    const float k_138 = 0.0066335825;   // 1/2 pi theta_3_0(z2) w(z2)
+    const float k_139 = 0.06863219;     // -1/2 pi theta_4_0(z2) w(z2)
+    const float k_140 = 0.11379439;     // -1/2 pi theta_5_0(z2) w(z2)
+    const float k_141 = 0.1091806;      // -1/2 pi theta_6_0(z2) w(z2)
+    const float k_142 = 0.08908572;     // 1/2 pi theta_1_1(z2) w(z2)
+    const float k_143 = 0.15627046;     // 1/2 pi theta_2_1(z2) w(z2)
+    const float k_144 = 0.17308666;     // 1/2 pi theta_3_1(z2) w(z2)
+    const float k_145 = 0.12516046;     // 1/2 pi theta_4_1(z2) w(z2)
+    const float k_146 = 0.027883064;    // 1/2 pi theta_5_1(z2) w(z2)
+    const float k_147 = 0.080349185;    // -1/2 pi theta_6_1(z2) w(z2)
+    const float k_148 = 0.030883724;    // 1/4 pi theta_2_2(z2) w(z2)
+    const float k_149 = 0.06410065;     // 1/4 pi theta_3_2(z2) w(z2)
+    const float k_150 = 0.088473395;    // 1/4 pi theta_4_2(z2) w(z2)
+    const float k_151 = 0.089954704;    // 1/4 pi theta_5_2(z2) w(z2)
+    const float k_152 = 0.063038014;    // 1/4 pi theta_6_2(z2) w(z2)
+    const float k_153 = 0.0827484;      // pi theta_3_3(z2) w(z2)
+    const float k_154 = 0.19474426;     // pi theta_4_3(z2) w(z2)
+    const float k_155 = 0.3114083;      // pi theta_5_3(z2) w(z2)
+    const float k_156 = 0.38203758;     // pi theta_6_3(z2) w(z2)
+    const float k_157 = 0.02721463;     // 1/2 pi theta_4_4(z2) w(z2)
+    const float k_158 = 0.07080804;     // 1/2 pi theta_5_4(z2) w(z2)
+    const float k_159 = 0.12659064;     // 1/2 pi theta_6_4(z2) w(z2)
+    const float k_160 = 0.21529771;     // theta_6_6(z3)
+    const float k_161 = 0.25075027;     // theta_5_5(z3)
+    const float k_162 = 0.5110253;      // theta_6_5(z3)
+    const float k_163 = 0.28981987;     // theta_4_4(z3)
+    const float k_164 = 0.5875155;      // theta_6_4(z3)
+    const float k_165 = 0.5433176;      // theta_5_4(z3)
+    const float k_166 = 0.331234;       // theta_3_3(z3)
+    const float k_167 = 0.5150739;      // theta_5_3(z3)
+    const float k_168 = 0.2677026;      // theta_6_3(z3) / theta_4_3(z3)
+    const float k_169 = 0.5616755;      // theta_4_3(z3)
+    const float k_170 = 0.37174454;     // theta_2_2(z3)
+    const float k_171 = 0.39805874;     // theta_4_2(z3)
+    const float k_172 = 0.43329895;     // -theta_6_2(z3)
+    const float k_173 = 0.06886487;     // -theta_5_2(z3) / theta_3_2(z3)
+    const float k_174 = 0.5559336;      // theta_3_2(z3)
+    const float k_175 = 0.40306273;     // theta_1_1(z3)
+    const float k_176 = 0.2252588;      // theta_3_1(z3)
+    const float k_177 = 0.49669537;     // -theta_5_1(z3)
+    const float k_178 = 0.46758503;     // -theta_4_1(z3) / theta_2_1(z3)
+    const float k_179 = 0.64859885;     // -theta_6_1(z3) / theta_2_1(z3)
+    const float k_180 = 0.50943285;     // theta_2_1(z3)
+    const float k_181 = 0.2820948;      // theta_0_0(z3)
+    const float k_182 = 0.013097289;    // -theta_2_0(z3)
+    const float k_183 = 0.318639;       // -theta_4_0(z3)
+    const float k_184 = 0.24960025;     // theta_6_0(z3)
+    const float k_185 = 0.93352246;     // -theta_1_0(z3) / theta_3_0(z3)
+    const float k_186 = 0.20862512;     // theta_5_0(z3) / theta_3_0(z3)
+    const float k_187 = 0.29584226;     // -theta_3_0(z3)
+    const float k_188 = 0.08388711;     // 1/2 pi theta_6_6(z3) w(z3)
+    const float k_189 = 0.097700596;    // 1/2 pi theta_5_5(z3) w(z3)
+    const float k_190 = 0.19911234;     // 1/2 pi theta_6_5(z3) w(z3)
+    const float k_191 = 0.22584678;     // pi theta_4_4(z3) w(z3)
+    const float k_192 = 0.423389;       // pi theta_5_4(z3) w(z3)
+    const float k_193 = 0.4578309;      // pi theta_6_4(z3) w(z3)
+    const float k_194 = 0.12905972;     // 1/2 pi theta_3_3(z3) w(z3)
+    const float k_195 = 0.21884733;     // 1/2 pi theta_4_3(z3) w(z3)
+    const float k_196 = 0.20068981;     // 1/2 pi theta_5_3(z3) w(z3)
+    const float k_197 = 0.05858601;     // 1/2 pi theta_6_3(z3) w(z3)
+    const float k_198 = 0.2896879;      // pi theta_2_2(z3) w(z3)
+    const float k_199 = 0.4332202;      // pi theta_3_2(z3) w(z3)
+    const float k_200 = 0.3101937;      // pi theta_4_2(z3) w(z3)
+    const float k_201 = 0.02983365;     // -pi theta_5_2(z3) w(z3)
+    const float k_202 = 0.3376552;      // -pi theta_6_2(z3) w(z3)
+    const float k_203 = 0.120198235;    // pi cos(6 pi/16) theta_1_1(z3) w(z3)
+    const float k_204 = 0.1519191;      // pi cos(6 pi/16) theta_2_1(z3) w(z3)
+    const float k_205 = 0.06717493;     // pi cos(6 pi/16) theta_3_1(z3) w(z3)
+    const float k_206 = 0.0710351;      // -pi cos(6 pi/16) theta_4_1(z3) w(z3)
+    const float k_207 = 0.14812063;     // -pi cos(6 pi/16) theta_5_1(z3) w(z3)
+    const float k_208 = 0.098534554;    // -pi cos(6 pi/16) theta_6_1(z3) w(z3)
+    const float k_209 = 0.10991345;     // 1/2 pi theta_0_0(z3) w(z3)
+    const float k_210 = 0.10760707;     // 1/2 pi theta_1_0(z3) w(z3)
+    const float k_211 = 0.005103137;    // -1/2 pi theta_2_0(z3) w(z3)
+    const float k_212 = 0.11526993;     // -1/2 pi theta_3_0(z3) w(z3)
+    const float k_213 = 0.12415229;     // -1/2 pi theta_4_0(z3) w(z3)
+    const float k_214 = 0.024048202;    // -1/2 pi theta_5_0(z3) w(z3)
+    const float k_215 = 0.09725251;     // 1/2 pi theta_6_0(z3) w(z3)
+    const float k_216 = 0.15704656;     // 1/2 pi theta_1_1(z3) w(z3)
+    const float k_217 = 0.19849187;     // 1/2 pi theta_2_1(z3) w(z3)
+    const float k_218 = 0.08776828;     // 1/2 pi theta_3_1(z3) w(z3)
+    const float k_219 = 0.09281183;     // -1/2 pi theta_4_1(z3) w(z3)
+    const float k_220 = 0.19352894;     // -1/2 pi theta_5_1(z3) w(z3)
+    const float k_221 = 0.12874159;     // -1/2 pi theta_6_1(z3) w(z3)
+    const float k_222 = 0.072421975;    // 1/4 pi theta_2_2(z3) w(z3)
+    const float k_223 = 0.10830505;     // 1/4 pi theta_3_2(z3) w(z3)
+    const float k_224 = 0.07754842;     // 1/4 pi theta_4_2(z3) w(z3)
+    const float k_225 = 0.0074584126;   // -1/4 pi theta_5_2(z3) w(z3)
+    const float k_226 = 0.0844138;      // -1/4 pi theta_6_2(z3) w(z3)
+    const float k_227 = 0.25811943;     // pi theta_3_3(z3) w(z3)
+    const float k_228 = 0.43769467;     // pi theta_4_3(z3) w(z3)
+    const float k_229 = 0.40137962;     // pi theta_5_3(z3) w(z3)
+    const float k_230 = 0.11717202;     // pi theta_6_3(z3) w(z3)
+    const float k_231 = 0.11292339;     // 1/2 pi theta_4_4(z3) w(z3)
+    const float k_232 = 0.2116945;      // 1/2 pi theta_5_4(z3) w(z3)
+    const float k_233 = 0.22891545;     // 1/2 pi theta_6_4(z3) w(z3)
+    const float k_234 = 0.5191288;      // theta_6_6(z4)
+    const float k_235 = 0.522121;       // theta_5_5(z4)
+    const float k_236 = 0.55677474;     // theta_6_5(z4)
+    const float k_237 = 0.521137;       // theta_4_4(z4)
+    const float k_238 = 0.015881144;    // -theta_6_4(z4)
+    const float k_239 = 0.5111931;      // theta_5_4(z4)
+    const float k_240 = 0.5143429;      // theta_3_3(z4)
+    const float k_241 = 0.09072912;     // -theta_5_3(z4)
+    const float k_242 = 0.942948;       // -theta_4_3(z4) / theta_6_3(z4)
+    const float k_243 = 0.48397508;     // -theta_6_3(z4)
+    const float k_244 = 0.49849004;     // theta_2_2(z4)
+    const float k_245 = 0.16736767;     // -theta_4_2(z4)
+    const float k_246 = 0.13534568;     // -theta_6_2(z4)
+    const float k_247 = 0.81756765;     // -theta_3_2(z4) / theta_5_2(z4)
+    const float k_248 = 0.47710997;     // -theta_5_2(z4)
+    const float k_249 = 0.46674383;     // theta_1_1(z4)
+    const float k_250 = 0.24564609;     // -theta_3_1(z4)
+    const float k_251 = 0.027665181;    // -theta_5_1(z4)
+    const float k_252 = 0.6839218;      // -theta_2_1(z4) / theta_4_1(z4)
+    const float k_253 = 0.95858204;     // -theta_6_1(z4) / theta_4_1(z4)
+    const float k_254 = 0.45132962;     // -theta_4_1(z4)
+    const float k_255 = 0.2820948;      // theta_0_0(z4)
+    const float k_256 = 0.23262694;     // -theta_2_0(z4)
+    const float k_257 = 0.06808531;     // theta_4_0(z4)
+    const float k_258 = 0.122627296;    // theta_6_0(z4)
+    const float k_259 = 0.44640335;     // theta_1_0(z4) / theta_5_0(z4)
+    const float k_260 = 0.8737209;      // -theta_3_0(z4) / theta_5_0(z4)
+    const float k_261 = 0.32371658;     // theta_5_0(z4)
+    const float k_262 = 0.23393431;     // 1/2 pi theta_6_6(z4) w(z4)
+    const float k_263 = 0.23528269;     // 1/2 pi theta_5_5(z4) w(z4)
+    const float k_264 = 0.25089866;     // 1/2 pi theta_6_5(z4) w(z4)
+    const float k_265 = 0.46967858;     // pi theta_4_4(z4) w(z4)
+    const float k_266 = 0.46071652;     // pi theta_5_4(z4) w(z4)
+    const float k_267 = 0.014312997;    // -pi theta_6_4(z4) w(z4)
+    const float k_268 = 0.23177767;     // 1/2 pi theta_3_3(z4) w(z4)
+    const float k_269 = 0.20565039;     // 1/2 pi theta_4_3(z4) w(z4)
+    const float k_270 = 0.040885143;    // -1/2 pi theta_5_3(z4) w(z4)
+    const float k_271 = 0.21809305;     // -1/2 pi theta_6_3(z4) w(z4)
+    const float k_272 = 0.4492678;      // pi theta_2_2(z4) w(z4)
+    const float k_273 = 0.35155317;     // pi theta_3_2(z4) w(z4)
+    const float k_274 = 0.15084134;     // -pi theta_4_2(z4) w(z4)
+    const float k_275 = 0.42999887;     // -pi theta_5_2(z4) w(z4)
+    const float k_276 = 0.12198129;     // -pi theta_6_2(z4) w(z4)
+    const float k_277 = 0.1609782;      // pi cos(6 pi/16) theta_1_1(z4) w(z4)
+    const float k_278 = 0.106460564;    // pi cos(6 pi/16) theta_2_1(z4) w(z4)
+    const float k_279 = 0.084722415;    // -pi cos(6 pi/16) theta_3_1(z4) w(z4)
+    const float k_280 = 0.1556619;      // -pi cos(6 pi/16) theta_4_1(z4) w(z4)
+    const float k_281 = 0.009541618;    // -pi cos(6 pi/16) theta_5_1(z4) w(z4)
+    const float k_282 = 0.1492147;      // pi cos(6 pi/16) theta_6_1(z4) w(z4)
+    const float k_283 = 0.12712;        // 1/2 pi theta_0_0(z4) w(z4)
+    const float k_284 = 0.06511953;     // 1/2 pi theta_1_0(z4) w(z4)
+    const float k_285 = 0.10482837;     // -1/2 pi theta_2_0(z4) w(z4)
+    const float k_286 = 0.12745488;     // -1/2 pi theta_3_0(z4) w(z4)
+    const float k_287 = 0.030681195;    // 1/2 pi theta_4_0(z4) w(z4)
+    const float k_288 = 0.14587598;     // 1/2 pi theta_5_0(z4) w(z4)
+    const float k_289 = 0.055259377;    // 1/2 pi theta_6_0(z4) w(z4)
+    const float k_290 = 0.21032816;     // 1/2 pi theta_1_1(z4) w(z4)
+    const float k_291 = 0.13909744;     // 1/2 pi theta_2_1(z4) w(z4)
+    const float k_292 = 0.11069517;     // -1/2 pi theta_3_1(z4) w(z4)
+    const float k_293 = 0.20338207;     // -1/2 pi theta_4_1(z4) w(z4)
+    const float k_294 = 0.012466724;    // -1/2 pi theta_5_1(z4) w(z4)
+    const float k_295 = 0.1949584;      // 1/2 pi theta_6_1(z4) w(z4)
+    const float k_296 = 0.11231695;     // 1/4 pi theta_2_2(z4) w(z4)
+    const float k_297 = 0.08788829;     // 1/4 pi theta_3_2(z4) w(z4)
+    const float k_298 = 0.037710335;    // -1/4 pi theta_4_2(z4) w(z4)
+    const float k_299 = 0.10749972;     // -1/4 pi theta_5_2(z4) w(z4)
+    const float k_300 = 0.030495323;    // -1/4 pi theta_6_2(z4) w(z4)
+    const float k_301 = 0.46355534;     // pi theta_3_3(z4) w(z4)
+    const float k_302 = 0.41130078;     // pi theta_4_3(z4) w(z4)
+    const float k_303 = 0.081770286;    // -pi theta_5_3(z4) w(z4)
+    const float k_304 = 0.4361861;      // -pi theta_6_3(z4) w(z4)
+    const float k_305 = 0.23483929;     // 1/2 pi theta_4_4(z4) w(z4)
+    const float k_306 = 0.23035826;     // 1/2 pi theta_5_4(z4) w(z4)
+    const float k_307 = 0.0071564987;   // -1/2 pi theta_6_4(z4) w(z4)
+    const float k_308 = 0.2820948;      // 1/2 sqrt(1/pi)
+    const float k_309 = 0.63078314;     // 1/2 sqrt(5/pi)
+    const float k_310 = 0.8462844;      // 3/2 sqrt(1/pi)
+    const float k_311 = 1.0171072;      // 1/2 sqrt(13/pi)
+    const float k_312 = 0.52223295;     // 1/11 sqrt(33)
+    const float k_313 = 0.797724;       // 1/11 sqrt(77)
+    const float k_314 = 0.9356026;      // 1/2 sqrt(11/pi)
+    const float k_315 = 0.032226432;    // pi^(1/2) w(pole)
+    const float k_316 = 0.05581782;     // sqrt(3) pi^(1/2) w(pole)
+    const float k_317 = 0.072060496;    // sqrt(5) pi^(1/2) w(pole)
+    const float k_318 = 0.085263126;    // sqrt(7) pi^(1/2) w(pole)
+    const float k_319 = 0.0966793;      // 3 pi^(1/2) w(pole)
+    const float k_320 = 0.10688299;     // sqrt(11) pi^(1/2) w(pole)
+    const float k_321 = 0.11619406;     // sqrt(13) pi^(1/2) w(pole)
+    const float k_322 = 0.6831841;      // 1/64 sqrt(6006/pi)
+    const float k_323 = 0.6563821;      // 3/32 sqrt(154/pi)
+    const float k_324 = 0.6258357;      // 3/16 sqrt(35/pi)
+    const float k_325 = 0.5045649;      // 3/32 sqrt(91/pi)
+    const float k_326 = 0.5900436;      // 1/8 sqrt(70/pi)
+    const float k_327 = 0.4892383;      // 1/32 sqrt(770/pi)
+    const float k_328 = 0.54627424;     // 1/4 sqrt(15/pi)
+    const float k_329 = 0.47308734;     // 3/8 sqrt(5/pi)
+    const float k_330 = 0.46060264;     // 1/64 sqrt(2730/pi)
+    const float k_331 = 0.48860252;     // 1/2 sqrt(3/pi)
+    const float k_332 = 0.4570458;      // 1/8 sqrt(42/pi)
+    const float k_333 = 0.45294666;     // 1/16 sqrt(165/pi)
+    const float k_334 = 0.31539157;     // 1/4 sqrt(5/pi)
+    const float k_335 = 0.31735665;     // 9/16 sqrt(1/pi)
+    const float k_336 = 0.317846;       // 5/32 sqrt(13/pi)
+    const float k_337 = 0.64435285;     // 1/64 sqrt(6006) pi^(1/2) w(equator)
+    const float k_338 = 0.3095371;      // 3/64 sqrt(154) pi^(1/2) w(equator)
+    const float k_339 = 0.5902641;      // 3/16 sqrt(35) pi^(1/2) w(equator)
+    const float k_340 = 0.47588614;     // 3/32 sqrt(91) pi^(1/2) w(equator)
+    const float k_341 = 0.27825317;     // 1/16 sqrt(70) pi^(1/2) w(equator)
+    const float k_342 = 0.23071533;     // 1/64 sqrt(770) pi^(1/2) w(equator)
+    const float k_343 = 0.51522475;     // 1/4 sqrt(15) pi^(1/2) w(equator)
+    const float k_344 = 0.44619772;     // 3/8 sqrt(5) pi^(1/2) w(equator)
+    const float k_345 = 0.4344226;      // 1/64 sqrt(2730) pi^(1/2) w(equator)
+    const float k_346 = 0.1763524;      // 1/2 sqrt(3) pi^(1/2) cos(6 pi/16) w(equator)
+    const float k_347 = 0.16496256;     // 1/8 sqrt(42) pi^(1/2) cos(6 pi/16) w(equator)
+    const float k_348 = 0.16348305;     // 1/16 sqrt(165) pi^(1/2) cos(6 pi/16) w(equator)
+    const float k_349 = 0.13303046;     // 1/4 pi^(1/2) w(equator)
+    const float k_350 = 0.14873257;     // 1/8 sqrt(5) pi^(1/2) w(equator)
+    const float k_351 = 0.14965926;     // 9/32 pi^(1/2) w(equator)
+    const float k_352 = 0.14989005;     // 5/64 sqrt(13) pi^(1/2) w(equator)
+    const float k_353 = 0.23041551;     // 1/4 sqrt(3) pi^(1/2) w(equator)
+    const float k_354 = 0.21553397;     // 1/16 sqrt(42) pi^(1/2) w(equator)
+    const float k_355 = 0.2136009;      // 1/32 sqrt(165) pi^(1/2) w(equator)
+    const float k_356 = 0.25761238;     // 1/8 sqrt(15) pi^(1/2) w(equator)
+    const float k_357 = 0.22309886;     // 3/16 sqrt(5) pi^(1/2) w(equator)
+    const float k_358 = 0.2172113;      // 1/128 sqrt(2730) pi^(1/2) w(equator)
+    const float k_359 = 0.55650634;     // 1/8 sqrt(70) pi^(1/2) w(equator)
+    const float k_360 = 0.46143067;     // 1/32 sqrt(770) pi^(1/2) w(equator)
+    const float k_361 = 0.29513204;     // 3/32 sqrt(35) pi^(1/2) w(equator)
+    const float k_362 = 0.23794307;     // 3/64 sqrt(91) pi^(1/2) w(equator)
+    const float k_363 = 0.32217643;     // 1/128 sqrt(6006) pi^(1/2) w(equator)
 
     float a36 = a[36];
     float a1s6n = k * a36;
@@ -490,20 +484,20 @@ void square_l6(float a[49], out float result[49]) {
     float a48 = a[48];
     float a1c6n = k * a48;
     float t_23 = a1c0n + a1c4n;
-    float t_24 = a1c2n + a1c6n;
-    float t_25 = k_29 * (a1c2n - a1c6n);
-    float t_26 = a1c2s + a1c6n;
-    float t_27 = k_29 * (a1c2s - a1c6n);
-    float t_28 = a1c0s + a1c4s;
-    float t_29 = t_23 + t_24;
-    float t_30 = t_23 - t_24;
-    float t_31 = a1c0n + t_25;
-    float t_32 = a1c0n - t_25;
+    float t_24 = a1c0s + a1c4s;
+    float t_25 = a1c2n + a1c6n;
+    float t_26 = k_29 * (a1c2n - a1c6n);
+    float t_27 = a1c2s + a1c6n;
+    float t_28 = k_29 * (a1c2s - a1c6n);
+    float t_29 = t_23 + t_25;
+    float t_30 = t_23 - t_25;
+    float t_31 = a1c0n + t_26;
+    float t_32 = a1c0n - t_26;
     float t_33 = a1c0n - a1c4n;
-    float t_34 = t_28 + t_26;
-    float t_35 = t_28 - t_26;
-    float t_36 = a1c0s + t_27;
-    float t_37 = a1c0s - t_27;
+    float t_34 = t_24 + t_27;
+    float t_35 = t_24 - t_27;
+    float t_36 = a1c0s + t_28;
+    float t_37 = a1c0s - t_28;
     float t_38 = a1c0s - a1c4s;
     float t_39 = k_29 * (a1s6n + a1s2n);
     float t_40 = a1s2n - a1s6n;
@@ -589,18 +583,18 @@ void square_l6(float a[49], out float result[49]) {
     float t_120 = t_78 + t_118;
     float t_121 = t_87 - t_96;
     float t_122 = k_35 * t_99 + t_96 + k_36 * t_91 + t_87;
-    float t_123 = k_36 * t_99 - k_37 * t_91;
+    float t_123 = k_36 * t_99 - k_35 * t_91;
     float t_124 = t_71 - t_80;
     float t_125 = k_35 * t_83 + t_80 + k_36 * t_75 + t_71;
-    float t_126 = k_36 * t_83 - k_37 * t_75;
-    float t_127 = k_38 * (t_121 - t_123);
-    float t_128 = k_38 * (t_124 - t_126);
+    float t_126 = k_36 * t_83 - k_35 * t_75;
+    float t_127 = k_33 * (t_121 - t_123);
+    float t_128 = k_33 * (t_124 - t_126);
     float t_129 = t_101 - k_32 * t_95;
-    float t_130 = k_39 * t_101 + k_40 * t_100 + k_41 * t_95 + t_92;
-    float t_131 = k_36 * t_92 - k_37 * t_100;
+    float t_130 = k_37 * t_101 + k_38 * t_100 + k_39 * t_95 + t_92;
+    float t_131 = k_36 * t_92 - k_35 * t_100;
     float t_132 = t_85 - k_32 * t_79;
-    float t_133 = k_39 * t_85 + k_40 * t_84 + k_41 * t_79 + t_76;
-    float t_134 = k_36 * t_76 - k_37 * t_84;
+    float t_133 = k_37 * t_85 + k_38 * t_84 + k_39 * t_79 + t_76;
+    float t_134 = k_36 * t_76 - k_35 * t_84;
     float t_135 = t_134 - t_132;
     float t_136 = t_131 - t_129;
     float t_137 = a1s6n * a1c6n;
@@ -626,67 +620,67 @@ void square_l6(float a[49], out float result[49]) {
     float t_157 = t_128 + t_127;
     float t_158 = t_128 - t_127;
     float t_159 = t_112 + t_107 - k_34 * (a1c6n * a1c6n - a1s6n * a1s6n);
-    float a2s6n = k_89 * a36;
-    float t_160 = k_90 * a25;
-    float t_161 = k_91 * a37;
+    float a2s6n = k_86 * a36;
+    float t_160 = k_87 * a25;
+    float t_161 = k_88 * a37;
     float a2s5n = t_160 + t_161;
     float a2s5s = t_160 - t_161;
-    float t_162 = k_92 * a16 + k_93 * a38;
-    float t_163 = k_94 * a26;
+    float t_162 = k_89 * a16 + k_90 * a38;
+    float t_163 = k_91 * a26;
     float a2s4n = t_162 + t_163;
     float a2s4s = t_162 - t_163;
-    float t_164 = k_95 * a9 + k_96 * a27;
-    float t_165 = k_98 * (k_97 * a17 + a39);
+    float t_164 = k_92 * a9 + k_93 * a27;
+    float t_165 = k_95 * (k_94 * a17 + a39);
     float a2s3n = t_164 + t_165;
     float a2s3s = t_164 - t_165;
-    float t_166 = k_99 * a4 + k_100 * a18 + k_101 * a40;
-    float t_167 = k_103 * (k_102 * a10 + a28);
+    float t_166 = k_96 * a4 + k_97 * a18 + k_98 * a40;
+    float t_167 = k_100 * (k_99 * a10 + a28);
     float a2s2n = t_166 + t_167;
     float a2s2s = t_166 - t_167;
-    float t_168 = k_104 * a1 + k_105 * a11 + k_106 * a29;
-    float t_169 = k_109 * (a5 + k_107 * a19 - k_108 * a41);
+    float t_168 = k_101 * a1 + k_102 * a11 + k_103 * a29;
+    float t_169 = k_106 * (a5 + k_104 * a19 - k_105 * a41);
     float a2s1n = t_168 + t_169;
     float a2s1s = t_168 - t_169;
-    float t_170 = k_110 * a0 + k_111 * a6 - k_112 * a20 - k_113 * a42;
-    float t_171 = k_116 * (a30 - k_114 * a2 - k_115 * a12);
+    float t_170 = k_107 * a0 + k_108 * a6 - k_109 * a20 - k_110 * a42;
+    float t_171 = k_113 * (a30 - k_111 * a2 - k_112 * a12);
     float a2c0n = t_170 - t_171;
     float a2c0s = t_170 + t_171;
-    float t_172 = k_104 * a3 + k_105 * a13 + k_106 * a31;
-    float t_173 = k_109 * (a7 + k_107 * a21 - k_108 * a43);
+    float t_172 = k_101 * a3 + k_102 * a13 + k_103 * a31;
+    float t_173 = k_106 * (a7 + k_104 * a21 - k_105 * a43);
     float a2c1n = t_172 + t_173;
     float a2c1s = t_172 - t_173;
-    float t_174 = k_99 * a8 + k_100 * a22 + k_101 * a44;
-    float t_175 = k_103 * (k_102 * a14 + a32);
+    float t_174 = k_96 * a8 + k_97 * a22 + k_98 * a44;
+    float t_175 = k_100 * (k_99 * a14 + a32);
     float a2c2n = t_174 + t_175;
     float a2c2s = t_174 - t_175;
-    float t_176 = k_95 * a15 + k_96 * a33;
-    float t_177 = k_98 * (k_97 * a23 + a45);
+    float t_176 = k_92 * a15 + k_93 * a33;
+    float t_177 = k_95 * (k_94 * a23 + a45);
     float a2c3n = t_176 + t_177;
     float a2c3s = t_176 - t_177;
-    float t_178 = k_92 * a24 + k_93 * a46;
-    float t_179 = k_94 * a34;
+    float t_178 = k_89 * a24 + k_90 * a46;
+    float t_179 = k_91 * a34;
     float a2c4n = t_178 + t_179;
     float a2c4s = t_178 - t_179;
-    float t_180 = k_90 * a35;
-    float t_181 = k_91 * a47;
+    float t_180 = k_87 * a35;
+    float t_181 = k_88 * a47;
     float a2c5n = t_180 + t_181;
     float a2c5s = t_180 - t_181;
-    float a2c6n = k_89 * a48;
+    float a2c6n = k_86 * a48;
     float t_182 = a2c0n + a2c4n;
-    float t_183 = a2c2n + a2c6n;
-    float t_184 = k_29 * (a2c2n - a2c6n);
-    float t_185 = a2c2s + a2c6n;
-    float t_186 = k_29 * (a2c2s - a2c6n);
-    float t_187 = a2c0s + a2c4s;
-    float t_188 = t_182 + t_183;
-    float t_189 = t_182 - t_183;
-    float t_190 = a2c0n + t_184;
-    float t_191 = a2c0n - t_184;
+    float t_183 = a2c0s + a2c4s;
+    float t_184 = a2c2n + a2c6n;
+    float t_185 = k_29 * (a2c2n - a2c6n);
+    float t_186 = a2c2s + a2c6n;
+    float t_187 = k_29 * (a2c2s - a2c6n);
+    float t_188 = t_182 + t_184;
+    float t_189 = t_182 - t_184;
+    float t_190 = a2c0n + t_185;
+    float t_191 = a2c0n - t_185;
     float t_192 = a2c0n - a2c4n;
-    float t_193 = t_187 + t_185;
-    float t_194 = t_187 - t_185;
-    float t_195 = a2c0s + t_186;
-    float t_196 = a2c0s - t_186;
+    float t_193 = t_183 + t_186;
+    float t_194 = t_183 - t_186;
+    float t_195 = a2c0s + t_187;
+    float t_196 = a2c0s - t_187;
     float t_197 = a2c0s - a2c4s;
     float t_198 = k_29 * (a2s6n + a2s2n);
     float t_199 = a2s2n - a2s6n;
@@ -772,18 +766,18 @@ void square_l6(float a[49], out float result[49]) {
     float t_279 = t_237 + t_277;
     float t_280 = t_246 - t_255;
     float t_281 = k_35 * t_258 + t_255 + k_36 * t_250 + t_246;
-    float t_282 = k_36 * t_258 - k_37 * t_250;
+    float t_282 = k_36 * t_258 - k_35 * t_250;
     float t_283 = t_230 - t_239;
     float t_284 = k_35 * t_242 + t_239 + k_36 * t_234 + t_230;
-    float t_285 = k_36 * t_242 - k_37 * t_234;
-    float t_286 = k_38 * (t_280 - t_282);
-    float t_287 = k_38 * (t_283 - t_285);
+    float t_285 = k_36 * t_242 - k_35 * t_234;
+    float t_286 = k_33 * (t_280 - t_282);
+    float t_287 = k_33 * (t_283 - t_285);
     float t_288 = t_260 - k_32 * t_254;
-    float t_289 = k_39 * t_260 + k_40 * t_259 + k_41 * t_254 + t_251;
-    float t_290 = k_36 * t_251 - k_37 * t_259;
+    float t_289 = k_37 * t_260 + k_38 * t_259 + k_39 * t_254 + t_251;
+    float t_290 = k_36 * t_251 - k_35 * t_259;
     float t_291 = t_244 - k_32 * t_238;
-    float t_292 = k_39 * t_244 + k_40 * t_243 + k_41 * t_238 + t_235;
-    float t_293 = k_36 * t_235 - k_37 * t_243;
+    float t_292 = k_37 * t_244 + k_38 * t_243 + k_39 * t_238 + t_235;
+    float t_293 = k_36 * t_235 - k_35 * t_243;
     float t_294 = t_293 - t_291;
     float t_295 = t_290 - t_288;
     float t_296 = a2s6n * a2c6n;
@@ -809,77 +803,77 @@ void square_l6(float a[49], out float result[49]) {
     float t_316 = t_287 + t_286;
     float t_317 = t_287 - t_286;
     float t_318 = t_271 + t_266 - k_34 * (a2c6n * a2c6n - a2s6n * a2s6n);
-    float a3s6n = k_164 * a36;
-    float t_319 = k_165 * a25;
-    float t_320 = k_166 * a37;
-    float t_321 = k_241 * a37;
+    float a3s6n = k_160 * a36;
+    float t_319 = k_161 * a25;
+    float t_320 = k_162 * a37;
+    float t_321 = k_236 * a37;
     float a3s5n = t_319 + t_320;
     float a3s5s = t_319 - t_320;
-    float t_322 = k_167 * a16 + k_168 * a38;
-    float t_323 = k_169 * a26;
-    float t_324 = k_244 * a26;
+    float t_322 = k_163 * a16 + k_164 * a38;
+    float t_323 = k_165 * a26;
+    float t_324 = k_239 * a26;
     float a3s4n = t_322 + t_323;
     float a3s4s = t_322 - t_323;
-    float t_325 = k_170 * a9 + k_171 * a27;
-    float t_326 = k_173 * (a17 + k_172 * a39);
-    float t_327 = k_248 * (a39 - k_247 * a17);
+    float t_325 = k_166 * a9 + k_167 * a27;
+    float t_326 = k_169 * (a17 + k_168 * a39);
+    float t_327 = k_243 * (a39 - k_242 * a17);
     float a3s3n = t_325 + t_326;
     float a3s3s = t_325 - t_326;
-    float t_328 = k_174 * a4 + k_175 * a18 - k_176 * a40;
-    float t_329 = k_178 * (a10 - k_177 * a28);
-    float t_330 = k_253 * (a28 - k_252 * a10);
+    float t_328 = k_170 * a4 + k_171 * a18 - k_172 * a40;
+    float t_329 = k_174 * (a10 - k_173 * a28);
+    float t_330 = k_248 * (a28 - k_247 * a10);
     float a3s2n = t_328 + t_329;
     float a3s2s = t_328 - t_329;
-    float t_331 = k_179 * a1 + k_180 * a11 - k_181 * a29;
-    float t_332 = k_184 * (a5 - k_182 * a19 - k_183 * a41);
-    float t_333 = k_259 * (a19 - k_257 * a5 - k_258 * a41);
+    float t_331 = k_175 * a1 + k_176 * a11 - k_177 * a29;
+    float t_332 = k_180 * (a5 - k_178 * a19 - k_179 * a41);
+    float t_333 = k_254 * (a19 - k_252 * a5 - k_253 * a41);
     float a3s1n = t_331 + t_332;
     float a3s1s = t_331 - t_332;
-    float t_334 = k_185 * a0 - k_186 * a6 - k_187 * a20 + k_188 * a42;
-    float t_335 = k_191 * (a12 - k_189 * a2 + k_190 * a30);
+    float t_334 = k_181 * a0 - k_182 * a6 - k_183 * a20 + k_184 * a42;
+    float t_335 = k_187 * (a12 - k_185 * a2 + k_186 * a30);
     float a3c0n = t_334 - t_335;
     float a3c0s = t_334 + t_335;
-    float t_336 = k_179 * a3 + k_180 * a13 - k_181 * a31;
-    float t_337 = k_184 * (a7 - k_182 * a21 - k_183 * a43);
-    float t_338 = k_259 * (a21 - k_257 * a7 - k_258 * a43);
+    float t_336 = k_175 * a3 + k_176 * a13 - k_177 * a31;
+    float t_337 = k_180 * (a7 - k_178 * a21 - k_179 * a43);
+    float t_338 = k_254 * (a21 - k_252 * a7 - k_253 * a43);
     float a3c1n = t_336 + t_337;
     float a3c1s = t_336 - t_337;
-    float t_339 = k_174 * a8 + k_175 * a22 - k_176 * a44;
-    float t_340 = k_178 * (a14 - k_177 * a32);
-    float t_341 = k_253 * (a32 - k_252 * a14);
+    float t_339 = k_170 * a8 + k_171 * a22 - k_172 * a44;
+    float t_340 = k_174 * (a14 - k_173 * a32);
+    float t_341 = k_248 * (a32 - k_247 * a14);
     float a3c2n = t_339 + t_340;
     float a3c2s = t_339 - t_340;
-    float t_342 = k_170 * a15 + k_171 * a33;
-    float t_343 = k_173 * (a23 + k_172 * a45);
-    float t_344 = k_248 * (a45 - k_247 * a23);
+    float t_342 = k_166 * a15 + k_167 * a33;
+    float t_343 = k_169 * (a23 + k_168 * a45);
+    float t_344 = k_243 * (a45 - k_242 * a23);
     float a3c3n = t_342 + t_343;
     float a3c3s = t_342 - t_343;
-    float t_345 = k_167 * a24 + k_168 * a46;
-    float t_346 = k_169 * a34;
-    float t_347 = k_244 * a34;
+    float t_345 = k_163 * a24 + k_164 * a46;
+    float t_346 = k_165 * a34;
+    float t_347 = k_239 * a34;
     float a3c4n = t_345 + t_346;
     float a3c4s = t_345 - t_346;
-    float t_348 = k_165 * a35;
-    float t_349 = k_166 * a47;
-    float t_350 = k_241 * a47;
+    float t_348 = k_161 * a35;
+    float t_349 = k_162 * a47;
+    float t_350 = k_236 * a47;
     float a3c5n = t_348 + t_349;
     float a3c5s = t_348 - t_349;
-    float a3c6n = k_164 * a48;
+    float a3c6n = k_160 * a48;
     float t_351 = a3c0n + a3c4n;
-    float t_352 = a3c2n + a3c6n;
-    float t_353 = k_29 * (a3c2n - a3c6n);
-    float t_354 = a3c2s + a3c6n;
-    float t_355 = k_29 * (a3c2s - a3c6n);
-    float t_356 = a3c0s + a3c4s;
-    float t_357 = t_351 + t_352;
-    float t_358 = t_351 - t_352;
-    float t_359 = a3c0n + t_353;
-    float t_360 = a3c0n - t_353;
+    float t_352 = a3c0s + a3c4s;
+    float t_353 = a3c2n + a3c6n;
+    float t_354 = k_29 * (a3c2n - a3c6n);
+    float t_355 = a3c2s + a3c6n;
+    float t_356 = k_29 * (a3c2s - a3c6n);
+    float t_357 = t_351 + t_353;
+    float t_358 = t_351 - t_353;
+    float t_359 = a3c0n + t_354;
+    float t_360 = a3c0n - t_354;
     float t_361 = a3c0n - a3c4n;
-    float t_362 = t_356 + t_354;
-    float t_363 = t_356 - t_354;
-    float t_364 = a3c0s + t_355;
-    float t_365 = a3c0s - t_355;
+    float t_362 = t_352 + t_355;
+    float t_363 = t_352 - t_355;
+    float t_364 = a3c0s + t_356;
+    float t_365 = a3c0s - t_356;
     float t_366 = a3c0s - a3c4s;
     float t_367 = k_29 * (a3s6n + a3s2n);
     float t_368 = a3s2n - a3s6n;
@@ -965,18 +959,18 @@ void square_l6(float a[49], out float result[49]) {
     float t_448 = t_406 + t_446;
     float t_449 = t_415 - t_424;
     float t_450 = k_35 * t_427 + t_424 + k_36 * t_419 + t_415;
-    float t_451 = k_36 * t_427 - k_37 * t_419;
+    float t_451 = k_36 * t_427 - k_35 * t_419;
     float t_452 = t_399 - t_408;
     float t_453 = k_35 * t_411 + t_408 + k_36 * t_403 + t_399;
-    float t_454 = k_36 * t_411 - k_37 * t_403;
-    float t_455 = k_38 * (t_449 - t_451);
-    float t_456 = k_38 * (t_452 - t_454);
+    float t_454 = k_36 * t_411 - k_35 * t_403;
+    float t_455 = k_33 * (t_449 - t_451);
+    float t_456 = k_33 * (t_452 - t_454);
     float t_457 = t_429 - k_32 * t_423;
-    float t_458 = k_39 * t_429 + k_40 * t_428 + k_41 * t_423 + t_420;
-    float t_459 = k_36 * t_420 - k_37 * t_428;
+    float t_458 = k_37 * t_429 + k_38 * t_428 + k_39 * t_423 + t_420;
+    float t_459 = k_36 * t_420 - k_35 * t_428;
     float t_460 = t_413 - k_32 * t_407;
-    float t_461 = k_39 * t_413 + k_40 * t_412 + k_41 * t_407 + t_404;
-    float t_462 = k_36 * t_404 - k_37 * t_412;
+    float t_461 = k_37 * t_413 + k_38 * t_412 + k_39 * t_407 + t_404;
+    float t_462 = k_36 * t_404 - k_35 * t_412;
     float t_463 = t_462 - t_460;
     float t_464 = t_459 - t_457;
     float t_465 = a3s6n * a3c6n;
@@ -1002,71 +996,71 @@ void square_l6(float a[49], out float result[49]) {
     float t_485 = t_456 + t_455;
     float t_486 = t_456 - t_455;
     float t_487 = t_440 + t_435 - k_34 * (a3c6n * a3c6n - a3s6n * a3s6n);
-    float a4s6n = k_239 * a36;
-    float a6s6n = k_328 * a36;
-    float t_488 = k_240 * a25;
-    float a6s5n = k_329 * a25;
+    float a4s6n = k_234 * a36;
+    float a6s6n = k_322 * a36;
+    float t_488 = k_235 * a25;
+    float a6s5n = k_323 * a25;
     float a4s5n = t_488 + t_321;
     float a4s5s = t_488 - t_321;
-    float t_489 = k_242 * a16 - k_243 * a38;
-    float a6s4n = k_330 * a16 - k_331 * a38;
+    float t_489 = k_237 * a16 - k_238 * a38;
+    float a6s4n = k_324 * a16 - k_325 * a38;
     float a4s4n = t_489 + t_324;
     float a4s4s = t_489 - t_324;
-    float t_490 = k_245 * a9 - k_246 * a27;
-    float a6s3n = k_332 * a9 - k_333 * a27;
+    float t_490 = k_240 * a9 - k_241 * a27;
+    float a6s3n = k_326 * a9 - k_327 * a27;
     float a4s3n = t_490 - t_327;
     float a4s3s = t_490 + t_327;
-    float t_491 = k_249 * a4 - k_250 * a18 - k_251 * a40;
-    float a6s2n = k_334 * a4 - k_335 * a18 + k_336 * a40;
+    float t_491 = k_244 * a4 - k_245 * a18 - k_246 * a40;
+    float a6s2n = k_328 * a4 - k_329 * a18 + k_330 * a40;
     float a4s2n = t_491 - t_330;
     float a4s2s = t_491 + t_330;
-    float t_492 = k_254 * a1 - k_255 * a11 - k_256 * a29;
-    float a6s1n = k_337 * a1 - k_338 * a11 + k_339 * a29;
+    float t_492 = k_249 * a1 - k_250 * a11 - k_251 * a29;
+    float a6s1n = k_331 * a1 - k_332 * a11 + k_333 * a29;
     float a4s1n = t_492 - t_333;
     float a4s1s = t_492 + t_333;
-    float t_493 = k_314 * a0;
-    float t_494 = k_260 * a0 - k_261 * a6 + k_262 * a20 + k_263 * a42;
-    float t_495 = k_266 * (k_264 * a2 - k_265 * a12 + a30);
-    float t_496 = k_320 * (k_318 * a2 + k_319 * a12 + a30);
+    float t_493 = k_308 * a0;
+    float t_494 = k_255 * a0 - k_256 * a6 + k_257 * a20 + k_258 * a42;
+    float t_495 = k_261 * (k_259 * a2 - k_260 * a12 + a30);
+    float t_496 = k_314 * (k_312 * a2 + k_313 * a12 + a30);
     float a4c0n = t_494 + t_495;
     float a4c0s = t_494 - t_495;
-    float t_497 = k_254 * a3 - k_255 * a13 - k_256 * a31;
-    float a6c1n = k_337 * a3 - k_338 * a13 + k_339 * a31;
+    float t_497 = k_249 * a3 - k_250 * a13 - k_251 * a31;
+    float a6c1n = k_331 * a3 - k_332 * a13 + k_333 * a31;
     float a4c1n = t_497 - t_338;
     float a4c1s = t_497 + t_338;
-    float t_498 = k_249 * a8 - k_250 * a22 - k_251 * a44;
-    float a6c2n = k_334 * a8 - k_335 * a22 + k_336 * a44;
+    float t_498 = k_244 * a8 - k_245 * a22 - k_246 * a44;
+    float a6c2n = k_328 * a8 - k_329 * a22 + k_330 * a44;
     float a4c2n = t_498 - t_341;
     float a4c2s = t_498 + t_341;
-    float t_499 = k_245 * a15 - k_246 * a33;
-    float a6c3n = k_332 * a15 - k_333 * a33;
+    float t_499 = k_240 * a15 - k_241 * a33;
+    float a6c3n = k_326 * a15 - k_327 * a33;
     float a4c3n = t_499 - t_344;
     float a4c3s = t_499 + t_344;
-    float t_500 = k_242 * a24 - k_243 * a46;
-    float a6c4n = k_330 * a24 - k_331 * a46;
+    float t_500 = k_237 * a24 - k_238 * a46;
+    float a6c4n = k_324 * a24 - k_325 * a46;
     float a4c4n = t_500 + t_347;
     float a4c4s = t_500 - t_347;
-    float t_501 = k_240 * a35;
-    float a6c5n = k_329 * a35;
+    float t_501 = k_235 * a35;
+    float a6c5n = k_323 * a35;
     float a4c5n = t_501 + t_350;
     float a4c5s = t_501 - t_350;
-    float a4c6n = k_239 * a48;
-    float a6c6n = k_328 * a48;
+    float a4c6n = k_234 * a48;
+    float a6c6n = k_322 * a48;
     float t_502 = a4c0n + a4c4n;
-    float t_503 = a4c2n + a4c6n;
-    float t_504 = k_29 * (a4c2n - a4c6n);
-    float t_505 = a4c2s + a4c6n;
-    float t_506 = k_29 * (a4c2s - a4c6n);
-    float t_507 = a4c0s + a4c4s;
-    float t_508 = t_502 + t_503;
-    float t_509 = t_502 - t_503;
-    float t_510 = a4c0n + t_504;
-    float t_511 = a4c0n - t_504;
+    float t_503 = a4c0s + a4c4s;
+    float t_504 = a4c2n + a4c6n;
+    float t_505 = k_29 * (a4c2n - a4c6n);
+    float t_506 = a4c2s + a4c6n;
+    float t_507 = k_29 * (a4c2s - a4c6n);
+    float t_508 = t_502 + t_504;
+    float t_509 = t_502 - t_504;
+    float t_510 = a4c0n + t_505;
+    float t_511 = a4c0n - t_505;
     float t_512 = a4c0n - a4c4n;
-    float t_513 = t_507 + t_505;
-    float t_514 = t_507 - t_505;
-    float t_515 = a4c0s + t_506;
-    float t_516 = a4c0s - t_506;
+    float t_513 = t_503 + t_506;
+    float t_514 = t_503 - t_506;
+    float t_515 = a4c0s + t_507;
+    float t_516 = a4c0s - t_507;
     float t_517 = a4c0s - a4c4s;
     float t_518 = k_29 * (a4s6n + a4s2n);
     float t_519 = a4s2n - a4s6n;
@@ -1152,18 +1146,18 @@ void square_l6(float a[49], out float result[49]) {
     float t_599 = t_557 + t_597;
     float t_600 = t_566 - t_575;
     float t_601 = k_35 * t_578 + t_575 + k_36 * t_570 + t_566;
-    float t_602 = k_36 * t_578 - k_37 * t_570;
+    float t_602 = k_36 * t_578 - k_35 * t_570;
     float t_603 = t_550 - t_559;
     float t_604 = k_35 * t_562 + t_559 + k_36 * t_554 + t_550;
-    float t_605 = k_36 * t_562 - k_37 * t_554;
-    float t_606 = k_38 * (t_600 - t_602);
-    float t_607 = k_38 * (t_603 - t_605);
+    float t_605 = k_36 * t_562 - k_35 * t_554;
+    float t_606 = k_33 * (t_600 - t_602);
+    float t_607 = k_33 * (t_603 - t_605);
     float t_608 = t_580 - k_32 * t_574;
-    float t_609 = k_39 * t_580 + k_40 * t_579 + k_41 * t_574 + t_571;
-    float t_610 = k_36 * t_571 - k_37 * t_579;
+    float t_609 = k_37 * t_580 + k_38 * t_579 + k_39 * t_574 + t_571;
+    float t_610 = k_36 * t_571 - k_35 * t_579;
     float t_611 = t_564 - k_32 * t_558;
-    float t_612 = k_39 * t_564 + k_40 * t_563 + k_41 * t_558 + t_555;
-    float t_613 = k_36 * t_555 - k_37 * t_563;
+    float t_612 = k_37 * t_564 + k_38 * t_563 + k_39 * t_558 + t_555;
+    float t_613 = k_36 * t_555 - k_35 * t_563;
     float t_614 = t_613 - t_611;
     float t_615 = t_610 - t_608;
     float t_616 = a4s6n * a4c6n;
@@ -1173,9 +1167,9 @@ void square_l6(float a[49], out float result[49]) {
     float t_620 = t_608 + t_610 + k_34 * (a4s5s * a4c6n + a4c5s * a4s6n);
     float t_621 = a4s5n * a4c5n;
     float t_622 = a4s5s * a4c5s;
-    result[37] = k_44 * (t_139 - t_141) + k_119 * (t_298 - t_300) + k_194 * (t_467 - t_469) + k_269 * (t_618 - t_620);  // l=6 m=-5
+    result[37] = k_42 * (t_139 - t_141) + k_116 * (t_298 - t_300) + k_190 * (t_467 - t_469) + k_264 * (t_618 - t_620);  // l=6 m=-5
     float t_623 = t_596 + t_594 + (t_616 + t_616);
-    result[26] = k_46 * (t_117 - t_115) + k_121 * (t_276 - t_274) + k_196 * (t_445 - t_443) + k_271 * (t_596 - t_594);  // l=5 m=-4
+    result[26] = k_44 * (t_117 - t_115) + k_118 * (t_276 - t_274) + k_192 * (t_445 - t_443) + k_266 * (t_596 - t_594);  // l=5 m=-4
     float t_624 = t_614 + t_615;
     float t_625 = t_614 - t_615;
     float t_626 = t_599 + t_598;
@@ -1191,33 +1185,33 @@ void square_l6(float a[49], out float result[49]) {
     float t_636 = t_607 + t_606;
     float t_637 = t_607 - t_606;
     float t_638 = t_591 + t_586 - k_34 * (a4c6n * a4c6n - a4s6n * a4s6n);
-    result[34] = k_86 * (t_112 - t_107) + k_161 * (t_271 - t_266) + k_236 * (t_440 - t_435) + k_311 * (t_591 - t_586);  // l=5 m=4
-    result[47] = k_44 * (t_138 - t_140) + k_119 * (t_297 - t_299) + k_194 * (t_466 - t_468) + k_269 * (t_617 - t_619);  // l=6 m=5
-    result[17] = k_49 * t_146 + k_124 * t_305 + k_199 * t_474 + k_274 * t_625;                                          // l=4 m=-3
-    result[39] = k_51 * t_146 + k_126 * t_305 + k_201 * t_474 - k_276 * t_625;                                          // l=6 m=-3
-    result[10] = k_53 * t_148 + k_128 * t_307 + k_203 * t_476 + k_278 * t_627;                                          // l=3 m=-2
-    result[28] = k_55 * t_148 + k_130 * t_307 - k_205 * t_476 - k_280 * t_627;                                          // l=5 m=-2
-    result[5] = k_58 * t_150 + k_133 * t_309 + k_208 * t_478 + k_283 * t_629;                                           // l=2 m=-1
-    result[19] = k_60 * t_150 + k_135 * t_309 - k_210 * t_478 - k_285 * t_629;                                          // l=4 m=-1
-    result[41] = k_62 * t_150 - k_137 * t_309 - k_212 * t_478 + k_287 * t_629;                                          // l=6 m=-1
-    result[7] = k_71 * t_154 + k_146 * t_313 + k_221 * t_482 + k_296 * t_633;                                           // l=2 m=1
-    result[21] = k_73 * t_154 + k_148 * t_313 - k_223 * t_482 - k_298 * t_633;                                          // l=4 m=1
-    result[43] = k_75 * t_154 - k_150 * t_313 - k_225 * t_482 + k_300 * t_633;                                          // l=6 m=1
-    result[14] = k_77 * t_156 + k_152 * t_315 + k_227 * t_484 + k_302 * t_635;                                          // l=3 m=2
-    result[32] = k_79 * t_156 + k_154 * t_315 - k_229 * t_484 - k_304 * t_635;                                          // l=5 m=2
-    result[23] = k_82 * t_158 + k_157 * t_317 + k_232 * t_486 + k_307 * t_637;                                          // l=4 m=3
-    result[45] = k_84 * t_158 + k_159 * t_317 + k_234 * t_486 - k_309 * t_637;                                          // l=6 m=3
-    float t_639 = t_493 + k_315 * a6 + k_316 * a20 + k_317 * a42;
-    float a6c0n = t_493 - k_340 * a6 + k_341 * a20 - k_342 * a42;
+    result[34] = k_84 * (t_112 - t_107) + k_158 * (t_271 - t_266) + k_232 * (t_440 - t_435) + k_306 * (t_591 - t_586);  // l=5 m=4
+    result[47] = k_42 * (t_138 - t_140) + k_116 * (t_297 - t_299) + k_190 * (t_466 - t_468) + k_264 * (t_617 - t_619);  // l=6 m=5
+    result[17] = k_47 * t_146 + k_121 * t_305 + k_195 * t_474 + k_269 * t_625;                                          // l=4 m=-3
+    result[39] = k_49 * t_146 + k_123 * t_305 + k_197 * t_474 - k_271 * t_625;                                          // l=6 m=-3
+    result[10] = k_51 * t_148 + k_125 * t_307 + k_199 * t_476 + k_273 * t_627;                                          // l=3 m=-2
+    result[28] = k_53 * t_148 + k_127 * t_307 - k_201 * t_476 - k_275 * t_627;                                          // l=5 m=-2
+    result[5] = k_56 * t_150 + k_130 * t_309 + k_204 * t_478 + k_278 * t_629;                                           // l=2 m=-1
+    result[19] = k_58 * t_150 + k_132 * t_309 - k_206 * t_478 - k_280 * t_629;                                          // l=4 m=-1
+    result[41] = k_60 * t_150 - k_134 * t_309 - k_208 * t_478 + k_282 * t_629;                                          // l=6 m=-1
+    result[7] = k_69 * t_154 + k_143 * t_313 + k_217 * t_482 + k_291 * t_633;                                           // l=2 m=1
+    result[21] = k_71 * t_154 + k_145 * t_313 - k_219 * t_482 - k_293 * t_633;                                          // l=4 m=1
+    result[43] = k_73 * t_154 - k_147 * t_313 - k_221 * t_482 + k_295 * t_633;                                          // l=6 m=1
+    result[14] = k_75 * t_156 + k_149 * t_315 + k_223 * t_484 + k_297 * t_635;                                          // l=3 m=2
+    result[32] = k_77 * t_156 + k_151 * t_315 - k_225 * t_484 - k_299 * t_635;                                          // l=5 m=2
+    result[23] = k_80 * t_158 + k_154 * t_317 + k_228 * t_486 + k_302 * t_637;                                          // l=4 m=3
+    result[45] = k_82 * t_158 + k_156 * t_317 + k_230 * t_486 - k_304 * t_637;                                          // l=6 m=3
+    float t_639 = t_493 + k_309 * a6 + k_310 * a20 + k_311 * a42;
+    float a6c0n = t_493 - k_334 * a6 + k_335 * a20 - k_336 * a42;
     float t_640 = t_639 + t_496;
     float t_641 = t_639 - t_496;
     float t_642 = t_640 * t_640;
     float t_643 = t_641 * t_641;
     float t_644 = t_642 + t_643;
     float t_645 = t_642 - t_643;
-    result[2] = k_64 * t_152 + k_139 * t_311 + k_214 * t_480 + k_289 * t_631 + k_322 * t_645;                           // l=1 m=0
-    result[12] = k_66 * t_152 + k_141 * t_311 - k_216 * t_480 - k_291 * t_631 + k_324 * t_645;                          // l=3 m=0
-    result[30] = k_68 * t_152 - k_143 * t_311 - k_218 * t_480 + k_293 * t_631 + k_326 * t_645;                          // l=5 m=0
+    result[2] = k_62 * t_152 + k_136 * t_311 + k_210 * t_480 + k_284 * t_631 + k_316 * t_645;                           // l=1 m=0
+    result[12] = k_64 * t_152 + k_138 * t_311 - k_212 * t_480 - k_286 * t_631 + k_318 * t_645;                          // l=3 m=0
+    result[30] = k_66 * t_152 - k_140 * t_311 - k_214 * t_480 + k_288 * t_631 + k_320 * t_645;                          // l=5 m=0
     float t_646 = a6c2n + a6c6n;
     float t_647 = k_29 * (a6c2n - a6c6n);
     float t_648 = a6c0n + a6c4n;
@@ -1267,60 +1261,60 @@ void square_l6(float a[49], out float result[49]) {
     float t_692 = t_677 + t_691;
     float t_693 = t_670 - t_679;
     float t_694 = k_35 * t_682 + t_679 + k_36 * t_674 + t_670;
-    float t_695 = k_36 * t_682 - k_37 * t_674;
-    float t_696 = k_38 * (t_693 - t_695);
+    float t_695 = k_36 * t_682 - k_35 * t_674;
+    float t_696 = k_33 * (t_693 - t_695);
     float t_697 = t_684 - k_32 * t_678;
-    float t_698 = k_39 * t_684 + k_40 * t_683 + k_41 * t_678 + t_675;
-    float t_699 = k_36 * t_675 - k_37 * t_683;
+    float t_698 = k_37 * t_684 + k_38 * t_683 + k_39 * t_678 + t_675;
+    float t_699 = k_36 * t_675 - k_35 * t_683;
     float t_700 = t_699 - t_697;
     float t_701 = t_688 - t_676 - (a6c6n * a6c6n - a6s6n * a6s6n);
     float t_702 = a6s6n * a6c6n;
     float t_703 = t_673 - t_681 + k_33 * (t_702 + t_702);
-    result[35] = k_43 * (t_138 + t_140) + k_118 * (t_297 + t_299) + k_193 * (t_466 + t_468) + k_268 * (t_617 + t_619)
-        + k_344 * (t_693 + t_695 - k_34 * (a6c5n * a6c6n - a6s5n * a6s6n));                                             // l=5 m=5
-    result[25] = k_43 * (t_139 + t_141) + k_118 * (t_298 + t_300) + k_193 * (t_467 + t_469) + k_268 * (t_618 + t_620)
-        + k_344 * (t_697 + t_699 + k_34 * (a6s5n * a6c6n + a6c5n * a6s6n));                                             // l=5 m=-5
+    result[35] = k_41 * (t_138 + t_140) + k_115 * (t_297 + t_299) + k_189 * (t_466 + t_468) + k_263 * (t_617 + t_619)
+        + k_338 * (t_693 + t_695 - k_34 * (a6c5n * a6c6n - a6s5n * a6s6n));                                             // l=5 m=5
+    result[25] = k_41 * (t_139 + t_141) + k_115 * (t_298 + t_300) + k_189 * (t_467 + t_469) + k_263 * (t_618 + t_620)
+        + k_338 * (t_697 + t_699 + k_34 * (a6s5n * a6c6n + a6c5n * a6s6n));                                             // l=5 m=-5
     float t_704 = a6s5n * a6c5n;
-    result[36] = k_42 * (k_34 * (t_116 - t_94 - t_78 + t_118) + (k_34 * (a1s4n * a1c6n + a1c4n * a1s6n) + (t_142
-        + t_142)) + (k_34 * (a1s4s * a1c6n + a1c4s * a1s6n) + (t_143 + t_143))) + k_117 * (k_34 * (t_275 - t_253
+    result[36] = k_40 * (k_34 * (t_116 - t_94 - t_78 + t_118) + (k_34 * (a1s4n * a1c6n + a1c4n * a1s6n) + (t_142
+        + t_142)) + (k_34 * (a1s4s * a1c6n + a1c4s * a1s6n) + (t_143 + t_143))) + k_114 * (k_34 * (t_275 - t_253
         - t_237 + t_277) + (k_34 * (a2s4n * a2c6n + a2c4n * a2s6n) + (t_301 + t_301)) + (k_34 * (a2s4s * a2c6n
-        + a2c4s * a2s6n) + (t_302 + t_302))) + k_192 * (k_34 * (t_444 - t_422 - t_406 + t_446)
+        + a2c4s * a2s6n) + (t_302 + t_302))) + k_188 * (k_34 * (t_444 - t_422 - t_406 + t_446)
         + (k_34 * (a3s4n * a3c6n + a3c4n * a3s6n) + (t_470 + t_470)) + (k_34 * (a3s4s * a3c6n + a3c4s * a3s6n)
-        + (t_471 + t_471))) + k_267 * (k_34 * (t_595 - t_573 - t_557 + t_597) + (k_34 * (a4s4n * a4c6n
+        + (t_471 + t_471))) + k_262 * (k_34 * (t_595 - t_573 - t_557 + t_597) + (k_34 * (a4s4n * a4c6n
         + a4c4n * a4s6n) + (t_621 + t_621)) + (k_34 * (a4s4s * a4c6n + a4c4s * a4s6n) + (t_622 + t_622)))
-        + k_343 * (t_691 - t_677 + k_33 * (k_34 * (a6s4n * a6c6n + a6c4n * a6s6n) + (t_704 + t_704)));                  // l=6 m=-6
-    result[48] = k_88 * (k_33 * (t_104 - t_103 - t_108 + t_109) - (k_34 * (a1c4n * a1c6n - a1s4n * a1s6n)
+        + k_337 * (t_691 - t_677 + k_33 * (k_34 * (a6s4n * a6c6n + a6c4n * a6s6n) + (t_704 + t_704)));                  // l=6 m=-6
+    result[48] = k_40 * (k_33 * (t_104 - t_103 - t_108 + t_109) - (k_34 * (a1c4n * a1c6n - a1s4n * a1s6n)
         + (a1c5n * a1c5n - a1s5n * a1s5n)) - (k_34 * (a1c4s * a1c6n - a1s4s * a1s6n) + (a1c5s * a1c5s
-        - a1s5s * a1s5s))) + k_163 * (k_33 * (t_263 - t_262 - t_267 + t_268) - (k_34 * (a2c4n * a2c6n - a2s4n * a2s6n)
+        - a1s5s * a1s5s))) + k_114 * (k_33 * (t_263 - t_262 - t_267 + t_268) - (k_34 * (a2c4n * a2c6n - a2s4n * a2s6n)
         + (a2c5n * a2c5n - a2s5n * a2s5n)) - (k_34 * (a2c4s * a2c6n - a2s4s * a2s6n) + (a2c5s * a2c5s
-        - a2s5s * a2s5s))) + k_238 * (k_33 * (t_432 - t_431 - t_436 + t_437) - (k_34 * (a3c4n * a3c6n - a3s4n * a3s6n)
+        - a2s5s * a2s5s))) + k_188 * (k_33 * (t_432 - t_431 - t_436 + t_437) - (k_34 * (a3c4n * a3c6n - a3s4n * a3s6n)
         + (a3c5n * a3c5n - a3s5n * a3s5n)) - (k_34 * (a3c4s * a3c6n - a3s4s * a3s6n) + (a3c5s * a3c5s
-        - a3s5s * a3s5s))) + k_313 * (k_33 * (t_583 - t_582 - t_587 + t_588) - (k_34 * (a4c4n * a4c6n - a4s4n * a4s6n)
+        - a3s5s * a3s5s))) + k_262 * (k_33 * (t_583 - t_582 - t_587 + t_588) - (k_34 * (a4c4n * a4c6n - a4s4n * a4s6n)
         + (a4c5n * a4c5n - a4s5n * a4s5n)) - (k_34 * (a4c4s * a4c6n - a4s4s * a4s6n) + (a4c5s * a4c5s
-        - a4s5s * a4s5s))) + k_369 * (t_687 - t_686 - (k_34 * (a6c4n * a6c6n - a6s4n * a6s6n) + (a6c5n * a6c5n
+        - a4s5s * a4s5s))) + k_363 * (t_687 - t_686 - (k_34 * (a6c4n * a6c6n - a6s4n * a6s6n) + (a6c5n * a6c5n
         - a6s5n * a6s5n)));                                                                                             // l=6 m=6
-    result[16] = k_45 * t_144 + k_120 * t_303 + k_195 * t_472 + k_270 * t_623 + k_345 * t_703;                          // l=4 m=-4
-    result[38] = k_47 * t_144 + k_122 * t_303 + k_197 * t_472 - k_272 * t_623 - k_346 * t_703;                          // l=6 m=-4
-    result[9] = k_48 * t_145 + k_123 * t_304 + k_198 * t_473 + k_273 * t_624 + k_347 * t_700;                           // l=3 m=-3
-    result[27] = k_50 * t_145 + k_125 * t_304 + k_200 * t_473 - k_275 * t_624 - k_348 * t_700;                          // l=5 m=-3
-    result[4] = k_52 * t_147 + k_127 * t_306 + k_202 * t_475 + k_277 * t_626 + k_349 * t_692;                           // l=2 m=-2
-    result[18] = k_54 * t_147 + k_129 * t_306 + k_204 * t_475 - k_279 * t_626 - k_350 * t_692;                          // l=4 m=-2
-    result[40] = k_56 * t_147 + k_131 * t_306 - k_206 * t_475 - k_281 * t_626 + k_351 * t_692;                          // l=6 m=-2
-    result[1] = k_57 * t_149 + k_132 * t_308 + k_207 * t_477 + k_282 * t_628 + k_352 * t_698;                           // l=1 m=-1
-    result[11] = k_59 * t_149 + k_134 * t_308 + k_209 * t_477 - k_284 * t_628 - k_353 * t_698;                          // l=3 m=-1
-    result[29] = k_61 * t_149 + k_136 * t_308 - k_211 * t_477 - k_286 * t_628 + k_354 * t_698;                          // l=5 m=-1
-    result[0] = k_63 * t_151 + k_138 * t_310 + k_213 * t_479 + k_288 * t_630 + k_321 * t_644 + k_355 * t_689;           // l=0 m=0
-    result[6] = k_65 * t_151 + k_140 * t_310 - k_215 * t_479 - k_290 * t_630 + k_323 * t_644 - k_356 * t_689;           // l=2 m=0
-    result[20] = k_67 * t_151 - k_142 * t_310 - k_217 * t_479 + k_292 * t_630 + k_325 * t_644 + k_357 * t_689;          // l=4 m=0
-    result[42] = k_69 * t_151 - k_144 * t_310 + k_219 * t_479 + k_294 * t_630 + k_327 * t_644 - k_358 * t_689;          // l=6 m=0
-    result[3] = k_70 * t_153 + k_145 * t_312 + k_220 * t_481 + k_295 * t_632 + k_359 * t_694;                           // l=1 m=1
-    result[13] = k_72 * t_153 + k_147 * t_312 + k_222 * t_481 - k_297 * t_632 - k_360 * t_694;                          // l=3 m=1
-    result[31] = k_74 * t_153 + k_149 * t_312 - k_224 * t_481 - k_299 * t_632 + k_361 * t_694;                          // l=5 m=1
-    result[8] = k_76 * t_155 + k_151 * t_314 + k_226 * t_483 + k_301 * t_634 + k_362 * t_690;                           // l=2 m=2
-    result[22] = k_78 * t_155 + k_153 * t_314 + k_228 * t_483 - k_303 * t_634 - k_363 * t_690;                          // l=4 m=2
-    result[44] = k_80 * t_155 + k_155 * t_314 - k_230 * t_483 - k_305 * t_634 + k_364 * t_690;                          // l=6 m=2
-    result[15] = k_81 * t_157 + k_156 * t_316 + k_231 * t_485 + k_306 * t_636 + k_365 * t_696;                          // l=3 m=3
-    result[33] = k_83 * t_157 + k_158 * t_316 + k_233 * t_485 - k_308 * t_636 - k_366 * t_696;                          // l=5 m=3
-    result[24] = k_85 * t_159 + k_160 * t_318 + k_235 * t_487 + k_310 * t_638 + k_367 * t_701;                          // l=4 m=4
-    result[46] = k_87 * t_159 + k_162 * t_318 + k_237 * t_487 - k_312 * t_638 - k_368 * t_701;                          // l=6 m=4
+    result[16] = k_43 * t_144 + k_117 * t_303 + k_191 * t_472 + k_265 * t_623 + k_339 * t_703;                          // l=4 m=-4
+    result[38] = k_45 * t_144 + k_119 * t_303 + k_193 * t_472 - k_267 * t_623 - k_340 * t_703;                          // l=6 m=-4
+    result[9] = k_46 * t_145 + k_120 * t_304 + k_194 * t_473 + k_268 * t_624 + k_341 * t_700;                           // l=3 m=-3
+    result[27] = k_48 * t_145 + k_122 * t_304 + k_196 * t_473 - k_270 * t_624 - k_342 * t_700;                          // l=5 m=-3
+    result[4] = k_50 * t_147 + k_124 * t_306 + k_198 * t_475 + k_272 * t_626 + k_343 * t_692;                           // l=2 m=-2
+    result[18] = k_52 * t_147 + k_126 * t_306 + k_200 * t_475 - k_274 * t_626 - k_344 * t_692;                          // l=4 m=-2
+    result[40] = k_54 * t_147 + k_128 * t_306 - k_202 * t_475 - k_276 * t_626 + k_345 * t_692;                          // l=6 m=-2
+    result[1] = k_55 * t_149 + k_129 * t_308 + k_203 * t_477 + k_277 * t_628 + k_346 * t_698;                           // l=1 m=-1
+    result[11] = k_57 * t_149 + k_131 * t_308 + k_205 * t_477 - k_279 * t_628 - k_347 * t_698;                          // l=3 m=-1
+    result[29] = k_59 * t_149 + k_133 * t_308 - k_207 * t_477 - k_281 * t_628 + k_348 * t_698;                          // l=5 m=-1
+    result[0] = k_61 * t_151 + k_135 * t_310 + k_209 * t_479 + k_283 * t_630 + k_315 * t_644 + k_349 * t_689;           // l=0 m=0
+    result[6] = k_63 * t_151 + k_137 * t_310 - k_211 * t_479 - k_285 * t_630 + k_317 * t_644 - k_350 * t_689;           // l=2 m=0
+    result[20] = k_65 * t_151 - k_139 * t_310 - k_213 * t_479 + k_287 * t_630 + k_319 * t_644 + k_351 * t_689;          // l=4 m=0
+    result[42] = k_67 * t_151 - k_141 * t_310 + k_215 * t_479 + k_289 * t_630 + k_321 * t_644 - k_352 * t_689;          // l=6 m=0
+    result[3] = k_68 * t_153 + k_142 * t_312 + k_216 * t_481 + k_290 * t_632 + k_353 * t_694;                           // l=1 m=1
+    result[13] = k_70 * t_153 + k_144 * t_312 + k_218 * t_481 - k_292 * t_632 - k_354 * t_694;                          // l=3 m=1
+    result[31] = k_72 * t_153 + k_146 * t_312 - k_220 * t_481 - k_294 * t_632 + k_355 * t_694;                          // l=5 m=1
+    result[8] = k_74 * t_155 + k_148 * t_314 + k_222 * t_483 + k_296 * t_634 + k_356 * t_690;                           // l=2 m=2
+    result[22] = k_76 * t_155 + k_150 * t_314 + k_224 * t_483 - k_298 * t_634 - k_357 * t_690;                          // l=4 m=2
+    result[44] = k_78 * t_155 + k_152 * t_314 - k_226 * t_483 - k_300 * t_634 + k_358 * t_690;                          // l=6 m=2
+    result[15] = k_79 * t_157 + k_153 * t_316 + k_227 * t_485 + k_301 * t_636 + k_359 * t_696;                          // l=3 m=3
+    result[33] = k_81 * t_157 + k_155 * t_316 + k_229 * t_485 - k_303 * t_636 - k_360 * t_696;                          // l=5 m=3
+    result[24] = k_83 * t_159 + k_157 * t_318 + k_231 * t_487 + k_305 * t_638 + k_361 * t_701;                          // l=4 m=4
+    result[46] = k_85 * t_159 + k_159 * t_318 + k_233 * t_487 - k_307 * t_638 - k_362 * t_701;                          // l=6 m=4
 }

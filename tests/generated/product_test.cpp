@@ -20,7 +20,7 @@
 namespace sh {
 namespace {
 
-constexpr int kMaxDegree = 6;
+constexpr int kMaxDegree = 10;
 constexpr std::size_t count_of(int degree) { return static_cast<std::size_t>((degree + 1) * (degree + 1)); }
 
 template <class F>

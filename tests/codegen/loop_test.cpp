@@ -1,0 +1,96 @@
+// Kernels with a loop over the rows of a table: meaning, cost, what is refused, how they are printed.
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "codegen/cost.hpp"
+#include "codegen/evaluate.hpp"
+#include "codegen/ir.hpp"
+#include "codegen/passes/prune.hpp"
+#include "codegen/passes/schedule.hpp"
+#include "codegen/passes/share.hpp"
+#include "codegen/print/cpp.hpp"
+#include "codegen/print/function.hpp"
+#include "codegen/print/glsl.hpp"
+#include "codegen/print/statements.hpp"
+
+namespace sh::codegen {
+namespace {
+
+using symbolic::Surd;
+
+// out[0] = 3 x[0] + sum over rows of (u x[0] + v x[1]) x[1], out[1] = 3 x[0] for the rows (u, v) = (1, 2), (5, 7).
+Kernel probe() {
+  Kernel kernel;
+  kernel.name = "probe";
+  kernel.parameters = {{"x", {2}}};
+  kernel.results = {{"out", {2}}};
+  kernel.table = {{Surd(1), Surd(2)}, {Surd(5), Surd(7)}};
+  Builder build(kernel);
+  const NodeId x = build.input(0, "");
+  const NodeId y = build.input(1, "");
+  const NodeId before = build.mul(build.constant(Surd(3)), x, "before");
+  const NodeId u = build.table(0);
+  const NodeId v = build.table(1);
+  const NodeId ux = build.mul(u, x);
+  const NodeId vy = build.mul(v, y);
+  const NodeId term = build.mul(build.add(ux, vy), y);
+  const NodeId sum = build.row_sum(term, "sum");
+  kernel.outputs = {{build.add(before, sum), "first"}, {before, "second"}};
+  return kernel;
+}
+
+TEST(Loop, AddsUpTheRowsOfTheTable) {
+  const Kernel kernel = probe();
+  const std::vector<double> input{10, 100};
+  EXPECT_EQ(Evaluator<double>(kernel)(input), (std::vector<double>{30 + (10 + 200 + 50 + 700) * 100, 30}));
+}
+
+TEST(Loop, CostsItsBodyOnceForEveryRow) {
+  const Cost total = cost(probe());
+  EXPECT_EQ(total.mul, 1 + 2 * 3);
+  EXPECT_EQ(total.add, 2 * 2 + 1);
+}
+
+TEST(Loop, PassesKeepItsMeaning) {
+  const std::vector<double> input{10, 100};
+  const Kernel kernel = passes::schedule(passes::prune(passes::fold(passes::share(probe()))));
+  EXPECT_EQ(Evaluator<double>(kernel)(input), Evaluator<double>(probe())(input));
+  EXPECT_EQ(cost(kernel).operations(), cost(probe()).operations());
+}
+
+TEST(Loop, RefusesSumsOfNothingAndRowsAfterSums) {
+  Kernel constant = probe();
+  Builder(constant).row_sum(0);
+  EXPECT_THROW(phases(constant), std::logic_error);
+  Kernel mixed = probe();
+  Builder build(mixed);
+  build.mul(build.row_sum(build.table(0)), build.table(1));
+  EXPECT_THROW(phases(mixed), std::logic_error);
+}
+
+TEST(Loop, IsPrintedWithSumsBeforeItAndStoresAfterIt) {
+  std::string text;
+  const print::Dialect dialect = print::cpp_dialect();
+  for (const std::string& line : print::statement_lines(print::make_listing(probe(), dialect), dialect)) {
+    text += line + "\n";
+  }
+  EXPECT_EQ(text,
+            "  const T before = k * x[0];\n"
+            "  T sum = detail::constant<T>(0.0f, 0.0);\n"
+            "  for (int row = 0; row < 2; ++row) {\n"
+            "    int at = 2 * row;\n"
+            "    sum = sum + (T(table[at+0]) * x[0] + T(table[at+1]) * x[1]) * x[1];\n"
+            "  }\n"
+            "  out[1] = before;        // second\n"
+            "  out[0] = before + sum;  // first\n");
+}
+
+TEST(Loop, TableStandsInFrontOfTheFunctionInGlsl) {
+  const std::string text = print::function(probe(), print::glsl_dialect(print::Scalar::kFloat));
+  EXPECT_EQ(text.find("const float probe_table[4] = float[4](\n    1.0, 2.0,\n    5.0, 7.0\n);\n\nvoid probe("), 0U)
+      << text;
+}
+
+}  // namespace
+}  // namespace sh::codegen
