@@ -64,6 +64,7 @@ const std::vector<Family>& families() {
                                              window_gaussian_family(),
                                              window_laplacian_family(),
                                              product_family(),
+                                             product_full_family(),
                                              square_family(),
                                              product_zonal_family(),
                                              triple_family(),
@@ -168,7 +169,8 @@ Kernel recipe_kernel(const Family& family, const Recipe& recipe, int degree) {
   kernel.family = family.name;
   kernel.degree = degree;
   kernel.recipe = recipe.name;
-  kernel.arguments = family.name + " --degree " + std::to_string(degree);
+  kernel.arguments =
+      (family.arguments.empty() ? family.name : family.arguments) + " --degree " + std::to_string(degree);
   return kernel;
 }
 

@@ -52,6 +52,7 @@ struct Family {
   /// Exact outputs of the family at `count` points of its domain, derived from symbolic/, not from a recipe.
   std::function<Reference(int degree, int count)> reference;
   Domain domain;
+  std::string arguments = {};  ///< what `shgen emit` has to be told instead of the name; empty: the name
 };
 
 }  // namespace sh::codegen

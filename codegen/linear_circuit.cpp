@@ -243,7 +243,7 @@ std::vector<Value> run_forwards(SignedBuilder& build, const LinearCircuit& circu
   for (const auto& sum : circuit.sums) {
     std::vector<Value> terms;
     for (const LinearTerm& term : sum) {
-      terms.push_back(build.times(term.factor, values[static_cast<std::size_t>(term.source)]));
+      terms.push_back(build.times_once(term.factor, values[static_cast<std::size_t>(term.source)]));
     }
     values.push_back(build.sum(terms));
   }
@@ -263,7 +263,7 @@ std::vector<Value> run_transposed(SignedBuilder& build, const LinearCircuit& cir
   for (std::size_t i = circuit.sums.size(); i-- > 0;) {
     const Value value = build.sum(reaching[static_cast<std::size_t>(circuit.inputs) + i]);
     for (const LinearTerm& term : circuit.sums[i]) {
-      reaching[static_cast<std::size_t>(term.source)].push_back(build.times(term.factor, value));
+      reaching[static_cast<std::size_t>(term.source)].push_back(build.times_once(term.factor, value));
     }
   }
   std::vector<Value> columns;

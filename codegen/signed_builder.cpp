@@ -25,6 +25,13 @@ Value SignedBuilder::times(const ExactReal& factor, Value a) {
   return {build_.mul(k, a.node), flipped};
 }
 
+Value SignedBuilder::times_once(const ExactReal& factor, Value a) {
+  if (a.is_zero()) return {};
+  const Node node = kernel_.node(a.node);
+  if (node.op != Op::kMul || kernel_.node(node.args[0]).op != Op::kConstant) return times(factor, a);
+  return times(multiply(factor, kernel_.node(node.args[0]).constant), {node.args[1], a.negative});
+}
+
 Value SignedBuilder::plus(Value a, Value b) {
   if (a.is_zero()) return b;
   if (b.is_zero()) return a;

@@ -20,13 +20,15 @@ struct Value {
 
 class SignedBuilder {
  public:
-  explicit SignedBuilder(Kernel& kernel) : build_(kernel) {}
+  explicit SignedBuilder(Kernel& kernel) : kernel_(kernel), build_(kernel) {}
 
   Value input(int index, std::string name = {}) { return {build_.input(index, std::move(name))}; }
   /// Elements first .. first + count - 1 of the flattened parameters.
   std::vector<Value> inputs(int first, int count);
   Value times(Value a, Value b);
   Value times(const ExactReal& factor, Value a);
+  /// The same as one product where `a` is itself a constant times a value: the two constants are made one.
+  Value times_once(const ExactReal& factor, Value a);
   Value plus(Value a, Value b);
   Value minus(Value a, Value b) { return plus(a, opposite(b)); }
   /// One after the other, beginning with one that needs no negation where there is one.
@@ -43,6 +45,7 @@ class SignedBuilder {
   NodeId node(Value a);
 
  private:
+  Kernel& kernel_;
   Builder build_;
 };
 

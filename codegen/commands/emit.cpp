@@ -3,10 +3,13 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 #include <memory>
+#include <optional>
+#include <stdexcept>
 #include <string>
 
 #include "codegen/catalogue.hpp"
 #include "codegen/commands/commands.hpp"
+#include "codegen/families/families.hpp"
 #include "codegen/in_convention.hpp"
 #include "codegen/masked_kernel.hpp"
 
@@ -16,6 +19,8 @@ namespace {
 struct EmitOptions {
   std::string family;
   int degree = 0;
+  std::optional<int> left_degree;  // of the factors of a product; empty: that of the result
+  std::optional<int> right_degree;
   std::string language;
   std::string scalar = "float";
   std::string prefer = "speed";
@@ -23,6 +28,14 @@ struct EmitOptions {
   MaskOptions mask;
   ConventionOptions convention;
 };
+
+Family family_of(const EmitOptions& options) {
+  if (!options.left_degree) return find_family(options.family);
+  if (options.family != "product") {
+    throw std::invalid_argument("--degree-left: family " + find_family(options.family).name + "; it should be product");
+  }
+  return rectangular_product_family(*options.left_degree, *options.right_degree, options.degree);
+}
 
 FinishedKernel by_recipe(const Family& family, const EmitOptions& options) {
   FinishedKernel finished = finish_kernel(family, find_recipe(family, options.degree, options.recipe), options.degree);
@@ -40,7 +53,7 @@ FinishedKernel by_preference(const Family& family, const EmitOptions& options) {
 
 void emit(const EmitOptions& options) {
   const Language& language = find_language(options.language);
-  const Family& family = find_family(options.family);
+  const Family family = family_of(options);
   const FinishedKernel finished = options.recipe.empty() ? by_preference(family, options) : by_recipe(family, options);
   std::cout << language.print_kernel(finished, find_scalar(options.scalar));
 }
@@ -64,6 +77,10 @@ void add_emit_command(CLI::App& tool, int& exit_code) {
   command->add_option("--lang", options->language, "Language: cpp, glsl, glsl-es, hlsl or c99")->required();
   command->add_option("--scalar", options->scalar, "Scalar type: float or double (C++ is templated on it)");
   command->add_option("--prefer", options->prefer, "What the recipe is chosen for: speed, accuracy or size");
+  auto* left = command->add_option("--degree-left", options->left_degree, "Degree of a product's left factor");
+  auto* right = command->add_option("--degree-right", options->right_degree, "Degree of a product's right factor");
+  left->needs(right);
+  right->needs(left);
   command->add_option("--convention", options->convention.convention, "Convention of arrays, e.g. directxmath, unity");
   command->add_option("--axes", options->convention.axes,
                       "The convention's coordinates from the caller's, e.g. x,z,-y");

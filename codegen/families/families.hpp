@@ -32,6 +32,11 @@ Family window_lanczos4_family();
 Family window_gaussian_family();
 Family window_laplacian_family();
 Family product_family();
+/// Degree N times degree N, complete in degree 2 N.
+Family product_full_family();
+/// Factors of these degrees, projected on one degree; its recipes serve this shape only. Throws std::invalid_argument,
+/// one line, unless 0 <= left_degree, right_degree <= symbolic::kMaxProductDegree and 0 <= degree <= their sum.
+Family rectangular_product_family(int left_degree, int right_degree, int degree);
 Family square_family();
 Family product_zonal_family();
 Family triple_family();

@@ -31,7 +31,10 @@ Kernel separable(int degree) {
   return recipes::product_separable(equal(degree), Factors::kTwo, SampleProduct::kDirect);
 }
 Kernel halves(int degree) { return recipes::product_separable(equal(degree), Factors::kTwo, SampleProduct::kHalves); }
-Kernel looped(int degree) { return recipes::product_looped(equal(degree), Factors::kTwo); }
+Kernel looped(int degree) { return recipes::product_looped(equal(degree), Factors::kTwo, SampleProduct::kDirect); }
+Kernel looped_halves(int degree) {
+  return recipes::product_looped(equal(degree), Factors::kTwo, SampleProduct::kHalves);
+}
 Kernel tensor(int degree) { return recipes::product_tensor(equal(degree), Factors::kTwo); }
 
 std::function<Kernel(int)> integrated(Kernel (*product)(int)) {
@@ -50,6 +53,7 @@ Family product_family() {
            {"separable", separable, 2, kLargestUnrolled},
            {"separable-halves", halves, 2, kLargestUnrolled},
            {"looped", looped, kLargestUnrolled, kLargestEmitted},
+           {"looped-halves", looped_halves, kLargestUnrolled + 1, kLargestEmitted},
            {"greedy-pairs", greedy_pairs, 2, 6},
            {"tensor", tensor, 0, kLargestByTerms}},
           [](int degree, int count) { return product_reference(equal(degree), count); },
@@ -79,8 +83,14 @@ Family square_family() {
        {"separable",
         [](int degree) { return recipes::product_separable(equal(degree), Factors::kSame, SampleProduct::kDirect); }, 2,
         kLargestUnrolled},
-       {"looped", [](int degree) { return recipes::product_looped(equal(degree), Factors::kSame); }, kLargestUnrolled,
-        kLargestEmitted},
+       {"looped",
+        [](int degree) { return recipes::product_looped(equal(degree), Factors::kSame, SampleProduct::kDirect); },
+        kLargestUnrolled, kLargestEmitted},
+       {"greedy-pairs",
+        [](int degree) {
+          return recipes::product_pairs(equal(degree), Factors::kSame, recipes::greedy_cover(equal(degree)));
+        },
+        4, kLargestUnrolled},
        {"tensor", [](int degree) { return recipes::product_tensor(equal(degree), Factors::kSame); }, 0,
         kLargestByTerms}},
       square_reference,
@@ -92,7 +102,7 @@ Family product_zonal_family() {
           kLargestWritten,
           kLargestEmitted,
           kLimit,
-          {{"matrices", recipes::product_zonal}},
+          {{"matrices", recipes::product_zonal}, {"tensor", recipes::product_zonal_tensor, 0, kLargestUnrolled}},
           product_zonal_reference,
           factor_domain(
               [](int degree) {

@@ -393,11 +393,12 @@ namespace {
 SeparablePlan shortest_plan(const ProductShape& shape, Factors factors, SampleProduct sample_product) {
   constexpr int kMostAliases = 4;  // more cost more than further angles
   const int total = shape.a + shape.b + shape.result;
-  const int largest = std::max({shape.a, shape.b, shape.result});
+  // Every product of orders has to stay below M, and every order of the result below M/2.
+  const int most = std::max({shape.a + shape.b, 2 * shape.result, total - kMostAliases});
+  const int first = 4 * (most / 4 + 1);
   SeparablePlan best;
   int fewest = -1;
-  for (int angles = 4 * (largest / 2 + 1); angles < total + 5; angles += 4) {
-    if (total + 1 - angles > kMostAliases && angles + 4 < total + 5) continue;
+  for (int angles = first; angles == first || angles < total + 5; angles += 4) {
     // A polar ring costs little; an equator, which costs half a pair, is needed for every other degree.
     const SeparablePlan plan{{total / 4, true, total / 2 % 2 != 0}, angles};
     const int operations =
@@ -418,10 +419,10 @@ SeparablePlan separable_plan(const ProductShape& shape, Factors factors, SampleP
   return position->second;
 }
 
-Kernel product_looped(const ProductShape& shape, Factors factors) {
-  SeparablePlan plan = separable_plan(shape, factors, SampleProduct::kDirect);
+Kernel product_looped(const ProductShape& shape, Factors factors, SampleProduct sample_product) {
+  SeparablePlan plan = separable_plan(shape, factors, sample_product);
   plan.looped = true;
-  return product_separable(shape, factors, SampleProduct::kDirect, plan);
+  return product_separable(shape, factors, sample_product, plan);
 }
 
 Kernel product_separable(const ProductShape& shape, Factors factors, SampleProduct sample_product) {

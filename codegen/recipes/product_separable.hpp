@@ -22,7 +22,7 @@ enum class SampleProduct {
 
 struct SeparablePlan {
   Rings rings;
-  int angles = 0;       ///< M, a multiple of 4 above twice the largest degree
+  int angles = 0;       ///< M, a multiple of 4 above the degrees of both factors and twice the result's
   bool looped = false;  ///< a loop runs over the pairs of rings, with their constants in a table
 };
 
@@ -32,7 +32,7 @@ SeparablePlan separable_plan(const ProductShape& shape, Factors factors, SampleP
 Kernel product_separable(const ProductShape& shape, Factors factors, SampleProduct sample_product,
                          const SeparablePlan& plan);
 /// With separable_plan, and that in a loop.
-Kernel product_looped(const ProductShape& shape, Factors factors);
+Kernel product_looped(const ProductShape& shape, Factors factors, SampleProduct sample_product);
 Kernel product_separable(const ProductShape& shape, Factors factors, SampleProduct sample_product);
 
 }  // namespace sh::codegen::recipes

@@ -13,17 +13,12 @@ using symbolic::BilinearForm;
 using symbolic::BilinearTerm;
 using symbolic::coefficient_index;
 
-Kernel product_tensor(const ProductShape& shape, Factors factors) {
-  const bool same = factors == Factors::kSame;
-  Kernel kernel = product_frame(shape, factors);
-  kernel.citation =
-      "J. A. Gaunt, \"The Triplets of Helium\", Phil. Trans. R. Soc. A 228, 1929; constants derived exactly";
-  SignedBuilder build(kernel);
-  const int count_a = coefficient_count(shape.a);
-  const std::vector<Value> a = build.inputs(0, count_a);
-  const std::vector<Value> b = same ? a : build.inputs(count_a, coefficient_count(shape.b));
+namespace {
+
+// c_k = sum of factor a_i b_j, every product a_i b_j made once.
+void add_up_terms(Kernel& kernel, SignedBuilder& build, const std::vector<BilinearForm>& forms,
+                  const std::vector<Value>& a, const std::vector<Value>& b) {
   std::map<std::pair<int, int>, Value> products;
-  const auto forms = same ? symbolic::square_form(shape.a, shape.result) : symbolic::product_form(shape);
   for (const BilinearForm& form : forms) {
     std::vector<Value> terms;
     for (const BilinearTerm& term : form.terms) {
@@ -33,6 +28,21 @@ Kernel product_tensor(const ProductShape& shape, Factors factors) {
     }
     set_coefficient(kernel, form.output, build.node(build.sum(terms)));
   }
+}
+
+}  // namespace
+
+Kernel product_tensor(const ProductShape& shape, Factors factors) {
+  const bool same = factors == Factors::kSame;
+  Kernel kernel = product_frame(shape, factors);
+  kernel.citation =
+      "J. A. Gaunt, \"The Triplets of Helium\", Phil. Trans. R. Soc. A 228, 1929; constants derived exactly";
+  SignedBuilder build(kernel);
+  const int count_a = coefficient_count(shape.a);
+  const std::vector<Value> a = build.inputs(0, count_a);
+  const std::vector<Value> b = same ? a : build.inputs(count_a, coefficient_count(shape.b));
+  const auto forms = same ? symbolic::square_form(shape.a, shape.result) : symbolic::product_form(shape);
+  add_up_terms(kernel, build, forms, a, b);
   return kernel;
 }
 
@@ -44,8 +54,7 @@ using ZonalEntry = std::tuple<int, int, int>;
 void describe_zonal(Kernel& kernel, int degree) {
   const std::string degrees = degree == 0 ? "degree 0" : "degree 0 to " + std::to_string(degree);
   kernel.citation =
-      "J. A. Gaunt, \"The Triplets of Helium\", Phil. Trans. R. Soc. A 228, 1929; constants derived "
-      "exactly, sums found by search";
+      "J. A. Gaunt, \"The Triplets of Helium\", Phil. Trans. R. Soc. A 228, 1929; constants derived exactly";
   kernel.title = "The product of a function on the sphere and a zonal one about +z, projected on " + degrees;
   kernel.domain = "any coefficients: zonal[l] is that of Y_l0, the others of the zonal function are zero";
   kernel.result =
@@ -61,6 +70,7 @@ void describe_zonal(Kernel& kernel, int degree) {
 Kernel product_zonal(int degree) {
   Kernel kernel;
   describe_zonal(kernel, degree);
+  kernel.citation += ", sums found by search";
   SignedBuilder build(kernel);
   const std::vector<Value> a = build.inputs(0, coefficient_count(degree));
   const std::vector<Value> zonal = build.inputs(coefficient_count(degree), degree + 1);
@@ -98,6 +108,16 @@ Kernel product_zonal(int degree) {
       set_coefficient(kernel, coefficient_index(l, m), build.node(build.sum(terms)));
     }
   }
+  return kernel;
+}
+
+Kernel product_zonal_tensor(int degree) {
+  Kernel kernel;
+  describe_zonal(kernel, degree);
+  SignedBuilder build(kernel);
+  const std::vector<Value> a = build.inputs(0, coefficient_count(degree));
+  const std::vector<Value> zonal = build.inputs(coefficient_count(degree), degree + 1);
+  add_up_terms(kernel, build, symbolic::zonal_product_form({degree, degree, degree}), a, zonal);
   return kernel;
 }
 

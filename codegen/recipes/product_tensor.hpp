@@ -11,6 +11,8 @@ Kernel product_tensor(const ProductShape& shape, Factors factors);
 /// The product of a function with a zonal one about +z: c_lm = sum over l' of M_m[l,l'] a_l'm with the matrices
 /// M_m[l,l'] = sum over k of G (l m, l' m, k 0) b_k made once for the orders m and -m.
 Kernel product_zonal(int degree);
+/// The same term by term, from the entries of the Gaunt tensor.
+Kernel product_zonal_tensor(int degree);
 
 /// The integral of a product of three functions over the sphere: c as a function and the coefficients of a b, which
 /// `product` computes, have this scalar product.

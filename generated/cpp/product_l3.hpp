@@ -55,28 +55,33 @@ namespace sh {
 
 template <class T>
 constexpr void product_l3(const T* a, const T* b, T* out) noexcept {
-  const T k    = detail::constant<T>(0.2820948f, 0.28209479177387814);    // 1/2 sqrt(1/pi)
-  const T k_2  = detail::constant<T>(0.12615663f, 0.126156626101008);     // 1/10 sqrt(5/pi)
-  const T k_3  = detail::constant<T>(0.18022375f, 0.18022375157286857);   // 1/7 sqrt(5/pi)
-  const T k_4  = detail::constant<T>(0.090111874f, 0.09011187578643429);  // 1/14 sqrt(5/pi)
-  const T k_5  = detail::constant<T>(0.21026105f, 0.21026104350168);      // 1/6 sqrt(5/pi)
-  const T k_6  = detail::constant<T>(0.41573972f, 0.41573970964154905);   // 1/9 sqrt(14)
-  const T k_7  = detail::constant<T>(0.62360954f, 0.6236095644623235);    // 1/6 sqrt(14)
-  const T k_8  = detail::constant<T>(0.65465367f, 0.6546536707079772);    // 1/7 sqrt(21)
-  const T k_9  = detail::constant<T>(1.0183501f, 1.0183501544346312);     // 2/9 sqrt(21)
-  const T k_10 = detail::constant<T>(0.25458753f, 0.2545875386086578);    // 1/18 sqrt(21)
-  const T k_11 = detail::constant<T>(0.21850969f, 0.2185096861184158);    // 1/10 sqrt(15/pi)
-  const T k_12 = detail::constant<T>(0.05839917f, 0.05839917008190185);   // 1/140 sqrt(210/pi)
-  const T k_13 = detail::constant<T>(0.20230065f, 0.20230065940342062);   // 3/70 sqrt(70/pi)
-  const T k_14 = detail::constant<T>(0.25231326f, 0.252313252202016);     // 1/5 sqrt(5/pi)
-  const T k_15 = detail::constant<T>(0.22617902f, 0.22617901315954028);   // 3/28 sqrt(14/pi)
-  const T k_16 = detail::constant<T>(0.1846744f, 0.1846743909223718);     // 1/14 sqrt(21/pi)
-  const T k_17 = detail::constant<T>(0.14567313f, 0.14567312407894387);   // 1/15 sqrt(15/pi)
-  const T k_18 = detail::constant<T>(0.15607835f, 0.15607834722743988);   // 1/14 sqrt(15/pi)
-  const T k_19 = detail::constant<T>(0.148677f, 0.1486770096793976);      // 1/12 sqrt(10/pi)
-  const T k_20 = detail::constant<T>(0.23359668f, 0.2335966803276074);    // 1/35 sqrt(210/pi)
-  const T k_21 = detail::constant<T>(0.24776669f, 0.24776669508347607);   // 3/70 sqrt(105/pi)
-  const T k_22 = detail::constant<T>(0.16820884f, 0.168208834801344);     // 2/15 sqrt(5/pi)
+  const T k    = detail::constant<T>(0.2820948f, 0.28209479177387814);     // 1/2 sqrt(1/pi)
+  const T k_2  = detail::constant<T>(0.12615663f, 0.126156626101008);      // 1/10 sqrt(5/pi)
+  const T k_3  = detail::constant<T>(0.18022375f, 0.18022375157286857);    // 1/7 sqrt(5/pi)
+  const T k_4  = detail::constant<T>(0.090111874f, 0.09011187578643429);   // 1/14 sqrt(5/pi)
+  const T k_5  = detail::constant<T>(0.21026105f, 0.21026104350168);       // 1/6 sqrt(5/pi)
+  const T k_6  = detail::constant<T>(0.41573972f, 0.41573970964154905);    // 1/9 sqrt(14)
+  const T k_7  = detail::constant<T>(0.62360954f, 0.6236095644623235);     // 1/6 sqrt(14)
+  const T k_8  = detail::constant<T>(0.65465367f, 0.6546536707079772);     // 1/7 sqrt(21)
+  const T k_9  = detail::constant<T>(1.0183501f, 1.0183501544346312);      // 2/9 sqrt(21)
+  const T k_10 = detail::constant<T>(0.25458753f, 0.2545875386086578);     // 1/18 sqrt(21)
+  const T k_11 = detail::constant<T>(0.21850969f, 0.2185096861184158);     // 1/10 sqrt(15/pi)
+  const T k_12 = detail::constant<T>(0.05839917f, 0.05839917008190185);    // 1/140 sqrt(210/pi)
+  const T k_13 = detail::constant<T>(0.20230065f, 0.20230065940342062);    // 3/70 sqrt(70/pi)
+  const T k_14 = detail::constant<T>(0.25231326f, 0.252313252202016);      // 1/5 sqrt(5/pi)
+  const T k_15 = detail::constant<T>(0.22617902f, 0.22617901315954028);    // 3/28 sqrt(14/pi)
+  const T k_16 = detail::constant<T>(0.1846744f, 0.1846743909223718);      // 1/14 sqrt(21/pi)
+  const T k_17 = detail::constant<T>(0.14567313f, 0.14567312407894387);    // 1/15 sqrt(15/pi)
+  const T k_18 = detail::constant<T>(0.15607835f, 0.15607834722743988);    // 1/14 sqrt(15/pi)
+  const T k_19 = detail::constant<T>(0.148677f, 0.1486770096793976);       // 1/12 sqrt(10/pi)
+  const T k_20 = detail::constant<T>(0.23359668f, 0.2335966803276074);     // 1/35 sqrt(210/pi)
+  const T k_21 = detail::constant<T>(0.24776669f, 0.24776669508347607);    // 3/70 sqrt(105/pi)
+  const T k_22 = detail::constant<T>(0.16820884f, 0.168208834801344);      // 2/15 sqrt(5/pi)
+  const T k_23 = detail::constant<T>(0.11516472f, 0.11516471649044516);    // 1/12 sqrt(6/pi)
+  const T k_24 = detail::constant<T>(0.094031595f, 0.09403159725795938);   // 1/6 sqrt(1/pi)
+  const T k_25 = detail::constant<T>(0.059470803f, 0.059470803871759036);  // 1/30 sqrt(10/pi)
+  const T k_26 = detail::constant<T>(0.18806319f, 0.18806319451591877);    // 1/3 sqrt(1/pi)
+  const T k_27 = detail::constant<T>(0.14304817f, 0.14304816810266882);    // 3/70 sqrt(35/pi)
 
   const T a0 = a[0];
   const T t = k * a0;
@@ -173,7 +178,7 @@ constexpr void product_l3(const T* a, const T* b, T* out) noexcept {
   const T p_1_4 = a1 * b4 + a4 * b1;
   const T p_1_11 = a1 * b11 + a11 * b1;
   const T p_3_3 = a3 * b3;
-  const T t_63 = k_11 * (a3 * b7 + a7 * b3 + (a1 * b5 + a5 * b1));
+  const T t_63 = a3 * b7 + a7 * b3 + (a1 * b5 + a5 * b1);
   const T p_3_13 = a3 * b13 + a13 * b3;
   const T b10 = b[10];
   const T a10 = a[10];
@@ -192,41 +197,42 @@ constexpr void product_l3(const T* a, const T* b, T* out) noexcept {
   const T p_12_12 = a12 * b12;
   const T p_7_7 = a7 * b7;
   const T p_7_10 = a7 * b10 + a10 * b7;
-  const T t_64 = k_20 * (a7 * b13 + a13 * b7 + (a5 * b11 + a11 * b5));
+  const T t_64 = a7 * b13 + a13 * b7 + (a5 * b11 + a11 * b5);
   const T p_13_13 = a13 * b13;
   const T p_7_14 = a7 * b14 + a14 * b7;
   out[7] = t_11 * b3 + t_41 * a3 + t_24 * b5 + t_55 * a5 + (t_23 + t_7) * b7 + (t_54 + t_37) * a7 + t_30 * b10
       + t_61 * a10 + t_13 * b13 + t_43 * a13 + t_27 * b14 + t_58 * a14;                                             // l=2 m=1
   const T t_65 = a8 * b8 + a4 * b4;
-  const T t_66 = k_15 * (a8 * b9 + a9 * b8 - (a4 * b15 + a15 * b4));
-  const T t_67 = k_16 * (a8 * b14 + a14 * b8 + (a4 * b10 + a10 * b4));
-  out[2] = (t + k_14 * a6) * b2 + (t_2 + k_14 * b6) * a2 + (k_21 * (a6 * b12 + a12 * b6) + t_64 + t_67 + t_63);     // l=1 m=0
-  out[12] = t_31 * b6 + t_52 * a6 + (t + k_22 * a6) * b12 + (t_2 + k_22 * b6) * a12 + (k_10 * t_64 - k_9 * t_67
-      - k_8 * t_63);                                                                                                // l=3 m=0
-  const T t_68 = k_15 * (a8 * b15 + a15 * b8 + (a4 * b9 + a9 * b4));
+  const T t_66 = a8 * b9 + a9 * b8 - (a4 * b15 + a15 * b4);
+  const T t_67 = a8 * b14 + a14 * b8 + (a4 * b10 + a10 * b4);
+  const T t_68 = a8 * b15 + a15 * b8 + (a4 * b9 + a9 * b4);
   const T t_69 = a15 * b15 + a9 * b9;
   out[10] = t_12 * b4 + t_42 * a4 + t_26 * b5 + t_57 * a5 + t_30 * b7 + t_61 * a7 + t * b10 + t_2 * a10;            // l=3 m=-2
   out[14] = t_29 * b5 + t_60 * a5 + t_27 * b7 + t_58 * a7 + t_12 * b8 + t_42 * a8 + t * b14 + t_2 * a14;            // l=3 m=2
   const T t_70 = p_13_13 + p_11_11;
-  const T t_71 = k_16 * (p_7_10 - p_5_14);
+  const T t_71 = p_7_10 - p_5_14;
   out[9] = t_14 * b4 + t_44 * a4 + t_9 * b8 + t_39 * a8 + t_8 * b9 + t_38 * a9 + k_19 * (p_7_10 + p_5_14);          // l=3 m=-3
-  const T t_72 = k_16 * (p_7_14 + p_5_10);
+  const T t_72 = p_7_14 + p_5_10;
   out[15] = t_14 * b8 - t_9 * b4 - t_39 * a4 + t_44 * a8 + t_8 * b15 + t_38 * a15 + k_19 * (p_7_14 - p_5_10);       // l=3 m=3
   const T t_73 = p_7_7 + p_5_5;
+  out[1] = (t_4 - t_16) * b1 + (t_34 - t_46) * a1 + t_17 * b4 + t_47 * a4 + t_11 * b5 + t_41 * a5 + t_20 * b11
+      + t_50 * a11 + (k_16 * t_71 + k_15 * t_66);                                                                   // l=1 m=-1
+  out[11] = t_20 * b1 + t_50 * a1 + t_22 * b4 + t_53 * a4 + t_13 * b5 + t_43 * a5 + (t_5 - t_32) * b11 + (t_35
+      - t_62) * a11 + (k_23 * t_71 - k_24 * t_66);                                                                  // l=3 m=-1
+  out[2] = (t + k_14 * a6) * b2 + (t_2 + k_14 * b6) * a2 + (k_21 * (a6 * b12 + a12 * b6) + k_20 * t_64 + k_16 * t_67
+      + k_11 * t_63);                                                                                               // l=1 m=0
+  out[12] = t_31 * b6 + t_52 * a6 + (t + k_22 * a6) * b12 + (t_2 + k_22 * b6) * a12 + (k_25 * t_64 - k_26 * t_67
+      - k_27 * t_63);                                                                                               // l=3 m=0
   out[3] = (t_16 + t_4) * b3 + (t_46 + t_34) * a3 + t_11 * b7 + t_41 * a7 + t_21 * b13 + t_51 * a13 + (k_11 * p_1_4
-      - k_12 * p_4_11 + t_72 + t_68);                                                                               // l=1 m=1
+      - k_12 * p_4_11 + k_16 * t_72 + k_15 * t_68);                                                                 // l=1 m=1
   out[13] = t_21 * b3 + t_51 * a3 + t_13 * b7 + t_43 * a7 + (t_32 + t_5) * b13 + (t_62 + t_35) * a13 + (k_17 * p_4_11
-      - k_12 * p_1_4 + k_7 * t_72 - k_6 * t_68);                                                                    // l=3 m=1
+      - k_12 * p_1_4 + k_23 * t_72 - k_24 * t_68);                                                                  // l=3 m=1
   const T t_74 = p_3_3 + p_1_1;
   out[8] = t_6 * b8 + t_36 * a8 + t_9 * b9 + t_39 * a9 + t_12 * b14 + t_42 * a14 + t_14 * b15 + t_44 * a15
       + (k_17 * (p_13_13 - p_11_11) + k_18 * (p_7_7 - p_5_5) + k_12 * (p_1_11 - p_3_13) + k_11 * (p_3_3 - p_1_1));  // l=2 m=2
   out[0] = k * (a0 * b0 + a14 * b14 + p_12_12 + a10 * b10 + p_6_6 + p_2_2 + t_70 + t_69 + t_73 + t_65 + t_74);      // l=0 m=0
   out[6] = t * b6 + t_2 * a6 + t_31 * b12 + t_52 * a12 + (k_22 * p_12_12 + k_14 * p_2_2 + k_13 * (p_3_13 + p_1_11)
       - k_5 * t_69 + k_4 * t_73 + k_3 * (p_6_6 - t_65) + k_2 * (t_70 - t_74));                                      // l=2 m=0
-  out[1] = (t_4 - t_16) * b1 + (t_34 - t_46) * a1 + t_17 * b4 + t_47 * a4 + t_11 * b5 + t_41 * a5 + t_20 * b11
-      + t_50 * a11 + (t_71 + t_66);                                                                                 // l=1 m=-1
-  out[11] = t_20 * b1 + t_50 * a1 + t_22 * b4 + t_53 * a4 + t_13 * b5 + t_43 * a5 + (t_5 - t_32) * b11 + (t_35
-      - t_62) * a11 + (k_7 * t_71 - k_6 * t_66);                                                                    // l=3 m=-1
 }
 
 }  // namespace sh

@@ -57,14 +57,14 @@ template <class T>
 constexpr void product_zonal_l1(const T* a, const T* zonal, T* out) noexcept {
   const T k = detail::constant<T>(0.2820948f, 0.28209479177387814);  // 1/2 sqrt(1/pi)
 
-  const T m1_1_1 = k * zonal[0];
-  out[1] = m1_1_1 * a[1];              // l=1 m=-1
-  out[3] = m1_1_1 * a[3];              // l=1 m=1
+  const T m0_0_0 = k * zonal[0];
+  out[1] = m0_0_0 * a[1];              // l=1 m=-1
+  out[3] = m0_0_0 * a[3];              // l=1 m=1
   const T m0_0_1 = k * zonal[1];
   const T a0 = a[0];
   const T a2 = a[2];
-  out[0] = m1_1_1 * a0 + m0_0_1 * a2;  // l=0 m=0
-  out[2] = m0_0_1 * a0 + m1_1_1 * a2;  // l=1 m=0
+  out[0] = m0_0_0 * a0 + m0_0_1 * a2;  // l=0 m=0
+  out[2] = m0_0_1 * a0 + m0_0_0 * a2;  // l=1 m=0
 }
 
 }  // namespace sh

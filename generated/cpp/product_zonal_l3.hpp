@@ -71,7 +71,7 @@ constexpr void product_zonal_l3(const T* a, const T* zonal, T* out) noexcept {
   const T k_14 = detail::constant<T>(0.18806319f, 0.18806319451591877);    // 1/3 sqrt(1/pi)
   const T k_15 = detail::constant<T>(0.21026105f, 0.21026104350168);       // 1/6 sqrt(5/pi)
 
-  const T m2_3_3 = k * zonal[0];
+  const T m0_0_0 = k * zonal[0];
   const T m0_0_1 = k * zonal[1];
   const T m0_0_2 = k * zonal[2];
   const T m0_0_3 = k * zonal[3];
@@ -79,31 +79,31 @@ constexpr void product_zonal_l3(const T* a, const T* zonal, T* out) noexcept {
   const T m0_1_2 = k_2 * zonal[1] + k_3 * zonal[3];
   const T m0_1_3 = k_3 * zonal[2];
   const T t = k_4 * zonal[2];
-  const T m2_2_2 = m2_3_3 - t;
+  const T m2_2_2 = m0_0_0 - t;
   const T a6 = a[6];
   const T m0_2_3 = k_3 * zonal[1] + k_5 * zonal[3];
   const T a12 = a[12];
   const T t_2 = k_6 * zonal[2];
-  const T m1_1_1 = m2_3_3 - t_2;
-  const T m1_3_3 = m2_3_3 + t_2;
+  const T m1_1_1 = m0_0_0 - t_2;
+  const T m1_3_3 = m0_0_0 + t_2;
   const T m1_1_2 = k_7 * zonal[1] - k_8 * zonal[3];
   const T m1_1_3 = k_9 * zonal[2];
-  const T m1_2_2 = m2_3_3 + k_10 * zonal[2];
-  const T m3_3_3 = m2_3_3 - k_15 * zonal[2];
+  const T m1_2_2 = m0_0_0 + k_10 * zonal[2];
+  const T m3_3_3 = m0_0_0 - k_15 * zonal[2];
   out[9] = m3_3_3 * a[9];                                                               // l=3 m=-3
   out[15] = m3_3_3 * a[15];                                                             // l=3 m=3
   const T m1_2_3 = k_11 * zonal[1] + k_12 * zonal[3];
   const T m2_2_3 = k_13 * zonal[1] - k_14 * zonal[3];
   const T a0 = a[0];
-  out[0] = m2_3_3 * a0 + m0_0_1 * a2 + m0_0_2 * a6 + m0_0_3 * a12;                      // l=0 m=0
+  out[0] = m0_0_0 * a0 + m0_0_1 * a2 + m0_0_2 * a6 + m0_0_3 * a12;                      // l=0 m=0
   const T a1 = a[1];
   const T a3 = a[3];
   const T a5 = a[5];
   const T a11 = a[11];
   out[1] = m1_1_1 * a1 + m1_1_2 * a5 + m1_1_3 * a11;                                    // l=1 m=-1
-  out[2] = m0_0_1 * a0 + (m2_3_3 + k_2 * zonal[2]) * a2 + m0_1_2 * a6 + m0_1_3 * a12;   // l=1 m=0
-  out[6] = m0_0_2 * a0 + m0_1_2 * a2 + (m2_3_3 + t) * a6 + m0_2_3 * a12;                // l=2 m=0
-  out[12] = m0_0_3 * a0 + m0_1_3 * a2 + m0_2_3 * a6 + (m2_3_3 + k_5 * zonal[2]) * a12;  // l=3 m=0
+  out[2] = m0_0_1 * a0 + (m0_0_0 + k_2 * zonal[2]) * a2 + m0_1_2 * a6 + m0_1_3 * a12;   // l=1 m=0
+  out[6] = m0_0_2 * a0 + m0_1_2 * a2 + (m0_0_0 + t) * a6 + m0_2_3 * a12;                // l=2 m=0
+  out[12] = m0_0_3 * a0 + m0_1_3 * a2 + m0_2_3 * a6 + (m0_0_0 + k_5 * zonal[2]) * a12;  // l=3 m=0
   const T a7 = a[7];
   const T a13 = a[13];
   out[3] = m1_1_1 * a3 + m1_1_2 * a7 + m1_1_3 * a13;                                    // l=1 m=1
@@ -113,8 +113,8 @@ constexpr void product_zonal_l3(const T* a, const T* zonal, T* out) noexcept {
   out[4] = m2_2_2 * a4 + m2_2_3 * a10;                                                  // l=2 m=-2
   const T a14 = a[14];
   out[8] = m2_2_2 * a8 + m2_2_3 * a14;                                                  // l=2 m=2
-  out[10] = m2_2_3 * a4 + m2_3_3 * a10;                                                 // l=3 m=-2
-  out[14] = m2_2_3 * a8 + m2_3_3 * a14;                                                 // l=3 m=2
+  out[10] = m2_2_3 * a4 + m0_0_0 * a10;                                                 // l=3 m=-2
+  out[14] = m2_2_3 * a8 + m0_0_0 * a14;                                                 // l=3 m=2
   out[5] = m1_1_2 * a1 + m1_2_2 * a5 + m1_2_3 * a11;                                    // l=2 m=-1
   out[7] = m1_1_2 * a3 + m1_2_2 * a7 + m1_2_3 * a13;                                    // l=2 m=1
   out[11] = m1_1_3 * a1 + m1_2_3 * a5 + m1_3_3 * a11;                                   // l=3 m=-1

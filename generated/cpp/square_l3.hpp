@@ -81,10 +81,15 @@ constexpr void square_l3(const T* a, T* out) noexcept {
   const T k_24 = detail::constant<T>(0.14567313f, 0.14567312407894387);   // 1/15 sqrt(15/pi)
   const T k_25 = detail::constant<T>(0.15607835f, 0.15607834722743988);   // 1/14 sqrt(15/pi)
   const T k_26 = detail::constant<T>(0.21850969f, 0.2185096861184158);    // 1/10 sqrt(15/pi)
-  const T k_27 = detail::constant<T>(0.21026105f, 0.21026104350168);      // 1/6 sqrt(5/pi)
-  const T k_28 = detail::constant<T>(0.090111874f, 0.09011187578643429);  // 1/14 sqrt(5/pi)
-  const T k_29 = detail::constant<T>(0.12615663f, 0.126156626101008);     // 1/10 sqrt(5/pi)
-  const T k_30 = detail::constant<T>(0.2820948f, 0.28209479177387814);    // 1/2 sqrt(1/pi)
+  const T k_27 = detail::constant<T>(0.23032944f, 0.23032943298089031);   // 1/6 sqrt(6/pi)
+  const T k_28 = detail::constant<T>(0.18806319f, 0.18806319451591877);   // 1/3 sqrt(1/pi)
+  const T k_29 = detail::constant<T>(0.118941605f, 0.11894160774351807);  // 1/15 sqrt(10/pi)
+  const T k_30 = detail::constant<T>(0.37612638f, 0.37612638903183754);   // 2/3 sqrt(1/pi)
+  const T k_31 = detail::constant<T>(0.28609633f, 0.28609633620533764);   // 3/35 sqrt(35/pi)
+  const T k_32 = detail::constant<T>(0.21026105f, 0.21026104350168);      // 1/6 sqrt(5/pi)
+  const T k_33 = detail::constant<T>(0.090111874f, 0.09011187578643429);  // 1/14 sqrt(5/pi)
+  const T k_34 = detail::constant<T>(0.12615663f, 0.126156626101008);     // 1/10 sqrt(5/pi)
+  const T k_35 = detail::constant<T>(0.2820948f, 0.28209479177387814);    // 1/2 sqrt(1/pi)
 
   const T a0 = a[0];
   const T t = k * a0;
@@ -136,50 +141,50 @@ constexpr void square_l3(const T* a, T* out) noexcept {
   const T p_1_4 = a1 * a4;
   const T p_1_11 = a1 * a11;
   const T p_3_3 = a3 * a3;
-  const T t_32 = k_11 * (a3 * a7 + a1 * a5);
+  const T t_32 = a3 * a7 + a1 * a5;
   const T p_3_13 = a3 * a13;
   const T a10 = a[10];
   const T p_4_11 = a4 * a11;
   const T p_5_5 = a5 * a5;
-  out[4] = t_16 * a1 + t_5 * a4 + t_13 * a9 + t_11 * a10 + t_21 * a11 - t_8 * a15 + k_18 * a5 * a7;                 // l=2 m=-2
+  out[4] = t_16 * a1 + t_5 * a4 + t_13 * a9 + t_11 * a10 + t_21 * a11 - t_8 * a15 + k_18 * a5 * a7;                   // l=2 m=-2
   const T p_5_10 = a5 * a10;
   const T p_11_11 = a11 * a11;
   const T a14 = a[14];
   const T p_5_14 = a5 * a14;
-  out[5] = t_10 * a1 + (t_6 - t_22) * a5 + t_23 * a7 + t_25 * a10 + t_12 * a11 + t_28 * a14;                        // l=2 m=-1
+  out[5] = t_10 * a1 + (t_6 - t_22) * a5 + t_23 * a7 + t_25 * a10 + t_12 * a11 + t_28 * a14;                          // l=2 m=-1
   const T p_6_6 = a6 * a6;
   const T p_12_12 = a12 * a12;
   const T p_7_7 = a7 * a7;
   const T p_7_10 = a7 * a10;
-  const T t_33 = k_20 * (a7 * a13 + a5 * a11);
+  const T t_33 = a7 * a13 + a5 * a11;
   const T p_13_13 = a13 * a13;
   const T p_7_14 = a7 * a14;
-  out[7] = t_10 * a3 + t_23 * a5 + (t_22 + t_6) * a7 + t_29 * a10 + t_12 * a13 + t_26 * a14;                        // l=2 m=1
+  out[7] = t_10 * a3 + t_23 * a5 + (t_22 + t_6) * a7 + t_29 * a10 + t_12 * a13 + t_26 * a14;                          // l=2 m=1
   const T t_34 = a8 * a8 + a4 * a4;
-  const T t_35 = k_15 * (a8 * a9 - a4 * a15);
-  const T t_36 = k_16 * (a8 * a14 + a4 * a10);
-  out[2] = (t + k_14 * a6) * a2 + (k_21 * a6 * a12 + t_33 + t_36 + t_32);                                           // l=1 m=0
-  out[12] = t_30 * a6 + (t + k_22 * a6) * a12 + (k_10 * t_33 - k_9 * t_36 - k_8 * t_32);                            // l=3 m=0
-  const T t_37 = k_15 * (a8 * a15 + a4 * a9);
+  const T t_35 = a8 * a9 - a4 * a15;
+  const T t_36 = a8 * a14 + a4 * a10;
+  const T t_37 = a8 * a15 + a4 * a9;
   const T t_38 = a15 * a15 + a9 * a9;
-  out[10] = t_11 * a4 + t_25 * a5 + t_29 * a7 + t * a10;                                                            // l=3 m=-2
-  out[14] = t_28 * a5 + t_26 * a7 + t_11 * a8 + t * a14;                                                            // l=3 m=2
+  out[10] = t_11 * a4 + t_25 * a5 + t_29 * a7 + t * a10;                                                              // l=3 m=-2
+  out[14] = t_28 * a5 + t_26 * a7 + t_11 * a8 + t * a14;                                                              // l=3 m=2
   const T t_39 = p_13_13 + p_11_11;
-  const T t_40 = k_16 * (p_7_10 - p_5_14);
-  out[9] = t_13 * a4 + t_8 * a8 + t_7 * a9 + k_19 * (p_7_10 + p_5_14);                                              // l=3 m=-3
-  const T t_41 = k_16 * (p_7_14 + p_5_10);
-  out[15] = t_13 * a8 - t_8 * a4 + t_7 * a15 + k_19 * (p_7_14 - p_5_10);                                            // l=3 m=3
+  const T t_40 = p_7_10 - p_5_14;
+  out[9] = t_13 * a4 + t_8 * a8 + t_7 * a9 + k_19 * (p_7_10 + p_5_14);                                                // l=3 m=-3
+  const T t_41 = p_7_14 + p_5_10;
+  out[15] = t_13 * a8 - t_8 * a4 + t_7 * a15 + k_19 * (p_7_14 - p_5_10);                                              // l=3 m=3
   const T t_42 = p_7_7 + p_5_5;
-  out[3] = (t_15 + t_3) * a3 + t_10 * a7 + t_20 * a13 + (k_11 * p_1_4 - k_12 * p_4_11 + t_41 + t_37);               // l=1 m=1
-  out[13] = t_20 * a3 + t_12 * a7 + (t_31 + t_4) * a13 + (k_17 * p_4_11 - k_12 * p_1_4 + k_7 * t_41 - k_6 * t_37);  // l=3 m=1
+  out[1] = (t_3 - t_15) * a1 + t_16 * a4 + t_10 * a5 + t_19 * a11 + (k_16 * t_40 + k_15 * t_35);                      // l=1 m=-1
+  out[11] = t_19 * a1 + t_21 * a4 + t_12 * a5 + (t_4 - t_31) * a11 + (k_27 * t_40 - k_28 * t_35);                     // l=3 m=-1
+  out[2] = (t + k_14 * a6) * a2 + (k_21 * a6 * a12 + k_20 * t_33 + k_16 * t_36 + k_11 * t_32);                        // l=1 m=0
+  out[12] = t_30 * a6 + (t + k_22 * a6) * a12 + (k_29 * t_33 - k_30 * t_36 - k_31 * t_32);                            // l=3 m=0
+  out[3] = (t_15 + t_3) * a3 + t_10 * a7 + t_20 * a13 + (k_11 * p_1_4 - k_12 * p_4_11 + k_16 * t_41 + k_15 * t_37);   // l=1 m=1
+  out[13] = t_20 * a3 + t_12 * a7 + (t_31 + t_4) * a13 + (k_17 * p_4_11 - k_12 * p_1_4 + k_27 * t_41 - k_28 * t_37);  // l=3 m=1
   const T t_43 = p_3_3 + p_1_1;
   out[8] = t_5 * a8 + t_8 * a9 + t_11 * a14 + t_13 * a15 + (k_24 * (p_13_13 - p_11_11) + k_25 * (p_7_7 - p_5_5)
-      + k_12 * (p_1_11 - p_3_13) + k_26 * (p_3_3 - p_1_1));                                                         // l=2 m=2
-  out[0] = k_30 * (a0 * a0 + a14 * a14 + p_12_12 + a10 * a10 + p_6_6 + p_2_2 + t_39 + t_38 + t_42 + t_34 + t_43);   // l=0 m=0
-  out[6] = t * a6 + t_30 * a12 + (k_23 * p_12_12 + k_2 * p_2_2 + k_13 * (p_3_13 + p_1_11) - k_27 * t_38 + k_28 * t_42
-      + k_4 * (p_6_6 - t_34) + k_29 * (t_39 - t_43));                                                               // l=2 m=0
-  out[1] = (t_3 - t_15) * a1 + t_16 * a4 + t_10 * a5 + t_19 * a11 + (t_40 + t_35);                                  // l=1 m=-1
-  out[11] = t_19 * a1 + t_21 * a4 + t_12 * a5 + (t_4 - t_31) * a11 + (k_7 * t_40 - k_6 * t_35);                     // l=3 m=-1
+      + k_12 * (p_1_11 - p_3_13) + k_26 * (p_3_3 - p_1_1));                                                           // l=2 m=2
+  out[0] = k_35 * (a0 * a0 + a14 * a14 + p_12_12 + a10 * a10 + p_6_6 + p_2_2 + t_39 + t_38 + t_42 + t_34 + t_43);     // l=0 m=0
+  out[6] = t * a6 + t_30 * a12 + (k_23 * p_12_12 + k_2 * p_2_2 + k_13 * (p_3_13 + p_1_11) - k_32 * t_38 + k_33 * t_42
+      + k_4 * (p_6_6 - t_34) + k_34 * (t_39 - t_43));                                                                 // l=2 m=0
 }
 
 }  // namespace sh

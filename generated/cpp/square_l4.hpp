@@ -16,7 +16,7 @@
 //               contraction;
 //               eps counts units of machine epsilon x |a| |a|
 //               float   rounding 4.6e-08 (0.4 eps)
-//               double  rounding 1.1e-16 (0.5 eps)
+//               double  rounding 1.0e-16 (0.5 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 #pragma once
 
@@ -74,111 +74,117 @@ constexpr void square_l4(const T* a, T* out) noexcept {
   const T k_16  = detail::constant<T>(0.13114357f, 0.13114356658116305);    // theta_2_2(z1)
   const T k_17  = detail::constant<T>(0.49058327f, 0.4905832657800039);     // theta_4_2(z1)
   const T k_18  = detail::constant<T>(0.30247054f, 0.30247052400809005);    // theta_3_2(z1)
-  const T k_19  = detail::constant<T>(0.5f, 0.5);                           // 1/2
-  const T k_20  = detail::constant<T>(0.8660254f, 0.8660254037844386);      // 1/2 sqrt(3)
-  const T k_21  = detail::constant<T>(0.33333334f, 0.3333333333333333);     // 1/3
-  const T k_22  = detail::constant<T>(1.1547005f, 1.1547005383792515);      // 2/3 sqrt(3)
-  const T k_23  = detail::constant<T>(1.7320508f, 1.7320508075688772);      // sqrt(3)
-  const T k_24  = detail::constant<T>(0.023875697f, 0.023875696877594922);  // pi theta_4_4(z1) w(z1)
-  const T k_25  = detail::constant<T>(0.06125625f, 0.061256247320549115);   // 4/3 pi theta_3_3(z1) w(z1)
-  const T k_26  = detail::constant<T>(0.16019858f, 0.16019859040907003);    // 4/3 pi theta_4_3(z1) w(z1)
-  const T k_27  = detail::constant<T>(0.100239635f, 0.10023963579919658);   // 2/3 sqrt(3) pi theta_2_2(z1) w(z1)
-  const T k_28  = detail::constant<T>(0.23119347f, 0.23119346192097592);    // 2/3 sqrt(3) pi theta_3_2(z1) w(z1)
-  const T k_29  = detail::constant<T>(0.3749775f, 0.37497750879402636);     // 2/3 sqrt(3) pi theta_4_2(z1) w(z1)
-  const T k_30  = detail::constant<T>(0.10564664f, 0.10564664306459845);    // 2/3 pi theta_1_1(z1) w(z1)
-  const T k_31  = detail::constant<T>(0.20593385f, 0.20593385630800465);    // 2/3 pi theta_2_1(z1) w(z1)
-  const T k_32  = detail::constant<T>(0.27667132f, 0.27667132954870005);    // 2/3 pi theta_3_1(z1) w(z1)
-  const T k_33  = detail::constant<T>(0.29251006f, 0.2925100534154941);     // 2/3 pi theta_4_1(z1) w(z1)
-  const T k_34  = detail::constant<T>(0.12448784f, 0.12448783960085928);    // 2/3 pi theta_0_0(z1) w(z1)
-  const T k_35  = detail::constant<T>(0.18796396f, 0.18796396844780952);    // 2/3 pi theta_1_0(z1) w(z1)
-  const T k_36  = detail::constant<T>(0.17812364f, 0.17812363592041505);    // 2/3 pi theta_2_0(z1) w(z1)
-  const T k_37  = detail::constant<T>(0.11479827f, 0.11479827217585568);    // 2/3 pi theta_3_0(z1) w(z1)
-  const T k_38  = detail::constant<T>(0.019345257f, 0.019345257832230442);  // 2/3 pi theta_4_0(z1) w(z1)
-  const T k_39  = detail::constant<T>(0.02893669f, 0.028936690356068096);   // 1/3 pi theta_2_2(z1) w(z1)
-  const T k_40  = detail::constant<T>(0.066739805f, 0.06673980373747847);   // 1/3 pi theta_3_2(z1) w(z1)
-  const T k_41  = detail::constant<T>(0.108246684f, 0.10824668282114319);   // 1/3 pi theta_4_2(z1) w(z1)
-  const T k_42  = detail::constant<T>(0.26432684f, 0.2643268395643889);     // theta_4_4(z2)
-  const T k_43  = detail::constant<T>(0.30913258f, 0.3091325780428469);     // theta_3_3(z2)
-  const T k_44  = detail::constant<T>(0.5487414f, 0.5487414075445425);      // theta_4_3(z2)
-  const T k_45  = detail::constant<T>(0.30745515f, 0.3074551600642518);     // 1/2 sqrt(3) theta_2_2(z2)
-  const T k_46  = detail::constant<T>(0.3862861f, 0.38628612432925696);     // 1/2 sqrt(3) theta_4_2(z2)
-  const T k_47  = detail::constant<T>(0.48131844f, 0.4813184491763922);     // 1/2 sqrt(3) theta_3_2(z2)
-  const T k_48  = detail::constant<T>(0.3938909f, 0.39389087661966166);     // theta_1_1(z2)
-  const T k_49  = detail::constant<T>(0.2765394f, 0.27653938155670976);     // theta_3_1(z2)
-  const T k_50  = detail::constant<T>(0.33633715f, 0.33633715062214214);    // -theta_4_1(z2) / theta_2_1(z2)
-  const T k_51  = detail::constant<T>(0.5211499f, 0.5211498610639514);      // theta_2_1(z2)
-  const T k_52  = detail::constant<T>(0.2820948f, 0.28209479177387814);     // theta_0_0(z2)
-  const T k_53  = detail::constant<T>(0.01587281f, 0.015872810376536407);   // theta_2_0(z2)
-  const T k_54  = detail::constant<T>(0.3398995f, 0.3398995047478512);      // -theta_4_0(z2)
-  const T k_55  = detail::constant<T>(0.95428663f, 0.95428661929651);       // -theta_3_0(z2) / theta_1_0(z2)
-  const T k_56  = detail::constant<T>(0.2891062f, 0.2891061949416468);      // theta_1_0(z2)
-  const T k_57  = detail::constant<T>(0.35501865f, 0.3550186388536705);     // theta_2_2(z2)
-  const T k_58  = detail::constant<T>(0.4460448f, 0.4460447957314275);      // theta_4_2(z2)
-  const T k_59  = detail::constant<T>(0.5557787f, 0.5557786723958464);      // theta_3_2(z2)
-  const T k_60  = detail::constant<T>(0.28327075f, 0.2832707594755543);     // pi theta_4_4(z2) w(z2)
-  const T k_61  = detail::constant<T>(0.44171688f, 0.44171688003203846);    // 4/3 pi theta_3_3(z2) w(z2)
-  const T k_62  = detail::constant<T>(0.7840919f, 0.7840918741711161);      // 4/3 pi theta_4_3(z2) w(z2)
-  const T k_63  = detail::constant<T>(0.43932003f, 0.4393200319201194);     // 2/3 sqrt(3) pi theta_2_2(z2) w(z2)
-  const T k_64  = detail::constant<T>(0.68775177f, 0.6877517892746563);     // 2/3 sqrt(3) pi theta_3_2(z2) w(z2)
-  const T k_65  = detail::constant<T>(0.55196095f, 0.5519609182528077);     // 2/3 sqrt(3) pi theta_4_2(z2) w(z2)
-  const T k_66  = detail::constant<T>(0.28141364f, 0.2814136416728718);     // 2/3 pi theta_1_1(z2) w(z2)
-  const T k_67  = detail::constant<T>(0.3723333f, 0.37233327544402706);     // 2/3 pi theta_2_1(z2) w(z2)
-  const T k_68  = detail::constant<T>(0.19757237f, 0.19757237105286354);    // 2/3 pi theta_3_1(z2) w(z2)
-  const T k_69  = detail::constant<T>(0.12522951f, 0.12522951294465326);    // -2/3 pi theta_4_1(z2) w(z2)
-  const T k_70  = detail::constant<T>(0.20154141f, 0.20154140997454847);    // 2/3 pi theta_0_0(z2) w(z2)
-  const T k_71  = detail::constant<T>(0.20655067f, 0.20655067679385514);    // 2/3 pi theta_1_0(z2) w(z2)
-  const T k_72  = detail::constant<T>(0.011340261f, 0.011340261064125112);  // 2/3 pi theta_2_0(z2) w(z2)
-  const T k_73  = detail::constant<T>(0.19710855f, 0.1971085470710141);     // -2/3 pi theta_3_0(z2) w(z2)
-  const T k_74  = detail::constant<T>(0.24283974f, 0.24283973839348313);    // -2/3 pi theta_4_0(z2) w(z2)
-  const T k_75  = detail::constant<T>(0.12682077f, 0.12682076934473796);    // 1/3 pi theta_2_2(z2) w(z2)
-  const T k_76  = detail::constant<T>(0.19853684f, 0.19853684033668478);    // 1/3 pi theta_3_2(z2) w(z2)
-  const T k_77  = detail::constant<T>(0.15933739f, 0.15933739236770578);    // 1/3 pi theta_4_2(z2) w(z2)
-  const T k_78  = detail::constant<T>(0.5722058f, 0.57220577764136);        // theta_4_4(z3)
-  const T k_79  = detail::constant<T>(0.55170006f, 0.5517000295466499);     // theta_3_3(z3)
-  const T k_80  = detail::constant<T>(0.34641117f, 0.34641115410266493);    // theta_4_3(z3)
-  const T k_81  = detail::constant<T>(0.4523632f, 0.4523632065866974);      // 1/2 sqrt(3) theta_2_2(z3)
-  const T k_82  = detail::constant<T>(0.2716281f, 0.2716281172837944);      // -1/2 sqrt(3) theta_4_2(z3)
-  const T k_83  = detail::constant<T>(0.2504978f, 0.2504977904210109);      // 1/2 sqrt(3) theta_3_2(z3)
-  const T k_84  = detail::constant<T>(0.47778076f, 0.47778076945482445);    // theta_1_1(z3)
-  const T k_85  = detail::constant<T>(0.3490331f, 0.34903308124713356);     // -theta_3_1(z3)
-  const T k_86  = detail::constant<T>(0.60630405f, 0.6063040457349658);     // -theta_2_1(z3) / theta_4_1(z3)
-  const T k_87  = detail::constant<T>(0.36879992f, 0.3687999105081175);     // -theta_4_1(z3)
-  const T k_88  = detail::constant<T>(0.2820948f, 0.28209479177387814);     // theta_0_0(z3)
-  const T k_89  = detail::constant<T>(0.27394328f, 0.27394328266835477);    // -theta_2_0(z3)
-  const T k_90  = detail::constant<T>(0.18543988f, 0.18543988640793535);    // theta_4_0(z3)
-  const T k_91  = detail::constant<T>(0.47080973f, 0.4708097261813704);     // -theta_1_0(z3) / theta_3_0(z3)
-  const T k_92  = detail::constant<T>(0.21720903f, 0.21720902929493108);    // -theta_3_0(z3)
-  const T k_93  = detail::constant<T>(0.52234405f, 0.5223440381886241);     // theta_2_2(z3)
-  const T k_94  = detail::constant<T>(0.31364915f, 0.31364913326653987);    // -theta_4_2(z3)
-  const T k_95  = detail::constant<T>(0.28924993f, 0.2892499334619542);     // theta_3_2(z3)
-  const T k_96  = detail::constant<T>(0.7414514f, 0.7414513830287692);      // pi theta_4_4(z3) w(z3)
-  const T k_97  = detail::constant<T>(0.953174f, 0.9531739941774608);       // 4/3 pi theta_3_3(z3) w(z3)
-  const T k_98  = detail::constant<T>(0.5984957f, 0.5984957145189735);      // 4/3 pi theta_4_3(z3) w(z3)
-  const T k_99  = detail::constant<T>(0.78154945f, 0.7815494314826876);     // 2/3 sqrt(3) pi theta_2_2(z3) w(z3)
-  const T k_100 = detail::constant<T>(0.43278587f, 0.43278587391852597);    // 2/3 sqrt(3) pi theta_3_2(z3) w(z3)
-  const T k_101 = detail::constant<T>(0.46929282f, 0.4692928106149496);     // -2/3 sqrt(3) pi theta_4_2(z3) w(z3)
-  const T k_102 = detail::constant<T>(0.4127317f, 0.41273172011306536);     // 2/3 pi theta_1_1(z3) w(z3)
-  const T k_103 = detail::constant<T>(0.19316144f, 0.1931614492324116);     // 2/3 pi theta_2_1(z3) w(z3)
-  const T k_104 = detail::constant<T>(0.3015128f, 0.30151281342668973);     // -2/3 pi theta_3_1(z3) w(z3)
-  const T k_105 = detail::constant<T>(0.31858844f, 0.31858842208163074);    // -2/3 pi theta_4_1(z3) w(z3)
-  const T k_106 = detail::constant<T>(0.24368806f, 0.24368805964422238);    // 2/3 pi theta_0_0(z3) w(z3)
-  const T k_107 = detail::constant<T>(0.088341035f, 0.08834103492719882);   // 2/3 pi theta_1_0(z3) w(z3)
-  const T k_108 = detail::constant<T>(0.23664637f, 0.23664636481318316);    // -2/3 pi theta_2_0(z3) w(z3)
-  const T k_109 = detail::constant<T>(0.18763639f, 0.18763638475295036);    // -2/3 pi theta_3_0(z3) w(z3)
-  const T k_110 = detail::constant<T>(0.16019256f, 0.16019255731462712);    // 2/3 pi theta_4_0(z3) w(z3)
-  const T k_111 = detail::constant<T>(0.22561389f, 0.22561388732576435);    // 1/3 pi theta_2_2(z3) w(z3)
-  const T k_112 = detail::constant<T>(0.12493452f, 0.1249345204041642);     // 1/3 pi theta_3_2(z3) w(z3)
-  const T k_113 = detail::constant<T>(0.13547316f, 0.1354731652686486);     // -1/3 pi theta_4_2(z3) w(z3)
-  const T k_114 = detail::constant<T>(0.2820948f, 0.28209479177387814);     // 1/2 sqrt(1/pi)
-  const T k_115 = detail::constant<T>(0.63078314f, 0.63078313050504);       // 1/2 sqrt(5/pi)
-  const T k_116 = detail::constant<T>(0.8462844f, 0.8462843753216345);      // 3/2 sqrt(1/pi)
-  const T k_117 = detail::constant<T>(0.65465367f, 0.6546536707079772);     // 1/7 sqrt(21)
-  const T k_118 = detail::constant<T>(0.7463527f, 0.7463526651802308);      // 1/2 sqrt(7/pi)
-  const T k_119 = detail::constant<T>(0.06330192f, 0.06330192324662558);    // pi^(1/2) w(pole)
-  const T k_120 = detail::constant<T>(0.10964215f, 0.10964214727998091);    // sqrt(3) pi^(1/2) w(pole)
-  const T k_121 = detail::constant<T>(0.1415474f, 0.14154740348592895);     // sqrt(5) pi^(1/2) w(pole)
-  const T k_122 = detail::constant<T>(0.16748114f, 0.1674811464226697);     // sqrt(7) pi^(1/2) w(pole)
-  const T k_123 = detail::constant<T>(0.18990576f, 0.18990576973987672);    // 3 pi^(1/2) w(pole)
+  const T k_19  = detail::constant<T>(0.01803445f, 0.018034451559649584);   // 1/2 theta_4_4(z1)
+  const T k_20  = detail::constant<T>(0.5f, 0.5);                           // 1/2
+  const T k_21  = detail::constant<T>(0.031236587f, 0.03123658638795286);   // 1/2 sqrt(3) theta_4_4(z1)
+  const T k_22  = detail::constant<T>(0.8660254f, 0.8660254037844386);      // 1/2 sqrt(3)
+  const T k_23  = detail::constant<T>(0.33333334f, 0.3333333333333333);     // 1/3
+  const T k_24  = detail::constant<T>(1.1547005f, 1.1547005383792515);      // 2/3 sqrt(3)
+  const T k_25  = detail::constant<T>(1.7320508f, 1.7320508075688772);      // sqrt(3)
+  const T k_26  = detail::constant<T>(0.023875697f, 0.023875696877594922);  // pi theta_4_4(z1) w(z1)
+  const T k_27  = detail::constant<T>(0.06125625f, 0.061256247320549115);   // 4/3 pi theta_3_3(z1) w(z1)
+  const T k_28  = detail::constant<T>(0.16019858f, 0.16019859040907003);    // 4/3 pi theta_4_3(z1) w(z1)
+  const T k_29  = detail::constant<T>(0.100239635f, 0.10023963579919658);   // 2/3 sqrt(3) pi theta_2_2(z1) w(z1)
+  const T k_30  = detail::constant<T>(0.23119347f, 0.23119346192097592);    // 2/3 sqrt(3) pi theta_3_2(z1) w(z1)
+  const T k_31  = detail::constant<T>(0.3749775f, 0.37497750879402636);     // 2/3 sqrt(3) pi theta_4_2(z1) w(z1)
+  const T k_32  = detail::constant<T>(0.10564664f, 0.10564664306459845);    // 2/3 pi theta_1_1(z1) w(z1)
+  const T k_33  = detail::constant<T>(0.20593385f, 0.20593385630800465);    // 2/3 pi theta_2_1(z1) w(z1)
+  const T k_34  = detail::constant<T>(0.27667132f, 0.27667132954870005);    // 2/3 pi theta_3_1(z1) w(z1)
+  const T k_35  = detail::constant<T>(0.29251006f, 0.2925100534154941);     // 2/3 pi theta_4_1(z1) w(z1)
+  const T k_36  = detail::constant<T>(0.12448784f, 0.12448783960085928);    // 2/3 pi theta_0_0(z1) w(z1)
+  const T k_37  = detail::constant<T>(0.18796396f, 0.18796396844780952);    // 2/3 pi theta_1_0(z1) w(z1)
+  const T k_38  = detail::constant<T>(0.17812364f, 0.17812363592041505);    // 2/3 pi theta_2_0(z1) w(z1)
+  const T k_39  = detail::constant<T>(0.11479827f, 0.11479827217585568);    // 2/3 pi theta_3_0(z1) w(z1)
+  const T k_40  = detail::constant<T>(0.019345257f, 0.019345257832230442);  // 2/3 pi theta_4_0(z1) w(z1)
+  const T k_41  = detail::constant<T>(0.02893669f, 0.028936690356068096);   // 1/3 pi theta_2_2(z1) w(z1)
+  const T k_42  = detail::constant<T>(0.066739805f, 0.06673980373747847);   // 1/3 pi theta_3_2(z1) w(z1)
+  const T k_43  = detail::constant<T>(0.108246684f, 0.10824668282114319);   // 1/3 pi theta_4_2(z1) w(z1)
+  const T k_44  = detail::constant<T>(0.26432684f, 0.2643268395643889);     // theta_4_4(z2)
+  const T k_45  = detail::constant<T>(0.30913258f, 0.3091325780428469);     // theta_3_3(z2)
+  const T k_46  = detail::constant<T>(0.5487414f, 0.5487414075445425);      // theta_4_3(z2)
+  const T k_47  = detail::constant<T>(0.30745515f, 0.3074551600642518);     // 1/2 sqrt(3) theta_2_2(z2)
+  const T k_48  = detail::constant<T>(0.3862861f, 0.38628612432925696);     // 1/2 sqrt(3) theta_4_2(z2)
+  const T k_49  = detail::constant<T>(0.48131844f, 0.4813184491763922);     // 1/2 sqrt(3) theta_3_2(z2)
+  const T k_50  = detail::constant<T>(0.3938909f, 0.39389087661966166);     // theta_1_1(z2)
+  const T k_51  = detail::constant<T>(0.2765394f, 0.27653938155670976);     // theta_3_1(z2)
+  const T k_52  = detail::constant<T>(0.33633715f, 0.33633715062214214);    // -theta_4_1(z2) / theta_2_1(z2)
+  const T k_53  = detail::constant<T>(0.5211499f, 0.5211498610639514);      // theta_2_1(z2)
+  const T k_54  = detail::constant<T>(0.2820948f, 0.28209479177387814);     // theta_0_0(z2)
+  const T k_55  = detail::constant<T>(0.01587281f, 0.015872810376536407);   // theta_2_0(z2)
+  const T k_56  = detail::constant<T>(0.3398995f, 0.3398995047478512);      // -theta_4_0(z2)
+  const T k_57  = detail::constant<T>(0.95428663f, 0.95428661929651);       // -theta_3_0(z2) / theta_1_0(z2)
+  const T k_58  = detail::constant<T>(0.2891062f, 0.2891061949416468);      // theta_1_0(z2)
+  const T k_59  = detail::constant<T>(0.35501865f, 0.3550186388536705);     // theta_2_2(z2)
+  const T k_60  = detail::constant<T>(0.4460448f, 0.4460447957314275);      // theta_4_2(z2)
+  const T k_61  = detail::constant<T>(0.5557787f, 0.5557786723958464);      // theta_3_2(z2)
+  const T k_62  = detail::constant<T>(0.13216342f, 0.13216341978219445);    // 1/2 theta_4_4(z2)
+  const T k_63  = detail::constant<T>(0.22891375f, 0.22891375796481445);    // 1/2 sqrt(3) theta_4_4(z2)
+  const T k_64  = detail::constant<T>(0.28327075f, 0.2832707594755543);     // pi theta_4_4(z2) w(z2)
+  const T k_65  = detail::constant<T>(0.44171688f, 0.44171688003203846);    // 4/3 pi theta_3_3(z2) w(z2)
+  const T k_66  = detail::constant<T>(0.7840919f, 0.7840918741711161);      // 4/3 pi theta_4_3(z2) w(z2)
+  const T k_67  = detail::constant<T>(0.43932003f, 0.4393200319201194);     // 2/3 sqrt(3) pi theta_2_2(z2) w(z2)
+  const T k_68  = detail::constant<T>(0.68775177f, 0.6877517892746563);     // 2/3 sqrt(3) pi theta_3_2(z2) w(z2)
+  const T k_69  = detail::constant<T>(0.55196095f, 0.5519609182528077);     // 2/3 sqrt(3) pi theta_4_2(z2) w(z2)
+  const T k_70  = detail::constant<T>(0.28141364f, 0.2814136416728718);     // 2/3 pi theta_1_1(z2) w(z2)
+  const T k_71  = detail::constant<T>(0.3723333f, 0.37233327544402706);     // 2/3 pi theta_2_1(z2) w(z2)
+  const T k_72  = detail::constant<T>(0.19757237f, 0.19757237105286354);    // 2/3 pi theta_3_1(z2) w(z2)
+  const T k_73  = detail::constant<T>(0.12522951f, 0.12522951294465326);    // -2/3 pi theta_4_1(z2) w(z2)
+  const T k_74  = detail::constant<T>(0.20154141f, 0.20154140997454847);    // 2/3 pi theta_0_0(z2) w(z2)
+  const T k_75  = detail::constant<T>(0.20655067f, 0.20655067679385514);    // 2/3 pi theta_1_0(z2) w(z2)
+  const T k_76  = detail::constant<T>(0.011340261f, 0.011340261064125112);  // 2/3 pi theta_2_0(z2) w(z2)
+  const T k_77  = detail::constant<T>(0.19710855f, 0.1971085470710141);     // -2/3 pi theta_3_0(z2) w(z2)
+  const T k_78  = detail::constant<T>(0.24283974f, 0.24283973839348313);    // -2/3 pi theta_4_0(z2) w(z2)
+  const T k_79  = detail::constant<T>(0.12682077f, 0.12682076934473796);    // 1/3 pi theta_2_2(z2) w(z2)
+  const T k_80  = detail::constant<T>(0.19853684f, 0.19853684033668478);    // 1/3 pi theta_3_2(z2) w(z2)
+  const T k_81  = detail::constant<T>(0.15933739f, 0.15933739236770578);    // 1/3 pi theta_4_2(z2) w(z2)
+  const T k_82  = detail::constant<T>(0.5722058f, 0.57220577764136);        // theta_4_4(z3)
+  const T k_83  = detail::constant<T>(0.55170006f, 0.5517000295466499);     // theta_3_3(z3)
+  const T k_84  = detail::constant<T>(0.34641117f, 0.34641115410266493);    // theta_4_3(z3)
+  const T k_85  = detail::constant<T>(0.4523632f, 0.4523632065866974);      // 1/2 sqrt(3) theta_2_2(z3)
+  const T k_86  = detail::constant<T>(0.2716281f, 0.2716281172837944);      // -1/2 sqrt(3) theta_4_2(z3)
+  const T k_87  = detail::constant<T>(0.2504978f, 0.2504977904210109);      // 1/2 sqrt(3) theta_3_2(z3)
+  const T k_88  = detail::constant<T>(0.47778076f, 0.47778076945482445);    // theta_1_1(z3)
+  const T k_89  = detail::constant<T>(0.3490331f, 0.34903308124713356);     // -theta_3_1(z3)
+  const T k_90  = detail::constant<T>(0.60630405f, 0.6063040457349658);     // -theta_2_1(z3) / theta_4_1(z3)
+  const T k_91  = detail::constant<T>(0.36879992f, 0.3687999105081175);     // -theta_4_1(z3)
+  const T k_92  = detail::constant<T>(0.2820948f, 0.28209479177387814);     // theta_0_0(z3)
+  const T k_93  = detail::constant<T>(0.27394328f, 0.27394328266835477);    // -theta_2_0(z3)
+  const T k_94  = detail::constant<T>(0.18543988f, 0.18543988640793535);    // theta_4_0(z3)
+  const T k_95  = detail::constant<T>(0.47080973f, 0.4708097261813704);     // -theta_1_0(z3) / theta_3_0(z3)
+  const T k_96  = detail::constant<T>(0.21720903f, 0.21720902929493108);    // -theta_3_0(z3)
+  const T k_97  = detail::constant<T>(0.52234405f, 0.5223440381886241);     // theta_2_2(z3)
+  const T k_98  = detail::constant<T>(0.31364915f, 0.31364913326653987);    // -theta_4_2(z3)
+  const T k_99  = detail::constant<T>(0.28924993f, 0.2892499334619542);     // theta_3_2(z3)
+  const T k_100 = detail::constant<T>(0.2861029f, 0.28610288882068);        // 1/2 theta_4_4(z3)
+  const T k_101 = detail::constant<T>(0.49554473f, 0.49554473962964757);    // 1/2 sqrt(3) theta_4_4(z3)
+  const T k_102 = detail::constant<T>(0.7414514f, 0.7414513830287692);      // pi theta_4_4(z3) w(z3)
+  const T k_103 = detail::constant<T>(0.953174f, 0.9531739941774608);       // 4/3 pi theta_3_3(z3) w(z3)
+  const T k_104 = detail::constant<T>(0.5984957f, 0.5984957145189735);      // 4/3 pi theta_4_3(z3) w(z3)
+  const T k_105 = detail::constant<T>(0.78154945f, 0.7815494314826876);     // 2/3 sqrt(3) pi theta_2_2(z3) w(z3)
+  const T k_106 = detail::constant<T>(0.43278587f, 0.43278587391852597);    // 2/3 sqrt(3) pi theta_3_2(z3) w(z3)
+  const T k_107 = detail::constant<T>(0.46929282f, 0.4692928106149496);     // -2/3 sqrt(3) pi theta_4_2(z3) w(z3)
+  const T k_108 = detail::constant<T>(0.4127317f, 0.41273172011306536);     // 2/3 pi theta_1_1(z3) w(z3)
+  const T k_109 = detail::constant<T>(0.19316144f, 0.1931614492324116);     // 2/3 pi theta_2_1(z3) w(z3)
+  const T k_110 = detail::constant<T>(0.3015128f, 0.30151281342668973);     // -2/3 pi theta_3_1(z3) w(z3)
+  const T k_111 = detail::constant<T>(0.31858844f, 0.31858842208163074);    // -2/3 pi theta_4_1(z3) w(z3)
+  const T k_112 = detail::constant<T>(0.24368806f, 0.24368805964422238);    // 2/3 pi theta_0_0(z3) w(z3)
+  const T k_113 = detail::constant<T>(0.088341035f, 0.08834103492719882);   // 2/3 pi theta_1_0(z3) w(z3)
+  const T k_114 = detail::constant<T>(0.23664637f, 0.23664636481318316);    // -2/3 pi theta_2_0(z3) w(z3)
+  const T k_115 = detail::constant<T>(0.18763639f, 0.18763638475295036);    // -2/3 pi theta_3_0(z3) w(z3)
+  const T k_116 = detail::constant<T>(0.16019256f, 0.16019255731462712);    // 2/3 pi theta_4_0(z3) w(z3)
+  const T k_117 = detail::constant<T>(0.22561389f, 0.22561388732576435);    // 1/3 pi theta_2_2(z3) w(z3)
+  const T k_118 = detail::constant<T>(0.12493452f, 0.1249345204041642);     // 1/3 pi theta_3_2(z3) w(z3)
+  const T k_119 = detail::constant<T>(0.13547316f, 0.1354731652686486);     // -1/3 pi theta_4_2(z3) w(z3)
+  const T k_120 = detail::constant<T>(0.2820948f, 0.28209479177387814);     // 1/2 sqrt(1/pi)
+  const T k_121 = detail::constant<T>(0.63078314f, 0.63078313050504);       // 1/2 sqrt(5/pi)
+  const T k_122 = detail::constant<T>(0.8462844f, 0.8462843753216345);      // 3/2 sqrt(1/pi)
+  const T k_123 = detail::constant<T>(0.65465367f, 0.6546536707079772);     // 1/7 sqrt(21)
+  const T k_124 = detail::constant<T>(0.7463527f, 0.7463526651802308);      // 1/2 sqrt(7/pi)
+  const T k_125 = detail::constant<T>(0.06330192f, 0.06330192324662558);    // pi^(1/2) w(pole)
+  const T k_126 = detail::constant<T>(0.10964215f, 0.10964214727998091);    // sqrt(3) pi^(1/2) w(pole)
+  const T k_127 = detail::constant<T>(0.1415474f, 0.14154740348592895);     // sqrt(5) pi^(1/2) w(pole)
+  const T k_128 = detail::constant<T>(0.16748114f, 0.1674811464226697);     // sqrt(7) pi^(1/2) w(pole)
+  const T k_129 = detail::constant<T>(0.18990576f, 0.18990576973987672);    // 3 pi^(1/2) w(pole)
 
   const T a16 = a[16];
   const T a1s4n = k * a16;
@@ -236,37 +242,37 @@ constexpr void square_l4(const T* a, T* out) noexcept {
   const T a24 = a[24];
   const T a1c4n = k * a24;
   const T t_15 = a1c0n + a1c4n;
-  const T t_16 = k_19 * a1c4n;
+  const T t_16 = k_19 * a24;
   const T t_17 = a1c0n - t_16;
   const T t_18 = a1c0s - t_16;
   const T t_19 = a1c0s + a1c4n;
   const T t_20 = a1c2n + t_15;
   const T t_21 = t_15 - a1c2n;
-  const T t_22 = k_19 * a1c2n;
+  const T t_22 = k_20 * a1c2n;
   const T t_23 = t_22 + t_17;
   const T t_24 = t_17 - t_22;
   const T t_25 = a1c2s + t_19;
   const T t_26 = t_19 - a1c2s;
-  const T t_27 = k_19 * a1c2s;
+  const T t_27 = k_20 * a1c2s;
   const T t_28 = t_27 + t_18;
   const T t_29 = t_18 - t_27;
-  const T t_30 = k_20 * a1s4n;
+  const T t_30 = k_21 * a16;
   const T t_31 = t_30 + a1s2n;
   const T t_32 = a1s2n - t_30;
   const T t_33 = t_30 + a1s2s;
   const T t_34 = a1s2s - t_30;
   const T t_35 = a1c1n + a1c3n;
-  const T t_36 = k_20 * a1c1n;
-  const T t_37 = k_19 * a1c1n - a1c3n;
+  const T t_36 = k_22 * a1c1n;
+  const T t_37 = k_20 * a1c1n - a1c3n;
   const T t_38 = a1c1s + a1c3s;
-  const T t_39 = k_20 * a1c1s;
-  const T t_40 = k_19 * a1c1s - a1c3s;
-  const T t_41 = a1s3n + k_19 * a1s1n;
+  const T t_39 = k_22 * a1c1s;
+  const T t_40 = k_20 * a1c1s - a1c3s;
+  const T t_41 = a1s3n + k_20 * a1s1n;
   const T t_42 = a1s1n - a1s3n;
-  const T t_43 = k_20 * a1s1n;
-  const T t_44 = a1s3s + k_19 * a1s1s;
+  const T t_43 = k_22 * a1s1n;
+  const T t_44 = a1s3s + k_20 * a1s1s;
   const T t_45 = a1s1s - a1s3s;
-  const T t_46 = k_20 * a1s1s;
+  const T t_46 = k_22 * a1s1s;
   const T t_47 = t_20 * t_35;
   const T t_48 = t_20 * t_20 + t_35 * t_35;
   const T t_49 = t_23 * t_23 + t_31 * t_31 + t_36 * t_36 + t_41 * t_41;
@@ -275,12 +281,12 @@ constexpr void square_l4(const T* a, T* out) noexcept {
   const T t_52 = t_24 * t_24 + t_32 * t_32 + t_37 * t_37 + t_43 * t_43;
   const T t_53 = t_24 * t_32 + t_37 * t_43;
   const T t_54 = t_24 * t_37 + t_32 * t_43;
-  const T t_55 = t_54 + k_23 * (t_23 * t_36 + t_31 * t_41) + t_47;
-  const T t_56 = k_19 * t_47 - t_54;
+  const T t_55 = t_54 + k_25 * (t_23 * t_36 + t_31 * t_41) + t_47;
+  const T t_56 = k_20 * t_47 - t_54;
   const T t_57 = t_21 * t_42;
   const T t_58 = t_21 * t_21 + t_42 * t_42;
-  const T t_59 = t_51 - k_19 * t_57;
-  const T t_60 = t_57 + k_23 * (t_24 * t_43 + t_32 * t_37) + t_51;
+  const T t_59 = t_51 - k_20 * t_57;
+  const T t_60 = t_57 + k_25 * (t_24 * t_43 + t_32 * t_37) + t_51;
   const T t_61 = t_25 * t_38;
   const T t_62 = t_25 * t_25 + t_38 * t_38;
   const T t_63 = t_28 * t_28 + t_33 * t_33 + t_39 * t_39 + t_44 * t_44;
@@ -289,20 +295,20 @@ constexpr void square_l4(const T* a, T* out) noexcept {
   const T t_66 = t_29 * t_29 + t_34 * t_34 + t_40 * t_40 + t_46 * t_46;
   const T t_67 = t_29 * t_34 + t_40 * t_46;
   const T t_68 = t_29 * t_40 + t_34 * t_46;
-  const T t_69 = t_68 + k_23 * (t_28 * t_39 + t_33 * t_44) + t_61;
-  const T t_70 = k_19 * t_61 - t_68;
+  const T t_69 = t_68 + k_25 * (t_28 * t_39 + t_33 * t_44) + t_61;
+  const T t_70 = k_20 * t_61 - t_68;
   const T t_71 = t_26 * t_45;
   const T t_72 = t_26 * t_26 + t_45 * t_45;
-  const T t_73 = t_65 - k_19 * t_71;
-  const T t_74 = t_71 + k_23 * (t_29 * t_46 + t_34 * t_40) + t_65;
+  const T t_73 = t_65 - k_20 * t_71;
+  const T t_74 = t_71 + k_25 * (t_29 * t_46 + t_34 * t_40) + t_65;
   const T t_75 = t_66 + t_63;
   const T t_76 = t_72 + t_62;
   const T t_77 = t_63 - t_72 - t_66 + t_62;
-  const T t_78 = t_75 + k_19 * t_76;
+  const T t_78 = t_75 + k_20 * t_76;
   const T t_79 = t_52 + t_49;
   const T t_80 = t_58 + t_48;
   const T t_81 = t_49 - t_58 - t_52 + t_48;
-  const T t_82 = t_79 + k_19 * t_80;
+  const T t_82 = t_79 + k_20 * t_80;
   const T t_83 = t_67 + t_64;
   const T t_84 = t_53 + t_50;
   const T t_85 = a1s4n * a1c4n;
@@ -314,82 +320,80 @@ constexpr void square_l4(const T* a, T* out) noexcept {
   const T t_91 = t_55 + t_69;
   const T t_92 = t_55 - t_69;
   const T t_93 = t_81 + t_77;
-  const T a2s4n = k_42 * a16;
-  const T a3s4n = k_78 * a16;
-  const T t_94 = k_43 * a9;
-  const T t_95 = k_79 * a9;
-  const T t_96 = k_44 * a17;
-  const T t_97 = k_80 * a17;
+  const T a2s4n = k_44 * a16;
+  const T t_94 = k_45 * a9;
+  const T t_95 = k_83 * a9;
+  const T t_96 = k_46 * a17;
+  const T t_97 = k_84 * a17;
   const T a2s3n = t_94 + t_96;
   const T a2s3s = t_94 - t_96;
-  const T t_98 = k_45 * a4 + k_46 * a18;
-  const T t_99 = k_81 * a4 - k_82 * a18;
-  const T t_100 = k_47 * a10;
-  const T t_101 = k_83 * a10;
+  const T t_98 = k_47 * a4 + k_48 * a18;
+  const T t_99 = k_85 * a4 - k_86 * a18;
+  const T t_100 = k_49 * a10;
+  const T t_101 = k_87 * a10;
   const T a2s2n = t_98 + t_100;
   const T a2s2s = t_98 - t_100;
-  const T t_102 = k_48 * a1 + k_49 * a11;
-  const T t_103 = k_84 * a1 - k_85 * a11;
-  const T t_104 = k_51 * (a5 - k_50 * a19);
-  const T t_105 = k_87 * (a19 - k_86 * a5);
+  const T t_102 = k_50 * a1 + k_51 * a11;
+  const T t_103 = k_88 * a1 - k_89 * a11;
+  const T t_104 = k_53 * (a5 - k_52 * a19);
+  const T t_105 = k_91 * (a19 - k_90 * a5);
   const T a2s1n = t_102 + t_104;
   const T a2s1s = t_102 - t_104;
-  const T t_106 = k_52 * a0 + k_53 * a6 - k_54 * a20;
-  const T t_107 = k_56 * (a2 - k_55 * a12);
+  const T t_106 = k_54 * a0 + k_55 * a6 - k_56 * a20;
+  const T t_107 = k_58 * (a2 - k_57 * a12);
   const T a2c0n = t_106 + t_107;
   const T a2c0s = t_106 - t_107;
-  const T t_108 = k_48 * a3 + k_49 * a13;
-  const T t_109 = k_84 * a3 - k_85 * a13;
-  const T t_110 = k_51 * (a7 - k_50 * a21);
-  const T t_111 = k_87 * (a21 - k_86 * a7);
+  const T t_108 = k_50 * a3 + k_51 * a13;
+  const T t_109 = k_88 * a3 - k_89 * a13;
+  const T t_110 = k_53 * (a7 - k_52 * a21);
+  const T t_111 = k_91 * (a21 - k_90 * a7);
   const T a2c1n = t_108 + t_110;
   const T a2c1s = t_108 - t_110;
-  const T t_112 = k_57 * a8 + k_58 * a22;
-  const T t_113 = k_93 * a8 - k_94 * a22;
-  const T t_114 = k_59 * a14;
-  const T t_115 = k_95 * a14;
+  const T t_112 = k_59 * a8 + k_60 * a22;
+  const T t_113 = k_97 * a8 - k_98 * a22;
+  const T t_114 = k_61 * a14;
+  const T t_115 = k_99 * a14;
   const T a2c2n = t_112 + t_114;
   const T a2c2s = t_112 - t_114;
-  const T t_116 = k_43 * a15;
-  const T t_117 = k_79 * a15;
-  const T t_118 = k_44 * a23;
-  const T t_119 = k_80 * a23;
+  const T t_116 = k_45 * a15;
+  const T t_117 = k_83 * a15;
+  const T t_118 = k_46 * a23;
+  const T t_119 = k_84 * a23;
   const T a2c3n = t_116 + t_118;
   const T a2c3s = t_116 - t_118;
-  const T a2c4n = k_42 * a24;
-  const T a3c4n = k_78 * a24;
+  const T a2c4n = k_44 * a24;
   const T t_120 = a2c0n + a2c4n;
-  const T t_121 = k_19 * a2c4n;
+  const T t_121 = k_62 * a24;
   const T t_122 = a2c0n - t_121;
   const T t_123 = a2c0s - t_121;
   const T t_124 = a2c0s + a2c4n;
   const T t_125 = a2c2n + t_120;
   const T t_126 = t_120 - a2c2n;
-  const T t_127 = k_19 * a2c2n;
+  const T t_127 = k_20 * a2c2n;
   const T t_128 = t_127 + t_122;
   const T t_129 = t_122 - t_127;
   const T t_130 = a2c2s + t_124;
   const T t_131 = t_124 - a2c2s;
-  const T t_132 = k_19 * a2c2s;
+  const T t_132 = k_20 * a2c2s;
   const T t_133 = t_132 + t_123;
   const T t_134 = t_123 - t_132;
-  const T t_135 = k_20 * a2s4n;
+  const T t_135 = k_63 * a16;
   const T t_136 = t_135 + a2s2n;
   const T t_137 = a2s2n - t_135;
   const T t_138 = t_135 + a2s2s;
   const T t_139 = a2s2s - t_135;
   const T t_140 = a2c1n + a2c3n;
-  const T t_141 = k_20 * a2c1n;
-  const T t_142 = k_19 * a2c1n - a2c3n;
+  const T t_141 = k_22 * a2c1n;
+  const T t_142 = k_20 * a2c1n - a2c3n;
   const T t_143 = a2c1s + a2c3s;
-  const T t_144 = k_20 * a2c1s;
-  const T t_145 = k_19 * a2c1s - a2c3s;
-  const T t_146 = a2s3n + k_19 * a2s1n;
+  const T t_144 = k_22 * a2c1s;
+  const T t_145 = k_20 * a2c1s - a2c3s;
+  const T t_146 = a2s3n + k_20 * a2s1n;
   const T t_147 = a2s1n - a2s3n;
-  const T t_148 = k_20 * a2s1n;
-  const T t_149 = a2s3s + k_19 * a2s1s;
+  const T t_148 = k_22 * a2s1n;
+  const T t_149 = a2s3s + k_20 * a2s1s;
   const T t_150 = a2s1s - a2s3s;
-  const T t_151 = k_20 * a2s1s;
+  const T t_151 = k_22 * a2s1s;
   const T t_152 = t_125 * t_140;
   const T t_153 = t_125 * t_125 + t_140 * t_140;
   const T t_154 = t_128 * t_128 + t_136 * t_136 + t_141 * t_141 + t_146 * t_146;
@@ -398,12 +402,12 @@ constexpr void square_l4(const T* a, T* out) noexcept {
   const T t_157 = t_129 * t_129 + t_137 * t_137 + t_142 * t_142 + t_148 * t_148;
   const T t_158 = t_129 * t_137 + t_142 * t_148;
   const T t_159 = t_129 * t_142 + t_137 * t_148;
-  const T t_160 = t_159 + k_23 * (t_128 * t_141 + t_136 * t_146) + t_152;
-  const T t_161 = k_19 * t_152 - t_159;
+  const T t_160 = t_159 + k_25 * (t_128 * t_141 + t_136 * t_146) + t_152;
+  const T t_161 = k_20 * t_152 - t_159;
   const T t_162 = t_126 * t_147;
   const T t_163 = t_126 * t_126 + t_147 * t_147;
-  const T t_164 = t_156 - k_19 * t_162;
-  const T t_165 = t_162 + k_23 * (t_129 * t_148 + t_137 * t_142) + t_156;
+  const T t_164 = t_156 - k_20 * t_162;
+  const T t_165 = t_162 + k_25 * (t_129 * t_148 + t_137 * t_142) + t_156;
   const T t_166 = t_130 * t_143;
   const T t_167 = t_130 * t_130 + t_143 * t_143;
   const T t_168 = t_133 * t_133 + t_138 * t_138 + t_144 * t_144 + t_149 * t_149;
@@ -412,20 +416,20 @@ constexpr void square_l4(const T* a, T* out) noexcept {
   const T t_171 = t_134 * t_134 + t_139 * t_139 + t_145 * t_145 + t_151 * t_151;
   const T t_172 = t_134 * t_139 + t_145 * t_151;
   const T t_173 = t_134 * t_145 + t_139 * t_151;
-  const T t_174 = t_173 + k_23 * (t_133 * t_144 + t_138 * t_149) + t_166;
-  const T t_175 = k_19 * t_166 - t_173;
+  const T t_174 = t_173 + k_25 * (t_133 * t_144 + t_138 * t_149) + t_166;
+  const T t_175 = k_20 * t_166 - t_173;
   const T t_176 = t_131 * t_150;
   const T t_177 = t_131 * t_131 + t_150 * t_150;
-  const T t_178 = t_170 - k_19 * t_176;
-  const T t_179 = t_176 + k_23 * (t_134 * t_151 + t_139 * t_145) + t_170;
+  const T t_178 = t_170 - k_20 * t_176;
+  const T t_179 = t_176 + k_25 * (t_134 * t_151 + t_139 * t_145) + t_170;
   const T t_180 = t_171 + t_168;
   const T t_181 = t_177 + t_167;
   const T t_182 = t_168 - t_177 - t_171 + t_167;
-  const T t_183 = t_180 + k_19 * t_181;
+  const T t_183 = t_180 + k_20 * t_181;
   const T t_184 = t_157 + t_154;
   const T t_185 = t_163 + t_153;
   const T t_186 = t_154 - t_163 - t_157 + t_153;
-  const T t_187 = t_184 + k_19 * t_185;
+  const T t_187 = t_184 + k_20 * t_185;
   const T t_188 = t_172 + t_169;
   const T t_189 = t_158 + t_155;
   const T t_190 = a2s4n * a2c4n;
@@ -437,104 +441,106 @@ constexpr void square_l4(const T* a, T* out) noexcept {
   const T t_196 = t_160 + t_174;
   const T t_197 = t_160 - t_174;
   const T t_198 = t_186 + t_182;
+  const T a3s4n = k_82 * a16;
+  const T t_199 = k_101 * a16;
   const T a3s3n = t_95 + t_97;
   const T a3s3s = t_95 - t_97;
   const T a3s2n = t_99 + t_101;
   const T a3s2s = t_99 - t_101;
   const T a3s1n = t_103 - t_105;
   const T a3s1s = t_103 + t_105;
-  const T t_199 = k_88 * a0 - k_89 * a6 + k_90 * a20;
-  const T t_200 = k_114 * a0 + k_115 * a6 + k_116 * a20;
-  const T t_201 = k_92 * (a12 - k_91 * a2);
-  const T t_202 = k_118 * (k_117 * a2 + a12);
-  const T a3c0n = t_199 - t_201;
-  const T a3c0s = t_199 + t_201;
+  const T t_200 = k_92 * a0 - k_93 * a6 + k_94 * a20;
+  const T t_201 = k_120 * a0 + k_121 * a6 + k_122 * a20;
+  const T t_202 = k_96 * (a12 - k_95 * a2);
+  const T t_203 = k_124 * (k_123 * a2 + a12);
+  const T a3c0n = t_200 - t_202;
+  const T a3c0s = t_200 + t_202;
   const T a3c1n = t_109 - t_111;
   const T a3c1s = t_109 + t_111;
   const T a3c2n = t_113 + t_115;
   const T a3c2s = t_113 - t_115;
   const T a3c3n = t_117 + t_119;
   const T a3c3s = t_117 - t_119;
-  const T t_203 = a3c0n + a3c4n;
-  const T t_204 = k_19 * a3c4n;
-  const T t_205 = a3c0n - t_204;
-  const T t_206 = a3c0s - t_204;
-  const T t_207 = a3c0s + a3c4n;
-  const T t_208 = a3c2n + t_203;
-  const T t_209 = t_203 - a3c2n;
-  const T t_210 = k_19 * a3c2n;
-  const T t_211 = t_210 + t_205;
-  const T t_212 = t_205 - t_210;
-  const T t_213 = a3c2s + t_207;
-  const T t_214 = t_207 - a3c2s;
-  const T t_215 = k_19 * a3c2s;
-  const T t_216 = t_215 + t_206;
-  const T t_217 = t_206 - t_215;
-  const T t_218 = k_20 * a3s4n;
-  const T t_219 = t_218 + a3s2n;
-  const T t_220 = a3s2n - t_218;
-  const T t_221 = t_218 + a3s2s;
-  const T t_222 = a3s2s - t_218;
+  const T a3c4n = k_82 * a24;
+  const T t_204 = k_100 * a24;
+  const T t_205 = a3c0n + a3c4n;
+  const T t_206 = a3c0n - t_204;
+  const T t_207 = a3c0s - t_204;
+  const T t_208 = a3c0s + a3c4n;
+  const T t_209 = a3c2n + t_205;
+  const T t_210 = t_205 - a3c2n;
+  const T t_211 = k_20 * a3c2n;
+  const T t_212 = t_211 + t_206;
+  const T t_213 = t_206 - t_211;
+  const T t_214 = a3c2s + t_208;
+  const T t_215 = t_208 - a3c2s;
+  const T t_216 = k_20 * a3c2s;
+  const T t_217 = t_216 + t_207;
+  const T t_218 = t_207 - t_216;
+  const T t_219 = t_199 + a3s2n;
+  const T t_220 = a3s2n - t_199;
+  const T t_221 = t_199 + a3s2s;
+  const T t_222 = a3s2s - t_199;
   const T t_223 = a3c1n + a3c3n;
-  const T t_224 = k_20 * a3c1n;
-  const T t_225 = k_19 * a3c1n - a3c3n;
+  const T t_224 = k_22 * a3c1n;
+  const T t_225 = k_20 * a3c1n - a3c3n;
   const T t_226 = a3c1s + a3c3s;
-  const T t_227 = k_20 * a3c1s;
-  const T t_228 = k_19 * a3c1s - a3c3s;
-  const T t_229 = a3s3n + k_19 * a3s1n;
+  const T t_227 = k_22 * a3c1s;
+  const T t_228 = k_20 * a3c1s - a3c3s;
+  const T t_229 = a3s3n + k_20 * a3s1n;
   const T t_230 = a3s1n - a3s3n;
-  const T t_231 = k_20 * a3s1n;
-  const T t_232 = a3s3s + k_19 * a3s1s;
+  const T t_231 = k_22 * a3s1n;
+  const T t_232 = a3s3s + k_20 * a3s1s;
   const T t_233 = a3s1s - a3s3s;
-  const T t_234 = k_20 * a3s1s;
-  const T t_235 = t_208 * t_223;
-  const T t_236 = t_208 * t_208 + t_223 * t_223;
-  const T t_237 = t_211 * t_211 + t_219 * t_219 + t_224 * t_224 + t_229 * t_229;
-  const T t_238 = t_211 * t_219 + t_224 * t_229;
-  const T t_239 = t_211 * t_229 + t_219 * t_224;
-  const T t_240 = t_212 * t_212 + t_220 * t_220 + t_225 * t_225 + t_231 * t_231;
-  const T t_241 = t_212 * t_220 + t_225 * t_231;
-  const T t_242 = t_212 * t_225 + t_220 * t_231;
-  const T t_243 = t_242 + k_23 * (t_211 * t_224 + t_219 * t_229) + t_235;
-  const T t_244 = k_19 * t_235 - t_242;
-  const T t_245 = t_209 * t_230;
-  const T t_246 = t_209 * t_209 + t_230 * t_230;
-  const T t_247 = t_239 - k_19 * t_245;
-  const T t_248 = t_245 + k_23 * (t_212 * t_231 + t_220 * t_225) + t_239;
-  const T t_249 = t_213 * t_226;
-  const T t_250 = t_213 * t_213 + t_226 * t_226;
-  const T t_251 = t_216 * t_216 + t_221 * t_221 + t_227 * t_227 + t_232 * t_232;
-  const T t_252 = t_216 * t_221 + t_227 * t_232;
-  const T t_253 = t_216 * t_232 + t_221 * t_227;
-  const T t_254 = t_217 * t_217 + t_222 * t_222 + t_228 * t_228 + t_234 * t_234;
-  const T t_255 = t_217 * t_222 + t_228 * t_234;
-  const T t_256 = t_217 * t_228 + t_222 * t_234;
-  const T t_257 = t_256 + k_23 * (t_216 * t_227 + t_221 * t_232) + t_249;
-  const T t_258 = k_19 * t_249 - t_256;
-  const T t_259 = t_214 * t_233;
-  const T t_260 = t_214 * t_214 + t_233 * t_233;
-  const T t_261 = t_253 - k_19 * t_259;
-  const T t_262 = t_259 + k_23 * (t_217 * t_234 + t_222 * t_228) + t_253;
+  const T t_234 = k_22 * a3s1s;
+  const T t_235 = t_209 * t_223;
+  const T t_236 = t_209 * t_209 + t_223 * t_223;
+  const T t_237 = t_212 * t_212 + t_219 * t_219 + t_224 * t_224 + t_229 * t_229;
+  const T t_238 = t_212 * t_219 + t_224 * t_229;
+  const T t_239 = t_212 * t_229 + t_219 * t_224;
+  const T t_240 = t_213 * t_213 + t_220 * t_220 + t_225 * t_225 + t_231 * t_231;
+  const T t_241 = t_213 * t_220 + t_225 * t_231;
+  const T t_242 = t_213 * t_225 + t_220 * t_231;
+  const T t_243 = t_242 + k_25 * (t_212 * t_224 + t_219 * t_229) + t_235;
+  const T t_244 = k_20 * t_235 - t_242;
+  const T t_245 = t_210 * t_230;
+  const T t_246 = t_210 * t_210 + t_230 * t_230;
+  const T t_247 = t_239 - k_20 * t_245;
+  const T t_248 = t_245 + k_25 * (t_213 * t_231 + t_220 * t_225) + t_239;
+  const T t_249 = t_214 * t_226;
+  const T t_250 = t_214 * t_214 + t_226 * t_226;
+  const T t_251 = t_217 * t_217 + t_221 * t_221 + t_227 * t_227 + t_232 * t_232;
+  const T t_252 = t_217 * t_221 + t_227 * t_232;
+  const T t_253 = t_217 * t_232 + t_221 * t_227;
+  const T t_254 = t_218 * t_218 + t_222 * t_222 + t_228 * t_228 + t_234 * t_234;
+  const T t_255 = t_218 * t_222 + t_228 * t_234;
+  const T t_256 = t_218 * t_228 + t_222 * t_234;
+  const T t_257 = t_256 + k_25 * (t_217 * t_227 + t_221 * t_232) + t_249;
+  const T t_258 = k_20 * t_249 - t_256;
+  const T t_259 = t_215 * t_233;
+  const T t_260 = t_215 * t_215 + t_233 * t_233;
+  const T t_261 = t_253 - k_20 * t_259;
+  const T t_262 = t_259 + k_25 * (t_218 * t_234 + t_222 * t_228) + t_253;
   const T t_263 = t_254 + t_251;
   const T t_264 = t_260 + t_250;
   const T t_265 = t_251 - t_260 - t_254 + t_250;
-  const T t_266 = t_263 + k_19 * t_264;
+  const T t_266 = t_263 + k_20 * t_264;
   const T t_267 = t_240 + t_237;
   const T t_268 = t_246 + t_236;
   const T t_269 = t_237 - t_246 - t_240 + t_236;
-  const T t_270 = t_267 + k_19 * t_268;
+  const T t_270 = t_267 + k_20 * t_268;
   const T t_271 = t_255 + t_252;
   const T t_272 = t_241 + t_238;
   const T t_273 = a3s4n * a3c4n;
-  out[16] = k_24 * (k_22 * (t_64 - t_67 - t_53 + t_50) + (t_85 + t_85)) + k_60 * (k_22 * (t_169 - t_172 - t_158
-      + t_155) + (t_190 + t_190)) + k_96 * (k_22 * (t_252 - t_255 - t_241 + t_238) + (t_273 + t_273));  // l=4 m=-4
-  out[24] = k_24 * (k_21 * (t_76 - t_75 - t_79 + t_80) - (a1c4n * a1c4n - a1s4n * a1s4n)) + k_60 * (k_21 * (t_181
-      - t_180 - t_184 + t_185) - (a2c4n * a2c4n - a2s4n * a2s4n)) + k_96 * (k_21 * (t_264 - t_263 - t_267 + t_268)
-      - (a3c4n * a3c4n - a3s4n * a3s4n));                                                               // l=4 m=4
-  out[9] = k_25 * (t_59 + t_73) + k_61 * (t_164 + t_178) + k_97 * (t_247 + t_261);                      // l=3 m=-3
-  out[17] = k_26 * (t_59 - t_73) + k_62 * (t_164 - t_178) + k_98 * (t_247 - t_261);                     // l=4 m=-3
+  out[16] = k_26 * (k_24 * (t_64 - t_67 - t_53 + t_50) + (t_85 + t_85)) + k_64 * (k_24 * (t_169 - t_172 - t_158
+      + t_155) + (t_190 + t_190)) + k_102 * (k_24 * (t_252 - t_255 - t_241 + t_238) + (t_273 + t_273));  // l=4 m=-4
+  out[24] = k_26 * (k_23 * (t_76 - t_75 - t_79 + t_80) - (a1c4n * a1c4n - a1s4n * a1s4n)) + k_64 * (k_23 * (t_181
+      - t_180 - t_184 + t_185) - (a2c4n * a2c4n - a2s4n * a2s4n)) + k_102 * (k_23 * (t_264 - t_263 - t_267 + t_268)
+      - (a3c4n * a3c4n - a3s4n * a3s4n));                                                                // l=4 m=4
+  out[9] = k_27 * (t_59 + t_73) + k_65 * (t_164 + t_178) + k_103 * (t_247 + t_261);                      // l=3 m=-3
+  out[17] = k_28 * (t_59 - t_73) + k_66 * (t_164 - t_178) + k_104 * (t_247 - t_261);                     // l=4 m=-3
   const T t_274 = t_272 + t_271;
-  out[10] = k_28 * (t_84 - t_83) + k_64 * (t_189 - t_188) + k_100 * (t_272 - t_271);                    // l=3 m=-2
+  out[10] = k_30 * (t_84 - t_83) + k_68 * (t_189 - t_188) + k_106 * (t_272 - t_271);                     // l=3 m=-2
   const T t_275 = t_248 + t_262;
   const T t_276 = t_248 - t_262;
   const T t_277 = t_270 + t_266;
@@ -542,32 +548,32 @@ constexpr void square_l4(const T* a, T* out) noexcept {
   const T t_279 = t_243 + t_257;
   const T t_280 = t_243 - t_257;
   const T t_281 = t_269 + t_265;
-  out[14] = k_40 * (t_81 - t_77) + k_76 * (t_186 - t_182) + k_112 * (t_269 - t_265);                    // l=3 m=2
-  out[15] = k_25 * (t_56 + t_70) + k_61 * (t_161 + t_175) + k_97 * (t_244 + t_258);                     // l=3 m=3
-  out[23] = k_26 * (t_56 - t_70) + k_62 * (t_161 - t_175) + k_98 * (t_244 - t_258);                     // l=4 m=3
-  out[4] = k_27 * t_86 + k_63 * t_191 + k_99 * t_274;                                                   // l=2 m=-2
-  out[18] = k_29 * t_86 + k_65 * t_191 - k_101 * t_274;                                                 // l=4 m=-2
-  out[1] = k_30 * t_87 + k_66 * t_192 + k_102 * t_275;                                                  // l=1 m=-1
-  out[11] = k_32 * t_87 + k_68 * t_192 - k_104 * t_275;                                                 // l=3 m=-1
-  out[5] = k_31 * t_88 + k_67 * t_193 + k_103 * t_276;                                                  // l=2 m=-1
-  out[19] = k_33 * t_88 - k_69 * t_193 - k_105 * t_276;                                                 // l=4 m=-1
-  out[3] = k_30 * t_91 + k_66 * t_196 + k_102 * t_279;                                                  // l=1 m=1
-  out[13] = k_32 * t_91 + k_68 * t_196 - k_104 * t_279;                                                 // l=3 m=1
-  out[7] = k_31 * t_92 + k_67 * t_197 + k_103 * t_280;                                                  // l=2 m=1
-  out[21] = k_33 * t_92 - k_69 * t_197 - k_105 * t_280;                                                 // l=4 m=1
-  out[8] = k_39 * t_93 + k_75 * t_198 + k_111 * t_281;                                                  // l=2 m=2
-  out[22] = k_41 * t_93 + k_77 * t_198 - k_113 * t_281;                                                 // l=4 m=2
-  const T t_282 = t_200 + t_202;
-  const T t_283 = t_200 - t_202;
+  out[14] = k_42 * (t_81 - t_77) + k_80 * (t_186 - t_182) + k_118 * (t_269 - t_265);                     // l=3 m=2
+  out[15] = k_27 * (t_56 + t_70) + k_65 * (t_161 + t_175) + k_103 * (t_244 + t_258);                     // l=3 m=3
+  out[23] = k_28 * (t_56 - t_70) + k_66 * (t_161 - t_175) + k_104 * (t_244 - t_258);                     // l=4 m=3
+  out[4] = k_29 * t_86 + k_67 * t_191 + k_105 * t_274;                                                   // l=2 m=-2
+  out[18] = k_31 * t_86 + k_69 * t_191 - k_107 * t_274;                                                  // l=4 m=-2
+  out[1] = k_32 * t_87 + k_70 * t_192 + k_108 * t_275;                                                   // l=1 m=-1
+  out[11] = k_34 * t_87 + k_72 * t_192 - k_110 * t_275;                                                  // l=3 m=-1
+  out[5] = k_33 * t_88 + k_71 * t_193 + k_109 * t_276;                                                   // l=2 m=-1
+  out[19] = k_35 * t_88 - k_73 * t_193 - k_111 * t_276;                                                  // l=4 m=-1
+  out[3] = k_32 * t_91 + k_70 * t_196 + k_108 * t_279;                                                   // l=1 m=1
+  out[13] = k_34 * t_91 + k_72 * t_196 - k_110 * t_279;                                                  // l=3 m=1
+  out[7] = k_33 * t_92 + k_71 * t_197 + k_109 * t_280;                                                   // l=2 m=1
+  out[21] = k_35 * t_92 - k_73 * t_197 - k_111 * t_280;                                                  // l=4 m=1
+  out[8] = k_41 * t_93 + k_79 * t_198 + k_117 * t_281;                                                   // l=2 m=2
+  out[22] = k_43 * t_93 + k_81 * t_198 - k_119 * t_281;                                                  // l=4 m=2
+  const T t_282 = t_201 + t_203;
+  const T t_283 = t_201 - t_203;
   const T t_284 = t_282 * t_282;
   const T t_285 = t_283 * t_283;
   const T t_286 = t_284 + t_285;
   const T t_287 = t_284 - t_285;
-  out[0] = k_34 * t_89 + k_70 * t_194 + k_106 * t_277 + k_119 * t_286;                                  // l=0 m=0
-  out[2] = k_35 * t_90 + k_71 * t_195 + k_107 * t_278 + k_120 * t_287;                                  // l=1 m=0
-  out[12] = k_37 * t_90 - k_73 * t_195 - k_109 * t_278 + k_122 * t_287;                                 // l=3 m=0
-  out[6] = k_36 * t_89 + k_72 * t_194 - k_108 * t_277 + k_121 * t_286;                                  // l=2 m=0
-  out[20] = k_38 * t_89 - k_74 * t_194 + k_110 * t_277 + k_123 * t_286;                                 // l=4 m=0
+  out[0] = k_36 * t_89 + k_74 * t_194 + k_112 * t_277 + k_125 * t_286;                                   // l=0 m=0
+  out[2] = k_37 * t_90 + k_75 * t_195 + k_113 * t_278 + k_126 * t_287;                                   // l=1 m=0
+  out[12] = k_39 * t_90 - k_77 * t_195 - k_115 * t_278 + k_128 * t_287;                                  // l=3 m=0
+  out[6] = k_38 * t_89 + k_76 * t_194 - k_114 * t_277 + k_127 * t_286;                                   // l=2 m=0
+  out[20] = k_40 * t_89 - k_78 * t_194 + k_116 * t_277 + k_129 * t_286;                                  // l=4 m=0
 }
 
 }  // namespace sh

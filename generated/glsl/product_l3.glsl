@@ -45,6 +45,11 @@ void product_l3(float a[16], float b[16], out float result[16]) {
     const float k_20 = 0.23359668;   // 1/35 sqrt(210/pi)
     const float k_21 = 0.24776669;   // 3/70 sqrt(105/pi)
     const float k_22 = 0.16820884;   // 2/15 sqrt(5/pi)
+    const float k_23 = 0.11516472;   // 1/12 sqrt(6/pi)
+    const float k_24 = 0.094031595;  // 1/6 sqrt(1/pi)
+    const float k_25 = 0.059470803;  // 1/30 sqrt(10/pi)
+    const float k_26 = 0.18806319;   // 1/3 sqrt(1/pi)
+    const float k_27 = 0.14304817;   // 3/70 sqrt(35/pi)
 
     float a0 = a[0];
     float t = k * a0;
@@ -141,7 +146,7 @@ void product_l3(float a[16], float b[16], out float result[16]) {
     float p_1_4 = a1 * b4 + a4 * b1;
     float p_1_11 = a1 * b11 + a11 * b1;
     float p_3_3 = a3 * b3;
-    float t_63 = k_11 * (a3 * b7 + a7 * b3 + (a1 * b5 + a5 * b1));
+    float t_63 = a3 * b7 + a7 * b3 + (a1 * b5 + a5 * b1);
     float p_3_13 = a3 * b13 + a13 * b3;
     float b10 = b[10];
     float a10 = a[10];
@@ -160,39 +165,40 @@ void product_l3(float a[16], float b[16], out float result[16]) {
     float p_12_12 = a12 * b12;
     float p_7_7 = a7 * b7;
     float p_7_10 = a7 * b10 + a10 * b7;
-    float t_64 = k_20 * (a7 * b13 + a13 * b7 + (a5 * b11 + a11 * b5));
+    float t_64 = a7 * b13 + a13 * b7 + (a5 * b11 + a11 * b5);
     float p_13_13 = a13 * b13;
     float p_7_14 = a7 * b14 + a14 * b7;
     result[7] = t_11 * b3 + t_41 * a3 + t_24 * b5 + t_55 * a5 + (t_23 + t_7) * b7 + (t_54 + t_37) * a7 + t_30 * b10
         + t_61 * a10 + t_13 * b13 + t_43 * a13 + t_27 * b14 + t_58 * a14;                                             // l=2 m=1
     float t_65 = a8 * b8 + a4 * b4;
-    float t_66 = k_15 * (a8 * b9 + a9 * b8 - (a4 * b15 + a15 * b4));
-    float t_67 = k_16 * (a8 * b14 + a14 * b8 + (a4 * b10 + a10 * b4));
-    result[2] = (t + k_14 * a6) * b2 + (t_2 + k_14 * b6) * a2 + (k_21 * (a6 * b12 + a12 * b6) + t_64 + t_67 + t_63);  // l=1 m=0
-    result[12] = t_31 * b6 + t_52 * a6 + (t + k_22 * a6) * b12 + (t_2 + k_22 * b6) * a12 + (k_10 * t_64 - k_9 * t_67
-        - k_8 * t_63);                                                                                                // l=3 m=0
-    float t_68 = k_15 * (a8 * b15 + a15 * b8 + (a4 * b9 + a9 * b4));
+    float t_66 = a8 * b9 + a9 * b8 - (a4 * b15 + a15 * b4);
+    float t_67 = a8 * b14 + a14 * b8 + (a4 * b10 + a10 * b4);
+    float t_68 = a8 * b15 + a15 * b8 + (a4 * b9 + a9 * b4);
     float t_69 = a15 * b15 + a9 * b9;
     result[10] = t_12 * b4 + t_42 * a4 + t_26 * b5 + t_57 * a5 + t_30 * b7 + t_61 * a7 + t * b10 + t_2 * a10;         // l=3 m=-2
     result[14] = t_29 * b5 + t_60 * a5 + t_27 * b7 + t_58 * a7 + t_12 * b8 + t_42 * a8 + t * b14 + t_2 * a14;         // l=3 m=2
     float t_70 = p_13_13 + p_11_11;
-    float t_71 = k_16 * (p_7_10 - p_5_14);
+    float t_71 = p_7_10 - p_5_14;
     result[9] = t_14 * b4 + t_44 * a4 + t_9 * b8 + t_39 * a8 + t_8 * b9 + t_38 * a9 + k_19 * (p_7_10 + p_5_14);       // l=3 m=-3
-    float t_72 = k_16 * (p_7_14 + p_5_10);
+    float t_72 = p_7_14 + p_5_10;
     result[15] = t_14 * b8 - t_9 * b4 - t_39 * a4 + t_44 * a8 + t_8 * b15 + t_38 * a15 + k_19 * (p_7_14 - p_5_10);    // l=3 m=3
     float t_73 = p_7_7 + p_5_5;
+    result[1] = (t_4 - t_16) * b1 + (t_34 - t_46) * a1 + t_17 * b4 + t_47 * a4 + t_11 * b5 + t_41 * a5 + t_20 * b11
+        + t_50 * a11 + (k_16 * t_71 + k_15 * t_66);                                                                   // l=1 m=-1
+    result[11] = t_20 * b1 + t_50 * a1 + t_22 * b4 + t_53 * a4 + t_13 * b5 + t_43 * a5 + (t_5 - t_32) * b11 + (t_35
+        - t_62) * a11 + (k_23 * t_71 - k_24 * t_66);                                                                  // l=3 m=-1
+    result[2] = (t + k_14 * a6) * b2 + (t_2 + k_14 * b6) * a2 + (k_21 * (a6 * b12 + a12 * b6) + k_20 * t_64
+        + k_16 * t_67 + k_11 * t_63);                                                                                 // l=1 m=0
+    result[12] = t_31 * b6 + t_52 * a6 + (t + k_22 * a6) * b12 + (t_2 + k_22 * b6) * a12 + (k_25 * t_64 - k_26 * t_67
+        - k_27 * t_63);                                                                                               // l=3 m=0
     result[3] = (t_16 + t_4) * b3 + (t_46 + t_34) * a3 + t_11 * b7 + t_41 * a7 + t_21 * b13 + t_51 * a13
-        + (k_11 * p_1_4 - k_12 * p_4_11 + t_72 + t_68);                                                               // l=1 m=1
+        + (k_11 * p_1_4 - k_12 * p_4_11 + k_16 * t_72 + k_15 * t_68);                                                 // l=1 m=1
     result[13] = t_21 * b3 + t_51 * a3 + t_13 * b7 + t_43 * a7 + (t_32 + t_5) * b13 + (t_62 + t_35) * a13
-        + (k_17 * p_4_11 - k_12 * p_1_4 + k_7 * t_72 - k_6 * t_68);                                                   // l=3 m=1
+        + (k_17 * p_4_11 - k_12 * p_1_4 + k_23 * t_72 - k_24 * t_68);                                                 // l=3 m=1
     float t_74 = p_3_3 + p_1_1;
     result[8] = t_6 * b8 + t_36 * a8 + t_9 * b9 + t_39 * a9 + t_12 * b14 + t_42 * a14 + t_14 * b15 + t_44 * a15
         + (k_17 * (p_13_13 - p_11_11) + k_18 * (p_7_7 - p_5_5) + k_12 * (p_1_11 - p_3_13) + k_11 * (p_3_3 - p_1_1));  // l=2 m=2
     result[0] = k * (a0 * b0 + a14 * b14 + p_12_12 + a10 * b10 + p_6_6 + p_2_2 + t_70 + t_69 + t_73 + t_65 + t_74);   // l=0 m=0
     result[6] = t * b6 + t_2 * a6 + t_31 * b12 + t_52 * a12 + (k_22 * p_12_12 + k_14 * p_2_2 + k_13 * (p_3_13
         + p_1_11) - k_5 * t_69 + k_4 * t_73 + k_3 * (p_6_6 - t_65) + k_2 * (t_70 - t_74));                            // l=2 m=0
-    result[1] = (t_4 - t_16) * b1 + (t_34 - t_46) * a1 + t_17 * b4 + t_47 * a4 + t_11 * b5 + t_41 * a5 + t_20 * b11
-        + t_50 * a11 + (t_71 + t_66);                                                                                 // l=1 m=-1
-    result[11] = t_20 * b1 + t_50 * a1 + t_22 * b4 + t_53 * a4 + t_13 * b5 + t_43 * a5 + (t_5 - t_32) * b11 + (t_35
-        - t_62) * a11 + (k_7 * t_71 - k_6 * t_66);                                                                    // l=3 m=-1
 }

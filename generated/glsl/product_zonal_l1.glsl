@@ -25,12 +25,12 @@ precision highp float;
 void product_zonal_l1(float a[4], float zonal[2], out float result[4]) {
     const float k = 0.2820948;  // 1/2 sqrt(1/pi)
 
-    float m1_1_1 = k * zonal[0];
-    result[1] = m1_1_1 * a[1];              // l=1 m=-1
-    result[3] = m1_1_1 * a[3];              // l=1 m=1
+    float m0_0_0 = k * zonal[0];
+    result[1] = m0_0_0 * a[1];              // l=1 m=-1
+    result[3] = m0_0_0 * a[3];              // l=1 m=1
     float m0_0_1 = k * zonal[1];
     float a0 = a[0];
     float a2 = a[2];
-    result[0] = m1_1_1 * a0 + m0_0_1 * a2;  // l=0 m=0
-    result[2] = m0_0_1 * a0 + m1_1_1 * a2;  // l=1 m=0
+    result[0] = m0_0_0 * a0 + m0_0_1 * a2;  // l=0 m=0
+    result[2] = m0_0_1 * a0 + m0_0_0 * a2;  // l=1 m=0
 }

@@ -39,7 +39,7 @@ void product_zonal_l3(float a[16], float zonal[4], out float result[16]) {
     const float k_14 = 0.18806319;   // 1/3 sqrt(1/pi)
     const float k_15 = 0.21026105;   // 1/6 sqrt(5/pi)
 
-    float m2_3_3 = k * zonal[0];
+    float m0_0_0 = k * zonal[0];
     float m0_0_1 = k * zonal[1];
     float m0_0_2 = k * zonal[2];
     float m0_0_3 = k * zonal[3];
@@ -47,31 +47,31 @@ void product_zonal_l3(float a[16], float zonal[4], out float result[16]) {
     float m0_1_2 = k_2 * zonal[1] + k_3 * zonal[3];
     float m0_1_3 = k_3 * zonal[2];
     float t = k_4 * zonal[2];
-    float m2_2_2 = m2_3_3 - t;
+    float m2_2_2 = m0_0_0 - t;
     float a6 = a[6];
     float m0_2_3 = k_3 * zonal[1] + k_5 * zonal[3];
     float a12 = a[12];
     float t_2 = k_6 * zonal[2];
-    float m1_1_1 = m2_3_3 - t_2;
-    float m1_3_3 = m2_3_3 + t_2;
+    float m1_1_1 = m0_0_0 - t_2;
+    float m1_3_3 = m0_0_0 + t_2;
     float m1_1_2 = k_7 * zonal[1] - k_8 * zonal[3];
     float m1_1_3 = k_9 * zonal[2];
-    float m1_2_2 = m2_3_3 + k_10 * zonal[2];
-    float m3_3_3 = m2_3_3 - k_15 * zonal[2];
+    float m1_2_2 = m0_0_0 + k_10 * zonal[2];
+    float m3_3_3 = m0_0_0 - k_15 * zonal[2];
     result[9] = m3_3_3 * a[9];                                                               // l=3 m=-3
     result[15] = m3_3_3 * a[15];                                                             // l=3 m=3
     float m1_2_3 = k_11 * zonal[1] + k_12 * zonal[3];
     float m2_2_3 = k_13 * zonal[1] - k_14 * zonal[3];
     float a0 = a[0];
-    result[0] = m2_3_3 * a0 + m0_0_1 * a2 + m0_0_2 * a6 + m0_0_3 * a12;                      // l=0 m=0
+    result[0] = m0_0_0 * a0 + m0_0_1 * a2 + m0_0_2 * a6 + m0_0_3 * a12;                      // l=0 m=0
     float a1 = a[1];
     float a3 = a[3];
     float a5 = a[5];
     float a11 = a[11];
     result[1] = m1_1_1 * a1 + m1_1_2 * a5 + m1_1_3 * a11;                                    // l=1 m=-1
-    result[2] = m0_0_1 * a0 + (m2_3_3 + k_2 * zonal[2]) * a2 + m0_1_2 * a6 + m0_1_3 * a12;   // l=1 m=0
-    result[6] = m0_0_2 * a0 + m0_1_2 * a2 + (m2_3_3 + t) * a6 + m0_2_3 * a12;                // l=2 m=0
-    result[12] = m0_0_3 * a0 + m0_1_3 * a2 + m0_2_3 * a6 + (m2_3_3 + k_5 * zonal[2]) * a12;  // l=3 m=0
+    result[2] = m0_0_1 * a0 + (m0_0_0 + k_2 * zonal[2]) * a2 + m0_1_2 * a6 + m0_1_3 * a12;   // l=1 m=0
+    result[6] = m0_0_2 * a0 + m0_1_2 * a2 + (m0_0_0 + t) * a6 + m0_2_3 * a12;                // l=2 m=0
+    result[12] = m0_0_3 * a0 + m0_1_3 * a2 + m0_2_3 * a6 + (m0_0_0 + k_5 * zonal[2]) * a12;  // l=3 m=0
     float a7 = a[7];
     float a13 = a[13];
     result[3] = m1_1_1 * a3 + m1_1_2 * a7 + m1_1_3 * a13;                                    // l=1 m=1
@@ -81,8 +81,8 @@ void product_zonal_l3(float a[16], float zonal[4], out float result[16]) {
     result[4] = m2_2_2 * a4 + m2_2_3 * a10;                                                  // l=2 m=-2
     float a14 = a[14];
     result[8] = m2_2_2 * a8 + m2_2_3 * a14;                                                  // l=2 m=2
-    result[10] = m2_2_3 * a4 + m2_3_3 * a10;                                                 // l=3 m=-2
-    result[14] = m2_2_3 * a8 + m2_3_3 * a14;                                                 // l=3 m=2
+    result[10] = m2_2_3 * a4 + m0_0_0 * a10;                                                 // l=3 m=-2
+    result[14] = m2_2_3 * a8 + m0_0_0 * a14;                                                 // l=3 m=2
     result[5] = m1_1_2 * a1 + m1_2_2 * a5 + m1_2_3 * a11;                                    // l=2 m=-1
     result[7] = m1_1_2 * a3 + m1_2_2 * a7 + m1_2_3 * a13;                                    // l=2 m=1
     result[11] = m1_1_3 * a1 + m1_2_3 * a5 + m1_3_3 * a11;                                   // l=3 m=-1

@@ -49,10 +49,15 @@ void square_l3(float a[16], out float result[16]) {
     const float k_24 = 0.14567313;   // 1/15 sqrt(15/pi)
     const float k_25 = 0.15607835;   // 1/14 sqrt(15/pi)
     const float k_26 = 0.21850969;   // 1/10 sqrt(15/pi)
-    const float k_27 = 0.21026105;   // 1/6 sqrt(5/pi)
-    const float k_28 = 0.090111874;  // 1/14 sqrt(5/pi)
-    const float k_29 = 0.12615663;   // 1/10 sqrt(5/pi)
-    const float k_30 = 0.2820948;    // 1/2 sqrt(1/pi)
+    const float k_27 = 0.23032944;   // 1/6 sqrt(6/pi)
+    const float k_28 = 0.18806319;   // 1/3 sqrt(1/pi)
+    const float k_29 = 0.118941605;  // 1/15 sqrt(10/pi)
+    const float k_30 = 0.37612638;   // 2/3 sqrt(1/pi)
+    const float k_31 = 0.28609633;   // 3/35 sqrt(35/pi)
+    const float k_32 = 0.21026105;   // 1/6 sqrt(5/pi)
+    const float k_33 = 0.090111874;  // 1/14 sqrt(5/pi)
+    const float k_34 = 0.12615663;   // 1/10 sqrt(5/pi)
+    const float k_35 = 0.2820948;    // 1/2 sqrt(1/pi)
 
     float a0 = a[0];
     float t = k * a0;
@@ -104,7 +109,7 @@ void square_l3(float a[16], out float result[16]) {
     float p_1_4 = a1 * a4;
     float p_1_11 = a1 * a11;
     float p_3_3 = a3 * a3;
-    float t_32 = k_11 * (a3 * a7 + a1 * a5);
+    float t_32 = a3 * a7 + a1 * a5;
     float p_3_13 = a3 * a13;
     float a10 = a[10];
     float p_4_11 = a4 * a11;
@@ -119,34 +124,35 @@ void square_l3(float a[16], out float result[16]) {
     float p_12_12 = a12 * a12;
     float p_7_7 = a7 * a7;
     float p_7_10 = a7 * a10;
-    float t_33 = k_20 * (a7 * a13 + a5 * a11);
+    float t_33 = a7 * a13 + a5 * a11;
     float p_13_13 = a13 * a13;
     float p_7_14 = a7 * a14;
     result[7] = t_10 * a3 + t_23 * a5 + (t_22 + t_6) * a7 + t_29 * a10 + t_12 * a13 + t_26 * a14;                       // l=2 m=1
     float t_34 = a8 * a8 + a4 * a4;
-    float t_35 = k_15 * (a8 * a9 - a4 * a15);
-    float t_36 = k_16 * (a8 * a14 + a4 * a10);
-    result[2] = (t + k_14 * a6) * a2 + (k_21 * a6 * a12 + t_33 + t_36 + t_32);                                          // l=1 m=0
-    result[12] = t_30 * a6 + (t + k_22 * a6) * a12 + (k_10 * t_33 - k_9 * t_36 - k_8 * t_32);                           // l=3 m=0
-    float t_37 = k_15 * (a8 * a15 + a4 * a9);
+    float t_35 = a8 * a9 - a4 * a15;
+    float t_36 = a8 * a14 + a4 * a10;
+    float t_37 = a8 * a15 + a4 * a9;
     float t_38 = a15 * a15 + a9 * a9;
     result[10] = t_11 * a4 + t_25 * a5 + t_29 * a7 + t * a10;                                                           // l=3 m=-2
     result[14] = t_28 * a5 + t_26 * a7 + t_11 * a8 + t * a14;                                                           // l=3 m=2
     float t_39 = p_13_13 + p_11_11;
-    float t_40 = k_16 * (p_7_10 - p_5_14);
+    float t_40 = p_7_10 - p_5_14;
     result[9] = t_13 * a4 + t_8 * a8 + t_7 * a9 + k_19 * (p_7_10 + p_5_14);                                             // l=3 m=-3
-    float t_41 = k_16 * (p_7_14 + p_5_10);
+    float t_41 = p_7_14 + p_5_10;
     result[15] = t_13 * a8 - t_8 * a4 + t_7 * a15 + k_19 * (p_7_14 - p_5_10);                                           // l=3 m=3
     float t_42 = p_7_7 + p_5_5;
-    result[3] = (t_15 + t_3) * a3 + t_10 * a7 + t_20 * a13 + (k_11 * p_1_4 - k_12 * p_4_11 + t_41 + t_37);              // l=1 m=1
-    result[13] = t_20 * a3 + t_12 * a7 + (t_31 + t_4) * a13 + (k_17 * p_4_11 - k_12 * p_1_4 + k_7 * t_41
-        - k_6 * t_37);                                                                                                  // l=3 m=1
+    result[1] = (t_3 - t_15) * a1 + t_16 * a4 + t_10 * a5 + t_19 * a11 + (k_16 * t_40 + k_15 * t_35);                   // l=1 m=-1
+    result[11] = t_19 * a1 + t_21 * a4 + t_12 * a5 + (t_4 - t_31) * a11 + (k_27 * t_40 - k_28 * t_35);                  // l=3 m=-1
+    result[2] = (t + k_14 * a6) * a2 + (k_21 * a6 * a12 + k_20 * t_33 + k_16 * t_36 + k_11 * t_32);                     // l=1 m=0
+    result[12] = t_30 * a6 + (t + k_22 * a6) * a12 + (k_29 * t_33 - k_30 * t_36 - k_31 * t_32);                         // l=3 m=0
+    result[3] = (t_15 + t_3) * a3 + t_10 * a7 + t_20 * a13 + (k_11 * p_1_4 - k_12 * p_4_11 + k_16 * t_41
+        + k_15 * t_37);                                                                                                 // l=1 m=1
+    result[13] = t_20 * a3 + t_12 * a7 + (t_31 + t_4) * a13 + (k_17 * p_4_11 - k_12 * p_1_4 + k_27 * t_41
+        - k_28 * t_37);                                                                                                 // l=3 m=1
     float t_43 = p_3_3 + p_1_1;
     result[8] = t_5 * a8 + t_8 * a9 + t_11 * a14 + t_13 * a15 + (k_24 * (p_13_13 - p_11_11) + k_25 * (p_7_7 - p_5_5)
         + k_12 * (p_1_11 - p_3_13) + k_26 * (p_3_3 - p_1_1));                                                           // l=2 m=2
-    result[0] = k_30 * (a0 * a0 + a14 * a14 + p_12_12 + a10 * a10 + p_6_6 + p_2_2 + t_39 + t_38 + t_42 + t_34 + t_43);  // l=0 m=0
-    result[6] = t * a6 + t_30 * a12 + (k_23 * p_12_12 + k_2 * p_2_2 + k_13 * (p_3_13 + p_1_11) - k_27 * t_38
-        + k_28 * t_42 + k_4 * (p_6_6 - t_34) + k_29 * (t_39 - t_43));                                                   // l=2 m=0
-    result[1] = (t_3 - t_15) * a1 + t_16 * a4 + t_10 * a5 + t_19 * a11 + (t_40 + t_35);                                 // l=1 m=-1
-    result[11] = t_19 * a1 + t_21 * a4 + t_12 * a5 + (t_4 - t_31) * a11 + (k_7 * t_40 - k_6 * t_35);                    // l=3 m=-1
+    result[0] = k_35 * (a0 * a0 + a14 * a14 + p_12_12 + a10 * a10 + p_6_6 + p_2_2 + t_39 + t_38 + t_42 + t_34 + t_43);  // l=0 m=0
+    result[6] = t * a6 + t_30 * a12 + (k_23 * p_12_12 + k_2 * p_2_2 + k_13 * (p_3_13 + p_1_11) - k_32 * t_38
+        + k_33 * t_42 + k_4 * (p_6_6 - t_34) + k_34 * (t_39 - t_43));                                                   // l=2 m=0
 }

@@ -16,7 +16,7 @@
 //               contraction;
 //               eps counts units of machine epsilon x |a| |a|
 //               float   rounding 4.6e-08 (0.4 eps)
-//               double  rounding 1.1e-16 (0.5 eps)
+//               double  rounding 1.0e-16 (0.5 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
@@ -42,111 +42,117 @@ void square_l4(float a[25], out float result[25]) {
     const float k_16  = 0.13114357;   // theta_2_2(z1)
     const float k_17  = 0.49058327;   // theta_4_2(z1)
     const float k_18  = 0.30247054;   // theta_3_2(z1)
-    const float k_19  = 0.5;          // 1/2
-    const float k_20  = 0.8660254;    // 1/2 sqrt(3)
-    const float k_21  = 0.33333334;   // 1/3
-    const float k_22  = 1.1547005;    // 2/3 sqrt(3)
-    const float k_23  = 1.7320508;    // sqrt(3)
-    const float k_24  = 0.023875697;  // pi theta_4_4(z1) w(z1)
-    const float k_25  = 0.06125625;   // 4/3 pi theta_3_3(z1) w(z1)
-    const float k_26  = 0.16019858;   // 4/3 pi theta_4_3(z1) w(z1)
-    const float k_27  = 0.100239635;  // 2/3 sqrt(3) pi theta_2_2(z1) w(z1)
-    const float k_28  = 0.23119347;   // 2/3 sqrt(3) pi theta_3_2(z1) w(z1)
-    const float k_29  = 0.3749775;    // 2/3 sqrt(3) pi theta_4_2(z1) w(z1)
-    const float k_30  = 0.10564664;   // 2/3 pi theta_1_1(z1) w(z1)
-    const float k_31  = 0.20593385;   // 2/3 pi theta_2_1(z1) w(z1)
-    const float k_32  = 0.27667132;   // 2/3 pi theta_3_1(z1) w(z1)
-    const float k_33  = 0.29251006;   // 2/3 pi theta_4_1(z1) w(z1)
-    const float k_34  = 0.12448784;   // 2/3 pi theta_0_0(z1) w(z1)
-    const float k_35  = 0.18796396;   // 2/3 pi theta_1_0(z1) w(z1)
-    const float k_36  = 0.17812364;   // 2/3 pi theta_2_0(z1) w(z1)
-    const float k_37  = 0.11479827;   // 2/3 pi theta_3_0(z1) w(z1)
-    const float k_38  = 0.019345257;  // 2/3 pi theta_4_0(z1) w(z1)
-    const float k_39  = 0.02893669;   // 1/3 pi theta_2_2(z1) w(z1)
-    const float k_40  = 0.066739805;  // 1/3 pi theta_3_2(z1) w(z1)
-    const float k_41  = 0.108246684;  // 1/3 pi theta_4_2(z1) w(z1)
-    const float k_42  = 0.26432684;   // theta_4_4(z2)
-    const float k_43  = 0.30913258;   // theta_3_3(z2)
-    const float k_44  = 0.5487414;    // theta_4_3(z2)
-    const float k_45  = 0.30745515;   // 1/2 sqrt(3) theta_2_2(z2)
-    const float k_46  = 0.3862861;    // 1/2 sqrt(3) theta_4_2(z2)
-    const float k_47  = 0.48131844;   // 1/2 sqrt(3) theta_3_2(z2)
-    const float k_48  = 0.3938909;    // theta_1_1(z2)
-    const float k_49  = 0.2765394;    // theta_3_1(z2)
-    const float k_50  = 0.33633715;   // -theta_4_1(z2) / theta_2_1(z2)
-    const float k_51  = 0.5211499;    // theta_2_1(z2)
-    const float k_52  = 0.2820948;    // theta_0_0(z2)
-    const float k_53  = 0.01587281;   // theta_2_0(z2)
-    const float k_54  = 0.3398995;    // -theta_4_0(z2)
-    const float k_55  = 0.95428663;   // -theta_3_0(z2) / theta_1_0(z2)
-    const float k_56  = 0.2891062;    // theta_1_0(z2)
-    const float k_57  = 0.35501865;   // theta_2_2(z2)
-    const float k_58  = 0.4460448;    // theta_4_2(z2)
-    const float k_59  = 0.5557787;    // theta_3_2(z2)
-    const float k_60  = 0.28327075;   // pi theta_4_4(z2) w(z2)
-    const float k_61  = 0.44171688;   // 4/3 pi theta_3_3(z2) w(z2)
-    const float k_62  = 0.7840919;    // 4/3 pi theta_4_3(z2) w(z2)
-    const float k_63  = 0.43932003;   // 2/3 sqrt(3) pi theta_2_2(z2) w(z2)
-    const float k_64  = 0.68775177;   // 2/3 sqrt(3) pi theta_3_2(z2) w(z2)
-    const float k_65  = 0.55196095;   // 2/3 sqrt(3) pi theta_4_2(z2) w(z2)
-    const float k_66  = 0.28141364;   // 2/3 pi theta_1_1(z2) w(z2)
-    const float k_67  = 0.3723333;    // 2/3 pi theta_2_1(z2) w(z2)
-    const float k_68  = 0.19757237;   // 2/3 pi theta_3_1(z2) w(z2)
-    const float k_69  = 0.12522951;   // -2/3 pi theta_4_1(z2) w(z2)
-    const float k_70  = 0.20154141;   // 2/3 pi theta_0_0(z2) w(z2)
-    const float k_71  = 0.20655067;   // 2/3 pi theta_1_0(z2) w(z2)
-    const float k_72  = 0.011340261;  // 2/3 pi theta_2_0(z2) w(z2)
-    const float k_73  = 0.19710855;   // -2/3 pi theta_3_0(z2) w(z2)
-    const float k_74  = 0.24283974;   // -2/3 pi theta_4_0(z2) w(z2)
-    const float k_75  = 0.12682077;   // 1/3 pi theta_2_2(z2) w(z2)
-    const float k_76  = 0.19853684;   // 1/3 pi theta_3_2(z2) w(z2)
-    const float k_77  = 0.15933739;   // 1/3 pi theta_4_2(z2) w(z2)
-    const float k_78  = 0.5722058;    // theta_4_4(z3)
-    const float k_79  = 0.55170006;   // theta_3_3(z3)
-    const float k_80  = 0.34641117;   // theta_4_3(z3)
-    const float k_81  = 0.4523632;    // 1/2 sqrt(3) theta_2_2(z3)
-    const float k_82  = 0.2716281;    // -1/2 sqrt(3) theta_4_2(z3)
-    const float k_83  = 0.2504978;    // 1/2 sqrt(3) theta_3_2(z3)
-    const float k_84  = 0.47778076;   // theta_1_1(z3)
-    const float k_85  = 0.3490331;    // -theta_3_1(z3)
-    const float k_86  = 0.60630405;   // -theta_2_1(z3) / theta_4_1(z3)
-    const float k_87  = 0.36879992;   // -theta_4_1(z3)
-    const float k_88  = 0.2820948;    // theta_0_0(z3)
-    const float k_89  = 0.27394328;   // -theta_2_0(z3)
-    const float k_90  = 0.18543988;   // theta_4_0(z3)
-    const float k_91  = 0.47080973;   // -theta_1_0(z3) / theta_3_0(z3)
-    const float k_92  = 0.21720903;   // -theta_3_0(z3)
-    const float k_93  = 0.52234405;   // theta_2_2(z3)
-    const float k_94  = 0.31364915;   // -theta_4_2(z3)
-    const float k_95  = 0.28924993;   // theta_3_2(z3)
-    const float k_96  = 0.7414514;    // pi theta_4_4(z3) w(z3)
-    const float k_97  = 0.953174;     // 4/3 pi theta_3_3(z3) w(z3)
-    const float k_98  = 0.5984957;    // 4/3 pi theta_4_3(z3) w(z3)
-    const float k_99  = 0.78154945;   // 2/3 sqrt(3) pi theta_2_2(z3) w(z3)
-    const float k_100 = 0.43278587;   // 2/3 sqrt(3) pi theta_3_2(z3) w(z3)
-    const float k_101 = 0.46929282;   // -2/3 sqrt(3) pi theta_4_2(z3) w(z3)
-    const float k_102 = 0.4127317;    // 2/3 pi theta_1_1(z3) w(z3)
-    const float k_103 = 0.19316144;   // 2/3 pi theta_2_1(z3) w(z3)
-    const float k_104 = 0.3015128;    // -2/3 pi theta_3_1(z3) w(z3)
-    const float k_105 = 0.31858844;   // -2/3 pi theta_4_1(z3) w(z3)
-    const float k_106 = 0.24368806;   // 2/3 pi theta_0_0(z3) w(z3)
-    const float k_107 = 0.088341035;  // 2/3 pi theta_1_0(z3) w(z3)
-    const float k_108 = 0.23664637;   // -2/3 pi theta_2_0(z3) w(z3)
-    const float k_109 = 0.18763639;   // -2/3 pi theta_3_0(z3) w(z3)
-    const float k_110 = 0.16019256;   // 2/3 pi theta_4_0(z3) w(z3)
-    const float k_111 = 0.22561389;   // 1/3 pi theta_2_2(z3) w(z3)
-    const float k_112 = 0.12493452;   // 1/3 pi theta_3_2(z3) w(z3)
-    const float k_113 = 0.13547316;   // -1/3 pi theta_4_2(z3) w(z3)
-    const float k_114 = 0.2820948;    // 1/2 sqrt(1/pi)
-    const float k_115 = 0.63078314;   // 1/2 sqrt(5/pi)
-    const float k_116 = 0.8462844;    // 3/2 sqrt(1/pi)
-    const float k_117 = 0.65465367;   // 1/7 sqrt(21)
-    const float k_118 = 0.7463527;    // 1/2 sqrt(7/pi)
-    const float k_119 = 0.06330192;   // pi^(1/2) w(pole)
-    const float k_120 = 0.10964215;   // sqrt(3) pi^(1/2) w(pole)
-    const float k_121 = 0.1415474;    // sqrt(5) pi^(1/2) w(pole)
-    const float k_122 = 0.16748114;   // sqrt(7) pi^(1/2) w(pole)
-    const float k_123 = 0.18990576;   // 3 pi^(1/2) w(pole)
+    const float k_19  = 0.01803445;   // 1/2 theta_4_4(z1)
+    const float k_20  = 0.5;          // 1/2
+    const float k_21  = 0.031236587;  // 1/2 sqrt(3) theta_4_4(z1)
+    const float k_22  = 0.8660254;    // 1/2 sqrt(3)
+    const float k_23  = 0.33333334;   // 1/3
+    const float k_24  = 1.1547005;    // 2/3 sqrt(3)
+    const float k_25  = 1.7320508;    // sqrt(3)
+    const float k_26  = 0.023875697;  // pi theta_4_4(z1) w(z1)
+    const float k_27  = 0.06125625;   // 4/3 pi theta_3_3(z1) w(z1)
+    const float k_28  = 0.16019858;   // 4/3 pi theta_4_3(z1) w(z1)
+    const float k_29  = 0.100239635;  // 2/3 sqrt(3) pi theta_2_2(z1) w(z1)
+    const float k_30  = 0.23119347;   // 2/3 sqrt(3) pi theta_3_2(z1) w(z1)
+    const float k_31  = 0.3749775;    // 2/3 sqrt(3) pi theta_4_2(z1) w(z1)
+    const float k_32  = 0.10564664;   // 2/3 pi theta_1_1(z1) w(z1)
+    const float k_33  = 0.20593385;   // 2/3 pi theta_2_1(z1) w(z1)
+    const float k_34  = 0.27667132;   // 2/3 pi theta_3_1(z1) w(z1)
+    const float k_35  = 0.29251006;   // 2/3 pi theta_4_1(z1) w(z1)
+    const float k_36  = 0.12448784;   // 2/3 pi theta_0_0(z1) w(z1)
+    const float k_37  = 0.18796396;   // 2/3 pi theta_1_0(z1) w(z1)
+    const float k_38  = 0.17812364;   // 2/3 pi theta_2_0(z1) w(z1)
+    const float k_39  = 0.11479827;   // 2/3 pi theta_3_0(z1) w(z1)
+    const float k_40  = 0.019345257;  // 2/3 pi theta_4_0(z1) w(z1)
+    const float k_41  = 0.02893669;   // 1/3 pi theta_2_2(z1) w(z1)
+    const float k_42  = 0.066739805;  // 1/3 pi theta_3_2(z1) w(z1)
+    const float k_43  = 0.108246684;  // 1/3 pi theta_4_2(z1) w(z1)
+    const float k_44  = 0.26432684;   // theta_4_4(z2)
+    const float k_45  = 0.30913258;   // theta_3_3(z2)
+    const float k_46  = 0.5487414;    // theta_4_3(z2)
+    const float k_47  = 0.30745515;   // 1/2 sqrt(3) theta_2_2(z2)
+    const float k_48  = 0.3862861;    // 1/2 sqrt(3) theta_4_2(z2)
+    const float k_49  = 0.48131844;   // 1/2 sqrt(3) theta_3_2(z2)
+    const float k_50  = 0.3938909;    // theta_1_1(z2)
+    const float k_51  = 0.2765394;    // theta_3_1(z2)
+    const float k_52  = 0.33633715;   // -theta_4_1(z2) / theta_2_1(z2)
+    const float k_53  = 0.5211499;    // theta_2_1(z2)
+    const float k_54  = 0.2820948;    // theta_0_0(z2)
+    const float k_55  = 0.01587281;   // theta_2_0(z2)
+    const float k_56  = 0.3398995;    // -theta_4_0(z2)
+    const float k_57  = 0.95428663;   // -theta_3_0(z2) / theta_1_0(z2)
+    const float k_58  = 0.2891062;    // theta_1_0(z2)
+    const float k_59  = 0.35501865;   // theta_2_2(z2)
+    const float k_60  = 0.4460448;    // theta_4_2(z2)
+    const float k_61  = 0.5557787;    // theta_3_2(z2)
+    const float k_62  = 0.13216342;   // 1/2 theta_4_4(z2)
+    const float k_63  = 0.22891375;   // 1/2 sqrt(3) theta_4_4(z2)
+    const float k_64  = 0.28327075;   // pi theta_4_4(z2) w(z2)
+    const float k_65  = 0.44171688;   // 4/3 pi theta_3_3(z2) w(z2)
+    const float k_66  = 0.7840919;    // 4/3 pi theta_4_3(z2) w(z2)
+    const float k_67  = 0.43932003;   // 2/3 sqrt(3) pi theta_2_2(z2) w(z2)
+    const float k_68  = 0.68775177;   // 2/3 sqrt(3) pi theta_3_2(z2) w(z2)
+    const float k_69  = 0.55196095;   // 2/3 sqrt(3) pi theta_4_2(z2) w(z2)
+    const float k_70  = 0.28141364;   // 2/3 pi theta_1_1(z2) w(z2)
+    const float k_71  = 0.3723333;    // 2/3 pi theta_2_1(z2) w(z2)
+    const float k_72  = 0.19757237;   // 2/3 pi theta_3_1(z2) w(z2)
+    const float k_73  = 0.12522951;   // -2/3 pi theta_4_1(z2) w(z2)
+    const float k_74  = 0.20154141;   // 2/3 pi theta_0_0(z2) w(z2)
+    const float k_75  = 0.20655067;   // 2/3 pi theta_1_0(z2) w(z2)
+    const float k_76  = 0.011340261;  // 2/3 pi theta_2_0(z2) w(z2)
+    const float k_77  = 0.19710855;   // -2/3 pi theta_3_0(z2) w(z2)
+    const float k_78  = 0.24283974;   // -2/3 pi theta_4_0(z2) w(z2)
+    const float k_79  = 0.12682077;   // 1/3 pi theta_2_2(z2) w(z2)
+    const float k_80  = 0.19853684;   // 1/3 pi theta_3_2(z2) w(z2)
+    const float k_81  = 0.15933739;   // 1/3 pi theta_4_2(z2) w(z2)
+    const float k_82  = 0.5722058;    // theta_4_4(z3)
+    const float k_83  = 0.55170006;   // theta_3_3(z3)
+    const float k_84  = 0.34641117;   // theta_4_3(z3)
+    const float k_85  = 0.4523632;    // 1/2 sqrt(3) theta_2_2(z3)
+    const float k_86  = 0.2716281;    // -1/2 sqrt(3) theta_4_2(z3)
+    const float k_87  = 0.2504978;    // 1/2 sqrt(3) theta_3_2(z3)
+    const float k_88  = 0.47778076;   // theta_1_1(z3)
+    const float k_89  = 0.3490331;    // -theta_3_1(z3)
+    const float k_90  = 0.60630405;   // -theta_2_1(z3) / theta_4_1(z3)
+    const float k_91  = 0.36879992;   // -theta_4_1(z3)
+    const float k_92  = 0.2820948;    // theta_0_0(z3)
+    const float k_93  = 0.27394328;   // -theta_2_0(z3)
+    const float k_94  = 0.18543988;   // theta_4_0(z3)
+    const float k_95  = 0.47080973;   // -theta_1_0(z3) / theta_3_0(z3)
+    const float k_96  = 0.21720903;   // -theta_3_0(z3)
+    const float k_97  = 0.52234405;   // theta_2_2(z3)
+    const float k_98  = 0.31364915;   // -theta_4_2(z3)
+    const float k_99  = 0.28924993;   // theta_3_2(z3)
+    const float k_100 = 0.2861029;    // 1/2 theta_4_4(z3)
+    const float k_101 = 0.49554473;   // 1/2 sqrt(3) theta_4_4(z3)
+    const float k_102 = 0.7414514;    // pi theta_4_4(z3) w(z3)
+    const float k_103 = 0.953174;     // 4/3 pi theta_3_3(z3) w(z3)
+    const float k_104 = 0.5984957;    // 4/3 pi theta_4_3(z3) w(z3)
+    const float k_105 = 0.78154945;   // 2/3 sqrt(3) pi theta_2_2(z3) w(z3)
+    const float k_106 = 0.43278587;   // 2/3 sqrt(3) pi theta_3_2(z3) w(z3)
+    const float k_107 = 0.46929282;   // -2/3 sqrt(3) pi theta_4_2(z3) w(z3)
+    const float k_108 = 0.4127317;    // 2/3 pi theta_1_1(z3) w(z3)
+    const float k_109 = 0.19316144;   // 2/3 pi theta_2_1(z3) w(z3)
+    const float k_110 = 0.3015128;    // -2/3 pi theta_3_1(z3) w(z3)
+    const float k_111 = 0.31858844;   // -2/3 pi theta_4_1(z3) w(z3)
+    const float k_112 = 0.24368806;   // 2/3 pi theta_0_0(z3) w(z3)
+    const float k_113 = 0.088341035;  // 2/3 pi theta_1_0(z3) w(z3)
+    const float k_114 = 0.23664637;   // -2/3 pi theta_2_0(z3) w(z3)
+    const float k_115 = 0.18763639;   // -2/3 pi theta_3_0(z3) w(z3)
+    const float k_116 = 0.16019256;   // 2/3 pi theta_4_0(z3) w(z3)
+    const float k_117 = 0.22561389;   // 1/3 pi theta_2_2(z3) w(z3)
+    const float k_118 = 0.12493452;   // 1/3 pi theta_3_2(z3) w(z3)
+    const float k_119 = 0.13547316;   // -1/3 pi theta_4_2(z3) w(z3)
+    const float k_120 = 0.2820948;    // 1/2 sqrt(1/pi)
+    const float k_121 = 0.63078314;   // 1/2 sqrt(5/pi)
+    const float k_122 = 0.8462844;    // 3/2 sqrt(1/pi)
+    const float k_123 = 0.65465367;   // 1/7 sqrt(21)
+    const float k_124 = 0.7463527;    // 1/2 sqrt(7/pi)
+    const float k_125 = 0.06330192;   // pi^(1/2) w(pole)
+    const float k_126 = 0.10964215;   // sqrt(3) pi^(1/2) w(pole)
+    const float k_127 = 0.1415474;    // sqrt(5) pi^(1/2) w(pole)
+    const float k_128 = 0.16748114;   // sqrt(7) pi^(1/2) w(pole)
+    const float k_129 = 0.18990576;   // 3 pi^(1/2) w(pole)
 
     float a16 = a[16];
     float a1s4n = k * a16;
@@ -204,37 +210,37 @@ void square_l4(float a[25], out float result[25]) {
     float a24 = a[24];
     float a1c4n = k * a24;
     float t_15 = a1c0n + a1c4n;
-    float t_16 = k_19 * a1c4n;
+    float t_16 = k_19 * a24;
     float t_17 = a1c0n - t_16;
     float t_18 = a1c0s - t_16;
     float t_19 = a1c0s + a1c4n;
     float t_20 = a1c2n + t_15;
     float t_21 = t_15 - a1c2n;
-    float t_22 = k_19 * a1c2n;
+    float t_22 = k_20 * a1c2n;
     float t_23 = t_22 + t_17;
     float t_24 = t_17 - t_22;
     float t_25 = a1c2s + t_19;
     float t_26 = t_19 - a1c2s;
-    float t_27 = k_19 * a1c2s;
+    float t_27 = k_20 * a1c2s;
     float t_28 = t_27 + t_18;
     float t_29 = t_18 - t_27;
-    float t_30 = k_20 * a1s4n;
+    float t_30 = k_21 * a16;
     float t_31 = t_30 + a1s2n;
     float t_32 = a1s2n - t_30;
     float t_33 = t_30 + a1s2s;
     float t_34 = a1s2s - t_30;
     float t_35 = a1c1n + a1c3n;
-    float t_36 = k_20 * a1c1n;
-    float t_37 = k_19 * a1c1n - a1c3n;
+    float t_36 = k_22 * a1c1n;
+    float t_37 = k_20 * a1c1n - a1c3n;
     float t_38 = a1c1s + a1c3s;
-    float t_39 = k_20 * a1c1s;
-    float t_40 = k_19 * a1c1s - a1c3s;
-    float t_41 = a1s3n + k_19 * a1s1n;
+    float t_39 = k_22 * a1c1s;
+    float t_40 = k_20 * a1c1s - a1c3s;
+    float t_41 = a1s3n + k_20 * a1s1n;
     float t_42 = a1s1n - a1s3n;
-    float t_43 = k_20 * a1s1n;
-    float t_44 = a1s3s + k_19 * a1s1s;
+    float t_43 = k_22 * a1s1n;
+    float t_44 = a1s3s + k_20 * a1s1s;
     float t_45 = a1s1s - a1s3s;
-    float t_46 = k_20 * a1s1s;
+    float t_46 = k_22 * a1s1s;
     float t_47 = t_20 * t_35;
     float t_48 = t_20 * t_20 + t_35 * t_35;
     float t_49 = t_23 * t_23 + t_31 * t_31 + t_36 * t_36 + t_41 * t_41;
@@ -243,12 +249,12 @@ void square_l4(float a[25], out float result[25]) {
     float t_52 = t_24 * t_24 + t_32 * t_32 + t_37 * t_37 + t_43 * t_43;
     float t_53 = t_24 * t_32 + t_37 * t_43;
     float t_54 = t_24 * t_37 + t_32 * t_43;
-    float t_55 = t_54 + k_23 * (t_23 * t_36 + t_31 * t_41) + t_47;
-    float t_56 = k_19 * t_47 - t_54;
+    float t_55 = t_54 + k_25 * (t_23 * t_36 + t_31 * t_41) + t_47;
+    float t_56 = k_20 * t_47 - t_54;
     float t_57 = t_21 * t_42;
     float t_58 = t_21 * t_21 + t_42 * t_42;
-    float t_59 = t_51 - k_19 * t_57;
-    float t_60 = t_57 + k_23 * (t_24 * t_43 + t_32 * t_37) + t_51;
+    float t_59 = t_51 - k_20 * t_57;
+    float t_60 = t_57 + k_25 * (t_24 * t_43 + t_32 * t_37) + t_51;
     float t_61 = t_25 * t_38;
     float t_62 = t_25 * t_25 + t_38 * t_38;
     float t_63 = t_28 * t_28 + t_33 * t_33 + t_39 * t_39 + t_44 * t_44;
@@ -257,20 +263,20 @@ void square_l4(float a[25], out float result[25]) {
     float t_66 = t_29 * t_29 + t_34 * t_34 + t_40 * t_40 + t_46 * t_46;
     float t_67 = t_29 * t_34 + t_40 * t_46;
     float t_68 = t_29 * t_40 + t_34 * t_46;
-    float t_69 = t_68 + k_23 * (t_28 * t_39 + t_33 * t_44) + t_61;
-    float t_70 = k_19 * t_61 - t_68;
+    float t_69 = t_68 + k_25 * (t_28 * t_39 + t_33 * t_44) + t_61;
+    float t_70 = k_20 * t_61 - t_68;
     float t_71 = t_26 * t_45;
     float t_72 = t_26 * t_26 + t_45 * t_45;
-    float t_73 = t_65 - k_19 * t_71;
-    float t_74 = t_71 + k_23 * (t_29 * t_46 + t_34 * t_40) + t_65;
+    float t_73 = t_65 - k_20 * t_71;
+    float t_74 = t_71 + k_25 * (t_29 * t_46 + t_34 * t_40) + t_65;
     float t_75 = t_66 + t_63;
     float t_76 = t_72 + t_62;
     float t_77 = t_63 - t_72 - t_66 + t_62;
-    float t_78 = t_75 + k_19 * t_76;
+    float t_78 = t_75 + k_20 * t_76;
     float t_79 = t_52 + t_49;
     float t_80 = t_58 + t_48;
     float t_81 = t_49 - t_58 - t_52 + t_48;
-    float t_82 = t_79 + k_19 * t_80;
+    float t_82 = t_79 + k_20 * t_80;
     float t_83 = t_67 + t_64;
     float t_84 = t_53 + t_50;
     float t_85 = a1s4n * a1c4n;
@@ -282,82 +288,80 @@ void square_l4(float a[25], out float result[25]) {
     float t_91 = t_55 + t_69;
     float t_92 = t_55 - t_69;
     float t_93 = t_81 + t_77;
-    float a2s4n = k_42 * a16;
-    float a3s4n = k_78 * a16;
-    float t_94 = k_43 * a9;
-    float t_95 = k_79 * a9;
-    float t_96 = k_44 * a17;
-    float t_97 = k_80 * a17;
+    float a2s4n = k_44 * a16;
+    float t_94 = k_45 * a9;
+    float t_95 = k_83 * a9;
+    float t_96 = k_46 * a17;
+    float t_97 = k_84 * a17;
     float a2s3n = t_94 + t_96;
     float a2s3s = t_94 - t_96;
-    float t_98 = k_45 * a4 + k_46 * a18;
-    float t_99 = k_81 * a4 - k_82 * a18;
-    float t_100 = k_47 * a10;
-    float t_101 = k_83 * a10;
+    float t_98 = k_47 * a4 + k_48 * a18;
+    float t_99 = k_85 * a4 - k_86 * a18;
+    float t_100 = k_49 * a10;
+    float t_101 = k_87 * a10;
     float a2s2n = t_98 + t_100;
     float a2s2s = t_98 - t_100;
-    float t_102 = k_48 * a1 + k_49 * a11;
-    float t_103 = k_84 * a1 - k_85 * a11;
-    float t_104 = k_51 * (a5 - k_50 * a19);
-    float t_105 = k_87 * (a19 - k_86 * a5);
+    float t_102 = k_50 * a1 + k_51 * a11;
+    float t_103 = k_88 * a1 - k_89 * a11;
+    float t_104 = k_53 * (a5 - k_52 * a19);
+    float t_105 = k_91 * (a19 - k_90 * a5);
     float a2s1n = t_102 + t_104;
     float a2s1s = t_102 - t_104;
-    float t_106 = k_52 * a0 + k_53 * a6 - k_54 * a20;
-    float t_107 = k_56 * (a2 - k_55 * a12);
+    float t_106 = k_54 * a0 + k_55 * a6 - k_56 * a20;
+    float t_107 = k_58 * (a2 - k_57 * a12);
     float a2c0n = t_106 + t_107;
     float a2c0s = t_106 - t_107;
-    float t_108 = k_48 * a3 + k_49 * a13;
-    float t_109 = k_84 * a3 - k_85 * a13;
-    float t_110 = k_51 * (a7 - k_50 * a21);
-    float t_111 = k_87 * (a21 - k_86 * a7);
+    float t_108 = k_50 * a3 + k_51 * a13;
+    float t_109 = k_88 * a3 - k_89 * a13;
+    float t_110 = k_53 * (a7 - k_52 * a21);
+    float t_111 = k_91 * (a21 - k_90 * a7);
     float a2c1n = t_108 + t_110;
     float a2c1s = t_108 - t_110;
-    float t_112 = k_57 * a8 + k_58 * a22;
-    float t_113 = k_93 * a8 - k_94 * a22;
-    float t_114 = k_59 * a14;
-    float t_115 = k_95 * a14;
+    float t_112 = k_59 * a8 + k_60 * a22;
+    float t_113 = k_97 * a8 - k_98 * a22;
+    float t_114 = k_61 * a14;
+    float t_115 = k_99 * a14;
     float a2c2n = t_112 + t_114;
     float a2c2s = t_112 - t_114;
-    float t_116 = k_43 * a15;
-    float t_117 = k_79 * a15;
-    float t_118 = k_44 * a23;
-    float t_119 = k_80 * a23;
+    float t_116 = k_45 * a15;
+    float t_117 = k_83 * a15;
+    float t_118 = k_46 * a23;
+    float t_119 = k_84 * a23;
     float a2c3n = t_116 + t_118;
     float a2c3s = t_116 - t_118;
-    float a2c4n = k_42 * a24;
-    float a3c4n = k_78 * a24;
+    float a2c4n = k_44 * a24;
     float t_120 = a2c0n + a2c4n;
-    float t_121 = k_19 * a2c4n;
+    float t_121 = k_62 * a24;
     float t_122 = a2c0n - t_121;
     float t_123 = a2c0s - t_121;
     float t_124 = a2c0s + a2c4n;
     float t_125 = a2c2n + t_120;
     float t_126 = t_120 - a2c2n;
-    float t_127 = k_19 * a2c2n;
+    float t_127 = k_20 * a2c2n;
     float t_128 = t_127 + t_122;
     float t_129 = t_122 - t_127;
     float t_130 = a2c2s + t_124;
     float t_131 = t_124 - a2c2s;
-    float t_132 = k_19 * a2c2s;
+    float t_132 = k_20 * a2c2s;
     float t_133 = t_132 + t_123;
     float t_134 = t_123 - t_132;
-    float t_135 = k_20 * a2s4n;
+    float t_135 = k_63 * a16;
     float t_136 = t_135 + a2s2n;
     float t_137 = a2s2n - t_135;
     float t_138 = t_135 + a2s2s;
     float t_139 = a2s2s - t_135;
     float t_140 = a2c1n + a2c3n;
-    float t_141 = k_20 * a2c1n;
-    float t_142 = k_19 * a2c1n - a2c3n;
+    float t_141 = k_22 * a2c1n;
+    float t_142 = k_20 * a2c1n - a2c3n;
     float t_143 = a2c1s + a2c3s;
-    float t_144 = k_20 * a2c1s;
-    float t_145 = k_19 * a2c1s - a2c3s;
-    float t_146 = a2s3n + k_19 * a2s1n;
+    float t_144 = k_22 * a2c1s;
+    float t_145 = k_20 * a2c1s - a2c3s;
+    float t_146 = a2s3n + k_20 * a2s1n;
     float t_147 = a2s1n - a2s3n;
-    float t_148 = k_20 * a2s1n;
-    float t_149 = a2s3s + k_19 * a2s1s;
+    float t_148 = k_22 * a2s1n;
+    float t_149 = a2s3s + k_20 * a2s1s;
     float t_150 = a2s1s - a2s3s;
-    float t_151 = k_20 * a2s1s;
+    float t_151 = k_22 * a2s1s;
     float t_152 = t_125 * t_140;
     float t_153 = t_125 * t_125 + t_140 * t_140;
     float t_154 = t_128 * t_128 + t_136 * t_136 + t_141 * t_141 + t_146 * t_146;
@@ -366,12 +370,12 @@ void square_l4(float a[25], out float result[25]) {
     float t_157 = t_129 * t_129 + t_137 * t_137 + t_142 * t_142 + t_148 * t_148;
     float t_158 = t_129 * t_137 + t_142 * t_148;
     float t_159 = t_129 * t_142 + t_137 * t_148;
-    float t_160 = t_159 + k_23 * (t_128 * t_141 + t_136 * t_146) + t_152;
-    float t_161 = k_19 * t_152 - t_159;
+    float t_160 = t_159 + k_25 * (t_128 * t_141 + t_136 * t_146) + t_152;
+    float t_161 = k_20 * t_152 - t_159;
     float t_162 = t_126 * t_147;
     float t_163 = t_126 * t_126 + t_147 * t_147;
-    float t_164 = t_156 - k_19 * t_162;
-    float t_165 = t_162 + k_23 * (t_129 * t_148 + t_137 * t_142) + t_156;
+    float t_164 = t_156 - k_20 * t_162;
+    float t_165 = t_162 + k_25 * (t_129 * t_148 + t_137 * t_142) + t_156;
     float t_166 = t_130 * t_143;
     float t_167 = t_130 * t_130 + t_143 * t_143;
     float t_168 = t_133 * t_133 + t_138 * t_138 + t_144 * t_144 + t_149 * t_149;
@@ -380,20 +384,20 @@ void square_l4(float a[25], out float result[25]) {
     float t_171 = t_134 * t_134 + t_139 * t_139 + t_145 * t_145 + t_151 * t_151;
     float t_172 = t_134 * t_139 + t_145 * t_151;
     float t_173 = t_134 * t_145 + t_139 * t_151;
-    float t_174 = t_173 + k_23 * (t_133 * t_144 + t_138 * t_149) + t_166;
-    float t_175 = k_19 * t_166 - t_173;
+    float t_174 = t_173 + k_25 * (t_133 * t_144 + t_138 * t_149) + t_166;
+    float t_175 = k_20 * t_166 - t_173;
     float t_176 = t_131 * t_150;
     float t_177 = t_131 * t_131 + t_150 * t_150;
-    float t_178 = t_170 - k_19 * t_176;
-    float t_179 = t_176 + k_23 * (t_134 * t_151 + t_139 * t_145) + t_170;
+    float t_178 = t_170 - k_20 * t_176;
+    float t_179 = t_176 + k_25 * (t_134 * t_151 + t_139 * t_145) + t_170;
     float t_180 = t_171 + t_168;
     float t_181 = t_177 + t_167;
     float t_182 = t_168 - t_177 - t_171 + t_167;
-    float t_183 = t_180 + k_19 * t_181;
+    float t_183 = t_180 + k_20 * t_181;
     float t_184 = t_157 + t_154;
     float t_185 = t_163 + t_153;
     float t_186 = t_154 - t_163 - t_157 + t_153;
-    float t_187 = t_184 + k_19 * t_185;
+    float t_187 = t_184 + k_20 * t_185;
     float t_188 = t_172 + t_169;
     float t_189 = t_158 + t_155;
     float t_190 = a2s4n * a2c4n;
@@ -405,104 +409,106 @@ void square_l4(float a[25], out float result[25]) {
     float t_196 = t_160 + t_174;
     float t_197 = t_160 - t_174;
     float t_198 = t_186 + t_182;
+    float a3s4n = k_82 * a16;
+    float t_199 = k_101 * a16;
     float a3s3n = t_95 + t_97;
     float a3s3s = t_95 - t_97;
     float a3s2n = t_99 + t_101;
     float a3s2s = t_99 - t_101;
     float a3s1n = t_103 - t_105;
     float a3s1s = t_103 + t_105;
-    float t_199 = k_88 * a0 - k_89 * a6 + k_90 * a20;
-    float t_200 = k_114 * a0 + k_115 * a6 + k_116 * a20;
-    float t_201 = k_92 * (a12 - k_91 * a2);
-    float t_202 = k_118 * (k_117 * a2 + a12);
-    float a3c0n = t_199 - t_201;
-    float a3c0s = t_199 + t_201;
+    float t_200 = k_92 * a0 - k_93 * a6 + k_94 * a20;
+    float t_201 = k_120 * a0 + k_121 * a6 + k_122 * a20;
+    float t_202 = k_96 * (a12 - k_95 * a2);
+    float t_203 = k_124 * (k_123 * a2 + a12);
+    float a3c0n = t_200 - t_202;
+    float a3c0s = t_200 + t_202;
     float a3c1n = t_109 - t_111;
     float a3c1s = t_109 + t_111;
     float a3c2n = t_113 + t_115;
     float a3c2s = t_113 - t_115;
     float a3c3n = t_117 + t_119;
     float a3c3s = t_117 - t_119;
-    float t_203 = a3c0n + a3c4n;
-    float t_204 = k_19 * a3c4n;
-    float t_205 = a3c0n - t_204;
-    float t_206 = a3c0s - t_204;
-    float t_207 = a3c0s + a3c4n;
-    float t_208 = a3c2n + t_203;
-    float t_209 = t_203 - a3c2n;
-    float t_210 = k_19 * a3c2n;
-    float t_211 = t_210 + t_205;
-    float t_212 = t_205 - t_210;
-    float t_213 = a3c2s + t_207;
-    float t_214 = t_207 - a3c2s;
-    float t_215 = k_19 * a3c2s;
-    float t_216 = t_215 + t_206;
-    float t_217 = t_206 - t_215;
-    float t_218 = k_20 * a3s4n;
-    float t_219 = t_218 + a3s2n;
-    float t_220 = a3s2n - t_218;
-    float t_221 = t_218 + a3s2s;
-    float t_222 = a3s2s - t_218;
+    float a3c4n = k_82 * a24;
+    float t_204 = k_100 * a24;
+    float t_205 = a3c0n + a3c4n;
+    float t_206 = a3c0n - t_204;
+    float t_207 = a3c0s - t_204;
+    float t_208 = a3c0s + a3c4n;
+    float t_209 = a3c2n + t_205;
+    float t_210 = t_205 - a3c2n;
+    float t_211 = k_20 * a3c2n;
+    float t_212 = t_211 + t_206;
+    float t_213 = t_206 - t_211;
+    float t_214 = a3c2s + t_208;
+    float t_215 = t_208 - a3c2s;
+    float t_216 = k_20 * a3c2s;
+    float t_217 = t_216 + t_207;
+    float t_218 = t_207 - t_216;
+    float t_219 = t_199 + a3s2n;
+    float t_220 = a3s2n - t_199;
+    float t_221 = t_199 + a3s2s;
+    float t_222 = a3s2s - t_199;
     float t_223 = a3c1n + a3c3n;
-    float t_224 = k_20 * a3c1n;
-    float t_225 = k_19 * a3c1n - a3c3n;
+    float t_224 = k_22 * a3c1n;
+    float t_225 = k_20 * a3c1n - a3c3n;
     float t_226 = a3c1s + a3c3s;
-    float t_227 = k_20 * a3c1s;
-    float t_228 = k_19 * a3c1s - a3c3s;
-    float t_229 = a3s3n + k_19 * a3s1n;
+    float t_227 = k_22 * a3c1s;
+    float t_228 = k_20 * a3c1s - a3c3s;
+    float t_229 = a3s3n + k_20 * a3s1n;
     float t_230 = a3s1n - a3s3n;
-    float t_231 = k_20 * a3s1n;
-    float t_232 = a3s3s + k_19 * a3s1s;
+    float t_231 = k_22 * a3s1n;
+    float t_232 = a3s3s + k_20 * a3s1s;
     float t_233 = a3s1s - a3s3s;
-    float t_234 = k_20 * a3s1s;
-    float t_235 = t_208 * t_223;
-    float t_236 = t_208 * t_208 + t_223 * t_223;
-    float t_237 = t_211 * t_211 + t_219 * t_219 + t_224 * t_224 + t_229 * t_229;
-    float t_238 = t_211 * t_219 + t_224 * t_229;
-    float t_239 = t_211 * t_229 + t_219 * t_224;
-    float t_240 = t_212 * t_212 + t_220 * t_220 + t_225 * t_225 + t_231 * t_231;
-    float t_241 = t_212 * t_220 + t_225 * t_231;
-    float t_242 = t_212 * t_225 + t_220 * t_231;
-    float t_243 = t_242 + k_23 * (t_211 * t_224 + t_219 * t_229) + t_235;
-    float t_244 = k_19 * t_235 - t_242;
-    float t_245 = t_209 * t_230;
-    float t_246 = t_209 * t_209 + t_230 * t_230;
-    float t_247 = t_239 - k_19 * t_245;
-    float t_248 = t_245 + k_23 * (t_212 * t_231 + t_220 * t_225) + t_239;
-    float t_249 = t_213 * t_226;
-    float t_250 = t_213 * t_213 + t_226 * t_226;
-    float t_251 = t_216 * t_216 + t_221 * t_221 + t_227 * t_227 + t_232 * t_232;
-    float t_252 = t_216 * t_221 + t_227 * t_232;
-    float t_253 = t_216 * t_232 + t_221 * t_227;
-    float t_254 = t_217 * t_217 + t_222 * t_222 + t_228 * t_228 + t_234 * t_234;
-    float t_255 = t_217 * t_222 + t_228 * t_234;
-    float t_256 = t_217 * t_228 + t_222 * t_234;
-    float t_257 = t_256 + k_23 * (t_216 * t_227 + t_221 * t_232) + t_249;
-    float t_258 = k_19 * t_249 - t_256;
-    float t_259 = t_214 * t_233;
-    float t_260 = t_214 * t_214 + t_233 * t_233;
-    float t_261 = t_253 - k_19 * t_259;
-    float t_262 = t_259 + k_23 * (t_217 * t_234 + t_222 * t_228) + t_253;
+    float t_234 = k_22 * a3s1s;
+    float t_235 = t_209 * t_223;
+    float t_236 = t_209 * t_209 + t_223 * t_223;
+    float t_237 = t_212 * t_212 + t_219 * t_219 + t_224 * t_224 + t_229 * t_229;
+    float t_238 = t_212 * t_219 + t_224 * t_229;
+    float t_239 = t_212 * t_229 + t_219 * t_224;
+    float t_240 = t_213 * t_213 + t_220 * t_220 + t_225 * t_225 + t_231 * t_231;
+    float t_241 = t_213 * t_220 + t_225 * t_231;
+    float t_242 = t_213 * t_225 + t_220 * t_231;
+    float t_243 = t_242 + k_25 * (t_212 * t_224 + t_219 * t_229) + t_235;
+    float t_244 = k_20 * t_235 - t_242;
+    float t_245 = t_210 * t_230;
+    float t_246 = t_210 * t_210 + t_230 * t_230;
+    float t_247 = t_239 - k_20 * t_245;
+    float t_248 = t_245 + k_25 * (t_213 * t_231 + t_220 * t_225) + t_239;
+    float t_249 = t_214 * t_226;
+    float t_250 = t_214 * t_214 + t_226 * t_226;
+    float t_251 = t_217 * t_217 + t_221 * t_221 + t_227 * t_227 + t_232 * t_232;
+    float t_252 = t_217 * t_221 + t_227 * t_232;
+    float t_253 = t_217 * t_232 + t_221 * t_227;
+    float t_254 = t_218 * t_218 + t_222 * t_222 + t_228 * t_228 + t_234 * t_234;
+    float t_255 = t_218 * t_222 + t_228 * t_234;
+    float t_256 = t_218 * t_228 + t_222 * t_234;
+    float t_257 = t_256 + k_25 * (t_217 * t_227 + t_221 * t_232) + t_249;
+    float t_258 = k_20 * t_249 - t_256;
+    float t_259 = t_215 * t_233;
+    float t_260 = t_215 * t_215 + t_233 * t_233;
+    float t_261 = t_253 - k_20 * t_259;
+    float t_262 = t_259 + k_25 * (t_218 * t_234 + t_222 * t_228) + t_253;
     float t_263 = t_254 + t_251;
     float t_264 = t_260 + t_250;
     float t_265 = t_251 - t_260 - t_254 + t_250;
-    float t_266 = t_263 + k_19 * t_264;
+    float t_266 = t_263 + k_20 * t_264;
     float t_267 = t_240 + t_237;
     float t_268 = t_246 + t_236;
     float t_269 = t_237 - t_246 - t_240 + t_236;
-    float t_270 = t_267 + k_19 * t_268;
+    float t_270 = t_267 + k_20 * t_268;
     float t_271 = t_255 + t_252;
     float t_272 = t_241 + t_238;
     float t_273 = a3s4n * a3c4n;
-    result[16] = k_24 * (k_22 * (t_64 - t_67 - t_53 + t_50) + (t_85 + t_85)) + k_60 * (k_22 * (t_169 - t_172 - t_158
-        + t_155) + (t_190 + t_190)) + k_96 * (k_22 * (t_252 - t_255 - t_241 + t_238) + (t_273 + t_273));  // l=4 m=-4
-    result[24] = k_24 * (k_21 * (t_76 - t_75 - t_79 + t_80) - (a1c4n * a1c4n - a1s4n * a1s4n)) + k_60 * (k_21 * (t_181
-        - t_180 - t_184 + t_185) - (a2c4n * a2c4n - a2s4n * a2s4n)) + k_96 * (k_21 * (t_264 - t_263 - t_267 + t_268)
-        - (a3c4n * a3c4n - a3s4n * a3s4n));                                                               // l=4 m=4
-    result[9] = k_25 * (t_59 + t_73) + k_61 * (t_164 + t_178) + k_97 * (t_247 + t_261);                   // l=3 m=-3
-    result[17] = k_26 * (t_59 - t_73) + k_62 * (t_164 - t_178) + k_98 * (t_247 - t_261);                  // l=4 m=-3
+    result[16] = k_26 * (k_24 * (t_64 - t_67 - t_53 + t_50) + (t_85 + t_85)) + k_64 * (k_24 * (t_169 - t_172 - t_158
+        + t_155) + (t_190 + t_190)) + k_102 * (k_24 * (t_252 - t_255 - t_241 + t_238) + (t_273 + t_273));  // l=4 m=-4
+    result[24] = k_26 * (k_23 * (t_76 - t_75 - t_79 + t_80) - (a1c4n * a1c4n - a1s4n * a1s4n)) + k_64 * (k_23 * (t_181
+        - t_180 - t_184 + t_185) - (a2c4n * a2c4n - a2s4n * a2s4n)) + k_102 * (k_23 * (t_264 - t_263 - t_267 + t_268)
+        - (a3c4n * a3c4n - a3s4n * a3s4n));                                                                // l=4 m=4
+    result[9] = k_27 * (t_59 + t_73) + k_65 * (t_164 + t_178) + k_103 * (t_247 + t_261);                   // l=3 m=-3
+    result[17] = k_28 * (t_59 - t_73) + k_66 * (t_164 - t_178) + k_104 * (t_247 - t_261);                  // l=4 m=-3
     float t_274 = t_272 + t_271;
-    result[10] = k_28 * (t_84 - t_83) + k_64 * (t_189 - t_188) + k_100 * (t_272 - t_271);                 // l=3 m=-2
+    result[10] = k_30 * (t_84 - t_83) + k_68 * (t_189 - t_188) + k_106 * (t_272 - t_271);                  // l=3 m=-2
     float t_275 = t_248 + t_262;
     float t_276 = t_248 - t_262;
     float t_277 = t_270 + t_266;
@@ -510,30 +516,30 @@ void square_l4(float a[25], out float result[25]) {
     float t_279 = t_243 + t_257;
     float t_280 = t_243 - t_257;
     float t_281 = t_269 + t_265;
-    result[14] = k_40 * (t_81 - t_77) + k_76 * (t_186 - t_182) + k_112 * (t_269 - t_265);                 // l=3 m=2
-    result[15] = k_25 * (t_56 + t_70) + k_61 * (t_161 + t_175) + k_97 * (t_244 + t_258);                  // l=3 m=3
-    result[23] = k_26 * (t_56 - t_70) + k_62 * (t_161 - t_175) + k_98 * (t_244 - t_258);                  // l=4 m=3
-    result[4] = k_27 * t_86 + k_63 * t_191 + k_99 * t_274;                                                // l=2 m=-2
-    result[18] = k_29 * t_86 + k_65 * t_191 - k_101 * t_274;                                              // l=4 m=-2
-    result[1] = k_30 * t_87 + k_66 * t_192 + k_102 * t_275;                                               // l=1 m=-1
-    result[11] = k_32 * t_87 + k_68 * t_192 - k_104 * t_275;                                              // l=3 m=-1
-    result[5] = k_31 * t_88 + k_67 * t_193 + k_103 * t_276;                                               // l=2 m=-1
-    result[19] = k_33 * t_88 - k_69 * t_193 - k_105 * t_276;                                              // l=4 m=-1
-    result[3] = k_30 * t_91 + k_66 * t_196 + k_102 * t_279;                                               // l=1 m=1
-    result[13] = k_32 * t_91 + k_68 * t_196 - k_104 * t_279;                                              // l=3 m=1
-    result[7] = k_31 * t_92 + k_67 * t_197 + k_103 * t_280;                                               // l=2 m=1
-    result[21] = k_33 * t_92 - k_69 * t_197 - k_105 * t_280;                                              // l=4 m=1
-    result[8] = k_39 * t_93 + k_75 * t_198 + k_111 * t_281;                                               // l=2 m=2
-    result[22] = k_41 * t_93 + k_77 * t_198 - k_113 * t_281;                                              // l=4 m=2
-    float t_282 = t_200 + t_202;
-    float t_283 = t_200 - t_202;
+    result[14] = k_42 * (t_81 - t_77) + k_80 * (t_186 - t_182) + k_118 * (t_269 - t_265);                  // l=3 m=2
+    result[15] = k_27 * (t_56 + t_70) + k_65 * (t_161 + t_175) + k_103 * (t_244 + t_258);                  // l=3 m=3
+    result[23] = k_28 * (t_56 - t_70) + k_66 * (t_161 - t_175) + k_104 * (t_244 - t_258);                  // l=4 m=3
+    result[4] = k_29 * t_86 + k_67 * t_191 + k_105 * t_274;                                                // l=2 m=-2
+    result[18] = k_31 * t_86 + k_69 * t_191 - k_107 * t_274;                                               // l=4 m=-2
+    result[1] = k_32 * t_87 + k_70 * t_192 + k_108 * t_275;                                                // l=1 m=-1
+    result[11] = k_34 * t_87 + k_72 * t_192 - k_110 * t_275;                                               // l=3 m=-1
+    result[5] = k_33 * t_88 + k_71 * t_193 + k_109 * t_276;                                                // l=2 m=-1
+    result[19] = k_35 * t_88 - k_73 * t_193 - k_111 * t_276;                                               // l=4 m=-1
+    result[3] = k_32 * t_91 + k_70 * t_196 + k_108 * t_279;                                                // l=1 m=1
+    result[13] = k_34 * t_91 + k_72 * t_196 - k_110 * t_279;                                               // l=3 m=1
+    result[7] = k_33 * t_92 + k_71 * t_197 + k_109 * t_280;                                                // l=2 m=1
+    result[21] = k_35 * t_92 - k_73 * t_197 - k_111 * t_280;                                               // l=4 m=1
+    result[8] = k_41 * t_93 + k_79 * t_198 + k_117 * t_281;                                                // l=2 m=2
+    result[22] = k_43 * t_93 + k_81 * t_198 - k_119 * t_281;                                               // l=4 m=2
+    float t_282 = t_201 + t_203;
+    float t_283 = t_201 - t_203;
     float t_284 = t_282 * t_282;
     float t_285 = t_283 * t_283;
     float t_286 = t_284 + t_285;
     float t_287 = t_284 - t_285;
-    result[0] = k_34 * t_89 + k_70 * t_194 + k_106 * t_277 + k_119 * t_286;                               // l=0 m=0
-    result[2] = k_35 * t_90 + k_71 * t_195 + k_107 * t_278 + k_120 * t_287;                               // l=1 m=0
-    result[12] = k_37 * t_90 - k_73 * t_195 - k_109 * t_278 + k_122 * t_287;                              // l=3 m=0
-    result[6] = k_36 * t_89 + k_72 * t_194 - k_108 * t_277 + k_121 * t_286;                               // l=2 m=0
-    result[20] = k_38 * t_89 - k_74 * t_194 + k_110 * t_277 + k_123 * t_286;                              // l=4 m=0
+    result[0] = k_36 * t_89 + k_74 * t_194 + k_112 * t_277 + k_125 * t_286;                                // l=0 m=0
+    result[2] = k_37 * t_90 + k_75 * t_195 + k_113 * t_278 + k_126 * t_287;                                // l=1 m=0
+    result[12] = k_39 * t_90 - k_77 * t_195 - k_115 * t_278 + k_128 * t_287;                               // l=3 m=0
+    result[6] = k_38 * t_89 + k_76 * t_194 - k_114 * t_277 + k_127 * t_286;                                // l=2 m=0
+    result[20] = k_40 * t_89 - k_78 * t_194 + k_116 * t_277 + k_129 * t_286;                               // l=4 m=0
 }

@@ -32,6 +32,7 @@ std::vector<FamilyCheck> all_checks() {
           lightmap_project_check(),
           lightmap_evaluate_check(),
           product_check(),
+          product_full_check(),
           square_check(),
           product_zonal_check(),
           triple_check(),

@@ -29,6 +29,7 @@ FamilyCheck lightmap_check();
 FamilyCheck lightmap_project_check();
 FamilyCheck lightmap_evaluate_check();
 FamilyCheck product_check();
+FamilyCheck product_full_check();
 FamilyCheck square_check();
 FamilyCheck product_zonal_check();
 FamilyCheck triple_check();

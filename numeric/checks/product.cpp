@@ -1,9 +1,10 @@
-// Products: product(a, b), square(a), product_zonal(a, zonal) -> coefficients of the product on the same bands, and
-// triple(a, b, c) -> the integral of a b c. Against quadrature on the sphere, exact for the degree of the integrand, of
-// the values of numeric's basis at its nodes.
+// Products: product(a, b), square(a), product_zonal(a, zonal) -> coefficients of the product on the same bands,
+// product_full(a, b) -> all of them, and triple(a, b, c) -> the integral of a b c. Against quadrature on the sphere,
+// exact for the degree of the integrand, of the values of numeric's basis at its nodes.
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 #include <vector>
 
 #include "numeric/checks/checks.hpp"
@@ -15,44 +16,52 @@ namespace {
 
 constexpr int kVectors = 60;
 
-// A rule for products of three functions of one degree, with the values of the basis at its nodes.
+// A rule for two factors of one degree and a result of another, with the values of the basis at its nodes.
 template <class Real>
 struct ProductRule {
-  std::size_t coefficients = 0;
+  std::size_t factor = 0;     // coefficients of a factor
+  std::size_t result = 0;     // of the result, not fewer
   std::vector<Real> weights;  // (nodes)
-  std::vector<Real> basis;    // (nodes, bands^2)
+  std::vector<Real> basis;    // (nodes, result)
 
-  explicit ProductRule(int degree) : coefficients(static_cast<std::size_t>(coefficient_count(degree))) {
-    for (const auto& node : sphere_rule<Real>(3 * degree)) {
+  ProductRule(int degree, int result_degree)
+      : factor(static_cast<std::size_t>(coefficient_count(degree))),
+        result(static_cast<std::size_t>(coefficient_count(result_degree))) {
+    for (const auto& node : sphere_rule<Real>(2 * degree + result_degree)) {
       weights.push_back(node.weight);
-      basis.resize(basis.size() + coefficients);
-      sh::numeric::basis(degree, node.x, node.y, node.z, basis.data() + basis.size() - coefficients);
+      basis.resize(basis.size() + result);
+      sh::numeric::basis(result_degree, node.x, node.y, node.z, basis.data() + basis.size() - result);
     }
   }
 
-  // The function with coefficients c at node k.
+  // The factor with coefficients c at node k.
   Real value(std::size_t k, const Real* c) const {
     Real sum = 0;
-    for (std::size_t i = 0; i < coefficients; ++i) sum += c[i] * basis[k * coefficients + i];
+    for (std::size_t i = 0; i < factor; ++i) sum += c[i] * basis[k * result + i];
     return sum;
   }
 };
 
 template <class Real>
-const ProductRule<Real>& cached_product_rule(int degree) {
-  static std::map<int, ProductRule<Real>> rules;
-  const auto found = rules.find(degree);
-  return found != rules.end() ? found->second : rules.emplace(degree, ProductRule<Real>(degree)).first->second;
+const ProductRule<Real>& cached_product_rule(int degree, int result_degree) {
+  static std::map<std::pair<int, int>, ProductRule<Real>> rules;
+  return rules.try_emplace({degree, result_degree}, degree, result_degree).first->second;
+}
+
+// Factors of a degree, at most result_degree; out ((result_degree + 1)^2).
+template <class Real>
+void product(int degree, int result_degree, const Real* a, const Real* b, Real* out) {
+  const auto& rule = cached_product_rule<Real>(degree, result_degree);
+  std::fill_n(out, rule.result, Real(0));
+  for (std::size_t k = 0; k < rule.weights.size(); ++k) {
+    const Real weighted = rule.weights[k] * rule.value(k, a) * rule.value(k, b);
+    for (std::size_t i = 0; i < rule.result; ++i) out[i] += weighted * rule.basis[k * rule.result + i];
+  }
 }
 
 template <class Real>
 void product(int degree, const Real* a, const Real* b, Real* out) {
-  const auto& rule = cached_product_rule<Real>(degree);
-  std::fill_n(out, rule.coefficients, Real(0));
-  for (std::size_t k = 0; k < rule.weights.size(); ++k) {
-    const Real weighted = rule.weights[k] * rule.value(k, a) * rule.value(k, b);
-    for (std::size_t i = 0; i < rule.coefficients; ++i) out[i] += weighted * rule.basis[k * rule.coefficients + i];
-  }
+  product(degree, degree, a, b, out);
 }
 
 std::vector<NamedInput> pairs(int degree) {
@@ -84,24 +93,34 @@ double lengths(const double* in, std::initializer_list<int> counts) {
 
 Parameter coefficients(const char* name, int degree) { return in_array(name, coefficient_count(degree)); }
 
+// result_degree: of the product of two factors of a degree.
+FamilyCheck check_of_product(const char* family, int (*result_degree)(int)) {
+  return {.family = family,
+          .signature =
+              [result_degree](int degree) {
+                return Signature{{coefficients("a", degree), coefficients("b", degree),
+                                  out_array("out", coefficient_count(result_degree(degree)))}};
+              },
+          .inputs = pairs,
+          .oracle = [result_degree](
+                        int degree, const auto* in,
+                        auto* out) { product(degree, result_degree(degree), in, in + coefficient_count(degree), out); },
+          .nearest = {},
+          .size =
+              [](int degree, const double* in, std::size_t /*output*/) {
+                return lengths(in, {coefficient_count(degree), coefficient_count(degree)});
+              },
+          .unit = "|a| |b|"};
+}
+
 }  // namespace
 
 FamilyCheck product_check() {
-  return {
-      .family = "product",
-      .signature =
-          [](int degree) {
-            return Signature{
-                {coefficients("a", degree), coefficients("b", degree), out_array("out", coefficient_count(degree))}};
-          },
-      .inputs = pairs,
-      .oracle = [](int degree, const auto* in, auto* out) { product(degree, in, in + coefficient_count(degree), out); },
-      .nearest = {},
-      .size =
-          [](int degree, const double* in, std::size_t /*output*/) {
-            return lengths(in, {coefficient_count(degree), coefficient_count(degree)});
-          },
-      .unit = "|a| |b|"};
+  return check_of_product("product", [](int degree) { return degree; });
+}
+
+FamilyCheck product_full_check() {
+  return check_of_product("product_full", [](int degree) { return 2 * degree; });
 }
 
 FamilyCheck square_check() {

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "generated/cpp/product_full.hpp"
 #include "generated/cpp/product_zonal.hpp"
 #include "generated/cpp/square.hpp"
 #include "generated/cpp/triple.hpp"
@@ -82,6 +83,33 @@ TEST(GeneratedProducts, AgreeWithIntegrationOverTheSphere) {
     product_zonal<kDegree>(a.data(), zonal.data(), out.data());
     expect_near(out, integrated_product(a, with_zeros(zonal), kDegree), 2e-15);
   });
+}
+
+// The function's value at a direction.
+double value_at(const Coefficients& c, int degree, double x, double y, double z) {
+  Coefficients values(c.size());
+  numeric::basis(degree, x, y, z, values.data());
+  return dot(c, values);
+}
+
+TEST(GeneratedProducts, CompleteOnesAreTheProductAtEveryPoint) {
+  const auto test = []<int kDegree>() {
+    const auto a = random_unit(count_of(kDegree), 11);
+    const auto b = random_unit(count_of(kDegree), 12);
+    Coefficients out(count_of(2 * kDegree) + 1, std::numeric_limits<double>::quiet_NaN());
+    product_full<kDegree>(a.data(), b.data(), out.data());
+    EXPECT_TRUE(std::isnan(out.back()));
+    out.pop_back();
+    for (const auto& node : numeric::sphere_rule<double>(4)) {
+      EXPECT_NEAR(value_at(out, 2 * kDegree, node.x, node.y, node.z),
+                  value_at(a, kDegree, node.x, node.y, node.z) * value_at(b, kDegree, node.x, node.y, node.z), 1e-13);
+    }
+  };
+  test.operator()<0>();
+  test.operator()<1>();
+  test.operator()<2>();
+  test.operator()<3>();
+  test.operator()<4>();
 }
 
 TEST(GeneratedProducts, InFloatStayWithinFourEpsOfTheLengths) {

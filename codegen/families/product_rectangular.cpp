@@ -1,0 +1,124 @@
+// Products of functions of different degrees, and complete ones: degree N times degree N gives degree 2 N.
+//
+// Shape -> recipes that serve it alone: products by pairs and term by term where there are few terms, by quadrature
+// else, looped where code without a loop would be too long.
+#include <algorithm>
+#include <stdexcept>
+
+#include "codegen/cost.hpp"
+#include "codegen/families/families.hpp"
+#include "codegen/families/product_reference.hpp"
+#include "codegen/passes/share.hpp"
+#include "codegen/recipes/product_pairs.hpp"
+#include "codegen/recipes/product_separable.hpp"
+#include "codegen/recipes/product_tensor.hpp"
+
+namespace sh::codegen {
+namespace {
+
+using recipes::Factors;
+using recipes::SampleProduct;
+using symbolic::ProductShape;
+
+constexpr std::size_t kMostByTerms = 800;  // terms G a_i b_j; beyond, a product a term is too long
+constexpr std::size_t kMostByPairs = 2500;
+constexpr int kLeastByQuadrature = 4;  // the sum of the three degrees; below, there are no rings but poles and equator
+constexpr int kMostUnrolled = 20;      // beyond, a loop runs over the rings
+
+int operations(const Recipe& recipe, int degree) {
+  return cost(passes::fold(passes::share(recipe.make(degree)))).operations();
+}
+
+std::size_t term_count(const ProductShape& shape) {
+  std::size_t count = 0;
+  for (const symbolic::BilinearForm& form : symbolic::product_form(shape)) count += form.terms.size();
+  return count;
+}
+
+// The ways to compute one shape, the one with the fewest operations first.
+std::vector<Recipe> recipes_of(const ProductShape& shape) {
+  const int degree = shape.result;
+  std::vector<Recipe> recipes;
+  const auto add = [&](const char* name, const std::function<Kernel()>& make) {
+    recipes.push_back({name, [make](int /*degree*/) { return make(); }, degree, degree});
+  };
+  const int total = shape.a + shape.b + shape.result;
+  const std::size_t terms = term_count(shape);
+  if (total >= kLeastByQuadrature && total <= kMostUnrolled) {
+    add("separable", [shape] { return recipes::product_separable(shape, Factors::kTwo, SampleProduct::kDirect); });
+    add("separable-halves",
+        [shape] { return recipes::product_separable(shape, Factors::kTwo, SampleProduct::kHalves); });
+  }
+  if (total > kMostUnrolled) {
+    add("looped", [shape] { return recipes::product_looped(shape, Factors::kTwo, SampleProduct::kDirect); });
+  }
+  if (terms <= kMostByPairs) {
+    add("pairs", [shape] { return recipes::product_pairs(shape, Factors::kTwo, recipes::greedy_cover(shape)); });
+  }
+  if (terms <= kMostByTerms) add("tensor", [shape] { return recipes::product_tensor(shape, Factors::kTwo); });
+  std::stable_sort(recipes.begin(), recipes.end(), [degree](const Recipe& x, const Recipe& y) {
+    return operations(x, degree) < operations(y, degree);
+  });
+  return recipes;
+}
+
+FactorSizes fixed_factors(const ProductShape& shape) {
+  return [shape](int /*degree*/) {
+    return std::vector<int>{recipes::coefficient_count(shape.a), recipes::coefficient_count(shape.b)};
+  };
+}
+
+ProductShape complete(int degree) { return {degree, degree, 2 * degree}; }
+
+}  // namespace
+
+Family rectangular_product_family(int left_degree, int right_degree, int degree) {
+  const ProductShape shape{left_degree, right_degree, degree};
+  const auto require = [](const std::string& what, int value, int largest, const std::string& limit) {
+    if (value >= 0 && value <= largest) return;
+    throw std::invalid_argument("product: degree " + std::to_string(value) + " of " + what + "; it should be 0 to " +
+                                std::to_string(largest) + ", " + limit);
+  };
+  constexpr const char* kTensor = "to which the Gaunt tensor is derived";
+  constexpr const char* kComplete = "beyond which the product is zero";
+  require("the left factor", left_degree, symbolic::kMaxProductDegree, kTensor);
+  require("the right factor", right_degree, symbolic::kMaxProductDegree, kTensor);
+  require("the result", degree, left_degree + right_degree, kComplete);
+  const std::string left = std::to_string(left_degree);
+  const std::string right = std::to_string(right_degree);
+  Family family;
+  family.name = "product_" + left + "x" + right;
+  family.arguments = "product --degree-left " + left + " --degree-right " + right;
+  family.largest_emitted = left_degree + right_degree;
+  family.limit = kComplete;
+  family.recipes = recipes_of(shape);
+  family.reference = [shape](int /*degree*/, int count) { return product_reference(shape, count); };
+  family.domain = factor_domain(fixed_factors(shape), "|a| |b|");
+  return family;
+}
+
+Family product_full_family() {
+  constexpr int kLargest = 4;
+  const auto pairs = [](int degree) {
+    return recipes::product_pairs(complete(degree), Factors::kTwo, recipes::greedy_cover(complete(degree)));
+  };
+  const auto separable = [](SampleProduct way) {
+    return [way](int degree) { return recipes::product_separable(complete(degree), Factors::kTwo, way); };
+  };
+  Family family;
+  family.name = "product_full";
+  family.largest_written = kLargest;
+  family.largest_emitted = kLargest;
+  family.limit = "beyond which `shgen emit product --degree-left N --degree-right N` serves";
+  family.recipes = {
+      {"pairs", pairs, 0, kLargest},
+      {"separable", separable(SampleProduct::kDirect), 1, kLargest},
+      {"separable-halves", separable(SampleProduct::kHalves), 1, kLargest},
+      {"tensor", [](int degree) { return recipes::product_tensor(complete(degree), Factors::kTwo); }, 0, 3}};
+  family.reference = [](int degree, int count) { return product_reference(complete(degree), count); };
+  family.domain =
+      factor_domain([](int degree) { return std::vector<int>(2, recipes::coefficient_count(degree)); }, "|a| |b|");
+  return family;
+}
+
+}  // namespace sh::codegen
