@@ -39,6 +39,16 @@ Surd function_scale(const Convention& convention, int l, int m) {
 
 bool starts_with(const std::string& text, const std::string& part) { return text.rfind(part, 0) == 0; }
 
+// Of an array of coefficients: that of the kernel, or its own where factors and result of a product may differ.
+int degree_of(const Kernel& kernel, const Parameter& array) {
+  if (!starts_with(kernel.family, "product")) return kernel.degree;
+  int degree = 0;
+  while ((degree + 1) * (degree + 1) < array.size()) ++degree;
+  return degree;
+}
+
+int count_of(int degree) { return (degree + 1) * (degree + 1); }
+
 class LayoutMaker {
  public:
   LayoutMaker(const Kernel& kernel, const Convention& convention, const SignedPermutation& axes)
@@ -60,7 +70,7 @@ class LayoutMaker {
     } else if (array.name == "zonal" && size == bands) {
       append_zonal(array);
     } else if (holds_coefficients(array)) {
-      append_channels(array, size / (bands * bands));
+      append_channels(array, degree_of(kernel_, array));
     } else if (array.shape.empty() || array.name == "rgb" || kernel_.returns_scalar()) {
       append_plain(array);
     } else {
@@ -70,15 +80,15 @@ class LayoutMaker {
 
   [[nodiscard]] bool holds_coefficients(const Parameter& array) const {
     static const std::set<std::string> kNames{"a", "b", "c", "sum", "out", "dx", "dy", "dz"};
-    const int count = (kernel_.degree + 1) * (kernel_.degree + 1);
-    return !array.shape.empty() && kNames.count(array.name) > 0 && array.size() % count == 0;
+    return !array.shape.empty() && kNames.count(array.name) > 0 &&
+           array.size() % count_of(degree_of(kernel_, array)) == 0;
   }
 
   // How many numbers the array holds in the convention.
   [[nodiscard]] int stored_size(const Parameter& array) const {
     if (!holds_coefficients(array)) return array.size();
-    return array.size() / ((kernel_.degree + 1) * (kernel_.degree + 1)) *
-           storage_size(convention_.order, kernel_.degree);
+    const int degree = degree_of(kernel_, array);
+    return array.size() / count_of(degree) * storage_size(convention_.order, degree);
   }
 
   [[noreturn]] void refuse(const std::string& why) const {
@@ -123,7 +133,8 @@ class LayoutMaker {
       add(target, sign);
     } else {
       for (int l = 0; l <= kernel_.degree; ++l) {
-        for (int m = -l; m <= l; ++m) add(target + position(l, m), sign * function_scale(convention_, l, m));
+        for (int m = -l; m <= l; ++m)
+          add(target + position(kernel_.degree, l, m), sign * function_scale(convention_, l, m));
       }
     }
     Parameter theirs = array;
@@ -148,14 +159,15 @@ class LayoutMaker {
     layout_.arrays.push_back(array);
   }
 
-  void append_channels(const Parameter& array, int channels) {
+  void append_channels(const Parameter& array, int degree) {
     const int first = base();
-    const int size = storage_size(convention_.order, kernel_.degree);
+    const int channels = array.size() / count_of(degree);
+    const int size = storage_size(convention_.order, degree);
     const bool functions = starts_with(kernel_.family, "basis");
     for (int channel = 0; channel < channels; ++channel) {
-      for (int l = 0; l <= kernel_.degree; ++l) {
+      for (int l = 0; l <= degree; ++l) {
         for (int m = -l; m <= l; ++m) {
-          add(first + channel * size + position(l, m),
+          add(first + channel * size + position(degree, l, m),
               functions ? function_scale(convention_, l, m) : coefficient_factor(l, m));
         }
       }
@@ -165,7 +177,9 @@ class LayoutMaker {
     layout_.arrays.push_back(std::move(theirs));
   }
 
-  [[nodiscard]] int position(int l, int m) const { return storage_position(convention_.order, kernel_.degree, l, m); }
+  [[nodiscard]] int position(int degree, int l, int m) const {
+    return storage_position(convention_.order, degree, l, m);
+  }
 
   // c' = c / s, with what is folded in; a family that evaluates sums what is stored with the convention's functions.
   [[nodiscard]] Surd coefficient_factor(int l, int m) const {
@@ -297,7 +311,9 @@ Convention chosen_convention(const Kernel& kernel, const ConventionOptions& opti
       options.convention.empty() ? our_convention() : symbolic::find_preset(options.convention).convention;
   if (convention.complex)
     throw std::invalid_argument("convention " + options.convention + ": it is complex; kernels are for real ones");
-  require_convention(convention, kernel.degree);
+  int degree = kernel.degree;
+  for (const Parameter& result : kernel.results) degree = std::max(degree, degree_of(kernel, result));
+  require_convention(convention, degree);
   const bool multiplies = starts_with(kernel.family, "product") || starts_with(kernel.family, "square") ||
                           starts_with(kernel.family, "triple");
   if (multiplies && convention.folded != symbolic::Folded::kNothing)

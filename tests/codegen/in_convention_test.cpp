@@ -9,6 +9,7 @@
 #include "codegen/catalogue.hpp"
 #include "codegen/directions.hpp"
 #include "codegen/evaluate.hpp"
+#include "codegen/families/families.hpp"
 #include "codegen/gauge.hpp"
 #include "symbolic/presets.hpp"
 #include "tests/codegen/support.hpp"
@@ -119,6 +120,40 @@ TEST(InConvention, CoefficientsScaleTheOtherWay) {
       return total;
     };
     expect_close(sum(turned, basis, theirs), sum(own, own_basis, ours), name);
+  }
+}
+
+TEST(InConvention, ScalesFactorsAndResultOfAProductByTheirOwnDegrees) {
+  // theirs(s a, t b) = u (a b), each in its own storage; DirectXMath scales by a sign, N3D by a factor as well.
+  const Family family = rectangular_product_family(2, 1, 3);
+  const FinishedKernel ours = preferred_kernel(family, 3, Prefer::kSpeed);
+  for (const char* name : {"directxmath", "ambix"}) {
+    const symbolic::Convention convention = symbolic::find_preset(name).convention;
+    const FinishedKernel theirs = in_convention(ours, family.reference(3, kReferencePoints), {name, ""});
+    const auto stored = [&](const std::vector<cln::cl_F>& c, int degree) {
+      std::vector<cln::cl_F> values(static_cast<std::size_t>(storage_size(convention.order, degree)));
+      for (int l = 0; l <= degree; ++l) {
+        for (int m = -l; m <= l; ++m) {
+          const Surd scale = (convention_factor(convention, l, m) / convention_factor(symbolic::Convention{}, l, m));
+          values[static_cast<std::size_t>(storage_position(convention.order, degree, l, m))] =
+              c[static_cast<std::size_t>(l * (l + 1) + m)] / scale.evaluate(kDigits);
+        }
+      }
+      return values;
+    };
+    std::vector<cln::cl_F> a;
+    std::vector<cln::cl_F> b;
+    for (int i = 0; i < 9; ++i) a.push_back(as_float(cln::cl_RA(i + 2) / 7));
+    for (int i = 0; i < 4; ++i) b.push_back(as_float(cln::cl_RA(3 - 2 * i) / 5));
+    std::vector<cln::cl_F> inputs = a;
+    inputs.insert(inputs.end(), b.begin(), b.end());
+    const auto wanted = stored(Evaluator<cln::cl_F>(ours.kernel, kDigits)(inputs), 3);
+    inputs = stored(a, 2);
+    const auto right = stored(b, 1);
+    inputs.insert(inputs.end(), right.begin(), right.end());
+    const auto values = Evaluator<cln::cl_F>(theirs.kernel, kDigits)(inputs);
+    ASSERT_EQ(values.size(), wanted.size());
+    for (std::size_t i = 0; i < values.size(); ++i) expect_close(values[i], wanted[i], name);
   }
 }
 
