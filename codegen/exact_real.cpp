@@ -118,8 +118,8 @@ std::optional<ExactReal> add(const ExactReal& a, const ExactReal& b) {
     const Surd& right = std::get<Surd>(b);
     return left->adds_to(right) ? std::optional<ExactReal>(*left + right) : std::nullopt;
   }
-  const Computed& left = std::get<Computed>(a);
-  const Computed& right = std::get<Computed>(b);
+  const auto& left = std::get<Computed>(a);
+  const auto& right = std::get<Computed>(b);
   if (!left.has_powers_of(right) || !left.factor().adds_to(right.factor())) return std::nullopt;
   const Surd factor = left.factor() + right.factor();
   return factor.is_zero() ? ExactReal(factor) : left.with_factor(factor);

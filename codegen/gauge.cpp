@@ -77,7 +77,7 @@ class GaugeSolver {
   Gauge fresh() { return {Surd(1), {{unknowns_++, 1}}}; }
 
   // With everything that has been found out put in.
-  Gauge resolved(const Gauge& g) const {
+  [[nodiscard]] Gauge resolved(const Gauge& g) const {
     Gauge result{g.known, {}};
     for (const auto& [variable, power] : g.unknown) {
       const auto found = solution_.find(variable);

@@ -242,6 +242,7 @@ std::vector<Value> run_forwards(SignedBuilder& build, const LinearCircuit& circu
   std::vector<Value> values = columns;
   for (const auto& sum : circuit.sums) {
     std::vector<Value> terms;
+    terms.reserve(sum.size());
     for (const LinearTerm& term : sum) {
       terms.push_back(build.times_once(term.factor, values[static_cast<std::size_t>(term.source)]));
     }
@@ -267,6 +268,7 @@ std::vector<Value> run_transposed(SignedBuilder& build, const LinearCircuit& cir
     }
   }
   std::vector<Value> columns;
+  columns.reserve(static_cast<std::size_t>(circuit.inputs));
   for (int i = 0; i < circuit.inputs; ++i) columns.push_back(build.sum(reaching[static_cast<std::size_t>(i)]));
   return columns;
 }

@@ -364,7 +364,8 @@ std::string call_file(const std::vector<Driver>& drivers) {
   for (const Driver& driver : drivers) {
     if (driver.prepares()) {
       for (const std::string scalar : kScalars) {
-        once += "void prepare_" + driver.spec.name + "(int degree, const " + scalar + "* in, " + scalar + "* out);\n";
+        once.append("void prepare_" + driver.spec.name + "(int degree, const ").append(scalar);
+        once.append("* in, ").append(scalar).append("* out);\n");
       }
     }
     if (driver.adds_parts()) {

@@ -17,6 +17,9 @@ constexpr int kThoroughAttempts = 30;
 
 double approximate(const ExactReal& value) { return cln::double_approx(evaluate(value, 20)); }
 
+// The place of an element; arithmetic on positions stays in int.
+std::size_t position(int i) { return static_cast<std::size_t>(i); }
+
 }  // namespace
 
 PhiTransform::PhiTransform(const PhiShape& shape)
@@ -32,9 +35,7 @@ PhiTransform::PhiTransform(const PhiShape& shape)
   }
 }
 
-const ExactReal& PhiTransform::scale(int order) const {
-  return scales_[static_cast<std::size_t>(order + shape_.degree)];
-}
+const ExactReal& PhiTransform::scale(int order) const { return scales_[position(order + shape_.degree)]; }
 
 std::vector<int> PhiTransform::orders_of(int part) const {
   std::vector<int> orders;
@@ -60,8 +61,8 @@ LinearMap PhiTransform::matrix(int part) const {
       if (is_zero(value)) continue;
       for (int ring = 0; ring < shape_.rings; ++ring) {
         if (!shared(column.order) && ring != column.ring) continue;
-        rows[static_cast<std::size_t>(ring * samples() + j)].emplace(static_cast<int>(c),
-                                                                     multiply(value, reciprocal(scale(column.order))));
+        rows[position(ring * samples() + j)].emplace(static_cast<int>(c),
+                                                     multiply(value, reciprocal(scale(column.order))));
       }
     }
   }
@@ -102,7 +103,7 @@ void PhiTransform::choose_scales(int part) {
   int best = cost(part, kQuickAttempts);
   for (const int order : orders_of(part)) {
     if (std::find(shape_.unscaled.begin(), shape_.unscaled.end(), std::abs(order)) != shape_.unscaled.end()) continue;
-    ExactReal& chosen = scales_[static_cast<std::size_t>(order + shape_.degree)];
+    ExactReal& chosen = scales_[position(order + shape_.degree)];
     ExactReal before = chosen;
     for (const ExactReal& candidate : candidate_scales(order)) {
       chosen = candidate;
@@ -120,8 +121,7 @@ PhiTransform::Samples PhiTransform::sample(SignedBuilder& build, const Coefficie
   for (std::size_t part = 0; part < kParts; ++part) {
     std::vector<Value> inputs;
     for (const Column& column : columns_[part]) {
-      inputs.push_back(
-          coefficients[static_cast<std::size_t>(column.ring)][static_cast<std::size_t>(column.order + shape_.degree)]);
+      inputs.push_back(coefficients[static_cast<std::size_t>(column.ring)][position(column.order + shape_.degree)]);
     }
     const std::vector<Value> rows = run_forwards(build, circuits_[part], inputs);
     for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -143,8 +143,7 @@ PhiTransform::Coefficients PhiTransform::analyse(SignedBuilder& build, const Sam
     const std::vector<Value> columns = run_transposed(build, circuits_[part], rows);
     for (std::size_t c = 0; c < columns.size(); ++c) {
       const Column& column = columns_[part][c];
-      result[static_cast<std::size_t>(column.ring)][static_cast<std::size_t>(column.order + shape_.degree)] =
-          columns[c];
+      result[static_cast<std::size_t>(column.ring)][position(column.order + shape_.degree)] = columns[c];
     }
   }
   return result;

@@ -94,7 +94,7 @@ class Pairs {
     return entries;
   }
 
-  std::vector<Value> padded(std::vector<Value> values) const {
+  [[nodiscard]] std::vector<Value> padded(std::vector<Value> values) const {
     values.resize(static_cast<std::size_t>(count_));
     return values;
   }

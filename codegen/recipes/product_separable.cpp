@@ -19,6 +19,9 @@ using Samples = PhiTransform::Samples;
 using Coefficients = PhiTransform::Coefficients;
 using Parts = std::array<Value, kParts>;
 
+// The place of an element; arithmetic on positions stays in int.
+std::size_t position(int i) { return static_cast<std::size_t>(i); }
+
 // A constant of a ring; one for each pair of rings where a loop runs over the pairs.
 using Factor = std::vector<ExactReal>;
 
@@ -89,7 +92,7 @@ class Separable {
 
   // The constant of a ring, or of all pairs of rings where a loop runs over them.
   template <class Of>
-  Factor of_rings(int ring, const Of& of) const {
+  [[nodiscard]] Factor of_rings(int ring, const Of& of) const {
     const bool all = looped_ && ring < quadrature_.rings().pairs;
     Factor factor;
     for (int r = ring; r < (all ? quadrature_.rings().pairs : ring + 1); ++r) factor.push_back(of(r));
@@ -214,7 +217,7 @@ class Separable {
     const bool pair = !quadrature_.is_equator(ring);
     Coefficients result(pair ? 2 : 1, std::vector<Value>(static_cast<std::size_t>(2 * degree + 1)));
     for (int order = -degree; order <= degree; ++order) {
-      const auto at = static_cast<std::size_t>(order + degree);
+      const auto at = position(order + degree);
       const Halves halves = synthesise(c, degree, order, ring, phi.scale(order));
       result[0][at] = build_.named(build_.plus(halves.even, halves.odd), named(letter, ring, order, "n"));
       if (!pair) continue;
@@ -271,9 +274,7 @@ class Separable {
 
   // cos and sin coefficient of frequency k in the product of two trigonometric polynomials, times 2.
   std::pair<Value, Value> frequency(int k, const std::vector<Value>& a, const std::vector<Value>& b) {
-    const auto of = [](const std::vector<Value>& f, int degree, int order) {
-      return f[static_cast<std::size_t>(order + degree)];
-    };
+    const auto of = [](const std::vector<Value>& f, int degree, int order) { return f[position(order + degree)]; };
     std::vector<Value> cosines;
     std::vector<Value> sines;
     for (const auto& [m, n] : orders_adding_to(k)) {
@@ -317,7 +318,7 @@ class Separable {
       cln::cl_RA factor = cln::cl_RA(halves_ ? 4 : 8) / angles_;
       if (same_ && part_of(order) != 0) factor = 2 * factor;
       const ExactReal same_on_all = multiply(Surd(factor) * Surd::square_root(1, 2), phi_c.scale(order));
-      collect(order, ring, halves[static_cast<std::size_t>(order + shape_.result)], times(weight(ring), same_on_all));
+      collect(order, ring, halves[position(order + shape_.result)], times(weight(ring), same_on_all));
     }
   }
 
@@ -332,7 +333,7 @@ class Separable {
       for (std::size_t r = 0; r < (once ? 1 : a.size()); ++r) {
         const auto [c, s] = frequency(k, a[r], b[r]);
         for (const bool sine : {false, true}) {
-          const auto at = static_cast<std::size_t>((sine ? -q : q) + shape_.result);
+          const auto at = position((sine ? -q : q) + shape_.result);
           const ExactReal scale = reciprocal(phi.scale(sine ? -q : q));
           ExactReal factor = multiply(alias_factor(q, sine), scale);
           if (once) factor = multiply(factor, Surd(2));
@@ -350,7 +351,7 @@ class Separable {
     }
     std::vector<Halves> halves;
     for (int order = -shape_.result; order <= shape_.result; ++order) {
-      const auto at = static_cast<std::size_t>(order + shape_.result);
+      const auto at = position(order + shape_.result);
       Halves half{sums[0][at], {}};
       if (a.size() == 2 && !phi.shared(order)) {
         half = {build_.plus(sums[0][at], sums[1][at]), build_.minus(sums[0][at], sums[1][at])};

@@ -127,6 +127,7 @@ Kernel triple(Kernel product, int degree) {
   SignedBuilder build(kernel);
   const std::vector<Value> c = build.inputs(2 * count, count);
   std::vector<Value> terms;
+  terms.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) {
     terms.push_back(build.times({kernel.outputs[static_cast<std::size_t>(i)].node}, c[static_cast<std::size_t>(i)]));
   }

@@ -56,6 +56,7 @@ std::vector<cln::cl_RA> derivative(const std::vector<cln::cl_RA>& coefficients) 
 // The zeros in (0, 1), falling, to about double precision: sign changes on a grid finer than any gap.
 std::vector<double> rough_zeros(const std::vector<cln::cl_RA>& exact) {
   std::vector<double> p;
+  p.reserve(exact.size());
   for (const cln::cl_RA& c : exact) p.push_back(cln::double_approx(c));
   constexpr int kGrid = 4096;
   std::vector<double> zeros;

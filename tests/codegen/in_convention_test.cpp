@@ -11,6 +11,7 @@
 #include "codegen/evaluate.hpp"
 #include "codegen/families/families.hpp"
 #include "codegen/gauge.hpp"
+#include "symbolic/basis.hpp"
 #include "symbolic/presets.hpp"
 #include "tests/codegen/support.hpp"
 
@@ -136,13 +137,15 @@ TEST(InConvention, ScalesFactorsAndResultOfAProductByTheirOwnDegrees) {
         for (int m = -l; m <= l; ++m) {
           const Surd scale = (convention_factor(convention, l, m) / convention_factor(symbolic::Convention{}, l, m));
           values[static_cast<std::size_t>(storage_position(convention.order, degree, l, m))] =
-              c[static_cast<std::size_t>(l * (l + 1) + m)] / scale.evaluate(kDigits);
+              c[static_cast<std::size_t>(symbolic::coefficient_index(l, m))] / scale.evaluate(kDigits);
         }
       }
       return values;
     };
     std::vector<cln::cl_F> a;
     std::vector<cln::cl_F> b;
+    a.reserve(9);
+    b.reserve(4);
     for (int i = 0; i < 9; ++i) a.push_back(as_float(cln::cl_RA(i + 2) / 7));
     for (int i = 0; i < 4; ++i) b.push_back(as_float(cln::cl_RA(3 - 2 * i) / 5));
     std::vector<cln::cl_F> inputs = a;

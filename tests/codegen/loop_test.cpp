@@ -71,7 +71,7 @@ TEST(Loop, RefusesSumsOfNothingAndRowsAfterSums) {
 
 TEST(Loop, IsPrintedWithSumsBeforeItAndStoresAfterIt) {
   std::string text;
-  const print::Dialect dialect = print::cpp_dialect();
+  const print::Dialect& dialect = print::cpp_dialect();
   for (const std::string& line : print::statement_lines(print::make_listing(probe(), dialect), dialect)) {
     text += line + "\n";
   }

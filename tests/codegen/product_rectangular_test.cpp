@@ -18,7 +18,10 @@ namespace {
 
 using symbolic::ProductShape;
 
-std::size_t count_of(int degree) { return static_cast<std::size_t>((degree + 1) * (degree + 1)); }
+std::size_t count_of(int degree) {
+  const auto bands = static_cast<std::size_t>(degree + 1);
+  return bands * bands;
+}
 
 Family family_of(const ProductShape& shape) { return rectangular_product_family(shape.a, shape.b, shape.result); }
 
