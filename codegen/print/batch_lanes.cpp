@@ -14,6 +14,7 @@ const char* const kBatchLanes =
 #pragma once
 
 #include <cstddef>
+#include <utility>
 #include <xsimd/xsimd.hpp>
 
 #include "generated/batch/layout.hpp"
@@ -117,14 +118,24 @@ template <int Inputs, int Size, class T, class Kernel>
   });
 }
 
+// body(0), body(1), ..., so that arrays with these indices may live in registers.
+template <std::size_t... K, class Body>
+[[gnu::always_inline]] inline void unrolled(std::index_sequence<K...> /*count*/, const Body& body) {
+  (body(K), ...);
+}
+
 // The same where input 0, Size values a record, is in half precision: `in[0]` and `step[0]` count two of them as one.
 template <int Inputs, int Size, class Kernel>
 [[gnu::always_inline]] inline void for_every_register_half(const Blocks<float>& blocks, const Kernel& kernel) {
   for (std::size_t b = 0; b < blocks.count; ++b) {
     const auto* halves = reinterpret_cast<const Half*>(blocks.in[0] + b * blocks.step[0]);
+    constexpr int kAhead = 8;  // blocks; the processor's own prefetching lags behind
+    unrolled(std::make_index_sequence<std::size_t(Size) / 2>(),
+             [&](std::size_t k) { __builtin_prefetch(halves + (kAhead * Size + 2 * k) * kBlock<float>); });
     for (std::size_t lane = 0; lane < kBlock<float>; lane += Lanes<float>::kWidth) {
       Lanes<float> wide[Size];
-      for (int k = 0; k < Size; ++k) wide[k] = widen_lanes(halves + k * kBlock<float> + lane);
+      unrolled(std::make_index_sequence<std::size_t(Size)>(),
+               [&](std::size_t k) { wide[k] = widen_lanes(halves + k * kBlock<float> + lane); });
       const Lanes<float>* in[Inputs] = {wide};
       for (int j = 1; j < Inputs; ++j) {
         in[j] = reinterpret_cast<const Lanes<float>*>(blocks.in[j] + b * blocks.step[j] + lane);
