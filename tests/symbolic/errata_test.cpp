@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <map>
 #include <set>
 #include <string>
 
@@ -33,14 +34,34 @@ TEST(Errata, LeaveOutNothingThatTheSourcesPrint) {
   EXPECT_EQ(given, inventory());
 }
 
+// Identifier -> what is recorded of its decisions: the verdict and, for every reading, whether it holds.
+std::map<std::string, std::string> recorded_decisions() {
+  std::map<std::string, std::string> decisions;
+  std::ifstream file(SHFORGE_SOURCE_DIR "/tests/data/errata_decisions.txt");
+  std::string line;
+  while (std::getline(file, line)) {
+    if (!line.empty() && line[0] != '#') decisions[line.substr(0, line.find(' '))] = line.substr(line.find(' ') + 1);
+  }
+  return decisions;
+}
+
+std::string decisions_of(const Entry& entry) {
+  std::string text = to_string(decide(entry));
+  for (const Reading& reading : entry.readings) text += reading.holds() ? ", holds" : ", fails";
+  return text;
+}
+
 class ErrataOfSource : public testing::TestWithParam<std::size_t> {};
 
 TEST_P(ErrataOfSource, EveryVerdictFollowsFromExactDecisions) {
   const std::vector<Source> sources = all_sources();
+  const std::map<std::string, std::string> recorded = recorded_decisions();
   for (const Entry& entry : sources[GetParam()].entries) {
     SCOPED_TRACE(entry.id + " " + entry.where);
     EXPECT_FALSE(entry.printed.empty());
     EXPECT_EQ(to_string(decide(entry)), to_string(entry.verdict));
+    ASSERT_TRUE(recorded.count(entry.id));
+    EXPECT_EQ(decisions_of(entry), recorded.at(entry.id));
   }
 }
 
