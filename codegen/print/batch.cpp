@@ -7,6 +7,7 @@
 
 #include "codegen/print/cpp.hpp"
 #include "codegen/print/function.hpp"
+#include "codegen/print/one.hpp"
 
 namespace sh::codegen::print {
 namespace {
@@ -254,7 +255,7 @@ std::string header_file(const std::vector<Driver>& drivers) {
       text << "void " << driver.spec.name << '(' << public_signature(driver, scalar, first) << ");\n";
     }
   }
-  text << "\n}  // namespace sh::batch\n";
+  text << kOneHeader << "\n}  // namespace sh::batch\n";
   return text.str();
 }
 
@@ -270,7 +271,7 @@ std::string choice_file(const std::vector<Driver>& drivers) {
         declarations += "void " + driver.spec.name + "(const detail::Call<" + scalar + ">& call);\n";
       }
     }
-    declarations += std::string("}  // namespace ") + isa + "\n";
+    declarations += std::string(kOneDeclarations) + "}  // namespace " + isa + "\n";
   }
   const std::string opening = "namespace sh::batch {\n";
   body.insert(body.find(opening) + opening.size(), declarations);
@@ -292,7 +293,7 @@ std::string choice_file(const std::vector<Driver>& drivers) {
            << "  SH_BATCH_CHOOSE(" << driver.spec.name << ")(call);\n}\n";
     }
   }
-  text << "\n}  // namespace sh::batch\n";
+  text << kOneChoice << "\n}  // namespace sh::batch\n";
   return text.str();
 }
 
@@ -402,6 +403,9 @@ struct Call {
 template <class T>
 using Once = void (*)(int degree, const T* in, T* out);
 
+/// A kernel for one product; c may be a or b.
+using ProductOne = void (*)(const float* a, const float* b, float* c);
+
 )text" << once
        << "\n}  // namespace sh::batch::detail\n";
   return text.str();
@@ -417,6 +421,7 @@ std::map<std::string, std::string> batch_files(const WrittenFamilies& families) 
       {"batch/lanes.hpp", kBatchLanes},          {"batch/layout.hpp", kBatchLayout},
       {"batch/drive.hpp", kBatchDrive}};
   for (const Driver& driver : drivers) files["batch/" + driver.spec.name + ".cpp"] = driver_file(driver);
+  files.merge(one_files());
   return files;
 }
 

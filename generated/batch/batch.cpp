@@ -31,6 +31,7 @@ void rotate(const detail::Call<float>& call);
 void rotate(const detail::Call<double>& call);
 void product(const detail::Call<float>& call);
 void product(const detail::Call<double>& call);
+extern const detail::ProductOne kProductOne[];
 }  // namespace baseline
 namespace avx2 {
 void basis(const detail::Call<float>& call);
@@ -47,6 +48,7 @@ void rotate(const detail::Call<float>& call);
 void rotate(const detail::Call<double>& call);
 void product(const detail::Call<float>& call);
 void product(const detail::Call<double>& call);
+extern const detail::ProductOne kProductOne[];
 }  // namespace avx2
 namespace avx512 {
 void basis(const detail::Call<float>& call);
@@ -63,6 +65,7 @@ void rotate(const detail::Call<float>& call);
 void rotate(const detail::Call<double>& call);
 void product(const detail::Call<float>& call);
 void product(const detail::Call<double>& call);
+extern const detail::ProductOne kProductOne[];
 }  // namespace avx512
 namespace {
 
@@ -262,6 +265,33 @@ void product(int degree, std::size_t n, Records<const double> a, Records<const d
   detail::Call<T> call{degree, n, {a, b}, out};
   check("product", call, 2, 6, {1, 0});
   SH_BATCH_CHOOSE(product)(call);
+}
+
+namespace {
+
+// Tables of kernels by degree: the one of the instruction set in use.
+#if defined(SH_BATCH_X86)
+#define SH_BATCH_TABLE(table) choose_table(baseline::table, avx2::table, avx512::table)
+template <class Kernel>
+const Kernel* choose_table(const Kernel* baseline, const Kernel* avx2, const Kernel* avx512) noexcept {
+  const InstructionSet set = instruction_set();
+  return set == InstructionSet::kAvx512 ? avx512 : set == InstructionSet::kAvx2 ? avx2 : baseline;
+}
+#else
+#define SH_BATCH_TABLE(table) baseline::table
+#endif
+
+[[noreturn, gnu::cold]] void refuse_degree(const char* function, int degree, int largest) {
+  throw std::invalid_argument(std::string("sh::batch::") + function + ": degree " + std::to_string(degree) +
+                              "; it should be 0 to " + std::to_string(largest));
+}
+
+}  // namespace
+
+void product_one(int degree, const float* a, const float* b, float* out) {
+  constexpr int kLargest = 6;
+  if (degree < 0 || degree > kLargest) refuse_degree("product_one", degree, kLargest);
+  SH_BATCH_TABLE(kProductOne)[degree](a, b, out);
 }
 
 }  // namespace sh::batch

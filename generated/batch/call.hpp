@@ -30,6 +30,9 @@ struct Call {
 template <class T>
 using Once = void (*)(int degree, const T* in, T* out);
 
+/// A kernel for one product; c may be a or b.
+using ProductOne = void (*)(const float* a, const float* b, float* c);
+
 void prepare_evaluate(int degree, const float* in, float* out);
 void prepare_evaluate(int degree, const double* in, double* out);
 void finish_project(int degree, const double* in, double* out);
