@@ -11,6 +11,8 @@ namespace sh::codegen::print {
 /// Degrees whose products have tables of orbits.
 inline constexpr int kFirstOrbitDegree = 3;
 inline constexpr int kLastOrbitDegree = 6;
+/// The last degree that is rotated in lanes.
+inline constexpr int kLastTurnDegree = 6;
 
 /// Relative path -> text of their files under generated/batch/.
 std::map<std::string, std::string> one_files();
@@ -21,6 +23,8 @@ std::map<std::string, std::string> one_table_files();
 extern const char* const kOneVectors;
 extern const char* const kOneOrbits;
 extern const char* const kOneProduct;
+extern const char* const kOneRotateLanes;
+extern const char* const kOneRotate;
 /// Parts of batch.hpp and batch.cpp.
 extern const char* const kOneHeader;
 extern const char* const kOneDeclarations;

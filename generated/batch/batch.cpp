@@ -32,6 +32,9 @@ void rotate(const detail::Call<double>& call);
 void product(const detail::Call<float>& call);
 void product(const detail::Call<double>& call);
 extern const detail::ProductOne kProductOne[];
+extern const detail::RotateOne kRotateOne[];
+extern const detail::RotatePrepare kRotatePrepareOne[];
+extern const detail::RotateOne kRotatePreparedOne[];
 }  // namespace baseline
 namespace avx2 {
 void basis(const detail::Call<float>& call);
@@ -49,6 +52,9 @@ void rotate(const detail::Call<double>& call);
 void product(const detail::Call<float>& call);
 void product(const detail::Call<double>& call);
 extern const detail::ProductOne kProductOne[];
+extern const detail::RotateOne kRotateOne[];
+extern const detail::RotatePrepare kRotatePrepareOne[];
+extern const detail::RotateOne kRotatePreparedOne[];
 }  // namespace avx2
 namespace avx512 {
 void basis(const detail::Call<float>& call);
@@ -66,6 +72,9 @@ void rotate(const detail::Call<double>& call);
 void product(const detail::Call<float>& call);
 void product(const detail::Call<double>& call);
 extern const detail::ProductOne kProductOne[];
+extern const detail::RotateOne kRotateOne[];
+extern const detail::RotatePrepare kRotatePrepareOne[];
+extern const detail::RotateOne kRotatePreparedOne[];
 }  // namespace avx512
 namespace {
 
@@ -281,6 +290,8 @@ const Kernel* choose_table(const Kernel* baseline, const Kernel* avx2, const Ker
 #define SH_BATCH_TABLE(table) baseline::table
 #endif
 
+constexpr int kLargestRotation = 10;
+
 [[noreturn, gnu::cold]] void refuse_degree(const char* function, int degree, int largest) {
   throw std::invalid_argument(std::string("sh::batch::") + function + ": degree " + std::to_string(degree) +
                               "; it should be 0 to " + std::to_string(largest));
@@ -292,6 +303,29 @@ void product_one(int degree, const float* a, const float* b, float* out) {
   constexpr int kLargest = 6;
   if (degree < 0 || degree > kLargest) refuse_degree("product_one", degree, kLargest);
   SH_BATCH_TABLE(kProductOne)[degree](a, b, out);
+}
+
+void rotate_one(int degree, const float* r, const float* c, float* out) {
+  if (degree < 0 || degree > kLargestRotation) refuse_degree("rotate_one", degree, kLargestRotation);
+  SH_BATCH_TABLE(kRotateOne)[degree](r, c, out);
+}
+
+std::size_t rotate_prepared_size(int degree) {
+  if (degree < 0 || degree > kLargestRotation) refuse_degree("rotate_prepared_size", degree, kLargestRotation);
+  // In columns of 16 from degree 3 to 6: 7 of bands 0 to 3, 2l+1 of each further band; otherwise the matrices.
+  const auto bands = static_cast<std::size_t>(degree) + 1;
+  if (degree >= 3 && degree <= 6) return 16 * (bands * bands - 9);
+  return bands * (2 * bands - 1) * (2 * bands + 1) / 3;
+}
+
+void rotate_prepare(int degree, const float* r, float* prepared) {
+  if (degree < 0 || degree > kLargestRotation) refuse_degree("rotate_prepare", degree, kLargestRotation);
+  SH_BATCH_TABLE(kRotatePrepareOne)[degree](r, prepared);
+}
+
+void rotate_prepared_one(int degree, const float* prepared, const float* c, float* out) {
+  if (degree < 0 || degree > kLargestRotation) refuse_degree("rotate_prepared_one", degree, kLargestRotation);
+  SH_BATCH_TABLE(kRotatePreparedOne)[degree](prepared, c, out);
 }
 
 }  // namespace sh::batch

@@ -33,6 +33,10 @@ using Once = void (*)(int degree, const T* in, T* out);
 /// A kernel for one product; c may be a or b.
 using ProductOne = void (*)(const float* a, const float* b, float* c);
 
+/// A kernel for one rotation, from a matrix or what was prepared of it; out may be c.
+using RotateOne = void (*)(const float* r, const float* c, float* out);
+using RotatePrepare = void (*)(const float* r, float* prepared);
+
 void prepare_evaluate(int degree, const float* in, float* out);
 void prepare_evaluate(int degree, const double* in, double* out);
 void finish_project(int degree, const double* in, double* out);

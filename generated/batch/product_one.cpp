@@ -5,9 +5,8 @@
 //
 // With AVX2 or AVX-512 SIMD inside the product; otherwise, and where that does not pay, the kernel of
 // generated/cpp/product.hpp.
-#include "generated/cpp/product.hpp"
-
 #include "generated/batch/call.hpp"
+#include "generated/cpp/product.hpp"
 
 #if defined(__AVX2__) && defined(__FMA__)
 #include "generated/batch/orbits_l3.hpp"
@@ -69,7 +68,7 @@ const detail::ProductOne kProductOne[] = {
     scalar<0>,
     scalar<1>,
     triples,
-    orbits<8, detail::Orbits3>,
+    orbits<16, WithAntipodes<detail::Orbits3>>,
     orbits<16, detail::Orbits4>,
     orbits<16, detail::Orbits5>,
     orbits<16, detail::Orbits6>,

@@ -30,6 +30,50 @@ struct Blocks {
   static constexpr int at(int i) { return (i / 4 * 2 + First) * 4 + i % 4; }
 };
 
+// Orbits of which half a register is filled, with the antipodes of their points in the other half: odd degrees change
+// sign there.
+template <class Orbits>
+class WithAntipodes {
+  struct Tables {
+    alignas(64) float values[(Orbits::kDegree + 1) * (Orbits::kDegree + 1) * 2 * Orbits::kOrbits] = {};
+    alignas(64) float sums[(Orbits::kRows + Orbits::kOppositeRows) * 4 * 2 * Orbits::kOrbits] = {};
+  };
+  static constexpr bool odd_degree(int i) {
+    int l = 0;
+    while ((l + 1) * (l + 1) <= i) ++l;
+    return l % 2 != 0;
+  }
+  static constexpr Tables tables() {
+    constexpr int n = Orbits::kOrbits;
+    Tables both;
+    for (int i = 0; i < (Orbits::kDegree + 1) * (Orbits::kDegree + 1); ++i) {
+      for (int q = 0; q < n; ++q) {
+        const float y = Orbits::kValues[i * n + q];
+        both.values[2 * i * n + q] = y;
+        both.values[2 * i * n + n + q] = odd_degree(i) ? -y : y;
+      }
+    }
+    for (int row = 0; row < (Orbits::kRows + Orbits::kOppositeRows) * 4; ++row) {
+      for (int q = 0; q < n; ++q) {
+        const float weight = Orbits::kSums[row * n + q];
+        both.sums[2 * row * n + q] = weight;
+        both.sums[2 * row * n + n + q] = odd_degree(Orbits::kSlots[row / 4 * 4 + q % 4]) ? -weight : weight;
+      }
+    }
+    return both;
+  }
+  static constexpr Tables kTables = tables();
+
+ public:
+  static constexpr int kDegree = Orbits::kDegree;
+  static constexpr int kOrbits = 2 * Orbits::kOrbits;
+  static constexpr int kRows = Orbits::kRows + Orbits::kOppositeRows;
+  static constexpr int kOppositeRows = 0;
+  static constexpr const int* kSlots = Orbits::kSlots;
+  static constexpr const float* kValues = kTables.values;
+  static constexpr const float* kSums = kTables.sums;
+};
+
 // The coefficients of a product, W orbits at a time.
 template <int W, class Orbits>
 class OrbitProduct {
@@ -103,7 +147,21 @@ class OrbitProduct {
     });
   }
 
+  // Where the table has the antipodes itself.
+  [[gnu::always_inline]] static void add_points(const float* a, const float* b, int q, bool first, V* sums) {
+    V of_a[4];
+    V of_b[4];
+    V product[4];
+    repeat<4>([&](auto r) {
+      of_a[r] = values<r, 0, kAllRows>(a, q);
+      of_b[r] = values<r, 0, kAllRows>(b, q);
+    });
+    multiply(of_a, of_b, product);
+    add_rows<0, kAllRows>(product, q, first, sums);
+  }
+
   [[gnu::always_inline]] static void add_orbits(const float* a, const float* b, int q, bool first, V* sums) {
+    if constexpr (Orbits::kOppositeRows == 0) return add_points(a, b, q, first, sums);
     V direct_a[4];
     V direct_b[4];
     V antipode_a[4];

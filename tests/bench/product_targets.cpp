@@ -48,20 +48,18 @@ void product(Table& table) {
     const Buffer<float> out = make_buffer<float>(kProducts * kSize);
     const Buffer<float> blocks_a = to_blocks(a, kSize);
     const Buffer<float> blocks_b = to_blocks(b, kSize);
-    const std::vector<double> t =
-        least_times({one_by_one<kSize>(a, b, out.get(),
-                                       [](const float* p, const float* q, float* o) { sh::product<kDegree>(p, q, o); }),
-                     one_by_one<kSize>(a, b, out.get(),
-                                       [](const float* p, const float* q, float* o) {
-                                         control::greedy_pairs_product<kDegree>(p, q, o);
-                                       }),
-                     [&] {
-                       batch::product(kDegree, kProducts, batch::blocked(blocks_a.get()),
-                                      batch::blocked(blocks_b.get()), batch::blocked(out.get()));
-                     },
-                     one_by_one<kSize>(a, b, out.get(), [](const float* p, const float* q, float* o) {
-                       batch::product_one(kDegree, p, q, o);
-                     })});
+    const std::vector<double> t = least_times(
+        {one_by_one<kSize>(a, b, out.get(),
+                           [](const float* p, const float* q, float* o) { sh::product<kDegree>(p, q, o); }),
+         one_by_one<kSize>(
+             a, b, out.get(),
+             [](const float* p, const float* q, float* o) { control::greedy_pairs_product<kDegree>(p, q, o); }),
+         [&] {
+           batch::product(kDegree, kProducts, batch::blocked(blocks_a.get()), batch::blocked(blocks_b.get()),
+                          batch::blocked(out.get()));
+         },
+         one_by_one<kSize>(a, b, out.get(),
+                           [](const float* p, const float* q, float* o) { batch::product_one(kDegree, p, q, o); })});
     const double ns = 1e9 / kProducts;
     const std::string what = "product, " + std::to_string(kDegree + 1) + " bands";
     const Target target = kTargets[kDegree - 2];
