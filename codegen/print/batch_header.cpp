@@ -117,10 +117,9 @@ InstructionSet widest() noexcept {
   return InstructionSet::kBaseline;
 }
 
-std::atomic<InstructionSet>& chosen() noexcept {
-  static std::atomic<InstructionSet> set{widest()};
-  return set;
-}
+// The instruction set in use, once it has been chosen.
+constexpr int kNotChosen = -1;
+std::atomic<int> in_use{kNotChosen};
 
 // Values of an output record: sets of bands^2 and some more; none where the output is a sum.
 struct OutputSize {
@@ -176,13 +175,20 @@ bool available(InstructionSet set) noexcept {
   return set == InstructionSet::kBaseline;
 }
 
-InstructionSet instruction_set() noexcept { return chosen(); }
+InstructionSet instruction_set() noexcept {
+  int set = in_use;
+  if (set == kNotChosen) {
+    const int best = static_cast<int>(widest());
+    if (in_use.compare_exchange_strong(set, best)) set = best;  // unless another thread was first
+  }
+  return static_cast<InstructionSet>(set);
+}
 
 void use_instruction_set(InstructionSet set) {
   if (!available(set)) {
     throw std::invalid_argument("sh::batch::use_instruction_set: not available here; available(set) should be true");
   }
-  chosen() = set;
+  in_use = static_cast<int>(set);
 }
 )text";
 

@@ -36,40 +36,54 @@ const char* const kOneChoice =
     R"text(
 namespace {
 
-// Tables of kernels by degree: the one of the instruction set in use.
+// Kernels by instruction set and degree.
 #if defined(SH_BATCH_X86)
-#define SH_BATCH_TABLE(table) choose_table(baseline::table, avx2::table, avx512::table)
-template <class Kernel>
-const Kernel* choose_table(const Kernel* baseline, const Kernel* avx2, const Kernel* avx512) noexcept {
-  const InstructionSet set = instruction_set();
-  return set == InstructionSet::kAvx512 ? avx512 : set == InstructionSet::kAvx2 ? avx2 : baseline;
-}
+#define SH_BATCH_TABLES(kernels) {baseline::kernels, avx2::kernels, avx512::kernels}
 #else
-#define SH_BATCH_TABLE(table) baseline::table
+#define SH_BATCH_TABLES(kernels) {baseline::kernels}
 #endif
-
+constexpr const detail::ProductOne* kProductTables[] = SH_BATCH_TABLES(kProductOne);
+constexpr const detail::RotateOne* kRotateTables[] = SH_BATCH_TABLES(kRotateOne);
+constexpr const detail::RotatePrepare* kPrepareTables[] = SH_BATCH_TABLES(kRotatePrepareOne);
+constexpr const detail::RotateOne* kPreparedTables[] = SH_BATCH_TABLES(kRotatePreparedOne);
+constexpr int kLargestProduct = 6;
 constexpr int kLargestRotation = 10;
 
-[[noreturn, gnu::cold]] void refuse_degree(const char* function, int degree, int largest) {
+void check_degree(const char* function, int degree, int largest) {
+  if (degree >= 0 && degree <= largest) return;
   throw std::invalid_argument(std::string("sh::batch::") + function + ": degree " + std::to_string(degree) +
                               "; it should be 0 to " + std::to_string(largest));
+}
+
+// What a call does that is the first one, or wrong; apart, so that the others need no stack.
+template <class Kernel, class... Arrays>
+[[gnu::cold, gnu::noinline]] void call_first(const char* function, const Kernel* const* tables, int degree, int largest,
+                                             Arrays... arrays) {
+  check_degree(function, degree, largest);
+  tables[static_cast<int>(instruction_set())][degree](arrays...);
+}
+
+template <class Kernel, class... Arrays>
+inline void call_one(const char* function, const Kernel* const* tables, int degree, int largest, Arrays... arrays) {
+  const int set = in_use.load(std::memory_order_relaxed);
+  if (set == kNotChosen || degree < 0 || degree > largest) {
+    return call_first(function, tables, degree, largest, arrays...);
+  }
+  tables[set][degree](arrays...);
 }
 
 }  // namespace
 
 void product_one(int degree, const float* a, const float* b, float* out) {
-  constexpr int kLargest = 6;
-  if (degree < 0 || degree > kLargest) refuse_degree("product_one", degree, kLargest);
-  SH_BATCH_TABLE(kProductOne)[degree](a, b, out);
+  call_one("product_one", kProductTables, degree, kLargestProduct, a, b, out);
 }
 
 void rotate_one(int degree, const float* r, const float* c, float* out) {
-  if (degree < 0 || degree > kLargestRotation) refuse_degree("rotate_one", degree, kLargestRotation);
-  SH_BATCH_TABLE(kRotateOne)[degree](r, c, out);
+  call_one("rotate_one", kRotateTables, degree, kLargestRotation, r, c, out);
 }
 
 std::size_t rotate_prepared_size(int degree) {
-  if (degree < 0 || degree > kLargestRotation) refuse_degree("rotate_prepared_size", degree, kLargestRotation);
+  check_degree("rotate_prepared_size", degree, kLargestRotation);
   // In columns of 16 from degree 3 to 6: 7 of bands 0 to 3, 2l+1 of each further band; otherwise the matrices.
   const auto bands = static_cast<std::size_t>(degree) + 1;
   if (degree >= 3 && degree <= 6) return 16 * (bands * bands - 9);
@@ -77,13 +91,11 @@ std::size_t rotate_prepared_size(int degree) {
 }
 
 void rotate_prepare(int degree, const float* r, float* prepared) {
-  if (degree < 0 || degree > kLargestRotation) refuse_degree("rotate_prepare", degree, kLargestRotation);
-  SH_BATCH_TABLE(kRotatePrepareOne)[degree](r, prepared);
+  call_one("rotate_prepare", kPrepareTables, degree, kLargestRotation, r, prepared);
 }
 
 void rotate_prepared_one(int degree, const float* prepared, const float* c, float* out) {
-  if (degree < 0 || degree > kLargestRotation) refuse_degree("rotate_prepared_one", degree, kLargestRotation);
-  SH_BATCH_TABLE(kRotatePreparedOne)[degree](prepared, c, out);
+  call_one("rotate_prepared_one", kPreparedTables, degree, kLargestRotation, prepared, c, out);
 }
 )text";
 
