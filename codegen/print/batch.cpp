@@ -402,15 +402,7 @@ struct Call {
 /// Something computed once a call.
 template <class T>
 using Once = void (*)(int degree, const T* in, T* out);
-
-/// A kernel for one product; c may be a or b.
-using ProductOne = void (*)(const float* a, const float* b, float* c);
-
-/// A kernel for one rotation, from a matrix or what was prepared of it; out may be c.
-using RotateOne = void (*)(const float* r, const float* c, float* out);
-using RotatePrepare = void (*)(const float* r, float* prepared);
-
-)text" << once
+)text" << kOneTypes << once
        << "\n}  // namespace sh::batch::detail\n";
   return text.str();
 }

@@ -25,8 +25,9 @@ extern const char* const kOneOrbits;
 extern const char* const kOneProduct;
 extern const char* const kOneRotateLanes;
 extern const char* const kOneRotate;
-/// Parts of batch.hpp and batch.cpp.
+/// Parts of batch.hpp, call.hpp and batch.cpp.
 extern const char* const kOneHeader;
+extern const char* const kOneTypes;
 extern const char* const kOneDeclarations;
 extern const char* const kOneChoice;
 

@@ -1,4 +1,4 @@
-// Fixed parts of generated/batch/batch.hpp and generated/batch/batch.cpp: calls for one product or one rotation.
+// Fixed parts of batch.hpp, batch.cpp and call.hpp of generated/batch: calls for one product or one rotation.
 #include "codegen/print/one.hpp"
 
 namespace sh::codegen::print {
@@ -23,6 +23,16 @@ void rotate_one(int degree, const float* r, const float* c, float* out);
 std::size_t rotate_prepared_size(int degree);
 void rotate_prepare(int degree, const float* r, float* prepared);
 void rotate_prepared_one(int degree, const float* prepared, const float* c, float* out);
+)text";
+
+const char* const kOneTypes = R"text(
+/// A kernel for one product; c may be a or b.
+using ProductOne = void (*)(const float* a, const float* b, float* c);
+
+/// A kernel for one rotation, from a matrix or what was prepared of it; out may be c.
+using RotateOne = void (*)(const float* r, const float* c, float* out);
+using RotatePrepare = void (*)(const float* r, float* prepared);
+
 )text";
 
 const char* const kOneDeclarations =

@@ -57,7 +57,8 @@ LaneTriples lane_triples() {
     const std::vector<Term> terms = remaining(k);
     const bool beyond = terms.size() > kRounds;
     if (beyond) result.more[static_cast<std::size_t>(k)] = next;
-    if (terms.size() > 2 * kRounds || next >= kZero) throw std::logic_error("lane triples: too many terms");
+    if (terms.size() > std::size_t{2} * kRounds || next >= kZero)
+      throw std::logic_error("lane triples: too many terms");
     for (std::size_t t = 0; t < terms.size(); ++t) {
       LaneTriples::Round& round = result.rounds[t % kRounds];
       const auto lane = static_cast<std::size_t>(t < kRounds ? k : next);

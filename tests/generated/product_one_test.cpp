@@ -66,8 +66,8 @@ Floats random_vector(std::size_t size, std::mt19937& random) {
 std::vector<Floats> vectors(int degree) {
   const std::size_t size = count_of(degree);
   std::mt19937 random(7);
-  std::vector<Floats> all;
-  for (int k = 0; k < 6; ++k) all.push_back(random_vector(size, random));
+  std::vector<Floats> all(6);
+  for (Floats& v : all) v = random_vector(size, random);
   for (std::size_t i = 0; i < size; ++i) {
     all.emplace_back(size, 0.0F);
     all.back()[i] = 1.5F;

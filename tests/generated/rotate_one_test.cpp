@@ -60,8 +60,8 @@ std::vector<Floats> rotations() {
   std::mt19937 random(5);
   std::uniform_real_distribution<long double> angle(-3.2L, 3.2L);
   std::vector<Wide> exact;
-  for (long double exponent = -9; exponent < 0.4971L; exponent += 0.1L) {
-    const long double tilt = std::pow(10.0L, exponent);
+  for (int step = 0; step < 95; ++step) {
+    const long double tilt = std::pow(10.0L, -9 + 0.1L * step);  // to 2.5
     exact.push_back(turn(angle(random), tilt, angle(random)));
     exact.push_back(turn(angle(random), kPi - tilt, angle(random)));
   }
@@ -69,6 +69,7 @@ std::vector<Floats> rotations() {
     exact.push_back(turn(angle(random), tilt, angle(random)));
   }
   std::vector<Floats> all;
+  all.reserve(exact.size());
   for (const Wide& r : exact) all.emplace_back(r.begin(), r.end());
   for (int a = 0; a < 4; ++a) {
     for (int b = 0; b < 3; ++b) {
