@@ -65,8 +65,8 @@ std::string orbit_file(int degree) {
             sums.add("0");
             continue;
           }
-          const ExactReal weight = recipes::product_of(symbolic::Surd(cln::cl_RA(1) / 2), orbits.weight(q));
-          sums.add(in_float(recipes::product_of(weight, orbits.value(i, q))));
+          const ExactReal weight = multiply(symbolic::Surd(cln::cl_RA(1) / 2), orbits.weight(q));
+          sums.add(in_float(multiply(weight, orbits.value(i, q))));
         }
       }
     }

@@ -74,7 +74,7 @@ ExactReal OrbitQuadrature::value(int i, int orbit) const {
   // m phi = 2 pi * 2 m (2j + 1) / (4 M)
   const int turn = 2 * order * (2 * angle + 1);
   const ExactReal phase = m > 0 ? cosine(turn, 4 * angles_) : sine(turn, 4 * angles_);
-  return is_zero(phase) ? phase : product_of(theta, phase);
+  return is_zero(phase) ? phase : multiply(theta, phase);
 }
 
 ExactReal OrbitQuadrature::weight(int orbit) const {
@@ -88,9 +88,9 @@ ExactReal OrbitQuadrature::weight(int orbit) const {
     });
   };
   // Two poles, or four or eight points of 2 pi / M each.
-  if (rings_.is_pole(ring)) return product_of(ring_weight, times_pi(4));
+  if (rings_.is_pole(ring)) return multiply(ring_weight, times_pi(4));
   const int points = 2 * (2 * angle + 1) == angles_ ? 4 : 8;
-  return product_of(ring_weight, times_pi(cln::cl_RA(2 * points) / angles_));
+  return multiply(ring_weight, times_pi(cln::cl_RA(2 * points) / angles_));
 }
 
 std::string OrbitQuadrature::definition() const {

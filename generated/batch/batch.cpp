@@ -294,8 +294,7 @@ constexpr const detail::ProductOne* kProductTables[] = SH_BATCH_TABLES(kProductO
 constexpr const detail::RotateOne* kRotateTables[] = SH_BATCH_TABLES(kRotateOne);
 constexpr const detail::RotatePrepare* kPrepareTables[] = SH_BATCH_TABLES(kRotatePrepareOne);
 constexpr const detail::RotateOne* kPreparedTables[] = SH_BATCH_TABLES(kRotatePreparedOne);
-constexpr int kLargestProduct = 6;
-constexpr int kLargestRotation = 10;
+constexpr int kLargestOne = 10;  // degree
 
 void check_degree(const char* function, int degree, int largest) {
   if (degree >= 0 && degree <= largest) return;
@@ -323,15 +322,15 @@ inline void call_one(const char* function, const Kernel* const* tables, int degr
 }  // namespace
 
 void product_one(int degree, const float* a, const float* b, float* out) {
-  call_one("product_one", kProductTables, degree, kLargestProduct, a, b, out);
+  call_one("product_one", kProductTables, degree, kLargestOne, a, b, out);
 }
 
 void rotate_one(int degree, const float* r, const float* c, float* out) {
-  call_one("rotate_one", kRotateTables, degree, kLargestRotation, r, c, out);
+  call_one("rotate_one", kRotateTables, degree, kLargestOne, r, c, out);
 }
 
 std::size_t rotate_prepared_size(int degree) {
-  check_degree("rotate_prepared_size", degree, kLargestRotation);
+  check_degree("rotate_prepared_size", degree, kLargestOne);
   // In columns of 16 from degree 3 to 6: 7 of bands 0 to 3, 2l+1 of each further band; otherwise the matrices.
   const auto bands = static_cast<std::size_t>(degree) + 1;
   if (degree >= 3 && degree <= 6) return 16 * (bands * bands - 9);
@@ -339,11 +338,11 @@ std::size_t rotate_prepared_size(int degree) {
 }
 
 void rotate_prepare(int degree, const float* r, float* prepared) {
-  call_one("rotate_prepare", kPrepareTables, degree, kLargestRotation, r, prepared);
+  call_one("rotate_prepare", kPrepareTables, degree, kLargestOne, r, prepared);
 }
 
 void rotate_prepared_one(int degree, const float* prepared, const float* c, float* out) {
-  call_one("rotate_prepared_one", kPreparedTables, degree, kLargestRotation, prepared, c, out);
+  call_one("rotate_prepared_one", kPreparedTables, degree, kLargestOne, prepared, c, out);
 }
 
 }  // namespace sh::batch

@@ -121,7 +121,7 @@ void product(int degree, std::size_t n, Records<const float> a, Records<const fl
 void product(int degree, std::size_t n, Records<const double> a, Records<const double> b, Records<double> out);
 
 /// One product of two functions, projected on the same bands, with SIMD inside: for what comes one at a time.
-/// degree 0 to 6; a (bands^2), b (bands^2), out (bands^2), plain, of any alignment; out may be a or b.
+/// degree 0 to 10; a (bands^2), b (bands^2), out (bands^2), plain, of any alignment; out may be a or b.
 /// Domain: any coefficients of which the squares can be added up; error at most 4 epsilon |a| |b|. Where an input is
 /// infinite or not a number, so may be every output. Throws std::invalid_argument when the degree is out of range.
 void product_one(int degree, const float* a, const float* b, float* out);

@@ -64,25 +64,27 @@ template <int W, class Orbits>
 
 extern const detail::ProductOne kProductOne[];
 const detail::ProductOne kProductOne[] = {
-#if defined(__AVX512F__)
     scalar<0>,
     scalar<1>,
+#if defined(__AVX512F__)
     triples,
     orbits<16, WithAntipodes<detail::Orbits3>>,
     orbits<16, detail::Orbits4>,
     orbits<16, detail::Orbits5>,
     orbits<16, detail::Orbits6>,
 #elif defined(__AVX2__) && defined(__FMA__)
-    scalar<0>,
-    scalar<1>,
     scalar<2>,
     orbits<8, detail::Orbits3>,
     orbits<8, detail::Orbits4>,
     orbits<8, detail::Orbits5>,
     orbits<8, detail::Orbits6>,
 #else
-    scalar<0>, scalar<1>, scalar<2>, scalar<3>, scalar<4>, scalar<5>, scalar<6>,
+    scalar<2>, scalar<3>, scalar<4>, scalar<5>,  scalar<6>,
 #endif
+    scalar<7>,
+    scalar<8>,
+    scalar<9>,
+    scalar<10>,
 };
 
 }  // namespace sh::batch::SH_BATCH_ISA

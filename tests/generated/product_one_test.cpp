@@ -14,7 +14,7 @@
 namespace sh::test {
 namespace {
 
-constexpr int kMostBands = 7;
+constexpr int kMostBands = 11;
 using Floats = std::vector<float>;
 using Doubles = std::vector<double>;
 constexpr double kLimit{4 * std::numeric_limits<float>::epsilon()};  // times |a| |b|
@@ -99,8 +99,9 @@ TEST(ProductOne, StaysWithinFourEpsOfTheLengthsForVectorsOfEveryKind) {
   for (int degree = 0; degree < kMostBands; ++degree) {
     const Oracle oracle(degree);
     const std::vector<Floats> all = vectors(degree);
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      for (std::size_t j = 0; j < all.size(); j += 1 + j % 3) {
+    // There are no lanes beyond degree 6: fewer pairs will do.
+    for (std::size_t i = 0; i < all.size(); i += degree <= 6 ? 1 : 7) {
+      for (std::size_t j = 0; j < all.size(); j += degree <= 6 ? 1 + j % 3 : 11) {
         const Doubles wanted = oracle.product(all[i], all[j]);
         const double limit = kLimit * length(all[i]) * length(all[j]);
         on_every_set([&] {
@@ -181,12 +182,12 @@ TEST(ProductOne, CarriesWhatIsNotANumberToTheConstantOrBeyond) {
 
 TEST(ProductOne, RefusesDegreesItHasNoKernelFor) {
   Floats v(400);
-  for (const int degree : {-1, 7}) {
+  for (const int degree : {-1, 11}) {
     try {
       batch::product_one(degree, v.data(), v.data(), v.data());
       ADD_FAILURE() << degree;
     } catch (const std::invalid_argument& error) {
-      EXPECT_EQ(error.what(), "sh::batch::product_one: degree " + std::to_string(degree) + "; it should be 0 to 6");
+      EXPECT_EQ(error.what(), "sh::batch::product_one: degree " + std::to_string(degree) + "; it should be 0 to 10");
     }
   }
 }
