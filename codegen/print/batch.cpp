@@ -402,8 +402,8 @@ struct Call {
 /// Something computed once a call.
 template <class T>
 using Once = void (*)(int degree, const T* in, T* out);
-)text" << kOneTypes << once
-       << "\n}  // namespace sh::batch::detail\n";
+)text" << kOneTypes
+       << once << "\n}  // namespace sh::batch::detail\n";
   return text.str();
 }
 
