@@ -37,27 +37,29 @@ class Lanes {
   static constexpr std::size_t kParts = detail::kLine / sizeof(Register);  // to cover a block
 
   Lanes() noexcept {}
-  explicit Lanes(T value) noexcept : part_{Register(value)} {}
-  Lanes(Register value) noexcept : part_{value} {}
+  explicit Lanes(T value) noexcept : Lanes(Register(value)) {}
+  Lanes(Register value) noexcept : part_{value.data} {}
   Lanes(const Lanes& other) noexcept : part_{other.part_[0]} {}
   Lanes& operator=(const Lanes& other) noexcept {
     part_[0] = other.part_[0];
     return *this;
   }
 
-  friend Lanes operator+(const Lanes& a, const Lanes& b) noexcept { return a.part_[0] + b.part_[0]; }
-  friend Lanes operator-(const Lanes& a, const Lanes& b) noexcept { return a.part_[0] - b.part_[0]; }
-  friend Lanes operator*(const Lanes& a, const Lanes& b) noexcept { return a.part_[0] * b.part_[0]; }
-  friend Lanes operator/(const Lanes& a, const Lanes& b) noexcept { return a.part_[0] / b.part_[0]; }
-  friend Lanes operator-(const Lanes& a) noexcept { return -a.part_[0]; }
-  friend auto operator<(const Lanes& a, const Lanes& b) noexcept { return a.part_[0] < b.part_[0]; }
-  friend Lanes sqrt(const Lanes& a) noexcept { return xsimd::sqrt(a.part_[0]); }
+  friend Lanes operator+(const Lanes& a, const Lanes& b) noexcept { return a.get() + b.get(); }
+  friend Lanes operator-(const Lanes& a, const Lanes& b) noexcept { return a.get() - b.get(); }
+  friend Lanes operator*(const Lanes& a, const Lanes& b) noexcept { return a.get() * b.get(); }
+  friend Lanes operator/(const Lanes& a, const Lanes& b) noexcept { return a.get() / b.get(); }
+  friend Lanes operator-(const Lanes& a) noexcept { return -a.get(); }
+  friend auto operator<(const Lanes& a, const Lanes& b) noexcept { return a.get() < b.get(); }
+  friend Lanes sqrt(const Lanes& a) noexcept { return xsimd::sqrt(a.get()); }
   friend Lanes select(const typename Register::batch_bool_type& condition, const Lanes& a, const Lanes& b) noexcept {
-    return xsimd::select(condition, a.part_[0], b.part_[0]);
+    return xsimd::select(condition, a.get(), b.get());
   }
 
  private:
-  Register part_[kParts];
+  [[nodiscard]] Register get() const noexcept { return Register(part_[0]); }
+
+  typename Register::register_type part_[kParts];  // not of class type: g++ would keep a copy of each in memory
 };
 
 // The lanes of a register from half precision.

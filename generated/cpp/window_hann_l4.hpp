@@ -6,12 +6,12 @@
 // Input:        cos_pi_over_w, c (25)
 // Domain:       cos_pi_over_w = cos(pi / w) of the cut-off w, a real number; w >= 4 so that the window falls with l
 // Output:       c (25): c_lm (1 + cos(pi l / w)) / 2 at index l(l+1)+m
-// Recipe:       halves
+// Recipe:       chebyshev
 // Source:       P.-P. Sloan, "Stupid Spherical Harmonics (SH) Tricks", GDC 2008
-// Cost:         30 multiplications, 4 additions; longest chain 6; at most 27 values live
+// Cost:         31 multiplications, 8 additions; longest chain 10; at most 26 values live
 // Error:        largest over 300 coefficient vectors (random, of norm 1) and cosines -1 to 1, without contraction;
 //               eps counts units of machine epsilon x |c_lm|
-//               float   rounding 4.9e-08 (1.4 eps)
+//               float   rounding 5.4e-08 (1.4 eps)
 //               double  rounding 9.6e-17 (1.5 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 #pragma once
@@ -54,20 +54,21 @@ template <class T>
 constexpr void window_hann_l4(T cos_pi_over_w, T* c) noexcept {
   const T one    = detail::constant<T>(1.0f, 1.0);  // 1
   const T k_half = detail::constant<T>(0.5f, 0.5);  // 1/2
-  const T k      = detail::constant<T>(2.0f, 2.0);  // 2
 
   const T w1 = k_half * (one + cos_pi_over_w);
   c[1] = w1 * c[1];    // l=1 m=-1
   c[2] = w1 * c[2];    // l=1 m=0
   c[3] = w1 * c[3];    // l=1 m=1
-  const T w2 = cos_pi_over_w * cos_pi_over_w;
+  const T twice = cos_pi_over_w + cos_pi_over_w;
+  const T t2 = twice * cos_pi_over_w - one;
+  const T w2 = k_half * (one + t2);
   c[4] = w2 * c[4];    // l=2 m=-2
   c[5] = w2 * c[5];    // l=2 m=-1
   c[6] = w2 * c[6];    // l=2 m=0
   c[7] = w2 * c[7];    // l=2 m=1
   c[8] = w2 * c[8];    // l=2 m=2
-  const T t2 = k * w2 - one;
-  const T w3 = k_half * (one - cos_pi_over_w) + cos_pi_over_w * t2;
+  const T t3 = twice * t2 - cos_pi_over_w;
+  const T w3 = k_half * (one + t3);
   c[9] = w3 * c[9];    // l=3 m=-3
   c[10] = w3 * c[10];  // l=3 m=-2
   c[11] = w3 * c[11];  // l=3 m=-1
@@ -75,7 +76,7 @@ constexpr void window_hann_l4(T cos_pi_over_w, T* c) noexcept {
   c[13] = w3 * c[13];  // l=3 m=1
   c[14] = w3 * c[14];  // l=3 m=2
   c[15] = w3 * c[15];  // l=3 m=3
-  const T w4 = t2 * t2;
+  const T w4 = k_half * (one + (twice * t3 - t2));
   c[16] = w4 * c[16];  // l=4 m=-4
   c[17] = w4 * c[17];  // l=4 m=-3
   c[18] = w4 * c[18];  // l=4 m=-2
