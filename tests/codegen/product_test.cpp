@@ -98,7 +98,7 @@ TEST(Products, AreLoopedOnlyBeyondDegree6) {
   for (const char* name : {"product", "square", "triple"}) {
     const Family& family = find_family(name);
     for (int degree = 0; degree <= 10; ++degree) {
-      EXPECT_EQ(fastest_recipe(family, degree).name == "looped", degree > 6) << name << degree;
+      EXPECT_EQ(fastest_recipe(family, degree).name.rfind("looped", 0) == 0, degree > 6) << name << degree;
     }
   }
 }
