@@ -27,9 +27,9 @@ template <int Degree, class T>
 template <class T>
 void run(const detail::Call<T>& call) {
   static constexpr Plan<T> kPlans[] = {
-      {2, {3, 1}, 1, true, kernel<0, T>, nullptr, nullptr, 0, nullptr, nullptr},
-      {2, {3, 1}, 4, true, kernel<1, T>, nullptr, nullptr, 0, nullptr, nullptr},
-      {2, {3, 1}, 9, true, kernel<2, T>, nullptr, nullptr, 0, nullptr, nullptr},
+      {2, {3, 1}, 1, true, parts<0, T>, nullptr, nullptr, 0, nullptr, detail::finish_project},
+      {2, {3, 1}, 4, true, parts<1, T>, nullptr, nullptr, 0, nullptr, detail::finish_project},
+      {2, {3, 1}, 9, true, parts<2, T>, nullptr, nullptr, 0, nullptr, detail::finish_project},
       {2, {3, 1}, 16, true, parts<3, T>, nullptr, nullptr, 0, nullptr, detail::finish_project},
       {2, {3, 1}, 25, true, parts<4, T>, nullptr, nullptr, 0, nullptr, detail::finish_project},
       {2, {3, 1}, 36, true, parts<5, T>, nullptr, nullptr, 0, nullptr, detail::finish_project},
