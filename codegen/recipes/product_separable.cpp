@@ -9,6 +9,7 @@
 #include "codegen/cost.hpp"
 #include "codegen/passes/share.hpp"
 #include "codegen/recipes/phi_transform.hpp"
+#include "codegen/recipes/ring_factor.hpp"
 #include "symbolic/gaunt.hpp"
 
 namespace sh::codegen::recipes {
@@ -21,33 +22,6 @@ using Parts = std::array<Value, kParts>;
 
 // The place of an element; arithmetic on positions stays in int.
 std::size_t position(int i) { return static_cast<std::size_t>(i); }
-
-// A constant of a ring; one for each pair of rings where a loop runs over the pairs.
-using Factor = std::vector<ExactReal>;
-
-Factor times(Factor factor, const ExactReal& scale) {
-  for (ExactReal& element : factor) element = multiply(element, scale);
-  return factor;
-}
-
-Factor times(Factor factor, const Factor& other) {
-  for (std::size_t i = 0; i < factor.size(); ++i) factor[i] = multiply(factor[i], other[i]);
-  return factor;
-}
-
-Factor quotient(Factor factor, const Factor& divisor) {
-  for (std::size_t i = 0; i < factor.size(); ++i) factor[i] = multiply(factor[i], reciprocal(divisor[i]));
-  return factor;
-}
-
-double approximate(const ExactReal& value) { return std::abs(cln::double_approx(evaluate(value, 20))); }
-
-// The size of the smallest element.
-double approximate(const Factor& factor) {
-  double smallest = approximate(factor.front());
-  for (const ExactReal& element : factor) smallest = std::min(smallest, approximate(element));
-  return smallest;
-}
 
 std::string named(const char* letter, int ring, int order, const char* suffix) {
   return letter + std::to_string(ring + 1) + (order < 0 ? "s" : "c") + std::to_string(std::abs(order)) + suffix;

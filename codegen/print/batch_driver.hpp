@@ -1,0 +1,68 @@
+// What a batched driver is made from: the kernels of a family, seen as functions from records to records.
+//
+// Consecutive scalars x, y, z are one record of 3 values, an array is a record, the results together are the output
+// record; a result that is updated in place is a sum over all records.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "codegen/finished_kernel.hpp"
+#include "codegen/print/batch.hpp"
+
+namespace sh::codegen::print {
+
+inline constexpr int kLargestByParts = 5;
+inline constexpr int kLargestPrepared = 6;  // errors of the polynomial grow
+
+// What a driver is made from.
+struct DriverSpec {
+  std::string name;      // of the driver and of the family whose kernels it runs
+  std::string what;      // one line
+  std::string prepare;   // family computed once from input 0 where that is shared, to degree kLargestPrepared; or empty
+  std::string prepared;  // the family that takes its result, of the same size, in place of input 0
+  std::string parts;     // for a sum: the family that adds up something faster, to degree kLargestByParts
+  std::string finish;    // the family that makes the sum of it
+  bool half = false;     // input 0 may be half precision
+  int largest = 10;      // degree; beyond, a driver is not worth the time it takes to compile
+};
+
+// A record that a driver takes, and how the kernel's arguments lie in it.
+struct Record {
+  std::string name;
+  std::vector<std::string> arguments;  // of the kernel, from `in[j]`
+  int size = 0;
+};
+
+// A kernel as a driver sees it.
+struct RecordSignature {
+  std::vector<Record> inputs;
+  std::string out;  // name
+  int out_size = 0;
+  bool sums = false;
+  bool returns = false;
+};
+
+RecordSignature signature_of(const Kernel& kernel);
+
+// "sh::rotate<Degree>(in[0], in[1], out);". Of several results each is bands^2 values, one after the other.
+std::string call_of(const Kernel& kernel);
+
+struct Driver {
+  DriverSpec spec;
+  std::span<const FinishedKernel> kernels;  // to the largest degree of the driver
+  int further = 0;                          // the largest degree of the family where the driver ends before it
+  const std::vector<FinishedKernel>* prepare = nullptr;
+  const std::vector<FinishedKernel>* prepared = nullptr;
+  const std::vector<FinishedKernel>* parts = nullptr;
+  const std::vector<FinishedKernel>* finish = nullptr;
+  [[nodiscard]] bool prepares() const { return prepare != nullptr && prepared != nullptr; }
+  [[nodiscard]] bool adds_parts() const { return parts != nullptr && finish != nullptr; }
+  [[nodiscard]] const Kernel& last() const { return kernels.back().kernel; }
+};
+
+/// A driver for each of the listed families that is written.
+std::vector<Driver> drivers_of(const WrittenFamilies& families);
+
+}  // namespace sh::codegen::print
