@@ -9,12 +9,12 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "numeric/output/progress.hpp"
 #include "numeric/zonal.hpp"
 #include "prt/basis.hpp"
 #include "prt/directions.hpp"
 #include "prt/fill_closed.hpp"
 #include "prt/gather.hpp"
-#include "prt/progress.hpp"
 #include "prt/tracer.hpp"
 
 namespace sh::prt {
@@ -70,7 +70,7 @@ void shadow(const Scene& scene, tbb::task_arena& arena, const BakeSettings& sett
   const std::vector<RayStart> starts = ray_starts(scene.mesh);
   const std::size_t count = transfer.bands_squared();
   sight.assign(starts.size(), Sight::kSome);
-  Progress progress("bake", starts.size());
+  output::Progress progress("bake", starts.size());
   for_parts(arena, starts.size(), [&](std::size_t first, std::size_t last) {
     Gatherer gatherer(shared, tracer);
     for (std::size_t v = first; v < last; ++v) {

@@ -1,8 +1,7 @@
-// Which reader a file needs, and the PNG writer: prt/image_io.hpp.
+// Which reader a file needs: prt/image_io.hpp.
 #include "prt/image_io.hpp"
 
 #include <fmt/format.h>
-#include <png.h>
 
 #include <cerrno>
 #include <cstring>
@@ -10,8 +9,6 @@
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
-
-#include "prt/atomic_file.hpp"
 
 namespace sh::prt {
 namespace {
@@ -44,22 +41,6 @@ Image read_image(const std::string& file, OnFlaw on_flaw) {
   }
   mend_pixels(file, image, on_flaw);
   return image;
-}
-
-void write_png(const std::string& file, int width, int height, std::span<const std::uint8_t> rgb) {
-  png_image picture{};
-  picture.version = PNG_IMAGE_VERSION;
-  picture.width = static_cast<png_uint_32>(width);
-  picture.height = static_cast<png_uint_32>(height);
-  picture.format = PNG_FORMAT_RGB;
-  std::vector<std::uint8_t> bytes(PNG_IMAGE_PNG_SIZE_MAX(picture));
-  png_alloc_size_t size = bytes.size();
-  if (png_image_write_to_memory(&picture, bytes.data(), &size, 0, rgb.data(), 0, nullptr) == 0) {
-    throw std::runtime_error(fmt::format("{}: cannot make a PNG picture: {}", file, picture.message));
-  }
-  AtomicFile out(file);
-  out.write(bytes.data(), size);
-  out.commit();
 }
 
 }  // namespace sh::prt

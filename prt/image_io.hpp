@@ -1,9 +1,6 @@
-// High-dynamic-range pictures from OpenEXR and Radiance files, low-dynamic-range pictures to PNG.
+// High-dynamic-range pictures from OpenEXR and Radiance files.
 // The format is told by a file's first bytes, not by its name.
 #pragma once
-#include <cstddef>
-#include <cstdint>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,8 +21,5 @@ Image read_exr(const std::string& file, OnFlaw on_flaw);
 
 /// The Radiance half: `bytes` are the whole file, `file` its name for messages. A header's EXPOSURE is divided out.
 Image read_radiance(const std::string& file, std::string_view bytes);
-
-/// 8-bit sRGB, (height, width, 3) row-major, top row first. The file appears complete or not at all.
-void write_png(const std::string& file, int width, int height, std::span<const std::uint8_t> rgb);
 
 }  // namespace sh::prt

@@ -5,7 +5,7 @@
 #include <bit>
 #include <cstring>
 
-#include "prt/atomic_file.hpp"
+#include "numeric/output/atomic_file.hpp"
 #include "prt/relight.hpp"
 
 namespace sh::prt {
@@ -52,7 +52,7 @@ void write_ply(const std::string& file, const Mesh& mesh, const std::vector<Eige
     append(bytes, std::uint8_t{3});
     append(bytes, face);
   }
-  AtomicFile out(file);
+  output::AtomicFile out(file);
   out.write(bytes.data(), bytes.size());
   out.commit();
 }

@@ -4,8 +4,8 @@
 #include <cstdio>
 #include <exception>
 
+#include "numeric/output/progress.hpp"
 #include "prt/commands.hpp"
-#include "prt/progress.hpp"
 
 namespace {
 
@@ -20,7 +20,7 @@ void add_commands(CLI::App& tool) {
 
 int run(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);  // a file-size limit is then an error of write(), reported like a full disk
-  sh::prt::stop_on_interrupt();
+  sh::output::stop_on_interrupt();
   CLI::App tool("Precomputed radiance transfer with spherical harmonics: bake, relight, render.", "prt");
   add_commands(tool);
   try {
@@ -43,7 +43,7 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
   try {
     return run(argc, argv);
-  } catch (const sh::prt::Interrupted& stop) {
+  } catch (const sh::output::Interrupted& stop) {
     std::fprintf(stderr, "prt: %s\n", stop.what());
     return 130;
   } catch (const std::exception& error) {

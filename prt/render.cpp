@@ -3,7 +3,7 @@
 
 #include <oneapi/tbb/parallel_for.h>
 
-#include "prt/progress.hpp"
+#include "numeric/output/progress.hpp"
 
 namespace sh::prt {
 namespace {
@@ -45,7 +45,7 @@ Picture render(const Mesh& mesh, const Tracer& tracer, const std::vector<Eigen::
   const auto pixels = static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
   picture.radiance.resize(pixels);
   picture.coverage.resize(pixels);
-  Progress progress(what, static_cast<std::size_t>(size.height));
+  output::Progress progress(what, static_cast<std::size_t>(size.height));
   tbb::parallel_for(0, size.height, [&](int row) {
     RowOfRays rays;
     trace_row(tracer, camera, size, row, rays);

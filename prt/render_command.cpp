@@ -6,9 +6,9 @@
 #include <filesystem>
 #include <memory>
 
+#include "numeric/output/png.hpp"
 #include "prt/commands.hpp"
 #include "prt/default_camera.hpp"
-#include "prt/image_io.hpp"
 #include "prt/project.hpp"
 #include "prt/relight.hpp"
 #include "prt/render.hpp"
@@ -98,7 +98,7 @@ void run(const Options& options) {
     if (!show_light) {
       put_on_grey(picture, exposure);
     }
-    write_png(name, picture.width, picture.height, tone_map(picture.radiance, exposure));
+    output::write_png(name, picture.width, picture.height, tone_map(picture.radiance, exposure));
   }
   stopwatch.report(fmt::format("rendered {} picture{} of {} x {} pixels, {} samples each, exposure {:.4g}",
                                options.frames, options.frames == 1 ? "" : "s", options.size.width, options.size.height,

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "prt/atomic_file.hpp"
+#include "numeric/output/atomic_file.hpp"
 #include "prt/checksum.hpp"
 #include "prt/transfer_file.hpp"
 #include "prt/transfer_layout.hpp"
@@ -68,7 +68,7 @@ void write_transfer(const std::string& path, const Transfer& transfer) {
               std::copy_n(prologue_bytes, offsetof(layout::Prologue, checksum), front.begin()));
   prologue.checksum = checksum(front.data(), front.size());
 
-  AtomicFile file(path);
+  output::AtomicFile file(path);
   file.write(&prologue, sizeof prologue);
   file.write(table.data(), sizeof table);
   file.write(header.data(), header.size());

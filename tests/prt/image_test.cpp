@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "numeric/output/png.hpp"
 #include "prt/image_io.hpp"
 #include "tests/prt/image_files.hpp"
 #include "tests/prt/temporary_folder.hpp"
@@ -167,7 +168,7 @@ TEST(Image, MissingEmptyAndForeignFilesAreRefused) {
   expect_refused(folder.file("empty.hdr"), "is empty");
   write_all(folder.file("text.exr"), "not a picture");
   expect_refused(folder.file("text.exr"), "is not an OpenEXR or Radiance");
-  write_png(folder.file("a.png"), 2, 1, std::vector<std::uint8_t>(6, 7));
+  output::write_png(folder.file("a.png"), 2, 1, std::vector<std::uint8_t>(6, 7));
   expect_refused(folder.file("a.png"), "is not an OpenEXR or Radiance");
 }
 
@@ -235,7 +236,7 @@ TEST(Image, ExrWithoutColourChannelsIsRefusedWithItsChannels) {
 TEST(Image, PngHoldsTheBytesAndSaysSrgb) {
   const TemporaryFolder folder;
   const std::vector<std::uint8_t> bytes{0, 1, 2, 253, 254, 255, 9, 8, 7, 100, 101, 102};
-  write_png(folder.file("a.png"), 2, 2, bytes);
+  output::write_png(folder.file("a.png"), 2, 2, bytes);
   png_image picture{};
   picture.version = PNG_IMAGE_VERSION;
   ASSERT_NE(png_image_begin_read_from_file(&picture, folder.file("a.png").c_str()), 0);
@@ -250,8 +251,9 @@ TEST(Image, PngHoldsTheBytesAndSaysSrgb) {
 TEST(Image, PngThatCannotBeWrittenLeavesNothing) {
   const TemporaryFolder folder;
   const std::vector<std::uint8_t> bytes(12, 0);
-  EXPECT_NE(message_of([&] { write_png(folder.file("no/a.png"), 2, 2, bytes); }).find("no/a.png"), std::string::npos);
-  EXPECT_NE(message_of([&] { write_png("/dev/full", 2, 2, bytes); }).find("No space left"), std::string::npos);
+  EXPECT_NE(message_of([&] { output::write_png(folder.file("no/a.png"), 2, 2, bytes); }).find("no/a.png"),
+            std::string::npos);
+  EXPECT_NE(message_of([&] { output::write_png("/dev/full", 2, 2, bytes); }).find("No space left"), std::string::npos);
   EXPECT_EQ(folder.entries(), 0U);
 }
 

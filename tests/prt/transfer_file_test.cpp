@@ -7,7 +7,7 @@
 #include <csignal>
 #include <nlohmann/json.hpp>
 
-#include "prt/atomic_file.hpp"
+#include "numeric/output/atomic_file.hpp"
 #include "prt/bake.hpp"
 #include "tests/prt/meshes.hpp"
 #include "tests/prt/temporary_folder.hpp"
@@ -127,7 +127,7 @@ TEST_F(TransferFile, IsRefusedWhereItCannotBeWritten) {
 
 TEST_F(TransferFile, AppearsOnlyWhenComplete) {
   {
-    AtomicFile file(file_);
+    output::AtomicFile file(file_);
     file.write("half", 4);
     EXPECT_FALSE(std::filesystem::exists(file_));
   }

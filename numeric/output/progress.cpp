@@ -1,4 +1,4 @@
-#include "prt/progress.hpp"
+#include "numeric/output/progress.hpp"
 
 #include <fmt/core.h>
 #include <unistd.h>
@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <utility>
 
-namespace sh::prt {
+namespace sh::output {
 
 namespace {
 
@@ -81,4 +81,4 @@ void Progress::finish() {
   open_line_ = false;
 }
 
-}  // namespace sh::prt
+}  // namespace sh::output

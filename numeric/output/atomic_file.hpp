@@ -2,8 +2,9 @@
 #pragma once
 #include <cstddef>
 #include <string>
+#include <string_view>
 
-namespace sh::prt {
+namespace sh::output {
 
 /// Write, then commit(). Destroyed without commit(), nothing remains and an old file stays as it was. A destination
 /// that exists but is no regular file (a device, a pipe) is written directly. Errors (not writable, disk full) throw
@@ -25,4 +26,7 @@ class AtomicFile {
   int descriptor_ = -1;
 };
 
-}  // namespace sh::prt
+/// Writes `text` as the whole of the file. Throws as AtomicFile does.
+void write_file(const std::string& path, std::string_view text);
+
+}  // namespace sh::output

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace sh::prt {
+namespace sh::output {
 
 /// Thrown at the next Progress::advance after the user pressed ^C; a tool then exits 130 with nothing half-written.
 struct Interrupted : std::runtime_error {
@@ -43,4 +43,4 @@ class Progress {
   std::chrono::steady_clock::time_point last_draw_;
 };
 
-}  // namespace sh::prt
+}  // namespace sh::output

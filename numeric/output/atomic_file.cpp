@@ -1,4 +1,4 @@
-#include "prt/atomic_file.hpp"
+#include "numeric/output/atomic_file.hpp"
 
 #include <fcntl.h>
 #include <fmt/core.h>
@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace sh::prt {
+namespace sh::output {
 
 namespace {
 
@@ -79,4 +79,10 @@ void AtomicFile::fail(int error) const {
   throw std::runtime_error(fmt::format("{}: cannot write: {}", path_, std::strerror(error)));
 }
 
-}  // namespace sh::prt
+void write_file(const std::string& path, std::string_view text) {
+  AtomicFile file(path);
+  file.write(text.data(), text.size());
+  file.commit();
+}
+
+}  // namespace sh::output

@@ -1,14 +1,10 @@
-// See report.hpp.
-#include "numeric/report.hpp"
+// See kernel_report.hpp.
+#include "numeric/kernel_report.hpp"
 
 #include <array>
-#include <cerrno>
 #include <cmath>
 #include <cstdio>
-#include <cstring>
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 
 #include "numeric/kernel_limits.hpp"
 
@@ -144,19 +140,6 @@ std::string format_json(const std::vector<KernelResult>& results, const std::vec
       {"failures", failures}};
   for (const auto& result : results) json["kernels"].push_back(result_json(result));
   return json.dump(2) + "\n";
-}
-
-void write_file(const std::filesystem::path& file, const std::string& text) {
-  const std::filesystem::path temporary = file.string() + ".part";
-  std::ofstream stream(temporary, std::ios::binary);
-  stream << text;
-  stream.close();
-  std::error_code failed;
-  if (stream) std::filesystem::rename(temporary, file, failed);
-  if (stream && !failed) return;
-  const std::string reason = failed ? failed.message() : std::strerror(errno);
-  std::filesystem::remove(temporary, failed);
-  throw std::runtime_error(file.string() + ": cannot be written: " + reason);
 }
 
 }  // namespace sh::numeric

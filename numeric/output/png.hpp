@@ -1,0 +1,13 @@
+// Pictures to PNG files (libpng).
+#pragma once
+#include <cstdint>
+#include <span>
+#include <string>
+
+namespace sh::output {
+
+/// 8-bit sRGB, (height, width, 3) row-major, top row first. The file appears complete or not at all. Throws
+/// std::runtime_error, one line naming the file, where it cannot be written.
+void write_png(const std::string& file, int width, int height, std::span<const std::uint8_t> rgb);
+
+}  // namespace sh::output
