@@ -1,5 +1,7 @@
 // cap(one_minus_cos) -> zonal; zonal(zonal, d) -> out; add_cap and add_cap_rgb (d, one_minus_cos, colour, sum in
 // place). Against quadrature over the cap and numeric's basis in the direction of the light.
+#include "numeric/cap.hpp"
+
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -44,8 +46,8 @@ FamilyCheck light_check(const std::string& family, int channels) {
           .oracle =
               [channels, first_sum](int degree, const auto* in, auto* out) {
                 using Real = std::remove_cvref_t<decltype(*in)>;
-                std::vector<Real> zonal;
-                for (int l = 0; l <= degree; ++l) zonal.push_back(cap_coefficient(l, in[3]));
+                std::vector<Real> zonal(static_cast<std::size_t>(degree) + 1);
+                cap_zonal_quadrature(degree, in[3], zonal.data());
                 const auto coefficients = static_cast<std::size_t>(coefficient_count(degree));
                 std::vector<Real> turned(coefficients);
                 turned_zonal(degree, zonal.data(), in, turned.data());
@@ -74,10 +76,7 @@ FamilyCheck cap_check() {
                 return Signature{{scalar("one_minus_cos"), out_array("zonal", degree + 1)}};
               },
           .inputs = [](int /*degree*/) { return cap_inputs(); },
-          .oracle =
-              [](int degree, const auto* in, auto* out) {
-                for (int l = 0; l <= degree; ++l) out[l] = cap_coefficient(l, in[0]);
-              },
+          .oracle = [](int degree, const auto* in, auto* out) { cap_zonal_quadrature(degree, in[0], out); },
           .nearest = {},
           .size = [](int /*degree*/, const double* in,
                      std::size_t output) { return cap_size(in[0], static_cast<int>(output)); },
