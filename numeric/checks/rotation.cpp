@@ -10,6 +10,7 @@
 #include "numeric/checks/checks.hpp"
 #include "numeric/checks/inputs.hpp"
 #include "numeric/checks/rotation_inputs.hpp"
+#include "numeric/rotation_matrices.hpp"
 
 namespace sh::numeric {
 namespace {

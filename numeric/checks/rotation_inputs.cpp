@@ -2,6 +2,7 @@
 // whose last bits differ from machine to machine.
 #include "numeric/checks/rotation_inputs.hpp"
 
+#include <array>
 #include <cstdio>
 #include <numbers>
 #include <string>
@@ -9,6 +10,7 @@
 #include "numeric/checks/inputs.hpp"
 #include "numeric/directions.hpp"
 #include "numeric/random.hpp"
+#include "numeric/rotation_matrices.hpp"
 
 namespace sh::numeric {
 namespace {

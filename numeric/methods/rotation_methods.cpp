@@ -1,0 +1,34 @@
+#include "numeric/methods/rotation_methods.hpp"
+
+#include <array>
+
+#include "numeric/methods/blanco.hpp"
+#include "numeric/methods/choi.hpp"
+#include "numeric/methods/instances.hpp"
+#include "numeric/methods/pinchon_hoggan.hpp"
+#include "numeric/methods/wigner_d.hpp"
+#include "numeric/methods/zxz.hpp"
+#include "numeric/rotation.hpp"
+
+namespace sh::numeric {
+
+template <class Real>
+std::span<const RotationMethod<Real>> rotation_methods() {
+  using Method = RotationMethod<Real>;
+  static constexpr std::array kMethods = {
+      Method{"ivanic_ruedenberg", "Ivanic, Ruedenberg 1996 and 1998", rotate<Real>},
+      Method{"choi", "Choi, Ivanic, Gordon, Ruedenberg 1999", methods::rotate_choi<Real>},
+      Method{"blanco", "Blanco, Florez, Bermejo 1997, eqs. 64-68", methods::rotate_blanco<Real>},
+      Method{"wigner_d", "Blanco, Florez, Bermejo 1997, eq. 64, from scaled starts", methods::rotate_wigner_d<Real>},
+      Method{"pinchon_hoggan", "Pinchon, Hoggan 2007", methods::rotate_pinchon_hoggan<Real>},
+      Method{"zxz", "Trapani, Navaza 2006", methods::rotate_zxz<Real>}};
+  return kMethods;
+}
+
+// NOLINTBEGIN(bugprone-macro-parentheses): a type cannot stand in parentheses.
+#define SHFORGE_INSTANCE(Real) template std::span<const RotationMethod<Real>> rotation_methods<Real>();
+// NOLINTEND(bugprone-macro-parentheses)
+
+SHFORGE_FOR_EACH_METHOD_REAL(SHFORGE_INSTANCE)
+
+}  // namespace sh::numeric
