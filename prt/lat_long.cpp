@@ -27,12 +27,6 @@ LatLongPoint lat_long_point(const Eigen::Vector3d& direction, int width, int hei
   return {(1.0 - phi / kPi) * 0.5 * width, theta / kPi * height};
 }
 
-double lat_long_solid_angle(int row, int width, int height) {
-  // cos a - cos b = 2 sin((a+b)/2) sin((b-a)/2) keeps its digits at the poles.
-  const double half = 0.5 * kPi / height;
-  return 2.0 * kPi / width * 2.0 * std::sin((2 * row + 1) * half) * std::sin(half);
-}
-
 Eigen::Vector3f lat_long_lookup(const Image& image, const Eigen::Vector3d& direction) {
   const LatLongPoint point = lat_long_point(direction, image.width, image.height);
   const double column = std::floor(point.column - 0.5);

@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 #include <string>
 
+#include "numeric/solid_angle.hpp"
 #include "prt/image.hpp"
 
 namespace sh::prt {
@@ -25,8 +26,8 @@ Eigen::Vector3d lat_long_direction(const LatLongPoint& point, int width, int hei
 /// The inverse: 0 <= column <= width, 0 <= row <= height. |direction| = 1.
 LatLongPoint lat_long_point(const Eigen::Vector3d& direction, int width, int height);
 
-/// The exact solid angle of every pixel of a row, in steradian: (2 pi / width) (cos theta_top - cos theta_bottom).
-double lat_long_solid_angle(int row, int width, int height);
+/// The exact solid angle of every pixel of a row, in steradian.
+using numeric::lat_long_solid_angle;
 
 /// The picture towards a unit direction, bilinear between pixel centres; wraps in azimuth, stops at the poles.
 Eigen::Vector3f lat_long_lookup(const Image& image, const Eigen::Vector3d& direction);

@@ -1,0 +1,45 @@
+// Points on the sphere with weights, each rule by its own parameters; sphere_rules.hpp has all of them by their number
+// of points.
+//
+// Output: nodes in double, |d| = 1 up to 2 epsilon, weights that sum to 4 pi unless said otherwise:
+// sum weight f(x, y, z) is an estimate of the integral of f over the sphere. The same nodes for the same arguments;
+// all throw std::invalid_argument, naming the argument, below 1 and beyond kMaxSphereNodes nodes.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "numeric/quadrature.hpp"
+
+namespace sh::numeric {
+
+inline constexpr std::int64_t kMaxSphereNodes = std::int64_t{1} << 26;  // 2 GiB
+
+// Spherical Fibonacci points of equal weight [SwinbankPurser06]: z_i = 1 - (2i+1)/count, azimuth i times the golden
+// angle.
+std::vector<SphereNode<double>> fibonacci_nodes(int count);
+
+// Independent uniform points of equal weight: random_directions of directions.hpp.
+std::vector<SphereNode<double>> uniform_nodes(int count, std::uint64_t seed);
+
+// One random point in each of side x side cells of equal area, bands of z times sectors of azimuth [Green03] Eq. 4 and
+// SH_setup_spherical_samples: theta = 2 acos sqrt(1-x), phi = 2 pi y for x, y jittered. z = 1 - 2x is that theta.
+std::vector<SphereNode<double>> stratified_nodes(int side, std::uint64_t seed);
+
+// The texel centres of a cube map with size x size texels a face. Faces +x +y +z -x -y -z; u and v run along the two
+// axes that follow the face's in the order x y z x y.
+enum class TexelWeight {
+  kExact,               // the solid angle [Driscoll12]
+  kDifferential,        // the area element at the centre [SloanKautzSnyder02] 6.2; sums to 4 pi (1 + O(1/size^2))
+  kDifferentialScaled,  // the same times 4 pi / sum [Sloan08], appendix
+};
+std::vector<SphereNode<double>> cube_map_nodes(int size, TexelWeight weight);
+
+// The pixel centres of a lat-long picture, height rows from +z to -z, 2 height columns.
+enum class LatLongWeight {
+  kExact,   // the solid angle
+  kCentre,  // sin(theta) dtheta dphi at the centre: the solid angle times h / sin h, h = pi / (2 height), in every row
+};
+std::vector<SphereNode<double>> lat_long_nodes(int height, LatLongWeight weight);
+
+}  // namespace sh::numeric

@@ -1,0 +1,64 @@
+// Lights with peaks of 1e6:1: how far a projection on bands 0 to 5 is from the exact coefficients, over their norm.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "numeric/projection.hpp"
+#include "numeric/report/test_functions.hpp"
+#include "numeric/sphere_rules.hpp"
+#include "tests/numeric/extreme.hpp"
+#include "tests/numeric/keep_worst.hpp"
+
+namespace sh::numeric {
+namespace {
+
+constexpr int kDegree = 5;
+constexpr double kRadian = 180 / std::numbers::pi;
+
+// Largest error of a coefficient over the norm of all.
+double error_of(const TestFunction& light, const std::vector<SphereNode<double>>& nodes) {
+  const auto exact = light.coefficients(kDegree);
+  const auto c = project(kDegree, nodes, light.value);
+  double worst = 0;
+  double square = 0;
+  for (std::size_t i = 0; i < c.size(); ++i) {
+    keep_worst(worst, c[i] - exact[i]);
+    square += exact[i] * exact[i];
+  }
+  return worst / std::sqrt(square);
+}
+
+TEST(ExtremeProjection, OfAPeakOfAMillionIsExactOnceTheRuleResolvesIt) {
+  double worst = 0;
+  std::string where;
+  for (const double degrees : {20.0, 5.0, 2.0}) {
+    const double width = degrees / kRadian;
+    const int rule = static_cast<int>(14 / width);  // of polynomials: exp(-(14/2)^2) is left out
+    const double error = error_of(soft_sun(width), sphere_rule<double>(rule));
+    if (error <= worst) continue;
+    worst = error;
+    where = fmt::format("exp(-(angle/{} deg)^2/2), Gauss-Legendre of degree {}", degrees, rule);
+  }
+  // 2.2e-14: a direction rounded by epsilon moves the flank of the peak by epsilon angle / width^2.
+  test::report_extreme("light with a Gaussian peak of 1e6:1, projected on bands 0..5, of its norm", worst, 5e-14,
+                       where);
+}
+
+TEST(ExtremeProjection, OfADiscOfAMillionSamplesItsEdge) {
+  const TestFunction& sun = test_functions()[3];
+  double worst = 0;
+  std::string where;
+  for (const SphereRule& rule : sphere_rules()) {
+    const double error = error_of(sun, rule.nodes(300000, 1));
+    if (error <= worst) continue;
+    worst = error;
+    where = fmt::format("{}, 300,000 samples, {}", sun.description, rule.name);
+  }
+  // 23 samples in the disc: what sampling can do. A cap has its coefficients in closed form instead.
+  test::report_extreme("light with a disc of 1e6:1, sampled, bands 0..5, of its norm", worst, 0.2, where);
+}
+
+}  // namespace
+}  // namespace sh::numeric
