@@ -236,34 +236,55 @@ FinishedKernel preferred_kernel(const Family& family, int degree, Prefer prefer)
   return choose(finish_all(family, degree), prefer);
 }
 
-std::map<std::string, std::string> render_all(const std::function<void(const std::string&)>& progress) {
+namespace {
+
+struct Rendering {
   std::map<std::string, std::string> files;
   std::vector<ManifestEntry> manifest;
-  print::WrittenFamilies all_written;
-  for (const Family& family : families()) {
-    std::vector<FinishedKernel>& written = all_written[family.name];
-    for (int degree = 0; degree <= family.largest_written; ++degree) {
-      const std::vector<FinishedKernel> all = finish_all(family, degree);
-      if (all.empty()) continue;
-      written.push_back(choose(all, Prefer::kSpeed));
-      progress(written.back().kernel.name);
-      const FinishedKernel accurate = choose(all, Prefer::kAccuracy);
-      const bool worthwhile = accurate.in_float.rounding.eps < kWorthwhile * all.front().in_float.rounding.eps;
-      for (const FinishedKernel& candidate : all) {
-        const std::string& recipe = candidate.kernel.recipe;
-        manifest.push_back({candidate, {}, committed_wisdom().find(family.name, degree, recipe)});
-        if (recipe == written.back().kernel.recipe) manifest.back().files = add_files(files, written.back());
-        if (worthwhile && recipe == accurate.kernel.recipe) manifest.back().files = add_files(files, accurate);
-      }
-    }
-    for (const Language& language : languages()) {
-      if (language.print_family == nullptr) continue;
-      files[language.name + "/" + family.name + language.suffix] = language.print_family(written);
+  print::WrittenFamilies written;
+};
+
+void render_family(const Family& family, const std::function<void(const std::string&)>& progress,
+                   Rendering& rendering) {
+  std::vector<FinishedKernel>& written = rendering.written[family.name];
+  for (int degree = 0; degree <= family.largest_written; ++degree) {
+    const std::vector<FinishedKernel> all = finish_all(family, degree);
+    if (all.empty()) continue;
+    written.push_back(choose(all, Prefer::kSpeed));
+    progress(written.back().kernel.name);
+    const FinishedKernel accurate = choose(all, Prefer::kAccuracy);
+    const bool worthwhile = accurate.in_float.rounding.eps < kWorthwhile * all.front().in_float.rounding.eps;
+    for (const FinishedKernel& candidate : all) {
+      const std::string& recipe = candidate.kernel.recipe;
+      ManifestEntry entry{candidate, {}, committed_wisdom().find(family.name, degree, recipe)};
+      if (recipe == written.back().kernel.recipe) entry.files = add_files(rendering.files, written.back());
+      if (worthwhile && recipe == accurate.kernel.recipe) entry.files = add_files(rendering.files, accurate);
+      rendering.manifest.push_back(entry);
     }
   }
-  files.merge(print::batch_files(all_written));
-  files["MANIFEST"] = print_manifest(manifest);
-  return files;
+  for (const Language& language : languages()) {
+    if (language.print_family == nullptr) continue;
+    rendering.files[language.name + "/" + family.name + language.suffix] = language.print_family(written);
+  }
+}
+
+}  // namespace
+
+std::map<std::string, std::string> render_all(const std::function<void(const std::string&)>& progress) {
+  Rendering rendering;
+  for (const Family& family : families()) render_family(family, progress, rendering);
+  rendering.files.merge(print::batch_files(rendering.written));
+  rendering.files["MANIFEST"] = print_manifest(rendering.manifest);
+  return rendering.files;
+}
+
+std::map<std::string, std::string> render_families(const std::vector<std::string>& names,
+                                                   const std::function<void(const std::string&)>& progress) {
+  std::vector<const Family*> chosen;
+  for (const std::string& name : names) chosen.push_back(&find_family(name));
+  Rendering rendering;
+  for (const Family* family : chosen) render_family(*family, progress, rendering);
+  return rendering.files;
 }
 
 }  // namespace sh::codegen

@@ -56,7 +56,7 @@ std::vector<std::string> write_tree(const fs::path& folder, const RenderedFiles&
   return written;
 }
 
-std::vector<std::string> compare_tree(const fs::path& folder, const RenderedFiles& files) {
+std::vector<std::string> compare_files(const fs::path& folder, const RenderedFiles& files) {
   require_existing(folder);
   std::vector<std::string> differences;
   for (const auto& [name, content] : files) {
@@ -67,6 +67,11 @@ std::vector<std::string> compare_tree(const fs::path& folder, const RenderedFile
       differences.push_back(name + ": differs from what the generator writes, " + first_difference(*found, content));
     }
   }
+  return differences;
+}
+
+std::vector<std::string> compare_tree(const fs::path& folder, const RenderedFiles& files) {
+  std::vector<std::string> differences = compare_files(folder, files);
   std::set<std::string> present;
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
     if (!entry.is_directory()) present.insert(fs::relative(entry.path(), folder).generic_string());

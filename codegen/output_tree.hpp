@@ -23,8 +23,11 @@ void require_existing(const std::filesystem::path& folder);
 /// naming the file that could not be written.
 std::vector<std::string> write_tree(const std::filesystem::path& folder, const RenderedFiles& files);
 
-/// One line for each file that differs, is missing or should not be there; empty when equal. Throws std::runtime_error
-/// when the folder does not exist.
+/// One line for each file that differs or is missing; empty when equal. Throws std::runtime_error when the folder does
+/// not exist.
+std::vector<std::string> compare_files(const std::filesystem::path& folder, const RenderedFiles& files);
+
+/// The same, and one line for each file that should not be there.
 std::vector<std::string> compare_tree(const std::filesystem::path& folder, const RenderedFiles& files);
 
 }  // namespace sh::codegen

@@ -1,7 +1,7 @@
 // shgen: writes, checks and shows the generated kernels.
 //
-//   shgen write [--out DIR]                          write generated/ (unchanged files are left alone)
-//   shgen check [--dir DIR]                          compare generated/ with what would be written
+//   shgen write [FAMILY...] [--out DIR]              write generated/ (unchanged files are left alone)
+//   shgen check [FAMILY...] [--dir DIR]              compare generated/ with what would be written
 //   shgen list [FAMILY...]                           kernels and recipes: operations, measured error, time, files
 //   shgen tune [FAMILY...] [--degree N] [--out FILE] [--check]  measure the recipes, so that `write` takes the fastest
 //   shgen emit FAMILY --degree N --lang cpp|glsl|glsl-es|hlsl|c99 [--scalar float|double]

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iostream>
 #include <memory>
 #include <stdexcept>
@@ -30,20 +31,34 @@ void report_progress(const std::string& kernel) { std::cerr << "shgen: " << kern
 
 void ignore_progress(const std::string& /*kernel*/) {}
 
-int write(const std::string& folder) {
+// What a command is about: the whole folder, or the kernels of some families in it.
+struct Selection {
+  std::string folder;  // empty: the default
+  std::vector<std::string> families;
+
+  [[nodiscard]] RenderedFiles render(const std::function<void(const std::string&)>& progress) const {
+    return families.empty() ? render_all(progress) : render_families(families, progress);
+  }
+};
+
+int write(const Selection& selection) {
+  const std::string folder = chosen_folder(selection.folder);
   make_folder(folder);
-  const std::vector<std::string> written = write_tree(folder, render_all(report_progress));
+  const std::vector<std::string> written = write_tree(folder, selection.render(report_progress));
   for (const std::string& name : written) std::cout << name << '\n';
   std::cerr << "shgen: " << written.size() << " files written under " << folder << '\n';
   return kDone;
 }
 
-int check(const std::string& folder) {
+int check(const Selection& selection) {
+  const std::string folder = chosen_folder(selection.folder);
   require_existing(folder);
-  const std::vector<std::string> differences = compare_tree(folder, render_all(ignore_progress));
+  const RenderedFiles rendered = selection.render(ignore_progress);
+  const auto compare = selection.families.empty() ? compare_tree : compare_files;
+  const std::vector<std::string> differences = compare(folder, rendered);
   for (const std::string& line : differences) std::cout << line << '\n';
   if (!differences.empty()) return kDifferent;
-  std::cerr << "shgen: " << folder << " is what the generator writes\n";
+  std::cerr << "shgen: " << rendered.size() << " files of " << folder << " are what the generator writes\n";
   return kDone;
 }
 
@@ -66,17 +81,20 @@ int list(const std::string& folder, const std::vector<std::string>& only) {
 }  // namespace
 
 void add_write_command(CLI::App& tool, int& exit_code) {
-  const auto folder = std::make_shared<std::string>();
+  const auto selection = std::make_shared<Selection>();
   CLI::App* const command = tool.add_subcommand("write", "Write the generated files that differ");
-  command->add_option("--out", *folder, "Folder to write to (default: ./generated or the source tree's)");
-  command->callback([folder, &exit_code] { exit_code = write(chosen_folder(*folder)); });
+  command->add_option("family", selection->families,
+                      "Families whose kernels to write (default: all, and what needs all)");
+  command->add_option("--out", selection->folder, "Folder to write to (default: ./generated or the source tree's)");
+  command->callback([selection, &exit_code] { exit_code = write(*selection); });
 }
 
 void add_check_command(CLI::App& tool, int& exit_code) {
-  const auto folder = std::make_shared<std::string>();
+  const auto selection = std::make_shared<Selection>();
   CLI::App* const command = tool.add_subcommand("check", "Compare the generated files with what would be written");
-  command->add_option("--dir", *folder, "Folder to compare (default: ./generated or the source tree's)");
-  command->callback([folder, &exit_code] { exit_code = check(chosen_folder(*folder)); });
+  command->add_option("family", selection->families, "Families whose kernels to compare (default: all, every file)");
+  command->add_option("--dir", selection->folder, "Folder to compare (default: ./generated or the source tree's)");
+  command->callback([selection, &exit_code] { exit_code = check(*selection); });
 }
 
 void add_list_command(CLI::App& tool, int& exit_code) {

@@ -10,11 +10,6 @@ namespace sh::codegen::print {
 namespace {
 
 template <Scalar kScalar>
-std::string sized(const std::string& qualifier, const std::string& name, int size) {
-  return qualifier + scalar_name(kScalar) + " " + name + "[" + std::to_string(size) + "]";
-}
-
-template <Scalar kScalar>
 Dialect dialect() {
   Dialect d;
   d.scalar = scalar_name(kScalar);
@@ -25,8 +20,8 @@ Dialect dialect() {
   d.literal = [](const ExactReal& value) {
     return kScalar == Scalar::kFloat ? decimal(nearest<float>(value)) + "f" : decimal(nearest<double>(value));
   };
-  d.in_array = [](const std::string& name, int size) { return sized<kScalar>("const ", name, size); };
-  d.out_array = [](const std::string& name, int size) { return sized<kScalar>("", name, size); };
+  d.in_array = [](const std::string& name, int size) { return sized_array("const ", kScalar, name, size); };
+  d.out_array = [](const std::string& name, int size) { return sized_array("", kScalar, name, size); };
   d.in_out_array = d.out_array;
   d.square_root = kScalar == Scalar::kFloat ? "sqrtf" : "sqrt";
   d.select = [](const std::string& a, const std::string& b, const std::string& then, const std::string& otherwise) {

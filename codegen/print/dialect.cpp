@@ -4,6 +4,10 @@ namespace sh::codegen::print {
 
 std::string scalar_name(Scalar scalar) { return scalar == Scalar::kFloat ? "float" : "double"; }
 
+std::string sized_array(const std::string& qualifier, Scalar scalar, const std::string& name, int size) {
+  return qualifier + scalar_name(scalar) + " " + name + "[" + std::to_string(size) + "]";
+}
+
 std::string scalar_option(Scalar scalar) { return scalar == Scalar::kFloat ? "" : " --scalar double"; }
 
 std::string table_rows(const std::vector<std::vector<ExactReal>>& rows,

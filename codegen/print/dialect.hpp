@@ -56,6 +56,9 @@ std::string table_rows(const std::vector<std::vector<ExactReal>>& rows, std::str
 /// "float" or "double".
 std::string scalar_name(Scalar scalar);
 
+/// An array parameter whose size follows its name: "const float c[25]".
+std::string sized_array(const std::string& qualifier, Scalar scalar, const std::string& name, int size);
+
 /// What `shgen emit` needs to be told: "" for float, " --scalar double".
 std::string scalar_option(Scalar scalar);
 

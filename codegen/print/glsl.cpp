@@ -10,11 +10,6 @@ namespace sh::codegen::print {
 namespace {
 
 template <Scalar kScalar>
-std::string sized(const std::string& qualifier, const std::string& name, int size) {
-  return qualifier + scalar_name(kScalar) + " " + name + "[" + std::to_string(size) + "]";
-}
-
-template <Scalar kScalar>
 Dialect dialect() {
   Dialect d;
   d.scalar = scalar_name(kScalar);
@@ -24,9 +19,9 @@ Dialect dialect() {
   d.literal = [](const ExactReal& value) {
     return kScalar == Scalar::kFloat ? decimal(nearest<float>(value)) : decimal(nearest<double>(value)) + "lf";
   };
-  d.in_array = [](const std::string& name, int size) { return sized<kScalar>("", name, size); };
-  d.out_array = [](const std::string& name, int size) { return sized<kScalar>("out ", name, size); };
-  d.in_out_array = [](const std::string& name, int size) { return sized<kScalar>("inout ", name, size); };
+  d.in_array = [](const std::string& name, int size) { return sized_array("", kScalar, name, size); };
+  d.out_array = [](const std::string& name, int size) { return sized_array("out ", kScalar, name, size); };
+  d.in_out_array = [](const std::string& name, int size) { return sized_array("inout ", kScalar, name, size); };
   d.square_root = "sqrt";
   d.select = [](const std::string& a, const std::string& b, const std::string& then, const std::string& otherwise) {
     return "(" + a + " < " + b + " ? " + then + " : " + otherwise + ")";

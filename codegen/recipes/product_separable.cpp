@@ -4,10 +4,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
-#include <tuple>
 
-#include "codegen/cost.hpp"
-#include "codegen/passes/share.hpp"
 #include "codegen/recipes/phi_transform.hpp"
 #include "codegen/recipes/ring_factor.hpp"
 #include "symbolic/gaunt.hpp"
@@ -361,37 +358,6 @@ Kernel product_separable(const ProductShape& shape, Factors factors, SampleProdu
       RingQuadrature(plan.rings).definition();
   Separable(kernel, shape, factors, sample_product, plan).run();
   return kernel;
-}
-
-namespace {
-
-SeparablePlan shortest_plan(const ProductShape& shape, Factors factors, SampleProduct sample_product) {
-  constexpr int kMostAliases = 4;  // more cost more than further angles
-  const int total = shape.a + shape.b + shape.result;
-  // Every product of orders has to stay below M, and every order of the result below M/2.
-  const int most = std::max({shape.a + shape.b, 2 * shape.result, total - kMostAliases});
-  const int first = 4 * (most / 4 + 1);
-  SeparablePlan best;
-  int fewest = -1;
-  for (int angles = first; angles == first || angles < total + 5; angles += 4) {
-    // A polar ring costs little; an equator, which costs half a pair, is needed for every other degree.
-    const SeparablePlan plan{{total / 4, true, total / 2 % 2 != 0}, angles};
-    const int operations =
-        cost(passes::fold(passes::share(product_separable(shape, factors, sample_product, plan)))).operations();
-    if (fewest >= 0 && operations >= fewest) continue;
-    fewest = operations;
-    best = plan;
-  }
-  return best;
-}
-
-}  // namespace
-
-SeparablePlan separable_plan(const ProductShape& shape, Factors factors, SampleProduct sample_product) {
-  static std::map<std::tuple<int, int, int, Factors, SampleProduct>, SeparablePlan> known;
-  const auto [position, added] = known.try_emplace({shape.a, shape.b, shape.result, factors, sample_product});
-  if (added) position->second = shortest_plan(shape, factors, sample_product);
-  return position->second;
 }
 
 Kernel product_looped(const ProductShape& shape, Factors factors, SampleProduct sample_product) {

@@ -132,7 +132,7 @@ class CompiledC : public testing::TestWithParam<std::string> {};
 
 TEST_P(CompiledC, GivesTheKernelsOwnBitsForEveryFamily) {
   Program program;
-  test::for_each_emitted([&](const FinishedKernel& finished) { program.add(finished); });
+  for (const FinishedKernel& finished : test::emitted_kernels()) program.add(finished);
   program.expect_same_bits(GetParam());
 }
 

@@ -21,10 +21,15 @@ std::vector<int> some_degrees(const Family& family) {
   return chosen;
 }
 
-void for_each_emitted(const std::function<void(const FinishedKernel&)>& visit) {
-  for (const Family& family : families()) {
-    for (const int degree : some_degrees(family)) visit(preferred_kernel(family, degree, Prefer::kSpeed));
-  }
+const std::vector<FinishedKernel>& emitted_kernels() {
+  static const std::vector<FinishedKernel> kKernels = [] {
+    std::vector<FinishedKernel> kernels;
+    for (const Family& family : families()) {
+      for (const int degree : some_degrees(family)) kernels.push_back(preferred_kernel(family, degree, Prefer::kSpeed));
+    }
+    return kernels;
+  }();
+  return kKernels;
 }
 
 numeric::Signature signature_of(const Kernel& kernel) {

@@ -1,7 +1,6 @@
 // Shared by the tests of the languages: which kernels are emitted, and their signature as numeric describes it.
 #pragma once
 
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -13,8 +12,8 @@ namespace sh::codegen::test {
 /// The lowest, a middle and the highest degree that `shgen list` names for the family; fewer where it has fewer.
 std::vector<int> some_degrees(const Family& family);
 
-/// Calls `visit` with the kernel that `shgen emit FAMILY --degree N` prints, for every family at some_degrees.
-void for_each_emitted(const std::function<void(const FinishedKernel&)>& visit);
+/// What `shgen emit FAMILY --degree N` prints, for every family at some_degrees. Takes long, but only once a process.
+const std::vector<FinishedKernel>& emitted_kernels();
 
 /// What a function of any language takes and gives for the kernel; flat inputs and outputs are the kernel's own.
 numeric::Signature signature_of(const Kernel& kernel);

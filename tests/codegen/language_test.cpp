@@ -62,11 +62,11 @@ void write_unit(const std::filesystem::path& folder, const Language& language, c
 void expect_every_file_compiles_alone(const std::string& name) {
   const Language& language = find_language(name);
   const test::TemporaryFolder folder;
-  test::for_each_emitted([&](const FinishedKernel& finished) {
+  for (const FinishedKernel& finished : test::emitted_kernels()) {
     write_unit(folder.path(), language, finished, Scalar::kFloat);
     // A C++ header serves both; GLSL ES has no double.
     if (name != "cpp" && name != "glsl-es") write_unit(folder.path(), language, finished, Scalar::kDouble);
-  });
+  }
   for (const std::string& command : toolchain_of(name).commands) {
     const auto result = run_command("cd " + quoted(folder.path()) + " && " + command);
     constexpr std::size_t kMostPrinted = 4000;

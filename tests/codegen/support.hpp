@@ -5,6 +5,7 @@
 #include <string>
 
 #include "codegen/ir.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace sh::codegen::test {
 
@@ -27,17 +28,6 @@ std::string quoted(const std::string& text);
 std::string read_file(const std::filesystem::path& path);
 void write_file(const std::filesystem::path& path, const std::string& content);
 
-/// A folder that is removed with its content.
-class TemporaryFolder {
- public:
-  TemporaryFolder();
-  ~TemporaryFolder();
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
+using sh::test::TemporaryFolder;
 
 }  // namespace sh::codegen::test

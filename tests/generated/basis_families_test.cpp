@@ -21,38 +21,16 @@
 #include "generated/cpp/project_finish.hpp"
 #include "generated/cpp/project_moments.hpp"
 #include "numeric/basis.hpp"
+#include "tests/generated/kernel_support.hpp"
 
 namespace sh {
 namespace {
 
-constexpr int kMaxDegree = 10;
-constexpr std::size_t count_of(int degree) { return static_cast<std::size_t>((degree + 1) * (degree + 1)); }
-
-using Direction = std::array<double, 3>;
-
-std::vector<Direction> directions(int count) {
-  std::mt19937 random(23);
-  std::normal_distribution<double> normal;
-  std::vector<Direction> result{{0, 0, 1}, {0, 0, -1}, {1, 0, 0}, {0, -1, 0}, {1e-4, 0, 1}};
-  result.back() = numeric::normalised(1e-4, 0.0, 1.0);
-  for (int i = 0; i < count; ++i) result.push_back(numeric::normalised(normal(random), normal(random), normal(random)));
-  return result;
-}
-
-template <std::size_t N>
-std::array<double, N> random_array(unsigned seed) {
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> uniform(-1, 1);
-  std::array<double, N> values;
-  for (double& v : values) v = uniform(random);
-  return values;
-}
-
-template <class F>
-void for_every_degree(F&& f) {
-  [&]<int... kDegree>(std::integer_sequence<int, kDegree...>) { (f.template operator()<kDegree>(), ...); }
-  (std::make_integer_sequence<int, kMaxDegree + 1>());
-}
+using test::count_of;
+using test::Direction;
+using test::directions;
+using test::for_every_degree;
+using test::random_array;
 
 // r^l Y_lm off the unit sphere too.
 template <class Real>

@@ -17,11 +17,14 @@
 #include <vector>
 
 #include "tests/generated/counting.hpp"
+#include "tests/generated/kernel_support.hpp"
 
 namespace sh {
 namespace {
 
-constexpr int kMaxDegree = 10;
+using test::for_every_degree;
+using test::kMaxDegree;
+
 constexpr int count_of(int degree) { return (degree + 1) * (degree + 1); }
 constexpr std::size_t index(int l, int m) {
   const int i = l * (l + 1) + m;
@@ -54,13 +57,6 @@ double textbook(int l, int m, const Direction& d) {
       std::sph_legendre(static_cast<unsigned>(l), static_cast<unsigned>(a), theta) * (a % 2 == 0 ? 1 : -1);
   if (m == 0) return axial;
   return std::numbers::sqrt2 * axial * (m > 0 ? std::cos(a * phi) : std::sin(a * phi));
-}
-
-// Calls f.operator()<Degree>() for every generated degree.
-template <class F>
-void for_every_degree(F&& f) {
-  [&]<int... kDegree>(std::integer_sequence<int, kDegree...>) { (f.template operator()<kDegree>(), ...); }
-  (std::make_integer_sequence<int, kMaxDegree + 1>());
 }
 
 template <int Degree, class T>

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "generated/batch/batch.hpp"
+#include "tests/generated/kernel_support.hpp"
 
 namespace sh::test {
 
@@ -20,7 +21,6 @@ using batch::Layout;
 using batch::Records;
 
 inline constexpr std::size_t kMostInputs = 3;
-constexpr std::size_t count_of(int degree) { return static_cast<std::size_t>((degree + 1) * (degree + 1)); }
 
 /// Runs f on every available instruction set, then goes back to the one before.
 template <class F>

@@ -17,18 +17,13 @@
 #include "generated/cpp/triple.hpp"
 #include "numeric/basis.hpp"
 #include "numeric/quadrature.hpp"
+#include "tests/generated/kernel_support.hpp"
 
 namespace sh {
 namespace {
 
-constexpr int kMaxDegree = 10;
-constexpr std::size_t count_of(int degree) { return static_cast<std::size_t>((degree + 1) * (degree + 1)); }
-
-template <class F>
-void for_every_degree(F&& f) {
-  [&]<int... kDegree>(std::integer_sequence<int, kDegree...>) { (f.template operator()<kDegree>(), ...); }
-  (std::make_integer_sequence<int, kMaxDegree + 1>());
-}
+using test::count_of;
+using test::for_every_degree;
 
 using Coefficients = std::vector<double>;
 

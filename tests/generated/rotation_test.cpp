@@ -19,12 +19,14 @@
 #include "generated/cpp/rotate_quaternion.hpp"
 #include "generated/cpp/rotate_z.hpp"
 #include "numeric/basis.hpp"
+#include "tests/generated/kernel_support.hpp"
 
 namespace sh {
 namespace {
 
-constexpr int kMaxDegree = 10;
-constexpr std::size_t count_of(int degree) { return static_cast<std::size_t>((degree + 1) * (degree + 1)); }
+using test::count_of;
+using test::for_every_degree;
+
 constexpr std::size_t matrix_size(int degree) {
   std::size_t size = 0;
   for (int l = 0; l <= degree; ++l) size += static_cast<std::size_t>((2 * l + 1) * (2 * l + 1));
@@ -95,13 +97,6 @@ std::array<double, N> unit_coefficients(unsigned seed) {
   for (double& v : c) square += std::pow(v = normal(random), 2);
   for (double& v : c) v /= std::sqrt(square);
   return c;
-}
-
-// f.operator()<Degree>() for 0 .. kMaxDegree.
-template <class F>
-void for_every_degree(F&& f) {
-  [&]<int... kDegree>(std::integer_sequence<int, kDegree...>) { (f.template operator()<kDegree>(), ...); }
-  (std::make_integer_sequence<int, kMaxDegree + 1>());
 }
 
 template <class T, std::size_t N>

@@ -29,42 +29,19 @@
 #include "numeric/basis.hpp"
 #include "numeric/quadrature.hpp"
 #include "numeric/zonal.hpp"
+#include "tests/generated/kernel_support.hpp"
 
 namespace sh {
 namespace {
 
-constexpr int kMaxDegree = 10;
-constexpr std::size_t count_of(int degree) {
-  const auto bands = static_cast<std::size_t>(degree) + 1;
-  return bands * bands;
-}
+using test::count_of;
+using test::Direction;
+using test::directions;
+using test::for_degrees_from;
+using test::kMaxDegree;
+using test::random_array;
+
 std::size_t band(std::size_t index) { return static_cast<std::size_t>(std::sqrt(static_cast<double>(index))); }
-
-using Direction = std::array<double, 3>;
-
-std::vector<Direction> directions(int count) {
-  std::mt19937 random(17);
-  std::normal_distribution<double> normal;
-  std::vector<Direction> result{{0, 0, 1}, {0, 0, -1}, {1, 0, 0}, {0, 1, 0}};
-  for (int i = 0; i < count; ++i) result.push_back(numeric::normalised(normal(random), normal(random), normal(random)));
-  return result;
-}
-
-template <std::size_t N>
-std::array<double, N> random_array(unsigned seed) {
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> uniform(-1, 1);
-  std::array<double, N> values;
-  for (double& v : values) v = uniform(random);
-  return values;
-}
-
-// f.operator()<Degree>() for First .. kMaxDegree.
-template <int First, class F>
-void for_degrees_from(F&& f) {
-  [&]<int... kOffset>(std::integer_sequence<int, kOffset...>) { (f.template operator()<First + kOffset>(), ...); }
-  (std::make_integer_sequence<int, kMaxDegree + 1 - First>());
-}
 
 // z_l = 2 pi integral of Y_l0 over the cap, by a Gauss rule in the cosine.
 double cap_by_quadrature(int l, double u) {
