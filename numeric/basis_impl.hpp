@@ -68,9 +68,9 @@ void evaluate_basis(int degree, const Real& x, const Real& y, const Real& z, con
     powers.push_back(powers.back());
     powers.back().next();
   }
-  SectoralConstant<Real> sectoral;
-  for (int l = 0; l <= degree; ++l, sectoral.next()) {
-    visit_reduced_row(l, 0, sectoral.value(), z, u2, [&](int m, const Scaled<Real>& q) {
+  const ReducedRows<Real> rows(degree);
+  for (int l = 0; l <= degree; ++l) {
+    rows.visit(l, 0, z, u2, [&](int m, const Scaled<Real>& q) {
       const auto& power = powers[static_cast<std::size_t>(m)];
       if (m > 0) out[coefficient_index(l, -m)] = power.imaginary_times(q);
       out[coefficient_index(l, m)] = power.real_times(q);
@@ -117,11 +117,9 @@ Real basis_value(int degree, int order, const Real& x, const Real& y, const Real
   const int m = order < 0 ? -order : order;
   detail::AzimuthalPowers<Real> power(x, y);
   for (int i = 0; i < m; ++i) power.next();
-  SectoralConstant<Real> sectoral;
-  for (int l = 0; l < degree; ++l) sectoral.next();
   Scaled<Real> q{0, 0};
-  visit_reduced_row(degree, m, sectoral.value(), z, Real(x * x + y * y),
-                    [&](int, const Scaled<Real>& value) { q = value; });
+  ReducedRows<Real>(degree).visit(degree, m, z, Real(x * x + y * y),
+                                  [&](int, const Scaled<Real>& value) { q = value; });
   return order < 0 ? power.imaginary_times(q) : power.real_times(q);
 }
 

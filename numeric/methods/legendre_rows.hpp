@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "numeric/legendre.hpp"
+#include "numeric/legendre_values_impl.hpp"
 #include "numeric/methods/legendre_common.hpp"
 
 namespace sh::numeric {
@@ -40,22 +40,9 @@ void legendre_modified_row(int degree, const Real& z, const Real& sine, Real* ou
 // Fails: never by range. Rounding grows slowly with the degree, everywhere alike: see numeric/legendre_values.hpp.
 template <class Real>
 void legendre_scaled_rows(int degree, const Real& z, const Real& sine, Real* out) {
-  std::vector<Scaled<Real>> power(static_cast<std::size_t>(degree) + 1, Scaled<Real>{1, 0});
-  const long step = sine == 0 ? 0 : binary_exponent(sine);
-  const Real mantissa = times_power_of_two(sine, -step);
-  for (std::size_t m = 1; m < power.size(); ++m) {
-    Real none = 0;
-    power[m] = {power[m - 1].mantissa * mantissa, power[m - 1].exponent + step};
-    rescale(power[m].mantissa, none, power[m].exponent);
-  }
-  const Real square = sine * sine;
-  SectoralConstant<Real> sectoral;
-  for (int l = 0; l <= degree; ++l, sectoral.next()) {
-    visit_reduced_row(l, 0, sectoral.value(), z, square, [&](int m, const Scaled<Real>& q) {
-      const auto& p = power[static_cast<std::size_t>(m)];
-      out[legendre_index(l, m)] = times_power_of_two(Real(q.mantissa * p.mantissa), q.exponent + p.exponent);
-    });
-  }
+  const auto powers = scaled_powers(sine, static_cast<std::size_t>(degree) + 1);
+  const ReducedRows<Real> rows(degree);
+  for (int l = 0; l <= degree; ++l) detail::legendre_row(rows, powers, l, z, sine, out + legendre_index(l, 0));
 }
 
 // Source: [Swarztrauber93]: P_lm from P_(l-2,m), P_(l-2,m-2) and P_(l,m-2), whose
