@@ -2,6 +2,7 @@
 //
 //   shcheck kernels [--family NAME] [--json FILE] [--generated DIR]    every generated kernel against the oracle
 //   shcheck eval --degree L --order M --direction x,y,z --digits D     one reference value
+//   shcheck identify FILE | --directions N                             the convention of a table of values
 //
 // Results on standard output, progress and messages on standard error. Exit: 0 done, 1 a check found a difference, 2
 // bad input, 130 interrupted.
@@ -29,6 +30,7 @@ void add_commands(CLI::App& tool, int& exit_code) {
   tool.require_subcommand(1);
   add_kernels_command(tool, exit_code);
   add_eval_command(tool, exit_code);
+  add_identify_command(tool, exit_code);
 }
 
 int run(int argc, char** argv) {

@@ -21,6 +21,7 @@ enum ExitCode {
 // Each adds its subcommand; parsing the command line then runs it and sets `exit_code`, which has to live until then.
 void add_kernels_command(CLI::App& tool, int& exit_code);
 void add_eval_command(CLI::App& tool, int& exit_code);
+void add_identify_command(CLI::App& tool, int& exit_code);
 
 // Standard output; throws std::runtime_error when it cannot take the text (a full disk, say).
 void print(const std::string& text);

@@ -212,6 +212,25 @@ TEST_F(Shcheck, RefusesBadInputInOneLineWithExitTwo) {
   expect_refused("kernels --family bassis", "--family: 'bassis' is not a family; there are basis");
 }
 
+TEST_F(Shcheck, IdentifiesAConventionAndFindsAFlippedSign) {
+  const auto example = fs::path(SHFORGE_SOURCE_DIR) / "tests" / "data" / "identify_example.csv";
+  auto outcome = run("identify " + example.string());
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("presets directxmath, unreal, gaussian-splatting"), std::string::npos) << outcome.out;
+  const auto spoiled = folder_ / "spoiled.csv";
+  std::ofstream(spoiled) << std::regex_replace(read(example), std::regex(",0\\.282094806,"), ",-0.282094806,");
+  outcome = run("identify --json " + spoiled.string());
+  EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
+  const auto json = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(json.at("first_wrong").at("index"), 0);
+  EXPECT_EQ(json.at("first_wrong").at("reason"), "sign flipped");
+  expect_refused("identify", "it needs FILE or --directions N");
+  expect_refused("identify --directions 0", "--directions: 0");
+  expect_refused("identify missing.csv", "missing.csv: cannot be read: No such file or directory");
+  std::ofstream(spoiled) << "0,0,1,0.3\n0,0,1.5,0.3\n";
+  expect_refused("identify " + spoiled.string(), "spoiled.csv:2: the direction has length 1.5");
+}
+
 TEST_F(Shcheck, ExplainsItself) {
   const auto outcome = run("--help");
   EXPECT_EQ(outcome.exit_code, 0);

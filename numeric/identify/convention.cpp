@@ -1,0 +1,190 @@
+// See convention.hpp.
+#include "numeric/identify/convention.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <numbers>
+#include <stdexcept>
+
+#include "numeric/basis.hpp"
+#include "numeric/zonal.hpp"
+
+namespace sh::numeric::identify {
+namespace {
+
+constexpr long double kPi = std::numbers::pi_v<long double>;
+
+// sqrt((2 - delta) (2l+1) / (4 pi) (l-a)! / (l+a)!): orthonormal over P_l^a cos(a phi).
+long double legendre_factor(int l, int a) {
+  auto square = static_cast<long double>((a == 0 ? 1 : 2) * (2 * l + 1)) / (4 * kPi);
+  for (int k = l - a + 1; k <= l + a; ++k) square /= static_cast<long double>(k);
+  return std::sqrt(square);
+}
+
+// The power of the prime p in n! (Legendre's formula).
+int prime_power(int n, int p) {
+  int power = 0;
+  for (n /= p; n > 0; n /= p) power += n;
+  return power;
+}
+
+bool is_prime(int p) {
+  for (int q = 2; q * q <= p; ++q) {
+    if (p % q == 0) return false;
+  }
+  return p > 1;
+}
+
+// The greatest number that divides every coefficient of d^a/dz^a P_l times Re or Im (x+iy)^a. P_l has the coefficients
+// (-1)^k (2l-2k)! / (2^l k! (l-k)! (l-2k)!) of z^(l-2k), and differentiating turns (l-2k)! into (l-2k-a)!. The binomial
+// coefficients of Im share the largest power of two in a, those of Re nothing.
+long double content(int l, int order) {
+  const int a = std::abs(order);
+  long double result = std::ldexp(1.0L, -l);
+  for (int p = 2; p <= 2 * l; ++p) {
+    if (!is_prime(p)) continue;
+    int lowest = prime_power(2 * l, p);
+    for (int k = 0; 2 * k <= l - a; ++k) {
+      lowest = std::min(lowest, prime_power(2 * l - 2 * k, p) - prime_power(k, p) - prime_power(l - k, p) -
+                                    prime_power(l - 2 * k - a, p));
+    }
+    result *= std::pow(static_cast<long double>(p), static_cast<long double>(lowest));
+  }
+  for (int n = order; n < 0 && n % 2 == 0; n /= 2) result *= 2;
+  return result;
+}
+
+long double normalisation_size(Normalisation normalisation, int l, int order) {
+  const auto width = static_cast<long double>(2 * l + 1);
+  switch (normalisation) {
+    case Normalisation::kOrthonormal:
+      return 1;
+    case Normalisation::kFourPi:
+      return std::sqrt(4 * kPi);
+    case Normalisation::kSchmidt:
+      return std::sqrt(4 * kPi / width);
+    case Normalisation::kSn3d:
+      return std::sqrt(1 / width);
+    case Normalisation::kUnnormalised:
+      return 1 / legendre_factor(l, std::abs(order));
+    case Normalisation::kPrimitive:
+      return 1 / primitive_constant(l, order);
+  }
+  throw std::invalid_argument("unknown normalisation");
+}
+
+long double folded_size(Folded folded, int l) {
+  if (folded == Folded::kNothing) return 1;
+  const auto factor = clamped_cosine_factor<long double>(l);
+  return folded == Folded::kCosine ? factor : factor / kPi;
+}
+
+}  // namespace
+
+std::array<double, 3> Axes::apply(const std::array<double, 3>& d) const {
+  std::array<double, 3> result{};
+  for (std::size_t row = 0; row < 3; ++row) result[row] = sign[row] * d[static_cast<std::size_t>(axis[row])];
+  return result;
+}
+
+int Axes::determinant() const {
+  const bool odd = (axis[0] > axis[1]) != ((axis[0] > axis[2]) != (axis[1] > axis[2]));
+  return (odd ? -1 : 1) * sign[0] * sign[1] * sign[2];
+}
+
+std::string Axes::to_string() const {
+  std::string text;
+  for (std::size_t row = 0; row < 3; ++row) {
+    text += std::string(row > 0 ? "," : "") + (sign[row] < 0 ? "-" : "") + "xyz"[axis[row]];
+  }
+  return text;
+}
+
+Axes parse_axes(const std::string& text) {
+  for (const Axes& axes : all_axes()) {
+    if (axes.to_string() == text) return axes;
+  }
+  throw std::invalid_argument("axes '" + text + "'; they should name x, y, z once each, with signs, such as x,z,-y");
+}
+
+const std::vector<Axes>& all_axes() {
+  static const std::vector<Axes> all = [] {
+    std::vector<Axes> list;
+    std::array<int, 3> axis{0, 1, 2};
+    do {
+      for (int signs = 0; signs < 8; ++signs) {
+        list.push_back({axis, {(signs & 1) != 0 ? -1 : 1, (signs & 2) != 0 ? -1 : 1, (signs & 4) != 0 ? -1 : 1}});
+      }
+    } while (std::next_permutation(axis.begin(), axis.end()));
+    return list;
+  }();
+  return all;
+}
+
+int storage_size(IndexOrder order, int max_degree) {
+  return coefficient_count(max_degree) * (order == IndexOrder::kCosineSineArray ? 2 : 1);
+}
+
+int storage_position(IndexOrder order, int max_degree, int degree, int order_m) {
+  const int a = std::abs(order_m);
+  const int band = degree * degree;
+  switch (order) {
+    case IndexOrder::kAcn:
+      return coefficient_index(degree, order_m);
+    case IndexOrder::kZeroFirst:
+      return band + 2 * a - (order_m > 0 ? 1 : 0);
+    case IndexOrder::kCosineSineBands:
+      return band + a + (order_m < 0 ? degree : 0);
+    case IndexOrder::kCosineSineArray:
+      return (max_degree + 1) * (degree + (order_m < 0 ? max_degree + 1 : 0)) + a;
+  }
+  throw std::invalid_argument("unknown index order");
+}
+
+std::vector<Function> functions_in_order(IndexOrder order, int max_degree) {
+  std::vector<Function> functions(static_cast<std::size_t>(storage_size(order, max_degree)));
+  for (int l = 0; l <= max_degree; ++l) {
+    for (int m = -l; m <= l; ++m) {
+      functions[static_cast<std::size_t>(storage_position(order, max_degree, l, m))] = {l, m};
+    }
+  }
+  return functions;
+}
+
+long double primitive_constant(int degree, int order) {
+  return legendre_factor(degree, std::abs(order)) * content(degree, order);
+}
+
+long double relative_size(const Convention& convention, int degree, int order) {
+  const bool phased = convention.condon_shortley && order % 2 != 0 && (order > 0 || !convention.complex);
+  const long double size =
+      normalisation_size(convention.normalisation, degree, order) * folded_size(convention.folded, degree);
+  return phased ? -size : size;
+}
+
+std::vector<std::complex<double>> convention_values(const Convention& convention, int max_degree,
+                                                    const std::array<double, 3>& direction) {
+  const auto d = convention.axes.apply(direction);
+  const auto unit = normalised<long double>(d[0], d[1], d[2]);
+  std::vector<long double> ours(static_cast<std::size_t>(coefficient_count(max_degree)));
+  basis(max_degree, unit[0], unit[1], unit[2], ours.data());
+  const auto at = [&](int l, int m) { return ours[static_cast<std::size_t>(coefficient_index(l, m))]; };
+  std::vector<std::complex<double>> values(static_cast<std::size_t>(storage_size(convention.order, max_degree)));
+  for (int l = 0; l <= max_degree; ++l) {
+    for (int m = -l; m <= l; ++m) {
+      const long double size = relative_size(convention, l, m);
+      auto& value = values[static_cast<std::size_t>(storage_position(convention.order, max_degree, l, m))];
+      if (!convention.complex || m == 0) {
+        value = static_cast<double>(size * at(l, m));
+      } else {
+        const long double half = size / std::numbers::sqrt2_v<long double>;
+        value = {static_cast<double>(half * at(l, std::abs(m))),
+                 static_cast<double>((m < 0 ? -half : half) * at(l, -std::abs(m)))};
+      }
+    }
+  }
+  return values;
+}
+
+}  // namespace sh::numeric::identify

@@ -1,0 +1,153 @@
+// See identify.hpp.
+#include "numeric/identify/identify.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "numeric/basis.hpp"
+#include "numeric/error_stats.hpp"
+#include "numeric/identify/candidates.hpp"
+#include "numeric/identify/reasons.hpp"
+
+namespace sh::numeric::identify {
+namespace {
+
+using Complex = std::complex<double>;
+
+// Size of a column's deviations: the function's, or where it should be zero the table's largest value.
+double unit_of(const Samples& samples, const Convention& convention, const Function& f) {
+  const double size = f.is_hole() ? 0 : std::abs(static_cast<double>(relative_size(convention, f.degree, f.order)));
+  if (size > 0) return size * band_maximum(f.degree);
+  double largest = 1e-300;
+  for (const auto& column : samples.columns) {
+    for (const Complex& v : column) largest = std::max(largest, std::abs(v));
+  }
+  return largest;
+}
+
+Coefficient measure(const Samples& samples, const Columns& expected, std::size_t j, const Function& f, double unit) {
+  Coefficient c;
+  c.index = static_cast<int>(j);
+  c.function = f;
+  const auto& column = samples.columns[j];
+  Complex product = 0;
+  double square = 0;
+  for (std::size_t row = 0; row < column.size(); ++row) {
+    product += std::conj(expected[j][row]) * column[row];
+    square += std::norm(expected[j][row]);
+  }
+  if (square > 0) c.ratio = product / square;
+  for (std::size_t row = 0; row < column.size(); ++row) {
+    const double deviation = std::abs(column[row] - expected[j][row]) / unit;
+    c.shape = std::max(c.shape, std::abs(column[row] - c.ratio * expected[j][row]) / unit);
+    if (row > 0 && deviation <= c.deviation) continue;
+    c.deviation = deviation;
+    c.worst_row = row;
+    c.found = column[row];
+    c.expected = expected[j][row];
+  }
+  return c;
+}
+
+// The deviation that half of the coefficients do not exceed.
+double median_deviation(const std::vector<Coefficient>& coefficients) {
+  std::vector<double> all;
+  for (const auto& c : coefficients) {
+    if (!c.function.is_hole()) all.push_back(c.deviation);
+  }
+  const auto middle = all.begin() + static_cast<std::ptrdiff_t>((all.size() - 1) / 2);
+  std::nth_element(all.begin(), middle, all.end());
+  return *middle;
+}
+
+std::vector<Coefficient> compare(const Samples& samples, const Convention& convention) {
+  constexpr double kStandsOut = 100;
+  const auto expected = expected_columns(samples, convention);
+  const auto functions = functions_in_order(convention.order, samples.degree);
+  std::vector<Coefficient> all;
+  for (std::size_t j = 0; j < functions.size(); ++j) {
+    all.push_back(measure(samples, expected, j, functions[j], unit_of(samples, convention, functions[j])));
+  }
+  const double outlier = std::max(kOutlier, kStandsOut * median_deviation(all));
+  for (Coefficient& c : all) {
+    const bool is_zero = c.ratio == Complex(0) && c.expected == Complex(0);
+    if (!is_zero) c.reason = rounding_of(convention, c);
+    c.wrong = c.deviation > (is_zero ? 1e-6 : kRounded) || (c.deviation > outlier && c.reason.empty());
+    if (c.wrong) c.reason = reason_of(samples, convention, expected, c);
+  }
+  return all;
+}
+
+std::vector<int> wrong_ones(const std::vector<Coefficient>& coefficients) {
+  std::vector<int> wrong;
+  for (const auto& c : coefficients) {
+    if (c.wrong) wrong.push_back(c.index);
+  }
+  return wrong;
+}
+
+Reading as_reading(const Convention& convention) {
+  return {convention, own_presets(convention), world_presets(convention)};
+}
+
+// The presets nearest to data of degree 0 or 1 that none of them fits.
+std::vector<Doubt> doubts_of(const Samples& samples, const std::vector<Candidate>& candidates) {
+  const auto is_preset = [](const Candidate& c) { return c.rank == 0; };
+  const auto nearest = std::find_if(candidates.begin(), candidates.end(), is_preset);
+  const int functions = coefficient_count(samples.degree);
+  std::vector<Doubt> doubts;
+  for (auto c = nearest; c != candidates.end() && c->wrong == nearest->wrong; ++c) {
+    if (!is_preset(*c) || c->wrong > 2 || c->wrong >= functions) continue;
+    Doubt doubt{as_reading(c->convention), {}};
+    for (auto& coefficient : compare(samples, c->convention)) {
+      if (coefficient.wrong) doubt.wrong.push_back(std::move(coefficient));
+    }
+    const bool swapped = doubt.wrong.front().reason.find("swapped") == 0;
+    if (doubt.wrong.size() == 1 || swapped) doubts.push_back(std::move(doubt));
+  }
+  return doubts;
+}
+
+Identification identify_one(const Samples& samples) {
+  const auto candidates = ranked_candidates(samples);
+  const Candidate& best = candidates.front();
+  Identification result{samples, {}, compare(samples, best.convention), {}};
+  for (const Candidate& c : candidates) {
+    if (c.wrong != best.wrong) break;
+    const bool equal = best.wrong == 0 || wrong_ones(compare(samples, c.convention)) == wrong_ones(result.coefficients);
+    if (std::abs(c.penalty - best.penalty) < 1e-3 && equal) result.readings.push_back(as_reading(c.convention));
+  }
+  if (samples.degree <= 1 && best.wrong == 0 && best.rank > 1) result.doubts = doubts_of(samples, candidates);
+  return result;
+}
+
+}  // namespace
+
+bool Identification::fits() const {
+  return std::none_of(coefficients.begin(), coefficients.end(), [](const auto& c) { return c.wrong; });
+}
+
+const Coefficient* Identification::first_wrong() const {
+  if (!doubts.empty()) return &doubts.front().wrong.front();
+  const auto first = std::find_if(coefficients.begin(), coefficients.end(), [](const auto& c) { return c.wrong; });
+  return first == coefficients.end() ? nullptr : &*first;
+}
+
+double Identification::digits() const {
+  double worst = 1e-17;
+  for (const auto& c : coefficients) {
+    if (!c.wrong) worst = std::max(worst, c.deviation);
+  }
+  return -std::log10(worst);
+}
+
+Identification identify(const std::vector<Samples>& ways) {
+  std::vector<Identification> results;
+  results.reserve(ways.size());
+  for (const Samples& way : ways) results.push_back(identify_one(way));
+  const auto wrong = [](const Identification& r) { return wrong_ones(r.coefficients).size(); };
+  return *std::min_element(results.begin(), results.end(),
+                           [&](const auto& a, const auto& b) { return wrong(a) < wrong(b); });
+}
+
+}  // namespace sh::numeric::identify
