@@ -86,5 +86,6 @@ void product(Table& table);
 void evaluate(Table& table);
 void project(Table& table);
 void build(Table& table);
+void gaunt(Table& table);
 
 }  // namespace sh::bench

@@ -1,12 +1,16 @@
 #include "symbolic/gaunt.hpp"
 
+#include <cln/integer_io.h>
+#include <cln/rational_io.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 #include <random>
+#include <sstream>
 #include <stdexcept>
 
+#include "numeric/gaunt.hpp"
 #include "symbolic/product_form.hpp"
 #include "symbolic/wigner_3j.hpp"
 
@@ -37,6 +41,25 @@ TEST(Gaunt, TwoDerivationsAgreeEntryByEntryToTenBands) {
   const GauntTensor by_wigner = gaunt_by_wigner(9);
   EXPECT_EQ(by_wigner, gaunt_by_monomials(9));
   EXPECT_EQ(by_wigner.size(), 7042U);
+}
+
+// The oracle's exact coefficients come from one sum of integers and share no code with these.
+TEST(Gaunt, IsTheOraclesExactCoefficientToFiveBands) {
+  for (int i = 0; i < 25; ++i) {
+    for (int j = 0; j < 25; ++j) {
+      for (int k = 0; k < 81; ++k) {
+        const Surd ours = gaunt(i, j, k);
+        const DegreeOrder a = degree_order(i);
+        const DegreeOrder b = degree_order(j);
+        const DegreeOrder c = degree_order(k);
+        const numeric::Surd other = numeric::gaunt_exact({a.degree, b.degree, c.degree}, {a.order, b.order, c.order});
+        std::ostringstream text;
+        text << ours.rational() << " sqrt " << ours.radicand();
+        EXPECT_EQ(text.str(), other.rational.str() + " sqrt " + other.radicand.str()) << i << " " << j << " " << k;
+        EXPECT_EQ(ours.pi_half_power(), other.over_root_pi ? -1 : 0);
+      }
+    }
+  }
 }
 
 TEST(Gaunt, ConstantFunctionGivesTheNorm) {
