@@ -1,0 +1,113 @@
+// What is said of cube maps as quadrature rules: source_claims.hpp.
+#include <fmt/format.h>
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "numeric/basis.hpp"
+#include "numeric/report/projection_convergence.hpp"
+#include "numeric/report/source_claims.hpp"
+#include "numeric/sphere_nodes.hpp"
+
+namespace sh::numeric {
+namespace {
+
+constexpr int kDegree = 5;  // six bands
+constexpr int kFunctions = coefficient_count(kDegree);
+constexpr double kPercent = 100;
+constexpr const char* kSloan = "Sloan, Kautz, Snyder 2002, 6.2";
+
+struct NamedWeight {
+  const char* name;
+  TexelWeight weight;
+};
+constexpr std::array<NamedWeight, 3> kWeights{{{"exact", TexelWeight::kExact},
+                                               {"differential", TexelWeight::kDifferential},
+                                               {"differential scaled", TexelWeight::kDifferentialScaled}}};
+
+CubeMapError error_of(int size, const NamedWeight& kind) {
+  const auto nodes = cube_map_nodes(size, kind.weight);
+  const auto exact = cube_map_nodes(size, TexelWeight::kExact);
+  CubeMapError error{size, kind.name, 0, 0, 0, 0};
+  Eigen::MatrixXd e = -Eigen::MatrixXd::Identity(kFunctions, kFunctions);
+  Eigen::VectorXd y(kFunctions);
+  double sum = 0;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    basis(kDegree, nodes[i].x, nodes[i].y, nodes[i].z, y.data());
+    e += nodes[i].weight * y * y.transpose();
+    error.worst_texel = std::max(error.worst_texel, std::abs(nodes[i].weight / exact[i].weight - 1));
+    sum += nodes[i].weight;
+  }
+  error.area = sum / (4 * std::numbers::pi) - 1;
+  error.mean_squared = e.squaredNorm() / kFunctions;
+  const double worst =
+      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(e, Eigen::EigenvaluesOnly).eigenvalues().cwiseAbs().maxCoeff();
+  error.worst_squared = worst * worst;
+  return error;
+}
+
+void add_band_limited(std::vector<SourceClaim>& claims, int size, const std::string& mean, const std::string& worst) {
+  const CubeMapError e = error_of(size, kWeights[1]);
+  const CubeMapError exact = error_of(size, kWeights[0]);
+  const auto add = [&](const char* which, const std::string& printed, double measured, double with_exact) {
+    claims.push_back({fmt::format("signals of 6 bands from six {0} x {0} images, {1} squared error", size, which),
+                      kSloan, printed, measured, "%", rounds_to(measured, printed),
+                      fmt::format("E = sum ds y y^T - 1, ds at the texel's centre, not scaled; with exact solid "
+                                  "angles {:.2g} %",
+                                  with_exact)});
+  };
+  add("average", mean, kPercent * e.mean_squared, kPercent * exact.mean_squared);
+  add("worst-case", worst, kPercent * e.worst_squared, kPercent * exact.worst_squared);
+}
+
+SourceClaim total_area() {
+  const double measured = 4 * std::numbers::pi * (1 + error_of(128, kWeights[0]).area);
+  return {"weights of a cube map of 128 x 128 texels a face sum to 4 pi",
+          "gpfault 2026",
+          "12.566",
+          measured,
+          "",
+          rounds_to(measured, "12.566"),
+          "exact solid angles; the sum of the estimates at the centres is off by 1.5e-5 of it"};
+}
+
+// Errors of the projection of the smooth test function with six 32 x 32 images.
+SourceClaim estimate_against_exact() {
+  const TestFunction& smooth = test_functions()[1];
+  const auto error = [&](const char* rule) {
+    return converge(sphere_rule_named(rule), smooth, {6 * 32 * 32}, 1).points[0].error_max;
+  };
+  const double ratio = error("cube_map_differential") / error("cube_map");
+  return {"the estimate of a texel's solid angle at its centre is less precise: its error over that of the exact one",
+          "gpfault 2026",
+          "> 1",
+          ratio,
+          "",
+          ratio > 1,
+          "projecting a smooth function from six 32 x 32 images, estimate scaled to 4 pi; its errors cancel part of "
+          "those of sampling at the centre"};
+}
+
+}  // namespace
+
+std::vector<CubeMapError> cube_map_errors(const std::vector<int>& sizes) {
+  std::vector<CubeMapError> errors;
+  for (const int size : sizes) {
+    for (const NamedWeight& weight : kWeights) errors.push_back(error_of(size, weight));
+  }
+  return errors;
+}
+
+std::vector<SourceClaim> cube_map_claims() {
+  std::vector<SourceClaim> claims;
+  add_band_limited(claims, 4, "0.3", "1");
+  add_band_limited(claims, 8, "0.003", "0.02");
+  claims.push_back(total_area());
+  claims.push_back(estimate_against_exact());
+  return claims;
+}
+
+}  // namespace sh::numeric

@@ -1,0 +1,150 @@
+// What is said of irradiance from nine coefficients: source_claims.hpp.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "numeric/basis.hpp"
+#include "numeric/directions.hpp"
+#include "numeric/quadrature.hpp"
+#include "numeric/random.hpp"
+#include "numeric/report/source_claims.hpp"
+#include "numeric/sphere_nodes.hpp"
+#include "numeric/zonal.hpp"
+
+namespace sh::numeric {
+namespace {
+
+constexpr double kPercent = 100;
+constexpr int kDegree = 2;
+using Nine = std::array<double, coefficient_count(kDegree)>;
+using Light = std::vector<SphereNode<double>>;  // directions with their power; the powers sum to 1
+
+Nine nine(const SphereNode<double>& d) {
+  Nine y;
+  basis(kDegree, d.x, d.y, d.z, y.data());
+  return y;
+}
+
+// Normals with the basis there, made once.
+struct Normals {
+  std::vector<SphereNode<double>> directions;
+  std::vector<Nine> basis;
+
+  explicit Normals(int count) : directions(fibonacci_nodes(count)) {
+    for (const auto& d : directions) basis.push_back(nine(d));
+  }
+};
+
+// |irradiance of nine coefficients - irradiance| over INT L: largest and mean over the normals.
+struct Error {
+  double largest = 0;
+  double mean = 0;
+};
+
+Error error_of(const Light& light, const Normals& normals) {
+  Nine coefficients{};
+  for (const auto& source : light) {
+    const Nine y = nine(source);
+    for (std::size_t i = 0; i < y.size(); ++i) {
+      const int l = i == 0 ? 0 : i < 4 ? 1 : 2;
+      coefficients[i] += clamped_cosine_factor<double>(l) * source.weight * y[i];
+    }
+  }
+  Error error;
+  for (std::size_t n = 0; n < normals.directions.size(); ++n) {
+    const auto& normal = normals.directions[n];
+    double difference = 0;
+    for (std::size_t i = 0; i < coefficients.size(); ++i) difference += coefficients[i] * normals.basis[n][i];
+    for (const auto& source : light) {
+      difference -= source.weight * std::max(0.0, source.x * normal.x + source.y * normal.y + source.z * normal.z);
+    }
+    error.largest = std::max(error.largest, std::abs(difference));
+    error.mean += std::abs(difference) / static_cast<double>(normals.directions.size());
+  }
+  return error;
+}
+
+void scale_to_one(Light& light) {
+  double power = 0;
+  for (const auto& source : light) power += source.weight;
+  for (auto& source : light) source.weight /= power;
+}
+
+// `count` lights from random directions, powers uniform in [0, 2).
+Light random_light(int count, std::uint64_t seed) {
+  Light light = uniform_nodes(count, seed);
+  Random random(seed);
+  for (auto& source : light) source.weight = 1 + random.next();
+  scale_to_one(light);
+  return light;
+}
+
+// CIE overcast (1 + 2 z) / 3 above ground of radiance `ground` of the zenith's, and a sun with `sun` of the power.
+Light sky(double ground, double sun) {
+  Light light = fibonacci_nodes(2000);
+  for (auto& source : light) source.weight = source.z > 0 ? (1 + 2 * source.z) / 3 : ground;
+  scale_to_one(light);
+  for (auto& source : light) source.weight *= 1 - sun;
+  light.push_back({0.6, 0.0, 0.8, sun});
+  return light;
+}
+
+Error worst_of_random_lights(const Normals& normals, bool quick) {
+  Error worst;
+  const int environments = quick ? 40 : 400;
+  for (const int count : {1, 2, 3, 5, 10, 50}) {
+    for (int i = 0; i < environments; ++i) {
+      const Error e = error_of(random_light(count, static_cast<std::uint64_t>(1000 * count + i)), normals);
+      worst.largest = std::max(worst.largest, e.largest);
+      worst.mean = std::max(worst.mean, e.mean);
+    }
+  }
+  return worst;
+}
+
+double mean_error_of_skies(const Normals& normals) {
+  const std::array<Light, 4> skies{sky(0, 0), sky(0.2, 0), sky(0.2, 0.2), sky(0.2, 0.5)};
+  double sum = 0;
+  for (const Light& light : skies) sum += error_of(light, normals).mean;
+  return sum / skies.size();
+}
+
+// The share of INT max(0, z)^2 that bands 0 .. 2 hold: sum (2l+1)/(4 pi) A_l^2 over 2 pi / 3.
+double energy_of_three_bands() {
+  double energy = 0;
+  for (int l = 0; l <= kDegree; ++l) {
+    const double factor = clamped_cosine_factor<double>(l);
+    energy += (2 * l + 1) / (4 * std::numbers::pi) * factor * factor;
+  }
+  return energy / (2 * std::numbers::pi / 3);
+}
+
+SourceClaim percent_claim(const char* claim, const char* source, const char* printed, double measured,
+                          const char* how) {
+  return {claim, source, printed, kPercent * measured, "%", rounds_to(kPercent * measured, printed), how};
+}
+
+}  // namespace
+
+std::vector<SourceClaim> irradiance_claims(bool quick) {
+  const Normals normals(quick ? 1000 : 4000);
+  const Error worst = worst_of_random_lights(normals, quick);
+  constexpr const char* kSource = "Ramamoorthi, Hanrahan 2001; Brown 2004";
+  return {
+      percent_claim("irradiance from nine coefficients, average error for the worst light", kSource, "3", worst.mean,
+                    "mean over normals of |error| / INT L, the worst of random sets of 1 to 50 lights; it is reached "
+                    "by one light, exactly 19 sqrt(19) / 2700 = 3.07 %"),
+      percent_claim("irradiance from nine coefficients, largest error for the worst light", kSource, "9", worst.largest,
+                    "largest |error| / INT L of the same; exactly 3/32 = 9.375 % for one light, at its zenith"),
+      percent_claim(
+          "irradiance from nine coefficients, average error for typical lights", kSource, "1",
+          mean_error_of_skies(normals),
+          "mean over four CIE overcast skies: black ground, bright ground, with a sun of 20 % and 50 % of the "
+          "power; the sources speak of captured pictures"),
+      percent_claim("energy of the clamped cosine in three bands", "Basri, Jacobs 2003", "99.22",
+                    energy_of_three_bands(), "sum (2l+1)/(4 pi) A_l^2 over INT max(0, z)^2"),
+  };
+}
+
+}  // namespace sh::numeric
