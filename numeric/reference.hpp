@@ -10,11 +10,9 @@
 namespace sh::numeric {
 
 constexpr int kMaxReferenceDegree = 10000;
-constexpr int kMaxReferenceDigits = 10000;
 
 // Y_(degree, order) at direction / |direction|, rounded to `digits` significant decimals, such as "-3.14e-01"; "0"
-// where it is exactly zero. The value is computed at two precisions, both beyond `digits`, and at higher ones until
-// their roundings agree (the strategy of Ziv 1991). A value is taken for zero when the polynomial vanishes modulo four
+// where it is exactly zero. How: correct_digits.hpp. A value is taken for zero when the polynomial vanishes modulo four
 // primes near 2^31; were it not zero, the odds against that are above 10^20. A component is
 // [+-]digits[.digits][e[+-]digits]. Throws std::invalid_argument, one line, for a malformed component, the zero vector,
 // |order| > degree, and for a degree or digits out of range.

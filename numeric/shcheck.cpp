@@ -2,6 +2,9 @@
 //
 //   shcheck kernels [--family NAME] [--json FILE] [--generated DIR]    every generated kernel against the oracle
 //   shcheck eval --degree L --order M --direction x,y,z --digits D     one reference value
+//   shcheck legendre --degree L --order M (--z Z | --theta T) --digits D
+//   shcheck gaunt --degrees a,b,c --orders m,n,p --digits D [--complex]
+//   shcheck cap --degree L (--angle A | --one-minus-cos V) --digits D
 //   shcheck identify FILE | --directions N                             the convention of a table of values
 //
 // Results on standard output, progress and messages on standard error. Exit: 0 done, 1 a check found a difference, 2
@@ -30,6 +33,9 @@ void add_commands(CLI::App& tool, int& exit_code) {
   tool.require_subcommand(1);
   add_kernels_command(tool, exit_code);
   add_eval_command(tool, exit_code);
+  add_legendre_command(tool, exit_code);
+  add_gaunt_command(tool, exit_code);
+  add_cap_command(tool, exit_code);
   add_identify_command(tool, exit_code);
 }
 

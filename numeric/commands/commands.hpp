@@ -21,6 +21,9 @@ enum ExitCode {
 // Each adds its subcommand; parsing the command line then runs it and sets `exit_code`, which has to live until then.
 void add_kernels_command(CLI::App& tool, int& exit_code);
 void add_eval_command(CLI::App& tool, int& exit_code);
+void add_legendre_command(CLI::App& tool, int& exit_code);
+void add_gaunt_command(CLI::App& tool, int& exit_code);
+void add_cap_command(CLI::App& tool, int& exit_code);
 void add_identify_command(CLI::App& tool, int& exit_code);
 
 // Standard output; throws std::runtime_error when it cannot take the text (a full disk, say).

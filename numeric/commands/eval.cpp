@@ -1,11 +1,10 @@
 // shcheck eval: one reference value of Y_lm.
 #include <CLI/CLI.hpp>
-#include <array>
 #include <memory>
-#include <stdexcept>
 #include <string>
 
 #include "numeric/commands/commands.hpp"
+#include "numeric/commands/split_numbers.hpp"
 #include "numeric/reference.hpp"
 
 namespace sh::numeric {
@@ -17,15 +16,6 @@ struct Options {
   std::string direction;
   int digits = 0;
 };
-
-std::array<std::string, 3> split_direction(const std::string& text) {
-  const auto first = text.find(',');
-  const auto second = first == std::string::npos ? first : text.find(',', first + 1);
-  if (second == std::string::npos || text.find(',', second + 1) != std::string::npos) {
-    throw std::invalid_argument("--direction: '" + text + "' must be three numbers x,y,z separated by commas");
-  }
-  return {text.substr(0, first), text.substr(first + 1, second - first - 1), text.substr(second + 1)};
-}
 
 }  // namespace
 
@@ -39,8 +29,8 @@ void add_eval_command(CLI::App& tool, int& /*exit_code*/) {
       ->required();
   command->add_option("--digits", options->digits, "significant decimals, 1 to 10000")->required();
   command->callback([options] {
-    print(reference_value(options->degree, options->order, split_direction(options->direction), options->digits) +
-          "\n");
+    const auto direction = split_numbers<3>("--direction", options->direction, "three numbers x,y,z");
+    print(reference_value(options->degree, options->order, direction, options->digits) + "\n");
   });
 }
 

@@ -231,6 +231,30 @@ TEST_F(Shcheck, IdentifiesAConventionAndFindsAFlippedSign) {
   expect_refused("identify " + spoiled.string(), "spoiled.csv:2: the direction has length 1.5");
 }
 
+TEST_F(Shcheck, PrintsReferencesOfLegendreFunctionsCapsAndGauntCoefficients) {
+  EXPECT_EQ(run("legendre --degree 1 --order 1 --z 0.6 --digits 9").out, "2.76395320e-01\n");
+  EXPECT_EQ(run("legendre --degree 3 --order 2 --theta 0 --digits 9").out, "0\n");
+  EXPECT_EQ(run("cap --degree 3 --angle 1e-8 --digits 9").out, "2.34473605e-16\n");
+  EXPECT_EQ(run("cap --degree 0 --one-minus-cos 2 --digits 9").out, "3.54490770e+00\n");
+  EXPECT_EQ(run("gaunt --degrees 2,2,2 --orders 0,0,0 --digits 9").out, "1/7 * sqrt(5) / sqrt(pi)\n1.80223752e-01\n");
+  EXPECT_EQ(run("gaunt --degrees 1,1,1 --orders 0,0,0 --digits 9").out, "0\n0\n");
+  EXPECT_EQ(run("gaunt --degrees 2,1,1 --orders 0,1,-1 --digits 9 --complex").out,
+            "1/10 * sqrt(5) / sqrt(pi)\n1.26156626e-01\n");
+}
+
+TEST_F(Shcheck, RefusesBadReferencesInOneLineWithExitTwo) {
+  expect_refused("legendre --degree 2 --order 1 --digits 9", "give one of --z and --theta");
+  expect_refused("legendre --degree 2 --order 1 --z 2 --digits 9", "--z is 2, must be -1 to 1");
+  expect_refused("legendre --degree 2 --order 1 --z 0.5 --digits 10001", "digits is 10001, must be 1 to 10000");
+  expect_refused("cap --degree 2 --angle 1 --one-minus-cos 1 --digits 9", "give one of --angle and --one-minus-cos");
+  expect_refused("cap --degree 2 --angle 1e --digits 9", "--angle: '1e' is not a decimal number");
+  expect_refused("gaunt --degrees 2,2 --orders 0,0,0 --digits 9", "--degrees: '2,2' must be three integers");
+  expect_refused("gaunt --degrees 2,2,2.5 --orders 0,0,0 --digits 9", "--degrees: '2.5' is not an integer");
+  expect_refused("gaunt --degrees 2,2,2 --orders 0,0,3 --digits 9", "order is 3, must be -2 to 2");
+  expect_refused("gaunt --degrees 2,2,2 --orders 0,0,0 --digits 0", "digits is 0, must be 1 to 10000");
+  expect_refused("gaunt --degrees 2,99999999999,2 --orders 0,0,0 --digits 9", "'99999999999' is not an integer up to");
+}
+
 TEST_F(Shcheck, ExplainsItself) {
   const auto outcome = run("--help");
   EXPECT_EQ(outcome.exit_code, 0);
