@@ -78,9 +78,8 @@ Scaled<Real> scaled(const Real& v) {
 
 // v^n for n = 0 .. count - 1.
 template <class Real>
-std::vector<Scaled<Real>> scaled_powers(const Real& v, std::size_t count) {
+std::vector<Scaled<Real>> scaled_powers(const Scaled<Real>& step, std::size_t count) {
   std::vector<Scaled<Real>> powers(count, Scaled<Real>{Real(1), 0});
-  const Scaled<Real> step = scaled(v);
   for (std::size_t n = 1; n < count; ++n) powers[n] = multiply(powers[n - 1], step);
   return powers;
 }

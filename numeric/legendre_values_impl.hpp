@@ -31,8 +31,8 @@ Real ladder(long l, long m) {
 
 template <class Real>
 void legendre_row(int degree, const Real& z, const Real& sine, Real* out) {
-  detail::legendre_row(ReducedRows<Real>(degree), scaled_powers(sine, static_cast<std::size_t>(degree) + 1), degree, z,
-                       sine, out);
+  detail::legendre_row(ReducedRows<Real>(degree), scaled_powers(scaled(sine), static_cast<std::size_t>(degree) + 1),
+                       degree, z, sine, out);
 }
 
 template <class Real>
@@ -58,7 +58,7 @@ template <class Real>
 void legendre_column(int degree, int order, const Real& z, const Real& sine, Real* out) {
   const ReducedRows<Real> rows(degree);
   const Real square = sine * sine;
-  const Scaled<Real> power = scaled_powers(sine, static_cast<std::size_t>(order) + 1).back();
+  const Scaled<Real> power = scaled_powers(scaled(sine), static_cast<std::size_t>(order) + 1).back();
   for (int l = order; l <= degree; ++l) {
     Scaled<Real> last{0, 0};
     rows.visit(l, order, z, square, [&](int, const Scaled<Real>& q) { last = q; });
@@ -70,7 +70,7 @@ template <class Real>
 Real legendre_value(int degree, int order, const Real& z, const Real& sine) {
   Scaled<Real> last{0, 0};
   ReducedRows<Real>(degree).visit(degree, order, z, Real(sine * sine), [&](int, const Scaled<Real>& q) { last = q; });
-  return product(last, scaled_powers(sine, static_cast<std::size_t>(order) + 1).back());
+  return product(last, scaled_powers(scaled(sine), static_cast<std::size_t>(order) + 1).back());
 }
 
 template <class Real>

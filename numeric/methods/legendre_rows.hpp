@@ -40,7 +40,7 @@ void legendre_modified_row(int degree, const Real& z, const Real& sine, Real* ou
 // Fails: never by range. Rounding grows slowly with the degree, everywhere alike: see numeric/legendre_values.hpp.
 template <class Real>
 void legendre_scaled_rows(int degree, const Real& z, const Real& sine, Real* out) {
-  const auto powers = scaled_powers(sine, static_cast<std::size_t>(degree) + 1);
+  const auto powers = scaled_powers(scaled(sine), static_cast<std::size_t>(degree) + 1);
   const ReducedRows<Real> rows(degree);
   for (int l = 0; l <= degree; ++l) detail::legendre_row(rows, powers, l, z, sine, out + legendre_index(l, 0));
 }
