@@ -134,34 +134,40 @@ std::size_t LegendreRings::first_pair(int degree, int order) const {
   return first;
 }
 
-// Buffers of one call, and the recurrence at its order.
+// Memory of a call, kept from one call of a thread to the next.
 struct LegendreRings::Work {
-  Work(const LegendreRings& rings, int degree, int order)
-      : steps(static_cast<std::size_t>(degree - order) / 2 + 1),
-        eps(2 * steps + 8),
-        alpha(steps),
-        table(steps),
-        sums(4 * rings.z_.size()),
-        column{degree,     order,        steps,       rings.sectoral_[static_cast<std::size_t>(order)],
-               eps.data(), alpha.data(), table.data()} {
-    const std::size_t count = rings.z_.size();
-    const std::size_t low = static_cast<std::size_t>(order) % kPowers * count;
-    const std::size_t high = static_cast<std::size_t>(order) / kPowers * count;
-    pairs = {rings.first_pair(degree, order),
-             count,
-             rings.z_.data(),
-             rings.sine_.data(),
-             {rings.low_mantissa_.data() + low, rings.low_exponent_.data() + low},
-             {rings.high_mantissa_.data() + high, rings.high_exponent_.data() + high}};
-  }
-
-  std::size_t steps;
   std::vector<double> eps, alpha;
   std::vector<rings::Step> table;
-  std::vector<double> sums;  // (4, pairs)
-  rings::Column column;
-  rings::Pairs pairs{};
+  std::vector<double> sums;   // (4, pairs)
+  std::vector<double> lanes;  // (steps + 1, 4, kWidest)
+
+  static Work& of_this_thread() {
+    thread_local Work work;
+    return work;
+  }
+
+  rings::Column column(const LegendreRings& rings, int degree, int order) {
+    const std::size_t steps = static_cast<std::size_t>(degree - order) / 2 + 1;
+    eps.resize(2 * steps + 8);
+    alpha.resize(steps);
+    table.resize(steps);
+    sums.resize(4 * rings.z_.size());
+    return {degree,     order,        steps,       rings.sectoral_[static_cast<std::size_t>(order)],
+            eps.data(), alpha.data(), table.data()};
+  }
 };
+
+rings::Pairs LegendreRings::pairs(int degree, int order) const {
+  const std::size_t count = z_.size();
+  const std::size_t low = static_cast<std::size_t>(order) % kPowers * count;
+  const std::size_t high = static_cast<std::size_t>(order) / kPowers * count;
+  return {first_pair(degree, order),
+          count,
+          z_.data(),
+          sine_.data(),
+          {low_mantissa_.data() + low, low_exponent_.data() + low},
+          {high_mantissa_.data() + high, high_exponent_.data() + high}};
+}
 
 void LegendreRings::check(const char* what, int degree, int order, std::size_t coefficients, std::size_t values) const {
   const std::string where = what;
@@ -179,11 +185,14 @@ void LegendreRings::check(const char* what, int degree, int order, std::size_t c
 void LegendreRings::synthesis(int degree, int order, std::span<const double> coefficients,
                               std::span<double> values) const {
   check("synthesis", degree, order, coefficients.size(), values.size());
-  Work work(*this, degree, order);
+  Work& work = Work::of_this_thread();
+  const rings::Column column = work.column(*this, degree, order);
+  const rings::Pairs rings = pairs(degree, order);
+  std::fill(work.sums.begin(), work.sums.end(), 0);  // of pairs that need no work
   const rings::Kernels& run = kernels(lanes_);
-  run.prepare(work.column);
-  run.spread(work.column, coefficients.data());
-  run.synthesis(work.column, work.pairs, work.sums.data());
+  run.prepare(column);
+  run.spread(column, coefficients.data());
+  run.synthesis(column, rings, work.sums.data());
   const double* const even = work.sums.data();
   const double* const odd = even + 2 * z_.size();
   for (std::size_t i = 0; i < ring_.size(); ++i) {
@@ -197,7 +206,9 @@ void LegendreRings::synthesis(int degree, int order, std::span<const double> coe
 void LegendreRings::analysis(int degree, int order, std::span<const double> values,
                              std::span<double> coefficients) const {
   check("analysis", degree, order, coefficients.size(), values.size());
-  Work work(*this, degree, order);
+  Work& work = Work::of_this_thread();
+  const rings::Column column = work.column(*this, degree, order);
+  std::fill(work.sums.begin(), work.sums.end(), 0);
   double* const even = work.sums.data();
   double* const odd = even + 2 * z_.size();
   for (std::size_t i = 0; i < ring_.size(); ++i) {
@@ -208,11 +219,11 @@ void LegendreRings::analysis(int degree, int order, std::span<const double> valu
       odd[c * z_.size() + pair] += sign * values[2 * i + c];
     }
   }
-  std::vector<double> lanes(4 * kWidest * work.steps);
+  work.lanes.resize(4 * kWidest * (column.steps + 1));
   const rings::Kernels& run = kernels(lanes_);
-  run.prepare(work.column);
-  run.analysis(work.column, work.pairs, work.sums.data(), lanes.data());
-  run.gather(work.column, coefficients.data());
+  run.prepare(column);
+  run.analysis(column, pairs(degree, order), work.sums.data(), work.lanes.data());
+  run.gather(column, coefficients.data());
 }
 
 }  // namespace sh::numeric

@@ -20,6 +20,10 @@
 
 namespace sh::numeric {
 
+namespace rings {
+struct Pairs;
+}
+
 // Instruction sets that the transforms are compiled for.
 enum class RingLanes { kBaseline, kAvx2, kAvx512 };
 // Whether this machine has it.
@@ -59,6 +63,7 @@ class LegendreRings {
   void add_pairs(std::span<const double> z, std::span<const double> sine);
   void add_powers();
   [[nodiscard]] std::size_t first_pair(int degree, int order) const;
+  [[nodiscard]] rings::Pairs pairs(int degree, int order) const;
 
   int max_degree_;
   RingLanes lanes_;

@@ -52,7 +52,7 @@ struct Kernels {
   void (*spread)(const Column& column, const double* coefficients);
   // sums (4, pairs.count): the even functions' of both components, the odd ones'. Those before pairs.first are not set.
   void (*synthesis)(const Column& column, const Pairs& pairs, double* sums);
-  // table.even, table.odd from values (4, pairs.count); work (steps, 4, 8).
+  // table.even, table.odd from values (4, pairs.count); work (steps + 1, 4, 8).
   void (*analysis)(const Column& column, const Pairs& pairs, const double* values, double* work);
   // coefficients (degree - order + 1, 2) from table.even, table.odd: the transpose of spread.
   void (*gather)(const Column& column, double* coefficients);

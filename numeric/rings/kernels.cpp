@@ -155,19 +155,24 @@ void synthesis(const Column& column, const Pairs& pairs, double* sums) {
   run_blocks(column, pairs, Synthesis{column.table, pairs, sums, {}});
 }
 
+// totals[r] = the sum of the lanes of row r of work (rows, kWidth), in place; rows a multiple of kWidth.
+void sum_lanes(double* work, std::size_t rows) {
+  for (std::size_t r = 0; r < rows; r += kWidth) {
+    Lanes row[kWidth];
+    for (std::size_t i = 0; i < kWidth; ++i) row[i] = Lanes::load_unaligned(work + (r + i) * kWidth);
+    xsimd::haddp(row).store_unaligned(work + r);
+  }
+}
+
 void analysis(const Column& column, const Pairs& pairs, const double* values, double* work) {
-  std::memset(work, 0, 4 * kWidth * column.steps * sizeof(double));
+  const std::size_t rows = (4 * column.steps + kWidth - 1) / kWidth * kWidth;
+  std::memset(work, 0, rows * kWidth * sizeof(double));
   run_blocks(column, pairs, Analysis{pairs, values, work, {}});
+  sum_lanes(work, rows);
   for (std::size_t k = 0; k < column.steps; ++k) {
-    double total[4];
-    for (std::size_t i = 0; i < 4; ++i) {
-      total[i] = xsimd::hadd(Lanes::load_unaligned(work + (4 * k + i) * kWidth));
-    }
     Step& step = column.table[k];
-    step.even[0] = total[0];
-    step.even[1] = total[1];
-    step.odd[0] = total[2];
-    step.odd[1] = total[3];
+    std::memcpy(step.even, work + 4 * k, sizeof step.even);
+    std::memcpy(step.odd, work + 4 * k + 2, sizeof step.odd);
   }
 }
 

@@ -85,6 +85,7 @@ void rotation(Table& table);
 void product(Table& table);
 void evaluate(Table& table);
 void project(Table& table);
+void legendre(Table& table);
 void build(Table& table);
 void gaunt(Table& table);
 

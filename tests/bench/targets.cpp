@@ -13,7 +13,7 @@ int main(int argc, char** argv) {
   const std::vector<std::pair<std::string, void (*)(Table&)>> sections{
       {"operations", sh::bench::operations}, {"basis", sh::bench::basis},       {"rotation", sh::bench::rotation},
       {"product", sh::bench::product},       {"evaluate", sh::bench::evaluate}, {"project", sh::bench::project},
-      {"build", sh::bench::build},           {"gaunt", sh::bench::gaunt}};
+      {"legendre", sh::bench::legendre},     {"build", sh::bench::build},       {"gaunt", sh::bench::gaunt}};
   const std::vector<std::string> wanted(argv + 1, argv + argc);
   try {
     Table table;
