@@ -288,4 +288,13 @@ std::vector<KernelResult> check_kernel(const BoundKernel& kernel, const std::fil
   return results;
 }
 
+template <class T>
+KernelResult kernel_errors(const BoundKernel& kernel, const FamilyCheck& check) {
+  const auto samples = make_samples<T>(check, kernel.degree);
+  return measure(kernel, check.unit, kCpp, run_cpp(kernel, samples), own_formula(kernel, samples), samples);
+}
+
+template KernelResult kernel_errors<float>(const BoundKernel&, const FamilyCheck&);
+template KernelResult kernel_errors<double>(const BoundKernel&, const FamilyCheck&);
+
 }  // namespace sh::numeric

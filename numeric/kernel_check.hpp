@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "numeric/bind.hpp"
+#include "numeric/checks/family_check.hpp"
 #include "numeric/error_stats.hpp"
 #include "numeric/wide.hpp"
 
@@ -75,5 +76,10 @@ std::vector<KernelResult> check_kernels(const CheckOptions& options,
 // The results of one kernel, bound or made up: what check_kernels does for each. Without GLSL where `generated` is
 // empty.
 std::vector<KernelResult> check_kernel(const BoundKernel& kernel, const std::filesystem::path& generated);
+
+// The errors alone of a kernel in C++ on T, float or double, at the inputs of a check: its family's own with, say,
+// other inputs.
+template <class T>
+KernelResult kernel_errors(const BoundKernel& kernel, const FamilyCheck& check);
 
 }  // namespace sh::numeric

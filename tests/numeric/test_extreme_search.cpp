@@ -1,0 +1,62 @@
+// The worst input of every family of generated kernels by search: beyond what the inputs of its check find, and within
+// kSearchedLimit times the limits that hold there (numeric/kernel_limits.hpp).
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "numeric/checks/checks.hpp"
+#include "numeric/kernel_limits.hpp"
+#include "numeric/kernel_search.hpp"
+#include "tests/numeric/extreme.hpp"
+#include "tests/numeric/extreme_kernels.hpp"
+
+namespace sh::numeric {
+namespace {
+
+constexpr SearchEffort kEffort{3, 400, 1};
+
+// A row for a family and scalar: the kernel that comes nearest to its limit.
+template <class T>
+void report_family(const FamilyCheck& check) {
+  double part = -1, error = 0, limit = 0;
+  std::string where;
+  for (const BoundKernel& kernel : test::kernels_of({check.family})) {
+    const KernelResult result = search_kernel<T>(kernel, check, kEffort);
+    const double allowed = kSearchedLimit * limits_for(kernel.family, kernel.degree, result.scalar).value().rounding;
+    const double found = result.rounding.scaled().max();
+    if (found / allowed <= part) continue;
+    part = found / allowed;
+    error = found;
+    limit = allowed;
+    constexpr std::size_t kMostShown = 6;
+    auto values = result.worst_rounding.values;
+    const bool all = values.size() <= kMostShown;
+    if (!all) values.resize(kMostShown);
+    where = fmt::format("{}, {} at {}{}", result.kernel, result.worst_rounding.output, test::printed(values),
+                        all ? "" : " ... (shcheck worst shows all)");
+  }
+  const char* const scalar = sizeof(T) == sizeof(float) ? "float" : "double";
+  test::report_extreme(fmt::format("worst found by search: {} {}, eps", check.family, scalar), error, limit, where);
+}
+
+TEST(ExtremeSearch, OfEveryFamilyStaysWithinItsLimits) {
+  for (const FamilyCheck& check : all_checks()) {
+    report_family<float>(check);
+    report_family<double>(check);
+  }
+}
+
+// Otherwise the search would be for nothing: with a direction and 121 coefficients to choose, it finds three times what
+// the inputs of the check do.
+TEST(ExtremeSearch, FindsMoreThanTheInputsOfTheCheckDo) {
+  const FamilyCheck check = evaluate_check();
+  for (const BoundKernel& kernel : test::kernels_of({"evaluate"})) {
+    if (kernel.degree < 4) continue;
+    const double sampled = kernel_errors<float>(kernel, check).rounding.scaled().max();
+    EXPECT_GT(search_kernel<float>(kernel, check, kEffort).rounding.scaled().max(), 1.5 * sampled) << kernel.name();
+  }
+}
+
+}  // namespace
+}  // namespace sh::numeric
