@@ -3,6 +3,8 @@
 //   shcheck kernels [--family NAME] [--json FILE] [--generated DIR]    every generated kernel against the oracle
 //   shcheck eval --degree L --order M --direction x,y,z --digits D     one reference value
 //   shcheck legendre --degree L --order M (--z Z | --theta T) --digits D
+//   shcheck rotation --degree L (--matrix R | --quaternion Q | --euler A | --axis V --angle A) --digits D
+//                    [--row M --column N] [--format text|csv|json]     D_l, or an entry
 //   shcheck gaunt --degrees a,b,c --orders m,n,p --digits D [--complex]
 //   shcheck cap --degree L (--angle A | --one-minus-cos V) --digits D
 //   shcheck identify FILE | --directions N                             the convention of a table of values
@@ -34,6 +36,7 @@ void add_commands(CLI::App& tool, int& exit_code) {
   add_kernels_command(tool, exit_code);
   add_eval_command(tool, exit_code);
   add_legendre_command(tool, exit_code);
+  add_rotation_command(tool, exit_code);
   add_gaunt_command(tool, exit_code);
   add_cap_command(tool, exit_code);
   add_identify_command(tool, exit_code);

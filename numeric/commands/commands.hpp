@@ -22,6 +22,7 @@ enum ExitCode {
 void add_kernels_command(CLI::App& tool, int& exit_code);
 void add_eval_command(CLI::App& tool, int& exit_code);
 void add_legendre_command(CLI::App& tool, int& exit_code);
+void add_rotation_command(CLI::App& tool, int& exit_code);
 void add_gaunt_command(CLI::App& tool, int& exit_code);
 void add_cap_command(CLI::App& tool, int& exit_code);
 void add_identify_command(CLI::App& tool, int& exit_code);

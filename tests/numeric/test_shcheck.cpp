@@ -242,6 +242,34 @@ TEST_F(Shcheck, PrintsReferencesOfLegendreFunctionsCapsAndGauntCoefficients) {
             "1/10 * sqrt(5) / sqrt(pi)\n1.26156626e-01\n");
 }
 
+TEST_F(Shcheck, PrintsReferencesOfRotations) {
+  const std::string about_z = "rotation --degree 1 --axis 0,0,1 --angle 0.3 --digits 5";
+  EXPECT_EQ(run(about_z).out, "9.5534e-01 0 2.9552e-01\n0 1.0000e+00 0\n-2.9552e-01 0 9.5534e-01\n");
+  EXPECT_EQ(run(about_z + " --format csv").out, "9.5534e-01,0,2.9552e-01\n0,1.0000e+00,0\n-2.9552e-01,0,9.5534e-01\n");
+  const auto json = nlohmann::json::parse(run(about_z + " --format json").out);
+  EXPECT_EQ(json.at("matrix").at(0).at(2), "2.9552e-01");
+  EXPECT_EQ(run(about_z + " --row 1 --column -1").out, "-2.9552e-01\n");
+  EXPECT_EQ(run("rotation --degree 1000 --row 0 --column 0 --quaternion 1,1,1,1 --digits 9").out, "2.52250182e-02\n");
+  const auto projected =
+      run("rotation --degree 1 --matrix 0.6001,-0.8,0,0.8,0.6,0,0,0,1 --digits 5 --row 0 --column 0");
+  EXPECT_EQ(projected.out, "1.0000e+00\n");
+  EXPECT_EQ(projected.err, "shcheck: --matrix is 8.25e-05 from the nearest rotation, which is taken\n");
+}
+
+TEST_F(Shcheck, RefusesBadRotationsInOneLineWithExitTwo) {
+  const std::string start = "rotation --degree 2 --digits 9 ";
+  expect_refused(start, "give one of --matrix, --quaternion, --euler");
+  expect_refused(start + "--quaternion 1,0,0,0 --euler 1,2,3", "give one of --matrix, --quaternion, --euler");
+  expect_refused(start + "--axis 1,0,0", "--axis and --angle belong together");
+  expect_refused(start + "--quaternion 1,0,0", "--quaternion: '1,0,0' must be four numbers w,x,y,z");
+  expect_refused(start + "--matrix 1,0,0,0,1,0,0,0,-1", "--matrix: a reflection");
+  expect_refused(start + "--matrix 1,0,0,0,1,0,0,0,2", "--matrix: not a rotation");
+  expect_refused(start + "--euler 1,2,3 --row 1", "--row and --column belong together");
+  expect_refused(start + "--euler 1,2,3 --row 1 --column 5", "column is 5, must be -2 to 2");
+  expect_refused("rotation --degree 101 --digits 9 --euler 1,2,3", "the whole matrix is printed up to 100");
+  expect_refused(start + "--euler 1,2,3 --format xml", "--format");
+}
+
 TEST_F(Shcheck, RefusesBadReferencesInOneLineWithExitTwo) {
   expect_refused("legendre --degree 2 --order 1 --digits 9", "give one of --z and --theta");
   expect_refused("legendre --degree 2 --order 1 --z 2 --digits 9", "--z is 2, must be -1 to 1");
