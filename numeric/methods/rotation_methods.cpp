@@ -8,6 +8,7 @@
 #include "numeric/methods/pinchon_hoggan.hpp"
 #include "numeric/methods/wigner_d.hpp"
 #include "numeric/methods/zxz.hpp"
+#include "numeric/methods/zxz_rows.hpp"
 #include "numeric/rotation.hpp"
 
 namespace sh::numeric {
@@ -21,7 +22,8 @@ std::span<const RotationMethod<Real>> rotation_methods() {
       Method{"blanco", "Blanco, Florez, Bermejo 1997, eqs. 64-68", methods::rotate_blanco<Real>},
       Method{"wigner_d", "Blanco, Florez, Bermejo 1997, eq. 64, from scaled starts", methods::rotate_wigner_d<Real>},
       Method{"pinchon_hoggan", "Pinchon, Hoggan 2007", methods::rotate_pinchon_hoggan<Real>},
-      Method{"zxz", "Trapani, Navaza 2006", methods::rotate_zxz<Real>}};
+      Method{"zxz", "Trapani, Navaza 2006", methods::rotate_zxz<Real>},
+      Method{"zxz_rows", "Trapani, Navaza 2006, rows made while they are used", methods::rotate_zxz_rows<Real>}};
   return kMethods;
 }
 

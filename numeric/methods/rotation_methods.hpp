@@ -8,7 +8,8 @@
 //   blanco            6e-15    1e-6     wrong or not a number where beta is large: blanco.hpp
 //   wigner_d          8e-15    1.4e-6   largest at tilts of 1e-4; 4e-16 and 2e-7 at generic ones
 //   pinchon_hoggan    1.4e-12  2e-4     the recursion over bands loses digits as the degree rises
-//   zxz               1e-16    1e-8
+//   zxz               1e-16    1e-8     memory: degree^3 / 3 numbers
+//   zxz_rows          2e-16    1e-8     the one to use from degree 20 on: fastest, no table
 #pragma once
 
 #include <span>

@@ -82,6 +82,7 @@ Counts manifest_counts(const std::string& kernel);
 void operations(Table& table);
 void basis(Table& table);
 void rotation(Table& table);
+void high_rotation(Table& table);
 void product(Table& table);
 void evaluate(Table& table);
 void project(Table& table);

@@ -7,6 +7,7 @@
 #include "generated/batch/batch.hpp"
 #include "generated/cpp/rotate.hpp"
 #include "numeric/rotation.hpp"
+#include "numeric/rotation_matrices.hpp"
 #include "tests/bench/controls/classic_rotation.hpp"
 #include "tests/bench/degrees.hpp"
 #include "tests/bench/harness.hpp"
@@ -62,43 +63,6 @@ void times(Table& table) {
 }
 
 using Wide = long double;
-using Matrix = std::array<Wide, 9>;  // row by row
-
-// Rz(a) Ry(tilt) Rz(g).
-Matrix turn(Wide a, Wide tilt, Wide g) {
-  const Wide ca = std::cos(a);
-  const Wide sa = std::sin(a);
-  const Wide cb = std::cos(tilt);
-  const Wide sb = std::sin(tilt);
-  const Wide cg = std::cos(g);
-  const Wide sg = std::sin(g);
-  return {ca * cb * cg - sa * sg,
-          -ca * cb * sg - sa * cg,
-          ca * sb,
-          sa * cb * cg + ca * sg,
-          -sa * cb * sg + ca * cg,
-          sa * sb,
-          -sb * cg,
-          sb * sg,
-          cb};
-}
-
-// The rotation nearest to a rounded one: steps of X <- X (3 - X^T X) / 2.
-Matrix nearest_rotation(Matrix x) {
-  for (int step = 0; step < 4; ++step) {
-    Matrix next{};
-    for (std::size_t i = 0; i < 3; ++i) {
-      for (std::size_t j = 0; j < 3; ++j) {
-        next[3 * i + j] = 1.5L * x[3 * i + j];
-        for (std::size_t k = 0; k < 9; ++k)
-          next[3 * i + j] -= x[3 * i + k / 3] * x[k / 3 + 3 * (k % 3)] * x[3 * (k % 3) + j] / 2;
-      }
-    }
-    x = next;
-  }
-  return x;
-}
-
 // Largest error of rotated unit vectors over tilts from 1e-9 to pi; matrix and vector are rounded to T first.
 template <int Degree, class T, class F>
 double largest_error(const F& rotate) {
@@ -109,10 +73,10 @@ double largest_error(const F& rotate) {
   std::uniform_real_distribution<Wide> angle(-3.2L, 3.2L);
   Wide largest = 0;
   for (Wide exponent = -9; exponent < 0.4971L; exponent += 0.01L) {
-    const Matrix exact = turn(angle(random), std::pow(10.0L, exponent), angle(random));
+    const auto exact = numeric::tilted_turn<Wide>(angle(random), std::pow(10.0L, exponent), angle(random));
     std::array<T, 9> r;
     for (std::size_t i = 0; i < 9; ++i) r[i] = static_cast<T>(exact[i]);
-    const Matrix rounded = nearest_rotation({r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8]});
+    const auto rounded = numeric::nearest_rotation<Wide>(r.data());
     for (std::size_t v = 0; v < kVectors; ++v) {
       std::array<T, kSize> c;
       std::array<Wide, kSize> wide;

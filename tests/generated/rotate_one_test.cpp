@@ -6,6 +6,7 @@
 
 #include "generated/batch/batch.hpp"
 #include "numeric/rotation.hpp"
+#include "numeric/rotation_matrices.hpp"
 #include "tests/generated/batch_support.hpp"
 
 namespace sh::test {
@@ -18,40 +19,9 @@ using Wide = std::vector<long double>;
 // Largest error for |c| = 1; beyond degree 5 as that of the kernels for one value at a time.
 double limit(int degree) { return degree <= 5 ? 1e-6 : 4e-6; }
 
-// Rz(a) Ry(tilt) Rz(g).
 Wide turn(long double a, long double tilt, long double g) {
-  const long double ca = std::cos(a);
-  const long double sa = std::sin(a);
-  const long double cb = std::cos(tilt);
-  const long double sb = std::sin(tilt);
-  const long double cg = std::cos(g);
-  const long double sg = std::sin(g);
-  return {ca * cb * cg - sa * sg,
-          -ca * cb * sg - sa * cg,
-          ca * sb,
-          sa * cb * cg + ca * sg,
-          -sa * cb * sg + ca * cg,
-          sa * sb,
-          -sb * cg,
-          sb * sg,
-          cb};
-}
-
-// The rotation nearest to a rounded one: steps of X <- X (3 - X^T X) / 2.
-Wide nearest_rotation(const Floats& rounded) {
-  Wide x(rounded.begin(), rounded.end());
-  for (int step = 0; step < 4; ++step) {
-    Wide next(x.size());
-    for (std::size_t i = 0; i < 3; ++i) {
-      for (std::size_t j = 0; j < 3; ++j) {
-        next[3 * i + j] = 1.5L * x[3 * i + j];
-        for (std::size_t k = 0; k < 9; ++k)
-          next[3 * i + j] -= x[3 * i + k / 3] * x[k / 3 + 3 * (k % 3)] * x[3 * (k % 3) + j] / 2;
-      }
-    }
-    x = next;
-  }
-  return x;
+  const auto r = numeric::tilted_turn(a, tilt, g);
+  return {r.begin(), r.end()};
 }
 
 // Tilts from 1e-9 to pi with random turns, steps of 90 degrees about the axes, and tilts so small that squares vanish.
@@ -127,7 +97,8 @@ TEST(RotateOne, AgreesWithTheOracleOverAllTilts) {
       const Floats c = unit_vector(degree, static_cast<unsigned>(k));
       const Wide wide(c.begin(), c.end());
       Wide expected(c.size());
-      numeric::rotate<long double>(degree, nearest_rotation(all[k]).data(), wide.data(), expected.data());
+      numeric::rotate<long double>(degree, numeric::nearest_rotation<long double>(all[k].data()).data(), wide.data(),
+                                   expected.data());
       const std::string what = "degree " + std::to_string(degree) + ", rotation " + std::to_string(k);
       on_every_set([&] {
         expect_near(rotated(degree, all[k], c), expected, limit(degree), what);

@@ -19,6 +19,7 @@
 #include "generated/cpp/rotate_quaternion.hpp"
 #include "generated/cpp/rotate_z.hpp"
 #include "numeric/basis.hpp"
+#include "numeric/rotation_matrices.hpp"
 #include "tests/generated/kernel_support.hpp"
 
 namespace sh {
@@ -56,10 +57,9 @@ Quaternion times(const Quaternion& a, const Quaternion& b) {
 }
 
 Matrix matrix_of(const Quaternion& q) {
-  const auto& [w, x, y, z] = q;
-  return rounded<double>(std::array{1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y),
-                                    2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x),
-                                    2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)});
+  std::array<long double, 9> r;
+  numeric::matrix_of_quaternion(q.data(), r.data());
+  return rounded<double>(r);
 }
 
 // Identity, half and quarter turns about the axes, random rotations, tilts from 1e-9 to pi - 1e-9.

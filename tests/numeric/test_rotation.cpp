@@ -8,6 +8,7 @@
 #include "numeric/directions.hpp"
 #include "numeric/real.hpp"
 #include "numeric/rotation.hpp"
+#include "numeric/rotation_matrices.hpp"
 #include "tests/numeric/keep_worst.hpp"
 
 namespace sh::numeric {
@@ -18,23 +19,15 @@ using Matrix = std::array<Real, 9>;
 
 // The rotation by the unit quaternion along (w, x, y, z).
 template <class Real>
-Matrix<Real> from_quaternion(Real w, Real x, Real y, Real z) {
-  const Real n = w * w + x * x + y * y + z * z;
-  const auto entry = [&](const Real& v) { return Real(2 * v / n); };
-  return {1 - entry(y * y + z * z), entry(x * y - w * z),     entry(x * z + w * y),
-          entry(x * y + w * z),     1 - entry(x * x + z * z), entry(y * z - w * x),
-          entry(x * z - w * y),     entry(y * z + w * x),     1 - entry(x * x + y * y)};
-}
-
-template <class Real>
-Matrix<Real> product(const Matrix<Real>& a, const Matrix<Real>& b) {
-  Matrix<Real> c;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) {
-      c[3 * i + j] = a[3 * i] * b[j] + a[3 * i + 1] * b[3 + j] + a[3 * i + 2] * b[6 + j];
-    }
-  }
-  return c;
+Matrix<Real> from_quaternion(const std::array<double, 4>& along) {
+  using std::sqrt;
+  std::array<Real, 4> q;
+  Real square = 0;
+  for (std::size_t i = 0; i < 4; ++i) square += (q[i] = Real(along[i])) * q[i];
+  for (Real& component : q) component /= sqrt(square);
+  Matrix<Real> r;
+  matrix_of_quaternion(q.data(), r.data());
+  return r;
 }
 
 // Generic, near the identity, half turns about axes and diagonals, quarter turns.
@@ -46,7 +39,7 @@ std::vector<Matrix<Real>> rotations() {
       {1, 1, 0, 0},          {1, 0, 1, 0},           {1, 0, 0, -1}};
   std::vector<Matrix<Real>> all;
   all.reserve(quaternions.size());
-  for (const auto& q : quaternions) all.push_back(from_quaternion(Real(q[0]), Real(q[1]), Real(q[2]), Real(q[3])));
+  for (const auto& q : quaternions) all.push_back(from_quaternion<Real>(q));
   return all;
 }
 
@@ -99,7 +92,7 @@ TEST(Rotation, ComposesLikeMatrices) {
   for (std::size_t i = 0; i + 1 < all.size(); ++i) {
     const auto a = rotation_bands(kDegree, all[i].data());
     const auto b = rotation_bands(kDegree, all[i + 1].data());
-    const auto ab = rotation_bands(kDegree, product(all[i], all[i + 1]).data());
+    const auto ab = rotation_bands(kDegree, matrix_product(all[i], all[i + 1]).data());
     for (std::size_t l = 0; l <= kDegree; ++l) {
       EXPECT_LT(distance_from_product(a[l], b[l], ab[l], 2 * static_cast<int>(l) + 1), 1e-47) << l;
     }

@@ -1,0 +1,182 @@
+#include "numeric/methods/zxz_rows.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+
+#include "numeric/methods/instances.hpp"
+#include "numeric/methods/row_sums.hpp"
+#include "numeric/methods/turns.hpp"
+
+namespace sh::numeric::methods {
+namespace {
+
+// D(S) of one band after the other, from degree 0 up. Rows and columns are counted from l down: place k is order l - k.
+template <class Real>
+class Swap {
+ public:
+  explicit Swap(int degree) {
+    using std::sqrt;
+    const auto size = static_cast<std::size_t>(degree + 1);
+    for (std::size_t n = 0; n < 2 * size; ++n) {
+      roots_.push_back(sqrt(static_cast<Real>(n)));
+      inverse_roots_.push_back(n == 0 ? Real(0) : Real(1 / roots_.back()));
+    }
+    const long unscaled = kLargestRowsDegree<Real> / 2;
+    half_shift_ = degree > unscaled ? (degree - static_cast<int>(unscaled) + 1) / 2 : 0;
+    down_ = times_power_of_two(Real(1), -half_shift_);
+    top_.resize(size);
+    for (auto* values : {&gauge_, &slope_, &weight_[0], &weight_[1]}) values->resize(size + kRowsAtOnce);
+    for (Columns& columns : columns_) {
+      for (auto* values : {&columns.order, &columns.top, &columns.row, &columns.above, &columns.cosine, &columns.sine})
+        values->resize(size / 2 + 1);
+    }
+    gauge_[0] = 1;
+    next_top(0);
+    fill_columns();
+  }
+
+  // To the next band.
+  void next() {
+    ++l_;
+    next_top(l_);
+    next_gauge();
+    fill_columns();
+  }
+
+  // band = D(S) band, (2l+1) at order 0.
+  void apply(Real* band) {
+    for (int k = 0; k <= l_; ++k) {
+      weight_[0][at(k)] = gauge_[at(k)] * band[l_ - k] * down_;
+      weight_[1][at(k)] = gauge_[at(k)] * band[k - l_] * down_;
+    }
+    weight_[1][at(l_)] = 0;                               // there is no order -0
+    if (l_ > 0) weight_[0][at(l_)] *= inverse_roots_[2];  // normalisation of order 0
+    const int rows = (l_ / kRowsAtOnce + 1) * kRowsAtOnce;
+    for (int k = l_ + 1; k < rows; ++k) weight_[0][at(k)] = weight_[1][at(k)] = 0;
+    for (int odd = 0; odd < 2; ++odd) add_columns(odd, rows, band);
+  }
+
+ private:
+  // Columns whose order has the parity of l, or the other; `cosine`, `sine` are sums for orders b and -b.
+  struct Columns {
+    std::vector<Real> order, top, row, above, cosine, sine;
+  };
+
+  static std::size_t at(int k) { return static_cast<std::size_t>(k); }
+  [[nodiscard]] int first_order(int odd) const { return (l_ + odd) % 2; }
+  [[nodiscard]] std::size_t count(int odd) const {
+    return at((l_ - first_order(odd)) / 2 + (l_ < first_order(odd) ? 0 : 1));
+  }
+
+  // |K_lb|, up to the shift: sqrt(2 (2l)! / ((l+b)! (l-b)!)) / 2^l, times sqrt 2 for b > 0, l > 0.
+  void next_top(int l) {
+    if (l > 1) {
+      const Real factor = roots_[at(2 * l)] * roots_[at(2 * l - 1)] / 2;
+      for (int b = 0; b < l; ++b) top_[at(b)] *= factor * inverse_roots_[at(l + b)] * inverse_roots_[at(l - b)];
+    } else {
+      top_[0] = times_power_of_two(Real(1), 2 * half_shift_);
+    }
+    if (l > 0) top_[at(l)] = times_power_of_two(Real(1), 1 - l + 2 * half_shift_);
+  }
+
+  // g of place k, with g_0 = g_1 = d_l^(-1/2), and slope +-2 g_k / (d g_(k+1)), + for rows of the parity of l.
+  void next_gauge() {
+    using std::sqrt;
+    gauge_[0] = gauge_[1] = 1 / sqrt(roots_[at(2 * l_)]);
+    for (int k = 1; k < l_; ++k) {
+      gauge_[at(k + 1)] = gauge_[at(k - 1)] * (roots_[at(k)] * inverse_roots_[at(k + 1)]) *
+                          (roots_[at(2 * l_ - k + 1)] * inverse_roots_[at(2 * l_ - k)]);
+    }
+    for (int k = 0; k < l_; ++k) {
+      const Real size =
+          2 * gauge_[at(k)] * inverse_roots_[at(2 * l_ - k)] * inverse_roots_[at(k + 1)] / gauge_[at(k + 1)];
+      slope_[at(k)] = k % 2 == 0 ? size : Real(-size);
+    }
+    for (int k = l_; k < l_ + kRowsAtOnce; ++k) slope_[at(k)] = 0;
+  }
+
+  // Order and first row; the sign of K_lb is + + - - from b = l down.
+  void fill_columns() {
+    const Real inverse = 1 / gauge_[0];
+    for (int odd = 0; odd < 2; ++odd) {
+      Columns& columns = columns_[at(odd)];
+      int b = first_order(odd);
+      for (std::size_t i = 0; i < count(odd); ++i, b += 2) {
+        columns.order[i] = static_cast<Real>(b);
+        columns.top[i] = (l_ - b) % 4 < 2 ? top_[at(b)] * inverse : -top_[at(b)] * inverse;
+      }
+    }
+  }
+
+  void add_columns(int odd, int rows, Real* band) {
+    Columns& columns = columns_[at(odd)];
+    const std::size_t n = count(odd);
+    std::copy_n(columns.top.begin(), n, columns.row.begin());
+    for (auto* values : {&columns.above, &columns.cosine, &columns.sine}) std::fill_n(values->begin(), n, Real(0));
+    add_rows(RowSums<Real>{n, rows, columns.order.data(), slope_.data(), weight_[at(odd)].data(), columns.row.data(),
+                           columns.above.data(), columns.cosine.data(), columns.sine.data()});
+    int b = first_order(odd);
+    for (std::size_t i = 0; i < n; ++i, b += 2) {
+      if (b > 0) band[-b] = columns.sine[i] * down_;
+      band[b] = columns.cosine[i] * down_;
+    }
+  }
+
+  int l_ = 0;
+  int half_shift_ = 0;  // K is kept times 2^(2 half_shift)
+  Real down_;
+  std::vector<Real> roots_, inverse_roots_;  // of 0, 1, 2 ..
+  std::vector<Real> top_, gauge_, slope_;
+  std::array<std::vector<Real>, 2> weight_;
+  std::array<Columns, 2> columns_;
+};
+
+template <class Real>
+void rotate_rows(int degree, const Real* r, const Real* c, Real* out) {
+  const auto turns = three_turns(r);
+  auto back = turns.half_beta + turns.half_beta;
+  back.sine = -back.sine;
+  const auto first = multiples<Real>(turns.gamma, degree);
+  const auto middle = multiples<Real>(back, degree);
+  const auto last = multiples<Real>(turns.alpha, degree);
+  std::vector<Real> room(static_cast<std::size_t>(2 * degree + 1));
+  Real* band = room.data() + degree;
+  Swap<Real> swap(degree);
+  for (int l = 0; l <= degree; ++l) {
+    if (l > 0) swap.next();
+    turn_band(l, first, c + coefficient_index(l, 0), band);
+    swap.apply(band);
+    turn_band(l, middle, band, band);
+    swap.apply(band);
+    turn_band(l, last, band, out + coefficient_index(l, 0));
+  }
+}
+
+}  // namespace
+
+template <class Real>
+void rotate_zxz_rows(int degree, const Real* r, const Real* c, Real* out) {
+  if (degree < 0 || degree > kLargestRowsDegree<Real>) {
+    throw std::invalid_argument("rotate_zxz_rows: degree " + std::to_string(degree) + "; it should be 0 to " +
+                                std::to_string(kLargestRowsDegree<Real>));
+  }
+  if constexpr (std::is_same_v<Real, float>) {
+    std::vector<double> wide(c, c + coefficient_count(degree));
+    const auto matrix = nearest_rotation<double>(r);
+    rotate_rows(degree, matrix.data(), wide.data(), wide.data());
+    std::transform(wide.begin(), wide.end(), out, [](double v) { return static_cast<float>(v); });
+  } else {
+    rotate_rows(degree, r, c, out);
+  }
+}
+
+// NOLINTBEGIN(bugprone-macro-parentheses): a type cannot stand in parentheses.
+#define SHFORGE_INSTANCE(Real) template void rotate_zxz_rows<Real>(int, const Real*, const Real*, Real*);
+// NOLINTEND(bugprone-macro-parentheses)
+
+SHFORGE_FOR_EACH_METHOD_REAL(SHFORGE_INSTANCE)
+
+}  // namespace sh::numeric::methods
