@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 
 #include "numeric/basis.hpp"
 #include "numeric/projection.hpp"

@@ -166,7 +166,7 @@ TEST(SolidAngle, OfATexelAgreesWithQuadratureAndWithTheFourArcTangents) {
     for (const int k : {0, 1, size / 3, size / 2, size - 1}) {
       const double u = (2.0 * std::min(k, size - 1) + 1) / size - 1;
       for (const double v : {1.0 / size - 1, u}) {
-        const Mpfr50 exact = texel_solid_angle<Mpfr50>(u, v, size);
+        const auto exact = texel_solid_angle<Mpfr50>(u, v, size);
         EXPECT_LT(relative(by_quadrature(u, v, size), exact), size == 1 ? 1e-29 : 1e-40) << size << ' ' << u;
         EXPECT_LT(relative(by_four_corners(u, v, size), exact), 1e-34) << size << ' ' << u;
         keep_worst(in_double, relative(texel_solid_angle(u, v, size), exact));
@@ -176,11 +176,13 @@ TEST(SolidAngle, OfATexelAgreesWithQuadratureAndWithTheFourArcTangents) {
   EXPECT_LT(in_double, 6 * kEpsilon);  // measured 2.7
 }
 
+double centre(int k, int size) { return (2.0 * k + 1) / size - 1; }
+
 TEST(SolidAngle, OfTheTexelsOfAFaceSumsToASixthOfTheSphere) {
   for (const int size : {1, 2, 7, 64, 300}) {
     double sum = 0;
     for (int i = 0; i < size * size; ++i) {
-      sum += texel_solid_angle((2.0 * (i / size) + 1) / size - 1, (2.0 * (i % size) + 1) / size - 1, size);
+      sum += texel_solid_angle(centre(i / size, size), centre(i % size, size), size);
     }
     EXPECT_NEAR(sum, 4 * kPi / 6, 1e-15 * (1 + size)) << size;
   }
@@ -190,8 +192,8 @@ TEST(SolidAngle, EstimateOfATexelErrsWithTheSquareOfItsSize) {
   const auto worst = [](int size) {
     double error = 0;
     for (int i = 0; i < size * size; ++i) {
-      const double u = (2.0 * (i / size) + 1) / size - 1;
-      const double v = (2.0 * (i % size) + 1) / size - 1;
+      const double u = centre(i / size, size);
+      const double v = centre(i % size, size);
       keep_worst(error, texel_solid_angle_estimate(u, v, size) / texel_solid_angle(u, v, size) - 1);
     }
     return error;
