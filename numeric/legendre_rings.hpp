@@ -10,7 +10,7 @@
 // and -z cost one recurrence. Values below the smallest double count as 0; none are left out otherwise.
 //
 // Error in double against long double at degree 1000, coefficients random, worst of rings and orders, in units of
-// sqrt(sum of a_l^2 (2l+1) / 4 pi): 2e-14, next to the equator (|z| < 1 / degree) 1e-13.
+// sqrt(sum of a_l^2 (2l+1) / 4 pi): 2e-14, next to the equator (|z| < 1 / degree) 7e-13.
 // Time at degree 1000, 1001 rings, one core: see tests/bench (0.04 ns a degree, order and ring with AVX-512).
 #pragma once
 
