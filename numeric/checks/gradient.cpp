@@ -1,6 +1,7 @@
 // basis_gradient(d) -> values and Cartesian derivatives of the solid harmonics r^l Y_lm(d/r), any d;
-// basis_normalised(d)
-// -> Y_lm(d/|d|). Derivatives against central differences of numeric's basis at 50 digits.
+// basis_normalised(d) -> Y_lm(d/|d|). Against numeric's gradient and basis.
+#include "numeric/gradient.hpp"
+
 #include <array>
 #include <cmath>
 #include <string>
@@ -27,24 +28,6 @@ std::vector<NamedInput> vectors(const std::array<double, 4>& lengths) {
   return inputs;
 }
 
-// out (4, bands^2): values, then derivatives by x, y, z.
-void differentiate(int degree, const std::array<Mpfr50, 3>& d, Mpfr50* out) {
-  const auto count = static_cast<std::size_t>(coefficient_count(degree));
-  basis(degree, d[0], d[1], d[2], out);
-  // The error is of the order of (step / r)^2 = 1e-40.
-  const Mpfr50 step = sqrt(Mpfr50(d[0] * d[0] + d[1] * d[1] + d[2] * d[2])) * Mpfr50("1e-20");
-  std::vector<Mpfr50> behind(count);
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    Mpfr50* const derivative = out + (axis + 1) * count;
-    auto at = d;
-    at[axis] = d[axis] + step;
-    basis(degree, at[0], at[1], at[2], derivative);
-    at[axis] = d[axis] - step;
-    basis(degree, at[0], at[1], at[2], behind.data());
-    for (std::size_t i = 0; i < count; ++i) derivative[i] = (derivative[i] - behind[i]) / (2 * step);
-  }
-}
-
 }  // namespace
 
 FamilyCheck basis_gradient_check() {
@@ -61,10 +44,8 @@ FamilyCheck basis_gradient_check() {
               },
           .oracle =
               [](int degree, const auto* in, auto* out) {
-                using Real = std::remove_cvref_t<decltype(*in)>;
-                std::vector<Mpfr50> all(static_cast<std::size_t>(4 * coefficient_count(degree)));
-                differentiate(degree, {Mpfr50(in[0]), Mpfr50(in[1]), Mpfr50(in[2])}, all.data());
-                for (std::size_t i = 0; i < all.size(); ++i) out[i] = static_cast<Real>(all[i]);
+                const auto count = static_cast<std::size_t>(coefficient_count(degree));
+                basis_gradient(degree, in[0], in[1], in[2], out, out + count, out + 2 * count, out + 3 * count);
               },
           .nearest = {},
           .size =
