@@ -1,6 +1,8 @@
 // shcheck: the oracle at the command line.
 //
 //   shcheck kernels [--family NAME] [--json FILE] [--generated DIR]    every generated kernel against the oracle
+//   shcheck worst [--family NAME] [--degree N] [--evaluations N]       the input at which each errs most, by search
+//   shcheck worst --exhaustive                                         the same among all floats, for one variable
 //   shcheck eval --degree L --order M --direction x,y,z --digits D     one reference value
 //   shcheck legendre --degree L --order M (--z Z | --theta T) --digits D
 //   shcheck rotation --degree L (--matrix R | --quaternion Q | --euler A | --axis V --angle A) --digits D
@@ -34,6 +36,7 @@ namespace {
 void add_commands(CLI::App& tool, int& exit_code) {
   tool.require_subcommand(1);
   add_kernels_command(tool, exit_code);
+  add_worst_command(tool, exit_code);
   add_eval_command(tool, exit_code);
   add_legendre_command(tool, exit_code);
   add_rotation_command(tool, exit_code);

@@ -20,6 +20,7 @@ enum ExitCode {
 
 // Each adds its subcommand; parsing the command line then runs it and sets `exit_code`, which has to live until then.
 void add_kernels_command(CLI::App& tool, int& exit_code);
+void add_worst_command(CLI::App& tool, int& exit_code);
 void add_eval_command(CLI::App& tool, int& exit_code);
 void add_legendre_command(CLI::App& tool, int& exit_code);
 void add_rotation_command(CLI::App& tool, int& exit_code);

@@ -290,4 +290,22 @@ TEST_F(Shcheck, ExplainsItself) {
   EXPECT_EQ(outcome.err, "");
 }
 
+TEST_F(Shcheck, WorstShowsAnInputOfEachKernelAndScalar) {
+  const auto outcome = run("worst --family basis --degree 4 --evaluations 50");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  for (const std::string start : {"basis_l4 +float", "basis_l4 +double", "basis_accurate_l4 +float"}) {
+    EXPECT_TRUE(std::regex_search(outcome.out,
+                                  std::regex(start + " +[0-9.]+ eps  out l=[0-4] m=-?[0-4] at( -?[0-9.e-]+){3}\n")))
+        << outcome.out;
+  }
+  EXPECT_EQ(std::count(outcome.out.begin(), outcome.out.end(), '\n'), 4) << outcome.out;
+}
+
+TEST_F(Shcheck, WorstRefusesWhatThereIsNot) {
+  expect_refused("worst --family nope", "no such kernel");
+  expect_refused("worst --family basis --degree 11", "no such kernel");
+  expect_refused("worst --family basis --exhaustive", "kernels of one variable");
+  expect_refused("worst --evaluations 0", "--evaluations");
+}
+
 }  // namespace
