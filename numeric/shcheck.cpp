@@ -10,6 +10,7 @@
 //   shcheck gaunt --degrees a,b,c --orders m,n,p --digits D [--complex]
 //   shcheck cap --degree L (--angle A | --one-minus-cos V) --digits D
 //   shcheck identify FILE | --directions N                             the convention of a table of values
+//   shcheck plot lobes|map ... -o FILE.svg|.png                        a picture of a function on the sphere
 //
 // Results on standard output, progress and messages on standard error. Exit: 0 done, 1 a check found a difference, 2
 // bad input, 130 interrupted.
@@ -43,6 +44,7 @@ void add_commands(CLI::App& tool, int& exit_code) {
   add_gaunt_command(tool, exit_code);
   add_cap_command(tool, exit_code);
   add_identify_command(tool, exit_code);
+  add_plot_command(tool, exit_code);
 }
 
 int run(int argc, char** argv) {

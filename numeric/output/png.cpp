@@ -4,26 +4,29 @@
 #include <png.h>
 
 #include <stdexcept>
-#include <vector>
+#include <string>
 
 #include "numeric/output/atomic_file.hpp"
 
 namespace sh::output {
 
-void write_png(const std::string& file, int width, int height, std::span<const std::uint8_t> rgb) {
+std::string encode_png(int width, int height, std::span<const std::uint8_t> rgb) {
   png_image picture{};
   picture.version = PNG_IMAGE_VERSION;
   picture.width = static_cast<png_uint_32>(width);
   picture.height = static_cast<png_uint_32>(height);
   picture.format = PNG_FORMAT_RGB;
-  std::vector<std::uint8_t> bytes(PNG_IMAGE_PNG_SIZE_MAX(picture));
+  std::string bytes(PNG_IMAGE_PNG_SIZE_MAX(picture), '\0');
   png_alloc_size_t size = bytes.size();
   if (png_image_write_to_memory(&picture, bytes.data(), &size, 0, rgb.data(), 0, nullptr) == 0) {
-    throw std::runtime_error(fmt::format("{}: cannot make a PNG picture: {}", file, picture.message));
+    throw std::runtime_error(fmt::format("cannot make a PNG picture: {}", picture.message));
   }
-  AtomicFile out(file);
-  out.write(bytes.data(), size);
-  out.commit();
+  bytes.resize(size);
+  return bytes;
+}
+
+void write_png(const std::string& file, int width, int height, std::span<const std::uint8_t> rgb) {
+  write_file(file, encode_png(width, height, rgb));
 }
 
 }  // namespace sh::output

@@ -1,72 +1,31 @@
 // The tool as its users run it: exit codes, one-line errors, the list of kernels, and what it finds in tampered code.
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <regex>
 #include <set>
 #include <sstream>
 
+#include "tests/numeric/shcheck_tool.hpp"
+
+namespace sh::numeric {
 namespace {
 
+using test::read;
 namespace fs = std::filesystem;
 
-std::string read(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-}
-
-struct Outcome {
-  int exit_code;
-  std::string out, err;
-};
-
-class Shcheck : public testing::Test {
- public:
-  Shcheck(const Shcheck&) = delete;
-  Shcheck& operator=(const Shcheck&) = delete;
-
+class Shcheck : public test::ShcheckTool {
  protected:
-  Shcheck() {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-  ~Shcheck() override { fs::remove_all(folder_); }
-
-  [[nodiscard]] Outcome run(const std::string& arguments) const {
-    const auto out = folder_ / "stdout";
-    const auto err = folder_ / "stderr";
-    const std::string command =
-        std::string(SHFORGE_BIN_DIR) + "/shcheck " + arguments + " >" + out.string() + " 2>" + err.string();
-    const int status = std::system(command.c_str());  // NOLINT(cert-env33-c): a fixed command line of this test
-    return {WEXITSTATUS(status), read(out), read(err)};
-  }
-
-  // Exit 2, nothing on stdout, exactly one line on stderr that begins with the tool's name and contains `part`.
-  void expect_refused(const std::string& arguments, const std::string& part) const {
-    const auto outcome = run(arguments);
-    EXPECT_EQ(outcome.exit_code, 2) << arguments;
-    EXPECT_EQ(outcome.out, "") << arguments;
-    EXPECT_EQ(outcome.err.find("shcheck: "), 0) << arguments << ": " << outcome.err;
-    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << arguments << ": " << outcome.err;
-    EXPECT_NE(outcome.err.find(part), std::string::npos) << arguments << ": " << outcome.err;
-  }
-
   [[nodiscard]] fs::path copy_of_generated() const {
     auto copy = folder_ / "generated";
     fs::create_directories(copy);
     fs::copy(fs::path(SHFORGE_SOURCE_DIR) / "generated" / "glsl", copy / "glsl");
     return copy;
   }
-
-  fs::path folder_ = fs::path(testing::TempDir()) /
-                     (std::string("shcheck_") + testing::UnitTest::GetInstance()->current_test_info()->name());
 };
 
 // The names and operations of the kernels that generated/MANIFEST lists as written in C++ and in GLSL.
@@ -180,8 +139,7 @@ TEST_F(Shcheck, RefusesAGlslKernelThatIsMissingOrDoesNotCompile) {
 TEST_F(Shcheck, LeavesNothingBehindWhenTheReportCannotBeWritten) {
   const auto outcome = run("kernels --family basis --json " + (folder_ / "missing" / "report.json").string());
   EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_NE(outcome.err.find("report.json: cannot be written: No such file or directory"), std::string::npos)
-      << outcome.err;
+  EXPECT_NE(outcome.err.find("report.json: cannot write: No such file or directory"), std::string::npos) << outcome.err;
   EXPECT_FALSE(fs::exists(folder_ / "missing"));
 }
 
@@ -309,3 +267,4 @@ TEST_F(Shcheck, WorstRefusesWhatThereIsNot) {
 }
 
 }  // namespace
+}  // namespace sh::numeric

@@ -1,0 +1,98 @@
+// Where figures are drawn: one drawing, as SVG text or as PNG pixels.
+//
+// A figure is laid out in units of its own, y down, and scaled to the pixels asked for. Both canvases draw the same
+// calls; text is set in the reader's sans-serif in SVG, in a built-in stroke font (Anti-Grain Geometry's) in PNG, so
+// that no font has to be installed and bytes never differ.
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "numeric/plot/colour.hpp"
+
+namespace sh::numeric::plot {
+
+struct Point {
+  double x = 0, y = 0;
+};
+
+struct Box {
+  double x = 0, y = 0, width = 0, height = 0;
+};
+
+struct Polygon {
+  std::vector<Point> corners;
+  Colour fill;
+};
+
+enum class Anchor { kStart, kMiddle, kEnd };
+
+/// 8-bit sRGB pixels, (height, width, 3), top row first.
+struct Raster {
+  int width = 0, height = 0;
+  std::vector<std::uint8_t> rgb;
+
+  Raster(int w, int h) : width(w), height(h), rgb(3 * static_cast<std::size_t>(w) * static_cast<std::size_t>(h), 255) {}
+  [[nodiscard]] Colour at(int column, int row) const {
+    const auto* p = rgb.data() + place(column, row);
+    return {p[0], p[1], p[2]};
+  }
+  void set(int column, int row, const Colour& colour) {
+    auto* p = rgb.data() + place(column, row);
+    p[0] = colour.red;
+    p[1] = colour.green;
+    p[2] = colour.blue;
+  }
+
+ private:
+  [[nodiscard]] std::size_t place(int column, int row) const {
+    return 3 * (static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column));
+  }
+};
+
+/// Pixels of the finished picture, the whole ones that a box covers.
+struct PixelBox {
+  int x = 0, y = 0, width = 1, height = 1;
+};
+
+class Canvas {
+ public:
+  virtual ~Canvas() = default;
+  Canvas(const Canvas&) = delete;
+  Canvas& operator=(const Canvas&) = delete;
+
+  virtual void polygon(std::span<const Point> corners, const Colour& fill) = 0;
+  virtual void line(std::span<const Point> points, double width, const Colour& colour) = 0;
+  /// The baseline starts, has its middle or ends at `place`; `size` is the height of the em. ASCII.
+  virtual void text(const Point& place, const std::string& words, double size, Anchor anchor, const Colour& colour) = 0;
+  /// `picture` has the pixels of `where`, 1:1.
+  virtual void image(const PixelBox& where, const Raster& picture) = 0;
+  /// A surface in opaque facets that touch, back to front. SVG closes the gaps between them; in PNG they would show.
+  virtual void facets(std::span<const Polygon> polygons) = 0;
+  [[nodiscard]] virtual bool is_vector() const = 0;
+  /// The finished file.
+  [[nodiscard]] virtual std::string finish() = 0;
+
+  /// Pixels a unit.
+  [[nodiscard]] double scale() const { return scale_; }
+  [[nodiscard]] PixelBox pixels(const Box& box) const;
+  /// The box in units that whole pixels cover.
+  [[nodiscard]] Box units(const PixelBox& box) const;
+
+ protected:
+  explicit Canvas(double scale) : scale_(scale) {}
+
+ private:
+  double scale_;
+};
+
+/// A white canvas of width x height units, `size` pixels wide.
+std::unique_ptr<Canvas> svg_canvas(double width, double height, int size, const std::string& title);
+std::unique_ptr<Canvas> png_canvas(double width, double height, int size);
+
+/// Four corners, clockwise from the top left.
+std::vector<Point> corners_of(const Box& box);
+
+}  // namespace sh::numeric::plot
