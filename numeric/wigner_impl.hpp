@@ -24,7 +24,7 @@ class Wigner3jStep {
         sum_(a + b + 1L),
         order_(std::labs(order_a + order_b)),
         // C (a(a+1) - b(b+1)) = C (a-b) (a+b+1)
-        product_(-(order_a + order_b) * (a - b) * (a + b + 1L)),
+        product_(-static_cast<long>(order_a + order_b) * (a - b) * (a + b + 1L)),
         spread_(order_b - order_a) {}
 
   [[nodiscard]] Real outer(long j) const {
