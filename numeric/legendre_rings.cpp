@@ -76,18 +76,23 @@ void LegendreRings::add_pairs(std::span<const double> z, std::span<const double>
   std::vector<std::size_t> by_sine(z.size());
   std::iota(by_sine.begin(), by_sine.end(), std::size_t{0});
   std::sort(by_sine.begin(), by_sine.end(), [&](std::size_t i, std::size_t j) { return key(i) < key(j); });
+  const auto pad = [this] {
+    while (z_.size() % rings::kPadding != 0) {
+      z_.push_back(double{z_.back()});
+      sine_.push_back(double{sine_.back()});
+    }
+  };
   for (const std::size_t i : by_sine) {
     const auto [s, absolute] = key(i);
     if (z_.empty() || z_.back() != absolute || sine_.back() != s) {
+      const std::size_t block = z_.size() / rings::kPadding * rings::kPadding;
+      if (absolute < rings::kNearEquator && block < z_.size() && sine_[block] < rings::kNearPole) pad();
       z_.push_back(absolute);
       sine_.push_back(s);
     }
     ring_[i] = {z_.size() - 1, std::signbit(z[i])};
   }
-  while (z_.size() % rings::kPadding != 0) {
-    z_.push_back(double{z_.back()});
-    sine_.push_back(double{sine_.back()});
-  }
+  pad();
 }
 
 void LegendreRings::add_powers() {
@@ -138,6 +143,7 @@ std::size_t LegendreRings::first_pair(int degree, int order) const {
 struct LegendreRings::Work {
   std::vector<double> eps, alpha;
   std::vector<rings::Step> table;
+  std::vector<rings::Growth> pole, equator;
   std::vector<double> sums;   // (4, pairs)
   std::vector<double> lanes;  // (steps + 1, 4, kWidest)
 
@@ -151,9 +157,11 @@ struct LegendreRings::Work {
     eps.resize(2 * steps + 8);
     alpha.resize(steps);
     table.resize(steps);
+    pole.resize(steps);
+    equator.resize(steps);
     sums.resize(4 * rings.z_.size());
-    return {degree,     order,        steps,       rings.sectoral_[static_cast<std::size_t>(order)],
-            eps.data(), alpha.data(), table.data()};
+    const double start = rings.sectoral_[static_cast<std::size_t>(order)];
+    return {degree, order, steps, start, eps.data(), alpha.data(), table.data(), pole.data(), equator.data()};
   }
 };
 

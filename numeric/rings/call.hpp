@@ -11,6 +11,9 @@ namespace sh::numeric::rings {
 
 inline constexpr std::size_t kPadding = 32;
 inline constexpr int kLevel = 768;
+// Blocks with a smaller sine, or a smaller |z|, run in the form anchored there; no block of kPadding holds both.
+inline constexpr double kNearPole = 0.15;
+inline constexpr double kNearEquator = 0.02;
 
 // mantissa * 2^exponent, lane by lane; mantissas within 0.5 .. 1, or 0.
 struct ScaledArray {
@@ -26,12 +29,18 @@ struct Pairs {
   ScaledArray low, high;     // (count): sine^order is the product of the two
 };
 
-// One step of the two-step recurrence (methods/legendre_ishioka.hpp): p' = (a z^2 + b) p - p_before. Near the poles,
-// with g = p' / p at the pole: d' = d / g_before - a sine^2 p, p' = g p + d', where no rounding weighs like 1 / sine.
+// One step of the two-step recurrence (methods/legendre_ishioka.hpp): p' = (a z^2 + b) p - p_before.
 // `even` and `odd`: what p is multiplied by in a synthesis, what its sums come to in an analysis.
 struct Step {
-  double a, b, g, inverse_g_before;
+  double a, b;
   double even[2], odd[2];
+};
+
+// The same step told from how p grows at an anchor, the pole or the equator, g = p' / p there:
+//   d' = d / g_before - a q p,  p' = g p + d',  q = sine^2 at the pole, -z^2 at the equator.
+// No rounding weighs like 1 / sine or 1 / z then: where q is small so is d.
+struct Growth {
+  double g, inverse_before;
 };
 
 // The recurrence at one order.
@@ -42,11 +51,13 @@ struct Column {
   double* eps;            // (2 steps + 8): eps_(m+n,m)
   double* alpha;          // (steps)
   Step* table;            // (steps)
+  Growth* pole;           // (steps)
+  Growth* equator;        // (steps)
 };
 
 // The inner loops of one instruction set.
 struct Kernels {
-  // Fills eps, alpha and the coefficients of the table.
+  // Fills eps, alpha, pole, equator and a, b of the table.
   void (*prepare)(const Column& column);
   // table.even, table.odd from coefficients (degree - order + 1, 2).
   void (*spread)(const Column& column, const double* coefficients);

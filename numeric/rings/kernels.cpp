@@ -19,7 +19,9 @@ void fill_eps(const Column& c) {
   }
 }
 
-// p' / p at the pole, but for alpha / alpha': from P_lm = sin^m theta sqrt((2l+1) (l+m)! / (l-m)!) * (no l) there.
+// p' / p at the pole and the equator, but for alpha / alpha', from P_lm / (z sin^m theta) there with l - m odd: at the
+// pole it is a constant of the order times sqrt((2l+1) (l+m)! / (l-m)!), at the equator that changes from l to l + 2 by
+// the factor -(l+m+2) / (l-m+1) before it is normalised.
 void fill_growth(const Column& c) {
   const Lanes one(1.0);
   const Lanes two(2.0);
@@ -30,12 +32,25 @@ void fill_growth(const Column& c) {
     const Lanes gap = Lanes::load_aligned(index);
     const Lanes l = gap + m;
     const Lanes sum = l + m;
-    const Lanes ratio =
-        (two * l + Lanes(5.0)) * (sum + one) * (sum + two) / ((two * l + one) * (gap + one) * (gap + two));
-    alignas(64) double growth[kWidth];
-    xsimd::sqrt(ratio).store_aligned(growth);
-    for (std::size_t i = 0; i < kWidth && k + i < c.steps; ++i) c.table[k + i].g = growth[i];
+    const Lanes norm = (two * l + Lanes(5.0)) / (two * l + one);
+    const Lanes first = (sum + one) / (gap + one);
+    const Lanes second = (sum + two) / (gap + two);
+    const Lanes third = (sum + two) * (gap + two) / ((sum + one) * (gap + one));
+    alignas(64) double pole[kWidth];
+    alignas(64) double equator[kWidth];
+    xsimd::sqrt(norm * first * second).store_aligned(pole);
+    xsimd::sqrt(norm * third).store_aligned(equator);
+    for (std::size_t i = 0; i < kWidth && k + i < c.steps; ++i) {
+      c.pole[k + i].g = pole[i];
+      c.equator[k + i].g = -equator[i];
+    }
   }
+}
+
+// Multiplies growths by ratio, and sets what depends on the step before.
+void finish_growth(Growth* growth, std::size_t k, double ratio) {
+  growth[k].g *= ratio;
+  growth[k].inverse_before = k > 0 ? 1 / growth[k - 1].g : 0;
 }
 
 void prepare(const Column& c) {
@@ -44,7 +59,6 @@ void prepare(const Column& c) {
   double here = 1;
   double before = 0;
   double product_before = 0;
-  double inverse_g = 0;
   for (std::size_t k = 0; k < c.steps; ++k) {
     const double* eps = c.eps + 2 * k;
     const double product = eps[2] * eps[3];
@@ -53,10 +67,9 @@ void prepare(const Column& c) {
     Step& s = c.table[k];
     s.a = ratio / product;
     s.b = -(eps[1] * eps[1] + eps[2] * eps[2]) * s.a;
-    s.g *= ratio;
-    s.inverse_g_before = inverse_g;
+    finish_growth(c.pole, k, ratio);
+    finish_growth(c.equator, k, ratio);
     c.alpha[k] = here;
-    inverse_g = 1 / s.g;
     before = here;
     here = ahead;
     product_before = product;

@@ -34,7 +34,10 @@ struct State {
 
 // p' = (a z^2 + b) p - p_before; keeps p_before.
 struct Plain {
-  static void advance(const Step& step, State& s, std::size_t v) {
+  const Column& column;
+
+  void advance(std::size_t k, State& s, std::size_t v) const {
+    const Step& step = column.table[k];
     const Lanes t = xsimd::fma(Lanes(step.a), s.square[v], Lanes(step.b));
     const Lanes next = xsimd::fms(t, s.current[v], s.kept[v]);
     s.kept[v] = s.current[v];
@@ -42,16 +45,20 @@ struct Plain {
   }
 };
 
-// d' = d / g_before - a sine^2 p, p' = g p + d'; keeps d.
-struct NearPole {
-  static void advance(const Step& step, State& s, std::size_t v) {
-    const Lanes t = Lanes(step.a) * s.square[v];
-    s.kept[v] = xsimd::fnma(t, s.current[v], Lanes(step.inverse_g_before) * s.kept[v]);
-    s.current[v] = xsimd::fma(Lanes(step.g), s.current[v], s.kept[v]);
+// d' = d / g_before - a q p, p' = g p + d'; keeps d.
+struct Anchored {
+  const Column& column;
+  const Growth* growth;
+
+  void advance(std::size_t k, State& s, std::size_t v) const {
+    const Lanes t = Lanes(column.table[k].a) * s.square[v];
+    s.kept[v] = xsimd::fnma(t, s.current[v], Lanes(growth[k].inverse_before) * s.kept[v]);
+    s.current[v] = xsimd::fma(Lanes(growth[k].g), s.current[v], s.kept[v]);
   }
 };
 
-inline State start(const Column& column, const Pairs& pairs, std::size_t at, const double* root) {
+// p_0; the square of z or sine, whichever `root` is, times `sign`.
+inline State start(const Column& column, const Pairs& pairs, std::size_t at, const double* root, double sign) {
   alignas(64) double values[kBlock];
   alignas(64) double levels[kBlock];
   const double first = column.start_mantissa / column.eps[1];
@@ -65,7 +72,7 @@ inline State start(const Column& column, const Pairs& pairs, std::size_t at, con
   State s;
   for (std::size_t v = 0; v < kSide; ++v) {
     const Lanes r = Lanes::load_unaligned(root + at + v * kWidth);
-    s.square[v] = r * r;
+    s.square[v] = Lanes(sign) * (r * r);
     s.current[v] = Lanes::load_aligned(values + v * kWidth);
     s.kept[v] = Lanes(0.0);
     s.level[v] = Lanes::load_aligned(levels + v * kWidth);
@@ -106,14 +113,15 @@ inline void factors(const State& s, Lanes* factor) {
   }
 }
 
-// Runs the recurrence to its end: use(k, values of the block) for every step but the first ones, whose values are all
-// below the smallest double.
+// Runs the recurrence to its end (inlined, so that a block stays in registers): use(k, values of the block) for every
+// step but the first ones, whose values are all below the smallest double.
 template <class Recurrence, class Use>
-void run(const Column& column, State& s, const Use& use) {
-  const std::size_t steps = column.steps;
+[[gnu::always_inline]] inline void run(const Recurrence& recurrence, const State& begin, const Use& use) {
+  State s = begin;  // in registers
+  const std::size_t steps = recurrence.column.steps;
   const auto stop = [steps](std::size_t k) { return k + kStride < steps ? k + kStride : steps; };
   const auto advance = [&](std::size_t k) {
-    for (std::size_t v = 0; v < kSide; ++v) Recurrence::advance(column.table[k], s, v);
+    for (std::size_t v = 0; v < kSide; ++v) recurrence.advance(k, s, v);
   };
   std::size_t k = 0;
   for (; k < steps && all_below(s, -1); lift(s)) {
@@ -137,17 +145,16 @@ void run(const Column& column, State& s, const Use& use) {
 
 // The same for every block of pairs, each by the recurrence that suits it: begin(at), use(at, k, values), end(at).
 template <class Block>
-void run_blocks(const Column& column, const Pairs& pairs, Block block) {
-  constexpr double kNearPole = 0.15;
+[[gnu::always_inline]] inline void run_blocks(const Column& column, const Pairs& pairs, Block block) {
   for (std::size_t at = pairs.first; at < pairs.count; at += kBlock) {
     const auto use = [&](std::size_t k, const Lanes* values) { block.use(k, values); };
     block.begin(at);
-    if (pairs.sine[at] < kNearPole) {
-      State s = start(column, pairs, at, pairs.sine);
-      run<NearPole>(column, s, use);
+    if (pairs.z[at + kBlock - 1] < kNearEquator) {
+      run(Anchored{column, column.equator}, start(column, pairs, at, pairs.z, -1), use);
+    } else if (pairs.sine[at] < kNearPole) {
+      run(Anchored{column, column.pole}, start(column, pairs, at, pairs.sine, 1), use);
     } else {
-      State s = start(column, pairs, at, pairs.z);
-      run<Plain>(column, s, use);
+      run(Plain{column}, start(column, pairs, at, pairs.z, 1), use);
     }
     block.end(at);
   }
