@@ -2,7 +2,6 @@
 #include "numeric/projection.hpp"
 
 #include <Eigen/QR>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,6 +9,7 @@
 #include <string>
 
 #include "numeric/basis.hpp"
+#include "numeric/eigenvalues.hpp"
 
 namespace sh::numeric {
 namespace {
@@ -74,7 +74,7 @@ class Triangle {
 };
 
 double condition_number(int degree, const MatrixXd& triangle, std::size_t samples) {
-  const VectorXd singular = triangle.bdcSvd().singularValues();
+  const VectorXd singular = singular_values(triangle);
   const double threshold = singular(0) * std::numeric_limits<double>::epsilon() * static_cast<double>(samples);
   const Index rank = (singular.array() > threshold).count();
   if (rank < singular.size()) {

@@ -1,13 +1,13 @@
 // What is said of cube maps that are read between their texels: source_claims.hpp.
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <tuple>
 
 #include "numeric/basis.hpp"
+#include "numeric/eigenvalues.hpp"
 #include "numeric/quadrature.hpp"
 #include "numeric/report/source_claims.hpp"
 
@@ -90,8 +90,7 @@ BilinearError bilinear_error(int size) {
       }
     }
   }
-  const Eigen::SelfAdjointEigenSolver<Matrix> solver(sum, Eigen::EigenvaluesOnly);
-  return {sum.trace() / kFunctions, solver.eigenvalues().maxCoeff()};
+  return {sum.trace() / kFunctions, symmetric_eigenvalues(sum).maxCoeff()};
 }
 
 std::vector<SourceClaim> bilinear_claims() {

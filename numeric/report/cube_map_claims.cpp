@@ -1,13 +1,13 @@
 // What is said of cube maps as quadrature rules: source_claims.hpp.
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 
 #include "numeric/basis.hpp"
+#include "numeric/eigenvalues.hpp"
 #include "numeric/report/projection_convergence.hpp"
 #include "numeric/report/source_claims.hpp"
 #include "numeric/sphere_nodes.hpp"
@@ -43,8 +43,7 @@ CubeMapError error_of(int size, const NamedWeight& kind) {
   }
   error.area = sum / (4 * std::numbers::pi) - 1;
   error.mean_squared = e.squaredNorm() / kFunctions;
-  const double worst =
-      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(e, Eigen::EigenvaluesOnly).eigenvalues().cwiseAbs().maxCoeff();
+  const double worst = symmetric_eigenvalues(e).cwiseAbs().maxCoeff();
   error.worst_squared = worst * worst;
   return error;
 }
