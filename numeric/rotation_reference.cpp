@@ -141,7 +141,7 @@ std::string RotationReference::entry(int row, int column, int digits) {
 }
 
 std::vector<std::string> RotationReference::all(int digits, const std::function<void()>& advance) {
-  const auto size = static_cast<std::size_t>(2 * degree_ + 1);
+  const auto size = 2 * static_cast<std::size_t>(degree_) + 1;
   std::vector<std::string> entries(size * size);
   for (int m = 0; m <= degree_; ++m) {
     for (int n = 0; n <= degree_; ++n) {

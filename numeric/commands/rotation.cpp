@@ -57,7 +57,7 @@ void say_distance(const GivenRotation& rotation) {
 
 // A row of the matrix a line, or the rows as JSON; numbers are texts there, so that no reader rounds them.
 std::string formatted(const std::vector<std::string>& entries, const Options& options) {
-  const auto size = static_cast<std::size_t>(2 * options.degree + 1);
+  const auto size = 2 * static_cast<std::size_t>(options.degree) + 1;
   std::string text;
   auto rows = nlohmann::json::array();
   for (std::size_t row = 0; row < size; ++row) {
@@ -93,7 +93,7 @@ void run(const Options& options) {
     return;
   }
   output::stop_on_interrupt();
-  const auto size = static_cast<std::size_t>(2 * options.degree + 1);
+  const auto size = 2 * static_cast<std::size_t>(options.degree) + 1;
   std::optional<output::Progress> progress;
   if (options.degree > 20) progress.emplace("entries", size * size);
   const auto entries = reference.all(options.digits, [&] {
