@@ -6,6 +6,10 @@
 // Reference: Ivanic and Ruedenberg, J. Phys. Chem. 100 (1996) 6342, with the additions and corrections of J. Phys.
 // Chem. A 102 (1998) 9099, called [IvanicRuedenberg96+98] here. Cost O(degree^3). Compiled for the six types of
 // real.hpp; another type needs rotation_impl.hpp.
+//
+// Each band is made from the one below, so rounding grows: for |c| = 1 the largest error of an entry is 3e-16, 1e-14,
+// 8e-13 and 2e-9 at degree 20, 40, 60 and 100 in double, away from turns about z. methods/zxz_rows.hpp does not lose
+// digits and is faster from degree 20 on; methods/rotation_methods.hpp compares all that there are.
 #pragma once
 
 #include <vector>

@@ -1,3 +1,4 @@
+// See blanco.hpp.
 #include "numeric/methods/blanco.hpp"
 
 #include <utility>

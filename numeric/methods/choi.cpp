@@ -1,3 +1,4 @@
+// See choi.hpp.
 #include "numeric/methods/choi.hpp"
 
 #include <cmath>

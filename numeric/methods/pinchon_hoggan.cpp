@@ -1,3 +1,4 @@
+// See pinchon_hoggan.hpp.
 #include "numeric/methods/pinchon_hoggan.hpp"
 
 #include "numeric/methods/instances.hpp"

@@ -1,3 +1,4 @@
+// See rotation_methods.hpp.
 #include "numeric/methods/rotation_methods.hpp"
 
 #include <array>

@@ -1,3 +1,4 @@
+// See wigner_d.hpp.
 #include "numeric/methods/wigner_d.hpp"
 
 #include "numeric/legendre.hpp"

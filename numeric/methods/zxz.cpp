@@ -1,3 +1,4 @@
+// See zxz.hpp.
 #include "numeric/methods/zxz.hpp"
 
 #include "numeric/methods/instances.hpp"

@@ -1,3 +1,4 @@
+// See zxz_rows.hpp.
 #include "numeric/methods/zxz_rows.hpp"
 
 #include <algorithm>
@@ -5,6 +6,7 @@
 #include <cstddef>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 
 #include "numeric/methods/instances.hpp"
 #include "numeric/methods/row_sums.hpp"
@@ -19,7 +21,7 @@ class Swap {
  public:
   explicit Swap(int degree) {
     using std::sqrt;
-    const auto size = static_cast<std::size_t>(degree + 1);
+    const auto size = static_cast<std::size_t>(degree) + 1;
     for (std::size_t n = 0; n < 2 * size; ++n) {
       roots_.push_back(sqrt(static_cast<Real>(n)));
       inverse_roots_.push_back(n == 0 ? Real(0) : Real(1 / roots_.back()));

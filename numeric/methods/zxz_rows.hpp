@@ -11,20 +11,19 @@
 // Error for |c| = 1, largest entry, double: 3e-16 at degree 100 in the worst rotation found; the basis at a turned
 // direction is right to 3e-16 of its norm up to degree 1900 (tests/numeric/test_high_degree_rotation.cpp).
 // Cost: 2 degree^3 multiplications and 4/3 degree^3 additions; degree 100 takes 0.1 ms with AVX-512 and 0.2 ms with
-// SSE2, degree 1000 0.1 s and 0.25 s.
+// SSE2, degree 1000 0.15 s and 0.25 s.
 #pragma once
 
 #include <limits>
-#include <type_traits>
 
 namespace sh::numeric::methods {
 
 // Rows start at 2^(1-l); half the range of exponents is used to scale them up.
 template <class Real>
-constexpr long kLargestRowsDegree = std::is_same_v<Real, float>
-                                        ? kLargestRowsDegree<double>
-                                        : 2 * (-static_cast<long>(std::numeric_limits<Real>::min_exponent) -
-                                               std::numeric_limits<Real>::digits);
+inline constexpr long kLargestRowsDegree = 2 * (-static_cast<long>(std::numeric_limits<Real>::min_exponent) -
+                                                std::numeric_limits<Real>::digits);
+template <>
+inline constexpr long kLargestRowsDegree<float> = kLargestRowsDegree<double>;
 
 template <class Real>
 void rotate_zxz_rows(int degree, const Real* r, const Real* c, Real* out);
