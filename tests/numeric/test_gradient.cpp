@@ -15,6 +15,9 @@
 namespace sh::numeric {
 namespace {
 
+// Coefficients of the bands below l: l^2.
+std::size_t coefficients_below(int l) { return static_cast<std::size_t>(l) * static_cast<std::size_t>(l); }
+
 // Values and derivatives, bands^2 each.
 template <class Real>
 struct Gradients {
@@ -53,16 +56,16 @@ TEST(Gradient, IsTheLimitOfDifferencesAtAnyLength) {
 // d . grad = l Y: the form is homogeneous of degree l. Its tangent part is orthogonal to d.
 TEST(Gradient, ObeysEulersIdentityAndItsTangentPartIsTangent) {
   constexpr int kDegree = 100;
-  const auto [x, y, z] = normalised(Mpfr50(1), Mpfr50(-3), Mpfr50(2));
-  const Gradients<Mpfr50> got(kDegree, {x, y, z});
+  const auto d = normalised(Mpfr50(1), Mpfr50(-3), Mpfr50(2));
+  const Gradients<Mpfr50> got(kDegree, d);
   Gradients<Mpfr50> tangent = got;
-  basis_tangent_gradient(kDegree, x, y, z, tangent.value.data(), tangent.derivative[0].data(),
+  basis_tangent_gradient(kDegree, d[0], d[1], d[2], tangent.value.data(), tangent.derivative[0].data(),
                          tangent.derivative[1].data(), tangent.derivative[2].data());
   for (int l = 0; l <= kDegree; ++l) {
     for (int i = l * l; i < (l + 1) * (l + 1); ++i) {
       const auto at = static_cast<std::size_t>(i);
       const auto along = [&](const Gradients<Mpfr50>& g) {
-        return Mpfr50(x * g.derivative[0][at] + y * g.derivative[1][at] + z * g.derivative[2][at]);
+        return Mpfr50(d[0] * g.derivative[0][at] + d[1] * g.derivative[1][at] + d[2] * g.derivative[2][at]);
       };
       EXPECT_LT(static_cast<double>(Mpfr50(abs(along(got) - l * got.value[at]))), 1e-45) << i;
       EXPECT_LT(static_cast<double>(Mpfr50(abs(along(tangent)))), 1e-45) << i;
@@ -98,7 +101,7 @@ TEST(Gradient, IsRoundedLikeTheValuesItIsMadeOf) {
     const Gradients<double> got(kDegree, {d.x, d.y, d.z});
     const Gradients<Mpfr50> exact(kDegree, {Mpfr50(d.x), Mpfr50(d.y), Mpfr50(d.z)});
     for (int l = 1; l <= kDegree; ++l) {
-      for (auto i = static_cast<std::size_t>(l * l); i < static_cast<std::size_t>((l + 1) * (l + 1)); ++i) {
+      for (std::size_t i = coefficients_below(l); i < coefficients_below(l + 1); ++i) {
         for (std::size_t axis = 0; axis < 3; ++axis) {
           const Mpfr50 error = exact.derivative[axis][i] - got.derivative[axis][i];
           keep_worst(worst, static_cast<double>(error) / (machine_epsilon<double>() * l * band_maximum(l)));
