@@ -11,6 +11,7 @@
 //   shcheck cap --degree L (--angle A | --one-minus-cos V) --digits D
 //   shcheck identify FILE | --directions N                             the convention of a table of values
 //   shcheck plot lobes|map ... -o FILE.svg|.png                        a picture of a function on the sphere
+//   shcheck rotation-matrix FILE | --rotations N                       the same of rotation matrices, and their errors
 //
 // Results on standard output, progress and messages on standard error. Exit: 0 done, 1 a check found a difference, 2
 // bad input, 130 interrupted.
@@ -45,6 +46,7 @@ void add_commands(CLI::App& tool, int& exit_code) {
   add_cap_command(tool, exit_code);
   add_identify_command(tool, exit_code);
   add_plot_command(tool, exit_code);
+  add_rotation_matrix_command(tool, exit_code);
 }
 
 int run(int argc, char** argv) {

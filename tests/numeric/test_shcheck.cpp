@@ -241,6 +241,23 @@ TEST_F(Shcheck, RefusesBadReferencesInOneLineWithExitTwo) {
   expect_refused("gaunt --degrees 2,99999999999,2 --orders 0,0,0 --digits 9", "'99999999999' is not an integer up to");
 }
 
+TEST_F(Shcheck, ChecksRotationMatricesAndSuggestsRotations) {
+  const auto example = fs::path(SHFORGE_SOURCE_DIR) / "tests" / "data" / "rotation_matrix_example.csv";
+  auto outcome = run("rotation-matrix " + example.string());
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("every rotation is within the limit"), std::string::npos) << outcome.out;
+  outcome = run("rotation-matrix --tolerance 1e-8 --json " + example.string());
+  EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
+  EXPECT_EQ(nlohmann::json::parse(outcome.out).at("passes"), false);
+  outcome = run("rotation-matrix --rotations 40");
+  EXPECT_EQ(std::count(outcome.out.begin(), outcome.out.end(), '\n'), 42);
+  EXPECT_NE(outcome.out.find("  # identity\n"), std::string::npos);
+  expect_refused("rotation-matrix", "it needs FILE or --rotations N");
+  expect_refused("rotation-matrix --rotations 1", "--rotations: 1; it should be 2 to ");
+  expect_refused("rotation-matrix missing.csv", "missing.csv: cannot be read: No such file or directory");
+  expect_refused("rotation-matrix --tolerance -1 " + example.string(), "--tolerance");
+}
+
 TEST_F(Shcheck, ExplainsItself) {
   const auto outcome = run("--help");
   EXPECT_EQ(outcome.exit_code, 0);

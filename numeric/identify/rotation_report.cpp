@@ -1,0 +1,160 @@
+// The answer of rotation_check.hpp as text and as JSON.
+#include <array>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "numeric/identify/rotation_check.hpp"
+
+namespace sh::numeric::identify {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <class... Argument>
+std::string print(const char* format, Argument... argument) {
+  std::array<char, 256> text{};
+  std::snprintf(text.data(), text.size(), format, argument...);
+  return text.data();
+}
+
+std::string join(const std::vector<std::string>& words) {
+  std::string text;
+  for (const auto& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
+std::string reading_text(const RotationReading& reading) {
+  std::string text = reading.describe();
+  const auto own = join(reading.presets());
+  const auto world = join(reading.world_presets());
+  if (!own.empty()) text += ": as " + own;
+  if (!world.empty()) text += (own.empty() ? ": as " : "; ") + world + " with rotations given in our world";
+  return text;
+}
+
+std::string other_readings(const RotationCheck& result, bool all_readings) {
+  constexpr std::size_t kFew = 4;
+  std::string text;
+  int hidden = 0;
+  for (std::size_t i = 1; i < result.readings.size(); ++i) {
+    const RotationReading& reading = result.readings[i];
+    const bool named = !reading.presets().empty() || !reading.world_presets().empty();
+    const bool shown = all_readings || named || result.readings.size() <= kFew;
+    if (shown) text += "  or: " + reading_text(reading) + "\n";
+    hidden += shown ? 0 : 1;
+  }
+  if (hidden > 0) text += print("  or: %d further readings that are no preset (--all lists them)\n", hidden);
+  return text.empty() ? "" : print("%zu readings are the same on these data:\n", result.readings.size()) + text;
+}
+
+std::string number(const std::complex<double>& value) {
+  return value.imag() == 0 ? print("%.7g", value.real()) : print("%.7g%+.7gi", value.real(), value.imag());
+}
+
+std::string wrong_text(const WrongEntry& w) {
+  return print("first wrong: line %d, band l=%d, row m=%d, column m=%d: found %s, expected %s%s%s\n", w.line, w.degree,
+               w.row, w.column, number(w.found).c_str(), number(w.expected).c_str(), w.reason.empty() ? "" : ": ",
+               w.reason.c_str());
+}
+
+std::string bands_text(const RotationCheck& result) {
+  std::string text = print("%4s  %-13s  %-10s  %-10s  %s\n", "band", "orthogonal to", "true error", "limit",
+                           "worst: line, radians from identity, from a half turn, tilt of the polar axis");
+  for (const BandErrors& band : result.bands) {
+    const RotationCase& worst = result.cases.cases[band.worst];
+    const auto angles = angles_of(worst, result.readings.front().convention.axes);
+    text += print("%4d  %-13.1e  %-10.1e  %-10.1e  %d, %.2g, %.2g, %.2g\n", band.degree, band.defect, band.error,
+                  band.limit, worst.line, angles.from_identity, angles.from_half_turn, angles.tilt);
+  }
+  return text;
+}
+
+std::string failing_text(const RotationCheck& result) {
+  if (result.failing.empty()) return "every rotation is within the limit\n";
+  double defect = 0;
+  double error = 0;
+  for (const BandErrors& band : result.bands) {
+    defect = std::max(defect, band.defect);
+    error = std::max(error, band.error);
+  }
+  std::string text = print(
+      "%zu of %zu rotations are wrong, the first on line %d: orthogonal to %.1e, wrong by up to %.1e\n",
+      result.failing.size(), result.cases.cases.size(), result.cases.cases[result.failing.front()].line, defect, error);
+  text += "largest error by how far the polar axis is tilted, or from turned over:\n";
+  for (const TiltErrors& tilts : result.tilts) {
+    text += print("  %7.0e to %7.1e  %4d rotations  %.1e\n", tilts.from, tilts.to, tilts.cases, tilts.error);
+  }
+  return result.diagnosis.empty() ? text : text + "diagnosis: " + result.diagnosis + "\n";
+}
+
+Json complex_json(const std::complex<double>& value) {
+  if (value.imag() == 0) return value.real();
+  return {{"re", value.real()}, {"im", value.imag()}};
+}
+
+Json reading_json(const RotationReading& reading) {
+  return {{"description", reading.describe()},
+          {"complex", reading.convention.complex},
+          {"condon_shortley", reading.convention.condon_shortley},
+          {"order", name_of(reading.convention.order)},
+          {"axes", reading.convention.axes.to_string()},
+          {"inverse", reading.inverse},
+          {"transposed", reading.transposed},
+          {"presets", reading.presets()},
+          {"presets_in_world", reading.world_presets()}};
+}
+
+Json band_json(const RotationCheck& result, const BandErrors& band) {
+  const RotationCase& worst = result.cases.cases[band.worst];
+  const auto angles = angles_of(worst, result.readings.front().convention.axes);
+  return {{"degree", band.degree},
+          {"orthogonality_defect", band.defect},
+          {"error", band.error},
+          {"limit", band.limit},
+          {"worst",
+           {{"line", worst.line},
+            {"from_identity", angles.from_identity},
+            {"from_half_turn", angles.from_half_turn},
+            {"tilt", angles.tilt}}}};
+}
+
+Json wrong_json(const WrongEntry& w) {
+  return {{"line", w.line},
+          {"degree", w.degree},
+          {"row", w.row},
+          {"column", w.column},
+          {"found", complex_json(w.found)},
+          {"expected", complex_json(w.expected)},
+          {"reason", w.reason}};
+}
+
+}  // namespace
+
+std::string format_text(const RotationCheck& result, bool all_readings) {
+  std::string text = print("%s: %zu rotations, degree %d\n", result.cases.file.c_str(), result.cases.cases.size(),
+                           result.cases.degree);
+  text += result.fits ? "convention: " : "no convention fits; the nearest is ";
+  text += reading_text(result.readings.front()) + "\n";
+  for (const WrongEntry& w : result.wrong) text += wrong_text(w);
+  if (result.fits) {
+    text += bands_text(result);
+    if (result.between_bands > 0) text += print("largest entry between bands: %.1e\n", result.between_bands);
+    text += failing_text(result);
+  }
+  return text + other_readings(result, all_readings);
+}
+
+std::string format_json(const RotationCheck& result) {
+  Json json = {
+      {"file", result.cases.file},     {"degree", result.cases.degree}, {"rotations", result.cases.cases.size()},
+      {"fits", result.fits},           {"passes", result.passes()},     {"between_bands", result.between_bands},
+      {"diagnosis", result.diagnosis}, {"readings", Json::array()},     {"bands", Json::array()},
+      {"failing_lines", Json::array()}};
+  if (!result.wrong.empty()) json["first_wrong"] = wrong_json(result.wrong.front());
+  for (const auto& reading : result.readings) json["readings"].push_back(reading_json(reading));
+  for (const auto& band : result.bands) json["bands"].push_back(band_json(result, band));
+  for (const std::size_t i : result.failing) json["failing_lines"].push_back(result.cases.cases[i].line);
+  return json.dump(2) + "\n";
+}
+
+}  // namespace sh::numeric::identify
