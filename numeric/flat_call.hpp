@@ -27,14 +27,12 @@ template <class T>
 class FlatCall {
  public:
   FlatCall(const BoundKernel& kernel, const Signature& signature)
-      : call_(kernel.call<T>()),
-        signature_(signature),
-        storage_(signature.parameters.size() + 1),
-        loaded_(signature.parameters.size()) {
+      : call_(kernel.call<T>()), signature_(signature), storage_(signature.parameters.size() + 1) {
     require_match(kernel, signature);
     for (std::size_t i = 0; i < signature.parameters.size(); ++i) {
       storage_[i].resize(static_cast<std::size_t>(signature.parameters[i].values()));
       pointers_.push_back(storage_[i].data());
+      if (signature.parameters[i].access == Access::kInOut) updated_.push_back({storage_[i], storage_[i].data()});
     }
     storage_.back().resize(1);
     pointers_.push_back(storage_.back().data());
@@ -66,16 +64,23 @@ class FlatCall {
 
   // The call on the inputs loaded last and nothing else, but that in-out arrays get their inputs back: what is timed.
   void call_again() {
-    for (std::size_t i = 0; i < loaded_.size(); ++i) std::copy(loaded_[i].begin(), loaded_[i].end(), pointers_[i]);
+    for (const auto& array : updated_) std::copy(array.loaded.begin(), array.loaded.end(), array.at);
     call_(pointers_.data());
   }
 
  private:
+  // An in-out array and what was loaded into it.
+  struct Updated {
+    std::vector<T> loaded;
+    T* at;
+  };
+
   void load(const T* in) {
+    auto updated = updated_.begin();
     for (std::size_t i = 0; i < signature_.parameters.size(); ++i) {
       if (!signature_.parameters[i].is_read()) continue;
       std::copy_n(in, storage_[i].size(), storage_[i].data());
-      if (signature_.parameters[i].is_written()) loaded_[i] = storage_[i];
+      if (signature_.parameters[i].is_written()) (updated++)->loaded = storage_[i];
       in += storage_[i].size();
     }
   }
@@ -91,7 +96,7 @@ class FlatCall {
   PointerCall<T> call_;
   Signature signature_;
   std::vector<std::vector<T>> storage_;
-  std::vector<std::vector<T>> loaded_;  // of in-out arrays, before the call
+  std::vector<Updated> updated_;
   std::vector<T*> pointers_;
 };
 

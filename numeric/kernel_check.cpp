@@ -36,37 +36,13 @@ Truth make_truth(const FamilyCheck& check, int degree) {
   return {make_samples<float>(check, degree), make_samples<double>(check, degree)};
 }
 
-// "out l=4 m=-3" where the array holds all coefficients up to the degree, "m[13]" elsewhere, "value" if returned.
-std::string output_label(const Signature& signature, int degree, std::size_t output) {
-  if (signature.returns_value && output-- == 0) return "value";
-  for (const auto& parameter : signature.parameters) {
-    if (!parameter.is_written()) continue;
-    const auto values = static_cast<std::size_t>(parameter.values());
-    if (output >= values) {
-      output -= values;
-      continue;
-    }
-    if (parameter.values() != coefficient_count(degree)) return parameter.name + "[" + std::to_string(output) + "]";
-    const auto l = static_cast<std::size_t>(std::sqrt(static_cast<double>(output)));
-    const auto m = static_cast<long>(output) - static_cast<long>(l * (l + 1));
-    return parameter.name + " l=" + std::to_string(l) + " m=" + std::to_string(m);
-  }
-  throw std::logic_error("output_label: no such output");
-}
-
-template <class T>
-WorstCase worst_case(const ErrorStats& stats, int degree, const Samples<T>& samples) {
-  const Place& worst = stats.scaled().worst();
-  const T* const input = samples.input(worst.input);
-  return {samples.names[worst.input],
-          {input, input + samples.signature.input_count()},
-          output_label(samples.signature, degree, worst.output)};
-}
-
 template <class T>
 KernelResult measure(const BoundKernel& kernel, const std::string& unit, const std::string& language,
                      const std::vector<T>& values, const std::vector<Wide>& own, const Samples<T>& samples) {
-  const ErrorStats none(static_cast<double>(std::numeric_limits<T>::epsilon()));
+  // In GLSL what is smaller than the smallest normal number may be lost as a whole.
+  const auto smallest_normal = static_cast<double>(std::numeric_limits<T>::min());
+  const double smallest_size =
+      language == kCpp ? smallest_normal : smallest_normal / static_cast<double>(std::numeric_limits<T>::epsilon());
   KernelResult result{.kernel = kernel.name(),
                       .family = kernel.family,
                       .language = language,
@@ -75,27 +51,14 @@ KernelResult measure(const BoundKernel& kernel, const std::string& unit, const s
                       .unit = unit,
                       .inputs = samples.count(),
                       .operations = count_operations(kernel, samples.signature),
-                      .rounding = none,
-                      .total = none,
+                      .rounding = errors_of(samples, values, own, smallest_size),
+                      .total = errors_of(samples, values, samples.exact, smallest_size),
                       .worst_rounding = {},
                       .worst_total = {},
                       .nanoseconds = {},
                       .bits = {}};
-  const auto outputs = static_cast<std::size_t>(samples.signature.output_count());
-  // The spacing of numbers, and with it the error, does not fall below that of the smallest normal number; in GLSL what
-  // is smaller than that number may be lost as a whole.
-  const auto smallest_normal = static_cast<double>(std::numeric_limits<T>::min());
-  const double smallest_size =
-      language == kCpp ? smallest_normal : smallest_normal / static_cast<double>(std::numeric_limits<T>::epsilon());
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const Place place = {i / outputs, i % outputs};
-    const Wide value(static_cast<double>(values[i]));
-    const double size = samples.sizes[i] == 0 ? 0 : std::max(samples.sizes[i], smallest_size);
-    result.rounding.add(place, (value - own[i]).high(), size);
-    result.total.add(place, (value - samples.exact[i]).high(), size);
-  }
-  result.worst_rounding = worst_case(result.rounding, kernel.degree, samples);
-  result.worst_total = worst_case(result.total, kernel.degree, samples);
+  result.worst_rounding = worst_case(result.rounding.scaled().worst(), kernel.degree, samples);
+  result.worst_total = worst_case(result.total.scaled().worst(), kernel.degree, samples);
   return result;
 }
 

@@ -15,6 +15,7 @@
 #include "numeric/bind.hpp"
 #include "numeric/checks/family_check.hpp"
 #include "numeric/error_stats.hpp"
+#include "numeric/samples.hpp"
 #include "numeric/wide.hpp"
 
 namespace sh::numeric {
@@ -30,13 +31,6 @@ struct BitComparison {
   std::size_t regrouped = 0;
   std::size_t different = 0;
   std::string first_difference;  // empty if none
-};
-
-// Where the largest error occurred.
-struct WorstCase {
-  std::string input;  // by name, "near pole 17"
-  std::vector<double> values;
-  std::string output;  // "out l=4 m=-3"
 };
 
 struct KernelResult {

@@ -9,11 +9,13 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <vector>
 
 #include "numeric/bind.hpp"
 #include "numeric/checks/family_check.hpp"
+#include "numeric/error_stats.hpp"
 #include "numeric/wide.hpp"
 
 namespace sh::numeric {
@@ -40,5 +42,25 @@ Samples<T> make_samples(const FamilyCheck& check, int degree);
 // (n, output_count): the own formula of a kernel at every input.
 template <class T>
 std::vector<Wide> own_formula(const BoundKernel& kernel, const Samples<T>& samples);
+
+// Errors of values (n, output_count) against `truth`: Samples::exact, or own_formula. Absolute errors, and in epsilon x
+// size; a size that is not 0 counts as at least `smallest_size`, since the spacing of numbers stops falling somewhere.
+template <class T>
+ErrorStats errors_of(const Samples<T>& samples, const std::vector<T>& values, const std::vector<Wide>& truth,
+                     double smallest_size = static_cast<double>(std::numeric_limits<T>::min()));
+
+// "out l=4 m=-3" where the array holds all coefficients up to the degree, "m[13]" elsewhere, "value" if returned.
+std::string output_label(const Signature& signature, int degree, std::size_t output);
+
+// Where the largest error occurred.
+struct WorstCase {
+  std::string input;  // by name, "near pole 17"
+  std::vector<double> values;
+  std::string output;  // "out l=4 m=-3"
+};
+
+// The place in words and numbers.
+template <class T>
+WorstCase worst_case(const Place& worst, int degree, const Samples<T>& samples);
 
 }  // namespace sh::numeric

@@ -12,6 +12,8 @@
 //   shcheck identify FILE | --directions N                             the convention of a table of values
 //   shcheck plot lobes|map ... -o FILE.svg|.png                        a picture of a function on the sphere
 //   shcheck rotation-matrix FILE | --rotations N                       the same of rotation matrices, and their errors
+//   shcheck report --out DIR [--quick] [--task TASK]                  error against run time, a page and JSON
+//   shcheck advise --task TASK --degree L --error E ...                which method to take
 //
 // Results on standard output, progress and messages on standard error. Exit: 0 done, 1 a check found a difference, 2
 // bad input, 130 interrupted.
@@ -47,6 +49,8 @@ void add_commands(CLI::App& tool, int& exit_code) {
   add_identify_command(tool, exit_code);
   add_plot_command(tool, exit_code);
   add_rotation_matrix_command(tool, exit_code);
+  add_report_command(tool, exit_code);
+  add_advise_command(tool, exit_code);
 }
 
 int run(int argc, char** argv) {

@@ -29,6 +29,8 @@ void add_cap_command(CLI::App& tool, int& exit_code);
 void add_identify_command(CLI::App& tool, int& exit_code);
 void add_plot_command(CLI::App& tool, int& exit_code);
 void add_rotation_matrix_command(CLI::App& tool, int& exit_code);
+void add_report_command(CLI::App& tool, int& exit_code);
+void add_advise_command(CLI::App& tool, int& exit_code);
 
 // Standard output; throws std::runtime_error when it cannot take the text (a full disk, say).
 void print(const std::string& text);

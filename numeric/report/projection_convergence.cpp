@@ -79,12 +79,15 @@ ConvergenceSeries converge(const SphereRule& rule, const TestFunction& function,
   return series;
 }
 
-std::vector<ConvergenceSeries> projection_convergence(bool quick) {
+std::vector<ConvergenceSeries> projection_convergence(bool quick, const std::function<void()>& step) {
   std::vector<int> counts;
   for (int power = 4; power <= (quick ? 14 : 20); ++power) counts.push_back(1 << power);
   std::vector<ConvergenceSeries> all;
   for (const TestFunction& function : test_functions()) {
-    for (const SphereRule& rule : sphere_rules()) all.push_back(converge(rule, function, counts, quick ? 16 : 32));
+    for (const SphereRule& rule : sphere_rules()) {
+      all.push_back(converge(rule, function, counts, quick ? 16 : 32));
+      if (step) step();
+    }
   }
   return all;
 }

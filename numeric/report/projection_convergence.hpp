@@ -5,6 +5,7 @@
 // degree 5 in double, by the generated kernel project_l5. Errors are the same in every run, times are measured.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -34,7 +35,8 @@ ConvergenceSeries converge(const SphereRule& rule, const TestFunction& function,
                            int seeds);
 
 // Every rule x every function. Quick: up to 16,000 samples, 16 seeds, under a second; full: a million, 32 seeds.
-std::vector<ConvergenceSeries> projection_convergence(bool quick);
+// `step` is called after each series.
+std::vector<ConvergenceSeries> projection_convergence(bool quick, const std::function<void()>& step = {});
 
 // The exponent p of error_rms = C samples^p, fitted by least squares to the logarithms of the points with at least
 // `from` samples and an error over 1e-12 (below that it is rounding). NaN with fewer than two such points.

@@ -5,8 +5,8 @@
 
 #include "generated/batch/batch.hpp"
 #include "generated/cpp/basis.hpp"
+#include "numeric/methods/textbook_basis.hpp"
 #include "tests/bench/controls/recurrence_basis.hpp"
-#include "tests/bench/controls/textbook_basis.hpp"
 #include "tests/bench/degrees.hpp"
 #include "tests/bench/harness.hpp"
 #include "tests/bench/limits.hpp"
@@ -45,7 +45,7 @@ void single(Table& table) {
          one_by_one(directions, out.get(),
                     [](float x, float y, float z, float* o) { control::recurrence_basis<kDegree>(x, y, z, o); }),
          one_by_one(directions, out.get(),
-                    [](float x, float y, float z, float* o) { control::textbook_basis<kDegree>(x, y, z, o); })});
+                    [](float x, float y, float z, float* o) { textbook::textbook_basis(kDegree, x, y, z, o); })});
     const double ns = kNano / kSingles;
     const std::string what = "basis_l" + std::to_string(kDegree);
     table.ratio(what + " against the recurrence", "ns", t[0] * ns, t[1] * ns, "recurrence", 1.02);  // 2 % of noise

@@ -6,9 +6,9 @@
 
 #include "generated/batch/batch.hpp"
 #include "generated/cpp/rotate.hpp"
+#include "numeric/methods/classic_rotation.hpp"
 #include "numeric/rotation.hpp"
 #include "numeric/rotation_matrices.hpp"
-#include "tests/bench/controls/classic_rotation.hpp"
 #include "tests/bench/degrees.hpp"
 #include "tests/bench/harness.hpp"
 
@@ -43,7 +43,7 @@ void times(Table& table) {
     batch::rotate_prepare(kDegree, r.data(), prepared.get());
     const std::vector<double> t = least_times(
         {one_by_one([](const float* m, const float* v, float* o) { sh::rotate<kDegree>(m, v, o); }),
-         one_by_one([](const float* m, const float* v, float* o) { control::classic_rotation<kDegree>(m, v, o); }),
+         one_by_one([](const float* m, const float* v, float* o) { textbook::classic_rotation<kDegree>(m, v, o); }),
          [&] {
            batch::rotate(kDegree, kRotations, batch::blocked(blocks_r.get()), batch::blocked(blocks_c.get()),
                          batch::blocked(out.get()));

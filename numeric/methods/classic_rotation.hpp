@@ -7,40 +7,41 @@
 #include <cmath>
 #include <utility>
 
-#include "tests/bench/controls/quarter_turn.hpp"
+#include "numeric/methods/quarter_turn.hpp"
 
-namespace sh::control {
+namespace sh::textbook {
 
 /// Cosine and sine of an angle.
+template <class T>
 struct Angle {
-  float c = 1;
-  float s = 0;
+  T c = 1;
+  T s = 0;
 };
 
 /// About z; band L only.
-template <int L>
-inline void turn_z(const Angle& angle, std::array<float, 2 * L + 1>& c) {
-  Angle multiple;
+template <int L, class T>
+inline void turn_z(const Angle<T>& angle, std::array<T, 2 * L + 1>& c) {
+  Angle<T> multiple;
   for (int m = 1; m <= L; ++m) {
     multiple = {multiple.c * angle.c - multiple.s * angle.s, multiple.s * angle.c + multiple.c * angle.s};
-    float& plus = c[static_cast<std::size_t>(L + m)];
-    float& minus = c[static_cast<std::size_t>(L - m)];
-    const float turned = multiple.c * plus - multiple.s * minus;
+    T& plus = c[static_cast<std::size_t>(L + m)];
+    T& minus = c[static_cast<std::size_t>(L - m)];
+    const T turned = multiple.c * plus - multiple.s * minus;
     minus = multiple.s * plus + multiple.c * minus;
     plus = turned;
   }
 }
 
 /// The quarter turn, or its inverse, which is its transpose.
-template <int L, bool Inverse>
-inline void turn_quarter(std::array<float, 2 * L + 1>& c) {
+template <int L, bool Inverse, class T>
+inline void turn_quarter(std::array<T, 2 * L + 1>& c) {
   static constexpr Band<L> kTurn = quarter_turn<L>();
-  const std::array<float, 2 * L + 1> from = c;
+  const std::array<T, 2 * L + 1> from = c;
   const auto row = [&]<std::size_t M, std::size_t... N>(std::index_sequence<N...>) {
-    float sum = 0;
+    T sum = 0;
     const auto add = [&]<std::size_t K>() {
       constexpr double kEntry = Inverse ? kTurn.entry[K][M] : kTurn.entry[M][K];
-      if constexpr (kEntry != 0) sum += static_cast<float>(kEntry) * from[K];
+      if constexpr (kEntry != 0) sum += static_cast<T>(kEntry) * from[K];
     };
     (add.template operator()<N>(), ...);
     c[M] = sum;
@@ -50,12 +51,12 @@ inline void turn_quarter(std::array<float, 2 * L + 1>& c) {
 }
 
 /// r: 3x3, row by row; c and out: (Degree + 1)^2.
-template <int Degree>
-inline void classic_rotation(const float* r, const float* c, float* out) {
-  Angle alpha;
-  Angle gamma;
-  const Angle beta{r[8], std::sqrt(std::fmax(0.F, 1 - r[8] * r[8]))};
-  if (beta.s > 1e-6F) {
+template <int Degree, class T>
+inline void classic_rotation(const T* r, const T* c, T* out) {
+  Angle<T> alpha;
+  Angle<T> gamma;
+  const Angle<T> beta{r[8], std::sqrt(std::fmax(T(0), 1 - r[8] * r[8]))};
+  if (beta.s > static_cast<T>(1e-6)) {
     alpha = {r[2] / beta.s, r[5] / beta.s};
     gamma = {-r[6] / beta.s, r[7] / beta.s};
   } else {
@@ -63,17 +64,17 @@ inline void classic_rotation(const float* r, const float* c, float* out) {
   }
   out[0] = c[0];
   const auto band = [&]<int L>() {
-    std::array<float, 2 * L + 1> v;
+    std::array<T, 2 * L + 1> v;
     for (std::size_t i = 0; i < v.size(); ++i) v[i] = c[L * L + i];
-    turn_z<L>(gamma, v);
-    turn_quarter<L, false>(v);
-    turn_z<L>(beta, v);
-    turn_quarter<L, true>(v);
-    turn_z<L>(alpha, v);
+    turn_z<L, T>(gamma, v);
+    turn_quarter<L, false, T>(v);
+    turn_z<L, T>(beta, v);
+    turn_quarter<L, true, T>(v);
+    turn_z<L, T>(alpha, v);
     for (std::size_t i = 0; i < v.size(); ++i) out[L * L + i] = v[i];
   };
   [&]<int... L>(std::integer_sequence<int, L...>) { (band.template operator()<L + 1>(), ...); }
   (std::make_integer_sequence<int, Degree>());
 }
 
-}  // namespace sh::control
+}  // namespace sh::textbook

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace sh::control {
+namespace sh::textbook {
 
 inline double factorial(int n) { return n < 2 ? 1.0 : n * factorial(n - 1); }
 
@@ -33,14 +33,15 @@ inline double textbook_value(int l, int m, double z, double phi) {
   return std::numbers::sqrt2 * value * (m > 0 ? std::cos(order * phi) : std::sin(order * phi));
 }
 
-template <int Degree>
-void textbook_basis(float x, float y, float z, float* out) {
+/// In double inside, whatever T is.
+template <class T>
+void textbook_basis(int degree, T x, T y, T z, T* out) {
   const double phi = std::atan2(static_cast<double>(y), static_cast<double>(x));
-  for (int l = 0; l <= Degree; ++l) {
+  for (int l = 0; l <= degree; ++l) {
     for (int m = -l; m <= l; ++m) {
-      out[l * (l + 1) + m] = static_cast<float>(textbook_value(l, m, static_cast<double>(z), phi));
+      out[l * (l + 1) + m] = static_cast<T>(textbook_value(l, m, static_cast<double>(z), phi));
     }
   }
 }
 
-}  // namespace sh::control
+}  // namespace sh::textbook

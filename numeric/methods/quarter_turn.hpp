@@ -4,7 +4,7 @@
 
 #include <array>
 
-namespace sh::control {
+namespace sh::textbook {
 
 constexpr double square_root(double x) {
   double root = x > 1 ? x : 1;
@@ -70,4 +70,4 @@ constexpr Band<L> quarter_turn() {
   }
 }
 
-}  // namespace sh::control
+}  // namespace sh::textbook

@@ -1,0 +1,119 @@
+// See advise.hpp.
+#include "numeric/report/advise.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <stdexcept>
+
+#include "numeric/output/progress.hpp"
+#include "numeric/report/methods.hpp"
+
+namespace sh::numeric {
+namespace {
+
+bool is_wanted(const Point& point, const Need& need) {
+  const auto& info = point.info;
+  return info.task == need.task && info.degree == need.degree && std::isfinite(point.error) &&
+         (need.scalar.empty() || info.scalar == need.scalar) && (need.batch || info.mode != Mode::kBatch) &&
+         (need.prepared || info.mode != Mode::kPrepared);
+}
+
+// The front of what is wanted, whatever its mode, from the fastest to the most exact.
+std::vector<Point> front_of(const std::vector<Point>& points, const Need& need) {
+  std::vector<Point> wanted;
+  std::copy_if(points.begin(), points.end(), std::back_inserter(wanted),
+               [&](const Point& point) { return is_wanted(point, need); });
+  std::stable_sort(wanted.begin(), wanted.end(), [](const Point& a, const Point& b) {
+    return a.nanoseconds < b.nanoseconds || (a.nanoseconds == b.nanoseconds && a.error < b.error);
+  });
+  std::vector<Point> front;
+  for (auto& point : wanted) {
+    if (front.empty() || point.error < front.back().error) front.push_back(std::move(point));
+  }
+  return front;
+}
+
+[[noreturn]] void fail_without_points(const std::vector<Point>& points, const Need& need) {
+  std::set<int> degrees;
+  for (const auto& point : points) {
+    if (point.info.task == need.task) degrees.insert(point.info.degree);
+  }
+  std::string list;
+  for (const int degree : degrees) list += fmt::format("{}{}", list.empty() ? "" : ", ", degree);
+  if (degrees.contains(need.degree)) {
+    throw std::invalid_argument(
+        fmt::format("--scalar: no method of '{}' at degree {} is in {}", need.task, need.degree, need.scalar));
+  }
+  throw std::invalid_argument(fmt::format("--degree: no measurement of '{}' at degree {}; there are {}", need.task,
+                                          need.degree, list.empty() ? "none of this task" : list));
+}
+
+std::string brief(const Point& point) {
+  return fmt::format("{}, {}: error {:.2g}, {:.3g} ns", point.info.name, point.info.scalar, point.error,
+                     point.nanoseconds);
+}
+
+const char* time_of(Mode mode) {
+  switch (mode) {
+    case Mode::kOne:
+      return "a call";
+    case Mode::kPrepared:
+      return "a call, without what is prepared";
+    case Mode::kBatch:
+      return "a record of a batch";
+  }
+  return "";
+}
+
+}  // namespace
+
+Advice advise(const std::vector<Point>& points, const Need& need) {
+  const auto front = front_of(points, need);
+  if (front.empty()) fail_without_points(points, need);
+  const auto found =
+      std::find_if(front.begin(), front.end(), [&](const Point& point) { return point.error <= need.error; });
+  const bool good_enough = found != front.end();
+  const auto choice = good_enough ? found : front.end() - 1;
+  Advice advice{.choice = *choice, .good_enough = good_enough, .cheaper = {}, .more_exact = {}};
+  if (choice != front.begin()) advice.cheaper = *(choice - 1);
+  if (choice + 1 != front.end()) advice.more_exact = *(choice + 1);
+  return advice;
+}
+
+std::vector<Point> measure_for(const Need& need) {
+  const auto& task = find_task("--task", need.task);
+  if (need.degree < task.lowest || need.degree > task.highest) {
+    throw std::invalid_argument(fmt::format("--degree: {} is out of range for '{}', which is measured from {} to {}",
+                                            need.degree, task.id, task.lowest, task.highest));
+  }
+  Measurer measurer({.budget = std::chrono::milliseconds(5), .most_inputs = 1200});
+  std::vector<Point> points;
+  for (const auto& method : methods_of(task.id, need.degree)) {
+    output::check_interrupt();
+    points.push_back(measurer.measure(method, task.relative));
+  }
+  mark_front(points);
+  return points;
+}
+
+std::string format_advice(const Need& need, const Advice& advice) {
+  const auto& p = advice.choice;
+  std::string text = fmt::format("{}, degree {}, error at most {:g}: ", need.task, need.degree, need.error);
+  text += advice.good_enough
+              ? fmt::format("{}, {}\n", p.info.name, p.info.scalar)
+              : fmt::format("no method is exact enough; the most exact is {}, {}\n", p.info.name, p.info.scalar);
+  text += fmt::format("  #include \"{}\"\n  {}\n", p.info.header, p.info.call);
+  text += fmt::format("  error       {:.2g} ({:.2g} eps x {}), the largest of {} inputs; {} at {}\n", p.error,
+                      p.error_eps, p.unit, p.inputs, p.worst.output, p.worst.input);
+  text += fmt::format("  time        {:.3g} ns {}\n", p.nanoseconds, time_of(p.info.mode));
+  if (!p.info.leaves_out.empty()) text += fmt::format("  leaves out  {}\n", p.info.leaves_out);
+  text += fmt::format("  source      {}\n", p.info.source);
+  text += "  cheaper     " + (advice.cheaper ? brief(*advice.cheaper) : "none") + "\n";
+  text += "  more exact  " + (advice.more_exact ? brief(*advice.more_exact) : "none") + "\n";
+  return text;
+}
+
+}  // namespace sh::numeric

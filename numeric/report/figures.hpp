@@ -1,0 +1,27 @@
+// The charts of the report.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "numeric/output/chart.hpp"
+#include "numeric/report/report.hpp"
+
+namespace sh::numeric {
+
+// Error against time of every method of a task: a chart a degree, all with the same axes.
+struct Figure {
+  std::vector<output::ChartSeries> legend;  // without points
+  std::vector<output::Chart> charts;
+  std::vector<int> degrees;  // of the charts of a task
+};
+Figure task_figure(const Task& task, const std::vector<Point>& points);
+
+// A chart of it as a picture of its own, with the legend.
+std::string picture_of(const Figure& figure, std::size_t chart);
+
+// Error of the projection of each test function against samples, and against time: two charts a function.
+Figure convergence_figure(const std::vector<ConvergenceSeries>& convergence);
+
+}  // namespace sh::numeric

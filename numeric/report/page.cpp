@@ -1,0 +1,142 @@
+// report_page of report.hpp: one HTML page with everything in it, charts as SVG, tables folded away.
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "numeric/output/markup.hpp"
+#include "numeric/report/figures.hpp"
+#include "numeric/report/page_style.hpp"
+#include "numeric/report/report.hpp"
+
+namespace sh::numeric {
+namespace {
+
+using output::escaped;
+
+std::string row(const Point& p) {
+  return fmt::format(
+      "<tr{}><td class=\"n\">{}</td><td class=\"w\">{}</td><td>{}</td><td>{}</td><td class=\"n\">{:.3g}</td><td "
+      "class=\"n\">{:.2e}</td><td class=\"n\">{:.2g}</td><td class=\"light\">{}: {}</td><td class=\"light\">{}</td><td "
+      "class=\"light\"><code>{}</code></td></tr>\n",
+      p.on_front ? " class=\"best\"" : "", p.info.degree, escaped(p.info.name), p.info.scalar, to_string(p.info.mode),
+      p.nanoseconds, p.error, p.error_eps, escaped(p.worst.input), escaped(p.worst.output), escaped(p.info.leaves_out),
+      escaped(p.info.call.empty() ? p.info.source : p.info.call));
+}
+
+std::string table_of(const Task& task, const std::vector<Point>& points) {
+  std::string rows;
+  std::size_t count = 0;
+  std::string unit;
+  for (const auto& point : points) {
+    if (point.info.task != task.id) continue;
+    if (unit.empty()) unit = point.unit;
+    rows += row(point);
+    ++count;
+  }
+  return fmt::format(
+      "<details><summary>All {} measurements</summary><p><small>Bold: on the front of its degree and mode. eps: "
+      "largest "
+      "error in machine epsilon \u00d7 {}.</small></p><div class=\"table\"><table><tr><th>degree</th><th>method</th>"
+      "<th>type</th><th>mode</th><th>ns</th><th>error</th><th>eps</th><th>worst input and output</th><th>leaves "
+      "out</th><th>call</th></tr>\n{}</table></div></details>\n",
+      count, escaped(unit), rows);
+}
+
+std::string legend_of(const std::vector<output::ChartSeries>& all) {
+  std::string text = "<ul class=\"legend\">";
+  for (const auto& series : all) text += "<li>" + output::chart_key(series) + escaped(series.name) + "</li>";
+  return text + "</ul>\n";
+}
+
+std::string html_of(const Figure& figure) {
+  std::string text = legend_of(figure.legend) + "<div class=\"charts\">\n";
+  for (const auto& chart : figure.charts) text += output::chart_svg(chart);
+  return text + "</div>\n";
+}
+
+std::string convergence_section(const std::vector<ConvergenceSeries>& convergence) {
+  std::string functions;
+  for (const auto& function : test_functions()) {
+    functions += fmt::format("<li><b>{}</b>: {}</li>", escaped(function.name), escaped(function.description));
+  }
+  std::string rows;
+  for (const auto& series : convergence) {
+    for (const auto& p : series.points) {
+      rows += fmt::format(
+          "<tr><td>{}</td><td>{}</td><td class=\"n\">{}</td><td class=\"n\">{:.2e}</td><td class=\"n\">{:.2e}</td><td "
+          "class=\"n\">{:.3g}</td></tr>\n",
+          escaped(series.function), escaped(series.rule), p.samples, p.error_rms, p.error_max, p.nanoseconds / 1000);
+    }
+  }
+  return "<section id=\"convergence\"><h2>Projection by quadrature</h2>\n<p>The coefficients of a function up to "
+         "degree 5 "
+         "from samples of it. Error: the largest of a coefficient, relative to the length of all (root mean square "
+         "over "
+         "seeds for random rules). Time: making the nodes, evaluating the function, summing.</p>\n<ul>" +
+         functions + "</ul>\n" + html_of(convergence_figure(convergence)) +
+         "<details><summary>All measurements</summary><div "
+         "class=\"table\"><table><tr><th>function</th><th>rule</th><th>samples</th><th>error, "
+         "rms</th><th>error, largest</th><th>\u00b5s</th></tr>\n" +
+         rows + "</table></div></details></section>\n";
+}
+
+std::string claims_section(const std::vector<SourceClaim>& claims) {
+  std::string rows;
+  for (const auto& c : claims) {
+    rows += fmt::format(
+        "<tr><td>{}<br><small>{}</small></td><td class=\"n\">{}{}</td><td class=\"n\">{:.3g}{}</td><td>{}</td><td "
+        "class=\"how\"><small>{}</small></td></tr>\n",
+        escaped(c.claim), escaped(c.source), escaped(c.printed), escaped(c.unit), c.measured, escaped(c.unit),
+        c.reproduced ? "yes" : "<b>no</b>", escaped(c.how));
+  }
+  return "<section id=\"claims\"><h2>What the sources claim, measured again</h2>\n<div "
+         "class=\"table\"><table><tr><th>claim</th><th>printed</th><th>measured</th><th>reproduced</th><th>how</th></"
+         "tr>\n" +
+         rows + "</table></div></section>\n";
+}
+
+std::string section_of(const Task& task, const std::vector<Point>& points) {
+  const auto figure = task_figure(task, points);
+  std::string text = fmt::format("<section id=\"{}\"><h2>{}</h2>\n<p>{} Error: of {}.</p>\n", task.id,
+                                 escaped(task.title), escaped(task.what), escaped(task.error));
+  return text + html_of(figure) + table_of(task, points) + "</section>\n";
+}
+
+std::string head(const Report& report) {
+  return "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
+         "content=\"width=device-width,initial-scale=1\"><meta name=\"color-scheme\" content=\"light dark\">"
+         "<title>shforge: error against run time</title>\n<style>" +
+         output::chart_style() + kPageStyle + "</style></head>\n<body><header><h1>Error against run time</h1>\n" +
+         fmt::format("<p class=\"quiet\">{}, one thread; batches on {}; {} mode, measured in {:.0f} s.</p>\n",
+                     escaped(report.machine), escaped(report.instruction_set), report.quick ? "quick" : "full",
+                     report.seconds);
+}
+
+constexpr const char* kHowToRead =
+    "<p>Each mark is a method in one type, \u25cf filled for float and \u25cb hollow for double. To the left is "
+    "faster, "
+    "below is more exact. The solid line is the front of single calls, the dashed one that of batches: nothing is both "
+    "faster and more exact than what lies on it. Rest on a mark to see its worst input and what it leaves out.</p>\n"
+    "<p>An error is the largest over all inputs tried (random, axes, poles, beside them; all angles), against an "
+    "oracle "
+    "of other algorithms in higher precision, at the input as rounded to the type. A time is the least of several "
+    "passes, calls through a pointer (about 1 ns of each), without contraction; it drifts between machines and runs, "
+    "ratios hardly do.</p></header>\n";
+
+}  // namespace
+
+std::string report_page(const Report& report) {
+  std::string page = head(report) + kHowToRead + "<nav>";
+  for (const auto& task : report.tasks) page += fmt::format("<a href=\"#{}\">{}</a>", task.id, escaped(task.title));
+  if (!report.convergence.empty()) page += "<a href=\"#convergence\">Projection by quadrature</a>";
+  if (!report.claims.empty()) page += "<a href=\"#claims\">What the sources claim</a>";
+  page += "</nav>\n<main>\n";
+  for (const auto& task : report.tasks) page += section_of(task, report.points);
+  if (!report.convergence.empty()) page += convergence_section(report.convergence);
+  if (!report.claims.empty()) page += claims_section(report.claims);
+  return page +
+         "</main>\n<footer>Made by <code>shcheck report</code>. The numbers are in <code>report.json</code>. "
+         "Orthonormal real spherical harmonics, no Condon-Shortley phase, z polar.</footer></body></html>\n";
+}
+
+}  // namespace sh::numeric

@@ -1,0 +1,26 @@
+// See task_checks.hpp.
+#include "numeric/report/task_checks.hpp"
+
+#include "numeric/checks/checks.hpp"
+#include "numeric/checks/inputs.hpp"
+
+namespace sh::numeric {
+
+FamilyCheck task_check(const std::string& family) {
+  static const std::vector<FamilyCheck> checks = all_checks();
+  FamilyCheck check = *find_check(checks, family);
+  if (family == "basis_gradient") {
+    constexpr int kRandomDirections = 400;
+    check.inputs = [](int /*degree*/) { return direction_inputs(kRandomDirections); };
+  }
+  if (family == "project") {
+    check.inputs = [inputs = check.inputs](int degree) {
+      auto all = inputs(degree);
+      std::erase_if(all, [](const NamedInput& input) { return input.values[3] != 1; });
+      return all;
+    };
+  }
+  return check;
+}
+
+}  // namespace sh::numeric
