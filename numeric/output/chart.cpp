@@ -92,7 +92,7 @@ std::string marker_path(Marker marker, double x, double y) {
 
 std::string marker_svg(const ChartSeries& series, double x, double y) {
   const auto ink = colour(series.colour);
-  return fmt::format("<path class=\"marker\" d=\"{}\" fill=\"{}\" stroke=\"{}\"/>", marker_path(series.marker, x, y),
+  return fmt::format(R"(<path class="marker" d="{}" fill="{}" stroke="{}"/>)", marker_path(series.marker, x, y),
                      series.filled ? ink : "var(--paper)", ink);
 }
 
@@ -243,7 +243,7 @@ class Drawing {
 
   // Calls entry(series, row, x) for each named series.
   template <class Entry>
-  int each_legend_entry(Entry entry) const {
+  void each_legend_entry(Entry entry) const {
     double at = kLeft;
     int row = 0;
     for (const auto& series : chart_.series) {
@@ -256,11 +256,12 @@ class Drawing {
       entry(series, row, at);
       at += width;
     }
-    return row + 1;
   }
 
   [[nodiscard]] int legend_rows() const {
-    return each_legend_entry([](const ChartSeries&, int, double) {});
+    int rows = 0;
+    each_legend_entry([&](const ChartSeries& /*series*/, int row, double /*at*/) { rows = row + 1; });
+    return rows;
   }
 
   [[nodiscard]] std::string legend() const {
@@ -293,12 +294,12 @@ std::string chart_svg(const Chart& chart) { return element(chart, "class=\"chart
 
 std::string chart_file(const Chart& chart) {
   const std::string paper = "<rect width=\"100%\" height=\"100%\" fill=\"var(--paper)\"/>\n";
-  return element(chart, "xmlns=\"http://www.w3.org/2000/svg\" class=\"chart\" ",
+  return element(chart, R"(xmlns="http://www.w3.org/2000/svg" class="chart" )",
                  "<style>" + chart_style() + "</style>\n" + paper);
 }
 
 std::string chart_key(const ChartSeries& series) {
-  return "<svg class=\"chart key\" viewBox=\"0 0 14 14\" width=\"14\" height=\"14\" aria-hidden=\"true\">" +
+  return R"(<svg class="chart key" viewBox="0 0 14 14" width="14" height="14" aria-hidden="true">)" +
          marker_svg(series, 7, 7) + "</svg>";
 }
 

@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "generated/batch/batch.hpp"
+#include "numeric/basis.hpp"
 #include "numeric/report/code.hpp"
 #include "numeric/report/methods.hpp"
 #include "numeric/report/task_checks.hpp"
@@ -108,7 +109,7 @@ void add_batch(std::vector<Method>& all, const MethodInfo& info, const FamilyChe
 
 template <class T>
 void add_batches(std::vector<Method>& all, const std::string& task, int degree) {
-  const auto count = static_cast<std::size_t>((degree + 1) * (degree + 1));
+  const auto count = static_cast<std::size_t>(coefficient_count(degree));
   if (task == "basis") {
     add_batch<T>(all, info_of(task, "basis", degree, "directions, out"), task_check("basis"),
                  {{3}, count, [degree](auto n, const auto& in, auto out) { batch::basis(degree, n, in[0], out); }});
@@ -136,7 +137,7 @@ void add_batches(std::vector<Method>& all, const std::string& task, int degree) 
 // Records with a sum of their own for the errors; one sum for the time.
 template <class T>
 void add_batch_projection(std::vector<Method>& all, int degree) {
-  const auto count = static_cast<std::size_t>((degree + 1) * (degree + 1));
+  const auto count = static_cast<std::size_t>(coefficient_count(degree));
   const BatchCall<T> timed = {
       {3, 1}, count, [degree](auto n, const auto& in, auto out) { batch::project(degree, n, in[0], in[1], out.data); }};
   const Code<T> code = {runner_of<T>([degree, count](const T* in, T* out) {
@@ -160,7 +161,7 @@ void add_simd_inside(std::vector<Method>& all, const std::string& task, int degr
     return result;
   };
   if (task == "product") {
-    const auto count = static_cast<std::size_t>((degree + 1) * (degree + 1));
+    const auto count = static_cast<std::size_t>(coefficient_count(degree));
     all.push_back(
         method_of(info("product_one", "a, b, out"), task_check("product"),
                   code_of<float>(

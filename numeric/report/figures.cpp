@@ -12,7 +12,6 @@ namespace sh::numeric {
 namespace {
 
 using output::Chart;
-using output::ChartPoint;
 using output::ChartSeries;
 
 // Errors more than this many decades apart are drawn in pieces: those of float and of double.

@@ -77,7 +77,7 @@ void add_sums_over_basis(std::vector<Method>& all, const std::string& task, int 
         [sloan, degree](const T* in, T* out) {
           sloan(in[degree + 1], in[degree + 2], in[degree + 3], out);
           for (int l = 0; l <= degree; ++l) {
-            const T factor = in[l] * std::sqrt(4 * std::numbers::pi_v<T> / static_cast<T>(2 * l + 1));
+            const auto factor = in[l] * std::sqrt(4 * std::numbers::pi_v<T> / static_cast<T>(2 * l + 1));
             for (int i = l * l; i < (l + 1) * (l + 1); ++i) out[i] *= factor;
           }
         });
