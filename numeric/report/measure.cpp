@@ -2,6 +2,7 @@
 #include "numeric/report/measure.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <type_traits>
 #include <utility>
@@ -80,9 +81,9 @@ Point Measurer::measure(const Method& method, bool relative) {
 
 void mark_front(std::vector<Point>& points) {
   for (auto& point : points) {
-    point.on_front = std::none_of(points.begin(), points.end(), [&](const Point& other) {
-      return same_front(point.info, other.info) && dominates(other, point);
-    });
+    point.on_front = std::isfinite(point.error) && std::none_of(points.begin(), points.end(), [&](const Point& other) {
+                       return same_front(point.info, other.info) && dominates(other, point);
+                     });
   }
 }
 

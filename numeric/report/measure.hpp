@@ -50,7 +50,8 @@ class Measurer {
   std::pair<Cache<float>, Cache<double>> samples_;
 };
 
-// Sets on_front: nothing of the same task, degree and mode is both no slower and no less exact, and better in one.
+// Sets on_front: its error is finite, and nothing of the same task, degree and mode is both no slower and no less
+// exact, and better in one.
 void mark_front(std::vector<Point>& points);
 
 }  // namespace sh::numeric
