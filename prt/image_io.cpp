@@ -3,12 +3,11 @@
 
 #include <fmt/format.h>
 
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
+#include <limits>
 #include <stdexcept>
+
+#include "numeric/output/read_file.hpp"
 
 namespace sh::prt {
 namespace {
@@ -17,11 +16,7 @@ std::string read_bytes(const std::string& file) {
   if (std::filesystem::exists(file) && !std::filesystem::is_regular_file(file)) {
     throw std::runtime_error(fmt::format("{}: is no file; an OpenEXR or Radiance .hdr picture is needed", file));
   }
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) {
-    throw std::runtime_error(fmt::format("{}: cannot read: {}", file, std::strerror(errno)));
-  }
-  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  return output::read_file(file, std::numeric_limits<std::size_t>::max());
 }
 
 constexpr std::string_view kExrMagic("\x76\x2f\x31\x01", 4);

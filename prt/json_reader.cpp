@@ -4,14 +4,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
 #include <limits>
 #include <stdexcept>
 #include <utility>
+
+#include "numeric/output/read_file.hpp"
 
 namespace sh::prt {
 
@@ -28,13 +26,9 @@ std::string quote(const nlohmann::json& value) {
 }  // namespace
 
 nlohmann::json read_json(const std::string& file) {
-  std::ifstream stream(file);
-  if (!stream || std::filesystem::is_directory(file)) {
-    throw std::runtime_error(
-        fmt::format("{}: cannot read: {}", file, stream ? "it is a folder" : std::strerror(errno)));
-  }
+  const std::string text = output::read_file(file);
   try {
-    return nlohmann::json::parse(stream);
+    return nlohmann::json::parse(text);
   } catch (const nlohmann::json::exception& error) {
     const std::string what = error.what();
     const std::size_t detail = what.find("] ");  // after the library's own name and number of the error

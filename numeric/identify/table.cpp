@@ -2,15 +2,13 @@
 #include "numeric/identify/table.hpp"
 
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
-#include <cstring>
-#include <fstream>
 #include <optional>
-#include <sstream>
 #include <stdexcept>
+
+#include "numeric/output/read_file.hpp"
 
 namespace sh::numeric::identify {
 namespace {
@@ -120,15 +118,6 @@ Table parse_table(const std::string& file, std::string_view text) {
   return table;
 }
 
-Table read_table(const std::string& file) {
-  errno = 0;
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  if (stream.is_open()) text << stream.rdbuf();
-  if (!stream.is_open() || errno != 0) {
-    refuse_file(file, std::string("cannot be read: ") + std::strerror(errno != 0 ? errno : EIO));
-  }
-  return parse_table(file, text.str());
-}
+Table read_table(const std::string& file) { return parse_table(file, output::read_file(file)); }
 
 }  // namespace sh::numeric::identify

@@ -25,7 +25,7 @@ struct Table {
 
 // What a file holds; `file` names it in errors.
 Table parse_table(const std::string& file, std::string_view text);
-// Reads the file and parses it.
+// Reads the file and parses it; std::runtime_error where it cannot be read (output/read_file.hpp).
 Table read_table(const std::string& file);
 
 // Throws "FILE:LINE: message".

@@ -4,16 +4,17 @@
 
 #include <charconv>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <sstream>
 #include <stdexcept>
 #include <system_error>
+
+#include "numeric/output/read_file.hpp"
 
 namespace sh::numeric::plot {
 namespace {
 
 constexpr std::size_t kShown = 40;  // of a wrong word
+constexpr std::size_t kLargestFile = 4'000'000;
 constexpr const char* kSeparators = ", \t\r\n\v\f";
 
 // What one word says; `place` begins the message.
@@ -39,19 +40,6 @@ void append_numbers(const std::string& place, const std::string& text, std::vect
   }
 }
 
-std::string read_text(const std::string& file) {
-  constexpr std::size_t kLargest = 4'000'000;
-  std::ifstream stream(file, std::ios::binary);
-  std::string text(kLargest + 1, '\0');
-  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (stream.bad() || (stream.fail() && !stream.eof())) {
-    throw std::invalid_argument(fmt::format("{}: cannot be read", file));
-  }
-  text.resize(static_cast<std::size_t>(stream.gcount()));
-  if (text.size() > kLargest) throw std::invalid_argument(fmt::format("{}: larger than 4 MB", file));
-  return text;
-}
-
 }  // namespace
 
 std::vector<double> parse_numbers(const std::string& name, const std::string& text) {
@@ -62,7 +50,7 @@ std::vector<double> parse_numbers(const std::string& name, const std::string& te
 }
 
 std::vector<double> read_numbers(const std::string& file) {
-  std::istringstream lines(read_text(file));
+  std::istringstream lines(output::read_file(file, kLargestFile));
   std::vector<double> numbers;
   int number = 0;
   for (std::string line; std::getline(lines, line);) {

@@ -10,7 +10,7 @@ namespace sh::numeric::plot {
 std::vector<double> parse_numbers(const std::string& name, const std::string& text);
 
 /// The same from a file, where `#` begins a comment that ends with the line; messages say FILE:LINE. Throws
-/// std::invalid_argument: cannot be read, more than 4 MB.
+/// std::runtime_error where it cannot be read or is larger than 4 MB.
 std::vector<double> read_numbers(const std::string& file);
 
 /// parse_numbers where `text` begins as a number does, else read_numbers (a file named like a number: ./NAME).

@@ -1,10 +1,10 @@
 // read_report of advise.hpp: the points of report.json.
 #include <algorithm>
-#include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "numeric/output/read_file.hpp"
 #include "numeric/report/advise.hpp"
 
 namespace sh::numeric {
@@ -51,11 +51,10 @@ Point point_of(const Json& json) {
 }  // namespace
 
 std::vector<Point> read_report(const std::string& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw std::runtime_error(file + ": cannot be read");
+  const std::string text = output::read_file(file);
   std::vector<Point> points;
   try {
-    const auto json = Json::parse(stream);
+    const auto json = Json::parse(text);
     if (json.at("format") != "shforge report 1") throw std::runtime_error("'format' is not 'shforge report 1'");
     for (const auto& point : json.at("points")) points.push_back(point_of(point));
   } catch (const std::exception& error) {

@@ -232,8 +232,8 @@ TEST_F(ShcheckPlot, RefusesBadInputAndWritesNothing) {
   expect_refused("plot map" + file + "bad.txt" + out, "bad.txt:3: 'foo' is not a number");
   expect_refused("plot map" + file + "five.txt" + out, "five.txt: 5 numbers; must be bands^2");
   expect_refused("plot map" + file + "empty.txt" + out, "empty.txt: no number in the file");
-  expect_refused("plot map" + file + "missing.txt" + out, "missing.txt: cannot be read");
-  expect_refused("plot map" + file + out, "cannot be read");
+  expect_refused("plot map" + file + "missing.txt" + out, "missing.txt: cannot read: No such file or directory");
+  expect_refused("plot map" + file + out, "/: cannot read: Is a directory");
   expect_refused("plot map --coefficients /dev/zero" + out, "/dev/zero: larger than 4 MB");
   expect_refused("plot map --coefficients 1,2" + out, "1,2: 2 numbers");
   expect_refused("plot map --coefficients 1,2,x,4" + out, "--coefficients: 'x' is not a number");
