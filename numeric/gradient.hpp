@@ -5,6 +5,8 @@
 // no special case at the poles. [Hobson31] ch. III; compiled for the six types of real.hpp.
 #pragma once
 
+#include <array>
+
 namespace sh::numeric {
 
 // out, dx, dy, dz (bands^2 each): Y_lm and d/dx, d/dy, d/dz of the homogeneous form r^l Y_lm(d / r), at any d, of
@@ -13,8 +15,12 @@ namespace sh::numeric {
 template <class Real>
 void basis_gradient(int degree, const Real& x, const Real& y, const Real& z, Real* out, Real* dx, Real* dy, Real* dz);
 
-// The same for the function on the sphere, which does not change along d: the part of the gradient that is tangent
-// there, grad - l Y d. Precondition: |d| = 1 up to rounding.
+// d/dx, d/dy, d/dz of the homogeneous form of one Y_lm, |m| <= l, in O(l) steps. Preconditions as above.
+template <class Real>
+std::array<Real, 3> basis_value_gradient(int degree, int order, const Real& x, const Real& y, const Real& z);
+
+// As basis_gradient for the function on the sphere, which does not change along d: the part of the gradient that is
+// tangent there, grad - l Y d. Precondition: |d| = 1 up to rounding.
 template <class Real>
 void basis_tangent_gradient(int degree, const Real& x, const Real& y, const Real& z, Real* out, Real* dx, Real* dy,
                             Real* dz);

@@ -1,4 +1,4 @@
-// A reference value of one spherical harmonic, in decimal, with as many correct digits as asked for.
+// A reference value of one spherical harmonic, or its gradient, in decimal, with as many correct digits as asked for.
 //
 // Input: degree, order, a direction of any length as three decimals taken exactly, digits. Output: the value in
 // scientific notation. Conventions: README.md.
@@ -17,5 +17,9 @@ constexpr int kMaxReferenceDegree = 10000;
 // [+-]digits[.digits][e[+-]digits]. Throws std::invalid_argument, one line, for a malformed component, the zero vector,
 // |order| > degree, and for a degree or digits out of range.
 std::string reference_value(int degree, int order, const std::array<std::string, 3>& direction, int digits);
+
+// d/dx, d/dy, d/dz of the homogeneous form r^l Y_lm(d / r) at direction / |direction|, each as reference_value.
+std::array<std::string, 3> reference_gradient(int degree, int order, const std::array<std::string, 3>& direction,
+                                              int digits);
 
 }  // namespace sh::numeric

@@ -3,7 +3,7 @@
 //   shcheck kernels [--family NAME] [--json FILE] [--generated DIR]    every generated kernel against the oracle
 //   shcheck worst [--family NAME] [--degree N] [--evaluations N]       the input at which each errs most, by search
 //   shcheck worst --exhaustive                                         the same among all floats, for one variable
-//   shcheck eval --degree L --order M --direction x,y,z --digits D     one reference value
+//   shcheck eval --degree L --order M --direction x,y,z --digits D [--gradient]    a reference value
 //   shcheck legendre --degree L --order M (--z Z | --theta T) --digits D
 //   shcheck rotation --degree L (--matrix R | --quaternion Q | --euler A | --axis V --angle A) --digits D
 //                    [--row M --column N] [--format text|csv|json]     D_l, or an entry

@@ -31,6 +31,21 @@ struct Gradients {
   }
 };
 
+TEST(Gradient, OfOneFunctionIsThatOfAll) {
+  constexpr int kDegree = 9;
+  for (const auto& d : {std::array<double, 3>{0.48, 0.64, -0.6}, {0, 0, 1}, {-0.3, 0.1, 2}}) {
+    const Gradients<double> all(kDegree, d);
+    for (int l = 0; l <= kDegree; ++l) {
+      for (int m = -l; m <= l; ++m) {
+        const auto one = basis_value_gradient(l, m, d[0], d[1], d[2]);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          EXPECT_EQ(one[axis], all.derivative[axis][static_cast<std::size_t>(coefficient_index(l, m))]) << l << m;
+        }
+      }
+    }
+  }
+}
+
 // Central differences, whose error is of the order of step^2 = 1e-60.
 TEST(Gradient, IsTheLimitOfDifferencesAtAnyLength) {
   constexpr int kDegree = 12;

@@ -1,9 +1,15 @@
 // Reference values: correct to the last digit asked for, exact zeros, and refusals in one line.
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
 #include <functional>
 #include <stdexcept>
+#include <vector>
 
+#include "numeric/basis.hpp"
+#include "numeric/gradient.hpp"
+#include "numeric/real.hpp"
 #include "numeric/reference.hpp"
 
 namespace sh::numeric {
@@ -47,6 +53,45 @@ TEST(Reference, HoldsFarUpAndBelowTheRangeOfDouble) {
   EXPECT_EQ(reference_value(10000, 0, {"0", "0", "1"}, 20), "3.9895225383377636777e+01");
   const std::string tiny = reference_value(10000, 5000, {"0.1", "0.2", "3"}, 20);
   EXPECT_EQ(tiny, "4.2673336498669470896e-3581");
+}
+
+TEST(Reference, PrintsTheDigitsOfGradientsInClosedForm) {
+  using Text = std::array<std::string, 3>;
+  EXPECT_EQ(reference_gradient(0, 0, {"1", "2", "3"}, 9), (Text{"0", "0", "0"}));
+  // sqrt(3 / 4 pi), and sqrt(15 / 16 pi) (2 x, -2 y, 0) at (0.6, 0, 0.8).
+  EXPECT_EQ(reference_gradient(1, 0, {"1", "2", "3"}, 30), (Text{"0", "0", "4.88602511902919921586384622838e-01"}));
+  EXPECT_EQ(reference_gradient(2, 2, {"3", "0", "4"}, 25), (Text{"6.555290583552474423260314e-01", "0", "0"}));
+  EXPECT_EQ(reference_gradient(7, 3, {"1", "-2", "3"}, 40), reference_gradient(7, 3, {"1e9", "-2e9", "3e9"}, 40));
+}
+
+// Zeros are found modulo primes from polynomials with whole coefficients, values from the normalised recurrence.
+TEST(Reference, FindsExactlyTheZerosOfGradients) {
+  for (const std::array<std::string, 3>& d : std::vector<std::array<std::string, 3>>{
+           {"0", "0", "1"}, {"1", "1", "1"}, {"3", "0", "4"}, {"0", "1", "0"}, {"1", "-1", "0"}, {"-2", "1", "2"}}) {
+    const auto [x, y, z] = normalised(Mpfr100(d[0]), Mpfr100(d[1]), Mpfr100(d[2]));
+    for (int i = 0; i < 49; ++i) {
+      const auto l = static_cast<int>(std::sqrt(i));
+      const int m = i - l * (l + 1);
+      const auto texts = reference_gradient(l, m, d, 20);
+      const auto values = basis_value_gradient(l, m, x, y, z);
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const Mpfr100 error = values[axis] - Mpfr100(texts[axis]);
+        EXPECT_LE(static_cast<double>(abs(error)), 1e-19 * static_cast<double>(abs(values[axis])) + 1e-95) << l << m;
+        EXPECT_EQ(texts[axis] == "0", static_cast<double>(abs(values[axis])) < 1e-95) << l << m << axis;
+      }
+    }
+  }
+}
+
+TEST(Reference, ItsGradientHoldsFarUpAndBelowTheRangeOfDouble) {
+  // d/dz Y_(l,m) at the pole: P_l'(1) = l(l+1)/2 on the sphere, l P_l(1) for the homogeneous form.
+  EXPECT_EQ(reference_gradient(10000, 0, {"0", "0", "1"}, 20)[2], "3.9895225383377636777e+05");
+  const auto text = reference_gradient(3000, -1500, {"0.1", "0.2", "3"}, 30);
+  const auto [x, y, z] = normalised(Mpfr50("0.1"), Mpfr50("0.2"), Mpfr50(3));
+  const Mpfr50 along = x * Mpfr50(text[0]) + y * Mpfr50(text[1]) + z * Mpfr50(text[2]);
+  const Mpfr50 value(reference_value(3000, -1500, {"0.1", "0.2", "3"}, 30));
+  EXPECT_LT(static_cast<double>(value), 1e-300);
+  EXPECT_LT(static_cast<double>(Mpfr50(abs(along / (3000 * value) - 1))), 1e-26);  // Euler
 }
 
 std::string refusal(int degree, int order, const std::array<std::string, 3>& direction, int digits) {

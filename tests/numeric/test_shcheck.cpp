@@ -152,6 +152,13 @@ TEST_F(Shcheck, EvaluatesAReferenceValueToAThousandDigits) {
   EXPECT_EQ(outcome.out.size(), std::string("3.e-01\n").size() + 999);
 }
 
+TEST_F(Shcheck, PrintsTheComponentsOfAGradientALineEach) {
+  // r Y_(1,-1) = sqrt(3 / 4 pi) y.
+  const auto outcome = run("eval --degree 1 --order -1 --direction 1,2,3 --digits 12 --gradient");
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.out, "0\n4.88602511903e-01\n0\n");
+}
+
 TEST_F(Shcheck, RefusesBadInputInOneLineWithExitTwo) {
   const std::string good = "--degree 2 --order 1 --digits 9 --direction ";
   expect_refused("eval " + good + "0,0,0", "zero vector");
@@ -162,6 +169,8 @@ TEST_F(Shcheck, RefusesBadInputInOneLineWithExitTwo) {
   expect_refused("eval " + good + "0,1,2x", "direction z: '2x'");
   expect_refused("eval --degree 2 --order 3 --digits 9 --direction 0,0,1", "order is 3, must be -2 to 2");
   expect_refused("eval --degree 10001 --order 3 --digits 9 --direction 0,0,1", "must be 0 to 10000");
+  expect_refused("eval --gradient " + good + "0,0,0", "zero vector");
+  expect_refused("identify /dev/zero", "/dev/zero: larger than 1000 MB");
   expect_refused("eval --degree x --order 3 --digits 9 --direction 0,0,1", "--degree");
   expect_refused("eval --degree 2 --order 1 --direction 0,0,1", "--digits");
   expect_refused("", "subcommand");
@@ -184,7 +193,7 @@ TEST_F(Shcheck, IdentifiesAConventionAndFindsAFlippedSign) {
   EXPECT_EQ(json.at("first_wrong").at("reason"), "sign flipped");
   expect_refused("identify", "it needs FILE or --directions N");
   expect_refused("identify --directions 0", "--directions: 0");
-  expect_refused("identify missing.csv", "missing.csv: cannot be read: No such file or directory");
+  expect_refused("identify missing.csv", "missing.csv: cannot read: No such file or directory");
   std::ofstream(spoiled) << "0,0,1,0.3\n0,0,1.5,0.3\n";
   expect_refused("identify " + spoiled.string(), "spoiled.csv:2: the direction has length 1.5");
 }
@@ -254,7 +263,7 @@ TEST_F(Shcheck, ChecksRotationMatricesAndSuggestsRotations) {
   EXPECT_NE(outcome.out.find("  # identity\n"), std::string::npos);
   expect_refused("rotation-matrix", "it needs FILE or --rotations N");
   expect_refused("rotation-matrix --rotations 1", "--rotations: 1; it should be 2 to ");
-  expect_refused("rotation-matrix missing.csv", "missing.csv: cannot be read: No such file or directory");
+  expect_refused("rotation-matrix missing.csv", "missing.csv: cannot read: No such file or directory");
   expect_refused("rotation-matrix --tolerance -1 " + example.string(), "--tolerance");
 }
 
