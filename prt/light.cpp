@@ -1,9 +1,12 @@
 // Lights and their radiance: prt/light.hpp.
 #include "prt/light.hpp"
 
+#include "prt/cap_light.hpp"
 #include "prt/image_io.hpp"
 #include "prt/lat_long.hpp"
 #include "prt/light_coefficients.hpp"
+#include "prt/polygon_light.hpp"
+#include "prt/sky.hpp"
 
 namespace sh::prt {
 namespace {
@@ -26,6 +29,14 @@ Eigen::Vector3f radiance(const Light& light, const Eigen::Vector3d& direction) {
     case LightType::kCieOvercast:
       return local.z() > 0.0 ? Eigen::Vector3f(light.spec.radiance * static_cast<float>((1.0 + 2.0 * local.z()) / 3.0))
                              : Eigen::Vector3f(Eigen::Vector3f::Zero());
+    case LightType::kCieSky:
+      return light.spec.radiance * static_cast<float>(sky_radiance(light.spec.sky, light.spec.direction, local));
+    case LightType::kDirectional:
+      return Eigen::Vector3f::Zero();  // nowhere but in one direction
+    case LightType::kCap:
+      return light.spec.radiance * (cap_covers(light.spec.direction, light.spec.one_minus_cos, local) ? 1.0F : 0.0F);
+    case LightType::kPolygon:
+      return light.spec.radiance * (polygon_covers(light.spec.corners, local) ? 1.0F : 0.0F);
     case LightType::kEnvironment:
       return light.spec.scale * lat_long_lookup(*light.image, local);
   }

@@ -4,6 +4,9 @@
 //   cie_overcast  L (1 + 2 cos theta) / 3 above the horizon, theta from the zenith +z; 0 below: the ground is the
 //   scene's
 //                 [CIE S 011/E:2003, type 16: the traditional overcast sky]
+//   cie_sky       the other skies of the standard, with the sun's position (prt/sky.hpp)
+//   directional   a point at infinity; cap: a disc at infinity, or a sphere (prt/cap_light.hpp)
+//   polygon       a flat polygon (prt/polygon_light.hpp)
 //   environment   a lat-long picture (prt/lat_long.hpp says where its axes are) times `scale`
 #pragma once
 #include <Eigen/Core>
@@ -29,7 +32,7 @@ std::vector<Light> load_lights(const std::vector<LightSpec>& specs, OnFlaw on_fl
 /// Every light turned by r after its own rotation.
 std::vector<Light> turned(const std::vector<Light>& lights, const Eigen::Matrix3d& r);
 
-/// The sum of all lights towards a unit direction, W m^-2 sr^-1, linear RGB.
+/// The sum of all lights towards a unit direction, W m^-2 sr^-1, linear RGB; directional lights, points, are left out.
 Eigen::Vector3f radiance(const std::vector<Light>& lights, const Eigen::Vector3d& direction);
 
 }  // namespace sh::prt

@@ -5,7 +5,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <filesystem>
-#include <limits>
 #include <numbers>
 #include <stdexcept>
 #include <utility>
@@ -22,31 +21,6 @@ namespace {
 
 constexpr float kDefaultCrease = 40.0F;  // degrees
 constexpr int kMaxSegments = 4096;
-constexpr float kNoLimit = std::numeric_limits<float>::max();
-
-std::string beside(const std::string& folder, const std::string& file) {
-  return (std::filesystem::path(folder) / file).lexically_normal().string();
-}
-
-struct Turn {
-  Eigen::Vector3f axis = Eigen::Vector3f::UnitZ();
-  float degrees = 0.0F;
-};
-
-// {"axis": [x, y, z], "degrees": d}, right-handed; the axis is z unless given.
-Turn read_turn(const JsonReader& reader) {
-  reader.allow({"axis", "degrees"});
-  Turn turn;
-  if (const auto axis = reader.find("axis")) {
-    turn.axis = axis->vector();
-    if (!(turn.axis.stableNorm() > 0.0F)) {
-      axis->expected("an axis that is not zero");
-    }
-    turn.axis.stableNormalize();
-  }
-  turn.degrees = reader.at("degrees").finite();
-  return turn;
-}
 
 Eigen::Vector3f read_scale(const JsonReader& reader) {
   return reader.is_array() ? reader.vector() : Eigen::Vector3f::Constant(reader.finite());
@@ -99,6 +73,24 @@ ImportedMesh read_shape(const JsonReader& reader, const std::string& folder, con
 }
 
 }  // namespace
+
+std::string beside(const std::string& folder, const std::string& file) {
+  return (std::filesystem::path(folder) / file).lexically_normal().string();
+}
+
+Turn read_turn(const JsonReader& reader) {
+  reader.allow({"axis", "degrees"});
+  Turn turn;
+  if (const auto axis = reader.find("axis")) {
+    turn.axis = axis->vector();
+    if (!(turn.axis.stableNorm() > 0.0F)) {
+      axis->expected("an axis that is not zero");
+    }
+    turn.axis.stableNormalize();
+  }
+  turn.degrees = reader.at("degrees").finite();
+  return turn;
+}
 
 Mesh finish_mesh(Soup soup, std::size_t file_vertices, float crease_degrees, float max_edge, const std::string& name,
                  OnFlaw on_flaw) {
@@ -161,32 +153,6 @@ Ground read_ground(const JsonReader& reader, const Mesh& mesh) {
     ground.albedo = albedo->vector(0.0F, 1.0F);
   }
   return ground;
-}
-
-LightSpec read_light(const JsonReader& reader, const std::string& folder) {
-  reader.allow({"type", "radiance", "file", "scale", "rotate"});
-  LightSpec light;
-  const std::string type = reader.at("type").one_of({"constant", "cie_overcast", "environment"});
-  if (type == "environment") {
-    reader.allow({"type", "file", "scale", "rotate"});
-    light.type = LightType::kEnvironment;
-    light.file = beside(folder, reader.at("file").text());
-    if (const auto scale = reader.find("scale")) {
-      light.scale = scale->positive();
-    }
-    if (const auto rotate = reader.find("rotate")) {
-      const Turn turn = read_turn(*rotate);
-      light.rotation_axis = turn.axis;
-      light.rotation_degrees = turn.degrees;
-    }
-    return light;
-  }
-  reader.allow({"type", "radiance"});
-  light.type = type == "constant" ? LightType::kConstant : LightType::kCieOvercast;
-  if (const auto radiance = reader.find("radiance")) {
-    light.radiance = radiance->vector(0.0F, kNoLimit);
-  }
-  return light;
 }
 
 Camera read_camera(const JsonReader& reader, const Camera& otherwise) {

@@ -11,6 +11,18 @@
 
 namespace sh::prt {
 
+/// A file that a scene names, found beside the folder of the scene.
+std::string beside(const std::string& folder, const std::string& file);
+
+/// A rotation, right-handed about a unit axis.
+struct Turn {
+  Eigen::Vector3f axis = Eigen::Vector3f::UnitZ();
+  float degrees = 0.0F;
+};
+
+/// {"axis": [x, y, z], "degrees": d}; the axis is z unless given.
+Turn read_turn(const JsonReader& reader);
+
 /// A square of flat ground under the meshes.
 struct Ground {
   float height;
@@ -27,6 +39,7 @@ void add_ground(Mesh& mesh, const Ground& ground);
 /// One entry of `meshes`, in world axes, checked, welded and split. Relative files are found beside `folder`.
 Mesh read_mesh(const JsonReader& reader, const std::string& folder, OnFlaw on_flaw);
 Ground read_ground(const JsonReader& reader, const Mesh& mesh);
+/// One entry of `lights`; what it names is not loaded yet.
 LightSpec read_light(const JsonReader& reader, const std::string& folder);
 Camera read_camera(const JsonReader& reader, const Camera& otherwise);
 BakeOptions read_bake_options(const JsonReader& reader);

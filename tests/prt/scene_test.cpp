@@ -140,8 +140,9 @@ TEST_F(SceneFile, IsRefusedWithABadLightCameraGroundOrOption) {
   const auto with = [&](const std::string& entry) {
     return refusal(R"({"meshes": [{"primitive": "box"}], )" + entry + "}");
   };
-  EXPECT_EQ(with(R"("lights": [{"type": "sun"}])"),
-            R"(scene.json: /lights/0/type: expected one of constant, cie_overcast, environment, got "sun")");
+  EXPECT_EQ(
+      with(R"("lights": [{"type": "sun"}])"),
+      R"(scene.json: /lights/0/type: expected one of constant, cie_overcast, cie_clear, cie_partly_cloudy, cie_sky, directional, cap, sphere, polygon, environment, got "sun")");
   EXPECT_EQ(with(R"("lights": [{"type": "environment"}])"), "scene.json: /lights/0: the key `file` is missing");
   EXPECT_EQ(with(R"("lights": [{"type": "constant", "radiance": [1, -1, 1]}])"),
             "scene.json: /lights/0/radiance/1: expected three numbers of 0 or more, got -1");
@@ -158,6 +159,62 @@ TEST_F(SceneFile, IsRefusedWithABadLightCameraGroundOrOption) {
   EXPECT_EQ(
       with(R"("camera": {"position": [0, 0, 0], "target": [0, 0, 0]})").find("scene.json: /camera: expected a target"),
       0U);
+}
+
+TEST_F(SceneFile, ReadsEveryKindOfLight) {
+  const Scene scene = load(R"({"meshes": [{"primitive": "plane"}], "lights": [
+    {"type": "directional", "direction": [0, 3, 4], "irradiance": [1, 2, 3], "rotate": {"degrees": 90}},
+    {"type": "cap", "direction": {"elevation": 30, "azimuth": 90}, "half_angle": 60, "irradiance": [3, 3, 3]},
+    {"type": "sphere", "position": [0, 0, 3], "from": [0, 0, 1], "radius": 1},
+    {"type": "cie_clear", "sun": {"elevation": 0}},
+    {"type": "cie_partly_cloudy", "sun": {"elevation": 90, "azimuth": -20}},
+    {"type": "cie_sky", "sky": 15, "sun": [1, 0, 1]},
+    {"type": "polygon", "corners": [[-1, -1, 2], [-1, 1, 2], [1, 1, 2], [1, -1, 2]], "from": [0, 0, 1]}]})");
+  ASSERT_EQ(scene.lights.size(), 7U);
+  EXPECT_LT((scene.lights[0].direction - Eigen::Vector3d(0, 0.6, 0.8)).norm(), 1e-15);
+  EXPECT_EQ(scene.lights[0].rotation_degrees, 90.0F);
+  EXPECT_LT((scene.lights[1].direction - Eigen::Vector3d(0, std::sqrt(0.75), 0.5)).norm(), 1e-15);
+  EXPECT_NEAR(scene.lights[1].one_minus_cos, 0.5, 1e-15);
+  EXPECT_NEAR(scene.lights[1].radiance.x(), 4.0F / std::numbers::pi_v<float>, 1e-6F);  // 3 / (pi sin^2 60)
+  EXPECT_EQ(scene.lights[2].type, LightType::kCap);
+  EXPECT_NEAR(scene.lights[2].one_minus_cos, 1.0 - std::sqrt(0.75), 1e-15);
+  EXPECT_EQ(scene.lights[3].sky, 12);
+  EXPECT_EQ(scene.lights[4].sky, 7);
+  EXPECT_EQ(scene.lights[5].sky, 15);
+  EXPECT_EQ(scene.lights[6].corners[0], Eigen::Vector3d(-1, -1, 1));
+}
+
+TEST_F(SceneFile, RefusesLightsThatCannotBe) {
+  const auto light = [&](const std::string& keys) {
+    const std::string message = refusal(R"({"meshes": [{"primitive": "box"}], "lights": [{)" + keys + "}]}");
+    const std::string start = "scene.json: /lights/0";
+    return message.rfind(start, 0) == 0 ? message.substr(start.size()) : message;
+  };
+  EXPECT_EQ(light(R"("type": "cap", "direction": [0, 0, 1], "half_angle": 0)"),
+            "/half_angle: expected degrees from 1e-9 to 180, got 0");
+  EXPECT_EQ(light(R"("type": "cap", "direction": [0, 0, 1], "half_angle": 181)"),
+            "/half_angle: expected degrees from 1e-9 to 180, got 181");
+  EXPECT_EQ(light(R"("type": "cap", "direction": [0, 0, 0], "half_angle": 1)"),
+            "/direction: expected a direction that is not zero, got [0,0,0]");
+  EXPECT_EQ(light(R"("type": "cap", "direction": {"elevation": 91}, "half_angle": 1)"),
+            "/direction/elevation: expected degrees from -90 to 90 above the horizon, got 91");
+  EXPECT_EQ(light(R"("type": "cap", "direction": [0, 0, 1], "half_angle": 1e-9, "irradiance": [1e38, 0, 0])"),
+            "/irradiance: expected an irradiance whose radiance stays below 3.4e38, got [1e+38,0,0]");
+  EXPECT_EQ(light(R"("type": "cie_clear", "sun": {"elevation": -3})"),
+            R"(/sun: expected a sun that is not below the horizon, got {"elevation":-3})");
+  EXPECT_EQ(light(R"("type": "cie_clear")"), ": the key `sun` is missing");
+  EXPECT_EQ(light(R"("type": "cie_sky", "sky": 16, "sun": [0, 0, 1])"),
+            "/sky: expected an integer from 1 to 15, got 16");
+  EXPECT_EQ(light(R"("type": "sphere", "position": [0, 0, 1], "radius": 2)"),
+            "/position: expected a position farther than the radius from where the sphere is seen, got [0,0,1]");
+  EXPECT_EQ(light(R"("type": "sphere", "position": [0, 0, 1], "radius": -1)"),
+            "/radius: expected a positive number, got -1");
+  EXPECT_EQ(light(R"("type": "polygon", "corners": [[0, 0, 1], [0, 1, 1]])"),
+            "/corners: expected 3 to 1000 corners, got [[0,0,1],[0,1,1]]");
+  EXPECT_EQ(
+      light(R"("type": "polygon", "corners": [[0, 0, 1], [1, 0, 1], [1, 1, 1]])").find("/corners: expected corne"), 0U);
+  EXPECT_EQ(light(R"("type": "directional", "direction": [0, 0, 1], "radiance": [1, 1, 1])").find("/radiance: unknown"),
+            0U);
 }
 
 TEST_F(SceneFile, IsRefusedWhenMissing) {
