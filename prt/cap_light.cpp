@@ -6,6 +6,7 @@
 
 #include "numeric/cap.hpp"
 #include "prt/basis.hpp"
+#include "prt/light_coefficients.hpp"
 
 namespace sh::prt {
 namespace {
@@ -13,12 +14,12 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 constexpr double kHemisphere = 1.0;  // as 1 - cos(90 degrees)
 
-std::size_t bands_squared(int degree) { return static_cast<std::size_t>((degree + 1) * (degree + 1)); }
+std::size_t bands_squared(int degree) { return coefficient_count(degree); }
 
 }  // namespace
 
 std::vector<double> project_directional(const Eigen::Vector3d& direction, int degree) {
-  std::vector<double> out(bands_squared(degree));
+  std::vector<double> out(coefficient_count(degree));
   evaluate_basis(degree, direction.x(), direction.y(), direction.z(), out.data());
   return out;
 }

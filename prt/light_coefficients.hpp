@@ -9,6 +9,12 @@ namespace sh::prt {
 /// Throws std::invalid_argument unless 0 <= degree <= kMaxDegree.
 void require_degree(int degree);
 
+/// bands^2, the number of coefficients of degrees 0 .. degree.
+inline std::size_t coefficient_count(int degree) {
+  const auto bands = static_cast<std::size_t>(degree) + 1;
+  return bands * bands;
+}
+
 /// L_i = integral of radiance(s) Y_i(s) over the sphere, per channel; i = l(l+1)+m, unit W m^-2 sr^-1 times sqrt(sr).
 struct LightCoefficients {
   int degree = 0;
@@ -16,10 +22,7 @@ struct LightCoefficients {
 
   /// All zero. Throws std::invalid_argument unless 0 <= degree <= kMaxDegree.
   static LightCoefficients zero(int degree);
-  [[nodiscard]] std::size_t bands_squared() const {
-    const auto bands = static_cast<std::size_t>(degree) + 1;
-    return bands * bands;
-  }
+  [[nodiscard]] std::size_t bands_squared() const { return coefficient_count(degree); }
   double& at(std::size_t channel, std::size_t i) { return values[channel * bands_squared() + i]; }
   [[nodiscard]] double at(std::size_t channel, std::size_t i) const { return values[channel * bands_squared() + i]; }
 };

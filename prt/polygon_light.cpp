@@ -8,6 +8,7 @@
 
 #include "numeric/gradient.hpp"
 #include "numeric/quadrature.hpp"
+#include "prt/light_coefficients.hpp"
 
 namespace sh::prt {
 namespace {
@@ -143,7 +144,7 @@ double polygon_solid_angle(const Corners& corners) {
 }
 
 std::vector<double> project_polygon(const Corners& corners, int degree) {
-  std::vector<double> sum(static_cast<std::size_t>((degree + 1) * (degree + 1)), 0.0);
+  std::vector<double> sum(coefficient_count(degree), 0.0);
   for (std::size_t i = 0; i < corners.size(); ++i) {
     add_edge(after(corners, i), corners[i], degree, sum);  // backwards: counterclockwise as seen from outside
   }

@@ -14,7 +14,7 @@ namespace sh::prt {
 namespace {
 
 std::vector<double> project_constant(int degree) {
-  std::vector<double> out(static_cast<std::size_t>((degree + 1) * (degree + 1)), 0.0);
+  std::vector<double> out(coefficient_count(degree), 0.0);
   out[0] = std::sqrt(4.0 * std::numbers::pi);
   return out;
 }
@@ -25,9 +25,9 @@ std::vector<double> project_overcast(int degree) {
   std::vector<double> zonal(static_cast<std::size_t>(degree) + 1);
   numeric::zonal_quadrature<double>(
       degree, [](const double& one_minus_z) { return 1.0 - 2.0 / 3.0 * one_minus_z; }, 0.0, 1.0, kRule, zonal.data());
-  std::vector<double> out(static_cast<std::size_t>((degree + 1) * (degree + 1)), 0.0);
+  std::vector<double> out(coefficient_count(degree), 0.0);
   for (int l = 0; l <= degree; ++l) {
-    out[static_cast<std::size_t>(l * (l + 1))] = zonal[static_cast<std::size_t>(l)];
+    out[coefficient_count(l) - static_cast<std::size_t>(l) - 1] = zonal[static_cast<std::size_t>(l)];
   }
   return out;
 }

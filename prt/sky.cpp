@@ -9,6 +9,7 @@
 
 #include "numeric/quadrature.hpp"
 #include "prt/basis.hpp"
+#include "prt/light_coefficients.hpp"
 
 namespace sh::prt {
 namespace {
@@ -99,7 +100,7 @@ void add_arc(const SkyParameters& sky, double elevation, double bearing, double 
 /// A function even in azimuth, given by its coefficients of orders m >= 0, turned about +z.
 void turn_even(double azimuth, int degree, std::vector<double>& coefficients) {
   for (int l = 0; l <= degree; ++l) {
-    const auto middle = static_cast<std::size_t>(l * (l + 1));
+    const std::size_t middle = coefficient_count(l) - static_cast<std::size_t>(l) - 1;
     for (int m = 1; m <= l; ++m) {
       const double even = coefficients[middle + static_cast<std::size_t>(m)];
       coefficients[middle + static_cast<std::size_t>(m)] = even * std::cos(m * azimuth);
@@ -125,7 +126,7 @@ double sky_radiance(int type, const Eigen::Vector3d& sun, const Eigen::Vector3d&
 std::vector<double> project_sky(int type, const Eigen::Vector3d& sun, int degree) {
   static const Panel kPanel = tanh_sinh();
   const SkyParameters& sky = parameters(type);
-  std::vector<double> sum(static_cast<std::size_t>((degree + 1) * (degree + 1)), 0.0);
+  std::vector<double> sum(coefficient_count(degree), 0.0);
   const double elevation = std::atan2(std::max(sun.z(), 0.0), std::hypot(sun.x(), sun.y()));
   const double scale = kPi / at_zenith(sky, sun);  // two panels of pi/2, each seen on both sides of the meridian
   for (std::size_t k = 0; k < kPanel.nodes.size(); ++k) {
