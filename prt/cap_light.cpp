@@ -14,8 +14,6 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 constexpr double kHemisphere = 1.0;  // as 1 - cos(90 degrees)
 
-std::size_t bands_squared(int degree) { return coefficient_count(degree); }
-
 }  // namespace
 
 std::vector<double> project_directional(const Eigen::Vector3d& direction, int degree) {
