@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-#include "numeric/sphere_nodes.hpp"
+#include "numeric/sampling/sphere_nodes.hpp"
 
 namespace sh::prt {
 

@@ -9,7 +9,7 @@
 #include <Eigen/Core>
 #include <string>
 
-#include "numeric/solid_angle.hpp"
+#include "numeric/sampling/solid_angle.hpp"
 #include "prt/image.hpp"
 
 namespace sh::prt {

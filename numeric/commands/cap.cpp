@@ -5,7 +5,7 @@
 #include <string>
 
 #include "numeric/commands/commands.hpp"
-#include "numeric/legendre_reference.hpp"
+#include "numeric/reference/legendre_reference.hpp"
 
 namespace sh::numeric {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "numeric/commands/commands.hpp"
 #include "numeric/commands/split_numbers.hpp"
-#include "numeric/reference.hpp"
+#include "numeric/reference/reference.hpp"
 
 namespace sh::numeric {
 namespace {

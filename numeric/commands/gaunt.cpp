@@ -9,7 +9,7 @@
 
 #include "numeric/commands/commands.hpp"
 #include "numeric/commands/split_numbers.hpp"
-#include "numeric/correct_digits.hpp"
+#include "numeric/reference/correct_digits.hpp"
 
 namespace sh::numeric {
 namespace {

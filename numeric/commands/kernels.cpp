@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "numeric/commands/commands.hpp"
-#include "numeric/kernel_check.hpp"
-#include "numeric/kernel_limits.hpp"
-#include "numeric/kernel_report.hpp"
+#include "numeric/kernels/kernel_check.hpp"
+#include "numeric/kernels/kernel_limits.hpp"
+#include "numeric/kernels/kernel_report.hpp"
 #include "numeric/output/atomic_file.hpp"
 
 namespace sh::numeric {

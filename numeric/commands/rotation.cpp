@@ -11,9 +11,9 @@
 
 #include "numeric/commands/commands.hpp"
 #include "numeric/commands/split_numbers.hpp"
-#include "numeric/correct_digits.hpp"
 #include "numeric/output/progress.hpp"
-#include "numeric/rotation_reference.hpp"
+#include "numeric/reference/correct_digits.hpp"
+#include "numeric/reference/rotation_reference.hpp"
 
 namespace sh::numeric {
 namespace {

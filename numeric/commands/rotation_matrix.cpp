@@ -6,9 +6,9 @@
 #include <stdexcept>
 #include <string>
 
-#include "numeric/checks/rotation_inputs.hpp"
 #include "numeric/commands/commands.hpp"
 #include "numeric/identify/rotation_check.hpp"
+#include "numeric/kernels/checks/rotation_inputs.hpp"
 
 namespace sh::numeric {
 namespace {

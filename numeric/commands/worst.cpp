@@ -7,11 +7,11 @@
 #include <stdexcept>
 #include <string>
 
-#include "numeric/checks/checks.hpp"
 #include "numeric/commands/commands.hpp"
-#include "numeric/exhaustive.hpp"
-#include "numeric/kernel_limits.hpp"
-#include "numeric/kernel_search.hpp"
+#include "numeric/kernels/checks/checks.hpp"
+#include "numeric/kernels/exhaustive.hpp"
+#include "numeric/kernels/kernel_limits.hpp"
+#include "numeric/kernels/kernel_search.hpp"
 
 namespace sh::numeric {
 namespace {

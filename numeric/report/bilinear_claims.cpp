@@ -7,9 +7,9 @@
 #include <tuple>
 
 #include "numeric/basis.hpp"
-#include "numeric/eigenvalues.hpp"
 #include "numeric/quadrature.hpp"
 #include "numeric/report/source_claims.hpp"
+#include "numeric/sampling/eigenvalues.hpp"
 
 namespace sh::numeric {
 namespace {

@@ -7,8 +7,8 @@
 #include <memory>
 #include <vector>
 
+#include "numeric/kernels/timing.hpp"
 #include "numeric/report/method.hpp"
-#include "numeric/timing.hpp"
 
 namespace sh::numeric {
 

@@ -7,10 +7,10 @@
 #include <numbers>
 
 #include "numeric/basis.hpp"
-#include "numeric/eigenvalues.hpp"
 #include "numeric/report/projection_convergence.hpp"
 #include "numeric/report/source_claims.hpp"
-#include "numeric/sphere_nodes.hpp"
+#include "numeric/sampling/eigenvalues.hpp"
+#include "numeric/sampling/sphere_nodes.hpp"
 
 namespace sh::numeric {
 namespace {

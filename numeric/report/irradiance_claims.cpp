@@ -9,7 +9,7 @@
 #include "numeric/quadrature.hpp"
 #include "numeric/random.hpp"
 #include "numeric/report/source_claims.hpp"
-#include "numeric/sphere_nodes.hpp"
+#include "numeric/sampling/sphere_nodes.hpp"
 #include "numeric/zonal.hpp"
 
 namespace sh::numeric {

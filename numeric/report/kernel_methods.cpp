@@ -3,7 +3,7 @@
 #include <array>
 #include <optional>
 
-#include "numeric/kernel_search.hpp"
+#include "numeric/kernels/kernel_search.hpp"
 #include "numeric/report/code.hpp"
 #include "numeric/report/methods.hpp"
 #include "numeric/report/task_checks.hpp"

@@ -13,8 +13,8 @@
 #include <variant>
 #include <vector>
 
-#include "numeric/checks/family_check.hpp"
-#include "numeric/samples.hpp"
+#include "numeric/kernels/checks/family_check.hpp"
+#include "numeric/kernels/samples.hpp"
 
 namespace sh::numeric {
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "numeric/report/test_functions.hpp"
-#include "numeric/sphere_rules.hpp"
+#include "numeric/sampling/sphere_rules.hpp"
 
 namespace sh::numeric {
 

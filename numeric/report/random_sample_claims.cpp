@@ -7,10 +7,10 @@
 #include <cstdlib>
 
 #include "numeric/basis.hpp"
-#include "numeric/projection.hpp"
 #include "numeric/report/source_claims.hpp"
 #include "numeric/report/test_functions.hpp"
-#include "numeric/sphere_nodes.hpp"
+#include "numeric/sampling/projection.hpp"
+#include "numeric/sampling/sphere_nodes.hpp"
 
 namespace sh::numeric {
 namespace {

@@ -5,9 +5,9 @@
 #include <span>
 #include <string>
 
-#include "numeric/checks/inputs.hpp"
-#include "numeric/checks/rotation_inputs.hpp"
 #include "numeric/error_stats.hpp"
+#include "numeric/kernels/checks/inputs.hpp"
+#include "numeric/kernels/checks/rotation_inputs.hpp"
 #include "numeric/legendre_rings.hpp"
 #include "numeric/methods/legendre_methods.hpp"
 #include "numeric/methods/rotation_methods.hpp"

@@ -1,8 +1,8 @@
 // See task_checks.hpp.
 #include "numeric/report/task_checks.hpp"
 
-#include "numeric/checks/checks.hpp"
-#include "numeric/checks/inputs.hpp"
+#include "numeric/kernels/checks/checks.hpp"
+#include "numeric/kernels/checks/inputs.hpp"
 
 namespace sh::numeric {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "numeric/checks/family_check.hpp"
+#include "numeric/kernels/checks/family_check.hpp"
 
 namespace sh::numeric {
 

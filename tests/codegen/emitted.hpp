@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "codegen/catalogue.hpp"
-#include "numeric/signature.hpp"
+#include "numeric/kernels/signature.hpp"
 
 namespace sh::codegen::test {
 

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "numeric/checks/checks.hpp"
-#include "numeric/kernel_check.hpp"
-#include "numeric/kernel_limits.hpp"
+#include "numeric/kernels/checks/checks.hpp"
+#include "numeric/kernels/kernel_check.hpp"
+#include "numeric/kernels/kernel_limits.hpp"
 #include "tests/numeric/extreme.hpp"
 
 namespace sh::test {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "numeric/bind.hpp"
-#include "numeric/checks/family_check.hpp"
+#include "numeric/kernels/bind.hpp"
+#include "numeric/kernels/checks/family_check.hpp"
 
 namespace sh::test {
 
@@ -17,7 +17,7 @@ numeric::FamilyCheck at_extremes(const numeric::BoundKernel& kernel, const std::
                                  const std::vector<numeric::NamedInput>& extremes);
 
 /// A row of the table for each family and scalar: of its kernels the one whose rounding or total error at the extremes
-/// comes nearest to its limit (numeric/kernel_limits.hpp).
+/// comes nearest to its limit (numeric/kernels/kernel_limits.hpp).
 void report_kernels(const std::string& what, const std::vector<std::string>& families, const std::string& first,
                     const std::vector<numeric::NamedInput>& extremes);
 

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <string>
 
-#include "numeric/projection.hpp"
 #include "numeric/report/projection_convergence.hpp"
-#include "numeric/sphere_nodes.hpp"
+#include "numeric/sampling/projection.hpp"
+#include "numeric/sampling/sphere_nodes.hpp"
 #include "tests/numeric/keep_worst.hpp"
 
 namespace sh::numeric {

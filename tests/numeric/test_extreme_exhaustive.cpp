@@ -6,8 +6,8 @@
 #include <cmath>
 #include <map>
 
-#include "numeric/exhaustive.hpp"
-#include "numeric/kernel_limits.hpp"
+#include "numeric/kernels/exhaustive.hpp"
+#include "numeric/kernels/kernel_limits.hpp"
 #include "tests/numeric/extreme.hpp"
 
 namespace sh::numeric {

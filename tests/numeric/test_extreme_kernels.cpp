@@ -8,10 +8,10 @@
 #include <limits>
 #include <numbers>
 
-#include "numeric/checks/inputs.hpp"
-#include "numeric/checks/rotation_inputs.hpp"
 #include "numeric/directions.hpp"
-#include "numeric/kernel_check.hpp"
+#include "numeric/kernels/checks/inputs.hpp"
+#include "numeric/kernels/checks/rotation_inputs.hpp"
+#include "numeric/kernels/kernel_check.hpp"
 #include "numeric/rotation_matrices.hpp"
 #include "tests/numeric/extreme.hpp"
 #include "tests/numeric/extreme_kernels.hpp"

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "numeric/projection.hpp"
 #include "numeric/report/test_functions.hpp"
-#include "numeric/sphere_rules.hpp"
+#include "numeric/sampling/projection.hpp"
+#include "numeric/sampling/sphere_rules.hpp"
 #include "tests/numeric/extreme.hpp"
 #include "tests/numeric/keep_worst.hpp"
 

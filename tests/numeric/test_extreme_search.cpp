@@ -1,13 +1,13 @@
 // The worst input of every family of generated kernels by search: beyond what the inputs of its check find, and within
-// kSearchedLimit times the limits that hold there (numeric/kernel_limits.hpp).
+// kSearchedLimit times the limits that hold there (numeric/kernels/kernel_limits.hpp).
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <set>
 
-#include "numeric/checks/checks.hpp"
-#include "numeric/kernel_limits.hpp"
-#include "numeric/kernel_search.hpp"
+#include "numeric/kernels/checks/checks.hpp"
+#include "numeric/kernels/kernel_limits.hpp"
+#include "numeric/kernels/kernel_search.hpp"
 #include "tests/numeric/extreme.hpp"
 #include "tests/numeric/extreme_kernels.hpp"
 

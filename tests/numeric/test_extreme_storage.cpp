@@ -11,7 +11,7 @@
 
 #include "generated/cpp/evaluate_l4.hpp"
 #include "numeric/basis.hpp"
-#include "numeric/checks/inputs.hpp"
+#include "numeric/kernels/checks/inputs.hpp"
 #include "numeric/worst_input.hpp"
 #include "tests/numeric/extreme.hpp"
 #include "tests/numeric/extreme_kernels.hpp"

@@ -9,8 +9,8 @@
 #include <limits>
 
 #include "numeric/basis.hpp"
-#include "numeric/checks/checks.hpp"
-#include "numeric/flat_call.hpp"
+#include "numeric/kernels/checks/checks.hpp"
+#include "numeric/kernels/flat_call.hpp"
 #include "tests/numeric/extreme.hpp"
 
 namespace sh::numeric {

@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-#include "numeric/glsl_runner.hpp"
+#include "numeric/glsl/glsl_runner.hpp"
 
 namespace sh::numeric {
 namespace {

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
-#include "numeric/checks/checks.hpp"
-#include "numeric/flat_call.hpp"
-#include "numeric/kernel_check.hpp"
-#include "numeric/kernel_limits.hpp"
+#include "numeric/kernels/checks/checks.hpp"
+#include "numeric/kernels/flat_call.hpp"
+#include "numeric/kernels/kernel_check.hpp"
+#include "numeric/kernels/kernel_limits.hpp"
 
 namespace sh::numeric {
 namespace {

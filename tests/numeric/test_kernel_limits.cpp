@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "numeric/kernel_limits.hpp"
+#include "numeric/kernels/kernel_limits.hpp"
 
 namespace sh::numeric {
 namespace {

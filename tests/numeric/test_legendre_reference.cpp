@@ -5,9 +5,9 @@
 #include <stdexcept>
 
 #include "numeric/cap.hpp"
-#include "numeric/legendre_reference.hpp"
 #include "numeric/legendre_values.hpp"
 #include "numeric/real.hpp"
+#include "numeric/reference/legendre_reference.hpp"
 
 namespace sh::numeric {
 namespace {

@@ -9,8 +9,8 @@
 
 #include "numeric/basis.hpp"
 #include "numeric/directions.hpp"
-#include "numeric/projection.hpp"
 #include "numeric/random.hpp"
+#include "numeric/sampling/projection.hpp"
 #include "tests/numeric/keep_worst.hpp"
 
 namespace sh::numeric {

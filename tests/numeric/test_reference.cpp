@@ -10,7 +10,7 @@
 #include "numeric/basis.hpp"
 #include "numeric/gradient.hpp"
 #include "numeric/real.hpp"
-#include "numeric/reference.hpp"
+#include "numeric/reference/reference.hpp"
 
 namespace sh::numeric {
 namespace {

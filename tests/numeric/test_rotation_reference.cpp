@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "numeric/real.hpp"
+#include "numeric/reference/rotation_reference.hpp"
 #include "numeric/rotation.hpp"
-#include "numeric/rotation_reference.hpp"
 
 namespace sh::numeric {
 namespace {

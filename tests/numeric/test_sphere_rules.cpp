@@ -11,9 +11,9 @@
 
 #include "numeric/basis.hpp"
 #include "numeric/real.hpp"
-#include "numeric/solid_angle.hpp"
-#include "numeric/sphere_nodes.hpp"
-#include "numeric/sphere_rules.hpp"
+#include "numeric/sampling/solid_angle.hpp"
+#include "numeric/sampling/sphere_nodes.hpp"
+#include "numeric/sampling/sphere_rules.hpp"
 #include "tests/numeric/keep_worst.hpp"
 
 namespace sh::numeric {

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "numeric/directions.hpp"
+#include "numeric/kernels/wide.hpp"
 #include "numeric/real.hpp"
-#include "numeric/wide.hpp"
 
 namespace sh::numeric {
 namespace {

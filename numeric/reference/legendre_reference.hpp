@@ -1,0 +1,48 @@
+// Reference values of Legendre functions and of caps, in decimal, with as many correct digits as asked for.
+//
+// Input: degree, order, a colatitude as a decimal taken exactly, digits. Output: the value in scientific notation, "0"
+// where it is exactly zero. Conventions: README.md. All throw std::invalid_argument, one line, for a malformed number,
+// one outside its domain, and for a degree, order or digits out of range.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "numeric/reference/reference.hpp"
+
+namespace sh::numeric {
+
+// A colatitude or half-angle as the user gives it.
+struct Colatitude {
+  enum class Kind {
+    kCosine,       // z, -1 .. 1
+    kAngle,        // radians, 0 .. pi
+    kOneMinusCos,  // 0 .. 2
+  };
+  Kind kind;
+  std::string name;  // begins a refusal: "--z"
+  std::string text;
+};
+
+// The orthonormal P_lm(cos theta) = sin^m theta Q_lm, m >= 0: Y_l0 = P_l0, Y_lm = sqrt 2 P_lm cos(m phi).
+std::string legendre_reference(int degree, int order, const Colatitude& colatitude, int digits);
+
+// The coefficient of Y_l0 of the function that is 1 in the cap of this half-angle about +z, 0 outside:
+// 2 pi sin(theta) P_l1(cos theta) / sqrt(l (l+1)), for l = 0 sqrt(pi) (1 - cos theta).
+std::string cap_reference(int degree, const Colatitude& half_angle, int digits);
+
+// A positive multiple of Q_lm at z and u2 = 1 - z^2, integers modulo a prime below 2^31: with R_l = 1 and
+//   R_(m-1) = 2 m z R_m - (l+m+1)(l-m) u2 R_(m+1),
+// the recurrence of legendre.hpp freed of its roots and quotients.
+std::uint64_t reduced_legendre_modulo(std::uint64_t prime, int degree, int order, std::uint64_t z, std::uint64_t u2);
+
+// Whether vanishes(prime) for four primes near 2^31.
+template <class Vanishes>
+bool vanishes_modulo_primes(const Vanishes& vanishes) {
+  for (const std::uint64_t prime : {2147483647U, 2147483629U, 2147483587U, 2147483579U}) {
+    if (!vanishes(prime)) return false;
+  }
+  return true;
+}
+
+}  // namespace sh::numeric

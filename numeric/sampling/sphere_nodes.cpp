@@ -1,0 +1,116 @@
+// Points on the sphere with weights: sphere_nodes.hpp.
+#include "numeric/sampling/sphere_nodes.hpp"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+
+#include "numeric/directions.hpp"
+#include "numeric/random.hpp"
+#include "numeric/sampling/solid_angle.hpp"
+
+namespace sh::numeric {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+using Nodes = std::vector<SphereNode<double>>;
+
+// Room for factor * value * value (or value, for power 1) nodes, if that is a number of nodes that there can be.
+Nodes nodes_for(const std::string& rule, const std::string& argument, int value, std::int64_t factor, int power = 2) {
+  const std::int64_t limit = kMaxSphereNodes / factor;
+  const std::int64_t count = power == 2 ? std::int64_t{value} * value : value;
+  if (value < 1 || count > limit) {
+    const auto most = static_cast<std::int64_t>(power == 2 ? std::sqrt(static_cast<double>(limit)) : double(limit));
+    throw std::invalid_argument(rule + ": " + argument + " is " + std::to_string(value) + ", must be 1 to " +
+                                std::to_string(most));
+  }
+  Nodes nodes;
+  nodes.reserve(static_cast<std::size_t>(factor * count));
+  return nodes;
+}
+
+void scale_to_sphere(Nodes& nodes) {
+  double sum = 0;
+  for (const auto& node : nodes) sum += node.weight;
+  for (auto& node : nodes) node.weight *= 4 * kPi / sum;
+}
+
+double texel_weight(double u, double v, int size, TexelWeight weight) {
+  return weight == TexelWeight::kExact ? texel_solid_angle(u, v, size) : texel_solid_angle_estimate(u, v, size);
+}
+
+}  // namespace
+
+Nodes fibonacci_nodes(int count) {
+  constexpr double kGoldenAngle = 2.0 * kPi * (2.0 - std::numbers::phi);
+  Nodes nodes = nodes_for("fibonacci_nodes", "count", count, 1, 1);
+  for (int i = 0; i < count; ++i) {
+    const double z = 1.0 - (2.0 * i + 1.0) / count;
+    const double radius = std::sqrt(1.0 - z * z);
+    const double azimuth = i * kGoldenAngle;
+    nodes.push_back({radius * std::cos(azimuth), radius * std::sin(azimuth), z, 4 * kPi / count});
+  }
+  return nodes;
+}
+
+Nodes uniform_nodes(int count, std::uint64_t seed) {
+  Nodes nodes = nodes_for("uniform_nodes", "count", count, 1, 1);
+  for (const Direction& d : random_directions(count, seed)) nodes.push_back({d.x, d.y, d.z, 4 * kPi / count});
+  return nodes;
+}
+
+Nodes stratified_nodes(int side, std::uint64_t seed) {
+  Nodes nodes = nodes_for("stratified_nodes", "side", side, 1);
+  Random random(seed);
+  const auto jittered = [&](int cell) { return (cell + 0.5 * (random.next() + 1)) / side; };
+  const double weight = 4 * kPi / side / side;
+  for (int a = 0; a < side; ++a) {
+    for (int b = 0; b < side; ++b) {
+      const double x = jittered(a);
+      const double angle = 2 * kPi * jittered(b);
+      const double radius = 2 * std::sqrt(x * (1 - x));
+      nodes.push_back({radius * std::cos(angle), radius * std::sin(angle), 1 - 2 * x, weight});
+    }
+  }
+  return nodes;
+}
+
+Nodes cube_map_nodes(int size, TexelWeight weight) {
+  Nodes nodes = nodes_for("cube_map_nodes", "size", size, 6);
+  for (std::size_t face = 0; face < 6; ++face) {
+    for (int row = 0; row < size; ++row) {
+      const double v = (2.0 * row + 1) / size - 1;
+      for (int column = 0; column < size; ++column) {
+        const double u = (2.0 * column + 1) / size - 1;
+        const double scale = 1 / std::sqrt(1 + u * u + v * v);
+        std::array<double, 3> d{};
+        d[face % 3] = face < 3 ? scale : -scale;
+        d[(face + 1) % 3] = u * scale;
+        d[(face + 2) % 3] = v * scale;
+        nodes.push_back({d[0], d[1], d[2], texel_weight(u, v, size, weight)});
+      }
+    }
+  }
+  if (weight == TexelWeight::kDifferentialScaled) scale_to_sphere(nodes);
+  return nodes;
+}
+
+Nodes lat_long_nodes(int height, LatLongWeight weight) {
+  Nodes nodes = nodes_for("lat_long_nodes", "height", height, 2);
+  const int width = 2 * height;
+  const double step = kPi / height;
+  for (int row = 0; row < height; ++row) {
+    const double theta = (row + 0.5) * step;
+    const double area =
+        weight == LatLongWeight::kExact ? lat_long_solid_angle(row, width, height) : std::sin(theta) * step * step;
+    for (int column = 0; column < width; ++column) {
+      const double phi = (column + 0.5) * step;
+      nodes.push_back({std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta), area});
+    }
+  }
+  return nodes;
+}
+
+}  // namespace sh::numeric
