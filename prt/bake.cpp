@@ -14,7 +14,9 @@
 #include "prt/basis.hpp"
 #include "prt/directions.hpp"
 #include "prt/fill_closed.hpp"
+#include "prt/form_factors.hpp"
 #include "prt/gather.hpp"
+#include "prt/trace_form_factors.hpp"
 #include "prt/tracer.hpp"
 
 namespace sh::prt {
@@ -60,29 +62,104 @@ void for_parts(tbb::task_arena& arena, std::size_t count, const Each& each) {
   });
 }
 
-// Replaces the unshadowed vectors in `transfer` by shadowed ones; notes in `sight` what became of the rays.
-void shadow(const Scene& scene, tbb::task_arena& arena, const BakeSettings& settings, Transfer& transfer,
-            std::vector<Sight>& sight) {
-  const Tracer tracer(scene.mesh, settings.threads, settings.instruction_set);
-  transfer.instruction_set = tracer.instruction_set();
-  transfer.directions = static_cast<std::uint32_t>(scene.bake.directions);
-  const SharedDirections shared(scene.bake.directions, transfer.degree);
-  const std::vector<RayStart> starts = ray_starts(scene.mesh);
+// Everything that rays of a bake need, for as long as form factors may be traced again.
+struct RaySetup {
+  RaySetup(const Scene& scene, const BakeSettings& settings)
+      : tracer(scene.mesh, settings.threads, settings.instruction_set),
+        directions(scene.bake.directions, scene.bake.degree),
+        starts(ray_starts(scene.mesh)) {}
+
+  Tracer tracer;
+  SharedDirections directions;
+  std::vector<RayStart> starts;
+};
+
+// Replaces the unshadowed vectors in `transfer` by shadowed ones and keeps what the rays hit, if wanted; returns what
+// became of the rays.
+std::vector<Sight> shadow(const Mesh& mesh, const RaySetup& setup, tbb::task_arena& arena, Transfer& transfer,
+                          FormFactors* factors) {
   const std::size_t count = transfer.bands_squared();
-  sight.assign(starts.size(), Sight::kSome);
-  output::Progress progress("bake", starts.size());
-  for_parts(arena, starts.size(), [&](std::size_t first, std::size_t last) {
-    Gatherer gatherer(shared, tracer);
+  std::vector<Sight> sight(setup.starts.size(), Sight::kSome);
+  output::Progress progress("bake", setup.starts.size());
+  for_parts(arena, setup.starts.size(), [&](std::size_t first, std::size_t last) {
+    Gatherer gatherer(setup.directions, setup.tracer);
+    RowMerger merger(mesh);
     for (std::size_t v = first; v < last; ++v) {
-      const Gathered& seen = gatherer.gather(starts[v].origin, scene.mesh.normals[v], scene.mesh.geometric_normals[v]);
+      const RayStart& start = setup.starts[v];
+      const Gathered& seen = gatherer.gather(start.origin, mesh.normals[v], mesh.geometric_normals[v]);
       control_with_unshadowed(seen, count, transfer.coefficients.data() + v * count);
+      if (factors != nullptr) {
+        factors->keep(v, merger.merge(gatherer));
+      }
       if (const float fraction = seen.fraction(); fraction < kNearlyDark) {
-        sight[v] = gatherer.classify(scene.mesh, v, starts[v], fraction <= 0.0F);
+        sight[v] = gatherer.classify(mesh, v, start, fraction <= 0.0F);
       }
     }
     progress.advance(last - first);
   });
   progress.finish();
+  return sight;
+}
+
+void report_closed(const Scene& scene, const FillPlan& plan, OnFlaw on_flaw) {
+  if (plan.closed > 0) {
+    report_flaw(on_flaw, fmt::format("{}: no ray can leave {} of {} vertices ({} filled from neighbours, {} "
+                                     "in closed parts left dark)",
+                                     scene.name, plan.closed, scene.mesh.positions.size(), plan.filled,
+                                     plan.closed - plan.filled));
+  }
+}
+
+// Replaces shadowed vectors by interreflected ones, (vertices, 3, bands^2).
+void bounce(const Scene& scene, const FormFactors& factors, tbb::task_arena& arena, OnFlaw on_flaw,
+            Transfer& transfer) {
+  const std::size_t count = transfer.bands_squared();
+  const BounceLayout layout{count};
+  Panel x(factors.size(), layout.columns());
+  for (std::size_t v = 0; v < x.rows; ++v) {
+    for (std::size_t c = 0; c < BounceLayout::kChannels; ++c) {
+      const auto albedo = static_cast<double>(scene.mesh.albedo[v][static_cast<Eigen::Index>(c)]);
+      std::transform(transfer.coefficients.data() + v * count, transfer.coefficients.data() + (v + 1) * count,
+                     x.row(v) + layout.channel(c),
+                     [albedo](float direct) { return albedo * static_cast<double>(direct); });
+    }
+  }
+  arena.execute([&] { transfer.bounces = solve_bounces(factors, scene.mesh.albedo, layout, x, scene.bake.bounces); });
+  transfer.kind = TransferKind::kInterreflected;
+  transfer.coefficients.resize(x.rows * transfer.row_length());
+  float* out = transfer.coefficients.data();
+  for (std::size_t v = 0; v < x.rows; ++v) {
+    for (std::size_t c = 0; c < BounceLayout::kChannels; ++c) {
+      const double* values = x.row(v) + layout.channel(c);
+      out = std::transform(values, values + count, out, [](double value) { return static_cast<float>(value); });
+    }
+  }
+  if (!transfer.bounces.certified) {
+    report_flaw(on_flaw, fmt::format("{}: bounces did not settle within {} (residual {:.2g} after {} applications): "
+                                     "surfaces of albedo 1 enclose light (kept as it is)",
+                                     scene.name, scene.bake.bounces.tolerance, transfer.bounces.residual,
+                                     transfer.bounces.applications));
+  }
+}
+
+// Unshadowed vectors become shadowed or interreflected ones.
+void trace(const Scene& scene, const BakeSettings& settings, tbb::task_arena& arena, Transfer& transfer) {
+  const RaySetup setup(scene, settings);
+  transfer.instruction_set = setup.tracer.instruction_set();
+  transfer.directions = static_cast<std::uint32_t>(scene.bake.directions);
+  const bool bounces = scene.bake.kind == TransferKind::kInterreflected;
+  FormFactors factors(bounces ? scene.mesh.positions.size() : 0, settings.bounce_memory,
+                      [&] { return make_row_maker(scene.mesh, setup.starts, setup.directions, setup.tracer); });
+  const std::vector<Sight> sight = shadow(scene.mesh, setup, arena, transfer, bounces ? &factors : nullptr);
+  const FillPlan plan = plan_fill(scene.mesh, sight);
+  fill_closed(transfer, plan);
+  report_closed(scene, plan, settings.on_flaw);
+  if (bounces) {
+    for (const Fill& fill : plan.fills) {
+      factors.keep_mean(fill.vertex, fill.sources);
+    }
+    bounce(scene, factors, arena, settings.on_flaw, transfer);
+  }
 }
 
 }  // namespace
@@ -93,7 +170,7 @@ Transfer bake(const Scene& scene, const BakeSettings& settings) {
   transfer.scene = scene.name;
   transfer.mesh = scene.mesh;
   transfer.degree = scene.bake.degree;
-  transfer.kind = scene.bake.kind;
+  transfer.kind = scene.bake.kind == TransferKind::kUnshadowed ? TransferKind::kUnshadowed : TransferKind::kShadowed;
   transfer.instruction_set = "any";
   const std::size_t count = transfer.bands_squared();
   const std::size_t vertices = scene.mesh.positions.size();
@@ -105,16 +182,8 @@ Transfer bake(const Scene& scene, const BakeSettings& settings) {
       unshadowed_transfer(transfer.degree, scene.mesh.normals[v], transfer.coefficients.data() + v * count);
     }
   });
-  if (transfer.kind == TransferKind::kShadowed) {
-    std::vector<Sight> sight;
-    shadow(scene, arena, settings, transfer, sight);
-    const FillCount filled = fill_closed(transfer, sight);
-    if (filled.closed > 0) {
-      report_flaw(settings.on_flaw,
-                  fmt::format("{}: no ray can leave {} of {} vertices ({} filled from neighbours, {} "
-                              "in closed parts left dark)",
-                              scene.name, filled.closed, vertices, filled.filled, filled.closed - filled.filled));
-    }
+  if (scene.bake.kind != TransferKind::kUnshadowed) {
+    trace(scene, settings, arena, transfer);
   }
   return transfer;
 }

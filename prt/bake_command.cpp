@@ -9,6 +9,7 @@
 #include "prt/light_coefficients.hpp"
 #include "prt/scene.hpp"
 #include "prt/transfer_file.hpp"
+#include "prt/transfer_names.hpp"
 
 namespace sh::prt {
 namespace {
@@ -21,6 +22,7 @@ struct Options {
   std::string kind;
   std::string instruction_set;
   int threads = 0;
+  std::size_t bounce_memory = 4096;  // MiB
   bool strict = false;
 };
 
@@ -28,9 +30,17 @@ void override_bake(const Options& options, BakeOptions& bake) {
   bake.degree = options.degree.value_or(bake.degree);
   bake.directions = options.directions.value_or(bake.directions);
   if (!options.kind.empty()) {
-    bake.kind = options.kind == "shadowed" ? TransferKind::kShadowed : TransferKind::kUnshadowed;
+    bake.kind = kind_called(options.kind);
   }
   require_degree(bake.degree);
+}
+
+void report_bounces(const BounceReport& bounces) {
+  fmt::print(stderr,
+             "prt: bounces by {}: {} applications, certified error {:.2g} of {:.3g} (residual {:.2g}), largest "
+             "eigenvalue at most {:.4g}\n",
+             bounces.solver, bounces.applications, bounces.bound, bounces.largest, bounces.residual,
+             bounces.spectral_bound);
 }
 
 void run(const Options& options) {
@@ -39,7 +49,11 @@ void run(const Options& options) {
   const OnFlaw on_flaw = options.strict ? OnFlaw::kRefuse : OnFlaw::kMend;
   Scene scene = load_scene(options.scene, on_flaw);
   override_bake(options, scene.bake);
-  const Transfer transfer = bake(scene, {options.threads, options.instruction_set, on_flaw});
+  const Transfer transfer =
+      bake(scene, {options.threads, options.instruction_set, on_flaw, options.bounce_memory * (std::size_t{1} << 20U)});
+  if (transfer.kind == TransferKind::kInterreflected) {
+    report_bounces(transfer.bounces);
+  }
   write_transfer(options.output, transfer);
   stopwatch.report(fmt::format("baked {} vertices, {} faces, degree {}, {} directions, into {}",
                                transfer.mesh.positions.size(), transfer.mesh.faces.size(), transfer.degree,
@@ -56,8 +70,12 @@ void add_bake_command(CLI::App& tool) {
   command->add_option("--degree", options->degree, "0 to 10, instead of the scene's");
   command->add_option("--directions", options->directions,
                       "rays a vertex over the whole sphere, instead of the scene's");
-  command->add_option("--kind", options->kind, "shadowed or unshadowed, instead of the scene's")
-      ->check(CLI::IsMember({"shadowed", "unshadowed"}));
+  command->add_option("--kind", options->kind, "unshadowed, shadowed or interreflected, instead of the scene's")
+      ->check(CLI::IsMember({"unshadowed", "shadowed", "interreflected"}));
+  command
+      ->add_option("--bounce-memory", options->bounce_memory,
+                   "MiB for what rays hit; what does not fit is traced again for each bounce, with the same result")
+      ->capture_default_str();
   command->add_option("--threads", options->threads, "0: every core; the file does not depend on it")
       ->capture_default_str();
   command->add_option("--instruction-set", options->instruction_set,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <iterator>
 #include <map>
 #include <set>
 #include <utility>
@@ -29,50 +30,46 @@ bool is_filled(const std::vector<Sight>& sight, std::uint32_t vertex, const std:
          std::all_of(neighbours.begin(), neighbours.end(), [&](std::uint32_t n) { return sight[n] == Sight::kSome; });
 }
 
-// The mean of the neighbours that are not left to fill; empty where all are.
-std::vector<float> mean_of_known(const Transfer& transfer, const Neighbours& unknown,
-                                 const std::set<std::uint32_t>& neighbours) {
-  const std::size_t count = transfer.bands_squared();
-  std::vector<float> mean;
-  float known = 0.0F;
-  for (const std::uint32_t n : neighbours) {
-    if (unknown.count(n) == 0) {
-      mean.resize(count, 0.0F);
-      const float* value = transfer.coefficients.data() + n * count;
-      std::transform(value, value + count, mean.begin(), mean.begin(), std::plus<>());
-      known += 1.0F;
-    }
-  }
-  for (float& value : mean) {
-    value /= known;
-  }
-  return mean;
-}
-
 }  // namespace
 
-FillCount fill_closed(Transfer& transfer, const std::vector<Sight>& sight) {
-  Neighbours unknown = neighbours_of_sightless(transfer.mesh, sight);
+FillPlan plan_fill(const Mesh& mesh, const std::vector<Sight>& sight) {
+  Neighbours unknown = neighbours_of_sightless(mesh, sight);
   std::erase_if(unknown, [&](const auto& entry) { return !is_filled(sight, entry.first, entry.second); });
   const auto is_flaw = [&](const auto& entry) { return sight[entry.first] != Sight::kCovered; };
-  FillCount result;
-  result.closed = static_cast<std::size_t>(std::count_if(unknown.begin(), unknown.end(), is_flaw));
-  std::vector<std::pair<std::uint32_t, std::vector<float>>> ring;
+  FillPlan plan;
+  plan.closed = static_cast<std::size_t>(std::count_if(unknown.begin(), unknown.end(), is_flaw));
+  std::size_t ring = 0;  // where it begins
   do {
-    ring.clear();
+    ring = plan.fills.size();
     for (const auto& [vertex, neighbours] : unknown) {
-      std::vector<float> mean = mean_of_known(transfer, unknown, neighbours);
-      if (!mean.empty()) {
-        ring.emplace_back(vertex, std::move(mean));
+      Fill fill{vertex, {}};
+      std::copy_if(neighbours.begin(), neighbours.end(), std::back_inserter(fill.sources),
+                   [&](std::uint32_t n) { return unknown.count(n) == 0; });
+      if (!fill.sources.empty()) {
+        plan.fills.push_back(std::move(fill));
       }
     }
-    for (const auto& [vertex, value] : ring) {
-      std::copy(value.begin(), value.end(), transfer.coefficients.data() + vertex * value.size());
-      result.filled += sight[vertex] != Sight::kCovered ? 1 : 0;
-      unknown.erase(vertex);
+    for (std::size_t i = ring; i < plan.fills.size(); ++i) {
+      plan.filled += sight[plan.fills[i].vertex] != Sight::kCovered ? 1 : 0;
+      unknown.erase(plan.fills[i].vertex);
     }
-  } while (!ring.empty());
-  return result;
+  } while (ring < plan.fills.size());
+  return plan;
+}
+
+void fill_closed(Transfer& transfer, const FillPlan& plan) {
+  const std::size_t count = transfer.bands_squared();
+  std::vector<float> mean(count);
+  for (const auto& [vertex, sources] : plan.fills) {
+    std::fill(mean.begin(), mean.end(), 0.0F);
+    for (const std::uint32_t source : sources) {
+      const float* value = transfer.coefficients.data() + source * count;
+      std::transform(value, value + count, mean.begin(), mean.begin(), std::plus<>());
+    }
+    const auto known = static_cast<float>(sources.size());
+    std::transform(mean.begin(), mean.end(), transfer.coefficients.data() + vertex * count,
+                   [known](float sum) { return sum / known; });
+  }
 }
 
 }  // namespace sh::prt

@@ -14,15 +14,25 @@ namespace sh::prt {
 /// something.
 enum class Sight : std::uint8_t { kSome, kDark, kCovered, kBuried };
 
-struct FillCount {
-  std::size_t closed = 0;  // vertices no ray can leave
-  std::size_t filled = 0;  // of them, those joined by edges to a vertex that has a value
+/// A vertex and those whose mean it takes.
+struct Fill {
+  std::uint32_t vertex;
+  std::vector<std::uint32_t> sources;
+};
+
+struct FillPlan {
+  std::vector<Fill> fills;  // in an order in which every source has its final value
+  std::size_t closed = 0;   // vertices no ray can leave
+  std::size_t filled = 0;   // of them, those joined by edges to a vertex that has a value
 };
 
 /// No ray can leave a vertex that is buried, nor one that is dark while every neighbour sees some light. These and the
 /// covered ones, which count as no flaw, get the mean of their neighbours, ring by ring from the sound ones inwards,
-/// always from the ring before, so that no order of work shows in the result. Where a whole connected part is closed,
+/// always from the rings before, so that no order of work shows in the result. Where a whole connected part is closed,
 /// it stays as it is.
-FillCount fill_closed(Transfer& transfer, const std::vector<Sight>& sight);
+FillPlan plan_fill(const Mesh& mesh, const std::vector<Sight>& sight);
+
+/// Replaces the transfer vectors of the vertices of the plan.
+void fill_closed(Transfer& transfer, const FillPlan& plan);
 
 }  // namespace sh::prt

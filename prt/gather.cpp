@@ -159,12 +159,37 @@ const Gathered& Gatherer::gather(const Eigen::Vector3f& origin, const Eigen::Vec
     visible += hit ^ 1U;
     blocked += hit;
   }
+  visible_count_ = visible;
+  blocked_count_ = blocked;
   directions_.sum(visible_, visible, weights_.data(), result_.visible.data());
   directions_.sum(blocked_, blocked, weights_.data(), result_.all.data());
   for (std::size_t i = 0; i < directions_.row_length(); ++i) {
     result_.all[i] += result_.visible[i];
   }
   return result_;
+}
+
+const std::vector<BlockedRay>& Gatherer::closest_hits() {
+  closest_.clear();
+  double whole = 0.0;
+  for (std::size_t i = 0; i < visible_count_; ++i) {
+    whole += static_cast<double>(weights_[visible_[i]]);
+  }
+  for (std::size_t i = 0; i < blocked_count_; ++i) {
+    whole += static_cast<double>(weights_[blocked_[i]]);
+  }
+  const std::size_t count = blocked_count_ - below_;
+  std::vector<Eigen::Vector3f> directions(count);
+  std::vector<Hit> hits(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    directions[i] = directions_.direction(blocked_[below_ + i]);
+  }
+  const Eigen::Vector3f origin = rays_.front().origin;  // one for all
+  tracer_.intersect(std::vector<Eigen::Vector3f>(count, origin), directions, hits);
+  for (std::size_t i = 0; i < count; ++i) {
+    closest_.push_back({directions[i], hits[i], static_cast<double>(weights_[blocked_[below_ + i]]) / whole});
+  }
+  return closest_;
 }
 
 Sight Gatherer::classify(const Mesh& mesh, std::size_t vertex, const RayStart& start, bool is_dark) {

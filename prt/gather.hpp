@@ -53,6 +53,13 @@ struct Gathered {
   [[nodiscard]] float fraction() const { return all[0] > 0.0F ? visible[0] / all[0] : 0.0F; }
 };
 
+/// A ray that something is in the way of, and its part of the cosine over the whole hemisphere, which sums to 1.
+struct BlockedRay {
+  Eigen::Vector3f direction;
+  Hit hit;
+  double part;
+};
+
 /// Reusable buffers of one thread. Everything passed in must outlive it.
 class Gatherer {
  public:
@@ -60,6 +67,8 @@ class Gatherer {
   /// Traces one vertex; the result stays valid until the next call.
   const Gathered& gather(const Eigen::Vector3f& origin, const Eigen::Vector3f& normal,
                          const Eigen::Vector3f& geometric_normal);
+  /// The closest hits of the rays that the last gather() found blocked; valid until the next call of either.
+  const std::vector<BlockedRay>& closest_hits();
   /// What became of the rays of a vertex that gather() found nearly dark.
   Sight classify(const Mesh& mesh, std::size_t vertex, const RayStart& start, bool is_dark);
   /// The rays of one vertex that gather() would trace, for measurements.
@@ -78,6 +87,9 @@ class Gatherer {
   std::vector<std::uint32_t> visible_;
   std::vector<std::uint32_t> blocked_;  // the first below_ lie under the horizon
   std::size_t below_ = 0;
+  std::size_t visible_count_ = 0;
+  std::size_t blocked_count_ = 0;  // with those under the horizon
+  std::vector<BlockedRay> closest_;
   std::vector<float> weights_;  // 4/N cosine of every direction with the shading normal
   std::vector<float> heights_;  // cosine with the geometric normal
   Gathered result_;

@@ -24,8 +24,9 @@ Json report(const std::string& file, const Transfer& transfer) {
     high = high.cwiseMax(p);
   }
   double mean = 0.0;
+  const std::size_t vectors = transfer.coefficients.size() / transfer.bands_squared();
   for (std::size_t i = 0; i < transfer.coefficients.size(); i += transfer.bands_squared()) {
-    mean += static_cast<double>(transfer.coefficients[i]) / static_cast<double>(transfer.mesh.positions.size());
+    mean += static_cast<double>(transfer.coefficients[i]) / static_cast<double>(vectors);
   }
   json["file"] = std::filesystem::path(file).filename().string();
   json["bytes"] = std::filesystem::file_size(file);

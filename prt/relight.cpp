@@ -20,6 +20,24 @@ std::vector<Eigen::Array4f> interleaved(const LightCoefficients& light) {
   return out;
 }
 
+/// sum_i T_i L_i, T (bands^2).
+Eigen::Vector3f irradiance_over_pi(const float* t, const std::vector<Eigen::Array4f>& l) {
+  Eigen::Array4f sum = Eigen::Array4f::Zero();
+  for (std::size_t i = 0; i < l.size(); ++i) {
+    sum += t[i] * l[i];
+  }
+  return sum.head<3>();
+}
+
+/// sum_i T_ci L_ci, T (3, bands^2).
+Eigen::Vector3f exit_radiance(const float* t, const std::vector<Eigen::Array4f>& l) {
+  Eigen::Array4f sum = Eigen::Array4f::Zero();
+  for (std::size_t i = 0; i < l.size(); ++i) {
+    sum += Eigen::Array4f(t[i], t[l.size() + i], t[2 * l.size() + i], 0.0F) * l[i];
+  }
+  return sum.head<3>();
+}
+
 }  // namespace
 
 std::vector<Eigen::Vector3f> relight(const Transfer& transfer, const LightCoefficients& light) {
@@ -31,12 +49,9 @@ std::vector<Eigen::Vector3f> relight(const Transfer& transfer, const LightCoeffi
   std::vector<Eigen::Vector3f> radiance(transfer.mesh.positions.size());
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, radiance.size(), 1024), [&](const auto& range) {
     for (std::size_t vertex = range.begin(); vertex != range.end(); ++vertex) {
-      const float* t = &transfer.coefficients[vertex * l.size()];
-      Eigen::Array4f sum = Eigen::Array4f::Zero();
-      for (std::size_t i = 0; i < l.size(); ++i) {
-        sum += t[i] * l[i];
-      }
-      radiance[vertex] = transfer.mesh.albedo[vertex].cwiseProduct(sum.head<3>().matrix());
+      const float* t = &transfer.coefficients[vertex * transfer.row_length()];
+      radiance[vertex] = transfer.channels() == 3 ? exit_radiance(t, l)
+                                                  : transfer.mesh.albedo[vertex].cwiseProduct(irradiance_over_pi(t, l));
     }
   });
   return radiance;

@@ -9,7 +9,7 @@
 
 namespace sh::prt {
 
-/// Exit radiance per vertex, (vertices), linear RGB, W m^-2 sr^-1: albedo * sum_i T_i L_i. Single precision; slightly
+/// Exit radiance per vertex, (vertices), linear RGB, W m^-2 sr^-1, as transfer.hpp says. Single precision; slightly
 /// negative where a band-limited light rings. Throws std::invalid_argument unless both have one degree.
 std::vector<Eigen::Vector3f> relight(const Transfer& transfer, const LightCoefficients& light);
 

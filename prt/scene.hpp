@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "prt/bounces.hpp"
 #include "prt/light_spec.hpp"
 #include "prt/mend.hpp"
 #include "prt/mesh.hpp"
@@ -24,6 +25,7 @@ struct BakeOptions {
   int degree = 4;         // 0..kMaxDegree
   int directions = 2048;  // over the whole sphere
   TransferKind kind = TransferKind::kShadowed;
+  BounceOptions bounces;  // interreflected only
 };
 
 struct Scene {

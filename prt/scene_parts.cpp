@@ -13,6 +13,7 @@
 #include "prt/import_mesh.hpp"
 #include "prt/primitives.hpp"
 #include "prt/tessellate.hpp"
+#include "prt/transfer_names.hpp"
 #include "prt/weld.hpp"
 
 namespace sh::prt {
@@ -178,7 +179,7 @@ Camera read_camera(const JsonReader& reader, const Camera& otherwise) {
 }
 
 BakeOptions read_bake_options(const JsonReader& reader) {
-  reader.allow({"degree", "directions", "transfer"});
+  reader.allow({"degree", "directions", "transfer", "tolerance"});
   BakeOptions options;
   if (const auto degree = reader.find("degree")) {
     options.degree = degree->integer(0, kMaxDegree);
@@ -186,9 +187,11 @@ BakeOptions read_bake_options(const JsonReader& reader) {
   if (const auto directions = reader.find("directions")) {
     options.directions = directions->integer(1, kMaxDirections);
   }
+  if (const auto tolerance = reader.find("tolerance")) {
+    options.bounces.tolerance = tolerance->number(1e-9, 1.0, "a number from 1e-9 to 1");
+  }
   if (const auto transfer = reader.find("transfer")) {
-    const bool shadowed = transfer->one_of({"unshadowed", "shadowed"}) == "shadowed";
-    options.kind = shadowed ? TransferKind::kShadowed : TransferKind::kUnshadowed;
+    options.kind = kind_called(transfer->one_of({"unshadowed", "shadowed", "interreflected"}));
   }
   return options;
 }

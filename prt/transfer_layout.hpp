@@ -43,7 +43,7 @@ static_assert(sizeof(Prologue) == 48 && sizeof(Section) == 40);
 struct Kind {
   std::string_view name;
   std::uint32_t type;
-  std::uint32_t columns;  // 0: bands^2
+  std::uint32_t columns;  // 0: channels * bands^2
 };
 inline constexpr std::array<Kind, 7> kSections = {{{"position", kFloat, 3},
                                                    {"normal", kFloat, 3},

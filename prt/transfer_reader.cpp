@@ -6,6 +6,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
@@ -14,6 +15,7 @@
 #include "prt/checksum.hpp"
 #include "prt/transfer_file.hpp"
 #include "prt/transfer_layout.hpp"
+#include "prt/transfer_names.hpp"
 
 namespace sh::prt {
 
@@ -103,16 +105,36 @@ class Reader {
   void take_header(const nlohmann::json& header, Transfer& transfer) const {
     transfer.scene = header.at("scene").get<std::string>();
     const auto kind = header.at("kind").get<std::string>();
-    if ((kind != "DU" && kind != "DS") || header.at("rows").get<std::uint64_t>() != 1) {
-      fail(fmt::format("transfer of kind {} with {} rows, expected DU or DS with one", kind, header.at("rows").dump()));
+    const auto* name = std::find_if(kTransferNames.begin(), kTransferNames.end(),
+                                    [&](const TransferName& known) { return known.file == kind; });
+    if (name == kTransferNames.end() || header.at("rows").get<std::uint64_t>() != 1) {
+      fail(fmt::format("transfer of kind {} with {} rows, expected DU, DS or DI with one", kind,
+                       header.at("rows").dump()));
     }
-    transfer.kind = kind == "DS" ? TransferKind::kShadowed : TransferKind::kUnshadowed;
+    transfer.kind = name->kind;
+    if (header.value("channels", std::uint64_t{1}) != transfer.channels()) {  // absent: one
+      fail(fmt::format("transfer of kind {} with {} channels, expected {}", kind, header.at("channels").dump(),
+                       transfer.channels()));
+    }
+    if (transfer.kind == TransferKind::kInterreflected) {
+      take_bounces(header.at("bounces"), transfer.bounces);
+    }
     transfer.degree = header.at("degree").get<int>();
     if (transfer.degree < 0 || transfer.degree > kMaxDegree) {
       fail(fmt::format("transfer of degree {}, expected 0 to {}", transfer.degree, kMaxDegree));
     }
     transfer.directions = header.at("directions").get<std::uint32_t>();
     transfer.instruction_set = header.at("instruction_set").get<std::string>();
+  }
+
+  static void take_bounces(const nlohmann::json& header, BounceReport& report) {
+    report.solver = header.at("solver").get<std::string>();
+    report.applications = header.at("applications").get<int>();
+    report.certified = header.at("certified").get<bool>();
+    report.bound = report.certified ? header.at("bound").get<double>() : std::numeric_limits<double>::infinity();
+    report.residual = header.at("residual").get<double>();
+    report.largest = header.at("largest").get<double>();
+    report.spectral_bound = header.at("spectral_bound").get<double>();
   }
 
   // The sections follow one another, none is longer than the file, and their lengths agree.
@@ -123,7 +145,7 @@ class Reader {
       const layout::Section& section = table_[i];
       std::array<char, 8> name{};
       std::copy(kind.name.begin(), kind.name.end(), name.begin());
-      const std::uint64_t columns = kind.columns != 0 ? kind.columns : transfer.bands_squared();
+      const std::uint64_t columns = kind.columns != 0 ? kind.columns : transfer.row_length();
       const bool is_per_vertex = kind.name != "face" && kind.name != "remap";
       if (section.name != name || section.type != kind.type || section.columns != columns || section.offset != offset ||
           section.rows > (size_ - offset) / (columns * sizeof(float)) ||
@@ -153,7 +175,7 @@ class Reader {
     fetch_section(3, 1, transfer.mesh.albedo);
     fetch_section(4, 1, transfer.mesh.faces);
     fetch_section(5, 1, transfer.mesh.remap);
-    fetch_section(6, transfer.bands_squared(), transfer.coefficients);
+    fetch_section(6, transfer.row_length(), transfer.coefficients);
   }
 
   void check_values(const Transfer& transfer) const {

@@ -24,7 +24,7 @@ std::array<Data, layout::kSections.size()> sections_of(const Transfer& transfer)
   const Mesh& mesh = transfer.mesh;
   const std::size_t vertices = mesh.positions.size();
   if (mesh.normals.size() != vertices || mesh.geometric_normals.size() != vertices || mesh.albedo.size() != vertices ||
-      transfer.coefficients.size() != vertices * transfer.bands_squared()) {
+      transfer.coefficients.size() != vertices * transfer.row_length()) {
     throw std::invalid_argument("transfer: its arrays differ in length, expected one entry a vertex in each");
   }
   return {{{mesh.positions.data(), vertices},
@@ -54,7 +54,7 @@ void write_transfer(const std::string& path, const Transfer& transfer) {
     const layout::Kind& kind = layout::kSections[i];
     std::copy(kind.name.begin(), kind.name.end(), table[i].name.begin());
     table[i].type = kind.type;
-    table[i].columns = kind.columns != 0 ? kind.columns : static_cast<std::uint32_t>(transfer.bands_squared());
+    table[i].columns = kind.columns != 0 ? kind.columns : static_cast<std::uint32_t>(transfer.row_length());
     table[i].rows = data[i].rows;
     table[i].offset = offset;
     table[i].checksum = checksum(data[i].first, bytes_of(table[i]));

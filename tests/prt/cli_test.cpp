@@ -112,6 +112,23 @@ TEST_F(Tool, ProjectRefusesBadPictures) {
   expect_failed_late(run_prt({"project", folder->file("good.exr")}, {}, "/dev/full"), "standard output: cannot write");
 }
 
+TEST_F(Tool, BakesBouncesAndSaysHowTheyWereSolved) {
+  const std::string scene = folder->file("room.json");
+  write_all(scene, R"({"meshes": [{"primitive": "stairs", "albedo": [0.9, 0.5, 0.1]}],
+                       "bake": {"degree": 1, "directions": 64, "transfer": "interreflected"}})");
+  const std::string file = folder->file("room.transfer");
+  const Finished run = run_prt({"bake", scene, "-o", file, "--bounce-memory", "0"});
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_NE(run.err.find("prt: bounces by series: "), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("certified error "), std::string::npos) << run.err;
+  const auto info = nlohmann::json::parse(run_prt({"info", file}).out);
+  EXPECT_EQ(info["kind"], "DI");
+  EXPECT_EQ(info["channels"], 3);
+  EXPECT_TRUE(info["bounces"]["certified"]);
+  EXPECT_EQ(run_prt({"relight", file, "-o", folder->file("room.ply")}).status, 0);
+  EXPECT_EQ(run_prt({"render", file, "-o", folder->file("room.png"), "--width", "32", "--height", "16"}).status, 0);
+}
+
 TEST_F(Tool, CommandLinesThatCannotBeParsedAreOneLine) {
   expect_refused({}, "`` is no command; bake, relight");
   expect_refused({"bake"}, "SCENE");

@@ -151,8 +151,10 @@ TEST_F(SceneFile, IsRefusedWithABadLightCameraGroundOrOption) {
   EXPECT_EQ(with(R"("bake": {"degree": 11})"), "scene.json: /bake/degree: expected an integer from 0 to 10, got 11");
   EXPECT_EQ(with(R"("bake": {"degree": true})"),
             "scene.json: /bake/degree: expected an integer from 0 to 10, got true");
+  EXPECT_EQ(with(R"("bake": {"tolerance": 0})"),
+            "scene.json: /bake/tolerance: expected a number from 1e-9 to 1, got 0");
   EXPECT_EQ(with(R"("bake": {"transfer": "glossy"})"),
-            R"(scene.json: /bake/transfer: expected one of unshadowed, shadowed, got "glossy")");
+            R"(scene.json: /bake/transfer: expected one of unshadowed, shadowed, interreflected, got "glossy")");
   EXPECT_EQ(with(R"("ground": {"size": -1})"), "scene.json: /ground/size: expected a positive number, got -1");
   EXPECT_EQ(with(R"("camera": {"field_of_view": 180})"),
             "scene.json: /camera/field_of_view: expected degrees from 1 to 170, got 180");

@@ -1,0 +1,350 @@
+// Light that bounces, against what is known of closed spheres, and against itself by another solver.
+#include "prt/bounces.hpp"
+
+#include <gtest/gtest.h>
+#include <tbb/task_arena.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "prt/bake.hpp"
+#include "prt/relight.hpp"
+#include "prt/tessellate.hpp"
+#include "prt/trace_form_factors.hpp"
+#include "prt/transfer_file.hpp"
+#include "tests/prt/meshes.hpp"
+#include "tests/prt/random_light.hpp"
+#include "tests/prt/temporary_folder.hpp"
+
+namespace sh::prt::test {
+namespace {
+
+const auto kRoot4Pi = static_cast<float>(std::sqrt(4.0 * std::numbers::pi));
+
+Scene scene_of(Mesh mesh, TransferKind kind) {
+  Scene scene;
+  scene.name = "test";
+  scene.mesh = std::move(mesh);
+  scene.bake.kind = kind;
+  scene.bake.degree = 2;
+  scene.bake.directions = 1024;
+  return scene;
+}
+
+Transfer baked(const Mesh& mesh, TransferKind kind) { return bake(scene_of(mesh, kind)); }
+
+void paint(Mesh& mesh, const Eigen::Vector3f& albedo) { mesh.albedo.assign(mesh.positions.size(), albedo); }
+
+// A sphere of radius 1 seen from inside; without the faces whose corners all lie higher than `opening`.
+Mesh hollow_sphere(int segments, float opening = 2.0F) {
+  Mesh mesh = primitive_mesh("sphere", segments);
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+    mesh.positions[v] *= 2.0F;
+    mesh.geometric_normals[v] *= -1.0F;
+  }
+  mesh.normals = mesh.geometric_normals;  // a horizon of its own would cut what the shading normal sees
+  std::erase_if(mesh.faces, [&](const Face& face) {
+    return std::all_of(face.begin(), face.end(), [&](std::uint32_t v) { return mesh.positions[v].z() > opening; });
+  });
+  for (Face& face : mesh.faces) {
+    std::swap(face[1], face[2]);
+  }
+  return mesh;
+}
+
+// What several bounce systems on one mesh share.
+struct Room {
+  explicit Room(Mesh m, int directions = 1024) : mesh(std::move(m)), shared(directions, 0), tracer(mesh) {
+    Gatherer gatherer(shared, tracer);
+    RowMerger merger(mesh);
+    for (std::size_t v = 0; v < starts.size(); ++v) {
+      gatherer.gather(starts[v].origin, mesh.normals[v], mesh.geometric_normals[v]);
+      factors.keep(v, merger.merge(gatherer));
+    }
+  }
+
+  // Solves x = own(v) + albedo K x in all channels.
+  template <class Own>
+  Panel solve(float albedo, const Own& own, BounceSolver solver, BounceReport& report, double tolerance = 1e-8) {
+    Panel x(mesh.positions.size(), kLayout.columns());
+    for (std::size_t v = 0; v < x.rows; ++v) {
+      for (std::size_t c = 0; c < BounceLayout::kChannels; ++c) {
+        x.row(v)[kLayout.channel(c)] = own(mesh.positions[v]);
+      }
+    }
+    const std::vector<Eigen::Vector3f> colour(x.rows, Eigen::Vector3f(albedo, 0.5F * albedo, 0.0F));
+    report = solve_bounces(factors, colour, kLayout, x, {tolerance, solver, 20000});
+    return x;
+  }
+
+  static constexpr BounceLayout kLayout{1};
+  Mesh mesh;
+  SharedDirections shared;
+  Tracer tracer;
+  std::vector<RayStart> starts = ray_starts(mesh);
+  FormFactors factors{mesh.positions.size()};
+};
+
+double uniform(const Eigen::Vector3f& /*position*/) { return 1.0; }
+double by_height(const Eigen::Vector3f& position) { return 1.0 + static_cast<double>(position.z()); }
+
+TEST(FormFactors, OfAClosedRoomSumToOne) {
+  const Room room(hollow_sphere(24));
+  Panel one(room.mesh.positions.size(), 1);
+  std::fill(one.values.begin(), one.values.end(), 1.0);
+  Panel sum(one.rows, 1);
+  room.factors.apply(one, sum);
+  for (std::size_t v = 0; v < sum.rows; ++v) {
+    EXPECT_NEAR(sum.row(v)[0], 1.0, 1e-6) << v;
+  }
+}
+
+// Everything returns: B = E + albedo B, whatever the shape of the room.
+TEST(Bounces, OfAnEvenlyGlowingClosedRoomSumToOneOverOneMinusTheAlbedo) {
+  Room room(hollow_sphere(24));
+  for (const float albedo : {0.0F, 0.1F, 0.5F, 0.9F, 0.99F, 0.999F}) {
+    for (const BounceSolver solver : {BounceSolver::kSeries, BounceSolver::kKrylov, BounceSolver::kAutomatic}) {
+      BounceReport report;
+      const Panel x = room.solve(albedo, uniform, solver, report);
+      const double exact = 1.0 / (1.0 - static_cast<double>(albedo));
+      EXPECT_TRUE(report.certified);
+      EXPECT_NEAR(report.spectral_bound, static_cast<double>(albedo), 1e-6);
+      for (std::size_t v = 0; v < x.rows; ++v) {
+        ASSERT_NEAR(x.row(v)[0], exact, 2e-7 * exact * exact)
+            << albedo;  // the sum of a row is a float's rounding off 1
+        ASSERT_NEAR(x.row(v)[4], 1.0, 1e-15) << "black in the third channel";
+      }
+    }
+  }
+}
+
+// In a sphere every point sees every other alike: B(v) = E(v) + albedo / (1 - albedo) mean E.
+TEST(Bounces, InASphereSpreadEvenly) {
+  Room room(hollow_sphere(32));
+  for (const float albedo : {0.5F, 0.95F}) {
+    BounceReport report;
+    const Panel x = room.solve(albedo, by_height, BounceSolver::kAutomatic, report);
+    const double spread = static_cast<double>(albedo) / (1.0 - static_cast<double>(albedo));
+    double worst = 0.0;
+    for (std::size_t v = 0; v < x.rows; ++v) {
+      worst = std::max(worst, std::abs(x.row(v)[0] - by_height(room.mesh.positions[v]) - spread) / spread);
+    }
+    EXPECT_LT(worst, 0.02) << worst;
+  }
+}
+
+TEST(Bounces, StayWithinTheirCertifiedErrorAtAnyTolerance) {
+  Room room(hollow_sphere(12), 256);
+  for (const float albedo : {0.3F, 0.9F, 0.995F}) {
+    BounceReport report;
+    const Panel exact = room.solve(albedo, by_height, BounceSolver::kKrylov, report, 1e-12);
+    ASSERT_TRUE(report.certified);
+    for (const BounceSolver solver : {BounceSolver::kSeries, BounceSolver::kKrylov}) {
+      for (const double tolerance : {1e-1, 1e-3, 1e-6}) {
+        const Panel x = room.solve(albedo, by_height, solver, report, tolerance);
+        double worst = 0.0;
+        for (std::size_t v = 0; v < x.rows; ++v) {
+          worst = std::max(worst, std::abs(x.row(v)[0] - exact.row(v)[0]));
+        }
+        EXPECT_TRUE(report.certified);
+        EXPECT_LE(report.bound, tolerance * report.largest);
+        EXPECT_LE(worst, report.bound + 1e-9);
+      }
+    }
+  }
+}
+
+TEST(Bounces, OfBrightRoomsTakeFewStepsOfTheKrylovSolver) {
+  Room room(hollow_sphere(24));
+  BounceReport series;
+  BounceReport automatic;
+  room.solve(0.999F, by_height, BounceSolver::kSeries, series, 1e-4);
+  room.solve(0.999F, by_height, BounceSolver::kAutomatic, automatic, 1e-4);
+  EXPECT_EQ(series.solver, "series");
+  EXPECT_EQ(automatic.solver, "bicgstab");
+  EXPECT_GT(series.applications, 5000);
+  EXPECT_LT(automatic.applications, 50);
+}
+
+TEST(Bounces, WithoutLossAreNotCertified) {
+  Room room(hollow_sphere(8), 64);
+  BounceReport report;
+  Panel x(room.mesh.positions.size(), Room::kLayout.columns());
+  x.row(0)[0] = 1.0;
+  const std::vector<Eigen::Vector3f> white(x.rows, Eigen::Vector3f::Constant(1.0F));
+  report = solve_bounces(room.factors, white, Room::kLayout, x, {1e-9, BounceSolver::kSeries, 50});
+  EXPECT_FALSE(report.certified);
+  EXPECT_EQ(report.applications, 50);
+}
+
+// The sky through a hole that is the part `a` of the sphere: B = albedo (a + (1 - a) B), even inside.
+TEST(InterreflectedBake, FillsASphereThroughAHole) {
+  Mesh mesh = hollow_sphere(32, 0.6F);
+  std::vector<std::uint8_t> used(mesh.positions.size(), 0);
+  float rim = -1.0F;  // the height of the hole
+  for (const Face& face : mesh.faces) {
+    for (const std::uint32_t v : face) {
+      used[v] = 1;
+      rim = std::max(rim, mesh.positions[v].z());
+    }
+  }
+  const float a = 0.5F * (1.0F - rim);
+  paint(mesh, {0.2F, 0.8F, 0.95F});
+  const Transfer transfer = baked(mesh, TransferKind::kInterreflected);
+  for (std::size_t c = 0; c < 3; ++c) {
+    const float albedo = mesh.albedo[0][static_cast<Eigen::Index>(c)];
+    const double expected = static_cast<double>(albedo * a / (1.0F - albedo * (1.0F - a)));
+    double mean = 0.0;
+    double vertices = 0.0;
+    double worst = 0.0;
+    for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+      if (used[v] != 0 && mesh.positions[v].z() < rim) {
+        const auto got = static_cast<double>(transfer.coefficients[v * 27 + c * 9] * kRoot4Pi);
+        worst = std::max(worst, std::abs(got / expected - 1.0));
+        mean += got / expected;
+        vertices += 1.0;
+      }
+    }
+    EXPECT_NEAR(mean / vertices, 1.0, 0.01) << albedo;
+    EXPECT_LT(worst, 0.08) << albedo;
+  }
+}
+
+TEST(InterreflectedBake, OfWhiteConvexShapesIsTheUnshadowedOneToTheLastBit) {
+  for (const std::string name : {"plane", "box", "cylinder", "cone"}) {
+    Mesh mesh = primitive_mesh(name);
+    mesh.normals = mesh.geometric_normals;
+    paint(mesh, Eigen::Vector3f::Constant(1.0F));
+    const Transfer bounced = baked(mesh, TransferKind::kInterreflected);
+    const Transfer open = baked(mesh, TransferKind::kUnshadowed);
+    EXPECT_EQ(bounced.bounces.applications, 1);
+    EXPECT_EQ(bounced.bounces.bound, 0.0);
+    for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+      for (std::size_t i = 0; i < 9; ++i) {
+        for (std::size_t c = 0; c < 3; ++c) {
+          ASSERT_EQ(bounced.coefficients[v * 27 + c * 9 + i], open.coefficients[v * 9 + i]) << name;
+        }
+      }
+    }
+  }
+}
+
+// Two facing walls, one coloured.
+Mesh corner() {
+  Mesh mesh = primitive_mesh("stairs");
+  append(mesh, primitive_mesh("torus", 16));
+  return mesh;
+}
+
+TEST(InterreflectedBake, WithAllElseBlackIsAlbedoTimesTheShadowedOneToTheLastBit) {
+  Mesh mesh = corner();
+  const Transfer shadowed = baked(mesh, TransferKind::kShadowed);
+  paint(mesh, Eigen::Vector3f::Zero());
+  mesh.albedo[5] = Eigen::Vector3f(1.0F, 0.3F, 0.7F);
+  for (std::size_t i = 0; i < 9; ++i) {
+    ASSERT_TRUE(std::isfinite(shadowed.coefficients[5 * 9 + i]));
+  }
+  const Transfer bounced = baked(mesh, TransferKind::kInterreflected);
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+    for (std::size_t i = 0; i < 9; ++i) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        const float albedo = mesh.albedo[v][static_cast<Eigen::Index>(c)];
+        ASSERT_EQ(bounced.coefficients[v * 27 + c * 9 + i], albedo * shadowed.coefficients[v * 9 + i]) << v;
+      }
+    }
+  }
+}
+
+TEST(InterreflectedBake, AddsLightButNeverMoreThanThereIs) {
+  Mesh mesh = corner();
+  std::mt19937 random(7);
+  std::uniform_real_distribution<float> albedo(0.5F, 1.0F);
+  for (Eigen::Vector3f& colour : mesh.albedo) {
+    colour = {albedo(random), 1.0F, 0.1F};
+  }
+  const Transfer shadowed = baked(mesh, TransferKind::kShadowed);
+  const Transfer bounced = baked(mesh, TransferKind::kInterreflected);
+  EXPECT_TRUE(bounced.bounces.certified);
+  EXPECT_LT(bounced.bounces.spectral_bound, 1.0);
+  double added = 0.0;
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      const float all = bounced.coefficients[v * 27 + c * 9];
+      const float direct = mesh.albedo[v][static_cast<Eigen::Index>(c)] * shadowed.coefficients[v * 9];
+      EXPECT_GE(all, direct * (1.0F - 1e-6F));
+      EXPECT_LE(all * kRoot4Pi, 1.0F + 1e-5F);
+      added = std::max(added, static_cast<double>((all - direct) * kRoot4Pi));
+    }
+  }
+  EXPECT_GT(added, 0.05);
+}
+
+// A grey floor beside a red wall: what comes back from the wall is red, and nothing from the wall's back.
+Mesh floor_and_wall(bool turned) {
+  Mesh mesh = primitive_mesh("plane");
+  tessellate(
+      mesh, [](const Eigen::Vector3f&) { return 0.3F; }, "floor");
+  Soup wall = make_primitive("plane");
+  Eigen::Affine3f map = Eigen::Affine3f::Identity();
+  map.translate(Eigen::Vector3f(-0.5F, 0.0F, 0.5F));
+  map.rotate(Eigen::AngleAxisf((turned ? -0.5F : 0.5F) * std::numbers::pi_v<float>, Eigen::Vector3f::UnitY()));
+  transform(wall, map);
+  wall.albedo.assign(wall.positions.size(), Eigen::Vector3f(0.8F, 0.0F, 0.0F));
+  append(mesh, weld(wall, wall.positions.size()));
+  return mesh;
+}
+
+TEST(InterreflectedBake, BleedsColourFromFrontsAndNotFromBacks) {
+  for (const bool turned : {false, true}) {
+    const Mesh mesh = floor_and_wall(turned);
+    const Transfer transfer = baked(mesh, TransferKind::kInterreflected);
+    float red = 0.0F;
+    for (std::size_t v = 0; v + 4 < mesh.positions.size(); ++v) {
+      const float* t = transfer.coefficients.data() + v * 27;
+      EXPECT_EQ(t[9], t[18]) << "green and blue see a black wall";
+      red = std::max(red, (t[0] - t[9]) * kRoot4Pi);
+    }
+    if (turned) {
+      EXPECT_LT(red, 1e-6F);
+    } else {
+      EXPECT_GT(red, 0.03F);
+    }
+  }
+}
+
+TEST(InterreflectedBake, GivesTheSameBitsForAnyNumberOfThreadsAndAnyMemory) {
+  Mesh mesh = corner();
+  paint(mesh, Eigen::Vector3f(0.9F, 0.5F, 0.99F));
+  const Scene scene = scene_of(mesh, TransferKind::kInterreflected);
+  const Transfer one = bake(scene, {1, "", OnFlaw::kMend});
+  for (const std::size_t memory : {SIZE_MAX, std::size_t{20000}, std::size_t{0}}) {
+    EXPECT_EQ(bake(scene, {3, "", OnFlaw::kMend, memory}).coefficients, one.coefficients) << memory;
+  }
+}
+
+TEST(InterreflectedBake, IsWrittenReadAndRelitWithItsThreeChannels) {
+  const Transfer written = baked(corner(), TransferKind::kInterreflected);
+  const TemporaryFolder folder;
+  const std::string file = folder.file("a.prt");
+  write_transfer(file, written);
+  const Transfer read = read_transfer(file);
+  EXPECT_EQ(read.kind, TransferKind::kInterreflected);
+  EXPECT_EQ(read.coefficients, written.coefficients);
+  EXPECT_EQ(transfer_header(read), transfer_header(written));
+  const LightCoefficients light = random_light(2, 1);
+  const std::vector<Eigen::Vector3f> radiance = relight(read, light);
+  for (std::size_t v = 0; v < radiance.size(); ++v) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      double sum = 0.0;
+      for (std::size_t i = 0; i < 9; ++i) {
+        sum += static_cast<double>(written.coefficients[v * 27 + c * 9 + i]) * light.at(c, i);
+      }
+      ASSERT_NEAR(static_cast<double>(radiance[v][static_cast<Eigen::Index>(c)]), sum, 1e-5);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace sh::prt::test
