@@ -195,7 +195,7 @@ TEST(InterreflectedBake, FillsASphereThroughAHole) {
   const Transfer transfer = baked(mesh, TransferKind::kInterreflected);
   for (std::size_t c = 0; c < 3; ++c) {
     const float albedo = mesh.albedo[0][static_cast<Eigen::Index>(c)];
-    const double expected = static_cast<double>(albedo * a / (1.0F - albedo * (1.0F - a)));
+    const auto expected = static_cast<double>(albedo * a / (1.0F - albedo * (1.0F - a)));
     double mean = 0.0;
     double vertices = 0.0;
     double worst = 0.0;
@@ -231,7 +231,7 @@ TEST(InterreflectedBake, OfWhiteConvexShapesIsTheUnshadowedOneToTheLastBit) {
   }
 }
 
-// Two facing walls, one coloured.
+// Stairs with a torus around them: many faces that see each other.
 Mesh corner() {
   Mesh mesh = primitive_mesh("stairs");
   append(mesh, primitive_mesh("torus", 16));
@@ -244,7 +244,7 @@ TEST(InterreflectedBake, WithAllElseBlackIsAlbedoTimesTheShadowedOneToTheLastBit
   paint(mesh, Eigen::Vector3f::Zero());
   mesh.albedo[5] = Eigen::Vector3f(1.0F, 0.3F, 0.7F);
   for (std::size_t i = 0; i < 9; ++i) {
-    ASSERT_TRUE(std::isfinite(shadowed.coefficients[5 * 9 + i]));
+    ASSERT_TRUE(std::isfinite(shadowed.coefficients[std::size_t{5} * 9 + i]));
   }
   const Transfer bounced = baked(mesh, TransferKind::kInterreflected);
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
@@ -325,7 +325,9 @@ TEST(InterreflectedBake, GivesTheSameBitsForAnyNumberOfThreadsAndAnyMemory) {
 }
 
 TEST(InterreflectedBake, IsWrittenReadAndRelitWithItsThreeChannels) {
-  const Transfer written = baked(corner(), TransferKind::kInterreflected);
+  Mesh mesh = corner();
+  paint(mesh, {0.9F, 0.5F, 0.2F});
+  const Transfer written = baked(mesh, TransferKind::kInterreflected);
   const TemporaryFolder folder;
   const std::string file = folder.file("a.prt");
   write_transfer(file, written);
