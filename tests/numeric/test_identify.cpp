@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "numeric/identify/candidates.hpp"
 #include "numeric/random.hpp"
 #include "tests/numeric/identify_data.hpp"
 
@@ -134,6 +135,13 @@ TEST(Identify, SaysWhatIsWrongWithACoefficient) {
     ASSERT_NE(result.first_wrong(), nullptr) << spoiled.reason;
     EXPECT_EQ(result.first_wrong()->reason, spoiled.reason);
   }
+}
+
+TEST(Identify, RanksByWhatNoConstantExplainsToo) {
+  const auto result = identify_values({}, 2, [](Values& v) { v[5] += 0.01 * v[7]; });
+  ASSERT_EQ(ranked_candidates(result.samples).front().wrong, 1);
+  ASSERT_NE(result.first_wrong(), nullptr);
+  EXPECT_EQ(result.first_wrong()->index, 5);
 }
 
 TEST(Identify, TellsConventionsApartThatNoPresetHas) {

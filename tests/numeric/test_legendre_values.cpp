@@ -70,6 +70,17 @@ TEST(LegendreValues, TheAmplitudeIsTheValueInTheTailAndHoldsTheSlopeElsewhere) {
   }
 }
 
+// The tail begins where ((l + 1/2) sine)^2 = m^2 - 1/4.
+TEST(LegendreValues, TheTailBeginsWhereTheFrequencyVanishes) {
+  for (const double square : {3.625, 3.875}) {
+    const double sine = std::sqrt(square) / 3.5;
+    const auto row = row_at(3, std::sqrt(1 - sine * sine), sine);
+    std::vector<double> amplitude(4);
+    legendre_amplitude(3, sine, row.data(), amplitude.data());
+    EXPECT_EQ(amplitude[2] == std::abs(row[2]), square < 3.75) << square;
+  }
+}
+
 std::string message_of(const std::function<void()>& call) {
   try {
     call();

@@ -297,6 +297,12 @@ TEST(PlotField, MarksAnyNegativeChannelOfAPictureOfLight) {
   EXPECT_GT(marked[1], pixels[1] / 8);
 }
 
+TEST(PlotSurface, HasTheNormalsOfASphereEverywhere) {
+  Surface surface;
+  add_lobes(surface, basis_function(0, 0), 1, 8);
+  for (const auto& v : surface.vertices) EXPECT_GT(dot(v.normal, unit(v.position)), 0.97) << v.position[2];
+}
+
 // Facets of one sign: their corners have that sign of f, or lie at the origin.
 TEST(PlotSurface, CutsLobesAtTheirZeros) {
   const auto f = function_of_coefficients(random_coefficients(36, 2));

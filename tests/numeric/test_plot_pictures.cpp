@@ -122,6 +122,20 @@ TEST(PlotPicture, ShowsTheSameLobesInSvg) {
   EXPECT_GT(facets, 3000);
 }
 
+// From above, the positive lobe hides the negative one: it is painted later.
+TEST(PlotPicture, PaintsFacetsFromBackToFront) {
+  const auto svg = draw_lobes(basis_function(1, 0), {35, 80}, {"t", Format::kSvg, 1000});
+  static const std::regex kFacet(R"re(<path color="#(..)..(..)" d=)re");
+  std::vector<bool> positive;
+  for (auto it = std::sregex_iterator(svg.begin(), svg.end(), kFacet); it != std::sregex_iterator(); ++it) {
+    const int difference = std::stoi((*it)[1], nullptr, 16) - std::stoi((*it)[2], nullptr, 16);
+    if (std::abs(difference) >= 30) positive.push_back(difference > 0);  // else an axis
+  }
+  ASSERT_GT(positive.size(), 1000);
+  EXPECT_FALSE(positive.front());
+  EXPECT_TRUE(positive.back());
+}
+
 TEST(PlotPicture, ShowsTheSignsOfAMapAtTheAxes) {
   // x - y + z / 2: positive at +x, -y, +z.
   const auto f = function_of_coefficients(std::vector<double>{0, -1, 0.5, 1});

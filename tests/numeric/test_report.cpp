@@ -155,6 +155,21 @@ TEST_F(Report, AdviceIsTheCheapestThatIsExactEnoughAndOtherwiseTheMostExact) {
   }
 }
 
+TEST(ReportAdvice, NamesItsNeighboursOnTheFront) {
+  std::vector<sh::numeric::Point> points(6);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    points[i].info.task = "basis";
+    points[i].info.degree = 1;
+    points[i].nanoseconds = static_cast<double>(1 + i);
+    points[i].error = std::pow(10.0, -static_cast<double>(2 * i));
+  }
+  const auto advice = advise(points, {.task = "basis", .degree = 1, .error = 1e-5, .scalar = {}});
+  EXPECT_EQ(advice.choice.nanoseconds, 4);
+  ASSERT_TRUE(advice.cheaper && advice.more_exact);
+  EXPECT_EQ(advice.cheaper->nanoseconds, 3);
+  EXPECT_EQ(advice.more_exact->nanoseconds, 5);
+}
+
 TEST_F(Report, AdviceNamesTheKernelItsErrorAndItsNeighbours) {
   const auto outcome = run("advise --error 1e-5 --degree 4 --task rotate --report " + file());
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;

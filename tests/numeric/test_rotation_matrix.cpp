@@ -90,6 +90,17 @@ TEST(RotationMatrix, InFloatPassesWithItsError) {
   EXPECT_LT(largest_error(result), 1e-6);
 }
 
+TEST(RotationMatrix, MayErrBySixteenEpsilonsTimesItsBands) {
+  for (const std::size_t l : {1U, 2U, 3U}) {
+    for (const double share : {0.5, 1.5}) {
+      auto cases = make_float_rotations(3, false);
+      cases.cases.front().bands[l][1] += share * 16 * static_cast<double>(l + 1) * 0x1p-23;
+      EXPECT_EQ(check_rotations(cases, 0).passes(), share < 1) << l << ' ' << share;
+    }
+  }
+  EXPECT_EQ(check_rotations(make_rotations({}, 2), 0).epsilon, 0x1p-52);
+}
+
 // What orthogonality does not show.
 TEST(RotationMatrix, ThatLosesDigitsNearIdentityIsFoundThoughOrthogonal) {
   const auto result = check_rotations(make_float_rotations(5, true), 0);
