@@ -12,13 +12,34 @@
 #include <stdexcept>
 
 #include "prt/commands.hpp"
+#include "prt/json_reader.hpp"
+#include "prt/scene_parts.hpp"
 
 namespace sh::prt {
 namespace {
 
 std::int64_t now() { return std::chrono::steady_clock::now().time_since_epoch() / std::chrono::nanoseconds(1); }
 
-LightSpec named_light(const std::string& name) {
+std::vector<LightSpec> lights_of_file(const std::string& file) {
+  const nlohmann::json document = read_json(file);
+  const JsonReader reader(file, document);
+  const std::string folder = std::filesystem::path(file).parent_path().string();
+  if (!reader.is_array()) {
+    return {read_light(reader, folder)};
+  }
+  std::vector<LightSpec> lights;
+  for (const JsonReader& item : reader.items()) {
+    lights.push_back(read_light(item, folder));
+  }
+  return lights;
+}
+
+}  // namespace
+
+std::vector<LightSpec> named_lights(const std::string& name, const std::string& mapping) {
+  if (std::filesystem::path(name).extension() == ".json") {
+    return lights_of_file(name);
+  }
   LightSpec spec;
   if (name == "constant") {
     spec.type = LightType::kConstant;
@@ -27,18 +48,26 @@ LightSpec named_light(const std::string& name) {
   } else {
     spec.type = LightType::kEnvironment;
     spec.file = name;
+    spec.mapping = mapping_named(mapping);
   }
-  return spec;
+  return {spec};
 }
 
-}  // namespace
+void add_mapping_to(CLI::App& command, std::string& mapping) {
+  const std::vector<std::string> words(std::begin(kMappingNames), std::end(kMappingNames));
+  command.add_option("--mapping", mapping, "of a picture (prt/IMAGES.md)")
+      ->check(CLI::IsMember(words))
+      ->capture_default_str();
+}
 
 void LightOptions::add_to(CLI::App& command) {
   auto* from_scene =
       command.add_option("--scene", scene, "take light and camera from this scene (JSON file or `demo`)");
   command
-      .add_option("--light", light, "instead of the scene's: constant, overcast, or a lat-long .exr or .hdr picture")
+      .add_option("--light", light,
+                  "instead of the scene's: constant, overcast, an .exr or .hdr picture, or a .json file of lights")
       ->excludes(from_scene);
+  add_mapping_to(command, mapping);
   command.add_option("--turn", turn_degrees, "turn the light about +z by this many degrees");
   command.add_flag("--strict", strict, "refuse input that would otherwise be mended with a warning");
 }
@@ -50,7 +79,8 @@ ChosenLight choose_light(const LightOptions& options) {
     chosen.lights = load_lights(scene.lights, options.on_flaw());
     chosen.camera.push_back(scene.camera);
   } else {
-    chosen.lights = load_lights({named_light(options.light.empty() ? "overcast" : options.light)}, options.on_flaw());
+    chosen.lights = load_lights(named_lights(options.light.empty() ? "overcast" : options.light, options.mapping),
+                                options.on_flaw());
   }
   chosen.lights =
       turned(chosen.lights, rotation_about(Eigen::Vector3d::UnitZ(), static_cast<double>(options.turn_degrees)));

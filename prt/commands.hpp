@@ -22,9 +22,10 @@ void add_project_command(CLI::App& tool);
 
 /// What several commands take: the light, as a scene's or as a word, and how flaws are met.
 struct LightOptions {
-  std::string scene;          // JSON file or `demo`: its lights (and camera)
-  std::string light;          // instead: constant, overcast or an environment picture
-  float turn_degrees = 0.0F;  // about +z, on top of the lights' own rotations
+  std::string scene;                 // JSON file or `demo`: its lights (and camera)
+  std::string light;                 // instead: constant, overcast, an environment picture or a JSON file of lights
+  std::string mapping = "lat_long";  // of the picture
+  float turn_degrees = 0.0F;         // about +z, on top of the lights' own rotations
   bool strict = false;
 
   void add_to(CLI::App& command);
@@ -38,6 +39,13 @@ struct ChosenLight {
   std::vector<Camera> camera;  // none or one
 };
 ChosenLight choose_light(const LightOptions& options);
+
+/// Adds `--mapping`, one of kMappingNames.
+void add_mapping_to(CLI::App& command, std::string& mapping);
+
+/// What a word or a file stands for: `constant`, `overcast`, a JSON file that holds one light of a scene or an array of
+/// them, else a picture of that mapping.
+std::vector<LightSpec> named_lights(const std::string& name, const std::string& mapping);
 
 /// `--threads N`: 0 takes every core. Runs `work` with at most that many threads.
 void with_threads(int threads, const std::function<void()>& work);

@@ -3,7 +3,7 @@
 
 #include "prt/cap_light.hpp"
 #include "prt/image_io.hpp"
-#include "prt/lat_long.hpp"
+#include "prt/image_mapping.hpp"
 #include "prt/light_coefficients.hpp"
 #include "prt/polygon_light.hpp"
 #include "prt/sky.hpp"
@@ -15,7 +15,7 @@ Light load_light(const LightSpec& spec, OnFlaw on_flaw) {
   Light light{spec, rotation_about(spec.rotation_axis.cast<double>(), static_cast<double>(spec.rotation_degrees)), {}};
   if (spec.type == LightType::kEnvironment) {
     auto image = std::make_shared<Image>(read_image(spec.file, on_flaw));
-    require_lat_long(spec.file, *image);
+    require_shape(spec.file, *image, spec.mapping);
     light.image = std::move(image);
   }
   return light;
@@ -38,7 +38,7 @@ Eigen::Vector3f radiance(const Light& light, const Eigen::Vector3d& direction) {
     case LightType::kPolygon:
       return light.spec.radiance * (polygon_covers(light.spec.corners, local) ? 1.0F : 0.0F);
     case LightType::kEnvironment:
-      return light.spec.scale * lat_long_lookup(*light.image, local);
+      return light.spec.scale * lookup(*light.image, light.spec.mapping, local);
   }
   return Eigen::Vector3f::Zero();
 }

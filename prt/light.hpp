@@ -7,7 +7,7 @@
 //   cie_sky       the other skies of the standard, with the sun's position (prt/sky.hpp)
 //   directional   a point at infinity; cap: a disc at infinity, or a sphere (prt/cap_light.hpp)
 //   polygon       a flat polygon (prt/polygon_light.hpp)
-//   environment   a lat-long picture (prt/lat_long.hpp says where its axes are) times `scale`
+//   environment   a picture (prt/image_mapping.hpp says where its axes are) times `scale`
 #pragma once
 #include <Eigen/Core>
 #include <memory>
@@ -26,7 +26,7 @@ struct Light {
   std::shared_ptr<const Image> image;  // environment only
 };
 
-/// Loads what the descriptions name. Throws std::runtime_error naming the picture, as read_image and require_lat_long.
+/// Loads what the descriptions name. Throws std::runtime_error naming the picture, as read_image and require_shape.
 std::vector<Light> load_lights(const std::vector<LightSpec>& specs, OnFlaw on_flaw);
 
 /// Every light turned by r after its own rotation.

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "prt/image_mapping.hpp"
+
 namespace sh::prt {
 
 enum class LightType { kConstant, kCieOvercast, kCieSky, kDirectional, kCap, kPolygon, kEnvironment };
@@ -18,9 +20,10 @@ struct LightSpec {
   double one_minus_cos = 0.0;                            // cap: of its half-angle, so that tiny ones keep their digits
   int sky = 12;                                          // cie_sky: its type in the standard, 1..15
   std::vector<Eigen::Vector3d>
-      corners;         // polygon: from where it is seen; as polygon_flaw (prt/polygon_light.hpp) wants
-  std::string file;    // environment: lat-long EXR or Radiance .hdr, path resolved
-  float scale = 1.0F;  // environment: factor on every pixel (exposure)
+      corners;       // polygon: from where it is seen; as polygon_flaw (prt/polygon_light.hpp) wants
+  std::string file;  // environment: EXR or Radiance .hdr, path resolved
+  ImageMapping mapping = ImageMapping::kLatLong;  // environment
+  float scale = 1.0F;                             // environment: factor on every pixel (exposure)
   Eigen::Vector3f rotation_axis = Eigen::Vector3f::UnitZ();
   float rotation_degrees = 0.0F;  // right-handed about the axis; turns the light, not the mesh
 };

@@ -63,7 +63,7 @@ LightCoefficients scaled(const std::vector<double>& shape, const Eigen::Vector3d
 LightCoefficients project(const Light& light, int degree) {
   require_degree(degree);
   if (light.spec.type == LightType::kEnvironment) {
-    LightCoefficients out = project_lat_long(*light.image, degree);
+    LightCoefficients out = project_image(*light.image, light.spec.mapping, degree);
     for (double& value : out.values) {
       value *= static_cast<double>(light.spec.scale);
     }

@@ -16,6 +16,9 @@ namespace sh::prt {
 /// Throws std::invalid_argument unless 0 <= degree <= kMaxDegree.
 LightCoefficients project(const std::vector<Light>& lights, int degree);
 
+/// A picture of any mapping, unturned and unscaled; every pixel is a patch of constant radiance.
+LightCoefficients project_image(const Image& image, ImageMapping mapping, int degree);
+
 /// A lat-long picture, unturned and unscaled.
 LightCoefficients project_lat_long(const Image& image, int degree);
 

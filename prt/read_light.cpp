@@ -131,10 +131,18 @@ void read_sky(const JsonReader& reader, const std::string& type, LightSpec& ligh
   read_radiance(reader, light);
 }
 
+ImageMapping read_mapping(const JsonReader& reader) {
+  return mapping_named(reader.one_of(
+      {kMappingNames[0], kMappingNames[1], kMappingNames[2], kMappingNames[3], kMappingNames[4], kMappingNames[5]}));
+}
+
 void read_environment(const JsonReader& reader, const std::string& folder, LightSpec& light) {
-  reader.allow({"type", "file", "scale", "rotate"});
+  reader.allow({"type", "file", "mapping", "scale", "rotate"});
   light.type = LightType::kEnvironment;
   light.file = beside(folder, reader.at("file").text());
+  if (const auto mapping = reader.find("mapping")) {
+    light.mapping = read_mapping(*mapping);
+  }
   if (const auto scale = reader.find("scale")) {
     light.scale = scale->positive();
   }
@@ -150,7 +158,7 @@ void read_uniform(const JsonReader& reader, const std::string& type, LightSpec& 
 
 LightSpec read_light(const JsonReader& reader, const std::string& folder) {
   reader.allow({"type", "radiance", "irradiance", "direction", "half_angle", "position", "radius", "from", "corners",
-                "sky", "sun", "file", "scale", "rotate"});
+                "sky", "sun", "file", "mapping", "scale", "rotate"});
   LightSpec light;
   const std::string type =
       reader.at("type").one_of({"constant", "cie_overcast", "cie_clear", "cie_partly_cloudy", "cie_sky", "directional",

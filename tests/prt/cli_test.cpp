@@ -89,6 +89,31 @@ TEST_F(Tool, ProjectPrintsCoefficientsWithConventionAxesAndUnits) {
   EXPECT_NE(run.err.find(" s\n"), std::string::npos) << run.err;
 }
 
+TEST_F(Tool, ProjectAndRelightTakeAFileOfLights) {
+  const std::string lights = folder->file("lights.json");
+  write_all(lights, R"([{"type": "constant", "radiance": [1, 2, 3]},
+                        {"type": "cap", "direction": [0, 0, 1], "half_angle": 180, "radiance": [1, 1, 1]}])");
+  const Finished run = run_prt({"project", lights, "--degree", "1"});
+  ASSERT_EQ(run.status, 0) << run.err;
+  const auto json = nlohmann::json::parse(run.out);
+  EXPECT_NEAR(json["coefficients"][1][0].get<double>(), 3.0 * std::sqrt(4.0 * std::numbers::pi), 1e-12);
+  EXPECT_NEAR(json["coefficients"][1][2].get<double>(), 0.0, 1e-12);
+  EXPECT_EQ(run_prt({"relight", baked, "--light", lights, "-o", folder->file("lights.ply")}).status, 0);
+  write_all(lights, R"([{"type": "constant"}, {"type": "cie_clear", "sun": {"elevation": -5}}])");
+  expect_refused({"project", lights}, "lights.json: /1/sun: expected a sun that is not below the horizon");
+  expect_refused({"relight", baked, "--light", lights, "-o", folder->file("x.ply")}, "lights.json: /1/sun");
+  expect_refused({"project", folder->file("none.json")}, "none.json: cannot read");
+}
+
+TEST_F(Tool, ProjectTakesPicturesOfEveryMapping) {
+  test::write_exr(folder->file("ball.exr"), test::pattern_image(16, 16));
+  const Finished run = run_prt({"project", folder->file("ball.exr"), "--mapping", "mirror_ball"});
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_EQ(nlohmann::json::parse(run.out)["mapping"], "mirror_ball");
+  expect_refused({"project", folder->file("ball.exr"), "--mapping", "vertical_cross"}, "needs 3:4");
+  expect_refused({"project", folder->file("ball.exr"), "--mapping", "fisheye"}, "--mapping");
+}
+
 TEST_F(Tool, ProjectRefusesBadPictures) {
   Image image = test::pattern_image(8, 4);
   image.pixels[0].x() = -1.0F;

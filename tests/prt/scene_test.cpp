@@ -215,6 +215,10 @@ TEST_F(SceneFile, RefusesLightsThatCannotBe) {
             "/corners: expected 3 to 1000 corners, got [[0,0,1],[0,1,1]]");
   EXPECT_EQ(
       light(R"("type": "polygon", "corners": [[0, 0, 1], [1, 0, 1], [1, 1, 1]])").find("/corners: expected corne"), 0U);
+  EXPECT_EQ(
+      light(R"("type": "environment", "file": "a.exr", "mapping": "cube")"),
+      "/mapping: expected one of lat_long, angular_map, mirror_ball, horizontal_cross, vertical_cross, cube_strip, "
+      "got \"cube\"");
   EXPECT_EQ(light(R"("type": "directional", "direction": [0, 0, 1], "radiance": [1, 1, 1])").find("/radiance: unknown"),
             0U);
 }
