@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -288,14 +289,57 @@ std::string element(const Chart& chart, const std::string& attributes, const std
          before + Drawing(chart).draw() + "</svg>\n";
 }
 
+// The variables of the style sheet.
+struct StyleColour {
+  const char* name;
+  const char* light;
+  const char* dark;
+};
+constexpr std::array<StyleColour, 4 + kChartColours> kColours = {{{"ink", "#1d2430", "#e4e7ec"},
+                                                                  {"quiet", "#6a7280", "#98a1af"},
+                                                                  {"grid", "#e6e8ec", "#2c323c"},
+                                                                  {"paper", "#fff", "#15191f"},
+                                                                  {"c0", "#0072b2", "#4ea3dd"},
+                                                                  {"c1", "#d55e00", "#f0813a"},
+                                                                  {"c2", "#009e73", "#35c19a"},
+                                                                  {"c3", "#b0589a", "#dd8fc6"},
+                                                                  {"c4", "#c98f00", "#edb944"},
+                                                                  {"c5", "#3b9fd6", "#8fd0f7"},
+                                                                  {"c6", "#555f6e", "#a9b3c1"},
+                                                                  {"c7", "#7a6300", "#c9b458"}}};
+
+constexpr const char* kShapes = R"(
+.chart{font:11px/1.2 system-ui,-apple-system,"Segoe UI",Roboto,"DejaVu Sans",sans-serif;max-width:100%;height:auto}
+.chart text{fill:var(--quiet)}.chart .title{font-size:13px;font-weight:600;fill:var(--ink)}.chart .name{fill:var(--quiet)}
+.chart .label{fill:var(--ink)}.chart .middle{text-anchor:middle}.chart .end{text-anchor:end}.chart .power{font-size:8px}
+.chart .grid,.chart .tick,.chart .axis,.chart .cut,.chart .leader,.chart .line,.chart .front{fill:none}
+.chart .grid{stroke:var(--grid)}.chart .tick,.chart .axis{stroke:var(--quiet)}
+.chart .cut{stroke:var(--paper);stroke-width:10}.chart .leader{stroke:var(--quiet);stroke-width:.6}
+.chart .line{stroke-width:1.6}.chart .front{stroke-width:1.3}.chart .dashed{stroke-dasharray:4 3}
+.chart .marker{stroke-width:1.5}.chart .target{fill:none;pointer-events:all}
+.chart .point:hover .marker{stroke-width:3.5}
+)";
+
+// The colours of the light theme in place of the variables, which programs other than browsers do not know.
+std::string on_white(std::string svg) {
+  for (const auto& colour : kColours) {
+    const std::string variable = fmt::format("var(--{})", colour.name);
+    const std::string value = colour.light;
+    for (auto at = svg.find(variable); at != std::string::npos; at = svg.find(variable, at + value.size())) {
+      svg.replace(at, variable.size(), value);
+    }
+  }
+  return svg;
+}
+
 }  // namespace
 
 std::string chart_svg(const Chart& chart) { return element(chart, "class=\"chart\" ", ""); }
 
 std::string chart_file(const Chart& chart) {
   const std::string paper = "<rect width=\"100%\" height=\"100%\" fill=\"var(--paper)\"/>\n";
-  return element(chart, R"(xmlns="http://www.w3.org/2000/svg" class="chart" )",
-                 "<style>" + chart_style() + "</style>\n" + paper);
+  return on_white(element(chart, R"(xmlns="http://www.w3.org/2000/svg" class="chart" )",
+                          "<style>" + std::string(kShapes) + "</style>\n" + paper));
 }
 
 std::string chart_key(const ChartSeries& series) {
@@ -304,21 +348,13 @@ std::string chart_key(const ChartSeries& series) {
 }
 
 std::string chart_style() {
-  return R"(
-:root{--ink:#1d2430;--quiet:#6a7280;--grid:#e6e8ec;--paper:#fff;--c0:#0072b2;--c1:#d55e00;--c2:#009e73;--c3:#b0589a;
---c4:#c98f00;--c5:#3b9fd6;--c6:#555f6e;--c7:#7a6300}
-@media (prefers-color-scheme:dark){:root{--ink:#e4e7ec;--quiet:#98a1af;--grid:#2c323c;--paper:#15191f;--c0:#4ea3dd;
---c1:#f0813a;--c2:#35c19a;--c3:#dd8fc6;--c4:#edb944;--c5:#8fd0f7;--c6:#a9b3c1;--c7:#c9b458}}
-.chart{font:11px/1.2 system-ui,-apple-system,"Segoe UI",Roboto,"DejaVu Sans",sans-serif;max-width:100%;height:auto}
-.chart text{fill:var(--quiet)}.chart .title{font-size:13px;font-weight:600;fill:var(--ink)}.chart .name{fill:var(--quiet)}
-.chart .label{fill:var(--ink)}.chart .middle{text-anchor:middle}.chart .end{text-anchor:end}.chart .power{font-size:8px}
-.chart .grid,.chart .tick,.chart .axis,.chart .cut,.chart .leader,.chart .line,.chart .front{fill:none}
-.chart .grid{stroke:var(--grid)}.chart .tick,.chart .axis{stroke:var(--quiet)}
-.chart .cut{stroke:var(--paper);stroke-width:10}.chart .leader{stroke:var(--quiet);stroke-width:.6}
-.chart .line{stroke-width:1.6}.chart .front{stroke-width:1.3}.chart .dashed{stroke-dasharray:4 3}
-.chart .marker{stroke-width:1.5}.chart .target{fill:transparent}
-.chart .point:hover .marker{stroke-width:3.5}
-)";
+  std::string light;
+  std::string dark;
+  for (const auto& colour : kColours) {
+    light += fmt::format("--{}:{};", colour.name, colour.light);
+    dark += fmt::format("--{}:{};", colour.name, colour.dark);
+  }
+  return fmt::format("\n:root{{{}}}\n@media (prefers-color-scheme:dark){{:root{{{}}}}}", light, dark) + kShapes;
 }
 
 }  // namespace sh::output

@@ -63,7 +63,7 @@ std::vector<AxisPiece> axis_pieces(std::vector<double> values, double widest_gap
 /// The <svg> element, for a page that has chart_style in its style sheet.
 std::string chart_svg(const Chart& chart);
 
-/// The same as a file of its own.
+/// The same as a file of its own, on white, in colours that every program that shows SVG knows.
 std::string chart_file(const Chart& chart);
 
 /// The marker of a series as a small <svg> element, for a legend.

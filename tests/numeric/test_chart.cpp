@@ -46,6 +46,12 @@ TEST(Chart, IsWellFormedWithEveryTextEscaped) {
   EXPECT_EQ(std::count_if(svg.begin(), svg.end(), [](const auto& child) { return child.first == "g"; }), 28);
 }
 
+TEST(Chart, AsAFileNamesItsColoursWithoutVariables) {
+  EXPECT_EQ(chart_file(some_chart()).find("var("), std::string::npos);
+  EXPECT_NE(chart_svg(some_chart()).find("var(--"), std::string::npos);
+  EXPECT_NE(sh::output::chart_style().find("--c7:#7a6300"), std::string::npos);
+}
+
 TEST(Chart, HasTheSameBytesEachTime) { EXPECT_EQ(chart_file(some_chart()), chart_file(some_chart())); }
 
 TEST(Chart, DrawsWhatIsNotPositiveOrNotFinite) {

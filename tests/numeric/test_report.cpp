@@ -213,7 +213,7 @@ TEST_F(Report, OfOneTaskIsWrittenAndNamed) {
 
 TEST_F(Report, InterruptedLeavesNoFile) {
   const auto out = folder_ / "report";
-  const std::string command = "timeout --preserve-status -s INT 0.5 " + std::string(SHFORGE_BIN_DIR) +
+  const std::string command = "timeout --foreground --preserve-status -s INT 0.5 " + std::string(SHFORGE_BIN_DIR) +
                               "/shcheck report --out " + out.string() + " 2>" + (folder_ / "stderr").string();
   const int status = std::system(command.c_str());  // NOLINT(cert-env33-c): a fixed command line
   EXPECT_EQ(WEXITSTATUS(status), 130);
