@@ -1,24 +1,16 @@
 // The answer of identify.hpp as text and as JSON.
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "numeric/identify/identify.hpp"
+#include "numeric/output/formatted.hpp"
 
 namespace sh::numeric::identify {
 namespace {
 
 using Json = nlohmann::ordered_json;
 using Complex = std::complex<double>;
-
-template <class... Argument>
-std::string print(const char* format, Argument... argument) {
-  std::array<char, 512> text{};
-  std::snprintf(text.data(), text.size(), format, argument...);
-  return text.data();
-}
 
 std::string join(const std::vector<std::string>& words, const char* between = ", ") {
   std::string text;
@@ -27,12 +19,13 @@ std::string join(const std::vector<std::string>& words, const char* between = ",
 }
 
 std::string number(Complex value) {
-  return value.imag() == 0 ? print("%.9g", value.real()) : print("%.9g%+.9gi", value.real(), value.imag());
+  return value.imag() == 0 ? output::formatted("%.9g", value.real())
+                           : output::formatted("%.9g%+.9gi", value.real(), value.imag());
 }
 
 std::string name_of(const Coefficient& c) {
-  if (c.function.is_hole()) return print("coefficient %d (a hole)", c.index);
-  return print("coefficient %d (l=%d, m=%d)", c.index, c.function.degree, c.function.order);
+  if (c.function.is_hole()) return output::formatted("coefficient %d (a hole)", c.index);
+  return output::formatted("coefficient %d (l=%d, m=%d)", c.index, c.function.degree, c.function.order);
 }
 
 // What values of functions cannot show of the presets named.
@@ -73,8 +66,8 @@ std::string reading_text(const Reading& reading) {
 
 std::string wrong_text(const Samples& samples, const Coefficient& c) {
   return name_of(c) + ": " + c.reason +
-         print("; on line %d found %s, expected %s\n", samples.lines[c.worst_row], number(c.found).c_str(),
-               number(c.expected).c_str());
+         output::formatted("; on line %d found %s, expected %s\n", samples.lines[c.worst_row], number(c.found).c_str(),
+                           number(c.expected).c_str());
 }
 
 std::string wrong_list(const Samples& samples, const std::vector<Coefficient>& coefficients) {
@@ -86,7 +79,7 @@ std::string wrong_list(const Samples& samples, const std::vector<Coefficient>& c
     ++count;
     if (count <= kMost) text += (count == 1 ? "first wrong: " : "then ") + wrong_text(samples, c);
   }
-  return text + (count > kMost ? print("and %d more\n", count - kMost) : "");
+  return text + (count > kMost ? output::formatted("and %d more\n", count - kMost) : "");
 }
 
 // Worst agreement and rounded constants of the coefficients that fit.
@@ -98,13 +91,14 @@ std::string agreement_text(const Identification& result) {
     if (worst == nullptr || c.deviation > worst->deviation) worst = &c;
     if (!c.reason.empty()) {
       rounded += "warning: " + name_of(c) + ": " + c.reason +
-                 print("; relative deviation %.1e\n", std::abs(c.ratio - Complex(1)));
+                 output::formatted("; relative deviation %.1e\n", std::abs(c.ratio - Complex(1)));
     }
   }
   if (worst == nullptr) return "";
-  return print("the %s agree to %.1f digits; worst is %s on line %d, found %s, expected %s\n",
-               result.fits() ? "values" : "others", result.digits(), name_of(*worst).c_str(),
-               result.samples.lines[worst->worst_row], number(worst->found).c_str(), number(worst->expected).c_str()) +
+  return output::formatted("the %s agree to %.1f digits; worst is %s on line %d, found %s, expected %s\n",
+                           result.fits() ? "values" : "others", result.digits(), name_of(*worst).c_str(),
+                           result.samples.lines[worst->worst_row], number(worst->found).c_str(),
+                           number(worst->expected).c_str()) +
          rounded;
 }
 
@@ -120,16 +114,17 @@ std::string other_readings(const Identification& result, bool all_readings) {
     if (shown) text += "  or: " + reading_text(reading) + "\n";
     hidden += shown ? 0 : 1;
   }
-  if (hidden > 0) text += print("  or: %d further readings that are no preset (--all lists them)\n", hidden);
+  if (hidden > 0)
+    text += output::formatted("  or: %d further readings that are no preset (--all lists them)\n", hidden);
   if (text.empty()) return "";
   const char* why = result.samples.degree <= 1 ? "; values of degree 2 or more can tell most of them apart" : "";
-  return print("%zu readings are the same on these data%s:\n", result.readings.size(), why) + text;
+  return output::formatted("%zu readings are the same on these data%s:\n", result.readings.size(), why) + text;
 }
 
 std::string doubt_text(const Identification& result) {
   if (result.doubts.empty()) return "";
-  std::string text =
-      print("that is no preset, and degree %d cannot tell it from a wrong coefficient:\n", result.samples.degree);
+  std::string text = output::formatted("that is no preset, and degree %d cannot tell it from a wrong coefficient:\n",
+                                       result.samples.degree);
   for (const Doubt& doubt : result.doubts) {
     text += "as " + reading_text(doubt.reading) + ",\n  " + wrong_list(result.samples, doubt.wrong);
   }
@@ -174,14 +169,14 @@ Json coefficient_json(const Samples& samples, const Coefficient& c) {
 
 std::string format_text(const Identification& result, bool all_readings) {
   const Samples& s = result.samples;
-  std::string text = print("%s: %zu directions, %zu values each, degree %d\n", s.file.c_str(), s.directions.size(),
-                           s.columns.size(), s.degree);
+  std::string text = output::formatted("%s: %zu directions, %zu values each, degree %d\n", s.file.c_str(),
+                                       s.directions.size(), s.columns.size(), s.degree);
   const bool fits = result.fits();
   if (!fits) {
     const auto wrong =
         std::count_if(result.coefficients.begin(), result.coefficients.end(), [](const auto& c) { return c.wrong; });
-    text += print("no convention fits; the nearest explains %zu of %zu coefficients:\n",
-                  result.coefficients.size() - static_cast<std::size_t>(wrong), result.coefficients.size());
+    text += output::formatted("no convention fits; the nearest explains %zu of %zu coefficients:\n",
+                              result.coefficients.size() - static_cast<std::size_t>(wrong), result.coefficients.size());
   }
   text += (fits ? "convention: " : "") + reading_text(result.readings.front()) + "\n";
   if (!fits) text += wrong_list(s, result.coefficients);

@@ -1,21 +1,13 @@
 // The answer of rotation_check.hpp as text and as JSON.
-#include <array>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "numeric/identify/rotation_check.hpp"
+#include "numeric/output/formatted.hpp"
 
 namespace sh::numeric::identify {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-template <class... Argument>
-std::string print(const char* format, Argument... argument) {
-  std::array<char, 256> text{};
-  std::snprintf(text.data(), text.size(), format, argument...);
-  return text.data();
-}
 
 std::string join(const std::vector<std::string>& words) {
   std::string text;
@@ -43,28 +35,32 @@ std::string other_readings(const RotationCheck& result, bool all_readings) {
     if (shown) text += "  or: " + reading_text(reading) + "\n";
     hidden += shown ? 0 : 1;
   }
-  if (hidden > 0) text += print("  or: %d further readings that are no preset (--all lists them)\n", hidden);
-  return text.empty() ? "" : print("%zu readings are the same on these data:\n", result.readings.size()) + text;
+  if (hidden > 0)
+    text += output::formatted("  or: %d further readings that are no preset (--all lists them)\n", hidden);
+  return text.empty() ? ""
+                      : output::formatted("%zu readings are the same on these data:\n", result.readings.size()) + text;
 }
 
 std::string number(const std::complex<double>& value) {
-  return value.imag() == 0 ? print("%.7g", value.real()) : print("%.7g%+.7gi", value.real(), value.imag());
+  return value.imag() == 0 ? output::formatted("%.7g", value.real())
+                           : output::formatted("%.7g%+.7gi", value.real(), value.imag());
 }
 
 std::string wrong_text(const WrongEntry& w) {
-  return print("first wrong: line %d, band l=%d, row m=%d, column m=%d: found %s, expected %s%s%s\n", w.line, w.degree,
-               w.row, w.column, number(w.found).c_str(), number(w.expected).c_str(), w.reason.empty() ? "" : ": ",
-               w.reason.c_str());
+  return output::formatted("first wrong: line %d, band l=%d, row m=%d, column m=%d: found %s, expected %s%s%s\n",
+                           w.line, w.degree, w.row, w.column, number(w.found).c_str(), number(w.expected).c_str(),
+                           w.reason.empty() ? "" : ": ", w.reason.c_str());
 }
 
 std::string bands_text(const RotationCheck& result) {
-  std::string text = print("%4s  %-13s  %-10s  %-10s  %s\n", "band", "orthogonal to", "true error", "limit",
-                           "worst: line, radians from identity, from a half turn, tilt of the polar axis");
+  std::string text = output::formatted("%4s  %-13s  %-10s  %-10s  %s\n", "band", "orthogonal to", "true error", "limit",
+                                       "worst: line, radians from identity, from a half turn, tilt of the polar axis");
   for (const BandErrors& band : result.bands) {
     const RotationCase& worst = result.cases.cases[band.worst];
     const auto angles = angles_of(worst, result.readings.front().convention.axes);
-    text += print("%4d  %-13.1e  %-10.1e  %-10.1e  %d, %.2g, %.2g, %.2g\n", band.degree, band.defect, band.error,
-                  band.limit, worst.line, angles.from_identity, angles.from_half_turn, angles.tilt);
+    text +=
+        output::formatted("%4d  %-13.1e  %-10.1e  %-10.1e  %d, %.2g, %.2g, %.2g\n", band.degree, band.defect,
+                          band.error, band.limit, worst.line, angles.from_identity, angles.from_half_turn, angles.tilt);
   }
   return text;
 }
@@ -77,12 +73,13 @@ std::string failing_text(const RotationCheck& result) {
     defect = std::max(defect, band.defect);
     error = std::max(error, band.error);
   }
-  std::string text = print(
+  std::string text = output::formatted(
       "%zu of %zu rotations are wrong, the first on line %d: orthogonal to %.1e, wrong by up to %.1e\n",
       result.failing.size(), result.cases.cases.size(), result.cases.cases[result.failing.front()].line, defect, error);
   text += "largest error by how far the polar axis is tilted, or from turned over:\n";
   for (const TiltErrors& tilts : result.tilts) {
-    text += print("  %7.0e to %7.1e  %4d rotations  %.1e\n", tilts.from, tilts.to, tilts.cases, tilts.error);
+    text +=
+        output::formatted("  %7.0e to %7.1e  %4d rotations  %.1e\n", tilts.from, tilts.to, tilts.cases, tilts.error);
   }
   return result.diagnosis.empty() ? text : text + "diagnosis: " + result.diagnosis + "\n";
 }
@@ -131,14 +128,15 @@ Json wrong_json(const WrongEntry& w) {
 }  // namespace
 
 std::string format_text(const RotationCheck& result, bool all_readings) {
-  std::string text = print("%s: %zu rotations, degree %d\n", result.cases.file.c_str(), result.cases.cases.size(),
-                           result.cases.degree);
+  std::string text = output::formatted("%s: %zu rotations, degree %d\n", result.cases.file.c_str(),
+                                       result.cases.cases.size(), result.cases.degree);
   text += result.fits ? "convention: " : "no convention fits; the nearest is ";
   text += reading_text(result.readings.front()) + "\n";
   for (const WrongEntry& w : result.wrong) text += wrong_text(w);
   if (result.fits) {
     text += bands_text(result);
-    if (result.between_bands > 0) text += print("largest entry between bands: %.1e\n", result.between_bands);
+    if (result.between_bands > 0)
+      text += output::formatted("largest entry between bands: %.1e\n", result.between_bands);
     text += failing_text(result);
   }
   return text + other_readings(result, all_readings);

@@ -1,31 +1,23 @@
 // See kernel_report.hpp.
 #include "numeric/kernels/kernel_report.hpp"
 
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "numeric/kernels/kernel_limits.hpp"
+#include "numeric/output/formatted.hpp"
 
 namespace sh::numeric {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-template <class... Argument>
-std::string print(const char* format, Argument... argument) {
-  std::array<char, 256> text{};
-  std::snprintf(text.data(), text.size(), format, argument...);
-  return text.data();
-}
-
 // "same", "regrouped" or the number of differences; the error where bits need not agree, "-" where there is nothing to
 // compare.
 std::string bits_text(const KernelResult& result) {
   if (!result.bits) return "-";
   if (result.bits->different == 0) return result.bits->regrouped == 0 ? "same" : "regrouped";
-  if (!bits_must_agree(result)) return print("%.2f", result.rounding.scaled().max());
+  if (!bits_must_agree(result)) return output::formatted("%.2f", result.rounding.scaled().max());
   return std::to_string(result.bits->different) + " differ";
 }
 
@@ -34,17 +26,17 @@ std::string worst_text(const WorstCase& worst) {
   constexpr std::size_t kMostPrinted = 4;
   std::string text = worst.output + ", " + worst.input;
   for (std::size_t i = 0; i < worst.values.size() && worst.values.size() <= kMostPrinted; ++i) {
-    text += print("%s%.9g", i == 0 ? " (" : ", ", worst.values[i]);
+    text += output::formatted("%s%.9g", i == 0 ? " (" : ", ", worst.values[i]);
   }
   return text + (worst.values.size() <= kMostPrinted ? ")" : "");
 }
 
 std::string details_row(const KernelResult& r) {
-  const std::string time = r.nanoseconds ? print("%.1f", *r.nanoseconds) : "-";
-  return print("%-24s %-11s %-6s %5d %5d %5d  %8.2e %5.2f  %8.2e %5.2f  %8s %-9s ", r.kernel.c_str(),
-               r.language.c_str(), r.scalar.c_str(), r.operations.mul, r.operations.add, r.operations.other,
-               r.rounding.absolute().max(), r.rounding.scaled().max(), r.total.absolute().max(), r.total.scaled().max(),
-               time.c_str(), bits_text(r).c_str()) +
+  const std::string time = r.nanoseconds ? output::formatted("%.1f", *r.nanoseconds) : "-";
+  return output::formatted("%-24s %-11s %-6s %5d %5d %5d  %8.2e %5.2f  %8.2e %5.2f  %8s %-9s ", r.kernel.c_str(),
+                           r.language.c_str(), r.scalar.c_str(), r.operations.mul, r.operations.add, r.operations.other,
+                           r.rounding.absolute().max(), r.rounding.scaled().max(), r.total.absolute().max(),
+                           r.total.scaled().max(), time.c_str(), bits_text(r).c_str()) +
          worst_text(r.worst_rounding) + "\n";
 }
 
@@ -57,8 +49,9 @@ struct Cells {
     if (r.language == "glsl es 300") glsl_es = bits_text(r);
     if (r.language != "c++") return;
     auto& errors = r.scalar == "float" ? float_errors : double_errors;
-    errors = print("%5.2f %5.2f %8.1e", r.rounding.scaled().max(), r.total.scaled().max(), r.total.absolute().max());
-    (r.scalar == "float" ? float_time : double_time) = print("%.1f", r.nanoseconds.value_or(0));
+    errors = output::formatted("%5.2f %5.2f %8.1e", r.rounding.scaled().max(), r.total.scaled().max(),
+                               r.total.absolute().max());
+    (r.scalar == "float" ? float_time : double_time) = output::formatted("%.1f", r.nanoseconds.value_or(0));
   }
 };
 
@@ -102,17 +95,19 @@ Json result_json(const KernelResult& r) {
 }  // namespace
 
 std::string format_summary(const std::vector<KernelResult>& results) {
-  std::string text = print("%-24s %17s  %-21s  %-21s  %-17s  %-15s  %s\n", "", "operations", "float", "double", "glsl",
-                           "ns a call", "worst input, float");
-  text += print("%-24s %5s %5s %5s  %5s %5s %8s   %5s %5s %8s   %-8s %-8s  %7s %7s\n", "kernel", "mul", "add", "other",
-                "round", "total", "absolute", "round", "total", "absolute", "450", "es 300", "float", "double");
+  std::string text = output::formatted("%-24s %17s  %-21s  %-21s  %-17s  %-15s  %s\n", "", "operations", "float",
+                                       "double", "glsl", "ns a call", "worst input, float");
+  text += output::formatted("%-24s %5s %5s %5s  %5s %5s %8s   %5s %5s %8s   %-8s %-8s  %7s %7s\n", "kernel", "mul",
+                            "add", "other", "round", "total", "absolute", "round", "total", "absolute", "450", "es 300",
+                            "float", "double");
   for (std::size_t i = 0; i < results.size();) {
     const auto& first = results[i];
     Cells cells;
     for (; i < results.size() && results[i].kernel == first.kernel; ++i) cells.add(results[i]);
-    text += print("%-24s %5d %5d %5d  %21s  %21s  %-8s %-8s  %7s %7s  ", first.kernel.c_str(), first.operations.mul,
-                  first.operations.add, first.operations.other, cells.float_errors.c_str(), cells.double_errors.c_str(),
-                  cells.glsl.c_str(), cells.glsl_es.c_str(), cells.float_time.c_str(), cells.double_time.c_str()) +
+    text += output::formatted("%-24s %5d %5d %5d  %21s  %21s  %-8s %-8s  %7s %7s  ", first.kernel.c_str(),
+                              first.operations.mul, first.operations.add, first.operations.other,
+                              cells.float_errors.c_str(), cells.double_errors.c_str(), cells.glsl.c_str(),
+                              cells.glsl_es.c_str(), cells.float_time.c_str(), cells.double_time.c_str()) +
             worst_text(first.worst_rounding) + "\n";
   }
   return text +
@@ -125,9 +120,10 @@ std::string format_summary(const std::vector<KernelResult>& results) {
 
 std::string format_details(const std::vector<KernelResult>& results) {
   std::string text =
-      print("%-24s %-11s %-6s %17s  %-14s  %-14s\n", "", "", "", "operations", "max rounding", "max total");
-  text += print("%-24s %-11s %-6s %5s %5s %5s  %8s %5s  %8s %5s  %8s %-9s %s\n", "kernel", "language", "scalar", "mul",
-                "add", "other", "absolute", "eps", "absolute", "eps", "ns/call", "bits", "worst input (rounding)");
+      output::formatted("%-24s %-11s %-6s %17s  %-14s  %-14s\n", "", "", "", "operations", "max rounding", "max total");
+  text += output::formatted("%-24s %-11s %-6s %5s %5s %5s  %8s %5s  %8s %5s  %8s %-9s %s\n", "kernel", "language",
+                            "scalar", "mul", "add", "other", "absolute", "eps", "absolute", "eps", "ns/call", "bits",
+                            "worst input (rounding)");
   for (const auto& result : results) text += details_row(result);
   if (!results.empty()) text += "eps: machine epsilon x " + results.front().unit + ".\n";
   return text;
