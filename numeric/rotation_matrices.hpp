@@ -93,12 +93,10 @@ std::array<Real, 9> axis_turn(const Real& x, const Real& y, const Real& z, const
   return r;
 }
 
-// Rz(alpha) Ry(tilt) Rz(gamma).
+// Rz(alpha) Ry(tilt) Rz(gamma) from the three cosines and sines.
 template <class Real>
-std::array<Real, 9> tilted_turn(const Real& alpha, const Real& tilt, const Real& gamma) {
-  using std::cos;
-  using std::sin;
-  const Real ca = cos(alpha), sa = sin(alpha), cb = cos(tilt), sb = sin(tilt), cg = cos(gamma), sg = sin(gamma);
+std::array<Real, 9> tilted_turn(const Real& ca, const Real& sa, const Real& cb, const Real& sb, const Real& cg,
+                                const Real& sg) {
   return {ca * cb * cg - sa * sg,
           -ca * cb * sg - sa * cg,
           ca * sb,
@@ -108,6 +106,14 @@ std::array<Real, 9> tilted_turn(const Real& alpha, const Real& tilt, const Real&
           -sb * cg,
           sb * sg,
           cb};
+}
+
+// Rz(alpha) Ry(tilt) Rz(gamma).
+template <class Real>
+std::array<Real, 9> tilted_turn(const Real& alpha, const Real& tilt, const Real& gamma) {
+  using std::cos;
+  using std::sin;
+  return tilted_turn<Real>(cos(alpha), sin(alpha), cos(tilt), sin(tilt), cos(gamma), sin(gamma));
 }
 
 }  // namespace sh::numeric

@@ -11,25 +11,11 @@
 #include "numeric/directions.hpp"
 #include "numeric/identify/rotation_check.hpp"
 #include "numeric/rotation.hpp"
+#include "numeric/rotation_matrices.hpp"
 
 namespace sh::numeric::identify {
 
 using Matrix3 = std::array<double, 9>;
-
-// A turn about z by `first`, about y by `tilt`, about z by `last`, applied from the right: Rz(first) Ry(tilt) Rz(last).
-inline Matrix3 zyz(double first, double tilt, double last) {
-  const double ca = std::cos(first), sa = std::sin(first), cb = std::cos(tilt), sb = std::sin(tilt);
-  const double cc = std::cos(last), sc = std::sin(last);
-  return {ca * cb * cc - sa * sc,
-          -ca * cb * sc - sa * cc,
-          ca * sb,
-          sa * cb * cc + ca * sc,
-          -sa * cb * sc + ca * cc,
-          sa * sb,
-          -sb * cc,
-          sb * sc,
-          cb};
-}
 
 inline RotationCase make_case(int line, const Matrix3& r) {
   RotationCase one;
@@ -40,11 +26,12 @@ inline RotationCase make_case(int line, const Matrix3& r) {
 
 // General rotations, and tilts of the polar axis down to 1e-5.
 inline std::vector<Matrix3> test_rotations() {
-  std::vector<Matrix3> all = {zyz(0.4, 1.1, -0.9), zyz(2.5, 0.7, 1.3), zyz(-1.2, 2.2, 0.3), zyz(0.9, 1.6, 2.9),
-                              zyz(0, 0, 0)};
+  std::vector<Matrix3> all = {tilted_turn<double>(0.4, 1.1, -0.9), tilted_turn<double>(2.5, 0.7, 1.3),
+                              tilted_turn<double>(-1.2, 2.2, 0.3), tilted_turn<double>(0.9, 1.6, 2.9),
+                              tilted_turn<double>(0, 0, 0)};
   for (const double tilt : {1e-1, 1e-2, 1e-3, 1e-4, 1e-5}) {
-    all.push_back(zyz(0.3, tilt, 0.8));
-    all.push_back(zyz(-2, tilt, 2.1));
+    all.push_back(tilted_turn<double>(0.3, tilt, 0.8));
+    all.push_back(tilted_turn<double>(-2, tilt, 2.1));
   }
   return all;
 }
@@ -92,15 +79,7 @@ inline std::array<float, 9> careless_rotation(const Matrix3& exact) {
   const float a = upright ? 0 : std::atan2(r[5], r[2]);
   const float c = upright ? std::atan2(r[3], r[0]) : std::atan2(r[7], -r[6]);
   const float ca = std::cos(a), sa = std::sin(a), cc = std::cos(c), sc = std::sin(c);
-  return {ca * cb * cc - sa * sc,
-          -ca * cb * sc - sa * cc,
-          ca * sb,
-          sa * cb * cc + ca * sc,
-          -sa * cb * sc + ca * cc,
-          sa * sb,
-          -sb * cc,
-          sb * sc,
-          cb};
+  return tilted_turn(ca, sa, cb, sb, cc, sc);
 }
 
 // Matrices in float by a sound recursion, of the rotation itself or of the careless one.

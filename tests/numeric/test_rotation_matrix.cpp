@@ -172,7 +172,7 @@ void expect_refused(const std::string& text, const std::string& start, const std
 }
 
 TEST(RotationMatrix, RefusesWhatIsNoRotation) {
-  const Matrix3 good = zyz(0.4, 1.1, -0.9);
+  const Matrix3 good = tilted_turn<double>(0.4, 1.1, -0.9);
   Matrix3 scaled = good, mirrored = good;
   for (double& v : scaled) v *= 1.001;
   for (double& v : mirrored) v = -v;
@@ -186,7 +186,7 @@ TEST(RotationMatrix, RefusesWhatIsNoRotation) {
 }
 
 TEST(RotationMatrix, ReadsWholeMatricesAndBands) {
-  const Matrix3 good = zyz(0.4, 1.1, -0.9);
+  const Matrix3 good = tilted_turn<double>(0.4, 1.1, -0.9);
   EXPECT_EQ(read_rotation_cases(parse_table("t", row_of(good, 10))).cases[0].bands[1].size(), 9);
   auto table = parse_table("t", row_of(good, 81));
   for (std::size_t i = 0; i < 81; ++i) table.rows[0].cells[9 + i] = static_cast<double>(i);
