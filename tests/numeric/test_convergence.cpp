@@ -20,22 +20,12 @@ const TestFunction& function_named(const std::string& name) {
   throw std::invalid_argument(name);
 }
 
-double largest_error(const std::vector<double>& c, const std::vector<double>& exact) {
-  double worst = 0;
-  double square = 0;
-  for (std::size_t i = 0; i < exact.size(); ++i) {
-    keep_worst(worst, c[i] - exact[i]);
-    square += exact[i] * exact[i];
-  }
-  return worst / std::sqrt(square);
-}
-
 TEST(TestFunctions, WithoutAnEdgeHaveTheirCoefficientsToRounding) {
   const auto nodes = sphere_rule<double>(60);
   for (const char* name : {"band_limited", "smooth"}) {
     const TestFunction& f = function_named(name);
     for (const int degree : {0, 5, 9}) {
-      EXPECT_LT(largest_error(project(degree, nodes, f.value), f.coefficients(degree)), 1e-14) << name << degree;
+      EXPECT_LT(relative_error(project(degree, nodes, f.value), f.coefficients(degree)), 1e-14) << name << degree;
     }
   }
 }
@@ -48,8 +38,8 @@ TEST(TestFunctions, WithAnEdgeHaveTheirAreaInBandZero) {
   const double power = 4 * pi - disc + 1e6 * disc;
   EXPECT_NEAR(function_named("sun").coefficients(3)[0] / (power / std::sqrt(4 * pi)), 1, 1e-12);
   const auto fine = fibonacci_nodes(200000);
-  EXPECT_LT(largest_error(project(4, fine, function_named("cap").value), function_named("cap").coefficients(4)), 3e-4);
-  EXPECT_LT(largest_error(project(4, fine, function_named("sun").value), function_named("sun").coefficients(4)), 0.05);
+  EXPECT_LT(relative_error(project(4, fine, function_named("cap").value), function_named("cap").coefficients(4)), 3e-4);
+  EXPECT_LT(relative_error(project(4, fine, function_named("sun").value), function_named("sun").coefficients(4)), 0.05);
 }
 
 double exponent(const char* rule, const char* function) {

@@ -19,15 +19,7 @@ constexpr double kRadian = 180 / std::numbers::pi;
 
 // Largest error of a coefficient over the norm of all.
 double error_of(const TestFunction& light, const std::vector<SphereNode<double>>& nodes) {
-  const auto exact = light.coefficients(kDegree);
-  const auto c = project(kDegree, nodes, light.value);
-  double worst = 0;
-  double square = 0;
-  for (std::size_t i = 0; i < c.size(); ++i) {
-    keep_worst(worst, c[i] - exact[i]);
-    square += exact[i] * exact[i];
-  }
-  return worst / std::sqrt(square);
+  return relative_error(project(kDegree, nodes, light.value), light.coefficients(kDegree));
 }
 
 TEST(ExtremeProjection, OfAPeakOfAMillionIsExactOnceTheRuleResolvesIt) {
