@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "generated/cpp/basis.hpp"
-#include "prt/transfer.hpp"
+#include "prt/transfer/transfer.hpp"
 
 namespace sh::prt {
 

@@ -2,7 +2,7 @@
 // viewer at the centre sees, not mirrored. Places are (u, v), 0 to 1, from the left and from the top.
 //
 // Lat-long, one panel: theta = pi v from +z, phi = pi (1 - 2u) from +x towards +y. Top edge +z, bottom edge -z, middle
-// +x, a quarter from the left +y, three quarters -y, left and right edge -x. The same as in prt/lat_long.hpp.
+// +x, a quarter from the left +y, three quarters -y, left and right edge -x. The same as in prt/image/lat_long.hpp.
 //
 // Cube map, six panels of a cross, four wide and three high: +y +x -y -x side by side in the middle row (as in the
 // lat-long picture), +z above +x and -z below it. On a face with centre c, right r and down d the direction of a place

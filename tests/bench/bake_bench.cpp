@@ -7,8 +7,8 @@
 #include <limits>
 #include <vector>
 
-#include "prt/gather.hpp"
-#include "prt/scene.hpp"
+#include "prt/bake/gather.hpp"
+#include "prt/scene/scene.hpp"
 
 namespace {
 

@@ -10,10 +10,10 @@
 #include "numeric/cap.hpp"
 #include "numeric/quadrature.hpp"
 #include "prt/basis.hpp"
-#include "prt/cap_light.hpp"
-#include "prt/polygon_light.hpp"
-#include "prt/project.hpp"
-#include "prt/sky.hpp"
+#include "prt/light/cap_light.hpp"
+#include "prt/light/polygon_light.hpp"
+#include "prt/light/project.hpp"
+#include "prt/light/sky.hpp"
 
 namespace sh::prt {
 namespace {

@@ -1,5 +1,5 @@
 // Transfer vectors against closed forms and against quadrature on the multiprecision oracle's basis.
-#include "prt/bake.hpp"
+#include "prt/bake/bake.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 
 #include "numeric/basis.hpp"
 #include "numeric/quadrature.hpp"
-#include "prt/directions.hpp"
-#include "prt/tessellate.hpp"
+#include "prt/mesh/tessellate.hpp"
+#include "prt/rays/directions.hpp"
 #include "tests/prt/meshes.hpp"
 #include "tests/prt/temporary_folder.hpp"
 

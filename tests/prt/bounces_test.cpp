@@ -1,5 +1,5 @@
 // Light that bounces, against what is known of closed spheres, and against itself by another solver.
-#include "prt/bounces.hpp"
+#include "prt/bake/bounces.hpp"
 
 #include <gtest/gtest.h>
 #include <tbb/task_arena.h>
@@ -9,11 +9,11 @@
 #include <numbers>
 #include <random>
 
-#include "prt/bake.hpp"
-#include "prt/relight.hpp"
-#include "prt/tessellate.hpp"
-#include "prt/trace_form_factors.hpp"
-#include "prt/transfer_file.hpp"
+#include "prt/bake/bake.hpp"
+#include "prt/bake/trace_form_factors.hpp"
+#include "prt/mesh/tessellate.hpp"
+#include "prt/runtime/relight.hpp"
+#include "prt/transfer/transfer_file.hpp"
 #include "tests/prt/meshes.hpp"
 #include "tests/prt/random_light.hpp"
 #include "tests/prt/temporary_folder.hpp"

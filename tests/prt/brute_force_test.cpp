@@ -1,12 +1,12 @@
 // The embedded scene, baked and relit, against brute-force ray tracing under the same SH light.
 #include <gtest/gtest.h>
 
-#include "prt/bake.hpp"
-#include "prt/project.hpp"
-#include "prt/reference_render.hpp"
-#include "prt/relight.hpp"
-#include "prt/render.hpp"
-#include "prt/scene.hpp"
+#include "prt/bake/bake.hpp"
+#include "prt/light/project.hpp"
+#include "prt/runtime/reference_render.hpp"
+#include "prt/runtime/relight.hpp"
+#include "prt/runtime/render.hpp"
+#include "prt/scene/scene.hpp"
 
 namespace sh::prt {
 namespace {

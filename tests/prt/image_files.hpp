@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "prt/image.hpp"
+#include "prt/image/image.hpp"
 
 namespace sh::prt::test {
 

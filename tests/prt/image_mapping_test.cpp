@@ -1,6 +1,6 @@
 // Angular maps, mirror balls, crosses and strips: where the axes are, what the pixels cover, what a picture projects
 // to.
-#include "prt/image_mapping.hpp"
+#include "prt/image/image_mapping.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <numbers>
 
 #include "numeric/sampling/solid_angle.hpp"
-#include "prt/project.hpp"
-#include "prt/transfer.hpp"
+#include "prt/light/project.hpp"
+#include "prt/transfer/transfer.hpp"
 #include "tests/prt/image_files.hpp"
 #include "tests/prt/random_light.hpp"
 #include "tests/prt/temporary_folder.hpp"

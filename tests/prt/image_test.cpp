@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "numeric/output/png.hpp"
-#include "prt/image_io.hpp"
+#include "prt/image/image_io.hpp"
 #include "tests/prt/image_files.hpp"
 #include "tests/prt/temporary_folder.hpp"
 

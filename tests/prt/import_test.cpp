@@ -6,8 +6,8 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "prt/import_mesh.hpp"
-#include "prt/scene.hpp"
+#include "prt/mesh/import_mesh.hpp"
+#include "prt/scene/scene.hpp"
 #include "tests/prt/meshes.hpp"
 #include "tests/prt/temporary_folder.hpp"
 

@@ -1,5 +1,5 @@
 // The lat-long mapping, the radiance of lights and their rotation.
-#include "prt/light.hpp"
+#include "prt/light/light.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,9 +8,9 @@
 #include <numbers>
 #include <random>
 
-#include "prt/lat_long.hpp"
-#include "prt/light_coefficients.hpp"
-#include "prt/transfer.hpp"
+#include "prt/image/lat_long.hpp"
+#include "prt/light/light_coefficients.hpp"
+#include "prt/transfer/transfer.hpp"
 #include "tests/prt/image_files.hpp"
 #include "tests/prt/temporary_folder.hpp"
 

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <set>
 
-#include "prt/tessellate.hpp"
+#include "prt/mesh/tessellate.hpp"
 #include "tests/prt/meshes.hpp"
 #include "tests/prt/temporary_folder.hpp"
 

@@ -5,10 +5,10 @@
 #include <map>
 #include <utility>
 
-#include "prt/primitives.hpp"
-#include "prt/soup.hpp"
-#include "prt/vertex_key.hpp"
-#include "prt/weld.hpp"
+#include "prt/mesh/primitives.hpp"
+#include "prt/mesh/soup.hpp"
+#include "prt/mesh/vertex_key.hpp"
+#include "prt/mesh/weld.hpp"
 
 namespace sh::prt::test {
 

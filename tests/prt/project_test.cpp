@@ -1,5 +1,5 @@
 // Projection of lights on the basis, against closed forms, known functions and rotations.
-#include "prt/project.hpp"
+#include "prt/light/project.hpp"
 
 #include <gtest/gtest.h>
 #include <oneapi/tbb/global_control.h>
@@ -9,7 +9,7 @@
 #include <random>
 
 #include "prt/basis.hpp"
-#include "prt/lat_long.hpp"
+#include "prt/image/lat_long.hpp"
 #include "tests/prt/random_light.hpp"
 
 namespace sh::prt {

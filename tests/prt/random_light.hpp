@@ -3,7 +3,7 @@
 
 #include <random>
 
-#include "prt/light_coefficients.hpp"
+#include "prt/light/light_coefficients.hpp"
 
 namespace sh::prt::test {
 

@@ -1,5 +1,5 @@
 // Relighting against the plain double sum, and the PLY file it is written to.
-#include "prt/relight.hpp"
+#include "prt/runtime/relight.hpp"
 
 #include <gtest/gtest.h>
 #include <oneapi/tbb/global_control.h>

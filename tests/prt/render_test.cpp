@@ -1,5 +1,5 @@
 // Camera, rendering, tone curve, and the brute-force reference on cases with known answers.
-#include "prt/render.hpp"
+#include "prt/runtime/render.hpp"
 
 #include <gtest/gtest.h>
 #include <oneapi/tbb/global_control.h>
@@ -7,9 +7,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "prt/default_camera.hpp"
-#include "prt/reference_render.hpp"
-#include "prt/tone_map.hpp"
+#include "prt/image/tone_map.hpp"
+#include "prt/runtime/reference_render.hpp"
+#include "prt/scene/default_camera.hpp"
 #include "tests/prt/temporary_folder.hpp"
 
 namespace sh::prt {

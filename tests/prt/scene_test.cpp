@@ -1,5 +1,5 @@
 // Scene files: what they make, and how whatever is wrong in them is named.
-#include "prt/scene.hpp"
+#include "prt/scene/scene.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The transfer file: what is written comes back; anything else is refused in one line.
-#include "prt/transfer_file.hpp"
+#include "prt/transfer/transfer_file.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "numeric/output/atomic_file.hpp"
-#include "prt/bake.hpp"
+#include "prt/bake/bake.hpp"
 #include "tests/prt/meshes.hpp"
 #include "tests/prt/temporary_folder.hpp"
 

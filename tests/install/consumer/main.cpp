@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <generated/cpp/basis.hpp>
 #include <numeric/basis.hpp>
-#include <prt/light_coefficients.hpp>
+#include <prt/light/light_coefficients.hpp>
 
 int main() {
   double kernel[25];

@@ -1,0 +1,33 @@
+// Diffuse transfer vectors of every vertex of a mesh, unshadowed (DU), shadowed (DS) or
+// interreflected (DI) [Sloan, Kautz, Snyder 2002].
+// DU is closed: T_lm = A_l/pi Y_lm(n), A_l the clamped-cosine factors [Ramamoorthi, Hanrahan 2001].
+// DS sums over shared directions s_j, weights w_j = 4/N max(0, n.s_j): with S over the visible ones, S_all over all of
+// them and f = (sum of visible w) / (sum of w),
+//   T = S + f (DU - S_all),
+// a control variate: exact where nothing is in the way, zero where everything is, continuous between.
+// DI adds the light that bounces (prt/bake/bounces.hpp): rays that something blocks are traced on to their closest hit.
+// One task owns one vertex, so the result has the same bits for any number of threads.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+#include "prt/mesh/mend.hpp"
+#include "prt/mesh/mesh.hpp"
+#include "prt/scene/scene.hpp"
+#include "prt/transfer/transfer.hpp"
+
+namespace sh::prt {
+
+struct BakeSettings {
+  int threads = 0;              // 0: every core; no more than there are cores
+  std::string instruction_set;  // of the rays, see Tracer; empty: the best up to avx2
+  OnFlaw on_flaw = OnFlaw::kMend;
+  std::size_t bounce_memory = SIZE_MAX;  // bytes for form factors; the rest is traced again for each bounce
+};
+
+/// Bakes scene.mesh with scene.bake. Shows progress; vertices no ray can leave are filled from their neighbours and
+/// reported as a flaw. Throws std::invalid_argument for options out of range, Interrupted when asked to stop.
+Transfer bake(const Scene& scene, const BakeSettings& settings = {});
+
+}  // namespace sh::prt

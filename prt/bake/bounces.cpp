@@ -1,0 +1,167 @@
+#include "prt/bake/bounces.hpp"
+
+#include <fmt/core.h>
+
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <stdexcept>
+
+#include "prt/bake/bounce_system.hpp"
+
+namespace sh::prt {
+
+namespace {
+
+constexpr std::size_t kChannels = BounceLayout::kChannels;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// What a panel's columns of one channel reach at most and least.
+struct Extremes {
+  double largest_x = 0.0;
+  double largest_r = 0.0;
+  double largest_y = 0.0;
+  double least_y = kInfinity;
+  double least_s = kInfinity;  // (I - A) y = 1 - r
+  double largest_ratio = 0.0;  // of A y over y [Collatz42]
+};
+
+Extremes extremes(const Panel& x, const Panel& r, const BounceLayout& layout, std::size_t channel) {
+  Extremes e;
+  for (std::size_t v = 0; v < x.rows; ++v) {
+    const double* xs = x.row(v) + layout.channel(channel);
+    const double* rs = r.row(v) + layout.channel(channel);
+    for (std::size_t i = 0; i < layout.count; ++i) {
+      e.largest_x = std::max(e.largest_x, std::abs(xs[i]));
+      e.largest_r = std::max(e.largest_r, std::abs(rs[i]));
+    }
+    const double y = xs[layout.count];
+    const double s = 1.0 - rs[layout.count];
+    e.largest_y = std::max(e.largest_y, y);
+    e.least_y = std::min(e.least_y, y);
+    e.least_s = std::min(e.least_s, s);
+    e.largest_ratio = std::max(e.largest_ratio, 1.0 - s / y);
+  }
+  return e;
+}
+
+struct Series {
+  BounceSystem& system;
+  const BounceOptions& options;
+  BounceReport& report;
+
+  // x is a partial sum and r the term after it, which is the residual of x.
+  void run(Panel& x, Panel& r) const {
+    Panel next(x.rows, x.columns);
+    double before = kInfinity;
+    while (true) {
+      system.certify(x, r, report);
+      if (is_solved(report, options) || system.applications() >= options.most_applications ||
+          (options.solver == BounceSolver::kAutomatic && is_slow(before))) {
+        return;
+      }
+      before = report.bound;
+      for_rows(x.rows, [&](std::size_t first, std::size_t last) {
+        std::transform(x.row(first), x.row(first) + (last - first) * x.columns, r.row(first), x.row(first),
+                       std::plus<>());
+      });
+      system.apply(r, next);
+      std::swap(r, next);
+    }
+  }
+
+  // More bounces are to come than a Krylov solver would need.
+  [[nodiscard]] bool is_slow(double before) const {
+    constexpr int kFirst = 8;
+    constexpr double kManyMore = 30.0;
+    if (system.applications() < kFirst) {
+      return false;
+    }
+    const double wanted = options.tolerance * report.largest;
+    const double rate = report.bound / before;
+    return !(rate < 1.0) || std::log(wanted / report.bound) / std::log(rate) > kManyMore;
+  }
+};
+
+void check_shapes(const FormFactors& factors, const std::vector<Eigen::Vector3f>& albedo, const BounceLayout& layout,
+                  const Panel& x, const BounceOptions& options) {
+  if (factors.size() != x.rows || albedo.size() != x.rows || x.columns < layout.columns()) {
+    throw std::invalid_argument("bounces: form factors, albedo and light differ in their number of vertices");
+  }
+  if (!(options.tolerance > 0.0)) {
+    throw std::invalid_argument(fmt::format("tolerance: expected a positive number, got {}", options.tolerance));
+  }
+}
+
+}  // namespace
+
+void BounceSystem::apply(const Panel& x, Panel& y) {
+  factors_.apply(x, y);
+  for_rows(x.rows, [&](std::size_t first, std::size_t last) {
+    for (std::size_t v = first; v < last; ++v) {
+      for (std::size_t c = 0; c < kChannels; ++c) {
+        const auto albedo = static_cast<double>(albedo_[v][static_cast<Eigen::Index>(c)]);
+        double* values = y.row(v) + layout_.channel(c);
+        std::for_each(values, values + layout_.count + 1, [albedo](double& value) { value *= albedo; });
+      }
+    }
+  });
+  ++applications_;
+}
+
+void BounceSystem::residual(const Panel& b, const Panel& x, Panel& r) {
+  apply(x, r);
+  for_rows(x.rows, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first * x.columns; i < last * x.columns; ++i) {
+      r.values[i] += b.values[i] - x.values[i];
+    }
+  });
+}
+
+void BounceSystem::certify(const Panel& x, const Panel& r, BounceReport& report) const {
+  report.applications = applications_;
+  report.bound = report.residual = report.largest = report.spectral_bound = 0.0;
+  for (std::size_t c = 0; c < kChannels; ++c) {
+    const Extremes e = extremes(x, r, layout_, c);
+    const bool proves = e.least_y > 0.0 && e.least_s > 0.0;
+    const double norm = proves ? e.largest_y / e.least_s : kInfinity;  // of (I - A)^-1
+    report.bound = std::max(report.bound, e.largest_r == 0.0 ? 0.0 : norm * e.largest_r);
+    report.residual = std::max(report.residual, e.largest_r);
+    report.largest = std::max(report.largest, e.largest_x);
+    report.spectral_bound = std::max(report.spectral_bound, proves ? e.largest_ratio : 1.0);
+  }
+}
+
+bool is_solved(const BounceReport& report, const BounceOptions& options) {
+  return report.bound <= options.tolerance * report.largest;
+}
+
+BounceReport solve_bounces(const FormFactors& factors, const std::vector<Eigen::Vector3f>& albedo, BounceLayout layout,
+                           Panel& x, const BounceOptions& options) {
+  check_shapes(factors, albedo, layout, x, options);
+  for (std::size_t v = 0; v < x.rows; ++v) {
+    for (std::size_t c = 0; c < kChannels; ++c) {
+      x.row(v)[layout.certificate(c)] = 1.0;
+    }
+  }
+  BounceReport report;
+  BounceSystem system(factors, albedo, layout);
+  const Panel b = x;
+  Panel r(x.rows, x.columns);
+  system.apply(x, r);
+  if (options.solver != BounceSolver::kKrylov) {
+    report.solver = "series";
+    Series{system, options, report}.run(x, r);
+  } else {
+    system.certify(x, r, report);
+  }
+  if (!is_solved(report, options) && options.solver != BounceSolver::kSeries) {
+    report.solver = "bicgstab";
+    solve_krylov(system, b, x, r, options, report);
+  }
+  report.certified = is_solved(report, options);
+  return report;
+}
+
+}  // namespace sh::prt

@@ -1,0 +1,116 @@
+#include "prt/bake/form_factors.hpp"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <atomic>
+#include <map>
+#include <utility>
+
+#include "numeric/output/progress.hpp"
+
+namespace sh::prt {
+
+namespace {
+
+constexpr std::size_t kVerticesPerTask = 32;
+
+// Lanes are columns, never terms of one sum, and nothing is contracted: the bits do not depend on the width.
+#define SHFORGE_WIDEST __attribute__((target_clones("avx2", "default")))
+constexpr std::size_t kLanes = 4;
+using Lanes = double __attribute__((vector_size(kLanes * sizeof(double)), aligned(alignof(double)), may_alias));
+
+// sum (4 Count) = the weighted sum of the rows of x, kept in registers.
+template <std::size_t Count>
+[[gnu::always_inline]] inline void sum_block(const FormFactorRow& row, const double* x, std::size_t columns,
+                                             double* sum) {
+  Lanes block[Count] = {};  // a std::array would drop the attributes
+  for (const FormFactor& factor : row) {
+    const auto weight = static_cast<double>(factor.weight);
+    const auto* lanes = reinterpret_cast<const Lanes*>(x + factor.vertex * columns);
+    for (std::size_t i = 0; i < Count; ++i) {
+      block[i] += weight * lanes[i];
+    }
+  }
+  std::copy_n(block, Count, reinterpret_cast<Lanes*>(sum));
+}
+
+SHFORGE_WIDEST void sum_row(const FormFactorRow& row, const double* x, std::size_t columns, double* sum) {
+  constexpr std::size_t kWide = 10;
+  std::size_t first = 0;
+  for (; first + kWide * kLanes <= columns; first += kWide * kLanes) {
+    sum_block<kWide>(row, x + first, columns, sum + first);
+  }
+  for (; first < columns; first += Panel::kUnit) {
+    sum_block<Panel::kUnit / kLanes>(row, x + first, columns, sum + first);
+  }
+}
+
+}  // namespace
+
+FormFactors::FormFactors(std::size_t vertices, std::size_t most_bytes, std::function<RowMaker()> make_maker)
+    : rows_(vertices), kept_(vertices, 0), most_bytes_(most_bytes), make_maker_(std::move(make_maker)) {}
+
+bool FormFactors::fits(std::size_t bytes) {
+  const std::atomic_ref<std::size_t> spent(bytes_);
+  if (spent.fetch_add(bytes) + bytes <= most_bytes_) {
+    return true;
+  }
+  spent.fetch_sub(bytes);
+  return false;
+}
+
+void FormFactors::keep(std::size_t vertex, FormFactorRow row) {
+  if (!make_maker_ || fits(row.size() * sizeof(FormFactor))) {
+    row.shrink_to_fit();
+    rows_[vertex] = std::move(row);
+    kept_[vertex] = 1;
+  }
+}
+
+void FormFactors::keep_mean(std::size_t vertex, const std::vector<std::uint32_t>& sources) {
+  std::map<std::uint32_t, double> sums;
+  RowMaker make;
+  for (const std::uint32_t source : sources) {
+    if (kept_[source] == 0 && !make) {
+      make = make_maker_();
+    }
+    const FormFactorRow& row = kept_[source] != 0 ? rows_[source] : make(source);
+    for (const FormFactor& factor : row) {
+      sums[factor.vertex] += static_cast<double>(factor.weight) / static_cast<double>(sources.size());
+    }
+  }
+  rows_[vertex].clear();
+  for (const auto& [other, weight] : sums) {
+    rows_[vertex].push_back({other, static_cast<float>(weight)});
+  }
+  kept_[vertex] = 1;
+}
+
+void FormFactors::apply(const Panel& x, Panel& y) const {
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rows_.size(), kVerticesPerTask), [&](const auto& part) {
+    output::check_interrupt();
+    RowMaker make;
+    for (std::size_t v = part.begin(); v < part.end(); ++v) {
+      if (kept_[v] == 0 && !make) {
+        make = make_maker_();
+      }
+      sum_row(kept_[v] != 0 ? rows_[v] : make(v), x.values.data(), x.columns, y.row(v));
+    }
+  });
+}
+
+std::size_t FormFactors::bytes() const {
+  std::size_t sum = 0;
+  for (const FormFactorRow& row : rows_) {
+    sum += row.size() * sizeof(FormFactor);
+  }
+  return sum;
+}
+
+std::size_t FormFactors::made_each_time() const {
+  return static_cast<std::size_t>(std::count(kept_.begin(), kept_.end(), 0));
+}
+
+}  // namespace sh::prt

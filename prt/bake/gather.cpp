@@ -1,0 +1,227 @@
+#include "prt/bake/gather.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "prt/basis.hpp"
+#include "prt/mesh/corner_angle.hpp"
+#include "prt/rays/directions.hpp"
+
+namespace sh::prt {
+
+namespace {
+
+constexpr float kOffset = 2e-3F;           // of the reach of the mesh around
+constexpr float kRoundings = 32.0F;        // and no less than this many roundings of the coordinates
+constexpr float kCoveredReach = 2.0F;      // what is nearer than this many reaches
+constexpr float kCoveredWeight = 0.97F;    // along so much of the cosine covers a vertex
+constexpr std::size_t kRowUnit = 8;        // floats
+constexpr std::size_t kStreamRays = 1024;  // a stream call
+
+// The sums below run on the widest registers there are. Lanes are coefficients or directions, never terms of one sum,
+// and nothing is contracted: the bits do not depend on the width.
+#define SHFORGE_WIDEST __attribute__((target_clones("avx2", "default")))
+
+// Eight floats at any address; two registers where one is not wide enough.
+using Lanes = float __attribute__((vector_size(kRowUnit * sizeof(float)), aligned(alignof(float)), may_alias));
+
+// sum (8 Count) = the weighted sum of the chosen rows, kept in registers.
+template <std::size_t Count>
+[[gnu::always_inline]] inline void sum_block(const float* values, std::size_t row_length, const std::uint32_t* chosen,
+                                             std::size_t count, const float* weights, float* sum) {
+  Lanes block[Count] = {};  // a std::array would drop the attributes
+  for (std::size_t k = 0; k < count; ++k) {
+    const float weight = weights[chosen[k]];
+    const auto* row = reinterpret_cast<const Lanes*>(values + chosen[k] * row_length);
+    for (std::size_t i = 0; i < Count; ++i) {
+      block[i] += weight * row[i];
+    }
+  }
+  std::copy_n(block, Count, reinterpret_cast<Lanes*>(sum));
+}
+
+SHFORGE_WIDEST void sum_rows(const float* values, std::size_t row_length, const std::uint32_t* chosen,
+                             std::size_t count, const float* weights, float* sum) {
+  std::size_t first = 0;
+  for (; first + 4 * kRowUnit <= row_length; first += 4 * kRowUnit) {
+    sum_block<4>(values + first, row_length, chosen, count, weights, sum + first);
+  }
+  for (; first + kRowUnit <= row_length; first += kRowUnit) {
+    sum_block<1>(values + first, row_length, chosen, count, weights, sum + first);
+  }
+}
+
+// out (count) = scale normal.direction for directions (3, count).
+SHFORGE_WIDEST void cosines(const float* directions, std::size_t count, float x, float y, float z, float* out) {
+  const float* dx = directions;
+  const float* dy = directions + count;
+  const float* dz = directions + 2 * count;
+  for (std::size_t j = 0; j < count; ++j) {
+    out[j] = x * dx[j] + y * dy[j] + z * dz[j];
+  }
+}
+
+}  // namespace
+
+std::vector<RayStart> ray_starts(const Mesh& mesh) {
+  std::vector<Eigen::Vector3f> inward(mesh.positions.size(), Eigen::Vector3f::Zero());
+  std::vector<float> distance(mesh.positions.size(), 0.0F);
+  std::vector<int> faces(mesh.positions.size(), 0);
+  for (const Face& face : mesh.faces) {
+    const Eigen::Vector3f middle = (mesh.positions[face[0]] + mesh.positions[face[1]] + mesh.positions[face[2]]) / 3.0F;
+    for (const std::uint32_t v : face) {
+      inward[v] += middle - mesh.positions[v];
+      distance[v] += (middle - mesh.positions[v]).norm();
+      ++faces[v];
+    }
+  }
+  std::vector<RayStart> starts;
+  starts.reserve(mesh.positions.size());
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+    const Eigen::Vector3f& position = mesh.positions[v];
+    const float reach = distance[v] / static_cast<float>(std::max(faces[v], 1));
+    const float rounding = std::numeric_limits<float>::epsilon() * position.cwiseAbs().maxCoeff();
+    const float length = std::max(kOffset * reach, kRoundings * rounding);
+    const Eigen::Vector3f& up = mesh.geometric_normals[v];
+    const Eigen::Vector3f along = distance[v] > 0.0F ? (inward[v] / distance[v]).eval() : inward[v];
+    starts.push_back({position + length * (up + along - along.dot(up) * up), reach});
+  }
+  return starts;
+}
+
+SharedDirections::SharedDirections(int count, int degree)
+    : directions_(fibonacci_directions(count)),
+      row_length_((static_cast<std::size_t>((degree + 1) * (degree + 1)) + kRowUnit - 1) / kRowUnit * kRowUnit),
+      values_(directions_.size() * row_length_, 0.0F),
+      components_(3 * directions_.size()) {
+  for (std::size_t j = 0; j < directions_.size(); ++j) {
+    const Eigen::Vector3f& d = directions_[j];
+    evaluate_basis(degree, d.x(), d.y(), d.z(), values_.data() + j * row_length_);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      components_[axis * directions_.size() + j] = d[static_cast<int>(axis)];
+    }
+  }
+}
+
+void SharedDirections::cosines_with(const Eigen::Vector3f& normal, float* out) const {
+  cosines(components_.data(), directions_.size(), normal.x(), normal.y(), normal.z(), out);
+}
+
+void SharedDirections::sum(const std::vector<std::uint32_t>& chosen, std::size_t count, const float* weights,
+                           float* result) const {
+  sum_rows(values_.data(), row_length_, chosen.data(), count, weights, result);
+}
+
+Gatherer::Gatherer(const SharedDirections& directions, const Tracer& tracer)
+    : directions_(directions),
+      tracer_(tracer),
+      rays_(directions.size()),
+      chosen_(directions.size()),
+      visible_(directions.size()),
+      blocked_(directions.size()),
+      weights_(directions.size()),
+      heights_(directions.size()) {}
+
+std::size_t Gatherer::aim(const Eigen::Vector3f& origin, const Eigen::Vector3f& normal,
+                          const Eigen::Vector3f& geometric_normal) {
+  directions_.cosines_with(normal * (4.0F / static_cast<float>(directions_.size())), weights_.data());
+  directions_.cosines_with(geometric_normal, heights_.data());
+  std::size_t traced = 0;
+  below_ = 0;
+  for (std::uint32_t j = 0; j < directions_.size(); ++j) {
+    // Without branches, which nothing could predict.
+    const std::size_t counts = weights_[j] > 0.0F ? 1U : 0U;
+    const std::size_t is_above = heights_[j] > 0.0F ? 1U : 0U;
+    chosen_[traced] = j;
+    blocked_[below_] = j;
+    traced += counts & is_above;
+    below_ += counts & (is_above ^ 1U);
+  }
+  for (std::size_t i = 0; i < traced; ++i) {
+    rays_[i].aim(origin, directions_.direction(chosen_[i]));
+  }
+  return traced;
+}
+
+const Gathered& Gatherer::gather(const Eigen::Vector3f& origin, const Eigen::Vector3f& normal,
+                                 const Eigen::Vector3f& geometric_normal) {
+  const std::size_t traced = aim(origin, normal, geometric_normal);
+  for (std::size_t first = 0; first < traced; first += kStreamRays) {
+    tracer_.occluded({rays_.data() + first, std::min(kStreamRays, traced - first)});
+  }
+  std::size_t visible = 0;
+  std::size_t blocked = below_;
+  for (std::size_t i = 0; i < traced; ++i) {
+    const std::size_t hit = rays_[i].blocked() ? 1U : 0U;
+    visible_[visible] = chosen_[i];
+    blocked_[blocked] = chosen_[i];
+    visible += hit ^ 1U;
+    blocked += hit;
+  }
+  visible_count_ = visible;
+  blocked_count_ = blocked;
+  directions_.sum(visible_, visible, weights_.data(), result_.visible.data());
+  directions_.sum(blocked_, blocked, weights_.data(), result_.all.data());
+  for (std::size_t i = 0; i < directions_.row_length(); ++i) {
+    result_.all[i] += result_.visible[i];
+  }
+  return result_;
+}
+
+const std::vector<BlockedRay>& Gatherer::closest_hits() {
+  closest_.clear();
+  double whole = 0.0;
+  for (std::size_t i = 0; i < visible_count_; ++i) {
+    whole += static_cast<double>(weights_[visible_[i]]);
+  }
+  for (std::size_t i = 0; i < blocked_count_; ++i) {
+    whole += static_cast<double>(weights_[blocked_[i]]);
+  }
+  const std::size_t count = blocked_count_ - below_;
+  std::vector<Eigen::Vector3f> directions(count);
+  std::vector<Hit> hits(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    directions[i] = directions_.direction(blocked_[below_ + i]);
+  }
+  const Eigen::Vector3f origin = rays_.front().origin;  // one for all
+  tracer_.intersect(std::vector<Eigen::Vector3f>(count, origin), directions, hits);
+  for (std::size_t i = 0; i < count; ++i) {
+    closest_.push_back({directions[i], hits[i], static_cast<double>(weights_[blocked_[below_ + i]]) / whole});
+  }
+  return closest_;
+}
+
+Sight Gatherer::classify(const Mesh& mesh, std::size_t vertex, const RayStart& start, bool is_dark) {
+  const std::size_t traced = aim(start.origin, mesh.normals[vertex], mesh.geometric_normals[vertex]);
+  std::vector<Eigen::Vector3f> directions;
+  for (std::size_t i = 0; i < traced; ++i) {
+    directions.push_back(directions_.direction(chosen_[i]));
+  }
+  std::vector<Hit> hits(traced);
+  tracer_.intersect(std::vector<Eigen::Vector3f>(traced, start.origin), directions, hits);
+  std::size_t backs = 0;
+  float weight_near = 0.0F;
+  float weight = 0.0F;
+  for (std::size_t i = 0; i < traced; ++i) {
+    const bool hit = hits[i].face != Hit::kNothing;
+    backs += hit && face_normal(mesh.positions, mesh.faces[hits[i].face]).dot(directions[i]) > 0.0F ? 1 : 0;
+    weight_near += hit && hits[i].distance < kCoveredReach * start.reach ? weights_[chosen_[i]] : 0.0F;
+    weight += weights_[chosen_[i]];
+  }
+  if (is_dark && 2 * backs >= traced) {
+    return Sight::kBuried;
+  }
+  if (weight_near > kCoveredWeight * weight) {
+    return Sight::kCovered;
+  }
+  return is_dark ? Sight::kDark : Sight::kSome;
+}
+
+std::vector<ShadowRay> Gatherer::rays(const Eigen::Vector3f& origin, const Eigen::Vector3f& normal,
+                                      const Eigen::Vector3f& geometric_normal) {
+  const std::size_t traced = aim(origin, normal, geometric_normal);
+  return {rays_.begin(), rays_.begin() + static_cast<std::ptrdiff_t>(traced)};
+}
+
+}  // namespace sh::prt

@@ -1,0 +1,98 @@
+// What one vertex sees along the shared directions: the inner loop of the shadowed bake.
+#pragma once
+#include <Eigen/Geometry>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "prt/bake/fill_closed.hpp"
+#include "prt/mesh/mesh.hpp"
+#include "prt/rays/tracer.hpp"
+#include "prt/transfer/transfer.hpp"
+
+namespace sh::prt {
+
+/// Where the rays of a vertex start, and how far the mesh around it reaches: the mean distance to the middles of its
+/// faces, about half an edge.
+struct RayStart {
+  Eigen::Vector3f origin;
+  float reach;
+};
+
+/// Origins lie a hair off the surface along the geometric normal, and as much towards the middle of the faces around,
+/// so that a vertex on the foot of a wall stands before the wall and not inside it.
+std::vector<RayStart> ray_starts(const Mesh& mesh);
+
+/// The directions with their basis values, rows padded with zeros to whole SIMD registers.
+class SharedDirections {
+ public:
+  SharedDirections(int count, int degree);
+  [[nodiscard]] std::size_t size() const { return directions_.size(); }
+  [[nodiscard]] std::size_t row_length() const { return row_length_; }
+  [[nodiscard]] const Eigen::Vector3f& direction(std::size_t j) const { return directions_[j]; }
+  /// out (size) = normal.direction of every direction.
+  void cosines_with(const Eigen::Vector3f& normal, float* out) const;
+  /// result (row_length) = the sum of weights[j] Y(direction j) over the first `count` indices j in `chosen`.
+  void sum(const std::vector<std::uint32_t>& chosen, std::size_t count, const float* weights, float* result) const;
+
+ private:
+  std::vector<Eigen::Vector3f> directions_;
+  std::size_t row_length_;
+  std::vector<float> values_;      // (directions, row_length)
+  std::vector<float> components_;  // (3, directions)
+};
+
+inline constexpr std::size_t kMaxRow = 128;
+
+/// Quadrature sums of Y_lm over the hemisphere of the shading normal, weights 4/N cos.
+struct Gathered {
+  alignas(64) std::array<float, kMaxRow> visible;
+  alignas(64) std::array<float, kMaxRow> all;
+  /// The visible part of the cosine, 0..1; Y_00 is constant, so that the first sums are proportional to it.
+  [[nodiscard]] float fraction() const { return all[0] > 0.0F ? visible[0] / all[0] : 0.0F; }
+};
+
+/// A ray that something is in the way of, and its part of the cosine over the whole hemisphere, which sums to 1.
+struct BlockedRay {
+  Eigen::Vector3f direction;
+  Hit hit;
+  double part;
+};
+
+/// Reusable buffers of one thread. Everything passed in must outlive it.
+class Gatherer {
+ public:
+  Gatherer(const SharedDirections& directions, const Tracer& tracer);
+  /// Traces one vertex; the result stays valid until the next call.
+  const Gathered& gather(const Eigen::Vector3f& origin, const Eigen::Vector3f& normal,
+                         const Eigen::Vector3f& geometric_normal);
+  /// The closest hits of the rays that the last gather() found blocked; valid until the next call of either.
+  const std::vector<BlockedRay>& closest_hits();
+  /// What became of the rays of a vertex that gather() found nearly dark.
+  Sight classify(const Mesh& mesh, std::size_t vertex, const RayStart& start, bool is_dark);
+  /// The rays of one vertex that gather() would trace, for measurements.
+  std::vector<ShadowRay> rays(const Eigen::Vector3f& origin, const Eigen::Vector3f& normal,
+                              const Eigen::Vector3f& geometric_normal);
+
+ private:
+  // Finds what counts: `chosen_` to trace, `blocked_` under the horizon. Returns how many to trace.
+  std::size_t aim(const Eigen::Vector3f& origin, const Eigen::Vector3f& normal,
+                  const Eigen::Vector3f& geometric_normal);
+
+  const SharedDirections& directions_;
+  const Tracer& tracer_;
+  std::vector<ShadowRay> rays_;
+  std::vector<std::uint32_t> chosen_;  // directions to trace
+  std::vector<std::uint32_t> visible_;
+  std::vector<std::uint32_t> blocked_;  // the first below_ lie under the horizon
+  std::size_t below_ = 0;
+  std::size_t visible_count_ = 0;
+  std::size_t blocked_count_ = 0;  // with those under the horizon
+  std::vector<BlockedRay> closest_;
+  std::vector<float> weights_;  // 4/N cosine of every direction with the shading normal
+  std::vector<float> heights_;  // cosine with the geometric normal
+  Gathered result_;
+};
+
+}  // namespace sh::prt

@@ -1,0 +1,28 @@
+// One row of the form factors from the rays of one vertex.
+#pragma once
+#include <vector>
+
+#include "prt/bake/form_factors.hpp"
+#include "prt/bake/gather.hpp"
+#include "prt/mesh/mesh.hpp"
+
+namespace sh::prt {
+
+/// Merges hits into rows; reusable buffers of one thread. Surfaces are one-sided: what a ray hits from behind is black.
+class RowMerger {
+ public:
+  explicit RowMerger(const Mesh& mesh) : mesh_(mesh), sums_(mesh.positions.size(), 0.0) {}
+  /// The row of the vertex that `gatherer` saw last: closest hits of the rays that were blocked.
+  FormFactorRow merge(Gatherer& gatherer);
+
+ private:
+  const Mesh& mesh_;
+  std::vector<double> sums_;  // (vertices), zero between calls
+  std::vector<std::uint32_t> touched_;
+};
+
+/// Traces the rows of vertices again. Everything passed in must outlive what is returned.
+RowMaker make_row_maker(const Mesh& mesh, const std::vector<RayStart>& starts, const SharedDirections& directions,
+                        const Tracer& tracer);
+
+}  // namespace sh::prt

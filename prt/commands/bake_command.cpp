@@ -1,0 +1,87 @@
+// `prt bake SCENE -o FILE`: the transfer vectors of a scene's mesh.
+#include <fmt/format.h>
+
+#include <memory>
+#include <optional>
+
+#include "prt/bake/bake.hpp"
+#include "prt/commands/commands.hpp"
+#include "prt/light/light_coefficients.hpp"
+#include "prt/scene/scene.hpp"
+#include "prt/transfer/transfer_file.hpp"
+#include "prt/transfer/transfer_names.hpp"
+
+namespace sh::prt {
+namespace {
+
+struct Options {
+  std::string scene;
+  std::string output;
+  std::optional<int> degree;  // these three override the scene's
+  std::optional<int> directions;
+  std::string kind;
+  std::string instruction_set;
+  int threads = 0;
+  std::size_t bounce_memory = 4096;  // MiB
+  bool strict = false;
+};
+
+void override_bake(const Options& options, BakeOptions& bake) {
+  bake.degree = options.degree.value_or(bake.degree);
+  bake.directions = options.directions.value_or(bake.directions);
+  if (!options.kind.empty()) {
+    bake.kind = kind_called(options.kind);
+  }
+  require_degree(bake.degree);
+}
+
+void report_bounces(const BounceReport& bounces) {
+  fmt::print(stderr,
+             "prt: bounces by {}: {} applications, certified error {:.2g} of {:.3g} (residual {:.2g}), largest "
+             "eigenvalue at most {:.4g}\n",
+             bounces.solver, bounces.applications, bounces.bound, bounces.largest, bounces.residual,
+             bounces.spectral_bound);
+}
+
+void run(const Options& options) {
+  const Stopwatch stopwatch;
+  require_writable(options.output);
+  const OnFlaw on_flaw = options.strict ? OnFlaw::kRefuse : OnFlaw::kMend;
+  Scene scene = load_scene(options.scene, on_flaw);
+  override_bake(options, scene.bake);
+  const Transfer transfer =
+      bake(scene, {options.threads, options.instruction_set, on_flaw, options.bounce_memory * (std::size_t{1} << 20U)});
+  if (transfer.kind == TransferKind::kInterreflected) {
+    report_bounces(transfer.bounces);
+  }
+  write_transfer(options.output, transfer);
+  stopwatch.report(fmt::format("baked {} vertices, {} faces, degree {}, {} directions, into {}",
+                               transfer.mesh.positions.size(), transfer.mesh.faces.size(), transfer.degree,
+                               transfer.directions, options.output));
+}
+
+}  // namespace
+
+void add_bake_command(CLI::App& tool) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = tool.add_subcommand("bake", "compute the transfer vectors of a scene");
+  command->add_option("SCENE", options->scene, "a scene's JSON file, or `demo`, the embedded scene")->required();
+  command->add_option("-o,--output", options->output, "transfer file to write")->required();
+  command->add_option("--degree", options->degree, "0 to 10, instead of the scene's");
+  command->add_option("--directions", options->directions,
+                      "rays a vertex over the whole sphere, instead of the scene's");
+  command->add_option("--kind", options->kind, "unshadowed, shadowed or interreflected, instead of the scene's")
+      ->check(CLI::IsMember({"unshadowed", "shadowed", "interreflected"}));
+  command
+      ->add_option("--bounce-memory", options->bounce_memory,
+                   "MiB for what rays hit; what does not fit is traced again for each bounce, with the same result")
+      ->capture_default_str();
+  command->add_option("--threads", options->threads, "0: every core; the file does not depend on it")
+      ->capture_default_str();
+  command->add_option("--instruction-set", options->instruction_set,
+                      "of the rays: sse4.2, avx, avx2 or avx512; bits are reproducible on each");
+  command->add_flag("--strict", options->strict, "refuse meshes that would otherwise be mended with a warning");
+  command->callback([options] { with_threads(options->threads, [&] { run(*options); }); });
+}
+
+}  // namespace sh::prt

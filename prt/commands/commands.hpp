@@ -1,0 +1,66 @@
+// The commands of the tool `prt`, one file each: options in, the work done by the library, a file or JSON out.
+// Results go to standard output, progress and messages to standard error. An error is an exception with one line.
+#pragma once
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "prt/light/light.hpp"
+#include "prt/light/light_coefficients.hpp"
+#include "prt/mesh/mend.hpp"
+#include "prt/scene/scene.hpp"
+
+namespace sh::prt {
+
+/// Each adds its subcommand to the tool; parsing the command line then runs it.
+void add_bake_command(CLI::App& tool);
+void add_relight_command(CLI::App& tool);
+void add_render_command(CLI::App& tool);
+void add_info_command(CLI::App& tool);
+void add_project_command(CLI::App& tool);
+
+/// What several commands take: the light, as a scene's or as a word, and how flaws are met.
+struct LightOptions {
+  std::string scene;                 // JSON file or `demo`: its lights (and camera)
+  std::string light;                 // instead: constant, overcast, an environment picture or a JSON file of lights
+  std::string mapping = "lat_long";  // of the picture
+  float turn_degrees = 0.0F;         // about +z, on top of the lights' own rotations
+  bool strict = false;
+
+  void add_to(CLI::App& command);
+  [[nodiscard]] OnFlaw on_flaw() const { return strict ? OnFlaw::kRefuse : OnFlaw::kMend; }
+};
+
+/// The lights the options name and the camera of their scene; without a scene `camera` stays empty. Without any option
+/// the CIE overcast sky.
+struct ChosenLight {
+  std::vector<Light> lights;
+  std::vector<Camera> camera;  // none or one
+};
+ChosenLight choose_light(const LightOptions& options);
+
+/// Adds `--mapping`, one of kMappingNames.
+void add_mapping_to(CLI::App& command, std::string& mapping);
+
+/// What a word or a file stands for: `constant`, `overcast`, a JSON file that holds one light of a scene or an array of
+/// them, else a picture of that mapping.
+std::vector<LightSpec> named_lights(const std::string& name, const std::string& mapping);
+
+/// `--threads N`: 0 takes every core. Runs `work` with at most that many threads.
+void with_threads(int threads, const std::function<void()>& work);
+
+/// Throws std::runtime_error at once, before long work, where `file` could not be written at its end.
+void require_writable(const std::string& file);
+
+/// Time since construction; report() prints `prt: what in S s` on standard error.
+class Stopwatch {
+ public:
+  Stopwatch();
+  void report(const std::string& what) const;
+
+ private:
+  std::int64_t start_;
+};
+
+}  // namespace sh::prt

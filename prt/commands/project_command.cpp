@@ -1,0 +1,91 @@
+// `prt project LIGHT --degree N`: the SH coefficients of a picture, or of the lights of a JSON file, as JSON.
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "prt/commands/commands.hpp"
+#include "prt/light/project.hpp"
+
+namespace sh::prt {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Options {
+  std::string light;
+  std::string mapping = "lat_long";
+  int degree = 2;
+  int threads = 0;
+  bool strict = false;
+};
+
+Json coefficients(const LightCoefficients& light) {
+  Json out;
+  const std::size_t n = light.bands_squared();
+  for (std::size_t channel = 0; channel < 3; ++channel) {
+    const auto* begin = &light.values[channel * n];
+    out.push_back(std::vector<double>(begin, begin + n));
+  }
+  return out;
+}
+
+/// What a picture's header says; nothing for analytic lights.
+Json described(const Options& options, const std::vector<Light>& lights) {
+  Json out = {{"file", std::filesystem::path(options.light).filename().string()}};
+  if (lights.size() == 1 && lights.front().image) {
+    const Image& image = *lights.front().image;
+    out.update({{"width", image.width},
+                {"height", image.height},
+                {"negative_pixels", image.negative_pixels},
+                {"mapping", kMappingNames[static_cast<std::size_t>(lights.front().spec.mapping)]}});
+  }
+  return out;
+}
+
+Json report(const Options& options, const std::vector<Light>& lights, const LightCoefficients& light) {
+  Json out = described(options, lights);
+  out.update({{"degree", light.degree},
+              {"convention",
+               "real spherical harmonics, orthonormal on the unit sphere, no Condon-Shortley phase; "
+               "index i = l(l+1)+m; band 1 is (y, z, x)"},
+              {"axes", "z up, right-handed; pictures face +x, +y to the left (but mirror balls: to the right), +z up"},
+              {"unit", "W m^-2 sr^-1 times sqrt(sr): integral of radiance times Y_i over the sphere"},
+              {"color_space", "linear Rec. 709"},
+              {"layout", "coefficients[channel][i], channels red, green, blue"},
+              {"coefficients", coefficients(light)}});
+  return out;
+}
+
+void run(const Options& options) {
+  const Stopwatch stopwatch;
+  require_degree(options.degree);
+  const std::vector<Light> lights =
+      load_lights(named_lights(options.light, options.mapping), options.strict ? OnFlaw::kRefuse : OnFlaw::kMend);
+  const LightCoefficients light = project(lights, options.degree);
+  std::cout << report(options, lights, light).dump(2) << '\n' << std::flush;
+  if (!std::cout) {
+    throw std::runtime_error("standard output: cannot write");
+  }
+  stopwatch.report(fmt::format("projected {} on degree {}", options.light, options.degree));
+}
+
+}  // namespace
+
+void add_project_command(CLI::App& tool) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = tool.add_subcommand("project", "print the SH coefficients of a picture or of lights as JSON");
+  command
+      ->add_option("LIGHT", options->light,
+                   "an OpenEXR or Radiance .hdr picture, a .json file of lights, constant or overcast")
+      ->required();
+  add_mapping_to(*command, options->mapping);
+  command->add_option("--degree", options->degree, "0 to 10")->capture_default_str();
+  command->add_option("--threads", options->threads, "0: every core")->capture_default_str();
+  command->add_flag("--strict", options->strict, "refuse negative pixels instead of setting them to 0");
+  command->callback([options] { with_threads(options->threads, [&] { run(*options); }); });
+}
+
+}  // namespace sh::prt

@@ -1,0 +1,53 @@
+// The tool `prt`: bakes, relights and renders. Exit: 0 done, 2 bad input, 130 interrupted.
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <cstdio>
+#include <exception>
+
+#include "numeric/output/progress.hpp"
+#include "prt/commands/commands.hpp"
+
+namespace {
+
+void add_commands(CLI::App& tool) {
+  tool.require_subcommand(1);
+  sh::prt::add_bake_command(tool);
+  sh::prt::add_relight_command(tool);
+  sh::prt::add_render_command(tool);
+  sh::prt::add_info_command(tool);
+  sh::prt::add_project_command(tool);
+}
+
+int run(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file-size limit is then an error of write(), reported like a full disk
+  sh::output::stop_on_interrupt();
+  CLI::App tool("Precomputed radiance transfer with spherical harmonics: bake, relight, render.", "prt");
+  add_commands(tool);
+  try {
+    tool.parse(argc, argv);  // runs the command
+    return 0;
+  } catch (const CLI::Success& done) {  // --help
+    return tool.exit(done);
+  } catch (const CLI::ParseError& error) {
+    if (!tool.get_subcommands().empty()) {
+      throw;
+    }
+    std::fprintf(stderr, "prt: `%s` is no command; bake, relight, render, info and project are\n",
+                 argc > 1 ? argv[1] : "");
+    return 2;
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const sh::output::Interrupted& stop) {
+    std::fprintf(stderr, "prt: %s\n", stop.what());
+    return 130;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "prt: %s\n", error.what());
+    return 2;
+  }
+}

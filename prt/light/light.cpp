@@ -1,0 +1,73 @@
+// Lights and their radiance: prt/light/light.hpp.
+#include "prt/light/light.hpp"
+
+#include "prt/image/image_io.hpp"
+#include "prt/image/image_mapping.hpp"
+#include "prt/light/cap_light.hpp"
+#include "prt/light/light_coefficients.hpp"
+#include "prt/light/polygon_light.hpp"
+#include "prt/light/sky.hpp"
+
+namespace sh::prt {
+namespace {
+
+Light load_light(const LightSpec& spec, OnFlaw on_flaw) {
+  Light light{spec, rotation_about(spec.rotation_axis.cast<double>(), static_cast<double>(spec.rotation_degrees)), {}};
+  if (spec.type == LightType::kEnvironment) {
+    auto image = std::make_shared<Image>(read_image(spec.file, on_flaw));
+    require_shape(spec.file, *image, spec.mapping);
+    light.image = std::move(image);
+  }
+  return light;
+}
+
+Eigen::Vector3f radiance(const Light& light, const Eigen::Vector3d& direction) {
+  const Eigen::Vector3d local = light.rotation.transpose() * direction;
+  switch (light.spec.type) {
+    case LightType::kConstant:
+      return light.spec.radiance;
+    case LightType::kCieOvercast:
+      return local.z() > 0.0 ? Eigen::Vector3f(light.spec.radiance * static_cast<float>((1.0 + 2.0 * local.z()) / 3.0))
+                             : Eigen::Vector3f(Eigen::Vector3f::Zero());
+    case LightType::kCieSky:
+      return light.spec.radiance * static_cast<float>(sky_radiance(light.spec.sky, light.spec.direction, local));
+    case LightType::kDirectional:
+      return Eigen::Vector3f::Zero();  // nowhere but in one direction
+    case LightType::kCap:
+      return light.spec.radiance * (cap_covers(light.spec.direction, light.spec.one_minus_cos, local) ? 1.0F : 0.0F);
+    case LightType::kPolygon:
+      return light.spec.radiance * (polygon_covers(light.spec.corners, local) ? 1.0F : 0.0F);
+    case LightType::kEnvironment:
+      return light.spec.scale * lookup(*light.image, light.spec.mapping, local);
+  }
+  return Eigen::Vector3f::Zero();
+}
+
+}  // namespace
+
+std::vector<Light> load_lights(const std::vector<LightSpec>& specs, OnFlaw on_flaw) {
+  std::vector<Light> lights;
+  lights.reserve(specs.size());
+  for (const LightSpec& spec : specs) {
+    lights.push_back(load_light(spec, on_flaw));
+  }
+  return lights;
+}
+
+std::vector<Light> turned(const std::vector<Light>& lights, const Eigen::Matrix3d& r) {
+  std::vector<Light> out = lights;
+  for (Light& light : out) {
+    light.rotation = r * light.rotation;
+  }
+  return out;
+}
+
+Eigen::Vector3f radiance(const std::vector<Light>& lights, const Eigen::Vector3d& direction) {
+  Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+  for (const Light& light : lights) {
+    sum += radiance(light, direction);
+  }
+  return sum;
+}
+
+}  // namespace sh::prt

@@ -1,0 +1,59 @@
+// Sums, rotations and values of SH lights: prt/light/light_coefficients.hpp.
+#include "prt/light/light_coefficients.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <array>
+#include <numbers>
+#include <stdexcept>
+
+#include "numeric/rotation.hpp"
+#include "prt/basis.hpp"
+
+namespace sh::prt {
+
+void require_degree(int degree) {
+  if (degree < 0 || degree > kMaxDegree) {
+    throw std::invalid_argument(fmt::format("degree {} is out of range; 0 to {} can be used", degree, kMaxDegree));
+  }
+}
+
+LightCoefficients LightCoefficients::zero(int degree) {
+  require_degree(degree);
+  LightCoefficients light{degree, {}};
+  light.values.assign(3 * light.bands_squared(), 0.0);
+  return light;
+}
+
+void accumulate(LightCoefficients& sum, const LightCoefficients& more) {
+  for (std::size_t i = 0; i < sum.values.size(); ++i) {
+    sum.values[i] += more.values[i];
+  }
+}
+
+LightCoefficients turned(const LightCoefficients& light, const Eigen::Matrix3d& r) {
+  const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> rows = r;
+  LightCoefficients out = light;
+  for (std::size_t channel = 0; channel < 3; ++channel) {
+    const std::size_t at = channel * light.bands_squared();
+    numeric::rotate<double>(light.degree, rows.data(), &light.values[at], &out.values[at]);
+  }
+  return out;
+}
+
+Eigen::Vector3d radiance(const LightCoefficients& light, const Eigen::Vector3d& direction) {
+  std::array<double, std::size_t{kMaxDegree + 1} * (kMaxDegree + 1)> basis;
+  evaluate_basis(light.degree, direction.x(), direction.y(), direction.z(), basis.data());
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (std::size_t i = 0; i < light.bands_squared(); ++i) {
+    sum += basis[i] * Eigen::Vector3d(light.at(0, i), light.at(1, i), light.at(2, i));
+  }
+  return sum;
+}
+
+Eigen::Matrix3d rotation_about(const Eigen::Vector3d& axis, double degrees) {
+  return Eigen::AngleAxisd(degrees * std::numbers::pi / 180.0, axis.normalized()).toRotationMatrix();
+}
+
+}  // namespace sh::prt

@@ -1,0 +1,31 @@
+// A light as a scene file describes it: what to load, not yet any coefficients (prt/light/light.hpp makes those).
+#pragma once
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "prt/image/image_mapping.hpp"
+
+namespace sh::prt {
+
+enum class LightType { kConstant, kCieOvercast, kCieSky, kDirectional, kCap, kPolygon, kEnvironment };
+
+/// One light; a scene adds its lights up. Radiance is W m^-2 sr^-1, linear RGB.
+struct LightSpec {
+  LightType type = LightType::kCieOvercast;
+  // constant, cap, polygon: everywhere on it; skies: at the zenith; directional: not the radiance but the irradiance of
+  // a surface that faces it, W m^-2
+  Eigen::Vector3f radiance = Eigen::Vector3f::Ones();
+  Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();  // unit: to a directional light, a cap's middle, a sky's sun
+  double one_minus_cos = 0.0;                            // cap: of its half-angle, so that tiny ones keep their digits
+  int sky = 12;                                          // cie_sky: its type in the standard, 1..15
+  std::vector<Eigen::Vector3d>
+      corners;       // polygon: from where it is seen; as polygon_flaw (prt/light/polygon_light.hpp) wants
+  std::string file;  // environment: EXR or Radiance .hdr, path resolved
+  ImageMapping mapping = ImageMapping::kLatLong;  // environment
+  float scale = 1.0F;                             // environment: factor on every pixel (exposure)
+  Eigen::Vector3f rotation_axis = Eigen::Vector3f::UnitZ();
+  float rotation_degrees = 0.0F;  // right-handed about the axis; turns the light, not the mesh
+};
+
+}  // namespace sh::prt

@@ -1,0 +1,141 @@
+// The CIE general sky: prt/light/sky.hpp.
+#include "prt/light/sky.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "numeric/quadrature.hpp"
+#include "prt/basis.hpp"
+#include "prt/light/light_coefficients.hpp"
+
+namespace sh::prt {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+struct SkyParameters {
+  double a, b, c, d, e;
+};
+
+// [CIE03] table 1
+constexpr std::array<SkyParameters, kSkyTypes> kSkies{{{4.0, -0.70, 0.0, -1.0, 0.0},
+                                                       {4.0, -0.70, 2.0, -1.5, 0.15},
+                                                       {1.1, -0.80, 0.0, -1.0, 0.0},
+                                                       {1.1, -0.80, 2.0, -1.5, 0.15},
+                                                       {0.0, -1.00, 0.0, -1.0, 0.0},
+                                                       {0.0, -1.00, 2.0, -1.5, 0.15},
+                                                       {0.0, -1.00, 5.0, -2.5, 0.30},
+                                                       {0.0, -1.00, 10.0, -3.0, 0.45},
+                                                       {-1.0, -0.55, 2.0, -1.5, 0.15},
+                                                       {-1.0, -0.55, 5.0, -2.5, 0.30},
+                                                       {-1.0, -0.55, 10.0, -3.0, 0.45},
+                                                       {-1.0, -0.32, 10.0, -3.0, 0.45},
+                                                       {-1.0, -0.32, 16.0, -3.0, 0.30},
+                                                       {-1.0, -0.15, 16.0, -3.0, 0.30},
+                                                       {-1.0, -0.15, 24.0, -2.8, 0.15}}};
+
+double gradation(const SkyParameters& sky, double cosine) { return 1.0 + sky.a * std::exp(sky.b / cosine); }
+
+double indicatrix(const SkyParameters& sky, double chi) {
+  const double cosine = std::cos(chi);
+  return 1.0 + sky.c * (std::exp(sky.d * chi) - std::exp(sky.d * 0.5 * kPi)) + sky.e * cosine * cosine;
+}
+
+double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  return 2.0 * std::atan2((a - b).norm(), (a + b).norm());
+}
+
+const SkyParameters& parameters(int type) {
+  if (type < 1 || type > kSkyTypes) {
+    throw std::invalid_argument("sky: expected a type from 1 to 15");
+  }
+  return kSkies[static_cast<std::size_t>(type - 1)];
+}
+
+/// Tanh-sinh nodes on [0, 1]: for integrands that change quickly near both ends, as the length of the arc from a low
+/// sun to the horizon does where it turns sideways. [TakahasiMori74]
+struct Panel {
+  std::vector<double> nodes;
+  std::vector<double> weights;
+};
+
+Panel tanh_sinh() {
+  constexpr int kSide = 64;
+  constexpr double kStep = 3.2 / kSide;
+  Panel panel;
+  for (int k = -kSide; k <= kSide; ++k) {
+    const double s = 0.5 * kPi * std::sinh(k * kStep);
+    panel.nodes.push_back(0.5 * (1.0 + std::tanh(s)));
+    panel.weights.push_back(0.25 * kPi * kStep * std::cosh(k * kStep) / (std::cosh(s) * std::cosh(s)));
+  }
+  return panel;
+}
+
+/// Adds the arc that leaves the sun under `bearing` (0: upwards) and ends at the horizon, the sun above +x; `weight` is
+/// the bearing's. Orders m >= 0 only: the sky is symmetric about the sun's meridian.
+void add_arc(const SkyParameters& sky, double elevation, double bearing, double weight, int degree,
+             std::vector<double>& sum) {
+  static const auto kRule = numeric::gauss_legendre<double>(80);
+  const Eigen::Vector3d sun(std::cos(elevation), 0.0, std::sin(elevation));
+  const Eigen::Vector3d side(-std::sin(elevation) * std::cos(bearing), std::sin(bearing),
+                             std::cos(elevation) * std::cos(bearing));
+  const double length = std::atan2(sun.z(), -side.z());
+  std::vector<double> basis(sum.size());
+  for (std::size_t k = 0; k < kRule.nodes.size(); ++k) {
+    const double chi = 0.5 * length * (1.0 + kRule.nodes[k]);
+    const Eigen::Vector3d d = std::cos(chi) * sun + std::sin(chi) * side;
+    if (d.z() > 0.0) {  // rounding may put the last node of a flat arc below
+      const double value = 0.5 * length * kRule.weights[k] * weight * std::sin(chi) * indicatrix(sky, chi);
+      evaluate_basis(degree, d.x(), d.y(), d.z(), basis.data());
+      for (std::size_t i = 0; i < sum.size(); ++i) {
+        sum[i] += value * gradation(sky, d.z()) * basis[i];
+      }
+    }
+  }
+}
+
+/// A function even in azimuth, given by its coefficients of orders m >= 0, turned about +z.
+void turn_even(double azimuth, int degree, std::vector<double>& coefficients) {
+  for (int l = 0; l <= degree; ++l) {
+    const std::size_t middle = coefficient_count(l) - static_cast<std::size_t>(l) - 1;
+    for (int m = 1; m <= l; ++m) {
+      const double even = coefficients[middle + static_cast<std::size_t>(m)];
+      coefficients[middle + static_cast<std::size_t>(m)] = even * std::cos(m * azimuth);
+      coefficients[middle - static_cast<std::size_t>(m)] = even * std::sin(m * azimuth);
+    }
+  }
+}
+
+double at_zenith(const SkyParameters& sky, const Eigen::Vector3d& sun) {
+  return indicatrix(sky, angle_between(sun, Eigen::Vector3d::UnitZ())) * gradation(sky, 1.0);
+}
+
+}  // namespace
+
+double sky_radiance(int type, const Eigen::Vector3d& sun, const Eigen::Vector3d& direction) {
+  const SkyParameters& sky = parameters(type);
+  if (!(direction.z() > 0.0)) {
+    return 0.0;
+  }
+  return indicatrix(sky, angle_between(sun, direction)) * gradation(sky, direction.z()) / at_zenith(sky, sun);
+}
+
+std::vector<double> project_sky(int type, const Eigen::Vector3d& sun, int degree) {
+  static const Panel kPanel = tanh_sinh();
+  const SkyParameters& sky = parameters(type);
+  std::vector<double> sum(coefficient_count(degree), 0.0);
+  const double elevation = std::atan2(std::max(sun.z(), 0.0), std::hypot(sun.x(), sun.y()));
+  const double scale = kPi / at_zenith(sky, sun);  // two panels of pi/2, each seen on both sides of the meridian
+  for (std::size_t k = 0; k < kPanel.nodes.size(); ++k) {
+    const double upwards = 0.5 * kPi * kPanel.nodes[k];
+    add_arc(sky, elevation, upwards, scale * kPanel.weights[k], degree, sum);
+    add_arc(sky, elevation, kPi - upwards, scale * kPanel.weights[k], degree, sum);
+  }
+  turn_even(std::atan2(sun.y(), sun.x()), degree, sum);
+  return sum;
+}
+
+}  // namespace sh::prt

@@ -1,0 +1,238 @@
+#include "prt/mesh/import_mesh.hpp"
+
+#include <assimp/config.h>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <assimp/DefaultLogger.hpp>
+#include <assimp/Importer.hpp>
+#include <assimp/LogStream.hpp>
+#include <cctype>
+#include <cmath>
+#include <filesystem>
+#include <stdexcept>
+
+namespace sh::prt {
+
+namespace {
+
+Eigen::Vector3f to_eigen(const aiVector3D& v) { return {v.x, v.y, v.z}; }
+Eigen::Vector3f to_eigen(const aiColor4D& c) { return {c.r, c.g, c.b}; }
+
+float from_srgb(float value) { return value <= 0.04045F ? value / 12.92F : std::pow((value + 0.055F) / 1.055F, 2.4F); }
+
+Eigen::Affine3f to_eigen(const aiMatrix4x4& m) {
+  Eigen::Matrix4f matrix;
+  matrix << m.a1, m.a2, m.a3, m.a4, m.b1, m.b2, m.b3, m.b4, m.c1, m.c2, m.c3, m.c4, m.d1, m.d2, m.d3, m.d4;
+  return Eigen::Affine3f(matrix);
+}
+
+std::string extension_of(const std::string& path) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
+// An importer's message as one line.
+std::string one_line(std::string text) {
+  text.erase(text.find_last_not_of("\r\n ") + 1);
+  std::replace_if(
+      text.begin(), text.end(), [](unsigned char c) { return std::iscntrl(c) != 0; }, ' ');
+  return text.empty() ? "no reason given" : text;
+}
+
+class Collector {
+ public:
+  Collector(const std::string& path, const aiScene& scene, Eigen::Vector3f default_albedo)
+      : path_(path), scene_(scene), default_albedo_(std::move(default_albedo)), is_linear_(path_is_gltf(path)) {}
+
+  ImportedMesh collect() {
+    visit(*scene_.mRootNode, Eigen::Affine3f::Identity());
+    result_.file_vertices = result_.soup.positions.size();
+    result_.up = up_axis();
+    if (std::all_of(result_.soup.normals.begin(), result_.soup.normals.end(),
+                    [](const Eigen::Vector3f& n) { return n.isZero(0.0F); })) {
+      result_.soup.normals.clear();
+    }
+    return std::move(result_);
+  }
+
+ private:
+  static bool path_is_gltf(const std::string& path) {
+    const std::string extension = extension_of(path);
+    return extension == ".gltf" || extension == ".glb";
+  }
+
+  // Collada and 3DS are turned to y-up by the importer; FBX says.
+  [[nodiscard]] UpAxis up_axis() const {
+    const std::string extension = extension_of(path_);
+    int axis = 1;
+    if (scene_.mMetaData != nullptr && scene_.mMetaData->Get("UpAxis", axis)) {
+      return axis == 2 ? UpAxis::kZ : UpAxis::kY;
+    }
+    return extension == ".stl" || extension == ".ply" ? UpAxis::kZ : UpAxis::kY;
+  }
+
+  void visit(const aiNode& node, const Eigen::Affine3f& parent) {
+    const Eigen::Affine3f map = parent * to_eigen(node.mTransformation);
+    for (unsigned i = 0; i < node.mNumMeshes; ++i) {
+      add(*scene_.mMeshes[node.mMeshes[i]], map);
+    }
+    for (unsigned i = 0; i < node.mNumChildren; ++i) {
+      visit(*node.mChildren[i], map);
+    }
+  }
+
+  void add(const aiMesh& mesh, const Eigen::Affine3f& map) {
+    Soup part;
+    const Eigen::Vector3f albedo = material_albedo(mesh);
+    for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
+      part.positions.emplace_back(to_eigen(mesh.mVertices[v]));
+      part.normals.push_back(mesh.HasNormals() ? to_eigen(mesh.mNormals[v]) : Eigen::Vector3f::Zero().eval());
+      part.albedo.emplace_back(albedo.cwiseProduct(vertex_colour(mesh, v)).cwiseMax(0.0F).cwiseMin(1.0F));
+    }
+    for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
+      const aiFace& face = mesh.mFaces[f];
+      if (face.mNumIndices == 3) {
+        part.faces.push_back({face.mIndices[0], face.mIndices[1], face.mIndices[2]});
+      }
+    }
+    transform(part, map);
+    append(part);
+  }
+
+  void append(const Soup& part) {
+    Soup& soup = result_.soup;
+    const auto first = static_cast<std::uint32_t>(soup.positions.size());
+    soup.positions.insert(soup.positions.end(), part.positions.begin(), part.positions.end());
+    soup.normals.insert(soup.normals.end(), part.normals.begin(), part.normals.end());
+    soup.albedo.insert(soup.albedo.end(), part.albedo.begin(), part.albedo.end());
+    for (const Face& face : part.faces) {
+      soup.faces.push_back({face[0] + first, face[1] + first, face[2] + first});
+    }
+  }
+
+  [[nodiscard]] Eigen::Vector3f material_albedo(const aiMesh& mesh) const {
+    aiString name;
+    aiColor4D colour;
+    const std::string extension = extension_of(path_);
+    if (extension == ".ply" || extension == ".stl" || extension == ".off") {  // these know no materials
+      return mesh.HasVertexColors(0) ? Eigen::Vector3f::Ones().eval() : default_albedo_;
+    }
+    if (mesh.mMaterialIndex >= scene_.mNumMaterials) {
+      return default_albedo_;
+    }
+    const aiMaterial& material = *scene_.mMaterials[mesh.mMaterialIndex];
+    const bool is_made_up =
+        material.Get(AI_MATKEY_NAME, name) == AI_SUCCESS && name == aiString(AI_DEFAULT_MATERIAL_NAME);
+    if (is_made_up || material.Get(AI_MATKEY_COLOR_DIFFUSE, colour) != AI_SUCCESS) {
+      return default_albedo_;
+    }
+    return is_linear_ ? to_eigen(colour) : to_eigen(colour).unaryExpr(&from_srgb).eval();
+  }
+
+  [[nodiscard]] Eigen::Vector3f vertex_colour(const aiMesh& mesh, unsigned v) const {
+    if (!mesh.HasVertexColors(0)) {
+      return Eigen::Vector3f::Ones();
+    }
+    const Eigen::Vector3f colour = to_eigen(mesh.mColors[0][v]);
+    return is_linear_ ? colour : colour.unaryExpr(&from_srgb).eval();
+  }
+
+  const std::string& path_;
+  const aiScene& scene_;
+  Eigen::Vector3f default_albedo_;
+  bool is_linear_;
+  ImportedMesh result_;
+};
+
+// Some importers (OFF, glTF) mend an index that is out of range and only log it: what they say, kept while this lives.
+class Complaints final : public Assimp::LogStream {
+ public:
+  Complaints() {
+    Assimp::DefaultLogger::create(nullptr, Assimp::Logger::NORMAL, 0);
+    Assimp::DefaultLogger::get()->attachStream(this, Assimp::Logger::Warn | Assimp::Logger::Err);
+  }
+  ~Complaints() override {
+    Assimp::DefaultLogger::get()->detachStream(this, Assimp::Logger::Warn | Assimp::Logger::Err);
+    Assimp::DefaultLogger::kill();
+  }
+  Complaints(const Complaints&) = delete;
+  Complaints& operator=(const Complaints&) = delete;
+  void write(const char* message) override {
+    const std::string text = message;
+    if (text.find("out of range") != std::string::npos || text.find("out-of-range") != std::string::npos) index_ = text;
+  }
+  [[nodiscard]] const std::string& about_an_index() const { return index_; }
+
+ private:
+  std::string index_;
+};
+
+// Before anything reads through the indices.
+void check_indices(const std::string& path, const aiScene& scene) {
+  for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
+    const aiMesh& mesh = *scene.mMeshes[m];
+    for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
+      for (unsigned k = 0; k < mesh.mFaces[f].mNumIndices; ++k) {
+        if (mesh.mFaces[f].mIndices[k] >= mesh.mNumVertices) {
+          throw std::runtime_error(fmt::format("{}: face {} names vertex {}, but there are {} vertices", path, f,
+                                               mesh.mFaces[f].mIndices[k], mesh.mNumVertices));
+        }
+      }
+    }
+  }
+}
+
+bool has_polygons(const aiScene& scene) {
+  return std::any_of(scene.mMeshes, scene.mMeshes + scene.mNumMeshes, [](const aiMesh* mesh) {
+    return std::any_of(mesh->mFaces, mesh->mFaces + mesh->mNumFaces,
+                       [](const aiFace& face) { return face.mNumIndices >= 3; });
+  });
+}
+
+void check_readable(const std::string& path) {
+  std::error_code error;
+  const auto status = std::filesystem::status(path, error);
+  if (!std::filesystem::exists(status)) {
+    throw std::runtime_error(fmt::format("{}: no such mesh file", path));
+  }
+  if (!std::filesystem::is_regular_file(status)) {
+    throw std::runtime_error(fmt::format("{}: not a file, expected a mesh", path));
+  }
+  if (std::filesystem::file_size(path, error) == 0) {
+    throw std::runtime_error(fmt::format("{}: the file is empty, expected a mesh", path));
+  }
+}
+
+}  // namespace
+
+ImportedMesh import_mesh(const std::string& path, const Eigen::Vector3f& default_albedo) {
+  check_readable(path);
+  Complaints complaints;
+  Assimp::Importer importer;
+  importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
+  const aiScene* scene = importer.ReadFile(path, 0);
+  if (!complaints.about_an_index().empty()) {
+    throw std::runtime_error(
+        fmt::format("{}: a face names a vertex that is not there: {}", path, one_line(complaints.about_an_index())));
+  }
+  if (scene == nullptr || scene->mRootNode == nullptr) {
+    throw std::runtime_error(fmt::format("{}: cannot read the mesh: {}", path, one_line(importer.GetErrorString())));
+  }
+  check_indices(path, *scene);
+  if (!has_polygons(*scene)) {
+    throw std::runtime_error(fmt::format("{}: the mesh has no faces, expected at least one triangle", path));
+  }
+  scene = importer.ApplyPostProcessing(aiProcess_Triangulate | aiProcess_SortByPType);
+  if (scene == nullptr) {
+    throw std::runtime_error(
+        fmt::format("{}: cannot triangulate the mesh: {}", path, one_line(importer.GetErrorString())));
+  }
+  return Collector(path, *scene, default_albedo).collect();
+}
+
+}  // namespace sh::prt

@@ -1,0 +1,134 @@
+#include "prt/rays/tracer.hpp"
+
+#include <embree3/rtcore.h>
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+#include <string_view>
+#include <vector>
+
+namespace sh::prt {
+
+namespace {
+
+static_assert(sizeof(ShadowRay) == sizeof(RTCRay));
+static_assert(offsetof(RTCRay, tnear) == offsetof(ShadowRay, near) &&
+              offsetof(RTCRay, dir_x) == offsetof(ShadowRay, direction) &&
+              offsetof(RTCRay, tfar) == offsetof(ShadowRay, far) &&
+              offsetof(RTCRay, mask) == offsetof(ShadowRay, mask));
+
+constexpr std::size_t kPrimaryBatch = 256;  // rays a stream call
+
+struct InstructionSet {
+  std::string_view name;
+  bool available;
+};
+
+// From best to least; avx512 only when asked for, so that results agree on nearly every machine.
+std::array<InstructionSet, 4> instruction_sets() {
+  return {{{"avx2", __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0},
+           {"avx", __builtin_cpu_supports("avx") != 0},
+           {"sse4.2", __builtin_cpu_supports("sse4.2") != 0},
+           {"avx512", __builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512dq") != 0 &&
+                          __builtin_cpu_supports("avx512bw") != 0 && __builtin_cpu_supports("avx512vl") != 0}}};
+}
+
+std::string choose_instruction_set(const std::string& wanted) {
+  std::string names;
+  for (const InstructionSet& set : instruction_sets()) {
+    if (set.available && (wanted.empty() || wanted == set.name)) {
+      return std::string(set.name);
+    }
+    names += set.available ? fmt::format("{}{}", names.empty() ? "" : ", ", set.name) : "";
+  }
+  throw std::invalid_argument(
+      fmt::format("instruction set {}: expected one that this machine has ({})", wanted, names));
+}
+
+[[noreturn]] void fail(const char* what) { throw std::runtime_error(fmt::format("ray tracer: {}", what)); }
+
+}  // namespace
+
+struct Tracer::Impl {
+  RTCDevice device = nullptr;
+  RTCScene scene = nullptr;
+  std::string instruction_set;
+
+  ~Impl() {
+    rtcReleaseScene(scene);
+    rtcReleaseDevice(device);
+  }
+
+  void open(int threads, const std::string& wanted) {
+    instruction_set = choose_instruction_set(wanted);
+    device = rtcNewDevice(fmt::format("threads={},isa={}", threads, instruction_set).c_str());
+    if (device == nullptr) {
+      fail("Embree cannot start");
+    }
+    scene = rtcNewScene(device);
+    rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_HIGH);
+  }
+
+  void add(const Mesh& mesh) {
+    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    void* vertices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                             sizeof(Eigen::Vector3f), mesh.positions.size());
+    void* indices =
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, sizeof(Face), mesh.faces.size());
+    if (vertices == nullptr || indices == nullptr) {
+      rtcReleaseGeometry(geometry);
+      fail("not enough memory for the mesh");
+    }
+    std::copy(mesh.positions.begin(), mesh.positions.end(), static_cast<Eigen::Vector3f*>(vertices));
+    std::copy(mesh.faces.begin(), mesh.faces.end(), static_cast<Face*>(indices));
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometry(scene, geometry);
+    rtcReleaseGeometry(geometry);
+    rtcCommitScene(scene);
+    if (rtcGetDeviceError(device) != RTC_ERROR_NONE) {
+      fail("Embree cannot build its tree");
+    }
+  }
+};
+
+Tracer::Tracer(const Mesh& mesh, int threads, const std::string& instruction_set) : impl_(std::make_unique<Impl>()) {
+  impl_->open(threads, instruction_set);
+  impl_->add(mesh);
+}
+
+Tracer::~Tracer() = default;
+
+const std::string& Tracer::instruction_set() const { return impl_->instruction_set; }
+
+void Tracer::intersect(std::span<const Eigen::Vector3f> origins, std::span<const Eigen::Vector3f> directions,
+                       std::span<Hit> hits) const {
+  std::vector<RTCRayHit> rays(std::min(kPrimaryBatch, hits.size()));
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  for (std::size_t first = 0; first < hits.size(); first += rays.size()) {
+    const std::size_t count = std::min(rays.size(), hits.size() - first);
+    for (std::size_t i = 0; i < count; ++i) {
+      const Eigen::Vector3f& o = origins[first + i];
+      const Eigen::Vector3f& d = directions[first + i];
+      rays[i].ray = {o.x(),       o.y(), o.z(), 0.0F, d.x(), d.y(), d.z(), 0.0F, std::numeric_limits<float>::infinity(),
+                     0xFFFFFFFFU, 0,     0};
+      rays[i].hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    }
+    rtcIntersect1M(impl_->scene, &context, rays.data(), static_cast<unsigned>(count), sizeof(RTCRayHit));
+    for (std::size_t i = 0; i < count; ++i) {
+      const bool hit = rays[i].hit.geomID != RTC_INVALID_GEOMETRY_ID;
+      hits[first + i] = hit ? Hit{rays[i].hit.primID, rays[i].hit.u, rays[i].hit.v, rays[i].ray.tfar} : Hit{};
+    }
+  }
+}
+
+void Tracer::occluded(std::span<ShadowRay> rays) const {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcOccluded1M(impl_->scene, &context, reinterpret_cast<RTCRay*>(rays.data()), static_cast<unsigned>(rays.size()),
+                sizeof(RTCRay));
+}
+
+}  // namespace sh::prt

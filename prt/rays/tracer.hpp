@@ -1,0 +1,70 @@
+// Rays against a mesh: a thin wrapper, the only place that knows Embree.
+// Embree 4 has no stream calls; the two calls of tracer.cpp that use them are where packets would take their place.
+#pragma once
+#include <Eigen/Core>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <span>
+#include <string>
+
+#include "prt/mesh/mesh.hpp"
+
+namespace sh::prt {
+
+/// The closest hit: point = (1-u-v) p0 + u p1 + v p2 of the face.
+struct Hit {
+  static constexpr std::uint32_t kNothing = 0xFFFFFFFFU;
+  std::uint32_t face = kNothing;
+  float u = 0.0F;
+  float v = 0.0F;
+  float distance = 0.0F;
+};
+
+/// A ray that only asks whether anything is in its way. Laid out as the tracer reads it, so that no copy is made.
+struct alignas(16) ShadowRay {
+  Eigen::Matrix<float, 3, 1, Eigen::DontAlign> origin;
+  float near = 0.0F;
+  Eigen::Matrix<float, 3, 1, Eigen::DontAlign> direction;
+  float time = 0.0F;
+  float far = std::numeric_limits<float>::infinity();  // the tracer writes -infinity: something is in the way
+  std::uint32_t mask = 0xFFFFFFFFU;
+  std::uint32_t id = 0;
+  std::uint32_t flags = 0;
+
+  void aim(const Eigen::Vector3f& from, const Eigen::Vector3f& along) {
+    origin = from;
+    direction = along;
+    far = std::numeric_limits<float>::infinity();
+  }
+  [[nodiscard]] bool blocked() const { return far < 0.0F; }
+};
+
+/// A mesh ready for rays. Const calls may come from any thread. The mesh may go away after construction.
+class Tracer {
+ public:
+  /// `threads` for building the tree, 0 takes every core; `instruction_set` is sse4.2, avx, avx2 or avx512, empty takes
+  /// the best up to avx2 that the processor has. Throws std::invalid_argument for an instruction set that is unknown or
+  /// not there, std::runtime_error when Embree refuses.
+  explicit Tracer(const Mesh& mesh, int threads = 0, const std::string& instruction_set = "");
+  ~Tracer();
+  Tracer(const Tracer&) = delete;
+  Tracer& operator=(const Tracer&) = delete;
+
+  /// Closest hits of origins[i] + t directions[i], t > 0; the three spans have one length.
+  void intersect(std::span<const Eigen::Vector3f> origins, std::span<const Eigen::Vector3f> directions,
+                 std::span<Hit> hits) const;
+
+  /// Sets `far` of the rays that hit anything to -infinity.
+  void occluded(std::span<ShadowRay> rays) const;
+
+  /// The one the rays run on: its bits are reproducible on every machine that has it.
+  [[nodiscard]] const std::string& instruction_set() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace sh::prt

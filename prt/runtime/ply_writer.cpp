@@ -1,0 +1,60 @@
+// A mesh with its exit radiance as a PLY file: prt/runtime/relight.hpp.
+// Reference: Greg Turk, "The PLY Polygon File Format" (1994).
+#include <fmt/format.h>
+
+#include <bit>
+#include <cstring>
+
+#include "numeric/output/atomic_file.hpp"
+#include "prt/runtime/relight.hpp"
+
+namespace sh::prt {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "the bodies of PLY files are written as they are in memory");
+
+template <class T>
+void append(std::string& bytes, const T& value) {
+  static_assert(std::is_trivially_copyable_v<T>);
+  const std::size_t at = bytes.size();
+  bytes.resize(at + sizeof(T));
+  std::memcpy(bytes.data() + at, &value, sizeof(T));
+}
+
+void append(std::string& bytes, const Eigen::Vector3f& value) {
+  for (const float component : value) {
+    append(bytes, component);
+  }
+}
+
+std::string header(const Mesh& mesh) {
+  return fmt::format(
+      "ply\nformat binary_little_endian 1.0\n"
+      "comment red, green, blue: linear Rec. 709 exit radiance, W m^-2 sr^-1; axes: z up, right-handed\n"
+      "element vertex {}\n"
+      "property float x\nproperty float y\nproperty float z\n"
+      "property float nx\nproperty float ny\nproperty float nz\n"
+      "property float red\nproperty float green\nproperty float blue\n"
+      "element face {}\nproperty list uchar uint vertex_indices\nend_header\n",
+      mesh.positions.size(), mesh.faces.size());
+}
+
+}  // namespace
+
+void write_ply(const std::string& file, const Mesh& mesh, const std::vector<Eigen::Vector3f>& radiance) {
+  std::string bytes = header(mesh);
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+    append(bytes, mesh.positions[i]);
+    append(bytes, mesh.normals[i]);
+    append(bytes, radiance[i]);
+  }
+  for (const Face& face : mesh.faces) {
+    append(bytes, std::uint8_t{3});
+    append(bytes, face);
+  }
+  output::AtomicFile out(file);
+  out.write(bytes.data(), bytes.size());
+  out.commit();
+}
+
+}  // namespace sh::prt

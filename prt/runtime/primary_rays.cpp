@@ -1,0 +1,80 @@
+// Camera rays: prt/runtime/primary_rays.hpp.
+#include "prt/runtime/primary_rays.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "prt/image/image.hpp"
+
+namespace sh::prt {
+namespace {
+
+/// The k-th point of the R2 sequence in the unit square; the 0th is the middle.
+/// [Martin Roberts, "The unreasonable effectiveness of quasirandom sequences", 2018]
+Eigen::Vector2f pattern(int k) {
+  constexpr double kG = 1.32471795724474602596;  // the real root of x^3 = x + 1
+  double whole = 0.0;
+  return {static_cast<float>(std::modf(0.5 + k / kG, &whole)),
+          static_cast<float>(std::modf(0.5 + k / (kG * kG), &whole))};
+}
+
+}  // namespace
+
+void require_picture_size(const PictureSize& size) {
+  const auto limit = static_cast<long long>(kMaxPixels);
+  if (size.width < 1 || size.height < 1 || static_cast<long long>(size.width) * size.height > limit) {
+    throw std::invalid_argument(
+        fmt::format("a picture of {} x {} pixels; 1 to {} pixels can be made", size.width, size.height, kMaxPixels));
+  }
+  constexpr int kMaxSamples = 1024;
+  if (size.samples < 1 || size.samples > kMaxSamples) {
+    throw std::invalid_argument(fmt::format("{} samples a pixel; 1 to {} can be taken", size.samples, kMaxSamples));
+  }
+}
+
+CameraFrame::CameraFrame(const Camera& camera, const PictureSize& size)
+    : width_(static_cast<float>(size.width)), height_(static_cast<float>(size.height)) {
+  const Eigen::Vector3f towards = camera.target - camera.position;
+  const Eigen::Vector3f side = towards.cross(camera.up);
+  const float angle = camera.vertical_field_of_view;
+  if (!(side.norm() > 1e-6F * towards.norm() * camera.up.norm()) || !(angle > 0.0F && angle < 180.0F)) {
+    throw std::invalid_argument(
+        "the camera must look at a point other than its own, not along its up, with a vertical "
+        "field of view above 0 and below 180 degrees");
+  }
+  const float half_height = std::tan(0.5F * angle * std::numbers::pi_v<float> / 180.0F);
+  forward_ = towards.normalized();
+  right_ = side.normalized() * half_height * width_ / height_;
+  down_ = forward_.cross(side.normalized()) * half_height;
+}
+
+Eigen::Vector3f CameraFrame::direction(float column, float row) const {
+  return (forward_ + (2.0F * column / width_ - 1.0F) * right_ + (2.0F * row / height_ - 1.0F) * down_).normalized();
+}
+
+void trace_row(const Tracer& tracer, const Camera& camera, const PictureSize& size, int row, RowOfRays& rays) {
+  const CameraFrame frame(camera, size);
+  rays.directions.clear();
+  for (int column = 0; column < size.width; ++column) {
+    for (int k = 0; k < size.samples; ++k) {
+      const Eigen::Vector2f offset = pattern(k);
+      rays.directions.push_back(
+          frame.direction(static_cast<float>(column) + offset.x(), static_cast<float>(row) + offset.y()));
+    }
+  }
+  const std::vector<Eigen::Vector3f> origins(rays.directions.size(), camera.position);
+  rays.hits.resize(rays.directions.size());
+  tracer.intersect(origins, rays.directions, rays.hits);
+}
+
+Eigen::Vector3f interpolated(const Hit& hit, const Mesh& mesh, const std::vector<Eigen::Vector3f>& vertex_values) {
+  const Face& face = mesh.faces[hit.face];
+  return (1.0F - hit.u - hit.v) * vertex_values[face[0]] + hit.u * vertex_values[face[1]] +
+         hit.v * vertex_values[face[2]];
+}
+
+}  // namespace sh::prt

@@ -1,0 +1,23 @@
+// What a scene asks of a bake.
+#pragma once
+#include "prt/transfer/transfer.hpp"
+
+namespace sh::prt {
+
+/// How the light that bounces is solved for; prt/bake/bounces.hpp has the methods.
+enum class BounceSolver { kAutomatic, kSeries, kKrylov };
+
+struct BounceOptions {
+  double tolerance = 1e-4;  // certified error of any number, over the largest number in the solution
+  BounceSolver solver = BounceSolver::kAutomatic;
+  int most_applications = 1000;  // of K; then the result says that it is not certified
+};
+
+struct BakeOptions {
+  int degree = 4;         // 0..kMaxDegree
+  int directions = 2048;  // over the whole sphere
+  TransferKind kind = TransferKind::kShadowed;
+  BounceOptions bounces;  // interreflected only
+};
+
+}  // namespace sh::prt

@@ -1,0 +1,150 @@
+#include "prt/scene/json_reader.hpp"
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+#include "numeric/output/read_file.hpp"
+
+namespace sh::prt {
+
+namespace {
+
+constexpr std::size_t kLongestQuote = 60;
+
+// A value as it would stand in the file, cut where it would fill the line.
+std::string quote(const nlohmann::json& value) {
+  const std::string text = value.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
+  return text.size() <= kLongestQuote ? text : text.substr(0, kLongestQuote - 3) + "...";
+}
+
+}  // namespace
+
+nlohmann::json read_json(const std::string& file) {
+  const std::string text = output::read_file(file);
+  try {
+    return nlohmann::json::parse(text);
+  } catch (const nlohmann::json::exception& error) {
+    const std::string what = error.what();
+    const std::size_t detail = what.find("] ");  // after the library's own name and number of the error
+    std::string line = detail == std::string::npos ? what : what.substr(detail + 2);
+    std::replace(line.begin(), line.end(), '\n', ' ');
+    throw std::runtime_error(fmt::format("{}: not JSON: {}", file, line));
+  }
+}
+
+void JsonReader::expected(std::string_view what) const {
+  throw std::runtime_error(
+      fmt::format("{}: {}: expected {}, got {}", *file_, path_.empty() ? "/" : path_, what, quote(*value_)));
+}
+
+void JsonReader::allow(std::initializer_list<std::string_view> keys) const {
+  if (!value_->is_object()) {
+    expected("an object");
+  }
+  for (const auto& [key, value] : value_->items()) {
+    if (std::find(keys.begin(), keys.end(), key) == keys.end()) {
+      throw std::runtime_error(
+          fmt::format("{}: {}/{}: unknown key, expected one of {}", *file_, path_, key, fmt::join(keys, ", ")));
+    }
+  }
+}
+
+std::optional<JsonReader> JsonReader::find(std::string_view key) const {
+  const auto entry = value_->find(std::string(key));
+  if (entry == value_->end()) {
+    return std::nullopt;
+  }
+  return JsonReader(*this, fmt::format("{}/{}", path_, key), *entry);
+}
+
+JsonReader JsonReader::at(std::string_view key) const {
+  const std::optional<JsonReader> value = find(key);
+  if (!value) {
+    throw std::runtime_error(fmt::format("{}: {}: the key `{}` is missing", *file_, path_.empty() ? "/" : path_, key));
+  }
+  return *value;
+}
+
+std::vector<JsonReader> JsonReader::items() const {
+  if (!value_->is_array()) {
+    expected("an array");
+  }
+  std::vector<JsonReader> items;
+  for (std::size_t i = 0; i < value_->size(); ++i) {
+    items.push_back(JsonReader(*this, fmt::format("{}/{}", path_, i), (*value_)[i]));
+  }
+  return items;
+}
+
+std::string JsonReader::text() const {
+  if (!value_->is_string() || value_->get_ref<const std::string&>().empty()) {
+    expected("a string that is not empty");
+  }
+  return value_->get<std::string>();
+}
+
+std::string JsonReader::one_of(std::initializer_list<std::string_view> words) const {
+  if (!value_->is_string() || std::find(words.begin(), words.end(), value_->get<std::string>()) == words.end()) {
+    expected(fmt::format("one of {}", fmt::join(words, ", ")));
+  }
+  return value_->get<std::string>();
+}
+
+double JsonReader::number(double least, double most, std::string_view what) const {
+  if (!value_->is_number()) {
+    expected(what);
+  }
+  const auto number = value_->get<double>();
+  if (!(number >= least && number <= most)) {
+    expected(what);
+  }
+  return number;
+}
+
+float JsonReader::finite() const {
+  constexpr double kLargest = std::numeric_limits<float>::max();
+  return static_cast<float>(number(-kLargest, kLargest, "a number"));
+}
+
+float JsonReader::positive() const {
+  constexpr double kLeast = std::numeric_limits<float>::min();
+  constexpr double kLargest = std::numeric_limits<float>::max();
+  return static_cast<float>(number(kLeast, kLargest, "a positive number"));
+}
+
+int JsonReader::integer(int least, int most) const {
+  const std::string what = fmt::format("an integer from {} to {}", least, most);
+  if (!value_->is_number_integer()) {
+    expected(what);
+  }
+  return static_cast<int>(number(least, most, what));
+}
+
+Eigen::Vector3f JsonReader::vector() const {
+  constexpr float kLargest = std::numeric_limits<float>::max();
+  return vector(-kLargest, kLargest);
+}
+
+Eigen::Vector3f JsonReader::vector(float least, float most) const {
+  const bool any = most == std::numeric_limits<float>::max();
+  const std::string what = !any            ? fmt::format("three numbers from {} to {}", least, most)
+                           : least == 0.0F ? "three numbers of 0 or more"
+                                           : "three numbers";
+  if (!value_->is_array() || value_->size() != 3) {
+    expected(what);
+  }
+  Eigen::Vector3f vector;
+  int i = 0;
+  for (const JsonReader& item : items()) {
+    vector[i++] = static_cast<float>(item.number(least, most, any && least < 0.0F ? "a number" : what));
+  }
+  return vector;
+}
+
+}  // namespace sh::prt

@@ -1,0 +1,53 @@
+#include "prt/scene/scene.hpp"
+
+#include <filesystem>
+
+#include "prt/mesh/weld.hpp"
+#include "prt/scene/default_camera.hpp"
+#include "prt/scene/embedded_scene.hpp"
+#include "prt/scene/json_reader.hpp"
+#include "prt/scene/scene_parts.hpp"
+
+namespace sh::prt {
+
+Scene load_scene(const std::string& scene, OnFlaw on_flaw) {
+  if (scene == "demo") {
+    return make_embedded_scene();
+  }
+  const nlohmann::json document = read_json(scene);
+  const JsonReader reader(scene, document);
+  const std::string folder = std::filesystem::path(scene).parent_path().string();
+  reader.allow({"name", "meshes", "ground", "lights", "camera", "bake"});
+  Scene result;
+  const auto name = reader.find("name");
+  result.name = name ? name->text() : std::filesystem::path(scene).stem().string();
+  const JsonReader meshes = reader.at("meshes");
+  if (meshes.items().empty()) {
+    meshes.expected("at least one mesh");
+  }
+  // The short parts first: a typing error in them should not wait for large meshes.
+  const auto lights = reader.find("lights");
+  for (const JsonReader& light : lights ? lights->items() : std::vector<JsonReader>()) {
+    result.lights.push_back(read_light(light, folder));
+  }
+  if (!lights) {
+    result.lights.emplace_back();  // the CIE overcast sky
+  }
+  if (const auto options = reader.find("bake")) {
+    result.bake = read_bake_options(*options);
+  }
+  for (const JsonReader& mesh : meshes.items()) {
+    append(result.mesh, read_mesh(mesh, folder, on_flaw));
+  }
+  const auto camera = reader.find("camera");
+  result.camera = default_camera(result.mesh, PictureSize());
+  if (camera) {
+    result.camera = read_camera(*camera, result.camera);
+  }
+  if (const auto ground = reader.find("ground")) {
+    add_ground(result.mesh, read_ground(*ground, result.mesh));
+  }
+  return result;
+}
+
+}  // namespace sh::prt

@@ -1,0 +1,30 @@
+// A scene: mesh, lights, camera and bake options, from a JSON file or, by the word `demo`, made in code.
+// World axes: z up, right-handed. The JSON keys stand in prt/README.md.
+#pragma once
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "prt/light/light_spec.hpp"
+#include "prt/mesh/mend.hpp"
+#include "prt/mesh/mesh.hpp"
+#include "prt/scene/bake_options.hpp"
+#include "prt/scene/camera.hpp"
+#include "prt/transfer/transfer.hpp"
+
+namespace sh::prt {
+
+struct Scene {
+  std::string name;
+  Mesh mesh;
+  std::vector<LightSpec> lights;
+  Camera camera;
+  BakeOptions bake;
+};
+
+/// The scene in the JSON file `scene`, or the embedded one for the word `demo`. Meshes are loaded, welded and split;
+/// light files are only named. Flaws that can be mended are counted and reported once each through `on_flaw`.
+/// Throws std::runtime_error with one line that names file and JSON path.
+Scene load_scene(const std::string& scene, OnFlaw on_flaw);
+
+}  // namespace sh::prt

@@ -1,0 +1,199 @@
+#include "prt/scene/scene_parts.hpp"
+
+#include <fmt/core.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <filesystem>
+#include <numbers>
+#include <stdexcept>
+#include <utility>
+
+#include "prt/mesh/import_mesh.hpp"
+#include "prt/mesh/primitives.hpp"
+#include "prt/mesh/tessellate.hpp"
+#include "prt/mesh/weld.hpp"
+#include "prt/rays/directions.hpp"
+#include "prt/transfer/transfer_names.hpp"
+
+namespace sh::prt {
+
+namespace {
+
+constexpr float kDefaultCrease = 40.0F;  // degrees
+constexpr int kMaxSegments = 4096;
+
+Eigen::Vector3f read_scale(const JsonReader& reader) {
+  return reader.is_array() ? reader.vector() : Eigen::Vector3f::Constant(reader.finite());
+}
+
+// Scaled first, then turned, then moved.
+Eigen::Affine3f read_transform(const JsonReader& reader) {
+  reader.allow({"translate", "rotate", "scale"});
+  Eigen::Affine3f map = Eigen::Affine3f::Identity();
+  if (const auto translate = reader.find("translate")) {
+    map.translate(translate->vector());
+  }
+  if (const auto rotate = reader.find("rotate")) {
+    const Turn turn = read_turn(*rotate);
+    map.rotate(Eigen::AngleAxisf(turn.degrees * std::numbers::pi_v<float> / 180.0F, turn.axis));
+  }
+  if (const auto scale = reader.find("scale")) {
+    const Eigen::Vector3f factors = read_scale(*scale);
+    if (!(factors.cwiseAbs().minCoeff() > 0.0F)) {
+      scale->expected("factors that are not zero");
+    }
+    map.scale(factors);
+  }
+  return map;
+}
+
+// (x, y, z) with y up becomes (x, -z, y).
+Eigen::Affine3f stand_up() {
+  Eigen::Affine3f map = Eigen::Affine3f::Identity();
+  map.linear() << 1, 0, 0, 0, 0, -1, 0, 1, 0;
+  return map;
+}
+
+ImportedMesh read_shape(const JsonReader& reader, const std::string& folder, const Eigen::Vector3f& albedo) {
+  const auto file = reader.find("file");
+  const auto primitive = reader.find("primitive");
+  if (file.has_value() == primitive.has_value()) {
+    reader.expected("either `file` or `primitive`");
+  }
+  if (file) {
+    return import_mesh(beside(folder, file->text()), albedo);
+  }
+  const auto segments = reader.find("segments");
+  ImportedMesh shape;
+  shape.soup =
+      make_primitive(primitive->one_of({"arch", "box", "cone", "cylinder", "plane", "sphere", "stairs", "torus"}),
+                     segments ? segments->integer(3, kMaxSegments) : 48);
+  shape.file_vertices = shape.soup.positions.size();
+  return shape;
+}
+
+}  // namespace
+
+std::string beside(const std::string& folder, const std::string& file) {
+  return (std::filesystem::path(folder) / file).lexically_normal().string();
+}
+
+Turn read_turn(const JsonReader& reader) {
+  reader.allow({"axis", "degrees"});
+  Turn turn;
+  if (const auto axis = reader.find("axis")) {
+    turn.axis = axis->vector();
+    if (!(turn.axis.stableNorm() > 0.0F)) {
+      axis->expected("an axis that is not zero");
+    }
+    turn.axis.stableNormalize();
+  }
+  turn.degrees = reader.at("degrees").finite();
+  return turn;
+}
+
+Mesh finish_mesh(Soup soup, std::size_t file_vertices, float crease_degrees, float max_edge, const std::string& name,
+                 OnFlaw on_flaw) {
+  check(soup, name);
+  const std::size_t all = soup.faces.size();
+  if (const std::size_t dropped = drop_faces_without_area(soup); dropped > 0) {
+    if (soup.faces.empty()) {
+      throw std::runtime_error(fmt::format("{}: none of the {} faces has an area", name, all));
+    }
+    report_flaw(on_flaw, fmt::format("{}: {} of {} faces have no area (dropped)", name, dropped, all));
+  }
+  if (const std::size_t made = complete_normals(soup, crease_degrees); made > 0) {
+    report_flaw(on_flaw, fmt::format("{}: {} vertex normals are zero or not finite (made from the faces)", name, made));
+  }
+  Mesh mesh = weld(soup, file_vertices);
+  if (max_edge > 0.0F) {
+    tessellate(
+        mesh, [&](const Eigen::Vector3f&) { return max_edge; }, name);
+  }
+  return mesh;
+}
+
+Mesh read_mesh(const JsonReader& reader, const std::string& folder, OnFlaw on_flaw) {
+  reader.allow({"file", "primitive", "segments", "transform", "up", "albedo", "max_edge", "crease"});
+  const auto albedo = reader.find("albedo");
+  const Eigen::Vector3f colour = albedo ? albedo->vector(0.0F, 1.0F) : Eigen::Vector3f::Constant(0.5F).eval();
+  const auto up = reader.find("up");
+  const auto max_edge = reader.find("max_edge");
+  const auto crease = reader.find("crease");
+  const float edge = max_edge ? max_edge->positive() : 0.0F;
+  const float crease_degrees =
+      crease ? static_cast<float>(crease->number(0.0, 180.0, "degrees from 0 to 180")) : kDefaultCrease;
+  const auto placing = reader.find("transform");
+  const Eigen::Affine3f map = placing ? read_transform(*placing) : Eigen::Affine3f::Identity();
+  const UpAxis wanted = up && up->one_of({"y", "z"}) == "y" ? UpAxis::kY : UpAxis::kZ;
+  ImportedMesh shape = read_shape(reader, folder, colour);
+  const auto file = reader.find("file");
+  const std::string name = file ? beside(folder, file->text()) : reader.find("primitive")->text();
+  check(shape.soup, name);
+  transform(shape.soup, (up ? wanted : shape.up) == UpAxis::kY ? map * stand_up() : map);
+  if (albedo || !file) {
+    shape.soup.albedo.assign(shape.soup.positions.size(), colour);
+  }
+  return finish_mesh(std::move(shape.soup), shape.file_vertices, crease_degrees, edge, name, on_flaw);
+}
+
+Ground read_ground(const JsonReader& reader, const Mesh& mesh) {
+  reader.allow({"height", "size", "max_edge", "albedo"});
+  Ground ground = default_ground(mesh);
+  if (const auto height = reader.find("height")) {
+    ground.height = height->finite();
+  }
+  if (const auto size = reader.find("size")) {
+    ground.size = size->positive();
+  }
+  if (const auto max_edge = reader.find("max_edge")) {
+    ground.max_edge = max_edge->positive();
+  }
+  if (const auto albedo = reader.find("albedo")) {
+    ground.albedo = albedo->vector(0.0F, 1.0F);
+  }
+  return ground;
+}
+
+Camera read_camera(const JsonReader& reader, const Camera& otherwise) {
+  reader.allow({"position", "target", "up", "field_of_view"});
+  Camera camera = otherwise;
+  if (const auto position = reader.find("position")) {
+    camera.position = position->vector();
+  }
+  if (const auto target = reader.find("target")) {
+    camera.target = target->vector();
+  }
+  if (const auto up = reader.find("up")) {
+    camera.up = up->vector();
+  }
+  if (const auto field = reader.find("field_of_view")) {
+    camera.vertical_field_of_view = static_cast<float>(field->number(1.0, 170.0, "degrees from 1 to 170"));
+  }
+  const Eigen::Vector3f view = camera.target - camera.position;
+  if (!(view.norm() > 0.0F) || !(view.normalized().cross(camera.up.normalized()).norm() > 1e-4F)) {
+    reader.expected("a target away from the position and an `up` that is not along the view");
+  }
+  return camera;
+}
+
+BakeOptions read_bake_options(const JsonReader& reader) {
+  reader.allow({"degree", "directions", "transfer", "tolerance"});
+  BakeOptions options;
+  if (const auto degree = reader.find("degree")) {
+    options.degree = degree->integer(0, kMaxDegree);
+  }
+  if (const auto directions = reader.find("directions")) {
+    options.directions = directions->integer(1, kMaxDirections);
+  }
+  if (const auto tolerance = reader.find("tolerance")) {
+    options.bounces.tolerance = tolerance->number(1e-9, 1.0, "a number from 1e-9 to 1");
+  }
+  if (const auto transfer = reader.find("transfer")) {
+    options.kind = kind_called(transfer->one_of({"unshadowed", "shadowed", "interreflected"}));
+  }
+  return options;
+}
+
+}  // namespace sh::prt
