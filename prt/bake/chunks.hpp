@@ -1,0 +1,34 @@
+// Vertices in chunks of one fixed size, on all threads of the arena that the caller runs in.
+#pragma once
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace sh::prt {
+
+/// What one task does at a time; the same for any number of threads.
+inline constexpr std::size_t kVerticesPerChunk = 32;
+
+/// Vertices first..last-1.
+struct VertexRange {
+  std::size_t first;
+  std::size_t last;
+  [[nodiscard]] std::size_t size() const { return last - first; }
+};
+
+constexpr std::size_t chunk_count(std::size_t vertices) {
+  return (vertices + kVerticesPerChunk - 1) / kVerticesPerChunk;
+}
+
+constexpr VertexRange chunk_range(std::size_t chunk, std::size_t vertices) {
+  return {chunk * kVerticesPerChunk, std::min(vertices, (chunk + 1) * kVerticesPerChunk)};
+}
+
+/// Calls each(chunk) for all chunks of that many vertices, in any order, several at once.
+template <class Each>
+void for_chunks(std::size_t vertices, const Each& each) {
+  tbb::parallel_for(std::size_t{0}, chunk_count(vertices), each);
+}
+
+}  // namespace sh::prt

@@ -1,0 +1,56 @@
+#include "prt/bake/interreflect.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "prt/bake/bounces.hpp"
+
+namespace sh::prt {
+
+namespace {
+
+constexpr std::size_t kChannels = BounceLayout::kChannels;
+
+// What leaves every vertex at once: albedo * T.
+Panel direct_light(const Mesh& mesh, const Transfer& transfer, const BounceLayout& layout) {
+  Panel x(mesh.positions.size(), layout.columns());
+  for (std::size_t v = 0; v < x.rows; ++v) {
+    const float* direct = transfer.coefficients.data() + v * layout.count;
+    for (std::size_t c = 0; c < kChannels; ++c) {
+      const auto albedo = static_cast<double>(mesh.albedo[v][static_cast<Eigen::Index>(c)]);
+      std::transform(direct, direct + layout.count, x.row(v) + layout.channel(c),
+                     [albedo](float value) { return albedo * static_cast<double>(value); });
+    }
+  }
+  return x;
+}
+
+void take_solution(const Panel& x, const BounceLayout& layout, Transfer& transfer) {
+  transfer.kind = TransferKind::kInterreflected;
+  transfer.coefficients.resize(x.rows * transfer.row_length());
+  float* out = transfer.coefficients.data();
+  for (std::size_t v = 0; v < x.rows; ++v) {
+    for (std::size_t c = 0; c < kChannels; ++c) {
+      const double* values = x.row(v) + layout.channel(c);
+      out = std::transform(values, values + layout.count, out, [](double value) { return static_cast<float>(value); });
+    }
+  }
+}
+
+}  // namespace
+
+void interreflect(const Scene& scene, const FormFactors& factors, OnFlaw on_flaw, Transfer& transfer) {
+  const BounceLayout layout{transfer.bands_squared()};
+  Panel x = direct_light(scene.mesh, transfer, layout);
+  transfer.bounces = solve_bounces(factors, scene.mesh.albedo, layout, x, scene.bake.bounces);
+  take_solution(x, layout, transfer);
+  if (!transfer.bounces.certified) {
+    report_flaw(on_flaw, fmt::format("{}: bounces did not settle within {} (residual {:.2g} after {} applications): "
+                                     "surfaces of albedo 1 enclose light (kept as it is)",
+                                     scene.name, scene.bake.bounces.tolerance, transfer.bounces.residual,
+                                     transfer.bounces.applications));
+  }
+}
+
+}  // namespace sh::prt

@@ -1,0 +1,51 @@
+// The rays of a shadowed bake: chunks of vertices on all threads, results collected in place.
+// In: unshadowed transfer vectors. Out: shadowed ones, what became of the rays of every vertex and, where wanted, what
+// they hit. prt/bake/bake.hpp has the formula.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "numeric/output/progress.hpp"
+#include "prt/bake/chunks.hpp"
+#include "prt/bake/fill_closed.hpp"
+#include "prt/bake/form_factors.hpp"
+#include "prt/bake/gather.hpp"
+#include "prt/mesh/mesh.hpp"
+#include "prt/rays/tracer.hpp"
+#include "prt/scene/scene.hpp"
+#include "prt/transfer/transfer.hpp"
+
+namespace sh::prt {
+
+/// Everything that rays of a bake need, for as long as form factors may be traced again.
+struct RaySetup {
+  RaySetup(const Scene& scene, int threads, const std::string& instruction_set);
+
+  Tracer tracer;
+  SharedDirections directions;
+  std::vector<RayStart> starts;
+};
+
+class ShadowPass {
+ public:
+  /// `transfer` holds unshadowed vectors, which run() replaces; `factors` is null where hits are not wanted. All must
+  /// outlive the pass.
+  ShadowPass(const Mesh& mesh, const RaySetup& setup, Transfer& transfer, FormFactors* factors);
+  /// Traces all vertices and shows progress. Throws output::Interrupted, seen before every vertex, when asked to stop.
+  void run();
+  /// What became of the rays of each vertex.
+  [[nodiscard]] const std::vector<Sight>& sight() const { return sight_; }
+
+ private:
+  struct Worker;  // the buffers of one thread
+  void trace(const VertexRange& range, Worker& worker);
+  void trace(std::size_t vertex, Worker& worker);
+
+  const Mesh& mesh_;
+  const RaySetup& setup_;
+  Transfer& transfer_;
+  FormFactors* factors_;
+  std::vector<Sight> sight_;
+};
+
+}  // namespace sh::prt
