@@ -52,6 +52,9 @@ std::vector<Eigen::Vector3f> relight(const Transfer& transfer, const LightCoeffi
       const float* t = &transfer.coefficients[vertex * transfer.row_length()];
       radiance[vertex] = transfer.channels() == 3 ? exit_radiance(t, l)
                                                   : transfer.mesh.albedo[vertex].cwiseProduct(irradiance_over_pi(t, l));
+      if (!transfer.emitted.empty()) {
+        radiance[vertex] += transfer.emitted[vertex];
+      }
     }
   });
   return radiance;

@@ -5,6 +5,7 @@
 // A vertex under constant unit radiance and an open sky thus has sum_i T_i L_i = 1. With bounces there is one a
 // channel, and it holds everything, since the light that comes back depends on every albedo:
 //   exit radiance of channel c = sum_i T_ci L_ci.
+// Surfaces that shine of their own add `emitted` to either, whatever the light.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -42,6 +43,8 @@ struct Transfer {
   std::string instruction_set;      // bits are reproducible on this instruction set
   BounceReport bounces;             // of interreflected transfer
   std::vector<float> coefficients;  // (vertices, channels, bands^2), row-major, i = l(l+1)+m
+  /// (vertices), or empty where nothing shines: linear RGB exit radiance of the surfaces' own light, with its bounces.
+  std::vector<Eigen::Vector3f> emitted;
   [[nodiscard]] std::size_t bands_squared() const {
     const auto bands = static_cast<std::size_t>(degree) + 1;
     return bands * bands;

@@ -41,6 +41,9 @@ std::string transfer_header(const Transfer& transfer) {
       {"axes", "right-handed, z up"},
       {"units", "positions: the scene's; transfer: radiance out over radiance in, no unit"},
       {"colour_space", "albedo: linear RGB, 0..1"}};
+  if (!transfer.emitted.empty()) {
+    header["emitted"] = "exit radiance that is there whatever the light, to be added: linear RGB, W m^-2 sr^-1";
+  }
   if (bounces) {
     header["bounces"] = to_json(transfer.bounces);
   }

@@ -1,10 +1,17 @@
 // The layout of a transfer file, shared by its writer and its reader. prt/README.md states it byte by byte.
 #pragma once
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
+#include <iterator>
+#include <string>
 #include <string_view>
+#include <vector>
+
+#include "prt/transfer/checksum.hpp"
 
 namespace sh::prt::layout {
 
@@ -27,7 +34,7 @@ struct Prologue {
 /// One entry of the table after the prologue; its data lie at `offset`, one section right after the other.
 struct Section {
   std::array<char, 8> name{};  // padded with zeros
-  std::uint32_t type = 0;      // kFloat or kIndex
+  std::uint32_t type = 0;      // of its elements
   std::uint32_t columns = 0;
   std::uint64_t rows = 0;
   std::uint64_t offset = 0;
@@ -39,18 +46,57 @@ inline constexpr std::uint32_t kIndex = 1;  // unsigned, 32 bits
 
 static_assert(sizeof(Prologue) == 48 && sizeof(Section) == 40);
 
-/// The sections in their order.
+/// Bytes of an element, of the types above.
+constexpr std::uint64_t size_of(std::uint32_t /*type*/) { return 4; }
+
+constexpr std::uint64_t bytes_of(const Section& section) {
+  return section.rows * section.columns * size_of(section.type);
+}
+
+enum class Rows { kVertices, kOther };
+enum class Presence { kAlways, kOptional };
+
+/// A section that there may be. A file's sections stand in the order of kSections; optional ones may be left out.
 struct Kind {
   std::string_view name;
   std::uint32_t type;
   std::uint32_t columns;  // 0: channels * bands^2
+  Rows rows;
+  Presence presence;
 };
-inline constexpr std::array<Kind, 7> kSections = {{{"position", kFloat, 3},
-                                                   {"normal", kFloat, 3},
-                                                   {"geonorm", kFloat, 3},
-                                                   {"albedo", kFloat, 3},
-                                                   {"face", kIndex, 3},
-                                                   {"remap", kIndex, 1},
-                                                   {"transfer", kFloat, 0}}};
+inline constexpr std::array<Kind, 8> kSections = {{{"position", kFloat, 3, Rows::kVertices, Presence::kAlways},
+                                                   {"normal", kFloat, 3, Rows::kVertices, Presence::kAlways},
+                                                   {"geonorm", kFloat, 3, Rows::kVertices, Presence::kAlways},
+                                                   {"albedo", kFloat, 3, Rows::kVertices, Presence::kAlways},
+                                                   {"face", kIndex, 3, Rows::kOther, Presence::kAlways},
+                                                   {"remap", kIndex, 1, Rows::kOther, Presence::kAlways},
+                                                   {"transfer", kFloat, 0, Rows::kVertices, Presence::kAlways},
+                                                   {"emitted", kFloat, 3, Rows::kVertices, Presence::kOptional}}};
+
+inline constexpr auto kFewestSections = static_cast<std::size_t>(std::count_if(
+    kSections.begin(), kSections.end(), [](const Kind& kind) { return kind.presence == Presence::kAlways; }));
+
+/// A name as it stands in the table.
+constexpr std::array<char, 8> padded(std::string_view name) {
+  std::array<char, 8> out{};
+  std::copy(name.begin(), name.end(), out.begin());
+  return out;
+}
+
+/// For messages: what can be printed of it.
+inline std::string readable(const std::array<char, 8>& name) {
+  std::string text;
+  std::copy_if(name.begin(), name.end(), std::back_inserter(text), [](char c) { return c > ' ' && c <= '~'; });
+  return text;
+}
+
+/// Of the prologue up to its checksum, followed by the table.
+inline std::uint64_t front_checksum(const Prologue& prologue, const std::vector<Section>& table) {
+  constexpr std::size_t kBefore = offsetof(Prologue, checksum);
+  std::vector<unsigned char> front(kBefore + table.size() * sizeof(Section));
+  std::memcpy(front.data(), &prologue, kBefore);
+  std::memcpy(front.data() + kBefore, table.data(), front.size() - kBefore);
+  return sh::prt::checksum(front.data(), front.size());
+}
 
 }  // namespace sh::prt::layout

@@ -21,8 +21,6 @@ namespace sh::prt {
 
 namespace {
 
-using Table = std::array<layout::Section, layout::kSections.size()>;
-
 class Reader {
  public:
   explicit Reader(const std::string& path) : path_(path), file_(path, std::ios::binary) {
@@ -75,17 +73,16 @@ class Reader {
     if (prologue_.file_size != size_) {
       fail(fmt::format("truncated or overlong transfer file: {} bytes, expected {}", size_, prologue_.file_size));
     }
-    if (prologue_.sections != table_.size()) {
-      fail(fmt::format("damaged transfer file: {} sections, expected {}", prologue_.sections, table_.size()));
+    if (prologue_.sections < layout::kFewestSections || prologue_.sections > layout::kSections.size()) {
+      fail(fmt::format("transfer file of {} sections, expected {} to {}", prologue_.sections, layout::kFewestSections,
+                       layout::kSections.size()));
     }
   }
 
   void read_table() {
-    fetch(table_.data(), sizeof table_);
-    std::vector<unsigned char> front(offsetof(layout::Prologue, checksum) + sizeof table_);
-    std::memcpy(front.data(), &prologue_, offsetof(layout::Prologue, checksum));
-    std::memcpy(front.data() + offsetof(layout::Prologue, checksum), table_.data(), sizeof table_);
-    if (checksum(front.data(), front.size()) != prologue_.checksum) {
+    table_.resize(prologue_.sections);
+    fetch(table_.data(), table_.size() * sizeof(layout::Section));
+    if (layout::front_checksum(prologue_, table_) != prologue_.checksum) {
       fail("damaged transfer file: the checksum of its section table differs");
     }
   }
@@ -137,45 +134,71 @@ class Reader {
     report.spectral_bound = header.at("spectral_bound").get<double>();
   }
 
-  // The sections follow one another, none is longer than the file, and their lengths agree.
+  // The sections are known ones in their order, follow one another, and their lengths agree with the file's.
   void check_shape(const Transfer& transfer) const {
-    std::uint64_t offset = sizeof prologue_ + sizeof table_ + prologue_.header_size;
-    for (std::size_t i = 0; i < table_.size(); ++i) {
-      const layout::Kind& kind = layout::kSections[i];
-      const layout::Section& section = table_[i];
-      std::array<char, 8> name{};
-      std::copy(kind.name.begin(), kind.name.end(), name.begin());
-      const std::uint64_t columns = kind.columns != 0 ? kind.columns : transfer.row_length();
-      const bool is_per_vertex = kind.name != "face" && kind.name != "remap";
-      if (section.name != name || section.type != kind.type || section.columns != columns || section.offset != offset ||
-          section.rows > (size_ - offset) / (columns * sizeof(float)) ||
-          (is_per_vertex && section.rows != table_[0].rows)) {
-        fail(fmt::format("damaged transfer file: section {} does not fit", kind.name));
+    std::uint64_t offset = sizeof prologue_ + table_.size() * sizeof(layout::Section) + prologue_.header_size;
+    const auto* next = layout::kSections.begin();
+    for (const layout::Section& section : table_) {
+      const auto* kind = std::find_if(next, layout::kSections.end(), [&](const layout::Kind& known) {
+        return layout::padded(known.name) == section.name;
+      });
+      if (kind == layout::kSections.end()) {
+        fail(fmt::format("transfer file with a section `{}`, which is unknown or out of place",
+                         layout::readable(section.name)));
       }
-      offset += section.rows * columns * sizeof(float);
+      check_left_out(next, kind);
+      check_section(*kind, section, offset, transfer.row_length());
+      offset += bytes_of(section);
+      next = kind + 1;
     }
+    check_left_out(next, layout::kSections.end());
     if (offset != size_) {
       fail("damaged transfer file: bytes after its last section");
     }
   }
 
-  template <class T>
-  void fetch_section(std::size_t index, std::size_t items_a_row, std::vector<T>& items) {
-    items.resize(table_[index].rows * items_a_row);
-    fetch(items.data(), items.size() * sizeof(T));
-    if (checksum(items.data(), items.size() * sizeof(T)) != table_[index].checksum) {
-      fail(fmt::format("damaged transfer file: the checksum of section {} differs", layout::kSections[index].name));
+  void check_left_out(const layout::Kind* first, const layout::Kind* last) const {
+    const auto* missing =
+        std::find_if(first, last, [](const layout::Kind& kind) { return kind.presence == layout::Presence::kAlways; });
+    if (missing != last) {
+      fail(fmt::format("damaged transfer file: section {} is missing", missing->name));
     }
   }
 
-  void read_sections(Transfer& transfer) {
-    fetch_section(0, 1, transfer.mesh.positions);
-    fetch_section(1, 1, transfer.mesh.normals);
-    fetch_section(2, 1, transfer.mesh.geometric_normals);
-    fetch_section(3, 1, transfer.mesh.albedo);
-    fetch_section(4, 1, transfer.mesh.faces);
-    fetch_section(5, 1, transfer.mesh.remap);
-    fetch_section(6, transfer.row_length(), transfer.coefficients);
+  void check_section(const layout::Kind& kind, const layout::Section& section, std::uint64_t offset,
+                     std::uint64_t row_length) const {
+    const std::uint64_t columns = kind.columns != 0 ? kind.columns : row_length;
+    if (section.type != kind.type || section.columns != columns || section.offset != offset ||
+        section.rows > (size_ - offset) / (columns * layout::size_of(section.type)) ||
+        (kind.rows == layout::Rows::kVertices && section.rows != table_[0].rows)) {
+      fail(fmt::format("damaged transfer file: section {} does not fit", kind.name));
+    }
+  }
+
+  // Nothing where the file has no such section. T is one or several elements.
+  template <class T>
+  void fetch_section(std::string_view name, std::vector<T>& items) {
+    const auto section = std::find_if(table_.begin(), table_.end(),
+                                      [&](const layout::Section& s) { return s.name == layout::padded(name); });
+    if (section == table_.end()) {
+      return;
+    }
+    items.resize(bytes_of(*section) / sizeof(T));
+    fetch(items.data(), items.size() * sizeof(T));
+    if (checksum(items.data(), items.size() * sizeof(T)) != section->checksum) {
+      fail(fmt::format("damaged transfer file: the checksum of section {} differs", name));
+    }
+  }
+
+  void read_sections(Transfer& transfer) {  // in the order of the file
+    fetch_section("position", transfer.mesh.positions);
+    fetch_section("normal", transfer.mesh.normals);
+    fetch_section("geonorm", transfer.mesh.geometric_normals);
+    fetch_section("albedo", transfer.mesh.albedo);
+    fetch_section("face", transfer.mesh.faces);
+    fetch_section("remap", transfer.mesh.remap);
+    fetch_section("transfer", transfer.coefficients);
+    fetch_section("emitted", transfer.emitted);
   }
 
   void check_values(const Transfer& transfer) const {
@@ -188,7 +211,9 @@ class Reader {
       fail("damaged transfer file: it names a vertex that is not there");
     }
     if (!std::all_of(transfer.coefficients.begin(), transfer.coefficients.end(),
-                     [](float value) { return std::isfinite(value); })) {
+                     [](float value) { return std::isfinite(value); }) ||
+        !std::all_of(transfer.emitted.begin(), transfer.emitted.end(),
+                     [](const Eigen::Vector3f& value) { return value.allFinite(); })) {
       fail("damaged transfer file: a transfer coefficient is not finite");
     }
   }
@@ -197,7 +222,7 @@ class Reader {
   std::ifstream file_;
   std::uint64_t size_ = 0;
   layout::Prologue prologue_;
-  Table table_;
+  std::vector<layout::Section> table_;
 };
 
 }  // namespace

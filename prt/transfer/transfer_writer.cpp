@@ -13,6 +13,7 @@ namespace sh::prt {
 
 namespace {
 
+// What a section holds; rows 0 leaves an optional one out.
 struct Data {
   const void* first;
   std::size_t rows;
@@ -24,7 +25,8 @@ std::array<Data, layout::kSections.size()> sections_of(const Transfer& transfer)
   const Mesh& mesh = transfer.mesh;
   const std::size_t vertices = mesh.positions.size();
   if (mesh.normals.size() != vertices || mesh.geometric_normals.size() != vertices || mesh.albedo.size() != vertices ||
-      transfer.coefficients.size() != vertices * transfer.row_length()) {
+      transfer.coefficients.size() != vertices * transfer.row_length() ||
+      (!transfer.emitted.empty() && transfer.emitted.size() != vertices)) {
     throw std::invalid_argument("transfer: its arrays differ in length, expected one entry a vertex in each");
   }
   return {{{mesh.positions.data(), vertices},
@@ -33,47 +35,61 @@ std::array<Data, layout::kSections.size()> sections_of(const Transfer& transfer)
            {mesh.albedo.data(), vertices},
            {mesh.faces.data(), mesh.faces.size()},
            {mesh.remap.data(), mesh.remap.size()},
-           {transfer.coefficients.data(), vertices}}};
+           {transfer.coefficients.data(), vertices},
+           {transfer.emitted.data(), transfer.emitted.size()}}};
 }
 
-std::size_t bytes_of(const layout::Section& section) { return section.rows * section.columns * sizeof(float); }
+struct Contents {
+  std::vector<layout::Section> table;  // offsets from the end of the header
+  std::vector<const void*> data;
+};
+
+Contents contents_of(const Transfer& transfer) {
+  const auto data = sections_of(transfer);
+  Contents contents;
+  std::uint64_t offset = 0;
+  for (std::size_t i = 0; i < data.size(); ++i) {
+    const layout::Kind& kind = layout::kSections[i];
+    if (kind.presence == layout::Presence::kOptional && data[i].rows == 0) {
+      continue;
+    }
+    layout::Section section;
+    section.name = layout::padded(kind.name);
+    section.type = kind.type;
+    section.columns = kind.columns != 0 ? kind.columns : static_cast<std::uint32_t>(transfer.row_length());
+    section.rows = data[i].rows;
+    section.offset = offset;
+    section.checksum = checksum(data[i].first, bytes_of(section));
+    offset += bytes_of(section);
+    contents.table.push_back(section);
+    contents.data.push_back(data[i].first);
+  }
+  return contents;
+}
 
 }  // namespace
 
 void write_transfer(const std::string& path, const Transfer& transfer) {
-  const auto data = sections_of(transfer);
+  auto [table, data] = contents_of(transfer);
   std::string header = transfer_header(transfer);
   header.resize((header.size() + kHeaderUnit - 1) / kHeaderUnit * kHeaderUnit, ' ');
+  const std::size_t table_size = table.size() * sizeof(layout::Section);
   layout::Prologue prologue;
-  prologue.sections = layout::kSections.size();
+  prologue.sections = static_cast<std::uint32_t>(table.size());
   prologue.header_size = header.size();
   prologue.header_checksum = checksum(header.data(), header.size());
-  std::array<layout::Section, layout::kSections.size()> table;
-  std::uint64_t offset = sizeof prologue + sizeof table + header.size();
-  for (std::size_t i = 0; i < table.size(); ++i) {
-    const layout::Kind& kind = layout::kSections[i];
-    std::copy(kind.name.begin(), kind.name.end(), table[i].name.begin());
-    table[i].type = kind.type;
-    table[i].columns = kind.columns != 0 ? kind.columns : static_cast<std::uint32_t>(transfer.row_length());
-    table[i].rows = data[i].rows;
-    table[i].offset = offset;
-    table[i].checksum = checksum(data[i].first, bytes_of(table[i]));
-    offset += bytes_of(table[i]);
+  for (layout::Section& section : table) {
+    section.offset += sizeof prologue + table_size + header.size();
+    prologue.file_size = section.offset + bytes_of(section);
   }
-  prologue.file_size = offset;
-  std::vector<unsigned char> front(offsetof(layout::Prologue, checksum) + sizeof table);
-  const auto* prologue_bytes = reinterpret_cast<const unsigned char*>(&prologue);
-  const auto* table_bytes = reinterpret_cast<const unsigned char*>(table.data());
-  std::copy_n(table_bytes, sizeof table,
-              std::copy_n(prologue_bytes, offsetof(layout::Prologue, checksum), front.begin()));
-  prologue.checksum = checksum(front.data(), front.size());
+  prologue.checksum = layout::front_checksum(prologue, table);
 
   output::AtomicFile file(path);
   file.write(&prologue, sizeof prologue);
-  file.write(table.data(), sizeof table);
+  file.write(table.data(), table_size);
   file.write(header.data(), header.size());
   for (std::size_t i = 0; i < table.size(); ++i) {
-    file.write(data[i].first, bytes_of(table[i]));
+    file.write(data[i], bytes_of(table[i]));
   }
   file.commit();
 }

@@ -37,6 +37,20 @@ Transfer random_transfer(int degree, std::size_t vertices, unsigned seed) {
   return transfer;
 }
 
+TEST(Relight, AddsTheLightOfTheSurfacesThemselvesWhateverTheLight) {
+  Transfer transfer = random_transfer(2, 17, 3);
+  const std::vector<Eigen::Vector3f> reflected = relight(transfer, random_light(2, 4));
+  for (std::size_t v = 0; v < reflected.size(); ++v) {
+    transfer.emitted.emplace_back(static_cast<float>(v), 3.0F, 0.0F);
+  }
+  const std::vector<Eigen::Vector3f> all = relight(transfer, random_light(2, 4));
+  const std::vector<Eigen::Vector3f> alone = relight(transfer, LightCoefficients::zero(2));
+  for (std::size_t v = 0; v < reflected.size(); ++v) {
+    EXPECT_EQ(all[v], reflected[v] + transfer.emitted[v]);
+    EXPECT_EQ(alone[v], transfer.emitted[v]);
+  }
+}
+
 TEST(Relight, IsAlbedoTimesTheDotProductOfTransferAndLight) {
   for (const int degree : {0, 1, 2, 4, kMaxDegree}) {
     const Transfer transfer = random_transfer(degree, 3001, 1);

@@ -5,10 +5,13 @@
 #include <sys/resource.h>
 
 #include <csignal>
+#include <cstring>
+#include <functional>
 #include <nlohmann/json.hpp>
 
 #include "numeric/output/atomic_file.hpp"
 #include "prt/bake/bake.hpp"
+#include "prt/transfer/transfer_layout.hpp"
 #include "tests/prt/meshes.hpp"
 #include "tests/prt/temporary_folder.hpp"
 
@@ -50,6 +53,48 @@ TEST_F(TransferFile, GivesBackWhatWasWritten) {
   EXPECT_EQ(read.mesh.faces, written.mesh.faces);
   EXPECT_EQ(read.mesh.remap, written.mesh.remap);
   EXPECT_EQ(folder_.entries(), 1U);
+}
+
+TEST_F(TransferFile, KeepsLightOfItsOwnInASectionThatIsAbsentOtherwise) {
+  Transfer written = small_transfer();
+  write_transfer(file_, written);
+  const std::string dark = read_all(file_);
+  EXPECT_EQ(dark.find("emitted"), std::string::npos);
+  EXPECT_TRUE(read_transfer(file_).emitted.empty());
+  for (std::size_t v = 0; v < written.mesh.positions.size(); ++v) {
+    written.emitted.emplace_back(static_cast<float>(v), 0.5F, 2.0F);
+  }
+  write_transfer(file_, written);
+  EXPECT_EQ(read_transfer(file_).emitted, written.emitted);
+  written.emitted.pop_back();
+  EXPECT_NE(message_of([&] { write_transfer(file_, written); }), "");
+}
+
+// The file with its section table changed by `change`, checksums made good.
+std::string with_table(std::string bytes, const std::function<void(std::vector<layout::Section>&)>& change) {
+  layout::Prologue prologue;
+  std::memcpy(&prologue, bytes.data(), sizeof prologue);
+  std::vector<layout::Section> table(prologue.sections);
+  const std::size_t size = table.size() * sizeof(layout::Section);
+  std::memcpy(table.data(), bytes.data() + sizeof prologue, size);
+  change(table);
+  prologue.checksum = layout::front_checksum(prologue, table);
+  std::memcpy(bytes.data(), &prologue, sizeof prologue);
+  std::memcpy(bytes.data() + sizeof prologue, table.data(), size);
+  return bytes;
+}
+
+TEST_F(TransferFile, IsRefusedWithASectionThatIsUnknownMissingOrOutOfPlace) {
+  write_transfer(file_, small_transfer());
+  const std::string good = read_all(file_);
+  write_all(file_, with_table(good, [](auto& table) { table[3].name = layout::padded("aroma\n"); }));
+  EXPECT_EQ(refusal(), file_ + ": transfer file with a section `aroma`, which is unknown or out of place");
+  write_all(file_, with_table(good, [](auto& table) { std::swap(table[1], table[2]); }));
+  EXPECT_EQ(refusal(), file_ + ": damaged transfer file: section normal is missing");
+  write_all(file_, with_table(good, [](auto& table) { table[6].name = layout::padded("emitted"); }));
+  EXPECT_EQ(refusal(), file_ + ": damaged transfer file: section transfer is missing");
+  write_all(file_, with_table(good, [](auto& table) { table[3].type = layout::kIndex; }));
+  EXPECT_EQ(refusal(), file_ + ": damaged transfer file: section albedo does not fit");
 }
 
 TEST_F(TransferFile, NamesItsConventionsInItsHeader) {
