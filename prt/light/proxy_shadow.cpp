@@ -1,0 +1,108 @@
+// The light that whole objects leave each other: prt/light/proxy_shadow.hpp.
+#include "prt/light/proxy_shadow.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "numeric/quadrature.hpp"
+#include "prt/basis.hpp"
+#include "prt/light/cap_light.hpp"
+
+namespace sh::prt {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+using Basis = std::array<double, std::size_t{kMaxDegree + 1} * (kMaxDegree + 1)>;
+
+std::size_t index(int l, int m) {
+  const int i = l * l + l + m;
+  return static_cast<std::size_t>(i);
+}
+
+/// Exact for products of two basis functions of that degree.
+const numeric::GaussLegendreRule<double>& rule_for(int degree) {
+  static const auto kRules = [] {
+    std::array<numeric::GaussLegendreRule<double>, kMaxDegree + 1> rules;
+    for (int l = 0; l <= kMaxDegree; ++l) {
+      rules[static_cast<std::size_t>(l)] = numeric::gauss_legendre<double>(l + 1);
+    }
+    return rules;
+  }();
+  return kRules[static_cast<std::size_t>(degree)];
+}
+
+/// out -= what the ring of height z, weighted, gives of one channel: `basis` is Y at azimuth 0.
+void subtract_ring(int degree, const Basis& basis, double weight, const double* light, double* out) {
+  for (int m = -degree; m <= degree; ++m) {
+    const int order = std::abs(m);
+    double value = 0.0;  // of the light's part of order m on the ring, over cos or sin of m phi
+    for (int l = order; l <= degree; ++l) {
+      value += basis[index(l, order)] * light[index(l, m)];
+    }
+    value *= weight * (m == 0 ? 2.0 * kPi : kPi);
+    for (int l = order; l <= degree; ++l) {
+      out[index(l, m)] -= value * basis[index(l, order)];
+    }
+  }
+}
+
+/// The light without what comes from the cap about +z.
+LightCoefficients without_polar_cap(const LightCoefficients& light, double one_minus_cos) {
+  LightCoefficients out = light;
+  const auto& rule = rule_for(light.degree);
+  Basis basis;
+  for (std::size_t k = 0; k < rule.nodes.size(); ++k) {
+    const double one_minus_z = 0.5 * one_minus_cos * (1.0 + rule.nodes[k]);
+    const double sine = std::sqrt(std::max(0.0, one_minus_z * (2.0 - one_minus_z)));
+    evaluate_basis(light.degree, sine, 0.0, 1.0 - one_minus_z, basis.data());
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+      const std::size_t at = channel * light.bands_squared();
+      subtract_ring(light.degree, basis, 0.5 * one_minus_cos * rule.weights[k], &light.values[at], &out.values[at]);
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
+Cap sphere_seen_from(const Eigen::Vector3d& from, const Eigen::Vector3d& centre, double radius) {
+  const Eigen::Vector3d towards = centre - from;
+  const double distance = towards.stableNorm();
+  if (!(distance > 0.0)) {
+    return {Eigen::Vector3d::UnitZ(), 1.0};
+  }
+  return {towards / distance, distance > radius ? sphere_one_minus_cos(radius, distance) : 1.0};
+}
+
+LightCoefficients shadowed_by_cap(const LightCoefficients& light, const Eigen::Vector3d& direction,
+                                  double one_minus_cos) {
+  constexpr double kUnitWithin = 1e-6;
+  if (!(one_minus_cos >= 0.0 && one_minus_cos <= 2.0)) {
+    throw std::invalid_argument(fmt::format("1 - cos of a cap's half-angle is {}; it is from 0 to 2", one_minus_cos));
+  }
+  if (!(std::abs(direction.norm() - 1.0) <= kUnitWithin)) {
+    throw std::invalid_argument(fmt::format("a cap's direction has length {}; it must be 1", direction.norm()));
+  }
+  if (one_minus_cos == 0.0) {
+    return light;
+  }
+  const Eigen::Matrix3d to_pole =
+      Eigen::Quaterniond::FromTwoVectors(direction, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  return turned(without_polar_cap(turned(light, to_pole), one_minus_cos), to_pole.transpose());
+}
+
+LightCoefficients shadowed_by_caps(const LightCoefficients& light, std::span<const Cap> caps) {
+  LightCoefficients out = light;
+  for (const Cap& cap : caps) {
+    out = shadowed_by_cap(out, cap.direction, cap.one_minus_cos);
+  }
+  return out;
+}
+
+}  // namespace sh::prt
