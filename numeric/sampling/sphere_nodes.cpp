@@ -1,6 +1,7 @@
 // Points on the sphere with weights: sphere_nodes.hpp.
 #include "numeric/sampling/sphere_nodes.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -9,6 +10,7 @@
 
 #include "numeric/directions.hpp"
 #include "numeric/random.hpp"
+#include "numeric/sampling/sobol.hpp"
 #include "numeric/sampling/solid_angle.hpp"
 
 namespace sh::numeric {
@@ -35,6 +37,13 @@ void scale_to_sphere(Nodes& nodes) {
   double sum = 0;
   for (const auto& node : nodes) sum += node.weight;
   for (auto& node : nodes) node.weight *= 4 * kPi / sum;
+}
+
+// z = 1 - 2x, azimuth 2 pi turn: equal areas of (x, turn) are equal areas of the sphere.
+SphereNode<double> node_at(double x, double turn, double weight) {
+  const double angle = 2 * kPi * turn;
+  const double radius = 2 * std::sqrt(x * (1 - x));
+  return {radius * std::cos(angle), radius * std::sin(angle), 1 - 2 * x, weight};
 }
 
 double texel_weight(double u, double v, int size, TexelWeight weight) {
@@ -69,11 +78,33 @@ Nodes stratified_nodes(int side, std::uint64_t seed) {
   for (int a = 0; a < side; ++a) {
     for (int b = 0; b < side; ++b) {
       const double x = jittered(a);
-      const double angle = 2 * kPi * jittered(b);
-      const double radius = 2 * std::sqrt(x * (1 - x));
-      nodes.push_back({radius * std::cos(angle), radius * std::sin(angle), 1 - 2 * x, weight});
+      nodes.push_back(node_at(x, jittered(b), weight));
     }
   }
+  return nodes;
+}
+
+Nodes zone_nodes(int count, std::uint64_t seed) {
+  Nodes nodes = nodes_for("zone_nodes", "count", count, 1, 1);
+  Random random(seed);
+  const auto uniform = [&] { return 0.5 * (random.next() + 1); };
+  const int zones = std::max(1, static_cast<int>(std::lround(0.5 * std::sqrt(kPi * count))));
+  int before = 0;  // cells nearer to +z
+  for (int zone = 1; zone <= zones; ++zone) {
+    const int upto = static_cast<int>(std::lround(0.5 * count * (1 - std::cos(kPi * zone / zones))));
+    const double start = uniform();
+    for (int cell = 0; cell < upto - before; ++cell) {
+      const double x = (before + (upto - before) * uniform()) / count;
+      nodes.push_back(node_at(x, start + (cell + uniform()) / (upto - before), 4 * kPi / count));
+    }
+    before = upto;
+  }
+  return nodes;
+}
+
+Nodes sobol_nodes(int count, std::uint64_t seed) {
+  Nodes nodes = nodes_for("sobol_nodes", "count", count, 1, 1);
+  for (const auto& [u, v] : sobol_points(count, seed)) nodes.push_back(node_at(u, v, 4 * kPi / count));
   return nodes;
 }
 

@@ -26,6 +26,14 @@ std::vector<SphereNode<double>> uniform_nodes(int count, std::uint64_t seed);
 // SH_setup_spherical_samples: theta = 2 acos sqrt(1-x), phi = 2 pi y for x, y jittered. z = 1 - 2x is that theta.
 std::vector<SphereNode<double>> stratified_nodes(int side, std::uint64_t seed);
 
+// One random point in each of `count` cells of equal area: zones of nearly equal width, each cut into as many sectors
+// as make its cells about square [Leopardi06], the first sector of each zone at a random azimuth. Any count will do,
+// and no cell is thin, as Green's are at the poles.
+std::vector<SphereNode<double>> zone_nodes(int count, std::uint64_t seed);
+
+// The points of sobol_points (sobol.hpp) by z = 1 - 2u, azimuth 2 pi v, which keeps areas.
+std::vector<SphereNode<double>> sobol_nodes(int count, std::uint64_t seed);
+
 // The texel centres of a cube map with size x size texels a face. Faces +x +y +z -x -y -z; u and v run along the two
 // axes that follow the face's in the order x y z x y.
 enum class TexelWeight {

@@ -41,6 +41,8 @@ void trace(const Scene& scene, const BakeSettings& settings, Transfer& transfer)
   transfer.kind = TransferKind::kShadowed;
   transfer.instruction_set = setup.tracer.instruction_set();
   transfer.directions = static_cast<std::uint32_t>(scene.bake.directions);
+  transfer.sampler = scene.bake.sampler;
+  transfer.seed = scene.bake.seed;
   const bool bounces = scene.bake.kind == TransferKind::kInterreflected;
   FormFactors factors(bounces ? scene.mesh.positions.size() : 0, settings.bounce_memory,
                       [&] { return make_row_maker(scene.mesh, setup.starts, setup.directions, setup.tracer); });

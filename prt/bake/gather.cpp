@@ -4,7 +4,10 @@
 #include <cmath>
 #include <limits>
 
+#include "generated/cpp/rotate.hpp"
+#include "prt/at_degree.hpp"
 #include "prt/basis.hpp"
+#include "prt/light/light_coefficients.hpp"
 #include "prt/mesh/corner_angle.hpp"
 #include "prt/rays/directions.hpp"
 
@@ -90,14 +93,16 @@ std::vector<RayStart> ray_starts(const Mesh& mesh) {
   return starts;
 }
 
-SharedDirections::SharedDirections(int count, int degree)
-    : directions_(fibonacci_directions(count)),
-      row_length_((static_cast<std::size_t>((degree + 1) * (degree + 1)) + kRowUnit - 1) / kRowUnit * kRowUnit),
+SharedDirections::SharedDirections(const BakeOptions& options)
+    : degree_(options.degree),
+      about_normal_(options.sampler == Sampler::kCosine),
+      directions_(make_directions(options.sampler, options.directions, options.seed)),
+      row_length_((coefficient_count(degree_) + kRowUnit - 1) / kRowUnit * kRowUnit),
       values_(directions_.size() * row_length_, 0.0F),
       components_(3 * directions_.size()) {
   for (std::size_t j = 0; j < directions_.size(); ++j) {
     const Eigen::Vector3f& d = directions_[j];
-    evaluate_basis(degree, d.x(), d.y(), d.z(), values_.data() + j * row_length_);
+    evaluate_basis(degree_, d.x(), d.y(), d.z(), values_.data() + j * row_length_);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       components_[axis * directions_.size() + j] = d[static_cast<int>(axis)];
     }
@@ -113,6 +118,11 @@ void SharedDirections::sum(const std::vector<std::uint32_t>& chosen, std::size_t
   sum_rows(values_.data(), row_length_, chosen.data(), count, weights, result);
 }
 
+void SharedDirections::turn(const Eigen::Matrix3f& frame, float* row) const {
+  const Eigen::Matrix<float, 3, 3, Eigen::RowMajor> rows = frame;
+  at_degree(degree_, [&](auto degree) { sh::rotate<degree()>(rows.data(), row, row); });
+}
+
 Gatherer::Gatherer(const SharedDirections& directions, const Tracer& tracer)
     : directions_(directions),
       tracer_(tracer),
@@ -120,13 +130,18 @@ Gatherer::Gatherer(const SharedDirections& directions, const Tracer& tracer)
       chosen_(directions.size()),
       visible_(directions.size()),
       blocked_(directions.size()),
-      weights_(directions.size()),
+      weights_(directions.size(), 1.0F / static_cast<float>(directions.size())),
       heights_(directions.size()) {}
 
 std::size_t Gatherer::aim(const Eigen::Vector3f& origin, const Eigen::Vector3f& normal,
                           const Eigen::Vector3f& geometric_normal) {
-  directions_.cosines_with(normal * (4.0F / static_cast<float>(directions_.size())), weights_.data());
-  directions_.cosines_with(geometric_normal, heights_.data());
+  if (directions_.about_normal()) {
+    frame_ = frame_about(normal);
+    directions_.cosines_with(frame_.transpose() * geometric_normal, heights_.data());
+  } else {
+    directions_.cosines_with(normal * (4.0F / static_cast<float>(directions_.size())), weights_.data());
+    directions_.cosines_with(geometric_normal, heights_.data());
+  }
   std::size_t traced = 0;
   below_ = 0;
   for (std::uint32_t j = 0; j < directions_.size(); ++j) {
@@ -139,7 +154,7 @@ std::size_t Gatherer::aim(const Eigen::Vector3f& origin, const Eigen::Vector3f& 
     below_ += counts & (is_above ^ 1U);
   }
   for (std::size_t i = 0; i < traced; ++i) {
-    rays_[i].aim(origin, directions_.direction(chosen_[i]));
+    rays_[i].aim(origin, towards(chosen_[i]));
   }
   return traced;
 }
@@ -163,6 +178,10 @@ const Gathered& Gatherer::gather(const Eigen::Vector3f& origin, const Eigen::Vec
   blocked_count_ = blocked;
   directions_.sum(visible_, visible, weights_.data(), result_.visible.data());
   directions_.sum(blocked_, blocked, weights_.data(), result_.all.data());
+  if (directions_.about_normal()) {
+    directions_.turn(frame_, result_.visible.data());
+    directions_.turn(frame_, result_.all.data());
+  }
   for (std::size_t i = 0; i < directions_.row_length(); ++i) {
     result_.all[i] += result_.visible[i];
   }
@@ -182,7 +201,7 @@ const std::vector<BlockedRay>& Gatherer::closest_hits() {
   std::vector<Eigen::Vector3f> directions(count);
   std::vector<Hit> hits(count);
   for (std::size_t i = 0; i < count; ++i) {
-    directions[i] = directions_.direction(blocked_[below_ + i]);
+    directions[i] = towards(blocked_[below_ + i]);
   }
   const Eigen::Vector3f origin = rays_.front().origin;  // one for all
   tracer_.intersect(std::vector<Eigen::Vector3f>(count, origin), directions, hits);
@@ -196,7 +215,7 @@ Sight Gatherer::classify(const Mesh& mesh, std::size_t vertex, const RayStart& s
   const std::size_t traced = aim(start.origin, mesh.normals[vertex], mesh.geometric_normals[vertex]);
   std::vector<Eigen::Vector3f> directions;
   for (std::size_t i = 0; i < traced; ++i) {
-    directions.push_back(directions_.direction(chosen_[i]));
+    directions.push_back(towards(chosen_[i]));
   }
   std::vector<Hit> hits(traced);
   tracer_.intersect(std::vector<Eigen::Vector3f>(traced, start.origin), directions, hits);

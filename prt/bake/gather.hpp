@@ -9,6 +9,7 @@
 #include "prt/bake/fill_closed.hpp"
 #include "prt/mesh/mesh.hpp"
 #include "prt/rays/tracer.hpp"
+#include "prt/scene/bake_options.hpp"
 #include "prt/transfer/transfer.hpp"
 
 namespace sh::prt {
@@ -24,19 +25,25 @@ struct RayStart {
 /// so that a vertex on the foot of a wall stands before the wall and not inside it.
 std::vector<RayStart> ray_starts(const Mesh& mesh);
 
-/// The directions with their basis values, rows padded with zeros to whole SIMD registers.
+/// The directions with their basis values, rows padded with zeros to whole SIMD registers. Those of the cosine sampler
+/// are about +z: they are turned into the frame of each vertex, and the sums with them.
 class SharedDirections {
  public:
-  SharedDirections(int count, int degree);
+  explicit SharedDirections(const BakeOptions& options);
   [[nodiscard]] std::size_t size() const { return directions_.size(); }
   [[nodiscard]] std::size_t row_length() const { return row_length_; }
+  [[nodiscard]] bool about_normal() const { return about_normal_; }
   [[nodiscard]] const Eigen::Vector3f& direction(std::size_t j) const { return directions_[j]; }
   /// out (size) = normal.direction of every direction.
   void cosines_with(const Eigen::Vector3f& normal, float* out) const;
   /// result (row_length) = the sum of weights[j] Y(direction j) over the first `count` indices j in `chosen`.
   void sum(const std::vector<std::uint32_t>& chosen, std::size_t count, const float* weights, float* result) const;
+  /// row (row_length) = the same function turned by a rotation matrix.
+  void turn(const Eigen::Matrix3f& frame, float* row) const;
 
  private:
+  int degree_;
+  bool about_normal_;
   std::vector<Eigen::Vector3f> directions_;
   std::size_t row_length_;
   std::vector<float> values_;      // (directions, row_length)
@@ -45,7 +52,7 @@ class SharedDirections {
 
 inline constexpr std::size_t kMaxRow = 128;
 
-/// Quadrature sums of Y_lm over the hemisphere of the shading normal, weights 4/N cos.
+/// Quadrature sums of Y_lm over the hemisphere of the shading normal, weights 4/N cos; 1/N for directions about it.
 struct Gathered {
   alignas(64) std::array<float, kMaxRow> visible;
   alignas(64) std::array<float, kMaxRow> all;
@@ -80,6 +87,11 @@ class Gatherer {
   std::size_t aim(const Eigen::Vector3f& origin, const Eigen::Vector3f& normal,
                   const Eigen::Vector3f& geometric_normal);
 
+  // Of direction j, in the world.
+  [[nodiscard]] Eigen::Vector3f towards(std::uint32_t j) const {
+    return directions_.about_normal() ? (frame_ * directions_.direction(j)).eval() : directions_.direction(j);
+  }
+
   const SharedDirections& directions_;
   const Tracer& tracer_;
   std::vector<ShadowRay> rays_;
@@ -90,7 +102,8 @@ class Gatherer {
   std::size_t visible_count_ = 0;
   std::size_t blocked_count_ = 0;  // with those under the horizon
   std::vector<BlockedRay> closest_;
-  std::vector<float> weights_;  // 4/N cosine of every direction with the shading normal
+  Eigen::Matrix3f frame_;       // of the vertex, where directions are about the normal
+  std::vector<float> weights_;  // of every direction, 4/N cosine with the shading normal, or 1/N
   std::vector<float> heights_;  // cosine with the geometric normal
   Gathered result_;
 };

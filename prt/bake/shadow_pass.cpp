@@ -23,9 +23,7 @@ void control_with_unshadowed(const Gathered& seen, std::size_t count, float* tra
 }  // namespace
 
 RaySetup::RaySetup(const Scene& scene, int threads, const std::string& instruction_set)
-    : tracer(scene.mesh, threads, instruction_set),
-      directions(scene.bake.directions, scene.bake.degree),
-      starts(ray_starts(scene.mesh)) {}
+    : tracer(scene.mesh, threads, instruction_set), directions(scene.bake), starts(ray_starts(scene.mesh)) {}
 
 struct ShadowPass::Worker {
   Worker(const Mesh& mesh, const RaySetup& setup) : gatherer(setup.directions, setup.tracer), merger(mesh) {}

@@ -17,8 +17,10 @@ namespace {
 struct Options {
   std::string scene;
   std::string output;
-  std::optional<int> degree;  // these three override the scene's
+  std::optional<int> degree;  // these five override the scene's
   std::optional<int> directions;
+  std::string sampler;
+  std::optional<std::uint32_t> seed;
   std::string kind;
   std::string instruction_set;
   int threads = 0;
@@ -29,6 +31,8 @@ struct Options {
 void override_bake(const Options& options, BakeOptions& bake) {
   bake.degree = options.degree.value_or(bake.degree);
   bake.directions = options.directions.value_or(bake.directions);
+  bake.sampler = sampler_called(options.sampler).value_or(bake.sampler);
+  bake.seed = options.seed.value_or(bake.seed);
   if (!options.kind.empty()) {
     bake.kind = kind_called(options.kind);
   }
@@ -70,6 +74,10 @@ void add_bake_command(CLI::App& tool) {
   command->add_option("--degree", options->degree, "0 to 10, instead of the scene's");
   command->add_option("--directions", options->directions,
                       "rays a vertex over the whole sphere, instead of the scene's");
+  command->add_option("--sampler", options->sampler, "how the directions are chosen, instead of the scene's")
+      ->check(CLI::IsMember(std::vector<std::string>(kSamplerNames.begin(), kSamplerNames.end())));
+  command->add_option("--seed", options->seed, "of all samplers but fibonacci, instead of the scene's")
+      ->check(CLI::Range(0, kMaxSeed));
   command->add_option("--kind", options->kind, "unshadowed, shadowed or interreflected, instead of the scene's")
       ->check(CLI::IsMember({"unshadowed", "shadowed", "interreflected"}));
   command

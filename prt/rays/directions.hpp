@@ -1,14 +1,30 @@
-// The directions every vertex shares: points spread evenly over the sphere, each of solid angle 4 pi / count.
-// Spherical Fibonacci points, [Swinbank, Purser 2006]: z_i = 1 - (2i+1)/n, azimuth i times the golden angle.
+// Where the rays of the vertices point to: sets of unit vectors that all vertices share, all of one weight.
+//   fibonacci   spherical Fibonacci points [SwinbankPurser06]; no seed
+//   stratified  a random point in each of count cells of equal area [Leopardi06]
+//   sobol       scrambled (0,2)-sequence [Sobol67], [Owen95]
+//   random      independent and uniform: what the others are measured against
+//   cosine      the same sequence over a hemisphere about +z, denser by the cosine, for the frame of each vertex. Half
+//   as
+//               many directions as asked for, since the others send only half of theirs over a hemisphere.
 #pragma once
 #include <Eigen/Core>
+#include <cstdint>
 #include <vector>
+
+#include "prt/scene/bake_options.hpp"
 
 namespace sh::prt {
 
 inline constexpr int kMaxDirections = 1 << 20;
 
-/// `count` unit vectors, 1 <= count <= kMaxDirections.
+/// `count` unit vectors, (count + 1) / 2 for Sampler::kCosine. The same for the same arguments. Throws
+/// std::invalid_argument unless 1 <= count <= kMaxDirections.
+std::vector<Eigen::Vector3f> make_directions(Sampler sampler, int count, std::uint32_t seed);
+
+/// The spherical Fibonacci points.
 std::vector<Eigen::Vector3f> fibonacci_directions(int count);
+
+/// A rotation whose third column is `normal`, |normal| = 1, without a branch [Duff17].
+Eigen::Matrix3f frame_about(const Eigen::Vector3f& normal);
 
 }  // namespace sh::prt

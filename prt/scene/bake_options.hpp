@@ -1,5 +1,7 @@
 // What a scene asks of a bake.
 #pragma once
+#include <cstdint>
+
 #include "prt/transfer/transfer.hpp"
 
 namespace sh::prt {
@@ -13,9 +15,13 @@ struct BounceOptions {
   int most_applications = 1000;  // of K; then the result says that it is not certified
 };
 
+inline constexpr int kMaxSeed = 2147483647;
+
 struct BakeOptions {
   int degree = 4;         // 0..kMaxDegree
   int directions = 2048;  // over the whole sphere
+  Sampler sampler = Sampler::kFibonacci;
+  std::uint32_t seed = 0;  // of the sampler, 0..kMaxSeed
   TransferKind kind = TransferKind::kShadowed;
   BounceOptions bounces;  // interreflected only
 };

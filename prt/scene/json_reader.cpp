@@ -89,7 +89,7 @@ std::string JsonReader::text() const {
   return value_->get<std::string>();
 }
 
-std::string JsonReader::one_of(std::initializer_list<std::string_view> words) const {
+std::string JsonReader::one_of(const std::vector<std::string_view>& words) const {
   if (!value_->is_string() || std::find(words.begin(), words.end(), value_->get<std::string>()) == words.end()) {
     expected(fmt::format("one of {}", fmt::join(words, ", ")));
   }

@@ -29,7 +29,7 @@ class JsonReader {
 
   [[nodiscard]] bool is_array() const { return value_->is_array(); }
   [[nodiscard]] std::string text() const;
-  [[nodiscard]] std::string one_of(std::initializer_list<std::string_view> words) const;
+  [[nodiscard]] std::string one_of(const std::vector<std::string_view>& words) const;
   [[nodiscard]] double number(double least, double most, std::string_view expected) const;
   [[nodiscard]] float finite() const;
   [[nodiscard]] float positive() const;

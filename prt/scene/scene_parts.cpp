@@ -179,13 +179,19 @@ Camera read_camera(const JsonReader& reader, const Camera& otherwise) {
 }
 
 BakeOptions read_bake_options(const JsonReader& reader) {
-  reader.allow({"degree", "directions", "transfer", "tolerance"});
+  reader.allow({"degree", "directions", "sampler", "seed", "transfer", "tolerance"});
   BakeOptions options;
   if (const auto degree = reader.find("degree")) {
     options.degree = degree->integer(0, kMaxDegree);
   }
   if (const auto directions = reader.find("directions")) {
     options.directions = directions->integer(1, kMaxDirections);
+  }
+  if (const auto sampler = reader.find("sampler")) {
+    options.sampler = *sampler_called(sampler->one_of({kSamplerNames.begin(), kSamplerNames.end()}));
+  }
+  if (const auto seed = reader.find("seed")) {
+    options.seed = static_cast<std::uint32_t>(seed->integer(0, kMaxSeed));
   }
   if (const auto tolerance = reader.find("tolerance")) {
     options.bounces.tolerance = tolerance->number(1e-9, 1.0, "a number from 1e-9 to 1");

@@ -22,6 +22,9 @@ inline constexpr int kMaxDegree = 10;
 /// hit reflects, any number of times.
 enum class TransferKind : std::uint32_t { kUnshadowed = 0, kShadowed = 1, kInterreflected = 2 };
 
+/// Where the rays of a vertex point to; prt/rays/directions.hpp has the sets.
+enum class Sampler : std::uint32_t { kFibonacci, kStratified, kSobol, kRandom, kCosine };
+
 /// How the bounces were solved; see prt/bake/bounces.hpp. Errors are those of any number of the solution.
 struct BounceReport {
   std::string solver;           // series or bicgstab; empty where there are no bounces
@@ -39,7 +42,9 @@ struct Transfer {
   Mesh mesh;
   int degree = 0;  // 0..kMaxDegree
   TransferKind kind = TransferKind::kUnshadowed;
-  std::uint32_t directions = 0;     // over the whole sphere; 0 where no ray was traced
+  std::uint32_t directions = 0;  // over the whole sphere; 0 where no ray was traced
+  Sampler sampler = Sampler::kFibonacci;
+  std::uint32_t seed = 0;           // of the sampler
   std::string instruction_set;      // bits are reproducible on this instruction set
   BounceReport bounces;             // of interreflected transfer
   std::vector<float> coefficients;  // (vertices, channels, bands^2), row-major, i = l(l+1)+m

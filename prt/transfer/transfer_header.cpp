@@ -44,6 +44,10 @@ std::string transfer_header(const Transfer& transfer) {
   if (!transfer.emitted.empty()) {
     header["emitted"] = "exit radiance that is there whatever the light, to be added: linear RGB, W m^-2 sr^-1";
   }
+  if (transfer.directions > 0) {
+    header["sampler"] = name_of(transfer.sampler);
+    header["seed"] = transfer.seed;
+  }
   if (bounces) {
     header["bounces"] = to_json(transfer.bounces);
   }

@@ -1,6 +1,8 @@
-// The words for kinds of transfer: short ones in a transfer file's header, long ones in scenes and on command lines.
+// The words for kinds of transfer and for samplers: those for kinds are short in a transfer file's header, long in
+// scenes and on command lines.
 #pragma once
 #include <array>
+#include <optional>
 #include <string_view>
 
 #include "prt/transfer/transfer.hpp"
@@ -27,6 +29,22 @@ constexpr TransferKind kind_called(std::string_view scene) {
     }
   }
   return TransferKind::kShadowed;
+}
+
+/// In the order of Sampler.
+inline constexpr std::array<std::string_view, 5> kSamplerNames = {"fibonacci", "stratified", "sobol", "random",
+                                                                  "cosine"};
+
+constexpr std::string_view name_of(Sampler sampler) { return kSamplerNames[static_cast<std::size_t>(sampler)]; }
+
+/// The sampler with that name, if there is one.
+constexpr std::optional<Sampler> sampler_called(std::string_view name) {
+  for (std::size_t i = 0; i < kSamplerNames.size(); ++i) {
+    if (kSamplerNames[i] == name) {
+      return static_cast<Sampler>(i);
+    }
+  }
+  return std::nullopt;
 }
 
 }  // namespace sh::prt

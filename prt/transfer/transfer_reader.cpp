@@ -1,4 +1,4 @@
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -121,7 +121,19 @@ class Reader {
       fail(fmt::format("transfer of degree {}, expected 0 to {}", transfer.degree, kMaxDegree));
     }
     transfer.directions = header.at("directions").get<std::uint32_t>();
+    take_sampler(header, transfer);
     transfer.instruction_set = header.at("instruction_set").get<std::string>();
+  }
+
+  // Absent where no ray was traced, and in files older than the choice.
+  void take_sampler(const nlohmann::json& header, Transfer& transfer) const {
+    const auto sampler = header.value("sampler", std::string(name_of(Sampler::kFibonacci)));
+    const auto known = sampler_called(sampler);
+    if (!known) {
+      fail(fmt::format("sampler {}, expected one of {}", sampler, fmt::join(kSamplerNames, ", ")));
+    }
+    transfer.sampler = *known;
+    transfer.seed = header.value("seed", 0U);
   }
 
   static void take_bounces(const nlohmann::json& header, BounceReport& report) {

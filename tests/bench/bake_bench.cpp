@@ -43,11 +43,14 @@ double bake(const sh::prt::Mesh& mesh, const std::vector<sh::prt::RayStart>& sta
 }  // namespace
 
 int main(int argc, char** argv) {
-  const sh::prt::Scene scene = sh::prt::load_scene("demo", sh::prt::OnFlaw::kMend);
-  const int degree = argc > 1 ? std::atoi(argv[1]) : scene.bake.degree;
+  sh::prt::Scene scene = sh::prt::load_scene("demo", sh::prt::OnFlaw::kMend);
+  if (argc > 1) {
+    scene.bake.degree = std::atoi(argv[1]);
+  }
+  const int degree = scene.bake.degree;
   const sh::prt::Mesh& mesh = scene.mesh;
   const sh::prt::Tracer tracer(mesh, 1);
-  const sh::prt::SharedDirections directions(scene.bake.directions, degree);
+  const sh::prt::SharedDirections directions(scene.bake);
   const std::vector<sh::prt::RayStart> starts = sh::prt::ray_starts(mesh);
   sh::prt::Gatherer gatherer(directions, tracer);
   std::vector<std::vector<sh::prt::ShadowRay>> rays;

@@ -61,6 +61,27 @@ class Tool : public testing::Test {
   static inline std::string baked;
 };
 
+TEST_F(Tool, BakesWithTheSamplerAndTheSeedOfTheCommandLineAndSaysSo) {
+  const std::string file = folder->file("sobol.transfer");
+  const auto bake = [&](const std::string& seed) {
+    const Finished run = run_prt(
+        {"bake", "demo", "-o", file, "--degree", "1", "--directions", "32", "--sampler", "sobol", "--seed", seed});
+    EXPECT_EQ(run.status, 0) << run.err;
+    return read_all(file);
+  };
+  const std::string first = bake("7");
+  const auto info = nlohmann::json::parse(run_prt({"info", file}).out);
+  EXPECT_EQ(info.at("sampler"), "sobol");
+  EXPECT_EQ(info.at("seed"), 7);
+  EXPECT_EQ(bake("7"), first);
+  EXPECT_NE(bake("8"), first);
+  expect_refused({"bake", "demo", "-o", file, "--sampler", "halton"}, "--sampler");
+  expect_refused({"bake", "demo", "-o", file, "--seed", "-1"}, "--seed");
+  const std::string scene = folder->file("sampler.json");
+  write_all(scene, R"({"meshes": [{"primitive": "box"}], "bake": {"sampler": "halton"}})");
+  expect_refused({"bake", scene, "-o", file}, "/bake/sampler: expected one of fibonacci, stratified");
+}
+
 TEST_F(Tool, ProjectPrintsCoefficientsWithConventionAxesAndUnits) {
   Image image = test::pattern_image(64, 32);
   for (Eigen::Vector3f& pixel : image.pixels) {
