@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "prt/runtime/kept_coefficients.hpp"
 #include "prt/runtime/row_products.hpp"
 
 namespace sh::prt {
@@ -22,6 +23,7 @@ void require_light(const Transfer& transfer, const LightCoefficients& light) {
     throw std::invalid_argument(fmt::format("the light has degree {}, the transfer {}; the light's must not be higher",
                                             light.degree, transfer.degree));
   }
+  require_kept(transfer, light);
 }
 
 void require_one_channel(const Transfer& transfer) {
