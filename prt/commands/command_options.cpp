@@ -68,6 +68,7 @@ void LightOptions::add_to(CLI::App& command) {
                   "instead of the scene's: constant, overcast, an .exr or .hdr picture, or a .json file of lights")
       ->excludes(from_scene);
   add_mapping_to(command, mapping);
+  window.add_to(command);
   command.add_option("--turn", turn_degrees, "turn the light about +z by this many degrees");
   command.add_flag("--strict", strict, "refuse input that would otherwise be mended with a warning");
 }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "prt/light/deringing.hpp"
 #include "prt/light/light.hpp"
 #include "prt/light/light_coefficients.hpp"
 #include "prt/mesh/mend.hpp"
@@ -20,12 +21,26 @@ void add_render_command(CLI::App& tool);
 void add_info_command(CLI::App& tool);
 void add_project_command(CLI::App& tool);
 
+/// `--window` and `--keep`: a window on the sum of all lights.
+struct WindowOptions {
+  std::string window;  // empty: none; auto, KIND, KIND:NUMBER, sinc:WIDTH:POWER
+  std::string keep = "radiance";
+
+  void add_to(CLI::App& command);
+};
+
+/// The lights' coefficients under their own windows or that of the options; what each window did is told on standard
+/// error and, if given, in `windowed`. Throws std::runtime_error where both have one.
+LightCoefficients project_windowed(const std::vector<Light>& lights, int degree, const WindowOptions& options,
+                                   std::vector<Deringing>* windowed = nullptr);
+
 /// What several commands take: the light, as a scene's or as a word, and how flaws are met.
 struct LightOptions {
   std::string scene;                 // JSON file or `demo`: its lights (and camera)
   std::string light;                 // instead: constant, overcast, an environment picture or a JSON file of lights
   std::string mapping = "lat_long";  // of the picture
-  float turn_degrees = 0.0F;         // about +z, on top of the lights' own rotations
+  WindowOptions window;
+  float turn_degrees = 0.0F;  // about +z, on top of the lights' own rotations
   bool strict = false;
 
   void add_to(CLI::App& command);

@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 
 #include "prt/commands/commands.hpp"
-#include "prt/light/project.hpp"
 
 namespace sh::prt {
 namespace {
@@ -18,6 +17,7 @@ struct Options {
   std::string light;
   std::string mapping = "lat_long";
   int degree = 2;
+  WindowOptions window;
   int threads = 0;
   bool strict = false;
 };
@@ -45,8 +45,33 @@ Json described(const Options& options, const std::vector<Light>& lights) {
   return out;
 }
 
-Json report(const Options& options, const std::vector<Light>& lights, const LightCoefficients& light) {
+Json windows(const std::vector<Deringing>& windowed) {
+  Json out = Json::array();
+  for (const Deringing& done : windowed) {
+    const Window& window = done.choice.window;
+    Json one = {{"type", done.needed ? kWindowNames[static_cast<std::size_t>(window.type)] : "none"}};
+    if (done.needed) {
+      one[std::string(number_key(window.type))] = window.size;
+    }
+    if (window.type == WindowType::kSinc) {
+      one["power"] = window.power;
+    }
+    one.update({{"keep", done.choice.keep == Keep::kRadiance ? "radiance" : "irradiance"},
+                {"least_over_peak_before", done.least_before},
+                {"least_over_peak", done.least_after},
+                {"peak_kept", done.peak_kept},
+                {"contrast_kept", done.contrast_kept}});
+    out.push_back(one);
+  }
+  return out;
+}
+
+Json report(const Options& options, const std::vector<Light>& lights, const LightCoefficients& light,
+            const std::vector<Deringing>& windowed) {
   Json out = described(options, lights);
+  if (!windowed.empty()) {
+    out["windows"] = windows(windowed);
+  }
   out.update({{"degree", light.degree},
               {"convention",
                "real spherical harmonics, orthonormal on the unit sphere, no Condon-Shortley phase; "
@@ -64,8 +89,9 @@ void run(const Options& options) {
   require_degree(options.degree);
   const std::vector<Light> lights =
       load_lights(named_lights(options.light, options.mapping), options.strict ? OnFlaw::kRefuse : OnFlaw::kMend);
-  const LightCoefficients light = project(lights, options.degree);
-  std::cout << report(options, lights, light).dump(2) << '\n' << std::flush;
+  std::vector<Deringing> windowed;
+  const LightCoefficients light = project_windowed(lights, options.degree, options.window, &windowed);
+  std::cout << report(options, lights, light, windowed).dump(2) << '\n' << std::flush;
   if (!std::cout) {
     throw std::runtime_error("standard output: cannot write");
   }
@@ -82,6 +108,7 @@ void add_project_command(CLI::App& tool) {
                    "an OpenEXR or Radiance .hdr picture, a .json file of lights, constant or overcast")
       ->required();
   add_mapping_to(*command, options->mapping);
+  options->window.add_to(*command);
   command->add_option("--degree", options->degree, "0 to 10")->capture_default_str();
   command->add_option("--threads", options->threads, "0: every core")->capture_default_str();
   command->add_flag("--strict", options->strict, "refuse negative pixels instead of setting them to 0");

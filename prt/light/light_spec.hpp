@@ -1,10 +1,12 @@
 // A light as a scene file describes it: what to load, not yet any coefficients (prt/light/light.hpp makes those).
 #pragma once
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "prt/image/image_mapping.hpp"
+#include "prt/light/deringing.hpp"
 
 namespace sh::prt {
 
@@ -25,7 +27,8 @@ struct LightSpec {
   ImageMapping mapping = ImageMapping::kLatLong;  // environment
   float scale = 1.0F;                             // environment: factor on every pixel (exposure)
   Eigen::Vector3f rotation_axis = Eigen::Vector3f::UnitZ();
-  float rotation_degrees = 0.0F;  // right-handed about the axis; turns the light, not the mesh
+  float rotation_degrees = 0.0F;       // right-handed about the axis; turns the light, not the mesh
+  std::optional<WindowChoice> window;  // on the coefficients of this light alone
 };
 
 }  // namespace sh::prt

@@ -76,10 +76,17 @@ LightCoefficients project(const Light& light, int degree) {
 
 }  // namespace
 
-LightCoefficients project(const std::vector<Light>& lights, int degree) {
+LightCoefficients project(const std::vector<Light>& lights, int degree, std::vector<Deringing>* windowed) {
   LightCoefficients sum = LightCoefficients::zero(degree);
   for (const Light& light : lights) {
-    accumulate(sum, project(light, degree));
+    LightCoefficients one = project(light, degree);
+    if (light.spec.window) {
+      const Deringing done = apply_window(*light.spec.window, one);
+      if (windowed != nullptr) {
+        windowed->push_back(done);
+      }
+    }
+    accumulate(sum, one);
   }
   return sum;
 }

@@ -12,9 +12,10 @@
 
 namespace sh::prt {
 
-/// The sum of all lights. Double precision; the same bits for any number of threads.
-/// Throws std::invalid_argument unless 0 <= degree <= kMaxDegree.
-LightCoefficients project(const std::vector<Light>& lights, int degree);
+/// The sum of all lights, each under its own window; `windowed`, if given, takes what each window did. Double
+/// precision; the same bits for any number of threads. Throws std::invalid_argument unless 0 <= degree <= kMaxDegree,
+/// and as apply_window.
+LightCoefficients project(const std::vector<Light>& lights, int degree, std::vector<Deringing>* windowed = nullptr);
 
 /// A picture of any mapping, unturned and unscaled; every pixel is a patch of constant radiance.
 LightCoefficients project_image(const Image& image, ImageMapping mapping, int degree);

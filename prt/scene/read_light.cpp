@@ -65,7 +65,7 @@ Eigen::Vector3f viewpoint(const JsonReader& reader) {
 }
 
 void read_directional(const JsonReader& reader, LightSpec& light) {
-  reader.allow({"type", "direction", "irradiance", "rotate"});
+  reader.allow({"type", "direction", "irradiance", "rotate", "window"});
   light.type = LightType::kDirectional;
   light.direction = read_direction(reader.at("direction"));
   if (const auto irradiance = reader.find("irradiance")) {
@@ -74,7 +74,7 @@ void read_directional(const JsonReader& reader, LightSpec& light) {
 }
 
 void read_cap(const JsonReader& reader, LightSpec& light) {
-  reader.allow({"type", "direction", "half_angle", "radiance", "irradiance", "rotate"});
+  reader.allow({"type", "direction", "half_angle", "radiance", "irradiance", "rotate", "window"});
   light.type = LightType::kCap;
   light.direction = read_direction(reader.at("direction"));
   const double degrees = reader.at("half_angle").number(kLeastHalfAngle, 180.0, "degrees from 1e-9 to 180");
@@ -84,7 +84,7 @@ void read_cap(const JsonReader& reader, LightSpec& light) {
 
 // A sphere far enough away to be seen whole covers a cap.
 void read_sphere(const JsonReader& reader, LightSpec& light) {
-  reader.allow({"type", "position", "radius", "from", "radiance", "irradiance", "rotate"});
+  reader.allow({"type", "position", "radius", "from", "radiance", "irradiance", "rotate", "window"});
   light.type = LightType::kCap;
   const JsonReader position = reader.at("position");
   const Eigen::Vector3d centre = (position.vector().cast<double>() - viewpoint(reader).cast<double>());
@@ -101,7 +101,7 @@ void read_sphere(const JsonReader& reader, LightSpec& light) {
 }
 
 void read_polygon(const JsonReader& reader, LightSpec& light) {
-  reader.allow({"type", "corners", "from", "radiance", "rotate"});
+  reader.allow({"type", "corners", "from", "radiance", "rotate", "window"});
   light.type = LightType::kPolygon;
   const Eigen::Vector3d from = viewpoint(reader).cast<double>();
   const JsonReader corners = reader.at("corners");
@@ -117,10 +117,10 @@ void read_polygon(const JsonReader& reader, LightSpec& light) {
 void read_sky(const JsonReader& reader, const std::string& type, LightSpec& light) {
   light.type = LightType::kCieSky;
   if (type == "cie_sky") {
-    reader.allow({"type", "sky", "sun", "radiance", "rotate"});
+    reader.allow({"type", "sky", "sun", "radiance", "rotate", "window"});
     light.sky = reader.at("sky").integer(1, kSkyTypes);
   } else {
-    reader.allow({"type", "sun", "radiance", "rotate"});
+    reader.allow({"type", "sun", "radiance", "rotate", "window"});
     light.sky = type == "cie_clear" ? kClearSky : kPartlyCloudySky;
   }
   const JsonReader sun = reader.at("sun");
@@ -137,7 +137,7 @@ ImageMapping read_mapping(const JsonReader& reader) {
 }
 
 void read_environment(const JsonReader& reader, const std::string& folder, LightSpec& light) {
-  reader.allow({"type", "file", "mapping", "scale", "rotate"});
+  reader.allow({"type", "file", "mapping", "scale", "rotate", "window"});
   light.type = LightType::kEnvironment;
   light.file = beside(folder, reader.at("file").text());
   if (const auto mapping = reader.find("mapping")) {
@@ -149,7 +149,7 @@ void read_environment(const JsonReader& reader, const std::string& folder, Light
 }
 
 void read_uniform(const JsonReader& reader, const std::string& type, LightSpec& light) {
-  reader.allow({"type", "radiance", "rotate"});
+  reader.allow({"type", "radiance", "rotate", "window"});
   light.type = type == "constant" ? LightType::kConstant : LightType::kCieOvercast;
   read_radiance(reader, light);
 }
@@ -158,7 +158,7 @@ void read_uniform(const JsonReader& reader, const std::string& type, LightSpec& 
 
 LightSpec read_light(const JsonReader& reader, const std::string& folder) {
   reader.allow({"type", "radiance", "irradiance", "direction", "half_angle", "position", "radius", "from", "corners",
-                "sky", "sun", "file", "mapping", "scale", "rotate"});
+                "sky", "sun", "file", "mapping", "scale", "rotate", "window"});
   LightSpec light;
   const std::string type =
       reader.at("type").one_of({"constant", "cie_overcast", "cie_clear", "cie_partly_cloudy", "cie_sky", "directional",
@@ -182,6 +182,9 @@ LightSpec read_light(const JsonReader& reader, const std::string& folder) {
     const Turn turn = read_turn(*rotate);
     light.rotation_axis = turn.axis;
     light.rotation_degrees = turn.degrees;
+  }
+  if (const auto window = reader.find("window")) {
+    light.window = read_window(*window);
   }
   return light;
 }

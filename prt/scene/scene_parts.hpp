@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "prt/light/deringing.hpp"
 #include "prt/mesh/mend.hpp"
 #include "prt/mesh/mesh.hpp"
 #include "prt/mesh/soup.hpp"
@@ -41,6 +42,8 @@ Mesh read_mesh(const JsonReader& reader, const std::string& folder, OnFlaw on_fl
 Ground read_ground(const JsonReader& reader, const Mesh& mesh);
 /// One entry of `lights`; what it names is not loaded yet.
 LightSpec read_light(const JsonReader& reader, const std::string& folder);
+/// "auto", a kind's name, or {"type", "width" | "lambda" | "strength", "power", "keep"}; without its number, the least.
+WindowChoice read_window(const JsonReader& reader);
 Camera read_camera(const JsonReader& reader, const Camera& otherwise);
 BakeOptions read_bake_options(const JsonReader& reader);
 

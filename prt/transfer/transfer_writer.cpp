@@ -19,23 +19,9 @@ struct Data {
   std::size_t rows;
 };
 
-// The coefficients as the file has them.
-struct Coefficients {
-  explicit Coefficients(const Transfer& transfer)
-      : columns(stored_columns(transfer.storage, transfer.row_shape())), first(transfer.coefficients.data()) {
-    if (!transfer.storage.is_plain()) {
-      encoded = encode(transfer.coefficients, transfer.row_shape(), transfer.storage);
-      first = encoded.data.data();
-    }
-  }
-  std::size_t columns;
-  const void* first;
-  Encoded encoded;
-};
-
 constexpr std::size_t kHeaderUnit = 16;
 
-void check_lengths(const Transfer& transfer) {
+std::array<Data, layout::kSections.size()> sections_of(const Transfer& transfer) {
   const Mesh& mesh = transfer.mesh;
   const std::size_t vertices = mesh.positions.size();
   if (mesh.normals.size() != vertices || mesh.geometric_normals.size() != vertices || mesh.albedo.size() != vertices ||
@@ -43,20 +29,14 @@ void check_lengths(const Transfer& transfer) {
       (!transfer.emitted.empty() && transfer.emitted.size() != vertices)) {
     throw std::invalid_argument("transfer: its arrays differ in length, expected one entry a vertex in each");
   }
-}
-
-std::array<Data, layout::kSections.size()> sections_of(const Transfer& transfer, const Coefficients& coefficients) {
-  const Mesh& mesh = transfer.mesh;
-  const std::size_t vertices = mesh.positions.size();
   return {{{mesh.positions.data(), vertices},
            {mesh.normals.data(), vertices},
            {mesh.geometric_normals.data(), vertices},
            {mesh.albedo.data(), vertices},
            {mesh.faces.data(), mesh.faces.size()},
            {mesh.remap.data(), mesh.remap.size()},
-           {coefficients.first, vertices},
-           {transfer.emitted.data(), transfer.emitted.size()},
-           {coefficients.encoded.scale.data(), coefficients.encoded.scale.empty() ? 0U : 1U}}};
+           {transfer.coefficients.data(), vertices},
+           {transfer.emitted.data(), transfer.emitted.size()}}};
 }
 
 struct Contents {
@@ -64,8 +44,8 @@ struct Contents {
   std::vector<const void*> data;
 };
 
-Contents contents_of(const Transfer& transfer, const Coefficients& coefficients) {
-  const auto data = sections_of(transfer, coefficients);
+Contents contents_of(const Transfer& transfer) {
+  const auto data = sections_of(transfer);
   Contents contents;
   std::uint64_t offset = 0;
   for (std::size_t i = 0; i < data.size(); ++i) {
@@ -75,8 +55,8 @@ Contents contents_of(const Transfer& transfer, const Coefficients& coefficients)
     }
     layout::Section section;
     section.name = layout::padded(kind.name);
-    section.type = kind.name == "transfer" ? layout::type_of(transfer.storage.element) : kind.type;
-    section.columns = kind.columns != 0 ? kind.columns : static_cast<std::uint32_t>(coefficients.columns);
+    section.type = kind.type;
+    section.columns = kind.columns != 0 ? kind.columns : static_cast<std::uint32_t>(transfer.row_length());
     section.rows = data[i].rows;
     section.offset = offset;
     section.checksum = checksum(data[i].first, bytes_of(section));
@@ -90,9 +70,7 @@ Contents contents_of(const Transfer& transfer, const Coefficients& coefficients)
 }  // namespace
 
 void write_transfer(const std::string& path, const Transfer& transfer) {
-  check_lengths(transfer);
-  const Coefficients coefficients(transfer);
-  auto [table, data] = contents_of(transfer, coefficients);
+  auto [table, data] = contents_of(transfer);
   std::string header = transfer_header(transfer);
   header.resize((header.size() + kHeaderUnit - 1) / kHeaderUnit * kHeaderUnit, ' ');
   const std::size_t table_size = table.size() * sizeof(layout::Section);

@@ -14,6 +14,7 @@
 namespace sh::prt {
 namespace {
 
+using test::expect_refused;
 using test::Finished;
 using test::interrupt_prt;
 using test::read_all;
@@ -21,16 +22,6 @@ using test::run_prt;
 using test::TemporaryFolder;
 using test::write_all;
 using Arguments = std::vector<std::string>;
-
-/// Exit 2, one line on standard error that begins with `prt: ` and holds `reason`, nothing on standard output.
-void expect_refused(const Arguments& arguments, const std::string& reason, const std::string& before = {}) {
-  const Finished run = run_prt(arguments, before);
-  EXPECT_EQ(run.status, 2) << run.err;
-  EXPECT_EQ(run.err.rfind("prt: ", 0), 0U) << run.err;
-  EXPECT_NE(run.err.find(reason), std::string::npos) << run.err;
-  EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
-  EXPECT_EQ(run.out, "");
-}
 
 /// The last line of standard error; progress stands before it.
 std::string last_line(const std::string& text) {
@@ -236,30 +227,6 @@ TEST_F(Tool, RelightWritesAPlyOfTheWholeMesh) {
   ASSERT_EQ(run.status, 0) << run.err;
   EXPECT_EQ(read_all(ply).rfind("ply\n", 0), 0U);
   EXPECT_NE(run.err.find("mean exit radiance"), std::string::npos) << run.err;
-}
-
-TEST_F(Tool, RelightTakesFewerBandsWhiteLightAndOtherAlbedo) {
-  const auto relit = [&](const Arguments& more) {
-    Arguments all{"relight", baked, "--scene", "demo", "-o", folder->file("ways.ply")};
-    all.insert(all.end(), more.begin(), more.end());
-    const Finished run = run_prt(all);
-    EXPECT_EQ(run.status, 0) << run.err;
-    return read_all(folder->file("ways.ply"));
-  };
-  const std::string all = relit({});
-  EXPECT_TRUE(relit({"--degree", "2"}) == all);
-  EXPECT_FALSE(relit({"--degree", "1"}) == all);
-  EXPECT_FALSE(relit({"--recolor", "1", "0", "0"}) == all);
-  EXPECT_TRUE(relit({"--white"}) == all);  // the demo's sky is
-  const Arguments refused{"relight", baked, "-o", folder->file("x.ply")};
-  const auto with = [&](const Arguments& more) {
-    Arguments both = refused;
-    both.insert(both.end(), more.begin(), more.end());
-    return both;
-  };
-  expect_refused(with({"--degree", "3"}), "--degree 3: the transfer has degrees 0 to 2");
-  expect_refused(with({"--recolor", "1", "2", "0"}), "--recolor 2: an albedo is from 0 to 1");
-  expect_refused(with({"--recolor", "1"}), "--recolor");
 }
 
 TEST_F(Tool, RenderWritesOnePictureOrNumberedFrames) {

@@ -2,9 +2,11 @@
 #include "tests/prt/tool.hpp"
 
 #include <fcntl.h>
+#include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
@@ -64,6 +66,15 @@ Finished interrupt_prt(const std::vector<std::string>& arguments, int millisecon
   kill(child, SIGINT);
   const int status = wait_for(child);
   return {status, {}, read_all(folder.file("err"))};
+}
+
+void expect_refused(const std::vector<std::string>& arguments, const std::string& reason, const std::string& before) {
+  const Finished run = run_prt(arguments, before);
+  EXPECT_EQ(run.status, 2) << run.err;
+  EXPECT_EQ(run.err.rfind("prt: ", 0), 0U) << run.err;
+  EXPECT_NE(run.err.find(reason), std::string::npos) << run.err;
+  EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+  EXPECT_EQ(run.out, "");
 }
 
 }  // namespace sh::prt::test

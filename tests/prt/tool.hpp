@@ -17,6 +17,11 @@ struct Finished {
 Finished run_prt(const std::vector<std::string>& arguments, const std::string& before = {},
                  const std::string& redirect = {});
 
+/// Expects exit 2, one line on standard error that begins with `prt: ` and holds `reason`, and nothing on standard
+/// output; `before` as for run_prt.
+void expect_refused(const std::vector<std::string>& arguments, const std::string& reason,
+                    const std::string& before = {});
+
 /// Runs it and sends SIGINT after `milliseconds`.
 Finished interrupt_prt(const std::vector<std::string>& arguments, int milliseconds);
 

@@ -1,0 +1,185 @@
+// Windows by the generated kernels: prt/light/window.hpp.
+#include "prt/light/window.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+
+#include "generated/cpp/window_gaussian.hpp"
+#include "generated/cpp/window_hann.hpp"
+#include "generated/cpp/window_lanczos.hpp"
+#include "generated/cpp/window_lanczos2.hpp"
+#include "generated/cpp/window_lanczos4.hpp"
+#include "generated/cpp/window_laplacian.hpp"
+#include "numeric/quadrature.hpp"
+#include "prt/at_degree.hpp"
+
+namespace sh::prt {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+/// The kernels multiply; exponents add up.
+template <int Degree>
+void apply_sinc(double width, int power, double* c) {
+  const double x = kPi / width;
+  const double cosine = std::cos(x);
+  const double sinc = x > 0.0 ? std::sin(x) / x : 1.0;
+  for (; power >= 4; power -= 4) {
+    sh::window_lanczos4<Degree>(cosine, sinc, c);
+  }
+  for (; power >= 2; power -= 2) {
+    sh::window_lanczos2<Degree>(cosine, sinc, c);
+  }
+  if (power == 1) {
+    sh::window_lanczos<Degree>(cosine, sinc, c);
+  }
+}
+
+template <int Degree>
+void apply_kernel(const Window& window, double* c) {
+  switch (window.type) {
+    case WindowType::kHann:
+      return sh::window_hann<Degree>(std::cos(kPi / window.size), c);
+    case WindowType::kSinc:
+      return apply_sinc<Degree>(window.size, window.power, c);
+    case WindowType::kLaplacian:
+      return sh::window_laplacian<Degree>(window.size, c);
+    case WindowType::kGaussian:
+      return sh::window_gaussian<Degree>(std::exp(-0.5 / (window.size * window.size)), c);
+    case WindowType::kFejer:
+      return;  // no kernel
+  }
+}
+
+/// P_0 .. P_last.
+std::vector<double> legendre(int last, double z) {
+  std::vector<double> p{1.0, z};
+  for (int l = 1; l < last; ++l) {
+    const auto at = static_cast<std::size_t>(l);
+    p.push_back(((2.0 * l + 1.0) * z * p[at] - l * p[at - 1]) / (l + 1.0));
+  }
+  return p;
+}
+
+/// p_l of the header, l = 0..degree.
+std::vector<double> fejer_kernel(int degree) {
+  const auto rule = numeric::gauss_legendre<double>(degree + 1);
+  const int half = degree / 2;
+  std::vector<double> out(static_cast<std::size_t>(degree) + 1, 0.0);
+  for (std::size_t k = 0; k < rule.nodes.size(); ++k) {
+    const double z = rule.nodes[k];
+    const std::vector<double> p = legendre(degree + 1, z);
+    double root = degree % 2 == 0 ? 0.0 : (half + 1.0) * p[static_cast<std::size_t>(half) + 1];
+    for (int l = 0; l <= half; ++l) {
+      root += (2.0 * l + 1.0) * p[static_cast<std::size_t>(l)];
+    }
+    const double value = rule.weights[k] * root * root / (degree % 2 == 0 ? 1.0 : 1.0 + z);
+    for (std::size_t l = 0; l < out.size(); ++l) {
+      out[l] += value * p[l];
+    }
+  }
+  for (std::size_t l = out.size(); l-- > 0;) {
+    out[l] /= out[0];
+  }
+  return out;
+}
+
+std::vector<double> fejer_factors(double strength, int degree) {
+  std::vector<double> factors = fejer_kernel(degree);
+  for (double& factor : factors) {
+    factor = 1.0 - strength * (1.0 - factor);
+  }
+  return factors;
+}
+
+bool has_cut_off(WindowType type) { return type == WindowType::kHann || type == WindowType::kSinc; }
+
+}  // namespace
+
+std::string_view number_key(WindowType type) {
+  switch (type) {
+    case WindowType::kLaplacian:
+      return "lambda";
+    case WindowType::kFejer:
+      return "strength";
+    default:
+      return "width";
+  }
+}
+
+std::string window_flaw(const Window& window) {
+  if (has_cut_off(window.type) && !(window.size >= 1.0)) {
+    return "a width of 1 or more";
+  }
+  if (window.type == WindowType::kLaplacian && !(window.size >= 0.0)) {
+    return "a lambda of 0 or more";
+  }
+  if (window.type == WindowType::kGaussian && !(window.size >= 0.0)) {
+    return "a width of 0 or more";
+  }
+  if (window.type == WindowType::kFejer && !(window.size >= 0.0 && window.size <= 1.0)) {
+    return "a strength from 0 to 1";
+  }
+  return window.type == WindowType::kSinc && (window.power < 1 || window.power > kMaxPower)
+             ? fmt::format("a power from 1 to {}", kMaxPower)
+             : "";
+}
+
+std::vector<double> window_factors(const Window& window, int degree) {
+  require_degree(degree);
+  if (const std::string flaw = window_flaw(window); !flaw.empty()) {
+    throw std::invalid_argument(fmt::format("{}: needs {}", kWindowNames[static_cast<std::size_t>(window.type)], flaw));
+  }
+  if (window.type == WindowType::kFejer) {
+    return fejer_factors(window.size, degree);
+  }
+  std::vector<double> ones(coefficient_count(degree), 1.0);
+  at_degree(degree, [&](auto known) {
+    if constexpr (known() > 0) {
+      apply_kernel<known()>(window, ones.data());
+    }
+  });
+  std::vector<double> factors(1, 1.0);
+  for (int l = 1; l <= degree; ++l) {
+    const bool beyond = has_cut_off(window.type) && l >= window.size;
+    factors.push_back(beyond ? 0.0 : ones[coefficient_count(l - 1)]);
+  }
+  return factors;
+}
+
+void apply_factors(const std::vector<double>& factors, LightCoefficients& light) {
+  for (std::size_t channel = 0; channel < 3; ++channel) {
+    std::size_t i = 0;
+    for (int l = 0; l <= light.degree; ++l) {
+      for (; i < coefficient_count(l); ++i) {
+        light.at(channel, i) *= factors[static_cast<std::size_t>(l)];
+      }
+    }
+  }
+}
+
+Window window_of_strength(WindowType type, int power, double strength) {
+  const double odds = strength / (1.0 - strength);  // 0 to infinity
+  switch (type) {
+    case WindowType::kLaplacian:
+      return {type, odds * odds * odds * odds, 1};  // as lambda goes with the fourth power of the degree
+    case WindowType::kGaussian:
+      return {type, 1.0 / odds, 1};
+    case WindowType::kFejer:
+      return {type, strength, 1};
+    default:
+      return {type, 1.0 / strength, power};
+  }
+}
+
+std::string describe(const Window& window) {
+  const std::string power = window.type == WindowType::kSinc ? fmt::format("^{}", window.power) : "";
+  return fmt::format("{}{} of {} {:.4g}", kWindowNames[static_cast<std::size_t>(window.type)], power,
+                     number_key(window.type), window.size);
+}
+
+}  // namespace sh::prt

@@ -1,0 +1,53 @@
+// Windows on the bands of a light: smaller factors on higher degrees, so that it rings less, and shows less contrast.
+// In: a kind with its number. Out: one factor a degree, from the generated window_* kernels where there is one. With
+// x = pi l / width [Sloan08]:
+//   hann       (1 + cos x) / 2                      width >= 1; 0 from l = width on
+//   sinc       (sin x / x)^power                    width >= 1; 0 from l = width on; power 1 is Lanczos' window
+//   laplacian  1 / (1 + lambda l^2 (l+1)^2)         lambda >= 0, the least squares with the squared Laplacian weighed
+//   in gaussian   exp(-l^2 / (2 width^2))              width > 0 fejer      1 - strength (1 - p_l)               0 <=
+//   strength <= 1; sum (2l+1) p_l P_l is, of all zonal functions of
+//              the light's degree n that are negative nowhere and have mean 1, the one with the highest peak: a light
+//              that is positive stays so under it. As such functions are sums of squares (Lukacs), it is for n = 2k the
+//              square of K = sum over l <= k of (2l+1) P_l, for n = 2k + 1 that of K + (k+1) P_(k+1) over 1 + z, each
+//              over its mean; its peak is 1/4 to 1/2 of the truncated point's.
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "prt/light/light_coefficients.hpp"
+
+namespace sh::prt {
+
+enum class WindowType { kHann, kSinc, kLaplacian, kGaussian, kFejer };
+
+/// The words above, in the order of the enumeration.
+inline constexpr std::string_view kWindowNames[] = {"hann", "sinc", "laplacian", "gaussian", "fejer"};
+inline constexpr int kMaxPower = 16;
+
+struct Window {
+  WindowType type = WindowType::kSinc;
+  double size = 0.0;  // width; laplacian: lambda; fejer: strength
+  int power = 1;      // sinc: 1..kMaxPower
+};
+
+/// The name of a kind's number: `width`, `lambda` or `strength`.
+std::string_view number_key(WindowType type);
+
+/// What is wrong with a window's numbers, as what would be right; empty where nothing is.
+std::string window_flaw(const Window& window);
+
+/// (degree + 1) factors, 0 to 1, the first 1. Throws std::invalid_argument for a window with a flaw.
+std::vector<double> window_factors(const Window& window, int degree);
+
+/// Every band of every channel times its factor.
+void apply_factors(const std::vector<double>& factors, LightCoefficients& light);
+
+/// One window of a kind for each strength from 0, which changes nothing, to 1, which keeps only band 0 (fejer: what its
+/// kernel leaves); no factor grows with it.
+Window window_of_strength(WindowType type, int power, double strength);
+
+/// For messages: `sinc^4 of width 7.31`, `laplacian of lambda 0.0012`.
+std::string describe(const Window& window);
+
+}  // namespace sh::prt

@@ -1,0 +1,59 @@
+// The tool `prt` on lights: windows, pictures of lights, what contradicts itself.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/prt/image_files.hpp"
+#include "tests/prt/temporary_folder.hpp"
+#include "tests/prt/tool.hpp"
+
+namespace sh::prt {
+namespace {
+
+using test::expect_refused;
+using test::Finished;
+using test::run_prt;
+using test::write_all;
+
+class LightTool : public testing::Test {
+ protected:
+  /// A file of lights; its path.
+  std::string lights(const std::string& json) {
+    write_all(folder.file("lights.json"), json);
+    return folder.file("lights.json");
+  }
+
+  test::TemporaryFolder folder;
+};
+
+TEST_F(LightTool, WindowsAreReportedWithTheContrastTheyCost) {
+  const std::string sun = R"({"type": "directional", "direction": [0, 0, 1]})";
+  const Finished run = run_prt({"project", lights(sun), "--degree", "4", "--window", "auto"});
+  ASSERT_EQ(run.status, 0) << run.err;
+  const auto done = nlohmann::json::parse(run.out)["windows"][0];
+  EXPECT_EQ(done["type"], "fejer");
+  EXPECT_GE(done["least_over_peak"].get<double>(), -1e-9);
+  EXPECT_NEAR(done["least_over_peak_before"].get<double>(), -0.15, 0.01);
+  EXPECT_NEAR(done["peak_kept"].get<double>(), 0.36, 1e-6);
+  EXPECT_NE(run.err.find("keeps 36.0 % of the peak"), std::string::npos) << run.err;
+  const Finished none = run_prt({"project", "constant", "--window", "hann"});
+  EXPECT_NE(none.err.find("no window is needed"), std::string::npos) << none.err;
+}
+
+TEST_F(LightTool, WindowsThatAreNoneOrTwoAreRefused) {
+  expect_refused({"project", "overcast", "--window", "foo"}, "expected one of auto, hann, sinc, laplacian");
+  expect_refused({"project", "overcast", "--window", "hann:x"}, "`x` is no number");
+  expect_refused({"project", "overcast", "--window", "hann:0.5"}, "expected a width of 1 or more");
+  expect_refused({"project", "overcast", "--window", "auto:3"}, "expected auto, KIND");
+  expect_refused({"project", "overcast", "--window", "sinc:5:0"}, "expected an integer from 1 to 16");
+  expect_refused({"project", "overcast", "--keep", "colour"}, "--keep");
+  const std::string windowed = lights(R"([{"type": "constant", "window": "auto"}, {"type": "constant"}])");
+  expect_refused({"project", windowed, "--window", "hann"}, "a light has a window of its own");
+  expect_refused({"project", lights(R"({"type": "constant", "window": {"type": "hann", "power": 2}})")},
+                 "lights.json: /window");
+  expect_refused({"project", lights(R"({"type": "constant", "window": {"type": "sinc", "width": 0.1}})")},
+                 "/window/width: expected a width of 1 or more");
+}
+
+}  // namespace
+}  // namespace sh::prt
