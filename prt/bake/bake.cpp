@@ -46,7 +46,7 @@ void trace(const Scene& scene, const BakeSettings& settings, Transfer& transfer)
   const bool bounces = scene.bake.kind == TransferKind::kInterreflected;
   FormFactors factors(bounces ? scene.mesh.positions.size() : 0, settings.bounce_memory,
                       [&] { return make_row_maker(scene.mesh, setup.starts, setup.directions, setup.tracer); });
-  ShadowPass pass(scene.mesh, setup, transfer, bounces ? &factors : nullptr);
+  ShadowPass pass(scene.mesh, setup, transfer, bounces ? &factors : nullptr, settings.open);
   pass.run();
   const FillPlan plan = plan_fill(scene.mesh, pass.sight());
   fill_closed(transfer, plan);
@@ -77,6 +77,10 @@ Transfer bake_in_arena(const Scene& scene, const BakeSettings& settings) {
 
 Transfer bake(const Scene& scene, const BakeSettings& settings) {
   check_options(scene.bake, settings.threads);
+  if (!settings.open.empty() && settings.open.size() != scene.mesh.positions.size()) {
+    throw std::invalid_argument(
+        fmt::format("{} marks of open vertices for {} vertices", settings.open.size(), scene.mesh.positions.size()));
+  }
   const int cores = tbb::this_task_arena::max_concurrency();
   tbb::task_arena arena(settings.threads == 0 ? cores : std::min(settings.threads, cores));
   Transfer transfer;

@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "prt/mesh/mend.hpp"
 #include "prt/mesh/mesh.hpp"
@@ -24,6 +25,7 @@ struct BakeSettings {
   std::string instruction_set;  // of the rays, see Tracer; empty: the best up to avx2
   OnFlaw on_flaw = OnFlaw::kMend;
   std::size_t bounce_memory = SIZE_MAX;  // bytes for form factors; the rest is traced again for each bounce
+  std::vector<std::uint8_t> open = {};  // (vertices), or empty: 1 where nothing is in the way, so that no ray is traced
 };
 
 /// Bakes scene.mesh with scene.bake. Shows progress; vertices no ray can leave are filled from their neighbours and

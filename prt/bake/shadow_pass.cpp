@@ -12,15 +12,15 @@ namespace {
 
 constexpr float kNearlyDark = 0.03F;  // of the cosine; such vertices are looked at more closely
 
-// f DU + (S - f S_all): the order in which an open vertex keeps every bit of DU.
+}  // namespace
+
+// The order in which an open vertex keeps every bit of DU.
 void control_with_unshadowed(const Gathered& seen, std::size_t count, float* transfer) {
   const float fraction = seen.fraction();
   for (std::size_t i = 0; i < count; ++i) {
     transfer[i] = fraction * transfer[i] + (seen.visible[i] - fraction * seen.all[i]);
   }
 }
-
-}  // namespace
 
 RaySetup::RaySetup(const Scene& scene, int threads, const std::string& instruction_set)
     : tracer(scene.mesh, threads, instruction_set), directions(scene.bake), starts(ray_starts(scene.mesh)) {}
@@ -31,8 +31,14 @@ struct ShadowPass::Worker {
   RowMerger merger;
 };
 
-ShadowPass::ShadowPass(const Mesh& mesh, const RaySetup& setup, Transfer& transfer, FormFactors* factors)
-    : mesh_(mesh), setup_(setup), transfer_(transfer), factors_(factors), sight_(setup.starts.size(), Sight::kSome) {}
+ShadowPass::ShadowPass(const Mesh& mesh, const RaySetup& setup, Transfer& transfer, FormFactors* factors,
+                       const std::vector<std::uint8_t>& open)
+    : mesh_(mesh),
+      setup_(setup),
+      transfer_(transfer),
+      factors_(factors),
+      open_(open),
+      sight_(setup.starts.size(), Sight::kSome) {}
 
 void ShadowPass::run() {
   output::Progress progress("bake", sight_.size());
@@ -53,6 +59,12 @@ void ShadowPass::trace(const VertexRange& range, Worker& worker) {
 }
 
 void ShadowPass::trace(std::size_t vertex, Worker& worker) {
+  if (!open_.empty() && open_[vertex] != 0) {
+    if (factors_ != nullptr) {
+      factors_->keep(vertex, {});
+    }
+    return;
+  }
   const RayStart& start = setup_.starts[vertex];
   const Gathered& seen = worker.gatherer.gather(start.origin, mesh_.normals[vertex], mesh_.geometric_normals[vertex]);
   const std::size_t count = transfer_.bands_squared();

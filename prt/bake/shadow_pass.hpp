@@ -26,11 +26,15 @@ struct RaySetup {
   std::vector<RayStart> starts;
 };
 
+/// Replaces unshadowed vectors (count) by shadowed ones, f DU + (S - f S_all).
+void control_with_unshadowed(const Gathered& seen, std::size_t count, float* transfer);
+
 class ShadowPass {
  public:
-  /// `transfer` holds unshadowed vectors, which run() replaces; `factors` is null where hits are not wanted. All must
-  /// outlive the pass.
-  ShadowPass(const Mesh& mesh, const RaySetup& setup, Transfer& transfer, FormFactors* factors);
+  /// `transfer` holds unshadowed vectors, which run() replaces; `factors` is null where hits are not wanted; `open`
+  /// as in BakeSettings. All must outlive the pass.
+  ShadowPass(const Mesh& mesh, const RaySetup& setup, Transfer& transfer, FormFactors* factors,
+             const std::vector<std::uint8_t>& open);
   /// Traces all vertices and shows progress. Throws output::Interrupted, seen before every vertex, when asked to stop.
   void run();
   /// What became of the rays of each vertex.
@@ -45,6 +49,7 @@ class ShadowPass {
   const RaySetup& setup_;
   Transfer& transfer_;
   FormFactors* factors_;
+  const std::vector<std::uint8_t>& open_;
   std::vector<Sight> sight_;
 };
 

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "prt/commands/commands.hpp"
+#include "prt/commands/shading_options.hpp"
 #include "prt/runtime/relight.hpp"
 #include "prt/transfer/transfer_file.hpp"
 
@@ -14,6 +15,7 @@ struct Options {
   std::string transfer;
   std::string output;
   LightOptions light;
+  ShadingOptions shading;
   int threads = 0;
 };
 
@@ -21,9 +23,9 @@ void run(const Options& options) {
   require_writable(options.output);
   const Transfer transfer = read_transfer(options.transfer);
   const LightCoefficients light =
-      project_windowed(choose_light(options.light).lights, transfer.degree, options.light.window);
+      options.shading.light(choose_light(options.light).lights, transfer, options.light.window);
   const Stopwatch stopwatch;
-  const std::vector<Eigen::Vector3f> radiance = relight(transfer, light);
+  const std::vector<Eigen::Vector3f> radiance = options.shading.shade(transfer, light);
   stopwatch.report(fmt::format("relit {} vertices", radiance.size()));
   write_ply(options.output, transfer.mesh, radiance);
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
@@ -43,6 +45,7 @@ void add_relight_command(CLI::App& tool) {
   command->add_option("-o,--output", options->output, "PLY file to write")->required();
   command->add_option("--threads", options->threads, "0: every core")->capture_default_str();
   options->light.add_to(*command);
+  options->shading.add_to(*command);
   command->callback([options] { with_threads(options->threads, [&] { run(*options); }); });
 }
 

@@ -8,6 +8,7 @@
 
 #include "numeric/output/png.hpp"
 #include "prt/commands/commands.hpp"
+#include "prt/commands/shading_options.hpp"
 #include "prt/image/tone_map.hpp"
 #include "prt/runtime/relight.hpp"
 #include "prt/runtime/render.hpp"
@@ -21,6 +22,7 @@ struct Options {
   std::string transfer;
   std::string output;
   LightOptions light;
+  ShadingOptions shading;
   PictureSize size;
   int frames = 1;
   float exposure_stops = 0.0F;
@@ -80,14 +82,14 @@ void run(const Options& options) {
   const Stopwatch stopwatch;
   const Transfer transfer = read_transfer(options.transfer);
   const ChosenLight chosen = choose_light(options.light);
-  const LightCoefficients light = project_windowed(chosen.lights, transfer.degree, options.light.window);
+  const LightCoefficients light = options.shading.light(chosen.lights, transfer, options.light.window);
   const Camera camera = chosen.camera.empty() ? default_camera(transfer.mesh, options.size) : chosen.camera.front();
   const Tracer tracer(transfer.mesh, options.threads);
   const bool show_light = shows_light(options, chosen.lights);
   float exposure = 0.0F;
   for (int frame = 0; frame < options.frames; ++frame) {
     const Eigen::Matrix3d r = rotation_about(Eigen::Vector3d::UnitZ(), 360.0 * frame / options.frames);
-    const std::vector<Eigen::Vector3f> radiance = relight(transfer, turned(light, r));
+    const std::vector<Eigen::Vector3f> radiance = options.shading.shade(transfer, turned(light, r));
     const std::string name = frame_name(options, frame);
     Picture picture = render(transfer.mesh, tracer, radiance, camera, options.size,
                              background(show_light, turned(chosen.lights, r)), fmt::format("render {}", name));
@@ -125,6 +127,7 @@ void add_render_command(CLI::App& tool) {
       ->check(CLI::IsMember({"auto", "light", "grey"}));
   command->add_option("--threads", options->threads, "0: every core")->capture_default_str();
   options->light.add_to(*command);
+  options->shading.add_to(*command);
   command->callback([options] { with_threads(options->threads, [&] { run(*options); }); });
 }
 

@@ -5,59 +5,128 @@
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/parallel_for.h>
 
+#include <algorithm>
 #include <stdexcept>
+
+#include "prt/runtime/kept_coefficients.hpp"
+#include "prt/runtime/row_products.hpp"
 
 namespace sh::prt {
 namespace {
 
-/// L in single precision, the three channels of one basis function side by side in one SIMD register; the fourth is 0.
-std::vector<Eigen::Array4f> interleaved(const LightCoefficients& light) {
-  std::vector<Eigen::Array4f> out;
-  for (std::size_t i = 0; i < light.bands_squared(); ++i) {
-    out.emplace_back(static_cast<float>(light.at(0, i)), static_cast<float>(light.at(1, i)),
-                     static_cast<float>(light.at(2, i)), 0.0F);
+static_assert(sizeof(Eigen::Vector3f) == 3 * sizeof(float), "colours are read and written as plain floats");
+
+constexpr std::size_t kVerticesAtOnce = 2048;
+
+void require_light(const Transfer& transfer, const LightCoefficients& light) {
+  if (light.degree > transfer.degree) {
+    throw std::invalid_argument(fmt::format("the light has degree {}, the transfer {}; the light's must not be higher",
+                                            light.degree, transfer.degree));
   }
-  return out;
+  require_kept(transfer, light);
 }
 
-/// sum_i T_i L_i, T (bands^2).
-Eigen::Vector3f irradiance_over_pi(const float* t, const std::vector<Eigen::Array4f>& l) {
-  Eigen::Array4f sum = Eigen::Array4f::Zero();
-  for (std::size_t i = 0; i < l.size(); ++i) {
-    sum += t[i] * l[i];
+void require_one_channel(const Transfer& transfer) {
+  if (transfer.channels() != 1) {
+    throw std::invalid_argument(
+        "transfer with bounces holds its albedo and cannot be recoloured; unshadowed or shadowed transfer can");
   }
-  return sum.head<3>();
 }
 
-/// sum_i T_ci L_ci, T (3, bands^2).
-Eigen::Vector3f exit_radiance(const float* t, const std::vector<Eigen::Array4f>& l) {
-  Eigen::Array4f sum = Eigen::Array4f::Zero();
-  for (std::size_t i = 0; i < l.size(); ++i) {
-    sum += Eigen::Array4f(t[i], t[l.size() + i], t[2 * l.size() + i], 0.0F) * l[i];
+void require_count(std::size_t count, const Transfer& transfer, const char* what) {
+  if (count != transfer.mesh.positions.size()) {
+    throw std::invalid_argument(
+        fmt::format("{} {} for {} vertices; one each is needed", count, what, transfer.mesh.positions.size()));
   }
-  return sum.head<3>();
+}
+
+/// The light in single precision, as the inner loop reads it.
+std::vector<float> in_float(const LightCoefficients& light) { return {light.values.begin(), light.values.end()}; }
+
+/// Whether the three channels, of `n` values each, are equal.
+bool is_white(const std::vector<float>& light, std::size_t n) {
+  return std::equal(light.begin() + static_cast<std::ptrdiff_t>(n), light.end(), light.begin());
+}
+
+RowProducts row_products(const Transfer& transfer, const std::vector<float>& light) {
+  const std::size_t n = light.size() / 3;
+  RowProducts rows;
+  rows.stride = transfer.row_length();
+  rows.transfer_step = transfer.channels() == 3 ? transfer.bands_squared() : 0;
+  rows.light = light.data();
+  rows.light_step = is_white(light, n) ? 0 : n;
+  rows.coefficients = n;
+  rows.sums = rows.transfer_step == 0 && rows.light_step == 0 ? 1 : 3;
+  return rows;
+}
+
+/// Calls work(rows of the range, first vertex, vertices) for ranges of vertices, in parallel.
+template <class Work>
+void for_ranges(const Transfer& transfer, const RowProducts& rows, const Work& work) {
+  const tbb::blocked_range<std::size_t> all(0, transfer.mesh.positions.size(), kVerticesAtOnce);
+  tbb::parallel_for(all, [&](const auto& range) {
+    RowProducts part = rows;
+    part.transfer = &transfer.coefficients[range.begin() * rows.stride];
+    work(part, range.begin(), range.size());
+  });
+}
+
+/// `colours` serve transfer of one channel.
+void relight_with(const Transfer& transfer, const LightCoefficients& light, std::span<const Eigen::Vector3f> colours,
+                  std::span<Eigen::Vector3f> radiance) {
+  require_light(transfer, light);
+  require_count(colours.size(), transfer, "colours");
+  require_count(radiance.size(), transfer, "radiances");
+  const std::vector<float> values = in_float(light);
+  for_ranges(transfer, row_products(transfer, values), [&](const RowProducts& rows, std::size_t first, std::size_t n) {
+    colour_products(rows, n, transfer.channels() == 1 ? colours[first].data() : nullptr, radiance[first].data());
+    for (std::size_t v = first; !transfer.emitted.empty() && v < first + n; ++v) {
+      radiance[v] += transfer.emitted[v];
+    }
+  });
 }
 
 }  // namespace
 
+void relight_into(const Transfer& transfer, const LightCoefficients& light, std::span<Eigen::Vector3f> radiance) {
+  relight_with(transfer, light, transfer.mesh.albedo, radiance);
+}
+
 std::vector<Eigen::Vector3f> relight(const Transfer& transfer, const LightCoefficients& light) {
-  if (transfer.degree != light.degree) {
-    throw std::invalid_argument(fmt::format("the light has degree {}, the transfer degree {}; they must be the same",
-                                            light.degree, transfer.degree));
-  }
-  const std::vector<Eigen::Array4f> l = interleaved(light);
   std::vector<Eigen::Vector3f> radiance(transfer.mesh.positions.size());
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, radiance.size(), 1024), [&](const auto& range) {
-    for (std::size_t vertex = range.begin(); vertex != range.end(); ++vertex) {
-      const float* t = &transfer.coefficients[vertex * transfer.row_length()];
-      radiance[vertex] = transfer.channels() == 3 ? exit_radiance(t, l)
-                                                  : transfer.mesh.albedo[vertex].cwiseProduct(irradiance_over_pi(t, l));
-      if (!transfer.emitted.empty()) {
-        radiance[vertex] += transfer.emitted[vertex];
-      }
-    }
+  relight_into(transfer, light, radiance);
+  return radiance;
+}
+
+std::vector<Eigen::Vector3f> recoloured(const Transfer& transfer, const LightCoefficients& light,
+                                        std::span<const Eigen::Vector3f> colours) {
+  require_one_channel(transfer);
+  std::vector<Eigen::Vector3f> radiance(transfer.mesh.positions.size());
+  relight_with(transfer, light, colours, radiance);
+  return radiance;
+}
+
+std::vector<float> relight_grey(const Transfer& transfer, const LightCoefficients& light) {
+  require_light(transfer, light);
+  require_one_channel(transfer);
+  const std::vector<float> values = in_float(light);
+  RowProducts all = row_products(transfer, values);
+  all.light_step = 0;
+  all.sums = 1;
+  std::vector<float> radiance(transfer.mesh.positions.size());
+  for_ranges(transfer, all, [&](const RowProducts& rows, std::size_t first, std::size_t n) {
+    grey_products(rows, n, &radiance[first]);
   });
   return radiance;
+}
+
+LightCoefficients white(const LightCoefficients& light) {
+  LightCoefficients out = light;
+  for (std::size_t i = 0; i < light.bands_squared(); ++i) {
+    const double luminance = 0.2126 * light.at(0, i) + 0.7152 * light.at(1, i) + 0.0722 * light.at(2, i);
+    for (std::size_t c = 0; c < 3; ++c) out.at(c, i) = luminance;
+  }
+  return out;
 }
 
 }  // namespace sh::prt

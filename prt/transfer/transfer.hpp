@@ -13,6 +13,8 @@
 #include <vector>
 
 #include "prt/mesh/mesh.hpp"
+#include "prt/transfer/decision.hpp"
+#include "prt/transfer/storage.hpp"
 
 namespace sh::prt {
 
@@ -50,12 +52,15 @@ struct Transfer {
   std::vector<float> coefficients;  // (vertices, channels, bands^2), row-major, i = l(l+1)+m
   /// (vertices), or empty where nothing shines: linear RGB exit radiance of the surfaces' own light, with its bounces.
   std::vector<Eigen::Vector3f> emitted;
+  Storage storage;  // of the coefficients in a file; here they are whole
+  PlanRecord plan;  // what the bake left out
   [[nodiscard]] std::size_t bands_squared() const {
     const auto bands = static_cast<std::size_t>(degree) + 1;
     return bands * bands;
   }
   [[nodiscard]] std::size_t channels() const { return kind == TransferKind::kInterreflected ? 3 : 1; }
   [[nodiscard]] std::size_t row_length() const { return channels() * bands_squared(); }
+  [[nodiscard]] RowShape row_shape() const { return {channels(), bands_squared()}; }
 };
 
 }  // namespace sh::prt

@@ -1,6 +1,7 @@
 // The JSON header of a transfer file: what a person or a program must know to use the numbers.
 #include <nlohmann/json.hpp>
 
+#include "prt/transfer/plan_json.hpp"
 #include "prt/transfer/transfer_file.hpp"
 #include "prt/transfer/transfer_names.hpp"
 
@@ -50,6 +51,12 @@ std::string transfer_header(const Transfer& transfer) {
   }
   if (bounces) {
     header["bounces"] = to_json(transfer.bounces);
+  }
+  if (!transfer.storage.is_plain()) {
+    header["storage"] = to_json(transfer.storage);
+  }
+  if (!transfer.plan.decisions.empty()) {
+    header["plan"] = to_json(transfer.plan);
   }
   return header.dump(2);
 }

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "prt/transfer/checksum.hpp"
+#include "prt/transfer/storage.hpp"
 
 namespace sh::prt::layout {
 
@@ -43,35 +44,43 @@ struct Section {
 
 inline constexpr std::uint32_t kFloat = 0;  // IEEE binary32
 inline constexpr std::uint32_t kIndex = 1;  // unsigned, 32 bits
+inline constexpr std::uint32_t kHalf = 2;   // IEEE binary16
+inline constexpr std::uint32_t kByte = 3;   // signed, 8 bits
 
 static_assert(sizeof(Prologue) == 48 && sizeof(Section) == 40);
 
 /// Bytes of an element, of the types above.
-constexpr std::uint64_t size_of(std::uint32_t /*type*/) { return 4; }
+constexpr std::uint64_t size_of(std::uint32_t type) { return type == kByte ? 1 : type == kHalf ? 2 : 4; }
+
+/// The type of what `transfer` holds.
+constexpr std::uint32_t type_of(Element element) {
+  return element == Element::kByte ? kByte : element == Element::kHalf ? kHalf : kFloat;
+}
 
 constexpr std::uint64_t bytes_of(const Section& section) {
   return section.rows * section.columns * size_of(section.type);
 }
 
-enum class Rows { kVertices, kOther };
+enum class Rows { kVertices, kOne, kOther };
 enum class Presence { kAlways, kOptional };
 
 /// A section that there may be. A file's sections stand in the order of kSections; optional ones may be left out.
 struct Kind {
   std::string_view name;
-  std::uint32_t type;
-  std::uint32_t columns;  // 0: channels * bands^2
+  std::uint32_t type;     // of `transfer`: kFloat or what the header says
+  std::uint32_t columns;  // 0: channels * coefficients, as many as the file has
   Rows rows;
   Presence presence;
 };
-inline constexpr std::array<Kind, 8> kSections = {{{"position", kFloat, 3, Rows::kVertices, Presence::kAlways},
+inline constexpr std::array<Kind, 9> kSections = {{{"position", kFloat, 3, Rows::kVertices, Presence::kAlways},
                                                    {"normal", kFloat, 3, Rows::kVertices, Presence::kAlways},
                                                    {"geonorm", kFloat, 3, Rows::kVertices, Presence::kAlways},
                                                    {"albedo", kFloat, 3, Rows::kVertices, Presence::kAlways},
                                                    {"face", kIndex, 3, Rows::kOther, Presence::kAlways},
                                                    {"remap", kIndex, 1, Rows::kOther, Presence::kAlways},
                                                    {"transfer", kFloat, 0, Rows::kVertices, Presence::kAlways},
-                                                   {"emitted", kFloat, 3, Rows::kVertices, Presence::kOptional}}};
+                                                   {"emitted", kFloat, 3, Rows::kVertices, Presence::kOptional},
+                                                   {"scale", kFloat, 0, Rows::kOne, Presence::kOptional}}};
 
 inline constexpr auto kFewestSections = static_cast<std::size_t>(std::count_if(
     kSections.begin(), kSections.end(), [](const Kind& kind) { return kind.presence == Presence::kAlways; }));

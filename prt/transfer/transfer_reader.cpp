@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "prt/transfer/checksum.hpp"
+#include "prt/transfer/plan_json.hpp"
 #include "prt/transfer/transfer_file.hpp"
 #include "prt/transfer/transfer_layout.hpp"
 #include "prt/transfer/transfer_names.hpp"
@@ -120,6 +121,7 @@ class Reader {
     if (transfer.degree < 0 || transfer.degree > kMaxDegree) {
       fail(fmt::format("transfer of degree {}, expected 0 to {}", transfer.degree, kMaxDegree));
     }
+    take_plan(header, transfer);
     transfer.directions = header.at("directions").get<std::uint32_t>();
     take_sampler(header, transfer);
     transfer.instruction_set = header.at("instruction_set").get<std::string>();
@@ -134,6 +136,19 @@ class Reader {
     }
     transfer.sampler = *known;
     transfer.seed = header.value("seed", 0U);
+  }
+
+  void take_plan(const nlohmann::json& header, Transfer& transfer) const {
+    if (header.contains("plan")) {
+      transfer.plan = plan_from(header.at("plan"));
+    }
+    if (header.contains("storage")) {
+      const auto storage = storage_from(header.at("storage"), transfer.row_shape());
+      if (!storage) {
+        fail("transfer file whose JSON header names a storage that does not exist");
+      }
+      transfer.storage = *storage;
+    }
   }
 
   static void take_bounces(const nlohmann::json& header, BounceReport& report) {
@@ -159,7 +174,7 @@ class Reader {
                          layout::readable(section.name)));
       }
       check_left_out(next, kind);
-      check_section(*kind, section, offset, transfer.row_length());
+      check_section(*kind, section, offset, transfer);
       offset += bytes_of(section);
       next = kind + 1;
     }
@@ -178,11 +193,14 @@ class Reader {
   }
 
   void check_section(const layout::Kind& kind, const layout::Section& section, std::uint64_t offset,
-                     std::uint64_t row_length) const {
-    const std::uint64_t columns = kind.columns != 0 ? kind.columns : row_length;
-    if (section.type != kind.type || section.columns != columns || section.offset != offset ||
+                     const Transfer& transfer) const {
+    const std::uint64_t columns =
+        kind.columns != 0 ? kind.columns : stored_columns(transfer.storage, transfer.row_shape());
+    const std::uint32_t type = kind.name == "transfer" ? layout::type_of(transfer.storage.element) : kind.type;
+    if (section.type != type || section.columns != columns || section.offset != offset ||
         section.rows > (size_ - offset) / (columns * layout::size_of(section.type)) ||
-        (kind.rows == layout::Rows::kVertices && section.rows != table_[0].rows)) {
+        (kind.rows == layout::Rows::kVertices && section.rows != table_[0].rows) ||
+        (kind.rows == layout::Rows::kOne && section.rows != 1)) {
       fail(fmt::format("damaged transfer file: section {} does not fit", kind.name));
     }
   }
@@ -209,8 +227,28 @@ class Reader {
     fetch_section("albedo", transfer.mesh.albedo);
     fetch_section("face", transfer.mesh.faces);
     fetch_section("remap", transfer.mesh.remap);
-    fetch_section("transfer", transfer.coefficients);
+    Encoded encoded;
+    if (transfer.storage.is_plain()) {
+      fetch_section("transfer", transfer.coefficients);
+    } else {
+      fetch_section("transfer", encoded.data);
+    }
     fetch_section("emitted", transfer.emitted);
+    fetch_section("scale", encoded.scale);
+    check_scale(transfer, encoded);
+    if (!transfer.storage.is_plain()) {
+      transfer.coefficients = decode(encoded, transfer.row_shape(), transfer.storage);
+    }
+  }
+
+  void check_scale(const Transfer& transfer, const Encoded& encoded) const {
+    if (encoded.scale.empty() == (transfer.storage.element == Element::kByte)) {
+      fail("damaged transfer file: a scale belongs to 8-bit coefficients and to no others");
+    }
+    if (!std::all_of(encoded.scale.begin(), encoded.scale.end(),
+                     [](float scale) { return scale >= 0.0F && std::isfinite(scale); })) {
+      fail("damaged transfer file: a scale is negative or not finite");
+    }
   }
 
   void check_values(const Transfer& transfer) const {

@@ -19,9 +19,23 @@ struct Data {
   std::size_t rows;
 };
 
+// The coefficients as the file has them.
+struct Coefficients {
+  explicit Coefficients(const Transfer& transfer)
+      : columns(stored_columns(transfer.storage, transfer.row_shape())), first(transfer.coefficients.data()) {
+    if (!transfer.storage.is_plain()) {
+      encoded = encode(transfer.coefficients, transfer.row_shape(), transfer.storage);
+      first = encoded.data.data();
+    }
+  }
+  std::size_t columns;
+  const void* first;
+  Encoded encoded;
+};
+
 constexpr std::size_t kHeaderUnit = 16;
 
-std::array<Data, layout::kSections.size()> sections_of(const Transfer& transfer) {
+void check_lengths(const Transfer& transfer) {
   const Mesh& mesh = transfer.mesh;
   const std::size_t vertices = mesh.positions.size();
   if (mesh.normals.size() != vertices || mesh.geometric_normals.size() != vertices || mesh.albedo.size() != vertices ||
@@ -29,14 +43,20 @@ std::array<Data, layout::kSections.size()> sections_of(const Transfer& transfer)
       (!transfer.emitted.empty() && transfer.emitted.size() != vertices)) {
     throw std::invalid_argument("transfer: its arrays differ in length, expected one entry a vertex in each");
   }
+}
+
+std::array<Data, layout::kSections.size()> sections_of(const Transfer& transfer, const Coefficients& coefficients) {
+  const Mesh& mesh = transfer.mesh;
+  const std::size_t vertices = mesh.positions.size();
   return {{{mesh.positions.data(), vertices},
            {mesh.normals.data(), vertices},
            {mesh.geometric_normals.data(), vertices},
            {mesh.albedo.data(), vertices},
            {mesh.faces.data(), mesh.faces.size()},
            {mesh.remap.data(), mesh.remap.size()},
-           {transfer.coefficients.data(), vertices},
-           {transfer.emitted.data(), transfer.emitted.size()}}};
+           {coefficients.first, vertices},
+           {transfer.emitted.data(), transfer.emitted.size()},
+           {coefficients.encoded.scale.data(), coefficients.encoded.scale.empty() ? 0U : 1U}}};
 }
 
 struct Contents {
@@ -44,8 +64,8 @@ struct Contents {
   std::vector<const void*> data;
 };
 
-Contents contents_of(const Transfer& transfer) {
-  const auto data = sections_of(transfer);
+Contents contents_of(const Transfer& transfer, const Coefficients& coefficients) {
+  const auto data = sections_of(transfer, coefficients);
   Contents contents;
   std::uint64_t offset = 0;
   for (std::size_t i = 0; i < data.size(); ++i) {
@@ -55,8 +75,8 @@ Contents contents_of(const Transfer& transfer) {
     }
     layout::Section section;
     section.name = layout::padded(kind.name);
-    section.type = kind.type;
-    section.columns = kind.columns != 0 ? kind.columns : static_cast<std::uint32_t>(transfer.row_length());
+    section.type = kind.name == "transfer" ? layout::type_of(transfer.storage.element) : kind.type;
+    section.columns = kind.columns != 0 ? kind.columns : static_cast<std::uint32_t>(coefficients.columns);
     section.rows = data[i].rows;
     section.offset = offset;
     section.checksum = checksum(data[i].first, bytes_of(section));
@@ -70,7 +90,9 @@ Contents contents_of(const Transfer& transfer) {
 }  // namespace
 
 void write_transfer(const std::string& path, const Transfer& transfer) {
-  auto [table, data] = contents_of(transfer);
+  check_lengths(transfer);
+  const Coefficients coefficients(transfer);
+  auto [table, data] = contents_of(transfer, coefficients);
   std::string header = transfer_header(transfer);
   header.resize((header.size() + kHeaderUnit - 1) / kHeaderUnit * kHeaderUnit, ' ');
   const std::size_t table_size = table.size() * sizeof(layout::Section);

@@ -229,6 +229,30 @@ TEST_F(Tool, RelightWritesAPlyOfTheWholeMesh) {
   EXPECT_NE(run.err.find("mean exit radiance"), std::string::npos) << run.err;
 }
 
+TEST_F(Tool, RelightTakesFewerBandsWhiteLightAndOtherAlbedo) {
+  const auto relit = [&](const Arguments& more) {
+    Arguments all{"relight", baked, "--scene", "demo", "-o", folder->file("ways.ply")};
+    all.insert(all.end(), more.begin(), more.end());
+    const Finished run = run_prt(all);
+    EXPECT_EQ(run.status, 0) << run.err;
+    return read_all(folder->file("ways.ply"));
+  };
+  const std::string all = relit({});
+  EXPECT_TRUE(relit({"--degree", "2"}) == all);
+  EXPECT_FALSE(relit({"--degree", "1"}) == all);
+  EXPECT_FALSE(relit({"--recolor", "1", "0", "0"}) == all);
+  EXPECT_TRUE(relit({"--white"}) == all);  // the demo's sky is
+  const Arguments refused{"relight", baked, "-o", folder->file("x.ply")};
+  const auto with = [&](const Arguments& more) {
+    Arguments both = refused;
+    both.insert(both.end(), more.begin(), more.end());
+    return both;
+  };
+  expect_refused(with({"--degree", "3"}), "--degree 3: the transfer has degrees 0 to 2");
+  expect_refused(with({"--recolor", "1", "2", "0"}), "--recolor 2: an albedo is from 0 to 1");
+  expect_refused(with({"--recolor", "1"}), "--recolor");
+}
+
 TEST_F(Tool, RenderWritesOnePictureOrNumberedFrames) {
   const Arguments common{"render", baked, "--scene", "demo", "--width", "64", "--height", "48", "--samples", "2"};
   const auto with = [&](const Arguments& more) {

@@ -113,9 +113,9 @@ TEST(Relight, BitsDoNotDependOnTheNumberOfThreads) {
   EXPECT_EQ(relight(transfer, light), expected);
 }
 
-TEST(Relight, OtherDegreesAreRefused) {
+TEST(Relight, ALightOfHigherDegreeIsRefused) {
   const std::string message = test::message_of([] { relight(random_transfer(2, 3, 8), random_light(3, 9)); });
-  EXPECT_EQ(message, "the light has degree 3, the transfer degree 2; they must be the same");
+  EXPECT_EQ(message, "the light has degree 3, the transfer 2; the light's must not be higher");
 }
 
 TEST(Relight, PlyHoldsPositionsNormalsRadianceAndFaces) {

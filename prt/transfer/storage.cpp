@@ -1,0 +1,162 @@
+#include "prt/transfer/storage.hpp"
+
+#include <fmt/core.h>
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <functional>
+#include <limits>
+#include <stdexcept>
+
+namespace sh::prt {
+
+namespace {
+
+constexpr float kSteps = 127.0F;
+constexpr double kHalfOverflow = 65520.0;  // rounds to infinity
+
+// A column of the file and where it stands in a row in memory; every copy of one channel comes from `first`.
+struct Column {
+  std::size_t first;
+  std::size_t channels;  // that it stands for, `count` apart
+};
+
+std::vector<Column> columns_of(const Storage& storage, const RowShape& shape) {
+  if (!std::is_sorted(storage.kept.begin(), storage.kept.end(), std::less_equal<>()) ||
+      (!storage.kept.empty() && storage.kept.back() >= shape.count)) {
+    throw std::invalid_argument(fmt::format("kept coefficients: expected rising indices below {}", shape.count));
+  }
+  std::vector<Column> columns;
+  for (std::size_t channel = 0; channel < (storage.one_channel ? 1 : shape.channels); ++channel) {
+    const std::size_t copies = storage.one_channel ? shape.channels : 1;
+    for (std::size_t i = 0; i < shape.count; ++i) {
+      if (storage.kept.empty() || std::binary_search(storage.kept.begin(), storage.kept.end(), i)) {
+        columns.push_back({channel * shape.count + i, copies});
+      }
+    }
+  }
+  return columns;
+}
+
+float largest_of_column(const std::vector<float>& rows, std::size_t length, std::size_t column) {
+  float largest = 0.0F;
+  for (std::size_t at = column; at < rows.size(); at += length) {
+    largest = std::max(largest, std::abs(rows[at]));
+  }
+  return largest;
+}
+
+// A normal number, 127 of which do not overflow; zero where the column is.
+float scale_for(float largest) {
+  const float scale = largest > 0.0F ? std::max(largest / kSteps, std::numeric_limits<float>::min()) : 0.0F;
+  return std::isfinite(kSteps * scale) ? scale : std::nextafter(scale, 0.0F);
+}
+
+std::int8_t quantised(float value, float scale) {
+  const double steps = scale > 0.0F ? static_cast<double>(value) / static_cast<double>(scale) : 0.0;
+  return static_cast<std::int8_t>(std::lround(std::clamp(steps, -127.0, 127.0)));
+}
+
+// One number at `to`; half and single as they lie.
+void put(std::byte* to, Element element, float value, float scale) {
+  if (element == Element::kSingle) {
+    std::memcpy(to, &value, sizeof value);
+  } else if (element == Element::kHalf) {
+    const std::uint16_t bits = static_cast<Eigen::half>(value).x;
+    std::memcpy(to, &bits, sizeof bits);
+  } else {
+    const std::int8_t steps = quantised(value, scale);
+    std::memcpy(to, &steps, sizeof steps);
+  }
+}
+
+float get(const std::byte* from, Element element, float scale) {
+  if (element == Element::kSingle) {
+    float value = 0.0F;
+    std::memcpy(&value, from, sizeof value);
+    return value;
+  }
+  if (element == Element::kHalf) {
+    std::uint16_t bits = 0;
+    std::memcpy(&bits, from, sizeof bits);
+    return static_cast<float>(Eigen::half(Eigen::half_impl::raw_uint16_to_half(bits)));
+  }
+  std::int8_t steps = 0;
+  std::memcpy(&steps, from, sizeof steps);
+  return static_cast<float>(steps) * scale;
+}
+
+}  // namespace
+
+std::size_t stored_columns(const Storage& storage, const RowShape& shape) {
+  return (storage.one_channel ? 1 : shape.channels) * (storage.kept.empty() ? shape.count : storage.kept.size());
+}
+
+Encoded encode(const std::vector<float>& rows, const RowShape& shape, const Storage& storage) {
+  const std::size_t length = shape.channels * shape.count;
+  if (length == 0 || rows.size() % length != 0) {
+    throw std::invalid_argument(fmt::format("{} numbers are not rows of {}", rows.size(), length));
+  }
+  const std::vector<Column> columns = columns_of(storage, shape);
+  const std::size_t size = bytes_of(storage.element);
+  Encoded encoded;
+  for (const Column& column : columns) {
+    const float largest = largest_of_column(rows, length, column.first);
+    if (!std::isfinite(encoding_error(storage.element, static_cast<double>(largest)))) {
+      throw std::invalid_argument(fmt::format("a transfer coefficient of {} does not fit into type {}", largest,
+                                              kElementNames[static_cast<std::size_t>(storage.element)]));
+    }
+    if (storage.element == Element::kByte) {
+      encoded.scale.push_back(scale_for(largest));
+    }
+  }
+  encoded.data.resize(rows.size() / length * columns.size() * size);
+  std::byte* to = encoded.data.data();
+  for (std::size_t row = 0; row < rows.size(); row += length) {
+    for (std::size_t j = 0; j < columns.size(); ++j, to += size) {
+      put(to, storage.element, rows[row + columns[j].first], encoded.scale.empty() ? 1.0F : encoded.scale[j]);
+    }
+  }
+  return encoded;
+}
+
+std::vector<float> decode(const Encoded& encoded, const RowShape& shape, const Storage& storage) {
+  const std::vector<Column> columns = columns_of(storage, shape);
+  const std::size_t size = bytes_of(storage.element);
+  const std::size_t length = shape.channels * shape.count;
+  const std::size_t count = columns.empty() ? 0 : encoded.data.size() / (columns.size() * size);
+  if (storage.element == Element::kByte && encoded.scale.size() != columns.size()) {
+    throw std::invalid_argument(fmt::format("{} scales for {} columns", encoded.scale.size(), columns.size()));
+  }
+  std::vector<float> rows(count * length, 0.0F);
+  const std::byte* from = encoded.data.data();
+  for (std::size_t row = 0; row < rows.size(); row += length) {
+    for (std::size_t j = 0; j < columns.size(); ++j, from += size) {
+      const float value = get(from, storage.element, encoded.scale.empty() ? 1.0F : encoded.scale[j]);
+      for (std::size_t c = 0; c < columns[j].channels; ++c) {
+        rows[row + columns[j].first + c * shape.count] = value;
+      }
+    }
+  }
+  return rows;
+}
+
+double encoding_error(Element element, double largest) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  if (!(largest <= static_cast<double>(std::numeric_limits<float>::max()))) {
+    return kInfinity;
+  }
+  if (element == Element::kHalf) {
+    return largest < kHalfOverflow ? std::max(std::ldexp(largest, -11), std::ldexp(1.0, -25)) : kInfinity;
+  }
+  if (element == Element::kByte) {
+    constexpr double kRounding = 1.0001;  // of the scale and of its product with q
+    const double least = static_cast<double>(std::numeric_limits<float>::min());
+    return largest > 0.0 ? std::max(largest / static_cast<double>(kSteps), least) / 2.0 * kRounding : 0.0;
+  }
+  return 0.0;
+}
+
+}  // namespace sh::prt

@@ -1,0 +1,125 @@
+// Relighting against the memory it has to move, one core: every way of prt/runtime/relight.hpp, the least of many
+// passes by turns with a limit that reads as many bytes of arrays larger than the caches and writes as many, and does
+// nothing else (the faster of ordinary stores and stores past the caches). Exit 0 whether the targets are met or not.
+#include <oneapi/tbb/global_control.h>
+
+#include <algorithm>
+#include <string>
+
+#include "prt/runtime/relight.hpp"
+#include "prt/runtime/row_products.hpp"
+#include "tests/bench/harness.hpp"
+#include "tests/bench/limits.hpp"
+
+namespace {
+
+using sh::bench::Buffer;
+using sh::bench::Table;
+using sh::prt::LightCoefficients;
+using sh::prt::Transfer;
+using sh::prt::TransferKind;
+
+constexpr double kNano = 1e9;
+constexpr double kMilli = 1e3;
+constexpr std::size_t kFloats = 25'000'000;  // transfer of a case: 100 MB
+constexpr int kPasses = 25;
+
+Transfer made_up_transfer(TransferKind kind, int degree, std::size_t vertices) {
+  Transfer transfer;
+  transfer.kind = kind;
+  transfer.degree = degree;
+  transfer.mesh.positions.resize(vertices, Eigen::Vector3f::Zero());
+  transfer.mesh.albedo.resize(vertices, Eigen::Vector3f(0.25F, 0.5F, 0.75F));
+  transfer.coefficients.resize(vertices * transfer.row_length());
+  float value = 0.0F;
+  for (float& coefficient : transfer.coefficients) {
+    value = value > 1.0F ? -0.9F : value + 0.013F;
+    coefficient = value;
+  }
+  return transfer;
+}
+
+LightCoefficients made_up_light(int degree, bool white) {
+  LightCoefficients light = LightCoefficients::zero(degree);
+  for (std::size_t i = 0; i < light.values.size(); ++i) {
+    light.values[i] = 1.0 / (1.0 + static_cast<double>(white ? i % light.bands_squared() : i));
+  }
+  return light;
+}
+
+/// One way to relight, and what it cannot do without.
+struct Case {
+  std::string name;
+  TransferKind kind;
+  int degree;        // of the transfer
+  int light_degree;  // of the light
+  bool white;
+  std::size_t vertices;
+};
+
+struct Times {
+  double ours;   // seconds
+  double limit;  // seconds
+};
+
+Times measure(const Case& c) {
+  const Transfer transfer = made_up_transfer(c.kind, c.degree, c.vertices);
+  const LightCoefficients light = made_up_light(c.light_degree, c.white);
+  std::vector<Eigen::Vector3f> radiance(c.vertices);
+  const std::size_t inputs =
+      transfer.coefficients.size() + (c.kind == TransferKind::kInterreflected ? 0 : 3 * c.vertices);
+  const Buffer<float> in = sh::bench::make_buffer<float>(inputs, 1.0F);
+  const Buffer<float> out = sh::bench::make_buffer<float>(3 * c.vertices);
+  const std::vector<double> t =
+      sh::bench::least_times({[&] { relight_into(transfer, light, radiance); },
+                              sh::bench::stream_task(in.get(), inputs, out.get(), 3 * c.vertices, false),
+                              sh::bench::stream_task(in.get(), inputs, out.get(), 3 * c.vertices, true)},
+                             kPasses);
+  return {t[0], std::min(t[1], t[2])};
+}
+
+std::size_t vertices_of(TransferKind kind, int degree) {
+  const auto bands = static_cast<std::size_t>(degree) + 1;
+  return kFloats / ((kind == TransferKind::kInterreflected ? 3 : 1) * bands * bands);
+}
+
+void targets(Table& table) {
+  const std::size_t n = vertices_of(TransferKind::kShadowed, 4);
+  const Times rgb = measure({"", TransferKind::kShadowed, 4, 4, false, n});
+  const double ns = kNano / static_cast<double>(n);
+  table.ratio("RGB, 25 coefficients, a million vertices", "ns", rgb.ours * ns, rgb.limit * ns, "memory", 1.25);
+  const Times mesh = measure({"", TransferKind::kShadowed, 4, 4, false, 100'000});
+  table.figure("RGB, 25 coefficients, 100k vertices", "ms", mesh.ours * kMilli, 10.0);
+}
+
+void others(Table& table) {
+  for (const Case& c : {Case{"DS or DU, 25 coefficients, white light", TransferKind::kShadowed, 4, 4, true, 0},
+                        Case{"DS or DU, 4 of 25 coefficients", TransferKind::kShadowed, 4, 1, false, 0},
+                        Case{"DS or DU, 4 coefficients", TransferKind::kShadowed, 1, 1, false, 0},
+                        Case{"DS or DU, 9 coefficients", TransferKind::kShadowed, 2, 2, false, 0},
+                        Case{"DS or DU, 121 coefficients", TransferKind::kShadowed, 10, 10, false, 0},
+                        Case{"DI, 3 x 25 coefficients", TransferKind::kInterreflected, 4, 4, false, 0},
+                        Case{"DI, 3 x 25 coefficients, white light", TransferKind::kInterreflected, 4, 4, true, 0}}) {
+    Case sized = c;
+    sized.vertices = vertices_of(c.kind, c.degree);
+    const Times t = measure(sized);
+    const double ns = kNano / static_cast<double>(sized.vertices);
+    char line[128];
+    std::snprintf(line, sizeof line, "%-44s %6.2f ns a vertex, memory %6.2f, %3.0f %%", c.name.c_str(), t.ours * ns,
+                  t.limit * ns, 100.0 * t.limit / t.ours);
+    table.remark(line);
+  }
+}
+
+}  // namespace
+
+int main() {
+  const tbb::global_control one_core(tbb::global_control::max_allowed_parallelism, 1);
+  Table table;
+  table.section("Relighting, one core, " + std::string(sh::prt::row_products_here().back().instruction_set),
+                "limit: reading and writing the same bytes; RGB light unless it says otherwise");
+  targets(table);
+  others(table);
+  table.summary();
+  return 0;
+}
