@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "numeric/output/progress.hpp"
+#include "prt/bake/bake_key.hpp"
 #include "prt/bake/fill_closed.hpp"
 #include "prt/bake/form_factors.hpp"
 #include "prt/bake/interreflect.hpp"
@@ -35,8 +37,22 @@ void report_closed(const Scene& scene, const FillPlan& plan, OnFlaw on_flaw) {
   }
 }
 
+// Shadowed vectors of all vertices; those without sight take their neighbours'.
+void shadow(const Scene& scene, const RaySetup& setup, const BakeSettings& settings, Checkpoint& checkpoint,
+            ShadowResult& result) {
+  ShadowPass(scene.mesh, setup, settings.open, result).run(checkpoint);
+  const FillPlan plan = plan_fill(scene.mesh, result.sight);
+  fill_closed(result.transfer, plan);
+  report_closed(scene, plan, settings.on_flaw);
+  for (const Fill& fill : plan.fills) {
+    if (result.factors != nullptr) {
+      result.factors->keep_mean(fill.vertex, fill.sources);
+    }
+  }
+}
+
 // Unshadowed vectors become shadowed or interreflected ones.
-void trace(const Scene& scene, const BakeSettings& settings, Transfer& transfer) {
+void trace(const Scene& scene, const BakeSettings& settings, Transfer& transfer, BakeReport& report) {
   const RaySetup setup(scene, settings.threads, settings.instruction_set);
   transfer.kind = TransferKind::kShadowed;
   transfer.instruction_set = setup.tracer.instruction_set();
@@ -46,20 +62,21 @@ void trace(const Scene& scene, const BakeSettings& settings, Transfer& transfer)
   const bool bounces = scene.bake.kind == TransferKind::kInterreflected;
   FormFactors factors(bounces ? scene.mesh.positions.size() : 0, settings.bounce_memory,
                       [&] { return make_row_maker(scene.mesh, setup.starts, setup.directions, setup.tracer); });
-  ShadowPass pass(scene.mesh, setup, transfer, bounces ? &factors : nullptr, settings.open);
-  pass.run();
-  const FillPlan plan = plan_fill(scene.mesh, pass.sight());
-  fill_closed(transfer, plan);
-  report_closed(scene, plan, settings.on_flaw);
-  if (bounces) {
-    for (const Fill& fill : plan.fills) {
-      factors.keep_mean(fill.vertex, fill.sources);
+  ShadowResult result{transfer, std::vector<Sight>(scene.mesh.positions.size(), Sight::kSome),
+                      bounces ? &factors : nullptr};
+  Checkpoint checkpoint(settings.checkpoint, bake_key(scene, transfer.instruction_set, settings.open), result);
+  try {
+    shadow(scene, setup, settings, checkpoint, result);
+    if (bounces) {
+      interreflect(scene, factors, settings.on_flaw, transfer);
     }
-    interreflect(scene, factors, settings.on_flaw, transfer);
+  } catch (const output::Interrupted&) {
+    throw output::Interrupted(checkpoint.interrupted());
   }
+  report = {setup.tracer.rays(), settings.checkpoint.path};
 }
 
-Transfer bake_in_arena(const Scene& scene, const BakeSettings& settings) {
+Transfer bake_in_arena(const Scene& scene, const BakeSettings& settings, BakeReport& report) {
   Transfer transfer;
   transfer.scene = scene.name;
   transfer.mesh = scene.mesh;
@@ -68,14 +85,14 @@ Transfer bake_in_arena(const Scene& scene, const BakeSettings& settings) {
   transfer.instruction_set = "any";
   transfer.coefficients = unshadowed_transfer(transfer.degree, scene.mesh.normals);
   if (scene.bake.kind != TransferKind::kUnshadowed) {
-    trace(scene, settings, transfer);
+    trace(scene, settings, transfer, report);
   }
   return transfer;
 }
 
 }  // namespace
 
-Transfer bake(const Scene& scene, const BakeSettings& settings) {
+Transfer bake(const Scene& scene, const BakeSettings& settings, BakeReport* report) {
   check_options(scene.bake, settings.threads);
   if (!settings.open.empty() && settings.open.size() != scene.mesh.positions.size()) {
     throw std::invalid_argument(
@@ -84,7 +101,11 @@ Transfer bake(const Scene& scene, const BakeSettings& settings) {
   const int cores = tbb::this_task_arena::max_concurrency();
   tbb::task_arena arena(settings.threads == 0 ? cores : std::min(settings.threads, cores));
   Transfer transfer;
-  arena.execute([&] { transfer = bake_in_arena(scene, settings); });
+  BakeReport measured;
+  arena.execute([&] { transfer = bake_in_arena(scene, settings, measured); });
+  if (report != nullptr) {
+    *report = measured;
+  }
   return transfer;
 }
 

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "prt/bake/checkpoint.hpp"
 #include "prt/mesh/mend.hpp"
 #include "prt/mesh/mesh.hpp"
 #include "prt/scene/scene.hpp"
@@ -26,10 +27,19 @@ struct BakeSettings {
   OnFlaw on_flaw = OnFlaw::kMend;
   std::size_t bounce_memory = SIZE_MAX;  // bytes for form factors; the rest is traced again for each bounce
   std::vector<std::uint8_t> open = {};  // (vertices), or empty: 1 where nothing is in the way, so that no ray is traced
+  CheckpointSettings checkpoint = {};   // its file stays after bake(), see BakeReport
+};
+
+/// What a bake took.
+struct BakeReport {
+  std::uint64_t rays = 0;  // all that were traced, whatever for
+  std::string checkpoint;  // its file, of no more use once the result is safe; empty where none was used
 };
 
 /// Bakes scene.mesh with scene.bake. Shows progress; vertices no ray can leave are filled from their neighbours and
-/// reported as a flaw. Throws std::invalid_argument for options out of range, Interrupted when asked to stop.
-Transfer bake(const Scene& scene, const BakeSettings& settings = {});
+/// reported as a flaw. Throws std::invalid_argument for options out of range, Interrupted when asked to stop,
+/// std::runtime_error where the checkpoint belongs to another bake or cannot be written. A bake that goes on from a
+/// checkpoint traces fewer rays and gives the same bytes.
+Transfer bake(const Scene& scene, const BakeSettings& settings = {}, BakeReport* report = nullptr);
 
 }  // namespace sh::prt

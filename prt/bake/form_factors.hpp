@@ -39,6 +39,8 @@ class FormFactors {
   void apply(const Panel& x, Panel& y) const;
 
   [[nodiscard]] std::size_t size() const { return rows_.size(); }
+  [[nodiscard]] bool is_kept(std::size_t vertex) const { return kept_[vertex] != 0; }
+  [[nodiscard]] const FormFactorRow& row(std::size_t vertex) const { return rows_[vertex]; }  // empty if not kept
   [[nodiscard]] std::size_t bytes() const;           // of the rows that are kept
   [[nodiscard]] std::size_t made_each_time() const;  // rows that are not
 

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 
+#include "numeric/output/progress.hpp"
 #include "prt/bake/trace_form_factors.hpp"
 
 namespace sh::prt {
@@ -31,24 +32,24 @@ struct ShadowPass::Worker {
   RowMerger merger;
 };
 
-ShadowPass::ShadowPass(const Mesh& mesh, const RaySetup& setup, Transfer& transfer, FormFactors* factors,
-                       const std::vector<std::uint8_t>& open)
-    : mesh_(mesh),
-      setup_(setup),
-      transfer_(transfer),
-      factors_(factors),
-      open_(open),
-      sight_(setup.starts.size(), Sight::kSome) {}
+ShadowPass::ShadowPass(const Mesh& mesh, const RaySetup& setup, const std::vector<std::uint8_t>& open,
+                       ShadowResult& result)
+    : mesh_(mesh), setup_(setup), open_(open), result_(result) {}
 
-void ShadowPass::run() {
-  output::Progress progress("bake", sight_.size());
+void ShadowPass::run(Checkpoint& checkpoint) {
+  const std::size_t vertices = result_.sight.size();
+  output::Progress progress("bake", vertices);
   tbb::enumerable_thread_specific<Worker> workers([this] { return Worker(mesh_, setup_); });
-  for_chunks(sight_.size(), [&](std::size_t chunk) {
-    const VertexRange range = chunk_range(chunk, sight_.size());
-    trace(range, workers.local());
+  for_chunks(vertices, [&](std::size_t chunk) {
+    const VertexRange range = chunk_range(chunk, vertices);
+    if (!checkpoint.has(chunk)) {
+      trace(range, workers.local());
+      checkpoint.finished(chunk);
+    }
     progress.advance(range.size());
   });
   progress.finish();
+  checkpoint.complete();
 }
 
 void ShadowPass::trace(const VertexRange& range, Worker& worker) {
@@ -60,20 +61,20 @@ void ShadowPass::trace(const VertexRange& range, Worker& worker) {
 
 void ShadowPass::trace(std::size_t vertex, Worker& worker) {
   if (!open_.empty() && open_[vertex] != 0) {
-    if (factors_ != nullptr) {
-      factors_->keep(vertex, {});
+    if (result_.factors != nullptr) {
+      result_.factors->keep(vertex, {});
     }
     return;
   }
   const RayStart& start = setup_.starts[vertex];
   const Gathered& seen = worker.gatherer.gather(start.origin, mesh_.normals[vertex], mesh_.geometric_normals[vertex]);
-  const std::size_t count = transfer_.bands_squared();
-  control_with_unshadowed(seen, count, transfer_.coefficients.data() + vertex * count);
-  if (factors_ != nullptr) {
-    factors_->keep(vertex, worker.merger.merge(worker.gatherer));
+  const std::size_t count = result_.transfer.bands_squared();
+  control_with_unshadowed(seen, count, result_.transfer.coefficients.data() + vertex * count);
+  if (result_.factors != nullptr) {
+    result_.factors->keep(vertex, worker.merger.merge(worker.gatherer));
   }
   if (const float fraction = seen.fraction(); fraction < kNearlyDark) {
-    sight_[vertex] = worker.gatherer.classify(mesh_, vertex, start, fraction <= 0.0F);
+    result_.sight[vertex] = worker.gatherer.classify(mesh_, vertex, start, fraction <= 0.0F);
   }
 }
 

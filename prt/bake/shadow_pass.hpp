@@ -2,13 +2,12 @@
 // In: unshadowed transfer vectors. Out: shadowed ones, what became of the rays of every vertex and, where wanted, what
 // they hit. prt/bake/bake.hpp has the formula.
 #pragma once
+#include <cstdint>
 #include <string>
 #include <vector>
 
-#include "numeric/output/progress.hpp"
-#include "prt/bake/chunks.hpp"
-#include "prt/bake/fill_closed.hpp"
-#include "prt/bake/form_factors.hpp"
+#include "prt/bake/checkpoint.hpp"
+#include "prt/bake/chunk_record.hpp"
 #include "prt/bake/gather.hpp"
 #include "prt/mesh/mesh.hpp"
 #include "prt/rays/tracer.hpp"
@@ -31,14 +30,11 @@ void control_with_unshadowed(const Gathered& seen, std::size_t count, float* tra
 
 class ShadowPass {
  public:
-  /// `transfer` holds unshadowed vectors, which run() replaces; `factors` is null where hits are not wanted; `open`
-  /// as in BakeSettings. All must outlive the pass.
-  ShadowPass(const Mesh& mesh, const RaySetup& setup, Transfer& transfer, FormFactors* factors,
-             const std::vector<std::uint8_t>& open);
-  /// Traces all vertices and shows progress. Throws output::Interrupted, seen before every vertex, when asked to stop.
-  void run();
-  /// What became of the rays of each vertex.
-  [[nodiscard]] const std::vector<Sight>& sight() const { return sight_; }
+  /// `result` holds unshadowed vectors, which run() replaces; `open` as in BakeSettings. All must outlive the pass.
+  ShadowPass(const Mesh& mesh, const RaySetup& setup, const std::vector<std::uint8_t>& open, ShadowResult& result);
+  /// Traces all vertices but those that the checkpoint holds, and shows progress. Throws output::Interrupted, seen
+  /// before every vertex, when asked to stop.
+  void run(Checkpoint& checkpoint);
 
  private:
   struct Worker;  // the buffers of one thread
@@ -47,10 +43,8 @@ class ShadowPass {
 
   const Mesh& mesh_;
   const RaySetup& setup_;
-  Transfer& transfer_;
-  FormFactors* factors_;
   const std::vector<std::uint8_t>& open_;
-  std::vector<Sight> sight_;
+  ShadowResult& result_;
 };
 
 }  // namespace sh::prt

@@ -1,6 +1,7 @@
 // `prt bake SCENE -o FILE`: the transfer vectors of a scene's mesh.
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <memory>
 #include <optional>
 
@@ -26,6 +27,10 @@ struct Options {
   int threads = 0;
   std::size_t bounce_memory = 4096;  // MiB
   bool strict = false;
+  std::string checkpoint;  // empty: beside the output
+  bool no_checkpoint = false;
+  bool restart = false;
+  double checkpoint_seconds = CheckpointSettings().seconds;
 };
 
 void override_bake(const Options& options, BakeOptions& bake) {
@@ -47,21 +52,60 @@ void report_bounces(const BounceReport& bounces) {
              bounces.spectral_bound);
 }
 
+CheckpointSettings checkpoint_of(const Options& options) {
+  CheckpointSettings settings{options.checkpoint, options.restart, options.checkpoint_seconds};
+  const bool is_special = std::filesystem::exists(options.output) && !std::filesystem::is_regular_file(options.output);
+  if (settings.path.empty() && !options.no_checkpoint && !is_special) {
+    settings.path = options.output + ".part";
+  }
+  if (!settings.path.empty()) {
+    require_writable(settings.path);
+  }
+  return settings;
+}
+
+BakeSettings settings_of(const Options& options) {
+  BakeSettings settings;
+  settings.threads = options.threads;
+  settings.instruction_set = options.instruction_set;
+  settings.on_flaw = options.strict ? OnFlaw::kRefuse : OnFlaw::kMend;
+  settings.bounce_memory = options.bounce_memory * (std::size_t{1} << 20U);
+  settings.checkpoint = checkpoint_of(options);
+  return settings;
+}
+
 void run(const Options& options) {
   const Stopwatch stopwatch;
   require_writable(options.output);
-  const OnFlaw on_flaw = options.strict ? OnFlaw::kRefuse : OnFlaw::kMend;
-  Scene scene = load_scene(options.scene, on_flaw);
+  const BakeSettings settings = settings_of(options);
+  Scene scene = load_scene(options.scene, settings.on_flaw);
   override_bake(options, scene.bake);
-  const Transfer transfer =
-      bake(scene, {options.threads, options.instruction_set, on_flaw, options.bounce_memory * (std::size_t{1} << 20U)});
+  BakeReport report;
+  const Transfer transfer = bake(scene, settings, &report);
   if (transfer.kind == TransferKind::kInterreflected) {
     report_bounces(transfer.bounces);
   }
   write_transfer(options.output, transfer);
+  if (!report.checkpoint.empty()) {
+    std::filesystem::remove(report.checkpoint);
+  }
+  fmt::print(stderr, "prt: {} rays traced\n", report.rays);
   stopwatch.report(fmt::format("baked {} vertices, {} faces, degree {}, {} directions, into {}",
                                transfer.mesh.positions.size(), transfer.mesh.faces.size(), transfer.degree,
                                transfer.directions, options.output));
+}
+
+void add_checkpoint_to(CLI::App& command, Options& options) {
+  auto* path = command.add_option("--checkpoint", options.checkpoint,
+                                  "where a bake that is stopped leaves what it has; the same command goes on from "
+                                  "there; default: the output's name with .part");
+  command.add_flag("--no-checkpoint", options.no_checkpoint, "leave nothing")->excludes(path);
+  command.add_flag("--restart", options.restart, "throw the checkpoint away and start afresh");
+  command
+      .add_option("--checkpoint-seconds", options.checkpoint_seconds,
+                  "the most work that is lost when the process is killed")
+      ->check(CLI::Range(0.0, 1e6))
+      ->capture_default_str();
 }
 
 }  // namespace
@@ -89,6 +133,7 @@ void add_bake_command(CLI::App& tool) {
   command->add_option("--instruction-set", options->instruction_set,
                       "of the rays: sse4.2, avx, avx2 or avx512; bits are reproducible on each");
   command->add_flag("--strict", options->strict, "refuse meshes that would otherwise be mended with a warning");
+  add_checkpoint_to(*command, *options);
   command->callback([options] { with_threads(options->threads, [&] { run(*options); }); });
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <stdexcept>
 #include <string_view>
 #include <vector>
@@ -55,6 +56,7 @@ struct Tracer::Impl {
   RTCDevice device = nullptr;
   RTCScene scene = nullptr;
   std::string instruction_set;
+  std::atomic<std::uint64_t> rays{0};
 
   ~Impl() {
     rtcReleaseScene(scene);
@@ -102,8 +104,11 @@ Tracer::~Tracer() = default;
 
 const std::string& Tracer::instruction_set() const { return impl_->instruction_set; }
 
+std::uint64_t Tracer::rays() const { return impl_->rays; }
+
 void Tracer::intersect(std::span<const Eigen::Vector3f> origins, std::span<const Eigen::Vector3f> directions,
                        std::span<Hit> hits) const {
+  impl_->rays += hits.size();
   std::vector<RTCRayHit> rays(std::min(kPrimaryBatch, hits.size()));
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
@@ -125,6 +130,7 @@ void Tracer::intersect(std::span<const Eigen::Vector3f> origins, std::span<const
 }
 
 void Tracer::occluded(std::span<ShadowRay> rays) const {
+  impl_->rays += rays.size();
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   rtcOccluded1M(impl_->scene, &context, reinterpret_cast<RTCRay*>(rays.data()), static_cast<unsigned>(rays.size()),

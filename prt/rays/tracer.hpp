@@ -62,6 +62,9 @@ class Tracer {
   /// The one the rays run on: its bits are reproducible on every machine that has it.
   [[nodiscard]] const std::string& instruction_set() const;
 
+  /// How many rays were traced so far, of both sorts.
+  [[nodiscard]] std::uint64_t rays() const;
+
  private:
   struct Impl;
   std::unique_ptr<Impl> impl_;

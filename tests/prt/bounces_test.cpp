@@ -56,7 +56,7 @@ Mesh hollow_sphere(int segments, float opening = 2.0F) {
 
 // What several bounce systems on one mesh share.
 struct Room {
-  explicit Room(Mesh m, int directions = 1024) : mesh(std::move(m)), shared(directions, 0), tracer(mesh) {
+  explicit Room(Mesh m, int directions = 1024) : mesh(std::move(m)), shared(options(directions)), tracer(mesh) {
     Gatherer gatherer(shared, tracer);
     RowMerger merger(mesh);
     for (std::size_t v = 0; v < starts.size(); ++v) {
@@ -77,6 +77,13 @@ struct Room {
     const std::vector<Eigen::Vector3f> colour(x.rows, Eigen::Vector3f(albedo, 0.5F * albedo, 0.0F));
     report = solve_bounces(factors, colour, kLayout, x, {tolerance, solver, 20000});
     return x;
+  }
+
+  static BakeOptions options(int directions) {
+    BakeOptions options;
+    options.degree = 0;
+    options.directions = directions;
+    return options;
   }
 
   static constexpr BounceLayout kLayout{1};

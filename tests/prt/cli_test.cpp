@@ -302,22 +302,25 @@ TEST_F(Tool, AFullDiskLeavesTheOldFileOrNone) {
   const std::string limit = "ulimit -f 8";  // blocks of 512 bytes: 4 KiB
   const std::size_t before = folder->entries();
   const std::string out = folder->file("full.transfer");
-  expect_failed_late(run_prt({"bake", "demo", "-o", out, "--degree", "1", "--directions", "16"}, limit),
-                     "cannot write");
+  expect_failed_late(
+      run_prt({"bake", "demo", "-o", out, "--degree", "1", "--directions", "16", "--no-checkpoint"}, limit),
+      "cannot write");
   expect_failed_late(run_prt({"relight", baked, "-o", folder->file("full.ply")}, limit), "cannot write");
   expect_failed_late(run_prt({"bake", "demo", "-o", "/dev/full", "--degree", "1", "--directions", "16"}),
                      "No space left");
   EXPECT_EQ(folder->entries(), before);
   write_all(out, "old");
-  expect_failed_late(run_prt({"bake", "demo", "-o", out, "--degree", "1", "--directions", "16"}, limit),
-                     "cannot write");
+  expect_failed_late(
+      run_prt({"bake", "demo", "-o", out, "--degree", "1", "--directions", "16", "--no-checkpoint"}, limit),
+      "cannot write");
   EXPECT_EQ(read_all(out), "old");
 }
 
-TEST_F(Tool, InterruptionLeavesNothing) {
+TEST_F(Tool, InterruptionLeavesNothingWithoutACheckpoint) {
   const std::size_t before = folder->entries();
   const Finished run = interrupt_prt(
-      {"bake", "demo", "-o", folder->file("never.transfer"), "--directions", "32768", "--threads", "1"}, 1500);
+      {"bake", "demo", "-o", folder->file("never"), "--directions", "32768", "--threads", "1", "--no-checkpoint"},
+      1500);
   EXPECT_EQ(run.status, 130) << run.err;
   EXPECT_EQ(folder->entries(), before);
 }

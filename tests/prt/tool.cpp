@@ -77,4 +77,22 @@ void expect_refused(const std::vector<std::string>& arguments, const std::string
   EXPECT_EQ(run.out, "");
 }
 
+Finished signal_prt(const std::vector<std::string>& arguments, int signal, const std::function<bool()>& when) {
+  const TemporaryFolder folder;
+  const pid_t child = start_shell("exec " + command_line(arguments) + " > /dev/null 2> " + quoted(folder.file("err")));
+  siginfo_t info = {};
+  const auto runs = [&] {
+    return waitid(P_PID, static_cast<id_t>(child), &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid == 0;
+  };
+  while (runs()) {
+    if (when()) {
+      kill(child, signal);
+      break;
+    }
+    std::this_thread::sleep_for(std::chrono::microseconds(100));
+  }
+  const int status = wait_for(child);
+  return {status, {}, read_all(folder.file("err"))};
+}
+
 }  // namespace sh::prt::test

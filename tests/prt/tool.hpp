@@ -1,5 +1,6 @@
 // The tool `prt` as a child process.
 #pragma once
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -24,5 +25,9 @@ void expect_refused(const std::vector<std::string>& arguments, const std::string
 
 /// Runs it and sends SIGINT after `milliseconds`.
 Finished interrupt_prt(const std::vector<std::string>& arguments, int milliseconds);
+
+/// Runs it and sends `signal` as soon as `when` returns true, which is asked all the time; without effect where the
+/// process ends before.
+Finished signal_prt(const std::vector<std::string>& arguments, int signal, const std::function<bool()>& when);
 
 }  // namespace sh::prt::test

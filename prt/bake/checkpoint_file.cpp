@@ -1,0 +1,225 @@
+#include "prt/bake/checkpoint_file.hpp"
+
+#include <fcntl.h>
+#include <fmt/core.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cerrno>
+#include <cstring>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <utility>
+
+#include "prt/transfer/checksum.hpp"
+
+namespace sh::prt {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+static_assert(std::endian::native == std::endian::little, "checkpoints are little-endian and read as they lie");
+
+constexpr std::array<char, 8> kMagic = {'s', 'h', 'p', 'a', 'r', 't', '\n', '\x1a'};
+constexpr std::uint32_t kVersion = 1;  // of the format and of what the chunks hold
+
+/// First in the file, followed by the key as JSON text; `checksum` is that of the bytes before it and of the key.
+struct Prologue {
+  std::array<char, 8> magic = kMagic;
+  std::uint32_t version = kVersion;
+  std::uint32_t key_size = 0;
+  std::uint64_t checksum = 0;
+};
+
+/// Before the data of a record; `checksum` is that of the bytes before it.
+struct RecordHead {
+  std::uint32_t index = 0;
+  std::uint32_t reserved = 0;
+  std::uint64_t size = 0;
+  std::uint64_t data_checksum = 0;
+  std::uint64_t checksum = 0;
+};
+static_assert(sizeof(Prologue) == 24 && sizeof(RecordHead) == 32);
+
+std::uint64_t checksum_of(const Prologue& prologue, std::string_view key) {
+  std::string bytes(reinterpret_cast<const char*>(&prologue), offsetof(Prologue, checksum));
+  bytes += key;
+  return checksum(bytes.data(), bytes.size());
+}
+
+std::uint64_t checksum_of(const RecordHead& head) { return checksum(&head, offsetof(RecordHead, checksum)); }
+
+std::string front_of(const std::string& key) {
+  Prologue prologue;
+  prologue.key_size = static_cast<std::uint32_t>(key.size());
+  prologue.checksum = checksum_of(prologue, key);
+  return std::string(reinterpret_cast<const char*>(&prologue), sizeof prologue) + key;
+}
+
+// The first entry that differs, for people.
+std::string difference(const Json& found, const Json& wanted) {
+  for (const auto& [name, value] : wanted.items()) {
+    if (!found.contains(name) || found[name] != value) {
+      return fmt::format("its {} is {}, here it is {}", name, found.value(name, Json("missing")).dump(), value.dump());
+    }
+  }
+  return "it holds more than this bake has";
+}
+
+}  // namespace
+
+CheckpointFile::CheckpointFile(std::string path, const std::string& key, bool restart)
+    : path_(std::move(path)), front_(front_of(key)) {
+  descriptor_ = open(path_.c_str(), O_RDWR | O_CLOEXEC);
+  if (descriptor_ >= 0) {
+    try {
+      open_existing(restart);
+    } catch (...) {
+      close(descriptor_);
+      throw;
+    }
+  } else if (errno != ENOENT) {
+    fail(fmt::format("cannot open: {}", std::strerror(errno)));
+  }
+}
+
+CheckpointFile::~CheckpointFile() {
+  if (descriptor_ >= 0) {
+    close(descriptor_);
+  }
+}
+
+void CheckpointFile::open_existing(bool restart) {
+  struct stat status = {};
+  fstat(descriptor_, &status);
+  if (!S_ISREG(status.st_mode)) {
+    fail("no checkpoint of a bake; give another --checkpoint, or --no-checkpoint");
+  }
+  lock();
+  size_ = static_cast<std::uint64_t>(status.st_size);
+  const std::string start = fetch(0, std::min<std::uint64_t>(size_, front_.size()));
+  const std::string_view magic(kMagic.data(), kMagic.size());
+  if (start == front_ && !restart) {
+    end_ = front_.size();
+  } else if (front_.starts_with(start) || (restart && start.starts_with(magic))) {  // empty, killed while it was made
+    size_ = 0;
+    if (ftruncate(descriptor_, 0) != 0) {
+      fail(fmt::format("cannot write: {}", std::strerror(errno)));
+    }
+    write(front_);
+  } else if (!start.starts_with(magic)) {
+    fail("no checkpoint of a bake; give another --checkpoint, or --no-checkpoint");
+  } else {
+    refuse_key();
+  }
+}
+
+// Says what differs.
+void CheckpointFile::refuse_key() const {
+  Prologue prologue;
+  if (size_ < sizeof prologue) {
+    fail("damaged checkpoint: too short; --restart throws it away");
+  }
+  std::memcpy(&prologue, fetch(0, sizeof prologue).data(), sizeof prologue);
+  if (prologue.version != kVersion) {
+    fail(fmt::format("checkpoint of version {}, expected {}; --restart throws it away", prologue.version, kVersion));
+  }
+  const std::string key = fetch(sizeof prologue, std::min<std::uint64_t>(size_ - sizeof prologue, prologue.key_size));
+  if (checksum_of(prologue, key) != prologue.checksum) {
+    fail("damaged checkpoint: the checksum of its key differs; --restart throws it away");
+  }
+  fail(
+      fmt::format("checkpoint of another bake: {}; finish that one, give another --checkpoint, or throw it away with "
+                  "--restart",
+                  difference(Json::parse(key), Json::parse(front_.substr(sizeof prologue)))));
+}
+
+void CheckpointFile::create() {
+  descriptor_ = open(path_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  if (descriptor_ < 0) {
+    fail(fmt::format("cannot write: {}", std::strerror(errno)));
+  }
+  lock();
+  write(front_);
+}
+
+void CheckpointFile::lock() {
+  if (flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
+    fail("in use by another bake; wait for it, or give another --checkpoint");
+  }
+}
+
+void CheckpointFile::read(const std::function<void(std::uint32_t, std::string_view)>& take) {
+  while (end_ + sizeof(RecordHead) <= size_) {
+    RecordHead head;
+    std::memcpy(&head, fetch(end_, sizeof head).data(), sizeof head);
+    if (checksum_of(head) != head.checksum || head.size > size_ - end_ - sizeof head) {
+      break;
+    }
+    const std::string data = fetch(end_ + sizeof head, head.size);
+    end_ += sizeof head + head.size;
+    if (checksum(data.data(), data.size()) == head.data_checksum) {
+      take(head.index, data);
+    }
+  }
+  if (end_ < size_ && ftruncate(descriptor_, static_cast<off_t>(end_)) != 0) {
+    fail(fmt::format("cannot write: {}", std::strerror(errno)));
+  }
+}
+
+void CheckpointFile::append(std::uint32_t index, std::string_view data) {
+  if (!exists()) {
+    create();
+  }
+  RecordHead head;
+  head.index = index;
+  head.size = data.size();
+  head.data_checksum = checksum(data.data(), data.size());
+  head.checksum = checksum_of(head);
+  std::string record(reinterpret_cast<const char*>(&head), sizeof head);
+  record += data;
+  write(record);
+}
+
+void CheckpointFile::write(std::string_view bytes) {
+  std::size_t done = 0;
+  while (done < bytes.size()) {
+    const ssize_t count =
+        pwrite(descriptor_, bytes.data() + done, bytes.size() - done, static_cast<off_t>(end_ + done));
+    if (count < 0 && errno != EINTR) {
+      const int error = errno;
+      [[maybe_unused]] const int ignored =
+          ftruncate(descriptor_, static_cast<off_t>(end_));  // a torn record does no harm
+      fail(fmt::format("cannot write: {} (what it holds is kept; --no-checkpoint does without)", std::strerror(error)));
+    }
+    done += count > 0 ? static_cast<std::size_t>(count) : 0;
+  }
+  end_ += bytes.size();
+}
+
+std::string CheckpointFile::fetch(std::uint64_t offset, std::uint64_t size) const {
+  std::string bytes(size, '\0');
+  std::size_t done = 0;
+  while (done < size) {
+    const ssize_t count = pread(descriptor_, bytes.data() + done, size - done, static_cast<off_t>(offset + done));
+    if (count < 0 && errno != EINTR) {
+      fail(fmt::format("cannot read: {}", std::strerror(errno)));
+    }
+    if (count == 0) {
+      fail("cannot read: it became shorter");
+    }
+    done += count > 0 ? static_cast<std::size_t>(count) : 0;
+  }
+  return bytes;
+}
+
+void CheckpointFile::fail(const std::string& what) const {
+  throw std::runtime_error(fmt::format("{}: {}", path_, what));
+}
+
+}  // namespace sh::prt

@@ -1,0 +1,88 @@
+#include "prt/bake/chunk_record.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <utility>
+
+namespace sh::prt {
+
+namespace {
+
+template <class T>
+void put(std::string& bytes, const T* values, std::size_t count) {
+  bytes.append(reinterpret_cast<const char*>(values), count * sizeof(T));
+}
+
+// Takes values off the front of the data; false where there are too few.
+template <class T>
+bool take(std::string_view& data, T* values, std::size_t count) {
+  if (data.size() / sizeof(T) < count) {
+    return false;
+  }
+  if (count > 0) {
+    std::memcpy(values, data.data(), count * sizeof(T));
+  }
+  data.remove_prefix(count * sizeof(T));
+  return true;
+}
+
+struct RowHead {
+  std::uint32_t kept = 0;
+  std::uint32_t length = 0;
+};
+
+bool take_row(std::string_view& data, std::size_t vertices, FormFactorRow& row, RowHead& head) {
+  if (!take(data, &head, 1) || head.kept > 1 || data.size() / sizeof(FormFactor) < head.length) {
+    return false;
+  }
+  row.resize(head.length);
+  return take(data, row.data(), row.size()) &&
+         std::all_of(row.begin(), row.end(), [vertices](const FormFactor& f) { return f.vertex < vertices; });
+}
+
+}  // namespace
+
+std::string encode_chunk(const ShadowResult& result, const VertexRange& range) {
+  const std::size_t count = result.transfer.bands_squared();
+  std::string bytes;
+  put(bytes, result.transfer.coefficients.data() + range.first * count, range.size() * count);
+  put(bytes, result.sight.data() + range.first, range.size());
+  for (std::size_t v = range.first; result.factors != nullptr && v < range.last; ++v) {
+    const FormFactorRow& row = result.factors->row(v);
+    const RowHead head{result.factors->is_kept(v) ? 1U : 0U, static_cast<std::uint32_t>(row.size())};
+    put(bytes, &head, 1);
+    put(bytes, row.data(), row.size());
+  }
+  return bytes;
+}
+
+bool decode_chunk(std::string_view data, const VertexRange& range, ShadowResult& result) {
+  const std::size_t count = result.transfer.bands_squared();
+  std::vector<float> transfer(range.size() * count);
+  std::vector<Sight> sight(range.size());
+  if (!take(data, transfer.data(), transfer.size()) || !take(data, sight.data(), sight.size())) {
+    return false;
+  }
+  std::vector<std::pair<std::size_t, FormFactorRow>> rows;
+  for (std::size_t v = range.first; result.factors != nullptr && v < range.last; ++v) {
+    FormFactorRow row;
+    RowHead head;
+    if (!take_row(data, result.sight.size(), row, head)) {
+      return false;
+    }
+    if (head.kept != 0) {
+      rows.emplace_back(v, std::move(row));
+    }
+  }
+  if (!data.empty()) {
+    return false;
+  }
+  std::copy(transfer.begin(), transfer.end(), result.transfer.coefficients.data() + range.first * count);
+  std::copy(sight.begin(), sight.end(), result.sight.data() + range.first);
+  for (auto& [vertex, row] : rows) {
+    result.factors->keep(vertex, std::move(row));
+  }
+  return true;
+}
+
+}  // namespace sh::prt

@@ -1,0 +1,260 @@
+// Bakes that are stopped and go on: the same bytes as without a stop, and fewer rays. The processes are real ones and
+// really killed.
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <filesystem>
+#include <string>
+
+#include "prt/bake/bake.hpp"
+#include "prt/transfer/transfer_file.hpp"
+#include "tests/prt/meshes.hpp"
+#include "tests/prt/temporary_folder.hpp"
+#include "tests/prt/tool.hpp"
+
+namespace sh::prt::test {
+namespace {
+
+std::uint64_t size_of(const std::string& file) {
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(file, error);
+  return error ? 0 : size;
+}
+
+// What the tool says on standard error: `prt: N rays traced`.
+std::uint64_t rays_of(const Finished& run) {
+  const std::size_t end = run.err.find(" rays traced");
+  const std::size_t start = run.err.rfind(' ', end - 1);
+  return end == std::string::npos ? 0 : std::stoull(run.err.substr(start + 1, end - start - 1));
+}
+
+// A torus over stairs in a scene file, baked as a whole, with all that its checkpoint held.
+class StoppedBake : public testing::TestWithParam<const char*> {
+ protected:
+  void SetUp() override {
+    write_all(file_, R"({"meshes": [{"primitive": "stairs", "max_edge": 0.07},
+                                    {"primitive": "torus", "segments": 36, "transform": {"translate": [0, 0, 0.9]}}],
+                         "bake": {"degree": 2, "directions": 1024, "transfer": ")" +
+                         std::string(GetParam()) + "\"}}");
+    scene_ = load_scene(file_, OnFlaw::kRefuse);
+    BakeSettings settings = with_checkpoint();
+    settings.threads = 1;
+    whole_ = bake(scene_, settings, &report_);
+    ASSERT_GT(report_.rays, 100'000U);
+    whole_part_ = read_all(part_);
+    std::filesystem::remove(part_);
+    write_transfer(out_, whole_);
+    whole_bytes_ = read_all(out_);
+    std::filesystem::remove(out_);
+  }
+
+  [[nodiscard]] BakeSettings with_checkpoint() const {
+    BakeSettings settings;
+    settings.checkpoint = {part_, false, 0.0};
+    return settings;
+  }
+
+  [[nodiscard]] std::vector<std::string> arguments(const std::string& threads) const {
+    return {"bake", file_, "-o", out_, "--threads", threads, "--checkpoint-seconds", "0"};
+  }
+
+  // Bakes until the checkpoint is that long, and ends the process; again where the bake was faster.
+  [[nodiscard]] Finished stop_at(std::uint64_t bytes, const std::string& threads, int signal) const {
+    Finished run;
+    for (int attempt = 0; attempt < 50; ++attempt) {
+      run = signal_prt(arguments(threads), signal, [&] { return size_of(part_) >= bytes; });
+      if (run.status != 0) {
+        break;
+      }
+      std::filesystem::remove(out_);
+    }
+    return run;
+  }
+
+  // Goes on to the end with the same command; returns the part of the rays of the whole that were still traced.
+  [[nodiscard]] double go_on(const std::string& threads) const {
+    const Finished run = run_prt(arguments(threads));
+    EXPECT_EQ(run.status, 0) << run.err;
+    EXPECT_TRUE(read_all(out_) == whole_bytes_);
+    EXPECT_FALSE(std::filesystem::exists(part_));
+    std::filesystem::remove(out_);
+    return static_cast<double>(rays_of(run)) / static_cast<double>(report_.rays);
+  }
+
+  // The same without a process of its own, from a checkpoint of these bytes.
+  [[nodiscard]] double go_on_from(const std::string& part) const {
+    write_all(part_, part);
+    BakeReport report;
+    const Transfer transfer = bake(scene_, with_checkpoint(), &report);
+    EXPECT_TRUE(transfer.coefficients == whole_.coefficients);
+    EXPECT_EQ(size_of(part_), whole_part_.size()) << "what was dropped is there again";
+    return static_cast<double>(report.rays) / static_cast<double>(report_.rays);
+  }
+
+  // One line with `what`, exit 2, and the checkpoint is as it was.
+  void expect_refused(std::vector<std::string> changed, const std::string& what) const {
+    const std::string before = read_all(part_);
+    std::vector<std::string> all = arguments("1");
+    all.insert(all.end(), changed.begin(), changed.end());
+    const Finished run = run_prt(all);
+    EXPECT_EQ(run.status, 2);
+    EXPECT_NE(run.err.find(what), std::string::npos) << run.err;
+    EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+    EXPECT_TRUE(read_all(part_) == before);
+    EXPECT_FALSE(std::filesystem::exists(out_));
+  }
+
+  TemporaryFolder folder_;
+  std::string file_ = folder_.file("scene.json");
+  std::string out_ = folder_.file("out.transfer");
+  std::string part_ = out_ + ".part";
+  Scene scene_;
+  Transfer whole_;
+  BakeReport report_;
+  std::string whole_part_;
+  std::string whole_bytes_;
+};
+
+class AnyStoppedBake : public StoppedBake {};
+class StoppedShadowedBake : public StoppedBake {};
+
+TEST_P(AnyStoppedBake, GoesOnAfterAKillAtAnyProgressWithTheSameBytesAndFewerRays) {
+  const int step = std::string(GetParam()) == "shadowed" ? 10 : 45;
+  for (int percent = 5; percent <= 95; percent += step) {
+    const bool odd = percent / step % 2 == 1;
+    const Finished killed =
+        stop_at(whole_part_.size() * static_cast<std::size_t>(percent) / 100, odd ? "2" : "1", SIGKILL);
+    ASSERT_EQ(killed.status, 128 + SIGKILL) << killed.err;
+    ASSERT_FALSE(std::filesystem::exists(out_));
+    EXPECT_LT(go_on(odd ? "1" : "2"), 1.08 - 0.01 * percent) << percent << " %";
+  }
+}
+
+TEST_P(AnyStoppedBake, GoesOnAfterControlCAndSaysSo) {
+  const Finished stopped = stop_at(whole_part_.size() / 2, "1", SIGINT);
+  EXPECT_EQ(stopped.status, 130) << stopped.err;
+  EXPECT_NE(stopped.err.find(".part holds "), std::string::npos) << stopped.err;
+  EXPECT_NE(stopped.err.find("the same command goes on from there"), std::string::npos) << stopped.err;
+  EXPECT_LT(go_on("2"), 0.58);
+}
+
+TEST_P(AnyStoppedBake, TracesATornOrChangedPartAgain) {
+  EXPECT_EQ(go_on_from(whole_part_), 0.0);
+  for (const std::size_t cut : {1U, 33U, 1000U}) {
+    const double traced = go_on_from(whole_part_.substr(0, whole_part_.size() - cut));
+    EXPECT_GT(traced, 0.0) << cut;
+    EXPECT_LT(traced, 0.1) << cut;
+  }
+  for (const double place : {0.1, 0.35, 0.7, 0.99}) {
+    std::string changed = whole_part_;
+    changed[static_cast<std::size_t>(place * static_cast<double>(changed.size()))] ^= 0x10;
+    write_all(part_, changed);
+    BakeReport report;
+    EXPECT_TRUE(bake(scene_, with_checkpoint(), &report).coefficients == whole_.coefficients) << place;
+    EXPECT_GT(report.rays, 0U) << place;
+    EXPECT_LT(report.rays, report_.rays) << place;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(OfKind, AnyStoppedBake, testing::Values("shadowed", "interreflected"));
+
+TEST_P(StoppedShadowedBake, StartsAfreshWhereTheCheckpointWasNotYetMade) {
+  for (const std::size_t size : {0U, 7U, 24U, 100U}) {
+    EXPECT_EQ(go_on_from(whole_part_.substr(0, size)), 1.0) << size;
+  }
+}
+
+TEST_P(StoppedShadowedBake, KeepsTheCheckpointOfAnotherBakeAndSaysWhatDiffers) {
+  write_all(part_, whole_part_);
+  expect_refused({"--degree", "3"}, "out.transfer.part: checkpoint of another bake: its degree is 2, here it is 3");
+  expect_refused({"--directions", "512"}, "its directions is 1024, here it is 512");
+  expect_refused({"--kind", "interreflected"}, R"(its transfer is "shadowed", here it is "interreflected")");
+  expect_refused({"--sampler", "sobol"}, R"(its sampler is "fibonacci", here it is "sobol")");
+  expect_refused({"--seed", "9"}, "its seed is 0, here it is 9");
+  expect_refused({"--instruction-set", "sse4.2"}, "its instruction_set is ");
+  write_all(file_, R"({"meshes": [{"primitive": "stairs"}], "bake": {"degree": 2, "directions": 1024}})");
+  expect_refused({}, "its vertices is ");
+
+  const Finished run = run_prt({"bake", file_, "-o", out_, "--restart"});
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_FALSE(std::filesystem::exists(part_)) << "thrown away on demand";
+}
+
+TEST_P(StoppedShadowedBake, RefusesWhatIsNoCheckpointEvenOnRestart) {
+  for (const std::string& text : {std::string("notes"), std::string(5000, 'x')}) {
+    write_all(part_, text);
+    expect_refused({}, "out.transfer.part: no checkpoint of a bake");
+    expect_refused({"--restart"}, "no checkpoint of a bake");
+  }
+  std::string damaged = whole_part_;
+  damaged[60] ^= 1;  // in the key
+  write_all(part_, damaged);
+  expect_refused({}, "damaged checkpoint");
+  damaged = whole_part_;
+  damaged[8] ^= 2;
+  write_all(part_, damaged);
+  expect_refused({}, "checkpoint of version 3, expected 1");
+  std::filesystem::remove(part_);
+  expect_refused({"--checkpoint", folder_.file("none/x")}, "none/x: cannot write");
+  expect_refused({"--checkpoint", folder_.file("")}, "is a folder");
+  expect_refused({"--checkpoint", "/dev/null"}, "/dev/null: no checkpoint of a bake");
+  expect_refused({"--checkpoint", "x", "--no-checkpoint"}, "--checkpoint");
+}
+
+TEST_P(StoppedShadowedBake, RefusesACheckpointThatAnotherProcessWrites) {
+  write_all(part_, whole_part_);
+  const int descriptor = open(part_.c_str(), O_RDONLY | O_CLOEXEC);
+  ASSERT_EQ(flock(descriptor, LOCK_EX), 0);
+  expect_refused({}, "in use by another bake");
+  close(descriptor);
+  EXPECT_EQ(go_on("1"), 0.0);
+}
+
+TEST_P(StoppedShadowedBake, GoesOnAfterAFullDisk) {
+  const std::string limit = "ulimit -f " + std::to_string(whole_part_.size() / 2 / 512);
+  const Finished full = run_prt(arguments("1"), limit);
+  EXPECT_EQ(full.status, 2);
+  EXPECT_NE(full.err.find("out.transfer.part: cannot write: "), std::string::npos) << full.err;
+  EXPECT_FALSE(std::filesystem::exists(out_));
+  EXPECT_LT(go_on("1"), 0.6);
+}
+
+TEST_P(StoppedShadowedBake, LeavesTheCheckpointOfAnotherBakeAloneWhereNoRayIsTraced) {
+  write_all(part_, whole_part_);
+  EXPECT_EQ(run_prt({"bake", file_, "-o", out_, "--kind", "unshadowed"}).status, 0);
+  EXPECT_TRUE(read_all(part_) == whole_part_);
+}
+
+TEST_P(StoppedShadowedBake, LeavesNothingWithoutACheckpointNorWhereItIsShort) {
+  for (const char* option : {"--no-checkpoint", "--strict"}) {
+    EXPECT_EQ(run_prt({"bake", file_, "-o", out_, option}).status, 0);
+    EXPECT_EQ(folder_.entries(), 2U);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(OfKind, StoppedShadowedBake, testing::Values("shadowed"));
+
+TEST(InterreflectedBake, GoesOnTheSameWhereFormFactorsDoNotFit) {
+  const TemporaryFolder folder;
+  Scene scene;
+  scene.mesh = primitive_mesh("arch");
+  scene.bake.kind = TransferKind::kInterreflected;
+  scene.bake.directions = 256;
+  scene.bake.degree = 1;
+  const Transfer whole = bake(scene);
+  BakeSettings settings;
+  settings.bounce_memory = 1000;
+  settings.checkpoint = {folder.file("part"), false, 0.0};
+  BakeReport first;
+  EXPECT_TRUE(bake(scene, settings, &first).coefficients == whole.coefficients);
+  BakeReport second;
+  EXPECT_TRUE(bake(scene, settings, &second).coefficients == whole.coefficients);
+  EXPECT_LT(second.rays, first.rays);
+  EXPECT_GT(second.rays, 0U) << "for the bounces";
+}
+
+}  // namespace
+}  // namespace sh::prt::test
