@@ -57,6 +57,7 @@ class FieldPainter {
 
   [[nodiscard]] Colour pixel(const Row& above, const Row& here, const Row& below, int column, int row) const {
     const auto i = static_cast<std::size_t>(column) + 1;
+    if (!style_.marks) return base_colour(here.values[i]);
     const double value = here.least[i];
     const double slope =
         std::hypot(here.least[i + 1] - here.least[i - 1], below.least[i] - above.least[i]) / 2;  // a pixel

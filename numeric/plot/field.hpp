@@ -15,6 +15,7 @@ struct FieldStyle {
   double largest = 1;  // the value of the strongest colour, > 0
   double unit = 1;     // pixels a unit of the figure: widths of lines follow
   PixelBox where;      // in the picture: hatching runs on from one panel to the next
+  bool marks = true;   // hatching and zero line
 };
 
 /// where.width x where.height pixels. One channel: the diverging map of colour.hpp, zero in its middle. Three: linear

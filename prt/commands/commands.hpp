@@ -20,6 +20,7 @@ void add_relight_command(CLI::App& tool);
 void add_render_command(CLI::App& tool);
 void add_info_command(CLI::App& tool);
 void add_project_command(CLI::App& tool);
+void add_reconstruct_command(CLI::App& tool);
 
 /// `--window` and `--keep`: a window on the sum of all lights.
 struct WindowOptions {

@@ -16,15 +16,7 @@
 namespace sh::prt {
 namespace {
 
-struct Shape {
-  int width;
-  int height;
-};
-
-Shape shape_of(ImageMapping mapping) {
-  constexpr std::array<Shape, 6> kShapes{{{2, 1}, {1, 1}, {1, 1}, {4, 3}, {3, 4}, {6, 1}}};
-  return kShapes[static_cast<std::size_t>(mapping)];
-}
+constexpr double kPi = std::numbers::pi;
 
 /// A place in continuous pixel coordinates and the pixels that may be blended there.
 struct Place {
@@ -46,7 +38,7 @@ Place on_cube(const std::vector<CubeFace>& faces, int size, const Eigen::Vector3
 Place on_disc(ImageMapping mapping, int size, const Eigen::Vector3d& d) {
   const double side = std::hypot(d.y(), d.z());
   const double angle = std::atan2(side, d.x());
-  const double radius = mapping == ImageMapping::kAngularMap ? angle / std::numbers::pi : std::sin(0.5 * angle);
+  const double radius = mapping == ImageMapping::kAngularMap ? angle / kPi : std::sin(0.5 * angle);
   const double inside = std::min(radius, 1.0 - 1.0 / size);  // the pixel's centre must not lie beyond the rim
   const double mirrored = mapping == ImageMapping::kMirrorBall ? 1.0 : -1.0;
   const double u = side > 0.0 ? mirrored * inside * d.y() / side : mirrored * inside;
@@ -71,7 +63,59 @@ Eigen::Vector3f blend(const Image& image, const Place& place) {
          v * ((1.0F - u) * image.at(left, bottom) + u * image.at(right, bottom));
 }
 
+/// What a disc of radius 1 shows at (x, y), y up.
+std::optional<Eigen::Vector3d> direction_on_disc(ImageMapping mapping, double x, double y) {
+  const double r = std::hypot(x, y);
+  if (r > 1.0) {
+    return std::nullopt;
+  }
+  if (mapping == ImageMapping::kMirrorBall) {
+    const double w = std::sqrt((1.0 - r) * (1.0 + r));
+    return Eigen::Vector3d(2.0 * w * w - 1.0, 2.0 * w * x, 2.0 * w * y);
+  }
+  const double sine_over_r = r > 0.0 ? std::sin(kPi * r) / r : kPi;
+  return Eigen::Vector3d(std::cos(kPi * r), -sine_over_r * x, sine_over_r * y);
+}
+
+std::optional<Eigen::Vector3d> direction_on_cube(const std::vector<CubeFace>& faces, double column, double row) {
+  for (const CubeFace& face : faces) {
+    const double s = 2.0 * (column - face.column) - 1.0;
+    const double t = 1.0 - 2.0 * (row - face.row);
+    if (std::abs(s) <= 1.0 && std::abs(t) <= 1.0) {
+      return (face.forward + s * face.right() + t * face.up).normalized();
+    }
+  }
+  return std::nullopt;
+}
+
 }  // namespace
+
+MappingShape mapping_shape(ImageMapping mapping) {
+  constexpr std::array<MappingShape, 6> kShapes{{{2, 1}, {1, 1}, {1, 1}, {4, 3}, {3, 4}, {6, 1}}};
+  return kShapes[static_cast<std::size_t>(mapping)];
+}
+
+std::optional<Eigen::Vector3d> mapped_direction(ImageMapping mapping, double u, double v) {
+  if (mapping == ImageMapping::kLatLong) {
+    return lat_long_direction({u, v}, 1, 1);
+  }
+  const auto& faces = cube_faces(mapping);
+  const MappingShape shape = mapping_shape(mapping);
+  return faces.empty() ? direction_on_disc(mapping, 2.0 * u - 1.0, 1.0 - 2.0 * v)
+                       : direction_on_cube(faces, u * shape.width, v * shape.height);
+}
+
+Eigen::Vector2d mapped_place(ImageMapping mapping, const Eigen::Vector3d& direction) {
+  if (mapping == ImageMapping::kLatLong) {
+    const LatLongPoint point = lat_long_point(direction, 1, 1);
+    return {point.column, point.row};
+  }
+  constexpr int kFine = 1 << 20;  // the disc's place stays half a pixel inside the rim
+  const auto& faces = cube_faces(mapping);
+  const MappingShape shape = mapping_shape(mapping);
+  const Place place = faces.empty() ? on_disc(mapping, kFine, direction) : on_cube(faces, kFine, direction);
+  return {place.column / kFine / shape.width, place.row / kFine / shape.height};
+}
 
 Eigen::Vector3d CubeFace::right() const { return forward.cross(up); }
 
@@ -104,10 +148,10 @@ ImageMapping mapping_named(std::string_view name) {
                                           : static_cast<ImageMapping>(place - std::begin(kMappingNames));
 }
 
-int face_size(ImageMapping mapping, int width) { return width / shape_of(mapping).width; }
+int face_size(ImageMapping mapping, int width) { return width / mapping_shape(mapping).width; }
 
 void require_shape(const std::string& file, const Image& image, ImageMapping mapping) {
-  const Shape shape = shape_of(mapping);
+  const MappingShape shape = mapping_shape(mapping);
   if (mapping == ImageMapping::kLatLong) {
     require_lat_long(file, image);
   } else if (image.width % shape.width != 0 || image.width / shape.width * shape.height != image.height) {

@@ -36,6 +36,20 @@ void require_shape(const std::string& file, const Image& image, ImageMapping map
 /// The picture towards a unit direction: bilinear, on cubes within a face, on discs the pixel itself.
 Eigen::Vector3f lookup(const Image& image, ImageMapping mapping, const Eigen::Vector3d& direction);
 
+/// Width and height of a picture in their lowest terms, such as 4 and 3.
+struct MappingShape {
+  int width;
+  int height;
+};
+MappingShape mapping_shape(ImageMapping mapping);
+
+/// The unit direction that the place (u, v) of a picture shows, 0..1 from the left and from the top; none beyond a
+/// disc's rim and in a cross's corners.
+std::optional<Eigen::Vector3d> mapped_direction(ImageMapping mapping, double u, double v);
+
+/// The inverse: the place (u, v) that shows a unit direction; one of them, where there are several.
+Eigen::Vector2d mapped_place(ImageMapping mapping, const Eigen::Vector3d& direction);
+
 /// A direction with its share of a pixel's solid angle.
 struct PixelNode {
   Eigen::Vector3d direction;

@@ -34,7 +34,10 @@ LightCoefficients white(const std::vector<double>& shape, int degree) {
 
 LightCoefficients sun(int degree) { return white(project_directional(kSlanted, degree), degree); }
 
-std::vector<double> ones(int degree) { return std::vector<double>(static_cast<std::size_t>(degree) + 1, 1.0); }
+std::vector<double> ones(int degree) {
+  std::vector<double> out(static_cast<std::size_t>(degree) + 1, 1.0);
+  return out;
+}
 
 double least_of(const LightCoefficients& light) {
   return BandLimited(light.values.data(), light.degree).least(ones(light.degree)).value;

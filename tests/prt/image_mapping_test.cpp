@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -248,6 +249,44 @@ TEST(ImageMapping, OtherShapesAreRefused) {
             "a.exr: the picture is 16 x 12 pixels; the mapping vertical_cross needs 3:4, in whole faces");
   EXPECT_EQ(refusal(13, 2, ImageMapping::kCubeStrip),
             "a.exr: the picture is 13 x 2 pixels; the mapping cube_strip needs 6:1, in whole faces");
+}
+
+TEST(ImageMapping, PlacesAndDirectionsAreInversesAndAgreeWithThePixels) {
+  for (int i = 0; i < 6; ++i) {
+    const auto mapping = static_cast<ImageMapping>(i);
+    const MappingShape shape = mapping_shape(mapping);
+    const int size = 24;
+    int shown = 0;
+    std::vector<PixelNode> nodes;
+    for (int row = 0; row < shape.height * size; ++row) {
+      for (int column = 0; column < shape.width * size; ++column) {
+        const double u = (column + 0.5) / (shape.width * size);
+        const double v = (row + 0.5) / (shape.height * size);
+        const auto direction = mapped_direction(mapping, u, v);
+        if (mapping != ImageMapping::kLatLong) {
+          pixel_nodes(mapping, shape.width * size, column, row, nodes);
+          if (nodes.empty()) {
+            EXPECT_FALSE(direction) << i;
+          }
+        }
+        if (!direction) {
+          continue;
+        }
+        ++shown;
+        EXPECT_NEAR(direction->norm(), 1.0, 1e-14);
+        const Eigen::Vector2d place = mapped_place(mapping, *direction);
+        EXPECT_NEAR(place.x(), u, 1e-5) << i;
+        EXPECT_NEAR(place.y(), v, 1e-5) << i;
+        const auto nearest = std::max_element(nodes.begin(), nodes.end(), [&](const auto& a, const auto& b) {
+          return a.direction.dot(*direction) < b.direction.dot(*direction);
+        });
+        if (nearest != nodes.end()) {
+          EXPECT_GT(nearest->direction.dot(*direction), std::cos(0.3)) << i;
+        }
+      }
+    }
+    EXPECT_GT(shown, shape.width * shape.height * size * size / 2 - 1) << i;
+  }
 }
 
 }  // namespace

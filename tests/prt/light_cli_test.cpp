@@ -1,7 +1,10 @@
 // The tool `prt` on lights: windows, pictures of lights, what contradicts itself.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <filesystem>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "tests/prt/image_files.hpp"
 #include "tests/prt/temporary_folder.hpp"
@@ -53,6 +56,39 @@ TEST_F(LightTool, WindowsThatAreNoneOrTwoAreRefused) {
                  "lights.json: /window");
   expect_refused({"project", lights(R"({"type": "constant", "window": {"type": "sinc", "width": 0.1}})")},
                  "/window/width: expected a width of 1 or more");
+}
+
+TEST_F(LightTool, ReconstructDrawsALightWithItsNumbersInEveryMapping) {
+  const std::string sun = lights(R"({"type": "directional", "direction": [0, 0, 1]})");
+  const std::string out = folder.file("sun.png");
+  for (const char* mapping :
+       {"lat_long", "angular_map", "mirror_ball", "horizontal_cross", "vertical_cross", "cube_strip", "all"}) {
+    const Finished run =
+        run_prt({"reconstruct", sun, "--degree", "2", "--draw", mapping, "--axes", "--width", "200", "-o", out});
+    ASSERT_EQ(run.status, 0) << run.err;
+    const auto found = nlohmann::json::parse(run.out);
+    EXPECT_NEAR(found["least"].get<double>(), -1.8 / (4.0 * std::numbers::pi), 1e-12);  // 1 + 3 z + 5 P_2(z)
+    EXPECT_NEAR(found["largest"].get<double>(), 9.0 / (4.0 * std::numbers::pi), 1e-12);
+    // Negative between z = -1/5 - sqrt(24/100) and z = -1/5 + sqrt(24/100).
+    EXPECT_NEAR(found["negative_share"].get<double>(), std::sqrt(0.24), 1e-3);
+    EXPECT_EQ(test::read_all(out).substr(1, 3), "PNG");
+  }
+  const std::string first = test::read_all(out);
+  ASSERT_EQ(
+      run_prt({"reconstruct", sun, "--degree", "2", "--draw", "all", "--axes", "--width", "200", "-o", out}).status, 0);
+  EXPECT_EQ(test::read_all(out), first);
+  const Finished windowed = run_prt({"reconstruct", sun, "--window", "auto", "--width", "200", "-o", out});
+  EXPECT_LT(nlohmann::json::parse(windowed.out)["negative_share"].get<double>(), 0.01) << windowed.err;
+}
+
+TEST_F(LightTool, ReconstructRefusesWhatItCannotDraw) {
+  const std::string out = folder.file("x.png");
+  expect_refused({"reconstruct", "overcast", "-o", out, "--degree", "11"}, "degree 11 is out of range");
+  expect_refused({"reconstruct", "overcast", "-o", out, "--width", "99"}, "--width 99: 100 to 8192");
+  expect_refused({"reconstruct", "overcast", "-o", out, "--exposure", "1000"}, "--exposure 1000");
+  expect_refused({"reconstruct", "overcast", "-o", out, "--draw", "fisheye"}, "--draw");
+  expect_refused({"reconstruct", "overcast", "-o", folder.file("no/x.png")}, "cannot write");
+  EXPECT_FALSE(std::filesystem::exists(out));
 }
 
 }  // namespace
