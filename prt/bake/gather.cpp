@@ -47,6 +47,9 @@ template <std::size_t Count>
 SHFORGE_WIDEST void sum_rows(const float* values, std::size_t row_length, const std::uint32_t* chosen,
                              std::size_t count, const float* weights, float* sum) {
   std::size_t first = 0;
+  for (; first + 8 * kRowUnit <= row_length; first += 8 * kRowUnit) {  // sums enough to hide how long an addition takes
+    sum_block<8>(values + first, row_length, chosen, count, weights, sum + first);
+  }
   for (; first + 4 * kRowUnit <= row_length; first += 4 * kRowUnit) {
     sum_block<4>(values + first, row_length, chosen, count, weights, sum + first);
   }
