@@ -5,9 +5,9 @@
 #include <memory>
 #include <optional>
 
-#include "prt/bake/bake.hpp"
 #include "prt/commands/commands.hpp"
 #include "prt/light/light_coefficients.hpp"
+#include "prt/plan/plan.hpp"
 #include "prt/scene/scene.hpp"
 #include "prt/transfer/transfer_file.hpp"
 #include "prt/transfer/transfer_names.hpp"
@@ -31,6 +31,7 @@ struct Options {
   bool no_checkpoint = false;
   bool restart = false;
   double checkpoint_seconds = CheckpointSettings().seconds;
+  PlanArguments plan;
 };
 
 void override_bake(const Options& options, BakeOptions& bake) {
@@ -74,6 +75,13 @@ BakeSettings settings_of(const Options& options) {
   return settings;
 }
 
+void report_plan(const Plan& plan) {
+  for (const Decision& decision : plan.record.decisions) {
+    fmt::print(stderr, "prt: plan: {}: {} ({:.2g}, {})\n", decision.name, decision.choice, decision.error,
+               decision.basis);
+  }
+}
+
 void run(const Options& options) {
   const Stopwatch stopwatch;
   require_writable(options.output);
@@ -81,7 +89,9 @@ void run(const Options& options) {
   Scene scene = load_scene(options.scene, settings.on_flaw);
   override_bake(options, scene.bake);
   BakeReport report;
-  const Transfer transfer = bake(scene, settings, &report);
+  const Plan plan = make_plan(scene, options.plan.applied_to(scene.plan), settings);
+  const Transfer transfer = bake_planned(scene, plan, settings, &report);
+  report_plan(plan);
   if (transfer.kind == TransferKind::kInterreflected) {
     report_bounces(transfer.bounces);
   }
@@ -132,6 +142,7 @@ void add_bake_command(CLI::App& tool) {
       ->capture_default_str();
   command->add_option("--instruction-set", options->instruction_set,
                       "of the rays: sse4.2, avx, avx2 or avx512; bits are reproducible on each");
+  options->plan.add_to(*command);
   command->add_flag("--strict", options->strict, "refuse meshes that would otherwise be mended with a warning");
   add_checkpoint_to(*command, *options);
   command->callback([options] { with_threads(options->threads, [&] { run(*options); }); });

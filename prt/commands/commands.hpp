@@ -3,6 +3,7 @@
 #pragma once
 #include <CLI/CLI.hpp>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,7 @@ void add_relight_command(CLI::App& tool);
 void add_render_command(CLI::App& tool);
 void add_info_command(CLI::App& tool);
 void add_project_command(CLI::App& tool);
+void add_plan_command(CLI::App& tool);
 void add_reconstruct_command(CLI::App& tool);
 
 /// `--window` and `--keep`: a window on the sum of all lights.
@@ -46,6 +48,17 @@ struct LightOptions {
 
   void add_to(CLI::App& command);
   [[nodiscard]] OnFlaw on_flaw() const { return strict ? OnFlaw::kRefuse : OnFlaw::kMend; }
+};
+
+/// What commands that plan take: all in place of what the scene says.
+struct PlanArguments {
+  std::string mode;  // none, exact, lossy; empty: the scene's
+  std::optional<double> error;
+  std::string turns;
+  std::vector<std::string> without;
+
+  void add_to(CLI::App& command);
+  [[nodiscard]] PlanOptions applied_to(PlanOptions options) const;
 };
 
 /// The lights the options name and the camera of their scene; without a scene `camera` stays empty. Without any option

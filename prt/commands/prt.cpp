@@ -16,6 +16,7 @@ void add_commands(CLI::App& tool) {
   sh::prt::add_render_command(tool);
   sh::prt::add_info_command(tool);
   sh::prt::add_project_command(tool);
+  sh::prt::add_plan_command(tool);
   sh::prt::add_reconstruct_command(tool);
 }
 
@@ -33,7 +34,7 @@ int run(int argc, char** argv) {
     if (!tool.get_subcommands().empty()) {
       throw;
     }
-    std::fprintf(stderr, "prt: `%s` is no command; bake, relight, render, info, project and reconstruct are\n",
+    std::fprintf(stderr, "prt: `%s` is no command; bake, relight, render, info, project, plan and reconstruct are\n",
                  argc > 1 ? argv[1] : "");
     return 2;
   }

@@ -17,7 +17,7 @@ Scene load_scene(const std::string& scene, OnFlaw on_flaw) {
   const nlohmann::json document = read_json(scene);
   const JsonReader reader(scene, document);
   const std::string folder = std::filesystem::path(scene).parent_path().string();
-  reader.allow({"name", "meshes", "ground", "lights", "camera", "bake"});
+  reader.allow({"name", "meshes", "ground", "lights", "camera", "bake", "plan"});
   Scene result;
   const auto name = reader.find("name");
   result.name = name ? name->text() : std::filesystem::path(scene).stem().string();
@@ -35,6 +35,9 @@ Scene load_scene(const std::string& scene, OnFlaw on_flaw) {
   }
   if (const auto options = reader.find("bake")) {
     result.bake = read_bake_options(*options);
+  }
+  if (const auto options = reader.find("plan")) {
+    result.plan = read_plan_options(*options);
   }
   for (const JsonReader& mesh : meshes.items()) {
     append(result.mesh, read_mesh(mesh, folder, on_flaw));

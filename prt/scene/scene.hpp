@@ -10,6 +10,7 @@
 #include "prt/mesh/mesh.hpp"
 #include "prt/scene/bake_options.hpp"
 #include "prt/scene/camera.hpp"
+#include "prt/scene/plan_options.hpp"
 #include "prt/transfer/transfer.hpp"
 
 namespace sh::prt {
@@ -20,6 +21,7 @@ struct Scene {
   std::vector<LightSpec> lights;
   Camera camera;
   BakeOptions bake;
+  PlanOptions plan;  // lossy where the scene has one
 };
 
 /// The scene in the JSON file `scene`, or the embedded one for the word `demo`. Meshes are loaded, welded and split;

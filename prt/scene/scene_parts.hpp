@@ -46,6 +46,8 @@ LightSpec read_light(const JsonReader& reader, const std::string& folder);
 WindowChoice read_window(const JsonReader& reader);
 Camera read_camera(const JsonReader& reader, const Camera& otherwise);
 BakeOptions read_bake_options(const JsonReader& reader);
+/// The scene asks for a lossy plan by having the key.
+PlanOptions read_plan_options(const JsonReader& reader);
 
 /// Welds and splits a soup that is in its final place. `name` begins what is said about flaws and errors.
 Mesh finish_mesh(Soup soup, std::size_t file_vertices, float crease_degrees, float max_edge, const std::string& name,

@@ -58,7 +58,7 @@ class StoppedBake : public testing::TestWithParam<const char*> {
   }
 
   [[nodiscard]] std::vector<std::string> arguments(const std::string& threads) const {
-    return {"bake", file_, "-o", out_, "--threads", threads, "--checkpoint-seconds", "0"};
+    return {"bake", file_, "-o", out_, "--plan", "none", "--threads", threads, "--checkpoint-seconds", "0"};
   }
 
   // Bakes until the checkpoint is that long, and ends the process; again where the bake was faster.

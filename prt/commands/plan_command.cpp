@@ -1,0 +1,69 @@
+// `prt plan SCENE`: what a bake of the scene can leave out, what that saves and costs.
+#include <iostream>
+#include <memory>
+
+#include "prt/commands/commands.hpp"
+#include "prt/plan/plan_text.hpp"
+#include "prt/scene/scene.hpp"
+
+namespace sh::prt {
+namespace {
+
+struct Options {
+  std::string scene;
+  PlanArguments plan;
+  bool json = false;
+  int threads = 0;
+};
+
+void run(const Options& options) {
+  const Stopwatch stopwatch;
+  const Scene scene = load_scene(options.scene, OnFlaw::kMend);
+  PlanOptions wanted = options.plan.applied_to(scene.plan);
+  if (options.plan.mode.empty()) {
+    wanted.mode = PlanMode::kLossy;
+  }
+  BakeSettings settings;
+  settings.threads = options.threads;
+  const Plan plan = make_plan(scene, wanted, settings);
+  std::cout << (options.json ? plan_json(scene.name, plan).dump(2) + "\n" : plan_text(scene.name, plan)) << std::flush;
+  if (!std::cout) {
+    throw std::runtime_error("standard output: cannot write");
+  }
+  stopwatch.report("planned");
+}
+
+}  // namespace
+
+void PlanArguments::add_to(CLI::App& command) {
+  command.add_option("--plan", mode, "none: leave nothing out; exact: what changes no number; lossy: within the error")
+      ->check(CLI::IsMember({"none", "exact", "lossy"}));
+  command.add_option("--error", error, "that a lossy plan may make, instead of the scene's");
+  command.add_option("--light-turns", turns, "how the scene's lights may be turned later, instead of the scene's word")
+      ->check(CLI::IsMember({"none", "about_z", "any"}));
+  command.add_option("--without", without, "decisions not to take")->delimiter(',');
+}
+
+PlanOptions PlanArguments::applied_to(PlanOptions options) const {
+  if (!mode.empty()) {
+    options.mode = mode == "none" ? PlanMode::kNone : mode == "exact" ? PlanMode::kExact : PlanMode::kLossy;
+  } else if (error) {
+    options.mode = PlanMode::kLossy;
+  }
+  options.error = error.value_or(options.error);
+  options.turns = turns.empty() ? options.turns : turns_called(turns);
+  options.without.insert(options.without.end(), without.begin(), without.end());
+  return options;
+}
+
+void add_plan_command(CLI::App& tool) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = tool.add_subcommand("plan", "say what a bake of a scene can leave out, and what that costs");
+  command->add_option("SCENE", options->scene, "a scene's JSON file, or `demo`, the embedded scene")->required();
+  options->plan.add_to(*command);
+  command->add_flag("--json", options->json, "for programs");
+  command->add_option("--threads", options->threads, "0: every core")->capture_default_str();
+  command->callback([options] { with_threads(options->threads, [&] { run(*options); }); });
+}
+
+}  // namespace sh::prt

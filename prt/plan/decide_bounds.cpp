@@ -1,0 +1,122 @@
+// Decisions by bounds: whether bounces matter, the type of the stored numbers.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "prt/plan/draft.hpp"
+#include "prt/plan/transfer_bounds.hpp"
+
+namespace sh::prt {
+
+namespace {
+
+constexpr double kLoosestTolerance = 0.1;
+
+// The largest exit radiance after any number of bounces, relative, however the light is turned.
+double largest_radiance(const Draft& draft) {
+  double largest = 0.0;
+  for (std::size_t c = 0; c < 3; ++c) {
+    double sum = 0.0;
+    for (int l = 0; l <= draft.light->coefficients().degree; ++l) {
+      sum += unshadowed_band_norm(l) * draft.light->band_norm(c, l);
+    }
+    largest = std::max(largest, sum);
+  }
+  return draft.gain * static_cast<double>(draft.albedo) * largest / draft.plan.reference;
+}
+
+// Albedo times blocked part times the largest radiance: nothing that comes back to a vertex is more.
+double light_that_returns(const Draft& draft) {
+  std::vector<double> returned;
+  for (std::size_t k = 0; k < draft.rows.blocked.size(); ++k) {
+    const float own = draft.scene.mesh.albedo[draft.probe->vertices()[k]].maxCoeff();
+    returned.push_back(static_cast<double>(own) * draft.rows.blocked[k]);
+  }
+  return kProbeMargin * rms(returned) * largest_radiance(draft);
+}
+
+// The error that a tolerance of 1 would leave: every number off by the largest that there can be.
+double error_of_tolerance(const Draft& draft) {
+  const double largest = transfer_band_bound(TransferKind::kInterreflected, true, draft.plan.bake.degree);
+  return draft.error_of(std::vector<double>(draft.light->coefficients().bands_squared(), largest));
+}
+
+void loosen_tolerance(Draft& draft, double returned) {
+  constexpr double kPart = 0.1;
+  double& tolerance = draft.plan.bake.bounces.tolerance;
+  const double before = tolerance;
+  const double unit = error_of_tolerance(draft);
+  const double wanted = std::min(kLoosestTolerance, unit > 0.0 ? draft.share(kPart) / unit : kLoosestTolerance);
+  if (draft.shines() || wanted <= before) {
+    draft.decide("bounces", fmt::format("to {:.2g} as asked", before),
+                 draft.shines() ? "surfaces shine of their own" : "the budget leaves no room", 0.0, "exact");
+    return;
+  }
+  tolerance = wanted;
+  draft.decide("bounces", fmt::format("to {:.2g} instead of {:.2g}", tolerance, before),
+               fmt::format("up to {:.2g} of the light comes back; about {:.0f} % of the applications are left",
+                           returned, 100.0 * std::log(tolerance) / std::log(before)),
+               tolerance * unit, "bound");
+}
+
+// Each number of the rows with the most that an element does to it, (bands^2 of the asked degree).
+std::vector<double> storage_errors(const Draft& draft, Element element) {
+  std::vector<double> errors(draft.light->coefficients().bands_squared(), 0.0);
+  const Storage& storage = draft.plan.storage;
+  for (std::size_t i = 0; i < draft.count(); ++i) {
+    if (storage.kept.empty() || std::binary_search(storage.kept.begin(), storage.kept.end(), i)) {
+      errors[i] = encoding_error(element, static_cast<double>(draft.plan.largest[i]));
+    }
+  }
+  return errors;
+}
+
+}  // namespace
+
+void decide_bounces(Draft& draft) {
+  if (draft.plan.bake.kind != TransferKind::kInterreflected) {
+    return;
+  }
+  if (!draft.takes("bounces")) {
+    return;
+  }
+  constexpr double kPart = 0.25;
+  const double returned = light_that_returns(draft);
+  if (draft.shines() || draft.has_mirrors() || returned > draft.share(kPart)) {
+    loosen_tolerance(draft, returned);
+    return;
+  }
+  draft.plan.bake.kind = TransferKind::kShadowed;
+  draft.decide("bounces", "none: shadowed instead of interreflected",
+               "albedo times what stands around bounds the light that comes back", returned, "measured");
+}
+
+void decide_storage(Draft& draft) {
+  constexpr double kSampling = 1.01;  // sums over directions may exceed the exact bound
+  draft.plan.largest.resize(draft.count());
+  for (int l = 0; l <= draft.plan.bake.degree; ++l) {
+    const double bound = kSampling * transfer_band_bound(draft.plan.bake.kind, draft.has_mirrors(), l);
+    std::fill(draft.plan.largest.begin() + l * l, draft.plan.largest.begin() + (l + 1) * (l + 1),
+              static_cast<float>(bound));
+  }
+  if (!draft.takes("storage")) {
+    return;
+  }
+  constexpr double kPart = 0.5;
+  for (const Element element : {Element::kByte, Element::kHalf}) {
+    const double error = draft.error_of(storage_errors(draft, element));
+    if (error <= draft.share(kPart)) {
+      draft.plan.storage.element = element;
+      const bool byte = element == Element::kByte;
+      draft.decide("storage", byte ? "8 bits with a scale a coefficient" : "half",
+                   byte ? "half a scale for each number, bounded by what transfer can be, times the lights"
+                        : "2^-11 of each number, bounded by what transfer can be, times the lights",
+                   error, "bound");
+      return;
+    }
+  }
+  draft.decide("storage", "single", "the budget leaves no room for half", 0.0, "exact");
+}
+
+}  // namespace sh::prt

@@ -1,0 +1,110 @@
+// Decisions that cost nothing: open vertices, one channel, coefficients that the lights do not have.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "prt/plan/draft.hpp"
+#include "prt/plan/open_vertices.hpp"
+
+namespace sh::prt {
+
+namespace {
+
+constexpr double kExactAngle = 1e-5;  // radians: a lune error below single precision
+constexpr double kWidestAngle = 0.1;
+
+double norm_of_light(const TurningLight& light) {
+  double largest = 0.0;
+  for (std::size_t c = 0; c < 3; ++c) {
+    double squares = 0.0;
+    for (int l = 0; l <= light.coefficients().degree; ++l) {
+      squares += std::pow(light.band_norm(c, l), 2);
+    }
+    largest = std::max(largest, std::sqrt(squares));
+  }
+  return largest;
+}
+
+// How much of the light a lune of that angle takes, relative; by it and its inverse angles and errors are exchanged.
+double error_of_angle(const Draft& draft, double angle) {
+  return draft.gain * static_cast<double>(draft.albedo) * norm_of_light(*draft.light) * lune_error(angle) /
+         draft.plan.reference;
+}
+
+double angle_within(const Draft& draft, double error) {
+  const double unit = error_of_angle(draft, 1.0);
+  return unit > 0.0 ? std::clamp(std::pow(error / unit, 2.0 / 3.0), kExactAngle, kWidestAngle) : kExactAngle;
+}
+
+double widest_angle(const Draft& draft) {
+  double widest = 0.0;
+  for (std::size_t v = 0; v < draft.starts.size(); ++v) {
+    if (draft.plan.open[v] != 0) {
+      const Eigen::Vector3f apart = draft.scene.mesh.normals[v] - draft.scene.mesh.geometric_normals[v];
+      widest = std::max(widest, 1.01 * static_cast<double>(apart.norm()));  // chord to angle, up to kWidestAngle
+    }
+  }
+  return widest;
+}
+
+}  // namespace
+
+void decide_analytic(Draft& draft) {
+  if (!draft.takes("analytic")) {
+    return;
+  }
+  if (draft.plan.bake.kind == TransferKind::kUnshadowed) {
+    draft.decide("analytic", "all vertices", "unshadowed transfer is asked for", 0.0, "exact");
+    return;
+  }
+  constexpr double kPart = 0.02;
+  const double angle = draft.light ? angle_within(draft, draft.share(kPart)) : kExactAngle;
+  draft.plan.open = open_vertices(draft.scene.mesh, draft.starts, angle);
+  const std::size_t open = draft.starts.size() - draft.traced();
+  const double widest = widest_angle(draft);
+  const bool exact = widest <= 1.01 * kExactAngle;
+  draft.decide("analytic", fmt::format("{} of {} vertices", open, draft.starts.size()),
+               exact ? "nothing lies above their horizon: transfer in closed form, no rays"
+                     : fmt::format("nothing lies above their horizon: transfer in closed form, no rays; normals differ "
+                                   "by up to {:.2g} degrees from the surface's",
+                                   widest * 180.0 / 3.14159265358979),
+               exact ? 0.0 : error_of_angle(draft, widest), exact ? "exact" : "bound");
+}
+
+void decide_channels(Draft& draft) {
+  if (!draft.takes("channels")) {
+    return;
+  }
+  if (draft.plan.bake.kind != TransferKind::kInterreflected) {
+    draft.decide("channels", "one", "transfer without bounces holds no albedo", 0.0, "exact");
+    return;
+  }
+  const auto is_grey = [](const Eigen::Vector3f& c) { return c.x() == c.y() && c.y() == c.z(); };
+  const Mesh& mesh = draft.scene.mesh;
+  const bool grey = std::all_of(mesh.albedo.begin(), mesh.albedo.end(), is_grey);
+  draft.plan.storage.one_channel = grey;
+  draft.decide("channels", grey ? "one for all three" : "three",
+               grey ? "every albedo is grey" : "albedos are coloured, and bounces carry the colour", 0.0, "exact");
+}
+
+void decide_symmetry(Draft& draft) {
+  if (!draft.takes("symmetry")) {
+    return;
+  }
+  std::vector<std::uint32_t> kept = draft.light->needed();
+  std::erase_if(kept, [&](std::uint32_t i) { return i >= draft.count(); });
+  const std::size_t count = kept.size();
+  const std::string turns(name_of(draft.options.turns));
+  if (count == 0 || count == draft.count()) {
+    draft.decide("symmetry", fmt::format("all {} coefficients", draft.count()),
+                 fmt::format("the lights, turned ({}), have them all", turns), 0.0, "exact");
+    return;
+  }
+  draft.plan.storage.kept = std::move(kept);
+  draft.decide("symmetry", fmt::format("{} of {} coefficients", count, draft.count()),
+               fmt::format("the lights have no others, however turned ({}); a light that does is refused", turns), 0.0,
+               "exact");
+}
+
+}  // namespace sh::prt

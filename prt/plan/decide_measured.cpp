@@ -1,0 +1,150 @@
+// Decisions by measurements on a probe: bands and directions.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+#include "prt/plan/draft.hpp"
+#include "prt/plan/transfer_bounds.hpp"
+#include "prt/rays/directions.hpp"
+
+namespace sh::prt {
+
+namespace {
+
+// Of the lights' bands above `degree`, up to the asked one.
+double bound_above(const Draft& draft, int degree) {
+  double largest = 0.0;
+  for (std::size_t c = 0; c < 3; ++c) {
+    double sum = 0.0;
+    for (int l = degree + 1; l <= draft.light->coefficients().degree; ++l) {
+      sum += transfer_band_bound(draft.plan.bake.kind, draft.has_mirrors(), l) * draft.light->band_norm(c, l);
+    }
+    largest = std::max(largest, sum);
+  }
+  return static_cast<double>(draft.albedo) * largest / draft.plan.reference;
+}
+
+double measured_above(const Draft& draft, int degree) {
+  const std::size_t length = draft.light->coefficients().bands_squared();
+  const std::size_t low = coefficient_count(degree);
+  std::vector<float> parts = draft.rows.transfer;
+  for (std::size_t row = 0; row < parts.size(); row += length) {
+    std::fill_n(parts.begin() + static_cast<std::ptrdiff_t>(row), low, 0.0F);
+  }
+  return kProbeMargin * draft.gain * draft.error_on_probe(parts);
+}
+
+// error = factor N^-rate, of a probe along N directions against many.
+struct Convergence {
+  double factor = 0.0;
+  double rate = 0.5;
+  [[nodiscard]] double error(double directions) const { return factor * std::pow(directions, -rate); }
+  [[nodiscard]] double directions(double error) const {
+    return factor > 0.0 ? std::pow(factor / error, 1.0 / rate) : 0.0;
+  }
+};
+
+constexpr std::array<int, 3> kTried = {256, 512, 1024};
+constexpr int kReference = 8192;
+constexpr int kFewest = 64;
+constexpr int kUnit = 64;
+
+// Least squares in logarithms; the rate within what samplers can have.
+Convergence fit(const std::array<double, kTried.size()>& errors) {
+  double x = 0.0;
+  double y = 0.0;
+  double xx = 0.0;
+  double xy = 0.0;
+  constexpr auto kCount = static_cast<double>(kTried.size());
+  for (std::size_t k = 0; k < kTried.size(); ++k) {
+    const double log_n = std::log(static_cast<double>(kTried[k]));
+    const double log_e = std::log(std::max(errors[k], 1e-12));
+    x += log_n / kCount;
+    y += log_e / kCount;
+    xx += log_n * log_n / kCount;
+    xy += log_n * log_e / kCount;
+  }
+  const double rate = std::clamp((x * y - xy) / (xx - x * x), 0.4, 1.2);
+  return {std::exp(y + rate * x), rate};
+}
+
+Convergence measure(const Draft& draft) {
+  const std::size_t length = draft.light->coefficients().bands_squared();
+  const ProbeRows reference = draft.probe->bake(draft.plan.open, kReference);
+  std::array<double, kTried.size()> errors{};
+  for (std::size_t k = 0; k < kTried.size(); ++k) {
+    std::vector<float> parts = draft.probe->bake(draft.plan.open, kTried[k]).transfer;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      parts[i] = i % length < draft.count() ? parts[i] - reference.transfer[i] : 0.0F;
+    }
+    errors[k] = draft.error_on_probe(parts);
+  }
+  Convergence convergence = fit(errors);
+  // With bounces what is seen of other surfaces is sampled as well, and both are reflected again.
+  const bool bounces = draft.plan.bake.kind == TransferKind::kInterreflected;
+  convergence.factor *= kProbeMargin * (bounces ? 2.0 * draft.gain : 1.0);
+  return convergence;
+}
+
+}  // namespace
+
+void decide_bands(Draft& draft) {
+  if (!draft.takes("bands")) {
+    return;
+  }
+  constexpr double kPart = 0.4;
+  const int asked = draft.plan.bake.degree;
+  for (int degree = 0; degree < asked; ++degree) {
+    const double bound = bound_above(draft, degree);
+    const double measured = measured_above(draft, degree);
+    const double error = std::min(bound, measured);
+    if (error <= draft.share(kPart)) {
+      draft.plan.bake.degree = degree;
+      draft.decide("bands", fmt::format("degree {} instead of {}", degree, asked),
+                   fmt::format("|T_l| |L_l| over bands {} to {}, lights turned: {} (any visibility: {:.2g})",
+                               degree + 1, asked, name_of(draft.options.turns), bound),
+                   error, bound <= measured ? "bound" : "measured");
+      return;
+    }
+  }
+  draft.decide("bands", fmt::format("degree {} as asked", asked),
+               fmt::format("without band {} the error would be {:.2g}", asked,
+                           asked > 0 ? std::min(bound_above(draft, asked - 1), measured_above(draft, asked - 1)) : 1.0),
+               0.0, "exact");
+}
+
+double floor_of_directions(Draft& draft) {
+  const double floor = measure(draft).error(static_cast<double>(draft.plan.bake.directions));
+  if (floor > draft.left) {
+    const double needed = std::ceil(measure(draft).directions(draft.left));
+    throw std::invalid_argument(fmt::format(
+        "error {:.3g}: cannot be met: {} directions alone leave {:.3g} (measured); {:.2g} can be, or {} directions",
+        draft.options.error, draft.plan.bake.directions, floor, 1.1 * floor + draft.plan.record.error,
+        needed <= static_cast<double>(kMaxDirections) ? fmt::format("{:.0f}", needed) : "no number of"));
+  }
+  return floor;
+}
+
+void decide_directions(Draft& draft) {
+  if (!draft.takes("directions")) {
+    return;
+  }
+  const int asked = draft.plan.bake.directions;
+  const Convergence convergence = measure(draft);
+  const double wanted = convergence.directions(draft.left);
+  const double rounded = std::ceil(wanted / kUnit) * kUnit;
+  draft.plan.bake.directions = std::min(asked, std::max(kFewest, static_cast<int>(std::min(rounded, 1e6))));
+  const double error = convergence.error(static_cast<double>(draft.plan.bake.directions));
+  const bool bounces = draft.plan.bake.kind == TransferKind::kInterreflected;
+  draft.decide("directions",
+               draft.plan.bake.directions < asked ? fmt::format("{} instead of {}", draft.plan.bake.directions, asked)
+                                                  : fmt::format("{} as asked", asked),
+               fmt::format("the error falls as N^-{:.2f} on {} vertices, against {} directions", convergence.rate,
+                           draft.probe->vertices().size(), kReference),
+               error, bounces ? "heuristic" : "measured");
+}
+
+}  // namespace sh::prt

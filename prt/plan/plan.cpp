@@ -1,0 +1,152 @@
+#include "prt/plan/plan.hpp"
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "prt/light/light.hpp"
+#include "prt/light/project.hpp"
+#include "prt/plan/draft.hpp"
+#include "prt/plan/transfer_bounds.hpp"
+
+namespace sh::prt {
+
+namespace {
+
+constexpr std::size_t kProbeVertices = 384;
+constexpr int kProbeDirections = 1024;
+
+void check(const PlanOptions& options) {
+  for (const std::string& name : options.without) {
+    if (std::find(kDecisionNames.begin(), kDecisionNames.end(), name) == kDecisionNames.end()) {
+      throw std::invalid_argument(
+          fmt::format("decision {}: expected one of {}", name, fmt::join(kDecisionNames, ", ")));
+    }
+  }
+  if (options.mode == PlanMode::kLossy && !(options.error > 0.0 && options.error <= 1.0)) {
+    throw std::invalid_argument(fmt::format("error {}: expected more than 0, at most 1", options.error));
+  }
+}
+
+// A bound on what the bands of the lights beyond the asked degree, up to the last there is, would add.
+double light_beyond(const Draft& draft, const LightCoefficients& whole) {
+  const TurningLight light(whole, draft.options.turns);
+  double largest = 0.0;
+  for (std::size_t c = 0; c < 3; ++c) {
+    double sum = 0.0;
+    for (int l = draft.plan.bake.degree + 1; l <= kMaxDegree; ++l) {
+      sum += transfer_band_bound(draft.plan.bake.kind, draft.has_mirrors(), l) * light.band_norm(c, l);
+    }
+    largest = std::max(largest, sum);
+  }
+  return static_cast<double>(draft.albedo) * largest / draft.plan.reference;
+}
+
+LightCoefficients first_bands(const LightCoefficients& whole, int degree) {
+  LightCoefficients light = LightCoefficients::zero(degree);
+  for (std::size_t c = 0; c < 3; ++c) {
+    for (std::size_t i = 0; i < light.bands_squared(); ++i) {
+      light.at(c, i) = whole.at(c, i);
+    }
+  }
+  return light;
+}
+
+void take_lights(Draft& draft) {
+  const LightCoefficients whole = project(load_lights(draft.scene.lights, OnFlaw::kMend), kMaxDegree);
+  const LightCoefficients light = first_bands(whole, draft.scene.bake.degree);
+  draft.light = std::make_unique<TurningLight>(light, draft.options.turns);
+  draft.plan.reference = largest_unshadowed_radiance(draft.scene.mesh, light);
+  if (!(draft.plan.reference > 0.0)) {
+    throw std::invalid_argument(
+        fmt::format("{}: its lights leave the mesh dark, and an error is relative to what they make of it: expected a "
+                    "light that reaches it, or a plan without an error",
+                    draft.scene.name));
+  }
+  draft.plan.beyond = light_beyond(draft, whole);
+}
+
+// Which vertices are open is asked of all before: those need no rays in the probe either.
+void take_probe(Draft& draft, const std::string& instruction_set) {
+  draft.probe = std::make_unique<Probe>(draft.scene, draft.starts, kProbeVertices, instruction_set);
+  draft.rows = draft.probe->bake(draft.plan.open, std::min(kProbeDirections, draft.scene.bake.directions));
+  double most = 0.0;
+  for (const double blocked : draft.rows.blocked) {
+    draft.mean_blocked += blocked / static_cast<double>(draft.rows.blocked.size());
+    most = std::max(most, blocked);
+  }
+  if (draft.scene.bake.kind == TransferKind::kInterreflected) {
+    draft.gain = 1.0 / std::max(1.0 - static_cast<double>(draft.albedo) * most, 1e-3);
+  }
+  draft.start();
+}
+
+void decide_within_budget(Draft& draft, const std::string& instruction_set) {
+  const bool rays = draft.scene.bake.kind != TransferKind::kUnshadowed;
+  draft.plan.record.budget = draft.left = draft.options.error;
+  draft.plan.record.light_turns = name_of(draft.options.turns);
+  take_lights(draft);
+  take_probe(draft, instruction_set);
+  const auto& without = draft.options.without;
+  const bool fewer = rays && std::find(without.begin(), without.end(), "directions") == without.end();
+  draft.reserved = fewer ? floor_of_directions(draft) : 0.0;
+  decide_analytic(draft);
+  decide_bounces(draft);
+  decide_channels(draft);
+  decide_bands(draft);
+  decide_symmetry(draft);
+  decide_storage(draft);
+  if (rays) {
+    decide_directions(draft);
+  }
+}
+
+bool fits(const Transfer& transfer, const std::vector<float>& largest) {
+  for (std::size_t i = 0; i < transfer.coefficients.size(); ++i) {
+    if (std::abs(transfer.coefficients[i]) > largest[i % largest.size()]) {
+      return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+Plan make_plan(const Scene& scene, const PlanOptions& options, const BakeSettings& settings) {
+  check(options);
+  Draft draft(scene, options);
+  if (options.mode == PlanMode::kNone) {
+    draft.plan.open.clear();
+    return draft.plan;
+  }
+  const int cores = tbb::this_task_arena::max_concurrency();
+  tbb::task_arena arena(settings.threads == 0 ? cores : std::min(settings.threads, cores));
+  arena.execute([&] {
+    if (options.mode == PlanMode::kLossy) {
+      decide_within_budget(draft, settings.instruction_set);
+    } else {
+      decide_analytic(draft);
+      decide_channels(draft);
+    }
+  });
+  return std::move(draft.plan);
+}
+
+Transfer bake_planned(const Scene& scene, const Plan& plan, BakeSettings settings, BakeReport* report) {
+  Scene planned = scene;
+  planned.bake = plan.bake;
+  settings.open = plan.open;
+  Transfer transfer = bake(planned, settings, report);
+  transfer.storage = plan.storage;
+  transfer.plan = plan.record;
+  if (transfer.storage.element == Element::kByte && !fits(transfer, plan.largest)) {
+    transfer.storage.element = Element::kHalf;  // an outlier would coarsen every other number of its column
+  }
+  return transfer;
+}
+
+}  // namespace sh::prt

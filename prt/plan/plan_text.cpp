@@ -1,0 +1,73 @@
+#include "prt/plan/plan_text.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "prt/transfer/plan_json.hpp"
+#include "prt/transfer/transfer_names.hpp"
+
+namespace sh::prt {
+
+namespace {
+
+std::string in_millions(std::int64_t count, const char* unit) {
+  return count == 0 ? "-" : fmt::format("{:.2f} M{}", static_cast<double>(count) * 1e-6, unit);
+}
+
+std::string error_text(const Decision& decision) {
+  return decision.error == 0.0 ? "0" : fmt::format("{:.2g}", decision.error);
+}
+
+double part(std::int64_t of, std::int64_t whole) {
+  return whole == 0 ? 100.0 : 100.0 * static_cast<double>(of) / static_cast<double>(whole);
+}
+
+}  // namespace
+
+std::string plan_text(const std::string& scene, const Plan& plan) {
+  const PlanRecord& record = plan.record;
+  std::string text =
+      record.budget > 0.0
+          ? fmt::format(
+                "{}: error at most {:.3g} of {:.3g} W m^-2 sr^-1 (the largest exit radiance unshadowed), RMS over "
+                "vertices; lights turned: {}\n",
+                scene, record.budget, plan.reference, record.light_turns)
+          : fmt::format("{}: only what changes no number under any light\n", scene);
+  text +=
+      fmt::format("{:<11}{:<38}{:>11}{:>13}{:>9}  {}\n", "decision", "choice", "saves", "rays", "error", "known by");
+  for (const Decision& decision : record.decisions) {
+    text += fmt::format("{:<11}{:<38}{:>11}{:>13}{:>9}  {}\n{:<11}{}\n", decision.name, decision.choice,
+                        in_millions(decision.bytes_saved, "B"), in_millions(decision.rays_saved, ""),
+                        error_text(decision), decision.basis, "", decision.why);
+  }
+  text += fmt::format("in all: {:.2f} of {:.2f} MB of transfer ({:.0f} %), {:.1f} of {:.1f} million rays ({:.0f} %)",
+                      static_cast<double>(plan.planned.bytes) * 1e-6, static_cast<double>(plan.asked.bytes) * 1e-6,
+                      part(plan.planned.bytes, plan.asked.bytes), static_cast<double>(plan.planned.rays) * 1e-6,
+                      static_cast<double>(plan.asked.rays) * 1e-6, part(plan.planned.rays, plan.asked.rays));
+  text += record.budget > 0.0 ? fmt::format(", error at most {:.2g}\n", record.error) : "\n";
+  if (plan.beyond > 0.0) {
+    text += fmt::format(
+        "beside it: what the asked degree leaves out of the lights (bands to 10) would change at most {:.2g}\n",
+        plan.beyond);
+  }
+  return text;
+}
+
+nlohmann::ordered_json plan_json(const std::string& scene, const Plan& plan) {
+  nlohmann::ordered_json json = to_json(plan.record);
+  json["scene"] = scene;
+  json["reference_radiance"] = plan.reference;
+  json["beyond_asked_degree"] = plan.beyond;
+  json["bytes"] = {{"asked", plan.asked.bytes}, {"planned", plan.planned.bytes}};
+  json["rays"] = {{"asked", plan.asked.rays}, {"planned", plan.planned.rays}};
+  json["bake"] = {{"degree", plan.bake.degree},
+                  {"directions", plan.bake.directions},
+                  {"transfer", name_of(plan.bake.kind).scene},
+                  {"tolerance", plan.bake.bounces.tolerance},
+                  {"open_vertices", std::count(plan.open.begin(), plan.open.end(), std::uint8_t{1})}};
+  json["storage"] = to_json(plan.storage);
+  return json;
+}
+
+}  // namespace sh::prt

@@ -1,0 +1,26 @@
+// What no transfer vector can exceed, whatever stands in the way, and however the light is turned. For albedo 1; others
+// are proportional.
+// Without bounces a vector is the projection of V(s) max(0, n.s) / pi, 0 <= V <= 1. Its part in band l is its product
+// with the best h of unit norm in that band, at most 1/pi times the integral of the cosine times max(0, h)
+//   = 1/(2 pi) integral of cos (|h| + h) <= 1/(2 pi) sqrt(2 pi / 3) sqrt(1/2) + |DU_l| / 2
+// (Cauchy-Schwarz on the hemisphere, which by parity holds half of h^2; DU_l the unshadowed vector's part). With
+// bounces it is the projection of a weight that is nowhere negative and, since no energy is gained, sums to at most 1:
+//   |T_l| <= largest value of h = sqrt((2l+1) / 4 pi).
+#pragma once
+#include "prt/mesh/mesh.hpp"
+#include "prt/plan/turning_light.hpp"
+#include "prt/transfer/transfer.hpp"
+
+namespace sh::prt {
+
+/// |T_l| of an unshadowed vertex: A_l/pi sqrt((2l+1) / 4 pi).
+double unshadowed_band_norm(int l);
+
+/// The larger of the two bounds above that applies; mirrors gather paths as bounces do.
+double transfer_band_bound(TransferKind kind, bool mirrors, int l);
+
+/// The largest exit radiance that `mesh` would have unshadowed under the light as it stands, of all vertices and
+/// channels: what errors are relative to.
+double largest_unshadowed_radiance(const Mesh& mesh, const LightCoefficients& light);
+
+}  // namespace sh::prt
