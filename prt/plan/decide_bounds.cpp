@@ -95,8 +95,9 @@ void decide_bounces(Draft& draft) {
 void decide_storage(Draft& draft) {
   constexpr double kSampling = 1.01;  // sums over directions may exceed the exact bound
   draft.plan.largest.resize(draft.count());
-  for (int l = 0; l <= draft.plan.bake.degree; ++l) {
-    const double bound = kSampling * transfer_band_bound(draft.plan.bake.kind, draft.has_mirrors(), l);
+  for (std::ptrdiff_t l = 0; l <= draft.plan.bake.degree; ++l) {
+    const double bound =
+        kSampling * transfer_band_bound(draft.plan.bake.kind, draft.has_mirrors(), static_cast<int>(l));
     std::fill(draft.plan.largest.begin() + l * l, draft.plan.largest.begin() + (l + 1) * (l + 1),
               static_cast<float>(bound));
   }

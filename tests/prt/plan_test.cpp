@@ -161,5 +161,135 @@ INSTANTIATE_TEST_SUITE_P(Lights, PlanOf,
                          testing::Values(Case{kOvercast, LightTurns::kAboutZ, 0.01},
                                          Case{kSunny, LightTurns::kNone, 0.01}, Case{kSunny, LightTurns::kAny, 0.03}));
 
+TEST(Plan, NoneAndExactChangeNoNumber) {
+  const TemporaryFolder folder;
+  const Scene scene = small_scene(kOvercast);
+  const Transfer full = full_bake(scene);
+  write_transfer(folder.file("full"), full);
+  PlanOptions options;
+  options.mode = PlanMode::kNone;
+  write_transfer(folder.file("none"), bake_planned(scene, make_plan(scene, options)));
+  EXPECT_EQ(read_all(folder.file("none")), read_all(folder.file("full")));
+  options.mode = PlanMode::kExact;
+  const Plan plan = make_plan(scene, options);
+  EXPECT_LT(plan.planned.rays, plan.asked.rays);
+  EXPECT_EQ(plan.record.error, 0.0);
+  EXPECT_EQ(bake_planned(scene, plan).coefficients, full.coefficients);
+  EXPECT_EQ(read_transfer(folder.file("none")).plan.decisions.size(), 0U);
+}
+
+/// A box on the ground, interreflected; every colour of the one albedo.
+Scene box_scene(const std::string& albedo, double tolerance = 1e-4) {
+  const TemporaryFolder folder;
+  const std::string file = folder.file("box.json");
+  write_all(file, R"({"meshes": [{"primitive": "box", "max_edge": 0.2, "albedo": )" + albedo + R"(}],
+                      "ground": {"max_edge": 0.2, "size": 3, "albedo": )" +
+                      albedo + R"(},
+                      "bake": {"degree": 2, "directions": 512, "transfer": "interreflected", "tolerance": )" +
+                      std::to_string(tolerance) + "}}");
+  return load_scene(file, OnFlaw::kMend);
+}
+
+TEST(Plan, OfGreyAlbedosStoresOneChannelExactly) {
+  const Scene scene = box_scene("[0.5, 0.5, 0.5]");
+  const Transfer full = full_bake(scene);
+  for (const Plan& plan :
+       {make_plan(scene, alone("channels", 0.01, LightTurns::kAny)), make_plan(scene, PlanOptions{})}) {
+    EXPECT_TRUE(plan.storage.one_channel);
+    EXPECT_EQ(3 * plan.planned.bytes, plan.asked.bytes);
+    EXPECT_EQ(stored(bake_planned(scene, plan)).coefficients, full.coefficients);
+  }
+  EXPECT_FALSE(make_plan(box_scene("[0.5, 0.5, 0.4]"), PlanOptions{}).storage.one_channel);
+}
+
+TEST(Plan, LeavesBouncesOutWhereLittleComesBackAndElseSolvesThemMoreLoosely) {
+  const Scene dark = box_scene("[0.02, 0.03, 0.01]");
+  const Plan none = make_plan(dark, alone("bounces", 0.1, LightTurns::kAny));
+  EXPECT_EQ(none.bake.kind, TransferKind::kShadowed);
+  EXPECT_LT(none.planned.bytes, none.asked.bytes);
+  EXPECT_LT(none.planned.rays, none.asked.rays);
+  EXPECT_LE(measured_error(dark, bake_planned(dark, none), full_bake(dark), LightTurns::kAny, none.reference),
+            none.record.error);
+  const Scene bright = box_scene("[0.8, 0.5, 0.3]", 1e-6);
+  const Plan loose = make_plan(bright, alone("bounces", 0.02, LightTurns::kAny));
+  EXPECT_EQ(loose.bake.kind, TransferKind::kInterreflected);
+  EXPECT_GT(loose.bake.bounces.tolerance, 1e-6);
+  const Transfer full = full_bake(bright);
+  const Transfer planned = bake_planned(bright, loose);
+  EXPECT_LT(planned.bounces.applications, full.bounces.applications);
+  EXPECT_LE(measured_error(bright, planned, full, LightTurns::kAny, loose.reference), loose.record.error);
+}
+
+TEST(Plan, OfBouncesStaysWithinItsBudgetAsAWhole) {
+  const Scene scene = box_scene("[0.8, 0.5, 0.3]");
+  const Plan plan = make_plan(scene, lossy(0.05, LightTurns::kAboutZ));
+  EXPECT_LE(plan.record.error, 0.05);
+  EXPECT_LT(plan.planned.bytes, plan.asked.bytes / 3);
+  EXPECT_LE(measured_error(scene, stored(bake_planned(scene, plan)), full_bake(scene, 16384), LightTurns::kAboutZ,
+                           plan.reference),
+            plan.record.error);
+}
+
+TEST(Plan, RefusesABudgetThatCannotBeMetAndSaysWhatCan) {
+  const Scene scene = small_scene(kOvercast);
+  const std::string said = message_of([&] { make_plan(scene, lossy(1e-5, LightTurns::kAboutZ)); });
+  EXPECT_NE(said.find("cannot be met"), std::string::npos) << said;
+  const std::size_t at = said.find("(measured); ");
+  ASSERT_NE(at, std::string::npos) << said;
+  const double can = std::stod(said.substr(at + 12));
+  EXPECT_NO_THROW(make_plan(scene, lossy(can, LightTurns::kAboutZ))) << said;
+}
+
+TEST(Plan, RefusesWhatMakesNoSense) {
+  const Scene scene = small_scene(kOvercast);
+  EXPECT_NE(message_of([&] { make_plan(scene, lossy(0.0, LightTurns::kAny)); }).find("more than 0"), std::string::npos);
+  EXPECT_NE(message_of([&] { make_plan(scene, lossy(std::nan(""), LightTurns::kAny)); }), "");
+  PlanOptions options;
+  options.without = {"colour"};
+  EXPECT_NE(message_of([&] { make_plan(scene, options); }).find("expected one of analytic"), std::string::npos);
+  const Scene dark = small_scene(R"({"type": "constant", "radiance": [0, 0, 0]})");
+  EXPECT_NE(message_of([&] { make_plan(dark, lossy(0.01, LightTurns::kAny)); }).find("dark"), std::string::npos);
+  EXPECT_EQ(message_of([&] { make_plan(dark, PlanOptions{}); }), "");
+}
+
+TEST(Plan, GivesWayToHalfWhereANumberDoesNotFit) {
+  const Scene scene = box_scene("[0.02, 0.03, 0.01]");
+  Plan plan = make_plan(scene, alone("storage", 0.5, LightTurns::kNone));
+  ASSERT_EQ(plan.storage.element, Element::kByte);
+  EXPECT_EQ(bake_planned(scene, plan).storage.element, Element::kByte);
+  std::fill(plan.largest.begin(), plan.largest.end(), 1e-6F);
+  EXPECT_EQ(bake_planned(scene, plan).storage.element, Element::kHalf);
+}
+
+TEST(Plan, IsReadFromTheSceneWhichThenIsBakedByIt) {
+  EXPECT_EQ(small_scene(kOvercast).plan.mode, PlanMode::kExact);
+  const Scene scene =
+      small_scene(kOvercast, R"(, "plan": {"error": 0.02, "light_turns": "any", "without": ["bands", "storage"]})");
+  EXPECT_EQ(scene.plan.mode, PlanMode::kLossy);
+  EXPECT_EQ(scene.plan.error, 0.02);
+  EXPECT_EQ(scene.plan.turns, LightTurns::kAny);
+  EXPECT_EQ(scene.plan.without, (std::vector<std::string>{"bands", "storage"}));
+  for (const char* bad : {R"({"error": 0})", R"({"error": "x"})", R"({"light_turns": "often"})",
+                          R"({"without": "bands"})", R"({"without": ["colour"]})", R"({"budget": 1})", "[]"}) {
+    const std::string said = message_of([&] { small_scene(kOvercast, std::string(R"(, "plan": )") + bad); });
+    EXPECT_NE(said.find(": /plan"), std::string::npos) << bad << ": " << said;
+  }
+}
+
+TEST(Plan, IsTheSameForAnyNumberOfThreadsAndIsPrinted) {
+  const Scene scene = small_scene(kSunny);
+  BakeSettings one;
+  one.threads = 1;
+  const Plan plan = make_plan(scene, lossy(0.03, LightTurns::kAboutZ), one);
+  const std::string text = plan_text("small", plan);
+  EXPECT_EQ(text, plan_text("small", make_plan(scene, lossy(0.03, LightTurns::kAboutZ))));
+  const nlohmann::json json = plan_json("small", plan);
+  EXPECT_GE(json["decisions"].size(), 6U);
+  for (const nlohmann::json& decision : json["decisions"]) {
+    EXPECT_NE(text.find(decision["choice"].get<std::string>()), std::string::npos);
+    EXPECT_GE(decision["error"].get<double>(), 0.0);
+  }
+}
+
 }  // namespace
 }  // namespace sh::prt::test

@@ -1,0 +1,73 @@
+// `prt plan`, and `prt bake` that follows plans, as their users run them.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "tests/prt/temporary_folder.hpp"
+#include "tests/prt/tool.hpp"
+
+namespace sh::prt::test {
+namespace {
+
+const std::vector<std::string> kSmall = {"bake", "demo", "--degree", "2", "--directions", "256"};
+
+std::vector<std::string> with(std::vector<std::string> arguments, const std::vector<std::string>& more) {
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return arguments;
+}
+
+TEST(PlanTool, PrintsTheDecisionsForTheEmbeddedSceneWithSavingsAndErrors) {
+  const Finished run = run_prt({"plan", "demo", "--json"});
+  ASSERT_EQ(run.status, 0) << run.err;
+  const auto json = nlohmann::json::parse(run.out);
+  std::size_t saving = 0;
+  double sum = 0.0;
+  for (const auto& decision : json["decisions"]) {
+    saving += decision["bytes_saved"].get<std::int64_t>() + decision["rays_saved"].get<std::int64_t>() > 0 ? 1 : 0;
+    sum += decision["error"].get<double>();
+  }
+  EXPECT_GE(saving, 5U);
+  EXPECT_NEAR(sum, json["error"].get<double>(), 1e-12);
+  EXPECT_LE(json["error"].get<double>(), json["budget"].get<double>());
+  EXPECT_LT(json["bytes"]["planned"].get<double>(), 0.2 * json["bytes"]["asked"].get<double>());
+  const Finished text = run_prt({"plan", "demo"});
+  EXPECT_NE(text.out.find("symmetry   "), std::string::npos) << text.out;
+}
+
+TEST(PlanTool, BakesByThePlanAndTheFileSaysSo) {
+  const TemporaryFolder folder;
+  const std::string planned = folder.file("planned.transfer");
+  const Finished run = run_prt(with(kSmall, {"-o", planned, "--error", "0.05"}));
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_NE(run.err.find("prt: plan: symmetry"), std::string::npos) << run.err;
+  const auto info = nlohmann::json::parse(run_prt({"info", planned}).out);
+  EXPECT_EQ(info["plan"]["budget"], 0.05);
+  EXPECT_TRUE(info.contains("storage"));
+  EXPECT_EQ(run_prt({"relight", planned, "-o", folder.file("a.ply")}).status, 0);
+  const std::string sun = folder.file("sun.json");
+  write_all(sun, R"({"type": "directional", "direction": [1, 0, 1]})");
+  expect_refused({"relight", planned, "--light", sun, "-o", folder.file("b.ply")}, "--without symmetry");
+}
+
+TEST(PlanTool, LeavesNothingOutWhenToldTo) {
+  const TemporaryFolder folder;
+  const std::string none = folder.file("none.transfer");
+  ASSERT_EQ(run_prt(with(kSmall, {"-o", none, "--plan", "none"})).status, 0);
+  EXPECT_FALSE(nlohmann::json::parse(run_prt({"info", none}).out).contains("plan"));
+}
+
+TEST(PlanTool, RefusesBudgetsThatCannotBeMetAndWordsItDoesNotKnow) {
+  const TemporaryFolder folder;
+  const std::string out = folder.file("no.transfer");
+  expect_refused({"plan", "demo", "--error", "0.00001"}, "cannot be met");
+  expect_refused(with(kSmall, {"-o", out, "--error", "0.00001"}), "cannot be met");
+  expect_refused({"plan", "demo", "--error", "-1"}, "expected more than 0");
+  expect_refused({"plan", "demo", "--without", "colour"}, "expected one of analytic");
+  expect_refused({"plan", "demo", "--light-turns", "often"}, "--light-turns");
+  expect_refused({"plan", folder.file("none.json")}, "cannot read");
+  EXPECT_EQ(folder.entries(), 0U);
+}
+
+}  // namespace
+}  // namespace sh::prt::test
