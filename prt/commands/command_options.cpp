@@ -73,12 +73,14 @@ void LightOptions::add_to(CLI::App& command) {
   command.add_flag("--strict", strict, "refuse input that would otherwise be mended with a warning");
 }
 
-ChosenLight choose_light(const LightOptions& options) {
+ChosenLight choose_light(const LightOptions& options, const std::vector<LightSpec>& otherwise) {
   ChosenLight chosen;
   if (!options.scene.empty()) {
     const Scene scene = load_scene(options.scene, options.on_flaw());
     chosen.lights = load_lights(scene.lights, options.on_flaw());
     chosen.camera.push_back(scene.camera);
+  } else if (options.light.empty() && !otherwise.empty()) {
+    chosen.lights = load_lights(otherwise, options.on_flaw());
   } else {
     chosen.lights = load_lights(named_lights(options.light.empty() ? "overcast" : options.light, options.mapping),
                                 options.on_flaw());

@@ -62,12 +62,12 @@ struct PlanArguments {
 };
 
 /// The lights the options name and the camera of their scene; without a scene `camera` stays empty. Without any option
-/// the CIE overcast sky.
+/// `otherwise`, and where that is empty the CIE overcast sky.
 struct ChosenLight {
   std::vector<Light> lights;
   std::vector<Camera> camera;  // none or one
 };
-ChosenLight choose_light(const LightOptions& options);
+ChosenLight choose_light(const LightOptions& options, const std::vector<LightSpec>& otherwise = {});
 
 /// Adds `--mapping`, one of kMappingNames.
 void add_mapping_to(CLI::App& command, std::string& mapping);

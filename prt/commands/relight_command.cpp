@@ -1,39 +1,45 @@
-// `prt relight FILE -o out.ply`: exit radiance per vertex under a light.
+// `prt relight FILE -o out.ply`: exit radiance per vertex under a light, of a baked mesh or of a stage.
 #include <fmt/format.h>
 
 #include <memory>
 
-#include "prt/commands/commands.hpp"
-#include "prt/commands/shading_options.hpp"
+#include "prt/commands/frames.hpp"
+#include "prt/commands/subject.hpp"
 #include "prt/runtime/relight.hpp"
-#include "prt/transfer/transfer_file.hpp"
 
 namespace sh::prt {
 namespace {
 
 struct Options {
-  std::string transfer;
+  SubjectOptions subject;
   std::string output;
-  LightOptions light;
-  ShadingOptions shading;
+  int frames = 1;
   int threads = 0;
 };
 
-void run(const Options& options) {
-  require_writable(options.output);
-  const Transfer transfer = read_transfer(options.transfer);
-  const LightCoefficients light =
-      options.shading.light(choose_light(options.light).lights, transfer, options.light.window);
+void relight_frame(const Options& options, Subject& subject, int frame) {
+  const std::vector<Pose> poses = subject.poses_at(static_cast<double>(frame) / options.frames);
   const Stopwatch stopwatch;
-  const std::vector<Eigen::Vector3f> radiance = options.shading.shade(transfer, light);
+  const std::vector<Eigen::Vector3f> radiance = subject.radiance(poses, Eigen::Matrix3d::Identity());
   stopwatch.report(fmt::format("relit {} vertices", radiance.size()));
-  write_ply(options.output, transfer.mesh, radiance);
+  const Mesh mesh = subject.mesh(poses);
+  const std::string name = frame_name(options.output, frame, options.frames);
+  write_ply(name, mesh, radiance);
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
   for (const Eigen::Vector3f& value : radiance) {
     mean += value.cast<double>() / static_cast<double>(radiance.size());
   }
-  fmt::print(stderr, "prt: {}: {} vertices, {} faces, mean exit radiance {:.4g} {:.4g} {:.4g}\n", options.output,
-             radiance.size(), transfer.mesh.faces.size(), mean.x(), mean.y(), mean.z());
+  fmt::print(stderr, "prt: {}: {} vertices, {} faces, mean exit radiance {:.4g} {:.4g} {:.4g}\n", name, radiance.size(),
+             mesh.faces.size(), mean.x(), mean.y(), mean.z());
+}
+
+void run(const Options& options) {
+  require_frames(options.frames);
+  require_writable(frame_name(options.output, 0, options.frames));
+  Subject subject(options.subject);
+  for (int frame = 0; frame < options.frames; ++frame) {
+    relight_frame(options, subject, frame);
+  }
 }
 
 }  // namespace
@@ -41,11 +47,11 @@ void run(const Options& options) {
 void add_relight_command(CLI::App& tool) {
   auto options = std::make_shared<Options>();
   CLI::App* command = tool.add_subcommand("relight", "write a PLY mesh with the exit radiance of every vertex");
-  command->add_option("FILE", options->transfer, "what `prt bake` made")->required();
-  command->add_option("-o,--output", options->output, "PLY file to write")->required();
+  options->subject.add_to(*command);
+  command->add_option("-o,--output", options->output, "PLY file to write; frames become out_000.ply, ...")->required();
+  command->add_option("--frames", options->frames, "meshes, over the time in which a stage moves")
+      ->capture_default_str();
   command->add_option("--threads", options->threads, "0: every core")->capture_default_str();
-  options->light.add_to(*command);
-  options->shading.add_to(*command);
   command->callback([options] { with_threads(options->threads, [&] { run(*options); }); });
 }
 

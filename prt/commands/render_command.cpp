@@ -1,44 +1,38 @@
-// `prt render FILE -o out.png`: pictures of a baked mesh, the light turned from frame to frame.
+// `prt render FILE -o out.png`: pictures of a baked mesh or of a stage, one or a sequence.
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <filesystem>
 #include <memory>
+#include <optional>
 
-#include "numeric/output/png.hpp"
-#include "prt/commands/commands.hpp"
-#include "prt/commands/shading_options.hpp"
+#include "prt/commands/frames.hpp"
+#include "prt/commands/subject.hpp"
 #include "prt/image/tone_map.hpp"
-#include "prt/runtime/relight.hpp"
 #include "prt/runtime/render.hpp"
+#include "prt/runtime/turntable.hpp"
 #include "prt/scene/default_camera.hpp"
-#include "prt/transfer/transfer_file.hpp"
 
 namespace sh::prt {
 namespace {
 
+constexpr std::array<const char*, 4> kTurntables = {"none", "light", "camera", "object"};
+constexpr std::array<const char*, 3> kTones = {"neutral", "reinhard", "linear"};
+
 struct Options {
-  std::string transfer;
+  SubjectOptions subject;
   std::string output;
-  LightOptions light;
-  ShadingOptions shading;
   PictureSize size;
   int frames = 1;
+  std::string turntable;  // empty: light for a baked mesh, none for a stage
+  AnimationOptions animation;
+  std::optional<float> fixed_exposure;
   float exposure_stops = 0.0F;
+  std::string tone = kTones[0];
   std::string background = "auto";
   int threads = 0;
 };
-
-/// out.png -> out_000.png ...; a single frame keeps its name.
-std::string frame_name(const Options& options, int frame) {
-  if (options.frames == 1) {
-    return options.output;
-  }
-  const std::filesystem::path path(options.output);
-  const std::string name = fmt::format("{}_{:03}{}", path.stem().string(), frame, path.extension().string());
-  return (path.parent_path() / name).string();
-}
 
 /// What stands behind the mesh: the light, or a grey that does not depend on the exposure. `auto`: the light where it
 /// is a picture; a sky without one is black below its horizon.
@@ -63,71 +57,136 @@ void put_on_grey(Picture& picture, float exposure) {
   }
 }
 
+template <std::size_t N>
+std::size_t place_of(const std::array<const char*, N>& words, const std::string& word) {
+  return static_cast<std::size_t>(std::find(words.begin(), words.end(), word) - words.begin());
+}
+
 void check(const Options& options) {
   require_picture_size(options.size);
-  constexpr int kMaxFrames = 1000;  // three digits in the names
-  if (options.frames < 1 || options.frames > kMaxFrames) {
-    throw std::invalid_argument(fmt::format("--frames {}: 1 to {} can be made", options.frames, kMaxFrames));
-  }
   constexpr float kMaxStops = 64.0F;
   if (!(std::abs(options.exposure_stops) <= kMaxStops)) {
     throw std::invalid_argument(
         fmt::format("--exposure {}: must be within {} stops", options.exposure_stops, kMaxStops));
   }
-  require_writable(frame_name(options, 0));
+  if (options.fixed_exposure && !(*options.fixed_exposure >= 1e-20F && *options.fixed_exposure <= 1e20F)) {
+    throw std::invalid_argument(
+        fmt::format("--fixed-exposure {}: a factor from 1e-20 to 1e20", *options.fixed_exposure));
+  }
 }
+
+/// Renders frame after frame; meshes are placed and their tree built anew only where something has moved.
+class Sequence {
+ public:
+  Sequence(const Options& options, Subject& subject, PictureFiles& files)
+      : options_(options), subject_(subject), files_(files), show_light_(shows_light(options, subject.lights())) {
+    const std::string word = !options.turntable.empty() ? options.turntable : subject.is_stage() ? "none" : "light";
+    turntable_ = static_cast<Turntable>(place_of(kTurntables, word));
+  }
+
+  void render_frame(int frame) {
+    const double time = static_cast<double>(frame) / options_.frames;
+    place(subject_.poses_at(time));
+    const View view = view_at(turntable_, *camera_, time);
+    Picture picture = render(mesh_, *tracer_, subject_.radiance(poses_, view.light_turn), view.camera, options_.size,
+                             background(show_light_, turned(subject_.lights(), view.light_turn)),
+                             fmt::format("render {} ({} of {})", files_.name(frame), frame + 1, options_.frames));
+    if (frame == 0) {  // one exposure for all frames: the picture must not flicker
+      exposure_ =
+          options_.fixed_exposure.value_or(automatic_exposure(picture.covered())) * std::exp2(options_.exposure_stops);
+    }
+    if (!show_light_) {
+      put_on_grey(picture, exposure_);
+    }
+    files_.add(frame, tone_map(picture.radiance, exposure_, static_cast<ToneCurve>(place_of(kTones, options_.tone))));
+  }
+
+  [[nodiscard]] float exposure() const { return exposure_; }
+
+ private:
+  void place(const std::vector<Pose>& poses) {
+    if (tracer_ && poses == poses_) {
+      return;
+    }
+    poses_ = poses;
+    mesh_ = subject_.mesh(poses_);
+    tracer_ = std::make_unique<Tracer>(mesh_, options_.threads);
+    if (!camera_) {
+      camera_ = subject_.camera().empty() ? default_camera(mesh_, options_.size) : subject_.camera().front();
+    }
+  }
+
+  const Options& options_;
+  Subject& subject_;
+  PictureFiles& files_;
+  bool show_light_;
+  Turntable turntable_;
+  std::vector<Pose> poses_;
+  Mesh mesh_;
+  std::unique_ptr<Tracer> tracer_;
+  std::optional<Camera> camera_;
+  float exposure_ = 1.0F;
+};
 
 void run(const Options& options) {
   check(options);
+  PictureFiles files(options.output, options.frames, options.size.width, options.size.height, options.animation);
   const Stopwatch stopwatch;
-  const Transfer transfer = read_transfer(options.transfer);
-  const ChosenLight chosen = choose_light(options.light);
-  const LightCoefficients light = options.shading.light(chosen.lights, transfer, options.light.window);
-  const Camera camera = chosen.camera.empty() ? default_camera(transfer.mesh, options.size) : chosen.camera.front();
-  const Tracer tracer(transfer.mesh, options.threads);
-  const bool show_light = shows_light(options, chosen.lights);
-  float exposure = 0.0F;
+  Subject subject(options.subject);
+  Sequence sequence(options, subject, files);
   for (int frame = 0; frame < options.frames; ++frame) {
-    const Eigen::Matrix3d r = rotation_about(Eigen::Vector3d::UnitZ(), 360.0 * frame / options.frames);
-    const std::vector<Eigen::Vector3f> radiance = options.shading.shade(transfer, turned(light, r));
-    const std::string name = frame_name(options, frame);
-    Picture picture = render(transfer.mesh, tracer, radiance, camera, options.size,
-                             background(show_light, turned(chosen.lights, r)), fmt::format("render {}", name));
-    if (frame == 0) {  // one exposure for all frames: the picture must not flicker
-      exposure = automatic_exposure(picture.covered()) * std::exp2(options.exposure_stops);
-    }
-    if (!show_light) {
-      put_on_grey(picture, exposure);
-    }
-    output::write_png(name, picture.width, picture.height, tone_map(picture.radiance, exposure));
+    sequence.render_frame(frame);
   }
+  files.finish();
   stopwatch.report(fmt::format("rendered {} picture{} of {} x {} pixels, {} samples each, exposure {:.4g}",
                                options.frames, options.frames == 1 ? "" : "s", options.size.width, options.size.height,
-                               options.size.samples, exposure));
+                               options.size.samples, sequence.exposure()));
+}
+
+void add_picture_options(CLI::App& command, Options& options) {
+  command.add_option("--width", options.size.width, "pixels")->capture_default_str();
+  command.add_option("--height", options.size.height, "pixels")->capture_default_str();
+  command.add_option("--samples", options.size.samples, "rays a pixel")->capture_default_str();
+  command.add_option("--exposure", options.exposure_stops, "stops brighter than the automatic or fixed exposure")
+      ->capture_default_str();
+  command.add_option("--fixed-exposure", options.fixed_exposure,
+                     "factor on radiance; default: brings the 95th percentile of the first picture to 0.7");
+  command.add_option("--tone", options.tone, "neutral (Khronos PBR), reinhard, or linear, which clips")
+      ->capture_default_str()
+      ->check(CLI::IsMember(std::vector<std::string>(kTones.begin(), kTones.end())));
+  command
+      .add_option("--background", options.background,
+                  "behind the mesh: light, grey, or auto: light where it is a picture")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"auto", "light", "grey"}));
+}
+
+void add_sequence_options(CLI::App& command, Options& options) {
+  command.add_option("--frames", options.frames, "pictures, at times 0, 1/N, 2/N, ... of a sequence")
+      ->capture_default_str();
+  command
+      .add_option("--turntable", options.turntable,
+                  "what turns by 360/N degrees a frame: none, light, camera or object; default: light, and none for a "
+                  "stage")
+      ->check(CLI::IsMember(std::vector<std::string>(kTurntables.begin(), kTurntables.end())));
+  command.add_option("--fps", options.animation.frames_a_second, "of a .webp file")->capture_default_str();
+  command.add_option("--quality", options.animation.quality, "of a .webp file, 0 to 100; 100 is lossless")
+      ->capture_default_str();
 }
 
 }  // namespace
 
 void add_render_command(CLI::App& tool) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = tool.add_subcommand("render", "render a baked mesh to PNG");
-  command->add_option("FILE", options->transfer, "what `prt bake` made")->required();
-  command->add_option("-o,--output", options->output, "PNG file to write; frames become out_000.png, ...")->required();
-  command->add_option("--width", options->size.width, "pixels")->capture_default_str();
-  command->add_option("--height", options->size.height, "pixels")->capture_default_str();
-  command->add_option("--samples", options->size.samples, "rays a pixel")->capture_default_str();
-  command->add_option("--frames", options->frames, "pictures, the light turned about +z by 360/N degrees each")
-      ->capture_default_str();
-  command->add_option("--exposure", options->exposure_stops, "stops brighter than the automatic exposure")
-      ->capture_default_str();
+  CLI::App* command = tool.add_subcommand("render", "render a baked mesh or a stage to PNG or animated WebP");
+  options->subject.add_to(*command);
   command
-      ->add_option("--background", options->background,
-                   "behind the mesh: light, grey, or auto: light where it is a picture")
-      ->capture_default_str()
-      ->check(CLI::IsMember({"auto", "light", "grey"}));
+      ->add_option("-o,--output", options->output,
+                   "PNG file to write, frames become out_000.png, ...; or one .webp file with all frames")
+      ->required();
+  add_picture_options(*command, *options);
+  add_sequence_options(*command, *options);
   command->add_option("--threads", options->threads, "0: every core")->capture_default_str();
-  options->light.add_to(*command);
-  options->shading.add_to(*command);
   command->callback([options] { with_threads(options->threads, [&] { run(*options); }); });
 }
 

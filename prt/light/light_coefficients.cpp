@@ -8,7 +8,8 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "numeric/rotation.hpp"
+#include "generated/cpp/rotate.hpp"
+#include "prt/at_degree.hpp"
 #include "prt/basis.hpp"
 
 namespace sh::prt {
@@ -33,12 +34,17 @@ void accumulate(LightCoefficients& sum, const LightCoefficients& more) {
 }
 
 LightCoefficients turned(const LightCoefficients& light, const Eigen::Matrix3d& r) {
-  const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> rows = r;
   LightCoefficients out = light;
-  for (std::size_t channel = 0; channel < 3; ++channel) {
-    const std::size_t at = channel * light.bands_squared();
-    numeric::rotate<double>(light.degree, rows.data(), &light.values[at], &out.values[at]);
+  if (r == Eigen::Matrix3d::Identity()) {
+    return out;
   }
+  const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> rows = r;
+  at_degree(light.degree, [&](auto degree) {
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+      const std::size_t at = channel * light.bands_squared();
+      sh::rotate<degree()>(rows.data(), &light.values[at], &out.values[at]);
+    }
+  });
   return out;
 }
 

@@ -106,6 +106,18 @@ std::vector<Eigen::Vector3f> recoloured(const Transfer& transfer, const LightCoe
   return radiance;
 }
 
+Eigen::Vector3f relight_vertex(const Transfer& transfer, std::size_t vertex, const LightCoefficients& light,
+                               const Eigen::Vector3f& colour) {
+  require_light(transfer, light);
+  require_one_channel(transfer);
+  const std::vector<float> values = in_float(light);
+  RowProducts rows = row_products(transfer, values);
+  rows.transfer = &transfer.coefficients[vertex * rows.stride];
+  Eigen::Vector3f radiance;
+  colour_products(rows, 1, colour.data(), radiance.data());
+  return transfer.emitted.empty() ? radiance : Eigen::Vector3f(radiance + transfer.emitted[vertex]);
+}
+
 std::vector<float> relight_grey(const Transfer& transfer, const LightCoefficients& light) {
   require_light(transfer, light);
   require_one_channel(transfer);

@@ -32,6 +32,10 @@ void relight_into(const Transfer& transfer, const LightCoefficients& light, std:
 std::vector<Eigen::Vector3f> recoloured(const Transfer& transfer, const LightCoefficients& light,
                                         std::span<const Eigen::Vector3f> colours);
 
+/// One vertex of the above, the same bits, where every vertex has a light of its own.
+Eigen::Vector3f relight_vertex(const Transfer& transfer, std::size_t vertex, const LightCoefficients& light,
+                               const Eigen::Vector3f& colour);
+
 /// sum_i T_i L_i alone, (vertices), for the first channel of the light: what white surfaces send out that do not shine.
 /// Throws as `recoloured` does.
 std::vector<float> relight_grey(const Transfer& transfer, const LightCoefficients& light);

@@ -1,0 +1,133 @@
+// Several moving objects: prt/runtime/relight_stage.hpp.
+#include "prt/runtime/relight_stage.hpp"
+
+#include <fmt/format.h>
+#include <oneapi/tbb/parallel_for.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+#include "prt/light/proxy_shadow.hpp"
+#include "prt/mesh/weld.hpp"
+#include "prt/runtime/relight.hpp"
+
+namespace sh::prt {
+namespace {
+
+Eigen::Vector3d placed(const Pose& pose, const Eigen::Vector3d& p) { return pose.rotation * p + pose.position; }
+
+/// What the other objects cover as seen from a point, in the axes of object `index`; nothing where they block nothing.
+std::vector<Cap> caps_seen_from(const Stage& stage, const std::vector<Pose>& poses, std::size_t index,
+                                const Eigen::Vector3d& point) {
+  std::vector<Cap> caps;
+  for (std::size_t k = 0; k < stage.objects.size(); ++k) {
+    const Sphere& proxy = stage.objects[k].proxy;
+    if (k != index && proxy.radius > 0.0) {
+      Cap cap = sphere_seen_from(point, placed(poses[k], proxy.centre), proxy.radius);
+      cap.direction = (poses[index].rotation.transpose() * cap.direction).normalized();
+      caps.push_back(cap);
+    }
+  }
+  return caps;
+}
+
+/// The light in the axes of an object.
+LightCoefficients turned_into(const Pose& pose, const LightCoefficients& light, const Eigen::Matrix3d& light_turn) {
+  return turned(light, pose.rotation.transpose() * light_turn);
+}
+
+/// Vertex by vertex, each under the light that reaches it.
+std::vector<Eigen::Vector3f> radiance_per_vertex(const Stage& stage, const std::vector<Pose>& poses, std::size_t index,
+                                                 const LightCoefficients& light, const Shading& shading) {
+  const Transfer& transfer = *stage.objects[index].transfer;
+  std::vector<Eigen::Vector3f> radiance(transfer.mesh.positions.size());
+  tbb::parallel_for(std::size_t{0}, radiance.size(), [&](std::size_t v) {
+    const Eigen::Vector3d point = placed(poses[index], transfer.mesh.positions[v].cast<double>());
+    radiance[v] =
+        shading.shade_vertex(transfer, v, shadowed_by_caps(light, caps_seen_from(stage, poses, index, point)));
+  });
+  return radiance;
+}
+
+void append_placed(Mesh& mesh, const Mesh& part, const Pose& pose) {
+  Mesh moved = part;
+  const auto turn = [&](std::vector<Eigen::Vector3f>& vectors) {
+    for (Eigen::Vector3f& v : vectors) v = (pose.rotation * v.cast<double>()).cast<float>();
+  };
+  for (Eigen::Vector3f& p : moved.positions) p = placed(pose, p.cast<double>()).cast<float>();
+  turn(moved.normals);
+  turn(moved.geometric_normals);
+  append(mesh, moved);
+}
+
+}  // namespace
+
+LightCoefficients light_at_object(const Stage& stage, const std::vector<Pose>& poses, std::size_t index,
+                                  const LightCoefficients& light, const Eigen::Matrix3d& light_turn) {
+  const Eigen::Vector3d centre = placed(poses[index], stage.objects[index].proxy.centre);
+  return shadowed_by_caps(turned_into(poses[index], light, light_turn), caps_seen_from(stage, poses, index, centre));
+}
+
+std::vector<std::string> overlaps(const Stage& stage, const std::vector<Pose>& poses) {
+  std::vector<std::string> lines;
+  for (std::size_t i = 0; i < stage.objects.size(); ++i) {
+    const Eigen::Vector3d centre = placed(poses[i], stage.objects[i].proxy.centre);
+    for (std::size_t k = 0; k < stage.objects.size(); ++k) {
+      const Sphere& proxy = stage.objects[k].proxy;
+      if (k != i && !stage.objects[i].per_vertex && (placed(poses[k], proxy.centre) - centre).norm() < proxy.radius) {
+        lines.push_back(
+            fmt::format("{}: the centre of object {} ({}) is inside the proxy of object {} ({}), which "
+                        "takes half of its light",
+                        stage.name, i, stage.objects[i].name, k, stage.objects[k].name));
+      }
+    }
+  }
+  return lines;
+}
+
+std::vector<Pose> poses_at(const Stage& stage, double time) {
+  std::vector<Pose> poses;
+  for (const StageObject& object : stage.objects) {
+    poses.push_back(object.motion.at(time));
+  }
+  return poses;
+}
+
+Mesh merged_mesh(const Stage& stage, const std::vector<Pose>& poses) {
+  Mesh mesh;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    append_placed(mesh, stage.objects[i].transfer->mesh, poses[i]);
+  }
+  return mesh;
+}
+
+StageLighting::StageLighting(const Stage& stage, const std::function<LightCoefficients(int)>& projected,
+                             Shading shading)
+    : stage_(stage), shading_(std::move(shading)) {
+  const auto highest = std::max_element(
+      stage.objects.begin(), stage.objects.end(),
+      [](const StageObject& a, const StageObject& b) { return a.transfer->degree < b.transfer->degree; });
+  for (const StageObject& object : stage.objects) {
+    shading_.require_fit(*object.transfer, highest->transfer->degree);
+    const int degree = object.transfer->degree;
+    if (lights_.count(degree) == 0) {
+      lights_.emplace(degree, shading_.chosen(projected(shading_.degree_for(degree))));
+    }
+  }
+}
+
+std::vector<Eigen::Vector3f> StageLighting::radiance(const std::vector<Pose>& poses,
+                                                     const Eigen::Matrix3d& light_turn) const {
+  std::vector<Eigen::Vector3f> all;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const StageObject& object = stage_.objects[i];
+    const LightCoefficients& light = lights_.at(object.transfer->degree);
+    const std::vector<Eigen::Vector3f> part =
+        object.per_vertex ? radiance_per_vertex(stage_, poses, i, turned_into(poses[i], light, light_turn), shading_)
+                          : shading_.shade(*object.transfer, light_at_object(stage_, poses, i, light, light_turn));
+    all.insert(all.end(), part.begin(), part.end());
+  }
+  return all;
+}
+
+}  // namespace sh::prt

@@ -1,0 +1,50 @@
+// prt/runtime/shading.hpp
+#include "prt/runtime/shading.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "prt/runtime/relight.hpp"
+
+namespace sh::prt {
+
+void Shading::require_fit(const Transfer& transfer, int highest) const {
+  if (degree < -1 || degree > highest) {
+    throw std::invalid_argument(fmt::format("--degree {}: the transfer has degrees 0 to {}", degree, highest));
+  }
+  for (const float channel : recolour) {
+    if (!(channel >= 0.0F && channel <= 1.0F)) {
+      throw std::invalid_argument(fmt::format("--recolor {}: an albedo is from 0 to 1", channel));
+    }
+  }
+  if (!recolour.empty() && transfer.channels() != 1) {
+    throw std::invalid_argument("--recolor: transfer with bounces holds its albedo; only DU and DS can be recoloured");
+  }
+}
+
+int Shading::degree_for(int transfer_degree) const {
+  return degree < 0 ? transfer_degree : std::min(degree, transfer_degree);
+}
+
+LightCoefficients Shading::chosen(const LightCoefficients& light) const {
+  return white ? sh::prt::white(light) : light;
+}
+
+std::vector<Eigen::Vector3f> Shading::shade(const Transfer& transfer, const LightCoefficients& light) const {
+  if (recolour.empty()) {
+    return relight(transfer, light);
+  }
+  const Eigen::Vector3f albedo(recolour[0], recolour[1], recolour[2]);
+  return recoloured(transfer, light, std::vector<Eigen::Vector3f>(transfer.mesh.positions.size(), albedo));
+}
+
+Eigen::Vector3f Shading::shade_vertex(const Transfer& transfer, std::size_t vertex,
+                                      const LightCoefficients& light) const {
+  const Eigen::Vector3f albedo =
+      recolour.empty() ? transfer.mesh.albedo[vertex] : Eigen::Vector3f(recolour[0], recolour[1], recolour[2]);
+  return relight_vertex(transfer, vertex, light, albedo);
+}
+
+}  // namespace sh::prt

@@ -1,0 +1,163 @@
+// Stages and their files: prt/scene/stage.hpp.
+#include "prt/scene/stage.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+
+#include "prt/light/light_coefficients.hpp"
+#include "prt/scene/json_reader.hpp"
+#include "prt/scene/scene_parts.hpp"
+#include "prt/transfer/transfer_file.hpp"
+
+namespace sh::prt {
+namespace {
+
+/// What is left out of a key is that of the object.
+Motion::Key read_key(const JsonReader& reader, const Motion::Key& otherwise) {
+  reader.allow({"time", "position", "degrees"});
+  Motion::Key key = otherwise;
+  key.time = reader.at("time").number(0.0, 1.0, "a number from 0 to 1");
+  if (const auto position = reader.find("position")) {
+    key.position = position->vector().cast<double>();
+  }
+  if (const auto degrees = reader.find("degrees")) {
+    key.degrees = static_cast<double>(degrees->finite());
+  }
+  return key;
+}
+
+Motion read_motion(const JsonReader& object) {
+  Motion motion;
+  Motion::Key& rest = motion.keys.front();
+  if (const auto position = object.find("position")) {
+    rest.position = position->vector().cast<double>();
+  }
+  if (const auto rotate = object.find("rotate")) {
+    const Turn turn = read_turn(*rotate);
+    motion.axis = turn.axis.cast<double>().normalized();
+    rest.degrees = static_cast<double>(turn.degrees);
+  }
+  const auto keys = object.find("move");
+  if (!keys) {
+    return motion;
+  }
+  const Motion::Key otherwise = rest;
+  motion.keys.clear();
+  for (const JsonReader& item : keys->items()) {
+    motion.keys.push_back(read_key(item, otherwise));
+    if (motion.keys.size() > 1 && !(motion.keys.back().time > motion.keys[motion.keys.size() - 2].time)) {
+      item.at("time").expected("a time after that of the key before");
+    }
+  }
+  if (motion.keys.empty()) {
+    keys->expected("at least one key");
+  }
+  return motion;
+}
+
+Sphere read_proxy(const JsonReader& reader, const Sphere& otherwise) {
+  reader.allow({"center", "radius"});
+  Sphere sphere = otherwise;
+  if (const auto centre = reader.find("center")) {
+    sphere.centre = centre->vector().cast<double>();
+  }
+  if (const auto radius = reader.find("radius")) {
+    sphere.radius = radius->number(0.0, 1e30, "a number of 0 or more");
+  }
+  return sphere;
+}
+
+using Transfers = std::map<std::string, std::shared_ptr<const Transfer>>;
+
+StageObject read_object(const JsonReader& reader, const std::string& folder, Transfers& transfers) {
+  reader.allow({"transfer", "position", "rotate", "move", "proxy", "light_at"});
+  StageObject object;
+  object.name = reader.at("transfer").text();
+  object.motion = read_motion(reader);
+  const auto light_at = reader.find("light_at");
+  object.per_vertex = light_at && light_at->one_of({"center", "vertices"}) == "vertices";
+  auto& transfer = transfers[beside(folder, object.name)];
+  if (!transfer) {
+    transfer = std::make_shared<const Transfer>(read_transfer(beside(folder, object.name)));
+  }
+  object.transfer = transfer;
+  if (object.per_vertex && transfer->channels() != 1) {
+    light_at->expected("`center` for transfer with bounces, which needs one light for the whole object");
+  }
+  object.proxy = bounding_sphere(transfer->mesh);
+  if (const auto proxy = reader.find("proxy")) {
+    object.proxy = read_proxy(*proxy, object.proxy);
+  }
+  return object;
+}
+
+}  // namespace
+
+Pose Motion::at(double time) const {
+  const auto after = std::find_if(keys.begin(), keys.end(), [&](const Key& key) { return key.time > time; });
+  const Key& next = after == keys.end() ? keys.back() : *after;
+  const Key& last = after == keys.begin() ? keys.front() : *std::prev(after);
+  const double span = next.time - last.time;
+  const double part = span > 0.0 ? (time - last.time) / span : 0.0;
+  return {rotation_about(axis, last.degrees + part * (next.degrees - last.degrees)),
+          last.position + part * (next.position - last.position)};
+}
+
+Sphere bounding_sphere(const Mesh& mesh) {
+  Sphere sphere;
+  if (mesh.positions.empty()) {
+    return sphere;
+  }
+  Eigen::Vector3f least = mesh.positions.front();
+  Eigen::Vector3f most = least;
+  for (const Eigen::Vector3f& p : mesh.positions) {
+    least = least.cwiseMin(p);
+    most = most.cwiseMax(p);
+  }
+  sphere.centre = 0.5 * (least.cast<double>() + most.cast<double>());
+  for (const Eigen::Vector3f& p : mesh.positions) {
+    sphere.radius = std::max(sphere.radius, (p.cast<double>() - sphere.centre).norm());
+  }
+  return sphere;
+}
+
+Stage stage_of(Transfer transfer) {
+  Stage stage;
+  stage.name = transfer.scene;
+  StageObject& object = stage.objects.emplace_back();
+  object.name = transfer.scene;
+  object.transfer = std::make_shared<const Transfer>(std::move(transfer));
+  return stage;
+}
+
+Stage load_stage(const std::string& file, const std::string& transfers_folder) {
+  const nlohmann::json document = read_json(file);
+  const JsonReader reader(file, document);
+  const std::string folder = std::filesystem::path(file).parent_path().string();
+  reader.allow({"name", "objects", "lights", "camera"});
+  Stage stage;
+  const auto name = reader.find("name");
+  stage.name = name ? name->text() : std::filesystem::path(file).stem().string();
+  if (const auto lights = reader.find("lights")) {
+    for (const JsonReader& light : lights->items()) {
+      stage.lights.push_back(read_light(light, folder));
+    }
+  } else {
+    stage.lights.emplace_back();  // the CIE overcast sky
+  }
+  if (const auto camera = reader.find("camera")) {
+    stage.camera.push_back(read_camera(*camera, Camera()));
+  }
+  const JsonReader objects = reader.at("objects");
+  Transfers transfers;
+  for (const JsonReader& object : objects.items()) {
+    stage.objects.push_back(read_object(object, transfers_folder.empty() ? folder : transfers_folder, transfers));
+  }
+  if (stage.objects.empty()) {
+    objects.expected("at least one object");
+  }
+  return stage;
+}
+
+}  // namespace sh::prt
