@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "generated/cpp/rotate.hpp"
 #include "prt/at_degree.hpp"
@@ -97,17 +98,22 @@ std::vector<RayStart> ray_starts(const Mesh& mesh) {
 }
 
 SharedDirections::SharedDirections(const BakeOptions& options)
-    : degree_(options.degree),
-      about_normal_(options.sampler == Sampler::kCosine),
-      directions_(make_directions(options.sampler, options.directions, options.seed)),
-      row_length_((coefficient_count(degree_) + kRowUnit - 1) / kRowUnit * kRowUnit),
+    : SharedDirections(
+          make_directions(options.sampler, options.directions, options.seed), coefficient_count(options.degree),
+          [&](const Eigen::Vector3f& d, float* out) { evaluate_basis(options.degree, d.x(), d.y(), d.z(), out); }) {
+  degree_ = options.degree;
+  about_normal_ = options.sampler == Sampler::kCosine;
+}
+
+SharedDirections::SharedDirections(std::vector<Eigen::Vector3f> directions, std::size_t columns, const Row& row)
+    : directions_(std::move(directions)),
+      row_length_((columns + kRowUnit - 1) / kRowUnit * kRowUnit),
       values_(directions_.size() * row_length_, 0.0F),
       components_(3 * directions_.size()) {
   for (std::size_t j = 0; j < directions_.size(); ++j) {
-    const Eigen::Vector3f& d = directions_[j];
-    evaluate_basis(degree_, d.x(), d.y(), d.z(), values_.data() + j * row_length_);
+    row(directions_[j], values_.data() + j * row_length_);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      components_[axis * directions_.size() + j] = d[static_cast<int>(axis)];
+      components_[axis * directions_.size() + j] = directions_[j][static_cast<int>(axis)];
     }
   }
 }

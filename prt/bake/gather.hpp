@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "prt/bake/fill_closed.hpp"
@@ -30,6 +31,10 @@ std::vector<RayStart> ray_starts(const Mesh& mesh);
 class SharedDirections {
  public:
   explicit SharedDirections(const BakeOptions& options);
+  /// Other functions in the place of the basis: row(direction, out) writes `columns` values, the first of them 1. For
+  /// directions of any sampler but cosine.
+  using Row = std::function<void(const Eigen::Vector3f& direction, float* out)>;
+  SharedDirections(std::vector<Eigen::Vector3f> directions, std::size_t columns, const Row& row);
   [[nodiscard]] std::size_t size() const { return directions_.size(); }
   [[nodiscard]] std::size_t row_length() const { return row_length_; }
   [[nodiscard]] bool about_normal() const { return about_normal_; }
@@ -42,8 +47,8 @@ class SharedDirections {
   void turn(const Eigen::Matrix3f& frame, float* row) const;
 
  private:
-  int degree_;
-  bool about_normal_;
+  int degree_ = 0;
+  bool about_normal_ = false;
   std::vector<Eigen::Vector3f> directions_;
   std::size_t row_length_;
   std::vector<float> values_;      // (directions, row_length)

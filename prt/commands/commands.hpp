@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <functional>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,13 @@ void add_info_command(CLI::App& tool);
 void add_project_command(CLI::App& tool);
 void add_plan_command(CLI::App& tool);
 void add_reconstruct_command(CLI::App& tool);
+void add_study_command(CLI::App& tool);
+void add_compare_command(CLI::App& tool);
+
+/// A check that a command was asked for found a difference: the tool exits 1.
+struct CheckFailed : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
 
 /// `--window` and `--keep`: a window on the sum of all lights.
 struct WindowOptions {

@@ -1,4 +1,5 @@
-// The tool `prt`: bakes, relights and renders. Exit: 0 done, 2 bad input, 130 interrupted.
+// The tool `prt`: bakes, relights and renders. Exit: 0 done, 1 a check found a difference, 2 bad input, 130
+// interrupted.
 #include <CLI/CLI.hpp>
 #include <csignal>
 #include <cstdio>
@@ -18,6 +19,8 @@ void add_commands(CLI::App& tool) {
   sh::prt::add_project_command(tool);
   sh::prt::add_plan_command(tool);
   sh::prt::add_reconstruct_command(tool);
+  sh::prt::add_study_command(tool);
+  sh::prt::add_compare_command(tool);
 }
 
 int run(int argc, char** argv) {
@@ -34,7 +37,9 @@ int run(int argc, char** argv) {
     if (!tool.get_subcommands().empty()) {
       throw;
     }
-    std::fprintf(stderr, "prt: `%s` is no command; bake, relight, render, info, project, plan and reconstruct are\n",
+    std::fprintf(stderr,
+                 "prt: `%s` is no command; bake, relight, render, info, project, reconstruct, plan, study and compare "
+                 "are\n",
                  argc > 1 ? argv[1] : "");
     return 2;
   }
@@ -48,6 +53,9 @@ int main(int argc, char** argv) {
   } catch (const sh::output::Interrupted& stop) {
     std::fprintf(stderr, "prt: %s\n", stop.what());
     return 130;
+  } catch (const sh::prt::CheckFailed& difference) {
+    std::fprintf(stderr, "prt: %s\n", difference.what());
+    return 1;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "prt: %s\n", error.what());
     return 2;

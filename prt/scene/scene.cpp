@@ -4,6 +4,7 @@
 
 #include "prt/mesh/weld.hpp"
 #include "prt/scene/default_camera.hpp"
+#include "prt/scene/disc_scene.hpp"
 #include "prt/scene/embedded_scene.hpp"
 #include "prt/scene/json_reader.hpp"
 #include "prt/scene/scene_parts.hpp"
@@ -13,6 +14,9 @@ namespace sh::prt {
 Scene load_scene(const std::string& scene, OnFlaw on_flaw) {
   if (scene == "demo") {
     return make_embedded_scene();
+  }
+  if (scene == "disc") {
+    return make_disc_scene();
   }
   const nlohmann::json document = read_json(scene);
   const JsonReader reader(scene, document);

@@ -1,0 +1,108 @@
+// `prt study SCENE --out DIR`: error against time of everything a bake can be told, as JSON and charts.
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+
+#include "numeric/output/atomic_file.hpp"
+#include "prt/commands/commands.hpp"
+#include "prt/rays/tracer.hpp"
+#include "prt/study/error_picture.hpp"
+#include "prt/study/study_output.hpp"
+
+namespace sh::prt {
+namespace {
+
+struct Options {
+  std::string scene;
+  std::string out;
+  bool quick = false;
+  bool strict = false;
+  int threads = 0;
+  std::optional<std::size_t> vertices;
+  std::optional<int> most_directions;
+  std::string instruction_set;
+};
+
+StudyOptions study_options(const Options& options) {
+  constexpr std::size_t kQuickVertices = 250;
+  constexpr int kQuickDirections = 4096;
+  constexpr int kQuickBounceDirections = 128;
+  constexpr int kQuickPictureReference = 1024;
+  StudyOptions result;
+  if (options.quick) {
+    result.vertices = kQuickVertices;
+    result.most_directions = kQuickDirections;
+    result.bounce_directions = kQuickBounceDirections;
+    result.picture_reference = kQuickPictureReference;
+  }
+  result.vertices = options.vertices.value_or(result.vertices);
+  result.most_directions = options.most_directions.value_or(result.most_directions);
+  result.instruction_set = options.instruction_set;
+  return result;
+}
+
+void make_folder(const std::string& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error || !std::filesystem::is_directory(folder)) {
+    throw std::runtime_error(
+        fmt::format("--out {}: cannot make this folder: {}", folder, error ? error.message() : "a file is in the way"));
+  }
+  require_writable((std::filesystem::path(folder) / "study.json").string());
+}
+
+// Of the last part; those before it lie there already.
+void write_pictures(const std::filesystem::path& folder, const StudyPart& part, const Scene& scene) {
+  if (part.fields.empty()) {
+    return;
+  }
+  PictureSize size;
+  size.samples = 9;
+  const Tracer tracer(scene.mesh);
+  for (const ErrorField& field : part.fields) {
+    const std::string file = (folder / ("errors_" + field.name + ".png")).string();
+    output::write_file(
+        file, error_picture(scene.mesh, tracer, field.relative, scene.camera, size, field.title, "study: picture"));
+  }
+}
+
+void write(const std::string& folder, const Study& study, const Scene& scene) {
+  const std::filesystem::path path(folder);
+  write_pictures(path, study.parts.back(), scene);
+  for (const StudyChart& chart : study_charts(study)) {
+    output::write_file((path / chart.file).string(), chart.svg);
+  }
+  output::write_file((path / "study.json").string(), study_json(study, scene).dump(2) + "\n");
+}
+
+void run(const Options& options) {
+  const Stopwatch stopwatch;
+  make_folder(options.out);
+  const Scene scene = load_scene(options.scene, options.strict ? OnFlaw::kRefuse : OnFlaw::kMend);
+  const Study study =
+      run_study(scene, study_options(options), [&](const Study& so_far) { write(options.out, so_far, scene); });
+  stopwatch.report(
+      fmt::format("studied {} of {} vertices of {}, into {}", study.studied, study.vertices, study.scene, options.out));
+}
+
+}  // namespace
+
+void add_study_command(CLI::App& tool) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = tool.add_subcommand("study", "measure error against time: directions, degree, bounces, storage");
+  command->add_option("SCENE", options->scene, "a scene's JSON file, `demo` or `disc`, the embedded scenes")
+      ->required();
+  command->add_option("--out", options->out, "folder for study.json and the charts; made if need be")->required();
+  command->add_flag("--quick", options->quick, "a few seconds: fewer vertices and directions");
+  command->add_option("--vertices", options->vertices, "about as many are studied, every k-th of the mesh")
+      ->check(CLI::Range(1, 1000000));
+  command->add_option("--most-directions", options->most_directions,
+                      "256, twice as many, and so on up to this; the reference has four times as many");
+  command->add_option("--threads", options->threads, "0: every core; what is timed runs on one")->capture_default_str();
+  command->add_option("--instruction-set", options->instruction_set, "of the rays: sse4.2, avx, avx2 or avx512");
+  command->add_flag("--strict", options->strict, "refuse input that would otherwise be mended with a warning");
+  command->callback([options] { with_threads(options->threads, [&] { run(*options); }); });
+}
+
+}  // namespace sh::prt

@@ -1,0 +1,19 @@
+// Where the error of exit radiance sits: false-colour pictures of a mesh.
+#pragma once
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "prt/mesh/mesh.hpp"
+#include "prt/rays/tracer.hpp"
+#include "prt/scene/camera.hpp"
+
+namespace sh::prt {
+
+/// A PNG file's bytes; colours as false_color.hpp says, interpolated over faces on the logarithmic scale. Shows
+/// progress as `what`.
+std::string error_picture(const Mesh& mesh, const Tracer& tracer, const std::vector<float>& relative_errors,
+                          const Camera& camera, const PictureSize& size, const std::string& title,
+                          const std::string& what);
+
+}  // namespace sh::prt

@@ -1,0 +1,92 @@
+#include "prt/study/study.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "prt/rays/directions.hpp"
+#include "prt/study/study_parts.hpp"
+
+namespace sh::prt {
+
+namespace {
+
+void check(const Scene& scene, const StudyOptions& options) {
+  const int most = options.most_directions;
+  const int limit = kMaxDirections / StudyOptions::kReferenceFactor;
+  if (most < StudyOptions::kLeastDirections || most > limit) {
+    throw std::invalid_argument(
+        fmt::format("most directions {}: must be {} to {}", most, StudyOptions::kLeastDirections, limit));
+  }
+  if (options.vertices < 1) {
+    throw std::invalid_argument("vertices 0: at least one must be studied");
+  }
+  if (scene.lights.empty()) {
+    throw std::invalid_argument(fmt::format("{}: no lights; errors are those of what the lights show", scene.name));
+  }
+}
+
+Study begin(const Scene& scene, const StudySetup& setup) {
+  Study study;
+  study.scene = scene.name;
+  study.instruction_set = setup.tracer.instruction_set();
+  study.vertices = scene.mesh.positions.size();
+  study.faces = scene.mesh.faces.size();
+  study.step = setup.vertices.step;
+  study.studied = setup.vertices.index.size();
+  study.left_out = setup.left_out;
+  study.degree = scene.bake.degree;
+  study.directions = scene.bake.directions;
+  study.reference_directions = setup.reference_directions();
+  if (setup.exact) {
+    study.reference_error = radiance_error(setup.vertices, setup.relit(setup.reference, setup.light, scene.bake.degree),
+                                           setup.relit(*setup.exact, setup.light, scene.bake.degree));
+  }
+  return study;
+}
+
+}  // namespace
+
+Study run_study(const Scene& scene, const StudyOptions& options, const std::function<void(const Study&)>& finished) {
+  check(scene, options);
+  const StudySetup setup(scene, options);
+  if (setup.vertices.index.empty()) {
+    throw std::invalid_argument(
+        fmt::format("{}: none of the {} vertices looked at sees anything", scene.name, setup.left_out));
+  }
+  Study study = begin(scene, setup);
+  for (const auto& part :
+       {study_directions, study_degrees, study_storage, study_windows, study_bounces, study_pictures}) {
+    study.parts.push_back(part(setup));
+    finished(study);
+  }
+  return study;
+}
+
+std::optional<double> fitted_slope(const std::vector<StudyPoint>& points) {
+  const bool exact =
+      std::all_of(points.begin(), points.end(), [](const StudyPoint& point) { return point.exact_error.has_value(); });
+  double n = 0.0, sx = 0.0, sy = 0.0, sxx = 0.0, sxy = 0.0;
+  for (const StudyPoint& point : points) {
+    const double error = exact ? point.exact_error->rms : point.error.rms;
+    if (!(error > 0.0)) {
+      continue;
+    }
+    const double x = std::log(point.at);
+    const double y = std::log(error);
+    n += 1.0;
+    sx += x;
+    sy += y;
+    sxx += x * x;
+    sxy += x * y;
+  }
+  const double determinant = n * sxx - sx * sx;
+  if (n < 2.0 || !(determinant > 0.0)) {
+    return std::nullopt;
+  }
+  return (n * sxy - sx * sy) / determinant;
+}
+
+}  // namespace sh::prt

@@ -1,0 +1,179 @@
+// The part of the study about bounces: the series stopped early.
+// The operator is linear, so that its three columns for the exit radiance under the scene's lights stand for all
+// coefficients; the time is that of all of them.
+#include <fmt/core.h>
+#include <tbb/enumerable_thread_specific.h>
+
+#include <algorithm>
+#include <ctime>
+
+#include "numeric/output/progress.hpp"
+#include "prt/bake/bounces.hpp"
+#include "prt/bake/chunks.hpp"
+#include "prt/bake/shadow_pass.hpp"
+#include "prt/bake/trace_form_factors.hpp"
+#include "prt/bake/unshadowed.hpp"
+#include "prt/study/study_parts.hpp"
+
+namespace sh::prt {
+
+namespace {
+
+constexpr double kConverged = 1e-7;  // of the largest radiance
+constexpr int kMostApplications = 2000;
+constexpr double kShownError = 1e-5;  // no points below
+
+double process_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+struct Direct {
+  Panel radiance;  // (vertices, 3): what leaves each at once
+  FormFactors factors;
+  double seconds = 0.0;
+};
+
+struct Worker {
+  Worker(const Mesh& mesh, const SharedDirections& directions, const Tracer& tracer)
+      : gatherer(directions, tracer), merger(mesh) {}
+  Gatherer gatherer;
+  RowMerger merger;
+};
+
+Direct trace_mesh(const StudySetup& setup, const BakeOptions& options) {
+  const Mesh& mesh = setup.scene.mesh;
+  const std::size_t vertices = mesh.positions.size();
+  const std::size_t count = coefficient_count(options.degree);
+  std::vector<float> transfer = unshadowed_transfer(options.degree, mesh.normals);
+  Direct direct{Panel(vertices, 3), FormFactors(vertices)};
+  const SharedDirections directions(options);
+  output::Progress progress("study: hits", vertices);
+  tbb::enumerable_thread_specific<Worker> workers([&] { return Worker(mesh, directions, setup.tracer); });
+  const double start = process_seconds();
+  for_chunks(vertices, [&](std::size_t chunk) {
+    const VertexRange range = chunk_range(chunk, vertices);
+    for (std::size_t v = range.first; v < range.last; ++v) {
+      Worker& worker = workers.local();
+      float* t = transfer.data() + v * count;
+      control_with_unshadowed(
+          worker.gatherer.gather(setup.starts[v].origin, mesh.normals[v], mesh.geometric_normals[v]), count, t);
+      direct.factors.keep(v, worker.merger.merge(worker.gatherer));
+      for (std::size_t c = 0; c < 3; ++c) {
+        double sum = 0.0;
+        for (std::size_t k = 0; k < count; ++k) {
+          sum += static_cast<double>(t[k]) * setup.light.at(c, k);
+        }
+        direct.radiance.row(v)[c] = sum * static_cast<double>(mesh.albedo[v][static_cast<Eigen::Index>(c)]);
+      }
+    }
+    progress.advance(range.size());
+  });
+  direct.seconds = process_seconds() - start;
+  progress.finish();
+  return direct;
+}
+
+Radiances radiances_of(const Panel& panel) {
+  Radiances radiances;
+  for (std::size_t v = 0; v < panel.rows; ++v) {
+    radiances.emplace_back(panel.row(v)[0], panel.row(v)[1], panel.row(v)[2]);
+  }
+  return radiances;
+}
+
+// One application for all coefficients, the least of two.
+double seconds_of_application(const Direct& direct, const BounceLayout& layout) {
+  Panel x(direct.factors.size(), layout.columns());
+  Panel y(direct.factors.size(), layout.columns());
+  std::fill(x.values.begin(), x.values.end(), 1.0);
+  double least = 1e300;
+  for (int pass = 0; pass < 2; ++pass) {
+    const double start = process_seconds();
+    direct.factors.apply(x, y);
+    least = std::min(least, process_seconds() - start);
+  }
+  return least;
+}
+
+struct PartialSum {
+  int terms;
+  Radiances radiances;
+};
+
+// 1, 2, 3, 4, 6, 8, 12, 16, ...: powers of two and three halves of them.
+bool is_shown(int terms) {
+  while (terms > 3 && terms % 2 == 0) {
+    terms /= 2;
+  }
+  return terms <= 3;
+}
+
+// Some of the partial sums x_k = b + A x_(k-1), and the last, which changes no more.
+std::vector<PartialSum> partial_sums(const Mesh& mesh, const Direct& direct) {
+  std::vector<PartialSum> sums = {{1, radiances_of(direct.radiance)}};
+  Panel x = direct.radiance;
+  Panel y(x.rows, 3);
+  output::Progress progress("study: bounces", kMostApplications);
+  for (int k = 1; k <= kMostApplications; ++k) {
+    direct.factors.apply(x, y);
+    double change = 0.0;
+    double largest = 0.0;
+    for (std::size_t v = 0; v < x.rows; ++v) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        const double next =
+            direct.radiance.row(v)[c] + static_cast<double>(mesh.albedo[v][static_cast<Eigen::Index>(c)]) * y.row(v)[c];
+        change = std::max(change, std::abs(next - x.row(v)[c]));
+        largest = std::max(largest, std::abs(next));
+        x.row(v)[c] = next;
+      }
+    }
+    progress.advance();
+    const bool settled = change <= kConverged * largest || k == kMostApplications;
+    if (is_shown(k + 1) || settled) {
+      sums.push_back({k + 1, radiances_of(x)});
+    }
+    if (settled) {
+      break;
+    }
+  }
+  progress.finish();
+  return sums;
+}
+
+}  // namespace
+
+StudyPart study_bounces(const StudySetup& setup) {
+  BakeOptions options = setup.scene.bake;
+  options.directions = setup.options.bounce_directions;
+  options.sampler = Sampler::kFibonacci;
+  const Mesh& mesh = setup.scene.mesh;
+  const Direct direct = trace_mesh(setup, options);
+  const double each = seconds_of_application(direct, BounceLayout{coefficient_count(options.degree)});
+  const std::vector<PartialSum> sums = partial_sums(mesh, direct);
+  const StudiedVertices all =
+      choose_vertices(mesh, setup.scene.camera, mesh.positions.size(), [](std::uint32_t) { return false; });
+  StudyPart part;
+  part.name = "bounces";
+  part.axis = "terms of the series (bounces + 1)";
+  part.reference = fmt::format("the sum of {} terms, which changes by less than {:g}; {} directions, all vertices",
+                               sums.back().terms, kConverged, options.directions);
+  StudySeries series;
+  series.name = "bounces left out";
+  for (std::size_t i = 0; i + 1 < sums.size(); ++i) {
+    StudyPoint point;
+    point.at = sums[i].terms;
+    point.error = radiance_error(all, sums[i].radiances, sums.back().radiances);
+    point.seconds = direct.seconds + (sums[i].terms - 1) * each;
+    point.seconds_a_vertex = *point.seconds / static_cast<double>(mesh.positions.size());
+    series.points.push_back(point);
+    if (point.error.rms < kShownError) {
+      break;
+    }
+  }
+  part.series.push_back(series);
+  if (sums.size() > 2) {
+    part.fields.push_back(field_of(setup, "bounces", "no bounces (DS) against all of them (DI)", sums.front().radiances,
+                                   sums.back().radiances));
+  }
+  return part;
+}
+
+}  // namespace sh::prt

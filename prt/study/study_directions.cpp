@@ -1,0 +1,142 @@
+// Parts of the study that trace the studied vertices: directions and degrees.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "numeric/output/progress.hpp"
+#include "prt/study/study_parts.hpp"
+#include "prt/transfer/transfer_names.hpp"
+
+namespace sh::prt {
+
+namespace {
+
+constexpr int kMostPasses = 4;
+constexpr int kPassDirections = 16384;  // so many, all passes together, where one has less
+
+int passes_of(int directions) { return std::clamp(kPassDirections / directions, 1, kMostPasses); }
+
+CoefficientError coefficient_error(const TransferRows& rows, const TransferRows& reference) {
+  const std::size_t count = coefficient_count(rows.degree);
+  CoefficientError error;
+  double square = 0.0;
+  for (std::size_t i = 0; i < rows.values.size(); ++i) {
+    const auto difference = static_cast<double>(rows.values[i] - reference.row(i / count)[i % count]);
+    square += difference * difference;
+    error.largest = std::max(error.largest, std::abs(difference));
+  }
+  error.rms = std::sqrt(square / static_cast<double>(std::max<std::size_t>(rows.values.size(), 1)));
+  return error;
+}
+
+// The root mean square over passes; the largest of all.
+void add_pass(const RadianceError& pass, int before, RadianceError& sum) {
+  if (before == 0) {
+    sum = pass;
+    return;
+  }
+  sum.rms = std::sqrt((sum.rms * sum.rms * before + pass.rms * pass.rms) / (before + 1));
+  if (pass.largest > sum.largest) {
+    sum.largest = pass.largest;
+    sum.worst_vertex = pass.worst_vertex;
+  }
+}
+
+void add_pass(const CoefficientError& pass, int before, CoefficientError& sum) {
+  sum.rms = std::sqrt((sum.rms * sum.rms * before + pass.rms * pass.rms) / (before + 1));
+  sum.largest = std::max(sum.largest, pass.largest);
+}
+
+void take_time(const StudySetup& setup, const TimedRows& timed, int before, StudyPoint& point) {
+  const double each = timed.seconds / static_cast<double>(setup.vertices.index.size());
+  const double all = each * static_cast<double>(setup.starts.size()) + timed.setup_seconds;
+  point.seconds_a_vertex = before == 0 ? each : std::min(*point.seconds_a_vertex, each);
+  point.seconds = before == 0 ? all : std::min(*point.seconds, all);
+}
+
+StudyPoint measure(const StudySetup& setup, BakeOptions options) {
+  StudyPoint point;
+  point.at = options.directions;
+  point.passes = passes_of(options.directions);
+  CoefficientError coefficients;
+  const Radiances reference = setup.relit(setup.reference, setup.light, options.degree);
+  for (int pass = 0; pass < point.passes; ++pass) {
+    options.seed = static_cast<std::uint32_t>(pass);
+    const TimedRows timed = trace_rows(setup, options);
+    take_time(setup, timed, pass, point);
+    const Radiances radiances = setup.relit(timed.rows, setup.light, options.degree);
+    add_pass(radiance_error(setup.vertices, radiances, reference), pass, point.error);
+    add_pass(coefficient_error(timed.rows, setup.reference), pass, coefficients);
+    if (setup.exact) {
+      RadianceError exact = point.exact_error.value_or(RadianceError());
+      add_pass(radiance_error(setup.vertices, radiances, setup.relit(*setup.exact, setup.light, options.degree)), pass,
+               exact);
+      point.exact_error = exact;
+    }
+  }
+  point.coefficient_error = coefficients;
+  return point;
+}
+
+}  // namespace
+
+StudyPart study_directions(const StudySetup& setup) {
+  StudyPart part;
+  part.name = "directions";
+  part.axis = "directions over the sphere";
+  part.reference = fmt::format("{} cosine directions with a seed of their own", setup.reference_directions());
+  std::vector<int> counts;
+  for (int count = StudyOptions::kLeastDirections; count <= setup.options.most_directions; count *= 2) {
+    counts.push_back(count);
+  }
+  output::Progress progress("study: directions", counts.size() * kSamplerNames.size());
+  for (std::size_t s = 0; s < kSamplerNames.size(); ++s) {
+    StudySeries series;
+    series.name = kSamplerNames[s];
+    for (const int count : counts) {
+      BakeOptions options = setup.scene.bake;
+      options.directions = count;
+      options.sampler = static_cast<Sampler>(s);
+      series.points.push_back(measure(setup, options));
+      progress.advance();
+    }
+    series.slope = fitted_slope(series.points);
+    part.series.push_back(series);
+  }
+  progress.finish();
+  return part;
+}
+
+StudyPart study_degrees(const StudySetup& setup) {
+  constexpr int kPasses = 2;
+  StudyPart part;
+  part.name = "degrees";
+  part.axis = "bands (degree + 1)";
+  part.reference = setup.all_degrees_name();
+  const int most = setup.whole ? kMaxDegree : kMaxDegree - 1;
+  const Radiances reference = setup.all_degrees();
+  StudySeries series;
+  series.name = "degrees left out";
+  output::Progress progress("study: degrees", static_cast<std::size_t>(most + 1));
+  for (int degree = 0; degree <= most; ++degree) {
+    StudyPoint point;
+    point.at = degree + 1;
+    point.passes = kPasses;
+    point.error = radiance_error(setup.vertices, setup.relit(setup.reference, setup.light, degree), reference);
+    BakeOptions options = setup.scene.bake;
+    options.degree = degree;
+    for (int pass = 0; pass < kPasses; ++pass) {
+      take_time(setup, trace_rows(setup, options), pass, point);
+    }
+    point.bytes_a_vertex = static_cast<double>(coefficient_count(degree) * sizeof(float));
+    series.points.push_back(point);
+    progress.advance();
+  }
+  progress.finish();
+  part.series.push_back(series);
+  return part;
+}
+
+}  // namespace sh::prt

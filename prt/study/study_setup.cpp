@@ -1,0 +1,182 @@
+#include "prt/study/study_setup.hpp"
+
+#include <fmt/core.h>
+#include <tbb/enumerable_thread_specific.h>
+
+#include <algorithm>
+#include <ctime>
+
+#include "numeric/output/progress.hpp"
+#include "prt/bake/chunks.hpp"
+#include "prt/bake/shadow_pass.hpp"
+#include "prt/bake/unshadowed.hpp"
+#include "prt/light/light.hpp"
+#include "prt/light/project.hpp"
+#include "prt/rays/directions.hpp"
+#include "prt/study/exact.hpp"
+
+namespace sh::prt {
+
+namespace {
+
+constexpr float kNearlyDark = 0.03F;       // of the cosine; only such vertices may have to be filled
+constexpr int kClassifyDirections = 2048;  // enough to see whether a vertex is covered
+constexpr std::uint32_t kReferenceSeed = 0x5EED;
+
+// Windows are a part of the study of their own.
+std::vector<Light> lights_of(const Scene& scene) {
+  std::vector<LightSpec> specs = scene.lights;
+  for (LightSpec& spec : specs) {
+    spec.window.reset();
+  }
+  return load_lights(specs, OnFlaw::kMend);
+}
+
+std::vector<float> unshadowed_rows(const StudySetup& setup, int degree) {
+  std::vector<Eigen::Vector3f> normals;
+  for (const std::uint32_t v : setup.vertices.index) {
+    normals.push_back(setup.scene.mesh.normals[v]);
+  }
+  return unshadowed_transfer(degree, normals);
+}
+
+const Gathered& gather(const StudySetup& setup, Gatherer& gatherer, std::uint32_t v) {
+  const Mesh& mesh = setup.scene.mesh;
+  return gatherer.gather(setup.starts[v].origin, mesh.normals[v], mesh.geometric_normals[v]);
+}
+
+// Calls each(gathered, place among the studied vertices) on all threads.
+template <class Each>
+void gather_all(const StudySetup& setup, const SharedDirections& directions, const char* what, const Each& each) {
+  const std::size_t count = setup.vertices.index.size();
+  output::Progress progress(what, count);
+  tbb::enumerable_thread_specific<Gatherer> gatherers([&] { return Gatherer(directions, setup.tracer); });
+  for_chunks(count, [&](std::size_t chunk) {
+    const VertexRange range = chunk_range(chunk, count);
+    for (std::size_t i = range.first; i < range.last; ++i) {
+      each(gather(setup, gatherers.local(), setup.vertices.index[i]), i);
+      progress.advance();
+    }
+  });
+  progress.finish();
+}
+
+// A bake fills these from their neighbours: their own rays tell nothing.
+bool is_filled(const Mesh& mesh, Gatherer& gatherer, const RayStart& start, std::uint32_t v) {
+  const float fraction = gatherer.gather(start.origin, mesh.normals[v], mesh.geometric_normals[v]).fraction();
+  if (fraction >= kNearlyDark) {
+    return false;
+  }
+  const Sight sight = gatherer.classify(mesh, v, start, fraction <= 0.0F);
+  return sight == Sight::kCovered || sight == Sight::kBuried;
+}
+
+TransferRows reference_rows(const StudySetup& setup) {
+  BakeOptions options;
+  options.degree = kMaxDegree;
+  options.directions = setup.reference_directions();
+  options.sampler = Sampler::kCosine;
+  options.seed = kReferenceSeed;
+  const SharedDirections directions(options);
+  TransferRows rows{kMaxDegree, unshadowed_rows(setup, kMaxDegree)};
+  const std::size_t count = coefficient_count(kMaxDegree);
+  gather_all(setup, directions, "study: reference", [&](const Gathered& seen, std::size_t i) {
+    control_with_unshadowed(seen, count, rows.values.data() + i * count);
+  });
+  return rows;
+}
+
+// The radiance of the lights in place of the basis.
+std::optional<Radiances> under_the_lights(const StudySetup& setup) {
+  const bool has_point = std::any_of(setup.scene.lights.begin(), setup.scene.lights.end(),
+                                     [](const LightSpec& light) { return light.type == LightType::kDirectional; });
+  if (has_point) {
+    return std::nullopt;
+  }
+  const std::vector<Light> lights = lights_of(setup.scene);
+  const SharedDirections directions(make_directions(Sampler::kFibonacci, setup.reference_directions(), 0), 4,
+                                    [&](const Eigen::Vector3f& d, float* out) {
+                                      const Eigen::Vector3f value = radiance(lights, d.cast<double>());
+                                      out[0] = 1.0F;
+                                      std::copy_n(value.data(), 3, out + 1);
+                                    });
+  Radiances whole(setup.vertices.index.size());
+  gather_all(setup, directions, "study: the light itself", [&](const Gathered& seen, std::size_t i) {
+    const Eigen::Vector3d sum(seen.visible[1], seen.visible[2], seen.visible[3]);
+    whole[i] = setup.scene.mesh.albedo[setup.vertices.index[i]].cast<double>().cwiseProduct(sum);
+  });
+  return whole;
+}
+
+}  // namespace
+
+StudySetup::StudySetup(const Scene& studied_scene, const StudyOptions& study_options)
+    : scene(studied_scene),
+      options(study_options),
+      tracer(scene.mesh, 0, options.instruction_set),
+      starts(ray_starts(scene.mesh)),
+      light(project(lights_of(scene), kMaxDegree)) {
+  BakeOptions looking;
+  looking.degree = 0;
+  looking.directions = kClassifyDirections;
+  const SharedDirections directions(looking);
+  Gatherer gatherer(directions, tracer);
+  vertices = choose_vertices(scene.mesh, scene.camera, options.vertices, [&](std::uint32_t v) {
+    output::check_interrupt();
+    const bool filled = is_filled(scene.mesh, gatherer, starts[v], v);
+    left_out += filled ? 1 : 0;
+    return filled;
+  });
+  exact = exact_transfer(scene, vertices.index, kMaxDegree);
+  reference = reference_rows(*this);
+  whole = under_the_lights(*this);
+}
+
+std::string StudySetup::all_degrees_name() const {
+  return whole ? "the same rays under the lights themselves, of every degree"
+               : fmt::format("degree {}, for a light of the scene is a point", kMaxDegree);
+}
+
+Radiances StudySetup::relit(const TransferRows& rows, const LightCoefficients& lit_by, int degree) const {
+  Radiances radiances(vertices.index.size(), Eigen::Vector3d::Zero());
+  for (std::size_t i = 0; i < radiances.size(); ++i) {
+    const float* t = rows.row(i);
+    for (std::size_t k = 0; k < coefficient_count(degree); ++k) {
+      radiances[i] += static_cast<double>(t[k]) * Eigen::Vector3d(lit_by.at(0, k), lit_by.at(1, k), lit_by.at(2, k));
+    }
+    radiances[i] = radiances[i].cwiseProduct(scene.mesh.albedo[vertices.index[i]].cast<double>()).eval();
+  }
+  return radiances;
+}
+
+ErrorField field_of(const StudySetup& setup, const std::string& name, const std::string& title, const Radiances& values,
+                    const Radiances& reference) {
+  const VertexErrors errors = vertex_errors(setup.scene.mesh, setup.scene.camera, values, reference);
+  return {name, fmt::format("{}: {}", setup.scene.name, title), errors.relative, errors.error};
+}
+
+double thread_seconds() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+TimedRows trace_rows(const StudySetup& setup, const BakeOptions& options) {
+  TimedRows result;
+  result.rows = {options.degree, unshadowed_rows(setup, options.degree)};
+  const std::size_t count = coefficient_count(options.degree);
+  const double start = thread_seconds();
+  const SharedDirections directions(options);
+  Gatherer gatherer(directions, setup.tracer);
+  const double begin = thread_seconds();
+  for (std::size_t i = 0; i < setup.vertices.index.size(); ++i) {
+    output::check_interrupt();
+    control_with_unshadowed(gather(setup, gatherer, setup.vertices.index[i]), count,
+                            result.rows.values.data() + i * count);
+  }
+  result.seconds = thread_seconds() - begin;
+  result.setup_seconds = begin - start;
+  return result;
+}
+
+}  // namespace sh::prt
