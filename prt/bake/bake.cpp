@@ -1,13 +1,13 @@
 #include "prt/bake/bake.hpp"
 
 #include <fmt/core.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <stdexcept>
 
 #include "numeric/output/progress.hpp"
 #include "prt/bake/bake_key.hpp"
+#include "prt/bake/chunks.hpp"
 #include "prt/bake/fill_closed.hpp"
 #include "prt/bake/form_factors.hpp"
 #include "prt/bake/interreflect.hpp"
@@ -98,11 +98,9 @@ Transfer bake(const Scene& scene, const BakeSettings& settings, BakeReport* repo
     throw std::invalid_argument(
         fmt::format("{} marks of open vertices for {} vertices", settings.open.size(), scene.mesh.positions.size()));
   }
-  const int cores = tbb::this_task_arena::max_concurrency();
-  tbb::task_arena arena(settings.threads == 0 ? cores : std::min(settings.threads, cores));
   Transfer transfer;
   BakeReport measured;
-  arena.execute([&] { transfer = bake_in_arena(scene, settings, measured); });
+  on_threads(settings.threads, [&] { transfer = bake_in_arena(scene, settings, measured); });
   if (report != nullptr) {
     *report = measured;
   }

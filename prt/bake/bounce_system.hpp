@@ -44,6 +44,9 @@ void for_rows(std::size_t rows, const Each& each) {
 void solve_krylov(BounceSystem& system, const Panel& b, Panel& x, Panel& r, const BounceOptions& options,
                   BounceReport& report);
 
+/// Neither the number of applications nor the time is used up.
+bool may_go_on(const BounceSystem& system, const BounceOptions& options);
+
 /// The certified bound is within the tolerance.
 bool is_solved(const BounceReport& report, const BounceOptions& options);
 

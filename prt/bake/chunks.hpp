@@ -1,6 +1,7 @@
 // Vertices in chunks of one fixed size, on all threads of the arena that the caller runs in.
 #pragma once
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -23,6 +24,19 @@ constexpr std::size_t chunk_count(std::size_t vertices) {
 
 constexpr VertexRange chunk_range(std::size_t chunk, std::size_t vertices) {
   return {chunk * kVerticesPerChunk, std::min(vertices, (chunk + 1) * kVerticesPerChunk)};
+}
+
+/// 0: every core; no more than there are cores.
+inline std::size_t thread_count(int threads) {
+  const int cores = tbb::this_task_arena::max_concurrency();
+  return static_cast<std::size_t>(threads == 0 ? cores : std::min(threads, cores));
+}
+
+/// Runs `work` in an arena of that many threads.
+template <class Work>
+void on_threads(int threads, const Work& work) {
+  tbb::task_arena arena(static_cast<int>(thread_count(threads)));
+  arena.execute(work);
 }
 
 /// Calls each(chunk) for all chunks of that many vertices, in any order, several at once.

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <chrono>
 
 #include "prt/bake/bounces.hpp"
 
@@ -45,7 +46,7 @@ void interreflect(const Scene& scene, const FormFactors& factors, OnFlaw on_flaw
   Panel x = direct_light(scene.mesh, transfer, layout);
   transfer.bounces = solve_bounces(factors, scene.mesh.albedo, layout, x, scene.bake.bounces);
   take_solution(x, layout, transfer);
-  if (!transfer.bounces.certified) {
+  if (!transfer.bounces.certified && std::chrono::steady_clock::now() < scene.bake.bounces.deadline) {
     report_flaw(on_flaw, fmt::format("{}: bounces did not settle within {} (residual {:.2g} after {} applications): "
                                      "surfaces of albedo 1 enclose light (kept as it is)",
                                      scene.name, scene.bake.bounces.tolerance, transfer.bounces.residual,

@@ -102,7 +102,7 @@ void run_cycle(BounceSystem& system, Panel& x, Panel& r, const BounceOptions& op
     follow(r, product(ratio(next, rho), ratio(alpha, omega)), p);
     rho = next;
     system.certify(x, r, report);
-    if (system.applications() >= options.most_applications) {
+    if (!may_go_on(system, options)) {
       return;
     }
   }
@@ -112,7 +112,7 @@ void run_cycle(BounceSystem& system, Panel& x, Panel& r, const BounceOptions& op
 
 void solve_krylov(BounceSystem& system, const Panel& b, Panel& x, Panel& r, const BounceOptions& options,
                   BounceReport& report) {
-  while (!is_solved(report, options) && system.applications() < options.most_applications) {
+  while (!is_solved(report, options) && may_go_on(system, options)) {
     run_cycle(system, x, r, options, report);
     system.residual(b, x, r);
     system.certify(x, r, report);

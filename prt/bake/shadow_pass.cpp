@@ -2,6 +2,8 @@
 
 #include <tbb/enumerable_thread_specific.h>
 
+#include <atomic>
+#include <chrono>
 #include <cstddef>
 
 #include "numeric/output/progress.hpp"
@@ -50,6 +52,27 @@ void ShadowPass::run(Checkpoint& checkpoint) {
   });
   progress.finish();
   checkpoint.complete();
+}
+
+std::size_t ShadowPass::sample(const std::vector<std::uint32_t>& vertices, double seconds) {
+  using Clock = std::chrono::steady_clock;
+  const auto end = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+  tbb::enumerable_thread_specific<Worker> workers([this] { return Worker(mesh_, setup_); });
+  std::atomic<std::size_t> next{0};
+  std::atomic<std::size_t> done{0};
+  tbb::parallel_for(std::size_t{0}, static_cast<std::size_t>(tbb::this_task_arena::max_concurrency()),
+                    [&](std::size_t) {
+                      do {
+                        output::check_interrupt();
+                        const std::size_t i = next++;
+                        if (i >= vertices.size()) {
+                          return;
+                        }
+                        trace(vertices[i], workers.local());
+                        ++done;
+                      } while (Clock::now() < end);
+                    });
+  return done;
 }
 
 void ShadowPass::trace(const VertexRange& range, Worker& worker) {

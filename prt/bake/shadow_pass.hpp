@@ -35,6 +35,8 @@ class ShadowPass {
   /// Traces all vertices but those that the checkpoint holds, and shows progress. Throws output::Interrupted, seen
   /// before every vertex, when asked to stop.
   void run(Checkpoint& checkpoint);
+  /// Traces the first of these vertices until the time is over, each in the same way; returns how many, at least one.
+  std::size_t sample(const std::vector<std::uint32_t>& vertices, double seconds);
 
  private:
   struct Worker;  // the buffers of one thread

@@ -113,8 +113,8 @@ void require_writable(const std::string& file) {
 
 Stopwatch::Stopwatch() : start_(now()) {}
 
-void Stopwatch::report(const std::string& what) const {
-  fmt::print(stderr, "prt: {} in {:.2f} s\n", what, static_cast<double>(now() - start_) * 1e-9);
-}
+void Stopwatch::report(const std::string& what) const { fmt::print(stderr, "prt: {} in {:.2f} s\n", what, seconds()); }
+
+double Stopwatch::seconds() const { return static_cast<double>(now() - start_) * 1e-9; }
 
 }  // namespace sh::prt

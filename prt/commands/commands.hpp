@@ -95,6 +95,7 @@ class Stopwatch {
  public:
   Stopwatch();
   void report(const std::string& what) const;
+  [[nodiscard]] double seconds() const;
 
  private:
   std::int64_t start_;

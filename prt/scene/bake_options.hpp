@@ -1,5 +1,6 @@
 // What a scene asks of a bake.
 #pragma once
+#include <chrono>
 #include <cstdint>
 
 #include "prt/transfer/transfer.hpp"
@@ -13,6 +14,8 @@ struct BounceOptions {
   double tolerance = 1e-4;  // certified error of any number, over the largest number in the solution
   BounceSolver solver = BounceSolver::kAutomatic;
   int most_applications = 1000;  // of K; then the result says that it is not certified
+  /// No application begins later: the bound that is certified then may be above the tolerance.
+  std::chrono::steady_clock::time_point deadline = std::chrono::steady_clock::time_point::max();
 };
 
 inline constexpr int kMaxSeed = 2147483647;

@@ -31,11 +31,18 @@ enum class Sampler : std::uint32_t { kFibonacci, kStratified, kSobol, kRandom, k
 struct BounceReport {
   std::string solver;           // series or bicgstab; empty where there are no bounces
   int applications = 0;         // of the form factors; each is one bounce of the series
-  bool certified = false;       // bound <= tolerance * largest
+  bool certified = false;       // bound <= tolerance * largest, or the bound that was reached when time was over
   double bound = 0.0;           // certified: no number is further from the system's solution
   double residual = 0.0;        // largest number of b - (I - A) x
   double largest = 0.0;         // number of the solution
   double spectral_bound = 0.0;  // certified: no eigenvalue of albedo times form factors is larger
+};
+
+/// What was asked for where a limited time did not allow it; see prt/bake/budget.hpp.
+struct Shortfall {
+  std::uint32_t directions = 0;  // asked for; 0: there are as many
+  double tolerance = 0.0;        // of the bounces, asked for; 0: reached
+  [[nodiscard]] bool any() const { return directions > 0 || tolerance > 0.0; }
 };
 
 /// Transfer vectors of every vertex of `mesh`.
@@ -54,6 +61,7 @@ struct Transfer {
   std::vector<Eigen::Vector3f> emitted;
   Storage storage;  // of the coefficients in a file; here they are whole
   PlanRecord plan;  // what the bake left out
+  Shortfall missing;
   [[nodiscard]] std::size_t bands_squared() const {
     const auto bands = static_cast<std::size_t>(degree) + 1;
     return bands * bands;

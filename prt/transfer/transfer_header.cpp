@@ -52,6 +52,16 @@ std::string transfer_header(const Transfer& transfer) {
   if (bounces) {
     header["bounces"] = to_json(transfer.bounces);
   }
+  if (transfer.missing.any()) {
+    header["complete"] = false;  // coarser than was asked for
+    header["asked"] = nlohmann::ordered_json::object();
+    if (transfer.missing.directions > 0) {
+      header["asked"]["directions"] = transfer.missing.directions;
+    }
+    if (transfer.missing.tolerance > 0.0) {
+      header["asked"]["tolerance"] = transfer.missing.tolerance;
+    }
+  }
   if (!transfer.storage.is_plain()) {
     header["storage"] = to_json(transfer.storage);
   }

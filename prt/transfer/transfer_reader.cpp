@@ -136,6 +136,10 @@ class Reader {
     }
     transfer.sampler = *known;
     transfer.seed = header.value("seed", 0U);
+    if (header.contains("asked")) {
+      transfer.missing.directions = header["asked"].value("directions", 0U);
+      transfer.missing.tolerance = header["asked"].value("tolerance", 0.0);
+    }
   }
 
   void take_plan(const nlohmann::json& header, Transfer& transfer) const {

@@ -1,0 +1,152 @@
+#include "prt/bake/estimate.hpp"
+
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <numbers>
+
+#include "prt/bake/bounces.hpp"
+#include "prt/bake/shadow_pass.hpp"
+#include "prt/bake/unshadowed.hpp"
+
+namespace sh::prt {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double kSampleSeconds = 0.05;
+constexpr std::size_t kMostSamples = 1024;
+constexpr std::size_t kPanels = 4;            // of the series: sum, term, next term, right sides
+constexpr std::size_t kBytesADirection = 72;  // of a thread's buffers
+constexpr double kMostBounces = 60.0;         // then the Krylov solver is quicker
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+std::size_t resident_memory() {
+  std::size_t pages = 0;
+  std::size_t resident = 0;
+  if (std::FILE* file = std::fopen("/proc/self/statm", "r"); file != nullptr) {
+    const int read = std::fscanf(file, "%zu %zu", &pages, &resident);
+    resident = read == 2 ? resident : 0;
+    std::fclose(file);
+  }
+  return resident * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+}
+
+// Vertices that need rays, spread over the mesh by the golden ratio: any number of the first is spread, too.
+std::vector<std::uint32_t> spread_vertices(std::size_t vertices, const std::vector<std::uint8_t>& open,
+                                           std::size_t& traced) {
+  std::vector<std::uint32_t> closed;
+  for (std::size_t v = 0; v < vertices; ++v) {
+    if (open.empty() || open[v] == 0) {
+      closed.push_back(static_cast<std::uint32_t>(v));
+    }
+  }
+  traced = closed.size();
+  std::vector<std::uint32_t> spread;
+  for (std::size_t i = 0; i < std::min(kMostSamples, closed.size()); ++i) {
+    const double turn = static_cast<double>(i) / std::numbers::phi;
+    spread.push_back(closed[static_cast<std::size_t>((turn - std::floor(turn)) * static_cast<double>(closed.size()))]);
+  }
+  return spread;
+}
+
+// Seconds of K x for some rows, the least of three.
+double apply_seconds(const FormFactors& factors, std::size_t vertices, std::size_t columns) {
+  const Panel x(vertices, columns);
+  Panel y(factors.size(), columns);
+  double least = std::numeric_limits<double>::max();
+  for (int i = 0; i < 3; ++i) {
+    const auto start = Clock::now();
+    factors.apply(x, y);
+    least = std::min(least, seconds_since(start));
+  }
+  return least;
+}
+
+// The bounces, from the rows of the vertices that were sampled.
+void estimate_bounces(const Scene& scene, const BakeSettings& settings, const FormFactors& all,
+                      const std::vector<std::uint32_t>& samples, BakeEstimate& estimate) {
+  FormFactors factors(samples.size());
+  std::size_t entries = 0;
+  double sum = 0.0;
+  double square = 0.0;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const FormFactorRow& row = all.row(samples[i]);
+    double reflected = 0.0;  // what comes back to the vertex of what it sends out
+    for (const FormFactor& factor : row) {
+      reflected += static_cast<double>(factor.weight * scene.mesh.albedo[factor.vertex].maxCoeff());
+    }
+    entries += row.size();
+    sum += reflected;
+    square += reflected * reflected;
+    factors.keep(i, row);
+  }
+  const double scale = static_cast<double>(estimate.vertices) / static_cast<double>(samples.size());
+  const BounceLayout layout{static_cast<std::size_t>((scene.bake.degree + 1) * (scene.bake.degree + 1))};
+  estimate.factor_bytes = static_cast<std::size_t>(static_cast<double>(entries * sizeof(FormFactor)) * scale);
+  estimate.bounce_seconds = apply_seconds(factors, scene.mesh.positions.size(), layout.columns()) * scale;
+  const double kept = estimate.factor_bytes <= settings.bounce_memory
+                          ? 1.0
+                          : static_cast<double>(settings.bounce_memory) / static_cast<double>(estimate.factor_bytes);
+  estimate.bounce_seconds += (1.0 - kept) * estimate.pass_seconds;
+  const double rate = sum > 0.0 ? std::min(square / sum, 0.99) : 0.0;  // light goes where much of it comes back
+  estimate.bounces = rate > 0.0 ? std::log(scene.bake.bounces.tolerance) / std::log(rate) : 1.0;
+  estimate.bounces = std::clamp(std::ceil(estimate.bounces), 1.0, kMostBounces);
+  const Panel row(1, layout.columns());
+  estimate.bytes += std::min(estimate.factor_bytes, settings.bounce_memory) +
+                    scene.mesh.positions.size() * (kPanels * row.columns * sizeof(double) +
+                                                   BounceLayout::kChannels * layout.count * sizeof(float));
+}
+
+BakeEstimate estimate_rays(const Scene& scene, const BakeSettings& settings) {
+  const auto start = Clock::now();
+  const RaySetup setup(scene, settings.threads, settings.instruction_set);
+  BakeEstimate estimate;
+  estimate.setup_seconds = seconds_since(start);
+  const std::size_t vertices = scene.mesh.positions.size();
+  std::vector<std::uint32_t> samples = spread_vertices(vertices, settings.open, estimate.vertices);
+  Transfer transfer;
+  transfer.degree = scene.bake.degree;
+  transfer.coefficients = unshadowed_transfer(transfer.degree, scene.mesh.normals);
+  const bool bounces = scene.bake.kind == TransferKind::kInterreflected;
+  FormFactors factors(bounces ? vertices : 0);
+  ShadowResult result{transfer, std::vector<Sight>(vertices, Sight::kSome), bounces ? &factors : nullptr};
+  const auto first_ray = Clock::now();
+  samples.resize(ShadowPass(scene.mesh, setup, settings.open, result).sample(samples, kSampleSeconds));
+  if (samples.empty()) {
+    return estimate;
+  }
+  const double scale = static_cast<double>(estimate.vertices) / static_cast<double>(samples.size());
+  estimate.pass_seconds = seconds_since(first_ray) * scale;
+  estimate.rays = static_cast<double>(setup.tracer.rays()) * scale;
+  estimate.bytes = resident_memory() + setup.directions.size() * kBytesADirection * thread_count(settings.threads);
+  if (bounces) {
+    estimate_bounces(scene, settings, factors, samples, estimate);
+  }
+  return estimate;
+}
+
+}  // namespace
+
+BakeEstimate estimate_bake(const Scene& scene, const BakeSettings& settings) {
+  BakeEstimate estimate;
+  if (scene.bake.kind != TransferKind::kUnshadowed) {
+    on_threads(settings.threads, [&] { estimate = estimate_rays(scene, settings); });
+  }
+  return estimate;
+}
+
+std::size_t peak_memory() {
+  struct rusage usage = {};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
+}
+
+}  // namespace sh::prt
