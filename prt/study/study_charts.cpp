@@ -81,7 +81,7 @@ Chart chart_of(const Study& study, const StudyPart& part, bool against_time) {
   chart.title = fmt::format("{}: error against {}{}", study.scene, against_time ? "time, by " : "", part.name);
   chart.x.label = against_time ? "processor time for the scene, seconds" : part.axis;
   chart.y.label =
-      fmt::format("error of exit radiance, relative rms{}", has_exact(part) ? ", against the exact answer" : "");
+      has_exact(part) ? "error against the exact answer, relative rms" : "error of exit radiance, relative rms";
   chart.width = kWidth;
   chart.height = kHeight;
   chart.legend = part.series.size() > 1;
@@ -89,6 +89,13 @@ Chart chart_of(const Study& study, const StudyPart& part, bool against_time) {
     chart.series.push_back(curve(part, i, against_time));
   }
   return chart;
+}
+
+bool has_points(const StudyPart& part) {
+  return std::any_of(part.series.begin(), part.series.end(), [](const StudySeries& series) {
+    return std::any_of(series.points.begin(), series.points.end(),
+                       [](const StudyPoint& point) { return shown_error(point).rms > 0.0; });
+  });
 }
 
 bool is_timed(const StudyPart& part) {
@@ -104,7 +111,7 @@ std::vector<StudyChart> study_charts(const Study& study) {
   std::vector<StudyChart> charts;
   for (const StudyPart& part : study.parts) {
     for (const bool against_time : {false, true}) {
-      if (!part.series.empty() && (!against_time || is_timed(part))) {
+      if (has_points(part) && (!against_time || is_timed(part))) {
         const Chart chart = chart_of(study, part, against_time);
         charts.push_back({part.name + (against_time ? "_time.svg" : ".svg"), chart.title, chart_file(chart)});
       }

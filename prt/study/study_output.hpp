@@ -17,7 +17,7 @@ struct StudyChart {
   std::string svg;
 };
 
-/// Of every part error against its axis, and against time where a setting's time changes.
+/// Of every part with errors above 0: error against its axis, and against time where that was measured.
 std::vector<StudyChart> study_charts(const Study& study);
 
 }  // namespace sh::prt

@@ -230,7 +230,7 @@ TEST(StudyTool, WritesTheSameNumbersTwiceButForTimes) {
   EXPECT_EQ(first, second);
   const std::set<std::string> files = files_in(folder.file("c"));
   EXPECT_TRUE(files.contains("directions.svg") && files.contains("directions_time.svg") &&
-              files.contains("degrees.svg") && files.contains("bounces.svg") && files.contains("study.json") &&
+              files.contains("degrees.svg") && !files.contains("bounces.svg") && files.contains("study.json") &&
               files.contains("storage.svg") && files.contains("windows.svg") &&
               files.contains("errors_directions.png") && files.contains("errors_degrees.png"));
   EXPECT_EQ(files, files_in(folder.file("a/b")));
