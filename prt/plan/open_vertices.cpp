@@ -78,7 +78,7 @@ std::vector<Eigen::Vector3d> landmarks(const std::vector<Eigen::Vector3f>& point
     const auto farther = [&](const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
       return a.dot(direction) < b.dot(direction);
     };
-    found.push_back(std::max_element(points.begin(), points.end(), farther)->cast<double>());
+    found.emplace_back(std::max_element(points.begin(), points.end(), farther)->cast<double>());
   }
   return found;
 }
