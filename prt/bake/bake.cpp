@@ -8,6 +8,7 @@
 #include "numeric/output/progress.hpp"
 #include "prt/bake/bake_key.hpp"
 #include "prt/bake/chunks.hpp"
+#include "prt/bake/coloured_mirrors.hpp"
 #include "prt/bake/fill_closed.hpp"
 #include "prt/bake/form_factors.hpp"
 #include "prt/bake/interreflect.hpp"
@@ -37,10 +38,22 @@ void report_closed(const Scene& scene, const FillPlan& plan, OnFlaw on_flaw) {
   }
 }
 
+// Light between mirrors that face each other, without much loss, has no end.
+void report_cut(const Scene& scene, double cut, OnFlaw on_flaw) {
+  constexpr double kNoticed = 1e-3;
+  if (cut > kNoticed) {
+    report_flaw(on_flaw, fmt::format("{}: paths were cut after {} mirrors: up to {:.2g} of the light of a vertex is "
+                                     "left out",
+                                     scene.name, MirrorPaths::kMostMirrors, cut));
+  }
+}
+
 // Shadowed vectors of all vertices; those without sight take their neighbours'.
 void shadow(const Scene& scene, const RaySetup& setup, const BakeSettings& settings, Checkpoint& checkpoint,
             ShadowResult& result) {
-  ShadowPass(scene.mesh, setup, settings.open, result).run(checkpoint);
+  ShadowPass pass(scene.mesh, setup, settings.open, result);
+  pass.run(checkpoint);
+  report_cut(scene, pass.largest_cut(), settings.on_flaw);
   const FillPlan plan = plan_fill(scene.mesh, result.sight);
   fill_closed(result.transfer, plan);
   report_closed(scene, plan, settings.on_flaw);
@@ -60,8 +73,9 @@ void trace(const Scene& scene, const BakeSettings& settings, Transfer& transfer,
   transfer.sampler = scene.bake.sampler;
   transfer.seed = scene.bake.seed;
   const bool bounces = scene.bake.kind == TransferKind::kInterreflected;
-  FormFactors factors(bounces ? scene.mesh.positions.size() : 0, settings.bounce_memory,
-                      [&] { return make_row_maker(scene.mesh, setup.starts, setup.directions, setup.tracer); });
+  FormFactors factors(bounces ? scene.mesh.positions.size() : 0, settings.bounce_memory, [&] {
+    return make_row_maker(scene.mesh, setup.starts, setup.directions, setup.tracer, setup.mirrors);
+  });
   ShadowResult result{transfer, std::vector<Sight>(scene.mesh.positions.size(), Sight::kSome),
                       bounces ? &factors : nullptr};
   Checkpoint checkpoint(settings.checkpoint, bake_key(scene, transfer.instruction_set, settings.open), result);
@@ -84,6 +98,7 @@ Transfer bake_in_arena(const Scene& scene, const BakeSettings& settings, BakeRep
   transfer.kind = TransferKind::kUnshadowed;
   transfer.instruction_set = "any";
   transfer.coefficients = unshadowed_transfer(transfer.degree, scene.mesh.normals);
+  transfer.emitted = scene.mesh.emission;
   if (scene.bake.kind != TransferKind::kUnshadowed) {
     trace(scene, settings, transfer, report);
   }
@@ -94,13 +109,29 @@ Transfer bake_in_arena(const Scene& scene, const BakeSettings& settings, BakeRep
 
 Transfer bake(const Scene& scene, const BakeSettings& settings, BakeReport* report) {
   check_options(scene.bake, settings.threads);
+  if (scene.mesh.faces.empty()) {
+    throw std::invalid_argument(fmt::format("{}: the mesh has no faces, expected at least one triangle", scene.name));
+  }
   if (!settings.open.empty() && settings.open.size() != scene.mesh.positions.size()) {
     throw std::invalid_argument(
         fmt::format("{} marks of open vertices for {} vertices", settings.open.size(), scene.mesh.positions.size()));
   }
   Transfer transfer;
   BakeReport measured;
-  on_threads(settings.threads, [&] { transfer = bake_in_arena(scene, settings, measured); });
+  on_threads(settings.threads, [&] {
+    if (scene.bake.kind != TransferKind::kUnshadowed && has_coloured_mirrors(scene.mesh)) {
+      BakeSettings part = settings;
+      part.checkpoint = {};  // it holds one bake
+      transfer = bake_by_channel(scene, [&](const Scene& grey) {
+        BakeReport channel;
+        Transfer result = bake_in_arena(grey, part, channel);
+        measured.rays += channel.rays;
+        return result;
+      });
+    } else {
+      transfer = bake_in_arena(scene, settings, measured);
+    }
+  });
   if (report != nullptr) {
     *report = measured;
   }

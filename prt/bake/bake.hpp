@@ -5,7 +5,9 @@
 // them and f = (sum of visible w) / (sum of w),
 //   T = S + f (DU - S_all),
 // a control variate: exact where nothing is in the way, zero where everything is, continuous between.
+// Surfaces' own light is kept apart (Transfer::emitted): without its bounces for DU and DS, which have none.
 // DI adds the light that bounces (prt/bake/bounces.hpp): rays that something blocks are traced on to their closest hit.
+// Rays that meet mirrors go on from there (prt/bake/mirror_light.hpp) in either.
 // One task owns one vertex, so the result has the same bits for any number of threads.
 #pragma once
 #include <cstddef>
@@ -27,7 +29,7 @@ struct BakeSettings {
   OnFlaw on_flaw = OnFlaw::kMend;
   std::size_t bounce_memory = SIZE_MAX;  // bytes for form factors; the rest is traced again for each bounce
   std::vector<std::uint8_t> open = {};  // (vertices), or empty: 1 where nothing is in the way, so that no ray is traced
-  CheckpointSettings checkpoint = {};   // its file stays after bake(), see BakeReport
+  CheckpointSettings checkpoint = {};   // its file stays after bake(), see BakeReport; none among coloured mirrors
 };
 
 /// What a bake took.

@@ -21,9 +21,9 @@ std::uint64_t checksum_of(const std::vector<T>& values) {
 
 // A member added to Mesh does not compile here until it is decided whether rays depend on it.
 std::string mesh_checksum(const Mesh& mesh) {
-  [[maybe_unused]] const auto& [positions, normals, geometric_normals, albedo, faces, remap] = mesh;
-  const std::array<std::uint64_t, 4> parts = {checksum_of(positions), checksum_of(normals),
-                                              checksum_of(geometric_normals), checksum_of(faces)};
+  [[maybe_unused]] const auto& [positions, normals, geometric_normals, albedo, emission, mirror, faces, remap] = mesh;
+  const std::array<std::uint64_t, 5> parts = {checksum_of(positions), checksum_of(normals),
+                                              checksum_of(geometric_normals), checksum_of(mirror), checksum_of(faces)};
   return fmt::format("{:016x}", checksum(parts.data(), sizeof parts));
 }
 

@@ -17,10 +17,23 @@ namespace {
 constexpr std::size_t kChannels = BounceLayout::kChannels;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
+// What some columns reach at most.
+struct Largest {
+  double x = 0.0;
+  double r = 0.0;
+
+  void take(const double* xs, const double* rs, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+      x = std::max(x, std::abs(xs[i]));
+      r = std::max(r, std::abs(rs[i]));
+    }
+  }
+};
+
 // What a panel's columns of one channel reach at most and least.
 struct Extremes {
-  double largest_x = 0.0;
-  double largest_r = 0.0;
+  Largest reflected;
+  Largest emitted;
   double largest_y = 0.0;
   double least_y = kInfinity;
   double least_s = kInfinity;  // (I - A) y = 1 - r
@@ -32,10 +45,9 @@ Extremes extremes(const Panel& x, const Panel& r, const BounceLayout& layout, st
   for (std::size_t v = 0; v < x.rows; ++v) {
     const double* xs = x.row(v) + layout.channel(channel);
     const double* rs = r.row(v) + layout.channel(channel);
-    for (std::size_t i = 0; i < layout.count; ++i) {
-      e.largest_x = std::max(e.largest_x, std::abs(xs[i]));
-      e.largest_r = std::max(e.largest_r, std::abs(rs[i]));
-    }
+    const std::size_t reflected = layout.count - layout.emitted;
+    e.reflected.take(xs, rs, reflected);
+    e.emitted.take(xs + reflected, rs + reflected, layout.emitted);
     const double y = xs[layout.count];
     const double s = 1.0 - rs[layout.count];
     e.largest_y = std::max(e.largest_y, y);
@@ -61,7 +73,7 @@ struct Series {
           (options.solver == BounceSolver::kAutomatic && is_slow(before))) {
         return;
       }
-      before = report.bound;
+      before = excess();
       for_rows(x.rows, [&](std::size_t first, std::size_t last) {
         std::transform(x.row(first), x.row(first) + (last - first) * x.columns, r.row(first), x.row(first),
                        std::plus<>());
@@ -71,6 +83,14 @@ struct Series {
     }
   }
 
+  // How many times what is wanted the worse bound is.
+  [[nodiscard]] double excess() const {
+    const auto part = [this](double bound, double largest) {
+      return bound > 0.0 ? bound / (options.tolerance * largest) : 0.0;
+    };
+    return std::max(part(report.bound, report.largest), part(report.emitted_bound, report.emitted_largest));
+  }
+
   // More bounces are to come than a Krylov solver would need.
   [[nodiscard]] bool is_slow(double before) const {
     constexpr int kFirst = 8;
@@ -78,9 +98,9 @@ struct Series {
     if (system.applications() < kFirst) {
       return false;
     }
-    const double wanted = options.tolerance * report.largest;
-    const double rate = report.bound / before;
-    return !(rate < 1.0) || std::log(wanted / report.bound) / std::log(rate) > kManyMore;
+    const double now = excess();
+    const double rate = now / before;
+    return !(rate < 1.0) || std::log(1.0 / now) / std::log(rate) > kManyMore;
   }
 };
 
@@ -122,13 +142,17 @@ void BounceSystem::residual(const Panel& b, const Panel& x, Panel& r) {
 void BounceSystem::certify(const Panel& x, const Panel& r, BounceReport& report) const {
   report.applications = applications_;
   report.bound = report.residual = report.largest = report.spectral_bound = 0.0;
+  report.emitted_bound = report.emitted_largest = 0.0;
   for (std::size_t c = 0; c < kChannels; ++c) {
     const Extremes e = extremes(x, r, layout_, c);
     const bool proves = e.least_y > 0.0 && e.least_s > 0.0;
     const double norm = proves ? e.largest_y / e.least_s : kInfinity;  // of (I - A)^-1
-    report.bound = std::max(report.bound, e.largest_r == 0.0 ? 0.0 : norm * e.largest_r);
-    report.residual = std::max(report.residual, e.largest_r);
-    report.largest = std::max(report.largest, e.largest_x);
+    const auto bound = [norm](const Largest& largest) { return largest.r == 0.0 ? 0.0 : norm * largest.r; };
+    report.bound = std::max(report.bound, bound(e.reflected));
+    report.residual = std::max(report.residual, e.reflected.r);
+    report.largest = std::max(report.largest, e.reflected.x);
+    report.emitted_bound = std::max(report.emitted_bound, bound(e.emitted));
+    report.emitted_largest = std::max(report.emitted_largest, e.emitted.x);
     report.spectral_bound = std::max(report.spectral_bound, proves ? e.largest_ratio : 1.0);
   }
 }
@@ -138,7 +162,8 @@ bool may_go_on(const BounceSystem& system, const BounceOptions& options) {
 }
 
 bool is_solved(const BounceReport& report, const BounceOptions& options) {
-  return report.bound <= options.tolerance * report.largest;
+  return report.bound <= options.tolerance * report.largest &&
+         report.emitted_bound <= options.tolerance * report.emitted_largest;
 }
 
 BounceReport solve_bounces(const FormFactors& factors, const std::vector<Eigen::Vector3f>& albedo, BounceLayout layout,

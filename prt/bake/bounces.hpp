@@ -19,10 +19,13 @@
 
 namespace sh::prt {
 
-/// The columns of the system's panel: for each channel `count` right sides, then the 1 that certifies them.
+/// The columns of the system's panel: for each channel `count` right sides, then the 1 that certifies them. The last
+/// `emitted` of the right sides (0 or 1) are light of the surfaces' own, which has another unit than the others, so
+/// that either kind must reach the tolerance by itself.
 struct BounceLayout {
   static constexpr std::size_t kChannels = 3;
   std::size_t count;
+  std::size_t emitted = 0;
   [[nodiscard]] std::size_t channel(std::size_t c) const { return c * (count + 1); }
   [[nodiscard]] std::size_t certificate(std::size_t c) const { return channel(c) + count; }
   [[nodiscard]] std::size_t columns() const { return channel(kChannels); }

@@ -13,15 +13,19 @@ namespace {
 
 constexpr std::size_t kChannels = BounceLayout::kChannels;
 
-// What leaves every vertex at once: albedo * T.
+// What leaves every vertex at once: albedo * T, and the light of its own.
 Panel direct_light(const Mesh& mesh, const Transfer& transfer, const BounceLayout& layout) {
   Panel x(mesh.positions.size(), layout.columns());
   for (std::size_t v = 0; v < x.rows; ++v) {
-    const float* direct = transfer.coefficients.data() + v * layout.count;
+    const float* direct = transfer.coefficients.data() + v * transfer.row_length();
     for (std::size_t c = 0; c < kChannels; ++c) {
-      const auto albedo = static_cast<double>(mesh.albedo[v][static_cast<Eigen::Index>(c)]);
-      std::transform(direct, direct + layout.count, x.row(v) + layout.channel(c),
-                     [albedo](float value) { return albedo * static_cast<double>(value); });
+      const auto channel = static_cast<Eigen::Index>(c);
+      const auto albedo = static_cast<double>(mesh.albedo[v][channel]);
+      double* own = std::transform(direct, direct + transfer.bands_squared(), x.row(v) + layout.channel(c),
+                                   [albedo](float value) { return albedo * static_cast<double>(value); });
+      if (layout.emitted > 0) {
+        *own = static_cast<double>(mesh.emission[v][channel]);
+      }
     }
   }
   return x;
@@ -34,7 +38,11 @@ void take_solution(const Panel& x, const BounceLayout& layout, Transfer& transfe
   for (std::size_t v = 0; v < x.rows; ++v) {
     for (std::size_t c = 0; c < kChannels; ++c) {
       const double* values = x.row(v) + layout.channel(c);
-      out = std::transform(values, values + layout.count, out, [](double value) { return static_cast<float>(value); });
+      out = std::transform(values, values + transfer.bands_squared(), out,
+                           [](double value) { return static_cast<float>(value); });
+      if (layout.emitted > 0) {
+        transfer.emitted[v][static_cast<Eigen::Index>(c)] = static_cast<float>(values[transfer.bands_squared()]);
+      }
     }
   }
 }
@@ -42,7 +50,8 @@ void take_solution(const Panel& x, const BounceLayout& layout, Transfer& transfe
 }  // namespace
 
 void interreflect(const Scene& scene, const FormFactors& factors, OnFlaw on_flaw, Transfer& transfer) {
-  const BounceLayout layout{transfer.bands_squared()};
+  const std::size_t emitted = scene.mesh.emission.empty() ? 0 : 1;
+  const BounceLayout layout{transfer.bands_squared() + emitted, emitted};
   Panel x = direct_light(scene.mesh, transfer, layout);
   transfer.bounces = solve_bounces(factors, scene.mesh.albedo, layout, x, scene.bake.bounces);
   take_solution(x, layout, transfer);

@@ -2,11 +2,13 @@
 
 #include <tbb/enumerable_thread_specific.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cstddef>
 
 #include "numeric/output/progress.hpp"
+#include "prt/bake/mirror_light.hpp"
 #include "prt/bake/trace_form_factors.hpp"
 
 namespace sh::prt {
@@ -26,12 +28,18 @@ void control_with_unshadowed(const Gathered& seen, std::size_t count, float* tra
 }
 
 RaySetup::RaySetup(const Scene& scene, int threads, const std::string& instruction_set)
-    : tracer(scene.mesh, threads, instruction_set), directions(scene.bake), starts(ray_starts(scene.mesh)) {}
+    : tracer(scene.mesh, threads, instruction_set),
+      mirrors(scene.mesh, tracer),
+      directions(scene.bake),
+      starts(ray_starts(scene.mesh)) {}
 
 struct ShadowPass::Worker {
-  Worker(const Mesh& mesh, const RaySetup& setup) : gatherer(setup.directions, setup.tracer), merger(mesh) {}
+  Worker(const Mesh& mesh, const RaySetup& setup)
+      : gatherer(setup.directions, setup.tracer), merger(mesh), mirrors(setup.mirrors) {}
   Gatherer gatherer;
   RowMerger merger;
+  MirrorLight mirrors;
+  double largest_cut = 0.0;
 };
 
 ShadowPass::ShadowPass(const Mesh& mesh, const RaySetup& setup, const std::vector<std::uint8_t>& open,
@@ -51,6 +59,7 @@ void ShadowPass::run(Checkpoint& checkpoint) {
     progress.advance(range.size());
   });
   progress.finish();
+  workers.combine_each([this](const Worker& w) { largest_cut_ = std::max(largest_cut_, w.largest_cut); });
   checkpoint.complete();
 }
 
@@ -82,6 +91,12 @@ void ShadowPass::trace(const VertexRange& range, Worker& worker) {
   }
 }
 
+void ShadowPass::keep_row(std::size_t vertex, const std::vector<BlockedRay>& met, Worker& worker) {
+  if (result_.factors != nullptr) {
+    result_.factors->keep(vertex, worker.merger.merge(met));
+  }
+}
+
 void ShadowPass::trace(std::size_t vertex, Worker& worker) {
   if (!open_.empty() && open_[vertex] != 0) {
     if (result_.factors != nullptr) {
@@ -93,10 +108,18 @@ void ShadowPass::trace(std::size_t vertex, Worker& worker) {
   const Gathered& seen = worker.gatherer.gather(start.origin, mesh_.normals[vertex], mesh_.geometric_normals[vertex]);
   const std::size_t count = result_.transfer.bands_squared();
   control_with_unshadowed(seen, count, result_.transfer.coefficients.data() + vertex * count);
-  if (result_.factors != nullptr) {
-    result_.factors->keep(vertex, worker.merger.merge(worker.gatherer));
+  float fraction = seen.fraction();
+  if (setup_.mirrors.any()) {
+    const std::vector<BlockedRay>& met = worker.mirrors.follow(start.origin, worker.gatherer.closest_hits());
+    fraction += worker.mirrors.add_sky(result_.transfer.degree, result_.transfer.coefficients.data() + vertex * count);
+    if (!mesh_.albedo[vertex].isZero(0.0F)) {  // black ones, such as mirrors themselves, do not show it
+      worker.largest_cut = std::max(worker.largest_cut, worker.mirrors.cut());
+    }
+    keep_row(vertex, met, worker);
+  } else if (result_.factors != nullptr) {
+    keep_row(vertex, worker.gatherer.closest_hits(), worker);
   }
-  if (const float fraction = seen.fraction(); fraction < kNearlyDark) {
+  if (fraction < kNearlyDark) {
     result_.sight[vertex] = worker.gatherer.classify(mesh_, vertex, start, fraction <= 0.0F);
   }
 }

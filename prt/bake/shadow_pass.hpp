@@ -10,17 +10,19 @@
 #include "prt/bake/chunk_record.hpp"
 #include "prt/bake/gather.hpp"
 #include "prt/mesh/mesh.hpp"
+#include "prt/rays/mirror_paths.hpp"
 #include "prt/rays/tracer.hpp"
 #include "prt/scene/scene.hpp"
 #include "prt/transfer/transfer.hpp"
 
 namespace sh::prt {
 
-/// Everything that rays of a bake need, for as long as form factors may be traced again.
+/// Everything that rays of a bake need, for as long as form factors may be traced again. The scene must outlive it.
 struct RaySetup {
   RaySetup(const Scene& scene, int threads, const std::string& instruction_set);
 
   Tracer tracer;
+  MirrorPaths mirrors;
   SharedDirections directions;
   std::vector<RayStart> starts;
 };
@@ -35,6 +37,9 @@ class ShadowPass {
   /// Traces all vertices but those that the checkpoint holds, and shows progress. Throws output::Interrupted, seen
   /// before every vertex, when asked to stop.
   void run(Checkpoint& checkpoint);
+  /// The largest part of the cosine of a vertex, not black, that run() left out where it cut paths from mirror to
+  /// mirror.
+  [[nodiscard]] double largest_cut() const { return largest_cut_; }
   /// Traces the first of these vertices until the time is over, each in the same way; returns how many, at least one.
   std::size_t sample(const std::vector<std::uint32_t>& vertices, double seconds);
 
@@ -42,11 +47,13 @@ class ShadowPass {
   struct Worker;  // the buffers of one thread
   void trace(const VertexRange& range, Worker& worker);
   void trace(std::size_t vertex, Worker& worker);
+  void keep_row(std::size_t vertex, const std::vector<BlockedRay>& met, Worker& worker);
 
   const Mesh& mesh_;
   const RaySetup& setup_;
   const std::vector<std::uint8_t>& open_;
   ShadowResult& result_;
+  double largest_cut_ = 0.0;
 };
 
 }  // namespace sh::prt

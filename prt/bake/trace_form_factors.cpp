@@ -4,13 +4,14 @@
 #include <array>
 #include <memory>
 
+#include "prt/bake/mirror_light.hpp"
 #include "prt/mesh/corner_angle.hpp"
 
 namespace sh::prt {
 
-FormFactorRow RowMerger::merge(Gatherer& gatherer) {
+FormFactorRow RowMerger::merge(const std::vector<BlockedRay>& closest) {
   touched_.clear();
-  for (const BlockedRay& ray : gatherer.closest_hits()) {
+  for (const BlockedRay& ray : closest) {
     if (ray.hit.face == Hit::kNothing) {  // a hair outside what occlusion found; lost
       continue;
     }
@@ -42,12 +43,14 @@ FormFactorRow RowMerger::merge(Gatherer& gatherer) {
 }
 
 RowMaker make_row_maker(const Mesh& mesh, const std::vector<RayStart>& starts, const SharedDirections& directions,
-                        const Tracer& tracer) {
+                        const Tracer& tracer, const MirrorPaths& mirrors) {
   const auto gatherer = std::make_shared<Gatherer>(directions, tracer);
   const auto merger = std::make_shared<RowMerger>(mesh);
-  return [&mesh, &starts, gatherer, merger](std::size_t v) {
+  const auto light = mirrors.any() ? std::make_shared<MirrorLight>(mirrors) : nullptr;
+  return [&mesh, &starts, gatherer, merger, light](std::size_t v) {
     gatherer->gather(starts[v].origin, mesh.normals[v], mesh.geometric_normals[v]);
-    return merger->merge(*gatherer);
+    const std::vector<BlockedRay>& closest = gatherer->closest_hits();
+    return merger->merge(light != nullptr ? light->follow(starts[v].origin, closest) : closest);
   };
 }
 

@@ -5,6 +5,7 @@
 #include "prt/bake/form_factors.hpp"
 #include "prt/bake/gather.hpp"
 #include "prt/mesh/mesh.hpp"
+#include "prt/rays/mirror_paths.hpp"
 
 namespace sh::prt {
 
@@ -12,8 +13,8 @@ namespace sh::prt {
 class RowMerger {
  public:
   explicit RowMerger(const Mesh& mesh) : mesh_(mesh), sums_(mesh.positions.size(), 0.0) {}
-  /// The row of the vertex that `gatherer` saw last: closest hits of the rays that were blocked.
-  FormFactorRow merge(Gatherer& gatherer);
+  /// The row of a vertex from the closest hits of its rays that were blocked.
+  FormFactorRow merge(const std::vector<BlockedRay>& closest);
 
  private:
   const Mesh& mesh_;
@@ -23,6 +24,6 @@ class RowMerger {
 
 /// Traces the rows of vertices again. Everything passed in must outlive what is returned.
 RowMaker make_row_maker(const Mesh& mesh, const std::vector<RayStart>& starts, const SharedDirections& directions,
-                        const Tracer& tracer);
+                        const Tracer& tracer, const MirrorPaths& mirrors);
 
 }  // namespace sh::prt

@@ -46,8 +46,8 @@ std::string one_line(std::string text) {
 
 class Collector {
  public:
-  Collector(const std::string& path, const aiScene& scene, Eigen::Vector3f default_albedo)
-      : path_(path), scene_(scene), default_albedo_(std::move(default_albedo)), is_linear_(path_is_gltf(path)) {}
+  Collector(const std::string& path, const aiScene& scene, const MaterialChanges& changes)
+      : path_(path), scene_(scene), changes_(changes), is_linear_(path_is_gltf(path)) {}
 
   ImportedMesh collect() {
     visit(*scene_.mRootNode, Eigen::Affine3f::Identity());
@@ -88,11 +88,14 @@ class Collector {
 
   void add(const aiMesh& mesh, const Eigen::Affine3f& map) {
     Soup part;
+    const MaterialChange change = changes_.of(material_name(mesh));
     const Eigen::Vector3f albedo = material_albedo(mesh);
     for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
       part.positions.emplace_back(to_eigen(mesh.mVertices[v]));
       part.normals.push_back(mesh.HasNormals() ? to_eigen(mesh.mNormals[v]) : Eigen::Vector3f::Zero().eval());
-      part.albedo.emplace_back(albedo.cwiseProduct(vertex_colour(mesh, v)).cwiseMax(0.0F).cwiseMin(1.0F));
+      part.albedo.emplace_back(change.reflection
+                                   ? change.reflection->albedo
+                                   : albedo.cwiseProduct(vertex_colour(mesh, v)).cwiseMax(0.0F).cwiseMin(1.0F).eval());
     }
     for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
       const aiFace& face = mesh.mFaces[f];
@@ -101,11 +104,17 @@ class Collector {
       }
     }
     transform(part, map);
-    append(part);
+    append(part, finish_of(mesh, change));
   }
 
-  void append(const Soup& part) {
+  void append(const Soup& part, const Finish& finish) {
     Soup& soup = result_.soup;
+    const auto known = std::find(soup.finishes.begin(), soup.finishes.end(), finish);
+    const auto index = static_cast<std::uint32_t>(known - soup.finishes.begin());
+    if (known == soup.finishes.end()) {
+      soup.finishes.push_back(finish);
+    }
+    soup.finish.insert(soup.finish.end(), part.faces.size(), index);
     const auto first = static_cast<std::uint32_t>(soup.positions.size());
     soup.positions.insert(soup.positions.end(), part.positions.begin(), part.positions.end());
     soup.normals.insert(soup.normals.end(), part.normals.begin(), part.normals.end());
@@ -115,23 +124,61 @@ class Collector {
     }
   }
 
-  [[nodiscard]] Eigen::Vector3f material_albedo(const aiMesh& mesh) const {
-    aiString name;
-    aiColor4D colour;
+  // Null where the file has none: some formats know no materials, and an importer makes one up.
+  [[nodiscard]] const aiMaterial* material_of(const aiMesh& mesh) const {
     const std::string extension = extension_of(path_);
-    if (extension == ".ply" || extension == ".stl" || extension == ".off") {  // these know no materials
-      return mesh.HasVertexColors(0) ? Eigen::Vector3f::Ones().eval() : default_albedo_;
+    if (extension == ".ply" || extension == ".stl" || extension == ".off" ||
+        mesh.mMaterialIndex >= scene_.mNumMaterials) {
+      return nullptr;
     }
-    if (mesh.mMaterialIndex >= scene_.mNumMaterials) {
-      return default_albedo_;
-    }
-    const aiMaterial& material = *scene_.mMaterials[mesh.mMaterialIndex];
+    const aiMaterial* material = scene_.mMaterials[mesh.mMaterialIndex];
+    aiString name;
     const bool is_made_up =
-        material.Get(AI_MATKEY_NAME, name) == AI_SUCCESS && name == aiString(AI_DEFAULT_MATERIAL_NAME);
-    if (is_made_up || material.Get(AI_MATKEY_COLOR_DIFFUSE, colour) != AI_SUCCESS) {
-      return default_albedo_;
+        material->Get(AI_MATKEY_NAME, name) == AI_SUCCESS && name == aiString(AI_DEFAULT_MATERIAL_NAME);
+    return is_made_up ? nullptr : material;
+  }
+
+  // Also notes it among the materials of the file.
+  std::string material_name(const aiMesh& mesh) {
+    const aiMaterial* material = material_of(mesh);
+    aiString name;
+    if (material == nullptr || material->Get(AI_MATKEY_NAME, name) != AI_SUCCESS) {
+      return {};
+    }
+    std::vector<std::string>& names = result_.materials;
+    if (std::find(names.begin(), names.end(), name.C_Str()) == names.end()) {
+      names.emplace_back(name.C_Str());
+    }
+    return name.C_Str();
+  }
+
+  [[nodiscard]] Eigen::Vector3f material_albedo(const aiMesh& mesh) const {
+    const aiMaterial* material = material_of(mesh);
+    aiColor4D colour;
+    if (material == nullptr || material->Get(AI_MATKEY_COLOR_DIFFUSE, colour) != AI_SUCCESS) {
+      const bool has_colours = material == nullptr && mesh.HasVertexColors(0);
+      return Eigen::Vector3f::Constant(has_colours ? 1.0F : kDefaultAlbedo);
     }
     return is_linear_ ? to_eigen(colour) : to_eigen(colour).unaryExpr(&from_srgb).eval();
+  }
+
+  [[nodiscard]] Finish finish_of(const aiMesh& mesh, const MaterialChange& change) const {
+    Finish finish;
+    if (const aiMaterial* material = material_of(mesh)) {
+      aiColor4D colour;
+      float strength = 1.0F;
+      int sides = 0;
+      if (material->Get(AI_MATKEY_COLOR_EMISSIVE, colour) == AI_SUCCESS) {
+        material->Get(AI_MATKEY_EMISSIVE_INTENSITY, strength);
+        const Eigen::Vector3f emission = strength * to_eigen(colour).cwiseMax(0.0F);
+        finish.emission = emission.allFinite() ? emission : Eigen::Vector3f::Zero().eval();
+      }
+      finish.is_two_sided = material->Get(AI_MATKEY_TWOSIDED, sides) == AI_SUCCESS && sides != 0;
+    }
+    finish.emission = change.emission.value_or(finish.emission);
+    finish.mirror = change.reflection ? change.reflection->mirror : finish.mirror;
+    finish.is_two_sided = change.is_two_sided.value_or(finish.is_two_sided);
+    return finish;
   }
 
   [[nodiscard]] Eigen::Vector3f vertex_colour(const aiMesh& mesh, unsigned v) const {
@@ -144,7 +191,7 @@ class Collector {
 
   const std::string& path_;
   const aiScene& scene_;
-  Eigen::Vector3f default_albedo_;
+  const MaterialChanges& changes_;
   bool is_linear_;
   ImportedMesh result_;
 };
@@ -210,7 +257,7 @@ void check_readable(const std::string& path) {
 
 }  // namespace
 
-ImportedMesh import_mesh(const std::string& path, const Eigen::Vector3f& default_albedo) {
+ImportedMesh import_mesh(const std::string& path, const MaterialChanges& changes) {
   check_readable(path);
   Complaints complaints;
   Assimp::Importer importer;
@@ -232,7 +279,7 @@ ImportedMesh import_mesh(const std::string& path, const Eigen::Vector3f& default
     throw std::runtime_error(
         fmt::format("{}: cannot triangulate the mesh: {}", path, one_line(importer.GetErrorString())));
   }
-  return Collector(path, *scene, default_albedo).collect();
+  return Collector(path, *scene, changes).collect();
 }
 
 }  // namespace sh::prt

@@ -84,6 +84,8 @@ std::size_t complete_normals(Soup& soup, float crease_degrees) {
     }
     corners.faces.push_back(face);
   }
+  corners.finish = std::move(soup.finish);  // the faces and their order are the same
+  corners.finishes = std::move(soup.finishes);
   soup = std::move(corners);
   return replaced;
 }

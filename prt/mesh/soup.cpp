@@ -60,10 +60,22 @@ void check(const Soup& soup, const std::string& name) {
 }
 
 std::size_t drop_faces_without_area(Soup& soup) {
-  return std::erase_if(soup.faces, [&](const Face& face) {
-    return !has_area(soup.positions[face[0]].cast<double>(), soup.positions[face[1]].cast<double>(),
-                     soup.positions[face[2]].cast<double>());
-  });
+  std::size_t kept = 0;
+  for (std::size_t f = 0; f < soup.faces.size(); ++f) {
+    const Face face = soup.faces[f];
+    if (has_area(soup.positions[face[0]].cast<double>(), soup.positions[face[1]].cast<double>(),
+                 soup.positions[face[2]].cast<double>())) {
+      soup.faces[kept] = face;
+      if (!soup.finish.empty()) {
+        soup.finish[kept] = soup.finish[f];
+      }
+      ++kept;
+    }
+  }
+  const std::size_t dropped = soup.faces.size() - kept;
+  soup.faces.resize(kept);
+  soup.finish.resize(soup.finish.empty() ? 0 : kept);
+  return dropped;
 }
 
 }  // namespace sh::prt

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "prt/mesh/material.hpp"
 #include "prt/mesh/mesh.hpp"
 
 namespace sh::prt {
@@ -18,6 +19,10 @@ struct Soup {
   std::vector<Eigen::Vector3f> albedo;  // linear RGB
   std::vector<Face> faces;              // counter-clockwise seen from outside
   std::vector<std::uint32_t> source;    // vertex of the file each vertex came from; empty: itself
+  std::vector<std::uint32_t> finish;    // (faces) into `finishes`; empty: every face has the first
+  std::vector<Finish> finishes{Finish{}};
+
+  [[nodiscard]] std::uint32_t finish_of(std::size_t face) const { return finish.empty() ? 0 : finish[face]; }
 };
 
 /// Points by the map, normals by its inverse transpose; a map that mirrors turns the faces around too.

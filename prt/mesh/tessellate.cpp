@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <stdexcept>
 #include <unordered_map>
 #include <utility>
@@ -18,20 +19,29 @@ namespace {
 
 class Splitter {
  public:
-  Splitter(Mesh& mesh, const EdgeLimit& limit) : mesh_(mesh), limit_(limit) {}
+  Splitter(Mesh& mesh, const EdgeLimit& limit) : mesh_(mesh), limit_(limit), origins_(mesh.faces.size()) {
+    std::iota(origins_.begin(), origins_.end(), 0U);
+  }
 
   // Splits every face along its long edges once; false when there was none.
   bool split_once() {
     std::vector<Face> faces;
     faces.reserve(mesh_.faces.size() * 2);
+    std::vector<std::uint32_t> origins;
+    origins.reserve(faces.capacity());
     middles_.clear();
-    for (const Face& face : mesh_.faces) {
-      split(face, faces);
+    for (std::size_t f = 0; f < mesh_.faces.size(); ++f) {
+      split(mesh_.faces[f], faces);
+      origins.resize(faces.size(), origins_[f]);
     }
+    origins_ = std::move(origins);
     const bool changed = faces.size() != mesh_.faces.size();
     mesh_.faces = std::move(faces);
     return changed;
   }
+
+  /// The face that each face was a part of at the beginning.
+  std::vector<std::uint32_t> take_origins() { return std::move(origins_); }
 
  private:
   bool is_long(std::uint32_t a, std::uint32_t b) const {
@@ -48,8 +58,18 @@ class Splitter {
       mesh_.positions.emplace_back(0.5F * (mesh_.positions[a] + mesh_.positions[b]));
       mesh_.normals.push_back(normal.norm() > 1e-3F ? normal.normalized() : mesh_.normals[a]);
       mesh_.albedo.emplace_back(0.5F * (mesh_.albedo[a] + mesh_.albedo[b]));
+      repeat(mesh_.emission, a);
+      repeat(mesh_.mirror, a);
     }
     return entry->second;
+  }
+
+  // Both ends of an edge have one finish.
+  static void repeat(std::vector<Eigen::Vector3f>& values, std::uint32_t vertex) {
+    if (!values.empty()) {
+      const Eigen::Vector3f value = values[vertex];
+      values.push_back(value);
+    }
   }
 
   void split(const Face& face, std::vector<Face>& faces) {
@@ -108,12 +128,13 @@ class Splitter {
 
   Mesh& mesh_;
   const EdgeLimit& limit_;
+  std::vector<std::uint32_t> origins_;
   std::unordered_map<std::array<std::uint32_t, 2>, std::uint32_t, WordsHash> middles_;
 };
 
 }  // namespace
 
-void tessellate(Mesh& mesh, const EdgeLimit& limit, const std::string& name) {
+std::vector<std::uint32_t> tessellate(Mesh& mesh, const EdgeLimit& limit, const std::string& name) {
   Splitter splitter(mesh, limit);
   while (splitter.split_once()) {
     if (mesh.faces.size() > kMaxFaces) {
@@ -122,6 +143,7 @@ void tessellate(Mesh& mesh, const EdgeLimit& limit, const std::string& name) {
     }
   }
   set_geometric_normals(mesh);
+  return splitter.take_origins();
 }
 
 }  // namespace sh::prt

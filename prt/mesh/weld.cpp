@@ -1,5 +1,7 @@
 #include "prt/mesh/weld.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <unordered_map>
 
@@ -14,6 +16,28 @@ constexpr float kNormalSteps = 8192.0F;
 
 Eigen::Vector3f rounded(const Eigen::Vector3f& normal) { return (normal * kNormalSteps).array().round().matrix(); }
 
+// An optional array of a mesh with so many vertices.
+void append_all_or_zeros(std::vector<Eigen::Vector3f>& to, std::size_t count, const std::vector<Eigen::Vector3f>& from,
+                         std::size_t from_count) {
+  if (!to.empty() || !from.empty()) {
+    to.resize(count, Eigen::Vector3f::Zero());
+    to.insert(to.end(), from.begin(), from.end());
+    to.resize(count + from_count, Eigen::Vector3f::Zero());
+  }
+}
+
+// (finish of each vertex) -> one of its colours for each vertex, or nothing where all are zero.
+std::vector<Eigen::Vector3f> spread(const std::vector<std::uint32_t>& finish_of_vertex,
+                                    const std::vector<Finish>& finishes, Eigen::Vector3f Finish::*colour) {
+  std::vector<Eigen::Vector3f> values;
+  bool is_zero = true;
+  for (const std::uint32_t finish : finish_of_vertex) {
+    values.push_back(finishes[finish].*colour);
+    is_zero = is_zero && values.back().isZero(0.0F);
+  }
+  return is_zero ? std::vector<Eigen::Vector3f>() : values;
+}
+
 template <class T>
 void append_all(std::vector<T>& to, const std::vector<T>& from) {
   to.insert(to.end(), from.begin(), from.end());
@@ -24,20 +48,26 @@ void append_all(std::vector<T>& to, const std::vector<T>& from) {
 Mesh weld(const Soup& soup, std::size_t source_vertices) {
   Mesh mesh;
   mesh.remap.assign(source_vertices, kNoVertex);
-  std::unordered_map<std::array<std::uint32_t, 9>, std::uint32_t, WordsHash> welded;
+  std::unordered_map<std::array<std::uint32_t, 10>, std::uint32_t, WordsHash> welded;
   welded.reserve(soup.positions.size());
-  for (const Face& face : soup.faces) {
+  std::vector<std::uint32_t> finish_of_vertex;
+  for (std::size_t f = 0; f < soup.faces.size(); ++f) {
+    const Face& face = soup.faces[f];
     Face indices{};
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t v = face[k];
-      Eigen::Matrix<float, 9, 1> key;
-      key << soup.positions[v], rounded(soup.normals[v]), soup.albedo[v];
+      Eigen::Matrix<float, 9, 1> numbers;
+      numbers << soup.positions[v], rounded(soup.normals[v]), soup.albedo[v];
+      std::array<std::uint32_t, 10> key{};
+      std::copy_n(bits_of(numbers).begin(), 9, key.begin());
+      key[9] = soup.finish_of(f);
       const auto next = static_cast<std::uint32_t>(mesh.positions.size());
-      const auto [entry, added] = welded.try_emplace(bits_of(key), next);
+      const auto [entry, added] = welded.try_emplace(key, next);
       if (added) {
         mesh.positions.push_back(soup.positions[v]);
         mesh.normals.push_back(soup.normals[v]);
         mesh.albedo.push_back(soup.albedo[v]);
+        finish_of_vertex.push_back(key[9]);
       }
       indices[k] = entry->second;
       std::uint32_t& made = mesh.remap.at(soup.source.empty() ? v : soup.source[v]);
@@ -45,6 +75,8 @@ Mesh weld(const Soup& soup, std::size_t source_vertices) {
     }
     mesh.faces.push_back(indices);
   }
+  mesh.emission = spread(finish_of_vertex, soup.finishes, &Finish::emission);
+  mesh.mirror = spread(finish_of_vertex, soup.finishes, &Finish::mirror);
   set_geometric_normals(mesh);
   return mesh;
 }
@@ -66,6 +98,8 @@ void set_geometric_normals(Mesh& mesh) {
 
 void append(Mesh& mesh, const Mesh& part) {
   const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+  append_all_or_zeros(mesh.emission, first, part.emission, part.positions.size());
+  append_all_or_zeros(mesh.mirror, first, part.mirror, part.positions.size());
   append_all(mesh.positions, part.positions);
   append_all(mesh.normals, part.normals);
   append_all(mesh.geometric_normals, part.geometric_normals);

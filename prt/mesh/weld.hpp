@@ -5,9 +5,10 @@
 
 namespace sh::prt {
 
-/// One vertex for each position (exact bits), normal (to 1/8192) and albedo, in the order of first use by a face; what
-/// no face uses is left out. The soup has passed check() and has normals. `source_vertices` is how many vertices the
-/// file had: the length of the remap, which names the first vertex made from each.
+/// One vertex for each position (exact bits), normal (to 1/8192), albedo and finish, in the order of first use by a
+/// face; what no face uses is left out. Faces keep their order. The soup has passed check() and has normals.
+/// `source_vertices` is how many vertices the file had: the length of the remap, which names the first vertex made from
+/// each.
 Mesh weld(const Soup& soup, std::size_t source_vertices);
 
 /// Sets geometric_normals: the mean, by angle, of the faces around each vertex, each turned to the shading normal's

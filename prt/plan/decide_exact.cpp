@@ -82,10 +82,12 @@ void decide_channels(Draft& draft) {
   }
   const auto is_grey = [](const Eigen::Vector3f& c) { return c.x() == c.y() && c.y() == c.z(); };
   const Mesh& mesh = draft.scene.mesh;
-  const bool grey = std::all_of(mesh.albedo.begin(), mesh.albedo.end(), is_grey);
+  const bool grey = std::all_of(mesh.albedo.begin(), mesh.albedo.end(), is_grey) &&
+                    std::all_of(mesh.mirror.begin(), mesh.mirror.end(), is_grey);
   draft.plan.storage.one_channel = grey;
   draft.decide("channels", grey ? "one for all three" : "three",
-               grey ? "every albedo is grey" : "albedos are coloured, and bounces carry the colour", 0.0, "exact");
+               grey ? "every albedo and mirror is grey" : "surfaces are coloured, and bounces carry the colour", 0.0,
+               "exact");
 }
 
 void decide_symmetry(Draft& draft) {

@@ -40,8 +40,8 @@ struct Draft {
   [[nodiscard]] PlanCost cost() const;
   [[nodiscard]] std::size_t count() const;   // of the coefficients of the degree decided so far
   [[nodiscard]] std::size_t traced() const;  // vertices that need rays
-  [[nodiscard]] bool has_mirrors() const { return false; }
-  [[nodiscard]] bool shines() const { return false; }
+  [[nodiscard]] bool has_mirrors() const { return !scene.mesh.mirror.empty(); }
+  [[nodiscard]] bool shines() const { return !scene.mesh.emission.empty(); }
   /// Relative error of numbers off by at most e (bands^2 of the asked degree), albedo 1 assumed in them.
   [[nodiscard]] double error_of(const std::vector<double>& e) const;
   /// RMS over the probe of the relative error that a part of each vertex's vector matters; parts (vertices of the

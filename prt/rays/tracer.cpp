@@ -10,6 +10,8 @@
 #include <string_view>
 #include <vector>
 
+#include "prt/rays/sheets.hpp"
+
 namespace sh::prt {
 
 namespace {
@@ -57,6 +59,7 @@ struct Tracer::Impl {
   RTCScene scene = nullptr;
   std::string instruction_set;
   std::atomic<std::uint64_t> rays{0};
+  Sheets sheets;
 
   ~Impl() {
     rtcReleaseScene(scene);
@@ -77,14 +80,15 @@ struct Tracer::Impl {
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
     void* vertices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
                                              sizeof(Eigen::Vector3f), mesh.positions.size());
+    const std::vector<Face> faces = sheets.without_backs(mesh.faces);
     void* indices =
-        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, sizeof(Face), mesh.faces.size());
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, sizeof(Face), faces.size());
     if (vertices == nullptr || indices == nullptr) {
       rtcReleaseGeometry(geometry);
       fail("not enough memory for the mesh");
     }
     std::copy(mesh.positions.begin(), mesh.positions.end(), static_cast<Eigen::Vector3f*>(vertices));
-    std::copy(mesh.faces.begin(), mesh.faces.end(), static_cast<Face*>(indices));
+    std::copy(faces.begin(), faces.end(), static_cast<Face*>(indices));
     rtcCommitGeometry(geometry);
     rtcAttachGeometry(scene, geometry);
     rtcReleaseGeometry(geometry);
@@ -96,6 +100,7 @@ struct Tracer::Impl {
 };
 
 Tracer::Tracer(const Mesh& mesh, int threads, const std::string& instruction_set) : impl_(std::make_unique<Impl>()) {
+  impl_->sheets = Sheets(mesh);
   impl_->open(threads, instruction_set);
   impl_->add(mesh);
 }
@@ -125,6 +130,10 @@ void Tracer::intersect(std::span<const Eigen::Vector3f> origins, std::span<const
     for (std::size_t i = 0; i < count; ++i) {
       const bool hit = rays[i].hit.geomID != RTC_INVALID_GEOMETRY_ID;
       hits[first + i] = hit ? Hit{rays[i].hit.primID, rays[i].hit.u, rays[i].hit.v, rays[i].ray.tfar} : Hit{};
+      if (hit && impl_->sheets.any()) {
+        const Eigen::Vector3f normal(rays[i].hit.Ng_x, rays[i].hit.Ng_y, rays[i].hit.Ng_z);
+        impl_->sheets.face_ray(normal.dot(directions[first + i]) > 0.0F, hits[first + i]);
+      }
     }
   }
 }

@@ -10,17 +10,9 @@
 #include <string>
 
 #include "prt/mesh/mesh.hpp"
+#include "prt/rays/hit.hpp"
 
 namespace sh::prt {
-
-/// The closest hit: point = (1-u-v) p0 + u p1 + v p2 of the face.
-struct Hit {
-  static constexpr std::uint32_t kNothing = 0xFFFFFFFFU;
-  std::uint32_t face = kNothing;
-  float u = 0.0F;
-  float v = 0.0F;
-  float distance = 0.0F;
-};
 
 /// A ray that only asks whether anything is in its way. Laid out as the tracer reads it, so that no copy is made.
 struct alignas(16) ShadowRay {
@@ -41,7 +33,8 @@ struct alignas(16) ShadowRay {
   [[nodiscard]] bool blocked() const { return far < 0.0F; }
 };
 
-/// A mesh ready for rays. Const calls may come from any thread. The mesh may go away after construction.
+/// A mesh ready for rays. Of two faces that coincide and are turned opposite ways, the sides of one sheet, a ray hits
+/// the one that faces it. Const calls may come from any thread. The mesh may go away after construction.
 class Tracer {
  public:
   /// `threads` for building the tree, 0 takes every core; `instruction_set` is sse4.2, avx, avx2 or avx512, empty takes

@@ -25,8 +25,9 @@ struct Picture {
 /// What a ray that hits nothing sees: radiance towards a unit direction.
 using Background = std::function<Eigen::Vector3f(const Eigen::Vector3f& direction)>;
 
-/// `vertex_radiance` (vertices) comes from relight(). The same bits for any number of threads. `what` is shown as
-/// progress on standard error. Throws std::invalid_argument for a camera or size that cannot be used.
+/// `vertex_radiance` (vertices) comes from relight(). Mirrors show what their paths end on. The same bits for any
+/// number of threads. `what` is shown as progress on standard error. Throws std::invalid_argument for a camera or size
+/// that cannot be used.
 Picture render(const Mesh& mesh, const Tracer& tracer, const std::vector<Eigen::Vector3f>& vertex_radiance,
                const Camera& camera, const PictureSize& size, const Background& background, const std::string& what);
 

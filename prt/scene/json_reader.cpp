@@ -82,6 +82,17 @@ std::vector<JsonReader> JsonReader::items() const {
   return items;
 }
 
+std::vector<std::pair<std::string, JsonReader>> JsonReader::members() const {
+  if (!value_->is_object()) {
+    expected("an object");
+  }
+  std::vector<std::pair<std::string, JsonReader>> members;
+  for (const auto& [key, value] : value_->items()) {
+    members.emplace_back(key, JsonReader(*this, fmt::format("{}/{}", path_, key), value));
+  }
+  return members;
+}
+
 std::string JsonReader::text() const {
   if (!value_->is_string() || value_->get_ref<const std::string&>().empty()) {
     expected("a string that is not empty");

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace sh::prt {
@@ -25,7 +26,8 @@ class JsonReader {
   /// Empty where an object has no such key.
   [[nodiscard]] std::optional<JsonReader> find(std::string_view key) const;
   [[nodiscard]] JsonReader at(std::string_view key) const;
-  [[nodiscard]] std::vector<JsonReader> items() const;  // of an array
+  [[nodiscard]] std::vector<JsonReader> items() const;                            // of an array
+  [[nodiscard]] std::vector<std::pair<std::string, JsonReader>> members() const;  // of an object whose keys are names
 
   [[nodiscard]] bool is_array() const { return value_->is_array(); }
   [[nodiscard]] bool is_text() const { return value_->is_string(); }

@@ -6,11 +6,13 @@
 #include <algorithm>
 #include <filesystem>
 #include <numbers>
+#include <numeric>
 #include <stdexcept>
 #include <utility>
 
 #include "prt/mesh/import_mesh.hpp"
 #include "prt/mesh/primitives.hpp"
+#include "prt/mesh/sides.hpp"
 #include "prt/mesh/tessellate.hpp"
 #include "prt/mesh/weld.hpp"
 #include "prt/rays/directions.hpp"
@@ -55,14 +57,14 @@ Eigen::Affine3f stand_up() {
   return map;
 }
 
-ImportedMesh read_shape(const JsonReader& reader, const std::string& folder, const Eigen::Vector3f& albedo) {
+ImportedMesh read_shape(const JsonReader& reader, const std::string& folder, const MaterialChanges& changes) {
   const auto file = reader.find("file");
   const auto primitive = reader.find("primitive");
   if (file.has_value() == primitive.has_value()) {
     reader.expected("either `file` or `primitive`");
   }
   if (file) {
-    return import_mesh(beside(folder, file->text()), albedo);
+    return import_mesh(beside(folder, file->text()), changes);
   }
   const auto segments = reader.find("segments");
   ImportedMesh shape;
@@ -70,6 +72,13 @@ ImportedMesh read_shape(const JsonReader& reader, const std::string& folder, con
       make_primitive(primitive->one_of({"arch", "box", "cone", "cylinder", "plane", "sphere", "stairs", "torus"}),
                      segments ? segments->integer(3, kMaxSegments) : 48);
   shape.file_vertices = shape.soup.positions.size();
+  const MaterialChange& change = changes.all;
+  if (change.reflection) {
+    shape.soup.albedo.assign(shape.soup.positions.size(), change.reflection->albedo);
+    shape.soup.finishes[0].mirror = change.reflection->mirror;
+  }
+  shape.soup.finishes[0].emission = change.emission.value_or(Eigen::Vector3f::Zero());
+  shape.soup.finishes[0].is_two_sided = change.is_two_sided.value_or(false);
   return shape;
 }
 
@@ -107,17 +116,26 @@ Mesh finish_mesh(Soup soup, std::size_t file_vertices, float crease_degrees, flo
     report_flaw(on_flaw, fmt::format("{}: {} vertex normals are zero or not finite (made from the faces)", name, made));
   }
   Mesh mesh = weld(soup, file_vertices);
+  std::vector<std::uint32_t> origins(mesh.faces.size());
+  std::iota(origins.begin(), origins.end(), 0U);
   if (max_edge > 0.0F) {
-    tessellate(
+    origins = tessellate(
         mesh, [&](const Eigen::Vector3f&) { return max_edge; }, name);
+  }
+  std::vector<std::uint8_t> is_two_sided;
+  for (const std::uint32_t face : origins) {
+    is_two_sided.push_back(soup.finishes[soup.finish_of(face)].is_two_sided ? 1 : 0);
+  }
+  if (std::count(is_two_sided.begin(), is_two_sided.end(), 1) > 0) {
+    add_backs(mesh, is_two_sided);
   }
   return mesh;
 }
 
 Mesh read_mesh(const JsonReader& reader, const std::string& folder, OnFlaw on_flaw) {
-  reader.allow({"file", "primitive", "segments", "transform", "up", "albedo", "max_edge", "crease"});
-  const auto albedo = reader.find("albedo");
-  const Eigen::Vector3f colour = albedo ? albedo->vector(0.0F, 1.0F) : Eigen::Vector3f::Constant(0.5F).eval();
+  reader.allow({"file", "primitive", "segments", "transform", "up", "albedo", "mirror", "emission", "sides",
+                "materials", "max_edge", "crease"});
+  const MaterialChanges changes = read_materials(reader);
   const auto up = reader.find("up");
   const auto max_edge = reader.find("max_edge");
   const auto crease = reader.find("crease");
@@ -127,14 +145,12 @@ Mesh read_mesh(const JsonReader& reader, const std::string& folder, OnFlaw on_fl
   const auto placing = reader.find("transform");
   const Eigen::Affine3f map = placing ? read_transform(*placing) : Eigen::Affine3f::Identity();
   const UpAxis wanted = up && up->one_of({"y", "z"}) == "y" ? UpAxis::kY : UpAxis::kZ;
-  ImportedMesh shape = read_shape(reader, folder, colour);
+  ImportedMesh shape = read_shape(reader, folder, changes);
+  check_material_names(reader, shape.materials);
   const auto file = reader.find("file");
   const std::string name = file ? beside(folder, file->text()) : reader.find("primitive")->text();
   check(shape.soup, name);
   transform(shape.soup, (up ? wanted : shape.up) == UpAxis::kY ? map * stand_up() : map);
-  if (albedo || !file) {
-    shape.soup.albedo.assign(shape.soup.positions.size(), colour);
-  }
   return finish_mesh(std::move(shape.soup), shape.file_vertices, crease_degrees, edge, name, on_flaw);
 }
 

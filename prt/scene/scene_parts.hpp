@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "prt/light/deringing.hpp"
+#include "prt/mesh/material.hpp"
 #include "prt/mesh/mend.hpp"
 #include "prt/mesh/mesh.hpp"
 #include "prt/mesh/soup.hpp"
@@ -39,6 +40,10 @@ void add_ground(Mesh& mesh, const Ground& ground);
 
 /// One entry of `meshes`, in world axes, checked, welded and split. Relative files are found beside `folder`.
 Mesh read_mesh(const JsonReader& reader, const std::string& folder, OnFlaw on_flaw);
+/// The keys albedo, mirror, emission, sides and materials of such an entry.
+MaterialChanges read_materials(const JsonReader& mesh);
+/// Refuses `materials` that the mesh does not have.
+void check_material_names(const JsonReader& mesh, const std::vector<std::string>& known);
 Ground read_ground(const JsonReader& reader, const Mesh& mesh);
 /// One entry of `lights`; what it names is not loaded yet.
 LightSpec read_light(const JsonReader& reader, const std::string& folder);
@@ -49,7 +54,8 @@ BakeOptions read_bake_options(const JsonReader& reader);
 /// The scene asks for a lossy plan by having the key.
 PlanOptions read_plan_options(const JsonReader& reader);
 
-/// Welds and splits a soup that is in its final place. `name` begins what is said about flaws and errors.
+/// Welds and splits a soup that is in its final place, and gives two-sided faces their backs. `name` begins what is
+/// said about flaws and errors.
 Mesh finish_mesh(Soup soup, std::size_t file_vertices, float crease_degrees, float max_edge, const std::string& name,
                  OnFlaw on_flaw);
 

@@ -55,7 +55,7 @@ Direct trace_mesh(const StudySetup& setup, const BakeOptions& options) {
       float* t = transfer.data() + v * count;
       control_with_unshadowed(
           worker.gatherer.gather(setup.starts[v].origin, mesh.normals[v], mesh.geometric_normals[v]), count, t);
-      direct.factors.keep(v, worker.merger.merge(worker.gatherer));
+      direct.factors.keep(v, worker.merger.merge(worker.gatherer.closest_hits()));
       for (std::size_t c = 0; c < 3; ++c) {
         double sum = 0.0;
         for (std::size_t k = 0; k < count; ++k) {

@@ -36,6 +36,8 @@ struct BounceReport {
   double residual = 0.0;        // largest number of b - (I - A) x
   double largest = 0.0;         // number of the solution
   double spectral_bound = 0.0;  // certified: no eigenvalue of albedo times form factors is larger
+  double emitted_bound = 0.0;   // as `bound`, of the surfaces' own light
+  double emitted_largest = 0.0;
 };
 
 /// What was asked for where a limited time did not allow it; see prt/bake/budget.hpp.

@@ -10,13 +10,19 @@ namespace sh::prt {
 namespace {
 
 nlohmann::ordered_json to_json(const BounceReport& report) {
-  return {{"solver", report.solver},
-          {"applications", report.applications},
-          {"certified", report.certified},
-          {"bound", report.certified ? nlohmann::ordered_json(report.bound) : nlohmann::ordered_json()},
-          {"residual", report.residual},
-          {"largest", report.largest},
-          {"spectral_bound", report.spectral_bound}};
+  nlohmann::ordered_json json = {
+      {"solver", report.solver},
+      {"applications", report.applications},
+      {"certified", report.certified},
+      {"bound", report.certified ? nlohmann::ordered_json(report.bound) : nlohmann::ordered_json()},
+      {"residual", report.residual},
+      {"largest", report.largest},
+      {"spectral_bound", report.spectral_bound}};
+  if (report.emitted_largest > 0.0) {
+    json["emitted_bound"] = report.certified ? nlohmann::ordered_json(report.emitted_bound) : nlohmann::ordered_json();
+    json["emitted_largest"] = report.emitted_largest;
+  }
+  return json;
 }
 
 }  // namespace

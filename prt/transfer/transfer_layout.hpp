@@ -72,15 +72,16 @@ struct Kind {
   Rows rows;
   Presence presence;
 };
-inline constexpr std::array<Kind, 9> kSections = {{{"position", kFloat, 3, Rows::kVertices, Presence::kAlways},
-                                                   {"normal", kFloat, 3, Rows::kVertices, Presence::kAlways},
-                                                   {"geonorm", kFloat, 3, Rows::kVertices, Presence::kAlways},
-                                                   {"albedo", kFloat, 3, Rows::kVertices, Presence::kAlways},
-                                                   {"face", kIndex, 3, Rows::kOther, Presence::kAlways},
-                                                   {"remap", kIndex, 1, Rows::kOther, Presence::kAlways},
-                                                   {"transfer", kFloat, 0, Rows::kVertices, Presence::kAlways},
-                                                   {"emitted", kFloat, 3, Rows::kVertices, Presence::kOptional},
-                                                   {"scale", kFloat, 0, Rows::kOne, Presence::kOptional}}};
+inline constexpr std::array<Kind, 10> kSections = {{{"position", kFloat, 3, Rows::kVertices, Presence::kAlways},
+                                                    {"normal", kFloat, 3, Rows::kVertices, Presence::kAlways},
+                                                    {"geonorm", kFloat, 3, Rows::kVertices, Presence::kAlways},
+                                                    {"albedo", kFloat, 3, Rows::kVertices, Presence::kAlways},
+                                                    {"face", kIndex, 3, Rows::kOther, Presence::kAlways},
+                                                    {"remap", kIndex, 1, Rows::kOther, Presence::kAlways},
+                                                    {"transfer", kFloat, 0, Rows::kVertices, Presence::kAlways},
+                                                    {"emitted", kFloat, 3, Rows::kVertices, Presence::kOptional},
+                                                    {"scale", kFloat, 0, Rows::kOne, Presence::kOptional},
+                                                    {"mirror", kFloat, 3, Rows::kVertices, Presence::kOptional}}};
 
 inline constexpr auto kFewestSections = static_cast<std::size_t>(std::count_if(
     kSections.begin(), kSections.end(), [](const Kind& kind) { return kind.presence == Presence::kAlways; }));

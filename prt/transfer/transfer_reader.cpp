@@ -163,6 +163,11 @@ class Reader {
     report.residual = header.at("residual").get<double>();
     report.largest = header.at("largest").get<double>();
     report.spectral_bound = header.at("spectral_bound").get<double>();
+    report.emitted_largest = header.value("emitted_largest", 0.0);
+    if (header.contains("emitted_bound")) {
+      report.emitted_bound =
+          report.certified ? header.at("emitted_bound").get<double>() : std::numeric_limits<double>::infinity();
+    }
   }
 
   // The sections are known ones in their order, follow one another, and their lengths agree with the file's.
@@ -239,6 +244,7 @@ class Reader {
     }
     fetch_section("emitted", transfer.emitted);
     fetch_section("scale", encoded.scale);
+    fetch_section("mirror", transfer.mesh.mirror);
     check_scale(transfer, encoded);
     if (!transfer.storage.is_plain()) {
       transfer.coefficients = decode(encoded, transfer.row_shape(), transfer.storage);
@@ -269,6 +275,11 @@ class Reader {
         !std::all_of(transfer.emitted.begin(), transfer.emitted.end(),
                      [](const Eigen::Vector3f& value) { return value.allFinite(); })) {
       fail("damaged transfer file: a transfer coefficient is not finite");
+    }
+    if (!std::all_of(transfer.mesh.mirror.begin(), transfer.mesh.mirror.end(), [](const Eigen::Vector3f& value) {
+          return value.minCoeff() >= 0.0F && value.maxCoeff() <= 1.0F;
+        })) {
+      fail("damaged transfer file: a mirror's reflectance is not from 0 to 1");
     }
   }
 

@@ -40,7 +40,8 @@ void check_lengths(const Transfer& transfer) {
   const std::size_t vertices = mesh.positions.size();
   if (mesh.normals.size() != vertices || mesh.geometric_normals.size() != vertices || mesh.albedo.size() != vertices ||
       transfer.coefficients.size() != vertices * transfer.row_length() ||
-      (!transfer.emitted.empty() && transfer.emitted.size() != vertices)) {
+      (!transfer.emitted.empty() && transfer.emitted.size() != vertices) ||
+      (!mesh.mirror.empty() && mesh.mirror.size() != vertices)) {
     throw std::invalid_argument("transfer: its arrays differ in length, expected one entry a vertex in each");
   }
 }
@@ -56,7 +57,8 @@ std::array<Data, layout::kSections.size()> sections_of(const Transfer& transfer,
            {mesh.remap.data(), mesh.remap.size()},
            {coefficients.first, vertices},
            {transfer.emitted.data(), transfer.emitted.size()},
-           {coefficients.encoded.scale.data(), coefficients.encoded.scale.empty() ? 0U : 1U}}};
+           {coefficients.encoded.scale.data(), coefficients.encoded.scale.empty() ? 0U : 1U},
+           {mesh.mirror.data(), mesh.mirror.size()}}};
 }
 
 struct Contents {

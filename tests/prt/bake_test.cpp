@@ -8,9 +8,9 @@
 #include <numbers>
 
 #include "numeric/basis.hpp"
-#include "numeric/quadrature.hpp"
 #include "prt/mesh/tessellate.hpp"
 #include "prt/rays/directions.hpp"
+#include "tests/prt/cosine_integral.hpp"
 #include "tests/prt/meshes.hpp"
 #include "tests/prt/temporary_folder.hpp"
 
@@ -26,38 +26,6 @@ Scene scene_of(Mesh mesh, TransferKind kind, int degree = 4) {
   scene.bake.kind = kind;
   scene.bake.degree = degree;
   return scene;
-}
-
-// The integral of cos/pi Y_lm over the part of the hemisphere about `normal` between two azimuths about it, by
-// Gauss-Legendre rules in the cosine and the azimuth: exact to rounding for these degrees.
-std::vector<double> transfer_by_quadrature(int degree, const Eigen::Vector3d& normal, double from, double to) {
-  const numeric::GaussLegendreRule<double> rule = numeric::gauss_legendre<double>(40);
-  const Eigen::Vector3d across = normal.unitOrthogonal();
-  const Eigen::Vector3d along = normal.cross(across);
-  std::vector<double> sum(static_cast<std::size_t>((degree + 1) * (degree + 1)), 0.0);
-  std::vector<double> values(sum.size());
-  for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
-    const double cosine = 0.5 * (1.0 + rule.nodes[i]);
-    const double sine = std::sqrt(1.0 - cosine * cosine);
-    for (std::size_t j = 0; j < rule.nodes.size(); ++j) {
-      const double azimuth = from + 0.5 * (to - from) * (1.0 + rule.nodes[j]);
-      const double weight = 0.5 * rule.weights[i] * 0.5 * (to - from) * rule.weights[j];
-      const Eigen::Vector3d d = sine * (std::cos(azimuth) * across + std::sin(azimuth) * along) + cosine * normal;
-      numeric::basis(degree, d.x(), d.y(), d.z(), values.data());
-      for (std::size_t k = 0; k < sum.size(); ++k) {
-        sum[k] += weight * cosine / kPi * values[k];
-      }
-    }
-  }
-  return sum;
-}
-
-// What a point of the ground z = 0 on the foot of the wall x = 0 gets from the quarter sphere x > 0, z > 0.
-std::vector<double> transfer_before_wall() {
-  const Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
-  const Eigen::Vector3d across = up.unitOrthogonal();
-  const double middle = std::atan2(up.cross(across).x(), across.x());  // the azimuth of +x
-  return transfer_by_quadrature(4, up, middle - 0.5 * kPi, middle + 0.5 * kPi);
 }
 
 // A square of ground from x = 0 on, along the foot of a tall wall in the plane x = wall_x.
@@ -132,7 +100,7 @@ TEST(ShadowedBake, EqualsTheUnshadowedOneOnConvexShapesToTheLastBit) {
 
 // The worst error of the ground before a wall.
 double error_before_wall(float wall_x) {
-  const std::vector<double> expected = transfer_before_wall();
+  const std::vector<double> expected = transfer_before_wall(4);
   const Transfer transfer = bake(scene_of(ground_before_wall(wall_x), TransferKind::kShadowed));
   double worst = 0.0;
   for (std::size_t v = 0; v + 4 < transfer.mesh.positions.size(); ++v) {  // the last four are the wall's
@@ -148,7 +116,7 @@ TEST(ShadowedBake, SeesAQuarterSphereAtTheFootOfAWall) { EXPECT_LT(error_before_
 TEST(ShadowedBake, StandsBeforeAWallThatOverlapsTheGroundByARounding) { EXPECT_LT(error_before_wall(1e-5F), 3e-3); }
 
 TEST(ShadowedBake, ConvergesWithTheNumberOfDirections) {
-  const std::vector<double> expected = transfer_before_wall();
+  const std::vector<double> expected = transfer_before_wall(4);
   std::vector<double> worst;
   for (const int directions : {256, 16384}) {
     Scene scene = scene_of(ground_before_wall(), TransferKind::kShadowed);

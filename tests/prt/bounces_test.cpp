@@ -16,6 +16,7 @@
 #include "prt/transfer/transfer_file.hpp"
 #include "tests/prt/meshes.hpp"
 #include "tests/prt/random_light.hpp"
+#include "tests/prt/rooms.hpp"
 #include "tests/prt/temporary_folder.hpp"
 
 namespace sh::prt::test {
@@ -23,45 +24,21 @@ namespace {
 
 const auto kRoot4Pi = static_cast<float>(std::sqrt(4.0 * std::numbers::pi));
 
-Scene scene_of(Mesh mesh, TransferKind kind) {
-  Scene scene;
-  scene.name = "test";
-  scene.mesh = std::move(mesh);
-  scene.bake.kind = kind;
-  scene.bake.degree = 2;
-  scene.bake.directions = 1024;
-  return scene;
-}
-
-Transfer baked(const Mesh& mesh, TransferKind kind) { return bake(scene_of(mesh, kind)); }
-
-void paint(Mesh& mesh, const Eigen::Vector3f& albedo) { mesh.albedo.assign(mesh.positions.size(), albedo); }
-
-// A sphere of radius 1 seen from inside; without the faces whose corners all lie higher than `opening`.
-Mesh hollow_sphere(int segments, float opening = 2.0F) {
-  Mesh mesh = primitive_mesh("sphere", segments);
-  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
-    mesh.positions[v] *= 2.0F;
-    mesh.geometric_normals[v] *= -1.0F;
-  }
-  mesh.normals = mesh.geometric_normals;  // a horizon of its own would cut what the shading normal sees
-  std::erase_if(mesh.faces, [&](const Face& face) {
-    return std::all_of(face.begin(), face.end(), [&](std::uint32_t v) { return mesh.positions[v].z() > opening; });
-  });
-  for (Face& face : mesh.faces) {
-    std::swap(face[1], face[2]);
-  }
-  return mesh;
+BakeOptions options_of(int directions) {
+  BakeOptions options;
+  options.degree = 0;
+  options.directions = directions;
+  return options;
 }
 
 // What several bounce systems on one mesh share.
 struct Room {
-  explicit Room(Mesh m, int directions = 1024) : mesh(std::move(m)), shared(options(directions)), tracer(mesh) {
+  explicit Room(Mesh m, int directions = 1024) : mesh(std::move(m)), shared(options_of(directions)), tracer(mesh) {
     Gatherer gatherer(shared, tracer);
     RowMerger merger(mesh);
     for (std::size_t v = 0; v < starts.size(); ++v) {
       gatherer.gather(starts[v].origin, mesh.normals[v], mesh.geometric_normals[v]);
-      factors.keep(v, merger.merge(gatherer));
+      factors.keep(v, merger.merge(gatherer.closest_hits()));
     }
   }
 

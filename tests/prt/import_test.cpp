@@ -62,7 +62,7 @@ class Import : public testing::Test {
  protected:
   ImportedMesh import(const std::string& name, const std::string& text) {
     write_all(folder_.file(name), text);
-    return import_mesh(folder_.file(name), kGrey);
+    return import_mesh(folder_.file(name));
   }
   // What a scene with this one mesh says, without the folder's name.
   std::string refusal(const std::string& name, const std::string& text, OnFlaw on_flaw = OnFlaw::kMend) {

@@ -1,0 +1,34 @@
+// What a vertex sees in mirrors: the sky, which joins its transfer vector, and other surfaces, which join its row of
+// the form factors. Grey mirrors: of a reflectance the first channel counts (prt/bake/coloured_mirrors.hpp has the
+// others). In: the closest hits of the rays that something blocked. A path that leaves the scene in direction s adds
+//   (its part of the cosine) * (product of the reflectances) * Y(s).
+#pragma once
+#include <vector>
+
+#include "prt/bake/gather.hpp"
+#include "prt/rays/mirror_paths.hpp"
+
+namespace sh::prt {
+
+/// Reusable buffers of one thread.
+class MirrorLight {
+ public:
+  explicit MirrorLight(const MirrorPaths& paths) : paths_(paths) {}
+
+  /// Follows the rays from `origin`; the result holds them and, with the parts of the cosine that are left, whatever
+  /// they meet by way of mirrors. Valid until the next call.
+  const std::vector<BlockedRay>& follow(const Eigen::Vector3f& origin, const std::vector<BlockedRay>& closest);
+  /// Adds the sky that the last follow() found to a transfer vector (bands^2); returns its part of the cosine.
+  float add_sky(int degree, float* transfer) const;
+  /// The part of the cosine that the last follow() left out where it cut paths.
+  [[nodiscard]] double cut() const { return cut_; }
+
+ private:
+  const MirrorPaths& paths_;
+  std::vector<Leg> legs_;
+  std::vector<BlockedRay> met_;
+  std::vector<BlockedRay> sky_;
+  double cut_ = 0.0;
+};
+
+}  // namespace sh::prt

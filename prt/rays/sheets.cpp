@@ -1,0 +1,100 @@
+#include "prt/rays/sheets.hpp"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <tuple>
+
+#include "prt/mesh/vertex_key.hpp"
+
+namespace sh::prt {
+
+namespace {
+
+using Corner = std::array<std::uint32_t, 3>;  // the bits of a position
+
+// The corners from the least one on, in the order of the face or against it: equal for faces that coincide.
+struct Outline {
+  std::array<Corner, 3> corners;
+  std::uint32_t face;
+  std::uint32_t first;  // the corner of the face that is the least
+  bool against;         // they are listed against the face's order
+
+  [[nodiscard]] auto key() const { return std::tie(corners, against, face); }
+};
+
+Outline outline_of(const Mesh& mesh, std::uint32_t face) {
+  std::array<Corner, 3> corners{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    corners[k] = bits_of(mesh.positions[mesh.faces[face][k]]);
+  }
+  const auto first = static_cast<std::size_t>(std::min_element(corners.begin(), corners.end()) - corners.begin());
+  Outline outline{{corners[first], corners[(first + 1) % 3], corners[(first + 2) % 3]},
+                  face,
+                  static_cast<std::uint32_t>(first),
+                  false};
+  if (outline.corners[2] < outline.corners[1]) {
+    std::swap(outline.corners[1], outline.corners[2]);
+    outline.against = true;
+  }
+  return outline;
+}
+
+}  // namespace
+
+Sheets::Sheets(const Mesh& mesh) {
+  std::vector<Outline> outlines;
+  outlines.reserve(mesh.faces.size());
+  for (std::uint32_t f = 0; f < mesh.faces.size(); ++f) {
+    outlines.push_back(outline_of(mesh, f));
+  }
+  std::sort(outlines.begin(), outlines.end(), [](const Outline& a, const Outline& b) { return a.key() < b.key(); });
+  std::vector<Front> all(mesh.faces.size());
+  for (std::uint32_t f = 0; f < all.size(); ++f) {
+    all[f] = {f, kNoFace, 0};
+  }
+  std::vector<std::uint8_t> is_back(mesh.faces.size(), 0);
+  // Among faces that coincide those in order come first: the i-th of them and the i-th against it are a pair.
+  for (auto begin = outlines.begin(); begin != outlines.end();) {
+    const auto end = std::find_if(begin, outlines.end(), [&](const Outline& o) { return o.corners != begin->corners; });
+    const auto against = std::find_if(begin, end, [](const Outline& o) { return o.against; });
+    for (auto a = begin, b = against; a != against && b != end; ++a, ++b) {
+      const auto [front, back] =
+          std::minmax(*a, *b, [](const Outline& x, const Outline& y) { return x.face < y.face; });
+      all[front.face].back = back.face;
+      all[front.face].turn = (front.first + back.first) % 3;
+      is_back[back.face] = 1;
+    }
+    begin = end;
+  }
+  if (std::find(is_back.begin(), is_back.end(), 1) != is_back.end()) {
+    std::copy_if(all.begin(), all.end(), std::back_inserter(fronts_),
+                 [&](const Front& front) { return is_back[front.face] == 0; });
+  }
+}
+
+std::vector<Face> Sheets::without_backs(const std::vector<Face>& faces) const {
+  if (!any()) {
+    return faces;
+  }
+  std::vector<Face> known;
+  known.reserve(fronts_.size());
+  for (const Front& front : fronts_) {
+    known.push_back(faces[front.face]);
+  }
+  return known;
+}
+
+void Sheets::face_ray(bool from_behind, Hit& hit) const {
+  const Front& front = fronts_[hit.face];
+  if (!from_behind || front.back == kNoFace) {
+    hit.face = front.face;
+    return;
+  }
+  const std::array<float, 3> weights = {1.0F - hit.u - hit.v, hit.u, hit.v};
+  hit.face = front.back;
+  hit.u = weights[(front.turn + 2) % 3];
+  hit.v = weights[(front.turn + 1) % 3];
+}
+
+}  // namespace sh::prt

@@ -1,0 +1,174 @@
+// What surfaces are made of, from mesh files and from the scene: colours, light of their own, mirrors, sides.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "prt/mesh/import_mesh.hpp"
+#include "prt/scene/scene.hpp"
+#include "tests/prt/meshes.hpp"
+#include "tests/prt/temporary_folder.hpp"
+
+namespace sh::prt::test {
+namespace {
+
+// Two triangles that share an edge, each with a material of its own.
+const std::string kTwoPaints =
+    "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nusemtl red\nf 1 2 3\nusemtl lamp\nf 1 3 4\n";
+const std::string kPaints = "newmtl red\nKd 1 0 0\n\nnewmtl lamp\nKd 0 0 0\nKe 5 4 0.5\n";
+
+// One triangle of a glTF file with this material.
+std::string gltf_with(const nlohmann::json& material) {
+  const nlohmann::json document = {
+      {"asset", {{"version", "2.0"}}},
+      {"scenes", {{{"nodes", {0}}}}},
+      {"nodes", {{{"mesh", 0}}}},
+      {"meshes", {{{"primitives", {{{"attributes", {{"POSITION", 0}}}, {"material", 0}}}}}}},
+      {"materials", {material}},
+      {"buffers",  // (0,0,0) (1,0,0) (0,1,0)
+       {{{"byteLength", 36},
+         {"uri",
+          "data:application/octet-stream;base64,"
+          "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}}}},
+      {"bufferViews", {{{"buffer", 0}, {"byteLength", 36}}}},
+      {"accessors",
+       {{{"bufferView", 0},
+         {"componentType", 5126},
+         {"count", 3},
+         {"type", "VEC3"},
+         {"min", {0, 0, 0}},
+         {"max", {1, 1, 0}}}}}};
+  return document.dump();
+}
+
+class Materials : public testing::Test {
+ protected:
+  void put(const std::string& name, const std::string& text) { write_all(folder_.file(name), text); }
+  Scene load(const std::string& mesh) {
+    put("scene.json", R"({"meshes": [)" + mesh + "]}");
+    return load_scene(folder_.file("scene.json"), OnFlaw::kRefuse);
+  }
+  // What is said, from the JSON path on.
+  std::string refusal(const std::string& mesh) {
+    const std::string said = message_of([&] { load(mesh); });
+    const std::string before = folder_.file("scene.json") + ": /meshes/0";
+    EXPECT_EQ(said.find(before), 0U) << said;
+    return said.substr(std::min(before.size(), said.size()));
+  }
+
+  TemporaryFolder folder_;
+};
+
+Eigen::Vector3f colour_at(const std::vector<Eigen::Vector3f>& values, const Mesh& mesh, std::size_t face) {
+  for (const std::uint32_t v : mesh.faces[face]) {
+    EXPECT_EQ(values[v], values[mesh.faces[face][0]]);
+  }
+  return values[mesh.faces[face][0]];
+}
+
+TEST_F(Materials, OfEachFaceOfAnObjFileAreItsOwn) {
+  put("a.mtl", kPaints);
+  put("a.obj", kTwoPaints);
+  const Mesh mesh = load(R"({"file": "a.obj", "max_edge": 0.3})").mesh;
+  const auto faces = static_cast<std::ptrdiff_t>(mesh.faces.size());
+  std::ptrdiff_t red = 0;
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    const bool is_red = colour_at(mesh.albedo, mesh, f) == Eigen::Vector3f(1, 0, 0);
+    red += is_red ? 1 : 0;
+    EXPECT_EQ(colour_at(mesh.emission, mesh, f), is_red ? Eigen::Vector3f(0, 0, 0) : Eigen::Vector3f(5, 4, 0.5F));
+  }
+  EXPECT_EQ(2 * red, faces) << "the paints do not bleed into each other over the edge they share";
+  EXPECT_TRUE(mesh.mirror.empty());
+}
+
+TEST_F(Materials, AreReadFromGltf) {
+  put("a.gltf", gltf_with({{"name", "lamp"}, {"doubleSided", true}, {"emissiveFactor", {0.25, 0.5, 1.0}}}));
+  const ImportedMesh mesh = import_mesh(folder_.file("a.gltf"));
+  EXPECT_EQ(mesh.materials, std::vector<std::string>{"lamp"});
+  const Finish finish = mesh.soup.finishes[mesh.soup.finish_of(0)];
+  EXPECT_TRUE(finish.is_two_sided);
+  EXPECT_EQ(finish.emission, Eigen::Vector3f(0.25F, 0.5F, 1.0F));
+  EXPECT_EQ(finish.mirror, Eigen::Vector3f(0, 0, 0));
+  put("b.gltf", gltf_with({{"name", "plain"}}));
+  EXPECT_EQ(import_mesh(folder_.file("b.gltf")).soup.finishes[0], Finish());
+}
+
+TEST_F(Materials, OfEachVertexOfAPlyFileAreItsColours) {
+  put("a.ply",
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+      "property uchar red\nproperty uchar green\nproperty uchar blue\n"
+      "element face 1\nproperty list uchar int vertex_indices\nend_header\n"
+      "0 0 0 255 0 0\n1 0 0 0 255 0\n0 1 0 0 0 255\n3 0 1 2\n");
+  const Mesh mesh = load(R"({"file": "a.ply"})").mesh;
+  for (std::size_t v = 0; v < 3; ++v) {
+    EXPECT_EQ(mesh.albedo[mesh.remap[v]], Eigen::Vector3f(Eigen::Vector3f::Unit(static_cast<Eigen::Index>(v))));
+  }
+  EXPECT_EQ(load(R"({"file": "a.ply", "albedo": [0.1, 0.2, 0.3]})").mesh.albedo[0], Eigen::Vector3f(0.1F, 0.2F, 0.3F));
+}
+
+TEST_F(Materials, OfTheSceneGoBeforeTheFilesByNameBeforeAll) {
+  put("a.mtl", kPaints);
+  put("a.obj", kTwoPaints);
+  const Mesh mesh = load(R"({"file": "a.obj", "albedo": [0.5, 0.5, 0.5], "emission": [9, 9, 9],
+    "materials": {"red": {"emission": [0, 0, 2]}, "lamp": {"mirror": [0.5, 0.6, 0.7], "sides": 2}}})")
+                        .mesh;
+  ASSERT_EQ(mesh.faces.size(), 3U) << "the lamp got a back";
+  EXPECT_EQ(colour_at(mesh.albedo, mesh, 0), Eigen::Vector3f(0.5F, 0.5F, 0.5F));
+  EXPECT_EQ(colour_at(mesh.emission, mesh, 0), Eigen::Vector3f(0, 0, 2));
+  EXPECT_EQ(colour_at(mesh.mirror, mesh, 0), Eigen::Vector3f(0, 0, 0));
+  for (const std::size_t face : {1U, 2U}) {
+    EXPECT_EQ(colour_at(mesh.albedo, mesh, face), Eigen::Vector3f(0, 0, 0));
+    EXPECT_EQ(colour_at(mesh.emission, mesh, face), Eigen::Vector3f(9, 9, 9));
+    EXPECT_EQ(colour_at(mesh.mirror, mesh, face), Eigen::Vector3f(0.5F, 0.6F, 0.7F));
+  }
+}
+
+TEST_F(Materials, OfOtherMeshesOfTheSceneStayAsTheyAre) {
+  const Mesh mesh = load(R"({"primitive": "plane"}, {"primitive": "plane", "emission": [1, 0, 0]},
+                            {"primitive": "plane", "mirror": [1, 1, 1], "albedo": [0, 0, 0]}, {"primitive": "plane"})")
+                        .mesh;
+  ASSERT_EQ(mesh.positions.size(), 16U);
+  ASSERT_EQ(mesh.emission.size(), 16U);
+  ASSERT_EQ(mesh.mirror.size(), 16U);
+  for (std::size_t v = 0; v < 16; ++v) {
+    EXPECT_EQ(mesh.emission[v].x(), v / 4 == 1 ? 1.0F : 0.0F);
+    EXPECT_EQ(mesh.mirror[v].x(), v / 4 == 2 ? 1.0F : 0.0F);
+    EXPECT_EQ(mesh.albedo[v].x(), v / 4 == 2 ? 0.0F : 0.5F);
+  }
+}
+
+TEST_F(Materials, WithTwoSidesHaveABackOnVerticesOfItsOwn) {
+  const Mesh one = load(R"({"primitive": "plane", "max_edge": 0.5, "emission": [1, 2, 3]})").mesh;
+  const Mesh two = load(R"({"primitive": "plane", "max_edge": 0.5, "emission": [1, 2, 3], "sides": 2})").mesh;
+  ASSERT_EQ(two.positions.size(), 2 * one.positions.size());
+  ASSERT_EQ(two.faces.size(), 2 * one.faces.size());
+  for (const auto& [edge, faces] : edges_by_position(two)) {
+    EXPECT_EQ(faces.first, faces.second);
+  }
+  EXPECT_EQ(two.emission.size(), two.positions.size());
+  for (std::size_t v = 0; v < one.positions.size(); ++v) {
+    EXPECT_EQ(two.normals[v], Eigen::Vector3f(0, 0, 1));
+    EXPECT_EQ(two.normals[v + one.positions.size()], Eigen::Vector3f(0, 0, -1));
+    EXPECT_EQ(two.geometric_normals[v + one.positions.size()], Eigen::Vector3f(0, 0, -1));
+  }
+}
+
+TEST_F(Materials, ThatCannotBeAreRefused) {
+  EXPECT_EQ(refusal(R"({"primitive": "box", "sides": 3})"), "/sides: expected an integer from 1 to 2, got 3");
+  EXPECT_EQ(refusal(R"({"primitive": "box", "emission": [1, -1, 1]})"),
+            "/emission/1: expected three numbers of 0 or more, got -1");
+  EXPECT_EQ(refusal(R"({"primitive": "box", "mirror": [1.5, 1, 1]})"),
+            "/mirror/0: expected three numbers from 0 to 1, got 1.5");
+  EXPECT_EQ(refusal(R"({"primitive": "box", "mirror": [0.5, 0.5, 0.5], "albedo": [0.4, 0.6, 0.2]})"),
+            "/mirror: expected a reflectance that is at most 1 together with the albedo, got [0.5,0.5,0.5]");
+  EXPECT_EQ(refusal(R"({"primitive": "box", "materials": {"red": {}}})"),
+            "/materials/red: expected no `materials`: the mesh has none, got {}");
+  put("a.mtl", kPaints);
+  put("a.obj", kTwoPaints);
+  EXPECT_EQ(refusal(R"({"file": "a.obj", "materials": {"green": {}}})"),
+            "/materials/green: expected the name of one of the mesh's materials (red, lamp), got {}");
+  EXPECT_EQ(refusal(R"({"file": "a.obj", "materials": {"red": {"colour": [1, 1, 1]}}})"),
+            "/materials/red/colour: unknown key, expected one of albedo, emission, mirror, sides");
+}
+
+}  // namespace
+}  // namespace sh::prt::test

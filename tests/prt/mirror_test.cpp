@@ -1,0 +1,234 @@
+// Mirrors inside a scene, against images: a plane mirror is a window into the same scene on its other side.
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <numbers>
+
+#include "prt/bake/bake.hpp"
+#include "prt/mesh/tessellate.hpp"
+#include "prt/rays/mirror_paths.hpp"
+#include "prt/runtime/render.hpp"
+#include "prt/transfer/transfer_file.hpp"
+#include "tests/prt/cosine_integral.hpp"
+#include "tests/prt/rooms.hpp"
+#include "tests/prt/temporary_folder.hpp"
+
+namespace sh::prt::test {
+namespace {
+
+const auto kRoot4Pi = static_cast<float>(std::sqrt(4.0 * std::numbers::pi));
+
+Mesh placed(Mesh mesh, const Eigen::Affine3f& map) {
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+    mesh.positions[v] = map * mesh.positions[v];
+    mesh.normals[v] = (map.linear() * mesh.normals[v]).normalized();
+  }
+  set_geometric_normals(mesh);
+  return mesh;
+}
+
+Mesh as_mirror(Mesh mesh, const Eigen::Vector3f& reflectance) {
+  mesh.mirror.assign(mesh.positions.size(), reflectance);
+  paint(mesh, Eigen::Vector3f::Zero());
+  return mesh;
+}
+
+// A square in the plane x = 0 that faces +x.
+Mesh wall(float size, const Eigen::Vector3f& reflectance) {
+  Eigen::Affine3f map = Eigen::Affine3f::Identity();
+  map.rotate(Eigen::AngleAxisf(0.5F * std::numbers::pi_v<float>, Eigen::Vector3f::UnitY()));
+  map.scale(size);
+  return as_mirror(placed(primitive_mesh("plane"), map), reflectance);
+}
+
+// Ground of x = 0 to 1, before the wall.
+Mesh ground(float albedo) {
+  Eigen::Affine3f map = Eigen::Affine3f::Identity();
+  map.translate(Eigen::Vector3f(0.5F, 0.0F, 0.0F));
+  Mesh mesh = placed(primitive_mesh("plane"), map);
+  tessellate(
+      mesh, [](const Eigen::Vector3f&) { return 0.4F; }, "ground");
+  paint(mesh, Eigen::Vector3f::Constant(albedo));
+  return mesh;
+}
+
+Mesh ground_before_mirror(const Eigen::Vector3f& reflectance, float albedo = 0.5F) {
+  Mesh mesh = ground(albedo);
+  append(mesh, wall(2e4F, reflectance));
+  return mesh;
+}
+
+// The light of x < 0 is that of x > 0 once more, times the reflectance.
+TEST(Mirrors, BesideAVertexShowItTheMirroredLight) {
+  const std::vector<double> quarter = transfer_before_wall(4);
+  for (const float reflectance : {0.25F, 0.9F, 1.0F}) {
+    const Mesh mesh = ground_before_mirror(Eigen::Vector3f::Constant(reflectance));
+    const Transfer transfer = baked(mesh, TransferKind::kShadowed, 2048, 4);
+    for (std::size_t v = 0; v + 4 < mesh.positions.size(); ++v) {
+      for (std::size_t i = 0; i < 25; ++i) {
+        ASSERT_NEAR(static_cast<double>(transfer.coefficients[v * 25 + i]),
+                    (1.0 + static_cast<double>(reflectance)) * quarter[i], 4e-3)
+            << mesh.positions[v].transpose() << ", coefficient " << i;
+      }
+    }
+  }
+}
+
+TEST(Mirrors, OfAColourGiveEachChannelItsOwnTransferWithBouncesAndAreRefusedWithout) {
+  const Eigen::Vector3f reflectance(1.0F, 0.5F, 0.0F);
+  const Mesh mesh = ground_before_mirror(reflectance);
+  const Transfer transfer = baked(mesh, TransferKind::kInterreflected, 2048, 2);
+  const std::vector<double> quarter = transfer_before_wall(2);
+  for (std::size_t c = 0; c < 3; ++c) {
+    const double part = 0.5 * (1.0 + static_cast<double>(reflectance[static_cast<Eigen::Index>(c)]));
+    for (std::size_t i = 0; i < 9; ++i) {
+      ASSERT_NEAR(static_cast<double>(transfer.coefficients[c * 9 + i]), part * quarter[i], 2e-3) << c;
+    }
+  }
+  EXPECT_EQ(
+      message_of([&] { baked(mesh, TransferKind::kShadowed); }),
+      "test: its mirrors have colours, which shadowed transfer cannot hold; expected grey ones, or interreflected");
+}
+
+// A lamp before a perfect mirror is two lamps, and the ground before it a ground twice as wide.
+TEST(Mirrors, ShowALampToTheGroundAsASecondLamp) {
+  const auto lamp = [](float x) {
+    Eigen::Affine3f map = Eigen::Affine3f::Identity();
+    map.translate(Eigen::Vector3f(x, 0.1F, 0.8F));
+    map.scale(0.6F);
+    Mesh mesh = placed(primitive_mesh("sphere", 48), map);
+    paint(mesh, Eigen::Vector3f::Zero());
+    shine(mesh, {5.0F, 1.0F, 0.0F});
+    return mesh;
+  };
+  Mesh mirrored = ground_before_mirror(Eigen::Vector3f::Ones());
+  const std::size_t vertices = mirrored.positions.size() - 4;
+  append(mirrored, lamp(0.6F));
+  Mesh twice = ground(0.5F);
+  append(twice, lamp(0.6F));
+  append(twice, lamp(-0.6F));
+  const Transfer image = baked(mirrored, TransferKind::kInterreflected, 16384, 1);
+  const Transfer plain = baked(twice, TransferKind::kInterreflected, 16384, 1);
+  for (std::size_t v = 0; v < vertices; ++v) {
+    EXPECT_GT(plain.emitted[v].x(), 0.1F);
+    EXPECT_NEAR(image.emitted[v].x(), plain.emitted[v].x(), 0.01F * plain.emitted[v].x())
+        << mirrored.positions[v].transpose();
+    EXPECT_NEAR(image.emitted[v].y(), 0.2F * image.emitted[v].x(), 1e-5F);
+  }
+}
+
+// Four mirrors around a floor: whatever is unfolded, every path gets to the sky at last.
+TEST(Mirrors, AroundAFloorShowItTheWholeSky) {
+  Mesh mesh = primitive_mesh("plane");
+  tessellate(
+      mesh, [](const Eigen::Vector3f&) { return 0.3F; }, "floor");
+  const std::size_t floor = mesh.positions.size();
+  for (int k = 0; k < 4; ++k) {
+    Eigen::Affine3f map = Eigen::Affine3f::Identity();
+    map.rotate(Eigen::AngleAxisf(0.5F * std::numbers::pi_v<float> * static_cast<float>(k), Eigen::Vector3f::UnitZ()));
+    map.translate(Eigen::Vector3f(-0.5F, 0.0F, 0.0F));
+    append(mesh, placed(wall(1.0F, Eigen::Vector3f::Ones()), map));
+  }
+  testing::internal::CaptureStderr();
+  const Transfer transfer = baked(mesh, TransferKind::kShadowed);
+  const std::string said = testing::internal::GetCapturedStderr();
+  EXPECT_EQ(said.find("warning"), std::string::npos) << said;
+  for (std::size_t v = 0; v < floor; ++v) {
+    EXPECT_NEAR(transfer.coefficients[v * 9] * kRoot4Pi, 1.0F, 2e-3F) << mesh.positions[v].transpose();
+  }
+}
+
+// Nothing leaves a closed room of mirrors, and no path in it ends by itself.
+TEST(Mirrors, AllAroundAreCutAndReported) {
+  Mesh room = as_mirror(hollow_sphere(12), Eigen::Vector3f::Constant(1.0F));
+  append(room, primitive_mesh("box"));
+  const std::size_t box = room.positions.size() - 24;
+  testing::internal::CaptureStderr();
+  const Transfer transfer = baked(room, TransferKind::kInterreflected, 64);
+  const std::string said = testing::internal::GetCapturedStderr();
+  EXPECT_NE(said.find("warning: test: paths were cut after 64 mirrors: up to "), std::string::npos) << said;
+  for (const float value : transfer.coefficients) {
+    EXPECT_EQ(value, 0.0F);
+  }
+  std::fill_n(room.mirror.begin(), box, Eigen::Vector3f::Constant(0.8F));  // these lose all of it before
+  testing::internal::CaptureStderr();
+  baked(room, TransferKind::kInterreflected, 64);
+  EXPECT_EQ(testing::internal::GetCapturedStderr().find("cut"), std::string::npos);
+}
+
+// A furnace: in light that is the same from everywhere a perfect mirror cannot be seen.
+TEST(Mirrors, OfAnyShapeCannotBeSeenInAFurnace) {
+  for (const float albedo : {0.3F, 0.9F}) {
+    Mesh mesh = hollow_sphere(24);
+    paint(mesh, Eigen::Vector3f::Constant(albedo));
+    shine(mesh, Eigen::Vector3f::Ones());
+    const std::size_t room = mesh.positions.size();
+    append(mesh, as_mirror(primitive_mesh("torus", 32), Eigen::Vector3f::Ones()));
+    const Transfer transfer = baked(mesh, TransferKind::kInterreflected);
+    for (std::size_t v = 0; v < room; ++v) {
+      ASSERT_NEAR(transfer.emitted[v].x(), 1.0F / (1.0F - albedo), 2e-3F / (1.0F - albedo)) << albedo;
+    }
+  }
+}
+
+TEST(Mirrors, FromBehindAreBlack) {
+  Mesh mesh = ground(0.5F);
+  Mesh back = wall(2e4F, Eigen::Vector3f::Ones());
+  for (Face& face : back.faces) {
+    std::swap(face[1], face[2]);
+  }
+  append(mesh, back);
+  Mesh black = mesh;
+  black.mirror.clear();
+  EXPECT_EQ(baked(mesh, TransferKind::kShadowed).coefficients, baked(black, TransferKind::kShadowed).coefficients);
+}
+
+TEST(Mirrors, GiveTheSameBitsForAnyNumberOfThreadsAndAnyMemory) {
+  Mesh mesh = ground_before_mirror(Eigen::Vector3f::Constant(0.7F));
+  append(mesh, as_mirror(primitive_mesh("torus", 16), Eigen::Vector3f::Constant(0.9F)));
+  const Scene scene = scene_of(mesh, TransferKind::kInterreflected);
+  const Transfer one = bake(scene, {1, "", OnFlaw::kMend});
+  for (const std::size_t memory : {SIZE_MAX, std::size_t{0}}) {
+    EXPECT_EQ(bake(scene, {3, "", OnFlaw::kMend, memory}).coefficients, one.coefficients) << memory;
+  }
+}
+
+TEST(Mirrors, AreKeptInTheFile) {
+  const Transfer written = baked(ground_before_mirror(Eigen::Vector3f::Constant(0.7F)), TransferKind::kShadowed, 64);
+  const TemporaryFolder folder;
+  write_transfer(folder.file("a.prt"), written);
+  EXPECT_EQ(read_transfer(folder.file("a.prt")).mesh.mirror, written.mesh.mirror);
+}
+
+// The camera looks at the wall from +x; where it is one of two walls in a corner, light comes back after both.
+TEST(Mirrors, ShowThePictureWhatTheirPathsEndOn) {
+  Mesh mesh = wall(100.0F, {1.0F, 0.5F, 0.25F});
+  const Camera camera{{3.0F, 0.0F, 0.0F}, {0.0F, 0.3F, 0.2F}, {0.0F, 0.0F, 1.0F}, 20.0F};
+  const PictureSize size{8, 8, 1};
+  const Background direction_itself = [](const Eigen::Vector3f& direction) { return direction; };
+  const auto picture_of = [&](const Mesh& scene) {
+    const Tracer tracer(scene);
+    const std::vector<Eigen::Vector3f> own(scene.positions.size(), Eigen::Vector3f::Constant(0.125F));
+    return render(scene, tracer, own, camera, size, direction_itself, "mirror");
+  };
+  Mesh none = mesh;
+  none.mirror.clear();
+  const Picture plain = picture_of(none);
+  const Picture picture = picture_of(mesh);
+  const CameraFrame frame(camera, size);
+  for (int row = 0; row < 8; ++row) {
+    for (int column = 0; column < 8; ++column) {
+      Eigen::Vector3f d = frame.direction(static_cast<float>(column) + 0.5F, static_cast<float>(row) + 0.5F);
+      d.x() *= -1.0F;
+      const std::size_t pixel = static_cast<std::size_t>(row) * 8 + static_cast<std::size_t>(column);
+      const Eigen::Vector3f expected =
+          Eigen::Vector3f::Constant(0.125F) + Eigen::Vector3f(1.0F, 0.5F, 0.25F).cwiseProduct(d);
+      EXPECT_LT((picture.radiance[pixel] - expected).norm(), 1e-5F);
+      EXPECT_LT((plain.radiance[pixel] - Eigen::Vector3f::Constant(0.125F)).norm(), 1e-6F);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace sh::prt::test
