@@ -38,6 +38,16 @@ void report_closed(const Scene& scene, const FillPlan& plan, OnFlaw on_flaw) {
   }
 }
 
+// Mostly in the dark: a closed room without light, or surfaces whose fronts are inside.
+void report_dark(const Scene& scene, const std::vector<Sight>& sight, OnFlaw on_flaw) {
+  const auto dark = static_cast<std::size_t>(std::count(sight.begin(), sight.end(), Sight::kDark));
+  if (2 * dark > sight.size() && scene.mesh.emission.empty()) {
+    report_flaw(on_flaw, fmt::format("{}: {} of {} vertices see no sky and nothing shines: closed rooms, or meshes "
+                                     "with their fronts inside (`flip` turns a mesh)",
+                                     scene.name, dark, sight.size()));
+  }
+}
+
 // Light between mirrors that face each other, without much loss, has no end.
 void report_cut(const Scene& scene, double cut, OnFlaw on_flaw) {
   constexpr double kNoticed = 1e-3;
@@ -57,6 +67,7 @@ void shadow(const Scene& scene, const RaySetup& setup, const BakeSettings& setti
   const FillPlan plan = plan_fill(scene.mesh, result.sight);
   fill_closed(result.transfer, plan);
   report_closed(scene, plan, settings.on_flaw);
+  report_dark(scene, result.sight, settings.on_flaw);
   for (const Fill& fill : plan.fills) {
     if (result.factors != nullptr) {
       result.factors->keep_mean(fill.vertex, fill.sources);

@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "prt/mesh/corner_angle.hpp"
+
 namespace sh::prt {
 
 namespace {
@@ -57,6 +59,27 @@ void check(const Soup& soup, const std::string& name) {
           fmt::format("{}: face {} names vertex {}, but there are {} vertices", name, f, last, soup.positions.size()));
     }
   }
+}
+
+void turn_inside_out(Soup& soup) {
+  for (Face& face : soup.faces) {
+    std::swap(face[1], face[2]);
+  }
+  for (Eigen::Vector3f& normal : soup.normals) {
+    normal = -normal;
+  }
+}
+
+std::size_t turn_faces_to_normals(Soup& soup) {
+  std::size_t turned = 0;
+  for (Face& face : soup.faces) {
+    const Eigen::Vector3f along = soup.normals[face[0]] + soup.normals[face[1]] + soup.normals[face[2]];
+    if (along.dot(face_normal(soup.positions, face)) < 0.0F) {
+      std::swap(face[1], face[2]);
+      ++turned;
+    }
+  }
+  return turned;
 }
 
 std::size_t drop_faces_without_area(Soup& soup) {

@@ -35,6 +35,13 @@ void check(const Soup& soup, const std::string& name);
 /// Drops faces without area (to rounding); returns how many.
 std::size_t drop_faces_without_area(Soup& soup);
 
+/// Turns the whole around: what was behind is before.
+void turn_inside_out(Soup& soup);
+
+/// Turns faces whose corners' normals, together, point behind them; returns how many. The soup has normals and passed
+/// check().
+std::size_t turn_faces_to_normals(Soup& soup);
+
 /// Normals that are missing, zero or not finite come from the faces. A soup without any gets a vertex per face corner:
 /// a corner's normal is the mean, by angle, of the faces around its position that meet its own face at no more than
 /// `crease_degrees`. Returns how many given normals were of no use.

@@ -137,6 +137,13 @@ int JsonReader::integer(int least, int most) const {
   return static_cast<int>(number(least, most, what));
 }
 
+bool JsonReader::boolean() const {
+  if (!value_->is_boolean()) {
+    expected("true or false");
+  }
+  return value_->get<bool>();
+}
+
 Eigen::Vector3f JsonReader::vector() const {
   constexpr float kLargest = std::numeric_limits<float>::max();
   return vector(-kLargest, kLargest);

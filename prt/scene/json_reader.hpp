@@ -37,6 +37,7 @@ class JsonReader {
   [[nodiscard]] float finite() const;
   [[nodiscard]] float positive() const;
   [[nodiscard]] int integer(int least, int most) const;
+  [[nodiscard]] bool boolean() const;
   [[nodiscard]] Eigen::Vector3f vector() const;                         // three numbers
   [[nodiscard]] Eigen::Vector3f vector(float least, float most) const;  // within limits
 

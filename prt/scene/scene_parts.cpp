@@ -115,6 +115,10 @@ Mesh finish_mesh(Soup soup, std::size_t file_vertices, float crease_degrees, flo
   if (const std::size_t made = complete_normals(soup, crease_degrees); made > 0) {
     report_flaw(on_flaw, fmt::format("{}: {} vertex normals are zero or not finite (made from the faces)", name, made));
   }
+  if (const std::size_t turned = turn_faces_to_normals(soup); turned > 0) {
+    report_flaw(on_flaw, fmt::format("{}: {} of {} faces are wound against their normals (turned)", name, turned,
+                                     soup.faces.size()));
+  }
   Mesh mesh = weld(soup, file_vertices);
   std::vector<std::uint32_t> origins(mesh.faces.size());
   std::iota(origins.begin(), origins.end(), 0U);
@@ -134,7 +138,7 @@ Mesh finish_mesh(Soup soup, std::size_t file_vertices, float crease_degrees, flo
 
 Mesh read_mesh(const JsonReader& reader, const std::string& folder, OnFlaw on_flaw) {
   reader.allow({"file", "primitive", "segments", "transform", "up", "albedo", "mirror", "emission", "sides",
-                "materials", "max_edge", "crease"});
+                "materials", "max_edge", "crease", "flip"});
   const MaterialChanges changes = read_materials(reader);
   const auto up = reader.find("up");
   const auto max_edge = reader.find("max_edge");
@@ -147,10 +151,15 @@ Mesh read_mesh(const JsonReader& reader, const std::string& folder, OnFlaw on_fl
   const UpAxis wanted = up && up->one_of({"y", "z"}) == "y" ? UpAxis::kY : UpAxis::kZ;
   ImportedMesh shape = read_shape(reader, folder, changes);
   check_material_names(reader, shape.materials);
+  const auto flip = reader.find("flip");
+  const bool is_flipped = flip && flip->boolean();
   const auto file = reader.find("file");
   const std::string name = file ? beside(folder, file->text()) : reader.find("primitive")->text();
   check(shape.soup, name);
   transform(shape.soup, (up ? wanted : shape.up) == UpAxis::kY ? map * stand_up() : map);
+  if (is_flipped) {
+    turn_inside_out(shape.soup);
+  }
   return finish_mesh(std::move(shape.soup), shape.file_vertices, crease_degrees, edge, name, on_flaw);
 }
 

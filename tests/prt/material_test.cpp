@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "prt/mesh/corner_angle.hpp"
 #include "prt/mesh/import_mesh.hpp"
 #include "prt/scene/scene.hpp"
 #include "tests/prt/meshes.hpp"
@@ -150,6 +151,31 @@ TEST_F(Materials, WithTwoSidesHaveABackOnVerticesOfItsOwn) {
     EXPECT_EQ(two.normals[v + one.positions.size()], Eigen::Vector3f(0, 0, -1));
     EXPECT_EQ(two.geometric_normals[v + one.positions.size()], Eigen::Vector3f(0, 0, -1));
   }
+}
+
+// A triangle whose winding says down and whose normals say up, and one that is as it should be.
+TEST_F(Materials, OfFacesWoundAgainstTheirNormalsAreOnTheSideOfTheNormals) {
+  put("a.obj", "v 0 0 0\nv 1 0 0\nv 0 0 1\nv 1 0 1\nvn 0 1 0\nf 1//1 2//1 3//1\nf 3//1 4//1 2//1\n");
+  EXPECT_EQ(
+      message_of([&] { load(R"({"file": "a.obj"})"); }),
+      folder_.file("a.obj") + ": 1 of 2 faces are wound against their normals (turned); refused because of --strict");
+  testing::internal::CaptureStderr();
+  const Mesh mesh = load_scene(folder_.file("scene.json"), OnFlaw::kMend).mesh;
+  EXPECT_NE(testing::internal::GetCapturedStderr().find("warning: "), std::string::npos);
+  for (const Face& face : mesh.faces) {
+    EXPECT_GT(face_normal(mesh.positions, face).z(), 0.9F);
+  }
+}
+
+TEST_F(Materials, AreOnTheOtherSideOfAMeshThatIsFlipped) {
+  const Mesh box = load(R"({"primitive": "box", "flip": true, "transform": {"scale": [1, -1, 1]}})").mesh;
+  EXPECT_NEAR(signed_volume(box), -1.0, 1e-6);
+  for (std::size_t v = 0; v < box.positions.size(); ++v) {
+    EXPECT_LT(box.normals[v].dot(box.positions[v]), 0.0F);
+    EXPECT_EQ(box.normals[v], box.geometric_normals[v]);
+  }
+  EXPECT_NEAR(signed_volume(load(R"({"primitive": "box", "flip": false})").mesh), 1.0, 1e-6);
+  EXPECT_EQ(refusal(R"({"primitive": "box", "flip": 1})"), "/flip: expected true or false, got 1");
 }
 
 TEST_F(Materials, ThatCannotBeAreRefused) {

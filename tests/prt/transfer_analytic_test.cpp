@@ -224,6 +224,21 @@ TEST(Extremes, ThinWallsLetNoLightThrough) {
   }
 }
 
+TEST(Extremes, AMeshTurnedInsideOutIsDarkAndReported) {
+  Mesh mesh = with_one_normal("torus");
+  for (Face& face : mesh.faces) {
+    std::swap(face[1], face[2]);
+  }
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+    mesh.normals[v] = -mesh.normals[v];
+  }
+  set_geometric_normals(mesh);
+  testing::internal::CaptureStderr();
+  baked(mesh, TransferKind::kShadowed);
+  const std::string said = testing::internal::GetCapturedStderr();
+  EXPECT_NE(said.find("see no sky and nothing shines"), std::string::npos) << said;
+}
+
 TEST(Extremes, ASingleTriangleSeesTheSkyAndAnEmptyMeshIsRefused) {
   Mesh mesh;
   mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
