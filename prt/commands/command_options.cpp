@@ -64,8 +64,9 @@ void LightOptions::add_to(CLI::App& command) {
   auto* from_scene =
       command.add_option("--scene", scene, "take light and camera from this scene (JSON file or `demo`)");
   command
-      .add_option("--light", light,
-                  "instead of the scene's: constant, overcast, an .exr or .hdr picture, or a .json file of lights")
+      .add_option(
+          "--light", light,
+          "instead of the scene's: constant, overcast, a picture (.exr, .hdr, .png, .jpg) or a .json file of lights")
       ->excludes(from_scene);
   add_mapping_to(command, mapping);
   window.add_to(command);

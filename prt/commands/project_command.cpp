@@ -32,15 +32,24 @@ Json coefficients(const LightCoefficients& light) {
   return out;
 }
 
-/// What a picture's header says; nothing for analytic lights.
+/// What a picture's header says, and its sun if that was extracted; nothing for other lights.
 Json described(const Options& options, const std::vector<Light>& lights) {
   Json out = {{"file", std::filesystem::path(options.light).filename().string()}};
-  if (lights.size() == 1 && lights.front().image) {
-    const Image& image = *lights.front().image;
-    out.update({{"width", image.width},
-                {"height", image.height},
-                {"negative_pixels", image.negative_pixels},
-                {"mapping", kMappingNames[static_cast<std::size_t>(lights.front().spec.mapping)]}});
+  for (const Light& light : lights) {
+    if (light.image) {
+      out.update({{"width", light.image->width},
+                  {"height", light.image->height},
+                  {"negative_pixels", light.image->negative_pixels},
+                  {"mapping", kMappingNames[static_cast<std::size_t>(light.spec.mapping)]}});
+    }
+    if (light.share_of_picture > 0.0) {
+      const Eigen::Vector3d d = light.rotation * light.spec.direction;
+      const Eigen::Vector3f& radiance = light.spec.radiance;
+      out["suns"].push_back({{"direction", {d.x(), d.y(), d.z()}},
+                             {"one_minus_cos_half_angle", light.spec.one_minus_cos},
+                             {"radiance", {radiance.x(), radiance.y(), radiance.z()}},
+                             {"share_of_picture", light.share_of_picture}});
+    }
   }
   return out;
 }
@@ -105,7 +114,7 @@ void add_project_command(CLI::App& tool) {
   CLI::App* command = tool.add_subcommand("project", "print the SH coefficients of a picture or of lights as JSON");
   command
       ->add_option("LIGHT", options->light,
-                   "an OpenEXR or Radiance .hdr picture, a .json file of lights, constant or overcast")
+                   "a picture (.exr, .hdr, .png, .jpg), a .json file of lights, constant or overcast")
       ->required();
   add_mapping_to(*command, options->mapping);
   options->window.add_to(*command);

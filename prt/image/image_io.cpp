@@ -14,25 +14,42 @@ namespace {
 
 std::string read_bytes(const std::string& file) {
   if (std::filesystem::exists(file) && !std::filesystem::is_regular_file(file)) {
-    throw std::runtime_error(fmt::format("{}: is no file; an OpenEXR or Radiance .hdr picture is needed", file));
+    throw std::runtime_error(
+        fmt::format("{}: is no file; an OpenEXR, Radiance .hdr, PNG or JPEG picture is needed", file));
   }
   return output::read_file(file, std::numeric_limits<std::size_t>::max());
 }
 
 constexpr std::string_view kExrMagic("\x76\x2f\x31\x01", 4);
+constexpr std::string_view kPngMagic("\x89PNG\r\n\x1a\n", 8);
+constexpr std::string_view kJpegMagic("\xff\xd8\xff", 3);
+
+void refuse_srgb(const std::string& file, ColorSpace space) {
+  if (space == ColorSpace::kSrgb) {
+    throw std::runtime_error(fmt::format("{}: is linear by its format; sRGB is for 8-bit pictures", file));
+  }
+}
 
 }  // namespace
 
-Image read_image(const std::string& file, OnFlaw on_flaw) {
+Image read_image(const std::string& file, OnFlaw on_flaw, ColorSpace space) {
   const std::string bytes = read_bytes(file);
+  if (bytes.starts_with(kPngMagic)) {
+    return read_png(file, bytes, space, on_flaw);
+  }
+  if (bytes.starts_with(kJpegMagic)) {
+    return read_jpeg(file, bytes, space);
+  }
   Image image;
   if (bytes.starts_with(kExrMagic)) {
+    refuse_srgb(file, space);
     image = read_exr(file, on_flaw);
   } else if (bytes.starts_with("#?")) {
+    refuse_srgb(file, space);
     image = read_radiance(file, bytes);
   } else {
-    throw std::runtime_error(
-        fmt::format("{}: {} an OpenEXR or Radiance .hdr picture", file, bytes.empty() ? "is empty, not" : "is not"));
+    throw std::runtime_error(fmt::format("{}: {} an OpenEXR, Radiance .hdr, PNG or JPEG picture", file,
+                                         bytes.empty() ? "is empty, not" : "is not"));
   }
   mend_pixels(file, image, on_flaw);
   return image;

@@ -1,6 +1,10 @@
 // Lights and their radiance: prt/light/light.hpp.
 #include "prt/light/light.hpp"
 
+#include <fmt/format.h>
+
+#include <optional>
+
 #include "prt/image/image_io.hpp"
 #include "prt/image/image_mapping.hpp"
 #include "prt/light/cap_light.hpp"
@@ -11,14 +15,42 @@
 namespace sh::prt {
 namespace {
 
-Light load_light(const LightSpec& spec, OnFlaw on_flaw) {
-  Light light{spec, rotation_about(spec.rotation_axis.cast<double>(), static_cast<double>(spec.rotation_degrees)), {}};
+Light unloaded(const LightSpec& spec) {
+  return {spec, rotation_about(spec.rotation_axis.cast<double>(), static_cast<double>(spec.rotation_degrees)), {}};
+}
+
+/// The sun as a light of its own; the environment keeps the rest. None where the picture has no sun.
+std::optional<Light> split_sun(Light& environment) {
+  SunSearch search = extract_sun(*environment.image, environment.spec.mapping, *environment.spec.extract_sun);
+  if (!search.sun) {
+    report_found(fmt::format("{}: no sun: {}", environment.spec.file, search.why_none));
+    return std::nullopt;
+  }
+  report_found(fmt::format("{}: {}", environment.spec.file, describe(*search.sun)));
+  Light sun = environment;
+  sun.spec.type = LightType::kCap;
+  sun.spec.direction = search.sun->direction;
+  sun.spec.one_minus_cos = search.sun->one_minus_cos;
+  sun.spec.radiance = (static_cast<double>(environment.spec.scale) * search.sun->radiance).cast<float>();
+  sun.image.reset();
+  sun.share_of_picture = search.sun->energy_share;
+  environment.image = std::make_shared<const Image>(std::move(search.sun->rest));
+  return sun;
+}
+
+void load_light(const LightSpec& spec, OnFlaw on_flaw, std::vector<Light>& lights) {
+  Light light = unloaded(spec);
   if (spec.type == LightType::kEnvironment) {
-    auto image = std::make_shared<Image>(read_image(spec.file, on_flaw));
+    auto image = std::make_shared<Image>(read_image(spec.file, on_flaw, spec.color_space));
     require_shape(spec.file, *image, spec.mapping);
     light.image = std::move(image);
+    if (spec.extract_sun) {
+      if (std::optional<Light> sun = split_sun(light)) {
+        lights.push_back(std::move(*sun));
+      }
+    }
   }
-  return light;
+  lights.push_back(std::move(light));
 }
 
 Eigen::Vector3f radiance(const Light& light, const Eigen::Vector3d& direction) {
@@ -49,7 +81,7 @@ std::vector<Light> load_lights(const std::vector<LightSpec>& specs, OnFlaw on_fl
   std::vector<Light> lights;
   lights.reserve(specs.size());
   for (const LightSpec& spec : specs) {
-    lights.push_back(load_light(spec, on_flaw));
+    load_light(spec, on_flaw, lights);
   }
   return lights;
 }

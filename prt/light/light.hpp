@@ -23,10 +23,13 @@ namespace sh::prt {
 struct Light {
   LightSpec spec;
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
-  std::shared_ptr<const Image> image;  // environment only
+  std::shared_ptr<const Image> image;  // environment only; without its sun where that was extracted
+  double share_of_picture = 0.0;       // a cap that was a picture's sun: its part of the picture's light
 };
 
-/// Loads what the descriptions name. Throws std::runtime_error naming the picture, as read_image and require_shape.
+/// Loads what the descriptions name. A picture whose sun is extracted becomes two lights, the cap first, both with its
+/// rotation and window; what was found, or that there is no sun, is told on standard error. Throws std::runtime_error
+/// naming the picture, as read_image and require_shape.
 std::vector<Light> load_lights(const std::vector<LightSpec>& specs, OnFlaw on_flaw);
 
 /// Every light turned by r after its own rotation.

@@ -5,8 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "prt/image/image_io.hpp"
 #include "prt/image/image_mapping.hpp"
 #include "prt/light/deringing.hpp"
+#include "prt/light/extract_sun.hpp"
 
 namespace sh::prt {
 
@@ -23,9 +25,11 @@ struct LightSpec {
   int sky = 12;                                          // cie_sky: its type in the standard, 1..15
   std::vector<Eigen::Vector3d>
       corners;       // polygon: from where it is seen; as polygon_flaw (prt/light/polygon_light.hpp) wants
-  std::string file;  // environment: EXR or Radiance .hdr, path resolved
+  std::string file;  // environment: a picture (prt/image/image_io.hpp), path resolved
   ImageMapping mapping = ImageMapping::kLatLong;  // environment
-  float scale = 1.0F;                             // environment: factor on every pixel (exposure)
+  ColorSpace color_space = ColorSpace::kOfFile;   // environment: how its values are encoded
+  float scale = 1.0F;                             // environment: factor on every pixel, exposure included
+  std::optional<SunOptions> extract_sun;          // environment: its sun becomes a cap of its own
   Eigen::Vector3f rotation_axis = Eigen::Vector3f::UnitZ();
   float rotation_degrees = 0.0F;       // right-handed about the axis; turns the light, not the mesh
   std::optional<WindowChoice> window;  // on the coefficients of this light alone

@@ -62,33 +62,40 @@ struct Panel {
   std::vector<double> weights;
 };
 
-Panel tanh_sinh() {
-  constexpr int kSide = 64;
-  constexpr double kStep = 3.2 / kSide;
+Panel tanh_sinh(int refinement) {
+  const int side = 64 * refinement;
+  const double step = 3.2 / side;
   Panel panel;
-  for (int k = -kSide; k <= kSide; ++k) {
-    const double s = 0.5 * kPi * std::sinh(k * kStep);
+  for (int k = -side; k <= side; ++k) {
+    const double s = 0.5 * kPi * std::sinh(k * step);
     panel.nodes.push_back(0.5 * (1.0 + std::tanh(s)));
-    panel.weights.push_back(0.25 * kPi * kStep * std::cosh(k * kStep) / (std::cosh(s) * std::cosh(s)));
+    panel.weights.push_back(0.25 * kPi * step * std::cosh(k * step) / (std::cosh(s) * std::cosh(s)));
   }
   return panel;
 }
 
+/// The nodes along an arc and across the arcs.
+struct Nodes {
+  numeric::GaussLegendreRule<double> along;
+  Panel across;
+};
+
+Nodes nodes_of(int refinement) { return {numeric::gauss_legendre<double>(80 * refinement), tanh_sinh(refinement)}; }
+
 /// Adds the arc that leaves the sun under `bearing` (0: upwards) and ends at the horizon, the sun above +x; `weight` is
 /// the bearing's. Orders m >= 0 only: the sky is symmetric about the sun's meridian.
-void add_arc(const SkyParameters& sky, double elevation, double bearing, double weight, int degree,
-             std::vector<double>& sum) {
-  static const auto kRule = numeric::gauss_legendre<double>(80);
+void add_arc(const SkyParameters& sky, const numeric::GaussLegendreRule<double>& rule, double elevation, double bearing,
+             double weight, int degree, std::vector<double>& sum) {
   const Eigen::Vector3d sun(std::cos(elevation), 0.0, std::sin(elevation));
   const Eigen::Vector3d side(-std::sin(elevation) * std::cos(bearing), std::sin(bearing),
                              std::cos(elevation) * std::cos(bearing));
   const double length = std::atan2(sun.z(), -side.z());
   std::vector<double> basis(sum.size());
-  for (std::size_t k = 0; k < kRule.nodes.size(); ++k) {
-    const double chi = 0.5 * length * (1.0 + kRule.nodes[k]);
+  for (std::size_t k = 0; k < rule.nodes.size(); ++k) {
+    const double chi = 0.5 * length * (1.0 + rule.nodes[k]);
     const Eigen::Vector3d d = std::cos(chi) * sun + std::sin(chi) * side;
     if (d.z() > 0.0) {  // rounding may put the last node of a flat arc below
-      const double value = 0.5 * length * kRule.weights[k] * weight * std::sin(chi) * indicatrix(sky, chi);
+      const double value = 0.5 * length * rule.weights[k] * weight * std::sin(chi) * indicatrix(sky, chi);
       evaluate_basis(degree, d.x(), d.y(), d.z(), basis.data());
       for (std::size_t i = 0; i < sum.size(); ++i) {
         sum[i] += value * gradation(sky, d.z()) * basis[i];
@@ -123,16 +130,17 @@ double sky_radiance(int type, const Eigen::Vector3d& sun, const Eigen::Vector3d&
   return indicatrix(sky, angle_between(sun, direction)) * gradation(sky, direction.z()) / at_zenith(sky, sun);
 }
 
-std::vector<double> project_sky(int type, const Eigen::Vector3d& sun, int degree) {
-  static const Panel kPanel = tanh_sinh();
+std::vector<double> project_sky(int type, const Eigen::Vector3d& sun, int degree, int refinement) {
+  static const Nodes kNodes = nodes_of(1);
+  const Nodes nodes = refinement == 1 ? kNodes : nodes_of(refinement);
   const SkyParameters& sky = parameters(type);
   std::vector<double> sum(coefficient_count(degree), 0.0);
   const double elevation = std::atan2(std::max(sun.z(), 0.0), std::hypot(sun.x(), sun.y()));
   const double scale = kPi / at_zenith(sky, sun);  // two panels of pi/2, each seen on both sides of the meridian
-  for (std::size_t k = 0; k < kPanel.nodes.size(); ++k) {
-    const double upwards = 0.5 * kPi * kPanel.nodes[k];
-    add_arc(sky, elevation, upwards, scale * kPanel.weights[k], degree, sum);
-    add_arc(sky, elevation, kPi - upwards, scale * kPanel.weights[k], degree, sum);
+  for (std::size_t k = 0; k < nodes.across.nodes.size(); ++k) {
+    const double upwards = 0.5 * kPi * nodes.across.nodes[k];
+    add_arc(sky, nodes.along, elevation, upwards, scale * nodes.across.weights[k], degree, sum);
+    add_arc(sky, nodes.along, elevation, kPi - upwards, scale * nodes.across.weights[k], degree, sum);
   }
   turn_even(std::atan2(sun.y(), sun.x()), degree, sum);
   return sum;

@@ -20,7 +20,9 @@ inline constexpr int kPartlyCloudySky = 7;
 double sky_radiance(int type, const Eigen::Vector3d& sun, const Eigen::Vector3d& direction);
 
 /// Its coefficients (bands^2), by quadrature in polar coordinates about the sun, where the indicatrix is smooth.
-/// Largest error relative to band 0, all types and elevations: 1e-9 (tests/prt/analytic_light_test.cpp).
-std::vector<double> project_sky(int type, const Eigen::Vector3d& sun, int degree);
+/// Largest error relative to band 0, all types and elevations: 2e-9 (tests/prt/analytic_light_test.cpp).
+/// `refinement` multiplies the number of nodes in both directions: with 2, no coefficient of any type and position of
+/// the sun that was tried moves by more than 2e-10 of band 0.
+std::vector<double> project_sky(int type, const Eigen::Vector3d& sun, int degree, int refinement = 1);
 
 }  // namespace sh::prt

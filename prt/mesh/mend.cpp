@@ -14,4 +14,6 @@ void report_flaw(OnFlaw on_flaw, const std::string& line) {
   fmt::print(stderr, "warning: {}\n", line);
 }
 
+void report_found(const std::string& line) { fmt::print(stderr, "prt: {}\n", line); }
+
 }  // namespace sh::prt

@@ -10,4 +10,7 @@ enum class OnFlaw { kMend, kRefuse };
 /// kMend: prints `warning: line` on standard error; kRefuse: throws std::runtime_error(line + why).
 void report_flaw(OnFlaw on_flaw, const std::string& line);
 
+/// What was found and may interest: prints `prt: line` on standard error.
+void report_found(const std::string& line);
+
 }  // namespace sh::prt

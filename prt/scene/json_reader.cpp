@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <stdexcept>
 #include <utility>
 
@@ -118,6 +119,23 @@ double JsonReader::number(double least, double most, std::string_view what) cons
   return number;
 }
 
+bool JsonReader::boolean() const {
+  if (!value_->is_boolean()) {
+    expected("true or false");
+  }
+  return value_->get<bool>();
+}
+
+double JsonReader::degrees(double least, double most) const {
+  const double value = number(least, most, fmt::format("degrees from {:g} to {:g}", least, most));
+  const double twelfths = 12.0 * value / std::numbers::pi;
+  const double whole = std::round(twelfths);
+  if (whole != 0.0 && std::abs(whole) <= 24.0 && std::abs(twelfths - whole) < 1e-3) {
+    expected(fmt::format("degrees; this looks like {:g}/12 pi radians, which are {:g} degrees", whole, 15.0 * whole));
+  }
+  return value;
+}
+
 float JsonReader::finite() const {
   constexpr double kLargest = std::numeric_limits<float>::max();
   return static_cast<float>(number(-kLargest, kLargest, "a number"));
@@ -135,13 +153,6 @@ int JsonReader::integer(int least, int most) const {
     expected(what);
   }
   return static_cast<int>(number(least, most, what));
-}
-
-bool JsonReader::boolean() const {
-  if (!value_->is_boolean()) {
-    expected("true or false");
-  }
-  return value_->get<bool>();
 }
 
 Eigen::Vector3f JsonReader::vector() const {

@@ -30,14 +30,17 @@ class JsonReader {
   [[nodiscard]] std::vector<std::pair<std::string, JsonReader>> members() const;  // of an object whose keys are names
 
   [[nodiscard]] bool is_array() const { return value_->is_array(); }
+  [[nodiscard]] bool is_boolean() const { return value_->is_boolean(); }
+  [[nodiscard]] bool boolean() const;
   [[nodiscard]] bool is_text() const { return value_->is_string(); }
   [[nodiscard]] std::string text() const;
   [[nodiscard]] std::string one_of(const std::vector<std::string_view>& words) const;
   [[nodiscard]] double number(double least, double most, std::string_view expected) const;
+  /// An angle; one that is a multiple of pi / 12 to four digits is taken for radians, and refused.
+  [[nodiscard]] double degrees(double least, double most) const;
   [[nodiscard]] float finite() const;
   [[nodiscard]] float positive() const;
   [[nodiscard]] int integer(int least, int most) const;
-  [[nodiscard]] bool boolean() const;
   [[nodiscard]] Eigen::Vector3f vector() const;                         // three numbers
   [[nodiscard]] Eigen::Vector3f vector(float least, float most) const;  // within limits
 

@@ -27,10 +27,9 @@ Eigen::Vector3d read_direction(const JsonReader& reader) {
     return direction.normalized();
   }
   reader.allow({"elevation", "azimuth"});
-  const double elevation =
-      kDegree * reader.at("elevation").number(-90.0, 90.0, "degrees from -90 to 90 above the horizon");
+  const double elevation = kDegree * reader.at("elevation").degrees(-90.0, 90.0);
   const auto given = reader.find("azimuth");
-  const double azimuth = given ? kDegree * given->number(-360.0, 360.0, "degrees from -360 to 360") : 0.0;
+  const double azimuth = given ? kDegree * given->degrees(-360.0, 360.0) : 0.0;
   return {std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth), std::sin(elevation)};
 }
 
@@ -77,7 +76,7 @@ void read_cap(const JsonReader& reader, LightSpec& light) {
   reader.allow({"type", "direction", "half_angle", "radiance", "irradiance", "rotate", "window"});
   light.type = LightType::kCap;
   light.direction = read_direction(reader.at("direction"));
-  const double degrees = reader.at("half_angle").number(kLeastHalfAngle, 180.0, "degrees from 1e-9 to 180");
+  const double degrees = reader.at("half_angle").degrees(kLeastHalfAngle, 180.0);
   light.one_minus_cos = numeric::one_minus_cos(kDegree * degrees);
   read_cap_strength(reader, light);
 }
@@ -131,23 +130,6 @@ void read_sky(const JsonReader& reader, const std::string& type, LightSpec& ligh
   read_radiance(reader, light);
 }
 
-ImageMapping read_mapping(const JsonReader& reader) {
-  return mapping_named(reader.one_of(
-      {kMappingNames[0], kMappingNames[1], kMappingNames[2], kMappingNames[3], kMappingNames[4], kMappingNames[5]}));
-}
-
-void read_environment(const JsonReader& reader, const std::string& folder, LightSpec& light) {
-  reader.allow({"type", "file", "mapping", "scale", "rotate", "window"});
-  light.type = LightType::kEnvironment;
-  light.file = beside(folder, reader.at("file").text());
-  if (const auto mapping = reader.find("mapping")) {
-    light.mapping = read_mapping(*mapping);
-  }
-  if (const auto scale = reader.find("scale")) {
-    light.scale = scale->positive();
-  }
-}
-
 void read_uniform(const JsonReader& reader, const std::string& type, LightSpec& light) {
   reader.allow({"type", "radiance", "rotate", "window"});
   light.type = type == "constant" ? LightType::kConstant : LightType::kCieOvercast;
@@ -158,7 +140,8 @@ void read_uniform(const JsonReader& reader, const std::string& type, LightSpec& 
 
 LightSpec read_light(const JsonReader& reader, const std::string& folder) {
   reader.allow({"type", "radiance", "irradiance", "direction", "half_angle", "position", "radius", "from", "corners",
-                "sky", "sun", "file", "mapping", "scale", "rotate", "window"});
+                "sky", "sun", "file", "mapping", "color_space", "scale", "exposure", "extract_sun", "rotate",
+                "window"});
   LightSpec light;
   const std::string type =
       reader.at("type").one_of({"constant", "cie_overcast", "cie_clear", "cie_partly_cloudy", "cie_sky", "directional",

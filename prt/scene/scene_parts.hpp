@@ -47,6 +47,8 @@ void check_material_names(const JsonReader& mesh, const std::vector<std::string>
 Ground read_ground(const JsonReader& reader, const Mesh& mesh);
 /// One entry of `lights`; what it names is not loaded yet.
 LightSpec read_light(const JsonReader& reader, const std::string& folder);
+/// Its part for pictures.
+void read_environment(const JsonReader& reader, const std::string& folder, LightSpec& light);
 /// "auto", a kind's name, or {"type", "width" | "lambda" | "strength", "power", "keep"}; without its number, the least.
 WindowChoice read_window(const JsonReader& reader);
 Camera read_camera(const JsonReader& reader, const Camera& otherwise);

@@ -285,5 +285,26 @@ TEST(Lights, OfEveryKindTurnAsTheirRadianceDoesAndAddUp) {
             1e-13);
 }
 
+TEST(Skies, DoublingTheNodesMovesNoCoefficient) {
+  double worst = 0.0;
+  int worst_type = 0;
+  double worst_elevation = 0.0;
+  for (int type = 1; type <= kSkyTypes; ++type) {
+    for (const double elevation : {0.05, 40.0}) {
+      const Eigen::Vector3d sun(std::cos(kPi / 180.0 * elevation), 0.0, std::sin(kPi / 180.0 * elevation));
+      const Coefficients once = project_sky(type, sun, kMaxDegree);
+      const double error = largest_difference(once, project_sky(type, sun, kMaxDegree, 2)) / once[0];
+      if (error > worst) {
+        worst = error;
+        worst_type = type;
+        worst_elevation = elevation;
+      }
+    }
+  }
+  std::printf("skies with twice the nodes: %.1e of band 0, worst for type %d, sun %g degrees high\n", worst, worst_type,
+              worst_elevation);
+  EXPECT_LT(worst, 4e-9) << worst_type << ' ' << worst_elevation;
+}
+
 }  // namespace
 }  // namespace sh::prt

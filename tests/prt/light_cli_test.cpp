@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "numeric/output/png.hpp"
 #include "tests/prt/image_files.hpp"
 #include "tests/prt/temporary_folder.hpp"
 #include "tests/prt/tool.hpp"
@@ -89,6 +90,50 @@ TEST_F(LightTool, ReconstructRefusesWhatItCannotDraw) {
   expect_refused({"reconstruct", "overcast", "-o", out, "--draw", "fisheye"}, "--draw");
   expect_refused({"reconstruct", "overcast", "-o", folder.file("no/x.png")}, "cannot write");
   EXPECT_FALSE(std::filesystem::exists(out));
+}
+
+TEST_F(LightTool, PicturesOfEightBitsAndTheirSunsAreLights) {
+  std::vector<std::uint8_t> rgb(3 * 64 * 32, 20);
+  for (int k = 0; k < 3; ++k) {
+    rgb[3 * (64 * 10 + 20) + static_cast<std::size_t>(k)] = 255;
+  }
+  output::write_png(folder.file("sky.png"), 64, 32, rgb);
+  const std::string with_sun = R"({"type": "environment", "file": "sky.png", "extract_sun": true, "exposure": 2})";
+  const Finished run = run_prt({"project", lights(with_sun)});
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_NE(run.err.find("sky.png: sun at elevation"), std::string::npos) << run.err;
+  const auto split = nlohmann::json::parse(run.out);
+  EXPECT_GT(split["suns"][0]["share_of_picture"].get<double>(), 0.05);
+  const Finished scaled = run_prt({"project", lights(R"({"type": "environment", "file": "sky.png", "scale": 4})")});
+  const auto whole = nlohmann::json::parse(scaled.out);
+  EXPECT_NEAR(split["coefficients"][0][0].get<double>() / whole["coefficients"][0][0].get<double>(), 1.0, 1e-6);
+  const Finished none =
+      run_prt({"project", lights(R"({"type": "environment", "file": "sky.png", "extract_sun": {"contrast": 1e6}})")});
+  EXPECT_NE(none.err.find("no sun: the brightest place is"), std::string::npos) << none.err;
+}
+
+TEST_F(LightTool, LightsThatContradictThemselvesAreRefused) {
+  output::write_png(folder.file("square.png"), 8, 8, std::vector<std::uint8_t>(192, 20));
+  expect_refused({"project", folder.file("square.png")}, "square.png: the picture is 8 x 8 pixels");
+  expect_refused({"project", lights(R"({"type": "environment", "file": "square.png", "mapping": "vertical_cross"})")},
+                 "needs 3:4");
+  expect_refused({"project", lights(R"({"type": "constant", "extract_sun": true})")}, "lights.json: /extract_sun");
+  expect_refused({"project", lights(R"({"type": "cap", "direction": [0, 0, 1], "half_angle": 3, "radiance": [1, 1, 1],
+                                        "irradiance": [1, 1, 1]})")},
+                 "either `radiance` or `irradiance`");
+  expect_refused({"project", lights(R"({"type": "environment", "file": "square.png", "exposure": 100})")},
+                 "stops from -64 to 64");
+  expect_refused({"project", lights(R"({"type": "environment", "file": "square.png", "color_space": "gamma"})")},
+                 "expected one of linear, srgb");
+}
+
+TEST_F(LightTool, AnglesInRadiansAreRefusedWithAHint) {
+  expect_refused({"project", lights(R"({"type": "cap", "direction": [0, 0, 1], "half_angle": 0.7854})")},
+                 "looks like 3/12 pi radians, which are 45 degrees");
+  expect_refused({"project", lights(R"({"type": "cie_clear", "sun": {"elevation": 1.0472}})")}, "60 degrees");
+  expect_refused({"project", lights(R"({"type": "cie_clear", "sun": {"elevation": 100}})")}, "degrees from -90 to 90");
+  expect_refused({"project", lights(R"({"type": "cap", "direction": [0, 0, 1], "half_angle": 200})")},
+                 "degrees from 1e-09 to 180");
 }
 
 }  // namespace

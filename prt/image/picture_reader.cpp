@@ -1,0 +1,94 @@
+// 8-bit pictures, PNG by libpng and JPEG by libjpeg-turbo: prt/image/image_io.hpp.
+#include <fmt/format.h>
+#include <png.h>
+#include <turbojpeg.h>
+
+#include <array>
+#include <memory>
+#include <stdexcept>
+
+#include "prt/image/image_io.hpp"
+#include "prt/image/srgb.hpp"
+
+namespace sh::prt {
+namespace {
+
+/// The linear value of each byte.
+std::array<float, 256> table_for(ColorSpace space) {
+  std::array<float, 256> table{};
+  for (std::size_t byte = 0; byte < table.size(); ++byte) {
+    const double value = static_cast<double>(byte) / 255.0;
+    table[byte] = static_cast<float>(space == ColorSpace::kLinear ? value : srgb_decode(value));
+  }
+  return table;
+}
+
+/// `channels` bytes a pixel, the first three red, green, blue.
+Image linear_image(int width, int height, const std::vector<unsigned char>& bytes, std::size_t channels,
+                   ColorSpace space) {
+  const std::array<float, 256> table = table_for(space);
+  Image image{width, height, {}, 0};
+  image.pixels.reserve(bytes.size() / channels);
+  for (std::size_t i = 0; i + channels <= bytes.size(); i += channels) {
+    image.pixels.emplace_back(table[bytes[i]], table[bytes[i + 1]], table[bytes[i + 2]]);
+  }
+  return image;
+}
+
+[[noreturn]] void refuse(const std::string& file, const std::string& why) {
+  throw std::runtime_error(fmt::format("{}: cannot be read: {}", file, why));
+}
+
+void report_alpha(const std::string& file, const std::vector<unsigned char>& rgba, OnFlaw on_flaw) {
+  std::size_t clear = 0;
+  for (std::size_t i = 3; i < rgba.size(); i += 4) {
+    clear += rgba[i] != 255 ? 1 : 0;
+  }
+  if (clear > 0) {
+    report_flaw(on_flaw,
+                fmt::format("{}: {} of {} pixels are not opaque (alpha is ignored)", file, clear, rgba.size() / 4));
+  }
+}
+
+}  // namespace
+
+Image read_png(const std::string& file, std::string_view bytes, ColorSpace space, OnFlaw on_flaw) {
+  png_image png{};
+  png.version = PNG_IMAGE_VERSION;
+  const std::unique_ptr<png_image, decltype(&png_image_free)> closer(&png, &png_image_free);
+  if (png_image_begin_read_from_memory(&png, bytes.data(), bytes.size()) == 0) {
+    refuse(file, png.message);
+  }
+  require_sane_size(file, png.width, png.height);
+  if ((png.format & PNG_FORMAT_FLAG_LINEAR) != 0) {
+    refuse(file, "it has 16 bits a channel; 8 bits are needed, or OpenEXR or Radiance .hdr for more");
+  }
+  png.format = PNG_FORMAT_RGBA;
+  std::vector<unsigned char> rgba(PNG_IMAGE_SIZE(png));
+  if (png_image_finish_read(&png, nullptr, rgba.data(), 0, nullptr) == 0 || png.warning_or_error != 0) {
+    refuse(file, png.message);
+  }
+  report_alpha(file, rgba, on_flaw);
+  return linear_image(static_cast<int>(png.width), static_cast<int>(png.height), rgba, 4, space);
+}
+
+Image read_jpeg(const std::string& file, std::string_view bytes, ColorSpace space) {
+  const std::unique_ptr<void, decltype(&tjDestroy)> decoder(tjInitDecompress(), &tjDestroy);
+  const auto* data = reinterpret_cast<const unsigned char*>(bytes.data());
+  int width = 0;
+  int height = 0;
+  int chroma = 0;
+  int colours = 0;
+  if (tjDecompressHeader3(decoder.get(), data, bytes.size(), &width, &height, &chroma, &colours) != 0) {
+    refuse(file, tjGetErrorStr2(decoder.get()));
+  }
+  require_sane_size(file, width, height);
+  std::vector<unsigned char> rgb(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  constexpr int kFlags = TJFLAG_ACCURATEDCT | TJFLAG_STOPONWARNING | TJFLAG_LIMITSCANS;  // a cut file is refused
+  if (tjDecompress2(decoder.get(), data, bytes.size(), rgb.data(), width, 0, height, TJPF_RGB, kFlags) != 0) {
+    refuse(file, tjGetErrorStr2(decoder.get()));
+  }
+  return linear_image(width, height, rgb, 3, space);
+}
+
+}  // namespace sh::prt

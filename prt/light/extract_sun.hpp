@@ -1,0 +1,46 @@
+// The sun of a picture becomes an analytic cap, what is around it goes on behind it, and the rest is projected as
+// before. In: a picture and its mapping. Out: a direction, a half-angle, a radiance, and the picture without its sun.
+// Per channel, radiance times solid angle of cap and rest is that of the picture, to rounding.
+//   region   from the brightest pixel over the sphere, all that are joined to it and brighter than `threshold` of it
+//            (luminance), and the pixels around those, which the edge of the disc crosses
+//   level    the mean of the pixels around the region: what would be seen without a sun; the region is cut down to it
+//   cap      direction: the centroid of what was cut off; solid angle: its luminance over the peak, so that a disc of
+//            even radiance is found again with edges that run through pixels; radiance: what was cut off over that
+#pragma once
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+
+#include "prt/image/image.hpp"
+#include "prt/image/image_mapping.hpp"
+
+namespace sh::prt {
+
+struct SunOptions {
+  double threshold = 0.1;    // of the peak, 0..1
+  double contrast = 10.0;    // the least a sun's peak is over the level around it
+  double half_angle = 10.0;  // degrees; the largest a sun is
+};
+
+struct ExtractedSun {
+  Eigen::Vector3d direction;   // unit
+  double one_minus_cos = 0.0;  // of the half-angle
+  Eigen::Vector3d radiance;    // linear RGB, in the picture's unit
+  double energy_share = 0.0;   // of the luminance over the sphere
+  std::size_t pixels = 0;      // of the region
+  Image rest;
+};
+
+/// The sun, or why there is none, such as `the brightest place is 2.1 times its surroundings; a sun is 10 times`.
+struct SunSearch {
+  std::optional<ExtractedSun> sun;
+  std::string why_none;
+};
+
+SunSearch extract_sun(const Image& image, ImageMapping mapping, const SunOptions& options = {});
+
+/// `sun at elevation 31.2, azimuth -12.5 degrees, half-angle 0.27 degrees, radiance 4e+04 4e+04 3.8e+04, 61 % of the
+/// picture's light, 9 pixels`.
+std::string describe(const ExtractedSun& sun);
+
+}  // namespace sh::prt
