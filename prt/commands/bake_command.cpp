@@ -6,17 +6,14 @@
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <optional>
 
 #include "prt/bake/bake.hpp"
 #include "prt/bake/budget.hpp"
 #include "prt/bake/estimate.hpp"
 #include "prt/commands/commands.hpp"
-#include "prt/light/light_coefficients.hpp"
 #include "prt/plan/plan.hpp"
 #include "prt/scene/scene.hpp"
 #include "prt/transfer/transfer_file.hpp"
-#include "prt/transfer/transfer_names.hpp"
 
 namespace sh::prt {
 namespace {
@@ -24,11 +21,7 @@ namespace {
 struct Options {
   std::string scene;
   std::string output;
-  std::optional<int> degree;  // these five override the scene's
-  std::optional<int> directions;
-  std::string sampler;
-  std::optional<std::uint32_t> seed;
-  std::string kind;
+  BakeOverrides bake;
   std::string instruction_set;
   int threads = 0;
   std::size_t bounce_memory = 4096;  // MiB
@@ -41,17 +34,6 @@ struct Options {
   bool only_estimate = false;
   std::optional<double> budget_seconds;
 };
-
-void override_bake(const Options& options, BakeOptions& bake) {
-  bake.degree = options.degree.value_or(bake.degree);
-  bake.directions = options.directions.value_or(bake.directions);
-  bake.sampler = sampler_called(options.sampler).value_or(bake.sampler);
-  bake.seed = options.seed.value_or(bake.seed);
-  if (!options.kind.empty()) {
-    bake.kind = kind_called(options.kind);
-  }
-  require_degree(bake.degree);
-}
 
 void report_bounces(const BounceReport& bounces) {
   fmt::print(stderr,
@@ -145,7 +127,7 @@ void run(const Options& options) {
   }
   BakeSettings settings = settings_of(options);
   Scene scene = load_scene(options.scene, settings.on_flaw);
-  override_bake(options, scene.bake);
+  options.bake.apply_to(scene.bake);
   Plan plan = make_plan(scene, options.plan.applied_to(scene.plan), settings);
   const BakeOptions wanted = plan.bake;
   if (wanted.kind != TransferKind::kUnshadowed) {
@@ -203,15 +185,7 @@ void add_bake_command(CLI::App& tool) {
   command->add_option("SCENE", options->scene, "a scene's JSON file, or `demo`, the embedded scene")->required();
   auto* output = command->add_option("-o,--output", options->output, "transfer file to write");
   command->add_flag("--estimate", options->only_estimate, "print time and memory that it would take, as JSON");
-  command->add_option("--degree", options->degree, "0 to 10, instead of the scene's");
-  command->add_option("--directions", options->directions,
-                      "rays a vertex over the whole sphere, instead of the scene's");
-  command->add_option("--sampler", options->sampler, "how the directions are chosen, instead of the scene's")
-      ->check(CLI::IsMember(std::vector<std::string>(kSamplerNames.begin(), kSamplerNames.end())));
-  command->add_option("--seed", options->seed, "of all samplers but fibonacci, instead of the scene's")
-      ->check(CLI::Range(0, kMaxSeed));
-  command->add_option("--kind", options->kind, "unshadowed, shadowed or interreflected, instead of the scene's")
-      ->check(CLI::IsMember({"unshadowed", "shadowed", "interreflected"}));
+  options->bake.add_to(*command);
   command
       ->add_option("--bounce-memory", options->bounce_memory,
                    "MiB for what rays hit; what does not fit is traced again for each bounce, with the same result")

@@ -58,6 +58,19 @@ struct LightOptions {
   [[nodiscard]] OnFlaw on_flaw() const { return strict ? OnFlaw::kRefuse : OnFlaw::kMend; }
 };
 
+/// What replaces the scene's `bake`.
+struct BakeOverrides {
+  std::optional<int> degree;
+  std::optional<int> directions;
+  std::string sampler;
+  std::optional<std::uint32_t> seed;
+  std::string kind;
+
+  void add_to(CLI::App& command);
+  /// Throws std::invalid_argument for a degree that there is not.
+  void apply_to(BakeOptions& bake) const;
+};
+
 /// What commands that plan take: all in place of what the scene says.
 struct PlanArguments {
   std::string mode;  // none, exact, lossy; empty: the scene's

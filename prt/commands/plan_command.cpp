@@ -11,6 +11,7 @@ namespace {
 
 struct Options {
   std::string scene;
+  BakeOverrides bake;
   PlanArguments plan;
   bool json = false;
   int threads = 0;
@@ -18,7 +19,8 @@ struct Options {
 
 void run(const Options& options) {
   const Stopwatch stopwatch;
-  const Scene scene = load_scene(options.scene, OnFlaw::kMend);
+  Scene scene = load_scene(options.scene, OnFlaw::kMend);
+  options.bake.apply_to(scene.bake);
   PlanOptions wanted = options.plan.applied_to(scene.plan);
   if (options.plan.mode.empty()) {
     wanted.mode = PlanMode::kLossy;
@@ -60,6 +62,7 @@ void add_plan_command(CLI::App& tool) {
   auto options = std::make_shared<Options>();
   CLI::App* command = tool.add_subcommand("plan", "say what a bake of a scene can leave out, and what that costs");
   command->add_option("SCENE", options->scene, "a scene's JSON file, or `demo`, the embedded scene")->required();
+  options->bake.add_to(*command);
   options->plan.add_to(*command);
   command->add_flag("--json", options->json, "for programs");
   command->add_option("--threads", options->threads, "0: every core")->capture_default_str();
