@@ -15,6 +15,7 @@ void add_commands(CLI::App& tool) {
   sh::prt::add_bake_command(tool);
   sh::prt::add_relight_command(tool);
   sh::prt::add_render_command(tool);
+  sh::prt::add_shader_command(tool);
   sh::prt::add_info_command(tool);
   sh::prt::add_project_command(tool);
   sh::prt::add_plan_command(tool);
@@ -37,10 +38,11 @@ int run(int argc, char** argv) {
     if (!tool.get_subcommands().empty()) {
       throw;
     }
-    std::fprintf(stderr,
-                 "prt: `%s` is no command; bake, relight, render, info, project, reconstruct, plan, study and compare "
-                 "are\n",
-                 argc > 1 ? argv[1] : "");
+    std::fprintf(
+        stderr,
+        "prt: `%s` is no command; bake, relight, render, shader, info, project, reconstruct, plan, study and compare "
+        "are\n",
+        argc > 1 ? argv[1] : "");
     return 2;
   }
 }

@@ -1,0 +1,50 @@
+// `prt shader --kind DS --degree 4 > relight.vert`: a vertex shader that relights, complete.
+#include <iostream>
+#include <memory>
+#include <stdexcept>
+
+#include "prt/commands/commands.hpp"
+#include "prt/runtime/vertex_shader.hpp"
+#include "prt/transfer/transfer_names.hpp"
+
+namespace sh::prt {
+namespace {
+
+struct Options {
+  std::string kind = "DS";
+  int degree = 4;
+  bool white = false;
+  std::string language = "450";
+};
+
+void run(const Options& options) {
+  TransferKind kind = TransferKind::kShadowed;
+  for (const TransferName& name : kTransferNames) {
+    kind = name.file == options.kind ? name.kind : kind;
+  }
+  std::cout << vertex_shader(kind, options.degree, options.white,
+                             options.language == "450" ? ShaderLanguage::kGlsl450 : ShaderLanguage::kEs300)
+            << std::flush;
+  if (!std::cout) {
+    throw std::runtime_error("standard output: cannot write");
+  }
+}
+
+}  // namespace
+
+void add_shader_command(CLI::App& tool) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command =
+      tool.add_subcommand("shader", "print a vertex shader that relights, generated functions included");
+  command->add_option("--kind", options->kind, "DU from normals; DS rows of one channel; DI rows of three")
+      ->check(CLI::IsMember({"DU", "DS", "DI"}))
+      ->capture_default_str();
+  command->add_option("--degree", options->degree, "0 to 10")->capture_default_str();
+  command->add_flag("--white", options->white, "a light with one channel for all colours");
+  command->add_option("--language", options->language, "GLSL 450 (OpenGL 4.5) or GLSL ES 300 (WebGL 2)")
+      ->check(CLI::IsMember({"450", "es300"}))
+      ->capture_default_str();
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace sh::prt

@@ -1,0 +1,47 @@
+// prt/runtime/vertex_shader.hpp
+#include "prt/runtime/vertex_shader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+#include "prt/light/light_coefficients.hpp"
+
+namespace sh::prt {
+namespace {
+
+constexpr std::pair<std::string_view, std::string_view> kTexts[] = {
+#include "shader_texts.inc"
+};
+
+std::string_view text_of(const std::string& file) {
+  return std::find_if(std::begin(kTexts), std::end(kTexts), [&](const auto& text) { return text.first == file; })
+      ->second;
+}
+
+}  // namespace
+
+std::string vertex_shader(TransferKind kind, int degree, bool white, ShaderLanguage language) {
+  require_degree(degree);
+  std::string out = language == ShaderLanguage::kGlsl450 ? "#version 450 core\n" : "#version 300 es\n";
+  out += fmt::format("// `prt shader`: transfer {}, degree {}, {} light.\n",
+                     kind == TransferKind::kUnshadowed ? "unshadowed, from normals"
+                     : kind == TransferKind::kShadowed ? "of one channel"
+                                                       : "with bounces",
+                     degree, white ? "white" : "RGB");
+  out += fmt::format("#define COUNT {}\n{}", coefficient_count(degree), white ? "#define WHITE\n" : "");
+  if (kind != TransferKind::kUnshadowed) {
+    out += fmt::format("#define CHANNELS {}\n", kind == TransferKind::kInterreflected ? 3 : 1);
+    return out.append(text_of("relight_rows.vert"));
+  }
+  const std::string rotate = fmt::format("rotate_l{}", degree);
+  const std::string irradiance = fmt::format("irradiance_evaluate_l{}", degree);
+  out += fmt::format("#define ROTATE {}\n#define IRRADIANCE {}\n", rotate, irradiance);
+  return out.append(text_of(rotate + ".glsl"))
+      .append(text_of(irradiance + ".glsl"))
+      .append(text_of("relight_normals.vert"));
+}
+
+}  // namespace sh::prt
