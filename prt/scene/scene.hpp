@@ -28,13 +28,13 @@ struct Scene {
   std::vector<LightSpec> lights;
   Camera camera;
   BakeOptions bake;
-  PlanOptions plan;  // lossy where the scene has one
+  PlanOptions plan;          // lossy where the scene has one
   std::optional<Disc> disc;  // of the scene `disc`
 };
 
-/// The scene in the JSON file `scene`, or an embedded one for the words `demo` and `disc`. Meshes are loaded, welded and split;
-/// light files are only named. Flaws that can be mended are counted and reported once each through `on_flaw`.
-/// Throws std::runtime_error with one line that names file and JSON path.
+/// The scene in the JSON file `scene`, or an embedded one for the words `demo` and `disc`. Meshes are loaded, welded
+/// and split; light files are only named. Flaws that can be mended are counted and reported once each through
+/// `on_flaw`. Throws std::runtime_error with one line that names file and JSON path.
 Scene load_scene(const std::string& scene, OnFlaw on_flaw);
 
 }  // namespace sh::prt

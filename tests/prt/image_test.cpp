@@ -167,9 +167,9 @@ TEST(Image, MissingEmptyAndForeignFilesAreRefused) {
   write_all(folder.file("empty.hdr"), "");
   expect_refused(folder.file("empty.hdr"), "is empty");
   write_all(folder.file("text.exr"), "not a picture");
-  expect_refused(folder.file("text.exr"), "is not an OpenEXR or Radiance");
-  output::write_png(folder.file("a.png"), 2, 1, std::vector<std::uint8_t>(6, 7));
-  expect_refused(folder.file("a.png"), "is not an OpenEXR or Radiance");
+  expect_refused(folder.file("text.exr"), "is not an OpenEXR, Radiance .hdr, PNG or JPEG picture");
+  write_all(folder.file("a.bmp"), "BM and so on");
+  expect_refused(folder.file("a.bmp"), "is not an OpenEXR, Radiance .hdr, PNG or JPEG picture");
 }
 
 TEST(Image, FilesTruncatedAnywhereAreRefused) {

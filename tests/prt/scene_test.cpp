@@ -193,13 +193,13 @@ TEST_F(SceneFile, RefusesLightsThatCannotBe) {
     return message.rfind(start, 0) == 0 ? message.substr(start.size()) : message;
   };
   EXPECT_EQ(light(R"("type": "cap", "direction": [0, 0, 1], "half_angle": 0)"),
-            "/half_angle: expected degrees from 1e-9 to 180, got 0");
+            "/half_angle: expected degrees from 1e-09 to 180, got 0");
   EXPECT_EQ(light(R"("type": "cap", "direction": [0, 0, 1], "half_angle": 181)"),
-            "/half_angle: expected degrees from 1e-9 to 180, got 181");
+            "/half_angle: expected degrees from 1e-09 to 180, got 181");
   EXPECT_EQ(light(R"("type": "cap", "direction": [0, 0, 0], "half_angle": 1)"),
             "/direction: expected a direction that is not zero, got [0,0,0]");
   EXPECT_EQ(light(R"("type": "cap", "direction": {"elevation": 91}, "half_angle": 1)"),
-            "/direction/elevation: expected degrees from -90 to 90 above the horizon, got 91");
+            "/direction/elevation: expected degrees from -90 to 90, got 91");
   EXPECT_EQ(light(R"("type": "cap", "direction": [0, 0, 1], "half_angle": 1e-9, "irradiance": [1e38, 0, 0])"),
             "/irradiance: expected an irradiance whose radiance stays below 3.4e38, got [1e+38,0,0]");
   EXPECT_EQ(light(R"("type": "cie_clear", "sun": {"elevation": -3})"),

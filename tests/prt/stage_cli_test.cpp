@@ -106,9 +106,9 @@ TEST_F(StageTool, WhatCannotBeDoneIsOneLine) {
   expect_refused({"render", scenes + "stage.json", "-o", folder->file("x.png")}, "floor.transfer: cannot read");
   expect_refused(render({"-o", folder->file("x.webp"), "--fps", "0"}), "0 frames a second");
   expect_refused(render({"-o", folder->file("x.webp"), "--quality", "101"}), "quality 101");
-  expect_refused({"render", folder->file("ball.transfer"), "-o", folder->file("x.webp"), "--width", "20000", "--height",
-                  "1"},
-                 "a side has 1 to 16383");
+  expect_refused(
+      {"render", folder->file("ball.transfer"), "-o", folder->file("x.webp"), "--width", "20000", "--height", "1"},
+      "a side has 1 to 16383");
   expect_refused(render({"-o", folder->file("x.png"), "--turntable", "sun"}), "sun");
   expect_refused(render({"-o", folder->file("x.png"), "--tone", "sepia"}), "sepia");
   expect_refused(render({"-o", folder->file("x.png"), "--fixed-exposure", "0"}), "--fixed-exposure 0");
