@@ -13,10 +13,10 @@
 #include <utility>
 #include <vector>
 
-#include "prt/bake/bake.hpp"
 #include "prt/bake/bounces.hpp"
 #include "prt/bake/shadow_pass.hpp"
 #include "prt/bake/unshadowed.hpp"
+#include "prt/plan/plan.hpp"
 #include "prt/scene/scene.hpp"
 #include "tests/bench/harness.hpp"
 
@@ -143,16 +143,21 @@ void bounces(Table& table) {
   table.ratio("one more bounce", "ms", bounce * kMilli, pass * kMilli, "first pass", kOfFirstPass);
 }
 
+// As `prt bake demo --plan MODE` does, but for its estimate and the file.
+double planned_seconds(PlanMode mode) {
+  return processor_seconds([mode] {
+    const Scene scene = load_scene("demo", OnFlaw::kMend);
+    PlanOptions options = scene.plan;
+    options.mode = mode;
+    sh::bench::keep(bake_planned(scene, make_plan(scene, options)));
+  });
+}
+
 void whole(Table& table) {
-  table.section("The embedded scene as it is", "processor time");
-  const auto baked = [](TransferKind kind) {
-    return processor_seconds([kind] {
-      Scene scene = load_scene("demo", OnFlaw::kMend);
-      scene.bake.kind = kind;
-      sh::bench::keep(bake(scene, {}));
-    });
-  };
-  table.figure("load and bake, shadowed", "s", baked(TransferKind::kShadowed), kWholeSeconds);
+  table.section("The embedded scene as it is, shadowed", "processor time of load, plan and bake");
+  table.figure("plan exact, the default", "s", planned_seconds(PlanMode::kExact), kWholeSeconds);
+  table.figure("plan lossy, error 0.01", "s", planned_seconds(PlanMode::kLossy), kWholeSeconds);
+  table.figure("plan none", "s", planned_seconds(PlanMode::kNone), kWholeSeconds);
 }
 
 }  // namespace
