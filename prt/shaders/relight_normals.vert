@@ -12,6 +12,7 @@ precision highp int;
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 albedo;  // linear RGB
 layout(location = 2) in vec3 normal;  // unit, the object's own axes
+layout(location = 3) in vec3 emitted;  // the file's section of that name; without one disabled, which is 0
 
 // Coefficients of the light's radiance in world axes.
 #ifdef WHITE
@@ -34,7 +35,7 @@ void main() {
     float channel[COUNT];
 #ifdef WHITE
     for (int i = 0; i < COUNT; ++i) channel[i] = light[i];
-    radiance = albedo * exit_over_albedo(channel);
+    radiance = albedo * exit_over_albedo(channel) + emitted;
 #else
     vec3 sum;
     for (int i = 0; i < COUNT; ++i) channel[i] = light[i].r;
@@ -43,7 +44,7 @@ void main() {
     sum.g = exit_over_albedo(channel);
     for (int i = 0; i < COUNT; ++i) channel[i] = light[i].b;
     sum.b = exit_over_albedo(channel);
-    radiance = albedo * sum;
+    radiance = albedo * sum + emitted;
 #endif
     gl_Position = to_clip * vec4(position, 1.0);
 }

@@ -11,6 +11,7 @@ precision highp sampler2D;
 
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 albedo;  // linear RGB; CHANNELS 3 does not read it
+layout(location = 3) in vec3 emitted;  // the section of that name; without one disabled, which is 0
 
 // The file's section `transfer` as it lies: R32F, 2048 wide, number i in column i % 2048 of row i / 2048. Nearest.
 uniform sampler2D transfer;
@@ -38,9 +39,9 @@ void main() {
         sum += t * light[i];
     }
 #if CHANNELS == 3
-    radiance = sum;
+    radiance = sum + emitted;
 #else
-    radiance = albedo * sum;
+    radiance = albedo * sum + emitted;
 #endif
     gl_Position = to_clip * vec4(position, 1.0);
 }

@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstring>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -251,6 +253,27 @@ TEST_F(Tool, RelightTakesFewerBandsWhiteLightAndOtherAlbedo) {
   expect_refused(with({"--degree", "3"}), "--degree 3: the transfer has degrees 0 to 2");
   expect_refused(with({"--recolor", "1", "2", "0"}), "--recolor 2: an albedo is from 0 to 1");
   expect_refused(with({"--recolor", "1"}), "--recolor");
+}
+
+TEST_F(Tool, RelightWritesTheLightOfTheSurfacesThemselvesWhateverTheLight) {
+  const std::string scene = folder->file("lamp.json");
+  const std::string file = folder->file("lamp.transfer");
+  write_all(scene, R"({"meshes": [{"primitive": "box", "albedo": [0, 0, 0], "emission": [1, 2, 3]}],
+                       "bake": {"degree": 2, "directions": 64}})");
+  for (const Arguments& more :
+       {Arguments{"--kind", "unshadowed"}, {"--kind", "interreflected"}, {"--kind", "shadowed"}}) {
+    Arguments bake{"bake", scene, "-o", file};
+    bake.insert(bake.end(), more.begin(), more.end());
+    ASSERT_EQ(run_prt(bake).status, 0);
+    for (const char* way : {"--white", "--degree=1"}) {
+      const Finished run = run_prt({"relight", file, "--light", "constant", way, "-o", folder->file("lamp.ply")});
+      EXPECT_NE(run.err.find("mean exit radiance 1 2 3"), std::string::npos) << more.back() << run.err;
+      std::array<float, 9> first{};  // position, normal, colour of a vertex
+      const std::string ply = read_all(folder->file("lamp.ply"));
+      std::memcpy(first.data(), &ply.at(ply.find("end_header\n") + 11), sizeof first);
+      EXPECT_EQ(std::vector(first.begin() + 6, first.end()), (std::vector<float>{1.0F, 2.0F, 3.0F}));
+    }
+  }
 }
 
 TEST_F(Tool, RenderWritesOnePictureOrNumberedFrames) {

@@ -98,6 +98,7 @@ std::vector<Eigen::Vector3f> run(const Transfer& transfer, const LightCoefficien
   set_attribute(0, transfer.mesh.positions);
   set_attribute(1, transfer.mesh.albedo);
   set_attribute(2, transfer.mesh.normals);
+  if (!transfer.emitted.empty()) set_attribute(3, transfer.emitted);
   set_transfer(transfer.coefficients);
   set_light(program, light, white);
   const Eigen::Matrix<float, 3, 3, Eigen::RowMajor> rows = turn.cast<float>();
@@ -155,6 +156,18 @@ TEST_P(VertexShader, OfNormalsTurnsTheLightAndGivesWhatUnshadowedTransferGives) 
     const LightCoefficients light = random_light(degree, 2);
     expect_close(run(transfer, light, false, turn, GetParam()), relight(transfer, turned(light, turn)));
     expect_close(run(transfer, white(light), true, turn, GetParam()), relight(transfer, turned(white(light), turn)));
+  }
+}
+
+TEST_P(VertexShader, AddsTheLightOfTheSurfacesThemselves) {
+  for (const TransferKind kind : {TransferKind::kUnshadowed, TransferKind::kShadowed, TransferKind::kInterreflected}) {
+    Transfer transfer = baked(kind, 2);
+    transfer.emitted.assign(transfer.mesh.positions.size(), {0.5F, 1.0F, 2.0F});
+    transfer.emitted.front().setZero();
+    const Eigen::Matrix3d at_rest = Eigen::Matrix3d::Identity();
+    const LightCoefficients light = random_light(2, 3);
+    expect_close(run(transfer, light, false, at_rest, GetParam()), relight(transfer, light));
+    expect_close(run(transfer, white(light), true, at_rest, GetParam()), relight(transfer, white(light)));
   }
 }
 

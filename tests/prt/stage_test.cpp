@@ -72,6 +72,32 @@ TEST(Stage, OneObjectAtRestHasTheBitsOfThePlainRelight) {
   }
 }
 
+TEST(Stage, KeepsTheLightOfTheSurfacesThemselvesHoweverItMovesAndMirrors) {
+  Mesh mesh = test::primitive_mesh("torus", 12);
+  mesh.emission.assign(mesh.positions.size(), {0.5F, 1.0F, 2.0F});
+  const LightCoefficients light = random_light(3, 2);
+  const LightCoefficients dark = LightCoefficients::zero(3);
+  for (const TransferKind kind : {TransferKind::kUnshadowed, TransferKind::kShadowed, TransferKind::kInterreflected}) {
+    const Transfer transfer = baked(mesh, 3, kind);
+    ASSERT_EQ(transfer.emitted.size(), mesh.positions.size());
+    Stage stage = stage_of(transfer);
+    EXPECT_EQ(relit(stage, light), relight(transfer, light));
+    stage.objects.front().motion.keys.front().degrees = 77.0;
+    EXPECT_EQ(relit(stage, dark), transfer.emitted);
+    stage.objects.front().per_vertex = kind != TransferKind::kInterreflected;
+    EXPECT_EQ(relit(stage, dark), transfer.emitted);
+  }
+  Mesh mirror = plate(1.0F);
+  mirror.mirror.assign(mirror.positions.size(), Eigen::Vector3f::Constant(0.5F));
+  Stage stage;
+  add(stage, mesh, 1, Eigen::Vector3d::Zero());
+  add(stage, mirror, 1, {5.0, 0.0, 0.0});
+  const Mesh merged = merged_mesh(stage, poses_at(stage, 0.0));
+  ASSERT_EQ(merged.mirror.size(), merged.positions.size());
+  EXPECT_EQ(merged.mirror.front().x(), 0.0F);
+  EXPECT_EQ(merged.mirror.back().x(), 0.5F);
+}
+
 TEST(Stage, ATurnedObjectLooksLikeOneThatWasBakedTurned) {  // rotating the light back = rotating the object
   const Mesh mesh = test::primitive_mesh("cone", 12);
   Stage stage;

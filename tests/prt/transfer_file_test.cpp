@@ -70,6 +70,22 @@ TEST_F(TransferFile, KeepsLightOfItsOwnInASectionThatIsAbsentOtherwise) {
   EXPECT_NE(message_of([&] { write_transfer(file_, written); }), "");
 }
 
+TEST_F(TransferFile, KeepsLightOfItsOwnAndMirrorsWholeHoweverCoefficientsAreStored) {
+  Transfer written = small_transfer();
+  const std::size_t vertices = written.mesh.positions.size();
+  written.emitted.assign(vertices, {0.1F, 3.3F, 7.0F});
+  written.mesh.mirror.assign(vertices, {0.3F, 0.7F, 1.0F});
+  for (const Element element : {Element::kSingle, Element::kHalf, Element::kByte}) {
+    written.storage.element = element;
+    written.storage.kept = {0, 2};
+    write_transfer(file_, written);
+    const Transfer read = read_transfer(file_);
+    EXPECT_EQ(read.storage.kept, written.storage.kept);
+    EXPECT_EQ(read.emitted, written.emitted);
+    EXPECT_EQ(read.mesh.mirror, written.mesh.mirror);
+  }
+}
+
 // The file with its section table changed by `change`, checksums made good.
 std::string with_table(std::string bytes, const std::function<void(std::vector<layout::Section>&)>& change) {
   layout::Prologue prologue;
