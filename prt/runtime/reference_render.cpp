@@ -32,6 +32,7 @@ struct SurfacePoint {
   Eigen::Vector3f normal;            // shading, unit
   Eigen::Vector3f geometric_normal;  // of the face, unit
   Eigen::Vector3f albedo;
+  Eigen::Vector3f emission;
 };
 
 SurfacePoint surface_point(const Mesh& mesh, const Hit& hit) {
@@ -39,7 +40,8 @@ SurfacePoint surface_point(const Mesh& mesh, const Hit& hit) {
   const Eigen::Vector3f& a = mesh.positions[face[0]];
   const Eigen::Vector3f across = (mesh.positions[face[1]] - a).cross(mesh.positions[face[2]] - a);
   return {interpolated(hit, mesh, mesh.positions), interpolated(hit, mesh, mesh.normals).normalized(),
-          across.normalized(), interpolated(hit, mesh, mesh.albedo)};
+          across.normalized(), interpolated(hit, mesh, mesh.albedo),
+          mesh.emission.empty() ? Eigen::Vector3f(Eigen::Vector3f::Zero()) : interpolated(hit, mesh, mesh.emission)};
 }
 
 /// The directions above both horizons that reach the sky, weighted by the cosine.
@@ -63,7 +65,7 @@ Eigen::Vector3f exit_radiance(const SurfacePoint& point, const Tracer& tracer, c
     }
   }
   const double factor = 4.0 / static_cast<double>(samples.directions.size());  // 4 pi / count, over pi
-  return point.albedo.cwiseProduct((factor * sum).cast<float>());
+  return point.emission + point.albedo.cwiseProduct((factor * sum).cast<float>());
 }
 
 /// 1e-4 of the mesh's extent keeps a shadow ray off the face it starts from.
@@ -84,6 +86,9 @@ Picture reference_render(const Mesh& mesh, const Tracer& tracer, const LightCoef
   require_picture_size(size);
   if (size.samples != 1) {
     throw std::invalid_argument("reference_render takes one sample a pixel");
+  }
+  if (!mesh.mirror.empty()) {
+    throw std::invalid_argument("reference_render does not follow mirrors; a mesh without is needed");
   }
   const LightSamples samples = sample_light(light, directions);
   const float offset = ray_offset(mesh);

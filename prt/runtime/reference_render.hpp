@@ -1,6 +1,6 @@
 // The slow, obvious picture of a scene under an SH light, to compare baked ones with: no transfer vectors, no vertices.
 // At every pixel's centre the hit point's incident light is summed over its own hemisphere of directions,
-//   exit radiance = albedo / pi * sum over unoccluded directions of L(s) max(0, n.s) * solid angle,
+//   exit radiance = emission + albedo / pi * sum over unoccluded directions of L(s) max(0, n.s) * solid angle,
 // with L(s) the band-limited light at full precision, n the interpolated shading normal, and occlusion by rays.
 #pragma once
 #include <cstdint>
@@ -11,7 +11,8 @@
 namespace sh::prt {
 
 /// `directions` (over the whole sphere) are the same Fibonacci points for every pixel. Pixels that hit nothing are
-/// black and have coverage 0. `size.samples` must be 1. The same bits for any number of threads.
+/// black and have coverage 0. `size.samples` must be 1 and the mesh without mirrors, which it does not follow, else it
+/// throws std::invalid_argument. The same bits for any number of threads.
 Picture reference_render(const Mesh& mesh, const Tracer& tracer, const LightCoefficients& light, const Camera& camera,
                          const PictureSize& size, int directions);
 

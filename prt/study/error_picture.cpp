@@ -13,7 +13,9 @@ std::string error_picture(const Mesh& mesh, const Tracer& tracer, const std::vec
     places.push_back(Eigen::Vector3f::Constant(error_place(static_cast<double>(error))));
   }
   const Background nothing = [](const Eigen::Vector3f& /*direction*/) { return Eigen::Vector3f::Zero().eval(); };
-  const Picture picture = render(mesh, tracer, places, camera, size, nothing, what);
+  Mesh shown = mesh;
+  shown.mirror.clear();  // errors are those of the vertices themselves
+  const Picture picture = render(shown, tracer, places, camera, size, nothing, what);
   ErrorMap map{picture.width, picture.height, {}, picture.coverage};
   for (std::size_t i = 0; i < picture.radiance.size(); ++i) {
     map.place.push_back(picture.coverage[i] > 0.0F ? picture.radiance[i].x() / picture.coverage[i] : 0.0F);

@@ -23,6 +23,10 @@ void check(const Scene& scene, const StudyOptions& options) {
   if (options.vertices < 1) {
     throw std::invalid_argument("vertices 0: at least one must be studied");
   }
+  if (!scene.mesh.mirror.empty()) {
+    throw std::invalid_argument(
+        fmt::format("{}: has mirrors, which the study does not follow; expected a scene without", scene.name));
+  }
   if (scene.lights.empty()) {
     throw std::invalid_argument(fmt::format("{}: no lights; errors are those of what the lights show", scene.name));
   }

@@ -6,6 +6,7 @@
 //           over the squared distance to the scene's camera, so that a ground that fades into the distance does not
 //           dilute what is looked at.
 //   time    processor time of one thread a vertex, the least of several passes; each pass has another seed.
+// Errors are of what surfaces reflect: their own light is left out. Scenes with mirrors are refused.
 // The references are named in every part; where the scene has a closed answer (prt/study/exact.hpp) the error against
 // that is there too.
 #pragma once
@@ -93,7 +94,7 @@ struct Study {
 };
 
 /// Calls `finished` with all parts so far after each. Shows progress. Throws std::invalid_argument for options out of
-/// range, Interrupted when asked to stop.
+/// range and scenes with mirrors or without lights, Interrupted when asked to stop.
 Study run_study(const Scene& scene, const StudyOptions& options, const std::function<void(const Study&)>& finished);
 
 /// Least-squares slope of log error against log at; none for less than two points with errors above 0. Uses the closed

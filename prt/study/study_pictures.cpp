@@ -27,6 +27,7 @@ Radiances shaded(const Transfer& transfer, const LightCoefficients& light, int d
 
 Transfer shadowed(const StudySetup& setup, int degree, int directions) {
   Scene scene = setup.scene;
+  scene.mesh.emission.clear();  // the lights' error only
   scene.bake.kind = TransferKind::kShadowed;
   scene.bake.degree = degree;
   scene.bake.directions = directions;

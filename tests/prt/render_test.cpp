@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "prt/image/tone_map.hpp"
+#include "prt/mesh/sides.hpp"
 #include "prt/runtime/reference_render.hpp"
 #include "prt/scene/default_camera.hpp"
 #include "tests/prt/temporary_folder.hpp"
@@ -196,6 +197,33 @@ TEST(Reference, ParallelSquareBlocksItsFormFactor) {
   const double a = 1.0 / std::sqrt(2.0);
   const double form_factor = 4.0 / (2.0 * std::numbers::pi) * 2.0 * a * std::atan(a);
   EXPECT_NEAR(static_cast<double>(picture.radiance[0].x()), 1.0 - form_factor, 1e-3);
+}
+
+TEST(Reference, AddsTheLightOfTheSurfacesAndRefusesMirrors) {
+  Mesh mesh;
+  add_square(mesh, 0.0F);
+  mesh.emission.assign(mesh.positions.size(), {1.0F, 2.0F, 3.0F});
+  const Tracer tracer(mesh);
+  const Picture picture = reference_render(mesh, tracer, constant_light(0.0, 0), from_above(), {16, 16, 1}, 64);
+  EXPECT_EQ(picture.radiance[8 * 16 + 8], Eigen::Vector3f(1.0F, 2.0F, 3.0F));
+  mesh.mirror.assign(mesh.positions.size(), Eigen::Vector3f::Ones());
+  EXPECT_THROW((void)reference_render(mesh, tracer, constant_light(0.0, 0), from_above(), {16, 16, 1}, 64),
+               std::invalid_argument);
+}
+
+TEST(Reference, SeesTheBackOfATwoSidedSheetAsASurfaceOfItsOwn) {
+  Mesh mesh;
+  add_square(mesh, 0.0F);
+  add_backs(mesh, std::vector<std::uint8_t>(mesh.faces.size(), 1));
+  const double tilt = std::sqrt(4.0 * std::numbers::pi / 3.0);
+  LightCoefficients light = constant_light(2.0, 1);  // 2 - z: brighter from below
+  for (std::size_t c = 0; c < 3; ++c) light.at(c, 2) = -tilt;
+  Camera below = from_above();
+  below.position.z() = -below.position.z();
+  const Picture front = reference_render(mesh, Tracer(mesh), light, from_above(), {8, 8, 1}, 4096);
+  const Picture back = reference_render(mesh, Tracer(mesh), light, below, {8, 8, 1}, 4096);
+  EXPECT_NEAR(front.radiance[36].x(), 0.5F * (2.0F - 2.0F / 3.0F), 1e-3F);
+  EXPECT_NEAR(back.radiance[36].x(), 0.5F * (2.0F + 2.0F / 3.0F), 1e-3F);
 }
 
 TEST(Reference, DifferenceIsRelativeAndOverCommonPixels) {

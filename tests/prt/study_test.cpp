@@ -253,6 +253,22 @@ TEST(StudyTool, RefusesBadInputInOneLine) {
   expect_refused({"study", "disc", "--out", folder.file("x"), "--most-directions", "600000"}, "262144");
   expect_refused({"study", "disc", "--out", folder.file("x"), "--vertices", "0"}, "--vertices");
   expect_refused({"study", "disc"}, "--out");
+  write_all(folder.file("mirror.json"), R"({"meshes": [{"primitive": "box", "mirror": [0.5, 0.5, 0.5]}]})");
+  expect_refused({"study", folder.file("mirror.json"), "--out", folder.file("x")}, "mirror: has mirrors");
+}
+
+TEST(StudyTool, LeavesTheLightOfTheSurfacesThemselvesOut) {
+  const TemporaryFolder folder;
+  std::vector<nlohmann::json> studies;
+  for (const std::string more : {"", R"(, "emission": [9, 9, 9])"}) {
+    write_all(folder.file("scene.json"), R"({"meshes": [{"primitive": "torus", "segments": 12, "sides": 2)" + more +
+                                             R"(}], "ground": {"max_edge": 1}})");
+    const Finished run = run_prt({"study", folder.file("scene.json"), "--out", folder.file("out"), "--quick",
+                                  "--vertices", "60", "--most-directions", "512"});
+    ASSERT_EQ(run.status, 0) << run.err;
+    drop_times(studies.emplace_back(nlohmann::json::parse(read_all(folder.file("out/study.json")))));
+  }
+  EXPECT_EQ(studies[0], studies[1]);
 }
 
 TEST(CompareTool, SaysHowMuchAndWhereTwoBakesDiffer) {
