@@ -1,12 +1,28 @@
 // prt/commands/subject.hpp
 #include "prt/commands/subject.hpp"
 
+#include <fmt/format.h>
+
 #include <filesystem>
 
 #include "prt/transfer/transfer_file.hpp"
 
 namespace sh::prt {
 namespace {
+
+/// What a limited time left out of a bake: prt/bake/budget.hpp.
+std::string coarseness(const std::string& file, const Transfer& transfer) {
+  std::string line = fmt::format("{}: coarser than was asked for:", file);
+  if (transfer.missing.directions > 0) {
+    line += fmt::format(" {} of {} directions", transfer.directions, transfer.missing.directions);
+  }
+  if (transfer.missing.tolerance > 0.0) {
+    line += fmt::format("{} bounces to {:.2g} of the largest coefficient, not {:.2g}",
+                        transfer.missing.directions > 0 ? "," : "", transfer.bounces.bound / transfer.bounces.largest,
+                        transfer.missing.tolerance);
+  }
+  return line;
+}
 
 bool names_stage(const std::string& file) { return std::filesystem::path(file).extension() == ".json"; }
 
@@ -38,14 +54,24 @@ Subject::Subject(const SubjectOptions& options)
       }()),
       lighting_(
           stage_, [&](int degree) { return project_windowed(lights_, degree, options.light.window); },
-          options.shading) {}
+          options.shading) {
+  for (const StageObject& object : stage_.objects) {
+    if (object.transfer->missing.any()) {
+      tell_once(coarseness(is_stage_ ? object.name : options.file, *object.transfer));
+    }
+  }
+}
+
+void Subject::tell_once(const std::string& line) {
+  if (told_.insert(line).second) {
+    report_flaw(on_flaw_, line);
+  }
+}
 
 std::vector<Pose> Subject::poses_at(double time) {
   std::vector<Pose> poses = sh::prt::poses_at(stage_, time);
   for (const std::string& line : overlaps(stage_, poses)) {
-    if (told_.insert(line).second) {
-      report_flaw(on_flaw_, line);
-    }
+    tell_once(line);
   }
   return poses;
 }

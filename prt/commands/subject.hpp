@@ -23,7 +23,7 @@ struct SubjectOptions {
 class Subject {
  public:
   /// The light and the camera are those the options name, else the stage's. Throws one line naming what cannot be read
-  /// or does not fit.
+  /// or does not fit. Tells of transfer that a limited time left coarser than was asked for.
   explicit Subject(const SubjectOptions& options);
   Subject(const Subject&) = delete;
   Subject& operator=(const Subject&) = delete;
@@ -40,6 +40,8 @@ class Subject {
   }
 
  private:
+  void tell_once(const std::string& line);
+
   bool is_stage_;
   OnFlaw on_flaw_;
   Stage stage_;

@@ -150,6 +150,31 @@ TEST(Tool, BakesWithinABudgetAndSaysWhatIsMissing) {
   EXPECT_TRUE(read_all(out) == whole);
 }
 
+TEST(Tool, WarnsOnceOfAFileThatIsCoarserThanAskedForAndRefusesItWhenStrict) {
+  const TemporaryFolder folder;
+  const std::string file = folder.file("a.transfer");
+  Transfer transfer = bake(room(TransferKind::kInterreflected));
+  const std::vector<std::string> relight = {"relight", file, "--light", "constant", "-o", folder.file("a.ply")};
+  write_transfer(file, transfer);
+  EXPECT_EQ(run_prt(relight).err.find("warning"), std::string::npos);
+  transfer.missing = {4096, 1e-9};
+  write_transfer(file, transfer);
+  const std::string said = "warning: " + file + ": coarser than was asked for: 512 of 4096 directions, bounces to ";
+  EXPECT_NE(run_prt(relight).err.find(said), std::string::npos) << run_prt(relight).err;
+  write_all(folder.file("stage.json"), R"({"objects": [{"transfer": "a.transfer"}, {"transfer": "a.transfer",
+    "position": [50, 0, 0]}]})");
+  const Finished render = run_prt({"render", folder.file("stage.json"), "--width", "32", "--height", "32", "--samples",
+                                   "1", "--light", "constant", "-o", folder.file("a.png")});
+  EXPECT_EQ(render.status, 0);
+  const std::size_t first = render.err.find("a.transfer: coarser");
+  ASSERT_NE(first, std::string::npos) << render.err;
+  EXPECT_EQ(render.err.find("a.transfer: coarser", first + 1), std::string::npos) << render.err;
+  std::vector<std::string> strict = relight;
+  strict.emplace_back("--strict");
+  EXPECT_EQ(run_prt(strict).status, 2);
+  EXPECT_TRUE(nlohmann::json::parse(run_prt({"info", file}).out).at("complete") == false);
+}
+
 TEST(Tool, EstimatesWithoutBaking) {
   const Finished run = run_prt({"bake", "demo", "--estimate", "--kind", "interreflected"});
   ASSERT_EQ(run.status, 0) << run.err;
