@@ -4,6 +4,7 @@
 #include <array>
 
 #include "prt/basis.hpp"
+#include "prt/light/light_coefficients.hpp"
 
 namespace sh::prt {
 
@@ -28,7 +29,7 @@ const std::vector<BlockedRay>& MirrorLight::follow(const Eigen::Vector3f& origin
 }
 
 float MirrorLight::add_sky(int degree, float* transfer) const {
-  const auto count = static_cast<std::size_t>((degree + 1) * (degree + 1));
+  const auto count = coefficient_count(degree);
   std::array<float, kMaxRow> values{};
   double whole = 0.0;
   for (const BlockedRay& ray : sky_) {
