@@ -42,8 +42,9 @@ class Mosaic {
 
   /// Of its centre; none where the picture shows nothing there.
   [[nodiscard]] std::optional<Eigen::Vector3d> direction(std::size_t i) const {
+    const std::size_t row = i / width();
     return mapped_direction(mapping_, (static_cast<double>(i % width()) + 0.5) / image_.width,
-                            (static_cast<double>(i / width()) + 0.5) / image_.height);
+                            (static_cast<double>(row) + 0.5) / image_.height);
   }
 
   /// The pixels around one, on the sphere: across seams, edges and poles too.

@@ -252,6 +252,26 @@ TEST(Plan, RefusesWhatMakesNoSense) {
   EXPECT_EQ(message_of([&] { make_plan(dark, PlanOptions{}); }), "");
 }
 
+TEST(Plan, ChoosesStorageForNumbersThatABakeHasAndForLittleMore) {
+  Scene scene = box_scene("[1, 1, 1]");
+  for (const TransferKind kind : {TransferKind::kUnshadowed, TransferKind::kShadowed, TransferKind::kInterreflected}) {
+    scene.bake.kind = kind;
+    const Plan plan = make_plan(scene, alone("storage", 0.5, LightTurns::kNone));
+    const Transfer transfer = bake_planned(scene, plan);
+    ASSERT_EQ(plan.storage.element, Element::kByte);
+    EXPECT_EQ(transfer.storage.element, Element::kByte);
+    std::vector<float> largest(plan.largest.size(), 0.0F);
+    for (std::size_t i = 0; i < transfer.coefficients.size(); ++i) {
+      float& most = largest[i % largest.size()];
+      most = std::max(most, std::abs(transfer.coefficients[i]));
+    }
+    for (std::size_t i = 0; i < largest.size(); ++i) {
+      EXPECT_LE(largest[i], plan.largest[i]) << i;
+    }
+    EXPECT_GT(largest[0], 0.9F * plan.largest[0]);
+  }
+}
+
 TEST(Plan, GivesWayToHalfWhereANumberDoesNotFit) {
   const Scene scene = box_scene("[0.02, 0.03, 0.01]");
   Plan plan = make_plan(scene, alone("storage", 0.5, LightTurns::kNone));
