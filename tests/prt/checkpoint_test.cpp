@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <cstring>
 #include <filesystem>
 #include <string>
 
@@ -157,6 +158,21 @@ TEST_P(AnyStoppedBake, TracesATornOrChangedPartAgain) {
     EXPECT_GT(report.rays, 0U) << place;
     EXPECT_LT(report.rays, report_.rays) << place;
   }
+}
+
+// The second record's chunk in place of the first's, whose data are as they were.
+TEST_P(AnyStoppedBake, BelievesNoRecordThatNamesAnotherChunk) {
+  constexpr std::size_t kPrologue = 24;
+  constexpr std::size_t kHead = 32;
+  std::uint32_t key = 0;
+  std::uint64_t data = 0;
+  std::memcpy(&key, &whole_part_.at(12), sizeof key);
+  std::memcpy(&data, &whole_part_.at(kPrologue + key + 8), sizeof data);
+  std::string changed = whole_part_;
+  changed.replace(kPrologue + key, 4, whole_part_, kPrologue + key + kHead + data, 4);
+  ASSERT_NE(changed, whole_part_);
+  write_all(part_, changed);
+  EXPECT_TRUE(bake(scene_, with_checkpoint()).coefficients == whole_.coefficients);
 }
 
 INSTANTIATE_TEST_SUITE_P(OfKind, AnyStoppedBake, testing::Values("shadowed", "interreflected"));
