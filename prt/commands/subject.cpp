@@ -38,6 +38,11 @@ void SubjectOptions::add_to(CLI::App& command) {
   command
       .add_option("--recolor", shading.recolour, "R G B: linear albedo instead of the transfer's (not with bounces)")
       ->expected(3);
+  command
+      .add_option("--local", local,
+                  "sample sphere and polygon lights at this many points of the mesh, or at the corners of an "
+                  "`octahedron` around it (not with bounces)")
+      ->excludes("--window");
 }
 
 Subject::Subject(const SubjectOptions& options)
@@ -59,6 +64,9 @@ Subject::Subject(const SubjectOptions& options)
     if (object.transfer->missing.any()) {
       tell_once(coarseness(is_stage_ ? object.name : options.file, *object.transfer));
     }
+  }
+  if (!options.local.empty()) {
+    local_.emplace(options, stage_, is_stage_, lights_);
   }
 }
 

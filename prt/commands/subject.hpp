@@ -1,10 +1,12 @@
 // What `relight` and `render` show: a transfer file, or a stage of several that move, under a light.
 #pragma once
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "prt/commands/commands.hpp"
+#include "prt/runtime/local_relight.hpp"
 #include "prt/runtime/relight_stage.hpp"
 #include "prt/runtime/shading.hpp"
 #include "prt/scene/stage.hpp"
@@ -16,8 +18,26 @@ struct SubjectOptions {
   std::string transfers;  // folder of a stage's transfer files; empty: beside it
   LightOptions light;
   Shading shading;
+  std::string local;  // empty: light is sampled once, where each light says; else a number of points, or octahedron
 
   void add_to(CLI::App& command);
+};
+
+/// Near lights sampled as `--local` says (prt/runtime/local_relight.hpp).
+class LocalLighting {
+ public:
+  /// Stage and lights must outlive it. Throws std::runtime_error, one line, where the option does not fit; tells where
+  /// it changes nothing.
+  LocalLighting(const SubjectOptions& options, const Stage& stage, bool is_stage, const std::vector<Light>& lights);
+
+  /// A near light turns about the point it is described from.
+  [[nodiscard]] std::vector<Eigen::Vector3f> radiance(const Eigen::Matrix3d& light_turn) const;
+
+ private:
+  const Transfer& transfer_;
+  const std::vector<Light>& lights_;
+  Shading shading_;
+  LightSamples samples_;
 };
 
 class Subject {
@@ -36,7 +56,7 @@ class Subject {
   [[nodiscard]] Mesh mesh(const std::vector<Pose>& poses) const { return merged_mesh(stage_, poses); }
   [[nodiscard]] std::vector<Eigen::Vector3f> radiance(const std::vector<Pose>& poses,
                                                       const Eigen::Matrix3d& light_turn) const {
-    return lighting_.radiance(poses, light_turn);
+    return local_ ? local_->radiance(light_turn) : lighting_.radiance(poses, light_turn);
   }
 
  private:
@@ -48,6 +68,7 @@ class Subject {
   std::vector<Camera> camera_;
   std::vector<Light> lights_;
   StageLighting lighting_;
+  std::optional<LocalLighting> local_;
   std::set<std::string> told_;
 };
 

@@ -91,6 +91,8 @@ void read_sphere(const JsonReader& reader, LightSpec& light) {
   if (!(centre.norm() > radius)) {
     position.expected("a position farther than the radius from where the sphere is seen");
   }
+  light.near = NearSphere{centre, radius};
+  light.from = viewpoint(reader).cast<double>();
   light.direction = centre.normalized();
   light.one_minus_cos = sphere_one_minus_cos(radius, centre.norm());
   if (!(light.one_minus_cos > std::numeric_limits<double>::min())) {
@@ -103,6 +105,7 @@ void read_polygon(const JsonReader& reader, LightSpec& light) {
   reader.allow({"type", "corners", "from", "radiance", "rotate", "window"});
   light.type = LightType::kPolygon;
   const Eigen::Vector3d from = viewpoint(reader).cast<double>();
+  light.from = from;
   const JsonReader corners = reader.at("corners");
   for (const JsonReader& corner : corners.items()) {
     light.corners.emplace_back(corner.vector().cast<double>() - from);

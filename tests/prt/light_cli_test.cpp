@@ -136,5 +136,40 @@ TEST_F(LightTool, AnglesInRadiansAreRefusedWithAHint) {
                  "degrees from 1e-09 to 180");
 }
 
+TEST_F(LightTool, LocalLightingChangesWhatANearSphereGives) {
+  const std::string baked = folder.file("a.transfer");
+  const auto bake = [&](const std::string& kind) {
+    return run_prt({"bake", "demo", "-o", baked, "--degree", "2", "--directions", "32", "--kind", kind}).status;
+  };
+  ASSERT_EQ(bake("shadowed"), 0);
+  const std::string sphere = lights(R"({"type": "sphere", "position": [0, 0, 6], "radius": 0.5})");
+  const auto relit = [&](const std::vector<std::string>& more, const std::string& light) {
+    std::vector<std::string> arguments{"relight", baked, "-o", folder.file("a.ply"), "--light", light};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Finished run = run_prt(arguments);
+    EXPECT_EQ(run.status, 0) << run.err;
+    return std::pair(test::read_all(folder.file("a.ply")), run.err);
+  };
+  const std::string local = relit({"--local", "9"}, sphere).first;
+  EXPECT_FALSE(local == relit({}, sphere).first);
+  EXPECT_FALSE(local == relit({"--local", "octahedron"}, sphere).first);
+  EXPECT_TRUE(local == relit({"--local", "9", "--threads", "1"}, sphere).first);
+  EXPECT_NE(relit({"--local", "9"}, "overcast").second.find("it changes nothing"), std::string::npos);
+
+  const auto refused = [&](const std::string& how, const std::string& light, const std::string& why) {
+    expect_refused({"relight", baked, "-o", folder.file("b.ply"), "--local", how, "--light", light}, why);
+  };
+  refused("0", sphere, "--local 0: expected `octahedron` or a number of points from 1 to 64");
+  refused("65", sphere, "--local 65: expected `octahedron`");
+  refused("cube", sphere, "--local cube: expected `octahedron`");
+  refused("9", lights(R"({"type": "sphere", "position": [0, 0, 30], "radius": 29.9})"), "inside a sphere light");
+  expect_refused({"relight", baked, "-o", folder.file("b.ply"), "--local", "4", "--strict"}, "it changes nothing");
+  expect_refused({"render", baked, "-o", folder.file("b.png"), "--local", "4", "--turntable", "object"},
+                 "--turntable object: moves near lights too");
+  ASSERT_EQ(bake("interreflected"), 0);
+  refused("4", sphere, "a.transfer: --local 4: the bake has bounces");
+  EXPECT_FALSE(std::filesystem::exists(folder.file("b.ply")));
+}
+
 }  // namespace
 }  // namespace sh::prt

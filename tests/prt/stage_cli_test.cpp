@@ -103,6 +103,7 @@ TEST_F(StageTool, OverlappingObjectsAreToldOnceAndRefusedWithStrict) {
 }
 
 TEST_F(StageTool, WhatCannotBeDoneIsOneLine) {
+  expect_refused(render({"--local", "4", "-o", folder->file("local.png")}), "a stage takes distant light only");
   expect_refused({"render", scenes + "stage.json", "-o", folder->file("x.png")}, "floor.transfer: cannot read");
   expect_refused(render({"-o", folder->file("x.webp"), "--fps", "0"}), "0 frames a second");
   expect_refused(render({"-o", folder->file("x.webp"), "--quality", "101"}), "quality 101");
