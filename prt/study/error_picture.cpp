@@ -9,8 +9,9 @@ std::string error_picture(const Mesh& mesh, const Tracer& tracer, const std::vec
                           const Camera& camera, const PictureSize& size, const std::string& title,
                           const std::string& what) {
   std::vector<Eigen::Vector3f> places;
+  places.reserve(relative_errors.size());
   for (const float error : relative_errors) {
-    places.push_back(Eigen::Vector3f::Constant(error_place(static_cast<double>(error))));
+    places.emplace_back(Eigen::Vector3f::Constant(error_place(static_cast<double>(error))));
   }
   const Background nothing = [](const Eigen::Vector3f& /*direction*/) { return Eigen::Vector3f::Zero().eval(); };
   Mesh shown = mesh;
