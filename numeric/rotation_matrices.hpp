@@ -93,6 +93,26 @@ std::array<Real, 9> axis_turn(const Real& x, const Real& y, const Real& z, const
   return r;
 }
 
+template <class Number>
+Number determinant(const std::array<Number, 9>& r) {
+  return r[0] * (r[4] * r[8] - r[5] * r[7]) - r[1] * (r[3] * r[8] - r[5] * r[6]) + r[2] * (r[3] * r[7] - r[4] * r[6]);
+}
+
+// The largest entry of |R R^T - 1|.
+template <class Number>
+Number orthogonality_defect(const std::array<Number, 9>& r) {
+  Number largest = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      Number sum = i == k ? -1 : 0;
+      for (std::size_t j = 0; j < 3; ++j) sum += r[3 * i + j] * r[3 * k + j];
+      if (sum < 0) sum = -sum;
+      largest = std::max(largest, sum);
+    }
+  }
+  return largest;
+}
+
 // Rz(alpha) Ry(tilt) Rz(gamma) from the three cosines and sines.
 template <class Real>
 std::array<Real, 9> tilted_turn(const Real& ca, const Real& sa, const Real& cb, const Real& sb, const Real& cg,

@@ -50,23 +50,6 @@ Layout layout_of(const Table& table) {
                   "256, ...) or the bands' own (10, 35, 84, ...), degree 1 to " + std::to_string(kMaxDegree));
 }
 
-// Largest entry of R R^T - 1.
-double defect_of(const std::array<double, 9>& r) {
-  double largest = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      double sum = i == k ? -1 : 0;
-      for (std::size_t n = 0; n < 3; ++n) sum += r[3 * i + n] * r[3 * k + n];
-      largest = std::max(largest, std::abs(sum));
-    }
-  }
-  return largest;
-}
-
-double determinant(const std::array<double, 9>& r) {
-  return r[0] * (r[4] * r[8] - r[5] * r[7]) - r[1] * (r[3] * r[8] - r[5] * r[6]) + r[2] * (r[3] * r[7] - r[4] * r[6]);
-}
-
 std::array<long double, 9> rotation_of(const Table& table, const Row& row) {
   std::array<double, 9> r{};
   std::array<long double, 9> wide{};
@@ -75,7 +58,7 @@ std::array<long double, 9> rotation_of(const Table& table, const Row& row) {
     r[i] = row.cells[i].real();
     wide[i] = r[i];
   }
-  const double defect = defect_of(r);
+  const double defect = orthogonality_defect(r);
   if (!(defect <= kRotationTolerance)) {
     refuse_line(table.file, row.line,
                 "columns 1 to 9 are no rotation: R R^T differs from 1 by " + format(defect) +

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "numeric/reference/decimal.hpp"
+#include "numeric/rotation_matrices.hpp"
 #include "numeric/surd.hpp"
 
 namespace sh::numeric {
@@ -44,26 +45,6 @@ double span(const Decimal& decimal) {
   return decimal.is_zero()
              ? 0
              : static_cast<double>(decimal.digits.size()) + std::abs(static_cast<double>(decimal.exponent));
-}
-
-template <class Number>
-Number determinant(const std::array<Number, 9>& r) {
-  return r[0] * (r[4] * r[8] - r[5] * r[7]) - r[1] * (r[3] * r[8] - r[5] * r[6]) + r[2] * (r[3] * r[7] - r[4] * r[6]);
-}
-
-// The largest entry of |R R^T - 1|.
-template <class Number>
-Number distance_from_orthogonal(const std::array<Number, 9>& r) {
-  Number largest = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      Number sum = i == k ? -1 : 0;
-      for (std::size_t j = 0; j < 3; ++j) sum += r[3 * i + j] * r[3 * k + j];
-      if (sum < 0) sum = -sum;
-      largest = std::max(largest, sum);
-    }
-  }
-  return largest;
 }
 
 // A multiple of the quaternion of a rotation matrix, by the largest of the four ways, in which nothing cancels.
@@ -150,7 +131,7 @@ std::string scientific(double value) {
 void require_rotation(const std::string& option, const std::array<Decimal, 9>& decimals) {
   const PrecisionScope scope(50);
   const auto r = rounded(decimals);
-  const auto distance = static_cast<double>(distance_from_orthogonal(r));
+  const auto distance = static_cast<double>(orthogonality_defect(r));
   if (!(distance <= kTolerance)) {
     throw std::invalid_argument(option + ": not a rotation: R R^T differs from the identity by " +
                                 scientific(distance) + ", must be at most " + scientific(kTolerance));
@@ -179,7 +160,7 @@ GivenRotation rotation_from_matrix(const std::string& option, const std::array<s
   require_rotation(option, decimals);
   std::array<Rational, 9> whole;
   std::transform(decimals.begin(), decimals.end(), whole.begin(), exact);
-  if (distance_from_orthogonal(whole) == 0) return rational_rotation(quaternion_of(whole));
+  if (orthogonality_defect(whole) == 0) return rational_rotation(quaternion_of(whole));
   GivenRotation rotation;
   rotation.quaternion = [decimals] { return unit(quaternion_of(nearest_rotation(rounded(decimals)))); };
   rotation.height = 1 + largest_span(decimals);
