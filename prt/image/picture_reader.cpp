@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "prt/image/image_io.hpp"
-#include "prt/image/srgb.hpp"
+#include "prt/srgb.hpp"
 
 namespace sh::prt {
 namespace {

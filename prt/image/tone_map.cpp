@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "prt/srgb.hpp"
+
 namespace sh::prt {
 
 float automatic_exposure(std::span<const Eigen::Vector3f> radiance) {
@@ -60,10 +62,6 @@ Eigen::Vector3f mapped(const Eigen::Vector3f& color, ToneCurve curve) {
 }
 
 }  // namespace
-
-float srgb_encode(float linear) {
-  return linear <= 0.0031308F ? 12.92F * linear : 1.055F * std::pow(linear, 1.0F / 2.4F) - 0.055F;
-}
 
 std::vector<std::uint8_t> tone_map(std::span<const Eigen::Vector3f> radiance, float exposure, ToneCurve curve) {
   std::vector<std::uint8_t> bytes;

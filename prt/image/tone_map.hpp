@@ -22,9 +22,6 @@ Eigen::Vector3f reinhard(const Eigen::Vector3f& color);
 /// Linear clips at 1.
 enum class ToneCurve { kNeutral, kReinhard, kLinear };
 
-/// [0, 1] linear -> [0, 1] encoded. IEC 61966-2-1.
-float srgb_encode(float linear);
-
 /// exposure * radiance through curve and encoding; (pixels, 3) bytes, rounded to nearest.
 std::vector<std::uint8_t> tone_map(std::span<const Eigen::Vector3f> radiance, float exposure,
                                    ToneCurve curve = ToneCurve::kNeutral);

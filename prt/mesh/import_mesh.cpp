@@ -14,14 +14,14 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "prt/srgb.hpp"
+
 namespace sh::prt {
 
 namespace {
 
 Eigen::Vector3f to_eigen(const aiVector3D& v) { return {v.x, v.y, v.z}; }
 Eigen::Vector3f to_eigen(const aiColor4D& c) { return {c.r, c.g, c.b}; }
-
-float from_srgb(float value) { return value <= 0.04045F ? value / 12.92F : std::pow((value + 0.055F) / 1.055F, 2.4F); }
 
 Eigen::Affine3f to_eigen(const aiMatrix4x4& m) {
   Eigen::Matrix4f matrix;
@@ -159,7 +159,7 @@ class Collector {
       const bool has_colours = material == nullptr && mesh.HasVertexColors(0);
       return Eigen::Vector3f::Constant(has_colours ? 1.0F : kDefaultAlbedo);
     }
-    return is_linear_ ? to_eigen(colour) : to_eigen(colour).unaryExpr(&from_srgb).eval();
+    return is_linear_ ? to_eigen(colour) : to_eigen(colour).unaryExpr(&srgb_decode<float>).eval();
   }
 
   [[nodiscard]] Finish finish_of(const aiMesh& mesh, const MaterialChange& change) const {
@@ -186,7 +186,7 @@ class Collector {
       return Eigen::Vector3f::Ones();
     }
     const Eigen::Vector3f colour = to_eigen(mesh.mColors[0][v]);
-    return is_linear_ ? colour : colour.unaryExpr(&from_srgb).eval();
+    return is_linear_ ? colour : colour.unaryExpr(&srgb_decode<float>).eval();
   }
 
   const std::string& path_;

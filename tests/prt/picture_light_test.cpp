@@ -9,10 +9,10 @@
 #include "numeric/cap.hpp"
 #include "numeric/output/png.hpp"
 #include "prt/image/image_io.hpp"
-#include "prt/image/srgb.hpp"
 #include "prt/light/cap_light.hpp"
 #include "prt/light/extract_sun.hpp"
 #include "prt/light/project.hpp"
+#include "prt/srgb.hpp"
 #include "tests/prt/image_files.hpp"
 #include "tests/prt/temporary_folder.hpp"
 

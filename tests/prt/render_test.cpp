@@ -11,6 +11,7 @@
 #include "prt/mesh/sides.hpp"
 #include "prt/runtime/reference_render.hpp"
 #include "prt/scene/default_camera.hpp"
+#include "prt/srgb.hpp"
 #include "tests/prt/temporary_folder.hpp"
 
 namespace sh::prt {
