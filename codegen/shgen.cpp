@@ -7,7 +7,7 @@
 //   shgen emit FAMILY --degree N --lang cpp|glsl|glsl-es|hlsl|c99 [--scalar float|double]
 //                     [--prefer speed|accuracy|size | --recipe NAME]  print one kernel's file
 //                     [--left S] [--right S] [--keep-bands L,...] [--keep-orders=M,...] [--outputs S|I,...]
-//                                                   without what these say is zero or not wanted (codegen/mask.hpp)
+//                                                   without what these say is zero or not wanted (codegen/choose/mask.hpp)
 //                     [--degree-left A --degree-right B]  of a product: factors of these degrees, a result of degree N
 //   shgen dump STAGE KERNEL                          print the SSA of a kernel after a stage: dump share basis_l4
 //   shgen prove [NAME...] [--degree L] [--json FILE] prove every identity of symbolic/, or those named

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "codegen/catalogue.hpp"
+#include "codegen/choose/catalogue.hpp"
 #include "codegen/commands/commands.hpp"
 
 namespace sh::codegen {

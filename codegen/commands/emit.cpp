@@ -7,11 +7,11 @@
 #include <stdexcept>
 #include <string>
 
-#include "codegen/catalogue.hpp"
+#include "codegen/choose/catalogue.hpp"
+#include "codegen/choose/masked_kernel.hpp"
 #include "codegen/commands/commands.hpp"
+#include "codegen/convention/in_convention.hpp"
 #include "codegen/families/families.hpp"
-#include "codegen/in_convention.hpp"
-#include "codegen/masked_kernel.hpp"
 
 namespace sh::codegen {
 namespace {

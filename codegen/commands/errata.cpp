@@ -13,7 +13,7 @@
 #include <utility>
 
 #include "codegen/commands/commands.hpp"
-#include "codegen/write_file.hpp"
+#include "codegen/output/write_file.hpp"
 
 namespace sh::codegen {
 namespace {

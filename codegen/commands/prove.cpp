@@ -11,8 +11,8 @@
 #include <stdexcept>
 
 #include "codegen/commands/commands.hpp"
-#include "codegen/write_file.hpp"
-#include "symbolic/proofs.hpp"
+#include "codegen/output/write_file.hpp"
+#include "symbolic/proofs/proofs.hpp"
 
 namespace sh::codegen {
 namespace {

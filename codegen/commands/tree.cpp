@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "codegen/catalogue.hpp"
+#include "codegen/choose/catalogue.hpp"
 #include "codegen/commands/commands.hpp"
-#include "codegen/installed.hpp"
-#include "codegen/output_tree.hpp"
+#include "codegen/output/installed.hpp"
+#include "codegen/output/output_tree.hpp"
 
 namespace sh::codegen {
 namespace {

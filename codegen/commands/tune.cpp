@@ -10,10 +10,10 @@
 #include <memory>
 #include <ostream>
 
-#include "codegen/catalogue.hpp"
+#include "codegen/choose/catalogue.hpp"
+#include "codegen/choose/tune.hpp"
 #include "codegen/commands/commands.hpp"
-#include "codegen/tune.hpp"
-#include "codegen/write_file.hpp"
+#include "codegen/output/write_file.hpp"
 
 namespace sh::codegen {
 namespace {

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "codegen/commands/commands.hpp"
-#include "symbolic/typeset_families.hpp"
+#include "symbolic/typeset/typeset_families.hpp"
 
 namespace sh::codegen {
 namespace {

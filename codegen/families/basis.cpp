@@ -1,11 +1,11 @@
-#include "codegen/recipes/basis.hpp"
+#include "codegen/recipes/basis/basis.hpp"
 
-#include "codegen/directions.hpp"
-#include "codegen/domains.hpp"
 #include "codegen/families/families.hpp"
-#include "codegen/recipes/basis_centred.hpp"
-#include "codegen/recipes/basis_parity.hpp"
-#include "symbolic/basis.hpp"
+#include "codegen/measure/directions.hpp"
+#include "codegen/measure/domains.hpp"
+#include "codegen/recipes/basis/basis_centred.hpp"
+#include "codegen/recipes/basis/basis_parity.hpp"
+#include "symbolic/basis/basis.hpp"
 
 namespace sh::codegen {
 namespace {

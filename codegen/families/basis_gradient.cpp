@@ -1,12 +1,12 @@
-#include "codegen/recipes/basis_gradient.hpp"
+#include "codegen/recipes/basis/basis_gradient.hpp"
 
 #include <cmath>
 #include <numbers>
 
-#include "codegen/directions.hpp"
-#include "codegen/domains.hpp"
 #include "codegen/families/families.hpp"
-#include "symbolic/basis_derivatives.hpp"
+#include "codegen/measure/directions.hpp"
+#include "codegen/measure/domains.hpp"
+#include "symbolic/basis/basis_derivatives.hpp"
 
 namespace sh::codegen {
 namespace {

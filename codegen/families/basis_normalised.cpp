@@ -1,10 +1,10 @@
-#include "codegen/recipes/basis_normalised.hpp"
+#include "codegen/recipes/basis/basis_normalised.hpp"
 
 #include <cmath>
 
-#include "codegen/directions.hpp"
-#include "codegen/domains.hpp"
 #include "codegen/families/families.hpp"
+#include "codegen/measure/directions.hpp"
+#include "codegen/measure/domains.hpp"
 
 namespace sh::codegen {
 namespace {

@@ -1,12 +1,12 @@
-#include "codegen/recipes/cap.hpp"
+#include "codegen/recipes/zonal/cap.hpp"
 
 #include <cmath>
 #include <numbers>
 #include <random>
 
-#include "codegen/domains.hpp"
 #include "codegen/families/families.hpp"
-#include "symbolic/zonal.hpp"
+#include "codegen/measure/domains.hpp"
+#include "symbolic/zonal/zonal.hpp"
 
 namespace sh::codegen {
 namespace {

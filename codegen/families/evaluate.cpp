@@ -1,15 +1,15 @@
-#include "codegen/recipes/evaluate.hpp"
+#include "codegen/recipes/basis/evaluate.hpp"
 
 #include <cmath>
 #include <map>
 #include <numbers>
 
-#include "codegen/directions.hpp"
-#include "codegen/domains.hpp"
-#include "codegen/evaluate.hpp"
 #include "codegen/families/families.hpp"
-#include "codegen/recipes/prepared.hpp"
-#include "symbolic/basis.hpp"
+#include "codegen/ir/evaluate.hpp"
+#include "codegen/measure/directions.hpp"
+#include "codegen/measure/domains.hpp"
+#include "codegen/recipes/basis/prepared.hpp"
+#include "symbolic/basis/basis.hpp"
 
 namespace sh::codegen {
 namespace {

@@ -1,7 +1,7 @@
 // Every family of kernels: its recipes, its exact reference, where it is measured. One file a family.
 #pragma once
 
-#include "codegen/family.hpp"
+#include "codegen/families/family.hpp"
 
 namespace sh::codegen {
 

@@ -1,14 +1,14 @@
-#include "codegen/recipes/irradiance.hpp"
+#include "codegen/recipes/zonal/irradiance.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "codegen/directions.hpp"
-#include "codegen/domains.hpp"
 #include "codegen/families/families.hpp"
-#include "symbolic/basis.hpp"
-#include "symbolic/irradiance.hpp"
+#include "codegen/measure/directions.hpp"
+#include "codegen/measure/domains.hpp"
+#include "symbolic/basis/basis.hpp"
+#include "symbolic/zonal/irradiance.hpp"
 
 namespace sh::codegen {
 namespace {

@@ -1,8 +1,8 @@
 #include "codegen/families/families.hpp"
 #include "codegen/families/product_reference.hpp"
-#include "codegen/recipes/product_pairs.hpp"
-#include "codegen/recipes/product_separable.hpp"
-#include "codegen/recipes/product_tensor.hpp"
+#include "codegen/recipes/product/product_pairs.hpp"
+#include "codegen/recipes/product/product_separable.hpp"
+#include "codegen/recipes/product/product_tensor.hpp"
 
 namespace sh::codegen {
 namespace {

@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "codegen/cost.hpp"
 #include "codegen/families/families.hpp"
 #include "codegen/families/product_reference.hpp"
+#include "codegen/ir/cost.hpp"
 #include "codegen/passes/share.hpp"
-#include "codegen/recipes/product_pairs.hpp"
-#include "codegen/recipes/product_separable.hpp"
-#include "codegen/recipes/product_tensor.hpp"
+#include "codegen/recipes/product/product_pairs.hpp"
+#include "codegen/recipes/product/product_separable.hpp"
+#include "codegen/recipes/product/product_tensor.hpp"
 
 namespace sh::codegen {
 namespace {

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <tuple>
 
-#include "codegen/domains.hpp"
+#include "codegen/measure/domains.hpp"
 
 namespace sh::codegen {
 namespace {

@@ -7,8 +7,8 @@
 #include <functional>
 #include <vector>
 
-#include "codegen/family.hpp"
-#include "symbolic/product_form.hpp"
+#include "codegen/families/family.hpp"
+#include "symbolic/product/product_form.hpp"
 
 namespace sh::codegen {
 

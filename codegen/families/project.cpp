@@ -1,12 +1,12 @@
-#include "codegen/recipes/project.hpp"
+#include "codegen/recipes/basis/project.hpp"
 
 #include <cmath>
 #include <numbers>
 
-#include "codegen/directions.hpp"
-#include "codegen/domains.hpp"
 #include "codegen/families/families.hpp"
-#include "symbolic/basis.hpp"
+#include "codegen/measure/directions.hpp"
+#include "codegen/measure/domains.hpp"
+#include "symbolic/basis/basis.hpp"
 
 namespace sh::codegen {
 namespace {

@@ -1,17 +1,17 @@
 // Rotation of coefficients: by a matrix, by a quaternion, about z; matrices built once and applied; the value of a
 // rotated function.
-#include "codegen/recipes/rotation.hpp"
+#include "codegen/recipes/rotation/rotation.hpp"
 
 #include <cln/real.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "codegen/domains.hpp"
 #include "codegen/families/families.hpp"
 #include "codegen/families/rotation_inputs.hpp"
-#include "codegen/rotations.hpp"
-#include "symbolic/matrix.hpp"
+#include "codegen/measure/domains.hpp"
+#include "codegen/measure/rotations.hpp"
+#include "symbolic/number/matrix.hpp"
 
 namespace sh::codegen {
 namespace {

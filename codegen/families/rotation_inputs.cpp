@@ -2,13 +2,13 @@
 
 #include <cln/real.h>
 
-#include "codegen/domains.hpp"
-#include "codegen/literal.hpp"
-#include "codegen/rotations.hpp"
-#include "symbolic/basis.hpp"
-#include "symbolic/quaternion_rotation.hpp"
-#include "symbolic/rotation_axis.hpp"
-#include "symbolic/rotation_recursion.hpp"
+#include "codegen/ir/literal.hpp"
+#include "codegen/measure/domains.hpp"
+#include "codegen/measure/rotations.hpp"
+#include "symbolic/basis/basis.hpp"
+#include "symbolic/rotation/quaternion_rotation.hpp"
+#include "symbolic/rotation/rotation_axis.hpp"
+#include "symbolic/rotation/rotation_recursion.hpp"
 
 namespace sh::codegen {
 namespace {

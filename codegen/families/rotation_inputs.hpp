@@ -1,7 +1,7 @@
 // Where the rotation families are checked and measured: exact references and test inputs.
 #pragma once
 
-#include "codegen/family.hpp"
+#include "codegen/families/family.hpp"
 
 namespace sh::codegen {
 

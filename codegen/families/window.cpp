@@ -1,12 +1,12 @@
-#include "codegen/recipes/window.hpp"
+#include "codegen/recipes/zonal/window.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 
-#include "codegen/domains.hpp"
 #include "codegen/families/families.hpp"
-#include "symbolic/basis.hpp"
+#include "codegen/measure/domains.hpp"
+#include "symbolic/basis/basis.hpp"
 
 namespace sh::codegen {
 namespace {

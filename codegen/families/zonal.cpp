@@ -1,13 +1,13 @@
-#include "codegen/recipes/zonal.hpp"
+#include "codegen/recipes/zonal/zonal.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "codegen/directions.hpp"
-#include "codegen/domains.hpp"
 #include "codegen/families/families.hpp"
-#include "symbolic/convolution.hpp"
-#include "symbolic/zonal.hpp"
+#include "codegen/measure/directions.hpp"
+#include "codegen/measure/domains.hpp"
+#include "symbolic/zonal/convolution.hpp"
+#include "symbolic/zonal/zonal.hpp"
 
 namespace sh::codegen {
 namespace {

@@ -4,7 +4,7 @@
 // they prefer, every language computes the same bits.
 #pragma once
 
-#include "codegen/ir.hpp"
+#include "codegen/ir/ir.hpp"
 
 namespace sh::codegen::passes {
 

@@ -4,7 +4,7 @@
 #include <map>
 #include <optional>
 
-#include "codegen/cost.hpp"
+#include "codegen/ir/cost.hpp"
 #include "codegen/passes/share.hpp"
 
 namespace sh::codegen::passes {

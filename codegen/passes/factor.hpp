@@ -6,7 +6,7 @@
 // error and is a recipe's choice.
 #pragma once
 
-#include "codegen/ir.hpp"
+#include "codegen/ir/ir.hpp"
 
 namespace sh::codegen::passes {
 

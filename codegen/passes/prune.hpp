@@ -1,7 +1,7 @@
 // Pass: drop nodes that reach no output, and inputs and constants that nothing uses.
 #pragma once
 
-#include "codegen/ir.hpp"
+#include "codegen/ir/ir.hpp"
 
 namespace sh::codegen::passes {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "codegen/cost.hpp"
+#include "codegen/ir/cost.hpp"
 
 namespace sh::codegen::passes {
 namespace {

@@ -4,7 +4,7 @@
 // one nearest to what was computed last in the original order. The original order stays if it needs no more values.
 #pragma once
 
-#include "codegen/ir.hpp"
+#include "codegen/ir/ir.hpp"
 
 namespace sh::codegen::passes {
 

@@ -1,7 +1,7 @@
 // Passes: compute equal expressions once (value numbering; addition and multiplication commute), and fold.
 #pragma once
 
-#include "codegen/ir.hpp"
+#include "codegen/ir/ir.hpp"
 
 namespace sh::codegen::passes {
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "codegen/finished_kernel.hpp"
+#include "codegen/passes/finished_kernel.hpp"
 
 namespace sh::codegen::print {
 

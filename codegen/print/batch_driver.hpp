@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "codegen/finished_kernel.hpp"
+#include "codegen/passes/finished_kernel.hpp"
 #include "codegen/print/batch.hpp"
 
 namespace sh::codegen::print {

@@ -2,7 +2,7 @@
 
 #include <sstream>
 
-#include "codegen/literal.hpp"
+#include "codegen/ir/literal.hpp"
 #include "codegen/print/describe.hpp"
 #include "codegen/print/function.hpp"
 

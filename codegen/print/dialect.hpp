@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "codegen/exact_real.hpp"
+#include "codegen/ir/exact_real.hpp"
 
 namespace sh::codegen::print {
 

@@ -2,7 +2,7 @@
 
 #include <sstream>
 
-#include "codegen/cost.hpp"
+#include "codegen/ir/cost.hpp"
 #include "codegen/print/statements.hpp"
 
 namespace sh::codegen::print {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "codegen/ir.hpp"
+#include "codegen/ir/ir.hpp"
 
 namespace sh::codegen::print {
 

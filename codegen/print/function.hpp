@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "codegen/ir.hpp"
+#include "codegen/ir/ir.hpp"
 #include "codegen/print/dialect.hpp"
 
 namespace sh::codegen::print {

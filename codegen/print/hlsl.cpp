@@ -1,6 +1,6 @@
 #include "codegen/print/hlsl.hpp"
 
-#include "codegen/literal.hpp"
+#include "codegen/ir/literal.hpp"
 #include "codegen/print/describe.hpp"
 #include "codegen/print/function.hpp"
 #include "codegen/print/glsl.hpp"

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "codegen/finished_kernel.hpp"
+#include "codegen/passes/finished_kernel.hpp"
 #include "codegen/print/dialect.hpp"
 
 namespace sh::codegen::print {

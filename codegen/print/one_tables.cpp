@@ -1,11 +1,11 @@
 #include <algorithm>
 
-#include "codegen/literal.hpp"
+#include "codegen/ir/literal.hpp"
 #include "codegen/print/one.hpp"
-#include "codegen/recipes/lane_triples.hpp"
-#include "codegen/recipes/lane_turns.hpp"
-#include "codegen/recipes/orbits.hpp"
-#include "symbolic/matrix.hpp"
+#include "codegen/recipes/product/lane_triples.hpp"
+#include "codegen/recipes/product/orbits.hpp"
+#include "codegen/recipes/rotation/lane_turns.hpp"
+#include "symbolic/number/matrix.hpp"
 
 namespace sh::codegen::print {
 namespace {

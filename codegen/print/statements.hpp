@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "codegen/ir.hpp"
+#include "codegen/ir/ir.hpp"
 #include "codegen/print/dialect.hpp"
 
 namespace sh::codegen::print {

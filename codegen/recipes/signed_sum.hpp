@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "codegen/ir.hpp"
+#include "codegen/ir/ir.hpp"
 
 namespace sh::codegen::recipes {
 

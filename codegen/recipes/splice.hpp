@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "codegen/ir.hpp"
+#include "codegen/ir/ir.hpp"
 
 namespace sh::codegen::recipes {
 

@@ -1,5 +1,5 @@
 // shcheck gaunt: one Gaunt coefficient, exactly and in decimal.
-#include "numeric/gaunt.hpp"
+#include "numeric/oracle/gaunt.hpp"
 
 #include <CLI/CLI.hpp>
 #include <cstdlib>

@@ -6,9 +6,9 @@
 #include <numbers>
 #include <tuple>
 
-#include "numeric/basis.hpp"
-#include "numeric/error_stats.hpp"
 #include "numeric/identify/identify.hpp"
+#include "numeric/oracle/basis.hpp"
+#include "numeric/sampling/error_stats.hpp"
 
 namespace sh::numeric::identify {
 namespace {

@@ -7,8 +7,8 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "numeric/basis.hpp"
-#include "numeric/zonal.hpp"
+#include "numeric/oracle/basis.hpp"
+#include "numeric/oracle/zonal.hpp"
 
 namespace sh::numeric::identify {
 namespace {

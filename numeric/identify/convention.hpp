@@ -1,8 +1,8 @@
 // Conventions of spherical harmonics: the values of each one's functions, from its definition alone.
 //
 // A convention's functions are Y'_lm(d) = size(l, m) * g_lm(axes d), with g_lm the oracle's real function
-// (numeric/basis.hpp) or, complex, (C + i sign(m) S) / sqrt 2 of its cosine C = Y_l|m| and sine S = Y_l,-|m|; and
-// `size` holds normalisation, phase and folded factors. Nothing here knows symbolic/convention.hpp, which says the same
+// (numeric/oracle/basis.hpp) or, complex, (C + i sign(m) S) / sqrt 2 of its cosine C = Y_l|m| and sine S = Y_l,-|m|; and
+// `size` holds normalisation, phase and folded factors. Nothing here knows symbolic/convention/convention.hpp, which says the same
 // exactly: tests/symbolic/identify_test.cpp compares the two.
 #pragma once
 
@@ -13,7 +13,7 @@
 
 namespace sh::numeric::identify {
 
-// Size of a function, in words as symbolic/convention.hpp has it; a = |m|, P_l^a without the Condon-Shortley sign.
+// Size of a function, in words as symbolic/convention/convention.hpp has it; a = |m|, P_l^a without the Condon-Shortley sign.
 enum class Normalisation {
   kOrthonormal,   // integral of |Y|^2 = 1
   kFourPi,        // integral = 4 pi: geodesy's 4-pi, ambisonics' N3D
@@ -31,7 +31,7 @@ enum class IndexOrder {
   kCosineSineArray,  // (2, L+1, L+1): [m < 0][l][|m|], the rest holes that hold zero
 };
 
-// What was multiplied into each band: A_l of the clamped cosine (numeric/zonal.hpp).
+// What was multiplied into each band: A_l of the clamped cosine (numeric/oracle/zonal.hpp).
 enum class Folded { kNothing, kCosineOverPi, kCosine };
 
 // A signed permutation of the axes: coordinate `row` of d' is sign[row] * d[axis[row]].

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "numeric/basis.hpp"
-#include "numeric/error_stats.hpp"
 #include "numeric/identify/candidates.hpp"
 #include "numeric/identify/reasons.hpp"
+#include "numeric/oracle/basis.hpp"
+#include "numeric/sampling/error_stats.hpp"
 
 namespace sh::numeric::identify {
 namespace {

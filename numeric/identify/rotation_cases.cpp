@@ -5,8 +5,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "numeric/basis.hpp"
-#include "numeric/rotation_matrices.hpp"
+#include "numeric/oracle/basis.hpp"
+#include "numeric/oracle/rotation_matrices.hpp"
 
 namespace sh::numeric::identify {
 namespace {

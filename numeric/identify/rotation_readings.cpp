@@ -7,7 +7,7 @@
 #include <tuple>
 
 #include "numeric/identify/candidates.hpp"
-#include "numeric/rotation.hpp"
+#include "numeric/oracle/rotation.hpp"
 
 namespace sh::numeric::identify {
 namespace {

@@ -1,6 +1,6 @@
 // The conventions of rotation matrices, and which of them someone's matrices follow.
 //
-// A convention's matrix for R is D' = C D(axes R axes^-1) C^-1 with D the oracle's (numeric/rotation.hpp) and
+// A convention's matrix for R is D' = C D(axes R axes^-1) C^-1 with D the oracle's (numeric/oracle/rotation.hpp) and
 // c' = C c its coefficients: from Y' = A Y follows C = A^-T. Factors that depend on l alone cancel, so orthonormal,
 // 4-pi, Schmidt and SN3D functions have the same matrices, and a reflection of all axes changes nothing: 24 axes
 // remain. Code may also hold the matrix of the inverse rotation (or take R the other way round), or its rows as

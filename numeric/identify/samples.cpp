@@ -7,9 +7,9 @@
 #include <cstdio>
 #include <stdexcept>
 
-#include "numeric/basis.hpp"
-#include "numeric/directions.hpp"
 #include "numeric/identify/convention.hpp"
+#include "numeric/oracle/basis.hpp"
+#include "numeric/sampling/directions.hpp"
 
 namespace sh::numeric::identify {
 namespace {

@@ -14,12 +14,12 @@
 #include <stdexcept>
 #include <utility>
 
-#include "numeric/basis.hpp"
 #include "numeric/glsl/glsl_runner.hpp"
 #include "numeric/kernels/checks/checks.hpp"
 #include "numeric/kernels/flat_call.hpp"
 #include "numeric/kernels/samples.hpp"
 #include "numeric/kernels/timing.hpp"
+#include "numeric/oracle/basis.hpp"
 
 namespace sh::numeric {
 namespace {

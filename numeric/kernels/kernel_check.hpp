@@ -12,11 +12,11 @@
 #include <string>
 #include <vector>
 
-#include "numeric/error_stats.hpp"
 #include "numeric/kernels/bind.hpp"
 #include "numeric/kernels/checks/family_check.hpp"
 #include "numeric/kernels/samples.hpp"
 #include "numeric/kernels/wide.hpp"
+#include "numeric/sampling/error_stats.hpp"
 
 namespace sh::numeric {
 

@@ -7,7 +7,7 @@
 #pragma once
 
 #include "numeric/kernels/kernel_check.hpp"
-#include "numeric/worst_input.hpp"
+#include "numeric/sampling/worst_input.hpp"
 
 namespace sh::numeric {
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <type_traits>
 
-#include "numeric/basis.hpp"
 #include "numeric/kernels/flat_call.hpp"
+#include "numeric/oracle/basis.hpp"
 
 namespace sh::numeric {
 namespace {

@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "numeric/basis.hpp"
 #include "numeric/methods/instances.hpp"
+#include "numeric/oracle/basis.hpp"
 
 namespace sh::numeric::methods {
 namespace {

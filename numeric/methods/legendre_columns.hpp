@@ -4,8 +4,8 @@
 
 #include <limits>
 
-#include "numeric/legendre.hpp"
 #include "numeric/methods/legendre_common.hpp"
+#include "numeric/oracle/legendre.hpp"
 
 namespace sh::numeric {
 

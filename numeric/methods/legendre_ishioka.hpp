@@ -1,8 +1,8 @@
 // The two-step recurrence of the fast transforms. Input, output: legendre_common.hpp.
 #pragma once
 
-#include "numeric/legendre.hpp"
 #include "numeric/methods/legendre_common.hpp"
+#include "numeric/oracle/legendre.hpp"
 
 namespace sh::numeric {
 

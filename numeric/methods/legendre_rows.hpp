@@ -3,8 +3,8 @@
 
 #include <limits>
 
-#include "numeric/legendre_values_impl.hpp"
 #include "numeric/methods/legendre_common.hpp"
+#include "numeric/oracle/legendre_values_impl.hpp"
 
 namespace sh::numeric {
 
@@ -35,9 +35,9 @@ void legendre_modified_row(int degree, const Real& z, const Real& sine, Real* ou
   }
 }
 
-// Source: this project's oracle (numeric/legendre.hpp): the same row with an exponent of its own, the power as well.
+// Source: this project's oracle (numeric/oracle/legendre.hpp): the same row with an exponent of its own, the power as well.
 // Cost: as legendre_modified_row and a branch a value.
-// Fails: never by range. Rounding grows slowly with the degree, everywhere alike: see numeric/legendre_values.hpp.
+// Fails: never by range. Rounding grows slowly with the degree, everywhere alike: see numeric/oracle/legendre_values.hpp.
 template <class Real>
 void legendre_scaled_rows(int degree, const Real& z, const Real& sine, Real* out) {
   const auto powers = scaled_powers(scaled(sine), static_cast<std::size_t>(degree) + 1);

@@ -10,7 +10,7 @@
 #include "numeric/methods/wigner_d.hpp"
 #include "numeric/methods/zxz.hpp"
 #include "numeric/methods/zxz_rows.hpp"
-#include "numeric/rotation.hpp"
+#include "numeric/oracle/rotation.hpp"
 
 namespace sh::numeric {
 

@@ -1,7 +1,7 @@
 // Every way to rotate coefficients that the oracle knows, as one table: to compare them, and to plot error and time.
 //
 // Largest error of an entry for |c| = 1 at degree 100, over tilts beta from 0 to pi, against 50 digits at the rotation
-// nearest to the rounded matrix (tests/numeric/test_rotation_methods.cpp):
+// nearest to the rounded matrix (tests/numeric/rotation_methods_test.cpp):
 //   method            double   float    where it fails
 //   ivanic_ruedenberg 2e-9     2        grows with the degree away from beta = 0, pi: 3e-16 at 20, 1e-14 at 40
 //   choi              2e-9     2        likewise

@@ -13,8 +13,8 @@
 #include <type_traits>
 #include <vector>
 
-#include "numeric/basis.hpp"
-#include "numeric/rotation_matrices.hpp"
+#include "numeric/oracle/basis.hpp"
+#include "numeric/oracle/rotation_matrices.hpp"
 
 namespace sh::numeric::methods {
 

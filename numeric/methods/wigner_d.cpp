@@ -1,9 +1,9 @@
 // See wigner_d.hpp.
 #include "numeric/methods/wigner_d.hpp"
 
-#include "numeric/legendre.hpp"
 #include "numeric/methods/instances.hpp"
 #include "numeric/methods/turns.hpp"
+#include "numeric/oracle/legendre.hpp"
 
 namespace sh::numeric::methods {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <array>
 
-#include "numeric/cap.hpp"
-#include "numeric/real.hpp"
+#include "numeric/oracle/cap.hpp"
+#include "numeric/oracle/real.hpp"
 
 namespace sh::numeric {
 

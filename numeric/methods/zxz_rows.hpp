@@ -9,7 +9,7 @@
 // Domain: degree at most kLargestRowsDegree<Real> (float 1936, as it is computed in double; double 1936); beyond it
 // std::invalid_argument is thrown. Above degree 968 in double, coefficients below 1e-160 lose digits.
 // Error for |c| = 1, largest entry, double: 3e-16 at degree 100 in the worst rotation found; the basis at a turned
-// direction is right to 3e-16 of its norm up to degree 1900 (tests/numeric/test_high_degree_rotation.cpp).
+// direction is right to 3e-16 of its norm up to degree 1900 (tests/numeric/high_degree_rotation_test.cpp).
 // Cost: 2 degree^3 multiplications and 4/3 degree^3 additions; degree 100 takes 0.1 ms with AVX-512 and 0.2 ms with
 // SSE2, degree 1000 0.15 s and 0.25 s.
 #pragma once

@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "numeric/basis.hpp"
-#include "numeric/legendre.hpp"
+#include "numeric/oracle/basis.hpp"
+#include "numeric/oracle/legendre.hpp"
 
 namespace sh::numeric::plot {
 namespace {

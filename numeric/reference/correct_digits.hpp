@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "numeric/real.hpp"
+#include "numeric/oracle/real.hpp"
 
 namespace sh::numeric {
 

@@ -9,9 +9,9 @@
 #include <stdexcept>
 #include <vector>
 
+#include "numeric/oracle/rotation_matrices.hpp"
+#include "numeric/oracle/surd.hpp"
 #include "numeric/reference/decimal.hpp"
-#include "numeric/rotation_matrices.hpp"
-#include "numeric/surd.hpp"
 
 namespace sh::numeric {
 namespace {

@@ -10,7 +10,7 @@
 #include <functional>
 #include <string>
 
-#include "numeric/real.hpp"
+#include "numeric/oracle/real.hpp"
 
 namespace sh::numeric {
 

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "numeric/cap.hpp"
-#include "numeric/legendre_values.hpp"
-#include "numeric/real.hpp"
+#include "numeric/oracle/cap.hpp"
+#include "numeric/oracle/legendre_values.hpp"
+#include "numeric/oracle/real.hpp"
 #include "numeric/reference/correct_digits.hpp"
 #include "numeric/reference/decimal.hpp"
 

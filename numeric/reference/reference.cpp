@@ -6,9 +6,9 @@
 #include <cstdlib>
 #include <stdexcept>
 
-#include "numeric/basis.hpp"
-#include "numeric/gradient.hpp"
-#include "numeric/real.hpp"
+#include "numeric/oracle/basis.hpp"
+#include "numeric/oracle/gradient.hpp"
+#include "numeric/oracle/real.hpp"
 #include "numeric/reference/correct_digits.hpp"
 #include "numeric/reference/decimal.hpp"
 #include "numeric/reference/legendre_reference.hpp"

@@ -9,8 +9,8 @@
 #include <cstdlib>
 #include <utility>
 
+#include "numeric/oracle/surd.hpp"
 #include "numeric/reference/correct_digits.hpp"
-#include "numeric/surd.hpp"
 
 namespace sh::numeric {
 namespace {

@@ -6,7 +6,7 @@
 #include <functional>
 
 #include "generated/batch/batch.hpp"
-#include "numeric/basis.hpp"
+#include "numeric/oracle/basis.hpp"
 #include "numeric/report/code.hpp"
 #include "numeric/report/methods.hpp"
 #include "numeric/report/task_checks.hpp"

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <tuple>
 
-#include "numeric/basis.hpp"
-#include "numeric/quadrature.hpp"
+#include "numeric/oracle/basis.hpp"
+#include "numeric/oracle/quadrature.hpp"
 #include "numeric/report/source_claims.hpp"
 #include "numeric/sampling/eigenvalues.hpp"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "numeric/basis.hpp"
+#include "numeric/oracle/basis.hpp"
 #include "numeric/report/projection_convergence.hpp"
 #include "numeric/report/source_claims.hpp"
 #include "numeric/sampling/eigenvalues.hpp"

@@ -4,13 +4,13 @@
 #include <cmath>
 #include <numbers>
 
-#include "numeric/basis.hpp"
-#include "numeric/directions.hpp"
-#include "numeric/quadrature.hpp"
-#include "numeric/random.hpp"
+#include "numeric/oracle/basis.hpp"
+#include "numeric/oracle/quadrature.hpp"
+#include "numeric/oracle/zonal.hpp"
 #include "numeric/report/source_claims.hpp"
+#include "numeric/sampling/directions.hpp"
+#include "numeric/sampling/random.hpp"
 #include "numeric/sampling/sphere_nodes.hpp"
-#include "numeric/zonal.hpp"
 
 namespace sh::numeric {
 namespace {

@@ -9,7 +9,7 @@
 #include <limits>
 
 #include "generated/cpp/project_l5.hpp"
-#include "numeric/basis.hpp"
+#include "numeric/oracle/basis.hpp"
 
 namespace sh::numeric {
 namespace {

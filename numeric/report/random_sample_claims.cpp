@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "numeric/basis.hpp"
+#include "numeric/oracle/basis.hpp"
 #include "numeric/report/source_claims.hpp"
 #include "numeric/report/test_functions.hpp"
 #include "numeric/sampling/projection.hpp"

@@ -5,16 +5,16 @@
 #include <span>
 #include <string>
 
-#include "numeric/error_stats.hpp"
 #include "numeric/kernels/checks/inputs.hpp"
 #include "numeric/kernels/checks/rotation_inputs.hpp"
-#include "numeric/legendre_rings.hpp"
 #include "numeric/methods/legendre_methods.hpp"
 #include "numeric/methods/rotation_methods.hpp"
 #include "numeric/methods/zonal_methods.hpp"
+#include "numeric/oracle/legendre_rings.hpp"
 #include "numeric/report/code.hpp"
 #include "numeric/report/methods.hpp"
 #include "numeric/report/task_checks.hpp"
+#include "numeric/sampling/error_stats.hpp"
 
 namespace sh::numeric {
 namespace {
@@ -155,7 +155,7 @@ void add_rings(std::vector<Method>& all, int degree) {
                            .degree = degree,
                            .scalar = {},
                            .mode = Mode::kBatch,
-                           .header = "numeric/legendre_rings.hpp",
+                           .header = "numeric/oracle/legendre_rings.hpp",
                            .call = "sh::numeric::LegendreRings(" + std::to_string(degree) +
                                    ", z, sine).synthesis(l, m, coefficients, values)",
                            .leaves_out = "sums over l instead of storing the values; a time a ring of 256, all orders",

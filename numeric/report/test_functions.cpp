@@ -7,9 +7,9 @@
 #include <stdexcept>
 
 #include "generated/cpp/evaluate_l5.hpp"
-#include "numeric/basis.hpp"
-#include "numeric/quadrature.hpp"
-#include "numeric/random.hpp"
+#include "numeric/oracle/basis.hpp"
+#include "numeric/oracle/quadrature.hpp"
+#include "numeric/sampling/random.hpp"
 
 namespace sh::numeric {
 namespace {

@@ -7,11 +7,11 @@
 #include <utility>
 #include <vector>
 
-#include "numeric/basis.hpp"
-#include "numeric/gaunt.hpp"
 #include "numeric/methods/classic_rotation.hpp"
 #include "numeric/methods/sloan_basis.hpp"
 #include "numeric/methods/textbook_basis.hpp"
+#include "numeric/oracle/basis.hpp"
+#include "numeric/oracle/gaunt.hpp"
 #include "numeric/report/code.hpp"
 #include "numeric/report/methods.hpp"
 #include "numeric/report/task_checks.hpp"

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "numeric/basis.hpp"
+#include "numeric/oracle/basis.hpp"
 #include "numeric/sampling/eigenvalues.hpp"
 
 namespace sh::numeric {

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "numeric/quadrature.hpp"
+#include "numeric/oracle/quadrature.hpp"
 
 namespace sh::numeric {
 

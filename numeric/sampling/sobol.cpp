@@ -3,7 +3,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "numeric/random.hpp"
+#include "numeric/sampling/random.hpp"
 
 namespace sh::numeric {
 namespace {

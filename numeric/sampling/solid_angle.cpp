@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "numeric/real.hpp"
+#include "numeric/oracle/real.hpp"
 
 namespace sh::numeric {
 

@@ -8,8 +8,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "numeric/directions.hpp"
-#include "numeric/random.hpp"
+#include "numeric/sampling/directions.hpp"
+#include "numeric/sampling/random.hpp"
 #include "numeric/sampling/sobol.hpp"
 #include "numeric/sampling/solid_angle.hpp"
 

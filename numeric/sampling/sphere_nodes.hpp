@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "numeric/quadrature.hpp"
+#include "numeric/oracle/quadrature.hpp"
 
 namespace sh::numeric {
 

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "numeric/quadrature.hpp"
+#include "numeric/oracle/quadrature.hpp"
 
 namespace sh::numeric {
 

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <numbers>
 
-#include "numeric/zonal.hpp"
+#include "numeric/oracle/zonal.hpp"
 #include "prt/bake/chunks.hpp"
 #include "prt/basis.hpp"
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "numeric/zonal.hpp"
+#include "numeric/oracle/zonal.hpp"
 #include "prt/light/sphere_extremes.hpp"
 
 namespace sh::prt {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "numeric/quadrature.hpp"
+#include "numeric/oracle/quadrature.hpp"
 #include "prt/image/image_mapping.hpp"
 
 namespace sh::prt {

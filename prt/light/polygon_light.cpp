@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "numeric/gradient.hpp"
-#include "numeric/quadrature.hpp"
+#include "numeric/oracle/gradient.hpp"
+#include "numeric/oracle/quadrature.hpp"
 #include "prt/light/light_coefficients.hpp"
 
 namespace sh::prt {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "numeric/cap.hpp"
+#include "numeric/oracle/cap.hpp"
 #include "prt/light/cap_light.hpp"
 #include "prt/light/polygon_light.hpp"
 #include "prt/light/sky.hpp"

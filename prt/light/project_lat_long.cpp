@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "numeric/quadrature.hpp"
+#include "numeric/oracle/quadrature.hpp"
 #include "prt/basis.hpp"
 #include "prt/light/project.hpp"
 

@@ -10,7 +10,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "numeric/quadrature.hpp"
+#include "numeric/oracle/quadrature.hpp"
 #include "prt/basis.hpp"
 #include "prt/light/cap_light.hpp"
 

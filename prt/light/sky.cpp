@@ -7,7 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "numeric/quadrature.hpp"
+#include "numeric/oracle/quadrature.hpp"
 #include "prt/basis.hpp"
 #include "prt/light/light_coefficients.hpp"
 

@@ -14,7 +14,7 @@
 #include "generated/cpp/window_lanczos2.hpp"
 #include "generated/cpp/window_lanczos4.hpp"
 #include "generated/cpp/window_laplacian.hpp"
-#include "numeric/quadrature.hpp"
+#include "numeric/oracle/quadrature.hpp"
 #include "prt/at_degree.hpp"
 
 namespace sh::prt {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "numeric/zonal.hpp"
+#include "numeric/oracle/zonal.hpp"
 #include "prt/bake/unshadowed.hpp"
 
 namespace sh::prt {

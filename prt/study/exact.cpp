@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "numeric/quadrature.hpp"
+#include "numeric/oracle/quadrature.hpp"
 #include "prt/bake/unshadowed.hpp"
 #include "prt/basis.hpp"
 #include "prt/light/light_coefficients.hpp"

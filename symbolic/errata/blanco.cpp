@@ -2,12 +2,12 @@
 //
 // d^l_{m'm}(b) is compared with Wigner's sum (rotation_axis.hpp): as identities of polynomials in c, s = cos, sin of
 // b/2 where the formula is one, else at exact angles. The recurrences as a whole are in blanco_recurrence.hpp.
-#include "symbolic/complex_basis.hpp"
+#include "symbolic/convention/complex_basis.hpp"
 #include "symbolic/errata/blanco_recurrence.hpp"
 #include "symbolic/errata/errata.hpp"
 #include "symbolic/errata/exact_rotation.hpp"
 #include "symbolic/errata/exact_tools.hpp"
-#include "symbolic/rotation_axis.hpp"
+#include "symbolic/rotation/rotation_axis.hpp"
 
 namespace sh::symbolic::errata {
 namespace {

@@ -6,9 +6,9 @@
 #include <optional>
 #include <vector>
 
-#include "symbolic/matrix.hpp"
-#include "symbolic/radical_sum.hpp"
-#include "symbolic/rotation_input.hpp"
+#include "symbolic/number/matrix.hpp"
+#include "symbolic/number/radical_sum.hpp"
+#include "symbolic/rotation/rotation_input.hpp"
 
 namespace sh::symbolic::errata {
 

@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <iterator>
 
-#include "symbolic/basis.hpp"
+#include "symbolic/basis/basis.hpp"
 #include "symbolic/errata/brown_basis.hpp"
 #include "symbolic/errata/brown_parts.hpp"
 #include "symbolic/errata/errata.hpp"
-#include "symbolic/polynomial_calculus.hpp"
-#include "symbolic/substitute.hpp"
+#include "symbolic/number/polynomial_calculus.hpp"
+#include "symbolic/number/substitute.hpp"
 
 namespace sh::symbolic::errata {
 namespace {

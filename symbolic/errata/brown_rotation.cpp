@@ -2,7 +2,7 @@
 //
 // F and G are not defined on the page; the readings are the ways to take them from D_mn = exp(-i m alpha) d_mn(beta)
 // exp(-i n gamma), Condon-Shortley, which is what the recursion of that paper gives (CH-01).
-#include "symbolic/complex_basis.hpp"
+#include "symbolic/convention/complex_basis.hpp"
 #include "symbolic/errata/brown_parts.hpp"
 #include "symbolic/errata/exact_rotation.hpp"
 #include "symbolic/errata/exact_tools.hpp"

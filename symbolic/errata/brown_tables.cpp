@@ -2,13 +2,13 @@
 #include <algorithm>
 #include <array>
 
-#include "symbolic/basis.hpp"
+#include "symbolic/basis/basis.hpp"
 #include "symbolic/errata/brown_basis.hpp"
 #include "symbolic/errata/brown_parts.hpp"
 #include "symbolic/errata/ramamoorthi_basis.hpp"
 #include "symbolic/errata/single_light.hpp"
-#include "symbolic/irradiance.hpp"
-#include "symbolic/substitute.hpp"
+#include "symbolic/number/substitute.hpp"
+#include "symbolic/zonal/irradiance.hpp"
 
 namespace sh::symbolic::errata {
 namespace {

@@ -4,7 +4,7 @@
 // exp(-i m alpha) d_mn(beta) exp(-i n gamma), against which the recursions are run on exact numbers.
 #include <functional>
 
-#include "symbolic/complex_basis.hpp"
+#include "symbolic/convention/complex_basis.hpp"
 #include "symbolic/errata/errata.hpp"
 #include "symbolic/errata/exact_rotation.hpp"
 #include "symbolic/errata/exact_tools.hpp"

@@ -4,11 +4,11 @@
 
 #include <vector>
 
-#include "symbolic/basis.hpp"
-#include "symbolic/polynomial_calculus.hpp"
-#include "symbolic/rotation_input.hpp"
-#include "symbolic/sphere_integral.hpp"
-#include "symbolic/substitute.hpp"
+#include "symbolic/basis/basis.hpp"
+#include "symbolic/number/polynomial_calculus.hpp"
+#include "symbolic/number/sphere_integral.hpp"
+#include "symbolic/number/substitute.hpp"
+#include "symbolic/rotation/rotation_input.hpp"
 
 namespace sh::symbolic::errata {
 namespace {

@@ -2,16 +2,16 @@
 // rotation matrices by their definition as integrals.
 //
 // Variables 0, 1, 2 are x, y, z; variables 3 to 8 are symbols (cosines and sines, a quaternion) that stay in the
-// result. S_lm is the rational part of Y_lm (symbolic/basis.hpp).
+// result. S_lm is the rational part of Y_lm (symbolic/basis/basis.hpp).
 #pragma once
 
 #include <cln/rational.h>
 
 #include <array>
 
-#include "symbolic/matrix.hpp"
-#include "symbolic/polynomial.hpp"
-#include "symbolic/surd.hpp"
+#include "symbolic/number/matrix.hpp"
+#include "symbolic/number/polynomial.hpp"
+#include "symbolic/number/surd.hpp"
 
 namespace sh::symbolic::errata {
 

@@ -1,8 +1,8 @@
 #include "symbolic/errata/exact_rotation.hpp"
 
 #include "symbolic/errata/exact_tools.hpp"
-#include "symbolic/quaternion_rotation.hpp"
-#include "symbolic/rotation_axis.hpp"
+#include "symbolic/rotation/quaternion_rotation.hpp"
+#include "symbolic/rotation/rotation_axis.hpp"
 
 namespace sh::symbolic::errata {
 namespace {

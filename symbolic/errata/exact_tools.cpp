@@ -7,10 +7,10 @@
 #include <map>
 #include <stdexcept>
 
-#include "symbolic/green_circular_light.hpp"
-#include "symbolic/polynomial_calculus.hpp"
-#include "symbolic/rotation_input.hpp"
-#include "symbolic/substitute.hpp"
+#include "symbolic/errata/green_circular_light.hpp"
+#include "symbolic/number/polynomial_calculus.hpp"
+#include "symbolic/number/substitute.hpp"
+#include "symbolic/rotation/rotation_input.hpp"
 
 namespace sh::symbolic::errata {
 namespace {

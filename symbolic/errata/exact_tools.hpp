@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "symbolic/basis.hpp"
-#include "symbolic/polynomial.hpp"
-#include "symbolic/radical_sum.hpp"
+#include "symbolic/basis/basis.hpp"
+#include "symbolic/number/polynomial.hpp"
+#include "symbolic/number/radical_sum.hpp"
 
 namespace sh::symbolic::errata {
 

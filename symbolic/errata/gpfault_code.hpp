@@ -7,8 +7,8 @@
 #include <array>
 #include <vector>
 
-#include "symbolic/matrix.hpp"
-#include "symbolic/surd.hpp"
+#include "symbolic/number/matrix.hpp"
+#include "symbolic/number/surd.hpp"
 
 namespace sh::symbolic::errata::gpfault_code {
 

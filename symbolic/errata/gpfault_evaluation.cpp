@@ -5,11 +5,11 @@
 #include <array>
 #include <stdexcept>
 
-#include "symbolic/convolution.hpp"
 #include "symbolic/errata/gpfault_code.hpp"
 #include "symbolic/errata/parts.hpp"
 #include "symbolic/errata/sphere_function.hpp"
-#include "symbolic/polynomial_calculus.hpp"
+#include "symbolic/number/polynomial_calculus.hpp"
+#include "symbolic/zonal/convolution.hpp"
 
 namespace sh::symbolic::errata {
 namespace {

@@ -6,8 +6,8 @@
 #include "symbolic/errata/gpfault_code.hpp"
 #include "symbolic/errata/parts.hpp"
 #include "symbolic/errata/sphere_function.hpp"
-#include "symbolic/polynomial_calculus.hpp"
-#include "symbolic/zonal.hpp"
+#include "symbolic/number/polynomial_calculus.hpp"
+#include "symbolic/zonal/zonal.hpp"
 
 namespace sh::symbolic::errata {
 namespace {

@@ -2,13 +2,13 @@
 #include <algorithm>
 #include <array>
 
-#include "symbolic/convolution.hpp"
 #include "symbolic/errata/gpfault_code.hpp"
 #include "symbolic/errata/parts.hpp"
 #include "symbolic/errata/sphere_function.hpp"
-#include "symbolic/irradiance.hpp"
-#include "symbolic/polynomial_calculus.hpp"
-#include "symbolic/rotation_input.hpp"
+#include "symbolic/number/polynomial_calculus.hpp"
+#include "symbolic/rotation/rotation_input.hpp"
+#include "symbolic/zonal/convolution.hpp"
+#include "symbolic/zonal/irradiance.hpp"
 
 namespace sh::symbolic::errata {
 namespace {

@@ -4,9 +4,9 @@
 
 #include <cln/integer.h>
 
-#include "symbolic/polynomial.hpp"
-#include "symbolic/polynomial_calculus.hpp"
-#include "symbolic/surd.hpp"
+#include "symbolic/number/polynomial.hpp"
+#include "symbolic/number/polynomial_calculus.hpp"
+#include "symbolic/number/surd.hpp"
 
 namespace sh::symbolic::errata::gpfault_legendre {
 

@@ -6,8 +6,8 @@
 #include "symbolic/errata/parts.hpp"
 #include "symbolic/errata/sphere_function.hpp"
 #include "symbolic/errata/texel_solid_angle.hpp"
-#include "symbolic/rotation_input.hpp"
-#include "symbolic/zonal.hpp"
+#include "symbolic/rotation/rotation_input.hpp"
+#include "symbolic/zonal/zonal.hpp"
 
 namespace sh::symbolic::errata {
 namespace {

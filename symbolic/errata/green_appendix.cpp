@@ -1,15 +1,15 @@
 // [Green03] Appendix 1, G-95 to G-98: the recursion of Ivanic and Ruedenberg in the paper's names.
 //
 // The page's equations are lost. The recursion is carried out on exact numbers for a rational rotation and compared
-// with the quaternion form (symbolic/quaternion_rotation.hpp), which shares no code with it.
+// with the quaternion form (symbolic/rotation/quaternion_rotation.hpp), which shares no code with it.
 #include <array>
 #include <cstdlib>
 
 #include "symbolic/errata/exact_integrals.hpp"
 #include "symbolic/errata/parts.hpp"
-#include "symbolic/quaternion_rotation.hpp"
-#include "symbolic/radical_sum.hpp"
-#include "symbolic/rotation_input.hpp"
+#include "symbolic/number/radical_sum.hpp"
+#include "symbolic/rotation/quaternion_rotation.hpp"
+#include "symbolic/rotation/rotation_input.hpp"
 
 namespace sh::symbolic::errata {
 namespace {

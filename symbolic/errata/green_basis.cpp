@@ -1,6 +1,6 @@
 // [Green03], the real spherical harmonics, their factor, index and code: G-29 to G-37.
 //
-// Functions of theta and phi are trigonometric polynomials (green_exact.hpp), compared with symbolic/basis.hpp, or
+// Functions of theta and phi are trigonometric polynomials (green_exact.hpp), compared with symbolic/basis/basis.hpp, or
 // integrated over theta and phi.
 #include <cln/integer.h>
 #include <cln/real.h>
@@ -12,7 +12,7 @@
 #include "symbolic/errata/green_code.hpp"
 #include "symbolic/errata/green_exact.hpp"
 #include "symbolic/errata/parts.hpp"
-#include "symbolic/polynomial_calculus.hpp"
+#include "symbolic/number/polynomial_calculus.hpp"
 
 namespace sh::symbolic::errata {
 namespace {

@@ -7,13 +7,13 @@
 #include <cmath>
 #include <optional>
 
+#include "symbolic/basis/normalisation.hpp"
 #include "symbolic/errata/exact_integrals.hpp"
 #include "symbolic/errata/parts.hpp"
-#include "symbolic/normalisation.hpp"
-#include "symbolic/polynomial_calculus.hpp"
-#include "symbolic/sphere_integral.hpp"
-#include "symbolic/zonal.hpp"
-#include "symbolic/zonal_integrals.hpp"
+#include "symbolic/number/polynomial_calculus.hpp"
+#include "symbolic/number/sphere_integral.hpp"
+#include "symbolic/zonal/zonal.hpp"
+#include "symbolic/zonal/zonal_integrals.hpp"
 
 namespace sh::symbolic::errata {
 namespace {

@@ -6,10 +6,10 @@
 
 #include "symbolic/errata/exact_integrals.hpp"
 #include "symbolic/errata/parts.hpp"
-#include "symbolic/quaternion_rotation.hpp"
-#include "symbolic/rotation_axis.hpp"
-#include "symbolic/rotation_input.hpp"
-#include "symbolic/rotation_recursion.hpp"
+#include "symbolic/rotation/quaternion_rotation.hpp"
+#include "symbolic/rotation/rotation_axis.hpp"
+#include "symbolic/rotation/rotation_input.hpp"
+#include "symbolic/rotation/rotation_recursion.hpp"
 
 namespace sh::symbolic::errata {
 namespace {

@@ -6,10 +6,10 @@
 #include <array>
 #include <stdexcept>
 
-#include "symbolic/gaunt.hpp"
-#include "symbolic/polynomial_calculus.hpp"
-#include "symbolic/sphere_integral.hpp"
-#include "symbolic/substitute.hpp"
+#include "symbolic/number/polynomial_calculus.hpp"
+#include "symbolic/number/sphere_integral.hpp"
+#include "symbolic/number/substitute.hpp"
+#include "symbolic/product/gaunt.hpp"
 
 namespace sh::symbolic::errata::exact {
 namespace {

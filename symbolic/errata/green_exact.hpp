@@ -7,9 +7,9 @@
 
 #include <vector>
 
-#include "symbolic/basis.hpp"
-#include "symbolic/radical_sum.hpp"
-#include "symbolic/rotation_input.hpp"
+#include "symbolic/basis/basis.hpp"
+#include "symbolic/number/radical_sum.hpp"
+#include "symbolic/rotation/rotation_input.hpp"
 
 namespace sh::symbolic::errata::exact {
 
@@ -86,7 +86,7 @@ bool same(const Scaled<T>& a, const Scaled<T>& b) {
   return ratio.radicand() == 1 && ratio.pi_half_power() == 0 && T(ratio.rational()) * a.value == b.value;
 }
 
-/// Y_lm by the definition of symbolic/basis.hpp, degree at most 10, in x, y, z and in theta, phi.
+/// Y_lm by the definition of symbolic/basis/basis.hpp, degree at most 10, in x, y, z and in theta, phi.
 const BasisFunction& basis(int index);
 Scaled<Angular> basis_of_angles(int degree, int order);
 

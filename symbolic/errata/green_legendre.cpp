@@ -12,7 +12,7 @@
 #include "symbolic/errata/green_code.hpp"
 #include "symbolic/errata/green_exact.hpp"
 #include "symbolic/errata/parts.hpp"
-#include "symbolic/polynomial_calculus.hpp"
+#include "symbolic/number/polynomial_calculus.hpp"
 
 namespace sh::symbolic::errata {
 namespace {

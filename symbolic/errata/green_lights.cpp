@@ -1,17 +1,17 @@
 // [Green03] Creating Light Sources, G-92 to G-94: circular lights and proxy shadows.
 #include <array>
 
-#include "symbolic/convolution.hpp"
+#include "symbolic/basis/normalisation.hpp"
 #include "symbolic/errata/exact_integrals.hpp"
+#include "symbolic/errata/green_circular_light.hpp"
 #include "symbolic/errata/parts.hpp"
-#include "symbolic/green_circular_light.hpp"
-#include "symbolic/normalisation.hpp"
-#include "symbolic/polynomial_calculus.hpp"
-#include "symbolic/product_form.hpp"
-#include "symbolic/sphere_integral.hpp"
-#include "symbolic/substitute.hpp"
-#include "symbolic/zonal.hpp"
-#include "symbolic/zonal_integrals.hpp"
+#include "symbolic/number/polynomial_calculus.hpp"
+#include "symbolic/number/sphere_integral.hpp"
+#include "symbolic/number/substitute.hpp"
+#include "symbolic/product/product_form.hpp"
+#include "symbolic/zonal/convolution.hpp"
+#include "symbolic/zonal/zonal.hpp"
+#include "symbolic/zonal/zonal_integrals.hpp"
 
 namespace sh::symbolic::errata {
 namespace {

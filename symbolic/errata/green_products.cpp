@@ -9,9 +9,9 @@
 #include "symbolic/errata/green_code.hpp"
 #include "symbolic/errata/green_exact.hpp"
 #include "symbolic/errata/parts.hpp"
-#include "symbolic/gaunt.hpp"
-#include "symbolic/sphere_integral.hpp"
-#include "symbolic/substitute.hpp"
+#include "symbolic/number/sphere_integral.hpp"
+#include "symbolic/number/substitute.hpp"
+#include "symbolic/product/gaunt.hpp"
 
 namespace sh::symbolic::errata {
 namespace {

@@ -9,8 +9,8 @@
 
 #include "symbolic/errata/green_exact.hpp"
 #include "symbolic/errata/parts.hpp"
-#include "symbolic/gaunt.hpp"
-#include "symbolic/polynomial_calculus.hpp"
+#include "symbolic/number/polynomial_calculus.hpp"
+#include "symbolic/product/gaunt.hpp"
 
 namespace sh::symbolic::errata {
 namespace {

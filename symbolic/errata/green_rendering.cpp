@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <array>
 
+#include "symbolic/basis/normalisation.hpp"
 #include "symbolic/errata/exact_integrals.hpp"
 #include "symbolic/errata/parts.hpp"
-#include "symbolic/irradiance.hpp"
-#include "symbolic/normalisation.hpp"
-#include "symbolic/polynomial_calculus.hpp"
-#include "symbolic/radical_sum.hpp"
-#include "symbolic/sphere_integral.hpp"
+#include "symbolic/number/polynomial_calculus.hpp"
+#include "symbolic/number/radical_sum.hpp"
+#include "symbolic/number/sphere_integral.hpp"
+#include "symbolic/zonal/irradiance.hpp"
 
 namespace sh::symbolic::errata {
 namespace {

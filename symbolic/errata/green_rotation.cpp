@@ -4,12 +4,12 @@
 // matrices of the paper.
 #include <ginac/ginac.h>
 
-#include "symbolic/basis.hpp"
+#include "symbolic/basis/basis.hpp"
 #include "symbolic/errata/exact_integrals.hpp"
 #include "symbolic/errata/parts.hpp"
-#include "symbolic/rotation_axis.hpp"
-#include "symbolic/rotation_input.hpp"
-#include "symbolic/sphere_integral.hpp"
+#include "symbolic/number/sphere_integral.hpp"
+#include "symbolic/rotation/rotation_axis.hpp"
+#include "symbolic/rotation/rotation_input.hpp"
 
 namespace sh::symbolic::errata {
 namespace {

@@ -8,7 +8,7 @@
 #include "symbolic/errata/green_code.hpp"
 #include "symbolic/errata/green_exact.hpp"
 #include "symbolic/errata/parts.hpp"
-#include "symbolic/sphere_integral.hpp"
+#include "symbolic/number/sphere_integral.hpp"
 
 namespace sh::symbolic::errata {
 namespace {

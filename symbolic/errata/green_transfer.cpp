@@ -5,11 +5,11 @@
 // exactly. Values hold S_lm, the rational part of Y_lm, for every l up to kDegree; openings are cones about the normal.
 #include <array>
 
-#include "symbolic/basis.hpp"
+#include "symbolic/basis/basis.hpp"
 #include "symbolic/errata/exact_integrals.hpp"
 #include "symbolic/errata/parts.hpp"
-#include "symbolic/irradiance.hpp"
-#include "symbolic/polynomial_calculus.hpp"
+#include "symbolic/number/polynomial_calculus.hpp"
+#include "symbolic/zonal/irradiance.hpp"
 
 namespace sh::symbolic::errata {
 namespace {

@@ -5,11 +5,11 @@
 #include <map>
 #include <utility>
 
+#include "symbolic/basis/normalisation.hpp"
 #include "symbolic/errata/errata.hpp"
 #include "symbolic/errata/ivanic_ruedenberg_tables.hpp"
-#include "symbolic/normalisation.hpp"
-#include "symbolic/sphere_integral.hpp"
-#include "symbolic/substitute.hpp"
+#include "symbolic/number/sphere_integral.hpp"
+#include "symbolic/number/substitute.hpp"
 
 namespace sh::symbolic::errata {
 namespace {

@@ -3,17 +3,17 @@
 // Rendering with nine coefficients: the basis, the factors of irradiance, and the matrix M with its five constants.
 #include <array>
 
-#include "symbolic/basis.hpp"
+#include "symbolic/basis/basis.hpp"
 #include "symbolic/errata/errata.hpp"
 #include "symbolic/errata/exact_rotation.hpp"
 #include "symbolic/errata/exact_tools.hpp"
+#include "symbolic/errata/green_circular_light.hpp"
 #include "symbolic/errata/ramamoorthi_basis.hpp"
 #include "symbolic/errata/ramamoorthi_rendering.hpp"
 #include "symbolic/errata/single_light.hpp"
-#include "symbolic/green_circular_light.hpp"
-#include "symbolic/irradiance.hpp"
-#include "symbolic/polynomial_calculus.hpp"
-#include "symbolic/substitute.hpp"
+#include "symbolic/number/polynomial_calculus.hpp"
+#include "symbolic/number/substitute.hpp"
+#include "symbolic/zonal/irradiance.hpp"
 
 namespace sh::symbolic::errata {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "symbolic/basis.hpp"
+#include "symbolic/basis/basis.hpp"
 #include "symbolic/errata/exact_tools.hpp"
-#include "symbolic/substitute.hpp"
+#include "symbolic/number/substitute.hpp"
 
 namespace sh::symbolic::errata {
 namespace {

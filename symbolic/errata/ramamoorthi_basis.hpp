@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "symbolic/polynomial.hpp"
-#include "symbolic/surd.hpp"
+#include "symbolic/number/polynomial.hpp"
+#include "symbolic/number/surd.hpp"
 
 namespace sh::symbolic::errata {
 

@@ -1,10 +1,10 @@
 #include "symbolic/errata/ramamoorthi_rendering.hpp"
 
-#include "symbolic/basis.hpp"
-#include "symbolic/convolution.hpp"
+#include "symbolic/basis/basis.hpp"
 #include "symbolic/errata/ramamoorthi_basis.hpp"
-#include "symbolic/matrix.hpp"
-#include "symbolic/zonal.hpp"
+#include "symbolic/number/matrix.hpp"
+#include "symbolic/zonal/convolution.hpp"
+#include "symbolic/zonal/zonal.hpp"
 
 namespace sh::symbolic::errata {
 namespace {

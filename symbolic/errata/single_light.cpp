@@ -3,8 +3,8 @@
 #include <stdexcept>
 
 #include "symbolic/errata/exact_tools.hpp"
-#include "symbolic/irradiance.hpp"
-#include "symbolic/polynomial_calculus.hpp"
+#include "symbolic/number/polynomial_calculus.hpp"
+#include "symbolic/zonal/irradiance.hpp"
 
 namespace sh::symbolic::errata {
 namespace {

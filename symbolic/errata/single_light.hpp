@@ -4,7 +4,7 @@
 // Irradiance max(0, t), t = cos of the angle to the light, for INT L dw = 1, less its projection on l <= 2.
 #pragma once
 
-#include "symbolic/surd.hpp"
+#include "symbolic/number/surd.hpp"
 
 namespace sh::symbolic::errata {
 

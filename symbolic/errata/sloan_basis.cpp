@@ -8,7 +8,7 @@
 
 #include "symbolic/errata/parts.hpp"
 #include "symbolic/errata/sphere_function.hpp"
-#include "symbolic/polynomial_calculus.hpp"
+#include "symbolic/number/polynomial_calculus.hpp"
 
 namespace sh::symbolic::errata {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "symbolic/errata/parts.hpp"
 #include "symbolic/errata/sphere_function.hpp"
-#include "symbolic/gaunt.hpp"
+#include "symbolic/product/gaunt.hpp"
 
 namespace sh::symbolic::errata {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "symbolic/basis.hpp"
+#include "symbolic/basis/basis.hpp"
 #include "symbolic/errata/parts.hpp"
 #include "symbolic/errata/sphere_function.hpp"
 #include "symbolic/errata/texel_solid_angle.hpp"

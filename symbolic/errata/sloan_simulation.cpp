@@ -8,7 +8,7 @@
 
 #include "symbolic/errata/parts.hpp"
 #include "symbolic/errata/sphere_function.hpp"
-#include "symbolic/rotation_input.hpp"
+#include "symbolic/rotation/rotation_input.hpp"
 
 namespace sh::symbolic::errata {
 namespace {

@@ -5,8 +5,8 @@
 
 #include "symbolic/errata/parts.hpp"
 #include "symbolic/errata/sphere_function.hpp"
-#include "symbolic/gaunt.hpp"
-#include "symbolic/product_form.hpp"
+#include "symbolic/product/gaunt.hpp"
+#include "symbolic/product/product_form.hpp"
 
 namespace sh::symbolic::errata {
 namespace {

@@ -2,16 +2,16 @@
 // whose coefficients are real sums of surds, so that a transcription of a formula or of code can be run on them.
 //
 // Convention: orthonormal, no Condon-Shortley phase, z polar, index l(l+1)+m; the independent side of a decision is the
-// homogeneous form of symbolic/basis.hpp. Integrals are those of monomials over the sphere [Folland01].
+// homogeneous form of symbolic/basis/basis.hpp. Integrals are those of monomials over the sphere [Folland01].
 #pragma once
 
 #include <map>
 #include <span>
 #include <vector>
 
-#include "symbolic/matrix.hpp"
-#include "symbolic/polynomial.hpp"
-#include "symbolic/radical_sum.hpp"
+#include "symbolic/number/matrix.hpp"
+#include "symbolic/number/polynomial.hpp"
+#include "symbolic/number/radical_sum.hpp"
 
 namespace sh::symbolic::errata::sphere {
 
@@ -51,7 +51,7 @@ class SphereFunction {
 /// Equal wherever x^2 + y^2 + z^2 = 1.
 bool equal_on_sphere(const SphereFunction& a, const SphereFunction& b);
 
-/// Y_lm of symbolic/basis.hpp, homogeneous form, and all of degree 0..degree.
+/// Y_lm of symbolic/basis/basis.hpp, homogeneous form, and all of degree 0..degree.
 SphereFunction spherical_harmonic(int degree, int order);
 std::vector<SphereFunction> spherical_harmonics(int degree);
 

@@ -3,8 +3,8 @@
 #include <cln/real.h>
 #include <ginac/ginac.h>
 
-#include "symbolic/from_ginac.hpp"
-#include "symbolic/matrix.hpp"
+#include "symbolic/number/from_ginac.hpp"
+#include "symbolic/number/matrix.hpp"
 
 namespace sh::symbolic::errata::texel {
 

@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "symbolic/radical_sum.hpp"
+#include "symbolic/number/radical_sum.hpp"
 
 namespace sh::symbolic::errata::texel {
 

@@ -2,17 +2,17 @@
 #include <cstdio>
 #include <ctime>
 
-#include "symbolic/basis.hpp"
-#include "symbolic/basis_derivatives.hpp"
-#include "symbolic/complex_basis.hpp"
-#include "symbolic/gaunt.hpp"
-#include "symbolic/irradiance.hpp"
-#include "symbolic/presets.hpp"
-#include "symbolic/quaternion_rotation.hpp"
-#include "symbolic/rotation_axis.hpp"
-#include "symbolic/rotation_recursion.hpp"
-#include "symbolic/signed_permutation.hpp"
-#include "symbolic/zonal.hpp"
+#include "symbolic/basis/basis.hpp"
+#include "symbolic/basis/basis_derivatives.hpp"
+#include "symbolic/convention/complex_basis.hpp"
+#include "symbolic/convention/presets.hpp"
+#include "symbolic/convention/signed_permutation.hpp"
+#include "symbolic/product/gaunt.hpp"
+#include "symbolic/rotation/quaternion_rotation.hpp"
+#include "symbolic/rotation/rotation_axis.hpp"
+#include "symbolic/rotation/rotation_recursion.hpp"
+#include "symbolic/zonal/irradiance.hpp"
+#include "symbolic/zonal/zonal.hpp"
 
 namespace {
 

@@ -6,7 +6,7 @@
 
 #include "generated/batch/batch.hpp"
 #include "generated/cpp/basis.hpp"
-#include "numeric/basis.hpp"
+#include "numeric/oracle/basis.hpp"
 #include "tests/bench/controls/splat_colour.hpp"
 #include "tests/bench/degrees.hpp"
 #include "tests/bench/harness.hpp"

@@ -2,7 +2,7 @@
 #include <array>
 #include <string>
 
-#include "numeric/gaunt.hpp"
+#include "numeric/oracle/gaunt.hpp"
 #include "tests/bench/harness.hpp"
 
 namespace sh::bench {

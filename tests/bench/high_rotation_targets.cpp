@@ -3,11 +3,11 @@
 #include <cmath>
 #include <string>
 
-#include "numeric/basis.hpp"
 #include "numeric/methods/zxz_rows.hpp"
-#include "numeric/random.hpp"
-#include "numeric/rotation.hpp"
-#include "numeric/rotation_matrices.hpp"
+#include "numeric/oracle/basis.hpp"
+#include "numeric/oracle/rotation.hpp"
+#include "numeric/oracle/rotation_matrices.hpp"
+#include "numeric/sampling/random.hpp"
 #include "tests/bench/harness.hpp"
 
 namespace sh::bench {

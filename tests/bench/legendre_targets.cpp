@@ -11,12 +11,12 @@
 #include <string>
 #include <vector>
 
-#include "numeric/basis.hpp"
-#include "numeric/legendre_rings.hpp"
-#include "numeric/legendre_values.hpp"
 #include "numeric/methods/legendre_methods.hpp"
-#include "numeric/quadrature.hpp"
-#include "numeric/real.hpp"
+#include "numeric/oracle/basis.hpp"
+#include "numeric/oracle/legendre_rings.hpp"
+#include "numeric/oracle/legendre_values.hpp"
+#include "numeric/oracle/quadrature.hpp"
+#include "numeric/oracle/real.hpp"
 #include "tests/bench/harness.hpp"
 #include "tests/bench/limits.hpp"
 

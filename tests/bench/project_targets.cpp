@@ -5,7 +5,7 @@
 
 #include "generated/batch/batch.hpp"
 #include "generated/cpp/basis.hpp"
-#include "numeric/basis.hpp"
+#include "numeric/oracle/basis.hpp"
 #include "tests/bench/degrees.hpp"
 #include "tests/bench/harness.hpp"
 #include "tests/bench/sixteen.hpp"

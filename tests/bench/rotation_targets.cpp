@@ -7,8 +7,8 @@
 #include "generated/batch/batch.hpp"
 #include "generated/cpp/rotate.hpp"
 #include "numeric/methods/classic_rotation.hpp"
-#include "numeric/rotation.hpp"
-#include "numeric/rotation_matrices.hpp"
+#include "numeric/oracle/rotation.hpp"
+#include "numeric/oracle/rotation_matrices.hpp"
 #include "tests/bench/degrees.hpp"
 #include "tests/bench/harness.hpp"
 

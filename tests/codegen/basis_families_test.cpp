@@ -7,10 +7,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "codegen/catalogue.hpp"
-#include "codegen/directions.hpp"
-#include "codegen/domains.hpp"
-#include "codegen/evaluate.hpp"
+#include "codegen/choose/catalogue.hpp"
+#include "codegen/ir/evaluate.hpp"
+#include "codegen/measure/directions.hpp"
+#include "codegen/measure/domains.hpp"
 
 namespace sh::codegen {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "codegen/catalogue.hpp"
-#include "codegen/recipes/basis_parity.hpp"
+#include "codegen/choose/catalogue.hpp"
+#include "codegen/recipes/basis/basis_parity.hpp"
 
 namespace sh::codegen {
 namespace {

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <sstream>
 
-#include "codegen/evaluate.hpp"
+#include "codegen/ir/evaluate.hpp"
 #include "tests/codegen/emitted.hpp"
 #include "tests/codegen/support.hpp"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "codegen/catalogue.hpp"
+#include "codegen/choose/catalogue.hpp"
 #include "numeric/kernels/signature.hpp"
 
 namespace sh::codegen::test {

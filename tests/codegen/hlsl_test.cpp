@@ -9,12 +9,12 @@
 #include <set>
 #include <stdexcept>
 
-#include "numeric/error_stats.hpp"
 #include "numeric/glsl/glsl_runner.hpp"
 #include "numeric/kernels/bind.hpp"
 #include "numeric/kernels/checks/checks.hpp"
 #include "numeric/kernels/kernel_limits.hpp"
 #include "numeric/kernels/samples.hpp"
+#include "numeric/sampling/error_stats.hpp"
 #include "tests/codegen/emitted.hpp"
 #include "tests/codegen/support.hpp"
 

@@ -1,18 +1,18 @@
 // Kernels in other conventions, against the exact functions of each convention; what that costs.
-#include "codegen/in_convention.hpp"
+#include "codegen/convention/in_convention.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <stdexcept>
 
-#include "codegen/catalogue.hpp"
-#include "codegen/directions.hpp"
-#include "codegen/evaluate.hpp"
+#include "codegen/choose/catalogue.hpp"
+#include "codegen/convention/gauge.hpp"
 #include "codegen/families/families.hpp"
-#include "codegen/gauge.hpp"
-#include "symbolic/basis.hpp"
-#include "symbolic/presets.hpp"
+#include "codegen/ir/evaluate.hpp"
+#include "codegen/measure/directions.hpp"
+#include "symbolic/basis/basis.hpp"
+#include "symbolic/convention/presets.hpp"
 #include "tests/codegen/support.hpp"
 
 namespace sh::codegen {

@@ -2,11 +2,11 @@
 #include <cln/real.h>
 #include <gtest/gtest.h>
 
-#include "codegen/recipes/lane_triples.hpp"
-#include "codegen/recipes/lane_turns.hpp"
-#include "codegen/recipes/orbits.hpp"
-#include "symbolic/gaunt.hpp"
-#include "symbolic/matrix.hpp"
+#include "codegen/recipes/product/lane_triples.hpp"
+#include "codegen/recipes/product/orbits.hpp"
+#include "codegen/recipes/rotation/lane_turns.hpp"
+#include "symbolic/number/matrix.hpp"
+#include "symbolic/product/gaunt.hpp"
 
 namespace sh::codegen {
 namespace {

@@ -1,7 +1,7 @@
 // Every language: the emitted file of every family at its lowest, a middle and its highest degree compiles alone.
 #include <gtest/gtest.h>
 
-#include "codegen/catalogue.hpp"
+#include "codegen/choose/catalogue.hpp"
 #include "tests/codegen/emitted.hpp"
 #include "tests/codegen/support.hpp"
 

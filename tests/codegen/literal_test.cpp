@@ -1,4 +1,4 @@
-#include "codegen/literal.hpp"
+#include "codegen/ir/literal.hpp"
 
 #include <cln/real.h>
 #include <gtest/gtest.h>

@@ -3,9 +3,9 @@
 
 #include <stdexcept>
 
-#include "codegen/cost.hpp"
-#include "codegen/evaluate.hpp"
-#include "codegen/ir.hpp"
+#include "codegen/ir/cost.hpp"
+#include "codegen/ir/evaluate.hpp"
+#include "codegen/ir/ir.hpp"
 #include "codegen/passes/prune.hpp"
 #include "codegen/passes/schedule.hpp"
 #include "codegen/passes/share.hpp"

@@ -1,5 +1,5 @@
 // Masks: what they take out is what symmetry says, what is left agrees with the full kernel and costs less.
-#include "codegen/mask.hpp"
+#include "codegen/choose/mask.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,11 +7,11 @@
 #include <cmath>
 #include <random>
 
-#include "codegen/directions.hpp"
-#include "codegen/domains.hpp"
-#include "codegen/evaluate.hpp"
-#include "codegen/masked_kernel.hpp"
-#include "symbolic/basis.hpp"
+#include "codegen/choose/masked_kernel.hpp"
+#include "codegen/ir/evaluate.hpp"
+#include "codegen/measure/directions.hpp"
+#include "codegen/measure/domains.hpp"
+#include "symbolic/basis/basis.hpp"
 #include "tests/codegen/support.hpp"
 
 namespace sh::codegen {

@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "codegen/cost.hpp"
-#include "codegen/evaluate.hpp"
-#include "codegen/literal.hpp"
+#include "codegen/ir/cost.hpp"
+#include "codegen/ir/evaluate.hpp"
+#include "codegen/ir/literal.hpp"
 #include "codegen/passes/associate.hpp"
 #include "codegen/passes/factor.hpp"
 #include "codegen/passes/prune.hpp"

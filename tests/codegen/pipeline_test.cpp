@@ -1,11 +1,11 @@
-#include "codegen/pipeline.hpp"
+#include "codegen/passes/pipeline.hpp"
 
 #include <gtest/gtest.h>
 
 #include <stdexcept>
 
-#include "codegen/catalogue.hpp"
-#include "codegen/recipes/basis.hpp"
+#include "codegen/choose/catalogue.hpp"
+#include "codegen/recipes/basis/basis.hpp"
 
 namespace sh::codegen {
 namespace {

@@ -5,9 +5,9 @@
 #include <cstdlib>
 #include <sstream>
 
-#include "codegen/catalogue.hpp"
-#include "codegen/directions.hpp"
-#include "codegen/evaluate.hpp"
+#include "codegen/choose/catalogue.hpp"
+#include "codegen/ir/evaluate.hpp"
+#include "codegen/measure/directions.hpp"
 #include "codegen/print/cpp.hpp"
 #include "codegen/print/dump.hpp"
 #include "codegen/print/function.hpp"

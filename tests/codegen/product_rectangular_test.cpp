@@ -5,13 +5,13 @@
 #include <random>
 #include <stdexcept>
 
-#include "codegen/catalogue.hpp"
-#include "codegen/evaluate.hpp"
+#include "codegen/choose/catalogue.hpp"
+#include "codegen/choose/masked_kernel.hpp"
 #include "codegen/families/families.hpp"
-#include "codegen/masked_kernel.hpp"
-#include "numeric/basis.hpp"
-#include "numeric/quadrature.hpp"
-#include "symbolic/product_form.hpp"
+#include "codegen/ir/evaluate.hpp"
+#include "numeric/oracle/basis.hpp"
+#include "numeric/oracle/quadrature.hpp"
+#include "symbolic/product/product_form.hpp"
 
 namespace sh::codegen {
 namespace {

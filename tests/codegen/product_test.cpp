@@ -5,15 +5,15 @@
 #include <cmath>
 #include <random>
 
-#include "codegen/catalogue.hpp"
-#include "codegen/cost.hpp"
-#include "codegen/evaluate.hpp"
-#include "codegen/linear_circuit.hpp"
-#include "codegen/pipeline.hpp"
-#include "codegen/recipes/phi_transform.hpp"
-#include "codegen/recipes/product_pairs.hpp"
-#include "codegen/recipes/product_separable.hpp"
-#include "codegen/recipes/ring_quadrature.hpp"
+#include "codegen/choose/catalogue.hpp"
+#include "codegen/ir/cost.hpp"
+#include "codegen/ir/evaluate.hpp"
+#include "codegen/passes/pipeline.hpp"
+#include "codegen/recipes/linear_circuit.hpp"
+#include "codegen/recipes/product/phi_transform.hpp"
+#include "codegen/recipes/product/product_pairs.hpp"
+#include "codegen/recipes/product/product_separable.hpp"
+#include "codegen/recipes/product/ring_quadrature.hpp"
 
 namespace sh::codegen {
 namespace {

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "symbolic/proofs.hpp"
+#include "symbolic/proofs/proofs.hpp"
 #include "tests/codegen/support.hpp"
 
 namespace sh::codegen {

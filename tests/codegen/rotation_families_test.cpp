@@ -7,9 +7,9 @@
 #include <numbers>
 #include <random>
 
-#include "codegen/catalogue.hpp"
-#include "codegen/evaluate.hpp"
-#include "codegen/rotations.hpp"
+#include "codegen/choose/catalogue.hpp"
+#include "codegen/ir/evaluate.hpp"
+#include "codegen/measure/rotations.hpp"
 
 namespace sh::codegen {
 namespace {

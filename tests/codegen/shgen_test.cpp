@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <map>
 
-#include "codegen/output_tree.hpp"
+#include "codegen/output/output_tree.hpp"
 #include "tests/codegen/support.hpp"
 
 namespace sh::codegen {

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "codegen/ir.hpp"
+#include "codegen/ir/ir.hpp"
 #include "tests/temporary_folder.hpp"
 
 namespace sh::codegen::test {

@@ -3,7 +3,7 @@
 
 #include <stdexcept>
 
-#include "codegen/wisdom.hpp"
+#include "codegen/choose/wisdom.hpp"
 #include "tests/codegen/support.hpp"
 
 namespace sh::codegen {

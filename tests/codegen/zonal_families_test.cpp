@@ -6,9 +6,9 @@
 #include <cmath>
 #include <limits>
 
-#include "codegen/catalogue.hpp"
-#include "codegen/evaluate.hpp"
-#include "symbolic/zonal.hpp"
+#include "codegen/choose/catalogue.hpp"
+#include "codegen/ir/evaluate.hpp"
+#include "symbolic/zonal/zonal.hpp"
 
 namespace sh::codegen {
 namespace {

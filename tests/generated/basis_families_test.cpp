@@ -20,7 +20,7 @@
 #include "generated/cpp/project.hpp"
 #include "generated/cpp/project_finish.hpp"
 #include "generated/cpp/project_moments.hpp"
-#include "numeric/basis.hpp"
+#include "numeric/oracle/basis.hpp"
 #include "tests/generated/kernel_support.hpp"
 
 namespace sh {

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "numeric/basis.hpp"
+#include "numeric/oracle/basis.hpp"
 
 namespace sh::test {
 

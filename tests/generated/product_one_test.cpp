@@ -7,8 +7,8 @@
 #include <stdexcept>
 
 #include "generated/batch/batch.hpp"
-#include "numeric/basis.hpp"
-#include "numeric/quadrature.hpp"
+#include "numeric/oracle/basis.hpp"
+#include "numeric/oracle/quadrature.hpp"
 #include "tests/generated/batch_support.hpp"
 
 namespace sh::test {

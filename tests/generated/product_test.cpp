@@ -15,8 +15,8 @@
 #include "generated/cpp/product_zonal.hpp"
 #include "generated/cpp/square.hpp"
 #include "generated/cpp/triple.hpp"
-#include "numeric/basis.hpp"
-#include "numeric/quadrature.hpp"
+#include "numeric/oracle/basis.hpp"
+#include "numeric/oracle/quadrature.hpp"
 #include "tests/generated/kernel_support.hpp"
 
 namespace sh {

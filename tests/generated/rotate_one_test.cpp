@@ -5,8 +5,8 @@
 #include <stdexcept>
 
 #include "generated/batch/batch.hpp"
-#include "numeric/rotation.hpp"
-#include "numeric/rotation_matrices.hpp"
+#include "numeric/oracle/rotation.hpp"
+#include "numeric/oracle/rotation_matrices.hpp"
 #include "tests/generated/batch_support.hpp"
 
 namespace sh::test {

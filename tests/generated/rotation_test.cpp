@@ -1,5 +1,5 @@
 // The committed rotations against the oracle, each other and what a rotation is.
-#include "numeric/rotation.hpp"
+#include "numeric/oracle/rotation.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,8 +18,8 @@
 #include "generated/cpp/rotate_evaluate.hpp"
 #include "generated/cpp/rotate_quaternion.hpp"
 #include "generated/cpp/rotate_z.hpp"
-#include "numeric/basis.hpp"
-#include "numeric/rotation_matrices.hpp"
+#include "numeric/oracle/basis.hpp"
+#include "numeric/oracle/rotation_matrices.hpp"
 #include "tests/generated/kernel_support.hpp"
 
 namespace sh {

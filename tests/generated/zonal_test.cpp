@@ -26,9 +26,9 @@
 #include "generated/cpp/window_lanczos2.hpp"
 #include "generated/cpp/window_lanczos4.hpp"
 #include "generated/cpp/window_laplacian.hpp"
-#include "numeric/basis.hpp"
-#include "numeric/quadrature.hpp"
-#include "numeric/zonal.hpp"
+#include "numeric/oracle/basis.hpp"
+#include "numeric/oracle/quadrature.hpp"
+#include "numeric/oracle/zonal.hpp"
 #include "tests/generated/kernel_support.hpp"
 
 namespace sh {

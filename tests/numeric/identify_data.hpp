@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "numeric/basis.hpp"
-#include "numeric/directions.hpp"
 #include "numeric/identify/identify.hpp"
+#include "numeric/oracle/basis.hpp"
+#include "numeric/sampling/directions.hpp"
 
 namespace sh::numeric::identify {
 

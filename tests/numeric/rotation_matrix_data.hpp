@@ -8,10 +8,10 @@
 #include <complex>
 #include <vector>
 
-#include "numeric/directions.hpp"
 #include "numeric/identify/rotation_check.hpp"
-#include "numeric/rotation.hpp"
-#include "numeric/rotation_matrices.hpp"
+#include "numeric/oracle/rotation.hpp"
+#include "numeric/oracle/rotation_matrices.hpp"
+#include "numeric/sampling/directions.hpp"
 
 namespace sh::numeric::identify {
 

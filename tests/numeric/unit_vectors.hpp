@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "numeric/basis.hpp"
-#include "numeric/random.hpp"
+#include "numeric/oracle/basis.hpp"
+#include "numeric/sampling/random.hpp"
 
 namespace sh::numeric {
 

@@ -7,8 +7,8 @@
 #include <numbers>
 #include <random>
 
-#include "numeric/cap.hpp"
-#include "numeric/quadrature.hpp"
+#include "numeric/oracle/cap.hpp"
+#include "numeric/oracle/quadrature.hpp"
 #include "prt/basis.hpp"
 #include "prt/light/cap_light.hpp"
 #include "prt/light/polygon_light.hpp"

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "numeric/basis.hpp"
+#include "numeric/oracle/basis.hpp"
 #include "prt/mesh/tessellate.hpp"
 #include "prt/rays/directions.hpp"
 #include "tests/prt/cosine_integral.hpp"

@@ -5,8 +5,8 @@
 #include <numbers>
 #include <vector>
 
-#include "numeric/basis.hpp"
-#include "numeric/quadrature.hpp"
+#include "numeric/oracle/basis.hpp"
+#include "numeric/oracle/quadrature.hpp"
 
 namespace sh::prt::test {
 

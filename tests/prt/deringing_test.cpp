@@ -8,8 +8,8 @@
 #include <numbers>
 #include <numeric>
 
+#include "numeric/oracle/zonal.hpp"
 #include "numeric/sampling/sphere_nodes.hpp"
-#include "numeric/zonal.hpp"
 #include "prt/basis.hpp"
 #include "prt/light/cap_light.hpp"
 #include "prt/light/sky.hpp"

@@ -9,9 +9,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "numeric/basis.hpp"
-#include "numeric/directions.hpp"
-#include "numeric/quadrature.hpp"
+#include "numeric/oracle/basis.hpp"
+#include "numeric/oracle/quadrature.hpp"
+#include "numeric/sampling/directions.hpp"
 #include "numeric/sampling/sobol.hpp"
 #include "numeric/sampling/sphere_nodes.hpp"
 #include "prt/bake/bake.hpp"

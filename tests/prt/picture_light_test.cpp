@@ -6,7 +6,7 @@
 #include <memory>
 #include <numbers>
 
-#include "numeric/cap.hpp"
+#include "numeric/oracle/cap.hpp"
 #include "numeric/output/png.hpp"
 #include "prt/image/image_io.hpp"
 #include "prt/light/cap_light.hpp"

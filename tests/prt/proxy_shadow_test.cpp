@@ -11,8 +11,8 @@
 #include <random>
 
 #include "generated/cpp/product.hpp"
-#include "numeric/cap.hpp"
-#include "numeric/quadrature.hpp"
+#include "numeric/oracle/cap.hpp"
+#include "numeric/oracle/quadrature.hpp"
 #include "prt/basis.hpp"
 #include "prt/light/cap_light.hpp"
 #include "prt/light/sky.hpp"

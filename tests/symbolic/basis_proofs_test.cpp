@@ -1,5 +1,5 @@
 // Every proof about the basis holds, and is refuted by a small change of what it proves.
-#include "symbolic/basis_proofs.hpp"
+#include "symbolic/proofs/basis_proofs.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "symbolic/basis.hpp"
+#include "symbolic/basis/basis.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <vector>
 
-#include "symbolic/basis_ginac.hpp"
-#include "symbolic/sphere_integral.hpp"
+#include "symbolic/basis/basis_ginac.hpp"
+#include "symbolic/number/sphere_integral.hpp"
 
 namespace sh::symbolic {
 namespace {

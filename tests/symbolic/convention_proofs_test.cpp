@@ -1,10 +1,10 @@
 // Every proof about conventions holds, and is refuted by a small change of what it proves.
-#include "symbolic/convention_proofs.hpp"
+#include "symbolic/proofs/convention_proofs.hpp"
 
 #include <gtest/gtest.h>
 
-#include "symbolic/complex_basis.hpp"
-#include "symbolic/presets.hpp"
+#include "symbolic/convention/complex_basis.hpp"
+#include "symbolic/convention/presets.hpp"
 
 namespace sh::symbolic {
 namespace {

@@ -1,15 +1,15 @@
 // Conventions: axes, index orders, what maps do to coefficients, rotations and products, and what is refused.
-#include "symbolic/convention.hpp"
+#include "symbolic/convention/convention.hpp"
 
 #include <gtest/gtest.h>
 
 #include <set>
 #include <stdexcept>
 
-#include "symbolic/convention_map.hpp"
-#include "symbolic/presets.hpp"
-#include "symbolic/quaternion_rotation.hpp"
-#include "symbolic/rotation_recursion.hpp"
+#include "symbolic/convention/convention_map.hpp"
+#include "symbolic/convention/presets.hpp"
+#include "symbolic/rotation/quaternion_rotation.hpp"
+#include "symbolic/rotation/rotation_recursion.hpp"
 
 namespace sh::symbolic {
 namespace {

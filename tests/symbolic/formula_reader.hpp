@@ -1,4 +1,4 @@
-// Reads typeset formulas back and evaluates them: an independent reader of what symbolic/typeset.hpp writes.
+// Reads typeset formulas back and evaluates them: an independent reader of what symbolic/typeset/typeset.hpp writes.
 //
 // Grammar: sums of products of numbers, names with optional indices, \pi, \frac{}{}, \sqrt{}, parentheses, each with an
 // optional ^{n}. The name i is the imaginary unit.

@@ -1,5 +1,5 @@
 // Each proof holds for what is derived and falls for a spoiled copy of it.
-#include "symbolic/gaunt_proofs.hpp"
+#include "symbolic/proofs/gaunt_proofs.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "symbolic/gaunt.hpp"
+#include "symbolic/product/gaunt.hpp"
 
 #include <cln/integer_io.h>
 #include <cln/rational_io.h>
@@ -10,9 +10,9 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "numeric/gaunt.hpp"
-#include "symbolic/product_form.hpp"
-#include "symbolic/wigner_3j.hpp"
+#include "numeric/oracle/gaunt.hpp"
+#include "symbolic/product/product_form.hpp"
+#include "symbolic/product/wigner_3j.hpp"
 
 namespace sh::symbolic {
 namespace {

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <complex>
 
-#include "numeric/directions.hpp"
-#include "numeric/error_stats.hpp"
 #include "numeric/identify/convention.hpp"
-#include "symbolic/presets.hpp"
+#include "numeric/sampling/directions.hpp"
+#include "numeric/sampling/error_stats.hpp"
+#include "symbolic/convention/presets.hpp"
 
 namespace sh {
 namespace {

@@ -1,10 +1,10 @@
-#include "symbolic/polynomial.hpp"
+#include "symbolic/number/polynomial.hpp"
 
 #include <gtest/gtest.h>
 
 #include <stdexcept>
 
-#include "symbolic/from_ginac.hpp"
+#include "symbolic/number/from_ginac.hpp"
 
 namespace sh::symbolic {
 namespace {

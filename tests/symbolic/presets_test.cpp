@@ -1,6 +1,6 @@
 // Each preset's first two bands (three where the polynomials are documented to there) are the functions that its source
 // evaluates, in the source's own coordinates. The constants are those the sources print, to their digits.
-#include "symbolic/presets.hpp"
+#include "symbolic/convention/presets.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <complex>
 #include <stdexcept>
 
-#include "symbolic/convention_map.hpp"
+#include "symbolic/convention/convention_map.hpp"
 
 namespace sh::symbolic {
 namespace {

@@ -1,11 +1,11 @@
 // RadicalSum and Matrix: a ring with unique representation.
-#include "symbolic/radical_sum.hpp"
+#include "symbolic/number/radical_sum.hpp"
 
 #include <gtest/gtest.h>
 
 #include <stdexcept>
 
-#include "symbolic/matrix.hpp"
+#include "symbolic/number/matrix.hpp"
 
 namespace sh::symbolic {
 namespace {

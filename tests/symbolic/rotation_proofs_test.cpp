@@ -1,11 +1,11 @@
 // Every proof about rotations holds, and is refuted by a small change of what it proves.
-#include "symbolic/rotation_proofs.hpp"
+#include "symbolic/proofs/rotation_proofs.hpp"
 
 #include <gtest/gtest.h>
 
-#include "symbolic/rotation_axis.hpp"
-#include "symbolic/rotation_input.hpp"
-#include "symbolic/rotation_recursion.hpp"
+#include "symbolic/rotation/rotation_axis.hpp"
+#include "symbolic/rotation/rotation_input.hpp"
+#include "symbolic/rotation/rotation_recursion.hpp"
 
 namespace sh::symbolic {
 namespace {

@@ -6,13 +6,13 @@
 #include <random>
 #include <stdexcept>
 
-#include "symbolic/basis.hpp"
-#include "symbolic/normalisation.hpp"
-#include "symbolic/quaternion_rotation.hpp"
-#include "symbolic/rotation_axis.hpp"
-#include "symbolic/rotation_input.hpp"
-#include "symbolic/rotation_recursion.hpp"
-#include "symbolic/zyz_angles.hpp"
+#include "symbolic/basis/basis.hpp"
+#include "symbolic/basis/normalisation.hpp"
+#include "symbolic/rotation/quaternion_rotation.hpp"
+#include "symbolic/rotation/rotation_axis.hpp"
+#include "symbolic/rotation/rotation_input.hpp"
+#include "symbolic/rotation/rotation_recursion.hpp"
+#include "symbolic/rotation/zyz_angles.hpp"
 
 namespace sh::symbolic {
 namespace {

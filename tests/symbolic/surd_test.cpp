@@ -1,4 +1,4 @@
-#include "symbolic/surd.hpp"
+#include "symbolic/number/surd.hpp"
 
 #include <cln/real.h>
 #include <gtest/gtest.h>

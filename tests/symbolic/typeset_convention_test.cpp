@@ -6,8 +6,8 @@
 #include <complex>
 #include <stdexcept>
 
-#include "numeric/quadrature.hpp"
-#include "symbolic/gaunt.hpp"
+#include "numeric/oracle/quadrature.hpp"
+#include "symbolic/product/gaunt.hpp"
 #include "tests/symbolic/typeset_support.hpp"
 
 namespace sh::symbolic {

@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "numeric/basis.hpp"
-#include "numeric/rotation.hpp"
-#include "symbolic/typeset_families.hpp"
+#include "numeric/oracle/basis.hpp"
+#include "numeric/oracle/rotation.hpp"
+#include "symbolic/typeset/typeset_families.hpp"
 #include "tests/symbolic/formula_reader.hpp"
 
 namespace sh::symbolic::test {

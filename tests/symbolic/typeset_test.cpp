@@ -1,5 +1,5 @@
 // Typeset tables, read back by an independent reader and compared with the numeric oracle.
-#include "symbolic/typeset.hpp"
+#include "symbolic/typeset/typeset.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,12 +11,12 @@
 #include <random>
 #include <stdexcept>
 
-#include "numeric/basis.hpp"
-#include "numeric/quadrature.hpp"
-#include "numeric/rotation.hpp"
-#include "numeric/zonal.hpp"
-#include "symbolic/gaunt.hpp"
-#include "symbolic/typeset_families.hpp"
+#include "numeric/oracle/basis.hpp"
+#include "numeric/oracle/quadrature.hpp"
+#include "numeric/oracle/rotation.hpp"
+#include "numeric/oracle/zonal.hpp"
+#include "symbolic/product/gaunt.hpp"
+#include "symbolic/typeset/typeset_families.hpp"
 #include "tests/symbolic/typeset_support.hpp"
 
 namespace sh::symbolic {

@@ -1,13 +1,13 @@
 // Each proof holds for what is derived and falls for a spoiled copy of it.
-#include "symbolic/zonal_proofs.hpp"
+#include "symbolic/proofs/zonal_proofs.hpp"
 
 #include <gtest/gtest.h>
 
 #include <set>
 #include <stdexcept>
 
-#include "symbolic/green_circular_light.hpp"
-#include "symbolic/irradiance.hpp"
+#include "symbolic/errata/green_circular_light.hpp"
+#include "symbolic/zonal/irradiance.hpp"
 
 namespace sh::symbolic {
 namespace {

@@ -1,4 +1,4 @@
-#include "symbolic/zonal.hpp"
+#include "symbolic/zonal/zonal.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,10 +8,10 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "symbolic/convolution.hpp"
-#include "symbolic/green_circular_light.hpp"
-#include "symbolic/irradiance.hpp"
-#include "symbolic/zonal_integrals.hpp"
+#include "symbolic/errata/green_circular_light.hpp"
+#include "symbolic/zonal/convolution.hpp"
+#include "symbolic/zonal/irradiance.hpp"
+#include "symbolic/zonal/zonal_integrals.hpp"
 
 namespace sh::symbolic {
 namespace {

@@ -1,9 +1,9 @@
 // basis(x, y, z) -> out (bands^2): the values of every degree, against the recurrences of numeric/basis.
-#include "numeric/basis.hpp"
+#include "numeric/oracle/basis.hpp"
 
-#include "numeric/error_stats.hpp"
 #include "numeric/kernels/checks/checks.hpp"
 #include "numeric/kernels/checks/inputs.hpp"
+#include "numeric/sampling/error_stats.hpp"
 
 namespace sh::numeric {
 

@@ -1,6 +1,6 @@
 // cap(one_minus_cos) -> zonal; zonal(zonal, d) -> out; add_cap and add_cap_rgb (d, one_minus_cos, colour, sum in
 // place). Against quadrature over the cap and numeric's basis in the direction of the light.
-#include "numeric/cap.hpp"
+#include "numeric/oracle/cap.hpp"
 
 #include <cmath>
 #include <numbers>

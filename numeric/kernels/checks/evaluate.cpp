@@ -5,11 +5,11 @@
 #include <map>
 #include <vector>
 
-#include "numeric/basis.hpp"
-#include "numeric/error_stats.hpp"
 #include "numeric/kernels/checks/checks.hpp"
 #include "numeric/kernels/checks/inputs.hpp"
 #include "numeric/kernels/checks/polynomial_forms.hpp"
+#include "numeric/oracle/basis.hpp"
+#include "numeric/sampling/error_stats.hpp"
 
 namespace sh::numeric {
 namespace {

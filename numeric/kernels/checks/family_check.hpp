@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "numeric/kernels/signature.hpp"
-#include "numeric/real.hpp"
+#include "numeric/oracle/real.hpp"
 
 namespace sh::numeric {
 

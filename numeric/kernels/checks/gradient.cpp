@@ -1,16 +1,16 @@
 // basis_gradient(d) -> values and Cartesian derivatives of the solid harmonics r^l Y_lm(d/r), any d;
 // basis_normalised(d) -> Y_lm(d/|d|). Against numeric's gradient and basis.
-#include "numeric/gradient.hpp"
+#include "numeric/oracle/gradient.hpp"
 
 #include <array>
 #include <cmath>
 #include <string>
 #include <vector>
 
-#include "numeric/basis.hpp"
-#include "numeric/error_stats.hpp"
 #include "numeric/kernels/checks/checks.hpp"
 #include "numeric/kernels/checks/inputs.hpp"
+#include "numeric/oracle/basis.hpp"
+#include "numeric/sampling/error_stats.hpp"
 
 namespace sh::numeric {
 namespace {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "numeric/directions.hpp"
-#include "numeric/random.hpp"
+#include "numeric/sampling/directions.hpp"
+#include "numeric/sampling/random.hpp"
 
 namespace sh::numeric {
 namespace {

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "numeric/basis.hpp"
 #include "numeric/kernels/checks/family_check.hpp"
+#include "numeric/oracle/basis.hpp"
 
 namespace sh::numeric {
 

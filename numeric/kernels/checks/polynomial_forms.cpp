@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "numeric/basis.hpp"
+#include "numeric/oracle/basis.hpp"
 
 namespace sh::numeric {
 namespace {

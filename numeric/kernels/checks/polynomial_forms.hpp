@@ -9,7 +9,7 @@
 #include <map>
 #include <vector>
 
-#include "numeric/real.hpp"
+#include "numeric/oracle/real.hpp"
 
 namespace sh::numeric {
 

@@ -9,7 +9,7 @@
 
 #include "numeric/kernels/checks/checks.hpp"
 #include "numeric/kernels/checks/inputs.hpp"
-#include "numeric/quadrature.hpp"
+#include "numeric/oracle/quadrature.hpp"
 
 namespace sh::numeric {
 namespace {

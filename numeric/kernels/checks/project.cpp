@@ -3,13 +3,13 @@
 #include <cmath>
 #include <vector>
 
-#include "numeric/basis.hpp"
-#include "numeric/directions.hpp"
-#include "numeric/error_stats.hpp"
 #include "numeric/kernels/checks/checks.hpp"
 #include "numeric/kernels/checks/inputs.hpp"
 #include "numeric/kernels/checks/polynomial_forms.hpp"
-#include "numeric/random.hpp"
+#include "numeric/oracle/basis.hpp"
+#include "numeric/sampling/directions.hpp"
+#include "numeric/sampling/error_stats.hpp"
+#include "numeric/sampling/random.hpp"
 
 namespace sh::numeric {
 namespace {

@@ -1,7 +1,7 @@
 // Rotations: rotate (r, c), rotate_quaternion (q, c), rotate_z (cos, sin, c) -> c'; rotate_build r -> m, rotate_apply
 // (m, c) -> c'; rotate_evaluate (r, c, d) -> f(r^-1 d). Against the recursion of Ivanic and Ruedenberg in
 // numeric/rotation, at the rotation nearest to the rounded input.
-#include "numeric/rotation.hpp"
+#include "numeric/oracle/rotation.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -10,7 +10,7 @@
 #include "numeric/kernels/checks/checks.hpp"
 #include "numeric/kernels/checks/inputs.hpp"
 #include "numeric/kernels/checks/rotation_inputs.hpp"
-#include "numeric/rotation_matrices.hpp"
+#include "numeric/oracle/rotation_matrices.hpp"
 
 namespace sh::numeric {
 namespace {

@@ -7,10 +7,10 @@
 #include <numbers>
 #include <string>
 
-#include "numeric/directions.hpp"
 #include "numeric/kernels/checks/inputs.hpp"
-#include "numeric/random.hpp"
-#include "numeric/rotation_matrices.hpp"
+#include "numeric/oracle/rotation_matrices.hpp"
+#include "numeric/sampling/directions.hpp"
+#include "numeric/sampling/random.hpp"
 
 namespace sh::numeric {
 namespace {

@@ -5,9 +5,9 @@
 #include <cstddef>
 #include <vector>
 
-#include "numeric/basis.hpp"
-#include "numeric/real.hpp"
-#include "numeric/zonal.hpp"
+#include "numeric/oracle/basis.hpp"
+#include "numeric/oracle/real.hpp"
+#include "numeric/oracle/zonal.hpp"
 
 namespace sh::numeric {
 

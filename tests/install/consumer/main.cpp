@@ -2,7 +2,7 @@
 #include <cmath>
 #include <cstdio>
 #include <generated/cpp/basis.hpp>
-#include <numeric/basis.hpp>
+#include <numeric/oracle/basis.hpp>
 #include <prt/light/light_coefficients.hpp>
 
 int main() {

@@ -1,0 +1,290 @@
+#include "codegen/choose/catalogue.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+
+#include "codegen/choose/manifest.hpp"
+#include "codegen/choose/wisdom.hpp"
+#include "codegen/families/families.hpp"
+#include "codegen/print/batch.hpp"
+#include "codegen/print/c99.hpp"
+#include "codegen/print/cpp.hpp"
+#include "codegen/print/glsl.hpp"
+#include "codegen/print/hlsl.hpp"
+
+namespace sh::codegen {
+namespace {
+
+// A second kernel for accuracy is written where it errs less than this part of what the fastest one does.
+constexpr double kWorthwhile = 0.75;
+
+template <class T>
+std::string names_of(const std::vector<T>& items) {
+  std::string text;
+  for (const T& item : items) text += (text.empty() ? "" : ", ") + item.name;
+  return text;
+}
+
+template <class T>
+const T& find(const std::vector<T>& items, const std::string& kind, const std::string& name) {
+  for (const T& item : items) {
+    if (item.name == name) return item;
+  }
+  throw std::invalid_argument("unknown " + kind + " '" + name + "'; it should be one of: " + names_of(items));
+}
+
+}  // namespace
+
+const std::vector<Family>& families() {
+  static const std::vector<Family> kFamilies{basis_family(),
+                                             basis_gradient_family(),
+                                             basis_normalised_family(),
+                                             evaluate_family(),
+                                             evaluate_rgb_family(),
+                                             evaluate_prepare_family(),
+                                             evaluate_prepared_family(),
+                                             project_family(),
+                                             project_moments_family(),
+                                             project_finish_family(),
+                                             cap_family(),
+                                             zonal_family(),
+                                             add_cap_family(),
+                                             add_cap_rgb_family(),
+                                             irradiance_family(),
+                                             irradiance_matrix_family(),
+                                             irradiance_evaluate_family(),
+                                             lightmap_family(),
+                                             lightmap_project_family(),
+                                             lightmap_evaluate_family(),
+                                             window_hann_family(),
+                                             window_lanczos_family(),
+                                             window_lanczos2_family(),
+                                             window_lanczos4_family(),
+                                             window_gaussian_family(),
+                                             window_laplacian_family(),
+                                             product_family(),
+                                             product_full_family(),
+                                             square_family(),
+                                             product_zonal_family(),
+                                             triple_family(),
+                                             rotate_family(),
+                                             rotate_quaternion_family(),
+                                             rotate_z_family(),
+                                             rotate_build_family(),
+                                             rotate_apply_family(),
+                                             rotate_evaluate_family()};
+  return kFamilies;
+}
+
+const std::vector<Language>& languages() {
+  static const std::vector<Language> kLanguages{{"cpp", ".hpp", true, print::cpp_kernel, print::cpp_family},
+                                                {"glsl", ".glsl", true, print::glsl_kernel, nullptr},
+                                                {"glsl-es", ".glsl", false, print::glsl_es_kernel, nullptr},
+                                                {"hlsl", ".hlsl", false, print::hlsl_kernel, nullptr},
+                                                {"c99", ".h", false, print::c99_kernel, nullptr}};
+  return kLanguages;
+}
+
+const Family& find_family(const std::string& name) { return find(families(), "family", name); }
+const Language& find_language(const std::string& name) { return find(languages(), "language", name); }
+
+namespace {
+
+// The first recipe that is about as fast as any; the first one when some were not measured.
+std::vector<Recipe>::iterator fastest(const Family& family, int degree, std::vector<Recipe>& recipes) {
+  std::vector<double> times;
+  for (const Recipe& recipe : recipes) {
+    if (!recipe.for_speed) {
+      times.push_back(std::numeric_limits<double>::infinity());
+      continue;
+    }
+    const std::optional<Timing> timing = committed_wisdom().find(family.name, degree, recipe.name);
+    if (!timing) return recipes.begin();
+    times.push_back(timing->call);
+  }
+  if (times.empty()) return recipes.begin();
+  const double enough = kNoise * *std::min_element(times.begin(), times.end());
+  const auto found = std::find_if(times.begin(), times.end(), [enough](double time) { return time <= enough; });
+  return recipes.begin() + (found - times.begin());
+}
+
+}  // namespace
+
+const Recipe& find_recipe(const Family& family, int degree, const std::string& name) {
+  const Recipe& recipe = find(family.recipes, "recipe of " + family.name, name);
+  if (degree < recipe.smallest || degree > recipe.largest) {
+    throw std::invalid_argument("recipe " + name + " of " + family.name + ": degree " + std::to_string(degree) +
+                                "; it should be " + std::to_string(recipe.smallest) + " to " +
+                                std::to_string(recipe.largest));
+  }
+  return recipe;
+}
+
+Prefer find_preference(const std::string& name) {
+  if (name == "speed") return Prefer::kSpeed;
+  if (name == "accuracy") return Prefer::kAccuracy;
+  if (name == "size") return Prefer::kSize;
+  throw std::invalid_argument("unknown preference '" + name + "'; it should be one of: speed, accuracy, size");
+}
+
+print::Scalar find_scalar(const std::string& name) {
+  if (name == "float") return print::Scalar::kFloat;
+  if (name == "double") return print::Scalar::kDouble;
+  throw std::invalid_argument("unknown scalar '" + name + "'; it should be one of: float, double");
+}
+
+void require_degree(const Family& family, int degree) {
+  if (degree < 0 || degree > family.largest_emitted) {
+    throw std::invalid_argument(family.name + ": degree " + std::to_string(degree) + "; it should be 0 to " +
+                                std::to_string(family.largest_emitted) + ", " + family.limit);
+  }
+}
+
+std::vector<Recipe> recipes_for(const Family& family, int degree) {
+  require_degree(family, degree);
+  std::vector<Recipe> serving;
+  for (const Recipe& recipe : family.recipes) {
+    if (recipe.smallest <= degree && degree <= recipe.largest) serving.push_back(recipe);
+  }
+  std::rotate(serving.begin(), fastest(family, degree, serving), serving.end());
+  return serving;
+}
+
+Recipe fastest_recipe(const Family& family, int degree) {
+  const std::vector<Recipe> serving = recipes_for(family, degree);
+  if (!serving.empty()) return serving.front();
+  std::string degrees;
+  for (int other = 0; other <= family.largest_emitted; ++other) {
+    if (recipes_for(family, other).empty()) continue;
+    degrees += (degrees.empty() ? "" : ", ") + std::to_string(other);
+  }
+  throw std::invalid_argument(family.name + ": degree " + std::to_string(degree) + "; it should be one of: " + degrees);
+}
+
+Kernel recipe_kernel(const Family& family, const Recipe& recipe, int degree) {
+  require_degree(family, degree);
+  Kernel kernel = recipe.make(degree);
+  kernel.name = family.name + "_l" + std::to_string(degree);
+  kernel.family = family.name;
+  kernel.degree = degree;
+  kernel.recipe = recipe.name;
+  kernel.arguments =
+      (family.arguments.empty() ? family.name : family.arguments) + " --degree " + std::to_string(degree);
+  return kernel;
+}
+
+std::vector<Stage> kernel_stages(const Family& family, const Recipe& recipe, int degree) {
+  Kernel kernel = recipe_kernel(family, recipe, degree);
+  return run_pipeline(std::move(kernel), family.reference(degree, kReferencePoints), default_passes());
+}
+
+FinishedKernel finish_kernel(const Family& family, const Recipe& recipe, int degree) {
+  FinishedKernel finished;
+  finished.kernel = kernel_stages(family, recipe, degree).back().kernel;
+  finished.domain = family.domain;
+  finished.cost = cost(finished.kernel);
+  finished.in_float = measure<float>(finished.kernel, family.domain);
+  finished.in_double = measure<double>(finished.kernel, family.domain);
+  return finished;
+}
+
+namespace {
+
+std::vector<FinishedKernel> finish_all(const Family& family, int degree) {
+  std::vector<FinishedKernel> finished;
+  for (const Recipe& recipe : recipes_for(family, degree)) finished.push_back(finish_kernel(family, recipe, degree));
+  return finished;
+}
+
+// kernels: those of every recipe, the fastest first.
+FinishedKernel choose(const std::vector<FinishedKernel>& kernels, Prefer prefer) {
+  const auto error = [](const FinishedKernel& k) { return k.in_float.rounding.eps; };
+  const auto size = [](const FinishedKernel& k) { return k.cost.operations(); };
+  const auto least = [&](const auto& of) {
+    return *std::min_element(kernels.begin(), kernels.end(),
+                             [&](const FinishedKernel& a, const FinishedKernel& b) { return of(a) < of(b); });
+  };
+  if (prefer == Prefer::kSpeed) return kernels.front();
+  FinishedKernel chosen = prefer == Prefer::kSize ? least(size) : least(error);
+  if (chosen.kernel.recipe == kernels.front().kernel.recipe) return chosen;
+  if (prefer == Prefer::kSize) {
+    chosen.kernel.arguments += " --prefer size";
+  } else {
+    chosen.kernel.arguments += " --prefer accuracy";
+    chosen.kernel.name = chosen.kernel.family + "_accurate_l" + std::to_string(chosen.kernel.degree);
+  }
+  return chosen;
+}
+
+// Prints a kernel in every written language; returns the paths.
+std::vector<std::string> add_files(std::map<std::string, std::string>& files, const FinishedKernel& finished) {
+  std::vector<std::string> paths;
+  for (const Language& language : languages()) {
+    if (!language.written) continue;
+    paths.push_back(language.name + "/" + finished.kernel.name + language.suffix);
+    files[paths.back()] = language.print_kernel(finished, print::Scalar::kFloat);
+  }
+  return paths;
+}
+
+}  // namespace
+
+FinishedKernel preferred_kernel(const Family& family, int degree, Prefer prefer) {
+  const Recipe fastest = fastest_recipe(family, degree);
+  if (prefer == Prefer::kSpeed) return finish_kernel(family, fastest, degree);
+  return choose(finish_all(family, degree), prefer);
+}
+
+namespace {
+
+struct Rendering {
+  std::map<std::string, std::string> files;
+  std::vector<ManifestEntry> manifest;
+  print::WrittenFamilies written;
+};
+
+void render_family(const Family& family, const std::function<void(const std::string&)>& progress,
+                   Rendering& rendering) {
+  std::vector<FinishedKernel>& written = rendering.written[family.name];
+  for (int degree = 0; degree <= family.largest_written; ++degree) {
+    const std::vector<FinishedKernel> all = finish_all(family, degree);
+    if (all.empty()) continue;
+    written.push_back(choose(all, Prefer::kSpeed));
+    progress(written.back().kernel.name);
+    const FinishedKernel accurate = choose(all, Prefer::kAccuracy);
+    const bool worthwhile = accurate.in_float.rounding.eps < kWorthwhile * all.front().in_float.rounding.eps;
+    for (const FinishedKernel& candidate : all) {
+      const std::string& recipe = candidate.kernel.recipe;
+      ManifestEntry entry{candidate, {}, committed_wisdom().find(family.name, degree, recipe)};
+      if (recipe == written.back().kernel.recipe) entry.files = add_files(rendering.files, written.back());
+      if (worthwhile && recipe == accurate.kernel.recipe) entry.files = add_files(rendering.files, accurate);
+      rendering.manifest.push_back(entry);
+    }
+  }
+  for (const Language& language : languages()) {
+    if (language.print_family == nullptr) continue;
+    rendering.files[language.name + "/" + family.name + language.suffix] = language.print_family(written);
+  }
+}
+
+}  // namespace
+
+std::map<std::string, std::string> render_all(const std::function<void(const std::string&)>& progress) {
+  Rendering rendering;
+  for (const Family& family : families()) render_family(family, progress, rendering);
+  rendering.files.merge(print::batch_files(rendering.written));
+  rendering.files["MANIFEST"] = print_manifest(rendering.manifest);
+  return rendering.files;
+}
+
+std::map<std::string, std::string> render_families(const std::vector<std::string>& names,
+                                                   const std::function<void(const std::string&)>& progress) {
+  std::vector<const Family*> chosen;
+  for (const std::string& name : names) chosen.push_back(&find_family(name));
+  Rendering rendering;
+  for (const Family* family : chosen) render_family(*family, progress, rendering);
+  return rendering.files;
+}
+
+}  // namespace sh::codegen

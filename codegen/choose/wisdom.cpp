@@ -1,0 +1,67 @@
+#include "codegen/choose/wisdom.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+#include "codegen/output/installed.hpp"
+
+namespace sh::codegen {
+namespace {
+
+constexpr const char* kHead =
+    "# How long each recipe takes: family, degree, recipe, ns a call, ns a lane (float, one core).\n"
+    "# Written by `shgen tune`; `shgen write` picks the fastest recipe from it.\n";
+constexpr const char* kMachine = "# Measured on: ";
+
+}  // namespace
+
+Wisdom Wisdom::read(const std::filesystem::path& file) {
+  Wisdom wisdom;
+  std::ifstream stream(file);
+  std::string line;
+  for (int number = 1; std::getline(stream, line); ++number) {
+    if (line.rfind(kMachine, 0) == 0) wisdom.machine_ = line.substr(std::string(kMachine).size());
+    if (line.empty() || line[0] == '#') continue;
+    std::istringstream words(line);
+    std::string family;
+    std::string recipe;
+    int degree = 0;
+    Timing timing;
+    if (!(words >> family >> degree >> recipe >> timing.call >> timing.lane) || timing.call <= 0) {
+      throw std::runtime_error(file.string() + ":" + std::to_string(number) +
+                               ": not a measurement; it should be: family degree recipe ns-a-call ns-a-lane");
+    }
+    wisdom.set(family, degree, recipe, timing);
+  }
+  return wisdom;
+}
+
+void Wisdom::set(const std::string& family, int degree, const std::string& recipe, Timing timing) {
+  timings_[{family, degree, recipe}] = timing;
+}
+
+std::optional<Timing> Wisdom::find(const std::string& family, int degree, const std::string& recipe) const {
+  const auto found = timings_.find({family, degree, recipe});
+  return found == timings_.end() ? std::nullopt : std::optional(found->second);
+}
+
+std::string Wisdom::to_string() const {
+  std::string text = kHead + (machine_.empty() ? "" : kMachine + machine_ + "\n");
+  for (const auto& [key, timing] : timings_) {
+    const auto& [family, degree, recipe] = key;
+    text += fmt::format("{} {} {} {:.3g} {:.3g}\n", family, degree, recipe, timing.call, timing.lane);
+  }
+  return text;
+}
+
+std::filesystem::path wisdom_file() { return installed_or("share/shforge/wisdom.txt", SHFORGE_WISDOM_FILE); }
+
+const Wisdom& committed_wisdom() {
+  static const Wisdom kWisdom = Wisdom::read(wisdom_file());
+  return kWisdom;
+}
+
+}  // namespace sh::codegen

@@ -1,0 +1,359 @@
+#include "codegen/convention/in_convention.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <set>
+#include <stdexcept>
+
+#include "codegen/convention/gauge.hpp"
+#include "codegen/ir/evaluate.hpp"
+#include "codegen/passes/associate.hpp"
+#include "codegen/passes/pipeline.hpp"
+#include "codegen/passes/schedule.hpp"
+#include "symbolic/basis/basis.hpp"
+#include "symbolic/convention/presets.hpp"
+
+namespace sh::codegen {
+namespace {
+
+using symbolic::Convention;
+using symbolic::SignedPermutation;
+using symbolic::Surd;
+
+const std::vector<Pass> kPasses{{"associate", passes::associate}, {"schedule", passes::schedule}};
+
+// Where each element of our flattened arrays lies in theirs, and by which factor: theirs[place] = factor * ours.
+struct Layout {
+  std::vector<Parameter> arrays;  // theirs
+  std::vector<int> place;         // of each element of ours
+  std::vector<Surd> factor;
+};
+
+const Convention& our_convention() { return symbolic::presets().front().convention; }
+
+// Y'_lm = s Y_lm for a real convention without axes.
+Surd function_scale(const Convention& convention, int l, int m) {
+  return convention_factor(convention, l, m) / convention_factor(our_convention(), l, m);
+}
+
+bool starts_with(const std::string& text, const std::string& part) { return text.rfind(part, 0) == 0; }
+
+// Of an array of coefficients: that of the kernel, or its own where factors and result of a product may differ.
+int degree_of(const Kernel& kernel, const Parameter& array) {
+  if (!starts_with(kernel.family, "product")) return kernel.degree;
+  int degree = 0;
+  while ((degree + 1) * (degree + 1) < array.size()) ++degree;
+  return degree;
+}
+
+int count_of(int degree) { return (degree + 1) * (degree + 1); }
+
+class LayoutMaker {
+ public:
+  LayoutMaker(const Kernel& kernel, const Convention& convention, const SignedPermutation& axes)
+      : kernel_(kernel), convention_(convention), axes_(axes) {}
+
+  Layout of(const std::vector<Parameter>& arrays) {
+    for (const Parameter& array : arrays) append(array, arrays);
+    return std::move(layout_);
+  }
+
+ private:
+  void append(const Parameter& array, const std::vector<Parameter>& arrays) {
+    const int size = array.size();
+    const int bands = kernel_.degree + 1;
+    if (const std::optional<int> axis = coordinate(array.name, arrays)) {
+      append_coordinates(array, *axis, arrays);
+    } else if (array.name == "r" && size == 9) {
+      append_matrix(array);
+    } else if (array.name == "zonal" && size == bands) {
+      append_zonal(array);
+    } else if (holds_coefficients(array)) {
+      append_channels(array, degree_of(kernel_, array));
+    } else if (array.shape.empty() || array.name == "rgb" || kernel_.returns_scalar()) {
+      append_plain(array);
+    } else {
+      refuse("what it calls " + array.name + " has no counterpart in other conventions");
+    }
+  }
+
+  [[nodiscard]] bool holds_coefficients(const Parameter& array) const {
+    static const std::set<std::string> kNames{"a", "b", "c", "sum", "out", "dx", "dy", "dz"};
+    return !array.shape.empty() && kNames.count(array.name) > 0 &&
+           array.size() % count_of(degree_of(kernel_, array)) == 0;
+  }
+
+  // How many numbers the array holds in the convention.
+  [[nodiscard]] int stored_size(const Parameter& array) const {
+    if (!holds_coefficients(array)) return array.size();
+    const int degree = degree_of(kernel_, array);
+    return array.size() / count_of(degree) * storage_size(convention_.order, degree);
+  }
+
+  [[noreturn]] void refuse(const std::string& why) const {
+    throw std::invalid_argument(kernel_.family + ": cannot be emitted in another convention, as " + why);
+  }
+
+  // 0, 1, 2 for x, y, z and for dx, dy, dz.
+  static std::optional<int> coordinate(const std::string& name, const std::vector<Parameter>& arrays) {
+    const bool is_direction =
+        std::any_of(arrays.begin(), arrays.end(), [](const Parameter& a) { return a.name == "z"; });
+    if (is_direction && name.size() == 1 && name >= "x" && name <= "z") return name[0] - 'x';
+    if (name.size() == 2 && name[0] == 'd' && name >= "dx" && name <= "dz") return name[1] - 'x';
+    return std::nullopt;
+  }
+
+  [[nodiscard]] int base() const {
+    int size = 0;
+    for (const Parameter& array : layout_.arrays) size += array.size();
+    return size;
+  }
+
+  void append_plain(const Parameter& array) {
+    const int first = base();
+    for (int i = 0; i < array.size(); ++i) add(first + i, Surd(1));
+    layout_.arrays.push_back(array);
+  }
+
+  void add(int place, const Surd& factor) {
+    layout_.place.push_back(place);
+    layout_.factor.push_back(factor);
+  }
+
+  // Coordinate `axis` of ours is a coordinate of the caller's with a sign: theirs' = axes * caller's.
+  void append_coordinates(const Parameter& array, int axis, const std::vector<Parameter>& arrays) {
+    int target = 0;  // where the caller's coordinate of that number is passed
+    for (const Parameter& other : arrays) {
+      if (coordinate(other.name, arrays) == std::optional(axes_.axis(axis))) break;
+      target += stored_size(other);
+    }
+    const Surd sign(axes_.sign(axis));
+    if (array.shape.empty()) {
+      add(target, sign);
+    } else {
+      for (int l = 0; l <= kernel_.degree; ++l) {
+        for (int m = -l; m <= l; ++m)
+          add(target + position(kernel_.degree, l, m), sign * function_scale(convention_, l, m));
+      }
+    }
+    Parameter theirs = array;
+    if (!array.shape.empty()) theirs.shape = {storage_size(convention_.order, kernel_.degree)};
+    layout_.arrays.push_back(std::move(theirs));
+  }
+
+  // R' = P R P^T
+  void append_matrix(const Parameter& array) {
+    const int first = base();
+    for (int i = 0; i < 3; ++i) {
+      for (int j = 0; j < 3; ++j) {
+        add(first + 3 * axes_.axis(i) + axes_.axis(j), Surd(axes_.sign(i) * axes_.sign(j)));
+      }
+    }
+    layout_.arrays.push_back(array);
+  }
+
+  void append_zonal(const Parameter& array) {
+    const int first = base();
+    for (int l = 0; l <= kernel_.degree; ++l) add(first + l, coefficient_factor(l, 0));
+    layout_.arrays.push_back(array);
+  }
+
+  void append_channels(const Parameter& array, int degree) {
+    const int first = base();
+    const int channels = array.size() / count_of(degree);
+    const int size = storage_size(convention_.order, degree);
+    const bool functions = starts_with(kernel_.family, "basis");
+    for (int channel = 0; channel < channels; ++channel) {
+      for (int l = 0; l <= degree; ++l) {
+        for (int m = -l; m <= l; ++m) {
+          add(first + channel * size + position(degree, l, m),
+              functions ? function_scale(convention_, l, m) : coefficient_factor(l, m));
+        }
+      }
+    }
+    Parameter theirs = array;
+    theirs.shape = channels == 1 ? std::vector<int>{size} : std::vector<int>{channels, size};
+    layout_.arrays.push_back(std::move(theirs));
+  }
+
+  [[nodiscard]] int position(int degree, int l, int m) const {
+    return storage_position(convention_.order, degree, l, m);
+  }
+
+  // c' = c / s, with what is folded in; a family that evaluates sums what is stored with the convention's functions.
+  [[nodiscard]] Surd coefficient_factor(int l, int m) const {
+    const Surd factor = function_scale(convention_, l, m).inverse();
+    return kernel_.family.find("evaluate") != std::string::npos ? factor
+                                                                : factor * folded_factor(convention_.folded, l);
+  }
+
+  const Kernel& kernel_;
+  const Convention& convention_;
+  const SignedPermutation& axes_;
+  Layout layout_;
+};
+
+int total_size(const std::vector<Parameter>& arrays) {
+  int size = 0;
+  for (const Parameter& array : arrays) size += array.size();
+  return size;
+}
+
+// Inputs or outputs of ours as the convention stores them; holes are zero.
+std::vector<cln::cl_F> as_stored(const std::vector<cln::cl_F>& ours, const Layout& layout, int digits) {
+  std::vector<cln::cl_F> theirs(static_cast<std::size_t>(total_size(layout.arrays)),
+                                cln::cl_float(0, cln::float_format(digits)));
+  for (std::size_t i = 0; i < ours.size(); ++i) {
+    theirs[static_cast<std::size_t>(layout.place[i])] = ours[i] * layout.factor[i].evaluate(digits);
+  }
+  return theirs;
+}
+
+std::vector<cln::cl_F> as_ours(const std::vector<cln::cl_F>& theirs, const Layout& layout, int digits) {
+  std::vector<cln::cl_F> ours;
+  for (std::size_t i = 0; i < layout.place.size(); ++i) {
+    ours.push_back(theirs[static_cast<std::size_t>(layout.place[i])] / layout.factor[i].evaluate(digits));
+  }
+  return ours;
+}
+
+// Where an output of ours is stored.
+std::size_t output_place(const Kernel& kernel, const Layout& outputs, std::size_t output) {
+  return static_cast<std::size_t>(outputs.place[static_cast<std::size_t>(kernel.element(output))]);
+}
+
+// The kernel with its arrays laid out as the convention does.
+Kernel relaid(Kernel kernel, const Layout& inputs, const Layout& outputs) {
+  kernel = with_gauges(kernel, inputs.factor, outputs.factor);
+  for (Node& node : kernel.nodes) {
+    if (node.op == Op::kInput) node.input = inputs.place[static_cast<std::size_t>(node.input)];
+  }
+  kernel.parameters = inputs.arrays;
+  kernel.results = outputs.arrays;
+  std::vector<Output> stored(static_cast<std::size_t>(total_size(outputs.arrays)));
+  for (std::size_t i = 0; i < kernel.outputs.size(); ++i) stored[output_place(kernel, outputs, i)] = kernel.outputs[i];
+  // Places that hold no element of ours are zero; elements that the kernel does not write stay unwritten.
+  std::vector<bool> hole(stored.size(), true);
+  for (const int place : outputs.place) hole[static_cast<std::size_t>(place)] = false;
+  NodeId none = -1;
+  kernel.outputs.clear();
+  for (std::size_t i = 0; i < stored.size(); ++i) {
+    if (hole[i] && none < 0) none = Builder(kernel).constant(Surd(), "none");
+    if (hole[i]) stored[i] = {none, "unused"};
+    stored[i].element = static_cast<int>(i);
+    if (stored[i].node >= 0) kernel.outputs.push_back(std::move(stored[i]));
+  }
+  return kernel;
+}
+
+// What the kernel in our convention gives at the points, mapped, for the outputs of `relaid`; its inputs are exact to
+// the digits of the check.
+Reference reference_in(const Kernel& kernel, const Kernel& relaid, const Reference& points, const Layout& inputs,
+                       const Layout& outputs) {
+  Evaluator<cln::cl_F> ours(kernel, kCheckDigits);
+  Reference reference;
+  for (const ReferencePoint& point : points) {
+    std::vector<cln::cl_F> in;
+    for (const cln::cl_RA& value : point.inputs) in.push_back(cln::cl_float(value, cln::float_format(kCheckDigits)));
+    ReferencePoint mapped;
+    for (const cln::cl_F& value : as_stored(in, inputs, kCheckDigits)) mapped.inputs.push_back(cln::rational(value));
+    std::vector<cln::cl_F> all(outputs.place.size(), cln::cl_float(0, cln::float_format(kCheckDigits)));
+    const std::vector<cln::cl_F> written = ours(in);
+    for (std::size_t i = 0; i < written.size(); ++i) all[static_cast<std::size_t>(kernel.element(i))] = written[i];
+    const std::vector<cln::cl_F> stored = as_stored(all, outputs, kCheckDigits);
+    for (std::size_t i = 0; i < relaid.outputs.size(); ++i)
+      mapped.outputs.push_back(stored[static_cast<std::size_t>(relaid.element(i))]);
+    reference.push_back(std::move(mapped));
+  }
+  return reference;
+}
+
+Domain domain_in(const Domain& ours, const Layout& inputs, const Layout& outputs) {
+  constexpr int kDigits = 40;
+  std::vector<std::size_t> from(static_cast<std::size_t>(total_size(outputs.arrays)), 0);
+  std::vector<double> factor(from.size(), 1);
+  for (std::size_t i = 0; i < outputs.place.size(); ++i) {
+    from[static_cast<std::size_t>(outputs.place[i])] = i;
+    factor[static_cast<std::size_t>(outputs.place[i])] = std::abs(cln::double_approx(outputs.factor[i].evaluate(20)));
+  }
+  const auto in_double = [](const std::vector<cln::cl_F>& values) {
+    std::vector<double> result;
+    result.reserve(values.size());
+    for (const cln::cl_F& value : values) result.push_back(cln::double_approx(value));
+    return result;
+  };
+  const auto exact = [](std::span<const double> values) {
+    std::vector<cln::cl_F> result;
+    for (const double value : values) result.push_back(cln::cl_float(value, cln::float_format(kDigits)));
+    return result;
+  };
+  Domain domain = ours;
+  domain.test_inputs = [=](int degree) {
+    std::vector<std::vector<double>> mapped;
+    for (const std::vector<double>& input : ours.test_inputs(degree))
+      mapped.push_back(in_double(as_stored(exact(input), inputs, kDigits)));
+    return mapped;
+  };
+  domain.size = [=](std::span<const double> theirs, std::size_t output) {
+    return factor[output] * ours.size(in_double(as_ours(exact(theirs), inputs, kDigits)), from[output]);
+  };
+  if (ours.nearest_in_domain) {
+    domain.nearest_in_domain = [=](const std::vector<cln::cl_F>& theirs) {
+      return as_stored(ours.nearest_in_domain(as_ours(theirs, inputs, kDigits)), inputs, kDigits);
+    };
+  }
+  return domain;
+}
+
+Convention chosen_convention(const Kernel& kernel, const ConventionOptions& options) {
+  const Convention convention =
+      options.convention.empty() ? our_convention() : symbolic::find_preset(options.convention).convention;
+  if (convention.complex)
+    throw std::invalid_argument("convention " + options.convention + ": it is complex; kernels are for real ones");
+  int degree = kernel.degree;
+  for (const Parameter& result : kernel.results) degree = std::max(degree, degree_of(kernel, result));
+  require_convention(convention, degree);
+  const bool multiplies = starts_with(kernel.family, "product") || starts_with(kernel.family, "square") ||
+                          starts_with(kernel.family, "triple");
+  if (multiplies && convention.folded != symbolic::Folded::kNothing)
+    throw std::invalid_argument("convention " + options.convention +
+                                ": its coefficients hold a clamped cosine; products should be of radiance");
+  return convention;
+}
+
+}  // namespace
+
+std::string ConventionOptions::arguments() const {
+  return (convention.empty() ? "" : " --convention " + convention) + (axes.empty() ? "" : " --axes " + axes);
+}
+
+FinishedKernel in_convention(const FinishedKernel& finished, const Reference& points,
+                             const ConventionOptions& options) {
+  const Convention convention = chosen_convention(finished.kernel, options);
+  const SignedPermutation axes = options.axes.empty() ? SignedPermutation() : SignedPermutation(options.axes);
+  const Layout inputs = LayoutMaker(finished.kernel, convention, axes).of(finished.kernel.parameters);
+  const Layout outputs = LayoutMaker(finished.kernel, convention, axes).of(finished.kernel.results);
+  FinishedKernel result = finished;
+  result.kernel = relaid(finished.kernel, inputs, outputs);
+  result.kernel.arguments += options.arguments();
+  if (!options.convention.empty()) {
+    result.kernel.result = "arrays as " + options.convention + " has them (" +
+                           symbolic::find_preset(options.convention).source +
+                           "); in this project's own convention: " + finished.kernel.result;
+    result.kernel.name += "_" + options.convention;
+    std::replace(result.kernel.name.begin(), result.kernel.name.end(), '-', '_');
+  }
+  if (!options.axes.empty())
+    result.kernel.domain +=
+        ". Directions are the caller's; the convention's coordinates are (" + options.axes + ") of them";
+  const Reference reference = reference_in(finished.kernel, result.kernel, points, inputs, outputs);
+  result.kernel = run_pipeline(std::move(result.kernel), reference, kPasses).back().kernel;
+  result.domain = domain_in(finished.domain, inputs, outputs);
+  result.cost = cost(result.kernel);
+  result.in_float = measure<float>(result.kernel, result.domain);
+  result.in_double = measure<double>(result.kernel, result.domain);
+  return result;
+}
+
+}  // namespace sh::codegen

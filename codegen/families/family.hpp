@@ -1,0 +1,58 @@
+// A family of kernels: what is computed for every degree, the ways to compute it, and how they are checked.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "codegen/ir/ir.hpp"
+
+namespace sh::codegen {
+
+/// Exact points of a kernel's domain with the exact outputs there.
+struct ReferencePoint {
+  std::vector<cln::cl_RA> inputs;  // flattened parameters
+  std::vector<cln::cl_F> outputs;  // flattened results, kCheckDigits digits
+};
+using Reference = std::vector<ReferencePoint>;
+
+inline constexpr int kCheckDigits = 100;
+
+/// Where a family's kernels are measured, and in which unit their error is counted.
+struct Domain {
+  std::string inputs;   ///< for people: "directions (random, axes, poles, near poles)"
+  std::string unit;     ///< for people: "sqrt((2l+1)/(4 pi))", the size that machine epsilon is multiplied by
+  std::string nearest;  ///< for people: "the input scaled to length 1"; empty when every input is in the domain
+  /// Flattened inputs, each rounded to the kernel's type before use.
+  std::function<std::vector<std::vector<double>>(int degree)> test_inputs;
+  /// The size of the values that an element of the flattened results is compared with, at an input.
+  std::function<double(std::span<const double> inputs, std::size_t element)> size;
+  /// The point of the domain that a rounded input stands for; empty when every input is in the domain.
+  std::function<std::vector<cln::cl_F>(const std::vector<cln::cl_F>& inputs)> nearest_in_domain;
+  /// Instead of `size` where it depends on the kernel's degree.
+  std::function<double(int degree, std::span<const double> inputs, std::size_t element)> size_at_degree = {};
+};
+
+/// One way to compute a family.
+struct Recipe {
+  std::string name;  ///< "recurrence"
+  std::function<Kernel(int degree)> make;
+  int smallest = 0;  ///< it serves degrees smallest .. largest
+  int largest = 20;
+  bool for_speed = true;  ///< false: its error keeps it from being the speed choice, however fast it is
+};
+
+struct Family {
+  std::string name;
+  int largest_written = 0;  ///< `shgen write` writes degrees 0 to this
+  int largest_emitted = 0;  ///< `shgen emit` prints degrees 0 to this
+  std::string limit;        ///< why not further, one line
+  std::vector<Recipe> recipes;
+  /// Exact outputs of the family at `count` points of its domain, derived from symbolic/, not from a recipe.
+  std::function<Reference(int degree, int count)> reference;
+  Domain domain;
+  std::string arguments = {};  ///< what `shgen emit` has to be told instead of the name; empty: the name
+};
+
+}  // namespace sh::codegen

@@ -1,0 +1,136 @@
+// Runs a kernel in a given arithmetic: float and double (one rounding per node, no contraction), or CLN floats.
+//
+// The constants are converted once, so one Evaluator serves many inputs.
+#pragma once
+
+#include <cln/float.h>
+#include <cln/real.h>
+
+#include <cmath>
+#include <span>
+#include <stdexcept>
+#include <type_traits>
+#include <vector>
+
+#include "codegen/ir/ir.hpp"
+#include "codegen/ir/literal.hpp"
+
+namespace sh::codegen {
+
+/// T: float, double or cln::cl_F. All CLN inputs should carry the digits given to the constructor, as CLN rounds mixed
+/// operations to the shorter operand.
+template <class T>
+class Evaluator {
+ public:
+  /// digits: decimal digits of the constants, for cl_F only. The kernel has to outlive the evaluator.
+  explicit Evaluator(const Kernel& kernel, int digits = 0)
+      : kernel_(kernel), phases_(phases(kernel)), values_(kernel.nodes.size()) {
+    for (std::size_t i = 0; i < kernel.nodes.size(); ++i) {
+      if (kernel.nodes[i].op == Op::kConstant) values_[i] = convert(kernel.nodes[i].constant, digits);
+    }
+    for (const auto& row : kernel.table) {
+      table_.emplace_back();
+      for (const ExactReal& constant : row) table_.back().push_back(convert(constant, digits));
+    }
+  }
+
+  /// inputs: the flattened parameters; result: the flattened outputs.
+  std::vector<T> operator()(std::span<const T> inputs) {
+    run(Phase::kBefore, inputs);
+    for (std::size_t row = 0; row < table_.size(); ++row) run_row(row, inputs);
+    run(Phase::kAfter, inputs);
+    std::vector<T> results;
+    results.reserve(kernel_.outputs.size());
+    for (const Output& output : kernel_.outputs) results.push_back(value(output.node));
+    return results;
+  }
+
+ private:
+  void run(Phase phase, std::span<const T> inputs) {
+    for (std::size_t i = 0; i < values_.size(); ++i) {
+      if (phases_[i] == phase && kernel_.nodes[i].op != Op::kRowSum) step(kernel_.nodes[i], inputs, values_[i]);
+    }
+  }
+
+  void run_row(std::size_t row, std::span<const T> inputs) {
+    for (std::size_t i = 0; i < values_.size(); ++i) {
+      if (kernel_.nodes[i].op == Op::kTable) values_[i] = table_[row][static_cast<std::size_t>(kernel_.nodes[i].input)];
+    }
+    run(Phase::kBody, inputs);
+    for (std::size_t i = 0; i < values_.size(); ++i) {
+      if (kernel_.nodes[i].op != Op::kRowSum) continue;
+      const T& term = value(kernel_.nodes[i].args[0]);
+      values_[i] = row == 0 ? term : values_[i] + term;
+    }
+  }
+
+  static T convert(const ExactReal& constant, [[maybe_unused]] int digits) {
+    if constexpr (std::is_floating_point_v<T>) {
+      return nearest<T>(constant);
+    } else {
+      return evaluate(constant, digits);
+    }
+  }
+
+  static T multiply_add(const T& a, const T& b, const T& c) {
+    if constexpr (std::is_floating_point_v<T>) {
+      return std::fma(a, b, c);
+    } else {
+      return a * b + c;
+    }
+  }
+
+  static T square_root(const T& a) {
+    if constexpr (std::is_floating_point_v<T>) {
+      return std::sqrt(a);
+    } else {
+      return cln::sqrt(a);
+    }
+  }
+
+  [[nodiscard]] const T& value(NodeId id) const { return values_[static_cast<std::size_t>(id)]; }
+
+  void step(const Node& node, std::span<const T> inputs, T& result) const {
+    switch (node.op) {
+      case Op::kInput:
+        result = inputs[static_cast<std::size_t>(node.input)];
+        return;
+      case Op::kConstant:
+      case Op::kTable:
+      case Op::kRowSum:
+        return;
+      case Op::kNeg:
+        result = -value(node.args[0]);
+        return;
+      case Op::kAdd:
+        result = value(node.args[0]) + value(node.args[1]);
+        return;
+      case Op::kSub:
+        result = value(node.args[0]) - value(node.args[1]);
+        return;
+      case Op::kMul:
+        result = value(node.args[0]) * value(node.args[1]);
+        return;
+      case Op::kFma:
+        result = multiply_add(value(node.args[0]), value(node.args[1]), value(node.args[2]));
+        return;
+      case Op::kDiv:
+        result = value(node.args[0]) / value(node.args[1]);
+        return;
+      case Op::kSqrt:
+        result = square_root(value(node.args[0]));
+        return;
+      case Op::kSelect:
+        result = value(node.args[0]) < value(node.args[1]) ? value(node.args[2]) : value(node.args[3]);
+        return;
+    }
+    throw std::logic_error("evaluate: unknown operation");
+  }
+
+  const Kernel& kernel_;
+  std::vector<Phase> phases_;
+  std::vector<T> values_;
+  std::vector<std::vector<T>> table_;  // the constants of the loop, by row
+};
+
+}  // namespace sh::codegen

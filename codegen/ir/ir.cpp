@@ -1,0 +1,153 @@
+#include "codegen/ir/ir.hpp"
+
+#include <functional>
+#include <numeric>
+#include <stdexcept>
+#include <utility>
+
+namespace sh::codegen {
+
+int Parameter::size() const { return std::accumulate(shape.begin(), shape.end(), 1, std::multiplies<>()); }
+
+int argument_count(Op op) {
+  switch (op) {
+    case Op::kInput:
+    case Op::kConstant:
+    case Op::kTable:
+      return 0;
+    case Op::kNeg:
+    case Op::kSqrt:
+    case Op::kRowSum:
+      return 1;
+    case Op::kAdd:
+    case Op::kSub:
+    case Op::kMul:
+    case Op::kDiv:
+      return 2;
+    case Op::kFma:
+      return 3;
+    case Op::kSelect:
+      return 4;
+  }
+  throw std::logic_error("argument_count: unknown operation");
+}
+
+std::string op_name(Op op) {
+  switch (op) {
+    case Op::kInput:
+      return "input";
+    case Op::kConstant:
+      return "constant";
+    case Op::kNeg:
+      return "neg";
+    case Op::kAdd:
+      return "add";
+    case Op::kSub:
+      return "sub";
+    case Op::kMul:
+      return "mul";
+    case Op::kFma:
+      return "fma";
+    case Op::kDiv:
+      return "div";
+    case Op::kSqrt:
+      return "sqrt";
+    case Op::kSelect:
+      return "select";
+    case Op::kTable:
+      return "table";
+    case Op::kRowSum:
+      return "row_sum";
+  }
+  throw std::logic_error("op_name: unknown operation");
+}
+
+std::vector<Phase> phases(const Kernel& kernel) {
+  std::vector<Phase> result(kernel.nodes.size(), Phase::kBefore);
+  for (NodeId id = 0; id < kernel.size(); ++id) {
+    const Node& node = kernel.node(id);
+    bool in_row = node.op == Op::kTable;
+    bool after = node.op == Op::kRowSum;
+    for (int i = 0; i < argument_count(node.op); ++i) {
+      const Phase of_argument = result[static_cast<std::size_t>(node.args[static_cast<std::size_t>(i)])];
+      in_row = in_row || of_argument == Phase::kBody;
+      after = after || of_argument == Phase::kAfter;
+    }
+    if (in_row != (node.op == Op::kRowSum) && in_row && after) {
+      throw std::logic_error(kernel.name + ": node " + std::to_string(id) +
+                             " needs a row of the table and a sum over all rows; it should need one of them");
+    }
+    if (node.op == Op::kRowSum && !in_row) {
+      throw std::logic_error(kernel.name + ": node " + std::to_string(id) +
+                             " sums over the rows what depends on none; it should depend on the table");
+    }
+    result[static_cast<std::size_t>(id)] = after ? Phase::kAfter : in_row ? Phase::kBody : Phase::kBefore;
+  }
+  return result;
+}
+
+std::vector<bool> live_nodes(const Kernel& kernel) {
+  std::vector<bool> live(kernel.nodes.size(), false);
+  for (const Output& output : kernel.outputs) live[static_cast<std::size_t>(output.node)] = true;
+  for (NodeId id = kernel.size() - 1; id >= 0; --id) {
+    if (!live[static_cast<std::size_t>(id)]) continue;
+    const Node& node = kernel.node(id);
+    for (int i = 0; i < argument_count(node.op); ++i) {
+      live[static_cast<std::size_t>(node.args[static_cast<std::size_t>(i)])] = true;
+    }
+  }
+  return live;
+}
+
+Kernel with_order(const Kernel& kernel, const std::vector<NodeId>& order) {
+  Kernel result = kernel;
+  result.nodes.clear();
+  std::vector<NodeId> position(kernel.nodes.size(), -1);
+  for (const NodeId id : order) {
+    Node node = kernel.node(id);
+    for (NodeId& arg : node.args) {
+      if (arg >= 0) arg = position[static_cast<std::size_t>(arg)];
+    }
+    position[static_cast<std::size_t>(id)] = Builder(result).append(std::move(node));
+  }
+  for (Output& output : result.outputs) output.node = position[static_cast<std::size_t>(output.node)];
+  require_well_formed(result);
+  return result;
+}
+
+void require_well_formed(const Kernel& kernel) {
+  for (NodeId id = 0; id < kernel.size(); ++id) {
+    const Node& node = kernel.node(id);
+    for (int i = 0; i < argument_count(node.op); ++i) {
+      const NodeId arg = node.args[static_cast<std::size_t>(i)];
+      if (arg < 0 || arg >= id) {
+        throw std::logic_error(kernel.name + ": node " + std::to_string(id) + " uses node " + std::to_string(arg) +
+                               "; it should use earlier nodes only");
+      }
+    }
+  }
+  for (const Output& output : kernel.outputs) {
+    if (output.node < 0 || output.node >= kernel.size()) {
+      throw std::logic_error(kernel.name + ": output " + output.label + " has no node");
+    }
+  }
+}
+
+NodeId Builder::append(Node node) {
+  kernel_.nodes.push_back(std::move(node));
+  return kernel_.size() - 1;
+}
+
+NodeId Builder::operation(Op op, const std::array<NodeId, 4>& args, std::string name) {
+  return append({op, args, -1, {}, std::move(name)});
+}
+
+NodeId Builder::input(int index, std::string name) {
+  return append({Op::kInput, {-1, -1, -1, -1}, index, {}, std::move(name)});
+}
+
+NodeId Builder::constant(ExactReal value, std::string name) {
+  return append({Op::kConstant, {-1, -1, -1, -1}, -1, std::move(value), std::move(name)});
+}
+
+}  // namespace sh::codegen

@@ -1,0 +1,106 @@
+#include "codegen/measure/domains.hpp"
+
+#include <cln/real.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <random>
+
+#include "codegen/measure/directions.hpp"
+
+namespace sh::codegen {
+namespace {
+
+std::vector<std::vector<double>> directions(int /*degree*/) {
+  std::vector<std::vector<double>> inputs;
+  for (const auto& d : test_directions()) inputs.push_back({d[0], d[1], d[2]});
+  return inputs;
+}
+
+double band_maximum(std::span<const double> /*inputs*/, std::size_t output) {
+  const double band = std::floor(std::sqrt(static_cast<double>(output)));
+  return std::sqrt((2 * band + 1) / (4 * std::numbers::pi));
+}
+
+std::vector<cln::cl_F> normalised(const std::vector<cln::cl_F>& d) { return with_unit_direction(d, 0); }
+
+}  // namespace
+
+Domain direction_domain() {
+  return {"directions (random, axes, poles, near poles)",
+          "sqrt((2l+1)/(4 pi))",
+          "the input scaled to length 1",
+          directions,
+          band_maximum,
+          normalised};
+}
+
+std::vector<std::vector<double>> unit_vectors(int count, int size, unsigned long seed) {
+  std::mt19937_64 random(seed);
+  std::vector<std::vector<double>> vectors;
+  for (int i = 0; i < count; ++i) {
+    std::vector<double> v(static_cast<std::size_t>(size));
+    // std::uniform_real_distribution may differ between libraries.
+    for (double& component : v) component = std::ldexp(static_cast<double>(random() >> 11U), -52) - 1;
+    const double norm = length(v);
+    for (double& component : v) component /= norm;
+    vectors.push_back(std::move(v));
+  }
+  return vectors;
+}
+
+std::vector<std::array<double, 3>> some_test_directions(std::size_t count) {
+  constexpr std::size_t kAxes = 6;
+  const std::vector<std::array<double, 3>> all = test_directions();
+  const std::size_t step = std::max<std::size_t>(1, all.size() / count);
+  std::vector<std::array<double, 3>> chosen(all.begin(), all.begin() + kAxes);
+  for (std::size_t i = kAxes; i < all.size(); i += step) chosen.push_back(all[i]);
+  return chosen;
+}
+
+std::vector<cln::cl_F> with_unit_direction(std::vector<cln::cl_F> inputs, std::size_t first) {
+  const auto at = [&](std::size_t axis) -> cln::cl_F& { return inputs[first + axis]; };
+  const cln::cl_F norm = cln::sqrt(at(0) * at(0) + at(1) * at(1) + at(2) * at(2));
+  for (std::size_t axis = 0; axis < 3; ++axis) at(axis) = at(axis) / norm;
+  return inputs;
+}
+
+std::vector<double> cap_sizes(int count, unsigned long seed) {
+  std::mt19937_64 random(seed);
+  std::vector<double> sizes;
+  sizes.reserve(static_cast<std::size_t>(count));
+  for (int i = 0; i < count; ++i) {
+    const double u = std::ldexp(static_cast<double>((random() >> 11U) | 1U), -52);
+    const double near = u * std::ldexp(1.0, -static_cast<int>(random() % 20));
+    sizes.push_back(i % 3 == 0 ? u : i % 3 == 1 ? near : 2 - near);
+  }
+  return sizes;
+}
+
+double cap_size(double one_minus_cos, std::size_t l) {
+  const double area = l == 0 ? one_minus_cos : one_minus_cos * (2 - one_minus_cos) / 2;
+  // The whole sphere has nothing but z_0.
+  return std::sqrt((2 * static_cast<double>(l) + 1) * std::numbers::pi) * (area > 0 ? area : 1);
+}
+
+double length(std::span<const double> vector) {
+  return std::sqrt(std::inner_product(vector.begin(), vector.end(), vector.begin(), 0.0));
+}
+
+std::vector<std::vector<cln::cl_RA>> rational_vectors(int count, int size, unsigned long seed) {
+  std::mt19937_64 random(seed);
+  std::vector<std::vector<cln::cl_RA>> vectors;
+  for (int i = 0; i < count; ++i) {
+    std::vector<cln::cl_RA> v;
+    v.reserve(static_cast<std::size_t>(size));
+    for (int k = 0; k < size; ++k) {
+      v.push_back(cln::cl_RA(static_cast<long>(random() % 2001) - 1000) / static_cast<long>(random() % 500 + 1));
+    }
+    vectors.push_back(std::move(v));
+  }
+  return vectors;
+}
+
+}  // namespace sh::codegen

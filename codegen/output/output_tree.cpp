@@ -1,0 +1,87 @@
+#include "codegen/output/output_tree.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <stdexcept>
+
+#include "codegen/output/write_file.hpp"
+
+namespace sh::codegen {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::optional<std::string> read_file(const fs::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream || fs::is_directory(path)) return std::nullopt;
+  return std::string(std::istreambuf_iterator<char>(stream), {});
+}
+
+// The line number and column of the first byte that differs, for people.
+std::string first_difference(const std::string& is, const std::string& should_be) {
+  const auto [a, b] = std::mismatch(is.begin(), is.end(), should_be.begin(), should_be.end());
+  return "first in line " + std::to_string(1 + std::count(is.begin(), a, '\n'));
+}
+
+}  // namespace
+
+const std::set<std::string>& handwritten_files() {
+  static const std::set<std::string> kFiles{"CMakeLists.txt", "README.md"};
+  return kFiles;
+}
+
+void make_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (!fs::is_directory(folder))
+    throw std::runtime_error(folder.string() + ": no folder and none can be made; it should be a folder to write to");
+}
+
+void require_existing(const fs::path& folder) {
+  if (!fs::is_directory(folder))
+    throw std::runtime_error(folder.string() + ": no such folder; it should hold the generated files");
+}
+
+std::vector<std::string> write_tree(const fs::path& folder, const RenderedFiles& files) {
+  std::vector<std::string> written;
+  for (const auto& [name, content] : files) {
+    if (read_file(folder / name) == content) continue;
+    std::error_code ignored;  // write_file says when there is no folder
+    fs::create_directories((folder / name).parent_path(), ignored);
+    write_file(folder / name, content);
+    written.push_back(name);
+  }
+  return written;
+}
+
+std::vector<std::string> compare_files(const fs::path& folder, const RenderedFiles& files) {
+  require_existing(folder);
+  std::vector<std::string> differences;
+  for (const auto& [name, content] : files) {
+    const std::optional<std::string> found = read_file(folder / name);
+    if (!found) {
+      differences.push_back(name + ": missing");
+    } else if (*found != content) {
+      differences.push_back(name + ": differs from what the generator writes, " + first_difference(*found, content));
+    }
+  }
+  return differences;
+}
+
+std::vector<std::string> compare_tree(const fs::path& folder, const RenderedFiles& files) {
+  std::vector<std::string> differences = compare_files(folder, files);
+  std::set<std::string> present;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (!entry.is_directory()) present.insert(fs::relative(entry.path(), folder).generic_string());
+  }
+  for (const std::string& name : present) {
+    if (files.count(name) == 0 && handwritten_files().count(name) == 0) {
+      differences.push_back(name + ": extra, the generator does not write it");
+    }
+  }
+  return differences;
+}
+
+}  // namespace sh::codegen

@@ -1,0 +1,119 @@
+#include "codegen/recipes/basis/basis_gradient.hpp"
+
+#include "codegen/recipes/basis/basis.hpp"
+#include "codegen/recipes/basis/basis_parity.hpp"
+
+namespace sh::codegen::recipes {
+namespace {
+
+using symbolic::Surd;
+
+class Ladder {
+ public:
+  Ladder(Builder& build, const std::vector<NodeId>& values, int degree)
+      : build_(build), values_(values), degree_(degree) {
+    zero_ = build.constant(Surd(), "zero");
+    for (auto* part : {&x, &y, &z}) part->assign(values.size(), zero_);
+    for (int l = 1; l <= degree_; ++l) {
+      zonal(l);
+      for (int m = 1; m <= l; ++m) pair(l, m);
+    }
+  }
+
+  std::vector<NodeId> x, y, z;
+
+ private:
+  // sqrt(square * (2l+1)/(2l-1))
+  static Surd factor(int l, const cln::cl_RA& square) { return Surd::square_root(square * (2 * l + 1) / (2 * l - 1)); }
+
+  // k times the value of degree l and order m; -1 where there is none.
+  NodeId times(const Surd& k, const std::string& name, int l, int m) {
+    if (k.is_zero() || std::abs(m) > l) return -1;
+    return build_.mul(build_.constant(k, name), values_[basis_index(l, m)]);
+  }
+
+  void zonal(int l) {
+    z[basis_index(l, 0)] = times(factor(l, l * l), indexed("z", l, 0), l - 1, 0);
+    if (l == 1) return;
+    const Surd down = -factor(l, cln::cl_RA(l * (l - 1)) / 2);
+    x[basis_index(l, 0)] = times(down, indexed("u", l, 0), l - 1, 1);
+    y[basis_index(l, 0)] = times(down, indexed("u", l, 0), l - 1, -1);
+  }
+
+  void pair(int l, int m) {
+    if (m < l) {
+      const Surd along = factor(l, l * l - m * m);
+      z[basis_index(l, m)] = times(along, indexed("z", l, m), l - 1, m);
+      z[basis_index(l, -m)] = times(along, indexed("z", l, m), l - 1, -m);
+    }
+    const Surd d = factor(l, cln::cl_RA((l + m) * (l + m - 1)) / (m == 1 ? 2 : 4));
+    const Surd u = factor(l, cln::cl_RA((l - m) * (l - m - 1)) / 4);
+    const NodeId dc = times(d, indexed("d", l, m), l - 1, m - 1);
+    const NodeId uc = times(u, indexed("u", l, m), l - 1, m + 1);
+    const NodeId ds = m == 1 ? -1 : times(d, indexed("d", l, m), l - 1, 1 - m);
+    const NodeId minus_us = times(-u, indexed("v", l, m), l - 1, -1 - m);
+    x[basis_index(l, m)] = uc < 0 ? dc : build_.sub(dc, uc);
+    y[basis_index(l, -m)] = uc < 0 ? dc : build_.add(dc, uc);
+    if (ds < 0) {  // m = 1: there is no S_0, both derivatives are the same
+      x[basis_index(l, -m)] = y[basis_index(l, m)] = minus_us < 0 ? zero_ : minus_us;
+    } else {
+      x[basis_index(l, -m)] = minus_us < 0 ? ds : build_.add(ds, minus_us);
+      y[basis_index(l, m)] = minus_us < 0 ? build_.neg(ds) : build_.sub(minus_us, ds);
+    }
+  }
+
+  Builder& build_;
+  const std::vector<NodeId>& values_;
+  int degree_;
+  NodeId zero_ = -1;
+};
+
+void describe(Kernel& kernel, int degree) {
+  const std::vector<int> shape{basis_count(degree)};
+  kernel.title = "Real solid harmonics r^l Y_lm of degree 0 to " + std::to_string(degree) + " with their gradients";
+  kernel.domain = "any d = (x, y, z); z is the polar axis";
+  kernel.result =
+      "r^l Y_lm(d/r) and its derivatives by x, y, z at index l(l+1)+m; r = |d|, Y_lm orthonormal on the unit sphere, "
+      "no "
+      "Condon-Shortley phase";
+  kernel.parameters = {{"x", {}}, {"y", {}}, {"z", {}}};
+  kernel.results = {{"out", shape}, {"dx", shape}, {"dy", shape}, {"dz", shape}};
+  kernel.factored = true;
+}
+
+template <class AppendValues>
+Kernel with_ladder(int degree, const std::string& source, const AppendValues& append_values) {
+  Kernel kernel;
+  describe(kernel, degree);
+  kernel.citation = source + "; gradients by the ladder to the band below (Hobson, 1931)";
+  Builder build(kernel);
+  const Direction d = direction_inputs(build);
+  const std::vector<NodeId> values = append_values(build, d);
+  const Ladder ladder(build, values, degree);
+  for (const auto& [prefix, nodes] : {std::pair("", &values), std::pair("d/dx ", &ladder.x),
+                                      std::pair("d/dy ", &ladder.y), std::pair("d/dz ", &ladder.z)}) {
+    const std::size_t first = kernel.outputs.size();
+    label_coefficients(kernel, degree);
+    for (std::size_t i = 0; i < nodes->size(); ++i) {
+      Output& output = kernel.outputs[first + i];
+      output.node = (*nodes)[i];
+      output.label.insert(0, prefix);
+    }
+  }
+  return kernel;
+}
+
+}  // namespace
+
+Kernel basis_gradient_ladder(int degree) {
+  return with_ladder(degree, "parity columns",
+                     [degree](Builder& build, const Direction& d) { return append_solid(build, d, degree); });
+}
+
+Kernel basis_gradient_recurrence(int degree) {
+  return with_ladder(
+      degree, "recurrence in l as in Sloan, JCGT 2(2), 2013",
+      [degree](Builder& build, const Direction& d) { return append_solid_recurrence(build, d, degree); });
+}
+
+}  // namespace sh::codegen::recipes

@@ -1,0 +1,134 @@
+#include "codegen/recipes/basis/evaluate.hpp"
+
+#include <optional>
+
+#include "codegen/recipes/basis/basis_parity.hpp"
+#include "codegen/recipes/basis/sectoral.hpp"
+
+namespace sh::codegen::recipes {
+namespace {
+
+constexpr const char* kUnitDirection = "|d| = 1 for d = (x, y, z); z is the polar axis; any c";
+constexpr const char* kOrder = "coefficients of the orthonormal Y_lm, no Condon-Shortley phase, at index l(l+1)+m";
+
+// Appends a + b where a exists, else b.
+NodeId plus(Builder& build, NodeId a, NodeId b) { return a < 0 ? b : build.add(a, b); }
+
+// The sums of products of coefficients and functions.
+class Evaluation {
+ public:
+  Evaluation(Builder& build, const Direction& d, int degree, int first_channel_input)
+      : build_(build), d_(d), degree_(degree), first_(first_channel_input) {
+    const Squares squares = unit_squares(build, d.z);
+    const ParityChoices choices = accurate_choices(degree);
+    sectoral_ = append_sectoral(build, d, degree, {squares.across, choices.split_square, -1, -1});
+    columns_.emplace(build, d.z, squares, degree, choices);
+  }
+
+  // The sum over all columns for one channel.
+  NodeId channel(int index) {
+    offset_ = first_ + index * basis_count(degree_);
+    // From the largest order down, so that the large terms of low degree are added last.
+    NodeId sum = -1;
+    for (int m = degree_; m > 0; --m) {
+      const Pair& base = sectoral_[static_cast<std::size_t>(m)];
+      sum = plus(build_, sum, build_.mul(column(m, m), base.cosine));
+      sum = plus(build_, sum, build_.mul(column(m, -m), base.sine));
+    }
+    return plus(build_, sum, column(0, 0));
+  }
+
+ private:
+  NodeId coefficient(int l, int m) { return build_.input(offset_ + static_cast<int>(basis_index(l, m)), ""); }
+
+  // sum over n of c T_n for order `signed_m` = +-m
+  NodeId column(int m, int signed_m) {
+    NodeId even = -1;
+    NodeId odd = -1;
+    for (int n = degree_ - m; n > 1; --n) {
+      NodeId& sum = n % 2 == 0 ? even : odd;
+      sum = plus(build_, sum, build_.mul(coefficient(m + n, signed_m), columns_->at(m, n)));
+    }
+    if (m < degree_) odd = build_.mul(plus(build_, odd, coefficient(m + 1, signed_m)), columns_->at(m, 1));
+    NodeId lowest = coefficient(m, signed_m);
+    if (m == 0) lowest = build_.mul(lowest, columns_->at(0, 0));
+    const NodeId last = plus(build_, even, lowest);
+    return plus(build_, odd, last);
+  }
+
+  Builder& build_;
+  Direction d_;
+  int degree_;
+  int first_;
+  int offset_ = 0;
+  std::vector<Pair> sectoral_;
+  std::optional<ParityColumns> columns_;
+};
+
+void describe(Kernel& kernel, int degree, int channels) {
+  const int count = basis_count(degree);
+  kernel.domain = kUnitDirection;
+  kernel.factored = true;
+  const std::string bands = "bands 0 to " + std::to_string(degree);
+  if (channels == 1) {
+    kernel.title = "The value of a function with " + bands + " in one direction";
+    kernel.result = std::string("returns the sum of c_lm Y_lm(d); c: ") + kOrder;
+    kernel.parameters = {{"c", {count}}, {"x", {}}, {"y", {}}, {"z", {}}};
+    kernel.results = {{"value", {}}};
+    kernel.outputs = {{-1, ""}};
+  } else {
+    kernel.title = "The value of a colour with " + bands + " in one direction";
+    kernel.result = std::string("red, green, blue: the sums of c_lm Y_lm(d); c (3, ") + std::to_string(count) +
+                    "), channel by channel: " + kOrder;
+    kernel.parameters = {{"c", {3, count}}, {"x", {}}, {"y", {}}, {"z", {}}};
+    kernel.results = {{"rgb", {3}}};
+    kernel.outputs = {{-1, "red"}, {-1, "green"}, {-1, "blue"}};
+  }
+}
+
+Direction direction_behind(Builder& build, int coefficients) {
+  const NodeId x = build.input(coefficients, "x");
+  const NodeId y = build.input(coefficients + 1, "y");
+  return {x, y, build.input(coefficients + 2, "z")};
+}
+
+Kernel by_columns(int degree, int channels) {
+  Kernel kernel;
+  describe(kernel, degree, channels);
+  kernel.citation = kParitySource;
+  Builder build(kernel);
+  const Direction d = direction_behind(build, channels * basis_count(degree));
+  Evaluation evaluation(build, d, degree, 0);
+  for (int channel = 0; channel < channels; ++channel) {
+    kernel.outputs[static_cast<std::size_t>(channel)].node = evaluation.channel(channel);
+  }
+  return kernel;
+}
+
+Kernel by_sum(int degree, int channels) {
+  Kernel kernel;
+  describe(kernel, degree, channels);
+  kernel.citation = kParitySource;
+  Builder build(kernel);
+  const int count = basis_count(degree);
+  const Direction d = direction_behind(build, channels * count);
+  const std::vector<NodeId> values = append_parity(build, d, degree, accurate_choices(degree));
+  for (int channel = 0; channel < channels; ++channel) {
+    NodeId sum = -1;
+    for (int i = count - 1; i >= 0; --i) {
+      const NodeId c = build.input(channel * count + i, "");
+      sum = plus(build, sum, build.mul(c, values[static_cast<std::size_t>(i)]));
+    }
+    kernel.outputs[static_cast<std::size_t>(channel)].node = sum;
+  }
+  return kernel;
+}
+
+}  // namespace
+
+Kernel evaluate_columns(int degree) { return by_columns(degree, 1); }
+Kernel evaluate_sum(int degree) { return by_sum(degree, 1); }
+Kernel evaluate_rgb_columns(int degree) { return by_columns(degree, 3); }
+Kernel evaluate_rgb_sum(int degree) { return by_sum(degree, 3); }
+
+}  // namespace sh::codegen::recipes

@@ -1,0 +1,138 @@
+#include "codegen/recipes/basis/parity_columns.hpp"
+
+#include <stdexcept>
+#include <utility>
+
+namespace sh::codegen::recipes {
+namespace {
+
+using cln::cl_RA;
+using symbolic::Surd;
+using Powers = std::vector<cl_RA>;
+
+cl_RA power_at(const Powers& powers, std::size_t i) { return i < powers.size() ? powers[i] : cl_RA(0); }
+
+// z^2 p
+Powers raised(const Powers& p) {
+  Powers result{0};
+  result.insert(result.end(), p.begin(), p.end());
+  return result;
+}
+
+// r, s with target = r u + s v: from the two lowest powers, and checked in all others.
+std::pair<cl_RA, cl_RA> solve(const Powers& target, const Powers& u, const Powers& v) {
+  const auto at = power_at;
+  const cl_RA determinant = at(u, 0) * at(v, 1) - at(u, 1) * at(v, 0);
+  const cl_RA r = (at(target, 0) * at(v, 1) - at(target, 1) * at(v, 0)) / determinant;
+  const cl_RA s = (at(u, 0) * at(target, 1) - at(u, 1) * at(target, 0)) / determinant;
+  for (std::size_t i = 0; i < target.size(); ++i) {
+    if (at(target, i) != r * at(u, i) + s * at(v, i)) throw std::logic_error("parity: columns are not related so");
+  }
+  return {r, s};
+}
+
+}  // namespace
+
+ParityChoices accurate_choices(int degree) {
+  // The error of A_3 without the split square is too large for degree 3, not for those above.
+  if (degree <= 3) return {true, 0, 0, 0};
+  return {false, 2, 2, 3};
+}
+
+Squares unit_squares(Builder& build, NodeId z) {
+  const NodeId one = build.constant(Surd(1), "one");
+  const NodeId z2 = build.mul(z, z, "z2");
+  return {z2, build.sub(one, z2, "xy2"), -1};
+}
+
+ParityColumns::ParityColumns(Builder& build, NodeId z, const Squares& squares, int degree, const ParityChoices& choices)
+    : build_(build),
+      z_(z),
+      squares_(squares),
+      degree_(degree),
+      choices_(choices),
+      terms_(static_cast<std::size_t>(degree + 1)) {
+  for (int m = degree; m >= 0; --m) {
+    for (int n = 0; m + n <= degree; ++n) terms_[static_cast<std::size_t>(m)].push_back(make(m, n));
+  }
+}
+
+ParityColumns::Term ParityColumns::make(int m, int n) {
+  const int l = m + n;
+  const AxialForm form = axial_form(l, m);
+  Term result{-1, form.scale, form.powers};
+  if (n == 0) {
+    if (m == 0) result.node = build_.constant(form.scale, indexed("k", 0, 0));
+  } else if (n == 1) {
+    const NodeId k = build_.constant(form.scale * Surd(form.powers[0]), indexed("k", l, m));
+    result.node = build_.mul(k, z_, indexed("t", l, m));
+  } else {
+    if (form.odd) result.scale = form.scale / (term(m, 1).scale * Surd(term(m, 1).powers[0]));
+    result.node = polynomial(result, m, n);
+  }
+  return result;
+}
+
+NodeId ParityColumns::polynomial(const Term& target, int m, int n) {
+  const int l = m + n;
+  if (n <= 3) return linear(target, l, m);
+  if (n == 4) return square(target, term(m + 1, 3), l, m);
+  const int source = m < choices_.rows ? m : m + 1;
+  if (n % 2 != 0) return combine(target, term(source, n - 1), term(source, n - 2), l, m);
+  if (source > m && l < degree_) return combine(target, term(source, n), term(source, n - 2), l, m);
+  return lifted(target, term(source, n - 1), term(source, n - 2), l, m);
+}
+
+// A constant, times x^2+y^2+z^2 off the unit sphere.
+NodeId ParityColumns::constant_part(const Surd& value, const std::string& name) {
+  const NodeId k = build_.constant(value, name);
+  return squares_.r2 < 0 ? k : build_.mul(k, squares_.r2);
+}
+
+// c1 z^2 + c0, or (c1+c0) - c1 (1-z^2); off the unit sphere (c1+c0) z^2 + c0 (x^2+y^2)
+NodeId ParityColumns::linear(const Term& target, int l, int m) {
+  const Surd slope = target.scale * Surd(target.powers[1]);
+  const Surd start = target.scale * Surd(target.powers[0]);
+  const Surd end = target.scale * Surd(target.powers[0] + target.powers[1]);
+  const std::string name = indexed("p", l, m);
+  if (squares_.r2 >= 0) return combination(build_, end, squares_.z2, start, squares_.across, name);
+  const bool across = m < ((l - m) % 2 == 0 ? choices_.even_across : choices_.odd_across);
+  if (!across) return affine(build_, slope, squares_.z2, start, name);
+  const NodeId product = build_.mul(build_.constant(slope, indexed("a", l, m)), squares_.across);
+  return build_.sub(build_.constant(end, indexed("b", l, m)), product, name);
+}
+
+// alpha e^2 + beta
+NodeId ParityColumns::square(const Term& target, const Term& e, int l, int m) {
+  const cl_RA ratio = target.powers[2] / (e.powers[1] * e.powers[1]);
+  const Surd alpha = Surd(ratio) * target.scale / (e.scale * e.scale);
+  const NodeId squared = build_.mul(build_.mul(build_.constant(alpha, indexed("a", l, m)), e.node), e.node);
+  const Surd beta = target.scale * Surd(target.powers[0] - ratio * e.powers[0] * e.powers[0]);
+  NodeId b = constant_part(beta.is_negative() ? -beta : beta, indexed("b", l, m));
+  if (squares_.r2 >= 0) b = build_.mul(b, squares_.r2);
+  return beta.is_negative() ? build_.sub(squared, b, indexed("p", l, m)) : build_.add(squared, b, indexed("p", l, m));
+}
+
+// first + k v
+NodeId ParityColumns::difference(NodeId first, const Surd& k, const Term& v, int l, int m) {
+  const bool minus = k.is_negative();
+  const NodeId second = build_.mul(constant_part(minus ? -k : k, indexed("b", l, m)), v.node);
+  const std::string name = indexed("p", l, m);
+  return minus ? build_.sub(first, second, name) : build_.add(first, second, name);
+}
+
+// r u + s v
+NodeId ParityColumns::combine(const Term& target, const Term& u, const Term& v, int l, int m) {
+  const auto [r, s] = solve(target.powers, u.powers, v.powers);
+  const NodeId a = build_.constant(Surd(r) * target.scale / u.scale, indexed("a", l, m));
+  return difference(build_.mul(a, u.node), Surd(s) * target.scale / v.scale, v, l, m);
+}
+
+// r z^2 u + s v
+NodeId ParityColumns::lifted(const Term& target, const Term& u, const Term& v, int l, int m) {
+  const auto [r, s] = solve(target.powers, raised(u.powers), v.powers);
+  const NodeId a = build_.constant(Surd(r) * target.scale / u.scale, indexed("a", l, m));
+  return difference(build_.mul(build_.mul(a, squares_.z2), u.node), Surd(s) * target.scale / v.scale, v, l, m);
+}
+
+}  // namespace sh::codegen::recipes

@@ -1,0 +1,207 @@
+#include "codegen/recipes/basis/prepared.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "codegen/measure/directions.hpp"
+#include "symbolic/basis/basis.hpp"
+
+namespace sh::codegen::recipes {
+namespace {
+
+using cln::cl_RA;
+using symbolic::Monomial;
+using symbolic::Polynomial;
+using symbolic::Surd;
+
+constexpr const char* kSource = "z^2 = 1-x^2-y^2 applied exactly; Horner's rule in x and y";
+
+// x^2 + y^2
+Polynomial across() {
+  Polynomial result;
+  result.add_term({2, 0, 0}, 1);
+  result.add_term({0, 2, 0}, 1);
+  return result;
+}
+
+// p(1 - v) by powers of v, p by powers of its argument.
+std::vector<cl_RA> mirrored(const std::vector<cl_RA>& p) {
+  std::vector<cl_RA> result(p.size(), 0);
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    cl_RA binomial = p[i];
+    for (std::size_t k = 0; k <= i; ++k) {
+      result[k] = result[k] + binomial;
+      binomial = -binomial * static_cast<long>(i - k) / static_cast<long>(k + 1);
+    }
+  }
+  return result;
+}
+
+// k a added to sum, which may not exist yet.
+NodeId accumulated(Builder& build, NodeId sum, const Surd& k, NodeId a) {
+  const bool minus = sum >= 0 && k.is_negative();
+  const NodeId term = build.mul(build.constant(minus ? -k : k), a);
+  if (sum < 0) return term;
+  return minus ? build.sub(sum, term) : build.add(sum, term);
+}
+
+std::string monomial_name(int i, int j, bool with_z) {
+  return "x^" + std::to_string(i) + " y^" + std::to_string(j) + (with_z ? " z" : "");
+}
+
+// Calls f(i, j, with_z) in the order of polynomial_index.
+template <class F>
+void for_each_monomial(int degree, const F& f) {
+  for (const bool with_z : {false, true}) {
+    const int most = degree - (with_z ? 1 : 0);
+    for (int i = most; i >= 0; --i) {
+      for (int j = most - i; j >= 0; --j) f(i, j, with_z);
+    }
+  }
+}
+
+// Most that rounding the stored coefficients can add, in eps x |c| x sqrt((2l+1)/(4 pi)).
+double storage_error(int degree) {
+  std::vector<double> norms;
+  for (const auto& row : polynomial_matrix(degree)) {
+    double square = 0;
+    for (const Surd& entry : row) square += std::pow(cln::double_approx(entry.evaluate(20)), 2);
+    norms.push_back(std::sqrt(square));
+  }
+  double largest = 0;
+  for (const auto& d : test_directions()) {
+    double sum = 0;
+    for_each_monomial(degree, [&](int i, int j, bool with_z) {
+      double monomial = with_z ? std::abs(d[2]) : 1;
+      for (int k = 0; k < i; ++k) monomial *= std::abs(d[0]);
+      for (int k = 0; k < j; ++k) monomial *= std::abs(d[1]);
+      sum += monomial * norms[polynomial_index(degree, i, j, with_z)];
+    });
+    largest = std::max(largest, sum);
+  }
+  return largest / 2 / std::sqrt((2 * degree + 1) / (4 * std::numbers::pi));
+}
+
+}  // namespace
+
+std::size_t polynomial_index(int degree, int i, int j, bool with_z) {
+  const int most = degree - (with_z ? 1 : 0);
+  const int first = with_z ? (degree + 1) * (degree + 2) / 2 : 0;
+  const int index = first + (most - i) * (most - i + 1) / 2 + most - i - j;
+  return static_cast<std::size_t>(index);
+}
+
+std::vector<std::vector<Surd>> polynomial_matrix(int degree) {
+  const auto count = static_cast<std::size_t>(basis_count(degree));
+  std::vector<std::vector<Surd>> matrix(count, std::vector<Surd>(count));
+  Polynomial without_z(cl_RA(1));
+  without_z -= across();
+  for (int l = 0; l <= degree; ++l) {
+    for (int m = -l; m <= l; ++m) {
+      const symbolic::BasisFunction f = symbolic::reduced_basis_function(l, m);
+      Polynomial reduced;
+      for (const auto& [monomial, coefficient] : f.axial.terms()) {
+        const int power = monomial.exponent(2);
+        Polynomial z(coefficient);
+        if (power % 2 != 0) z = z * Polynomial::variable(2);
+        reduced += z * without_z.power(power / 2) * f.azimuthal;
+      }
+      for (const auto& [monomial, coefficient] : reduced.terms()) {
+        const std::size_t row =
+            polynomial_index(degree, monomial.exponent(0), monomial.exponent(1), monomial.exponent(2) > 0);
+        matrix[row][basis_index(l, m)] = Surd(coefficient) * f.factor;
+      }
+    }
+  }
+  return matrix;
+}
+
+Kernel evaluate_prepare(int degree) {
+  symbolic::require_basis_index(degree, 0);
+  Kernel kernel;
+  const int count = basis_count(degree);
+  kernel.title = "A function with bands 0 to " + std::to_string(degree) +
+                 " as a polynomial in the direction, for evaluate_prepared_l" + std::to_string(degree);
+  kernel.domain = "any c; coefficients of the orthonormal Y_lm, no Condon-Shortley phase, at index l(l+1)+m";
+  kernel.result =
+      "coefficients of x^i y^j by falling i, then falling j, then those of z x^i y^j likewise; see the labels";
+  kernel.citation = kSource;
+  kernel.factored = true;
+  kernel.parameters = {{"c", {count}}};
+  kernel.results = {{"polynomial", {count}}};
+  Builder build(kernel);
+  std::vector<NodeId> sums(static_cast<std::size_t>(count), -1);
+  for (int m = -degree; m <= degree; ++m) {
+    const int order = std::abs(m);
+    for (int parity = 0; parity < 2 && order + parity <= degree; ++parity) {
+      // The coefficients of (x^2+y^2)^k in what multiplies Re or Im (x+iy)^order.
+      std::vector<NodeId> by_power(static_cast<std::size_t>((degree - order - parity) / 2 + 1), -1);
+      for (int l = order + parity; l <= degree; l += 2) {
+        const AxialForm form = axial_form(l, order);
+        const Surd scale = order == 0 ? form.scale : form.scale * sectoral_factor(order);
+        const std::vector<cl_RA> powers = mirrored(form.powers);
+        const NodeId c = build.input(static_cast<int>(basis_index(l, m)), "");
+        for (std::size_t k = 0; k < powers.size(); ++k) {
+          by_power[k] = accumulated(build, by_power[k], scale * Surd(powers[k]), c);
+        }
+      }
+      Polynomial spread = symbolic::reduced_basis_function(order, m).azimuthal;
+      for (const NodeId part : by_power) {
+        for (const auto& [monomial, coefficient] : spread.terms()) {
+          NodeId& sum = sums[polynomial_index(degree, monomial.exponent(0), monomial.exponent(1), parity == 1)];
+          sum = accumulated(build, sum, Surd(coefficient), part);
+        }
+        spread = spread * across();
+      }
+    }
+  }
+  for_each_monomial(degree, [&](int i, int j, bool with_z) {
+    kernel.outputs.push_back({sums[polynomial_index(degree, i, j, with_z)], monomial_name(i, j, with_z)});
+  });
+  return kernel;
+}
+
+Kernel evaluate_prepared(int degree) {
+  symbolic::require_basis_index(degree, 0);
+  Kernel kernel;
+  const int count = basis_count(degree);
+  kernel.title = "The value of a prepared function with bands 0 to " + std::to_string(degree) + " in one direction";
+  kernel.domain = "|d| = 1 for d = (x, y, z); polynomial as evaluate_prepare_l" + std::to_string(degree) + " makes it";
+  kernel.result = fmt::format(
+      "returns the sum of c_lm Y_lm(d) for the c that was prepared; rounding the polynomial to T adds at most {:.2g} "
+      "eps more",
+      storage_error(degree));
+  kernel.citation = kSource;
+  kernel.factored = true;
+  kernel.parameters = {{"polynomial", {count}}, {"x", {}}, {"y", {}}, {"z", {}}};
+  kernel.results = {{"value", {}}};
+  Builder build(kernel);
+  const NodeId x = build.input(count, "x");
+  const NodeId y = build.input(count + 1, "y");
+  const NodeId z = build.input(count + 2, "z");
+  const auto step = [&build](NodeId sum, NodeId variable, NodeId next) {
+    return sum < 0 ? next : build.add(build.mul(sum, variable), next);
+  };
+  const auto part = [&](bool with_z) {
+    const int most = degree - (with_z ? 1 : 0);
+    NodeId sum = -1;
+    for (int i = most; i >= 0; --i) {
+      NodeId inner = -1;
+      for (int j = most - i; j >= 0; --j) {
+        inner = step(inner, y, build.input(static_cast<int>(polynomial_index(degree, i, j, with_z)), ""));
+      }
+      sum = step(sum, x, inner);
+    }
+    return sum;
+  };
+  const NodeId p = part(false);
+  const NodeId q = part(true);
+  kernel.outputs = {{q < 0 ? p : step(q, z, p), ""}};
+  return kernel;
+}
+
+}  // namespace sh::codegen::recipes

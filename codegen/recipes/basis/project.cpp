@@ -1,0 +1,165 @@
+#include "codegen/recipes/basis/project.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "codegen/measure/directions.hpp"
+#include "codegen/recipes/basis/basis.hpp"
+#include "codegen/recipes/basis/basis_parity.hpp"
+#include "symbolic/basis/basis.hpp"
+
+namespace sh::codegen::recipes {
+namespace {
+
+using symbolic::Surd;
+
+constexpr int kWeightInput = 3;
+constexpr int kFirstSumInput = 4;
+
+void describe(Kernel& kernel, int degree, const std::string& sum) {
+  kernel.domain = "|d| = 1 for d = (x, y, z); z is the polar axis; any weight";
+  kernel.parameters = {{"x", {}}, {"y", {}}, {"z", {}}, {"weight", {}}, {sum, {basis_count(degree)}}};
+  kernel.results = {{sum, {basis_count(degree)}}};
+}
+
+// Output i = input sum i + node i.
+void accumulate(Kernel& kernel, Builder& build, const std::vector<NodeId>& values) {
+  std::vector<NodeId> sums;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const NodeId sum = build.input(kFirstSumInput + static_cast<int>(i), "");
+    sums.push_back(build.add(sum, values[i]));
+  }
+  set_basis_outputs(kernel, sums);
+}
+
+template <class Append>
+Kernel accumulated_basis(int degree, const std::string& source, const Append& append) {
+  Kernel kernel;
+  describe(kernel, degree, "sum");
+  kernel.title = "Adds one weighted sample to a projection on bands 0 to " + std::to_string(degree);
+  kernel.result = "sum += weight Y_lm(d) at index l(l+1)+m, orthonormal on the unit sphere, no Condon-Shortley phase";
+  kernel.citation = source;
+  Builder build(kernel);
+  const Direction d = direction_inputs(build);
+  const NodeId weight = build.input(kWeightInput, "weight");
+  accumulate(kernel, build, append(build, d, weight));
+  return kernel;
+}
+
+// How errors of the moments grow at most: the largest sum of the |coefficients| of a Y_lm over the band's maximum.
+double amplification(int degree) {
+  double largest = 0;
+  for (int l = 0; l <= degree; ++l) {
+    for (int m = 0; m <= l; ++m) {
+      const AxialForm form = axial_form(l, m);
+      const Surd scale = m == 0 ? form.scale : form.scale * sectoral_factor(m);
+      double sum = 0;
+      for (const cln::cl_RA& power : form.powers) {
+        sum += std::abs(cln::double_approx((scale * Surd(power)).evaluate(20)));
+      }
+      largest = std::max(largest, sum / std::sqrt((2 * l + 1) / (4 * std::numbers::pi)));
+    }
+  }
+  return largest;
+}
+
+}  // namespace
+
+Kernel project_parity(int degree) {
+  Kernel kernel = accumulated_basis(degree, kParitySource, [degree](Builder& build, const Direction& d, NodeId weight) {
+    return append_parity(build, d, degree, accurate_choices(degree), weight);
+  });
+  kernel.factored = true;
+  return kernel;
+}
+
+Kernel project_recurrence(int degree) {
+  return accumulated_basis(degree, kRecurrenceSource, [degree](Builder& build, const Direction& d, NodeId weight) {
+    return append_recurrence(build, d, degree, weight);
+  });
+}
+
+Kernel project_moments(int degree) {
+  symbolic::require_basis_index(degree, 0);
+  Kernel kernel;
+  describe(kernel, degree, "moments");
+  kernel.title = "Adds one weighted sample to the moments of a projection on bands 0 to " + std::to_string(degree);
+  kernel.result =
+      "moments += weight z^n Re (x+iy)^m at index l(l+1)+m, Im (x+iy)^m at l(l+1)-m, l = m+n; project_finish_l" +
+      std::to_string(degree) + " makes coefficients of their sums";
+  kernel.citation = "products by falling order; the map to coefficients is linear";
+  kernel.factored = true;
+  Builder build(kernel);
+  const Direction d = direction_inputs(build);
+  std::vector<NodeId> values(static_cast<std::size_t>(basis_count(degree)));
+  values[0] = build.input(kWeightInput, "weight");
+  for (int m = 1; m <= degree; ++m) {
+    const auto last = basis_index(m - 1, m - 1);
+    const auto last_sine = basis_index(m - 1, 1 - m);
+    const NodeId xc = build.mul(d.x, values[last]);
+    const NodeId yc = build.mul(d.y, values[last]);
+    if (m == 1) {
+      values[basis_index(1, 1)] = xc;
+      values[basis_index(1, -1)] = yc;
+      continue;
+    }
+    const NodeId ys = build.mul(d.y, values[last_sine]);
+    const NodeId xs = build.mul(d.x, values[last_sine]);
+    values[basis_index(m, m)] = build.sub(xc, ys, "c" + std::to_string(m));
+    values[basis_index(m, -m)] = build.add(xs, yc, "s" + std::to_string(m));
+  }
+  for (int m = -degree; m <= degree; ++m) {
+    for (int l = std::abs(m) + 1; l <= degree; ++l) {
+      values[basis_index(l, m)] = build.mul(values[basis_index(l - 1, m)], d.z);
+    }
+  }
+  accumulate(kernel, build, values);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    std::string& label = kernel.outputs[i].label;
+    label.insert(0, "as ");
+  }
+  return kernel;
+}
+
+Kernel project_finish(int degree) {
+  symbolic::require_basis_index(degree, 0);
+  Kernel kernel;
+  kernel.title = "Coefficients of bands 0 to " + std::to_string(degree) + " from the sums of project_moments_l" +
+                 std::to_string(degree);
+  kernel.domain = "any moments";
+  kernel.result = fmt::format(
+      "coefficients of Y_lm at index l(l+1)+m, orthonormal, no Condon-Shortley phase; errors of the moments grow up to "
+      "{:.2g} times in units of sqrt((2l+1)/(4 pi))",
+      amplification(degree));
+  kernel.citation = "the polynomials of Y_lm in z, exact";
+  kernel.factored = true;
+  kernel.parameters = {{"moments", {basis_count(degree)}}};
+  kernel.results = {{"c", {basis_count(degree)}}};
+  Builder build(kernel);
+  std::vector<NodeId> values(static_cast<std::size_t>(basis_count(degree)));
+  for (int l = 0; l <= degree; ++l) {
+    for (int m = -l; m <= l; ++m) {
+      const int order = std::abs(m);
+      const AxialForm form = axial_form(l, order);
+      const Surd scale = order == 0 ? form.scale : form.scale * sectoral_factor(order);
+      NodeId sum = -1;
+      for (std::size_t k = 0; k < form.powers.size(); ++k) {
+        // z^n stands in the place of degree order + n
+        const int place = order + 2 * static_cast<int>(k) + (form.odd ? 1 : 0);
+        const NodeId moment = build.input(static_cast<int>(basis_index(place, m)), "");
+        const Surd factor = scale * Surd(form.powers[k]);
+        const bool minus = sum >= 0 && factor.is_negative();
+        const NodeId term = build.mul(build.constant(minus ? -factor : factor, indexed("k", l, order)), moment);
+        sum = sum < 0 ? term : minus ? build.sub(sum, term) : build.add(sum, term);
+      }
+      values[basis_index(l, m)] = sum;
+    }
+  }
+  set_basis_outputs(kernel, values);
+  return kernel;
+}
+
+}  // namespace sh::codegen::recipes

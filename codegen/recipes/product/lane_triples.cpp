@@ -1,0 +1,74 @@
+#include "codegen/recipes/product/lane_triples.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "symbolic/product/gaunt.hpp"
+
+namespace sh::codegen::recipes {
+namespace {
+
+using symbolic::gaunt;
+using symbolic::Surd;
+
+constexpr int kCount = 9;
+constexpr int kZero = kTripleLanes - 1;  // a lane in which both factors are 0
+constexpr std::array<int, 3> kEven{0, 6, 8};
+
+struct Term {
+  int i = 0;
+  int j = 0;
+  Surd g;
+};
+
+// What the scales leave of c_k.
+std::vector<Term> remaining(int k) {
+  std::vector<Term> terms;
+  const auto even = [](int e) { return std::find(kEven.begin(), kEven.end(), e) != kEven.end(); };
+  for (int i = 0; i < kCount; ++i) {
+    for (int j = 0; j < kCount; ++j) {
+      const Surd g = gaunt(i, j, k);
+      const bool scaled = (even(i) && j == k) || (even(j) && i == k);
+      if (!g.is_zero() && !scaled) terms.push_back({i, j, g});
+    }
+  }
+  return terms;
+}
+
+}  // namespace
+
+LaneTriples lane_triples() {
+  LaneTriples result;
+  for (const int e : kEven) {
+    LaneTriples::Scale scale{e, {}};
+    for (int k = 0; k < kCount; ++k) {
+      scale.g[static_cast<std::size_t>(k)] = gaunt(e, k, k) * Surd(e == k ? cln::cl_RA(1) / 2 : cln::cl_RA(1));
+    }
+    result.scales.push_back(scale);
+  }
+  constexpr int kRounds = 4;  // c_00 has the most terms, 8
+  LaneTriples::Round empty;
+  empty.i.fill(kZero);
+  empty.j.fill(kZero);
+  result.rounds.assign(kRounds, empty);
+  result.more.fill(kZero);
+  int next = kCount;  // lane beyond
+  for (int k = 0; k < kCount; ++k) {
+    const std::vector<Term> terms = remaining(k);
+    const bool beyond = terms.size() > kRounds;
+    if (beyond) result.more[static_cast<std::size_t>(k)] = next;
+    if (terms.size() > std::size_t{2} * kRounds || next >= kZero)
+      throw std::logic_error("lane triples: too many terms");
+    for (std::size_t t = 0; t < terms.size(); ++t) {
+      LaneTriples::Round& round = result.rounds[t % kRounds];
+      const auto lane = static_cast<std::size_t>(t < kRounds ? k : next);
+      round.i[lane] = terms[t].i;
+      round.j[lane] = terms[t].j;
+      round.g[lane] = terms[t].g;
+    }
+    if (beyond) ++next;
+  }
+  return result;
+}
+
+}  // namespace sh::codegen::recipes

@@ -1,0 +1,42 @@
+// The search for the plan of a separable product: number of angles and rings with the fewest operations.
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+#include "codegen/ir/cost.hpp"
+#include "codegen/passes/share.hpp"
+#include "codegen/recipes/product/product_separable.hpp"
+
+namespace sh::codegen::recipes {
+namespace {
+
+SeparablePlan shortest_plan(const ProductShape& shape, Factors factors, SampleProduct sample_product) {
+  constexpr int kMostAliases = 4;  // more cost more than further angles
+  const int total = shape.a + shape.b + shape.result;
+  // Every product of orders has to stay below M, and every order of the result below M/2.
+  const int most = std::max({shape.a + shape.b, 2 * shape.result, total - kMostAliases});
+  const int first = 4 * (most / 4 + 1);
+  SeparablePlan best;
+  int fewest = -1;
+  for (int angles = first; angles == first || angles < total + 5; angles += 4) {
+    // A polar ring costs little; an equator, which costs half a pair, is needed for every other degree.
+    const SeparablePlan plan{{total / 4, true, total / 2 % 2 != 0}, angles};
+    const int operations =
+        cost(passes::fold(passes::share(product_separable(shape, factors, sample_product, plan)))).operations();
+    if (fewest >= 0 && operations >= fewest) continue;
+    fewest = operations;
+    best = plan;
+  }
+  return best;
+}
+
+}  // namespace
+
+SeparablePlan separable_plan(const ProductShape& shape, Factors factors, SampleProduct sample_product) {
+  static std::map<std::tuple<int, int, int, Factors, SampleProduct>, SeparablePlan> known;
+  const auto [position, added] = known.try_emplace({shape.a, shape.b, shape.result, factors, sample_product});
+  if (added) position->second = shortest_plan(shape, factors, sample_product);
+  return position->second;
+}
+
+}  // namespace sh::codegen::recipes

@@ -1,0 +1,373 @@
+#include "codegen/recipes/product/product_separable.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include "codegen/recipes/product/phi_transform.hpp"
+#include "codegen/recipes/product/ring_factor.hpp"
+#include "symbolic/product/gaunt.hpp"
+
+namespace sh::codegen::recipes {
+namespace {
+
+using symbolic::Surd;
+using Samples = PhiTransform::Samples;
+using Coefficients = PhiTransform::Coefficients;
+using Parts = std::array<Value, kParts>;
+
+// The place of an element; arithmetic on positions stays in int.
+std::size_t position(int i) { return static_cast<std::size_t>(i); }
+
+std::string named(const char* letter, int ring, int order, const char* suffix) {
+  return letter + std::to_string(ring + 1) + (order < 0 ? "s" : "c") + std::to_string(std::abs(order)) + suffix;
+}
+
+class Separable {
+ public:
+  Separable(Kernel& kernel, const ProductShape& shape, Factors factors, SampleProduct sample_product,
+            const SeparablePlan& plan)
+      : kernel_(kernel),
+        build_(kernel),
+        shape_(shape),
+        same_(factors == Factors::kSame),
+        halves_(sample_product == SampleProduct::kHalves && !same_),
+        angles_(plan.angles),
+        looped_(plan.looped && plan.rings.pairs > 1),
+        quadrature_(plan.rings),
+        sums_(static_cast<std::size_t>(coefficient_count(shape.result))) {}
+
+  void run() {
+    const int count_a = coefficient_count(shape_.a);
+    const std::vector<Value> a = build_.inputs(0, count_a);
+    const std::vector<Value> b = same_ ? a : build_.inputs(count_a, coefficient_count(shape_.b));
+    for (int ring = 0; ring < quadrature_.count(); ++ring) {
+      if (quadrature_.is_pole(ring)) {
+        poles(ring, a, b);
+      } else if (!looped_ || ring == 0 || quadrature_.is_equator(ring)) {
+        ring_or_pair(ring, a, b);
+      }
+    }
+    for (int i = 0; i < coefficient_count(shape_.result); ++i) {
+      set_coefficient(kernel_, i, build_.node(build_.sum(sums_[static_cast<std::size_t>(i)])));
+    }
+  }
+
+ private:
+  // Even and odd part in z of one order: E, and O as a sum times a constant.
+  struct Halves {
+    Value even;
+    Value odd;
+  };
+
+  // The constant of a ring, or of all pairs of rings where a loop runs over them.
+  template <class Of>
+  [[nodiscard]] Factor of_rings(int ring, const Of& of) const {
+    const bool all = looped_ && ring < quadrature_.rings().pairs;
+    Factor factor;
+    for (int r = ring; r < (all ? quadrature_.rings().pairs : ring + 1); ++r) factor.push_back(of(r));
+    return factor;
+  }
+  [[nodiscard]] Factor theta(int l, int m, int ring) const {
+    return of_rings(ring, [&](int r) { return quadrature_.theta(l, m, r); });
+  }
+  [[nodiscard]] Factor weight(int ring) const {
+    return of_rings(ring, [&](int r) { return quadrature_.weight(r); });
+  }
+
+  Value scaled(const Factor& factor, Value value) {
+    if (value.is_zero() || factor.size() == 1) return build_.times(factor[0], value);
+    std::string key;
+    for (const ExactReal& element : factor) key += to_string(element) + ";";
+    const auto [column, added] = columns_.try_emplace(key, static_cast<int>(columns_.size()));
+    kernel_.table.resize(factor.size());
+    for (std::size_t row = 0; added && row < factor.size(); ++row) kernel_.table[row].push_back(factor[row]);
+    return build_.times(build_.table(column->second), value);
+  }
+
+  // scale: a constant that goes into all products.
+  Halves synthesise(const std::vector<Value>& c, int degree, int order, int ring, const ExactReal& scale) {
+    const int m = std::abs(order);
+    std::vector<Value> even;
+    std::vector<std::pair<Factor, Value>> odd;
+    for (int l = m; l <= degree; ++l) {
+      const Value value = c[static_cast<std::size_t>(symbolic::coefficient_index(l, order))];
+      const Factor factor = theta(l, m, ring);
+      if ((l - m) % 2 == 0) {
+        even.push_back(scaled(times(factor, scale), value));
+      } else if (!is_zero(factor[0]) && !value.is_zero()) {
+        odd.emplace_back(factor, value);
+      }
+    }
+    return {build_.sum(even), scaled_sum(odd, scale)};
+  }
+
+  // The largest constant is taken out: it multiplies when the sum is added to E and subtracted from it.
+  Value scaled_sum(const std::vector<std::pair<Factor, Value>>& terms, const ExactReal& scale) {
+    if (terms.empty()) return {};
+    const auto largest = std::max_element(terms.begin(), terms.end(), [](const auto& x, const auto& y) {
+      return approximate(x.first) < approximate(y.first) * (1 - 1e-9);
+    });
+    std::vector<Value> values;
+    for (auto term = terms.begin(); term != terms.end(); ++term) {
+      values.push_back(term == largest ? term->second : scaled(quotient(term->first, largest->first), term->second));
+    }
+    return scaled(times(largest->first, scale), build_.sum(values));
+  }
+
+  void poles(int ring, const std::vector<Value>& a, const std::vector<Value>& b) {
+    const Halves of_a = synthesise(a, shape_.a, 0, ring, Surd(1));
+    const Halves of_b = same_ ? of_a : synthesise(b, shape_.b, 0, ring, Surd(1));
+    const Value north_a = build_.plus(of_a.even, of_a.odd);
+    const Value south_a = build_.minus(of_a.even, of_a.odd);
+    const Value north = build_.times(north_a, same_ ? north_a : build_.plus(of_b.even, of_b.odd));
+    const Value south = build_.times(south_a, same_ ? south_a : build_.minus(of_b.even, of_b.odd));
+    collect(0, ring, {build_.plus(north, south), build_.minus(north, south)},
+            times({Surd::square_root(4, 2)}, weight(ring)));
+  }
+
+  // c_lm += weight theta_lm (E or O)
+  void collect(int order, int ring, const Halves& halves, const Factor& weight) {
+    const int m = std::abs(order);
+    for (int l = m; l <= shape_.result; ++l) {
+      const Value half = (l - m) % 2 == 0 ? halves.even : halves.odd;
+      const Value term = scaled(times(weight, theta(l, m, ring)), half);
+      if (term.is_zero()) continue;
+      sums_[static_cast<std::size_t>(symbolic::coefficient_index(l, order))].push_back(
+          weight.size() > 1 ? build_.row_sum(term) : term);
+    }
+  }
+
+  // Frequencies k = M - q beyond the result's that sampling takes for q.
+  [[nodiscard]] bool aliased(int q) const { return q > 0 && angles_ - q <= shape_.a + shape_.b; }
+
+  [[nodiscard]] std::vector<std::pair<int, int>> orders_adding_to(int k) const {
+    std::vector<std::pair<int, int>> orders;
+    for (int m = std::max(0, k - shape_.b); m <= std::min(k, shape_.a); ++m) orders.emplace_back(m, k - m);
+    return orders;
+  }
+
+  // What an aliased frequency adds, in units of S_q: M/16, twice that where samples are doubled; half where the square
+  // leaves out a factor of two.
+  [[nodiscard]] ExactReal alias_factor(int q, bool sine) const {
+    cln::cl_RA factor = cln::cl_RA(angles_) / 16;
+    if (halves_) factor = 2 * factor;
+    if (same_ && part_of(sine ? -q : q) != 0) factor = factor / 2;
+    return Surd(factor);
+  }
+
+  const PhiTransform& transform(std::vector<std::pair<std::pair<int, int>, PhiTransform>>& known, int degree, int rings,
+                                bool back) {
+    for (const auto& [key, made] : known) {
+      if (key == std::pair(degree, rings)) return made;
+    }
+    PhiShape shape{degree, angles_, rings, back && !halves_, {}, {}};
+    if (back) {
+      for (int q = 1; q <= degree; ++q) {
+        if (!aliased(q)) continue;
+        const bool once = angles_ - q == shape_.a + shape_.b && rings == 2;
+        for (const bool sine : {false, true}) {
+          const ExactReal factor = alias_factor(q, sine);
+          shape.preferred[sine ? -q : q] = {once ? multiply(factor, Surd(2)) : factor, once ? 1 : rings};
+        }
+      }
+    } else {
+      for (int q = 1; q <= shape_.result; ++q) {
+        if (!aliased(q)) continue;
+        for (const auto& [m, n] : orders_adding_to(angles_ - q)) shape.unscaled.insert(shape.unscaled.end(), {m, n});
+      }
+    }
+    known.emplace_back(std::pair(degree, rings), PhiTransform(shape));
+    return known.back().second;
+  }
+
+  // Coefficients by ring and order of a factor on a pair of rings, or on the equator.
+  Coefficients rings_of(const std::vector<Value>& c, int degree, int ring, const PhiTransform& phi,
+                        const char* letter) {
+    const bool pair = !quadrature_.is_equator(ring);
+    Coefficients result(pair ? 2 : 1, std::vector<Value>(static_cast<std::size_t>(2 * degree + 1)));
+    for (int order = -degree; order <= degree; ++order) {
+      const auto at = position(order + degree);
+      const Halves halves = synthesise(c, degree, order, ring, phi.scale(order));
+      result[0][at] = build_.named(build_.plus(halves.even, halves.odd), named(letter, ring, order, "n"));
+      if (!pair) continue;
+      result[1][at] = phi.shared(order)
+                          ? result[0][at]
+                          : build_.named(build_.minus(halves.even, halves.odd), named(letter, ring, order, "s"));
+    }
+    return result;
+  }
+
+  Parts product(const Parts& a, const Parts& b, bool end) {
+    Parts result;
+    if (same_) {
+      for (std::size_t r = 0; r < kParts; ++r) {
+        std::vector<Value> terms;
+        for (std::size_t p = 0; p < kParts; ++p) {
+          if (p <= (p ^ r)) terms.push_back(build_.times(a[p], a[p ^ r]));
+        }
+        result[r] = build_.sum(terms);
+      }
+    } else if (halves_ && !end) {
+      for (const bool minus : {false, true}) {
+        const auto half = [&](const Parts& f, std::size_t p) {
+          return minus ? build_.minus(f[p], f[p + 2]) : build_.plus(f[p], f[p + 2]);
+        };
+        const Value ac = half(a, 0);
+        const Value as = half(a, 1);
+        const Value bc = half(b, 0);
+        const Value bs = half(b, 1);
+        const Value cc = build_.times(ac, bc);
+        const Value ss = build_.times(as, bs);
+        const Value cs = build_.times(ac, bs);
+        const Value sc = build_.times(as, bc);
+        const std::array<Value, 2> value{build_.plus(cc, ss), build_.plus(cs, sc)};
+        for (std::size_t p = 0; p < 2; ++p) {
+          if (!minus) {
+            result[p] = value[p];
+            continue;
+          }
+          const Value plus = result[p];
+          result[p] = build_.plus(plus, value[p]);
+          result[p + 2] = build_.minus(plus, value[p]);
+        }
+      }
+    } else {
+      for (std::size_t r = 0; r < kParts; ++r) {
+        std::vector<Value> terms;
+        for (std::size_t p = 0; p < kParts; ++p) terms.push_back(build_.times(a[p], b[p ^ r]));
+        result[r] = build_.sum(terms);
+      }
+    }
+    return result;
+  }
+
+  // cos and sin coefficient of frequency k in the product of two trigonometric polynomials, times 2.
+  std::pair<Value, Value> frequency(int k, const std::vector<Value>& a, const std::vector<Value>& b) {
+    const auto of = [](const std::vector<Value>& f, int degree, int order) { return f[position(order + degree)]; };
+    std::vector<Value> cosines;
+    std::vector<Value> sines;
+    for (const auto& [m, n] : orders_adding_to(k)) {
+      if (same_ && m > n) continue;
+      const Value ac = of(a, shape_.a, m);
+      const Value bc = of(b, shape_.b, n);
+      const Value as = m == 0 ? Value{} : of(a, shape_.a, -m);
+      const Value bs = n == 0 ? Value{} : of(b, shape_.b, -n);
+      Value c = build_.minus(build_.times(ac, bc), build_.times(as, bs));
+      Value s = build_.times(as, bc);
+      s = same_ && m == n ? build_.plus(s, s) : build_.plus(s, build_.times(ac, bs));
+      if (m == 0 || n == 0 || (same_ && m != n)) {
+        c = build_.times(Surd(2), c);
+        s = build_.times(Surd(2), s);
+      }
+      cosines.push_back(c);
+      sines.push_back(s);
+    }
+    return {build_.sum(cosines), build_.sum(sines)};
+  }
+
+  void ring_or_pair(int ring, const std::vector<Value>& a, const std::vector<Value>& b) {
+    const int rings = quadrature_.is_equator(ring) ? 1 : 2;
+    const PhiTransform phi_a = transform(forwards_, shape_.a, rings, false);
+    const PhiTransform phi_b = transform(forwards_, shape_.b, rings, false);
+    const PhiTransform phi_c = transform(backwards_, shape_.result, rings, true);
+    const Coefficients on_a = rings_of(a, shape_.a, ring, phi_a, "a");
+    const Coefficients on_b = same_ ? on_a : rings_of(b, shape_.b, ring, phi_b, "b");
+    const Samples of_a = phi_a.sample(build_, on_a);
+    const Samples of_b = same_ ? of_a : phi_b.sample(build_, on_b);
+    Samples products = of_a;
+    for (std::size_t r = 0; r < products.size(); ++r) {
+      for (std::size_t j = 0; j < products[r].size(); ++j) {
+        products[r][j] = product(of_a[r][j], of_b[r][j], j == 0 || j + 1 == products[r].size());
+      }
+    }
+    Coefficients sums = phi_c.analyse(build_, products);
+    const std::vector<Halves> halves = without_aliases(sums, on_a, on_b, phi_c);
+    for (int order = -shape_.result; order <= shape_.result; ++order) {
+      // 8 pi / M, half of it where samples are doubled; the square leaves out a factor of two in three of the parts.
+      cln::cl_RA factor = cln::cl_RA(halves_ ? 4 : 8) / angles_;
+      if (same_ && part_of(order) != 0) factor = 2 * factor;
+      const ExactReal same_on_all = multiply(Surd(factor) * Surd::square_root(1, 2), phi_c.scale(order));
+      collect(order, ring, halves[position(order + shape_.result)], times(weight(ring), same_on_all));
+    }
+  }
+
+  // Subtracts what aliases add to the sums over the angles, and splits them by parity in z.
+  std::vector<Halves> without_aliases(Coefficients& sums, const Coefficients& a, const Coefficients& b,
+                                      const PhiTransform& phi) {
+    std::vector<std::optional<Value>> shared_alias(sums[0].size());
+    for (int q = 1; q <= shape_.result; ++q) {
+      if (!aliased(q)) continue;
+      const int k = angles_ - q;
+      const bool once = a.size() == 2 && k == shape_.a + shape_.b;  // the same on both rings
+      for (std::size_t r = 0; r < (once ? 1 : a.size()); ++r) {
+        const auto [c, s] = frequency(k, a[r], b[r]);
+        for (const bool sine : {false, true}) {
+          const auto at = position((sine ? -q : q) + shape_.result);
+          const ExactReal scale = reciprocal(phi.scale(sine ? -q : q));
+          ExactReal factor = multiply(alias_factor(q, sine), scale);
+          if (once) factor = multiply(factor, Surd(2));
+          // cos k phi falls upon cos q phi, sin k phi upon -sin q phi.
+          const Value alias = build_.times(factor, sine ? s : SignedBuilder::opposite(c));
+          if (once) {
+            shared_alias[at] = alias;
+          } else if (phi.shared(q)) {
+            sums[0][at] = build_.plus(sums[0][at], alias);
+          } else {
+            sums[r][at] = build_.plus(sums[r][at], alias);
+          }
+        }
+      }
+    }
+    std::vector<Halves> halves;
+    for (int order = -shape_.result; order <= shape_.result; ++order) {
+      const auto at = position(order + shape_.result);
+      Halves half{sums[0][at], {}};
+      if (a.size() == 2 && !phi.shared(order)) {
+        half = {build_.plus(sums[0][at], sums[1][at]), build_.minus(sums[0][at], sums[1][at])};
+      }
+      if (shared_alias[at]) half.even = build_.plus(half.even, *shared_alias[at]);
+      halves.push_back(half);
+    }
+    return halves;
+  }
+
+  Kernel& kernel_;
+  SignedBuilder build_;
+  ProductShape shape_;
+  bool same_;
+  bool halves_;
+  int angles_;
+  bool looped_;
+  RingQuadrature quadrature_;
+  std::map<std::string, int> columns_;    // of the loop's table, by the constants in them
+  std::vector<std::vector<Value>> sums_;  // terms of every coefficient of the result
+  std::vector<std::pair<std::pair<int, int>, PhiTransform>> forwards_;
+  std::vector<std::pair<std::pair<int, int>, PhiTransform>> backwards_;
+};
+
+}  // namespace
+
+Kernel product_separable(const ProductShape& shape, Factors factors, SampleProduct sample_product,
+                         const SeparablePlan& plan) {
+  Kernel kernel = product_frame(shape, factors);
+  kernel.citation =
+      "quadrature on rings of constant z (Gauss, Radau or Lobatto; M. Abramowitz, I. Stegun, 1964, 25.4), split by "
+      "parity; w, z, theta_l_m = Y_lm / cos(m phi) derived exactly; " +
+      RingQuadrature(plan.rings).definition();
+  Separable(kernel, shape, factors, sample_product, plan).run();
+  return kernel;
+}
+
+Kernel product_looped(const ProductShape& shape, Factors factors, SampleProduct sample_product) {
+  SeparablePlan plan = separable_plan(shape, factors, sample_product);
+  plan.looped = true;
+  return product_separable(shape, factors, sample_product, plan);
+}
+
+Kernel product_separable(const ProductShape& shape, Factors factors, SampleProduct sample_product) {
+  return product_separable(shape, factors, sample_product, separable_plan(shape, factors, sample_product));
+}
+
+}  // namespace sh::codegen::recipes

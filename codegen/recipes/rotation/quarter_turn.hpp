@@ -1,0 +1,55 @@
+// The quarter turn about x, D_l(Rx(90)), one parity class at a time, in forms that need few operations.
+//
+// Y_lm has parities (+-1) under x -> -x, y -> -y, z -> -z. The quarter turn exchanges those of y and z, so it maps the
+// columns of one class to the rows of one class. A class that is mapped to itself is a symmetric matrix whose square is
+// 1, that is +-(1 - U W) with U of low rank; the others are written with each row divided by its largest entry, and
+// whoever uses them puts these scales elsewhere.
+#pragma once
+
+#include <optional>
+#include <set>
+#include <vector>
+
+#include "codegen/recipes/signed_sum.hpp"
+#include "symbolic/number/matrix.hpp"
+
+namespace sh::codegen::recipes {
+
+/// Rows (orders m) and columns (orders n) of one class of D_l(Rx(90)).
+class QuarterTurnClass {
+ public:
+  /// turn: T of symbolic::rotation_x90(degree). Rows may be fewer than columns (row m = 0 left out).
+  QuarterTurnClass(int degree, const symbolic::Matrix<cln::cl_RA>& turn, const std::vector<int>& rows,
+                   const std::vector<int>& columns);
+
+  [[nodiscard]] int rows() const { return static_cast<int>(scales_.size()); }
+  /// Divides row i by another entry, nearly as large, if the square of that one is among more of `squares` than the
+  /// square of scale(i) is; takes the old square out and puts the new one in.
+  void prefer_scale(std::size_t row, std::multiset<symbolic::Surd>& squares);
+  /// Row i of the class is scale(i) times what `forward` and `backward` use.
+  [[nodiscard]] const symbolic::Surd& scale(std::size_t row) const { return scales_[row]; }
+  /// columns -> rows
+  [[nodiscard]] std::vector<Signed> forward(Builder& build, const std::vector<Signed>& v) const;
+  /// rows -> columns, by the transposed matrix
+  [[nodiscard]] std::vector<Signed> backward(Builder& build, const std::vector<Signed>& v) const;
+
+ private:
+  using Surds = symbolic::Matrix<symbolic::Surd>;
+
+  // sign * (1 - expand * reduce)
+  struct Reflection {
+    bool negative = false;
+    Surds expand;  // (orders, rank)
+    Surds reduce;  // (rank, orders)
+  };
+
+  void divide_row(std::size_t row, int column);
+  static Reflection find_reflection(int degree, const symbolic::Matrix<cln::cl_RA>& turn,
+                                    const std::vector<int>& orders);
+
+  Surds entries_;  // (rows, columns)
+  std::vector<symbolic::Surd> scales_;
+  std::optional<Reflection> reflection_;
+};
+
+}  // namespace sh::codegen::recipes

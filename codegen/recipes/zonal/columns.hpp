@@ -1,0 +1,70 @@
+// What recipes on the sphere share: the parts of Y_lm = factor q_lm(z) Re or Im (x + iy)^m, order m by order m.
+//
+// q_lm = d^m P_l / dz^m has the parity of n = l - m: q_lm = e_lm for even n and z e_lm for odd n, where e_lm is a
+// polynomial in z^2. Recipes multiply by z once a band instead of once a function.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "codegen/ir/ir.hpp"
+
+namespace sh::codegen::recipes {
+
+/// (Re, Im) of (x + iy)^m, from (x + iy)^(m/2) for even m and (x + iy)^(m-1) for odd m. m >= 1; built on demand.
+class Azimuth {
+ public:
+  Azimuth(Builder& build, NodeId x, NodeId y) : build_(&build), powers_{{1, {x, y}}} {}
+  std::pair<NodeId, NodeId> power(int m);
+
+ private:
+  std::pair<NodeId, NodeId> square(int half, const std::string& suffix);
+  std::pair<NodeId, NodeId> step(int m, const std::string& suffix);
+
+  Builder* build_;
+  std::map<int, std::pair<NodeId, NodeId>> powers_;
+};
+
+/// Who wants every e_lm takes the shortest way to each from others; who wants few of them takes Horner's.
+enum class Wanted { kAll, kFew };
+
+/// The polynomials scale(l, m) e_lm in t = 2 z^2 - 1, m <= l, each built on demand. When all are wanted:
+///   n = 4       e_lm is a (e_l,m+1)^2 + b, as the derivative of q_lm is q_l,m+1
+///   n >= 5      (l-m) e_lm = (2l-1) [z^2] e_l-1,m - (l+m-1) e_l-2,m, with z^2 for even n   [AbramowitzStegun64] 8.5.3
+class AxialPolynomials {
+ public:
+  AxialPolynomials(Builder& build, NodeId z, Wanted wanted, std::function<symbolic::Surd(int l, int m)> scale)
+      : build_(&build), z_(z), wanted_(wanted), scale_(std::move(scale)) {}
+  NodeId at(int l, int m);
+
+ private:
+  NodeId make(int l, int m);
+  NodeId horner(int l, int m);
+  NodeId completed_square(int l, int m);
+  NodeId difference(const symbolic::Surd& a, NodeId v, const symbolic::Surd& b, NodeId w, int l, int m);
+  NodeId constant(const char* letter, const symbolic::Surd& value, int l, int m);
+  NodeId square();
+  NodeId doubled_angle();
+
+  Builder* build_;
+  NodeId z_;
+  Wanted wanted_;
+  std::function<symbolic::Surd(int l, int m)> scale_;
+  NodeId square_ = -1;
+  NodeId doubled_angle_ = -1;
+  std::map<std::pair<int, int>, NodeId> made_;
+};
+
+/// "p_4_2": a hint for the name of what belongs to degree l and order m.
+std::string indexed(const std::string& letter, int l, int m);
+
+/// sqrt(4 pi / (2l+1)) times the factor of Y_lm, m >= 0: the constant of a zonal function turned to a direction.
+symbolic::Surd turned_factor(int l, int m);
+
+/// Gives every output of `kernel` the label "l=2 m=-1" in order of the index l(l+1)+m, and makes room for
+/// (degree+1)^2 of them for each of `channels`.
+void label_coefficients(Kernel& kernel, int degree, int channels = 1);
+
+}  // namespace sh::codegen::recipes

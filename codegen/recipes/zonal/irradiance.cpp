@@ -1,0 +1,283 @@
+#include "codegen/recipes/zonal/irradiance.hpp"
+
+#include <array>
+#include <string>
+
+#include "codegen/recipes/zonal/columns.hpp"
+#include "symbolic/basis/basis.hpp"
+#include "symbolic/zonal/irradiance.hpp"
+
+namespace sh::codegen::recipes {
+namespace {
+
+// The place of an element; arithmetic on positions stays in int.
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+using symbolic::irradiance_factor;
+using symbolic::Surd;
+
+constexpr const char* kCitation =
+    "R. Ramamoorthi, P. Hanrahan, \"On the relationship between radiance and irradiance\", JOSA A 18, 2001; constants "
+    "derived exactly";
+constexpr const char* kEfficient =
+    "R. Ramamoorthi, P. Hanrahan, \"An Efficient Representation for Irradiance Environment Maps\", SIGGRAPH 2001; "
+    "constants derived exactly";
+constexpr const char* kLightmap =
+    "Y. O'Donnell, \"Precomputed Global Illumination in Frostbite\", GDC 2018; constants derived exactly";
+constexpr const char* kOrder = "index l(l+1)+m, orthonormal, no Condon-Shortley phase";
+
+std::string degrees_to(int degree) { return degree == 0 ? "degree 0" : "degree 0 to " + std::to_string(degree); }
+
+int count(int degree) { return (degree + 1) * (degree + 1); }
+
+std::vector<NodeId> coefficients(Builder& build, int degree) {
+  std::vector<NodeId> c;
+  c.reserve(index(count(degree)));
+  for (int i = 0; i < count(degree); ++i) c.push_back(build.input(i, "c" + std::to_string(i)));
+  return c;
+}
+
+// A_l times the constant of Y_lm, |m|.
+Surd irradiance_constant(int l, int m) { return irradiance_factor(l) * symbolic::reduced_basis_function(l, m).factor; }
+
+Kernel described_evaluate(int degree) {
+  Kernel kernel;
+  kernel.title = "Irradiance towards a normal from radiance coefficients of " + degrees_to(degree);
+  kernel.citation = degree == 2 || degree == 3 ? kEfficient : kCitation;
+  kernel.domain = "|n| = 1 for the normal n = (x, y, z); c (radiance): " + std::string(kOrder);
+  kernel.result = "E(n) = sum A_l c_lm Y_lm(n), A_0 = pi; diffuse exit radiance is albedo/pi E";
+  kernel.parameters = {{"c", {count(degree)}}, {"x", {}}, {"y", {}}, {"z", {}}};
+  kernel.results = {{"irradiance", {}}};
+  kernel.outputs = {{-1, "E(n)"}};
+  return kernel;
+}
+
+struct Normal {
+  NodeId x, y, z;
+};
+
+Normal normal(Builder& build, int degree) {
+  const NodeId x = build.input(count(degree), "x");
+  const NodeId y = build.input(count(degree) + 1, "y");
+  const NodeId z = build.input(count(degree) + 2, "z");
+  return {x, y, z};
+}
+
+// a + b; a alone or b alone where the other is none.
+NodeId sum(Builder& build, NodeId a, NodeId b) {
+  if (a < 0) return b;
+  return b < 0 ? a : build.add(a, b);
+}
+
+// sum over l of A_l k_lm q_lm(z) c_lm, for the sign of m given.
+NodeId column(Builder& build, AxialPolynomials& axial, const Normal& n, const std::vector<NodeId>& c, int degree, int m,
+              int sign) {
+  NodeId even = -1;
+  NodeId odd = -1;
+  for (int l = m; l <= degree; ++l) {
+    if (irradiance_factor(l).is_zero()) continue;
+    const NodeId coefficient = c[index(l * (l + 1) + sign * m)];
+    NodeId& part = (l - m) % 2 == 0 ? even : odd;
+    part = sum(build, part, build.mul(axial.at(l, m), coefficient));
+  }
+  return odd < 0 ? even : sum(build, even, build.mul(n.z, odd));
+}
+
+}  // namespace
+
+Kernel irradiance(int degree) {
+  Kernel kernel;
+  kernel.title = "Convolve radiance coefficients of " + degrees_to(degree) + " with the clamped cosine";
+  kernel.citation = kCitation;
+  kernel.domain = "any coefficients; " + std::string(kOrder);
+  kernel.result =
+      "irradiance A_l c_lm, in place: A_0 = pi, A_1 = 2 pi/3, A_2 = pi/4, A_4 = -pi/24; exactly zero at odd l > 1";
+  kernel.parameters = {{"c", {count(degree)}}};
+  kernel.results = kernel.parameters;
+  label_coefficients(kernel, degree);
+  Builder build(kernel);
+  const std::vector<NodeId> c = coefficients(build, degree);
+  for (int l = 0; l <= degree; ++l) {
+    const Surd factor = irradiance_factor(l);
+    const NodeId a = build.constant(factor, factor.is_zero() ? "none" : "a" + std::to_string(l));
+    for (int i = l * l; i < (l + 1) * (l + 1); ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      kernel.outputs[k].node = factor.is_zero() ? a : build.mul(a, c[k]);
+    }
+  }
+  return kernel;
+}
+
+Kernel irradiance_matrix(int degree) {
+  Kernel kernel;
+  kernel.title = "Irradiance as a quadratic form of the normal, from radiance coefficients of " + degrees_to(degree);
+  kernel.citation = kEfficient;
+  kernel.domain = "any coefficients c (radiance); " + std::string(kOrder);
+  kernel.result = "the symmetric 4x4 matrix M, row by row, with E(n) = (x, y, z, 1) M (x, y, z, 1)^T for |n| = 1";
+  kernel.parameters = {{"c", {count(degree)}}};
+  kernel.results = {{"m", {4, 4}}};
+  Builder build(kernel);
+  const std::vector<NodeId> c = coefficients(build, degree);
+  const auto half = Surd(cln::cl_RA(1) / 2);
+  // A product such as x y stands in two places of M; 3 z^2 - 1 and x^2 - y^2 stand on its diagonal.
+  const NodeId c1 =
+      build.constant(irradiance_constant(2, 1) * half *
+                         Surd(symbolic::reduced_basis_function(2, 1).axial.coefficient(symbolic::Monomial{0, 0, 1})),
+                     "c1");
+  const NodeId c2 = build.constant(irradiance_constant(1, 1) * half, "c2");
+  const symbolic::Polynomial zonal = symbolic::reduced_basis_function(2, 0).axial;
+  const NodeId c3 =
+      build.constant(irradiance_constant(2, 0) * Surd(zonal.coefficient(symbolic::Monomial{0, 0, 2})), "c3");
+  const NodeId c4 = build.constant(irradiance_constant(0, 0), "c4");
+  const NodeId c5 = build.constant(-(irradiance_constant(2, 0) * Surd(zonal.coefficient(symbolic::Monomial{}))), "c5");
+  const NodeId xx = build.mul(c1, c[8], "xx");
+  const NodeId xy = build.mul(c1, c[4], "xy");
+  const NodeId xz = build.mul(c1, c[7], "xz");
+  const NodeId yz = build.mul(c1, c[5], "yz");
+  const NodeId yy = build.neg(xx, "yy");
+  const NodeId zz = build.mul(c3, c[6], "zz");
+  const NodeId x = build.mul(c2, c[3], "x");
+  const NodeId y = build.mul(c2, c[1], "y");
+  const NodeId z = build.mul(c2, c[2], "z");
+  const NodeId mean = build.mul(c4, c[0]);
+  const NodeId one = build.sub(mean, build.mul(c5, c[6]), "one");
+  const std::array<NodeId, 16> entries{xx, xy, xz, x, xy, yy, yz, y, xz, yz, zz, z, x, y, z, one};
+  const std::array<const char*, 4> axes{"x", "y", "z", "1"};
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    kernel.outputs.push_back({entries[i], std::string(axes[i / 4]) + " " + axes[i % 4]});
+  }
+  return kernel;
+}
+
+Kernel irradiance_evaluate(int degree) {
+  Kernel kernel = described_evaluate(degree);
+  Builder build(kernel);
+  const std::vector<NodeId> c = coefficients(build, degree);
+  const Normal n = normal(build, degree);
+  Azimuth azimuth(build, n.x, n.y);
+  AxialPolynomials axial(build, n.z, Wanted::kFew, irradiance_constant);
+  NodeId total = column(build, axial, n, c, degree, 0, 1);
+  for (int m = 1; m <= degree; ++m) {
+    const NodeId cosine = column(build, axial, n, c, degree, m, 1);
+    if (cosine < 0) continue;
+    const NodeId sine = column(build, axial, n, c, degree, m, -1);
+    const auto [real, imaginary] = azimuth.power(m);
+    total = build.add(total, build.mul(real, cosine));
+    total = build.add(total, build.mul(imaginary, sine));
+  }
+  kernel.outputs[0].node = total;
+  return kernel;
+}
+
+Kernel irradiance_evaluate_nested(int degree) {
+  Kernel kernel = described_evaluate(degree);
+  Builder build(kernel);
+  const std::vector<NodeId> c = coefficients(build, degree);
+  const auto [x, y, z] = normal(build, degree);
+  const symbolic::Polynomial zonal = symbolic::reduced_basis_function(2, 0).axial;
+  // The constant of x y, y z and x z, which the sum is divided by; x^2 - y^2 has half of it.
+  const Surd scale = irradiance_constant(2, 1) *
+                     Surd(symbolic::reduced_basis_function(2, 1).axial.coefficient(symbolic::Monomial{0, 0, 1}));
+  const NodeId k = build.constant(scale, "k");
+  const NodeId linear = build.constant(irradiance_constant(1, 1) / scale, "k_linear");
+  const NodeId half = build.constant(Surd(cln::cl_RA(1) / 2), "k_half");
+  const NodeId square = build.constant(
+      irradiance_constant(2, 0) * Surd(zonal.coefficient(symbolic::Monomial{0, 0, 2})) / scale, "k_square");
+  const NodeId least =
+      build.constant(-(irradiance_constant(2, 0) * Surd(zonal.coefficient(symbolic::Monomial{}))) / scale, "k_least");
+  const NodeId mean = build.constant(irradiance_constant(0, 0) / scale, "k_mean");
+  const auto times = [&](NodeId a, NodeId b) { return build.mul(a, b); };
+  const NodeId h = times(half, c[8]);
+  // x (linear c3 + c4 y + c7 z + h x) + y (linear c1 + c5 z - h y) + z (linear c2 + square c6 z) + mean c0 - least c6
+  NodeId of_x = times(linear, c[3]);
+  of_x = build.add(of_x, times(c[4], y));
+  of_x = build.add(of_x, times(c[7], z));
+  of_x = build.add(of_x, times(h, x));
+  NodeId of_y = times(linear, c[1]);
+  of_y = build.add(of_y, times(c[5], z));
+  of_y = build.sub(of_y, times(h, y));
+  NodeId of_z = times(square, c[6]);
+  of_z = times(of_z, z);
+  of_z = build.add(of_z, times(linear, c[2]));
+  NodeId total = times(mean, c[0]);
+  total = build.sub(total, times(least, c[6]));
+  total = build.add(total, times(of_z, z));
+  total = build.add(total, times(of_y, y));
+  total = build.add(total, times(of_x, x));
+  kernel.outputs[0].node = build.mul(k, total);
+  return kernel;
+}
+
+namespace {
+
+constexpr const char* kForm = "(e_0, e_1, e_2, e_3) with irradiance E(n) = e_0 + e_1 y + e_2 z + e_3 x";
+
+void label_lightmap(Kernel& kernel) {
+  for (const char* label : {"1", "y", "z", "x"}) kernel.outputs.push_back({-1, label});
+}
+
+}  // namespace
+
+Kernel lightmap(int degree) {
+  Kernel kernel;
+  kernel.title = "Radiance coefficients of " + degrees_to(degree) + " as irradiance that a dot product evaluates";
+  kernel.citation = kLightmap;
+  kernel.domain = "any coefficients c (radiance); " + std::string(kOrder);
+  kernel.result = std::string(kForm) + "; may be c itself";
+  kernel.parameters = {{"c", {4}}};
+  kernel.results = {{"out", {4}}};
+  label_lightmap(kernel);
+  Builder build(kernel);
+  const std::vector<NodeId> c = coefficients(build, degree);
+  for (std::size_t i = 0; i < c.size(); ++i) {
+    const int l = i == 0 ? 0 : 1;
+    const NodeId k = build.constant(irradiance_constant(l, 0), "k" + std::to_string(l));
+    kernel.outputs[i].node = build.mul(k, c[i]);
+  }
+  return kernel;
+}
+
+Kernel lightmap_project(int /*degree*/) {
+  Kernel kernel;
+  kernel.title = "Add a radiance sample to irradiance of degree 1 that a dot product evaluates";
+  kernel.citation = kLightmap;
+  kernel.domain = "|d| = 1 for d = (x, y, z), towards the light; weight: radiance times solid angle of the sample";
+  kernel.result = std::string(kForm) + ", the sample added";
+  kernel.parameters = {{"x", {}}, {"y", {}}, {"z", {}}, {"weight", {}}, {"sum", {4}}};
+  kernel.results = {{"sum", {4}}};
+  label_lightmap(kernel);
+  Builder build(kernel);
+  std::array<NodeId, 8> input{};
+  for (int i = 0; i < 8; ++i) input[static_cast<std::size_t>(i)] = build.input(i, "");
+  // A_l times the square of the constant of Y_lm.
+  const auto factor = [](int l) { return irradiance_constant(l, 0) * symbolic::reduced_basis_function(l, 0).factor; };
+  const NodeId mean = build.mul(build.constant(factor(0), "k0"), input[3]);
+  const NodeId linear = build.mul(build.constant(factor(1), "k1"), input[3]);
+  kernel.outputs[0].node = build.add(input[4], mean);
+  const std::array<std::size_t, 3> axes{1, 2, 0};  // y, z, x
+  for (std::size_t i = 0; i < 3; ++i) {
+    const NodeId added = build.mul(linear, input[axes[i]]);
+    kernel.outputs[i + 1].node = build.add(input[i + 5], added);
+  }
+  return kernel;
+}
+
+Kernel lightmap_evaluate(int degree) {
+  Kernel kernel;
+  kernel.title = "Irradiance towards a normal from its lightmap form of " + degrees_to(degree);
+  kernel.citation = kLightmap;
+  kernel.domain = "|n| = 1 for the normal n = (x, y, z); e: " + std::string(kForm);
+  kernel.result = "E(n); diffuse exit radiance is albedo/pi E";
+  kernel.parameters = {{"e", {4}}, {"x", {}}, {"y", {}}, {"z", {}}};
+  kernel.results = {{"irradiance", {}}};
+  Builder build(kernel);
+  const std::vector<NodeId> e = coefficients(build, degree);
+  const auto [x, y, z] = normal(build, degree);
+  NodeId total = build.add(e[0], build.mul(e[1], y));
+  total = build.add(total, build.mul(e[2], z));
+  total = build.add(total, build.mul(e[3], x));
+  kernel.outputs = {{total, "E(n)"}};
+  return kernel;
+}
+
+}  // namespace sh::codegen::recipes

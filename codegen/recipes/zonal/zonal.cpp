@@ -1,0 +1,205 @@
+#include "codegen/recipes/zonal/zonal.hpp"
+
+#include <string>
+
+#include "codegen/recipes/zonal/cap.hpp"
+#include "codegen/recipes/zonal/columns.hpp"
+
+namespace sh::codegen::recipes {
+namespace {
+
+// The place of an element; arithmetic on positions stays in int.
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+using symbolic::Surd;
+
+constexpr const char* kCitation =
+    "P.-P. Sloan, J. Kautz, J. Snyder, \"Precomputed Radiance Transfer\", SIGGRAPH 2002; P.-P. Sloan, \"Stupid "
+    "Spherical Harmonics (SH) Tricks\", GDC 2008; constants derived exactly";
+constexpr const char* kOrder = "index l(l+1)+m, orthonormal, no Condon-Shortley phase";
+
+struct Direction {
+  NodeId x, y, z;
+};
+
+// (l, m) and (l, -m) of one function: weight_l sqrt(4 pi/(2l+1)) Y_lm.
+class Turned {
+ public:
+  Turned(Builder& build, const Direction& d, std::vector<NodeId> weights)
+      : build_(build),
+        d_(d),
+        weights_(std::move(weights)),
+        azimuth_(build, d.x, d.y),
+        axial_(build, d.z, Wanted::kAll, turned_factor) {}
+
+  // The coefficients in order of l(l+1)+m.
+  std::vector<NodeId> coefficients() {
+    const int degree = static_cast<int>(weights_.size()) - 1;
+    std::vector<NodeId> result(weights_.size() * weights_.size());
+    const auto at = [&](int l, int m) -> NodeId& { return result[index(l * (l + 1) + m)]; };
+    for (int l = 0; l <= degree; ++l) at(l, 0) = axial(l, 0);
+    for (int m = 1; m <= degree; ++m) {
+      const auto [c, s] = azimuth_.power(m);
+      for (int l = m; l <= degree; ++l) {
+        const NodeId shared = axial(l, m);
+        at(l, -m) = build_.mul(shared, s, indexed("y", l, m) + "s");
+        at(l, m) = build_.mul(shared, c, indexed("y", l, m) + "c");
+      }
+    }
+    return result;
+  }
+
+ private:
+  // weight_l F_lm q_lm(z), F_lm the constant of the turned function.
+  NodeId axial(int l, int m) {
+    const NodeId weight = (l - m) % 2 == 0 ? weights_[static_cast<std::size_t>(l)] : raised(l);
+    return build_.mul(axial_.at(l, m), weight, indexed("p", l, m));
+  }
+
+  // weight_l z
+  NodeId raised(int l) {
+    raised_.resize(weights_.size(), -1);
+    NodeId& node = raised_[static_cast<std::size_t>(l)];
+    if (node < 0) node = build_.mul(weights_[static_cast<std::size_t>(l)], d_.z, "z" + std::to_string(l) + "z");
+    return node;
+  }
+
+  Builder& build_;
+  Direction d_;
+  std::vector<NodeId> weights_;
+  std::vector<NodeId> raised_;
+  Azimuth azimuth_;
+  AxialPolynomials axial_;
+};
+
+std::vector<NodeId> inputs(Builder& build, int first, int count, const std::string& name) {
+  std::vector<NodeId> nodes;
+  nodes.reserve(index(count));
+  for (int i = 0; i < count; ++i) nodes.push_back(build.input(first + i, name + std::to_string(i)));
+  return nodes;
+}
+
+Kernel described_zonal(int degree) {
+  Kernel kernel;
+  kernel.title = "A zonal function of degree " + std::to_string(degree) + " turned from +z to a direction";
+  kernel.citation = kCitation;
+  kernel.domain = "|d| = 1 for d = (x, y, z), the new axis; zonal: any coefficients of Y_l0";
+  kernel.result = "sqrt(4 pi/(2l+1)) zonal[l] Y_lm(d) at " + std::string(kOrder);
+  kernel.parameters = {{"zonal", {degree + 1}}, {"x", {}}, {"y", {}}, {"z", {}}};
+  kernel.results = {{"out", {(degree + 1) * (degree + 1)}}};
+  label_coefficients(kernel, degree);
+  return kernel;
+}
+
+Direction direction(Builder& build, int first) {
+  const NodeId x = build.input(first, "x");
+  const NodeId y = build.input(first + 1, "y");
+  const NodeId z = build.input(first + 2, "z");
+  return {x, y, z};
+}
+
+// p_lm for l = m .. degree by l: sqrt(l^2 - m^2) p_l = (2l-1) z p_(l-1) - sqrt((l-1)^2 - m^2) p_(l-2), the recurrence
+// of functions whose squares have the mean 1/(2l+1).
+std::vector<NodeId> turned_column(Builder& build, NodeId z, int degree, int m) {
+  std::vector<NodeId> p{build.constant(
+      turned_factor(m, m) * symbolic::Surd(cln::doublefactorial(static_cast<unsigned>(m == 0 ? 0 : 2 * m - 1))),
+      indexed("k", m, m))};
+  for (int l = m + 1; l <= degree; ++l) {
+    const Surd root = Surd::square_root(cln::cl_RA(l * l - m * m));
+    const NodeId a = build.constant(Surd(2 * l - 1) / root, indexed("a", l, m));
+    const NodeId raised = build.mul(build.mul(a, z), p.back());
+    if (l == m + 1) {
+      p.push_back(raised);
+    } else {
+      const NodeId b =
+          build.constant(Surd::square_root(cln::cl_RA((l - 1) * (l - 1) - m * m)) / root, indexed("b", l, m));
+      p.push_back(build.sub(raised, build.mul(b, p[index(l - m - 2)])));
+    }
+    build.name(p.back(), indexed("p", l, m));
+  }
+  return p;
+}
+
+Kernel described_cap(int degree, bool rgb) {
+  Kernel kernel;
+  const std::string to = " to coefficients of degree 0 to " + std::to_string(degree);
+  kernel.title = rgb ? "Add a coloured cap light" + to + " of red, green and blue" : "Add a cap light" + to;
+  kernel.citation = kCitation;
+  kernel.domain =
+      "|d| = 1 for d = (x, y, z), towards the light; 0 <= one_minus_cos <= 2, that is 1 - cos(half-angle), tiny caps "
+      "included (2 sin(h/2)^2 for a small half-angle h); the colour is the radiance in the cap";
+  kernel.parameters = {{"x", {}}, {"y", {}}, {"z", {}}, {"one_minus_cos", {}}};
+  if (rgb) {
+    for (const char* channel : {"r", "g", "b"}) kernel.parameters.push_back({channel, {}});
+  } else {
+    kernel.parameters.push_back({"colour", {}});
+  }
+  const int count = (degree + 1) * (degree + 1);
+  const Parameter sum{"sum", rgb ? std::vector<int>{3, count} : std::vector<int>{count}};
+  kernel.parameters.push_back(sum);
+  kernel.results = {sum};
+  kernel.result = "the coefficients with the light added, " + std::string(rgb ? "channel by channel, " : "") + kOrder;
+  label_coefficients(kernel, degree, rgb ? 3 : 1);
+  return kernel;
+}
+
+Kernel cap_light(int degree, bool rgb) {
+  Kernel kernel = described_cap(degree, rgb);
+  Builder build(kernel);
+  const Direction d = direction(build, 0);
+  const NodeId u = build.input(3, "u");
+  const int channels = rgb ? 3 : 1;
+  std::vector<NodeId> colours = inputs(build, 4, channels, "colour");
+  const auto count = index((degree + 1) * (degree + 1));
+  const std::vector<NodeId> sum = inputs(build, 4 + channels, channels * static_cast<int>(count), "sum");
+  const std::vector<NodeId> cap = append_cap(build, u, rgb ? -1 : colours[0], degree);
+  const std::vector<NodeId> light = Turned(build, d, cap).coefficients();
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t channel = 0; channel < colours.size(); ++channel) {
+      const NodeId added = rgb ? build.mul(colours[channel], light[i]) : light[i];
+      const std::size_t k = channel * count + i;
+      kernel.outputs[k].node = build.add(sum[k], added);
+    }
+  }
+  return kernel;
+}
+
+}  // namespace
+
+Kernel zonal_columns(int degree) {
+  Kernel kernel = described_zonal(degree);
+  Builder build(kernel);
+  const std::vector<NodeId> zonal = inputs(build, 0, degree + 1, "zonal");
+  const Direction d = direction(build, degree + 1);
+  const std::vector<NodeId> turned = Turned(build, d, zonal).coefficients();
+  for (std::size_t i = 0; i < turned.size(); ++i) kernel.outputs[i].node = turned[i];
+  return kernel;
+}
+
+Kernel zonal_recurrence(int degree) {
+  Kernel kernel = described_zonal(degree);
+  Builder build(kernel);
+  const std::vector<NodeId> zonal = inputs(build, 0, degree + 1, "zonal");
+  const Direction d = direction(build, degree + 1);
+  Azimuth azimuth(build, d.x, d.y);
+  for (int m = 0; m <= degree; ++m) {
+    const std::vector<NodeId> p = turned_column(build, d.z, degree, m);
+    for (int l = m; l <= degree; ++l) {
+      const NodeId shared = build.mul(p[index(l - m)], zonal[static_cast<std::size_t>(l)]);
+      const auto set = [&](int order, NodeId node) { kernel.outputs[index(l * (l + 1) + order)].node = node; };
+      if (m == 0) {
+        set(0, shared);
+        continue;
+      }
+      const auto [c, s] = azimuth.power(m);
+      set(-m, build.mul(shared, s));
+      set(m, build.mul(shared, c));
+    }
+  }
+  return kernel;
+}
+
+Kernel add_cap(int degree) { return cap_light(degree, false); }
+Kernel add_cap_rgb(int degree) { return cap_light(degree, true); }
+
+}  // namespace sh::codegen::recipes

@@ -1,0 +1,13 @@
+// The types of real.hpp for which the oracle's templates are compiled, once each.
+#pragma once
+
+#include "numeric/oracle/real.hpp"
+
+// INSTANCE(Real): explicit instantiations for one type.
+#define SHFORGE_FOR_EACH_REAL(INSTANCE) \
+  INSTANCE(float)                       \
+  INSTANCE(double)                      \
+  INSTANCE(long double)                 \
+  INSTANCE(Mpfr50)                      \
+  INSTANCE(Mpfr100)                     \
+  INSTANCE(MpfrAny)

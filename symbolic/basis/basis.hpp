@@ -1,0 +1,49 @@
+// Real spherical harmonics in Cartesian form, exact, of any degree up to 50: own sparse polynomials.
+//
+// Convention: orthonormal on the unit sphere, no Condon-Shortley phase, z is the polar axis, index l(l+1)+m. With
+// a = |m| and q(z) = d^a P_l / dz^a, where P_l is the Legendre polynomial,
+//     Y_lm = factor * q(z) * Re (x + iy)^a   for m >= 0,      factor * q(z) * Im (x + iy)^a   for m < 0.
+// That is the reduced form, equal to Y_lm on the unit sphere. In the homogeneous form every term has degree l (missing
+// powers of x^2+y^2+z^2 = 1 are put back), which is the solid harmonic r^l Y_lm everywhere.
+//
+// Route: q by its explicit binomial sum [AbramowitzStegun64] 22.3.8, the homogeneous form by the
+// solid-harmonic recurrence in l, the factor by exact integration of the square.
+// symbolic/basis/basis_ginac.hpp derives the same objects by another route; the two agree term by term.
+#pragma once
+
+#include "symbolic/number/polynomial.hpp"
+#include "symbolic/number/surd.hpp"
+
+namespace sh::symbolic {
+
+inline constexpr int kMaxBasisDegree = 50;
+
+/// Index l(l+1)+m and its inverse.
+constexpr int coefficient_index(int degree, int order) { return degree * (degree + 1) + order; }
+struct DegreeOrder {
+  int degree = 0;
+  int order = 0;
+};
+DegreeOrder degree_order(int index);
+
+/// One function Y_lm; variables 0, 1, 2 are x, y, z.
+struct BasisFunction {
+  int degree = 0;          ///< l
+  int order = 0;           ///< m
+  Surd factor;             ///< the one irrational factor
+  Polynomial axial;        ///< q(z), rational; reduced form = factor * axial * azimuthal
+  Polynomial azimuthal;    ///< Re or Im of (x + iy)^|m|, rational
+  Polynomial homogeneous;  ///< rational; factor * homogeneous = r^l Y_lm
+};
+
+/// Throws std::invalid_argument unless 0 <= degree <= kMaxBasisDegree and |order| <= degree.
+void require_basis_index(int degree, int order);
+
+/// Y_lm by the route stated above; throws as require_basis_index does.
+BasisFunction basis_function(int degree, int order);
+
+/// The reduced form alone, with the factor in closed form (symbolic/basis/normalisation.hpp) and `homogeneous` empty: quick
+/// at degree 50, where the homogeneous forms have hundreds of terms. Throws as require_basis_index does.
+BasisFunction reduced_basis_function(int degree, int order);
+
+}  // namespace sh::symbolic

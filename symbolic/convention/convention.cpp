@@ -1,0 +1,155 @@
+#include "symbolic/convention/convention.hpp"
+
+#include <cln/integer.h>
+
+#include <cstdlib>
+#include <stdexcept>
+
+#include "symbolic/basis/basis.hpp"
+#include "symbolic/basis/normalisation.hpp"
+#include "symbolic/convention/complex_basis.hpp"
+#include "symbolic/rotation/quaternion_rotation.hpp"
+#include "symbolic/zonal/irradiance.hpp"
+
+namespace sh::symbolic {
+namespace {
+
+Matrix<RadicalSum> as_radicals(const Matrix<Surd>& m) {
+  Matrix<RadicalSum> result(m.rows(), m.columns());
+  for (int i = 0; i < m.rows(); ++i) {
+    for (int j = 0; j < m.columns(); ++j) result(i, j) = RadicalSum(m(i, j));
+  }
+  return result;
+}
+
+// The largest number by which every coefficient is an integer without a common factor.
+cln::cl_RA content(const Polynomial& p) {
+  cln::cl_I numerators = 0;
+  cln::cl_I denominators = 1;
+  for (const auto& [monomial, coefficient] : p.terms()) {
+    numerators = cln::gcd(numerators, cln::numerator(coefficient));
+    denominators = cln::lcm(denominators, cln::denominator(coefficient));
+  }
+  return numerators / cln::cl_RA(denominators);
+}
+
+// 4 pi times the square of the orthonormal factor is (2 - delta) (2l+1) (l-a)!/(l+a)!.
+Surd size_of(const Convention& c, int degree, int order) {
+  const cln::cl_RA square = squared_factor(degree, order) / (c.complex && order != 0 ? 2 : 1);
+  switch (c.normalisation) {
+    case Normalisation::kOrthonormal:
+      return Surd::square_root(square / 4, -1);
+    case Normalisation::kFourPi:
+      return Surd::square_root(square);
+    case Normalisation::kSchmidt:
+      return Surd::square_root(square / (2 * degree + 1));
+    case Normalisation::kSn3d:
+      return Surd::square_root(square / (4 * (2 * degree + 1)), -1);
+    case Normalisation::kUnnormalised:
+      return Surd(1);
+    case Normalisation::kPrimitive: {
+      const BasisFunction f = basis_function(degree, order);
+      return Surd(cln::recip(content(f.axial * f.azimuthal)));
+    }
+  }
+  throw std::invalid_argument("convention: unknown normalisation");
+}
+
+// Y' = factor * (function of size 1), and the unitary step is between orthonormal functions of the same kind.
+RadicalSum relative_factor(const Convention& c, int degree, int order) {
+  Convention orthonormal = c;
+  orthonormal.normalisation = Normalisation::kOrthonormal;
+  const Surd ratio = size_of(c, degree, order) / size_of(orthonormal, degree, order);
+  const bool negative = c.condon_shortley && !c.complex && order % 2 != 0;  // W carries the complex phase
+  return RadicalSum(negative ? -ratio : ratio);
+}
+
+Matrix<RadicalSum> axes_matrix(const SignedPermutation& axes, int degree) {
+  return as_radicals(surd_entries(degree, axes_band(axes, degree)));
+}
+
+}  // namespace
+
+void require_convention(const Convention& convention, int degree) {
+  if (degree < 0 || degree > kMaxConventionDegree) {
+    throw std::invalid_argument("convention: degree " + std::to_string(degree) + "; it should be 0 to " +
+                                std::to_string(kMaxConventionDegree) + " (exact band matrices are kept to there)");
+  }
+  const bool has_no_complex_form =
+      convention.normalisation == Normalisation::kUnnormalised || convention.normalisation == Normalisation::kPrimitive;
+  if (convention.complex && has_no_complex_form) {
+    throw std::invalid_argument(
+        "convention: complex functions should be orthonormal, 4-pi, Schmidt or SN3D normalised, not unnormalised");
+  }
+  if (convention.folded == Folded::kCosineOverPi && degree > 2) {
+    throw std::invalid_argument("convention: degree " + std::to_string(degree) +
+                                " with the clamped cosine folded in; it should be 0 to 2 (A_3 = 0 cannot be undone)");
+  }
+}
+
+int storage_size(IndexOrder order, int max_degree) {
+  const int bands = max_degree + 1;
+  return order == IndexOrder::kCosineSineArray ? 2 * bands * bands : bands * bands;
+}
+
+int storage_position(IndexOrder order, int max_degree, int degree, int order_m) {
+  const int a = std::abs(order_m);
+  const int bands = max_degree + 1;
+  switch (order) {
+    case IndexOrder::kAcn:
+      return degree * (degree + 1) + order_m;
+    case IndexOrder::kZeroFirst:
+      return degree * degree + (order_m > 0 ? 2 * a - 1 : 2 * a);
+    case IndexOrder::kCosineSineBands:
+      return degree * degree + (order_m < 0 ? degree + a : a);
+    case IndexOrder::kCosineSineArray:
+      return ((order_m < 0 ? bands : 0) + degree) * bands + a;
+  }
+  throw std::invalid_argument("convention: unknown index order");
+}
+
+Surd convention_factor(const Convention& convention, int degree, int order) {
+  const bool phased = convention.condon_shortley && order % 2 != 0 && (order > 0 || !convention.complex);
+  const Surd size = size_of(convention, degree, order);
+  return phased ? -size : size;
+}
+
+Matrix<RadicalSum> basis_change(const Convention& convention, int degree) {
+  require_convention(convention, degree);
+  Matrix<RadicalSum> change = axes_matrix(convention.axes, degree);
+  if (convention.complex) change = adjoint(real_from_complex(degree, convention.condon_shortley)) * change;
+  for (int i = 0; i < change.rows(); ++i) {
+    const RadicalSum factor = relative_factor(convention, degree, i - degree);
+    for (int j = 0; j < change.columns(); ++j) change(i, j) = factor * change(i, j);
+  }
+  return change;
+}
+
+ConventionFunction convention_function(const Convention& convention, int degree, int order) {
+  require_convention(convention, degree);
+  const Surd factor = convention_factor(convention, degree, order);
+  if (!convention.complex) return {factor, basis_function(degree, order).homogeneous, {}};
+  const int a = std::abs(order);
+  const Polynomial cosine = basis_function(degree, a).homogeneous;
+  const Polynomial sine = a == 0 ? Polynomial() : basis_function(degree, -a).homogeneous;
+  return {factor, cosine, cln::cl_RA(order < 0 ? -1 : 1) * sine};
+}
+
+// Each step is orthogonal, unitary or diagonal, so no system is solved.
+Matrix<RadicalSum> basis_change_inverse(const Convention& convention, int degree) {
+  require_convention(convention, degree);
+  Matrix<RadicalSum> inverse = axes_matrix(convention.axes, degree).transposed();
+  if (convention.complex) inverse = inverse * real_from_complex(degree, convention.condon_shortley);
+  for (int j = 0; j < inverse.columns(); ++j) {
+    const RadicalSum factor = relative_factor(convention, degree, j - degree).inverse();
+    for (int i = 0; i < inverse.rows(); ++i) inverse(i, j) = inverse(i, j) * factor;
+  }
+  return inverse;
+}
+
+Surd folded_factor(Folded folded, int degree) {
+  if (folded == Folded::kNothing) return Surd(1);
+  return irradiance_factor(degree) * Surd::square_root(1, -2);
+}
+
+}  // namespace sh::symbolic

@@ -1,0 +1,85 @@
+// A convention of spherical harmonics as a value: what its functions are, where its coefficients lie.
+//
+// Ours is the default value: real, orthonormal, no Condon-Shortley phase, index l(l+1)+m, z up. Every other convention
+// is given by how its functions Y' follow from ours, band by band: Y'_l(s) = A_l Y_l(s), with
+//     A_l = (normalisation, phase) * (complex or real) * D_l(axes).
+// Coefficients go the other way: the function f = sum c Y = sum c' Y' is the same, so c' = A^-T c, then `folded`
+// factors. symbolic/convention/convention_map.hpp makes the maps; symbolic/convention/presets.hpp lists conventions in use.
+#pragma once
+
+#include <string>
+
+#include "symbolic/convention/signed_permutation.hpp"
+#include "symbolic/number/matrix.hpp"
+#include "symbolic/number/polynomial.hpp"
+#include "symbolic/number/radical_sum.hpp"
+
+namespace sh::symbolic {
+
+/// Size of a function. With a = |m|, P_l^a without the Condon-Shortley sign; complex functions lack the 2 - delta.
+enum class Normalisation {
+  kOrthonormal,   ///< integral of |Y|^2 = 1
+  kFourPi,        ///< integral = 4 pi: geodesy's 4-pi, ambisonics' N3D; Y_00 = 1
+  kSchmidt,       ///< integral = 4 pi / (2l+1): Schmidt semi-normalised; Y_00 = 1
+  kSn3d,          ///< integral = 1 / (2l+1): SN3D as the ambiX paper prints it, with 1/(4 pi) under the root
+  kUnnormalised,  ///< P_l^a cos or sin (real only)
+  kPrimitive,     ///< the reduced polynomial with coprime integer coefficients: 1, y, z, x, xy, yz, 3z^2-1, ... (real
+                  ///< only)
+};
+
+/// How an array holds the coefficients of degree 0..L.
+enum class IndexOrder {
+  kAcn,              ///< l(l+1)+m: -l .. l in each band
+  kZeroFirst,        ///< bands in order, inside 0, 1, -1, 2, -2, ...
+  kCosineSineBands,  ///< bands in order, inside 0, 1, .., l, -1, .., -l
+  kCosineSineArray,  ///< array (2, L+1, L+1): [m < 0][l][|m|], with holes that hold zero
+};
+
+/// What was multiplied into the coefficients once and for all.
+enum class Folded {
+  kNothing,
+  kCosineOverPi,  ///< A_l / pi: the coefficients of irradiance / pi, ready to evaluate at a normal; to degree 2
+};
+
+struct Convention {
+  Normalisation normalisation = Normalisation::kOrthonormal;
+  bool condon_shortley = false;  ///< factor (-1)^m: real functions, both signs of m; complex, m > 0
+  bool complex = false;
+  IndexOrder order = IndexOrder::kAcn;
+  SignedPermutation axes{};  ///< its coordinates of a direction: s' = axes s
+  Folded folded = Folded::kNothing;
+
+  friend bool operator==(const Convention&, const Convention&) = default;
+};
+
+inline constexpr int kMaxConventionDegree = 20;
+
+/// Throws std::invalid_argument when the parts contradict each other (complex and unnormalised or primitive) or the
+/// degree is not supported (0..20, and at most 2 with the cosine folded in, since A_3 = 0 cannot be undone).
+void require_convention(const Convention& convention, int degree);
+
+/// Number of array elements for degree 0..L, holes included.
+int storage_size(IndexOrder order, int max_degree);
+/// Where coefficient (l, m) lies in the array for degree 0..max_degree.
+int storage_position(IndexOrder order, int max_degree, int degree, int order_m);
+
+/// The real factor of Y'_lm before its real function S_lm or P_l^a exp(i m phi), phase included: see Normalisation.
+Surd convention_factor(const Convention& convention, int degree, int order);
+
+/// Y'_lm written out in the convention's own coordinates: factor * (re + i im), rational polynomials, every term of
+/// degree l; on the unit sphere it equals the function. im is zero for real conventions.
+struct ConventionFunction {
+  Surd factor;
+  Polynomial re;
+  Polynomial im;
+};
+ConventionFunction convention_function(const Convention& convention, int degree, int order);
+
+/// A_l, (2l+1, 2l+1), rows and columns -l .. l, and its inverse.
+Matrix<RadicalSum> basis_change(const Convention& convention, int degree);
+Matrix<RadicalSum> basis_change_inverse(const Convention& convention, int degree);
+
+/// The factor of band l that `folded` puts on coefficients.
+Surd folded_factor(Folded folded, int degree);
+
+}  // namespace sh::symbolic

@@ -1,0 +1,68 @@
+#include "symbolic/number/from_ginac.hpp"
+
+#include <stdexcept>
+
+namespace sh::symbolic {
+namespace {
+
+struct Term {
+  std::vector<int> exponents;
+  cln::cl_RA coefficient = 1;
+};
+
+void refuse() {
+  throw std::invalid_argument(
+      "from_ginac: the expression should be a polynomial in the given variables with rational coefficients");
+}
+
+void multiply_by_power(Term& term, const GiNaC::ex& base, int exponent, const std::vector<GiNaC::symbol>& variables) {
+  for (std::size_t i = 0; i < variables.size(); ++i) {
+    if (base.is_equal(variables[i])) {
+      term.exponents[i] += exponent;
+      return;
+    }
+  }
+  refuse();
+}
+
+void multiply_by(Term& term, const GiNaC::ex& factor, const std::vector<GiNaC::symbol>& variables) {
+  if (GiNaC::is_a<GiNaC::numeric>(factor)) {
+    const auto& number = GiNaC::ex_to<GiNaC::numeric>(factor);
+    if (!number.is_rational()) refuse();
+    term.coefficient = term.coefficient * cln::the<cln::cl_RA>(number.to_cl_N());
+  } else if (GiNaC::is_a<GiNaC::power>(factor)) {
+    if (!factor.op(1).info(GiNaC::info_flags::posint)) refuse();
+    multiply_by_power(term, factor.op(0), GiNaC::ex_to<GiNaC::numeric>(factor.op(1)).to_int(), variables);
+  } else {
+    multiply_by_power(term, factor, 1, variables);
+  }
+}
+
+Term read_term(const GiNaC::ex& product, const std::vector<GiNaC::symbol>& variables) {
+  Term term{std::vector<int>(variables.size(), 0), 1};
+  if (GiNaC::is_a<GiNaC::mul>(product)) {
+    for (const GiNaC::ex& factor : product) multiply_by(term, factor, variables);
+  } else {
+    multiply_by(term, product, variables);
+  }
+  return term;
+}
+
+}  // namespace
+
+Polynomial from_ginac(const GiNaC::ex& expression, const std::vector<GiNaC::symbol>& variables) {
+  Polynomial result;
+  const auto add = [&](const GiNaC::ex& summand) {
+    const Term term = read_term(summand, variables);
+    result.add_term(Monomial(term.exponents), term.coefficient);
+  };
+  const GiNaC::ex sum = expression.expand();
+  if (GiNaC::is_a<GiNaC::add>(sum)) {
+    for (const GiNaC::ex& summand : sum) add(summand);
+  } else {
+    add(sum);
+  }
+  return result;
+}
+
+}  // namespace sh::symbolic

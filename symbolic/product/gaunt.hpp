@@ -1,0 +1,57 @@
+// Gaunt coefficients of the real basis: the exact integrals of three spherical harmonics over the sphere.
+//
+//     G_ijk = integral Y_i Y_j Y_k,   i = l(l+1)+m, orthonormal, no Condon-Shortley phase.
+//
+// They are what the product of two functions needs: (ab)_k = sum_ij G_ijk a_i b_j. Each is one surd. G is symmetric, so
+// the tensor keeps i <= j <= k, sorted, and nothing that is zero. Derived twice, by routes that share number types
+// only:
+//   gaunt_by_monomials  product of polynomials, integrated monomial by monomial            gaunt_monomial.cpp
+//   gaunt_by_wigner     Wigner 3j symbols, taken from the complex to the real basis          gaunt_wigner.cpp
+#pragma once
+
+#include <map>
+#include <tuple>
+
+#include "symbolic/basis/basis.hpp"
+#include "symbolic/number/surd.hpp"
+
+namespace sh::symbolic {
+
+/// Largest degree of the first two functions; the third reaches twice as far. Beyond it monomial integration is slow.
+inline constexpr int kMaxGauntDegree = 12;
+
+struct IndexTriple {
+  int i = 0;
+  int j = 0;
+  int k = 0;
+  friend bool operator==(const IndexTriple&, const IndexTriple&) = default;
+  /// Lexicographic.
+  friend bool operator<(const IndexTriple& a, const IndexTriple& b) {
+    return std::tie(a.i, a.j, a.k) < std::tie(b.i, b.j, b.k);
+  }
+};
+
+/// The same triple with i <= j <= k.
+IndexTriple sorted(IndexTriple triple);
+
+/// Non-zero entries with i <= j <= k, in lexicographic order.
+using GauntTensor = std::map<IndexTriple, Surd>;
+
+/// All i <= j <= k whose functions have at most `degree`, by exact integration of polynomials.
+/// Throws std::invalid_argument unless 0 <= degree <= kMaxGauntDegree.
+GauntTensor gaunt_by_monomials(int degree);
+
+/// The same by Wigner 3j symbols. Same errors.
+GauntTensor gaunt_by_wigner(int degree);
+
+/// One entry, indices in any order, of any degree, by Wigner 3j symbols [Gaunt29], [HomeierSteinborn96].
+Surd gaunt(int i, int j, int k);
+
+/// What must hold for an entry to be other than zero [HomeierSteinborn96]: the degrees add up to an even
+/// number and form a triangle, an even number of the orders is negative, and one |order| is the sum of the other two.
+bool gaunt_may_differ_from_zero(int i, int j, int k);
+
+/// Throws std::invalid_argument unless 0 <= degree <= kMaxGauntDegree.
+void require_gaunt_degree(int degree);
+
+}  // namespace sh::symbolic

@@ -1,0 +1,116 @@
+#include "symbolic/product/product_form.hpp"
+
+#include <stdexcept>
+#include <string>
+
+#include "symbolic/product/gaunt.hpp"
+
+namespace sh::symbolic {
+namespace {
+
+int count(int degree) { return (degree + 1) * (degree + 1); }
+
+void require_factor_degree(int degree) {
+  if (degree >= 0 && degree <= kMaxProductDegree) return;
+  throw std::invalid_argument("product: degree " + std::to_string(degree) + " of a factor; it should be 0 to " +
+                              std::to_string(kMaxProductDegree) + " (the tensor grows with the fifth power)");
+}
+
+void require_shape(const ProductShape& shape) {
+  require_factor_degree(shape.a);
+  require_factor_degree(shape.b);
+  if (shape.result < 0 || shape.result > shape.a + shape.b) {
+    throw std::invalid_argument("product: degree " + std::to_string(shape.result) +
+                                " of the result; it should be 0 to " + std::to_string(shape.a + shape.b) +
+                                " (a product holds nothing beyond)");
+  }
+}
+
+}  // namespace
+
+std::vector<BilinearForm> product_form(const ProductShape& shape) {
+  require_shape(shape);
+  std::vector<BilinearForm> forms;
+  for (int k = 0; k < count(shape.result); ++k) {
+    BilinearForm form{k, {}};
+    for (int i = 0; i < count(shape.a); ++i) {
+      for (int j = 0; j < count(shape.b); ++j) {
+        if (!gaunt_may_differ_from_zero(i, j, k)) continue;
+        const Surd factor = gaunt(i, j, k);
+        if (!factor.is_zero()) form.terms.push_back({i, j, factor});
+      }
+    }
+    forms.push_back(std::move(form));
+  }
+  return forms;
+}
+
+std::vector<BilinearForm> square_form(int degree, int result) {
+  std::vector<BilinearForm> forms;
+  for (const BilinearForm& product : product_form({degree, degree, result})) {
+    BilinearForm form{product.output, {}};
+    for (const BilinearTerm& term : product.terms) {
+      if (term.i > term.j) continue;
+      form.terms.push_back({term.i, term.j, term.i == term.j ? term.factor : Surd(2) * term.factor});
+    }
+    forms.push_back(std::move(form));
+  }
+  return forms;
+}
+
+std::vector<BilinearForm> zonal_product_form(const ProductShape& shape) {
+  require_shape(shape);
+  std::vector<BilinearForm> forms;
+  for (int k = 0; k < count(shape.result); ++k) {
+    BilinearForm form{k, {}};
+    for (int i = 0; i < count(shape.a); ++i) {
+      for (int l = 0; l <= shape.b; ++l) {
+        const int j = coefficient_index(l, 0);
+        if (!gaunt_may_differ_from_zero(i, j, k)) continue;
+        const Surd factor = gaunt(i, j, k);
+        if (!factor.is_zero()) form.terms.push_back({i, l, factor});
+      }
+    }
+    forms.push_back(std::move(form));
+  }
+  return forms;
+}
+
+std::vector<TransferEntry> transfer_form(const ProductShape& shape) {
+  require_shape(shape);
+  std::vector<TransferEntry> entries;
+  for (int row = 0; row < count(shape.result); ++row) {
+    for (int column = 0; column < count(shape.a); ++column) {
+      TransferEntry entry{row, column, {}};
+      for (int k = 0; k < count(shape.b); ++k) {
+        if (!gaunt_may_differ_from_zero(row, column, k)) continue;
+        const Surd factor = gaunt(row, column, k);
+        if (!factor.is_zero()) entry.terms.emplace_back(k, factor);
+      }
+      if (!entry.terms.empty()) entries.push_back(std::move(entry));
+    }
+  }
+  return entries;
+}
+
+std::vector<std::vector<RadicalSum>> transfer_matrix(const std::vector<Surd>& known, const ProductShape& shape) {
+  require_shape(shape);
+  if (known.size() != static_cast<std::size_t>(count(shape.b))) {
+    throw std::invalid_argument("transfer matrix: " + std::to_string(known.size()) +
+                                " coefficients of the known function; there should be " +
+                                std::to_string(count(shape.b)));
+  }
+  const auto rows = static_cast<std::size_t>(count(shape.result));
+  const auto columns = static_cast<std::size_t>(count(shape.a));
+  std::vector<std::vector<RadicalSum>> matrix(rows, std::vector<RadicalSum>(columns));
+  for (const TransferEntry& entry : transfer_form(shape)) {
+    RadicalSum& sum = matrix[static_cast<std::size_t>(entry.row)][static_cast<std::size_t>(entry.column)];
+    for (const auto& [k, factor] : entry.terms) {
+      const Surd product = factor * known[static_cast<std::size_t>(k)];
+      if (!product.is_zero()) sum += RadicalSum(product);
+    }
+  }
+  return matrix;
+}
+
+}  // namespace sh::symbolic

@@ -1,0 +1,67 @@
+// Products of functions as bilinear forms of their coefficients, exact.
+//
+//     c_k = sum G_ijk a_i b_j,   c = the projection of a b on a chosen number of bands
+//
+// Convention: orthonormal, no Condon-Shortley phase, index l(l+1)+m. The factors and the result may have different
+// numbers of bands. Two factors of degree a and b need a result of degree a + b to be exact: n bands times n bands give
+// 2n - 1 bands. Entries come from gaunt() (gaunt.hpp); those that are zero are left out.
+#pragma once
+
+#include <vector>
+
+#include "symbolic/number/radical_sum.hpp"
+#include "symbolic/number/surd.hpp"
+
+namespace sh::symbolic {
+
+/// factor * a_i * b_j (in a square: factor * a_i * a_j).
+struct BilinearTerm {
+  int i = 0;
+  int j = 0;
+  Surd factor;
+};
+
+/// One coefficient of the result: c_output = sum of terms, ordered by (i, j).
+struct BilinearForm {
+  int output = 0;
+  std::vector<BilinearTerm> terms;
+};
+
+/// Degrees of the two factors and of the result.
+struct ProductShape {
+  int a = 0;
+  int b = 0;
+  int result = 0;
+};
+
+/// Limit of the degrees of the factors; that of the result is twice as large.
+inline constexpr int kMaxProductDegree = 12;
+
+/// c = a b, one form for each of the (result+1)^2 coefficients. Throws std::invalid_argument unless 0 <= a, b <=
+/// kMaxProductDegree and 0 <= result <= a + b (every coefficient beyond a + b is zero).
+std::vector<BilinearForm> product_form(const ProductShape& shape);
+
+/// c = a^2: terms with i <= j only, the mixed ones doubled. Same limits.
+std::vector<BilinearForm> square_form(int degree, int result);
+
+/// c = a h for a zonal h about +z: j is the degree l of the zonal coefficient h_l. Same limits.
+std::vector<BilinearForm> zonal_product_form(const ProductShape& shape);
+
+/// One entry of a transfer matrix: M_(row, column) = sum of factor * b_k.
+struct TransferEntry {
+  int row = 0;
+  int column = 0;
+  std::vector<std::pair<int, Surd>> terms;  ///< (k, factor)
+};
+
+/// The matrix that multiplies by a known function b [Green03] eq. 8, [SloanKautzSnyder02] eq. 7:
+///     M_ij = integral b Y_i Y_j = sum_k b_k G_ijk,   projection of a b = M a.
+/// shape.a is the degree of the columns, shape.b of the known function, shape.result of the rows. Non-zero entries row
+/// by row. Rows and columns of the same degree make it symmetric. Same limits as product_form.
+std::vector<TransferEntry> transfer_form(const ProductShape& shape);
+
+/// The same for exactly known coefficients b ((shape.b+1)^2 of them; throws std::invalid_argument for another count):
+/// (result+1)^2 rows of (a+1)^2 entries.
+std::vector<std::vector<RadicalSum>> transfer_matrix(const std::vector<Surd>& known, const ProductShape& shape);
+
+}  // namespace sh::symbolic

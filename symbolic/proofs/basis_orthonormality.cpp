@@ -1,0 +1,156 @@
+// Orthonormality of the basis, by integration of every pair and by the one-dimensional reduction.
+#include <cln/integer.h>
+
+#include <cstdlib>
+#include <map>
+
+#include "symbolic/proofs/basis_proofs.hpp"
+
+namespace sh::symbolic {
+namespace {
+
+cln::cl_I double_factorial(int n) { return n <= 0 ? cln::cl_I(1) : cln::doublefactorial(static_cast<unsigned>(n)); }
+
+// Mean of x^a y^b z^c over the sphere [Folland01], remembered.
+class Moments {
+ public:
+  const cln::cl_RA& of(int a, int b, int c) {
+    const auto [position, inserted] = cache_.try_emplace({a, b, c});
+    if (inserted) {
+      position->second = double_factorial(a - 1) * double_factorial(b - 1) * double_factorial(c - 1) /
+                         cln::cl_RA(double_factorial(a + b + c + 1));
+    }
+    return position->second;
+  }
+
+ private:
+  std::map<std::array<int, 3>, cln::cl_RA> cache_;
+};
+
+// The mean of f * monomial for every monomial that occurs in the basis: afterwards a pair costs one dot product.
+std::map<Monomial, cln::cl_RA> means_with(const Polynomial& f, const std::map<Monomial, bool>& monomials,
+                                          Moments& moments) {
+  std::map<Monomial, cln::cl_RA> result;
+  for (const auto& [left, unused] : monomials) {
+    cln::cl_RA sum = 0;
+    for (const auto& [right, coefficient] : f.terms()) {
+      const Monomial product = left * right;
+      const int a = product.exponent(0);
+      const int b = product.exponent(1);
+      const int c = product.exponent(2);
+      if (a % 2 == 0 && b % 2 == 0 && c % 2 == 0) sum = sum + coefficient * moments.of(a, b, c);
+    }
+    if (!cln::zerop(sum)) result.emplace(left, sum);
+  }
+  return result;
+}
+
+cln::cl_RA dot(const Polynomial& f, const std::map<Monomial, cln::cl_RA>& means) {
+  cln::cl_RA sum = 0;
+  for (const auto& [monomial, coefficient] : f.terms()) {
+    const auto position = means.find(monomial);
+    if (position != means.end()) sum = sum + coefficient * position->second;
+  }
+  return sum;
+}
+
+// factor_a factor_b * integral == expected, where the integral is rational * pi and expected 0 or 1
+bool integral_is(const Surd& factor_a, const Surd& factor_b, const cln::cl_RA& over_pi, bool one) {
+  if (!one) return cln::zerop(over_pi);
+  return factor_a * factor_b * Surd(over_pi) == Surd::square_root(1, -2);
+}
+
+std::string pair_name(const BasisFunction& a, const BasisFunction& b, bool same) {
+  return "the integral of (" + name_of(a) + ") times (" + name_of(b) + ") is not " + (same ? "1" : "0");
+}
+
+// cos m phi and sin m phi as homogeneous polynomials in x, y: T_(m+1) = 2 x T_m - (x^2+y^2) T_(m-1).
+Polynomial expected_azimuthal(int order) {
+  const Polynomial x = Polynomial::variable(0);
+  const Polynomial y = Polynomial::variable(1);
+  const Polynomial rho2 = x * x + y * y;
+  Polynomial below = order < 0 ? Polynomial() : Polynomial(1);
+  Polynomial current = order < 0 ? y : x;
+  if (order == 0) return below;
+  for (int m = 1; m < std::abs(order); ++m) {
+    Polynomial above = cln::cl_RA(2) * (x * current) - rho2 * below;
+    below = std::move(current);
+    current = std::move(above);
+  }
+  return current;
+}
+
+// integral of z^p (1-z^2)^m over [-1, 1] for even p: 2 m! 2^m (p-1)!! / (p+2m+1)!!
+cln::cl_RA axial_moment(int p, int m) {
+  if (p % 2 != 0) return 0;
+  return 2 * cln::ash(cln::factorial(static_cast<unsigned>(m)), m) * double_factorial(p - 1) /
+         cln::cl_RA(double_factorial(p + 2 * m + 1));
+}
+
+// The functions of one order: every pair, with the moments against each power of z made once per function.
+ProofResult prove_order(const std::vector<const BasisFunction*>& functions, int m, int highest) {
+  std::vector<cln::cl_RA> moment;
+  for (int p = 0; p <= 2 * highest; ++p) moment.push_back(axial_moment(p, m));
+  for (const BasisFunction* a : functions) {
+    std::vector<cln::cl_RA> with(static_cast<std::size_t>(highest) + 1, 0);
+    for (const auto& [monomial, coefficient] : a->axial.terms()) {
+      const auto p = static_cast<std::size_t>(monomial.exponent(2));
+      for (std::size_t k = 0; k < with.size(); ++k) with[k] = with[k] + coefficient * moment[p + k];
+    }
+    for (const BasisFunction* b : functions) {
+      if (b->degree > a->degree) continue;
+      cln::cl_RA sum = 0;
+      for (const auto& [monomial, coefficient] : b->axial.terms()) {
+        sum = sum + coefficient * with[static_cast<std::size_t>(monomial.exponent(2))];
+      }
+      const bool same = a == b;  // the azimuthal integral of a square is pi, or 2 pi at order 0
+      if (!integral_is(a->factor, b->factor, sum * (m == 0 ? 2 : 1), same)) return refuted(pair_name(*a, *b, same));
+    }
+  }
+  return proved("");
+}
+
+}  // namespace
+
+ProofResult prove_orthonormality(const Basis& basis) {
+  std::map<Monomial, bool> monomials;
+  for (const BasisFunction& f : basis) {
+    for (const auto& [monomial, coefficient] : f.homogeneous.terms()) monomials[monomial] = true;
+  }
+  Moments moments;
+  for (std::size_t i = 0; i < basis.size(); ++i) {
+    const auto means = means_with(basis[i].homogeneous, monomials, moments);
+    for (std::size_t j = 0; j <= i; ++j) {
+      const cln::cl_RA over_pi = 4 * dot(basis[j].homogeneous, means);
+      if (!integral_is(basis[i].factor, basis[j].factor, over_pi, i == j)) {
+        return refuted(pair_name(basis[i], basis[j], i == j));
+      }
+    }
+  }
+  return proved(std::to_string(basis.size() * (basis.size() + 1) / 2) + " pairs");
+}
+
+ProofResult prove_orthonormality_by_reduction(const Basis& basis) {
+  std::map<int, std::vector<const BasisFunction*>> by_order;
+  int highest = 0;
+  for (const BasisFunction& f : basis) {
+    for (const auto& [monomial, coefficient] : f.axial.terms()) {
+      if (monomial.exponent(0) != 0 || monomial.exponent(1) != 0 || monomial.exponent(2) > f.degree) {
+        return refuted(name_of(f) + ": the axial part is no polynomial in z of degree at most l");
+      }
+    }
+    by_order[f.order].push_back(&f);
+    highest = std::max(highest, f.degree);
+  }
+  for (const auto& [order, functions] : by_order) {
+    const Polynomial azimuthal = expected_azimuthal(order);
+    for (const BasisFunction* f : functions) {
+      if (!(f->azimuthal == azimuthal)) return refuted(name_of(*f) + ": the azimuthal part is not cos or sin of m phi");
+    }
+    ProofResult result = prove_order(functions, std::abs(order), highest);
+    if (!result.proved) return result;
+  }
+  return proved(std::to_string(basis.size()) + " functions, " + std::to_string(by_order.size()) + " orders");
+}
+
+}  // namespace sh::symbolic

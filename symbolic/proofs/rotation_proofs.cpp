@@ -1,0 +1,273 @@
+#include "symbolic/proofs/rotation_proofs.hpp"
+
+#include <map>
+#include <random>
+
+#include "symbolic/basis/normalisation.hpp"
+#include "symbolic/number/substitute.hpp"
+#include "symbolic/rotation/rotation_axis.hpp"
+#include "symbolic/rotation/rotation_input.hpp"
+#include "symbolic/rotation/rotation_recursion.hpp"
+
+namespace sh::symbolic {
+namespace {
+
+using RationalMatrix = Matrix<cln::cl_RA>;
+
+std::string entry_name(int degree, int row, int column) {
+  return "l=" + std::to_string(degree) + " entry (" + std::to_string(row - degree) + ", " +
+         std::to_string(column - degree) + ")";
+}
+
+std::string band_count(std::size_t bands) { return std::to_string(bands) + " bands"; }
+
+// x^a y^b z^c at M(q) v, each made from one with a power less. Variables 0..3 are q, 4..6 are v.
+class TurnedMonomials {
+ public:
+  TurnedMonomials() {
+    const Matrix<Polynomial> m = quaternion_matrix();
+    for (int i = 0; i < 3; ++i) {
+      for (int j = 0; j < 3; ++j) turned_[static_cast<std::size_t>(i)] += m(i, j) * Polynomial::variable(4 + j);
+    }
+    known_.emplace(Monomial(), Polynomial(1));
+  }
+  const Polynomial& operator()(const Monomial& monomial) {
+    const auto position = known_.find(monomial);
+    if (position != known_.end()) return position->second;
+    std::array<int, 3> exponents{monomial.exponent(0), monomial.exponent(1), monomial.exponent(2)};
+    const std::size_t axis = exponents[0] > 0 ? 0 : exponents[1] > 0 ? 1 : 2;
+    --exponents[axis];
+    return known_.emplace(monomial, turned_[axis] * (*this)(Monomial(exponents))).first->second;
+  }
+  void forget_below(int degree) {
+    std::erase_if(known_, [degree](const auto& entry) { return entry.first.degree() < degree; });
+  }
+
+ private:
+  std::array<Polynomial, 3> turned_;
+  std::map<Monomial, Polynomial> known_;
+};
+
+Polynomial in_v(const Polynomial& p) {
+  const std::array<Polynomial, 3> v{Polynomial::variable(4), Polynomial::variable(5), Polynomial::variable(6)};
+  return substitute(p, v);
+}
+
+// q.q in variables first .. first+3
+Polynomial squared_norm(int first) {
+  Polynomial sum;
+  for (int i = 0; i < 4; ++i) sum += Polynomial::variable(first + i).power(2);
+  return sum;
+}
+
+// A random rotation with exact rational entries.
+class RationalRotations {
+ public:
+  RationalMatrix next() {
+    std::array<cln::cl_RA, 4> q;
+    cln::cl_RA norm = 0;
+    do {
+      norm = 0;
+      for (cln::cl_RA& component : q) {
+        component = static_cast<int>(random_() % 19999U) - 9999;
+        norm = norm + component * component;
+      }
+    } while (cln::zerop(norm));
+    RationalMatrix r = matrix_from_quaternion<cln::cl_RA>(q);
+    for (int i = 0; i < 3; ++i) {
+      for (int j = 0; j < 3; ++j) r(i, j) = r(i, j) / norm;
+    }
+    return r;
+  }
+
+ private:
+  std::mt19937 random_{20040301};
+};
+
+// T K^-2 T^T - scale K^-2, the first entry that is not zero; K^-2 up to a common factor.
+template <class T>
+std::string orthogonality_error(int degree, const Matrix<T>& t, const T& scale) {
+  const int size = 2 * degree + 1;
+  for (int i = 0; i < size; ++i) {
+    for (int j = 0; j <= i; ++j) {
+      T sum = T();
+      for (int k = 0; k < size; ++k) {
+        sum = sum + cln::recip(squared_factor(degree, k - degree)) * (t(i, k) * t(j, k));
+      }
+      const T expected = i == j ? T(cln::recip(squared_factor(degree, i - degree)) * scale) : T();
+      if (!(sum == expected)) return entry_name(degree, i, j) + " of D D^T is wrong";
+    }
+  }
+  return "";
+}
+
+// first - second, the first entry in which they differ
+template <class T>
+ProofResult compare(int degree, const Matrix<T>& first, const Matrix<T>& second, const std::string& what) {
+  for (int i = 0; i < first.rows(); ++i) {
+    for (int j = 0; j < first.columns(); ++j) {
+      if (!(first(i, j) == second(i, j))) return refuted(entry_name(degree, i, j) + ": " + what);
+    }
+  }
+  return proved(std::to_string(first.rows() * first.columns()) + " entries");
+}
+
+template <class Entry>
+Matrix<Polynomial> mapped(const Matrix<Polynomial>& m, Entry entry) {
+  Matrix<Polynomial> result(m.rows(), m.columns());
+  for (int i = 0; i < m.rows(); ++i) {
+    for (int j = 0; j < m.columns(); ++j) result(i, j) = entry(m(i, j));
+  }
+  return result;
+}
+
+Matrix<Polynomial> as_polynomials(const RationalMatrix& m) {
+  Matrix<Polynomial> result(m.rows(), m.columns());
+  for (int i = 0; i < m.rows(); ++i) {
+    for (int j = 0; j < m.columns(); ++j) result(i, j) = Polynomial(m(i, j));
+  }
+  return result;
+}
+
+// A polynomial in cos, sin of an angle as a homogeneous one of degree 2l in those of the half angle (variables 0, 1).
+Polynomial at_half_angle(const Polynomial& p, int degree) {
+  const Polynomial c = Polynomial::variable(0);
+  const Polynomial s = Polynomial::variable(1);
+  const std::array<Polynomial, 2> doubled{c * c - s * s, cln::cl_RA(2) * (c * s)};
+  std::map<int, Polynomial> by_degree;
+  for (const auto& [monomial, coefficient] : p.terms()) by_degree[monomial.degree()].add_term(monomial, coefficient);
+  Polynomial result;
+  for (const auto& [part_degree, part] : by_degree) {
+    result += (c * c + s * s).power(degree - part_degree) * substitute(part, doubled);
+  }
+  return result;
+}
+
+Matrix<Polynomial> about_axis(const QuaternionRotation& band, int axis) {
+  std::array<Polynomial, 4> q{Polynomial::variable(0), Polynomial(), Polynomial(), Polynomial()};
+  q[static_cast<std::size_t>(axis) + 1] = Polynomial::variable(1);
+  return mapped(band.entries, [&](const Polynomial& p) { return substitute(p, q); });
+}
+
+}  // namespace
+
+ProofResult prove_equivariance(const std::vector<QuaternionRotation>& bands, const Basis& basis) {
+  TurnedMonomials turned;
+  for (const QuaternionRotation& band : bands) {
+    const int l = band.degree;
+    std::vector<Polynomial> right;  // S_ln(v)
+    for (int n = 0; n <= 2 * l; ++n) right.push_back(in_v(basis.at(to_size(l * l + n)).homogeneous));
+    for (int m = 0; m <= 2 * l; ++m) {
+      Polynomial difference;
+      for (const auto& [monomial, coefficient] : basis.at(to_size(l * l + m)).homogeneous.terms()) {
+        difference += coefficient * turned(monomial);
+      }
+      for (int n = 0; n <= 2 * l; ++n) difference -= band.entries(m, n) * right[static_cast<std::size_t>(n)];
+      if (!difference.is_zero()) return refuted("l=" + std::to_string(l) + " m=" + std::to_string(m - l));
+    }
+    turned.forget_below(l);
+  }
+  return proved(band_count(bands.size()));
+}
+
+ProofResult prove_orthogonality(const std::vector<QuaternionRotation>& bands) {
+  for (const QuaternionRotation& band : bands) {
+    const std::string error = orthogonality_error(band.degree, band.entries, squared_norm(0).power(2 * band.degree));
+    if (!error.empty()) return refuted(error);
+  }
+  return proved(band_count(bands.size()));
+}
+
+ProofResult prove_composition(const std::vector<QuaternionRotation>& bands) {
+  Quaternion<Polynomial> a;
+  Quaternion<Polynomial> b;
+  for (std::size_t i = 0; i < 4; ++i) {
+    a[i] = Polynomial::variable(static_cast<int>(i));
+    b[i] = Polynomial::variable(static_cast<int>(i) + 4);
+  }
+  const Quaternion<Polynomial> ab = quaternion_product(a, b);
+  for (const QuaternionRotation& band : bands) {
+    const Matrix<Polynomial> t_b = mapped(band.entries, [&](const Polynomial& p) { return substitute(p, b); });
+    const Matrix<Polynomial> t_ab = mapped(band.entries, [&](const Polynomial& p) { return substitute(p, ab); });
+    ProofResult result = compare(band.degree, band.entries * t_b, t_ab, "T(a) T(b) differs from T(ab)");
+    if (!result.proved) return result;
+  }
+  return proved(band_count(bands.size()));
+}
+
+ProofResult prove_recursion_agrees(const std::vector<QuaternionRotation>& bands,
+                                   const std::vector<Matrix<Polynomial>>& recursion) {
+  for (const QuaternionRotation& band : bands) {
+    ProofResult result = compare(band.degree, band.entries, recursion.at(static_cast<std::size_t>(band.degree)),
+                                 "quaternion form and recursion differ");
+    if (!result.proved) return result;
+  }
+  return proved(band_count(bands.size()));
+}
+
+ProofResult prove_orthogonality_at_points(const BandsAt& bands_at, int points) {
+  RationalRotations rotations;
+  for (int point = 0; point < points; ++point) {
+    const auto bands = bands_at(rotations.next());
+    for (std::size_t l = 0; l < bands.size(); ++l) {
+      const std::string error = orthogonality_error(static_cast<int>(l), bands[l], cln::cl_RA(1));
+      if (!error.empty()) return refuted(error);
+    }
+  }
+  return proved(std::to_string(points) + " rational rotations");
+}
+
+ProofResult prove_composition_at_points(const BandsAt& bands_at, int points) {
+  RationalRotations rotations;
+  for (int point = 0; point < points; ++point) {
+    const RationalMatrix a = rotations.next();
+    const RationalMatrix b = rotations.next();
+    const auto bands_a = bands_at(a);
+    const auto bands_b = bands_at(b);
+    const auto bands_ab = bands_at(a * b);
+    for (std::size_t l = 0; l < bands_a.size(); ++l) {
+      ProofResult result =
+          compare(static_cast<int>(l), bands_a[l] * bands_b[l], bands_ab[l], "D(a) D(b) differs from D(ab)");
+      if (!result.proved) return result;
+    }
+  }
+  return proved(std::to_string(points) + " pairs of rational rotations");
+}
+
+ProofResult prove_about_z(const QuaternionRotation& band, const Matrix<Polynomial>& z) {
+  const auto half = mapped(z, [&](const Polynomial& p) { return at_half_angle(p, band.degree); });
+  return compare(band.degree, about_axis(band, 2), half, "the closed form about z differs from the quaternion form");
+}
+
+ProofResult prove_wigner_form(const QuaternionRotation& band, const Matrix<Polynomial>& y) {
+  return compare(band.degree, about_axis(band, 1), y, "Wigner's formula differs from the quaternion form");
+}
+
+ProofResult prove_x90(const QuaternionRotation& band, const RationalMatrix& plus, const RationalMatrix& minus) {
+  RationalMatrix scaled = evaluate(band, {1, 1, 0, 0});
+  const cln::cl_RA norm = cln::expt(cln::cl_RA(2), band.degree);
+  for (int i = 0; i < scaled.rows(); ++i) {
+    for (int j = 0; j < scaled.columns(); ++j) scaled(i, j) = scaled(i, j) / norm;
+  }
+  ProofResult same = compare(band.degree, plus, scaled, "differs from the quaternion form at (1,1,0,0)");
+  if (!same.proved) return same;
+  const auto one = RationalMatrix::identity(plus.rows(), 1);
+  ProofResult inverse = compare(band.degree, plus * minus, one, "+90 and -90 degrees are not inverse");
+  if (!inverse.proved) return inverse;
+  return compare(band.degree, plus * plus * plus * plus, one, "four quarter turns are not the identity");
+}
+
+ProofResult prove_z_x90_z(int degree, const Matrix<Polynomial>& y, const Matrix<Polynomial>& z,
+                          const RationalMatrix& plus, const RationalMatrix& minus) {
+  const auto middle = mapped(z, [&](const Polynomial& p) { return at_half_angle(p, degree); });
+  return compare(degree, y, as_polynomials(minus) * middle * as_polynomials(plus),
+                 "Ry(beta) differs from Rx(-90) Rz(beta) Rx(90)");
+}
+
+std::vector<QuaternionRotation> derive_quaternion_rotations(int degree) {
+  std::vector<QuaternionRotation> bands;
+  for (int l = 0; l <= degree; ++l) bands.push_back(quaternion_rotation(l));
+  return bands;
+}
+
+}  // namespace sh::symbolic

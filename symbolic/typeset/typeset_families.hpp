@@ -1,0 +1,46 @@
+// Every family of formulas that can be typeset, by name: `shgen tex|markdown FAMILY --degree N [--convention C]`.
+//
+// Input: a family, a degree and a preset (symbolic/convention/presets.hpp). Output: a FormulaTable (symbolic/typeset/typeset.hpp). The
+// formulas are those of the convention in its own coordinates; where a family does not depend on the convention, a note
+// says so.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "symbolic/convention/presets.hpp"
+#include "symbolic/typeset/typeset.hpp"
+
+namespace sh::symbolic {
+
+struct TypesetFamily {
+  std::string name;   ///< as on the command line
+  std::string title;  ///< plain text
+  int max_degree = 0;
+  std::string limit;  ///< why not further
+  std::function<FormulaTable(int degree, const Convention& convention)> table;
+};
+
+/// basis, solid, gradient, hessian | rotation, rotation-quaternion, rotation-z, rotation-x90, rotation-y, wigner-d |
+/// gaunt, product, square, zonal-product, transfer | irradiance, convolution, turned-zonal, every name of
+/// zonal_families().
+const std::vector<TypesetFamily>& typeset_families();
+
+/// Throws std::invalid_argument, in one line, for an unknown family (lists them), a degree outside 0..max_degree (says
+/// the limit and why) and a convention that the family cannot be written in.
+FormulaTable typeset_table(std::string_view family, int degree, const Preset& preset);
+
+/// The parts of the list, one a file.
+std::vector<TypesetFamily> basis_tables();
+std::vector<TypesetFamily> rotation_tables();
+std::vector<TypesetFamily> product_tables();
+std::vector<TypesetFamily> zonal_tables();
+
+/// "_{1,-2}".
+std::string tex_indices(int first, int second);
+/// "_{1,2,3}".
+std::string tex_indices(int first, int second, int third);
+
+}  // namespace sh::symbolic

@@ -1,0 +1,114 @@
+// Tables of zonal functions: their coefficients, convolution, irradiance, and turning to a direction.
+//
+// In another convention z_l is multiplied by entry (0, 0) of the band matrix of symbolic/convention/convention_map.hpp; the axis
+// is the convention's own polar axis.
+#include "symbolic/convention/convention_map.hpp"
+#include "symbolic/typeset/polynomial_sum.hpp"
+#include "symbolic/typeset/typeset_families.hpp"
+#include "symbolic/zonal/convolution.hpp"
+#include "symbolic/zonal/irradiance.hpp"
+#include "symbolic/zonal/zonal.hpp"
+
+namespace sh::symbolic {
+namespace {
+
+ConventionMap map_to(Convention convention, int degree) {
+  convention.axes = SignedPermutation();
+  return convention_map(Convention{}, convention, degree);
+}
+
+// What a zonal coefficient of ours is multiplied by.
+Surd zonal_scale(const ConventionMap& map, int l) { return map.forward[static_cast<std::size_t>(l)](l, l).surd(); }
+
+std::string indexed(const char* name, int l) { return std::string(name) + "_{" + std::to_string(l) + "}"; }
+
+// "c0" -> "c_{0}"
+std::string tex_parameter(const std::string& name) {
+  return name.size() == 1 ? name : name.substr(0, 1) + "_{" + name.substr(1) + "}";
+}
+
+std::vector<NamedPolynomial> named(const std::vector<Polynomial>& factors, const std::vector<std::string>& names) {
+  std::vector<NamedPolynomial> result;
+  result.reserve(factors.size());
+  for (const Polynomial& factor : factors) result.push_back({factor, names});
+  return result;
+}
+
+FormulaTable family_table(const ZonalFamily& family, int degree, const Convention& convention) {
+  FormulaTable table{{}, {"f(t) = " + family.function + ", t the cosine of the angle to the polar axis."}, {}};
+  if (!family.domain.empty()) table.notes.emplace_back("Domain: " + family.domain + ".");
+  table.notes.emplace_back("z_l is the coefficient of the function (l, 0); all others are zero.");
+  std::vector<std::string> names;
+  for (const std::string& parameter : family.parameters) names.push_back(tex_parameter(parameter));
+  const ConventionMap map = map_to(convention, degree);
+  for (int l = 0; l <= degree; ++l) {
+    const ZonalTerm term = family.closed_form(l);
+    const Surd factor = zonal_scale(map, l) * term.factor;
+    table.rows.push_back(
+        {indexed("z", l), {{factor, false, named(term.numerator, names), named(term.denominator, names)}}});
+  }
+  return table;
+}
+
+FormulaTable irradiance_table(int degree, const Convention& convention) {
+  FormulaTable table{{}, {"Irradiance has the coefficients A_l L_lm of radiance L, in every convention."}, {}};
+  if (convention.folded == Folded::kCosineOverPi) {
+    table.notes.emplace_back("The coefficients of this convention hold A_l / pi already.");
+  }
+  for (int l = 0; l <= degree; ++l) table.rows.push_back({indexed("A", l), {{irradiance_factor(l)}}});
+  return table;
+}
+
+FormulaTable convolution_table(int degree, const Convention& convention) {
+  FormulaTable table{{},
+                     {"The convolution of f with the zonal function of coefficients h_l has the coefficients C_l h_l "
+                      "f_lm."},
+                     {}};
+  const ConventionMap map = map_to(convention, degree);
+  for (int l = 0; l <= degree; ++l) {
+    table.rows.push_back({indexed("C", l), {{convolution_factor(l) / zonal_scale(map, l)}}});
+  }
+  return table;
+}
+
+FormulaTable turned_table(int degree, const Convention& convention) {
+  FormulaTable table{{},
+                     {"Coefficient (l, m) of the zonal function with coefficients h_l when its axis is turned to the "
+                      "unit direction (x, y, z)."},
+                     {}};
+  const ConventionMap map = map_to(convention, degree);
+  const std::vector<TurnedZonal> entries = turned_zonal(degree);
+  for (int l = 0; l <= degree; ++l) {
+    const RadicalSum own_scale(zonal_scale(map, l).inverse());
+    for (int m = -l; m <= l; ++m) {
+      PolynomialSum sum;
+      for (int n = -l; n <= l; ++n) {
+        const TurnedZonal& entry = entries[static_cast<std::size_t>(coefficient_index(l, n))];
+        const RadicalSum& weight = map.forward[static_cast<std::size_t>(l)](l + m, l + n);
+        if (!weight.is_zero()) sum.add(weight * own_scale * RadicalSum(entry.factor), entry.polynomial);
+      }
+      Formula row{"c" + tex_indices(l, m), sum.terms({"x", "y", "z"})};
+      for (FormulaTerm& term : row.terms) term.symbols = indexed("h", l);
+      table.rows.push_back(std::move(row));
+    }
+  }
+  return table;
+}
+
+}  // namespace
+
+std::vector<TypesetFamily> zonal_tables() {
+  const std::string limit = "conventions are exact to degree 20";
+  std::vector<TypesetFamily> families{
+      {"irradiance", "Irradiance factors", 1000, "longer tables are of no use", irradiance_table},
+      {"convolution", "Convolution factors", kMaxConventionDegree, limit, convolution_table},
+      {"turned-zonal", "A zonal function turned to a direction", kMaxConventionDegree, limit, turned_table}};
+  for (const ZonalFamily& family : zonal_families()) {
+    families.push_back(
+        {family.name, "Zonal function " + family.name, kMaxConventionDegree, limit,
+         [&family](int degree, const Convention& convention) { return family_table(family, degree, convention); }});
+  }
+  return families;
+}
+
+}  // namespace sh::symbolic

@@ -1,0 +1,128 @@
+// What the comparison finds: kernels that are slightly wrong, wrong by formula, not in place, or not described.
+#include "numeric/kernels/kernel_check.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "numeric/kernels/checks/checks.hpp"
+#include "numeric/kernels/flat_call.hpp"
+#include "numeric/kernels/kernel_limits.hpp"
+
+namespace sh::numeric {
+namespace {
+
+// A kernel one of whose written values is multiplied by `factor`, in the scalars chosen.
+struct Spoil {
+  BoundKernel original;
+  std::size_t argument = 0, element = 0;
+  double factor = 1;
+};
+Spoil& spoil() {
+  static Spoil current;
+  return current;
+}
+
+template <class T>
+void spoiled_call(T* const* arguments) {
+  spoil().original.call<T>()(arguments);
+  T& value = arguments[spoil().argument][spoil().element];
+  value = value * T(static_cast<float>(spoil().factor));
+}
+
+// The last value of the kernel's first result times `factor`. (Further results may end in a zero, as derivatives do.)
+BoundKernel spoiled(const BoundKernel& kernel, double factor) {
+  const auto signature = find_check(all_checks(), kernel.family)->signature(kernel.degree);
+  spoil() = {kernel, signature.parameters.size(), 0, factor};
+  for (std::size_t i = 0; i < signature.parameters.size(); ++i) {
+    const auto& parameter = signature.parameters[i];
+    if (parameter.is_written()) {
+      spoil().argument = i;
+      spoil().element = static_cast<std::size_t>(parameter.values()) - 1;
+      break;
+    }
+  }
+  BoundKernel result = kernel;
+  result.in_float = spoiled_call<float>;
+  result.in_double = spoiled_call<double>;
+  result.in_wide = spoiled_call<Wide>;
+  return result;
+}
+
+std::vector<std::string> failures(const BoundKernel& kernel) {
+  std::vector<std::string> all;
+  for (const auto& result : check_kernel(kernel, {})) {
+    for (auto& failure : failures_of(result)) all.push_back(std::move(failure));
+  }
+  return all;
+}
+
+// The kernel of each family that is best to experiment with: small, but of degree 2 where there is one.
+std::vector<BoundKernel> one_of_each_family() {
+  std::vector<BoundKernel> chosen;
+  for (auto& kernel : bound_kernels()) {
+    if (chosen.empty() || chosen.back().family != kernel.family) {
+      chosen.push_back(std::move(kernel));
+    } else if (kernel.degree <= 2) {
+      chosen.back() = std::move(kernel);
+    }
+  }
+  return chosen;
+}
+
+TEST(KernelCheck, KnowsEveryGeneratedKernel) {
+  EXPECT_EQ(unchecked_kernels(bound_kernels()), std::vector<std::string>{});
+  EXPECT_EQ(unchecked_kernels({{.family = "unheard_of", .degree = 3, .arguments = {}}}),
+            std::vector<std::string>{"unheard_of_l3"});
+}
+
+TEST(KernelCheck, PassesAKernelOfEachFamilyAndFailsItWithOneValueWrongByAThousandth) {
+  for (const auto& kernel : one_of_each_family()) {
+    EXPECT_EQ(failures(kernel), std::vector<std::string>{});
+    const auto found = failures(spoiled(kernel, 1.001));
+    // Rounding and total error, float and double. The kernel on Wide is spoiled too: a wrong formula does not excuse
+    // itself by being its own.
+    EXPECT_GE(found.size(), 4) << kernel.name();
+  }
+}
+
+TEST(KernelCheck, FailsABasisValueThatIsWrongByAFewOfItsLimits) {
+  const auto kernels = bound_kernels();
+  const auto kernel =
+      std::find_if(kernels.begin(), kernels.end(), [](const auto& k) { return k.name() == "basis_l2"; });
+  EXPECT_EQ(failures(spoiled(*kernel, 1 + 0x1p-20)).size(), 4);
+}
+
+void overwriting(double* const* a) {
+  a[1][0] = a[0][0];
+  a[1][1] = a[0][1] + a[0][0];
+}
+void overwriting_too_early(double* const* a) {
+  a[1][0] = a[0][1];
+  a[1][1] = a[0][0];
+}
+
+TEST(FlatCall, PassesAnArrayAsInputAndOutputAtOnce) {
+  const Signature signature{{in_array("a", 2), out_array("b", 2), in_array("c", 3), in_matrix("d", 2, 1)}};
+  const auto pairs = in_place_pairs(signature);
+  ASSERT_EQ(pairs.size(), 1);
+  const std::vector<double> in = {1, 2, 0, 0, 0, 0, 0};
+  std::vector<double> out(2);
+  const auto kind = ArgumentKind::kReadArray;
+  BoundKernel kernel{.family = "f", .arguments = {kind, ArgumentKind::kWriteArray, kind, kind}};
+  kernel.in_double = overwriting;
+  FlatCall<double>(kernel, signature).in_place(pairs[0], in.data(), out.data());
+  EXPECT_EQ(out, (std::vector<double>{1, 3}));
+  kernel.in_double = overwriting_too_early;
+  FlatCall<double>(kernel, signature).in_place(pairs[0], in.data(), out.data());
+  EXPECT_EQ(out, (std::vector<double>{2, 2}));  // where out of place would give {2, 1}
+}
+
+TEST(FlatCall, RefusesAKernelWithOtherArguments) {
+  const Signature signature{{scalar("x"), out_array("b", 2)}};
+  const BoundKernel kernel{.family = "f", .arguments = {ArgumentKind::kValue, ArgumentKind::kReadArray}};
+  EXPECT_THROW(require_match(kernel, signature), std::logic_error);
+}
+
+}  // namespace
+}  // namespace sh::numeric

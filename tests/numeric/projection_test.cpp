@@ -1,0 +1,184 @@
+// Projection by quadrature and by least squares: gives back what it should, says what it cannot.
+#include "numeric/sampling/projection.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+
+#include "numeric/oracle/basis.hpp"
+#include "numeric/sampling/directions.hpp"
+#include "numeric/sampling/random.hpp"
+#include "tests/numeric/keep_worst.hpp"
+
+namespace sh::numeric {
+namespace {
+
+std::vector<double> random_coefficients(int degree) {
+  Random random(11);
+  std::vector<double> c(static_cast<std::size_t>(coefficient_count(degree)));
+  for (double& value : c) value = random.next();
+  return c;
+}
+
+double evaluate(int degree, const std::vector<double>& c, double x, double y, double z) {
+  const auto values = basis(degree, x, y, z);
+  double sum = 0;
+  for (std::size_t i = 0; i < values.size(); ++i) sum += c[i] * values[i];
+  return sum;
+}
+
+double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
+  double worst = a.size() == b.size() ? 0 : std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < a.size(); ++i) keep_worst(worst, a[i] - b[i]);
+  return worst;
+}
+
+TEST(Projection, GivesBackABandLimitedFunction) {
+  for (const int degree : {0, 3, 20}) {
+    const auto c = random_coefficients(degree);
+    const auto f = [&](double x, double y, double z) { return evaluate(degree, c, x, y, z); };
+    EXPECT_LT(largest_difference(project(degree, sphere_rule<double>(2 * degree), f), c), 1e-13) << degree;
+  }
+}
+
+TEST(Projection, NamesANodeWhereTheFunctionIsNotFinite) {
+  const auto nodes = sphere_rule<double>(4);
+  const auto f = [&](double x, double y, double z) {
+    return x == nodes[7].x && y == nodes[7].y && z == nodes[7].z ? std::nan("") : 1.0;
+  };
+  try {
+    (void)project(2, nodes, f);
+    FAIL();
+  } catch (const std::invalid_argument& error) {
+    EXPECT_STREQ(error.what(), "project: the function is not finite at node 7");
+  }
+  EXPECT_THROW((void)project(-1, nodes, f), std::invalid_argument);
+}
+
+std::vector<SphereSample> samples_of(int degree, const std::vector<double>& c, const std::vector<Direction>& at) {
+  std::vector<SphereSample> samples;
+  samples.reserve(at.size());
+  for (const Direction& d : at) samples.push_back({d.x, d.y, d.z, evaluate(degree, c, d.x, d.y, d.z)});
+  return samples;
+}
+
+TEST(LeastSquares, RecoversABandLimitedFunctionFromScatteredSamples) {
+  for (const int degree : {0, 1, 4, 12}) {
+    const auto c = random_coefficients(degree);
+    // 1500 rows: several blocks of the triangularisation.
+    const auto fit = fit_samples(degree, samples_of(degree, c, random_directions(1500, 5)));
+    EXPECT_LT(largest_difference(fit.coefficients, c), 1e-14 * fit.condition * (degree + 1)) << degree;
+    EXPECT_LT(fit.residual_rms, 1e-13);
+    EXPECT_LT(fit.residual_max, 1e-12);
+    EXPECT_LT(fit.condition, degree < 12 ? 2 : 4) << degree;
+  }
+}
+
+TEST(LeastSquares, NeedsNoMoreSamplesThanCoefficients) {
+  const auto c = random_coefficients(3);
+  const auto fit = fit_samples(3, samples_of(3, c, random_directions(16, 2)));
+  EXPECT_LT(largest_difference(fit.coefficients, c), 1e-14 * fit.condition);
+  EXPECT_LT(fit.residual_max, 1e-13);
+}
+
+// The minimum of a quadratic: its gradient, the residual against every basis function, vanishes.
+TEST(LeastSquares, LeavesAResidualOrthogonalToTheBasis) {
+  auto samples = samples_of(6, random_coefficients(6), random_directions(400, 3));
+  Random random(4);
+  for (auto& s : samples) s.weight = 1 + random.next();
+  const auto fit = fit_samples(2, samples);
+  std::vector<double> gradient(9);
+  double squares = 0;
+  double weights = 0;
+  for (const auto& s : samples) {
+    const double residual = s.value - evaluate(2, fit.coefficients, s.x, s.y, s.z);
+    const auto y = basis(2, s.x, s.y, s.z);
+    for (std::size_t i = 0; i < 9; ++i) gradient[i] += s.weight * residual * y[i];
+    squares += s.weight * residual * residual;
+    weights += s.weight;
+    EXPECT_LE(std::abs(residual), fit.residual_max * (1 + 1e-12));
+  }
+  EXPECT_LT(largest_difference(gradient, std::vector<double>(9)), 1e-11);
+  EXPECT_NEAR(fit.residual_rms, std::sqrt(squares / weights), 1e-12);
+  const auto& worst = samples[fit.worst_sample];
+  EXPECT_NEAR(std::abs(worst.value - evaluate(2, fit.coefficients, worst.x, worst.y, worst.z)), fit.residual_max,
+              1e-12);
+}
+
+TEST(LeastSquares, CountsASampleOfWeightTwoAsTwoSamples) {
+  auto weighted = samples_of(5, random_coefficients(5), random_directions(60, 8));
+  auto repeated = weighted;
+  for (std::size_t i = 0; i < 20; ++i) {
+    repeated.push_back(weighted[i]);
+    weighted[i].weight = 2;
+  }
+  weighted.push_back({0, 0, 1, 1e9, 0});  // weight 0: left out
+  const auto fit = fit_samples(3, weighted);
+  const auto expected = fit_samples(3, repeated);
+  EXPECT_LT(largest_difference(fit.coefficients, expected.coefficients), 1e-13);
+  EXPECT_NEAR(fit.residual_rms, expected.residual_rms, 1e-13);
+  EXPECT_NEAR(fit.residual_max, expected.residual_max, 1e-13);
+}
+
+std::string refusal(int degree, const std::vector<SphereSample>& samples) {
+  try {
+    (void)fit_samples(degree, samples);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "no refusal";
+}
+
+std::vector<SphereSample> on_the_equator(int count) {
+  std::vector<SphereSample> samples;
+  for (int i = 0; i < count; ++i) {
+    const double angle = 2 * std::numbers::pi * i / count;
+    samples.push_back({std::cos(angle), std::sin(angle), 0, 1});
+  }
+  return samples;
+}
+
+TEST(LeastSquares, RefusesDirectionsThatDoNotDetermineTheCoefficients) {
+  // A circle carries 2 degree + 1 functions.
+  EXPECT_NE(refusal(2, on_the_equator(100)).find("determine 5 of the 9 coefficients of degree 2 (rank)"),
+            std::string::npos)
+      << refusal(2, on_the_equator(100));
+  auto turned = on_the_equator(1000);  // the same circle, in no special place
+  for (auto& s : turned) s = {0.6 * s.x - 0.64 * s.y, 0.8 * s.x + 0.48 * s.y, 0.6 * s.y, 2};
+  EXPECT_NE(refusal(4, turned).find("determine 9 of the 25"), std::string::npos) << refusal(4, turned);
+  const std::vector<SphereSample> same(40, SphereSample{0, 0.6, 0.8, 3});
+  EXPECT_NE(refusal(2, same).find("determine 1 of the 9"), std::string::npos) << refusal(2, same);
+  std::vector<SphereSample> five = samples_of(1, random_coefficients(1), random_directions(5, 1));
+  for (int i = 0; i < 50; ++i) five.push_back(five[static_cast<std::size_t>(i % 5)]);
+  EXPECT_NE(refusal(2, five).find("determine 5 of the 9"), std::string::npos) << refusal(2, five);
+  EXPECT_EQ(refusal(0, same), "no refusal");
+}
+
+TEST(LeastSquares, NamesASampleThatIsWrong) {
+  auto samples = samples_of(1, random_coefficients(1), random_directions(10, 1));
+  EXPECT_EQ(refusal(3, samples),
+            "fit_samples: 10 samples of weight > 0 for the 16 coefficients of degree 3, must be as many at least");
+  EXPECT_NE(refusal(-1, samples).find("degree is -1"), std::string::npos);
+  EXPECT_NE(refusal(0, {}).find("0 samples"), std::string::npos);
+  const auto changed = [&](const SphereSample& sample) {
+    auto copy = samples;
+    copy[6] = sample;
+    return refusal(1, copy);
+  };
+  const double infinity = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(changed({0, 0, 1.01, 1}),
+            "fit_samples: sample 6: its direction has length 1.010000, must be 1 to within 0.001");
+  EXPECT_NE(changed({0, 0, 0, 1}).find("sample 6: its direction has length 0"), std::string::npos);
+  EXPECT_NE(changed({std::nan(""), 0, 1, 1}).find("sample 6: its direction"), std::string::npos);
+  EXPECT_NE(changed({0, 0, 1, infinity}).find("sample 6: its value is not finite"), std::string::npos);
+  EXPECT_NE(changed({0, 0, 1, 1, -1}).find("sample 6: weight is -1"), std::string::npos);
+  EXPECT_NE(changed({0, 0, 1, 1, std::nan("")}).find("sample 6: weight"), std::string::npos);
+  EXPECT_EQ(changed({0, 0, 1.0005, 1}), "no refusal");
+}
+
+}  // namespace
+}  // namespace sh::numeric
