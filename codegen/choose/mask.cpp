@@ -7,6 +7,7 @@
 
 #include "codegen/passes/prune.hpp"
 #include "codegen/passes/share.hpp"
+#include "symbolic/basis/basis.hpp"
 
 namespace sh::codegen {
 namespace {
@@ -61,28 +62,18 @@ std::string ranges(const std::vector<int>& sorted) {
 
 // --- coefficient arrays
 
-int square_root(int n) {
-  int root = 0;
-  while (root * root < n) ++root;
-  return root * root == n ? root : 0;
-}
+bool is_zonal(const Parameter& array) { return array.role == Role::kZonalCoefficients; }
 
-// Entries a channel of a coefficient array; 0 for other arrays.
+// Entries a channel of an array that a symmetry can speak of; 0 for other arrays.
 int entries(const Parameter& array) {
-  if (array.shape.empty() || array.name == "q" || array.name == "r" || array.name == "m") return 0;
-  return array.name == "zonal" || square_root(array.shape.back()) > 0 ? array.shape.back() : 0;
+  return is_zonal(array) || is_by_degree_and_order(array.role) ? array.shape.back() : 0;
 }
 
 Coefficient coefficient(const Parameter& array, int entry) {
   const int i = entry % std::max(1, entries(array));
-  if (array.name == "zonal") return {i, 0};
-  int l = 0;
-  while ((l + 1) * (l + 1) <= i) ++l;
-  return {l, i - l * (l + 1)};
-}
-
-bool is_result(const Kernel& kernel, const std::string& name) {
-  return std::any_of(kernel.results.begin(), kernel.results.end(), [&](const Parameter& r) { return r.name == name; });
+  if (is_zonal(array)) return {i, 0};
+  const symbolic::DegreeOrder lm = symbolic::degree_order(i);
+  return {lm.degree, lm.order};
 }
 
 // --- symmetries
@@ -217,7 +208,7 @@ void drop_unchanged(Mask& mask, const Kernel& kernel) {
 
 // "0, 2, 6 (by l(l+1)+m)"
 std::string numbered(const Parameter& array, const std::vector<int>& entries_of) {
-  const bool by_index = entries(array) > 0 && array.name != "zonal" && array.shape.size() == 1;
+  const bool by_index = entries(array) > 0 && !is_zonal(array) && array.shape.size() == 1;
   return ranges(entries_of) + (by_index ? " (by l(l+1)+m)" : "");
 }
 
@@ -238,7 +229,8 @@ std::string read_entries(const Kernel& kernel, const Mask& mask) {
     if (!zero && !equal) continue;
     text += "; of " + parameter.name + (read.empty() ? " no entries" : " only entries " + numbered(parameter, read)) +
             " are read, the others are " + (zero ? "zero" : "") + (zero && equal ? " or " : "") +
-            (equal ? "plus or minus one of these" : "") + (is_result(kernel, parameter.name) ? " and stay so" : "");
+            (equal ? "plus or minus one of these" : "") +
+            (position_of(kernel.results, parameter.name) >= 0 ? " and stay so" : "");
   }
   return text;
 }

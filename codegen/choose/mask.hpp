@@ -4,9 +4,9 @@
 // Input: a kernel and what is known. Output: the kernel without what it does not need; its arrays keep their shapes,
 // entries that are known are not read, results that are dropped are not written.
 //
-// A coefficient array is a parameter or result whose last extent is a square number and whose name is none of q, r, m
-// (quaternion, rotation, matrix); entry i belongs to degree l = floor(sqrt(i)) and order m = i - l(l+1). The array
-// `zonal` holds one entry a degree, m = 0.
+// A coefficient array is a parameter or result whose role orders its entries by degree and order (codegen/ir/role.hpp):
+// entry i belongs to degree l = floor(sqrt(i)) and order m = i - l(l+1). Zonal coefficients are one entry a degree,
+// m = 0.
 #pragma once
 
 #include <string>

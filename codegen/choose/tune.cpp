@@ -99,12 +99,6 @@ std::string first_line(const fs::path& file) {
   return line;
 }
 
-int total_size(const std::vector<Parameter>& arrays) {
-  int size = 0;
-  for (const Parameter& array : arrays) size += array.size();
-  return size;
-}
-
 // The test inputs of the family, repeated until there are kInputs of them.
 std::string input_table(const Family& family, int degree) {
   const std::vector<std::vector<double>> inputs = family.domain.test_inputs(degree);
@@ -146,9 +140,8 @@ std::string call_function(const Kernel& kernel, std::size_t index) {
     in += parameter.size();
   }
   for (const Parameter& result : kernel.results) {
-    const bool in_place = std::any_of(kernel.parameters.begin(), kernel.parameters.end(),
-                                      [&](const Parameter& p) { return p.name == result.name; });
-    if (!in_place && !kernel.returns_scalar()) passed += "out + " + std::to_string(out) + ", ";
+    if (position_of(kernel.parameters, result.name) < 0 && !kernel.returns_scalar())
+      passed += "out + " + std::to_string(out) + ", ";
     out += result.size();
   }
   passed.resize(passed.size() - 2);

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
-#include <set>
 #include <stdexcept>
 
 #include "codegen/convention/gauge.hpp"
@@ -30,6 +28,9 @@ struct Layout {
   std::vector<Surd> factor;
 };
 
+// The place of an element; arithmetic on positions stays in int.
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
 const Convention& our_convention() { return symbolic::presets().front().convention; }
 
 // Y'_lm = s Y_lm for a real convention without axes.
@@ -37,78 +38,42 @@ Surd function_scale(const Convention& convention, int l, int m) {
   return convention_factor(convention, l, m) / convention_factor(our_convention(), l, m);
 }
 
-bool starts_with(const std::string& text, const std::string& part) { return text.rfind(part, 0) == 0; }
-
-// Of an array of coefficients: that of the kernel, or its own where factors and result of a product may differ.
-int degree_of(const Kernel& kernel, const Parameter& array) {
-  if (!starts_with(kernel.family, "product")) return kernel.degree;
-  int degree = 0;
-  while ((degree + 1) * (degree + 1) < array.size()) ++degree;
-  return degree;
-}
-
-int count_of(int degree) { return (degree + 1) * (degree + 1); }
-
 class LayoutMaker {
  public:
   LayoutMaker(const Kernel& kernel, const Convention& convention, const SignedPermutation& axes)
       : kernel_(kernel), convention_(convention), axes_(axes) {}
 
   Layout of(const std::vector<Parameter>& arrays) {
-    for (const Parameter& array : arrays) append(array, arrays);
+    for (std::size_t i = 0; i < arrays.size(); ++i) append(arrays[i]);
     return std::move(layout_);
   }
 
  private:
-  void append(const Parameter& array, const std::vector<Parameter>& arrays) {
-    const int size = array.size();
-    const int bands = kernel_.degree + 1;
-    if (const std::optional<int> axis = coordinate(array.name, arrays)) {
-      append_coordinates(array, *axis, arrays);
-    } else if (array.name == "r" && size == 9) {
-      append_matrix(array);
-    } else if (array.name == "zonal" && size == bands) {
-      append_zonal(array);
-    } else if (holds_coefficients(array)) {
-      append_channels(array, degree_of(kernel_, array));
-    } else if (array.shape.empty() || array.name == "rgb" || kernel_.returns_scalar()) {
-      append_plain(array);
-    } else {
-      refuse("what it calls " + array.name + " has no counterpart in other conventions");
+  void append(const Parameter& array) {
+    switch (array.role) {
+      case Role::kDirection:
+      case Role::kVector:
+      case Role::kBasisGradient:
+        return append_coordinates(array);
+      case Role::kRotationMatrix:
+        return append_matrix(array);
+      case Role::kZonalCoefficients:
+        return append_zonal(array);
+      case Role::kCoefficients:
+      case Role::kEvaluatedCoefficients:
+      case Role::kBasisValues:
+        return append_channels(array);
+      case Role::kQuaternion:
+      case Role::kBandMatrices:
+      case Role::kQuadraticForm:
+        throw std::invalid_argument(kernel_.family + ": expected roles that other conventions share, got " +
+                                    array.name + " (" + role_name(array.role) + ")");
+      default:
+        return append_plain(array);
     }
   }
 
-  [[nodiscard]] bool holds_coefficients(const Parameter& array) const {
-    static const std::set<std::string> kNames{"a", "b", "c", "sum", "out", "dx", "dy", "dz"};
-    return !array.shape.empty() && kNames.count(array.name) > 0 &&
-           array.size() % count_of(degree_of(kernel_, array)) == 0;
-  }
-
-  // How many numbers the array holds in the convention.
-  [[nodiscard]] int stored_size(const Parameter& array) const {
-    if (!holds_coefficients(array)) return array.size();
-    const int degree = degree_of(kernel_, array);
-    return array.size() / count_of(degree) * storage_size(convention_.order, degree);
-  }
-
-  [[noreturn]] void refuse(const std::string& why) const {
-    throw std::invalid_argument(kernel_.family + ": cannot be emitted in another convention, as " + why);
-  }
-
-  // 0, 1, 2 for x, y, z and for dx, dy, dz.
-  static std::optional<int> coordinate(const std::string& name, const std::vector<Parameter>& arrays) {
-    const bool is_direction =
-        std::any_of(arrays.begin(), arrays.end(), [](const Parameter& a) { return a.name == "z"; });
-    if (is_direction && name.size() == 1 && name >= "x" && name <= "z") return name[0] - 'x';
-    if (name.size() == 2 && name[0] == 'd' && name >= "dx" && name <= "dz") return name[1] - 'x';
-    return std::nullopt;
-  }
-
-  [[nodiscard]] int base() const {
-    int size = 0;
-    for (const Parameter& array : layout_.arrays) size += array.size();
-    return size;
-  }
+  [[nodiscard]] int base() const { return total_size(layout_.arrays); }
 
   void append_plain(const Parameter& array) {
     const int first = base();
@@ -122,23 +87,17 @@ class LayoutMaker {
   }
 
   // Coordinate `axis` of ours is a coordinate of the caller's with a sign: theirs' = axes * caller's.
-  void append_coordinates(const Parameter& array, int axis, const std::vector<Parameter>& arrays) {
-    int target = 0;  // where the caller's coordinate of that number is passed
-    for (const Parameter& other : arrays) {
-      if (coordinate(other.name, arrays) == std::optional(axes_.axis(axis))) break;
-      target += stored_size(other);
-    }
-    const Surd sign(axes_.sign(axis));
-    if (array.shape.empty()) {
-      add(target, sign);
-    } else {
-      for (int l = 0; l <= kernel_.degree; ++l) {
-        for (int m = -l; m <= l; ++m)
-          add(target + position(kernel_.degree, l, m), sign * function_scale(convention_, l, m));
-      }
-    }
+  void append_coordinates(const Parameter& array) {
     Parameter theirs = array;
-    if (!array.shape.empty()) theirs.shape = {storage_size(convention_.order, kernel_.degree)};
+    if (!array.shape.empty()) theirs.shape = {storage_size(convention_.order, array.degree)};
+    // x, y, z follow each other.
+    const int target = base() + (axes_.axis(array.axis) - array.axis) * theirs.size();
+    const Surd sign(axes_.sign(array.axis));
+    if (array.shape.empty()) add(target, sign);
+    for (int l = 0; l <= array.degree; ++l) {
+      for (int m = -l; m <= l; ++m)
+        add(target + position(array.degree, l, m), sign * function_scale(convention_, l, m));
+    }
     layout_.arrays.push_back(std::move(theirs));
   }
 
@@ -155,20 +114,18 @@ class LayoutMaker {
 
   void append_zonal(const Parameter& array) {
     const int first = base();
-    for (int l = 0; l <= kernel_.degree; ++l) add(first + l, coefficient_factor(l, 0));
+    for (int l = 0; l <= array.degree; ++l) add(first + l, factor_of(array.role, l, 0));
     layout_.arrays.push_back(array);
   }
 
-  void append_channels(const Parameter& array, int degree) {
+  void append_channels(const Parameter& array) {
     const int first = base();
-    const int channels = array.size() / count_of(degree);
-    const int size = storage_size(convention_.order, degree);
-    const bool functions = starts_with(kernel_.family, "basis");
+    const int channels = array.channels();
+    const int size = storage_size(convention_.order, array.degree);
     for (int channel = 0; channel < channels; ++channel) {
-      for (int l = 0; l <= degree; ++l) {
+      for (int l = 0; l <= array.degree; ++l) {
         for (int m = -l; m <= l; ++m) {
-          add(first + channel * size + position(degree, l, m),
-              functions ? function_scale(convention_, l, m) : coefficient_factor(l, m));
+          add(first + channel * size + position(array.degree, l, m), factor_of(array.role, l, m));
         }
       }
     }
@@ -181,11 +138,12 @@ class LayoutMaker {
     return storage_position(convention_.order, degree, l, m);
   }
 
-  // c' = c / s, with what is folded in; a family that evaluates sums what is stored with the convention's functions.
-  [[nodiscard]] Surd coefficient_factor(int l, int m) const {
-    const Surd factor = function_scale(convention_, l, m).inverse();
-    return kernel_.family.find("evaluate") != std::string::npos ? factor
-                                                                : factor * folded_factor(convention_.folded, l);
+  // Y' = s Y and c' = c / s with the folded factor. Coefficients that are evaluated are summed as they are stored.
+  [[nodiscard]] Surd factor_of(Role role, int l, int m) const {
+    const Surd scale = function_scale(convention_, l, m);
+    if (role == Role::kBasisValues) return scale;
+    if (role == Role::kEvaluatedCoefficients) return scale.inverse();
+    return scale.inverse() * folded_factor(convention_.folded, l);
   }
 
   const Kernel& kernel_;
@@ -193,12 +151,6 @@ class LayoutMaker {
   const SignedPermutation& axes_;
   Layout layout_;
 };
-
-int total_size(const std::vector<Parameter>& arrays) {
-  int size = 0;
-  for (const Parameter& array : arrays) size += array.size();
-  return size;
-}
 
 // Inputs or outputs of ours as the convention stores them; holes are zero.
 std::vector<cln::cl_F> as_stored(const std::vector<cln::cl_F>& ours, const Layout& layout, int digits) {
@@ -269,7 +221,7 @@ Reference reference_in(const Kernel& kernel, const Kernel& relaid, const Referen
   return reference;
 }
 
-Domain domain_in(const Domain& ours, const Layout& inputs, const Layout& outputs) {
+Domain domain_in(const Domain& ours, int degree, const Layout& inputs, const Layout& outputs) {
   constexpr int kDigits = 40;
   std::vector<std::size_t> from(static_cast<std::size_t>(total_size(outputs.arrays)), 0);
   std::vector<double> factor(from.size(), 1);
@@ -289,14 +241,14 @@ Domain domain_in(const Domain& ours, const Layout& inputs, const Layout& outputs
     return result;
   };
   Domain domain = ours;
-  domain.test_inputs = [=](int degree) {
+  domain.test_inputs = [=](int of_degree) {
     std::vector<std::vector<double>> mapped;
-    for (const std::vector<double>& input : ours.test_inputs(degree))
+    for (const std::vector<double>& input : ours.test_inputs(of_degree))
       mapped.push_back(in_double(as_stored(exact(input), inputs, kDigits)));
     return mapped;
   };
   domain.size = [=](std::span<const double> theirs, std::size_t output) {
-    return factor[output] * ours.size(in_double(as_ours(exact(theirs), inputs, kDigits)), from[output]);
+    return factor[output] * ours.size_of(degree, in_double(as_ours(exact(theirs), inputs, kDigits)), from[output]);
   };
   if (ours.nearest_in_domain) {
     domain.nearest_in_domain = [=](const std::vector<cln::cl_F>& theirs) {
@@ -306,17 +258,31 @@ Domain domain_in(const Domain& ours, const Layout& inputs, const Layout& outputs
   return domain;
 }
 
+// Whether a product of two coefficients enters a result.
+bool multiplies_coefficients(const Kernel& kernel) {
+  std::vector<bool> of_input;
+  for (const Parameter& p : kernel.parameters)
+    of_input.insert(of_input.end(), index(p.size()), holds_coefficients(p.role));
+  std::vector<bool> depends(kernel.nodes.size());
+  for (NodeId id = 0; id < kernel.size(); ++id) {
+    const Node& node = kernel.node(id);
+    int dependent = node.op == Op::kInput && of_input[index(node.input)] ? 1 : 0;
+    for (int i = 0; i < argument_count(node.op); ++i) dependent += depends[index(node.args[index(i)])] ? 1 : 0;
+    if (node.op == Op::kMul && dependent == 2) return true;
+    depends[index(id)] = dependent > 0;
+  }
+  return false;
+}
+
 Convention chosen_convention(const Kernel& kernel, const ConventionOptions& options) {
   const Convention convention =
       options.convention.empty() ? our_convention() : symbolic::find_preset(options.convention).convention;
   if (convention.complex)
     throw std::invalid_argument("convention " + options.convention + ": it is complex; kernels are for real ones");
   int degree = kernel.degree;
-  for (const Parameter& result : kernel.results) degree = std::max(degree, degree_of(kernel, result));
+  for (const Parameter& result : kernel.results) degree = std::max(degree, result.degree);
   require_convention(convention, degree);
-  const bool multiplies = starts_with(kernel.family, "product") || starts_with(kernel.family, "square") ||
-                          starts_with(kernel.family, "triple");
-  if (multiplies && convention.folded != symbolic::Folded::kNothing)
+  if (multiplies_coefficients(kernel) && convention.folded != symbolic::Folded::kNothing)
     throw std::invalid_argument("convention " + options.convention +
                                 ": its coefficients hold a clamped cosine; products should be of radiance");
   return convention;
@@ -349,7 +315,7 @@ FinishedKernel in_convention(const FinishedKernel& finished, const Reference& po
         ". Directions are the caller's; the convention's coordinates are (" + options.axes + ") of them";
   const Reference reference = reference_in(finished.kernel, result.kernel, points, inputs, outputs);
   result.kernel = run_pipeline(std::move(result.kernel), reference, kPasses).back().kernel;
-  result.domain = domain_in(finished.domain, inputs, outputs);
+  result.domain = domain_in(finished.domain, result.kernel.degree, inputs, outputs);
   result.cost = cost(result.kernel);
   result.in_float = measure<float>(result.kernel, result.domain);
   result.in_double = measure<double>(result.kernel, result.domain);

@@ -1,9 +1,8 @@
 // A kernel in another convention: signs and scales go into its constants, axes and index order into its arguments.
 //
 // Input: a finished kernel in our convention. Output: one that reads and writes arrays as the convention stores them
-// and directions in the caller's axes. What its parameters and results are is told by their names: x, y, z (a
-// direction), r (a rotation matrix), dx, dy, dz (a gradient), zonal, one number a degree; other arrays of (L+1)^2 or
-// 3 (L+1)^2 numbers hold coefficients or, in the basis families, functions.
+// and directions in the caller's axes. The roles of its parameters and results (codegen/ir/role.hpp) say how each of
+// them is stored.
 #pragma once
 
 #include <string>

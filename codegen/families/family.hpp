@@ -32,6 +32,10 @@ struct Domain {
   std::function<std::vector<cln::cl_F>(const std::vector<cln::cl_F>& inputs)> nearest_in_domain;
   /// Instead of `size` where it depends on the kernel's degree.
   std::function<double(int degree, std::span<const double> inputs, std::size_t element)> size_at_degree = {};
+
+  [[nodiscard]] double size_of(int degree, std::span<const double> at, std::size_t element) const {
+    return size != nullptr ? size(at, element) : size_at_degree(degree, at, element);
+  }
 };
 
 /// One way to compute a family.

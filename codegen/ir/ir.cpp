@@ -1,13 +1,9 @@
 #include "codegen/ir/ir.hpp"
 
-#include <functional>
-#include <numeric>
 #include <stdexcept>
 #include <utility>
 
 namespace sh::codegen {
-
-int Parameter::size() const { return std::accumulate(shape.begin(), shape.end(), 1, std::multiplies<>()); }
 
 int argument_count(Op op) {
   switch (op) {

@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "codegen/ir/exact_real.hpp"
+#include "codegen/ir/role.hpp"
 
 namespace sh::codegen {
 
@@ -34,12 +35,6 @@ struct Node {
   int input = -1;      ///< kInput: position among the flattened parameters; kTable: column of the table
   ExactReal constant;  ///< kConstant
   std::string name;    ///< a hint such as "p_4_2"; may be empty
-};
-
-struct Parameter {
-  std::string name;
-  std::vector<int> shape;  ///< empty: a scalar
-  [[nodiscard]] int size() const;
 };
 
 struct Output {

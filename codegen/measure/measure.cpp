@@ -52,8 +52,7 @@ MeasuredError measure(const Kernel& kernel, const Domain& domain) {
     for (std::size_t i = 0; i < computed.size(); ++i) {
       const cln::cl_F value = exact(computed[i]);
       const auto element = static_cast<std::size_t>(kernel.element(i));
-      const double size =
-          domain.size != nullptr ? domain.size(wanted, element) : domain.size_at_degree(kernel.degree, wanted, element);
+      const double size = domain.size_of(kernel.degree, wanted, element);
       take_largest<T>(result.rounding, value - same_input[i], size);
       take_largest<T>(result.total, value - in_domain[i], size);
     }

@@ -23,23 +23,19 @@ const std::vector<DriverSpec>& specs() {
 
 RecordSignature signature_of(const Kernel& kernel) {
   RecordSignature s;
-  const auto updated = [&](const std::string& name) {
-    return std::any_of(kernel.results.begin(), kernel.results.end(),
-                       [&](const Parameter& r) { return r.name == name; });
-  };
   for (const Parameter& p : kernel.parameters) {
-    if (updated(p.name)) {
+    if (position_of(kernel.results, p.name) >= 0) {
       s.sums = true;
       continue;
     }
-    const bool more = p.name == "y" || p.name == "z";  // of a direction
-    if (!more) s.inputs.push_back({p.name == "x" ? "directions" : p.name, {}, 0});
+    const bool component = is_coordinate(p.role);
+    if (!component || p.axis == 0) s.inputs.push_back({component ? "directions" : p.name, {}, 0});
     const std::string from = "in[" + std::to_string(s.inputs.size() - 1) + "]";
     Record& record = s.inputs.back();
     record.arguments.push_back(p.shape.empty() ? from + "[" + std::to_string(record.size) + "]" : from);
     record.size += p.size();
   }
-  for (const Parameter& r : kernel.results) s.out_size += r.size();
+  s.out_size = total_size(kernel.results);
   s.returns = kernel.returns_scalar();
   s.out = s.sums ? kernel.results.front().name : "out";
   return s;

@@ -13,14 +13,9 @@ bool reads(const Kernel& kernel, int first, int size) {
   });
 }
 
-bool is_result(const Kernel& kernel, const std::string& name) {
-  return std::any_of(kernel.results.begin(), kernel.results.end(), [&](const Parameter& r) { return r.name == name; });
-}
+bool is_result(const Kernel& kernel, const std::string& name) { return position_of(kernel.results, name) >= 0; }
 
-bool is_parameter(const Kernel& kernel, const std::string& name) {
-  return std::any_of(kernel.parameters.begin(), kernel.parameters.end(),
-                     [&](const Parameter& p) { return p.name == name; });
-}
+bool is_parameter(const Kernel& kernel, const std::string& name) { return position_of(kernel.parameters, name) >= 0; }
 
 // The parameters that the function does not read, under their printed names.
 std::vector<std::string> unused_parameters(const Kernel& kernel, const Dialect& dialect) {

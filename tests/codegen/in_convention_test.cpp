@@ -160,12 +160,49 @@ TEST(InConvention, ScalesFactorsAndResultOfAProductByTheirOwnDegrees) {
   }
 }
 
+// The kernel's values at inputs of ours, of which the coefficients that lead are put in the convention's storage first.
+std::vector<cln::cl_F> values_of_stored(const FinishedKernel& kernel, const symbolic::Convention& convention,
+                                        int degree, std::vector<cln::cl_F> inputs) {
+  std::vector<cln::cl_F> stored = inputs;
+  for (int l = 0; l <= degree; ++l) {
+    for (int m = -l; m <= l; ++m) {
+      const Surd scale = convention_factor(convention, l, m) / convention_factor(symbolic::Convention{}, l, m);
+      stored[static_cast<std::size_t>(storage_position(convention.order, degree, l, m))] =
+          inputs[static_cast<std::size_t>(symbolic::coefficient_index(l, m))] *
+          (folded_factor(convention.folded, l) / scale).evaluate(kDigits);
+    }
+  }
+  return Evaluator<cln::cl_F>(kernel.kernel, kDigits)(stored);
+}
+
+TEST(InConvention, IrradianceIsTheSameFromEveryStorage) {
+  const auto normals = rational_directions(1);
+  // E(n) and its lightmap form are physical: signs, scales and folded cosines of the coefficients do not reach them.
+  for (const char* name : {"directxmath", "unity", "threejs"}) {
+    const symbolic::Convention convention = symbolic::find_preset(name).convention;
+    for (const auto& [family, degree] : {std::pair("irradiance_evaluate", 2), std::pair("lightmap", 1)}) {
+      std::vector<cln::cl_F> inputs;
+      for (int i = 0; i < (degree + 1) * (degree + 1); ++i) inputs.push_back(as_float(cln::cl_RA(2 * i - 5) / 7));
+      if (degree == 2) {
+        for (const cln::cl_RA& n : normals[0]) inputs.push_back(as_float(n));
+      }
+      const FinishedKernel own = preferred_kernel(find_family(family), degree, Prefer::kSpeed);
+      const auto expected = Evaluator<cln::cl_F>(own.kernel, kDigits)(inputs);
+      const auto values = values_of_stored(emitted(family, degree, {name, ""}), convention, degree, inputs);
+      for (std::size_t i = 0; i < values.size(); ++i)
+        expect_close(values[i], expected[i], std::string(name) + " " + family);
+    }
+  }
+}
+
 TEST(InConvention, RefusesWhatItCannotMean) {
   EXPECT_THROW(emitted("basis", 2, {"scipy", ""}), std::invalid_argument);  // complex
   EXPECT_THROW(emitted("basis", 3, {"unity", ""}), std::invalid_argument);  // folded: to degree 2
   EXPECT_THROW(emitted("basis", 2, {"nothing", ""}), std::invalid_argument);
   EXPECT_THROW(emitted("basis", 2, {"", "x,x,z"}), std::invalid_argument);
   EXPECT_THROW(emitted("irradiance_matrix", 2, {"directxmath", ""}), std::invalid_argument);
+  for (const char* family : {"product", "square", "triple"})  // of irradiance, not of radiance
+    EXPECT_THROW(emitted(family, 2, {"unity", ""}), std::invalid_argument) << family;
 }
 
 TEST(Gauge, MultipliesOnceWhereNoConstantIsFree) {

@@ -105,6 +105,15 @@ TEST(Masks, LeaveKernelsThatComputeWhatTheFullOnesDo) {
   }
 }
 
+TEST(Masks, SpeakOfEntriesByDegreeAndOrderOnly) {
+  // As many entries as coefficients have, but of monomials.
+  const Family& prepared = find_family("evaluate_prepared");
+  const Family& prepare = find_family("evaluate_prepare");
+  EXPECT_THROW(masked_kernel(prepared, 2, Prefer::kSpeed, options("zonal")), std::invalid_argument);
+  EXPECT_THROW(masked_kernel(prepare, 2, Prefer::kSpeed, options("", "", "zonal")), std::invalid_argument);
+  EXPECT_NO_THROW(masked_kernel(prepare, 2, Prefer::kSpeed, options("zonal", "", "0,2")));
+}
+
 TEST(Masks, OfZonalOperandsLeaveZonalProducts) {
   const Family& product = find_family("product");
   const Kernel kernel = masked_stages(product, recipes_for(product, 2)[0], 2, options("zonal", "zonal")).back().kernel;

@@ -69,15 +69,18 @@ class Ladder {
 };
 
 void describe(Kernel& kernel, int degree) {
-  const std::vector<int> shape{basis_count(degree)};
   kernel.title = "Real solid harmonics r^l Y_lm of degree 0 to " + std::to_string(degree) + " with their gradients";
   kernel.domain = "any d = (x, y, z); z is the polar axis";
   kernel.result =
       "r^l Y_lm(d/r) and its derivatives by x, y, z at index l(l+1)+m; r = |d|, Y_lm orthonormal on the unit sphere, "
       "no "
       "Condon-Shortley phase";
-  kernel.parameters = {{"x", {}}, {"y", {}}, {"z", {}}};
-  kernel.results = {{"out", shape}, {"dx", shape}, {"dy", shape}, {"dz", shape}};
+  kernel.parameters = with_direction({}, {}, Role::kVector);
+  kernel.results = {array(Role::kBasisValues, "out", degree)};
+  for (int axis = 0; axis < 3; ++axis) {
+    kernel.results.push_back(array(Role::kBasisGradient, std::string("d") + "xyz"[axis], degree));
+    kernel.results.back().axis = axis;
+  }
   kernel.factored = true;
 }
 

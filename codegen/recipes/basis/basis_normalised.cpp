@@ -13,6 +13,7 @@ Kernel normalised(int degree, const std::string& source, const Append& append) {
   kernel.title = "Real spherical harmonics of degree 0 to " + std::to_string(degree) + " in the direction of a vector";
   kernel.domain = "d = (x, y, z) finite, not zero, |d|^2 neither over- nor underflows; z is the polar axis";
   kernel.result = "Y_lm(d/|d|) at index l(l+1)+m, orthonormal on the unit sphere, no Condon-Shortley phase";
+  kernel.parameters = with_direction({}, {}, Role::kVector);
   kernel.citation = source;
   kernel.factored = true;
   Builder build(kernel);

@@ -73,15 +73,15 @@ void describe(Kernel& kernel, int degree, int channels) {
   if (channels == 1) {
     kernel.title = "The value of a function with " + bands + " in one direction";
     kernel.result = std::string("returns the sum of c_lm Y_lm(d); c: ") + kOrder;
-    kernel.parameters = {{"c", {count}}, {"x", {}}, {"y", {}}, {"z", {}}};
-    kernel.results = {{"value", {}}};
+    kernel.parameters = with_direction({array(Role::kEvaluatedCoefficients, "c", degree)});
+    kernel.results = {parameter(Role::kValue, "value")};
     kernel.outputs = {{-1, ""}};
   } else {
     kernel.title = "The value of a colour with " + bands + " in one direction";
     kernel.result = std::string("red, green, blue: the sums of c_lm Y_lm(d); c (3, ") + std::to_string(count) +
                     "), channel by channel: " + kOrder;
-    kernel.parameters = {{"c", {3, count}}, {"x", {}}, {"y", {}}, {"z", {}}};
-    kernel.results = {{"rgb", {3}}};
+    kernel.parameters = with_direction({array(Role::kEvaluatedCoefficients, "c", degree, 3)});
+    kernel.results = {{"rgb", {3}, Role::kValue}};
     kernel.outputs = {{-1, "red"}, {-1, "green"}, {-1, "blue"}};
   }
 }

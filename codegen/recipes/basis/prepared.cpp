@@ -131,8 +131,8 @@ Kernel evaluate_prepare(int degree) {
       "coefficients of x^i y^j by falling i, then falling j, then those of z x^i y^j likewise; see the labels";
   kernel.citation = kSource;
   kernel.factored = true;
-  kernel.parameters = {{"c", {count}}};
-  kernel.results = {{"polynomial", {count}}};
+  kernel.parameters = {array(Role::kEvaluatedCoefficients, "c", degree)};
+  kernel.results = {array(Role::kPolynomial, "polynomial", degree)};
   Builder build(kernel);
   std::vector<NodeId> sums(static_cast<std::size_t>(count), -1);
   for (int m = -degree; m <= degree; ++m) {
@@ -177,8 +177,8 @@ Kernel evaluate_prepared(int degree) {
       storage_error(degree));
   kernel.citation = kSource;
   kernel.factored = true;
-  kernel.parameters = {{"polynomial", {count}}, {"x", {}}, {"y", {}}, {"z", {}}};
-  kernel.results = {{"value", {}}};
+  kernel.parameters = with_direction({array(Role::kPolynomial, "polynomial", degree)});
+  kernel.results = {parameter(Role::kValue, "value")};
   Builder build(kernel);
   const NodeId x = build.input(count, "x");
   const NodeId y = build.input(count + 1, "y");

@@ -19,10 +19,10 @@ using symbolic::Surd;
 constexpr int kWeightInput = 3;
 constexpr int kFirstSumInput = 4;
 
-void describe(Kernel& kernel, int degree, const std::string& sum) {
+void describe(Kernel& kernel, const Parameter& sum) {
   kernel.domain = "|d| = 1 for d = (x, y, z); z is the polar axis; any weight";
-  kernel.parameters = {{"x", {}}, {"y", {}}, {"z", {}}, {"weight", {}}, {sum, {basis_count(degree)}}};
-  kernel.results = {{sum, {basis_count(degree)}}};
+  kernel.parameters = with_direction({}, {parameter(Role::kWeight, "weight"), sum});
+  kernel.results = {sum};
 }
 
 // Output i = input sum i + node i.
@@ -38,7 +38,7 @@ void accumulate(Kernel& kernel, Builder& build, const std::vector<NodeId>& value
 template <class Append>
 Kernel accumulated_basis(int degree, const std::string& source, const Append& append) {
   Kernel kernel;
-  describe(kernel, degree, "sum");
+  describe(kernel, array(Role::kCoefficients, "sum", degree));
   kernel.title = "Adds one weighted sample to a projection on bands 0 to " + std::to_string(degree);
   kernel.result = "sum += weight Y_lm(d) at index l(l+1)+m, orthonormal on the unit sphere, no Condon-Shortley phase";
   kernel.citation = source;
@@ -85,7 +85,7 @@ Kernel project_recurrence(int degree) {
 Kernel project_moments(int degree) {
   symbolic::require_basis_index(degree, 0);
   Kernel kernel;
-  describe(kernel, degree, "moments");
+  describe(kernel, array(Role::kMoments, "moments", degree));
   kernel.title = "Adds one weighted sample to the moments of a projection on bands 0 to " + std::to_string(degree);
   kernel.result =
       "moments += weight z^n Re (x+iy)^m at index l(l+1)+m, Im (x+iy)^m at l(l+1)-m, l = m+n; project_finish_l" +
@@ -136,8 +136,8 @@ Kernel project_finish(int degree) {
       amplification(degree));
   kernel.citation = "the polynomials of Y_lm in z, exact";
   kernel.factored = true;
-  kernel.parameters = {{"moments", {basis_count(degree)}}};
-  kernel.results = {{"c", {basis_count(degree)}}};
+  kernel.parameters = {array(Role::kMoments, "moments", degree)};
+  kernel.results = {array(Role::kCoefficients, "c", degree)};
   Builder build(kernel);
   std::vector<NodeId> values(static_cast<std::size_t>(basis_count(degree)));
   for (int l = 0; l <= degree; ++l) {

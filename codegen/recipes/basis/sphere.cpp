@@ -74,8 +74,8 @@ void describe_basis(Kernel& kernel, int degree) {
                      : "Real spherical harmonics of degree 0 to " + std::to_string(degree) + " in one direction";
   kernel.domain = "|d| = 1 for d = (x, y, z); z is the polar axis";
   kernel.result = "Y_lm(d) at index l(l+1)+m, orthonormal on the unit sphere, no Condon-Shortley phase";
-  kernel.parameters = {{"x", {}}, {"y", {}}, {"z", {}}};
-  kernel.results = {{"out", {basis_count(degree)}}};
+  kernel.parameters = with_direction({});
+  kernel.results = {array(Role::kBasisValues, "out", degree)};
 }
 
 void set_basis_outputs(Kernel& kernel, const std::vector<NodeId>& values) {

@@ -19,9 +19,9 @@ Kernel product_frame(const ProductShape& shape, Factors factors) {
   if (shape.a != shape.b) kernel.domain += ": a has " + degrees(shape.a) + ", b has " + degrees(shape.b);
   kernel.result = std::string("coefficients of ") + (same ? "a a" : "a b") +
                   " at index l(l+1)+m, orthonormal on the unit sphere, no Condon-Shortley phase";
-  kernel.parameters = {{"a", {coefficient_count(shape.a)}}};
-  if (!same) kernel.parameters.push_back({"b", {coefficient_count(shape.b)}});
-  kernel.results = {{"out", {coefficient_count(shape.result)}}};
+  kernel.parameters = {array(Role::kCoefficients, "a", shape.a)};
+  if (!same) kernel.parameters.push_back(array(Role::kCoefficients, "b", shape.b));
+  kernel.results = {array(Role::kCoefficients, "out", shape.result)};
   kernel.outputs.resize(static_cast<std::size_t>(coefficient_count(shape.result)));
   return kernel;
 }

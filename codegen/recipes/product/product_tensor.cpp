@@ -59,10 +59,9 @@ void describe_zonal(Kernel& kernel, int degree) {
   kernel.domain = "any coefficients: zonal[l] is that of Y_l0, the others of the zonal function are zero";
   kernel.result =
       "coefficients of the product at index l(l+1)+m, orthonormal on the unit sphere, no Condon-Shortley phase";
-  const int count = coefficient_count(degree);
-  kernel.parameters = {{"a", {count}}, {"zonal", {degree + 1}}};
-  kernel.results = {{"out", {count}}};
-  kernel.outputs.resize(static_cast<std::size_t>(count));
+  kernel.parameters = {array(Role::kCoefficients, "a", degree), array(Role::kZonalCoefficients, "zonal", degree)};
+  kernel.results = {array(Role::kCoefficients, "out", degree)};
+  kernel.outputs.resize(static_cast<std::size_t>(coefficient_count(degree)));
 }
 
 }  // namespace
@@ -135,8 +134,8 @@ Kernel triple(Kernel product, int degree) {
   kernel.title = "The integral over the sphere of the product of three functions of " + degrees;
   kernel.domain = "any coefficients";
   kernel.result = "the integral of a b c, orthonormal basis at index l(l+1)+m, no Condon-Shortley phase";
-  kernel.parameters.push_back({"c", {count}});
-  kernel.results = {{"integral", {}}};
+  kernel.parameters.push_back(array(Role::kCoefficients, "c", degree));
+  kernel.results = {parameter(Role::kValue, "integral")};
   kernel.outputs = {{build.node(build.balanced_sum(terms)), "integral of a b c"}};
   return kernel;
 }

@@ -18,12 +18,6 @@ constexpr const char* kRecursiveSource =
     "J. Ivanic, K. Ruedenberg, J. Phys. Chem. 100, 1996, and J. Phys. Chem. A 102, 1998; constants derived exactly";
 
 // The numbers in the matrices of bands 0 .. degree.
-int matrix_size(int degree) {
-  int size = 0;
-  for (int l = 0; l <= degree; ++l) size += (2 * l + 1) * (2 * l + 1);
-  return size;
-}
-
 std::vector<Signed> times(Builder& build, const Matrix<Signed>& matrix, const std::vector<Signed>& v) {
   std::vector<Signed> result;
   for (int i = 0; i < matrix.rows(); ++i) {
@@ -97,8 +91,8 @@ Kernel build_by(Bands make_bands, const std::string& source, int degree) {
   kernel.result =
       "D_0(r), D_1(r), ..., (2l+1)^2 numbers each, row by row, for rotate_apply: c' = D(r) c, so that "
       "f'(s) = f(r^-1 s), rows and columns in the order m = -l..l, orthonormal basis, no Condon-Shortley phase";
-  kernel.parameters = {{"r", {3, 3}}};
-  kernel.results = {{"m", {matrix_size(degree)}}};
+  kernel.parameters = {parameter(Role::kRotationMatrix, "r")};
+  kernel.results = {array(Role::kBandMatrices, "m", degree)};
   Builder build(kernel);
   const std::array<NodeId, 9> r = matrix_inputs(build);
   const BandMatrices bands = make_bands(build, r, degree);
@@ -139,7 +133,7 @@ Kernel rotate_apply_rows(int degree) {
   kernel.citation = "the product of a matrix and a vector";
   kernel.title = "Coefficients of a rotated function from prepared matrices, " + degrees_to(degree);
   kernel.domain = "m as rotate_build leaves it: matrices of 1, 3, 5, ... rows, the first of which is 1";
-  kernel.parameters[0] = {"m", {matrix_size(degree)}};
+  kernel.parameters[0] = array(Role::kBandMatrices, "m", degree);
   Builder build(kernel);
   int next = 0;
   BandMatrices bands;

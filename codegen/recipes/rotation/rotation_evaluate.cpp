@@ -34,8 +34,9 @@ Kernel rotate_evaluate_turned(int degree) {
   kernel.result =
       "f(r^-1 d) = sum of c_lm Y_lm(r^-1 d), c_lm at index l(l+1)+m, orthonormal basis, no Condon-Shortley phase";
   kernel.citation = "the direction turned back, then the basis";
-  kernel.parameters = {{"r", {3, 3}}, {"c", {count}}, {"x", {}}, {"y", {}}, {"z", {}}};
-  kernel.results = {{"value", {}}};
+  kernel.parameters =
+      with_direction({parameter(Role::kRotationMatrix, "r"), array(Role::kEvaluatedCoefficients, "c", degree)});
+  kernel.results = {parameter(Role::kValue, "value")};
   Builder build(kernel);
   const RotationInputs in = rotation_inputs(build, degree);
   const NodeId x = build.input(9 + count, "x");

@@ -18,8 +18,8 @@ Kernel rotation_kernel(int degree) {
   kernel.result =
       "c' = D(r) c, so that f'(s) = f(r^-1 s), at index l(l+1)+m, orthonormal basis, no Condon-Shortley phase; "
       "may be c itself";
-  kernel.parameters = {{"r", {3, 3}}, {"c", {count}}};
-  kernel.results = {{"out", {count}}};
+  kernel.parameters = {parameter(Role::kRotationMatrix, "r"), array(Role::kCoefficients, "c", degree)};
+  kernel.results = {array(Role::kCoefficients, "out", degree)};
   kernel.outputs.resize(to_size(count));
   return kernel;
 }
@@ -27,7 +27,7 @@ Kernel rotation_kernel(int degree) {
 Kernel quaternion_kernel(int degree) {
   Kernel kernel = rotation_kernel(degree);
   kernel.domain = "q = (w, x, y, z) with |q| = 1; it turns v into q v q^-1";
-  kernel.parameters[0] = {"q", {4}};
+  kernel.parameters[0] = parameter(Role::kQuaternion, "q");
   const std::size_t at = kernel.result.find("D(r)");
   kernel.result = "c' = D(q) c, so that f'(s) = f(q^-1 s q)" + kernel.result.substr(kernel.result.find(", at", at));
   return kernel;

@@ -15,7 +15,8 @@ Kernel rotate_about_z(Multiples multiples, int degree) {
       "c' with f'(theta, phi) = f(theta, phi - angle), at index l(l+1)+m, orthonormal basis, no Condon-Shortley phase; "
       "may be c itself";
   kernel.citation = "(c_m + i c_-m)' = e^(i m angle) (c_m + i c_-m)";
-  kernel.parameters = {{"cos_angle", {}}, {"sin_angle", {}}, kernel.parameters[1]};
+  kernel.parameters = {parameter(Role::kCosine, "cos_angle"), parameter(Role::kSine, "sin_angle"),
+                       kernel.parameters[1]};
   Builder build(kernel);
   const NodeId cosine = build.input(0, "cos_angle");
   const NodeId sine = build.input(1, "sin_angle");

@@ -25,8 +25,8 @@ Kernel described(int degree) {
       "0 <= one_minus_cos <= 2, that is 1 - cos(half-angle): 1 a hemisphere, 2 the sphere; any tiny cap. For a small "
       "half-angle h take 2 sin(h/2)^2";
   kernel.result = "z_l of sum z_l Y_l0 for the function 1 in the cap and 0 outside; orthonormal Y_l0";
-  kernel.parameters = {{"one_minus_cos", {}}};
-  kernel.results = {{"zonal", {degree + 1}}};
+  kernel.parameters = {parameter(Role::kCapSize, "one_minus_cos")};
+  kernel.results = {array(Role::kZonalCoefficients, "zonal", degree)};
   return kernel;
 }
 

@@ -46,8 +46,8 @@ Kernel described_evaluate(int degree) {
   kernel.citation = degree == 2 || degree == 3 ? kEfficient : kCitation;
   kernel.domain = "|n| = 1 for the normal n = (x, y, z); c (radiance): " + std::string(kOrder);
   kernel.result = "E(n) = sum A_l c_lm Y_lm(n), A_0 = pi; diffuse exit radiance is albedo/pi E";
-  kernel.parameters = {{"c", {count(degree)}}, {"x", {}}, {"y", {}}, {"z", {}}};
-  kernel.results = {{"irradiance", {}}};
+  kernel.parameters = with_direction({array(Role::kCoefficients, "c", degree)});
+  kernel.results = {parameter(Role::kValue, "irradiance")};
   kernel.outputs = {{-1, "E(n)"}};
   return kernel;
 }
@@ -92,7 +92,7 @@ Kernel irradiance(int degree) {
   kernel.domain = "any coefficients; " + std::string(kOrder);
   kernel.result =
       "irradiance A_l c_lm, in place: A_0 = pi, A_1 = 2 pi/3, A_2 = pi/4, A_4 = -pi/24; exactly zero at odd l > 1";
-  kernel.parameters = {{"c", {count(degree)}}};
+  kernel.parameters = {array(Role::kCoefficients, "c", degree)};
   kernel.results = kernel.parameters;
   label_coefficients(kernel, degree);
   Builder build(kernel);
@@ -114,8 +114,8 @@ Kernel irradiance_matrix(int degree) {
   kernel.citation = kEfficient;
   kernel.domain = "any coefficients c (radiance); " + std::string(kOrder);
   kernel.result = "the symmetric 4x4 matrix M, row by row, with E(n) = (x, y, z, 1) M (x, y, z, 1)^T for |n| = 1";
-  kernel.parameters = {{"c", {count(degree)}}};
-  kernel.results = {{"m", {4, 4}}};
+  kernel.parameters = {array(Role::kCoefficients, "c", degree)};
+  kernel.results = {parameter(Role::kQuadraticForm, "m")};
   Builder build(kernel);
   const std::vector<NodeId> c = coefficients(build, degree);
   const auto half = Surd(cln::cl_RA(1) / 2);
@@ -224,8 +224,8 @@ Kernel lightmap(int degree) {
   kernel.citation = kLightmap;
   kernel.domain = "any coefficients c (radiance); " + std::string(kOrder);
   kernel.result = std::string(kForm) + "; may be c itself";
-  kernel.parameters = {{"c", {4}}};
-  kernel.results = {{"out", {4}}};
+  kernel.parameters = {array(Role::kCoefficients, "c", degree)};
+  kernel.results = {parameter(Role::kLinearForm, "out")};
   label_lightmap(kernel);
   Builder build(kernel);
   const std::vector<NodeId> c = coefficients(build, degree);
@@ -243,8 +243,9 @@ Kernel lightmap_project(int /*degree*/) {
   kernel.citation = kLightmap;
   kernel.domain = "|d| = 1 for d = (x, y, z), towards the light; weight: radiance times solid angle of the sample";
   kernel.result = std::string(kForm) + ", the sample added";
-  kernel.parameters = {{"x", {}}, {"y", {}}, {"z", {}}, {"weight", {}}, {"sum", {4}}};
-  kernel.results = {{"sum", {4}}};
+  const Parameter sum = parameter(Role::kLinearForm, "sum");
+  kernel.parameters = with_direction({}, {parameter(Role::kWeight, "weight"), sum});
+  kernel.results = {sum};
   label_lightmap(kernel);
   Builder build(kernel);
   std::array<NodeId, 8> input{};
@@ -268,8 +269,8 @@ Kernel lightmap_evaluate(int degree) {
   kernel.citation = kLightmap;
   kernel.domain = "|n| = 1 for the normal n = (x, y, z); e: " + std::string(kForm);
   kernel.result = "E(n); diffuse exit radiance is albedo/pi E";
-  kernel.parameters = {{"e", {4}}, {"x", {}}, {"y", {}}, {"z", {}}};
-  kernel.results = {{"irradiance", {}}};
+  kernel.parameters = with_direction({parameter(Role::kLinearForm, "e")});
+  kernel.results = {parameter(Role::kValue, "irradiance")};
   Builder build(kernel);
   const std::vector<NodeId> e = coefficients(build, degree);
   const auto [x, y, z] = normal(build, degree);

@@ -14,11 +14,11 @@ constexpr const char* kCitation = "P.-P. Sloan, \"Stupid Spherical Harmonics (SH
 
 std::string numbered(const std::string& letter, int l) { return letter + std::to_string(l); }
 
-Kernel described(int degree, std::vector<Parameter> parameters) {
+Kernel described(int degree, const std::vector<std::string>& parameters) {
   Kernel kernel;
   kernel.citation = kCitation;
-  const Parameter c{"c", {(degree + 1) * (degree + 1)}};
-  kernel.parameters = std::move(parameters);
+  const Parameter c = array(Role::kCoefficients, "c", degree);
+  for (const std::string& name : parameters) kernel.parameters.push_back(parameter(Role::kParameter, name));
   kernel.parameters.push_back(c);
   kernel.results = {c};
   label_coefficients(kernel, degree);
@@ -64,7 +64,7 @@ class Cosines {
 };
 
 Kernel described_hann(int degree) {
-  Kernel kernel = described(degree, {{"cos_pi_over_w", {}}});
+  Kernel kernel = described(degree, {"cos_pi_over_w"});
   kernel.title = title("Hann", degree);
   kernel.domain = "cos_pi_over_w = cos(pi / w) of the cut-off w, a real number; w >= " + std::to_string(degree) +
                   " so that the window falls with l";
@@ -111,7 +111,7 @@ Kernel window_hann_chebyshev(int degree) {
 }
 
 Kernel window_lanczos(int degree, int power) {
-  Kernel kernel = described(degree, {{"cos_pi_over_w", {}}, {"sinc_pi_over_w", {}}});
+  Kernel kernel = described(degree, {"cos_pi_over_w", "sinc_pi_over_w"});
   const std::string exponent = power == 1 ? "" : "^" + std::to_string(power);
   kernel.title = title("Lanczos (sinc" + exponent + ")", degree);
   kernel.domain =
@@ -142,7 +142,7 @@ Kernel window_lanczos(int degree, int power) {
 }
 
 Kernel window_gaussian(int degree) {
-  Kernel kernel = described(degree, {{"g", {}}});
+  Kernel kernel = described(degree, {"g"});
   kernel.title = title("Gaussian", degree);
   kernel.domain = "0 <= g <= 1, g = exp(-1 / (2 w^2)) for a standard deviation of w degrees";
   kernel.result = "c_lm g^(l^2) at index l(l+1)+m";
@@ -162,7 +162,7 @@ Kernel window_gaussian(int degree) {
 }
 
 Kernel window_laplacian(int degree) {
-  Kernel kernel = described(degree, {{"lambda", {}}});
+  Kernel kernel = described(degree, {"lambda"});
   kernel.title = title("Laplacian-penalty", degree);
   kernel.domain = "lambda >= 0, the weight of the squared Laplacian against the squared error";
   kernel.result = "c_lm / (1 + lambda l^2 (l+1)^2) at index l(l+1)+m";

@@ -85,8 +85,8 @@ Kernel described_zonal(int degree) {
   kernel.citation = kCitation;
   kernel.domain = "|d| = 1 for d = (x, y, z), the new axis; zonal: any coefficients of Y_l0";
   kernel.result = "sqrt(4 pi/(2l+1)) zonal[l] Y_lm(d) at " + std::string(kOrder);
-  kernel.parameters = {{"zonal", {degree + 1}}, {"x", {}}, {"y", {}}, {"z", {}}};
-  kernel.results = {{"out", {(degree + 1) * (degree + 1)}}};
+  kernel.parameters = with_direction({array(Role::kZonalCoefficients, "zonal", degree)});
+  kernel.results = {array(Role::kCoefficients, "out", degree)};
   label_coefficients(kernel, degree);
   return kernel;
 }
@@ -128,14 +128,14 @@ Kernel described_cap(int degree, bool rgb) {
   kernel.domain =
       "|d| = 1 for d = (x, y, z), towards the light; 0 <= one_minus_cos <= 2, that is 1 - cos(half-angle), tiny caps "
       "included (2 sin(h/2)^2 for a small half-angle h); the colour is the radiance in the cap";
-  kernel.parameters = {{"x", {}}, {"y", {}}, {"z", {}}, {"one_minus_cos", {}}};
+  kernel.parameters = with_direction({}, {parameter(Role::kCapSize, "one_minus_cos")});
   if (rgb) {
-    for (const char* channel : {"r", "g", "b"}) kernel.parameters.push_back({channel, {}});
+    for (int channel = 0; channel < 3; ++channel)
+      kernel.parameters.push_back({std::string(1, "rgb"[channel]), {}, Role::kColor, -1, channel});
   } else {
-    kernel.parameters.push_back({"colour", {}});
+    kernel.parameters.push_back(parameter(Role::kColor, "colour"));
   }
-  const int count = (degree + 1) * (degree + 1);
-  const Parameter sum{"sum", rgb ? std::vector<int>{3, count} : std::vector<int>{count}};
+  const Parameter sum = array(Role::kCoefficients, "sum", degree, rgb ? 3 : 1);
   kernel.parameters.push_back(sum);
   kernel.results = {sum};
   kernel.result = "the coefficients with the light added, " + std::string(rgb ? "channel by channel, " : "") + kOrder;

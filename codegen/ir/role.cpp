@@ -1,0 +1,114 @@
+#include "codegen/ir/role.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <iterator>
+#include <numeric>
+#include <stdexcept>
+#include <utility>
+
+namespace sh::codegen {
+namespace {
+
+struct RoleName {
+  Role role;
+  const char* name;
+};
+
+constexpr RoleName kNames[] = {{Role::kDirection, "direction"},
+                               {Role::kVector, "vector"},
+                               {Role::kRotationMatrix, "rotation matrix"},
+                               {Role::kQuaternion, "quaternion"},
+                               {Role::kBandMatrices, "band matrices"},
+                               {Role::kCosine, "cosine"},
+                               {Role::kSine, "sine"},
+                               {Role::kCapSize, "cap size"},
+                               {Role::kParameter, "parameter"},
+                               {Role::kWeight, "weight"},
+                               {Role::kColor, "color"},
+                               {Role::kValue, "value"},
+                               {Role::kCoefficients, "coefficients"},
+                               {Role::kEvaluatedCoefficients, "evaluated coefficients"},
+                               {Role::kZonalCoefficients, "zonal coefficients"},
+                               {Role::kBasisValues, "basis values"},
+                               {Role::kBasisGradient, "basis gradient"},
+                               {Role::kMoments, "moments"},
+                               {Role::kPolynomial, "polynomial"},
+                               {Role::kLinearForm, "linear form"},
+                               {Role::kQuadraticForm, "quadratic form"}};
+
+int bands_squared(int degree) { return (degree + 1) * (degree + 1); }
+
+std::vector<int> shape_of(Role role) {
+  switch (role) {
+    case Role::kRotationMatrix:
+      return {3, 3};
+    case Role::kQuaternion:
+    case Role::kLinearForm:
+      return {4};
+    case Role::kQuadraticForm:
+      return {4, 4};
+    default:
+      return {};
+  }
+}
+
+}  // namespace
+
+std::string role_name(Role role) {
+  const auto* found =
+      std::find_if(std::begin(kNames), std::end(kNames), [role](const RoleName& known) { return known.role == role; });
+  if (found == std::end(kNames)) throw std::logic_error("role_name: unknown role");
+  return found->name;
+}
+
+int Parameter::size() const { return std::accumulate(shape.begin(), shape.end(), 1, std::multiplies<>()); }
+
+int Parameter::channels() const { return is_by_degree_and_order(role) && shape.size() == 2 ? shape.front() : 1; }
+
+Parameter parameter(Role role, std::string name) {
+  Parameter made{std::move(name), shape_of(role), role};
+  if (role == Role::kLinearForm) made.degree = 1;
+  if (role == Role::kQuadraticForm) made.degree = 2;
+  return made;
+}
+
+Parameter array(Role role, std::string name, int degree, int channels) {
+  int size = bands_squared(degree);
+  if (role == Role::kZonalCoefficients) size = degree + 1;
+  if (role == Role::kBandMatrices) size = (degree + 1) * (2 * degree + 1) * (2 * degree + 3) / 3;
+  std::vector<int> shape{size};
+  if (channels > 1) shape.insert(shape.begin(), channels);
+  return {std::move(name), std::move(shape), role, degree};
+}
+
+std::vector<Parameter> with_direction(std::vector<Parameter> before, const std::vector<Parameter>& after, Role role) {
+  constexpr const char* kCoordinates[] = {"x", "y", "z"};
+  for (int axis = 0; axis < 3; ++axis) before.push_back({kCoordinates[axis], {}, role, -1, axis});
+  before.insert(before.end(), after.begin(), after.end());
+  return before;
+}
+
+bool is_by_degree_and_order(Role role) {
+  return role == Role::kCoefficients || role == Role::kEvaluatedCoefficients || role == Role::kBasisValues ||
+         role == Role::kBasisGradient || role == Role::kMoments || role == Role::kLinearForm;
+}
+
+bool holds_coefficients(Role role) {
+  return role == Role::kCoefficients || role == Role::kEvaluatedCoefficients || role == Role::kZonalCoefficients;
+}
+
+bool is_coordinate(Role role) {
+  return role == Role::kDirection || role == Role::kVector || role == Role::kBasisGradient;
+}
+
+int total_size(const std::vector<Parameter>& arrays) {
+  return std::accumulate(arrays.begin(), arrays.end(), 0, [](int sum, const Parameter& a) { return sum + a.size(); });
+}
+
+int position_of(const std::vector<Parameter>& arrays, const std::string& name) {
+  const auto found = std::find_if(arrays.begin(), arrays.end(), [&](const Parameter& a) { return a.name == name; });
+  return found == arrays.end() ? -1 : static_cast<int>(found - arrays.begin());
+}
+
+}  // namespace sh::codegen
