@@ -6,7 +6,6 @@
 
 #include "codegen/choose/manifest.hpp"
 #include "codegen/choose/wisdom.hpp"
-#include "codegen/families/families.hpp"
 #include "codegen/print/batch.hpp"
 #include "codegen/print/c99.hpp"
 #include "codegen/print/cpp.hpp"
@@ -36,47 +35,6 @@ const T& find(const std::vector<T>& items, const std::string& kind, const std::s
 
 }  // namespace
 
-const std::vector<Family>& families() {
-  static const std::vector<Family> kFamilies{basis_family(),
-                                             basis_gradient_family(),
-                                             basis_normalised_family(),
-                                             evaluate_family(),
-                                             evaluate_rgb_family(),
-                                             evaluate_prepare_family(),
-                                             evaluate_prepared_family(),
-                                             project_family(),
-                                             project_moments_family(),
-                                             project_finish_family(),
-                                             cap_family(),
-                                             zonal_family(),
-                                             add_cap_family(),
-                                             add_cap_rgb_family(),
-                                             irradiance_family(),
-                                             irradiance_matrix_family(),
-                                             irradiance_evaluate_family(),
-                                             lightmap_family(),
-                                             lightmap_project_family(),
-                                             lightmap_evaluate_family(),
-                                             window_hann_family(),
-                                             window_lanczos_family(),
-                                             window_lanczos2_family(),
-                                             window_lanczos4_family(),
-                                             window_gaussian_family(),
-                                             window_laplacian_family(),
-                                             product_family(),
-                                             product_full_family(),
-                                             square_family(),
-                                             product_zonal_family(),
-                                             triple_family(),
-                                             rotate_family(),
-                                             rotate_quaternion_family(),
-                                             rotate_z_family(),
-                                             rotate_build_family(),
-                                             rotate_apply_family(),
-                                             rotate_evaluate_family()};
-  return kFamilies;
-}
-
 const std::vector<Language>& languages() {
   static const std::vector<Language> kLanguages{{"cpp", ".hpp", true, print::cpp_kernel, print::cpp_family},
                                                 {"glsl", ".glsl", true, print::glsl_kernel, nullptr},
@@ -86,7 +44,9 @@ const std::vector<Language>& languages() {
   return kLanguages;
 }
 
-const Family& find_family(const std::string& name) { return find(families(), "family", name); }
+const Family& find_family(const std::string& name, const std::vector<Family>& among) {
+  return find(among, "family", name);
+}
 const Language& find_language(const std::string& name) { return find(languages(), "language", name); }
 
 namespace {
@@ -241,12 +201,13 @@ namespace {
 struct Rendering {
   std::map<std::string, std::string> files;
   std::vector<ManifestEntry> manifest;
-  print::WrittenFamilies written;
+  std::vector<print::WrittenFamily> written;
 };
 
 void render_family(const Family& family, const std::function<void(const std::string&)>& progress,
                    Rendering& rendering) {
-  std::vector<FinishedKernel>& written = rendering.written[family.name];
+  rendering.written.push_back({family.name, family.batch, {}});
+  std::vector<FinishedKernel>& written = rendering.written.back().kernels;
   for (int degree = 0; degree <= family.largest_written; ++degree) {
     const std::vector<FinishedKernel> all = finish_all(family, degree);
     if (all.empty()) continue;
@@ -270,9 +231,10 @@ void render_family(const Family& family, const std::function<void(const std::str
 
 }  // namespace
 
-std::map<std::string, std::string> render_all(const std::function<void(const std::string&)>& progress) {
+std::map<std::string, std::string> render_all(const std::function<void(const std::string&)>& progress,
+                                              const std::vector<Family>& families) {
   Rendering rendering;
-  for (const Family& family : families()) render_family(family, progress, rendering);
+  for (const Family& family : families) render_family(family, progress, rendering);
   rendering.files.merge(print::batch_files(rendering.written));
   rendering.files["MANIFEST"] = print_manifest(rendering.manifest);
   return rendering.files;

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "codegen/families/family.hpp"
+#include "codegen/families/families.hpp"
 #include "codegen/passes/finished_kernel.hpp"
 #include "codegen/passes/pipeline.hpp"
 #include "codegen/print/dialect.hpp"
@@ -25,11 +25,10 @@ struct Language {
 /// What the choice among the recipes of a family is for.
 enum class Prefer { kSpeed, kAccuracy, kSize };
 
-const std::vector<Family>& families();
 const std::vector<Language>& languages();
 
 /// Throw std::invalid_argument listing what there is.
-const Family& find_family(const std::string& name);
+const Family& find_family(const std::string& name, const std::vector<Family>& among = families());
 const Language& find_language(const std::string& name);
 const Recipe& find_recipe(const Family& family, int degree, const std::string& name);
 Prefer find_preference(const std::string& name);
@@ -56,7 +55,8 @@ FinishedKernel finish_kernel(const Family& family, const Recipe& recipe, int deg
 FinishedKernel preferred_kernel(const Family& family, int degree, Prefer prefer);
 
 /// Relative path -> content of every file under generated/. progress is called with each kernel's name.
-std::map<std::string, std::string> render_all(const std::function<void(const std::string&)>& progress);
+std::map<std::string, std::string> render_all(const std::function<void(const std::string&)>& progress,
+                                              const std::vector<Family>& families = codegen::families());
 /// The same for the kernels of some families alone: without MANIFEST and the drivers of batches, which need them all.
 std::map<std::string, std::string> render_families(const std::vector<std::string>& names,
                                                    const std::function<void(const std::string&)>& progress);

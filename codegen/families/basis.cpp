@@ -29,16 +29,14 @@ Reference reference(int degree, int count) {
 }  // namespace
 
 Family basis_family() {
-  return {"basis",
-          10,
-          20,
-          "beyond which straight-line code is too long to be useful",
-          {{"parity", recipes::basis_parity},
-           {"recurrence", recipes::basis_recurrence},
-           {"centred", recipes::basis_centred},
-           {"parity-least", recipes::basis_parity_least, 0, 20, false}},
-          reference,
-          direction_domain()};
+  return {.name = "basis",
+          .recipes = {{"parity", recipes::basis_parity},
+                      {"recurrence", recipes::basis_recurrence},
+                      {"centred", recipes::basis_centred},
+                      {"parity-least", recipes::basis_parity_least, 0, 20, false}},
+          .reference = reference,
+          .domain = direction_domain(),
+          .batch = BatchDriver{.what = "Values of the real spherical harmonics"}};
 }
 
 }  // namespace sh::codegen

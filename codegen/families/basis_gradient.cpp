@@ -71,13 +71,13 @@ Family basis_gradient_family() {
   domain.unit = "sqrt((2l+1)/(4 pi)) r^l, for derivatives l sqrt((2l+1)/(4 pi)) r^(l-1)";
   domain.test_inputs = test_inputs;
   domain.size_at_degree = size;
-  return {"basis_gradient",
-          10,
-          20,
-          "beyond which straight-line code is too long to be useful",
-          {{"ladder", recipes::basis_gradient_ladder}, {"ladder-recurrence", recipes::basis_gradient_recurrence}},
-          reference,
-          domain};
+  return {
+      .name = "basis_gradient",
+      .recipes = {{"ladder", recipes::basis_gradient_ladder},
+                  {"ladder-recurrence", recipes::basis_gradient_recurrence}},
+      .reference = reference,
+      .domain = domain,
+      .batch = BatchDriver{.what = "Values and Cartesian gradient of the solid harmonics: values, d/dx, d/dy, d/dz"}};
 }
 
 }  // namespace sh::codegen

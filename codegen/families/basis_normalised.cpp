@@ -41,13 +41,10 @@ Family basis_normalised_family() {
   domain.nearest = "";
   domain.test_inputs = test_inputs;
   domain.nearest_in_domain = nullptr;
-  return {"basis_normalised",
-          10,
-          20,
-          "beyond which straight-line code is too long to be useful",
-          {{"parity", recipes::basis_normalised_parity}, {"centred", recipes::basis_normalised_centred}},
-          reference,
-          domain};
+  return {.name = "basis_normalised",
+          .recipes = {{"parity", recipes::basis_normalised_parity}, {"centred", recipes::basis_normalised_centred}},
+          .reference = reference,
+          .domain = domain};
 }
 
 }  // namespace sh::codegen

@@ -36,15 +36,17 @@ double size(std::span<const double> inputs, std::size_t output) { return cap_siz
 
 Family cap_family() {
   return {
-      "cap",
-      10,
-      20,
-      "beyond which a cap needs a loop",
-      {{"recurrence", recipes::cap_recurrence, 7}, {"horner", recipes::cap_horner}},
-      reference,
-      {"sizes (random, a hemisphere, the sphere, 2^-1 to 2^-120)",
-       "sqrt((2l+1) pi) (1 - cos^2) / 2, the largest coefficient a cap of that area has (at l = 0: the coefficient)",
-       "", test_inputs, size, nullptr}};
+      .name = "cap",
+      .limit = "beyond which a cap needs a loop",
+      .recipes = {{"recurrence", recipes::cap_recurrence, 7}, {"horner", recipes::cap_horner}},
+      .reference = reference,
+      .domain = {.inputs = "sizes (random, a hemisphere, the sphere, 2^-1 to 2^-120)",
+                 .unit =
+                     "sqrt((2l+1) pi) (1 - cos^2) / 2, the largest coefficient a cap of that area has (at l = 0: the "
+                     "coefficient)",
+                 .test_inputs = test_inputs,
+                 .size = size},
+  };
 }
 
 }  // namespace sh::codegen

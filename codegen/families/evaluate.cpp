@@ -18,9 +18,6 @@ using symbolic::Surd;
 
 constexpr std::size_t kInputs = 400;
 constexpr std::size_t kPreparedInputs = 300;
-constexpr int kLargestWritten = 10;
-constexpr int kLargestEmitted = 20;
-constexpr const char* kLimit = "beyond which straight-line code is too long to be useful";
 constexpr const char* kUnit = "|c| sqrt((2L+1)/(4 pi)), the most that the top band alone can reach";
 constexpr const char* kNormalised = "the direction scaled to length 1";
 
@@ -95,12 +92,12 @@ std::vector<cln::cl_F> unit_direction_last(const std::vector<cln::cl_F>& inputs)
 
 template <int Channels>
 Domain evaluation_domain() {
-  return {"coefficient vectors (random, of norm 1) with directions (random, axes, poles, near poles)",
-          kUnit,
-          kNormalised,
-          test_inputs<Channels>,
-          size<Channels>,
-          unit_direction_last};
+  return {.inputs = "coefficient vectors (random, of norm 1) with directions (random, axes, poles, near poles)",
+          .unit = kUnit,
+          .nearest = kNormalised,
+          .test_inputs = test_inputs<Channels>,
+          .size = size<Channels>,
+          .nearest_in_domain = unit_direction_last};
 }
 
 // --- prepared
@@ -176,23 +173,23 @@ double prepared_size(std::span<const double> inputs, std::size_t /*output*/) {
 }  // namespace
 
 Family evaluate_family() {
-  return {"evaluate",
-          kLargestWritten,
-          kLargestEmitted,
-          kLimit,
-          {{"columns", recipes::evaluate_columns}, {"sum", recipes::evaluate_sum}},
-          [](int degree, int points) { return reference(degree, points, 1); },
-          evaluation_domain<1>()};
+  return {.name = "evaluate",
+          .recipes = {{"columns", recipes::evaluate_columns}, {"sum", recipes::evaluate_sum}},
+          .reference = [](int degree, int points) { return reference(degree, points, 1); },
+          .domain = evaluation_domain<1>(),
+          .batch = BatchDriver{.what = "Functions given by coefficients, at directions",
+                               .prepare = "evaluate_prepare",
+                               .prepared = "evaluate_prepared",
+                               .half = true}};
 }
 
 Family evaluate_rgb_family() {
-  return {"evaluate_rgb",
-          kLargestWritten,
-          kLargestEmitted,
-          kLimit,
-          {{"columns", recipes::evaluate_rgb_columns}, {"sum", recipes::evaluate_rgb_sum}},
-          [](int degree, int points) { return reference(degree, points, 3); },
-          evaluation_domain<3>()};
+  return {
+      .name = "evaluate_rgb",
+      .recipes = {{"columns", recipes::evaluate_rgb_columns}, {"sum", recipes::evaluate_rgb_sum}},
+      .reference = [](int degree, int points) { return reference(degree, points, 3); },
+      .domain = evaluation_domain<3>(),
+      .batch = BatchDriver{.what = "Colours given by coefficients, channel by channel, at directions", .half = true}};
 }
 
 Family evaluate_prepare_family() {
@@ -201,19 +198,24 @@ Family evaluate_prepare_family() {
   domain.unit = "the largest that this coefficient of the polynomial gets from |c| = 1";
   domain.test_inputs = prepare_inputs;
   domain.size_at_degree = prepare_size;
-  return {"evaluate_prepare", kLargestWritten, kLargestEmitted, kLimit, {{"by-order", recipes::evaluate_prepare}},
-          prepare_reference,  domain};
+  return {.name = "evaluate_prepare",
+          .recipes = {{"by-order", recipes::evaluate_prepare}},
+          .reference = prepare_reference,
+          .domain = domain};
 }
 
 Family evaluate_prepared_family() {
-  return {"evaluate_prepared",
-          kLargestWritten,
-          kLargestEmitted,
-          kLimit,
-          {{"horner", recipes::evaluate_prepared}},
-          prepared_reference,
-          {"prepared functions (random, |c| = 1) with directions (random, axes, poles, near poles)", kUnit, kNormalised,
-           prepared_inputs, prepared_size, unit_direction_last}};
+  return {
+      .name = "evaluate_prepared",
+      .recipes = {{"horner", recipes::evaluate_prepared}},
+      .reference = prepared_reference,
+      .domain = {.inputs = "prepared functions (random, |c| = 1) with directions (random, axes, poles, near poles)",
+                 .unit = kUnit,
+                 .nearest = kNormalised,
+                 .test_inputs = prepared_inputs,
+                 .size = prepared_size,
+                 .nearest_in_domain = unit_direction_last},
+  };
 }
 
 }  // namespace sh::codegen

@@ -17,7 +17,6 @@ using symbolic::Surd;
 
 constexpr int kInputs = 400;
 constexpr int kLargest = 20;
-constexpr const char* kLimit = "beyond which straight-line code is too long to be useful";
 constexpr const char* kOneDegree = "the only one that has this form";
 constexpr const char* kCoefficients = "coefficient vectors (random, of norm 1)";
 constexpr const char* kWithNormals =
@@ -202,64 +201,90 @@ Reference lightmap_evaluate_reference(int degree, int points) {
 }  // namespace
 
 Family irradiance_family() {
-  return {"irradiance",
-          10,
-          kLargest,
-          kLimit,
-          {{"factors", recipes::irradiance}},
-          irradiance_reference,
-          {kCoefficients, "|A_l c_lm|", "", coefficient_inputs, irradiance_size, nullptr}};
+  return {
+      .name = "irradiance",
+      .recipes = {{"factors", recipes::irradiance}},
+      .reference = irradiance_reference,
+      .domain = {.inputs = kCoefficients,
+                 .unit = "|A_l c_lm|",
+                 .test_inputs = coefficient_inputs,
+                 .size = irradiance_size},
+  };
 }
 
 Family irradiance_matrix_family() {
-  return {"irradiance_matrix",
-          2,
-          2,
-          kOneDegree,
-          {{"entries", recipes::irradiance_matrix, 2, 2}},
-          matrix_reference,
-          {kCoefficients, "the norm of c", "", coefficient_inputs, vector_length, nullptr}};
+  return {
+      .name = "irradiance_matrix",
+      .largest_written = 2,
+      .largest_emitted = 2,
+      .limit = kOneDegree,
+      .recipes = {{"entries", recipes::irradiance_matrix, 2, 2}},
+      .reference = matrix_reference,
+      .domain = {.inputs = kCoefficients,
+                 .unit = "the norm of c",
+                 .test_inputs = coefficient_inputs,
+                 .size = vector_length},
+  };
 }
 
 Family irradiance_evaluate_family() {
-  return {"irradiance_evaluate",
-          10,
-          kLargest,
-          kLimit,
-          {{"nested", recipes::irradiance_evaluate_nested, 2, 3}, {"columns", recipes::irradiance_evaluate}},
-          evaluate_reference,
-          {kWithNormals, "the norm of c", kNormalised, evaluate_inputs, coefficients_length, normal_last}};
+  return {
+      .name = "irradiance_evaluate",
+      .recipes = {{"nested", recipes::irradiance_evaluate_nested, 2, 3}, {"columns", recipes::irradiance_evaluate}},
+      .reference = evaluate_reference,
+      .domain = {.inputs = kWithNormals,
+                 .unit = "the norm of c",
+                 .nearest = kNormalised,
+                 .test_inputs = evaluate_inputs,
+                 .size = coefficients_length,
+                 .nearest_in_domain = normal_last},
+  };
 }
 
 Family lightmap_family() {
-  return {"lightmap",
-          1,
-          1,
-          kOneDegree,
-          {{"factors", recipes::lightmap, 1, 1}},
-          lightmap_reference,
-          {kCoefficients, "|out|", "", coefficient_inputs, lightmap_size, nullptr}};
+  return {
+      .name = "lightmap",
+      .largest_written = 1,
+      .largest_emitted = 1,
+      .limit = kOneDegree,
+      .recipes = {{"factors", recipes::lightmap, 1, 1}},
+      .reference = lightmap_reference,
+      .domain = {.inputs = kCoefficients, .unit = "|out|", .test_inputs = coefficient_inputs, .size = lightmap_size},
+  };
 }
 
 Family lightmap_project_family() {
-  return {"lightmap_project",
-          1,
-          1,
-          kOneDegree,
-          {{"factors", recipes::lightmap_project, 1, 1}},
-          project_reference,
-          {"samples (random, axes, poles, near poles) with random weights and sums", "(|weight| / 2 + |sum|)",
-           "the direction scaled to length 1", project_inputs, project_size, direction_first}};
+  return {
+      .name = "lightmap_project",
+      .largest_written = 1,
+      .largest_emitted = 1,
+      .limit = kOneDegree,
+      .recipes = {{"factors", recipes::lightmap_project, 1, 1}},
+      .reference = project_reference,
+      .domain = {.inputs = "samples (random, axes, poles, near poles) with random weights and sums",
+                 .unit = "(|weight| / 2 + |sum|)",
+                 .nearest = "the direction scaled to length 1",
+                 .test_inputs = project_inputs,
+                 .size = project_size,
+                 .nearest_in_domain = direction_first},
+  };
 }
 
 Family lightmap_evaluate_family() {
-  return {"lightmap_evaluate",
-          1,
-          1,
-          kOneDegree,
-          {{"dot", recipes::lightmap_evaluate, 1, 1}},
-          lightmap_evaluate_reference,
-          {kWithNormals, "the norm of e", kNormalised, evaluate_inputs, coefficients_length, normal_last}};
+  return {
+      .name = "lightmap_evaluate",
+      .largest_written = 1,
+      .largest_emitted = 1,
+      .limit = kOneDegree,
+      .recipes = {{"dot", recipes::lightmap_evaluate, 1, 1}},
+      .reference = lightmap_evaluate_reference,
+      .domain = {.inputs = kWithNormals,
+                 .unit = "the norm of e",
+                 .nearest = kNormalised,
+                 .test_inputs = evaluate_inputs,
+                 .size = coefficients_length,
+                 .nearest_in_domain = normal_last},
+  };
 }
 
 }  // namespace sh::codegen

@@ -11,7 +11,6 @@ using recipes::Factors;
 using recipes::SampleProduct;
 using symbolic::ProductShape;
 
-constexpr int kLargestWritten = 10;
 constexpr int kLargestUnrolled = 6;  // longer code falls out of the instruction cache
 constexpr int kLargestEmitted = symbolic::kMaxProductDegree;
 constexpr const char* kLimit = "to which the Gaunt tensor is derived";
@@ -44,71 +43,73 @@ std::function<Kernel(int)> integrated(Kernel (*product)(int)) {
 }  // namespace
 
 Family product_family() {
-  return {"product",
-          kLargestWritten,
-          kLargestEmitted,
-          kLimit,
+  return {.name = "product",
+          .largest_emitted = kLargestEmitted,
+          .limit = kLimit,
           // Pairs win up to degree 3, quadrature from 4 on.
-          {{"pairs", pairs, 0, 3},
-           {"separable", separable, 2, kLargestUnrolled},
-           {"separable-halves", halves, 2, kLargestUnrolled},
-           {"looped", looped, kLargestUnrolled, kLargestEmitted},
-           {"looped-halves", looped_halves, kLargestUnrolled + 1, kLargestEmitted},
-           {"greedy-pairs", greedy_pairs, 2, 6},
-           {"tensor", tensor, 0, kLargestByTerms}},
-          [](int degree, int count) { return product_reference(equal(degree), count); },
-          factor_domain(equal_factors(2), "|a| |b|")};
+          .recipes = {{"pairs", pairs, 0, 3},
+                      {"separable", separable, 2, kLargestUnrolled},
+                      {"separable-halves", halves, 2, kLargestUnrolled},
+                      {"looped", looped, kLargestUnrolled, kLargestEmitted},
+                      {"looped-halves", looped_halves, kLargestUnrolled + 1, kLargestEmitted},
+                      {"greedy-pairs", greedy_pairs, 2, 6},
+                      {"tensor", tensor, 0, kLargestByTerms}},
+          .reference = [](int degree, int count) { return product_reference(equal(degree), count); },
+          .domain = factor_domain(equal_factors(2), "|a| |b|"),
+          .batch = BatchDriver{.what = "Products of two functions, projected on the same bands", .largest = 6}};
 }
 
 Family triple_family() {
-  return {"triple",
-          kLargestWritten,
-          kLargestEmitted,
-          kLimit,
-          {{"pairs", integrated(pairs), 0, 3},
-           {"separable", integrated(separable), 2, kLargestUnrolled},
-           {"separable-halves", integrated(halves), 2, kLargestUnrolled},
-           {"looped", integrated(looped), kLargestUnrolled, kLargestEmitted}},
-          triple_reference,
-          factor_domain(equal_factors(3), "|a| |b| |c|")};
+  return {.name = "triple",
+          .largest_emitted = kLargestEmitted,
+          .limit = kLimit,
+          .recipes = {{"pairs", integrated(pairs), 0, 3},
+                      {"separable", integrated(separable), 2, kLargestUnrolled},
+                      {"separable-halves", integrated(halves), 2, kLargestUnrolled},
+                      {"looped", integrated(looped), kLargestUnrolled, kLargestEmitted}},
+          .reference = triple_reference,
+          .domain = factor_domain(equal_factors(3), "|a| |b| |c|")};
 }
 
 Family square_family() {
-  return {
-      "square",
-      kLargestWritten,
-      kLargestEmitted,
-      kLimit,
-      {{"pairs", [](int degree) { return recipes::product_pairs(equal(degree), Factors::kSame); }, 0, 3},
-       {"separable",
-        [](int degree) { return recipes::product_separable(equal(degree), Factors::kSame, SampleProduct::kDirect); }, 2,
-        kLargestUnrolled},
-       {"looped",
-        [](int degree) { return recipes::product_looped(equal(degree), Factors::kSame, SampleProduct::kDirect); },
-        kLargestUnrolled, kLargestEmitted},
-       {"greedy-pairs",
-        [](int degree) {
-          return recipes::product_pairs(equal(degree), Factors::kSame, recipes::greedy_cover(equal(degree)));
-        },
-        4, kLargestUnrolled},
-       {"tensor", [](int degree) { return recipes::product_tensor(equal(degree), Factors::kSame); }, 0,
-        kLargestByTerms}},
-      square_reference,
-      square_domain()};
+  return {.name = "square",
+          .largest_emitted = kLargestEmitted,
+          .limit = kLimit,
+          .recipes = {{"pairs", [](int degree) { return recipes::product_pairs(equal(degree), Factors::kSame); }, 0, 3},
+                      {"separable",
+                       [](int degree) {
+                         return recipes::product_separable(equal(degree), Factors::kSame, SampleProduct::kDirect);
+                       },
+                       2, kLargestUnrolled},
+                      {"looped",
+                       [](int degree) {
+                         return recipes::product_looped(equal(degree), Factors::kSame, SampleProduct::kDirect);
+                       },
+                       kLargestUnrolled, kLargestEmitted},
+                      {"greedy-pairs",
+                       [](int degree) {
+                         return recipes::product_pairs(equal(degree), Factors::kSame,
+                                                       recipes::greedy_cover(equal(degree)));
+                       },
+                       4, kLargestUnrolled},
+                      {"tensor", [](int degree) { return recipes::product_tensor(equal(degree), Factors::kSame); }, 0,
+                       kLargestByTerms}},
+          .reference = square_reference,
+          .domain = square_domain()};
 }
 
 Family product_zonal_family() {
-  return {"product_zonal",
-          kLargestWritten,
-          kLargestEmitted,
-          kLimit,
-          {{"matrices", recipes::product_zonal}, {"tensor", recipes::product_zonal_tensor, 0, kLargestUnrolled}},
-          product_zonal_reference,
-          factor_domain(
-              [](int degree) {
-                return std::vector<int>{recipes::coefficient_count(degree), degree + 1};
-              },
-              "|a| |zonal|")};
+  return {
+      .name = "product_zonal",
+      .largest_emitted = kLargestEmitted,
+      .limit = kLimit,
+      .recipes = {{"matrices", recipes::product_zonal}, {"tensor", recipes::product_zonal_tensor, 0, kLargestUnrolled}},
+      .reference = product_zonal_reference,
+      .domain = factor_domain(
+          [](int degree) {
+            return std::vector<int>{recipes::coefficient_count(degree), degree + 1};
+          },
+          "|a| |zonal|")};
 }
 
 }  // namespace sh::codegen

@@ -86,15 +86,14 @@ Family rectangular_product_family(int left_degree, int right_degree, int degree)
   require("the result", degree, left_degree + right_degree, kComplete);
   const std::string left = std::to_string(left_degree);
   const std::string right = std::to_string(right_degree);
-  Family family;
-  family.name = "product_" + left + "x" + right;
-  family.arguments = "product --degree-left " + left + " --degree-right " + right;
-  family.largest_emitted = left_degree + right_degree;
-  family.limit = kComplete;
-  family.recipes = recipes_of(shape);
-  family.reference = [shape](int /*degree*/, int count) { return product_reference(shape, count); };
-  family.domain = factor_domain(fixed_factors(shape), "|a| |b|");
-  return family;
+  return {.name = "product_" + left + "x" + right,
+          .largest_written = 0,
+          .largest_emitted = left_degree + right_degree,
+          .limit = kComplete,
+          .recipes = recipes_of(shape),
+          .reference = [shape](int /*degree*/, int count) { return product_reference(shape, count); },
+          .domain = factor_domain(fixed_factors(shape), "|a| |b|"),
+          .arguments = "product --degree-left " + left + " --degree-right " + right};
 }
 
 Family product_full_family() {
@@ -105,20 +104,18 @@ Family product_full_family() {
   const auto separable = [](SampleProduct way) {
     return [way](int degree) { return recipes::product_separable(complete(degree), Factors::kTwo, way); };
   };
-  Family family;
-  family.name = "product_full";
-  family.largest_written = kLargest;
-  family.largest_emitted = kLargest;
-  family.limit = "beyond which `shgen emit product --degree-left N --degree-right N` serves";
-  family.recipes = {
-      {"pairs", pairs, 0, kLargest},
-      {"separable", separable(SampleProduct::kDirect), 1, kLargest},
-      {"separable-halves", separable(SampleProduct::kHalves), 1, kLargest},
-      {"tensor", [](int degree) { return recipes::product_tensor(complete(degree), Factors::kTwo); }, 0, 3}};
-  family.reference = [](int degree, int count) { return product_reference(complete(degree), count); };
-  family.domain =
-      factor_domain([](int degree) { return std::vector<int>(2, recipes::coefficient_count(degree)); }, "|a| |b|");
-  return family;
+  return {.name = "product_full",
+          .largest_written = kLargest,
+          .largest_emitted = kLargest,
+          .limit = "beyond which `shgen emit product --degree-left N --degree-right N` serves",
+          .recipes = {{"pairs", pairs, 0, kLargest},
+                      {"separable", separable(SampleProduct::kDirect), 1, kLargest},
+                      {"separable-halves", separable(SampleProduct::kHalves), 1, kLargest},
+                      {"tensor", [](int degree) { return recipes::product_tensor(complete(degree), Factors::kTwo); }, 0,
+                       3}},
+          .reference = [](int degree, int count) { return product_reference(complete(degree), count); },
+          .domain = factor_domain([](int degree) { return std::vector<int>(2, recipes::coefficient_count(degree)); },
+                                  "|a| |b|")};
 }
 
 }  // namespace sh::codegen

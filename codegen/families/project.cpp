@@ -14,10 +14,7 @@ namespace {
 using symbolic::Surd;
 
 constexpr std::size_t kInputs = 400;
-constexpr int kLargestWritten = 10;
-constexpr int kLargestEmitted = 20;
 constexpr std::size_t kFirstSum = 4;  // x, y, z, weight, sums
-constexpr const char* kLimit = "beyond which straight-line code is too long to be useful";
 constexpr const char* kSamples = "samples (directions random, axes, poles, near poles; weights and sums in -1 .. 1)";
 constexpr const char* kNormalised = "the direction scaled to length 1";
 
@@ -159,35 +156,46 @@ double finish_size(std::span<const double> /*moments*/, std::size_t output) { re
 }  // namespace
 
 Family project_family() {
-  return {"project",
-          kLargestWritten,
-          kLargestEmitted,
-          kLimit,
-          {{"parity", recipes::project_parity}, {"recurrence", recipes::project_recurrence}},
-          project_reference,
-          {kSamples, "|weight| sqrt((2l+1)/(4 pi)) + |sum before|", kNormalised, samples, project_size,
-           unit_direction_first}};
+  return {
+      .name = "project",
+      .recipes = {{"parity", recipes::project_parity}, {"recurrence", recipes::project_recurrence}},
+      .reference = project_reference,
+      .domain = {.inputs = kSamples,
+                 .unit = "|weight| sqrt((2l+1)/(4 pi)) + |sum before|",
+                 .nearest = kNormalised,
+                 .test_inputs = samples,
+                 .size = project_size,
+                 .nearest_in_domain = unit_direction_first},
+      .batch = BatchDriver{.what = "Adds weight * Y of every direction to the sum",
+                           .parts = "project_moments",
+                           .finish = "project_finish"},
+  };
 }
 
 Family project_moments_family() {
-  return {"project_moments",
-          kLargestWritten,
-          kLargestEmitted,
-          kLimit,
-          {{"products", recipes::project_moments}},
-          moments_reference,
-          {kSamples, "|weight| + |moment before|", kNormalised, samples, moments_size, unit_direction_first}};
+  return {
+      .name = "project_moments",
+      .recipes = {{"products", recipes::project_moments}},
+      .reference = moments_reference,
+      .domain = {.inputs = kSamples,
+                 .unit = "|weight| + |moment before|",
+                 .nearest = kNormalised,
+                 .test_inputs = samples,
+                 .size = moments_size,
+                 .nearest_in_domain = unit_direction_first},
+  };
 }
 
 Family project_finish_family() {
-  return {"project_finish",
-          kLargestWritten,
-          kLargestEmitted,
-          kLimit,
-          {{"direct", recipes::project_finish}},
-          finish_reference,
-          {"moments of samples whose |weights| add up to 1", "sqrt((2l+1)/(4 pi)) x the sum of |weights|", "",
-           moments_of_samples, finish_size, nullptr}};
+  return {
+      .name = "project_finish",
+      .recipes = {{"direct", recipes::project_finish}},
+      .reference = finish_reference,
+      .domain = {.inputs = "moments of samples whose |weights| add up to 1",
+                 .unit = "sqrt((2l+1)/(4 pi)) x the sum of |weights|",
+                 .test_inputs = moments_of_samples,
+                 .size = finish_size},
+  };
 }
 
 }  // namespace sh::codegen

@@ -17,7 +17,6 @@ namespace sh::codegen {
 namespace {
 
 constexpr int kLargestDegree = 10;
-constexpr const char* kLimit = "beyond which straight-line code is too long to be useful";
 constexpr const char* kTurnedVectors = "turned unit vectors (random, axes, half turns, tilts from 2^-99 to pi)";
 constexpr const char* kTurns = "rotations (random, axes, half turns, tilts from 2^-99 to pi)";
 
@@ -58,74 +57,95 @@ double size_of_value(std::span<const double> inputs, std::size_t /*output*/) {
 }  // namespace
 
 Family rotate_family() {
-  return {"rotate",
-          kLargestDegree,
-          kLargestDegree,
-          kLimit,
-          {{"zxz", recipes::rotate_zxz, 0, kLargestDegree},
-           {"dense", recipes::rotate_dense, 2, 8},
-           {"recursive", recipes::rotate_recursive, 2, 3}},
-          rotate_reference,
-          {kTurnedVectors, "|c|", "the nearest rotation matrix", rotate_inputs, length_of_coefficients<kMatrixSize>,
-           with_nearest_rotation}};
+  return {
+      .name = "rotate",
+      .largest_emitted = kLargestDegree,
+      .recipes = {{"zxz", recipes::rotate_zxz, 0, kLargestDegree},
+                  {"dense", recipes::rotate_dense, 2, 8},
+                  {"recursive", recipes::rotate_recursive, 2, 3}},
+      .reference = rotate_reference,
+      .domain = {.inputs = kTurnedVectors,
+                 .unit = "|c|",
+                 .nearest = "the nearest rotation matrix",
+                 .test_inputs = rotate_inputs,
+                 .size = length_of_coefficients<kMatrixSize>,
+                 .nearest_in_domain = with_nearest_rotation},
+      .batch = BatchDriver{.what = "Coefficients of rotated functions, by rotation matrices"},
+  };
 }
 
 Family rotate_quaternion_family() {
-  return {"rotate_quaternion",
-          kLargestDegree,
-          kLargestDegree,
-          kLimit,
-          {{"zxz", recipes::rotate_quaternion_zxz, 2, kLargestDegree},
-           {"polynomial", recipes::rotate_quaternion_polynomial, 0, 8}},
-          rotate_quaternion_reference,
-          {kTurnedVectors, "|c|", "the quaternion scaled to length 1", rotate_quaternion_inputs,
-           length_of_coefficients<4>, with_unit_start<4>}};
+  return {
+      .name = "rotate_quaternion",
+      .largest_emitted = kLargestDegree,
+      .recipes = {{"zxz", recipes::rotate_quaternion_zxz, 2, kLargestDegree},
+                  {"polynomial", recipes::rotate_quaternion_polynomial, 0, 8}},
+      .reference = rotate_quaternion_reference,
+      .domain = {.inputs = kTurnedVectors,
+                 .unit = "|c|",
+                 .nearest = "the quaternion scaled to length 1",
+                 .test_inputs = rotate_quaternion_inputs,
+                 .size = length_of_coefficients<4>,
+                 .nearest_in_domain = with_unit_start<4>},
+  };
 }
 
 Family rotate_z_family() {
   return {
-      "rotate_z",
-      kLargestDegree,
-      20,
-      kLimit,
-      {{"steps", recipes::rotate_z_steps}, {"products", recipes::rotate_z_products, 2}},
-      rotate_z_reference,
-      {"unit vectors turned about z (random angles, quarter turns, angles from 2^-99)", "|c|",
-       "cosine and sine scaled to the unit circle", rotate_z_inputs, length_of_coefficients<2>, with_unit_start<2>}};
+      .name = "rotate_z",
+      .recipes = {{"steps", recipes::rotate_z_steps}, {"products", recipes::rotate_z_products, 2}},
+      .reference = rotate_z_reference,
+      .domain = {.inputs = "unit vectors turned about z (random angles, quarter turns, angles from 2^-99)",
+                 .unit = "|c|",
+                 .nearest = "cosine and sine scaled to the unit circle",
+                 .test_inputs = rotate_z_inputs,
+                 .size = length_of_coefficients<2>,
+                 .nearest_in_domain = with_unit_start<2>},
+  };
 }
 
 Family rotate_build_family() {
   return {
-      "rotate_build",
-      kLargestDegree,
-      kLargestDegree,
-      kLimit,
-      {{"dense", recipes::rotate_build_dense, 0, kLargestDegree}, {"recursive", recipes::rotate_build_recursive, 2, 5}},
-      rotate_build_reference,
-      {kTurns, "1", "the nearest rotation matrix", rotate_build_inputs, one, with_nearest_rotation}};
+      .name = "rotate_build",
+      .largest_emitted = kLargestDegree,
+      .recipes = {{"dense", recipes::rotate_build_dense, 0, kLargestDegree},
+                  {"recursive", recipes::rotate_build_recursive, 2, 5}},
+      .reference = rotate_build_reference,
+      .domain = {.inputs = kTurns,
+                 .unit = "1",
+                 .nearest = "the nearest rotation matrix",
+                 .test_inputs = rotate_build_inputs,
+                 .size = one,
+                 .nearest_in_domain = with_nearest_rotation},
+  };
 }
 
 Family rotate_apply_family() {
-  return {"rotate_apply",
-          kLargestDegree,
-          kLargestDegree,
-          kLimit,
-          {{"rows", recipes::rotate_apply_rows, 0, kLargestDegree}},
-          rotate_apply_reference,
-          {"random unit vectors and matrices with rows of length 1", "|c|", "", rotate_apply_inputs, length_of_applied,
-           nullptr}};
+  return {
+      .name = "rotate_apply",
+      .largest_emitted = kLargestDegree,
+      .recipes = {{"rows", recipes::rotate_apply_rows, 0, kLargestDegree}},
+      .reference = rotate_apply_reference,
+      .domain = {.inputs = "random unit vectors and matrices with rows of length 1",
+                 .unit = "|c|",
+                 .test_inputs = rotate_apply_inputs,
+                 .size = length_of_applied},
+  };
 }
 
 Family rotate_evaluate_family() {
-  return {"rotate_evaluate",
-          kLargestDegree,
-          kLargestDegree,
-          kLimit,
-          {{"turned", recipes::rotate_evaluate_turned, 0, kLargestDegree}},
-          rotate_evaluate_reference,
-          {"turned unit vectors in random directions", "|c| (degree+1) / sqrt(4 pi)",
-           "the nearest rotation matrix and the direction scaled to length 1", rotate_evaluate_inputs, size_of_value,
-           with_nearest_rotation_and_direction}};
+  return {
+      .name = "rotate_evaluate",
+      .largest_emitted = kLargestDegree,
+      .recipes = {{"turned", recipes::rotate_evaluate_turned, 0, kLargestDegree}},
+      .reference = rotate_evaluate_reference,
+      .domain = {.inputs = "turned unit vectors in random directions",
+                 .unit = "|c| (degree+1) / sqrt(4 pi)",
+                 .nearest = "the nearest rotation matrix and the direction scaled to length 1",
+                 .test_inputs = rotate_evaluate_inputs,
+                 .size = size_of_value,
+                 .nearest_in_domain = with_nearest_rotation_and_direction},
+  };
 }
 
 }  // namespace sh::codegen

@@ -113,27 +113,29 @@ double size_after_one(std::span<const double> inputs, std::size_t output) { retu
 double size_after_two(std::span<const double> inputs, std::size_t output) { return std::abs(inputs[2 + output]); }
 
 Family lanczos_family(const std::string& name, int power) {
-  return {name,
-          10,
-          kLargest,
-          kLimit,
-          {{"recurrence", [power](int degree) { return recipes::window_lanczos(degree, power); }, 1}},
-          [power](int degree, int points) { return lanczos_reference(degree, points, power); },
-          {"coefficient vectors (random, of norm 1), cosines -1 to 1 and sincs 0 to 1", kUnit, "", sinc_inputs,
-           size_after_two, nullptr}};
+  return {
+      .name = name,
+      .recipes = {{"recurrence", [power](int degree) { return recipes::window_lanczos(degree, power); }, 1}},
+      .reference = [power](int degree, int points) { return lanczos_reference(degree, points, power); },
+      .domain = {.inputs = "coefficient vectors (random, of norm 1), cosines -1 to 1 and sincs 0 to 1",
+                 .unit = kUnit,
+                 .test_inputs = sinc_inputs,
+                 .size = size_after_two},
+  };
 }
 
 }  // namespace
 
 Family window_hann_family() {
-  return {"window_hann",
-          10,
-          kLargest,
-          kLimit,
-          {{"halves", recipes::window_hann, 1}, {"chebyshev", recipes::window_hann_chebyshev, 1}},
-          hann_reference,
-          {"coefficient vectors (random, of norm 1) and cosines -1 to 1", kUnit, "", cosine_inputs, size_after_one,
-           nullptr}};
+  return {
+      .name = "window_hann",
+      .recipes = {{"halves", recipes::window_hann, 1}, {"chebyshev", recipes::window_hann_chebyshev, 1}},
+      .reference = hann_reference,
+      .domain = {.inputs = "coefficient vectors (random, of norm 1) and cosines -1 to 1",
+                 .unit = kUnit,
+                 .test_inputs = cosine_inputs,
+                 .size = size_after_one},
+  };
 }
 
 Family window_lanczos_family() { return lanczos_family("window_lanczos", 1); }
@@ -142,24 +144,26 @@ Family window_lanczos4_family() { return lanczos_family("window_lanczos4", 4); }
 
 Family window_gaussian_family() {
   return {
-      "window_gaussian",
-      10,
-      kLargest,
-      kLimit,
-      {{"powers", recipes::window_gaussian, 1}},
-      gaussian_reference,
-      {"coefficient vectors (random, of norm 1) and g 0 to 1", kUnit, "", positive_inputs, size_after_one, nullptr}};
+      .name = "window_gaussian",
+      .recipes = {{"powers", recipes::window_gaussian, 1}},
+      .reference = gaussian_reference,
+      .domain = {.inputs = "coefficient vectors (random, of norm 1) and g 0 to 1",
+                 .unit = kUnit,
+                 .test_inputs = positive_inputs,
+                 .size = size_after_one},
+  };
 }
 
 Family window_laplacian_family() {
-  return {"window_laplacian",
-          10,
-          kLargest,
-          kLimit,
-          {{"quotients", recipes::window_laplacian, 1}},
-          laplacian_reference,
-          {"coefficient vectors (random, of norm 1) and lambda 0 to 1", kUnit, "", positive_inputs, size_after_one,
-           nullptr}};
+  return {
+      .name = "window_laplacian",
+      .recipes = {{"quotients", recipes::window_laplacian, 1}},
+      .reference = laplacian_reference,
+      .domain = {.inputs = "coefficient vectors (random, of norm 1) and lambda 0 to 1",
+                 .unit = kUnit,
+                 .test_inputs = positive_inputs,
+                 .size = size_after_one},
+  };
 }
 
 }  // namespace sh::codegen

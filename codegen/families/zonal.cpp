@@ -123,39 +123,34 @@ Domain cap_light_domain(bool rgb) {
   return domain;
 }
 
-constexpr const char* kLimit = "beyond which straight-line code is too long to be useful";
-
 }  // namespace
 
 Family zonal_family() {
-  return {"zonal",
-          10,
-          20,
-          kLimit,
-          {{"columns", recipes::zonal_columns}, {"recurrence", recipes::zonal_recurrence}},
-          zonal_reference,
-          {"directions (random, axes, poles, near poles) with random zonal functions of norm 1", "|zonal[l]|",
-           "the direction scaled to length 1", zonal_inputs, zonal_size, zonal_nearest}};
+  return {
+      .name = "zonal",
+      .recipes = {{"columns", recipes::zonal_columns}, {"recurrence", recipes::zonal_recurrence}},
+      .reference = zonal_reference,
+      .domain = {.inputs = "directions (random, axes, poles, near poles) with random zonal functions of norm 1",
+                 .unit = "|zonal[l]|",
+                 .nearest = "the direction scaled to length 1",
+                 .test_inputs = zonal_inputs,
+                 .size = zonal_size,
+                 .nearest_in_domain = zonal_nearest},
+  };
 }
 
 Family add_cap_family() {
-  return {"add_cap",
-          10,
-          20,
-          kLimit,
-          {{"columns", recipes::add_cap}},
-          [](int degree, int count) { return cap_reference(degree, count, 1); },
-          cap_light_domain(false)};
+  return {.name = "add_cap",
+          .recipes = {{"columns", recipes::add_cap}},
+          .reference = [](int degree, int count) { return cap_reference(degree, count, 1); },
+          .domain = cap_light_domain(false)};
 }
 
 Family add_cap_rgb_family() {
-  return {"add_cap_rgb",
-          10,
-          20,
-          kLimit,
-          {{"columns", recipes::add_cap_rgb}},
-          [](int degree, int count) { return cap_reference(degree, count, 3); },
-          cap_light_domain(true)};
+  return {.name = "add_cap_rgb",
+          .recipes = {{"columns", recipes::add_cap_rgb}},
+          .reference = [](int degree, int count) { return cap_reference(degree, count, 3); },
+          .domain = cap_light_domain(true)};
 }
 
 }  // namespace sh::codegen

@@ -49,19 +49,19 @@ std::string plan_row(const Driver& driver, std::size_t i) {
                     (driver.spec.half ? "half_or_none<" + degree + ", T>()" : "nullptr");
   if (driver.prepares() && kernel.degree <= kLargestPrepared) {
     const RecordSignature once = signature_of((*driver.prepare)[i].kernel);
-    row += ", detail::prepare_" + driver.spec.name + ", " + std::to_string(once.out_size) + ", kernel_prepared<" +
-           degree + ", T>";
+    row += ", detail::prepare_" + driver.name + ", " + std::to_string(once.out_size) + ", kernel_prepared<" + degree +
+           ", T>";
   } else {
     row += ", nullptr, 0, nullptr";
   }
-  row += by_parts ? ", detail::finish_" + driver.spec.name : ", nullptr";
+  row += by_parts ? ", detail::finish_" + driver.name : ", nullptr";
   return row + "},\n";
 }
 
 std::string driver_file(const Driver& driver) {
   std::ostringstream text;
-  text << "// sh::batch::" << driver.spec.name << " on the instruction set SH_BATCH_ISA.\n//\n" << kStamp;
-  text << "#include \"generated/cpp/" << driver.spec.name << ".hpp\"\n";
+  text << "// sh::batch::" << driver.name << " on the instruction set SH_BATCH_ISA.\n//\n" << kStamp;
+  text << "#include \"generated/cpp/" << driver.name << ".hpp\"\n";
   for (const auto* further : {driver.prepared, driver.parts}) {
     if (further != nullptr) text << "#include \"generated/cpp/" << further->back().kernel.family << ".hpp\"\n";
   }
@@ -81,7 +81,7 @@ std::string driver_file(const Driver& driver) {
   for (std::size_t i = 0; i < driver.kernels.size(); ++i) text << plan_row(driver, i);
   text << "  };\n  Driver<T>(call, kPlans[call.degree]).run();\n}\n\n}  // namespace\n\n";
   for (const char* scalar : kScalars) {
-    text << "void " << driver.spec.name << "(const detail::Call<" << scalar << ">& call) { run(call); }\n";
+    text << "void " << driver.name << "(const detail::Call<" << scalar << ">& call) { run(call); }\n";
   }
   text << "\n}  // namespace sh::batch::SH_BATCH_ISA\n";
   return text.str();
@@ -131,11 +131,11 @@ std::string header_file(const std::vector<Driver>& drivers) {
     text << ' ' << s.out << " (" << size_text(s.out_size, kernel.degree) << ").\n/// Domain: " << kernel.domain
          << ".\n";
     if (driver.further > 0) {
-      text << "/// Single calls go on to degree " << driver.further << ": sh::" << driver.spec.name << "<"
-           << driver.further << ">.\n";
+      text << "/// Single calls go on to degree " << driver.further << ": sh::" << driver.name << "<" << driver.further
+           << ">.\n";
     }
     for (const auto& [scalar, first] : overloads(driver)) {
-      text << "void " << driver.spec.name << '(' << public_signature(driver, scalar, first) << ");\n";
+      text << "void " << driver.name << '(' << public_signature(driver, scalar, first) << ");\n";
     }
   }
   text << kOneHeader << "\n}  // namespace sh::batch\n";
@@ -151,7 +151,7 @@ std::string choice_file(const std::vector<Driver>& drivers) {
     declarations += std::string("namespace ") + isa + " {\n";
     for (const Driver& driver : drivers) {
       for (const char* scalar : kScalars) {
-        declarations += "void " + driver.spec.name + "(const detail::Call<" + scalar + ">& call);\n";
+        declarations += "void " + driver.name + "(const detail::Call<" + scalar + ">& call);\n";
       }
     }
     declarations += std::string(kOneDeclarations) + "}  // namespace " + isa + "\n";
@@ -164,16 +164,16 @@ std::string choice_file(const std::vector<Driver>& drivers) {
     const RecordSignature s = signature_of(kernel);
     for (const auto& [scalar, first] : overloads(driver)) {
       const bool half = first == "Half";
-      text << "\nvoid " << driver.spec.name << '(' << public_signature(driver, scalar, first)
+      text << "\nvoid " << driver.name << '(' << public_signature(driver, scalar, first)
            << ") {\n  using T = " << scalar << ";\n  detail::Call<T> call{degree, n, {";
       for (std::size_t j = 0; j < s.inputs.size(); ++j) {
         const std::string& name = s.inputs[j].name;
         text << (j == 0 ? "" : ", ") << (half && j == 0 ? "{nullptr, " + name + ".layout}" : name);
       }
       text << "}, " << (s.sums ? "plain(" + s.out + ")" : s.out) << (half ? ", " + s.inputs[0].name + ".data" : "")
-           << "};\n  check(\"" << driver.spec.name << "\", call, " << s.inputs.size() << ", " << kernel.degree << ", "
+           << "};\n  check(\"" << driver.name << "\", call, " << s.inputs.size() << ", " << kernel.degree << ", "
            << (s.sums ? "{0, 0}" : size_in_code(s.out_size, kernel.degree)) << ");\n"
-           << "  SH_BATCH_CHOOSE(" << driver.spec.name << ")(call);\n}\n";
+           << "  SH_BATCH_CHOOSE(" << driver.name << ")(call);\n}\n";
     }
   }
   text << kOneChoice << "\n}  // namespace sh::batch\n";
@@ -205,9 +205,9 @@ std::string once_file(const std::vector<Driver>& drivers) {
   };
   for (const Driver& driver : drivers) {
     if (driver.prepares()) {
-      for (const char* scalar : kScalars) add("prepare_" + driver.spec.name, scalar, *driver.prepare);
+      for (const char* scalar : kScalars) add("prepare_" + driver.name, scalar, *driver.prepare);
     }
-    if (driver.adds_parts()) add("finish_" + driver.spec.name, "double", *driver.finish);
+    if (driver.adds_parts()) add("finish_" + driver.name, "double", *driver.finish);
   }
   return std::string(
              "// What drivers compute once a call, whatever the instruction set: from a shared input, or of a "
@@ -248,12 +248,12 @@ std::string call_file(const std::vector<Driver>& drivers) {
   for (const Driver& driver : drivers) {
     if (driver.prepares()) {
       for (const std::string scalar : kScalars) {
-        once.append("void prepare_" + driver.spec.name + "(int degree, const ").append(scalar);
+        once.append("void prepare_" + driver.name + "(int degree, const ").append(scalar);
         once.append("* in, ").append(scalar).append("* out);\n");
       }
     }
     if (driver.adds_parts()) {
-      once += "void finish_" + driver.spec.name + "(int degree, const double* in, double* out);\n";
+      once += "void finish_" + driver.name + "(int degree, const double* in, double* out);\n";
     }
   }
   text << "// What the drivers of sh::batch share, whatever the instruction set.\n//\n"
@@ -292,14 +292,14 @@ using Once = void (*)(int degree, const T* in, T* out);
 
 }  // namespace
 
-std::map<std::string, std::string> batch_files(const WrittenFamilies& families) {
+std::map<std::string, std::string> batch_files(const std::vector<WrittenFamily>& families) {
   const std::vector<Driver> drivers = drivers_of(families);
   std::map<std::string, std::string> files{
       {"batch/batch.hpp", header_file(drivers)}, {"batch/once.cpp", once_file(drivers)},
       {"batch/batch.cpp", choice_file(drivers)}, {"batch/call.hpp", call_file(drivers)},
       {"batch/lanes.hpp", kBatchLanes},          {"batch/layout.hpp", kBatchLayout},
       {"batch/drive.hpp", kBatchDrive}};
-  for (const Driver& driver : drivers) files["batch/" + driver.spec.name + ".cpp"] = driver_file(driver);
+  for (const Driver& driver : drivers) files["batch/" + driver.name + ".cpp"] = driver_file(driver);
   files.merge(one_files());
   return files;
 }

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,12 +14,15 @@
 
 namespace sh::codegen::print {
 
-/// Kernels of the written families by family name, in order of degree.
-using WrittenFamilies = std::map<std::string, std::vector<FinishedKernel>>;
+/// What is written of a family: its kernels in order of degree.
+struct WrittenFamily {
+  std::string name;
+  std::optional<BatchDriver> batch;
+  std::vector<FinishedKernel> kernels;
+};
 
-/// Relative path -> text of every file under generated/batch/: a driver for each family listed in batch.cpp that is
-/// written.
-std::map<std::string, std::string> batch_files(const WrittenFamilies& families);
+/// Relative path -> text of every file under generated/batch/: a driver for each of the families that asks for one.
+std::map<std::string, std::string> batch_files(const std::vector<WrittenFamily>& families);
 
 /// Fixed texts: the registers that kernels compute with, layouts and copies, the loop over chunks of records.
 extern const char* const kBatchLanes;

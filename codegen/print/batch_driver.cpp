@@ -3,24 +3,6 @@
 #include <algorithm>
 
 namespace sh::codegen::print {
-namespace {
-
-const std::vector<DriverSpec>& specs() {
-  static const std::vector<DriverSpec> kSpecs{
-      {"basis", "Values of the real spherical harmonics", "", "", "", ""},
-      {"basis_gradient", "Values and Cartesian gradient of the solid harmonics: values, d/dx, d/dy, d/dz", "", "", "",
-       ""},
-      {"evaluate", "Functions given by coefficients, at directions", "evaluate_prepare", "evaluate_prepared", "", "",
-       true},
-      {"evaluate_rgb", "Colours given by coefficients, channel by channel, at directions", "", "", "", "", true},
-      {"project", "Adds weight * Y of every direction to the sum", "", "", "project_moments", "project_finish"},
-      {"rotate", "Coefficients of rotated functions, by rotation matrices", "", "", "", ""},
-      {"product", "Products of two functions, projected on the same bands", "", "", "", "", false, 6}};
-  return kSpecs;
-}
-
-}  // namespace
-
 RecordSignature signature_of(const Kernel& kernel) {
   RecordSignature s;
   for (const Parameter& p : kernel.parameters) {
@@ -56,22 +38,29 @@ std::string call_of(const Kernel& kernel) {
   return count + call + ");";
 }
 
-std::vector<Driver> drivers_of(const WrittenFamilies& families) {
-  const auto find = [&](const std::string& name) {
-    const auto found = families.find(name);
-    return found == families.end() ? nullptr : &found->second;
+std::vector<Driver> drivers_of(const std::vector<WrittenFamily>& families) {
+  const auto find = [&](const std::string& name) -> const std::vector<FinishedKernel>* {
+    const auto found =
+        std::find_if(families.begin(), families.end(), [&](const WrittenFamily& f) { return f.name == name; });
+    return found == families.end() ? nullptr : &found->kernels;
   };
   std::vector<Driver> drivers;
-  for (const DriverSpec& spec : specs()) {
-    if (const auto* kernels = find(spec.name)) {
-      const auto served = std::count_if(kernels->begin(), kernels->end(), [&](const FinishedKernel& finished) {
-        return finished.kernel.degree <= spec.largest;
-      });
-      const std::span<const FinishedKernel> used = std::span(*kernels).first(static_cast<std::size_t>(served));
-      const int further = used.size() < kernels->size() ? kernels->back().kernel.degree : 0;
-      drivers.push_back(
-          {spec, used, further, find(spec.prepare), find(spec.prepared), find(spec.parts), find(spec.finish)});
-    }
+  for (const auto& [name, spec, kernels] : families) {
+    if (!spec) continue;
+    const int largest = spec->largest;
+    const auto served = std::count_if(kernels.begin(), kernels.end(), [largest](const FinishedKernel& finished) {
+      return finished.kernel.degree <= largest;
+    });
+    const std::span<const FinishedKernel> used = std::span(kernels).first(static_cast<std::size_t>(served));
+    const int further = used.size() < kernels.size() ? kernels.back().kernel.degree : 0;
+    drivers.push_back({.name = name,
+                       .spec = *spec,
+                       .kernels = used,
+                       .further = further,
+                       .prepare = find(spec->prepare),
+                       .prepared = find(spec->prepared),
+                       .parts = find(spec->parts),
+                       .finish = find(spec->finish)});
   }
   return drivers;
 }

@@ -16,18 +16,6 @@ namespace sh::codegen::print {
 inline constexpr int kLargestByParts = 5;
 inline constexpr int kLargestPrepared = 6;  // errors of the polynomial grow
 
-// What a driver is made from.
-struct DriverSpec {
-  std::string name;      // of the driver and of the family whose kernels it runs
-  std::string what;      // one line
-  std::string prepare;   // family computed once from input 0 where that is shared, to degree kLargestPrepared; or empty
-  std::string prepared;  // the family that takes its result, of the same size, in place of input 0
-  std::string parts;     // for a sum: the family that adds up something faster, to degree kLargestByParts
-  std::string finish;    // the family that makes the sum of it
-  bool half = false;     // input 0 may be half precision
-  int largest = 10;      // degree; beyond, a driver is not worth the time it takes to compile
-};
-
 // A record that a driver takes, and how the kernel's arguments lie in it.
 struct Record {
   std::string name;
@@ -50,7 +38,8 @@ RecordSignature signature_of(const Kernel& kernel);
 std::string call_of(const Kernel& kernel);
 
 struct Driver {
-  DriverSpec spec;
+  std::string name;  // of the driver and of the family whose kernels it runs
+  BatchDriver spec;
   std::span<const FinishedKernel> kernels;  // to the largest degree of the driver
   int further = 0;                          // the largest degree of the family where the driver ends before it
   const std::vector<FinishedKernel>* prepare = nullptr;
@@ -62,7 +51,7 @@ struct Driver {
   [[nodiscard]] const Kernel& last() const { return kernels.back().kernel; }
 };
 
-/// A driver for each of the listed families that is written.
-std::vector<Driver> drivers_of(const WrittenFamilies& families);
+/// A driver for each of the families that asks for one.
+std::vector<Driver> drivers_of(const std::vector<WrittenFamily>& families);
 
 }  // namespace sh::codegen::print

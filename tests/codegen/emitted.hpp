@@ -15,6 +15,9 @@ std::vector<int> some_degrees(const Family& family);
 /// What `shgen emit FAMILY --degree N` prints, for every family at some_degrees. Takes long, but only once a process.
 const std::vector<FinishedKernel>& emitted_kernels();
 
+/// Expects that the file of each kernel compiles alone in the language. Defined in language_test.cpp.
+void expect_files_compile_alone(const std::string& language, const std::vector<FinishedKernel>& kernels);
+
 /// What a function of any language takes and gives for the kernel; flat inputs and outputs are the kernel's own.
 numeric::Signature signature_of(const Kernel& kernel);
 

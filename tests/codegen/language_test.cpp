@@ -59,10 +59,12 @@ void write_unit(const std::filesystem::path& folder, const Language& language, c
   test::write_file(folder / (name + toolchain.suffix), unit);
 }
 
-void expect_every_file_compiles_alone(const std::string& name) {
+}  // namespace
+
+void test::expect_files_compile_alone(const std::string& name, const std::vector<FinishedKernel>& kernels) {
   const Language& language = find_language(name);
-  const test::TemporaryFolder folder;
-  for (const FinishedKernel& finished : test::emitted_kernels()) {
+  const TemporaryFolder folder;
+  for (const FinishedKernel& finished : kernels) {
     write_unit(folder.path(), language, finished, Scalar::kFloat);
     // A C++ header serves both; GLSL ES has no double.
     if (name != "cpp" && name != "glsl-es") write_unit(folder.path(), language, finished, Scalar::kDouble);
@@ -72,6 +74,12 @@ void expect_every_file_compiles_alone(const std::string& name) {
     constexpr std::size_t kMostPrinted = 4000;
     EXPECT_EQ(result.exit_code, 0) << command << '\n' << (result.out + result.err).substr(0, kMostPrinted);
   }
+}
+
+namespace {
+
+void expect_every_file_compiles_alone(const std::string& name) {
+  test::expect_files_compile_alone(name, test::emitted_kernels());
 }
 
 TEST(EmittedFiles, OfEveryFamilyCompileAloneAsCpp) { expect_every_file_compiles_alone("cpp"); }

@@ -1,0 +1,170 @@
+// A family that only this file knows: a function's value in a direction, dimmed by a weight. Registered here, it is
+// emitted in every language, masked, put in another convention, checked and driven in batches, by its roles alone.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "codegen/choose/masked_kernel.hpp"
+#include "codegen/convention/in_convention.hpp"
+#include "codegen/ir/evaluate.hpp"
+#include "codegen/measure/directions.hpp"
+#include "codegen/measure/domains.hpp"
+#include "codegen/output/output_tree.hpp"
+#include "codegen/recipes/basis/basis.hpp"
+#include "codegen/recipes/splice.hpp"
+#include "symbolic/basis/basis.hpp"
+#include "symbolic/convention/presets.hpp"
+#include "tests/codegen/emitted.hpp"
+#include "tests/codegen/support.hpp"
+
+namespace sh::codegen {
+namespace {
+
+constexpr int kDegree = 2;
+
+int bands_squared(int degree) { return (degree + 1) * (degree + 1); }
+
+Kernel dimmed_sum(int degree, int sign) {
+  Kernel kernel;
+  const int count = bands_squared(degree);
+  kernel.title = "The dimmed value of a function of degree 0 to " + std::to_string(degree);
+  kernel.domain = "|d| = 1 for d = (x, y, z)";
+  kernel.result = "weight times the sum of c_lm Y_lm(d)";
+  kernel.citation = "none";
+  kernel.parameters =
+      with_direction({array(Role::kEvaluatedCoefficients, "c", degree)}, {parameter(Role::kWeight, "weight")});
+  kernel.results = {parameter(Role::kValue, "value")};
+  Builder build(kernel);
+  std::vector<NodeId> c;
+  for (int i = 0; i < count; ++i) c.push_back(build.input(i, ""));
+  std::vector<NodeId> direction;
+  for (int axis = 0; axis < 3; ++axis) direction.push_back(build.input(count + axis, ""));
+  const std::vector<NodeId> basis = recipes::splice(build, recipes::basis_recurrence(degree), direction);
+  NodeId sum = build.mul(c[0], basis[0]);
+  for (std::size_t i = 1; i < c.size(); ++i) {
+    const NodeId term = build.mul(c[i], basis[i]);
+    sum = sign > 0 ? build.add(sum, term) : build.sub(sum, term);
+  }
+  kernel.outputs = {{build.mul(build.input(count + 3, ""), sum), ""}};
+  return kernel;
+}
+
+Reference dimmed_reference(int degree, int points) {
+  Reference reference;
+  const auto directions = rational_directions(points);
+  const auto vectors = rational_vectors(points, bands_squared(degree) + 1, 7);
+  for (std::size_t k = 0; k < directions.size(); ++k) {
+    const std::vector<cln::cl_RA> d(directions[k].begin(), directions[k].end());
+    cln::cl_F sum = cln::cl_float(0, cln::float_format(kCheckDigits));
+    for (int i = 0; i < bands_squared(degree); ++i) {
+      const auto [l, m] = symbolic::degree_order(i);
+      const symbolic::BasisFunction f = symbolic::basis_function(l, m);
+      const cln::cl_RA rational = vectors[k].back() * vectors[k][static_cast<std::size_t>(i)];
+      sum = sum + (symbolic::Surd(rational * f.homogeneous.evaluate(d)) * f.factor).evaluate(kCheckDigits + 10);
+    }
+    std::vector<cln::cl_RA> inputs(vectors[k].begin(), vectors[k].end() - 1);
+    inputs.insert(inputs.end(), d.begin(), d.end());
+    inputs.push_back(vectors[k].back());
+    reference.push_back({std::move(inputs), {sum}});
+  }
+  return reference;
+}
+
+// Coefficients of norm 1, a direction, a weight of 1/2.
+std::vector<std::vector<double>> dimmed_inputs(int degree) {
+  const auto directions = some_test_directions(50);
+  auto inputs = unit_vectors(static_cast<int>(directions.size()), bands_squared(degree), 8);
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    inputs[i].insert(inputs[i].end(), directions[i].begin(), directions[i].end());
+    inputs[i].push_back(0.5);
+  }
+  return inputs;
+}
+
+Family dimmed_family(int sign = 1) {
+  return {.name = "dimmed",
+          .largest_written = kDegree,
+          .recipes = {{"sum", [sign](int degree) { return dimmed_sum(degree, sign); }}},
+          .reference = dimmed_reference,
+          .domain = {.inputs = "coefficient vectors with directions",
+                     .unit = "|c| / 2",
+                     .test_inputs = dimmed_inputs,
+                     .size = [](std::span<const double> /*inputs*/, std::size_t /*element*/) { return 0.5; }},
+          .batch = BatchDriver{.what = "Dimmed values of functions"}};
+}
+
+std::vector<Family> registered() { return {dimmed_family()}; }
+
+FinishedKernel dimmed() { return preferred_kernel(find_family("dimmed", registered()), kDegree, Prefer::kSpeed); }
+
+std::vector<cln::cl_F> exact(const std::vector<double>& values) {
+  std::vector<cln::cl_F> result;
+  for (const double value : values) result.push_back(cln::cl_float(value, cln::float_format(50)));
+  return result;
+}
+
+double difference(const cln::cl_F& a, const cln::cl_F& b) { return std::abs(cln::double_approx(a - b)); }
+
+TEST(ToyFamily, IsCheckedAgainstItsExactReferenceAndMeasured) {
+  const FinishedKernel finished = dimmed();
+  EXPECT_GT(finished.in_float.rounding.eps, 0);
+  EXPECT_LT(finished.in_float.rounding.eps, 8);
+  const Family wrong = dimmed_family(-1);
+  EXPECT_THROW(finish_kernel(wrong, wrong.recipes[0], kDegree), std::runtime_error);
+}
+
+TEST(ToyFamily, CompilesInEveryLanguage) {
+  for (const Language& language : languages()) test::expect_files_compile_alone(language.name, {dimmed()});
+}
+
+TEST(ToyFamily, IsMasked) {
+  MaskOptions zonal;
+  zonal.left = "zonal";
+  const FinishedKernel masked = masked_kernel(dimmed_family(), kDegree, Prefer::kSpeed, zonal);
+  EXPECT_LT(masked.cost.operations(), dimmed().cost.operations());
+  EXPECT_NE(masked.kernel.domain.find("of c only entries 0, 2, 6"), std::string::npos) << masked.kernel.domain;
+}
+
+TEST(ToyFamily, HasTheSameValueInAnotherConvention) {
+  const symbolic::Convention ambix = symbolic::find_preset("ambix").convention;
+  const FinishedKernel own = dimmed();
+  const FinishedKernel theirs = in_convention(own, dimmed_reference(kDegree, kReferencePoints), {"ambix", "x,z,-y"});
+  for (const std::vector<double>& input : dimmed_inputs(kDegree)) {
+    const std::vector<cln::cl_F> ours = exact(input);
+    std::vector<cln::cl_F> stored = ours;
+    for (int i = 0; i < bands_squared(kDegree); ++i) {
+      const auto [l, m] = symbolic::degree_order(i);
+      const symbolic::Surd scale = convention_factor(symbolic::Convention{}, l, m) / convention_factor(ambix, l, m);
+      stored[static_cast<std::size_t>(storage_position(ambix.order, kDegree, l, m))] =
+          ours[static_cast<std::size_t>(i)] * scale.evaluate(50);
+    }
+    // (x, z, -y) of the caller's direction is ours.
+    stored[9] = ours[9];
+    stored[10] = -ours[11];
+    stored[11] = ours[10];
+    const cln::cl_F expected = Evaluator<cln::cl_F>(own.kernel, 50)(ours)[0];
+    EXPECT_LT(difference(Evaluator<cln::cl_F>(theirs.kernel, 50)(stored)[0], expected), 1e-40);
+  }
+}
+
+TEST(ToyFamily, IsWrittenWithABatchDriver) {
+  const RenderedFiles files = render_all([](const std::string& /*kernel*/) {}, registered());
+  for (const char* name : {"cpp/dimmed.hpp", "cpp/dimmed_l0.hpp", "cpp/dimmed_l2.hpp", "glsl/dimmed_l2.glsl"}) {
+    EXPECT_EQ(files.count(name), 1U) << name;
+  }
+  EXPECT_NE(files.at("MANIFEST").find("dimmed_l2 "), std::string::npos);
+  EXPECT_NE(files.at("batch/batch.hpp").find("Records<const float> directions, Records<const float> weight"),
+            std::string::npos);
+  const test::TemporaryFolder folder;
+  make_folder(folder.path() / "generated");
+  write_tree(folder.path() / "generated", files);
+  const auto compiled = test::run_command("cd " + test::quoted(folder.path()) +
+                                          " && g++ -std=c++17 -fsyntax-only -Wall -Wextra -Werror -I. "
+                                          "-DSH_BATCH_ISA=baseline generated/batch/dimmed.cpp");
+  EXPECT_EQ(compiled.exit_code, 0) << compiled.err;
+}
+
+}  // namespace
+}  // namespace sh::codegen
