@@ -1,63 +1,54 @@
 #include "symbolic/basis/basis.hpp"
 
-#include <cln/integer.h>
-
 #include <cstdlib>
+#include <map>
 #include <stdexcept>
 #include <string>
 
 #include "symbolic/basis/normalisation.hpp"
-#include "symbolic/number/sphere_integral.hpp"
+#include "symbolic/number/from_ginac.hpp"
+#include "symbolic/number/polynomial_calculus.hpp"
+#include "symbolic/number/remembered.hpp"
 
 namespace sh::symbolic {
 namespace {
 
-cln::cl_I factorial(int n) { return cln::factorial(static_cast<unsigned>(n)); }
-cln::cl_I binomial(int n, int k) { return cln::binomial(static_cast<unsigned>(n), static_cast<unsigned>(k)); }
+using GiNaC::ex;
 
-// q(z) = d^a P_l / dz^a = 2^-l sum_k (-1)^k C(l,k) C(2l-2k,l) (l-2k)!/(l-2k-a)! z^(l-2k-a)
-Polynomial axial_part(int l, int a) {
-  Polynomial q;
-  for (int k = 0; l - 2 * k - a >= 0; ++k) {
-    const int power = l - 2 * k - a;
-    const cln::cl_I term =
-        binomial(l, k) * binomial(2 * l - 2 * k, l) * cln::exquo(factorial(l - 2 * k), factorial(power));
-    q.add_term({0, 0, power}, (k % 2 == 0 ? term : -term) / cln::ash(cln::cl_I(1), l));
-  }
-  return q;
+const std::vector<GiNaC::symbol>& coordinates() {
+  static const std::vector<GiNaC::symbol> xyz{GiNaC::symbol("x"), GiNaC::symbol("y"), GiNaC::symbol("z")};
+  return xyz;
 }
 
-// Re and Im of (x + iy)^a by c' = x c - y s, s' = x s + y c.
+// d^a P_l / dz^a for a = 0..l
+const std::vector<Polynomial>& axial_parts(int l) {
+  static std::map<int, std::vector<Polynomial>> known;
+  return remembered(known, l, [l] {
+    std::vector<Polynomial> parts{legendre_polynomial(l, 2)};
+    while (static_cast<int>(parts.size()) <= l) parts.push_back(parts.back().derivative(2));
+    return parts;
+  });
+}
+
+// Re or Im of (x + iy)^a
 Polynomial azimuthal_part(int order) {
-  const Polynomial x = Polynomial::variable(0);
-  const Polynomial y = Polynomial::variable(1);
-  Polynomial c(1);
-  Polynomial s;
-  for (int i = 0; i < std::abs(order); ++i) {
-    Polynomial next_c = x * c - y * s;
-    s = x * s + y * c;
-    c = std::move(next_c);
-  }
-  return order < 0 ? s : c;
+  const ex power = GiNaC::pow(coordinates()[0] + GiNaC::I * coordinates()[1], std::abs(order));
+  ComplexPolynomial parts = complex_from_ginac(power, coordinates());
+  return order < 0 ? parts.im : parts.re;
 }
 
-// (l-a+1) S_(l+1) = (2l+1) z S_l - (l+a) r^2 S_(l-1), from S_a = (2a-1)!! Re or Im (x+iy)^a and S_(a-1) = 0.
-Polynomial solid_harmonic(int degree, int a, const Polynomial& azimuthal) {
-  const Polynomial z = Polynomial::variable(2);
-  const Polynomial r2 = Polynomial::variable(0).power(2) + Polynomial::variable(1).power(2) + z.power(2);
-  const cln::cl_RA start = a == 0 ? cln::cl_I(1) : cln::doublefactorial(static_cast<unsigned>(2 * a - 1));
-  Polynomial below;
-  Polynomial current = start * azimuthal;
-  for (int l = a; l < degree; ++l) {
-    const Polynomial above = cln::cl_RA(2 * l + 1) * (z * current) - cln::cl_RA(l + a) * (r2 * below);
-    below = std::move(current);
-    current = cln::cl_RA(1) / (l - a + 1) * above;
+// Each z^k of q gains (x^2+y^2+z^2)^((l-a-k)/2); k and l-a have the same parity.
+Polynomial homogeneous_form(const BasisFunction& f) {
+  const std::vector<ex> xyz(coordinates().begin(), coordinates().end());
+  const ex r2 = GiNaC::pow(xyz[0], 2) + GiNaC::pow(xyz[1], 2) + GiNaC::pow(xyz[2], 2);
+  const int missing = f.degree - std::abs(f.order);
+  ex sum = 0;
+  for (const auto& [monomial, coefficient] : f.axial.terms()) {
+    const int k = monomial.exponent(2);
+    sum += GiNaC::numeric(coefficient) * GiNaC::pow(xyz[2], k) * GiNaC::pow(r2, (missing - k) / 2);
   }
-  return current;
+  return from_ginac(sum.expand() * to_ginac(f.azimuthal, xyz), coordinates());
 }
-
-// 1 / sqrt(integral of the square) = 1 / sqrt(4 pi mean)
-Surd normalising_factor(const Polynomial& p) { return Surd::square_root(1 / (4 * sphere_mean(p * p)), -1); }
 
 }  // namespace
 
@@ -79,19 +70,25 @@ void require_basis_index(int degree, int order) {
   }
 }
 
-BasisFunction basis_function(int degree, int order) {
-  require_basis_index(degree, order);
-  const int a = std::abs(order);
-  BasisFunction f{degree, order, {}, axial_part(degree, a), azimuthal_part(order), {}};
-  f.homogeneous = solid_harmonic(degree, a, f.azimuthal);
-  f.factor = normalising_factor(f.homogeneous);
-  return f;
-}
-
 BasisFunction reduced_basis_function(int degree, int order) {
   require_basis_index(degree, order);
-  return {degree, order, orthonormal_factor(degree, order), axial_part(degree, std::abs(order)), azimuthal_part(order),
+  static std::map<int, Polynomial> azimuthal;
+  return {degree,
+          order,
+          orthonormal_factor(degree, order),
+          axial_parts(degree)[static_cast<std::size_t>(std::abs(order))],
+          remembered(azimuthal, order, [order] { return azimuthal_part(order); }),
           {}};
+}
+
+const BasisFunction& basis_function(int degree, int order) {
+  static std::map<int, BasisFunction> known;
+  require_basis_index(degree, order);
+  return remembered(known, coefficient_index(degree, order), [&] {
+    BasisFunction f = reduced_basis_function(degree, order);
+    f.homogeneous = homogeneous_form(f);
+    return f;
+  });
 }
 
 }  // namespace sh::symbolic

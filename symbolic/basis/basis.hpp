@@ -1,4 +1,4 @@
-// Real spherical harmonics in Cartesian form, exact, of any degree up to 50: own sparse polynomials.
+// Real spherical harmonics in Cartesian form, exact, of any degree up to 50.
 //
 // Convention: orthonormal on the unit sphere, no Condon-Shortley phase, z is the polar axis, index l(l+1)+m. With
 // a = |m| and q(z) = d^a P_l / dz^a, where P_l is the Legendre polynomial,
@@ -6,9 +6,9 @@
 // That is the reduced form, equal to Y_lm on the unit sphere. In the homogeneous form every term has degree l (missing
 // powers of x^2+y^2+z^2 = 1 are put back), which is the solid harmonic r^l Y_lm everywhere.
 //
-// Route: q by its explicit binomial sum [AbramowitzStegun64] 22.3.8, the homogeneous form by the
-// solid-harmonic recurrence in l, the factor by exact integration of the square.
-// symbolic/basis/basis_ginac.hpp derives the same objects by another route; the two agree term by term.
+// Definition, by GiNaC (basis.cpp): Rodrigues' formula, its derivatives, expanded binomials, the factor in closed form.
+// Second derivation, over CLN rationals (basis_recurrence.cpp): binomial sums, the solid-harmonic recurrence, the factor
+// by exact integration. Both agree term by term (proof basis-derivations).
 #pragma once
 
 #include "symbolic/number/polynomial.hpp"
@@ -39,11 +39,14 @@ struct BasisFunction {
 /// Throws std::invalid_argument unless 0 <= degree <= kMaxBasisDegree and |order| <= degree.
 void require_basis_index(int degree, int order);
 
-/// Y_lm by the route stated above; throws as require_basis_index does.
-BasisFunction basis_function(int degree, int order);
+/// Y_lm by its definition in GiNaC, derived once; throws as require_basis_index does.
+const BasisFunction& basis_function(int degree, int order);
 
-/// The reduced form alone, with the factor in closed form (symbolic/basis/normalisation.hpp) and `homogeneous` empty: quick
-/// at degree 50, where the homogeneous forms have hundreds of terms. Throws as require_basis_index does.
+/// The reduced form alone, `homogeneous` is empty: quick at degree 50, where the homogeneous forms have hundreds of
+/// terms. Throws as require_basis_index does.
 BasisFunction reduced_basis_function(int degree, int order);
+
+/// Y_lm by the second derivation; throws as require_basis_index does.
+BasisFunction basis_function_by_recurrence(int degree, int order);
 
 }  // namespace sh::symbolic

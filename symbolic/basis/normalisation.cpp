@@ -4,6 +4,8 @@
 
 #include <cstdlib>
 
+#include "symbolic/number/remembered.hpp"
+
 namespace sh::symbolic {
 
 cln::cl_RA squared_factor(int degree, int order) {
@@ -13,7 +15,11 @@ cln::cl_RA squared_factor(int degree, int order) {
   return (order == 0 ? 1 : 2) * (2 * degree + 1) * (below / cln::cl_RA(above));
 }
 
-Surd orthonormal_factor(int degree, int order) { return Surd::square_root(squared_factor(degree, order) / 4, -1); }
+const Surd& orthonormal_factor(int degree, int order) {
+  static std::map<std::pair<int, int>, Surd> known;
+  return remembered(known, {degree, std::abs(order)},
+                    [&] { return Surd::square_root(squared_factor(degree, order) / 4, -1); });
+}
 
 Surd factor_ratio(int degree, int row_order, int column_order) {
   return Surd::square_root(squared_factor(degree, row_order) / squared_factor(degree, column_order));

@@ -14,7 +14,7 @@ namespace sh::symbolic {
 cln::cl_RA squared_factor(int degree, int order);
 
 /// k_lm of the orthonormal basis; the integral of the square of k_lm S_lm over the sphere is 1.
-Surd orthonormal_factor(int degree, int order);
+const Surd& orthonormal_factor(int degree, int order);
 
 /// k_lm / k_ln, the factor between entry D_mn of a rotation matrix and its rational part T_mn.
 Surd factor_ratio(int degree, int row_order, int column_order);

@@ -7,7 +7,7 @@ namespace {
 
 struct Term {
   std::vector<int> exponents;
-  cln::cl_RA coefficient = 1;
+  cln::cl_N coefficient = 1;
 };
 
 void refuse() {
@@ -28,8 +28,8 @@ void multiply_by_power(Term& term, const GiNaC::ex& base, int exponent, const st
 void multiply_by(Term& term, const GiNaC::ex& factor, const std::vector<GiNaC::symbol>& variables) {
   if (GiNaC::is_a<GiNaC::numeric>(factor)) {
     const auto& number = GiNaC::ex_to<GiNaC::numeric>(factor);
-    if (!number.is_rational()) refuse();
-    term.coefficient = term.coefficient * cln::the<cln::cl_RA>(number.to_cl_N());
+    if (!number.is_crational()) refuse();
+    term.coefficient = term.coefficient * number.to_cl_N();
   } else if (GiNaC::is_a<GiNaC::power>(factor)) {
     if (!factor.op(1).info(GiNaC::info_flags::posint)) refuse();
     multiply_by_power(term, factor.op(0), GiNaC::ex_to<GiNaC::numeric>(factor.op(1)).to_int(), variables);
@@ -50,11 +50,13 @@ Term read_term(const GiNaC::ex& product, const std::vector<GiNaC::symbol>& varia
 
 }  // namespace
 
-Polynomial from_ginac(const GiNaC::ex& expression, const std::vector<GiNaC::symbol>& variables) {
-  Polynomial result;
+ComplexPolynomial complex_from_ginac(const GiNaC::ex& expression, const std::vector<GiNaC::symbol>& variables) {
+  ComplexPolynomial result;
   const auto add = [&](const GiNaC::ex& summand) {
     const Term term = read_term(summand, variables);
-    result.add_term(Monomial(term.exponents), term.coefficient);
+    const Monomial monomial(term.exponents);
+    result.re.add_term(monomial, cln::the<cln::cl_RA>(cln::realpart(term.coefficient)));
+    result.im.add_term(monomial, cln::the<cln::cl_RA>(cln::imagpart(term.coefficient)));
   };
   const GiNaC::ex sum = expression.expand();
   if (GiNaC::is_a<GiNaC::add>(sum)) {
@@ -63,6 +65,33 @@ Polynomial from_ginac(const GiNaC::ex& expression, const std::vector<GiNaC::symb
     add(sum);
   }
   return result;
+}
+
+Polynomial from_ginac(const GiNaC::ex& expression, const std::vector<GiNaC::symbol>& variables) {
+  ComplexPolynomial result = complex_from_ginac(expression, variables);
+  if (!result.im.is_zero()) refuse();
+  return std::move(result.re);
+}
+
+cln::cl_RA rational_from_ginac(const GiNaC::ex& expression) { return from_ginac(expression, {}).coefficient({}); }
+
+GiNaC::ex to_ginac(const Polynomial& p, const std::vector<GiNaC::ex>& values) {
+  GiNaC::exvector terms;
+  for (const auto& [monomial, coefficient] : p.terms()) {
+    GiNaC::exvector factors{GiNaC::numeric(coefficient)};
+    for (int variable = 0; variable < Monomial::kMaxVariables; ++variable) {
+      const int exponent = monomial.exponent(variable);
+      if (exponent == 0) continue;
+      if (static_cast<std::size_t>(variable) >= values.size()) {
+        throw std::invalid_argument(
+            "to_ginac: expected a value for every variable that occurs, got none for variable " +
+            std::to_string(variable));
+      }
+      factors.push_back(GiNaC::pow(values[static_cast<std::size_t>(variable)], exponent));
+    }
+    terms.push_back(GiNaC::mul(factors));
+  }
+  return GiNaC::add(terms);
 }
 
 }  // namespace sh::symbolic

@@ -70,20 +70,6 @@ bool Polynomial::is_homogeneous() const {
                      [this](const auto& term) { return term.first.degree() == terms_.begin()->first.degree(); });
 }
 
-Polynomial Polynomial::derivative(int variable) const {
-  Polynomial result;
-  for (const auto& [monomial, coefficient] : terms_) {
-    const int power = monomial.exponent(variable);
-    if (power == 0) continue;
-    std::vector<int> exponents(Monomial::kMaxVariables);
-    for (int i = 0; i < Monomial::kMaxVariables; ++i) {
-      exponents[static_cast<std::size_t>(i)] = monomial.exponent(i) - (i == variable ? 1 : 0);
-    }
-    result.add_term(Monomial(exponents), coefficient * power);
-  }
-  return result;
-}
-
 Polynomial Polynomial::power(int exponent) const {
   if (exponent < 0) throw std::invalid_argument("Polynomial: a negative power; it should be 0 or more");
   Polynomial result(1);

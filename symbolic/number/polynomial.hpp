@@ -60,7 +60,7 @@ class Polynomial {
   [[nodiscard]] int degree() const;
   [[nodiscard]] bool is_homogeneous() const;
 
-  [[nodiscard]] Polynomial derivative(int variable) const;
+  [[nodiscard]] Polynomial derivative(int variable) const;  ///< by GiNaC (polynomial_calculus.cpp)
   [[nodiscard]] Polynomial power(int exponent) const;
   /// point: one value per variable that occurs.
   [[nodiscard]] cln::cl_RA evaluate(std::span<const cln::cl_RA> point) const;

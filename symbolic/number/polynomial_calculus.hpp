@@ -1,4 +1,4 @@
-// Polynomials in one chosen variable: antiderivatives, definite integrals, substitution, Legendre polynomials.
+// Calculus on polynomials by GiNaC: derivatives, substitution, definite integrals, Legendre polynomials.
 //
 // Input -> output: exact polynomials -> exact polynomials. Bounds of an integral may themselves be polynomials in the
 // other variables, which is how a cap's half-angle stays a symbol.
@@ -18,7 +18,7 @@ Polynomial substitute(const Polynomial& p, int variable, const Polynomial& value
 /// The integral of p over `variable` from `lower` to `upper`; neither bound may hold `variable`.
 Polynomial definite_integral(const Polynomial& p, int variable, const Polynomial& lower, const Polynomial& upper);
 
-/// P_l of `variable` by the explicit sum 2^-l sum_k (-1)^k C(l,k) C(2l-2k,l) t^(l-2k) [AbramowitzStegun64] 22.3.8.
+/// P_l of `variable` by Rodrigues' formula, d^l/dt^l (t^2 - 1)^l / (2^l l!) [AbramowitzStegun64] 22.11.5.
 /// Throws std::invalid_argument when degree < 0.
 Polynomial legendre_polynomial(int degree, int variable);
 

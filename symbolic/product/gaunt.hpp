@@ -3,10 +3,9 @@
 //     G_ijk = integral Y_i Y_j Y_k,   i = l(l+1)+m, orthonormal, no Condon-Shortley phase.
 //
 // They are what the product of two functions needs: (ab)_k = sum_ij G_ijk a_i b_j. Each is one surd. G is symmetric, so
-// the tensor keeps i <= j <= k, sorted, and nothing that is zero. Derived twice, by routes that share number types
-// only:
-//   gaunt_by_monomials  product of polynomials, integrated monomial by monomial            gaunt_monomial.cpp
-//   gaunt_by_wigner     Wigner 3j symbols, taken from the complex to the real basis          gaunt_wigner.cpp
+// the tensor keeps i <= j <= k, sorted, and nothing that is zero. Definition, by GiNaC: the integral itself, with
+// Y = K q(z) Re or Im (x+iy)^a, so that a part in z and a part in phi are left (gaunt.cpp). Second derivation:
+// Wigner 3j symbols, taken from the complex to the real basis (gaunt_wigner.cpp). Both agree (proof gaunt-tensor).
 #pragma once
 
 #include <map>
@@ -17,7 +16,7 @@
 
 namespace sh::symbolic {
 
-/// Largest degree of the first two functions; the third reaches twice as far. Beyond it monomial integration is slow.
+/// Largest degree of the first two functions; the third reaches twice as far. The tensor grows with the fifth power.
 inline constexpr int kMaxGauntDegree = 12;
 
 struct IndexTriple {
@@ -37,15 +36,18 @@ IndexTriple sorted(IndexTriple triple);
 /// Non-zero entries with i <= j <= k, in lexicographic order.
 using GauntTensor = std::map<IndexTriple, Surd>;
 
-/// All i <= j <= k whose functions have at most `degree`, by exact integration of polynomials.
+/// One entry, indices in any order, by the definition. Throws as require_basis_index does.
+Surd gaunt(int i, int j, int k);
+
+/// One entry of any degree by Wigner 3j symbols [Gaunt29], [HomeierSteinborn96].
+Surd gaunt_entry_by_wigner(int i, int j, int k);
+
+/// All i <= j <= k whose functions have at most `degree`, by the definition.
 /// Throws std::invalid_argument unless 0 <= degree <= kMaxGauntDegree.
-GauntTensor gaunt_by_monomials(int degree);
+GauntTensor gaunt_tensor(int degree);
 
 /// The same by Wigner 3j symbols. Same errors.
 GauntTensor gaunt_by_wigner(int degree);
-
-/// One entry, indices in any order, of any degree, by Wigner 3j symbols [Gaunt29], [HomeierSteinborn96].
-Surd gaunt(int i, int j, int k);
 
 /// What must hold for an entry to be other than zero [HomeierSteinborn96]: the degrees add up to an even
 /// number and form a triangle, an even number of the orders is negative, and one |order| is the sum of the other two.

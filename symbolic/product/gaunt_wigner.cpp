@@ -1,4 +1,4 @@
-// The Gaunt tensor by Wigner 3j symbols, from the complex basis to the real one.
+// The second derivation of the Gaunt tensor: Wigner 3j symbols over CLN, from the complex basis to the real one.
 //
 // Complex, with Condon-Shortley phase: integral Y_l1^m1 Y_l2^m2 Y_l3^m3
 //     = sqrt((2l1+1)(2l2+1)(2l3+1) / (4 pi)) (l1 l2 l3; 0 0 0) (l1 l2 l3; m1 m2 m3)            [Edmonds57] eq. 4.6.3
@@ -54,7 +54,7 @@ Surd sum_over_signs(const RealFunction& a, const RealFunction& b, const RealFunc
 
 }  // namespace
 
-Surd gaunt(int i, int j, int k) {
+Surd gaunt_entry_by_wigner(int i, int j, int k) {
   const RealFunction a = complex_parts(i);
   const RealFunction b = complex_parts(j);
   const RealFunction c = complex_parts(k);
@@ -69,21 +69,6 @@ Surd gaunt(int i, int j, int k) {
   const Surd factor = Surd::square_root(degrees / cln::cl_RA(4 * (1 << halvings)), -1);
   const Surd value = factor * centre * sum;
   return imaginary == 2 ? -value : value;  // 1 / i^2
-}
-
-GauntTensor gaunt_by_wigner(int degree) {
-  require_gaunt_degree(degree);
-  const int count = (degree + 1) * (degree + 1);
-  GauntTensor tensor;
-  for (int i = 0; i < count; ++i) {
-    for (int j = i; j < count; ++j) {
-      for (int k = j; k < count; ++k) {
-        const Surd value = gaunt(i, j, k);
-        if (!value.is_zero()) tensor.emplace_hint(tensor.end(), IndexTriple{i, j, k}, value);
-      }
-    }
-  }
-  return tensor;
 }
 
 }  // namespace sh::symbolic

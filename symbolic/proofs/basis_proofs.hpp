@@ -17,9 +17,9 @@ namespace sh::symbolic {
 using Basis = std::vector<BasisFunction>;
 
 /// Throws std::invalid_argument unless 0 <= degree <= kMaxBasisDegree.
-Basis derive_basis(int degree);
-Basis derive_basis_ginac(int degree);
-Basis derive_reduced_basis(int degree);  ///< reduced forms only
+Basis derive_basis(int degree);                ///< the definition
+Basis derive_basis_by_recurrence(int degree);  ///< the second derivation
+Basis derive_reduced_basis(int degree);        ///< reduced forms only
 
 /// "l=2 m=-1"
 std::string name_of(const BasisFunction& f);

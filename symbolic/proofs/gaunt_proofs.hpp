@@ -11,7 +11,7 @@
 
 namespace sh::symbolic {
 
-/// claimed = the tensor by exact integration of polynomials, entry by entry.
+/// claimed = the tensor by Wigner 3j symbols, entry by entry.
 ProofResult prove_gaunt_tensor(const GauntTensor& claimed, int degree);
 
 /// Every entry of a square product form (each order of the three indices derived by itself) equals those with the

@@ -239,8 +239,12 @@ ProofResult prove_about_z(const QuaternionRotation& band, const Matrix<Polynomia
   return compare(band.degree, about_axis(band, 2), half, "the closed form about z differs from the quaternion form");
 }
 
-ProofResult prove_wigner_form(const QuaternionRotation& band, const Matrix<Polynomial>& y) {
-  return compare(band.degree, about_axis(band, 1), y, "Wigner's formula differs from the quaternion form");
+ProofResult prove_about_y(const QuaternionRotation& band, const Matrix<Polynomial>& y) {
+  return compare(band.degree, about_axis(band, 1), y, "the turn about y differs from the quaternion form");
+}
+
+ProofResult prove_wigner_form(int degree, const Matrix<Polynomial>& y, const Matrix<Polynomial>& by_wigner) {
+  return compare(degree, y, by_wigner, "Wigner's formula differs from the definition");
 }
 
 ProofResult prove_x90(const QuaternionRotation& band, const RationalMatrix& plus, const RationalMatrix& minus) {

@@ -40,8 +40,11 @@ ProofResult prove_composition_at_points(const BandsAt& bands_at, int points);
 /// About z: T(c, 0, 0, s) = the closed form at the doubled angle. band: one QuaternionRotation, z: of the same degree.
 ProofResult prove_about_z(const QuaternionRotation& band, const Matrix<Polynomial>& z);
 
-/// Wigner's formula: T(c, 0, s, 0) = the real form of d^l(beta), c, s = cos, sin of beta/2.
-ProofResult prove_wigner_form(const QuaternionRotation& band, const Matrix<Polynomial>& y);
+/// About y: T(c, 0, s, 0) = y, c, s = cos, sin of beta/2.
+ProofResult prove_about_y(const QuaternionRotation& band, const Matrix<Polynomial>& y);
+
+/// The definition of Ry(beta) = the real form of Wigner's d^l(beta), term by term.
+ProofResult prove_wigner_form(int degree, const Matrix<Polynomial>& y, const Matrix<Polynomial>& by_wigner);
 
 /// The constant matrices: T(1, 1, 0, 0) = 2^l X, the two of them are inverse, and X^4 = 1.
 ProofResult prove_x90(const QuaternionRotation& band, const Matrix<cln::cl_RA>& plus, const Matrix<cln::cl_RA>& minus);

@@ -11,8 +11,8 @@
 
 namespace sh::symbolic {
 
-/// claimed[l] = the integral that defines z_l of the family, for every l.
-ProofResult prove_zonal_closed_form(const ZonalFamily& family, const std::vector<ZonalTerm>& claimed);
+/// claimed[l] = the closed form of z_l of the family, for every l.
+ProofResult prove_zonal_family(const ZonalFamily& family, const std::vector<ZonalTerm>& claimed);
 
 /// cap + complement = 1 everywhere: their coefficients add up to sqrt(4 pi) in band 0 and to zero beyond.
 ProofResult prove_cap_complement(const std::vector<ZonalTerm>& cap, const std::vector<ZonalTerm>& complement);

@@ -7,10 +7,8 @@
 // with T_mn homogeneous of degree 2l in w, x, y, z: for |q| = 1 this is the rotation, otherwise |q|^(2l) times it. The
 // entries are unique polynomials, so two derivations must agree term by term.
 //
-// Route: Cayley-Klein parameters a = w + iz, b = -y + ix act on the spinor (s1, s2) of the generating function
-// (s1 s2 z + (s1^2 (x-iy) - s2^2 (x+iy)) / 2)^l, a power of a null form whose coefficients are the solid harmonics
-// [Wigner59] ch. 15, [Hobson31]. symbolic/rotation/rotation_recursion.hpp reaches the same matrices from the nine
-// R_ij.
+// Definition, by GiNaC: rotation_definition.cpp. symbolic/rotation/rotation_recursion.hpp reaches the same matrices from
+// the nine R_ij, rotation_axis.hpp about the axes.
 #pragma once
 
 #include <cln/rational.h>
@@ -20,6 +18,7 @@
 #include "symbolic/number/matrix.hpp"
 #include "symbolic/number/polynomial.hpp"
 #include "symbolic/number/surd.hpp"
+#include "symbolic/rotation/rotation_input.hpp"
 
 namespace sh::symbolic {
 
@@ -31,8 +30,9 @@ struct QuaternionRotation {
   Matrix<Polynomial> entries;  // (2l+1, 2l+1)
 };
 
-/// Band `degree` by the route above; throws std::invalid_argument unless 0 <= degree <= kMaxQuaternionDegree.
-QuaternionRotation quaternion_rotation(int degree);
+/// Band `degree`, derived once; throws std::invalid_argument unless 0 <= degree <= kMaxQuaternionDegree (beyond, the
+/// expanded polynomials outgrow their use; the recursion goes on).
+const QuaternionRotation& quaternion_rotation(int degree);
 
 /// M(q) = |q|^2 R(q) as nine quadratic forms in w, x, y, z [Rodrigues1840].
 Matrix<Polynomial> quaternion_matrix();

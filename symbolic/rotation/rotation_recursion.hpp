@@ -5,7 +5,7 @@
 // z S_(l-1,n) = g S_ln + (x^2+y^2+z^2)(...); the second part is orthogonal to band l, so
 //     D^l_mn = integral of Y_lm(R v) Y_ln(v) = const_n * sum_ij R_iz D^(l-1)_jn (integral of Y_lm w_i Y_(l-1)j),
 // and S_l,+-l come from x and y times S_(l-1),+-(l-1) in the same way. The integrals of three factors, one of them a
-// coordinate, have closed forms with at most two j for each i (band_couplings). No division by an entry of R, no
+// coordinate, are rational, with at most two j for each i (band_couplings). No division by an entry of R, no
 // special case for any rotation.
 //
 // T is any ring over the rationals: cln::cl_RA for exact points (to degree kMaxRecursionDegree), Polynomial in nine
@@ -34,8 +34,9 @@ struct Coupling {
   cln::cl_RA weight = 0;
 };
 
-/// For each order m = -l..l of band l >= 1 (index l + m) its couplings to band l-1.
-std::vector<std::vector<Coupling>> band_couplings(int degree);
+/// For each order m = -l..l of band l >= 1 (index l + m) its couplings to band l-1, by GiNaC
+/// (rotation_definition.cpp), derived once.
+const std::vector<std::vector<Coupling>>& band_couplings(int degree);
 
 /// The factor that stands before the sum for column n: k_ln^2 / (k_(l-1)^2 g).
 cln::cl_RA column_scale(int degree, int column);
@@ -61,7 +62,7 @@ Matrix<T> next_band(int l, const Matrix<T>& r, const Matrix<T>& below) {
   constexpr int x = 0;
   constexpr int y = 1;
   constexpr int z = 2;
-  const auto couplings = band_couplings(l);
+  const auto& couplings = band_couplings(l);
   Matrix<T> t(2 * l + 1, 2 * l + 1);
   for (int row = 0; row <= 2 * l; ++row) {
     const auto& list = couplings[static_cast<std::size_t>(row)];

@@ -30,7 +30,7 @@ FormulaTable gaunt_table(int degree, const Convention& convention) {
                       "G_ijk is the integral of Y_i Y_j Y_k over the sphere (no conjugate). The tensor is symmetric; "
                       "entries with i <= j <= k that are not listed are zero."},
                      {}};
-  const TripleTensor entries = map_triple_integral(map_to(convention, degree), all_orders(gaunt_by_wigner(degree)));
+  const TripleTensor entries = map_triple_integral(map_to(convention, degree), all_orders(gaunt_tensor(degree)));
   for (const auto& [triple, value] : entries) {
     if (triple != sorted(triple)) continue;
     table.rows.push_back({"G" + tex_indices(triple.i, triple.j, triple.k), formula_terms(value, "")});
@@ -41,7 +41,7 @@ FormulaTable gaunt_table(int degree, const Convention& convention) {
 // P_ijk of (f g)_k = sum P_ijk f_i g_j, sorted by (k, i, j).
 std::map<IndexTriple, RadicalSum> product_entries(int degree, const Convention& convention) {
   std::map<IndexTriple, RadicalSum> result;
-  const TripleTensor entries = map_product_form(map_to(convention, degree), all_orders(gaunt_by_wigner(degree)));
+  const TripleTensor entries = map_product_form(map_to(convention, degree), all_orders(gaunt_tensor(degree)));
   for (const auto& [triple, value] : entries) result[{triple.k, triple.i, triple.j}] = value;
   return result;
 }

@@ -17,8 +17,8 @@ std::vector<TurnedZonal> turned_zonal(int degree) {
   std::vector<TurnedZonal> entries;
   for (int l = 0; l <= degree; ++l) {
     for (int m = -l; m <= l; ++m) {
-      BasisFunction y = basis_function(l, m);
-      entries.push_back({l, m, convolution_factor(l) * y.factor, std::move(y.homogeneous)});
+      const BasisFunction& y = basis_function(l, m);
+      entries.push_back({l, m, convolution_factor(l) * y.factor, y.homogeneous});
     }
   }
   return entries;

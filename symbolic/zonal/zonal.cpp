@@ -18,7 +18,7 @@ Polynomial product(const std::vector<Polynomial>& factors) {
 std::vector<ZonalFamily> all_families() {
   const std::string half_angle = "c = cos(half-angle), -1 <= c <= 1";
   const std::string sphere = "s = radius / distance, 0 < s < 1, c = sqrt(1 - s^2)";
-  namespace by_integral = integrals;
+  namespace by_integral = definitions;
   namespace closed = closed_forms;
   return {
       {"cap", "1 where t > c", {"c"}, half_angle, "Green03, Sloan08", by_integral::cap, closed::cap},
@@ -141,7 +141,7 @@ void require_zonal_degree(int degree) {
 std::vector<ZonalTerm> zonal_coefficients(const ZonalFamily& family, int degree) {
   require_zonal_degree(degree);
   std::vector<ZonalTerm> terms;
-  for (int l = 0; l <= degree; ++l) terms.push_back(family.closed_form(l));
+  for (int l = 0; l <= degree; ++l) terms.push_back(family.integral(l));
   return terms;
 }
 

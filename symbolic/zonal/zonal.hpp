@@ -4,10 +4,10 @@
 //
 // Convention: orthonormal, no Condon-Shortley phase, axis +z. A family is a function with parameters left as symbols
 // (the cosine of a half-angle, a power, ...); a coefficient is one surd times a quotient of polynomials in them.
-// Each family is derived twice, by routes that share number types only:
-//   integral     the definition, by exact integration of own polynomials                     zonal_integrals.cpp
-//   closed_form  Legendre identities worked out with GiNaC, P'_(l+1) - P'_(l-1) = (2l+1) P_l    zonal_closed_forms.cpp
-// and zonal_proofs.hpp shows that they agree.
+//   integral     the definition, by GiNaC                                                       zonal_definition.cpp
+//   closed_form  the second derivation, by Legendre identities such as P'_(l+1) - P'_(l-1) = (2l+1) P_l
+//                                                                                            zonal_closed_forms.cpp
+// The proofs zonal-NAME show that they agree; closed forms are what people read (`shgen tex`).
 #pragma once
 
 #include <functional>
@@ -66,7 +66,7 @@ const std::vector<ZonalFamily>& zonal_families();
 /// Throws std::invalid_argument, listing the names, when there is none of that name.
 const ZonalFamily& zonal_family(std::string_view name);
 
-/// Closed forms of degrees 0..degree. Throws std::invalid_argument unless 0 <= degree <= kMaxZonalDegree.
+/// Degrees 0..degree by the definition. Throws std::invalid_argument unless 0 <= degree <= kMaxZonalDegree.
 std::vector<ZonalTerm> zonal_coefficients(const ZonalFamily& family, int degree);
 
 /// Exact z_0..z_degree of max(0, a t - b) for any rational a and b: truncated, untruncated (b <= -|a|), zero

@@ -1,6 +1,6 @@
-// Zonal coefficients by their definition: exact integration of piecewise polynomial profiles, and limits of them.
+// Zonal coefficients by their definition: GiNaC integrates piecewise polynomial profiles, and takes limits of them.
 //
-// Input: degree l. Output: one ZonalTerm of the family in zonal.hpp with the same name. Only own polynomials.
+// Input: degree l. Output: one ZonalTerm of the family in zonal.hpp with the same name.
 #pragma once
 
 #include <vector>
@@ -28,7 +28,7 @@ Surd zonal_factor(int degree);
 /// z_l of a piecewise polynomial profile.
 ZonalTerm project_profile(int degree, const std::vector<ZonalPiece>& profile);
 
-namespace integrals {
+namespace definitions {
 ZonalTerm cap(int degree);
 ZonalTerm cap_small(int degree);
 ZonalTerm cap_complement(int degree);
@@ -41,6 +41,6 @@ ZonalTerm sphere_light(int degree);
 ZonalTerm sphere_light_irradiance(int degree);
 ZonalTerm directional_light(int degree);
 ZonalTerm cie_overcast(int degree);
-}  // namespace integrals
+}  // namespace definitions
 
 }  // namespace sh::symbolic

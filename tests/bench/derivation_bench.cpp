@@ -74,7 +74,7 @@ int main() {
   time("rotation by the recursion, in a quaternion, to degree 6", recursions);
   time("rotation about an axis, Wigner's d", axis_rotations);
   time("zonal functions, irradiance factors", zonal_functions);
-  time("Gaunt tensor", [] { gaunt_by_wigner(kDegree); });
+  time("Gaunt tensor", [] { gaunt_tensor(kDegree); });
   std::printf("%-58s %7.3f s, limit %.0f s: %s\n", "everything to degree 10", total, kLimit,
               total <= kLimit ? "pass" : "miss");
 }

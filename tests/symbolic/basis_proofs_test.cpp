@@ -95,8 +95,8 @@ TEST_F(BasisProofs, EqualFormsCatchACoefficientOffByOnePartInAMillion) {
   EXPECT_FALSE(prove_forms_agree(basis_).proved);
 }
 
-TEST_F(BasisProofs, ComparedDerivationsCatchACoefficientAFactorAndAnIndex) {
-  const Basis other = derive_basis_ginac(kDegree);
+TEST_F(BasisProofs, TheRecurrenceRefutesASpoiledDefinition) {
+  const Basis other = derive_basis_by_recurrence(kDegree);
   Basis coefficient = basis_;
   coefficient[kMutated].axial = nudged(coefficient[kMutated].axial);
   EXPECT_FALSE(prove_derivations_agree(coefficient, other).proved);

@@ -6,7 +6,6 @@
 #include <stdexcept>
 #include <vector>
 
-#include "symbolic/basis/basis_ginac.hpp"
 #include "symbolic/number/sphere_integral.hpp"
 
 namespace sh::symbolic {
@@ -39,7 +38,7 @@ Polynomial on_sphere(const Polynomial& p) {
 TEST(Basis, TwoDerivationsAgreeTermByTerm) {
   for (int l = 0; l <= 14; ++l) {
     for (int m = -l; m <= l; ++m) {
-      const BasisFunction a = basis_function_ginac(l, m);
+      const BasisFunction a = basis_function_by_recurrence(l, m);
       const BasisFunction b = basis_function(l, m);
       EXPECT_EQ(a.factor, b.factor) << l << " " << m;
       EXPECT_EQ(a.axial, b.axial) << l << " " << m;
@@ -51,7 +50,7 @@ TEST(Basis, TwoDerivationsAgreeTermByTerm) {
 
 TEST(Basis, TwoDerivationsAgreeAtTheLargestDegree) {
   for (const int m : {-50, -27, 0, 3, 50}) {
-    const BasisFunction a = basis_function_ginac(kMaxBasisDegree, m);
+    const BasisFunction a = basis_function_by_recurrence(kMaxBasisDegree, m);
     const BasisFunction b = basis_function(kMaxBasisDegree, m);
     EXPECT_EQ(a.factor, b.factor) << m;
     EXPECT_EQ(a.axial, b.axial) << m;
@@ -137,8 +136,8 @@ TEST(Basis, RefusesDegreesAndOrdersOutOfRange) {
   EXPECT_THROW(basis_function(-1, 0), std::invalid_argument);
   EXPECT_THROW(basis_function(51, 0), std::invalid_argument);
   EXPECT_THROW(basis_function(2, 3), std::invalid_argument);
-  EXPECT_THROW(basis_function_ginac(2, -3), std::invalid_argument);
-  EXPECT_THROW(basis_function_ginac(51, 0), std::invalid_argument);
+  EXPECT_THROW(basis_function_by_recurrence(2, -3), std::invalid_argument);
+  EXPECT_THROW(basis_function_by_recurrence(51, 0), std::invalid_argument);
 }
 
 }  // namespace

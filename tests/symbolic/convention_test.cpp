@@ -184,7 +184,7 @@ std::vector<RadicalSum> product(const TripleTensor& form, const std::vector<Radi
 
 TEST(ConventionMap, MultiplyThenMapEqualsMapThenMultiply) {
   constexpr int kDegree = 2;
-  const TripleTensor gaunt = all_orders(gaunt_by_wigner(kDegree));
+  const TripleTensor gaunt = all_orders(gaunt_tensor(kDegree));
   const auto f = counting_coefficients(IndexOrder::kAcn, kDegree);
   std::vector<RadicalSum> g(f.rbegin(), f.rend());
   for (const char* name : {"directxmath", "threejs", "ambix", "scipy"}) {
@@ -197,7 +197,7 @@ TEST(ConventionMap, MultiplyThenMapEqualsMapThenMultiply) {
 }
 
 TEST(ConventionMap, TripleIntegralScalesWithAllThreeFunctions) {
-  const TripleTensor gaunt = all_orders(gaunt_by_wigner(1));
+  const TripleTensor gaunt = all_orders(gaunt_tensor(1));
   const ConventionMap map = convention_map({}, {.normalisation = Normalisation::kFourPi}, 1);
   const RadicalSum root(Surd::square_root(4, 1));  // each function grows by sqrt(4 pi)
   for (const auto& [t, value] : map_triple_integral(map, gaunt)) EXPECT_EQ(value, root * root * root * gaunt.at(t));
@@ -205,14 +205,14 @@ TEST(ConventionMap, TripleIntegralScalesWithAllThreeFunctions) {
 }
 
 TEST(ConventionMap, GauntTensorGoesThereAndBack) {
-  const TripleTensor gaunt = all_orders(gaunt_by_wigner(2));
+  const TripleTensor gaunt = all_orders(gaunt_tensor(2));
   const ConventionMap map = convention_map({}, find_preset("scipy").in_world(), 2);
   EXPECT_EQ(map_triple_integral(inverse(map), map_triple_integral(map, gaunt)), gaunt);
   EXPECT_EQ(map_product_form(inverse(map), map_product_form(map, gaunt)), gaunt);
 }
 
 TEST(ConventionMap, RefusesProductsWithAFoldedCosineAndEntriesBeyondItsDegree) {
-  const TripleTensor gaunt = all_orders(gaunt_by_wigner(2));
+  const TripleTensor gaunt = all_orders(gaunt_tensor(2));
   EXPECT_THROW((void)map_product_form(convention_map({}, find_preset("unity").convention, 2), gaunt),
                std::invalid_argument);
   EXPECT_THROW((void)map_triple_integral(convention_map({}, {}, 1), gaunt), std::invalid_argument);

@@ -29,7 +29,7 @@ TEST(GauntProofs, EveryEntryOfTheCatalogueHolds) {
 }
 
 TEST(GauntProofs, OneSpoiledEntryRefutesTheTensor) {
-  const GauntTensor tensor = gaunt_by_wigner(3);
+  const GauntTensor tensor = gaunt_tensor(3);
   for (const auto& [triple, value] : tensor) {
     GauntTensor nudged = tensor;
     nudged[triple] = kOneInAMillion * value;
@@ -57,7 +57,7 @@ TEST(GauntProofs, OneOrderOfAnEntryThatDiffersRefutesSymmetry) {
 }
 
 TEST(GauntProofs, AnEntryAtAForbiddenPlaceRefutesTheSelectionRules) {
-  const GauntTensor tensor = gaunt_by_monomials(3);
+  const GauntTensor tensor = gaunt_tensor(3);
   EXPECT_TRUE(prove_gaunt_selection_rules(tensor).proved);
   const std::vector<IndexTriple> forbidden{{0, 0, 2},   // parity of the degrees
                                            {1, 1, 12},  // odd sum

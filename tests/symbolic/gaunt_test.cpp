@@ -31,15 +31,15 @@ double standard_basis(int index, double theta, double phi) {
 
 TEST(Gaunt, HasAsManyEntriesAsThePublishedTables) {
   // unique triples at 3, 4, 5, 6 bands [Snyder06]
-  EXPECT_EQ(gaunt_by_wigner(2).size(), 25U);
-  EXPECT_EQ(gaunt_by_wigner(3).size(), 77U);
-  EXPECT_EQ(gaunt_by_wigner(4).size(), 238U);
-  EXPECT_EQ(gaunt_by_wigner(5).size(), 549U);
+  EXPECT_EQ(gaunt_tensor(2).size(), 25U);
+  EXPECT_EQ(gaunt_tensor(3).size(), 77U);
+  EXPECT_EQ(gaunt_tensor(4).size(), 238U);
+  EXPECT_EQ(gaunt_tensor(5).size(), 549U);
 }
 
 TEST(Gaunt, TwoDerivationsAgreeEntryByEntryToTenBands) {
   const GauntTensor by_wigner = gaunt_by_wigner(9);
-  EXPECT_EQ(by_wigner, gaunt_by_monomials(9));
+  EXPECT_EQ(by_wigner, gaunt_tensor(9));
   EXPECT_EQ(by_wigner.size(), 7042U);
 }
 
@@ -80,7 +80,7 @@ TEST(Gaunt, IndexAndDegreeOrderAreInverse) {
 
 TEST(Gaunt, DegreesOutOfRangeAreRefused) {
   EXPECT_THROW(gaunt_by_wigner(-1), std::invalid_argument);
-  EXPECT_THROW(gaunt_by_monomials(kMaxGauntDegree + 1), std::invalid_argument);
+  EXPECT_THROW(gaunt_tensor(kMaxGauntDegree + 1), std::invalid_argument);
   EXPECT_THROW(wigner_3j(-1, 1, 1, 0, 0, 0), std::invalid_argument);
   EXPECT_THROW(product_form({2, -1, 2}), std::invalid_argument);
   EXPECT_THROW(product_form({kMaxProductDegree + 1, 1, 2}), std::invalid_argument);

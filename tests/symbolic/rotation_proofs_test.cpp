@@ -121,17 +121,22 @@ TEST_F(RotationProofs, AboutZCatchesACoefficientAndTheOtherTurningSense) {
   EXPECT_FALSE(prove_about_z(last(), rotation_about_z(kDegree).transposed()).proved);
 }
 
-TEST_F(RotationProofs, WignerFormCatchesACoefficientAndTheOtherTurningSense) {
+TEST_F(RotationProofs, TurnsAboutYCatchACoefficientAndTheOtherTurningSense) {
+  const Matrix<Polynomial> by_wigner = rotation_about_y_by_wigner(kDegree);
   Matrix<Polynomial> y = rotation_about_y(kDegree);
+  ASSERT_TRUE(prove_wigner_form(kDegree, y, by_wigner).proved);
+  ASSERT_TRUE(prove_about_y(last(), y).proved);
   nudge_entry(y(6, 5));
-  EXPECT_FALSE(prove_wigner_form(last(), y).proved);
+  EXPECT_FALSE(prove_wigner_form(kDegree, y, by_wigner).proved);
+  EXPECT_FALSE(prove_about_y(last(), y).proved);
   Matrix<Polynomial> reversed = rotation_about_y(kDegree);
   for (int i = 0; i < reversed.rows(); ++i) {
     for (int j = 0; j < reversed.columns(); ++j) {
       if ((i + j) % 2 != 0) negate(reversed(i, j));
     }
   }
-  EXPECT_FALSE(prove_wigner_form(last(), reversed).proved);
+  EXPECT_FALSE(prove_wigner_form(kDegree, reversed, by_wigner).proved);
+  EXPECT_FALSE(prove_about_y(last(), reversed).proved);
 }
 
 TEST_F(RotationProofs, QuarterTurnsCatchAnEntryAndAnExchange) {

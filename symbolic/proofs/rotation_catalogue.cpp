@@ -30,15 +30,15 @@ ProofResult for_each_band(int degree, Prove prove) {
 
 std::vector<Proof> outright_proofs() {
   return {
-      {"equivariance", "Y_l(M(q) v) = D_l(q) Y_l(v), M(q) = |q|^2 R(q)", "polynomial identity in q and v",
-       kMaxQuaternionDegree, kMaxQuaternionDegree, kQuaternion,
+      {"equivariance", "GiNaC's definition of D satisfies Y_l(M(q) v) = D_l(q) Y_l(v), M(q) = |q|^2 R(q)",
+       "polynomial identity in q and v over CLN rationals", kMaxQuaternionDegree, kMaxQuaternionDegree, kQuaternion,
        [](int degree) { return prove_equivariance(derive_quaternion_rotations(degree), derive_basis(degree)); }},
       {"rotation-orthogonal", "D(q) D(q)^T = |q|^(4l)", "polynomial identity in q", 6, 7, kExpanded,
        [](int degree) { return prove_orthogonality(derive_quaternion_rotations(degree)); }},
       {"rotation-composition", "D(ab) = D(a) D(b)",
        "polynomial identity in two quaternions (beyond: equivariance implies it, and the next lines test it)", 3, 4,
        kExpanded, [](int degree) { return prove_composition(derive_quaternion_rotations(degree)); }},
-      {"quaternion-recursion", "quaternion form = recursion in R_ij at R_ij = M_ij(q)",
+      {"quaternion-recursion", "GiNaC's definition of D_l(q) = recursion in R_ij at R_ij = M_ij(q)",
        "two derivations compared term by term", kMaxQuaternionDegree, kMaxQuaternionDegree, kQuaternion,
        [](int degree) {
          return prove_recursion_agrees(derive_quaternion_rotations(degree),
@@ -65,11 +65,16 @@ std::vector<Proof> axis_proofs() {
        [](int degree) {
          return for_each_band(degree, [](int l) { return prove_about_z(quaternion_rotation(l), rotation_about_z(l)); });
        }},
-      {"wigner-form", "Wigner's d(beta) in the real basis = quaternion form", "identity in the half angle",
+      {"wigner-form", "GiNaC's definition of Ry(beta) = Wigner's d(beta) in the real basis",
+       "two derivations compared term by term, in the half angle", kMaxAxisDegree, kMaxAxisDegree, kExact,
+       [](int degree) {
+         return for_each_band(
+             degree, [](int l) { return prove_wigner_form(l, rotation_about_y(l), rotation_about_y_by_wigner(l)); });
+       }},
+      {"about-y", "GiNaC's definition of Ry(beta) = its quaternion form", "identity in the half angle",
        kMaxQuaternionDegree, kMaxQuaternionDegree, kQuaternion,
        [](int degree) {
-         return for_each_band(degree,
-                              [](int l) { return prove_wigner_form(quaternion_rotation(l), rotation_about_y(l)); });
+         return for_each_band(degree, [](int l) { return prove_about_y(quaternion_rotation(l), rotation_about_y(l)); });
        }},
       {"x90", "the constant +-90 degree matrices about x", "quaternion (1,1,0,0), inverse, fourth power",
        kMaxQuaternionDegree, kMaxQuaternionDegree, kQuaternion,

@@ -1,15 +1,10 @@
-#include "symbolic/rotation/rotation_axis.hpp"
-
+// The second derivation of turns about y: Wigner's d matrix in closed form, over CLN rationals.
 #include <cln/integer.h>
 
-#include <array>
 #include <stdexcept>
 #include <string>
 
-#include "symbolic/basis/basis.hpp"
-#include "symbolic/basis/normalisation.hpp"
-#include "symbolic/number/sphere_integral.hpp"
-#include "symbolic/number/substitute.hpp"
+#include "symbolic/rotation/rotation_axis.hpp"
 
 namespace sh::symbolic {
 namespace {
@@ -38,46 +33,6 @@ int sign(int order) { return order % 2 == 0 ? 1 : -1; }
 
 }  // namespace
 
-Matrix<Polynomial> rotation_about_z(int degree) {
-  require_axis_degree(degree);
-  const Polynomial c = Polynomial::variable(0);
-  const Polynomial s = Polynomial::variable(1);
-  Matrix<Polynomial> d(2 * degree + 1, 2 * degree + 1);
-  Polynomial re(1);
-  Polynomial im;
-  for (int m = 0; m <= degree; ++m) {
-    d(degree + m, degree + m) = re;
-    d(degree - m, degree - m) = re;
-    if (m > 0) {
-      d(degree + m, degree - m) = cln::cl_RA(-1) * im;
-      d(degree - m, degree + m) = im;
-    }
-    Polynomial next = c * re - s * im;
-    im = s * re + c * im;
-    re = std::move(next);
-  }
-  return d;
-}
-
-Matrix<cln::cl_RA> rotation_x90(int degree, bool positive) {
-  require_axis_degree(degree);
-  const Polynomial x = Polynomial::variable(0);
-  const Polynomial y = Polynomial::variable(1);
-  const Polynomial z = Polynomial::variable(2);
-  const cln::cl_RA turn = positive ? 1 : -1;
-  const std::array<Polynomial, 3> turned{x, -turn * z, turn * y};
-  std::vector<Polynomial> band;
-  for (int m = -degree; m <= degree; ++m) band.push_back(basis_function(degree, m).homogeneous);
-  Matrix<cln::cl_RA> t(2 * degree + 1, 2 * degree + 1);
-  for (int m = -degree; m <= degree; ++m) {
-    const Polynomial moved = substitute(band[to_size(degree + m)], turned);
-    for (int n = -degree; n <= degree; ++n) {  // S_m(R v) = sum T_mn S_n(v), and the mean of S_n^2 is 1 / (4 pi k_n^2)
-      t(degree + m, degree + n) = squared_factor(degree, n) * sphere_mean(moved * band[to_size(degree + n)]);
-    }
-  }
-  return t;
-}
-
 WignerEntry wigner_d(int degree, int row, int column) {
   require_axis_degree(degree);
   const cln::cl_I square =
@@ -88,7 +43,7 @@ WignerEntry wigner_d(int degree, int row, int column) {
 // Real functions from complex ones with the Condon-Shortley phase: cos = ((-1)^m Y_m + Y_-m) / sqrt 2, sin alike with
 // i sqrt 2. With d_(-m,-n) = (-1)^(m-n) d_mn the four terms pair up: D = (-1)^(m+n) d_mn +- (-1)^m d_(m,-n), plus for
 // cosines, minus for sines. The root of d times k_n/k_m is rational: (l+m)! (l-n)!, halved in column 0.
-Matrix<Polynomial> rotation_about_y(int degree) {
+Matrix<Polynomial> rotation_about_y_by_wigner(int degree) {
   require_axis_degree(degree);
   const int l = degree;
   Matrix<Polynomial> t(2 * l + 1, 2 * l + 1);

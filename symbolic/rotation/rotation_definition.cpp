@@ -1,0 +1,162 @@
+// The definition of the rotation matrices, by GiNaC: D_l(R) from Y_l(R v) = D_l(R) Y_l(v) on the null cone v.v = 0.
+//
+// Input: degree, quaternion or axis. Output: rational parts T_mn of the headers below. On the null cone r^2 drops out of
+// S_lm, only the leading term of q(z) stays, and the S_lm of one degree are still independent there: a harmonic
+// polynomial that vanishes on it is divisible by r^2, so zero. The null vector of the spinor (s, t) is
+//     x - iy = s^2,   x + iy = -t^2,   z = s t,   so   S_lm + i S_l,-m = lambda_lm (-1)^m s^(l-m) t^(l+m)   (m >= 0),
+// and M(q) turns it into the null vector of the spinor that the Cayley-Klein parameters of q make of (s, t)
+//     (c s + d t, a t + b s),   a = w + iz, b = ix - y, c = w - iz, d = ix + y         [Wigner59] ch. 15, [Hobson31].
+// Everything here sets t = 1.
+#include <cstdlib>
+#include <map>
+#include <stdexcept>
+#include <string>
+
+#include "symbolic/basis/basis.hpp"
+#include "symbolic/basis/normalisation.hpp"
+#include "symbolic/number/from_ginac.hpp"
+#include "symbolic/number/remembered.hpp"
+#include "symbolic/rotation/quaternion_rotation.hpp"
+#include "symbolic/rotation/rotation_axis.hpp"
+#include "symbolic/rotation/rotation_recursion.hpp"
+
+namespace sh::symbolic {
+namespace {
+
+using GiNaC::ex;
+using GiNaC::symbol;
+
+// The leading coefficient of d^a P_l / dz^a.
+const GiNaC::numeric& leading(int l, int a) {
+  static std::map<std::pair<int, int>, GiNaC::numeric> known;
+  return remembered(known, {l, a}, [&] {
+    return GiNaC::numeric(reduced_basis_function(l, a).axial.coefficient({0, 0, l - a}));
+  });
+}
+
+ex sign(int power) { return power % 2 == 0 ? 1 : -1; }
+
+// S_lm on the null cone.
+ex solid_harmonic(int l, int m, const symbol& s) {
+  const int a = std::abs(m);
+  const ex pair = m < 0 ? (sign(a) - GiNaC::pow(s, 2 * a)) / (2 * GiNaC::I) : (sign(a) + GiNaC::pow(s, 2 * a)) / 2;
+  return leading(l, a) * GiNaC::pow(s, l - a) * pair;
+}
+
+// The numbers T_-l .. T_l with sum T_n S_ln = p on the null cone: p holds lambda/2 (T_n + i T_-n) s^(l+n) and
+// (-1)^n lambda/2 (T_n - i T_-n) s^(l-n).
+std::vector<ex> along_band(int l, const ex& p, const symbol& s) {
+  std::vector<ex> t(to_size(2 * l + 1));
+  const ex expanded = p.expand();
+  t[to_size(l)] = expanded.coeff(s, l) / leading(l, 0);
+  for (int n = 1; n <= l; ++n) {
+    const ex up = expanded.coeff(s, l + n) / leading(l, n);
+    const ex down = sign(n) * expanded.coeff(s, l - n) / leading(l, n);
+    t[to_size(l + n)] = up + down;
+    t[to_size(l - n)] = GiNaC::I * (down - up);
+  }
+  return t;
+}
+
+// T of M(q), the entries polynomials in `variables`.
+Matrix<Polynomial> turned_band(int l, const Quaternion<ex>& q, const std::vector<symbol>& variables) {
+  const symbol s("s");
+  const symbol a("a");
+  const symbol b("b");
+  const symbol c("c");
+  const symbol d("d");
+  const GiNaC::exmap parameters{{a, q[0] + GiNaC::I * q[3]},
+                                {b, GiNaC::I * q[1] - q[2]},
+                                {c, q[0] - GiNaC::I * q[3]},
+                                {d, GiNaC::I * q[1] + q[2]}};
+  Matrix<Polynomial> t(2 * l + 1, 2 * l + 1);
+  for (int m = 0; m <= l; ++m) {
+    const ex row = leading(l, m) * sign(m) * GiNaC::pow(c * s + d, l - m) * GiNaC::pow(a + b * s, l + m);
+    const std::vector<ex> entries = along_band(l, row, s);
+    for (int n = 0; n <= 2 * l; ++n) {
+      ComplexPolynomial entry = complex_from_ginac(entries[to_size(n)].subs(parameters), variables);
+      t(l + m, n) = std::move(entry.re);
+      if (m > 0) t(l - m, n) = std::move(entry.im);
+    }
+  }
+  return t;
+}
+
+void require_degree(int degree, int limit, const std::string& what) {
+  if (degree < 0 || degree > limit) {
+    throw std::invalid_argument(what + ": degree " + std::to_string(degree) + "; it should be 0 to " +
+                                std::to_string(limit) + " (exact entries grow with the degree)");
+  }
+}
+
+}  // namespace
+
+const QuaternionRotation& quaternion_rotation(int degree) {
+  require_degree(degree, kMaxQuaternionDegree, "quaternion rotation");
+  static std::map<int, QuaternionRotation> known;
+  return remembered(known, degree, [degree] {
+    const std::vector<symbol> q{symbol("w"), symbol("x"), symbol("y"), symbol("z")};
+    return QuaternionRotation{degree, turned_band(degree, {q[0], q[1], q[2], q[3]}, q)};
+  });
+}
+
+Matrix<Polynomial> rotation_about_z(int degree) {
+  require_degree(degree, kMaxAxisDegree, "axis rotation");
+  Matrix<Polynomial> d(2 * degree + 1, 2 * degree + 1);
+  for (int m = -degree; m <= degree; ++m) {  // Re and Im of (c + is)^|m|, c and s in place of x and y
+    d(degree + m, degree + m) = reduced_basis_function(degree, std::abs(m)).azimuthal;
+    if (m == 0) continue;
+    const Polynomial sine = reduced_basis_function(degree, -std::abs(m)).azimuthal;
+    d(degree + m, degree - m) = cln::cl_RA(m > 0 ? -1 : 1) * sine;
+  }
+  return d;
+}
+
+const Matrix<Polynomial>& rotation_about_y(int degree) {
+  require_degree(degree, kMaxAxisDegree, "axis rotation");
+  static std::map<int, Matrix<Polynomial>> known;
+  return remembered(known, degree, [degree] {
+    const std::vector<symbol> half{symbol("c"), symbol("s")};
+    return turned_band(degree, {half[0], 0, half[1], 0}, half);
+  });
+}
+
+const Matrix<cln::cl_RA>& rotation_x90(int degree, bool positive) {
+  require_degree(degree, kMaxAxisDegree, "axis rotation");
+  static std::map<std::pair<int, bool>, Matrix<cln::cl_RA>> known;
+  return remembered(known, {degree, positive}, [&] {
+    const Matrix<Polynomial> band = turned_band(degree, {1, positive ? 1 : -1, 0, 0}, {});  // |q|^2 = 2
+    Matrix<cln::cl_RA> t(band.rows(), band.columns());
+    for (int i = 0; i < band.rows(); ++i) {
+      for (int j = 0; j < band.columns(); ++j) {
+        t(i, j) = band(i, j).coefficient({}) / cln::ash(cln::cl_I(1), degree);
+      }
+    }
+    return t;
+  });
+}
+
+const std::vector<std::vector<Coupling>>& band_couplings(int degree) {
+  static std::map<int, std::vector<std::vector<Coupling>>> known;
+  return remembered(known, degree, [degree] {
+    std::vector<std::vector<Coupling>> result(to_size(2 * degree + 1));
+    const symbol s("s");
+    const std::array<ex, 3> v{(GiNaC::pow(s, 2) - 1) / 2, GiNaC::I * (GiNaC::pow(s, 2) + 1) / 2, s};
+    for (int c = 0; c < degree; ++c) {
+      for (int axis = 0; axis < 3; ++axis) {
+        for (int below = c; below >= -c; below -= std::max(2 * c, 1)) {  // the cosine, then the sine function
+          const ex product = v[to_size(axis)] * solid_harmonic(degree - 1, below, s);
+          const std::vector<ex> g = along_band(degree, product, s);
+          for (int above = -degree; above <= degree; ++above) {
+            const cln::cl_RA weight = rational_from_ginac(g[to_size(degree + above)]) *
+                                      squared_factor(degree - 1, below) / squared_factor(degree, above);
+            if (!cln::zerop(weight)) result[to_size(degree + above)].push_back({axis, below, weight});
+          }
+        }
+      }
+    }
+    return result;
+  });
+}
+
+}  // namespace sh::symbolic
