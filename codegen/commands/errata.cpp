@@ -13,7 +13,7 @@
 #include <utility>
 
 #include "codegen/commands/commands.hpp"
-#include "codegen/output/write_file.hpp"
+#include "numeric/output/atomic_file.hpp"
 
 namespace sh::codegen {
 namespace {
@@ -234,7 +234,7 @@ bool errata(const std::vector<Source>& sources, const ErrataOptions& options, st
     }
     report.push_back({{"source", source.prefix}, {"name", source.name}, {"entries", entries}});
   }
-  if (!options.json.empty()) write_file(options.json, report.dump(2) + "\n");
+  if (!options.json.empty()) output::write_file(options.json, report.dump(2) + "\n");
   totals.print(progress);
   return totals.consistent();
 }

@@ -11,7 +11,7 @@
 #include <stdexcept>
 
 #include "codegen/commands/commands.hpp"
-#include "codegen/output/write_file.hpp"
+#include "numeric/output/atomic_file.hpp"
 #include "symbolic/proofs/proofs.hpp"
 
 namespace sh::codegen {
@@ -101,7 +101,7 @@ bool prove(const ProveOptions& options, std::ostream& out, std::ostream& progres
     seconds += outcome.seconds;
     if (!outcome.result.proved) ++refuted;
   }
-  if (!options.json.empty()) write_file(options.json, report.dump(2) + "\n");
+  if (!options.json.empty()) output::write_file(options.json, report.dump(2) + "\n");
   progress << "shgen: " << proofs.size() - refuted << " of " << proofs.size() << " identities proved in " << std::fixed
            << std::setprecision(1) << seconds << " s\n";
   return refuted == 0;

@@ -13,7 +13,7 @@
 #include "codegen/choose/catalogue.hpp"
 #include "codegen/choose/tune.hpp"
 #include "codegen/commands/commands.hpp"
-#include "codegen/output/write_file.hpp"
+#include "numeric/output/atomic_file.hpp"
 
 namespace sh::codegen {
 namespace {
@@ -84,7 +84,7 @@ bool tune(const TuneOptions& options, std::ostream& out, std::ostream& progress)
       wisdom.set(family->name, degree, recipes[i].name, timings[i]);
     }
     if (timings[0].call > kNoise * least) ++slower;
-    if (!options.check) write_file(file, wisdom.to_string());  // kept when interrupted
+    if (!options.check) output::write_file(file.string(), wisdom.to_string());  // kept when interrupted
   }
   const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
   progress << fmt::format("shgen: {} measured in {:.0f} s", tasks.size(), time.count());

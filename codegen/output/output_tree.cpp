@@ -1,22 +1,19 @@
 #include "codegen/output/output_tree.hpp"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <optional>
 #include <stdexcept>
 
-#include "codegen/output/write_file.hpp"
+#include "numeric/output/atomic_file.hpp"
+#include "numeric/output/read_file.hpp"
 
 namespace sh::codegen {
 namespace {
 
 namespace fs = std::filesystem;
 
-std::optional<std::string> read_file(const fs::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream || fs::is_directory(path)) return std::nullopt;
-  return std::string(std::istreambuf_iterator<char>(stream), {});
+std::optional<std::string> content_of(const fs::path& path) {
+  return fs::is_regular_file(path) ? std::optional(output::read_file(path.string())) : std::nullopt;
 }
 
 // The line number and column of the first byte that differs, for people.
@@ -47,10 +44,10 @@ void require_existing(const fs::path& folder) {
 std::vector<std::string> write_tree(const fs::path& folder, const RenderedFiles& files) {
   std::vector<std::string> written;
   for (const auto& [name, content] : files) {
-    if (read_file(folder / name) == content) continue;
+    if (content_of(folder / name) == content) continue;
     std::error_code ignored;  // write_file says when there is no folder
     fs::create_directories((folder / name).parent_path(), ignored);
-    write_file(folder / name, content);
+    output::write_file((folder / name).string(), content);
     written.push_back(name);
   }
   return written;
@@ -60,7 +57,7 @@ std::vector<std::string> compare_files(const fs::path& folder, const RenderedFil
   require_existing(folder);
   std::vector<std::string> differences;
   for (const auto& [name, content] : files) {
-    const std::optional<std::string> found = read_file(folder / name);
+    const std::optional<std::string> found = content_of(folder / name);
     if (!found) {
       differences.push_back(name + ": missing");
     } else if (*found != content) {

@@ -2,6 +2,7 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <stdexcept>
@@ -105,17 +106,22 @@ void plot_lobes(const Options& options) {
   output::write_file(options.output, plot::draw_lobes(subject.f, view, {subject.title, figure.format, figure.size}));
 }
 
+constexpr const char* kProjections = "lat-long, cube-map, angular-map, mirror-ball, vertical-cross or cube-strip";
+
+ImageMapping mapping_of(const std::string& projection) {
+  std::string name = projection == "cube-map" ? "horizontal-cross" : projection;
+  std::replace(name.begin(), name.end(), '-', '_');
+  const auto mapping = mapping_named(name);
+  if (!mapping) throw std::invalid_argument(fmt::format("--projection: '{}' must be {}", projection, kProjections));
+  return *mapping;
+}
+
 void plot_map(const Options& options) {
   require_one_subject(options, false);
-  const bool cube = options.projection == "cube-map";
-  if (!cube && options.projection != "lat-long") {
-    throw std::invalid_argument("--projection: '" + options.projection + "' must be lat-long or cube-map");
-  }
+  const auto mapping = mapping_of(options.projection);
   const auto figure = figure_of(options, {});
   const auto subject = subject_of(options);
-  output::write_file(options.output,
-                     plot::draw_map(subject.f, cube ? plot::Projection::kCubeMap : plot::Projection::kLatLong,
-                                    {subject.title, figure.format, figure.size}));
+  output::write_file(options.output, plot::draw_map(subject.f, mapping, {subject.title, figure.format, figure.size}));
 }
 
 // What both pictures take.
@@ -137,7 +143,7 @@ void add_plot_command(CLI::App& tool, int& /*exit_code*/) {
   auto* command = tool.add_subcommand("plot", "draw a function on the sphere, from coefficients or one of the basis");
   command->require_subcommand(1);
 
-  auto* lobes = command->add_subcommand("lobes", "the surface r = |f|, positive and negative in two colours");
+  auto* lobes = command->add_subcommand("lobes", "the surface r = |f|, positive and negative in two colors");
   const auto lobes_options = add_options(lobes);
   lobes->add_option("--basis-grid", lobes_options->basis_grid, "every basis function to this degree, 0 to 12");
   lobes->add_option("--view", lobes_options->view, "azimuth,elevation of the viewer, degrees")->capture_default_str();
@@ -146,9 +152,9 @@ void add_plot_command(CLI::App& tool, int& /*exit_code*/) {
     plot_lobes(*lobes_options);
   });
 
-  auto* map = command->add_subcommand("map", "values as colours, negative regions hatched");
+  auto* map = command->add_subcommand("map", "values as colors, negative regions hatched");
   const auto map_options = add_options(map);
-  map->add_option("--projection", map_options->projection, "lat-long or cube-map")->capture_default_str();
+  map->add_option("--projection", map_options->projection, kProjections)->capture_default_str();
   map->callback([map_options] {
     output::stop_on_interrupt();
     plot_map(*map_options);

@@ -21,6 +21,18 @@ bool is_special(const std::string& path) {
   return stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode);
 }
 
+// Makes the new name of a file last through a power failure. Some file systems know no fsync of folders: the file itself
+// is complete either way, so that an error here is none.
+void sync_folder(const std::string& path) {
+  const auto slash = path.rfind('/');
+  const std::string folder = slash == std::string::npos ? "." : path.substr(0, slash + 1);
+  const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor >= 0) {
+    fsync(descriptor);
+    close(descriptor);
+  }
+}
+
 }  // namespace
 
 AtomicFile::AtomicFile(std::string path) : path_(std::move(path)) {
@@ -60,7 +72,7 @@ void AtomicFile::write(const void* data, std::size_t size) {
 }
 
 void AtomicFile::commit() {
-  // A network or quota file system may report a full disk only here; devices and pipes know no fsync.
+  // A network or quota file system may report a full disk only here; devices and pipes have no fsync.
   if (!temporary_.empty() && fsync(descriptor_) != 0) {
     fail(errno);
   }
@@ -72,6 +84,7 @@ void AtomicFile::commit() {
       fail(errno);
     }
     temporary_.clear();
+    sync_folder(path_);
   }
 }
 

@@ -6,7 +6,7 @@
 
 namespace sh::output {
 
-/// Write, then commit(). Destroyed without commit(), nothing remains and an old file stays as it was. A destination
+/// Write, then commit(), after which file and name are on disk. Destroyed without commit(), nothing remains and an old file stays as it was. A destination
 /// that exists but is no regular file (a device, a pipe) is written directly. Errors (not writable, disk full) throw
 /// std::runtime_error `path: cannot write: reason`.
 class AtomicFile {

@@ -22,20 +22,9 @@ constexpr double kRadius = 4.2;
 constexpr double kLeft = 58, kTop = 30, kRight = 14, kBottom = 44;
 constexpr double kLegendRow = 20;
 
-struct Corner {
-  double x;
-  double y;
-};
+std::string color(int index) { return index < 0 ? "var(--ink)" : fmt::format("var(--c{})", index % kChartColors); }
 
-std::string number(double value) {
-  std::string text = fmt::format("{:.1f}", value);
-  if (text.ends_with(".0")) text.resize(text.size() - 2);
-  return text == "-0" ? "0" : text;
-}
-
-std::string colour(int index) { return index < 0 ? "var(--ink)" : fmt::format("var(--c{})", index % kChartColours); }
-
-using Outline = std::vector<Corner>;
+using Outline = std::vector<Point>;
 
 // A closed outline around 0, its size about 1.
 const Outline& outline(Marker marker) {
@@ -73,32 +62,26 @@ const Outline& outline(Marker marker) {
   return kOutlines.at(marker);
 }
 
-std::string path_of(const std::vector<Corner>& corners) {
-  std::string path;
-  for (const auto& corner : corners) {
-    path += fmt::format("{}{} {}", path.empty() ? "M" : "L", number(corner.x), number(corner.y));
-  }
-  return path;
-}
-
 std::string marker_path(Marker marker, double x, double y) {
   if (marker == Marker::kCircle) {
-    return fmt::format("M{x} {y}a{r} {r} 0 1 0 {d} 0a{r} {r} 0 1 0 -{d} 0z", fmt::arg("x", number(x - kRadius)),
-                       fmt::arg("y", number(y)), fmt::arg("r", number(kRadius)), fmt::arg("d", number(2 * kRadius)));
+    return fmt::format("M{x} {y}a{r} {r} 0 1 0 {d} 0a{r} {r} 0 1 0 -{d} 0z", fmt::arg("x", svg_number(x - kRadius)),
+                       fmt::arg("y", svg_number(y)), fmt::arg("r", svg_number(kRadius)),
+                       fmt::arg("d", svg_number(2 * kRadius)));
   }
-  std::vector<Corner> corners = outline(marker);
+  std::vector<Point> corners = outline(marker);
   for (auto& corner : corners) corner = {x + corner.x * kRadius, y + corner.y * kRadius};
-  return path_of(corners) + "z";
+  return svg_path(corners) + "z";
 }
 
 std::string marker_svg(const ChartSeries& series, double x, double y) {
-  const auto ink = colour(series.colour);
+  const auto ink = color(series.color);
   return fmt::format(R"(<path class="marker" d="{}" fill="{}" stroke="{}"/>)", marker_path(series.marker, x, y),
                      series.filled ? ink : "var(--paper)", ink);
 }
 
 std::string text_svg(double x, double y, const std::string& style, const std::string& text) {
-  return fmt::format("<text x=\"{}\" y=\"{}\" class=\"{}\">{}</text>\n", number(x), number(y), style, escaped(text));
+  return fmt::format("<text x=\"{}\" y=\"{}\" class=\"{}\">{}</text>\n", svg_number(x), svg_number(y), style,
+                     escaped(text));
 }
 
 // 1000 as it is, 1e-7 as a power.
@@ -106,13 +89,13 @@ std::string tick_svg(double x, double y, const std::string& style, double value)
   const auto exponent = static_cast<int>(std::lround(std::log10(value)));
   if (exponent >= -2 && exponent <= 3) return text_svg(x, y, style, fmt::format("{:g}", std::pow(10, exponent)));
   return fmt::format("<text x=\"{}\" y=\"{}\" class=\"{}\">10<tspan class=\"power\" dy=\"-4\">{}</tspan></text>\n",
-                     number(x), number(y), style,
+                     svg_number(x), svg_number(y), style,
                      fmt::format("{}{}", exponent < 0 ? "\u2212" : "", std::abs(exponent)));
 }
 
 std::string line_svg(double x1, double y1, double x2, double y2, const std::string& style) {
-  return fmt::format("<path class=\"{}\" d=\"M{} {}L{} {}\"/>\n", style, number(x1), number(y1), number(x2),
-                     number(y2));
+  return fmt::format("<path class=\"{}\" d=\"M{} {}L{} {}\"/>\n", style, svg_number(x1), svg_number(y1), svg_number(x2),
+                     svg_number(y2));
 }
 
 // One chart while it is drawn.
@@ -167,20 +150,21 @@ class Drawing {
     for (const double at : y_.breaks()) svg += break_svg(at);
     svg += text_svg((x_.from() + x_.to()) / 2, y_.from() + 35, "middle name", chart_.x.label);
     svg += fmt::format("<text transform=\"translate(13 {}) rotate(-90)\" class=\"middle name\">{}</text>\n",
-                       number((y_.from() + y_.to()) / 2), escaped(chart_.y.label));
+                       svg_number((y_.from() + y_.to()) / 2), escaped(chart_.y.label));
     return svg;
   }
 
   // A band of paper across the plot with a slanted stroke at the axis.
   [[nodiscard]] std::string break_svg(double at) const {
-    return fmt::format("<path class=\"cut\" d=\"M{} {}H{}\"/>\n", number(x_.from() - 4), number(at), number(x_.to())) +
+    return fmt::format("<path class=\"cut\" d=\"M{} {}H{}\"/>\n", svg_number(x_.from() - 4), svg_number(at),
+                       svg_number(x_.to())) +
            line_svg(x_.from() - 5, at + 0.5, x_.from() + 5, at - 5.5, "axis") +
            line_svg(x_.from() - 5, at + 5.5, x_.from() + 5, at - 0.5, "axis");
   }
 
   // The corners of a line or staircase, in the units of the picture.
-  [[nodiscard]] std::vector<Corner> corners(const ChartSeries& series) const {
-    std::vector<Corner> all;
+  [[nodiscard]] std::vector<Point> corners(const ChartSeries& series) const {
+    std::vector<Point> all;
     if (series.line == Line::kNone || series.points.empty()) return all;
     const bool stairs = series.line == Line::kStaircase;
     if (stairs) all.push_back({x_.at(series.points.front().x), y_.to()});
@@ -204,8 +188,8 @@ class Drawing {
       }
     }
     return fmt::format("<path class=\"{}{}\" d=\"{}\" stroke=\"{}\"/>\n",
-                       series.line == Line::kStaircase ? "front" : "line", series.dashed ? " dashed" : "", path_of(all),
-                       series.colour < 0 ? "var(--quiet)" : colour(series.colour));
+                       series.line == Line::kStaircase ? "front" : "line", series.dashed ? " dashed" : "",
+                       svg_path(all), series.color < 0 ? "var(--quiet)" : color(series.color));
   }
 
   std::string points(const ChartSeries& series) {
@@ -217,7 +201,7 @@ class Drawing {
       labels_.take({px - kRadius, py - kRadius, px + kRadius, py + kRadius});
       svg += fmt::format(
           "<g class=\"point\"><title>{}</title><circle cx=\"{}\" cy=\"{}\" r=\"9\" class=\"target\"/>{}</g>\n",
-          escaped(point.hover), number(px), number(py), marker_svg(series, px, py));
+          escaped(point.hover), svg_number(px), svg_number(py), marker_svg(series, px, py));
     }
     return svg;
   }
@@ -284,29 +268,29 @@ class Drawing {
 
 std::string element(const Chart& chart, const std::string& attributes, const std::string& before) {
   return fmt::format("<svg {}viewBox=\"0 0 {w} {h}\" width=\"{w}\" height=\"{h}\" role=\"img\" aria-label=\"{}\">\n",
-                     attributes, escaped(chart.title), fmt::arg("w", number(chart.width)),
-                     fmt::arg("h", number(chart.height))) +
+                     attributes, escaped(chart.title), fmt::arg("w", svg_number(chart.width)),
+                     fmt::arg("h", svg_number(chart.height))) +
          before + Drawing(chart).draw() + "</svg>\n";
 }
 
 // The variables of the style sheet.
-struct StyleColour {
+struct StyleColor {
   const char* name;
   const char* light;
   const char* dark;
 };
-constexpr std::array<StyleColour, 4 + kChartColours> kColours = {{{"ink", "#1d2430", "#e4e7ec"},
-                                                                  {"quiet", "#6a7280", "#98a1af"},
-                                                                  {"grid", "#e6e8ec", "#2c323c"},
-                                                                  {"paper", "#fff", "#15191f"},
-                                                                  {"c0", "#0072b2", "#4ea3dd"},
-                                                                  {"c1", "#d55e00", "#f0813a"},
-                                                                  {"c2", "#009e73", "#35c19a"},
-                                                                  {"c3", "#b0589a", "#dd8fc6"},
-                                                                  {"c4", "#c98f00", "#edb944"},
-                                                                  {"c5", "#3b9fd6", "#8fd0f7"},
-                                                                  {"c6", "#555f6e", "#a9b3c1"},
-                                                                  {"c7", "#7a6300", "#c9b458"}}};
+constexpr std::array<StyleColor, 4 + kChartColors> kColors = {{{"ink", "#1d2430", "#e4e7ec"},
+                                                               {"quiet", "#6a7280", "#98a1af"},
+                                                               {"grid", "#e6e8ec", "#2c323c"},
+                                                               {"paper", "#fff", "#15191f"},
+                                                               {"c0", "#0072b2", "#4ea3dd"},
+                                                               {"c1", "#d55e00", "#f0813a"},
+                                                               {"c2", "#009e73", "#35c19a"},
+                                                               {"c3", "#b0589a", "#dd8fc6"},
+                                                               {"c4", "#c98f00", "#edb944"},
+                                                               {"c5", "#3b9fd6", "#8fd0f7"},
+                                                               {"c6", "#555f6e", "#a9b3c1"},
+                                                               {"c7", "#7a6300", "#c9b458"}}};
 
 constexpr const char* kShapes = R"(
 .chart{font:11px/1.2 system-ui,-apple-system,"Segoe UI",Roboto,"DejaVu Sans",sans-serif;max-width:100%;height:auto}
@@ -320,11 +304,11 @@ constexpr const char* kShapes = R"(
 .chart .point:hover .marker{stroke-width:3.5}
 )";
 
-// The colours of the light theme in place of the variables, which programs other than browsers do not know.
+// The colors of the light theme in place of the variables, which programs other than browsers do not know.
 std::string on_white(std::string svg) {
-  for (const auto& colour : kColours) {
-    const std::string variable = fmt::format("var(--{})", colour.name);
-    const std::string value = colour.light;
+  for (const auto& color : kColors) {
+    const std::string variable = fmt::format("var(--{})", color.name);
+    const std::string value = color.light;
     for (auto at = svg.find(variable); at != std::string::npos; at = svg.find(variable, at + value.size())) {
       svg.replace(at, variable.size(), value);
     }
@@ -350,9 +334,9 @@ std::string chart_key(const ChartSeries& series) {
 std::string chart_style() {
   std::string light;
   std::string dark;
-  for (const auto& colour : kColours) {
-    light += fmt::format("--{}:{};", colour.name, colour.light);
-    dark += fmt::format("--{}:{};", colour.name, colour.dark);
+  for (const auto& color : kColors) {
+    light += fmt::format("--{}:{};", color.name, color.light);
+    dark += fmt::format("--{}:{};", color.name, color.dark);
   }
   return fmt::format("\n:root{{{}}}\n@media (prefers-color-scheme:dark){{:root{{{}}}}}", light, dark) + kShapes;
 }

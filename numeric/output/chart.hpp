@@ -1,7 +1,7 @@
 // Plots with logarithmic axes as SVG: markers, lines, staircases, labels that do not overlap, hover titles.
 //
 // Input: series of points with positive coordinates. Output: the text of one <svg> element, the same bytes for the same
-// chart. Colours are CSS variables (chart_style), so that a page or a file follows light and dark; a stretch of an axis
+// chart. Colors are CSS variables (chart_style), so that a page or a file follows light and dark; a stretch of an axis
 // without any point can be cut out (axis_pieces). A coordinate that is not positive is drawn at the lower end.
 #pragma once
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace sh::output {
 
-/// Colours that readers with any kind of colour vision tell apart: M. Okabe and K. Ito, "Color Universal Design", 2008.
-inline constexpr int kChartColours = 8;
+/// Colors that readers with any kind of color vision tell apart: M. Okabe and K. Ito, "Color Universal Design", 2008.
+inline constexpr int kChartColors = 8;
 
 enum class Marker { kCircle, kSquare, kTriangle, kDiamond, kDrop, kPlus, kCross };
 inline constexpr int kMarkers = 7;
@@ -26,7 +26,7 @@ struct ChartPoint {
 
 struct ChartSeries {
   std::string name;
-  int colour = 0;  ///< 0 .. kChartColours - 1; a negative one is the colour of text
+  int color = 0;  ///< 0 .. kChartColors - 1; a negative one is the color of text
   Marker marker = Marker::kCircle;
   bool filled = true;
   bool marked = true;  ///< with markers at its points
@@ -63,7 +63,7 @@ std::vector<AxisPiece> axis_pieces(std::vector<double> values, double widest_gap
 /// The <svg> element, for a page that has chart_style in its style sheet.
 std::string chart_svg(const Chart& chart);
 
-/// The same as a file of its own, on white, in colours that every program that shows SVG knows.
+/// The same as a file of its own, on white, in colors that every program that shows SVG knows.
 std::string chart_file(const Chart& chart);
 
 /// The marker of a series as a small <svg> element, for a legend.

@@ -16,7 +16,7 @@ WebPConfig config_of(int quality) {
   WebPConfigInit(&config);
   config.quality = static_cast<float>(quality);
   config.lossless = quality == 100 ? 1 : 0;
-  config.use_sharp_yuv = 1;  // coloured edges stay sharp
+  config.use_sharp_yuv = 1;  // colored edges stay sharp
   return config;
 }
 

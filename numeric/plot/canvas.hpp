@@ -10,13 +10,12 @@
 #include <string>
 #include <vector>
 
-#include "numeric/plot/colour.hpp"
+#include "numeric/output/markup.hpp"
+#include "numeric/plot/color.hpp"
 
 namespace sh::numeric::plot {
 
-struct Point {
-  double x = 0, y = 0;
-};
+using output::Point;
 
 struct Box {
   double x = 0, y = 0, width = 0, height = 0;
@@ -24,7 +23,7 @@ struct Box {
 
 struct Polygon {
   std::vector<Point> corners;
-  Colour fill;
+  Color fill;
 };
 
 enum class Anchor { kStart, kMiddle, kEnd };
@@ -35,15 +34,15 @@ struct Raster {
   std::vector<std::uint8_t> rgb;
 
   Raster(int w, int h) : width(w), height(h), rgb(3 * static_cast<std::size_t>(w) * static_cast<std::size_t>(h), 255) {}
-  [[nodiscard]] Colour at(int column, int row) const {
+  [[nodiscard]] Color at(int column, int row) const {
     const auto* p = rgb.data() + place(column, row);
     return {p[0], p[1], p[2]};
   }
-  void set(int column, int row, const Colour& colour) {
+  void set(int column, int row, const Color& color) {
     auto* p = rgb.data() + place(column, row);
-    p[0] = colour.red;
-    p[1] = colour.green;
-    p[2] = colour.blue;
+    p[0] = color.red;
+    p[1] = color.green;
+    p[2] = color.blue;
   }
 
  private:
@@ -63,10 +62,10 @@ class Canvas {
   Canvas(const Canvas&) = delete;
   Canvas& operator=(const Canvas&) = delete;
 
-  virtual void polygon(std::span<const Point> corners, const Colour& fill) = 0;
-  virtual void line(std::span<const Point> points, double width, const Colour& colour) = 0;
+  virtual void polygon(std::span<const Point> corners, const Color& fill) = 0;
+  virtual void line(std::span<const Point> points, double width, const Color& color) = 0;
   /// The baseline starts, has its middle or ends at `place`; `size` is the height of the em. ASCII.
-  virtual void text(const Point& place, const std::string& words, double size, Anchor anchor, const Colour& colour) = 0;
+  virtual void text(const Point& place, const std::string& words, double size, Anchor anchor, const Color& color) = 0;
   /// `picture` has the pixels of `where`, 1:1.
   virtual void image(const PixelBox& where, const Raster& picture) = 0;
   /// A surface in opaque facets that touch, back to front. SVG closes the gaps between them; in PNG they would show.
@@ -78,8 +77,6 @@ class Canvas {
   /// Pixels a unit.
   [[nodiscard]] double scale() const { return scale_; }
   [[nodiscard]] PixelBox pixels(const Box& box) const;
-  /// The box in units that whole pixels cover.
-  [[nodiscard]] Box units(const PixelBox& box) const;
 
  protected:
   explicit Canvas(double scale) : scale_(scale) {}
@@ -92,7 +89,30 @@ class Canvas {
 std::unique_ptr<Canvas> svg_canvas(double width, double height, int size, const std::string& title);
 std::unique_ptr<Canvas> png_canvas(double width, double height, int size);
 
+enum class Format { kSvg, kPng };
+
+/// From the ending .svg or .png. Throws std::invalid_argument naming the file.
+Format format_of(const std::string& file);
+
+/// What every picture has: a title, a format, a size in pixels.
+struct Figure {
+  std::string title;
+  Format format = Format::kSvg;
+  int size = 1000;  // width, kSmallestSize to kLargestSize
+};
+constexpr int kSmallestSize = 16;
+constexpr int kLargestSize = 8192;
+
+std::unique_ptr<Canvas> canvas_for(const Figure& figure, double width, double height);
+
+/// Sizes of letters, in units.
+constexpr double kTitleSize = 22;
+constexpr double kLabelSize = 15;
+
 /// Four corners, clockwise from the top left.
 std::vector<Point> corners_of(const Box& box);
+
+/// A label that is legible on any color.
+void draw_tag(Canvas& canvas, const Point& center, const std::string& words);
 
 }  // namespace sh::numeric::plot

@@ -15,14 +15,8 @@ constexpr double kWidth = 1000;
 constexpr double kAxisLength = 1.25;
 constexpr double kFacetLimit = 9000;  // about 60 bytes each
 
-struct Cell {
-  SphereFunction f;
-  std::string label;
-  Box box;
-};
-
-void draw_swatch(Canvas& canvas, const Point& place, const Colour& colour, const std::string& words) {
-  canvas.polygon(corners_of({place.x, place.y - 12, 14, 14}), colour);
+void draw_swatch(Canvas& canvas, const Point& place, const Color& color, const std::string& words) {
+  canvas.polygon(corners_of({place.x, place.y - 12, 14, 14}), color);
   canvas.text({place.x + 21, place.y}, words, kLabelSize, Anchor::kStart, kInk);
 }
 
@@ -34,10 +28,8 @@ void draw_legend(Canvas& canvas, double baseline) {
 // Letters beyond the tips of the axes.
 void draw_letters(Canvas& canvas, const Camera& camera, const Box& box, double unit, double length, double size) {
   static constexpr const char* kLetters[] = {"x", "y", "z"};
-  for (std::size_t i = 0; i < 3; ++i) {
-    Vector3 tip{};
-    tip[i] = length;
-    const Vector3 p = camera.project(tip);
+  for (int i = 0; i < 3; ++i) {
+    const Vector3 p = camera.project(length * Vector3::Unit(i));
     canvas.text({box.x + box.width / 2 + unit * p[0], box.y + box.height / 2 - unit * p[1] + 0.35 * size}, kLetters[i],
                 size, Anchor::kMiddle, kInk);
   }

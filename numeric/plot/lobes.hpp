@@ -1,8 +1,8 @@
-// Functions on the sphere as lobes: the surface r(s) = |f(s)|, positive and negative in two colours, lit, with axes.
+// Functions on the sphere as lobes: the surface r(s) = |f(s)|, positive and negative in two colors, lit, with axes.
 #pragma once
 #include <string>
 
-#include "numeric/plot/figure.hpp"
+#include "numeric/plot/canvas.hpp"
 #include "numeric/plot/render.hpp"
 #include "numeric/plot/sphere_function.hpp"
 

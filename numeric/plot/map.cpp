@@ -3,50 +3,54 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <limits>
 #include <vector>
 
-#include "numeric/plot/field.hpp"
+#include "numeric/plot/panel.hpp"
 
 namespace sh::numeric::plot {
 namespace {
 
 constexpr double kWidth = 1000;
 constexpr double kTop = 58;
-constexpr Box kLatLongBox{78, kTop, 784, 392};
-constexpr Box kCrossBox{40, kTop, 820, 615};
 constexpr double kBarLeft = 892;
 constexpr double kBarWidth = 18;
 constexpr int kGraticule = 30;  // degrees
-constexpr Colour kGraticuleColour{0, 0, 0, 60};
-constexpr Colour kTag{255, 255, 255, 205};
+constexpr Color kGraticuleColor{0, 0, 0, 60};
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr Channels kPaper = {kNone, kNone, kNone};
+
+// A lat-long picture has room for angles at its left, and below; others fit into 820 x 700.
+Box area_of(ImageMapping mapping) {
+  if (mapping == ImageMapping::kLatLong) return {78, kTop, 784, 392};
+  const MappingShape shape = mapping_shape(mapping);
+  const double unit = std::min(820.0 / shape.width, 700.0 / shape.height);
+  return {40, kTop, unit * shape.width, unit * shape.height};
+}
 
 class MapFigure {
  public:
-  MapFigure(const SphereFunction& f, Projection projection, const Figure& figure)
+  MapFigure(const SphereFunction& f, ImageMapping mapping, const Figure& figure)
       : f_(f),
-        projection_(projection),
+        mapping_(mapping),
         largest_(largest_magnitude(f)),
-        area_(projection == Projection::kLatLong ? kLatLongBox : kCrossBox),
-        canvas_(canvas_for(figure, kWidth, kTop + area_.height + (projection == Projection::kLatLong ? 84 : 44))),
+        area_(area_of(mapping)),
+        canvas_(canvas_for(figure, kWidth, kTop + area_.height + (is_lat_long() ? 84 : 44))),
         title_(figure.title) {}
 
   std::string draw() {
-    for (const auto& panel : panels_of(projection_)) draw_panel(panel);
-    if (projection_ == Projection::kLatLong) draw_lat_long_axes();
+    paint_map(*canvas_, mapping_, area_, f_.value, style());
+    for (const Panel& panel : panels_of(mapping_)) draw_lines(panel);
+    if (is_lat_long()) draw_lat_long_axes();
+    if (is_disc(mapping_)) draw_axis_tags(*canvas_, mapping_, area_);
     draw_words();
     if (largest_.magnitude > 0) draw_bar();
     return canvas_->finish();
   }
 
  private:
-  [[nodiscard]] FieldStyle style(const PixelBox& where) const {
-    return {f_.channels, largest_.magnitude > 0 ? largest_.magnitude : 1, canvas_->scale(), where};
-  }
-
-  void paint(const Sampler& sampler, const Box& box) {
-    const PixelBox where = canvas_->pixels(box);
-    canvas_->image(where, paint_field(sampler, style(where)));
-  }
+  [[nodiscard]] bool is_lat_long() const { return mapping_ == ImageMapping::kLatLong; }
+  [[nodiscard]] FieldStyle style() const { return {f_.channels, largest_.magnitude > 0 ? largest_.magnitude : 1}; }
 
   void draw_frame(const Box& box) {
     auto corners = corners_of(box);
@@ -54,33 +58,20 @@ class MapFigure {
     canvas_->line(corners, 1, kInk);
   }
 
-  [[nodiscard]] Box box_of(const Panel& panel) const {
-    if (projection_ == Projection::kLatLong) return area_;
-    const double side = area_.width / 4;
-    return {area_.x + panel.column * side, area_.y + panel.row * side, side, side};
-  }
-
-  void draw_panel(const Panel& panel) {
-    const Box box = box_of(panel);
-    paint([&](const Point& p) { return f_.value(panel.direction(p)); }, box);
+  void draw_lines(const Panel& panel) {
+    const Box box = panel.box(area_);
     for (auto& line : graticule(panel, kGraticule)) {
       for (auto& p : line) p = {box.x + p.x * box.width, box.y + p.y * box.height};
-      canvas_->line(line, 0.7, kGraticuleColour);
+      canvas_->line(line, 0.7, kGraticuleColor);
     }
-    draw_frame(box);
-    if (projection_ == Projection::kCubeMap) {
-      draw_tag({box.x + 24, box.y + 24}, panel.label);
-      draw_centre({box.x + box.width / 2, box.y + box.height / 2});
+    if (!is_disc(mapping_)) draw_frame(box);
+    if (panel.face != nullptr) {
+      draw_tag(*canvas_, {box.x + 24, box.y + 24}, axis_name(panel.face->forward));
+      draw_center({box.x + box.width / 2, box.y + box.height / 2});
     }
   }
 
-  // A label that is legible on any colour.
-  void draw_tag(const Point& centre, const std::string& words) {
-    canvas_->polygon(corners_of({centre.x - 16, centre.y - 13, 32, 26}), kTag);
-    canvas_->text({centre.x, centre.y + 6}, words, 18, Anchor::kMiddle, kInk);
-  }
-
-  void draw_centre(const Point& p) {
+  void draw_center(const Point& p) {
     canvas_->line(std::vector<Point>{{p.x - 5, p.y}, {p.x + 5, p.y}}, 1.4, kInk);
     canvas_->line(std::vector<Point>{{p.x, p.y - 5}, {p.x, p.y + 5}}, 1.4, kInk);
   }
@@ -110,13 +101,15 @@ class MapFigure {
   void draw_words() {
     const double bottom = area_.y + area_.height;
     canvas_->text({area_.x, 34}, title_, kTitleSize, Anchor::kStart, kInk);
-    canvas_->text({area_.x + area_.width, 34}, describe(largest_, f_.exponent), kLabelSize, Anchor::kEnd, kInk);
+    canvas_->text({std::max(area_.x + area_.width, 860.0), 34}, describe(largest_, f_.exponent), kLabelSize,
+                  Anchor::kEnd, kInk);
     const bool light = f_.channels == 3;
-    const std::string words = std::string("hatched: ") + (light ? "a channel is negative" : "negative") +
-                              (light ? "; grey line: zero" : "; black line: zero") +
-                              "; seen from the centre, z up, every 30 degrees a line";
-    canvas_->text({area_.x, bottom + (projection_ == Projection::kLatLong ? 68 : 28)}, words, kLabelSize,
-                  Anchor::kStart, kInk);
+    const std::string words =
+        std::string("hatched: ") + (light ? "a channel is negative" : "negative") +
+        (light ? "; gray line: zero" : "; black line: zero") +
+        (mapping_ == ImageMapping::kMirrorBall ? "; in a mirror ball" : "; seen from the center") +
+        ", z up, every 30 degrees a line";
+    canvas_->text({area_.x, bottom + (is_lat_long() ? 68 : 28)}, words, kLabelSize, Anchor::kStart, kInk);
     if (largest_.magnitude == 0) {
       canvas_->text({area_.x + area_.width / 2, area_.y + area_.height / 2 - 12}, "zero function", kTitleSize,
                     Anchor::kMiddle, kInk);
@@ -125,12 +118,12 @@ class MapFigure {
 
   void draw_bar() {
     const Box bar{kBarLeft, area_.y, kBarWidth, area_.height};
-    paint(
-        [&](const Point& p) {
-          const double v = largest_.magnitude * (1 - 2 * p.y);
-          return Channels{v, v, v};
-        },
-        bar);
+    const Sampler values = [&](const Point& p) {
+      const double v = largest_.magnitude * (1 - 2 * p.y);
+      return Channels{v, v, v};
+    };
+    const PixelBox where = canvas_->pixels(bar);
+    canvas_->image(where, paint_field(values, where, canvas_->scale(), style()));
     draw_frame(bar);
     for (int i = -2; i <= 2; ++i) {
       const double y = bar.y + bar.height * (2 - i) / 4;
@@ -141,7 +134,7 @@ class MapFigure {
   }
 
   const SphereFunction& f_;
-  Projection projection_;
+  ImageMapping mapping_;
   Largest largest_;
   Box area_;
   std::unique_ptr<Canvas> canvas_;
@@ -150,8 +143,33 @@ class MapFigure {
 
 }  // namespace
 
-std::string draw_map(const SphereFunction& f, Projection projection, const Figure& figure) {
-  return MapFigure(f, projection, figure).draw();
+std::string draw_map(const SphereFunction& f, ImageMapping mapping, const Figure& figure) {
+  return MapFigure(f, mapping, figure).draw();
+}
+
+void paint_map(Canvas& canvas, ImageMapping mapping, const Box& area,
+               const std::function<Channels(const Vector3&)>& value, const FieldStyle& style) {
+  for (const Panel& panel : panels_of(mapping)) {
+    const PixelBox where = canvas.pixels(panel.box(area));
+    const Sampler sampler = [&](const Point& place) {
+      const auto direction = panel.direction(place);
+      return direction ? value(*direction) : kPaper;
+    };
+    canvas.image(where, paint_field(sampler, where, canvas.scale(), style));
+  }
+}
+
+void draw_axis_tags(Canvas& canvas, ImageMapping mapping, const Box& area) {
+  for (int axis = 0; axis < 6; ++axis) {
+    const Vector3 d = (axis % 2 == 0 ? 1.0 : -1.0) * Vector3::Unit(axis / 2);
+    Eigen::Vector2d place = mapped_place(mapping, d);
+    if (mapping == ImageMapping::kLatLong && axis / 2 == 2) place.x() = 0.5;  // a pole is the whole edge
+    if (is_disc(mapping) && axis == 1) place = {0.5, 1.0};                    // -x is the whole rim
+    draw_tag(canvas,
+             {std::clamp(area.x + place.x() * area.width, area.x + 16, area.x + area.width - 16),
+              std::clamp(area.y + place.y() * area.height, area.y + 13, area.y + area.height - 13)},
+             axis_name(d));
+  }
 }
 
 }  // namespace sh::numeric::plot

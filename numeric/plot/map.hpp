@@ -1,18 +1,28 @@
-// A function on the sphere as a flat picture: lat-long or cube map, with zero line, negative regions hatched,
-// graticule, axes and colour bar.
+// A function on the sphere as a flat picture in any mapping, with zero line, negative regions hatched, graticule, axes
+// and color bar.
 //
-// Input: any SphereFunction, of one channel (diverging colours, zero in the middle) or of three (linear red, green,
-// blue over the largest magnitude, as sRGB). Where +x, +y and +z are: mapping.hpp, and written in the picture.
+// Input: any SphereFunction, of one channel (diverging colors, zero in the middle) or of three (linear red, green,
+// blue over the largest magnitude, as sRGB). Where +x, +y and +z are: numeric/sampling/image_mapping.hpp, and written in
+// the picture.
 #pragma once
+#include <functional>
 #include <string>
 
-#include "numeric/plot/figure.hpp"
-#include "numeric/plot/mapping.hpp"
+#include "numeric/plot/canvas.hpp"
+#include "numeric/plot/field.hpp"
 #include "numeric/plot/sphere_function.hpp"
+#include "numeric/sampling/image_mapping.hpp"
 
 namespace sh::numeric::plot {
 
 /// The file's bytes, the same for the same input. Throws output::Interrupted between rows when asked to stop.
-std::string draw_map(const SphereFunction& f, Projection projection, const Figure& figure);
+std::string draw_map(const SphereFunction& f, ImageMapping mapping, const Figure& figure);
+
+/// Paints values towards directions over `area`; what the mapping leaves out stays paper.
+void paint_map(Canvas& canvas, ImageMapping mapping, const Box& area,
+               const std::function<Channels(const Vector3&)>& value, const FieldStyle& style);
+
+/// Writes +x, -x, +y, ... where they are in a map that fills `area`.
+void draw_axis_tags(Canvas& canvas, ImageMapping mapping, const Box& area);
 
 }  // namespace sh::numeric::plot

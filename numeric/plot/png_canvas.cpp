@@ -21,7 +21,7 @@ namespace {
 using PixelFormat = agg::pixfmt_srgb24;
 using Renderer = agg::renderer_base<PixelFormat>;
 
-agg::srgba8 colour_of(const Colour& c) { return {c.red, c.green, c.blue, c.alpha}; }
+agg::srgba8 color_of(const Color& c) { return {c.red, c.green, c.blue, c.alpha}; }
 
 class PngCanvas : public Canvas {
  public:
@@ -33,18 +33,18 @@ class PngCanvas : public Canvas {
         pixels_(buffer_),
         renderer_(pixels_) {}
 
-  void polygon(std::span<const Point> corners, const Colour& fill) override {
+  void polygon(std::span<const Point> corners, const Color& fill) override {
     agg::path_storage path = path_of(corners);
     path.close_polygon();
     paint(path, fill);
   }
 
-  void line(std::span<const Point> points, double width, const Colour& colour) override {
+  void line(std::span<const Point> points, double width, const Color& color) override {
     agg::path_storage path = path_of(points);
-    stroke(path, width * scale(), colour);
+    stroke(path, width * scale(), color);
   }
 
-  void text(const Point& place, const std::string& words, double size, Anchor anchor, const Colour& colour) override {
+  void text(const Point& place, const std::string& words, double size, Anchor anchor, const Color& color) override {
     agg::gsv_text letters;
     letters.flip(true);
     letters.size(kCapHeight * size * scale(), kCapWidth * size * scale());
@@ -52,7 +52,7 @@ class PngCanvas : public Canvas {
     const double width = letters.text_width();
     const double shift = anchor == Anchor::kStart ? 0 : anchor == Anchor::kMiddle ? width / 2 : width;
     letters.start_point(place.x * scale() - shift, place.y * scale());
-    stroke(letters, std::max(kPen * size * scale(), 0.8), colour);
+    stroke(letters, std::max(kPen * size * scale(), 0.8), color);
   }
 
   void image(const PixelBox& where, const Raster& picture) override {
@@ -90,21 +90,21 @@ class PngCanvas : public Canvas {
   }
 
   template <class Source>
-  void stroke(Source& source, double width, const Colour& colour) {
+  void stroke(Source& source, double width, const Color& color) {
     agg::conv_stroke<Source> outline(source);
     outline.width(width);
     outline.line_join(agg::round_join);
     outline.line_cap(agg::round_cap);
-    paint(outline, colour);
+    paint(outline, color);
   }
 
   template <class Source>
-  void paint(Source& source, const Colour& colour) {
+  void paint(Source& source, const Color& color) {
     agg::rasterizer_scanline_aa<> rasterizer;
     rasterizer.clip_box(0, 0, picture_.width, picture_.height);
     rasterizer.add_path(source);
     agg::scanline_p8 scanline;
-    agg::render_scanlines_aa_solid(rasterizer, scanline, renderer_, colour_of(colour));
+    agg::render_scanlines_aa_solid(rasterizer, scanline, renderer_, color_of(color));
   }
 
   Raster picture_;
@@ -117,21 +117,6 @@ class PngCanvas : public Canvas {
 
 std::unique_ptr<Canvas> png_canvas(double width, double height, int size) {
   return std::make_unique<PngCanvas>(width, height, size);
-}
-
-PixelBox Canvas::pixels(const Box& box) const {
-  const auto whole = [this](double v) { return static_cast<int>(std::lround(v * scale())); };
-  const int x = whole(box.x);
-  const int y = whole(box.y);
-  return {x, y, std::max(1, whole(box.x + box.width) - x), std::max(1, whole(box.y + box.height) - y)};
-}
-
-Box Canvas::units(const PixelBox& box) const {
-  return {box.x / scale(), box.y / scale(), box.width / scale(), box.height / scale()};
-}
-
-std::vector<Point> corners_of(const Box& b) {
-  return {{b.x, b.y}, {b.x + b.width, b.y}, {b.x + b.width, b.y + b.height}, {b.x, b.y + b.height}};
 }
 
 }  // namespace sh::numeric::plot

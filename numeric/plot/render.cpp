@@ -18,14 +18,14 @@ constexpr int kStripRows = 16;  // pixels; bounds the memory of a large picture
 class Light {
  public:
   explicit Light(const Camera& camera)
-      : light_(unit(-0.45 * camera.right + 0.6 * camera.up + 0.75 * camera.toward)),
-        half_(unit(light_ + camera.toward)) {}
+      : light_((-0.45 * camera.right + 0.6 * camera.up + 0.75 * camera.toward).normalized()),
+        half_((light_ + camera.toward).normalized()) {}
 
-  [[nodiscard]] LinearColour shade(const LinearColour& paint, const Vector3& normal) const {
-    const Vector3 n = unit(normal);
-    const double diffuse = std::max(0.0, (dot(n, light_) + 0.25) / 1.25);
-    const double highlight = 0.18 * std::pow(std::max(0.0, dot(n, half_)), 40);
-    LinearColour out{};
+  [[nodiscard]] LinearColor shade(const LinearColor& paint, const Vector3& normal) const {
+    const Vector3 n = normal.normalized();
+    const double diffuse = std::max(0.0, (n.dot(light_) + 0.25) / 1.25);
+    const double highlight = 0.18 * std::pow(std::max(0.0, n.dot(half_)), 40);
+    LinearColor out{};
     for (std::size_t i = 0; i < 3; ++i) out[i] = paint[i] * (0.22 + 1.05 * diffuse) + highlight;
     return out;
   }
@@ -47,9 +47,9 @@ class Strip {
         first_(first * kSamples),
         rows_(rows * kSamples),
         depth_(count(), kNothing),
-        colour_(count(), {1, 1, 1}) {}
+        color_(count(), {1, 1, 1}) {}
 
-  void draw(const Corner& a, const Corner& b, const Corner& c, const LinearColour& paint, const Light& light) {
+  void draw(const Corner& a, const Corner& b, const Corner& c, const LinearColor& paint, const Light& light) {
     const double area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
     if (area == 0) return;
     const auto [low_x, high_x] = range(a.x, b.x, c.x, 0, width_);
@@ -66,16 +66,16 @@ class Strip {
         const std::size_t i = place(column, row);
         if (depth <= depth_[i]) continue;
         depth_[i] = depth;
-        colour_[i] = light.shade(paint, u * a.normal + v * b.normal + w * c.normal);
+        color_[i] = light.shade(paint, u * a.normal + v * b.normal + w * c.normal);
       }
     }
   }
 
   // The mean of a pixel's samples.
-  [[nodiscard]] Colour pixel(int column, int row) const {
-    LinearColour sum{};
+  [[nodiscard]] Color pixel(int column, int row) const {
+    LinearColor sum{};
     for (int k = 0; k < kSamples * kSamples; ++k) {
-      const auto& sample = colour_[place(column * kSamples + k % kSamples, row * kSamples + k / kSamples)];
+      const auto& sample = color_[place(column * kSamples + k % kSamples, row * kSamples + k / kSamples)];
       for (std::size_t i = 0; i < 3; ++i) sum[i] += std::min(1.0, sample[i]) / (kSamples * kSamples);
     }
     return encode(sum);
@@ -91,7 +91,7 @@ class Strip {
     return static_cast<std::size_t>(row - first_) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(column);
   }
 
-  // Samples whose centre is between the least and the largest.
+  // Samples whose center is between the least and the largest.
   static std::pair<int, int> range(double a, double b, double c, int from, int to) {
     const double low = std::clamp(std::ceil(std::min({a, b, c}) - 0.5), double(from), double(to));
     const double high = std::clamp(std::floor(std::max({a, b, c}) - 0.5) + 1, double(from), double(to));
@@ -100,7 +100,7 @@ class Strip {
 
   int width_, first_, rows_;
   std::vector<double> depth_;
-  std::vector<LinearColour> colour_;
+  std::vector<LinearColor> color_;
 };
 
 Raster render(const Surface& surface, const Camera& camera, int width, int height, double pixels_a_unit) {
@@ -141,19 +141,19 @@ double signed_area(const std::vector<Point>& corners) {
 }
 
 // Facets that face the viewer, back to front by their mean depth.
-std::vector<Polygon> visible_facets(const Surface& surface, const Camera& camera, const Point& centre, double unit) {
+std::vector<Polygon> visible_facets(const Surface& surface, const Camera& camera, const Point& center, double unit) {
   const Light light(camera);
   std::vector<std::pair<double, Polygon>> facets;
   for (const auto& facet : surface.facets) {
     Polygon flat;
     double depth = 0;
-    Vector3 normal{};
+    Vector3 normal = Vector3::Zero();
     for (int k = 0; k < facet.count; ++k) {
       const auto& vertex = surface.vertices[static_cast<std::size_t>(facet.corners[static_cast<std::size_t>(k)])];
       const Vector3 p = camera.project(vertex.position);
-      flat.corners.push_back({centre.x + unit * p[0], centre.y - unit * p[1]});
+      flat.corners.push_back({center.x + unit * p[0], center.y - unit * p[1]});
       depth += p[2] / facet.count;
-      normal = normal + vertex.normal;
+      normal += vertex.normal;
     }
     constexpr double kSmallest = 0.01;  // square units; counter-clockwise is negative where y is down
     if (-signed_area(flat.corners) < kSmallest) continue;
@@ -180,8 +180,8 @@ Camera::Camera(const View& view) {
 void draw_surface(Canvas& canvas, const Surface& surface, const Camera& camera, const Box& box, double unit,
                   bool facets) {
   if (facets && canvas.is_vector()) {
-    const Point centre{box.x + box.width / 2, box.y + box.height / 2};
-    canvas.facets(visible_facets(surface, camera, centre, unit));
+    const Point center{box.x + box.width / 2, box.y + box.height / 2};
+    canvas.facets(visible_facets(surface, camera, center, unit));
     return;
   }
   const PixelBox where = canvas.pixels(box);

@@ -15,7 +15,7 @@ struct View {
 /// Towards the right, up and towards the viewer.
 struct Camera {
   explicit Camera(const View& view);
-  [[nodiscard]] Vector3 project(const Vector3& p) const { return {dot(p, right), dot(p, up), dot(p, toward)}; }
+  [[nodiscard]] Vector3 project(const Vector3& p) const { return {p.dot(right), p.dot(up), p.dot(toward)}; }
 
   Vector3 right, up, toward;
 };

@@ -118,6 +118,10 @@ SphereFunction function_of_coefficients(std::span<const double> coefficients) {
   return {channels, bands - 1, CoefficientSum(std::move(scaled), channels, bands - 1), exponent};
 }
 
+Vector3 direction(double theta, double phi) {
+  return {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
+}
+
 SphereFunction basis_function(int degree, int order) {
   std::vector<double> coefficients(static_cast<std::size_t>(coefficient_count(degree)));
   coefficients[static_cast<std::size_t>(coefficient_index(degree, order))] = 1;
@@ -156,6 +160,14 @@ Largest largest_magnitude(const SphereFunction& f) {
     if (!higher) step /= 2;
   }
   return best;
+}
+
+std::string describe(const Largest& largest, int exponent) {
+  if (largest.magnitude == 0) return "zero function";
+  // Rounded first, so that no "-0.00" appears.
+  const auto part = [&](int i) { return std::round(100 * largest.where[i]) / 100 + 0.0; };
+  return fmt::format("largest magnitude {} at ({:.2f}, {:.2f}, {:.2f})", format_value(largest.magnitude, exponent),
+                     part(0), part(1), part(2));
 }
 
 std::string format_value(double value, int exponent) {

@@ -1,14 +1,18 @@
 // What a picture shows: a function on the unit sphere, of one channel or of three (red, green, blue).
 // From coefficients (numeric/README.md: index l(l+1)+m, channel by channel) by the oracle, or any callable.
 #pragma once
+#include <Eigen/Core>
 #include <array>
 #include <functional>
 #include <span>
 #include <string>
 
-#include "numeric/plot/vector.hpp"
-
 namespace sh::numeric::plot {
+
+using Vector3 = Eigen::Vector3d;
+
+/// (sin theta cos phi, sin theta sin phi, cos theta).
+Vector3 direction(double theta, double phi);
 
 /// Value of each channel; one channel uses the first place.
 using Channels = std::array<double, 3>;
@@ -41,6 +45,9 @@ struct Largest {
   Vector3 where{0, 0, 1};
 };
 Largest largest_magnitude(const SphereFunction& f);
+
+/// "largest magnitude 0.846 at (0.00, 0.71, 0.71)", or what the zero function has instead.
+std::string describe(const Largest& largest, int exponent);
 
 /// `value` 2^exponent with three significant digits, of any magnitude.
 std::string format_value(double value, int exponent);

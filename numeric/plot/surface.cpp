@@ -1,5 +1,6 @@
 #include "numeric/plot/surface.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -8,7 +9,7 @@ namespace sh::numeric::plot {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr Colour kAxis{96, 96, 96};
+constexpr Color kAxis{96, 96, 96};
 
 // [SutherlandHodgman74] against f = 0; what is cut off ends at the origin, where r = |f| = 0.
 class LobeBuilder {
@@ -20,7 +21,7 @@ class LobeBuilder {
         const Vector3 s = direction(kPi * i / rings_, 2 * kPi * j / columns_);
         const double value = f.value(s)[0];
         values_.push_back(value);
-        surface_.vertices.push_back({std::abs(value) * radius * s, {}});
+        surface_.vertices.push_back({std::abs(value) * radius * s});
       }
     }
   }
@@ -41,7 +42,7 @@ class LobeBuilder {
  private:
   [[nodiscard]] int index(int ring, int column) const { return ring * columns_ + column; }
 
-  void add_part(const std::array<int, 4>& cell, double sign, const LinearColour& paint) {
+  void add_part(const std::array<int, 4>& cell, double sign, const LinearColor& paint) {
     Facet facet{{}, 0, paint};
     const auto value = [&](std::size_t k) { return sign * values_[static_cast<std::size_t>(cell[k % 4])]; };
     bool inside = false;
@@ -75,24 +76,24 @@ class LobeBuilder {
     for (std::size_t i = first_facet; i < surface_.facets.size(); ++i) {
       const auto& facet = surface_.facets[i];
       const auto normal = area_normal(facet);
-      for (int k = 0; k < facet.count; ++k) vertex(facet, k).normal = vertex(facet, k).normal + normal;
+      for (int k = 0; k < facet.count; ++k) vertex(facet, k).normal += normal;
     }
     share_normals(0);
     share_normals(rings_);
-    for (auto v = surface_.vertices.begin() + first_; v != surface_.vertices.end(); ++v) v->normal = unit(v->normal);
+    for (auto v = surface_.vertices.begin() + first_; v != surface_.vertices.end(); ++v) v->normal.normalize();
   }
 
   void share_normals(int ring) {
-    Vector3 sum{};
-    for (int j = 0; j < columns_; ++j) sum = sum + at(ring, j).normal;
+    Vector3 sum = Vector3::Zero();
+    for (int j = 0; j < columns_; ++j) sum += at(ring, j).normal;
     for (int j = 0; j < columns_; ++j) at(ring, j).normal = sum;
   }
 
   [[nodiscard]] Vector3 area_normal(const Facet& facet) {
-    Vector3 sum{};
+    Vector3 sum = Vector3::Zero();
     for (int k = 1; k + 1 < facet.count; ++k) {
-      const auto& a = vertex(facet, 0).position;
-      sum = sum + cross(vertex(facet, k).position - a, vertex(facet, k + 1).position - a);
+      const Vector3& a = vertex(facet, 0).position;
+      sum += (vertex(facet, k).position - a).cross(vertex(facet, k + 1).position - a);
     }
     return sum;
   }
@@ -102,7 +103,7 @@ class LobeBuilder {
   Vertex& vertex_at(int i) { return surface_.vertices[static_cast<std::size_t>(i)]; }
 
   Surface& surface_;
-  LinearColour positive_ = decode(kPositive), negative_ = decode(kNegative);
+  LinearColor positive_ = decode(kPositive), negative_ = decode(kNegative);
   int rings_, columns_, first_;
   int origin_ = -1;
   std::vector<double> values_;
@@ -115,9 +116,9 @@ struct ProfilePoint {
 
 void add_revolution(Surface& surface, const Vector3& axis, const std::vector<ProfilePoint>& profile) {
   constexpr int kSides = 10;
-  const LinearColour paint = decode(kAxis);
+  const LinearColor paint = decode(kAxis);
   const Vector3 a{axis[2], axis[0], axis[1]};
-  const Vector3 b = cross(axis, a);
+  const Vector3 b = axis.cross(a);
   const auto first = static_cast<int>(surface.vertices.size());
   for (const auto& p : profile) {
     for (int k = 0; k < kSides; ++k) {

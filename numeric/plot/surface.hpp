@@ -1,22 +1,23 @@
-// Surfaces in space for the pictures of lobes: facets with a colour each and a normal at every corner.
+// Surfaces in space for the pictures of lobes: facets with a color each and a normal at every corner.
 #pragma once
 #include <array>
 #include <vector>
 
-#include "numeric/plot/colour.hpp"
+#include "numeric/plot/color.hpp"
 #include "numeric/plot/sphere_function.hpp"
 
 namespace sh::numeric::plot {
 
 struct Vertex {
-  Vector3 position, normal;  // the normal points outwards, of length 1
+  Vector3 position = Vector3::Zero();
+  Vector3 normal = Vector3::Zero();  // points outwards, of length 1
 };
 
 /// A convex polygon, counter-clockwise seen from outside.
 struct Facet {
   std::array<int, 5> corners{};
   int count = 0;
-  LinearColour paint{};
+  LinearColor paint{};
 };
 
 struct Surface {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "numeric/output/markup.hpp"
 #include "numeric/output/png.hpp"
 #include "numeric/plot/canvas.hpp"
 
@@ -26,23 +27,7 @@ std::string base64(std::string_view bytes) {
   return out;
 }
 
-std::string escape(const std::string& words) {
-  std::string out;
-  for (const char c : words) {
-    out += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '"' ? "&quot;" : std::string(1, c);
-  }
-  return out;
-}
-
-std::string hex(const Colour& c) { return fmt::format("#{:02x}{:02x}{:02x}", c.red, c.green, c.blue); }
-
-// A tenth of a pixel, without a trailing ".0" or a "-0".
-std::string number(double v) {
-  const auto tenths = std::lround(10 * v);
-  const char* sign = tenths < 0 ? "-" : "";
-  const long size = std::abs(tenths);
-  return size % 10 == 0 ? fmt::format("{}{}", sign, size / 10) : fmt::format("{}{}.{}", sign, size / 10, size % 10);
-}
+std::string hex(const Color& c) { return fmt::format("#{:02x}{:02x}{:02x}", c.red, c.green, c.blue); }
 
 const char* name(Anchor anchor) {
   return anchor == Anchor::kStart ? "start" : anchor == Anchor::kMiddle ? "middle" : "end";
@@ -56,17 +41,17 @@ class SvgCanvas : public Canvas {
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" "
         "font-family=\"Helvetica,Arial,DejaVu Sans,sans-serif\">\n<title>{2}</title>\n"
         "<rect width=\"{0}\" height=\"{1}\" fill=\"#fff\"/>\n",
-        size, rows, escape(title));
+        size, rows, output::escaped(title));
   }
 
-  void polygon(std::span<const Point> corners, const Colour& fill) override {
+  void polygon(std::span<const Point> corners, const Color& fill) override {
     text_ += fmt::format("<path d=\"{}z\" fill=\"{}\"{}/>\n", path(corners), hex(fill), opacity("fill", fill));
   }
 
-  void line(std::span<const Point> points, double width, const Colour& colour) override {
+  void line(std::span<const Point> points, double width, const Color& color) override {
     text_ += fmt::format(
         "<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{:.2f}\" stroke-linejoin=\"round\"{}/>\n",
-        path(points), hex(colour), width * scale(), opacity("stroke", colour));
+        path(points), hex(color), width * scale(), opacity("stroke", color));
   }
 
   void facets(std::span<const Polygon> polygons) override {
@@ -77,10 +62,10 @@ class SvgCanvas : public Canvas {
     text_ += "</g>\n";
   }
 
-  void text(const Point& place, const std::string& words, double size, Anchor anchor, const Colour& colour) override {
+  void text(const Point& place, const std::string& words, double size, Anchor anchor, const Color& color) override {
     text_ += fmt::format("<text x=\"{}\" y=\"{}\" font-size=\"{:.2f}\" text-anchor=\"{}\" fill=\"{}\">{}</text>\n",
-                         number(place.x * scale()), number(place.y * scale()), size * scale(), name(anchor),
-                         hex(colour), escape(words));
+                         output::svg_number(place.x * scale()), output::svg_number(place.y * scale()), size * scale(),
+                         name(anchor), hex(color), output::escaped(words));
   }
 
   void image(const PixelBox& where, const Raster& picture) override {
@@ -95,28 +80,9 @@ class SvgCanvas : public Canvas {
   [[nodiscard]] std::string finish() override { return text_ + "</svg>\n"; }
 
  private:
-  // Absolute start, then relative steps between rounded places, so that nothing drifts.
-  [[nodiscard]] std::string path(std::span<const Point> points) const {
-    std::string out;
-    double x = 0;
-    double y = 0;
-    const auto append = [&out](const std::string& word) {
-      if (word[0] != '-' && out.back() != 'M' && out.back() != 'l') out += ' ';
-      out += word;
-    };
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      const double to_x = std::round(10 * points[i].x * scale()) / 10;
-      const double to_y = std::round(10 * points[i].y * scale()) / 10;
-      if (i < 2) out += i == 0 ? 'M' : 'l';
-      append(number(to_x - x));
-      append(number(to_y - y));
-      x = to_x;
-      y = to_y;
-    }
-    return out;
-  }
+  [[nodiscard]] std::string path(std::span<const Point> points) const { return output::svg_path(points, scale()); }
 
-  static std::string opacity(const char* what, const Colour& c) {
+  static std::string opacity(const char* what, const Color& c) {
     return c.alpha == 255 ? "" : fmt::format(" {}-opacity=\"{:.2f}\"", what, c.alpha / 255.0);
   }
 

@@ -21,7 +21,7 @@ std::size_t rule_index(const std::string& name) {
 ChartSeries line_of(const std::string& rule) {
   const auto index = rule_index(rule);
   return {.name = rule,
-          .colour = static_cast<int>(index % output::kChartColours),
+          .color = static_cast<int>(index % output::kChartColors),
           .marker = static_cast<output::Marker>(index % output::kMarkers),
           .line = output::Line::kStraight};
 }

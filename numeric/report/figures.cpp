@@ -44,8 +44,8 @@ bool is_best_of_type(const Point& point, const std::vector<Point>& points) {
 
 ChartSeries series_of(const std::string& name, std::size_t index) {
   return {.name = name,
-          .colour = static_cast<int>(index % output::kChartColours),
-          .marker = static_cast<output::Marker>((index + index / output::kChartColours) % output::kMarkers)};
+          .color = static_cast<int>(index % output::kChartColors),
+          .marker = static_cast<output::Marker>((index + index / output::kChartColors) % output::kMarkers)};
 }
 
 std::string values_text(const WorstCase& worst) {
@@ -69,7 +69,7 @@ std::string hover_of(const Point& p) {
 
 // The staircase of the best of one mode.
 ChartSeries front_of(const std::vector<Point>& points, Mode mode, bool dashed) {
-  ChartSeries front{.name = "", .colour = -1, .marked = false, .line = output::Line::kStaircase, .dashed = dashed};
+  ChartSeries front{.name = "", .color = -1, .marked = false, .line = output::Line::kStaircase, .dashed = dashed};
   for (const auto& point : points) {
     if (point.on_front && point.info.mode == mode) front.points.push_back({point.nanoseconds, point.error, "", "", ""});
   }

@@ -48,13 +48,13 @@ std::vector<LightSpec> named_lights(const std::string& name, const std::string& 
   } else {
     spec.type = LightType::kEnvironment;
     spec.file = name;
-    spec.mapping = mapping_named(mapping);
+    spec.mapping = numeric::mapping_named(mapping).value();
   }
   return {spec};
 }
 
 void add_mapping_to(CLI::App& command, std::string& mapping) {
-  const std::vector<std::string> words(std::begin(kMappingNames), std::end(kMappingNames));
+  const std::vector<std::string> words(numeric::kMappingNames.begin(), numeric::kMappingNames.end());
   command.add_option("--mapping", mapping, "of a picture (prt/IMAGES.md)")
       ->check(CLI::IsMember(words))
       ->capture_default_str();

@@ -91,7 +91,7 @@ struct ChosenLight {
 };
 ChosenLight choose_light(const LightOptions& options, const std::vector<LightSpec>& otherwise = {});
 
-/// Adds `--mapping`, one of kMappingNames.
+/// Adds `--mapping`, one of numeric::kMappingNames.
 void add_mapping_to(CLI::App& command, std::string& mapping);
 
 /// What a word or a file stands for: `constant`, `overcast`, a JSON file that holds one light of a scene or an array of

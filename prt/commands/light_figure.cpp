@@ -7,8 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "numeric/plot/canvas.hpp"
-#include "numeric/plot/field.hpp"
+#include "numeric/plot/map.hpp"
 #include "numeric/sampling/sphere_nodes.hpp"
 #include "prt/image/tone_map.hpp"
 
@@ -22,20 +21,12 @@ constexpr double kWidth = 1000.0;
 constexpr double kMargin = 16.0;
 constexpr double kTop = 52.0;
 constexpr double kCaption = 30.0;
-constexpr double kTitleSize = 22.0;
-constexpr double kLabelSize = 15.0;
-constexpr plot::Colour kTag{255, 255, 255, 205};
 constexpr int kLeastWidth = 100;
-constexpr int kMostWidth = 8192;
 
 struct Panel {
   ImageMapping mapping;
   bool original;
 };
-
-bool is_disc(ImageMapping mapping) {
-  return mapping == ImageMapping::kAngularMap || mapping == ImageMapping::kMirrorBall;
-}
 
 std::vector<Panel> panels_of(const LightFigure& figure) {
   std::vector<Panel> out;
@@ -54,32 +45,33 @@ class Drawing {
  public:
   Drawing(const std::vector<Light>& lights, const LightCoefficients& coefficients, const LightFigure& figure)
       : lights_(lights), coefficients_(coefficients), figure_(figure), panels_(panels_of(figure)) {
-    const bool pairs = figure.original && figure.reconstruction;
-    columns_ = std::min<int>(static_cast<int>(panels_.size()), pairs ? 2 : 3);
+    const int count = static_cast<int>(panels_.size());
+    columns_ = std::min(count, figure.original && figure.reconstruction ? 2 : 3);
     cell_width_ = (kWidth - kMargin) / columns_ - kMargin;
-    cell_height_ = 0.0;
     for (const Panel& panel : panels_) {
       const MappingShape shape = mapping_shape(panel.mapping);
       cell_height_ =
           std::max(cell_height_, cell_width_ * std::min(0.75, static_cast<double>(shape.height) / shape.width));
     }
-    const int rows = (static_cast<int>(panels_.size()) + columns_ - 1) / columns_;
-    canvas_ = plot::png_canvas(kWidth, kTop + rows * (cell_height_ + kCaption) + 36.0, figure.width);
+    bottom_ = kTop + (count + columns_ - 1) / columns_ * (cell_height_ + kCaption);
+    canvas_ = plot::png_canvas(kWidth, bottom_ + 36.0, figure.width);
     white_ = 1.0 / exposure();
   }
 
   std::string draw() {
-    canvas_->text({kMargin, 33.0}, figure_.title, kTitleSize, plot::Anchor::kStart, plot::kInk);
+    write({kMargin, 33.0}, figure_.title, plot::kTitleSize, plot::Anchor::kStart);
     for (std::size_t i = 0; i < panels_.size(); ++i) {
       draw_panel(panels_[i], box_of(static_cast<int>(i)));
     }
-    const int rows = (static_cast<int>(panels_.size()) + columns_ - 1) / columns_;
-    canvas_->text({kMargin, kTop + rows * (cell_height_ + kCaption) + 16.0}, legend(), kLabelSize, plot::Anchor::kStart,
-                  plot::kInk);
+    write({kMargin, bottom_ + 16.0}, legend(), plot::kLabelSize, plot::Anchor::kStart);
     return canvas_->finish();
   }
 
  private:
+  void write(const plot::Point& place, const std::string& words, double size, plot::Anchor anchor) {
+    canvas_->text(place, words, size, anchor, plot::kInk);
+  }
+
   [[nodiscard]] Eigen::Vector3d value(bool original, const Eigen::Vector3d& d) const {
     return original ? radiance(lights_, d).cast<double>().eval() : radiance(coefficients_, d);
   }
@@ -103,51 +95,23 @@ class Drawing {
   }
 
   void draw_panel(const Panel& panel, const plot::Box& box) {
-    const plot::PixelBox where = canvas_->pixels(box);
-    const plot::Sampler sampler = [&](const plot::Point& place) { return sample(panel, place); };
-    canvas_->image(where, plot::paint_field(
-                              sampler, {3, white_, canvas_->scale(), where, !panel.original && figure_.mark_negative}));
+    const auto values = [&](const Eigen::Vector3d& d) {
+      const Eigen::Vector3d color = value(panel.original, d);
+      return plot::Channels{color.x(), color.y(), color.z()};
+    };
+    plot::paint_map(*canvas_, panel.mapping, box, values, {3, white_, !panel.original && figure_.mark_negative});
     if (figure_.axes) {
-      draw_axes(panel.mapping, box);
+      plot::draw_axis_tags(*canvas_, panel.mapping, box);
     }
-    const std::string caption = fmt::format("{}{}", kMappingNames[static_cast<std::size_t>(panel.mapping)],
-                                            panel.original ? "" : fmt::format(", degree {}", coefficients_.degree));
-    canvas_->text({box.x + 0.5 * box.width, box.y + box.height + 20.0}, caption, kLabelSize, plot::Anchor::kMiddle,
-                  plot::kInk);
-  }
-
-  [[nodiscard]] plot::Channels sample(const Panel& panel, const plot::Point& place) const {
-    const auto direction = mapped_direction(panel.mapping, place.x, place.y);
-    if (!direction) {
-      return {white_, white_, white_};  // no part of the picture: as the paper
-    }
-    const Eigen::Vector3d colour = value(panel.original, *direction);
-    return {colour.x(), colour.y(), colour.z()};
-  }
-
-  void draw_axes(ImageMapping mapping, const plot::Box& box) {
-    for (int axis = 0; axis < 6; ++axis) {
-      const double sign = axis % 2 == 0 ? 1.0 : -1.0;
-      const Eigen::Vector3d d = sign * Eigen::Vector3d::Unit(axis / 2);
-      Eigen::Vector2d place = mapped_place(mapping, d);
-      if (mapping == ImageMapping::kLatLong && axis / 2 == 2) {
-        place.x() = 0.5;  // a pole is the whole edge
-      }
-      if (is_disc(mapping) && axis == 1) {
-        place = {0.5, 1.0};  // -x is the whole rim
-      }
-      const double x = std::clamp(box.x + place.x() * box.width, box.x + 14.0, box.x + box.width - 14.0);
-      const double y = std::clamp(box.y + place.y() * box.height, box.y + 11.0, box.y + box.height - 11.0);
-      canvas_->polygon(plot::corners_of({x - 14.0, y - 11.0, 28.0, 22.0}), kTag);
-      canvas_->text({x, y + 6.0}, fmt::format("{}{}", axis % 2 == 0 ? '+' : '-', "xyz"[axis / 2]), 17.0,
-                    plot::Anchor::kMiddle, plot::kInk);
-    }
+    const std::string degree = panel.original ? "" : fmt::format(", degree {}", coefficients_.degree);
+    write({box.x + 0.5 * box.width, box.y + box.height + 20.0},
+          fmt::format("{}{}", numeric::name_of(panel.mapping), degree), plot::kLabelSize, plot::Anchor::kMiddle);
   }
 
   [[nodiscard]] std::string legend() const {
     const std::string exposed = fmt::format("white is {:.3g} W m^-2 sr^-1", white_);
     return figure_.reconstruction && figure_.mark_negative
-               ? "hatched: a channel is negative; grey line: where that begins; " + exposed
+               ? "hatched: a channel is negative; gray line: where that begins; " + exposed
                : exposed;
   }
 
@@ -158,6 +122,7 @@ class Drawing {
   int columns_ = 1;
   double cell_width_ = 0.0;
   double cell_height_ = 0.0;
+  double bottom_ = 0.0;
   double white_ = 1.0;
   std::unique_ptr<plot::Canvas> canvas_;
 };
@@ -166,9 +131,9 @@ class Drawing {
 
 std::string draw_lights(const std::vector<Light>& lights, const LightCoefficients& coefficients,
                         const LightFigure& figure) {
-  if (figure.width < kLeastWidth || figure.width > kMostWidth) {
+  if (figure.width < kLeastWidth || figure.width > plot::kLargestSize) {
     throw std::invalid_argument(
-        fmt::format("--width {}: {} to {} pixels can be drawn", figure.width, kLeastWidth, kMostWidth));
+        fmt::format("--width {}: {} to {} pixels can be drawn", figure.width, kLeastWidth, plot::kLargestSize));
   }
   constexpr float kMostStops = 64.0F;
   if (!(std::abs(figure.exposure_stops) <= kMostStops)) {

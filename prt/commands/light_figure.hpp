@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "prt/image/image_mapping.hpp"
+#include "prt/image/environment.hpp"
 #include "prt/light/light.hpp"
 #include "prt/light/light_coefficients.hpp"
 

@@ -40,7 +40,7 @@ Json described(const Options& options, const std::vector<Light>& lights) {
       out.update({{"width", light.image->width},
                   {"height", light.image->height},
                   {"negative_pixels", light.image->negative_pixels},
-                  {"mapping", kMappingNames[static_cast<std::size_t>(light.spec.mapping)]}});
+                  {"mapping", name_of(light.spec.mapping)}});
     }
     if (light.share_of_picture > 0.0) {
       const Eigen::Vector3d d = light.rotation * light.spec.direction;

@@ -59,11 +59,11 @@ nlohmann::ordered_json summary(const LightCoefficients& light) {
 
 std::vector<ImageMapping> mappings_named(const std::string& name) {
   if (name != "all") {
-    return {mapping_named(name)};
+    return {numeric::mapping_named(name).value()};
   }
   std::vector<ImageMapping> out;
-  for (const std::string_view mapping : kMappingNames) {
-    out.push_back(mapping_named(mapping));
+  for (const std::string_view mapping : numeric::kMappingNames) {
+    out.push_back(numeric::mapping_named(mapping).value());
   }
   return out;
 }
@@ -100,7 +100,7 @@ void add_reconstruct_command(CLI::App& tool) {
   command->add_option("LIGHT", options->light, "a picture, a .json file of lights, constant or overcast")->required();
   command->add_option("-o,--output", options->output, "PNG file to write")->required();
   add_mapping_to(*command, options->mapping);
-  std::vector<std::string> words(std::begin(kMappingNames), std::end(kMappingNames));
+  std::vector<std::string> words(numeric::kMappingNames.begin(), numeric::kMappingNames.end());
   words.emplace_back("all");
   command->add_option("--draw", options->draw, "mapping of what is drawn, or all")
       ->check(CLI::IsMember(words))

@@ -24,32 +24,24 @@ using ChannelNames = std::array<std::string, 3>;
 
 std::vector<std::string> names_of(const Imf::ChannelList& channels) {
   std::vector<std::string> names;
-  for (auto channel = channels.begin(); channel != channels.end(); ++channel) {
-    names.emplace_back(channel.name());
-  }
+  for (auto channel = channels.begin(); channel != channels.end(); ++channel) names.emplace_back(channel.name());
   return names;
 }
 
 /// R, G, B of the unnamed layer, or of the only layer that has all three, or Y three times.
 std::optional<ChannelNames> find_rgb(const std::vector<std::string>& names) {
   const auto has = [&](const std::string& name) { return std::find(names.begin(), names.end(), name) != names.end(); };
-  if (has("R") && has("G") && has("B")) {
-    return ChannelNames{"R", "G", "B"};
-  }
+  if (has("R") && has("G") && has("B")) return ChannelNames{"R", "G", "B"};
   std::optional<ChannelNames> found;
   for (const std::string& name : names) {
     const std::string layer = name.ends_with(".R") ? name.substr(0, name.size() - 1) : std::string();
-    if (layer.empty() || !has(layer + "G") || !has(layer + "B")) {
-      continue;
-    }
+    if (layer.empty() || !has(layer + "G") || !has(layer + "B")) continue;
     if (found) {
       return std::nullopt;  // two layers: which one is the light?
     }
     found = ChannelNames{layer + "R", layer + "G", layer + "B"};
   }
-  if (!found && has("Y") && !has("RY") && !has("BY")) {
-    return ChannelNames{"Y", "Y", "Y"};
-  }
+  if (!found && has("Y") && !has("RY") && !has("BY")) return ChannelNames{"Y", "Y", "Y"};
   return found;
 }
 
@@ -72,9 +64,7 @@ ChannelNames rgb_channels(const std::string& file, const Imf::ChannelList& chann
 /// A file may name primaries other than Rec. 709 (ACES, Rec. 2020, ...); its numbers are then not what we take them
 /// for.
 void check_primaries(const std::string& file, const Imf::Header& header, OnFlaw on_flaw) {
-  if (!Imf::hasChromaticities(header)) {
-    return;
-  }
+  if (!Imf::hasChromaticities(header)) return;
   const Imf::Chromaticities found = Imf::chromaticities(header);
   const Imf::Chromaticities rec709;
   constexpr float kTolerance = 2e-3F;
@@ -107,9 +97,7 @@ Image read_pixels(const std::string& file, OnFlaw on_flaw) {
   input.setFrameBuffer(buffer);
   input.readPixels(window.min.y, window.max.y);
   if (grey) {
-    for (Eigen::Vector3f& p : image.pixels) {
-      p.setConstant(p.x());
-    }
+    for (Eigen::Vector3f& p : image.pixels) p.setConstant(p.x());
   }
   return image;
 }

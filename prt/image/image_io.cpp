@@ -1,4 +1,3 @@
-// Which reader a file needs: prt/image/image_io.hpp.
 #include "prt/image/image_io.hpp"
 
 #include <fmt/format.h>
@@ -32,14 +31,37 @@ void refuse_srgb(const std::string& file, ColorSpace space) {
 
 }  // namespace
 
+void require_sane_size(const std::string& file, long long width, long long height) {
+  const auto limit = static_cast<long long>(kMaxPixels);
+  if (width > 0 && height > 0 && width <= limit && height <= limit / width) return;
+  throw std::runtime_error(
+      fmt::format("{}: the picture is {} x {} pixels; 1 to {} pixels can be read", file, width, height, kMaxPixels));
+}
+
+void mend_pixels(const std::string& file, Image& image, OnFlaw on_flaw) {
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+    Eigen::Vector3f& pixel = image.pixels[i];
+    if (!pixel.allFinite()) {
+      const auto width = static_cast<std::size_t>(image.width);
+      throw std::runtime_error(
+          fmt::format("{}: the pixel in column {}, row {} is ({}, {}, {}); every value must be finite", file, i % width,
+                      i / width, pixel.x(), pixel.y(), pixel.z()));
+    }
+    if ((pixel.array() < 0.0F).any()) {
+      ++image.negative_pixels;
+      pixel = pixel.cwiseMax(0.0F);
+    }
+  }
+  if (image.negative_pixels > 0) {
+    report_flaw(on_flaw, fmt::format("{}: {} of {} pixels are negative in some channel (set to 0)", file,
+                                     image.negative_pixels, image.pixels.size()));
+  }
+}
+
 Image read_image(const std::string& file, OnFlaw on_flaw, ColorSpace space) {
   const std::string bytes = read_bytes(file);
-  if (bytes.starts_with(kPngMagic)) {
-    return read_png(file, bytes, space, on_flaw);
-  }
-  if (bytes.starts_with(kJpegMagic)) {
-    return read_jpeg(file, bytes, space);
-  }
+  if (bytes.starts_with(kPngMagic)) return read_png(file, bytes, space, on_flaw);
+  if (bytes.starts_with(kJpegMagic)) return read_jpeg(file, bytes, space);
   Image image;
   if (bytes.starts_with(kExrMagic)) {
     refuse_srgb(file, space);

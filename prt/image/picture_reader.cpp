@@ -7,8 +7,8 @@
 #include <memory>
 #include <stdexcept>
 
+#include "numeric/output/srgb.hpp"
 #include "prt/image/image_io.hpp"
-#include "prt/srgb.hpp"
 
 namespace sh::prt {
 namespace {
@@ -18,7 +18,7 @@ std::array<float, 256> table_for(ColorSpace space) {
   std::array<float, 256> table{};
   for (std::size_t byte = 0; byte < table.size(); ++byte) {
     const double value = static_cast<double>(byte) / 255.0;
-    table[byte] = static_cast<float>(space == ColorSpace::kLinear ? value : srgb_decode(value));
+    table[byte] = static_cast<float>(space == ColorSpace::kLinear ? value : output::srgb_decode(value));
   }
   return table;
 }
@@ -41,9 +41,7 @@ Image linear_image(int width, int height, const std::vector<unsigned char>& byte
 
 void report_alpha(const std::string& file, const std::vector<unsigned char>& rgba, OnFlaw on_flaw) {
   std::size_t clear = 0;
-  for (std::size_t i = 3; i < rgba.size(); i += 4) {
-    clear += rgba[i] != 255 ? 1 : 0;
-  }
+  for (std::size_t i = 3; i < rgba.size(); i += 4) clear += rgba[i] != 255 ? 1 : 0;
   if (clear > 0) {
     report_flaw(on_flaw,
                 fmt::format("{}: {} of {} pixels are not opaque (alpha is ignored)", file, clear, rgba.size() / 4));
@@ -56,9 +54,7 @@ Image read_png(const std::string& file, std::string_view bytes, ColorSpace space
   png_image png{};
   png.version = PNG_IMAGE_VERSION;
   const std::unique_ptr<png_image, decltype(&png_image_free)> closer(&png, &png_image_free);
-  if (png_image_begin_read_from_memory(&png, bytes.data(), bytes.size()) == 0) {
-    refuse(file, png.message);
-  }
+  if (png_image_begin_read_from_memory(&png, bytes.data(), bytes.size()) == 0) refuse(file, png.message);
   require_sane_size(file, png.width, png.height);
   if ((png.format & PNG_FORMAT_FLAG_LINEAR) != 0) {
     refuse(file, "it has 16 bits a channel; 8 bits are needed, or OpenEXR or Radiance .hdr for more");

@@ -24,20 +24,14 @@ class Reader {
 
   std::string_view line() {
     const std::size_t end = bytes_.find('\n', at_);
-    if (end == std::string_view::npos) {
-      fail("is truncated in its header");
-    }
+    if (end == std::string_view::npos) fail("is truncated in its header");
     std::string_view text = bytes_.substr(at_, end - at_);
     at_ = end + 1;
-    if (text.ends_with('\r')) {
-      text.remove_suffix(1);
-    }
+    if (text.ends_with('\r')) text.remove_suffix(1);
     return text;
   }
   std::uint8_t byte() {
-    if (at_ >= bytes_.size()) {
-      fail(fmt::format("is truncated in row {}", row));
-    }
+    if (at_ >= bytes_.size()) fail(fmt::format("is truncated in row {}", row));
     return static_cast<std::uint8_t>(bytes_[at_++]);
   }
   Rgbe pixel() { return {byte(), byte(), byte(), byte()}; }
@@ -75,16 +69,12 @@ Header read_header(const std::string& file, Reader& reader) {
   for (std::string_view line = reader.line(); !line.empty(); line = reader.line()) {
     if (line.starts_with("FORMAT=")) {
       rgbe = line == "FORMAT=32-bit_rle_rgbe";
-      if (!rgbe) {
-        reader.fail(fmt::format("has {}; only FORMAT=32-bit_rle_rgbe can be read", line));
-      }
+      if (!rgbe) reader.fail(fmt::format("has {}; only FORMAT=32-bit_rle_rgbe can be read", line));
     } else if (line.starts_with("EXPOSURE=")) {
       header.exposure *= positive_number(reader, std::string(line.substr(9)));  // several multiply
     }
   }
-  if (!rgbe) {
-    reader.fail("has no line FORMAT=32-bit_rle_rgbe in its header");
-  }
+  if (!rgbe) reader.fail("has no line FORMAT=32-bit_rle_rgbe in its header");
   const std::string size(reader.line());
   int used = 0;
   if (std::sscanf(size.c_str(), "-Y %9d +X %9d%n", &header.height, &header.width, &used) != 2 ||
@@ -106,9 +96,7 @@ void read_channel(Reader& reader, std::vector<Rgbe>& scanline, std::size_t chann
     }
     std::uint8_t value = run ? reader.byte() : std::uint8_t{0};
     for (std::size_t k = 0; k < count; ++k) {
-      if (!run) {
-        value = reader.byte();
-      }
+      if (!run) value = reader.byte();
       scanline[i++][channel] = value;
     }
   }
@@ -125,12 +113,8 @@ void read_plain(Reader& reader, std::vector<Rgbe>& scanline) {
       continue;
     }
     const std::size_t count = shift < 32 ? std::size_t{pixel[3]} << static_cast<unsigned>(shift) : scanline.size() + 1;
-    if (i == 0 || count > scanline.size() - i) {
-      reader.fail(fmt::format("has a wrong repetition in row {}", reader.row));
-    }
-    for (std::size_t k = 0; k < count; ++k, ++i) {
-      scanline[i] = scanline[i - 1];
-    }
+    if (i == 0 || count > scanline.size() - i) reader.fail(fmt::format("has a wrong repetition in row {}", reader.row));
+    for (std::size_t k = 0; k < count; ++k, ++i) scanline[i] = scanline[i - 1];
     shift += 8;
   }
 }
@@ -147,17 +131,13 @@ void read_scanline(Reader& reader, std::vector<Rgbe>& scanline) {
   if (static_cast<std::size_t>(start[2]) * 256U + start[3] != scanline.size()) {
     reader.fail(fmt::format("has a wrong length of row {}", reader.row));
   }
-  for (std::size_t channel = 0; channel < 4; ++channel) {
-    read_channel(reader, scanline, channel);
-  }
+  for (std::size_t channel = 0; channel < 4; ++channel) read_channel(reader, scanline, channel);
 }
 
 /// [Ward91] value = (mantissa + 1/2) / 256 * 2^(e - 128). The half is left out, as Radiance's own users mostly do:
 /// black stays black, and mantissa 128 at e = 129 is exactly 1.
 Eigen::Vector3f to_linear(const Rgbe& pixel, double exposure) {
-  if (pixel[3] == 0) {
-    return Eigen::Vector3f::Zero();
-  }
+  if (pixel[3] == 0) return Eigen::Vector3f::Zero();
   const double factor = std::ldexp(1.0, static_cast<int>(pixel[3]) - (128 + 8)) / exposure;
   return (Eigen::Vector3d(pixel[0], pixel[1], pixel[2]) * factor).cast<float>();
 }
@@ -171,9 +151,7 @@ Image read_radiance(const std::string& file, std::string_view bytes) {
   std::vector<Rgbe> scanline(static_cast<std::size_t>(header.width));
   for (reader.row = 0; reader.row < header.height; ++reader.row) {
     read_scanline(reader, scanline);
-    for (const Rgbe& pixel : scanline) {
-      image.pixels.push_back(to_linear(pixel, header.exposure));
-    }
+    for (const Rgbe& pixel : scanline) image.pixels.push_back(to_linear(pixel, header.exposure));
   }
   return image;
 }

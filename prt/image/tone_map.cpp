@@ -5,21 +5,17 @@
 #include <cmath>
 #include <cstddef>
 
-#include "prt/srgb.hpp"
+#include "numeric/output/srgb.hpp"
 
 namespace sh::prt {
 
 float automatic_exposure(std::span<const Eigen::Vector3f> radiance) {
   constexpr double kPercentile = 0.95;
   constexpr float kTarget = 0.7F;
-  if (radiance.empty()) {
-    return 1.0F;
-  }
+  if (radiance.empty()) return 1.0F;
   std::vector<float> brightest;
   brightest.reserve(radiance.size());
-  for (const Eigen::Vector3f& color : radiance) {
-    brightest.push_back(color.maxCoeff());
-  }
+  for (const Eigen::Vector3f& color : radiance) brightest.push_back(color.maxCoeff());
   const auto middle =
       brightest.begin() + static_cast<std::ptrdiff_t>(kPercentile * static_cast<double>(brightest.size() - 1));
   std::nth_element(brightest.begin(), middle, brightest.end());
@@ -33,9 +29,7 @@ Eigen::Vector3f khronos_pbr_neutral(Eigen::Vector3f color) {
   const float darkest = color.minCoeff();
   color.array() -= darkest < 2.0F * kToe ? darkest - 6.25F * darkest * darkest : kToe;
   const float peak = color.maxCoeff();
-  if (peak < kStart) {
-    return color;
-  }
+  if (peak < kStart) return color;
   const float room = 1.0F - kStart;
   const float compressed = 1.0F - room * room / (peak + room - kStart);
   color *= compressed / peak;
@@ -69,7 +63,8 @@ std::vector<std::uint8_t> tone_map(std::span<const Eigen::Vector3f> radiance, fl
   for (const Eigen::Vector3f& color : radiance) {
     const Eigen::Vector3f shown = mapped(exposure * color.cwiseMax(0.0F), curve);
     for (const float channel : shown) {
-      bytes.push_back(static_cast<std::uint8_t>(std::lround(255.0F * srgb_encode(std::clamp(channel, 0.0F, 1.0F)))));
+      bytes.push_back(
+          static_cast<std::uint8_t>(std::lround(255.0F * output::srgb_encode(std::clamp(channel, 0.0F, 1.0F)))));
     }
   }
   return bytes;

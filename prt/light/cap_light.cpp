@@ -28,9 +28,7 @@ std::vector<double> project_cap(const Eigen::Vector3d& direction, double one_min
   std::vector<double> out = project_directional(direction, degree);
   for (int l = 0, i = 0; l <= degree; ++l) {  // a zonal function turned to a direction, numeric/oracle/cap.hpp
     const double factor = std::sqrt(4.0 * kPi / (2.0 * l + 1.0)) * zonal[static_cast<std::size_t>(l)];
-    for (; i < (l + 1) * (l + 1); ++i) {
-      out[static_cast<std::size_t>(i)] *= factor;
-    }
+    for (; i < (l + 1) * (l + 1); ++i) out[static_cast<std::size_t>(i)] *= factor;
   }
   return out;
 }

@@ -46,17 +46,13 @@ class Channels {
   /// Over the peak without a window.
   [[nodiscard]] double least(const std::vector<double>& window) const {
     double out = functions_[0].least(times_kept(window)).value;
-    for (const BandLimited& f : functions_) {
-      out = std::min(out, f.least(times_kept(window)).value);
-    }
+    for (const BandLimited& f : functions_) out = std::min(out, f.least(times_kept(window)).value);
     return peak_ > 0.0 ? out / peak_ : 0.0;
   }
 
   [[nodiscard]] double largest(const std::vector<double>& window) const {
     double out = 0.0;
-    for (const BandLimited& f : functions_) {
-      out = std::max(out, f.largest(times_kept(window)).value);
-    }
+    for (const BandLimited& f : functions_) out = std::max(out, f.largest(times_kept(window)).value);
     return out;
   }
 
@@ -135,9 +131,7 @@ Deringing apply_window(const WindowChoice& choice, LightCoefficients& light) {
   if (choice.automatic) {
     refuse_negative(light);
     done.needed = done.least_before < -kRounding;
-    if (!done.needed) {
-      return done;
-    }
+    if (!done.needed) return done;
     done.choice.window = window_of_strength(choice.window.type, choice.window.power, least_strength(channels, choice));
   }
   const std::vector<double> factors = window_factors(done.choice.window, light.degree);
@@ -151,9 +145,7 @@ Deringing apply_window(const WindowChoice& choice, LightCoefficients& light) {
 
 std::string describe(const Deringing& done) {
   const char* what = done.choice.keep == Keep::kRadiance ? "radiance" : "irradiance";
-  if (!done.needed) {
-    return fmt::format("no window is needed: the {} is negative nowhere", what);
-  }
+  if (!done.needed) return fmt::format("no window is needed: the {} is negative nowhere", what);
   return fmt::format(
       "{}window {}: least {} {:.3g} of the peak, {:.3g} without; keeps {:.1f} % of the peak and "
       "{:.1f} % of the contrast (root mean square)",

@@ -9,7 +9,7 @@
 #include <numbers>
 #include <set>
 
-#include "prt/image/lat_long.hpp"
+#include "numeric/sampling/solid_angle.hpp"
 
 namespace sh::prt {
 namespace {
@@ -29,14 +29,10 @@ class Mosaic {
 
   [[nodiscard]] double solid_angle(std::size_t i) const {
     const int row = static_cast<int>(i / width());
-    if (mapping_ == ImageMapping::kLatLong) {
-      return lat_long_solid_angle(row, image_.width, image_.height);
-    }
+    if (mapping_ == ImageMapping::kLatLong) return numeric::lat_long_solid_angle(row, image_.width, image_.height);
     pixel_nodes(mapping_, image_.width, static_cast<int>(i % width()), row, nodes_);
     double sum = 0.0;
-    for (const PixelNode& node : nodes_) {
-      sum += node.weight;
-    }
+    for (const PixelNode& node : nodes_) sum += node.weight;
     return sum;
   }
 
@@ -51,9 +47,7 @@ class Mosaic {
   [[nodiscard]] Pixels around(std::size_t i) const {
     Pixels out;
     const auto middle = direction(i);
-    if (!middle) {
-      return out;
-    }
+    if (!middle) return out;
     const Eigen::Vector3d u = middle->unitOrthogonal();
     const Eigen::Vector3d v = middle->cross(u);
     const double reach = 1.1 * pixel_edge(i);
@@ -95,9 +89,7 @@ Pixels rim_of(const Pixels& set, const Mosaic& mosaic) {
   Pixels rim;
   for (const std::size_t i : set) {
     for (const std::size_t j : mosaic.around(i)) {
-      if (!set.contains(j)) {
-        rim.insert(j);
-      }
+      if (!set.contains(j)) rim.insert(j);
     }
   }
   return rim;
@@ -123,9 +115,7 @@ Pixels grown(const Image& image, const Mosaic& mosaic, std::size_t first, double
 
 double luminance_total(const Image& image, const Mosaic& mosaic) {
   double sum = 0.0;
-  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
-    sum += luminance(image.pixels[i]) * mosaic.solid_angle(i);
-  }
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) sum += luminance(image.pixels[i]) * mosaic.solid_angle(i);
   return sum;
 }
 
@@ -178,15 +168,11 @@ SunSearch extract_sun(const Image& image, ImageMapping mapping, const SunOptions
       peak = luminance(image.pixels[i]);
     }
   }
-  if (!(peak > 0.0)) {
-    return {std::nullopt, "the picture is black"};
-  }
+  if (!(peak > 0.0)) return {std::nullopt, "the picture is black"};
   const double most = 4.0 * kPi * std::pow(std::sin(kPi / 360.0 * options.half_angle), 2.0);
   Pixels region = grown(image, mosaic, first, options.threshold * peak, most);
   double size = 0.0;
-  for (const std::size_t i : region) {
-    size += mosaic.solid_angle(i);
-  }
+  for (const std::size_t i : region) size += mosaic.solid_angle(i);
   if (size > most && region.size() > 1) {
     return {std::nullopt,
             fmt::format("what is joined to the brightest place and brighter than {} of it is larger than a "

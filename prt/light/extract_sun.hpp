@@ -11,8 +11,7 @@
 #include <optional>
 #include <string>
 
-#include "prt/image/image.hpp"
-#include "prt/image/image_mapping.hpp"
+#include "prt/image/environment.hpp"
 
 namespace sh::prt {
 

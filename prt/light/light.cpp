@@ -5,8 +5,8 @@
 
 #include <optional>
 
+#include "prt/image/environment.hpp"
 #include "prt/image/image_io.hpp"
-#include "prt/image/image_mapping.hpp"
 #include "prt/light/cap_light.hpp"
 #include "prt/light/light_coefficients.hpp"
 #include "prt/light/polygon_light.hpp"
@@ -45,9 +45,7 @@ void load_light(const LightSpec& spec, OnFlaw on_flaw, std::vector<Light>& light
     require_shape(spec.file, *image, spec.mapping);
     light.image = std::move(image);
     if (spec.extract_sun) {
-      if (std::optional<Light> sun = split_sun(light)) {
-        lights.push_back(std::move(*sun));
-      }
+      if (std::optional<Light> sun = split_sun(light)) lights.push_back(std::move(*sun));
     }
   }
   lights.push_back(std::move(light));
@@ -80,25 +78,19 @@ Eigen::Vector3f radiance(const Light& light, const Eigen::Vector3d& direction) {
 std::vector<Light> load_lights(const std::vector<LightSpec>& specs, OnFlaw on_flaw) {
   std::vector<Light> lights;
   lights.reserve(specs.size());
-  for (const LightSpec& spec : specs) {
-    load_light(spec, on_flaw, lights);
-  }
+  for (const LightSpec& spec : specs) load_light(spec, on_flaw, lights);
   return lights;
 }
 
 std::vector<Light> turned(const std::vector<Light>& lights, const Eigen::Matrix3d& r) {
   std::vector<Light> out = lights;
-  for (Light& light : out) {
-    light.rotation = r * light.rotation;
-  }
+  for (Light& light : out) light.rotation = r * light.rotation;
   return out;
 }
 
 Eigen::Vector3f radiance(const std::vector<Light>& lights, const Eigen::Vector3d& direction) {
   Eigen::Vector3f sum = Eigen::Vector3f::Zero();
-  for (const Light& light : lights) {
-    sum += radiance(light, direction);
-  }
+  for (const Light& light : lights) sum += radiance(light, direction);
   return sum;
 }
 

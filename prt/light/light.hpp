@@ -1,13 +1,12 @@
 // Lights ready for use: their radiance towards a direction, for the picture's background. prt/light/project.hpp makes
 // their SH coefficients.
 //   constant      L everywhere
-//   cie_overcast  L (1 + 2 cos theta) / 3 above the horizon, theta from the zenith +z; 0 below: the ground is the
-//   scene's
-//                 [CIE S 011/E:2003, type 16: the traditional overcast sky]
+//   cie_overcast  L (1 + 2 cos theta) / 3 above the horizon, theta from the zenith +z; 0 below: the ground is part of
+//                 the scene [CIE S 011/E:2003, type 16: the traditional overcast sky]
 //   cie_sky       the other skies of the standard, with the sun's position (prt/light/sky.hpp)
 //   directional   a point at infinity; cap: a disc at infinity, or a sphere (prt/light/cap_light.hpp)
 //   polygon       a flat polygon (prt/light/polygon_light.hpp)
-//   environment   a picture (prt/image/image_mapping.hpp says where its axes are) times `scale`
+//   environment   a picture (numeric/sampling/image_mapping.hpp says where its axes are) times `scale`
 #pragma once
 #include <Eigen/Core>
 #include <memory>

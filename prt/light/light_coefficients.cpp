@@ -28,16 +28,12 @@ LightCoefficients LightCoefficients::zero(int degree) {
 }
 
 void accumulate(LightCoefficients& sum, const LightCoefficients& more) {
-  for (std::size_t i = 0; i < sum.values.size(); ++i) {
-    sum.values[i] += more.values[i];
-  }
+  for (std::size_t i = 0; i < sum.values.size(); ++i) sum.values[i] += more.values[i];
 }
 
 LightCoefficients turned(const LightCoefficients& light, const Eigen::Matrix3d& r) {
   LightCoefficients out = light;
-  if (r == Eigen::Matrix3d::Identity()) {
-    return out;
-  }
+  if (r == Eigen::Matrix3d::Identity()) return out;
   const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> rows = r;
   at_degree(light.degree, [&](auto degree) {
     for (std::size_t channel = 0; channel < 3; ++channel) {

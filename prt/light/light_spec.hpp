@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "prt/image/environment.hpp"
 #include "prt/image/image_io.hpp"
-#include "prt/image/image_mapping.hpp"
 #include "prt/light/deringing.hpp"
 #include "prt/light/extract_sun.hpp"
 

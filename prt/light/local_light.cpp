@@ -38,9 +38,7 @@ Light sphere_from(const Light& light, const Eigen::Vector3d& point) {
 std::optional<Light> polygon_from(const Light& light, const Eigen::Vector3d& point) {
   Light out = light;
   out.rotation.setIdentity();
-  for (Eigen::Vector3d& corner : out.spec.corners) {
-    corner = light.rotation * corner - (point - light.spec.from);
-  }
+  for (Eigen::Vector3d& corner : out.spec.corners) corner = light.rotation * corner - (point - light.spec.from);
   return polygon_flaw(out.spec.corners).empty() ? std::optional<Light>(out) : std::nullopt;
 }
 
@@ -66,9 +64,7 @@ std::vector<LightCoefficients> project_at(const std::vector<Light>& lights, cons
                                           int degree) {
   std::vector<Light> far;
   std::vector<Light> near;
-  for (const Light& light : lights) {
-    (is_near(light) ? near : far).push_back(light);
-  }
+  for (const Light& light : lights) (is_near(light) ? near : far).push_back(light);
   const LightCoefficients background = project(far, degree);  // pictures once, not once a point
   std::vector<LightCoefficients> out;
   for (const Eigen::Vector3d& point : points) {

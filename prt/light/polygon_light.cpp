@@ -23,9 +23,7 @@ const Eigen::Vector3d& after(const Corners& corners, std::size_t i) { return cor
 
 double extent(const Corners& corners) {
   double largest = 0.0;
-  for (const Eigen::Vector3d& corner : corners) {
-    largest = std::max(largest, (corner - corners.front()).norm());
-  }
+  for (const Eigen::Vector3d& corner : corners) largest = std::max(largest, (corner - corners.front()).norm());
   return largest;
 }
 
@@ -57,15 +55,11 @@ bool cross_each_other(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const 
 
 bool edges_cross(const Corners& corners, const Plane& plane) {
   std::vector<Eigen::Vector2d> flat;
-  for (const Eigen::Vector3d& corner : corners) {
-    flat.push_back(plane(corner - corners.front()));
-  }
+  for (const Eigen::Vector3d& corner : corners) flat.push_back(plane(corner - corners.front()));
   const std::size_t n = flat.size();
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t j = i + 2; j < n; ++j) {
-      if ((j + 1) % n != i && cross_each_other(flat[i], flat[(i + 1) % n], flat[j], flat[(j + 1) % n])) {
-        return true;
-      }
+      if ((j + 1) % n != i && cross_each_other(flat[i], flat[(i + 1) % n], flat[j], flat[(j + 1) % n])) return true;
     }
   }
   return false;
@@ -109,25 +103,17 @@ double triangle_solid_angle(const Eigen::Vector3d& a, const Eigen::Vector3d& b, 
 }  // namespace
 
 std::string polygon_flaw(const Corners& corners) {
-  if (corners.size() < 3 || corners.size() > kMaxCorners) {
-    return "3 to 1000 corners";
-  }
+  if (corners.size() < 3 || corners.size() > kMaxCorners) return "3 to 1000 corners";
   const double size = extent(corners);
   const Eigen::Vector3d area = area_vector(corners);
-  if (!(area.norm() > kNoArea * size * size)) {
-    return "corners that enclose an area";
-  }
+  if (!(area.norm() > kNoArea * size * size)) return "corners that enclose an area";
   const Eigen::Vector3d normal = area.normalized();
   double farthest = 0.0;
   for (const Eigen::Vector3d& corner : corners) {
-    if (!(std::abs((corner - corners.front()).dot(normal)) <= kFlat * size)) {
-      return "corners in one plane";
-    }
+    if (!(std::abs((corner - corners.front()).dot(normal)) <= kFlat * size)) return "corners in one plane";
     farthest = std::max(farthest, corner.norm());
   }
-  if (edges_cross(corners, Plane(normal))) {
-    return "edges that do not cross each other";
-  }
+  if (edges_cross(corners, Plane(normal))) return "edges that do not cross each other";
   const double height = -corners.front().dot(normal);  // of the point over the front
   if (!(std::abs(height) > kEdgeOn * farthest)) {
     return "a polygon whose plane does not go through the point it is seen from";
@@ -149,9 +135,7 @@ std::vector<double> project_polygon(const Corners& corners, int degree) {
     add_edge(after(corners, i), corners[i], degree, sum);  // backwards: counterclockwise as seen from outside
   }
   for (int l = 1, i = 1; l <= degree; ++l) {
-    for (; i < (l + 1) * (l + 1); ++i) {
-      sum[static_cast<std::size_t>(i)] /= l * (l + 1);
-    }
+    for (; i < (l + 1) * (l + 1); ++i) sum[static_cast<std::size_t>(i)] /= l * (l + 1);
   }
   sum[0] = polygon_solid_angle(corners) / std::sqrt(4.0 * std::numbers::pi);
   return sum;
@@ -160,9 +144,7 @@ std::vector<double> project_polygon(const Corners& corners, int degree) {
 bool polygon_covers(const Corners& corners, const Eigen::Vector3d& direction) {
   const Eigen::Vector3d normal = area_vector(corners).normalized();
   const double approach = direction.dot(normal);
-  if (!(approach < 0.0)) {
-    return false;
-  }
+  if (!(approach < 0.0)) return false;
   const Plane plane(normal);
   const Eigen::Vector2d p = plane(corners.front().dot(normal) / approach * direction);
   bool inside = false;

@@ -53,9 +53,7 @@ std::vector<double> project_shape(const LightSpec& spec, int degree) {
 LightCoefficients scaled(const std::vector<double>& shape, const Eigen::Vector3d& factor, int degree) {
   LightCoefficients out = LightCoefficients::zero(degree);
   for (std::size_t channel = 0; channel < 3; ++channel) {
-    for (std::size_t i = 0; i < shape.size(); ++i) {
-      out.at(channel, i) = factor[static_cast<int>(channel)] * shape[i];
-    }
+    for (std::size_t i = 0; i < shape.size(); ++i) out.at(channel, i) = factor[static_cast<int>(channel)] * shape[i];
   }
   return out;
 }
@@ -64,9 +62,7 @@ LightCoefficients project(const Light& light, int degree) {
   require_degree(degree);
   if (light.spec.type == LightType::kEnvironment) {
     LightCoefficients out = project_image(*light.image, light.spec.mapping, degree);
-    for (double& value : out.values) {
-      value *= static_cast<double>(light.spec.scale);
-    }
+    for (double& value : out.values) value *= static_cast<double>(light.spec.scale);
     return turned(out, light.rotation);
   }
   const std::vector<double> shape = project_shape(light.spec, degree);
@@ -82,9 +78,7 @@ LightCoefficients project(const std::vector<Light>& lights, int degree, std::vec
     LightCoefficients one = project(light, degree);
     if (light.spec.window) {
       const Deringing done = apply_window(*light.spec.window, one);
-      if (windowed != nullptr) {
-        windowed->push_back(done);
-      }
+      if (windowed != nullptr) windowed->push_back(done);
     }
     accumulate(sum, one);
   }

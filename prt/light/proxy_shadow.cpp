@@ -29,9 +29,7 @@ std::size_t index(int l, int m) {
 const numeric::GaussLegendreRule<double>& rule_for(int degree) {
   static const auto kRules = [] {
     std::array<numeric::GaussLegendreRule<double>, kMaxDegree + 1> rules;
-    for (int l = 0; l <= kMaxDegree; ++l) {
-      rules[static_cast<std::size_t>(l)] = numeric::gauss_legendre<double>(l + 1);
-    }
+    for (int l = 0; l <= kMaxDegree; ++l) rules[static_cast<std::size_t>(l)] = numeric::gauss_legendre<double>(l + 1);
     return rules;
   }();
   return kRules[static_cast<std::size_t>(degree)];
@@ -42,13 +40,9 @@ void subtract_ring(int degree, const Basis& basis, double weight, const double* 
   for (int m = -degree; m <= degree; ++m) {
     const int order = std::abs(m);
     double value = 0.0;  // of the light's part of order m on the ring, over cos or sin of m phi
-    for (int l = order; l <= degree; ++l) {
-      value += basis[index(l, order)] * light[index(l, m)];
-    }
+    for (int l = order; l <= degree; ++l) value += basis[index(l, order)] * light[index(l, m)];
     value *= weight * (m == 0 ? 2.0 * kPi : kPi);
-    for (int l = order; l <= degree; ++l) {
-      out[index(l, m)] -= value * basis[index(l, order)];
-    }
+    for (int l = order; l <= degree; ++l) out[index(l, m)] -= value * basis[index(l, order)];
   }
 }
 
@@ -74,9 +68,7 @@ LightCoefficients without_polar_cap(const LightCoefficients& light, double one_m
 Cap sphere_seen_from(const Eigen::Vector3d& from, const Eigen::Vector3d& centre, double radius) {
   const Eigen::Vector3d towards = centre - from;
   const double distance = towards.stableNorm();
-  if (!(distance > 0.0)) {
-    return {Eigen::Vector3d::UnitZ(), 1.0};
-  }
+  if (!(distance > 0.0)) return {Eigen::Vector3d::UnitZ(), 1.0};
   return {towards / distance, distance > radius ? sphere_one_minus_cos(radius, distance) : 1.0};
 }
 
@@ -89,9 +81,7 @@ LightCoefficients shadowed_by_cap(const LightCoefficients& light, const Eigen::V
   if (!(std::abs(direction.norm() - 1.0) <= kUnitWithin)) {
     throw std::invalid_argument(fmt::format("a cap's direction has length {}; it must be 1", direction.norm()));
   }
-  if (one_minus_cos == 0.0) {
-    return light;
-  }
+  if (one_minus_cos == 0.0) return light;
   const Eigen::Matrix3d to_pole =
       Eigen::Quaterniond::FromTwoVectors(direction, Eigen::Vector3d::UnitZ()).toRotationMatrix();
   return turned(without_polar_cap(turned(light, to_pole), one_minus_cos), to_pole.transpose());
@@ -99,9 +89,7 @@ LightCoefficients shadowed_by_cap(const LightCoefficients& light, const Eigen::V
 
 LightCoefficients shadowed_by_caps(const LightCoefficients& light, std::span<const Cap> caps) {
   LightCoefficients out = light;
-  for (const Cap& cap : caps) {
-    out = shadowed_by_cap(out, cap.direction, cap.one_minus_cos);
-  }
+  for (const Cap& cap : caps) out = shadowed_by_cap(out, cap.direction, cap.one_minus_cos);
   return out;
 }
 

@@ -49,9 +49,7 @@ double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
 }
 
 const SkyParameters& parameters(int type) {
-  if (type < 1 || type > kSkyTypes) {
-    throw std::invalid_argument("sky: expected a type from 1 to 15");
-  }
+  if (type < 1 || type > kSkyTypes) throw std::invalid_argument("sky: expected a type from 1 to 15");
   return kSkies[static_cast<std::size_t>(type - 1)];
 }
 
@@ -97,9 +95,7 @@ void add_arc(const SkyParameters& sky, const numeric::GaussLegendreRule<double>&
     if (d.z() > 0.0) {  // rounding may put the last node of a flat arc below
       const double value = 0.5 * length * rule.weights[k] * weight * std::sin(chi) * indicatrix(sky, chi);
       evaluate_basis(degree, d.x(), d.y(), d.z(), basis.data());
-      for (std::size_t i = 0; i < sum.size(); ++i) {
-        sum[i] += value * gradation(sky, d.z()) * basis[i];
-      }
+      for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += value * gradation(sky, d.z()) * basis[i];
     }
   }
 }
@@ -124,9 +120,7 @@ double at_zenith(const SkyParameters& sky, const Eigen::Vector3d& sun) {
 
 double sky_radiance(int type, const Eigen::Vector3d& sun, const Eigen::Vector3d& direction) {
   const SkyParameters& sky = parameters(type);
-  if (!(direction.z() > 0.0)) {
-    return 0.0;
-  }
+  if (!(direction.z() > 0.0)) return 0.0;
   return indicatrix(sky, angle_between(sun, direction)) * gradation(sky, direction.z()) / at_zenith(sky, sun);
 }
 

@@ -30,9 +30,7 @@ class Descent {
     const double reach = 0.5 / (degree_ + 1);
     for (int i = 0; i < 40; ++i) {
       const Eigen::Vector3d step = newton_step(best.direction, reach);
-      if (!lower(step, best)) {
-        break;
-      }
+      if (!lower(step, best)) break;
     }
     return best;
   }
@@ -106,9 +104,7 @@ std::vector<Eigen::Vector3d> starts(const std::vector<Eigen::Vector3d>& points, 
   std::vector<Eigen::Vector3d> out;
   for (std::size_t k = 0; k < order.size() && out.size() < kStarts; ++k) {
     const Eigen::Vector3d& d = points[order[k]];
-    if (std::none_of(out.begin(), out.end(), [&](const auto& other) { return other.dot(d) > apart; })) {
-      out.push_back(d);
-    }
+    if (std::none_of(out.begin(), out.end(), [&](const auto& other) { return other.dot(d) > apart; })) out.push_back(d);
   }
   return out;
 }
@@ -124,9 +120,7 @@ BandLimited::BandLimited(const double* coefficients, int degree)
     std::size_t i = 0;
     for (int l = 0; l <= degree; ++l) {
       double sum = 0.0;
-      for (; i < coefficient_count(l); ++i) {
-        sum += coefficients_[i] * y[i];
-      }
+      for (; i < coefficient_count(l); ++i) sum += coefficients_[i] * y[i];
       band_values_.push_back(sum);
     }
   }
@@ -145,9 +139,7 @@ std::vector<double> BandLimited::values(const std::vector<double>& factors) cons
 SphereValue BandLimited::extreme(const std::vector<double>& factors, double sign) const {
   std::vector<double> c = coefficients_;
   for (std::size_t l = 0, i = 0; l < factors.size(); ++l) {
-    for (; i < coefficient_count(static_cast<int>(l)); ++i) {
-      c[i] *= sign * factors[l];
-    }
+    for (; i < coefficient_count(static_cast<int>(l)); ++i) c[i] *= sign * factors[l];
   }
   const Descent descent(std::move(c), degree_);
   SphereValue best{std::numeric_limits<double>::infinity()};

@@ -28,15 +28,9 @@ void apply_sinc(double width, int power, double* c) {
   const double x = kPi / width;
   const double cosine = std::cos(x);
   const double sinc = x > 0.0 ? std::sin(x) / x : 1.0;
-  for (; power >= 4; power -= 4) {
-    sh::window_lanczos4<Degree>(cosine, sinc, c);
-  }
-  for (; power >= 2; power -= 2) {
-    sh::window_lanczos2<Degree>(cosine, sinc, c);
-  }
-  if (power == 1) {
-    sh::window_lanczos<Degree>(cosine, sinc, c);
-  }
+  for (; power >= 4; power -= 4) sh::window_lanczos4<Degree>(cosine, sinc, c);
+  for (; power >= 2; power -= 2) sh::window_lanczos2<Degree>(cosine, sinc, c);
+  if (power == 1) sh::window_lanczos<Degree>(cosine, sinc, c);
 }
 
 template <int Degree>
@@ -74,25 +68,17 @@ std::vector<double> fejer_kernel(int degree) {
     const double z = rule.nodes[k];
     const std::vector<double> p = legendre(degree + 1, z);
     double root = degree % 2 == 0 ? 0.0 : (half + 1.0) * p[static_cast<std::size_t>(half) + 1];
-    for (int l = 0; l <= half; ++l) {
-      root += (2.0 * l + 1.0) * p[static_cast<std::size_t>(l)];
-    }
+    for (int l = 0; l <= half; ++l) root += (2.0 * l + 1.0) * p[static_cast<std::size_t>(l)];
     const double value = rule.weights[k] * root * root / (degree % 2 == 0 ? 1.0 : 1.0 + z);
-    for (std::size_t l = 0; l < out.size(); ++l) {
-      out[l] += value * p[l];
-    }
+    for (std::size_t l = 0; l < out.size(); ++l) out[l] += value * p[l];
   }
-  for (std::size_t l = out.size(); l-- > 0;) {
-    out[l] /= out[0];
-  }
+  for (std::size_t l = out.size(); l-- > 0;) out[l] /= out[0];
   return out;
 }
 
 std::vector<double> fejer_factors(double strength, int degree) {
   std::vector<double> factors = fejer_kernel(degree);
-  for (double& factor : factors) {
-    factor = 1.0 - strength * (1.0 - factor);
-  }
+  for (double& factor : factors) factor = 1.0 - strength * (1.0 - factor);
   return factors;
 }
 
@@ -112,18 +98,10 @@ std::string_view number_key(WindowType type) {
 }
 
 std::string window_flaw(const Window& window) {
-  if (has_cut_off(window.type) && !(window.size >= 1.0)) {
-    return "a width of 1 or more";
-  }
-  if (window.type == WindowType::kLaplacian && !(window.size >= 0.0)) {
-    return "a lambda of 0 or more";
-  }
-  if (window.type == WindowType::kGaussian && !(window.size >= 0.0)) {
-    return "a width of 0 or more";
-  }
-  if (window.type == WindowType::kFejer && !(window.size >= 0.0 && window.size <= 1.0)) {
-    return "a strength from 0 to 1";
-  }
+  if (has_cut_off(window.type) && !(window.size >= 1.0)) return "a width of 1 or more";
+  if (window.type == WindowType::kLaplacian && !(window.size >= 0.0)) return "a lambda of 0 or more";
+  if (window.type == WindowType::kGaussian && !(window.size >= 0.0)) return "a width of 0 or more";
+  if (window.type == WindowType::kFejer && !(window.size >= 0.0 && window.size <= 1.0)) return "a strength from 0 to 1";
   return window.type == WindowType::kSinc && (window.power < 1 || window.power > kMaxPower)
              ? fmt::format("a power from 1 to {}", kMaxPower)
              : "";
@@ -134,14 +112,10 @@ std::vector<double> window_factors(const Window& window, int degree) {
   if (const std::string flaw = window_flaw(window); !flaw.empty()) {
     throw std::invalid_argument(fmt::format("{}: needs {}", kWindowNames[static_cast<std::size_t>(window.type)], flaw));
   }
-  if (window.type == WindowType::kFejer) {
-    return fejer_factors(window.size, degree);
-  }
+  if (window.type == WindowType::kFejer) return fejer_factors(window.size, degree);
   std::vector<double> ones(coefficient_count(degree), 1.0);
   at_degree(degree, [&](auto known) {
-    if constexpr (known() > 0) {
-      apply_kernel<known()>(window, ones.data());
-    }
+    if constexpr (known() > 0) apply_kernel<known()>(window, ones.data());
   });
   std::vector<double> factors(1, 1.0);
   for (int l = 1; l <= degree; ++l) {
@@ -155,9 +129,7 @@ void apply_factors(const std::vector<double>& factors, LightCoefficients& light)
   for (std::size_t channel = 0; channel < 3; ++channel) {
     std::size_t i = 0;
     for (int l = 0; l <= light.degree; ++l) {
-      for (; i < coefficient_count(l); ++i) {
-        light.at(channel, i) *= factors[static_cast<std::size_t>(l)];
-      }
+      for (; i < coefficient_count(l); ++i) light.at(channel, i) *= factors[static_cast<std::size_t>(l)];
     }
   }
 }

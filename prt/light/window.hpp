@@ -1,15 +1,15 @@
 // Windows on the bands of a light: smaller factors on higher degrees, so that it rings less, and shows less contrast.
 // In: a kind with its number. Out: one factor a degree, from the generated window_* kernels where there is one. With
 // x = pi l / width [Sloan08]:
-//   hann       (1 + cos x) / 2                      width >= 1; 0 from l = width on
-//   sinc       (sin x / x)^power                    width >= 1; 0 from l = width on; power 1 is Lanczos' window
-//   laplacian  1 / (1 + lambda l^2 (l+1)^2)         lambda >= 0, the least squares with the squared Laplacian weighed
-//   in gaussian   exp(-l^2 / (2 width^2))              width > 0 fejer      1 - strength (1 - p_l)               0 <=
-//   strength <= 1; sum (2l+1) p_l P_l is, of all zonal functions of
-//              the light's degree n that are negative nowhere and have mean 1, the one with the highest peak: a light
-//              that is positive stays so under it. As such functions are sums of squares (Lukacs), it is for n = 2k the
-//              square of K = sum over l <= k of (2l+1) P_l, for n = 2k + 1 that of K + (k+1) P_(k+1) over 1 + z, each
-//              over its mean; its peak is 1/4 to 1/2 of the truncated point's.
+//   hann       (1 + cos x) / 2               width >= 1; 0 from l = width on
+//   sinc       (sin x / x)^power             width >= 1; 0 from l = width on; power 1 is Lanczos' window
+//   laplacian  1 / (1 + lambda l^2 (l+1)^2)  lambda >= 0, least squares with the squared Laplacian as penalty
+//   gaussian   exp(-l^2 / (2 width^2))       width > 0
+//   fejer      1 - strength (1 - p_l)        0 <= strength <= 1
+// The zonal function sum (2l+1) p_l P_l has the highest peak of all zonal functions of the light's degree n that are
+// negative nowhere and have mean 1; a light that is positive stays positive under it. Such functions are sums of squares
+// (Lukacs): for n = 2k it is the square of K = sum over l <= k of (2l+1) P_l, for n = 2k + 1 the square of
+// K + (k+1) P_(k+1) over 1 + z, each over its mean. Its peak is 1/4 to 1/2 of the truncated point's.
 #pragma once
 #include <string>
 #include <string_view>

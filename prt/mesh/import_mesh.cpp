@@ -14,7 +14,7 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "prt/srgb.hpp"
+#include "numeric/output/srgb.hpp"
 
 namespace sh::prt {
 
@@ -159,7 +159,7 @@ class Collector {
       const bool has_colours = material == nullptr && mesh.HasVertexColors(0);
       return Eigen::Vector3f::Constant(has_colours ? 1.0F : kDefaultAlbedo);
     }
-    return is_linear_ ? to_eigen(colour) : to_eigen(colour).unaryExpr(&srgb_decode<float>).eval();
+    return is_linear_ ? to_eigen(colour) : to_eigen(colour).unaryExpr(&output::srgb_decode<float>).eval();
   }
 
   [[nodiscard]] Finish finish_of(const aiMesh& mesh, const MaterialChange& change) const {
@@ -186,7 +186,7 @@ class Collector {
       return Eigen::Vector3f::Ones();
     }
     const Eigen::Vector3f colour = to_eigen(mesh.mColors[0][v]);
-    return is_linear_ ? colour : colour.unaryExpr(&srgb_decode<float>).eval();
+    return is_linear_ ? colour : colour.unaryExpr(&output::srgb_decode<float>).eval();
   }
 
   const std::string& path_;

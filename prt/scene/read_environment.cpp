@@ -7,8 +7,8 @@ namespace sh::prt {
 namespace {
 
 ImageMapping read_mapping(const JsonReader& reader) {
-  return mapping_named(reader.one_of(
-      {kMappingNames[0], kMappingNames[1], kMappingNames[2], kMappingNames[3], kMappingNames[4], kMappingNames[5]}));
+  const auto& names = numeric::kMappingNames;
+  return numeric::mapping_named(reader.one_of({names.begin(), names.end()})).value();
 }
 
 /// `scale` times 2 to the `exposure`.

@@ -14,9 +14,9 @@ namespace {
 
 namespace plot = numeric::plot;
 
-constexpr std::array<plot::Colour, 5> kStops = {
+constexpr std::array<plot::Color, 5> kStops = {
     {{16, 14, 30}, {78, 28, 120}, {190, 44, 92}, {242, 130, 34}, {252, 246, 170}}};  // a decade apart
-constexpr plot::Colour kBackground{228, 230, 233};
+constexpr plot::Color kBackground{228, 230, 233};
 constexpr double kUnits = 960.0;  // the width of the figure; text keeps its part of it
 constexpr double kTitle = 40.0;
 constexpr double kBar = 66.0;
@@ -68,10 +68,10 @@ float error_place(double relative_error) {
   return static_cast<float>(std::min(place, 1.0));
 }
 
-plot::Colour false_color(double place) {
+plot::Color false_color(double place) {
   const double at = std::clamp(place, 0.0, 1.0) * static_cast<double>(kStops.size() - 1);
   const auto first = std::min(static_cast<std::size_t>(at), kStops.size() - 2);
-  plot::Colour over = kStops[first + 1];
+  plot::Color over = kStops[first + 1];
   return plot::blend(kStops[first], over, at - static_cast<double>(first));
 }
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "numeric/plot/colour.hpp"
+#include "numeric/plot/color.hpp"
 
 namespace sh::prt {
 
@@ -17,7 +17,7 @@ inline constexpr double kMostShownError = 1.0;
 float error_place(double relative_error);
 
 /// The colour at a place 0..1; clamped.
-numeric::plot::Colour false_color(double place);
+numeric::plot::Color false_color(double place);
 
 /// (height, width): places of errors, and which part of each pixel they cover; the rest is grey.
 struct ErrorMap {

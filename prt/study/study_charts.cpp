@@ -64,7 +64,7 @@ std::string label(const StudyPart& part, std::size_t curve, const StudyPoint& po
 ChartSeries curve(const StudyPart& part, std::size_t index, bool against_time) {
   const StudySeries& series = part.series[index];
   ChartSeries line = {.name = named(series),
-                      .colour = static_cast<int>(index % output::kChartColours),
+                      .color = static_cast<int>(index % output::kChartColors),
                       .marker = static_cast<output::Marker>(index % output::kMarkers),
                       .line = output::Line::kStraight};
   for (const StudyPoint& point : series.points) {

@@ -29,7 +29,7 @@ Chart some_chart() {
   for (int i = 0; i < 14; ++i) {
     chart.series.push_back(
         {.name = "method " + std::to_string(i),
-         .colour = i,
+         .color = i,
          .marker = static_cast<sh::output::Marker>(i % sh::output::kMarkers),
          .filled = i % 2 == 0,
          .line = static_cast<sh::output::Line>(i % 3),
@@ -47,7 +47,7 @@ TEST(Chart, IsWellFormedWithEveryTextEscaped) {
   EXPECT_EQ(std::count_if(svg.begin(), svg.end(), [](const auto& child) { return child.first == "g"; }), 28);
 }
 
-TEST(Chart, AsAFileNamesItsColoursWithoutVariables) {
+TEST(Chart, AsAFileNamesItsColorsWithoutVariables) {
   EXPECT_EQ(chart_file(some_chart()).find("var("), std::string::npos);
   EXPECT_NE(chart_svg(some_chart()).find("var(--"), std::string::npos);
   EXPECT_NE(sh::output::chart_style().find("--c7:#7a6300"), std::string::npos);

@@ -53,12 +53,12 @@ bool is_well_formed(const std::string& text) {
   return false;
 }
 
-// Pixels of the two colours in a part of the picture; letters and legends are left out by the caller.
+// Pixels of the two colors in a part of the picture; letters and legends are left out by the caller.
 struct Counts {
   int positive = 0, negative = 0;
 };
 
-Counts count_colours(const Raster& picture, int x0, int y0, int x1, int y1) {
+Counts count_colors(const Raster& picture, int x0, int y0, int x1, int y1) {
   Counts counts;
   for (int row = y0; row < y1; ++row) {
     for (int column = x0; column < x1; ++column) {
@@ -79,8 +79,8 @@ TEST(PlotPicture, ShowsTheLobesOfTheFirstBandOnTheirAxes) {
   // z, seen level: positive up.
   auto picture = decode_png(draw_lobes(basis_function(1, 0), {35, 0}, figure));
   EXPECT_EQ(picture.width, 1000);
-  auto up = count_colours(picture, 0, 60, 1000, kMiddleY - 1);
-  auto down = count_colours(picture, 0, kMiddleY + 1, 1000, 840);
+  auto up = count_colors(picture, 0, 60, 1000, kMiddleY - 1);
+  auto down = count_colors(picture, 0, kMiddleY + 1, 1000, 840);
   EXPECT_GT(up.positive, 50000);
   EXPECT_EQ(up.negative, 0);
   EXPECT_EQ(down.positive, 0);
@@ -93,15 +93,15 @@ TEST(PlotPicture, ShowsTheLobesOfTheFirstBandOnTheirAxes) {
   };
   for (const auto& [order, azimuth, positive_left] : {Case{1, 90, true}, Case{1, -90, false}, Case{-1, 0, false}}) {
     picture = decode_png(draw_lobes(basis_function(1, order), {azimuth, 0}, figure));
-    const auto left = count_colours(picture, 0, 60, kMiddleX - 1, 840);
-    const auto right = count_colours(picture, kMiddleX + 1, 60, 1000, 840);
+    const auto left = count_colors(picture, 0, 60, kMiddleX - 1, 840);
+    const auto right = count_colors(picture, kMiddleX + 1, 60, 1000, 840);
     EXPECT_GT(positive_left ? left.positive : right.positive, 50000);
     EXPECT_GT(positive_left ? right.negative : left.negative, 50000);
     EXPECT_EQ((positive_left ? left.negative : right.negative) + (positive_left ? right.positive : left.positive), 0);
   }
   // From above, +z hides -z.
   picture = decode_png(draw_lobes(basis_function(1, 0), {0, 90}, figure));
-  const auto top = count_colours(picture, 0, 60, 1000, 840);
+  const auto top = count_colors(picture, 0, 60, 1000, 840);
   EXPECT_GT(top.positive, 50000);
   EXPECT_EQ(top.negative, 0);
 }
@@ -139,9 +139,9 @@ TEST(PlotPicture, PaintsFacetsFromBackToFront) {
 TEST(PlotPicture, ShowsTheSignsOfAMapAtTheAxes) {
   // x - y + z / 2: positive at +x, -y, +z.
   const auto f = function_of_coefficients(std::vector<double>{0, -1, 0.5, 1});
-  const auto lat_long = decode_png(draw_map(f, Projection::kLatLong, {"t", Format::kPng, 1000}));
+  const auto lat_long = decode_png(draw_map(f, ImageMapping::kLatLong, {"t", Format::kPng, 1000}));
   const auto sign_near = [](const Raster& picture, int x, int y) {
-    const auto counts = count_colours(picture, x - 6, y - 6, x + 6, y + 6);
+    const auto counts = count_colors(picture, x - 6, y - 6, x + 6, y + 6);
     return counts.positive > 100 ? 1 : counts.negative > 100 ? -1 : 0;
   };
   // The box: left 78, top 58, 784 by 392.
@@ -151,7 +151,7 @@ TEST(PlotPicture, ShowsTheSignsOfAMapAtTheAxes) {
   EXPECT_EQ(sign_near(lat_long, 78 + 10, 58 + 196), -1);   // -x
   EXPECT_EQ(sign_near(lat_long, 78 + 700, 58 + 10), 1);    // +z
   EXPECT_EQ(sign_near(lat_long, 78 + 100, 58 + 382), -1);  // -z
-  const auto cube = decode_png(draw_map(f, Projection::kCubeMap, {"t", Format::kPng, 1000}));
+  const auto cube = decode_png(draw_map(f, ImageMapping::kHorizontalCross, {"t", Format::kPng, 1000}));
   const auto face = [&](int column, int row) { return sign_near(cube, 40 + 205 * column + 115, 58 + 205 * row + 115); };
   EXPECT_EQ(face(1, 0), 1);
   EXPECT_EQ(face(0, 1), -1);
@@ -167,8 +167,8 @@ TEST(PlotPicture, IsWellFormedAndUnderAMegabyteInSvgAtAnyDegree) {
     pictures.push_back(draw_lobes(basis_function(degree, degree / 2), {}, {"a < b & \"c\"", Format::kSvg, 1000}));
   }
   for (const int degree : {0, 1, 3}) pictures.push_back(draw_basis_grid(degree, {}, {"grid", Format::kSvg, 1000}));
-  pictures.push_back(draw_map(basis_function(3, 2), Projection::kLatLong, {"m", Format::kSvg, 1000}));
-  pictures.push_back(draw_map(basis_function(3, 2), Projection::kCubeMap, {"m", Format::kSvg, 1000}));
+  pictures.push_back(draw_map(basis_function(3, 2), ImageMapping::kLatLong, {"m", Format::kSvg, 1000}));
+  pictures.push_back(draw_map(basis_function(3, 2), ImageMapping::kHorizontalCross, {"m", Format::kSvg, 1000}));
   for (const auto& svg : pictures) {
     EXPECT_TRUE(is_well_formed(svg)) << svg.substr(0, 300);
     EXPECT_LT(svg.size(), 1'000'000U) << svg.substr(0, 300);
@@ -184,8 +184,8 @@ TEST(PlotPicture, HasTheSameBytesEachTime) {
     const Figure figure{"t", format, 300};
     EXPECT_EQ(draw_lobes(f, {}, figure), draw_lobes(f, {}, figure));
     EXPECT_EQ(draw_basis_grid(2, {}, figure), draw_basis_grid(2, {}, figure));
-    EXPECT_EQ(draw_map(f, Projection::kLatLong, figure), draw_map(f, Projection::kLatLong, figure));
-    EXPECT_EQ(draw_map(f, Projection::kCubeMap, figure), draw_map(f, Projection::kCubeMap, figure));
+    EXPECT_EQ(draw_map(f, ImageMapping::kLatLong, figure), draw_map(f, ImageMapping::kLatLong, figure));
+    EXPECT_EQ(draw_map(f, ImageMapping::kHorizontalCross, figure), draw_map(f, ImageMapping::kHorizontalCross, figure));
   }
 }
 
@@ -193,10 +193,10 @@ TEST(PlotPicture, LooksTheSameAtAnyMagnitude) {
   const Figure figure{"t", Format::kPng, 400};
   const auto centre = [&](double scale) {
     const auto f = function_of_coefficients(std::vector<double>{scale, -scale, 0, scale / 2});
-    const auto map = decode_png(draw_map(f, Projection::kLatLong, figure));
-    std::vector<Colour> colours;
-    for (int row = 30; row < 170; ++row) colours.push_back(map.at(100, row));
-    return colours;
+    const auto map = decode_png(draw_map(f, ImageMapping::kLatLong, figure));
+    std::vector<Color> colors;
+    for (int row = 30; row < 170; ++row) colors.push_back(map.at(100, row));
+    return colors;
   };
   EXPECT_EQ(centre(0x1p-1000), centre(1));
   EXPECT_EQ(centre(0x1p1000), centre(1));
@@ -204,10 +204,10 @@ TEST(PlotPicture, LooksTheSameAtAnyMagnitude) {
 
 TEST(PlotPicture, TakesAnyCallableAndSaysWhenItIsZero) {
   const SphereFunction step{1, 10, [](const Vector3& s) { return Channels{s[2] > 0.5 ? 1.0 : -1.0}; }, 0};
-  EXPECT_TRUE(is_well_formed(draw_map(step, Projection::kCubeMap, {"step", Format::kSvg, 200})));
+  EXPECT_TRUE(is_well_formed(draw_map(step, ImageMapping::kHorizontalCross, {"step", Format::kSvg, 200})));
   const auto zero = function_of_coefficients(std::vector<double>(9));
-  for (const auto& svg : {draw_map(zero, Projection::kLatLong, {"0", Format::kSvg, 200}),
-                          draw_map(zero, Projection::kCubeMap, {"0", Format::kSvg, 200}),
+  for (const auto& svg : {draw_map(zero, ImageMapping::kLatLong, {"0", Format::kSvg, 200}),
+                          draw_map(zero, ImageMapping::kHorizontalCross, {"0", Format::kSvg, 200}),
                           draw_lobes(zero, {}, {"0", Format::kSvg, 200})}) {
     EXPECT_NE(svg.find(">zero function<"), std::string::npos);
     EXPECT_TRUE(is_well_formed(svg));
@@ -268,7 +268,8 @@ TEST_F(ShcheckPlot, RefusesBadInputAndWritesNothing) {
   expect_refused("plot lobes --degree 1 --view a,b" + out, "--view: 'a'");
   expect_refused("plot lobes --degree 1 --size 15" + out, "--size is 15, must be 16 to 8192");
   expect_refused("plot lobes --degree 1 --size 8193" + out, "--size is 8193");
-  expect_refused("plot map --degree 1 --projection mercator" + out, "'mercator' must be lat-long or cube-map");
+  expect_refused("plot map --degree 1 --projection mercator" + out,
+                 "'mercator' must be lat-long, cube-map, angular-map");
   expect_refused("plot map --degree 1 -o " + folder_.string() + "/x.jpg", "x.jpg: the ending names the format");
   expect_refused("plot map --degree 1 -o " + folder_.string() + "/no/x.png", "no/x.png: cannot write");
   expect_refused("plot map --degree 1", "--output");

@@ -1,7 +1,5 @@
 // Angular maps, mirror balls, crosses and strips: where the axes are, what the pixels cover, what a picture projects
 // to.
-#include "prt/image/image_mapping.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 #include <numbers>
 
 #include "numeric/sampling/solid_angle.hpp"
+#include "prt/image/environment.hpp"
 #include "prt/light/project.hpp"
 #include "prt/transfer/transfer.hpp"
 #include "tests/prt/image_files.hpp"

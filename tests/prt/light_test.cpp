@@ -8,7 +8,7 @@
 #include <numbers>
 #include <random>
 
-#include "prt/image/lat_long.hpp"
+#include "numeric/sampling/solid_angle.hpp"
 #include "prt/light/light_coefficients.hpp"
 #include "prt/transfer/transfer.hpp"
 #include "tests/prt/image_files.hpp"
@@ -24,6 +24,11 @@ Eigen::Vector3d random_direction(std::mt19937& random) {
   return Eigen::Vector3d(normal(random), normal(random), normal(random)).normalized();
 }
 
+/// Of a place in continuous pixel coordinates.
+Eigen::Vector3d lat_long_direction(double column, double row, int width, int height) {
+  return mapped_direction(ImageMapping::kLatLong, column / width, row / height).value();
+}
+
 LightSpec environment(const std::string& file, float scale = 1.0F) {
   LightSpec spec;
   spec.type = LightType::kEnvironment;
@@ -36,7 +41,7 @@ TEST(LatLong, SolidAnglesSumToTheSphere) {
   for (const int height : {1, 2, 31, 512, 4096}) {
     double sum = 0.0;
     for (int row = 0; row < height; ++row) {
-      const double angle = lat_long_solid_angle(row, 2 * height, height);
+      const double angle = numeric::lat_long_solid_angle(row, 2 * height, height);
       const double step = kPi / height;
       EXPECT_NEAR(angle, step * (std::cos(row * step) - std::cos((row + 1) * step)), 4e-16 * step);
       sum += 2 * height * angle;
@@ -46,7 +51,7 @@ TEST(LatLong, SolidAnglesSumToTheSphere) {
 }
 
 TEST(LatLong, AxesLieWhereTheHeaderSays) {
-  const auto at = [](double column, double row) { return lat_long_direction({column, row}, 16, 8); };
+  const auto at = [](double column, double row) { return lat_long_direction(column, row, 16, 8); };
   EXPECT_LT((at(8, 4) - Eigen::Vector3d::UnitX()).norm(), 1e-15);
   EXPECT_LT((at(4, 4) - Eigen::Vector3d::UnitY()).norm(), 1e-15);
   EXPECT_LT((at(12, 4) + Eigen::Vector3d::UnitY()).norm(), 1e-15);
@@ -59,7 +64,8 @@ TEST(LatLong, PointIsTheInverseOfDirection) {
   std::mt19937 random(1);
   for (int i = 0; i < 1000; ++i) {
     const Eigen::Vector3d d = random_direction(random);
-    EXPECT_LT((lat_long_direction(lat_long_point(d, 64, 32), 64, 32) - d).norm(), 1e-15);
+    const Eigen::Vector2d place = mapped_place(ImageMapping::kLatLong, d);
+    EXPECT_LT((lat_long_direction(64 * place.x(), 32 * place.y(), 64, 32) - d).norm(), 1e-15);
   }
 }
 
@@ -67,14 +73,14 @@ TEST(LatLong, LookupIsThePixelAtItsCentreAndWrapsAround) {
   const Image image = test::pattern_image(32, 16);
   for (int row = 0; row < 16; ++row) {
     for (int column = 0; column < 32; ++column) {
-      const Eigen::Vector3d d = lat_long_direction({column + 0.5, row + 0.5}, 32, 16);
-      EXPECT_LT((lat_long_lookup(image, d) - image.at(column, row)).norm(), 1e-5F);
+      const Eigen::Vector3d d = lat_long_direction(column + 0.5, row + 0.5, 32, 16);
+      EXPECT_LT((lookup(image, ImageMapping::kLatLong, d) - image.at(column, row)).norm(), 1e-5F);
     }
   }
-  const Eigen::Vector3f seam = lat_long_lookup(image, lat_long_direction({0.0, 8.5}, 32, 16));
+  const Eigen::Vector3f seam = lookup(image, ImageMapping::kLatLong, lat_long_direction(0.0, 8.5, 32, 16));
   EXPECT_LT((seam - 0.5F * (image.at(0, 8) + image.at(31, 8))).norm(), 1e-5F);
-  EXPECT_TRUE(lat_long_lookup(image, Eigen::Vector3d::UnitZ()).allFinite());
-  EXPECT_TRUE(lat_long_lookup(image, -Eigen::Vector3d::UnitZ()).allFinite());
+  EXPECT_TRUE(lookup(image, ImageMapping::kLatLong, Eigen::Vector3d::UnitZ()).allFinite());
+  EXPECT_TRUE(lookup(image, ImageMapping::kLatLong, -Eigen::Vector3d::UnitZ()).allFinite());
 }
 
 TEST(LatLong, OtherShapesAreRefused) {
@@ -107,7 +113,8 @@ TEST(Light, LightsAddUpAndScaleAndTurn) {
   picture.rotation_degrees = 90.0F;
   const std::vector<Light> lights = load_lights({constant, picture}, OnFlaw::kRefuse);
   // Turned by +90 degrees about z, what was at +x stands at +y.
-  const Eigen::Vector3f expected = 2.0F * lat_long_lookup(image, Eigen::Vector3d::UnitX()) + constant.radiance;
+  const Eigen::Vector3f expected =
+      2.0F * lookup(image, ImageMapping::kLatLong, Eigen::Vector3d::UnitX()) + constant.radiance;
   EXPECT_LT((radiance(lights, Eigen::Vector3d::UnitY()) - expected).norm(), 1e-5F);
   const std::vector<Light> again = turned(lights, rotation_about(Eigen::Vector3d::UnitX(), 90.0));
   EXPECT_LT((radiance(again, Eigen::Vector3d::UnitZ()) - expected).norm(), 1e-5F);  // +y -> +z

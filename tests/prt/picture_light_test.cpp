@@ -8,11 +8,11 @@
 
 #include "numeric/oracle/cap.hpp"
 #include "numeric/output/png.hpp"
+#include "numeric/output/srgb.hpp"
 #include "prt/image/image_io.hpp"
 #include "prt/light/cap_light.hpp"
 #include "prt/light/extract_sun.hpp"
 #include "prt/light/project.hpp"
-#include "prt/srgb.hpp"
 #include "tests/prt/image_files.hpp"
 #include "tests/prt/temporary_folder.hpp"
 
@@ -42,10 +42,10 @@ std::string jpeg_of(const Bytes& rgb, int width, int height) {
 }
 
 TEST(Srgb, DecodesAsTheStandardSays) {
-  EXPECT_EQ(srgb_decode(0.0), 0.0);
-  EXPECT_NEAR(srgb_decode(1.0), 1.0, 1e-15);
-  EXPECT_NEAR(srgb_decode(0.5), 0.21404114048223255, 1e-15);
-  EXPECT_NEAR(srgb_decode(0.04045), 0.04045 / 12.92, 1e-15);
+  EXPECT_EQ(output::srgb_decode(0.0), 0.0);
+  EXPECT_NEAR(output::srgb_decode(1.0), 1.0, 1e-15);
+  EXPECT_NEAR(output::srgb_decode(0.5), 0.21404114048223255, 1e-15);
+  EXPECT_NEAR(output::srgb_decode(0.04045), 0.04045 / 12.92, 1e-15);
 }
 
 TEST(EightBitPictures, PngIsLinearisedExactlyAndStaysLinearWhereItIs) {
@@ -58,7 +58,7 @@ TEST(EightBitPictures, PngIsLinearisedExactlyAndStaysLinearWhereItIs) {
   for (std::size_t i = 0; i < 3 * srgb.pixels.size(); ++i) {
     const double byte = rgb[i] / 255.0;
     const auto channel = static_cast<Eigen::Index>(i % 3);
-    EXPECT_EQ(srgb.pixels[i / 3][channel], static_cast<float>(srgb_decode(byte))) << i;
+    EXPECT_EQ(srgb.pixels[i / 3][channel], static_cast<float>(output::srgb_decode(byte))) << i;
     EXPECT_EQ(linear.pixels[i / 3][channel], static_cast<float>(byte)) << i;
   }
 }
@@ -70,7 +70,7 @@ TEST(EightBitPictures, JpegIsReadAndCutFilesOfBothAreRefused) {
   test::write_all(folder.file("a.jpg"), jpeg);
   const Image image = read_image(folder.file("a.jpg"), OnFlaw::kRefuse);
   ASSERT_EQ(image.width, 64);
-  EXPECT_NEAR(image.at(40, 20).y(), srgb_decode(128.0 / 255.0), 0.01);
+  EXPECT_NEAR(image.at(40, 20).y(), output::srgb_decode(128.0 / 255.0), 0.01);
   const std::string png = output::encode_png(16, 8, ramp());
   for (const std::string& whole : {jpeg, png}) {
     for (const std::size_t size : {whole.size() / 4, whole.size() / 2, whole.size() - 20}) {
@@ -114,23 +114,24 @@ Image sky_with_disc(ImageMapping mapping, int unit, const Eigen::Vector3d& sun, 
 TEST(ExtractSun, RecoversADiscOfKnownPlaceSizeAndRadianceInEveryMapping) {
   for (int i = 0; i < 6; ++i) {
     const auto mapping = static_cast<ImageMapping>(i);
+    const std::string_view name = numeric::name_of(mapping);
     const int unit = mapping_shape(mapping).width > 2 ? 48 : 128;
     for (const Eigen::Vector3d& towards :
          {Eigen::Vector3d(0.5, -0.3, 0.6), Eigen::Vector3d(0.02, 0.01, 1.0), Eigen::Vector3d(0.7, 0.7, 0.3)}) {
       const Eigen::Vector3d sun = towards.normalized();
       const Image image = sky_with_disc(mapping, unit, sun, 4.0, 500.0F);
       const SunSearch search = extract_sun(image, mapping);
-      ASSERT_TRUE(search.sun) << search.why_none << kMappingNames[i];
+      ASSERT_TRUE(search.sun) << search.why_none << name;
       const double pixel = 2.0 * kPi / (4.0 * unit);  // about, in radian
-      EXPECT_LT((search.sun->direction - sun).norm(), pixel) << kMappingNames[i];
-      EXPECT_NEAR(search.sun->one_minus_cos / numeric::one_minus_cos(kPi / 180.0 * 4.0), 1.0, 0.06) << kMappingNames[i];
-      EXPECT_NEAR(search.sun->radiance.x(), 500.0, 3.0) << kMappingNames[i];
-      EXPECT_NEAR(search.sun->radiance.z(), 400.0, 3.0) << kMappingNames[i];
+      EXPECT_LT((search.sun->direction - sun).norm(), pixel) << name;
+      EXPECT_NEAR(search.sun->one_minus_cos / numeric::one_minus_cos(kPi / 180.0 * 4.0), 1.0, 0.06) << name;
+      EXPECT_NEAR(search.sun->radiance.x(), 500.0, 3.0) << name;
+      EXPECT_NEAR(search.sun->radiance.z(), 400.0, 3.0) << name;
       float brightest = 0.0F;
       for (const Eigen::Vector3f& left : search.sun->rest.pixels) {
         brightest = std::max(brightest, left.maxCoeff());
       }
-      EXPECT_LT(brightest, 1.3F) << kMappingNames[i];
+      EXPECT_LT(brightest, 1.3F) << name;
     }
   }
 }

@@ -8,8 +8,8 @@
 #include <numbers>
 #include <random>
 
+#include "numeric/sampling/solid_angle.hpp"
 #include "prt/basis.hpp"
-#include "prt/image/lat_long.hpp"
 #include "tests/prt/random_light.hpp"
 
 namespace sh::prt {
@@ -19,12 +19,17 @@ using test::random_light;
 
 constexpr double kPi = std::numbers::pi;
 
+/// Of a place in continuous pixel coordinates.
+Eigen::Vector3d lat_long_direction(double column, double row, int width, int height) {
+  return mapped_direction(ImageMapping::kLatLong, column / width, row / height).value();
+}
+
 /// The band-limited function sampled at pixel centres (it may be negative: no file is involved).
 Image picture_of(const LightCoefficients& light, int height) {
   Image image{2 * height, height, {}, 0};
   for (int row = 0; row < height; ++row) {
     for (int column = 0; column < 2 * height; ++column) {
-      const Eigen::Vector3d d = lat_long_direction({column + 0.5, row + 0.5}, 2 * height, height);
+      const Eigen::Vector3d d = lat_long_direction(column + 0.5, row + 0.5, 2 * height, height);
       image.pixels.push_back(radiance(light, d).cast<float>());
     }
   }
@@ -45,9 +50,9 @@ LightCoefficients by_midpoints(const Image& image, int degree, int n) {
   LightCoefficients sum = LightCoefficients::zero(degree);
   std::vector<double> basis(sum.bands_squared());
   for (int row = 0; row < image.height * n; ++row) {
-    const double weight = lat_long_solid_angle(row, image.width * n, image.height * n);
+    const double weight = numeric::lat_long_solid_angle(row, image.width * n, image.height * n);
     for (int column = 0; column < image.width * n; ++column) {
-      const Eigen::Vector3d d = lat_long_direction({column + 0.5, row + 0.5}, image.width * n, image.height * n);
+      const Eigen::Vector3d d = lat_long_direction(column + 0.5, row + 0.5, image.width * n, image.height * n);
       evaluate_basis(degree, d.x(), d.y(), d.z(), basis.data());
       for (std::size_t i = 0; i < basis.size(); ++i) {
         for (std::size_t c = 0; c < 3; ++c) {

@@ -7,11 +7,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "numeric/output/srgb.hpp"
 #include "prt/image/tone_map.hpp"
 #include "prt/mesh/sides.hpp"
 #include "prt/runtime/reference_render.hpp"
 #include "prt/scene/default_camera.hpp"
-#include "prt/srgb.hpp"
 #include "tests/prt/temporary_folder.hpp"
 
 namespace sh::prt {
@@ -159,10 +159,10 @@ TEST(ToneMap, NeutralCurveKeepsMidtonesRisesAndNeverReachesOne) {
 }
 
 TEST(ToneMap, EncodesAsSrgb) {
-  EXPECT_EQ(srgb_encode(0.0F), 0.0F);
-  EXPECT_NEAR(srgb_encode(1.0F), 1.0F, 1e-6F);
-  EXPECT_NEAR(srgb_encode(0.2140411F), 0.5F, 1e-6F);
-  EXPECT_NEAR(srgb_encode(0.002F), 0.02584F, 1e-7F);
+  EXPECT_EQ(output::srgb_encode(0.0F), 0.0F);
+  EXPECT_NEAR(output::srgb_encode(1.0F), 1.0F, 1e-6F);
+  EXPECT_NEAR(output::srgb_encode(0.2140411F), 0.5F, 1e-6F);
+  EXPECT_NEAR(output::srgb_encode(0.002F), 0.02584F, 1e-7F);
 }
 
 TEST(ToneMap, AutomaticExposureBringsThe95thPercentileToItsTarget) {

@@ -156,7 +156,7 @@ TEST(FalseColors, GrowLighterFromTheLeastShownErrorToTheMost) {
   EXPECT_EQ(error_place(std::numeric_limits<double>::quiet_NaN()), 1.0F);
   double before = -1.0;
   for (int i = 0; i <= 64; ++i) {
-    const numeric::plot::LinearColour c = numeric::plot::decode(false_color(i / 64.0));
+    const numeric::plot::LinearColor c = numeric::plot::decode(false_color(i / 64.0));
     const double luminance = 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2];
     EXPECT_GT(luminance, before) << i;
     before = luminance;

@@ -1,4 +1,4 @@
-// Colours that readers with any colour vision tell apart, and that stay apart in grey.
+// Colors that readers with any color vision tell apart, and that stay apart in gray.
 // Positive is vermillion, negative is blue [OkabeIto08]; shades are made in Oklab
 // [Ottosson20], where equal steps look equal.
 #pragma once
@@ -8,26 +8,26 @@
 namespace sh::numeric::plot {
 
 /// 8-bit sRGB and coverage.
-struct Colour {
+struct Color {
   std::uint8_t red = 0, green = 0, blue = 0, alpha = 255;
-  friend bool operator==(const Colour&, const Colour&) = default;
+  friend bool operator==(const Color&, const Color&) = default;
 };
 
 /// Linear Rec. 709, 0 to 1 (clamped when encoded).
-using LinearColour = std::array<double, 3>;
+using LinearColor = std::array<double, 3>;
 
-LinearColour decode(const Colour& colour);
-Colour encode(const LinearColour& linear);
+LinearColor decode(const Color& color);
+Color encode(const LinearColor& linear);
 
 /// `over` with its coverage times `coverage` (0 to 1) on top of `under`, which is opaque.
-Colour blend(const Colour& under, const Colour& over, double coverage);
+Color blend(const Color& under, const Color& over, double coverage);
 
-constexpr Colour kPositive{213, 94, 0};
-constexpr Colour kNegative{0, 114, 178};
-constexpr Colour kInk{34, 34, 34};
-constexpr Colour kWhite{255, 255, 255};
+constexpr Color kPositive{213, 94, 0};
+constexpr Color kNegative{0, 114, 178};
+constexpr Color kInk{34, 34, 34};
+constexpr Color kWhite{255, 255, 255};
 
 /// -1 .. 1 -> dark blue, blue, near white at 0, vermillion, dark brown; clamped. Lightness falls evenly on both sides.
-Colour diverging(double value);
+Color diverging(double value);
 
 }  // namespace sh::numeric::plot

@@ -1,10 +1,10 @@
-// Quadrature over single pixels of discs and cube maps: prt/image/image_mapping.hpp.
+// Quadrature over single pixels of discs and cube maps: prt/image/environment.hpp.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "numeric/oracle/quadrature.hpp"
-#include "prt/image/image_mapping.hpp"
+#include "prt/image/environment.hpp"
 
 namespace sh::prt {
 namespace {
@@ -17,9 +17,7 @@ using Rule = numeric::GaussLegendreRule<double>;
 const Rule& rule_for(int pixels, int more = 0) {
   static const std::vector<Rule> kRules = [] {
     std::vector<Rule> rules;
-    for (int n = 1; n <= kMostNodes; ++n) {
-      rules.push_back(numeric::gauss_legendre<double>(n));
-    }
+    for (int n = 1; n <= kMostNodes; ++n) rules.push_back(numeric::gauss_legendre<double>(n));
     return rules;
   }();
   const int n = pixels >= 256 ? 3 + more : std::min(4 + more + 96 / pixels, kMostNodes);
@@ -38,23 +36,18 @@ Interval side_of(const Interval& range, double sign) {
   return sign > 0.0 ? Interval{std::max(range.low, 0.0), range.high} : Interval{std::max(-range.high, 0.0), -range.low};
 }
 
-/// What a disc of a mapping shows at (u, v), u right, v up, w = sqrt(1 - u^2 - v^2), by area of the disc.
+/// The place (u, v) of a disc, u right, v up, w = sqrt(1 - u^2 - v^2), with its area on the disc.
 PixelNode disc_node(ImageMapping mapping, double u, double v, double w, double area) {
-  if (mapping == ImageMapping::kMirrorBall) {
-    return {{(w - 1.0) * (w + 1.0) + w * w, 2.0 * w * u, 2.0 * w * v}, 4.0 * area};
-  }
   const double r = std::hypot(u, v);
-  const double sine_over_r = r > 1e-9 ? std::sin(kPi * r) / r : kPi;
-  return {{std::cos(kPi * r), -sine_over_r * u, sine_over_r * v}, kPi * sine_over_r * area};
+  const double stretch = mapping == ImageMapping::kMirrorBall ? 4.0 : kPi * (r > 1e-9 ? std::sin(kPi * r) / r : kPi);
+  return {disc_direction(mapping, u, v, w), stretch * area};
 }
 
 /// The pixel a x b cut by the unit circle, 0 <= a, b, in the angles a = sin t, b = cos t sin s: the normals of a ball,
-/// in which also what a mirror ball shows is smooth up to the rim.
+/// in which the picture of a mirror ball too is smooth up to the rim.
 template <class Emit>
 void cut_pixel(const Interval& a, const Interval& b, const Rule& rule, const Emit& emit) {
-  if (!(a.low < a.high && b.low < b.high && a.low * a.low + b.low * b.low < 1.0)) {
-    return;
-  }
+  if (!(a.low < a.high && b.low < b.high && a.low * a.low + b.low * b.low < 1.0)) return;
   const double end = std::min(a.high, std::sqrt(1.0 - b.low * b.low));
   const double whole = std::clamp(std::sqrt(std::max(0.0, 1.0 - b.high * b.high)), a.low, end);
   for (const bool cut : {false, true}) {  // up to `whole` the circle is beyond b.high
@@ -105,9 +98,7 @@ void texel_nodes(const CubeFace& face, int size, int column, int row, std::vecto
 void pixel_nodes(ImageMapping mapping, int width, int column, int row, std::vector<PixelNode>& nodes) {
   nodes.clear();
   const auto& faces = cube_faces(mapping);
-  if (faces.empty()) {
-    return disc_nodes(mapping, width, column, row, nodes);
-  }
+  if (faces.empty()) return disc_nodes(mapping, width, column, row, nodes);
   const int size = face_size(mapping, width);
   for (const CubeFace& face : faces) {
     if (face.column == column / size && face.row == row / size) {

@@ -1,27 +1,17 @@
-#include "numeric/plot/colour.hpp"
+#include "numeric/plot/color.hpp"
 
 #include <algorithm>
 #include <cmath>
 
+#include "numeric/output/srgb.hpp"
+
 namespace sh::numeric::plot {
 namespace {
 
-// [IEC 61966-2-1]
-double decode_channel(std::uint8_t encoded) {
-  const double v = encoded / 255.0;
-  return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
-}
-
-std::uint8_t encode_channel(double linear) {
-  const double v = std::clamp(linear, 0.0, 1.0);
-  const double encoded = v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055;
-  return static_cast<std::uint8_t>(std::lround(255 * encoded));
-}
-
 using Matrix = std::array<std::array<double, 3>, 3>;
 
-LinearColour times(const Matrix& m, const LinearColour& c) {
-  LinearColour out{};
+LinearColor times(const Matrix& m, const LinearColor& c) {
+  LinearColor out{};
   for (std::size_t i = 0; i < 3; ++i) out[i] = m[i][0] * c[0] + m[i][1] * c[1] + m[i][2] * c[2];
   return out;
 }
@@ -39,13 +29,13 @@ constexpr Matrix kFromCones{{{4.0767416621, -3.3077115913, 0.2309699292},
                              {-1.2684380046, 2.6097574011, -0.3413193965},
                              {-0.0041960863, -0.7034186147, 1.7076147010}}};
 
-LinearColour to_oklab(const LinearColour& c) {
+LinearColor to_oklab(const LinearColor& c) {
   auto cones = times(kToCones, c);
   for (double& v : cones) v = std::cbrt(v);
   return times(kToLab, cones);
 }
 
-LinearColour from_oklab(const LinearColour& lab) {
+LinearColor from_oklab(const LinearColor& lab) {
   auto cones = times(kFromLab, lab);
   for (double& v : cones) v = v * v * v;
   return times(kFromCones, cones);
@@ -54,10 +44,10 @@ LinearColour from_oklab(const LinearColour& lab) {
 constexpr double kShade = 0.72;
 
 // From near white towards `hue` to a darker shade of it at 1: a quadratic Bezier curve, so that no edge shows.
-LinearColour ramp(const Colour& hue, double t) {
+LinearColor ramp(const Color& hue, double t) {
   const auto light = to_oklab(decode({247, 247, 247}));
   const auto middle = to_oklab(decode(hue));
-  LinearColour lab{};
+  LinearColor lab{};
   for (std::size_t i = 0; i < 3; ++i) {
     lab[i] = std::lerp(std::lerp(light[i], middle[i], t), std::lerp(middle[i], kShade * middle[i], t), t);
   }
@@ -66,13 +56,19 @@ LinearColour ramp(const Colour& hue, double t) {
 
 }  // namespace
 
-LinearColour decode(const Colour& c) {
-  return {decode_channel(c.red), decode_channel(c.green), decode_channel(c.blue)};
+LinearColor decode(const Color& c) {
+  const auto channel = [](std::uint8_t encoded) { return output::srgb_decode(encoded / 255.0); };
+  return {channel(c.red), channel(c.green), channel(c.blue)};
 }
 
-Colour encode(const LinearColour& c) { return {encode_channel(c[0]), encode_channel(c[1]), encode_channel(c[2])}; }
+Color encode(const LinearColor& c) {
+  const auto channel = [](double linear) {
+    return static_cast<std::uint8_t>(std::lround(255 * output::srgb_encode(std::clamp(linear, 0.0, 1.0))));
+  };
+  return {channel(c[0]), channel(c[1]), channel(c[2])};
+}
 
-Colour blend(const Colour& under, const Colour& over, double coverage) {
+Color blend(const Color& under, const Color& over, double coverage) {
   const double a = coverage * over.alpha / 255.0;
   const auto channel = [a](std::uint8_t below, std::uint8_t above) {
     return static_cast<std::uint8_t>(std::lround(std::lerp(double(below), double(above), a)));
@@ -80,10 +76,10 @@ Colour blend(const Colour& under, const Colour& over, double coverage) {
   return {channel(under.red, over.red), channel(under.green, over.green), channel(under.blue, over.blue)};
 }
 
-Colour diverging(double value) {
+Color diverging(double value) {
   constexpr int kSteps = 512;  // a side
   static const auto kTable = [] {
-    std::array<Colour, 2 * kSteps + 1> table;
+    std::array<Color, 2 * kSteps + 1> table;
     std::size_t place = 0;
     for (int i = -kSteps; i <= kSteps; ++i) {
       table[place++] = encode(ramp(i < 0 ? kNegative : kPositive, std::abs(i) / double(kSteps)));

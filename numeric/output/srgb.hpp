@@ -1,9 +1,9 @@
-// The transfer function of sRGB [IEC 61966-2-1] and its inverse; primaries are those of Rec. 709, so that channels stay
-// apart.
+// The transfer function of sRGB [IEC 61966-2-1] and its inverse. Its primaries are those of Rec. 709, so that channels
+// stay apart.
 #pragma once
 #include <cmath>
 
-namespace sh::prt {
+namespace sh::output {
 
 /// [0, 1] encoded -> [0, 1] linear.
 template <class Real>
@@ -18,4 +18,4 @@ Real srgb_encode(Real linear) {
                                    : Real(1.055) * std::pow(linear, Real(1) / Real(2.4)) - Real(0.055);
 }
 
-}  // namespace sh::prt
+}  // namespace sh::output

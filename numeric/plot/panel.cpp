@@ -1,40 +1,15 @@
-#include "numeric/plot/mapping.hpp"
+#include "numeric/plot/panel.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 namespace sh::numeric::plot {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-
-Panel lat_long_panel() {
-  Panel panel;
-  panel.label = "+x";
-  panel.direction = [](const Point& p) { return direction(kPi * p.y, kPi * (1 - 2 * p.x)); };
-  panel.place = [](const Vector3& s) {
-    const double theta = std::atan2(std::hypot(s[0], s[1]), s[2]);
-    return std::optional<Point>({(1 - std::atan2(s[1], s[0]) / kPi) / 2, theta / kPi});
-  };
-  return panel;
-}
-
-Panel cube_face(const char* label, int column, int row, const Vector3& centre, const Vector3& right,
-                const Vector3& down) {
-  Panel panel{label, column, row, {}, {}};
-  panel.direction = [=](const Point& p) { return unit(centre + (2 * p.x - 1) * right + (2 * p.y - 1) * down); };
-  panel.place = [=](const Vector3& s) -> std::optional<Point> {
-    const double depth = dot(s, centre);
-    if (depth <= 0) return std::nullopt;
-    const double u = dot(s, right) / depth;
-    const double v = dot(s, down) / depth;
-    constexpr double kEdge = 1 + 1e-12;
-    if (std::abs(u) > kEdge || std::abs(v) > kEdge) return std::nullopt;
-    return Point{(u + 1) / 2, (v + 1) / 2};
-  };
-  return panel;
-}
+constexpr double kJump = 0.2;  // between two steps of a line: it leaves by one edge and comes back by another
 
 // The part of curve(0 .. 1) that lies in the panel, in pieces; ends at the panel's edge to 1e-6 of a step.
 std::vector<std::vector<Point>> trace(const Panel& panel, const std::function<Vector3(double)>& curve, int steps) {
@@ -54,6 +29,8 @@ std::vector<std::vector<Point>> trace(const Panel& panel, const std::function<Ve
     if (here && !was_inside) {
       pieces.emplace_back();
       if (i > 0) pieces.back().push_back(edge_between(t, before));
+    } else if (here && std::hypot(here->x - pieces.back().back().x, here->y - pieces.back().back().y) > kJump) {
+      pieces.emplace_back();
     }
     if (here) pieces.back().push_back(*here);
     if (!here && was_inside) pieces.back().push_back(edge_between(before, t));
@@ -64,14 +41,34 @@ std::vector<std::vector<Point>> trace(const Panel& panel, const std::function<Ve
 
 }  // namespace
 
-std::vector<Panel> panels_of(Projection projection) {
-  if (projection == Projection::kLatLong) return {lat_long_panel()};
-  const Vector3 x{1, 0, 0};
-  const Vector3 y{0, 1, 0};
-  const Vector3 z{0, 0, 1};
-  return {cube_face("+z", 1, 0, z, -1 * y, x),      cube_face("+y", 0, 1, y, x, -1 * z),
-          cube_face("+x", 1, 1, x, -1 * y, -1 * z), cube_face("-y", 2, 1, -1 * y, -1 * x, -1 * z),
-          cube_face("-x", 3, 1, -1 * x, y, -1 * z), cube_face("-z", 1, 2, -1 * z, -1 * y, -1 * x)};
+std::optional<Vector3> Panel::direction(const Point& p) const {
+  return face != nullptr ? face->direction(p.x, p.y) : mapped_direction(mapping, p.x, p.y);
+}
+
+std::optional<Point> Panel::place(const Vector3& direction) const {
+  if (face != nullptr && face->forward.dot(direction) <= 0) return std::nullopt;
+  const Eigen::Vector2d p = face != nullptr ? face->place(direction) : mapped_place(mapping, direction);
+  constexpr double kEdge = 1e-12;
+  if (p.minCoeff() < -kEdge || p.maxCoeff() > 1 + kEdge) return std::nullopt;
+  return Point{p.x(), p.y()};
+}
+
+Box Panel::box(const Box& area) const {
+  if (face == nullptr) return area;
+  const double side = area.width / mapping_shape(mapping).width;
+  return {area.x + face->column * side, area.y + face->row * side, side, side};
+}
+
+std::vector<Panel> panels_of(ImageMapping mapping) {
+  std::vector<Panel> panels;
+  for (const CubeFace& face : cube_faces(mapping)) panels.push_back({mapping, &face});
+  return panels.empty() ? std::vector<Panel>{{mapping}} : panels;
+}
+
+std::string axis_name(const Vector3& direction) {
+  Eigen::Index axis = 0;
+  direction.cwiseAbs().maxCoeff(&axis);
+  return {direction[axis] < 0 ? '-' : '+', "xyz"[axis]};
 }
 
 std::vector<std::vector<Point>> graticule(const Panel& panel, int degrees) {
