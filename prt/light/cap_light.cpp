@@ -26,10 +26,9 @@ std::vector<double> project_cap(const Eigen::Vector3d& direction, double one_min
   std::vector<double> zonal(static_cast<std::size_t>(degree) + 1);
   numeric::cap_zonal(degree, one_minus_cos, zonal.data());
   std::vector<double> out = project_directional(direction, degree);
-  for (int l = 0, i = 0; l <= degree; ++l) {  // a zonal function turned to a direction, numeric/oracle/cap.hpp
-    const double factor = std::sqrt(4.0 * kPi / (2.0 * l + 1.0)) * zonal[static_cast<std::size_t>(l)];
-    for (; i < (l + 1) * (l + 1); ++i) out[static_cast<std::size_t>(i)] *= factor;
-  }
+  // A zonal function turned to a direction: numeric/oracle/cap.hpp.
+  for (int l = 0; l <= degree; ++l) zonal[static_cast<std::size_t>(l)] *= std::sqrt(4.0 * kPi / (2.0 * l + 1.0));
+  scale_bands(zonal, out.data());
   return out;
 }
 

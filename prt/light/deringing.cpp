@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 
 #include "numeric/oracle/zonal.hpp"
@@ -61,19 +62,10 @@ class Channels {
   }
 
   /// Root of the sum of squares beyond band 0.
-  [[nodiscard]] double contrast(const LightCoefficients& light, const std::vector<double>& window) const {
-    const std::vector<double> factors = times_kept(window);
-    double sum = 0.0;
-    for (std::size_t channel = 0; channel < 3; ++channel) {
-      std::size_t i = 1;
-      for (int l = 1; l <= degree_; ++l) {
-        for (; i < coefficient_count(l); ++i) {
-          const double value = factors[static_cast<std::size_t>(l)] * light.at(channel, i);
-          sum += value * value;
-        }
-      }
-    }
-    return std::sqrt(sum);
+  [[nodiscard]] double contrast(LightCoefficients light, const std::vector<double>& window) const {
+    apply_factors(times_kept(window), light);
+    for (std::size_t channel = 0; channel < 3; ++channel) light.at(channel, 0) = 0.0;
+    return std::sqrt(std::inner_product(light.values.begin(), light.values.end(), light.values.begin(), 0.0));
   }
 
  private:

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
-#include <array>
 #include <numbers>
 #include <stdexcept>
 
@@ -45,7 +44,7 @@ LightCoefficients turned(const LightCoefficients& light, const Eigen::Matrix3d& 
 }
 
 Eigen::Vector3d radiance(const LightCoefficients& light, const Eigen::Vector3d& direction) {
-  std::array<double, std::size_t{kMaxDegree + 1} * (kMaxDegree + 1)> basis;
+  BasisValues basis;
   evaluate_basis(light.degree, direction.x(), direction.y(), direction.z(), basis.data());
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (std::size_t i = 0; i < light.bands_squared(); ++i) {

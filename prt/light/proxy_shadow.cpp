@@ -18,12 +18,6 @@ namespace sh::prt {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-using Basis = std::array<double, std::size_t{kMaxDegree + 1} * (kMaxDegree + 1)>;
-
-std::size_t index(int l, int m) {
-  const int i = l * l + l + m;
-  return static_cast<std::size_t>(i);
-}
 
 /// Exact for products of two basis functions of that degree.
 const numeric::GaussLegendreRule<double>& rule_for(int degree) {
@@ -36,13 +30,13 @@ const numeric::GaussLegendreRule<double>& rule_for(int degree) {
 }
 
 /// out -= what the ring of height z, weighted, gives of one channel: `basis` is Y at azimuth 0.
-void subtract_ring(int degree, const Basis& basis, double weight, const double* light, double* out) {
+void subtract_ring(int degree, const BasisValues& basis, double weight, const double* light, double* out) {
   for (int m = -degree; m <= degree; ++m) {
     const int order = std::abs(m);
     double value = 0.0;  // of the light's part of order m on the ring, over cos or sin of m phi
-    for (int l = order; l <= degree; ++l) value += basis[index(l, order)] * light[index(l, m)];
+    for (int l = order; l <= degree; ++l) value += basis[coefficient_index(l, order)] * light[coefficient_index(l, m)];
     value *= weight * (m == 0 ? 2.0 * kPi : kPi);
-    for (int l = order; l <= degree; ++l) out[index(l, m)] -= value * basis[index(l, order)];
+    for (int l = order; l <= degree; ++l) out[coefficient_index(l, m)] -= value * basis[coefficient_index(l, order)];
   }
 }
 
@@ -50,7 +44,7 @@ void subtract_ring(int degree, const Basis& basis, double weight, const double* 
 LightCoefficients without_polar_cap(const LightCoefficients& light, double one_minus_cos) {
   LightCoefficients out = light;
   const auto& rule = rule_for(light.degree);
-  Basis basis;
+  BasisValues basis;
   for (std::size_t k = 0; k < rule.nodes.size(); ++k) {
     const double one_minus_z = 0.5 * one_minus_cos * (1.0 + rule.nodes[k]);
     const double sine = std::sqrt(std::max(0.0, one_minus_z * (2.0 - one_minus_z)));

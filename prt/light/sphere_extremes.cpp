@@ -17,7 +17,6 @@
 namespace sh::prt {
 namespace {
 
-using Basis = std::array<double, std::size_t{kMaxDegree + 1} * (kMaxDegree + 1)>;
 constexpr int kStarts = 12;  // valleys that are searched
 
 /// A function and its gradient along the sphere.
@@ -37,17 +36,17 @@ class Descent {
 
  private:
   [[nodiscard]] double value(const Eigen::Vector3d& d) const {
-    Basis y;
+    BasisValues y;
     evaluate_basis(degree_, d.x(), d.y(), d.z(), y.data());
     return std::inner_product(c_.begin(), c_.end(), y.begin(), 0.0);
   }
 
   [[nodiscard]] Eigen::Vector3d gradient(const Eigen::Vector3d& d) const {
-    Basis y, dx, dy, dz;
+    BasisValues y, dx, dy, dz;
     at_degree(degree_, [&](auto known) {
       sh::basis_gradient<known()>(d.x(), d.y(), d.z(), y.data(), dx.data(), dy.data(), dz.data());
     });
-    const auto sum = [&](const Basis& by) { return std::inner_product(c_.begin(), c_.end(), by.begin(), 0.0); };
+    const auto sum = [&](const BasisValues& by) { return std::inner_product(c_.begin(), c_.end(), by.begin(), 0.0); };
     const Eigen::Vector3d full(sum(dx), sum(dy), sum(dz));
     return full - full.dot(d) * d;
   }
@@ -113,7 +112,7 @@ std::vector<Eigen::Vector3d> starts(const std::vector<Eigen::Vector3d>& points, 
 
 BandLimited::BandLimited(const double* coefficients, int degree)
     : degree_(degree), coefficients_(coefficients, coefficients + coefficient_count(degree)) {
-  Basis y;
+  BasisValues y;
   for (const auto& node : numeric::fibonacci_nodes(64 * (degree + 1) * (degree + 1))) {
     points_.emplace_back(node.x, node.y, node.z);
     evaluate_basis(degree, node.x, node.y, node.z, y.data());
@@ -138,9 +137,8 @@ std::vector<double> BandLimited::values(const std::vector<double>& factors) cons
 
 SphereValue BandLimited::extreme(const std::vector<double>& factors, double sign) const {
   std::vector<double> c = coefficients_;
-  for (std::size_t l = 0, i = 0; l < factors.size(); ++l) {
-    for (; i < coefficient_count(static_cast<int>(l)); ++i) c[i] *= sign * factors[l];
-  }
+  scale_bands(factors, c.data());
+  for (double& value : c) value *= sign;
   const Descent descent(std::move(c), degree_);
   SphereValue best{std::numeric_limits<double>::infinity()};
   for (const Eigen::Vector3d& start : starts(points_, values(factors), sign, degree_)) {

@@ -15,7 +15,7 @@
 #include "generated/cpp/window_lanczos4.hpp"
 #include "generated/cpp/window_laplacian.hpp"
 #include "numeric/oracle/quadrature.hpp"
-#include "prt/at_degree.hpp"
+#include "prt/basis.hpp"
 
 namespace sh::prt {
 namespace {
@@ -126,12 +126,7 @@ std::vector<double> window_factors(const Window& window, int degree) {
 }
 
 void apply_factors(const std::vector<double>& factors, LightCoefficients& light) {
-  for (std::size_t channel = 0; channel < 3; ++channel) {
-    std::size_t i = 0;
-    for (int l = 0; l <= light.degree; ++l) {
-      for (; i < coefficient_count(l); ++i) light.at(channel, i) *= factors[static_cast<std::size_t>(l)];
-    }
-  }
+  for (std::size_t channel = 0; channel < 3; ++channel) scale_bands(factors, &light.at(channel, 0));
 }
 
 Window window_of_strength(WindowType type, int power, double strength) {
