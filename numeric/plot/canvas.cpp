@@ -32,8 +32,8 @@ std::vector<Point> corners_of(const Box& b) {
 
 void draw_tag(Canvas& canvas, const Point& center, const std::string& words) {
   constexpr Color kPaper{255, 255, 255, 205};
-  canvas.polygon(corners_of({center.x - 16, center.y - 13, 32, 26}), kPaper);
-  canvas.text({center.x, center.y + 6}, words, 18, Anchor::kMiddle, kInk);
+  canvas.polygon(corners_of({center.x - 14, center.y - 11, 28, 22}), kPaper);
+  canvas.text({center.x, center.y + 6}, words, 17, Anchor::kMiddle, kInk);
 }
 
 }  // namespace sh::numeric::plot

@@ -166,8 +166,8 @@ void draw_axis_tags(Canvas& canvas, ImageMapping mapping, const Box& area) {
     if (mapping == ImageMapping::kLatLong && axis / 2 == 2) place.x() = 0.5;  // a pole is the whole edge
     if (is_disc(mapping) && axis == 1) place = {0.5, 1.0};                    // -x is the whole rim
     draw_tag(canvas,
-             {std::clamp(area.x + place.x() * area.width, area.x + 16, area.x + area.width - 16),
-              std::clamp(area.y + place.y() * area.height, area.y + 13, area.y + area.height - 13)},
+             {std::clamp(area.x + place.x() * area.width, area.x + 14, area.x + area.width - 14),
+              std::clamp(area.y + place.y() * area.height, area.y + 11, area.y + area.height - 11)},
              axis_name(d));
   }
 }

@@ -10,6 +10,7 @@
 
 #include "generated/cpp/project_l5.hpp"
 #include "numeric/oracle/basis.hpp"
+#include "numeric/sampling/power_law.hpp"
 
 namespace sh::numeric {
 namespace {
@@ -93,23 +94,12 @@ std::vector<ConvergenceSeries> projection_convergence(bool quick, const std::fun
 }
 
 double convergence_exponent(const ConvergenceSeries& series, int from) {
-  double n = 0;
-  double sum_x = 0;
-  double sum_y = 0;
-  double sum_xx = 0;
-  double sum_xy = 0;
+  std::vector<std::pair<double, double>> errors;
   for (const ConvergencePoint& p : series.points) {
-    if (p.samples < from || !(p.error_rms > kRounding)) continue;
-    const double x = std::log(p.samples);
-    const double y = std::log(p.error_rms);
-    n += 1;
-    sum_x += x;
-    sum_y += y;
-    sum_xx += x * x;
-    sum_xy += x * y;
+    if (p.samples >= from && p.error_rms > kRounding) errors.emplace_back(p.samples, p.error_rms);
   }
-  if (n < 2) return std::numeric_limits<double>::quiet_NaN();
-  return (n * sum_xy - sum_x * sum_y) / (n * sum_xx - sum_x * sum_x);
+  const auto law = fit_power_law(errors);
+  return law ? law->exponent : std::numeric_limits<double>::quiet_NaN();
 }
 
 }  // namespace sh::numeric

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "numeric/sampling/power_law.hpp"
 #include "prt/plan/draft.hpp"
 #include "prt/plan/transfer_bounds.hpp"
 #include "prt/rays/directions.hpp"
@@ -52,37 +53,19 @@ constexpr int kReference = 8192;
 constexpr int kFewest = 64;
 constexpr int kUnit = 64;
 
-// Least squares in logarithms; the rate within what samplers can have.
-Convergence fit(const std::array<double, kTried.size()>& errors) {
-  double x = 0.0;
-  double y = 0.0;
-  double xx = 0.0;
-  double xy = 0.0;
-  constexpr auto kCount = static_cast<double>(kTried.size());
-  for (std::size_t k = 0; k < kTried.size(); ++k) {
-    const double log_n = std::log(static_cast<double>(kTried[k]));
-    const double log_e = std::log(std::max(errors[k], 1e-12));
-    x += log_n / kCount;
-    y += log_e / kCount;
-    xx += log_n * log_n / kCount;
-    xy += log_n * log_e / kCount;
-  }
-  const double rate = std::clamp((x * y - xy) / (xx - x * x), 0.4, 1.2);
-  return {std::exp(y + rate * x), rate};
-}
-
 Convergence measure(const Draft& draft) {
   const std::size_t length = draft.light->coefficients().bands_squared();
   const ProbeRows reference = draft.probe->bake(draft.plan.open, kReference);
-  std::array<double, kTried.size()> errors{};
-  for (std::size_t k = 0; k < kTried.size(); ++k) {
-    std::vector<float> parts = draft.probe->bake(draft.plan.open, kTried[k]).transfer;
+  std::vector<std::pair<double, double>> errors;
+  for (const int tried : kTried) {
+    std::vector<float> parts = draft.probe->bake(draft.plan.open, tried).transfer;
     for (std::size_t i = 0; i < parts.size(); ++i) {
       parts[i] = i % length < draft.count() ? parts[i] - reference.transfer[i] : 0.0F;
     }
-    errors[k] = draft.error_on_probe(parts);
+    errors.emplace_back(tried, std::max(draft.error_on_probe(parts), 1e-12));
   }
-  Convergence convergence = fit(errors);
+  const numeric::PowerLaw law = numeric::fit_power_law(errors, -1.2, -0.4).value();  // what samplers can have
+  Convergence convergence{law.factor, -law.exponent};
   // With bounces what is seen of other surfaces is sampled as well, and both are reflected again.
   const bool bounces = draft.plan.bake.kind == TransferKind::kInterreflected;
   convergence.factor *= kProbeMargin * (bounces ? 2.0 * draft.gain : 1.0);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "numeric/sampling/power_law.hpp"
 #include "prt/rays/directions.hpp"
 #include "prt/study/study_parts.hpp"
 
@@ -72,25 +73,13 @@ Study run_study(const Scene& scene, const StudyOptions& options, const std::func
 std::optional<double> fitted_slope(const std::vector<StudyPoint>& points) {
   const bool exact =
       std::all_of(points.begin(), points.end(), [](const StudyPoint& point) { return point.exact_error.has_value(); });
-  double n = 0.0, sx = 0.0, sy = 0.0, sxx = 0.0, sxy = 0.0;
+  std::vector<std::pair<double, double>> errors;
   for (const StudyPoint& point : points) {
     const double error = exact ? point.exact_error->rms : point.error.rms;
-    if (!(error > 0.0)) {
-      continue;
-    }
-    const double x = std::log(point.at);
-    const double y = std::log(error);
-    n += 1.0;
-    sx += x;
-    sy += y;
-    sxx += x * x;
-    sxy += x * y;
+    if (error > 0.0) errors.emplace_back(point.at, error);
   }
-  const double determinant = n * sxx - sx * sx;
-  if (n < 2.0 || !(determinant > 0.0)) {
-    return std::nullopt;
-  }
-  return (n * sxy - sx * sy) / determinant;
+  const auto law = numeric::fit_power_law(errors);
+  return law ? std::optional(law->exponent) : std::nullopt;
 }
 
 }  // namespace sh::prt

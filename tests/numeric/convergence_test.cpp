@@ -6,6 +6,7 @@
 #include <string>
 
 #include "numeric/report/projection_convergence.hpp"
+#include "numeric/sampling/power_law.hpp"
 #include "numeric/sampling/projection.hpp"
 #include "numeric/sampling/sphere_nodes.hpp"
 #include "tests/numeric/keep_worst.hpp"
@@ -18,6 +19,19 @@ const TestFunction& function_named(const std::string& name) {
     if (f.name == name) return f;
   }
   throw std::invalid_argument(name);
+}
+
+TEST(PowerLaw, IsFoundAgainAndKeepsItsLimits) {
+  const auto at = [](double x) { return 3 * std::pow(x, -0.75); };
+  const std::vector<std::pair<double, double>> points{{2, at(2)}, {64, at(64)}, {5000, at(5000)}};
+  EXPECT_NEAR(fit_power_law(points)->exponent, -0.75, 1e-14);
+  EXPECT_NEAR(fit_power_law(points)->factor, 3, 1e-13);
+  const auto limited =
+      fit_power_law({{1, 1}, {100, 1e-4}}, -1, 0);  // exponent -2; through the middle of the logarithms
+  EXPECT_EQ(limited->exponent, -1);
+  EXPECT_NEAR(limited->factor, 0.1, 1e-15);
+  EXPECT_FALSE(fit_power_law({{7, 1}, {7, 2}}));
+  EXPECT_FALSE(fit_power_law({}));
 }
 
 TEST(TestFunctions, WithoutAnEdgeHaveTheirCoefficientsToRounding) {

@@ -12,6 +12,7 @@
 #include "numeric/oracle/basis.hpp"
 #include "numeric/oracle/quadrature.hpp"
 #include "numeric/sampling/directions.hpp"
+#include "numeric/sampling/power_law.hpp"
 #include "numeric/sampling/sobol.hpp"
 #include "numeric/sampling/sphere_nodes.hpp"
 #include "prt/bake/bake.hpp"
@@ -123,19 +124,12 @@ double rms_error(Sampler sampler, int count) {
 // Of the line through (log count, log error) by least squares.
 double slope(Sampler sampler) {
   constexpr std::array kCounts = {128, 512, 2048, 8192};
-  double x_mean = 0.0, y_mean = 0.0, xy = 0.0, xx = 0.0;
-  for (const int count : kCounts) {
-    const double x = std::log(count);
-    const double y = std::log(rms_error(sampler, count));
-    x_mean += x / kCounts.size();
-    y_mean += y / kCounts.size();
-    xy += x * y / kCounts.size();
-    xx += x * x / kCounts.size();
-  }
-  const double result = (xy - x_mean * y_mean) / (xx - x_mean * x_mean);
+  std::vector<std::pair<double, double>> errors;
+  for (const int count : kCounts) errors.emplace_back(count, rms_error(sampler, count));
+  const numeric::PowerLaw law = numeric::fit_power_law(errors).value();
   std::printf("%-10s error %.2e at %d directions, slope %.3f\n", std::string(name_of(sampler)).c_str(),
-              std::exp(y_mean + result * (std::log(2048.0) - x_mean)), 2048, result);
-  return result;
+              law.factor * std::pow(2048.0, law.exponent), 2048, law.exponent);
+  return law.exponent;
 }
 
 TEST(Directions, AreAsManyUnitVectorsAsAreAskedFor) {
