@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "tests/generated/batch_support.hpp"
+#include "tests/message_of.hpp"
 
 namespace sh::test {
 namespace {
@@ -180,16 +181,6 @@ TYPED_TEST(BatchDrivers, GiveTheSameBitsPastTheCache) {
       for (std::size_t k = 0; k < size; ++k) ASSERT_EQ(out.at(i, k), alone[k]) << i;
     }
   }
-}
-
-template <class F>
-std::string message_of(const F& f) {
-  try {
-    f();
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "nothing thrown";
 }
 
 TEST(Batch, RefusesWhatItCannotDoInOneLine) {

@@ -8,6 +8,7 @@
 #include "numeric/oracle/rotation.hpp"
 #include "numeric/oracle/rotation_matrices.hpp"
 #include "tests/generated/batch_support.hpp"
+#include "tests/message_of.hpp"
 
 namespace sh::test {
 namespace {
@@ -155,26 +156,16 @@ TEST(RotateOne, TakesAMatrixThatWasPreparedOnAnotherInstructionSet) {
   }
 }
 
-template <class F>
-std::string refusal(const F& f) {
-  try {
-    f();
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "nothing thrown";
-}
-
 TEST(RotateOne, RefusesDegreesItHasNoKernelFor) {
   Floats v(1000);
   const std::string why = ": degree 11; it should be 0 to 10";
-  EXPECT_EQ(refusal([&] { batch::rotate_one(11, v.data(), v.data(), v.data()); }), "sh::batch::rotate_one" + why);
-  EXPECT_EQ(refusal([&] { batch::rotate_prepare(11, v.data(), v.data()); }), "sh::batch::rotate_prepare" + why);
-  EXPECT_EQ(refusal([&] { batch::rotate_prepared_one(11, v.data(), v.data(), v.data()); }),
+  EXPECT_EQ(message_of([&] { batch::rotate_one(11, v.data(), v.data(), v.data()); }), "sh::batch::rotate_one" + why);
+  EXPECT_EQ(message_of([&] { batch::rotate_prepare(11, v.data(), v.data()); }), "sh::batch::rotate_prepare" + why);
+  EXPECT_EQ(message_of([&] { batch::rotate_prepared_one(11, v.data(), v.data(), v.data()); }),
             "sh::batch::rotate_prepared_one" + why);
-  EXPECT_EQ(refusal([&] { static_cast<void>(batch::rotate_prepared_size(11)); }),
+  EXPECT_EQ(message_of([&] { static_cast<void>(batch::rotate_prepared_size(11)); }),
             "sh::batch::rotate_prepared_size" + why);
-  EXPECT_EQ(refusal([&] { batch::rotate_one(-1, v.data(), v.data(), v.data()); }),
+  EXPECT_EQ(message_of([&] { batch::rotate_one(-1, v.data(), v.data(), v.data()); }),
             "sh::batch::rotate_one: degree -1; it should be 0 to 10");
 }
 

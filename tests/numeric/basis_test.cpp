@@ -11,10 +11,13 @@
 #include "numeric/oracle/quadrature.hpp"
 #include "numeric/oracle/real.hpp"
 #include "numeric/sampling/directions.hpp"
+#include "tests/message_of.hpp"
 #include "tests/numeric/keep_worst.hpp"
 
 namespace sh::numeric {
 namespace {
+
+using test::message_of;
 
 template <class Real>
 std::vector<Real> basis_at(int degree, const Direction& d) {
@@ -274,15 +277,6 @@ TEST(Basis, IsHomogeneousAndTheZFormIsNot) {
   // Y_20 in z alone: sqrt(5 / 16 pi) (3 z^2 - 1), at z = 1.25 off the sphere.
   basis_z_form(2, Mpfr100(0), Mpfr100(0), r, z_form.data());
   EXPECT_LT(difference(z_form[6], Mpfr100(sqrt(Mpfr100(5 / (16 * pi<Mpfr100>()))) * (3 * r * r - 1))), 1e-99);
-}
-
-std::string message_of(const std::function<void()>& call) {
-  try {
-    call();
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "nothing thrown";
 }
 
 TEST(Basis, CheckedFormRefusesWhatIsOutsideItsDomain) {

@@ -10,10 +10,13 @@
 
 #include "numeric/oracle/legendre_values.hpp"
 #include "numeric/oracle/quadrature.hpp"
+#include "tests/message_of.hpp"
 #include "tests/numeric/keep_worst.hpp"
 
 namespace sh::numeric {
 namespace {
+
+using test::message_of;
 
 struct Circle {
   std::vector<double> z, sine;
@@ -152,15 +155,6 @@ TEST(LegendreRings, TheTailKeepsItsDigitsDownToTheSmallestNormalNumber) {
       }
     }
   }
-}
-
-std::string message_of(const std::function<void()>& call) {
-  try {
-    call();
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "nothing thrown";
 }
 
 TEST(LegendreRings, RefusesWhatItCannotTransform) {

@@ -4,16 +4,18 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <functional>
 #include <stdexcept>
 #include <string>
 
 #include "numeric/oracle/basis.hpp"
 #include "numeric/oracle/real.hpp"
 #include "numeric/sampling/error_stats.hpp"
+#include "tests/message_of.hpp"
 
 namespace sh::numeric {
 namespace {
+
+using test::message_of;
 
 std::vector<double> row_at(int degree, double z, double sine) {
   std::vector<double> row(static_cast<std::size_t>(degree) + 1);
@@ -80,15 +82,6 @@ TEST(LegendreValues, TheTailBeginsWhereTheFrequencyVanishes) {
     legendre_amplitude(3, sine, row.data(), amplitude.data());
     EXPECT_EQ(amplitude[2] == std::abs(row[2]), square < 3.75) << square;
   }
-}
-
-std::string message_of(const std::function<void()>& call) {
-  try {
-    call();
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "nothing thrown";
 }
 
 TEST(LegendreValues, CheckedRowsRefuseWhatIsOutsideTheirDomain) {

@@ -13,9 +13,12 @@
 
 #include "numeric/oracle/real.hpp"
 #include "numeric/oracle/rotation.hpp"
+#include "tests/message_of.hpp"
 
 namespace sh::numeric {
 namespace {
+
+using test::message_of;
 
 std::vector<std::string> all_entries(int degree, const GivenRotation& rotation, int digits) {
   return RotationReference(degree, rotation).all(digits, [] {});
@@ -103,42 +106,33 @@ TEST(RotationReference, TakesTheNearestRotationAndSaysHowFarItWas) {
   EXPECT_EQ(all_entries(3, longer, 40), all_entries(3, exact, 40));
 }
 
-std::string refusal(const std::function<void()>& call) {
-  try {
-    call();
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "accepted";
-}
-
 TEST(RotationReference, RefusesWhatIsNoRotation) {
-  EXPECT_EQ(refusal([] {
+  EXPECT_EQ(message_of([] {
               rotation_from_matrix("m", {"1", "0", "0", "0", "1", "0", "0", "0", "-1"});
             }),
             "m: a reflection, determinant -1; must be a rotation, 1");
-  EXPECT_EQ(refusal([] {
+  EXPECT_EQ(message_of([] {
               rotation_from_matrix("m", {"1.01", "0", "0", "0", "1", "0", "0", "0", "1"});
             }),
             "m: not a rotation: R R^T differs from the identity by 0.02, must be at most 0.002");
-  EXPECT_EQ(refusal([] {
+  EXPECT_EQ(message_of([] {
               rotation_from_matrix("m", {"1", "0", "0", "0", "1", "0", "0", "0", "1e9999"});
             }),
             "m: not a rotation: R R^T differs from the identity by inf, must be at most 0.002");
-  EXPECT_EQ(refusal([] {
+  EXPECT_EQ(message_of([] {
               rotation_from_quaternion("q", {"0", "0.0", "-0", "0e5"});
             }),
             "q: the zero quaternion is no rotation");
-  EXPECT_EQ(refusal([] { rotation_from_axis("v", {"0", "0", "0"}, "a", "1"); }), "v: the zero vector is no axis");
-  EXPECT_EQ(refusal([] {
+  EXPECT_EQ(message_of([] { rotation_from_axis("v", {"0", "0", "0"}, "a", "1"); }), "v: the zero vector is no axis");
+  EXPECT_EQ(message_of([] {
               rotation_from_axis("v", {"0", "0", "1"}, "a", "one");
             }),
             "a: 'one' is not a decimal number such as -0.5 or 1e-3");
   const auto turn = rotation_from_euler("e", {"1", "2", "3"});
-  EXPECT_EQ(refusal([&] { RotationReference(1001, turn); }), "degree is 1001, must be 0 to 1000");
-  EXPECT_EQ(refusal([&] { RotationReference(2, turn).entry(3, 0, 9); }), "row is 3, must be -2 to 2");
-  EXPECT_EQ(refusal([&] { RotationReference(2, turn).entry(0, -3, 9); }), "column is -3, must be -2 to 2");
-  EXPECT_EQ(refusal([&] { RotationReference(2, turn).entry(0, 0, 0); }), "digits is 0, must be 1 to 10000");
+  EXPECT_EQ(message_of([&] { RotationReference(1001, turn); }), "degree is 1001, must be 0 to 1000");
+  EXPECT_EQ(message_of([&] { RotationReference(2, turn).entry(3, 0, 9); }), "row is 3, must be -2 to 2");
+  EXPECT_EQ(message_of([&] { RotationReference(2, turn).entry(0, -3, 9); }), "column is -3, must be -2 to 2");
+  EXPECT_EQ(message_of([&] { RotationReference(2, turn).entry(0, 0, 0); }), "digits is 0, must be 1 to 10000");
 }
 
 }  // namespace
