@@ -15,14 +15,14 @@ namespace sh::output {
 
 namespace {
 
-// What a rename would replace by mistake: a device or a pipe; false for what is not there yet.
+// Whether a rename would replace a device or a pipe by mistake; false where nothing is there yet.
 bool is_special(const std::string& path) {
   struct stat status = {};
   return stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode);
 }
 
-// Makes the new name of a file last through a power failure. Some file systems know no fsync of folders: the file itself
-// is complete either way, so that an error here is none.
+// Makes the new name of a file last through a power failure. Some file systems have no fsync of folders; the file is
+// complete either way, so that errors are ignored.
 void sync_folder(const std::string& path) {
   const auto slash = path.rfind('/');
   const std::string folder = slash == std::string::npos ? "." : path.substr(0, slash + 1);

@@ -19,7 +19,7 @@ class ChartScale {
   /// The first piece begins at `from`, the last ends at `to`; either may be the larger.
   ChartScale(std::vector<AxisPiece> pieces, double from, double to);
 
-  /// Clamped to the ends; what lies between two pieces is drawn in the middle of their gap.
+  /// Clamped to the ends; a value between two pieces is drawn in the middle of their gap.
   [[nodiscard]] double at(double value) const;
   [[nodiscard]] std::vector<Tick> ticks() const;
   /// The middles of the gaps.

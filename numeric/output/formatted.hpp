@@ -7,7 +7,7 @@
 
 namespace sh::output {
 
-/// What std::printf would write, of any length.
+/// The text that std::printf would write, of any length.
 template <class... Argument>
 std::string formatted(const char* format, Argument... argument) {
   const int size = std::snprintf(nullptr, 0, format, argument...);

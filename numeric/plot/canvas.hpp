@@ -94,7 +94,7 @@ enum class Format { kSvg, kPng };
 /// From the ending .svg or .png. Throws std::invalid_argument naming the file.
 Format format_of(const std::string& file);
 
-/// What every picture has: a title, a format, a size in pixels.
+/// The title, format and size in pixels of a picture.
 struct Figure {
   std::string title;
   Format format = Format::kSvg;

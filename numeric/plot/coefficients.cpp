@@ -17,7 +17,7 @@ constexpr std::size_t kShown = 40;  // of a wrong word
 constexpr std::size_t kLargestFile = 4'000'000;
 constexpr const char* kSeparators = ", \t\r\n\v\f";
 
-// What one word says; `place` begins the message.
+// The number that a word spells; `place` begins the message.
 double parse_number(const std::string& place, const std::string& word) {
   const char* end = word.data() + word.size();
   double value = 0;

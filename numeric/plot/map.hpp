@@ -2,8 +2,8 @@
 // and color bar.
 //
 // Input: any SphereFunction, of one channel (diverging colors, zero in the middle) or of three (linear red, green,
-// blue over the largest magnitude, as sRGB). Where +x, +y and +z are: numeric/sampling/image_mapping.hpp, and written in
-// the picture.
+// blue over the largest magnitude, as sRGB). The picture says where +x, +y and +z are, as
+// numeric/sampling/image_mapping.hpp does.
 #pragma once
 #include <functional>
 #include <string>
@@ -18,7 +18,7 @@ namespace sh::numeric::plot {
 /// The file's bytes, the same for the same input. Throws output::Interrupted between rows when asked to stop.
 std::string draw_map(const SphereFunction& f, ImageMapping mapping, const Figure& figure);
 
-/// Paints values towards directions over `area`; what the mapping leaves out stays paper.
+/// Paints values towards directions over `area`; places without a direction stay paper.
 void paint_map(Canvas& canvas, ImageMapping mapping, const Box& area,
                const std::function<Channels(const Vector3&)>& value, const FieldStyle& style);
 

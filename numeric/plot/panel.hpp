@@ -1,4 +1,4 @@
-// The parts of a map in which neighboring places show neighboring directions: the faces of a cube, or the whole picture.
+// The parts of a map in which neighbors show neighboring directions: the faces of a cube, or the whole picture.
 // Every mapping of numeric/sampling/image_mapping.hpp. Places are (u, v), 0 to 1, from the left and from the top.
 #pragma once
 #include <optional>

@@ -1,4 +1,4 @@
-// What a picture shows: a function on the unit sphere, of one channel or of three (red, green, blue).
+// The subject of a picture: a function on the unit sphere, of one channel or of three (red, green, blue).
 // From coefficients (numeric/README.md: index l(l+1)+m, channel by channel) by the oracle, or any callable.
 #pragma once
 #include <Eigen/Core>

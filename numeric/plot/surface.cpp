@@ -11,7 +11,7 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 constexpr Color kAxis{96, 96, 96};
 
-// [SutherlandHodgman74] against f = 0; what is cut off ends at the origin, where r = |f| = 0.
+// [SutherlandHodgman74] against f = 0; the cut ends at the origin, where r = |f| = 0.
 class LobeBuilder {
  public:
   LobeBuilder(Surface& surface, const SphereFunction& f, double radius, int rings)

@@ -107,7 +107,7 @@ Image read_pixels(const std::string& file, OnFlaw on_flaw) {
 Image read_exr(const std::string& file, OnFlaw on_flaw) {
   try {
     return read_pixels(file, on_flaw);
-  } catch (const Iex::BaseExc& error) {  // what the library throws: its text may hold line breaks
+  } catch (const Iex::BaseExc& error) {  // thrown by the library: its text may hold line breaks
     std::string reason = error.what();
     std::replace(reason.begin(), reason.end(), '\n', ' ');
     throw std::runtime_error(fmt::format("{}: cannot read as OpenEXR: {}", file, reason));

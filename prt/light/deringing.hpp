@@ -13,7 +13,7 @@
 
 namespace sh::prt {
 
-/// What must not be negative.
+/// The quantity that must not be negative.
 enum class Keep { kRadiance, kIrradiance };
 
 /// How a light is windowed: by a window as it is, or by the least one of its kind.
@@ -23,7 +23,7 @@ struct WindowChoice {
   Keep keep = Keep::kRadiance;
 };
 
-/// What a window did to the radiance or irradiance that had to stay positive, all over the largest value before.
+/// The effect of a window on the radiance or irradiance that had to stay positive, over the largest value before.
 struct Deringing {
   WindowChoice choice;  // with the window that was used
   bool needed = true;   // false: automatic, and nothing was negative; the window was not applied

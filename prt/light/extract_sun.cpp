@@ -22,7 +22,7 @@ double luminance(const Eigen::Vector3f& colour) {  // Rec. 709
          0.0722 * static_cast<double>(colour.z());
 }
 
-/// What the pixels of a picture show.
+/// The directions and solid angles of a picture's pixels.
 class Mosaic {
  public:
   Mosaic(const Image& image, ImageMapping mapping) : image_(image), mapping_(mapping) {}

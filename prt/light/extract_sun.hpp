@@ -1,10 +1,10 @@
-// The sun of a picture becomes an analytic cap, what is around it goes on behind it, and the rest is projected as
+// The sun of a picture becomes an analytic cap; its surroundings continue behind it, and the rest is projected as
 // before. In: a picture and its mapping. Out: a direction, a half-angle, a radiance, and the picture without its sun.
 // Per channel, radiance times solid angle of cap and rest is that of the picture, to rounding.
 //   region   from the brightest pixel over the sphere, all that are joined to it and brighter than `threshold` of it
 //            (luminance), and the pixels around those, which the edge of the disc crosses
 //   level    the mean of the pixels around the region: what would be seen without a sun; the region is cut down to it
-//   cap      direction: the centroid of what was cut off; solid angle: its luminance over the peak, so that a disc of
+//   cap      direction: the centroid of the part cut off; solid angle: its luminance over the peak, so that a disc of
 //            even radiance is found again with edges that run through pixels; radiance: what was cut off over that
 #pragma once
 #include <Eigen/Core>

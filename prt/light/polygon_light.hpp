@@ -15,7 +15,7 @@ namespace sh::prt {
 
 inline constexpr std::size_t kMaxCorners = 1000;
 
-/// What the corners should be and are not, such as "corners in one plane"; empty where they are fine. Wrong are: less
+/// The property that the corners lack, such as "corners in one plane"; empty where they are fine. Wrong are: less
 /// than three, no area, not flat (by 1e-5 of the extent), edges that cross, a plane through the point itself, the back.
 std::string polygon_flaw(const std::vector<Eigen::Vector3d>& corners);
 

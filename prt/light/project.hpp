@@ -1,5 +1,5 @@
 // From lights to SH coefficients.
-// A lat-long picture is taken as what it is, a mosaic of patches of constant radiance: the basis is integrated over
+// A lat-long picture is taken as a mosaic of patches of constant radiance: the basis is integrated over
 // every pixel, exactly in azimuth and by Gauss-Legendre quadrature (to rounding) from the polar angle of its upper to
 // that of its lower edge. Band 0 is then the sum of radiance times exact solid angle. The quicker rule, basis at the
 // pixel's centre times exact solid angle, leaks a constant picture into the even bands (prt/IMAGES.md has the numbers).

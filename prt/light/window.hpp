@@ -7,7 +7,7 @@
 //   gaussian   exp(-l^2 / (2 width^2))       width > 0
 //   fejer      1 - strength (1 - p_l)        0 <= strength <= 1
 // The zonal function sum (2l+1) p_l P_l has the highest peak of all zonal functions of the light's degree n that are
-// negative nowhere and have mean 1; a light that is positive stays positive under it. Such functions are sums of squares
+// negative nowhere and have mean 1; a positive light stays positive under it. Such functions are sums of squares
 // (Lukacs): for n = 2k it is the square of K = sum over l <= k of (2l+1) P_l, for n = 2k + 1 the square of
 // K + (k+1) P_(k+1) over 1 + z, each over its mean. Its peak is 1/4 to 1/2 of the truncated point's.
 #pragma once
@@ -34,7 +34,7 @@ struct Window {
 /// The name of a kind's number: `width`, `lambda` or `strength`.
 std::string_view number_key(WindowType type);
 
-/// What is wrong with a window's numbers, as what would be right; empty where nothing is.
+/// The range that a window's number violates, such as "a width of 1 or more"; empty where it violates none.
 std::string window_flaw(const Window& window);
 
 /// (degree + 1) factors, 0 to 1, the first 1. Throws std::invalid_argument for a window with a flaw.

@@ -78,12 +78,8 @@ class Collector {
 
   void visit(const aiNode& node, const Eigen::Affine3f& parent) {
     const Eigen::Affine3f map = parent * to_eigen(node.mTransformation);
-    for (unsigned i = 0; i < node.mNumMeshes; ++i) {
-      add(*scene_.mMeshes[node.mMeshes[i]], map);
-    }
-    for (unsigned i = 0; i < node.mNumChildren; ++i) {
-      visit(*node.mChildren[i], map);
-    }
+    for (unsigned i = 0; i < node.mNumMeshes; ++i) add(*scene_.mMeshes[node.mMeshes[i]], map);
+    for (unsigned i = 0; i < node.mNumChildren; ++i) visit(*node.mChildren[i], map);
   }
 
   void add(const aiMesh& mesh, const Eigen::Affine3f& map) {
@@ -99,9 +95,7 @@ class Collector {
     }
     for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
       const aiFace& face = mesh.mFaces[f];
-      if (face.mNumIndices == 3) {
-        part.faces.push_back({face.mIndices[0], face.mIndices[1], face.mIndices[2]});
-      }
+      if (face.mNumIndices == 3) part.faces.push_back({face.mIndices[0], face.mIndices[1], face.mIndices[2]});
     }
     transform(part, map);
     append(part, finish_of(mesh, change));
@@ -111,17 +105,13 @@ class Collector {
     Soup& soup = result_.soup;
     const auto known = std::find(soup.finishes.begin(), soup.finishes.end(), finish);
     const auto index = static_cast<std::uint32_t>(known - soup.finishes.begin());
-    if (known == soup.finishes.end()) {
-      soup.finishes.push_back(finish);
-    }
+    if (known == soup.finishes.end()) soup.finishes.push_back(finish);
     soup.finish.insert(soup.finish.end(), part.faces.size(), index);
     const auto first = static_cast<std::uint32_t>(soup.positions.size());
     soup.positions.insert(soup.positions.end(), part.positions.begin(), part.positions.end());
     soup.normals.insert(soup.normals.end(), part.normals.begin(), part.normals.end());
     soup.albedo.insert(soup.albedo.end(), part.albedo.begin(), part.albedo.end());
-    for (const Face& face : part.faces) {
-      soup.faces.push_back({face[0] + first, face[1] + first, face[2] + first});
-    }
+    for (const Face& face : part.faces) soup.faces.push_back({face[0] + first, face[1] + first, face[2] + first});
   }
 
   // Null where the file has none: some formats know no materials, and an importer makes one up.
@@ -142,13 +132,9 @@ class Collector {
   std::string material_name(const aiMesh& mesh) {
     const aiMaterial* material = material_of(mesh);
     aiString name;
-    if (material == nullptr || material->Get(AI_MATKEY_NAME, name) != AI_SUCCESS) {
-      return {};
-    }
+    if (material == nullptr || material->Get(AI_MATKEY_NAME, name) != AI_SUCCESS) return {};
     std::vector<std::string>& names = result_.materials;
-    if (std::find(names.begin(), names.end(), name.C_Str()) == names.end()) {
-      names.emplace_back(name.C_Str());
-    }
+    if (std::find(names.begin(), names.end(), name.C_Str()) == names.end()) names.emplace_back(name.C_Str());
     return name.C_Str();
   }
 
@@ -182,9 +168,7 @@ class Collector {
   }
 
   [[nodiscard]] Eigen::Vector3f vertex_colour(const aiMesh& mesh, unsigned v) const {
-    if (!mesh.HasVertexColors(0)) {
-      return Eigen::Vector3f::Ones();
-    }
+    if (!mesh.HasVertexColors(0)) return Eigen::Vector3f::Ones();
     const Eigen::Vector3f colour = to_eigen(mesh.mColors[0][v]);
     return is_linear_ ? colour : colour.unaryExpr(&output::srgb_decode<float>).eval();
   }
@@ -244,9 +228,7 @@ bool has_polygons(const aiScene& scene) {
 void check_readable(const std::string& path) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
-  if (!std::filesystem::exists(status)) {
-    throw std::runtime_error(fmt::format("{}: no such mesh file", path));
-  }
+  if (!std::filesystem::exists(status)) throw std::runtime_error(fmt::format("{}: no such mesh file", path));
   if (!std::filesystem::is_regular_file(status)) {
     throw std::runtime_error(fmt::format("{}: not a file, expected a mesh", path));
   }

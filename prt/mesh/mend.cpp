@@ -8,9 +8,7 @@
 namespace sh::prt {
 
 void report_flaw(OnFlaw on_flaw, const std::string& line) {
-  if (on_flaw == OnFlaw::kRefuse) {
-    throw std::runtime_error(line + "; refused because of --strict");
-  }
+  if (on_flaw == OnFlaw::kRefuse) throw std::runtime_error(line + "; refused because of --strict");
   fmt::print(stderr, "warning: {}\n", line);
 }
 

@@ -20,9 +20,7 @@ struct Corner {
 std::vector<Eigen::Vector3f> face_normals(const Soup& soup) {
   std::vector<Eigen::Vector3f> normals;
   normals.reserve(soup.faces.size());
-  for (const Face& face : soup.faces) {
-    normals.push_back(face_normal(soup.positions, face));
-  }
+  for (const Face& face : soup.faces) normals.push_back(face_normal(soup.positions, face));
   return normals;
 }
 
@@ -55,9 +53,7 @@ std::size_t complete_normals(Soup& soup, float crease_degrees) {
     replaced += useless(v) ? 1 : 0;
     soup.normals[v] = useless(v) ? soup.normals[v] : soup.normals[v].normalized();
   }
-  if (!none && replaced == 0) {
-    return 0;
-  }
+  if (!none && replaced == 0) return 0;
   const std::vector<Eigen::Vector3f> flat = face_normals(soup);
   std::vector<std::uint32_t> point_of_vertex;
   const std::vector<std::vector<Corner>> around = corners_around(soup, point_of_vertex);

@@ -96,9 +96,7 @@ Soup make_stairs() {
   }
   // Every tread and the riser below it see the lower right corner.
   const auto count = static_cast<std::uint32_t>(profile.points.size());
-  for (std::uint32_t i = 2; i + 1 < count; ++i) {
-    profile.triangles.push_back({1, i, i + 1});
-  }
+  for (std::uint32_t i = 2; i + 1 < count; ++i) profile.triangles.push_back({1, i, i + 1});
   profile.triangles.push_back({1, count - 1, 0});
   return extrude(profile);
 }
@@ -124,9 +122,7 @@ Soup make_arch(int segments) {
   // Legs, then a fan from each upper corner to its half of the opening, then the wedge between them.
   profile.triangles = {{0, 1, 2}, {0, 2, 3}, {last + 3, last, last + 1}, {last + 3, last + 1, last + 2}};
   const std::uint32_t top = 3 + static_cast<std::uint32_t>(sides) / 2;
-  for (std::uint32_t i = 3; i < last; ++i) {
-    profile.triangles.push_back({i < top ? 0 : last + 3, i, i + 1});
-  }
+  for (std::uint32_t i = 3; i < last; ++i) profile.triangles.push_back({i < top ? 0 : last + 3, i, i + 1});
   profile.triangles.push_back({0, top, last + 3});
   return extrude(profile);
 }
@@ -149,9 +145,7 @@ const std::vector<std::pair<std::string, std::function<Soup(int)>>>& makers() {
 const std::vector<std::string>& primitive_names() {
   static const std::vector<std::string> kNames = [] {
     std::vector<std::string> names;
-    for (const auto& [name, make] : makers()) {
-      names.push_back(name);
-    }
+    for (const auto& [name, make] : makers()) names.push_back(name);
     return names;
   }();
   return kNames;

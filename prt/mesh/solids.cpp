@@ -18,12 +18,8 @@ std::uint32_t add_vertex(Soup& soup, const Eigen::Vector3f& position, const Eige
 // The quadrilateral a b c d of vertices as two faces; a corner that coincides with the next one leaves one face.
 void add_faces(Soup& soup, std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
   const auto differ = [&](std::uint32_t i, std::uint32_t j) { return soup.positions[i] != soup.positions[j]; };
-  if (differ(a, b)) {
-    soup.faces.push_back({a, b, c});
-  }
-  if (differ(c, d)) {
-    soup.faces.push_back({a, c, d});
-  }
+  if (differ(a, b)) soup.faces.push_back({a, b, c});
+  if (differ(c, d)) soup.faces.push_back({a, c, d});
 }
 
 Eigen::Vector3f upright(const Eigen::Vector2f& point, float y) { return {point.x(), y, point.y()}; }
@@ -33,9 +29,7 @@ Eigen::Vector3f upright(const Eigen::Vector2f& point, float y) { return {point.x
 void add_quad(Soup& soup, const std::array<Eigen::Vector3f, 4>& corners) {
   const Eigen::Vector3f normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized();
   std::array<std::uint32_t, 4> v{};
-  for (std::size_t k = 0; k < 4; ++k) {
-    v[k] = add_vertex(soup, corners[k], normal);
-  }
+  for (std::size_t k = 0; k < 4; ++k) v[k] = add_vertex(soup, corners[k], normal);
   add_faces(soup, v[0], v[1], v[2], v[3]);
 }
 
@@ -88,9 +82,7 @@ Soup extrude(const Profile& profile) {
     const Eigen::Vector2f& q = profile.points[(i + 1) % profile.points.size()];
     const Eigen::Vector2f flat = Eigen::Vector2f(q.y() - p.y(), p.x() - q.x()).normalized();
     std::array<Eigen::Vector2f, 2> normals = {flat, flat};
-    if (!profile.edge_normals.empty() && profile.edge_normals[i][0].norm() > 0.0F) {
-      normals = profile.edge_normals[i];
-    }
+    if (!profile.edge_normals.empty() && profile.edge_normals[i][0].norm() > 0.0F) normals = profile.edge_normals[i];
     const std::uint32_t a = add_vertex(soup, upright(p, -0.5F), upright(normals[0], 0.0F));
     const std::uint32_t b = add_vertex(soup, upright(p, 0.5F), upright(normals[0], 0.0F));
     const std::uint32_t c = add_vertex(soup, upright(q, 0.5F), upright(normals[1], 0.0F));

@@ -27,19 +27,13 @@ void transform(Soup& soup, const Eigen::Affine3f& map) {
   const double determinant = linear.determinant();
   // The cofactor matrix is the inverse transpose up to a positive or negative factor, and exists for flat maps as well.
   Eigen::Matrix3d cofactors;
-  for (int i = 0; i < 3; ++i) {
-    cofactors.row(i) = linear.row((i + 1) % 3).cross(linear.row((i + 2) % 3));
-  }
-  for (Eigen::Vector3f& position : soup.positions) {
-    position = map * position;
-  }
+  for (int i = 0; i < 3; ++i) cofactors.row(i) = linear.row((i + 1) % 3).cross(linear.row((i + 2) % 3));
+  for (Eigen::Vector3f& position : soup.positions) position = map * position;
   for (Eigen::Vector3f& normal : soup.normals) {
     normal = (cofactors * normal.cast<double>() * (determinant < 0.0 ? -1.0 : 1.0)).normalized().cast<float>();
   }
   if (determinant < 0.0) {
-    for (Face& face : soup.faces) {
-      std::swap(face[1], face[2]);
-    }
+    for (Face& face : soup.faces) std::swap(face[1], face[2]);
   }
 }
 
@@ -62,12 +56,8 @@ void check(const Soup& soup, const std::string& name) {
 }
 
 void turn_inside_out(Soup& soup) {
-  for (Face& face : soup.faces) {
-    std::swap(face[1], face[2]);
-  }
-  for (Eigen::Vector3f& normal : soup.normals) {
-    normal = -normal;
-  }
+  for (Face& face : soup.faces) std::swap(face[1], face[2]);
+  for (Eigen::Vector3f& normal : soup.normals) normal = -normal;
 }
 
 std::size_t turn_faces_to_normals(Soup& soup) {
@@ -89,9 +79,7 @@ std::size_t drop_faces_without_area(Soup& soup) {
     if (has_area(soup.positions[face[0]].cast<double>(), soup.positions[face[1]].cast<double>(),
                  soup.positions[face[2]].cast<double>())) {
       soup.faces[kept] = face;
-      if (!soup.finish.empty()) {
-        soup.finish[kept] = soup.finish[f];
-      }
+      if (!soup.finish.empty()) soup.finish[kept] = soup.finish[f];
       ++kept;
     }
   }

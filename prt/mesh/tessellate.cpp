@@ -74,9 +74,7 @@ class Splitter {
 
   void split(const Face& face, std::vector<Face>& faces) {
     std::array<bool, 3> is_split{};  // edge k runs from corner k to corner k+1
-    for (std::size_t k = 0; k < 3; ++k) {
-      is_split[k] = is_long(face[k], face[(k + 1) % 3]);
-    }
+    for (std::size_t k = 0; k < 3; ++k) is_split[k] = is_long(face[k], face[(k + 1) % 3]);
     const auto count = std::count(is_split.begin(), is_split.end(), true);
     if (count == 0) {
       faces.push_back(face);
@@ -85,9 +83,7 @@ class Splitter {
     } else {
       // Turn the face so that edge 0 is the only split one, or edge 2 the only whole one.
       std::size_t first = 0;
-      while (count == 1 ? !is_split[first] : is_split[(first + 2) % 3]) {
-        ++first;
-      }
+      while (count == 1 ? !is_split[first] : is_split[(first + 2) % 3]) ++first;
       const Face turned = {face[first], face[(first + 1) % 3], face[(first + 2) % 3]};
       count == 1 ? into_two(turned, faces) : into_three(turned, faces);
     }

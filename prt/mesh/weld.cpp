@@ -104,12 +104,8 @@ void append(Mesh& mesh, const Mesh& part) {
   append_all(mesh.normals, part.normals);
   append_all(mesh.geometric_normals, part.geometric_normals);
   append_all(mesh.albedo, part.albedo);
-  for (const Face& face : part.faces) {
-    mesh.faces.push_back({face[0] + first, face[1] + first, face[2] + first});
-  }
-  for (const std::uint32_t vertex : part.remap) {
-    mesh.remap.push_back(vertex == kNoVertex ? kNoVertex : vertex + first);
-  }
+  for (const Face& face : part.faces) mesh.faces.push_back({face[0] + first, face[1] + first, face[2] + first});
+  for (const std::uint32_t vertex : part.remap) mesh.remap.push_back(vertex == kNoVertex ? kNoVertex : vertex + first);
 }
 
 }  // namespace sh::prt

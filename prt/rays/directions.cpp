@@ -45,9 +45,7 @@ std::vector<Eigen::Vector3f> make_directions(Sampler sampler, int count, std::ui
   if (count < 1 || count > kMaxDirections) {
     throw std::invalid_argument(fmt::format("directions: expected 1 to {}, got {}", kMaxDirections, count));
   }
-  if (sampler == Sampler::kCosine) {
-    return cosine_directions((count + 1) / 2, seed);
-  }
+  if (sampler == Sampler::kCosine) return cosine_directions((count + 1) / 2, seed);
   std::vector<Eigen::Vector3f> directions;
   directions.reserve(static_cast<std::size_t>(count));
   for (const auto& node : sphere_nodes(sampler, count, seed)) {

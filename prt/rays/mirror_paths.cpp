@@ -31,15 +31,11 @@ void MirrorPaths::follow(std::vector<Leg>& legs) const {
     directions.clear();
     for (; first < last; ++first) {
       const Leg leg = legs[first];
-      if (leg.hit.face == Hit::kNothing) {
-        continue;
-      }
+      if (leg.hit.face == Hit::kNothing) continue;
       const Face& face = mesh_.faces[leg.hit.face];
       const Eigen::Vector3f& reflectance = mesh_.mirror[face[0]];  // a face has one
       const Eigen::Vector3f flat = face_normal(mesh_.positions, face);
-      if (reflectance.isZero(0.0F) || flat.dot(leg.direction) >= 0.0F) {
-        continue;
-      }
+      if (reflectance.isZero(0.0F) || flat.dot(leg.direction) >= 0.0F) continue;
       Leg next = leg;
       next.throughput = leg.throughput.cwiseProduct(reflectance);
       ++next.mirrors;
@@ -48,9 +44,7 @@ void MirrorPaths::follow(std::vector<Leg>& legs) const {
         continue;
       }
       next.direction = mirrored(leg.direction, interpolated(mesh_.normals, face, leg.hit).normalized());
-      if (next.direction.dot(flat) <= 0.0F) {
-        next.direction = mirrored(leg.direction, flat);
-      }
+      if (next.direction.dot(flat) <= 0.0F) next.direction = mirrored(leg.direction, flat);
       // From the ray, not from the face, which may be so large that its points are coarse.
       const Eigen::Vector3f point = leg.origin + leg.hit.distance * leg.direction;
       const float rounding =
@@ -62,9 +56,7 @@ void MirrorPaths::follow(std::vector<Leg>& legs) const {
     }
     hits.resize(origins.size());
     tracer_.intersect(origins, directions, hits);
-    for (std::size_t i = 0; i < hits.size(); ++i) {
-      legs[last + i].hit = hits[i];
-    }
+    for (std::size_t i = 0; i < hits.size(); ++i) legs[last + i].hit = hits[i];
   }
 }
 

@@ -25,9 +25,7 @@ struct Outline {
 
 Outline outline_of(const Mesh& mesh, std::uint32_t face) {
   std::array<Corner, 3> corners{};
-  for (std::size_t k = 0; k < 3; ++k) {
-    corners[k] = bits_of(mesh.positions[mesh.faces[face][k]]);
-  }
+  for (std::size_t k = 0; k < 3; ++k) corners[k] = bits_of(mesh.positions[mesh.faces[face][k]]);
   const auto first = static_cast<std::size_t>(std::min_element(corners.begin(), corners.end()) - corners.begin());
   Outline outline{{corners[first], corners[(first + 1) % 3], corners[(first + 2) % 3]},
                   face,
@@ -45,14 +43,10 @@ Outline outline_of(const Mesh& mesh, std::uint32_t face) {
 Sheets::Sheets(const Mesh& mesh) {
   std::vector<Outline> outlines;
   outlines.reserve(mesh.faces.size());
-  for (std::uint32_t f = 0; f < mesh.faces.size(); ++f) {
-    outlines.push_back(outline_of(mesh, f));
-  }
+  for (std::uint32_t f = 0; f < mesh.faces.size(); ++f) outlines.push_back(outline_of(mesh, f));
   std::sort(outlines.begin(), outlines.end(), [](const Outline& a, const Outline& b) { return a.key() < b.key(); });
   std::vector<Front> all(mesh.faces.size());
-  for (std::uint32_t f = 0; f < all.size(); ++f) {
-    all[f] = {f, kNoFace, 0};
-  }
+  for (std::uint32_t f = 0; f < all.size(); ++f) all[f] = {f, kNoFace, 0};
   std::vector<std::uint8_t> is_back(mesh.faces.size(), 0);
   // Among faces that coincide those in order come first: the i-th of them and the i-th against it are a pair.
   for (auto begin = outlines.begin(); begin != outlines.end();) {
@@ -74,14 +68,10 @@ Sheets::Sheets(const Mesh& mesh) {
 }
 
 std::vector<Face> Sheets::without_backs(const std::vector<Face>& faces) const {
-  if (!any()) {
-    return faces;
-  }
+  if (!any()) return faces;
   std::vector<Face> known;
   known.reserve(fronts_.size());
-  for (const Front& front : fronts_) {
-    known.push_back(faces[front.face]);
-  }
+  for (const Front& front : fronts_) known.push_back(faces[front.face]);
   return known;
 }
 

@@ -41,9 +41,7 @@ std::array<InstructionSet, 4> instruction_sets() {
 std::string choose_instruction_set(const std::string& wanted) {
   std::string names;
   for (const InstructionSet& set : instruction_sets()) {
-    if (set.available && (wanted.empty() || wanted == set.name)) {
-      return std::string(set.name);
-    }
+    if (set.available && (wanted.empty() || wanted == set.name)) return std::string(set.name);
     names += set.available ? fmt::format("{}{}", names.empty() ? "" : ", ", set.name) : "";
   }
   throw std::invalid_argument(
@@ -69,9 +67,7 @@ struct Tracer::Impl {
   void open(int threads, const std::string& wanted) {
     instruction_set = choose_instruction_set(wanted);
     device = rtcNewDevice(fmt::format("threads={},isa={}", threads, instruction_set).c_str());
-    if (device == nullptr) {
-      fail("Embree cannot start");
-    }
+    if (device == nullptr) fail("Embree cannot start");
     scene = rtcNewScene(device);
     rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_HIGH);
   }
@@ -93,9 +89,7 @@ struct Tracer::Impl {
     rtcAttachGeometry(scene, geometry);
     rtcReleaseGeometry(geometry);
     rtcCommitScene(scene);
-    if (rtcGetDeviceError(device) != RTC_ERROR_NONE) {
-      fail("Embree cannot build its tree");
-    }
+    if (rtcGetDeviceError(device) != RTC_ERROR_NONE) fail("Embree cannot build its tree");
   }
 };
 

@@ -225,12 +225,13 @@ TEST_F(ShcheckPlot, WritesThePicturesThatItIsAskedFor) {
         "map --coefficients -0.5,0,1e-3,2 --size 64" + cd("c.png"),
         "map --coefficients " + (folder_ / "rgb.txt").string() + " --projection cube-map --size 64" + cd("d.png"),
         "lobes --coefficients " + (folder_ / "rgb.txt").string() + " --size 64" + cd("e.png"),
-        "map --degree 64 --order 64 --size 16" + cd("f.png")}) {
+        "map --degree 64 --order 64 --size 16" + cd("f.png"),
+        "map --degree 3 --projection mirror-ball --size 64" + cd("g.png")}) {
     const auto outcome = run("plot " + arguments);
     EXPECT_EQ(outcome.exit_code, 0) << arguments << outcome.err;
     EXPECT_EQ(outcome.out + outcome.err, "");
   }
-  for (const char* name : {"a.png", "b.png", "c.png", "d.png", "e.png", "f.png"}) {
+  for (const char* name : {"a.png", "b.png", "c.png", "d.png", "e.png", "f.png", "g.png"}) {
     EXPECT_EQ(decode_png(test::read(folder_ / name)).width, std::string(name) == "f.png" ? 16 : 64) << name;
   }
   EXPECT_EQ(run("plot map --degree 2" + cd("a.svg")).exit_code, 0);

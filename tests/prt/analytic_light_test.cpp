@@ -25,9 +25,7 @@ const Eigen::Vector3d kSlanted = Eigen::Vector3d(0.36, -0.48, 0.8);  // unit
 
 double largest_difference(const Coefficients& a, const Coefficients& b) {
   double largest = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    largest = std::max(largest, std::abs(a[i] - b[i]));
-  }
+  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
   return largest;
 }
 
@@ -46,9 +44,7 @@ Coefficients by_quadrature(const Function& f, int degree, int rings, double low)
       const Eigen::Vector3d d(s * std::cos(phi), s * std::sin(phi), z);
       evaluate_basis(degree, d.x(), d.y(), d.z(), basis.data());
       const double value = weight * f(d);
-      for (std::size_t i = 0; i < sum.size(); ++i) {
-        sum[i] += value * basis[i];
-      }
+      for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += value * basis[i];
     }
   }
   return sum;
@@ -85,9 +81,7 @@ TEST(CapLight, IsTheConstantAt180DegreesAndAHemisphereAt90) {
 TEST(CapLight, OfOneHundredMillionthOfARadianIsAPointOfItsIrradiance) {
   const double u = numeric::one_minus_cos(1e-8);
   Coefficients cap = project_cap(kSlanted, u, kMaxDegree);
-  for (double& value : cap) {
-    value /= cap_irradiance(u);
-  }
+  for (double& value : cap) value /= cap_irradiance(u);
   EXPECT_LT(largest_difference(cap, project_directional(kSlanted, kMaxDegree)), 2e-15);
   EXPECT_TRUE(cap_covers(kSlanted, u, kSlanted));
   EXPECT_FALSE(cap_covers(kSlanted, u, (kSlanted + Eigen::Vector3d(3e-8, 0, 0)).normalized()));
@@ -116,9 +110,7 @@ TEST(CapLight, IsWhatItsRadianceIntegratesTo) {
 // Counterclockwise as seen from the origin.
 Corners octant(double x, double y, double z) {
   Corners corners{{x, 0, 0}, {0, y, 0}, {0, 0, z}};
-  if (x * y * z > 0.0) {
-    std::swap(corners[1], corners[2]);
-  }
+  if (x * y * z > 0.0) std::swap(corners[1], corners[2]);
   return corners;
 }
 
@@ -156,9 +148,7 @@ TEST(PolygonLight, OfManyCornersIsACap) {
 TEST(PolygonLight, ConcaveAndSlantedIsWhatItsRadianceIntegratesTo) {
   Corners corners = star(5, 0.4, 1.5, 0.8);
   const Eigen::Matrix3d r = rotation_about(Eigen::Vector3d(1.0, 2.0, -0.5), 63.0);
-  for (Eigen::Vector3d& corner : corners) {
-    corner = r * (corner + Eigen::Vector3d(0.3, 0.1, 0.0));
-  }
+  for (Eigen::Vector3d& corner : corners) corner = r * (corner + Eigen::Vector3d(0.3, 0.1, 0.0));
   ASSERT_EQ(polygon_flaw(corners), "");
   const auto value = [&](const Eigen::Vector3d& d) { return polygon_covers(corners, d) ? 1.0 : 0.0; };
   EXPECT_LT(largest_difference(by_quadrature(value, 4, 400, -1.0), project_polygon(corners, 4)), 1e-3);
@@ -170,9 +160,7 @@ TEST(PolygonLight, TinyOnesKeepTheirDigitsAndGrowWithTheirArea) {
     const double area = 1.5 * std::sqrt(3.0) * size * size;
     EXPECT_NEAR(polygon_solid_angle(corners) / area, 1.0, size * size + 1e-15);
     Coefficients shape = project_polygon(corners, kMaxDegree);
-    for (double& value : shape) {
-      value /= area;
-    }
+    for (double& value : shape) value /= area;
     const double error = largest_difference(shape, project_directional(Eigen::Vector3d::UnitZ(), kMaxDegree));
     EXPECT_LT(error, 40.0 * size * size + 4e-15 / size) << size;
   }
@@ -270,9 +258,7 @@ TEST(Lights, OfEveryKindTurnAsTheirRadianceDoesAndAddUp) {
   LightSpec moved_cap = cap;
   moved_cap.direction = r * cap.direction;
   LightSpec moved_polygon = polygon;
-  for (Eigen::Vector3d& corner : moved_polygon.corners) {
-    corner = r * corner;
-  }
+  for (Eigen::Vector3d& corner : moved_polygon.corners) corner = r * corner;
   const LightCoefficients by_rotation = project(turned({light_of(cap), light_of(polygon)}, r), kMaxDegree);
   const LightCoefficients by_place = project({light_of(moved_cap), light_of(moved_polygon)}, kMaxDegree);
   EXPECT_LT(largest_difference(by_rotation.values, by_place.values), 1e-14);

@@ -85,9 +85,7 @@ TEST(Window, FejersKernelIsPositiveAndPeaksWhereTheTheoremSays) {
   for (int degree = 1; degree <= kMaxDegree; ++degree) {
     const auto factors = window_factors({WindowType::kFejer, 1.0}, degree);
     double peak = 0.0;
-    for (std::size_t l = 0; l < factors.size(); ++l) {
-      peak += (2.0 * static_cast<double>(l) + 1.0) * factors[l];
-    }
+    for (std::size_t l = 0; l < factors.size(); ++l) peak += (2.0 * static_cast<double>(l) + 1.0) * factors[l];
     const int k = degree / 2;
     EXPECT_NEAR(peak, degree % 2 == 0 ? (k + 1.0) * (k + 1.0) : (k + 1.0) * (k + 2.0), 1e-12) << degree;
     const LightCoefficients point = sun(degree);
@@ -164,9 +162,7 @@ TEST(Deringing, AConstantLightNeedsNoWindow) {
 LightCoefficients seen(LightCoefficients light, Keep keep) {
   if (keep == Keep::kIrradiance) {
     std::vector<double> factors;
-    for (int l = 0; l <= light.degree; ++l) {
-      factors.push_back(numeric::clamped_cosine_factor<double>(l));
-    }
+    for (int l = 0; l <= light.degree; ++l) factors.push_back(numeric::clamped_cosine_factor<double>(l));
     apply_factors(factors, light);
   }
   return light;
@@ -221,9 +217,7 @@ TEST(Deringing, OneWindowServesAllChannelsSoThatNoColourShifts) {
 
 TEST(Deringing, NegativeLightsAreRefused) {
   LightCoefficients light = sun(2);
-  for (double& value : light.values) {
-    value = -value;
-  }
+  for (double& value : light.values) value = -value;
   EXPECT_THROW(static_cast<void>(apply_window({}, light)), std::runtime_error);
   LightCoefficients no_mean = sun(2);
   no_mean.at(1, 0) = 0.0;

@@ -26,9 +26,7 @@ struct Planes {
 
 Rgbe rgbe(const Eigen::Vector3f& color) {
   const float peak = color.maxCoeff();
-  if (peak <= 0.0F) {
-    return {0, 0, 0, 0};
-  }
+  if (peak <= 0.0F) return {0, 0, 0, 0};
   int exponent = 0;
   std::frexp(peak, &exponent);
   Rgbe out{0, 0, 0, static_cast<unsigned char>(exponent + 128)};
@@ -43,9 +41,7 @@ void append_run_length(std::string& bytes, const std::vector<Rgbe>& row) {
   for (std::size_t c = 0; c < 4; ++c) {
     for (std::size_t i = 0; i < row.size();) {
       std::size_t run = 1;
-      while (run < 127 && i + run < row.size() && row[i + run][c] == row[i][c]) {
-        ++run;
-      }
+      while (run < 127 && i + run < row.size() && row[i + run][c] == row[i][c]) ++run;
       if (run > 2) {
         bytes += {static_cast<char>(128 + run), static_cast<char>(row[i][c])};
         i += run;
@@ -79,9 +75,7 @@ void write_exr(const std::string& file, const Image& image, const ExrOptions& op
   header.compression() = options.compression;
   const Imf::PixelType type = options.half ? Imf::HALF : Imf::FLOAT;
   std::vector<std::string> names = options.channels;
-  if (options.alpha) {
-    names.emplace_back("A");
-  }
+  if (options.alpha) names.emplace_back("A");
   const auto width = static_cast<std::size_t>(image.width);
   Planes planes;
   planes.floats.reserve(names.size() * image.pixels.size());
@@ -120,16 +114,12 @@ std::string radiance_bytes(const Image& image, bool run_length, const std::strin
   for (int row = 0; row < image.height; ++row) {
     std::vector<Rgbe> pixels;
     pixels.reserve(static_cast<std::size_t>(image.width));
-    for (int column = 0; column < image.width; ++column) {
-      pixels.push_back(rgbe(image.at(column, row)));
-    }
+    for (int column = 0; column < image.width; ++column) pixels.push_back(rgbe(image.at(column, row)));
     if (run_length) {
       append_run_length(bytes, pixels);
       continue;
     }
-    for (const Rgbe& pixel : pixels) {
-      bytes.append(pixel.begin(), pixel.end());
-    }
+    for (const Rgbe& pixel : pixels) bytes.append(pixel.begin(), pixel.end());
   }
   return bytes;
 }

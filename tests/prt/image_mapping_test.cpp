@@ -57,17 +57,13 @@ const std::vector<ImageMapping> kOthers{ImageMapping::kAngularMap, ImageMapping:
 
 double solid_angle(const std::vector<PixelNode>& nodes) {
   double sum = 0.0;
-  for (const PixelNode& node : nodes) {
-    sum += node.weight;
-  }
+  for (const PixelNode& node : nodes) sum += node.weight;
   return sum;
 }
 
 double largest_difference(const LightCoefficients& a, const LightCoefficients& b) {
   double largest = 0.0;
-  for (std::size_t i = 0; i < a.values.size(); ++i) {
-    largest = std::max(largest, std::abs(a.values[i] - b.values[i]));
-  }
+  for (std::size_t i = 0; i < a.values.size(); ++i) largest = std::max(largest, std::abs(a.values[i] - b.values[i]));
   return largest;
 }
 
@@ -175,9 +171,7 @@ TEST(ImageMapping, ConstantPicturesLeakNothingIntoHigherBands) {
       Image image = black(mapping, edge);
       image.pixels.assign(image.pixels.size(), Eigen::Vector3f::Ones());
       LightCoefficients light = project_image(image, mapping, kMaxDegree);
-      for (std::size_t c = 0; c < 3; ++c) {
-        light.at(c, 0) -= std::sqrt(4.0 * kPi);
-      }
+      for (std::size_t c = 0; c < 3; ++c) light.at(c, 0) -= std::sqrt(4.0 * kPi);
       EXPECT_LT(largest_difference(light, LightCoefficients::zero(kMaxDegree)), 1e-8)
           << static_cast<int>(mapping) << ' ' << edge;
     }
@@ -196,9 +190,7 @@ TEST(ImageMapping, PictureOfAKnownFunctionGivesItsCoefficientsBack) {
           pixel_nodes(mapping, image.width, column, row, nodes);
           if (!nodes.empty()) {  // the mean over the pixel
             Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-            for (const PixelNode& node : nodes) {
-              mean += node.weight * radiance(known, node.direction);
-            }
+            for (const PixelNode& node : nodes) mean += node.weight * radiance(known, node.direction);
             pixel(image, column, row) = (mean / solid_angle(nodes)).cast<float>();
           }
         }
@@ -268,9 +260,7 @@ TEST(ImageMapping, PlacesAndDirectionsAreInversesAndAgreeWithThePixels) {
             EXPECT_FALSE(direction) << i;
           }
         }
-        if (!direction) {
-          continue;
-        }
+        if (!direction) continue;
         ++shown;
         EXPECT_NEAR(direction->norm(), 1.0, 1e-14);
         const Eigen::Vector2d place = mapped_place(mapping, *direction);

@@ -116,9 +116,7 @@ TEST(Image, RadianceExposureIsDividedOut) {
   const Image image = pattern_image(16, 8);
   write_all(folder.file("a.hdr"), test::radiance_bytes(image, true, "EXPOSURE=4\nEXPOSURE=0.5\n"));
   Image expected = image;
-  for (Eigen::Vector3f& pixel : expected.pixels) {
-    pixel /= 2.0F;
-  }
+  for (Eigen::Vector3f& pixel : expected.pixels) pixel /= 2.0F;
   EXPECT_EQ(largest_difference(read_image(folder.file("a.hdr"), OnFlaw::kRefuse), expected), 0.0F);
 }
 
@@ -128,9 +126,7 @@ TEST(Image, RepeatedPixelsOfOldRadianceFilesAreExpanded) {
   bytes += {'\x80', '\x80', '\x80', '\x81', 1, 1, 1, '\x57', 1, 1, 1, 2};  // one, 87 more, 2 * 256 more
   write_all(folder.file("old.hdr"), bytes);
   const Image image = read_image(folder.file("old.hdr"), OnFlaw::kRefuse);
-  for (const Eigen::Vector3f& pixel : image.pixels) {
-    EXPECT_EQ(pixel, Eigen::Vector3f::Ones());
-  }
+  for (const Eigen::Vector3f& pixel : image.pixels) EXPECT_EQ(pixel, Eigen::Vector3f::Ones());
 }
 
 TEST(Image, NegativePixelsAreSetToZeroCountedAndRefusedWhenStrict) {

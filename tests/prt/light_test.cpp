@@ -125,9 +125,7 @@ TEST(Light, CoefficientsTurnAsTheFunctionDoes) {
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
   for (const int degree : {0, 1, 4, kMaxDegree}) {
     LightCoefficients light = LightCoefficients::zero(degree);
-    for (double& value : light.values) {
-      value = uniform(random);
-    }
+    for (double& value : light.values) value = uniform(random);
     const Eigen::Matrix3d r = rotation_about(random_direction(random), 77.0);
     const LightCoefficients moved = turned(light, r);
     for (int i = 0; i < 100; ++i) {

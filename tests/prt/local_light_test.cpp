@@ -166,9 +166,7 @@ TEST(LocalLight, APolygonFromBehindGivesNothing) {
   LightSpec polygon;
   polygon.type = LightType::kPolygon;
   polygon.corners = {{-1.0, -1.0, 2.0}, {-1.0, 1.0, 2.0}, {1.0, 1.0, 2.0}, {1.0, -1.0, 2.0}};
-  if (!polygon_flaw(polygon.corners).empty()) {
-    std::reverse(polygon.corners.begin(), polygon.corners.end());
-  }
+  if (!polygon_flaw(polygon.corners).empty()) std::reverse(polygon.corners.begin(), polygon.corners.end());
   const std::vector<Light> lights = load_lights({polygon}, OnFlaw::kRefuse);
   EXPECT_EQ(seen_from(lights, {0.0, 0.0, 1.0}).size(), 1U);
   EXPECT_GT(project_at(lights, {{0.0, 0.0, 1.0}}, 2)[0].at(0, 0), project(lights, 2).at(0, 0));  // nearer

@@ -128,9 +128,7 @@ TEST(ExtractSun, RecoversADiscOfKnownPlaceSizeAndRadianceInEveryMapping) {
       EXPECT_NEAR(search.sun->radiance.x(), 500.0, 3.0) << name;
       EXPECT_NEAR(search.sun->radiance.z(), 400.0, 3.0) << name;
       float brightest = 0.0F;
-      for (const Eigen::Vector3f& left : search.sun->rest.pixels) {
-        brightest = std::max(brightest, left.maxCoeff());
-      }
+      for (const Eigen::Vector3f& left : search.sun->rest.pixels) brightest = std::max(brightest, left.maxCoeff());
       EXPECT_LT(brightest, 1.3F) << name;
     }
   }

@@ -38,9 +38,7 @@ Image picture_of(const LightCoefficients& light, int height) {
 
 double largest_difference(const LightCoefficients& a, const LightCoefficients& b) {
   double largest = 0.0;
-  for (std::size_t i = 0; i < a.values.size(); ++i) {
-    largest = std::max(largest, std::abs(a.values[i] - b.values[i]));
-  }
+  for (std::size_t i = 0; i < a.values.size(); ++i) largest = std::max(largest, std::abs(a.values[i] - b.values[i]));
   return largest;
 }
 
@@ -96,9 +94,7 @@ TEST(Project, ConstantLightHasBandZeroOnly) {
   const LightCoefficients light = project(load_lights({spec}, OnFlaw::kRefuse), 3);
   for (std::size_t c = 0; c < 3; ++c) {
     EXPECT_DOUBLE_EQ(light.at(c, 0), std::sqrt(4.0 * kPi) * std::pow(2.0, static_cast<double>(c)));
-    for (std::size_t i = 1; i < light.bands_squared(); ++i) {
-      EXPECT_NEAR(light.at(c, i), 0.0, 1e-15);
-    }
+    for (std::size_t i = 1; i < light.bands_squared(); ++i) EXPECT_NEAR(light.at(c, i), 0.0, 1e-15);
   }
 }
 
@@ -168,9 +164,7 @@ TEST(Project, TurnedScaledAndSummedLightsAreLinear) {
   Light sky;
   sky.spec.type = LightType::kCieOvercast;
   LightCoefficients expected = turned(project_lat_long(*image, 5), picture.rotation);
-  for (double& value : expected.values) {
-    value *= 0.5;
-  }
+  for (double& value : expected.values) value *= 0.5;
   accumulate(expected, project({sky}, 5));
   EXPECT_LT(largest_difference(project({picture, sky}, 5), expected), 1e-15);
   // turned lights have turned coefficients

@@ -31,27 +31,21 @@ double norm(const LightCoefficients& light) {
 }
 
 double distance(LightCoefficients a, const LightCoefficients& b) {
-  for (std::size_t i = 0; i < a.values.size(); ++i) {
-    a.values[i] -= b.values[i];
-  }
+  for (std::size_t i = 0; i < a.values.size(); ++i) a.values[i] -= b.values[i];
   return norm(a);
 }
 
 LightCoefficients cut(const LightCoefficients& light, int degree) {
   LightCoefficients out = LightCoefficients::zero(degree);
   for (std::size_t channel = 0; channel < 3; ++channel) {
-    for (std::size_t i = 0; i < out.bands_squared(); ++i) {
-      out.at(channel, i) = light.at(channel, i);
-    }
+    for (std::size_t i = 0; i < out.bands_squared(); ++i) out.at(channel, i) = light.at(channel, i);
   }
   return out;
 }
 
 LightCoefficients white(const std::vector<double>& shape, int degree) {
   LightCoefficients out = LightCoefficients::zero(degree);
-  for (std::size_t channel = 0; channel < 3; ++channel) {
-    std::copy(shape.begin(), shape.end(), &out.at(channel, 0));
-  }
+  for (std::size_t channel = 0; channel < 3; ++channel) std::copy(shape.begin(), shape.end(), &out.at(channel, 0));
   return out;
 }
 
