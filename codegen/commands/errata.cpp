@@ -14,47 +14,33 @@
 
 #include "codegen/commands/commands.hpp"
 #include "numeric/output/atomic_file.hpp"
+#include "symbolic/errata/decide.hpp"
 
 namespace sh::codegen {
 namespace {
 
-using symbolic::errata::Entry;
-using symbolic::errata::Kind;
-using symbolic::errata::Print;
-using symbolic::errata::Reading;
-using symbolic::errata::Source;
-using symbolic::errata::Verdict;
+using errata::Entry;
+using errata::Kind;
+using errata::Print;
+using errata::Reading;
+using errata::Source;
+using errata::Verdict;
+using symbolic::errata::Decision;
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kWidth = 118;
 constexpr std::size_t kLabelWidth = 10;
 
-constexpr Verdict kVerdicts[] = {Verdict::kCorrect,    Verdict::kUnderReading, Verdict::kWrong,
-                                 Verdict::kDefinition, Verdict::kDerived,      Verdict::kUndecided};
+constexpr Verdict kVerdicts[] = {Verdict::kCorrect, Verdict::kUnderReading, Verdict::kWrong, Verdict::kDerived};
 
-// What the decisions of one entry returned.
 struct Outcome {
-  std::vector<bool> held;     ///< one per reading
-  std::string verdict;        ///< that follows from them; empty when they do not fit together
-  std::string contradiction;  ///< empty: the entry states that verdict
+  symbolic::errata::Decision decision;
   double seconds = 0;
 };
 
 Outcome decide_entry(const Entry& entry) {
   const auto start = std::chrono::steady_clock::now();
-  Outcome outcome;
-  for (const Reading& reading : entry.readings) {
-    outcome.held.push_back(reading.holds != nullptr && reading.holds());
-  }
-  try {
-    outcome.verdict = to_string(decide(entry));
-    if (outcome.verdict != to_string(entry.verdict)) {
-      outcome.contradiction =
-          entry.id + ": stated '" + to_string(entry.verdict) + "', decided '" + outcome.verdict + "'";
-    }
-  } catch (const std::logic_error& error) {
-    outcome.contradiction = error.what();
-  }
+  Outcome outcome{symbolic::errata::decide(entry), 0};
   outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return outcome;
 }
@@ -100,10 +86,11 @@ std::vector<Source> chosen(const std::vector<Source>& sources, const ErrataOptio
   require_known(options.only, sources);
   std::vector<Source> result;
   for (const Source& source : sources) {
-    Source part{source.prefix, source.name, {}};
+    Source part{source.prefix, source.name, source.short_name, {}};
     for (const Entry& entry : source.entries) {
       if (!is_named(source, entry, options.only)) continue;
-      if (options.verdict.empty() || to_string(entry.verdict) == options.verdict) part.entries.push_back(entry);
+      if (options.verdict.empty() || to_string(recorded_verdict(entry)) == options.verdict)
+        part.entries.push_back(entry);
     }
     if (!part.entries.empty()) result.push_back(std::move(part));
   }
@@ -131,16 +118,23 @@ void print_field(std::ostream& out, const std::string& label, const std::string&
   out << line << '\n';
 }
 
-void print_entry(std::ostream& out, const Entry& entry, const Outcome& outcome) {
-  const std::string verdict = outcome.contradiction.empty() ? outcome.verdict : "CONTRADICTED";
+std::string text_of(const Reading& reading) {
+  if (reading.number.empty()) return reading.text;
+  return reading.text + ": " + reading.number + (reading.unit.empty() ? "" : " " + reading.unit) +
+         (reading.statement.empty() ? " (measured by shcheck report)" : "");
+}
+
+void print_entry(std::ostream& out, const Entry& entry, const Decision& decision) {
+  const std::string verdict = decision.contradiction.empty() ? to_string(decision.verdict) : "CONTRADICTED";
   out << std::left << std::setw(8) << entry.id << std::setw(23) << verdict << entry.where << '\n';
   print_field(out, "printed", entry.printed);
-  for (std::size_t i = 0; i < entry.readings.size() && entry.readings.size() > 1; ++i) {
-    print_field(out, outcome.held[i] ? "holds" : "fails", entry.readings[i].text);
+  const bool measured = !entry.readings.empty() && !entry.readings.front().number.empty();
+  for (std::size_t i = 0; i < entry.readings.size() && (entry.readings.size() > 1 || measured); ++i) {
+    print_field(out, decision.held[i] ? "holds" : "fails", text_of(entry.readings[i]));
   }
   if (!entry.correct.empty()) print_field(out, "correct", entry.correct);
   if (!entry.remark.empty()) print_field(out, "note", entry.remark);
-  if (!outcome.contradiction.empty()) print_field(out, "error", outcome.contradiction);
+  if (!decision.contradiction.empty()) print_field(out, "error", decision.contradiction);
   out << std::flush;  // as they are decided
 }
 
@@ -171,20 +165,24 @@ std::string print_name(Print print) {
 Json as_json(const Entry& entry, const Outcome& outcome) {
   Json readings = Json::array();
   for (std::size_t i = 0; i < entry.readings.size(); ++i) {
-    readings.push_back({{"text", entry.readings[i].text}, {"holds", static_cast<bool>(outcome.held[i])}});
+    const Reading& reading = entry.readings[i];
+    readings.push_back({{"text", reading.text},
+                        {"holds", static_cast<bool>(outcome.decision.held[i])},
+                        {"statement", reading.statement},
+                        {"measured", reading.number}});
   }
   return {{"id", entry.id},
           {"where", entry.where},
           {"kind", kind_name(entry.kind)},
           {"print", print_name(entry.print)},
           {"printed", entry.printed},
-          {"stated", to_string(entry.verdict)},
-          {"verdict", outcome.verdict},
+          {"stated", to_string(recorded_verdict(entry))},
+          {"verdict", to_string(outcome.decision.verdict)},
           {"readings", readings},
           {"correct", entry.correct},
-          {"correct_is_decided", entry.correct_holds != nullptr},
+          {"correct_is_decided", !entry.correct_statement.empty()},
           {"remark", entry.remark},
-          {"contradiction", outcome.contradiction},
+          {"contradiction", outcome.decision.contradiction},
           {"seconds", outcome.seconds}};
 }
 
@@ -192,9 +190,10 @@ class Totals {
  public:
   void add(const Outcome& outcome) {
     ++entries_;
-    ++verdicts_[outcome.verdict];
+    ++verdicts_[to_string(outcome.decision.verdict)];
     seconds_ += outcome.seconds;
-    if (!outcome.contradiction.empty()) contradictions_.push_back(outcome.contradiction);
+    const std::string& contradiction = outcome.decision.contradiction;
+    if (!contradiction.empty()) contradictions_.push_back(contradiction);
   }
   [[nodiscard]] bool consistent() const { return contradictions_.empty(); }
   void print(std::ostream& out) const {
@@ -228,7 +227,7 @@ bool errata(const std::vector<Source>& sources, const ErrataOptions& options, st
     Json entries = Json::array();
     for (const Entry& entry : source.entries) {
       const Outcome outcome = decide_entry(entry);
-      print_entry(out, entry, outcome);
+      print_entry(out, entry, outcome.decision);
       entries.push_back(as_json(entry, outcome));
       totals.add(outcome);
     }
@@ -246,7 +245,7 @@ void add_errata_command(CLI::App& tool, int& exit_code) {
   command->add_option("--verdict", options->verdict, "Only entries of this verdict, e.g. wrong");
   command->add_option("--json", options->json, "File to write the results to");
   command->callback([options, &exit_code] {
-    exit_code = errata(symbolic::errata::all_sources(), *options, std::cout, std::cerr) ? kDone : kDifferent;
+    exit_code = errata(errata::all_sources(), *options, std::cout, std::cerr) ? kDone : kDifferent;
   });
 }
 

@@ -1,4 +1,4 @@
-// What is said of irradiance from nine coefficients: source_claims.hpp.
+// Claims on irradiance from nine coefficients: source_claims.hpp.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -121,30 +121,21 @@ double energy_of_three_bands() {
   return energy / (2 * std::numbers::pi / 3);
 }
 
-SourceClaim percent_claim(const char* claim, const char* source, const char* printed, double measured,
-                          const char* how) {
-  return {claim, source, printed, kPercent * measured, "%", rounds_to(kPercent * measured, printed), how};
-}
-
 }  // namespace
 
 std::vector<SourceClaim> irradiance_claims(bool quick) {
   const Normals normals(quick ? 4000 : 16000);
   const Error worst = worst_of_random_lights(normals, quick);
-  constexpr const char* kSource = "Ramamoorthi, Hanrahan 2001; Brown 2004";
   return {
-      percent_claim("irradiance from nine coefficients, average error for the worst light", kSource, "3", worst.mean,
-                    "mean over normals of |error| / INT L, the worst of random sets of 1 to 50 lights; it is reached "
-                    "by one light, exactly 19 sqrt(19) / 2700 = 3.07 %"),
-      percent_claim("irradiance from nine coefficients, largest error for the worst light", kSource, "9", worst.largest,
-                    "largest |error| / INT L of the same; exactly 3/32 = 9.375 % for one light, at its zenith"),
-      percent_claim(
-          "irradiance from nine coefficients, average error for typical lights", kSource, "1",
-          mean_error_of_skies(normals),
-          "mean over four CIE overcast skies: black ground, bright ground, with a sun of 20 % and 50 % of the "
-          "power; the sources speak of captured pictures"),
-      percent_claim("energy of the clamped cosine in three bands", "Basri, Jacobs 2003", "99.22",
-                    energy_of_three_bands(), "sum (2l+1)/(4 pi) A_l^2 over INT max(0, z)^2"),
+      claim_of("RH-13", 0, kPercent * worst.mean,
+               "mean over normals of |error| / INT L, the worst of random sets of 1 to 50 lights; it is reached by one "
+               "light, exactly 19 sqrt(19) / 2700 = 3.07 %"),
+      claim_of("RH-13", 1, kPercent * worst.largest,
+               "largest |error| / INT L of the same; exactly 3/32 = 9.375 % for one light, on its horizon"),
+      claim_of("RH-13", 2, kPercent * mean_error_of_skies(normals),
+               "mean over four CIE overcast skies: black ground, bright ground, with a sun of 20 % and 50 % of the "
+               "power; the sources speak of captured pictures"),
+      claim_of("BJ-01", 0, kPercent * energy_of_three_bands(), "sum (2l+1)/(4 pi) A_l^2 over INT max(0, z)^2"),
   };
 }
 

@@ -86,8 +86,8 @@ std::string claims_section(const std::vector<SourceClaim>& claims) {
     rows += fmt::format(
         "<tr><td>{}<br><small>{}</small></td><td class=\"n\">{}{}</td><td class=\"n\">{:.3g}{}</td><td>{}</td><td "
         "class=\"how\"><small>{}</small></td></tr>\n",
-        escaped(c.claim), escaped(c.source), escaped(c.printed), escaped(c.unit), c.measured, escaped(c.unit),
-        c.reproduced ? "yes" : "<b>no</b>", escaped(c.how));
+        escaped(c.claim), escaped(c.source + ", " + c.id), escaped(c.printed), escaped(c.unit), c.measured,
+        escaped(c.unit), c.reproduced ? "yes" : "<b>no</b>", escaped(c.how));
   }
   return "<section id=\"claims\"><h2>What the sources claim, measured again</h2>\n<div "
          "class=\"table\"><table><tr><th>claim</th><th>printed</th><th>measured</th><th>reproduced</th><th>how</th></"

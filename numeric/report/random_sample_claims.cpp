@@ -1,4 +1,4 @@
-// What is said of projections by random samples: source_claims.hpp.
+// Claims on projections by random samples: source_claims.hpp.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,7 +18,6 @@ namespace {
 constexpr int kDegree = 3;
 constexpr int kSide = 100;  // 10,000 samples
 constexpr std::size_t kCount = coefficient_count(kDegree);
-constexpr const char* kGreen = "Green 2003, SH Projection";
 using Sixteen = std::array<double, kCount>;
 
 // [Green03] his example: -4 sin(theta - pi) cos(phi - 2.5) is 4 s.d, d = (cos 2.5, sin 2.5, 0).
@@ -64,12 +63,11 @@ Sixteen spread(std::vector<double> (*estimate)(std::uint64_t), const std::vector
   return squares;
 }
 
-// As printed, by index; c_3^-3 is missing in print.
-constexpr std::array<const char*, kCount> kPrinted{"0.39925", "-0.21075", "0.28687",  "0.28277", "-0.31530", "-0.00040",
-                                                   "0.13159", "0.00098",  "-0.09359", "",        "-0.00072", "0.12290",
-                                                   "0.30458", "-0.16427", "-0.00062", "-0.09126"};
 constexpr double kDeviations = 4;
+constexpr int kNotPrinted = 9;  // c_3^-3
+constexpr int kWrongSign = 8;   // c_2^2
 
+// G-99: every printed coefficient, then their noise. G-15: stratification.
 std::vector<SourceClaim> green_coefficients(bool quick) {
   const auto exact = exact_coefficients();
   const auto one = stratified(1);
@@ -79,36 +77,32 @@ std::vector<SourceClaim> green_coefficients(bool quick) {
   double printed_noise = 0;
   double stratified_noise = 0;
   double uniform_noise = 0;
-  int count = 0;
-  for (std::size_t i = 0; i < kCount; ++i) {
-    if (*kPrinted[i] == 0) continue;
-    const int l = static_cast<int>(std::sqrt(static_cast<double>(i)));
-    const int m = static_cast<int>(i) - l * (l + 1);
-    const double deviation = std::atof(kPrinted[i]) - exact[i];
-    claims.push_back({fmt::format("example light from 10,000 stratified samples, c_{}^{}", l, m), kGreen, kPrinted[i],
-                      one[i], "", std::abs(deviation) <= kDeviations * jittered[i],
-                      fmt::format("seed 1; exact {:.5f}, spread over seeds {:.5f} (independent samples: {:.5f}); with "
-                                  "Condon-Shortley phase",
-                                  exact[i], jittered[i], independent[i])});
-    if (l == 2 && m == 2) continue;  // printed with the wrong sign
+  for (int index = 0; index < static_cast<int>(kCount); ++index) {
+    if (index == kNotPrinted) continue;
+    const auto i = static_cast<std::size_t>(index);
+    SourceClaim claim =
+        claim_of("G-99", static_cast<int>(claims.size()), one[i],
+                 fmt::format("seed 1; exact {:.5f}, spread over seeds {:.5f} (independent samples: {:.5f}); with "
+                             "Condon-Shortley phase",
+                             exact[i], jittered[i], independent[i]));
+    const double deviation = std::atof(claim.printed.c_str()) - exact[i];
+    claim.reproduced = std::abs(deviation) <= kDeviations * jittered[i];
+    claims.push_back(std::move(claim));
+    if (index == kWrongSign) continue;
     printed_noise += deviation * deviation;
     stratified_noise += jittered[i] * jittered[i];
     uniform_noise += independent[i] * independent[i];
-    ++count;
   }
+  const auto count = static_cast<double>(kCount - 2);
   printed_noise = std::sqrt(printed_noise / count);
   stratified_noise = std::sqrt(stratified_noise / count);
   uniform_noise = std::sqrt(uniform_noise / count);
-  claims.push_back({"noise of the 14 printed coefficients with a right sign, over that of 10,000 stratified samples",
-                    kGreen, "1", printed_noise / stratified_noise, "",
-                    std::abs(printed_noise / stratified_noise - 1) < 0.5,
-                    fmt::format("rms {:.5f} against {:.5f}; independent samples have {:.5f}", printed_noise,
-                                stratified_noise, uniform_noise)});
-  claims.push_back(
-      {"stratification never raises the error, and often lowers it much: its error over that of "
-       "independent samples",
-       "Green 2003, stratified sampling", "<= 1", stratified_noise / uniform_noise, "",
-       stratified_noise <= uniform_noise, "rms over coefficients and seeds, 10,000 samples of his light"});
+  claims.push_back(claim_of("G-99", static_cast<int>(claims.size()), printed_noise / stratified_noise,
+                            fmt::format("rms {:.5f} against {:.5f}; independent samples have {:.5f}", printed_noise,
+                                        stratified_noise, uniform_noise),
+                            std::abs(printed_noise / stratified_noise - 1) < 0.5));
+  claims.push_back(claim_of("G-15", 0, stratified_noise / uniform_noise, "rms over coefficients and seeds",
+                            stratified_noise <= uniform_noise));
   return claims;
 }
 
@@ -129,13 +123,9 @@ SourceClaim orthonormality() {
       worst = std::max(worst, std::abs(products[i * kCount + j] - (i == j ? 1 : 0)));
     }
   }
-  return {"inner products of 16 functions by 100,000 samples are very close to 1 and 0: the largest distance",
-          "gpfault 2026, testBasisFunctions",
-          "0",
-          worst,
-          "",
-          worst < 0.03,
-          "seed 1; very close is taken as 0.03: a spread of 0.003 to 0.006 an entry, the largest of 136"};
+  return claim_of("GP-14", 0, worst,
+                  "seed 1; very close is taken as 0.03: a spread of 0.003 to 0.006 an entry, the largest of 136",
+                  worst < 0.03);
 }
 
 }  // namespace

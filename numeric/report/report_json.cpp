@@ -48,8 +48,14 @@ Json series_json(const ConvergenceSeries& s) {
 }
 
 Json claim_json(const SourceClaim& c) {
-  return {{"claim", c.claim}, {"source", c.source},         {"printed", c.printed}, {"measured", c.measured},
-          {"unit", c.unit},   {"reproduced", c.reproduced}, {"how", c.how}};
+  return {{"id", c.id},
+          {"claim", c.claim},
+          {"source", c.source},
+          {"printed", c.printed},
+          {"measured", c.measured},
+          {"unit", c.unit},
+          {"reproduced", c.reproduced},
+          {"how", c.how}};
 }
 
 }  // namespace

@@ -3,8 +3,49 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <stdexcept>
+
+#include "numeric/errata/errata.hpp"
 
 namespace sh::numeric {
+namespace {
+
+SourceClaim row(const errata::Source& source, const errata::Entry& entry, const errata::Reading& reading) {
+  return {entry.id,
+          entry.where + ": " + reading.text,
+          source.short_name,
+          reading.number,
+          0,
+          reading.unit,
+          false,
+          reading.holds,
+          ""};
+}
+
+SourceClaim unmeasured(const std::string& id, int reading) {
+  for (const errata::Source& source : errata::all_sources()) {
+    for (const errata::Entry& entry : source.entries) {
+      for (const errata::Reading& candidate : entry.readings) {
+        if (entry.id == id && !candidate.number.empty() && reading-- == 0) return row(source, entry, candidate);
+      }
+    }
+  }
+  throw std::out_of_range("expected a measured reading of the errata, got " + id);
+}
+
+}  // namespace
+
+SourceClaim claim_of(const std::string& id, int reading, double measured, const std::string& how) {
+  return claim_of(id, reading, measured, how, rounds_to(measured, unmeasured(id, reading).printed));
+}
+
+SourceClaim claim_of(const std::string& id, int reading, double measured, const std::string& how, bool reproduced) {
+  SourceClaim claim = unmeasured(id, reading);
+  claim.measured = measured;
+  claim.how = how;
+  claim.reproduced = reproduced;
+  return claim;
+}
 
 std::vector<SourceClaim> source_claims(bool quick) {
   std::vector<SourceClaim> all = cube_map_claims();

@@ -4,7 +4,6 @@
 
 #include <array>
 
-#include "symbolic/errata/green_circular_light.hpp"
 #include "symbolic/number/polynomial_calculus.hpp"
 #include "symbolic/number/sphere_integral.hpp"
 #include "symbolic/number/substitute.hpp"
@@ -185,10 +184,6 @@ std::vector<Proof> zonal_proofs() {
   proofs.push_back(with_range_check({"turned-zonal", "sum_m sqrt(4 pi / (2l+1)) Y_lm(d) Y_lm(s) = Y_l0(d.s)",
                                      "identity of polynomials in (d, s)", 10, 20, points,
                                      [](int degree) { return prove_turned_zonal(turned_zonal(degree)); }}));
-  proofs.push_back(
-      with_range_check({"green-circular-light", "the printed code is the cap of the cutoff angle, rounded",
-                        "each printed decimal against the exact coefficient", 3, 3, "the code has four bands",
-                        [](int) { return prove_green_circular_light(green_circular_light()); }, true}));
   return proofs;
 }
 

@@ -8,7 +8,6 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "symbolic/errata/green_circular_light.hpp"
 #include "symbolic/zonal/convolution.hpp"
 #include "symbolic/zonal/irradiance.hpp"
 #include "symbolic/zonal/zonal_integrals.hpp"
@@ -159,15 +158,6 @@ TEST(Irradiance, DirectionalLightNeedsTheKnownIntensities) {
   };
   EXPECT_EQ(intensity(2), Surd(fraction(16, 17)) * Surd::square_root(1, 2));
   EXPECT_EQ(intensity(4), Surd(fraction(32, 31)) * Surd::square_root(1, 2));
-}
-
-TEST(GreenCircularLight, DecimalsAreReadExactly) {
-  EXPECT_EQ(rational_of_decimal("-1.25"), fraction(-5, 4));
-  EXPECT_EQ(rational_of_decimal("12"), 12);
-  EXPECT_EQ(half_last_digit("1.98"), fraction(1, 200));
-  EXPECT_THROW(rational_of_decimal("1.2.3"), std::invalid_argument);
-  EXPECT_THROW(rational_of_decimal("-"), std::invalid_argument);
-  EXPECT_THROW(rational_of_decimal("1e3"), std::invalid_argument);
 }
 
 }  // namespace

@@ -1,0 +1,162 @@
+#include "symbolic/errata/vocabulary.hpp"
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "symbolic/errata/definitions.hpp"
+
+namespace sh::symbolic::errata {
+namespace {
+
+using GiNaC::ex;
+using GiNaC::exvector;
+
+constexpr const char* kIndices[] = {"i", "j", "k", "l", "m", "n", "q"};
+constexpr const char* kVariables[] = {"x",  "y",  "z", "c", "s", "cp", "sp", "ca", "sa", "cb", "sb", "cg", "sg",
+                                      "ch", "sh", "a", "b", "t", "u",  "v",  "w",  "r",  "tx", "ty", "tz", "rho"};
+
+bool is_index(const ex& e) {
+  return std::any_of(std::begin(kIndices), std::end(kIndices),
+                     [&](const char* name) { return e.is_equal(symbol(name)); });
+}
+bool has_index(const ex& e) { return std::any_of(e.preorder_begin(), e.preorder_end(), is_index); }
+
+int integer(const ex& e) {
+  if (!e.info(GiNaC::info_flags::integer)) throw std::invalid_argument("expected an integer index");
+  return GiNaC::ex_to<GiNaC::numeric>(e).to_int();
+}
+unsigned axis_of(const ex& index) { return static_cast<unsigned>((integer(index) + 2) % 3); }
+
+ex P(const exvector& a) { return legendre(integer(a[0]), integer(a[1])); }
+ex Y(const exvector& a) { return real_harmonic(integer(a[0]), integer(a[1])); }
+ex Yc(const exvector& a) { return complex_harmonic(integer(a[0]), integer(a[1])); }
+ex cosm(const exvector& a) { return multiple(integer(a[0]), a[1], a[2], false); }
+ex sinm(const exvector& a) { return multiple(integer(a[0]), a[1], a[2], true); }
+ex polar(const exvector& a) {
+  return direction(a[0], symbol("s") * symbol("cp"), symbol("s") * symbol("sp"), symbol("c"));
+}
+ex sphere(const exvector& a) { return cap_integral(a[0], -1); }
+ex cap(const exvector& a) { return cap_integral(a[0], a[1]); }
+ex octa(const exvector& a) {
+  ex sum = 0;
+  for (const int sign : {-1, 1}) {
+    sum += direction(a[0], sign, 0, 0) + direction(a[0], 0, sign, 0) + direction(a[0], 0, 0, sign);
+  }
+  return sum;
+}
+ex at(const exvector& a) { return a[0].subs(a[1] == a[2]); }
+ex dir(const exvector& a) { return direction(a[0], a[1], a[2], a[3]); }
+ex integral(const exvector& a) { return polynomial_integral(a[0], a[1], a[2], a[3]); }
+ex diffn(const exvector& a) {
+  return a[0].diff(GiNaC::ex_to<GiNaC::symbol>(a[1]), static_cast<unsigned>(integer(a[2])));
+}
+ex sum(const exvector& a) {
+  ex total = 0;
+  for (int k = integer(a[2]); k <= integer(a[3]); ++k) total += a[0].subs(a[1] == k);
+  return total;
+}
+ex prod(const exvector& a) {
+  ex total = 1;
+  for (int k = integer(a[2]); k <= integer(a[3]); ++k) total *= a[0].subs(a[1] == k);
+  return total;
+}
+ex delta(const exvector& a) { return integer(a[0]) == integer(a[1]) ? 1 : 0; }
+ex odd(const exvector& a) { return GiNaC::doublefactorial(integer(a[0])); }
+ex turned(const exvector& a) { return turned_by(a[0], sample_rotation()); }
+ex turned_back(const exvector& a) { return turned_by(a[0], sample_rotation().transpose()); }
+ex R(const exvector& a) { return sample_rotation()(axis_of(a[0]), axis_of(a[1])); }
+ex D(const exvector& a) { return real_rotation(integer(a[0]), integer(a[1]), integer(a[2])); }
+ex C(const exvector& a) { return complex_rotation(integer(a[0]), integer(a[1]), integer(a[2])); }
+ex ReC(const exvector& a) { return C(a).real_part(); }
+ex ImC(const exvector& a) { return C(a).imag_part(); }
+ex d(const exvector& a) { return wigner_small_d(integer(a[0]), integer(a[1]), integer(a[2])); }
+ex db(const exvector& a) {
+  return d(a).subs(GiNaC::exmap{{symbol("ch"), half_cosine(1)}, {symbol("sh"), half_sine(1)}});
+}
+
+ex IRP(const exvector& a) {
+  const int n = integer(a[2]);
+  const int l = integer(a[3]);
+  const auto r = [&](int j) { return R({a[0], j}); };
+  const auto below = [&](int column) { return D({l - 1, a[1], column}); };
+  if (n == l) return r(1) * below(l - 1) - r(-1) * below(1 - l);
+  if (n == -l) return r(1) * below(1 - l) + r(-1) * below(l - 1);
+  return r(0) * below(n);
+}
+
+ex greenP(const exvector& a) {
+  const int l = integer(a[0]);
+  const int m = integer(a[1]);
+  const ex& x = symbol("c");
+  ex pmm = 1;
+  for (int i = 1; i <= m; ++i) pmm *= -(2 * i - 1) * symbol("s");
+  if (l == m) return pmm;
+  ex pmmp1 = x * (2 * m + 1) * pmm;
+  if (l == m + 1) return pmmp1;
+  ex pll = 0;
+  for (int ll = m + 2; ll <= l; ++ll) {
+    pll = ((2 * ll - 1) * x * pmmp1 - (ll + m - 1) * pmm) / (ll - m);
+    pmm = pmmp1;
+    pmmp1 = pll.expand();
+  }
+  return pll;
+}
+
+// A function of GiNaC that stands unevaluated while an index has no value. Sums and products bind one of their own.
+template <ex (*Word)(const exvector&)>
+struct Registered {
+  static ex eval(const exvector& arguments) {
+    const auto first = arguments.begin() + (Word == sum || Word == prod ? 2 : 0);
+    const bool waits = std::any_of(first, arguments.end(), has_index);
+    return waits ? ex(GiNaC::function(serial, arguments).hold()) : Word(arguments);
+  }
+  static unsigned enter(const char* name, unsigned count) {
+    return serial = GiNaC::function::register_new(GiNaC::function_options(name, count).eval_func(eval));
+  }
+  static inline unsigned serial = 0;
+};
+
+// Before main, because GiNaC's parser knows the functions that are registered when it is first used.
+const std::array kRegistered{
+    Registered<P>::enter("P", 2),           Registered<Y>::enter("Y", 2),
+    Registered<Yc>::enter("Yc", 2),         Registered<cosm>::enter("cosm", 3),
+    Registered<sinm>::enter("sinm", 3),     Registered<polar>::enter("polar", 1),
+    Registered<sphere>::enter("sphere", 1), Registered<cap>::enter("cap", 2),
+    Registered<octa>::enter("octa", 1),     Registered<at>::enter("at", 3),
+    Registered<dir>::enter("dir", 4),       Registered<integral>::enter("integral", 4),
+    Registered<diffn>::enter("diffn", 3),   Registered<sum>::enter("sum", 4),
+    Registered<prod>::enter("prod", 4),     Registered<delta>::enter("delta", 2),
+    Registered<odd>::enter("odd", 1),       Registered<turned>::enter("turned", 1),
+    Registered<R>::enter("R", 2),           Registered<turned_back>::enter("turned_back", 1),
+    Registered<D>::enter("D", 3),           Registered<C>::enter("C", 3),
+    Registered<ReC>::enter("ReC", 3),       Registered<ImC>::enter("ImC", 3),
+    Registered<d>::enter("d", 3),           Registered<db>::enter("db", 3),
+    Registered<IRP>::enter("IRP", 4),       Registered<greenP>::enter("greenP", 2),
+};
+
+GiNaC::symtab make_symbols() {
+  GiNaC::symtab table;
+  for (const char* const name : kIndices) table[name] = GiNaC::realsymbol(name);
+  for (const char* const name : kVariables) table[name] = GiNaC::realsymbol(name);
+  table["cos_h"] = half_cosine(1);
+  table["sin_h"] = half_sine(1);
+  for (const auto& [letter, angle] : {std::pair{"a", 0}, std::pair{"b", 1}, std::pair{"g", 2}}) {
+    table[std::string("cos_") + letter] = whole_cosine(angle);
+    table[std::string("sin_") + letter] = whole_sine(angle);
+  }
+  return table;
+}
+
+}  // namespace
+
+const GiNaC::symtab& symbols() {
+  static const GiNaC::symtab table = make_symbols();
+  return table;
+}
+
+const ex& symbol(const char* name) { return symbols().at(name); }
+
+}  // namespace sh::symbolic::errata
