@@ -2,15 +2,19 @@
 // vacuous.
 #include "numeric/errata/errata.hpp"
 
+#include <cln/rational.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <set>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "symbolic/basis/basis.hpp"
 #include "symbolic/errata/decide.hpp"
+#include "symbolic/errata/definitions.hpp"
 #include "symbolic/errata/statement.hpp"
 
 namespace sh::symbolic::errata {
@@ -143,6 +147,19 @@ TEST(ErrataDecision, AsksForADecidedCorrection) {
   EXPECT_EQ(decide(entry_of(false, "1 == 2", "1 == 3")).contradiction, "X-1: the correct formula fails");
   EXPECT_EQ(decide(entry_of(true, "")).contradiction, "X-1: nothing decides 'a'");
   EXPECT_THROW(decide(entry_of(true, "1 = 1")), std::invalid_argument);
+}
+
+TEST(ErrataStatement, SpeaksOfTheBasisOfTheProject) {
+  const std::array<cln::cl_RA, 3> rational{cln::cl_RA(2) / 7, cln::cl_RA(-3) / 7, cln::cl_RA(6) / 7};
+  const GiNaC::exmap point{
+      {symbol("x"), GiNaC::numeric(2, 7)}, {symbol("y"), GiNaC::numeric(-3, 7)}, {symbol("z"), GiNaC::numeric(6, 7)}};
+  for (int i = 0; i < 49; ++i) {
+    const auto [l, m] = degree_order(i);
+    const BasisFunction y = basis_function(l, m);
+    const double value =
+        cln::double_approx(y.factor.evaluate(30)) * cln::double_approx(y.homogeneous.evaluate(rational));
+    EXPECT_NEAR(GiNaC::ex_to<GiNaC::numeric>(real_harmonic(l, m).subs(point).evalf()).to_double(), value, 1e-14) << i;
+  }
 }
 
 TEST(ErrataStatement, IsExactAboutRootsPiAndTheSphere) {
