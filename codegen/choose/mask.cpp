@@ -5,8 +5,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "codegen/passes/prune.hpp"
-#include "codegen/passes/share.hpp"
+#include "codegen/passes/passes.hpp"
 #include "symbolic/basis/basis.hpp"
 
 namespace sh::codegen {

@@ -6,7 +6,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "codegen/output/installed.hpp"
+#include "codegen/output/output_tree.hpp"
 
 namespace sh::codegen {
 namespace {

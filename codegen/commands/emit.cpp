@@ -11,7 +11,6 @@
 #include "codegen/choose/masked_kernel.hpp"
 #include "codegen/commands/commands.hpp"
 #include "codegen/convention/in_convention.hpp"
-#include "codegen/families/families.hpp"
 
 namespace sh::codegen {
 namespace {
@@ -30,11 +29,16 @@ struct EmitOptions {
 };
 
 Family family_of(const EmitOptions& options) {
-  if (!options.left_degree) return find_family(options.family);
-  if (options.family != "product") {
-    throw std::invalid_argument("--degree-left: family " + find_family(options.family).name + "; it should be product");
+  const Family& family = find_family(options.family);
+  if (!options.left_degree) return family;
+  if (family.of_degrees == nullptr) {
+    std::string known;
+    for (const Family& other : families()) {
+      if (other.of_degrees != nullptr) known += (known.empty() ? "" : ", ") + other.name;
+    }
+    throw std::invalid_argument("--degree-left: family " + family.name + "; it should be " + known);
   }
-  return rectangular_product_family(*options.left_degree, *options.right_degree, options.degree);
+  return family.of_degrees(*options.left_degree, *options.right_degree, options.degree);
 }
 
 FinishedKernel by_recipe(const Family& family, const EmitOptions& options) {

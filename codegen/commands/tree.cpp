@@ -12,7 +12,6 @@
 
 #include "codegen/choose/catalogue.hpp"
 #include "codegen/commands/commands.hpp"
-#include "codegen/output/installed.hpp"
 #include "codegen/output/output_tree.hpp"
 
 namespace sh::codegen {

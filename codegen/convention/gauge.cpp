@@ -5,8 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "codegen/passes/prune.hpp"
-#include "codegen/passes/share.hpp"
+#include "codegen/passes/passes.hpp"
 
 namespace sh::codegen {
 namespace {

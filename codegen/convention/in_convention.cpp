@@ -6,9 +6,8 @@
 
 #include "codegen/convention/gauge.hpp"
 #include "codegen/ir/evaluate.hpp"
-#include "codegen/passes/associate.hpp"
+#include "codegen/passes/passes.hpp"
 #include "codegen/passes/pipeline.hpp"
-#include "codegen/passes/schedule.hpp"
 #include "symbolic/basis/basis.hpp"
 #include "symbolic/convention/presets.hpp"
 
@@ -250,11 +249,6 @@ Domain domain_in(const Domain& ours, int degree, const Layout& inputs, const Lay
   domain.size = [=](std::span<const double> theirs, std::size_t output) {
     return factor[output] * ours.size_of(degree, in_double(as_ours(exact(theirs), inputs, kDigits)), from[output]);
   };
-  if (ours.nearest_in_domain) {
-    domain.nearest_in_domain = [=](const std::vector<cln::cl_F>& theirs) {
-      return as_stored(ours.nearest_in_domain(as_ours(theirs, inputs, kDigits)), inputs, kDigits);
-    };
-  }
   return domain;
 }
 

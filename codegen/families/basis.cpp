@@ -3,8 +3,6 @@
 #include "codegen/families/families.hpp"
 #include "codegen/measure/directions.hpp"
 #include "codegen/measure/domains.hpp"
-#include "codegen/recipes/basis/basis_centred.hpp"
-#include "codegen/recipes/basis/basis_parity.hpp"
 #include "symbolic/basis/basis.hpp"
 
 namespace sh::codegen {

@@ -1,11 +1,10 @@
-#include "codegen/recipes/basis/basis_gradient.hpp"
-
 #include <cmath>
 #include <numbers>
 
 #include "codegen/families/families.hpp"
 #include "codegen/measure/directions.hpp"
 #include "codegen/measure/domains.hpp"
+#include "codegen/recipes/basis/basis.hpp"
 #include "symbolic/basis/basis_derivatives.hpp"
 
 namespace sh::codegen {

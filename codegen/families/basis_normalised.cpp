@@ -1,10 +1,9 @@
-#include "codegen/recipes/basis/basis_normalised.hpp"
-
 #include <cmath>
 
 #include "codegen/families/families.hpp"
 #include "codegen/measure/directions.hpp"
 #include "codegen/measure/domains.hpp"
+#include "codegen/recipes/basis/basis.hpp"
 
 namespace sh::codegen {
 namespace {
@@ -38,9 +37,7 @@ std::vector<std::vector<double>> test_inputs(int /*degree*/) {
 Family basis_normalised_family() {
   Domain domain = direction_domain();
   domain.inputs = "vectors (random, axes, poles, near poles; lengths 2^-20 to 2^20)";
-  domain.nearest = "";
   domain.test_inputs = test_inputs;
-  domain.nearest_in_domain = nullptr;
   return {.name = "basis_normalised",
           .recipes = {{"parity", recipes::basis_normalised_parity}, {"centred", recipes::basis_normalised_centred}},
           .reference = reference,

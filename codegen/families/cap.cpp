@@ -1,11 +1,10 @@
-#include "codegen/recipes/zonal/cap.hpp"
-
 #include <cmath>
 #include <numbers>
 #include <random>
 
 #include "codegen/families/families.hpp"
 #include "codegen/measure/domains.hpp"
+#include "codegen/recipes/zonal/zonal.hpp"
 #include "symbolic/zonal/zonal.hpp"
 
 namespace sh::codegen {

@@ -1,14 +1,13 @@
-#include "codegen/recipes/basis/evaluate.hpp"
+#include "codegen/ir/evaluate.hpp"
 
 #include <cmath>
 #include <map>
 #include <numbers>
 
 #include "codegen/families/families.hpp"
-#include "codegen/ir/evaluate.hpp"
 #include "codegen/measure/directions.hpp"
 #include "codegen/measure/domains.hpp"
-#include "codegen/recipes/basis/prepared.hpp"
+#include "codegen/recipes/basis/basis.hpp"
 #include "symbolic/basis/basis.hpp"
 
 namespace sh::codegen {
@@ -19,7 +18,6 @@ using symbolic::Surd;
 constexpr std::size_t kInputs = 400;
 constexpr std::size_t kPreparedInputs = 300;
 constexpr const char* kUnit = "|c| sqrt((2L+1)/(4 pi)), the most that the top band alone can reach";
-constexpr const char* kNormalised = "the direction scaled to length 1";
 
 int count(int degree) { return (degree + 1) * (degree + 1); }
 
@@ -86,18 +84,12 @@ double size(std::span<const double> inputs, std::size_t output) {
   return length(inputs.subspan(output * coefficients, coefficients)) * top_band_maximum(degree_of(coefficients));
 }
 
-std::vector<cln::cl_F> unit_direction_last(const std::vector<cln::cl_F>& inputs) {
-  return with_unit_direction(inputs, inputs.size() - 3);
-}
-
 template <int Channels>
 Domain evaluation_domain() {
   return {.inputs = "coefficient vectors (random, of norm 1) with directions (random, axes, poles, near poles)",
           .unit = kUnit,
-          .nearest = kNormalised,
           .test_inputs = test_inputs<Channels>,
-          .size = size<Channels>,
-          .nearest_in_domain = unit_direction_last};
+          .size = size<Channels>};
 }
 
 // --- prepared
@@ -211,10 +203,8 @@ Family evaluate_prepared_family() {
       .reference = prepared_reference,
       .domain = {.inputs = "prepared functions (random, |c| = 1) with directions (random, axes, poles, near poles)",
                  .unit = kUnit,
-                 .nearest = kNormalised,
                  .test_inputs = prepared_inputs,
-                 .size = prepared_size,
-                 .nearest_in_domain = unit_direction_last},
+                 .size = prepared_size},
   };
 }
 

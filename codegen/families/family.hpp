@@ -22,15 +22,12 @@ inline constexpr int kCheckDigits = 100;
 
 /// Where a family's kernels are measured, and in which unit their error is counted.
 struct Domain {
-  std::string inputs;        ///< for people: "directions (random, axes, poles, near poles)"
-  std::string unit;          ///< for people: "sqrt((2l+1)/(4 pi))", the size that machine epsilon is multiplied by
-  std::string nearest = {};  ///< for people: "the input scaled to length 1"; empty when every input is in the domain
+  std::string inputs;  ///< for people: "directions (random, axes, poles, near poles)"
+  std::string unit;    ///< for people: "sqrt((2l+1)/(4 pi))", the size that machine epsilon is multiplied by
   /// Flattened inputs, each rounded to the kernel's type before use.
   std::function<std::vector<std::vector<double>>(int degree)> test_inputs;
   /// The size of the values that an element of the flattened results is compared with, at an input.
   std::function<double(std::span<const double> inputs, std::size_t element)> size = {};
-  /// The point of the domain that a rounded input stands for; empty when every input is in the domain.
-  std::function<std::vector<cln::cl_F>(const std::vector<cln::cl_F>& inputs)> nearest_in_domain = {};
   /// Instead of `size` where it depends on the kernel's degree.
   std::function<double(int degree, std::span<const double> inputs, std::size_t element)> size_at_degree = {};
 
@@ -69,7 +66,9 @@ struct Family {
   /// Exact outputs of the family at `count` points of its domain, derived from symbolic/, not from a recipe.
   std::function<Reference(int degree, int count)> reference;
   Domain domain;
-  std::string arguments = {};             ///< what `shgen emit` has to be told instead of the name; empty: the name
+  std::string arguments = {};  ///< what `shgen emit` has to be told instead of the name; empty: the name
+  /// A family alike whose factors and result have degrees of their own; empty: there is none.
+  std::function<Family(int left_degree, int right_degree, int degree)> of_degrees = {};
   std::optional<BatchDriver> batch = {};  ///< empty: kernels are called one by one
 };
 

@@ -1,4 +1,4 @@
-#include "codegen/recipes/zonal/irradiance.hpp"
+#include "symbolic/zonal/irradiance.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +7,8 @@
 #include "codegen/families/families.hpp"
 #include "codegen/measure/directions.hpp"
 #include "codegen/measure/domains.hpp"
+#include "codegen/recipes/zonal/zonal.hpp"
 #include "symbolic/basis/basis.hpp"
-#include "symbolic/zonal/irradiance.hpp"
 
 namespace sh::codegen {
 namespace {
@@ -21,7 +21,6 @@ constexpr const char* kOneDegree = "the only one that has this form";
 constexpr const char* kCoefficients = "coefficient vectors (random, of norm 1)";
 constexpr const char* kWithNormals =
     "coefficient vectors (random, of norm 1) with normals (random, axes, poles, near poles)";
-constexpr const char* kNormalised = "the normal scaled to length 1";
 
 int count(int degree) { return (degree + 1) * (degree + 1); }
 
@@ -123,10 +122,6 @@ double coefficients_length(std::span<const double> inputs, std::size_t /*output*
   return length(inputs.first(inputs.size() - 3));
 }
 
-std::vector<cln::cl_F> normal_last(const std::vector<cln::cl_F>& inputs) {
-  return with_unit_direction(inputs, inputs.size() - 3);
-}
-
 // --- lightmap form: E(n) = e_0 + e_1 y + e_2 z + e_3 x
 
 // E of one coefficient or sample is linear in (1, y, z, x): read its coefficients from the basis functions.
@@ -182,8 +177,6 @@ double project_size(std::span<const double> inputs, std::size_t output) {
   return std::abs(inputs[3]) / 2 + std::abs(inputs[4 + output]);
 }
 
-std::vector<cln::cl_F> direction_first(const std::vector<cln::cl_F>& inputs) { return with_unit_direction(inputs, 0); }
-
 Reference lightmap_evaluate_reference(int degree, int points) {
   const auto normals = rational_directions(points);
   const auto forms = rational_vectors(points, count(degree), 89);
@@ -234,10 +227,8 @@ Family irradiance_evaluate_family() {
       .reference = evaluate_reference,
       .domain = {.inputs = kWithNormals,
                  .unit = "the norm of c",
-                 .nearest = kNormalised,
                  .test_inputs = evaluate_inputs,
-                 .size = coefficients_length,
-                 .nearest_in_domain = normal_last},
+                 .size = coefficients_length},
   };
 }
 
@@ -263,10 +254,8 @@ Family lightmap_project_family() {
       .reference = project_reference,
       .domain = {.inputs = "samples (random, axes, poles, near poles) with random weights and sums",
                  .unit = "(|weight| / 2 + |sum|)",
-                 .nearest = "the direction scaled to length 1",
                  .test_inputs = project_inputs,
-                 .size = project_size,
-                 .nearest_in_domain = direction_first},
+                 .size = project_size},
   };
 }
 
@@ -280,10 +269,8 @@ Family lightmap_evaluate_family() {
       .reference = lightmap_evaluate_reference,
       .domain = {.inputs = kWithNormals,
                  .unit = "the norm of e",
-                 .nearest = kNormalised,
                  .test_inputs = evaluate_inputs,
-                 .size = coefficients_length,
-                 .nearest_in_domain = normal_last},
+                 .size = coefficients_length},
   };
 }
 

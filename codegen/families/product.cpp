@@ -1,8 +1,7 @@
+#include "codegen/recipes/product/product.hpp"
+
 #include "codegen/families/families.hpp"
 #include "codegen/families/product_reference.hpp"
-#include "codegen/recipes/product/product_pairs.hpp"
-#include "codegen/recipes/product/product_separable.hpp"
-#include "codegen/recipes/product/product_tensor.hpp"
 
 namespace sh::codegen {
 namespace {
@@ -56,6 +55,7 @@ Family product_family() {
                       {"tensor", tensor, 0, kLargestByTerms}},
           .reference = [](int degree, int count) { return product_reference(equal(degree), count); },
           .domain = factor_domain(equal_factors(2), "|a| |b|"),
+          .of_degrees = rectangular_product_family,
           .batch = BatchDriver{.what = "Products of two functions, projected on the same bands", .largest = 6}};
 }
 

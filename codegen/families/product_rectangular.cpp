@@ -8,10 +8,8 @@
 #include "codegen/families/families.hpp"
 #include "codegen/families/product_reference.hpp"
 #include "codegen/ir/cost.hpp"
-#include "codegen/passes/share.hpp"
-#include "codegen/recipes/product/product_pairs.hpp"
-#include "codegen/recipes/product/product_separable.hpp"
-#include "codegen/recipes/product/product_tensor.hpp"
+#include "codegen/passes/passes.hpp"
+#include "codegen/recipes/product/product.hpp"
 
 namespace sh::codegen {
 namespace {

@@ -1,11 +1,10 @@
-#include "codegen/recipes/basis/project.hpp"
-
 #include <cmath>
 #include <numbers>
 
 #include "codegen/families/families.hpp"
 #include "codegen/measure/directions.hpp"
 #include "codegen/measure/domains.hpp"
+#include "codegen/recipes/basis/basis.hpp"
 #include "symbolic/basis/basis.hpp"
 
 namespace sh::codegen {
@@ -16,7 +15,6 @@ using symbolic::Surd;
 constexpr std::size_t kInputs = 400;
 constexpr std::size_t kFirstSum = 4;  // x, y, z, weight, sums
 constexpr const char* kSamples = "samples (directions random, axes, poles, near poles; weights and sums in -1 .. 1)";
-constexpr const char* kNormalised = "the direction scaled to length 1";
 
 int count(int degree) { return (degree + 1) * (degree + 1); }
 
@@ -94,10 +92,6 @@ double moments_size(std::span<const double> inputs, std::size_t output) {
   return std::abs(inputs[3]) + std::abs(inputs[kFirstSum + output]);
 }
 
-std::vector<cln::cl_F> unit_direction_first(const std::vector<cln::cl_F>& inputs) {
-  return with_unit_direction(inputs, 0);
-}
-
 // --- project_finish
 
 // A_lm is linear in the moments: the axial polynomial's coefficient of z^n times the moment of (m, n).
@@ -162,10 +156,8 @@ Family project_family() {
       .reference = project_reference,
       .domain = {.inputs = kSamples,
                  .unit = "|weight| sqrt((2l+1)/(4 pi)) + |sum before|",
-                 .nearest = kNormalised,
                  .test_inputs = samples,
-                 .size = project_size,
-                 .nearest_in_domain = unit_direction_first},
+                 .size = project_size},
       .batch = BatchDriver{.what = "Adds weight * Y of every direction to the sum",
                            .parts = "project_moments",
                            .finish = "project_finish"},
@@ -179,10 +171,8 @@ Family project_moments_family() {
       .reference = moments_reference,
       .domain = {.inputs = kSamples,
                  .unit = "|weight| + |moment before|",
-                 .nearest = kNormalised,
                  .test_inputs = samples,
-                 .size = moments_size,
-                 .nearest_in_domain = unit_direction_first},
+                 .size = moments_size},
   };
 }
 

@@ -28,26 +28,6 @@ double length_of_coefficients(std::span<const double> inputs, std::size_t /*outp
 
 double one(std::span<const double> /*inputs*/, std::size_t /*output*/) { return 1; }
 
-std::vector<cln::cl_F> with_nearest_rotation(const std::vector<cln::cl_F>& inputs) {
-  std::vector<cln::cl_F> result = nearest_rotation({inputs.begin(), inputs.begin() + kMatrixSize});
-  result.insert(result.end(), inputs.begin() + kMatrixSize, inputs.end());
-  return result;
-}
-
-template <std::size_t kSize>
-std::vector<cln::cl_F> with_unit_start(const std::vector<cln::cl_F>& rounded) {
-  std::vector<cln::cl_F> inputs = rounded;
-  cln::cl_F square = inputs[0] * inputs[0];
-  for (std::size_t i = 1; i < kSize; ++i) square = square + inputs[i] * inputs[i];
-  const cln::cl_F length = cln::sqrt(square);
-  for (std::size_t i = 0; i < kSize; ++i) inputs[i] = inputs[i] / length;
-  return inputs;
-}
-
-std::vector<cln::cl_F> with_nearest_rotation_and_direction(const std::vector<cln::cl_F>& inputs) {
-  return with_unit_direction(with_nearest_rotation(inputs), inputs.size() - 3);
-}
-
 // sqrt of the sum of all Y_lm^2, times |c|
 double size_of_value(std::span<const double> inputs, std::size_t /*output*/) {
   const std::span<const double> c = inputs.subspan(kMatrixSize, inputs.size() - kMatrixSize - 3);
@@ -66,10 +46,8 @@ Family rotate_family() {
       .reference = rotate_reference,
       .domain = {.inputs = kTurnedVectors,
                  .unit = "|c|",
-                 .nearest = "the nearest rotation matrix",
                  .test_inputs = rotate_inputs,
-                 .size = length_of_coefficients<kMatrixSize>,
-                 .nearest_in_domain = with_nearest_rotation},
+                 .size = length_of_coefficients<kMatrixSize>},
       .batch = BatchDriver{.what = "Coefficients of rotated functions, by rotation matrices"},
   };
 }
@@ -83,10 +61,8 @@ Family rotate_quaternion_family() {
       .reference = rotate_quaternion_reference,
       .domain = {.inputs = kTurnedVectors,
                  .unit = "|c|",
-                 .nearest = "the quaternion scaled to length 1",
                  .test_inputs = rotate_quaternion_inputs,
-                 .size = length_of_coefficients<4>,
-                 .nearest_in_domain = with_unit_start<4>},
+                 .size = length_of_coefficients<4>},
   };
 }
 
@@ -97,10 +73,8 @@ Family rotate_z_family() {
       .reference = rotate_z_reference,
       .domain = {.inputs = "unit vectors turned about z (random angles, quarter turns, angles from 2^-99)",
                  .unit = "|c|",
-                 .nearest = "cosine and sine scaled to the unit circle",
                  .test_inputs = rotate_z_inputs,
-                 .size = length_of_coefficients<2>,
-                 .nearest_in_domain = with_unit_start<2>},
+                 .size = length_of_coefficients<2>},
   };
 }
 
@@ -111,12 +85,7 @@ Family rotate_build_family() {
       .recipes = {{"dense", recipes::rotate_build_dense, 0, kLargestDegree},
                   {"recursive", recipes::rotate_build_recursive, 2, 5}},
       .reference = rotate_build_reference,
-      .domain = {.inputs = kTurns,
-                 .unit = "1",
-                 .nearest = "the nearest rotation matrix",
-                 .test_inputs = rotate_build_inputs,
-                 .size = one,
-                 .nearest_in_domain = with_nearest_rotation},
+      .domain = {.inputs = kTurns, .unit = "1", .test_inputs = rotate_build_inputs, .size = one},
   };
 }
 
@@ -141,10 +110,8 @@ Family rotate_evaluate_family() {
       .reference = rotate_evaluate_reference,
       .domain = {.inputs = "turned unit vectors in random directions",
                  .unit = "|c| (degree+1) / sqrt(4 pi)",
-                 .nearest = "the nearest rotation matrix and the direction scaled to length 1",
                  .test_inputs = rotate_evaluate_inputs,
-                 .size = size_of_value,
-                 .nearest_in_domain = with_nearest_rotation_and_direction},
+                 .size = size_of_value},
   };
 }
 

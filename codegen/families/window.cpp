@@ -1,11 +1,10 @@
-#include "codegen/recipes/zonal/window.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <functional>
 
 #include "codegen/families/families.hpp"
 #include "codegen/measure/domains.hpp"
+#include "codegen/recipes/zonal/zonal.hpp"
 #include "symbolic/basis/basis.hpp"
 
 namespace sh::codegen {

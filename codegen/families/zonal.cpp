@@ -49,10 +49,6 @@ double zonal_size(std::span<const double> inputs, std::size_t output) {
   return std::abs(inputs[static_cast<std::size_t>(std::sqrt(static_cast<double>(output)))]);
 }
 
-std::vector<cln::cl_F> zonal_nearest(const std::vector<cln::cl_F>& inputs) {
-  return with_unit_direction(inputs, inputs.size() - 3);
-}
-
 // x, y, z, 1 - cos, colours, sum
 Reference cap_reference(int degree, int count, int channels) {
   const auto directions = rational_directions(count);
@@ -105,21 +101,15 @@ double cap_light_size(std::span<const double> inputs, std::size_t output, std::s
   return std::abs(inputs[4 + output / coefficients]) * cap_size(inputs[3], l) + std::abs(inputs[4 + channels + output]);
 }
 
-std::vector<cln::cl_F> cap_light_nearest(const std::vector<cln::cl_F>& inputs) {
-  return with_unit_direction(inputs, 0);
-}
-
 Domain cap_light_domain(bool rgb) {
   Domain domain;
   domain.inputs = "lights (random, axes, poles, near poles; half-angles from tiny to pi), half of them added to zero";
   domain.unit = "(|colour| sqrt((2l+1) pi) (1 - cos^2) / 2, at l = 0 |colour| sqrt(pi) (1 - cos), plus |sum|)";
-  domain.nearest = "the direction scaled to length 1";
   domain.test_inputs = rgb ? [](int degree) { return cap_inputs(degree, 3, 200); }
                            : [](int degree) { return cap_inputs(degree, 1, kInputs); };
   domain.size =
       rgb ? [](std::span<const double> inputs, std::size_t output) { return cap_light_size(inputs, output, 3); }
           : [](std::span<const double> inputs, std::size_t output) { return cap_light_size(inputs, output, 1); };
-  domain.nearest_in_domain = cap_light_nearest;
   return domain;
 }
 
@@ -132,10 +122,8 @@ Family zonal_family() {
       .reference = zonal_reference,
       .domain = {.inputs = "directions (random, axes, poles, near poles) with random zonal functions of norm 1",
                  .unit = "|zonal[l]|",
-                 .nearest = "the direction scaled to length 1",
                  .test_inputs = zonal_inputs,
-                 .size = zonal_size,
-                 .nearest_in_domain = zonal_nearest},
+                 .size = zonal_size},
   };
 }
 

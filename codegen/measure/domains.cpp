@@ -24,17 +24,13 @@ double band_maximum(std::span<const double> /*inputs*/, std::size_t output) {
   return std::sqrt((2 * band + 1) / (4 * std::numbers::pi));
 }
 
-std::vector<cln::cl_F> normalised(const std::vector<cln::cl_F>& d) { return with_unit_direction(d, 0); }
-
 }  // namespace
 
 Domain direction_domain() {
-  return {"directions (random, axes, poles, near poles)",
-          "sqrt((2l+1)/(4 pi))",
-          "the input scaled to length 1",
-          directions,
-          band_maximum,
-          normalised};
+  return {.inputs = "directions (random, axes, poles, near poles)",
+          .unit = "sqrt((2l+1)/(4 pi))",
+          .test_inputs = directions,
+          .size = band_maximum};
 }
 
 std::vector<std::vector<double>> unit_vectors(int count, int size, unsigned long seed) {
@@ -58,13 +54,6 @@ std::vector<std::array<double, 3>> some_test_directions(std::size_t count) {
   std::vector<std::array<double, 3>> chosen(all.begin(), all.begin() + kAxes);
   for (std::size_t i = kAxes; i < all.size(); i += step) chosen.push_back(all[i]);
   return chosen;
-}
-
-std::vector<cln::cl_F> with_unit_direction(std::vector<cln::cl_F> inputs, std::size_t first) {
-  const auto at = [&](std::size_t axis) -> cln::cl_F& { return inputs[first + axis]; };
-  const cln::cl_F norm = cln::sqrt(at(0) * at(0) + at(1) * at(1) + at(2) * at(2));
-  for (std::size_t axis = 0; axis < 3; ++axis) at(axis) = at(axis) / norm;
-  return inputs;
 }
 
 std::vector<double> cap_sizes(int count, unsigned long seed) {

@@ -19,9 +19,6 @@ double length(std::span<const double> vector);
 /// Some `count` of the test directions, the axes and poles and their neighbourhood among them.
 std::vector<std::array<double, 3>> some_test_directions(std::size_t count);
 
-/// The inputs with the three that start at `first` scaled to length 1.
-std::vector<cln::cl_F> with_unit_direction(std::vector<cln::cl_F> inputs, std::size_t first);
-
 /// `count` values of 1 - cos(half-angle) in (0, 2): a third near 0, a third near 2, the same in every run.
 std::vector<double> cap_sizes(int count, unsigned long seed);
 

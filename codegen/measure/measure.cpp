@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "codegen/ir/evaluate.hpp"
+#include "codegen/measure/nearest.hpp"
 
 namespace sh::codegen {
 namespace {
@@ -38,6 +39,7 @@ MeasuredError measure(const Kernel& kernel, const Domain& domain) {
   MeasuredError result;
   Evaluator<T> rounded(kernel);
   Evaluator<cln::cl_F> formula(kernel, kDigits);
+  const bool always_in_domain = nearest_point(kernel.parameters).empty();
   for (const std::vector<double>& wanted : domain.test_inputs(kernel.degree)) {
     std::vector<T> input;
     std::vector<cln::cl_F> exact_input;
@@ -48,7 +50,7 @@ MeasuredError measure(const Kernel& kernel, const Domain& domain) {
     const std::vector<T> computed = rounded(input);
     const std::vector<cln::cl_F> same_input = formula(exact_input);
     const std::vector<cln::cl_F> in_domain =
-        domain.nearest_in_domain == nullptr ? same_input : formula(domain.nearest_in_domain(exact_input));
+        always_in_domain ? same_input : formula(nearest_in_domain(kernel.parameters, exact_input));
     for (std::size_t i = 0; i < computed.size(); ++i) {
       const cln::cl_F value = exact(computed[i]);
       const auto element = static_cast<std::size_t>(kernel.element(i));

@@ -81,4 +81,11 @@ std::vector<std::string> compare_tree(const fs::path& folder, const RenderedFile
   return differences;
 }
 
+fs::path installed_or(const fs::path& path, const fs::path& otherwise) {
+  std::error_code unknown;
+  const fs::path tool = fs::read_symlink("/proc/self/exe", unknown);  // Linux; empty elsewhere
+  const fs::path found = tool.parent_path().parent_path() / path;
+  return !unknown && fs::exists(found) ? found : otherwise;
+}
+
 }  // namespace sh::codegen

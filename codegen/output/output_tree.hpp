@@ -1,4 +1,5 @@
-// Writes a set of rendered files to a folder, or compares it with one, byte for byte.
+// Writes a set of rendered files to a folder, or compares it with one, byte for byte; where an installed tool finds its
+// data.
 #pragma once
 
 #include <filesystem>
@@ -29,5 +30,8 @@ std::vector<std::string> compare_files(const std::filesystem::path& folder, cons
 
 /// The same, and one line for each file that should not be there.
 std::vector<std::string> compare_tree(const std::filesystem::path& folder, const RenderedFiles& files);
+
+/// PREFIX/path where the running tool is PREFIX/bin/shgen and that file or folder exists; `otherwise` elsewhere.
+std::filesystem::path installed_or(const std::filesystem::path& path, const std::filesystem::path& otherwise);
 
 }  // namespace sh::codegen

@@ -4,11 +4,7 @@
 
 #include "codegen/ir/cost.hpp"
 #include "codegen/ir/evaluate.hpp"
-#include "codegen/passes/associate.hpp"
-#include "codegen/passes/factor.hpp"
-#include "codegen/passes/prune.hpp"
-#include "codegen/passes/schedule.hpp"
-#include "codegen/passes/share.hpp"
+#include "codegen/passes/passes.hpp"
 
 namespace sh::codegen {
 namespace {

@@ -1,4 +1,5 @@
-#include "codegen/passes/prune.hpp"
+// Pass: drop nodes that reach no output, and inputs and constants that nothing uses.
+#include "codegen/passes/passes.hpp"
 
 namespace sh::codegen::passes {
 

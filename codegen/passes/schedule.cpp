@@ -1,8 +1,11 @@
-#include "codegen/passes/schedule.hpp"
-
+// Pass: order the nodes so that few values are live at once.
+//
+// Greedy list scheduling: of the nodes whose arguments are ready, take the one that ends the most lifetimes, then the
+// one nearest to what was computed last in the original order. The original order stays if it needs no more values.
 #include <algorithm>
 
 #include "codegen/ir/cost.hpp"
+#include "codegen/passes/passes.hpp"
 
 namespace sh::codegen::passes {
 namespace {

@@ -1,9 +1,10 @@
-#include "codegen/passes/share.hpp"
-
+// Passes: compute equal expressions once (value numbering; addition and multiplication commute), and fold.
 #include <algorithm>
 #include <map>
 #include <optional>
 #include <tuple>
+
+#include "codegen/passes/passes.hpp"
 
 namespace sh::codegen::passes {
 namespace {

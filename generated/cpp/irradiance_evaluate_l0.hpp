@@ -17,7 +17,7 @@
 //               float   rounding 2.7e-08 (0.2 eps)  total 2.7e-08 (0.2 eps)
 //               double  rounding 3.8e-17 (0.2 eps)  total 3.8e-17 (0.2 eps)
 //               rounding: against this formula in exact arithmetic at the same input
-//               total:    against the exact function at the normal scaled to length 1
+//               total:    against the exact function at the direction scaled to length 1
 #pragma once
 
 #include <type_traits>

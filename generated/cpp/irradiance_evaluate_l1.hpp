@@ -17,7 +17,7 @@
 //               float   rounding 1.8e-07 (1.5 eps)  total 1.9e-07 (1.6 eps)
 //               double  rounding 3.2e-16 (1.4 eps)  total 3.0e-16 (1.4 eps)
 //               rounding: against this formula in exact arithmetic at the same input
-//               total:    against the exact function at the normal scaled to length 1
+//               total:    against the exact function at the direction scaled to length 1
 #pragma once
 
 #include <type_traits>

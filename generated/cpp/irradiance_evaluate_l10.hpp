@@ -17,7 +17,7 @@
 //               float   rounding 5.3e-08 (0.4 eps)  total 5.8e-08 (0.5 eps)
 //               double  rounding 1.3e-16 (0.6 eps)  total 1.5e-16 (0.7 eps)
 //               rounding: against this formula in exact arithmetic at the same input
-//               total:    against the exact function at the normal scaled to length 1
+//               total:    against the exact function at the direction scaled to length 1
 #pragma once
 
 #include <type_traits>

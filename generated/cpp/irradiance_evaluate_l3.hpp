@@ -17,7 +17,7 @@
 //               float   rounding 9.6e-08 (0.8 eps)  total 1.1e-07 (0.9 eps)
 //               double  rounding 2.3e-16 (1.0 eps)  total 2.7e-16 (1.2 eps)
 //               rounding: against this formula in exact arithmetic at the same input
-//               total:    against the exact function at the normal scaled to length 1
+//               total:    against the exact function at the direction scaled to length 1
 #pragma once
 
 #include <type_traits>

@@ -17,7 +17,7 @@
 //               float   rounding 1.3e-07 (1.1 eps)  total 1.4e-07 (1.1 eps)
 //               double  rounding 1.8e-16 (0.8 eps)  total 2.3e-16 (1.0 eps)
 //               rounding: against this formula in exact arithmetic at the same input
-//               total:    against the exact function at the normal scaled to length 1
+//               total:    against the exact function at the direction scaled to length 1
 #pragma once
 
 #include <type_traits>

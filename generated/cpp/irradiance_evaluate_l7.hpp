@@ -17,7 +17,7 @@
 //               float   rounding 1.6e-07 (1.3 eps)  total 1.7e-07 (1.4 eps)
 //               double  rounding 1.5e-16 (0.7 eps)  total 1.6e-16 (0.7 eps)
 //               rounding: against this formula in exact arithmetic at the same input
-//               total:    against the exact function at the normal scaled to length 1
+//               total:    against the exact function at the direction scaled to length 1
 #pragma once
 
 #include <type_traits>

@@ -17,7 +17,7 @@
 //               float   rounding 7.9e-08 (0.7 eps)  total 8.1e-08 (0.7 eps)
 //               double  rounding 1.6e-16 (0.7 eps)  total 1.7e-16 (0.8 eps)
 //               rounding: against this formula in exact arithmetic at the same input
-//               total:    against the exact function at the normal scaled to length 1
+//               total:    against the exact function at the direction scaled to length 1
 #pragma once
 
 #include <type_traits>

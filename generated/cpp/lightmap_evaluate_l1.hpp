@@ -16,7 +16,7 @@
 //               float   rounding 1.3e-07 (1.1 eps)  total 1.2e-07 (1.0 eps)
 //               double  rounding 2.2e-16 (1.0 eps)  total 3.0e-16 (1.3 eps)
 //               rounding: against this formula in exact arithmetic at the same input
-//               total:    against the exact function at the normal scaled to length 1
+//               total:    against the exact function at the direction scaled to length 1
 #pragma once
 
 #include <type_traits>

@@ -17,7 +17,7 @@
 //               float   rounding 9.6e-08 (0.8 eps)  total 9.2e-08 (0.8 eps)
 //               double  rounding 2.5e-16 (1.1 eps)  total 2.4e-16 (1.1 eps)
 //               rounding: against this formula in exact arithmetic at the same input
-//               total:    against the exact function at the normal scaled to length 1
+//               total:    against the exact function at the direction scaled to length 1
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

@@ -17,7 +17,7 @@
 //               float   rounding 8.5e-08 (0.7 eps)  total 8.9e-08 (0.7 eps)
 //               double  rounding 2.1e-16 (0.9 eps)  total 2.2e-16 (1.0 eps)
 //               rounding: against this formula in exact arithmetic at the same input
-//               total:    against the exact function at the normal scaled to length 1
+//               total:    against the exact function at the direction scaled to length 1
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

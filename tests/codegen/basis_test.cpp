@@ -1,10 +1,11 @@
 // The recipes of the basis: operations against the published code and the best known, error against the recurrence.
+#include "codegen/recipes/basis/basis.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "codegen/choose/catalogue.hpp"
-#include "codegen/recipes/basis/basis_parity.hpp"
 
 namespace sh::codegen {
 namespace {

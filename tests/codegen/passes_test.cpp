@@ -1,3 +1,5 @@
+#include "codegen/passes/passes.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -5,11 +7,6 @@
 #include "codegen/ir/cost.hpp"
 #include "codegen/ir/evaluate.hpp"
 #include "codegen/ir/literal.hpp"
-#include "codegen/passes/associate.hpp"
-#include "codegen/passes/factor.hpp"
-#include "codegen/passes/prune.hpp"
-#include "codegen/passes/schedule.hpp"
-#include "codegen/passes/share.hpp"
 #include "codegen/print/dump.hpp"
 #include "tests/codegen/support.hpp"
 

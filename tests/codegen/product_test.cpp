@@ -1,4 +1,6 @@
 // Products: the operations of every recipe, the circuits and the quadrature they are made of, exactness, errors.
+#include "codegen/recipes/product/product.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,8 +13,6 @@
 #include "codegen/passes/pipeline.hpp"
 #include "codegen/recipes/linear_circuit.hpp"
 #include "codegen/recipes/product/phi_transform.hpp"
-#include "codegen/recipes/product/product_pairs.hpp"
-#include "codegen/recipes/product/product_separable.hpp"
 #include "codegen/recipes/product/ring_quadrature.hpp"
 
 namespace sh::codegen {

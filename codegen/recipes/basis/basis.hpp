@@ -1,12 +1,9 @@
-// Recipe: all real spherical harmonics up to a degree by the normalised recurrence in l, one column per order m.
-//
-// With c_m + i s_m = (x + iy)^m and Y_lm = p_l_m c_m (m >= 0), p_l_m s_-m (m < 0):
-//     p_m_m = k_m_m,   p_l_m = a_l_m z p_(l-1)_m - b_l_m p_(l-2)_m,
-//     c_(m+1) = x c_m - y s_m,   s_(m+1) = x s_m + y c_m.
-// [Sloan13] has the structure; the constants are derived here, exactly. What is written is the plain recurrence; the
-// passes find its short forms for small l - m. Off the unit sphere b_l_m is multiplied by x^2+y^2+z^2.
+// The recipes of the basis: values, gradients, values at any vector, evaluation and projection. Each .cpp file explains
+// its formulas.
 #pragma once
 
+#include "codegen/ir/ir.hpp"
+#include "codegen/recipes/basis/parity_columns.hpp"
 #include "codegen/recipes/basis/sphere.hpp"
 
 namespace sh::codegen::recipes {
@@ -23,5 +20,66 @@ std::vector<NodeId> append_solid_recurrence(Builder& build, const Direction& d, 
 
 /// basis_l<degree>: inputs x, y, z with |d| = 1; out ((degree+1)^2). Throws as append_recurrence does.
 Kernel basis_recurrence(int degree);
+
+inline constexpr const char* kCentredSource =
+    "polynomials in 2z^2-1 for m <= 2, the recurrence in l for m > 2, doubling in m; derived exactly";
+
+/// Appends the nodes of every Y_lm, in order. Throws as symbolic::require_basis_index does.
+std::vector<NodeId> append_centred(Builder& build, const Direction& d, int degree);
+
+/// basis_l<degree> for accuracy.
+Kernel basis_centred(int degree);
+
+/// Appends the nodes of every Y_lm on the unit sphere, in order, times `weight` where one is given. Throws as
+/// symbolic::require_basis_index does.
+std::vector<NodeId> append_parity(Builder& build, const Direction& d, int degree, const ParityChoices& choices,
+                                  NodeId weight = -1);
+
+/// Appends the nodes of every solid harmonic r^l Y_lm, in order. d S_(m+1,m) / dz is one of the nodes.
+std::vector<NodeId> append_solid(Builder& build, const Direction& d, int degree);
+
+/// basis_l<degree> with accurate_choices.
+Kernel basis_parity(int degree);
+/// basis_l<degree> with the fewest operations.
+Kernel basis_parity_least(int degree);
+
+/// basis_gradient_l<degree>: x, y, z any; out, dx, dy, dz ((degree+1)^2 each). Values by parity columns.
+Kernel basis_gradient_ladder(int degree);
+/// The same with the values by the recurrence in l.
+Kernel basis_gradient_recurrence(int degree);
+
+/// basis_normalised_l<degree>: x, y, z; out ((degree+1)^2).
+Kernel basis_normalised_parity(int degree);
+Kernel basis_normalised_centred(int degree);
+
+/// evaluate_l<degree>: c ((degree+1)^2), x, y, z with |d| = 1; returns the value.
+Kernel evaluate_columns(int degree);
+Kernel evaluate_sum(int degree);
+
+/// evaluate_rgb_l<degree>: c (3, (degree+1)^2) channel by channel, x, y, z; rgb (3).
+Kernel evaluate_rgb_columns(int degree);
+Kernel evaluate_rgb_sum(int degree);
+
+/// Where the coefficient of x^i y^j (of z x^i y^j for the part q) stands: p first, then q, each by falling i, then by
+/// falling j.
+std::size_t polynomial_index(int degree, int i, int j, bool with_z);
+
+/// The exact coefficient of every monomial in every Y_lm: rows by polynomial_index, columns by l(l+1)+m.
+std::vector<std::vector<symbolic::Surd>> polynomial_matrix(int degree);
+
+/// evaluate_prepare_l<degree>: c ((degree+1)^2) to polynomial ((degree+1)^2): order by order to powers of x^2+y^2, then
+/// to monomials.
+Kernel evaluate_prepare(int degree);
+/// evaluate_prepared_l<degree>: polynomial ((degree+1)^2), x, y, z with |d| = 1; returns the value.
+Kernel evaluate_prepared(int degree);
+
+/// project_l<degree>: x, y, z with |d| = 1, weight; sum ((degree+1)^2) in place.
+Kernel project_parity(int degree);
+Kernel project_recurrence(int degree);
+
+/// project_moments_l<degree>: x, y, z, weight; moments ((degree+1)^2) in place.
+Kernel project_moments(int degree);
+/// project_finish_l<degree>: moments ((degree+1)^2) to c ((degree+1)^2).
+Kernel project_finish(int degree);
 
 }  // namespace sh::codegen::recipes

@@ -1,7 +1,13 @@
-#include "codegen/recipes/basis/basis_gradient.hpp"
-
+// Recipes: the solid harmonics S_lm = r^l Y_lm up to a degree with their Cartesian gradients.
+//
+// Ladder: with q = (2l+1)/(2l-1), C and S for orders m and -m, right side of degree l-1 [Hobson31]:
+//     d/dz S_lm = sqrt(q (l^2-m^2)) S_(l-1)m
+//     d/dx C_m = d C_(m-1) - u C_(m+1),  d/dy S_m =  d C_(m-1) + u C_(m+1),
+//     d/dx S_m = d S_(m-1) - u S_(m+1),  d/dy C_m = -d S_(m-1) - u S_(m+1),
+//     d = 1/2 sqrt(q (l+m)(l+m-1)) (times sqrt 2 for m = 1), u = 1/2 sqrt(q (l-m)(l-m-1)),
+//     d/dx, d/dy of S_l0 = -sqrt(q l(l-1)/2) (C_1, S_1).
+// The four products serve six derivatives.
 #include "codegen/recipes/basis/basis.hpp"
-#include "codegen/recipes/basis/basis_parity.hpp"
 
 namespace sh::codegen::recipes {
 namespace {

@@ -1,7 +1,6 @@
-#include "codegen/recipes/basis/basis_normalised.hpp"
-
-#include "codegen/recipes/basis/basis_centred.hpp"
-#include "codegen/recipes/basis/basis_parity.hpp"
+// Recipes: the basis in the direction of any vector but zero: d / |d| first (eight operations, one square root and one
+// division), then the basis by one of its recipes.
+#include "codegen/recipes/basis/basis.hpp"
 
 namespace sh::codegen::recipes {
 namespace {

@@ -1,5 +1,7 @@
-#include "codegen/recipes/basis/basis_parity.hpp"
-
+// Recipe: all real spherical harmonics up to a degree from few products: codegen/recipes/basis/sectoral.hpp for the orders,
+// codegen/recipes/basis/parity_columns.hpp for the polynomials. Odd n >= 3 multiply E_n onto Y_(m+1,+-m), which already holds
+// the factor z.
+#include "codegen/recipes/basis/basis.hpp"
 #include "codegen/recipes/basis/sectoral.hpp"
 #include "symbolic/basis/basis.hpp"
 

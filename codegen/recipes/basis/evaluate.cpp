@@ -1,8 +1,11 @@
-#include "codegen/recipes/basis/evaluate.hpp"
-
+// Recipes: the function with given coefficients in a direction, one or three channels, without storing the basis.
+//
+//   columns  sum over orders of A_m (sum of c T_n over even n + T_1 (c + sum of c E_n over odd n)): the polynomials of
+//            codegen/recipes/basis/parity_columns.hpp are multiplied by coefficients instead of by both sectoral functions
+//   sum      the basis by parity, and its scalar product with the coefficients
 #include <optional>
 
-#include "codegen/recipes/basis/basis_parity.hpp"
+#include "codegen/recipes/basis/basis.hpp"
 #include "codegen/recipes/basis/sectoral.hpp"
 
 namespace sh::codegen::recipes {

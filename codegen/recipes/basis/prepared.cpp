@@ -1,5 +1,8 @@
-#include "codegen/recipes/basis/prepared.hpp"
-
+// Recipes for one coefficient set and many directions: the coefficients of a polynomial once, then Horner's rule.
+//
+// On the unit sphere every function of bands 0 to L is p(x,y) + z q(x,y) for exactly one p of degree L and one q of
+// degree L-1, (L+1)^2 coefficients in all: z^2 = 1-x^2-y^2 leaves no other power of z. The value is Horner's rule in x
+// over coefficients that are polynomials in y: (L+1)^2 - 1 steps of one multiplication and one addition, no constants.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,6 +11,7 @@
 #include <numbers>
 
 #include "codegen/measure/directions.hpp"
+#include "codegen/recipes/basis/basis.hpp"
 #include "symbolic/basis/basis.hpp"
 
 namespace sh::codegen::recipes {

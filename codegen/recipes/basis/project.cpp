@@ -1,5 +1,10 @@
-#include "codegen/recipes/basis/project.hpp"
-
+// Recipes: sum += weight * Y(d), the basis accumulated without being stored; and the same by moments.
+//
+//   parity      the basis by parity, the weight in the sectoral functions where they are linear in them
+//   recurrence  the basis by the recurrence in l, the weight where the columns start
+//
+// Moments: weight * Re or Im (x+iy)^m z^n for m + n <= degree, in the place of Y_(m+n,+-m), are (degree+1)^2 sums of
+// plain products; one linear map turns their sums into coefficients at the end.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,7 +13,6 @@
 
 #include "codegen/measure/directions.hpp"
 #include "codegen/recipes/basis/basis.hpp"
-#include "codegen/recipes/basis/basis_parity.hpp"
 #include "symbolic/basis/basis.hpp"
 
 namespace sh::codegen::recipes {

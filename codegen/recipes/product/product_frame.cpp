@@ -1,5 +1,5 @@
-#include "codegen/recipes/product/product_frame.hpp"
-
+// What all recipes of products share: parameters, results and texts.
+#include "codegen/recipes/product/product.hpp"
 #include "symbolic/product/gaunt.hpp"
 
 namespace sh::codegen::recipes {

@@ -1,11 +1,18 @@
-#include "codegen/recipes/product/product_pairs.hpp"
-
+// Recipe: the product of two functions by pairs of coefficients.
+//
+// The Gaunt tensor is symmetric, so a triple i < j < k stands for six terms. All triples that hold a chosen pair (i, j)
+// share its products:
+//     P = a_i b_j + a_j b_i,   A = sum over k of G_ijk a_k,   B = sum over k of G_ijk b_k,
+//     c_k += G_ijk P,   c_i += A b_j + B a_j,   c_j += A b_i + B a_i,
+// and likewise with half as many products for the pairs (i, i) [Snyder06]. The sums A are one linear map of a, those in
+// B the same map of b, and what P adds to c is its transpose; a short circuit for it serves all three.
 #include <algorithm>
 #include <map>
 #include <optional>
 #include <stdexcept>
 
 #include "codegen/recipes/linear_circuit.hpp"
+#include "codegen/recipes/product/product.hpp"
 #include "symbolic/product/gaunt.hpp"
 
 namespace sh::codegen::recipes {

@@ -4,8 +4,8 @@
 #include <tuple>
 
 #include "codegen/ir/cost.hpp"
-#include "codegen/passes/share.hpp"
-#include "codegen/recipes/product/product_separable.hpp"
+#include "codegen/passes/passes.hpp"
+#include "codegen/recipes/product/product.hpp"
 
 namespace sh::codegen::recipes {
 namespace {

@@ -1,11 +1,19 @@
-#include "codegen/recipes/product/product_separable.hpp"
-
+// Recipe: the product of two functions by quadrature, split by parity in z and by a discrete Fourier transform in phi.
+//
+// Both factors are evaluated on rings of constant z (codegen/recipes/product/ring_quadrature.hpp), multiplied there, and
+// integrated against the basis again. On a pair of rings +-z the parts that are even and odd in z,
+//     E_m = sum over even l+m of theta_lm a_lm,   O_m = sum over odd l+m,
+// give the coefficients E +- O of a trigonometric polynomial in phi on each ring; these are sampled at M angles by
+// parity (codegen/recipes/product/phi_transform.hpp), multiplied like the group Z2 x Z2, and taken back by the transposed
+// maps. M may be less than the degrees ask for: the few frequencies k = M - q that then fall upon q are subtracted.
+// The triple product integral is a sum over quadrature nodes, so all of it is exact.
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <optional>
 
 #include "codegen/recipes/product/phi_transform.hpp"
+#include "codegen/recipes/product/product.hpp"
 #include "codegen/recipes/product/ring_factor.hpp"
 #include "symbolic/product/gaunt.hpp"
 

@@ -1,10 +1,11 @@
-#include "codegen/recipes/product/product_tensor.hpp"
-
+// Recipe: the product of two functions, term by term: c_k = sum over i, j of G_ijk a_i b_j, the Gaunt tensor without
+// its zeros. Every product a_i b_j is made once. The plainest form, and the one with the least rounding error.
 #include <cstdlib>
 #include <map>
 #include <tuple>
 
 #include "codegen/recipes/linear_circuit.hpp"
+#include "codegen/recipes/product/product.hpp"
 #include "symbolic/product/gaunt.hpp"
 
 namespace sh::codegen::recipes {

@@ -1,7 +1,6 @@
 #include <string>
 
-#include "codegen/passes/factor.hpp"
-#include "codegen/passes/share.hpp"
+#include "codegen/passes/passes.hpp"
 #include "codegen/recipes/basis/basis.hpp"
 #include "codegen/recipes/rotation/rotation.hpp"
 #include "codegen/recipes/rotation/rotation_parts.hpp"

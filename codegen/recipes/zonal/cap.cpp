@@ -1,7 +1,12 @@
-#include "codegen/recipes/zonal/cap.hpp"
-
+// Recipes: zonal coefficients of a cap of unit value about +z from u = 1 - cos(half-angle).
+//
+//     z_0 = sqrt(pi) u,   z_l = sqrt((2l+1) pi) s P_l'(c) / (l (l+1)),   c = 1 - u,   s = 1 - c^2 = u (2 - u)
+//
+// u and 2 - u stay factors, so that tiny caps and caps that leave out a tiny cap keep their digits. Reference: the
+// integral (2l+1) P_l = P'_(l+1) - P'_(l-1) [AbramowitzStegun64] 8.5.3, 8.5.4 over the cap.
 #include <string>
 
+#include "codegen/recipes/zonal/zonal.hpp"
 #include "symbolic/basis/basis.hpp"
 
 namespace sh::codegen::recipes {

@@ -1,9 +1,12 @@
-#include "codegen/recipes/zonal/window.hpp"
-
+// Recipes: windows, which damp the higher degrees of a projection in place: c_lm = w_l c_lm, w_0 = 1.
+//
+// Angles, exponentials and the cut-off w are the caller's: a kernel takes one or two numbers made from w once, and
+// finds w_l for every degree from them. References: [Sloan08], "Windowing" and the appendix on the Laplacian.
 #include <string>
 #include <utility>
 
 #include "codegen/recipes/zonal/columns.hpp"
+#include "codegen/recipes/zonal/zonal.hpp"
 
 namespace sh::codegen::recipes {
 namespace {

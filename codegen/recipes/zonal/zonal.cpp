@@ -1,8 +1,13 @@
+// Recipes: a zonal function turned to a direction, and cap lights added in closed form.
+//
+//     h(s . d) has coefficients sqrt(4 pi / (2l+1)) h_l Y_lm(d)          [SloanKautzSnyder02], symbolic/zonal/convolution.hpp
+//
+// The factor is part of the constants of Y_lm, and h_l multiplies what (l, m) and (l, -m) share: cheaper than the basis
+// followed by a scaling.
 #include "codegen/recipes/zonal/zonal.hpp"
 
 #include <string>
 
-#include "codegen/recipes/zonal/cap.hpp"
 #include "codegen/recipes/zonal/columns.hpp"
 
 namespace sh::codegen::recipes {
