@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numbers>
 
 #include "numeric/output/chart_labels.hpp"
 #include "numeric/output/chart_scale.hpp"
@@ -26,6 +27,18 @@ std::string color(int index) { return index < 0 ? "var(--ink)" : fmt::format("va
 
 using Outline = std::vector<Point>;
 
+// Four arms, the first upwards, turned by an angle.
+Outline arms(double turn) {
+  const Outline first = {{-0.4, -1.15}, {0.4, -1.15}, {0.4, -0.4}};
+  Outline all;
+  for (int arm = 0; arm < 4; ++arm) {
+    const double c = std::cos(turn + arm * std::numbers::pi / 2);
+    const double s = std::sin(turn + arm * std::numbers::pi / 2);
+    for (const auto& p : first) all.push_back({c * p.x - s * p.y, s * p.x + c * p.y});
+  }
+  return all;
+}
+
 // A closed outline around 0, its size about 1.
 const Outline& outline(Marker marker) {
   static const std::map<Marker, Outline> kOutlines = {
@@ -33,32 +46,8 @@ const Outline& outline(Marker marker) {
       {Marker::kTriangle, {{0, -1.15}, {1.05, 0.8}, {-1.05, 0.8}}},
       {Marker::kDrop, {{0, 1.15}, {1.05, -0.8}, {-1.05, -0.8}}},
       {Marker::kDiamond, {{0, -1.25}, {1.25, 0}, {0, 1.25}, {-1.25, 0}}},
-      {Marker::kPlus,
-       {{-0.4, -1.15},
-        {0.4, -1.15},
-        {0.4, -0.4},
-        {1.15, -0.4},
-        {1.15, 0.4},
-        {0.4, 0.4},
-        {0.4, 1.15},
-        {-0.4, 1.15},
-        {-0.4, 0.4},
-        {-1.15, 0.4},
-        {-1.15, -0.4},
-        {-0.4, -0.4}}},
-      {Marker::kCross,
-       {{0, -0.5},
-        {0.6, -1.1},
-        {1.1, -0.6},
-        {0.5, 0},
-        {1.1, 0.6},
-        {0.6, 1.1},
-        {0, 0.5},
-        {-0.6, 1.1},
-        {-1.1, 0.6},
-        {-0.5, 0},
-        {-1.1, -0.6},
-        {-0.6, -1.1}}}};
+      {Marker::kPlus, arms(0)},
+      {Marker::kCross, arms(std::numbers::pi / 4)}};
   return kOutlines.at(marker);
 }
 
