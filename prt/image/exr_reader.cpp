@@ -89,14 +89,14 @@ Image read_pixels(const std::string& file, OnFlaw on_flaw) {
   const std::size_t pixel = sizeof(Eigen::Vector3f);
   const std::size_t row = pixel * static_cast<std::size_t>(width);
   Imf::FrameBuffer buffer;
-  const bool grey = names[0] == names[1];
-  for (std::size_t c = 0; c < (grey ? 1U : 3U); ++c) {
+  const bool gray = names[0] == names[1];
+  for (std::size_t c = 0; c < (gray ? 1U : 3U); ++c) {
     char* base = reinterpret_cast<char*>(image.pixels.data()) + c * sizeof(float);
     buffer.insert(names[c], Imf::Slice::Make(Imf::FLOAT, base, window, pixel, row));
   }
   input.setFrameBuffer(buffer);
   input.readPixels(window.min.y, window.max.y);
-  if (grey) {
+  if (gray) {
     for (Eigen::Vector3f& p : image.pixels) p.setConstant(p.x());
   }
   return image;

@@ -74,8 +74,8 @@ Image read_jpeg(const std::string& file, std::string_view bytes, ColorSpace spac
   int width = 0;
   int height = 0;
   int chroma = 0;
-  int colours = 0;
-  if (tjDecompressHeader3(decoder.get(), data, bytes.size(), &width, &height, &chroma, &colours) != 0) {
+  int colors = 0;
+  if (tjDecompressHeader3(decoder.get(), data, bytes.size(), &width, &height, &chroma, &colors) != 0) {
     refuse(file, tjGetErrorStr2(decoder.get()));
   }
   require_sane_size(file, width, height);

@@ -33,8 +33,8 @@ Eigen::Vector3f khronos_pbr_neutral(Eigen::Vector3f color) {
   const float room = 1.0F - kStart;
   const float compressed = 1.0F - room * room / (peak + room - kStart);
   color *= compressed / peak;
-  const float grey = 1.0F - 1.0F / (kDesaturation * (peak - compressed) + 1.0F);
-  return (1.0F - grey) * color + grey * Eigen::Vector3f::Constant(compressed);
+  const float gray = 1.0F - 1.0F / (kDesaturation * (peak - compressed) + 1.0F);
+  return (1.0F - gray) * color + gray * Eigen::Vector3f::Constant(compressed);
 }
 
 Eigen::Vector3f reinhard(const Eigen::Vector3f& color) {

@@ -17,9 +17,9 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 using Pixels = std::set<std::size_t>;
 
-double luminance(const Eigen::Vector3f& colour) {  // Rec. 709
-  return 0.2126 * static_cast<double>(colour.x()) + 0.7152 * static_cast<double>(colour.y()) +
-         0.0722 * static_cast<double>(colour.z());
+double luminance(const Eigen::Vector3f& color) {  // Rec. 709
+  return 0.2126 * static_cast<double>(color.x()) + 0.7152 * static_cast<double>(color.y()) +
+         0.0722 * static_cast<double>(color.z());
 }
 
 /// The directions and solid angles of a picture's pixels.
@@ -36,7 +36,7 @@ class Mosaic {
     return sum;
   }
 
-  /// Of its centre; none where the picture shows nothing there.
+  /// Of its center; none where the picture shows nothing there.
   [[nodiscard]] std::optional<Eigen::Vector3d> direction(std::size_t i) const {
     const std::size_t row = i / width();
     return mapped_direction(mapping_, (static_cast<double>(i % width()) + 0.5) / image_.width,
