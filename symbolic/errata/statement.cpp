@@ -151,8 +151,10 @@ Statement read_statement(const std::string& text) {
 constexpr long kDigits = 60;
 
 numeric value(const ex& e) {
+  const long before = GiNaC::Digits;
   GiNaC::Digits = kDigits;
   const ex number = e.evalf();
+  GiNaC::Digits = before;
   if (!GiNaC::is_a<numeric>(number) || !GiNaC::ex_to<numeric>(number).is_real()) {
     throw std::invalid_argument("expected a real number to compare");
   }

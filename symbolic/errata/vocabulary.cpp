@@ -30,9 +30,9 @@ int integer(const ex& e) {
 }
 unsigned axis_of(const ex& index) { return static_cast<unsigned>((integer(index) + 2) % 3); }
 
-ex P(const exvector& a) { return legendre(integer(a[0]), integer(a[1])); }
-ex Y(const exvector& a) { return real_harmonic(integer(a[0]), integer(a[1])); }
-ex Yc(const exvector& a) { return complex_harmonic(integer(a[0]), integer(a[1])); }
+ex associated_legendre(const exvector& a) { return legendre(integer(a[0]), integer(a[1])); }
+ex real_basis(const exvector& a) { return real_harmonic(integer(a[0]), integer(a[1])); }
+ex complex_basis(const exvector& a) { return complex_harmonic(integer(a[0]), integer(a[1])); }
 ex cosm(const exvector& a) { return multiple(integer(a[0]), a[1], a[2], false); }
 ex sinm(const exvector& a) { return multiple(integer(a[0]), a[1], a[2], true); }
 ex polar(const exvector& a) {
@@ -67,27 +67,27 @@ ex delta(const exvector& a) { return integer(a[0]) == integer(a[1]) ? 1 : 0; }
 ex odd(const exvector& a) { return GiNaC::doublefactorial(integer(a[0])); }
 ex turned(const exvector& a) { return turned_by(a[0], sample_rotation()); }
 ex turned_back(const exvector& a) { return turned_by(a[0], sample_rotation().transpose()); }
-ex R(const exvector& a) { return sample_rotation()(axis_of(a[0]), axis_of(a[1])); }
-ex D(const exvector& a) { return real_rotation(integer(a[0]), integer(a[1]), integer(a[2])); }
-ex C(const exvector& a) { return complex_rotation(integer(a[0]), integer(a[1]), integer(a[2])); }
-ex ReC(const exvector& a) { return C(a).real_part(); }
-ex ImC(const exvector& a) { return C(a).imag_part(); }
-ex d(const exvector& a) { return wigner_small_d(integer(a[0]), integer(a[1]), integer(a[2])); }
-ex db(const exvector& a) {
-  return d(a).subs(GiNaC::exmap{{symbol("ch"), half_cosine(1)}, {symbol("sh"), half_sine(1)}});
+ex rotation_entry(const exvector& a) { return sample_rotation()(axis_of(a[0]), axis_of(a[1])); }
+ex real_entry(const exvector& a) { return real_rotation(integer(a[0]), integer(a[1]), integer(a[2])); }
+ex complex_entry(const exvector& a) { return complex_rotation(integer(a[0]), integer(a[1]), integer(a[2])); }
+ex real_part_of_entry(const exvector& a) { return complex_entry(a).real_part(); }
+ex imaginary_part_of_entry(const exvector& a) { return complex_entry(a).imag_part(); }
+ex small_d(const exvector& a) { return wigner_small_d(integer(a[0]), integer(a[1]), integer(a[2])); }
+ex small_d_of_sample(const exvector& a) {
+  return small_d(a).subs(GiNaC::exmap{{symbol("ch"), half_cosine(1)}, {symbol("sh"), half_sine(1)}});
 }
 
-ex IRP(const exvector& a) {
+ex ivanic_ruedenberg_p(const exvector& a) {
   const int n = integer(a[2]);
   const int l = integer(a[3]);
-  const auto r = [&](int j) { return R({a[0], j}); };
-  const auto below = [&](int column) { return D({l - 1, a[1], column}); };
+  const auto r = [&](int j) { return rotation_entry({a[0], j}); };
+  const auto below = [&](int column) { return real_entry({l - 1, a[1], column}); };
   if (n == l) return r(1) * below(l - 1) - r(-1) * below(1 - l);
   if (n == -l) return r(1) * below(1 - l) + r(-1) * below(l - 1);
   return r(0) * below(n);
 }
 
-ex greenP(const exvector& a) {
+ex green_legendre(const exvector& a) {
   const int l = integer(a[0]);
   const int m = integer(a[1]);
   const ex& x = symbol("c");
@@ -121,20 +121,34 @@ struct Registered {
 
 // Before main, because GiNaC's parser knows the functions that are registered when it is first used.
 const std::array kRegistered{
-    Registered<P>::enter("P", 2),           Registered<Y>::enter("Y", 2),
-    Registered<Yc>::enter("Yc", 2),         Registered<cosm>::enter("cosm", 3),
-    Registered<sinm>::enter("sinm", 3),     Registered<polar>::enter("polar", 1),
-    Registered<sphere>::enter("sphere", 1), Registered<cap>::enter("cap", 2),
-    Registered<octa>::enter("octa", 1),     Registered<at>::enter("at", 3),
-    Registered<dir>::enter("dir", 4),       Registered<integral>::enter("integral", 4),
-    Registered<diffn>::enter("diffn", 3),   Registered<sum>::enter("sum", 4),
-    Registered<prod>::enter("prod", 4),     Registered<delta>::enter("delta", 2),
-    Registered<odd>::enter("odd", 1),       Registered<turned>::enter("turned", 1),
-    Registered<R>::enter("R", 2),           Registered<turned_back>::enter("turned_back", 1),
-    Registered<D>::enter("D", 3),           Registered<C>::enter("C", 3),
-    Registered<ReC>::enter("ReC", 3),       Registered<ImC>::enter("ImC", 3),
-    Registered<d>::enter("d", 3),           Registered<db>::enter("db", 3),
-    Registered<IRP>::enter("IRP", 4),       Registered<greenP>::enter("greenP", 2),
+    Registered<associated_legendre>::enter("P", 2),
+    Registered<real_basis>::enter("Y", 2),
+    Registered<complex_basis>::enter("Yc", 2),
+    Registered<cosm>::enter("cosm", 3),
+    Registered<sinm>::enter("sinm", 3),
+    Registered<polar>::enter("polar", 1),
+    Registered<sphere>::enter("sphere", 1),
+    Registered<cap>::enter("cap", 2),
+    Registered<octa>::enter("octa", 1),
+    Registered<at>::enter("at", 3),
+    Registered<dir>::enter("dir", 4),
+    Registered<integral>::enter("integral", 4),
+    Registered<diffn>::enter("diffn", 3),
+    Registered<sum>::enter("sum", 4),
+    Registered<prod>::enter("prod", 4),
+    Registered<delta>::enter("delta", 2),
+    Registered<odd>::enter("odd", 1),
+    Registered<turned>::enter("turned", 1),
+    Registered<rotation_entry>::enter("R", 2),
+    Registered<turned_back>::enter("turned_back", 1),
+    Registered<real_entry>::enter("D", 3),
+    Registered<complex_entry>::enter("C", 3),
+    Registered<real_part_of_entry>::enter("ReC", 3),
+    Registered<imaginary_part_of_entry>::enter("ImC", 3),
+    Registered<small_d>::enter("d", 3),
+    Registered<small_d_of_sample>::enter("db", 3),
+    Registered<ivanic_ruedenberg_p>::enter("IRP", 4),
+    Registered<green_legendre>::enter("greenP", 2),
 };
 
 GiNaC::symtab make_symbols() {
