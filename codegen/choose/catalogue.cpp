@@ -15,7 +15,7 @@
 namespace sh::codegen {
 namespace {
 
-// A second kernel for accuracy is written where it errs less than this part of what the fastest one does.
+// A second kernel for accuracy is written where it errs less than this part of the error of the fastest one.
 constexpr double kWorthwhile = 0.75;
 
 template <class T>

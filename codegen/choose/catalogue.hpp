@@ -22,12 +22,12 @@ struct Language {
   std::string (*print_family)(const std::vector<FinishedKernel>&) = nullptr;
 };
 
-/// What the choice among the recipes of a family is for.
+/// The aim of the choice among the recipes of a family.
 enum class Prefer { kSpeed, kAccuracy, kSize };
 
 const std::vector<Language>& languages();
 
-/// Throw std::invalid_argument listing what there is.
+/// Throw std::invalid_argument listing the known names.
 const Family& find_family(const std::string& name, const std::vector<Family>& among = families());
 const Language& find_language(const std::string& name);
 const Recipe& find_recipe(const Family& family, int degree, const std::string& name);
@@ -43,7 +43,7 @@ std::vector<Recipe> recipes_for(const Family& family, int degree);
 /// The first of them. Throws std::invalid_argument listing the degrees when there is none.
 Recipe fastest_recipe(const Family& family, int degree);
 
-/// What the recipe makes, with the names and arguments of the catalogue. Errors as require_degree.
+/// The kernel of the recipe, with the names and arguments of the catalogue. Errors as require_degree.
 Kernel recipe_kernel(const Family& family, const Recipe& recipe, int degree);
 /// At how many points a kernel is checked against the exact functions.
 inline constexpr int kReferencePoints = 3;

@@ -39,7 +39,7 @@ std::string joined(const std::vector<int>& items, const char* separator) {
   return text;
 }
 
-// Letters and digits, what else there is as one underscore.
+// Letters and digits; every other character becomes an underscore.
 std::string as_name(const std::string& text) {
   std::string name;
   for (const char c : text) name += c == ',' || c == '-' ? '_' : c;
@@ -118,7 +118,7 @@ bool is_kept(const MaskOptions& options, const Coefficient& c) {
          (options.keep_orders.empty() || contains(options.keep_orders, c.m));
 }
 
-// What all symmetries and the kept bands and orders say together.
+// All symmetries and the kept bands and orders together.
 Allowed allowed(const MaskOptions& options, const std::string& symmetries, const Coefficient& c) {
   Allowed result{is_kept(options, c), 0};
   if (symmetries.empty()) return result;
@@ -203,7 +203,7 @@ void drop_unchanged(Mask& mask, const Kernel& kernel) {
   }
 }
 
-// --- what the head of a file says
+// --- the words in the head of a file
 
 // "0, 2, 6 (by l(l+1)+m)"
 std::string numbered(const Parameter& array, const std::vector<int>& entries_of) {

@@ -1,8 +1,8 @@
-// What a scene knows beforehand: coefficients that are zero or equal, results that nobody wants. A mask takes them out
+// A scene knows some coefficients beforehand to be zero or equal, and does not want some results. A mask takes them out
 // of a kernel before its passes run.
 //
-// Input: a kernel and what is known. Output: the kernel without what it does not need; its arrays keep their shapes,
-// entries that are known are not read, results that are dropped are not written.
+// Input: a kernel and the knowledge. Output: the kernel without the operations that it does not need. Its arrays keep
+// their shapes; known entries are not read, dropped results are not written.
 //
 // A coefficient array is a parameter or result whose role orders its entries by degree and order (codegen/ir/role.hpp):
 // entry i belongs to degree l = floor(sqrt(i)) and order m = i - l(l+1). Zonal coefficients are one entry a degree,
@@ -25,9 +25,9 @@ struct MaskOptions {
   std::vector<int> keep_orders;  ///< other orders m likewise
 
   [[nodiscard]] bool empty() const;
-  /// " --left zonal --keep-bands 0,1": what `shgen emit` has to be told.
+  /// " --left zonal --keep-bands 0,1": the options of `shgen emit`.
   [[nodiscard]] std::string arguments() const;
-  /// "_left_zonal_bands_0_1": what the name of a kernel gains.
+  /// "_left_zonal_bands_0_1": the end of the name of a masked kernel.
   [[nodiscard]] std::string suffix() const;
 };
 
@@ -38,7 +38,7 @@ struct MaskOptions {
 ///   mirror-xy              f(y, x, z) = f(x, y, z)
 const std::vector<std::string>& mask_symmetries();
 
-/// What is known of one flattened input.
+/// The knowledge about one flattened input.
 struct KnownInput {
   enum class Kind { kFree, kZero, kSame, kOpposite };
   Kind kind = Kind::kFree;
@@ -54,8 +54,7 @@ struct Mask {
 /// degrees out of range, and masks that leave no result.
 Mask make_mask(const Kernel& kernel, const MaskOptions& options);
 
-/// The kernel without what the mask takes out; zeros and signs are folded. Its domain and result say what is not read
-/// and not written.
+/// The masked kernel, zeros and signs folded. Its domain and result name the entries that are not read and not written.
 Kernel apply_mask(const Kernel& kernel, const Mask& mask);
 
 /// Inputs as the mask says: zeros, equals and opposites filled in.

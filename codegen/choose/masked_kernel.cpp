@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kGuardDigits = 10;
 
-// The values of the full kernel at the reference points with what is known filled in.
+// The values of the full kernel at the reference points, the known entries filled in.
 Reference masked_reference(const Kernel& full, const Reference& reference, const Mask& mask) {
   Evaluator<cln::cl_F> evaluator(full, kCheckDigits + kGuardDigits);
   Reference masked;

@@ -1,4 +1,4 @@
-// A kernel of the catalogue without what a mask takes out: made, checked against the full one, measured, chosen.
+// A kernel of the catalogue under a mask: made, checked against the full one, measured, chosen.
 //
 // The full kernel of the recipe is checked against the exact functions; the masked one, after every pass, against the
 // full one at the same inputs.
@@ -12,8 +12,8 @@ namespace sh::codegen {
 /// The masked kernel after the mask and after every pass. Errors as kernel_stages and make_mask.
 std::vector<Stage> masked_stages(const Family& family, const Recipe& recipe, int degree, const MaskOptions& options);
 
-/// Of all recipes the one that needs the fewest operations once masked, or with Prefer::kAccuracy the one that errs
-/// least: what suits the full kernel need not suit what is left of it.
+/// The recipe with the fewest operations under the mask or, with Prefer::kAccuracy, with the least error. The recipe
+/// that suits the full kernel may not suit the masked one.
 FinishedKernel masked_kernel(const Family& family, int degree, Prefer prefer, const MaskOptions& options);
 
 }  // namespace sh::codegen

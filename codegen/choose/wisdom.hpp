@@ -1,7 +1,7 @@
 // Wisdom: how long each recipe took on the machine it was tuned on; the committed file decides which recipe is written.
 //
 // A text file, one line a measurement: family, degree, recipe, nanoseconds a call, nanoseconds a lane. `shgen tune`
-// writes it, everything else only reads it, so that what is generated does not depend on the machine at hand.
+// writes it, everything else only reads it, so that generated files do not depend on the machine at hand.
 #pragma once
 
 #include <filesystem>
@@ -37,7 +37,7 @@ class Wisdom {
   std::map<std::tuple<std::string, int, std::string>, Timing> timings_;
 };
 
-/// The committed file, and what it holds.
+/// The committed file, and its content.
 std::filesystem::path wisdom_file();
 const Wisdom& committed_wisdom();
 

@@ -8,7 +8,7 @@ class App;
 
 namespace sh::codegen {
 
-/// What `shgen` exits with.
+/// The exit codes of `shgen`.
 enum ExitCode {
   kDone = 0,
   kDifferent = 1,  ///< `check` found a difference, `prove` a false identity, `errata` a false verdict, `tune` a loser

@@ -1,5 +1,4 @@
-// `shgen emit`: one kernel's file on standard output, in a language, a convention, with or without what a mask leaves
-// out.
+// `shgen emit`: one kernel's file on standard output, in a language and a convention, masked or full.
 #include <CLI/CLI.hpp>
 #include <iostream>
 #include <memory>

@@ -30,7 +30,7 @@ void report_progress(const std::string& kernel) { std::cerr << "shgen: " << kern
 
 void ignore_progress(const std::string& /*kernel*/) {}
 
-// What a command is about: the whole folder, or the kernels of some families in it.
+// The subject of a command: the whole folder, or the kernels of some families in it.
 struct Selection {
   std::string folder;  // empty: the default
   std::vector<std::string> families;

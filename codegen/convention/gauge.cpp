@@ -37,7 +37,7 @@ Gauge product(const Gauge& a, const Gauge& b) {
 // One multiplication by a constant: the factor is a new unknown.
 struct Rescaled {
   NodeId node = -1;      // in the new kernel
-  NodeId argument = -1;  // what is multiplied, in the new kernel; -1: the constant itself is the value
+  NodeId argument = -1;  // the multiplied value, in the new kernel; -1: the constant itself is the value
   ExactReal constant;    // before
 };
 

@@ -1,4 +1,4 @@
-// Rescales what a kernel reads and writes by exact factors, at no cost where its constants can take them up.
+// Rescales the inputs and outputs of a kernel by exact factors, at no cost where its constants can take them up.
 //
 // Every value v of the kernel is held as g v for a factor g, its gauge. Inputs and outputs prescribe theirs; a product
 // has the product of its factors' gauges, both terms of a sum need the same one, and a multiplication by a constant

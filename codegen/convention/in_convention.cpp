@@ -198,7 +198,7 @@ Kernel relaid(Kernel kernel, const Layout& inputs, const Layout& outputs) {
   return kernel;
 }
 
-// What the kernel in our convention gives at the points, mapped, for the outputs of `relaid`; its inputs are exact to
+// The mapped values of the kernel in our convention at the points, for the outputs of `relaid`; its inputs are exact to
 // the digits of the check.
 Reference reference_in(const Kernel& kernel, const Kernel& relaid, const Reference& points, const Layout& inputs,
                        const Layout& outputs) {

@@ -16,11 +16,11 @@ struct ConventionOptions {
   std::string axes;        ///< its coordinates from the caller's, such as "x,z,-y"; empty: the same
 
   [[nodiscard]] bool empty() const { return convention.empty() && axes.empty(); }
-  /// " --convention directxmath": what `shgen emit` has to be told.
+  /// " --convention directxmath": the options of `shgen emit`.
   [[nodiscard]] std::string arguments() const;
 };
 
-/// Measured anew; points: inputs at which the kernel is compared with the map of what it was. Throws
+/// The kernel is measured anew. points: inputs at which it is compared with the map of the old kernel. Throws
 /// std::invalid_argument, one line, for an unknown or complex convention, a family that means something else in other
 /// conventions, and axes that are no signed permutation; std::runtime_error when the kernel differs from the exact map
 /// of our values.

@@ -72,8 +72,8 @@ template <int Channels>
 std::vector<std::vector<double>> test_inputs(int degree) {
   std::vector<std::vector<double>> vectors(kInputs);
   for (int channel = 0; channel < Channels; ++channel) {
-    const auto unit = unit_vectors(static_cast<int>(kInputs), count(degree), static_cast<unsigned long>(302 + channel));
-    for (std::size_t i = 0; i < kInputs; ++i) vectors[i].insert(vectors[i].end(), unit[i].begin(), unit[i].end());
+    const auto seed = static_cast<unsigned long>(302 + channel);
+    vectors = joined(std::move(vectors), unit_vectors(static_cast<int>(kInputs), count(degree), seed));
   }
   return with_directions(std::move(vectors));
 }

@@ -1,4 +1,4 @@
-// A family of kernels: what is computed for every degree, the ways to compute it, and how they are checked.
+// A family of kernels: the functions computed for every degree, the ways to compute them, and their checks.
 #pragma once
 
 #include <functional>
@@ -45,9 +45,9 @@ struct Recipe {
   bool for_speed = true;  ///< false: its error keeps it from being the speed choice, however fast it is
 };
 
-/// A driver over many records on SIMD lanes, made from the kernels of a family by their roles (codegen/print/batch.hpp).
+/// A driver over many records on SIMD lanes, made from the kernels of a family by their roles.
 struct BatchDriver {
-  std::string what;           ///< one line: what it computes
+  std::string what;           ///< one line: the values that it computes
   std::string prepare = {};   ///< family computed once from input 0 where that is shared; empty: there is none
   std::string prepared = {};  ///< the family that takes its result, of the same size, in place of input 0
   std::string parts = {};     ///< for a sum: the family that adds up something faster; empty: there is none
@@ -66,7 +66,7 @@ struct Family {
   /// Exact outputs of the family at `count` points of its domain, derived from symbolic/, not from a recipe.
   std::function<Reference(int degree, int count)> reference;
   Domain domain;
-  std::string arguments = {};  ///< what `shgen emit` has to be told instead of the name; empty: the name
+  std::string arguments = {};  ///< for `shgen emit` in place of the name; empty: the name
   /// A family alike whose factors and result have degrees of their own; empty: there is none.
   std::function<Family(int left_degree, int right_degree, int degree)> of_degrees = {};
   std::optional<BatchDriver> batch = {};  ///< empty: kernels are called one by one

@@ -111,10 +111,7 @@ Reference evaluate_reference(int degree, int points) {
 
 std::vector<std::vector<double>> evaluate_inputs(int degree) {
   const auto normals = some_test_directions(kInputs);
-  auto inputs = unit_vectors(static_cast<int>(normals.size()), count(degree), 85);
-  for (std::size_t i = 0; i < inputs.size(); ++i)
-    inputs[i].insert(inputs[i].end(), normals[i].begin(), normals[i].end());
-  return inputs;
+  return joined(unit_vectors(static_cast<int>(normals.size()), count(degree), 85), normals);
 }
 
 // The length of the coefficient vector in front of a normal.
@@ -164,13 +161,7 @@ Reference project_reference(int degree, int points) {
 
 std::vector<std::vector<double>> project_inputs(int degree) {
   const auto directions = some_test_directions(kInputs);
-  const auto others = unit_vectors(static_cast<int>(directions.size()), 1 + count(degree), 88);
-  std::vector<std::vector<double>> inputs;
-  for (std::size_t i = 0; i < directions.size(); ++i) {
-    inputs.emplace_back(directions[i].begin(), directions[i].end());
-    inputs.back().insert(inputs.back().end(), others[i].begin(), others[i].end());
-  }
-  return inputs;
+  return joined(directions, unit_vectors(static_cast<int>(directions.size()), 1 + count(degree), 88));
 }
 
 double project_size(std::span<const double> inputs, std::size_t output) {

@@ -19,7 +19,7 @@ Reference triple_reference(int degree, int count);
 
 /// The numbers of coefficients of the factors of a product at a degree.
 using FactorSizes = std::function<std::vector<int>(int degree)>;
-/// unit: what the error is counted in, e.g. "|a| |b|".
+/// unit: of the error, e.g. "|a| |b|".
 Domain factor_domain(const FactorSizes& sizes, const std::string& unit);
 Domain square_domain();
 

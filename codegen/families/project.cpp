@@ -27,14 +27,7 @@ double band_maximum(std::size_t output) {
 
 // x, y, z, weight and the sums before.
 std::vector<std::vector<cln::cl_RA>> exact_samples(int degree, int points) {
-  std::vector<std::vector<cln::cl_RA>> samples;
-  const auto directions = rational_directions(points);
-  const auto rest = rational_vectors(points, 1 + count(degree), 401);
-  for (std::size_t k = 0; k < directions.size(); ++k) {
-    samples.emplace_back(directions[k].begin(), directions[k].end());
-    samples.back().insert(samples.back().end(), rest[k].begin(), rest[k].end());
-  }
-  return samples;
+  return joined(rational_directions(points), rational_vectors(points, 1 + count(degree), 401));
 }
 
 // Sums plus weight times f(l, m), a polynomial and its factor.
@@ -73,15 +66,12 @@ Reference moments_reference(int degree, int points) {
 }
 
 std::vector<std::vector<double>> samples(int degree) {
-  std::vector<std::vector<double>> inputs;
   const auto directions = some_test_directions(kInputs);
-  const auto rest = unit_vectors(static_cast<int>(directions.size()), 1 + count(degree), 402);
-  for (std::size_t i = 0; i < directions.size(); ++i) {
-    inputs.emplace_back(directions[i].begin(), directions[i].end());
-    // Of the order of 1 at every degree.
-    for (const double value : rest[i]) inputs.back().push_back(value * degree + value);
+  auto rest = unit_vectors(static_cast<int>(directions.size()), 1 + count(degree), 402);
+  for (std::vector<double>& vector : rest) {
+    for (double& value : vector) value = value * degree + value;  // of the order of 1 at every degree
   }
-  return inputs;
+  return joined(directions, rest);
 }
 
 double project_size(std::span<const double> inputs, std::size_t output) {

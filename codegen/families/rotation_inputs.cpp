@@ -52,6 +52,13 @@ std::vector<cln::cl_F> times(const std::vector<Surds>& bands, const Rationals& c
 
 void append(Rationals& list, const Rationals& more) { list.insert(list.end(), more.begin(), more.end()); }
 
+// The point at which matrices, made from `inputs`, turn c.
+ReferencePoint turned_point(Rationals inputs, const std::vector<Surds>& bands, const Rationals& c) {
+  std::vector<cln::cl_F> outputs = times(bands, c);
+  append(inputs, c);
+  return {std::move(inputs), std::move(outputs)};
+}
+
 // The square of q scaled to length 1: rational, and a rotation twice as far.
 Rationals unit_square(const RationalQuaternion& q) {
   const RationalQuaternion square = symbolic::quaternion_product(q, q);
@@ -61,25 +68,16 @@ Rationals unit_square(const RationalQuaternion& q) {
   return unit;
 }
 
-// How coefficients are made: all bands for even i, the highest alone for odd i.
-class Coefficients {
- public:
-  Coefficients(int degree, std::size_t count)
-      : degree_(degree),
-        whole_(unit_vectors(static_cast<int>(count), count_of(degree), kSeed)),
-        band_(unit_vectors(static_cast<int>(count), 2 * degree + 1, kSeed)) {}
-
-  void append_to(std::vector<double>& input, std::size_t i) const {
-    const std::vector<double>& c = i % 2 == 0 ? whole_[i] : band_[i];
-    if (i % 2 != 0) input.resize(input.size() + to_size(degree_ * degree_), 0.0);
-    input.insert(input.end(), c.begin(), c.end());
+// With coefficients behind: all bands for even rows, the highest alone for odd ones.
+std::vector<std::vector<double>> with_coefficients(const std::vector<std::vector<double>>& rows, int degree) {
+  auto coefficients = unit_vectors(static_cast<int>(rows.size()), count_of(degree), kSeed);
+  const auto band = unit_vectors(static_cast<int>(rows.size()), 2 * degree + 1, kSeed);
+  for (std::size_t i = 1; i < rows.size(); i += 2) {
+    coefficients[i].assign(to_size(degree * degree), 0.0);
+    coefficients[i].insert(coefficients[i].end(), band[i].begin(), band[i].end());
   }
-
- private:
-  int degree_;
-  std::vector<std::vector<double>> whole_;
-  std::vector<std::vector<double>> band_;
-};
+  return joined(rows, coefficients);
+}
 
 std::vector<RationalQuaternion> rotations_for(int degree) { return test_rotations(degree <= kManyInputs ? 6 : 2); }
 
@@ -101,11 +99,8 @@ Reference rotate_reference(int degree, int count) {
   Reference reference;
   const auto coefficients = rational_vectors(count, count_of(degree), kSeed);
   for (const RationalQuaternion& q : rational_rotations(count)) {
-    Rationals inputs = rotation_entries(q);
-    const Rationals& c = coefficients[reference.size()];
-    std::vector<cln::cl_F> outputs = times(exact_bands(degree, inputs), c);
-    append(inputs, c);
-    reference.push_back({std::move(inputs), std::move(outputs)});
+    const Rationals r = rotation_entries(q);
+    reference.push_back(turned_point(r, exact_bands(degree, r), coefficients[reference.size()]));
   }
   return reference;
 }
@@ -116,12 +111,9 @@ Reference rotate_quaternion_reference(int degree, int count) {
   std::vector<RationalQuaternion> rotations = rational_rotations(count);
   rotations.back() = {0, 1, 2, 0};  // its square is -1 apart from its size: beta = 0
   for (const RationalQuaternion& q : rotations) {
-    Rationals inputs = unit_square(q);
-    const Rationals& c = coefficients[reference.size()];
-    std::vector<cln::cl_F> outputs =
-        times(exact_bands(degree, rotation_entries({inputs[0], inputs[1], inputs[2], inputs[3]})), c);
-    append(inputs, c);
-    reference.push_back({std::move(inputs), std::move(outputs)});
+    const Rationals unit = unit_square(q);
+    const Rationals r = rotation_entries({unit[0], unit[1], unit[2], unit[3]});
+    reference.push_back(turned_point(unit, exact_bands(degree, r), coefficients[reference.size()]));
   }
   return reference;
 }
@@ -131,7 +123,7 @@ Reference rotate_z_reference(int degree, int count) {
   const auto coefficients = rational_vectors(count, count_of(degree), kSeed);
   for (const RationalQuaternion& q : rational_rotations(count)) {
     const Rationals unit = unit_square({q[0], 0, 0, q[1]});
-    Rationals inputs{unit[0], unit[3]};
+    const Rationals inputs{unit[0], unit[3]};
     std::vector<Surds> bands;
     for (int l = 0; l <= degree; ++l) {
       const auto about_z = symbolic::rotation_about_z(l);
@@ -140,10 +132,7 @@ Reference rotate_z_reference(int degree, int count) {
         for (int n = 0; n <= 2 * l; ++n) band(m, n) = Surd(about_z(m, n).evaluate(inputs));
       }
     }
-    const Rationals& c = coefficients[reference.size()];
-    std::vector<cln::cl_F> outputs = times(bands, c);
-    append(inputs, c);
-    reference.push_back({std::move(inputs), std::move(outputs)});
+    reference.push_back(turned_point(inputs, bands, coefficients[reference.size()]));
   }
   return reference;
 }
@@ -177,9 +166,7 @@ Reference rotate_apply_reference(int degree, int count) {
       for (int i = 0; i < size * size; ++i) band(i / size, i % size) = Surd(entries[to_size(i)]);
       append(inputs, entries);
     }
-    std::vector<cln::cl_F> outputs = times(bands, c);
-    append(inputs, c);
-    reference.push_back({std::move(inputs), std::move(outputs)});
+    reference.push_back(turned_point(std::move(inputs), bands, c));
   }
   return reference;
 }
@@ -206,34 +193,23 @@ Reference rotate_evaluate_reference(int degree, int count) {
 }
 
 std::vector<std::vector<double>> rotate_inputs(int degree) {
-  std::vector<std::vector<double>> inputs = rotate_build_inputs(degree);
-  const Coefficients coefficients(degree, inputs.size());
-  for (std::size_t i = 0; i < inputs.size(); ++i) coefficients.append_to(inputs[i], i);
-  return inputs;
+  return with_coefficients(rotate_build_inputs(degree), degree);
 }
 
 std::vector<std::vector<double>> rotate_quaternion_inputs(int degree) {
   std::vector<std::vector<double>> inputs;
-  const auto rotations = rotations_for(degree);
-  const Coefficients coefficients(degree, rotations.size());
-  for (std::size_t i = 0; i < rotations.size(); ++i) {
-    append_unit(inputs.emplace_back(), rotations[i]);
-    coefficients.append_to(inputs.back(), i);
-  }
-  return inputs;
+  for (const RationalQuaternion& q : rotations_for(degree)) append_unit(inputs.emplace_back(), q);
+  return with_coefficients(inputs, degree);
 }
 
 std::vector<std::vector<double>> rotate_z_inputs(int degree) {
   std::vector<std::vector<double>> inputs;
-  const auto rotations = rotations_for(degree);
-  const Coefficients coefficients(degree, rotations.size());
-  for (std::size_t i = 0; i < rotations.size(); ++i) {
+  for (const RationalQuaternion& q : rotations_for(degree)) {
     // The rotation's angle, about z.
-    const Rationals r = rotation_entries({rotations[i][0], 0, 0, rotations[i][1] + rotations[i][2] + rotations[i][3]});
+    const Rationals r = rotation_entries({q[0], 0, 0, q[1] + q[2] + q[3]});
     append_rounded(inputs.emplace_back(), {r[0], r[3]});
-    coefficients.append_to(inputs.back(), i);
   }
-  return inputs;
+  return with_coefficients(inputs, degree);
 }
 
 std::vector<std::vector<double>> rotate_build_inputs(int degree) {
@@ -254,18 +230,12 @@ std::vector<std::vector<double>> rotate_apply_inputs(int degree) {
       input.insert(input.end(), rows[row].begin(), rows[row].end());
     }
   }
-  const Coefficients coefficients(degree, inputs.size());
-  for (std::size_t i = 0; i < inputs.size(); ++i) coefficients.append_to(inputs[i], i);
-  return inputs;
+  return with_coefficients(inputs, degree);
 }
 
 std::vector<std::vector<double>> rotate_evaluate_inputs(int degree) {
-  std::vector<std::vector<double>> inputs = rotate_inputs(degree);
-  const auto directions = unit_vectors(static_cast<int>(inputs.size()), 3, kSeed + 1);
-  for (std::size_t i = 0; i < inputs.size(); ++i) {
-    inputs[i].insert(inputs[i].end(), directions[i].begin(), directions[i].end());
-  }
-  return inputs;
+  const std::vector<std::vector<double>> inputs = rotate_inputs(degree);
+  return joined(inputs, unit_vectors(static_cast<int>(inputs.size()), 3, kSeed + 1));
 }
 
 double length_of_applied(std::span<const double> inputs, std::size_t /*output*/) {

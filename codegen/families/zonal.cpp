@@ -17,10 +17,6 @@ std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 constexpr int kInputs = 400;
 
-void append(std::vector<double>& inputs, const std::vector<double>& more) {
-  inputs.insert(inputs.end(), more.begin(), more.end());
-}
-
 Reference zonal_reference(int degree, int count) {
   const auto directions = rational_directions(count);
   const auto zonals = rational_vectors(count, degree + 1, 71);
@@ -40,9 +36,7 @@ Reference zonal_reference(int degree, int count) {
 
 std::vector<std::vector<double>> zonal_inputs(int degree) {
   const auto chosen = some_test_directions(kInputs);
-  std::vector<std::vector<double>> inputs = unit_vectors(static_cast<int>(chosen.size()), degree + 1, 72);
-  for (std::size_t i = 0; i < chosen.size(); ++i) append(inputs[i], {chosen[i].begin(), chosen[i].end()});
-  return inputs;
+  return joined(unit_vectors(static_cast<int>(chosen.size()), degree + 1, 72), chosen);
 }
 
 double zonal_size(std::span<const double> inputs, std::size_t output) {
@@ -53,13 +47,12 @@ double zonal_size(std::span<const double> inputs, std::size_t output) {
 Reference cap_reference(int degree, int count, int channels) {
   const auto directions = rational_directions(count);
   const int coefficients = (degree + 1) * (degree + 1);
-  const auto others = rational_vectors(count, 1 + channels + channels * coefficients, 73);
+  const auto samples = joined(directions, rational_vectors(count, 1 + channels + channels * coefficients, 73));
   const auto cap = symbolic::zonal_coefficients(symbolic::zonal_family("cap-small"), degree);
   const auto turned = symbolic::turned_zonal(degree);
   Reference reference;
   for (std::size_t i = 0; i < directions.size(); ++i) {
-    ReferencePoint point{{directions[i].begin(), directions[i].end()}, {}};
-    point.inputs.insert(point.inputs.end(), others[i].begin(), others[i].end());
+    ReferencePoint point{samples[i], {}};
     cln::cl_RA& u = point.inputs[3];
     u = 2 * cln::abs(u) / (1 + cln::abs(u));
     for (int k = 0; k < channels * coefficients; ++k) {
@@ -82,17 +75,13 @@ std::vector<std::vector<double>> cap_inputs(int degree, int channels, std::size_
   const auto n = static_cast<std::size_t>(channels);
   const auto colours = unit_vectors(static_cast<int>(chosen.size()), channels, 75);
   auto sums = unit_vectors(static_cast<int>(chosen.size()), channels * static_cast<int>(coefficients), 76);
-  std::vector<std::vector<double>> inputs;
+  std::vector<std::array<double, 1>> caps;
   for (std::size_t i = 0; i < chosen.size(); ++i) {
-    std::vector<double> input{chosen[i].begin(), chosen[i].end()};
-    input.push_back(sizes[i]);
-    append(input, colours[i]);
+    caps.push_back({sizes[i]});
     // Half of them start at zero: the light alone is measured, relative to its own size.
     if (i % 2 == 0) sums[i].assign(n * coefficients, 0);
-    append(input, sums[i]);
-    inputs.push_back(std::move(input));
   }
-  return inputs;
+  return joined(joined(joined(chosen, caps), colours), sums);
 }
 
 double cap_light_size(std::span<const double> inputs, std::size_t output, std::size_t channels) {

@@ -1,4 +1,4 @@
-// What a kernel costs: operations that reach an output, the longest chain among them, and register pressure.
+// The cost of a kernel: operations that reach an output, the longest chain among them, and register pressure.
 #pragma once
 
 #include "codegen/ir/ir.hpp"
@@ -18,8 +18,8 @@ struct Cost {
   [[nodiscard]] int operations() const { return mul + add + fma + neg + div + sqrt + select; }
 };
 
-/// Nodes that reach no output cost nothing; the body of a loop costs what it does once for every row, a sum over the
-/// rows one addition a row.
+/// Nodes that reach no output cost nothing. The body of a loop counts once for every row; a sum over the rows is one
+/// addition a row.
 Cost cost(const Kernel& kernel);
 
 }  // namespace sh::codegen

@@ -1,62 +1,40 @@
 #include "codegen/ir/ir.hpp"
 
+#include <iterator>
 #include <stdexcept>
 #include <utility>
 
 namespace sh::codegen {
 
-int argument_count(Op op) {
-  switch (op) {
-    case Op::kInput:
-    case Op::kConstant:
-    case Op::kTable:
-      return 0;
-    case Op::kNeg:
-    case Op::kSqrt:
-    case Op::kRowSum:
-      return 1;
-    case Op::kAdd:
-    case Op::kSub:
-    case Op::kMul:
-    case Op::kDiv:
-      return 2;
-    case Op::kFma:
-      return 3;
-    case Op::kSelect:
-      return 4;
-  }
-  throw std::logic_error("argument_count: unknown operation");
-}
+namespace {
 
-std::string op_name(Op op) {
-  switch (op) {
-    case Op::kInput:
-      return "input";
-    case Op::kConstant:
-      return "constant";
-    case Op::kNeg:
-      return "neg";
-    case Op::kAdd:
-      return "add";
-    case Op::kSub:
-      return "sub";
-    case Op::kMul:
-      return "mul";
-    case Op::kFma:
-      return "fma";
-    case Op::kDiv:
-      return "div";
-    case Op::kSqrt:
-      return "sqrt";
-    case Op::kSelect:
-      return "select";
-    case Op::kTable:
-      return "table";
-    case Op::kRowSum:
-      return "row_sum";
+struct Operation {
+  Op op;
+  int arguments;
+  const char* name;
+};
+
+constexpr Operation kOperations[] = {
+    {Op::kInput, 0, "input"}, {Op::kConstant, 0, "constant"}, {Op::kNeg, 1, "neg"},     {Op::kAdd, 2, "add"},
+    {Op::kSub, 2, "sub"},     {Op::kMul, 2, "mul"},           {Op::kFma, 3, "fma"},     {Op::kDiv, 2, "div"},
+    {Op::kSqrt, 1, "sqrt"},   {Op::kSelect, 4, "select"},     {Op::kTable, 0, "table"}, {Op::kRowSum, 1, "row_sum"}};
+
+constexpr const Operation& operation_of(Op op) { return kOperations[static_cast<std::size_t>(op)]; }
+
+constexpr bool is_in_order() {
+  if (std::size(kOperations) != static_cast<std::size_t>(Op::kRowSum) + 1) return false;
+  for (std::size_t i = 0; i < std::size(kOperations); ++i) {
+    if (kOperations[i].op != static_cast<Op>(i)) return false;
   }
-  throw std::logic_error("op_name: unknown operation");
+  return true;
 }
+static_assert(is_in_order(), "kOperations lists the operations in the order of Op");
+
+}  // namespace
+
+int argument_count(Op op) { return operation_of(op).arguments; }
+
+std::string op_name(Op op) { return operation_of(op).name; }
 
 std::vector<Phase> phases(const Kernel& kernel) {
   std::vector<Phase> result(kernel.nodes.size(), Phase::kBefore);

@@ -6,9 +6,9 @@
 // not support control flow, memory, calls or types: a kernel means the same in every scalar type and language, and the
 // printer chooses the type. Constants stay exact until a printer rounds them (codegen/ir/literal.hpp).
 //
-// One counted loop is possible, for what would outgrow the instruction cache: a kernel with a table of constants has
-// nodes kTable, an element of the table's current row, and kRowSum, the sum of a value over all rows. What depends on
-// the row and on no sum is the body of the loop; everything else is computed once, before it or after it.
+// One counted loop is possible, for code that would outgrow the instruction cache: a kernel with a table of constants
+// has nodes kTable, an element of the table's current row, and kRowSum, the sum of a value over all rows. Values that
+// depend on the row and on no sum are the body of the loop; all others are computed once, before it or after it.
 //
 // Names are hints for readers, never identity. Nodes that reach no output are allowed (passes leave them behind,
 // `prune` drops them) and cost nothing.
@@ -39,7 +39,7 @@ struct Node {
 
 struct Output {
   NodeId node = -1;
-  std::string label;  ///< what the value is, e.g. "l=2 m=-1"
+  std::string label;  ///< the meaning of the value, e.g. "l=2 m=-1"
   int element = -1;   ///< which of the flattened results it is; -1: as many as there are outputs before it
 };
 
@@ -50,9 +50,9 @@ struct Kernel {
   std::string arguments;  ///< of `shgen emit` that give this kernel: "basis --degree 4"
   std::string recipe;     ///< which way of computing the family
   std::string citation;   ///< where the way comes from
-  std::string title;      ///< one line: what is computed
-  std::string domain;     ///< what the inputs have to satisfy
-  std::string result;     ///< what the outputs are, in which order and convention
+  std::string title;      ///< one line: the functions that are computed
+  std::string domain;     ///< the conditions on the inputs
+  std::string result;     ///< the outputs, their order and convention
   bool factored = false;  ///< the recipe chose the forms of its polynomials: the pass `factor` leaves them alone
   std::vector<Parameter> parameters;
   std::vector<Parameter> results;  ///< arrays, or one scalar; a result named as a parameter is updated in place
@@ -73,7 +73,7 @@ struct Kernel {
 int argument_count(Op op);
 /// When a node is computed: before the loop (also when there is none), for every row of the table, after the loop.
 enum class Phase { kBefore, kBody, kAfter };
-/// By node. Throws std::logic_error for a sum of what depends on no row, or on a sum and a row.
+/// By node. Throws std::logic_error for a sum of a value that depends on no row, or on a sum and a row.
 std::vector<Phase> phases(const Kernel& kernel);
 /// Printable name of an operation: "mul".
 std::string op_name(Op op);

@@ -42,7 +42,7 @@ struct Parameter {
   std::string name;
   std::vector<int> shape;  ///< empty: a scalar
   Role role = Role::kParameter;
-  int degree = -1;  ///< of what the array holds; -1: it has none
+  int degree = -1;  ///< of the functions in the array; -1: it has none
   int axis = -1;    ///< 0, 1, 2 for x, y, z or red, green, blue; -1: it is no component
 
   [[nodiscard]] int size() const;

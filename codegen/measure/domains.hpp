@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <utility>
 
 #include "codegen/families/family.hpp"
 
@@ -13,6 +14,21 @@ Domain direction_domain();
 /// `count` random vectors of `size` numbers scaled to length 1, the same in every run: coefficients to test with.
 std::vector<std::vector<double>> unit_vectors(int count, int size, unsigned long seed);
 
+/// Row by row: `rows` with `more` behind it. Rows of `more` are vectors or directions, as many as `rows` at least.
+template <class T, class Row>
+std::vector<std::vector<T>> joined(std::vector<std::vector<T>> rows, const std::vector<Row>& more) {
+  for (std::size_t i = 0; i < rows.size(); ++i) rows[i].insert(rows[i].end(), more[i].begin(), more[i].end());
+  return rows;
+}
+
+/// The same with directions in front.
+template <class T, class Row>
+std::vector<std::vector<T>> joined(const std::vector<std::array<T, 3>>& directions, const std::vector<Row>& more) {
+  std::vector<std::vector<T>> rows;
+  for (const auto& d : directions) rows.emplace_back(d.begin(), d.end());
+  return joined(std::move(rows), more);
+}
+
 /// The Euclidean length.
 double length(std::span<const double> vector);
 
@@ -22,7 +38,7 @@ std::vector<std::array<double, 3>> some_test_directions(std::size_t count);
 /// `count` values of 1 - cos(half-angle) in (0, 2): a third near 0, a third near 2, the same in every run.
 std::vector<double> cap_sizes(int count, unsigned long seed);
 
-/// What the zonal coefficient of degree l of a cap is measured by: |z_0| at l = 0, sqrt((2l+1) pi) (1 - cos^2) / 2
+/// The size of the zonal coefficient of degree l of a cap: |z_0| at l = 0, sqrt((2l+1) pi) (1 - cos^2) / 2
 /// above.
 double cap_size(double one_minus_cos, std::size_t l);
 

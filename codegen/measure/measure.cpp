@@ -12,7 +12,7 @@
 namespace sh::codegen {
 namespace {
 
-// Far beyond double, and what the largest degree loses on the way.
+// Far beyond double, even after the loss at the largest degree.
 constexpr int kDigits = 40;
 
 template <class T>

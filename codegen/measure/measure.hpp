@@ -1,8 +1,8 @@
 // Measures the error of a kernel on its family's test inputs, in float and double, without contraction.
 //
 // Rounding error: against the kernel's own formula in exact arithmetic at the same rounded input. Total error: against
-// the exact functions at the point of the domain that the input stands for (a direction scaled to length 1), which is
-// what a caller sees. Both are the largest over all test inputs and all outputs; "eps" counts units of machine epsilon
+// the exact functions at the point of the domain that the input stands for (a direction scaled to length 1): the error
+// that a caller sees. Both are the largest over all test inputs and all outputs; "eps" counts units of machine epsilon
 // x the size that the domain gives for the output.
 #pragma once
 

@@ -7,7 +7,7 @@ namespace sh::codegen::passes {
 
 /// Computes equal expressions once (value numbering; addition and multiplication commute).
 Kernel share(const Kernel& kernel);
-/// The same, with zeros, ones, signs and operations on constants resolved: what a mask sets to zero disappears.
+/// The same, with zeros, ones, signs and operations on constants resolved: values that a mask sets to zero disappear.
 Kernel fold(const Kernel& kernel);
 /// Writes polynomials of one or two terms in factored form, where that saves operations.
 Kernel factor(const Kernel& kernel);

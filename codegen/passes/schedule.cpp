@@ -1,7 +1,7 @@
 // Pass: order the nodes so that few values are live at once.
 //
 // Greedy list scheduling: of the nodes whose arguments are ready, take the one that ends the most lifetimes, then the
-// one nearest to what was computed last in the original order. The original order stays if it needs no more values.
+// one nearest, in the original order, to the value computed last. The original order stays if it needs no more values.
 #include <algorithm>
 
 #include "codegen/ir/cost.hpp"

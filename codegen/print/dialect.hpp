@@ -1,4 +1,4 @@
-// What differs between the C-like languages that kernels are printed in; codegen/print/function.hpp uses it.
+// The differences between the C-like languages in which kernels are printed.
 #pragma once
 
 #include <map>
@@ -59,7 +59,7 @@ std::string scalar_name(Scalar scalar);
 /// An array parameter whose size follows its name: "const float c[25]".
 std::string sized_array(const std::string& qualifier, Scalar scalar, const std::string& name, int size);
 
-/// What `shgen emit` needs to be told: "" for float, " --scalar double".
+/// The option of `shgen emit`: "" for float, " --scalar double".
 std::string scalar_option(Scalar scalar);
 
 /// Lines as line comments of C-like languages.

@@ -1,4 +1,4 @@
-// From a kernel to named constants and infix statements: what C-like languages have in common.
+// From a kernel to named constants and infix statements, which C-like languages have in common.
 //
 // A value used once is written into the expression that uses it (with brackets wherever the order of operations would
 // change otherwise); a value used more often becomes a variable under its hint, or a name made from its operands.

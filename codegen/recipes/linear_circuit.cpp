@@ -256,7 +256,7 @@ std::vector<Value> run_forwards(SignedBuilder& build, const LinearCircuit& circu
 }
 
 std::vector<Value> run_transposed(SignedBuilder& build, const LinearCircuit& circuit, const std::vector<Value>& rows) {
-  // What reaches every value from the later ones.
+  // The parts that reach every value from the later ones.
   std::vector<std::vector<Value>> reaching(static_cast<std::size_t>(circuit.inputs) + circuit.sums.size());
   for (std::size_t i = 0; i < rows.size(); ++i) {
     if (circuit.outputs[i] >= 0) reaching[static_cast<std::size_t>(circuit.outputs[i])].push_back(rows[i]);

@@ -1,7 +1,7 @@
 // Linear maps as short circuits: sums of constants times earlier values, shared among the rows of a matrix.
 //
 // A circuit can be run forwards, or transposed (the matrix transposed, by the same products and the same sums read
-// backwards, [Fiduccia73]): what is shared in one direction is shared in the other. The search is greedy: the pair of
+// backwards, [Fiduccia73]): values shared in one direction are shared in the other. The search is greedy: the pair of
 // values x + r y that saves the most operations becomes a value of its own, until none saves any [Paar97]; ties are
 // broken in several fixed ways and the shortest circuit wins.
 #pragma once

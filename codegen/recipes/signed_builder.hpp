@@ -1,7 +1,7 @@
 // Appends sums and products of values that carry a sign, so that no operation is spent on negations or zeros.
 //
-// A recipe that adds many terms with constants of either sign writes them with this; a subtraction costs what an
-// addition costs, and a negation is left over only where a result itself is the negative of a node.
+// It is for recipes that add many terms with constants of either sign. A subtraction costs as much as an addition. A
+// negation is left over only where a result itself is the negative of a node.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// One kernel inside another: a recipe that begins or ends with what another recipe computes.
+// One kernel inside another: a recipe that begins or ends with the result of another recipe.
 #pragma once
 
 #include <vector>

@@ -3,7 +3,7 @@
 // With c_m + i s_m = (x + iy)^m and Y_lm = p_l_m c_m (m >= 0), p_l_m s_-m (m < 0):
 //     p_m_m = k_m_m,   p_l_m = a_l_m z p_(l-1)_m - b_l_m p_(l-2)_m,
 //     c_(m+1) = x c_m - y s_m,   s_(m+1) = x s_m + y c_m.
-// [Sloan13] has the structure; the constants are derived here, exactly. What is written is the plain recurrence; the
+// [Sloan13] has the structure; the constants are derived here, exactly. The recipe writes the plain recurrence; the
 // passes find its short forms for small l - m. Off the unit sphere b_l_m is multiplied by x^2+y^2+z^2.
 #include "codegen/recipes/basis/basis.hpp"
 

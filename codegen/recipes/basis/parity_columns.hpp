@@ -17,7 +17,7 @@ namespace sh::codegen::recipes {
 inline constexpr const char* kParitySource =
     "parity in z, doubling in m, columns tied by Gegenbauer relations (Abramowitz and Stegun 22.7); derived exactly";
 
-/// What trades operations for error, column by column.
+/// Choices that trade operations for error, column by column.
 struct ParityChoices {
   bool split_square = false;  ///< A_2 by (x-y)(x+y) instead of 2x^2 - (1-z^2): one operation more from degree 3
   int even_across = 0;        ///< columns m below this have T_2 in 1-z^2 instead of z^2

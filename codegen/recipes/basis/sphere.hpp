@@ -1,4 +1,4 @@
-// What the recipes of the basis share: exact factors, axial polynomials, texts. Names: codegen/recipes/zonal/columns.hpp.
+// Parts that the recipes of the basis share: exact factors, axial polynomials, texts.
 #pragma once
 
 #include <string>
@@ -38,7 +38,7 @@ struct AxialForm {
   std::vector<cln::cl_RA> powers;
   bool odd = false;
 };
-/// Y_lm / Y_mm for m > 0, Y_l0 itself for m = 0: what multiplies the sectoral functions of order m.
+/// Y_lm / Y_mm for m > 0, Y_l0 itself for m = 0: the factor of the sectoral functions of order m.
 AxialForm axial_form(int l, int m);
 
 /// k a + c with the sign of c in the operation. The constants of p_4_2 are called a_4_2 and b_4_2.

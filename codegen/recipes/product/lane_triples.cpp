@@ -21,7 +21,7 @@ struct Term {
   Surd g;
 };
 
-// What the scales leave of c_k.
+// The part of c_k that the scales leave.
 std::vector<Term> remaining(int k) {
   std::vector<Term> terms;
   const auto even = [](int e) { return std::find(kEven.begin(), kEven.end(), e) != kEven.end(); };

@@ -2,8 +2,8 @@
 //
 // Functions even in x, y and z (e = 00, 20, 22) multiply every other one by a number: their terms are
 // scale(a)_k b_k + scale(b)_k a_k with scale(a)_k = sum over e of a_e G_ekk (half of it where e = k), and need no
-// permutation. The other terms are done in rounds, g a_i b_j in every lane; lane k < 9 adds to c_k, and lanes beyond
-// take what is too much for one lane and are added at the end.
+// permutation. The other terms are done in rounds, g a_i b_j in every lane. Lane k < 9 adds to c_k. The lanes
+// beyond take the terms that are too many for one lane, and are added at the end.
 #pragma once
 
 #include <array>

@@ -2,8 +2,8 @@
 //
 // Samples are taken at phi_j = 2 pi j / M, j = 0 .. M/4, M a multiple of 4, split by parity: functions of even or odd
 // order, cosines or sines. The four parts at phi_j give the values at +-phi_j and pi +- phi_j, and multiply like the
-// group Z2 x Z2. Coefficients may be scaled freely, as whoever makes them multiplies by constants anyway: the scales
-// are chosen for the shortest circuits.
+// group Z2 x Z2. The recipe that makes the coefficients multiplies them by constants anyway, so their scales are free
+// and are chosen for the shortest circuits.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@ namespace sh::codegen::recipes {
 inline constexpr int kParts = 4;
 constexpr int part_of(int order) { return (order < 0 ? 1 : 0) + (order % 2 == 0 ? 0 : 2); }
 
-/// What a transform has to look like.
+/// The shape of a transform.
 struct PhiShape {
   int degree = 0;             ///< orders -degree .. degree
   int angles = 0;             ///< M
@@ -32,7 +32,7 @@ class PhiTransform {
  public:
   explicit PhiTransform(const PhiShape& shape);
 
-  /// What the coefficient of an order has to be multiplied by.
+  /// The factor by which the coefficient of an order has to be multiplied.
   [[nodiscard]] const ExactReal& scale(int order) const;
   /// True when both rings share the coefficient.
   [[nodiscard]] bool shared(int order) const { return shape_.rings == 2 && std::abs(order) == shape_.degree; }

@@ -1,5 +1,5 @@
-// The recipes of products of functions on the sphere, and what they share: parameters, results and texts. Each .cpp file
-// explains its formulas.
+// The recipes of products of functions on the sphere, and the parts that they share: parameters, results and texts.
+// Each .cpp file explains its formulas.
 #pragma once
 
 #include <string>

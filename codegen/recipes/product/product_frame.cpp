@@ -1,4 +1,4 @@
-// What all recipes of products share: parameters, results and texts.
+// The parts that all recipes of products share: parameters, results and texts.
 #include "codegen/recipes/product/product.hpp"
 #include "symbolic/product/gaunt.hpp"
 

@@ -34,7 +34,7 @@ class RingQuadrature {
   [[nodiscard]] ExactReal theta(int l, int m, int ring) const;
   /// The weight of one ring (of each of a pair).
   [[nodiscard]] ExactReal weight(int ring) const;
-  /// For people: what z1, z2, ... are.
+  /// For people: the values of z1, z2, ...
   [[nodiscard]] std::string definition() const;
 
  private:

@@ -21,7 +21,7 @@ struct Turn {
   std::map<int, NodeId> sine;
 };
 
-/// factor * node, the product left to whoever has another constant to multiply.
+/// factor * node. The product is left to a recipe that has another constant to multiply.
 struct Multiple {
   symbolic::Surd factor{1};
   NodeId node = -1;

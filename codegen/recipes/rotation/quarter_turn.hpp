@@ -3,7 +3,7 @@
 // Y_lm has parities (+-1) under x -> -x, y -> -y, z -> -z. The quarter turn exchanges those of y and z, so it maps the
 // columns of one class to the rows of one class. A class that is mapped to itself is a symmetric matrix whose square is
 // 1, that is +-(1 - U W) with U of low rank; the others are written with each row divided by its largest entry, and
-// whoever uses them puts these scales elsewhere.
+// the recipe that uses them puts these scales elsewhere.
 #pragma once
 
 #include <optional>
@@ -26,7 +26,7 @@ class QuarterTurnClass {
   /// Divides row i by another entry, nearly as large, if the square of that one is among more of `squares` than the
   /// square of scale(i) is; takes the old square out and puts the new one in.
   void prefer_scale(std::size_t row, std::multiset<symbolic::Surd>& squares);
-  /// Row i of the class is scale(i) times what `forward` and `backward` use.
+  /// Row i of the class is scale(i) times the row that `forward` and `backward` use.
   [[nodiscard]] const symbolic::Surd& scale(std::size_t row) const { return scales_[row]; }
   /// columns -> rows
   [[nodiscard]] std::vector<Signed> forward(Builder& build, const std::vector<Signed>& v) const;

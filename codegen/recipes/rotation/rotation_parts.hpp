@@ -1,4 +1,4 @@
-// What the rotation recipes share: parameters, bands 0 and 1, outputs.
+// Parts that the rotation recipes share: parameters, bands 0 and 1, outputs.
 #pragma once
 
 #include <array>

@@ -45,7 +45,7 @@ void set_outputs(Kernel& kernel, const std::vector<NodeId>& z) {
 // Polynomials of higher degree are written in s - 1/2: in s their coefficients outgrow their values.
 constexpr int kCentredFrom = 5;
 
-// What every coefficient is made of; weight u and weight s carry the weight.
+// The parts of every coefficient; weight u and weight s carry the weight.
 struct Cap {
   NodeId u;           // 1 - cos
   NodeId c;           // cos

@@ -1,4 +1,4 @@
-// What recipes on the sphere share: the parts of Y_lm = factor q_lm(z) Re or Im (x + iy)^m, order m by order m.
+// The parts that recipes on the sphere share: Y_lm = factor q_lm(z) Re or Im (x + iy)^m, order m by order m.
 //
 // q_lm = d^m P_l / dz^m has the parity of n = l - m: q_lm = e_lm for even n and z e_lm for odd n, where e_lm is a
 // polynomial in z^2. Recipes multiply by z once a band instead of once a function.
@@ -27,7 +27,7 @@ class Azimuth {
   std::map<int, std::pair<NodeId, NodeId>> powers_;
 };
 
-/// Who wants every e_lm takes the shortest way to each from others; who wants few of them takes Horner's.
+/// kAll: every e_lm is wanted, each by the shortest way from others. kFew: few are wanted, each by Horner's rule.
 enum class Wanted { kAll, kFew };
 
 /// The polynomials scale(l, m) e_lm in t = 2 z^2 - 1, m <= l, each built on demand. When all are wanted:
@@ -57,7 +57,7 @@ class AxialPolynomials {
   std::map<std::pair<int, int>, NodeId> made_;
 };
 
-/// "p_4_2": a hint for the name of what belongs to degree l and order m.
+/// "p_4_2": a hint for the name of a value of degree l and order m.
 std::string indexed(const std::string& letter, int l, int m);
 
 /// sqrt(4 pi / (2l+1)) times the factor of Y_lm, m >= 0: the constant of a zonal function turned to a direction.
