@@ -1,7 +1,6 @@
 // shcheck rotation: reference values of D_l of a rotation, one entry or all.
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -11,6 +10,7 @@
 
 #include "numeric/commands/commands.hpp"
 #include "numeric/commands/split_numbers.hpp"
+#include "numeric/output/formatted.hpp"
 #include "numeric/output/progress.hpp"
 #include "numeric/reference/correct_digits.hpp"
 #include "numeric/reference/rotation_reference.hpp"
@@ -50,9 +50,7 @@ GivenRotation given_rotation(const Options& options) {
 
 void say_distance(const GivenRotation& rotation) {
   if (rotation.distance == 0) return;
-  std::string number(32, '\0');
-  number.resize(static_cast<std::size_t>(std::snprintf(number.data(), number.size(), "%.2e", rotation.distance)));
-  say("--matrix is " + number + " from the nearest rotation, which is taken");
+  say("--matrix is " + output::formatted("%.2e", rotation.distance) + " from the nearest rotation, which is taken");
 }
 
 // A row of the matrix a line, or the rows as JSON; numbers are texts there, so that no reader rounds them.

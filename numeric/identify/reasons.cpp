@@ -5,10 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 #include <numeric>
 #include <optional>
+
+#include "numeric/output/formatted.hpp"
 
 namespace sh::numeric::identify {
 namespace {
@@ -17,11 +18,7 @@ using Complex = std::complex<double>;
 
 constexpr double kSame = 1e-4;  // relative deviation of what counts as the same function or factor
 
-std::string number(double value, int digits = 7) {
-  std::array<char, 40> text{};
-  std::snprintf(text.data(), text.size(), "%.*g", digits, value);
-  return text.data();
-}
+std::string number(double value, int digits = 7) { return output::formatted("%.*g", digits, value); }
 
 double largest(const std::vector<Complex>& column) {
   double square = 0;

@@ -3,19 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "numeric/oracle/basis.hpp"
 #include "numeric/oracle/rotation_matrices.hpp"
+#include "numeric/output/formatted.hpp"
 
 namespace sh::numeric::identify {
 namespace {
 
-std::string format(double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.3g", value);
-  return text.data();
-}
+std::string format(double value) { return output::formatted("%.3g", value); }
 
 std::size_t entries_in_bands(int degree) {
   std::size_t count = 0;

@@ -4,21 +4,17 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <stdexcept>
 
 #include "numeric/identify/convention.hpp"
 #include "numeric/oracle/basis.hpp"
+#include "numeric/output/formatted.hpp"
 #include "numeric/sampling/directions.hpp"
 
 namespace sh::numeric::identify {
 namespace {
 
-std::string format(double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.9g", value);
-  return text.data();
-}
+std::string format(double value) { return output::formatted("%.9g", value); }
 
 std::array<double, 3> direction_of(const Table& table, const Row& row, bool normalise) {
   std::array<double, 3> d{};
@@ -138,11 +134,7 @@ std::string suggested_directions(int count) {
   const int degree = std::min(kMaxDegree, static_cast<int>(std::sqrt(others)) - 1);
   std::string text = "# directions for functions up to degree " + std::to_string(degree) +
                      "; append the values v0,v1,... of your functions to each line\nx,y,z\n";
-  for (const auto& d : special) {
-    std::array<char, 96> line{};
-    std::snprintf(line.data(), line.size(), "%.17g,%.17g,%.17g\n", d.x, d.y, d.z);
-    text += line.data();
-  }
+  for (const auto& d : special) text += output::formatted("%.17g,%.17g,%.17g\n", d.x, d.y, d.z);
   return text;
 }
 

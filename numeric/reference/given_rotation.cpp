@@ -4,13 +4,13 @@
 #include <mpfr.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <cstdlib>
 #include <stdexcept>
 #include <vector>
 
 #include "numeric/oracle/rotation_matrices.hpp"
 #include "numeric/oracle/surd.hpp"
+#include "numeric/output/formatted.hpp"
 #include "numeric/reference/decimal.hpp"
 
 namespace sh::numeric {
@@ -122,11 +122,7 @@ std::array<MpfrAny, 9> rounded(const std::array<Decimal, 9>& decimals) {
   return result;
 }
 
-std::string scientific(double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.2g", value);
-  return text.data();
-}
+std::string scientific(double value) { return output::formatted("%.2g", value); }
 
 void require_rotation(const std::string& option, const std::array<Decimal, 9>& decimals) {
   const PrecisionScope scope(50);

@@ -3,12 +3,12 @@
 #include "numeric/kernels/checks/rotation_inputs.hpp"
 
 #include <array>
-#include <cstdio>
 #include <numbers>
 #include <string>
 
 #include "numeric/kernels/checks/inputs.hpp"
 #include "numeric/oracle/rotation_matrices.hpp"
+#include "numeric/output/formatted.hpp"
 #include "numeric/sampling/directions.hpp"
 #include "numeric/sampling/random.hpp"
 
@@ -18,11 +18,7 @@ namespace {
 constexpr std::array kTiny = {1e-300, 1e-100, 1e-40, 1e-37, 1e-30, 1e-20, 1e-16, 1e-15, 1e-14, 1e-12,
                               1e-10,  1e-9,   1e-8,  1e-7,  1e-6,  1e-5,  1e-4,  1e-3,  1e-2,  1e-1};
 
-std::string printed(double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.3g", value);
-  return text.data();
-}
+std::string printed(double value) { return output::formatted("%.3g", value); }
 
 struct CirclePoint {
   double cosine, sine;
