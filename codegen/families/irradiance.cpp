@@ -1,5 +1,3 @@
-#include "symbolic/zonal/irradiance.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -9,6 +7,7 @@
 #include "codegen/measure/domains.hpp"
 #include "codegen/recipes/zonal/zonal.hpp"
 #include "symbolic/basis/basis.hpp"
+#include "symbolic/zonal/convolution.hpp"
 
 namespace sh::codegen {
 namespace {

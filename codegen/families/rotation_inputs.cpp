@@ -6,8 +6,7 @@
 #include "codegen/measure/domains.hpp"
 #include "codegen/measure/rotations.hpp"
 #include "symbolic/basis/basis.hpp"
-#include "symbolic/rotation/quaternion_rotation.hpp"
-#include "symbolic/rotation/rotation_axis.hpp"
+#include "symbolic/rotation/rotation.hpp"
 #include "symbolic/rotation/rotation_recursion.hpp"
 
 namespace sh::codegen {

@@ -1,11 +1,12 @@
 #include "symbolic/basis/basis.hpp"
 
+#include <cln/integer.h>
+
 #include <cstdlib>
 #include <map>
 #include <stdexcept>
 #include <string>
 
-#include "symbolic/basis/normalisation.hpp"
 #include "symbolic/number/from_ginac.hpp"
 #include "symbolic/number/polynomial_calculus.hpp"
 #include "symbolic/number/remembered.hpp"
@@ -68,6 +69,23 @@ void require_basis_index(int degree, int order) {
     throw std::invalid_argument("basis: order " + std::to_string(order) + " at degree " + std::to_string(degree) +
                                 "; it should be -degree to degree");
   }
+}
+
+cln::cl_RA squared_factor(int degree, int order) {
+  const int a = std::abs(order);
+  const cln::cl_I below = cln::factorial(static_cast<unsigned>(degree - a));
+  const cln::cl_I above = cln::factorial(static_cast<unsigned>(degree + a));
+  return (order == 0 ? 1 : 2) * (2 * degree + 1) * (below / cln::cl_RA(above));
+}
+
+const Surd& orthonormal_factor(int degree, int order) {
+  static std::map<std::pair<int, int>, Surd> known;
+  return remembered(known, {degree, std::abs(order)},
+                    [&] { return Surd::square_root(squared_factor(degree, order) / 4, -1); });
+}
+
+Surd factor_ratio(int degree, int row_order, int column_order) {
+  return Surd::square_root(squared_factor(degree, row_order) / squared_factor(degree, column_order));
 }
 
 BasisFunction reduced_basis_function(int degree, int order) {

@@ -49,4 +49,15 @@ BasisFunction reduced_basis_function(int degree, int order);
 /// Y_lm by the second derivation; throws as require_basis_index does.
 BasisFunction basis_function_by_recurrence(int degree, int order);
 
+// The factors k_lm in closed form, Y_lm = k_lm S_lm with the rational S_lm = q(z) Re or Im (x+iy)^a.
+
+/// 4 pi k_lm^2 = (2 - delta_m0) (2l+1) (l-a)!/(l+a)!, rational. Requires 0 <= |m| <= l.
+cln::cl_RA squared_factor(int degree, int order);
+
+/// k_lm of the orthonormal basis; the integral of the square of k_lm S_lm over the sphere is 1.
+const Surd& orthonormal_factor(int degree, int order);
+
+/// k_lm / k_ln, the factor between entry D_mn of a rotation matrix and its rational part T_mn.
+Surd factor_ratio(int degree, int row_order, int column_order);
+
 }  // namespace sh::symbolic

@@ -4,7 +4,7 @@
 #include <cstdlib>
 
 #include "symbolic/basis/basis.hpp"
-#include "symbolic/number/sphere_integral.hpp"
+#include "symbolic/number/polynomial_calculus.hpp"
 
 namespace sh::symbolic {
 namespace {

@@ -6,32 +6,12 @@
 #include <stdexcept>
 
 #include "symbolic/basis/basis.hpp"
-#include "symbolic/basis/normalisation.hpp"
-#include "symbolic/convention/complex_basis.hpp"
-#include "symbolic/rotation/quaternion_rotation.hpp"
-#include "symbolic/zonal/irradiance.hpp"
+#include "symbolic/number/polynomial_calculus.hpp"
+#include "symbolic/rotation/rotation.hpp"
+#include "symbolic/zonal/convolution.hpp"
 
 namespace sh::symbolic {
 namespace {
-
-Matrix<RadicalSum> as_radicals(const Matrix<Surd>& m) {
-  Matrix<RadicalSum> result(m.rows(), m.columns());
-  for (int i = 0; i < m.rows(); ++i) {
-    for (int j = 0; j < m.columns(); ++j) result(i, j) = RadicalSum(m(i, j));
-  }
-  return result;
-}
-
-// The largest number by which every coefficient is an integer without a common factor.
-cln::cl_RA content(const Polynomial& p) {
-  cln::cl_I numerators = 0;
-  cln::cl_I denominators = 1;
-  for (const auto& [monomial, coefficient] : p.terms()) {
-    numerators = cln::gcd(numerators, cln::numerator(coefficient));
-    denominators = cln::lcm(denominators, cln::denominator(coefficient));
-  }
-  return numerators / cln::cl_RA(denominators);
-}
 
 // 4 pi times the square of the orthonormal factor is (2 - delta) (2l+1) (l-a)!/(l+a)!.
 Surd size_of(const Convention& c, int degree, int order) {
@@ -65,7 +45,7 @@ RadicalSum relative_factor(const Convention& c, int degree, int order) {
 }
 
 Matrix<RadicalSum> axes_matrix(const SignedPermutation& axes, int degree) {
-  return as_radicals(surd_entries(degree, axes_band(axes, degree)));
+  return surd_entries(degree, axes_band(axes, degree)).mapped([](const Surd& entry) { return RadicalSum(entry); });
 }
 
 }  // namespace
@@ -150,6 +130,25 @@ Matrix<RadicalSum> basis_change_inverse(const Convention& convention, int degree
 Surd folded_factor(Folded folded, int degree) {
   if (folded == Folded::kNothing) return Surd(1);
   return irradiance_factor(degree) * Surd::square_root(1, -2);
+}
+
+Matrix<RadicalSum> real_from_complex(int degree, bool condon_shortley) {
+  const RadicalSum root_half(Surd::square_root(cln::cl_RA(1) / 2));
+  const RadicalSum minus_i = -RadicalSum::imaginary_unit();
+  Matrix<RadicalSum> w(2 * degree + 1, 2 * degree + 1);
+  w(degree, degree) = RadicalSum(cln::cl_RA(1));
+  for (int m = 1; m <= degree; ++m) {
+    const RadicalSum phased = condon_shortley && m % 2 != 0 ? -root_half : root_half;
+    w(degree + m, degree + m) = phased;
+    w(degree + m, degree - m) = root_half;
+    w(degree - m, degree + m) = minus_i * phased;
+    w(degree - m, degree - m) = -(minus_i * root_half);
+  }
+  return w;
+}
+
+Matrix<RadicalSum> adjoint(const Matrix<RadicalSum>& m) {
+  return m.transposed().mapped([](const RadicalSum& entry) { return entry.conjugate(); });
 }
 
 }  // namespace sh::symbolic

@@ -8,11 +8,8 @@ namespace {
 
 using RadicalMatrix = Matrix<RadicalSum>;
 
-RadicalMatrix scaled(RadicalMatrix m, const RadicalSum& factor) {
-  for (int i = 0; i < m.rows(); ++i) {
-    for (int j = 0; j < m.columns(); ++j) m(i, j) = factor * m(i, j);
-  }
-  return m;
+RadicalMatrix scaled(const RadicalMatrix& m, const RadicalSum& factor) {
+  return m.mapped([&](const RadicalSum& entry) { return factor * entry; });
 }
 
 // C of ours -> convention, A^-T with the folded factor, and its inverse.

@@ -102,16 +102,11 @@ std::vector<SignedPermutation> all_signed_permutations() {
 
 Matrix<cln::cl_RA> axes_band(const SignedPermutation& axes, int degree) {
   const int determinant = axes.determinant();
-  Matrix<cln::cl_RA> rotation = axes.matrix();
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) rotation(i, j) = determinant * rotation(i, j);
-  }
-  Matrix<cln::cl_RA> band = rotation_bands<cln::cl_RA>(degree, rotation, 1).back();
-  if (determinant > 0 || degree % 2 == 0) return band;
-  for (int i = 0; i < band.rows(); ++i) {
-    for (int j = 0; j < band.columns(); ++j) band(i, j) = -band(i, j);
-  }
-  return band;
+  const auto times = [](const Matrix<cln::cl_RA>& m, int sign) {
+    return m.mapped([sign](const cln::cl_RA& entry) -> cln::cl_RA { return sign * entry; });
+  };
+  const auto bands = rotation_bands<cln::cl_RA>(degree, times(axes.matrix(), determinant), 1);
+  return times(bands.back(), degree % 2 == 0 ? 1 : determinant);
 }
 
 }  // namespace sh::symbolic

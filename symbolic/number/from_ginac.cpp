@@ -1,6 +1,8 @@
 #include "symbolic/number/from_ginac.hpp"
 
 #include <stdexcept>
+#include <string>
+#include <utility>
 
 namespace sh::symbolic {
 namespace {

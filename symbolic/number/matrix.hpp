@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -43,6 +44,16 @@ class Matrix {
     Matrix result(columns_, rows_);
     for (int i = 0; i < rows_; ++i) {
       for (int j = 0; j < columns_; ++j) result(j, i) = (*this)(i, j);
+    }
+    return result;
+  }
+
+  /// f of every entry.
+  template <class F>
+  [[nodiscard]] auto mapped(const F& f) const {
+    Matrix<std::decay_t<decltype(f(std::declval<const T&>()))>> result(rows_, columns_);
+    for (int i = 0; i < rows_; ++i) {
+      for (int j = 0; j < columns_; ++j) result(i, j) = f((*this)(i, j));
     }
     return result;
   }

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "symbolic/basis/normalisation.hpp"
+#include "symbolic/basis/basis.hpp"
 #include "symbolic/number/from_ginac.hpp"
 #include "symbolic/number/remembered.hpp"
 

@@ -39,6 +39,11 @@ using GauntTensor = std::map<IndexTriple, Surd>;
 /// One entry, indices in any order, by the definition. Throws as require_basis_index does.
 Surd gaunt(int i, int j, int k);
 
+/// The Wigner 3j symbol (l1 l2 l3; m1 m2 m3) of whole angular momenta, free of pi, by Racah's sum [Edmonds57] eq. 3.6.11
+/// with 3.7.3, whose phase it has. Zero where |m| > l, the orders do not add up to zero or the degrees form no triangle.
+/// Throws std::invalid_argument when a degree is negative.
+Surd wigner_3j(int l1, int l2, int l3, int m1, int m2, int m3);
+
 /// One entry of any degree by Wigner 3j symbols [Gaunt29], [HomeierSteinborn96].
 Surd gaunt_entry_by_wigner(int i, int j, int k);
 

@@ -26,23 +26,34 @@ void require_shape(const ProductShape& shape) {
   }
 }
 
-}  // namespace
+// Zero where a selection rule says so; the integral otherwise.
+Surd selected(int i, int j, int k) { return gaunt_may_differ_from_zero(i, j, k) ? gaunt(i, j, k) : Surd(); }
 
-std::vector<BilinearForm> product_form(const ProductShape& shape) {
+// The second factor has seconds functions, whose indices `second` gives.
+template <class Second>
+std::vector<BilinearForm> forms_of(const ProductShape& shape, int seconds, const Second& second) {
   require_shape(shape);
   std::vector<BilinearForm> forms;
   for (int k = 0; k < count(shape.result); ++k) {
-    BilinearForm form{k, {}};
+    BilinearForm& form = forms.emplace_back(BilinearForm{k, {}});
     for (int i = 0; i < count(shape.a); ++i) {
-      for (int j = 0; j < count(shape.b); ++j) {
-        if (!gaunt_may_differ_from_zero(i, j, k)) continue;
-        const Surd factor = gaunt(i, j, k);
+      for (int j = 0; j < seconds; ++j) {
+        const Surd factor = selected(i, second(j), k);
         if (!factor.is_zero()) form.terms.push_back({i, j, factor});
       }
     }
-    forms.push_back(std::move(form));
   }
   return forms;
+}
+
+}  // namespace
+
+std::vector<BilinearForm> product_form(const ProductShape& shape) {
+  return forms_of(shape, count(shape.b), [](int j) { return j; });
+}
+
+std::vector<BilinearForm> zonal_product_form(const ProductShape& shape) {
+  return forms_of(shape, shape.b + 1, [](int l) { return coefficient_index(l, 0); });
 }
 
 std::vector<BilinearForm> square_form(int degree, int result) {
@@ -58,24 +69,6 @@ std::vector<BilinearForm> square_form(int degree, int result) {
   return forms;
 }
 
-std::vector<BilinearForm> zonal_product_form(const ProductShape& shape) {
-  require_shape(shape);
-  std::vector<BilinearForm> forms;
-  for (int k = 0; k < count(shape.result); ++k) {
-    BilinearForm form{k, {}};
-    for (int i = 0; i < count(shape.a); ++i) {
-      for (int l = 0; l <= shape.b; ++l) {
-        const int j = coefficient_index(l, 0);
-        if (!gaunt_may_differ_from_zero(i, j, k)) continue;
-        const Surd factor = gaunt(i, j, k);
-        if (!factor.is_zero()) form.terms.push_back({i, l, factor});
-      }
-    }
-    forms.push_back(std::move(form));
-  }
-  return forms;
-}
-
 std::vector<TransferEntry> transfer_form(const ProductShape& shape) {
   require_shape(shape);
   std::vector<TransferEntry> entries;
@@ -83,8 +76,7 @@ std::vector<TransferEntry> transfer_form(const ProductShape& shape) {
     for (int column = 0; column < count(shape.a); ++column) {
       TransferEntry entry{row, column, {}};
       for (int k = 0; k < count(shape.b); ++k) {
-        if (!gaunt_may_differ_from_zero(row, column, k)) continue;
-        const Surd factor = gaunt(row, column, k);
+        const Surd factor = selected(row, column, k);
         if (!factor.is_zero()) entry.terms.emplace_back(k, factor);
       }
       if (!entry.terms.empty()) entries.push_back(std::move(entry));

@@ -3,42 +3,22 @@
 
 #include <cstdlib>
 #include <map>
+#include <set>
 
+#include "symbolic/number/polynomial_calculus.hpp"
 #include "symbolic/proofs/basis_proofs.hpp"
 
 namespace sh::symbolic {
 namespace {
 
-cln::cl_I double_factorial(int n) { return n <= 0 ? cln::cl_I(1) : cln::doublefactorial(static_cast<unsigned>(n)); }
-
-// Mean of x^a y^b z^c over the sphere [Folland01], remembered.
-class Moments {
- public:
-  const cln::cl_RA& of(int a, int b, int c) {
-    const auto [position, inserted] = cache_.try_emplace({a, b, c});
-    if (inserted) {
-      position->second = double_factorial(a - 1) * double_factorial(b - 1) * double_factorial(c - 1) /
-                         cln::cl_RA(double_factorial(a + b + c + 1));
-    }
-    return position->second;
-  }
-
- private:
-  std::map<std::array<int, 3>, cln::cl_RA> cache_;
-};
-
 // The mean of f * monomial for every monomial that occurs in the basis: afterwards a pair costs one dot product.
-std::map<Monomial, cln::cl_RA> means_with(const Polynomial& f, const std::map<Monomial, bool>& monomials,
-                                          Moments& moments) {
+std::map<Monomial, cln::cl_RA> means_with(const Polynomial& f, const std::set<Monomial>& monomials) {
   std::map<Monomial, cln::cl_RA> result;
-  for (const auto& [left, unused] : monomials) {
+  for (const Monomial& left : monomials) {
     cln::cl_RA sum = 0;
     for (const auto& [right, coefficient] : f.terms()) {
-      const Monomial product = left * right;
-      const int a = product.exponent(0);
-      const int b = product.exponent(1);
-      const int c = product.exponent(2);
-      if (a % 2 == 0 && b % 2 == 0 && c % 2 == 0) sum = sum + coefficient * moments.of(a, b, c);
+      const cln::cl_RA& mean = sphere_mean(left * right);
+      if (!cln::zerop(mean)) sum = sum + coefficient * mean;
     }
     if (!cln::zerop(sum)) result.emplace(left, sum);
   }
@@ -83,7 +63,9 @@ Polynomial expected_azimuthal(int order) {
 // integral of z^p (1-z^2)^m over [-1, 1] for even p: 2 m! 2^m (p-1)!! / (p+2m+1)!!
 cln::cl_RA axial_moment(int p, int m) {
   if (p % 2 != 0) return 0;
-  return 2 * cln::ash(cln::factorial(static_cast<unsigned>(m)), m) * double_factorial(p - 1) /
+  const auto double_factorial = [](int n) { return cln::doublefactorial(static_cast<unsigned>(n)); };
+  const cln::cl_I above = p == 0 ? cln::cl_I(1) : double_factorial(p - 1);
+  return 2 * cln::ash(cln::factorial(static_cast<unsigned>(m)), m) * above /
          cln::cl_RA(double_factorial(p + 2 * m + 1));
 }
 
@@ -113,13 +95,12 @@ ProofResult prove_order(const std::vector<const BasisFunction*>& functions, int 
 }  // namespace
 
 ProofResult prove_orthonormality(const Basis& basis) {
-  std::map<Monomial, bool> monomials;
+  std::set<Monomial> monomials;
   for (const BasisFunction& f : basis) {
-    for (const auto& [monomial, coefficient] : f.homogeneous.terms()) monomials[monomial] = true;
+    for (const auto& [monomial, coefficient] : f.homogeneous.terms()) monomials.insert(monomial);
   }
-  Moments moments;
   for (std::size_t i = 0; i < basis.size(); ++i) {
-    const auto means = means_with(basis[i].homogeneous, monomials, moments);
+    const auto means = means_with(basis[i].homogeneous, monomials);
     for (std::size_t j = 0; j <= i; ++j) {
       const cln::cl_RA over_pi = 4 * dot(basis[j].homogeneous, means);
       if (!integral_is(basis[i].factor, basis[j].factor, over_pi, i == j)) {

@@ -3,7 +3,7 @@
 #include <stdexcept>
 
 #include "symbolic/number/matrix.hpp"
-#include "symbolic/number/substitute.hpp"
+#include "symbolic/number/polynomial_calculus.hpp"
 
 namespace sh::symbolic {
 namespace {
@@ -20,40 +20,12 @@ Basis derive(int degree, Function function) {
 
 std::string count_of(std::size_t functions) { return std::to_string(functions) + " functions"; }
 
-// p with the variables x, y, z renamed to x + shift, ...
-Polynomial renamed(const Polynomial& p, int shift) {
-  const std::array<Polynomial, 3> variables{Polynomial::variable(shift), Polynomial::variable(shift + 1),
-                                            Polynomial::variable(shift + 2)};
-  return substitute(p, variables);
-}
-
-Polynomial dot_product(int first, int second) {
-  Polynomial sum;
-  for (int i = 0; i < 3; ++i) sum += Polynomial::variable(first + i) * Polynomial::variable(second + i);
-  return sum;
-}
-
-// |u|^l |v|^l P_l(u.v / |u||v|), l = 0..degree: (l+1) P_(l+1) = (2l+1) (u.v) P_l - l |u|^2 |v|^2 P_(l-1) [Bonnet]
-std::vector<Polynomial> two_point_legendre(int degree) {
-  const Polynomial cosine = dot_product(0, 3);
-  const Polynomial squares = dot_product(0, 0) * dot_product(3, 3);
-  std::vector<Polynomial> p{Polynomial(1), cosine};
-  for (int l = 1; l < degree; ++l) {
-    const auto at = static_cast<std::size_t>(l);
-    p.push_back(cln::cl_RA(1) / (l + 1) *
-                (cln::cl_RA(2 * l + 1) * (cosine * p[at]) - cln::cl_RA(l) * (squares * p[at - 1])));
-  }
-  return p;
-}
-
 std::array<Polynomial, 3> cross_with_direction(const Gradient& g) {
   const Polynomial x = Polynomial::variable(0);
   const Polynomial y = Polynomial::variable(1);
   const Polynomial z = Polynomial::variable(2);
   return {y * g[2] - z * g[1], z * g[0] - x * g[2], x * g[1] - y * g[0]};
 }
-
-std::size_t index_of(int degree, int order) { return to_size(degree * (degree + 1) + order); }
 
 // "" when every identity holds for one function.
 std::string gradient_error(const Basis& basis, const BasisFunction& f, const BasisDerivatives& d) {
@@ -72,7 +44,7 @@ std::string gradient_error(const Basis& basis, const BasisFunction& f, const Bas
   for (int axis = 0; axis < 3; ++axis) {
     Polynomial ladder;
     for (const LadderTerm& term : gradient_ladder(f.degree, f.order, axis)) {
-      ladder += term.coefficient * basis[index_of(f.degree - 1, term.order)].homogeneous;
+      ladder += term.coefficient * basis[to_size(coefficient_index(f.degree - 1, term.order))].homogeneous;
     }
     if (!(ladder == d.gradient[static_cast<std::size_t>(axis)])) return "the gradient differs from its ladder";
   }
@@ -84,6 +56,31 @@ std::string gradient_error(const Basis& basis, const BasisFunction& f, const Bas
 Basis derive_basis(int degree) { return derive(degree, basis_function); }
 Basis derive_basis_by_recurrence(int degree) { return derive(degree, basis_function_by_recurrence); }
 Basis derive_reduced_basis(int degree) { return derive(degree, reduced_basis_function); }
+
+Polynomial moved(const Polynomial& p, int first) {
+  const std::array<Polynomial, 3> point{Polynomial::variable(first), Polynomial::variable(first + 1),
+                                        Polynomial::variable(first + 2)};
+  return substitute(p, point);
+}
+
+Polynomial dot_product(int first, int second) {
+  Polynomial sum;
+  for (int i = 0; i < 3; ++i) sum += Polynomial::variable(first + i) * Polynomial::variable(second + i);
+  return sum;
+}
+
+// (l+1) P_(l+1) = (2l+1) (u.v) P_l - l |u|^2 |v|^2 P_(l-1) [Bonnet]
+std::vector<Polynomial> two_point_legendre(int degree) {
+  const Polynomial cosine = dot_product(0, 3);
+  const Polynomial squares = dot_product(0, 0) * dot_product(3, 3);
+  std::vector<Polynomial> p{Polynomial(1), cosine};
+  for (int l = 1; l < degree; ++l) {
+    const auto at = static_cast<std::size_t>(l);
+    p.push_back(cln::cl_RA(1) / (l + 1) *
+                (cln::cl_RA(2 * l + 1) * (cosine * p[at]) - cln::cl_RA(l) * (squares * p[at - 1])));
+  }
+  return p;
+}
 
 std::string name_of(const BasisFunction& f) {
   return "l=" + std::to_string(f.degree) + " m=" + std::to_string(f.order);
@@ -108,7 +105,7 @@ ProofResult prove_addition_theorem(const Basis& basis) {
     const Surd square = f.factor * f.factor;  // rational / pi
     if (square.pi_half_power() != -2 || square.radicand() != 1)
       return refuted(name_of(f) + ": factor^2 pi is irrational");
-    sums[static_cast<std::size_t>(f.degree)] += square.rational() * (f.homogeneous * renamed(f.homogeneous, 3));
+    sums[static_cast<std::size_t>(f.degree)] += square.rational() * (f.homogeneous * moved(f.homogeneous, 3));
   }
   for (int l = 0; l <= degree; ++l) {
     const auto at = static_cast<std::size_t>(l);

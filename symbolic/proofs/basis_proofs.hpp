@@ -9,7 +9,7 @@
 
 #include "symbolic/basis/basis.hpp"
 #include "symbolic/basis/basis_derivatives.hpp"
-#include "symbolic/proofs/proof.hpp"
+#include "symbolic/proofs/proofs.hpp"
 
 namespace sh::symbolic {
 
@@ -20,6 +20,13 @@ using Basis = std::vector<BasisFunction>;
 Basis derive_basis(int degree);                ///< the definition
 Basis derive_basis_by_recurrence(int degree);  ///< the second derivation
 Basis derive_reduced_basis(int degree);        ///< reduced forms only
+
+/// p(x, y, z) at the point whose coordinates are variables first, first + 1, first + 2.
+Polynomial moved(const Polynomial& p, int first);
+/// u.v for two such points.
+Polynomial dot_product(int first, int second);
+/// |u|^l |v|^l P_l(u.v / |u||v|), l = 0..degree (1 at least), u in variables 0, 1, 2, v in 3, 4, 5.
+std::vector<Polynomial> two_point_legendre(int degree);
 
 /// "l=2 m=-1"
 std::string name_of(const BasisFunction& f);

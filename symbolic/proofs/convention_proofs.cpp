@@ -3,12 +3,10 @@
 #include <array>
 
 #include "symbolic/basis/basis.hpp"
-#include "symbolic/basis/normalisation.hpp"
-#include "symbolic/convention/complex_basis.hpp"
+#include "symbolic/convention/convention.hpp"
 #include "symbolic/convention/presets.hpp"
-#include "symbolic/number/substitute.hpp"
-#include "symbolic/rotation/quaternion_rotation.hpp"
-#include "symbolic/rotation/rotation_axis.hpp"
+#include "symbolic/number/polynomial_calculus.hpp"
+#include "symbolic/rotation/rotation.hpp"
 #include "symbolic/rotation/rotation_input.hpp"
 #include "symbolic/rotation/rotation_recursion.hpp"
 

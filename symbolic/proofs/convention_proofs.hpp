@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "symbolic/convention/convention_map.hpp"
-#include "symbolic/proofs/proof.hpp"
+#include "symbolic/proofs/proofs.hpp"
 
 namespace sh::symbolic {
 

@@ -4,9 +4,8 @@
 #include <map>
 #include <utility>
 
-#include "symbolic/basis/basis.hpp"
-#include "symbolic/number/sphere_integral.hpp"
-#include "symbolic/proofs/proof_range.hpp"
+#include "symbolic/number/polynomial_calculus.hpp"
+#include "symbolic/proofs/basis_proofs.hpp"
 
 namespace sh::symbolic {
 namespace {
@@ -21,18 +20,10 @@ std::string show(int i, int j, int k) {
 
 int count(int degree) { return (degree + 1) * (degree + 1); }
 
-std::vector<BasisFunction> basis_to(int degree) {
-  std::vector<BasisFunction> basis;
-  for (int l = 0; l <= degree; ++l) {
-    for (int m = -l; m <= l; ++m) basis.push_back(basis_function(l, m));
-  }
-  return basis;
-}
-
 // Homogeneous polynomials of the basis, raised in degree by powers of x^2+y^2+z^2 as they are asked for.
 class RaisedBasis {
  public:
-  explicit RaisedBasis(int degree) : basis_(basis_to(degree)), raised_(basis_.size()) {
+  explicit RaisedBasis(int degree) : basis_(derive_basis(degree)), raised_(basis_.size()) {
     r2_ = Polynomial::variable(0).power(2) + Polynomial::variable(1).power(2) + Polynomial::variable(2).power(2);
   }
   const BasisFunction& operator[](int index) const { return basis_[static_cast<std::size_t>(index)]; }
@@ -46,7 +37,7 @@ class RaisedBasis {
   }
 
  private:
-  std::vector<BasisFunction> basis_;
+  Basis basis_;
   std::vector<std::vector<Polynomial>> raised_;
   Polynomial r2_;
 };
@@ -84,6 +75,22 @@ ProofResult prove_pair(RaisedBasis& basis, int i, int j, int scale, const Expans
   return sum == product ? proved("")
                         : refuted("the product of functions " + std::to_string(i) + " and " + std::to_string(j) +
                                   " differs from its expansion");
+}
+
+// Every pair (i, j) of functions up to `degree` whose scale is not 0.
+template <class Scale>
+ProofResult prove_pairs(const Expansions& expansions, int degree, const Scale& scale) {
+  RaisedBasis basis(2 * degree);
+  int pairs = 0;
+  for (int i = 0; i < count(degree); ++i) {
+    for (int j = 0; j < count(degree); ++j) {
+      if (scale(i, j) == 0) continue;
+      ProofResult pair = prove_pair(basis, i, j, scale(i, j), expansions);
+      if (!pair.proved) return pair;
+      ++pairs;
+    }
+  }
+  return proved(std::to_string(pairs) + " products");
 }
 
 }  // namespace
@@ -131,47 +138,24 @@ ProofResult prove_gaunt_selection_rules(const GauntTensor& tensor) {
 }
 
 ProofResult prove_product_identity(const std::vector<BilinearForm>& forms, int degree) {
-  RaisedBasis basis(2 * degree);
-  const Expansions expansions = expansions_of(forms);
-  for (int i = 0; i < count(degree); ++i) {
-    for (int j = 0; j < count(degree); ++j) {
-      ProofResult pair = prove_pair(basis, i, j, 1, expansions);
-      if (!pair.proved) return pair;
-    }
-  }
-  return proved(std::to_string(count(degree) * count(degree)) + " products");
+  return prove_pairs(expansions_of(forms), degree, [](int, int) { return 1; });
 }
 
 ProofResult prove_square_identity(const std::vector<BilinearForm>& forms, int degree) {
-  RaisedBasis basis(2 * degree);
-  const Expansions expansions = expansions_of(forms);
-  for (int i = 0; i < count(degree); ++i) {
-    for (int j = i; j < count(degree); ++j) {
-      ProofResult pair = prove_pair(basis, i, j, i == j ? 1 : 2, expansions);
-      if (!pair.proved) return pair;
-    }
-  }
-  return proved(std::to_string(expansions.size()) + " products");
+  return prove_pairs(expansions_of(forms), degree, [](int i, int j) { return j < i ? 0 : i == j ? 1 : 2; });
 }
 
 ProofResult prove_zonal_product_identity(const std::vector<BilinearForm>& forms, int degree) {
-  RaisedBasis basis(2 * degree);
   Expansions expansions;
   for (auto& [pair, expansion] : expansions_of(forms)) {
     expansions[{pair.first, coefficient_index(pair.second, 0)}] = expansion;
   }
-  for (int i = 0; i < count(degree); ++i) {
-    for (int l = 0; l <= degree; ++l) {
-      ProofResult pair = prove_pair(basis, i, coefficient_index(l, 0), 1, expansions);
-      if (!pair.proved) return pair;
-    }
-  }
-  return proved(std::to_string(expansions.size()) + " products");
+  return prove_pairs(expansions, degree, [](int, int j) { return degree_order(j).order == 0 ? 1 : 0; });
 }
 
 ProofResult prove_transfer_matrix(const std::vector<std::vector<RadicalSum>>& matrix, const std::vector<Surd>& known,
                                   const ProductShape& shape) {
-  const std::vector<BasisFunction> basis = basis_to(std::max({shape.a, shape.b, shape.result}));
+  const Basis basis = derive_basis(std::max({shape.a, shape.b, shape.result}));
   const Surd sphere_area = Surd(4) * Surd::square_root(1, 2);
   if (matrix.size() != static_cast<std::size_t>(count(shape.result))) return refuted("the number of rows");
   for (std::size_t row = 0; row < matrix.size(); ++row) {
@@ -210,37 +194,37 @@ std::vector<Proof> gaunt_proofs() {
   const std::string fifth_power = "the tensor grows with the fifth power";
   const std::string expansion = "each product is multiplied out and expanded on up to 2 degree + 1 bands";
   return {
-      with_range_check({"gaunt-tensor", "GiNaC's definition G_ijk = integral Y_i Y_j Y_k = Wigner 3j symbols",
-                        "two derivations compared entry by entry", 10, kMaxGauntDegree, fifth_power,
-                        [](int degree) { return prove_gaunt_tensor(gaunt_tensor(degree), degree); }}),
-      with_range_check({"gaunt-symmetry", "G_ijk does not change when its indices are permuted",
-                        "every order derived by itself", 9, 10, slow,
-                        [](int degree) {
-                          return prove_gaunt_symmetry(product_form({degree, degree, degree}));
-                        }}),
-      with_range_check({"gaunt-selection-rules", "G_ijk = 0 unless parity, triangle, signs and orders match",
-                        "the tensor by integration, which does not use the rules", 9, kMaxGauntDegree, slow,
-                        [](int degree) { return prove_gaunt_selection_rules(gaunt_tensor(degree)); }}),
-      with_range_check({"product-identity", "Y_i Y_j = sum_k G_ijk Y_k on the sphere, k up to 2 degree + 1 bands",
-                        "polynomials modulo x^2+y^2+z^2 = 1", 9, 10, expansion,
-                        [](int degree) {
-                          return prove_product_identity(product_form({degree, degree, 2 * degree}), degree);
-                        }}),
-      with_range_check({"square-identity", "(sum_i a_i Y_i)^2 = sum_k c_k Y_k on the sphere, c = square_form(a)",
-                        "polynomials modulo x^2+y^2+z^2 = 1", 6, 10, expansion,
-                        [](int degree) { return prove_square_identity(square_form(degree, 2 * degree), degree); }}),
-      with_range_check({"zonal-product-identity", "Y_i Y_l0 = sum_k G Y_k on the sphere",
-                        "polynomials modulo x^2+y^2+z^2 = 1", 9, 10, expansion,
-                        [](int degree) {
-                          return prove_zonal_product_identity(zonal_product_form({degree, degree, 2 * degree}), degree);
-                        }}),
-      with_range_check({"transfer-matrix", "M_ij = integral b Y_i Y_j for a known function b",
-                        "sum of Gaunt entries against integration of monomials", 3, 6, slow,
-                        [](int degree) {
-                          const ProductShape shape{degree, degree, degree};
-                          const std::vector<Surd> known = harmonic_coefficients(degree);
-                          return prove_transfer_matrix(transfer_matrix(known, shape), known, shape);
-                        }}),
+      {"gaunt-tensor", "GiNaC's definition G_ijk = integral Y_i Y_j Y_k = Wigner 3j symbols",
+       "two derivations compared entry by entry", kMaxGauntDegree, kMaxGauntDegree, fifth_power,
+       [](int degree) { return prove_gaunt_tensor(gaunt_tensor(degree), degree); }},
+      {"gaunt-symmetry", "G_ijk does not change when its indices are permuted", "every order derived by itself", 9, 10,
+       slow,
+       [](int degree) {
+         return prove_gaunt_symmetry(product_form({degree, degree, degree}));
+       }},
+      {"gaunt-selection-rules", "G_ijk = 0 unless parity, triangle, signs and orders match",
+       "the tensor by integration, which does not use the rules", 9, kMaxGauntDegree, slow,
+       [](int degree) { return prove_gaunt_selection_rules(gaunt_tensor(degree)); }},
+      {"product-identity", "Y_i Y_j = sum_k G_ijk Y_k on the sphere, k up to 2 degree + 1 bands",
+       "polynomials modulo x^2+y^2+z^2 = 1", 9, 10, expansion,
+       [](int degree) {
+         return prove_product_identity(product_form({degree, degree, 2 * degree}), degree);
+       }},
+      {"square-identity", "(sum_i a_i Y_i)^2 = sum_k c_k Y_k on the sphere, c = square_form(a)",
+       "polynomials modulo x^2+y^2+z^2 = 1", 6, 10, expansion,
+       [](int degree) { return prove_square_identity(square_form(degree, 2 * degree), degree); }},
+      {"zonal-product-identity", "Y_i Y_l0 = sum_k G Y_k on the sphere", "polynomials modulo x^2+y^2+z^2 = 1", 9, 10,
+       expansion,
+       [](int degree) {
+         return prove_zonal_product_identity(zonal_product_form({degree, degree, 2 * degree}), degree);
+       }},
+      {"transfer-matrix", "M_ij = integral b Y_i Y_j for a known function b",
+       "sum of Gaunt entries against integration of monomials", 3, 6, slow,
+       [](int degree) {
+         const ProductShape shape{degree, degree, degree};
+         const std::vector<Surd> known = harmonic_coefficients(degree);
+         return prove_transfer_matrix(transfer_matrix(known, shape), known, shape);
+       }},
   };
 }
 

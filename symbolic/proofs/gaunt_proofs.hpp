@@ -7,7 +7,7 @@
 
 #include "symbolic/product/gaunt.hpp"
 #include "symbolic/product/product_form.hpp"
-#include "symbolic/proofs/proof.hpp"
+#include "symbolic/proofs/proofs.hpp"
 
 namespace sh::symbolic {
 

@@ -1,16 +1,31 @@
 #include "symbolic/proofs/proofs.hpp"
 
+#include <exception>
 #include <stdexcept>
 
 #include "symbolic/basis/basis.hpp"
 #include "symbolic/proofs/basis_proofs.hpp"
 #include "symbolic/proofs/convention_proofs.hpp"
 #include "symbolic/proofs/gaunt_proofs.hpp"
-#include "symbolic/proofs/proof_range.hpp"
 #include "symbolic/proofs/rotation_proofs.hpp"
 #include "symbolic/proofs/zonal_proofs.hpp"
 
 namespace sh::symbolic {
+namespace {
+
+// The same entry; its run refuses degrees outside its range.
+Proof with_range_check(Proof proof) {
+  proof.run = [name = proof.name, max = proof.max_degree, limit = proof.limit, run = proof.run](int degree) {
+    if (degree < 0 || degree > max) {
+      throw std::invalid_argument("proof " + name + ": degree " + std::to_string(degree) + "; it should be 0 to " +
+                                  std::to_string(max) + " (" + limit + ")");
+    }
+    return run(degree);
+  };
+  return proof;
+}
+
+}  // namespace
 
 std::vector<Proof> all_proofs() {
   std::vector<Proof> all;
@@ -18,6 +33,14 @@ std::vector<Proof> all_proofs() {
     for (const Proof& proof : area) all.push_back(with_range_check(proof));
   }
   return all;
+}
+
+ProofResult run_proof(const Proof& proof, int degree) {
+  try {
+    return proof.run(degree);
+  } catch (const std::exception& error) {
+    return refuted(std::string("stopped: ") + error.what());
+  }
 }
 
 void require_proof_degree(int degree) {

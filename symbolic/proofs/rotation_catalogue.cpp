@@ -1,6 +1,6 @@
 // The catalogue of proofs about rotations: what is derived, how far, and why not further.
 #include "symbolic/proofs/rotation_proofs.hpp"
-#include "symbolic/rotation/rotation_axis.hpp"
+#include "symbolic/rotation/rotation.hpp"
 #include "symbolic/rotation/rotation_input.hpp"
 #include "symbolic/rotation/rotation_recursion.hpp"
 

@@ -1,5 +1,6 @@
 // Proofs about the ways to give a rotation: Euler orders, axis and angle, and the ZYZ angles read from a matrix.
-#include "symbolic/number/substitute.hpp"
+#include "symbolic/number/from_ginac.hpp"
+#include "symbolic/number/polynomial_calculus.hpp"
 #include "symbolic/proofs/rotation_proofs.hpp"
 #include "symbolic/rotation/rotation_input.hpp"
 
@@ -35,17 +36,9 @@ ProofResult prove_euler_order(std::string_view order, const EulerFormula& formul
 
 // f (variable 4) squared is `square`: the normal form of p in which f has degree at most 1.
 Polynomial reduce_root(const Polynomial& p, const Polynomial& square) {
-  Polynomial result;
-  for (const auto& [monomial, coefficient] : p.terms()) {
-    std::array<int, 5> exponents{};
-    for (int i = 0; i < 5; ++i) exponents[static_cast<std::size_t>(i)] = monomial.exponent(i);
-    const int pairs = exponents[4] / 2;
-    exponents[4] %= 2;
-    Polynomial term;
-    term.add_term(Monomial(exponents), coefficient);
-    result += term * square.power(pairs);
-  }
-  return result;
+  const std::vector<GiNaC::symbol> v(5);
+  const std::vector<GiNaC::ex> values(v.begin(), v.end());
+  return from_ginac(GiNaC::rem(to_ginac(p, values).expand(), v[4] * v[4] - to_ginac(square, values).expand(), v[4]), v);
 }
 
 // Rz(alpha) Ry(beta) Rz(gamma) with every factor scaled to stay polynomial: alpha by f, beta by n, gamma by f n.
@@ -54,38 +47,21 @@ PolynomialMatrix scaled_product(const ZyzAngles<Polynomial>& angles, const Polyn
          matrix_about_axis(2, angles.gamma, f * n);
 }
 
-PolynomialMatrix at(const PolynomialMatrix& m, const std::array<Polynomial, 4>& q) {
-  PolynomialMatrix result(3, 3);
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) result(i, j) = substitute(m(i, j), q);
-  }
-  return result;
-}
-
 // h != 0: with M = n R, n = |q|^2, f = n sqrt(h): the product of the scaled factors is f^2 n M.
 bool generic_case(const ZyzFormula& formula, const PolynomialMatrix& m, const Polynomial& n) {
   const Polynomial f = Polynomial::variable(4);
   const Polynomial square = m(0, 2) * m(0, 2) + m(1, 2) * m(1, 2);
   const ZyzAngles<Polynomial> angles = formula(m, {m(0, 2), m(1, 2)}, f);
   const PolynomialMatrix product = scaled_product(angles, f, n);
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) {
-      if (!(reduce_root(product(i, j), square) == n * square * m(i, j))) return false;
-    }
-  }
+  const auto reduced = product.mapped([&](const Polynomial& entry) { return reduce_root(entry, square); });
+  if (!(reduced == m.mapped([&](const Polynomial& entry) { return n * square * entry; }))) return false;
   return circle(angles.gamma) == n * n * square;  // gamma is a point of the circle
 }
 
 // h = 0: q = (w, 0, 0, z) or (0, x, y, 0); alpha = (1, 0) and sin beta = 0, scaled by f = n: the product is n^3 M.
 bool pole_case(const ZyzFormula& formula, const PolynomialMatrix& m, const Polynomial& n) {
   const ZyzAngles<Polynomial> angles = formula(m, {n, Polynomial()}, Polynomial());
-  const PolynomialMatrix product = scaled_product(angles, n, n);
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) {
-      if (!(product(i, j) == n.power(3) * m(i, j))) return false;
-    }
-  }
-  return true;
+  return scaled_product(angles, n, n) == m.mapped([&](const Polynomial& entry) { return n.power(3) * entry; });
 }
 
 }  // namespace
@@ -100,7 +76,8 @@ ProofResult prove_zyz_angles(const ZyzFormula& formula) {
   const Polynomial none;
   const std::vector<std::array<Polynomial, 4>> poles{{u, none, none, v}, {none, u, v, none}};
   for (const auto& q : poles) {
-    if (!pole_case(formula, at(m, q), substitute(n, q))) return refuted("the angles do not give R back at a pole");
+    const auto at_pole = m.mapped([&](const Polynomial& entry) { return substitute(entry, q); });
+    if (!pole_case(formula, at_pole, substitute(n, q))) return refuted("the angles do not give R back at a pole");
   }
   return proved("every rotation, both poles");
 }

@@ -3,9 +3,9 @@
 #include <map>
 #include <random>
 
-#include "symbolic/basis/normalisation.hpp"
-#include "symbolic/number/substitute.hpp"
-#include "symbolic/rotation/rotation_axis.hpp"
+#include "symbolic/basis/basis.hpp"
+#include "symbolic/number/polynomial_calculus.hpp"
+#include "symbolic/rotation/rotation.hpp"
 #include "symbolic/rotation/rotation_input.hpp"
 #include "symbolic/rotation/rotation_recursion.hpp"
 
@@ -48,11 +48,6 @@ class TurnedMonomials {
   std::map<Monomial, Polynomial> known_;
 };
 
-Polynomial in_v(const Polynomial& p) {
-  const std::array<Polynomial, 3> v{Polynomial::variable(4), Polynomial::variable(5), Polynomial::variable(6)};
-  return substitute(p, v);
-}
-
 // q.q in variables first .. first+3
 Polynomial squared_norm(int first) {
   Polynomial sum;
@@ -73,11 +68,8 @@ class RationalRotations {
         norm = norm + component * component;
       }
     } while (cln::zerop(norm));
-    RationalMatrix r = matrix_from_quaternion<cln::cl_RA>(q);
-    for (int i = 0; i < 3; ++i) {
-      for (int j = 0; j < 3; ++j) r(i, j) = r(i, j) / norm;
-    }
-    return r;
+    return matrix_from_quaternion<cln::cl_RA>(q).mapped(
+        [&](const cln::cl_RA& entry) -> cln::cl_RA { return entry / norm; });
   }
 
  private:
@@ -112,23 +104,6 @@ ProofResult compare(int degree, const Matrix<T>& first, const Matrix<T>& second,
   return proved(std::to_string(first.rows() * first.columns()) + " entries");
 }
 
-template <class Entry>
-Matrix<Polynomial> mapped(const Matrix<Polynomial>& m, Entry entry) {
-  Matrix<Polynomial> result(m.rows(), m.columns());
-  for (int i = 0; i < m.rows(); ++i) {
-    for (int j = 0; j < m.columns(); ++j) result(i, j) = entry(m(i, j));
-  }
-  return result;
-}
-
-Matrix<Polynomial> as_polynomials(const RationalMatrix& m) {
-  Matrix<Polynomial> result(m.rows(), m.columns());
-  for (int i = 0; i < m.rows(); ++i) {
-    for (int j = 0; j < m.columns(); ++j) result(i, j) = Polynomial(m(i, j));
-  }
-  return result;
-}
-
 // A polynomial in cos, sin of an angle as a homogeneous one of degree 2l in those of the half angle (variables 0, 1).
 Polynomial at_half_angle(const Polynomial& p, int degree) {
   const Polynomial c = Polynomial::variable(0);
@@ -146,7 +121,7 @@ Polynomial at_half_angle(const Polynomial& p, int degree) {
 Matrix<Polynomial> about_axis(const QuaternionRotation& band, int axis) {
   std::array<Polynomial, 4> q{Polynomial::variable(0), Polynomial(), Polynomial(), Polynomial()};
   q[static_cast<std::size_t>(axis) + 1] = Polynomial::variable(1);
-  return mapped(band.entries, [&](const Polynomial& p) { return substitute(p, q); });
+  return band.entries.mapped([&](const Polynomial& p) { return substitute(p, q); });
 }
 
 }  // namespace
@@ -156,7 +131,7 @@ ProofResult prove_equivariance(const std::vector<QuaternionRotation>& bands, con
   for (const QuaternionRotation& band : bands) {
     const int l = band.degree;
     std::vector<Polynomial> right;  // S_ln(v)
-    for (int n = 0; n <= 2 * l; ++n) right.push_back(in_v(basis.at(to_size(l * l + n)).homogeneous));
+    for (int n = 0; n <= 2 * l; ++n) right.push_back(moved(basis.at(to_size(l * l + n)).homogeneous, 4));
     for (int m = 0; m <= 2 * l; ++m) {
       Polynomial difference;
       for (const auto& [monomial, coefficient] : basis.at(to_size(l * l + m)).homogeneous.terms()) {
@@ -187,8 +162,8 @@ ProofResult prove_composition(const std::vector<QuaternionRotation>& bands) {
   }
   const Quaternion<Polynomial> ab = quaternion_product(a, b);
   for (const QuaternionRotation& band : bands) {
-    const Matrix<Polynomial> t_b = mapped(band.entries, [&](const Polynomial& p) { return substitute(p, b); });
-    const Matrix<Polynomial> t_ab = mapped(band.entries, [&](const Polynomial& p) { return substitute(p, ab); });
+    const Matrix<Polynomial> t_b = band.entries.mapped([&](const Polynomial& p) { return substitute(p, b); });
+    const Matrix<Polynomial> t_ab = band.entries.mapped([&](const Polynomial& p) { return substitute(p, ab); });
     ProofResult result = compare(band.degree, band.entries * t_b, t_ab, "T(a) T(b) differs from T(ab)");
     if (!result.proved) return result;
   }
@@ -235,7 +210,7 @@ ProofResult prove_composition_at_points(const BandsAt& bands_at, int points) {
 }
 
 ProofResult prove_about_z(const QuaternionRotation& band, const Matrix<Polynomial>& z) {
-  const auto half = mapped(z, [&](const Polynomial& p) { return at_half_angle(p, band.degree); });
+  const auto half = z.mapped([&](const Polynomial& p) { return at_half_angle(p, band.degree); });
   return compare(band.degree, about_axis(band, 2), half, "the closed form about z differs from the quaternion form");
 }
 
@@ -248,11 +223,9 @@ ProofResult prove_wigner_form(int degree, const Matrix<Polynomial>& y, const Mat
 }
 
 ProofResult prove_x90(const QuaternionRotation& band, const RationalMatrix& plus, const RationalMatrix& minus) {
-  RationalMatrix scaled = evaluate(band, {1, 1, 0, 0});
   const cln::cl_RA norm = cln::expt(cln::cl_RA(2), band.degree);
-  for (int i = 0; i < scaled.rows(); ++i) {
-    for (int j = 0; j < scaled.columns(); ++j) scaled(i, j) = scaled(i, j) / norm;
-  }
+  const RationalMatrix scaled =
+      evaluate(band, {1, 1, 0, 0}).mapped([&](const cln::cl_RA& entry) -> cln::cl_RA { return entry / norm; });
   ProofResult same = compare(band.degree, plus, scaled, "differs from the quaternion form at (1,1,0,0)");
   if (!same.proved) return same;
   const auto one = RationalMatrix::identity(plus.rows(), 1);
@@ -263,8 +236,9 @@ ProofResult prove_x90(const QuaternionRotation& band, const RationalMatrix& plus
 
 ProofResult prove_z_x90_z(int degree, const Matrix<Polynomial>& y, const Matrix<Polynomial>& z,
                           const RationalMatrix& plus, const RationalMatrix& minus) {
-  const auto middle = mapped(z, [&](const Polynomial& p) { return at_half_angle(p, degree); });
-  return compare(degree, y, as_polynomials(minus) * middle * as_polynomials(plus),
+  const auto constant = [](const cln::cl_RA& entry) { return Polynomial(entry); };
+  const auto middle = z.mapped([&](const Polynomial& p) { return at_half_angle(p, degree); });
+  return compare(degree, y, minus.mapped(constant) * middle * plus.mapped(constant),
                  "Ry(beta) differs from Rx(-90) Rz(beta) Rx(90)");
 }
 

@@ -1,7 +1,7 @@
 // Proofs about rotations: equivariance, orthogonality, composition, and that all derivations give the same matrices.
 //
 // Each function proves the objects it is given, so a spoiled copy is refuted; rotation_proofs() lists them for the
-// catalogue. T, M(q) and the variables are those of symbolic/rotation/quaternion_rotation.hpp. "Outright" means a polynomial
+// catalogue. T, M(q) and the variables are those of symbolic/rotation/rotation.hpp. "Outright" means a polynomial
 // identity in all variables; "at points" means exact arithmetic at three random rational rotations (fixed seed): by the
 // Schwartz-Zippel bound an identity of degree 80 that is false passes with a probability below one in a million.
 #pragma once
@@ -11,9 +11,9 @@
 
 #include "symbolic/number/matrix.hpp"
 #include "symbolic/proofs/basis_proofs.hpp"
-#include "symbolic/proofs/proof.hpp"
-#include "symbolic/rotation/quaternion_rotation.hpp"
-#include "symbolic/rotation/zyz_angles.hpp"
+#include "symbolic/proofs/proofs.hpp"
+#include "symbolic/rotation/rotation.hpp"
+#include "symbolic/rotation/rotation_input.hpp"
 
 namespace sh::symbolic {
 
@@ -53,7 +53,7 @@ ProofResult prove_x90(const QuaternionRotation& band, const Matrix<cln::cl_RA>& 
 ProofResult prove_z_x90_z(int degree, const Matrix<Polynomial>& y, const Matrix<Polynomial>& z,
                           const Matrix<cln::cl_RA>& plus, const Matrix<cln::cl_RA>& minus);
 
-/// symbolic/rotation/zyz_angles.hpp's zyz_from_azimuth over polynomials, or a spoiled copy of it.
+/// symbolic/rotation/rotation_input.hpp's zyz_from_azimuth over polynomials, or a spoiled copy of it.
 using ZyzFormula = std::function<ZyzAngles<Polynomial>(const Matrix<Polynomial>& r, const CosSin<Polynomial>& azimuth,
                                                        const Polynomial& sin_beta)>;
 /// Rz(alpha) Ry(beta) Rz(gamma) = R for every rotation: identity in q and sqrt(h), and on both families with h = 0.

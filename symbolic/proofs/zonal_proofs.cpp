@@ -4,30 +4,16 @@
 
 #include <array>
 
+#include "symbolic/number/matrix.hpp"
 #include "symbolic/number/polynomial_calculus.hpp"
-#include "symbolic/number/sphere_integral.hpp"
-#include "symbolic/number/substitute.hpp"
-#include "symbolic/product/gaunt.hpp"
-#include "symbolic/proofs/proof_range.hpp"
-#include "symbolic/zonal/irradiance.hpp"
-#include "symbolic/zonal/zonal_integrals.hpp"
+#include "symbolic/proofs/basis_proofs.hpp"
+#include "symbolic/zonal/convolution.hpp"
+#include "symbolic/zonal/zonal_derivations.hpp"
 
 namespace sh::symbolic {
 namespace {
 
 std::string at_degree(std::size_t degree) { return " at degree " + std::to_string(degree); }
-
-Polynomial norm2(int first) {
-  Polynomial sum;
-  for (int i = first; i < first + 3; ++i) sum += Polynomial::variable(i).power(2);
-  return sum;
-}
-
-// A polynomial in x, y, z as one in variables 3, 4, 5.
-Polynomial moved_to_second_point(const Polynomial& p) {
-  const std::array<Polynomial, 3> point{Polynomial::variable(3), Polynomial::variable(4), Polynomial::variable(5)};
-  return substitute(p, point);
-}
 
 // integral S(s) (s.n)^k ds / (4 pi), S of degree at most k: the multinomial terms of (s.n)^k, integrated one by one.
 Polynomial mean_against_power(const Polynomial& solid, int k) {
@@ -44,20 +30,7 @@ Polynomial mean_against_power(const Polynomial& solid, int k) {
   return result;
 }
 
-// P_l as a polynomial in two points, of degree l in each: sum of p_k (d.s)^k (d.d s.s)^((l-k)/2).
-Polynomial legendre_of_two_points(int degree) {
-  Polynomial dot;
-  for (int i = 0; i < 3; ++i) dot += Polynomial::variable(i) * Polynomial::variable(i + 3);
-  const Polynomial norms = norm2(0) * norm2(3);
-  Polynomial result;
-  for (int k = degree % 2; k <= degree; k += 2) {
-    const cln::cl_RA coefficient = legendre_polynomial(degree, 0).coefficient({k});
-    result += coefficient * (dot.power(k) * norms.power((degree - k) / 2));
-  }
-  return result;
-}
-
-ProofResult prove_turned_band(const std::vector<TurnedZonal>& entries, int l) {
+ProofResult prove_turned_band(const std::vector<TurnedZonal>& entries, int l, const Polynomial& legendre) {
   Polynomial sum;
   const Surd axial_factor = basis_function(l, 0).factor;
   for (int m = -l; m <= l; ++m) {
@@ -67,9 +40,9 @@ ProofResult prove_turned_band(const std::vector<TurnedZonal>& entries, int l) {
     const std::string place = " at degree " + std::to_string(l) + ", order " + std::to_string(m);
     if (entry.degree != l || entry.order != m) return refuted("the entry" + place + " belongs elsewhere");
     if (!(ratio == Surd(ratio.rational()))) return refuted("the factor" + place + " has another radical");
-    sum += ratio.rational() * (entry.polynomial * moved_to_second_point(y.homogeneous));
+    sum += ratio.rational() * (entry.polynomial * moved(y.homogeneous, 3));
   }
-  const bool equal = sum == legendre_of_two_points(l);
+  const bool equal = sum == legendre;
   return equal ? proved("") : refuted("the sum over m differs from Y_l0(d.s) at degree " + std::to_string(l));
 }
 
@@ -123,7 +96,7 @@ ProofResult prove_convolution(const std::vector<Surd>& factors) {
         const std::vector<ZonalPiece> power{
             {Polynomial::variable(kAxisVariable).power(k), Polynomial(-1), Polynomial(1)}};
         const Surd eigenvalue = factors[static_cast<std::size_t>(l)] * project_profile(l, power).at({}) / sphere_area;
-        const Polynomial expected = eigenvalue.rational() * (norm2(0).power((k - l) / 2) * solid);
+        const Polynomial expected = eigenvalue.rational() * (dot_product(0, 0).power((k - l) / 2) * solid);
         if (!(eigenvalue == Surd(eigenvalue.rational())) || !(mean_against_power(solid, k) == expected)) {
           return refuted("Y_" + std::to_string(l) + "," + std::to_string(m) + " convolved with t^" + std::to_string(k));
         }
@@ -139,8 +112,9 @@ ProofResult prove_turned_zonal(const std::vector<TurnedZonal>& entries) {
   int bands = 0;
   while ((bands + 1) * (bands + 1) <= count) ++bands;
   if (bands * bands != count) return refuted("the last band is not complete");
+  const std::vector<Polynomial> legendre = two_point_legendre(bands - 1);
   for (int l = 0; l < bands; ++l) {
-    ProofResult band = prove_turned_band(entries, l);
+    ProofResult band = prove_turned_band(entries, l, legendre[to_size(l)]);
     if (!band.proved) return band;
   }
   return proved(std::to_string(bands) + " bands");
@@ -161,29 +135,27 @@ std::vector<Proof> zonal_proofs() {
   const std::string points = "the identity in two points has a number of terms that grows with the fourth power";
   std::vector<Proof> proofs;
   for (const ZonalFamily& family : zonal_families()) {
-    proofs.push_back(with_range_check(
+    proofs.push_back(
         {"zonal-" + family.name,
          "GiNaC's definition z_l = sqrt((2l+1) pi) integral f(t) P_l(t) dt, f = " + family.function + ", = closed form",
          "two derivations compared as functions of the parameters", 20, kMaxZonalDegree, exponents,
-         [&family](int degree) { return prove_zonal_family(family, zonal_coefficients(family, degree)); }}));
+         [&family](int degree) { return prove_zonal_family(family, zonal_coefficients(family, degree)); }});
   }
-  proofs.push_back(with_range_check({"cap-complement", "cap + complement = 1", "coefficients as polynomials in c", 10,
-                                     kMaxZonalDegree, exponents, [](int degree) {
-                                       return prove_cap_complement(
-                                           zonal_coefficients(zonal_family("cap"), degree),
-                                           zonal_coefficients(zonal_family("cap-complement"), degree));
-                                     }}));
-  proofs.push_back(
-      with_range_check({"irradiance-factors", "A_l = 2 pi integral_0^1 t P_l(t) dt",
-                        "closed form against exact integration", 10, kMaxIrradianceDegree, "exponents stay below 128",
-                        [](int degree) { return prove_irradiance_factors(surds_to(degree, irradiance_factor)); }}));
-  proofs.push_back(with_range_check(
-      {"convolution-theorem", "integral Y_lm(s) h(s.n) ds = sqrt(4 pi / (2l+1)) h_l Y_lm(n), h = t^k",
-       "multinomial expansion, integrated term by term", 10, 20, "every power of s.n is expanded for every function",
-       [](int degree) { return prove_convolution(surds_to(degree, convolution_factor)); }}));
-  proofs.push_back(with_range_check({"turned-zonal", "sum_m sqrt(4 pi / (2l+1)) Y_lm(d) Y_lm(s) = Y_l0(d.s)",
-                                     "identity of polynomials in (d, s)", 10, 20, points,
-                                     [](int degree) { return prove_turned_zonal(turned_zonal(degree)); }}));
+  proofs.push_back({"cap-complement", "cap + complement = 1", "coefficients as polynomials in c", 10, kMaxZonalDegree,
+                    exponents, [](int degree) {
+                      return prove_cap_complement(zonal_coefficients(zonal_family("cap"), degree),
+                                                  zonal_coefficients(zonal_family("cap-complement"), degree));
+                    }});
+  proofs.push_back({"irradiance-factors", "GiNaC's definition A_l = 2 pi integral_0^1 t P_l(t) dt = closed form",
+                    "two derivations compared", 20, kMaxIrradianceDegree, "exponents stay below 128",
+                    [](int degree) { return prove_irradiance_factors(surds_to(degree, irradiance_factor)); }});
+  proofs.push_back({"convolution-theorem", "integral Y_lm(s) h(s.n) ds = sqrt(4 pi / (2l+1)) h_l Y_lm(n), h = t^k",
+                    "multinomial expansion, integrated term by term", 10, 20,
+                    "every power of s.n is expanded for every function",
+                    [](int degree) { return prove_convolution(surds_to(degree, convolution_factor)); }});
+  proofs.push_back({"turned-zonal", "sum_m sqrt(4 pi / (2l+1)) Y_lm(d) Y_lm(s) = Y_l0(d.s)",
+                    "identity of polynomials in (d, s)", 10, 20, points,
+                    [](int degree) { return prove_turned_zonal(turned_zonal(degree)); }});
   return proofs;
 }
 

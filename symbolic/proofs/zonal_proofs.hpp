@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "symbolic/proofs/proof.hpp"
+#include "symbolic/proofs/proofs.hpp"
 #include "symbolic/zonal/convolution.hpp"
 #include "symbolic/zonal/zonal.hpp"
 

@@ -1,6 +1,6 @@
 // Rotation of real spherical harmonics by recursion over the bands in the nine entries of a 3x3 matrix.
 //
-// Same matrices and conventions as symbolic/rotation/quaternion_rotation.hpp: Y_l(R s) = D_l(R) Y_l(s), D_mn = (k_m/k_n) T_mn.
+// Same matrices and conventions as symbolic/rotation/rotation.hpp: Y_l(R s) = D_l(R) Y_l(s), D_mn = (k_m/k_n) T_mn.
 // This is the recursion of Ivanic and Ruedenberg [IvanicRuedenberg96+98], derived again in rational form. For |n| < l,
 // z S_(l-1,n) = g S_ln + (x^2+y^2+z^2)(...); the second part is orthogonal to band l, so
 //     D^l_mn = integral of Y_lm(R v) Y_ln(v) = const_n * sum_ij R_iz D^(l-1)_jn (integral of Y_lm w_i Y_(l-1)j),
@@ -35,7 +35,7 @@ struct Coupling {
 };
 
 /// For each order m = -l..l of band l >= 1 (index l + m) its couplings to band l-1, by GiNaC
-/// (rotation_definition.cpp), derived once.
+/// (rotation.cpp), derived once.
 const std::vector<std::vector<Coupling>>& band_couplings(int degree);
 
 /// The factor that stands before the sum for column n: k_ln^2 / (k_(l-1)^2 g).

@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "symbolic/rotation/rotation_axis.hpp"
+#include "symbolic/rotation/rotation.hpp"
 
 namespace sh::symbolic {
 namespace {

@@ -1,11 +1,14 @@
 #include "symbolic/typeset/typeset.hpp"
 
+#include <cln/complex.h>
 #include <cln/integer.h>
 #include <cln/integer_io.h>
 #include <cln/rational_io.h>
 
 #include <algorithm>
 #include <sstream>
+
+#include "symbolic/number/polynomial_calculus.hpp"
 
 namespace sh::symbolic {
 namespace {
@@ -53,15 +56,8 @@ std::string size_of(const Surd& surd) {
 }
 
 // The rational number that leaves coprime integers with a positive first coefficient.
-cln::cl_RA content(const Polynomial& p) {
-  cln::cl_I above = 0;
-  cln::cl_I below = 1;
-  for (const auto& [monomial, coefficient] : p.terms()) {
-    above = cln::gcd(above, cln::numerator(coefficient));
-    below = cln::lcm(below, cln::denominator(coefficient));
-  }
-  const cln::cl_RA size = above / cln::cl_RA(below);
-  return cln::minusp(p.terms().rbegin()->second) ? -size : size;
+cln::cl_RA signed_content(const Polynomial& p) {
+  return cln::minusp(p.terms().rbegin()->second) ? -content(p) : content(p);
 }
 
 std::string tex_monomial(const Monomial& monomial, const std::vector<std::string>& names) {
@@ -103,7 +99,7 @@ Product primitive_parts(const std::vector<NamedPolynomial>& factors) {
   Product product;
   for (const NamedPolynomial& factor : factors) {
     if (factor.polynomial.is_zero()) return {0, {}};
-    const cln::cl_RA own = content(factor.polynomial);
+    const cln::cl_RA own = signed_content(factor.polynomial);
     product.content = product.content * own;
     product.primitive.push_back({cln::recip(own) * factor.polynomial, factor.names});
   }
@@ -174,7 +170,38 @@ std::string escaped(const std::string& plain) {
   return text;
 }
 
+cln::cl_RA real_part(const cln::cl_N& number) { return cln::the<cln::cl_RA>(cln::realpart(number)); }
+cln::cl_RA imaginary_part(const cln::cl_N& number) { return cln::the<cln::cl_RA>(cln::imagpart(number)); }
+
+// sqrt(radicand) * pi^(power/2)
+Surd radical_surd(const RadicalSum::Radical& radical) { return Surd::square_root(radical.first, radical.second); }
+
 }  // namespace
+
+void PolynomialSum::add(const RadicalSum& coefficient, const Polynomial& p) {
+  for (const auto& [radical, number] : coefficient.terms()) {
+    const cln::cl_RA re = real_part(number);
+    const cln::cl_RA im = imaginary_part(number);
+    if (!cln::zerop(re)) parts_[{radical, false}] += re * p;
+    if (!cln::zerop(im)) parts_[{radical, true}] += im * p;
+  }
+}
+
+std::vector<FormulaTerm> PolynomialSum::terms(const std::vector<std::string>& names) const {
+  std::vector<FormulaTerm> result;
+  for (const auto& [key, polynomial] : parts_) {
+    if (!polynomial.is_zero()) result.push_back({radical_surd(key.first), key.second, {{polynomial, names}}});
+  }
+  return result;
+}
+
+std::vector<FormulaTerm> formula_terms(const RadicalSum& number, const std::string& symbols) {
+  PolynomialSum sum;
+  sum.add(number, Polynomial(1));
+  std::vector<FormulaTerm> terms = sum.terms({});
+  for (FormulaTerm& term : terms) term.symbols = symbols;
+  return terms;
+}
 
 std::string tex_surd(const Surd& surd) {
   if (surd.is_zero()) return "0";

@@ -6,11 +6,13 @@
 // \frac, \sqrt, \pi, powers in braces, products written side by side.
 #pragma once
 
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "symbolic/number/polynomial.hpp"
-#include "symbolic/number/surd.hpp"
+#include "symbolic/number/radical_sum.hpp"
 
 namespace sh::symbolic {
 
@@ -32,6 +34,22 @@ struct Formula {
   std::string symbol;  ///< TeX
   std::vector<FormulaTerm> terms;
 };
+
+/// A sum of polynomials with coefficients in the ring of RadicalSum, kept apart by radical: what a rational polynomial
+/// becomes when a map between conventions mixes several of them.
+class PolynomialSum {
+ public:
+  /// Adds coefficient * p.
+  void add(const RadicalSum& coefficient, const Polynomial& p);
+  /// One term per radical, real before imaginary; names: TeX, one per variable.
+  [[nodiscard]] std::vector<FormulaTerm> terms(const std::vector<std::string>& names) const;
+
+ private:
+  std::map<std::pair<RadicalSum::Radical, bool>, Polynomial> parts_;  // (radical, imaginary) -> rational polynomial
+};
+
+/// The terms of a number, each times `symbols`.
+std::vector<FormulaTerm> formula_terms(const RadicalSum& number, const std::string& symbols);
 
 struct FormulaTable {
   std::string title;               ///< plain text

@@ -35,6 +35,13 @@ std::string tex_indices(int first, int second, int third) {
       std::to_string(first).append(",").append(std::to_string(second)).append(",").append(std::to_string(third)));
 }
 
+std::string indexed(const char* name, int index) { return name + braces(std::to_string(index)); }
+
+ConventionMap map_to(Convention convention, int degree) {
+  convention.axes = SignedPermutation();
+  return convention_map(Convention{}, convention, degree);
+}
+
 const std::vector<TypesetFamily>& typeset_families() {
   static const std::vector<TypesetFamily> families = all_families();
   return families;

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "symbolic/convention/convention_map.hpp"
 #include "symbolic/convention/presets.hpp"
 #include "symbolic/typeset/typeset.hpp"
 
@@ -42,5 +43,11 @@ std::vector<TypesetFamily> zonal_tables();
 std::string tex_indices(int first, int second);
 /// "_{1,2,3}".
 std::string tex_indices(int first, int second, int third);
+
+/// "a_{3}".
+std::string indexed(const char* name, int index);
+
+/// The map from our convention to `convention` in its own coordinates.
+ConventionMap map_to(Convention convention, int degree);
 
 }  // namespace sh::symbolic

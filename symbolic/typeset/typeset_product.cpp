@@ -7,20 +7,13 @@
 #include "symbolic/convention/convention_map.hpp"
 #include "symbolic/product/gaunt.hpp"
 #include "symbolic/product/product_form.hpp"
-#include "symbolic/typeset/polynomial_sum.hpp"
+#include "symbolic/typeset/typeset.hpp"
 #include "symbolic/typeset/typeset_families.hpp"
 
 namespace sh::symbolic {
 namespace {
 
 constexpr int kMaxTypesetProductDegree = 9;
-
-ConventionMap map_to(Convention convention, int degree) {
-  convention.axes = SignedPermutation();
-  return convention_map(Convention{}, convention, degree);
-}
-
-std::string indexed(const char* name, int index) { return std::string(name) + "_{" + std::to_string(index) + "}"; }
 
 std::string index_note() { return "Indices are l(l+1)+m."; }
 

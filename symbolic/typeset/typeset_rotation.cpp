@@ -5,22 +5,15 @@
 // convention's own coordinates, so its axes do not enter.
 #include <stdexcept>
 
-#include "symbolic/basis/normalisation.hpp"
+#include "symbolic/basis/basis.hpp"
 #include "symbolic/convention/convention_map.hpp"
-#include "symbolic/rotation/quaternion_rotation.hpp"
-#include "symbolic/rotation/rotation_axis.hpp"
+#include "symbolic/rotation/rotation.hpp"
 #include "symbolic/rotation/rotation_recursion.hpp"
-#include "symbolic/typeset/polynomial_sum.hpp"
+#include "symbolic/typeset/typeset.hpp"
 #include "symbolic/typeset/typeset_families.hpp"
 
 namespace sh::symbolic {
 namespace {
-
-ConventionMap map_to(Convention convention, int degree) {
-  convention.axes = SignedPermutation();
-  convention.folded = Folded::kNothing;  // one factor a band: it commutes with every rotation
-  return convention_map(Convention{}, convention, degree);
-}
 
 // Entry (row, column) of C D C^-1, D_pq = (k_p / k_q) T_pq.
 std::vector<FormulaTerm> entry_terms(const ConventionMap& map, int l, const Matrix<Polynomial>& rational, int row,
@@ -40,30 +33,26 @@ std::vector<FormulaTerm> entry_terms(const ConventionMap& map, int l, const Matr
 
 std::string entry_symbol(int l, int m, int n) { return "D^{" + std::to_string(l) + "}" + tex_indices(m, n); }
 
-void add_band(FormulaTable& table, const ConventionMap& map, int l, const Matrix<Polynomial>& rational,
-              const std::vector<std::string>& names) {
-  for (int row = 0; row <= 2 * l; ++row) {
-    for (int column = 0; column <= 2 * l; ++column) {
-      std::vector<FormulaTerm> terms = entry_terms(map, l, rational, row, column, names);
-      if (!terms.empty()) table.rows.push_back({entry_symbol(l, row - l, column - l), std::move(terms)});
+// A row for each entry of the bands 0..degree that is not zero; band(l) = rational part of band l.
+template <class Band>
+FormulaTable table_of_bands(const std::string& note, const std::vector<std::string>& names, int degree,
+                            Convention convention, const Band& band) {
+  convention.folded = Folded::kNothing;  // one factor a band: it commutes with every rotation
+  const ConventionMap map = map_to(convention, degree);
+  FormulaTable table{{}, {note}, {}};
+  for (int l = 0; l <= degree; ++l) {
+    const Matrix<Polynomial>& rational = band(l);
+    for (int row = 0; row <= 2 * l; ++row) {
+      for (int column = 0; column <= 2 * l; ++column) {
+        std::vector<FormulaTerm> terms = entry_terms(map, l, rational, row, column, names);
+        if (!terms.empty()) table.rows.push_back({entry_symbol(l, row - l, column - l), std::move(terms)});
+      }
     }
   }
-}
-
-Matrix<Polynomial> constants(const Matrix<cln::cl_RA>& numbers) {
-  Matrix<Polynomial> result(numbers.rows(), numbers.columns());
-  for (int i = 0; i < numbers.rows(); ++i) {
-    for (int j = 0; j < numbers.columns(); ++j) result(i, j) = Polynomial(numbers(i, j));
-  }
-  return result;
+  return table;
 }
 
 FormulaTable matrix_table(int degree, const Convention& convention) {
-  FormulaTable table{
-      {},
-      {"Entry (m, n) of band l, for the rotation matrix with entries r_ij, rows and columns 0, 1, 2 = x, "
-       "y, z. The form is not unique: rows and columns of the matrix are orthonormal."},
-      {}};
   std::vector<std::string> names;
   Matrix<Polynomial> r(3, 3);
   for (int i = 0; i < 3; ++i) {
@@ -72,47 +61,37 @@ FormulaTable matrix_table(int degree, const Convention& convention) {
       names.push_back("r_{" + std::to_string(i) + std::to_string(j) + "}");
     }
   }
-  const ConventionMap map = map_to(convention, degree);
   const std::vector<Matrix<Polynomial>> bands = rotation_bands(degree, r, Polynomial(1));
-  for (int l = 0; l <= degree; ++l) add_band(table, map, l, bands[static_cast<std::size_t>(l)], names);
-  return table;
+  return table_of_bands(
+      "Entry (m, n) of band l, for the rotation matrix with entries r_ij, rows and columns 0, 1, 2 = x, y, z. The form "
+      "is not unique: rows and columns of the matrix are orthonormal.",
+      names, degree, convention, [&](int l) -> const Matrix<Polynomial>& { return bands[to_size(l)]; });
 }
 
 FormulaTable quaternion_table(int degree, const Convention& convention) {
-  FormulaTable table{{}, {"Entry (m, n) of band l, for the unit quaternion (w, x, y, z)."}, {}};
-  const ConventionMap map = map_to(convention, degree);
-  for (int l = 0; l <= degree; ++l) add_band(table, map, l, quaternion_rotation(l).entries, {"w", "x", "y", "z"});
-  return table;
+  return table_of_bands("Entry (m, n) of band l, for the unit quaternion (w, x, y, z).", {"w", "x", "y", "z"}, degree,
+                        convention, [](int l) { return quaternion_rotation(l).entries; });
 }
 
 FormulaTable about_z_table(int degree, const Convention& convention) {
-  FormulaTable table{{},
-                     {"Entry (m, n) of band l, for the turn about z with cosine c and sine s. Entries that are not "
-                      "listed are zero."},
-                     {}};
-  const ConventionMap map = map_to(convention, degree);
-  for (int l = 0; l <= degree; ++l) add_band(table, map, l, rotation_about_z(l), {"c", "s"});
-  return table;
+  return table_of_bands(
+      "Entry (m, n) of band l, for the turn about z with cosine c and sine s. Entries that are not listed are zero.",
+      {"c", "s"}, degree, convention, rotation_about_z);
 }
 
 FormulaTable about_y_table(int degree, const Convention& convention) {
-  FormulaTable table{{},
-                     {"Entry (m, n) of band l, for the turn about y; c and s are cosine and sine of half the angle. "
-                      "Entries that are not listed are zero."},
-                     {}};
-  const ConventionMap map = map_to(convention, degree);
-  for (int l = 0; l <= degree; ++l) add_band(table, map, l, rotation_about_y(l), {"c", "s"});
-  return table;
+  return table_of_bands(
+      "Entry (m, n) of band l, for the turn about y; c and s are cosine and sine of half the angle. Entries that are "
+      "not listed are zero.",
+      {"c", "s"}, degree, convention, rotation_about_y);
 }
 
 FormulaTable x90_table(int degree, const Convention& convention) {
-  FormulaTable table{{},
-                     {"Entry (m, n) of band l, for the turn by +90 degrees about x, y to z; the transpose turns back. "
-                      "Entries that are not listed are zero."},
-                     {}};
-  const ConventionMap map = map_to(convention, degree);
-  for (int l = 0; l <= degree; ++l) add_band(table, map, l, constants(rotation_x90(l)), {});
-  return table;
+  return table_of_bands(
+      "Entry (m, n) of band l, for the turn by +90 degrees about x, y to z; the transpose turns back. Entries that are "
+      "not listed are zero.",
+      {}, degree, convention,
+      [](int l) { return rotation_x90(l).mapped([](const cln::cl_RA& entry) { return Polynomial(entry); }); });
 }
 
 FormulaTable wigner_table(int degree, const Convention& convention) {

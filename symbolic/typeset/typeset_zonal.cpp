@@ -3,24 +3,16 @@
 // In another convention z_l is multiplied by entry (0, 0) of the band matrix of symbolic/convention/convention_map.hpp; the axis
 // is the convention's own polar axis.
 #include "symbolic/convention/convention_map.hpp"
-#include "symbolic/typeset/polynomial_sum.hpp"
+#include "symbolic/typeset/typeset.hpp"
 #include "symbolic/typeset/typeset_families.hpp"
 #include "symbolic/zonal/convolution.hpp"
-#include "symbolic/zonal/irradiance.hpp"
 #include "symbolic/zonal/zonal.hpp"
 
 namespace sh::symbolic {
 namespace {
 
-ConventionMap map_to(Convention convention, int degree) {
-  convention.axes = SignedPermutation();
-  return convention_map(Convention{}, convention, degree);
-}
-
 // What a zonal coefficient of ours is multiplied by.
 Surd zonal_scale(const ConventionMap& map, int l) { return map.forward[static_cast<std::size_t>(l)](l, l).surd(); }
-
-std::string indexed(const char* name, int l) { return std::string(name) + "_{" + std::to_string(l) + "}"; }
 
 // "c0" -> "c_{0}"
 std::string tex_parameter(const std::string& name) {

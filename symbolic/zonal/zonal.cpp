@@ -2,9 +2,7 @@
 
 #include <stdexcept>
 
-#include "symbolic/number/polynomial_calculus.hpp"
-#include "symbolic/zonal/zonal_closed_forms.hpp"
-#include "symbolic/zonal/zonal_integrals.hpp"
+#include "symbolic/zonal/zonal_derivations.hpp"
 
 namespace sh::symbolic {
 namespace {
@@ -18,82 +16,39 @@ Polynomial product(const std::vector<Polynomial>& factors) {
 std::vector<ZonalFamily> all_families() {
   const std::string half_angle = "c = cos(half-angle), -1 <= c <= 1";
   const std::string sphere = "s = radius / distance, 0 < s < 1, c = sqrt(1 - s^2)";
-  namespace by_integral = definitions;
-  namespace closed = closed_forms;
-  return {
-      {"cap", "1 where t > c", {"c"}, half_angle, "Green03, Sloan08", by_integral::cap, closed::cap},
-      {"cap-small",
-       "1 where t > 1 - u",
-       {"u"},
-       "u = 1 - cos(half-angle), 0 <= u <= 2",
-       "AbramowitzStegun64",
-       by_integral::cap_small,
-       closed::cap_small},
-      {"cap-complement",
-       "1 where t < c",
-       {"c"},
-       half_angle,
-       "Green03",
-       by_integral::cap_complement,
-       closed::cap_complement},
+  std::vector<ZonalFamily> families{
+      {"cap", "1 where t > c", {"c"}, half_angle, "Green03, Sloan08"},
+      {"cap-small", "1 where t > 1 - u", {"u"}, "u = 1 - cos(half-angle), 0 <= u <= 2", "AbramowitzStegun64"},
+      {"cap-complement", "1 where t < c", {"c"}, half_angle, "Green03"},
       {"annulus",
        "1 where c0 < t < c1",
        {"c0", "c1"},
        "cosines of the outer and the inner half-angle, c0 <= c1",
-       "AbramowitzStegun64",
-       by_integral::annulus,
-       closed::annulus},
-      {"hemisphere", "1 where t > 0", {}, "", "AbramowitzStegun64", by_integral::hemisphere, closed::hemisphere},
-      {"clamped-cosine",
-       "max(0, t)",
-       {},
-       "",
-       "RamamoorthiHanrahan01b",
-       by_integral::clamped_cosine,
-       closed::clamped_cosine},
-      {"cosine-power",
-       "max(0, t)^n",
-       {"n"},
-       "n > -1, not necessarily whole",
-       "GradshteynRyzhik07",
-       by_integral::cosine_power,
-       closed::cosine_power},
+       "AbramowitzStegun64"},
+      {"hemisphere", "1 where t > 0", {}, "", "AbramowitzStegun64"},
+      {"clamped-cosine", "max(0, t)", {}, "", "RamamoorthiHanrahan01b"},
+      {"cosine-power", "max(0, t)^n", {"n"}, "n > -1, not necessarily whole", "GradshteynRyzhik07"},
       {"linear-lobe",
        "max(0, a (t - c)), that is max(0, a t - b) with c = b / a",
        {"a", "c"},
        "a > 0, -1 <= c <= 1",
-       "AbramowitzStegun64",
-       by_integral::linear_lobe,
-       closed::linear_lobe},
-      {"sphere-light",
-       "1 where the sphere is seen: a cap of sin(half-angle) = s",
-       {"s", "c"},
-       sphere,
-       "Sloan08",
-       by_integral::sphere_light,
-       closed::sphere_light},
+       "AbramowitzStegun64"},
+      {"sphere-light", "1 where the sphere is seen: a cap of sin(half-angle) = s", {"s", "c"}, sphere, "Sloan08"},
       {"sphere-light-irradiance",
        "1 / (pi s^2) where the sphere is seen: irradiance 1 on a surface that faces it",
        {"s", "c"},
        sphere,
-       "Sloan08",
-       by_integral::sphere_light_irradiance,
-       closed::sphere_light_irradiance},
-      {"directional-light",
-       "delta function of irradiance 1 on a surface that faces it",
-       {},
-       "",
-       "Sloan08",
-       by_integral::directional_light,
-       closed::directional_light},
-      {"cie-overcast",
-       "(1 + 2 t) / 3 where t > 0: CIE overcast sky, zenith radiance 1",
-       {},
-       "",
-       "CIE03",
-       by_integral::cie_overcast,
-       closed::cie_overcast},
+       "Sloan08"},
+      {"directional-light", "delta function of irradiance 1 on a surface that faces it", {}, "", "Sloan08"},
+      {"cie-overcast", "(1 + 2 t) / 3 where t > 0: CIE overcast sky, zenith radiance 1", {}, "", "CIE03"},
   };
+  const ZonalDerivations definitions = zonal_definitions();
+  const ZonalDerivations closed_forms = zonal_closed_forms();
+  for (ZonalFamily& family : families) {
+    family.integral = definitions.at(family.name);
+    family.closed_form = closed_forms.at(family.name);
+  }
+  return families;
 }
 
 }  // namespace

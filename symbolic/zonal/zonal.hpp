@@ -44,8 +44,8 @@ struct ZonalFamily {
   std::vector<std::string> parameters;  ///< names of variables 0, 1, ...
   std::string domain;                   ///< meaning and range of the parameters
   std::string source;                   ///< keys of REFERENCES.md
-  std::function<ZonalTerm(int degree)> integral;
-  std::function<ZonalTerm(int degree)> closed_form;
+  std::function<ZonalTerm(int degree)> integral = {};
+  std::function<ZonalTerm(int degree)> closed_form = {};
 };
 
 /// Every family, in the order of documentation:

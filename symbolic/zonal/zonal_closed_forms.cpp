@@ -1,12 +1,10 @@
-#include "symbolic/zonal/zonal_closed_forms.hpp"
-
 #include <ginac/ginac.h>
 
 #include "symbolic/number/from_ginac.hpp"
 #include "symbolic/zonal/convolution.hpp"
-#include "symbolic/zonal/irradiance.hpp"
+#include "symbolic/zonal/zonal_derivations.hpp"
 
-namespace sh::symbolic::closed_forms {
+namespace sh::symbolic {
 namespace {
 
 using GiNaC::ex;
@@ -57,41 +55,18 @@ numeric hemisphere_moment(int degree) {
   return degree == 0 ? numeric(1) : (legendre_at_zero(degree - 1) - legendre_at_zero(degree + 1)) / (2 * degree + 1);
 }
 
-}  // namespace
-
-ZonalTerm cap(int degree) {
-  const symbol c("c");
-  if (degree == 0) return term(degree, 1 - c, {c});
-  return term(degree, (1 - c * c) * legendre_slope(degree, c), {c});
-}
-
-ZonalTerm cap_small(int degree) {
-  const symbol u("u");
+// sum_k (-1)^k C(l,k) C(l+k,k) u^(k+1) / ((k+1) 2^k), from P_l(1-u) = 2F1(-l, l+1; 1; u/2).
+ex small_cap(int degree, const symbol& u) {
   ex sum = 0;
   for (int k = 0; k <= degree; ++k) {
     const numeric count =
         GiNaC::binomial(numeric(degree), numeric(k)) * GiNaC::binomial(numeric(degree + k), numeric(k));
     sum += count * GiNaC::pow(numeric(-1, 2), k) / (k + 1) * GiNaC::pow(u, k + 1);
   }
-  return term(degree, sum, {u});
+  return sum;
 }
 
-ZonalTerm cap_complement(int degree) {
-  const symbol c("c");
-  const ex below = degree == 0 ? ex(-1) : legendre(degree - 1, c);
-  return term(degree, (legendre(degree + 1, c) - below) / (2 * degree + 1), {c});
-}
-
-ZonalTerm annulus(int degree) {
-  const symbol c0("c0");
-  const symbol c1("c1");
-  return term(degree, legendre_tail(degree, c0) - legendre_tail(degree, c1), {c0, c1});
-}
-
-ZonalTerm hemisphere(int degree) { return constant_term(degree, hemisphere_moment(degree)); }
-
-ZonalTerm clamped_cosine(int degree) { return {irradiance_factor(degree) / convolution_factor(degree)}; }
-
+// even l: n (n-2) ... (n-l+2) / ((n+1)(n+3) ... (n+l+1)); odd l: (n-1)(n-3) ... (n-l+2) / ((n+2)(n+4) ... (n+l+1)).
 ZonalTerm cosine_power(int degree) {
   const symbol n("n");
   const int odd = degree % 2;
@@ -103,34 +78,65 @@ ZonalTerm cosine_power(int degree) {
   return result;
 }
 
-ZonalTerm linear_lobe(int degree) {
+// The closed form of A_l over the convolution factor sqrt(4 pi / (2l+1)).
+Surd clamped_cosine(int degree) { return irradiance_factor(degree) / convolution_factor(degree); }
+
+}  // namespace
+
+ZonalDerivations zonal_closed_forms() {
   const symbol a("a");
   const symbol c("c");
-  return term(degree, a * (legendre_tail(degree - 1, c) - legendre_tail(degree + 1, c)) / (2 * degree + 1), {a, c});
-}
-
-ZonalTerm sphere_light(int degree) {
+  const symbol c0("c0");
+  const symbol c1("c1");
   const symbol s("s");
-  const symbol c("c");
-  if (degree == 0) return term(degree, 1 - c, {s, c});
-  return term(degree, s * s * GiNaC::rem(legendre_slope(degree, c), c * c + s * s - 1, c), {s, c});
+  const symbol u("u");
+  const ex circle = c * c + s * s - 1;
+  // P_l'(c) / (l (l+1)) with c^2 = 1 - s^2
+  const auto slope = [=](int l) { return GiNaC::rem(legendre_slope(l, c), circle, c); };
+  return {
+      // (1 - c^2) P_l'(c) / (l (l+1)); 1 - c at l = 0
+      {"cap", [=](int l) { return term(l, l == 0 ? 1 - c : (1 - c * c) * legendre_slope(l, c), {c}); }},
+      {"cap-small", [=](int l) { return term(l, small_cap(l, u), {u}); }},
+      // (P_(l+1)(c) - P_(l-1)(c)) / (2l+1), with P_-1 = -1
+      {"cap-complement",
+       [=](int l) {
+         const ex below = l == 0 ? ex(-1) : legendre(l - 1, c);
+         return term(l, (legendre(l + 1, c) - below) / (2 * l + 1), {c});
+       }},
+      // (P_(l-1)(c0) - P_(l+1)(c0) - P_(l-1)(c1) + P_(l+1)(c1)) / (2l+1), with P_-1 = 1
+      {"annulus",
+       [=](int l) {
+         return term(l, legendre_tail(l, c0) - legendre_tail(l, c1), {c0, c1});
+       }},
+      {"hemisphere", [](int l) { return constant_term(l, hemisphere_moment(l)); }},
+      {"clamped-cosine", [](int l) { return ZonalTerm{clamped_cosine(l)}; }},
+      {"cosine-power", cosine_power},
+      // a (Q_(l-1)(c) - Q_(l+1)(c)) / (2l+1), Q_k = (P_(k-1) - P_(k+1)) / (2k+1): the cap formula applied twice
+      {"linear-lobe",
+       [=](int l) {
+         return term(l, a * (legendre_tail(l - 1, c) - legendre_tail(l + 1, c)) / (2 * l + 1), {a, c});
+       }},
+      // s^2 P_l'(c) / (l (l+1)); 1 - c at l = 0
+      {"sphere-light",
+       [=](int l) {
+         return term(l, l == 0 ? 1 - c : s * s * slope(l), {s, c});
+       }},
+      // P_l'(c) / (pi l (l+1)); 1 / (pi (1 + c)) at l = 0
+      {"sphere-light-irradiance",
+       [=](int l) -> ZonalTerm {
+         const Surd size = factor(l) * Surd::square_root(1, -2);
+         if (l == 0) return {size, {}, {from_ginac(1 + c, {s, c})}};
+         return {size, {from_ginac(slope(l), {s, c})}};
+       }},
+      // sqrt((2l+1) / (4 pi))
+      {"directional-light", [](int l) { return ZonalTerm{Surd::square_root(cln::cl_RA(2 * l + 1) / 4, -1)}; }},
+      // a third of the hemisphere and two thirds of the clamped cosine
+      {"cie-overcast",
+       [](int l) {
+         const Surd hemisphere = constant_term(l, hemisphere_moment(l)).factor;
+         return ZonalTerm{Surd(cln::cl_RA(1) / 3) * hemisphere + Surd(cln::cl_RA(2) / 3) * clamped_cosine(l)};
+       }},
+  };
 }
 
-ZonalTerm sphere_light_irradiance(int degree) {
-  const symbol s("s");
-  const symbol c("c");
-  const Surd radiance = Surd::square_root(1, -2);
-  if (degree == 0) return {factor(degree) * radiance, {}, {from_ginac(1 + c, {s, c})}};
-  const ex slope = GiNaC::rem(legendre_slope(degree, c), c * c + s * s - 1, c);
-  return {factor(degree) * radiance, {from_ginac(slope, {s, c})}};
-}
-
-ZonalTerm directional_light(int degree) { return {Surd::square_root(cln::cl_RA(2 * degree + 1) / 4, -1)}; }
-
-ZonalTerm cie_overcast(int degree) {
-  const Surd cosine = clamped_cosine(degree).factor;
-  const Surd hemisphere_part = hemisphere(degree).factor;
-  return {Surd(cln::cl_RA(1) / 3) * hemisphere_part + Surd(cln::cl_RA(2) / 3) * cosine};
-}
-
-}  // namespace sh::symbolic::closed_forms
+}  // namespace sh::symbolic

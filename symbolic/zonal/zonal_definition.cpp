@@ -5,7 +5,7 @@
 
 #include "symbolic/number/from_ginac.hpp"
 #include "symbolic/number/polynomial_calculus.hpp"
-#include "symbolic/zonal/zonal_integrals.hpp"
+#include "symbolic/zonal/zonal_derivations.hpp"
 
 namespace sh::symbolic {
 namespace {
@@ -27,6 +27,15 @@ ex moment(int degree, const ex& f, const ex& lower, const ex& upper) {
 
 ZonalTerm term(int degree, const ex& value, const std::vector<symbol>& parameters) {
   return {zonal_factor(degree), {from_ginac(value, parameters)}};
+}
+
+// integral_0^1 t^n t^k dt = 1 / (n + k + 1) for each power k of P_l.
+ZonalTerm cosine_power(int degree) {
+  const symbol n("n");
+  ex sum = 0;
+  for (int k = 0; k <= degree; ++k) sum += legendre(degree).coeff(axis(), k) / (n + k + 1);
+  const ex quotient = sum.numer_denom();
+  return {zonal_factor(degree), {from_ginac(quotient.op(0), {n})}, {from_ginac(quotient.op(1), {n})}};
 }
 
 }  // namespace
@@ -51,72 +60,48 @@ ZonalTerm project_profile(int degree, const std::vector<ZonalPiece>& profile) {
   return {zonal_factor(degree), {legendre_moment(degree, profile)}};
 }
 
-namespace definitions {
-
-ZonalTerm cap(int degree) {
-  const symbol c("c");
-  return term(degree, moment(degree, 1, c, 1), {c});
-}
-
-ZonalTerm cap_small(int degree) {
-  const symbol u("u");
-  return term(degree, moment(degree, 1, 1 - u, 1), {u});
-}
-
-ZonalTerm cap_complement(int degree) {
-  const symbol c("c");
-  return term(degree, moment(degree, 1, -1, c), {c});
-}
-
-ZonalTerm annulus(int degree) {
-  const symbol c0("c0");
-  const symbol c1("c1");
-  return term(degree, moment(degree, 1, c0, c1), {c0, c1});
-}
-
-ZonalTerm hemisphere(int degree) { return term(degree, moment(degree, 1, 0, 1), {}); }
-
-ZonalTerm clamped_cosine(int degree) { return term(degree, moment(degree, axis(), 0, 1), {}); }
-
-// integral_0^1 t^n t^k dt = 1 / (n + k + 1) for each power k of P_l.
-ZonalTerm cosine_power(int degree) {
-  const symbol n("n");
-  ex sum = 0;
-  for (int k = 0; k <= degree; ++k) sum += legendre(degree).coeff(axis(), k) / (n + k + 1);
-  const ex quotient = sum.numer_denom();
-  return {zonal_factor(degree), {from_ginac(quotient.op(0), {n})}, {from_ginac(quotient.op(1), {n})}};
-}
-
-ZonalTerm linear_lobe(int degree) {
+ZonalDerivations zonal_definitions() {
+  const symbol& t = axis();
   const symbol a("a");
   const symbol c("c");
-  return term(degree, moment(degree, a * (axis() - c), c, 1), {a, c});
-}
-
-// c^2 = 1 - s^2
-ZonalTerm sphere_light(int degree) {
+  const symbol c0("c0");
+  const symbol c1("c1");
   const symbol s("s");
-  const symbol c("c");
-  return term(degree, GiNaC::rem(moment(degree, 1, c, 1), c * c + s * s - 1, c), {s, c});
+  const symbol u("u");
+  const ex circle = c * c + s * s - 1;
+  const auto sphere_light_irradiance = [=](int l) -> ZonalTerm {
+    // Divided by pi s^2. Every moment but the first holds s^2; 1 - c = s^2 / (1 + c).
+    const ex below = l == 0 ? ex(1 + c) : ex(1);
+    const ex value = GiNaC::rem(moment(l, 1, c, 1) * below, circle, c) / (s * s);
+    return {zonal_factor(l) * Surd::square_root(1, -2), {from_ginac(value, {s, c})}, {from_ginac(below, {s, c})}};
+  };
+  return {
+      {"cap", [=](int l) { return term(l, moment(l, 1, c, 1), {c}); }},
+      {"cap-small", [=](int l) { return term(l, moment(l, 1, 1 - u, 1), {u}); }},
+      {"cap-complement", [=](int l) { return term(l, moment(l, 1, -1, c), {c}); }},
+      {"annulus",
+       [=](int l) {
+         return term(l, moment(l, 1, c0, c1), {c0, c1});
+       }},
+      {"hemisphere", [](int l) { return term(l, moment(l, 1, 0, 1), {}); }},
+      {"clamped-cosine", [=](int l) { return term(l, moment(l, t, 0, 1), {}); }},
+      {"cosine-power", cosine_power},
+      {"linear-lobe",
+       [=](int l) {
+         return term(l, moment(l, a * (t - c), c, 1), {a, c});
+       }},
+      {"sphere-light",
+       [=](int l) {
+         return term(l, GiNaC::rem(moment(l, 1, c, 1), circle, c), {s, c});
+       }},
+      {"sphere-light-irradiance", sphere_light_irradiance},
+      {"directional-light",
+       [=](int l) -> ZonalTerm {
+         const std::array<cln::cl_RA, 2> limit{0, 1};  // s = 0, c = 1
+         return {sphere_light_irradiance(l).at(limit)};
+       }},
+      {"cie-overcast", [=](int l) { return term(l, moment(l, (1 + 2 * t) / 3, 0, 1), {}); }},
+  };
 }
 
-// Divided by pi s^2. Every moment but the first holds s^2; 1 - c = s^2 / (1 + c).
-ZonalTerm sphere_light_irradiance(int degree) {
-  const symbol s("s");
-  const symbol c("c");
-  const ex below = degree == 0 ? ex(1 + c) : ex(1);
-  const ex value = GiNaC::rem(moment(degree, 1, c, 1) * below, c * c + s * s - 1, c);
-  return {zonal_factor(degree) * Surd::square_root(1, -2),
-          {from_ginac((value / (s * s)).expand(), {s, c})},
-          {from_ginac(below, {s, c})}};
-}
-
-ZonalTerm directional_light(int degree) {
-  const std::array<cln::cl_RA, 2> limit{0, 1};  // s = 0, c = 1
-  return {sphere_light_irradiance(degree).at(limit)};
-}
-
-ZonalTerm cie_overcast(int degree) { return term(degree, moment(degree, (1 + 2 * axis()) / 3, 0, 1), {}); }
-
-}  // namespace definitions
 }  // namespace sh::symbolic

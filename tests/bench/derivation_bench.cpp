@@ -4,14 +4,13 @@
 
 #include "symbolic/basis/basis.hpp"
 #include "symbolic/basis/basis_derivatives.hpp"
-#include "symbolic/convention/complex_basis.hpp"
+#include "symbolic/convention/convention.hpp"
 #include "symbolic/convention/presets.hpp"
 #include "symbolic/convention/signed_permutation.hpp"
 #include "symbolic/product/gaunt.hpp"
-#include "symbolic/rotation/quaternion_rotation.hpp"
-#include "symbolic/rotation/rotation_axis.hpp"
+#include "symbolic/rotation/rotation.hpp"
 #include "symbolic/rotation/rotation_recursion.hpp"
-#include "symbolic/zonal/irradiance.hpp"
+#include "symbolic/zonal/convolution.hpp"
 #include "symbolic/zonal/zonal.hpp"
 
 namespace {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -44,8 +45,32 @@ TEST(Prove, NamesAreUniqueAndDefaultsLieInTheirRange) {
     EXPECT_GE(proof.default_degree, 0) << proof.name;
     EXPECT_LE(proof.default_degree, proof.max_degree) << proof.name;
     EXPECT_FALSE(proof.limit.empty()) << proof.name;
+    EXPECT_THROW(proof.run(-1), std::invalid_argument) << proof.name;
     EXPECT_THROW(proof.run(proof.max_degree + 1), std::invalid_argument) << proof.name;
   }
+}
+
+TEST(Prove, AProofThatThrowsIsRefutedWithItsErrorSoThatTheOthersStillRun) {
+  symbolic::Proof proof;
+  proof.run = [](int) -> symbolic::ProofResult { throw std::runtime_error("no such polynomial"); };
+  const symbolic::ProofResult result = symbolic::run_proof(proof, 2);
+  EXPECT_FALSE(result.proved);
+  EXPECT_NE(result.detail.find("no such polynomial"), std::string::npos) << result.detail;
+}
+
+TEST(Prove, GinacDefinesEveryFamilyToEveryEmittedDegree) {
+  const std::map<std::string, int> emitted{{"basis-derivations", 20},    {"equivariance", 10}, {"wigner-form", 20},
+                                           {"quaternion-recursion", 10}, {"zonal-cap", 20},    {"zonal-cap-small", 20},
+                                           {"irradiance-factors", 20},   {"gaunt-tensor", 12}};
+  std::size_t found = 0;
+  for (const symbolic::Proof& proof : symbolic::all_proofs()) {
+    const auto expected = emitted.find(proof.name);
+    if (expected == emitted.end()) continue;
+    ++found;
+    EXPECT_NE(proof.statement.find("GiNaC's definition"), std::string::npos) << proof.name;
+    EXPECT_GE(proof.default_degree, expected->second) << proof.name;
+  }
+  EXPECT_EQ(found, emitted.size());
 }
 
 TEST(Prove, ChosenProofsRunAlone) {

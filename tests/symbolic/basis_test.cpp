@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "symbolic/number/sphere_integral.hpp"
+#include "symbolic/number/polynomial_calculus.hpp"
 
 namespace sh::symbolic {
 namespace {
@@ -21,31 +21,6 @@ std::vector<BasisFunction> all_functions(int degree) {
     for (int m = -l; m <= l; ++m) functions.push_back(basis_function(l, m));
   }
   return functions;
-}
-
-// Replaces z^2 by 1 - x^2 - y^2, the unique form of a function on the sphere.
-Polynomial on_sphere(const Polynomial& p) {
-  Polynomial result;
-  for (const auto& [monomial, coefficient] : p.terms()) {
-    const int z = monomial.exponent(2);
-    Polynomial term;
-    term.add_term({monomial.exponent(0), monomial.exponent(1), z % 2}, coefficient);
-    result += term * (Polynomial(1) - kX.power(2) - kY.power(2)).power(z / 2);
-  }
-  return result;
-}
-
-TEST(Basis, TwoDerivationsAgreeTermByTerm) {
-  for (int l = 0; l <= 14; ++l) {
-    for (int m = -l; m <= l; ++m) {
-      const BasisFunction a = basis_function_by_recurrence(l, m);
-      const BasisFunction b = basis_function(l, m);
-      EXPECT_EQ(a.factor, b.factor) << l << " " << m;
-      EXPECT_EQ(a.axial, b.axial) << l << " " << m;
-      EXPECT_EQ(a.azimuthal, b.azimuthal) << l << " " << m;
-      EXPECT_EQ(a.homogeneous, b.homogeneous) << l << " " << m;
-    }
-  }
 }
 
 TEST(Basis, TwoDerivationsAgreeAtTheLargestDegree) {
@@ -68,22 +43,6 @@ TEST(Basis, IsOrthonormalForAllPairs) {
           Surd(4 * sphere_mean(product)) * Surd::square_root(1, 2) * functions[i].factor * functions[j].factor;
       ASSERT_EQ(integral, i == j ? Surd(1) : Surd()) << i << " " << j;
     }
-  }
-}
-
-TEST(Basis, HomogeneousFormIsHarmonic) {
-  for (const BasisFunction& f : all_functions(12)) {
-    Polynomial laplacian;
-    for (int v = 0; v < 3; ++v) laplacian += f.homogeneous.derivative(v).derivative(v);
-    EXPECT_TRUE(laplacian.is_zero()) << f.degree << " " << f.order;
-    EXPECT_TRUE(f.homogeneous.is_homogeneous());
-    EXPECT_EQ(f.homogeneous.degree(), f.degree);
-  }
-}
-
-TEST(Basis, ReducedAndHomogeneousFormsAgreeOnTheSphere) {
-  for (const BasisFunction& f : all_functions(12)) {
-    EXPECT_EQ(on_sphere(f.axial * f.azimuthal), on_sphere(f.homogeneous)) << f.degree << " " << f.order;
   }
 }
 

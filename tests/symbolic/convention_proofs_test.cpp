@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "symbolic/convention/complex_basis.hpp"
+#include "symbolic/convention/convention.hpp"
 #include "symbolic/convention/presets.hpp"
 
 namespace sh::symbolic {

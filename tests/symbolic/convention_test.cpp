@@ -8,7 +8,7 @@
 
 #include "symbolic/convention/convention_map.hpp"
 #include "symbolic/convention/presets.hpp"
-#include "symbolic/rotation/quaternion_rotation.hpp"
+#include "symbolic/rotation/rotation.hpp"
 #include "symbolic/rotation/rotation_recursion.hpp"
 
 namespace sh::symbolic {

@@ -23,8 +23,6 @@ TEST(GauntProofs, EveryEntryOfTheCatalogueHolds) {
     const ProofResult result = proof.run(4);
     EXPECT_TRUE(result.proved) << proof.name << ": " << result.detail;
     EXPECT_TRUE(names.insert(proof.name).second) << proof.name;
-    EXPECT_THROW(proof.run(-1), std::invalid_argument);
-    EXPECT_THROW(proof.run(proof.max_degree + 1), std::invalid_argument);
   }
 }
 

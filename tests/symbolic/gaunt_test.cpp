@@ -12,7 +12,6 @@
 
 #include "numeric/oracle/gaunt.hpp"
 #include "symbolic/product/product_form.hpp"
-#include "symbolic/product/wigner_3j.hpp"
 
 namespace sh::symbolic {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "symbolic/rotation/rotation_axis.hpp"
+#include "symbolic/rotation/rotation.hpp"
 #include "symbolic/rotation/rotation_input.hpp"
 #include "symbolic/rotation/rotation_recursion.hpp"
 

@@ -1,4 +1,6 @@
 // Rotations: what they do to functions, the ways to give one, ranges and errors.
+#include "symbolic/rotation/rotation.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -7,12 +9,8 @@
 #include <stdexcept>
 
 #include "symbolic/basis/basis.hpp"
-#include "symbolic/basis/normalisation.hpp"
-#include "symbolic/rotation/quaternion_rotation.hpp"
-#include "symbolic/rotation/rotation_axis.hpp"
 #include "symbolic/rotation/rotation_input.hpp"
 #include "symbolic/rotation/rotation_recursion.hpp"
-#include "symbolic/rotation/zyz_angles.hpp"
 
 namespace sh::symbolic {
 namespace {

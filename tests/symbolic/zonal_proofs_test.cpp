@@ -6,7 +6,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "symbolic/zonal/irradiance.hpp"
+#include "symbolic/zonal/convolution.hpp"
 
 namespace sh::symbolic {
 namespace {
@@ -31,8 +31,6 @@ TEST(ZonalProofs, EveryEntryOfTheCatalogueHolds) {
     const ProofResult result = proof.run(proof.default_degree);
     EXPECT_TRUE(result.proved) << proof.name << ": " << result.detail;
     EXPECT_TRUE(names.insert(proof.name).second) << proof.name;
-    EXPECT_THROW(proof.run(-1), std::invalid_argument);
-    EXPECT_THROW(proof.run(proof.max_degree + 1), std::invalid_argument);
   }
 }
 

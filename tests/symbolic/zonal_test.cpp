@@ -9,8 +9,7 @@
 #include <stdexcept>
 
 #include "symbolic/zonal/convolution.hpp"
-#include "symbolic/zonal/irradiance.hpp"
-#include "symbolic/zonal/zonal_integrals.hpp"
+#include "symbolic/zonal/zonal_derivations.hpp"
 
 namespace sh::symbolic {
 namespace {

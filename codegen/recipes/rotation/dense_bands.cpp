@@ -2,8 +2,8 @@
 #include <utility>
 
 #include "codegen/recipes/rotation/band_matrices.hpp"
-#include "symbolic/basis/normalisation.hpp"
-#include "symbolic/rotation/rotation_axis.hpp"
+#include "symbolic/basis/basis.hpp"
+#include "symbolic/rotation/rotation.hpp"
 
 namespace sh::codegen::recipes {
 namespace {

@@ -1,5 +1,5 @@
 // Cosines and sines of the multiples of the Euler angles of a rotation, R = Rz(alpha) Ry(beta) Rz(gamma), no angle
-// formed and no hole at beta = 0 or pi (symbolic/rotation/zyz_angles.hpp proves the formula).
+// formed and no hole at beta = 0 or pi (symbolic/rotation/rotation_input.hpp proves the formula).
 //
 // The error of a multiple comes from the distance of (cos, sin) from the unit circle: 1 - 2 s^2 multiplies it by up to
 // 4, c^2 - s^2 by 2, and a double angle that does not go through a square root has none to multiply. So alpha's

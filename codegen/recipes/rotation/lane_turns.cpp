@@ -3,8 +3,7 @@
 #include <stdexcept>
 
 #include "symbolic/number/matrix.hpp"
-#include "symbolic/rotation/quaternion_rotation.hpp"
-#include "symbolic/rotation/rotation_axis.hpp"
+#include "symbolic/rotation/rotation.hpp"
 
 namespace sh::codegen::recipes {
 namespace {

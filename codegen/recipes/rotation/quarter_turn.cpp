@@ -2,7 +2,7 @@
 
 #include <cln/real.h>
 
-#include "symbolic/basis/normalisation.hpp"
+#include "symbolic/basis/basis.hpp"
 
 namespace sh::codegen::recipes {
 namespace {

@@ -1,5 +1,5 @@
 #include "codegen/recipes/rotation/band_matrices.hpp"
-#include "symbolic/basis/normalisation.hpp"
+#include "symbolic/basis/basis.hpp"
 #include "symbolic/rotation/rotation_recursion.hpp"
 
 namespace sh::codegen::recipes {

@@ -1,6 +1,6 @@
 // Recipes: rotation of real spherical harmonics, c' = D(R) c, in several ways.
 //
-// Conventions as in symbolic/rotation/quaternion_rotation.hpp: (R f)(s) = f(R^-1 s), bands ordered l(l+1)+m. The matrix r is
+// Conventions as in symbolic/rotation/rotation.hpp: (R f)(s) = f(R^-1 s), bands ordered l(l+1)+m. The matrix r is
 // (3x3), row-major; coefficients are ((degree+1)^2).
 #pragma once
 

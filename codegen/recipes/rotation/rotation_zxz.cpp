@@ -9,7 +9,7 @@
 #include "codegen/recipes/rotation/quarter_turn.hpp"
 #include "codegen/recipes/rotation/rotation.hpp"
 #include "codegen/recipes/rotation/rotation_parts.hpp"
-#include "symbolic/rotation/rotation_axis.hpp"
+#include "symbolic/rotation/rotation.hpp"
 
 namespace sh::codegen::recipes {
 namespace {

@@ -1,13 +1,12 @@
 // Recipes: irradiance from radiance coefficients, E(n) = sum A_l c_lm Y_lm(n) [RamamoorthiHanrahan01b], and what is
 // made of it: the 4x4 quadratic form, E(n) itself, the lightmap form of degree 1.
-#include "symbolic/zonal/irradiance.hpp"
-
 #include <array>
 #include <string>
 
 #include "codegen/recipes/zonal/columns.hpp"
 #include "codegen/recipes/zonal/zonal.hpp"
 #include "symbolic/basis/basis.hpp"
+#include "symbolic/zonal/convolution.hpp"
 
 namespace sh::codegen::recipes {
 namespace {

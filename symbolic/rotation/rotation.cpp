@@ -1,23 +1,22 @@
 // The definition of the rotation matrices, by GiNaC: D_l(R) from Y_l(R v) = D_l(R) Y_l(v) on the null cone v.v = 0.
 //
-// Input: degree, quaternion or axis. Output: rational parts T_mn of the headers below. On the null cone r^2 drops out of
+// Input: degree, quaternion or axis. Output: rational parts T_mn of rotation.hpp. On the null cone r^2 drops out of
 // S_lm, only the leading term of q(z) stays, and the S_lm of one degree are still independent there: a harmonic
 // polynomial that vanishes on it is divisible by r^2, so zero. The null vector of the spinor (s, t) is
 //     x - iy = s^2,   x + iy = -t^2,   z = s t,   so   S_lm + i S_l,-m = lambda_lm (-1)^m s^(l-m) t^(l+m)   (m >= 0),
 // and M(q) turns it into the null vector of the spinor that the Cayley-Klein parameters of q make of (s, t)
 //     (c s + d t, a t + b s),   a = w + iz, b = ix - y, c = w - iz, d = ix + y         [Wigner59] ch. 15, [Hobson31].
 // Everything here sets t = 1.
+#include "symbolic/rotation/rotation.hpp"
+
 #include <cstdlib>
 #include <map>
 #include <stdexcept>
 #include <string>
 
 #include "symbolic/basis/basis.hpp"
-#include "symbolic/basis/normalisation.hpp"
 #include "symbolic/number/from_ginac.hpp"
 #include "symbolic/number/remembered.hpp"
-#include "symbolic/rotation/quaternion_rotation.hpp"
-#include "symbolic/rotation/rotation_axis.hpp"
 #include "symbolic/rotation/rotation_recursion.hpp"
 
 namespace sh::symbolic {
@@ -125,14 +124,10 @@ const Matrix<cln::cl_RA>& rotation_x90(int degree, bool positive) {
   require_degree(degree, kMaxAxisDegree, "axis rotation");
   static std::map<std::pair<int, bool>, Matrix<cln::cl_RA>> known;
   return remembered(known, {degree, positive}, [&] {
-    const Matrix<Polynomial> band = turned_band(degree, {1, positive ? 1 : -1, 0, 0}, {});  // |q|^2 = 2
-    Matrix<cln::cl_RA> t(band.rows(), band.columns());
-    for (int i = 0; i < band.rows(); ++i) {
-      for (int j = 0; j < band.columns(); ++j) {
-        t(i, j) = band(i, j).coefficient({}) / cln::ash(cln::cl_I(1), degree);
-      }
-    }
-    return t;
+    const cln::cl_I size = cln::ash(cln::cl_I(1), degree);  // |q|^(2l)
+    return turned_band(degree, {1, positive ? 1 : -1, 0, 0}, {}).mapped([&](const Polynomial& entry) -> cln::cl_RA {
+      return entry.coefficient({}) / size;
+    });
   });
 }
 
@@ -157,6 +152,38 @@ const std::vector<std::vector<Coupling>>& band_couplings(int degree) {
     }
     return result;
   });
+}
+
+cln::cl_RA column_scale(int degree, int column) {
+  const int a = std::abs(column);
+  const cln::cl_RA inverse_g = a == degree ? cln::cl_RA(2 * degree - 1) : cln::cl_RA(2 * degree - 1) / (degree - a);
+  return squared_factor(degree, a) / squared_factor(degree - 1, a == degree ? a - 1 : a) * inverse_g;
+}
+
+void require_recursion_degree(int degree, int limit) {
+  if (degree < 0 || degree > limit) {
+    throw std::invalid_argument("rotation recursion: degree " + std::to_string(degree) + "; it should be 0 to " +
+                                std::to_string(limit) + " (exact entries grow with the degree)");
+  }
+}
+
+Matrix<Polynomial> quaternion_matrix() {
+  return matrix_from_quaternion<Polynomial>(
+      {Polynomial::variable(0), Polynomial::variable(1), Polynomial::variable(2), Polynomial::variable(3)});
+}
+
+Matrix<cln::cl_RA> evaluate(const QuaternionRotation& rotation, const std::array<cln::cl_RA, 4>& q) {
+  return rotation.entries.mapped([&](const Polynomial& entry) { return entry.evaluate(q); });
+}
+
+Matrix<Surd> surd_entries(int degree, const Matrix<cln::cl_RA>& rational) {
+  Matrix<Surd> result(rational.rows(), rational.columns());
+  for (int i = 0; i < rational.rows(); ++i) {
+    for (int j = 0; j < rational.columns(); ++j) {
+      result(i, j) = factor_ratio(degree, i - degree, j - degree) * Surd(rational(i, j));
+    }
+  }
+  return result;
 }
 
 }  // namespace sh::symbolic

@@ -1,8 +1,10 @@
-// Zonal coefficients by their definition: GiNaC integrates piecewise polynomial profiles, and takes limits of them.
-//
-// Input: degree l. Output: one ZonalTerm of the family in zonal.hpp with the same name.
+// The two derivations of the zonal families: GiNaC integrates piecewise polynomial profiles and takes limits of them;
+// Legendre identities give closed forms.
 #pragma once
 
+#include <functional>
+#include <map>
+#include <string>
 #include <vector>
 
 #include "symbolic/zonal/zonal.hpp"
@@ -28,19 +30,14 @@ Surd zonal_factor(int degree);
 /// z_l of a piecewise polynomial profile.
 ZonalTerm project_profile(int degree, const std::vector<ZonalPiece>& profile);
 
-namespace definitions {
-ZonalTerm cap(int degree);
-ZonalTerm cap_small(int degree);
-ZonalTerm cap_complement(int degree);
-ZonalTerm annulus(int degree);
-ZonalTerm hemisphere(int degree);
-ZonalTerm clamped_cosine(int degree);
-ZonalTerm cosine_power(int degree);
-ZonalTerm linear_lobe(int degree);
-ZonalTerm sphere_light(int degree);
-ZonalTerm sphere_light_irradiance(int degree);
-ZonalTerm directional_light(int degree);
-ZonalTerm cie_overcast(int degree);
-}  // namespace definitions
+/// z_l of each family of zonal.hpp, by its name.
+using ZonalDerivations = std::map<std::string, std::function<ZonalTerm(int degree)>>;
+
+/// The definition, by GiNaC.
+ZonalDerivations zonal_definitions();
+
+/// The second derivation. Legendre polynomials come from Bonnet's recurrence; integrals from
+/// (2l+1) P_l = P'_(l+1) - P'_(l-1) [AbramowitzStegun64] 8.5.3, 8.5.4.
+ZonalDerivations zonal_closed_forms();
 
 }  // namespace sh::symbolic
