@@ -5,7 +5,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "prt/transfer/transfer.hpp"
+#include "prt/transfer/shape.hpp"
 
 namespace sh::prt {
 

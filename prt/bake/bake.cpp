@@ -3,146 +3,143 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
+#include <filesystem>
 #include <stdexcept>
 
 #include "numeric/output/progress.hpp"
-#include "prt/bake/bake_key.hpp"
+#include "prt/bake/bake_run.hpp"
 #include "prt/bake/chunks.hpp"
-#include "prt/bake/coloured_mirrors.hpp"
-#include "prt/bake/fill_closed.hpp"
-#include "prt/bake/form_factors.hpp"
-#include "prt/bake/interreflect.hpp"
-#include "prt/bake/shadow_pass.hpp"
-#include "prt/bake/trace_form_factors.hpp"
-#include "prt/bake/unshadowed.hpp"
+#include "prt/bake/colored_mirrors.hpp"
+#include "prt/bake/estimate.hpp"
+#include "prt/plan/plan.hpp"
+#include "prt/transfer/transfer_file.hpp"
 
 namespace sh::prt {
 
 namespace {
 
-void check_options(const BakeOptions& options, int threads) {
+void check(const BakeJob& job) {
+  const BakeOptions& options = job.scene.bake;
   if (options.degree < 0 || options.degree > kMaxDegree) {
     throw std::invalid_argument(fmt::format("degree: expected 0 to {}, got {}", kMaxDegree, options.degree));
   }
-  if (threads < 0) {
-    throw std::invalid_argument(fmt::format("threads: expected 0 (every core) or more, got {}", threads));
+  if (job.settings.threads < 0) {
+    throw std::invalid_argument(fmt::format("threads: expected 0 (every core) or more, got {}", job.settings.threads));
+  }
+  const Mesh& mesh = job.scene.mesh;
+  if (mesh.faces.empty()) {
+    throw std::invalid_argument(
+        fmt::format("{}: the mesh has no faces, expected at least one triangle", job.scene.name));
+  }
+  if (job.plan && !job.plan->open.empty() && job.plan->open.size() != mesh.positions.size()) {
+    throw std::invalid_argument(
+        fmt::format("{} marks of open vertices for {} vertices", job.plan->open.size(), mesh.positions.size()));
   }
 }
 
-void report_closed(const Scene& scene, const FillPlan& plan, OnFlaw on_flaw) {
-  if (plan.closed > 0) {
-    report_flaw(on_flaw, fmt::format("{}: no ray can leave {} of {} vertices ({} filled from neighbours, {} "
-                                     "in closed parts left dark)",
-                                     scene.name, plan.closed, scene.mesh.positions.size(), plan.filled,
-                                     plan.closed - plan.filled));
-  }
-}
-
-// Mostly in the dark: a closed room without light, or surfaces whose fronts are inside.
-void report_dark(const Scene& scene, const std::vector<Sight>& sight, OnFlaw on_flaw) {
-  const auto dark = static_cast<std::size_t>(std::count(sight.begin(), sight.end(), Sight::kDark));
-  if (2 * dark > sight.size() && scene.mesh.emission.empty()) {
-    report_flaw(on_flaw, fmt::format("{}: {} of {} vertices see no sky and nothing shines: closed rooms, or meshes "
-                                     "with their fronts inside (`flip` turns a mesh)",
-                                     scene.name, dark, sight.size()));
-  }
-}
-
-// Light between mirrors that face each other, without much loss, has no end.
-void report_cut(const Scene& scene, double cut, OnFlaw on_flaw) {
-  constexpr double kNoticed = 1e-3;
-  if (cut > kNoticed) {
-    report_flaw(on_flaw, fmt::format("{}: paths were cut after {} mirrors: up to {:.2g} of the light of a vertex is "
-                                     "left out",
-                                     scene.name, MirrorPaths::kMostMirrors, cut));
-  }
-}
-
-// Shadowed vectors of all vertices; those without sight take their neighbours'.
-void shadow(const Scene& scene, const RaySetup& setup, const BakeSettings& settings, Checkpoint& checkpoint,
-            ShadowResult& result) {
-  ShadowPass pass(scene.mesh, setup, settings.open, result);
-  pass.run(checkpoint);
-  report_cut(scene, pass.largest_cut(), settings.on_flaw);
-  const FillPlan plan = plan_fill(scene.mesh, result.sight);
-  fill_closed(result.transfer, plan);
-  report_closed(scene, plan, settings.on_flaw);
-  report_dark(scene, result.sight, settings.on_flaw);
-  for (const Fill& fill : plan.fills) {
-    if (result.factors != nullptr) {
-      result.factors->keep_mean(fill.vertex, fill.sources);
-    }
-  }
-}
-
-// Unshadowed vectors become shadowed or interreflected ones.
-void trace(const Scene& scene, const BakeSettings& settings, Transfer& transfer, BakeReport& report) {
-  const RaySetup setup(scene, settings.threads, settings.instruction_set);
-  transfer.kind = TransferKind::kShadowed;
-  transfer.instruction_set = setup.tracer.instruction_set();
-  transfer.directions = static_cast<std::uint32_t>(scene.bake.directions);
-  transfer.sampler = scene.bake.sampler;
-  transfer.seed = scene.bake.seed;
-  const bool bounces = scene.bake.kind == TransferKind::kInterreflected;
-  FormFactors factors(bounces ? scene.mesh.positions.size() : 0, settings.bounce_memory, [&] {
-    return make_row_maker(scene.mesh, setup.starts, setup.directions, setup.tracer, setup.mirrors);
-  });
-  ShadowResult result{transfer, std::vector<Sight>(scene.mesh.positions.size(), Sight::kSome),
-                      bounces ? &factors : nullptr};
-  Checkpoint checkpoint(settings.checkpoint, bake_key(scene, transfer.instruction_set, settings.open), result);
+Transfer run_steps(const Scene& scene, const BakeSettings& settings, const Plan& plan, BakeReport& report) {
+  BakeRun run(scene, settings, plan.open);
   try {
-    shadow(scene, setup, settings, checkpoint, result);
-    if (bounces) {
-      interreflect(scene, factors, settings.on_flaw, transfer);
+    for (const BakeStep& step : scene.bake.kind->steps) {
+      step.run(run);
     }
   } catch (const output::Interrupted&) {
-    throw output::Interrupted(checkpoint.interrupted());
+    if (!run.checkpoint) {
+      throw;
+    }
+    throw output::Interrupted(run.checkpoint->interrupted());
   }
-  report = {setup.tracer.rays(), settings.checkpoint.path};
+  if (run.rays) {
+    report.rays += run.rays->tracer.rays();
+    report.checkpoint = settings.checkpoint.path;
+  }
+  return std::move(run.transfer);
 }
 
-Transfer bake_in_arena(const Scene& scene, const BakeSettings& settings, BakeReport& report) {
-  Transfer transfer;
-  transfer.scene = scene.name;
-  transfer.mesh = scene.mesh;
-  transfer.degree = scene.bake.degree;
-  transfer.kind = TransferKind::kUnshadowed;
-  transfer.instruction_set = "any";
-  transfer.coefficients = unshadowed_transfer(transfer.degree, scene.mesh.normals);
-  transfer.emitted = scene.mesh.emission;
-  if (scene.bake.kind != TransferKind::kUnshadowed) {
-    trace(scene, settings, transfer, report);
+Transfer run_steps(const BakeJob& job, BakeReport& report) {
+  if (!job.scene.bake.kind->traces_rays() || !has_colored_mirrors(job.scene.mesh)) {
+    return run_steps(job.scene, job.settings, *job.plan, report);
   }
-  return transfer;
+  BakeSettings part = job.settings;
+  part.checkpoint = {};  // it holds one bake
+  return bake_by_channel(job.scene, [&](const Scene& grey) { return run_steps(grey, part, *job.plan, report); });
+}
+
+void say_estimate(const BakeEstimate& estimate, const BakeObserver& say) {
+  constexpr double kWorthSaying = 2.0;  // seconds
+  if (estimate.seconds() >= kWorthSaying) {
+    say(fmt::format("about {:.2g} s, {:.0f} MiB: {:.3g} million rays{}", estimate.seconds(),
+                    static_cast<double>(estimate.bytes) / 1048576.0, estimate.rays * 1e-6,
+                    estimate.bounces > 0.0 ? fmt::format(", {:.0f} bounces", estimate.bounces) : ""));
+  }
+}
+
+// Fewer directions and a deadline for the bounces, where there is a budget.
+void prepare(BakeJob& job, const BakeObserver& say) {
+  if (!job.scene.bake.kind->traces_rays() || (!say && !job.budget)) {
+    return;
+  }
+  const BakeEstimate estimate = estimate_bake(job);
+  if (say) {
+    say_estimate(estimate, say);
+  }
+  if (!job.budget) {
+    return;
+  }
+  const auto& [seconds, spent] = *job.budget;
+  const int wanted = job.scene.bake.directions;
+  job.scene.bake = within_budget(job.scene.bake, estimate, seconds - spent.seconds());
+  job.scene.bake.bounces.deadline = spent.after(seconds);
+  if (say && job.scene.bake.directions < wanted) {
+    say(fmt::format("{} of {} directions fit into {} s", job.scene.bake.directions, wanted, seconds));
+  }
+}
+
+bool fits(const Transfer& transfer, const std::vector<float>& largest) {
+  for (std::size_t i = 0; i < transfer.coefficients.size(); ++i) {
+    if (std::abs(transfer.coefficients[i]) > largest[i % largest.size()]) {
+      return false;
+    }
+  }
+  return true;
+}
+
+void take_plan(const Plan& plan, Transfer& transfer) {
+  transfer.plan = plan.record;
+  transfer.shape.storage = plan.storage;
+  if (plan.storage.element == Element::kByte && !fits(transfer, plan.largest)) {
+    transfer.shape.storage.element = Element::kHalf;  // an outlier would coarsen every other number of its column
+  }
 }
 
 }  // namespace
 
-Transfer bake(const Scene& scene, const BakeSettings& settings, BakeReport* report) {
-  check_options(scene.bake, settings.threads);
-  if (scene.mesh.faces.empty()) {
-    throw std::invalid_argument(fmt::format("{}: the mesh has no faces, expected at least one triangle", scene.name));
+Transfer bake(BakeJob job, BakeReport* report, const BakeObserver& say) {
+  check(job);
+  if (!job.plan) {
+    job = planned(std::move(job));
   }
-  if (!settings.open.empty() && settings.open.size() != scene.mesh.positions.size()) {
-    throw std::invalid_argument(
-        fmt::format("{} marks of open vertices for {} vertices", settings.open.size(), scene.mesh.positions.size()));
-  }
+  const BakeOptions wanted = job.scene.bake;
+  prepare(job, say);
   Transfer transfer;
   BakeReport measured;
-  on_threads(settings.threads, [&] {
-    if (scene.bake.kind != TransferKind::kUnshadowed && has_coloured_mirrors(scene.mesh)) {
-      BakeSettings part = settings;
-      part.checkpoint = {};  // it holds one bake
-      transfer = bake_by_channel(scene, [&](const Scene& grey) {
-        BakeReport channel;
-        Transfer result = bake_in_arena(grey, part, channel);
-        measured.rays += channel.rays;
-        return result;
-      });
-    } else {
-      transfer = bake_in_arena(scene, settings, measured);
-    }
-  });
+  on_threads(job.settings.threads, [&] { transfer = run_steps(job, measured); });
+  take_plan(*job.plan, transfer);
+  transfer.missing = shortfall(wanted, transfer);
+  if (report != nullptr) {
+    *report = measured;
+  }
+  return transfer;
+}
+
+Transfer bake_to_file(const std::string& file, BakeJob job, BakeReport* report, const BakeObserver& say) {
+  BakeReport measured;
+  Transfer transfer = bake(std::move(job), &measured, say);
+  write_transfer(file, transfer);
+  if (!measured.checkpoint.empty()) {
+    std::filesystem::remove(measured.checkpoint);
+  }
   if (report != nullptr) {
     *report = measured;
   }

@@ -1,4 +1,4 @@
-// The operator A = albedo * K and what both solvers of bounces.hpp need of it.
+// The operator A = albedo * K with the operations that both solvers of bounces.hpp need.
 #pragma once
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>

@@ -1,8 +1,8 @@
 // Light that bounces between diffuse surfaces, as a linear system.
 //   x = b + A x,   A = albedo * K,
-// x_v what leaves vertex v after any number of bounces, b what leaves it of its own (emitted, or reflected from the sky
-// at once), K the form factors. Solved as the Neumann series b + A b + A^2 b + ... while that is quick, and by
-// BiCGSTAB [VanDerVorst92] on the same operator where it is not (closed rooms with bright walls).
+// x_v the light that leaves vertex v after any number of bounces, b its part without bounces (emitted, or reflected
+// from the sky at once), K the form factors. Solved as the Neumann series b + A b + A^2 b + ... while that is quick,
+// and by BiCGSTAB [VanDerVorst92] on the same operator where it is not (closed rooms with bright walls).
 // The error is certified, for either. A has no negative entry; so if y > 0 and s = (I - A) y > 0, then I - A is a
 // nonsingular M-matrix [BermanPlemmons94, theorem 6.2.3] and, since (I - A)^-1 is not negative either,
 //   |(I - A)^-1| <= max y / min s in the maximum norm,   |x - x_exact| <= max y / min s * |b - (I - A) x|.
@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "prt/bake/form_factors.hpp"
-#include "prt/bake/panel.hpp"
 #include "prt/scene/bake_options.hpp"
 #include "prt/transfer/transfer.hpp"
 

@@ -1,4 +1,4 @@
-// Which chunks of a bake are done and which of them are on disk, so that it can go on where it was stopped.
+// Keeps track of the chunks of a bake that are done and of those on disk, so that it can go on where it was stopped.
 #pragma once
 #include <chrono>
 #include <cstddef>
@@ -8,16 +8,11 @@
 #include <string>
 #include <vector>
 
+#include "prt/bake/checkpoint_contents.hpp"
 #include "prt/bake/checkpoint_file.hpp"
-#include "prt/bake/chunk_record.hpp"
+#include "prt/bake/job.hpp"
 
 namespace sh::prt {
-
-struct CheckpointSettings {
-  std::string path;      // empty: none
-  bool restart = false;  // throw away what is there
-  double seconds = 2.0;  // the most work that is lost when the process is killed; a shorter bake writes nothing
-};
 
 class Checkpoint {
  public:

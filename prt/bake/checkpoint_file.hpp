@@ -1,4 +1,4 @@
-// A checkpoint on disk: a key that says what bake it belongs to, then records, one a chunk of vertices, appended as
+// A checkpoint on disk: a key that names its bake, then records, one a chunk of vertices, appended as
 // they finish. In: bytes of chunks. Out: those that are whole, after any end of the process. prt/README.md states every
 // byte. A record that a killed process left half written, or that was changed, fails its checksum and is dropped.
 #pragma once

@@ -1,14 +1,15 @@
 #include "prt/bake/estimate.hpp"
 
+#include <fmt/core.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <limits>
 #include <numbers>
+#include <stdexcept>
 
 #include "prt/bake/bounces.hpp"
 #include "prt/bake/shadow_pass.hpp"
@@ -18,15 +19,13 @@ namespace sh::prt {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 constexpr double kSampleSeconds = 0.05;
 constexpr std::size_t kMostSamples = 1024;
 constexpr std::size_t kPanels = 4;            // of the series: sum, term, next term, right sides
 constexpr std::size_t kBytesADirection = 72;  // of a thread's buffers
-constexpr double kMostBounces = 60.0;         // then the Krylov solver is quicker
-
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+constexpr double kUsedOfBudget = 5.0 / 6.0;
+constexpr double kBouncesOfBudget = 0.5;
+constexpr double kMostBounces = 60.0;  // then the Krylov solver is quicker
 
 std::size_t resident_memory() {
   std::size_t pages = 0;
@@ -63,16 +62,18 @@ double apply_seconds(const FormFactors& factors, std::size_t vertices, std::size
   Panel y(factors.size(), columns);
   double least = std::numeric_limits<double>::max();
   for (int i = 0; i < 3; ++i) {
-    const auto start = Clock::now();
+    const output::Stopwatch stopwatch;
     factors.apply(x, y);
-    least = std::min(least, seconds_since(start));
+    least = std::min(least, stopwatch.seconds());
   }
   return least;
 }
 
 // The bounces, from the rows of the vertices that were sampled.
-void estimate_bounces(const Scene& scene, const BakeSettings& settings, const FormFactors& all,
-                      const std::vector<std::uint32_t>& samples, BakeEstimate& estimate) {
+void estimate_bounces(const BakeJob& job, const FormFactors& all, const std::vector<std::uint32_t>& samples,
+                      BakeEstimate& estimate) {
+  const Scene& scene = job.scene;
+  const std::size_t memory = job.settings.bounce_memory;
   FormFactors factors(samples.size());
   std::size_t entries = 0;
   double sum = 0.0;
@@ -89,58 +90,92 @@ void estimate_bounces(const Scene& scene, const BakeSettings& settings, const Fo
     factors.keep(i, row);
   }
   const double scale = static_cast<double>(estimate.vertices) / static_cast<double>(samples.size());
-  const BounceLayout layout{static_cast<std::size_t>((scene.bake.degree + 1) * (scene.bake.degree + 1))};
+  const BounceLayout layout{scene.bake.kind->shape(scene.bake.degree).count()};
   estimate.factor_bytes = static_cast<std::size_t>(static_cast<double>(entries * sizeof(FormFactor)) * scale);
   estimate.bounce_seconds = apply_seconds(factors, scene.mesh.positions.size(), layout.columns()) * scale;
-  const double kept = estimate.factor_bytes <= settings.bounce_memory
-                          ? 1.0
-                          : static_cast<double>(settings.bounce_memory) / static_cast<double>(estimate.factor_bytes);
+  const double kept =
+      estimate.factor_bytes <= memory ? 1.0 : static_cast<double>(memory) / static_cast<double>(estimate.factor_bytes);
   estimate.bounce_seconds += (1.0 - kept) * estimate.pass_seconds;
   const double rate = sum > 0.0 ? std::min(square / sum, 0.99) : 0.0;  // light goes where much of it comes back
   estimate.bounces = rate > 0.0 ? std::log(scene.bake.bounces.tolerance) / std::log(rate) : 1.0;
   estimate.bounces = std::clamp(std::ceil(estimate.bounces), 1.0, kMostBounces);
   const Panel row(1, layout.columns());
-  estimate.bytes += std::min(estimate.factor_bytes, settings.bounce_memory) +
+  estimate.bytes += std::min(estimate.factor_bytes, memory) +
                     scene.mesh.positions.size() * (kPanels * row.columns * sizeof(double) +
                                                    BounceLayout::kChannels * layout.count * sizeof(float));
 }
 
-BakeEstimate estimate_rays(const Scene& scene, const BakeSettings& settings) {
-  const auto start = Clock::now();
+BakeEstimate estimate_rays(const BakeJob& job) {
+  const Scene& scene = job.scene;
+  const BakeSettings& settings = job.settings;
+  const std::vector<std::uint8_t> open = job.plan ? job.plan->open : std::vector<std::uint8_t>();
+  const output::Stopwatch stopwatch;
   const RaySetup setup(scene, settings.threads, settings.instruction_set);
   BakeEstimate estimate;
-  estimate.setup_seconds = seconds_since(start);
+  estimate.setup_seconds = stopwatch.seconds();
   const std::size_t vertices = scene.mesh.positions.size();
-  std::vector<std::uint32_t> samples = spread_vertices(vertices, settings.open, estimate.vertices);
+  std::vector<std::uint32_t> samples = spread_vertices(vertices, open, estimate.vertices);
   Transfer transfer;
-  transfer.degree = scene.bake.degree;
-  transfer.coefficients = unshadowed_transfer(transfer.degree, scene.mesh.normals);
-  const bool bounces = scene.bake.kind == TransferKind::kInterreflected;
+  transfer.shape.degree = scene.bake.degree;
+  transfer.coefficients = unshadowed_transfer(scene.bake.degree, scene.mesh.normals);
+  const bool bounces = scene.bake.kind->has_bounces();
   FormFactors factors(bounces ? vertices : 0);
   ShadowResult result{transfer, std::vector<Sight>(vertices, Sight::kSome), bounces ? &factors : nullptr};
-  const auto first_ray = Clock::now();
-  samples.resize(ShadowPass(scene.mesh, setup, settings.open, result).sample(samples, kSampleSeconds));
+  const output::Stopwatch tracing;
+  samples.resize(ShadowPass(scene.mesh, setup, open, result).sample(samples, kSampleSeconds));
   if (samples.empty()) {
     return estimate;
   }
   const double scale = static_cast<double>(estimate.vertices) / static_cast<double>(samples.size());
-  estimate.pass_seconds = seconds_since(first_ray) * scale;
+  estimate.pass_seconds = tracing.seconds() * scale;
   estimate.rays = static_cast<double>(setup.tracer.rays()) * scale;
   estimate.bytes = resident_memory() + setup.directions.size() * kBytesADirection * thread_count(settings.threads);
   if (bounces) {
-    estimate_bounces(scene, settings, factors, samples, estimate);
+    estimate_bounces(job, factors, samples, estimate);
   }
   return estimate;
 }
 
 }  // namespace
 
-BakeEstimate estimate_bake(const Scene& scene, const BakeSettings& settings) {
+BakeEstimate estimate_bake(const BakeJob& job) {
   BakeEstimate estimate;
-  if (scene.bake.kind != TransferKind::kUnshadowed) {
-    on_threads(settings.threads, [&] { estimate = estimate_rays(scene, settings); });
+  if (job.scene.bake.kind->traces_rays()) {
+    on_threads(job.settings.threads, [&] { estimate = estimate_rays(job); });
   }
   return estimate;
+}
+
+BakeOptions within_budget(const BakeOptions& wanted, const BakeEstimate& estimate, double seconds) {
+  const double available = kUsedOfBudget * seconds - estimate.setup_seconds;
+  const double bounces = std::min(estimate.bounces * estimate.bounce_seconds, kBouncesOfBudget * available);
+  const double part = (available - bounces) / std::max(estimate.pass_seconds, 1e-9);
+  const int least = std::min(kLeastDirections, wanted.directions);
+  BakeOptions options = wanted;
+  if (part < 1.0) {
+    options.directions = static_cast<int>(part * static_cast<double>(wanted.directions));
+  }
+  if (options.directions < least) {
+    const double pass = estimate.pass_seconds * static_cast<double>(least) / static_cast<double>(wanted.directions);
+    const double needed =
+        (estimate.setup_seconds + pass + std::min(pass, estimate.bounces * estimate.bounce_seconds)) / kUsedOfBudget;
+    throw std::runtime_error(
+        fmt::format("--budget-seconds {}: too short; {} directions, the least, take about {:.2g} s", seconds, least,
+                    std::max(needed, 1.01 * seconds)));
+  }
+  return options;
+}
+
+Shortfall shortfall(const BakeOptions& wanted, const Transfer& transfer) {
+  Shortfall missing;
+  if (transfer.directions > 0 && static_cast<int>(transfer.directions) < wanted.directions) {
+    missing.directions = static_cast<std::uint32_t>(wanted.directions);
+  }
+  if (transfer.kind->has_bounces() &&
+      !(transfer.bounces.bound <= wanted.bounces.tolerance * transfer.bounces.largest)) {
+    missing.tolerance = wanted.bounces.tolerance;
+  }
+  return missing;
 }
 
 std::size_t peak_memory() {

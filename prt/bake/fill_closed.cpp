@@ -58,17 +58,16 @@ FillPlan plan_fill(const Mesh& mesh, const std::vector<Sight>& sight) {
 }
 
 void fill_closed(Transfer& transfer, const FillPlan& plan) {
-  const std::size_t count = transfer.bands_squared();
+  const std::size_t count = transfer.shape.length();
   std::vector<float> mean(count);
   for (const auto& [vertex, sources] : plan.fills) {
     std::fill(mean.begin(), mean.end(), 0.0F);
     for (const std::uint32_t source : sources) {
-      const float* value = transfer.coefficients.data() + source * count;
+      const float* value = transfer.row(source);
       std::transform(value, value + count, mean.begin(), mean.begin(), std::plus<>());
     }
     const auto known = static_cast<float>(sources.size());
-    std::transform(mean.begin(), mean.end(), transfer.coefficients.data() + vertex * count,
-                   [known](float sum) { return sum / known; });
+    std::transform(mean.begin(), mean.end(), transfer.row(vertex), [known](float sum) { return sum / known; });
   }
 }
 

@@ -9,7 +9,7 @@
 
 namespace sh::prt {
 
-/// What became of a vertex's rays: some got away; all were blocked, by something seen from its front (a shadow like any
+/// The fate of a vertex's rays: some got away; all were blocked, by something seen from its front (a shadow like any
 /// other); nearly all met something nearer than an edge's length; all were blocked because the vertex lies inside
 /// something.
 enum class Sight : std::uint8_t { kSome, kDark, kCovered, kBuried };

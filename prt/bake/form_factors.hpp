@@ -1,18 +1,31 @@
-// Which part of the cosine-weighted hemisphere of every vertex sees which vertices: the form factors of the mesh, found
-// once by rays and used for every bounce. They do not depend on light, albedo, colour or degree.
+// The form factors of the mesh: the part of the cosine-weighted hemisphere of every vertex that sees each other vertex.
+// Rays find them once, and every bounce uses them. They do not depend on light, albedo, color or degree.
 #pragma once
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <vector>
 
-#include "prt/bake/panel.hpp"
-
 namespace sh::prt {
 
-/// The hits of one vertex, merged by the corners of the faces they lie on: what vertex `vertex` sends out counts with
-/// `weight`, the sum over hits of (part of the cosine) * (barycentric coordinate). Weights are positive; a row's sum is
-/// at most 1 and 1 where everything is closed.
+/// A table of numbers, one row a vertex: the columns of a linear system that are solved side by side.
+/// (rows, columns) doubles, row-major; the columns are whole SIMD registers (a multiple of kUnit).
+struct Panel {
+  static constexpr std::size_t kUnit = 8;
+
+  Panel(std::size_t row_count, std::size_t least_columns)
+      : rows(row_count), columns((least_columns + kUnit - 1) / kUnit * kUnit), values(rows * columns, 0.0) {}
+  double* row(std::size_t r) { return values.data() + r * columns; }
+  [[nodiscard]] const double* row(std::size_t r) const { return values.data() + r * columns; }
+
+  std::size_t rows;
+  std::size_t columns;
+  std::vector<double> values;
+};
+
+/// The hits of one vertex, merged by the corners of the faces they lie on: the light that `vertex` sends out counts
+/// with `weight`, the sum over hits of (part of the cosine) * (barycentric coordinate). Weights are positive; a row's
+/// sum is at most 1 and 1 where everything is closed.
 struct FormFactor {
   std::uint32_t vertex;
   float weight;

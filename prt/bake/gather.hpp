@@ -1,4 +1,4 @@
-// What one vertex sees along the shared directions: the inner loop of the shadowed bake.
+// The visible part of the shared directions at one vertex: the inner loop of the shadowed bake.
 #pragma once
 #include <Eigen/Geometry>
 #include <array>
@@ -65,7 +65,7 @@ struct Gathered {
   [[nodiscard]] float fraction() const { return all[0] > 0.0F ? visible[0] / all[0] : 0.0F; }
 };
 
-/// A ray that something is in the way of, and its part of the cosine over the whole hemisphere, which sums to 1.
+/// A blocked ray and its share of the cosine weight, which sums to 1 over the hemisphere.
 struct BlockedRay {
   Eigen::Vector3f direction;
   Hit hit;
@@ -81,7 +81,7 @@ class Gatherer {
                          const Eigen::Vector3f& geometric_normal);
   /// The closest hits of the rays that the last gather() found blocked; valid until the next call of either.
   const std::vector<BlockedRay>& closest_hits();
-  /// What became of the rays of a vertex that gather() found nearly dark.
+  /// Says why a vertex is nearly dark, after gather().
   Sight classify(const Mesh& mesh, std::size_t vertex, const RayStart& start, bool is_dark);
   /// The rays of one vertex that gather() would trace, for measurements.
   std::vector<ShadowRay> rays(const Eigen::Vector3f& origin, const Eigen::Vector3f& normal,

@@ -1,6 +1,7 @@
-// What a vertex sees in mirrors: the sky, which joins its transfer vector, and other surfaces, which join its row of
-// the form factors. Grey mirrors: of a reflectance the first channel counts (prt/bake/coloured_mirrors.hpp has the
-// others). In: the closest hits of the rays that something blocked. A path that leaves the scene in direction s adds
+// The light that a vertex sees in mirrors: the sky, which joins its transfer vector, and other surfaces, which join its
+// row of the form factors. Grey mirrors: of a reflectance the first channel counts (prt/bake/colored_mirrors.hpp has
+// the others). In: the closest hits of the rays that something blocked. A path that leaves the scene in direction s
+// adds
 //   (its part of the cosine) * (product of the reflectances) * Y(s).
 #pragma once
 #include <vector>

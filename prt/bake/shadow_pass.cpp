@@ -106,12 +106,12 @@ void ShadowPass::trace(std::size_t vertex, Worker& worker) {
   }
   const RayStart& start = setup_.starts[vertex];
   const Gathered& seen = worker.gatherer.gather(start.origin, mesh_.normals[vertex], mesh_.geometric_normals[vertex]);
-  const std::size_t count = result_.transfer.bands_squared();
-  control_with_unshadowed(seen, count, result_.transfer.coefficients.data() + vertex * count);
+  float* row = result_.transfer.row(vertex);
+  control_with_unshadowed(seen, result_.transfer.shape.count(), row);
   float fraction = seen.fraction();
   if (setup_.mirrors.any()) {
     const std::vector<BlockedRay>& met = worker.mirrors.follow(start.origin, worker.gatherer.closest_hits());
-    fraction += worker.mirrors.add_sky(result_.transfer.degree, result_.transfer.coefficients.data() + vertex * count);
+    fraction += worker.mirrors.add_sky(result_.transfer.degree(), row);
     if (!mesh_.albedo[vertex].isZero(0.0F)) {  // black ones, such as mirrors themselves, do not show it
       worker.largest_cut = std::max(worker.largest_cut, worker.mirrors.cut());
     }

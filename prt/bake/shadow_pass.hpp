@@ -1,13 +1,12 @@
 // The rays of a shadowed bake: chunks of vertices on all threads, results collected in place.
 // In: unshadowed transfer vectors. Out: shadowed ones, what became of the rays of every vertex and, where wanted, what
-// they hit. prt/bake/bake.hpp has the formula.
+// they hit. prt/bake/steps.hpp has the formula.
 #pragma once
 #include <cstdint>
 #include <string>
 #include <vector>
 
 #include "prt/bake/checkpoint.hpp"
-#include "prt/bake/chunk_record.hpp"
 #include "prt/bake/gather.hpp"
 #include "prt/mesh/mesh.hpp"
 #include "prt/rays/mirror_paths.hpp"
@@ -32,7 +31,7 @@ void control_with_unshadowed(const Gathered& seen, std::size_t count, float* tra
 
 class ShadowPass {
  public:
-  /// `result` holds unshadowed vectors, which run() replaces; `open` as in BakeSettings. All must outlive the pass.
+  /// `result` holds unshadowed vectors, which run() replaces; `open` as in Plan. All must outlive the pass.
   ShadowPass(const Mesh& mesh, const RaySetup& setup, const std::vector<std::uint8_t>& open, ShadowResult& result);
   /// Traces all vertices but those that the checkpoint holds, and shows progress. Throws output::Interrupted, seen
   /// before every vertex, when asked to stop.

@@ -1,19 +1,14 @@
 // `prt bake SCENE -o FILE`: the transfer vectors of a scene's mesh.
 #include <fmt/format.h>
 
-#include <chrono>
 #include <filesystem>
-#include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "prt/bake/bake.hpp"
-#include "prt/bake/budget.hpp"
 #include "prt/bake/estimate.hpp"
 #include "prt/commands/commands.hpp"
 #include "prt/plan/plan.hpp"
-#include "prt/scene/scene.hpp"
-#include "prt/transfer/transfer_file.hpp"
 
 namespace sh::prt {
 namespace {
@@ -66,16 +61,16 @@ BakeSettings settings_of(const Options& options) {
   return settings;
 }
 
-void report_plan(const Plan& plan) {
-  for (const Decision& decision : plan.record.decisions) {
+void report_plan(const PlanRecord& plan) {
+  for (const Decision& decision : plan.decisions) {
     fmt::print(stderr, "prt: plan: {}: {} ({:.2g}, {})\n", decision.name, decision.choice, decision.error,
                decision.basis);
   }
 }
 
-constexpr double kMiB = 1048576.0;
-
-void print_estimate(const Scene& scene, const BakeEstimate& estimate) {
+void print_estimate(const BakeJob& job) {
+  const Scene& scene = job.scene;
+  const BakeEstimate estimate = estimate_bake(job);
   const nlohmann::ordered_json json = {{"scene", scene.name},
                                        {"vertices", scene.mesh.positions.size()},
                                        {"traced_vertices", estimate.vertices},
@@ -89,35 +84,7 @@ void print_estimate(const Scene& scene, const BakeEstimate& estimate) {
                                        {"seconds_a_bounce", estimate.bounce_seconds},
                                        {"form_factor_bytes", estimate.factor_bytes},
                                        {"bytes", estimate.bytes}};
-  std::cout << json.dump(2) << '\n' << std::flush;
-  if (!std::cout) {
-    throw std::runtime_error("standard output: cannot write");
-  }
-}
-
-void say_estimate(const BakeEstimate& estimate) {
-  constexpr double kWorthSaying = 2.0;  // seconds
-  if (estimate.seconds() < kWorthSaying) {
-    return;
-  }
-  fmt::print(stderr, "prt: about {:.2g} s, {:.0f} MiB: {:.3g} million rays{}\n", estimate.seconds(),
-             static_cast<double>(estimate.bytes) / kMiB, estimate.rays * 1e-6,
-             estimate.bounces > 0.0 ? fmt::format(", {:.0f} bounces", estimate.bounces) : "");
-}
-
-// Fewer directions and a deadline for the bounces, where there is a budget.
-void take_budget(const Options& options, const BakeEstimate& estimate, double spent, BakeOptions& bake) {
-  if (!options.budget_seconds) {
-    return;
-  }
-  const int wanted = bake.directions;
-  bake = within_budget(bake, estimate, *options.budget_seconds - spent);
-  const auto left = std::chrono::duration<double>(*options.budget_seconds - spent);
-  bake.bounces.deadline =
-      std::chrono::steady_clock::now() + std::chrono::duration_cast<std::chrono::steady_clock::duration>(left);
-  if (bake.directions < wanted) {
-    fmt::print(stderr, "prt: {} of {} directions fit into {} s\n", bake.directions, wanted, *options.budget_seconds);
-  }
+  print_out(json.dump(2) + "\n");
 }
 
 void run(const Options& options) {
@@ -125,38 +92,29 @@ void run(const Options& options) {
   if (!options.only_estimate) {
     require_writable(options.output);
   }
-  BakeSettings settings = settings_of(options);
-  Scene scene = load_scene(options.scene, settings.on_flaw);
-  options.bake.apply_to(scene.bake);
-  Plan plan = make_plan(scene, options.plan.applied_to(scene.plan), settings);
-  const BakeOptions wanted = plan.bake;
-  if (wanted.kind != TransferKind::kUnshadowed) {
-    scene.bake = plan.bake;
-    settings.open = plan.open;
-    const BakeEstimate estimate = estimate_bake(scene, settings);
-    if (options.only_estimate) {
-      print_estimate(scene, estimate);
-      return;
-    }
-    say_estimate(estimate);
-    take_budget(options, estimate, stopwatch.seconds(), plan.bake);
+  const BakeSettings settings = settings_of(options);
+  BakeJob job(load_scene(options.scene, settings.on_flaw), settings);
+  options.bake.apply_to(job.scene.bake);
+  job.scene.plan = options.plan.applied_to(job.scene.plan);
+  if (options.only_estimate) {
+    print_estimate(planned(std::move(job)));
+    return;
+  }
+  if (options.budget_seconds) {
+    job.budget = BakeBudget{*options.budget_seconds, stopwatch};
   }
   BakeReport report;
-  Transfer transfer = bake_planned(scene, plan, settings, &report);
-  transfer.missing = shortfall(wanted, transfer);
-  report_plan(plan);
-  if (transfer.kind == TransferKind::kInterreflected) {
+  const Transfer transfer = bake_to_file(options.output, std::move(job), &report,
+                                         [](const std::string& line) { fmt::print(stderr, "prt: {}\n", line); });
+  report_plan(transfer.plan);
+  if (transfer.kind->has_bounces()) {
     report_bounces(transfer.bounces);
   }
-  write_transfer(options.output, transfer);
-  if (!report.checkpoint.empty()) {
-    std::filesystem::remove(report.checkpoint);
-  }
   fmt::print(stderr, "prt: {} rays traced, {:.0f} MiB at the most\n", report.rays,
-             static_cast<double>(peak_memory()) / kMiB);
-  stopwatch.report(fmt::format("baked {} vertices, {} faces, degree {}, {} directions, into {}",
-                               transfer.mesh.positions.size(), transfer.mesh.faces.size(), transfer.degree,
-                               transfer.directions, options.output));
+             static_cast<double>(peak_memory()) / 1048576.0);
+  report_time(stopwatch, fmt::format("baked {} vertices, {} faces, degree {}, {} directions, into {}",
+                                     transfer.mesh.positions.size(), transfer.mesh.faces.size(), transfer.degree(),
+                                     transfer.directions, options.output));
 }
 
 void add_checkpoint_to(CLI::App& command, Options& options) {

@@ -5,10 +5,11 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <chrono>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <iostream>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "prt/commands/commands.hpp"
@@ -17,8 +18,6 @@
 
 namespace sh::prt {
 namespace {
-
-std::int64_t now() { return std::chrono::steady_clock::now().time_since_epoch() / std::chrono::nanoseconds(1); }
 
 std::vector<LightSpec> lights_of_file(const std::string& file) {
   const nlohmann::json document = read_json(file);
@@ -100,6 +99,13 @@ void with_threads(int threads, const std::function<void()>& work) {
   work();
 }
 
+void print_out(std::string_view text) {
+  std::cout << text << std::flush;
+  if (!std::cout) {
+    throw std::runtime_error("standard output: cannot write");
+  }
+}
+
 void require_writable(const std::string& file) {
   const std::filesystem::path path(file);
   if (std::filesystem::is_directory(path)) {
@@ -112,10 +118,31 @@ void require_writable(const std::string& file) {
   }
 }
 
-Stopwatch::Stopwatch() : start_(now()) {}
+void report_time(const Stopwatch& stopwatch, const std::string& what) {
+  fmt::print(stderr, "prt: {} in {:.2f} s\n", what, stopwatch.seconds());
+}
 
-void Stopwatch::report(const std::string& what) const { fmt::print(stderr, "prt: {} in {:.2f} s\n", what, seconds()); }
+void BakeOverrides::add_to(CLI::App& command) {
+  command.add_option("--degree", degree, "0 to 10, instead of the scene's");
+  command.add_option("--directions", directions, "rays a vertex over the whole sphere, instead of the scene's");
+  command.add_option("--sampler", sampler, "how the directions are chosen, instead of the scene's")
+      ->check(CLI::IsMember(std::vector<std::string>(kSamplerNames.begin(), kSamplerNames.end())));
+  command.add_option("--seed", seed, "of all samplers but fibonacci, instead of the scene's")
+      ->check(CLI::Range(0, kMaxSeed));
+  const auto words = kind_words();
+  command.add_option("--kind", kind, "unshadowed, shadowed or interreflected, instead of the scene's")
+      ->check(CLI::IsMember(std::vector<std::string>{words.begin(), words.end()}));
+}
 
-double Stopwatch::seconds() const { return static_cast<double>(now() - start_) * 1e-9; }
+void BakeOverrides::apply_to(BakeOptions& bake) const {
+  bake.degree = degree.value_or(bake.degree);
+  bake.directions = directions.value_or(bake.directions);
+  bake.sampler = sampler_called(sampler).value_or(bake.sampler);
+  bake.seed = seed.value_or(bake.seed);
+  if (!kind.empty()) {
+    bake.kind = kind_called(kind);
+  }
+  require_degree(bake.degree);
+}
 
 }  // namespace sh::prt

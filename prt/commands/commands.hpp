@@ -6,8 +6,10 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "numeric/output/stopwatch.hpp"
 #include "prt/light/deringing.hpp"
 #include "prt/light/light.hpp"
 #include "prt/light/light_coefficients.hpp"
@@ -101,18 +103,15 @@ std::vector<LightSpec> named_lights(const std::string& name, const std::string& 
 /// `--threads N`: 0 takes every core. Runs `work` with at most that many threads.
 void with_threads(int threads, const std::function<void()>& work);
 
+/// Prints a result on standard output; throws std::runtime_error where it cannot be written.
+void print_out(std::string_view text);
+
 /// Throws std::runtime_error at once, before long work, where `file` could not be written at its end.
 void require_writable(const std::string& file);
 
-/// Time since construction; report() prints `prt: what in S s` on standard error.
-class Stopwatch {
- public:
-  Stopwatch();
-  void report(const std::string& what) const;
-  [[nodiscard]] double seconds() const;
+using output::Stopwatch;
 
- private:
-  std::int64_t start_;
-};
+/// `prt: what in S s` on standard error.
+void report_time(const Stopwatch& stopwatch, const std::string& what);
 
 }  // namespace sh::prt

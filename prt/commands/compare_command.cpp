@@ -7,7 +7,6 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <iostream>
 #include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -17,7 +16,7 @@
 #include "prt/image/image_io.hpp"
 #include "prt/rays/tracer.hpp"
 #include "prt/runtime/relight.hpp"
-#include "prt/scene/default_camera.hpp"
+#include "prt/scene/camera.hpp"
 #include "prt/study/error_picture.hpp"
 #include "prt/study/false_color.hpp"
 #include "prt/study/studied_vertices.hpp"
@@ -51,7 +50,7 @@ bool is_transfer(const std::string& file) {
 
 Radiances shaded(const Transfer& transfer, const std::vector<Light>& lights, const WindowOptions& window) {
   Radiances radiances;
-  for (const Eigen::Vector3f& radiance : relight(transfer, project_windowed(lights, transfer.degree, window))) {
+  for (const Eigen::Vector3f& radiance : relight(transfer, project_windowed(lights, transfer.degree(), window))) {
     radiances.push_back(radiance.cast<double>());
   }
   return radiances;
@@ -148,7 +147,7 @@ void run(const Options& options) {
   if (!options.output.empty()) {
     output::write_file(options.output, compared.picture);
   }
-  std::cout << compared.json.dump(2) << '\n' << std::flush;
+  print_out(compared.json.dump(2) + "\n");
   if (!(compared.rms <= options.limit)) {
     throw CheckFailed(fmt::format("{}: differs by {:.3g}, more than {:g}", options.first, compared.rms, options.limit));
   }

@@ -1,6 +1,5 @@
 // `prt info FILE`: what a transfer file holds, as JSON.
 #include <filesystem>
-#include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -24,8 +23,8 @@ Json report(const std::string& file, const Transfer& transfer) {
     high = high.cwiseMax(p);
   }
   double mean = 0.0;
-  const std::size_t vectors = transfer.coefficients.size() / transfer.bands_squared();
-  for (std::size_t i = 0; i < transfer.coefficients.size(); i += transfer.bands_squared()) {
+  const std::size_t vectors = transfer.coefficients.size() / transfer.shape.count();
+  for (std::size_t i = 0; i < transfer.coefficients.size(); i += transfer.shape.count()) {
     mean += static_cast<double>(transfer.coefficients[i]) / static_cast<double>(vectors);
   }
   json["file"] = std::filesystem::path(file).filename().string();
@@ -37,10 +36,7 @@ Json report(const std::string& file, const Transfer& transfer) {
 
 void run(const std::string& file) {
   const Transfer transfer = read_transfer(file);
-  std::cout << report(file, transfer).dump(2) << '\n' << std::flush;
-  if (!std::cout) {
-    throw std::runtime_error("standard output: cannot write");
-  }
+  print_out(report(file, transfer).dump(2) + "\n");
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ LocalLighting::LocalLighting(const SubjectOptions& options, const Stage& stage, 
   if (is_stage) {
     refuse("a stage takes distant light only; a transfer file is needed");
   }
-  if (transfer_.kind == TransferKind::kInterreflected) {
+  if (transfer_.kind->has_bounces()) {
     refuse("the bake has bounces, whose light comes from other places too; bake unshadowed or shadowed transfer");
   }
   samples_ = samples_named(options.local, transfer_.mesh);
@@ -47,7 +47,7 @@ LocalLighting::LocalLighting(const SubjectOptions& options, const Stage& stage, 
 
 std::vector<Eigen::Vector3f> LocalLighting::radiance(const Eigen::Matrix3d& light_turn) const {
   std::vector<LightCoefficients> at_points =
-      project_at(turned(lights_, light_turn), samples_.points, shading_.degree_for(transfer_.degree));
+      project_at(turned(lights_, light_turn), samples_.points, shading_.degree_for(transfer_.degree()));
   for (LightCoefficients& light : at_points) {
     light = shading_.chosen(light);
   }

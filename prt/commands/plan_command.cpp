@@ -1,10 +1,10 @@
 // `prt plan SCENE`: what a bake of the scene can leave out, what that saves and costs.
-#include <iostream>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "prt/commands/commands.hpp"
+#include "prt/plan/plan.hpp"
 #include "prt/plan/plan_text.hpp"
-#include "prt/scene/scene.hpp"
 
 namespace sh::prt {
 namespace {
@@ -21,18 +21,15 @@ void run(const Options& options) {
   const Stopwatch stopwatch;
   Scene scene = load_scene(options.scene, OnFlaw::kMend);
   options.bake.apply_to(scene.bake);
-  PlanOptions wanted = options.plan.applied_to(scene.plan);
+  scene.plan = options.plan.applied_to(scene.plan);
   if (options.plan.mode.empty()) {
-    wanted.mode = PlanMode::kLossy;
+    scene.plan.mode = PlanMode::kLossy;
   }
   BakeSettings settings;
   settings.threads = options.threads;
-  const Plan plan = make_plan(scene, wanted, settings);
-  std::cout << (options.json ? plan_json(scene.name, plan).dump(2) + "\n" : plan_text(scene.name, plan)) << std::flush;
-  if (!std::cout) {
-    throw std::runtime_error("standard output: cannot write");
-  }
-  stopwatch.report("planned");
+  const BakeJob job = planned({std::move(scene), settings});
+  print_out(options.json ? plan_json(job).dump(2) + "\n" : plan_text(job));
+  report_time(stopwatch, "planned");
 }
 
 }  // namespace
@@ -53,7 +50,7 @@ PlanOptions PlanArguments::applied_to(PlanOptions options) const {
     options.mode = PlanMode::kLossy;
   }
   options.error = error.value_or(options.error);
-  options.turns = turns.empty() ? options.turns : turns_called(turns);
+  options.turns = turns.empty() ? options.turns : *turns_called(turns);
   options.without.insert(options.without.end(), without.begin(), without.end());
   return options;
 }

@@ -2,11 +2,11 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "prt/commands/commands.hpp"
+#include "prt/names.hpp"
 
 namespace sh::prt {
 namespace {
@@ -58,7 +58,7 @@ Json windows(const std::vector<Deringing>& windowed) {
   Json out = Json::array();
   for (const Deringing& done : windowed) {
     const Window& window = done.choice.window;
-    Json one = {{"type", done.needed ? kWindowNames[static_cast<std::size_t>(window.type)] : "none"}};
+    Json one = {{"type", done.needed ? word_of(window.type, kWindowNames) : "none"}};
     if (done.needed) {
       one[std::string(number_key(window.type))] = window.size;
     }
@@ -100,11 +100,8 @@ void run(const Options& options) {
       load_lights(named_lights(options.light, options.mapping), options.strict ? OnFlaw::kRefuse : OnFlaw::kMend);
   std::vector<Deringing> windowed;
   const LightCoefficients light = project_windowed(lights, options.degree, options.window, &windowed);
-  std::cout << report(options, lights, light, windowed).dump(2) << '\n' << std::flush;
-  if (!std::cout) {
-    throw std::runtime_error("standard output: cannot write");
-  }
-  stopwatch.report(fmt::format("projected {} on degree {}", options.light, options.degree));
+  print_out(report(options, lights, light, windowed).dump(2) + "\n");
+  report_time(stopwatch, fmt::format("projected {} on degree {}", options.light, options.degree));
 }
 
 }  // namespace

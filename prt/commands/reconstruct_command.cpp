@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -85,10 +84,11 @@ void run(const Options& options) {
   const std::string bytes = draw_lights(lights, light, figure);
   const nlohmann::ordered_json found = summary(light);
   output::write_file(options.output, bytes);
-  std::cout << found.dump(2) << '\n' << std::flush;
-  stopwatch.report(fmt::format("drew {} at degree {}: least {:.3g}, largest {:.3g}, {:.1f} % of the sphere negative",
-                               options.light, options.degree, found["least"].get<double>(),
-                               found["largest"].get<double>(), 100.0 * found["negative_share"].get<double>()));
+  print_out(found.dump(2) + "\n");
+  report_time(stopwatch,
+              fmt::format("drew {} at degree {}: least {:.3g}, largest {:.3g}, {:.1f} % of the sphere negative",
+                          options.light, options.degree, found["least"].get<double>(), found["largest"].get<double>(),
+                          100.0 * found["negative_share"].get<double>()));
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ void relight_frame(const Options& options, Subject& subject, int frame) {
   const std::vector<Pose> poses = subject.poses_at(static_cast<double>(frame) / options.frames);
   const Stopwatch stopwatch;
   const std::vector<Eigen::Vector3f> radiance = subject.radiance(poses, Eigen::Matrix3d::Identity());
-  stopwatch.report(fmt::format("relit {} vertices", radiance.size()));
+  report_time(stopwatch, fmt::format("relit {} vertices", radiance.size()));
   const Mesh mesh = subject.mesh(poses);
   const std::string name = frame_name(options.output, frame, options.frames);
   write_ply(name, mesh, radiance);

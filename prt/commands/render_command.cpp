@@ -11,8 +11,7 @@
 #include "prt/commands/subject.hpp"
 #include "prt/image/tone_map.hpp"
 #include "prt/runtime/render.hpp"
-#include "prt/runtime/turntable.hpp"
-#include "prt/scene/default_camera.hpp"
+#include "prt/scene/camera.hpp"
 
 namespace sh::prt {
 namespace {
@@ -141,9 +140,9 @@ void run(const Options& options) {
     sequence.render_frame(frame);
   }
   files.finish();
-  stopwatch.report(fmt::format("rendered {} picture{} of {} x {} pixels, {} samples each, exposure {:.4g}",
-                               options.frames, options.frames == 1 ? "" : "s", options.size.width, options.size.height,
-                               options.size.samples, sequence.exposure()));
+  report_time(stopwatch, fmt::format("rendered {} picture{} of {} x {} pixels, {} samples each, exposure {:.4g}",
+                                     options.frames, options.frames == 1 ? "" : "s", options.size.width,
+                                     options.size.height, options.size.samples, sequence.exposure()));
 }
 
 void add_picture_options(CLI::App& command, Options& options) {

@@ -1,11 +1,9 @@
 // `prt shader --kind DS --degree 4 > relight.vert`: a vertex shader that relights, complete.
-#include <iostream>
 #include <memory>
 #include <stdexcept>
 
 #include "prt/commands/commands.hpp"
 #include "prt/runtime/vertex_shader.hpp"
-#include "prt/transfer/transfer_names.hpp"
 
 namespace sh::prt {
 namespace {
@@ -18,16 +16,8 @@ struct Options {
 };
 
 void run(const Options& options) {
-  TransferKind kind = TransferKind::kShadowed;
-  for (const TransferName& name : kTransferNames) {
-    kind = name.file == options.kind ? name.kind : kind;
-  }
-  std::cout << vertex_shader(kind, options.degree, options.white,
-                             options.language == "450" ? ShaderLanguage::kGlsl450 : ShaderLanguage::kEs300)
-            << std::flush;
-  if (!std::cout) {
-    throw std::runtime_error("standard output: cannot write");
-  }
+  print_out(vertex_shader(*kind_with_letters(options.kind), options.degree, options.white,
+                          options.language == "450" ? ShaderLanguage::kGlsl450 : ShaderLanguage::kEs300));
 }
 
 }  // namespace
@@ -36,8 +26,9 @@ void add_shader_command(CLI::App& tool) {
   auto options = std::make_shared<Options>();
   CLI::App* command =
       tool.add_subcommand("shader", "print a vertex shader that relights, generated functions included");
+  const auto letters = kind_letters();
   command->add_option("--kind", options->kind, "DU from normals; DS rows of one channel; DI rows of three")
-      ->check(CLI::IsMember({"DU", "DS", "DI"}))
+      ->check(CLI::IsMember(std::vector<std::string>{letters.begin(), letters.end()}))
       ->capture_default_str();
   command->add_option("--degree", options->degree, "0 to 10")->capture_default_str();
   command->add_flag("--white", options->white, "a light with one channel for all colours");

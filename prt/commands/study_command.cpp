@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "numeric/output/atomic_file.hpp"
 #include "prt/commands/commands.hpp"
@@ -82,8 +83,8 @@ void run(const Options& options) {
   const Scene scene = load_scene(options.scene, options.strict ? OnFlaw::kRefuse : OnFlaw::kMend);
   const Study study =
       run_study(scene, study_options(options), [&](const Study& so_far) { write(options.out, so_far, scene); });
-  stopwatch.report(
-      fmt::format("studied {} of {} vertices of {}, into {}", study.studied, study.vertices, study.scene, options.out));
+  report_time(stopwatch, fmt::format("studied {} of {} vertices of {}, into {}", study.studied, study.vertices,
+                                     study.scene, options.out));
 }
 
 }  // namespace

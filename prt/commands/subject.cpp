@@ -10,7 +10,7 @@
 namespace sh::prt {
 namespace {
 
-/// What a limited time left out of a bake: prt/bake/budget.hpp.
+/// Says what a limited time left out of a bake: prt/bake/estimate.hpp.
 std::string coarseness(const std::string& file, const Transfer& transfer) {
   std::string line = fmt::format("{}: coarser than was asked for:", file);
   if (transfer.missing.directions > 0) {

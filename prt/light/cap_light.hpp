@@ -1,5 +1,5 @@
 // Lights that are round as seen from the scene: a point at infinity, a disc (cap) and with it a distant sphere.
-// In: a unit direction and what the light gives. Out: the coefficients of radiance, for one channel. Exact.
+// In: a unit direction and the strength of the light. Out: the coefficients of radiance, for one channel. Exact.
 #pragma once
 #include <Eigen/Core>
 #include <vector>

@@ -27,6 +27,9 @@ struct LightCoefficients {
   [[nodiscard]] double at(std::size_t channel, std::size_t i) const { return values[channel * bands_squared() + i]; }
 };
 
+/// The bands 0 .. degree of a light of no lower degree.
+LightCoefficients first_bands(const LightCoefficients& light, int degree);
+
 /// sum += more. Both of one degree.
 void accumulate(LightCoefficients& sum, const LightCoefficients& more);
 

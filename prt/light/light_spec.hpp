@@ -1,4 +1,4 @@
-// A light as a scene file describes it: what to load, not yet any coefficients (prt/light/light.hpp makes those).
+// A light as a scene file describes it: files are named and coefficients not made yet (prt/light/light.hpp does both).
 #pragma once
 #include <Eigen/Core>
 #include <optional>

@@ -1,4 +1,4 @@
-// Lights at a place: what a near sphere or polygon is as seen from any point, not only from where its scene says.
+// Lights at a place: near spheres and polygons as seen from any point, not only from the one that the scene names.
 // In: lights and a point. Out: the lights there. Everything else is infinitely far away and stays what it is; so does
 // the radiance of a near light, while the cap or polygon it covers changes. A light's own rotation turns it about the
 // point it was described from.

@@ -16,6 +16,7 @@
 #include "generated/cpp/window_laplacian.hpp"
 #include "numeric/oracle/quadrature.hpp"
 #include "prt/basis.hpp"
+#include "prt/names.hpp"
 
 namespace sh::prt {
 namespace {
@@ -110,7 +111,7 @@ std::string window_flaw(const Window& window) {
 std::vector<double> window_factors(const Window& window, int degree) {
   require_degree(degree);
   if (const std::string flaw = window_flaw(window); !flaw.empty()) {
-    throw std::invalid_argument(fmt::format("{}: needs {}", kWindowNames[static_cast<std::size_t>(window.type)], flaw));
+    throw std::invalid_argument(fmt::format("{}: needs {}", word_of(window.type, kWindowNames), flaw));
   }
   if (window.type == WindowType::kFejer) return fejer_factors(window.size, degree);
   std::vector<double> ones(coefficient_count(degree), 1.0);
@@ -145,8 +146,8 @@ Window window_of_strength(WindowType type, int power, double strength) {
 
 std::string describe(const Window& window) {
   const std::string power = window.type == WindowType::kSinc ? fmt::format("^{}", window.power) : "";
-  return fmt::format("{}{} of {} {:.4g}", kWindowNames[static_cast<std::size_t>(window.type)], power,
-                     number_key(window.type), window.size);
+  return fmt::format("{}{} of {} {:.4g}", word_of(window.type, kWindowNames), power, number_key(window.type),
+                     window.size);
 }
 
 }  // namespace sh::prt

@@ -6,6 +6,7 @@
 
 #include "prt/plan/draft.hpp"
 #include "prt/plan/transfer_bounds.hpp"
+#include "prt/transfer/storage.hpp"
 
 namespace sh::prt {
 
@@ -38,13 +39,13 @@ double light_that_returns(const Draft& draft) {
 
 // The error that a tolerance of 1 would leave: every number off by the largest that there can be.
 double error_of_tolerance(const Draft& draft) {
-  const double largest = transfer_band_bound(TransferKind::kInterreflected, true, draft.plan.bake.degree);
+  const double largest = transfer_band_bound(kInterreflected, true, draft.bake.degree);
   return draft.error_of(std::vector<double>(draft.light->coefficients().bands_squared(), largest));
 }
 
 void loosen_tolerance(Draft& draft, double returned) {
   constexpr double kPart = 0.1;
-  double& tolerance = draft.plan.bake.bounces.tolerance;
+  double& tolerance = draft.bake.bounces.tolerance;
   const double before = tolerance;
   const double unit = error_of_tolerance(draft);
   const double wanted = std::min(kLoosestTolerance, unit > 0.0 ? draft.share(kPart) / unit : kLoosestTolerance);
@@ -75,7 +76,7 @@ std::vector<double> storage_errors(const Draft& draft, Element element) {
 }  // namespace
 
 void decide_bounces(Draft& draft) {
-  if (draft.plan.bake.kind != TransferKind::kInterreflected) {
+  if (!draft.bake.kind->has_bounces()) {
     return;
   }
   if (!draft.takes("bounces")) {
@@ -87,7 +88,7 @@ void decide_bounces(Draft& draft) {
     loosen_tolerance(draft, returned);
     return;
   }
-  draft.plan.bake.kind = TransferKind::kShadowed;
+  draft.bake.kind = draft.bake.kind->without_bounces;
   draft.decide("bounces", "none: shadowed instead of interreflected",
                "albedo times what stands around bounds the light that comes back", returned, "measured");
 }
@@ -95,9 +96,8 @@ void decide_bounces(Draft& draft) {
 void decide_storage(Draft& draft) {
   constexpr double kSampling = 1.01;  // sums over directions may exceed the exact bound
   draft.plan.largest.resize(draft.count());
-  for (std::ptrdiff_t l = 0; l <= draft.plan.bake.degree; ++l) {
-    const double bound =
-        kSampling * transfer_band_bound(draft.plan.bake.kind, draft.has_mirrors(), static_cast<int>(l));
+  for (std::ptrdiff_t l = 0; l <= draft.bake.degree; ++l) {
+    const double bound = kSampling * transfer_band_bound(*draft.bake.kind, draft.has_mirrors(), static_cast<int>(l));
     std::fill(draft.plan.largest.begin() + l * l, draft.plan.largest.begin() + (l + 1) * (l + 1),
               static_cast<float>(bound));
   }

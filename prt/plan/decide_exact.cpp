@@ -54,7 +54,7 @@ void decide_analytic(Draft& draft) {
   if (!draft.takes("analytic")) {
     return;
   }
-  if (draft.plan.bake.kind == TransferKind::kUnshadowed) {
+  if (!draft.bake.kind->traces_rays()) {
     draft.decide("analytic", "all vertices", "unshadowed transfer is asked for", 0.0, "exact");
     return;
   }
@@ -76,7 +76,7 @@ void decide_channels(Draft& draft) {
   if (!draft.takes("channels")) {
     return;
   }
-  if (draft.plan.bake.kind != TransferKind::kInterreflected) {
+  if (!draft.shape().holds_albedo) {
     draft.decide("channels", "one", "transfer without bounces holds no albedo", 0.0, "exact");
     return;
   }

@@ -21,7 +21,7 @@ double bound_above(const Draft& draft, int degree) {
   for (std::size_t c = 0; c < 3; ++c) {
     double sum = 0.0;
     for (int l = degree + 1; l <= draft.light->coefficients().degree; ++l) {
-      sum += transfer_band_bound(draft.plan.bake.kind, draft.has_mirrors(), l) * draft.light->band_norm(c, l);
+      sum += transfer_band_bound(*draft.bake.kind, draft.has_mirrors(), l) * draft.light->band_norm(c, l);
     }
     largest = std::max(largest, sum);
   }
@@ -67,7 +67,7 @@ Convergence measure(const Draft& draft) {
   const numeric::PowerLaw law = numeric::fit_power_law(errors, -1.2, -0.4).value();  // what samplers can have
   Convergence convergence{law.factor, -law.exponent};
   // With bounces what is seen of other surfaces is sampled as well, and both are reflected again.
-  const bool bounces = draft.plan.bake.kind == TransferKind::kInterreflected;
+  const bool bounces = draft.bake.kind->has_bounces();
   convergence.factor *= kProbeMargin * (bounces ? 2.0 * draft.gain : 1.0);
   return convergence;
 }
@@ -79,13 +79,13 @@ void decide_bands(Draft& draft) {
     return;
   }
   constexpr double kPart = 0.4;
-  const int asked = draft.plan.bake.degree;
+  const int asked = draft.bake.degree;
   for (int degree = 0; degree < asked; ++degree) {
     const double bound = bound_above(draft, degree);
     const double measured = measured_above(draft, degree);
     const double error = std::min(bound, measured);
     if (error <= draft.share(kPart)) {
-      draft.plan.bake.degree = degree;
+      draft.bake.degree = degree;
       draft.decide("bands", fmt::format("degree {} instead of {}", degree, asked),
                    fmt::format("|T_l| |L_l| over bands {} to {}, lights turned: {} (any visibility: {:.2g})",
                                degree + 1, asked, name_of(draft.options.turns), bound),
@@ -100,12 +100,12 @@ void decide_bands(Draft& draft) {
 }
 
 double floor_of_directions(Draft& draft) {
-  const double floor = measure(draft).error(static_cast<double>(draft.plan.bake.directions));
+  const double floor = measure(draft).error(static_cast<double>(draft.bake.directions));
   if (floor > draft.left) {
     const double needed = std::ceil(measure(draft).directions(draft.left));
     throw std::invalid_argument(fmt::format(
         "error {:.3g}: cannot be met: {} directions alone leave {:.3g} (measured); {:.2g} can be, or {} directions",
-        draft.options.error, draft.plan.bake.directions, floor, 1.1 * floor + draft.plan.record.error,
+        draft.options.error, draft.bake.directions, floor, 1.1 * floor + draft.plan.record.error,
         needed <= static_cast<double>(kMaxDirections) ? fmt::format("{:.0f}", needed) : "no number of"));
   }
   return floor;
@@ -115,16 +115,16 @@ void decide_directions(Draft& draft) {
   if (!draft.takes("directions")) {
     return;
   }
-  const int asked = draft.plan.bake.directions;
+  const int asked = draft.bake.directions;
   const Convergence convergence = measure(draft);
   const double wanted = convergence.directions(draft.left);
   const double rounded = std::ceil(wanted / kUnit) * kUnit;
-  draft.plan.bake.directions = std::min(asked, std::max(kFewest, static_cast<int>(std::min(rounded, 1e6))));
-  const double error = convergence.error(static_cast<double>(draft.plan.bake.directions));
-  const bool bounces = draft.plan.bake.kind == TransferKind::kInterreflected;
+  draft.bake.directions = std::min(asked, std::max(kFewest, static_cast<int>(std::min(rounded, 1e6))));
+  const double error = convergence.error(static_cast<double>(draft.bake.directions));
+  const bool bounces = draft.bake.kind->has_bounces();
   draft.decide("directions",
-               draft.plan.bake.directions < asked ? fmt::format("{} instead of {}", draft.plan.bake.directions, asked)
-                                                  : fmt::format("{} as asked", asked),
+               draft.bake.directions < asked ? fmt::format("{} instead of {}", draft.bake.directions, asked)
+                                             : fmt::format("{} as asked", asked),
                fmt::format("the error falls as N^-{:.2f} on {} vertices, against {} directions", convergence.rate,
                            draft.probe->vertices().size(), kReference),
                error, bounces ? "heuristic" : "measured");

@@ -7,13 +7,13 @@
 
 namespace sh::prt {
 
-Draft::Draft(const Scene& the_scene, const PlanOptions& the_options) : scene(the_scene), options(the_options) {
+Draft::Draft(const Scene& the_scene, const PlanOptions& the_options)
+    : scene(the_scene), options(the_options), asked(the_scene.bake), bake(asked) {
   starts = ray_starts(scene.mesh);
   for (const Eigen::Vector3f& colour : scene.mesh.albedo) {
     albedo = std::max(albedo, colour.maxCoeff());
   }
-  plan.bake = scene.bake;
-  plan.open.assign(starts.size(), scene.bake.kind == TransferKind::kUnshadowed ? 1 : 0);
+  plan.open.assign(starts.size(), asked.kind->traces_rays() ? 0 : 1);
   start();
 }
 
@@ -37,16 +37,17 @@ void Draft::decide(std::string_view name, std::string choice, std::string why, d
 }
 
 PlanCost Draft::cost() const {
-  const bool bounces = plan.bake.kind == TransferKind::kInterreflected;
-  const RowShape shape{bounces ? std::size_t{3} : std::size_t{1}, count()};
-  const double upward = plan.bake.sampler == Sampler::kCosine ? 1.0 : 0.5;
-  const double rays = static_cast<double>(traced()) * static_cast<double>(plan.bake.directions) * upward;
-  return {
-      static_cast<std::int64_t>(starts.size() * stored_columns(plan.storage, shape) * bytes_of(plan.storage.element)),
-      std::llround(rays * (bounces ? 1.0 + mean_blocked : 1.0))};
+  const double upward = bake.sampler == Sampler::kCosine ? 1.0 : 0.5;
+  const double rays = static_cast<double>(traced()) * static_cast<double>(bake.directions) * upward;
+  return {static_cast<std::int64_t>(starts.size() * shape().stored_bytes()),
+          std::llround(rays * (bake.kind->has_bounces() ? 1.0 + mean_blocked : 1.0))};
 }
 
-std::size_t Draft::count() const { return coefficient_count(plan.bake.degree); }
+TransferShape Draft::shape() const {
+  TransferShape shape = bake.kind->shape(bake.degree);
+  shape.storage = plan.storage;
+  return shape;
+}
 
 std::size_t Draft::traced() const {
   return static_cast<std::size_t>(std::count(plan.open.begin(), plan.open.end(), std::uint8_t{0}));

@@ -1,4 +1,4 @@
-// A plan while it is made: what is known of the scene, what is decided so far, and how much of the budget is left.
+// A plan while it is made: facts about the scene, decisions so far, and the budget that is left.
 #pragma once
 #include <memory>
 #include <string>
@@ -16,6 +16,8 @@ struct Draft {
 
   const Scene& scene;
   const PlanOptions& options;
+  const BakeOptions asked;
+  BakeOptions bake;  // as decided so far
   std::vector<RayStart> starts;
   float albedo = 0.0F;  // the largest
   Plan plan;
@@ -28,23 +30,25 @@ struct Draft {
   double mean_blocked = 0.0;  // of `rows`
   double gain = 1.0;          // by bounces: 1 / (1 - albedo * most blocked), measured
 
-  /// Takes what is asked as it is now for what savings are counted from.
+  /// Makes the current request the baseline for savings.
   void start();
   /// That part of the budget, of what is not reserved.
   [[nodiscard]] double share(double part) const { return part * (left - reserved); }
   /// The decision may be taken; else it is noted as not taken.
   bool takes(std::string_view name);
-  /// Notes a decision once plan.bake, plan.open and plan.storage follow it, with what it saves against before.
+  /// Notes a decision once bake, plan.open and plan.storage follow it, with its savings against before.
   void decide(std::string_view name, std::string choice, std::string why, double error, std::string_view basis);
 
   [[nodiscard]] PlanCost cost() const;
-  [[nodiscard]] std::size_t count() const;   // of the coefficients of the degree decided so far
+  /// Of a vertex's numbers as decided so far, and their count a channel.
+  [[nodiscard]] TransferShape shape() const;
+  [[nodiscard]] std::size_t count() const { return shape().count(); }
   [[nodiscard]] std::size_t traced() const;  // vertices that need rays
   [[nodiscard]] bool has_mirrors() const { return !scene.mesh.mirror.empty(); }
   [[nodiscard]] bool shines() const { return !scene.mesh.emission.empty(); }
   /// Relative error of numbers off by at most e (bands^2 of the asked degree), albedo 1 assumed in them.
   [[nodiscard]] double error_of(const std::vector<double>& e) const;
-  /// RMS over the probe of the relative error that a part of each vertex's vector matters; parts (vertices of the
+  /// RMS over the probe of the relative exit radiance that a part of each vertex's vector makes; parts (vertices of the
   /// probe, bands^2 of the asked degree), without albedo.
   [[nodiscard]] double error_on_probe(const std::vector<float>& parts) const;
 

@@ -1,6 +1,6 @@
-// Vertices that nothing can be in the way of: their transfer is unshadowed, in closed form, and needs no rays.
+// Vertices whose rays nothing can block: their transfer is unshadowed, in closed form, and needs no rays.
 // A ray from the origin o of a vertex's rays runs upwards along the geometric normal g. Where every point p of the mesh
-// has g.(p - o) <= 0, none can meet anything: exact, not sampled. What is left is the horizon: the shading normal n
+// has g.(p - o) <= 0, none can meet anything: exact, not sampled. The horizon remains: the shading normal n
 // weighs the cosine while g bounds it, and where they differ by an angle d the hemisphere of n loses the lune between
 // them. There the cosine is at most d sin(phi), and by Cauchy-Schwarz the product with a light L changes by at most
 //   |L| / pi * sqrt(integral over the lune of cos^2) <= |L| / pi * (2/3) d^(3/2).

@@ -2,12 +2,12 @@
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
+#include "prt/bake/chunks.hpp"
 #include "prt/light/light.hpp"
 #include "prt/light/project.hpp"
 #include "prt/plan/draft.hpp"
@@ -38,27 +38,17 @@ double light_beyond(const Draft& draft, const LightCoefficients& whole) {
   double largest = 0.0;
   for (std::size_t c = 0; c < 3; ++c) {
     double sum = 0.0;
-    for (int l = draft.plan.bake.degree + 1; l <= kMaxDegree; ++l) {
-      sum += transfer_band_bound(draft.plan.bake.kind, draft.has_mirrors(), l) * light.band_norm(c, l);
+    for (int l = draft.bake.degree + 1; l <= kMaxDegree; ++l) {
+      sum += transfer_band_bound(*draft.bake.kind, draft.has_mirrors(), l) * light.band_norm(c, l);
     }
     largest = std::max(largest, sum);
   }
   return static_cast<double>(draft.albedo) * largest / draft.plan.reference;
 }
 
-LightCoefficients first_bands(const LightCoefficients& whole, int degree) {
-  LightCoefficients light = LightCoefficients::zero(degree);
-  for (std::size_t c = 0; c < 3; ++c) {
-    for (std::size_t i = 0; i < light.bands_squared(); ++i) {
-      light.at(c, i) = whole.at(c, i);
-    }
-  }
-  return light;
-}
-
 void take_lights(Draft& draft) {
   const LightCoefficients whole = project(load_lights(draft.scene.lights, OnFlaw::kMend), kMaxDegree);
-  const LightCoefficients light = first_bands(whole, draft.scene.bake.degree);
+  const LightCoefficients light = first_bands(whole, draft.asked.degree);
   draft.light = std::make_unique<TurningLight>(light, draft.options.turns);
   draft.plan.reference = largest_unshadowed_radiance(draft.scene.mesh, light);
   if (!(draft.plan.reference > 0.0)) {
@@ -73,20 +63,20 @@ void take_lights(Draft& draft) {
 // Which vertices are open is asked of all before: those need no rays in the probe either.
 void take_probe(Draft& draft, const std::string& instruction_set) {
   draft.probe = std::make_unique<Probe>(draft.scene, draft.starts, kProbeVertices, instruction_set);
-  draft.rows = draft.probe->bake(draft.plan.open, std::min(kProbeDirections, draft.scene.bake.directions));
+  draft.rows = draft.probe->bake(draft.plan.open, std::min(kProbeDirections, draft.asked.directions));
   double most = 0.0;
   for (const double blocked : draft.rows.blocked) {
     draft.mean_blocked += blocked / static_cast<double>(draft.rows.blocked.size());
     most = std::max(most, blocked);
   }
-  if (draft.scene.bake.kind == TransferKind::kInterreflected) {
+  if (draft.asked.kind->has_bounces()) {
     draft.gain = 1.0 / std::max(1.0 - static_cast<double>(draft.albedo) * most, 1e-3);
   }
   draft.start();
 }
 
 void decide_within_budget(Draft& draft, const std::string& instruction_set) {
-  const bool rays = draft.scene.bake.kind != TransferKind::kUnshadowed;
+  const bool rays = draft.asked.kind->traces_rays();
   draft.plan.record.budget = draft.left = draft.options.error;
   draft.plan.record.light_turns = name_of(draft.options.turns);
   take_lights(draft);
@@ -105,48 +95,25 @@ void decide_within_budget(Draft& draft, const std::string& instruction_set) {
   }
 }
 
-bool fits(const Transfer& transfer, const std::vector<float>& largest) {
-  for (std::size_t i = 0; i < transfer.coefficients.size(); ++i) {
-    if (std::abs(transfer.coefficients[i]) > largest[i % largest.size()]) {
-      return false;
-    }
-  }
-  return true;
-}
-
 }  // namespace
 
-Plan make_plan(const Scene& scene, const PlanOptions& options, const BakeSettings& settings) {
+BakeJob planned(BakeJob job) {
+  const PlanOptions options = job.scene.plan;
   check(options);
-  Draft draft(scene, options);
-  if (options.mode == PlanMode::kNone) {
-    draft.plan.open.clear();
-    return draft.plan;
-  }
-  const int cores = tbb::this_task_arena::max_concurrency();
-  tbb::task_arena arena(settings.threads == 0 ? cores : std::min(settings.threads, cores));
-  arena.execute([&] {
+  Draft draft(job.scene, options);
+  on_threads(job.settings.threads, [&] {
     if (options.mode == PlanMode::kLossy) {
-      decide_within_budget(draft, settings.instruction_set);
-    } else {
+      decide_within_budget(draft, job.settings.instruction_set);
+    } else if (options.mode == PlanMode::kExact) {
       decide_analytic(draft);
       decide_channels(draft);
+    } else {
+      draft.plan.open.clear();
     }
   });
-  return std::move(draft.plan);
-}
-
-Transfer bake_planned(const Scene& scene, const Plan& plan, BakeSettings settings, BakeReport* report) {
-  Scene planned = scene;
-  planned.bake = plan.bake;
-  settings.open = plan.open;
-  Transfer transfer = bake(planned, settings, report);
-  transfer.storage = plan.storage;
-  transfer.plan = plan.record;
-  if (transfer.storage.element == Element::kByte && !fits(transfer, plan.largest)) {
-    transfer.storage.element = Element::kHalf;  // an outlier would coarsen every other number of its column
-  }
-  return transfer;
+  job.plan = std::move(draft.plan);
+  job.scene.bake = draft.bake;
+  return job;
 }
 
 }  // namespace sh::prt

@@ -3,9 +3,9 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
-#include "prt/transfer/plan_json.hpp"
-#include "prt/transfer/transfer_names.hpp"
+#include "prt/transfer/transfer_json.hpp"
 
 namespace sh::prt {
 
@@ -25,7 +25,9 @@ double part(std::int64_t of, std::int64_t whole) {
 
 }  // namespace
 
-std::string plan_text(const std::string& scene, const Plan& plan) {
+std::string plan_text(const BakeJob& job) {
+  const Plan& plan = *job.plan;
+  const std::string& scene = job.scene.name;
   const PlanRecord& record = plan.record;
   std::string text =
       record.budget > 0.0
@@ -54,17 +56,19 @@ std::string plan_text(const std::string& scene, const Plan& plan) {
   return text;
 }
 
-nlohmann::ordered_json plan_json(const std::string& scene, const Plan& plan) {
+nlohmann::ordered_json plan_json(const BakeJob& job) {
+  const Plan& plan = *job.plan;
+  const BakeOptions& bake = job.scene.bake;
   nlohmann::ordered_json json = to_json(plan.record);
-  json["scene"] = scene;
+  json["scene"] = job.scene.name;
   json["reference_radiance"] = plan.reference;
   json["beyond_asked_degree"] = plan.beyond;
   json["bytes"] = {{"asked", plan.asked.bytes}, {"planned", plan.planned.bytes}};
   json["rays"] = {{"asked", plan.asked.rays}, {"planned", plan.planned.rays}};
-  json["bake"] = {{"degree", plan.bake.degree},
-                  {"directions", plan.bake.directions},
-                  {"transfer", name_of(plan.bake.kind).scene},
-                  {"tolerance", plan.bake.bounces.tolerance},
+  json["bake"] = {{"degree", bake.degree},
+                  {"directions", bake.directions},
+                  {"transfer", bake.kind->word},
+                  {"tolerance", bake.bounces.tolerance},
                   {"open_vertices", std::count(plan.open.begin(), plan.open.end(), std::uint8_t{1})}};
   json["storage"] = to_json(plan.storage);
   return json;

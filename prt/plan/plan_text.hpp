@@ -1,15 +1,15 @@
 // A plan for people and for programs.
 #pragma once
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "prt/plan/plan.hpp"
+#include "prt/bake/job.hpp"
 
 namespace sh::prt {
 
-/// A table, a row a decision with its reason below it.
-std::string plan_text(const std::string& scene, const Plan& plan);
+/// A table, a row a decision with its reason below it; of a job that is planned.
+std::string plan_text(const BakeJob& job);
 
-nlohmann::ordered_json plan_json(const std::string& scene, const Plan& plan);
+nlohmann::ordered_json plan_json(const BakeJob& job);
 
 }  // namespace sh::prt

@@ -1,4 +1,4 @@
-// A few vertices, spread evenly over a mesh's, baked with any number of directions: what a plan measures.
+// A few vertices, spread evenly over a mesh's, baked with any number of directions, on which a plan measures.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -20,7 +20,7 @@ class Probe {
   /// Of at most `vertices` vertices. All but `instruction_set` must outlive the probe.
   Probe(const Scene& scene, const std::vector<RayStart>& starts, std::size_t vertices,
         const std::string& instruction_set);
-  /// Shadowed transfer along that many directions of the scene's sampler; vertices that are `open` (as in BakeSettings,
+  /// Shadowed transfer along that many directions of the scene's sampler; vertices that are `open` (as in Plan,
   /// not empty) take no rays. Runs on the threads of the caller's arena.
   [[nodiscard]] ProbeRows bake(const std::vector<std::uint8_t>& open, int directions) const;
   [[nodiscard]] const std::vector<std::uint32_t>& vertices() const { return vertices_; }

@@ -19,11 +19,11 @@ double unshadowed_band_norm(int l) {
   return std::abs(numeric::clamped_cosine_factor<double>(l)) / std::numbers::pi * largest_of_basis(l);
 }
 
-double transfer_band_bound(TransferKind kind, bool mirrors, int l) {
-  if (kind == TransferKind::kUnshadowed) {
+double transfer_band_bound(const TransferKind& kind, bool mirrors, int l) {
+  if (!kind.traces_rays()) {
     return unshadowed_band_norm(l);
   }
-  if (kind == TransferKind::kInterreflected || mirrors) {
+  if (kind.has_bounces() || mirrors) {
     return largest_of_basis(l);
   }
   const double half_of_any = std::sqrt(2.0 * std::numbers::pi / 3.0) * std::sqrt(0.5) / (2.0 * std::numbers::pi);

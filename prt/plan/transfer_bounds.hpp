@@ -1,4 +1,4 @@
-// What no transfer vector can exceed, whatever stands in the way, and however the light is turned. For albedo 1; others
+// Bounds that no transfer vector exceeds, whatever blocks the light, and however it is turned. For albedo 1; others
 // are proportional.
 // Without bounces a vector is the projection of V(s) max(0, n.s) / pi, 0 <= V <= 1. Its part in band l is its product
 // with the best h of unit norm in that band, at most 1/pi times the integral of the cosine times max(0, h)
@@ -17,10 +17,10 @@ namespace sh::prt {
 double unshadowed_band_norm(int l);
 
 /// The larger of the two bounds above that applies; mirrors gather paths as bounces do.
-double transfer_band_bound(TransferKind kind, bool mirrors, int l);
+double transfer_band_bound(const TransferKind& kind, bool mirrors, int l);
 
 /// The largest exit radiance that `mesh` would have unshadowed under the light as it stands, of all vertices and
-/// channels: what errors are relative to.
+/// channels: the unit of errors.
 double largest_unshadowed_radiance(const Mesh& mesh, const LightCoefficients& light);
 
 }  // namespace sh::prt

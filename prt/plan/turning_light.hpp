@@ -1,4 +1,4 @@
-// The declared lights, and all that they can be turned to: how much a part of a transfer vector can matter under them.
+// The declared lights in all orientations that are allowed: how much a part of a transfer vector can matter under them.
 // A rotation of the light mixes coefficients only within groups and keeps each group's norm: the orders of a band for
 // any rotation, the orders m and -m of a band for one about z, each coefficient its own where the light stays. So
 //   |sum_i t_i (R L)_i| <= sum over groups |t_g| |L_g|       (Cauchy-Schwarz in every group),

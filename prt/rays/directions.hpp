@@ -1,11 +1,10 @@
-// Where the rays of the vertices point to: sets of unit vectors that all vertices share, all of one weight.
+// The directions of the vertices' rays: sets of unit vectors that all vertices share, all of one weight.
 //   fibonacci   spherical Fibonacci points [SwinbankPurser06]; no seed
 //   stratified  a random point in each of count cells of equal area [Leopardi06]
 //   sobol       scrambled (0,2)-sequence [Sobol67], [Owen95]
-//   random      independent and uniform: what the others are measured against
+//   random      independent and uniform: the others are measured against it
 //   cosine      the same sequence over a hemisphere about +z, denser by the cosine, for the frame of each vertex. Half
-//   as
-//               many directions as asked for, since the others send only half of theirs over a hemisphere.
+//               as many directions as asked for, since the others send only half of theirs over a hemisphere.
 #pragma once
 #include <Eigen/Core>
 #include <cstdint>

@@ -10,7 +10,7 @@
 #include <string>
 
 #include "prt/mesh/mesh.hpp"
-#include "prt/rays/hit.hpp"
+#include "prt/rays/sheets.hpp"
 
 namespace sh::prt {
 

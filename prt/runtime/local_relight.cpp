@@ -191,7 +191,7 @@ std::vector<Eigen::Vector3f> relight_locally(const Transfer& transfer, const Lig
                                              std::span<const LightCoefficients> lights, const Shading& shading) {
   const std::size_t vertices = transfer.mesh.positions.size();
   const std::size_t k = lights.size();
-  if (transfer.kind == TransferKind::kInterreflected) {
+  if (transfer.kind->has_bounces()) {
     throw std::invalid_argument(
         "local lighting needs unshadowed or shadowed transfer; with bounces light comes from other places too");
   }

@@ -1,4 +1,4 @@
-// Local lighting: near lights are sampled at a few points, and every vertex blends what these see.
+// Local lighting: near lights are sampled at a few points, and every vertex blends the lights seen from these.
 // For unshadowed and shadowed transfer only: light that bounces comes from other places than the vertex
 // [SloanKautzSnyder02 section 6.1; Green03, "Rendering SH Diffuse Surfaces"].
 //   distance    k points spread over the mesh by k-means; weight of point j at a vertex d_j^-4 over the sum of all, d_j

@@ -1,4 +1,4 @@
-// Rays from a pinhole camera through the pixels of a picture, and what they hit.
+// Rays from a pinhole camera through the pixels of a picture, and their hits.
 #pragma once
 #include <Eigen/Core>
 #include <vector>

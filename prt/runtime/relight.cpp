@@ -6,9 +6,9 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
-#include "prt/runtime/kept_coefficients.hpp"
 #include "prt/runtime/row_products.hpp"
 
 namespace sh::prt {
@@ -19,15 +19,15 @@ static_assert(sizeof(Eigen::Vector3f) == 3 * sizeof(float), "colours are read an
 constexpr std::size_t kVerticesAtOnce = 2048;
 
 void require_light(const Transfer& transfer, const LightCoefficients& light) {
-  if (light.degree > transfer.degree) {
+  if (light.degree > transfer.degree()) {
     throw std::invalid_argument(fmt::format("the light has degree {}, the transfer {}; the light's must not be higher",
-                                            light.degree, transfer.degree));
+                                            light.degree, transfer.degree()));
   }
   require_kept(transfer, light);
 }
 
-void require_one_channel(const Transfer& transfer) {
-  if (transfer.channels() != 1) {
+void require_no_albedo(const Transfer& transfer) {
+  if (transfer.shape.holds_albedo) {
     throw std::invalid_argument(
         "transfer with bounces holds its albedo and cannot be recoloured; unshadowed or shadowed transfer can");
   }
@@ -51,8 +51,8 @@ bool is_white(const std::vector<float>& light, std::size_t n) {
 RowProducts row_products(const Transfer& transfer, const std::vector<float>& light) {
   const std::size_t n = light.size() / 3;
   RowProducts rows;
-  rows.stride = transfer.row_length();
-  rows.transfer_step = transfer.channels() == 3 ? transfer.bands_squared() : 0;
+  rows.stride = transfer.shape.length();
+  rows.transfer_step = transfer.shape.channels == 3 ? transfer.shape.count() : 0;
   rows.light = light.data();
   rows.light_step = is_white(light, n) ? 0 : n;
   rows.coefficients = n;
@@ -66,12 +66,12 @@ void for_ranges(const Transfer& transfer, const RowProducts& rows, const Work& w
   const tbb::blocked_range<std::size_t> all(0, transfer.mesh.positions.size(), kVerticesAtOnce);
   tbb::parallel_for(all, [&](const auto& range) {
     RowProducts part = rows;
-    part.transfer = &transfer.coefficients[range.begin() * rows.stride];
+    part.transfer = transfer.row(range.begin());
     work(part, range.begin(), range.size());
   });
 }
 
-/// `colours` serve transfer of one channel.
+/// `colours` serve transfer without the albedo.
 void relight_with(const Transfer& transfer, const LightCoefficients& light, std::span<const Eigen::Vector3f> colours,
                   std::span<Eigen::Vector3f> radiance) {
   require_light(transfer, light);
@@ -79,7 +79,7 @@ void relight_with(const Transfer& transfer, const LightCoefficients& light, std:
   require_count(radiance.size(), transfer, "radiances");
   const std::vector<float> values = in_float(light);
   for_ranges(transfer, row_products(transfer, values), [&](const RowProducts& rows, std::size_t first, std::size_t n) {
-    colour_products(rows, n, transfer.channels() == 1 ? colours[first].data() : nullptr, radiance[first].data());
+    colour_products(rows, n, transfer.shape.holds_albedo ? nullptr : colours[first].data(), radiance[first].data());
     for (std::size_t v = first; !transfer.emitted.empty() && v < first + n; ++v) {
       radiance[v] += transfer.emitted[v];
     }
@@ -87,6 +87,26 @@ void relight_with(const Transfer& transfer, const LightCoefficients& light, std:
 }
 
 }  // namespace
+
+void require_kept(const Transfer& transfer, const LightCoefficients& light) {
+  constexpr double kRounding = 1e-6;
+  const std::vector<std::uint32_t>& kept = transfer.shape.storage.kept;
+  if (kept.empty() || light.values.empty()) {
+    return;
+  }
+  const auto louder = [](double a, double b) { return std::abs(a) < std::abs(b); };
+  const double largest = std::abs(*std::max_element(light.values.begin(), light.values.end(), louder));
+  for (std::size_t i = 0; i < light.values.size(); ++i) {
+    const auto index = static_cast<std::uint32_t>(i % light.bands_squared());
+    if (std::abs(light.values[i]) > kRounding * largest && !std::binary_search(kept.begin(), kept.end(), index)) {
+      throw std::invalid_argument(fmt::format(
+          "the transfer keeps {} of {} coefficients, those of its plan's lights (turned: {}); this light also has "
+          "number {}: bake with --without symmetry",
+          kept.size(), light.bands_squared(), transfer.plan.light_turns.empty() ? "any" : transfer.plan.light_turns,
+          index));
+    }
+  }
+}
 
 void relight_into(const Transfer& transfer, const LightCoefficients& light, std::span<Eigen::Vector3f> radiance) {
   relight_with(transfer, light, transfer.mesh.albedo, radiance);
@@ -100,7 +120,7 @@ std::vector<Eigen::Vector3f> relight(const Transfer& transfer, const LightCoeffi
 
 std::vector<Eigen::Vector3f> recoloured(const Transfer& transfer, const LightCoefficients& light,
                                         std::span<const Eigen::Vector3f> colours) {
-  require_one_channel(transfer);
+  require_no_albedo(transfer);
   std::vector<Eigen::Vector3f> radiance(transfer.mesh.positions.size());
   relight_with(transfer, light, colours, radiance);
   return radiance;
@@ -109,10 +129,10 @@ std::vector<Eigen::Vector3f> recoloured(const Transfer& transfer, const LightCoe
 Eigen::Vector3f relight_vertex(const Transfer& transfer, std::size_t vertex, const LightCoefficients& light,
                                const Eigen::Vector3f& colour) {
   require_light(transfer, light);
-  require_one_channel(transfer);
+  require_no_albedo(transfer);
   const std::vector<float> values = in_float(light);
   RowProducts rows = row_products(transfer, values);
-  rows.transfer = &transfer.coefficients[vertex * rows.stride];
+  rows.transfer = transfer.row(vertex);
   Eigen::Vector3f radiance;
   colour_products(rows, 1, colour.data(), radiance.data());
   return transfer.emitted.empty() ? radiance : Eigen::Vector3f(radiance + transfer.emitted[vertex]);
@@ -120,7 +140,7 @@ Eigen::Vector3f relight_vertex(const Transfer& transfer, std::size_t vertex, con
 
 std::vector<float> relight_grey(const Transfer& transfer, const LightCoefficients& light) {
   require_light(transfer, light);
-  require_one_channel(transfer);
+  require_no_albedo(transfer);
   const std::vector<float> values = in_float(light);
   RowProducts all = row_products(transfer, values);
   all.light_step = 0;

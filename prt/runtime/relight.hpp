@@ -17,6 +17,10 @@
 
 namespace sh::prt {
 
+/// Throws std::invalid_argument where a coefficient of the light, of the transfer's degree, is more than a rounding of
+/// its largest (1e-6) and the transfer was stored without what it multiplies.
+void require_kept(const Transfer& transfer, const LightCoefficients& light);
+
 /// Exit radiance per vertex, (vertices), linear RGB, W m^-2 sr^-1, as transfer.hpp says; slightly negative where a
 /// band-limited light rings. A light of lower degree than the transfer has nothing in the bands above. Throws
 /// std::invalid_argument where the light's degree is higher.

@@ -106,10 +106,10 @@ StageLighting::StageLighting(const Stage& stage, const std::function<LightCoeffi
     : stage_(stage), shading_(std::move(shading)) {
   const auto highest = std::max_element(
       stage.objects.begin(), stage.objects.end(),
-      [](const StageObject& a, const StageObject& b) { return a.transfer->degree < b.transfer->degree; });
+      [](const StageObject& a, const StageObject& b) { return a.transfer->degree() < b.transfer->degree(); });
   for (const StageObject& object : stage.objects) {
-    shading_.require_fit(*object.transfer, highest->transfer->degree);
-    const int degree = object.transfer->degree;
+    shading_.require_fit(*object.transfer, highest->transfer->degree());
+    const int degree = object.transfer->degree();
     if (lights_.count(degree) == 0) {
       lights_.emplace(degree, shading_.chosen(projected(shading_.degree_for(degree))));
     }
@@ -121,7 +121,7 @@ std::vector<Eigen::Vector3f> StageLighting::radiance(const std::vector<Pose>& po
   std::vector<Eigen::Vector3f> all;
   for (std::size_t i = 0; i < poses.size(); ++i) {
     const StageObject& object = stage_.objects[i];
-    const LightCoefficients& light = lights_.at(object.transfer->degree);
+    const LightCoefficients& light = lights_.at(object.transfer->degree());
     const std::vector<Eigen::Vector3f> part =
         object.per_vertex ? radiance_per_vertex(stage_, poses, i, turned_into(poses[i], light, light_turn), shading_)
                           : shading_.shade(*object.transfer, light_at_object(stage_, poses, i, light, light_turn));

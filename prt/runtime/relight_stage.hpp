@@ -2,7 +2,7 @@
 // (rotating the light is rotating the object) and without the caps that the bounding spheres of the others cover as
 // seen from its centre or, where it asks for that, from each of its vertices (prt/light/proxy_shadow.hpp).
 //
-// What is approximate: the light is as far away for one object as for the other; an object blocks as its sphere would,
+// Approximations: the light is as far away for one object as for the other; an object blocks as its sphere would,
 // and no light goes from one object to another; with one light for the whole object, a shadow falls on all of it alike.
 // Inside another's sphere, as where objects touch, half of the sphere of directions is covered, and overlaps() says so.
 #pragma once

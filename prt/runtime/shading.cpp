@@ -19,7 +19,7 @@ void Shading::require_fit(const Transfer& transfer, int highest) const {
       throw std::invalid_argument(fmt::format("--recolor {}: an albedo is from 0 to 1", channel));
     }
   }
-  if (!recolour.empty() && transfer.channels() != 1) {
+  if (!recolour.empty() && transfer.shape.holds_albedo) {
     throw std::invalid_argument("--recolor: transfer with bounces holds its albedo; only DU and DS can be recoloured");
   }
 }

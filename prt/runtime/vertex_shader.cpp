@@ -23,17 +23,18 @@ std::string_view text_of(const std::string& file) {
 
 }  // namespace
 
-std::string vertex_shader(TransferKind kind, int degree, bool white, ShaderLanguage language) {
+std::string vertex_shader(const TransferKind& kind, int degree, bool white, ShaderLanguage language) {
   require_degree(degree);
+  const TransferShape shape = kind.shape(degree);
   std::string out = language == ShaderLanguage::kGlsl450 ? "#version 450 core\n" : "#version 300 es\n";
   out += fmt::format("// `prt shader`: transfer {}, degree {}, {} light.\n",
-                     kind == TransferKind::kUnshadowed ? "unshadowed, from normals"
-                     : kind == TransferKind::kShadowed ? "of one channel"
-                                                       : "with bounces",
+                     !kind.traces_rays()   ? "unshadowed, from normals"
+                     : !kind.has_bounces() ? "of one channel"
+                                           : "with bounces",
                      degree, white ? "white" : "RGB");
-  out += fmt::format("#define COUNT {}\n{}", coefficient_count(degree), white ? "#define WHITE\n" : "");
-  if (kind != TransferKind::kUnshadowed) {
-    out += fmt::format("#define CHANNELS {}\n", kind == TransferKind::kInterreflected ? 3 : 1);
+  out += fmt::format("#define COUNT {}\n{}", shape.count(), white ? "#define WHITE\n" : "");
+  if (kind.traces_rays()) {
+    out += fmt::format("#define CHANNELS {}\n", shape.channels);
     return out.append(text_of("relight_rows.vert"));
   }
   const std::string rotate = fmt::format("rotate_l{}", degree);

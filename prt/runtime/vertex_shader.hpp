@@ -10,6 +10,6 @@ enum class ShaderLanguage { kGlsl450, kEs300 };
 
 /// Unshadowed takes normals, the others the transfer file's rows (those of an unshadowed file too, as shadowed). Throws
 /// std::invalid_argument unless 0 <= degree <= kMaxDegree.
-std::string vertex_shader(TransferKind kind, int degree, bool white, ShaderLanguage language);
+std::string vertex_shader(const TransferKind& kind, int degree, bool white, ShaderLanguage language);
 
 }  // namespace sh::prt

@@ -1,4 +1,4 @@
-// What a scene asks of a bake.
+// The settings that a scene asks of its bake.
 #pragma once
 #include <chrono>
 #include <cstdint>
@@ -25,7 +25,7 @@ struct BakeOptions {
   int directions = 2048;  // over the whole sphere
   Sampler sampler = Sampler::kFibonacci;
   std::uint32_t seed = 0;  // of the sampler, 0..kMaxSeed
-  TransferKind kind = TransferKind::kShadowed;
+  const TransferKind* kind = &kShadowed;
   BounceOptions bounces;  // interreflected only
 };
 

@@ -1,9 +1,8 @@
-#include "prt/scene/disc_scene.hpp"
-
 #include <cmath>
 #include <numbers>
 
 #include "prt/mesh/weld.hpp"
+#include "prt/scene/made_scenes.hpp"
 #include "prt/scene/scene_parts.hpp"
 
 namespace sh::prt {

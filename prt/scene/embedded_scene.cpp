@@ -1,10 +1,9 @@
-#include "prt/scene/embedded_scene.hpp"
-
 #include <Eigen/Geometry>
 #include <numbers>
 
 #include "prt/mesh/primitives.hpp"
 #include "prt/mesh/weld.hpp"
+#include "prt/scene/made_scenes.hpp"
 #include "prt/scene/scene_parts.hpp"
 
 namespace sh::prt {

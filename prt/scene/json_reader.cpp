@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <numbers>
 #include <stdexcept>
 #include <utility>
@@ -93,6 +94,12 @@ std::vector<std::pair<std::string, JsonReader>> JsonReader::members() const {
   }
   return members;
 }
+
+bool JsonReader::is_array() const { return value_->is_array(); }
+
+bool JsonReader::is_boolean() const { return value_->is_boolean(); }
+
+bool JsonReader::is_text() const { return value_->is_string(); }
 
 std::string JsonReader::text() const {
   if (!value_->is_string() || value_->get_ref<const std::string&>().empty()) {

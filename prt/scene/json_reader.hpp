@@ -2,8 +2,9 @@
 //   scene.json: /meshes/0/max_edge: expected a positive number, got "x"
 #pragma once
 #include <Eigen/Core>
+#include <functional>
 #include <initializer_list>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -26,13 +27,20 @@ class JsonReader {
   /// Empty where an object has no such key.
   [[nodiscard]] std::optional<JsonReader> find(std::string_view key) const;
   [[nodiscard]] JsonReader at(std::string_view key) const;
+  /// Replaces `to` by read(value, arguments...) where an object has that key.
+  template <class T, class Read, class... Arguments>
+  void take(std::string_view key, T& to, const Read& read, const Arguments&... arguments) const {
+    if (const auto value = find(key)) {
+      to = static_cast<T>(std::invoke(read, *value, arguments...));
+    }
+  }
   [[nodiscard]] std::vector<JsonReader> items() const;                            // of an array
   [[nodiscard]] std::vector<std::pair<std::string, JsonReader>> members() const;  // of an object whose keys are names
 
-  [[nodiscard]] bool is_array() const { return value_->is_array(); }
-  [[nodiscard]] bool is_boolean() const { return value_->is_boolean(); }
+  [[nodiscard]] bool is_array() const;
+  [[nodiscard]] bool is_boolean() const;
   [[nodiscard]] bool boolean() const;
-  [[nodiscard]] bool is_text() const { return value_->is_string(); }
+  [[nodiscard]] bool is_text() const;
   [[nodiscard]] std::string text() const;
   [[nodiscard]] std::string one_of(const std::vector<std::string_view>& words) const;
   [[nodiscard]] double number(double least, double most, std::string_view expected) const;

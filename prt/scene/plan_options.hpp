@@ -1,10 +1,12 @@
-// What a scene allows a plan to leave out of its bake.
+// The work and the numbers that a plan may leave out of a bake.
 #pragma once
 #include <array>
-#include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "prt/names.hpp"
 
 namespace sh::prt {
 
@@ -12,16 +14,11 @@ namespace sh::prt {
 enum class LightTurns { kNone, kAboutZ, kAny };
 
 inline constexpr std::array<std::string_view, 3> kLightTurnsNames = {"none", "about_z", "any"};
-constexpr std::string_view name_of(LightTurns turns) { return kLightTurnsNames[static_cast<std::size_t>(turns)]; }
+constexpr std::string_view name_of(LightTurns turns) { return word_of(turns, kLightTurnsNames); }
 
-/// The one of the name, which must be one of the table's.
-constexpr LightTurns turns_called(std::string_view name) {
-  for (std::size_t i = 0; i < kLightTurnsNames.size(); ++i) {
-    if (kLightTurnsNames[i] == name) {
-      return static_cast<LightTurns>(i);
-    }
-  }
-  return LightTurns::kAny;
+/// The one with that name, if there is one.
+constexpr std::optional<LightTurns> turns_called(std::string_view name) {
+  return value_called<LightTurns>(name, kLightTurnsNames);
 }
 
 inline constexpr std::array<std::string_view, 7> kDecisionNames = {"analytic", "bounces", "channels",  "bands",
@@ -31,7 +28,7 @@ inline constexpr std::array<std::string_view, 7> kDecisionNames = {"analytic", "
 enum class PlanMode { kNone, kExact, kLossy };
 
 struct PlanOptions {
-  PlanMode mode = PlanMode::kExact;
+  PlanMode mode = PlanMode::kNone;
   double error = 0.01;  // lossy: RMS over the vertices, relative to the largest unshadowed exit radiance
   LightTurns turns = LightTurns::kAboutZ;
   std::vector<std::string> without;  // of kDecisionNames: not to be taken

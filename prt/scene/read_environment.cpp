@@ -14,9 +14,7 @@ ImageMapping read_mapping(const JsonReader& reader) {
 /// `scale` times 2 to the `exposure`.
 float read_factor(const JsonReader& reader) {
   double factor = 1.0;
-  if (const auto scale = reader.find("scale")) {
-    factor = static_cast<double>(scale->positive());
-  }
+  reader.take("scale", factor, &JsonReader::positive);
   if (const auto exposure = reader.find("exposure")) {
     factor *= std::exp2(exposure->number(-64.0, 64.0, "stops from -64 to 64"));
     if (!(factor >= 1e-30 && factor <= 1e30)) {
@@ -33,15 +31,9 @@ std::optional<SunOptions> read_sun_options(const JsonReader& reader) {
   }
   reader.allow({"threshold", "contrast", "half_angle"});
   SunOptions options;
-  if (const auto threshold = reader.find("threshold")) {
-    options.threshold = threshold->number(0.001, 1.0, "a part of the peak from 0.001 to 1");
-  }
-  if (const auto contrast = reader.find("contrast")) {
-    options.contrast = contrast->number(1.0, 1e9, "a ratio from 1 to 1e9");
-  }
-  if (const auto half_angle = reader.find("half_angle")) {
-    options.half_angle = half_angle->degrees(0.01, 45.0);
-  }
+  reader.take("threshold", options.threshold, &JsonReader::number, 0.001, 1.0, "a part of the peak from 0.001 to 1");
+  reader.take("contrast", options.contrast, &JsonReader::number, 1.0, 1e9, "a ratio from 1 to 1e9");
+  reader.take("half_angle", options.half_angle, &JsonReader::degrees, 0.01, 45.0);
   return options;
 }
 
@@ -51,16 +43,12 @@ void read_environment(const JsonReader& reader, const std::string& folder, Light
   reader.allow({"type", "file", "mapping", "color_space", "scale", "exposure", "extract_sun", "rotate", "window"});
   light.type = LightType::kEnvironment;
   light.file = beside(folder, reader.at("file").text());
-  if (const auto mapping = reader.find("mapping")) {
-    light.mapping = read_mapping(*mapping);
-  }
-  if (const auto space = reader.find("color_space")) {
-    light.color_space = space->one_of({"linear", "srgb"}) == "srgb" ? ColorSpace::kSrgb : ColorSpace::kLinear;
-  }
+  reader.take("mapping", light.mapping, read_mapping);
+  reader.take("color_space", light.color_space, [](const JsonReader& value) {
+    return value.one_of({"linear", "srgb"}) == "srgb" ? ColorSpace::kSrgb : ColorSpace::kLinear;
+  });
   light.scale = read_factor(reader);
-  if (const auto sun = reader.find("extract_sun")) {
-    light.extract_sun = read_sun_options(*sun);
-  }
+  reader.take("extract_sun", light.extract_sun, read_sun_options);
 }
 
 }  // namespace sh::prt

@@ -35,11 +35,7 @@ Eigen::Vector3d read_direction(const JsonReader& reader) {
 
 Eigen::Vector3f read_colour(const JsonReader& reader) { return reader.vector(0.0F, kNoLimit); }
 
-void read_radiance(const JsonReader& reader, LightSpec& light) {
-  if (const auto radiance = reader.find("radiance")) {
-    light.radiance = read_colour(*radiance);
-  }
-}
+void read_radiance(const JsonReader& reader, LightSpec& light) { reader.take("radiance", light.radiance, read_colour); }
 
 // `radiance`, or `irradiance` of a surface that faces the cap.
 void read_cap_strength(const JsonReader& reader, LightSpec& light) {
@@ -67,9 +63,7 @@ void read_directional(const JsonReader& reader, LightSpec& light) {
   reader.allow({"type", "direction", "irradiance", "rotate", "window"});
   light.type = LightType::kDirectional;
   light.direction = read_direction(reader.at("direction"));
-  if (const auto irradiance = reader.find("irradiance")) {
-    light.radiance = read_colour(*irradiance);
-  }
+  reader.take("irradiance", light.radiance, read_colour);
 }
 
 void read_cap(const JsonReader& reader, LightSpec& light) {
@@ -169,9 +163,7 @@ LightSpec read_light(const JsonReader& reader, const std::string& folder) {
     light.rotation_axis = turn.axis;
     light.rotation_degrees = turn.degrees;
   }
-  if (const auto window = reader.find("window")) {
-    light.window = read_window(*window);
-  }
+  reader.take("window", light.window, read_window);
   return light;
 }
 

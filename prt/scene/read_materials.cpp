@@ -34,12 +34,9 @@ std::optional<Reflection> read_reflection(const JsonReader& reader) {
 MaterialChange read_material(const JsonReader& reader) {
   MaterialChange change;
   change.reflection = read_reflection(reader);
-  if (const auto emission = reader.find("emission")) {
-    change.emission = emission->vector(0.0F, std::numeric_limits<float>::max());
-  }
-  if (const auto sides = reader.find("sides")) {
-    change.is_two_sided = sides->integer(1, 2) == 2;
-  }
+  reader.take("emission", change.emission,
+              [](const JsonReader& value) { return value.vector(0.0F, std::numeric_limits<float>::max()); });
+  reader.take("sides", change.is_two_sided, [](const JsonReader& value) { return value.integer(1, 2) == 2; });
   return change;
 }
 

@@ -6,16 +6,12 @@
 namespace sh::prt {
 namespace {
 
-/// One of the words, the kinds' names or `auto`.
+/// One of the words: the names of types, or `auto`.
 WindowChoice choice_named(const JsonReader& reader) {
   WindowChoice choice;
   const std::string word =
       reader.one_of({"auto", kWindowNames[0], kWindowNames[1], kWindowNames[2], kWindowNames[3], kWindowNames[4]});
-  for (std::size_t i = 0; i < std::size(kWindowNames); ++i) {
-    if (word == kWindowNames[i]) {
-      choice.window.type = static_cast<WindowType>(i);
-    }
-  }
+  choice.window.type = value_called<WindowType>(word, kWindowNames).value_or(choice.window.type);
   return choice;
 }
 
@@ -34,9 +30,7 @@ WindowChoice read_window(const JsonReader& reader) {
   } else {
     reader.allow({"type", key, "keep"});
   }
-  if (const auto power = reader.find("power")) {
-    choice.window.power = power->integer(1, kMaxPower);
-  }
+  reader.take("power", choice.window.power, &JsonReader::integer, 1, kMaxPower);
   if (const auto number = reader.find(key)) {
     choice.automatic = false;
     choice.window.size = number->number(0.0, std::numeric_limits<double>::max(), "a number of 0 or more");
@@ -44,9 +38,9 @@ WindowChoice read_window(const JsonReader& reader) {
       number->expected(flaw);
     }
   }
-  if (const auto keep = reader.find("keep")) {
-    choice.keep = keep->one_of({"radiance", "irradiance"}) == "radiance" ? Keep::kRadiance : Keep::kIrradiance;
-  }
+  reader.take("keep", choice.keep, [](const JsonReader& value) {
+    return value.one_of({"radiance", "irradiance"}) == "radiance" ? Keep::kRadiance : Keep::kIrradiance;
+  });
   return choice;
 }
 

@@ -1,28 +1,28 @@
 #include "prt/scene/scene.hpp"
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "prt/mesh/weld.hpp"
-#include "prt/scene/default_camera.hpp"
-#include "prt/scene/disc_scene.hpp"
-#include "prt/scene/embedded_scene.hpp"
+#include "prt/scene/camera.hpp"
 #include "prt/scene/json_reader.hpp"
+#include "prt/scene/made_scenes.hpp"
 #include "prt/scene/scene_parts.hpp"
 
 namespace sh::prt {
 
 Scene load_scene(const std::string& scene, OnFlaw on_flaw) {
-  if (scene == "demo") {
-    return make_embedded_scene();
-  }
-  if (scene == "disc") {
-    return make_disc_scene();
+  if (scene == "demo" || scene == "disc") {
+    Scene made = scene == "demo" ? make_embedded_scene() : make_disc_scene();
+    made.plan.mode = PlanMode::kExact;
+    return made;
   }
   const nlohmann::json document = read_json(scene);
   const JsonReader reader(scene, document);
   const std::string folder = std::filesystem::path(scene).parent_path().string();
   reader.allow({"name", "meshes", "ground", "lights", "camera", "bake", "plan"});
   Scene result;
+  result.plan.mode = PlanMode::kExact;
   const auto name = reader.find("name");
   result.name = name ? name->text() : std::filesystem::path(scene).stem().string();
   const JsonReader meshes = reader.at("meshes");
@@ -37,12 +37,8 @@ Scene load_scene(const std::string& scene, OnFlaw on_flaw) {
   if (!lights) {
     result.lights.emplace_back();  // the CIE overcast sky
   }
-  if (const auto options = reader.find("bake")) {
-    result.bake = read_bake_options(*options);
-  }
-  if (const auto options = reader.find("plan")) {
-    result.plan = read_plan_options(*options);
-  }
+  reader.take("bake", result.bake, read_bake_options);
+  reader.take("plan", result.plan, read_plan_options);
   for (const JsonReader& mesh : meshes.items()) {
     append(result.mesh, read_mesh(mesh, folder, on_flaw));
   }

@@ -28,7 +28,7 @@ struct Scene {
   std::vector<LightSpec> lights;
   Camera camera;
   BakeOptions bake;
-  PlanOptions plan;          // lossy where the scene has one
+  PlanOptions plan;          // none of a scene made in code, lossy where the file has one, else exact
   std::optional<Disc> disc;  // of the scene `disc`
 };
 

@@ -16,7 +16,6 @@
 #include "prt/mesh/tessellate.hpp"
 #include "prt/mesh/weld.hpp"
 #include "prt/rays/directions.hpp"
-#include "prt/transfer/transfer_names.hpp"
 
 namespace sh::prt {
 
@@ -166,36 +165,20 @@ Mesh read_mesh(const JsonReader& reader, const std::string& folder, OnFlaw on_fl
 Ground read_ground(const JsonReader& reader, const Mesh& mesh) {
   reader.allow({"height", "size", "max_edge", "albedo"});
   Ground ground = default_ground(mesh);
-  if (const auto height = reader.find("height")) {
-    ground.height = height->finite();
-  }
-  if (const auto size = reader.find("size")) {
-    ground.size = size->positive();
-  }
-  if (const auto max_edge = reader.find("max_edge")) {
-    ground.max_edge = max_edge->positive();
-  }
-  if (const auto albedo = reader.find("albedo")) {
-    ground.albedo = albedo->vector(0.0F, 1.0F);
-  }
+  reader.take("height", ground.height, &JsonReader::finite);
+  reader.take("size", ground.size, &JsonReader::positive);
+  reader.take("max_edge", ground.max_edge, &JsonReader::positive);
+  reader.take("albedo", ground.albedo, [](const JsonReader& value) { return value.vector(0.0F, 1.0F); });
   return ground;
 }
 
 Camera read_camera(const JsonReader& reader, const Camera& otherwise) {
   reader.allow({"position", "target", "up", "field_of_view"});
   Camera camera = otherwise;
-  if (const auto position = reader.find("position")) {
-    camera.position = position->vector();
-  }
-  if (const auto target = reader.find("target")) {
-    camera.target = target->vector();
-  }
-  if (const auto up = reader.find("up")) {
-    camera.up = up->vector();
-  }
-  if (const auto field = reader.find("field_of_view")) {
-    camera.vertical_field_of_view = static_cast<float>(field->number(1.0, 170.0, "degrees from 1 to 170"));
-  }
+  reader.take("position", camera.position, [](const JsonReader& value) { return value.vector(); });
+  reader.take("target", camera.target, [](const JsonReader& value) { return value.vector(); });
+  reader.take("up", camera.up, [](const JsonReader& value) { return value.vector(); });
+  reader.take("field_of_view", camera.vertical_field_of_view, &JsonReader::number, 1.0, 170.0, "degrees from 1 to 170");
   const Eigen::Vector3f view = camera.target - camera.position;
   if (!(view.norm() > 0.0F) || !(view.normalized().cross(camera.up.normalized()).norm() > 1e-4F)) {
     reader.expected("a target away from the position and an `up` that is not along the view");
@@ -206,23 +189,30 @@ Camera read_camera(const JsonReader& reader, const Camera& otherwise) {
 BakeOptions read_bake_options(const JsonReader& reader) {
   reader.allow({"degree", "directions", "sampler", "seed", "transfer", "tolerance"});
   BakeOptions options;
-  if (const auto degree = reader.find("degree")) {
-    options.degree = degree->integer(0, kMaxDegree);
-  }
-  if (const auto directions = reader.find("directions")) {
-    options.directions = directions->integer(1, kMaxDirections);
-  }
-  if (const auto sampler = reader.find("sampler")) {
-    options.sampler = *sampler_called(sampler->one_of({kSamplerNames.begin(), kSamplerNames.end()}));
-  }
-  if (const auto seed = reader.find("seed")) {
-    options.seed = static_cast<std::uint32_t>(seed->integer(0, kMaxSeed));
-  }
-  if (const auto tolerance = reader.find("tolerance")) {
-    options.bounces.tolerance = tolerance->number(1e-9, 1.0, "a number from 1e-9 to 1");
-  }
-  if (const auto transfer = reader.find("transfer")) {
-    options.kind = kind_called(transfer->one_of({"unshadowed", "shadowed", "interreflected"}));
+  reader.take("degree", options.degree, &JsonReader::integer, 0, kMaxDegree);
+  reader.take("directions", options.directions, &JsonReader::integer, 1, kMaxDirections);
+  reader.take("sampler", options.sampler, [](const JsonReader& value) {
+    return *sampler_called(value.one_of({kSamplerNames.begin(), kSamplerNames.end()}));
+  });
+  reader.take("seed", options.seed, &JsonReader::integer, 0, kMaxSeed);
+  reader.take("tolerance", options.bounces.tolerance, &JsonReader::number, 1e-9, 1.0, "a number from 1e-9 to 1");
+  reader.take("transfer", options.kind,
+              [](const JsonReader& value) { return kind_called(value.one_of(kind_words())); });
+  return options;
+}
+
+PlanOptions read_plan_options(const JsonReader& reader) {
+  reader.allow({"error", "light_turns", "without"});
+  PlanOptions options;
+  options.mode = PlanMode::kLossy;
+  reader.take("error", options.error, &JsonReader::number, 1e-9, 1.0, "a number from 1e-9 to 1");
+  reader.take("light_turns", options.turns, [](const JsonReader& value) {
+    return *turns_called(value.one_of({kLightTurnsNames.begin(), kLightTurnsNames.end()}));
+  });
+  if (const auto without = reader.find("without")) {
+    for (const JsonReader& name : without->items()) {
+      options.without.push_back(name.one_of({kDecisionNames.begin(), kDecisionNames.end()}));
+    }
   }
   return options;
 }

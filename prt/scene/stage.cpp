@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <nlohmann/json.hpp>
 
 #include "prt/light/light_coefficients.hpp"
 #include "prt/scene/json_reader.hpp"
@@ -13,26 +14,22 @@
 namespace sh::prt {
 namespace {
 
-/// What is left out of a key is that of the object.
+Eigen::Vector3d read_point(const JsonReader& reader) { return reader.vector().cast<double>(); }
+
+/// A key takes what it leaves out from the object.
 Motion::Key read_key(const JsonReader& reader, const Motion::Key& otherwise) {
   reader.allow({"time", "position", "degrees"});
   Motion::Key key = otherwise;
   key.time = reader.at("time").number(0.0, 1.0, "a number from 0 to 1");
-  if (const auto position = reader.find("position")) {
-    key.position = position->vector().cast<double>();
-  }
-  if (const auto degrees = reader.find("degrees")) {
-    key.degrees = static_cast<double>(degrees->finite());
-  }
+  reader.take("position", key.position, read_point);
+  reader.take("degrees", key.degrees, &JsonReader::finite);
   return key;
 }
 
 Motion read_motion(const JsonReader& object) {
   Motion motion;
   Motion::Key& rest = motion.keys.front();
-  if (const auto position = object.find("position")) {
-    rest.position = position->vector().cast<double>();
-  }
+  object.take("position", rest.position, read_point);
   if (const auto rotate = object.find("rotate")) {
     const Turn turn = read_turn(*rotate);
     motion.axis = turn.axis.cast<double>().normalized();
@@ -59,12 +56,8 @@ Motion read_motion(const JsonReader& object) {
 Sphere read_proxy(const JsonReader& reader, const Sphere& otherwise) {
   reader.allow({"center", "radius"});
   Sphere sphere = otherwise;
-  if (const auto centre = reader.find("center")) {
-    sphere.centre = centre->vector().cast<double>();
-  }
-  if (const auto radius = reader.find("radius")) {
-    sphere.radius = radius->number(0.0, 1e30, "a number of 0 or more");
-  }
+  reader.take("center", sphere.centre, read_point);
+  reader.take("radius", sphere.radius, &JsonReader::number, 0.0, 1e30, "a number of 0 or more");
   return sphere;
 }
 
@@ -82,13 +75,11 @@ StageObject read_object(const JsonReader& reader, const std::string& folder, Tra
     transfer = std::make_shared<const Transfer>(read_transfer(beside(folder, object.name)));
   }
   object.transfer = transfer;
-  if (object.per_vertex && transfer->channels() != 1) {
+  if (object.per_vertex && transfer->shape.channels != 1) {
     light_at->expected("`center` for transfer with bounces, which needs one light for the whole object");
   }
   object.proxy = bounding_sphere(transfer->mesh);
-  if (const auto proxy = reader.find("proxy")) {
-    object.proxy = read_proxy(*proxy, object.proxy);
-  }
+  reader.take("proxy", object.proxy, read_proxy, object.proxy);
   return object;
 }
 

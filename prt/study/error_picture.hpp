@@ -1,4 +1,4 @@
-// Where the error of exit radiance sits: false-colour pictures of a mesh.
+// False-color pictures of a mesh that show where exit radiance is wrong.
 #pragma once
 #include <Eigen/Core>
 #include <string>

@@ -1,4 +1,4 @@
-// Which vertices are studied, what each counts, and how radiances on them differ.
+// The choice of the studied vertices, their weights, and the differences of radiances on them.
 #pragma once
 #include <Eigen/Core>
 #include <cstdint>

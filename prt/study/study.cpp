@@ -8,7 +8,7 @@
 
 #include "numeric/sampling/power_law.hpp"
 #include "prt/rays/directions.hpp"
-#include "prt/study/study_parts.hpp"
+#include "prt/study/study_setup.hpp"
 
 namespace sh::prt {
 

@@ -1,4 +1,4 @@
-// Error against time of everything a bake can be told: what `prt study` measures.
+// Error against time of every setting of a bake, as `prt study` measures it.
 // In: a scene. Out: curves. Every setting is measured alone, all else as the scene says, on a fixed subset of vertices
 // with the whole mesh as what is in their way.
 //   error   exit radiance under the scene's lights against that of a reference: root of the mean square over vertices

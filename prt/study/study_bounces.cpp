@@ -13,7 +13,7 @@
 #include "prt/bake/shadow_pass.hpp"
 #include "prt/bake/trace_form_factors.hpp"
 #include "prt/bake/unshadowed.hpp"
-#include "prt/study/study_parts.hpp"
+#include "prt/study/study_setup.hpp"
 
 namespace sh::prt {
 

@@ -6,8 +6,7 @@
 #include <cmath>
 
 #include "numeric/output/progress.hpp"
-#include "prt/study/study_parts.hpp"
-#include "prt/transfer/transfer_names.hpp"
+#include "prt/study/study_setup.hpp"
 
 namespace sh::prt {
 

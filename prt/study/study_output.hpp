@@ -1,6 +1,6 @@
 // A study as text: JSON for programs, charts for people.
 #pragma once
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 

@@ -5,21 +5,15 @@
 
 #include "prt/bake/bake.hpp"
 #include "prt/runtime/relight.hpp"
-#include "prt/study/study_parts.hpp"
+#include "prt/study/study_setup.hpp"
 
 namespace sh::prt {
 
 namespace {
 
 Radiances shaded(const Transfer& transfer, const LightCoefficients& light, int degree) {
-  LightCoefficients shown = LightCoefficients::zero(degree);
-  for (std::size_t c = 0; c < 3; ++c) {
-    for (std::size_t i = 0; i < shown.bands_squared(); ++i) {
-      shown.at(c, i) = light.at(c, i);
-    }
-  }
   Radiances radiances;
-  for (const Eigen::Vector3f& radiance : relight(transfer, shown)) {
+  for (const Eigen::Vector3f& radiance : relight(transfer, first_bands(light, degree))) {
     radiances.push_back(radiance.cast<double>());
   }
   return radiances;
@@ -28,12 +22,13 @@ Radiances shaded(const Transfer& transfer, const LightCoefficients& light, int d
 Transfer shadowed(const StudySetup& setup, int degree, int directions) {
   Scene scene = setup.scene;
   scene.mesh.emission.clear();  // the lights' error only
-  scene.bake.kind = TransferKind::kShadowed;
+  scene.bake.kind = &kShadowed;
+  scene.plan.mode = PlanMode::kNone;
   scene.bake.degree = degree;
   scene.bake.directions = directions;
   BakeSettings settings;
   settings.instruction_set = setup.options.instruction_set;
-  return bake(scene, settings);
+  return bake({std::move(scene), settings});
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// What all parts of a study share: rays, the studied vertices, the light and the references.
+// The common ground of all parts of a study: rays, the studied vertices, the light and the references; and the parts.
 #pragma once
 #include <optional>
 #include <vector>
@@ -54,5 +54,21 @@ struct TimedRows {
   double setup_seconds = 0.0;
 };
 TimedRows trace_rows(const StudySetup& setup, const BakeOptions& options);
+
+// The parts of a study.
+
+/// Error and time against directions, a curve a sampler, at the scene's degree.
+StudyPart study_directions(const StudySetup& setup);
+/// Error of leaving out the higher degrees, and the time of each degree, a curve a reference.
+StudyPart study_degrees(const StudySetup& setup);
+/// Error of stopping the series of bounces, all vertices of the mesh.
+StudyPart study_bounces(const StudySetup& setup);
+
+/// Error against the bytes of a vertex, by degree and by how a number is stored.
+StudyPart study_storage(const StudySetup& setup);
+/// Error against degree under windows on the light.
+StudyPart study_windows(const StudySetup& setup);
+/// No curves: where errors sit that few directions and few degrees make, by bakes of the whole mesh.
+StudyPart study_pictures(const StudySetup& setup);
 
 }  // namespace sh::prt

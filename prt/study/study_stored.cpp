@@ -4,7 +4,7 @@
 
 #include "prt/light/deringing.hpp"
 #include "prt/light/window.hpp"
-#include "prt/study/study_parts.hpp"
+#include "prt/study/study_setup.hpp"
 #include "prt/transfer/storage.hpp"
 
 namespace sh::prt {
@@ -16,16 +16,6 @@ TransferRows truncated(const TransferRows& rows, int degree) {
   TransferRows result{degree, {}};
   for (std::size_t i = 0; i * coefficient_count(rows.degree) < rows.values.size(); ++i) {
     result.values.insert(result.values.end(), rows.row(i), rows.row(i) + count);
-  }
-  return result;
-}
-
-LightCoefficients truncated(const LightCoefficients& light, int degree) {
-  LightCoefficients result = LightCoefficients::zero(degree);
-  for (std::size_t c = 0; c < 3; ++c) {
-    for (std::size_t i = 0; i < result.bands_squared(); ++i) {
-      result.at(c, i) = light.at(c, i);
-    }
   }
   return result;
 }
@@ -43,12 +33,11 @@ CoefficientError difference(const std::vector<float>& a, const std::vector<float
 
 StudyPoint stored(const StudySetup& setup, Element element, int degree, const Radiances& reference) {
   const TransferRows rows = truncated(setup.reference, degree);
-  const RowShape shape{1, coefficient_count(degree)};
-  Storage storage;
-  storage.element = element;
-  const TransferRows back{degree, decode(encode(rows.values, shape, storage), shape, storage)};
+  TransferShape shape = kShadowed.shape(degree);
+  shape.storage.element = element;
+  const TransferRows back{degree, decode(encode(rows.values, shape), shape)};
   StudyPoint point;
-  point.bytes_a_vertex = static_cast<double>(shape.count * bytes_of(element));
+  point.bytes_a_vertex = static_cast<double>(shape.count() * bytes_of(element));
   point.at = *point.bytes_a_vertex;
   point.error = radiance_error(setup.vertices, setup.relit(back, setup.light, degree), reference);
   point.coefficient_error = difference(back.values, rows.values);
@@ -106,7 +95,7 @@ StudyPart study_windows(const StudySetup& setup) {
     StudySeries series;
     series.name = window.name;
     for (int degree = 1; degree <= kMaxDegree - (setup.whole ? 0 : 1); ++degree) {
-      LightCoefficients light = truncated(setup.light, degree);
+      LightCoefficients light = first_bands(setup.light, degree);
       if (const auto choice = window.of_degree(degree)) {
         apply_window(*choice, light);
       }

@@ -10,6 +10,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "prt/names.hpp"
+
 namespace sh::prt {
 
 namespace {
@@ -17,33 +19,32 @@ namespace {
 constexpr float kSteps = 127.0F;
 constexpr double kHalfOverflow = 65520.0;  // rounds to infinity
 
-// A column of the file and where it stands in a row in memory; every copy of one channel comes from `first`.
+// A column of the file and where it stands among a receiver's numbers in memory.
 struct Column {
   std::size_t first;
-  std::size_t channels;  // that it stands for, `count` apart
+  std::size_t channels;  // that it stands for, shape.count() apart
 };
 
-std::vector<Column> columns_of(const Storage& storage, const RowShape& shape) {
+std::vector<Column> columns_of(const TransferShape& shape) {
+  const Storage& storage = shape.storage;
   if (!std::is_sorted(storage.kept.begin(), storage.kept.end(), std::less_equal<>()) ||
-      (!storage.kept.empty() && storage.kept.back() >= shape.count)) {
-    throw std::invalid_argument(fmt::format("kept coefficients: expected rising indices below {}", shape.count));
+      (!storage.kept.empty() && storage.kept.back() >= shape.columns())) {
+    throw std::invalid_argument(fmt::format("kept coefficients: expected rising indices below {}", shape.columns()));
   }
+  const std::size_t copies = storage.one_channel ? shape.channels : 1;
   std::vector<Column> columns;
-  for (std::size_t channel = 0; channel < (storage.one_channel ? 1 : shape.channels); ++channel) {
-    const std::size_t copies = storage.one_channel ? shape.channels : 1;
-    for (std::size_t i = 0; i < shape.count; ++i) {
-      if (storage.kept.empty() || std::binary_search(storage.kept.begin(), storage.kept.end(), i)) {
-        columns.push_back({channel * shape.count + i, copies});
-      }
+  for (std::size_t first = 0; first < shape.length() / copies; ++first) {
+    if (storage.kept.empty() || std::binary_search(storage.kept.begin(), storage.kept.end(), first % shape.columns())) {
+      columns.push_back({first, copies});
     }
   }
   return columns;
 }
 
-float largest_of_column(const std::vector<float>& rows, std::size_t length, std::size_t column) {
+float largest_of_column(const std::vector<float>& numbers, std::size_t length, std::size_t column) {
   float largest = 0.0F;
-  for (std::size_t at = column; at < rows.size(); at += length) {
-    largest = std::max(largest, std::abs(rows[at]));
+  for (std::size_t at = column; at < numbers.size(); at += length) {
+    largest = std::max(largest, std::abs(numbers[at]));
   }
   return largest;
 }
@@ -90,57 +91,55 @@ float get(const std::byte* from, Element element, float scale) {
 
 }  // namespace
 
-std::size_t stored_columns(const Storage& storage, const RowShape& shape) {
-  return (storage.one_channel ? 1 : shape.channels) * (storage.kept.empty() ? shape.count : storage.kept.size());
-}
-
-Encoded encode(const std::vector<float>& rows, const RowShape& shape, const Storage& storage) {
-  const std::size_t length = shape.channels * shape.count;
-  if (length == 0 || rows.size() % length != 0) {
-    throw std::invalid_argument(fmt::format("{} numbers are not rows of {}", rows.size(), length));
+Encoded encode(const std::vector<float>& numbers, const TransferShape& shape) {
+  const std::size_t length = shape.length();
+  const Element element = shape.storage.element;
+  if (numbers.size() % length != 0) {
+    throw std::invalid_argument(fmt::format("{} numbers: expected rows of {}", numbers.size(), length));
   }
-  const std::vector<Column> columns = columns_of(storage, shape);
-  const std::size_t size = bytes_of(storage.element);
+  const std::vector<Column> columns = columns_of(shape);
+  const std::size_t size = bytes_of(element);
   Encoded encoded;
   for (const Column& column : columns) {
-    const float largest = largest_of_column(rows, length, column.first);
-    if (!std::isfinite(encoding_error(storage.element, static_cast<double>(largest)))) {
+    const float largest = largest_of_column(numbers, length, column.first);
+    if (!std::isfinite(encoding_error(element, static_cast<double>(largest)))) {
       throw std::invalid_argument(fmt::format("a transfer coefficient of {} does not fit into type {}", largest,
-                                              kElementNames[static_cast<std::size_t>(storage.element)]));
+                                              word_of(element, kElementNames)));
     }
-    if (storage.element == Element::kByte) {
+    if (element == Element::kByte) {
       encoded.scale.push_back(scale_for(largest));
     }
   }
-  encoded.data.resize(rows.size() / length * columns.size() * size);
+  encoded.data.resize(numbers.size() / length * columns.size() * size);
   std::byte* to = encoded.data.data();
-  for (std::size_t row = 0; row < rows.size(); row += length) {
+  for (std::size_t row = 0; row < numbers.size(); row += length) {
     for (std::size_t j = 0; j < columns.size(); ++j, to += size) {
-      put(to, storage.element, rows[row + columns[j].first], encoded.scale.empty() ? 1.0F : encoded.scale[j]);
+      put(to, element, numbers[row + columns[j].first], encoded.scale.empty() ? 1.0F : encoded.scale[j]);
     }
   }
   return encoded;
 }
 
-std::vector<float> decode(const Encoded& encoded, const RowShape& shape, const Storage& storage) {
-  const std::vector<Column> columns = columns_of(storage, shape);
-  const std::size_t size = bytes_of(storage.element);
-  const std::size_t length = shape.channels * shape.count;
-  const std::size_t count = columns.empty() ? 0 : encoded.data.size() / (columns.size() * size);
-  if (storage.element == Element::kByte && encoded.scale.size() != columns.size()) {
-    throw std::invalid_argument(fmt::format("{} scales for {} columns", encoded.scale.size(), columns.size()));
+std::vector<float> decode(const Encoded& encoded, const TransferShape& shape) {
+  const std::vector<Column> columns = columns_of(shape);
+  const Element element = shape.storage.element;
+  const std::size_t size = bytes_of(element);
+  if (element == Element::kByte && encoded.scale.size() != columns.size()) {
+    throw std::invalid_argument(
+        fmt::format("{} scales: expected {}, one a column", encoded.scale.size(), columns.size()));
   }
-  std::vector<float> rows(count * length, 0.0F);
+  const std::size_t length = shape.length();
+  std::vector<float> numbers(encoded.data.size() / (columns.size() * size) * length, 0.0F);
   const std::byte* from = encoded.data.data();
-  for (std::size_t row = 0; row < rows.size(); row += length) {
+  for (std::size_t row = 0; row < numbers.size(); row += length) {
     for (std::size_t j = 0; j < columns.size(); ++j, from += size) {
-      const float value = get(from, storage.element, encoded.scale.empty() ? 1.0F : encoded.scale[j]);
+      const float value = get(from, element, encoded.scale.empty() ? 1.0F : encoded.scale[j]);
       for (std::size_t c = 0; c < columns[j].channels; ++c) {
-        rows[row + columns[j].first + c * shape.count] = value;
+        numbers[row + columns[j].first + c * shape.count()] = value;
       }
     }
   }
-  return rows;
+  return numbers;
 }
 
 double encoding_error(Element element, double largest) {

@@ -12,14 +12,15 @@
 #include <vector>
 
 #include "prt/transfer/checksum.hpp"
-#include "prt/transfer/storage.hpp"
+#include "prt/transfer/shape.hpp"
 
 namespace sh::prt::layout {
 
 static_assert(std::endian::native == std::endian::little, "transfer files are little-endian and read as they lie");
 
 inline constexpr std::array<char, 8> kMagic = {'s', 'h', 'p', 'r', 't', '\r', '\n', '\x1a'};
-inline constexpr std::uint32_t kVersion = 1;
+inline constexpr std::uint32_t kVersion = 2;
+inline constexpr std::uint32_t kOldestVersion = 1;  // its headers leave the shape to the kind
 
 /// First in the file; `checksum` is XXH3-64 of the bytes before it followed by the section table.
 struct Prologue {
@@ -64,11 +65,11 @@ constexpr std::uint64_t bytes_of(const Section& section) {
 enum class Rows { kVertices, kOne, kOther };
 enum class Presence { kAlways, kOptional };
 
-/// A section that there may be. A file's sections stand in the order of kSections; optional ones may be left out.
+/// A section of a file. Sections stand in the order of kSections; optional ones may be left out.
 struct Kind {
   std::string_view name;
   std::uint32_t type;     // of `transfer`: kFloat or what the header says
-  std::uint32_t columns;  // 0: channels * coefficients, as many as the file has
+  std::uint32_t columns;  // 0: the stored numbers of a vertex
   Rows rows;
   Presence presence;
 };

@@ -1,22 +1,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "prt/transfer/checksum.hpp"
-#include "prt/transfer/plan_json.hpp"
+#include "prt/transfer/storage.hpp"
 #include "prt/transfer/transfer_file.hpp"
+#include "prt/transfer/transfer_json.hpp"
 #include "prt/transfer/transfer_layout.hpp"
-#include "prt/transfer/transfer_names.hpp"
 
 namespace sh::prt {
 
@@ -24,7 +22,7 @@ namespace {
 
 class Reader {
  public:
-  explicit Reader(const std::string& path) : path_(path), file_(path, std::ios::binary) {
+  Reader(const std::string& path, TransferKinds kinds) : path_(path), kinds_(kinds), file_(path, std::ios::binary) {
     std::error_code error;
     size_ = file_ ? std::filesystem::file_size(path, error) : 0;
     if (!file_ || error) {
@@ -38,9 +36,11 @@ class Reader {
     const std::string header = read_header();
     Transfer transfer;
     try {
-      take_header(nlohmann::json::parse(header), transfer);
+      take_header(nlohmann::json::parse(header), prologue_.version, kinds_, transfer);
     } catch (const nlohmann::json::exception&) {
       fail("its JSON header lacks an entry or has one of the wrong type");
+    } catch (const std::invalid_argument& flaw) {
+      fail(flaw.what());
     }
     check_shape(transfer);
     read_sections(transfer);
@@ -68,8 +68,9 @@ class Reader {
     if (prologue_.magic != layout::kMagic) {
       fail("not a transfer file: it does not begin with `shprt`");
     }
-    if (prologue_.version != layout::kVersion) {
-      fail(fmt::format("transfer file of version {}, expected {}", prologue_.version, layout::kVersion));
+    if (prologue_.version < layout::kOldestVersion || prologue_.version > layout::kVersion) {
+      fail(fmt::format("transfer file of version {}, expected {} to {}", prologue_.version, layout::kOldestVersion,
+                       layout::kVersion));
     }
     if (prologue_.file_size != size_) {
       fail(fmt::format("truncated or overlong transfer file: {} bytes, expected {}", size_, prologue_.file_size));
@@ -98,76 +99,6 @@ class Reader {
       fail("damaged transfer file: the checksum of its JSON header differs");
     }
     return header;
-  }
-
-  void take_header(const nlohmann::json& header, Transfer& transfer) const {
-    transfer.scene = header.at("scene").get<std::string>();
-    const auto kind = header.at("kind").get<std::string>();
-    const auto* name = std::find_if(kTransferNames.begin(), kTransferNames.end(),
-                                    [&](const TransferName& known) { return known.file == kind; });
-    if (name == kTransferNames.end() || header.at("rows").get<std::uint64_t>() != 1) {
-      fail(fmt::format("transfer of kind {} with {} rows, expected DU, DS or DI with one", kind,
-                       header.at("rows").dump()));
-    }
-    transfer.kind = name->kind;
-    if (header.value("channels", std::uint64_t{1}) != transfer.channels()) {  // absent: one
-      fail(fmt::format("transfer of kind {} with {} channels, expected {}", kind, header.at("channels").dump(),
-                       transfer.channels()));
-    }
-    if (transfer.kind == TransferKind::kInterreflected) {
-      take_bounces(header.at("bounces"), transfer.bounces);
-    }
-    transfer.degree = header.at("degree").get<int>();
-    if (transfer.degree < 0 || transfer.degree > kMaxDegree) {
-      fail(fmt::format("transfer of degree {}, expected 0 to {}", transfer.degree, kMaxDegree));
-    }
-    take_plan(header, transfer);
-    transfer.directions = header.at("directions").get<std::uint32_t>();
-    take_sampler(header, transfer);
-    transfer.instruction_set = header.at("instruction_set").get<std::string>();
-  }
-
-  // Absent where no ray was traced, and in files older than the choice.
-  void take_sampler(const nlohmann::json& header, Transfer& transfer) const {
-    const auto sampler = header.value("sampler", std::string(name_of(Sampler::kFibonacci)));
-    const auto known = sampler_called(sampler);
-    if (!known) {
-      fail(fmt::format("sampler {}, expected one of {}", sampler, fmt::join(kSamplerNames, ", ")));
-    }
-    transfer.sampler = *known;
-    transfer.seed = header.value("seed", 0U);
-    if (header.contains("asked")) {
-      transfer.missing.directions = header["asked"].value("directions", 0U);
-      transfer.missing.tolerance = header["asked"].value("tolerance", 0.0);
-    }
-  }
-
-  void take_plan(const nlohmann::json& header, Transfer& transfer) const {
-    if (header.contains("plan")) {
-      transfer.plan = plan_from(header.at("plan"));
-    }
-    if (header.contains("storage")) {
-      const auto storage = storage_from(header.at("storage"), transfer.row_shape());
-      if (!storage) {
-        fail("transfer file whose JSON header names a storage that does not exist");
-      }
-      transfer.storage = *storage;
-    }
-  }
-
-  static void take_bounces(const nlohmann::json& header, BounceReport& report) {
-    report.solver = header.at("solver").get<std::string>();
-    report.applications = header.at("applications").get<int>();
-    report.certified = header.at("certified").get<bool>();
-    report.bound = report.certified ? header.at("bound").get<double>() : std::numeric_limits<double>::infinity();
-    report.residual = header.at("residual").get<double>();
-    report.largest = header.at("largest").get<double>();
-    report.spectral_bound = header.at("spectral_bound").get<double>();
-    report.emitted_largest = header.value("emitted_largest", 0.0);
-    if (header.contains("emitted_bound")) {
-      report.emitted_bound =
-          report.certified ? header.at("emitted_bound").get<double>() : std::numeric_limits<double>::infinity();
-    }
   }
 
   // The sections are known ones in their order, follow one another, and their lengths agree with the file's.
@@ -203,9 +134,8 @@ class Reader {
 
   void check_section(const layout::Kind& kind, const layout::Section& section, std::uint64_t offset,
                      const Transfer& transfer) const {
-    const std::uint64_t columns =
-        kind.columns != 0 ? kind.columns : stored_columns(transfer.storage, transfer.row_shape());
-    const std::uint32_t type = kind.name == "transfer" ? layout::type_of(transfer.storage.element) : kind.type;
+    const std::uint64_t columns = kind.columns != 0 ? kind.columns : transfer.shape.stored_length();
+    const std::uint32_t type = kind.name == "transfer" ? layout::type_of(transfer.shape.storage.element) : kind.type;
     if (section.type != type || section.columns != columns || section.offset != offset ||
         section.rows > (size_ - offset) / (columns * layout::size_of(section.type)) ||
         (kind.rows == layout::Rows::kVertices && section.rows != table_[0].rows) ||
@@ -237,7 +167,7 @@ class Reader {
     fetch_section("face", transfer.mesh.faces);
     fetch_section("remap", transfer.mesh.remap);
     Encoded encoded;
-    if (transfer.storage.is_plain()) {
+    if (transfer.shape.storage.is_plain()) {
       fetch_section("transfer", transfer.coefficients);
     } else {
       fetch_section("transfer", encoded.data);
@@ -246,13 +176,13 @@ class Reader {
     fetch_section("scale", encoded.scale);
     fetch_section("mirror", transfer.mesh.mirror);
     check_scale(transfer, encoded);
-    if (!transfer.storage.is_plain()) {
-      transfer.coefficients = decode(encoded, transfer.row_shape(), transfer.storage);
+    if (!transfer.shape.storage.is_plain()) {
+      transfer.coefficients = decode(encoded, transfer.shape);
     }
   }
 
   void check_scale(const Transfer& transfer, const Encoded& encoded) const {
-    if (encoded.scale.empty() == (transfer.storage.element == Element::kByte)) {
+    if (encoded.scale.empty() == (transfer.shape.storage.element == Element::kByte)) {
       fail("damaged transfer file: a scale belongs to 8-bit coefficients and to no others");
     }
     if (!std::all_of(encoded.scale.begin(), encoded.scale.end(),
@@ -284,6 +214,7 @@ class Reader {
   }
 
   std::string path_;
+  TransferKinds kinds_;
   std::ifstream file_;
   std::uint64_t size_ = 0;
   layout::Prologue prologue_;
@@ -292,6 +223,6 @@ class Reader {
 
 }  // namespace
 
-Transfer read_transfer(const std::string& path) { return Reader(path).read(); }
+Transfer read_transfer(const std::string& path, TransferKinds kinds) { return Reader(path, kinds).read(); }
 
 }  // namespace sh::prt

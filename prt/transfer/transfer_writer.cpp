@@ -6,6 +6,7 @@
 
 #include "numeric/output/atomic_file.hpp"
 #include "prt/transfer/checksum.hpp"
+#include "prt/transfer/storage.hpp"
 #include "prt/transfer/transfer_file.hpp"
 #include "prt/transfer/transfer_layout.hpp"
 
@@ -22,13 +23,13 @@ struct Data {
 // The coefficients as the file has them.
 struct Coefficients {
   explicit Coefficients(const Transfer& transfer)
-      : columns(stored_columns(transfer.storage, transfer.row_shape())), first(transfer.coefficients.data()) {
-    if (!transfer.storage.is_plain()) {
-      encoded = encode(transfer.coefficients, transfer.row_shape(), transfer.storage);
+      : columns(static_cast<std::uint32_t>(transfer.shape.stored_length())), first(transfer.coefficients.data()) {
+    if (!transfer.shape.storage.is_plain()) {
+      encoded = encode(transfer.coefficients, transfer.shape);
       first = encoded.data.data();
     }
   }
-  std::size_t columns;
+  std::uint32_t columns;
   const void* first;
   Encoded encoded;
 };
@@ -39,7 +40,7 @@ void check_lengths(const Transfer& transfer) {
   const Mesh& mesh = transfer.mesh;
   const std::size_t vertices = mesh.positions.size();
   if (mesh.normals.size() != vertices || mesh.geometric_normals.size() != vertices || mesh.albedo.size() != vertices ||
-      transfer.coefficients.size() != vertices * transfer.row_length() ||
+      transfer.coefficients.size() != vertices * transfer.shape.length() ||
       (!transfer.emitted.empty() && transfer.emitted.size() != vertices) ||
       (!mesh.mirror.empty() && mesh.mirror.size() != vertices)) {
     throw std::invalid_argument("transfer: its arrays differ in length, expected one entry a vertex in each");
@@ -77,8 +78,8 @@ Contents contents_of(const Transfer& transfer, const Coefficients& coefficients)
     }
     layout::Section section;
     section.name = layout::padded(kind.name);
-    section.type = kind.name == "transfer" ? layout::type_of(transfer.storage.element) : kind.type;
-    section.columns = kind.columns != 0 ? kind.columns : static_cast<std::uint32_t>(coefficients.columns);
+    section.type = kind.name == "transfer" ? layout::type_of(transfer.shape.storage.element) : kind.type;
+    section.columns = kind.columns != 0 ? kind.columns : coefficients.columns;
     section.rows = data[i].rows;
     section.offset = offset;
     section.checksum = checksum(data[i].first, bytes_of(section));

@@ -13,10 +13,10 @@
 #include <utility>
 #include <vector>
 
+#include "prt/bake/bake.hpp"
 #include "prt/bake/bounces.hpp"
 #include "prt/bake/shadow_pass.hpp"
 #include "prt/bake/unshadowed.hpp"
-#include "prt/plan/plan.hpp"
 #include "prt/scene/scene.hpp"
 #include "tests/bench/harness.hpp"
 
@@ -127,13 +127,13 @@ void bounces(Table& table) {
   const RaySetup setup(scene, 1, "");
   const std::size_t vertices = scene.mesh.positions.size();
   Transfer transfer;
-  transfer.degree = scene.bake.degree;
-  transfer.coefficients = unshadowed_transfer(transfer.degree, scene.mesh.normals);
+  transfer.shape.degree = scene.bake.degree;
+  transfer.coefficients = unshadowed_transfer(scene.bake.degree, scene.mesh.normals);
   FormFactors factors(vertices);
   ShadowResult result{transfer, std::vector<Sight>(vertices, Sight::kSome), &factors};
   Checkpoint none({}, "", result);
   const double pass = processor_seconds([&] { ShadowPass(scene.mesh, setup, {}, result).run(none); });
-  const BounceLayout layout{transfer.bands_squared()};
+  const BounceLayout layout{transfer.shape.count()};
   const Panel x(vertices, layout.columns());
   Panel y = x;
   double bounce = std::numeric_limits<double>::max();
@@ -146,10 +146,9 @@ void bounces(Table& table) {
 // As `prt bake demo --plan MODE` does, but for its estimate and the file.
 double planned_seconds(PlanMode mode) {
   return processor_seconds([mode] {
-    const Scene scene = load_scene("demo", OnFlaw::kMend);
-    PlanOptions options = scene.plan;
-    options.mode = mode;
-    sh::bench::keep(bake_planned(scene, make_plan(scene, options)));
+    Scene scene = load_scene("demo", OnFlaw::kMend);
+    scene.plan.mode = mode;
+    sh::bench::keep(bake(std::move(scene)));
   });
 }
 

@@ -15,6 +15,8 @@ namespace {
 
 using sh::bench::Buffer;
 using sh::bench::Table;
+using sh::prt::kInterreflected;
+using sh::prt::kShadowed;
 using sh::prt::LightCoefficients;
 using sh::prt::Transfer;
 using sh::prt::TransferKind;
@@ -24,13 +26,11 @@ constexpr double kMilli = 1e3;
 constexpr std::size_t kFloats = 25'000'000;  // transfer of a case: 100 MB
 constexpr int kPasses = 25;
 
-Transfer made_up_transfer(TransferKind kind, int degree, std::size_t vertices) {
-  Transfer transfer;
-  transfer.kind = kind;
-  transfer.degree = degree;
+Transfer made_up_transfer(const TransferKind* kind, int degree, std::size_t vertices) {
+  Transfer transfer = Transfer::of(*kind, degree);
   transfer.mesh.positions.resize(vertices, Eigen::Vector3f::Zero());
   transfer.mesh.albedo.resize(vertices, Eigen::Vector3f(0.25F, 0.5F, 0.75F));
-  transfer.coefficients.resize(vertices * transfer.row_length());
+  transfer.coefficients.resize(vertices * transfer.shape.length());
   float value = 0.0F;
   for (float& coefficient : transfer.coefficients) {
     value = value > 1.0F ? -0.9F : value + 0.013F;
@@ -50,7 +50,7 @@ LightCoefficients made_up_light(int degree, bool white) {
 /// One way to relight, and what it cannot do without.
 struct Case {
   std::string name;
-  TransferKind kind;
+  const TransferKind* kind;
   int degree;        // of the transfer
   int light_degree;  // of the light
   bool white;
@@ -66,8 +66,7 @@ Times measure(const Case& c) {
   const Transfer transfer = made_up_transfer(c.kind, c.degree, c.vertices);
   const LightCoefficients light = made_up_light(c.light_degree, c.white);
   std::vector<Eigen::Vector3f> radiance(c.vertices);
-  const std::size_t inputs =
-      transfer.coefficients.size() + (c.kind == TransferKind::kInterreflected ? 0 : 3 * c.vertices);
+  const std::size_t inputs = transfer.coefficients.size() + (c.kind == &kInterreflected ? 0 : 3 * c.vertices);
   const Buffer<float> in = sh::bench::make_buffer<float>(inputs, 1.0F);
   const Buffer<float> out = sh::bench::make_buffer<float>(3 * c.vertices);
   const std::vector<double> t =
@@ -78,28 +77,25 @@ Times measure(const Case& c) {
   return {t[0], std::min(t[1], t[2])};
 }
 
-std::size_t vertices_of(TransferKind kind, int degree) {
-  const auto bands = static_cast<std::size_t>(degree) + 1;
-  return kFloats / ((kind == TransferKind::kInterreflected ? 3 : 1) * bands * bands);
-}
+std::size_t vertices_of(const TransferKind* kind, int degree) { return kFloats / kind->shape(degree).length(); }
 
 void targets(Table& table) {
-  const std::size_t n = vertices_of(TransferKind::kShadowed, 4);
-  const Times rgb = measure({"", TransferKind::kShadowed, 4, 4, false, n});
+  const std::size_t n = vertices_of(&kShadowed, 4);
+  const Times rgb = measure({"", &kShadowed, 4, 4, false, n});
   const double ns = kNano / static_cast<double>(n);
   table.ratio("RGB, 25 coefficients, a million vertices", "ns", rgb.ours * ns, rgb.limit * ns, "memory", 1.25);
-  const Times mesh = measure({"", TransferKind::kShadowed, 4, 4, false, 100'000});
+  const Times mesh = measure({"", &kShadowed, 4, 4, false, 100'000});
   table.figure("RGB, 25 coefficients, 100k vertices", "ms", mesh.ours * kMilli, 10.0);
 }
 
 void others(Table& table) {
-  for (const Case& c : {Case{"DS or DU, 25 coefficients, white light", TransferKind::kShadowed, 4, 4, true, 0},
-                        Case{"DS or DU, 4 of 25 coefficients", TransferKind::kShadowed, 4, 1, false, 0},
-                        Case{"DS or DU, 4 coefficients", TransferKind::kShadowed, 1, 1, false, 0},
-                        Case{"DS or DU, 9 coefficients", TransferKind::kShadowed, 2, 2, false, 0},
-                        Case{"DS or DU, 121 coefficients", TransferKind::kShadowed, 10, 10, false, 0},
-                        Case{"DI, 3 x 25 coefficients", TransferKind::kInterreflected, 4, 4, false, 0},
-                        Case{"DI, 3 x 25 coefficients, white light", TransferKind::kInterreflected, 4, 4, true, 0}}) {
+  for (const Case& c : {Case{"DS or DU, 25 coefficients, white light", &kShadowed, 4, 4, true, 0},
+                        Case{"DS or DU, 4 of 25 coefficients", &kShadowed, 4, 1, false, 0},
+                        Case{"DS or DU, 4 coefficients", &kShadowed, 1, 1, false, 0},
+                        Case{"DS or DU, 9 coefficients", &kShadowed, 2, 2, false, 0},
+                        Case{"DS or DU, 121 coefficients", &kShadowed, 10, 10, false, 0},
+                        Case{"DI, 3 x 25 coefficients", &kInterreflected, 4, 4, false, 0},
+                        Case{"DI, 3 x 25 coefficients, white light", &kInterreflected, 4, 4, true, 0}}) {
     Case sized = c;
     sized.vertices = vertices_of(c.kind, c.degree);
     const Times t = measure(sized);

@@ -19,7 +19,7 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-Scene scene_of(Mesh mesh, TransferKind kind, int degree = 4) {
+Scene scene_of(Mesh mesh, const TransferKind* kind, int degree = 4) {
   Scene scene;
   scene.name = "test";
   scene.mesh = std::move(mesh);
@@ -67,7 +67,7 @@ TEST(Directions, AreUnitVectorsThatIntegrateLowDegreesToZero) {
 }
 
 TEST(UnshadowedBake, EqualsTheIntegralOfTheClampedCosine) {
-  const Transfer transfer = bake(scene_of(primitive_mesh("sphere", 9), TransferKind::kUnshadowed, 10));
+  const Transfer transfer = bake(scene_of(primitive_mesh("sphere", 9), &kUnshadowed, 10));
   double worst = 0.0;
   for (std::size_t v = 0; v < transfer.mesh.positions.size(); ++v) {
     const Eigen::Vector3d normal = transfer.mesh.normals[v].cast<double>().normalized();
@@ -81,7 +81,7 @@ TEST(UnshadowedBake, EqualsTheIntegralOfTheClampedCosine) {
 }
 
 TEST(UnshadowedBake, ReflectsConstantLightWithoutLoss) {
-  const Transfer transfer = bake(scene_of(primitive_mesh("torus"), TransferKind::kUnshadowed));
+  const Transfer transfer = bake(scene_of(primitive_mesh("torus"), &kUnshadowed));
   EXPECT_EQ(transfer.directions, 0U);
   for (std::size_t v = 0; v < transfer.mesh.positions.size(); ++v) {
     EXPECT_NEAR(static_cast<double>(transfer.coefficients[v * 25]) * std::sqrt(4.0 * kPi), 1.0, 1e-6);
@@ -92,8 +92,8 @@ TEST(ShadowedBake, EqualsTheUnshadowedOneOnConvexShapesToTheLastBit) {
   for (const std::string name : {"plane", "box", "cylinder", "cone"}) {
     Mesh mesh = primitive_mesh(name);
     mesh.normals = mesh.geometric_normals;  // a horizon of its own would cut what the shading normal sees
-    const Transfer shadowed = bake(scene_of(mesh, TransferKind::kShadowed));
-    const Transfer unshadowed = bake(scene_of(mesh, TransferKind::kUnshadowed));
+    const Transfer shadowed = bake(scene_of(mesh, &kShadowed));
+    const Transfer unshadowed = bake(scene_of(mesh, &kUnshadowed));
     EXPECT_EQ(shadowed.coefficients, unshadowed.coefficients) << name;
   }
 }
@@ -101,7 +101,7 @@ TEST(ShadowedBake, EqualsTheUnshadowedOneOnConvexShapesToTheLastBit) {
 // The worst error of the ground before a wall.
 double error_before_wall(float wall_x) {
   const std::vector<double> expected = transfer_before_wall(4);
-  const Transfer transfer = bake(scene_of(ground_before_wall(wall_x), TransferKind::kShadowed));
+  const Transfer transfer = bake(scene_of(ground_before_wall(wall_x), &kShadowed));
   double worst = 0.0;
   for (std::size_t v = 0; v + 4 < transfer.mesh.positions.size(); ++v) {  // the last four are the wall's
     for (std::size_t i = 0; i < 25; ++i) {
@@ -119,7 +119,7 @@ TEST(ShadowedBake, ConvergesWithTheNumberOfDirections) {
   const std::vector<double> expected = transfer_before_wall(4);
   std::vector<double> worst;
   for (const int directions : {256, 16384}) {
-    Scene scene = scene_of(ground_before_wall(), TransferKind::kShadowed);
+    Scene scene = scene_of(ground_before_wall(), &kShadowed);
     scene.bake.directions = directions;
     const Transfer transfer = bake(scene);
     worst.push_back(0.0);
@@ -133,10 +133,10 @@ TEST(ShadowedBake, ConvergesWithTheNumberOfDirections) {
 TEST(ShadowedBake, GivesTheSameBitsForAnyNumberOfThreads) {
   Mesh mesh = primitive_mesh("torus");
   append(mesh, primitive_mesh("stairs"));
-  const Scene scene = scene_of(mesh, TransferKind::kShadowed);
-  const Transfer one = bake(scene, {1, "", OnFlaw::kMend});
+  const Scene scene = scene_of(mesh, &kShadowed);
+  const Transfer one = bake({scene, {1, "", OnFlaw::kMend}});
   for (const int threads : {2, 5}) {
-    EXPECT_EQ(bake(scene, {threads, "", OnFlaw::kMend}).coefficients, one.coefficients) << threads;
+    EXPECT_EQ(bake({scene, {threads, "", OnFlaw::kMend}}).coefficients, one.coefficients) << threads;
   }
 }
 
@@ -146,7 +146,7 @@ TEST(ShadowedBake, LeavesAnUndersideDark) {
     position = 100.0F * position - Eigen::Vector3f(0.0F, 0.0F, 2.0F);
   }
   append(mesh, primitive_mesh("box"));
-  const Transfer transfer = bake(scene_of(mesh, TransferKind::kShadowed), {0, "", OnFlaw::kRefuse});
+  const Transfer transfer = bake({scene_of(mesh, &kShadowed), {0, "", OnFlaw::kRefuse}});
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
     if (mesh.normals[v].z() < -0.5F) {
       EXPECT_LT(transfer.coefficients[v * 25], 0.01F);
@@ -164,7 +164,7 @@ Scene plane_through_box() {
   map.scale(Eigen::Vector3f(0.5F, 0.5F, 0.5F));
   transform(box, map);
   append(mesh, weld(box, box.positions.size()));
-  return scene_of(mesh, TransferKind::kShadowed);
+  return scene_of(mesh, &kShadowed);
 }
 
 TEST(BuriedVertices, AreFilledFromTheirNeighboursAndCounted) {
@@ -182,7 +182,7 @@ TEST(BuriedVertices, AreFilledFromTheirNeighboursAndCounted) {
 }
 
 TEST(BuriedVertices, AreRefusedWhenStrict) {
-  const std::string said = message_of([] { bake(plane_through_box(), {0, "", OnFlaw::kRefuse}); });
+  const std::string said = message_of([] { bake({plane_through_box(), {0, "", OnFlaw::kRefuse}}); });
   EXPECT_NE(said.find("no ray can leave"), std::string::npos) << said;
   EXPECT_NE(said.find("strict"), std::string::npos) << said;
 }
@@ -197,7 +197,7 @@ TEST(CoveredVertices, TakeTheLightOfTheGroundAroundWithoutAWarning) {
   map.scale(Eigen::Vector3f(0.5F, 0.5F, 0.5F));
   transform(box, map);
   append(mesh, weld(box, box.positions.size()));
-  const Transfer transfer = bake(scene_of(mesh, TransferKind::kShadowed), {0, "", OnFlaw::kRefuse});
+  const Transfer transfer = bake({scene_of(mesh, &kShadowed), {0, "", OnFlaw::kRefuse}});
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
     if (mesh.positions[v].z() == 0.0F) {
       EXPECT_GT(transfer.coefficients[v * 25] * 3.5449F, 0.3F) << mesh.positions[v].transpose();
@@ -206,12 +206,12 @@ TEST(CoveredVertices, TakeTheLightOfTheGroundAroundWithoutAWarning) {
 }
 
 TEST(Bake, RefusesADegreeOrInstructionSetItDoesNotHave) {
-  EXPECT_EQ(message_of([] { bake(scene_of(primitive_mesh("box"), TransferKind::kUnshadowed, 11)); }),
+  EXPECT_EQ(message_of([] { bake(scene_of(primitive_mesh("box"), &kUnshadowed, 11)); }),
             "degree: expected 0 to 10, got 11");
-  EXPECT_EQ(message_of([] { bake(scene_of(primitive_mesh("box"), TransferKind::kUnshadowed, -1)); }),
+  EXPECT_EQ(message_of([] { bake(scene_of(primitive_mesh("box"), &kUnshadowed, -1)); }),
             "degree: expected 0 to 10, got -1");
   const std::string said = message_of([] {
-    bake(scene_of(primitive_mesh("box"), TransferKind::kShadowed), {0, "mmx", OnFlaw::kMend});
+    bake({scene_of(primitive_mesh("box"), &kShadowed), {0, "mmx", OnFlaw::kMend}});
   });
   EXPECT_EQ(said.find("instruction set mmx: expected one that this machine has ("), 0U) << said;
 }

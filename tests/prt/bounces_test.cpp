@@ -176,7 +176,7 @@ TEST(InterreflectedBake, FillsASphereThroughAHole) {
   }
   const float a = 0.5F * (1.0F - rim);
   paint(mesh, {0.2F, 0.8F, 0.95F});
-  const Transfer transfer = baked(mesh, TransferKind::kInterreflected);
+  const Transfer transfer = baked(mesh, &kInterreflected);
   for (std::size_t c = 0; c < 3; ++c) {
     const float albedo = mesh.albedo[0][static_cast<Eigen::Index>(c)];
     const auto expected = static_cast<double>(albedo * a / (1.0F - albedo * (1.0F - a)));
@@ -201,8 +201,8 @@ TEST(InterreflectedBake, OfWhiteConvexShapesIsTheUnshadowedOneToTheLastBit) {
     Mesh mesh = primitive_mesh(name);
     mesh.normals = mesh.geometric_normals;
     paint(mesh, Eigen::Vector3f::Constant(1.0F));
-    const Transfer bounced = baked(mesh, TransferKind::kInterreflected);
-    const Transfer open = baked(mesh, TransferKind::kUnshadowed);
+    const Transfer bounced = baked(mesh, &kInterreflected);
+    const Transfer open = baked(mesh, &kUnshadowed);
     EXPECT_EQ(bounced.bounces.applications, 1);
     EXPECT_EQ(bounced.bounces.bound, 0.0);
     for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
@@ -224,13 +224,13 @@ Mesh corner() {
 
 TEST(InterreflectedBake, WithAllElseBlackIsAlbedoTimesTheShadowedOneToTheLastBit) {
   Mesh mesh = corner();
-  const Transfer shadowed = baked(mesh, TransferKind::kShadowed);
+  const Transfer shadowed = baked(mesh, &kShadowed);
   paint(mesh, Eigen::Vector3f::Zero());
   mesh.albedo[5] = Eigen::Vector3f(1.0F, 0.3F, 0.7F);
   for (std::size_t i = 0; i < 9; ++i) {
     ASSERT_TRUE(std::isfinite(shadowed.coefficients[std::size_t{5} * 9 + i]));
   }
-  const Transfer bounced = baked(mesh, TransferKind::kInterreflected);
+  const Transfer bounced = baked(mesh, &kInterreflected);
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
     for (std::size_t i = 0; i < 9; ++i) {
       for (std::size_t c = 0; c < 3; ++c) {
@@ -248,8 +248,8 @@ TEST(InterreflectedBake, AddsLightButNeverMoreThanThereIs) {
   for (Eigen::Vector3f& colour : mesh.albedo) {
     colour = {albedo(random), 1.0F, 0.1F};
   }
-  const Transfer shadowed = baked(mesh, TransferKind::kShadowed);
-  const Transfer bounced = baked(mesh, TransferKind::kInterreflected);
+  const Transfer shadowed = baked(mesh, &kShadowed);
+  const Transfer bounced = baked(mesh, &kInterreflected);
   EXPECT_TRUE(bounced.bounces.certified);
   EXPECT_LT(bounced.bounces.spectral_bound, 1.0);
   double added = 0.0;
@@ -283,7 +283,7 @@ Mesh floor_and_wall(bool turned) {
 TEST(InterreflectedBake, BleedsColourFromFrontsAndNotFromBacks) {
   for (const bool turned : {false, true}) {
     const Mesh mesh = floor_and_wall(turned);
-    const Transfer transfer = baked(mesh, TransferKind::kInterreflected);
+    const Transfer transfer = baked(mesh, &kInterreflected);
     float red = 0.0F;
     for (std::size_t v = 0; v + 4 < mesh.positions.size(); ++v) {
       const float* t = transfer.coefficients.data() + v * 27;
@@ -301,22 +301,22 @@ TEST(InterreflectedBake, BleedsColourFromFrontsAndNotFromBacks) {
 TEST(InterreflectedBake, GivesTheSameBitsForAnyNumberOfThreadsAndAnyMemory) {
   Mesh mesh = corner();
   paint(mesh, Eigen::Vector3f(0.9F, 0.5F, 0.99F));
-  const Scene scene = scene_of(mesh, TransferKind::kInterreflected);
-  const Transfer one = bake(scene, {1, "", OnFlaw::kMend});
+  const Scene scene = scene_of(mesh, &kInterreflected);
+  const Transfer one = bake({scene, {1, "", OnFlaw::kMend}});
   for (const std::size_t memory : {SIZE_MAX, std::size_t{20000}, std::size_t{0}}) {
-    EXPECT_EQ(bake(scene, {3, "", OnFlaw::kMend, memory}).coefficients, one.coefficients) << memory;
+    EXPECT_EQ(bake({scene, {3, "", OnFlaw::kMend, memory}}).coefficients, one.coefficients) << memory;
   }
 }
 
 TEST(InterreflectedBake, IsWrittenReadAndRelitWithItsThreeChannels) {
   Mesh mesh = corner();
   paint(mesh, {0.9F, 0.5F, 0.2F});
-  const Transfer written = baked(mesh, TransferKind::kInterreflected);
+  const Transfer written = baked(mesh, &kInterreflected);
   const TemporaryFolder folder;
   const std::string file = folder.file("a.prt");
   write_transfer(file, written);
   const Transfer read = read_transfer(file);
-  EXPECT_EQ(read.kind, TransferKind::kInterreflected);
+  EXPECT_EQ(read.kind, &kInterreflected);
   EXPECT_EQ(read.coefficients, written.coefficients);
   EXPECT_EQ(transfer_header(read), transfer_header(written));
   const LightCoefficients light = random_light(2, 1);

@@ -16,7 +16,7 @@
 #include "numeric/sampling/sobol.hpp"
 #include "numeric/sampling/sphere_nodes.hpp"
 #include "prt/bake/bake.hpp"
-#include "prt/transfer/transfer_names.hpp"
+#include "prt/transfer/transfer.hpp"
 #include "tests/prt/meshes.hpp"
 
 namespace sh::prt::test {
@@ -255,7 +255,7 @@ TEST(Frames, AreRotationsThatTakeZToTheNormal) {
   }
 }
 
-Scene scene_of(Mesh mesh, Sampler sampler, TransferKind kind, int directions) {
+Scene scene_of(Mesh mesh, Sampler sampler, const TransferKind* kind, int directions) {
   Scene scene;
   scene.name = "test";
   scene.mesh = std::move(mesh);
@@ -270,8 +270,8 @@ TEST(BakeWithEverySampler, IsExactWhereNothingIsInTheWayAndZeroWhereEverythingIs
   for (const Sampler sampler : kSamplers) {
     Mesh mesh = primitive_mesh("sphere", 12);
     mesh.normals = mesh.geometric_normals;
-    const Transfer open = bake(scene_of(mesh, sampler, TransferKind::kShadowed, 300));
-    EXPECT_EQ(open.coefficients, bake(scene_of(mesh, sampler, TransferKind::kUnshadowed, 300)).coefficients);
+    const Transfer open = bake(scene_of(mesh, sampler, &kShadowed, 300));
+    EXPECT_EQ(open.coefficients, bake(scene_of(mesh, sampler, &kUnshadowed, 300)).coefficients);
     EXPECT_EQ(open.sampler, sampler);
     EXPECT_EQ(open.seed, 11U);
     for (Face& face : mesh.faces) {
@@ -280,14 +280,14 @@ TEST(BakeWithEverySampler, IsExactWhereNothingIsInTheWayAndZeroWhereEverythingIs
     for (std::size_t v = 0; v < mesh.normals.size(); ++v) {
       mesh.normals[v] = mesh.geometric_normals[v] = -mesh.normals[v];
     }
-    const Transfer closed = bake(scene_of(mesh, sampler, TransferKind::kShadowed, 300));
+    const Transfer closed = bake(scene_of(mesh, sampler, &kShadowed, 300));
     EXPECT_TRUE(std::all_of(closed.coefficients.begin(), closed.coefficients.end(), [](float t) { return t == 0.0F; }))
         << name_of(sampler);
   }
 }
 
 TEST(BakeWithEverySampler, ComesToTheSameResult) {
-  for (const TransferKind kind : {TransferKind::kShadowed, TransferKind::kInterreflected}) {
+  for (const TransferKind* kind : {&kShadowed, &kInterreflected}) {
     const Mesh mesh = primitive_mesh("stairs");
     const Transfer reference = bake(scene_of(mesh, Sampler::kFibonacci, kind, 65536));
     for (const Sampler sampler : kSamplers) {

@@ -19,8 +19,7 @@ namespace {
 
 /// A flat square of 21 x 21 vertices, 4 wide, at z = 0, facing up, unshadowed.
 Transfer plane() {
-  Transfer transfer;
-  transfer.degree = 4;
+  Transfer transfer = Transfer::of(kUnshadowed, 4);
   for (int row = 0; row < 21; ++row) {
     for (int column = 0; column < 21; ++column) {
       transfer.mesh.positions.emplace_back(0.2F * static_cast<float>(column) - 2.0F,
@@ -55,14 +54,14 @@ std::vector<Light> near_lights(const Eigen::Vector3d& centre) {
 
 std::vector<Eigen::Vector3f> relit(const Transfer& transfer, const std::vector<Light>& lights,
                                    const LightSamples& samples) {
-  return relight_locally(transfer, samples, project_at(lights, samples.points, transfer.degree));
+  return relight_locally(transfer, samples, project_at(lights, samples.points, transfer.degree()));
 }
 
 /// The light of every vertex projected at the vertex.
 std::vector<Eigen::Vector3f> truth(const Transfer& transfer, const std::vector<Light>& lights) {
   std::vector<Eigen::Vector3f> out;
   for (std::size_t v = 0; v < transfer.mesh.positions.size(); ++v) {
-    const auto light = project_at(lights, {transfer.mesh.positions[v].cast<double>()}, transfer.degree);
+    const auto light = project_at(lights, {transfer.mesh.positions[v].cast<double>()}, transfer.degree());
     out.push_back(relight(transfer, light[0])[v]);
   }
   return out;
@@ -110,7 +109,7 @@ TEST(LocalLight, OneSampleIsTheDistantLightToTheBit) {
   const Transfer transfer = plane();
   const std::vector<Light> lights = near_lights({0.5, 0.3, 2.0});
   const LightSamples one = samples_by_distance(transfer.mesh.positions, 1);
-  const LightCoefficients distant = project(seen_from(lights, one.points[0]), transfer.degree);
+  const LightCoefficients distant = project(seen_from(lights, one.points[0]), transfer.degree());
   EXPECT_EQ(relit(transfer, lights, one), relight(transfer, distant));
 }
 
@@ -141,7 +140,7 @@ TEST(LocalLight, FarLightsAreTheSameFromEverywhere) {
   const std::vector<Light> lights = load_lights({sky}, OnFlaw::kRefuse);
   EXPECT_FALSE(varies(lights));
   const auto everywhere = relit(transfer, lights, samples_by_distance(transfer.mesh.positions, 9));
-  EXPECT_LT(error(everywhere, relight(transfer, project(lights, transfer.degree))), 1e-6);
+  EXPECT_LT(error(everywhere, relight(transfer, project(lights, transfer.degree()))), 1e-6);
 }
 
 TEST(LocalLight, TheErrorFallsWithTheNumberOfSamples) {
@@ -177,7 +176,7 @@ TEST(LocalLight, RefusesBouncesAndPointsInsideALight) {
   Transfer transfer = plane();
   const LightSamples one = samples_by_distance(transfer.mesh.positions, 1);
   const std::vector<LightCoefficients> light{LightCoefficients::zero(4)};
-  transfer.kind = TransferKind::kInterreflected;
+  transfer.kind = &kInterreflected;
   EXPECT_THROW(static_cast<void>(relight_locally(transfer, one, light)), std::invalid_argument);
   EXPECT_THROW(static_cast<void>(samples_by_distance(transfer.mesh.positions, 0)), std::invalid_argument);
   EXPECT_THROW(static_cast<void>(samples_by_distance(transfer.mesh.positions, 65)), std::invalid_argument);

@@ -64,7 +64,7 @@ TEST(Mirrors, BesideAVertexShowItTheMirroredLight) {
   const std::vector<double> quarter = transfer_before_wall(4);
   for (const float reflectance : {0.25F, 0.9F, 1.0F}) {
     const Mesh mesh = ground_before_mirror(Eigen::Vector3f::Constant(reflectance));
-    const Transfer transfer = baked(mesh, TransferKind::kShadowed, 2048, 4);
+    const Transfer transfer = baked(mesh, &kShadowed, 2048, 4);
     for (std::size_t v = 0; v + 4 < mesh.positions.size(); ++v) {
       for (std::size_t i = 0; i < 25; ++i) {
         ASSERT_NEAR(static_cast<double>(transfer.coefficients[v * 25 + i]),
@@ -78,7 +78,7 @@ TEST(Mirrors, BesideAVertexShowItTheMirroredLight) {
 TEST(Mirrors, OfAColourGiveEachChannelItsOwnTransferWithBouncesAndAreRefusedWithout) {
   const Eigen::Vector3f reflectance(1.0F, 0.5F, 0.0F);
   const Mesh mesh = ground_before_mirror(reflectance);
-  const Transfer transfer = baked(mesh, TransferKind::kInterreflected, 2048, 2);
+  const Transfer transfer = baked(mesh, &kInterreflected, 2048, 2);
   const std::vector<double> quarter = transfer_before_wall(2);
   for (std::size_t c = 0; c < 3; ++c) {
     const double part = 0.5 * (1.0 + static_cast<double>(reflectance[static_cast<Eigen::Index>(c)]));
@@ -87,7 +87,7 @@ TEST(Mirrors, OfAColourGiveEachChannelItsOwnTransferWithBouncesAndAreRefusedWith
     }
   }
   EXPECT_EQ(
-      message_of([&] { baked(mesh, TransferKind::kShadowed); }),
+      message_of([&] { baked(mesh, &kShadowed); }),
       "test: its mirrors have colours, which shadowed transfer cannot hold; expected grey ones, or interreflected");
 }
 
@@ -108,8 +108,8 @@ TEST(Mirrors, ShowALampToTheGroundAsASecondLamp) {
   Mesh twice = ground(0.5F);
   append(twice, lamp(0.6F));
   append(twice, lamp(-0.6F));
-  const Transfer image = baked(mirrored, TransferKind::kInterreflected, 16384, 1);
-  const Transfer plain = baked(twice, TransferKind::kInterreflected, 16384, 1);
+  const Transfer image = baked(mirrored, &kInterreflected, 16384, 1);
+  const Transfer plain = baked(twice, &kInterreflected, 16384, 1);
   for (std::size_t v = 0; v < vertices; ++v) {
     EXPECT_GT(plain.emitted[v].x(), 0.1F);
     EXPECT_NEAR(image.emitted[v].x(), plain.emitted[v].x(), 0.01F * plain.emitted[v].x())
@@ -131,7 +131,7 @@ TEST(Mirrors, AroundAFloorShowItTheWholeSky) {
     append(mesh, placed(wall(1.0F, Eigen::Vector3f::Ones()), map));
   }
   testing::internal::CaptureStderr();
-  const Transfer transfer = baked(mesh, TransferKind::kShadowed);
+  const Transfer transfer = baked(mesh, &kShadowed);
   const std::string said = testing::internal::GetCapturedStderr();
   EXPECT_EQ(said.find("warning"), std::string::npos) << said;
   for (std::size_t v = 0; v < floor; ++v) {
@@ -145,7 +145,7 @@ TEST(Mirrors, AllAroundAreCutAndReported) {
   append(room, primitive_mesh("box"));
   const std::size_t box = room.positions.size() - 24;
   testing::internal::CaptureStderr();
-  const Transfer transfer = baked(room, TransferKind::kInterreflected, 64);
+  const Transfer transfer = baked(room, &kInterreflected, 64);
   const std::string said = testing::internal::GetCapturedStderr();
   EXPECT_NE(said.find("warning: test: paths were cut after 64 mirrors: up to "), std::string::npos) << said;
   for (const float value : transfer.coefficients) {
@@ -153,7 +153,7 @@ TEST(Mirrors, AllAroundAreCutAndReported) {
   }
   std::fill_n(room.mirror.begin(), box, Eigen::Vector3f::Constant(0.8F));  // these lose all of it before
   testing::internal::CaptureStderr();
-  baked(room, TransferKind::kInterreflected, 64);
+  baked(room, &kInterreflected, 64);
   EXPECT_EQ(testing::internal::GetCapturedStderr().find("cut"), std::string::npos);
 }
 
@@ -165,7 +165,7 @@ TEST(Mirrors, OfAnyShapeCannotBeSeenInAFurnace) {
     shine(mesh, Eigen::Vector3f::Ones());
     const std::size_t room = mesh.positions.size();
     append(mesh, as_mirror(primitive_mesh("torus", 32), Eigen::Vector3f::Ones()));
-    const Transfer transfer = baked(mesh, TransferKind::kInterreflected);
+    const Transfer transfer = baked(mesh, &kInterreflected);
     for (std::size_t v = 0; v < room; ++v) {
       ASSERT_NEAR(transfer.emitted[v].x(), 1.0F / (1.0F - albedo), 2e-3F / (1.0F - albedo)) << albedo;
     }
@@ -181,21 +181,21 @@ TEST(Mirrors, FromBehindAreBlack) {
   append(mesh, back);
   Mesh black = mesh;
   black.mirror.clear();
-  EXPECT_EQ(baked(mesh, TransferKind::kShadowed).coefficients, baked(black, TransferKind::kShadowed).coefficients);
+  EXPECT_EQ(baked(mesh, &kShadowed).coefficients, baked(black, &kShadowed).coefficients);
 }
 
 TEST(Mirrors, GiveTheSameBitsForAnyNumberOfThreadsAndAnyMemory) {
   Mesh mesh = ground_before_mirror(Eigen::Vector3f::Constant(0.7F));
   append(mesh, as_mirror(primitive_mesh("torus", 16), Eigen::Vector3f::Constant(0.9F)));
-  const Scene scene = scene_of(mesh, TransferKind::kInterreflected);
-  const Transfer one = bake(scene, {1, "", OnFlaw::kMend});
+  const Scene scene = scene_of(mesh, &kInterreflected);
+  const Transfer one = bake({scene, {1, "", OnFlaw::kMend}});
   for (const std::size_t memory : {SIZE_MAX, std::size_t{0}}) {
-    EXPECT_EQ(bake(scene, {3, "", OnFlaw::kMend, memory}).coefficients, one.coefficients) << memory;
+    EXPECT_EQ(bake({scene, {3, "", OnFlaw::kMend, memory}}).coefficients, one.coefficients) << memory;
   }
 }
 
 TEST(Mirrors, AreKeptInTheFile) {
-  const Transfer written = baked(ground_before_mirror(Eigen::Vector3f::Constant(0.7F)), TransferKind::kShadowed, 64);
+  const Transfer written = baked(ground_before_mirror(Eigen::Vector3f::Constant(0.7F)), &kShadowed, 64);
   const TemporaryFolder folder;
   write_transfer(folder.file("a.prt"), written);
   EXPECT_EQ(read_transfer(folder.file("a.prt")).mesh.mirror, written.mesh.mirror);

@@ -10,7 +10,7 @@
 #include "prt/plan/open_vertices.hpp"
 #include "prt/plan/transfer_bounds.hpp"
 #include "prt/plan/turning_light.hpp"
-#include "prt/runtime/kept_coefficients.hpp"
+#include "prt/runtime/relight.hpp"
 #include "tests/prt/meshes.hpp"
 #include "tests/prt/random_light.hpp"
 #include "tests/prt/temporary_folder.hpp"
@@ -88,11 +88,11 @@ Scene open_and_shut() {
 
 TEST(TransferBounds, HoldForEveryVertexOfABake) {
   Scene scene = open_and_shut();
-  for (const TransferKind kind : {TransferKind::kUnshadowed, TransferKind::kShadowed, TransferKind::kInterreflected}) {
+  for (const TransferKind* kind : {&kUnshadowed, &kShadowed, &kInterreflected}) {
     scene.bake.kind = kind;
     const Transfer transfer = bake(scene);
-    const std::size_t count = transfer.bands_squared();
-    for (int l = 0; l <= transfer.degree; ++l) {
+    const std::size_t count = transfer.shape.count();
+    for (int l = 0; l <= transfer.degree(); ++l) {
       double largest = 0.0;
       for (std::size_t row = 0; row < transfer.coefficients.size(); row += count) {
         double squares = 0.0;
@@ -101,14 +101,14 @@ TEST(TransferBounds, HoldForEveryVertexOfABake) {
         }
         largest = std::max(largest, std::sqrt(squares));
       }
-      const double bound = transfer_band_bound(kind, false, l);
+      const double bound = transfer_band_bound(*kind, false, l);
       EXPECT_LE(largest, 1.01 * bound + 1e-7) << l;
-      if (kind == TransferKind::kUnshadowed) {
+      if (kind == &kUnshadowed) {
         EXPECT_NEAR(largest, bound, 1e-6) << l;
       }
     }
   }
-  EXPECT_NEAR(transfer_band_bound(TransferKind::kShadowed, false, 0), std::sqrt(1.0 / (4.0 * std::acos(-1.0))), 1e-12);
+  EXPECT_NEAR(transfer_band_bound(kShadowed, false, 0), std::sqrt(1.0 / (4.0 * std::acos(-1.0))), 1e-12);
 }
 
 TEST(OpenVertices, AreThoseWithNothingAboveTheirHorizon) {
@@ -152,11 +152,11 @@ TEST(OpenVertices, LoseToTheLuneBetweenTheirNormalsNoMoreThanItsBound) {
     normal = Eigen::Vector3f(static_cast<float>(std::sin(angle)), 0.0F, static_cast<float>(std::cos(angle)));
   }
   const Transfer traced = bake(scene);
-  BakeSettings settings;
-  settings.open.assign(scene.mesh.positions.size(), 1);
-  const Transfer taken = bake(scene, settings);
+  BakeJob job(scene);
+  job.plan.emplace().open.assign(scene.mesh.positions.size(), 1);
+  const Transfer taken = bake(job);
   double squares = 0.0;
-  for (std::size_t i = 0; i < traced.bands_squared(); ++i) {
+  for (std::size_t i = 0; i < traced.shape.count(); ++i) {
     squares += std::pow(static_cast<double>(traced.coefficients[i] - taken.coefficients[i]), 2);
   }
   EXPECT_LE(std::sqrt(squares), lune_error(angle));
@@ -164,9 +164,8 @@ TEST(OpenVertices, LoseToTheLuneBetweenTheirNormalsNoMoreThanItsBound) {
 }
 
 TEST(KeptCoefficients, RefuseALightThatHasOthers) {
-  Transfer transfer;
-  transfer.degree = 2;
-  transfer.storage.kept = {0, 2, 6};
+  Transfer transfer = Transfer::of(kShadowed, 2);
+  transfer.shape.storage.kept = {0, 2, 6};
   LightCoefficients light = LightCoefficients::zero(2);
   light.at(0, 0) = light.at(1, 2) = light.at(2, 6) = 3.0;
   EXPECT_NO_THROW(require_kept(transfer, light));

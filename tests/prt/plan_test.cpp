@@ -8,6 +8,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "prt/bake/bake.hpp"
 #include "prt/light/light.hpp"
 #include "prt/light/project.hpp"
 #include "prt/plan/open_vertices.hpp"
@@ -53,24 +54,14 @@ std::vector<Eigen::Matrix3d> turns_of(LightTurns turns) {
   return rotations;
 }
 
-LightCoefficients cut(const LightCoefficients& light, int degree) {
-  LightCoefficients out = LightCoefficients::zero(degree);
-  for (std::size_t c = 0; c < 3; ++c) {
-    for (std::size_t i = 0; i < out.bands_squared(); ++i) {
-      out.at(c, i) = light.at(c, i);
-    }
-  }
-  return out;
-}
-
 /// RMS over vertices, largest channel, worst turn; in units of the plan's reference radiance.
 double measured_error(const Scene& scene, const Transfer& planned, const Transfer& full, LightTurns turns,
                       double reference) {
-  const LightCoefficients light = project(load_lights(scene.lights, OnFlaw::kMend), full.degree);
+  const LightCoefficients light = project(load_lights(scene.lights, OnFlaw::kMend), full.degree());
   double worst = 0.0;
   for (const Eigen::Matrix3d& r : turns_of(turns)) {
     const LightCoefficients turned_light = turned(light, r);
-    const auto a = relight(planned, cut(turned_light, planned.degree));
+    const auto a = relight(planned, first_bands(turned_light, planned.degree()));
     const auto b = relight(full, turned_light);
     double squares = 0.0;
     for (std::size_t v = 0; v < a.size(); ++v) {
@@ -90,6 +81,7 @@ Transfer stored(const Transfer& transfer) {
 
 Transfer full_bake(const Scene& scene, int directions = 0) {
   Scene asked = scene;
+  asked.plan.mode = PlanMode::kNone;
   asked.bake.directions = directions > 0 ? directions : scene.bake.directions;
   return bake(asked);
 }
@@ -100,6 +92,17 @@ PlanOptions lossy(double error, LightTurns turns) {
   options.error = error;
   options.turns = turns;
   return options;
+}
+
+PlanOptions exact() {
+  PlanOptions options;
+  options.mode = PlanMode::kExact;
+  return options;
+}
+
+BakeJob planned_as(Scene scene, const PlanOptions& options, const BakeSettings& settings = {}) {
+  scene.plan = options;
+  return planned({std::move(scene), settings});
 }
 
 /// All decisions but one are left out.
@@ -135,10 +138,11 @@ TEST_P(PlanOf, CostsNoMoreThanItSaysForEachDecisionAloneAndForAll) {
   static const Transfer converged = full_bake(scene, 16384);
   int taken = 0;
   for (const char* name : {"analytic", "bands", "symmetry", "storage", "directions"}) {
-    const Plan plan = make_plan(scene, alone(name, error, turns));
+    const BakeJob plan_job = planned_as(scene, alone(name, error, turns));
+    const Plan& plan = *plan_job.plan;
     const Decision* decision = find(plan, name);
     ASSERT_NE(decision, nullptr) << name;
-    const Transfer planned = stored(bake_planned(scene, plan));
+    const Transfer planned = stored(bake(plan_job));
     const bool sampled = std::string_view(name) == "directions";
     const double measured = measured_error(scene, planned, sampled ? converged : full, turns, plan.reference);
     EXPECT_LE(measured, decision->error + 1e-6) << name << ": " << decision->choice;
@@ -149,8 +153,9 @@ TEST_P(PlanOf, CostsNoMoreThanItSaysForEachDecisionAloneAndForAll) {
     RecordProperty(name, std::to_string(measured / std::max(decision->error, 1e-12)));
   }
   EXPECT_GE(taken, turns == LightTurns::kAboutZ ? 4 : 3);
-  const Plan plan = make_plan(scene, lossy(error, turns));
-  const Transfer planned = stored(bake_planned(scene, plan));
+  const BakeJob plan_job = planned_as(scene, lossy(error, turns));
+  const Plan& plan = *plan_job.plan;
+  const Transfer planned = stored(bake(plan_job));
   EXPECT_LE(plan.record.error, error);
   EXPECT_LE(measured_error(scene, planned, converged, turns, plan.reference), plan.record.error);
   EXPECT_LT(plan.planned.bytes, plan.asked.bytes);
@@ -168,13 +173,14 @@ TEST(Plan, NoneAndExactChangeNoNumber) {
   write_transfer(folder.file("full"), full);
   PlanOptions options;
   options.mode = PlanMode::kNone;
-  write_transfer(folder.file("none"), bake_planned(scene, make_plan(scene, options)));
+  write_transfer(folder.file("none"), bake(planned_as(scene, options)));
   EXPECT_EQ(read_all(folder.file("none")), read_all(folder.file("full")));
   options.mode = PlanMode::kExact;
-  const Plan plan = make_plan(scene, options);
+  const BakeJob plan_job = planned_as(scene, options);
+  const Plan& plan = *plan_job.plan;
   EXPECT_LT(plan.planned.rays, plan.asked.rays);
   EXPECT_EQ(plan.record.error, 0.0);
-  EXPECT_EQ(bake_planned(scene, plan).coefficients, full.coefficients);
+  EXPECT_EQ(bake(plan_job).coefficients, full.coefficients);
   EXPECT_EQ(read_transfer(folder.file("none")).plan.decisions.size(), 0U);
 }
 
@@ -193,73 +199,77 @@ Scene box_scene(const std::string& albedo, double tolerance = 1e-4) {
 TEST(Plan, OfGreyAlbedosStoresOneChannelExactly) {
   const Scene scene = box_scene("[0.5, 0.5, 0.5]");
   const Transfer full = full_bake(scene);
-  for (const Plan& plan :
-       {make_plan(scene, alone("channels", 0.01, LightTurns::kAny)), make_plan(scene, PlanOptions{})}) {
+  for (const PlanOptions& options : {alone("channels", 0.01, LightTurns::kAny), exact()}) {
+    const BakeJob job = planned_as(scene, options);
+    const Plan& plan = *job.plan;
     EXPECT_TRUE(plan.storage.one_channel);
     EXPECT_EQ(3 * plan.planned.bytes, plan.asked.bytes);
-    EXPECT_EQ(stored(bake_planned(scene, plan)).coefficients, full.coefficients);
+    EXPECT_EQ(stored(bake(job)).coefficients, full.coefficients);
   }
-  EXPECT_FALSE(make_plan(box_scene("[0.5, 0.5, 0.4]"), PlanOptions{}).storage.one_channel);
+  EXPECT_FALSE(planned_as(box_scene("[0.5, 0.5, 0.4]"), exact()).plan->storage.one_channel);
 }
 
 TEST(Plan, LeavesBouncesOutWhereLittleComesBackAndElseSolvesThemMoreLoosely) {
   const Scene dark = box_scene("[0.02, 0.03, 0.01]");
-  const Plan none = make_plan(dark, alone("bounces", 0.1, LightTurns::kAny));
-  EXPECT_EQ(none.bake.kind, TransferKind::kShadowed);
+  const BakeJob none_job = planned_as(dark, alone("bounces", 0.1, LightTurns::kAny));
+  const Plan& none = *none_job.plan;
+  EXPECT_EQ(none_job.scene.bake.kind, &kShadowed);
   EXPECT_LT(none.planned.bytes, none.asked.bytes);
   EXPECT_LT(none.planned.rays, none.asked.rays);
-  EXPECT_LE(measured_error(dark, bake_planned(dark, none), full_bake(dark), LightTurns::kAny, none.reference),
-            none.record.error);
+  EXPECT_LE(measured_error(dark, bake(none_job), full_bake(dark), LightTurns::kAny, none.reference), none.record.error);
   const Scene bright = box_scene("[0.8, 0.5, 0.3]", 1e-6);
-  const Plan loose = make_plan(bright, alone("bounces", 0.02, LightTurns::kAny));
-  EXPECT_EQ(loose.bake.kind, TransferKind::kInterreflected);
-  EXPECT_GT(loose.bake.bounces.tolerance, 1e-6);
+  const BakeJob loose_job = planned_as(bright, alone("bounces", 0.02, LightTurns::kAny));
+  const Plan& loose = *loose_job.plan;
+  EXPECT_EQ(loose_job.scene.bake.kind, &kInterreflected);
+  EXPECT_GT(loose_job.scene.bake.bounces.tolerance, 1e-6);
   const Transfer full = full_bake(bright);
-  const Transfer planned = bake_planned(bright, loose);
+  const Transfer planned = bake(loose_job);
   EXPECT_LT(planned.bounces.applications, full.bounces.applications);
   EXPECT_LE(measured_error(bright, planned, full, LightTurns::kAny, loose.reference), loose.record.error);
 }
 
 TEST(Plan, OfBouncesStaysWithinItsBudgetAsAWhole) {
   const Scene scene = box_scene("[0.8, 0.5, 0.3]");
-  const Plan plan = make_plan(scene, lossy(0.05, LightTurns::kAboutZ));
+  const BakeJob plan_job = planned_as(scene, lossy(0.05, LightTurns::kAboutZ));
+  const Plan& plan = *plan_job.plan;
   EXPECT_LE(plan.record.error, 0.05);
   EXPECT_LT(plan.planned.bytes, plan.asked.bytes / 3);
-  EXPECT_LE(measured_error(scene, stored(bake_planned(scene, plan)), full_bake(scene, 16384), LightTurns::kAboutZ,
-                           plan.reference),
+  EXPECT_LE(measured_error(scene, stored(bake(plan_job)), full_bake(scene, 16384), LightTurns::kAboutZ, plan.reference),
             plan.record.error);
 }
 
 TEST(Plan, RefusesABudgetThatCannotBeMetAndSaysWhatCan) {
   const Scene scene = small_scene(kOvercast);
-  const std::string said = message_of([&] { make_plan(scene, lossy(1e-5, LightTurns::kAboutZ)); });
+  const std::string said = message_of([&] { planned_as(scene, lossy(1e-5, LightTurns::kAboutZ)); });
   EXPECT_NE(said.find("cannot be met"), std::string::npos) << said;
   const std::size_t at = said.find("(measured); ");
   ASSERT_NE(at, std::string::npos) << said;
   const double can = std::stod(said.substr(at + 12));
-  EXPECT_NO_THROW(make_plan(scene, lossy(can, LightTurns::kAboutZ))) << said;
+  EXPECT_NO_THROW(planned_as(scene, lossy(can, LightTurns::kAboutZ))) << said;
 }
 
 TEST(Plan, RefusesWhatMakesNoSense) {
   const Scene scene = small_scene(kOvercast);
-  EXPECT_NE(message_of([&] { make_plan(scene, lossy(0.0, LightTurns::kAny)); }).find("more than 0"), std::string::npos);
-  EXPECT_NE(message_of([&] { make_plan(scene, lossy(std::nan(""), LightTurns::kAny)); }), "");
+  EXPECT_NE(message_of([&] { planned_as(scene, lossy(0.0, LightTurns::kAny)); }).find("more than 0"),
+            std::string::npos);
+  EXPECT_NE(message_of([&] { planned_as(scene, lossy(std::nan(""), LightTurns::kAny)); }), "");
   PlanOptions options;
   options.without = {"colour"};
-  EXPECT_NE(message_of([&] { make_plan(scene, options); }).find("expected one of analytic"), std::string::npos);
+  EXPECT_NE(message_of([&] { planned_as(scene, options); }).find("expected one of analytic"), std::string::npos);
   const Scene dark = small_scene(R"({"type": "constant", "radiance": [0, 0, 0]})");
-  EXPECT_NE(message_of([&] { make_plan(dark, lossy(0.01, LightTurns::kAny)); }).find("dark"), std::string::npos);
-  EXPECT_EQ(message_of([&] { make_plan(dark, PlanOptions{}); }), "");
+  EXPECT_NE(message_of([&] { planned_as(dark, lossy(0.01, LightTurns::kAny)); }).find("dark"), std::string::npos);
+  EXPECT_EQ(message_of([&] { planned_as(dark, exact()); }), "");
 }
 
 TEST(Plan, ChoosesStorageForNumbersThatABakeHasAndForLittleMore) {
   Scene scene = box_scene("[1, 1, 1]");
-  for (const TransferKind kind : {TransferKind::kUnshadowed, TransferKind::kShadowed, TransferKind::kInterreflected}) {
+  for (const TransferKind* kind : {&kUnshadowed, &kShadowed, &kInterreflected}) {
     scene.bake.kind = kind;
-    const Plan plan = make_plan(scene, alone("storage", 0.5, LightTurns::kNone));
-    const Transfer transfer = bake_planned(scene, plan);
+    const BakeJob plan_job = planned_as(scene, alone("storage", 0.5, LightTurns::kNone));
+    const Plan& plan = *plan_job.plan;
+    const Transfer transfer = bake(plan_job);
     ASSERT_EQ(plan.storage.element, Element::kByte);
-    EXPECT_EQ(transfer.storage.element, Element::kByte);
+    EXPECT_EQ(transfer.shape.storage.element, Element::kByte);
     std::vector<float> largest(plan.largest.size(), 0.0F);
     for (std::size_t i = 0; i < transfer.coefficients.size(); ++i) {
       float& most = largest[i % largest.size()];
@@ -274,11 +284,12 @@ TEST(Plan, ChoosesStorageForNumbersThatABakeHasAndForLittleMore) {
 
 TEST(Plan, GivesWayToHalfWhereANumberDoesNotFit) {
   const Scene scene = box_scene("[0.02, 0.03, 0.01]");
-  Plan plan = make_plan(scene, alone("storage", 0.5, LightTurns::kNone));
+  BakeJob plan_job = planned_as(scene, alone("storage", 0.5, LightTurns::kNone));
+  Plan& plan = *plan_job.plan;
   ASSERT_EQ(plan.storage.element, Element::kByte);
-  EXPECT_EQ(bake_planned(scene, plan).storage.element, Element::kByte);
+  EXPECT_EQ(bake(plan_job).shape.storage.element, Element::kByte);
   std::fill(plan.largest.begin(), plan.largest.end(), 1e-6F);
-  EXPECT_EQ(bake_planned(scene, plan).storage.element, Element::kHalf);
+  EXPECT_EQ(bake(plan_job).shape.storage.element, Element::kHalf);
 }
 
 TEST(Plan, IsReadFromTheSceneWhichThenIsBakedByIt) {
@@ -300,10 +311,10 @@ TEST(Plan, IsTheSameForAnyNumberOfThreadsAndIsPrinted) {
   const Scene scene = small_scene(kSunny);
   BakeSettings one;
   one.threads = 1;
-  const Plan plan = make_plan(scene, lossy(0.03, LightTurns::kAboutZ), one);
-  const std::string text = plan_text("small", plan);
-  EXPECT_EQ(text, plan_text("small", make_plan(scene, lossy(0.03, LightTurns::kAboutZ))));
-  const nlohmann::json json = plan_json("small", plan);
+  const BakeJob plan_job = planned_as(scene, lossy(0.03, LightTurns::kAboutZ), one);
+  const std::string text = plan_text(plan_job);
+  EXPECT_EQ(text, plan_text(planned_as(scene, lossy(0.03, LightTurns::kAboutZ))));
+  const nlohmann::json json = plan_json(plan_job);
   EXPECT_GE(json["decisions"].size(), 6U);
   for (const nlohmann::json& decision : json["decisions"]) {
     EXPECT_NE(text.find(decision["choice"].get<std::string>()), std::string::npos);

@@ -35,14 +35,6 @@ double distance(LightCoefficients a, const LightCoefficients& b) {
   return norm(a);
 }
 
-LightCoefficients cut(const LightCoefficients& light, int degree) {
-  LightCoefficients out = LightCoefficients::zero(degree);
-  for (std::size_t channel = 0; channel < 3; ++channel) {
-    for (std::size_t i = 0; i < out.bands_squared(); ++i) out.at(channel, i) = light.at(channel, i);
-  }
-  return out;
-}
-
 LightCoefficients white(const std::vector<double>& shape, int degree) {
   LightCoefficients out = LightCoefficients::zero(degree);
   for (std::size_t channel = 0; channel < 3; ++channel) std::copy(shape.begin(), shape.end(), &out.at(channel, 0));
@@ -183,8 +175,8 @@ Cost cost_of_degree(const std::vector<Sample>& all, double half_angle, int degre
   double norms = 0.0;
   for (const auto& [light, direction] : all) {
     const Cap cap{direction, cap_of(half_angle)};
-    const LightCoefficients truth = cut(shadowed_by_cap(light, direction, cap.one_minus_cos), degree);
-    const LightCoefficients low = cut(light, degree);
+    const LightCoefficients truth = first_bands(shadowed_by_cap(light, direction, cap.one_minus_cos), degree);
+    const LightCoefficients low = first_bands(light, degree);
     sum.exact += std::pow(distance(shadowed_by_cap(low, direction, cap.one_minus_cos), truth), 2.0);
     sum.kernel += std::pow(distance(truncated_product(low, cap), truth), 2.0);
     norms += std::pow(norm(low), 2.0);

@@ -21,8 +21,7 @@ using test::random_light;
 Transfer random_transfer(int degree, std::size_t vertices, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<float> uniform(-1.0F, 1.0F);
-  Transfer transfer;
-  transfer.degree = degree;
+  Transfer transfer = Transfer::of(kUnshadowed, degree);
   for (std::size_t i = 0; i < vertices; ++i) {
     transfer.mesh.positions.emplace_back(static_cast<float>(i), 0.0F, uniform(random));
     transfer.mesh.normals.emplace_back(Eigen::Vector3f::UnitZ());
@@ -31,7 +30,7 @@ Transfer random_transfer(int degree, std::size_t vertices, unsigned seed) {
   for (std::uint32_t i = 0; i + 2 < vertices; ++i) {
     transfer.mesh.faces.push_back({i, i + 1, i + 2});
   }
-  for (std::size_t i = 0; i < vertices * transfer.bands_squared(); ++i) {
+  for (std::size_t i = 0; i < vertices * transfer.shape.length(); ++i) {
     transfer.coefficients.push_back(uniform(random));
   }
   return transfer;

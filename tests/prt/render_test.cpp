@@ -11,7 +11,7 @@
 #include "prt/image/tone_map.hpp"
 #include "prt/mesh/sides.hpp"
 #include "prt/runtime/reference_render.hpp"
-#include "prt/scene/default_camera.hpp"
+#include "prt/scene/camera.hpp"
 #include "tests/prt/temporary_folder.hpp"
 
 namespace sh::prt {

@@ -17,7 +17,7 @@ inline void shine(Mesh& mesh, const Eigen::Vector3f& radiance) {
   mesh.emission.assign(mesh.positions.size(), radiance);
 }
 
-inline Scene scene_of(Mesh mesh, TransferKind kind, int directions = 1024, int degree = 2) {
+inline Scene scene_of(Mesh mesh, const TransferKind* kind, int directions = 1024, int degree = 2) {
   Scene scene;
   scene.name = "test";
   scene.mesh = std::move(mesh);
@@ -27,7 +27,7 @@ inline Scene scene_of(Mesh mesh, TransferKind kind, int directions = 1024, int d
   return scene;
 }
 
-inline Transfer baked(const Mesh& mesh, TransferKind kind, int directions = 1024, int degree = 2) {
+inline Transfer baked(const Mesh& mesh, const TransferKind* kind, int directions = 1024, int degree = 2) {
   return bake(scene_of(mesh, kind, directions, degree));
 }
 

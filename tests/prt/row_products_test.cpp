@@ -84,26 +84,24 @@ TEST(RowProducts, AreTheSameForLongRowsAsForShortOnes) {  // rows are fetched ah
 }
 
 /// Transfer of a kind with random numbers in it.
-Transfer random_transfer(TransferKind kind, int degree, std::size_t vertices) {
-  Transfer transfer;
-  transfer.kind = kind;
-  transfer.degree = degree;
+Transfer random_transfer(const TransferKind* kind, int degree, std::size_t vertices) {
+  Transfer transfer = Transfer::of(*kind, degree);
   const std::vector<float> colours = random_values(3 * vertices, 6);
   for (std::size_t v = 0; v < vertices; ++v) {
     transfer.mesh.positions.emplace_back(Eigen::Vector3f::Zero());
     transfer.mesh.albedo.emplace_back(colours[3 * v], colours[3 * v + 1], colours[3 * v + 2]);
   }
-  transfer.coefficients = random_values(vertices * transfer.row_length(), 7);
+  transfer.coefficients = random_values(vertices * transfer.shape.length(), 7);
   return transfer;
 }
 
-constexpr TransferKind kKinds[] = {TransferKind::kUnshadowed, TransferKind::kShadowed, TransferKind::kInterreflected};
+constexpr const TransferKind* kKinds[] = {&kUnshadowed, &kShadowed, &kInterreflected};
 
 TEST(WaysToRelight, WhiteLightGivesTheBitsOfThreeEqualChannels) {
   const LightCoefficients light = white(random_light(4, 8));
   LightCoefficients nearly = light;  // takes the way of coloured light; blue is zero in both
   for (std::size_t i = 0; i < 25; ++i) nearly.at(2, i) = 0.0;
-  for (const TransferKind kind : kKinds) {
+  for (const TransferKind* kind : kKinds) {
     const Transfer transfer = random_transfer(kind, 4, 1000);
     const std::vector<Eigen::Vector3f> one = relight(transfer, light);
     const std::vector<Eigen::Vector3f> three = relight(transfer, nearly);
@@ -113,7 +111,7 @@ TEST(WaysToRelight, WhiteLightGivesTheBitsOfThreeEqualChannels) {
 
 TEST(WaysToRelight, RecolouringByTheAlbedoChangesNothingAndGreyIsWithoutIt) {
   const LightCoefficients light = white(random_light(3, 9));
-  const Transfer transfer = random_transfer(TransferKind::kShadowed, 3, 333);
+  const Transfer transfer = random_transfer(&kShadowed, 3, 333);
   EXPECT_EQ(recoloured(transfer, light, transfer.mesh.albedo), relight(transfer, light));
   const std::vector<float> grey = relight_grey(transfer, light);
   const std::vector<Eigen::Vector3f> ones(333, Eigen::Vector3f::Ones());
@@ -123,7 +121,7 @@ TEST(WaysToRelight, RecolouringByTheAlbedoChangesNothingAndGreyIsWithoutIt) {
 
 TEST(WaysToRelight, FourCoefficientsAreThoseOfBandsZeroAndOne) {
   const LightCoefficients light = random_light(1, 10);
-  for (const TransferKind kind : kKinds) {
+  for (const TransferKind* kind : kKinds) {
     const Transfer transfer = random_transfer(kind, 4, 100);
     LightCoefficients padded = LightCoefficients::zero(4);
     for (std::size_t c = 0; c < 3; ++c) {
@@ -134,8 +132,8 @@ TEST(WaysToRelight, FourCoefficientsAreThoseOfBandsZeroAndOne) {
 }
 
 TEST(WaysToRelight, WhatCannotBeDoneIsRefusedInOneLine) {
-  const Transfer bounces = random_transfer(TransferKind::kInterreflected, 1, 5);
-  const Transfer shadowed = random_transfer(TransferKind::kShadowed, 1, 5);
+  const Transfer bounces = random_transfer(&kInterreflected, 1, 5);
+  const Transfer shadowed = random_transfer(&kShadowed, 1, 5);
   const LightCoefficients light = random_light(1, 11);
   std::vector<Eigen::Vector3f> four(4);
   EXPECT_NE(test::message_of([&] { relight_grey(bounces, light); }).find("cannot be recoloured"), std::string::npos);

@@ -54,7 +54,7 @@ TEST_F(SceneFile, FillsInWhatIsLeftOut) {
   EXPECT_EQ(scene.lights[0].type, LightType::kCieOvercast);
   EXPECT_EQ(scene.bake.degree, 4);
   EXPECT_EQ(scene.bake.directions, 2048);
-  EXPECT_EQ(scene.bake.kind, TransferKind::kShadowed);
+  EXPECT_EQ(scene.bake.kind, &kShadowed);
   EXPECT_GT((scene.camera.position - scene.camera.target).norm(), 1.0F);
 }
 
@@ -73,7 +73,7 @@ TEST_F(SceneFile, ReadsLightsCameraAndBakeOptions) {
   EXPECT_EQ(scene.camera.vertical_field_of_view, 25.0F);
   EXPECT_EQ(scene.bake.degree, 7);
   EXPECT_EQ(scene.bake.directions, 512);
-  EXPECT_EQ(scene.bake.kind, TransferKind::kUnshadowed);
+  EXPECT_EQ(scene.bake.kind, &kUnshadowed);
 }
 
 TEST_F(SceneFile, PutsGroundJustBelowTheMeshesFineNearThemAndWithoutCracks) {

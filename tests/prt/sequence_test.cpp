@@ -8,7 +8,7 @@
 #include "numeric/output/webp.hpp"
 #include "prt/image/tone_map.hpp"
 #include "prt/light/light_coefficients.hpp"
-#include "prt/runtime/turntable.hpp"
+#include "prt/scene/camera.hpp"
 #include "tests/prt/temporary_folder.hpp"
 
 namespace sh::prt {

@@ -93,7 +93,7 @@ std::vector<Eigen::Vector3f> run(const Transfer& transfer, const LightCoefficien
   GLuint vertices = 0;
   glGenVertexArrays(1, &vertices);
   glBindVertexArray(vertices);
-  const GLuint program = linked(vertex_shader(transfer.kind, light.degree, white, language));
+  const GLuint program = linked(vertex_shader(*transfer.kind, light.degree, white, language));
   glUseProgram(program);
   set_attribute(0, transfer.mesh.positions);
   set_attribute(1, transfer.mesh.albedo);
@@ -121,7 +121,7 @@ std::vector<Eigen::Vector3f> run(const Transfer& transfer, const LightCoefficien
   return radiance;
 }
 
-Transfer baked(TransferKind kind, int degree) {
+Transfer baked(const TransferKind* kind, int degree) {
   Scene scene;
   scene.mesh = test::primitive_mesh("torus", 12);
   scene.bake.degree = degree;
@@ -138,7 +138,7 @@ void expect_close(const std::vector<Eigen::Vector3f>& got, const std::vector<Eig
 class VertexShader : public testing::TestWithParam<ShaderLanguage> {};
 
 TEST_P(VertexShader, OfRowsGivesWhatRelightGives) {
-  for (const TransferKind kind : {TransferKind::kShadowed, TransferKind::kInterreflected}) {
+  for (const TransferKind* kind : {&kShadowed, &kInterreflected}) {
     for (const int degree : {1, 4}) {
       const Transfer transfer = baked(kind, degree);
       const LightCoefficients light = random_light(degree, 1);
@@ -152,7 +152,7 @@ TEST_P(VertexShader, OfRowsGivesWhatRelightGives) {
 TEST_P(VertexShader, OfNormalsTurnsTheLightAndGivesWhatUnshadowedTransferGives) {
   const Eigen::Matrix3d turn = rotation_about({1.0, -2.0, 0.5}, 130.0);
   for (const int degree : {2, 4}) {
-    const Transfer transfer = baked(TransferKind::kUnshadowed, degree);
+    const Transfer transfer = baked(&kUnshadowed, degree);
     const LightCoefficients light = random_light(degree, 2);
     expect_close(run(transfer, light, false, turn, GetParam()), relight(transfer, turned(light, turn)));
     expect_close(run(transfer, white(light), true, turn, GetParam()), relight(transfer, turned(white(light), turn)));
@@ -160,7 +160,7 @@ TEST_P(VertexShader, OfNormalsTurnsTheLightAndGivesWhatUnshadowedTransferGives) 
 }
 
 TEST_P(VertexShader, AddsTheLightOfTheSurfacesThemselves) {
-  for (const TransferKind kind : {TransferKind::kUnshadowed, TransferKind::kShadowed, TransferKind::kInterreflected}) {
+  for (const TransferKind* kind : {&kUnshadowed, &kShadowed, &kInterreflected}) {
     Transfer transfer = baked(kind, 2);
     transfer.emitted.assign(transfer.mesh.positions.size(), {0.5F, 1.0F, 2.0F});
     transfer.emitted.front().setZero();

@@ -23,7 +23,7 @@ namespace {
 using test::message_of;
 using test::random_light;
 
-Transfer baked(const Mesh& mesh, int degree, TransferKind kind = TransferKind::kUnshadowed) {
+Transfer baked(const Mesh& mesh, int degree, const TransferKind* kind = &kUnshadowed) {
   Scene scene;
   scene.mesh = mesh;
   scene.bake.degree = degree;
@@ -60,7 +60,7 @@ StageObject& add(Stage& stage, const Mesh& mesh, int degree, const Eigen::Vector
 
 TEST(Stage, OneObjectAtRestHasTheBitsOfThePlainRelight) {
   const Mesh mesh = test::primitive_mesh("torus", 12);
-  for (const TransferKind kind : {TransferKind::kUnshadowed, TransferKind::kShadowed, TransferKind::kInterreflected}) {
+  for (const TransferKind* kind : {&kUnshadowed, &kShadowed, &kInterreflected}) {
     const Transfer transfer = baked(mesh, 3, kind);
     const LightCoefficients light = random_light(3, 2);
     const Stage stage = stage_of(transfer);
@@ -77,14 +77,14 @@ TEST(Stage, KeepsTheLightOfTheSurfacesThemselvesHoweverItMovesAndMirrors) {
   mesh.emission.assign(mesh.positions.size(), {0.5F, 1.0F, 2.0F});
   const LightCoefficients light = random_light(3, 2);
   const LightCoefficients dark = LightCoefficients::zero(3);
-  for (const TransferKind kind : {TransferKind::kUnshadowed, TransferKind::kShadowed, TransferKind::kInterreflected}) {
+  for (const TransferKind* kind : {&kUnshadowed, &kShadowed, &kInterreflected}) {
     const Transfer transfer = baked(mesh, 3, kind);
     ASSERT_EQ(transfer.emitted.size(), mesh.positions.size());
     Stage stage = stage_of(transfer);
     EXPECT_EQ(relit(stage, light), relight(transfer, light));
     stage.objects.front().motion.keys.front().degrees = 77.0;
     EXPECT_EQ(relit(stage, dark), transfer.emitted);
-    stage.objects.front().per_vertex = kind != TransferKind::kInterreflected;
+    stage.objects.front().per_vertex = kind != &kInterreflected;
     EXPECT_EQ(relit(stage, dark), transfer.emitted);
   }
   Mesh mirror = plate(1.0F);
@@ -222,7 +222,7 @@ class StageFile : public testing::Test {
  protected:
   StageFile() {
     write_transfer(folder.file("a.transfer"), baked(test::primitive_mesh("sphere", 8), 2));
-    write_transfer(folder.file("b.transfer"), baked(test::primitive_mesh("box"), 1, TransferKind::kInterreflected));
+    write_transfer(folder.file("b.transfer"), baked(test::primitive_mesh("box"), 1, &kInterreflected));
   }
   [[nodiscard]] std::string file(const std::string& text) const {
     test::write_all(folder.file("stage.json"), text);

@@ -19,12 +19,18 @@
 namespace sh::prt::test {
 namespace {
 
-constexpr RowShape kShape{3, 4};
+constexpr std::size_t kLength = 12;  // three channels of four
+
+TransferShape shape_of(const Storage& storage) {
+  TransferShape shape = kInterreflected.shape(1);
+  shape.storage = storage;
+  return shape;
+}
 
 std::vector<float> random_rows(std::size_t rows, float size) {
   std::mt19937 random(7);
   std::uniform_real_distribution<float> uniform(-size, size);
-  std::vector<float> values(rows * kShape.channels * kShape.count);
+  std::vector<float> values(rows * kLength);
   for (float& value : values) {
     value = uniform(random);
   }
@@ -34,8 +40,8 @@ std::vector<float> random_rows(std::size_t rows, float size) {
 /// The largest error in units of its bound, column by column.
 double error_over_bound(const std::vector<float>& rows, Element element) {
   const Storage storage{element, false, {}};
-  const std::vector<float> back = decode(encode(rows, kShape, storage), kShape, storage);
-  const std::size_t length = kShape.channels * kShape.count;
+  const std::vector<float> back = decode(encode(rows, shape_of(storage)), shape_of(storage));
+  const std::size_t length = kLength;
   double worst = 0.0;
   for (std::size_t column = 0; column < length; ++column) {
     double largest = 0.0;
@@ -64,7 +70,7 @@ TEST(Storage, KeepsExtremesWithinTheirBounds) {
   constexpr float kLargest = std::numeric_limits<float>::max();
   constexpr float kDenormal = std::numeric_limits<float>::denorm_min();
   for (const float size : {kLargest, std::numeric_limits<float>::min(), 200.0F * kDenormal, kDenormal, 0.0F}) {
-    std::vector<float> rows(3 * kShape.channels * kShape.count, size);
+    std::vector<float> rows(3 * kLength, size);
     rows[0] = -size;
     rows[1] = 0.0F;
     EXPECT_LE(error_over_bound(rows, Element::kByte), 1.0) << size;
@@ -77,25 +83,25 @@ TEST(Storage, KeepsExtremesWithinTheirBounds) {
 
 TEST(Storage, RefusesWhatAnElementCannotHold) {
   const Storage half{Element::kHalf, false, {}};
-  EXPECT_NE(message_of([&] { encode(std::vector<float>(12, 65520.0F), kShape, half); }).find("does not fit"),
+  EXPECT_NE(message_of([&] { encode(std::vector<float>(12, 65520.0F), shape_of(half)); }).find("does not fit"),
             std::string::npos);
   EXPECT_EQ(encoding_error(Element::kHalf, 65520.0), std::numeric_limits<double>::infinity());
   for (const Element element : {Element::kSingle, Element::kHalf, Element::kByte}) {
     const std::vector<float> rows(12, std::numeric_limits<float>::infinity());
-    EXPECT_NE(message_of([&] { encode(rows, kShape, {element, false, {}}); }), "");
+    EXPECT_NE(message_of([&] { encode(rows, shape_of({element, false, {}})); }), "");
   }
-  EXPECT_NE(message_of([&] { encode(std::vector<float>(13), kShape, half); }), "");
-  EXPECT_NE(message_of([&] { encode(std::vector<float>(12), kShape, {Element::kHalf, false, {0, 4}}); }), "");
-  EXPECT_NE(message_of([&] { encode(std::vector<float>(12), kShape, {Element::kHalf, false, {2, 1}}); }), "");
+  EXPECT_NE(message_of([&] { encode(std::vector<float>(13), shape_of(half)); }), "");
+  EXPECT_NE(message_of([&] { encode(std::vector<float>(12), shape_of({Element::kHalf, false, {0, 4}})); }), "");
+  EXPECT_NE(message_of([&] { encode(std::vector<float>(12), shape_of({Element::kHalf, false, {2, 1}})); }), "");
 }
 
 TEST(Storage, KeepsTheCoefficientsItIsToldToAndOneChannelForAll) {
   const std::vector<float> rows = random_rows(5, 1.0F);
   const Storage storage{Element::kSingle, true, {0, 2}};
-  const Encoded encoded = encode(rows, kShape, storage);
+  const Encoded encoded = encode(rows, shape_of(storage));
   EXPECT_EQ(encoded.data.size(), 5 * 2 * sizeof(float));
-  EXPECT_EQ(stored_columns(storage, kShape), 2U);
-  const std::vector<float> back = decode(encoded, kShape, storage);
+  EXPECT_EQ(shape_of(storage).stored_length(), 2U);
+  const std::vector<float> back = decode(encoded, shape_of(storage));
   ASSERT_EQ(back.size(), rows.size());
   for (std::size_t row = 0; row < rows.size(); row += 12) {
     for (std::size_t i = 0; i < 12; ++i) {
@@ -105,15 +111,13 @@ TEST(Storage, KeepsTheCoefficientsItIsToldToAndOneChannelForAll) {
 }
 
 Transfer stored_transfer(const Storage& storage) {
-  Transfer transfer;
+  Transfer transfer = Transfer::of(kInterreflected, 1);
   transfer.scene = "stored";
   transfer.mesh = primitive_mesh("plane");
-  transfer.degree = 1;
-  transfer.kind = TransferKind::kInterreflected;
-  for (std::size_t i = 0; i < transfer.mesh.positions.size() * transfer.row_length(); ++i) {
+  for (std::size_t i = 0; i < transfer.mesh.positions.size() * transfer.shape.length(); ++i) {
     transfer.coefficients.push_back(0.01F * static_cast<float>(i % 4) - 0.02F);
   }
-  transfer.storage = storage;
+  transfer.shape.storage = storage;
   transfer.plan = {0.01, 0.002, "any", {{"storage", "half", "it is enough", 12, 3, 0.002, "bound"}}};
   return transfer;
 }
@@ -130,11 +134,10 @@ TEST(StoredFile, GivesBackWhatItsStorageKeeps) {
     const Transfer written = stored_transfer(storage);
     write_transfer(folder.file("a"), written);
     const Transfer read = read_transfer(folder.file("a"));
-    const RowShape shape = written.row_shape();
-    EXPECT_EQ(read.coefficients, decode(encode(written.coefficients, shape, storage), shape, storage));
-    EXPECT_EQ(read.storage.element, storage.element);
-    EXPECT_EQ(read.storage.kept, storage.kept);
-    EXPECT_EQ(read.storage.one_channel, storage.one_channel);
+    EXPECT_EQ(read.coefficients, decode(encode(written.coefficients, written.shape), written.shape));
+    EXPECT_EQ(read.shape.storage.element, storage.element);
+    EXPECT_EQ(read.shape.storage.kept, storage.kept);
+    EXPECT_EQ(read.shape.storage.one_channel, storage.one_channel);
     EXPECT_EQ(transfer_header(read), transfer_header(written));
     write_transfer(folder.file("b"), read);
     EXPECT_EQ(read_all(folder.file("b")), read_all(folder.file("a"))) << "writing again changes nothing";

@@ -13,7 +13,7 @@
 #include "prt/study/exact.hpp"
 #include "prt/study/false_color.hpp"
 #include "prt/study/study_setup.hpp"
-#include "prt/transfer/transfer_names.hpp"
+#include "prt/transfer/transfer.hpp"
 #include "tests/prt/image_files.hpp"
 #include "tests/prt/temporary_folder.hpp"
 #include "tests/prt/tool.hpp"

@@ -41,7 +41,7 @@ TEST_F(TransferFile, GivesBackWhatWasWritten) {
   write_transfer(file_, written);
   const Transfer read = read_transfer(file_);
   EXPECT_EQ(read.scene, written.scene);
-  EXPECT_EQ(read.degree, written.degree);
+  EXPECT_TRUE(is_alike(read.shape, written.shape));
   EXPECT_EQ(read.kind, written.kind);
   EXPECT_EQ(read.directions, written.directions);
   EXPECT_EQ(read.instruction_set, written.instruction_set);
@@ -76,11 +76,11 @@ TEST_F(TransferFile, KeepsLightOfItsOwnAndMirrorsWholeHoweverCoefficientsAreStor
   written.emitted.assign(vertices, {0.1F, 3.3F, 7.0F});
   written.mesh.mirror.assign(vertices, {0.3F, 0.7F, 1.0F});
   for (const Element element : {Element::kSingle, Element::kHalf, Element::kByte}) {
-    written.storage.element = element;
-    written.storage.kept = {0, 2};
+    written.shape.storage.element = element;
+    written.shape.storage.kept = {0, 2};
     write_transfer(file_, written);
     const Transfer read = read_transfer(file_);
-    EXPECT_EQ(read.storage.kept, written.storage.kept);
+    EXPECT_EQ(read.shape.storage.kept, written.shape.storage.kept);
     EXPECT_EQ(read.emitted, written.emitted);
     EXPECT_EQ(read.mesh.mirror, written.mesh.mirror);
   }

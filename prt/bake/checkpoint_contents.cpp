@@ -1,8 +1,14 @@
-#include "prt/bake/chunk_record.hpp"
+#include "prt/bake/checkpoint_contents.hpp"
+
+#include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cstring>
+#include <nlohmann/json.hpp>
 #include <utility>
+
+#include "prt/transfer/checksum.hpp"
 
 namespace sh::prt {
 
@@ -40,10 +46,23 @@ bool take_row(std::string_view& data, std::size_t vertices, FormFactorRow& row, 
          std::all_of(row.begin(), row.end(), [vertices](const FormFactor& f) { return f.vertex < vertices; });
 }
 
+template <class T>
+std::uint64_t checksum_of(const std::vector<T>& values) {
+  return checksum(values.data(), values.size() * sizeof(T));
+}
+
+// A member added to Mesh does not compile here until it is decided whether rays depend on it.
+std::string mesh_checksum(const Mesh& mesh) {
+  [[maybe_unused]] const auto& [positions, normals, geometric_normals, albedo, emission, mirror, faces, remap] = mesh;
+  const std::array<std::uint64_t, 5> parts = {checksum_of(positions), checksum_of(normals),
+                                              checksum_of(geometric_normals), checksum_of(mirror), checksum_of(faces)};
+  return fmt::format("{:016x}", checksum(parts.data(), sizeof parts));
+}
+
 }  // namespace
 
 std::string encode_chunk(const ShadowResult& result, const VertexRange& range) {
-  const std::size_t count = result.transfer.bands_squared();
+  const std::size_t count = result.transfer.shape.length();
   std::string bytes;
   put(bytes, result.transfer.coefficients.data() + range.first * count, range.size() * count);
   put(bytes, result.sight.data() + range.first, range.size());
@@ -57,7 +76,7 @@ std::string encode_chunk(const ShadowResult& result, const VertexRange& range) {
 }
 
 bool decode_chunk(std::string_view data, const VertexRange& range, ShadowResult& result) {
-  const std::size_t count = result.transfer.bands_squared();
+  const std::size_t count = result.transfer.shape.length();
   std::vector<float> transfer(range.size() * count);
   std::vector<Sight> sight(range.size());
   if (!take(data, transfer.data(), transfer.size()) || !take(data, sight.data(), sight.size())) {
@@ -83,6 +102,22 @@ bool decode_chunk(std::string_view data, const VertexRange& range, ShadowResult&
     result.factors->keep(vertex, std::move(row));
   }
   return true;
+}
+
+std::string bake_key(const Scene& scene, const std::string& instruction_set, const std::vector<std::uint8_t>& open) {
+  [[maybe_unused]] const auto& [degree, directions, sampler, seed, kind, bounces] = scene.bake;  // as above
+  const nlohmann::ordered_json key = {{"vertices", scene.mesh.positions.size()},
+                                      {"faces", scene.mesh.faces.size()},
+                                      {"mesh", mesh_checksum(scene.mesh)},
+                                      {"open_vertices", std::count(open.begin(), open.end(), 1)},
+                                      {"open", fmt::format("{:016x}", checksum_of(open))},
+                                      {"transfer", kind->word},
+                                      {"degree", degree},
+                                      {"directions", directions},
+                                      {"sampler", name_of(sampler)},
+                                      {"seed", seed},
+                                      {"instruction_set", instruction_set}};
+  return key.dump();
 }
 
 }  // namespace sh::prt

@@ -1,4 +1,4 @@
-#include "prt/bake/coloured_mirrors.hpp"
+#include "prt/bake/colored_mirrors.hpp"
 
 #include <fmt/core.h>
 
@@ -18,10 +18,9 @@ Scene with_mirrors_of_channel(Scene scene, Eigen::Index channel) {
 
 // Channel `c` of `from` goes to that of `to`.
 void take_channel(const Transfer& from, std::size_t c, Transfer& to) {
-  const std::size_t count = to.bands_squared();
+  const std::size_t count = to.shape.count();
   for (std::size_t v = 0; v < to.mesh.positions.size(); ++v) {
-    const std::size_t first = v * to.row_length() + c * count;
-    std::copy_n(from.coefficients.data() + first, count, to.coefficients.data() + first);
+    std::copy_n(from.row(v) + c * count, count, to.row(v) + c * count);
   }
   const auto channel = static_cast<Eigen::Index>(c);
   for (std::size_t v = 0; v < to.emitted.size(); ++v) {
@@ -43,13 +42,13 @@ void take_report(const BounceReport& from, BounceReport& to) {
 
 }  // namespace
 
-bool has_coloured_mirrors(const Mesh& mesh) {
+bool has_colored_mirrors(const Mesh& mesh) {
   return std::any_of(mesh.mirror.begin(), mesh.mirror.end(),
                      [](const Eigen::Vector3f& mirror) { return (mirror.array() != mirror.x()).any(); });
 }
 
 Transfer bake_by_channel(const Scene& scene, const std::function<Transfer(const Scene&)>& bake_grey) {
-  if (scene.bake.kind == TransferKind::kShadowed) {
+  if (scene.bake.kind->shape(scene.bake.degree).channels == 1) {
     throw std::invalid_argument(fmt::format(
         "{}: its mirrors have colours, which shadowed transfer cannot hold; expected grey ones, or interreflected",
         scene.name));

@@ -1,0 +1,25 @@
+// Transfer of diffuse surfaces: vectors that meet the light by a dot product.
+#include <array>
+
+#include "prt/bake/steps.hpp"
+#include "prt/kinds/kinds.hpp"
+
+namespace sh::prt {
+
+namespace {
+
+// Cosine and 1/pi: exit radiance = albedo * sum_i T_i L_i.
+TransferShape without_albedo(int degree) { return {.degree = degree}; }
+
+// Everything: exit radiance of channel c = sum_i T_ci L_ci.
+TransferShape with_albedo(int degree) { return {.channels = 3, .degree = degree, .holds_albedo = true}; }
+
+constexpr std::array kSteps = {kUnshadowedStep, kShadowStep, kBounceStep};
+
+}  // namespace
+
+constinit const TransferKind kUnshadowed = {"DU", "unshadowed", without_albedo, std::span(kSteps).first(1)};
+constinit const TransferKind kShadowed = {"DS", "shadowed", without_albedo, std::span(kSteps).first(2)};
+constinit const TransferKind kInterreflected = {"DI", "interreflected", with_albedo, kSteps, &kShadowed};
+
+}  // namespace sh::prt

@@ -1,0 +1,243 @@
+#include "prt/transfer/transfer_json.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "prt/transfer/transfer_file.hpp"
+
+namespace sh::prt {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kBadStorage = "transfer file whose JSON header names a storage that does not exist";
+
+Json to_json(const Decision& decision) {
+  return {{"name", decision.name},
+          {"choice", decision.choice},
+          {"why", decision.why},
+          {"bytes_saved", decision.bytes_saved},
+          {"rays_saved", decision.rays_saved},
+          {"error", decision.error},
+          {"basis", decision.basis}};
+}
+
+Decision decision_from(const nlohmann::json& json) {
+  return {json.at("name").get<std::string>(),        json.at("choice").get<std::string>(),
+          json.at("why").get<std::string>(),         json.at("bytes_saved").get<std::int64_t>(),
+          json.at("rays_saved").get<std::int64_t>(), json.at("error").get<double>(),
+          json.at("basis").get<std::string>()};
+}
+
+PlanRecord plan_from(const nlohmann::json& json) {
+  PlanRecord plan;
+  plan.budget = json.at("budget").get<double>();
+  plan.error = json.at("error").get<double>();
+  plan.light_turns = json.at("light_turns").get<std::string>();
+  for (const nlohmann::json& decision : json.at("decisions")) {
+    plan.decisions.push_back(decision_from(decision));
+  }
+  return plan;
+}
+
+// Bounds are null where nothing is certified.
+Json bound_or_null(const BounceReport& report, double bound) { return report.certified ? Json(bound) : Json(); }
+
+double bound_from(const BounceReport& report, const nlohmann::json& json) {
+  return report.certified ? json.get<double>() : std::numeric_limits<double>::infinity();
+}
+
+Json to_json(const BounceReport& report) {
+  Json json = {{"solver", report.solver},
+               {"applications", report.applications},
+               {"certified", report.certified},
+               {"bound", bound_or_null(report, report.bound)},
+               {"residual", report.residual},
+               {"largest", report.largest},
+               {"spectral_bound", report.spectral_bound}};
+  if (report.emitted_largest > 0.0) {
+    json["emitted_bound"] = bound_or_null(report, report.emitted_bound);
+    json["emitted_largest"] = report.emitted_largest;
+  }
+  return json;
+}
+
+BounceReport bounces_from(const nlohmann::json& json) {
+  BounceReport report;
+  report.solver = json.at("solver").get<std::string>();
+  report.applications = json.at("applications").get<int>();
+  report.certified = json.at("certified").get<bool>();
+  report.bound = bound_from(report, json.at("bound"));
+  report.residual = json.at("residual").get<double>();
+  report.largest = json.at("largest").get<double>();
+  report.spectral_bound = json.at("spectral_bound").get<double>();
+  report.emitted_largest = json.value("emitted_largest", 0.0);
+  if (json.contains("emitted_bound")) {
+    report.emitted_bound = bound_from(report, json.at("emitted_bound"));
+  }
+  return report;
+}
+
+template <class Enumeration, std::size_t Count>
+Enumeration value_from(const nlohmann::json& json, const std::array<std::string_view, Count>& words, const char* what) {
+  const auto word = json.get<std::string>();
+  const auto value = value_called<Enumeration>(word, words);
+  if (!value) {
+    throw std::invalid_argument(fmt::format("{} {}, expected one of {}", what, word, fmt::join(words, ", ")));
+  }
+  return *value;
+}
+
+Storage storage_from(const nlohmann::json& json, std::size_t columns) {
+  const auto element = value_called<Element>(json.at("element").get<std::string>(), kElementNames);
+  Storage storage;
+  storage.one_channel = json.at("one_channel").get<bool>();
+  storage.kept = json.at("kept").get<std::vector<std::uint32_t>>();
+  const bool rises = std::is_sorted(storage.kept.begin(), storage.kept.end(), std::less_equal<>());
+  if (!element || !rises || (!storage.kept.empty() && storage.kept.back() >= columns)) {
+    throw std::invalid_argument(kBadStorage);
+  }
+  storage.element = *element;
+  return storage;
+}
+
+void put_shape(const TransferShape& shape, Json& header) {
+  header["degree"] = shape.degree;
+  header["result_degree"] = shape.result_degree;
+  header["meets"] = word_of(shape.meets, kMeetsNames);
+  header["channels"] = shape.channels;
+  header["rows"] = shape.rows();
+  header["columns"] = shape.columns();
+  header["holds_cosine"] = shape.holds_cosine;
+  header["holds_albedo"] = shape.holds_albedo;
+}
+
+// A header of version 1 tells channels (one where it does not) and rows, and leaves the rest to the kind.
+TransferShape shape_from(const nlohmann::json& header, std::uint32_t version, const TransferKind& kind) {
+  const int degree = header.at("degree").get<int>();
+  if (degree < 0 || degree > kMaxDegree) {
+    throw std::invalid_argument(fmt::format("transfer of degree {}, expected 0 to {}", degree, kMaxDegree));
+  }
+  TransferShape shape = kind.shape(degree);
+  const TransferShape expected = shape;
+  if (version == 1) {
+    shape.channels = header.value("channels", std::size_t{1});
+  } else {
+    shape.channels = header.at("channels").get<std::size_t>();
+    shape.result_degree = header.at("result_degree").get<int>();
+    shape.meets = value_from<Meets>(header.at("meets"), kMeetsNames, "transfer that meets the light by");
+    shape.holds_cosine = header.at("holds_cosine").get<bool>();
+    shape.holds_albedo = header.at("holds_albedo").get<bool>();
+  }
+  const auto rows = header.at("rows").get<std::uint64_t>();
+  const auto columns = version == 1 ? expected.columns() : header.at("columns").get<std::uint64_t>();
+  if (!is_alike(shape, expected) || rows != expected.rows() || columns != expected.columns()) {
+    throw std::invalid_argument(fmt::format(
+        "transfer of kind {} and degree {} with {} channels of {} x {} numbers, expected {} of {} x {}", kind.letters,
+        degree, shape.channels, rows, columns, expected.channels, expected.rows(), expected.columns()));
+  }
+  if (header.contains("storage")) {
+    shape.storage = storage_from(header.at("storage"), shape.columns());
+  }
+  return shape;
+}
+
+void put_shortfall(const Shortfall& missing, Json& header) {
+  if (!missing.any()) {
+    return;
+  }
+  header["complete"] = false;  // coarser than was asked for
+  header["asked"] = Json::object();
+  if (missing.directions > 0) {
+    header["asked"]["directions"] = missing.directions;
+  }
+  if (missing.tolerance > 0.0) {
+    header["asked"]["tolerance"] = missing.tolerance;
+  }
+}
+
+}  // namespace
+
+Json to_json(const Storage& storage) {
+  return {{"element", word_of(storage.element, kElementNames)},
+          {"one_channel", storage.one_channel},
+          {"kept", storage.kept}};
+}
+
+Json to_json(const PlanRecord& plan) {
+  Json decisions = Json::array();
+  for (const Decision& decision : plan.decisions) {
+    decisions.push_back(to_json(decision));
+  }
+  return {{"budget", plan.budget}, {"error", plan.error}, {"light_turns", plan.light_turns}, {"decisions", decisions}};
+}
+
+std::string transfer_header(const Transfer& transfer) {
+  Json header = {{"format", "shforge transfer"}, {"scene", transfer.scene}, {"kind", transfer.kind->letters}};
+  put_shape(transfer.shape, header);
+  header.update({{"vertices", transfer.mesh.positions.size()},
+                 {"faces", transfer.mesh.faces.size()},
+                 {"file_vertices", transfer.mesh.remap.size()},
+                 {"directions", transfer.directions},
+                 {"instruction_set", transfer.instruction_set},
+                 {"holds", transfer.shape.holds_albedo
+                               ? "everything, the albedo too: exit radiance of channel c = sum_i T_ci L_ci"
+                               : "cosine and 1/pi, not the albedo: exit radiance = albedo * sum_i T_i L_i"},
+                 {"convention", "real SH, orthonormal, no Condon-Shortley phase, i = l(l+1)+m, band 1 is (y,z,x)"},
+                 {"axes", "right-handed, z up"},
+                 {"units", "positions: the scene's; transfer: radiance out over radiance in, no unit"},
+                 {"colour_space", "albedo: linear RGB, 0..1"}});
+  if (!transfer.emitted.empty()) {
+    header["emitted"] = "exit radiance that is there whatever the light, to be added: linear RGB, W m^-2 sr^-1";
+  }
+  if (transfer.directions > 0) {
+    header["sampler"] = name_of(transfer.sampler);
+    header["seed"] = transfer.seed;
+  }
+  if (transfer.kind->has_bounces()) {
+    header["bounces"] = to_json(transfer.bounces);
+  }
+  put_shortfall(transfer.missing, header);
+  if (!transfer.shape.storage.is_plain()) {
+    header["storage"] = to_json(transfer.shape.storage);
+  }
+  if (!transfer.plan.decisions.empty()) {
+    header["plan"] = to_json(transfer.plan);
+  }
+  return header.dump(2);
+}
+
+void take_header(const nlohmann::json& header, std::uint32_t version, TransferKinds kinds, Transfer& transfer) {
+  transfer.scene = header.at("scene").get<std::string>();
+  const auto letters = header.at("kind").get<std::string>();
+  transfer.kind = kind_with_letters(letters, kinds);
+  if (transfer.kind == nullptr) {
+    throw std::invalid_argument(
+        fmt::format("transfer of kind {}, expected one of {}", letters, fmt::join(kind_letters(kinds), ", ")));
+  }
+  transfer.shape = shape_from(header, version, *transfer.kind);
+  if (transfer.kind->has_bounces()) {
+    transfer.bounces = bounces_from(header.at("bounces"));
+  }
+  if (header.contains("plan")) {
+    transfer.plan = plan_from(header.at("plan"));
+  }
+  transfer.directions = header.at("directions").get<std::uint32_t>();
+  if (header.contains("sampler")) {  // absent where no ray was traced, and in files older than the choice
+    transfer.sampler = value_from<Sampler>(header["sampler"], kSamplerNames, "sampler");
+  }
+  transfer.seed = header.value("seed", 0U);
+  if (header.contains("asked")) {
+    transfer.missing.directions = header["asked"].value("directions", 0U);
+    transfer.missing.tolerance = header["asked"].value("tolerance", 0.0);
+  }
+  transfer.instruction_set = header.at("instruction_set").get<std::string>();
+}
+
+}  // namespace sh::prt
