@@ -6,7 +6,6 @@
 
 #include <boost/math/special_functions/spherical_harmonic.hpp>
 #include <cmath>
-#include <functional>
 
 #include "numeric/oracle/quadrature.hpp"
 #include "numeric/oracle/real.hpp"
