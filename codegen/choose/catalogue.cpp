@@ -4,6 +4,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "codegen/choose/families_record.hpp"
 #include "codegen/choose/manifest.hpp"
 #include "codegen/choose/wisdom.hpp"
 #include "codegen/print/batch.hpp"
@@ -202,19 +203,23 @@ struct Rendering {
   std::map<std::string, std::string> files;
   std::vector<ManifestEntry> manifest;
   std::vector<print::WrittenFamily> written;
+  std::vector<RecordedFamily> record;
 };
 
 void render_family(const Family& family, const std::function<void(const std::string&)>& progress,
                    Rendering& rendering) {
   rendering.written.push_back({family.name, family.batch, {}});
   std::vector<FinishedKernel>& written = rendering.written.back().kernels;
+  std::vector<FinishedKernel>& recorded = rendering.record.emplace_back(RecordedFamily{&family, {}}).kernels;
   for (int degree = 0; degree <= family.largest_written; ++degree) {
     const std::vector<FinishedKernel> all = finish_all(family, degree);
     if (all.empty()) continue;
     written.push_back(choose(all, Prefer::kSpeed));
+    recorded.push_back(written.back());
     progress(written.back().kernel.name);
     const FinishedKernel accurate = choose(all, Prefer::kAccuracy);
     const bool worthwhile = accurate.in_float.rounding.eps < kWorthwhile * all.front().in_float.rounding.eps;
+    if (worthwhile) recorded.push_back(accurate);
     for (const FinishedKernel& candidate : all) {
       const std::string& recipe = candidate.kernel.recipe;
       ManifestEntry entry{candidate, {}, committed_wisdom().find(family.name, degree, recipe)};
@@ -236,6 +241,7 @@ std::map<std::string, std::string> render_all(const std::function<void(const std
   Rendering rendering;
   for (const Family& family : families) render_family(family, progress, rendering);
   rendering.files.merge(print::batch_files(rendering.written));
+  rendering.files["families.json"] = print_families_record(rendering.record);
   rendering.files["MANIFEST"] = print_manifest(rendering.manifest);
   return rendering.files;
 }

@@ -57,7 +57,8 @@ FinishedKernel preferred_kernel(const Family& family, int degree, Prefer prefer)
 /// Relative path -> content of every file under generated/. progress is called with each kernel's name.
 std::map<std::string, std::string> render_all(const std::function<void(const std::string&)>& progress,
                                               const std::vector<Family>& families = codegen::families());
-/// The same for the kernels of some families alone: without MANIFEST and the drivers of batches, which need them all.
+/// The same for the kernels of some families alone: without MANIFEST, families.json and the drivers of
+/// batches, which need them all.
 std::map<std::string, std::string> render_families(const std::vector<std::string>& names,
                                                    const std::function<void(const std::string&)>& progress);
 

@@ -42,7 +42,8 @@ std::string print_manifest(const std::vector<ManifestEntry>& entries) {
       "# chain: the longest one; live: most values held at once; rounding, total: largest absolute error measured, as\n"
       "# explained at the head of each file; ns, lane_ns: tuned time of a float call, and of a lane of a SIMD "
       "register;\n"
-      "# files: what is written with this recipe, - when another one was chosen.\n";
+      "# files: what is written with this recipe, - when another one was chosen.\n"
+      "# families.json: roles, shapes, units and limits of these kernels, for programs.\n";
   std::vector<std::vector<std::string>> rows;
   rows.reserve(entries.size());
   for (const ManifestEntry& entry : entries) rows.push_back(row(entry));

@@ -6,6 +6,7 @@
 
 #include "codegen/convention/gauge.hpp"
 #include "codegen/ir/evaluate.hpp"
+#include "codegen/measure/size.hpp"
 #include "codegen/passes/passes.hpp"
 #include "codegen/passes/pipeline.hpp"
 #include "symbolic/basis/basis.hpp"
@@ -220,7 +221,7 @@ Reference reference_in(const Kernel& kernel, const Kernel& relaid, const Referen
   return reference;
 }
 
-Domain domain_in(const Domain& ours, int degree, const Layout& inputs, const Layout& outputs) {
+Domain domain_in(const Kernel& kernel, const Domain& ours, const Layout& inputs, const Layout& outputs) {
   constexpr int kDigits = 40;
   std::vector<std::size_t> from(static_cast<std::size_t>(total_size(outputs.arrays)), 0);
   std::vector<double> factor(from.size(), 1);
@@ -246,8 +247,8 @@ Domain domain_in(const Domain& ours, int degree, const Layout& inputs, const Lay
       mapped.push_back(in_double(as_stored(exact(input), inputs, kDigits)));
     return mapped;
   };
-  domain.size = [=](std::span<const double> theirs, std::size_t output) {
-    return factor[output] * ours.size_of(degree, in_double(as_ours(exact(theirs), inputs, kDigits)), from[output]);
+  domain.size = [=, size = size_of(kernel, ours)](std::span<const double> theirs, std::size_t output) {
+    return factor[output] * size(in_double(as_ours(exact(theirs), inputs, kDigits)), from[output]);
   };
   return domain;
 }
@@ -309,7 +310,7 @@ FinishedKernel in_convention(const FinishedKernel& finished, const Reference& po
         ". Directions are the caller's; the convention's coordinates are (" + options.axes + ") of them";
   const Reference reference = reference_in(finished.kernel, result.kernel, points, inputs, outputs);
   result.kernel = run_pipeline(std::move(result.kernel), reference, kPasses).back().kernel;
-  result.domain = domain_in(finished.domain, result.kernel.degree, inputs, outputs);
+  result.domain = domain_in(finished.kernel, finished.domain, inputs, outputs);
   result.cost = cost(result.kernel);
   result.in_float = measure<float>(result.kernel, result.domain);
   result.in_double = measure<double>(result.kernel, result.domain);

@@ -24,6 +24,16 @@ Reference reference(int degree, int count) {
   return reference;
 }
 
+// Users are told so.
+std::vector<Promise> promises() {
+  constexpr const char* kAccurate = "the choice for accuracy keeps 8 eps to degree 10";
+  constexpr const char* kDegree4 = "the degree that most engines use: 2^-20 in float";
+  return {{"basis_accurate_l", "float", 8, 0, kAccurate},
+          {"basis_accurate_l", "double", 8, 0, kAccurate},
+          {"basis_l4", "float", 0, 7e-7, kDegree4},
+          {"basis_l4", "double", 0, 3e-15, kDegree4}};
+}
+
 }  // namespace
 
 Family basis_family() {
@@ -34,7 +44,8 @@ Family basis_family() {
                       {"parity-least", recipes::basis_parity_least, 0, 20, false}},
           .reference = reference,
           .domain = direction_domain(),
-          .batch = BatchDriver{.what = "Values of the real spherical harmonics"}};
+          .batch = BatchDriver{.what = "Values of the real spherical harmonics"},
+          .promises = promises()};
 }
 
 }  // namespace sh::codegen

@@ -53,15 +53,6 @@ std::vector<std::vector<double>> test_inputs(int /*degree*/) {
   return inputs;
 }
 
-// r^l sqrt((2l+1)/(4 pi)) for values; l r^(l-1) sqrt((2l+1)/(4 pi)), the largest gradient of the band (d/dz of S_l0 at
-// the pole), for derivatives.
-double size(int degree, std::span<const double> d, std::size_t output) {
-  const int band = static_cast<int>(std::sqrt(static_cast<double>(output % count(degree))));
-  const double maximum = std::sqrt((2 * band + 1) / (4 * std::numbers::pi));
-  if (output < count(degree)) return maximum * std::pow(length(d), band);
-  return band == 0 ? maximum : maximum * band * std::pow(length(d), band - 1);
-}
-
 }  // namespace
 
 Family basis_gradient_family() {
@@ -69,7 +60,8 @@ Family basis_gradient_family() {
   domain.inputs = "vectors (random, axes, poles, near poles; lengths 1/3 to 2)";
   domain.unit = "sqrt((2l+1)/(4 pi)) r^l, for derivatives l sqrt((2l+1)/(4 pi)) r^(l-1)";
   domain.test_inputs = test_inputs;
-  domain.size_at_degree = size;
+  domain.sizes = {"Y(l) |vector|^l", "l Y(l) |vector|^(l-1)"};
+  domain.lengths = {0.1, 4};
   return {
       .name = "basis_gradient",
       .recipes = {{"ladder", recipes::basis_gradient_ladder},

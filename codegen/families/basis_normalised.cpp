@@ -38,6 +38,7 @@ Family basis_normalised_family() {
   Domain domain = direction_domain();
   domain.inputs = "vectors (random, axes, poles, near poles; lengths 2^-20 to 2^20)";
   domain.test_inputs = test_inputs;
+  domain.lengths = {1e-15, 1e15};
   return {.name = "basis_normalised",
           .recipes = {{"parity", recipes::basis_normalised_parity}, {"centred", recipes::basis_normalised_centred}},
           .reference = reference,

@@ -29,8 +29,6 @@ std::vector<std::vector<double>> test_inputs(int /*degree*/) {
   return inputs;
 }
 
-double size(std::span<const double> inputs, std::size_t output) { return cap_size(inputs[0], output); }
-
 }  // namespace
 
 Family cap_family() {
@@ -44,7 +42,7 @@ Family cap_family() {
                      "sqrt((2l+1) pi) (1 - cos^2) / 2, the largest coefficient a cap of that area has (at l = 0: the "
                      "coefficient)",
                  .test_inputs = test_inputs,
-                 .size = size},
+                 .sizes = {"cap(l)"}},
   };
 }
 

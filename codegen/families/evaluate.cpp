@@ -21,10 +21,6 @@ constexpr const char* kUnit = "|c| sqrt((2L+1)/(4 pi)), the most that the top ba
 
 int count(int degree) { return (degree + 1) * (degree + 1); }
 
-int degree_of(std::size_t coefficients) { return static_cast<int>(std::lround(std::sqrt(double(coefficients)))) - 1; }
-
-double top_band_maximum(int degree) { return std::sqrt((2 * degree + 1) / (4 * std::numbers::pi)); }
-
 cln::cl_F zero() { return cln::cl_float(0, cln::float_format(kCheckDigits)); }
 
 // --- evaluate
@@ -79,17 +75,11 @@ std::vector<std::vector<double>> test_inputs(int degree) {
 }
 
 template <int Channels>
-double size(std::span<const double> inputs, std::size_t output) {
-  const std::size_t coefficients = (inputs.size() - 3) / Channels;
-  return length(inputs.subspan(output * coefficients, coefficients)) * top_band_maximum(degree_of(coefficients));
-}
-
-template <int Channels>
 Domain evaluation_domain() {
   return {.inputs = "coefficient vectors (random, of norm 1) with directions (random, axes, poles, near poles)",
           .unit = kUnit,
           .test_inputs = test_inputs<Channels>,
-          .size = size<Channels>};
+          .sizes = {"|c[k]| Y(L)"}};
 }
 
 // --- prepared
@@ -114,7 +104,7 @@ std::vector<std::vector<double>> prepare_inputs(int degree) {
 }
 
 // The norm of a row of the matrix: the most that |c| = 1 can make of this coefficient.
-double prepare_size(int degree, std::span<const double> /*c*/, std::size_t output) {
+double prepare_gain(int degree, std::size_t output) {
   static std::map<int, std::vector<double>> norms;
   std::vector<double>& of_degree = norms[degree];
   if (of_degree.empty()) {
@@ -158,10 +148,6 @@ std::vector<std::vector<double>> prepared_inputs(int degree) {
   return with_directions(std::move(polynomials));
 }
 
-double prepared_size(std::span<const double> inputs, std::size_t /*output*/) {
-  return top_band_maximum(degree_of(inputs.size() - 3));
-}
-
 }  // namespace
 
 Family evaluate_family() {
@@ -189,7 +175,8 @@ Family evaluate_prepare_family() {
   domain.inputs = "coefficient vectors (random, of norm 1)";
   domain.unit = "the largest that this coefficient of the polynomial gets from |c| = 1";
   domain.test_inputs = prepare_inputs;
-  domain.size_at_degree = prepare_size;
+  domain.sizes = {"gain |c|"};
+  domain.gain = prepare_gain;
   return {.name = "evaluate_prepare",
           .recipes = {{"by-order", recipes::evaluate_prepare}},
           .reference = prepare_reference,
@@ -204,7 +191,7 @@ Family evaluate_prepared_family() {
       .domain = {.inputs = "prepared functions (random, |c| = 1) with directions (random, axes, poles, near poles)",
                  .unit = kUnit,
                  .test_inputs = prepared_inputs,
-                 .size = prepared_size},
+                 .sizes = {"Y(L)"}},
   };
 }
 

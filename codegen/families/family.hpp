@@ -1,6 +1,7 @@
 // A family of kernels: the functions computed for every degree, the ways to compute them, and their checks.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <optional>
 #include <span>
@@ -20,20 +21,30 @@ using Reference = std::vector<ReferencePoint>;
 
 inline constexpr int kCheckDigits = 100;
 
+/// The size of the values that an element of the flattened results is compared with, at flattened inputs.
+using Size = std::function<double(std::span<const double> inputs, std::size_t element)>;
+
 /// Where a family's kernels are measured, and in which unit their error is counted.
 struct Domain {
   std::string inputs;  ///< for people: "directions (random, axes, poles, near poles)"
   std::string unit;    ///< for people: "sqrt((2l+1)/(4 pi))", the size that machine epsilon is multiplied by
   /// Flattened inputs, each rounded to the kernel's type before use.
   std::function<std::vector<std::vector<double>>(int degree)> test_inputs;
-  /// The size of the values that an element of the flattened results is compared with, at an input.
-  std::function<double(std::span<const double> inputs, std::size_t element)> size = {};
-  /// Instead of `size` where it depends on the kernel's degree.
-  std::function<double(int degree, std::span<const double> inputs, std::size_t element)> size_at_degree = {};
+  /// The unit as formulas, one a result, the last for all further ones (numeric/kernels/size_formula.hpp).
+  std::vector<std::string> sizes;
+  /// For a formula that asks for it: the most that inputs of length 1 make of an output.
+  std::function<double(int degree, std::size_t element)> gain = {};
+  std::array<double, 2> lengths = {1, 1};  ///< of vectors: the least and the largest to try
+  Size size = {};                          ///< instead of the formulas, in another convention
+};
 
-  [[nodiscard]] double size_of(int degree, std::span<const double> at, std::size_t element) const {
-    return size != nullptr ? size(at, element) : size_at_degree(degree, at, element);
-  }
+/// A bound that kernels keep besides the limit that their measured error gives.
+struct Promise {
+  std::string kernels;      ///< the beginning of their names: "basis_accurate_l"
+  std::string scalar;       ///< "float" or "double"
+  double rounding_eps = 0;  ///< largest rounding error in epsilon x size; 0: none
+  double total = 0;         ///< largest total error, absolute; 0: none
+  std::string reason;
 };
 
 /// One way to compute a family.
@@ -70,6 +81,7 @@ struct Family {
   /// A family alike whose factors and result have degrees of their own; empty: there is none.
   std::function<Family(int left_degree, int right_degree, int degree)> of_degrees = {};
   std::optional<BatchDriver> batch = {};  ///< empty: kernels are called one by one
+  std::vector<Promise> promises = {};
 };
 
 }  // namespace sh::codegen

@@ -44,17 +44,6 @@ Reference irradiance_reference(int degree, int points) {
   return reference;
 }
 
-double irradiance_size(std::span<const double> inputs, std::size_t output) {
-  static const std::vector<double> kFactors = [] {
-    std::vector<double> factors;
-    for (int l = 0; l <= kLargest; ++l)
-      factors.push_back(cln::double_approx(symbolic::irradiance_factor(l).evaluate(20)));
-    return factors;
-  }();
-  const double a = kFactors[static_cast<std::size_t>(band(output))];
-  return a == 0 ? 1 : std::abs(a * inputs[output]);
-}
-
 // --- quadratic form
 
 // E as a polynomial of the normal in reduced form, whose coefficients M holds by definition.
@@ -86,8 +75,6 @@ Reference matrix_reference(int degree, int points) {
   return reference;
 }
 
-double vector_length(std::span<const double> inputs, std::size_t /*output*/) { return length(inputs); }
-
 // --- E(n)
 
 Reference evaluate_reference(int degree, int points) {
@@ -113,11 +100,6 @@ std::vector<std::vector<double>> evaluate_inputs(int degree) {
   return joined(unit_vectors(static_cast<int>(normals.size()), count(degree), 85), normals);
 }
 
-// The length of the coefficient vector in front of a normal.
-double coefficients_length(std::span<const double> inputs, std::size_t /*output*/) {
-  return length(inputs.first(inputs.size() - 3));
-}
-
 // --- lightmap form: E(n) = e_0 + e_1 y + e_2 z + e_3 x
 
 // E of one coefficient or sample is linear in (1, y, z, x): read its coefficients from the basis functions.
@@ -134,10 +116,6 @@ Reference lightmap_reference(int degree, int points) {
     reference.push_back(std::move(point));
   }
   return reference;
-}
-
-double lightmap_size(std::span<const double> inputs, std::size_t output) {
-  return std::abs(inputs[output]) * std::sqrt(output == 0 ? std::numbers::pi / 4 : std::numbers::pi / 3);
 }
 
 Reference project_reference(int degree, int points) {
@@ -161,10 +139,6 @@ Reference project_reference(int degree, int points) {
 std::vector<std::vector<double>> project_inputs(int degree) {
   const auto directions = some_test_directions(kInputs);
   return joined(directions, unit_vectors(static_cast<int>(directions.size()), 1 + count(degree), 88));
-}
-
-double project_size(std::span<const double> inputs, std::size_t output) {
-  return std::abs(inputs[3]) / 2 + std::abs(inputs[4 + output]);
 }
 
 Reference lightmap_evaluate_reference(int degree, int points) {
@@ -191,7 +165,7 @@ Family irradiance_family() {
       .domain = {.inputs = kCoefficients,
                  .unit = "|A_l c_lm|",
                  .test_inputs = coefficient_inputs,
-                 .size = irradiance_size},
+                 .sizes = {"A(l) |c[i]|"}},
   };
 }
 
@@ -203,10 +177,7 @@ Family irradiance_matrix_family() {
       .limit = kOneDegree,
       .recipes = {{"entries", recipes::irradiance_matrix, 2, 2}},
       .reference = matrix_reference,
-      .domain = {.inputs = kCoefficients,
-                 .unit = "the norm of c",
-                 .test_inputs = coefficient_inputs,
-                 .size = vector_length},
+      .domain = {.inputs = kCoefficients, .unit = "the norm of c", .test_inputs = coefficient_inputs, .sizes = {"|c|"}},
   };
 }
 
@@ -215,10 +186,7 @@ Family irradiance_evaluate_family() {
       .name = "irradiance_evaluate",
       .recipes = {{"nested", recipes::irradiance_evaluate_nested, 2, 3}, {"columns", recipes::irradiance_evaluate}},
       .reference = evaluate_reference,
-      .domain = {.inputs = kWithNormals,
-                 .unit = "the norm of c",
-                 .test_inputs = evaluate_inputs,
-                 .size = coefficients_length},
+      .domain = {.inputs = kWithNormals, .unit = "the norm of c", .test_inputs = evaluate_inputs, .sizes = {"|c|"}},
   };
 }
 
@@ -230,7 +198,10 @@ Family lightmap_family() {
       .limit = kOneDegree,
       .recipes = {{"factors", recipes::lightmap, 1, 1}},
       .reference = lightmap_reference,
-      .domain = {.inputs = kCoefficients, .unit = "|out|", .test_inputs = coefficient_inputs, .size = lightmap_size},
+      .domain = {.inputs = kCoefficients,
+                 .unit = "|out|",
+                 .test_inputs = coefficient_inputs,
+                 .sizes = {"A(l) Y(l) |c[i]|"}},
   };
 }
 
@@ -245,7 +216,7 @@ Family lightmap_project_family() {
       .domain = {.inputs = "samples (random, axes, poles, near poles) with random weights and sums",
                  .unit = "(|weight| / 2 + |sum|)",
                  .test_inputs = project_inputs,
-                 .size = project_size},
+                 .sizes = {"0.5 |weight| + |sum[i]|"}},
   };
 }
 
@@ -257,10 +228,7 @@ Family lightmap_evaluate_family() {
       .limit = kOneDegree,
       .recipes = {{"dot", recipes::lightmap_evaluate, 1, 1}},
       .reference = lightmap_evaluate_reference,
-      .domain = {.inputs = kWithNormals,
-                 .unit = "the norm of e",
-                 .test_inputs = evaluate_inputs,
-                 .size = coefficients_length},
+      .domain = {.inputs = kWithNormals, .unit = "the norm of e", .test_inputs = evaluate_inputs, .sizes = {"|e|"}},
   };
 }
 

@@ -95,7 +95,7 @@ Family square_family() {
                       {"tensor", [](int degree) { return recipes::product_tensor(equal(degree), Factors::kSame); }, 0,
                        kLargestByTerms}},
           .reference = square_reference,
-          .domain = square_domain()};
+          .domain = factor_domain(equal_factors(1), "|a| |a|")};
 }
 
 Family product_zonal_family() {

@@ -139,25 +139,7 @@ Domain factor_domain(const FactorSizes& sizes, const std::string& unit) {
   domain.inputs = "sets of unit vectors of coefficients (random, single coefficients, equal)";
   domain.unit = unit;
   domain.test_inputs = [sizes](int degree) { return unit_factors(sizes(degree)); };
-  domain.size = [sizes](std::span<const double> inputs, std::size_t /*output*/) {
-    std::vector<int> parts;
-    for (int degree = 0; parts.empty(); ++degree) {
-      parts = sizes(degree);
-      if (total_of(parts) < static_cast<int>(inputs.size())) parts.clear();
-    }
-    double size = 1;
-    for (const int part : parts) {
-      size *= length(inputs.first(static_cast<std::size_t>(part)));
-      inputs = inputs.subspan(static_cast<std::size_t>(part));
-    }
-    return size;
-  };
-  return domain;
-}
-
-Domain square_domain() {
-  Domain domain = factor_domain([](int degree) { return std::vector<int>{count_of(degree)}; }, "|a| |a|");
-  domain.size = [](std::span<const double> inputs, std::size_t /*output*/) { return length(inputs) * length(inputs); };
+  domain.sizes = {unit};
   return domain;
 }
 

@@ -21,6 +21,5 @@ Reference triple_reference(int degree, int count);
 using FactorSizes = std::function<std::vector<int>(int degree)>;
 /// unit: of the error, e.g. "|a| |b|".
 Domain factor_domain(const FactorSizes& sizes, const std::string& unit);
-Domain square_domain();
 
 }  // namespace sh::codegen

@@ -18,11 +18,6 @@ constexpr const char* kSamples = "samples (directions random, axes, poles, near 
 
 int count(int degree) { return (degree + 1) * (degree + 1); }
 
-double band_maximum(std::size_t output) {
-  const double band = std::floor(std::sqrt(static_cast<double>(output)));
-  return std::sqrt((2 * band + 1) / (4 * std::numbers::pi));
-}
-
 // --- project, project_moments
 
 // x, y, z, weight and the sums before.
@@ -72,14 +67,6 @@ std::vector<std::vector<double>> samples(int degree) {
     for (double& value : vector) value = value * degree + value;  // of the order of 1 at every degree
   }
   return joined(directions, rest);
-}
-
-double project_size(std::span<const double> inputs, std::size_t output) {
-  return std::abs(inputs[3]) * band_maximum(output) + std::abs(inputs[kFirstSum + output]);
-}
-
-double moments_size(std::span<const double> inputs, std::size_t output) {
-  return std::abs(inputs[3]) + std::abs(inputs[kFirstSum + output]);
 }
 
 // --- project_finish
@@ -135,8 +122,6 @@ std::vector<std::vector<double>> moments_of_samples(int degree) {
   return inputs;
 }
 
-double finish_size(std::span<const double> /*moments*/, std::size_t output) { return band_maximum(output); }
-
 }  // namespace
 
 Family project_family() {
@@ -147,7 +132,7 @@ Family project_family() {
       .domain = {.inputs = kSamples,
                  .unit = "|weight| sqrt((2l+1)/(4 pi)) + |sum before|",
                  .test_inputs = samples,
-                 .size = project_size},
+                 .sizes = {"|weight| Y(l) + |sum[i]|"}},
       .batch = BatchDriver{.what = "Adds weight * Y of every direction to the sum",
                            .parts = "project_moments",
                            .finish = "project_finish"},
@@ -162,7 +147,7 @@ Family project_moments_family() {
       .domain = {.inputs = kSamples,
                  .unit = "|weight| + |moment before|",
                  .test_inputs = samples,
-                 .size = moments_size},
+                 .sizes = {"|weight| + |moments[i]|"}},
   };
 }
 
@@ -174,7 +159,7 @@ Family project_finish_family() {
       .domain = {.inputs = "moments of samples whose |weights| add up to 1",
                  .unit = "sqrt((2l+1)/(4 pi)) x the sum of |weights|",
                  .test_inputs = moments_of_samples,
-                 .size = finish_size},
+                 .sizes = {"Y(l)"}},
   };
 }
 

@@ -20,20 +20,6 @@ constexpr int kLargestDegree = 10;
 constexpr const char* kTurnedVectors = "turned unit vectors (random, axes, half turns, tilts from 2^-99 to pi)";
 constexpr const char* kTurns = "rotations (random, axes, half turns, tilts from 2^-99 to pi)";
 
-// Everything before the coefficients has `kFirst` numbers.
-template <std::size_t kFirst>
-double length_of_coefficients(std::span<const double> inputs, std::size_t /*output*/) {
-  return length(inputs.subspan(kFirst));
-}
-
-double one(std::span<const double> /*inputs*/, std::size_t /*output*/) { return 1; }
-
-// sqrt of the sum of all Y_lm^2, times |c|
-double size_of_value(std::span<const double> inputs, std::size_t /*output*/) {
-  const std::span<const double> c = inputs.subspan(kMatrixSize, inputs.size() - kMatrixSize - 3);
-  return length(c) * std::sqrt(static_cast<double>(c.size()) / (4 * std::numbers::pi));
-}
-
 }  // namespace
 
 Family rotate_family() {
@@ -44,10 +30,7 @@ Family rotate_family() {
                   {"dense", recipes::rotate_dense, 2, 8},
                   {"recursive", recipes::rotate_recursive, 2, 3}},
       .reference = rotate_reference,
-      .domain = {.inputs = kTurnedVectors,
-                 .unit = "|c|",
-                 .test_inputs = rotate_inputs,
-                 .size = length_of_coefficients<kMatrixSize>},
+      .domain = {.inputs = kTurnedVectors, .unit = "|c|", .test_inputs = rotate_inputs, .sizes = {"|c|"}},
       .batch = BatchDriver{.what = "Coefficients of rotated functions, by rotation matrices"},
   };
 }
@@ -59,10 +42,7 @@ Family rotate_quaternion_family() {
       .recipes = {{"zxz", recipes::rotate_quaternion_zxz, 2, kLargestDegree},
                   {"polynomial", recipes::rotate_quaternion_polynomial, 0, 8}},
       .reference = rotate_quaternion_reference,
-      .domain = {.inputs = kTurnedVectors,
-                 .unit = "|c|",
-                 .test_inputs = rotate_quaternion_inputs,
-                 .size = length_of_coefficients<4>},
+      .domain = {.inputs = kTurnedVectors, .unit = "|c|", .test_inputs = rotate_quaternion_inputs, .sizes = {"|c|"}},
   };
 }
 
@@ -74,7 +54,7 @@ Family rotate_z_family() {
       .domain = {.inputs = "unit vectors turned about z (random angles, quarter turns, angles from 2^-99)",
                  .unit = "|c|",
                  .test_inputs = rotate_z_inputs,
-                 .size = length_of_coefficients<2>},
+                 .sizes = {"|c|"}},
   };
 }
 
@@ -85,7 +65,7 @@ Family rotate_build_family() {
       .recipes = {{"dense", recipes::rotate_build_dense, 0, kLargestDegree},
                   {"recursive", recipes::rotate_build_recursive, 2, 5}},
       .reference = rotate_build_reference,
-      .domain = {.inputs = kTurns, .unit = "1", .test_inputs = rotate_build_inputs, .size = one},
+      .domain = {.inputs = kTurns, .unit = "1", .test_inputs = rotate_build_inputs, .sizes = {"1"}},
   };
 }
 
@@ -98,7 +78,7 @@ Family rotate_apply_family() {
       .domain = {.inputs = "random unit vectors and matrices with rows of length 1",
                  .unit = "|c|",
                  .test_inputs = rotate_apply_inputs,
-                 .size = length_of_applied},
+                 .sizes = {"|c|"}},
   };
 }
 
@@ -111,7 +91,7 @@ Family rotate_evaluate_family() {
       .domain = {.inputs = "turned unit vectors in random directions",
                  .unit = "|c| (degree+1) / sqrt(4 pi)",
                  .test_inputs = rotate_evaluate_inputs,
-                 .size = size_of_value},
+                 .sizes = {"|c| Y(0..L)"}},
   };
 }
 

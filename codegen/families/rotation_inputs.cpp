@@ -237,11 +237,4 @@ std::vector<std::vector<double>> rotate_evaluate_inputs(int degree) {
   return joined(inputs, unit_vectors(static_cast<int>(inputs.size()), 3, kSeed + 1));
 }
 
-double length_of_applied(std::span<const double> inputs, std::size_t /*output*/) {
-  // bands^2 coefficients after bands matrices with the squares of 1, 3, 5, ... entries.
-  std::size_t size = 0;
-  for (std::size_t bands = 0; size + bands * bands < inputs.size(); ++bands) size += (2 * bands + 1) * (2 * bands + 1);
-  return length(inputs.subspan(size));
-}
-
 }  // namespace sh::codegen

@@ -21,7 +21,4 @@ std::vector<std::vector<double>> rotate_build_inputs(int degree);
 std::vector<std::vector<double>> rotate_apply_inputs(int degree);
 std::vector<std::vector<double>> rotate_evaluate_inputs(int degree);
 
-/// The length of the coefficients of rotate_apply, at the end of its inputs.
-double length_of_applied(std::span<const double> inputs, std::size_t output);
-
 }  // namespace sh::codegen

@@ -108,9 +108,6 @@ std::vector<std::vector<double>> cosine_inputs(int degree) { return inputs(degre
 std::vector<std::vector<double>> sinc_inputs(int degree) { return inputs(degree, 2, true); }
 std::vector<std::vector<double>> positive_inputs(int degree) { return inputs(degree, 1, false); }
 
-double size_after_one(std::span<const double> inputs, std::size_t output) { return std::abs(inputs[1 + output]); }
-double size_after_two(std::span<const double> inputs, std::size_t output) { return std::abs(inputs[2 + output]); }
-
 Family lanczos_family(const std::string& name, int power) {
   return {
       .name = name,
@@ -119,7 +116,7 @@ Family lanczos_family(const std::string& name, int power) {
       .domain = {.inputs = "coefficient vectors (random, of norm 1), cosines -1 to 1 and sincs 0 to 1",
                  .unit = kUnit,
                  .test_inputs = sinc_inputs,
-                 .size = size_after_two},
+                 .sizes = {"|c[i]|"}},
   };
 }
 
@@ -133,7 +130,7 @@ Family window_hann_family() {
       .domain = {.inputs = "coefficient vectors (random, of norm 1) and cosines -1 to 1",
                  .unit = kUnit,
                  .test_inputs = cosine_inputs,
-                 .size = size_after_one},
+                 .sizes = {"|c[i]|"}},
   };
 }
 
@@ -149,7 +146,7 @@ Family window_gaussian_family() {
       .domain = {.inputs = "coefficient vectors (random, of norm 1) and g 0 to 1",
                  .unit = kUnit,
                  .test_inputs = positive_inputs,
-                 .size = size_after_one},
+                 .sizes = {"|c[i]|"}},
   };
 }
 
@@ -161,7 +158,7 @@ Family window_laplacian_family() {
       .domain = {.inputs = "coefficient vectors (random, of norm 1) and lambda 0 to 1",
                  .unit = kUnit,
                  .test_inputs = positive_inputs,
-                 .size = size_after_one},
+                 .sizes = {"|c[i]|"}},
   };
 }
 

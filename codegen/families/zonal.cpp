@@ -39,10 +39,6 @@ std::vector<std::vector<double>> zonal_inputs(int degree) {
   return joined(unit_vectors(static_cast<int>(chosen.size()), degree + 1, 72), chosen);
 }
 
-double zonal_size(std::span<const double> inputs, std::size_t output) {
-  return std::abs(inputs[static_cast<std::size_t>(std::sqrt(static_cast<double>(output)))]);
-}
-
 // x, y, z, 1 - cos, colours, sum
 Reference cap_reference(int degree, int count, int channels) {
   const auto directions = rational_directions(count);
@@ -84,21 +80,13 @@ std::vector<std::vector<double>> cap_inputs(int degree, int channels, std::size_
   return joined(joined(joined(chosen, caps), colours), sums);
 }
 
-double cap_light_size(std::span<const double> inputs, std::size_t output, std::size_t channels) {
-  const std::size_t coefficients = (inputs.size() - 4 - channels) / channels;
-  const auto l = static_cast<std::size_t>(std::sqrt(static_cast<double>(output % coefficients)));
-  return std::abs(inputs[4 + output / coefficients]) * cap_size(inputs[3], l) + std::abs(inputs[4 + channels + output]);
-}
-
 Domain cap_light_domain(bool rgb) {
   Domain domain;
   domain.inputs = "lights (random, axes, poles, near poles; half-angles from tiny to pi), half of them added to zero";
   domain.unit = "(|colour| sqrt((2l+1) pi) (1 - cos^2) / 2, at l = 0 |colour| sqrt(pi) (1 - cos), plus |sum|)";
   domain.test_inputs = rgb ? [](int degree) { return cap_inputs(degree, 3, 200); }
                            : [](int degree) { return cap_inputs(degree, 1, kInputs); };
-  domain.size =
-      rgb ? [](std::span<const double> inputs, std::size_t output) { return cap_light_size(inputs, output, 3); }
-          : [](std::span<const double> inputs, std::size_t output) { return cap_light_size(inputs, output, 1); };
+  domain.sizes = {"|color[k]| cap(l) + |sum[i]|"};
   return domain;
 }
 
@@ -112,7 +100,7 @@ Family zonal_family() {
       .domain = {.inputs = "directions (random, axes, poles, near poles) with random zonal functions of norm 1",
                  .unit = "|zonal[l]|",
                  .test_inputs = zonal_inputs,
-                 .size = zonal_size},
+                 .sizes = {"|zonal[l]|"}},
   };
 }
 

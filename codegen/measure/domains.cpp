@@ -19,18 +19,13 @@ std::vector<std::vector<double>> directions(int /*degree*/) {
   return inputs;
 }
 
-double band_maximum(std::span<const double> /*inputs*/, std::size_t output) {
-  const double band = std::floor(std::sqrt(static_cast<double>(output)));
-  return std::sqrt((2 * band + 1) / (4 * std::numbers::pi));
-}
-
 }  // namespace
 
 Domain direction_domain() {
   return {.inputs = "directions (random, axes, poles, near poles)",
           .unit = "sqrt((2l+1)/(4 pi))",
           .test_inputs = directions,
-          .size = band_maximum};
+          .sizes = {"Y(l)"}};
 }
 
 std::vector<std::vector<double>> unit_vectors(int count, int size, unsigned long seed) {
@@ -66,12 +61,6 @@ std::vector<double> cap_sizes(int count, unsigned long seed) {
     sizes.push_back(i % 3 == 0 ? u : i % 3 == 1 ? near : 2 - near);
   }
   return sizes;
-}
-
-double cap_size(double one_minus_cos, std::size_t l) {
-  const double area = l == 0 ? one_minus_cos : one_minus_cos * (2 - one_minus_cos) / 2;
-  // The whole sphere has nothing but z_0.
-  return std::sqrt((2 * static_cast<double>(l) + 1) * std::numbers::pi) * (area > 0 ? area : 1);
 }
 
 double length(std::span<const double> vector) {

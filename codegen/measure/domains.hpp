@@ -38,10 +38,6 @@ std::vector<std::array<double, 3>> some_test_directions(std::size_t count);
 /// `count` values of 1 - cos(half-angle) in (0, 2): a third near 0, a third near 2, the same in every run.
 std::vector<double> cap_sizes(int count, unsigned long seed);
 
-/// The size of the zonal coefficient of degree l of a cap: |z_0| at l = 0, sqrt((2l+1) pi) (1 - cos^2) / 2
-/// above.
-double cap_size(double one_minus_cos, std::size_t l);
-
 /// `count` exact vectors of `size` small rationals, the same in every run.
 std::vector<std::vector<cln::cl_RA>> rational_vectors(int count, int size, unsigned long seed);
 

@@ -8,6 +8,7 @@
 
 #include "codegen/ir/evaluate.hpp"
 #include "codegen/measure/nearest.hpp"
+#include "codegen/measure/size.hpp"
 
 namespace sh::codegen {
 namespace {
@@ -27,6 +28,7 @@ cln::cl_F exact(T value) {
 
 template <class T>
 void take_largest(Error& error, const cln::cl_F& difference, double size) {
+  if (cln::zerop(difference)) return;  // a size of 0 asks for this
   const double absolute = cln::double_approx(cln::abs(difference));
   error.absolute = std::max(error.absolute, absolute);
   error.eps = std::max(error.eps, absolute / (static_cast<double>(std::numeric_limits<T>::epsilon()) * size));
@@ -40,6 +42,7 @@ MeasuredError measure(const Kernel& kernel, const Domain& domain) {
   Evaluator<T> rounded(kernel);
   Evaluator<cln::cl_F> formula(kernel, kDigits);
   const bool always_in_domain = nearest_point(kernel.parameters).empty();
+  const Size size_at = size_of(kernel, domain);
   for (const std::vector<double>& wanted : domain.test_inputs(kernel.degree)) {
     std::vector<T> input;
     std::vector<cln::cl_F> exact_input;
@@ -54,7 +57,7 @@ MeasuredError measure(const Kernel& kernel, const Domain& domain) {
     for (std::size_t i = 0; i < computed.size(); ++i) {
       const cln::cl_F value = exact(computed[i]);
       const auto element = static_cast<std::size_t>(kernel.element(i));
-      const double size = domain.size_of(kernel.degree, wanted, element);
+      const double size = size_at(wanted, element);
       take_largest<T>(result.rounding, value - same_input[i], size);
       take_largest<T>(result.total, value - in_domain[i], size);
     }

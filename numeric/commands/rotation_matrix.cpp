@@ -8,7 +8,7 @@
 
 #include "numeric/commands/commands.hpp"
 #include "numeric/identify/rotation_check.hpp"
-#include "numeric/kernels/checks/rotation_inputs.hpp"
+#include "numeric/kernels/inputs.hpp"
 
 namespace sh::numeric {
 namespace {

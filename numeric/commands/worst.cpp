@@ -8,7 +8,6 @@
 #include <string>
 
 #include "numeric/commands/commands.hpp"
-#include "numeric/kernels/checks/checks.hpp"
 #include "numeric/kernels/exhaustive.hpp"
 #include "numeric/kernels/kernel_limits.hpp"
 #include "numeric/kernels/kernel_search.hpp"
@@ -52,11 +51,10 @@ bool search(const BoundKernel& kernel, const FamilyCheck& check, const Options& 
 }
 
 ExitCode search_all(const Options& options) {
-  const auto checks = all_checks();
   bool kept = true;
   std::size_t count = 0;
   for (const BoundKernel& kernel : bound_kernels()) {
-    const FamilyCheck* const check = find_check(checks, kernel.family);
+    const FamilyCheck* const check = find_check(kernel.family);
     if (check == nullptr || !options.wants(kernel.family, kernel.degree)) continue;
     ++count;
     kept = search<float>(kernel, *check, options) && kept;

@@ -1,6 +1,6 @@
 // The generated C++ kernels as data: by name a function to call on float, double and Wide, and what its arguments are.
 //
-// The list is made by kernel_bindings.cmake from the files in generated/cpp: one row a kernel, one source file a
+// The list is made by kernel_bindings.cmake from the files in generated/cpp: one row a kernel, two source files a
 // family. Only shcheck and the tests include this: numeric's library knows nothing of the generated code.
 #pragma once
 
@@ -85,17 +85,25 @@ struct Binding<T, kFunction> {
 
 }  // namespace detail
 
-// One row of the list: bind<&basis_l4<float>, &basis_l4<double>, &basis_l4<Wide>>("basis", 4).
-template <auto kInFloat, auto kInDouble, auto kInWide>
+// One row of the list: bind<&basis_l4<float>, &basis_l4<double>>("basis", 4). Wide comes from another source file.
+template <auto kInFloat, auto kInDouble>
 BoundKernel bind(const char* family, int degree) {
   using Float = detail::Binding<float, kInFloat>;
-  return {family,
-          degree,
-          Float::arguments(),
-          Float::kReturns,
-          Float::call,
-          detail::Binding<double, kInDouble>::call,
-          detail::Binding<Wide, kInWide>::call};
+  return {.family = family,
+          .degree = degree,
+          .arguments = Float::arguments(),
+          .returns_value = Float::kReturns,
+          .in_float = Float::call,
+          .in_double = detail::Binding<double, kInDouble>::call};
+}
+
+// The kernels of a family, in_wide[i] for family[i].
+inline void append(std::vector<BoundKernel>& all, std::vector<BoundKernel> family,
+                   const std::vector<PointerCall<Wide>>& in_wide) {
+  for (std::size_t i = 0; i < family.size(); ++i) {
+    family[i].in_wide = in_wide[i];
+    all.push_back(std::move(family[i]));
+  }
 }
 
 }  // namespace sh::numeric

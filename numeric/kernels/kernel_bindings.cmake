@@ -1,5 +1,6 @@
-# Writes the list of bind.hpp into the build folder from the names of the files in generated/cpp: a source file a family,
-# with a row a kernel, and one that joins them. The files are configured again when a kernel is added or removed.
+# Writes the list of bind.hpp into the build folder from the names of the files in generated/cpp: two source files a family,
+# with a row a kernel, one that joins them, and one that holds generated/families.json. The files are configured again
+# when a kernel is added or removed.
 #
 #   shforge_kernel_bindings(VARIABLE)     VARIABLE: the sources written
 function(shforge_kernel_bindings variable)
@@ -15,22 +16,39 @@ function(shforge_kernel_bindings variable)
       set(kernel ${family}_l${degree})
       list(APPEND families ${family})
       string(APPEND includes_${family} "#include \"generated/cpp/${header}\"\n")
-      string(APPEND rows_${family}
-        "      bind<&sh::${kernel}<float>, &sh::${kernel}<double>, &sh::${kernel}<Wide>>(\"${family}\", ${degree}),\n")
+      string(APPEND rows_${family} "      bind<&sh::${kernel}<float>, &sh::${kernel}<double>>(\"${family}\", ${degree}),\n")
+      string(APPEND wide_rows_${family} "      detail::Binding<Wide, &sh::${kernel}<Wide>>::call,\n")
     endif()
   endforeach()
   list(REMOVE_DUPLICATES families)
+  set(begin "#include \"numeric/kernels/bind.hpp\"\n\nnamespace sh::numeric::bindings {\n\n")
+  set(end "\n}  // namespace sh::numeric::bindings\n")
   set(sources ${folder}/all.cpp)
   set(declarations "")
   set(joins "")
   foreach(family ${families})
     file(CONFIGURE OUTPUT ${folder}/${family}.cpp @ONLY CONTENT
-      "${includes_${family}}#include \"numeric/kernels/bind.hpp\"\n\nnamespace sh::numeric::bindings {\n\nstd::vector<BoundKernel> ${family}() {\n  return {\n${rows_${family}}  };\n}\n\n}  // namespace sh::numeric::bindings\n")
-    list(APPEND sources ${folder}/${family}.cpp)
-    string(APPEND declarations "std::vector<BoundKernel> ${family}();\n")
-    string(APPEND joins "  for (auto& kernel : bindings::${family}()) all.push_back(std::move(kernel));\n")
+      "${includes_${family}}${begin}std::vector<BoundKernel> ${family}() {\n  return {\n${rows_${family}}  };\n}\n${end}")
+    file(CONFIGURE OUTPUT ${folder}/${family}_wide.cpp @ONLY CONTENT
+      "${includes_${family}}${begin}std::vector<PointerCall<Wide>> ${family}_wide() {\n  return {\n${wide_rows_${family}}  };\n}\n${end}")
+    # Of these only the values matter, and every operation is a call: optimising takes three times as long for nothing.
+    set_source_files_properties(${folder}/${family}_wide.cpp PROPERTIES COMPILE_OPTIONS -O0)
+    list(APPEND sources ${folder}/${family}.cpp ${folder}/${family}_wide.cpp)
+    string(APPEND declarations "std::vector<BoundKernel> ${family}();\nstd::vector<PointerCall<Wide>> ${family}_wide();\n")
+    string(APPEND joins "  append(all, bindings::${family}(), bindings::${family}_wide());\n")
   endforeach()
   file(CONFIGURE OUTPUT ${folder}/all.cpp @ONLY CONTENT
-    "#include <utility>\n\n#include \"numeric/kernels/bind.hpp\"\n\nnamespace sh::numeric {\nnamespace bindings {\n\n${declarations}\n}  // namespace bindings\n\nstd::vector<BoundKernel> bound_kernels() {\n  std::vector<BoundKernel> all;\n${joins}  return all;\n}\n\n}  // namespace sh::numeric\n")
-  set(${variable} ${sources} PARENT_SCOPE)
+    "${begin}${declarations}${end}\nnamespace sh::numeric {\n\nstd::vector<BoundKernel> bound_kernels() {\n  std::vector<BoundKernel> all;\n${joins}  return all;\n}\n\n}  // namespace sh::numeric\n")
+  shforge_families_record(${folder}/families_record.cpp)
+  set(${variable} ${sources} ${folder}/families_record.cpp PARENT_SCOPE)
+endfunction()
+
+# Writes generated/families.json as an array of its lines: compilers bound the length of one literal.
+function(shforge_families_record source)
+  set(record ${PROJECT_SOURCE_DIR}/generated/families.json)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${record})
+  file(READ ${record} text)
+  string(REPLACE "\n" "\n)json\",\nR\"json(" text "${text}")
+  file(GENERATE OUTPUT ${source} CONTENT
+    "#include \"numeric/kernels/family_record.hpp\"\n\nnamespace sh::numeric {\n\nextern const std::vector<std::string_view> kFamiliesRecordLines;\nconst std::vector<std::string_view> kFamiliesRecordLines = {\nR\"json(${text})json\"};\n\n}  // namespace sh::numeric\n")
 endfunction()

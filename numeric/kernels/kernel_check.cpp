@@ -15,7 +15,6 @@
 #include <utility>
 
 #include "numeric/glsl/glsl_runner.hpp"
-#include "numeric/kernels/checks/checks.hpp"
 #include "numeric/kernels/flat_call.hpp"
 #include "numeric/kernels/samples.hpp"
 #include "numeric/kernels/timing.hpp"
@@ -186,10 +185,10 @@ void append_results(std::vector<KernelResult>& all, const BoundKernel& kernel, c
 // The kernels of one check by degree, so that variants share their exact values.
 using ByDegree = std::map<int, std::vector<BoundKernel>>;
 
-ByDegree kernels_of(const FamilyCheck& check, const std::vector<FamilyCheck>& checks) {
+ByDegree kernels_of(const FamilyCheck& check) {
   ByDegree result;
   for (auto& kernel : bound_kernels()) {
-    const FamilyCheck* const found = find_check(checks, kernel.family);
+    const FamilyCheck* const found = find_check(kernel.family);
     if (found == nullptr || found->family != check.family) continue;
     result[kernel.degree].push_back(std::move(kernel));
   }
@@ -213,10 +212,9 @@ std::vector<std::string> checked_families() {
 }
 
 std::vector<std::string> unchecked_kernels(const std::vector<BoundKernel>& kernels) {
-  const auto checks = all_checks();
   std::vector<std::string> names;
   for (const auto& kernel : kernels) {
-    if (find_check(checks, kernel.family) == nullptr) names.push_back(kernel.name());
+    if (find_check(kernel.family) == nullptr) names.push_back(kernel.name());
   }
   return names;
 }
@@ -226,12 +224,11 @@ std::vector<KernelResult> check_kernels(const CheckOptions& options,
   require_family(options.family);
   GlslCheck glsl(options.generated);
   progress("GLSL: " + glsl.renderer());
-  const auto checks = all_checks();
   std::vector<KernelResult> results;
-  for (const auto& check : checks) {
+  for (const auto& check : all_checks()) {
     if (!options.family.empty() && options.family != check.family) continue;
     progress("checking " + check.family);
-    for (const auto& [degree, kernels] : kernels_of(check, checks)) {
+    for (const auto& [degree, kernels] : kernels_of(check)) {
       const Truth truth = make_truth(check, degree);
       for (const auto& kernel : kernels) append_results(results, kernel, check.unit, truth, &glsl);
     }
@@ -242,8 +239,7 @@ std::vector<KernelResult> check_kernels(const CheckOptions& options,
 }
 
 std::vector<KernelResult> check_kernel(const BoundKernel& kernel, const std::filesystem::path& generated) {
-  const auto checks = all_checks();
-  const FamilyCheck* const check = find_check(checks, kernel.family);
+  const FamilyCheck* const check = find_check(kernel.family);
   if (check == nullptr) throw std::invalid_argument(kernel.name() + ": no check describes its family");
   const auto glsl = generated.empty() ? nullptr : std::make_unique<GlslCheck>(generated);
   std::vector<KernelResult> results;

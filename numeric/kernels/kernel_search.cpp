@@ -7,7 +7,6 @@
 #include <memory>
 #include <stdexcept>
 
-#include "numeric/kernels/checks/checks.hpp"
 #include "numeric/kernels/flat_call.hpp"
 
 namespace sh::numeric {
@@ -93,8 +92,7 @@ void orthogonalise(long double* r) {
 }
 
 bool begins_with_rotation(const FamilyCheck& check, int degree) {
-  const Parameter& first = check.signature(degree).parameters[0];
-  return first.rows == 3 && first.count == 9;
+  return check.signature(degree).parameters[0].role == "rotation matrix";
 }
 
 template <class T>
@@ -111,10 +109,11 @@ bool to_nearest(const FamilyCheck& check, int degree, std::size_t width, T* poin
   return std::all_of(point, point + width, [](T value) { return std::isfinite(value); });
 }
 
-// Inputs at the front that only make sense together, as they were computed: band matrices, prepared polynomials.
+// Inputs at the front that only make sense together, as they were computed.
 std::size_t fixed_inputs(const FamilyCheck& check, int degree) {
-  const auto first = static_cast<std::size_t>(check.signature(degree).parameters[0].values());
-  return check.family == "rotate_apply" || check.family == "evaluate_prepared" ? first : 0;
+  const Parameter first = check.signature(degree).parameters[0];
+  const bool together = first.role == "band matrices" || first.role == "polynomial";
+  return together ? static_cast<std::size_t>(first.values()) : 0;
 }
 
 }  // namespace

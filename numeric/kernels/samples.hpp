@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "numeric/kernels/bind.hpp"
-#include "numeric/kernels/checks/family_check.hpp"
+#include "numeric/kernels/family_check.hpp"
 #include "numeric/kernels/wide.hpp"
 #include "numeric/sampling/error_stats.hpp"
 

@@ -1,5 +1,5 @@
-// What a kernel takes and gives, the same in every language: scalars and arrays in, arrays out, arrays updated in
-// place, perhaps a returned scalar.
+// The parameters and results of a kernel, the same in every language: scalars and arrays in, arrays out, arrays updated
+// in place, perhaps a returned scalar.
 //
 // Flat order, used wherever inputs or outputs travel as one array: inputs are the `in` and `in-out` parameters one
 // after the other; outputs are the returned scalar, if any, then the `out` and `in-out` parameters.
@@ -18,7 +18,10 @@ struct Parameter {
   std::string name;
   int count = 0;  // 0: a scalar; n: an array of n
   Access access = Access::kIn;
-  int rows = 1;  // of an array: a 3x3 matrix is an array of 9 in 3 rows
+  int rows = 1;           // of an array: a 3x3 matrix is an array of 9 in 3 rows
+  std::string role = {};  // its meaning, as generated/families.json names it: "direction", "coefficients"
+  int degree = -1;        // of the function that an array holds; -1: it holds none
+  int channels = 1;       // the functions that an array of coefficients holds
 
   [[nodiscard]] int values() const { return count == 0 ? 1 : count; }
   [[nodiscard]] bool is_read() const { return access != Access::kOut; }

@@ -1,6 +1,6 @@
 // A way to compute something, as data: what it is, how it is run over inputs, how it is timed.
 //
-// Every method of a task and degree has a check (checks/family_check.hpp): signature, inputs, exact values, unit of the
+// Every method of a task and degree has a check (kernels/family_check.hpp): signature, inputs, exact values, unit of the
 // error. Values travel flat, in the order of signature.hpp. Adding a method: make one with method_of and a code of
 // code.hpp, in a function that methods.cpp lists.
 #pragma once
@@ -13,7 +13,7 @@
 #include <variant>
 #include <vector>
 
-#include "numeric/kernels/checks/family_check.hpp"
+#include "numeric/kernels/family_check.hpp"
 #include "numeric/kernels/samples.hpp"
 
 namespace sh::numeric {

@@ -5,8 +5,7 @@
 #include <span>
 #include <string>
 
-#include "numeric/kernels/checks/inputs.hpp"
-#include "numeric/kernels/checks/rotation_inputs.hpp"
+#include "numeric/kernels/inputs.hpp"
 #include "numeric/methods/legendre_methods.hpp"
 #include "numeric/methods/rotation_methods.hpp"
 #include "numeric/methods/zonal_methods.hpp"

@@ -1,14 +1,12 @@
 // See task_checks.hpp.
 #include "numeric/report/task_checks.hpp"
 
-#include "numeric/kernels/checks/checks.hpp"
-#include "numeric/kernels/checks/inputs.hpp"
+#include "numeric/kernels/inputs.hpp"
 
 namespace sh::numeric {
 
 FamilyCheck task_check(const std::string& family) {
-  static const std::vector<FamilyCheck> checks = all_checks();
-  FamilyCheck check = *find_check(checks, family);
+  FamilyCheck check = check_of(family);
   if (family == "basis_gradient") {
     constexpr int kRandomDirections = 400;
     check.inputs = [](int /*degree*/) { return direction_inputs(kRandomDirections); };

@@ -1,13 +1,13 @@
-// The checks of numeric/checks as methods are compared by: with inputs of one scale, so that absolute errors compare.
+// The checks of numeric/kernels as methods are compared by: with inputs of one scale, so that absolute errors compare.
 #pragma once
 
 #include <string>
 
-#include "numeric/kernels/checks/family_check.hpp"
+#include "numeric/kernels/family_check.hpp"
 
 namespace sh::numeric {
 
-// As checks/checks.hpp, but gradients at |d| = 1 and samples of weight 1.
+// As kernels/family_check.hpp, but gradients at |d| = 1 and samples of weight 1.
 FamilyCheck task_check(const std::string& family);
 
 }  // namespace sh::numeric

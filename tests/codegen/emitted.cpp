@@ -3,13 +3,6 @@
 #include <algorithm>
 
 namespace sh::codegen::test {
-namespace {
-
-bool has(const std::vector<Parameter>& arrays, const std::string& name) {
-  return std::any_of(arrays.begin(), arrays.end(), [&](const Parameter& array) { return array.name == name; });
-}
-
-}  // namespace
 
 std::vector<int> some_degrees(const Family& family) {
   std::vector<int> written;
@@ -30,22 +23,6 @@ const std::vector<FinishedKernel>& emitted_kernels() {
     return kernels;
   }();
   return kKernels;
-}
-
-numeric::Signature signature_of(const Kernel& kernel) {
-  numeric::Signature signature;
-  signature.returns_value = kernel.returns_scalar();
-  for (const Parameter& parameter : kernel.parameters) {
-    const bool updated = has(kernel.results, parameter.name);
-    signature.parameters.push_back({parameter.name, parameter.shape.empty() ? 0 : parameter.size(),
-                                    updated ? numeric::Access::kInOut : numeric::Access::kIn});
-  }
-  if (signature.returns_value) return signature;
-  for (const Parameter& result : kernel.results) {
-    if (!has(kernel.parameters, result.name))
-      signature.parameters.push_back({result.name, result.size(), numeric::Access::kOut});
-  }
-  return signature;
 }
 
 }  // namespace sh::codegen::test

@@ -1,11 +1,10 @@
-// Shared by the tests of the languages: which kernels are emitted, and their signature as numeric describes it.
+// Shared by the tests of the languages: which kernels are emitted.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "codegen/choose/catalogue.hpp"
-#include "numeric/kernels/signature.hpp"
 
 namespace sh::codegen::test {
 
@@ -17,8 +16,5 @@ const std::vector<FinishedKernel>& emitted_kernels();
 
 /// Expects that the file of each kernel compiles alone in the language. Defined in language_test.cpp.
 void expect_files_compile_alone(const std::string& language, const std::vector<FinishedKernel>& kernels);
-
-/// What a function of any language takes and gives for the kernel; flat inputs and outputs are the kernel's own.
-numeric::Signature signature_of(const Kernel& kernel);
 
 }  // namespace sh::codegen::test

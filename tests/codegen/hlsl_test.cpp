@@ -9,9 +9,9 @@
 #include <set>
 #include <stdexcept>
 
+#include "codegen/measure/size.hpp"
 #include "numeric/glsl/glsl_runner.hpp"
 #include "numeric/kernels/bind.hpp"
-#include "numeric/kernels/checks/checks.hpp"
 #include "numeric/kernels/kernel_limits.hpp"
 #include "numeric/kernels/samples.hpp"
 #include "numeric/sampling/error_stats.hpp"
@@ -30,7 +30,7 @@ std::string pixel_shader(const Kernel& kernel) {
   std::string body;
   std::string arguments;
   std::string value;
-  for (const numeric::Parameter& p : test::signature_of(kernel).parameters) {
+  for (const numeric::Parameter& p : signature_of(kernel).parameters) {
     const std::string name = "p_" + p.name;
     body += "float " + name + (p.count == 0 ? "" : "[" + std::to_string(p.count) + "]") + "; ";
     arguments += (arguments.empty() ? "" : ", ") + name;
@@ -67,8 +67,7 @@ const numeric::BoundKernel& bound_kernel(const std::string& name) {
 // What a kernel has to compute, at every input of its family's check.
 struct Truth {
   explicit Truth(const Kernel& kernel) {
-    const auto checks = numeric::all_checks();
-    const numeric::FamilyCheck* const check = numeric::find_check(checks, kernel.family);
+    const numeric::FamilyCheck* const check = numeric::find_check(kernel.family);
     if (check == nullptr) throw std::invalid_argument(kernel.family + ": no check describes the family");
     samples = numeric::make_samples<float>(*check, kernel.degree);
     own = numeric::own_formula(bound_kernel(kernel.name), samples);
@@ -114,7 +113,7 @@ TEST_P(HlslKernel, KeepsTheLimitsOfItsFamilyWhenTranslatedAndRun) {
       numeric::GlslRunner runner(language);
       expect_within_limits(kernel,
                            runner.run(kernel.name + ".hlsl", translated(kernel, hlsl, language),
-                                      {kernel.name, test::signature_of(kernel)}, truth.samples.inputs),
+                                      {kernel.name, signature_of(kernel)}, truth.samples.inputs),
                            truth);
     }
   }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
 
@@ -14,6 +15,8 @@
 #include "codegen/output/output_tree.hpp"
 #include "codegen/recipes/basis/basis.hpp"
 #include "codegen/recipes/splice.hpp"
+#include "numeric/kernels/family_check.hpp"
+#include "numeric/oracle/basis.hpp"
 #include "symbolic/basis/basis.hpp"
 #include "symbolic/convention/presets.hpp"
 #include "tests/codegen/emitted.hpp"
@@ -89,9 +92,9 @@ Family dimmed_family(int sign = 1) {
           .recipes = {{"sum", [sign](int degree) { return dimmed_sum(degree, sign); }}},
           .reference = dimmed_reference,
           .domain = {.inputs = "coefficient vectors with directions",
-                     .unit = "|c| / 2",
+                     .unit = "|c| |weight|",
                      .test_inputs = dimmed_inputs,
-                     .size = [](std::span<const double> /*inputs*/, std::size_t /*element*/) { return 0.5; }},
+                     .sizes = {"|c| |weight|"}},
           .batch = BatchDriver{.what = "Dimmed values of functions"}};
 }
 
@@ -146,6 +149,32 @@ TEST(ToyFamily, HasTheSameValueInAnotherConvention) {
     stored[11] = ours[10];
     const cln::cl_F expected = Evaluator<cln::cl_F>(own.kernel, 50)(ours)[0];
     EXPECT_LT(difference(Evaluator<cln::cl_F>(theirs.kernel, 50)(stored)[0], expected), 1e-40);
+  }
+}
+
+// The record that is written beside the kernels, and exact values, make the oracle's check: inputs, domain, unit, limit.
+TEST(ToyFamily, IsCheckedByTheOracleWithNothingButItsRecord) {
+  const RenderedFiles files = render_all([](const std::string& /*kernel*/) {}, registered());
+  const numeric::FamiliesRecord record = numeric::parse_record(files.at("families.json"));
+  const auto values = [](int degree, const auto* in, auto* out) {
+    const int count = bands_squared(degree);
+    const auto basis = numeric::basis(degree, in[count], in[count + 1], in[count + 2]);
+    const auto& weight = in[count + 3];
+    *out = 0;
+    for (const auto& value : basis) *out += weight * *in++ * value;
+  };
+  const numeric::FamilyCheck check = numeric::make_check(record.families.at(0), {"dimmed", values});
+  const double limit = record.limit_factor.total * record.find_kernel("dimmed_l2")->in_double.total;
+  Evaluator<double> kernel(dimmed().kernel);
+  for (const numeric::NamedInput& input : check.inputs(kDegree)) {
+    const std::vector<long double> given(input.values.begin(), input.values.end());
+    std::vector<long double> nearest(given.size());
+    check.nearest(kDegree, given.data(), nearest.data());
+    long double expected = 0;
+    check.oracle(kDegree, nearest.data(), &expected);
+    const double size = check.size(kDegree, input.values.data(), 0);
+    const auto error = static_cast<double>(std::abs(kernel(input.values)[0] - expected));
+    EXPECT_LE(error, limit * size * std::numeric_limits<double>::epsilon()) << input.name;
   }
 }
 

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "numeric/kernels/checks/checks.hpp"
 #include "numeric/kernels/kernel_check.hpp"
 #include "numeric/kernels/kernel_limits.hpp"
 #include "tests/numeric/extreme.hpp"
@@ -71,8 +70,7 @@ std::vector<BoundKernel> kernels_of(const std::vector<std::string>& families) {
 }
 
 FamilyCheck at_extremes(const BoundKernel& kernel, const std::string& first, const std::vector<NamedInput>& extremes) {
-  const auto checks = all_checks();
-  FamilyCheck check = *find_check(checks, kernel.family);
+  FamilyCheck check = check_of(kernel.family);
   const std::size_t place = place_of(check.signature(kernel.degree), first);
   check.inputs = [usual = check.inputs, place, extremes](int degree) {
     const auto others = usual(degree);

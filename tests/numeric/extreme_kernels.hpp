@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "numeric/kernels/bind.hpp"
-#include "numeric/kernels/checks/family_check.hpp"
+#include "numeric/kernels/family_check.hpp"
 
 namespace sh::test {
 

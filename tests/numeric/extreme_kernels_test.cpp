@@ -10,8 +10,7 @@
 #include <limits>
 #include <numbers>
 
-#include "numeric/kernels/checks/inputs.hpp"
-#include "numeric/kernels/checks/rotation_inputs.hpp"
+#include "numeric/kernels/inputs.hpp"
 #include "numeric/kernels/kernel_check.hpp"
 #include "numeric/oracle/rotation_matrices.hpp"
 #include "numeric/sampling/directions.hpp"

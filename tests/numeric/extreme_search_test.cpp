@@ -5,7 +5,6 @@
 
 #include <set>
 
-#include "numeric/kernels/checks/checks.hpp"
 #include "numeric/kernels/kernel_limits.hpp"
 #include "numeric/kernels/kernel_search.hpp"
 #include "tests/numeric/extreme.hpp"
@@ -50,7 +49,7 @@ TEST(ExtremeSearch, OfEveryFamilyStaysWithinItsLimits) {
 // Otherwise the search would be for nothing: with a direction and 121 coefficients to choose, it finds three times what
 // the inputs of the check do.
 TEST(ExtremeSearch, FindsMoreThanTheInputsOfTheCheckDo) {
-  const FamilyCheck check = evaluate_check();
+  const FamilyCheck& check = check_of("evaluate");
   for (const BoundKernel& kernel : test::kernels_of({"evaluate"})) {
     if (kernel.degree < 4) continue;
     const double sampled = kernel_errors<float>(kernel, check).rounding.scaled().max();

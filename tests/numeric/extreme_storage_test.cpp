@@ -10,7 +10,7 @@
 #include <numbers>
 
 #include "generated/cpp/evaluate_l4.hpp"
-#include "numeric/kernels/checks/inputs.hpp"
+#include "numeric/kernels/inputs.hpp"
 #include "numeric/oracle/basis.hpp"
 #include "numeric/sampling/worst_input.hpp"
 #include "tests/numeric/extreme.hpp"

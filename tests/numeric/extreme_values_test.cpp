@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-#include "numeric/kernels/checks/checks.hpp"
+#include "numeric/kernels/family_check.hpp"
 #include "numeric/kernels/flat_call.hpp"
 #include "numeric/oracle/basis.hpp"
 #include "tests/numeric/extreme.hpp"
@@ -63,12 +63,11 @@ bool may_be_finite(const BoundKernel& kernel) {
 
 template <class T>
 Silent silent_kernels(T bad) {
-  const auto checks = all_checks();
   Silent silent;
   for (const BoundKernel& kernel : bound_kernels()) {
     if (kernel.degree > 4 && kernel.degree < 10) continue;
     if (std::isinf(bad) && may_be_finite(kernel)) continue;
-    count_silent(kernel, *find_check(checks, kernel.family), bad, silent);
+    count_silent(kernel, check_of(kernel.family), bad, silent);
   }
   return silent;
 }
@@ -95,7 +94,7 @@ TEST(ExtremeValues, ADirectionOfInfiniteLengthLeavesNoBandOfNumbers) {
   for (const BoundKernel& kernel : bound_kernels()) {
     if (without_variant(kernel.family) != "basis_normalised") continue;
     std::vector<double> out(static_cast<std::size_t>(coefficient_count(kernel.degree)));
-    FlatCall<double> call(kernel, basis_normalised_check().signature(kernel.degree));
+    FlatCall<double> call(kernel, check_of("basis_normalised").signature(kernel.degree));
     for (std::size_t axis = 0; axis < 3; ++axis) {
       std::array<double, 3> d = {0.3, -0.5, 0.7};
       d[axis] = std::numeric_limits<double>::infinity();

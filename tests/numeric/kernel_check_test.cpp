@@ -5,7 +5,6 @@
 
 #include <algorithm>
 
-#include "numeric/kernels/checks/checks.hpp"
 #include "numeric/kernels/flat_call.hpp"
 #include "numeric/kernels/kernel_limits.hpp"
 
@@ -32,7 +31,7 @@ void spoiled_call(T* const* arguments) {
 
 // The last value of the kernel's first result times `factor`. (Further results may end in a zero, as derivatives do.)
 BoundKernel spoiled(const BoundKernel& kernel, double factor) {
-  const auto signature = find_check(all_checks(), kernel.family)->signature(kernel.degree);
+  const auto signature = check_of(kernel.family).signature(kernel.degree);
   spoil() = {kernel, signature.parameters.size(), 0, factor};
   for (std::size_t i = 0; i < signature.parameters.size(); ++i) {
     const auto& parameter = signature.parameters[i];

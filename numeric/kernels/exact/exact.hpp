@@ -1,15 +1,12 @@
-// What is checked of a family of kernels: its signature, the inputs tried, the exact values, the unit of its error.
+// The exact values of every family of kernels, from numeric's algorithms alone. One file a group of families.
 //
-// One file a family in this folder makes one, from numeric's algorithms alone; checks.hpp lists them. Inputs and
-// outputs are flat, in the order of signature.hpp. A family's variants (basis_accurate of basis) share its check.
+// A new family: a row in one of these files, or a new file and a line in exact_families().
 #pragma once
 
-#include <cstddef>
 #include <functional>
 #include <string>
 #include <vector>
 
-#include "numeric/kernels/signature.hpp"
 #include "numeric/oracle/real.hpp"
 
 namespace sh::numeric {
@@ -39,18 +36,23 @@ class RealFunction {
   std::function<void(int, const Mpfr50*, Mpfr50*)> in_mpfr_;
 };
 
-struct FamilyCheck {
+struct ExactFamily {
   std::string family;
-  std::function<Signature(int degree)> signature;
-  std::function<std::vector<NamedInput>(int degree)> inputs;
-  // out = the exact outputs at `in`.
-  RealFunction oracle;
-  // out = the point of the domain that the rounded input `in` stands for, such as a direction scaled to length 1.
-  // Empty: every input is in the domain.
-  RealFunction nearest;
-  // What the error of an output is compared with, at an input; in words for reports.
-  std::function<double(int degree, const double* in, std::size_t output)> size;
-  std::string unit;
+  RealFunction values;  // at flat inputs and outputs
+  // For a first parameter that another kernel makes, such as band matrices: what to try. Its numbers belong together.
+  std::function<std::vector<NamedInput>(int degree)> made = {};
 };
+
+std::vector<ExactFamily> exact_basis();
+std::vector<ExactFamily> exact_evaluate();
+std::vector<ExactFamily> exact_project();
+std::vector<ExactFamily> exact_zonal();
+std::vector<ExactFamily> exact_irradiance();
+std::vector<ExactFamily> exact_product();
+std::vector<ExactFamily> exact_rotation();
+std::vector<ExactFamily> exact_window();
+
+// All of the above.
+const std::vector<ExactFamily>& exact_families();
 
 }  // namespace sh::numeric

@@ -1,5 +1,5 @@
 // See polynomial_forms.hpp.
-#include "numeric/kernels/checks/polynomial_forms.hpp"
+#include "numeric/kernels/exact/polynomial_forms.hpp"
 
 #include <utility>
 

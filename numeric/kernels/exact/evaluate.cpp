@@ -1,0 +1,58 @@
+// Values of functions: evaluate (c, d), evaluate_rgb (c of three channels, d); evaluate_prepare c -> polynomial and
+// evaluate_prepared (polynomial, d). Against sums of the oracle's basis.
+#include "numeric/kernels/exact/exact.hpp"
+#include "numeric/kernels/exact/polynomial_forms.hpp"
+#include "numeric/kernels/inputs.hpp"
+#include "numeric/oracle/basis.hpp"
+
+namespace sh::numeric {
+namespace {
+
+// out (channels) from c (channels, bands^2) and d.
+auto values_of(int channels) {
+  return [channels](int degree, const auto* in, auto* out) {
+    const auto* const d = in + channels * coefficient_count(degree);
+    const auto values = basis(degree, d[0], d[1], d[2]);
+    for (int channel = 0; channel < channels; ++channel) {
+      out[channel] = 0;
+      for (const auto& value : values) out[channel] += *in++ * value;
+    }
+  };
+}
+
+// Polynomials of functions with |c| = 1.
+std::vector<NamedInput> prepared_functions(int degree) {
+  constexpr int kVectors = 59;
+  auto inputs = coefficient_inputs(degree, kVectors, 306);
+  for (auto& input : inputs) {
+    const auto c = input.values;
+    multiply(prepare_matrix(degree), c.size(), c.data(), input.values.data());
+  }
+  return inputs;
+}
+
+}  // namespace
+
+std::vector<ExactFamily> exact_evaluate() {
+  return {{"evaluate", values_of(1)},
+          {"evaluate_rgb", values_of(3)},
+          {"evaluate_prepare",
+           [](int degree, const auto* in, auto* out) {
+             multiply(prepare_matrix(degree), static_cast<std::size_t>(coefficient_count(degree)), in, out);
+           }},
+          {"evaluate_prepared",
+           [](int degree, const auto* in, auto* out) {
+             using Real = std::remove_cvref_t<decltype(*in)>;
+             const auto* const d = in + coefficient_count(degree);
+             *out = 0;
+             for (const auto& term : prepared_terms(degree)) {
+               Real value = *in++;
+               for (int i = 0; i < term.i; ++i) value *= d[0];
+               for (int j = 0; j < term.j; ++j) value *= d[1];
+               *out += term.k == 0 ? value : Real(value * d[2]);
+             }
+           },
+           prepared_functions}};
+}
+
+}  // namespace sh::numeric
