@@ -1,7 +1,7 @@
 // See pinchon_hoggan.hpp.
 #include "numeric/methods/pinchon_hoggan.hpp"
 
-#include "numeric/methods/instances.hpp"
+#include "numeric/oracle/instances.hpp"
 
 namespace sh::numeric::methods {
 namespace {

@@ -3,13 +3,10 @@
 
 #include <array>
 
-#include "numeric/methods/blanco.hpp"
-#include "numeric/methods/choi.hpp"
-#include "numeric/methods/instances.hpp"
 #include "numeric/methods/pinchon_hoggan.hpp"
-#include "numeric/methods/wigner_d.hpp"
 #include "numeric/methods/zxz.hpp"
 #include "numeric/methods/zxz_rows.hpp"
+#include "numeric/oracle/instances.hpp"
 #include "numeric/oracle/rotation.hpp"
 
 namespace sh::numeric {

@@ -5,7 +5,7 @@
 //   method            double   float    where it fails
 //   ivanic_ruedenberg 2e-9     2        grows with the degree away from beta = 0, pi: 3e-16 at 20, 1e-14 at 40
 //   choi              2e-9     2        likewise
-//   blanco            6e-15    1e-6     wrong or not a number where beta is large: blanco.hpp
+//   blanco            6e-15    1e-6     wrong or not a number where beta is large: blanco.cpp
 //   wigner_d          8e-15    1.4e-6   largest at tilts of 1e-4; 4e-16 and 2e-7 at generic ones
 //   pinchon_hoggan    1.4e-12  2e-4     the recursion over bands loses digits as the degree rises
 //   zxz               1e-16    1e-8     memory: degree^3 / 3 numbers
@@ -24,6 +24,18 @@ struct RotationMethod {
   const char* source;  // author, year, where
   void (*run)(int degree, const Real* r, const Real* c, Real* out);
 };
+
+namespace methods {
+
+// Each as in its source file, blanco.cpp and so on.
+template <class Real>
+void rotate_blanco(int degree, const Real* r, const Real* c, Real* out);
+template <class Real>
+void rotate_choi(int degree, const Real* r, const Real* c, Real* out);
+template <class Real>
+void rotate_wigner_d(int degree, const Real* r, const Real* c, Real* out);
+
+}  // namespace methods
 
 // For float, double, long double and Mpfr50. The first is the oracle's own.
 template <class Real>

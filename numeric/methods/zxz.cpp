@@ -1,7 +1,7 @@
 // See zxz.hpp.
 #include "numeric/methods/zxz.hpp"
 
-#include "numeric/methods/instances.hpp"
+#include "numeric/oracle/instances.hpp"
 
 namespace sh::numeric::methods {
 namespace {

@@ -8,7 +8,7 @@
 #include <string>
 #include <type_traits>
 
-#include "numeric/methods/instances.hpp"
+#include "numeric/oracle/instances.hpp"
 #include "numeric/methods/row_sums.hpp"
 #include "numeric/methods/turns.hpp"
 

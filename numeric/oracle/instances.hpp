@@ -11,3 +11,10 @@
   INSTANCE(Mpfr50)                      \
   INSTANCE(Mpfr100)                     \
   INSTANCE(MpfrAny)
+
+// The same for the named alternatives of methods/: the types that users compare, and one to check them in.
+#define SHFORGE_FOR_EACH_METHOD_REAL(INSTANCE) \
+  INSTANCE(float)                              \
+  INSTANCE(double)                             \
+  INSTANCE(long double)                        \
+  INSTANCE(Mpfr50)

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "numeric/methods/wigner_d.hpp"
+#include "numeric/methods/rotation_methods.hpp"
 #include "numeric/methods/zxz_rows.hpp"
 #include "numeric/oracle/rotation.hpp"
 #include "numeric/oracle/rotation_matrices.hpp"
