@@ -8,6 +8,7 @@
 #include "codegen/measure/directions.hpp"
 #include "codegen/measure/domains.hpp"
 #include "codegen/recipes/basis/basis.hpp"
+#include "numeric/oracle/index.hpp"
 #include "symbolic/basis/basis.hpp"
 
 namespace sh::codegen {
@@ -19,7 +20,7 @@ constexpr std::size_t kInputs = 400;
 constexpr std::size_t kPreparedInputs = 300;
 constexpr const char* kUnit = "|c| sqrt((2L+1)/(4 pi)), the most that the top band alone can reach";
 
-int count(int degree) { return (degree + 1) * (degree + 1); }
+using numeric::coefficient_count;
 
 cln::cl_F zero() { return cln::cl_float(0, cln::float_format(kCheckDigits)); }
 
@@ -40,12 +41,12 @@ cln::cl_F exact_value(const cln::cl_RA* c, int degree, const std::vector<cln::cl
 Reference reference(int degree, int points, int channels) {
   Reference reference;
   const auto directions = rational_directions(points);
-  const auto coefficients = rational_vectors(points, channels * count(degree), 301);
+  const auto coefficients = rational_vectors(points, channels * coefficient_count(degree), 301);
   for (std::size_t k = 0; k < directions.size(); ++k) {
     const std::vector<cln::cl_RA> d(directions[k].begin(), directions[k].end());
     ReferencePoint point{coefficients[k], {}};
     for (int channel = 0; channel < channels; ++channel) {
-      point.outputs.push_back(exact_value(coefficients[k].data() + channel * count(degree), degree, d));
+      point.outputs.push_back(exact_value(coefficients[k].data() + channel * coefficient_count(degree), degree, d));
     }
     point.inputs.insert(point.inputs.end(), d.begin(), d.end());
     reference.push_back(std::move(point));
@@ -69,7 +70,7 @@ std::vector<std::vector<double>> test_inputs(int degree) {
   std::vector<std::vector<double>> vectors(kInputs);
   for (int channel = 0; channel < Channels; ++channel) {
     const auto seed = static_cast<unsigned long>(302 + channel);
-    vectors = joined(std::move(vectors), unit_vectors(static_cast<int>(kInputs), count(degree), seed));
+    vectors = joined(std::move(vectors), unit_vectors(static_cast<int>(kInputs), coefficient_count(degree), seed));
   }
   return with_directions(std::move(vectors));
 }
@@ -87,7 +88,7 @@ Domain evaluation_domain() {
 Reference prepare_reference(int degree, int points) {
   const auto matrix = recipes::polynomial_matrix(degree);
   Reference reference;
-  for (const auto& c : rational_vectors(points, count(degree), 305)) {
+  for (const auto& c : rational_vectors(points, coefficient_count(degree), 305)) {
     ReferencePoint point{c, {}};
     for (const auto& row : matrix) {
       cln::cl_F sum = zero();
@@ -100,7 +101,7 @@ Reference prepare_reference(int degree, int points) {
 }
 
 std::vector<std::vector<double>> prepare_inputs(int degree) {
-  return unit_vectors(static_cast<int>(kPreparedInputs), count(degree), 306);
+  return unit_vectors(static_cast<int>(kPreparedInputs), coefficient_count(degree), 306);
 }
 
 // The norm of a row of the matrix: the most that |c| = 1 can make of this coefficient.
@@ -121,7 +122,7 @@ double prepare_gain(int degree, std::size_t output) {
 Reference prepared_reference(int degree, int points) {
   Reference reference;
   const auto directions = rational_directions(points);
-  const auto polynomials = rational_vectors(points, count(degree), 307);
+  const auto polynomials = rational_vectors(points, coefficient_count(degree), 307);
   for (std::size_t k = 0; k < directions.size(); ++k) {
     const auto& [x, y, z] = directions[k];
     cln::cl_RA sum = 0;

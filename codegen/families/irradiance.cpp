@@ -6,6 +6,7 @@
 #include "codegen/measure/directions.hpp"
 #include "codegen/measure/domains.hpp"
 #include "codegen/recipes/zonal/zonal.hpp"
+#include "numeric/oracle/index.hpp"
 #include "symbolic/basis/basis.hpp"
 #include "symbolic/zonal/convolution.hpp"
 
@@ -21,7 +22,7 @@ constexpr const char* kCoefficients = "coefficient vectors (random, of norm 1)";
 constexpr const char* kWithNormals =
     "coefficient vectors (random, of norm 1) with normals (random, axes, poles, near poles)";
 
-int count(int degree) { return (degree + 1) * (degree + 1); }
+using numeric::coefficient_count;
 
 int band(std::size_t index) { return static_cast<int>(std::sqrt(static_cast<double>(index))); }
 
@@ -30,13 +31,15 @@ Surd factor(std::size_t index) { return symbolic::irradiance_factor_integral(ban
 
 cln::cl_F value(const Surd& surd) { return surd.evaluate(kCheckDigits + 10); }
 
-std::vector<std::vector<double>> coefficient_inputs(int degree) { return unit_vectors(kInputs, count(degree), 81); }
+std::vector<std::vector<double>> coefficient_inputs(int degree) {
+  return unit_vectors(kInputs, coefficient_count(degree), 81);
+}
 
 // --- irradiance
 
 Reference irradiance_reference(int degree, int points) {
   Reference reference;
-  for (const auto& c : rational_vectors(points, count(degree), 82)) {
+  for (const auto& c : rational_vectors(points, coefficient_count(degree), 82)) {
     ReferencePoint point{c, {}};
     for (std::size_t i = 0; i < c.size(); ++i) point.outputs.push_back(value(Surd(c[i]) * factor(i)));
     reference.push_back(std::move(point));
@@ -49,7 +52,7 @@ Reference irradiance_reference(int degree, int points) {
 // E as a polynomial of the normal in reduced form, whose coefficients M holds by definition.
 Reference matrix_reference(int degree, int points) {
   Reference reference;
-  for (const auto& c : rational_vectors(points, count(degree), 83)) {
+  for (const auto& c : rational_vectors(points, coefficient_count(degree), 83)) {
     ReferencePoint point{c, std::vector<cln::cl_F>(16, cln::cl_float(0, cln::float_format(kCheckDigits)))};
     for (std::size_t i = 0; i < c.size(); ++i) {
       const int l = band(i);
@@ -79,7 +82,7 @@ Reference matrix_reference(int degree, int points) {
 
 Reference evaluate_reference(int degree, int points) {
   const auto normals = rational_directions(points);
-  const auto vectors = rational_vectors(points, count(degree), 84);
+  const auto vectors = rational_vectors(points, coefficient_count(degree), 84);
   Reference reference;
   for (std::size_t k = 0; k < vectors.size(); ++k) {
     ReferencePoint point{vectors[k], {cln::cl_float(0, cln::float_format(kCheckDigits))}};
@@ -97,7 +100,7 @@ Reference evaluate_reference(int degree, int points) {
 
 std::vector<std::vector<double>> evaluate_inputs(int degree) {
   const auto normals = some_test_directions(kInputs);
-  return joined(unit_vectors(static_cast<int>(normals.size()), count(degree), 85), normals);
+  return joined(unit_vectors(static_cast<int>(normals.size()), coefficient_count(degree), 85), normals);
 }
 
 // --- lightmap form: E(n) = e_0 + e_1 y + e_2 z + e_3 x
@@ -110,7 +113,7 @@ Surd lightmap_factor(std::size_t i) {
 
 Reference lightmap_reference(int degree, int points) {
   Reference reference;
-  for (const auto& c : rational_vectors(points, count(degree), 86)) {
+  for (const auto& c : rational_vectors(points, coefficient_count(degree), 86)) {
     ReferencePoint point{c, {}};
     for (std::size_t i = 0; i < c.size(); ++i) point.outputs.push_back(value(Surd(c[i]) * lightmap_factor(i)));
     reference.push_back(std::move(point));
@@ -120,7 +123,7 @@ Reference lightmap_reference(int degree, int points) {
 
 Reference project_reference(int degree, int points) {
   const auto directions = rational_directions(points);
-  const auto others = rational_vectors(points, 1 + count(degree), 87);
+  const auto others = rational_vectors(points, 1 + coefficient_count(degree), 87);
   Reference reference;
   for (std::size_t k = 0; k < directions.size(); ++k) {
     ReferencePoint point{{directions[k].begin(), directions[k].end()}, {}};
@@ -138,12 +141,12 @@ Reference project_reference(int degree, int points) {
 
 std::vector<std::vector<double>> project_inputs(int degree) {
   const auto directions = some_test_directions(kInputs);
-  return joined(directions, unit_vectors(static_cast<int>(directions.size()), 1 + count(degree), 88));
+  return joined(directions, unit_vectors(static_cast<int>(directions.size()), 1 + coefficient_count(degree), 88));
 }
 
 Reference lightmap_evaluate_reference(int degree, int points) {
   const auto normals = rational_directions(points);
-  const auto forms = rational_vectors(points, count(degree), 89);
+  const auto forms = rational_vectors(points, coefficient_count(degree), 89);
   Reference reference;
   for (std::size_t k = 0; k < normals.size(); ++k) {
     const auto& n = normals[k];

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "codegen/measure/domains.hpp"
+#include "numeric/oracle/index.hpp"
 
 namespace sh::codegen {
 namespace {
@@ -19,7 +20,7 @@ using symbolic::ProductShape;
 constexpr int kGuardDigits = 15;
 constexpr unsigned long kSeed = 20060501;
 
-int count_of(int degree) { return (degree + 1) * (degree + 1); }
+using numeric::coefficient_count;
 
 // factor_i * a_i * b_j summed, with the surds grouped by their radical so that all but a few operations are rational.
 cln::cl_F value(const BilinearForm& form, const std::vector<cln::cl_RA>& a, const std::vector<cln::cl_RA>& b) {
@@ -94,7 +95,7 @@ std::vector<std::vector<double>> unit_factors(const std::vector<int>& sizes) {
 
 Reference product_reference(const ProductShape& shape, int count) {
   Reference reference;
-  const std::vector<int> sizes{count_of(shape.a), count_of(shape.b)};
+  const std::vector<int> sizes{coefficient_count(shape.a), coefficient_count(shape.b)};
   for (const auto& point : rational_vectors(count, total_of(sizes), kSeed)) {
     const auto factors = split(point, sizes);
     reference.push_back({point, values(forms_of(shape), factors[0], factors[1])});
@@ -104,7 +105,7 @@ Reference product_reference(const ProductShape& shape, int count) {
 
 Reference square_reference(int degree, int count) {
   Reference reference;
-  for (const auto& a : rational_vectors(count, count_of(degree), kSeed)) {
+  for (const auto& a : rational_vectors(count, coefficient_count(degree), kSeed)) {
     reference.push_back({a, values(forms_of({degree, degree, degree}), a, a)});
   }
   return reference;
@@ -112,7 +113,7 @@ Reference square_reference(int degree, int count) {
 
 Reference product_zonal_reference(int degree, int count) {
   const auto forms = symbolic::zonal_product_form({degree, degree, degree});
-  const std::vector<int> sizes{count_of(degree), degree + 1};
+  const std::vector<int> sizes{coefficient_count(degree), degree + 1};
   Reference reference;
   for (const auto& point : rational_vectors(count, total_of(sizes), kSeed)) {
     const auto factors = split(point, sizes);
@@ -122,7 +123,7 @@ Reference product_zonal_reference(int degree, int count) {
 }
 
 Reference triple_reference(int degree, int count) {
-  const std::vector<int> sizes(3, count_of(degree));
+  const std::vector<int> sizes(3, coefficient_count(degree));
   Reference reference;
   for (const auto& point : rational_vectors(count, total_of(sizes), kSeed)) {
     const auto factors = split(point, sizes);

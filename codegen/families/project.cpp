@@ -5,6 +5,7 @@
 #include "codegen/measure/directions.hpp"
 #include "codegen/measure/domains.hpp"
 #include "codegen/recipes/basis/basis.hpp"
+#include "numeric/oracle/index.hpp"
 #include "symbolic/basis/basis.hpp"
 
 namespace sh::codegen {
@@ -16,13 +17,13 @@ constexpr std::size_t kInputs = 400;
 constexpr std::size_t kFirstSum = 4;  // x, y, z, weight, sums
 constexpr const char* kSamples = "samples (directions random, axes, poles, near poles; weights and sums in -1 .. 1)";
 
-int count(int degree) { return (degree + 1) * (degree + 1); }
+using numeric::coefficient_count;
 
 // --- project, project_moments
 
 // x, y, z, weight and the sums before.
 std::vector<std::vector<cln::cl_RA>> exact_samples(int degree, int points) {
-  return joined(rational_directions(points), rational_vectors(points, 1 + count(degree), 401));
+  return joined(rational_directions(points), rational_vectors(points, 1 + coefficient_count(degree), 401));
 }
 
 // Sums plus weight times f(l, m), a polynomial and its factor.
@@ -62,7 +63,7 @@ Reference moments_reference(int degree, int points) {
 
 std::vector<std::vector<double>> samples(int degree) {
   const auto directions = some_test_directions(kInputs);
-  auto rest = unit_vectors(static_cast<int>(directions.size()), 1 + count(degree), 402);
+  auto rest = unit_vectors(static_cast<int>(directions.size()), 1 + coefficient_count(degree), 402);
   for (std::vector<double>& vector : rest) {
     for (double& value : vector) value = value * degree + value;  // of the order of 1 at every degree
   }
@@ -74,7 +75,7 @@ std::vector<std::vector<double>> samples(int degree) {
 // A_lm is linear in the moments: the axial polynomial's coefficient of z^n times the moment of (m, n).
 Reference finish_reference(int degree, int points) {
   Reference reference;
-  for (const auto& moments : rational_vectors(points, count(degree), 403)) {
+  for (const auto& moments : rational_vectors(points, coefficient_count(degree), 403)) {
     ReferencePoint point{moments, {}};
     for (int l = 0; l <= degree; ++l) {
       for (int m = -l; m <= l; ++m) {
@@ -99,7 +100,7 @@ std::vector<std::vector<double>> moments_of_samples(int degree) {
   const auto directions = some_test_directions(kInputs);
   std::vector<std::vector<double>> inputs;
   for (std::size_t first = 0; first < directions.size(); ++first) {
-    std::vector<double> moments(static_cast<std::size_t>(count(degree)), 0.0);
+    std::vector<double> moments(static_cast<std::size_t>(coefficient_count(degree)), 0.0);
     for (std::size_t k = 0; k < kSamplesEach; ++k) {
       const auto& [x, y, z] = directions[(first + k * k) % directions.size()];
       double c = (k % 2 == 0 ? 1.0 : -1.0) / kSamplesEach;

@@ -5,6 +5,7 @@
 #include "codegen/ir/literal.hpp"
 #include "codegen/measure/domains.hpp"
 #include "codegen/measure/rotations.hpp"
+#include "numeric/oracle/index.hpp"
 #include "symbolic/basis/basis.hpp"
 #include "symbolic/rotation/rotation.hpp"
 #include "symbolic/rotation/rotation_recursion.hpp"
@@ -22,7 +23,7 @@ constexpr unsigned long kSeed = 1959;
 // Kernels to this degree are small enough to be measured at more inputs.
 constexpr int kManyInputs = 5;
 
-int count_of(int degree) { return (degree + 1) * (degree + 1); }
+using numeric::coefficient_count;
 
 // D_0 .. D_degree by the recursion in exact rationals.
 std::vector<Surds> exact_bands(int degree, const Rationals& r) {
@@ -69,7 +70,7 @@ Rationals unit_square(const RationalQuaternion& q) {
 
 // With coefficients behind: all bands for even rows, the highest alone for odd ones.
 std::vector<std::vector<double>> with_coefficients(const std::vector<std::vector<double>>& rows, int degree) {
-  auto coefficients = unit_vectors(static_cast<int>(rows.size()), count_of(degree), kSeed);
+  auto coefficients = unit_vectors(static_cast<int>(rows.size()), coefficient_count(degree), kSeed);
   const auto band = unit_vectors(static_cast<int>(rows.size()), 2 * degree + 1, kSeed);
   for (std::size_t i = 1; i < rows.size(); i += 2) {
     coefficients[i].assign(to_size(degree * degree), 0.0);
@@ -96,7 +97,7 @@ void append_unit(std::vector<double>& input, const RationalQuaternion& q) {
 
 Reference rotate_reference(int degree, int count) {
   Reference reference;
-  const auto coefficients = rational_vectors(count, count_of(degree), kSeed);
+  const auto coefficients = rational_vectors(count, coefficient_count(degree), kSeed);
   for (const RationalQuaternion& q : rational_rotations(count)) {
     const Rationals r = rotation_entries(q);
     reference.push_back(turned_point(r, exact_bands(degree, r), coefficients[reference.size()]));
@@ -106,7 +107,7 @@ Reference rotate_reference(int degree, int count) {
 
 Reference rotate_quaternion_reference(int degree, int count) {
   Reference reference;
-  const auto coefficients = rational_vectors(count, count_of(degree), kSeed);
+  const auto coefficients = rational_vectors(count, coefficient_count(degree), kSeed);
   std::vector<RationalQuaternion> rotations = rational_rotations(count);
   rotations.back() = {0, 1, 2, 0};  // its square is -1 apart from its size: beta = 0
   for (const RationalQuaternion& q : rotations) {
@@ -119,7 +120,7 @@ Reference rotate_quaternion_reference(int degree, int count) {
 
 Reference rotate_z_reference(int degree, int count) {
   Reference reference;
-  const auto coefficients = rational_vectors(count, count_of(degree), kSeed);
+  const auto coefficients = rational_vectors(count, coefficient_count(degree), kSeed);
   for (const RationalQuaternion& q : rational_rotations(count)) {
     const Rationals unit = unit_square({q[0], 0, 0, q[1]});
     const Rationals inputs{unit[0], unit[3]};
@@ -153,7 +154,7 @@ Reference rotate_build_reference(int degree, int count) {
 
 Reference rotate_apply_reference(int degree, int count) {
   Reference reference;
-  const auto coefficients = rational_vectors(count, count_of(degree), kSeed);
+  const auto coefficients = rational_vectors(count, coefficient_count(degree), kSeed);
   for (const Rationals& c : coefficients) {
     Rationals inputs;
     std::vector<Surds> bands;

@@ -5,6 +5,7 @@
 #include "codegen/families/families.hpp"
 #include "codegen/measure/domains.hpp"
 #include "codegen/recipes/zonal/zonal.hpp"
+#include "numeric/oracle/index.hpp"
 #include "symbolic/basis/basis.hpp"
 
 namespace sh::codegen {
@@ -15,14 +16,14 @@ constexpr int kLargest = 20;
 constexpr const char* kLimit = "beyond which straight-line code is too long to be useful; degree 0 needs no window";
 constexpr const char* kUnit = "|c_lm|";
 
-int count(int degree) { return (degree + 1) * (degree + 1); }
+using numeric::coefficient_count;
 
 // Points whose windows `factor(l, parameters)` gives exactly; parameters(k): those of point k.
 using Parameters = std::vector<cln::cl_RA>;
 Reference window_reference(int degree, int points, const std::function<Parameters(std::size_t)>& parameters,
                            const std::function<cln::cl_RA(int, std::size_t)>& factor) {
   Reference reference;
-  const auto vectors = rational_vectors(points, count(degree), 91);
+  const auto vectors = rational_vectors(points, coefficient_count(degree), 91);
   for (std::size_t k = 0; k < vectors.size(); ++k) {
     ReferencePoint point{parameters(k), {}};
     point.inputs.insert(point.inputs.end(), vectors[k].begin(), vectors[k].end());
@@ -90,7 +91,7 @@ Reference laplacian_reference(int degree, int points) {
 
 // Coefficient vectors of norm 1 behind parameters between 0 and 1, ends included; `signs`: between -1 and 1.
 std::vector<std::vector<double>> inputs(int degree, std::size_t parameters, bool signs) {
-  const std::vector<std::vector<double>> vectors = unit_vectors(kInputs, count(degree), 96);
+  const std::vector<std::vector<double>> vectors = unit_vectors(kInputs, coefficient_count(degree), 96);
   std::vector<std::vector<double>> inputs;
   for (std::size_t i = 0; i < vectors.size(); ++i) {
     const double t = static_cast<double>(i) / (kInputs - 1);

@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "numeric/oracle/index.hpp"
+
 namespace sh::codegen {
 namespace {
 
@@ -37,7 +39,7 @@ constexpr RoleName kNames[] = {{Role::kDirection, "direction"},
                                {Role::kLinearForm, "linear form"},
                                {Role::kQuadraticForm, "quadratic form"}};
 
-int bands_squared(int degree) { return (degree + 1) * (degree + 1); }
+using numeric::coefficient_count;
 
 std::vector<int> shape_of(Role role) {
   switch (role) {
@@ -74,7 +76,7 @@ Parameter parameter(Role role, std::string name) {
 }
 
 Parameter array(Role role, std::string name, int degree, int channels) {
-  int size = bands_squared(degree);
+  int size = coefficient_count(degree);
   if (role == Role::kZonalCoefficients) size = degree + 1;
   if (role == Role::kBandMatrices) size = (degree + 1) * (2 * degree + 1) * (2 * degree + 3) / 3;
   std::vector<int> shape{size};

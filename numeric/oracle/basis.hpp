@@ -12,13 +12,9 @@
 #include <span>
 #include <vector>
 
+#include "numeric/oracle/index.hpp"
+
 namespace sh::numeric {
-
-// Number of coefficients up to and including `degree`: bands^2.
-constexpr int coefficient_count(int degree) { return (degree + 1) * (degree + 1); }
-
-// Place of degree l, order m among the coefficients: l(l+1)+m.
-constexpr int coefficient_index(int degree, int order) { return degree * (degree + 1) + order; }
 
 // out (bands^2) = Y_lm(x, y, z). Precondition: degree >= 0, |d| = 1 up to rounding (not checked). For another length r
 // the value is the solid harmonic r^l Y_lm(d / r): the algorithm evaluates the homogeneous polynomial.

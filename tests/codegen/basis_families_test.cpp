@@ -11,11 +11,12 @@
 #include "codegen/ir/evaluate.hpp"
 #include "codegen/measure/directions.hpp"
 #include "codegen/measure/domains.hpp"
+#include "numeric/oracle/index.hpp"
 
 namespace sh::codegen {
 namespace {
 
-int count(int degree) { return (degree + 1) * (degree + 1); }
+using numeric::coefficient_count;
 
 // The kernel that is written, without its errors.
 Kernel written(const std::string& family, int degree) {
@@ -57,7 +58,7 @@ TEST(Gradient, IsHomogeneousAndItsRoundingStaysSmall) {
   // Euler: x . grad S_l = l S_l; values and gradients by different formulas.
   const Kernel kernel = written("basis_gradient", 6);
   Evaluator<double> evaluator(kernel);
-  const auto n = static_cast<std::size_t>(count(6));
+  const auto n = static_cast<std::size_t>(coefficient_count(6));
   for (const auto& d : some_test_directions(60)) {
     const std::array<double, 3> p{1.5 * d[0], 1.5 * d[1], 1.5 * d[2]};
     const std::vector<double> out = evaluator(p);
@@ -86,13 +87,13 @@ TEST(Normalised, CostsEightOperationsAndOneReciprocalRootMore) {
 
 TEST(Evaluate, IsCheaperThanBasisAndScalarProduct) {
   for (int degree = 2; degree <= 10; ++degree) {
-    const int separately = cost_of("basis", degree).operations() + 2 * count(degree) - 1;
+    const int separately = cost_of("basis", degree).operations() + 2 * coefficient_count(degree) - 1;
     EXPECT_LT(cost_of("evaluate", degree).operations(), separately) << degree;
-    const int three = cost_of("basis", degree).operations() + 3 * (2 * count(degree) - 1);
+    const int three = cost_of("basis", degree).operations() + 3 * (2 * coefficient_count(degree) - 1);
     EXPECT_LT(cost_of("evaluate_rgb", degree).operations(), three) << degree;
     const Cost prepared = cost_of("evaluate_prepared", degree);
-    EXPECT_EQ(prepared.mul, count(degree) - 1);
-    EXPECT_EQ(prepared.add, count(degree) - 1);
+    EXPECT_EQ(prepared.mul, coefficient_count(degree) - 1);
+    EXPECT_EQ(prepared.add, coefficient_count(degree) - 1);
   }
 }
 
@@ -105,7 +106,7 @@ TEST(Evaluate, ErrsByFewEps) {
 
 TEST(Project, IsCheaperThanBasisAndMultiplyAdd) {
   for (int degree = 1; degree <= 10; ++degree) {
-    const int separately = cost_of("basis", degree).operations() + 2 * count(degree);
+    const int separately = cost_of("basis", degree).operations() + 2 * coefficient_count(degree);
     EXPECT_LT(cost_of("project", degree).operations(), separately) << degree;
     EXPECT_LT(cost_of("project_moments", degree).operations(), cost_of("project", degree).operations()) << degree;
   }
@@ -129,7 +130,7 @@ double error_of_prepared(int degree) {
   Evaluator<double> exact(whole);
   const auto directions = some_test_directions(200);
   double largest = 0;
-  for (const std::vector<double>& c : unit_vectors(20, count(degree), 7)) {
+  for (const std::vector<double>& c : unit_vectors(20, coefficient_count(degree), 7)) {
     const std::vector<float> polynomial = first(std::vector<float>(c.begin(), c.end()));
     std::vector<double> rounded;
     for (const double v : c) rounded.push_back(static_cast<double>(static_cast<float>(v)));
@@ -165,7 +166,7 @@ double error_of_moments(int degree) {
   Evaluator<float> moments(accumulate);
   Evaluator<float> finished_moments(finish);
   Evaluator<double> exact(project);
-  const auto n = static_cast<std::size_t>(count(degree));
+  const auto n = static_cast<std::size_t>(coefficient_count(degree));
   std::vector<float> sums(n, 0.0F);
   std::vector<double> sums_in_double(n, 0.0);
   const auto directions = some_test_directions(kSamples);

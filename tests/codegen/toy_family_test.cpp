@@ -17,6 +17,7 @@
 #include "codegen/recipes/splice.hpp"
 #include "numeric/kernels/family_check.hpp"
 #include "numeric/oracle/basis.hpp"
+#include "numeric/oracle/index.hpp"
 #include "symbolic/basis/basis.hpp"
 #include "symbolic/convention/presets.hpp"
 #include "tests/codegen/emitted.hpp"
@@ -27,11 +28,11 @@ namespace {
 
 constexpr int kDegree = 2;
 
-int bands_squared(int degree) { return (degree + 1) * (degree + 1); }
+using numeric::coefficient_count;
 
 Kernel dimmed_sum(int degree, int sign) {
   Kernel kernel;
-  const int count = bands_squared(degree);
+  const int count = coefficient_count(degree);
   kernel.title = "The dimmed value of a function of degree 0 to " + std::to_string(degree);
   kernel.domain = "|d| = 1 for d = (x, y, z)";
   kernel.result = "weight times the sum of c_lm Y_lm(d)";
@@ -57,11 +58,11 @@ Kernel dimmed_sum(int degree, int sign) {
 Reference dimmed_reference(int degree, int points) {
   Reference reference;
   const auto directions = rational_directions(points);
-  const auto vectors = rational_vectors(points, bands_squared(degree) + 1, 7);
+  const auto vectors = rational_vectors(points, coefficient_count(degree) + 1, 7);
   for (std::size_t k = 0; k < directions.size(); ++k) {
     const std::vector<cln::cl_RA> d(directions[k].begin(), directions[k].end());
     cln::cl_F sum = cln::cl_float(0, cln::float_format(kCheckDigits));
-    for (int i = 0; i < bands_squared(degree); ++i) {
+    for (int i = 0; i < coefficient_count(degree); ++i) {
       const auto [l, m] = symbolic::degree_order(i);
       const symbolic::BasisFunction f = symbolic::basis_function(l, m);
       const cln::cl_RA rational = vectors[k].back() * vectors[k][static_cast<std::size_t>(i)];
@@ -78,7 +79,7 @@ Reference dimmed_reference(int degree, int points) {
 // Coefficients of norm 1, a direction, a weight of 1/2.
 std::vector<std::vector<double>> dimmed_inputs(int degree) {
   const auto directions = some_test_directions(50);
-  auto inputs = unit_vectors(static_cast<int>(directions.size()), bands_squared(degree), 8);
+  auto inputs = unit_vectors(static_cast<int>(directions.size()), coefficient_count(degree), 8);
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     inputs[i].insert(inputs[i].end(), directions[i].begin(), directions[i].end());
     inputs[i].push_back(0.5);
@@ -137,7 +138,7 @@ TEST(ToyFamily, HasTheSameValueInAnotherConvention) {
   for (const std::vector<double>& input : dimmed_inputs(kDegree)) {
     const std::vector<cln::cl_F> ours = exact(input);
     std::vector<cln::cl_F> stored = ours;
-    for (int i = 0; i < bands_squared(kDegree); ++i) {
+    for (int i = 0; i < coefficient_count(kDegree); ++i) {
       const auto [l, m] = symbolic::degree_order(i);
       const symbolic::Surd scale = convention_factor(symbolic::Convention{}, l, m) / convention_factor(ambix, l, m);
       stored[static_cast<std::size_t>(storage_position(ambix.order, kDegree, l, m))] =
@@ -157,7 +158,7 @@ TEST(ToyFamily, IsCheckedByTheOracleWithNothingButItsRecord) {
   const RenderedFiles files = render_all([](const std::string& /*kernel*/) {}, registered());
   const numeric::FamiliesRecord record = numeric::parse_record(files.at("families.json"));
   const auto values = [](int degree, const auto* in, auto* out) {
-    const int count = bands_squared(degree);
+    const int count = coefficient_count(degree);
     const auto basis = numeric::basis(degree, in[count], in[count + 1], in[count + 2]);
     const auto& weight = in[count + 3];
     *out = 0;

@@ -8,6 +8,7 @@
 #include "codegen/ir/ir.hpp"
 #include "codegen/recipes/product/ring_quadrature.hpp"
 #include "codegen/recipes/signed_builder.hpp"
+#include "numeric/oracle/index.hpp"
 #include "symbolic/product/product_form.hpp"
 
 namespace sh::codegen::recipes {
@@ -17,7 +18,7 @@ using symbolic::ProductShape;
 /// Which product: of two functions, of one with itself.
 enum class Factors { kTwo, kSame };
 
-constexpr int coefficient_count(int degree) { return (degree + 1) * (degree + 1); }
+using numeric::coefficient_count;
 
 /// A kernel with its parameters (a and b, or a alone), its result and its texts; no nodes.
 Kernel product_frame(const ProductShape& shape, Factors factors);

@@ -5,6 +5,7 @@
 
 #include "codegen/recipes/zonal/columns.hpp"
 #include "codegen/recipes/zonal/zonal.hpp"
+#include "numeric/oracle/index.hpp"
 #include "symbolic/basis/basis.hpp"
 #include "symbolic/zonal/convolution.hpp"
 
@@ -29,12 +30,12 @@ constexpr const char* kOrder = "index l(l+1)+m, orthonormal, no Condon-Shortley 
 
 std::string degrees_to(int degree) { return degree == 0 ? "degree 0" : "degree 0 to " + std::to_string(degree); }
 
-int count(int degree) { return (degree + 1) * (degree + 1); }
+using numeric::coefficient_count;
 
 std::vector<NodeId> coefficients(Builder& build, int degree) {
   std::vector<NodeId> c;
-  c.reserve(index(count(degree)));
-  for (int i = 0; i < count(degree); ++i) c.push_back(build.input(i, "c" + std::to_string(i)));
+  c.reserve(index(coefficient_count(degree)));
+  for (int i = 0; i < coefficient_count(degree); ++i) c.push_back(build.input(i, "c" + std::to_string(i)));
   return c;
 }
 
@@ -58,9 +59,9 @@ struct Normal {
 };
 
 Normal normal(Builder& build, int degree) {
-  const NodeId x = build.input(count(degree), "x");
-  const NodeId y = build.input(count(degree) + 1, "y");
-  const NodeId z = build.input(count(degree) + 2, "z");
+  const NodeId x = build.input(coefficient_count(degree), "x");
+  const NodeId y = build.input(coefficient_count(degree) + 1, "y");
+  const NodeId z = build.input(coefficient_count(degree) + 2, "z");
   return {x, y, z};
 }
 
