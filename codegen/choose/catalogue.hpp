@@ -13,21 +13,23 @@
 
 namespace sh::codegen {
 
+/// A language and its printers.
 struct Language {
-  std::string name;      ///< as in `--lang`, and the folder under generated/
-  std::string suffix;    ///< of its files
-  bool written = false;  ///< `shgen write` writes it; the others are for `shgen emit`
+  std::string name;      ///< the value of `--lang` and the name of the folder under generated/
+  std::string suffix;    ///< the suffix of its files
+  bool written = false;  ///< true: `shgen write` writes this language; false: only `shgen emit` prints it
   std::string (*print_kernel)(const FinishedKernel&, print::Scalar) = nullptr;
   /// One file for the whole family; nullptr where the language has no such file.
   std::string (*print_family)(const std::vector<FinishedKernel>&) = nullptr;
 };
 
-/// The aim of the choice among the recipes of a family.
+/// The quality by which a recipe of a family is chosen.
 enum class Prefer { kSpeed, kAccuracy, kSize };
 
+/// Every language that a kernel can be printed in.
 const std::vector<Language>& languages();
 
-/// Throw std::invalid_argument listing the known names.
+/// These functions find an item by its name. They throw std::invalid_argument, which lists the known names.
 const Family& find_family(const std::string& name, const std::vector<Family>& among = families());
 const Language& find_language(const std::string& name);
 const Recipe& find_recipe(const Family& family, int degree, const std::string& name);
@@ -37,28 +39,29 @@ print::Scalar find_scalar(const std::string& name);
 /// Throws std::invalid_argument unless 0 <= degree <= family.largest_emitted.
 void require_degree(const Family& family, int degree);
 
-/// The recipes that serve a degree, the fastest first according to the committed wisdom, else as the family lists them;
-/// none where the family has no such kernel.
+/// The recipes that serve a degree. The committed wisdom puts the fastest first; without it they keep the family's
+/// order. The list is empty if the family has no kernel of this degree.
 std::vector<Recipe> recipes_for(const Family& family, int degree);
-/// The first of them. Throws std::invalid_argument listing the degrees when there is none.
+/// The first recipe of recipes_for. If there is none, throws std::invalid_argument, which lists the degrees.
 Recipe fastest_recipe(const Family& family, int degree);
 
-/// The kernel of the recipe, with the names and arguments of the catalogue. Errors as require_degree.
+/// The kernel of the recipe, with the names and arguments of the catalogue. Throws the exceptions of require_degree.
 Kernel recipe_kernel(const Family& family, const Recipe& recipe, int degree);
-/// At how many points a kernel is checked against the exact functions.
+/// The number of points at which a kernel is checked against the exact functions.
 inline constexpr int kReferencePoints = 3;
-/// The kernel after the recipe and after every pass; errors as run_pipeline and require_degree.
+/// The kernel after the recipe and after every pass. Throws the exceptions of run_pipeline and require_degree.
 std::vector<Stage> kernel_stages(const Family& family, const Recipe& recipe, int degree);
 /// The finished kernel with its cost and measured errors.
 FinishedKernel finish_kernel(const Family& family, const Recipe& recipe, int degree);
-/// The one that suits: the fastest, the one with the least float error, or the one with the fewest operations.
+/// The kernel that suits `prefer`: the fastest, the one with the least float error, or the one with the fewest
+/// operations.
 FinishedKernel preferred_kernel(const Family& family, int degree, Prefer prefer);
 
-/// Relative path -> content of every file under generated/. progress is called with each kernel's name.
+/// Relative path -> content of every file under generated/. Calls progress with the name of each kernel.
 std::map<std::string, std::string> render_all(const std::function<void(const std::string&)>& progress,
                                               const std::vector<Family>& families = codegen::families());
-/// The same for the kernels of some families alone: without MANIFEST, families.json and the drivers of
-/// batches, which need them all.
+/// The same for the kernels of some families only. Leaves out MANIFEST, families.json and the batch drivers, because
+/// these need all families.
 std::map<std::string, std::string> render_families(const std::vector<std::string>& names,
                                                    const std::function<void(const std::string&)>& progress);
 

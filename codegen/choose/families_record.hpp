@@ -1,6 +1,8 @@
-// generated/families.json: the record of the families, for whoever runs or checks the kernels without this generator.
+// generated/families.json: the record of the families. Programs read it to run or check the kernels without this
+// generator.
 //
-// Roles, shapes, units, sizes and measured errors of every kernel that is written, and the limits that they give.
+// It holds the roles, shapes, units, sizes and measured errors of every written kernel, and the limits that follow from
+// these errors.
 #pragma once
 
 #include <string>
@@ -11,11 +13,13 @@
 
 namespace sh::codegen {
 
+/// A family and its written kernels.
 struct RecordedFamily {
   const Family* family = nullptr;
-  std::vector<FinishedKernel> kernels;  ///< those that are written, by degree
+  std::vector<FinishedKernel> kernels;  ///< the written kernels, by degree
 };
 
+/// The content of generated/families.json.
 std::string print_families_record(const std::vector<RecordedFamily>& families);
 
 }  // namespace sh::codegen

@@ -1,4 +1,4 @@
-// generated/MANIFEST: one line a recipe of every kernel with its cost, measured error, tuned time and files.
+// generated/MANIFEST: one line for each recipe of every kernel, with its cost, measured error, tuned time and files.
 #pragma once
 
 #include <optional>
@@ -10,12 +10,14 @@
 
 namespace sh::codegen {
 
+/// One line of the manifest.
 struct ManifestEntry {
   FinishedKernel finished;
-  std::vector<std::string> files;  ///< relative to generated/; none when another recipe was chosen
-  std::optional<Timing> timing;    ///< where the recipe was tuned
+  std::vector<std::string> files;  ///< relative to generated/; empty if another recipe was chosen
+  std::optional<Timing> timing;    ///< empty if the recipe was not tuned
 };
 
+/// The content of generated/MANIFEST.
 std::string print_manifest(const std::vector<ManifestEntry>& entries);
 
 }  // namespace sh::codegen

@@ -1,12 +1,12 @@
-// A scene knows some coefficients beforehand to be zero or equal, and does not want some results. A mask takes them out
-// of a kernel before its passes run.
+// The user of a kernel may know in advance that some coefficients are zero or equal, and may not need some results. A
+// mask removes these from the kernel before the passes run.
 //
-// Input: a kernel and the knowledge. Output: the kernel without the operations that it does not need. Its arrays keep
-// their shapes; known entries are not read, dropped results are not written.
+// Input: a kernel and this knowledge. Output: the kernel without the operations that it does not need. Its arrays keep
+// their shapes. The kernel does not read known entries and does not write dropped results.
 //
 // A coefficient array is a parameter or result whose role orders its entries by degree and order (codegen/ir/role.hpp):
-// entry i belongs to degree l = floor(sqrt(i)) and order m = i - l(l+1). Zonal coefficients are one entry a degree,
-// m = 0.
+// entry i belongs to degree l = floor(sqrt(i)) and order m = i - l(l+1). Zonal coefficients have one entry for each
+// degree, with m = 0.
 #pragma once
 
 #include <string>
@@ -16,13 +16,13 @@
 
 namespace sh::codegen {
 
-/// As given on the command line; empty: nothing is known.
+/// The options of the command line; empty: nothing is known.
 struct MaskOptions {
   std::string left;     ///< symmetries of the first coefficient array: "zonal" or "mirror-x,mirror-y"
-  std::string right;    ///< of the second
-  std::string outputs;  ///< symmetries that a wanted coefficient of the result has, or a list of entries: "0,2,6"
-  std::vector<int> keep_bands;   ///< other degrees are zero in every array, and not wanted
-  std::vector<int> keep_orders;  ///< other orders m likewise
+  std::string right;    ///< symmetries of the second coefficient array
+  std::string outputs;  ///< the wanted results: symmetries of their functions, or a list of entries such as "0,2,6"
+  std::vector<int> keep_bands;   ///< all other degrees are zero in every array and are not wanted
+  std::vector<int> keep_orders;  ///< all other orders m are zero in every array and are not wanted
 
   [[nodiscard]] bool empty() const;
   /// " --left zonal --keep-bands 0,1": the options of `shgen emit`.
@@ -31,33 +31,35 @@ struct MaskOptions {
   [[nodiscard]] std::string suffix() const;
 };
 
-/// Symmetries, each with the functions f that have it:
-///   zonal                  depends on z alone: m = 0
-///   mirror-x               f(-x, y, z) = f(x, y, z), and mirror-y, mirror-z likewise
-///   hemisphere             another name for mirror-z: known on the upper hemisphere alone
-///   mirror-xy              f(y, x, z) = f(x, y, z)
+/// The names of the symmetries. A function f has the symmetry
+///   zonal         if it depends on z only: m = 0
+///   mirror-x      if f(-x, y, z) = f(x, y, z); mirror-y and mirror-z follow the same rule
+///   hemisphere    if it has mirror-z: its values on the upper hemisphere determine it
+///   mirror-xy     if f(y, x, z) = f(x, y, z)
 const std::vector<std::string>& mask_symmetries();
 
 /// The knowledge about one flattened input.
 struct KnownInput {
   enum class Kind { kFree, kZero, kSame, kOpposite };
   Kind kind = Kind::kFree;
-  int of = -1;  ///< kSame, kOpposite: the input that stands for it
+  int of = -1;  ///< kSame, kOpposite: the input that has the same or the opposite value
 };
 
+/// The knowledge about all inputs and results of a kernel.
 struct Mask {
-  std::vector<KnownInput> inputs;  ///< of every flattened parameter
-  std::vector<bool> wanted;        ///< of every flattened result
+  std::vector<KnownInput> inputs;  ///< one for every flattened parameter
+  std::vector<bool> wanted;        ///< one for every flattened result
 };
 
-/// Throws std::invalid_argument, one line, for unknown symmetries, an array that the kernel does not have, entries or
-/// degrees out of range, and masks that leave no result.
+/// Throws std::invalid_argument, one line, if a symmetry is unknown, if the kernel does not have an array, if an entry
+/// or degree is out of range, or if the mask leaves no result.
 Mask make_mask(const Kernel& kernel, const MaskOptions& options);
 
-/// The masked kernel, zeros and signs folded. Its domain and result name the entries that are not read and not written.
+/// The masked kernel after zeros and signs are folded. Its texts for domain and result name the entries that it does
+/// not read or does not write.
 Kernel apply_mask(const Kernel& kernel, const Mask& mask);
 
-/// Inputs as the mask says: zeros, equals and opposites filled in.
+/// The inputs after the mask has filled in zero, equal and opposite values.
 template <class T>
 std::vector<T> masked_inputs(std::vector<T> inputs, const Mask& mask) {
   for (std::size_t i = 0; i < inputs.size(); ++i) {

@@ -1,7 +1,7 @@
-// A kernel of the catalogue under a mask: made, checked against the full one, measured, chosen.
+// Makes a masked kernel of the catalogue, checks it against the full kernel, measures it and chooses among recipes.
 //
-// The full kernel of the recipe is checked against the exact functions; the masked one, after every pass, against the
-// full one at the same inputs.
+// The pipeline checks the full kernel of the recipe against the exact functions. After every pass it checks the masked
+// kernel against the full kernel at the same inputs.
 #pragma once
 
 #include "codegen/choose/catalogue.hpp"
@@ -9,11 +9,11 @@
 
 namespace sh::codegen {
 
-/// The masked kernel after the mask and after every pass. Errors as kernel_stages and make_mask.
+/// The kernel after the mask and after every pass. Throws the exceptions of kernel_stages and make_mask.
 std::vector<Stage> masked_stages(const Family& family, const Recipe& recipe, int degree, const MaskOptions& options);
 
-/// The recipe with the fewest operations under the mask or, with Prefer::kAccuracy, with the least error. The recipe
-/// that suits the full kernel may not suit the masked one.
+/// The masked kernel with the fewest operations or, with Prefer::kAccuracy, with the least error. The best recipe of
+/// the full kernel may not be the best recipe of the masked one.
 FinishedKernel masked_kernel(const Family& family, int degree, Prefer prefer, const MaskOptions& options);
 
 }  // namespace sh::codegen

@@ -1,4 +1,4 @@
-// Measures recipes: prints them as C++, compiles that with the machine's compiler, runs it and reads the times.
+// Measures recipes: prints them as C++, compiles this code with the machine's compiler, runs it and reads the times.
 #pragma once
 
 #include <string>
@@ -9,11 +9,12 @@
 
 namespace sh::codegen {
 
-/// The compiler (the environment variable CXX, else c++) and the processor, in words.
+/// Describes the compiler (the environment variable CXX, otherwise c++) and the processor.
 std::string describe_machine();
 
-/// The time of each of the recipes, in their order, all in one run: the minimum of several passes in which they take
-/// turns. Takes a few seconds. Throws std::runtime_error with the compiler's first message when it fails.
+/// The time of each recipe, in the order of `recipes`. One run measures all recipes: they take turns in several passes,
+/// and the minimum counts. Takes a few seconds. Throws std::runtime_error with the compiler's first message if the
+/// compiler fails.
 std::vector<Timing> measure_times(const Family& family, const std::vector<Recipe>& recipes, int degree);
 
 }  // namespace sh::codegen

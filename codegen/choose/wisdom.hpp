@@ -1,7 +1,8 @@
-// Wisdom: how long each recipe took on the machine it was tuned on; the committed file decides which recipe is written.
+// Wisdom: the measured time of each recipe on the machine that tuned it. The committed file decides which recipe
+// `shgen write` takes.
 //
-// A text file, one line a measurement: family, degree, recipe, nanoseconds a call, nanoseconds a lane. `shgen tune`
-// writes it, everything else only reads it, so that generated files do not depend on the machine at hand.
+// It is a text file with one line for each measurement: family, degree, recipe, nanoseconds per call, nanoseconds per
+// lane. `shgen tune` writes it. Everything else only reads it, so generated files do not depend on the current machine.
 #pragma once
 
 #include <filesystem>
@@ -12,18 +13,21 @@
 
 namespace sh::codegen {
 
+/// The measured time of a recipe.
 struct Timing {
-  double call = 0;  ///< nanoseconds of one call in float, arguments in the first-level cache
-  double lane = 0;  ///< nanoseconds for each result when every variable holds the lanes of a SIMD register
+  double call = 0;  ///< nanoseconds of one call in float, with the arguments in the first-level cache
+  double lane = 0;  ///< nanoseconds for each result if every variable holds the lanes of a SIMD register
 };
 
-/// Recipes closer than this ratio count as equally fast; the one that its family lists first wins.
+/// Two recipes count as equally fast if the ratio of their times is below this. The one that the family lists first
+/// wins.
 inline constexpr double kNoise = 1.10;
 
+/// The content of a wisdom file.
 class Wisdom {
  public:
-  /// Throws std::runtime_error, one line with the line's number, when a line is not a measurement. A file that does
-  /// not exist is no wisdom.
+  /// Reads the file; a missing file gives an empty Wisdom. Throws std::runtime_error, one line with the number of the
+  /// wrong line, if a line is not a measurement.
   static Wisdom read(const std::filesystem::path& file);
 
   void set(const std::string& family, int degree, const std::string& recipe, Timing timing);
@@ -37,7 +41,7 @@ class Wisdom {
   std::map<std::tuple<std::string, int, std::string>, Timing> timings_;
 };
 
-/// The committed file, and its content.
+/// The path of the committed file.
 std::filesystem::path wisdom_file();
 const Wisdom& committed_wisdom();
 

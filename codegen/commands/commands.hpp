@@ -1,5 +1,7 @@
-// The commands of the tool `shgen`, one file each: options in, results on standard output, progress on standard error.
-// An error is an exception with one line.
+// The commands of the tool `shgen`, one file for each command.
+//
+// Input: options. Output: results on standard output, progress on standard error. A command reports an error by an
+// exception with one line.
 #pragma once
 
 namespace CLI {
@@ -15,7 +17,8 @@ enum ExitCode {
   kBadInput = 2,
 };
 
-/// Each adds its subcommand; parsing the command line then runs it and sets `exit_code`, which has to live until then.
+/// Each function adds its subcommand to the tool. Parsing the command line then runs the subcommand and sets
+/// `exit_code`, which has to live until then.
 void add_write_command(CLI::App& tool, int& exit_code);
 void add_check_command(CLI::App& tool, int& exit_code);
 void add_list_command(CLI::App& tool, int& exit_code);

@@ -1,6 +1,6 @@
-// `shgen prove`: runs the catalogue of proofs and reports a line for each identity.
+// `shgen prove`: runs the catalogue of proofs and prints a line for each identity.
 //
-// Input: options. Output: lines on `out`, a JSON file when asked for, progress on `progress`.
+// Input: options. Output: lines on `out`, a JSON file if the options name one, progress on `progress`.
 #pragma once
 
 #include <iosfwd>
@@ -10,14 +10,15 @@
 
 namespace sh::codegen {
 
+/// The options of `shgen prove`.
 struct ProveOptions {
-  std::optional<int> degree;      ///< to this degree, or as far as a proof supports; its own default if not given
+  std::optional<int> degree;      ///< the highest degree, limited by the range of each proof; empty: its default
   std::vector<std::string> only;  ///< names of the proofs to run; empty: all
-  std::string json;               ///< file to write, complete or not at all; empty: none
+  std::string json;               ///< the file to write, complete or not at all; empty: none
 };
 
-/// True when every identity is proved. Throws std::invalid_argument for a negative or too large degree or an unknown
-/// name, std::runtime_error when the JSON file cannot be written.
+/// True if every identity is proved. Throws std::invalid_argument for a negative or too large degree or an unknown
+/// name, and std::runtime_error if it cannot write the JSON file.
 bool prove(const ProveOptions& options, std::ostream& out, std::ostream& progress);
 
 }  // namespace sh::codegen

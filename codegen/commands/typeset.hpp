@@ -1,20 +1,21 @@
-// `shgen tex` and `shgen markdown`: a table of formulas of one family.
+// `shgen tex` and `shgen markdown`: print a table of the formulas of one family.
 //
-// Input: family, degree and convention by name. Output: a LaTeX document or Markdown text, complete.
+// Input: family, degree and the name of a convention. Output: a complete LaTeX document or Markdown text.
 #pragma once
 
 #include <string>
 
 namespace sh::codegen {
 
+/// The options of `shgen tex` and `shgen markdown`.
 struct TypesetOptions {
   std::string family;
   int degree = 0;
-  std::string convention = "shforge";  ///< a preset's name
+  std::string convention = "shforge";  ///< the name of a preset
 };
 
-/// Both throw std::invalid_argument, in one line, for an unknown family or convention (listing them), a degree that the
-/// family does not reach and a convention that it cannot be written in.
+/// Both functions throw std::invalid_argument, one line, for an unknown family or convention (the line lists the known
+/// ones), for a degree beyond the family's largest, and for a convention that does not apply to the family.
 std::string typeset_tex(const TypesetOptions& options);
 std::string typeset_markdown(const TypesetOptions& options);
 

@@ -1,9 +1,10 @@
-// Rescales the inputs and outputs of a kernel by exact factors, at no cost where its constants can take them up.
+// Rescales the inputs and outputs of a kernel by exact factors. This costs nothing where constants of the kernel can
+// absorb the factors.
 //
-// Every value v of the kernel is held as g v for a factor g, its gauge. Inputs and outputs prescribe theirs; a product
-// has the product of its factors' gauges, both terms of a sum need the same one, and a multiplication by a constant
-// may have any, as the constant changes with it. The gauges are found in one pass over the kernel; where constants
-// leave no freedom, one multiplication (or a change of sign) is added.
+// The new kernel holds every value v as g v, with a factor g that is called the gauge of v. The caller gives the gauges
+// of inputs and outputs. A product has the product of the gauges of its factors. Both terms of a sum need the same
+// gauge. A multiplication by a constant may have any gauge, because the constant changes with it. One pass over the
+// kernel finds all gauges. Where constants leave no freedom, it adds one multiplication (or a change of sign).
 #pragma once
 
 #include <vector>
@@ -12,8 +13,8 @@
 
 namespace sh::codegen {
 
-/// The kernel that reads inputs[i] * (input i) and writes outputs[k] * (output k). One factor, none of them zero, for
-/// each flattened parameter and each flattened result.
+/// The kernel that reads inputs[i] * (input i) and writes outputs[k] * (output k). Each flattened parameter and each
+/// flattened result has one factor, which is not zero.
 Kernel with_gauges(const Kernel& kernel, const std::vector<symbolic::Surd>& inputs,
                    const std::vector<symbolic::Surd>& outputs);
 

@@ -105,9 +105,7 @@ class LayoutMaker {
   void append_matrix(const Parameter& array) {
     const int first = base();
     for (int i = 0; i < 3; ++i) {
-      for (int j = 0; j < 3; ++j) {
-        add(first + 3 * axes_.axis(i) + axes_.axis(j), Surd(axes_.sign(i) * axes_.sign(j)));
-      }
+      for (int j = 0; j < 3; ++j) add(first + 3 * axes_.axis(i) + axes_.axis(j), Surd(axes_.sign(i) * axes_.sign(j)));
     }
     layout_.arrays.push_back(array);
   }

@@ -1,8 +1,9 @@
-// A kernel in another convention: signs and scales go into its constants, axes and index order into its arguments.
+// Converts a kernel to another convention. Its constants absorb signs and scales; its arguments absorb axes and the
+// order of indices.
 //
-// Input: a finished kernel in our convention. Output: one that reads and writes arrays as the convention stores them
-// and directions in the caller's axes. The roles of its parameters and results (codegen/ir/role.hpp) say how each of
-// them is stored.
+// Input: a finished kernel in our convention. Output: a kernel that reads and writes arrays as the convention stores
+// them, and directions in the caller's axes. The roles of parameters and results (codegen/ir/role.hpp) determine how
+// the convention stores each of them.
 #pragma once
 
 #include <string>
@@ -11,19 +12,20 @@
 
 namespace sh::codegen {
 
+/// The convention of the caller.
 struct ConventionOptions {
-  std::string convention;  ///< a preset of symbolic/convention/presets.hpp; empty: ours
-  std::string axes;        ///< its coordinates from the caller's, such as "x,z,-y"; empty: the same
+  std::string convention;  ///< a preset of symbolic/convention/presets.hpp; empty: our convention
+  std::string axes;        ///< its coordinates in terms of the caller's, such as "x,z,-y"; empty: the same axes
 
   [[nodiscard]] bool empty() const { return convention.empty() && axes.empty(); }
   /// " --convention directxmath": the options of `shgen emit`.
   [[nodiscard]] std::string arguments() const;
 };
 
-/// The kernel is measured anew. points: inputs at which it is compared with the map of the old kernel. Throws
-/// std::invalid_argument, one line, for an unknown or complex convention, a family that means something else in other
-/// conventions, and axes that are no signed permutation; std::runtime_error when the kernel differs from the exact map
-/// of our values.
+/// Converts the kernel, compares it with the exact map of our values at `points`, and measures its errors again. Throws
+/// std::invalid_argument, one line, for an unknown or complex convention, for a family whose meaning depends on the
+/// convention, and for axes that are not a signed permutation. Throws std::runtime_error if the new kernel differs from
+/// the exact map.
 FinishedKernel in_convention(const FinishedKernel& finished, const Reference& points, const ConventionOptions& options);
 
 }  // namespace sh::codegen

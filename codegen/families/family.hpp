@@ -12,38 +12,39 @@
 
 namespace sh::codegen {
 
-/// Exact points of a kernel's domain with the exact outputs there.
+/// An exact point of a kernel's domain and the exact outputs at this point.
 struct ReferencePoint {
-  std::vector<cln::cl_RA> inputs;  // flattened parameters
-  std::vector<cln::cl_F> outputs;  // flattened results, kCheckDigits digits
+  std::vector<cln::cl_RA> inputs;  ///< flattened parameters
+  std::vector<cln::cl_F> outputs;  ///< flattened results with kCheckDigits digits
 };
 using Reference = std::vector<ReferencePoint>;
 
 inline constexpr int kCheckDigits = 100;
 
-/// The size of the values that an element of the flattened results is compared with, at flattened inputs.
+/// The size that the error of an element of the flattened results is compared with, at the flattened inputs.
 using Size = std::function<double(std::span<const double> inputs, std::size_t element)>;
 
-/// Where a family's kernels are measured, and in which unit their error is counted.
+/// The inputs at which the kernels of a family are measured, and the unit of their errors.
 struct Domain {
-  std::string inputs;  ///< for people: "directions (random, axes, poles, near poles)"
-  std::string unit;    ///< for people: "sqrt((2l+1)/(4 pi))", the size that machine epsilon is multiplied by
-  /// Flattened inputs, each rounded to the kernel's type before use.
+  std::string inputs;  ///< description: "directions (random, axes, poles, near poles)"
+  std::string unit;    ///< description: "sqrt((2l+1)/(4 pi))", the size that multiplies machine epsilon
+  /// Flattened inputs. The measurement rounds each of them to the kernel's type.
   std::function<std::vector<std::vector<double>>(int degree)> test_inputs;
-  /// The unit as formulas, one a result, the last for all further ones (numeric/kernels/size_formula.hpp).
+  /// The unit as formulas (numeric/kernels/size_formula.hpp), one for each result; the last one serves all further
+  /// results.
   std::vector<std::string> sizes;
-  /// For a formula that asks for it: the most that inputs of length 1 make of an output.
+  /// The largest output that inputs of length 1 can produce; only for formulas that use it.
   std::function<double(int degree, std::size_t element)> gain = {};
-  std::array<double, 2> lengths = {1, 1};  ///< of vectors: the least and the largest to try
-  Size size = {};                          ///< instead of the formulas, in another convention
+  std::array<double, 2> lengths = {1, 1};  ///< the least and the largest length of tested vectors
+  Size size = {};                          ///< replaces the formulas in another convention; empty: the formulas
 };
 
-/// A bound that kernels keep besides the limit that their measured error gives.
+/// A fixed error bound of some kernels, in addition to the limit that follows from their measured errors.
 struct Promise {
-  std::string kernels;      ///< the beginning of their names: "basis_accurate_l"
+  std::string kernels;      ///< the beginning of the names of these kernels: "basis_accurate_l"
   std::string scalar;       ///< "float" or "double"
-  double rounding_eps = 0;  ///< largest rounding error in epsilon x size; 0: none
-  double total = 0;         ///< largest total error, absolute; 0: none
+  double rounding_eps = 0;  ///< the largest rounding error in epsilon x size; 0: no bound
+  double total = 0;         ///< the largest absolute total error; 0: no bound
   std::string reason;
 };
 
@@ -51,36 +52,38 @@ struct Promise {
 struct Recipe {
   std::string name;  ///< "recurrence"
   std::function<Kernel(int degree)> make;
-  int smallest = 0;  ///< it serves degrees smallest .. largest
-  int largest = 20;
-  bool for_speed = true;  ///< false: its error keeps it from being the speed choice, however fast it is
+  int smallest = 0;       ///< the smallest degree that the recipe serves
+  int largest = 20;       ///< the largest degree that the recipe serves
+  bool for_speed = true;  ///< false: the error is too large for the speed choice, even if the recipe is the fastest
 };
 
-/// A driver over many records on SIMD lanes, made from the kernels of a family by their roles.
+/// Describes the driver that runs a family over many records on SIMD lanes. The roles of the kernel's parameters
+/// determine the rest.
 struct BatchDriver {
-  std::string what;           ///< one line: the values that it computes
-  std::string prepare = {};   ///< family computed once from input 0 where that is shared; empty: there is none
-  std::string prepared = {};  ///< the family that takes its result, of the same size, in place of input 0
-  std::string parts = {};     ///< for a sum: the family that adds up something faster; empty: there is none
-  std::string finish = {};    ///< the family that makes the sum of it
-  bool half = false;          ///< input 0 may be half precision
-  int largest = 10;           ///< degree; beyond, a driver is not worth the time it takes to compile
+  std::string what;           ///< one line: the values that the driver computes
+  std::string prepare = {};   ///< the family that runs once if all records share input 0; empty: there is none
+  std::string prepared = {};  ///< the family that takes the result of `prepare`, of the same size, in place of input 0
+  std::string parts = {};     ///< for a sum: the family that adds up intermediate values faster; empty: there is none
+  std::string finish = {};    ///< the family that makes the sum from these values
+  bool half = false;          ///< true: input 0 may be half precision
+  int largest = 10;           ///< the largest degree; beyond it a driver does not justify its compile time
 };
 
+/// A family of kernels, one for each degree.
 struct Family {
   std::string name;
   int largest_written = 10;  ///< `shgen write` writes degrees 0 to this
   int largest_emitted = 20;  ///< `shgen emit` prints degrees 0 to this
-  /// Why not further, one line.
+  /// The reason for largest_emitted, one line.
   std::string limit = "beyond which straight-line code is too long to be useful";
   std::vector<Recipe> recipes;
-  /// Exact outputs of the family at `count` points of its domain, derived from symbolic/, not from a recipe.
+  /// The exact outputs of the family at `count` points of its domain. They come from symbolic/, not from a recipe.
   std::function<Reference(int degree, int count)> reference;
   Domain domain;
-  std::string arguments = {};  ///< for `shgen emit` in place of the name; empty: the name
-  /// A family alike whose factors and result have degrees of their own; empty: there is none.
+  std::string arguments = {};  ///< the arguments of `shgen emit` in place of the name; empty: the name
+  /// The same family with separate degrees of both factors and the result; empty: there is none.
   std::function<Family(int left_degree, int right_degree, int degree)> of_degrees = {};
-  std::optional<BatchDriver> batch = {};  ///< empty: kernels are called one by one
+  std::optional<BatchDriver> batch = {};  ///< empty: there is no driver, and callers call the kernels one by one
   std::vector<Promise> promises = {};
 };
 

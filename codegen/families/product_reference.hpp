@@ -1,7 +1,7 @@
-// The exact products of functions and where the kernels that compute them are measured; for families/product.cpp.
+// The exact references and the domains of the product families.
 //
-// References come from symbolic::product_form and its relatives at vectors of small rationals, domains are vectors of
-// unit length, and errors are counted in machine epsilon times the product of the lengths.
+// The references evaluate symbolic::product_form and its variants at vectors of small rationals. The domains are
+// vectors of unit length. The unit of errors is machine epsilon times the product of the lengths.
 #pragma once
 
 #include <functional>
@@ -17,9 +17,9 @@ Reference square_reference(int degree, int count);
 Reference product_zonal_reference(int degree, int count);
 Reference triple_reference(int degree, int count);
 
-/// The numbers of coefficients of the factors of a product at a degree.
+/// The number of coefficients of each factor of a product, for a degree.
 using FactorSizes = std::function<std::vector<int>(int degree)>;
-/// unit: of the error, e.g. "|a| |b|".
+/// The domain of factors of these sizes. unit: the unit of the error, e.g. "|a| |b|".
 Domain factor_domain(const FactorSizes& sizes, const std::string& unit);
 
 }  // namespace sh::codegen

@@ -40,9 +40,7 @@ std::vector<cln::cl_F> times(const std::vector<Surds>& bands, const Rationals& c
   for (const Surds& d : bands) {
     for (int m = 0; m < d.rows(); ++m) {
       cln::cl_F sum = cln::cl_float(0, cln::float_format(kCheckDigits));
-      for (int n = 0; n < d.columns(); ++n) {
-        sum = sum + (d(m, n) * Surd(c[first + to_size(n)])).evaluate(kCheckDigits);
-      }
+      for (int n = 0; n < d.columns(); ++n) sum = sum + (d(m, n) * Surd(c[first + to_size(n)])).evaluate(kCheckDigits);
       result.push_back(sum);
     }
     first += to_size(d.columns());
@@ -214,9 +212,7 @@ std::vector<std::vector<double>> rotate_z_inputs(int degree) {
 
 std::vector<std::vector<double>> rotate_build_inputs(int degree) {
   std::vector<std::vector<double>> inputs;
-  for (const RationalQuaternion& q : rotations_for(degree)) {
-    append_rounded(inputs.emplace_back(), rotation_entries(q));
-  }
+  for (const RationalQuaternion& q : rotations_for(degree)) append_rounded(inputs.emplace_back(), rotation_entries(q));
   return inputs;
 }
 

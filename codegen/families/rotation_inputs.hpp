@@ -1,4 +1,4 @@
-// Where the rotation families are checked and measured: exact references and test inputs.
+// The exact references and the test inputs of the rotation families.
 #pragma once
 
 #include "codegen/families/family.hpp"

@@ -1,4 +1,4 @@
-// The cost of a kernel: operations that reach an output, the longest chain among them, and register pressure.
+// The cost of a kernel: the operations that reach an output, the longest chain of them, and the register pressure.
 #pragma once
 
 #include "codegen/ir/ir.hpp"
@@ -14,12 +14,12 @@ struct Cost {
   int sqrt = 0;
   int select = 0;
   int depth = 0;     ///< operations on the longest chain from an input to an output
-  int max_live = 0;  ///< most values (inputs included, constants not) held at once in the given order
+  int max_live = 0;  ///< the largest number of live values in the given order; inputs count, constants do not
   [[nodiscard]] int operations() const { return mul + add + fma + neg + div + sqrt + select; }
 };
 
-/// Nodes that reach no output cost nothing. The body of a loop counts once for every row; a sum over the rows is one
-/// addition a row.
+/// Nodes that reach no output cost nothing. The body of a loop counts once for every row. A sum over the rows counts as
+/// one addition for every row.
 Cost cost(const Kernel& kernel);
 
 }  // namespace sh::codegen

@@ -1,6 +1,6 @@
 // Runs a kernel in a given arithmetic: float and double (one rounding per node, no contraction), or CLN floats.
 //
-// The constants are converted once, so one Evaluator serves many inputs.
+// An Evaluator converts the constants once and serves many inputs.
 #pragma once
 
 #include <cln/float.h>
@@ -17,8 +17,8 @@
 
 namespace sh::codegen {
 
-/// T: float, double or cln::cl_F. All CLN inputs should carry the digits given to the constructor, as CLN rounds mixed
-/// operations to the shorter operand.
+/// T: float, double or cln::cl_F. All CLN inputs should have the digits that the constructor gets, because CLN rounds
+/// mixed operations to the shorter operand.
 template <class T>
 class Evaluator {
  public:

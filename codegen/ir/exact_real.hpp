@@ -1,9 +1,9 @@
-// The exact real constants a kernel may hold.
+// The exact real constants of a kernel.
 //
-// A constant is a surd, or a computed real: one that is defined exactly (a root of an integer polynomial, a cosine of a
-// rational angle, a quadrature weight) and evaluated to any number of digits, or a product of powers of such numbers
-// and a surd. Both multiply and divide exactly; they add where the result is one of them again, and a sum that is not
-// is std::nullopt, never an approximation.
+// A constant is a surd or a computed real. A computed real is a surd times powers of exactly defined numbers: a root of
+// an integer polynomial, a cosine of a rational angle, a quadrature weight. Each of these numbers can be evaluated to
+// any number of digits. Both kinds of constants multiply and divide exactly. They add exactly if the sum is a surd or a
+// computed real again; otherwise the sum is std::nullopt, never an approximation.
 #pragma once
 
 #include <functional>
@@ -17,27 +17,27 @@
 
 namespace sh::codegen {
 
-/// An exactly defined real that is no surd: a surd times powers of numbers which are known by their definitions. Two
-/// are equal when these are. (Numbers defined by different texts are taken for different ones, even if they are not.)
+/// A surd times powers of exactly defined numbers. Two computed reals are equal if their surds, definitions and powers
+/// are equal. (Two numbers with different definition texts count as different, even if their values are equal.)
 class Computed {
  public:
   using Value = std::function<cln::cl_F(int digits)>;
 
-  /// definition: says exactly which number it is, e.g. "cos(2 pi/7)"; value: it, with a relative error below
-  /// 10^-digits. Not zero.
+  /// definition: the exact definition of the number, e.g. "cos(2 pi/7)". value: computes the number with a relative
+  /// error below 10^-digits. The number must not be zero.
   Computed(const std::string& definition, Value value);
 
-  /// For people: "-1/2 sqrt(3) cos(2 pi/7)^2 / w(z1)".
+  /// A readable form: "-1/2 sqrt(3) cos(2 pi/7)^2 / w(z1)".
   [[nodiscard]] std::string definition() const;
   [[nodiscard]] cln::cl_F evaluate(int digits) const;
   [[nodiscard]] bool is_negative() const;
   [[nodiscard]] const symbolic::Surd& factor() const { return factor_; }
-  /// True when both differ by a surd at most.
+  /// True if the two numbers differ at most by a surd as factor.
   [[nodiscard]] bool has_powers_of(const Computed& other) const;
   /// The same powers times another surd.
   [[nodiscard]] Computed with_factor(const symbolic::Surd& factor) const;
   [[nodiscard]] Computed inverse() const;
-  /// No powers are left where a surd results.
+  /// True if all powers cancelled, so that only the surd is left.
   [[nodiscard]] bool is_surd() const { return powers_.empty(); }
   friend Computed operator*(const Computed& a, const Computed& b);
 
@@ -58,16 +58,17 @@ using ExactReal = std::variant<symbolic::Surd, Computed>;
 
 /// The value with a relative error below 10^-digits.
 cln::cl_F evaluate(const ExactReal& value, int digits);
-/// The value itself when it is rational.
+/// The value if it is rational, otherwise std::nullopt.
 std::optional<cln::cl_RA> as_rational(const ExactReal& value);
 bool is_zero(const ExactReal& value);
 bool is_negative(const ExactReal& value);
 ExactReal negate(const ExactReal& value);
+/// std::nullopt if the sum is neither a surd nor a computed real.
 std::optional<ExactReal> add(const ExactReal& a, const ExactReal& b);
 ExactReal multiply(const ExactReal& a, const ExactReal& b);
 /// Throws std::invalid_argument for zero.
 ExactReal reciprocal(const ExactReal& value);
-/// For people: "1/2 sqrt(3/pi)".
+/// A readable form: "1/2 sqrt(3/pi)".
 std::string to_string(const ExactReal& value);
 
 }  // namespace sh::codegen

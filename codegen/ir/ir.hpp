@@ -1,17 +1,18 @@
 // The kernel IR: straight-line code in static single assignment form.
 //
-// A Kernel computes flat arrays of results from scalar or array parameters by a list of nodes, each of which refers to
-// earlier nodes only. It supports inputs, exact real constants, negation, addition, subtraction, multiplication,
-// fused multiply-add and, for the few recipes that need them, division, square root and selection. It deliberately does
-// not support control flow, memory, calls or types: a kernel means the same in every scalar type and language, and the
-// printer chooses the type. Constants stay exact until a printer rounds them (codegen/ir/literal.hpp).
+// A Kernel computes flat arrays of results from scalar or array parameters by a list of nodes. Each node refers to
+// earlier nodes only. The IR supports inputs, exact real constants, negation, addition, subtraction, multiplication and
+// fused multiply-add. For a few recipes it also supports division, square root and selection. It deliberately does not
+// support control flow, memory, calls or types: a kernel has the same meaning in every scalar type and language, and
+// the printer chooses the type. Constants stay exact until a printer rounds them (codegen/ir/literal.hpp).
 //
-// One counted loop is possible, for code that would outgrow the instruction cache: a kernel with a table of constants
-// has nodes kTable, an element of the table's current row, and kRowSum, the sum of a value over all rows. Values that
-// depend on the row and on no sum are the body of the loop; all others are computed once, before it or after it.
+// A kernel may have one counted loop, for code that would outgrow the instruction cache. Such a kernel has a table of
+// constants. A node kTable is an element of the table's current row; a node kRowSum is the sum of a value over all
+// rows. Values that depend on the row and on no sum form the body of the loop. The kernel computes all other values
+// once, before or after the loop.
 //
-// Names are hints for readers, never identity. Nodes that reach no output are allowed (passes leave them behind,
-// `prune` drops them) and cost nothing.
+// Names are hints for readers, never identity. Some nodes may reach no output: passes leave them behind and `prune`
+// drops them. They cost nothing.
 #pragma once
 
 #include <array>
@@ -28,41 +29,44 @@ enum class Op { kInput, kConstant, kNeg, kAdd, kSub, kMul, kFma, kDiv, kSqrt, kS
 
 using NodeId = int;  ///< position in Kernel::nodes
 
+/// One operation of a kernel.
 struct Node {
   Op op = Op::kInput;
-  /// kFma is args[0] * args[1] + args[2]; kSelect is args[0] < args[1] ? args[2] : args[3]
+  /// kFma is args[0] * args[1] + args[2]; kSelect is args[0] < args[1] ? args[2] : args[3].
   std::array<NodeId, 4> args{-1, -1, -1, -1};
   int input = -1;      ///< kInput: position among the flattened parameters; kTable: column of the table
-  ExactReal constant;  ///< kConstant
+  ExactReal constant;  ///< kConstant: the value
   std::string name;    ///< a hint such as "p_4_2"; may be empty
 };
 
+/// One element of the results.
 struct Output {
   NodeId node = -1;
   std::string label;  ///< the meaning of the value, e.g. "l=2 m=-1"
-  int element = -1;   ///< which of the flattened results it is; -1: as many as there are outputs before it
+  int element = -1;   ///< position among the flattened results; -1: the position among the outputs
 };
 
+/// The code that computes one family at one degree, and the texts that describe it.
 struct Kernel {
   std::string name;    ///< "basis_l4", the same in every language
   std::string family;  ///< "basis"
   int degree = 0;
-  std::string arguments;  ///< of `shgen emit` that give this kernel: "basis --degree 4"
-  std::string recipe;     ///< which way of computing the family
-  std::string citation;   ///< where the way comes from
-  std::string title;      ///< one line: the functions that are computed
+  std::string arguments;  ///< the arguments of `shgen emit` that print this kernel: "basis --degree 4"
+  std::string recipe;     ///< the name of the recipe
+  std::string citation;   ///< the source of the recipe
+  std::string title;      ///< one line: the functions that the kernel computes
   std::string domain;     ///< the conditions on the inputs
   std::string result;     ///< the outputs, their order and convention
-  bool factored = false;  ///< the recipe chose the forms of its polynomials: the pass `factor` leaves them alone
+  bool factored = false;  ///< true: the recipe chose the forms of its polynomials, and the pass `factor` keeps them
   std::vector<Parameter> parameters;
-  std::vector<Parameter> results;  ///< arrays, or one scalar; a result named as a parameter is updated in place
+  std::vector<Parameter> results;  ///< arrays, or one scalar; a result with the name of a parameter is updated in place
   std::vector<Node> nodes;
-  std::vector<Output> outputs;                ///< the flattened results, in order; those left out are not written
-  std::vector<std::vector<ExactReal>> table;  ///< rows of constants that the loop runs over; empty: no loop
+  std::vector<Output> outputs;                ///< the flattened results in order; a kernel may leave some out
+  std::vector<std::vector<ExactReal>> table;  ///< the rows of constants of the loop; empty: no loop
 
-  /// True when the only result is a scalar, which functions return.
+  /// True if the only result is a scalar. A printed function returns it.
   [[nodiscard]] bool returns_scalar() const { return results.size() == 1 && results[0].shape.empty(); }
-  /// Which of the flattened results an output is.
+  /// The position of an output among the flattened results.
   [[nodiscard]] int element(std::size_t output) const {
     return outputs[output].element < 0 ? static_cast<int>(output) : outputs[output].element;
   }
@@ -70,18 +74,21 @@ struct Kernel {
   [[nodiscard]] NodeId size() const { return static_cast<NodeId>(nodes.size()); }
 };
 
+/// The number of arguments of an operation.
 int argument_count(Op op);
-/// When a node is computed: before the loop (also when there is none), for every row of the table, after the loop.
+/// The time at which a kernel computes a node: before the loop (also without a loop), for every row of the table, or
+/// after the loop.
 enum class Phase { kBefore, kBody, kAfter };
-/// By node. Throws std::logic_error for a sum of a value that depends on no row, or on a sum and a row.
+/// The phase of every node. Throws std::logic_error for a sum of a value that depends on no row, and for a value that
+/// depends on a sum and on a row.
 std::vector<Phase> phases(const Kernel& kernel);
-/// Printable name of an operation: "mul".
+/// The printable name of an operation: "mul".
 std::string op_name(Op op);
-/// For every node, whether an output depends on it.
+/// For every node: true if an output depends on it.
 std::vector<bool> live_nodes(const Kernel& kernel);
-/// The kernel with the nodes listed in `order` (earlier ones first, arguments before users) and no others.
+/// The kernel with only the nodes in `order`. Arguments come before the nodes that use them.
 Kernel with_order(const Kernel& kernel, const std::vector<NodeId>& order);
-/// Throws std::logic_error when a node refers forward or an output to nothing; the message names the kernel.
+/// Throws std::logic_error, which names the kernel, if a node refers to a later node or an output refers to no node.
 void require_well_formed(const Kernel& kernel);
 
 /// Appends nodes to a kernel.

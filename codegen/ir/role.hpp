@@ -1,8 +1,8 @@
-// Roles: the meaning of a kernel's parameters and results. Masks, conventions, batch drivers and checks go by the role,
-// never by a name.
+// Roles: the meaning of a kernel's parameters and results. Masks, conventions, batch drivers and checks read the role,
+// never the name.
 //
-// The shape follows from the role and the degree, so parameters are made by the functions below. The order of a role's
-// numbers is part of the role.
+// The role and the degree determine the shape, so the functions below make all parameters. A role also fixes the order
+// of its numbers.
 #pragma once
 
 #include <string>
@@ -10,31 +10,32 @@
 
 namespace sh::codegen {
 
+/// The meaning of a parameter or result.
 enum class Role {
   kDirection,              ///< scalar: component `axis` of a unit vector; x, y, z follow each other
   kVector,                 ///< scalar: component `axis` of a vector of any length; x, y, z follow each other
   kRotationMatrix,         ///< (3, 3), row by row
   kQuaternion,             ///< (4): w, x, y, z
   kBandMatrices,           ///< D_0, ..., D_degree one after the other, (2l+1)^2 numbers each, row by row
-  kCosine,                 ///< scalar: of an angle of rotation about z; its sine follows
-  kSine,                   ///< scalar: of the same angle
+  kCosine,                 ///< scalar: cosine of an angle of rotation about z; its sine follows
+  kSine,                   ///< scalar: sine of the same angle
   kCapSize,                ///< scalar: 1 - cos(half-angle) of a cap
-  kParameter,              ///< scalar of the family's own, such as the width of a window
-  kWeight,                 ///< scalar: of a sample
+  kParameter,              ///< scalar: a parameter of one family, such as the width of a window
+  kWeight,                 ///< scalar: weight of a sample
   kColor,                  ///< scalar: radiance of a light, or its channel `axis`
   kValue,                  ///< scalar or (channels): the value of a function
   kCoefficients,           ///< (bands^2) or (channels, bands^2): at index l(l+1)+m
-  kEvaluatedCoefficients,  ///< the same, summed with the basis as they are stored: with all that is folded into them
-  kZonalCoefficients,      ///< (bands): of Y_l0, one a degree
+  kEvaluatedCoefficients,  ///< the same, but the stored coefficients, with all folded factors, multiply the basis
+  kZonalCoefficients,      ///< (bands): coefficients of Y_l0, one for each degree
   kBasisValues,            ///< (bands^2): Y_lm at index l(l+1)+m
-  kBasisGradient,  ///< (bands^2): the derivatives of Y_lm by coordinate `axis`; those by x, y, z follow each other
-  kMoments,        ///< (bands^2): of z^n Re (x+iy)^m at index l(l+1)+m, l = m+n, and of z^n Im (x+iy)^m at l(l+1)-m
-  kPolynomial,     ///< (bands^2): of x^i y^j and z x^i y^j, the coefficients of a function on the sphere
+  kBasisGradient,  ///< (bands^2): derivatives of Y_lm by coordinate `axis`; derivatives by x, y, z follow each other
+  kMoments,        ///< (bands^2): sums of z^n Re (x+iy)^m at index l(l+1)+m, l = m+n; of z^n Im (x+iy)^m at l(l+1)-m
+  kPolynomial,     ///< (bands^2): the coefficients of x^i y^j and z x^i y^j of a function on the sphere
   kLinearForm,     ///< (4): e_0 + e_1 y + e_2 z + e_3 x, a function of degree 1
-  kQuadraticForm,  ///< (4, 4), row by row: of (x, y, z, 1)
+  kQuadraticForm,  ///< (4, 4), row by row: a quadratic form in (x, y, z, 1)
 };
 
-/// "rotation matrix"
+/// The name in texts: "rotation matrix".
 std::string role_name(Role role);
 
 /// A parameter or a result.
@@ -42,8 +43,8 @@ struct Parameter {
   std::string name;
   std::vector<int> shape;  ///< empty: a scalar
   Role role = Role::kParameter;
-  int degree = -1;  ///< of the functions in the array; -1: it has none
-  int axis = -1;    ///< 0, 1, 2 for x, y, z or red, green, blue; -1: it is no component
+  int degree = -1;  ///< the degree of the functions in the array; -1: there is none
+  int axis = -1;    ///< 0, 1, 2 for x, y, z or red, green, blue; -1: the parameter is not a component
 
   [[nodiscard]] int size() const;
   /// The number of functions that an array of coefficients holds; 1 for every other role.
@@ -55,19 +56,20 @@ struct Parameter {
 Parameter parameter(Role role, std::string name);
 /// An array of a role that has a degree; channels: 1 or 3, for coefficients.
 Parameter array(Role role, std::string name, int degree, int channels = 1);
-/// `before`, the components x, y, z of a direction (or of a vector), `after`.
+/// The list of `before`, then the components x, y, z of a direction (or of a vector), then `after`.
 std::vector<Parameter> with_direction(std::vector<Parameter> before, const std::vector<Parameter>& after = {},
                                       Role role = Role::kDirection);
 
-/// True for numbers at index l(l+1)+m of which each is odd or even in x, y, z as Y_lm is.
+/// True for numbers at index l(l+1)+m that have the parities of Y_lm in x, y and z.
 bool is_by_degree_and_order(Role role);
-/// True for the coefficients of a function by the basis, zonal ones included.
+/// True for coefficients of a function in the basis, including zonal coefficients.
 bool holds_coefficients(Role role);
-/// True for components of which x, y, z follow each other and turn as a vector does.
+/// True for components x, y, z that follow each other and rotate like a vector.
 bool is_coordinate(Role role);
 
+/// The number of elements of all arrays together.
 int total_size(const std::vector<Parameter>& arrays);
-/// The place of the array of that name; -1: there is none.
+/// The position of the array with that name; -1: there is none.
 int position_of(const std::vector<Parameter>& arrays, const std::string& name);
 
 }  // namespace sh::codegen

@@ -1,5 +1,6 @@
-// Fixed sets of directions: exact rational points of the unit sphere, and the floating-point directions on which the
-// error of a kernel is measured. The same in every run and on every machine (only + - * / and sqrt are used).
+// Fixed sets of directions: exact rational points of the unit sphere, and the floating-point directions at which the
+// error of a kernel is measured. They are the same in every run and on every machine, because they use only + - * / and
+// sqrt.
 #pragma once
 
 #include <cln/rational.h>
@@ -12,7 +13,7 @@ namespace sh::codegen {
 /// Points with rational coordinates and length exactly 1, spread over the sphere.
 std::vector<std::array<cln::cl_RA, 3>> rational_directions(int count);
 
-/// Random directions, the axes and poles, and directions near the poles, in double (so of length 1 +- eps).
+/// Random directions, the axes and poles, and directions near the poles. Their length is 1 +- eps of double.
 std::vector<std::array<double, 3>> test_directions();
 
 }  // namespace sh::codegen

@@ -1,4 +1,4 @@
-// The domains that families share: directions, coefficient vectors, and how their errors are counted.
+// The domains that families share: directions and coefficient vectors, with the units of their errors.
 #pragma once
 
 #include <array>
@@ -8,20 +8,22 @@
 
 namespace sh::codegen {
 
-/// x, y, z with |d| = 1, and outputs that are basis functions in order (output i is of band floor(sqrt(i))).
+/// The domain of kernels with inputs x, y, z, |d| = 1, and with basis functions in order as outputs (output i belongs
+/// to band floor(sqrt(i))).
 Domain direction_domain();
 
 /// `count` random vectors of `size` numbers scaled to length 1, the same in every run: coefficients to test with.
 std::vector<std::vector<double>> unit_vectors(int count, int size, unsigned long seed);
 
-/// Row by row: `rows` with `more` behind it. Rows of `more` are vectors or directions, as many as `rows` at least.
+/// Row by row: each row of `rows` and then the same row of `more`. The rows of `more` are vectors or directions; there
+/// are at least as many as in `rows`.
 template <class T, class Row>
 std::vector<std::vector<T>> joined(std::vector<std::vector<T>> rows, const std::vector<Row>& more) {
   for (std::size_t i = 0; i < rows.size(); ++i) rows[i].insert(rows[i].end(), more[i].begin(), more[i].end());
   return rows;
 }
 
-/// The same with directions in front.
+/// The same with directions first.
 template <class T, class Row>
 std::vector<std::vector<T>> joined(const std::vector<std::array<T, 3>>& directions, const std::vector<Row>& more) {
   std::vector<std::vector<T>> rows;
@@ -32,7 +34,7 @@ std::vector<std::vector<T>> joined(const std::vector<std::array<T, 3>>& directio
 /// The Euclidean length.
 double length(std::span<const double> vector);
 
-/// Some `count` of the test directions, the axes and poles and their neighbourhood among them.
+/// A selection of `count` test directions. It contains axes, poles and directions near them.
 std::vector<std::array<double, 3>> some_test_directions(std::size_t count);
 
 /// `count` values of 1 - cos(half-angle) in (0, 2): a third near 0, a third near 2, the same in every run.

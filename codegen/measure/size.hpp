@@ -1,4 +1,5 @@
-// The size that an error is compared with, from the formulas of a family's domain and the parameters of a kernel.
+// Computes the size that an error is compared with, from the formulas of a family's domain and the parameters of a
+// kernel.
 #pragma once
 
 #include "codegen/families/family.hpp"
@@ -6,10 +7,11 @@
 
 namespace sh::codegen {
 
-/// The parameters and results of a function of any language; flat inputs and outputs are the kernel's own.
+/// The parameters and results of the printed function, in any language. Its flat inputs and outputs equal the kernel's.
 numeric::Signature signature_of(const Kernel& kernel);
 
-/// At flattened inputs, for an element of the flattened results. Throws std::invalid_argument for a wrong formula.
+/// The size at flattened inputs for an element of the flattened results. Throws std::invalid_argument for a wrong
+/// formula.
 Size size_of(const Kernel& kernel, const Domain& domain);
 
 }  // namespace sh::codegen

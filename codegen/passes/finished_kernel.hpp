@@ -1,4 +1,4 @@
-// A kernel at the end of the pipeline with everything its file says about it.
+// A kernel at the end of the pipeline, with all facts that its file states.
 #pragma once
 
 #include "codegen/ir/cost.hpp"
@@ -7,6 +7,7 @@
 
 namespace sh::codegen {
 
+/// A kernel with its domain, cost and measured errors.
 struct FinishedKernel {
   Kernel kernel;
   Domain domain;

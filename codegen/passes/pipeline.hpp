@@ -1,8 +1,9 @@
-// The whole way of a kernel: recipe -> share -> factor -> fold -> prune -> associate -> schedule, checked after every
-// step.
+// The pipeline of a kernel: recipe -> share -> factor -> fold -> prune -> associate -> schedule, with a check after
+// every step.
 //
-// After the recipe and after every pass the kernel is evaluated with 100 digits at random points of its domain and has
-// to agree with the exact functions to 90 digits; a pass that promises not to raise the cost is held to it.
+// After the recipe and after every pass the pipeline evaluates the kernel with 100 digits at random points of its
+// domain. The values have to agree with the exact functions to 90 digits. It also checks that the cost does not rise,
+// except after passes that may raise it.
 #pragma once
 
 #include <span>
@@ -13,12 +14,14 @@
 
 namespace sh::codegen {
 
+/// A pass and its name.
 struct Pass {
   std::string name;
   Kernel (*run)(const Kernel&);
   bool may_raise_cost = false;
 };
 
+/// A kernel after one step of the pipeline.
 struct Stage {
   std::string name;  ///< "recipe" or the pass that produced the kernel
   Kernel kernel;
@@ -27,8 +30,8 @@ struct Stage {
 /// share, factor, fold, prune, associate, schedule.
 const std::vector<Pass>& default_passes();
 
-/// All stages, the recipe first; the last one is the result. Throws std::runtime_error naming the pass, the kernel and
-/// the output when a value is wrong, and naming both costs when the cost rises.
+/// All stages: the recipe is the first, the result is the last. Throws std::runtime_error if a value is wrong (it names
+/// the pass, the kernel and the output) or if the cost rises (it names both costs).
 std::vector<Stage> run_pipeline(Kernel recipe, const Reference& reference, std::span<const Pass> passes);
 
 }  // namespace sh::codegen

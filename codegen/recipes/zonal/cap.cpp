@@ -115,9 +115,7 @@ std::vector<NodeId> append_cap(Builder& build, NodeId one_minus_cos, NodeId weig
   NodeId middle = -1;
   for (int l = 1; l <= degree; ++l) {
     const bool centred = l >= kCentredFrom;
-    if (centred && middle < 0) {
-      middle = build.sub(cap.s, build.constant(Surd(cln::cl_RA(1) / 2), "k_half"), "v");
-    }
+    if (centred && middle < 0) middle = build.sub(cap.s, build.constant(Surd(cln::cl_RA(1) / 2), "k_half"), "v");
     const std::vector<cln::cl_RA> coefficients = in_sine_square(l, centred ? cln::cl_RA(1) / 2 : cln::cl_RA(0));
     const NodeId polynomial = horner(build, coefficients, norm(l), centred ? middle : cap.s, l);
     z.push_back(build.mul(polynomial, l % 2 == 0 ? even : cap.weighted_s, numbered("z", l)));
