@@ -10,6 +10,7 @@
 #include "symbolic/number/from_ginac.hpp"
 #include "symbolic/number/polynomial_calculus.hpp"
 #include "symbolic/number/remembered.hpp"
+#include "symbolic/number/require_degree.hpp"
 
 namespace sh::symbolic {
 namespace {
@@ -60,11 +61,7 @@ DegreeOrder degree_order(int index) {
 }
 
 void require_basis_index(int degree, int order) {
-  if (degree < 0 || degree > kMaxBasisDegree) {
-    throw std::invalid_argument("basis: degree " + std::to_string(degree) + "; it should be 0 to " +
-                                std::to_string(kMaxBasisDegree) +
-                                " (exponents of a product of two functions stay below 128)");
-  }
+  require_degree("basis", degree, kMaxBasisDegree, "exponents of a product of two functions stay below 128");
   if (std::abs(order) > degree) {
     throw std::invalid_argument("basis: order " + std::to_string(order) + " at degree " + std::to_string(degree) +
                                 "; it should be -degree to degree");

@@ -7,6 +7,7 @@
 
 #include "symbolic/basis/basis.hpp"
 #include "symbolic/number/polynomial_calculus.hpp"
+#include "symbolic/number/require_degree.hpp"
 #include "symbolic/rotation/rotation.hpp"
 #include "symbolic/zonal/convolution.hpp"
 
@@ -51,19 +52,15 @@ Matrix<RadicalSum> axes_matrix(const SignedPermutation& axes, int degree) {
 }  // namespace
 
 void require_convention(const Convention& convention, int degree) {
-  if (degree < 0 || degree > kMaxConventionDegree) {
-    throw std::invalid_argument("convention: degree " + std::to_string(degree) + "; it should be 0 to " +
-                                std::to_string(kMaxConventionDegree) + " (exact band matrices are kept to there)");
-  }
+  require_degree("convention", degree, kMaxConventionDegree, "exact band matrices are kept to there");
   const bool has_no_complex_form =
       convention.normalisation == Normalisation::kUnnormalised || convention.normalisation == Normalisation::kPrimitive;
   if (convention.complex && has_no_complex_form) {
     throw std::invalid_argument(
         "convention: complex functions should be orthonormal, 4-pi, Schmidt or SN3D normalised, not unnormalised");
   }
-  if (convention.folded == Folded::kCosineOverPi && degree > 2) {
-    throw std::invalid_argument("convention: degree " + std::to_string(degree) +
-                                " with the clamped cosine folded in; it should be 0 to 2 (A_3 = 0 cannot be undone)");
+  if (convention.folded == Folded::kCosineOverPi) {
+    require_degree("convention with the clamped cosine folded in", degree, 2, "A_3 = 0 cannot be undone");
   }
 }
 

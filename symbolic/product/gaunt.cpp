@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
-#include <stdexcept>
-#include <string>
 
 #include "symbolic/basis/basis.hpp"
 #include "symbolic/number/from_ginac.hpp"
 #include "symbolic/number/remembered.hpp"
+#include "symbolic/number/require_degree.hpp"
 
 namespace sh::symbolic {
 namespace {
@@ -110,10 +109,7 @@ GauntTensor gaunt_tensor(int degree) { return tensor_of(degree, gaunt); }
 GauntTensor gaunt_by_wigner(int degree) { return tensor_of(degree, gaunt_entry_by_wigner); }
 
 void require_gaunt_degree(int degree) {
-  if (degree < 0 || degree > kMaxGauntDegree) {
-    throw std::invalid_argument("Gaunt tensor: degree " + std::to_string(degree) + "; it should be 0 to " +
-                                std::to_string(kMaxGauntDegree) + " (the tensor grows with the fifth power)");
-  }
+  require_degree("Gaunt tensor", degree, kMaxGauntDegree, "the tensor grows with the fifth power");
 }
 
 }  // namespace sh::symbolic

@@ -3,6 +3,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "symbolic/number/require_degree.hpp"
 #include "symbolic/product/gaunt.hpp"
 
 namespace sh::symbolic {
@@ -11,19 +12,13 @@ namespace {
 int count(int degree) { return (degree + 1) * (degree + 1); }
 
 void require_factor_degree(int degree) {
-  if (degree >= 0 && degree <= kMaxProductDegree) return;
-  throw std::invalid_argument("product: degree " + std::to_string(degree) + " of a factor; it should be 0 to " +
-                              std::to_string(kMaxProductDegree) + " (the tensor grows with the fifth power)");
+  require_degree("factor of a product", degree, kMaxProductDegree, "the tensor grows with the fifth power");
 }
 
 void require_shape(const ProductShape& shape) {
   require_factor_degree(shape.a);
   require_factor_degree(shape.b);
-  if (shape.result < 0 || shape.result > shape.a + shape.b) {
-    throw std::invalid_argument("product: degree " + std::to_string(shape.result) +
-                                " of the result; it should be 0 to " + std::to_string(shape.a + shape.b) +
-                                " (a product holds nothing beyond)");
-  }
+  require_degree("result of a product", shape.result, shape.a + shape.b, "a product holds nothing beyond");
 }
 
 // Zero where a selection rule says so; the integral otherwise.

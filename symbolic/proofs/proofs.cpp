@@ -1,9 +1,9 @@
 #include "symbolic/proofs/proofs.hpp"
 
 #include <exception>
-#include <stdexcept>
 
 #include "symbolic/basis/basis.hpp"
+#include "symbolic/number/require_degree.hpp"
 #include "symbolic/proofs/basis_proofs.hpp"
 #include "symbolic/proofs/convention_proofs.hpp"
 #include "symbolic/proofs/gaunt_proofs.hpp"
@@ -16,10 +16,7 @@ namespace {
 // The same entry; its run refuses degrees outside its range.
 Proof with_range_check(Proof proof) {
   proof.run = [name = proof.name, max = proof.max_degree, limit = proof.limit, run = proof.run](int degree) {
-    if (degree < 0 || degree > max) {
-      throw std::invalid_argument("proof " + name + ": degree " + std::to_string(degree) + "; it should be 0 to " +
-                                  std::to_string(max) + " (" + limit + ")");
-    }
+    require_degree("proof " + name, degree, max, limit);
     return run(degree);
   };
   return proof;
@@ -44,11 +41,8 @@ ProofResult run_proof(const Proof& proof, int degree) {
 }
 
 void require_proof_degree(int degree) {
-  if (degree < 0 || degree > kMaxBasisDegree) {
-    throw std::invalid_argument("prove: degree " + std::to_string(degree) + "; it should be 0 to " +
-                                std::to_string(kMaxBasisDegree) +
-                                " (the basis is derived to there: exponents of a product stay below 128)");
-  }
+  require_degree("prove", degree, kMaxBasisDegree,
+                 "the basis is derived to there: exponents of a product stay below 128");
 }
 
 }  // namespace sh::symbolic

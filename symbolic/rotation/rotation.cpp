@@ -11,12 +11,11 @@
 
 #include <cstdlib>
 #include <map>
-#include <stdexcept>
-#include <string>
 
 #include "symbolic/basis/basis.hpp"
 #include "symbolic/number/from_ginac.hpp"
 #include "symbolic/number/remembered.hpp"
+#include "symbolic/number/require_degree.hpp"
 #include "symbolic/rotation/rotation_recursion.hpp"
 
 namespace sh::symbolic {
@@ -81,17 +80,12 @@ Matrix<Polynomial> turned_band(int l, const Quaternion<ex>& q, const std::vector
   return t;
 }
 
-void require_degree(int degree, int limit, const std::string& what) {
-  if (degree < 0 || degree > limit) {
-    throw std::invalid_argument(what + ": degree " + std::to_string(degree) + "; it should be 0 to " +
-                                std::to_string(limit) + " (exact entries grow with the degree)");
-  }
-}
+const char* const kGrowth = "exact entries grow with the degree";
 
 }  // namespace
 
 const QuaternionRotation& quaternion_rotation(int degree) {
-  require_degree(degree, kMaxQuaternionDegree, "quaternion rotation");
+  require_degree("quaternion rotation", degree, kMaxQuaternionDegree, kGrowth);
   static std::map<int, QuaternionRotation> known;
   return remembered(known, degree, [degree] {
     const std::vector<symbol> q{symbol("w"), symbol("x"), symbol("y"), symbol("z")};
@@ -100,7 +94,7 @@ const QuaternionRotation& quaternion_rotation(int degree) {
 }
 
 Matrix<Polynomial> rotation_about_z(int degree) {
-  require_degree(degree, kMaxAxisDegree, "axis rotation");
+  require_degree("axis rotation", degree, kMaxAxisDegree, kGrowth);
   Matrix<Polynomial> d(2 * degree + 1, 2 * degree + 1);
   for (int m = -degree; m <= degree; ++m) {  // Re and Im of (c + is)^|m|, c and s in place of x and y
     d(degree + m, degree + m) = reduced_basis_function(degree, std::abs(m)).azimuthal;
@@ -112,7 +106,7 @@ Matrix<Polynomial> rotation_about_z(int degree) {
 }
 
 const Matrix<Polynomial>& rotation_about_y(int degree) {
-  require_degree(degree, kMaxAxisDegree, "axis rotation");
+  require_degree("axis rotation", degree, kMaxAxisDegree, kGrowth);
   static std::map<int, Matrix<Polynomial>> known;
   return remembered(known, degree, [degree] {
     const std::vector<symbol> half{symbol("c"), symbol("s")};
@@ -121,7 +115,7 @@ const Matrix<Polynomial>& rotation_about_y(int degree) {
 }
 
 const Matrix<cln::cl_RA>& rotation_x90(int degree, bool positive) {
-  require_degree(degree, kMaxAxisDegree, "axis rotation");
+  require_degree("axis rotation", degree, kMaxAxisDegree, kGrowth);
   static std::map<std::pair<int, bool>, Matrix<cln::cl_RA>> known;
   return remembered(known, {degree, positive}, [&] {
     const cln::cl_I size = cln::ash(cln::cl_I(1), degree);  // |q|^(2l)
@@ -160,12 +154,7 @@ cln::cl_RA column_scale(int degree, int column) {
   return squared_factor(degree, a) / squared_factor(degree - 1, a == degree ? a - 1 : a) * inverse_g;
 }
 
-void require_recursion_degree(int degree, int limit) {
-  if (degree < 0 || degree > limit) {
-    throw std::invalid_argument("rotation recursion: degree " + std::to_string(degree) + "; it should be 0 to " +
-                                std::to_string(limit) + " (exact entries grow with the degree)");
-  }
-}
+void require_recursion_degree(int degree, int limit) { require_degree("rotation recursion", degree, limit, kGrowth); }
 
 Matrix<Polynomial> quaternion_matrix() {
   return matrix_from_quaternion<Polynomial>(

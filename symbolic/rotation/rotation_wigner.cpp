@@ -1,19 +1,14 @@
 // The second derivation of turns about y: Wigner's d matrix in closed form, over CLN rationals.
 #include <cln/integer.h>
 
-#include <stdexcept>
-#include <string>
-
+#include "symbolic/number/require_degree.hpp"
 #include "symbolic/rotation/rotation.hpp"
 
 namespace sh::symbolic {
 namespace {
 
 void require_axis_degree(int degree) {
-  if (degree < 0 || degree > kMaxAxisDegree) {
-    throw std::invalid_argument("axis rotation: degree " + std::to_string(degree) + "; it should be 0 to " +
-                                std::to_string(kMaxAxisDegree) + " (exact entries grow with the degree)");
-  }
+  require_degree("axis rotation", degree, kMaxAxisDegree, "exact entries grow with the degree");
 }
 
 cln::cl_I factorial(int n) { return cln::factorial(static_cast<unsigned>(n)); }

@@ -2,6 +2,8 @@
 
 #include <stdexcept>
 
+#include "symbolic/number/require_degree.hpp"
+
 namespace sh::symbolic {
 namespace {
 
@@ -49,10 +51,7 @@ const std::vector<TypesetFamily>& typeset_families() {
 
 FormulaTable typeset_table(std::string_view family, int degree, const Preset& preset) {
   const TypesetFamily& found = find_typeset_family(family);
-  if (degree < 0 || degree > found.max_degree) {
-    throw std::invalid_argument(found.name + ": degree " + std::to_string(degree) + "; it should be 0 to " +
-                                std::to_string(found.max_degree) + " (" + found.limit + ")");
-  }
+  require_degree(found.name, degree, found.max_degree, found.limit);
   FormulaTable table = found.table(degree, preset.convention);
   table.title = found.title + ", degree " + std::to_string(degree) + ", convention " + preset.name;
   table.notes.insert(table.notes.begin(), "Convention " + preset.name + ": " + preset.covers + ".");

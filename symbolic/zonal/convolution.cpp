@@ -6,6 +6,7 @@
 #include <string>
 
 #include "symbolic/number/polynomial_calculus.hpp"
+#include "symbolic/number/require_degree.hpp"
 
 namespace sh::symbolic {
 namespace {
@@ -46,10 +47,7 @@ Surd irradiance_factor(int degree) {
 }
 
 Surd irradiance_factor_integral(int degree) {
-  if (degree < 0 || degree > kMaxIrradianceDegree) {
-    throw std::invalid_argument("irradiance factor: degree " + std::to_string(degree) + "; it should be 0 to " +
-                                std::to_string(kMaxIrradianceDegree) + " (exponents stay below 128)");
-  }
+  require_degree("irradiance factor", degree, kMaxIrradianceDegree, "exponents stay below 128");
   const Polynomial t = Polynomial::variable(0);
   const Polynomial moment = definite_integral(t * legendre_polynomial(degree, 0), 0, Polynomial(), Polynomial(1));
   return times_pi(2 * moment.coefficient({}));

@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "symbolic/number/require_degree.hpp"
 #include "symbolic/zonal/zonal_derivations.hpp"
 
 namespace sh::symbolic {
@@ -86,11 +87,7 @@ const ZonalFamily& zonal_family(std::string_view name) {
 }
 
 void require_zonal_degree(int degree) {
-  if (degree < 0 || degree > kMaxZonalDegree) {
-    throw std::invalid_argument("zonal function: degree " + std::to_string(degree) + "; it should be 0 to " +
-                                std::to_string(kMaxZonalDegree) +
-                                " (the norm squares P_l and exponents stay below 128)");
-  }
+  require_degree("zonal function", degree, kMaxZonalDegree, "the norm squares P_l and exponents stay below 128");
 }
 
 std::vector<ZonalTerm> zonal_coefficients(const ZonalFamily& family, int degree) {
