@@ -2,7 +2,8 @@
 //
 // A driver is derived from the signature of a family's kernels: consecutive scalars x, y, z are one record of 3 values,
 // an array is a record, the results together are the output record; a result that is updated in place is a sum over all
-// records. What does not depend on the families (layouts, lanes, choice of the instruction set) is fixed text.
+// records. The files that depend on no family (layouts, lanes, choice of the instruction set) are copies of
+// codegen/runtime/.
 #pragma once
 
 #include <map>
@@ -21,15 +22,8 @@ struct WrittenFamily {
   std::vector<FinishedKernel> kernels;
 };
 
-/// Relative path -> text of every file under generated/batch/: a driver for each of the families that asks for one.
+/// Relative path -> text of every file under generated/batch/: a driver for each of the families that asks for one, the
+/// tables of lanes, the copies.
 std::map<std::string, std::string> batch_files(const std::vector<WrittenFamily>& families);
-
-/// Fixed texts: the registers that kernels compute with, layouts and copies, the loop over chunks of records.
-extern const char* const kBatchLanes;
-extern const char* const kBatchLayout;
-extern const char* const kBatchDrive;
-/// Fixed part of the public header, and of the file that chooses the instruction set.
-extern const char* const kBatchHeader;
-extern const char* const kBatchChoice;
 
 }  // namespace sh::codegen::print

@@ -187,13 +187,13 @@ TEST(Batch, RefusesWhatItCannotDoInOneLine) {
   std::array<float, 1000> values{};
   const auto plain = batch::plain(values.data());
   EXPECT_EQ(message_of([&] { batch::basis(11, 1, plain, plain); }),
-            "sh::batch::basis: degree 11; it should be 0 to 10");
+            "sh::batch::basis: expected a degree of 0 to 10, got 11");
   EXPECT_EQ(message_of([&] { batch::basis(-1, 1, plain, plain); }),
-            "sh::batch::basis: degree -1; it should be 0 to 10");
+            "sh::batch::basis: expected a degree of 0 to 10, got -1");
   EXPECT_EQ(message_of([&] { batch::basis(2, 1, plain, batch::shared(values.data())); }),
-            "sh::batch::basis: the output is shared; it should be plain or blocked");
+            "sh::batch::basis: expected a plain or blocked output, got a shared one");
   EXPECT_EQ(message_of([&] { batch::basis(2, 7, Records<const float>{}, plain); }),
-            "sh::batch::basis: an array is a null pointer; it should hold 7 records");
+            "sh::batch::basis: expected arrays of 7 records, got a null pointer");
   EXPECT_EQ(message_of([&] { batch::basis(2, 0, Records<const float>{}, Records<float>{}); }), "nothing thrown");
 }
 

@@ -187,7 +187,7 @@ TEST(ProductOne, RefusesDegreesItHasNoKernelFor) {
       batch::product_one(degree, v.data(), v.data(), v.data());
       ADD_FAILURE() << degree;
     } catch (const std::invalid_argument& error) {
-      EXPECT_EQ(error.what(), "sh::batch::product_one: degree " + std::to_string(degree) + "; it should be 0 to 10");
+      EXPECT_EQ(error.what(), "sh::batch::product_one: expected a degree of 0 to 10, got " + std::to_string(degree));
     }
   }
 }

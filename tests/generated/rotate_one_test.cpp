@@ -158,7 +158,7 @@ TEST(RotateOne, TakesAMatrixThatWasPreparedOnAnotherInstructionSet) {
 
 TEST(RotateOne, RefusesDegreesItHasNoKernelFor) {
   Floats v(1000);
-  const std::string why = ": degree 11; it should be 0 to 10";
+  const std::string why = ": expected a degree of 0 to 10, got 11";
   EXPECT_EQ(message_of([&] { batch::rotate_one(11, v.data(), v.data(), v.data()); }), "sh::batch::rotate_one" + why);
   EXPECT_EQ(message_of([&] { batch::rotate_prepare(11, v.data(), v.data()); }), "sh::batch::rotate_prepare" + why);
   EXPECT_EQ(message_of([&] { batch::rotate_prepared_one(11, v.data(), v.data(), v.data()); }),
@@ -166,7 +166,7 @@ TEST(RotateOne, RefusesDegreesItHasNoKernelFor) {
   EXPECT_EQ(message_of([&] { static_cast<void>(batch::rotate_prepared_size(11)); }),
             "sh::batch::rotate_prepared_size" + why);
   EXPECT_EQ(message_of([&] { batch::rotate_one(-1, v.data(), v.data(), v.data()); }),
-            "sh::batch::rotate_one: degree -1; it should be 0 to 10");
+            "sh::batch::rotate_one: expected a degree of 0 to 10, got -1");
 }
 
 }  // namespace

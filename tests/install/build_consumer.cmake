@@ -1,12 +1,5 @@
 # Input: BUILD_DIR, SCRATCH, CONSUMER, COMPILER, SANITIZE. Fails with the output of the step that failed.
-function(step)
-  execute_process(COMMAND ${ARGN} RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE output)
-  if(NOT code EQUAL 0)
-    message(FATAL_ERROR "${ARGN}\n${output}")
-  endif()
-  set(output "${output}" PARENT_SCOPE)
-endfunction()
-
+include(${CMAKE_CURRENT_LIST_DIR}/steps.cmake)
 set(flags "")
 if(SANITIZE)
   set(flags -fsanitize=address,undefined)
@@ -26,10 +19,4 @@ if(EXISTS ${SCRATCH}/prefix/bin/shgen)
 endif()
 
 file(COPY ${CONSUMER} DESTINATION ${SCRATCH})
-step(${CMAKE_COMMAND} -S ${SCRATCH}/consumer -B ${SCRATCH}/build -G Ninja -D CMAKE_PREFIX_PATH=${SCRATCH}/prefix
-  -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_CXX_FLAGS=${flags})
-step(${CMAKE_COMMAND} --build ${SCRATCH}/build)
-step(${SCRATCH}/build/consumer)
-if(NOT output MATCHES "agree")
-  message(FATAL_ERROR "the consumer printed: ${output}")
-endif()
+run_consumer(${SCRATCH}/consumer ${SCRATCH}/build -D CMAKE_PREFIX_PATH=${SCRATCH}/prefix -D CMAKE_CXX_FLAGS=${flags})

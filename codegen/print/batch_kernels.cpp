@@ -1,0 +1,177 @@
+#include "codegen/print/batch_kernels.hpp"
+
+#include <set>
+#include <stdexcept>
+
+#include "codegen/print/filled.hpp"
+
+namespace sh::codegen::print {
+namespace {
+
+enum class Loop { kPlain, kFixed, kHalf };
+
+// The loop over registers that runs a kernel: its name and template arguments.
+std::string loop_of(const RecordSignature& s, int degree, Loop loop) {
+  const std::string count = "(Degree + 1) * (Degree + 1)";
+  const std::string inputs = std::to_string(s.inputs.size());
+  const int sets = s.inputs[0].size / ((degree + 1) * (degree + 1));
+  if (loop == Loop::kFixed) return "for_every_register_fixed<" + inputs + ", " + count + ">";
+  if (loop == Loop::kHalf)
+    return "for_every_register_half<" + inputs + ", " + (sets == 1 ? "" : std::to_string(sets) + " * ") + count + ">";
+  return s.sums ? "sum_every_register<" + inputs + ", " + count + ">" : "for_every_register<" + inputs + ">";
+}
+
+std::string block_kernel(const std::string& name, const Kernel& kernel, Loop loop = Loop::kPlain) {
+  const bool half = loop == Loop::kHalf;
+  return filled(R"(template <int Degree$class_t>
+[[gnu::flatten]] void $name(const Blocks<$t>& blocks) {
+  $loop(blocks, [](const Lanes<$t>* const* in, Lanes<$t>* out) {
+    $call
+  });
+}
+
+)",
+                {{"class_t", half ? "" : ", class T"},
+                 {"name", name},
+                 {"t", half ? "float" : "T"},
+                 {"loop", loop_of(signature_of(kernel), kernel.degree, loop)},
+                 {"call", call_of(kernel)}});
+}
+
+// The row of the table of plans for one degree.
+std::string plan_row(const Driver& driver, std::size_t i) {
+  const Kernel& kernel = driver.kernels[i].kernel;
+  const RecordSignature s = signature_of(kernel);
+  std::string sizes;
+  for (const Record& record : s.inputs) sizes += (sizes.empty() ? "" : ", ") + std::to_string(record.size);
+  const bool by_parts = driver.adds_parts() && kernel.degree <= kLargestByParts;
+  const std::string at_degree = "<" + std::to_string(kernel.degree);
+  std::string prepared = "nullptr, 0, nullptr";
+  if (driver.prepares() && kernel.degree <= kLargestPrepared) {
+    const int size = signature_of((*driver.prepare)[i].kernel).out_size;
+    prepared =
+        "detail::prepare_" + driver.name + ", " + std::to_string(size) + ", kernel_prepared" + at_degree + ", T>";
+  }
+  return filled("      {$inputs, {$sizes}, $out, $sums, $kernel, $half, $prepared, $finish},\n",
+                {{"inputs", std::to_string(s.inputs.size())},
+                 {"sizes", sizes},
+                 {"out", std::to_string(s.out_size)},
+                 {"sums", s.sums ? "true" : "false"},
+                 {"kernel", (by_parts ? "parts" : "kernel") + at_degree + ", T>"},
+                 {"half", driver.spec.half ? "float_only<T>(kernel_half" + at_degree + ">)" : "nullptr"},
+                 {"prepared", prepared},
+                 {"finish", by_parts ? "detail::finish_" + driver.name : "nullptr"}});
+}
+
+// A function that a driver runs once a call: the kernels of a family, for each of some scalars.
+struct OnceFunction {
+  std::string name;
+  std::vector<std::string> scalars;
+  const std::vector<FinishedKernel>* kernels = nullptr;
+
+  [[nodiscard]] std::string declaration(const std::string& scalar) const {
+    return filled("void $name(int degree, const $t* in, $t* out)", {{"name", name}, {"t", scalar}});
+  }
+};
+
+std::vector<OnceFunction> once_functions(const std::vector<Driver>& drivers) {
+  std::vector<OnceFunction> functions;
+  for (const Driver& driver : drivers) {
+    if (driver.prepares()) functions.push_back({"prepare_" + driver.name, {"float", "double"}, driver.prepare});
+    if (driver.adds_parts()) functions.push_back({"finish_" + driver.name, {"double"}, driver.finish});
+  }
+  return functions;
+}
+
+// Chooses by degree among the kernels.
+std::string definition(const OnceFunction& function, const std::string& scalar) {
+  std::string runs;
+  for (const FinishedKernel& finished : *function.kernels) {
+    const Kernel& kernel = finished.kernel;
+    if (kernel.parameters.size() != 1 || kernel.results.size() != 1)
+      throw std::logic_error(kernel.name + ": only a kernel from one array to one array can run once a call");
+    runs += "      sh::" + kernel.name + "<" + scalar + ">,\n";
+  }
+  return filled(R"(
+$declaration {
+  static constexpr Run<$t> kRuns[] = {
+$runs  };
+  kRuns[degree](in, out);
+}
+)",
+                {{"declaration", function.declaration(scalar)}, {"t", scalar}, {"runs", runs}});
+}
+
+}  // namespace
+
+std::string kernels_file(const Driver& driver) {
+  std::string includes;
+  for (const auto* further : {driver.prepared, driver.parts}) {
+    if (further != nullptr) includes += "#include \"../cpp/" + further->back().kernel.family + ".hpp\"\n";
+  }
+  includes += "#include \"drive.hpp\"\n";
+  if (driver.prepares() || driver.adds_parts()) includes += "#include \"once.hpp\"\n";
+  std::string kernels = block_kernel("kernel", driver.last());
+  if (driver.adds_parts()) kernels += block_kernel("parts", driver.parts->back().kernel);
+  if (driver.prepares()) kernels += block_kernel("kernel_prepared", driver.prepared->back().kernel, Loop::kFixed);
+  if (driver.spec.half) kernels += block_kernel("kernel_half", driver.last(), Loop::kHalf);
+  std::string plans;
+  for (std::size_t i = 0; i < driver.kernels.size(); ++i) plans += plan_row(driver, i);
+  return filled(
+      R"(// sh::batch::$name on the instruction set SH_BATCH_ISA.
+//
+$stamp#include "../cpp/$name.hpp"
+$includes
+namespace sh::batch::SH_BATCH_ISA {
+namespace {
+
+$kernels}  // namespace
+
+template <class T>
+void $name(const detail::Call<T>& call) {
+  static constexpr Plan<T> kPlans[] = {
+$plans  };
+  drive(call, kPlans[call.degree]);
+}
+template void $name(const detail::Call<float>&);
+template void $name(const detail::Call<double>&);
+
+}  // namespace sh::batch::SH_BATCH_ISA
+)",
+      {{"name", driver.name}, {"stamp", kStamp}, {"includes", includes}, {"kernels", kernels}, {"plans", plans}});
+}
+
+std::string once_header(const std::vector<Driver>& drivers) {
+  std::string declarations;
+  for (const OnceFunction& function : once_functions(drivers)) {
+    for (const std::string& scalar : function.scalars) declarations += function.declaration(scalar) + ";\n";
+  }
+  return filled(R"(// What drivers compute once a call, whatever the instruction set: from a shared input, or of a sum.
+//
+$stamp#pragma once
+
+namespace sh::batch::detail {
+
+$declarations
+}  // namespace sh::batch::detail
+)",
+                {{"stamp", kStamp}, {"declarations", declarations}});
+}
+
+std::string once_file(const std::vector<Driver>& drivers) {
+  std::set<std::string> includes;
+  std::string definitions;
+  for (const OnceFunction& function : once_functions(drivers)) {
+    includes.insert("#include \"../cpp/" + function.kernels->back().kernel.family + ".hpp\"\n");
+    for (const std::string& scalar : function.scalars) definitions += definition(function, scalar);
+  }
+  std::string text = "// Chooses by degree what drivers compute once a call.\n//\n" + std::string(kStamp);
+  text += "#include \"once.hpp\"\n\n";
+  for (const std::string& include : includes) text += include;
+  return text +
+         "\nnamespace sh::batch::detail {\nnamespace {\n\ntemplate <class T>\nusing Run = void (*)(const T*, T*);\n\n} "
+         " // namespace\n" +
+         definitions + "\n}  // namespace sh::batch::detail\n";
+}
+
+}  // namespace sh::codegen::print

@@ -1,0 +1,36 @@
+// What the drivers of sh::batch share, whatever the instruction set.
+//
+// Copied by:    shgen write, from codegen/runtime to generated/batch
+// Licence:      MIT-0; paste it anywhere.
+#pragma once
+
+#include "records.hpp"
+
+namespace sh::batch::detail {
+
+constexpr std::size_t kLine = 64;  // bytes of a cache line, and of one value of a block
+constexpr int kMostInputs = 3;
+
+/// One call of a driver, checked.
+template <class T>
+struct Call {
+  int degree = 0;
+  std::size_t n = 0;
+  Records<const T> in[kMostInputs];
+  Records<T> out;
+  const Half* half = nullptr;  ///< data of input 0 where it is half precision
+  bool stream = false;         ///< write past the cache
+};
+
+/// Something computed once a call.
+template <class T>
+using Once = void (*)(int degree, const T* in, T* out);
+
+/// A kernel for one product; c may be a or b.
+using ProductOne = void (*)(const float* a, const float* b, float* c);
+
+/// A kernel for one rotation, from a matrix or from a prepared matrix; out may be c.
+using RotateOne = void (*)(const float* r, const float* c, float* out);
+using RotatePrepare = void (*)(const float* r, float* prepared);
+
+}  // namespace sh::batch::detail

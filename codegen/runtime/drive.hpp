@@ -1,0 +1,42 @@
+// A driver: kernels of whole blocks over records in any layout.
+//
+// Copied by:    shgen write, from codegen/runtime to generated/batch
+// Licence:      MIT-0; paste it anywhere.
+#pragma once
+
+#include "lanes.hpp"
+
+namespace sh::batch::SH_BATCH_ISA {
+
+/// A driver at one degree: its kernel and the sizes of its records.
+template <class T>
+struct Plan {
+  int inputs = 0;
+  std::size_t in[detail::kMostInputs] = {};
+  std::size_t out = 0;
+  bool sums = false;  // out is one record, a sum over all
+  BlockKernel<T> kernel = nullptr;
+  BlockKernel<T> kernel_half = nullptr;  // takes input 0 in half precision
+  // When input 0 is shared: what is computed from it once, its size, and the kernel that takes it instead.
+  detail::Once<T> prepare = nullptr;
+  std::size_t prepared = 0;
+  BlockKernel<T> kernel_prepared = nullptr;
+  // Where the kernel adds up something else: from that to the sum.
+  detail::Once<double> finish = nullptr;
+};
+
+/// The kernel where T is float; none for double.
+template <class T>
+constexpr BlockKernel<T> float_only([[maybe_unused]] BlockKernel<float> kernel) {
+  if constexpr (sizeof(T) == sizeof(float)) {
+    return kernel;
+  } else {
+    return nullptr;
+  }
+}
+
+/// Runs a checked call: hands the caller's blocks to the kernel where they serve, and copies where they do not.
+template <class T>
+void drive(const detail::Call<T>& call, const Plan<T>& plan);
+
+}  // namespace sh::batch::SH_BATCH_ISA

@@ -1,0 +1,51 @@
+// Checks the arguments of the drivers and chooses the instruction set.
+//
+// Copied by:    shgen write, from codegen/runtime to generated/batch
+// Licence:      MIT-0; paste it anywhere.
+#pragma once
+
+#include <atomic>
+#include <initializer_list>
+
+#include "call.hpp"
+
+// {the driver or table of every instruction set}, in the order of InstructionSet.
+#if defined(SH_BATCH_X86)
+#define SH_BATCH_EVERY(name) \
+  { baseline::name, avx2::name, avx512::name }
+#else
+#define SH_BATCH_EVERY(name) \
+  { baseline::name }
+#endif
+
+namespace sh::batch::detail {
+
+/// The instruction set in use, once it has been chosen.
+constexpr int kNotChosen = -1;
+extern std::atomic<int> in_use;
+
+/// Values of an output record: sets of bands^2 and some more; none where the output is a sum.
+struct OutputSize {
+  std::size_t sets = 0;
+  std::size_t more = 0;
+};
+
+/// Throws std::invalid_argument, naming the function, for a degree that is not 0 to `largest`.
+void check_degree(const char* function, int degree, int largest);
+
+/// Checks one call, which takes `inputs` arrays, and decides whether it streams. Throws std::invalid_argument.
+template <class T>
+void check(const char* driver, Call<T>& call, int inputs, int largest_degree, OutputSize size);
+
+template <class T>
+using Run = void (*)(const Call<T>&);
+
+/// Checks the call and runs the driver of the instruction set in use.
+template <class T>
+void run(const char* driver, std::initializer_list<Run<T>> every, Call<T> call, int inputs, int largest_degree,
+         OutputSize size) {
+  check(driver, call, inputs, largest_degree, size);
+  every.begin()[static_cast<int>(instruction_set())](call);
+}
+
+}  // namespace sh::batch::detail

@@ -1,0 +1,213 @@
+// Runs kernels of whole blocks over any layout: hands them the caller's blocks where those serve, copies where not.
+//
+// Copied by:    shgen write, from codegen/runtime to generated/batch
+// Licence:      MIT-0; paste it anywhere.
+#include "drive.hpp"
+
+#include <cstddef>
+#include <cstdint>
+
+#include "layout.hpp"
+#include "sizes.hpp"
+
+namespace sh::batch::SH_BATCH_ISA {
+namespace {
+
+constexpr std::size_t kSegmentBlocks = 64;  // added up in lanes before they go to the total
+
+template <class T>
+class Driver {
+ public:
+  Driver(const detail::Call<T>& call, const Plan<T>& plan) : call_(call), plan_(plan) {
+    for (int j = 0; j < plan.inputs; ++j) take_input(j);
+    direct_out_ = direct(call.out.data, call.out.layout, plan.out) && !call.stream;
+  }
+
+  void run() {
+    if (plan_.sums) return sum();
+    const std::size_t whole = call_.n / kBlock<T>;
+    const std::size_t chunk = chunk_blocks(direct_out_ ? 0 : plan_.out, whole);
+    for (std::size_t first = 0; first < whole; first += chunk) {
+      step(first, whole - first < chunk ? whole - first : chunk, kBlock<T>);
+    }
+    direct_out_ = false;
+    if (const std::size_t rest = call_.n % kBlock<T>; rest > 0) step(whole, 1, rest);
+    if (call_.stream) finish_stream();
+  }
+
+ private:
+  // Whether a kernel can work on the array itself; records of one value are blocked as they are.
+  static bool direct(const void* data, Layout layout, std::size_t size) {
+    const bool blocks = layout == Layout::kBlocked || (layout == Layout::kPlain && size == 1);
+    return blocks && reinterpret_cast<std::uintptr_t>(data) % detail::kLine == 0;
+  }
+
+  bool is_half(int j) const { return j == 0 && call_.half != nullptr; }
+
+  T* take_room(std::size_t values) {
+    T* room = room_;
+    room_ += values * kBlock<T>;
+    return room;
+  }
+
+  // Shared inputs are prepared if there is a kernel for that, and spread over a block.
+  void take_input(int j) {
+    const Records<const T>& in = call_.in[j];
+    const bool halves = is_half(j);
+    direct_in_[j] = in.layout == Layout::kShared ||
+                    (halves ? direct(call_.half, in.layout, plan_.in[j]) : direct(in.data, in.layout, plan_.in[j]));
+    if (in.layout != Layout::kShared) return;
+    const T* record = in.data;
+    std::size_t size = plan_.in[j];
+    if (halves) {
+      T* wide = take_room(size);
+      widen(call_.half, size, wide);
+      record = wide;
+    }
+    if (j == 0 && plan_.prepare != nullptr) {
+      size = plan_.prepared;
+      T* prepared = take_room(size);
+      plan_.prepare(call_.degree, record, prepared);
+      record = prepared;
+      kernel_ = plan_.kernel_prepared;
+    }
+    T* room = take_room(size);
+    for (std::size_t k = 0; k < size * kBlock<T>; k += Lanes<T>::kWidth) {
+      *reinterpret_cast<Lanes<T>*>(room + k) = Lanes<T>(record[k / kBlock<T>]);
+    }
+    blocks_.in[j] = room;
+  }
+
+  // Blocks that are copied at a time; out: values of an output record that is copied.
+  std::size_t chunk_blocks(std::size_t out, std::size_t whole) const {
+    std::size_t copied = out;
+    for (int j = 0; j < plan_.inputs; ++j) copied += direct_in_[j] ? 0 : plan_.in[j];
+    const std::size_t blocks = copied == 0 ? whole : detail::kChunkLines / copied;
+    return blocks > 0 ? blocks : 1;
+  }
+
+  // Points the kernel at the inputs of `count` blocks from block `first`; `lanes` of each are in use (fewer than kBlock
+  // in the last one only). Returns the room that is left.
+  T* set_inputs(std::size_t first, std::size_t count, std::size_t lanes) {
+    T* room = room_;
+    blocks_.count = count;
+    for (int j = 0; j < plan_.inputs; ++j) {
+      const bool shared = call_.in[j].layout == Layout::kShared;
+      if (shared && (lanes == kBlock<T> || !plan_.sums)) continue;  // in a sum, lanes that are not in use have to be 0
+      const std::size_t block = plan_.in[j] * kBlock<T>;
+      blocks_.step[j] = shared ? 0 : block;
+      if (is_half(j) && !shared) {
+        if (direct_in_[j] && lanes == kBlock<T>) {
+          blocks_.in[j] = reinterpret_cast<const T*>(call_.half + first * block);
+          blocks_.step[j] = block / 2;
+          continue;
+        }
+        fetch_halves(first * block, count, lanes, room);
+      } else {
+        const T* from = shared ? blocks_.in[j] : call_.in[j].data + first * block;
+        blocks_.in[j] = from;
+        if (direct_in_[j] && lanes == kBlock<T>) continue;
+        fetch(call_.in[j].layout, plan_.in[j], from, count, lanes, room);
+      }
+      blocks_.in[j] = room;
+      room += count * block;
+    }
+    return room;
+  }
+
+  // Input 0 from half precision; a block at a time is widened behind the room that it will take.
+  void fetch_halves(std::size_t start, std::size_t count, std::size_t lanes, T* to) const {
+    const std::size_t size = plan_.in[0];
+    const bool plain = call_.in[0].layout == Layout::kPlain;
+    if (!plain && lanes == kBlock<T>) return widen(call_.half + start, count * size * kBlock<T>, to);
+    T* wide = to + count * size * kBlock<T>;
+    for (std::size_t b = 0; b < count; ++b) {
+      const std::size_t block = b * size * kBlock<T>;
+      widen(call_.half + start + block, plain ? lanes * size : (size - 1) * kBlock<T> + lanes, wide);
+      fetch(call_.in[0].layout, size, wide, 1, lanes, to + block);
+    }
+  }
+
+  void fetch(Layout layout, std::size_t size, const T* from, std::size_t count, std::size_t lanes, T* to) const {
+    for (std::size_t b = 0; b < count; ++b, from += size * kBlock<T>, to += size * kBlock<T>) {
+      if (layout == Layout::kPlain) {
+        to_block(from, lanes, size, to);
+      } else {
+        copy_lanes_and_zeros(from, lanes, size, to);
+      }
+    }
+  }
+
+  void step(std::size_t first, std::size_t count, std::size_t lanes) {
+    T* room = set_inputs(first, count, lanes);
+    const std::size_t block = plan_.out * kBlock<T>;
+    T* out = call_.out.data + first * block;
+    blocks_.out_step = block;
+    blocks_.out = direct_out_ ? out : room;
+    const bool halves = is_half(0) && direct_in_[0] && call_.in[0].layout != Layout::kShared && lanes == kBlock<T>;
+    (halves ? plan_.kernel_half : kernel_)(blocks_);
+    if (!direct_out_) deliver(count, lanes, room + count * block, out);
+  }
+
+  // spare: room for as many records as were computed.
+  void deliver(std::size_t count, std::size_t lanes, T* spare, T* to) const {
+    const std::size_t size = plan_.out;
+    const bool plain = call_.out.layout == Layout::kPlain;
+    if (!plain && lanes == kBlock<T>) return copy(blocks_.out, count * size * kBlock<T>, call_.stream, to);
+    if (!plain) return copy_lanes(blocks_.out, lanes, size, to);
+    T* records = call_.stream ? spare : to;
+    for (std::size_t b = 0; b < count; ++b) {
+      to_records(blocks_.out + b * size * kBlock<T>, lanes, size, records + b * size * kBlock<T>);
+    }
+    if (call_.stream) copy(spare, ((count - 1) * kBlock<T> + lanes) * size, true, to);
+  }
+
+  // Lanes are added up over segments of fixed length, segments in double: the same sum for every layout.
+  void sum() {
+    T* lanes = take_room(plan_.out);
+    double totals[detail::kMostSums] = {};
+    const std::size_t whole = call_.n / kBlock<T>;
+    const std::size_t rest = call_.n % kBlock<T>;
+    const std::size_t chunk = chunk_blocks(0, whole);
+    blocks_.out = lanes;
+    for (std::size_t start = 0; start * kBlock<T> < call_.n; start += kSegmentBlocks) {
+      for (std::size_t k = 0; k < plan_.out * kBlock<T>; ++k) lanes[k] = T(0);
+      const std::size_t end = whole - start < kSegmentBlocks ? whole : start + kSegmentBlocks;
+      for (std::size_t first = start; first < end; first += chunk) {
+        set_inputs(first, end - first < chunk ? end - first : chunk, kBlock<T>);
+        kernel_(blocks_);
+      }
+      if (end == whole && rest > 0 && end - start < kSegmentBlocks) {
+        set_inputs(whole, 1, rest);
+        kernel_(blocks_);
+      }
+      for (std::size_t k = 0; k < plan_.out; ++k) {
+        for (std::size_t lane = 0; lane < kBlock<T>; ++lane) totals[k] += double(lanes[k * kBlock<T> + lane]);
+      }
+    }
+    double finished[detail::kMostSums];
+    if (plan_.finish != nullptr) plan_.finish(call_.degree, totals, finished);
+    const double* sums = plan_.finish != nullptr ? finished : totals;
+    for (std::size_t k = 0; k < plan_.out; ++k) call_.out.data[k] += T(sums[k]);
+  }
+
+  const detail::Call<T>& call_;
+  const Plan<T>& plan_;
+  BlockKernel<T> kernel_ = plan_.kernel;
+  Blocks<T> blocks_;
+  bool direct_in_[detail::kMostInputs] = {};
+  bool direct_out_ = false;
+  alignas(detail::kLine) T memory_[detail::kRoomLines * kBlock<T>];
+  T* room_ = memory_;
+};
+
+}  // namespace
+
+template <class T>
+void drive(const detail::Call<T>& call, const Plan<T>& plan) {
+  Driver<T>(call, plan).run();
+}
+template void drive(const detail::Call<float>&, const Plan<float>&);
+template void drive(const detail::Call<double>&, const Plan<double>&);
+
+}  // namespace sh::batch::SH_BATCH_ISA

@@ -1,0 +1,16 @@
+# Input: SOURCE_DIR, SCRATCH, OPTION, PACKAGES, NAMES. Configures with the option off and the packages out of sight;
+# searches the build rules and the installed package's configuration for the names (a regular expression).
+include(${CMAKE_CURRENT_LIST_DIR}/steps.cmake)
+file(REMOVE_RECURSE ${SCRATCH})
+set(hidden "")
+foreach(package IN LISTS PACKAGES)
+  list(APPEND hidden -D CMAKE_DISABLE_FIND_PACKAGE_${package}=ON)
+endforeach()
+step(${CMAKE_COMMAND} -S ${SOURCE_DIR} -B ${SCRATCH} -G Ninja -D ${OPTION}=OFF ${hidden})
+foreach(file build.ninja shforge-config.cmake)
+  file(READ ${SCRATCH}/${file} text)
+  string(TOLOWER "${text}" text)
+  if(text MATCHES "${NAMES}")
+    message(FATAL_ERROR "${OPTION}=OFF: expected no mention of these libraries in ${file}, got '${CMAKE_MATCH_0}'")
+  endif()
+endforeach()
