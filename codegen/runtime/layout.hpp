@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 
 #include "call.hpp"
 
@@ -18,6 +19,7 @@ namespace sh::batch::SH_BATCH_ISA {
 
 using Four = float __attribute__((vector_size(16)));
 using Two = double __attribute__((vector_size(16)));
+using Words = std::int32_t __attribute__((vector_size(16)));
 
 inline Four load(const float* from) {
   Four v;
@@ -132,6 +134,24 @@ inline float widen(Half half) {
   return (bits & 0x8000U) != 0 ? -value : value;
 }
 
+// Four of them.
+inline Four widen_four(const Half* from) {
+  std::int16_t __attribute__((vector_size(8))) halves;
+  std::memcpy(&halves, from, sizeof halves);
+  const Words bits = __builtin_convertvector(halves, Words);  // the sign fills the upper half
+  const Words exponent = bits & 0x7c00;
+  Words wide = ((bits & 0x7fff) << 13) + 0x38000000;                                // exponent bias 127 for 15
+  wide += Words(exponent == 0x7c00) & 0x38000000;                                   // infinite or not a number
+  const Four small = __builtin_convertvector(bits & 0x3ff, Four) * 5.9604645e-08F;  // 2^-24: subnormal
+  Words small_bits;
+  std::memcpy(&small_bits, &small, sizeof small);
+  const Words is_small = Words(exponent == 0);
+  wide = (small_bits & is_small) | (wide & ~is_small) | (bits & std::numeric_limits<std::int32_t>::min());
+  Four values;
+  std::memcpy(&values, &wide, sizeof values);
+  return values;
+}
+
 // `count` of them.
 inline void widen(const Half* from, std::size_t count, float* to) {
   std::size_t i = 0;
@@ -144,6 +164,11 @@ inline void widen(const Half* from, std::size_t count, float* to) {
   for (; i + 8 <= count; i += 8) {
     const __m128i halves = _mm_loadu_si128(reinterpret_cast<const __m128i*>(from + i));
     _mm256_storeu_ps(to + i, _mm256_cvtph_ps(halves));
+  }
+#else
+  for (; i + 4 <= count; i += 4) {
+    const Four values = widen_four(from + i);
+    std::memcpy(to + i, &values, sizeof values);
   }
 #endif
   for (; i < count; ++i) to[i] = widen(from[i]);
