@@ -8,10 +8,8 @@
 #include "codegen/choose/manifest.hpp"
 #include "codegen/choose/wisdom.hpp"
 #include "codegen/print/batch.hpp"
-#include "codegen/print/c99.hpp"
+#include "codegen/print/c_like.hpp"
 #include "codegen/print/cpp.hpp"
-#include "codegen/print/glsl.hpp"
-#include "codegen/print/hlsl.hpp"
 
 namespace sh::codegen {
 namespace {

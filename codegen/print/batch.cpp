@@ -162,7 +162,7 @@ $stamp#pragma once
 
 namespace sh::batch::detail {
 
-constexpr int kMostSums = $sums;            // values of the largest sum
+constexpr int kMostSums = $sums;             // values of the largest sum
 constexpr std::size_t kChunkLines = $chunk;  // copied at a time: 12 KB stay in the first cache
 constexpr std::size_t kRoomLines = $room;  // for copies of a chunk of records
 

@@ -9,9 +9,6 @@
 
 namespace sh::codegen::print {
 
-/// Functions are constexpr templates on the scalar T; arrays are pointers.
-const Dialect& cpp_dialect();
-
 /// The definitions that functions in C++ rest on: constants, square roots, selections. Needs <cmath> and <type_traits>.
 std::string cpp_prelude();
 

@@ -1,6 +1,7 @@
 // The differences between the C-like languages in which kernels are printed.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <set>
 #include <string>
@@ -18,6 +19,7 @@ enum class Unused {
   kDiscarded,  ///< it keeps its name and is discarded at the top: "(void)x;"
 };
 
+/// Templates are texts for filled(): $word stands for a value.
 struct Dialect {
   std::string scalar;    ///< the scalar type: "T", "float"
   std::string head;      ///< before the type that a function returns: "constexpr "
@@ -25,21 +27,22 @@ struct Dialect {
   std::string indent;    ///< of its body
   std::string constant;  ///< before a named constant: "const float "
   std::string variable;  ///< before a new variable: "const float "
-  std::string (*literal)(const ExactReal& value) = nullptr;
-  /// Parameters that are arrays: "const float c[25]".
-  std::string (*in_array)(const std::string& name, int size) = nullptr;
-  std::string (*out_array)(const std::string& name, int size) = nullptr;
-  std::string (*in_out_array)(const std::string& name, int size) = nullptr;
-  std::string square_root;  ///< the function: "sqrt"
-  /// a < b ? then : otherwise
-  std::string (*select)(const std::string& a, const std::string& b, const std::string& then,
-                        const std::string& otherwise) = nullptr;
-  /// A table of constants: its name within the function, its definition in front of the function, a line at the top of
-  /// the function ("" or nullptr for none) and an element.
-  std::string (*table_name)(const std::string& kernel) = [](const std::string& kernel) { return kernel + "_table"; };
-  std::string (*table_definition)(const std::string& name, const std::vector<std::vector<ExactReal>>& rows) = nullptr;
-  std::string (*table_use)(const std::string& name) = nullptr;
-  std::string (*table_entry)(const std::string& kernel, const std::string& index) = nullptr;
+  std::function<std::string(const ExactReal& value)> literal;
+  /// Templates of parameters that are arrays, $name, $size: "const float $name[$size]".
+  std::string in_array;
+  std::string out_array;
+  std::string in_out_array;
+  std::string square_root = "sqrt";  ///< the function
+  /// Template of a selection: $a, $b, $then, $otherwise.
+  std::string select = "($a < $b ? $then : $otherwise)";
+  /// A table of constants. Templates of its definition in front of the function ($name, $size, $rows), of a line at the
+  /// top of the function ($name; may be empty) and of an element ($table, $at). Its literals are those of the language
+  /// where `table_literal` is empty; `local_table` is its name within the function where that differs.
+  std::string table;
+  std::string table_use;
+  std::string table_entry = "$table[$at]";
+  std::function<std::string(const ExactReal& value)> table_literal;
+  std::string local_table;
   std::map<std::string, std::string> renamed;  ///< names that the language keeps for itself: {"out", "result"}
   std::set<std::string> reserved;              ///< words that no variable may be called
   Unused unused = Unused::kNamed;
@@ -48,18 +51,23 @@ struct Dialect {
     const auto found = renamed.find(wanted);
     return found == renamed.end() ? wanted : found->second;
   }
+  /// The name of the table of a kernel within its function.
+  [[nodiscard]] std::string table_name(const std::string& kernel) const {
+    return local_table.empty() ? kernel + "_table" : local_table;
+  }
 };
 
-/// The numbers of a table, separated by commas, every row on lines of its own.
-std::string table_rows(const std::vector<std::vector<ExactReal>>& rows, std::string (*literal)(const ExactReal& value));
+/// C++17: functions are constexpr templates on the scalar T; arrays are pointers.
+const Dialect& cpp_dialect();
+/// GLSL and HLSL. `out` is a word of these languages: that array is called `result`.
+Dialect glsl_dialect(Scalar scalar = Scalar::kFloat);
+Dialect hlsl_dialect(Scalar scalar);
+Dialect c99_dialect(Scalar scalar);
 
 /// "float" or "double".
 std::string scalar_name(Scalar scalar);
 
-/// An array parameter whose size follows its name: "const float c[25]".
-std::string sized_array(const std::string& qualifier, Scalar scalar, const std::string& name, int size);
-
-/// The option of `shgen emit`: "" for float, " --scalar double".
+/// The option of `shgen emit` for a scalar: "" for float, " --scalar double".
 std::string scalar_option(Scalar scalar);
 
 /// Lines as line comments of C-like languages.

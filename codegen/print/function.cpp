@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "codegen/print/filled.hpp"
 #include "codegen/print/statements.hpp"
 
 namespace sh::codegen::print {
@@ -29,12 +30,15 @@ std::vector<std::string> unused_parameters(const Kernel& kernel, const Dialect& 
   return names;
 }
 
+std::string array(const std::string& form, const std::string& name, int size) {
+  return filled(form, {{"name", name}, {"size", std::to_string(size)}});
+}
+
 std::string declaration(const Kernel& kernel, const Parameter& parameter, const Dialect& dialect, bool used) {
   std::string name = dialect.name(parameter.name);
   if (!used && dialect.unused == Unused::kUnnamed) name = "/*" + name + "*/";
   if (parameter.shape.empty()) return dialect.scalar + " " + name;
-  if (is_result(kernel, parameter.name)) return dialect.in_out_array(name, parameter.size());
-  return dialect.in_array(name, parameter.size());
+  return array(is_result(kernel, parameter.name) ? dialect.in_out_array : dialect.in_array, name, parameter.size());
 }
 
 void append(std::string& list, const std::string& item) { list += (list.empty() ? "" : ", ") + item; }
@@ -51,6 +55,34 @@ std::string constant_lines(const Listing& listing, const Dialect& dialect) {
   return text.empty() ? text : text + "\n";
 }
 
+// The numbers of a table, separated by commas, every row on lines of its own.
+std::string table_rows(const std::vector<std::vector<ExactReal>>& rows, const Dialect& dialect) {
+  constexpr std::size_t kWidth = 116;
+  const auto& literal = dialect.table_literal ? dialect.table_literal : dialect.literal;
+  std::string text;
+  for (const std::vector<ExactReal>& row : rows) {
+    std::string line = "   ";
+    for (const ExactReal& value : row) {
+      const bool last = &value == &rows.back().back();
+      const std::string item = " " + literal(value) + (last ? "" : ",");
+      if (line.size() + item.size() > kWidth) {
+        text += line + "\n";
+        line = "   ";
+      }
+      line += item;
+    }
+    text += line + "\n";
+  }
+  return text;
+}
+
+std::string table_definition(const Kernel& kernel, const Dialect& dialect) {
+  const std::vector<std::vector<ExactReal>>& rows = kernel.table;
+  return filled(dialect.table, {{"name", kernel.name + "_table"},
+                                {"size", std::to_string(rows.size() * rows[0].size())},
+                                {"rows", table_rows(rows, dialect)}});
+}
+
 }  // namespace
 
 std::string signature(const Kernel& kernel, const Dialect& dialect) {
@@ -63,7 +95,8 @@ std::string signature(const Kernel& kernel, const Dialect& dialect) {
   }
   if (kernel.returns_scalar()) return text;
   for (const Parameter& result : kernel.results) {
-    if (!is_parameter(kernel, result.name)) append(text, dialect.out_array(dialect.name(result.name), result.size()));
+    if (!is_parameter(kernel, result.name))
+      append(text, array(dialect.out_array, dialect.name(result.name), result.size()));
   }
   return text;
 }
@@ -85,14 +118,14 @@ std::string return_type(const Kernel& kernel, const Dialect& dialect) {
 std::string function(const Kernel& kernel, const Dialect& dialect) {
   const Listing listing = make_listing(kernel, dialect);
   std::string text;
-  const std::string table = kernel.name + "_table";
-  if (!kernel.table.empty()) text += dialect.table_definition(table, kernel.table);
+  if (!kernel.table.empty()) text += table_definition(kernel, dialect);
   text += dialect.head + return_type(kernel, dialect) + " " + kernel.name + "(" + signature(kernel, dialect) + ")" +
           dialect.tail + " {\n";
   if (dialect.unused == Unused::kDiscarded) {
     for (const std::string& name : unused_parameters(kernel, dialect)) text += dialect.indent + "(void)" + name + ";\n";
   }
-  if (!kernel.table.empty() && dialect.table_use != nullptr) text += dialect.indent + dialect.table_use(table) + "\n";
+  if (!kernel.table.empty() && !dialect.table_use.empty())
+    text += dialect.indent + filled(dialect.table_use, {{"name", kernel.name + "_table"}}) + "\n";
   text += constant_lines(listing, dialect);
   for (const std::string& line : statement_lines(listing, dialect)) text += line + "\n";
   return text + "}\n";

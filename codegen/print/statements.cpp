@@ -5,6 +5,8 @@
 #include <set>
 #include <stdexcept>
 
+#include "codegen/print/filled.hpp"
+
 namespace sh::codegen::print {
 namespace {
 
@@ -232,9 +234,13 @@ class Lister {
       case Op::kSqrt:
         return {dialect_.square_root + "(" + arg(0).text + ")", kAtom};
       case Op::kSelect:
-        return {dialect_.select(arg(0).text, arg(1).text, arg(2).text, arg(3).text), kAtom};
+        return {filled(dialect_.select,
+                       {{"a", arg(0).text}, {"b", arg(1).text}, {"then", arg(2).text}, {"otherwise", arg(3).text}}),
+                kAtom};
       case Op::kTable:
-        return {dialect_.table_entry(kernel_.name, std::string(kRowStart) + "+" + std::to_string(node.input)), kAtom};
+        return {filled(dialect_.table_entry, {{"table", dialect_.table_name(kernel_.name)},
+                                              {"at", std::string(kRowStart) + "+" + std::to_string(node.input)}}),
+                kAtom};
       case Op::kInput:
       case Op::kFma:
       case Op::kRowSum:

@@ -1,6 +1,4 @@
 // C99: the emitted kernels of every family, compiled by gcc and by clang, give the bits of the kernel itself.
-#include "codegen/print/c99.hpp"
-
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -9,6 +7,7 @@
 
 #include "codegen/ir/evaluate.hpp"
 #include "codegen/measure/size.hpp"
+#include "codegen/print/c_like.hpp"
 #include "tests/codegen/emitted.hpp"
 #include "tests/codegen/support.hpp"
 

@@ -9,7 +9,6 @@
 #include "codegen/passes/passes.hpp"
 #include "codegen/print/cpp.hpp"
 #include "codegen/print/function.hpp"
-#include "codegen/print/glsl.hpp"
 #include "codegen/print/statements.hpp"
 
 namespace sh::codegen {

@@ -8,10 +8,10 @@
 #include "codegen/choose/catalogue.hpp"
 #include "codegen/ir/evaluate.hpp"
 #include "codegen/measure/directions.hpp"
+#include "codegen/print/c_like.hpp"
 #include "codegen/print/cpp.hpp"
 #include "codegen/print/dump.hpp"
 #include "codegen/print/function.hpp"
-#include "codegen/print/glsl.hpp"
 #include "codegen/print/statements.hpp"
 #include "tests/codegen/support.hpp"
 
