@@ -25,8 +25,7 @@ std::map<std::string, std::string> content_of(const fs::path& folder) {
   std::map<std::string, std::string> files;
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
     const std::string name = fs::relative(entry.path(), folder).generic_string();
-    if (entry.is_regular_file() && name != "README.md" && name != "CMakeLists.txt")
-      files[name] = test::read_file(entry.path());
+    if (entry.is_regular_file() && handwritten_files().count(name) == 0) files[name] = test::read_file(entry.path());
   }
   return files;
 }
@@ -157,7 +156,7 @@ TEST(Shgen, BadArgumentsAreOneLineAndExitTwo) {
       {"emit basis --degree 1 --lang cobol",
        "unknown language 'cobol'; it should be one of: cpp, glsl, glsl-es, hlsl, c99"},
       {"emit basis --degree 1 --lang c99 --scalar half", "unknown scalar 'half'; it should be one of: float, double"},
-      {"emit basis --degree 1 --lang glsl-es --scalar double", "it should be float"},
+      {"emit basis --degree 1 --lang glsl-es --scalar double", "expected scalar float, got double"},
       {"emit basis --degree 1 --lang cpp --prefer luck", "it should be one of: speed, accuracy, size"},
       {"emit product --degree 2 --degree-left 1 --lang cpp", "--degree-left requires --degree-right"},
       {"emit product --degree 4 --degree-left 1 --degree-right 2 --lang cpp",
