@@ -10,9 +10,7 @@ namespace sh::prt {
 template <class Enumeration, class Words>
 constexpr std::optional<Enumeration> value_called(std::string_view word, const Words& words) {
   for (std::size_t i = 0; i < std::size(words); ++i) {
-    if (words[i] == word) {
-      return static_cast<Enumeration>(i);
-    }
+    if (words[i] == word) return static_cast<Enumeration>(i);
   }
   return std::nullopt;
 }

@@ -25,9 +25,7 @@ Panel direct_light(const Mesh& mesh, const Transfer& transfer, const BounceLayou
       const auto albedo = static_cast<double>(mesh.albedo[v][channel]);
       double* own = std::transform(direct, direct + transfer.shape.count(), x.row(v) + layout.channel(c),
                                    [albedo](float value) { return albedo * static_cast<double>(value); });
-      if (layout.emitted > 0) {
-        *own = static_cast<double>(mesh.emission[v][channel]);
-      }
+      if (layout.emitted > 0) *own = static_cast<double>(mesh.emission[v][channel]);
     }
   }
   return x;

@@ -41,13 +41,9 @@ void check(const BakeJob& job) {
 Transfer run_steps(const Scene& scene, const BakeSettings& settings, const Plan& plan, BakeReport& report) {
   BakeRun run(scene, settings, plan.open);
   try {
-    for (const BakeStep& step : scene.bake.kind->steps) {
-      step.run(run);
-    }
+    for (const BakeStep& step : scene.bake.kind->steps) step.run(run);
   } catch (const output::Interrupted&) {
-    if (!run.checkpoint) {
-      throw;
-    }
+    if (!run.checkpoint) throw;
     throw output::Interrupted(run.checkpoint->interrupted());
   }
   if (run.rays) {
@@ -77,16 +73,10 @@ void say_estimate(const BakeEstimate& estimate, const BakeObserver& say) {
 
 // Fewer directions and a deadline for the bounces, where there is a budget.
 void prepare(BakeJob& job, const BakeObserver& say) {
-  if (!job.scene.bake.kind->traces_rays() || (!say && !job.budget)) {
-    return;
-  }
+  if (!job.scene.bake.kind->traces_rays() || (!say && !job.budget)) return;
   const BakeEstimate estimate = estimate_bake(job);
-  if (say) {
-    say_estimate(estimate, say);
-  }
-  if (!job.budget) {
-    return;
-  }
+  if (say) say_estimate(estimate, say);
+  if (!job.budget) return;
   const auto& [seconds, spent] = *job.budget;
   const int wanted = job.scene.bake.directions;
   job.scene.bake = within_budget(job.scene.bake, estimate, seconds - spent.seconds());
@@ -98,9 +88,7 @@ void prepare(BakeJob& job, const BakeObserver& say) {
 
 bool fits(const Transfer& transfer, const std::vector<float>& largest) {
   for (std::size_t i = 0; i < transfer.coefficients.size(); ++i) {
-    if (std::abs(transfer.coefficients[i]) > largest[i % largest.size()]) {
-      return false;
-    }
+    if (std::abs(transfer.coefficients[i]) > largest[i % largest.size()]) return false;
   }
   return true;
 }
@@ -117,9 +105,7 @@ void take_plan(const Plan& plan, Transfer& transfer) {
 
 Transfer bake(BakeJob job, BakeReport* report, const BakeObserver& say) {
   check(job);
-  if (!job.plan) {
-    job = planned(std::move(job));
-  }
+  if (!job.plan) job = planned(std::move(job));
   const BakeOptions wanted = job.scene.bake;
   prepare(job, say);
   Transfer transfer;
@@ -127,9 +113,7 @@ Transfer bake(BakeJob job, BakeReport* report, const BakeObserver& say) {
   on_threads(job.settings.threads, [&] { transfer = run_steps(job, measured); });
   take_plan(*job.plan, transfer);
   transfer.missing = shortfall(wanted, transfer);
-  if (report != nullptr) {
-    *report = measured;
-  }
+  if (report != nullptr) *report = measured;
   return transfer;
 }
 
@@ -137,12 +121,8 @@ Transfer bake_to_file(const std::string& file, BakeJob job, BakeReport* report, 
   BakeReport measured;
   Transfer transfer = bake(std::move(job), &measured, say);
   write_transfer(file, transfer);
-  if (!measured.checkpoint.empty()) {
-    std::filesystem::remove(measured.checkpoint);
-  }
-  if (report != nullptr) {
-    *report = measured;
-  }
+  if (!measured.checkpoint.empty()) std::filesystem::remove(measured.checkpoint);
+  if (report != nullptr) *report = measured;
   return transfer;
 }
 

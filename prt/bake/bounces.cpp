@@ -95,9 +95,7 @@ struct Series {
   [[nodiscard]] bool is_slow(double before) const {
     constexpr int kFirst = 8;
     constexpr double kManyMore = 30.0;
-    if (system.applications() < kFirst) {
-      return false;
-    }
+    if (system.applications() < kFirst) return false;
     const double now = excess();
     const double rate = now / before;
     return !(rate < 1.0) || std::log(1.0 / now) / std::log(rate) > kManyMore;
@@ -133,9 +131,7 @@ void BounceSystem::apply(const Panel& x, Panel& y) {
 void BounceSystem::residual(const Panel& b, const Panel& x, Panel& r) {
   apply(x, r);
   for_rows(x.rows, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first * x.columns; i < last * x.columns; ++i) {
-      r.values[i] += b.values[i] - x.values[i];
-    }
+    for (std::size_t i = first * x.columns; i < last * x.columns; ++i) r.values[i] += b.values[i] - x.values[i];
   });
 }
 
@@ -170,9 +166,7 @@ BounceReport solve_bounces(const FormFactors& factors, const std::vector<Eigen::
                            Panel& x, const BounceOptions& options) {
   check_shapes(factors, albedo, layout, x, options);
   for (std::size_t v = 0; v < x.rows; ++v) {
-    for (std::size_t c = 0; c < kChannels; ++c) {
-      x.row(v)[layout.certificate(c)] = 1.0;
-    }
+    for (std::size_t c = 0; c < kChannels; ++c) x.row(v)[layout.certificate(c)] = 1.0;
   }
   BounceReport report;
   BounceSystem system(factors, albedo, layout);

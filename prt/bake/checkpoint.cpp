@@ -25,39 +25,29 @@ void Checkpoint::restore() {
       ++written_;
     }
   });
-  if (written_ > 0) {
-    fmt::print(stderr, "going on from {}: {} of {} parts\n", file_->path(), written_, restored_.size());
-  }
+  if (written_ > 0) fmt::print(stderr, "going on from {}: {} of {} parts\n", file_->path(), written_, restored_.size());
 }
 
 void Checkpoint::finished(std::size_t chunk) {
-  if (!file_) {
-    return;
-  }
+  if (!file_) return;
   {
     const std::lock_guard lock(noting_);
     pending_.push_back(static_cast<std::uint32_t>(chunk));
   }
   const std::unique_lock lock(writing_, std::try_to_lock);  // while one thread writes, the others go on
-  if (lock.owns_lock() && is_due()) {
-    write_pending();
-  }
+  if (lock.owns_lock() && is_due()) write_pending();
 }
 
 void Checkpoint::complete() {
   const std::lock_guard lock(writing_);
-  if (file_ && (written_ > 0 || is_due())) {
-    write_pending();
-  }
+  if (file_ && (written_ > 0 || is_due())) write_pending();
   pending_.clear();  // what comes next changes the results in place
 }
 
 std::string Checkpoint::interrupted() {
   const std::lock_guard lock(writing_);
   write_pending();
-  if (written_ == 0) {
-    return "interrupted; nothing was written";
-  }
+  if (written_ == 0) return "interrupted; nothing was written";
   return fmt::format("interrupted; {} holds {} of {} parts, and the same command goes on from there", file_->path(),
                      written_, restored_.size());
 }

@@ -22,12 +22,8 @@ void put(std::string& bytes, const T* values, std::size_t count) {
 // Takes values off the front of the data; false where there are too few.
 template <class T>
 bool take(std::string_view& data, T* values, std::size_t count) {
-  if (data.size() / sizeof(T) < count) {
-    return false;
-  }
-  if (count > 0) {
-    std::memcpy(values, data.data(), count * sizeof(T));
-  }
+  if (data.size() / sizeof(T) < count) return false;
+  if (count > 0) std::memcpy(values, data.data(), count * sizeof(T));
   data.remove_prefix(count * sizeof(T));
   return true;
 }
@@ -38,9 +34,7 @@ struct RowHead {
 };
 
 bool take_row(std::string_view& data, std::size_t vertices, FormFactorRow& row, RowHead& head) {
-  if (!take(data, &head, 1) || head.kept > 1 || data.size() / sizeof(FormFactor) < head.length) {
-    return false;
-  }
+  if (!take(data, &head, 1) || head.kept > 1 || data.size() / sizeof(FormFactor) < head.length) return false;
   row.resize(head.length);
   return take(data, row.data(), row.size()) &&
          std::all_of(row.begin(), row.end(), [vertices](const FormFactor& f) { return f.vertex < vertices; });
@@ -79,28 +73,18 @@ bool decode_chunk(std::string_view data, const VertexRange& range, ShadowResult&
   const std::size_t count = result.transfer.shape.length();
   std::vector<float> transfer(range.size() * count);
   std::vector<Sight> sight(range.size());
-  if (!take(data, transfer.data(), transfer.size()) || !take(data, sight.data(), sight.size())) {
-    return false;
-  }
+  if (!take(data, transfer.data(), transfer.size()) || !take(data, sight.data(), sight.size())) return false;
   std::vector<std::pair<std::size_t, FormFactorRow>> rows;
   for (std::size_t v = range.first; result.factors != nullptr && v < range.last; ++v) {
     FormFactorRow row;
     RowHead head;
-    if (!take_row(data, result.sight.size(), row, head)) {
-      return false;
-    }
-    if (head.kept != 0) {
-      rows.emplace_back(v, std::move(row));
-    }
+    if (!take_row(data, result.sight.size(), row, head)) return false;
+    if (head.kept != 0) rows.emplace_back(v, std::move(row));
   }
-  if (!data.empty()) {
-    return false;
-  }
+  if (!data.empty()) return false;
   std::copy(transfer.begin(), transfer.end(), result.transfer.coefficients.data() + range.first * count);
   std::copy(sight.begin(), sight.end(), result.sight.data() + range.first);
-  for (auto& [vertex, row] : rows) {
-    result.factors->keep(vertex, std::move(row));
-  }
+  for (auto& [vertex, row] : rows) result.factors->keep(vertex, std::move(row));
   return true;
 }
 

@@ -89,17 +89,13 @@ CheckpointFile::CheckpointFile(std::string path, const std::string& key, bool re
 }
 
 CheckpointFile::~CheckpointFile() {
-  if (descriptor_ >= 0) {
-    close(descriptor_);
-  }
+  if (descriptor_ >= 0) close(descriptor_);
 }
 
 void CheckpointFile::open_existing(bool restart) {
   struct stat status = {};
   fstat(descriptor_, &status);
-  if (!S_ISREG(status.st_mode)) {
-    fail("no checkpoint of a bake; give another --checkpoint, or --no-checkpoint");
-  }
+  if (!S_ISREG(status.st_mode)) fail("no checkpoint of a bake; give another --checkpoint, or --no-checkpoint");
   lock();
   size_ = static_cast<std::uint64_t>(status.st_size);
   const std::string start = fetch(0, std::min<std::uint64_t>(size_, front_.size()));
@@ -108,9 +104,7 @@ void CheckpointFile::open_existing(bool restart) {
     end_ = front_.size();
   } else if (front_.starts_with(start) || (restart && start.starts_with(magic))) {  // empty, killed while it was made
     size_ = 0;
-    if (ftruncate(descriptor_, 0) != 0) {
-      fail(fmt::format("cannot write: {}", std::strerror(errno)));
-    }
+    if (ftruncate(descriptor_, 0) != 0) fail(fmt::format("cannot write: {}", std::strerror(errno)));
     write(front_);
   } else if (!start.starts_with(magic)) {
     fail("no checkpoint of a bake; give another --checkpoint, or --no-checkpoint");
@@ -122,9 +116,7 @@ void CheckpointFile::open_existing(bool restart) {
 // Says what differs.
 void CheckpointFile::refuse_key() const {
   Prologue prologue;
-  if (size_ < sizeof prologue) {
-    fail("damaged checkpoint: too short; --restart throws it away");
-  }
+  if (size_ < sizeof prologue) fail("damaged checkpoint: too short; --restart throws it away");
   std::memcpy(&prologue, fetch(0, sizeof prologue).data(), sizeof prologue);
   if (prologue.version != kVersion) {
     fail(fmt::format("checkpoint of version {}, expected {}; --restart throws it away", prologue.version, kVersion));
@@ -141,9 +133,7 @@ void CheckpointFile::refuse_key() const {
 
 void CheckpointFile::create() {
   descriptor_ = open(path_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-  if (descriptor_ < 0) {
-    fail(fmt::format("cannot write: {}", std::strerror(errno)));
-  }
+  if (descriptor_ < 0) fail(fmt::format("cannot write: {}", std::strerror(errno)));
   lock();
   write(front_);
 }
@@ -158,14 +148,10 @@ void CheckpointFile::read(const std::function<void(std::uint32_t, std::string_vi
   while (end_ + sizeof(RecordHead) <= size_) {
     RecordHead head;
     std::memcpy(&head, fetch(end_, sizeof head).data(), sizeof head);
-    if (checksum_of(head) != head.checksum || head.size > size_ - end_ - sizeof head) {
-      break;
-    }
+    if (checksum_of(head) != head.checksum || head.size > size_ - end_ - sizeof head) break;
     const std::string data = fetch(end_ + sizeof head, head.size);
     end_ += sizeof head + head.size;
-    if (checksum(data.data(), data.size()) == head.data_checksum) {
-      take(head.index, data);
-    }
+    if (checksum(data.data(), data.size()) == head.data_checksum) take(head.index, data);
   }
   if (end_ < size_ && ftruncate(descriptor_, static_cast<off_t>(end_)) != 0) {
     fail(fmt::format("cannot write: {}", std::strerror(errno)));
@@ -173,9 +159,7 @@ void CheckpointFile::read(const std::function<void(std::uint32_t, std::string_vi
 }
 
 void CheckpointFile::append(std::uint32_t index, std::string_view data) {
-  if (!exists()) {
-    create();
-  }
+  if (!exists()) create();
   RecordHead head;
   head.index = index;
   head.size = data.size();
@@ -207,12 +191,8 @@ std::string CheckpointFile::fetch(std::uint64_t offset, std::uint64_t size) cons
   std::size_t done = 0;
   while (done < size) {
     const ssize_t count = pread(descriptor_, bytes.data() + done, size - done, static_cast<off_t>(offset + done));
-    if (count < 0 && errno != EINTR) {
-      fail(fmt::format("cannot read: {}", std::strerror(errno)));
-    }
-    if (count == 0) {
-      fail("cannot read: it became shorter");
-    }
+    if (count < 0 && errno != EINTR) fail(fmt::format("cannot read: {}", std::strerror(errno)));
+    if (count == 0) fail("cannot read: it became shorter");
     done += count > 0 ? static_cast<std::size_t>(count) : 0;
   }
   return bytes;

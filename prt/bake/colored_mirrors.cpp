@@ -10,9 +10,7 @@ namespace sh::prt {
 namespace {
 
 Scene with_mirrors_of_channel(Scene scene, Eigen::Index channel) {
-  for (Eigen::Vector3f& mirror : scene.mesh.mirror) {
-    mirror.setConstant(mirror[channel]);
-  }
+  for (Eigen::Vector3f& mirror : scene.mesh.mirror) mirror.setConstant(mirror[channel]);
   return scene;
 }
 
@@ -23,9 +21,7 @@ void take_channel(const Transfer& from, std::size_t c, Transfer& to) {
     std::copy_n(from.row(v) + c * count, count, to.row(v) + c * count);
   }
   const auto channel = static_cast<Eigen::Index>(c);
-  for (std::size_t v = 0; v < to.emitted.size(); ++v) {
-    to.emitted[v][channel] = from.emitted[v][channel];
-  }
+  for (std::size_t v = 0; v < to.emitted.size(); ++v) to.emitted[v][channel] = from.emitted[v][channel];
 }
 
 // The worse of each number.

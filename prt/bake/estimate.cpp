@@ -43,9 +43,7 @@ std::vector<std::uint32_t> spread_vertices(std::size_t vertices, const std::vect
                                            std::size_t& traced) {
   std::vector<std::uint32_t> closed;
   for (std::size_t v = 0; v < vertices; ++v) {
-    if (open.empty() || open[v] == 0) {
-      closed.push_back(static_cast<std::uint32_t>(v));
-    }
+    if (open.empty() || open[v] == 0) closed.push_back(static_cast<std::uint32_t>(v));
   }
   traced = closed.size();
   std::vector<std::uint32_t> spread;
@@ -123,16 +121,12 @@ BakeEstimate estimate_rays(const BakeJob& job) {
   ShadowResult result{transfer, std::vector<Sight>(vertices, Sight::kSome), bounces ? &factors : nullptr};
   const output::Stopwatch tracing;
   samples.resize(ShadowPass(scene.mesh, setup, open, result).sample(samples, kSampleSeconds));
-  if (samples.empty()) {
-    return estimate;
-  }
+  if (samples.empty()) return estimate;
   const double scale = static_cast<double>(estimate.vertices) / static_cast<double>(samples.size());
   estimate.pass_seconds = tracing.seconds() * scale;
   estimate.rays = static_cast<double>(setup.tracer.rays()) * scale;
   estimate.bytes = resident_memory() + setup.directions.size() * kBytesADirection * thread_count(settings.threads);
-  if (bounces) {
-    estimate_bounces(job, factors, samples, estimate);
-  }
+  if (bounces) estimate_bounces(job, factors, samples, estimate);
   return estimate;
 }
 
@@ -140,9 +134,7 @@ BakeEstimate estimate_rays(const BakeJob& job) {
 
 BakeEstimate estimate_bake(const BakeJob& job) {
   BakeEstimate estimate;
-  if (job.scene.bake.kind->traces_rays()) {
-    on_threads(job.settings.threads, [&] { estimate = estimate_rays(job); });
-  }
+  if (job.scene.bake.kind->traces_rays()) on_threads(job.settings.threads, [&] { estimate = estimate_rays(job); });
   return estimate;
 }
 
@@ -152,9 +144,7 @@ BakeOptions within_budget(const BakeOptions& wanted, const BakeEstimate& estimat
   const double part = (available - bounces) / std::max(estimate.pass_seconds, 1e-9);
   const int least = std::min(kLeastDirections, wanted.directions);
   BakeOptions options = wanted;
-  if (part < 1.0) {
-    options.directions = static_cast<int>(part * static_cast<double>(wanted.directions));
-  }
+  if (part < 1.0) options.directions = static_cast<int>(part * static_cast<double>(wanted.directions));
   if (options.directions < least) {
     const double pass = estimate.pass_seconds * static_cast<double>(least) / static_cast<double>(wanted.directions);
     const double needed =

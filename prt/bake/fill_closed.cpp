@@ -17,9 +17,7 @@ Neighbours neighbours_of_sightless(const Mesh& mesh, const std::vector<Sight>& s
   Neighbours neighbours;
   for (const Face& face : mesh.faces) {
     for (std::size_t k = 0; k < 3; ++k) {
-      if (sight[face[k]] != Sight::kSome) {
-        neighbours[face[k]].insert({face[(k + 1) % 3], face[(k + 2) % 3]});
-      }
+      if (sight[face[k]] != Sight::kSome) neighbours[face[k]].insert({face[(k + 1) % 3], face[(k + 2) % 3]});
     }
   }
   return neighbours;
@@ -45,9 +43,7 @@ FillPlan plan_fill(const Mesh& mesh, const std::vector<Sight>& sight) {
       Fill fill{vertex, {}};
       std::copy_if(neighbours.begin(), neighbours.end(), std::back_inserter(fill.sources),
                    [&](std::uint32_t n) { return unknown.count(n) == 0; });
-      if (!fill.sources.empty()) {
-        plan.fills.push_back(std::move(fill));
-      }
+      if (!fill.sources.empty()) plan.fills.push_back(std::move(fill));
     }
     for (std::size_t i = ring; i < plan.fills.size(); ++i) {
       plan.filled += sight[plan.fills[i].vertex] != Sight::kCovered ? 1 : 0;

@@ -29,9 +29,7 @@ template <std::size_t Count>
   for (const FormFactor& factor : row) {
     const auto weight = static_cast<double>(factor.weight);
     const auto* lanes = reinterpret_cast<const Lanes*>(x + factor.vertex * columns);
-    for (std::size_t i = 0; i < Count; ++i) {
-      block[i] += weight * lanes[i];
-    }
+    for (std::size_t i = 0; i < Count; ++i) block[i] += weight * lanes[i];
   }
   std::copy_n(block, Count, reinterpret_cast<Lanes*>(sum));
 }
@@ -42,9 +40,7 @@ SHFORGE_WIDEST void sum_row(const FormFactorRow& row, const double* x, std::size
   for (; first + kWide * kLanes <= columns; first += kWide * kLanes) {
     sum_block<kWide>(row, x + first, columns, sum + first);
   }
-  for (; first < columns; first += Panel::kUnit) {
-    sum_block<Panel::kUnit / kLanes>(row, x + first, columns, sum + first);
-  }
+  for (; first < columns; first += Panel::kUnit) sum_block<Panel::kUnit / kLanes>(row, x + first, columns, sum + first);
 }
 
 }  // namespace
@@ -54,9 +50,7 @@ FormFactors::FormFactors(std::size_t vertices, std::size_t most_bytes, std::func
 
 bool FormFactors::fits(std::size_t bytes) {
   const std::atomic_ref<std::size_t> spent(bytes_);
-  if (spent.fetch_add(bytes) + bytes <= most_bytes_) {
-    return true;
-  }
+  if (spent.fetch_add(bytes) + bytes <= most_bytes_) return true;
   spent.fetch_sub(bytes);
   return false;
 }
@@ -73,18 +67,14 @@ void FormFactors::keep_mean(std::size_t vertex, const std::vector<std::uint32_t>
   std::map<std::uint32_t, double> sums;
   RowMaker make;
   for (const std::uint32_t source : sources) {
-    if (kept_[source] == 0 && !make) {
-      make = make_maker_();
-    }
+    if (kept_[source] == 0 && !make) make = make_maker_();
     const FormFactorRow& row = kept_[source] != 0 ? rows_[source] : make(source);
     for (const FormFactor& factor : row) {
       sums[factor.vertex] += static_cast<double>(factor.weight) / static_cast<double>(sources.size());
     }
   }
   rows_[vertex].clear();
-  for (const auto& [other, weight] : sums) {
-    rows_[vertex].push_back({other, static_cast<float>(weight)});
-  }
+  for (const auto& [other, weight] : sums) rows_[vertex].push_back({other, static_cast<float>(weight)});
   kept_[vertex] = 1;
 }
 
@@ -93,9 +83,7 @@ void FormFactors::apply(const Panel& x, Panel& y) const {
     output::check_interrupt();
     RowMaker make;
     for (std::size_t v = part.begin(); v < part.end(); ++v) {
-      if (kept_[v] == 0 && !make) {
-        make = make_maker_();
-      }
+      if (kept_[v] == 0 && !make) make = make_maker_();
       sum_row(kept_[v] != 0 ? rows_[v] : make(v), x.values.data(), x.columns, y.row(v));
     }
   });
@@ -103,9 +91,7 @@ void FormFactors::apply(const Panel& x, Panel& y) const {
 
 std::size_t FormFactors::bytes() const {
   std::size_t sum = 0;
-  for (const FormFactorRow& row : rows_) {
-    sum += row.size() * sizeof(FormFactor);
-  }
+  for (const FormFactorRow& row : rows_) sum += row.size() * sizeof(FormFactor);
   return sum;
 }
 

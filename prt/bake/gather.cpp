@@ -38,9 +38,7 @@ template <std::size_t Count>
   for (std::size_t k = 0; k < count; ++k) {
     const float weight = weights[chosen[k]];
     const auto* row = reinterpret_cast<const Lanes*>(values + chosen[k] * row_length);
-    for (std::size_t i = 0; i < Count; ++i) {
-      block[i] += weight * row[i];
-    }
+    for (std::size_t i = 0; i < Count; ++i) block[i] += weight * row[i];
   }
   std::copy_n(block, Count, reinterpret_cast<Lanes*>(sum));
 }
@@ -64,9 +62,7 @@ SHFORGE_WIDEST void cosines(const float* directions, std::size_t count, float x,
   const float* dx = directions;
   const float* dy = directions + count;
   const float* dz = directions + 2 * count;
-  for (std::size_t j = 0; j < count; ++j) {
-    out[j] = x * dx[j] + y * dy[j] + z * dz[j];
-  }
+  for (std::size_t j = 0; j < count; ++j) out[j] = x * dx[j] + y * dy[j] + z * dz[j];
 }
 
 }  // namespace
@@ -162,9 +158,7 @@ std::size_t Gatherer::aim(const Eigen::Vector3f& origin, const Eigen::Vector3f& 
     traced += counts & is_above;
     below_ += counts & (is_above ^ 1U);
   }
-  for (std::size_t i = 0; i < traced; ++i) {
-    rays_[i].aim(origin, towards(chosen_[i]));
-  }
+  for (std::size_t i = 0; i < traced; ++i) rays_[i].aim(origin, towards(chosen_[i]));
   return traced;
 }
 
@@ -191,27 +185,19 @@ const Gathered& Gatherer::gather(const Eigen::Vector3f& origin, const Eigen::Vec
     directions_.turn(frame_, result_.visible.data());
     directions_.turn(frame_, result_.all.data());
   }
-  for (std::size_t i = 0; i < directions_.row_length(); ++i) {
-    result_.all[i] += result_.visible[i];
-  }
+  for (std::size_t i = 0; i < directions_.row_length(); ++i) result_.all[i] += result_.visible[i];
   return result_;
 }
 
 const std::vector<BlockedRay>& Gatherer::closest_hits() {
   closest_.clear();
   double whole = 0.0;
-  for (std::size_t i = 0; i < visible_count_; ++i) {
-    whole += static_cast<double>(weights_[visible_[i]]);
-  }
-  for (std::size_t i = 0; i < blocked_count_; ++i) {
-    whole += static_cast<double>(weights_[blocked_[i]]);
-  }
+  for (std::size_t i = 0; i < visible_count_; ++i) whole += static_cast<double>(weights_[visible_[i]]);
+  for (std::size_t i = 0; i < blocked_count_; ++i) whole += static_cast<double>(weights_[blocked_[i]]);
   const std::size_t count = blocked_count_ - below_;
   std::vector<Eigen::Vector3f> directions(count);
   std::vector<Hit> hits(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    directions[i] = towards(blocked_[below_ + i]);
-  }
+  for (std::size_t i = 0; i < count; ++i) directions[i] = towards(blocked_[below_ + i]);
   const Eigen::Vector3f origin = rays_.front().origin;  // one for all
   tracer_.intersect(std::vector<Eigen::Vector3f>(count, origin), directions, hits);
   for (std::size_t i = 0; i < count; ++i) {
@@ -223,9 +209,7 @@ const std::vector<BlockedRay>& Gatherer::closest_hits() {
 Sight Gatherer::classify(const Mesh& mesh, std::size_t vertex, const RayStart& start, bool is_dark) {
   const std::size_t traced = aim(start.origin, mesh.normals[vertex], mesh.geometric_normals[vertex]);
   std::vector<Eigen::Vector3f> directions;
-  for (std::size_t i = 0; i < traced; ++i) {
-    directions.push_back(towards(chosen_[i]));
-  }
+  for (std::size_t i = 0; i < traced; ++i) directions.push_back(towards(chosen_[i]));
   std::vector<Hit> hits(traced);
   tracer_.intersect(std::vector<Eigen::Vector3f>(traced, start.origin), directions, hits);
   std::size_t backs = 0;
@@ -237,12 +221,8 @@ Sight Gatherer::classify(const Mesh& mesh, std::size_t vertex, const RayStart& s
     weight_near += hit && hits[i].distance < kCoveredReach * start.reach ? weights_[chosen_[i]] : 0.0F;
     weight += weights_[chosen_[i]];
   }
-  if (is_dark && 2 * backs >= traced) {
-    return Sight::kBuried;
-  }
-  if (weight_near > kCoveredWeight * weight) {
-    return Sight::kCovered;
-  }
+  if (is_dark && 2 * backs >= traced) return Sight::kBuried;
+  if (weight_near > kCoveredWeight * weight) return Sight::kCovered;
   return is_dark ? Sight::kDark : Sight::kSome;
 }
 

@@ -19,16 +19,12 @@ Scalars dots(const Panel& a, const Panel& b) {
   for_rows(a.rows, [&](std::size_t first, std::size_t last) {
     double* sum = sums.row(first / kRowsAPart);
     for (std::size_t v = first; v < last; ++v) {
-      for (std::size_t i = 0; i < a.columns; ++i) {
-        sum[i] += a.row(v)[i] * b.row(v)[i];
-      }
+      for (std::size_t i = 0; i < a.columns; ++i) sum[i] += a.row(v)[i] * b.row(v)[i];
     }
   });
   Scalars total(a.columns, 0.0);
   for (std::size_t part = 0; part < parts; ++part) {
-    for (std::size_t i = 0; i < a.columns; ++i) {
-      total[i] += sums.row(part)[i];
-    }
+    for (std::size_t i = 0; i < a.columns; ++i) total[i] += sums.row(part)[i];
   }
   return total;
 }
@@ -37,9 +33,7 @@ Scalars dots(const Panel& a, const Panel& b) {
 void add(const Scalars& a, double sign, const Panel& x, Panel& y) {
   for_rows(y.rows, [&](std::size_t first, std::size_t last) {
     for (std::size_t v = first; v < last; ++v) {
-      for (std::size_t i = 0; i < y.columns; ++i) {
-        y.row(v)[i] += sign * a[i] * x.row(v)[i];
-      }
+      for (std::size_t i = 0; i < y.columns; ++i) y.row(v)[i] += sign * a[i] * x.row(v)[i];
     }
   });
 }
@@ -48,9 +42,7 @@ void add(const Scalars& a, double sign, const Panel& x, Panel& y) {
 void follow(const Panel& r, const Scalars& b, Panel& p) {
   for_rows(p.rows, [&](std::size_t first, std::size_t last) {
     for (std::size_t v = first; v < last; ++v) {
-      for (std::size_t i = 0; i < p.columns; ++i) {
-        p.row(v)[i] = r.row(v)[i] + b[i] * p.row(v)[i];
-      }
+      for (std::size_t i = 0; i < p.columns; ++i) p.row(v)[i] = r.row(v)[i] + b[i] * p.row(v)[i];
     }
   });
 }
@@ -74,9 +66,7 @@ Scalars product(Scalars a, const Scalars& b) {
 void apply_system(BounceSystem& system, const Panel& x, Panel& y) {
   system.apply(x, y);
   for_rows(x.rows, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first * x.columns; i < last * x.columns; ++i) {
-      y.values[i] = x.values[i] - y.values[i];
-    }
+    for (std::size_t i = first * x.columns; i < last * x.columns; ++i) y.values[i] = x.values[i] - y.values[i];
   });
 }
 
@@ -102,9 +92,7 @@ void run_cycle(BounceSystem& system, Panel& x, Panel& r, const BounceOptions& op
     follow(r, product(ratio(next, rho), ratio(alpha, omega)), p);
     rho = next;
     system.certify(x, r, report);
-    if (!may_go_on(system, options)) {
-      return;
-    }
+    if (!may_go_on(system, options)) return;
   }
 }
 

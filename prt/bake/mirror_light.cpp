@@ -11,9 +11,7 @@ namespace sh::prt {
 const std::vector<BlockedRay>& MirrorLight::follow(const Eigen::Vector3f& origin,
                                                    const std::vector<BlockedRay>& closest) {
   legs_.clear();
-  for (std::uint32_t i = 0; i < closest.size(); ++i) {
-    legs_.push_back({origin, closest[i].direction, closest[i].hit, i});
-  }
+  for (std::uint32_t i = 0; i < closest.size(); ++i) legs_.push_back({origin, closest[i].direction, closest[i].hit, i});
   paths_.follow(legs_);
   met_ = closest;
   sky_.clear();
@@ -21,9 +19,7 @@ const std::vector<BlockedRay>& MirrorLight::follow(const Eigen::Vector3f& origin
   for (const Leg& leg : legs_) {
     const double part = closest[leg.ray].part * static_cast<double>(leg.throughput.x());
     cut_ += leg.is_cut ? part : 0.0;
-    if (leg.mirrors > 0) {
-      (leg.hit.face == Hit::kNothing ? sky_ : met_).push_back({leg.direction, leg.hit, part});
-    }
+    if (leg.mirrors > 0) (leg.hit.face == Hit::kNothing ? sky_ : met_).push_back({leg.direction, leg.hit, part});
   }
   return met_;
 }

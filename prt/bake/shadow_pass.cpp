@@ -74,9 +74,7 @@ std::size_t ShadowPass::sample(const std::vector<std::uint32_t>& vertices, doubl
                       do {
                         output::check_interrupt();
                         const std::size_t i = next++;
-                        if (i >= vertices.size()) {
-                          return;
-                        }
+                        if (i >= vertices.size()) return;
                         trace(vertices[i], workers.local());
                         ++done;
                       } while (Clock::now() < end);
@@ -92,16 +90,12 @@ void ShadowPass::trace(const VertexRange& range, Worker& worker) {
 }
 
 void ShadowPass::keep_row(std::size_t vertex, const std::vector<BlockedRay>& met, Worker& worker) {
-  if (result_.factors != nullptr) {
-    result_.factors->keep(vertex, worker.merger.merge(met));
-  }
+  if (result_.factors != nullptr) result_.factors->keep(vertex, worker.merger.merge(met));
 }
 
 void ShadowPass::trace(std::size_t vertex, Worker& worker) {
   if (!open_.empty() && open_[vertex] != 0) {
-    if (result_.factors != nullptr) {
-      result_.factors->keep(vertex, {});
-    }
+    if (result_.factors != nullptr) result_.factors->keep(vertex, {});
     return;
   }
   const RayStart& start = setup_.starts[vertex];
@@ -119,9 +113,7 @@ void ShadowPass::trace(std::size_t vertex, Worker& worker) {
   } else if (result_.factors != nullptr) {
     keep_row(vertex, worker.gatherer.closest_hits(), worker);
   }
-  if (fraction < kNearlyDark) {
-    result_.sight[vertex] = worker.gatherer.classify(mesh_, vertex, start, fraction <= 0.0F);
-  }
+  if (fraction < kNearlyDark) result_.sight[vertex] = worker.gatherer.classify(mesh_, vertex, start, fraction <= 0.0F);
 }
 
 }  // namespace sh::prt

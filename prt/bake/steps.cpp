@@ -84,9 +84,7 @@ void trace_shadows(BakeRun& run) {
   report_closed(run.scene, plan, on_flaw);
   report_dark(run.scene, run.found->sight, on_flaw);
   for (const Fill& fill : plan.fills) {
-    if (run.factors) {
-      run.factors->keep_mean(fill.vertex, fill.sources);
-    }
+    if (run.factors) run.factors->keep_mean(fill.vertex, fill.sources);
   }
 }
 

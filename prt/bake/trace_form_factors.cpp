@@ -16,20 +16,14 @@ FormFactorRow RowMerger::merge(const std::vector<BlockedRay>& closest) {
       continue;
     }
     const Face& face = mesh_.faces[ray.hit.face];
-    if (face_normal(mesh_.positions, face).dot(ray.direction) >= 0.0F) {
-      continue;
-    }
+    if (face_normal(mesh_.positions, face).dot(ray.direction) >= 0.0F) continue;
     const auto u = static_cast<double>(ray.hit.u);
     const auto v = static_cast<double>(ray.hit.v);
     const std::array<double, 3> corners = {1.0 - u - v, u, v};
     for (std::size_t k = 0; k < 3; ++k) {
-      if (!(corners[k] > 0.0)) {
-        continue;
-      }
+      if (!(corners[k] > 0.0)) continue;
       double& sum = sums_[face[k]];
-      if (sum == 0.0) {
-        touched_.push_back(face[k]);
-      }
+      if (sum == 0.0) touched_.push_back(face[k]);
       sum += ray.part * corners[k];
     }
   }

@@ -29,9 +29,7 @@ std::vector<float> unshadowed_transfer(int degree, const std::vector<Eigen::Vect
   std::vector<float> transfer(normals.size() * count);
   for_chunks(normals.size(), [&](std::size_t chunk) {
     const VertexRange range = chunk_range(chunk, normals.size());
-    for (std::size_t v = range.first; v < range.last; ++v) {
-      unshadowed(degree, normals[v], transfer.data() + v * count);
-    }
+    for (std::size_t v = range.first; v < range.last; ++v) unshadowed(degree, normals[v], transfer.data() + v * count);
   });
   return transfer;
 }

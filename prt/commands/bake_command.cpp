@@ -45,9 +45,7 @@ CheckpointSettings checkpoint_of(const Options& options) {
       !options.only_estimate) {
     settings.path = options.output + ".part";
   }
-  if (!settings.path.empty()) {
-    require_writable(settings.path);
-  }
+  if (!settings.path.empty()) require_writable(settings.path);
   return settings;
 }
 
@@ -89,9 +87,7 @@ void print_estimate(const BakeJob& job) {
 
 void run(const Options& options) {
   const Stopwatch stopwatch;
-  if (!options.only_estimate) {
-    require_writable(options.output);
-  }
+  if (!options.only_estimate) require_writable(options.output);
   const BakeSettings settings = settings_of(options);
   BakeJob job(load_scene(options.scene, settings.on_flaw), settings);
   options.bake.apply_to(job.scene.bake);
@@ -100,16 +96,12 @@ void run(const Options& options) {
     print_estimate(planned(std::move(job)));
     return;
   }
-  if (options.budget_seconds) {
-    job.budget = BakeBudget{*options.budget_seconds, stopwatch};
-  }
+  if (options.budget_seconds) job.budget = BakeBudget{*options.budget_seconds, stopwatch};
   BakeReport report;
   const Transfer transfer = bake_to_file(options.output, std::move(job), &report,
                                          [](const std::string& line) { fmt::print(stderr, "prt: {}\n", line); });
   report_plan(transfer.plan);
-  if (transfer.kind->has_bounces()) {
-    report_bounces(transfer.bounces);
-  }
+  if (transfer.kind->has_bounces()) report_bounces(transfer.bounces);
   fmt::print(stderr, "prt: {} rays traced, {:.0f} MiB at the most\n", report.rays,
              static_cast<double>(peak_memory()) / 1048576.0);
   report_time(stopwatch, fmt::format("baked {} vertices, {} faces, degree {}, {} directions, into {}",
@@ -156,9 +148,7 @@ void add_bake_command(CLI::App& tool) {
   command->add_flag("--strict", options->strict, "refuse meshes that would otherwise be mended with a warning");
   add_checkpoint_to(*command, *options);
   command->callback([options, output] {
-    if (output->empty() && !options->only_estimate) {
-      throw CLI::RequiredError("--output");
-    }
+    if (output->empty() && !options->only_estimate) throw CLI::RequiredError("--output");
     with_threads(options->threads, [&] { run(*options); });
   });
 }

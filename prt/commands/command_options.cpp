@@ -23,22 +23,16 @@ std::vector<LightSpec> lights_of_file(const std::string& file) {
   const nlohmann::json document = read_json(file);
   const JsonReader reader(file, document);
   const std::string folder = std::filesystem::path(file).parent_path().string();
-  if (!reader.is_array()) {
-    return {read_light(reader, folder)};
-  }
+  if (!reader.is_array()) return {read_light(reader, folder)};
   std::vector<LightSpec> lights;
-  for (const JsonReader& item : reader.items()) {
-    lights.push_back(read_light(item, folder));
-  }
+  for (const JsonReader& item : reader.items()) lights.push_back(read_light(item, folder));
   return lights;
 }
 
 }  // namespace
 
 std::vector<LightSpec> named_lights(const std::string& name, const std::string& mapping) {
-  if (std::filesystem::path(name).extension() == ".json") {
-    return lights_of_file(name);
-  }
+  if (std::filesystem::path(name).extension() == ".json") return lights_of_file(name);
   LightSpec spec;
   if (name == "constant") {
     spec.type = LightType::kConstant;
@@ -91,9 +85,7 @@ ChosenLight choose_light(const LightOptions& options, const std::vector<LightSpe
 }
 
 void with_threads(int threads, const std::function<void()>& work) {
-  if (threads < 0) {
-    throw std::invalid_argument(fmt::format("--threads {}: must be 0 (every core) or more", threads));
-  }
+  if (threads < 0) throw std::invalid_argument(fmt::format("--threads {}: must be 0 (every core) or more", threads));
   const auto count = static_cast<std::size_t>(threads == 0 ? tbb::info::default_concurrency() : threads);
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, count);
   work();
@@ -101,9 +93,7 @@ void with_threads(int threads, const std::function<void()>& work) {
 
 void print_out(std::string_view text) {
   std::cout << text << std::flush;
-  if (!std::cout) {
-    throw std::runtime_error("standard output: cannot write");
-  }
+  if (!std::cout) throw std::runtime_error("standard output: cannot write");
 }
 
 void require_writable(const std::string& file) {
@@ -139,9 +129,7 @@ void BakeOverrides::apply_to(BakeOptions& bake) const {
   bake.directions = directions.value_or(bake.directions);
   bake.sampler = sampler_called(sampler).value_or(bake.sampler);
   bake.seed = seed.value_or(bake.seed);
-  if (!kind.empty()) {
-    bake.kind = kind_called(kind);
-  }
+  if (!kind.empty()) bake.kind = kind_called(kind);
   require_degree(bake.degree);
 }
 

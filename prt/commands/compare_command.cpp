@@ -135,18 +135,14 @@ Compared compare_pictures(const Options& options) {
 }
 
 void run(const Options& options) {
-  if (!options.output.empty()) {
-    require_writable(options.output);
-  }
+  if (!options.output.empty()) require_writable(options.output);
   const bool transfers = is_transfer(options.first);
   if (transfers != is_transfer(options.second)) {
     throw std::runtime_error(
         fmt::format("{} and {}: one is a transfer file, the other is not", options.first, options.second));
   }
   const Compared compared = transfers ? compare_transfers(options) : compare_pictures(options);
-  if (!options.output.empty()) {
-    output::write_file(options.output, compared.picture);
-  }
+  if (!options.output.empty()) output::write_file(options.output, compared.picture);
   print_out(compared.json.dump(2) + "\n");
   if (!(compared.rms <= options.limit)) {
     throw CheckFailed(fmt::format("{}: differs by {:.3g}, more than {:g}", options.first, compared.rms, options.limit));

@@ -21,9 +21,7 @@ void require_frames(int frames) {
 }
 
 std::string frame_name(const std::string& output, int frame, int frames) {
-  if (frames == 1) {
-    return output;
-  }
+  if (frames == 1) return output;
   const std::filesystem::path path(output);
   const std::string name = fmt::format("{}_{:03}{}", path.stem().string(), frame, path.extension().string());
   return (path.parent_path() / name).string();
@@ -49,9 +47,7 @@ void PictureFiles::add(int frame, std::span<const std::uint8_t> rgb) {
 }
 
 void PictureFiles::finish() {
-  if (animation_) {
-    output::write_file(output_, animation_->finish());
-  }
+  if (animation_) output::write_file(output_, animation_->finish());
 }
 
 }  // namespace sh::prt

@@ -31,12 +31,8 @@ struct Panel {
 std::vector<Panel> panels_of(const LightFigure& figure) {
   std::vector<Panel> out;
   for (const ImageMapping mapping : figure.mappings) {
-    if (figure.original) {
-      out.push_back({mapping, true});
-    }
-    if (figure.reconstruction) {
-      out.push_back({mapping, false});
-    }
+    if (figure.original) out.push_back({mapping, true});
+    if (figure.reconstruction) out.push_back({mapping, false});
   }
   return out;
 }
@@ -60,9 +56,7 @@ class Drawing {
 
   std::string draw() {
     write({kMargin, 33.0}, figure_.title, plot::kTitleSize, plot::Anchor::kStart);
-    for (std::size_t i = 0; i < panels_.size(); ++i) {
-      draw_panel(panels_[i], box_of(static_cast<int>(i)));
-    }
+    for (std::size_t i = 0; i < panels_.size(); ++i) draw_panel(panels_[i], box_of(static_cast<int>(i)));
     write({kMargin, bottom_ + 16.0}, legend(), plot::kLabelSize, plot::Anchor::kStart);
     return canvas_->finish();
   }
@@ -100,9 +94,7 @@ class Drawing {
       return plot::Channels{color.x(), color.y(), color.z()};
     };
     plot::paint_map(*canvas_, panel.mapping, box, values, {3, white_, !panel.original && figure_.mark_negative});
-    if (figure_.axes) {
-      plot::draw_axis_tags(*canvas_, panel.mapping, box);
-    }
+    if (figure_.axes) plot::draw_axis_tags(*canvas_, panel.mapping, box);
     const std::string degree = panel.original ? "" : fmt::format(", degree {}", coefficients_.degree);
     write({box.x + 0.5 * box.width, box.y + box.height + 20.0},
           fmt::format("{}{}", numeric::name_of(panel.mapping), degree), plot::kLabelSize, plot::Anchor::kMiddle);

@@ -11,9 +11,7 @@ namespace sh::prt {
 namespace {
 
 LightSamples samples_named(const std::string& local, const Mesh& mesh) {
-  if (local == "octahedron") {
-    return samples_on_octahedron(mesh.positions);
-  }
+  if (local == "octahedron") return samples_on_octahedron(mesh.positions);
   int k = 0;
   const auto end = std::from_chars(local.data(), local.data() + local.size(), k);
   if (end.ec != std::errc() || end.ptr != local.data() + local.size() || k < 1 || k > kMaxLightSamples) {
@@ -31,9 +29,7 @@ LocalLighting::LocalLighting(const SubjectOptions& options, const Stage& stage, 
   const auto refuse = [&](const char* why) {
     throw std::runtime_error(fmt::format("{}: --local {}: {}", options.file, options.local, why));
   };
-  if (is_stage) {
-    refuse("a stage takes distant light only; a transfer file is needed");
-  }
+  if (is_stage) refuse("a stage takes distant light only; a transfer file is needed");
   if (transfer_.kind->has_bounces()) {
     refuse("the bake has bounces, whose light comes from other places too; bake unshadowed or shadowed transfer");
   }
@@ -48,9 +44,7 @@ LocalLighting::LocalLighting(const SubjectOptions& options, const Stage& stage, 
 std::vector<Eigen::Vector3f> LocalLighting::radiance(const Eigen::Matrix3d& light_turn) const {
   std::vector<LightCoefficients> at_points =
       project_at(turned(lights_, light_turn), samples_.points, shading_.degree_for(transfer_.degree()));
-  for (LightCoefficients& light : at_points) {
-    light = shading_.chosen(light);
-  }
+  for (LightCoefficients& light : at_points) light = shading_.chosen(light);
   return relight_locally(transfer_, samples_, at_points, shading_);
 }
 

@@ -22,9 +22,7 @@ void run(const Options& options) {
   Scene scene = load_scene(options.scene, OnFlaw::kMend);
   options.bake.apply_to(scene.bake);
   scene.plan = options.plan.applied_to(scene.plan);
-  if (options.plan.mode.empty()) {
-    scene.plan.mode = PlanMode::kLossy;
-  }
+  if (options.plan.mode.empty()) scene.plan.mode = PlanMode::kLossy;
   BakeSettings settings;
   settings.threads = options.threads;
   const BakeJob job = planned({std::move(scene), settings});

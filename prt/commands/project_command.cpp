@@ -59,12 +59,8 @@ Json windows(const std::vector<Deringing>& windowed) {
   for (const Deringing& done : windowed) {
     const Window& window = done.choice.window;
     Json one = {{"type", done.needed ? word_of(window.type, kWindowNames) : "none"}};
-    if (done.needed) {
-      one[std::string(number_key(window.type))] = window.size;
-    }
-    if (window.type == WindowType::kSinc) {
-      one["power"] = window.power;
-    }
+    if (done.needed) one[std::string(number_key(window.type))] = window.size;
+    if (window.type == WindowType::kSinc) one["power"] = window.power;
     one.update({{"keep", done.choice.keep == Keep::kRadiance ? "radiance" : "irradiance"},
                 {"least_over_peak_before", done.least_before},
                 {"least_over_peak", done.least_after},
@@ -78,9 +74,7 @@ Json windows(const std::vector<Deringing>& windowed) {
 Json report(const Options& options, const std::vector<Light>& lights, const LightCoefficients& light,
             const std::vector<Deringing>& windowed) {
   Json out = described(options, lights);
-  if (!windowed.empty()) {
-    out["windows"] = windows(windowed);
-  }
+  if (!windowed.empty()) out["windows"] = windows(windowed);
   out.update({{"degree", light.degree},
               {"convention",
                "real spherical harmonics, orthonormal on the unit sphere, no Condon-Shortley phase; "

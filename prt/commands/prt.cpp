@@ -35,9 +35,7 @@ int run(int argc, char** argv) {
   } catch (const CLI::Success& done) {  // --help
     return tool.exit(done);
   } catch (const CLI::ParseError& error) {
-    if (!tool.get_subcommands().empty()) {
-      throw;
-    }
+    if (!tool.get_subcommands().empty()) throw;
     std::fprintf(
         stderr,
         "prt: `%s` is no command; bake, relight, render, shader, info, project, reconstruct, plan, study and compare "

@@ -57,13 +57,9 @@ nlohmann::ordered_json summary(const LightCoefficients& light) {
 }
 
 std::vector<ImageMapping> mappings_named(const std::string& name) {
-  if (name != "all") {
-    return {numeric::mapping_named(name).value()};
-  }
+  if (name != "all") return {numeric::mapping_named(name).value()};
   std::vector<ImageMapping> out;
-  for (const std::string_view mapping : numeric::kMappingNames) {
-    out.push_back(numeric::mapping_named(mapping).value());
-  }
+  for (const std::string_view mapping : numeric::kMappingNames) out.push_back(numeric::mapping_named(mapping).value());
   return out;
 }
 
@@ -74,9 +70,7 @@ void run(const Options& options) {
       load_lights(named_lights(options.light, options.mapping), options.strict ? OnFlaw::kRefuse : OnFlaw::kMend);
   const LightCoefficients light = project_windowed(lights, options.degree, options.window);
   LightFigure figure = options.figure;
-  if (figure.title.empty()) {
-    figure.title = std::filesystem::path(options.light).filename().string();
-  }
+  if (figure.title.empty()) figure.title = std::filesystem::path(options.light).filename().string();
   figure.mappings = mappings_named(options.draw);
   figure.original = options.show != "reconstruction";
   figure.reconstruction = options.show != "original";

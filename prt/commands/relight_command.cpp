@@ -26,9 +26,7 @@ void relight_frame(const Options& options, Subject& subject, int frame) {
   const std::string name = frame_name(options.output, frame, options.frames);
   write_ply(name, mesh, radiance);
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-  for (const Eigen::Vector3f& value : radiance) {
-    mean += value.cast<double>() / static_cast<double>(radiance.size());
-  }
+  for (const Eigen::Vector3f& value : radiance) mean += value.cast<double>() / static_cast<double>(radiance.size());
   fmt::print(stderr, "prt: {}: {} vertices, {} faces, mean exit radiance {:.4g} {:.4g} {:.4g}\n", name, radiance.size(),
              mesh.faces.size(), mean.x(), mean.y(), mean.z());
 }
@@ -37,9 +35,7 @@ void run(const Options& options) {
   require_frames(options.frames);
   require_writable(frame_name(options.output, 0, options.frames));
   Subject subject(options.subject);
-  for (int frame = 0; frame < options.frames; ++frame) {
-    relight_frame(options, subject, frame);
-  }
+  for (int frame = 0; frame < options.frames; ++frame) relight_frame(options, subject, frame);
 }
 
 }  // namespace

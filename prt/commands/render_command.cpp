@@ -97,9 +97,7 @@ class Sequence {
       exposure_ =
           options_.fixed_exposure.value_or(automatic_exposure(picture.covered())) * std::exp2(options_.exposure_stops);
     }
-    if (!show_light_) {
-      put_on_grey(picture, exposure_);
-    }
+    if (!show_light_) put_on_grey(picture, exposure_);
     files_.add(frame, tone_map(picture.radiance, exposure_, static_cast<ToneCurve>(place_of(kTones, options_.tone))));
   }
 
@@ -107,9 +105,7 @@ class Sequence {
 
  private:
   void place(const std::vector<Pose>& poses) {
-    if (tracer_ && poses == poses_) {
-      return;
-    }
+    if (tracer_ && poses == poses_) return;
     poses_ = poses;
     mesh_ = subject_.mesh(poses_);
     tracer_ = std::make_unique<Tracer>(mesh_, options_.threads);
@@ -136,9 +132,7 @@ void run(const Options& options) {
   const Stopwatch stopwatch;
   Subject subject(options.subject);
   Sequence sequence(options, subject, files);
-  for (int frame = 0; frame < options.frames; ++frame) {
-    sequence.render_frame(frame);
-  }
+  for (int frame = 0; frame < options.frames; ++frame) sequence.render_frame(frame);
   files.finish();
   report_time(stopwatch, fmt::format("rendered {} picture{} of {} x {} pixels, {} samples each, exposure {:.4g}",
                                      options.frames, options.frames == 1 ? "" : "s", options.size.width,

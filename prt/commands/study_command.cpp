@@ -55,9 +55,7 @@ void make_folder(const std::string& folder) {
 
 // Of the last part; those before it lie there already.
 void write_pictures(const std::filesystem::path& folder, const StudyPart& part, const Scene& scene) {
-  if (part.fields.empty()) {
-    return;
-  }
+  if (part.fields.empty()) return;
   PictureSize size;
   size.samples = 9;
   const Tracer tracer(scene.mesh);
@@ -71,9 +69,7 @@ void write_pictures(const std::filesystem::path& folder, const StudyPart& part, 
 void write(const std::string& folder, const Study& study, const Scene& scene) {
   const std::filesystem::path path(folder);
   write_pictures(path, study.parts.back(), scene);
-  for (const StudyChart& chart : study_charts(study)) {
-    output::write_file((path / chart.file).string(), chart.svg);
-  }
+  for (const StudyChart& chart : study_charts(study)) output::write_file((path / chart.file).string(), chart.svg);
   output::write_file((path / "study.json").string(), study_json(study, scene).dump(2) + "\n");
 }
 

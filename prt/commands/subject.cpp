@@ -52,35 +52,25 @@ Subject::Subject(const SubjectOptions& options)
       camera_(stage_.camera),
       lights_([&] {
         ChosenLight chosen = choose_light(options.light, stage_.lights);
-        if (!chosen.camera.empty()) {
-          camera_ = chosen.camera;
-        }
+        if (!chosen.camera.empty()) camera_ = chosen.camera;
         return chosen.lights;
       }()),
       lighting_(
           stage_, [&](int degree) { return project_windowed(lights_, degree, options.light.window); },
           options.shading) {
   for (const StageObject& object : stage_.objects) {
-    if (object.transfer->missing.any()) {
-      tell_once(coarseness(is_stage_ ? object.name : options.file, *object.transfer));
-    }
+    if (object.transfer->missing.any()) tell_once(coarseness(is_stage_ ? object.name : options.file, *object.transfer));
   }
-  if (!options.local.empty()) {
-    local_.emplace(options, stage_, is_stage_, lights_);
-  }
+  if (!options.local.empty()) local_.emplace(options, stage_, is_stage_, lights_);
 }
 
 void Subject::tell_once(const std::string& line) {
-  if (told_.insert(line).second) {
-    report_flaw(on_flaw_, line);
-  }
+  if (told_.insert(line).second) report_flaw(on_flaw_, line);
 }
 
 std::vector<Pose> Subject::poses_at(double time) {
   std::vector<Pose> poses = sh::prt::poses_at(stage_, time);
-  for (const std::string& line : overlaps(stage_, poses)) {
-    tell_once(line);
-  }
+  for (const std::string& line : overlaps(stage_, poses)) tell_once(line);
   return poses;
 }
 

@@ -82,15 +82,9 @@ LightCoefficients project_windowed(const std::vector<Light>& lights, int degree,
   }
   std::vector<Deringing> done;
   LightCoefficients light = project(lights, degree, &done);
-  if (!options.window.empty()) {
-    done.push_back(apply_window(choice_of(options), light));
-  }
-  for (const Deringing& one : done) {
-    fmt::print(stderr, "prt: {}\n", describe(one));
-  }
-  if (windowed != nullptr) {
-    *windowed = done;
-  }
+  if (!options.window.empty()) done.push_back(apply_window(choice_of(options), light));
+  for (const Deringing& one : done) fmt::print(stderr, "prt: {}\n", describe(one));
+  if (windowed != nullptr) *windowed = done;
   return light;
 }
 

@@ -18,9 +18,7 @@ const TransferKind* find(TransferKinds kinds, Name name, std::string_view value)
 
 std::vector<std::string_view> names(TransferKinds kinds, Name name) {
   std::vector<std::string_view> all;
-  for (const TransferKind* kind : kinds) {
-    all.push_back(kind->*name);
-  }
+  for (const TransferKind* kind : kinds) all.push_back(kind->*name);
   return all;
 }
 

@@ -29,9 +29,7 @@ LightCoefficients LightCoefficients::zero(int degree) {
 LightCoefficients first_bands(const LightCoefficients& light, int degree) {
   LightCoefficients first = LightCoefficients::zero(degree);
   for (std::size_t c = 0; c < 3; ++c) {
-    for (std::size_t i = 0; i < first.bands_squared(); ++i) {
-      first.at(c, i) = light.at(c, i);
-    }
+    for (std::size_t i = 0; i < first.bands_squared(); ++i) first.at(c, i) = light.at(c, i);
   }
   return first;
 }

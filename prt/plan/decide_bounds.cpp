@@ -76,12 +76,8 @@ std::vector<double> storage_errors(const Draft& draft, Element element) {
 }  // namespace
 
 void decide_bounces(Draft& draft) {
-  if (!draft.bake.kind->has_bounces()) {
-    return;
-  }
-  if (!draft.takes("bounces")) {
-    return;
-  }
+  if (!draft.bake.kind->has_bounces()) return;
+  if (!draft.takes("bounces")) return;
   constexpr double kPart = 0.25;
   const double returned = light_that_returns(draft);
   if (draft.shines() || draft.has_mirrors() || returned > draft.share(kPart)) {
@@ -101,9 +97,7 @@ void decide_storage(Draft& draft) {
     std::fill(draft.plan.largest.begin() + l * l, draft.plan.largest.begin() + (l + 1) * (l + 1),
               static_cast<float>(bound));
   }
-  if (!draft.takes("storage")) {
-    return;
-  }
+  if (!draft.takes("storage")) return;
   constexpr double kPart = 0.5;
   for (const Element element : {Element::kByte, Element::kHalf}) {
     const double error = draft.error_of(storage_errors(draft, element));

@@ -18,9 +18,7 @@ double norm_of_light(const TurningLight& light) {
   double largest = 0.0;
   for (std::size_t c = 0; c < 3; ++c) {
     double squares = 0.0;
-    for (int l = 0; l <= light.coefficients().degree; ++l) {
-      squares += std::pow(light.band_norm(c, l), 2);
-    }
+    for (int l = 0; l <= light.coefficients().degree; ++l) squares += std::pow(light.band_norm(c, l), 2);
     largest = std::max(largest, std::sqrt(squares));
   }
   return largest;
@@ -51,9 +49,7 @@ double widest_angle(const Draft& draft) {
 }  // namespace
 
 void decide_analytic(Draft& draft) {
-  if (!draft.takes("analytic")) {
-    return;
-  }
+  if (!draft.takes("analytic")) return;
   if (!draft.bake.kind->traces_rays()) {
     draft.decide("analytic", "all vertices", "unshadowed transfer is asked for", 0.0, "exact");
     return;
@@ -73,9 +69,7 @@ void decide_analytic(Draft& draft) {
 }
 
 void decide_channels(Draft& draft) {
-  if (!draft.takes("channels")) {
-    return;
-  }
+  if (!draft.takes("channels")) return;
   if (!draft.shape().holds_albedo) {
     draft.decide("channels", "one", "transfer without bounces holds no albedo", 0.0, "exact");
     return;
@@ -91,9 +85,7 @@ void decide_channels(Draft& draft) {
 }
 
 void decide_symmetry(Draft& draft) {
-  if (!draft.takes("symmetry")) {
-    return;
-  }
+  if (!draft.takes("symmetry")) return;
   std::vector<std::uint32_t> kept = draft.light->needed();
   std::erase_if(kept, [&](std::uint32_t i) { return i >= draft.count(); });
   const std::size_t count = kept.size();

@@ -75,9 +75,7 @@ Convergence measure(const Draft& draft) {
 }  // namespace
 
 void decide_bands(Draft& draft) {
-  if (!draft.takes("bands")) {
-    return;
-  }
+  if (!draft.takes("bands")) return;
   constexpr double kPart = 0.4;
   const int asked = draft.bake.degree;
   for (int degree = 0; degree < asked; ++degree) {
@@ -112,9 +110,7 @@ double floor_of_directions(Draft& draft) {
 }
 
 void decide_directions(Draft& draft) {
-  if (!draft.takes("directions")) {
-    return;
-  }
+  if (!draft.takes("directions")) return;
   const int asked = draft.bake.directions;
   const Convergence convergence = measure(draft);
   const double wanted = convergence.directions(draft.left);

@@ -10,9 +10,7 @@ namespace sh::prt {
 Draft::Draft(const Scene& the_scene, const PlanOptions& the_options)
     : scene(the_scene), options(the_options), asked(the_scene.bake), bake(asked) {
   starts = ray_starts(scene.mesh);
-  for (const Eigen::Vector3f& colour : scene.mesh.albedo) {
-    albedo = std::max(albedo, colour.maxCoeff());
-  }
+  for (const Eigen::Vector3f& colour : scene.mesh.albedo) albedo = std::max(albedo, colour.maxCoeff());
   plan.open.assign(starts.size(), asked.kind->traces_rays() ? 0 : 1);
   start();
 }
@@ -20,9 +18,7 @@ Draft::Draft(const Scene& the_scene, const PlanOptions& the_options)
 void Draft::start() { plan.asked = plan.planned = before_ = cost(); }
 
 bool Draft::takes(std::string_view name) {
-  if (std::find(options.without.begin(), options.without.end(), name) == options.without.end()) {
-    return true;
-  }
+  if (std::find(options.without.begin(), options.without.end(), name) == options.without.end()) return true;
   decide(name, "not taken", "by request", 0.0, "exact");
   return false;
 }
@@ -55,9 +51,7 @@ std::size_t Draft::traced() const {
 
 double Draft::error_of(const std::vector<double>& e) const {
   double largest = 0.0;
-  for (std::size_t c = 0; c < 3; ++c) {
-    largest = std::max(largest, light->largest_product_of_errors(c, e));
-  }
+  for (std::size_t c = 0; c < 3; ++c) largest = std::max(largest, light->largest_product_of_errors(c, e));
   return static_cast<double>(albedo) * largest / plan.reference;
 }
 

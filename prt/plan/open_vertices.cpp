@@ -48,9 +48,7 @@ class Boxes {
 
   void split(std::size_t first, std::size_t last) {
     Eigen::AlignedBox3d bounds;
-    for (std::size_t i = first; i < last; ++i) {
-      bounds.extend(points_[order_[i]].cast<double>());
-    }
+    for (std::size_t i = first; i < last; ++i) bounds.extend(points_[order_[i]].cast<double>());
     if (last - first <= kLeaf) {
       boxes_.push_back({bounds.center(), 0.5 * bounds.sizes(), static_cast<std::ptrdiff_t>(first),
                         static_cast<std::ptrdiff_t>(last)});
@@ -87,9 +85,7 @@ std::vector<Eigen::Vector3d> landmarks(const std::vector<Eigen::Vector3f>& point
 
 std::vector<std::uint8_t> open_vertices(const Mesh& mesh, const std::vector<RayStart>& starts, double most_angle) {
   std::vector<std::uint8_t> open(starts.size(), 0);
-  if (mesh.positions.empty()) {
-    return open;
-  }
+  if (mesh.positions.empty()) return open;
   const std::vector<Eigen::Vector3d> marks = landmarks(mesh.positions);
   const Boxes boxes(mesh.positions);
   for_chunks(starts.size(), [&](std::size_t chunk) {

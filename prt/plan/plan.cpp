@@ -90,9 +90,7 @@ void decide_within_budget(Draft& draft, const std::string& instruction_set) {
   decide_bands(draft);
   decide_symmetry(draft);
   decide_storage(draft);
-  if (rays) {
-    decide_directions(draft);
-  }
+  if (rays) decide_directions(draft);
 }
 
 }  // namespace

@@ -27,9 +27,7 @@ ProbeRows Probe::bake(const std::vector<std::uint8_t>& open, int directions) con
   options.directions = directions;
   const SharedDirections shared(options);
   std::vector<Eigen::Vector3f> normals;
-  for (const std::uint32_t v : vertices_) {
-    normals.push_back(scene_.mesh.normals[v]);
-  }
+  for (const std::uint32_t v : vertices_) normals.push_back(scene_.mesh.normals[v]);
   ProbeRows rows{unshadowed_transfer(options.degree, normals), std::vector<double>(vertices_.size(), 0.0)};
   const std::size_t count = coefficient_count(options.degree);
   for_chunks(vertices_.size(), [&](std::size_t chunk) {
@@ -51,9 +49,7 @@ ProbeRows Probe::bake(const std::vector<std::uint8_t>& open, int directions) con
 
 double rms(const std::vector<double>& values) {
   double squares = 0.0;
-  for (const double value : values) {
-    squares += value * value;
-  }
+  for (const double value : values) squares += value * value;
   return values.empty() ? 0.0 : std::sqrt(squares / static_cast<double>(values.size()));
 }
 

@@ -20,12 +20,8 @@ double unshadowed_band_norm(int l) {
 }
 
 double transfer_band_bound(const TransferKind& kind, bool mirrors, int l) {
-  if (!kind.traces_rays()) {
-    return unshadowed_band_norm(l);
-  }
-  if (kind.has_bounces() || mirrors) {
-    return largest_of_basis(l);
-  }
+  if (!kind.traces_rays()) return unshadowed_band_norm(l);
+  if (kind.has_bounces() || mirrors) return largest_of_basis(l);
   const double half_of_any = std::sqrt(2.0 * std::numbers::pi / 3.0) * std::sqrt(0.5) / (2.0 * std::numbers::pi);
   return std::min(largest_of_basis(l), half_of_any + unshadowed_band_norm(l) / 2.0);
 }
@@ -37,9 +33,7 @@ double largest_unshadowed_radiance(const Mesh& mesh, const LightCoefficients& li
   for (std::size_t v = 0; v < mesh.normals.size(); ++v) {
     for (std::size_t c = 0; c < 3; ++c) {
       double sum = 0.0;
-      for (std::size_t i = 0; i < count; ++i) {
-        sum += static_cast<double>(rows[v * count + i]) * light.at(c, i);
-      }
+      for (std::size_t i = 0; i < count; ++i) sum += static_cast<double>(rows[v * count + i]) * light.at(c, i);
       largest = std::max(largest, sum * static_cast<double>(mesh.albedo[v][static_cast<Eigen::Index>(c)]));
     }
   }

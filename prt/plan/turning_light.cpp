@@ -26,9 +26,7 @@ std::vector<Group> groups_of(int degree, LightTurns turns) {
         groups.push_back(m == 0 ? Group{at(0)} : Group{at(-m), at(m)});
       }
     }
-    if (turns == LightTurns::kAny) {
-      groups.push_back(band);
-    }
+    if (turns == LightTurns::kAny) groups.push_back(band);
   }
   return groups;
 }
@@ -36,9 +34,7 @@ std::vector<Group> groups_of(int degree, LightTurns turns) {
 template <class Value>
 double norm(const Group& group, const Value& value) {
   double squares = 0.0;
-  for (const std::uint32_t i : group) {
-    squares += value(i) * value(i);
-  }
+  for (const std::uint32_t i : group) squares += value(i) * value(i);
   return std::sqrt(squares);
 }
 
@@ -50,9 +46,7 @@ TurningLight::TurningLight(LightCoefficients light, LightTurns turns)
 double TurningLight::largest_product(std::size_t channel, const std::vector<double>& t) const {
   if (turns_ == LightTurns::kNone) {
     double sum = 0.0;
-    for (std::size_t i = 0; i < t.size(); ++i) {
-      sum += t[i] * light_.at(channel, i);
-    }
+    for (std::size_t i = 0; i < t.size(); ++i) sum += t[i] * light_.at(channel, i);
     return std::abs(sum);
   }
   return largest_product_of_errors(channel, t);
@@ -69,9 +63,7 @@ double TurningLight::largest_product_of_errors(std::size_t channel, const std::v
 
 std::vector<std::uint32_t> TurningLight::needed() const {
   double largest = 0.0;
-  for (const double value : light_.values) {
-    largest = std::max(largest, std::abs(value));
-  }
+  for (const double value : light_.values) largest = std::max(largest, std::abs(value));
   std::vector<std::uint32_t> indices;
   for (const Group& group : groups_) {
     for (std::size_t channel = 0; channel < kChannels; ++channel) {

@@ -27,9 +27,7 @@ Nearest nearest(const Points& points, const Eigen::Vector3d& place) {
   Nearest best;
   for (std::size_t j = 0; j < points.size(); ++j) {
     const double squared = (points[j] - place).squaredNorm();
-    if (squared < best.squared) {
-      best = {j, squared};
-    }
+    if (squared < best.squared) best = {j, squared};
   }
   return best;
 }
@@ -37,9 +35,7 @@ Nearest nearest(const Points& points, const Eigen::Vector3d& place) {
 /// The vertex nearest to the mean, then each time the one farthest from all points so far.
 Points spread(const Points& vertices, int k) {
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-  for (const Eigen::Vector3d& v : vertices) {
-    mean += v / static_cast<double>(vertices.size());
-  }
+  for (const Eigen::Vector3d& v : vertices) mean += v / static_cast<double>(vertices.size());
   Points points{vertices[nearest(vertices, mean).point]};
   std::vector<double> squared(vertices.size(), std::numeric_limits<double>::infinity());
   while (true) {
@@ -47,9 +43,7 @@ Points spread(const Points& vertices, int k) {
       squared[v] = std::min(squared[v], (vertices[v] - points.back()).squaredNorm());
     }
     const auto farthest = std::max_element(squared.begin(), squared.end());
-    if (static_cast<int>(points.size()) == k || *farthest == 0.0) {
-      return points;
-    }
+    if (static_cast<int>(points.size()) == k || *farthest == 0.0) return points;
     points.push_back(vertices[static_cast<std::size_t>(farthest - squared.begin())]);
   }
 }
@@ -72,18 +66,14 @@ Points k_means(const Points& vertices, int k) {
         moved = true;
       }
     }
-    if (!moved) {
-      break;
-    }
+    if (!moved) break;
   }
   return points;
 }
 
 Points in_double(std::span<const Eigen::Vector3f> vertices) {
   Points out;
-  for (const Eigen::Vector3f& v : vertices) {
-    out.push_back(v.cast<double>());
-  }
+  for (const Eigen::Vector3f& v : vertices) out.push_back(v.cast<double>());
   return out;
 }
 
@@ -96,9 +86,7 @@ void add_distance_weights(const Points& points, const Eigen::Vector3d& vertex, s
     row.push_back(squared == closest.squared ? 1.0 : std::pow(closest.squared / squared, 0.5 * kPower));
     sum += row.back();
   }
-  for (const double weight : row) {
-    weights.push_back(static_cast<float>(weight / sum));
-  }
+  for (const double weight : row) weights.push_back(static_cast<float>(weight / sum));
 }
 
 /// Barycentric coordinates of the point of a triangle that is nearest to the origin: the solution on the plane where it
@@ -111,9 +99,7 @@ Eigen::Vector3d nearest_on_triangle(const std::array<Eigen::Vector3d, 3>& corner
   const double area = uu * vv - uv * uv;
   const double s = (vv * ud - uv * vd) / area;
   const double t = (uu * vd - uv * ud) / area;
-  if (s >= 0.0 && t >= 0.0 && s + t <= 1.0) {
-    return {1.0 - s - t, s, t};
-  }
+  if (s >= 0.0 && t >= 0.0 && s + t <= 1.0) return {1.0 - s - t, s, t};
   Eigen::Vector3d best;
   double least = std::numeric_limits<double>::infinity();
   for (int i = 0; i < 3; ++i) {
@@ -144,9 +130,7 @@ void add_octahedron_weights(const Points& corners, const Eigen::Vector3d& vertex
     if (squared < least) {
       least = squared;
       row = {};
-      for (int i = 0; i < 3; ++i) {
-        row[face[static_cast<std::size_t>(i)]] = static_cast<float>(bary[i]);
-      }
+      for (int i = 0; i < 3; ++i) row[face[static_cast<std::size_t>(i)]] = static_cast<float>(bary[i]);
     }
   }
   weights.insert(weights.end(), row.begin(), row.end());
@@ -161,17 +145,13 @@ LightSamples samples_by_distance(std::span<const Eigen::Vector3f> vertices, int 
   }
   const Points places = in_double(vertices);
   LightSamples samples{k_means(places, k), {}};
-  for (const Eigen::Vector3d& place : places) {
-    add_distance_weights(samples.points, place, samples.weights);
-  }
+  for (const Eigen::Vector3d& place : places) add_distance_weights(samples.points, place, samples.weights);
   return samples;
 }
 
 LightSamples samples_on_octahedron(std::span<const Eigen::Vector3f> vertices) {
   Eigen::AlignedBox3d box;
-  for (const Eigen::Vector3f& v : vertices) {
-    box.extend(v.cast<double>());
-  }
+  for (const Eigen::Vector3f& v : vertices) box.extend(v.cast<double>());
   if (vertices.empty() || !(box.diagonal().norm() > 0.0)) {
     throw std::invalid_argument("a mesh without extent has no polyhedron around it");
   }
@@ -181,9 +161,7 @@ LightSamples samples_on_octahedron(std::span<const Eigen::Vector3f> vertices) {
     samples.points.emplace_back(box.center() + half[axis] * Eigen::Vector3d::Unit(axis));
     samples.points.emplace_back(box.center() - half[axis] * Eigen::Vector3d::Unit(axis));
   }
-  for (const Eigen::Vector3f& v : vertices) {
-    add_octahedron_weights(samples.points, v.cast<double>(), samples.weights);
-  }
+  for (const Eigen::Vector3f& v : vertices) add_octahedron_weights(samples.points, v.cast<double>(), samples.weights);
   return samples;
 }
 
@@ -200,17 +178,11 @@ std::vector<Eigen::Vector3f> relight_locally(const Transfer& transfer, const Lig
                                             samples.weights.size(), k, vertices));
   }
   std::vector<Eigen::Vector3f> sum = shading.shade(transfer, lights[0]);
-  if (k == 1) {
-    return sum;
-  }
-  for (std::size_t v = 0; v < vertices; ++v) {
-    sum[v] *= samples.weights[v * k];
-  }
+  if (k == 1) return sum;
+  for (std::size_t v = 0; v < vertices; ++v) sum[v] *= samples.weights[v * k];
   for (std::size_t j = 1; j < k; ++j) {
     const std::vector<Eigen::Vector3f> more = shading.shade(transfer, lights[j]);
-    for (std::size_t v = 0; v < vertices; ++v) {
-      sum[v] += samples.weights[v * k + j] * more[v];
-    }
+    for (std::size_t v = 0; v < vertices; ++v) sum[v] += samples.weights[v * k + j] * more[v];
   }
   return sum;
 }

@@ -22,9 +22,7 @@ void append(std::string& bytes, const T& value) {
 }
 
 void append(std::string& bytes, const Eigen::Vector3f& value) {
-  for (const float component : value) {
-    append(bytes, component);
-  }
+  for (const float component : value) append(bytes, component);
 }
 
 std::string header(const Mesh& mesh) {

@@ -60,9 +60,7 @@ Eigen::Vector3f exit_radiance(const SurfacePoint& point, const Tracer& tracer, c
   tracer.occluded(rays);
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (std::size_t k = 0; k < rays.size(); ++k) {
-    if (!rays[k].blocked()) {
-      sum += weighted[k].cast<double>();
-    }
+    if (!rays[k].blocked()) sum += weighted[k].cast<double>();
   }
   const double factor = 4.0 / static_cast<double>(samples.directions.size());  // 4 pi / count, over pi
   return point.emission + point.albedo.cwiseProduct((factor * sum).cast<float>());
@@ -84,9 +82,7 @@ float ray_offset(const Mesh& mesh) {
 Picture reference_render(const Mesh& mesh, const Tracer& tracer, const LightCoefficients& light, const Camera& camera,
                          const PictureSize& size, int directions) {
   require_picture_size(size);
-  if (size.samples != 1) {
-    throw std::invalid_argument("reference_render takes one sample a pixel");
-  }
+  if (size.samples != 1) throw std::invalid_argument("reference_render takes one sample a pixel");
   if (!mesh.mirror.empty()) {
     throw std::invalid_argument("reference_render does not follow mirrors; a mesh without is needed");
   }
@@ -124,9 +120,7 @@ PictureDifference difference(const Picture& a, const Picture& b) {
     }
   }
   out.pixels = largest.size();
-  if (largest.empty() || !(reference > 0.0)) {
-    return out;
-  }
+  if (largest.empty() || !(reference > 0.0)) return out;
   const double typical = std::sqrt(reference / (3.0 * static_cast<double>(out.pixels)));
   out.relative_rms = std::sqrt(squares / reference);
   out.largest = *std::max_element(largest.begin(), largest.end()) / typical;

@@ -80,9 +80,7 @@ void relight_with(const Transfer& transfer, const LightCoefficients& light, std:
   const std::vector<float> values = in_float(light);
   for_ranges(transfer, row_products(transfer, values), [&](const RowProducts& rows, std::size_t first, std::size_t n) {
     colour_products(rows, n, transfer.shape.holds_albedo ? nullptr : colours[first].data(), radiance[first].data());
-    for (std::size_t v = first; !transfer.emitted.empty() && v < first + n; ++v) {
-      radiance[v] += transfer.emitted[v];
-    }
+    for (std::size_t v = first; !transfer.emitted.empty() && v < first + n; ++v) radiance[v] += transfer.emitted[v];
   });
 }
 
@@ -91,9 +89,7 @@ void relight_with(const Transfer& transfer, const LightCoefficients& light, std:
 void require_kept(const Transfer& transfer, const LightCoefficients& light) {
   constexpr double kRounding = 1e-6;
   const std::vector<std::uint32_t>& kept = transfer.shape.storage.kept;
-  if (kept.empty() || light.values.empty()) {
-    return;
-  }
+  if (kept.empty() || light.values.empty()) return;
   const auto louder = [](double a, double b) { return std::abs(a) < std::abs(b); };
   const double largest = std::abs(*std::max_element(light.values.begin(), light.values.end(), louder));
   for (std::size_t i = 0; i < light.values.size(); ++i) {

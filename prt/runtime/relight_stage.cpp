@@ -87,17 +87,13 @@ std::vector<std::string> overlaps(const Stage& stage, const std::vector<Pose>& p
 
 std::vector<Pose> poses_at(const Stage& stage, double time) {
   std::vector<Pose> poses;
-  for (const StageObject& object : stage.objects) {
-    poses.push_back(object.motion.at(time));
-  }
+  for (const StageObject& object : stage.objects) poses.push_back(object.motion.at(time));
   return poses;
 }
 
 Mesh merged_mesh(const Stage& stage, const std::vector<Pose>& poses) {
   Mesh mesh;
-  for (std::size_t i = 0; i < poses.size(); ++i) {
-    append_placed(mesh, stage.objects[i].transfer->mesh, poses[i]);
-  }
+  for (std::size_t i = 0; i < poses.size(); ++i) append_placed(mesh, stage.objects[i].transfer->mesh, poses[i]);
   return mesh;
 }
 
@@ -110,9 +106,7 @@ StageLighting::StageLighting(const Stage& stage, const std::function<LightCoeffi
   for (const StageObject& object : stage.objects) {
     shading_.require_fit(*object.transfer, highest->transfer->degree());
     const int degree = object.transfer->degree();
-    if (lights_.count(degree) == 0) {
-      lights_.emplace(degree, shading_.chosen(projected(shading_.degree_for(degree))));
-    }
+    if (lights_.count(degree) == 0) lights_.emplace(degree, shading_.chosen(projected(shading_.degree_for(degree))));
   }
 }
 

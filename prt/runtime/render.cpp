@@ -14,9 +14,7 @@ std::vector<Eigen::Vector3f> seen(const Mesh& mesh, const MirrorPaths& mirrors,
                                   const std::vector<Eigen::Vector3f>& vertex_radiance, const RowOfRays& rays,
                                   const Eigen::Vector3f& eye, const Background& background) {
   std::vector<Leg> legs;
-  for (std::uint32_t k = 0; k < rays.hits.size(); ++k) {
-    legs.push_back({eye, rays.directions[k], rays.hits[k], k});
-  }
+  for (std::uint32_t k = 0; k < rays.hits.size(); ++k) legs.push_back({eye, rays.directions[k], rays.hits[k], k});
   mirrors.follow(legs);
   std::vector<Eigen::Vector3f> radiance(rays.hits.size(), Eigen::Vector3f::Zero());
   for (const Leg& leg : legs) {
@@ -49,9 +47,7 @@ void shade_row(const std::vector<Eigen::Vector3f>& radiance, const RowOfRays& ra
 std::vector<Eigen::Vector3f> Picture::covered() const {
   std::vector<Eigen::Vector3f> out;
   for (std::size_t i = 0; i < radiance.size(); ++i) {
-    if (coverage[i] == 1.0F) {
-      out.push_back(radiance[i]);
-    }
+    if (coverage[i] == 1.0F) out.push_back(radiance[i]);
   }
   return out;
 }

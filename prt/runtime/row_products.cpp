@@ -111,9 +111,7 @@ struct Summer {
   [[gnu::always_inline]] void run() {
     fetch();
     std::size_t i = 0;
-    for (; i + kFour <= rows.coefficients; i += kFour) {
-      add(i, 0);
-    }
+    for (; i + kFour <= rows.coefficients; i += kFour) add(i, 0);
     if (i < rows.coefficients) add(rows.coefficients - kFour, kFour - (rows.coefficients - i));
   }
 };

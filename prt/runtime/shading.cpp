@@ -33,9 +33,7 @@ LightCoefficients Shading::chosen(const LightCoefficients& light) const {
 }
 
 std::vector<Eigen::Vector3f> Shading::shade(const Transfer& transfer, const LightCoefficients& light) const {
-  if (recolour.empty()) {
-    return relight(transfer, light);
-  }
+  if (recolour.empty()) return relight(transfer, light);
   const Eigen::Vector3f albedo(recolour[0], recolour[1], recolour[2]);
   return recoloured(transfer, light, std::vector<Eigen::Vector3f>(transfer.mesh.positions.size(), albedo));
 }

@@ -36,9 +36,7 @@ Mesh make(const Piece& piece) {
   Soup soup = make_primitive(piece.primitive, 64);
   transform(soup, placing(piece));
   float lowest = soup.positions.front().z();
-  for (const Eigen::Vector3f& position : soup.positions) {
-    lowest = std::min(lowest, position.z());
-  }
+  for (const Eigen::Vector3f& position : soup.positions) lowest = std::min(lowest, position.z());
   Eigen::Affine3f lift = Eigen::Affine3f::Identity();
   lift.translate(piece.foot + Eigen::Vector3f(0.0F, 0.0F, kGap - lowest));
   transform(soup, lift);
@@ -69,9 +67,7 @@ Scene make_embedded_scene() {
                                      {"torus", {0.5F, 0.5F, 0.5F}, {-1.6F, -0.35F, 0.5F + kGap}, 0.0F, 0.0F, moss}};
   Scene scene;
   scene.name = "demo";
-  for (const Piece& piece : pieces) {
-    append(scene.mesh, make(piece));
-  }
+  for (const Piece& piece : pieces) append(scene.mesh, make(piece));
   add_ground(scene.mesh, {0.0F, 150.0F, 0.06F, {0.58F, 0.57F, 0.54F}});
   scene.lights.emplace_back();  // the CIE overcast sky
   scene.camera = {{1.6F, -5.6F, 2.5F}, {-0.05F, 0.0F, 0.6F}, {0.0F, 0.0F, 1.0F}, 32.0F};

@@ -18,9 +18,7 @@ constexpr float kGrowth = 0.25F;
 
 Eigen::AlignedBox3f box_of(const Mesh& mesh) {
   Eigen::AlignedBox3f box;
-  for (const Eigen::Vector3f& position : mesh.positions) {
-    box.extend(position);
-  }
+  for (const Eigen::Vector3f& position : mesh.positions) box.extend(position);
   return box;
 }
 

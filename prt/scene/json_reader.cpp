@@ -46,9 +46,7 @@ void JsonReader::expected(std::string_view what) const {
 }
 
 void JsonReader::allow(std::initializer_list<std::string_view> keys) const {
-  if (!value_->is_object()) {
-    expected("an object");
-  }
+  if (!value_->is_object()) expected("an object");
   for (const auto& [key, value] : value_->items()) {
     if (std::find(keys.begin(), keys.end(), key) == keys.end()) {
       throw std::runtime_error(
@@ -59,9 +57,7 @@ void JsonReader::allow(std::initializer_list<std::string_view> keys) const {
 
 std::optional<JsonReader> JsonReader::find(std::string_view key) const {
   const auto entry = value_->find(std::string(key));
-  if (entry == value_->end()) {
-    return std::nullopt;
-  }
+  if (entry == value_->end()) return std::nullopt;
   return JsonReader(*this, fmt::format("{}/{}", path_, key), *entry);
 }
 
@@ -74,9 +70,7 @@ JsonReader JsonReader::at(std::string_view key) const {
 }
 
 std::vector<JsonReader> JsonReader::items() const {
-  if (!value_->is_array()) {
-    expected("an array");
-  }
+  if (!value_->is_array()) expected("an array");
   std::vector<JsonReader> items;
   for (std::size_t i = 0; i < value_->size(); ++i) {
     items.push_back(JsonReader(*this, fmt::format("{}/{}", path_, i), (*value_)[i]));
@@ -85,9 +79,7 @@ std::vector<JsonReader> JsonReader::items() const {
 }
 
 std::vector<std::pair<std::string, JsonReader>> JsonReader::members() const {
-  if (!value_->is_object()) {
-    expected("an object");
-  }
+  if (!value_->is_object()) expected("an object");
   std::vector<std::pair<std::string, JsonReader>> members;
   for (const auto& [key, value] : value_->items()) {
     members.emplace_back(key, JsonReader(*this, fmt::format("{}/{}", path_, key), value));
@@ -102,9 +94,7 @@ bool JsonReader::is_boolean() const { return value_->is_boolean(); }
 bool JsonReader::is_text() const { return value_->is_string(); }
 
 std::string JsonReader::text() const {
-  if (!value_->is_string() || value_->get_ref<const std::string&>().empty()) {
-    expected("a string that is not empty");
-  }
+  if (!value_->is_string() || value_->get_ref<const std::string&>().empty()) expected("a string that is not empty");
   return value_->get<std::string>();
 }
 
@@ -116,20 +106,14 @@ std::string JsonReader::one_of(const std::vector<std::string_view>& words) const
 }
 
 double JsonReader::number(double least, double most, std::string_view what) const {
-  if (!value_->is_number()) {
-    expected(what);
-  }
+  if (!value_->is_number()) expected(what);
   const auto number = value_->get<double>();
-  if (!(number >= least && number <= most)) {
-    expected(what);
-  }
+  if (!(number >= least && number <= most)) expected(what);
   return number;
 }
 
 bool JsonReader::boolean() const {
-  if (!value_->is_boolean()) {
-    expected("true or false");
-  }
+  if (!value_->is_boolean()) expected("true or false");
   return value_->get<bool>();
 }
 
@@ -156,9 +140,7 @@ float JsonReader::positive() const {
 
 int JsonReader::integer(int least, int most) const {
   const std::string what = fmt::format("an integer from {} to {}", least, most);
-  if (!value_->is_number_integer()) {
-    expected(what);
-  }
+  if (!value_->is_number_integer()) expected(what);
   return static_cast<int>(number(least, most, what));
 }
 
@@ -172,9 +154,7 @@ Eigen::Vector3f JsonReader::vector(float least, float most) const {
   const std::string what = !any            ? fmt::format("three numbers from {} to {}", least, most)
                            : least == 0.0F ? "three numbers of 0 or more"
                                            : "three numbers";
-  if (!value_->is_array() || value_->size() != 3) {
-    expected(what);
-  }
+  if (!value_->is_array() || value_->size() != 3) expected(what);
   Eigen::Vector3f vector;
   int i = 0;
   for (const JsonReader& item : items()) {

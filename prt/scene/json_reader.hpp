@@ -30,9 +30,7 @@ class JsonReader {
   /// Replaces `to` by read(value, arguments...) where an object has that key.
   template <class T, class Read, class... Arguments>
   void take(std::string_view key, T& to, const Read& read, const Arguments&... arguments) const {
-    if (const auto value = find(key)) {
-      to = static_cast<T>(std::invoke(read, *value, arguments...));
-    }
+    if (const auto value = find(key)) to = static_cast<T>(std::invoke(read, *value, arguments...));
   }
   [[nodiscard]] std::vector<JsonReader> items() const;                            // of an array
   [[nodiscard]] std::vector<std::pair<std::string, JsonReader>> members() const;  // of an object whose keys are names

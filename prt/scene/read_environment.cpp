@@ -26,9 +26,7 @@ float read_factor(const JsonReader& reader) {
 
 /// true, false, or what a sun is.
 std::optional<SunOptions> read_sun_options(const JsonReader& reader) {
-  if (reader.is_boolean()) {
-    return reader.boolean() ? std::optional<SunOptions>(SunOptions{}) : std::nullopt;
-  }
+  if (reader.is_boolean()) return reader.boolean() ? std::optional<SunOptions>(SunOptions{}) : std::nullopt;
   reader.allow({"threshold", "contrast", "half_angle"});
   SunOptions options;
   reader.take("threshold", options.threshold, &JsonReader::number, 0.001, 1.0, "a part of the peak from 0.001 to 1");

@@ -21,9 +21,7 @@ constexpr double kLeastHalfAngle = 1e-9;  // degrees
 Eigen::Vector3d read_direction(const JsonReader& reader) {
   if (reader.is_array()) {
     const Eigen::Vector3d direction = reader.vector().cast<double>();
-    if (!(direction.norm() > 0.0)) {
-      reader.expected("a direction that is not zero");
-    }
+    if (!(direction.norm() > 0.0)) reader.expected("a direction that is not zero");
     return direction.normalized();
   }
   reader.allow({"elevation", "azimuth"});
@@ -40,12 +38,8 @@ void read_radiance(const JsonReader& reader, LightSpec& light) { reader.take("ra
 // `radiance`, or `irradiance` of a surface that faces the cap.
 void read_cap_strength(const JsonReader& reader, LightSpec& light) {
   const auto irradiance = reader.find("irradiance");
-  if (!irradiance) {
-    return read_radiance(reader, light);
-  }
-  if (reader.find("radiance")) {
-    reader.expected("either `radiance` or `irradiance`");
-  }
+  if (!irradiance) return read_radiance(reader, light);
+  if (reader.find("radiance")) reader.expected("either `radiance` or `irradiance`");
   const double factor = 1.0 / cap_irradiance(light.one_minus_cos);
   const Eigen::Vector3d radiance = factor * read_colour(*irradiance).cast<double>();
   if (!(radiance.maxCoeff() <= static_cast<double>(kNoLimit))) {
@@ -82,9 +76,7 @@ void read_sphere(const JsonReader& reader, LightSpec& light) {
   const JsonReader position = reader.at("position");
   const Eigen::Vector3d centre = (position.vector().cast<double>() - viewpoint(reader).cast<double>());
   const auto radius = static_cast<double>(reader.at("radius").positive());
-  if (!(centre.norm() > radius)) {
-    position.expected("a position farther than the radius from where the sphere is seen");
-  }
+  if (!(centre.norm() > radius)) position.expected("a position farther than the radius from where the sphere is seen");
   light.near = NearSphere{centre, radius};
   light.from = viewpoint(reader).cast<double>();
   light.direction = centre.normalized();
@@ -101,12 +93,8 @@ void read_polygon(const JsonReader& reader, LightSpec& light) {
   const Eigen::Vector3d from = viewpoint(reader).cast<double>();
   light.from = from;
   const JsonReader corners = reader.at("corners");
-  for (const JsonReader& corner : corners.items()) {
-    light.corners.emplace_back(corner.vector().cast<double>() - from);
-  }
-  if (const std::string flaw = polygon_flaw(light.corners); !flaw.empty()) {
-    corners.expected(flaw);
-  }
+  for (const JsonReader& corner : corners.items()) light.corners.emplace_back(corner.vector().cast<double>() - from);
+  if (const std::string flaw = polygon_flaw(light.corners); !flaw.empty()) corners.expected(flaw);
   read_radiance(reader, light);
 }
 
@@ -121,9 +109,7 @@ void read_sky(const JsonReader& reader, const std::string& type, LightSpec& ligh
   }
   const JsonReader sun = reader.at("sun");
   light.direction = read_direction(sun);
-  if (!(light.direction.z() >= 0.0)) {
-    sun.expected("a sun that is not below the horizon");
-  }
+  if (!(light.direction.z() >= 0.0)) sun.expected("a sun that is not below the horizon");
   read_radiance(reader, light);
 }
 

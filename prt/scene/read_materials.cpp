@@ -14,13 +14,9 @@ namespace {
 std::optional<Reflection> read_reflection(const JsonReader& reader) {
   const auto albedo = reader.find("albedo");
   const auto mirror = reader.find("mirror");
-  if (!albedo && !mirror) {
-    return std::nullopt;
-  }
+  if (!albedo && !mirror) return std::nullopt;
   Reflection reflection;
-  if (albedo) {
-    reflection.albedo = albedo->vector(0.0F, 1.0F);
-  }
+  if (albedo) reflection.albedo = albedo->vector(0.0F, 1.0F);
   if (mirror) {
     reflection.mirror = mirror->vector(0.0F, 1.0F);
     constexpr float kRounding = 1e-6F;
@@ -56,9 +52,7 @@ MaterialChanges read_materials(const JsonReader& mesh) {
 
 void check_material_names(const JsonReader& mesh, const std::vector<std::string>& known) {
   const auto materials = mesh.find("materials");
-  if (!materials) {
-    return;
-  }
+  if (!materials) return;
   for (const auto& [name, material] : materials->members()) {
     if (std::find(known.begin(), known.end(), name) == known.end()) {
       material.expected(known.empty()

@@ -18,9 +18,7 @@ WindowChoice choice_named(const JsonReader& reader) {
 }  // namespace
 
 WindowChoice read_window(const JsonReader& reader) {
-  if (reader.is_text()) {
-    return choice_named(reader);
-  }
+  if (reader.is_text()) return choice_named(reader);
   reader.allow({"type", "width", "lambda", "strength", "power", "keep"});
   WindowChoice choice = choice_named(reader.at("type"));
   const std::string_view key = number_key(choice.window.type);
@@ -34,9 +32,7 @@ WindowChoice read_window(const JsonReader& reader) {
   if (const auto number = reader.find(key)) {
     choice.automatic = false;
     choice.window.size = number->number(0.0, std::numeric_limits<double>::max(), "a number of 0 or more");
-    if (const std::string flaw = window_flaw(choice.window); !flaw.empty()) {
-      number->expected(flaw);
-    }
+    if (const std::string flaw = window_flaw(choice.window); !flaw.empty()) number->expected(flaw);
   }
   reader.take("keep", choice.keep, [](const JsonReader& value) {
     return value.one_of({"radiance", "irradiance"}) == "radiance" ? Keep::kRadiance : Keep::kIrradiance;

@@ -26,9 +26,7 @@ Scene load_scene(const std::string& scene, OnFlaw on_flaw) {
   const auto name = reader.find("name");
   result.name = name ? name->text() : std::filesystem::path(scene).stem().string();
   const JsonReader meshes = reader.at("meshes");
-  if (meshes.items().empty()) {
-    meshes.expected("at least one mesh");
-  }
+  if (meshes.items().empty()) meshes.expected("at least one mesh");
   // The short parts first: a typing error in them should not wait for large meshes.
   const auto lights = reader.find("lights");
   for (const JsonReader& light : lights ? lights->items() : std::vector<JsonReader>()) {
@@ -39,17 +37,11 @@ Scene load_scene(const std::string& scene, OnFlaw on_flaw) {
   }
   reader.take("bake", result.bake, read_bake_options);
   reader.take("plan", result.plan, read_plan_options);
-  for (const JsonReader& mesh : meshes.items()) {
-    append(result.mesh, read_mesh(mesh, folder, on_flaw));
-  }
+  for (const JsonReader& mesh : meshes.items()) append(result.mesh, read_mesh(mesh, folder, on_flaw));
   const auto camera = reader.find("camera");
   result.camera = default_camera(result.mesh, PictureSize());
-  if (camera) {
-    result.camera = read_camera(*camera, result.camera);
-  }
-  if (const auto ground = reader.find("ground")) {
-    add_ground(result.mesh, read_ground(*ground, result.mesh));
-  }
+  if (camera) result.camera = read_camera(*camera, result.camera);
+  if (const auto ground = reader.find("ground")) add_ground(result.mesh, read_ground(*ground, result.mesh));
   return result;
 }
 

@@ -32,18 +32,14 @@ Eigen::Vector3f read_scale(const JsonReader& reader) {
 Eigen::Affine3f read_transform(const JsonReader& reader) {
   reader.allow({"translate", "rotate", "scale"});
   Eigen::Affine3f map = Eigen::Affine3f::Identity();
-  if (const auto translate = reader.find("translate")) {
-    map.translate(translate->vector());
-  }
+  if (const auto translate = reader.find("translate")) map.translate(translate->vector());
   if (const auto rotate = reader.find("rotate")) {
     const Turn turn = read_turn(*rotate);
     map.rotate(Eigen::AngleAxisf(turn.degrees * std::numbers::pi_v<float> / 180.0F, turn.axis));
   }
   if (const auto scale = reader.find("scale")) {
     const Eigen::Vector3f factors = read_scale(*scale);
-    if (!(factors.cwiseAbs().minCoeff() > 0.0F)) {
-      scale->expected("factors that are not zero");
-    }
+    if (!(factors.cwiseAbs().minCoeff() > 0.0F)) scale->expected("factors that are not zero");
     map.scale(factors);
   }
   return map;
@@ -59,12 +55,8 @@ Eigen::Affine3f stand_up() {
 ImportedMesh read_shape(const JsonReader& reader, const std::string& folder, const MaterialChanges& changes) {
   const auto file = reader.find("file");
   const auto primitive = reader.find("primitive");
-  if (file.has_value() == primitive.has_value()) {
-    reader.expected("either `file` or `primitive`");
-  }
-  if (file) {
-    return import_mesh(beside(folder, file->text()), changes);
-  }
+  if (file.has_value() == primitive.has_value()) reader.expected("either `file` or `primitive`");
+  if (file) return import_mesh(beside(folder, file->text()), changes);
   const auto segments = reader.find("segments");
   ImportedMesh shape;
   shape.soup =
@@ -92,9 +84,7 @@ Turn read_turn(const JsonReader& reader) {
   Turn turn;
   if (const auto axis = reader.find("axis")) {
     turn.axis = axis->vector();
-    if (!(turn.axis.stableNorm() > 0.0F)) {
-      axis->expected("an axis that is not zero");
-    }
+    if (!(turn.axis.stableNorm() > 0.0F)) axis->expected("an axis that is not zero");
     turn.axis.stableNormalize();
   }
   turn.degrees = reader.at("degrees").finite();
@@ -106,9 +96,7 @@ Mesh finish_mesh(Soup soup, std::size_t file_vertices, float crease_degrees, flo
   check(soup, name);
   const std::size_t all = soup.faces.size();
   if (const std::size_t dropped = drop_faces_without_area(soup); dropped > 0) {
-    if (soup.faces.empty()) {
-      throw std::runtime_error(fmt::format("{}: none of the {} faces has an area", name, all));
-    }
+    if (soup.faces.empty()) throw std::runtime_error(fmt::format("{}: none of the {} faces has an area", name, all));
     report_flaw(on_flaw, fmt::format("{}: {} of {} faces have no area (dropped)", name, dropped, all));
   }
   if (const std::size_t made = complete_normals(soup, crease_degrees); made > 0) {
@@ -129,9 +117,7 @@ Mesh finish_mesh(Soup soup, std::size_t file_vertices, float crease_degrees, flo
   for (const std::uint32_t face : origins) {
     is_two_sided.push_back(soup.finishes[soup.finish_of(face)].is_two_sided ? 1 : 0);
   }
-  if (std::count(is_two_sided.begin(), is_two_sided.end(), 1) > 0) {
-    add_backs(mesh, is_two_sided);
-  }
+  if (std::count(is_two_sided.begin(), is_two_sided.end(), 1) > 0) add_backs(mesh, is_two_sided);
   return mesh;
 }
 
@@ -156,9 +142,7 @@ Mesh read_mesh(const JsonReader& reader, const std::string& folder, OnFlaw on_fl
   const std::string name = file ? beside(folder, file->text()) : reader.find("primitive")->text();
   check(shape.soup, name);
   transform(shape.soup, (up ? wanted : shape.up) == UpAxis::kY ? map * stand_up() : map);
-  if (is_flipped) {
-    turn_inside_out(shape.soup);
-  }
+  if (is_flipped) turn_inside_out(shape.soup);
   return finish_mesh(std::move(shape.soup), shape.file_vertices, crease_degrees, edge, name, on_flaw);
 }
 

@@ -36,9 +36,7 @@ Motion read_motion(const JsonReader& object) {
     rest.degrees = static_cast<double>(turn.degrees);
   }
   const auto keys = object.find("move");
-  if (!keys) {
-    return motion;
-  }
+  if (!keys) return motion;
   const Motion::Key otherwise = rest;
   motion.keys.clear();
   for (const JsonReader& item : keys->items()) {
@@ -47,9 +45,7 @@ Motion read_motion(const JsonReader& object) {
       item.at("time").expected("a time after that of the key before");
     }
   }
-  if (motion.keys.empty()) {
-    keys->expected("at least one key");
-  }
+  if (motion.keys.empty()) keys->expected("at least one key");
   return motion;
 }
 
@@ -71,9 +67,7 @@ StageObject read_object(const JsonReader& reader, const std::string& folder, Tra
   const auto light_at = reader.find("light_at");
   object.per_vertex = light_at && light_at->one_of({"center", "vertices"}) == "vertices";
   auto& transfer = transfers[beside(folder, object.name)];
-  if (!transfer) {
-    transfer = std::make_shared<const Transfer>(read_transfer(beside(folder, object.name)));
-  }
+  if (!transfer) transfer = std::make_shared<const Transfer>(read_transfer(beside(folder, object.name)));
   object.transfer = transfer;
   if (object.per_vertex && transfer->shape.channels != 1) {
     light_at->expected("`center` for transfer with bounces, which needs one light for the whole object");
@@ -97,9 +91,7 @@ Pose Motion::at(double time) const {
 
 Sphere bounding_sphere(const Mesh& mesh) {
   Sphere sphere;
-  if (mesh.positions.empty()) {
-    return sphere;
-  }
+  if (mesh.positions.empty()) return sphere;
   Eigen::Vector3f least = mesh.positions.front();
   Eigen::Vector3f most = least;
   for (const Eigen::Vector3f& p : mesh.positions) {
@@ -131,23 +123,17 @@ Stage load_stage(const std::string& file, const std::string& transfers_folder) {
   const auto name = reader.find("name");
   stage.name = name ? name->text() : std::filesystem::path(file).stem().string();
   if (const auto lights = reader.find("lights")) {
-    for (const JsonReader& light : lights->items()) {
-      stage.lights.push_back(read_light(light, folder));
-    }
+    for (const JsonReader& light : lights->items()) stage.lights.push_back(read_light(light, folder));
   } else {
     stage.lights.emplace_back();  // the CIE overcast sky
   }
-  if (const auto camera = reader.find("camera")) {
-    stage.camera.push_back(read_camera(*camera, Camera()));
-  }
+  if (const auto camera = reader.find("camera")) stage.camera.push_back(read_camera(*camera, Camera()));
   const JsonReader objects = reader.at("objects");
   Transfers transfers;
   for (const JsonReader& object : objects.items()) {
     stage.objects.push_back(read_object(object, transfers_folder.empty() ? folder : transfers_folder, transfers));
   }
-  if (stage.objects.empty()) {
-    objects.expected("at least one object");
-  }
+  if (stage.objects.empty()) objects.expected("at least one object");
   return stage;
 }
 

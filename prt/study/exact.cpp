@@ -36,9 +36,7 @@ std::vector<double> hidden_by_disc(const Eigen::Vector3d& point, double radius, 
       const Eigen::Vector3d d = to / std::sqrt(squared);
       evaluate_basis(degree, d.x(), d.y(), d.z(), values.data());
       const double weight = area * d.z() * d.z() / (squared * std::numbers::pi);
-      for (std::size_t k = 0; k < sum.size(); ++k) {
-        sum[k] += weight * values[k];
-      }
+      for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += weight * values[k];
     }
   }
   return sum;
@@ -52,9 +50,7 @@ double disc_form_factor(double off_axis, double radius, double height) {
 }
 
 std::optional<TransferRows> exact_transfer(const Scene& scene, const std::vector<std::uint32_t>& vertices, int degree) {
-  if (!scene.disc) {
-    return std::nullopt;
-  }
+  if (!scene.disc) return std::nullopt;
   const Disc& disc = *scene.disc;
   TransferRows rows{degree, {}};
   for (const std::uint32_t v : vertices) {
@@ -63,9 +59,7 @@ std::optional<TransferRows> exact_transfer(const Scene& scene, const std::vector
     if (is_under(disc, position, scene.mesh.normals[v])) {
       const std::vector<double> hidden = hidden_by_disc(position.cast<double>(), static_cast<double>(disc.radius),
                                                         static_cast<double>(disc.height), degree);
-      for (std::size_t i = 0; i < row.size(); ++i) {
-        row[i] = static_cast<float>(static_cast<double>(row[i]) - hidden[i]);
-      }
+      for (std::size_t i = 0; i < row.size(); ++i) row[i] = static_cast<float>(static_cast<double>(row[i]) - hidden[i]);
     }
     rows.values.insert(rows.values.end(), row.begin(), row.end());
   }

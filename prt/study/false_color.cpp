@@ -41,9 +41,7 @@ void draw_bar(plot::Canvas& canvas, double top) {
   const plot::PixelBox where = canvas.pixels({kLeft, top, kLength, kHeight});
   plot::Raster bar(where.width, where.height);
   for (int row = 0; row < bar.height; ++row) {
-    for (int column = 0; column < bar.width; ++column) {
-      bar.set(column, row, false_color((column + 0.5) / bar.width));
-    }
+    for (int column = 0; column < bar.width; ++column) bar.set(column, row, false_color((column + 0.5) / bar.width));
   }
   canvas.image(where, bar);
   const int decades = static_cast<int>(std::lround(std::log10(kMostShownError / kLeastShownError)));
@@ -60,9 +58,7 @@ void draw_bar(plot::Canvas& canvas, double top) {
 }  // namespace
 
 float error_place(double relative_error) {
-  if (std::isnan(relative_error)) {
-    return 1.0F;
-  }
+  if (std::isnan(relative_error)) return 1.0F;
   const double place = std::log(std::max(relative_error, kLeastShownError) / kLeastShownError) /
                        std::log(kMostShownError / kLeastShownError);
   return static_cast<float>(std::min(place, 1.0));

@@ -21,9 +21,7 @@ std::vector<double> seen_areas(const Mesh& mesh, const Camera& camera) {
     const Eigen::Vector3d b = mesh.positions[face[1]].cast<double>();
     const Eigen::Vector3d c = mesh.positions[face[2]].cast<double>();
     const double third = (b - a).cross(c - a).norm() / 6.0;
-    for (const std::uint32_t v : face) {
-      areas[v] += third;
-    }
+    for (const std::uint32_t v : face) areas[v] += third;
   }
   const double nearest = kNearest * (camera.target - camera.position).cast<double>().norm();
   for (std::size_t v = 0; v < areas.size(); ++v) {
@@ -46,17 +44,13 @@ StudiedVertices choose_vertices(const Mesh& mesh, const Camera& camera, std::siz
     }
   }
   const double sum = std::accumulate(chosen.weight.begin(), chosen.weight.end(), 0.0);
-  for (double& weight : chosen.weight) {
-    weight /= sum;
-  }
+  for (double& weight : chosen.weight) weight /= sum;
   return chosen;
 }
 
 double radiance_unit(const StudiedVertices& vertices, const Radiances& reference) {
   double square = 0.0;
-  for (std::size_t i = 0; i < reference.size(); ++i) {
-    square += vertices.weight[i] * reference[i].squaredNorm() / 3.0;
-  }
+  for (std::size_t i = 0; i < reference.size(); ++i) square += vertices.weight[i] * reference[i].squaredNorm() / 3.0;
   return square > 0.0 ? std::sqrt(square) : 1.0;
 }
 

@@ -21,9 +21,7 @@ void check(const Scene& scene, const StudyOptions& options) {
     throw std::invalid_argument(
         fmt::format("most directions {}: must be {} to {}", most, StudyOptions::kLeastDirections, limit));
   }
-  if (options.vertices < 1) {
-    throw std::invalid_argument("vertices 0: at least one must be studied");
-  }
+  if (options.vertices < 1) throw std::invalid_argument("vertices 0: at least one must be studied");
   if (!scene.mesh.mirror.empty()) {
     throw std::invalid_argument(
         fmt::format("{}: has mirrors, which the study does not follow; expected a scene without", scene.name));

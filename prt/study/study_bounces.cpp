@@ -58,9 +58,7 @@ Direct trace_mesh(const StudySetup& setup, const BakeOptions& options) {
       direct.factors.keep(v, worker.merger.merge(worker.gatherer.closest_hits()));
       for (std::size_t c = 0; c < 3; ++c) {
         double sum = 0.0;
-        for (std::size_t k = 0; k < count; ++k) {
-          sum += static_cast<double>(t[k]) * setup.light.at(c, k);
-        }
+        for (std::size_t k = 0; k < count; ++k) sum += static_cast<double>(t[k]) * setup.light.at(c, k);
         direct.radiance.row(v)[c] = sum * static_cast<double>(mesh.albedo[v][static_cast<Eigen::Index>(c)]);
       }
     }
@@ -100,9 +98,7 @@ struct PartialSum {
 
 // 1, 2, 3, 4, 6, 8, 12, 16, ...: powers of two and three halves of them.
 bool is_shown(int terms) {
-  while (terms > 3 && terms % 2 == 0) {
-    terms /= 2;
-  }
+  while (terms > 3 && terms % 2 == 0) terms /= 2;
   return terms <= 3;
 }
 
@@ -127,12 +123,8 @@ std::vector<PartialSum> partial_sums(const Mesh& mesh, const Direct& direct) {
     }
     progress.advance();
     const bool settled = change <= kConverged * largest || k == kMostApplications;
-    if (is_shown(k + 1) || settled) {
-      sums.push_back({k + 1, radiances_of(x)});
-    }
-    if (settled) {
-      break;
-    }
+    if (is_shown(k + 1) || settled) sums.push_back({k + 1, radiances_of(x)});
+    if (settled) break;
   }
   progress.finish();
   return sums;
@@ -164,9 +156,7 @@ StudyPart study_bounces(const StudySetup& setup) {
     point.seconds = direct.seconds + (sums[i].terms - 1) * each;
     point.seconds_a_vertex = *point.seconds / static_cast<double>(mesh.positions.size());
     series.points.push_back(point);
-    if (point.error.rms < kShownError) {
-      break;
-    }
+    if (point.error.rms < kShownError) break;
   }
   part.series.push_back(series);
   if (sums.size() > 2) {

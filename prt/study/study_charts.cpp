@@ -46,18 +46,10 @@ std::string hover(const StudySeries& series, const StudyPoint& point) {
 
 // What a reader looks for along the first curve.
 std::string label(const StudyPart& part, std::size_t curve, const StudyPoint& point) {
-  if (curve > 0) {
-    return "";
-  }
-  if (part.name == "directions") {
-    return fmt::format("{}", point.at);
-  }
-  if (part.name == "degrees" || part.name == "windows") {
-    return fmt::format("degree {}", point.at - 1.0);
-  }
-  if (part.name == "bounces") {
-    return fmt::format("{} bounce{}", point.at - 1.0, point.at == 2.0 ? "" : "s");
-  }
+  if (curve > 0) return "";
+  if (part.name == "directions") return fmt::format("{}", point.at);
+  if (part.name == "degrees" || part.name == "windows") return fmt::format("degree {}", point.at - 1.0);
+  if (part.name == "bounces") return fmt::format("{} bounce{}", point.at - 1.0, point.at == 2.0 ? "" : "s");
   return fmt::format("degree {}", std::sqrt(point.at / sizeof(float)) - 1.0);  // of the bytes of single precision
 }
 
@@ -85,9 +77,7 @@ Chart chart_of(const Study& study, const StudyPart& part, bool against_time) {
   chart.width = kWidth;
   chart.height = kHeight;
   chart.legend = part.series.size() > 1;
-  for (std::size_t i = 0; i < part.series.size(); ++i) {
-    chart.series.push_back(curve(part, i, against_time));
-  }
+  for (std::size_t i = 0; i < part.series.size(); ++i) chart.series.push_back(curve(part, i, against_time));
   return chart;
 }
 

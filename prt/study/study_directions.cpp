@@ -126,9 +126,7 @@ StudyPart study_degrees(const StudySetup& setup) {
     point.error = radiance_error(setup.vertices, setup.relit(setup.reference, setup.light, degree), reference);
     BakeOptions options = setup.scene.bake;
     options.degree = degree;
-    for (int pass = 0; pass < kPasses; ++pass) {
-      take_time(setup, trace_rows(setup, options), pass, point);
-    }
+    for (int pass = 0; pass < kPasses; ++pass) take_time(setup, trace_rows(setup, options), pass, point);
     point.bytes_a_vertex = static_cast<double>(coefficient_count(degree) * sizeof(float));
     series.points.push_back(point);
     progress.advance();

@@ -21,15 +21,11 @@ Json to_json(const RadianceError& error, const Scene& scene) {
 
 Json to_json(const StudyPoint& point, const Scene& scene) {
   Json json = {{"at", point.at}, {"error", to_json(point.error, scene)}};
-  if (point.exact_error) {
-    json["error_against_closed_answer"] = to_json(*point.exact_error, scene);
-  }
+  if (point.exact_error) json["error_against_closed_answer"] = to_json(*point.exact_error, scene);
   if (point.coefficient_error) {
     json["coefficient_error"] = {{"rms", point.coefficient_error->rms}, {"largest", point.coefficient_error->largest}};
   }
-  if (point.bytes_a_vertex) {
-    json["bytes_a_vertex"] = *point.bytes_a_vertex;
-  }
+  if (point.bytes_a_vertex) json["bytes_a_vertex"] = *point.bytes_a_vertex;
   if (point.seconds) {
     json["passes"] = point.passes;
     json["time"] = {{"seconds_a_vertex", *point.seconds_a_vertex}, {"seconds_of_scene", *point.seconds}};
@@ -39,21 +35,15 @@ Json to_json(const StudyPoint& point, const Scene& scene) {
 
 Json to_json(const StudySeries& series, const Scene& scene) {
   Json json = {{"name", series.name}};
-  if (series.slope) {
-    json["slope"] = *series.slope;
-  }
+  if (series.slope) json["slope"] = *series.slope;
   json["points"] = Json::array();
-  for (const StudyPoint& point : series.points) {
-    json["points"].push_back(to_json(point, scene));
-  }
+  for (const StudyPoint& point : series.points) json["points"].push_back(to_json(point, scene));
   return json;
 }
 
 Json to_json(const StudyPart& part, const Scene& scene) {
   Json json = {{"name", part.name}, {"axis", part.axis}, {"reference", part.reference}, {"series", Json::array()}};
-  for (const StudySeries& series : part.series) {
-    json["series"].push_back(to_json(series, scene));
-  }
+  for (const StudySeries& series : part.series) json["series"].push_back(to_json(series, scene));
   for (const ErrorField& field : part.fields) {
     json["pictures"].push_back(
         {{"file", "errors_" + field.name + ".png"}, {"title", field.title}, {"error", to_json(field.error, scene)}});
@@ -84,13 +74,9 @@ Json study_json(const Study& study, const Scene& scene) {
       {"slope", "of log error against log `at`, by least squares"},
       {"convention", "real SH, orthonormal, no Condon-Shortley phase, i = l(l+1)+m"},
       {"axes", "right-handed, z up"}};
-  if (study.reference_error) {
-    json["reference_error_against_closed_answer"] = to_json(*study.reference_error, scene);
-  }
+  if (study.reference_error) json["reference_error_against_closed_answer"] = to_json(*study.reference_error, scene);
   json["parts"] = Json::array();
-  for (const StudyPart& part : study.parts) {
-    json["parts"].push_back(to_json(part, scene));
-  }
+  for (const StudyPart& part : study.parts) json["parts"].push_back(to_json(part, scene));
   return json;
 }
 

@@ -26,17 +26,13 @@ constexpr std::uint32_t kReferenceSeed = 0x5EED;
 // Windows are a part of the study of their own.
 std::vector<Light> lights_of(const Scene& scene) {
   std::vector<LightSpec> specs = scene.lights;
-  for (LightSpec& spec : specs) {
-    spec.window.reset();
-  }
+  for (LightSpec& spec : specs) spec.window.reset();
   return load_lights(specs, OnFlaw::kMend);
 }
 
 std::vector<float> unshadowed_rows(const StudySetup& setup, int degree) {
   std::vector<Eigen::Vector3f> normals;
-  for (const std::uint32_t v : setup.vertices.index) {
-    normals.push_back(setup.scene.mesh.normals[v]);
-  }
+  for (const std::uint32_t v : setup.vertices.index) normals.push_back(setup.scene.mesh.normals[v]);
   return unshadowed_transfer(degree, normals);
 }
 
@@ -64,9 +60,7 @@ void gather_all(const StudySetup& setup, const SharedDirections& directions, con
 // A bake fills these from their neighbours: their own rays tell nothing.
 bool is_filled(const Mesh& mesh, Gatherer& gatherer, const RayStart& start, std::uint32_t v) {
   const float fraction = gatherer.gather(start.origin, mesh.normals[v], mesh.geometric_normals[v]).fraction();
-  if (fraction >= kNearlyDark) {
-    return false;
-  }
+  if (fraction >= kNearlyDark) return false;
   const Sight sight = gatherer.classify(mesh, v, start, fraction <= 0.0F);
   return sight == Sight::kCovered || sight == Sight::kBuried;
 }
@@ -90,9 +84,7 @@ TransferRows reference_rows(const StudySetup& setup) {
 std::optional<Radiances> under_the_lights(const StudySetup& setup) {
   const bool has_point = std::any_of(setup.scene.lights.begin(), setup.scene.lights.end(),
                                      [](const LightSpec& light) { return light.type == LightType::kDirectional; });
-  if (has_point) {
-    return std::nullopt;
-  }
+  if (has_point) return std::nullopt;
   const std::vector<Light> lights = lights_of(setup.scene);
   const SharedDirections directions(make_directions(Sampler::kFibonacci, setup.reference_directions(), 0), 4,
                                     [&](const Eigen::Vector3f& d, float* out) {

@@ -96,9 +96,7 @@ StudyPart study_windows(const StudySetup& setup) {
     series.name = window.name;
     for (int degree = 1; degree <= kMaxDegree - (setup.whole ? 0 : 1); ++degree) {
       LightCoefficients light = first_bands(setup.light, degree);
-      if (const auto choice = window.of_degree(degree)) {
-        apply_window(*choice, light);
-      }
+      if (const auto choice = window.of_degree(degree)) apply_window(*choice, light);
       StudyPoint point;
       point.at = degree + 1;
       point.error = radiance_error(setup.vertices, setup.relit(setup.reference, light, degree), reference);

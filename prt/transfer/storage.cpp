@@ -43,9 +43,7 @@ std::vector<Column> columns_of(const TransferShape& shape) {
 
 float largest_of_column(const std::vector<float>& numbers, std::size_t length, std::size_t column) {
   float largest = 0.0F;
-  for (std::size_t at = column; at < numbers.size(); at += length) {
-    largest = std::max(largest, std::abs(numbers[at]));
-  }
+  for (std::size_t at = column; at < numbers.size(); at += length) largest = std::max(largest, std::abs(numbers[at]));
   return largest;
 }
 
@@ -106,9 +104,7 @@ Encoded encode(const std::vector<float>& numbers, const TransferShape& shape) {
       throw std::invalid_argument(fmt::format("a transfer coefficient of {} does not fit into type {}", largest,
                                               word_of(element, kElementNames)));
     }
-    if (element == Element::kByte) {
-      encoded.scale.push_back(scale_for(largest));
-    }
+    if (element == Element::kByte) encoded.scale.push_back(scale_for(largest));
   }
   encoded.data.resize(numbers.size() / length * columns.size() * size);
   std::byte* to = encoded.data.data();
@@ -134,9 +130,7 @@ std::vector<float> decode(const Encoded& encoded, const TransferShape& shape) {
   for (std::size_t row = 0; row < numbers.size(); row += length) {
     for (std::size_t j = 0; j < columns.size(); ++j, from += size) {
       const float value = get(from, element, encoded.scale.empty() ? 1.0F : encoded.scale[j]);
-      for (std::size_t c = 0; c < columns[j].channels; ++c) {
-        numbers[row + columns[j].first + c * shape.count()] = value;
-      }
+      for (std::size_t c = 0; c < columns[j].channels; ++c) numbers[row + columns[j].first + c * shape.count()] = value;
     }
   }
   return numbers;
@@ -144,9 +138,7 @@ std::vector<float> decode(const Encoded& encoded, const TransferShape& shape) {
 
 double encoding_error(Element element, double largest) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  if (!(largest <= static_cast<double>(std::numeric_limits<float>::max()))) {
-    return kInfinity;
-  }
+  if (!(largest <= static_cast<double>(std::numeric_limits<float>::max()))) return kInfinity;
   if (element == Element::kHalf) {
     return largest < kHalfOverflow ? std::max(std::ldexp(largest, -11), std::ldexp(1.0, -25)) : kInfinity;
   }

@@ -40,9 +40,7 @@ PlanRecord plan_from(const nlohmann::json& json) {
   plan.budget = json.at("budget").get<double>();
   plan.error = json.at("error").get<double>();
   plan.light_turns = json.at("light_turns").get<std::string>();
-  for (const nlohmann::json& decision : json.at("decisions")) {
-    plan.decisions.push_back(decision_from(decision));
-  }
+  for (const nlohmann::json& decision : json.at("decisions")) plan.decisions.push_back(decision_from(decision));
   return plan;
 }
 
@@ -78,9 +76,7 @@ BounceReport bounces_from(const nlohmann::json& json) {
   report.largest = json.at("largest").get<double>();
   report.spectral_bound = json.at("spectral_bound").get<double>();
   report.emitted_largest = json.value("emitted_largest", 0.0);
-  if (json.contains("emitted_bound")) {
-    report.emitted_bound = bound_from(report, json.at("emitted_bound"));
-  }
+  if (json.contains("emitted_bound")) report.emitted_bound = bound_from(report, json.at("emitted_bound"));
   return report;
 }
 
@@ -88,9 +84,7 @@ template <class Enumeration, std::size_t Count>
 Enumeration value_from(const nlohmann::json& json, const std::array<std::string_view, Count>& words, const char* what) {
   const auto word = json.get<std::string>();
   const auto value = value_called<Enumeration>(word, words);
-  if (!value) {
-    throw std::invalid_argument(fmt::format("{} {}, expected one of {}", what, word, fmt::join(words, ", ")));
-  }
+  if (!value) throw std::invalid_argument(fmt::format("{} {}, expected one of {}", what, word, fmt::join(words, ", ")));
   return *value;
 }
 
@@ -142,24 +136,16 @@ TransferShape shape_from(const nlohmann::json& header, std::uint32_t version, co
         "transfer of kind {} and degree {} with {} channels of {} x {} numbers, expected {} of {} x {}", kind.letters,
         degree, shape.channels, rows, columns, expected.channels, expected.rows(), expected.columns()));
   }
-  if (header.contains("storage")) {
-    shape.storage = storage_from(header.at("storage"), shape.columns());
-  }
+  if (header.contains("storage")) shape.storage = storage_from(header.at("storage"), shape.columns());
   return shape;
 }
 
 void put_shortfall(const Shortfall& missing, Json& header) {
-  if (!missing.any()) {
-    return;
-  }
+  if (!missing.any()) return;
   header["complete"] = false;  // coarser than was asked for
   header["asked"] = Json::object();
-  if (missing.directions > 0) {
-    header["asked"]["directions"] = missing.directions;
-  }
-  if (missing.tolerance > 0.0) {
-    header["asked"]["tolerance"] = missing.tolerance;
-  }
+  if (missing.directions > 0) header["asked"]["directions"] = missing.directions;
+  if (missing.tolerance > 0.0) header["asked"]["tolerance"] = missing.tolerance;
 }
 
 }  // namespace
@@ -172,9 +158,7 @@ Json to_json(const Storage& storage) {
 
 Json to_json(const PlanRecord& plan) {
   Json decisions = Json::array();
-  for (const Decision& decision : plan.decisions) {
-    decisions.push_back(to_json(decision));
-  }
+  for (const Decision& decision : plan.decisions) decisions.push_back(to_json(decision));
   return {{"budget", plan.budget}, {"error", plan.error}, {"light_turns", plan.light_turns}, {"decisions", decisions}};
 }
 
@@ -200,16 +184,10 @@ std::string transfer_header(const Transfer& transfer) {
     header["sampler"] = name_of(transfer.sampler);
     header["seed"] = transfer.seed;
   }
-  if (transfer.kind->has_bounces()) {
-    header["bounces"] = to_json(transfer.bounces);
-  }
+  if (transfer.kind->has_bounces()) header["bounces"] = to_json(transfer.bounces);
   put_shortfall(transfer.missing, header);
-  if (!transfer.shape.storage.is_plain()) {
-    header["storage"] = to_json(transfer.shape.storage);
-  }
-  if (!transfer.plan.decisions.empty()) {
-    header["plan"] = to_json(transfer.plan);
-  }
+  if (!transfer.shape.storage.is_plain()) header["storage"] = to_json(transfer.shape.storage);
+  if (!transfer.plan.decisions.empty()) header["plan"] = to_json(transfer.plan);
   return header.dump(2);
 }
 
@@ -222,12 +200,8 @@ void take_header(const nlohmann::json& header, std::uint32_t version, TransferKi
         fmt::format("transfer of kind {}, expected one of {}", letters, fmt::join(kind_letters(kinds), ", ")));
   }
   transfer.shape = shape_from(header, version, *transfer.kind);
-  if (transfer.kind->has_bounces()) {
-    transfer.bounces = bounces_from(header.at("bounces"));
-  }
-  if (header.contains("plan")) {
-    transfer.plan = plan_from(header.at("plan"));
-  }
+  if (transfer.kind->has_bounces()) transfer.bounces = bounces_from(header.at("bounces"));
+  if (header.contains("plan")) transfer.plan = plan_from(header.at("plan"));
   transfer.directions = header.at("directions").get<std::uint32_t>();
   if (header.contains("sampler")) {  // absent where no ray was traced, and in files older than the choice
     transfer.sampler = value_from<Sampler>(header["sampler"], kSamplerNames, "sampler");

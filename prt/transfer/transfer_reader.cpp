@@ -25,9 +25,7 @@ class Reader {
   Reader(const std::string& path, TransferKinds kinds) : path_(path), kinds_(kinds), file_(path, std::ios::binary) {
     std::error_code error;
     size_ = file_ ? std::filesystem::file_size(path, error) : 0;
-    if (!file_ || error) {
-      fail(fmt::format("cannot read: {}", error ? error.message() : std::strerror(errno)));
-    }
+    if (!file_ || error) fail(fmt::format("cannot read: {}", error ? error.message() : std::strerror(errno)));
   }
 
   Transfer read() {
@@ -55,9 +53,7 @@ class Reader {
 
   void fetch(void* to, std::size_t bytes) {
     file_.read(static_cast<char*>(to), static_cast<std::streamsize>(bytes));
-    if (static_cast<std::size_t>(file_.gcount()) != bytes) {
-      fail("truncated transfer file");
-    }
+    if (static_cast<std::size_t>(file_.gcount()) != bytes) fail("truncated transfer file");
   }
 
   void read_prologue() {
@@ -65,9 +61,7 @@ class Reader {
       fail(fmt::format("not a transfer file: {} bytes, expected at least {}", size_, sizeof prologue_));
     }
     fetch(&prologue_, sizeof prologue_);
-    if (prologue_.magic != layout::kMagic) {
-      fail("not a transfer file: it does not begin with `shprt`");
-    }
+    if (prologue_.magic != layout::kMagic) fail("not a transfer file: it does not begin with `shprt`");
     if (prologue_.version < layout::kOldestVersion || prologue_.version > layout::kVersion) {
       fail(fmt::format("transfer file of version {}, expected {} to {}", prologue_.version, layout::kOldestVersion,
                        layout::kVersion));
@@ -90,9 +84,7 @@ class Reader {
   }
 
   std::string read_header() {
-    if (prologue_.header_size > size_) {
-      fail("damaged transfer file: its JSON header is longer than the file");
-    }
+    if (prologue_.header_size > size_) fail("damaged transfer file: its JSON header is longer than the file");
     std::string header(prologue_.header_size, ' ');
     fetch(header.data(), header.size());
     if (checksum(header.data(), header.size()) != prologue_.header_checksum) {
@@ -119,17 +111,13 @@ class Reader {
       next = kind + 1;
     }
     check_left_out(next, layout::kSections.end());
-    if (offset != size_) {
-      fail("damaged transfer file: bytes after its last section");
-    }
+    if (offset != size_) fail("damaged transfer file: bytes after its last section");
   }
 
   void check_left_out(const layout::Kind* first, const layout::Kind* last) const {
     const auto* missing =
         std::find_if(first, last, [](const layout::Kind& kind) { return kind.presence == layout::Presence::kAlways; });
-    if (missing != last) {
-      fail(fmt::format("damaged transfer file: section {} is missing", missing->name));
-    }
+    if (missing != last) fail(fmt::format("damaged transfer file: section {} is missing", missing->name));
   }
 
   void check_section(const layout::Kind& kind, const layout::Section& section, std::uint64_t offset,
@@ -149,9 +137,7 @@ class Reader {
   void fetch_section(std::string_view name, std::vector<T>& items) {
     const auto section = std::find_if(table_.begin(), table_.end(),
                                       [&](const layout::Section& s) { return s.name == layout::padded(name); });
-    if (section == table_.end()) {
-      return;
-    }
+    if (section == table_.end()) return;
     items.resize(bytes_of(*section) / sizeof(T));
     fetch(items.data(), items.size() * sizeof(T));
     if (checksum(items.data(), items.size() * sizeof(T)) != section->checksum) {
@@ -176,9 +162,7 @@ class Reader {
     fetch_section("scale", encoded.scale);
     fetch_section("mirror", transfer.mesh.mirror);
     check_scale(transfer, encoded);
-    if (!transfer.shape.storage.is_plain()) {
-      transfer.coefficients = decode(encoded, transfer.shape);
-    }
+    if (!transfer.shape.storage.is_plain()) transfer.coefficients = decode(encoded, transfer.shape);
   }
 
   void check_scale(const Transfer& transfer, const Encoded& encoded) const {

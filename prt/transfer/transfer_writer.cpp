@@ -73,9 +73,7 @@ Contents contents_of(const Transfer& transfer, const Coefficients& coefficients)
   std::uint64_t offset = 0;
   for (std::size_t i = 0; i < data.size(); ++i) {
     const layout::Kind& kind = layout::kSections[i];
-    if (kind.presence == layout::Presence::kOptional && data[i].rows == 0) {
-      continue;
-    }
+    if (kind.presence == layout::Presence::kOptional && data[i].rows == 0) continue;
     layout::Section section;
     section.name = layout::padded(kind.name);
     section.type = kind.name == "transfer" ? layout::type_of(transfer.shape.storage.element) : kind.type;
@@ -113,9 +111,7 @@ void write_transfer(const std::string& path, const Transfer& transfer) {
   file.write(&prologue, sizeof prologue);
   file.write(table.data(), table_size);
   file.write(header.data(), header.size());
-  for (std::size_t i = 0; i < table.size(); ++i) {
-    file.write(data[i], bytes_of(table[i]));
-  }
+  for (std::size_t i = 0; i < table.size(); ++i) file.write(data[i], bytes_of(table[i]));
   file.commit();
 }
 

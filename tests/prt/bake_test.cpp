@@ -55,9 +55,7 @@ TEST(Directions, AreUnitVectorsThatIntegrateLowDegreesToZero) {
     EXPECT_NEAR(d.norm(), 1.0F, 1e-6F);
     numeric::basis(4, static_cast<double>(d.x()), static_cast<double>(d.y()), static_cast<double>(d.z()),
                    values.data());
-    for (std::size_t i = 0; i < 25; ++i) {
-      sum[i] += values[i] * 4.0 * kPi / 2048.0;
-    }
+    for (std::size_t i = 0; i < 25; ++i) sum[i] += values[i] * 4.0 * kPi / 2048.0;
   }
   EXPECT_NEAR(sum[0], std::sqrt(4.0 * kPi), 1e-5);
   for (std::size_t i = 1; i < 25; ++i) {
@@ -142,9 +140,7 @@ TEST(ShadowedBake, GivesTheSameBitsForAnyNumberOfThreads) {
 
 TEST(ShadowedBake, LeavesAnUndersideDark) {
   Mesh mesh = primitive_mesh("plane");
-  for (Eigen::Vector3f& position : mesh.positions) {
-    position = 100.0F * position - Eigen::Vector3f(0.0F, 0.0F, 2.0F);
-  }
+  for (Eigen::Vector3f& position : mesh.positions) position = 100.0F * position - Eigen::Vector3f(0.0F, 0.0F, 2.0F);
   append(mesh, primitive_mesh("box"));
   const Transfer transfer = bake({scene_of(mesh, &kShadowed), {0, "", OnFlaw::kRefuse}});
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {

@@ -47,9 +47,7 @@ struct Room {
   Panel solve(float albedo, const Own& own, BounceSolver solver, BounceReport& report, double tolerance = 1e-8) {
     Panel x(mesh.positions.size(), kLayout.columns());
     for (std::size_t v = 0; v < x.rows; ++v) {
-      for (std::size_t c = 0; c < BounceLayout::kChannels; ++c) {
-        x.row(v)[kLayout.channel(c)] = own(mesh.positions[v]);
-      }
+      for (std::size_t c = 0; c < BounceLayout::kChannels; ++c) x.row(v)[kLayout.channel(c)] = own(mesh.positions[v]);
     }
     const std::vector<Eigen::Vector3f> colour(x.rows, Eigen::Vector3f(albedo, 0.5F * albedo, 0.0F));
     report = solve_bounces(factors, colour, kLayout, x, {tolerance, solver, 20000});
@@ -129,9 +127,7 @@ TEST(Bounces, StayWithinTheirCertifiedErrorAtAnyTolerance) {
       for (const double tolerance : {1e-1, 1e-3, 1e-6}) {
         const Panel x = room.solve(albedo, by_height, solver, report, tolerance);
         double worst = 0.0;
-        for (std::size_t v = 0; v < x.rows; ++v) {
-          worst = std::max(worst, std::abs(x.row(v)[0] - exact.row(v)[0]));
-        }
+        for (std::size_t v = 0; v < x.rows; ++v) worst = std::max(worst, std::abs(x.row(v)[0] - exact.row(v)[0]));
         EXPECT_TRUE(report.certified);
         EXPECT_LE(report.bound, tolerance * report.largest);
         EXPECT_LE(worst, report.bound + 1e-9);
@@ -245,9 +241,7 @@ TEST(InterreflectedBake, AddsLightButNeverMoreThanThereIs) {
   Mesh mesh = corner();
   std::mt19937 random(7);
   std::uniform_real_distribution<float> albedo(0.5F, 1.0F);
-  for (Eigen::Vector3f& colour : mesh.albedo) {
-    colour = {albedo(random), 1.0F, 0.1F};
-  }
+  for (Eigen::Vector3f& colour : mesh.albedo) colour = {albedo(random), 1.0F, 0.1F};
   const Transfer shadowed = baked(mesh, &kShadowed);
   const Transfer bounced = baked(mesh, &kInterreflected);
   EXPECT_TRUE(bounced.bounces.certified);

@@ -68,9 +68,7 @@ class StoppedBake : public testing::TestWithParam<const char*> {
     Finished run;
     for (int attempt = 0; attempt < 50; ++attempt) {
       run = signal_prt(arguments(threads), signal, [&] { return size_of(part_) >= bytes; });
-      if (run.status != 0) {
-        break;
-      }
+      if (run.status != 0) break;
       std::filesystem::remove(out_);
     }
     return run;

@@ -77,9 +77,7 @@ TEST_F(Tool, BakesWithTheSamplerAndTheSeedOfTheCommandLineAndSaysSo) {
 
 TEST_F(Tool, ProjectPrintsCoefficientsWithConventionAxesAndUnits) {
   Image image = test::pattern_image(64, 32);
-  for (Eigen::Vector3f& pixel : image.pixels) {
-    pixel = {1.0F, 2.0F, 4.0F};
-  }
+  for (Eigen::Vector3f& pixel : image.pixels) pixel = {1.0F, 2.0F, 4.0F};
   image.pixels[7].x() = -1.0F;
   test::write_exr(folder->file("light.exr"), image);
   const Finished run = run_prt({"project", folder->file("light.exr"), "--degree", "2"});

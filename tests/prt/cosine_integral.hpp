@@ -26,9 +26,7 @@ inline std::vector<double> transfer_by_quadrature(int degree, const Eigen::Vecto
       const double weight = 0.5 * rule.weights[i] * 0.5 * (to - from) * rule.weights[j];
       const Eigen::Vector3d d = sine * (std::cos(azimuth) * across + std::sin(azimuth) * along) + cosine * normal;
       numeric::basis(degree, d.x(), d.y(), d.z(), values.data());
-      for (std::size_t k = 0; k < sum.size(); ++k) {
-        sum[k] += weight * cosine / std::numbers::pi * values[k];
-      }
+      for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += weight * cosine / std::numbers::pi * values[k];
     }
   }
   return sum;

@@ -71,9 +71,7 @@ void add_cap(const Vector& normal, const Vector& towards, double cosine, double 
       const Vector d = radius * (std::cos(azimuth) * across + std::sin(azimuth) * along) + z * towards;
       const double weight = 0.5 * (1.0 - cosine) * rule.weights[i] * 2.0 * kPi / kAzimuths;
       const Coefficients values = basis_at(d);
-      for (std::size_t k = 0; k < kCount; ++k) {
-        sum[k] += scale * weight * d.dot(normal) / kPi * values[k];
-      }
+      for (std::size_t k = 0; k < kCount; ++k) sum[k] += scale * weight * d.dot(normal) / kPi * values[k];
     }
   }
 }
@@ -94,13 +92,9 @@ Coefficients sampled_transfer(const Shaded& surface, const std::vector<Eigen::Ve
   for (const Eigen::Vector3f& direction : directions) {
     const Vector d = local ? Vector(frame * direction.cast<double>()) : Vector(direction.cast<double>());
     const double cosine = d.dot(surface.normal);
-    if (cosine <= 0.0 || d.dot(surface.towards) > surface.cosine) {
-      continue;
-    }
+    if (cosine <= 0.0 || d.dot(surface.towards) > surface.cosine) continue;
     const Coefficients values = basis_at(d);
-    for (std::size_t k = 0; k < kCount; ++k) {
-      sum[k] += share * (local ? 1.0 : cosine) * values[k];
-    }
+    for (std::size_t k = 0; k < kCount; ++k) sum[k] += share * (local ? 1.0 : cosine) * values[k];
   }
   return sum;
 }
@@ -113,9 +107,7 @@ double rms_error(Sampler sampler, int count) {
     for (const Shaded& surface : shaded_surfaces()) {
       const Coefficients exact = exact_transfer(surface);
       const Coefficients sampled = sampled_transfer(surface, directions, sampler);
-      for (std::size_t k = 0; k < kCount; ++k) {
-        sum += (sampled[k] - exact[k]) * (sampled[k] - exact[k]);
-      }
+      for (std::size_t k = 0; k < kCount; ++k) sum += (sampled[k] - exact[k]) * (sampled[k] - exact[k]);
     }
   }
   return std::sqrt(sum / (kSeeds * static_cast<double>(shaded_surfaces().size() * kCount)));
@@ -193,9 +185,7 @@ TEST(Directions, OfTheStratifiedSetLieOneInEachCell) {
   const auto a = numeric::zone_nodes(1000, 1);
   const auto b = numeric::zone_nodes(1000, 2);
   double furthest = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    furthest = std::max(furthest, std::abs(a[i].z - b[i].z));
-  }
+  for (std::size_t i = 0; i < a.size(); ++i) furthest = std::max(furthest, std::abs(a[i].z - b[i].z));
   EXPECT_LT(furthest, 0.16);  // a zone is 28 cells wide at most, of 2/1000 each in z: 0.056; 3 sigma on the poles less
 }
 
@@ -274,9 +264,7 @@ TEST(BakeWithEverySampler, IsExactWhereNothingIsInTheWayAndZeroWhereEverythingIs
     EXPECT_EQ(open.coefficients, bake(scene_of(mesh, sampler, &kUnshadowed, 300)).coefficients);
     EXPECT_EQ(open.sampler, sampler);
     EXPECT_EQ(open.seed, 11U);
-    for (Face& face : mesh.faces) {
-      std::swap(face[1], face[2]);
-    }
+    for (Face& face : mesh.faces) std::swap(face[1], face[2]);
     for (std::size_t v = 0; v < mesh.normals.size(); ++v) {
       mesh.normals[v] = mesh.geometric_normals[v] = -mesh.normals[v];
     }

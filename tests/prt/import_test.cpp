@@ -32,9 +32,7 @@ std::string gltf(const std::vector<float>& positions, const std::vector<std::uin
     for (std::size_t k = 0; k < 3; ++k) {
       word = word << 8U | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U);
     }
-    for (std::size_t k = 0; k < 4; ++k) {
-      base64 += i + k > bytes.size() ? '=' : kDigits[word >> (18U - 6U * k) & 63U];
-    }
+    for (std::size_t k = 0; k < 4; ++k) base64 += i + k > bytes.size() ? '=' : kDigits[word >> (18U - 6U * k) & 63U];
   }
   const nlohmann::json document = {
       {"asset", {{"version", "2.0"}}},
@@ -70,9 +68,7 @@ class Import : public testing::Test {
     write_all(folder_.file("scene.json"), R"({"meshes": [{"file": ")" + name + R"("}]})");
     std::string said = message_of([&] { load_scene(folder_.file("scene.json"), on_flaw); });
     const std::string folder = folder_.file("");
-    if (said.find(folder) == 0) {
-      said.erase(0, folder.size());
-    }
+    if (said.find(folder) == 0) said.erase(0, folder.size());
     EXPECT_EQ(said.find('\n'), std::string::npos) << said;
     return said;
   }

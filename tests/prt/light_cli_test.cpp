@@ -94,9 +94,7 @@ TEST_F(LightTool, ReconstructRefusesWhatItCannotDraw) {
 
 TEST_F(LightTool, PicturesOfEightBitsAndTheirSunsAreLights) {
   std::vector<std::uint8_t> rgb(3 * 64 * 32, 20);
-  for (int k = 0; k < 3; ++k) {
-    rgb[3 * (64 * 10 + 20) + static_cast<std::size_t>(k)] = 255;
-  }
+  for (int k = 0; k < 3; ++k) rgb[3 * (64 * 10 + 20) + static_cast<std::size_t>(k)] = 255;
   output::write_png(folder.file("sky.png"), 64, 32, rgb);
   const std::string with_sun = R"({"type": "environment", "file": "sky.png", "extract_sun": true, "exposure": 2})";
   const Finished run = run_prt({"project", lights(with_sun)});

@@ -29,9 +29,7 @@ inline std::map<Edge, std::pair<int, int>> edges_by_position(const Mesh& mesh) {
       const bool forward = a < b;
       Edge edge{};
       std::copy(b.begin(), b.end(), std::copy(a.begin(), a.end(), edge.begin()));
-      if (!forward) {
-        std::rotate(edge.begin(), edge.begin() + 3, edge.end());
-      }
+      if (!forward) std::rotate(edge.begin(), edge.begin() + 3, edge.end());
       ++(forward ? edges[edge].first : edges[edge].second);
     }
   }

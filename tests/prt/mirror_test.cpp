@@ -175,9 +175,7 @@ TEST(Mirrors, OfAnyShapeCannotBeSeenInAFurnace) {
 TEST(Mirrors, FromBehindAreBlack) {
   Mesh mesh = ground(0.5F);
   Mesh back = wall(2e4F, Eigen::Vector3f::Ones());
-  for (Face& face : back.faces) {
-    std::swap(face[1], face[2]);
-  }
+  for (Face& face : back.faces) std::swap(face[1], face[2]);
   append(mesh, back);
   Mesh black = mesh;
   black.mirror.clear();

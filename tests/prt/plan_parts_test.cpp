@@ -21,17 +21,13 @@ namespace {
 std::vector<double> random_vector(std::size_t count, std::mt19937& random) {
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
   std::vector<double> t(count);
-  for (double& value : t) {
-    value = uniform(random);
-  }
+  for (double& value : t) value = uniform(random);
   return t;
 }
 
 double product(const std::vector<double>& t, const LightCoefficients& light, std::size_t channel) {
   double sum = 0.0;
-  for (std::size_t i = 0; i < t.size(); ++i) {
-    sum += t[i] * light.at(channel, i);
-  }
+  for (std::size_t i = 0; i < t.size(); ++i) sum += t[i] * light.at(channel, i);
   return std::abs(sum);
 }
 
@@ -60,9 +56,7 @@ TEST(TurningLight, BoundsTheProductForEveryTurnItAllows) {
 TEST(TurningLight, HasABoundThatIsMetWhereVectorAndLightAgree) {
   const LightCoefficients light = random_light(3, 8);
   std::vector<double> t(light.bands_squared(), 0.0);
-  for (std::size_t i = 9; i < 16; ++i) {
-    t[i] = light.at(0, i);
-  }
+  for (std::size_t i = 9; i < 16; ++i) t[i] = light.at(0, i);
   EXPECT_NEAR(TurningLight(light, LightTurns::kAny).largest_product(0, t), product(t, light, 0), 1e-12);
 }
 
@@ -134,9 +128,7 @@ TEST(OpenVertices, AreThoseWithNothingAboveTheirHorizon) {
 TEST(OpenVertices, AreAllOfAConvexBodyWhateverItsSize) {
   for (const float size : {1e-6F, 1.0F, 1e6F}) {
     Mesh mesh = primitive_mesh("sphere", 24);
-    for (Eigen::Vector3f& position : mesh.positions) {
-      position *= size;
-    }
+    for (Eigen::Vector3f& position : mesh.positions) position *= size;
     const std::vector<std::uint8_t> open = open_vertices(mesh, ray_starts(mesh), 0.1);
     EXPECT_EQ(std::count(open.begin(), open.end(), 1), static_cast<std::ptrdiff_t>(open.size())) << size;
   }

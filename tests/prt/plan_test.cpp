@@ -109,9 +109,7 @@ BakeJob planned_as(Scene scene, const PlanOptions& options, const BakeSettings& 
 PlanOptions alone(std::string_view name, double error, LightTurns turns) {
   PlanOptions options = lossy(error, turns);
   for (const std::string_view other : kDecisionNames) {
-    if (other != name) {
-      options.without.emplace_back(other);
-    }
+    if (other != name) options.without.emplace_back(other);
   }
   return options;
 }

@@ -27,21 +27,15 @@ Transfer random_transfer(int degree, std::size_t vertices, unsigned seed) {
     transfer.mesh.normals.emplace_back(Eigen::Vector3f::UnitZ());
     transfer.mesh.albedo.emplace_back(0.5F + 0.5F * uniform(random), 0.25F, 1.0F);
   }
-  for (std::uint32_t i = 0; i + 2 < vertices; ++i) {
-    transfer.mesh.faces.push_back({i, i + 1, i + 2});
-  }
-  for (std::size_t i = 0; i < vertices * transfer.shape.length(); ++i) {
-    transfer.coefficients.push_back(uniform(random));
-  }
+  for (std::uint32_t i = 0; i + 2 < vertices; ++i) transfer.mesh.faces.push_back({i, i + 1, i + 2});
+  for (std::size_t i = 0; i < vertices * transfer.shape.length(); ++i) transfer.coefficients.push_back(uniform(random));
   return transfer;
 }
 
 TEST(Relight, AddsTheLightOfTheSurfacesThemselvesWhateverTheLight) {
   Transfer transfer = random_transfer(2, 17, 3);
   const std::vector<Eigen::Vector3f> reflected = relight(transfer, random_light(2, 4));
-  for (std::size_t v = 0; v < reflected.size(); ++v) {
-    transfer.emitted.emplace_back(static_cast<float>(v), 3.0F, 0.0F);
-  }
+  for (std::size_t v = 0; v < reflected.size(); ++v) transfer.emitted.emplace_back(static_cast<float>(v), 3.0F, 0.0F);
   const std::vector<Eigen::Vector3f> all = relight(transfer, random_light(2, 4));
   const std::vector<Eigen::Vector3f> alone = relight(transfer, LightCoefficients::zero(2));
   for (std::size_t v = 0; v < reflected.size(); ++v) {
@@ -85,9 +79,7 @@ TEST(Relight, IsLinearInTheLight) {
   const Transfer transfer = random_transfer(3, 100, 3);
   LightCoefficients light = random_light(3, 4);
   const std::vector<Eigen::Vector3f> once = relight(transfer, light);
-  for (double& value : light.values) {
-    value *= 4.0;
-  }
+  for (double& value : light.values) value *= 4.0;
   const std::vector<Eigen::Vector3f> fourfold = relight(transfer, light);
   for (std::size_t v = 0; v < once.size(); ++v) {
     EXPECT_EQ(fourfold[v], 4.0F * once[v]);
@@ -102,9 +94,7 @@ TEST(Relight, OpenUpwardVertexUnderUnitConstantLightLeavesItsAlbedo) {
     transfer.coefficients[4 * v] = dc;  // A_0 / pi Y_00
   }
   LightCoefficients light = LightCoefficients::zero(1);
-  for (std::size_t c = 0; c < 3; ++c) {
-    light.at(c, 0) = std::sqrt(4.0 * std::numbers::pi);
-  }
+  for (std::size_t c = 0; c < 3; ++c) light.at(c, 0) = std::sqrt(4.0 * std::numbers::pi);
   const std::vector<Eigen::Vector3f> radiance = relight(transfer, light);
   for (const std::size_t v : {0U, 1U, 2U}) {
     EXPECT_LT((radiance[v] - transfer.mesh.albedo[v]).norm(), 2e-7F);

@@ -49,9 +49,7 @@ Picture picture_of(const Mesh& mesh, const std::vector<Eigen::Vector3f>& values,
 
 LightCoefficients constant_light(double radiance, int degree) {
   LightCoefficients light = LightCoefficients::zero(degree);
-  for (std::size_t c = 0; c < 3; ++c) {
-    light.at(c, 0) = radiance * std::sqrt(4.0 * std::numbers::pi);
-  }
+  for (std::size_t c = 0; c < 3; ++c) light.at(c, 0) = radiance * std::sqrt(4.0 * std::numbers::pi);
   return light;
 }
 
@@ -167,9 +165,7 @@ TEST(ToneMap, EncodesAsSrgb) {
 
 TEST(ToneMap, AutomaticExposureBringsThe95thPercentileToItsTarget) {
   std::vector<Eigen::Vector3f> radiance;
-  for (int i = 0; i <= 100; ++i) {
-    radiance.emplace_back(0.0F, static_cast<float>(i), 0.0F);
-  }
+  for (int i = 0; i <= 100; ++i) radiance.emplace_back(0.0F, static_cast<float>(i), 0.0F);
   EXPECT_NEAR(automatic_exposure(radiance), 0.7F / 95.0F, 1e-7F);
   EXPECT_EQ(automatic_exposure({}), 1.0F);
   EXPECT_EQ(automatic_exposure(std::vector<Eigen::Vector3f>(5, Eigen::Vector3f::Zero())), 1.0F);

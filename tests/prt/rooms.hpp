@@ -42,9 +42,7 @@ inline Mesh hollow_sphere(int segments, float opening = 2.0F) {
   std::erase_if(mesh.faces, [&](const Face& face) {
     return std::all_of(face.begin(), face.end(), [&](std::uint32_t v) { return mesh.positions[v].z() > opening; });
   });
-  for (Face& face : mesh.faces) {
-    std::swap(face[1], face[2]);
-  }
+  for (Face& face : mesh.faces) std::swap(face[1], face[2]);
   return mesh;
 }
 
@@ -57,13 +55,9 @@ inline std::vector<double> vertex_areas(const Mesh& mesh) {
     const double area =
         (mesh.positions[face[1]].cast<double>() - a).cross(mesh.positions[face[2]].cast<double>() - a).norm();
     sum += area;
-    for (const std::uint32_t v : face) {
-      areas[v] += area / 3.0;
-    }
+    for (const std::uint32_t v : face) areas[v] += area / 3.0;
   }
-  for (double& area : areas) {
-    area /= sum;
-  }
+  for (double& area : areas) area /= sum;
   return areas;
 }
 

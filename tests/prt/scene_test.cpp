@@ -40,9 +40,7 @@ TEST_F(SceneFile, MakesPrimitivesWithTransformAlbedoAndEdgeLimit) {
   EXPECT_LE(longest_edge(scene.mesh), 0.4F);
   EXPECT_NEAR(signed_volume(scene.mesh), 2.0, 1e-5);
   Eigen::AlignedBox3f box;
-  for (const Eigen::Vector3f& position : scene.mesh.positions) {
-    box.extend(position);
-  }
+  for (const Eigen::Vector3f& position : scene.mesh.positions) box.extend(position);
   EXPECT_LT((box.min() - Eigen::Vector3f(-0.5F, -1.0F, 4.5F)).norm(), 1e-6F);
   EXPECT_EQ(scene.mesh.albedo.front(), Eigen::Vector3f(0.1F, 0.2F, 0.3F));
 }
@@ -233,9 +231,7 @@ TEST(EmbeddedScene, IsLargeEnoughHasNoFlawsAndStandsOnGround) {
   EXPECT_GT(scene.mesh.positions.size(), 20000U);
   EXPECT_LT(scene.mesh.positions.size(), 60000U);
   float lowest = 1.0F;
-  for (const Eigen::Vector3f& position : scene.mesh.positions) {
-    lowest = std::min(lowest, position.z());
-  }
+  for (const Eigen::Vector3f& position : scene.mesh.positions) lowest = std::min(lowest, position.z());
   EXPECT_EQ(lowest, 0.0F);
   ASSERT_EQ(scene.lights.size(), 1U);
   EXPECT_EQ(scene.lights[0].type, LightType::kCieOvercast);

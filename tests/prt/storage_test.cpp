@@ -31,9 +31,7 @@ std::vector<float> random_rows(std::size_t rows, float size) {
   std::mt19937 random(7);
   std::uniform_real_distribution<float> uniform(-size, size);
   std::vector<float> values(rows * kLength);
-  for (float& value : values) {
-    value = uniform(random);
-  }
+  for (float& value : values) value = uniform(random);
   return values;
 }
 

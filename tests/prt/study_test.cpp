@@ -46,9 +46,7 @@ TEST(FittedSlope, IsThatOfAPowerLawAndOfTheClosedAnswerWhereThereIsOne) {
     points[i].error.rms = 3.0 * std::pow(points[i].at, -0.75);
   }
   EXPECT_NEAR(*fitted_slope(points), -0.75, 1e-12);
-  for (StudyPoint& point : points) {
-    point.exact_error = RadianceError{std::pow(point.at, -0.5), 1.0, 0};
-  }
+  for (StudyPoint& point : points) point.exact_error = RadianceError{std::pow(point.at, -0.5), 1.0, 0};
   EXPECT_NEAR(*fitted_slope(points), -0.5, 1e-12);
   points.resize(1);
   EXPECT_FALSE(fitted_slope(points).has_value());
@@ -127,9 +125,7 @@ TEST(StudiedVertices, AreEveryKthAndWeighWhatTheCameraSees) {
   EXPECT_EQ(some.step, (count + 50) / 100);
   EXPECT_EQ(some.index[3], 3 * some.step);
   double sum = 0.0;
-  for (const double weight : some.weight) {
-    sum += weight;
-  }
+  for (const double weight : some.weight) sum += weight;
   EXPECT_NEAR(sum, 1.0, 1e-12);
   const StudiedVertices all =
       choose_vertices(scene.mesh, scene.camera, 10 * count, [](std::uint32_t v) { return v == 1; });
@@ -194,21 +190,15 @@ TEST_F(DiscStudy, SeesWindowsCostSharpness) {
 }
 
 void drop_times(nlohmann::json& json) {
-  if (json.is_object()) {
-    json.erase("time");
-  }
+  if (json.is_object()) json.erase("time");
   for (nlohmann::json& part : json) {
-    if (part.is_structured()) {
-      drop_times(part);
-    }
+    if (part.is_structured()) drop_times(part);
   }
 }
 
 std::set<std::string> files_in(const std::string& folder) {
   std::set<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    names.insert(entry.path().filename().string());
-  }
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) names.insert(entry.path().filename().string());
   return names;
 }
 

@@ -111,9 +111,7 @@ Mesh leaf() {
 TEST(TwoSidedFaces, AreHitOnTheSideThatFacesTheRay) {
   Mesh mesh = leaf();
   const Eigen::Affine3f map(Eigen::AngleAxisf(0.3F, Eigen::Vector3f(1.0F, 2.0F, 0.5F).normalized()));
-  for (Eigen::Vector3f& position : mesh.positions) {
-    position = map * position;
-  }
+  for (Eigen::Vector3f& position : mesh.positions) position = map * position;
   append(mesh, primitive_mesh("torus", 8));  // further faces, without backs
   const Tracer tracer(mesh);
   int seen = 0;
@@ -125,9 +123,7 @@ TEST(TwoSidedFaces, AreHitOnTheSideThatFacesTheRay) {
                                                         Eigen::Vector3f(0.01F, 0.02F, -side).normalized()};
         std::vector<Hit> hit(1);
         tracer.intersect(origin, direction, hit);
-        if (hit[0].face == Hit::kNothing) {
-          continue;
-        }
+        if (hit[0].face == Hit::kNothing) continue;
         const Face& face = mesh.faces[hit[0].face];
         const Eigen::Vector3f point = (1.0F - hit[0].u - hit[0].v) * mesh.positions[face[0]] +
                                       hit[0].u * mesh.positions[face[1]] + hit[0].v * mesh.positions[face[2]];
@@ -159,15 +155,11 @@ TEST(TwoSidedFaces, ReflectAndShineFromBehindAsFromTheFront) {
       sheet.normals[v] = Eigen::Vector3f(0.0F, 0.0F, turned ? -1.0F : 1.0F);
     }
     for (Face& face : sheet.faces) {
-      if (turned) {
-        std::swap(face[1], face[2]);
-      }
+      if (turned) std::swap(face[1], face[2]);
     }
     shine(sheet, {1.0F, 0.0F, 0.0F});
     set_geometric_normals(sheet);
-    if (two_sided) {
-      add_backs(sheet, {1, 1});
-    }
+    if (two_sided) add_backs(sheet, {1, 1});
     Mesh mesh = primitive_mesh("plane");
     append(mesh, sheet);
     return baked(mesh, &kInterreflected);

@@ -19,17 +19,13 @@ namespace {
 
 std::string quoted(const std::string& text) {
   std::string out = "'";
-  for (const char c : text) {
-    out += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  }
+  for (const char c : text) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
   return out + "'";
 }
 
 std::string command_line(const std::vector<std::string>& arguments) {
   std::string line = quoted(std::string(SHFORGE_BIN_DIR) + "/prt");
-  for (const std::string& argument : arguments) {
-    line += ' ' + quoted(argument);
-  }
+  for (const std::string& argument : arguments) line += ' ' + quoted(argument);
   return line;
 }
 

@@ -26,9 +26,7 @@ Mesh with_one_normal(std::string_view primitive, int segments = 24) {
 }
 
 void move(Mesh& mesh, float scale, const Eigen::Vector3f& by = Eigen::Vector3f::Zero()) {
-  for (Eigen::Vector3f& position : mesh.positions) {
-    position = scale * position + by;
-  }
+  for (Eigen::Vector3f& position : mesh.positions) position = scale * position + by;
 }
 
 // White surfaces under an even light: everything that comes back is as bright as the sky, whatever the shape.
@@ -69,9 +67,7 @@ TEST(Emission, LeavesASphereThroughAHole) {
     speck.positions[v] = 1e-3F * speck.positions[v] + Eigen::Vector3f(0.0F, 0.0F, rim + 0.3F);
     speck.normals[v] = -speck.normals[v];
   }
-  for (Face& face : speck.faces) {
-    std::swap(face[1], face[2]);
-  }
+  for (Face& face : speck.faces) std::swap(face[1], face[2]);
   set_geometric_normals(speck);
   append(mesh, speck);
   for (const float albedo : {0.0F, 0.5F, 0.95F}) {
@@ -226,12 +222,8 @@ TEST(Extremes, ThinWallsLetNoLightThrough) {
 
 TEST(Extremes, AMeshTurnedInsideOutIsDarkAndReported) {
   Mesh mesh = with_one_normal("torus");
-  for (Face& face : mesh.faces) {
-    std::swap(face[1], face[2]);
-  }
-  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
-    mesh.normals[v] = -mesh.normals[v];
-  }
+  for (Face& face : mesh.faces) std::swap(face[1], face[2]);
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) mesh.normals[v] = -mesh.normals[v];
   set_geometric_normals(mesh);
   testing::internal::CaptureStderr();
   baked(mesh, &kShadowed);
