@@ -1,4 +1,4 @@
-// The generated kernels behind a degree chosen at run time.
+// Calls the generated kernels with a degree that is chosen at run time.
 #pragma once
 #include <array>
 #include <cstddef>

@@ -6,7 +6,7 @@
 
 namespace sh::prt {
 
-/// The value whose word in `words` (an array of std::string_view) that is, if there is one.
+/// The value whose entry in `words` (an array of std::string_view) is `word`; empty if there is none.
 template <class Enumeration, class Words>
 constexpr std::optional<Enumeration> value_called(std::string_view word, const Words& words) {
   for (std::size_t i = 0; i < std::size(words); ++i) {

@@ -1,4 +1,4 @@
-// A bake under way: what its steps read, and what each leaves for the next.
+// The state of a running bake: the input of its steps, and the results that each step leaves for the next.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace sh::prt {
 
-/// Everything passed in must outlive it. Mirrors are grey (prt/bake/colored_mirrors.hpp has the others).
+/// All arguments must outlive this object. Mirrors are gray (prt/bake/colored_mirrors.hpp handles the others).
 struct BakeRun {
   BakeRun(const Scene& the_scene, const BakeSettings& the_settings, const std::vector<std::uint8_t>& open_vertices)
       : scene(the_scene),
@@ -24,9 +24,9 @@ struct BakeRun {
   const Scene& scene;
   const BakeSettings& settings;
   const std::vector<std::uint8_t>& open;  // as in Plan
-  Transfer transfer;                      // its shape is that of the step before
+  Transfer transfer;                      // in the shape of the last finished step
   std::optional<RaySetup> rays;
-  std::optional<FormFactors> factors;  // of kinds with bounces
+  std::optional<FormFactors> factors;  // only for kinds with bounces
   std::optional<ShadowResult> found;
   std::optional<Checkpoint> checkpoint;
 };

@@ -1,4 +1,4 @@
-// The operator A = albedo * K with the operations that both solvers of bounces.hpp need.
+// The operator A = albedo * K and the operations that both solvers of bounces.hpp need.
 #pragma once
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -32,7 +32,7 @@ class BounceSystem {
   int applications_ = 0;
 };
 
-/// Calls each(first, last) for parts of 0..rows, always the same ones, on all threads of the arena.
+/// Calls each(first, last) for fixed parts of 0..rows on all threads of the arena.
 template <class Each>
 void for_rows(std::size_t rows, const Each& each) {
   constexpr std::size_t kRowsAPart = 256;
@@ -40,14 +40,15 @@ void for_rows(std::size_t rows, const Each& each) {
                     [&](std::size_t part) { each(part * kRowsAPart, std::min(rows, (part + 1) * kRowsAPart)); });
 }
 
-/// Improves x, whose residual is r, until the report's bound is small enough or no more applications are allowed.
+/// Improves x, whose residual is r, until the bound in `report` is small enough or the limit on applications is
+/// reached.
 void solve_krylov(BounceSystem& system, const Panel& b, Panel& x, Panel& r, const BounceOptions& options,
                   BounceReport& report);
 
-/// Neither the number of applications nor the time is used up.
+/// True while applications and time are left.
 bool may_go_on(const BounceSystem& system, const BounceOptions& options);
 
-/// The certified bound is within the tolerance.
+/// True if the certified bound is within the tolerance.
 bool is_solved(const BounceReport& report, const BounceOptions& options);
 
 }  // namespace sh::prt

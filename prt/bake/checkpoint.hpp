@@ -1,4 +1,4 @@
-// Keeps track of the chunks of a bake that are done and of those on disk, so that it can go on where it was stopped.
+// Records which chunks of a bake are done and which are on disk, so that a stopped bake can continue.
 #pragma once
 #include <chrono>
 #include <cstddef>
@@ -16,16 +16,18 @@ namespace sh::prt {
 
 class Checkpoint {
  public:
-  /// Takes what the file holds into `result`, which must outlive this. Throws as CheckpointFile does.
+  /// Loads the chunks of the file into `result`, which must outlive this object. Throws like CheckpointFile.
   Checkpoint(const CheckpointSettings& settings, const std::string& key, ShadowResult& result);
-  /// The chunk came from the file.
+  /// True if the chunk came from the file.
   [[nodiscard]] bool has(std::size_t chunk) const { return restored_[chunk] != 0; }
-  /// Notes a chunk whose results are complete, and writes what waits if it is time. From any thread. Throws
-  /// std::runtime_error where it cannot be written.
+  /// Notes that the results of a chunk are complete, and writes all pending chunks if it is time. Any thread may call
+  /// it. Throws std::runtime_error if writing fails.
   void finished(std::size_t chunk);
-  /// All chunks are finished: writes what waits, unless all of it took no longer than `seconds`.
+  /// Call it when all chunks are finished: writes the pending chunks, unless the whole bake took no longer than
+  /// `seconds`.
   void complete();
-  /// The process is asked to end: writes what waits. Returns one line: what was kept and how to go on.
+  /// Call it when the process is asked to end: writes the pending chunks. Returns one line that says what was kept and
+  /// how to continue.
   std::string interrupted();
 
  private:

@@ -1,6 +1,6 @@
-// The contents of a checkpoint: its key, which names all that decides the results of rays, and those results of a chunk
-// of vertices, as bytes and back.
-//   transfer vectors: (vertices, bands^2) binary32; the fate of the rays: (vertices) bytes; with bounces, for each
+// The contents of a checkpoint: its key, which names everything that the results of rays depend on, and the results of
+// a chunk of vertices, encoded as bytes and decoded.
+//   transfer vectors: (vertices, bands^2) binary32; Sight of each vertex: (vertices) bytes; with bounces, for each
 //   vertex: 1 where its row of form factors is kept, else 0 (4 bytes); its length (4); its entries.
 #pragma once
 #include <cstdint>
@@ -16,20 +16,20 @@
 
 namespace sh::prt {
 
-/// Where the results of the rays lie.
+/// References to the results of the rays.
 struct ShadowResult {
   Transfer& transfer;        // its first vertices x bands^2 coefficients
   std::vector<Sight> sight;  // (vertices)
-  FormFactors* factors;      // null where hits are not wanted
+  FormFactors* factors;      // null if hits are not needed
 };
 
 std::string encode_chunk(const ShadowResult& result, const VertexRange& range);
 
-/// False, with nothing that matters changed, where the data are not of that chunk's shape.
+/// Returns false, and changes no finished result, if the data do not have the shape of the chunk.
 bool decode_chunk(std::string_view data, const VertexRange& range, ShadowResult& result);
 
 /// A JSON object: counts and checksum of the mesh and of `open` (see Plan), kind, degree, directions, sampler, seed,
-/// instruction set. Albedo, tolerance and solver, which only the bounces use, are not in it: rays do not depend on
+/// instruction set. Albedo, tolerance and solver are not in it: only the bounces use them, and rays do not depend on
 /// them.
 std::string bake_key(const Scene& scene, const std::string& instruction_set, const std::vector<std::uint8_t>& open);
 

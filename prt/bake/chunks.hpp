@@ -1,4 +1,4 @@
-// Vertices in chunks of one fixed size, on all threads of the arena that the caller runs in.
+// Splits vertices into chunks of one fixed size and runs them on all threads of the caller's arena.
 #pragma once
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
@@ -8,7 +8,7 @@
 
 namespace sh::prt {
 
-/// What one task does at a time; the same for any number of threads.
+/// The vertices of one task; the same for any number of threads.
 inline constexpr std::size_t kVerticesPerChunk = 32;
 
 /// Vertices first..last-1.
@@ -26,7 +26,7 @@ constexpr VertexRange chunk_range(std::size_t chunk, std::size_t vertices) {
   return {chunk * kVerticesPerChunk, std::min(vertices, (chunk + 1) * kVerticesPerChunk)};
 }
 
-/// 0: every core; no more than there are cores.
+/// The number of threads to use: 0 stands for every core, and the result never exceeds the number of cores.
 inline std::size_t thread_count(int threads) {
   const int cores = tbb::this_task_arena::max_concurrency();
   return static_cast<std::size_t>(threads == 0 ? cores : std::min(threads, cores));
@@ -39,7 +39,7 @@ void on_threads(int threads, const Work& work) {
   arena.execute(work);
 }
 
-/// Calls each(chunk) for all chunks of that many vertices, in any order, several at once.
+/// Calls each(chunk) for all chunks of `vertices` vertices, in parallel and in any order.
 template <class Each>
 void for_chunks(std::size_t vertices, const Each& each) {
   tbb::parallel_for(std::size_t{0}, chunk_count(vertices), each);

@@ -1,4 +1,4 @@
-// Mirrors of a color: each channel is a bake of its own, among grey mirrors of that channel's reflectance.
+// Colored mirrors: each channel is a separate bake, with gray mirrors of that channel's reflectance.
 #pragma once
 #include <functional>
 
@@ -9,8 +9,8 @@ namespace sh::prt {
 
 bool has_colored_mirrors(const Mesh& mesh);
 
-/// `bake_grey` bakes a scene whose mirrors are grey; the result takes each channel from one of three bakes. Throws
-/// std::invalid_argument for shadowed transfer, whose one channel has no place for a color that is not the albedo's.
+/// `bake_grey` bakes a scene whose mirrors are gray; the result takes each channel from one of three bakes. Throws
+/// std::invalid_argument for shadowed transfer: its single channel cannot hold the color of the mirrors.
 Transfer bake_by_channel(const Scene& scene, const std::function<Transfer(const Scene&)>& bake_grey);
 
 }  // namespace sh::prt

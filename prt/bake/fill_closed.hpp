@@ -1,5 +1,6 @@
-// Vertices no ray can leave would show as black speckles: filled from their neighbours. So are vertices pressed against
-// something, such as ground under a box: their darkness would show around the box as a fringe as wide as an edge.
+// Vertices that no ray can leave would show as black speckles, so they take the mean of their neighbors. Vertices that
+// touch something, such as ground under a box, do the same: else a dark fringe as wide as an edge would show around the
+// box.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -9,30 +10,30 @@
 
 namespace sh::prt {
 
-/// The fate of a vertex's rays: some got away; all were blocked, by something seen from its front (a shadow like any
-/// other); nearly all met something nearer than an edge's length; all were blocked because the vertex lies inside
-/// something.
+/// What happens to the rays of a vertex. kSome: some leave the scene. kDark: all are blocked by fronts of faces (an
+/// ordinary shadow). kCovered: nearly all hit something nearer than an edge's length. kBuried: all are blocked because
+/// the vertex lies inside something.
 enum class Sight : std::uint8_t { kSome, kDark, kCovered, kBuried };
 
-/// A vertex and those whose mean it takes.
+/// A vertex and the vertices whose mean it takes.
 struct Fill {
   std::uint32_t vertex;
   std::vector<std::uint32_t> sources;
 };
 
 struct FillPlan {
-  std::vector<Fill> fills;  // in an order in which every source has its final value
-  std::size_t closed = 0;   // vertices no ray can leave
-  std::size_t filled = 0;   // of them, those joined by edges to a vertex that has a value
+  std::vector<Fill> fills;  // ordered so that every source already has its final value
+  std::size_t closed = 0;   // vertices that no ray can leave
+  std::size_t filled = 0;   // of these, the vertices joined by edges to a vertex that has a value
 };
 
-/// No ray can leave a vertex that is buried, nor one that is dark while every neighbour sees some light. These and the
-/// covered ones, which count as no flaw, get the mean of their neighbours, ring by ring from the sound ones inwards,
-/// always from the rings before, so that no order of work shows in the result. Where a whole connected part is closed,
-/// it stays as it is.
+/// A vertex is closed if it is buried, or if it is dark while every neighbor sees some light. Closed and covered
+/// vertices take the mean of their neighbors (covered ones are not a flaw). The fill goes ring by ring from the sound
+/// vertices inwards. Each ring uses only the rings before it, so that the order of work does not change the result. A
+/// connected part that is closed as a whole stays unchanged.
 FillPlan plan_fill(const Mesh& mesh, const std::vector<Sight>& sight);
 
-/// Replaces the transfer vectors of the vertices of the plan.
+/// Replaces the transfer vectors of the vertices in the plan.
 void fill_closed(Transfer& transfer, const FillPlan& plan);
 
 }  // namespace sh::prt

@@ -1,4 +1,4 @@
-// The form factors of the mesh: the part of the cosine-weighted hemisphere of every vertex that sees each other vertex.
+// The form factors of the mesh: for every vertex, the share of each other vertex in its cosine-weighted hemisphere.
 // Rays find them once, and every bounce uses them. They do not depend on light, albedo, color or degree.
 #pragma once
 #include <cstddef>
@@ -8,8 +8,9 @@
 
 namespace sh::prt {
 
-/// A table of numbers, one row a vertex: the columns of a linear system that are solved side by side.
-/// (rows, columns) doubles, row-major; the columns are whole SIMD registers (a multiple of kUnit).
+/// A table of numbers with one row a vertex; its columns are right sides of a linear system that are solved together.
+/// (rows, columns) doubles, row-major; the number of columns is a multiple of kUnit, so that they fill whole SIMD
+/// registers.
 struct Panel {
   static constexpr std::size_t kUnit = 8;
 
@@ -23,28 +24,28 @@ struct Panel {
   std::vector<double> values;
 };
 
-/// The hits of one vertex, merged by the corners of the faces they lie on: the light that `vertex` sends out counts
-/// with `weight`, the sum over hits of (part of the cosine) * (barycentric coordinate). Weights are positive; a row's
-/// sum is at most 1 and 1 where everything is closed.
+/// One entry of a row, made by merging the hits of one vertex at the corners of the hit faces. The light that leaves
+/// `vertex` counts with `weight`, the sum over hits of (part of the cosine) * (barycentric coordinate). Weights are
+/// positive; the sum of a row is at most 1, and it is 1 if no ray leaves the scene.
 struct FormFactor {
   std::uint32_t vertex;
   float weight;
 };
 using FormFactorRow = std::vector<FormFactor>;
 
-/// Finds the row of one vertex; used by one thread at a time.
+/// Finds the row of one vertex. Only one thread at a time may use it.
 using RowMaker = std::function<FormFactorRow(std::size_t vertex)>;
 
 class FormFactors {
  public:
-  /// `make_maker` is called once a task where rows that did not fit into `most_bytes` are needed again.
+  /// Rows that do not fit into `most_bytes` are made again when needed; each task calls `make_maker` once for this.
   explicit FormFactors(std::size_t vertices, std::size_t most_bytes = SIZE_MAX,
                        std::function<RowMaker()> make_maker = {});
 
-  /// Keeps a row, or forgets it where memory is spent: whether it is kept changes times but no result. Calls for
-  /// different vertices may come from any thread at once.
+  /// Keeps a row, or drops it if no memory is left; this changes times but no result. Any thread may call it, at the
+  /// same time for different vertices.
   void keep(std::size_t vertex, FormFactorRow row);
-  /// The vertex sees what the mean of `sources` sees. Always kept. Not while keep() runs.
+  /// Gives the vertex the mean of the rows of `sources`. This row is always kept. Do not call it while keep() runs.
   void keep_mean(std::size_t vertex, const std::vector<std::uint32_t>& sources);
 
   /// y = K x: y_v = sum over the row of v of weight * x_vertex; both (vertices, columns). The same bits for any number
@@ -55,7 +56,7 @@ class FormFactors {
   [[nodiscard]] bool is_kept(std::size_t vertex) const { return kept_[vertex] != 0; }
   [[nodiscard]] const FormFactorRow& row(std::size_t vertex) const { return rows_[vertex]; }  // empty if not kept
   [[nodiscard]] std::size_t bytes() const;           // of the rows that are kept
-  [[nodiscard]] std::size_t made_each_time() const;  // rows that are not
+  [[nodiscard]] std::size_t made_each_time() const;  // number of rows that are not kept
 
  private:
   [[nodiscard]] bool fits(std::size_t bytes);

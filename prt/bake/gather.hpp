@@ -1,4 +1,4 @@
-// The visible part of the shared directions at one vertex: the inner loop of the shadowed bake.
+// Finds the visible part of the shared directions at one vertex: the inner loop of the shadowed bake.
 #pragma once
 #include <Eigen/Geometry>
 #include <array>
@@ -15,35 +15,35 @@
 
 namespace sh::prt {
 
-/// Where the rays of a vertex start, and how far the mesh around it reaches: the mean distance to the middles of its
+/// The origin of the rays of a vertex, and the reach of the mesh around it: the mean distance to the centers of its
 /// faces, about half an edge.
 struct RayStart {
   Eigen::Vector3f origin;
   float reach;
 };
 
-/// Origins lie a hair off the surface along the geometric normal, and as much towards the middle of the faces around,
-/// so that a vertex on the foot of a wall stands before the wall and not inside it.
+/// Each origin lies slightly off the surface along the geometric normal, and as far towards the center of the faces
+/// around. A vertex at the foot of a wall is therefore in front of the wall and not inside it.
 std::vector<RayStart> ray_starts(const Mesh& mesh);
 
-/// The directions with their basis values, rows padded with zeros to whole SIMD registers. Those of the cosine sampler
-/// are about +z: they are turned into the frame of each vertex, and the sums with them.
+/// The directions with their basis values; zeros pad the rows to whole SIMD registers. Directions of the cosine sampler
+/// are about +z: they and their sums are turned into the frame of each vertex.
 class SharedDirections {
  public:
   explicit SharedDirections(const BakeOptions& options);
-  /// Other functions in the place of the basis: row(direction, out) writes `columns` values, the first of them 1. For
-  /// directions of any sampler but cosine.
+  /// Uses other functions instead of the basis: row(direction, out) writes `columns` values, of which the first is 1.
+  /// For directions of any sampler except cosine.
   using Row = std::function<void(const Eigen::Vector3f& direction, float* out)>;
   SharedDirections(std::vector<Eigen::Vector3f> directions, std::size_t columns, const Row& row);
   [[nodiscard]] std::size_t size() const { return directions_.size(); }
   [[nodiscard]] std::size_t row_length() const { return row_length_; }
   [[nodiscard]] bool about_normal() const { return about_normal_; }
   [[nodiscard]] const Eigen::Vector3f& direction(std::size_t j) const { return directions_[j]; }
-  /// out (size) = normal.direction of every direction.
+  /// out (size) = the dot product of `normal` and every direction.
   void cosines_with(const Eigen::Vector3f& normal, float* out) const;
   /// result (row_length) = the sum of weights[j] Y(direction j) over the first `count` indices j in `chosen`.
   void sum(const std::vector<std::uint32_t>& chosen, std::size_t count, const float* weights, float* result) const;
-  /// row (row_length) = the same function turned by a rotation matrix.
+  /// Turns the function in row (row_length) by a rotation matrix.
   void turn(const Eigen::Matrix3f& frame, float* row) const;
 
  private:
@@ -57,11 +57,12 @@ class SharedDirections {
 
 inline constexpr std::size_t kMaxRow = 128;
 
-/// Quadrature sums of Y_lm over the hemisphere of the shading normal, weights 4/N cos; 1/N for directions about it.
+/// Quadrature sums of Y_lm over the hemisphere of the shading normal. The weights are 4/N cos, or 1/N for directions of
+/// the cosine sampler.
 struct Gathered {
   alignas(64) std::array<float, kMaxRow> visible;
   alignas(64) std::array<float, kMaxRow> all;
-  /// The visible part of the cosine, 0..1; Y_00 is constant, so that the first sums are proportional to it.
+  /// The visible part of the cosine, 0..1. Y_00 is constant, so that the first sums are proportional to the cosine.
   [[nodiscard]] float fraction() const { return all[0] > 0.0F ? visible[0] / all[0] : 0.0F; }
 };
 
@@ -72,27 +73,29 @@ struct BlockedRay {
   double part;
 };
 
-/// Reusable buffers of one thread. Everything passed in must outlive it.
+/// Traces the rays of vertices, with the reusable buffers of one thread. All arguments must outlive it.
 class Gatherer {
  public:
   Gatherer(const SharedDirections& directions, const Tracer& tracer);
-  /// Traces one vertex; the result stays valid until the next call.
+  /// Traces the rays of one vertex; the result stays valid until the next call.
   const Gathered& gather(const Eigen::Vector3f& origin, const Eigen::Vector3f& normal,
                          const Eigen::Vector3f& geometric_normal);
-  /// The closest hits of the rays that the last gather() found blocked; valid until the next call of either.
+  /// The closest hits of the rays that the last gather() found blocked; valid until the next call of gather() or
+  /// closest_hits().
   const std::vector<BlockedRay>& closest_hits();
-  /// Says why a vertex is nearly dark, after gather().
+  /// Finds why a vertex is nearly dark; call it after gather().
   Sight classify(const Mesh& mesh, std::size_t vertex, const RayStart& start, bool is_dark);
-  /// The rays of one vertex that gather() would trace, for measurements.
+  /// The rays that gather() would trace for one vertex, for measurements.
   std::vector<ShadowRay> rays(const Eigen::Vector3f& origin, const Eigen::Vector3f& normal,
                               const Eigen::Vector3f& geometric_normal);
 
  private:
-  // Finds what counts: `chosen_` to trace, `blocked_` under the horizon. Returns how many to trace.
+  // Selects directions: fills `chosen_`, which are to be traced, and `blocked_`, which lie under the horizon. Returns
+  // how many to trace.
   std::size_t aim(const Eigen::Vector3f& origin, const Eigen::Vector3f& normal,
                   const Eigen::Vector3f& geometric_normal);
 
-  // Of direction j, in the world.
+  // Direction j in world axes.
   [[nodiscard]] Eigen::Vector3f towards(std::uint32_t j) const {
     return directions_.about_normal() ? (frame_ * directions_.direction(j)).eval() : directions_.direction(j);
   }

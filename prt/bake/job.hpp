@@ -1,4 +1,5 @@
-// A bake as one description: the scene with what is asked of it, what a plan leaves out, and how the work runs.
+// The description of a bake: the scene with its requested options, the work that a plan leaves out, and the settings of
+// the run.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -14,10 +15,10 @@
 
 namespace sh::prt {
 
-/// Where a bake that is stopped leaves what it has, to go on from there.
+/// The file in which a stopped bake leaves its results, so that it can continue from there.
 struct CheckpointSettings {
   std::string path;      // empty: none
-  bool restart = false;  // throw away what is there
+  bool restart = false;  // delete an existing checkpoint
   double seconds = 2.0;  // the most work that is lost when the process is killed; a shorter bake writes nothing
 };
 
@@ -26,29 +27,29 @@ struct BakeSettings {
   std::string instruction_set;  // of the rays, see Tracer; empty: the best up to avx2
   OnFlaw on_flaw = OnFlaw::kMend;
   std::size_t bounce_memory = SIZE_MAX;  // bytes for form factors; the rest is traced again for each bounce
-  CheckpointSettings checkpoint = {};    // none among colored mirrors
+  CheckpointSettings checkpoint = {};    // unused with colored mirrors
 };
 
-/// Of the transfer section of the file, and of the bake's rays (about half the directions of every vertex that needs
-/// any; with bounces also those that find closest hits).
+/// Bytes of the transfer section of the file, and number of rays of the bake: about half the directions of every vertex
+/// that needs rays and, with bounces, also the rays that find closest hits.
 struct PlanCost {
   std::int64_t bytes = 0;
   std::int64_t rays = 0;
 };
 
-/// Work and numbers that a bake leaves out, decided before it; prt/plan/plan.hpp decides.
+/// The work and the numbers that a bake leaves out. prt/plan/plan.hpp decides this before the bake.
 struct Plan {
   PlanRecord record;
-  std::vector<std::uint8_t> open;  // (vertices), or empty: 1 where nothing is in the way, so that no ray is traced
+  std::vector<std::uint8_t> open;  // (vertices), or empty: 1 if nothing blocks the vertex, so that it needs no rays
   Storage storage;
-  std::vector<float> largest;  // (bands^2) that the storage was chosen for; empty where it does not matter
-  double reference = 0.0;      // W m^-2 sr^-1; 0 where no error was asked for
-  double beyond = 0.0;  // bound on what bands of the lights above the asked degree, up to 10, would add; relative
+  std::vector<float> largest;  // (bands^2) largest numbers for which the storage was chosen; empty if irrelevant
+  double reference = 0.0;      // W m^-2 sr^-1; 0 if no error was requested
+  double beyond = 0.0;         // bound on the share of the lights' bands above the requested degree, up to 10; relative
   PlanCost asked;
   PlanCost planned;
 };
 
-/// A time in which the bake must be done, from the moment the job was described.
+/// The time limit of a bake; it starts when the job is described.
 struct BakeBudget {
   double seconds = 0.0;
   output::Stopwatch spent;
@@ -58,9 +59,9 @@ struct BakeJob {
   BakeJob(Scene the_scene, BakeSettings the_settings = {})
       : scene(std::move(the_scene)), settings(std::move(the_settings)) {}
 
-  Scene scene;  // `bake` is followed to the letter; `plan` says what may be left out of it
+  Scene scene;  // the bake follows `bake` exactly; `plan` says what it may leave out
   BakeSettings settings;
-  std::optional<Plan> plan;  // made already, and scene.bake follows it; else the bake begins with it
+  std::optional<Plan> plan;  // if set, scene.bake already follows it; else the bake starts by making it
   std::optional<BakeBudget> budget;
 };
 

@@ -1,6 +1,6 @@
-// The rays of a shadowed bake: chunks of vertices on all threads, results collected in place.
-// In: unshadowed transfer vectors. Out: shadowed ones, what became of the rays of every vertex and, where wanted, what
-// they hit. prt/bake/steps.hpp has the formula.
+// Traces the rays of a shadowed bake: chunks of vertices on all threads, with results collected in place. In:
+// unshadowed transfer vectors. Out: shadowed transfer vectors, the Sight of every vertex and, on request, the hits of
+// its rays. prt/bake/steps.hpp has the formula.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -16,7 +16,8 @@
 
 namespace sh::prt {
 
-/// Everything that rays of a bake need, for as long as form factors may be traced again. The scene must outlive it.
+/// Everything that the rays of a bake need. It lives as long as form factors may be traced again. The scene must
+/// outlive it.
 struct RaySetup {
   RaySetup(const Scene& scene, int threads, const std::string& instruction_set);
 
@@ -26,20 +27,21 @@ struct RaySetup {
   std::vector<RayStart> starts;
 };
 
-/// Replaces unshadowed vectors (count) by shadowed ones, f DU + (S - f S_all).
+/// Replaces an unshadowed vector (count) by the shadowed one, f DU + (S - f S_all).
 void control_with_unshadowed(const Gathered& seen, std::size_t count, float* transfer);
 
 class ShadowPass {
  public:
   /// `result` holds unshadowed vectors, which run() replaces; `open` as in Plan. All must outlive the pass.
   ShadowPass(const Mesh& mesh, const RaySetup& setup, const std::vector<std::uint8_t>& open, ShadowResult& result);
-  /// Traces all vertices but those that the checkpoint holds, and shows progress. Throws output::Interrupted, seen
-  /// before every vertex, when asked to stop.
+  /// Traces all vertices that the checkpoint does not hold, and shows progress. Before every vertex it throws
+  /// output::Interrupted if it is asked to stop.
   void run(Checkpoint& checkpoint);
-  /// The largest part of the cosine of a vertex, not black, that run() left out where it cut paths from mirror to
-  /// mirror.
+  /// The largest part of the cosine that run() lost at a vertex by cutting paths between mirrors. Black vertices do not
+  /// count.
   [[nodiscard]] double largest_cut() const { return largest_cut_; }
-  /// Traces the first of these vertices until the time is over, each in the same way; returns how many, at least one.
+  /// Traces these vertices in order, in the same way as run(), until the time is over. Returns how many were traced, at
+  /// least one.
   std::size_t sample(const std::vector<std::uint32_t>& vertices, double seconds);
 
  private:

@@ -1,4 +1,4 @@
-// One row of the form factors from the rays of one vertex.
+// Makes one row of the form factors from the rays of one vertex.
 #pragma once
 #include <vector>
 
@@ -9,11 +9,12 @@
 
 namespace sh::prt {
 
-/// Merges hits into rows; reusable buffers of one thread. Surfaces are one-sided: what a ray hits from behind is black.
+/// Merges hits into rows, with the reusable buffers of one thread. Surfaces are one-sided: a face that a ray hits from
+/// behind is black.
 class RowMerger {
  public:
   explicit RowMerger(const Mesh& mesh) : mesh_(mesh), sums_(mesh.positions.size(), 0.0) {}
-  /// The row of a vertex from the closest hits of its rays that were blocked.
+  /// Makes the row of a vertex from the closest hits of its blocked rays.
   FormFactorRow merge(const std::vector<BlockedRay>& closest);
 
  private:
@@ -22,7 +23,7 @@ class RowMerger {
   std::vector<std::uint32_t> touched_;
 };
 
-/// Traces the rows of vertices again. Everything passed in must outlive what is returned.
+/// Returns a function that traces the rows of vertices again. All arguments must outlive it.
 RowMaker make_row_maker(const Mesh& mesh, const std::vector<RayStart>& starts, const SharedDirections& directions,
                         const Tracer& tracer, const MirrorPaths& mirrors);
 

@@ -1,4 +1,4 @@
-// Unshadowed transfer (DU), in closed form: T_lm = A_l/pi Y_lm(n), A_l the clamped-cosine factors
+// Unshadowed transfer (DU) in closed form: T_lm = A_l/pi Y_lm(n), where A_l are the clamped-cosine factors
 // [RamamoorthiHanrahan01].
 #pragma once
 #include <Eigen/Core>
@@ -6,7 +6,8 @@
 
 namespace sh::prt {
 
-/// (normals, bands^2) for unit normals, 0 <= degree <= kMaxDegree; cosine and 1/pi, not the albedo.
+/// Returns (normals, bands^2) for unit normals, 0 <= degree <= kMaxDegree. The result holds the cosine and 1/pi, not
+/// the albedo.
 std::vector<float> unshadowed_transfer(int degree, const std::vector<Eigen::Vector3f>& normals);
 
 }  // namespace sh::prt

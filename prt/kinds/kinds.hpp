@@ -1,5 +1,5 @@
-// The kinds of transfer that there are. A new kind is a file of this folder like diffuse.cpp, a line here and one in
-// the list of kinds.cpp.
+// The kinds of transfer. A new kind needs a file like diffuse.cpp in this folder, a line here and a line in the list of
+// kinds.cpp.
 #pragma once
 #include <span>
 #include <string_view>
@@ -10,7 +10,7 @@
 namespace sh::prt {
 
 /// Diffuse surfaces [SloanKautzSnyder02]. Unshadowed (DU): every vertex sees its whole hemisphere. Shadowed (DS): rays
-/// decide. Interreflected (DI): what they hit reflects, any number of times.
+/// find the visible part. Interreflected (DI): light also bounces between the surfaces, any number of times.
 extern const TransferKind kUnshadowed;
 extern const TransferKind kShadowed;
 extern const TransferKind kInterreflected;
@@ -19,11 +19,11 @@ using TransferKinds = std::span<const TransferKind* const>;
 
 TransferKinds transfer_kinds();
 
-/// The kind with those letters or that word among `kinds`; null where there is none.
+/// The kind in `kinds` with these letters or this word; null if there is none.
 const TransferKind* kind_with_letters(std::string_view letters, TransferKinds kinds = transfer_kinds());
 const TransferKind* kind_called(std::string_view word, TransferKinds kinds = transfer_kinds());
 
-/// For command lines and messages: the letters or the words of all kinds, in order.
+/// The letters or the words of all kinds, in order, for command lines and messages.
 std::vector<std::string_view> kind_letters(TransferKinds kinds = transfer_kinds());
 std::vector<std::string_view> kind_words(TransferKinds kinds = transfer_kinds());
 

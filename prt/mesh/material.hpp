@@ -1,6 +1,6 @@
-// What surfaces are made of besides their diffuse colour, and what a scene says about it instead of a mesh file.
-// Light is radiance, W m^-2 sr^-1, linear RGB; reflectances are linear RGB in 0..1, albedo and mirror at most 1
-// together.
+// The materials of surfaces besides their diffuse color, and a scene's changes to the materials of a mesh file. Emitted
+// light is radiance, W m^-2 sr^-1, linear RGB. Reflectances are linear RGB in 0..1 (albedo, mirror); their sum is at
+// most 1.
 #pragma once
 #include <Eigen/Core>
 #include <map>
@@ -9,8 +9,8 @@
 
 namespace sh::prt {
 
-/// Of a face. A surface sends out `emission` on its front whatever falls on it, reflects the part `mirror` like a
-/// mirror and the part albedo diffusely.
+/// The finish of a face. The front of a surface always emits `emission`, reflects the part `mirror` like a mirror and
+/// reflects the part albedo diffusely.
 struct Finish {
   Eigen::Vector3f emission = Eigen::Vector3f::Zero();
   Eigen::Vector3f mirror = Eigen::Vector3f::Zero();
@@ -18,20 +18,20 @@ struct Finish {
   bool operator==(const Finish&) const = default;
 };
 
-/// How a surface reflects; who says one says both.
+/// The reflection of a surface; a scene sets both parts together.
 struct Reflection {
   Eigen::Vector3f albedo = Eigen::Vector3f::Zero();
   Eigen::Vector3f mirror = Eigen::Vector3f::Zero();
 };
 
-/// What is said replaces what the file says, its vertex colours too.
+/// A scene's changes to a material. Each value that is set replaces the one of the file, including its vertex colors.
 struct MaterialChange {
   std::optional<Reflection> reflection;
   std::optional<Eigen::Vector3f> emission;
   std::optional<bool> is_two_sided;
 };
 
-/// Of a whole file, and of its materials by name, which goes before.
+/// Changes to a whole file and to its materials by name; the changes by name have priority.
 struct MaterialChanges {
   MaterialChange all;
   std::map<std::string, MaterialChange> by_name;

@@ -1,4 +1,4 @@
-// Flaws of the input that can be mended: one line on standard error each, or, when strict, an error.
+// Flaws of the input that the program can mend: each prints one line on standard error or, in strict mode, is an error.
 #pragma once
 #include <string>
 
@@ -10,7 +10,7 @@ enum class OnFlaw { kMend, kRefuse };
 /// kMend: prints `warning: line` on standard error; kRefuse: throws std::runtime_error(line + why).
 void report_flaw(OnFlaw on_flaw, const std::string& line);
 
-/// What was found and may interest: prints `prt: line` on standard error.
+/// Reports something that may interest the user: prints `prt: line` on standard error.
 void report_found(const std::string& line);
 
 }  // namespace sh::prt

@@ -1,6 +1,5 @@
-// The mesh everything in prt/ works on: indexed triangles with what the baker needs at every vertex.
-// World axes: z up, right-handed; unit: whatever the scene uses (nothing here depends on it). Albedo is linear RGB in
-// 0..1.
+// The mesh that all of prt/ uses: indexed triangles with the data that the baker needs at every vertex. World axes: z
+// up, right-handed. Lengths have the unit of the scene (nothing here depends on it). Albedo is linear RGB in 0..1.
 #pragma once
 #include <Eigen/Core>
 #include <array>
@@ -12,10 +11,10 @@ namespace sh::prt {
 
 using Face = std::array<std::uint32_t, 3>;
 
-/// Triangles, counter-clockwise seen from outside. The vertex arrays have one length, but that emission
-/// and mirror are empty where there is none of it in the whole mesh; `remap` has one entry per
-/// vertex of the files the mesh came from, in the order of the scene (vertices a file repeats for other reasons than
-/// position and normal share one entry here); it is empty for a mesh made in code.
+/// Triangles, counterclockwise as seen from outside. All vertex arrays have one length, except that `emission` and
+/// `mirror` are empty if the whole mesh has none. `remap` has one entry for each vertex of the mesh files, in the order
+/// of the scene; several vertices of a file map to one vertex here if position, normal, albedo and finish agree. It is
+/// empty for a mesh made in code.
 struct Mesh {
   std::vector<Eigen::Vector3f> positions;
   std::vector<Eigen::Vector3f> normals;            // unit; shading: weighs the cosine

@@ -1,5 +1,5 @@
-// Shapes made in code. Each fits the unit cube centred at the origin, z up; faces counter-clockwise seen from outside.
-// Curved parts carry smooth normals, flat parts flat ones.
+// Shapes made in code. Each fits the unit cube centered at the origin, z up; faces are counterclockwise as seen from
+// outside. Curved parts have smooth normals, flat parts have flat normals.
 #pragma once
 #include <string>
 #include <string_view>
@@ -9,11 +9,11 @@
 
 namespace sh::prt {
 
-/// The names make_primitive knows: arch box cone cylinder plane sphere stairs torus.
+/// The names that make_primitive accepts: arch box cone cylinder plane sphere stairs torus.
 const std::vector<std::string>& primitive_names();
 
 /// The shape with linear RGB albedo 0.5, ready for transform() and weld(). `segments` is the number of sides of a full
-/// turn of the curved ones, at least 3. Throws std::invalid_argument for a name it does not know.
+/// turn of a curved shape, at least 3. Throws std::invalid_argument for an unknown name.
 Soup make_primitive(std::string_view name, int segments = 48);
 
 }  // namespace sh::prt

@@ -1,4 +1,4 @@
-// Triangles as a file or a generator gives them, before they are welded into a Mesh, and the checks they must pass.
+// Triangles from a file or a generator before they are welded into a Mesh, and the checks that they must pass.
 #pragma once
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -12,12 +12,13 @@
 
 namespace sh::prt {
 
-/// Vertices may repeat. `normals` is empty (then they are made) or as long as `positions`, as `albedo` is.
+/// Vertices may repeat. `normals` and `albedo` are as long as `positions`; `normals` may be empty, then they are
+/// computed.
 struct Soup {
   std::vector<Eigen::Vector3f> positions;
   std::vector<Eigen::Vector3f> normals;
   std::vector<Eigen::Vector3f> albedo;  // linear RGB
-  std::vector<Face> faces;              // counter-clockwise seen from outside
+  std::vector<Face> faces;              // counterclockwise as seen from outside
   std::vector<std::uint32_t> source;    // vertex of the file each vertex came from; empty: itself
   std::vector<std::uint32_t> finish;    // (faces) into `finishes`; empty: every face has the first
   std::vector<Finish> finishes{Finish{}};
@@ -25,26 +26,26 @@ struct Soup {
   [[nodiscard]] std::uint32_t finish_of(std::size_t face) const { return finish.empty() ? 0 : finish[face]; }
 };
 
-/// Points by the map, normals by its inverse transpose; a map that mirrors turns the faces around too.
+/// Maps points by `map` and normals by its inverse transpose. A map that mirrors also turns the faces around.
 void transform(Soup& soup, const Eigen::Affine3f& map);
 
-/// Throws std::runtime_error, one line that begins with `name`, for no vertices, no faces, a face that names a vertex
-/// that is not there, a NaN or infinite coordinate.
+/// Throws std::runtime_error, one line that begins with `name`, if there are no vertices or no faces, if a face names a
+/// missing vertex, or if a coordinate is NaN or infinite.
 void check(const Soup& soup, const std::string& name);
 
 /// Drops faces without area (to rounding); returns how many.
 std::size_t drop_faces_without_area(Soup& soup);
 
-/// Turns the whole around: what was behind is before.
+/// Turns all faces and normals around, so that the inside becomes the outside.
 void turn_inside_out(Soup& soup);
 
-/// Turns faces whose corners' normals, together, point behind them; returns how many. The soup has normals and passed
-/// check().
+/// Turns each face around if the sum of its corner normals points to its back; returns how many. Precondition: the soup
+/// has normals and passed check().
 std::size_t turn_faces_to_normals(Soup& soup);
 
-/// Normals that are missing, zero or not finite come from the faces. A soup without any gets a vertex per face corner:
-/// a corner's normal is the mean, by angle, of the faces around its position that meet its own face at no more than
-/// `crease_degrees`. Returns how many given normals were of no use.
+/// Computes normals that are missing, zero or not finite from the faces. A soup without any normals gets one vertex per
+/// face corner. The normal of a corner is the mean, weighted by angle, of the faces around its position that meet its
+/// own face at no more than `crease_degrees`. Returns how many given normals were unusable.
 std::size_t complete_normals(Soup& soup, float crease_degrees);
 
 }  // namespace sh::prt

@@ -1,4 +1,4 @@
-// Vectors by their bits: what tells welded vertices apart.
+// Vectors as bits, the keys by which welding compares vertices.
 #pragma once
 #include <Eigen/Core>
 #include <array>

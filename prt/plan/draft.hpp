@@ -1,4 +1,4 @@
-// A plan while it is made: facts about the scene, decisions so far, and the budget that is left.
+// A plan in progress: facts about the scene, the decisions so far, and the remaining budget.
 #pragma once
 #include <memory>
 #include <string>
@@ -17,46 +17,46 @@ struct Draft {
   const Scene& scene;
   const PlanOptions& options;
   const BakeOptions asked;
-  BakeOptions bake;  // as decided so far
+  BakeOptions bake;  // as lowered by the decisions so far
   std::vector<RayStart> starts;
   float albedo = 0.0F;  // the largest
   Plan plan;
   double left = 0.0;      // of the budget
-  double reserved = 0.0;  // of it, for directions
-  // Of a plan with a budget only:
+  double reserved = 0.0;  // part of `left` that is reserved for directions
+  // Only set for a plan with a budget:
   std::unique_ptr<TurningLight> light;  // of the asked degree
   std::unique_ptr<Probe> probe;
   ProbeRows rows;             // of the probe, along a few directions
   double mean_blocked = 0.0;  // of `rows`
-  double gain = 1.0;          // by bounces: 1 / (1 - albedo * most blocked), measured
+  double gain = 1.0;          // of radiance by bounces: 1 / (1 - albedo * most blocked), measured
 
   /// Makes the current request the baseline for savings.
   void start();
-  /// That part of the budget, of what is not reserved.
+  /// The fraction `part` of the unreserved budget.
   [[nodiscard]] double share(double part) const { return part * (left - reserved); }
-  /// The decision may be taken; else it is noted as not taken.
+  /// True if the user allows this decision; else notes it as not taken.
   bool takes(std::string_view name);
-  /// Notes a decision once bake, plan.open and plan.storage follow it, with its savings against before.
+  /// Records a decision and its savings. Call it after bake, plan.open and plan.storage have been changed.
   void decide(std::string_view name, std::string choice, std::string why, double error, std::string_view basis);
 
   [[nodiscard]] PlanCost cost() const;
-  /// Of a vertex's numbers as decided so far, and their count a channel.
+  /// The shape of a vertex's numbers after the decisions so far; count() is per channel.
   [[nodiscard]] TransferShape shape() const;
   [[nodiscard]] std::size_t count() const { return shape().count(); }
   [[nodiscard]] std::size_t traced() const;  // vertices that need rays
   [[nodiscard]] bool has_mirrors() const { return !scene.mesh.mirror.empty(); }
   [[nodiscard]] bool shines() const { return !scene.mesh.emission.empty(); }
-  /// Relative error of numbers off by at most e (bands^2 of the asked degree), albedo 1 assumed in them.
+  /// The relative error if the numbers are off by at most e (bands^2 of the requested degree); e assumes albedo 1.
   [[nodiscard]] double error_of(const std::vector<double>& e) const;
-  /// RMS over the probe of the relative exit radiance that a part of each vertex's vector makes; parts (vertices of the
-  /// probe, bands^2 of the asked degree), without albedo.
+  /// The RMS over the probe of the relative exit radiance that a part of each vertex's vector causes. parts (vertices
+  /// of the probe, bands^2 of the requested degree), without albedo.
   [[nodiscard]] double error_on_probe(const std::vector<float>& parts) const;
 
  private:
   PlanCost before_;
 };
 
-/// Measured numbers are of a probe: they are taken this much larger.
+/// The safety factor on errors that are measured on a probe.
 inline constexpr double kProbeMargin = 1.25;
 
 // The decisions, in the order in which they are taken.
@@ -66,7 +66,7 @@ void decide_channels(Draft& draft);
 void decide_bands(Draft& draft);
 void decide_symmetry(Draft& draft);
 void decide_storage(Draft& draft);
-/// What the asked number of directions costs by itself, for the budget to set aside; throws where it is too much.
+/// The error of the requested number of directions alone, which the budget reserves; throws if it exceeds the budget.
 double floor_of_directions(Draft& draft);
 void decide_directions(Draft& draft);
 

@@ -1,4 +1,4 @@
-// A plan for people and for programs.
+// A plan as text and as JSON.
 #pragma once
 #include <nlohmann/json_fwd.hpp>
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace sh::prt {
 
-/// A table, a row a decision with its reason below it; of a job that is planned.
+/// A table with one row for each decision and its reason below it. Precondition: the job has a plan.
 std::string plan_text(const BakeJob& job);
 
 nlohmann::ordered_json plan_json(const BakeJob& job);

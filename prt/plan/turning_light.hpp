@@ -1,8 +1,9 @@
-// The declared lights in all orientations that are allowed: how much a part of a transfer vector can matter under them.
-// A rotation of the light mixes coefficients only within groups and keeps each group's norm: the orders of a band for
-// any rotation, the orders m and -m of a band for one about z, each coefficient its own where the light stays. So
+// The declared lights in all allowed orientations, and bounds on the effect of a part of a transfer vector under them.
+// A rotation of the light mixes coefficients only within groups and keeps the norm of each group. The groups are all
+// orders of a band for any rotation, the orders m and -m of a band for a rotation about z, and single coefficients if
+// the light does not turn. Therefore
 //   |sum_i t_i (R L)_i| <= sum over groups |t_g| |L_g|       (Cauchy-Schwarz in every group),
-// for all R allowed at once; where the light stays the sum itself is used.
+// for all allowed R at once. If the light does not turn, the sum itself is used.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -17,13 +18,13 @@ class TurningLight {
  public:
   TurningLight(LightCoefficients light, LightTurns turns);
 
-  /// Largest |sum_i t_i L_i| of a channel; t (bands^2).
+  /// The largest |sum_i t_i L_i| of a channel over all orientations; t (bands^2).
   [[nodiscard]] double largest_product(std::size_t channel, const std::vector<double>& t) const;
-  /// The same for numbers of any sign, each at most e_i >= 0.
+  /// The same for unknown t with |t_i| <= e_i.
   [[nodiscard]] double largest_product_of_errors(std::size_t channel, const std::vector<double>& e) const;
   /// Indices of the groups in which any channel has more than a rounding error of its largest coefficient.
   [[nodiscard]] std::vector<std::uint32_t> needed() const;
-  /// |L_l| of a channel, the same for any rotation.
+  /// The norm |L_l| of a channel; rotations do not change it.
   [[nodiscard]] double band_norm(std::size_t channel, int l) const;
 
   [[nodiscard]] const LightCoefficients& coefficients() const { return light_; }

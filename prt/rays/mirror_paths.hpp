@@ -1,8 +1,8 @@
-// Rays that mirrors send on: the [S]* paths of [SloanKautzSnyder02], section 5.
-// A ray that meets the front of a mirror goes on in the mirrored direction, with the reflectance on its account; about
-// the interpolated normal, or the face's where that would lead into the surface. What else the surface does, diffusely
-// or of its own, is met where the ray meets it. Paths end after kMostMirrors mirrors or where no channel of their
-// throughput reaches kLeastThroughput: what is left out is at most the throughput times what is there.
+// Rays that mirrors reflect: the [S]* paths of [SloanKautzSnyder02], section 5.
+// A ray that meets the front of a mirror continues in the mirrored direction, and its throughput is multiplied by the
+// reflectance. It is mirrored about the interpolated normal, or about the face normal if the path would otherwise enter
+// the surface. Paths end after kMostMirrors mirrors or when no channel of their throughput reaches kLeastThroughput.
+// The error of this cut is at most the throughput times the radiance that the path would have met.
 #pragma once
 #include <Eigen/Core>
 #include <cstdint>
@@ -13,15 +13,15 @@
 
 namespace sh::prt {
 
-/// A straight part of a path, from where it begins or from a mirror to what it meets.
+/// A straight part of a path. It starts at the origin of the path or at a mirror and ends at its hit.
 struct Leg {
   Eigen::Vector3f origin;
   Eigen::Vector3f direction;
-  Hit hit;                                               // kNothing: it leaves the scene
-  std::uint32_t ray = 0;                                 // which of the rays it is a part of
-  std::uint32_t mirrors = 0;                             // before it on its path
-  Eigen::Vector3f throughput = Eigen::Vector3f::Ones();  // product of their reflectances
-  bool is_cut = false;                                   // it ends on a mirror, where it would go on
+  Hit hit;                                               // kNothing: the path leaves the scene
+  std::uint32_t ray = 0;                                 // index of the ray that this leg belongs to
+  std::uint32_t mirrors = 0;                             // number of mirrors before this leg on its path
+  Eigen::Vector3f throughput = Eigen::Vector3f::Ones();  // product of the reflectances
+  bool is_cut = false;                                   // the path is cut at a mirror
 };
 
 class MirrorPaths {
@@ -29,10 +29,10 @@ class MirrorPaths {
   static constexpr std::uint32_t kMostMirrors = 64;
   static constexpr float kLeastThroughput = 1e-4F;
 
-  /// Both must outlive it.
+  /// Mesh and tracer must outlive this object.
   MirrorPaths(const Mesh& mesh, const Tracer& tracer) : mesh_(mesh), tracer_(tracer) {}
   [[nodiscard]] bool any() const { return !mesh_.mirror.empty(); }
-  /// `legs` holds the first of each path; the others are appended.
+  /// `legs` holds the first leg of each path; follow() appends the other legs.
   void follow(std::vector<Leg>& legs) const;
 
  private:

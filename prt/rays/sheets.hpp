@@ -1,5 +1,5 @@
-// Faces that coincide and are turned opposite ways: the two sides of a sheet. Both lie at the same distance along every
-// ray, so rays know one of them, and the side that is met is told from the direction afterwards.
+// Sheets: pairs of coinciding faces with opposite orientation. Both faces are at the same distance along every ray.
+// Rays therefore test only one of them, and the ray's direction then tells which side is hit.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -20,12 +20,12 @@ struct Hit {
 class Sheets {
  public:
   Sheets() = default;
-  /// Finds pairs by the bits of their corners' positions; a face is in one pair at most.
+  /// Finds pairs by the bits of the corner positions; a face belongs to one pair at most.
   explicit Sheets(const Mesh& mesh);
   [[nodiscard]] bool any() const { return !fronts_.empty(); }
-  /// The faces that rays shall know: all but the later one of each pair.
+  /// The faces that rays test: all except the later one of each pair.
   [[nodiscard]] std::vector<Face> without_backs(const std::vector<Face>& faces) const;
-  /// Turns the number of a face that rays know into that of the mesh, or of the other side, where `from_behind`.
+  /// Replaces the index of a tested face by its index in the mesh, or by the index of its other side if `from_behind`.
   void face_ray(bool from_behind, Hit& hit) const;
 
  private:
@@ -35,7 +35,7 @@ class Sheets {
     std::uint32_t turn;  // corner k of the back is corner (turn - k) mod 3 of the front
   };
   static constexpr std::uint32_t kNoFace = 0xFFFFFFFFU;
-  std::vector<Front> fronts_;  // in the order that rays know; empty where there is no pair
+  std::vector<Front> fronts_;  // in the order of the tested faces; empty if there is no pair
 };
 
 }  // namespace sh::prt

@@ -1,5 +1,5 @@
-// Rays against a mesh: a thin wrapper, the only place that knows Embree.
-// Embree 4 has no stream calls; the two calls of tracer.cpp that use them are where packets would take their place.
+// Traces rays against a mesh: a thin wrapper, the only place that knows Embree. Embree 4 has no stream calls; packets
+// would replace the two stream calls in tracer.cpp.
 #pragma once
 #include <Eigen/Core>
 #include <cstddef>
@@ -14,13 +14,13 @@
 
 namespace sh::prt {
 
-/// A ray that only asks whether anything is in its way. Laid out as the tracer reads it, so that no copy is made.
+/// A ray that only asks whether anything blocks it. It has Embree's memory layout, so that no copy is made.
 struct alignas(16) ShadowRay {
   Eigen::Matrix<float, 3, 1, Eigen::DontAlign> origin;
   float near = 0.0F;
   Eigen::Matrix<float, 3, 1, Eigen::DontAlign> direction;
   float time = 0.0F;
-  float far = std::numeric_limits<float>::infinity();  // the tracer writes -infinity: something is in the way
+  float far = std::numeric_limits<float>::infinity();  // the tracer writes -infinity if something blocks the ray
   std::uint32_t mask = 0xFFFFFFFFU;
   std::uint32_t id = 0;
   std::uint32_t flags = 0;
@@ -33,13 +33,13 @@ struct alignas(16) ShadowRay {
   [[nodiscard]] bool blocked() const { return far < 0.0F; }
 };
 
-/// A mesh ready for rays. Of two faces that coincide and are turned opposite ways, the sides of one sheet, a ray hits
-/// the one that faces it. Const calls may come from any thread. The mesh may go away after construction.
+/// A mesh ready for rays. If two faces coincide with opposite orientation (the sides of one sheet), a ray hits the one
+/// that faces it. Const calls may come from any thread. The tracer does not refer to the mesh after construction.
 class Tracer {
  public:
-  /// `threads` for building the tree, 0 takes every core; `instruction_set` is sse4.2, avx, avx2 or avx512, empty takes
-  /// the best up to avx2 that the processor has. Throws std::invalid_argument for an instruction set that is unknown or
-  /// not there, std::runtime_error when Embree refuses.
+  /// Builds the tree with `threads` threads; 0 uses every core. `instruction_set` is sse4.2, avx, avx2 or avx512; empty
+  /// selects the best up to avx2 that the processor has. Throws std::invalid_argument for an unknown or unsupported
+  /// instruction set, std::runtime_error if Embree reports an error.
   explicit Tracer(const Mesh& mesh, int threads = 0, const std::string& instruction_set = "");
   ~Tracer();
   Tracer(const Tracer&) = delete;
@@ -52,10 +52,10 @@ class Tracer {
   /// Sets `far` of the rays that hit anything to -infinity.
   void occluded(std::span<ShadowRay> rays) const;
 
-  /// The one the rays run on: its bits are reproducible on every machine that has it.
+  /// The instruction set in use: results have the same bits on every machine that has it.
   [[nodiscard]] const std::string& instruction_set() const;
 
-  /// How many rays were traced so far, of both sorts.
+  /// The number of rays of both types that were traced so far.
   [[nodiscard]] std::uint64_t rays() const;
 
  private:

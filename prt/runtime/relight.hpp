@@ -1,11 +1,11 @@
-// Relighting: baked transfer vectors times a light's coefficients, several ways [Green 2003, "Rendering SH Diffuse
-// Surfaces"]. All run on the rows as they lie in the transfer file (prt/runtime/row_products.hpp), in parallel, with
-// the same bits on every machine and for any number of threads. Single precision.
-//   a light of every colour        relight: three sums a vertex
+// Relighting: multiplies baked transfer vectors by the coefficients of a light, in several ways [Green 2003, "Rendering
+// SH Diffuse Surfaces"]. All ways read the rows in the order of the transfer file (prt/runtime/row_products.hpp), run
+// in parallel and give the same bits on every machine and for any number of threads. Single precision.
+//   a light of any color           relight: three sums a vertex
 //   white light                    relight under a light whose channels are equal: one sum a vertex, the same bits
-//   recoloured                     any colour a vertex in place of the albedo: recoloured
-//   grey                           one number a vertex, no colour: relight_grey
-//   4 coefficients                 any of them under a light of degree 1: the transfer's higher bands are left out
+//   recolored                      any color a vertex in place of the albedo: recoloured
+//   gray                           one number a vertex, no color: relight_grey
+//   4 coefficients                 any of these under a light of degree 1, which ignores the transfer's higher bands
 #pragma once
 #include <Eigen/Core>
 #include <span>
@@ -17,31 +17,32 @@
 
 namespace sh::prt {
 
-/// Throws std::invalid_argument where a coefficient of the light, of the transfer's degree, is more than a rounding of
-/// its largest (1e-6) and the transfer was stored without what it multiplies.
+/// Throws std::invalid_argument if the light needs a column that the transfer was stored without: a coefficient of the
+/// light there is larger than rounding (1e-6 of the light's largest coefficient). The light has the degree of the
+/// transfer.
 void require_kept(const Transfer& transfer, const LightCoefficients& light);
 
 /// Exit radiance per vertex, (vertices), linear RGB, W m^-2 sr^-1, as transfer.hpp says; slightly negative where a
-/// band-limited light rings. A light of lower degree than the transfer has nothing in the bands above. Throws
-/// std::invalid_argument where the light's degree is higher.
+/// band-limited light rings. A light of lower degree than the transfer is zero in the bands above. Throws
+/// std::invalid_argument if the light has a higher degree.
 std::vector<Eigen::Vector3f> relight(const Transfer& transfer, const LightCoefficients& light);
 
-/// The same into memory that is there, without allocating; also where `radiance` does not have one entry a vertex,
-/// throws std::invalid_argument.
+/// The same, but writes into `radiance` and allocates nothing. Also throws std::invalid_argument unless `radiance` has
+/// one entry a vertex.
 void relight_into(const Transfer& transfer, const LightCoefficients& light, std::span<Eigen::Vector3f> radiance);
 
-/// The same with `colours`, (vertices), in place of the albedo: under white light one sum a vertex times any colour.
-/// Throws std::invalid_argument also for transfer with bounces, which holds its albedo, and for other than one colour a
-/// vertex.
+/// The same with `colours`, (vertices), in place of the albedo: white light needs one sum a vertex, whatever the
+/// colors. Also throws std::invalid_argument for transfer with bounces, which holds its albedo, and unless there is one
+/// color a vertex.
 std::vector<Eigen::Vector3f> recoloured(const Transfer& transfer, const LightCoefficients& light,
                                         std::span<const Eigen::Vector3f> colours);
 
-/// One vertex of the above, the same bits, where every vertex has a light of its own.
+/// The same for one vertex, with the same bits, for callers whose vertices have different lights.
 Eigen::Vector3f relight_vertex(const Transfer& transfer, std::size_t vertex, const LightCoefficients& light,
                                const Eigen::Vector3f& colour);
 
-/// sum_i T_i L_i alone, (vertices), for the first channel of the light: what white surfaces send out that do not shine.
-/// Throws as `recoloured` does.
+/// sum_i T_i L_i alone, (vertices), for the first channel of the light: the exit radiance of white surfaces without
+/// emission. Throws for the same reasons as `recoloured`.
 std::vector<float> relight_grey(const Transfer& transfer, const LightCoefficients& light);
 
 /// The light with its luminance (Rec. 709) in every channel.

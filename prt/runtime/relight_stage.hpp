@@ -1,10 +1,11 @@
-// Several rigidly moving objects under one light. Each meets the light turned by the inverse of its own rotation
-// (rotating the light is rotating the object) and without the caps that the bounding spheres of the others cover as
-// seen from its centre or, where it asks for that, from each of its vertices (prt/light/proxy_shadow.hpp).
+// Relights several rigidly moving objects under one light. Each object takes the light turned by the inverse of its own
+// rotation. The bounding spheres of the other objects cover caps of this light (prt/light/proxy_shadow.hpp). The caps
+// are seen from the center of the object or, if the object asks for it, from each of its vertices.
 //
-// Approximations: the light is as far away for one object as for the other; an object blocks as its sphere would,
-// and no light goes from one object to another; with one light for the whole object, a shadow falls on all of it alike.
-// Inside another's sphere, as where objects touch, half of the sphere of directions is covered, and overlaps() says so.
+// Approximations: the light is equally far away from all objects. An object blocks light like its sphere. No light goes
+// from one object to another. With one light for the whole object, a shadow falls evenly on all of it. A point inside
+// the sphere of another object, for instance where objects touch, has half of its directions covered; overlaps()
+// reports it.
 #pragma once
 #include <Eigen/Core>
 #include <functional>
@@ -17,17 +18,17 @@
 
 namespace sh::prt {
 
-/// The light, given in world axes and turned by `light_turn`, as object `index` meets it at its proxy's centre: in the
-/// object's own axes. An object alone with the identity as rotation meets every bit of it.
+/// The light at the proxy's center of object `index`, in the axes of the object. `light` is in world axes and is first
+/// turned by `light_turn`. A single object whose rotation is the identity gets the same bits back.
 LightCoefficients light_at_object(const Stage& stage, const std::vector<Pose>& poses, std::size_t index,
                                   const LightCoefficients& light, const Eigen::Matrix3d& light_turn);
 
-/// Lines for people about objects whose centres, where light is gathered once, lie inside the sphere of another.
+/// Messages for users about objects that gather light once, at a center that lies inside the sphere of another object.
 std::vector<std::string> overlaps(const Stage& stage, const std::vector<Pose>& poses);
 
 std::vector<Pose> poses_at(const Stage& stage, double time);
 
-/// All objects as one mesh in world axes; a single one with the identity as pose is its own mesh, bit by bit.
+/// All objects as one mesh in world axes. A single object whose pose is the identity keeps every bit of its mesh.
 Mesh merged_mesh(const Stage& stage, const std::vector<Pose>& poses);
 
 /// Relights a stage at any time. The stage must outlive it.

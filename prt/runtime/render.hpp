@@ -1,4 +1,4 @@
-// A picture of a mesh whose vertices have exit radiances: primary rays, barycentric interpolation, the light behind.
+// Renders a mesh with exit radiance per vertex: primary rays, barycentric interpolation, and the light as background.
 #pragma once
 #include <Eigen/Core>
 #include <functional>
@@ -22,12 +22,12 @@ struct Picture {
   [[nodiscard]] std::vector<Eigen::Vector3f> covered() const;
 };
 
-/// What a ray that hits nothing sees: radiance towards a unit direction.
+/// The radiance that a ray in this unit direction sees if it hits nothing.
 using Background = std::function<Eigen::Vector3f(const Eigen::Vector3f& direction)>;
 
-/// `vertex_radiance` (vertices) comes from relight(). Mirrors show what their paths end on. The same bits for any
-/// number of threads. `what` is shown as progress on standard error. Throws std::invalid_argument for a camera or size
-/// that cannot be used.
+/// `vertex_radiance` (vertices) comes from relight(). Mirrors show the surface at which their paths end. The same bits
+/// for any number of threads. Progress on standard error is labeled `what`. Throws std::invalid_argument for an
+/// unusable camera or size.
 Picture render(const Mesh& mesh, const Tracer& tracer, const std::vector<Eigen::Vector3f>& vertex_radiance,
                const Camera& camera, const PictureSize& size, const Background& background, const std::string& what);
 

@@ -1,9 +1,9 @@
-// The inner loop of relighting: rows of transfer coefficients as they lie in memory, times a light, times a colour.
+// The inner loop of relighting: rows of transfer coefficients, in their order in memory, times a light, times a color.
 //
-// Lanes are vertices: rows pass through registers and are transposed there. Every sum runs over the coefficients in
-// their order, beginning with 0, one multiplication and one addition each, without contraction: the bits are those of
-// the plain loop, on every instruction set, for any number of threads and wherever the rows are split.
-// There is one copy for each instruction set (row_products.cpp), chosen when the program runs
+// Lanes are vertices: rows pass through registers and are transposed there. Every sum starts with 0 and runs over the
+// coefficients in their order, with one multiplication and one addition each and without contraction. The bits are
+// those of the plain loop on every instruction set, for any number of threads and any split of the rows.
+// Each instruction set has its own copy (row_products.cpp); the program chooses one at run time
 // (row_products_choice.cpp).
 #pragma once
 #include <cstddef>
@@ -12,7 +12,7 @@
 
 namespace sh::prt {
 
-/// Rows, a light, and which of them meet: sum s of a vertex is
+/// The rows, the light and the steps between their channels. Sum s of a vertex is
 ///   sum_i transfer[vertex stride + s transfer_step + i] light[s light_step + i], i = 0 .. coefficients - 1.
 struct RowProducts {
   const float* transfer = nullptr;  // of the first vertex
@@ -24,14 +24,15 @@ struct RowProducts {
   std::size_t sums = 3;          // a vertex: 1 or 3; 3 where a step is not 0
 };
 
-/// `count` vertices with three values each, out[3v + c] = sum c (or the only one) times colour[3v + c]; without colour
-/// (null) the sum itself. `out` overlaps nothing.
+/// Writes three values for each of `count` vertices: out[3v + c] = sum c (or the only sum) times colour[3v + c]. If
+/// `colour` is null, the value is the sum itself. `out` overlaps nothing.
 void colour_products(const RowProducts& rows, std::size_t count, const float* colour, float* out);
 
-/// `count` vertices with one value each, their only sum.
+/// Writes one value for each of `count` vertices: its only sum.
 void grey_products(const RowProducts& rows, std::size_t count, float* out);
 
-/// The two on one instruction set, for comparisons; all that this machine has, the one in use last.
+/// Both functions on one instruction set, for comparisons. row_products_here() lists all sets of this machine; the last
+/// one is in use.
 struct RowProductsOn {
   std::string_view instruction_set;
   void (*colour)(const RowProducts& rows, std::size_t count, const float* colour, float* out);

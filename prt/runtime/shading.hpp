@@ -1,4 +1,4 @@
-// Choices of a user who relights: how many bands, white light, other albedo.
+// The user's choices for relighting: the number of bands, white light, another albedo.
 #pragma once
 #include <Eigen/Core>
 #include <vector>
@@ -13,15 +13,15 @@ struct Shading {
   bool white = false;           // the light's luminance in every channel
   std::vector<float> recolour;  // linear RGB albedo in place of the transfer's; empty: that one
 
-  /// Throws std::invalid_argument where a choice does not fit the transfer, or the degree is above `highest`.
+  /// Throws std::invalid_argument if a choice does not fit the transfer, or if the degree is above `highest`.
   void require_fit(const Transfer& transfer, int highest) const;
-  /// The degree that the light needs for a transfer of that degree.
+  /// The degree that the light needs for a transfer of this degree.
   [[nodiscard]] int degree_for(int transfer_degree) const;
-  /// A light of that degree as chosen.
+  /// Applies the choices to a light of that degree.
   [[nodiscard]] LightCoefficients chosen(const LightCoefficients& light) const;
-  /// Exit radiance, (vertices), under what `chosen` gave, turned or shadowed at will.
+  /// Exit radiance, (vertices), under a light from `chosen`, which may be turned or shadowed afterwards.
   [[nodiscard]] std::vector<Eigen::Vector3f> shade(const Transfer& transfer, const LightCoefficients& light) const;
-  /// That of one vertex, the same bits, not with bounces.
+  /// The same for one vertex, with the same bits; not for transfer with bounces.
   [[nodiscard]] Eigen::Vector3f shade_vertex(const Transfer& transfer, std::size_t vertex,
                                              const LightCoefficients& light) const;
 };

@@ -1,4 +1,4 @@
-// Vertex shaders that relight: the text of prt/shaders with the generated functions pasted in, complete as it is.
+// Vertex shaders that relight: the text of prt/shaders with the generated functions pasted in. The result is complete.
 #pragma once
 #include <string>
 
@@ -8,8 +8,8 @@ namespace sh::prt {
 
 enum class ShaderLanguage { kGlsl450, kEs300 };
 
-/// Unshadowed takes normals, the others the transfer file's rows (those of an unshadowed file too, as shadowed). Throws
-/// std::invalid_argument unless 0 <= degree <= kMaxDegree.
+/// The shader of unshadowed transfer reads normals. The other shaders read the rows of the transfer file; the shadowed
+/// one also reads the rows of an unshadowed file. Throws std::invalid_argument unless 0 <= degree <= kMaxDegree.
 std::string vertex_shader(const TransferKind& kind, int degree, bool white, ShaderLanguage language);
 
 }  // namespace sh::prt

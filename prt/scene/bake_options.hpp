@@ -1,4 +1,4 @@
-// The settings that a scene asks of its bake.
+// The bake settings of a scene.
 #pragma once
 #include <chrono>
 #include <cstdint>
@@ -7,14 +7,14 @@
 
 namespace sh::prt {
 
-/// How the light that bounces is solved for; prt/bake/bounces.hpp has the methods.
+/// The solver for the light that bounces; prt/bake/bounces.hpp describes the methods.
 enum class BounceSolver { kAutomatic, kSeries, kKrylov };
 
 struct BounceOptions {
-  double tolerance = 1e-4;  // certified error of any number, over the largest number in the solution
+  double tolerance = 1e-4;  // certified error of any number, relative to the largest number in the solution
   BounceSolver solver = BounceSolver::kAutomatic;
-  int most_applications = 1000;  // of K; then the result says that it is not certified
-  /// No application begins later: the bound that is certified then may be above the tolerance.
+  int most_applications = 1000;  // of K; beyond this limit the result is marked as not certified
+  /// No application begins after this time; the certified bound may then be above the tolerance.
   std::chrono::steady_clock::time_point deadline = std::chrono::steady_clock::time_point::max();
 };
 

@@ -1,5 +1,5 @@
-// Cameras: the place of a picture, its size, a default for a mesh without a scene, and turns from picture to picture of
-// a sequence.
+// Cameras: position, picture size, a default camera for a mesh without a scene, and turntables for sequences of
+// pictures.
 #pragma once
 #include <Eigen/Core>
 
@@ -22,21 +22,21 @@ struct PictureSize {
   int samples = 16;
 };
 
-/// Looks at the middle of the mesh from the front (-y), right and above, from where its bounding sphere fits the
-/// picture.
+/// A camera that looks at the center of the mesh from the front (-y), right and above, at a distance at which the
+/// bounding sphere fits the picture.
 Camera default_camera(const Mesh& mesh, const PictureSize& size);
 
-/// The light about +z; the camera about the vertical through its target; or everything that is seen about that
-/// vertical, under a light at rest.
+/// What turns in a sequence. kLight: the light, about +z. kCamera: the camera, about the vertical through its target.
+/// kObject: all visible objects, about that vertical, under a light at rest.
 enum class Turntable { kNone, kLight, kCamera, kObject };
 
-/// The camera and the rotation of the light, both in the axes of what is seen: that never moves itself.
+/// The camera and the rotation of the light, both in the axes of the mesh; the mesh itself never moves.
 struct View {
   Camera camera;
   Eigen::Matrix3d light_turn = Eigen::Matrix3d::Identity();
 };
 
-/// After a part of a full turn, right-handed about +z. At time 0 the camera is the given one, the light as it is.
+/// The view after the part `time` of a full turn, right-handed about +z. At time 0 camera and light are unchanged.
 View view_at(Turntable turntable, const Camera& camera, double time);
 
 }  // namespace sh::prt

@@ -1,4 +1,4 @@
-// A JSON value with its path in its file, so that whatever is wrong with it can be named:
+// A JSON value with its path in its file, so that error messages can name the place:
 //   scene.json: /meshes/0/max_edge: expected a positive number, got "x"
 #pragma once
 #include <Eigen/Core>
@@ -13,21 +13,21 @@
 
 namespace sh::prt {
 
-/// Parses a file; throws std::runtime_error with one line for one that is missing or not JSON.
+/// Parses a file; throws std::runtime_error with one line if it is missing or not JSON.
 nlohmann::json read_json(const std::string& file);
 
-/// Each reader throws std::runtime_error, one line `file: path: expected ..., got ...`. Copies refer to the same
-/// document, which must outlive them.
+/// All member functions that read throw std::runtime_error with one line, `file: path: expected ..., got ...`. Copies
+/// refer to the same document, which must outlive them.
 class JsonReader {
  public:
   JsonReader(const std::string& file, const nlohmann::json& value) : file_(&file), value_(&value) {}
 
-  /// Refuses anything but an object with no other keys than these.
+  /// Refuses a value that is not an object, and an object with any other key.
   void allow(std::initializer_list<std::string_view> keys) const;
-  /// Empty where an object has no such key.
+  /// The value of the key; empty if the object has no such key.
   [[nodiscard]] std::optional<JsonReader> find(std::string_view key) const;
   [[nodiscard]] JsonReader at(std::string_view key) const;
-  /// Replaces `to` by read(value, arguments...) where an object has that key.
+  /// Replaces `to` by read(value, arguments...) if the object has this key.
   template <class T, class Read, class... Arguments>
   void take(std::string_view key, T& to, const Read& read, const Arguments&... arguments) const {
     if (const auto value = find(key)) to = static_cast<T>(std::invoke(read, *value, arguments...));
@@ -42,7 +42,7 @@ class JsonReader {
   [[nodiscard]] std::string text() const;
   [[nodiscard]] std::string one_of(const std::vector<std::string_view>& words) const;
   [[nodiscard]] double number(double least, double most, std::string_view expected) const;
-  /// An angle; one that is a multiple of pi / 12 to four digits is taken for radians, and refused.
+  /// An angle in degrees. A value that is a multiple of pi / 12 to four digits is probably in radians and is refused.
   [[nodiscard]] double degrees(double least, double most) const;
   [[nodiscard]] float finite() const;
   [[nodiscard]] float positive() const;

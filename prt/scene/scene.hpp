@@ -1,5 +1,5 @@
-// A scene: mesh, lights, camera and bake options, from a JSON file or, by the words `demo` and `disc`, made in code.
-// World axes: z up, right-handed. The JSON keys stand in prt/README.md.
+// A scene: mesh, lights, camera and bake options. It comes from a JSON file, or from code for the names `demo` and
+// `disc`. World axes: z up, right-handed. prt/README.md lists the JSON keys.
 #pragma once
 #include <Eigen/Core>
 #include <optional>
@@ -16,7 +16,7 @@
 
 namespace sh::prt {
 
-/// A disc over the origin that faces straight up, over a ground z = 0: prt/study/exact.hpp has its transfer vectors.
+/// A disc above the origin that faces straight up, over a ground z = 0; prt/study/exact.hpp has its transfer vectors.
 struct Disc {
   float radius;
   float height;
@@ -28,13 +28,13 @@ struct Scene {
   std::vector<LightSpec> lights;
   Camera camera;
   BakeOptions bake;
-  PlanOptions plan;          // none of a scene made in code, lossy where the file has one, else exact
-  std::optional<Disc> disc;  // of the scene `disc`
+  PlanOptions plan;          // made in code: none; from a file: lossy if the file has a plan, else exact
+  std::optional<Disc> disc;  // only in the scene `disc`
 };
 
-/// The scene in the JSON file `scene`, or an embedded one for the words `demo` and `disc`. Meshes are loaded, welded
-/// and split; light files are only named. Flaws that can be mended are counted and reported once each through
-/// `on_flaw`. Throws std::runtime_error with one line that names file and JSON path.
+/// Loads the scene in the JSON file `scene`, or an embedded scene for `demo` and `disc`. Meshes are loaded, welded and
+/// split; light files are not loaded yet. Each kind of mended flaw is counted and reported once through `on_flaw`.
+/// Throws std::runtime_error with one line that names file and JSON path.
 Scene load_scene(const std::string& scene, OnFlaw on_flaw);
 
 }  // namespace sh::prt

@@ -1,4 +1,4 @@
-// The parts of a scene file, each read by one function. prt/README.md lists the keys.
+// Reads the parts of a scene file, one function for each part. prt/README.md lists the keys.
 #pragma once
 #include <string>
 #include <vector>
@@ -13,7 +13,7 @@
 
 namespace sh::prt {
 
-/// A file that a scene names, found beside the folder of the scene.
+/// The path of `file`, which is relative to `folder`, the folder of the scene.
 std::string beside(const std::string& folder, const std::string& file);
 
 /// A rotation, right-handed about a unit axis.
@@ -22,7 +22,7 @@ struct Turn {
   float degrees = 0.0F;
 };
 
-/// {"axis": [x, y, z], "degrees": d}; the axis is z unless given.
+/// Reads {"axis": [x, y, z], "degrees": d}; the default axis is z.
 Turn read_turn(const JsonReader& reader);
 
 /// A square of flat ground under the meshes.
@@ -33,31 +33,32 @@ struct Ground {
   Eigen::Vector3f albedo = Eigen::Vector3f::Constant(0.5F);
 };
 
-/// What is left out is derived from the meshes: just below them (by 1/10000 of their extent, so that no face of theirs
-/// coincides with it), four times as wide, edges of 1/50 of their extent.
+/// The defaults, which depend on the meshes: the ground is below them by 1/10000 of their extent (so that it coincides
+/// with no face), four times as wide, and has edges of 1/50 of their extent.
 Ground default_ground(const Mesh& mesh);
 void add_ground(Mesh& mesh, const Ground& ground);
 
-/// One entry of `meshes`, in world axes, checked, welded and split. Relative files are found beside `folder`.
+/// Reads one entry of `meshes`: a mesh in world axes, checked, welded and split. Relative paths start in `folder`.
 Mesh read_mesh(const JsonReader& reader, const std::string& folder, OnFlaw on_flaw);
-/// The keys albedo, mirror, emission, sides and materials of such an entry.
+/// Reads the keys albedo, mirror, emission, sides and materials of such an entry.
 MaterialChanges read_materials(const JsonReader& mesh);
-/// Refuses `materials` that the mesh does not have.
+/// Refuses names in `materials` that the mesh does not have.
 void check_material_names(const JsonReader& mesh, const std::vector<std::string>& known);
 Ground read_ground(const JsonReader& reader, const Mesh& mesh);
-/// One entry of `lights`; what it names is not loaded yet.
+/// Reads one entry of `lights`; its files are not loaded yet.
 LightSpec read_light(const JsonReader& reader, const std::string& folder);
-/// Its part for pictures.
+/// Reads the keys of an environment light.
 void read_environment(const JsonReader& reader, const std::string& folder, LightSpec& light);
-/// "auto", a kind's name, or {"type", "width" | "lambda" | "strength", "power", "keep"}; without its number, the least.
+/// Reads "auto", the name of a kind, or {"type", "width" | "lambda" | "strength", "power", "keep"}; without a number,
+/// the least window.
 WindowChoice read_window(const JsonReader& reader);
 Camera read_camera(const JsonReader& reader, const Camera& otherwise);
 BakeOptions read_bake_options(const JsonReader& reader);
-/// The scene asks for a lossy plan by having the key.
+/// The presence of the key `plan` selects a lossy plan.
 PlanOptions read_plan_options(const JsonReader& reader);
 
-/// Welds and splits a soup that is in its final place, and gives two-sided faces their backs. `name` begins what is
-/// said about flaws and errors.
+/// Welds and splits a soup that is already in its final place, and adds backs to two-sided faces. Messages about flaws
+/// and errors begin with `name`.
 Mesh finish_mesh(Soup soup, std::size_t file_vertices, float crease_degrees, float max_edge, const std::string& name,
                  OnFlaw on_flaw);
 

@@ -1,5 +1,5 @@
-// A stage: baked objects that stand or move rigidly under one distant light, from a JSON file. prt/README.md lists the
-// keys. prt/runtime/relight_stage.hpp relights it. World axes: z up, right-handed.
+// A stage from a JSON file: baked objects that rest or move rigidly under one distant light. prt/RUNTIME.md lists the
+// keys; prt/runtime/relight_stage.hpp relights it. World axes: z up, right-handed.
 #pragma once
 #include <Eigen/Core>
 #include <memory>
@@ -12,14 +12,14 @@
 
 namespace sh::prt {
 
-/// Where an object stands: its point p (in its own axes) is at rotation p + position.
+/// The pose of an object: its point p (in its own axes) is at rotation p + position.
 struct Pose {
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
   bool operator==(const Pose& other) const { return rotation == other.rotation && position == other.position; }
 };
 
-/// Where an object stands during a sequence, which runs from time 0 to 1.
+/// The poses of an object during a sequence, which runs from time 0 to 1.
 struct Motion {
   struct Key {
     double time = 0.0;
@@ -27,9 +27,9 @@ struct Motion {
     double degrees = 0.0;  // right-handed about the axis
   };
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  // unit, through the object's origin
-  std::vector<Key> keys{Key()};                     // one or more, times rising
+  std::vector<Key> keys{Key()};                     // one or more, with increasing times
 
-  /// Position and angle are linear between keys, the first key's before it, the last one's after.
+  /// Position and angle are linear between keys, and constant before the first key and after the last one.
   [[nodiscard]] Pose at(double time) const;
 };
 
@@ -39,11 +39,11 @@ struct Sphere {
 };
 
 struct StageObject {
-  std::string name;  // for people: the transfer file as the stage names it
+  std::string name;  // for messages: the path of the transfer file as written in the stage
   std::shared_ptr<const Transfer> transfer;
   Motion motion;
-  Sphere proxy;             // own axes: what stands for it where it takes light from others; 0 takes none
-  bool per_vertex = false;  // light is gathered at every vertex, else once, at the proxy's centre
+  Sphere proxy;             // in the object's axes; it blocks the light of other objects; a radius of 0 blocks nothing
+  bool per_vertex = false;  // true: light is gathered at every vertex; false: once, at the proxy's center
 };
 
 struct Stage {
@@ -53,15 +53,15 @@ struct Stage {
   std::vector<Camera> camera;  // none or one
 };
 
-/// The sphere around the middle of the mesh's extent that holds it.
+/// The sphere around the center of the mesh's bounding box that contains the mesh.
 Sphere bounding_sphere(const Mesh& mesh);
 
-/// One object at rest at the origin.
+/// A stage with one object at rest at the origin.
 Stage stage_of(Transfer transfer);
 
-/// Reads the stage and the transfer files it names, each once; those with relative paths lie in `folder`, or beside the
-/// stage where that is empty. Throws std::runtime_error with one line that names file
-/// and JSON path, or the transfer file.
+/// Reads the stage and its transfer files, each file once. Relative paths start in `folder`, or in the folder of the
+/// stage if `folder` is empty. Throws std::runtime_error with one line that names file and JSON path, or the transfer
+/// file.
 Stage load_stage(const std::string& file, const std::string& folder = {});
 
 }  // namespace sh::prt
