@@ -44,7 +44,7 @@ struct Plan {
   Storage storage;
   std::vector<float> largest;  // (bands^2) largest numbers for which the storage was chosen; empty if irrelevant
   double reference = 0.0;      // W m^-2 sr^-1; 0 if no error was requested
-  double beyond = 0.0;         // bound on the share of the lights' bands above the requested degree, up to 10; relative
+  double beyond = 0.0;  // bound on the relative radiance that bands of the lights above the requested degree would add
   PlanCost asked;
   PlanCost planned;
 };

@@ -1,4 +1,4 @@
-// The commands of the tool `prt`, one file each: options in, the work done by the library, a file or JSON out.
+// The commands of the tool `prt`, one file each. Each reads options, calls the library and writes a file or JSON.
 // Results go to standard output, progress and messages to standard error. An error is an exception with one line.
 #pragma once
 #include <CLI/CLI.hpp>
@@ -18,7 +18,7 @@
 
 namespace sh::prt {
 
-/// Each adds its subcommand to the tool; parsing the command line then runs it.
+/// Each function adds its subcommand to the tool; parsing the command line then runs it.
 void add_bake_command(CLI::App& tool);
 void add_relight_command(CLI::App& tool);
 void add_render_command(CLI::App& tool);
@@ -30,7 +30,7 @@ void add_reconstruct_command(CLI::App& tool);
 void add_study_command(CLI::App& tool);
 void add_compare_command(CLI::App& tool);
 
-/// A check that a command was asked for found a difference: the tool exits 1.
+/// A requested check found a difference: the tool exits 1.
 struct CheckFailed : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -43,25 +43,26 @@ struct WindowOptions {
   void add_to(CLI::App& command);
 };
 
-/// The lights' coefficients under their own windows or that of the options; what each window did is told on standard
-/// error and, if given, in `windowed`. Throws std::runtime_error where both have one.
+/// The lights' coefficients under their own windows or under the window of the options. The effect of each window is
+/// printed on standard error and, if `windowed` is not null, stored there. Throws std::runtime_error if both have a
+/// window.
 LightCoefficients project_windowed(const std::vector<Light>& lights, int degree, const WindowOptions& options,
                                    std::vector<Deringing>* windowed = nullptr);
 
-/// What several commands take: the light, as a scene's or as a word, and how flaws are met.
+/// Options that several commands share: the light, from a scene or by name, and the treatment of flaws.
 struct LightOptions {
-  std::string scene;                 // JSON file or `demo`: its lights (and camera)
-  std::string light;                 // instead: constant, overcast, an environment picture or a JSON file of lights
+  std::string scene;  // JSON file or `demo`: its lights (and camera)
+  std::string light;  // instead of a scene: constant, overcast, an environment picture or a JSON file of lights
   std::string mapping = "lat_long";  // of the picture
   WindowOptions window;
-  float turn_degrees = 0.0F;  // about +z, on top of the lights' own rotations
+  float turn_degrees = 0.0F;  // about +z, after the lights' own rotations
   bool strict = false;
 
   void add_to(CLI::App& command);
   [[nodiscard]] OnFlaw on_flaw() const { return strict ? OnFlaw::kRefuse : OnFlaw::kMend; }
 };
 
-/// What replaces the scene's `bake`.
+/// Options that replace entries of the scene's `bake`.
 struct BakeOverrides {
   std::optional<int> degree;
   std::optional<int> directions;
@@ -70,11 +71,11 @@ struct BakeOverrides {
   std::string kind;
 
   void add_to(CLI::App& command);
-  /// Throws std::invalid_argument for a degree that there is not.
+  /// Throws std::invalid_argument for a degree out of range.
   void apply_to(BakeOptions& bake) const;
 };
 
-/// What commands that plan take: all in place of what the scene says.
+/// Options that replace entries of the scene's `plan`.
 struct PlanArguments {
   std::string mode;  // none, exact, lossy; empty: the scene's
   std::optional<double> error;
@@ -85,8 +86,8 @@ struct PlanArguments {
   [[nodiscard]] PlanOptions applied_to(PlanOptions options) const;
 };
 
-/// The lights the options name and the camera of their scene; without a scene `camera` stays empty. Without any option
-/// `otherwise`, and where that is empty the CIE overcast sky.
+/// The lights that the options name, and the camera of their scene; without a scene `camera` stays empty. Without any
+/// option the lights are `otherwise` or, if that is empty, the CIE overcast sky.
 struct ChosenLight {
   std::vector<Light> lights;
   std::vector<Camera> camera;  // none or one
@@ -96,22 +97,22 @@ ChosenLight choose_light(const LightOptions& options, const std::vector<LightSpe
 /// Adds `--mapping`, one of numeric::kMappingNames.
 void add_mapping_to(CLI::App& command, std::string& mapping);
 
-/// What a word or a file stands for: `constant`, `overcast`, a JSON file that holds one light of a scene or an array of
-/// them, else a picture of that mapping.
+/// The lights that a word or a file stands for: `constant`, `overcast`, a JSON file with one light of a scene or an
+/// array of lights, else a picture of this mapping.
 std::vector<LightSpec> named_lights(const std::string& name, const std::string& mapping);
 
-/// `--threads N`: 0 takes every core. Runs `work` with at most that many threads.
+/// Runs `work` with at most `threads` threads (`--threads N`); 0 uses every core.
 void with_threads(int threads, const std::function<void()>& work);
 
-/// Prints a result on standard output; throws std::runtime_error where it cannot be written.
+/// Prints a result on standard output; throws std::runtime_error if writing fails.
 void print_out(std::string_view text);
 
-/// Throws std::runtime_error at once, before long work, where `file` could not be written at its end.
+/// Throws std::runtime_error before long work starts if `file` cannot be written.
 void require_writable(const std::string& file);
 
 using output::Stopwatch;
 
-/// `prt: what in S s` on standard error.
+/// Prints `prt: what in S s` on standard error.
 void report_time(const Stopwatch& stopwatch, const std::string& what);
 
 }  // namespace sh::prt

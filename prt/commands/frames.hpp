@@ -1,4 +1,4 @@
-// The files of a sequence: a picture or a mesh each, or one animated file.
+// The output files of a sequence: one picture or mesh for each frame, or one animated file.
 #pragma once
 #include <cstdint>
 #include <memory>
@@ -9,7 +9,7 @@
 
 namespace sh::prt {
 
-/// Throws std::invalid_argument unless 1 to 1000, whose numbers have three digits.
+/// Throws std::invalid_argument unless 1 <= frames <= 1000, so that frame numbers have three digits.
 void require_frames(int frames);
 
 /// out.png -> out_000.png, ...; a single frame keeps its name.
@@ -20,14 +20,14 @@ struct AnimationOptions {
   int quality = 90;  // 100: lossless
 };
 
-/// PNG files, one a frame, or one WebP file with all of them, where `output` ends in .webp.
+/// Writes one PNG file for each frame, or one WebP file with all frames if `output` ends in .webp.
 class PictureFiles {
  public:
-  /// Throws where the first file could not be written, or for options that cannot be used.
+  /// Throws if the first file cannot be written or if the options are invalid.
   PictureFiles(std::string output, int frames, int width, int height, const AnimationOptions& options);
-  /// What frame `frame` is written to.
+  /// The file to which frame `frame` is written.
   [[nodiscard]] std::string name(int frame) const;
-  /// Frames in their order; 8-bit sRGB.
+  /// Adds the next frame, in 8-bit sRGB. Frames must come in order.
   void add(int frame, std::span<const std::uint8_t> rgb);
   void finish();
 

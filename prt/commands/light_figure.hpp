@@ -1,8 +1,7 @@
-// Lights as pictures in the mappings of environment pictures: what a viewer at the centre sees, and what is left of it
-// in the coefficients.
-// In: lights and their coefficients. Out: the bytes of a PNG picture. Exposed so that the 95th percentile of the
-// brightest channel over the sphere is 0.7, clipped beyond 1, sRGB; where a channel of the band-limited light is
-// negative there is a hatching over the picture, and a grey line runs around it.
+// Draws lights in the mappings of environment pictures: the view from the center, and the view of their coefficients.
+// In: lights and their coefficients. Out: the bytes of a PNG picture in sRGB. The exposure brings the 95th percentile
+// of the brightest channel over the sphere to 0.7; values above 1 are clipped. Regions in which a channel of the
+// band-limited light is negative are hatched and have a gray outline.
 #pragma once
 #include <string>
 #include <vector>
@@ -15,11 +14,11 @@ namespace sh::prt {
 
 struct LightFigure {
   std::string title;
-  std::vector<ImageMapping> mappings;  // one panel each, or two
+  std::vector<ImageMapping> mappings;  // one panel for each, or two
   bool original = true;                // the lights themselves
   bool reconstruction = true;          // their coefficients
   bool mark_negative = true;
-  bool axes = false;            // +x -x +y -y +z -z where they are
+  bool axes = false;            // labels +x -x +y -y +z -z
   float exposure_stops = 0.0F;  // on top of the automatic exposure
   int width = 1000;             // pixels, 100 to 8192
 };

@@ -1,4 +1,4 @@
-// What `relight` and `render` show: a transfer file, or a stage of several that move, under a light.
+// The subject of `relight` and `render`: a transfer file, or a stage of several moving objects, under a light.
 #pragma once
 #include <optional>
 #include <set>
@@ -14,23 +14,23 @@
 namespace sh::prt {
 
 struct SubjectOptions {
-  std::string file;       // a transfer file, or a stage where it ends in .json
+  std::string file;       // a transfer file, or a stage if it ends in .json
   std::string transfers;  // folder of a stage's transfer files; empty: beside it
   LightOptions light;
   Shading shading;
-  std::string local;  // empty: light is sampled once, where each light says; else a number of points, or octahedron
+  std::string local;  // empty: light is sampled once, at each light's `from`; else a number of points, or octahedron
 
   void add_to(CLI::App& command);
 };
 
-/// Near lights sampled as `--local` says (prt/runtime/local_relight.hpp).
+/// Samples near lights according to `--local` (prt/runtime/local_relight.hpp).
 class LocalLighting {
  public:
-  /// Stage and lights must outlive it. Throws std::runtime_error, one line, where the option does not fit; tells where
-  /// it changes nothing.
+  /// Stage and lights must outlive this object. Throws std::runtime_error, one line, if the option does not fit; prints
+  /// a message if it has no effect.
   LocalLighting(const SubjectOptions& options, const Stage& stage, bool is_stage, const std::vector<Light>& lights);
 
-  /// A near light turns about the point it is described from.
+  /// Exit radiance of the vertices. A near light turns about its `from`.
   [[nodiscard]] std::vector<Eigen::Vector3f> radiance(const Eigen::Matrix3d& light_turn) const;
 
  private:
@@ -42,8 +42,8 @@ class LocalLighting {
 
 class Subject {
  public:
-  /// The light and the camera are those the options name, else the stage's. Throws one line naming what cannot be read
-  /// or does not fit. Tells of transfer that a limited time left coarser than was asked for.
+  /// Light and camera come from the options, else from the stage. Throws one line that names the input that cannot be
+  /// read or does not fit. Prints a message if a time limit made the transfer coarser than requested.
   explicit Subject(const SubjectOptions& options);
   Subject(const Subject&) = delete;
   Subject& operator=(const Subject&) = delete;
@@ -51,7 +51,7 @@ class Subject {
   [[nodiscard]] bool is_stage() const { return is_stage_; }
   [[nodiscard]] const std::vector<Light>& lights() const { return lights_; }
   [[nodiscard]] const std::vector<Camera>& camera() const { return camera_; }  // none or one
-  /// Tells of objects that overlap, of each pair once.
+  /// Prints a message about objects that overlap, once for each pair.
   [[nodiscard]] std::vector<Pose> poses_at(double time);
   [[nodiscard]] Mesh mesh(const std::vector<Pose>& poses) const { return merged_mesh(stage_, poses); }
   [[nodiscard]] std::vector<Eigen::Vector3f> radiance(const std::vector<Pose>& poses,

@@ -1,11 +1,11 @@
-// The sun of a picture becomes an analytic cap; its surroundings continue behind it, and the rest is projected as
-// before. In: a picture and its mapping. Out: a direction, a half-angle, a radiance, and the picture without its sun.
-// Per channel, radiance times solid angle of cap and rest is that of the picture, to rounding.
-//   region   from the brightest pixel over the sphere, all that are joined to it and brighter than `threshold` of it
-//            (luminance), and the pixels around those, which the edge of the disc crosses
-//   level    the mean of the pixels around the region: what would be seen without a sun; the region is cut down to it
-//   cap      direction: the centroid of the part cut off; solid angle: its luminance over the peak, so that a disc of
-//            even radiance is found again with edges that run through pixels; radiance: what was cut off over that
+// Extracts the sun of a picture as an analytic cap; the level of its surroundings fills its place in the picture. In: a
+// picture and its mapping. Out: a direction, a half-angle, a radiance, and the picture without its sun. In each
+// channel, the sum of radiance times solid angle over cap and rest equals that of the picture, to rounding.
+//   region   all pixels that are connected to the brightest pixel and brighter than `threshold` times it
+//            (luminance), and the pixels around them, which the edge of the disc crosses
+//   level    the mean of the pixels around the region, which is the sky without a sun; the region is cut to it
+//   cap      direction: the centroid of the removed part; solid angle: its luminance over the peak, so that a disc of
+//            even radiance is recovered although its edge crosses pixels; radiance: the removed part over that angle
 #pragma once
 #include <Eigen/Core>
 #include <optional>
@@ -17,8 +17,8 @@ namespace sh::prt {
 
 struct SunOptions {
   double threshold = 0.1;    // of the peak, 0..1
-  double contrast = 10.0;    // the least a sun's peak is over the level around it
-  double half_angle = 10.0;  // degrees; the largest a sun is
+  double contrast = 10.0;    // least ratio of the sun's peak to the level around it
+  double half_angle = 10.0;  // degrees; largest half-angle of a sun
 };
 
 struct ExtractedSun {
@@ -30,7 +30,8 @@ struct ExtractedSun {
   Image rest;
 };
 
-/// The sun, or why there is none, such as `the brightest place is 2.1 times its surroundings; a sun is 10 times`.
+/// The sun, or the reason why there is none, such as `the brightest place is 2.1 times its surroundings; a sun is 10
+/// times`.
 struct SunSearch {
   std::optional<ExtractedSun> sun;
   std::string why_none;

@@ -20,26 +20,26 @@ struct LightCoefficients {
   int degree = 0;
   std::vector<double> values;  // (3, bands^2): red, then green, then blue
 
-  /// All zero. Throws std::invalid_argument unless 0 <= degree <= kMaxDegree.
+  /// Coefficients that are all zero. Throws std::invalid_argument unless 0 <= degree <= kMaxDegree.
   static LightCoefficients zero(int degree);
   [[nodiscard]] std::size_t bands_squared() const { return coefficient_count(degree); }
   double& at(std::size_t channel, std::size_t i) { return values[channel * bands_squared() + i]; }
   [[nodiscard]] double at(std::size_t channel, std::size_t i) const { return values[channel * bands_squared() + i]; }
 };
 
-/// The bands 0 .. degree of a light of no lower degree.
+/// The bands 0 .. degree of a light. Precondition: degree <= light.degree.
 LightCoefficients first_bands(const LightCoefficients& light, int degree);
 
-/// sum += more. Both of one degree.
+/// sum += more. Both must have the same degree.
 void accumulate(LightCoefficients& sum, const LightCoefficients& more);
 
 /// The light turned by the rotation matrix r: (R f)(s) = f(R^-1 s).
 LightCoefficients turned(const LightCoefficients& light, const Eigen::Matrix3d& r);
 
-/// The radiance of the band-limited light towards a unit direction; it may be negative where the light rings.
+/// The radiance of the band-limited light in a unit direction; ringing may make it negative.
 Eigen::Vector3d radiance(const LightCoefficients& light, const Eigen::Vector3d& direction);
 
-/// The rotation by an angle about an axis, right-handed. The axis need not be unit, but not zero.
+/// The rotation by an angle about an axis, right-handed. The axis may have any length except zero.
 Eigen::Matrix3d rotation_about(const Eigen::Vector3d& axis, double degrees);
 
 }  // namespace sh::prt

@@ -1,8 +1,8 @@
-// From lights to SH coefficients.
-// A lat-long picture is taken as a mosaic of patches of constant radiance: the basis is integrated over
-// every pixel, exactly in azimuth and by Gauss-Legendre quadrature (to rounding) from the polar angle of its upper to
-// that of its lower edge. Band 0 is then the sum of radiance times exact solid angle. The quicker rule, basis at the
-// pixel's centre times exact solid angle, leaks a constant picture into the even bands (prt/IMAGES.md has the numbers).
+// Projects lights to SH coefficients. Each pixel of a lat-long picture is a patch of constant radiance. The basis is
+// integrated over the pixel, exactly in azimuth and by Gauss-Legendre quadrature (to rounding) between the polar angles
+// of its upper and lower edge. Band 0 is then the sum of radiance times exact solid angle. The quicker rule (basis at
+// the pixel's center times exact solid angle) leaks a constant picture into the even bands (prt/IMAGES.md has the
+// numbers).
 #pragma once
 #include <vector>
 
@@ -12,15 +12,16 @@
 
 namespace sh::prt {
 
-/// The sum of all lights, each under its own window; `windowed`, if given, takes what each window did. Double
-/// precision; the same bits for any number of threads. Throws std::invalid_argument unless 0 <= degree <= kMaxDegree,
-/// and as apply_window.
+/// The coefficients of the sum of all lights, each under its own window. `windowed`, if not null, receives the effect
+/// of each window. Double precision; the same bits for any number of threads. Throws std::invalid_argument unless 0 <=
+/// degree <= kMaxDegree, and like apply_window.
 LightCoefficients project(const std::vector<Light>& lights, int degree, std::vector<Deringing>* windowed = nullptr);
 
-/// A picture of any mapping, unturned and unscaled; every pixel is a patch of constant radiance.
+/// The coefficients of a picture of any mapping, without rotation and scale; every pixel is a patch of constant
+/// radiance.
 LightCoefficients project_image(const Image& image, ImageMapping mapping, int degree);
 
-/// A lat-long picture, unturned and unscaled.
+/// The same for a lat-long picture.
 LightCoefficients project_lat_long(const Image& image, int degree);
 
 }  // namespace sh::prt

@@ -1,8 +1,8 @@
-// The least and the largest value of a band-limited function on the sphere, and where they are.
-// In: coefficients, l = 0..degree. A spiral of 64 (degree+1)^2 points is denser than a seventh of the function's
-// shortest half-wave; from its lowest places, each in a valley of its own, Newton's method on the sphere goes down by
-// the gradients of the generated kernels. The error of the value is of the order of rounding; against 1e6 points on
-// random functions: tests/prt/deringing_test.cpp.
+// Finds the least and the largest value of a band-limited function on the sphere, with their directions.
+// In: coefficients, l = 0..degree. The points of a spiral of 64 (degree+1)^2 points are closer together than a seventh
+// of the function's shortest half-wave. Newton's method on the sphere starts at the lowest points, one in each valley,
+// and uses the gradients of the generated kernels. The error of the value is of the order of rounding;
+// tests/prt/deringing_test.cpp compares it with 1e6 points on random functions.
 #pragma once
 #include <Eigen/Core>
 #include <vector>
@@ -14,17 +14,17 @@ struct SphereValue {
   Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();
 };
 
-/// One function whose bands are multiplied by factors that change from question to question.
+/// A function on the sphere; each query multiplies its bands by other factors.
 class BandLimited {
  public:
   /// `coefficients` (bands^2), copied. 0 <= degree <= kMaxDegree.
   BandLimited(const double* coefficients, int degree);
 
-  /// Of sum_l factors_l sum_m c_lm Y_lm; factors (degree + 1).
+  /// The extremes of sum_l factors_l sum_m c_lm Y_lm; factors (degree + 1).
   [[nodiscard]] SphereValue least(const std::vector<double>& factors) const { return extreme(factors, 1.0); }
   [[nodiscard]] SphereValue largest(const std::vector<double>& factors) const { return extreme(factors, -1.0); }
 
-  /// Values at the spiral's points, which have equal shares of the sphere.
+  /// The values at the points of the spiral, which have equal shares of the sphere.
   [[nodiscard]] std::vector<double> values(const std::vector<double>& factors) const;
 
  private:

@@ -1,15 +1,15 @@
-// Windows on the bands of a light: smaller factors on higher degrees, so that it rings less, and shows less contrast.
-// In: a kind with its number. Out: one factor a degree, from the generated window_* kernels where there is one. With
-// x = pi l / width [Sloan08]:
+// Windows on the bands of a light: smaller factors at higher degrees reduce ringing, and also contrast. In: a kind with
+// its number. Out: one factor for each degree, from the generated window_* kernels if there is one. With x = pi l /
+// width [Sloan08]:
 //   hann       (1 + cos x) / 2               width >= 1; 0 from l = width on
 //   sinc       (sin x / x)^power             width >= 1; 0 from l = width on; power 1 is Lanczos' window
 //   laplacian  1 / (1 + lambda l^2 (l+1)^2)  lambda >= 0, least squares with the squared Laplacian as penalty
 //   gaussian   exp(-l^2 / (2 width^2))       width > 0
 //   fejer      1 - strength (1 - p_l)        0 <= strength <= 1
-// The zonal function sum (2l+1) p_l P_l has the highest peak of all zonal functions of the light's degree n that are
-// negative nowhere and have mean 1; a positive light stays positive under it. Such functions are sums of squares
-// (Lukacs): for n = 2k it is the square of K = sum over l <= k of (2l+1) P_l, for n = 2k + 1 the square of
-// K + (k+1) P_(k+1) over 1 + z, each over its mean. Its peak is 1/4 to 1/2 of the truncated point's.
+// In fejer, the zonal function sum (2l+1) p_l P_l has the highest peak of all zonal functions of the light's degree n
+// that are nowhere negative and have mean 1. A positive light stays positive under it. Such functions are sums of
+// squares (Lukacs): for n = 2k it is the square of K = sum over l <= k of (2l+1) P_l, for n = 2k + 1 the square of K +
+// (k+1) P_(k+1) over 1 + z, each over its mean. Its peak is 1/4 to 1/2 of the truncated point's.
 #pragma once
 #include <string>
 #include <string_view>
@@ -21,7 +21,7 @@ namespace sh::prt {
 
 enum class WindowType { kHann, kSinc, kLaplacian, kGaussian, kFejer };
 
-/// The words above, in the order of the enumeration.
+/// The names of the window types, in the order of the enumeration.
 inline constexpr std::string_view kWindowNames[] = {"hann", "sinc", "laplacian", "gaussian", "fejer"};
 inline constexpr int kMaxPower = 16;
 
@@ -40,11 +40,11 @@ std::string window_flaw(const Window& window);
 /// (degree + 1) factors, 0 to 1, the first 1. Throws std::invalid_argument for a window with a flaw.
 std::vector<double> window_factors(const Window& window, int degree);
 
-/// Every band of every channel times its factor.
+/// Multiplies every band of every channel by its factor.
 void apply_factors(const std::vector<double>& factors, LightCoefficients& light);
 
-/// One window of a kind for each strength from 0, which changes nothing, to 1, which keeps only band 0 (fejer: what its
-/// kernel leaves); no factor grows with it.
+/// The window of a kind at a strength. Strength 0 changes nothing; strength 1 keeps only band 0 (fejer: the full
+/// kernel). No factor grows with the strength.
 Window window_of_strength(WindowType type, int power, double strength);
 
 /// For messages: `sinc^4 of width 7.31`, `laplacian of lambda 0.0012`.

@@ -10,8 +10,8 @@
 
 namespace sh::prt {
 
-/// A PNG file's bytes; colours as false_color.hpp says, interpolated over faces on the logarithmic scale. Shows
-/// progress as `what`.
+/// Returns the bytes of a PNG file. The colors are those of false_color.hpp, interpolated over faces on the logarithmic
+/// scale. Progress is labeled `what`.
 std::string error_picture(const Mesh& mesh, const Tracer& tracer, const std::vector<float>& relative_errors,
                           const Camera& camera, const PictureSize& size, const std::string& title,
                           const std::string& what);

@@ -1,7 +1,7 @@
-// Errors as colours: a logarithmic scale from dark to bright, the same in every picture, with a bar that explains it.
+// Shows errors as colors: a logarithmic scale from dark to bright, the same in every picture, with a color bar.
 //   1e-4 of the reference's root mean square, or less: nearly black; 1e-3 violet; 1e-2 red; 1e-1 orange; 1 or more:
 //   pale yellow.
-// Lightness rises evenly, so that the order shows in grey and to readers with any colour vision.
+// Lightness rises evenly, so that the order is visible in gray and with any color vision.
 #pragma once
 #include <string>
 #include <vector>
@@ -13,13 +13,14 @@ namespace sh::prt {
 inline constexpr double kLeastShownError = 1e-4;
 inline constexpr double kMostShownError = 1.0;
 
-/// 0 for errors up to the least shown, 1 from the most on, logarithmic between; 1 for NaN.
+/// The place of an error on the scale: 0 up to kLeastShownError, 1 from kMostShownError on, logarithmic in between; 1
+/// for NaN.
 float error_place(double relative_error);
 
-/// The colour at a place 0..1; clamped.
+/// The color at a place, which is clamped to 0..1.
 numeric::plot::Color false_color(double place);
 
-/// (height, width): places of errors, and which part of each pixel they cover; the rest is grey.
+/// The places of errors (height, width), and the part of each pixel that they cover (height, width); the rest is gray.
 struct ErrorMap {
   int width = 0;
   int height = 0;
@@ -27,7 +28,7 @@ struct ErrorMap {
   std::vector<float> coverage;
 };
 
-/// A PNG file's bytes: the map with its title above and the scale below. Sixteen pixels wide at least.
+/// The bytes of a PNG file: the map with its title above and the scale below, at least sixteen pixels wide.
 std::string error_png(const ErrorMap& map, const std::string& title);
 
 }  // namespace sh::prt

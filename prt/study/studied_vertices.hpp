@@ -1,4 +1,4 @@
-// The choice of the studied vertices, their weights, and the differences of radiances on them.
+// Chooses the studied vertices and their weights, and compares radiances on them.
 #pragma once
 #include <Eigen/Core>
 #include <cstdint>
@@ -16,23 +16,24 @@ struct StudiedVertices {
   std::vector<double> weight;  // sums to 1
 };
 
-/// Area of every vertex, a third of its faces', over the squared distance to the camera.
+/// The area of every vertex (a third of the area of its faces) over the squared distance to the camera.
 std::vector<double> seen_areas(const Mesh& mesh, const Camera& camera);
 
-/// Every step-th vertex, about `count` of them, but those for which `leave_out` says so.
+/// Every step-th vertex, about `count` in total, without those for which `leave_out` is true.
 StudiedVertices choose_vertices(const Mesh& mesh, const Camera& camera, std::size_t count,
                                 const std::function<bool(std::uint32_t)>& leave_out);
 
 /// Radiances of the studied vertices, in their order.
 using Radiances = std::vector<Eigen::Vector3d>;
 
-/// Root mean square of the channels of a reference, what errors are relative to; 1 where it is black.
+/// The unit of relative errors: the root mean square of the channels of a reference, or 1 if it is black.
 double radiance_unit(const StudiedVertices& vertices, const Radiances& reference);
 
 RadianceError radiance_error(const StudiedVertices& vertices, const Radiances& values, const Radiances& reference);
 
-/// (vertices of the mesh): the largest |a - b| of a channel over radiance_unit, and all of it in numbers, vertices
-/// weighing what the camera sees of them. Both (vertices). Throws std::invalid_argument for other lengths.
+/// The errors of all vertices of the mesh. `relative` (vertices) is the largest |a - b| of a channel over
+/// radiance_unit; `error` summarizes them, with seen_areas as weights. `values` and `reference` are (vertices); other
+/// lengths throw std::invalid_argument.
 struct VertexErrors {
   std::vector<float> relative;
   RadianceError error;

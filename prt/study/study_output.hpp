@@ -1,4 +1,4 @@
-// A study as text: JSON for programs, charts for people.
+// Writes a study as JSON and as charts.
 #pragma once
 #include <nlohmann/json_fwd.hpp>
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace sh::prt {
 
-/// Everything that was measured, with what it means. `scene` gives places of worst vertices.
+/// All measurements, with descriptions. `scene` gives the positions of the worst vertices.
 nlohmann::ordered_json study_json(const Study& study, const Scene& scene);
 
 struct StudyChart {
@@ -17,7 +17,7 @@ struct StudyChart {
   std::string svg;
 };
 
-/// Of every part with errors above 0: error against its axis, and against time where that was measured.
+/// Charts of every part with errors above 0: error against its axis and, if time was measured, against time.
 std::vector<StudyChart> study_charts(const Study& study);
 
 }  // namespace sh::prt

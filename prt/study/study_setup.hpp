@@ -1,4 +1,4 @@
-// The common ground of all parts of a study: rays, the studied vertices, the light and the references; and the parts.
+// The common setup of all parts of a study (rays, studied vertices, light and references), and the parts.
 #pragma once
 #include <optional>
 #include <vector>
@@ -29,14 +29,14 @@ struct StudySetup {
   std::size_t left_out = 0;
   LightCoefficients light;            // of degree kMaxDegree, without windows
   TransferRows reference;             // of degree kMaxDegree, reference_directions() cosine directions
-  std::optional<TransferRows> exact;  // the closed answer, where there is one
-  /// What errors of leaving out degrees are measured against, and its name.
+  std::optional<TransferRows> exact;  // the closed-form solution, if there is one
+  /// The reference for errors of omitted degrees, and its name.
   [[nodiscard]] Radiances all_degrees() const { return whole ? *whole : relit(reference, light, kMaxDegree); }
   [[nodiscard]] std::string all_degrees_name() const;
-  std::optional<Radiances> whole;  // under the lights themselves, of every degree; none where a light is a point
+  std::optional<Radiances> whole;  // under the lights themselves, with all degrees; empty if a light is a point
 
   [[nodiscard]] int reference_directions() const { return StudyOptions::kReferenceFactor * options.most_directions; }
-  /// Exit radiance: albedo T.L over the degrees up to `degree`, none of them above those of `rows` and `lit_by`.
+  /// Exit radiance: albedo T.L over the degrees up to `degree`, which is at most the degree of `rows` and of `lit_by`.
   [[nodiscard]] Radiances relit(const TransferRows& rows, const LightCoefficients& lit_by, int degree) const;
 };
 
@@ -47,7 +47,8 @@ ErrorField field_of(const StudySetup& setup, const std::string& name, const std:
 /// Processor time of this thread, in seconds.
 double thread_seconds();
 
-/// Traces the studied vertices on this thread, with `seconds` spent in the loop over them and `setup_seconds` before.
+/// Traces the studied vertices on this thread. `seconds` is the time of the loop over them, `setup_seconds` the time
+/// before it.
 struct TimedRows {
   TransferRows rows;
   double seconds = 0.0;
@@ -57,18 +58,18 @@ TimedRows trace_rows(const StudySetup& setup, const BakeOptions& options);
 
 // The parts of a study.
 
-/// Error and time against directions, a curve a sampler, at the scene's degree.
+/// Error and time against directions, with one curve for each sampler, at the scene's degree.
 StudyPart study_directions(const StudySetup& setup);
-/// Error of leaving out the higher degrees, and the time of each degree, a curve a reference.
+/// Error of omitting the higher degrees, and time of each degree, with one curve for each reference.
 StudyPart study_degrees(const StudySetup& setup);
-/// Error of stopping the series of bounces, all vertices of the mesh.
+/// Error of stopping the series of bounces early, for all vertices of the mesh.
 StudyPart study_bounces(const StudySetup& setup);
 
-/// Error against the bytes of a vertex, by degree and by how a number is stored.
+/// Error against the bytes of a vertex, by degree and storage type.
 StudyPart study_storage(const StudySetup& setup);
 /// Error against degree under windows on the light.
 StudyPart study_windows(const StudySetup& setup);
-/// No curves: where errors sit that few directions and few degrees make, by bakes of the whole mesh.
+/// Pictures of the errors of few directions and of few degrees, from bakes of the whole mesh; no curves.
 StudyPart study_pictures(const StudySetup& setup);
 
 }  // namespace sh::prt

@@ -11,20 +11,20 @@ namespace sh::prt {
 
 struct BakeRun;
 
-/// A part of a bake, which carries on from the steps before it; prt/bake/steps.hpp has those there are.
+/// A part of a bake that continues the steps before it; prt/bake/steps.hpp lists the steps.
 struct BakeStep {
   void (*run)(BakeRun& run);
   bool traces_rays = false;
-  bool bounces = false;  // needs what the rays hit: the form factors
+  bool bounces = false;  // needs the hits of the rays: the form factors
 };
 
 struct TransferKind {
   std::string_view letters;  // in files, as Sloan, Kautz and Snyder 2002 write
   std::string_view word;     // in scenes and on command lines
-  /// What a vertex stores for light of that degree, plainly.
+  /// The shape of a vertex's numbers for light of this degree, in plain storage.
   TransferShape (*shape)(int degree);
   std::span<const BakeStep> steps;                // in order
-  const TransferKind* without_bounces = nullptr;  // what is left when bounces do not matter; null where there are none
+  const TransferKind* without_bounces = nullptr;  // the same kind without bounces; null if it has none
 
   [[nodiscard]] bool traces_rays() const {
     return std::any_of(steps.begin(), steps.end(), [](const BakeStep& step) { return step.traces_rays; });

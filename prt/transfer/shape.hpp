@@ -1,5 +1,5 @@
-// What one receiver (a vertex) stores, and what its numbers mean: the one type that bakes, bounces, checkpoints, files,
-// plans and run time ask.
+// The numbers that one receiver (a vertex) stores, and their meaning. Bakes, bounces, checkpoints, files, plans and the
+// run time all use this type.
 //   meets      numbers of a channel                       the receiver gives
 //   dot        rows x columns, row by row:                (result_degree+1)^2 coefficients; of degree 0 it is exit
 //              (result_degree+1)^2 x (degree+1)^2         radiance itself: a transfer vector is a matrix of one row
@@ -19,19 +19,19 @@ inline constexpr int kMaxDegree = 10;
 /// The type of a number in a file: IEEE binary32, IEEE binary16, or signed 8 bits times a scale a column.
 enum class Element : std::uint32_t { kSingle = 0, kHalf = 1, kByte = 2 };
 
-/// The words for them in headers and messages, in their order.
+/// Their names in headers and messages, in the order of Element.
 inline constexpr std::array<std::string_view, 3> kElementNames = {"single", "half", "byte"};
 
 constexpr std::size_t bytes_of(Element element) {
   return element == Element::kSingle ? 4 : element == Element::kHalf ? 2 : 1;
 }
 
-/// Which numbers of a row a file has, and in which type; prt/transfer/storage.hpp encodes them.
+/// The numbers of a row that a file keeps, and their type; prt/transfer/storage.hpp encodes them.
 struct Storage {
   Element element = Element::kSingle;
-  bool one_channel = false;         // stands for all of them, which are alike
+  bool one_channel = false;         // one channel is stored for all channels, which are equal
   std::vector<std::uint32_t> kept;  // columns, ascending; empty: all. No light may need the others
-  /// Every number as it is in memory.
+  /// True if the file stores every number as in memory.
   [[nodiscard]] bool is_plain() const { return element == Element::kSingle && !one_channel && kept.empty(); }
 };
 
@@ -40,19 +40,19 @@ inline constexpr std::array<std::string_view, 2> kMeetsNames = {"dot", "operator
 
 struct TransferShape {
   std::size_t channels = 1;  // 1: serves all colors; 3: one each, red, green, blue
-  int degree = 0;            // of the light that it takes
-  int result_degree = 0;     // of what it gives
+  int degree = 0;            // of the incident light
+  int result_degree = 0;     // of the result
   Meets meets = Meets::kDot;
-  bool holds_cosine = true;   // and 1/pi: gives exit radiance or, without the albedo, its part
+  bool holds_cosine = true;   // and 1/pi: the result is exit radiance, or exit radiance over albedo
   bool holds_albedo = false;  // then it cannot be recolored
   Storage storage = {};
 
   [[nodiscard]] std::size_t rows() const { return meets == Meets::kDot ? squared(result_degree) : 1; }
   [[nodiscard]] std::size_t columns() const { return squared(meets == Meets::kDot ? degree : degree + result_degree); }
-  /// Numbers of a channel, and of a receiver, in memory.
+  /// The count of numbers in memory: of a channel, and of a receiver.
   [[nodiscard]] std::size_t count() const { return rows() * columns(); }
   [[nodiscard]] std::size_t length() const { return channels * count(); }
-  /// Numbers of a receiver in a file, and their bytes.
+  /// The count of numbers of a receiver in a file, and their bytes.
   [[nodiscard]] std::size_t stored_length() const {
     return (storage.one_channel ? 1 : channels) * rows() * (storage.kept.empty() ? columns() : storage.kept.size());
   }
@@ -65,7 +65,7 @@ struct TransferShape {
   }
 };
 
-/// The same numbers with the same meaning, however they are stored.
+/// True if both shapes have the same numbers with the same meaning, whatever their storage.
 inline bool is_alike(const TransferShape& a, const TransferShape& b) {
   return a.channels == b.channels && a.degree == b.degree && a.result_degree == b.result_degree && a.meets == b.meets &&
          a.holds_cosine == b.holds_cosine && a.holds_albedo == b.holds_albedo;

@@ -1,7 +1,7 @@
-// Rows of numbers as a file holds them: which, and in which type. In memory they are always whole and in single
-// precision; what a file leaves out comes back as zeros, or as copies where one channel stands for three.
+// Encodes the rows of numbers for a file. In memory rows are always complete and in single precision. Numbers that a
+// file leaves out are read as zeros, or as copies if one channel stands for three.
 //   single  IEEE binary32
-//   half    IEEE binary16, rounded to nearest: a number t is off by at most 2^-11 |t|, or 2^-25 where that is more
+//   half    IEEE binary16, rounded to nearest: a number t is off by at most 2^-11 |t|, or 2^-25 if that is more
 //   byte    signed 8 bits q times a scale per column s = largest |t| of the column / 127: off by at most s / 2. One
 //           scale serves all vertices, so that a product with a light can take it into the light.
 #pragma once

@@ -1,10 +1,10 @@
-// What a bake produces: a mesh and the transfer of every vertex (prt/transfer/shape.hpp says what its numbers are);
-// L (3, bands^2) are the coefficients of the incident radiance.
+// The result of a bake: a mesh and the transfer of every vertex (prt/transfer/shape.hpp describes its numbers). L (3,
+// bands^2) are the coefficients of the incident radiance.
 //   without the albedo, one channel     exit radiance (RGB) = albedo * sum_i T_i L_i: it can be recolored
 //   with the albedo, three channels     exit radiance of channel c = sum_i T_ci L_ci, since the light that bounces
 //                                       depends on every albedo
-// A vertex under constant unit radiance and an open sky thus has sum_i T_i L_i = 1. Surfaces that shine of their own
-// add `emitted` to either, whatever the light.
+// A vertex under constant unit radiance and an open sky therefore has sum_i T_i L_i = 1. Emitting surfaces add
+// `emitted` to both, under any light.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -20,23 +20,23 @@
 
 namespace sh::prt {
 
-/// Where the rays of a vertex point to; prt/rays/directions.hpp has the sets.
+/// The method that chooses the ray directions; prt/rays/directions.hpp makes them.
 enum class Sampler : std::uint32_t { kFibonacci, kStratified, kSobol, kRandom, kCosine };
 
-/// In the order of Sampler.
+/// The names of the samplers, in the order of Sampler.
 inline constexpr std::array<std::string_view, 5> kSamplerNames = {"fibonacci", "stratified", "sobol", "random",
                                                                   "cosine"};
 
 constexpr std::string_view name_of(Sampler sampler) { return word_of(sampler, kSamplerNames); }
 
-/// The sampler with that name, if there is one.
+/// The sampler with this name; empty if there is none.
 constexpr std::optional<Sampler> sampler_called(std::string_view name) {
   return value_called<Sampler>(name, kSamplerNames);
 }
 
 /// One decision of a plan: work or numbers that a bake left out. `error` is relative to the plan's reference radiance
-/// (prt/plan/plan.hpp). `basis` says how it is known: exact (no error but rounding), bound (proved, for any vertex),
-/// measured (on a probe of vertices, RMS), heuristic.
+/// (prt/plan/plan.hpp). `basis` says how the error is known: exact (no error but rounding), bound (proved, for any
+/// vertex), measured (on a probe of vertices, RMS), heuristic.
 struct Decision {
   std::string name;
   std::string choice;
@@ -47,19 +47,19 @@ struct Decision {
   std::string basis = "exact";
 };
 
-/// The decisions a file was baked by; `budget` 0: only what is exact whatever the light.
+/// The decisions by which a file was baked. With `budget` 0 all of them are exact under any light.
 struct PlanRecord {
   double budget = 0.0;
   double error = 0.0;       // the sum over the decisions
-  std::string light_turns;  // that the errors hold for: none, about_z or any; empty without a budget
+  std::string light_turns;  // for which the errors hold: none, about_z or any; empty without a budget
   std::vector<Decision> decisions;
 };
 
-/// How the bounces were solved; see prt/bake/bounces.hpp. Errors are those of any number of the solution.
+/// The solution of the bounces (prt/bake/bounces.hpp). Errors are bounds for all numbers of the solution.
 struct BounceReport {
   std::string solver;           // series or bicgstab; empty where there are no bounces
   int applications = 0;         // of the form factors; each is one bounce of the series
-  bool certified = false;       // bound <= tolerance * largest, or the bound that was reached when time was over
+  bool certified = false;       // bound <= tolerance * largest, or time ended first and the bound holds
   double bound = 0.0;           // certified: no number is further from the system's solution
   double residual = 0.0;        // largest number of b - (I - A) x
   double largest = 0.0;         // number of the solution
@@ -68,10 +68,10 @@ struct BounceReport {
   double emitted_largest = 0.0;
 };
 
-/// The request that a limited time did not allow; see prt/bake/estimate.hpp.
+/// The requested settings that a time limit did not allow (prt/bake/estimate.hpp).
 struct Shortfall {
-  std::uint32_t directions = 0;  // asked for; 0: there are as many
-  double tolerance = 0.0;        // of the bounces, asked for; 0: reached
+  std::uint32_t directions = 0;  // requested; 0 if the bake used as many
+  double tolerance = 0.0;        // requested for the bounces; 0 if it was reached
   [[nodiscard]] bool any() const { return directions > 0 || tolerance > 0.0; }
 };
 
@@ -80,19 +80,19 @@ struct Transfer {
   std::string scene;  // the scene's name, for people
   Mesh mesh;
   const TransferKind* kind = &kUnshadowed;
-  TransferShape shape;           // of a vertex's numbers; its storage is that of a file, here they are whole
+  TransferShape shape;           // of a vertex's numbers; `storage` applies to files only, in memory they are complete
   std::uint32_t directions = 0;  // over the whole sphere; 0 where no ray was traced
   Sampler sampler = Sampler::kFibonacci;
   std::uint32_t seed = 0;           // of the sampler
-  std::string instruction_set;      // bits are reproducible on this instruction set
+  std::string instruction_set;      // on which the bits are reproducible
   BounceReport bounces;             // of kinds with bounces
   std::vector<float> coefficients;  // (vertices, channels, rows, columns), row-major; columns i = l(l+1)+m
-  /// (vertices), or empty where nothing shines: linear RGB exit radiance of the surfaces' own light, with its bounces.
+  /// Linear RGB exit radiance of the light that surfaces emit, with its bounces, (vertices); empty if no surface emits.
   std::vector<Eigen::Vector3f> emitted;
   PlanRecord plan;  // what the bake left out
   Shortfall missing;
 
-  /// Of that kind, for light of that degree, with no numbers yet.
+  /// A transfer of this kind for light of this degree, without numbers.
   static Transfer of(const TransferKind& kind, int degree) {
     Transfer transfer;
     transfer.kind = &kind;

@@ -9,12 +9,12 @@ namespace sh::prt {
 /// Writes all or nothing (see AtomicFile). Throws std::runtime_error, `path: cannot write: reason`.
 void write_transfer(const std::string& path, const Transfer& transfer);
 
-/// Reads and checks everything; throws std::runtime_error with one line for a file that is missing, truncated, followed
-/// by further bytes, changed anywhere, or of a later version. Never allocates more than the file is long.
-/// `kinds`: those it may be of.
+/// Reads and checks everything. Throws std::runtime_error with one line for a file that is missing, truncated, followed
+/// by further bytes, changed anywhere, or of a later version. Checks all sizes against the file's size before it
+/// allocates memory. `kinds` are the accepted kinds.
 Transfer read_transfer(const std::string& path, TransferKinds kinds = transfer_kinds());
 
-/// The file's JSON header: conventions, units, kind, counts, what the vectors hold. Readable by a program.
+/// The JSON header of the file for programs: conventions, units, kind, counts, and the meaning of the vectors.
 std::string transfer_header(const Transfer& transfer);
 
 }  // namespace sh::prt

@@ -10,8 +10,8 @@ namespace sh::prt {
 nlohmann::ordered_json to_json(const Storage& storage);
 nlohmann::ordered_json to_json(const PlanRecord& plan);
 
-/// What transfer_header() wrote -> all of `transfer` but its mesh and numbers. `version` of the file. Throws
-/// std::invalid_argument, one line without the file's name, for a header that makes no sense, and
+/// Reads the output of transfer_header() into all of `transfer` except its mesh and numbers. `version` is the version
+/// of the file. Throws std::invalid_argument, one line without the file's name, for an inconsistent header, and
 /// nlohmann::json::exception for entries that are missing or of the wrong type.
 void take_header(const nlohmann::json& header, std::uint32_t version, TransferKinds kinds, Transfer& transfer);
 

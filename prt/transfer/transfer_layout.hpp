@@ -22,7 +22,7 @@ inline constexpr std::array<char, 8> kMagic = {'s', 'h', 'p', 'r', 't', '\r', '\
 inline constexpr std::uint32_t kVersion = 2;
 inline constexpr std::uint32_t kOldestVersion = 1;  // its headers leave the shape to the kind
 
-/// First in the file; `checksum` is XXH3-64 of the bytes before it followed by the section table.
+/// The first bytes of a file; `checksum` is XXH3-64 of the bytes before it followed by the section table.
 struct Prologue {
   std::array<char, 8> magic = kMagic;
   std::uint32_t version = kVersion;
@@ -33,7 +33,7 @@ struct Prologue {
   std::uint64_t checksum = 0;
 };
 
-/// One entry of the table after the prologue; its data lie at `offset`, one section right after the other.
+/// One entry of the table after the prologue. Its data are at `offset`; sections follow each other without gaps.
 struct Section {
   std::array<char, 8> name{};  // padded with zeros
   std::uint32_t type = 0;      // of its elements
@@ -50,10 +50,10 @@ inline constexpr std::uint32_t kByte = 3;   // signed, 8 bits
 
 static_assert(sizeof(Prologue) == 48 && sizeof(Section) == 40);
 
-/// Bytes of an element, of the types above.
+/// The bytes of an element of one of the types above.
 constexpr std::uint64_t size_of(std::uint32_t type) { return type == kByte ? 1 : type == kHalf ? 2 : 4; }
 
-/// The type of what `transfer` holds.
+/// The type of the section `transfer`.
 constexpr std::uint32_t type_of(Element element) {
   return element == Element::kByte ? kByte : element == Element::kHalf ? kHalf : kFloat;
 }
@@ -68,8 +68,8 @@ enum class Presence { kAlways, kOptional };
 /// A section of a file. Sections stand in the order of kSections; optional ones may be left out.
 struct Kind {
   std::string_view name;
-  std::uint32_t type;     // of `transfer`: kFloat or what the header says
-  std::uint32_t columns;  // 0: the stored numbers of a vertex
+  std::uint32_t type;     // for `transfer`, the header may name another type
+  std::uint32_t columns;  // 0: as many as a vertex stores
   Rows rows;
   Presence presence;
 };
@@ -87,21 +87,21 @@ inline constexpr std::array<Kind, 10> kSections = {{{"position", kFloat, 3, Rows
 inline constexpr auto kFewestSections = static_cast<std::size_t>(std::count_if(
     kSections.begin(), kSections.end(), [](const Kind& kind) { return kind.presence == Presence::kAlways; }));
 
-/// A name as it stands in the table.
+/// A name in the form of the table.
 constexpr std::array<char, 8> padded(std::string_view name) {
   std::array<char, 8> out{};
   std::copy(name.begin(), name.end(), out.begin());
   return out;
 }
 
-/// For messages: what can be printed of it.
+/// The printable characters of a name, for messages.
 inline std::string readable(const std::array<char, 8>& name) {
   std::string text;
   std::copy_if(name.begin(), name.end(), std::back_inserter(text), [](char c) { return c > ' ' && c <= '~'; });
   return text;
 }
 
-/// Of the prologue up to its checksum, followed by the table.
+/// The checksum of the prologue up to its checksum, followed by the table.
 inline std::uint64_t front_checksum(const Prologue& prologue, const std::vector<Section>& table) {
   constexpr std::size_t kBefore = offsetof(Prologue, checksum);
   std::vector<unsigned char> front(kBefore + table.size() * sizeof(Section));
