@@ -1,20 +1,21 @@
 // shgen: writes, checks and shows the generated kernels.
 //
-//   shgen write [FAMILY...] [--out DIR]              write generated/ (unchanged files are left alone)
-//   shgen check [FAMILY...] [--dir DIR]              compare generated/ with what would be written
-//   shgen list [FAMILY...]                           kernels and recipes: operations, measured error, time, files
+//   shgen write [FAMILY...] [--out DIR]              write the files of generated/ that differ
+//   shgen check [FAMILY...] [--dir DIR]              compare generated/ with the output of the generator
+//   shgen list [FAMILY...]                           list kernels and recipes: operations, errors, times, files
 //   shgen tune [FAMILY...] [--degree N] [--out FILE] [--check]  measure the recipes, so that `write` takes the fastest
 //   shgen emit FAMILY --degree N --lang cpp|glsl|glsl-es|hlsl|c99 [--scalar float|double]
-//                     [--prefer speed|accuracy|size | --recipe NAME]  print one kernel's file
+//                     [--prefer speed|accuracy|size | --recipe NAME]  print the file of one kernel
 //                     [--left S] [--right S] [--keep-bands L,...] [--keep-orders=M,...] [--outputs S|I,...]
-//                                                   without what these say is zero or not wanted (codegen/choose/mask.hpp)
-//                     [--degree-left A --degree-right B]  of a product: factors of these degrees, a result of degree N
+//                                                    leave out known zeros and unwanted results
+//                     [--degree-left A --degree-right B]  a product of factors of these degrees
 //   shgen dump STAGE KERNEL                          print the SSA of a kernel after a stage: dump share basis_l4
-//   shgen prove [NAME...] [--degree L] [--json FILE] prove every identity of symbolic/, or those named
-//   shgen errata [ID|SOURCE...] [--verdict V] [--json FILE]  formulas of the sources, each decided exactly
-//   shgen tex|markdown FAMILY --degree N [--convention C]  formulas of symbolic/, typeset
+//   shgen prove [NAME...] [--degree L] [--json FILE] prove every identity of symbolic/, or the named ones
+//   shgen errata [ID|SOURCE...] [--verdict V] [--json FILE]  decide every formula of the sources exactly
+//   shgen tex|markdown FAMILY --degree N [--convention C]  print formulas of symbolic/
 //
-// Exit: 0 done, 1 `check` found a difference, `prove` a false identity or `errata` a false verdict, 2 bad input.
+// Exit codes: 0 done; 2 bad input; 1 `check` found a difference, `prove` a false identity, `errata` a false verdict or
+// `tune --check` a slow choice.
 #include <CLI/CLI.hpp>
 #include <iostream>
 #include <stdexcept>
@@ -51,9 +52,10 @@ int run(int argc, char** argv) {
   }
   if (tool.get_subcommands().empty()) {
     throw std::invalid_argument(
-        "no command; it should be one of: write, check, list, tune, emit, dump, prove, errata, tex, markdown");
+        "no command: expected one of: write, check, list, tune, emit, dump, prove, errata, tex, markdown");
   }
-  if (!std::cout.flush()) throw std::runtime_error("standard output: cannot be written; the disk should have space");
+  if (!std::cout.flush())
+    throw std::runtime_error("standard output: expected a writable file with enough space, got an error");
   return exit_code;
 }
 

@@ -29,7 +29,7 @@ const T& find(const std::vector<T>& items, const std::string& kind, const std::s
   for (const T& item : items) {
     if (item.name == name) return item;
   }
-  throw std::invalid_argument("unknown " + kind + " '" + name + "'; it should be one of: " + names_of(items));
+  throw std::invalid_argument("unknown " + kind + " '" + name + "': expected one of: " + names_of(items));
 }
 
 }  // namespace
@@ -73,9 +73,9 @@ std::vector<Recipe>::iterator fastest(const Family& family, int degree, std::vec
 const Recipe& find_recipe(const Family& family, int degree, const std::string& name) {
   const Recipe& recipe = find(family.recipes, "recipe of " + family.name, name);
   if (degree < recipe.smallest || degree > recipe.largest) {
-    throw std::invalid_argument("recipe " + name + " of " + family.name + ": degree " + std::to_string(degree) +
-                                "; it should be " + std::to_string(recipe.smallest) + " to " +
-                                std::to_string(recipe.largest));
+    throw std::invalid_argument("recipe " + name + " of " + family.name + ": expected degree " +
+                                std::to_string(recipe.smallest) + " to " + std::to_string(recipe.largest) + ", got " +
+                                std::to_string(degree));
   }
   return recipe;
 }
@@ -84,19 +84,19 @@ Prefer find_preference(const std::string& name) {
   if (name == "speed") return Prefer::kSpeed;
   if (name == "accuracy") return Prefer::kAccuracy;
   if (name == "size") return Prefer::kSize;
-  throw std::invalid_argument("unknown preference '" + name + "'; it should be one of: speed, accuracy, size");
+  throw std::invalid_argument("unknown preference '" + name + "': expected one of: speed, accuracy, size");
 }
 
 print::Scalar find_scalar(const std::string& name) {
   if (name == "float") return print::Scalar::kFloat;
   if (name == "double") return print::Scalar::kDouble;
-  throw std::invalid_argument("unknown scalar '" + name + "'; it should be one of: float, double");
+  throw std::invalid_argument("unknown scalar '" + name + "': expected one of: float, double");
 }
 
 void require_degree(const Family& family, int degree) {
   if (degree < 0 || degree > family.largest_emitted) {
-    throw std::invalid_argument(family.name + ": degree " + std::to_string(degree) + "; it should be 0 to " +
-                                std::to_string(family.largest_emitted) + ", " + family.limit);
+    throw std::invalid_argument(family.name + ": expected degree 0 to " + std::to_string(family.largest_emitted) +
+                                ", got " + std::to_string(degree) + " (" + family.limit + ")");
   }
 }
 
@@ -118,7 +118,7 @@ Recipe fastest_recipe(const Family& family, int degree) {
     if (recipes_for(family, other).empty()) continue;
     degrees += (degrees.empty() ? "" : ", ") + std::to_string(other);
   }
-  throw std::invalid_argument(family.name + ": degree " + std::to_string(degree) + "; it should be one of: " + degrees);
+  throw std::invalid_argument(family.name + ": expected a degree among " + degrees + ", got " + std::to_string(degree));
 }
 
 Kernel recipe_kernel(const Family& family, const Recipe& recipe, int degree) {

@@ -106,7 +106,7 @@ Allowed allowed(const std::string& symmetry, const Coefficient& c) {
   if (symmetry == "mirror-xy") return under_exchange(c.m);
   std::string known;
   for (const std::string& name : mask_symmetries()) known += (known.empty() ? "" : ", ") + name;
-  throw std::invalid_argument("unknown symmetry '" + symmetry + "'; it should be one of: " + known);
+  throw std::invalid_argument("unknown symmetry '" + symmetry + "': expected one of: " + known);
 }
 
 bool contains(const std::vector<int>& list, int value) {
@@ -153,8 +153,8 @@ int parse_entry(const std::string& item, int size) {
   const bool digits = !item.empty() && item.size() < 6 && item.find_first_not_of("0123456789") == std::string::npos;
   const int entry = digits ? std::stoi(item) : -1;
   if (entry < 0 || entry >= size) {
-    throw std::invalid_argument("--outputs: entry '" + item + "'; it should be a number from 0 to " +
-                                std::to_string(size - 1) + " or a symmetry such as zonal");
+    throw std::invalid_argument("--outputs: expected a number from 0 to " + std::to_string(size - 1) +
+                                " or a symmetry such as zonal, got '" + item + "'");
   }
   return entry;
 }
@@ -173,8 +173,8 @@ void mask_result(Mask& mask, const Parameter& result, int first, const MaskOptio
     if (count > 0) {
       wanted = wanted && allowed(options, list ? "" : options.outputs, coefficient(result, entry)).free;
     } else if (!list && !options.outputs.empty()) {
-      throw std::invalid_argument("--outputs " + options.outputs + ": " + result.name +
-                                  " holds no coefficients; it should be a list of entries");
+      throw std::invalid_argument("--outputs: expected a list of entries, because " + result.name +
+                                  " holds no coefficients, got " + options.outputs);
     }
     if (!wanted) mask.wanted[index(first + entry)] = false;
   }
@@ -183,8 +183,8 @@ void mask_result(Mask& mask, const Parameter& result, int first, const MaskOptio
 void require_in_range(const char* option, const std::vector<int>& values, int least, int most) {
   for (const int value : values) {
     if (value >= least && value <= most) continue;
-    throw std::invalid_argument(std::string(option) + ": " + std::to_string(value) + "; it should be " +
-                                std::to_string(least) + " to " + std::to_string(most));
+    throw std::invalid_argument(std::string(option) + ": expected " + std::to_string(least) + " to " +
+                                std::to_string(most) + ", got " + std::to_string(value));
   }
 }
 
@@ -310,11 +310,12 @@ Mask make_mask(const Kernel& kernel, const MaskOptions& options) {
     first += result.size();
   }
   if (kernel.returns_scalar() && !options.outputs.empty()) {
-    throw std::invalid_argument("--outputs: " + kernel.family + " returns one number; it should be left out");
+    throw std::invalid_argument("--outputs: expected no such option, because " + kernel.family + " returns one number");
   }
   drop_unchanged(mask, kernel);
   if (std::find(mask.wanted.begin(), mask.wanted.end(), true) == mask.wanted.end())
-    throw std::invalid_argument("the mask leaves no result of " + kernel.family + "; it should keep at least one");
+    throw std::invalid_argument("mask: expected at least one result of " + kernel.family +
+                                ", got a mask that leaves no result");
   return mask;
 }
 

@@ -72,7 +72,8 @@ class TemporaryFolder {
   TemporaryFolder() {
     std::string pattern = (fs::temp_directory_path() / "shgen-tune-XXXXXX").string();
     if (mkdtemp(pattern.data()) == nullptr)
-      throw std::runtime_error(fs::temp_directory_path().string() + ": no folder can be created there");
+      throw std::runtime_error(fs::temp_directory_path().string() +
+                               ": expected a folder in which shgen can create another folder");
     path_ = pattern;
   }
   ~TemporaryFolder() {
@@ -189,7 +190,7 @@ std::string describe_machine() {
   const TemporaryFolder folder;
   const fs::path version = folder.path() / "version";
   if (std::system((compiler() + " --version >'" + version.string() + "' 2>&1").c_str()) != 0)
-    throw std::runtime_error("tune: " + compiler() + " cannot be run; CXX should name a C++ compiler");
+    throw std::runtime_error("tune: " + compiler() + " cannot run: expected the name of a C++ compiler in CXX");
   std::ifstream processors("/proc/cpuinfo");
   std::string line;
   while (std::getline(processors, line) && line.rfind("model name", 0) != 0) {
@@ -208,7 +209,7 @@ std::vector<Timing> measure_times(const Family& family, const std::vector<Recipe
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   };
   if (run(compiler() + kFlags + "-o '" + base + "' '" + base + ".cpp' 2>'" + base + ".log'") != 0)
-    throw std::runtime_error("tune: " + compiler() + " refuses " + family.name + " at degree " +
+    throw std::runtime_error("tune: " + compiler() + " does not compile " + family.name + " at degree " +
                              std::to_string(degree) + ": " + first_line(base + ".log"));
   if (run("'" + base + "' >'" + base + ".out'") != 0)
     throw std::runtime_error("tune: the measurement of " + family.name + " at degree " + std::to_string(degree) +

@@ -32,7 +32,7 @@ Wisdom Wisdom::read(const std::filesystem::path& file) {
     Timing timing;
     if (!(words >> family >> degree >> recipe >> timing.call >> timing.lane) || timing.call <= 0) {
       throw std::runtime_error(file.string() + ":" + std::to_string(number) +
-                               ": not a measurement; it should be: family degree recipe ns-a-call ns-a-lane");
+                               ": not a measurement: expected family degree recipe ns-per-call ns-per-lane");
     }
     wisdom.set(family, degree, recipe, timing);
   }

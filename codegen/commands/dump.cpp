@@ -19,7 +19,7 @@ std::vector<Stage> stages_of(const std::string& kernel) {
   const std::size_t split = kernel.rfind("_l");
   const std::string digits = split == std::string::npos ? "" : kernel.substr(split + 2);
   if (digits.empty() || digits.size() > 3 || digits.find_first_not_of("0123456789") != std::string::npos) {
-    throw std::invalid_argument("unknown kernel '" + kernel + "'; it should be FAMILY_lDEGREE such as basis_l4");
+    throw std::invalid_argument("unknown kernel '" + kernel + "': expected FAMILY_lDEGREE such as basis_l4");
   }
   const Family& family = find_family(kernel.substr(0, split));
   const int degree = std::stoi(digits);
@@ -35,7 +35,7 @@ void dump(const std::string& stage, const std::string& kernel) {
     }
     known += (known.empty() ? "" : ", ") + s.name;
   }
-  throw std::invalid_argument("unknown stage '" + stage + "'; it should be one of: " + known);
+  throw std::invalid_argument("unknown stage '" + stage + "': expected one of: " + known);
 }
 
 }  // namespace
@@ -43,8 +43,8 @@ void dump(const std::string& stage, const std::string& kernel) {
 void add_dump_command(CLI::App& tool, int& exit_code) {
   const auto stage = std::make_shared<std::string>();
   const auto kernel = std::make_shared<std::string>();
-  CLI::App* const command = tool.add_subcommand("dump", "Print the SSA of a kernel after a stage");
-  command->add_option("stage", *stage, "recipe, share, factor, fold, prune, associate or schedule")->required();
+  CLI::App* const command = tool.add_subcommand("dump", "Print the SSA of a kernel after a stage of the pipeline");
+  command->add_option("stage", *stage, "Stage: recipe, share, factor, fold, prune, associate or schedule")->required();
   command->add_option("kernel", *kernel, "Kernel, e.g. basis_l4")->required();
   command->callback([stage, kernel, &exit_code] {
     dump(*stage, *kernel);

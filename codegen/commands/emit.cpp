@@ -1,4 +1,4 @@
-// `shgen emit`: one kernel's file on standard output, in a language and a convention, masked or full.
+// `shgen emit`: prints the file of one kernel, in a language and a convention, with or without a mask.
 #include <CLI/CLI.hpp>
 #include <iostream>
 #include <memory>
@@ -17,12 +17,12 @@ namespace {
 struct EmitOptions {
   std::string family;
   int degree = 0;
-  std::optional<int> left_degree;  // of the factors of a product; empty: that of the result
+  std::optional<int> left_degree;  // degrees of the factors of a product; empty: the degree of the result
   std::optional<int> right_degree;
   std::string language;
   std::string scalar = "float";
   std::string prefer = "speed";
-  std::string recipe;  // this one instead of the preferred one, if not empty
+  std::string recipe;  // empty: `prefer` decides
   MaskOptions mask;
   ConventionOptions convention;
 };
@@ -35,7 +35,7 @@ Family family_of(const EmitOptions& options) {
     for (const Family& other : families()) {
       if (other.of_degrees != nullptr) known += (known.empty() ? "" : ", ") + other.name;
     }
-    throw std::invalid_argument("--degree-left: family " + family.name + "; it should be " + known);
+    throw std::invalid_argument("--degree-left: expected family " + known + ", got " + family.name);
   }
   return family.of_degrees(*options.left_degree, *options.right_degree, options.degree);
 }
@@ -64,8 +64,11 @@ void emit(const EmitOptions& options) {
 void add_mask_options(CLI::App& command, MaskOptions& mask) {
   command.add_option("--left", mask.left, "Symmetries of the first coefficient array, e.g. zonal or mirror-x,mirror-y");
   command.add_option("--right", mask.right, "Symmetries of the second coefficient array");
-  command.add_option("--keep-bands", mask.keep_bands, "Degrees l that are not zero, e.g. 0,1,2,4")->delimiter(',');
-  command.add_option("--keep-orders", mask.keep_orders, "Orders m that are not zero, e.g. --keep-orders=-2,0,2")
+  command.add_option("--keep-bands", mask.keep_bands, "Degrees l to keep (all others are zero), e.g. 0,1,2,4")
+      ->delimiter(',');
+  command
+      .add_option("--keep-orders", mask.keep_orders,
+                  "Orders m to keep (all others are zero), e.g. --keep-orders=-2,0,2")
       ->delimiter(',');
   command.add_option("--outputs", mask.outputs, "Wanted results: a symmetry or a list of entries, e.g. 0,2,6");
 }
@@ -78,17 +81,18 @@ void add_emit_command(CLI::App& tool, int& exit_code) {
   command->add_option("family", options->family, "Family, e.g. basis")->required();
   command->add_option("--degree", options->degree, "Largest degree l")->required();
   command->add_option("--lang", options->language, "Language: cpp, glsl, glsl-es, hlsl or c99")->required();
-  command->add_option("--scalar", options->scalar, "Scalar type: float or double (C++ is templated on it)");
-  command->add_option("--prefer", options->prefer, "What the recipe is chosen for: speed, accuracy or size");
-  auto* left = command->add_option("--degree-left", options->left_degree, "Degree of a product's left factor");
-  auto* right = command->add_option("--degree-right", options->right_degree, "Degree of a product's right factor");
+  command->add_option("--scalar", options->scalar,
+                      "Scalar type: float or double (C++ code takes it as a template parameter)");
+  command->add_option("--prefer", options->prefer, "Quality that decides among the recipes: speed, accuracy or size");
+  auto* left = command->add_option("--degree-left", options->left_degree, "Degree of the left factor of a product");
+  auto* right = command->add_option("--degree-right", options->right_degree, "Degree of the right factor of a product");
   left->needs(right);
   right->needs(left);
   command->add_option("--convention", options->convention.convention, "Convention of arrays, e.g. directxmath, unity");
   command->add_option("--axes", options->convention.axes,
-                      "The convention's coordinates from the caller's, e.g. x,z,-y");
+                      "Coordinates of the convention in terms of the caller's, e.g. x,z,-y");
   add_mask_options(*command, options->mask);
-  command->add_option("--recipe", options->recipe, "This recipe of the family, whatever it is good for")
+  command->add_option("--recipe", options->recipe, "Name of the recipe; replaces the choice by --prefer")
       ->excludes("--prefer", "--convention", "--axes", "--left", "--right", "--keep-bands", "--keep-orders",
                  "--outputs");
   command->callback([options, &exit_code] {

@@ -51,7 +51,7 @@ void require_verdict(const std::string& name) {
     if (to_string(verdict) == name) return;
     known.append(known.empty() ? "'" : ", '").append(to_string(verdict)).append("'");
   }
-  throw std::invalid_argument("unknown verdict '" + name + "'; it should be one of: " + known);
+  throw std::invalid_argument("unknown verdict '" + name + "': expected one of: " + known);
 }
 
 [[noreturn]] void refuse_unknown(const std::string& name, const std::vector<Source>& sources) {
@@ -61,7 +61,7 @@ void require_verdict(const std::string& name) {
     known.append(known.empty() ? "" : ", ").append(source.prefix).append(" (");
     known.append(source.entries.front().id).append(" to ").append(source.entries.back().id).append(")");
   }
-  throw std::invalid_argument("unknown source or entry '" + name + "'; it should be one of: " + known);
+  throw std::invalid_argument("unknown source or entry '" + name + "': expected one of: " + known);
 }
 
 bool is_named(const Source& source, const Entry& entry, const std::vector<std::string>& only) {

@@ -28,7 +28,7 @@ struct Outcome {
 [[noreturn]] void refuse_unknown(const std::string& name, const std::vector<Proof>& all) {
   std::string known;
   for (const Proof& proof : all) known.append(known.empty() ? "" : ", ").append(proof.name);
-  throw std::invalid_argument("unknown proof '" + name + "'; it should be one of: " + known);
+  throw std::invalid_argument("unknown proof '" + name + "': expected one of: " + known);
 }
 
 std::vector<Proof> chosen_proofs(const std::vector<std::string>& only) {
@@ -60,7 +60,7 @@ void print_line(std::ostream& out, const Proof& proof, const Outcome& outcome) {
   out << std::left << std::setw(8) << verdict(outcome) << std::setw(31) << proof.name << std::setw(8)
       << range(proof, outcome.degree) << std::right << std::fixed << std::setprecision(2) << std::setw(8)
       << outcome.seconds << " s  " << proof.statement << " | " << proof.method << " | " << outcome.result.detail
-      << std::endl;  // one line at a time: a proof may take minutes
+      << std::endl;  // flushes each line, because a proof may take minutes
 }
 
 nlohmann::ordered_json as_json(const Proof& proof, const Outcome& outcome) {
@@ -109,9 +109,9 @@ bool prove(const ProveOptions& options, std::ostream& out, std::ostream& progres
 
 void add_prove_command(CLI::App& tool, int& exit_code) {
   const auto options = std::make_shared<ProveOptions>();
-  CLI::App* const command = tool.add_subcommand("prove", "Prove every identity that the kernels rest on");
+  CLI::App* const command = tool.add_subcommand("prove", "Prove every identity that the kernels use");
   command->add_option("name", options->only, "Proofs to run (default: all)");
-  command->add_option("--degree", options->degree, "Prove to this degree where the range allows");
+  command->add_option("--degree", options->degree, "Highest degree, limited by the range of each proof");
   command->add_option("--json", options->json, "File to write the results to");
   command->callback([options, &exit_code] { exit_code = prove(*options, std::cout, std::cerr) ? kDone : kDifferent; });
 }

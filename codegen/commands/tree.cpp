@@ -17,8 +17,7 @@
 namespace sh::codegen {
 namespace {
 
-// ./generated when it exists (run from a checkout), otherwise what was installed with this tool or what it was built
-// from.
+// ./generated if it exists (in a checkout), otherwise the installed folder, otherwise the folder of the source tree.
 std::string default_folder() {
   if (std::filesystem::is_regular_file("generated/MANIFEST")) return "generated";
   return installed_or("include/shforge/generated", SHFORGE_GENERATED_DIR);
@@ -30,7 +29,7 @@ void report_progress(const std::string& kernel) { std::cerr << "shgen: " << kern
 
 void ignore_progress(const std::string& /*kernel*/) {}
 
-// The subject of a command: the whole folder, or the kernels of some families in it.
+// The files of a command: the whole folder, or the kernels of some families in it.
 struct Selection {
   std::string folder;  // empty: the default
   std::vector<std::string> families;
@@ -57,17 +56,18 @@ int check(const Selection& selection) {
   const std::vector<std::string> differences = compare(folder, rendered);
   for (const std::string& line : differences) std::cout << line << '\n';
   if (!differences.empty()) return kDifferent;
-  std::cerr << "shgen: " << rendered.size() << " files of " << folder << " are what the generator writes\n";
+  std::cerr << "shgen: " << rendered.size() << " files of " << folder << " equal the output of the generator\n";
   return kDone;
 }
 
-// The manifest of a folder: every line, or those of some families.
+// Prints the manifest of a folder: every line, or the lines of some families.
 int list(const std::string& folder, const std::vector<std::string>& only) {
   std::vector<std::string> prefixes;
   prefixes.reserve(only.size());
   for (const std::string& name : only) prefixes.push_back(find_family(name).name + "_l");
   std::ifstream manifest(folder + "/MANIFEST");
-  if (!manifest) throw std::runtime_error(folder + "/MANIFEST: cannot be read; `shgen write` writes it");
+  if (!manifest)
+    throw std::runtime_error(folder + "/MANIFEST: expected a readable file (`shgen write` writes it), got none");
   std::string line;
   while (std::getline(manifest, line)) {
     const bool chosen = std::any_of(prefixes.begin(), prefixes.end(),
@@ -83,15 +83,16 @@ void add_write_command(CLI::App& tool, int& exit_code) {
   const auto selection = std::make_shared<Selection>();
   CLI::App* const command = tool.add_subcommand("write", "Write the generated files that differ");
   command->add_option("family", selection->families,
-                      "Families whose kernels to write (default: all, and what needs all)");
+                      "Families to write (default: all families and the files that list all of them)");
   command->add_option("--out", selection->folder, "Folder to write to (default: ./generated or the source tree's)");
   command->callback([selection, &exit_code] { exit_code = write(*selection); });
 }
 
 void add_check_command(CLI::App& tool, int& exit_code) {
   const auto selection = std::make_shared<Selection>();
-  CLI::App* const command = tool.add_subcommand("check", "Compare the generated files with what would be written");
-  command->add_option("family", selection->families, "Families whose kernels to compare (default: all, every file)");
+  CLI::App* const command =
+      tool.add_subcommand("check", "Compare the generated files with the output of the generator");
+  command->add_option("family", selection->families, "Families to compare (default: every file of the folder)");
   command->add_option("--dir", selection->folder, "Folder to compare (default: ./generated or the source tree's)");
   command->callback([selection, &exit_code] { exit_code = check(*selection); });
 }
@@ -99,7 +100,7 @@ void add_check_command(CLI::App& tool, int& exit_code) {
 void add_list_command(CLI::App& tool, int& exit_code) {
   const auto only = std::make_shared<std::vector<std::string>>();
   CLI::App* const command =
-      tool.add_subcommand("list", "List every kernel and recipe with cost, error, time and files");
+      tool.add_subcommand("list", "List every kernel and recipe with its cost, error, time and files");
   command->add_option("family", *only, "Families (default: all)");
   command->callback([only, &exit_code] { exit_code = list(default_folder(), *only); });
 }

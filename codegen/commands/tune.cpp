@@ -18,7 +18,7 @@
 namespace sh::codegen {
 namespace {
 
-constexpr int kAttempts = 3;  // a busy machine may spoil one
+constexpr int kAttempts = 3;  // a busy machine may spoil an attempt
 
 struct Task {
   const Family* family;
@@ -52,7 +52,7 @@ double least_call(const std::vector<Timing>& timings) {
   return least;
 }
 
-// The least of several measurements, until the chosen recipe, which is the first, has won.
+// The least times of several measurements. Measures again until the chosen recipe, the first one, is the fastest.
 std::vector<Timing> checked_times(const Task& task, const std::vector<Recipe>& recipes) {
   std::vector<Timing> best = measure_times(*task.family, recipes, task.degree);
   for (int attempt = 1; attempt < kAttempts && best[0].call > kNoise * least_call(best); ++attempt) {
@@ -84,7 +84,7 @@ bool tune(const TuneOptions& options, std::ostream& out, std::ostream& progress)
       wisdom.set(family->name, degree, recipes[i].name, timings[i]);
     }
     if (timings[0].call > kNoise * least) ++slower;
-    if (!options.check) output::write_file(file.string(), wisdom.to_string());  // kept when interrupted
+    if (!options.check) output::write_file(file.string(), wisdom.to_string());  // an interrupted run keeps its results
   }
   const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
   progress << fmt::format("shgen: {} measured in {:.0f} s", tasks.size(), time.count());
@@ -96,11 +96,11 @@ bool tune(const TuneOptions& options, std::ostream& out, std::ostream& progress)
 void add_tune_command(CLI::App& tool, int& exit_code) {
   const auto options = std::make_shared<TuneOptions>();
   CLI::App* const command =
-      tool.add_subcommand("tune", "Measure the recipes on this machine, for `shgen write` to choose");
+      tool.add_subcommand("tune", "Measure the recipes on this machine, so that `shgen write` takes the fastest");
   command->add_option("family", options->families, "Families (default: all)");
-  command->add_option("--degree", options->degree, "This degree only");
+  command->add_option("--degree", options->degree, "Degree to measure (default: every written degree)");
   command->add_option("--out", options->file, "Wisdom file to update (default: the source tree's)");
-  command->add_flag("--check", options->check, "Only compare the recipes with the choice; write nothing");
+  command->add_flag("--check", options->check, "Compare the times with the current choice and write nothing");
   command->callback([options, &exit_code] { exit_code = tune(*options, std::cout, std::cerr) ? kDone : kDifferent; });
 }
 

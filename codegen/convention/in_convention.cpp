@@ -271,13 +271,14 @@ Convention chosen_convention(const Kernel& kernel, const ConventionOptions& opti
   const Convention convention =
       options.convention.empty() ? our_convention() : symbolic::find_preset(options.convention).convention;
   if (convention.complex)
-    throw std::invalid_argument("convention " + options.convention + ": it is complex; kernels are for real ones");
+    throw std::invalid_argument("convention " + options.convention + ": expected a real convention, got a complex one");
   int degree = kernel.degree;
   for (const Parameter& result : kernel.results) degree = std::max(degree, result.degree);
   require_convention(convention, degree);
   if (multiplies_coefficients(kernel) && convention.folded != symbolic::Folded::kNothing)
     throw std::invalid_argument("convention " + options.convention +
-                                ": its coefficients hold a clamped cosine; products should be of radiance");
+                                ": expected coefficients of radiance for a product, got coefficients that "
+                                "include a clamped cosine");
   return convention;
 }
 

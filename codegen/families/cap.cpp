@@ -34,7 +34,7 @@ std::vector<std::vector<double>> test_inputs(int /*degree*/) {
 Family cap_family() {
   return {
       .name = "cap",
-      .limit = "beyond which a cap needs a loop",
+      .limit = "a cap of a higher degree needs a loop",
       .recipes = {{"recurrence", recipes::cap_recurrence, 7}, {"horner", recipes::cap_horner}},
       .reference = reference,
       .domain = {.inputs = "sizes (random, a hemisphere, the sphere, 2^-1 to 2^-120)",

@@ -75,7 +75,7 @@ struct Family {
   int largest_written = 10;  ///< `shgen write` writes degrees 0 to this
   int largest_emitted = 20;  ///< `shgen emit` prints degrees 0 to this
   /// The reason for largest_emitted, one line.
-  std::string limit = "beyond which straight-line code is too long to be useful";
+  std::string limit = "straight-line code of a higher degree is too long to be useful";
   std::vector<Recipe> recipes;
   /// The exact outputs of the family at `count` points of its domain. They come from symbolic/, not from a recipe.
   std::function<Reference(int degree, int count)> reference;

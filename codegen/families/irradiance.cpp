@@ -17,7 +17,7 @@ using symbolic::Surd;
 
 constexpr int kInputs = 400;
 constexpr int kLargest = 20;
-constexpr const char* kOneDegree = "the only one that has this form";
+constexpr const char* kOneDegree = "no other degree has this form";
 constexpr const char* kCoefficients = "coefficient vectors (random, of norm 1)";
 constexpr const char* kWithNormals =
     "coefficient vectors (random, of norm 1) with normals (random, axes, poles, near poles)";

@@ -12,7 +12,7 @@ using symbolic::ProductShape;
 
 constexpr int kLargestUnrolled = 6;  // longer code falls out of the instruction cache
 constexpr int kLargestEmitted = symbolic::kMaxProductDegree;
-constexpr const char* kLimit = "to which the Gaunt tensor is derived";
+constexpr const char* kLimit = "the Gaunt tensor is derived to this degree only";
 constexpr int kLargestByTerms = 3;  // beyond, one product a term is too long to be useful
 
 FactorSizes equal_factors(std::size_t count) {

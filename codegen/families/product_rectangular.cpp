@@ -72,13 +72,13 @@ ProductShape complete(int degree) { return {degree, degree, 2 * degree}; }
 
 Family rectangular_product_family(int left_degree, int right_degree, int degree) {
   const ProductShape shape{left_degree, right_degree, degree};
-  const auto require = [](const std::string& what, int value, int largest, const std::string& limit) {
+  const auto require = [](const std::string& factor, int value, int largest, const std::string& limit) {
     if (value >= 0 && value <= largest) return;
-    throw std::invalid_argument("product: degree " + std::to_string(value) + " of " + what + "; it should be 0 to " +
-                                std::to_string(largest) + ", " + limit);
+    throw std::invalid_argument("product: expected degree 0 to " + std::to_string(largest) + " of " + factor +
+                                ", got " + std::to_string(value) + " (" + limit + ")");
   };
-  constexpr const char* kTensor = "to which the Gaunt tensor is derived";
-  constexpr const char* kComplete = "beyond which the product is zero";
+  constexpr const char* kTensor = "the Gaunt tensor is derived to this degree only";
+  constexpr const char* kComplete = "all further bands of the product are zero";
   require("the left factor", left_degree, symbolic::kMaxProductDegree, kTensor);
   require("the right factor", right_degree, symbolic::kMaxProductDegree, kTensor);
   require("the result", degree, left_degree + right_degree, kComplete);
@@ -105,7 +105,7 @@ Family product_full_family() {
   return {.name = "product_full",
           .largest_written = kLargest,
           .largest_emitted = kLargest,
-          .limit = "beyond which `shgen emit product --degree-left N --degree-right N` serves",
+          .limit = "`shgen emit product --degree-left N --degree-right N` serves higher degrees",
           .recipes = {{"pairs", pairs, 0, kLargest},
                       {"separable", separable(SampleProduct::kDirect), 1, kLargest},
                       {"separable-halves", separable(SampleProduct::kHalves), 1, kLargest},

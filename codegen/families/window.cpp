@@ -13,7 +13,8 @@ namespace {
 
 constexpr int kInputs = 300;
 constexpr int kLargest = 20;
-constexpr const char* kLimit = "beyond which straight-line code is too long to be useful; degree 0 needs no window";
+constexpr const char* kLimit =
+    "straight-line code of a higher degree is too long to be useful; degree 0 needs no window";
 constexpr const char* kUnit = "|c_lm|";
 
 using numeric::coefficient_count;

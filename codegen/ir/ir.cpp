@@ -49,11 +49,11 @@ std::vector<Phase> phases(const Kernel& kernel) {
     }
     if (in_row != (node.op == Op::kRowSum) && in_row && after) {
       throw std::logic_error(kernel.name + ": node " + std::to_string(id) +
-                             " needs a row of the table and a sum over all rows; it should need one of them");
+                             ": expected an argument that depends on a row or on a sum over all rows, got both");
     }
     if (node.op == Op::kRowSum && !in_row) {
       throw std::logic_error(kernel.name + ": node " + std::to_string(id) +
-                             " sums over the rows what depends on none; it should depend on the table");
+                             ": expected a sum of a value that depends on a row of the table, got another value");
     }
     result[static_cast<std::size_t>(id)] = after ? Phase::kAfter : in_row ? Phase::kBody : Phase::kBefore;
   }
@@ -95,14 +95,14 @@ void require_well_formed(const Kernel& kernel) {
     for (int i = 0; i < argument_count(node.op); ++i) {
       const NodeId arg = node.args[static_cast<std::size_t>(i)];
       if (arg < 0 || arg >= id) {
-        throw std::logic_error(kernel.name + ": node " + std::to_string(id) + " uses node " + std::to_string(arg) +
-                               "; it should use earlier nodes only");
+        throw std::logic_error(kernel.name + ": node " + std::to_string(id) +
+                               ": expected an earlier node as argument, got node " + std::to_string(arg));
       }
     }
   }
   for (const Output& output : kernel.outputs) {
     if (output.node < 0 || output.node >= kernel.size()) {
-      throw std::logic_error(kernel.name + ": output " + output.label + " has no node");
+      throw std::logic_error(kernel.name + ": output " + output.label + ": expected a node, got none");
     }
   }
 }

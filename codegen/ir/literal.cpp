@@ -61,7 +61,7 @@ T nearest(const ExactReal& value) {
     if (low == nearest<T>(centre + radius)) return low;
   }
   throw std::runtime_error("literal: " + to_string(value) +
-                           " lies too close to a rounding boundary; 2000 digits should decide");
+                           ": expected that 2000 digits decide the rounding, got a value too close to a boundary");
 }
 
 template float nearest<float>(const cln::cl_RA&);

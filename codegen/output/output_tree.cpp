@@ -33,19 +33,20 @@ void make_folder(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (!fs::is_directory(folder))
-    throw std::runtime_error(folder.string() + ": no folder and none can be made; it should be a folder to write to");
+    throw std::runtime_error(folder.string() +
+                             ": expected a folder to write to, got a path at which shgen cannot make one");
 }
 
 void require_existing(const fs::path& folder) {
   if (!fs::is_directory(folder))
-    throw std::runtime_error(folder.string() + ": no such folder; it should hold the generated files");
+    throw std::runtime_error(folder.string() + ": expected a folder with the generated files, got none");
 }
 
 std::vector<std::string> write_tree(const fs::path& folder, const RenderedFiles& files) {
   std::vector<std::string> written;
   for (const auto& [name, content] : files) {
     if (content_of(folder / name) == content) continue;
-    std::error_code ignored;  // write_file says when there is no folder
+    std::error_code ignored;  // write_file reports a missing folder
     fs::create_directories((folder / name).parent_path(), ignored);
     output::write_file((folder / name).string(), content);
     written.push_back(name);
@@ -61,7 +62,7 @@ std::vector<std::string> compare_files(const fs::path& folder, const RenderedFil
     if (!found) {
       differences.push_back(name + ": missing");
     } else if (*found != content) {
-      differences.push_back(name + ": differs from what the generator writes, " + first_difference(*found, content));
+      differences.push_back(name + ": differs from the output of the generator, " + first_difference(*found, content));
     }
   }
   return differences;

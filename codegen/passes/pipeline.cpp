@@ -23,7 +23,7 @@ void require_values(const Stage& stage, const Reference& reference) {
       if (cln::abs(cln::rational(outputs[i] - point.outputs.at(i))) > tolerance) {
         throw std::runtime_error("pass " + stage.name + ": " + stage.kernel.name + " output " + std::to_string(i) +
                                  " (" + stage.kernel.outputs[i].label +
-                                 ") differs from the exact function; it should agree to " +
+                                 ") differs from the exact function: expected agreement to " +
                                  std::to_string(kAgreeDigits) + " digits");
       }
     }
@@ -34,8 +34,8 @@ void require_cost(const Stage& before, const Stage& after) {
   const int was = cost(before.kernel).operations();
   const int is = cost(after.kernel).operations();
   if (is > was) {
-    throw std::runtime_error("pass " + after.name + ": " + after.kernel.name + " costs " + std::to_string(is) +
-                             " operations; it should cost at most " + std::to_string(was) + " as before the pass");
+    throw std::runtime_error("pass " + after.name + ": " + after.kernel.name + ": expected at most " +
+                             std::to_string(was) + " operations, as before the pass, got " + std::to_string(is));
   }
 }
 

@@ -59,7 +59,7 @@ TEST_F(WrittenTree, ComparisonNamesAFileWithOneByteChangedAndTheLine) {
     changed[changed.size() - 2] = static_cast<char>(changed[changed.size() - 2] ^ 1);
     test::write_file(folder() / name, changed);
     const std::string line = name == "cpp/basis_l3.hpp" ? "2" : "1";
-    EXPECT_EQ(differences(), Lines{name + ": differs from what the generator writes, first in line " + line});
+    EXPECT_EQ(differences(), Lines{name + ": differs from the output of the generator, first in line " + line});
     test::write_file(folder() / name, content);
   }
 }
@@ -121,7 +121,7 @@ TEST(Shgen, CheckExitsWithOneAndALineForEachDifference) {
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_EQ(result.out,
             "cpp/cap_l3.hpp: missing\n"
-            "glsl/cap_l10.glsl: differs from what the generator writes, first in line 1\n");
+            "glsl/cap_l10.glsl: differs from the output of the generator, first in line 1\n");
 }
 
 TEST(Shgen, EmitPrintsTheCommittedFile) {
@@ -144,35 +144,35 @@ TEST(Shgen, DumpShowsEachStage) {
 
 TEST(Shgen, BadArgumentsAreOneLineAndExitTwo) {
   const std::map<std::string, std::string> cases{
-      {"", "it should be one of: write, check, list, tune, emit, dump"},
+      {"", "expected one of: write, check, list, tune, emit, dump"},
       {"frobnicate", "frobnicate"},
       {"emit", "family"},
       {"emit basis --lang cpp", "--degree"},
-      {"emit basis --degree -1 --lang cpp", "degree -1; it should be 0 to 20"},
-      {"emit basis --degree 21 --lang cpp", "degree 21; it should be 0 to 20"},
+      {"emit basis --degree -1 --lang cpp", "basis: expected degree 0 to 20, got -1"},
+      {"emit basis --degree 21 --lang cpp", "basis: expected degree 0 to 20, got 21"},
       {"emit basis --degree four --lang cpp", "four"},
       {"emit basis --degree 99999999999 --lang cpp", "99999999999"},
-      {"emit nothing --degree 1 --lang cpp", "unknown family 'nothing'; it should be one of: basis"},
+      {"emit nothing --degree 1 --lang cpp", "unknown family 'nothing': expected one of: basis"},
       {"emit basis --degree 1 --lang cobol",
-       "unknown language 'cobol'; it should be one of: cpp, glsl, glsl-es, hlsl, c99"},
-      {"emit basis --degree 1 --lang c99 --scalar half", "unknown scalar 'half'; it should be one of: float, double"},
+       "unknown language 'cobol': expected one of: cpp, glsl, glsl-es, hlsl, c99"},
+      {"emit basis --degree 1 --lang c99 --scalar half", "unknown scalar 'half': expected one of: float, double"},
       {"emit basis --degree 1 --lang glsl-es --scalar double", "expected scalar float, got double"},
-      {"emit basis --degree 1 --lang cpp --prefer luck", "it should be one of: speed, accuracy, size"},
+      {"emit basis --degree 1 --lang cpp --prefer luck", "expected one of: speed, accuracy, size"},
       {"emit product --degree 2 --degree-left 1 --lang cpp", "--degree-left requires --degree-right"},
       {"emit product --degree 4 --degree-left 1 --degree-right 2 --lang cpp",
-       "product: degree 4 of the result; it should be 0 to 3"},
+       "product: expected degree 0 to 3 of the result, got 4"},
       {"emit product --degree 1 --degree-left 13 --degree-right 1 --lang cpp",
-       "product: degree 13 of the left factor; it should be 0 to 12"},
+       "product: expected degree 0 to 12 of the left factor, got 13"},
       {"emit product --degree 1 --degree-left 1 --degree-right=-1 --lang cpp",
-       "product: degree -1 of the right factor; it should be 0 to 12"},
-      {"emit basis --degree 1 --degree-left 1 --degree-right 1 --lang cpp", "family basis; it should be product"},
-      {"emit product_full --degree 9 --lang cpp", "degree 9; it should be 0 to 4"},
-      {"dump nothing basis_l4", "it should be one of: recipe, share, factor, fold, prune, associate, schedule"},
+       "product: expected degree 0 to 12 of the right factor, got -1"},
+      {"emit basis --degree 1 --degree-left 1 --degree-right 1 --lang cpp", "expected family product, got basis"},
+      {"emit product_full --degree 9 --lang cpp", "expected degree 0 to 4, got 9"},
+      {"dump nothing basis_l4", "expected one of: recipe, share, factor, fold, prune, associate, schedule"},
       {"dump share basis", "unknown kernel 'basis'"},
-      {"dump share basis_l99", "degree 99"},
+      {"dump share basis_l99", "got 99"},
       {"dump share basis_lx", "unknown kernel 'basis_lx'"},
       {"check --dir /nonexistent", "/nonexistent"},
-      {"check nothing", "unknown family 'nothing'; it should be one of: basis"},
+      {"check nothing", "unknown family 'nothing': expected one of: basis"},
       {"write basis nothing --out /dev/null/here", "/dev/null/here"},
       {"write --out /dev/null/here", "/dev/null/here"},
       {"emit basis --degree 4 --lang cpp >/dev/full", "standard output"},

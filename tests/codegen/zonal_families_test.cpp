@@ -222,7 +222,7 @@ TEST(Catalogue, RefusesADegreeThatAFamilyLeavesOutAndListsTheOthers) {
     preferred_kernel(find_family("lightmap"), 0, Prefer::kAccuracy);
     FAIL() << "accepted";
   } catch (const std::invalid_argument& error) {
-    EXPECT_STREQ(error.what(), "lightmap: degree 0; it should be one of: 1");
+    EXPECT_STREQ(error.what(), "lightmap: expected a degree among 1, got 0");
   }
 }
 

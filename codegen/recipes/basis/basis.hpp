@@ -1,5 +1,4 @@
-// The recipes of the basis: values, gradients, values at any vector, evaluation and projection. Each .cpp file explains
-// its formulas.
+// The recipes of the basis: values, gradients, values at any vector, evaluation and projection.
 #pragma once
 
 #include "codegen/ir/ir.hpp"
@@ -11,31 +10,32 @@ namespace sh::codegen::recipes {
 inline constexpr const char* kRecurrenceSource =
     "P.-P. Sloan, \"Efficient Spherical Harmonic Evaluation\", JCGT 2(2), 2013; constants derived exactly";
 
-/// Appends the nodes of every Y_lm on the unit sphere, in order, times `weight` where one is given (it enters where the
-/// columns start). Throws std::invalid_argument for a degree that symbolic::require_basis_index refuses.
+/// Appends the nodes of every Y_lm on the unit sphere, in order. If `weight` is a node, it multiplies all values (it
+/// enters at the start of the columns). Throws std::invalid_argument for a degree that symbolic::require_basis_index
+/// refuses.
 std::vector<NodeId> append_recurrence(Builder& build, const Direction& d, int degree, NodeId weight = -1);
 
 /// Appends the nodes of every solid harmonic r^l Y_lm, in order.
 std::vector<NodeId> append_solid_recurrence(Builder& build, const Direction& d, int degree);
 
-/// basis_l<degree>: inputs x, y, z with |d| = 1; out ((degree+1)^2). Throws as append_recurrence does.
+/// basis_l<degree>: inputs x, y, z with |d| = 1; out ((degree+1)^2). Throws the exceptions of append_recurrence.
 Kernel basis_recurrence(int degree);
 
 inline constexpr const char* kCentredSource =
     "polynomials in 2z^2-1 for m <= 2, the recurrence in l for m > 2, doubling in m; derived exactly";
 
-/// Appends the nodes of every Y_lm, in order. Throws as symbolic::require_basis_index does.
+/// Appends the nodes of every Y_lm, in order. Throws the exceptions of symbolic::require_basis_index.
 std::vector<NodeId> append_centred(Builder& build, const Direction& d, int degree);
 
-/// basis_l<degree> for accuracy.
+/// basis_l<degree> with small rounding error.
 Kernel basis_centred(int degree);
 
-/// Appends the nodes of every Y_lm on the unit sphere, in order, times `weight` where one is given. Throws as
-/// symbolic::require_basis_index does.
+/// Appends the nodes of every Y_lm on the unit sphere, in order. If `weight` is a node, it multiplies all values.
+/// Throws the exceptions of symbolic::require_basis_index.
 std::vector<NodeId> append_parity(Builder& build, const Direction& d, int degree, const ParityChoices& choices,
                                   NodeId weight = -1);
 
-/// Appends the nodes of every solid harmonic r^l Y_lm, in order. d S_(m+1,m) / dz is one of the nodes.
+/// Appends the nodes of every solid harmonic r^l Y_lm, in order. One of the nodes is d S_(m+1,m) / dz.
 std::vector<NodeId> append_solid(Builder& build, const Direction& d, int degree);
 
 /// basis_l<degree> with accurate_choices.
@@ -43,9 +43,9 @@ Kernel basis_parity(int degree);
 /// basis_l<degree> with the fewest operations.
 Kernel basis_parity_least(int degree);
 
-/// basis_gradient_l<degree>: x, y, z any; out, dx, dy, dz ((degree+1)^2 each). Values by parity columns.
+/// basis_gradient_l<degree>: any x, y, z; out, dx, dy, dz ((degree+1)^2 each). Parity columns give the values.
 Kernel basis_gradient_ladder(int degree);
-/// The same with the values by the recurrence in l.
+/// The same, but the recurrence in l gives the values.
 Kernel basis_gradient_recurrence(int degree);
 
 /// basis_normalised_l<degree>: x, y, z; out ((degree+1)^2).
@@ -60,15 +60,15 @@ Kernel evaluate_sum(int degree);
 Kernel evaluate_rgb_columns(int degree);
 Kernel evaluate_rgb_sum(int degree);
 
-/// Where the coefficient of x^i y^j (of z x^i y^j for the part q) stands: p first, then q, each by falling i, then by
-/// falling j.
+/// The position of the coefficient of x^i y^j (in the part p) or of z x^i y^j (in the part q, with_z). p comes first,
+/// then q; each part is ordered by falling i, then by falling j.
 std::size_t polynomial_index(int degree, int i, int j, bool with_z);
 
-/// The exact coefficient of every monomial in every Y_lm: rows by polynomial_index, columns by l(l+1)+m.
+/// The exact coefficient of every monomial in every Y_lm. Rows: polynomial_index; columns: l(l+1)+m.
 std::vector<std::vector<symbolic::Surd>> polynomial_matrix(int degree);
 
-/// evaluate_prepare_l<degree>: c ((degree+1)^2) to polynomial ((degree+1)^2): order by order to powers of x^2+y^2, then
-/// to monomials.
+/// evaluate_prepare_l<degree>: c ((degree+1)^2); polynomial ((degree+1)^2). Converts each order to powers of x^2+y^2,
+/// then to monomials.
 Kernel evaluate_prepare(int degree);
 /// evaluate_prepared_l<degree>: polynomial ((degree+1)^2), x, y, z with |d| = 1; returns the value.
 Kernel evaluate_prepared(int degree);
@@ -79,7 +79,7 @@ Kernel project_recurrence(int degree);
 
 /// project_moments_l<degree>: x, y, z, weight; moments ((degree+1)^2) in place.
 Kernel project_moments(int degree);
-/// project_finish_l<degree>: moments ((degree+1)^2) to c ((degree+1)^2).
+/// project_finish_l<degree>: moments ((degree+1)^2); c ((degree+1)^2).
 Kernel project_finish(int degree);
 
 }  // namespace sh::codegen::recipes

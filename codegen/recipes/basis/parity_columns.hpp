@@ -1,13 +1,15 @@
-// The axial polynomials of all Y_lm up to a degree in few operations, column by column.
+// Computes the axial polynomials of all Y_lm up to a degree in few operations, column by column.
 //
-// T_n = Y_(m+n,m) / A_m of column m (A_m = k_m Re (x+iy)^m; T_n = Y_n0 for m = 0) is an even or odd polynomial in z;
-// E_n = T_n / T_1 for odd n an even one. By falling m: T_2 and E_3 are linear in z^2; T_4 = alpha E^2 + beta with
-// E = E_3 of column m+1, whose zero is the vertex of T_4; for n >= 5 relations between Gegenbauer polynomials
-// [AbramowitzStegun64] 22.7 give E_n from T_(n-1) and E_(n-2), even T_n from z E_(n-1) and T_(n-2), of the same or of
-// the next column, and even T_n from T_n and T_(n-2) of the next column where that reaches so far.
+// In column m, T_n = Y_(m+n,m) / A_m with A_m = k_m Re (x+iy)^m (for m = 0: T_n = Y_n0) is an even or odd polynomial in
+// z. For odd n, E_n = T_n / T_1 is an even polynomial. The columns are computed by falling m:
+//   n = 2, 3   T_2 and E_3 are linear in z^2
+//   n = 4      T_4 = alpha E^2 + beta with E = E_3 of column m+1; the zero of E is the vertex of T_4
+//   n >= 5     relations between Gegenbauer polynomials [AbramowitzStegun64] 22.7:
+//              E_n from T_(n-1) and E_(n-2), even T_n from z E_(n-1) and T_(n-2), of the same or of the next column;
+//              even T_n from T_n and T_(n-2) of the next column, if that column has them
 //
-// Off the unit sphere the same with every polynomial made homogeneous by powers of x^2+y^2+z^2: solid harmonics.
-// All constants are solved for exactly, from the polynomials themselves.
+// Off the unit sphere, powers of x^2+y^2+z^2 make every polynomial homogeneous; this gives solid harmonics. All
+// constants are exact: they are solved from the polynomials.
 #pragma once
 
 #include "codegen/recipes/basis/sphere.hpp"
@@ -19,16 +21,17 @@ inline constexpr const char* kParitySource =
 
 /// Choices that trade operations for error, column by column.
 struct ParityChoices {
-  bool split_square = false;  ///< A_2 by (x-y)(x+y) instead of 2x^2 - (1-z^2): one operation more from degree 3
+  bool split_square = false;  ///< A_2 by (x-y)(x+y) instead of 2x^2 - (1-z^2): one more operation from degree 3 on
   int even_across = 0;        ///< columns m below this have T_2 in 1-z^2 instead of z^2
-  int odd_across = 0;         ///< the same for E_3
-  int rows = 0;               ///< columns m below this go their own way from n = 5: one operation more for some n
+  int odd_across = 0;         ///< columns m below this have E_3 in 1-z^2 instead of z^2
+  int rows = 0;               ///< columns m below this use no other column from n = 5 on: one more operation for some n
 };
 
-/// Found by measuring every combination at degrees 2 to 10: the fewest operations with a rounding error below 1.6 times
-/// that of the recurrence, then the least error.
+/// The best choices among all combinations, measured at degrees 2 to 10: the fewest operations with a rounding error
+/// below 1.6 times the error of the recurrence, then the least error.
 ParityChoices accurate_choices(int degree);
 
+/// Nodes of squares of the coordinates.
 struct Squares {
   NodeId z2 = -1;
   NodeId across = -1;  ///< x^2+y^2, or 1-z^2 on the unit sphere
@@ -38,6 +41,7 @@ struct Squares {
 /// z^2 and 1-z^2.
 Squares unit_squares(Builder& build, NodeId z);
 
+/// Appends the axial polynomials of all columns.
 class ParityColumns {
  public:
   ParityColumns(Builder& build, NodeId z, const Squares& squares, int degree, const ParityChoices& choices);

@@ -1,4 +1,4 @@
-// Parts that the recipes of the basis share: exact factors, axial polynomials, texts.
+// Parts that the recipes of the basis share: exact factors, axial polynomials and texts.
 #pragma once
 
 #include <string>
@@ -14,7 +14,7 @@ struct Direction {
   NodeId x, y, z;
 };
 
-/// Both functions of order +-m, m > 0: the one with Re (x+iy)^m (the cosine) and the one with Im (the sine).
+/// The two functions of order +-m, m > 0: the function with Re (x+iy)^m (cosine) and the function with Im (sine).
 struct Pair {
   NodeId cosine = -1;
   NodeId sine = -1;
@@ -38,19 +38,19 @@ struct AxialForm {
   std::vector<cln::cl_RA> powers;
   bool odd = false;
 };
-/// Y_lm / Y_mm for m > 0, Y_l0 itself for m = 0: the factor of the sectoral functions of order m.
+/// The factor of the sectoral functions of order m: Y_lm / Y_mm for m > 0, Y_l0 for m = 0.
 AxialForm axial_form(int l, int m);
 
-/// k a + c with the sign of c in the operation. The constants of p_4_2 are called a_4_2 and b_4_2.
+/// k a + c; the operation takes the sign of c. The constants of p_4_2 have the names a_4_2 and b_4_2.
 NodeId affine(Builder& build, const ExactReal& k, NodeId a, const ExactReal& c, const std::string& name);
-/// k a + q b with the sign of q in the operation.
+/// k a + q b; the operation takes the sign of q.
 NodeId combination(Builder& build, const ExactReal& k, NodeId a, const ExactReal& q, NodeId b, const std::string& name);
 
 /// Inputs 0, 1, 2 as x, y, z.
 Direction direction_inputs(Builder& build);
-/// Title, domain, result, parameters and results of values in a direction.
+/// Sets title, domain, result, parameters and results of a kernel that computes values in a direction.
 void describe_basis(Kernel& kernel, int degree);
-/// Makes node i the output i, labelled as Y_lm.
+/// Makes node i the output i with the label of Y_lm.
 void set_basis_outputs(Kernel& kernel, const std::vector<NodeId>& values);
 
 }  // namespace sh::codegen::recipes

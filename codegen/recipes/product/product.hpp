@@ -1,5 +1,4 @@
 // The recipes of products of functions on the sphere, and the parts that they share: parameters, results and texts.
-// Each .cpp file explains its formulas.
 #pragma once
 
 #include <string>
@@ -15,68 +14,72 @@ namespace sh::codegen::recipes {
 
 using symbolic::ProductShape;
 
-/// Which product: of two functions, of one with itself.
+/// The factors of a product: two functions, or one function and itself.
 enum class Factors { kTwo, kSame };
 
 using numeric::coefficient_count;
 
-/// A kernel with its parameters (a and b, or a alone), its result and its texts; no nodes.
+/// A kernel without nodes: its parameters (a and b, or only a), its result and its texts.
 Kernel product_frame(const ProductShape& shape, Factors factors);
 
 /// Sets output l(l+1)+m with its label.
 void set_coefficient(Kernel& kernel, int index, NodeId node);
 
-/// A pair i < j and the third indices of the triples that it takes.
+/// A pair i < j and the third indices of the triples that the pair covers.
 struct PairWithThirds {
   int i = 0;
   int j = 0;
   std::vector<int> thirds;
 };
-/// Every triple of three different indices once.
+/// Pairs that cover every triple of three different indices exactly once.
 using PairCover = std::vector<PairWithThirds>;
 
-/// Takes the pair that is in most open triples, again and again.
+/// Repeatedly takes the pair that occurs in the most uncovered triples.
 PairCover greedy_cover(const ProductShape& shape);
 
-/// The cover with the fewest operations that was found: by search for degree 2 and 3 of all three functions, greedy
-/// else.
+/// The known cover with the fewest operations. A search found it for three functions of degree 2 or 3; all other shapes
+/// use the greedy cover.
 PairCover best_cover(const ProductShape& shape);
 
-/// Every triple of three different coefficients has to hold a pair of the cover; throws std::logic_error otherwise.
+/// The product by pairs. Throws std::logic_error unless every triple of three different coefficients contains a pair of
+/// the cover. Without a cover, uses best_cover.
 Kernel product_pairs(const ProductShape& shape, Factors factors, const PairCover& cover);
 Kernel product_pairs(const ProductShape& shape, Factors factors);
 
-/// How samples that share +-phi, pi +- phi are multiplied.
+/// The way to multiply the samples at +-phi and pi +- phi.
 enum class SampleProduct {
-  kDirect,  ///< 16 products, 12 sums: fewest instructions where a product and a sum are one
-  kHalves,  ///< as two pairs of sums and differences: 8 products, 16 sums
+  kDirect,  ///< 16 products, 12 sums: the fewest instructions if one instruction does a product and a sum
+  kHalves,  ///< two pairs of sums and differences: 8 products, 16 sums
 };
 
+/// The points of a separable product.
 struct SeparablePlan {
   Rings rings;
-  int angles = 0;       ///< M, a multiple of 4 above the degrees of both factors and twice the result's
-  bool looped = false;  ///< a loop runs over the pairs of rings, with their constants in a table
+  int angles = 0;       ///< M, a multiple of 4, above the degrees of both factors and above twice the result's degree
+  bool looped = false;  ///< true: a loop runs over the pairs of rings, and a table holds their constants
 };
 
-/// The plan with the fewest operations among those with poles that are exact for the shape; never looped.
+/// The plan with the fewest operations among the plans with poles that are exact for the shape; it has no loop.
 SeparablePlan separable_plan(const ProductShape& shape, Factors factors, SampleProduct sample_product);
 
+/// The product by quadrature. Without a plan, uses separable_plan.
 Kernel product_separable(const ProductShape& shape, Factors factors, SampleProduct sample_product,
                          const SeparablePlan& plan);
-/// With separable_plan, and that in a loop.
-Kernel product_looped(const ProductShape& shape, Factors factors, SampleProduct sample_product);
 Kernel product_separable(const ProductShape& shape, Factors factors, SampleProduct sample_product);
+/// The same by separable_plan with a loop.
+Kernel product_looped(const ProductShape& shape, Factors factors, SampleProduct sample_product);
 
+/// The product term by term, from the entries of the Gaunt tensor.
 Kernel product_tensor(const ProductShape& shape, Factors factors);
 
-/// The product of a function with a zonal one about +z: c_lm = sum over l' of M_m[l,l'] a_l'm with the matrices
-/// M_m[l,l'] = sum over k of G (l m, l' m, k 0) b_k made once for the orders m and -m.
+/// The product of a function with a zonal function about +z: c_lm = sum over l' of M_m[l,l'] a_l'm. The orders m and -m
+/// share the matrices M_m[l,l'] = sum over k of G (l m, l' m, k 0) b_k.
 Kernel product_zonal(int degree);
 /// The same term by term, from the entries of the Gaunt tensor.
 Kernel product_zonal_tensor(int degree);
 
-/// The integral of a product of three functions over the sphere: c as a function and the coefficients of a b, which
-/// `product` computes, have this scalar product.
+/// The integral of a product of three functions over the sphere. It is the scalar product of c and the coefficients of
+/// a b, which `product` computes.
 Kernel triple(Kernel product, int degree);
 
 }  // namespace sh::codegen::recipes

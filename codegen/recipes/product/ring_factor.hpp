@@ -1,4 +1,4 @@
-// Constants of the rings of a quadrature: exact numbers, one or one for each pair of rings, with their arithmetic.
+// Exact constants of the rings of a quadrature, and their arithmetic.
 #pragma once
 
 #include <algorithm>
@@ -9,9 +9,10 @@
 
 namespace sh::codegen::recipes {
 
-// A constant of a ring; one for each pair of rings where a loop runs over the pairs.
+/// One element for a single ring; one element for each pair of rings if a loop runs over the pairs.
 using Factor = std::vector<ExactReal>;
 
+/// Arithmetic element by element.
 inline Factor times(Factor factor, const ExactReal& scale) {
   for (ExactReal& element : factor) element = multiply(element, scale);
   return factor;
@@ -27,9 +28,10 @@ inline Factor quotient(Factor factor, const Factor& divisor) {
   return factor;
 }
 
+/// The approximate absolute value.
 inline double approximate(const ExactReal& value) { return std::abs(cln::double_approx(evaluate(value, 20))); }
 
-// The size of the smallest element.
+/// The approximate absolute value of the smallest element.
 inline double approximate(const Factor& factor) {
   double smallest = approximate(factor.front());
   for (const ExactReal& element : factor) smallest = std::min(smallest, approximate(element));

@@ -1,11 +1,11 @@
-// The band matrices D_l(R) entry by entry, by two ways that need neither a square root nor a division.
+// Computes the band matrices D_l(R) entry by entry, in two ways that need neither a square root nor a division.
 //
 // `dense`: with the complex numbers A = ((r00 + r11) + i (r10 - r01)) / 2 = cos^2(b/2) e^(i(a+g)),
 // B = ((r11 - r00) - i (r01 + r10)) / 2 = sin^2(b/2) e^(i(a-g)), P = r02 + i r12 = sin b e^(ia) and
-// Q = -r20 + i r21 = sin b e^(ig), the entries of rows +-m and columns +-n, m >= n > 0, are
+// Q = -r20 + i r21 = sin b e^(ig), rows +-m and columns +-n, m >= n > 0, have the entries
 //     (m, n) Re z + Re w    (m, -n) Im w - Im z    (-m, n) Im z + Im w    (-m, -n) Re z - Re w
-// with z = p+(r22) P^(m-n) A^n and w = p-(r22) P^(m-n) B^n, where p+- are Jacobi polynomials of degree l - m; with Q in
-// the place of P above the diagonal. Derived from Wigner's formula, [Wigner59] eq. 15.27.
+// with z = p+(r22) P^(m-n) A^n and w = p-(r22) P^(m-n) B^n, where p+- are Jacobi polynomials of degree l - m. Above the
+// diagonal, Q replaces P. The formulas follow from Wigner's formula, [Wigner59] eq. 15.27.
 // `recursive`: [IvanicRuedenberg96+98] in the form of symbolic/rotation/rotation_recursion.hpp.
 #pragma once
 
@@ -20,17 +20,19 @@ namespace sh::codegen::recipes {
 /// Element l is D_l, (2l+1, 2l+1), l = 0 .. degree.
 using BandMatrices = std::vector<symbolic::Matrix<Signed>>;
 
-/// D_0 = 1 and D_1, which is R with its axes in the order y, z, x, as far as `degree` goes.
+/// D_0 = 1 and, if degree > 0, D_1, which is R with its axes in the order y, z, x.
 BandMatrices first_bands(Builder& build, const std::array<NodeId, 9>& r, int degree);
 
+/// Bands 0 .. degree in the way `dense`.
 BandMatrices dense_bands(Builder& build, const std::array<NodeId, 9>& r, int degree);
 
+/// The nodes of a complex number.
 struct Complex {
   Signed re;
   Signed im;
 };
 
-/// For dense_bands: cos b and the complex numbers above, A and B doubled.
+/// The numbers of `dense`: cos b and the complex numbers 2A, 2B, P, Q.
 struct RotationNumbers {
   NodeId cosine = -1;
   Complex a;
@@ -39,8 +41,9 @@ struct RotationNumbers {
   Complex q;
 };
 
-/// Bands 2 .. degree by the way `dense`, after `bands` 0 and 1.
+/// Appends bands 2 .. degree in the way `dense` to bands 0 and 1.
 void append_dense_bands(Builder& build, BandMatrices& bands, const RotationNumbers& numbers, int degree);
+/// Bands 0 .. degree in the way `recursive`.
 BandMatrices recursive_bands(Builder& build, const std::array<NodeId, 9>& r, int degree);
 
 }  // namespace sh::codegen::recipes

@@ -1,9 +1,9 @@
-// The quarter turn about x, D_l(Rx(90)), one parity class at a time, in forms that need few operations.
+// Writes the quarter turn about x, D_l(Rx(90)), one parity class at a time, in forms that need few operations.
 //
-// Y_lm has parities (+-1) under x -> -x, y -> -y, z -> -z. The quarter turn exchanges those of y and z, so it maps the
-// columns of one class to the rows of one class. A class that is mapped to itself is a symmetric matrix whose square is
-// 1, that is +-(1 - U W) with U of low rank; the others are written with each row divided by its largest entry, and
-// the recipe that uses them puts these scales elsewhere.
+// Y_lm has parities (+-1) under x -> -x, y -> -y, z -> -z. The quarter turn exchanges the parities of y and z, so it
+// maps the columns of one class to the rows of one class. If it maps a class to itself, the matrix is symmetric and its
+// square is 1. Then the matrix is +-(1 - U W) with U of low rank. In all other matrices each row is divided by its
+// largest entry; the recipe puts these scales elsewhere.
 #pragma once
 
 #include <optional>
@@ -23,14 +23,14 @@ class QuarterTurnClass {
                    const std::vector<int>& columns);
 
   [[nodiscard]] int rows() const { return static_cast<int>(scales_.size()); }
-  /// Divides row i by another entry, nearly as large, if the square of that one is among more of `squares` than the
-  /// square of scale(i) is; takes the old square out and puts the new one in.
+  /// Divides the row by another entry, nearly as large, if `squares` holds the square of that entry more often than the
+  /// square of scale(row). Then replaces the old square in `squares` by the new one.
   void prefer_scale(std::size_t row, std::multiset<symbolic::Surd>& squares);
-  /// Row i of the class is scale(i) times the row that `forward` and `backward` use.
+  /// A row of the class is scale(row) times the row that `forward` and `backward` use.
   [[nodiscard]] const symbolic::Surd& scale(std::size_t row) const { return scales_[row]; }
-  /// columns -> rows
+  /// Maps columns to rows.
   [[nodiscard]] std::vector<Signed> forward(Builder& build, const std::vector<Signed>& v) const;
-  /// rows -> columns, by the transposed matrix
+  /// Maps rows to columns by the transposed matrix.
   [[nodiscard]] std::vector<Signed> backward(Builder& build, const std::vector<Signed>& v) const;
 
  private:

@@ -1,7 +1,7 @@
-// The parts that recipes on the sphere share: Y_lm = factor q_lm(z) Re or Im (x + iy)^m, order m by order m.
+// Parts that recipes on the sphere share: Y_lm = factor q_lm(z) Re or Im (x + iy)^m for each order m.
 //
 // q_lm = d^m P_l / dz^m has the parity of n = l - m: q_lm = e_lm for even n and z e_lm for odd n, where e_lm is a
-// polynomial in z^2. Recipes multiply by z once a band instead of once a function.
+// polynomial in z^2. Recipes multiply by z once for each band instead of once for each function.
 #pragma once
 
 #include <functional>
@@ -13,7 +13,8 @@
 
 namespace sh::codegen::recipes {
 
-/// (Re, Im) of (x + iy)^m, from (x + iy)^(m/2) for even m and (x + iy)^(m-1) for odd m. m >= 1; built on demand.
+/// (Re, Im) of (x + iy)^m, m >= 1, from (x + iy)^(m/2) for even m and from (x + iy)^(m-1) for odd m. Appends the nodes
+/// on demand.
 class Azimuth {
  public:
   Azimuth(Builder& build, NodeId x, NodeId y) : build_(&build), powers_{{1, {x, y}}} {}
@@ -27,11 +28,12 @@ class Azimuth {
   std::map<int, std::pair<NodeId, NodeId>> powers_;
 };
 
-/// kAll: every e_lm is wanted, each by the shortest way from others. kFew: few are wanted, each by Horner's rule.
+/// kAll: the recipe needs every e_lm and computes each from others in the shortest way. kFew: the recipe needs few e_lm
+/// and computes each by Horner's rule.
 enum class Wanted { kAll, kFew };
 
-/// The polynomials scale(l, m) e_lm in t = 2 z^2 - 1, m <= l, each built on demand. When all are wanted:
-///   n = 4       e_lm is a (e_l,m+1)^2 + b, as the derivative of q_lm is q_l,m+1
+/// The polynomials scale(l, m) e_lm in t = 2 z^2 - 1, m <= l. Appends the nodes on demand. With Wanted::kAll:
+///   n = 4       e_lm = a (e_l,m+1)^2 + b, because the derivative of q_lm is q_l,m+1
 ///   n >= 5      (l-m) e_lm = (2l-1) [z^2] e_l-1,m - (l+m-1) e_l-2,m, with z^2 for even n   [AbramowitzStegun64] 8.5.3
 class AxialPolynomials {
  public:
@@ -57,14 +59,15 @@ class AxialPolynomials {
   std::map<std::pair<int, int>, NodeId> made_;
 };
 
-/// "p_4_2": a hint for the name of a value of degree l and order m.
+/// The name of a value of degree l and order m: "p_4_2".
 std::string indexed(const std::string& letter, int l, int m);
 
-/// sqrt(4 pi / (2l+1)) times the factor of Y_lm, m >= 0: the constant of a zonal function turned to a direction.
+/// sqrt(4 pi / (2l+1)) times the factor of Y_lm, m >= 0: the constant of a zonal function that is turned to a
+/// direction.
 symbolic::Surd turned_factor(int l, int m);
 
-/// Gives every output of `kernel` the label "l=2 m=-1" in order of the index l(l+1)+m, and makes room for
-/// (degree+1)^2 of them for each of `channels`.
+/// Makes (degree+1)^2 outputs for each channel and gives them labels such as "l=2 m=-1", in order of the index
+/// l(l+1)+m.
 void label_coefficients(Kernel& kernel, int degree, int channels = 1);
 
 }  // namespace sh::codegen::recipes
