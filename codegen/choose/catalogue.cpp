@@ -14,7 +14,7 @@
 namespace sh::codegen {
 namespace {
 
-// A second kernel for accuracy is written where it errs less than this part of the error of the fastest one.
+// `shgen write` writes a second kernel for accuracy if its error is below this fraction of the fastest kernel's error.
 constexpr double kWorthwhile = 0.75;
 
 template <class T>
@@ -50,7 +50,7 @@ const Language& find_language(const std::string& name) { return find(languages()
 
 namespace {
 
-// The first recipe that is about as fast as any; the first one when some were not measured.
+// The first recipe that counts as equally fast as the fastest; the first recipe if some have no measured time.
 std::vector<Recipe>::iterator fastest(const Family& family, int degree, std::vector<Recipe>& recipes) {
   std::vector<double> times;
   for (const Recipe& recipe : recipes) {
@@ -156,7 +156,7 @@ std::vector<FinishedKernel> finish_all(const Family& family, int degree) {
   return finished;
 }
 
-// kernels: those of every recipe, the fastest first.
+// kernels: one for every recipe, the fastest first.
 FinishedKernel choose(const std::vector<FinishedKernel>& kernels, Prefer prefer) {
   const auto error = [](const FinishedKernel& k) { return k.in_float.rounding.eps; };
   const auto size = [](const FinishedKernel& k) { return k.cost.operations(); };
@@ -176,7 +176,7 @@ FinishedKernel choose(const std::vector<FinishedKernel>& kernels, Prefer prefer)
   return chosen;
 }
 
-// Prints a kernel in every written language; returns the paths.
+// Prints a kernel in every written language and returns the paths.
 std::vector<std::string> add_files(std::map<std::string, std::string>& files, const FinishedKernel& finished) {
   std::vector<std::string> paths;
   for (const Language& language : languages()) {

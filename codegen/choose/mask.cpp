@@ -11,7 +11,6 @@
 namespace sh::codegen {
 namespace {
 
-// The place of an element; arithmetic on positions stays in int.
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 using Kind = KnownInput::Kind;
@@ -39,7 +38,7 @@ std::string joined(const std::vector<int>& items, const char* separator) {
   return text;
 }
 
-// Letters and digits; every other character becomes an underscore.
+// Replaces every character that is neither a letter nor a digit by an underscore.
 std::string as_name(const std::string& text) {
   std::string name;
   for (const char c : text) name += c == ',' || c == '-' ? '_' : c;
@@ -63,7 +62,7 @@ std::string ranges(const std::vector<int>& sorted) {
 
 bool is_zonal(const Parameter& array) { return array.role == Role::kZonalCoefficients; }
 
-// Entries a channel of an array that a symmetry can speak of; 0 for other arrays.
+// The number of entries of a channel, for arrays whose entries can have a symmetry; 0 for all other arrays.
 int entries(const Parameter& array) {
   return is_zonal(array) || is_by_degree_and_order(array.role) ? array.shape.back() : 0;
 }
@@ -77,10 +76,11 @@ Coefficient coefficient(const Parameter& array, int entry) {
 
 // --- symmetries
 
-// Whether a coefficient of a function with the symmetry may differ from zero, and whether it is +- that of order -m.
+// The effect of a symmetry on a coefficient: whether the coefficient may differ from zero, and whether it equals plus
+// or minus the coefficient of order -m.
 struct Allowed {
   bool free = true;
-  int mirrored = 0;  // +1, -1: the coefficient of order -m times this
+  int mirrored = 0;  // +1, -1: the coefficient is this times the coefficient of order -m
 };
 
 // Exchanging x and y turns Re (x + iy)^m into Re i^m (x - iy)^m.
@@ -118,7 +118,7 @@ bool is_kept(const MaskOptions& options, const Coefficient& c) {
          (options.keep_orders.empty() || contains(options.keep_orders, c.m));
 }
 
-// All symmetries and the kept bands and orders together.
+// The combined effect of all symmetries and of the kept bands and orders.
 Allowed allowed(const MaskOptions& options, const std::string& symmetries, const Coefficient& c) {
   Allowed result{is_kept(options, c), 0};
   if (symmetries.empty()) return result;
@@ -141,7 +141,7 @@ void mask_array(Mask& mask, const Parameter& array, int first, const MaskOptions
     if (!here.free) {
       known.kind = Kind::kZero;
     } else if (here.mirrored != 0) {
-      // The coefficient of order |m| stands for both; where one of them is zero the other is.
+      // The coefficient of order |m| represents both orders; if one of them is zero, the other is zero too.
       const bool partner_free = allowed(options, symmetries, {c.l, -c.m}).free;
       if (!partner_free) known.kind = Kind::kZero;
       if (partner_free && c.m < 0) known = {here.mirrored > 0 ? Kind::kSame : Kind::kOpposite, first + entry - 2 * c.m};
@@ -188,7 +188,7 @@ void require_in_range(const char* option, const std::vector<int>& values, int le
   }
 }
 
-// Entries known to be zero of arrays that are updated in place stay as they are.
+// In arrays that are updated in place, entries that are known to be zero do not change.
 void drop_unchanged(Mask& mask, const Kernel& kernel) {
   int first_result = 0;
   for (const Parameter& result : kernel.results) {
@@ -203,7 +203,7 @@ void drop_unchanged(Mask& mask, const Kernel& kernel) {
   }
 }
 
-// --- the words in the head of a file
+// --- texts in the head of a file
 
 // "0, 2, 6 (by l(l+1)+m)"
 std::string numbered(const Parameter& array, const std::vector<int>& entries_of) {

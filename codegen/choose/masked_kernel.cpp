@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kGuardDigits = 10;
 
-// The values of the full kernel at the reference points, the known entries filled in.
+// The values of the full kernel at the reference points, with the known entries of the mask filled in.
 Reference masked_reference(const Kernel& full, const Reference& reference, const Mask& mask) {
   Evaluator<cln::cl_F> evaluator(full, kCheckDigits + kGuardDigits);
   Reference masked;
@@ -63,7 +63,7 @@ std::vector<Stage> masked_stages(const Family& family, const Recipe& recipe, int
 }
 
 FinishedKernel masked_kernel(const Family& family, int degree, Prefer prefer, const MaskOptions& options) {
-  fastest_recipe(family, degree);  // refuses degrees that the family leaves out
+  fastest_recipe(family, degree);  // throws for degrees that the family does not have
   std::vector<FinishedKernel> all;
   for (const Recipe& recipe : recipes_for(family, degree)) all.push_back(finished(family, recipe, degree, options));
   const auto least = std::min_element(all.begin(), all.end(), [&](const FinishedKernel& a, const FinishedKernel& b) {

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t kInputs = 64;
 constexpr const char* kFlags = " -std=c++17 -O3 -march=native -ffp-contract=fast -w ";
 
-// Runs every timed function in turn, kPasses times, and prints the least nanoseconds of each.
+// Runs every timed function in turn, kPasses times, and prints the least time of each in nanoseconds.
 constexpr const char* kHarness = R"(
 constexpr int kPasses = 15;
 constexpr double kPassSeconds = 1e-3;
@@ -34,7 +34,7 @@ double seconds(void (*run)(), int repeats) {
 
 struct Timed {
   void (*run)();
-  double results;  // of one run
+  double results;  // number of results of one run
   int repeats;
   double least;
 };
@@ -105,7 +105,7 @@ std::string input_table(const Family& family, int degree) {
   const std::vector<std::vector<double>> inputs = family.domain.test_inputs(degree);
   std::ostringstream text;
   text << std::hexfloat << "const float kValues[] = {";
-  // Spread over the set: it begins with special inputs such as the axes.
+  // The inputs are spread over the set, because the set begins with special inputs such as the axes.
   const std::size_t step = std::max<std::size_t>(1, inputs.size() / kInputs);
   for (std::size_t i = 0; i < kInputs; ++i) {
     for (const double value : inputs[i * step % inputs.size()]) text << static_cast<float>(value) << "f, ";
@@ -114,7 +114,7 @@ std::string input_table(const Family& family, int degree) {
   return text.str();
 }
 
-// "call_0<T>(in, out)": one call with its arguments taken from flat arrays; a result in place is first copied.
+// "call_0<T>(in, out)": one call with arguments from flat arrays. It first copies a result that is updated in place.
 std::string call_function(const Kernel& kernel, std::size_t index) {
   std::string copies;
   std::string passed;

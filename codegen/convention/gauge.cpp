@@ -12,10 +12,10 @@ namespace {
 
 using symbolic::Surd;
 
-// A gauge that is not decided yet: a known factor times powers of unknown ones.
+// A gauge that is not yet decided: a known factor times powers of unknown factors.
 struct Gauge {
   Surd known = Surd(1);
-  std::map<int, int> unknown;  // power by number, no zero powers
+  std::map<int, int> unknown;  // number of the unknown -> power, which is not zero
 };
 
 Gauge power_of(const Gauge& a, int n) {
@@ -34,11 +34,11 @@ Gauge product(const Gauge& a, const Gauge& b) {
   return result;
 }
 
-// One multiplication by a constant: the factor is a new unknown.
+// One multiplication by a constant. Its factor is a new unknown.
 struct Rescaled {
   NodeId node = -1;      // in the new kernel
   NodeId argument = -1;  // the multiplied value, in the new kernel; -1: the constant itself is the value
-  ExactReal constant;    // before
+  ExactReal constant;    // the constant of the old kernel
 };
 
 class GaugeSolver {
@@ -64,7 +64,7 @@ class GaugeSolver {
   }
 
  private:
-  // Nodes and gauges grow together.
+  // Appends a gauge for every appended node.
   NodeId keep(NodeId id, Gauge gauge) {
     gauges_.resize(static_cast<std::size_t>(id) + 1);
     gauges_[static_cast<std::size_t>(id)] = std::move(gauge);
@@ -75,7 +75,7 @@ class GaugeSolver {
 
   Gauge fresh() { return {Surd(1), {{unknowns_++, 1}}}; }
 
-  // With everything that has been found out put in.
+  // The gauge after all decided unknowns are inserted.
   [[nodiscard]] Gauge resolved(const Gauge& g) const {
     Gauge result{g.known, {}};
     for (const auto& [variable, power] : g.unknown) {
@@ -86,10 +86,10 @@ class GaugeSolver {
     return result;
   }
 
-  // Unknowns that nothing decided are 1.
+  // Undecided unknowns are 1.
   static Surd value(const Gauge& g) { return g.known; }
 
-  // The constant k as a value of its own: every use has its own gauge.
+  // A new value for the constant k, because every use has its own gauge.
   NodeId value_of(NodeId old) {
     const Node& node = kernel_.node(old);
     if (node.op != Op::kConstant) return position_[static_cast<std::size_t>(old)];
@@ -107,7 +107,7 @@ class GaugeSolver {
     return keep(id, fresh());
   }
 
-  // Makes a gauge equal to another one by deciding an unknown; false when there is none to decide.
+  // Makes a gauge equal to another by deciding an unknown; false if no unknown is left.
   bool equate(const Gauge& a, const Gauge& b) {
     const Gauge ratio = resolved(product(a, power_of(b, -1)));
     // The latest unknown is the closest to the outputs.
@@ -121,7 +121,7 @@ class GaugeSolver {
     return ratio.unknown.empty() && ratio.known == Surd(1);
   }
 
-  // The value in the wanted gauge: itself, or multiplied once.
+  // The value in the wanted gauge: the node itself, or one multiplication.
   NodeId with_gauge(NodeId id, const Gauge& wanted) {
     if (equate(gauge(id), wanted)) return id;
     const NodeId scaled = times_constant(Surd(1), "", id, result_.node(id).name);
@@ -135,7 +135,7 @@ class GaugeSolver {
       case Op::kInput:
         return keep(build_.input(node.input, node.name), {inputs[static_cast<std::size_t>(node.input)], {}});
       case Op::kConstant:
-        return keep(build_.constant(node.constant, node.name), Gauge{});  // its uses make their own
+        return keep(build_.constant(node.constant, node.name), Gauge{});  // every use appends its own constant
       case Op::kNeg: {
         const NodeId a = arg(0);
         return keep(build_.neg(a, node.name), gauge(a));
@@ -189,8 +189,8 @@ class GaugeSolver {
   const Kernel& kernel_;
   Kernel result_;
   Builder build_;
-  std::vector<NodeId> position_;  // in the new kernel
-  std::vector<Gauge> gauges_;     // of the new kernel
+  std::vector<NodeId> position_;  // old node -> node of the new kernel
+  std::vector<Gauge> gauges_;     // gauges of the nodes of the new kernel
   std::vector<Rescaled> rescaled_;
   std::map<int, Gauge> solution_;
   int unknowns_ = 0;

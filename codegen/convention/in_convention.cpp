@@ -21,14 +21,13 @@ using symbolic::Surd;
 
 const std::vector<Pass> kPasses{{"associate", passes::associate}, {"schedule", passes::schedule}};
 
-// Where each element of our flattened arrays lies in theirs, and by which factor: theirs[place] = factor * ours.
+// The place of each element of our flattened arrays in their arrays, and its factor: theirs[place] = factor * ours.
 struct Layout {
-  std::vector<Parameter> arrays;  // theirs
-  std::vector<int> place;         // of each element of ours
+  std::vector<Parameter> arrays;  // their arrays
+  std::vector<int> place;         // place of each of our elements
   std::vector<Surd> factor;
 };
 
-// The place of an element; arithmetic on positions stays in int.
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 const Convention& our_convention() { return symbolic::presets().front().convention; }
@@ -86,7 +85,7 @@ class LayoutMaker {
     layout_.factor.push_back(factor);
   }
 
-  // Coordinate `axis` of ours is a coordinate of the caller's with a sign: theirs' = axes * caller's.
+  // Our coordinate `axis` is a coordinate of the caller with a sign.
   void append_coordinates(const Parameter& array) {
     Parameter theirs = array;
     if (!array.shape.empty()) theirs.shape = {storage_size(convention_.order, array.degree)};
@@ -136,7 +135,7 @@ class LayoutMaker {
     return storage_position(convention_.order, degree, l, m);
   }
 
-  // Y' = s Y and c' = c / s with the folded factor. Coefficients that are evaluated are summed as they are stored.
+  // Y' = s Y and c' = c / s times the folded factor. Evaluated coefficients multiply the basis as they are stored.
   [[nodiscard]] Surd factor_of(Role role, int l, int m) const {
     const Surd scale = function_scale(convention_, l, m);
     if (role == Role::kBasisValues) return scale;
@@ -150,7 +149,7 @@ class LayoutMaker {
   Layout layout_;
 };
 
-// Inputs or outputs of ours as the convention stores them; holes are zero.
+// Our inputs or outputs as the convention stores them. Places without an element are zero.
 std::vector<cln::cl_F> as_stored(const std::vector<cln::cl_F>& ours, const Layout& layout, int digits) {
   std::vector<cln::cl_F> theirs(static_cast<std::size_t>(total_size(layout.arrays)),
                                 cln::cl_float(0, cln::float_format(digits)));
@@ -168,12 +167,12 @@ std::vector<cln::cl_F> as_ours(const std::vector<cln::cl_F>& theirs, const Layou
   return ours;
 }
 
-// Where an output of ours is stored.
+// The place of one of our outputs.
 std::size_t output_place(const Kernel& kernel, const Layout& outputs, std::size_t output) {
   return static_cast<std::size_t>(outputs.place[static_cast<std::size_t>(kernel.element(output))]);
 }
 
-// The kernel with its arrays laid out as the convention does.
+// The kernel with arrays in the layout of the convention.
 Kernel relaid(Kernel kernel, const Layout& inputs, const Layout& outputs) {
   kernel = with_gauges(kernel, inputs.factor, outputs.factor);
   for (Node& node : kernel.nodes) {
@@ -183,7 +182,7 @@ Kernel relaid(Kernel kernel, const Layout& inputs, const Layout& outputs) {
   kernel.results = outputs.arrays;
   std::vector<Output> stored(static_cast<std::size_t>(total_size(outputs.arrays)));
   for (std::size_t i = 0; i < kernel.outputs.size(); ++i) stored[output_place(kernel, outputs, i)] = kernel.outputs[i];
-  // Places that hold no element of ours are zero; elements that the kernel does not write stay unwritten.
+  // Places without one of our elements are zero. Elements that the kernel does not write stay unwritten.
   std::vector<bool> hole(stored.size(), true);
   for (const int place : outputs.place) hole[static_cast<std::size_t>(place)] = false;
   NodeId none = -1;
@@ -197,8 +196,8 @@ Kernel relaid(Kernel kernel, const Layout& inputs, const Layout& outputs) {
   return kernel;
 }
 
-// The mapped values of the kernel in our convention at the points, for the outputs of `relaid`; its inputs are exact to
-// the digits of the check.
+// The reference for the outputs of `relaid`: the mapped values of our kernel at the points. The inputs are exact to the
+// digits of the check.
 Reference reference_in(const Kernel& kernel, const Kernel& relaid, const Reference& points, const Layout& inputs,
                        const Layout& outputs) {
   Evaluator<cln::cl_F> ours(kernel, kCheckDigits);
@@ -251,7 +250,7 @@ Domain domain_in(const Kernel& kernel, const Domain& ours, const Layout& inputs,
   return domain;
 }
 
-// Whether a product of two coefficients enters a result.
+// True if a result contains a product of two coefficients.
 bool multiplies_coefficients(const Kernel& kernel) {
   std::vector<bool> of_input;
   for (const Parameter& p : kernel.parameters)

@@ -15,7 +15,7 @@ std::size_t count(int degree) {
   return static_cast<std::size_t>(bands * bands);
 }
 
-// The homogeneous forms and their derivatives, term by term, at exact points off the unit sphere too.
+// Evaluates the homogeneous forms and their derivatives term by term, also at exact points off the unit sphere.
 Reference reference(int degree, int points) {
   Reference reference;
   cln::cl_RA length = 1;

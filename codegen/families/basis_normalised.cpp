@@ -8,7 +8,7 @@
 namespace sh::codegen {
 namespace {
 
-// The basis at exact directions, asked for at multiples of them.
+// The basis at exact directions. The inputs are multiples of these directions.
 Reference reference(int degree, int count) {
   Reference reference = basis_family().reference(degree, count);
   cln::cl_RA length = cln::cl_RA(2) / 3;

@@ -26,7 +26,7 @@ cln::cl_F zero() { return cln::cl_float(0, cln::float_format(kCheckDigits)); }
 
 // --- evaluate
 
-// sum of c_i Y_i(d) from the homogeneous forms.
+// The sum of c_i Y_i(d) from the homogeneous forms.
 cln::cl_F exact_value(const cln::cl_RA* c, int degree, const std::vector<cln::cl_RA>& d) {
   cln::cl_F sum = zero();
   for (int l = 0; l <= degree; ++l) {
@@ -54,7 +54,7 @@ Reference reference(int degree, int points, int channels) {
   return reference;
 }
 
-// Each vector with a direction behind it.
+// Each vector, followed by a direction.
 std::vector<std::vector<double>> with_directions(std::vector<std::vector<double>> vectors) {
   const auto directions = some_test_directions(vectors.size());
   for (std::size_t i = 0; i < vectors.size(); ++i) {
@@ -104,7 +104,7 @@ std::vector<std::vector<double>> prepare_inputs(int degree) {
   return unit_vectors(static_cast<int>(kPreparedInputs), coefficient_count(degree), 306);
 }
 
-// The norm of a row of the matrix: the most that |c| = 1 can make of this coefficient.
+// The norm of a row of the matrix, which is the largest value of this coefficient for |c| = 1.
 double prepare_gain(int degree, std::size_t output) {
   static std::map<int, std::vector<double>> norms;
   std::vector<double>& of_degree = norms[degree];
@@ -118,7 +118,7 @@ double prepare_gain(int degree, std::size_t output) {
   return of_degree[output];
 }
 
-// The polynomial is the definition here; that it is the function's is prepare's to show.
+// This reference takes the polynomial as given. The check of `prepare` shows that it belongs to the function.
 Reference prepared_reference(int degree, int points) {
   Reference reference;
   const auto directions = rational_directions(points);

@@ -26,7 +26,7 @@ using numeric::coefficient_count;
 
 int band(std::size_t index) { return static_cast<int>(std::sqrt(static_cast<double>(index))); }
 
-// A_l by its integral, where the recipes have the closed form.
+// A_l by its integral. The recipes use the closed form.
 Surd factor(std::size_t index) { return symbolic::irradiance_factor_integral(band(index)); }
 
 cln::cl_F value(const Surd& surd) { return surd.evaluate(kCheckDigits + 10); }
@@ -49,7 +49,7 @@ Reference irradiance_reference(int degree, int points) {
 
 // --- quadratic form
 
-// E as a polynomial of the normal in reduced form, whose coefficients M holds by definition.
+// E as a polynomial of the normal in reduced form. By definition M holds its coefficients.
 Reference matrix_reference(int degree, int points) {
   Reference reference;
   for (const auto& c : rational_vectors(points, coefficient_count(degree), 83)) {
@@ -59,7 +59,7 @@ Reference matrix_reference(int degree, int points) {
       const symbolic::BasisFunction f = symbolic::basis_function(l, static_cast<int>(i) - l * (l + 1));
       const symbolic::Polynomial reduced = f.axial * f.azimuthal;
       for (const auto& [monomial, coefficient] : reduced.terms()) {
-        // The two factors of the monomial among (x, y, z, 1).
+        // The two elements of (x, y, z, 1) whose product is the monomial.
         std::vector<std::size_t> factors;
         for (int axis = 0; axis < 3; ++axis) {
           factors.insert(factors.end(), static_cast<std::size_t>(monomial.exponent(axis)),
@@ -105,7 +105,7 @@ std::vector<std::vector<double>> evaluate_inputs(int degree) {
 
 // --- lightmap form: E(n) = e_0 + e_1 y + e_2 z + e_3 x
 
-// E of one coefficient or sample is linear in (1, y, z, x): read its coefficients from the basis functions.
+// E of one coefficient or sample is linear in (1, y, z, x). The basis functions give its coefficients.
 Surd lightmap_factor(std::size_t i) {
   const symbolic::BasisFunction f = symbolic::basis_function(band(i), 0);
   return f.factor * factor(i);

@@ -10,10 +10,10 @@ using recipes::Factors;
 using recipes::SampleProduct;
 using symbolic::ProductShape;
 
-constexpr int kLargestUnrolled = 6;  // longer code falls out of the instruction cache
+constexpr int kLargestUnrolled = 6;  // longer code does not fit into the instruction cache
 constexpr int kLargestEmitted = symbolic::kMaxProductDegree;
 constexpr const char* kLimit = "the Gaunt tensor is derived to this degree only";
-constexpr int kLargestByTerms = 3;  // beyond, one product a term is too long to be useful
+constexpr int kLargestByTerms = 3;  // at higher degrees one product for each term is too long to be useful
 
 FactorSizes equal_factors(std::size_t count) {
   return [count](int degree) { return std::vector<int>(count, recipes::coefficient_count(degree)); };
@@ -45,7 +45,7 @@ Family product_family() {
   return {.name = "product",
           .largest_emitted = kLargestEmitted,
           .limit = kLimit,
-          // Pairs win up to degree 3, quadrature from 4 on.
+          // Pairs are faster up to degree 3, quadrature from degree 4 on.
           .recipes = {{"pairs", pairs, 0, 3},
                       {"separable", separable, 2, kLargestUnrolled},
                       {"separable-halves", halves, 2, kLargestUnrolled},

@@ -1,7 +1,7 @@
-// Products of functions of different degrees, and complete ones: degree N times degree N gives degree 2 N.
+// Products of functions of different degrees, and complete products: degree N times degree N gives degree 2 N.
 //
-// Shape -> recipes that serve it alone: products by pairs and term by term where there are few terms, by quadrature
-// else, looped where code without a loop would be too long.
+// Input: a shape. Output: a family with recipes for this shape only. Few terms allow products by pairs and term by
+// term. All other shapes use quadrature, with a loop if code without a loop would be too long.
 #include <algorithm>
 #include <stdexcept>
 
@@ -18,10 +18,10 @@ using recipes::Factors;
 using recipes::SampleProduct;
 using symbolic::ProductShape;
 
-constexpr std::size_t kMostByTerms = 800;  // terms G a_i b_j; beyond, a product a term is too long
+constexpr std::size_t kMostByTerms = 800;  // terms G a_i b_j; with more terms, one product for each is too long
 constexpr std::size_t kMostByPairs = 2500;
-constexpr int kLeastByQuadrature = 4;  // the sum of the three degrees; below, there are no rings but poles and equator
-constexpr int kMostUnrolled = 20;      // beyond, a loop runs over the rings
+constexpr int kLeastByQuadrature = 4;  // sum of the three degrees; below it, poles and equator are the only rings
+constexpr int kMostUnrolled = 20;      // sum of the three degrees; above it, a loop runs over the rings
 
 int operations(const Recipe& recipe, int degree) {
   return cost(passes::fold(passes::share(recipe.make(degree)))).operations();

@@ -22,7 +22,7 @@ constexpr unsigned long kSeed = 20060501;
 
 using numeric::coefficient_count;
 
-// factor_i * a_i * b_j summed, with the surds grouped by their radical so that all but a few operations are rational.
+// The sum of factor_i * a_i * b_j. Surds are grouped by their radical, so that nearly all operations are rational.
 cln::cl_F value(const BilinearForm& form, const std::vector<cln::cl_RA>& a, const std::vector<cln::cl_RA>& b) {
   std::map<symbolic::Surd, cln::cl_RA> sums;
   for (const BilinearTerm& term : form.terms) {
@@ -66,7 +66,7 @@ std::vector<Vector> split(const Vector& flat, const std::vector<int>& sizes) {
 
 int total_of(const std::vector<int>& sizes) { return std::accumulate(sizes.begin(), sizes.end(), 0); }
 
-// Unit vectors, one after the other: random ones, single coefficients, and random ones which are all the same.
+// Unit vectors, one after the other: random vectors, single coefficients, and equal random vectors.
 std::vector<std::vector<double>> unit_factors(const std::vector<int>& sizes) {
   constexpr int kRandom = 80;
   constexpr int kSingle = 20;

@@ -21,12 +21,12 @@ using numeric::coefficient_count;
 
 // --- project, project_moments
 
-// x, y, z, weight and the sums before.
+// x, y, z, weight and the previous sums.
 std::vector<std::vector<cln::cl_RA>> exact_samples(int degree, int points) {
   return joined(rational_directions(points), rational_vectors(points, 1 + coefficient_count(degree), 401));
 }
 
-// Sums plus weight times f(l, m), a polynomial and its factor.
+// The sums plus weight times f(l, m), which is a polynomial and its factor.
 template <class Function>
 Reference accumulated(int degree, int points, const Function& function) {
   Reference reference;
@@ -65,14 +65,14 @@ std::vector<std::vector<double>> samples(int degree) {
   const auto directions = some_test_directions(kInputs);
   auto rest = unit_vectors(static_cast<int>(directions.size()), 1 + coefficient_count(degree), 402);
   for (std::vector<double>& vector : rest) {
-    for (double& value : vector) value = value * degree + value;  // of the order of 1 at every degree
+    for (double& value : vector) value = value * degree + value;  // values of size about 1 at every degree
   }
   return joined(directions, rest);
 }
 
 // --- project_finish
 
-// A_lm is linear in the moments: the axial polynomial's coefficient of z^n times the moment of (m, n).
+// The result is linear in the moments: each coefficient of z^n of the axial polynomial multiplies the moment of (m, n).
 Reference finish_reference(int degree, int points) {
   Reference reference;
   for (const auto& moments : rational_vectors(points, coefficient_count(degree), 403)) {

@@ -20,7 +20,7 @@ using Rationals = std::vector<cln::cl_RA>;
 using Surds = Matrix<Surd>;
 
 constexpr unsigned long kSeed = 1959;
-// Kernels to this degree are small enough to be measured at more inputs.
+// Kernels up to this degree are small enough for more test inputs.
 constexpr int kManyInputs = 5;
 
 using numeric::coefficient_count;
@@ -50,14 +50,14 @@ std::vector<cln::cl_F> times(const std::vector<Surds>& bands, const Rationals& c
 
 void append(Rationals& list, const Rationals& more) { list.insert(list.end(), more.begin(), more.end()); }
 
-// The point at which matrices, made from `inputs`, turn c.
+// The reference point at which the matrices made from `inputs` turn c.
 ReferencePoint turned_point(Rationals inputs, const std::vector<Surds>& bands, const Rationals& c) {
   std::vector<cln::cl_F> outputs = times(bands, c);
   append(inputs, c);
   return {std::move(inputs), std::move(outputs)};
 }
 
-// The square of q scaled to length 1: rational, and a rotation twice as far.
+// The square of q scaled to length 1. It is rational and doubles the angle of the rotation.
 Rationals unit_square(const RationalQuaternion& q) {
   const RationalQuaternion square = symbolic::quaternion_product(q, q);
   const cln::cl_RA length = q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
@@ -66,7 +66,7 @@ Rationals unit_square(const RationalQuaternion& q) {
   return unit;
 }
 
-// With coefficients behind: all bands for even rows, the highest alone for odd ones.
+// Each row, followed by coefficients: even rows get all bands, odd rows only the highest band.
 std::vector<std::vector<double>> with_coefficients(const std::vector<std::vector<double>>& rows, int degree) {
   auto coefficients = unit_vectors(static_cast<int>(rows.size()), coefficient_count(degree), kSeed);
   const auto band = unit_vectors(static_cast<int>(rows.size()), 2 * degree + 1, kSeed);
@@ -107,7 +107,7 @@ Reference rotate_quaternion_reference(int degree, int count) {
   Reference reference;
   const auto coefficients = rational_vectors(count, coefficient_count(degree), kSeed);
   std::vector<RationalQuaternion> rotations = rational_rotations(count);
-  rotations.back() = {0, 1, 2, 0};  // its square is -1 apart from its size: beta = 0
+  rotations.back() = {0, 1, 2, 0};  // its square is a negative number, so beta = 0
   for (const RationalQuaternion& q : rotations) {
     const Rationals unit = unit_square(q);
     const Rationals r = rotation_entries({unit[0], unit[1], unit[2], unit[3]});
@@ -174,7 +174,7 @@ Reference rotate_evaluate_reference(int degree, int count) {
   for (const ReferencePoint& rotated : rotate_reference(degree, count)) {
     const Rationals unit = unit_square(rational_rotations(count)[reference.size()]);
     const Rationals r = rotation_entries({unit[0], unit[1], unit[2], unit[3]});
-    const Rationals d{r[1], r[4], r[7]};  // a column of another rotation: exactly of length 1
+    const Rationals d{r[1], r[4], r[7]};  // a column of a rotation has length 1 exactly
     cln::cl_F value = cln::cl_float(0, cln::float_format(kCheckDigits));
     for (int l = 0; l <= degree; ++l) {
       for (int m = -l; m <= l; ++m) {

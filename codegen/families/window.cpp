@@ -19,7 +19,7 @@ constexpr const char* kUnit = "|c_lm|";
 
 using numeric::coefficient_count;
 
-// Points whose windows `factor(l, parameters)` gives exactly; parameters(k): those of point k.
+// Points at which `factor(l, parameters)` is the exact window. parameters(k): the parameters of point k.
 using Parameters = std::vector<cln::cl_RA>;
 Reference window_reference(int degree, int points, const std::function<Parameters(std::size_t)>& parameters,
                            const std::function<cln::cl_RA(int, std::size_t)>& factor) {
@@ -59,7 +59,7 @@ Reference hann_reference(int degree, int points) {
       [&](int l, std::size_t k) { return (1 + multiple(l, false, circle[k])) / 2; });
 }
 
-// At angles whose sine and cosine are rational and with any number as the angle: the formula is linear in 1 / angle.
+// The angles have rational sine and cosine. The formula is linear in 1 / angle, so any number can replace the angle.
 Reference lanczos_reference(int degree, int points, int power) {
   const auto circle = circle_points(points);
   const auto angles = rational_vectors(points, 1, 93);
@@ -90,13 +90,13 @@ Reference laplacian_reference(int degree, int points) {
       [&](int l, std::size_t k) { return 1 / (1 + parameter(k) * (l * l * (l + 1) * (l + 1))); });
 }
 
-// Coefficient vectors of norm 1 behind parameters between 0 and 1, ends included; `signs`: between -1 and 1.
+// Parameters from 0 to 1 (with `signs`: from -1 to 1), followed by coefficient vectors of norm 1.
 std::vector<std::vector<double>> inputs(int degree, std::size_t parameters, bool signs) {
   const std::vector<std::vector<double>> vectors = unit_vectors(kInputs, coefficient_count(degree), 96);
   std::vector<std::vector<double>> inputs;
   for (std::size_t i = 0; i < vectors.size(); ++i) {
     const double t = static_cast<double>(i) / (kInputs - 1);
-    // Twice as dense towards 1, where wide windows are.
+    // Wide windows lie near 1, so the parameters are twice as dense there.
     const double value = 1 - (1 - t) * (1 - t) * (signs ? 2 : 1);
     std::vector<double> input{value};
     if (parameters == 2) input.push_back(static_cast<double>((i * 7) % kInputs) / kInputs);

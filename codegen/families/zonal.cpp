@@ -12,7 +12,6 @@
 namespace sh::codegen {
 namespace {
 
-// The place of an element; arithmetic on positions stays in int.
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 constexpr int kInputs = 400;
@@ -39,7 +38,7 @@ std::vector<std::vector<double>> zonal_inputs(int degree) {
   return joined(unit_vectors(static_cast<int>(chosen.size()), degree + 1, 72), chosen);
 }
 
-// x, y, z, 1 - cos, colours, sum
+// x, y, z, 1 - cos, colors, sum
 Reference cap_reference(int degree, int count, int channels) {
   const auto directions = rational_directions(count);
   const int coefficients = (degree + 1) * (degree + 1);
@@ -74,7 +73,7 @@ std::vector<std::vector<double>> cap_inputs(int degree, int channels, std::size_
   std::vector<std::array<double, 1>> caps;
   for (std::size_t i = 0; i < chosen.size(); ++i) {
     caps.push_back({sizes[i]});
-    // Half of them start at zero: the light alone is measured, relative to its own size.
+    // Half of the sums start at zero, so the error of the light counts relative to the light's own size.
     if (i % 2 == 0) sums[i].assign(n * coefficients, 0);
   }
   return joined(joined(joined(chosen, caps), colours), sums);

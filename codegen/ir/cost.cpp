@@ -39,8 +39,8 @@ void count(const Node& node, int times, Cost& cost) {
   throw std::logic_error("cost: unknown operation");
 }
 
-// A value lives from its own position to its last use; results are stored as soon as they are computed, inputs live
-// from the start and constants are immediate operands.
+// A value is live from its own position to its last use. The kernel stores results as soon as it computes them, inputs
+// are live from the start, and constants are immediate operands.
 int most_live_values(const Kernel& kernel, const std::vector<bool>& live) {
   std::vector<NodeId> last_use(kernel.nodes.size(), -1);
   for (NodeId id = 0; id < kernel.size(); ++id) {

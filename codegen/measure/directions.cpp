@@ -7,9 +7,9 @@ namespace sh::codegen {
 namespace {
 
 constexpr int kRandomDirections = 1000;
-constexpr int kSmallestPolarAngle = 26;  // near-pole directions reach 2^-26 from the pole
+constexpr int kSmallestPolarAngle = 26;  // the nearest direction has distance 2^-26 from the pole
 
-// A number in (-1, 1); std::uniform_real_distribution may differ between libraries.
+// A number in (-1, 1). std::uniform_real_distribution may differ between libraries.
 double centred(std::mt19937_64& random) { return std::ldexp(static_cast<double>(random() >> 11U), -52) - 1; }
 
 std::array<double, 3> random_direction(std::mt19937_64& random) {

@@ -13,7 +13,7 @@
 namespace sh::codegen {
 namespace {
 
-// Far beyond double, even after the loss at the largest degree.
+// More than double needs, even after the cancellation at the largest degree.
 constexpr int kDigits = 40;
 
 template <class T>
@@ -28,7 +28,7 @@ cln::cl_F exact(T value) {
 
 template <class T>
 void take_largest(Error& error, const cln::cl_F& difference, double size) {
-  if (cln::zerop(difference)) return;  // a size of 0 asks for this
+  if (cln::zerop(difference)) return;  // the size may be 0
   const double absolute = cln::double_approx(cln::abs(difference));
   error.absolute = std::max(error.absolute, absolute);
   error.eps = std::max(error.eps, absolute / (static_cast<double>(std::numeric_limits<T>::epsilon()) * size));

@@ -8,8 +8,8 @@ namespace sh::codegen {
 namespace {
 
 constexpr int kRandomRotations = 40;
-constexpr int kDenseTilts = 31;  // every power of two from 2^-31 to 2^31 as tan(tilt / 2)
-constexpr int kNewtonSteps = 6;  // each doubles the digits: 3 of the matrix to far beyond 100
+constexpr int kDenseTilts = 31;  // tan(tilt / 2) takes every power of two from 2^-31 to 2^31
+constexpr int kNewtonSteps = 6;  // each step doubles the digits, from 3 digits of the matrix to more than 100
 
 class Random {
  public:

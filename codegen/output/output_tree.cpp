@@ -16,7 +16,7 @@ std::optional<std::string> content_of(const fs::path& path) {
   return fs::is_regular_file(path) ? std::optional(output::read_file(path.string())) : std::nullopt;
 }
 
-// The line number and column of the first byte that differs, for people.
+// Describes the line and the column of the first byte that differs.
 std::string first_difference(const std::string& is, const std::string& should_be) {
   const auto [a, b] = std::mismatch(is.begin(), is.end(), should_be.begin(), should_be.end());
   return "first in line " + std::to_string(1 + std::count(is.begin(), a, '\n'));

@@ -1,13 +1,13 @@
-// Pass: write k (v w) as (k v) w where the product v w serves nothing else. Same operations, same depth.
+// Pass: writes k (v w) as (k v) w if nothing else uses the product v w. Operations and depth stay the same.
 //
-// GLSL compilers may regroup such a product (Mesa does, `precise` does not exist in GLSL ES 3.00); written in the order
-// they prefer, every language computes the same bits.
+// GLSL compilers may regroup such a product (Mesa does so, and GLSL ES 3.00 has no `precise`). They keep products in
+// this order, so every language computes the same bits.
 #include "codegen/passes/passes.hpp"
 
 namespace sh::codegen::passes {
 namespace {
 
-// The kernel with its inputs and constants in front, so that any product may use any of them.
+// The kernel with its inputs and constants first, so that every product may use any of them.
 Kernel leaves_first(const Kernel& kernel) {
   std::vector<NodeId> order;
   for (const bool leaf : {true, false}) {

@@ -1,9 +1,9 @@
-// Pass: write polynomials of one or two terms in factored form, where that saves operations.
+// Pass: writes polynomials of one or two terms in factored form if that saves operations.
 //
-// A node whose exact value is c, c v, c v w, or [v] (c1 v^d + c0) with d = 1 or 2 is rebuilt in that form with one
-// exact constant for each coefficient; the rewrite stays only if the kernel needs fewer operations with it, everything
-// shared. Longer polynomials are left as the recipe wrote them: which of their forms to take trades operations against
-// error and is a recipe's choice.
+// If the exact value of a node is c, c v, c v w, or [v] (c1 v^d + c0) with d = 1 or 2, the pass rebuilds the node in
+// that form with one exact constant for each coefficient. The rewrite stays only if it reduces the operations of the
+// kernel after sharing. Longer polynomials keep the form of the recipe, because their forms trade operations against
+// error, and this choice belongs to the recipe.
 #include <algorithm>
 #include <map>
 #include <optional>
@@ -20,7 +20,7 @@ using Forms = std::vector<std::optional<Form>>;
 
 constexpr std::size_t kMostTerms = 2;
 constexpr std::size_t kMostFactors = 3;
-constexpr std::size_t kMostNodes = 1500;  // trying every product takes the cube of this
+constexpr std::size_t kMostNodes = 1500;  // the time to try every product grows with the cube of the nodes
 
 bool accumulate(Form& sum, const Factors& factors, const ExactReal& coefficient) {
   const auto [position, inserted] = sum.try_emplace(factors, coefficient);
@@ -103,13 +103,13 @@ Forms forms_of(const Kernel& kernel) {
   return forms;
 }
 
-// Names the constants of a rewritten node p_3_0 or y_2_2s: k_3_0 alone, a_3_0 and b_3_0 in a sum.
+// Names the constants of a rewritten node p_3_0: k_3_0 for a single constant, a_3_0 and b_3_0 in a sum.
 std::string constant_name(char letter, const std::string& node_name) {
   const std::size_t underscore = node_name.find('_');
   return underscore == std::string::npos ? std::string() : letter + node_name.substr(underscore);
 }
 
-// Appends factored forms; `position` maps the inputs of the original kernel into the one being built.
+// Appends factored forms. `position` maps the inputs of the original kernel to the new kernel.
 class FormBuilder {
  public:
   FormBuilder(Kernel& kernel, const std::vector<NodeId>& position, std::string name)
@@ -161,7 +161,7 @@ class FormBuilder {
   std::string name_;
 };
 
-// The kernel with the nodes that `chosen` picks rebuilt from their forms where these have a factored shape, shared.
+// The kernel after sharing, with the nodes in `chosen` rebuilt from their forms if these have a factored shape.
 template <class Chosen>
 Kernel rebuilt(const Kernel& kernel, const Forms& forms, const Chosen& chosen) {
   Kernel result = kernel;
@@ -187,7 +187,7 @@ Kernel rebuilt(const Kernel& kernel, const Forms& forms, const Chosen& chosen) {
   return share(result);
 }
 
-// All sums at once: the square in [v] (c1 v^2 + c0) pays only when several of them share it.
+// Rewrites all sums at once, because the square in [v] (c1 v^2 + c0) saves operations only if several sums share it.
 Kernel with_factored_sums(const Kernel& kernel) {
   const auto is_sum = [&kernel](NodeId id, const Form& form) {
     return kernel.node(id).op != Op::kMul && form.size() == 2;

@@ -1,4 +1,4 @@
-// Pass: drop nodes that reach no output, and inputs and constants that nothing uses.
+// Pass: drops nodes that reach no output, and unused inputs and constants.
 #include "codegen/passes/passes.hpp"
 
 namespace sh::codegen::passes {

@@ -1,7 +1,8 @@
-// Pass: order the nodes so that few values are live at once.
+// Pass: orders the nodes so that few values are live at once.
 //
-// Greedy list scheduling: of the nodes whose arguments are ready, take the one that ends the most lifetimes, then the
-// one nearest, in the original order, to the value computed last. The original order stays if it needs no more values.
+// It uses greedy list scheduling: among the nodes with ready arguments, it takes the node that ends the most lifetimes.
+// In a tie it takes the node that is nearest to the previous node in the original order. The original order stays if it
+// does not need more live values.
 #include <algorithm>
 
 #include "codegen/ir/cost.hpp"
@@ -20,7 +21,7 @@ class ListScheduler {
   }
 
   std::vector<NodeId> order() {
-    // Inputs and constants need no computing: they come first, in their own order.
+    // Inputs and constants need no computation, so they come first in their own order.
     for (NodeId id = 0; id < kernel_.size(); ++id) {
       if (argument_count(kernel_.node(id).op) == 0) take(id);
     }
@@ -44,7 +45,7 @@ class ListScheduler {
     return kernel_.node(id).op == Op::kConstant || kernel_.node(id).op == Op::kTable;
   }
 
-  // How many more values are live after computing the node than before.
+  // The change of the number of live values by the node.
   [[nodiscard]] int live_change(NodeId id) const {
     const Node& node = kernel_.node(id);
     const auto end = node.args.begin() + argument_count(node.op);

@@ -1,4 +1,5 @@
-// Passes: compute equal expressions once (value numbering; addition and multiplication commute), and fold.
+// Passes: `share` computes equal expressions once (value numbering; addition and multiplication commute); `fold` also
+// simplifies.
 #include <algorithm>
 #include <map>
 #include <optional>
@@ -18,14 +19,14 @@ Key key_of(const Node& node) {
   return {node.op, args, node.input, node.constant};
 }
 
-// Appends nodes once.
+// Appends every distinct node once.
 class Sharer {
  public:
   explicit Sharer(Kernel& kernel) : kernel_(kernel) {}
 
   NodeId append(Node node) { return known(std::move(node)); }
 
-  // The same in its simplest form.
+  // Appends the node in its simplest form.
   NodeId append_folded(Node node) {
     switch (node.op) {
       case Op::kNeg:
