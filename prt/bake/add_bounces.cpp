@@ -1,4 +1,5 @@
-// The step `bounce`: the right sides of the bounces from shadowed vectors, and interreflected ones from their solution.
+// The step `bounce`: makes the right sides of the bounces from shadowed vectors, and interreflected vectors from the
+// solution.
 
 #include <fmt/core.h>
 
@@ -15,7 +16,7 @@ namespace {
 
 constexpr std::size_t kChannels = BounceLayout::kChannels;
 
-// What leaves every vertex at once: albedo * T, and the light of its own.
+// The light that leaves every vertex without bounces: albedo * T, and the emission.
 Panel direct_light(const Mesh& mesh, const Transfer& transfer, const BounceLayout& layout) {
   Panel x(mesh.positions.size(), layout.columns());
   for (std::size_t v = 0; v < x.rows; ++v) {

@@ -71,7 +71,7 @@ void say_estimate(const BakeEstimate& estimate, const BakeObserver& say) {
   }
 }
 
-// Fewer directions and a deadline for the bounces, where there is a budget.
+// Sets fewer directions and a deadline for the bounces if there is a budget.
 void prepare(BakeJob& job, const BakeObserver& say) {
   if (!job.scene.bake.kind->traces_rays() || (!say && !job.budget)) return;
   const BakeEstimate estimate = estimate_bake(job);

@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t kChannels = BounceLayout::kChannels;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// What some columns reach at most.
+// The largest absolute value in some columns.
 struct Largest {
   double x = 0.0;
   double r = 0.0;
@@ -30,7 +30,7 @@ struct Largest {
   }
 };
 
-// What a panel's columns of one channel reach at most and least.
+// The extremes of a panel's columns of one channel.
 struct Extremes {
   Largest reflected;
   Largest emitted;
@@ -83,7 +83,7 @@ struct Series {
     }
   }
 
-  // How many times what is wanted the worse bound is.
+  // The ratio of the worse bound to the tolerance.
   [[nodiscard]] double excess() const {
     const auto part = [this](double bound, double largest) {
       return bound > 0.0 ? bound / (options.tolerance * largest) : 0.0;
@@ -91,7 +91,7 @@ struct Series {
     return std::max(part(report.bound, report.largest), part(report.emitted_bound, report.emitted_largest));
   }
 
-  // More bounces are to come than a Krylov solver would need.
+  // True if the series still needs more bounces than a Krylov solver.
   [[nodiscard]] bool is_slow(double before) const {
     constexpr int kFirst = 8;
     constexpr double kManyMore = 30.0;

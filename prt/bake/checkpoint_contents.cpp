@@ -19,7 +19,7 @@ void put(std::string& bytes, const T* values, std::size_t count) {
   bytes.append(reinterpret_cast<const char*>(values), count * sizeof(T));
 }
 
-// Takes values off the front of the data; false where there are too few.
+// Takes values off the front of the data; false if there are too few.
 template <class T>
 bool take(std::string_view& data, T* values, std::size_t count) {
   if (data.size() / sizeof(T) < count) return false;
@@ -45,7 +45,7 @@ std::uint64_t checksum_of(const std::vector<T>& values) {
   return checksum(values.data(), values.size() * sizeof(T));
 }
 
-// A member added to Mesh does not compile here until it is decided whether rays depend on it.
+// A new member of Mesh does not compile here until somebody decides whether rays depend on it.
 std::string mesh_checksum(const Mesh& mesh) {
   [[maybe_unused]] const auto& [positions, normals, geometric_normals, albedo, emission, mirror, faces, remap] = mesh;
   const std::array<std::uint64_t, 5> parts = {checksum_of(positions), checksum_of(normals),

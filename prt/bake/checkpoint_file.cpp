@@ -28,7 +28,7 @@ static_assert(std::endian::native == std::endian::little, "checkpoints are littl
 constexpr std::array<char, 8> kMagic = {'s', 'h', 'p', 'a', 'r', 't', '\n', '\x1a'};
 constexpr std::uint32_t kVersion = 1;  // of the format and of what the chunks hold
 
-/// First in the file, followed by the key as JSON text; `checksum` is that of the bytes before it and of the key.
+/// The first bytes of the file, followed by the key as JSON text; `checksum` covers the bytes before it and the key.
 struct Prologue {
   std::array<char, 8> magic = kMagic;
   std::uint32_t version = kVersion;
@@ -36,7 +36,7 @@ struct Prologue {
   std::uint64_t checksum = 0;
 };
 
-/// Before the data of a record; `checksum` is that of the bytes before it.
+/// The head of a record, before its data; `checksum` covers the bytes before it.
 struct RecordHead {
   std::uint32_t index = 0;
   std::uint32_t reserved = 0;
@@ -61,7 +61,7 @@ std::string front_of(const std::string& key) {
   return std::string(reinterpret_cast<const char*>(&prologue), sizeof prologue) + key;
 }
 
-// The first entry that differs, for people.
+// The first entry that differs, as text for messages.
 std::string difference(const Json& found, const Json& wanted) {
   for (const auto& [name, value] : wanted.items()) {
     if (!found.contains(name) || found[name] != value) {
@@ -113,7 +113,7 @@ void CheckpointFile::open_existing(bool restart) {
   }
 }
 
-// Says what differs.
+// Throws an error that names the difference.
 void CheckpointFile::refuse_key() const {
   Prologue prologue;
   if (size_ < sizeof prologue) fail("damaged checkpoint: too short; --restart throws it away");

@@ -14,7 +14,7 @@ Scene with_mirrors_of_channel(Scene scene, Eigen::Index channel) {
   return scene;
 }
 
-// Channel `c` of `from` goes to that of `to`.
+// Copies channel `c` of `from` to channel `c` of `to`.
 void take_channel(const Transfer& from, std::size_t c, Transfer& to) {
   const std::size_t count = to.shape.count();
   for (std::size_t v = 0; v < to.mesh.positions.size(); ++v) {
@@ -24,7 +24,7 @@ void take_channel(const Transfer& from, std::size_t c, Transfer& to) {
   for (std::size_t v = 0; v < to.emitted.size(); ++v) to.emitted[v][channel] = from.emitted[v][channel];
 }
 
-// The worse of each number.
+// Takes the worse value of each number.
 void take_report(const BounceReport& from, BounceReport& to) {
   to.applications = std::max(to.applications, from.applications);
   to.certified = to.certified && from.certified;

@@ -38,7 +38,7 @@ std::size_t resident_memory() {
   return resident * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
 }
 
-// Vertices that need rays, spread over the mesh by the golden ratio: any number of the first is spread, too.
+// Vertices that need rays, in golden-ratio order: any number of the first ones is spread over the mesh.
 std::vector<std::uint32_t> spread_vertices(std::size_t vertices, const std::vector<std::uint8_t>& open,
                                            std::size_t& traced) {
   std::vector<std::uint32_t> closed;
@@ -54,7 +54,7 @@ std::vector<std::uint32_t> spread_vertices(std::size_t vertices, const std::vect
   return spread;
 }
 
-// Seconds of K x for some rows, the least of three.
+// The seconds that K x takes for some rows, the least of three.
 double apply_seconds(const FormFactors& factors, std::size_t vertices, std::size_t columns) {
   const Panel x(vertices, columns);
   Panel y(factors.size(), columns);
@@ -67,7 +67,7 @@ double apply_seconds(const FormFactors& factors, std::size_t vertices, std::size
   return least;
 }
 
-// The bounces, from the rows of the vertices that were sampled.
+// Estimates the bounces from the rows of the sampled vertices.
 void estimate_bounces(const BakeJob& job, const FormFactors& all, const std::vector<std::uint32_t>& samples,
                       BakeEstimate& estimate) {
   const Scene& scene = job.scene;
@@ -78,7 +78,7 @@ void estimate_bounces(const BakeJob& job, const FormFactors& all, const std::vec
   double square = 0.0;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const FormFactorRow& row = all.row(samples[i]);
-    double reflected = 0.0;  // what comes back to the vertex of what it sends out
+    double reflected = 0.0;  // share of the vertex's light that comes back to it
     for (const FormFactor& factor : row) {
       reflected += static_cast<double>(factor.weight * scene.mesh.albedo[factor.vertex].maxCoeff());
     }

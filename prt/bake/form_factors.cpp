@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kVerticesPerTask = 32;
 
-// Lanes are columns, never terms of one sum, and nothing is contracted: the bits do not depend on the width.
+// Lanes are columns, never terms of one sum, and nothing is contracted. The bits therefore do not depend on the width.
 #define SHFORGE_WIDEST __attribute__((target_clones("avx2", "default")))
 constexpr std::size_t kLanes = 4;
 using Lanes = double __attribute__((vector_size(kLanes * sizeof(double)), aligned(alignof(double)), may_alias));

@@ -17,17 +17,17 @@ namespace sh::prt {
 namespace {
 
 constexpr float kOffset = 2e-3F;           // of the reach of the mesh around
-constexpr float kRoundings = 32.0F;        // and no less than this many roundings of the coordinates
-constexpr float kCoveredReach = 2.0F;      // what is nearer than this many reaches
-constexpr float kCoveredWeight = 0.97F;    // along so much of the cosine covers a vertex
+constexpr float kRoundings = 32.0F;        // at least this many roundings of the coordinates
+constexpr float kCoveredReach = 2.0F;      // hits nearer than this many reaches,
+constexpr float kCoveredWeight = 0.97F;    // along this part of the cosine, cover a vertex
 constexpr std::size_t kRowUnit = 8;        // floats
 constexpr std::size_t kStreamRays = 1024;  // a stream call
 
-// The sums below run on the widest registers there are. Lanes are coefficients or directions, never terms of one sum,
-// and nothing is contracted: the bits do not depend on the width.
+// The sums below run on the widest registers of the processor. Lanes are coefficients or directions, never terms of one
+// sum, and nothing is contracted. The bits therefore do not depend on the width.
 #define SHFORGE_WIDEST __attribute__((target_clones("avx2", "default")))
 
-// Eight floats at any address; two registers where one is not wide enough.
+// Eight floats at any address; two registers if one is not wide enough.
 using Lanes = float __attribute__((vector_size(kRowUnit * sizeof(float)), aligned(alignof(float)), may_alias));
 
 // sum (8 Count) = the weighted sum of the chosen rows, kept in registers.
@@ -150,7 +150,7 @@ std::size_t Gatherer::aim(const Eigen::Vector3f& origin, const Eigen::Vector3f& 
   std::size_t traced = 0;
   below_ = 0;
   for (std::uint32_t j = 0; j < directions_.size(); ++j) {
-    // Without branches, which nothing could predict.
+    // The loop has no branches, because no branch predictor could follow them.
     const std::size_t counts = weights_[j] > 0.0F ? 1U : 0U;
     const std::size_t is_above = heights_[j] > 0.0F ? 1U : 0U;
     chosen_[traced] = j;

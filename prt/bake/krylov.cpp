@@ -1,6 +1,6 @@
-// BiCGSTAB [VanDerVorst92] for all columns of a panel at once: one application of the operator serves them all,
-// each column has its own scalars. The residual it carries along drifts from the true one, so the true one is computed
-// before anything is certified, and the iteration starts again from there if need be.
+// BiCGSTAB [VanDerVorst92] for all columns of a panel at once: one application of the operator serves all of them, but
+// each column has its own scalars. The recursive residual drifts from the true residual. The true residual is therefore
+// computed before anything is certified, and the iteration restarts from there if necessary.
 #include <cmath>
 
 #include "prt/bake/bounce_system.hpp"
@@ -47,7 +47,7 @@ void follow(const Panel& r, const Scalars& b, Panel& p) {
   });
 }
 
-// 0 where a column is solved or breaks down: it then stands still until the next start.
+// 0 if a column is solved or breaks down; the column then does not change until the next start.
 Scalars ratio(const Scalars& a, const Scalars& b) {
   Scalars out(a.size());
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -70,7 +70,7 @@ void apply_system(BounceSystem& system, const Panel& x, Panel& y) {
   });
 }
 
-// Until the carried residual is small enough, or for as long as is sensible between two starts.
+// Iterates until the recursive residual is small enough or a restart is due.
 void run_cycle(BounceSystem& system, Panel& x, Panel& r, const BounceOptions& options, BounceReport& report) {
   constexpr int kSteps = 32;
   const Panel shadow = r;

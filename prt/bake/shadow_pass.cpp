@@ -19,7 +19,7 @@ constexpr float kNearlyDark = 0.03F;  // of the cosine; such vertices are looked
 
 }  // namespace
 
-// The order in which an open vertex keeps every bit of DU.
+// This order of operations keeps every bit of DU for an open vertex.
 void control_with_unshadowed(const Gathered& seen, std::size_t count, float* transfer) {
   const float fraction = seen.fraction();
   for (std::size_t i = 0; i < count; ++i) {

@@ -22,7 +22,7 @@ void report_closed(const Scene& scene, const FillPlan& plan, OnFlaw on_flaw) {
   }
 }
 
-// Mostly in the dark: a closed room without light, or surfaces whose fronts are inside.
+// Reports meshes that are mostly dark: a closed room without light, or surfaces whose fronts face inwards.
 void report_dark(const Scene& scene, const std::vector<Sight>& sight, OnFlaw on_flaw) {
   const auto dark = static_cast<std::size_t>(std::count(sight.begin(), sight.end(), Sight::kDark));
   if (2 * dark > sight.size() && scene.mesh.emission.empty()) {
@@ -32,7 +32,7 @@ void report_dark(const Scene& scene, const std::vector<Sight>& sight, OnFlaw on_
   }
 }
 
-// Light between mirrors that face each other, without much loss, has no end.
+// Reports lost light: paths between mirrors that face each other do not end if the mirrors lose little.
 void report_cut(const Scene& scene, double cut, OnFlaw on_flaw) {
   constexpr double kNoticed = 1e-3;
   if (cut > kNoticed) {
@@ -72,7 +72,7 @@ void take_unshadowed(BakeRun& run) {
   run.transfer.emitted = run.scene.mesh.emission;
 }
 
-// Vertices without sight take their neighbors' vectors.
+// Gives closed vertices the vectors of their neighbors.
 void trace_shadows(BakeRun& run) {
   begin_tracing(run);
   const OnFlaw on_flaw = run.settings.on_flaw;

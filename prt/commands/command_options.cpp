@@ -1,4 +1,4 @@
-// What several commands share: prt/commands/commands.hpp.
+// Options and helpers that several commands share.
 #include <fmt/format.h>
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/info.h>

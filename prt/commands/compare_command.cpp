@@ -1,4 +1,5 @@
-// `prt compare A B -o error.png`: how two bakes of one mesh, or two pictures, differ: JSON, and where in false colours.
+// `prt compare A B -o error.png`: compares two bakes of one mesh, or two pictures, as JSON and as a false-color
+// picture.
 #include <fmt/format.h>
 
 #include <algorithm>

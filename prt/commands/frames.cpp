@@ -1,4 +1,3 @@
-// prt/commands/frames.hpp
 #include "prt/commands/frames.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// `prt info FILE`: what a transfer file holds, as JSON.
+// `prt info FILE`: prints the header and counts of a transfer file as JSON.
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -13,7 +13,7 @@ using Json = nlohmann::ordered_json;
 
 Json to_json(const Eigen::Vector3f& v) { return {v.x(), v.y(), v.z()}; }
 
-/// The file's own header, and what only its body tells.
+/// The header of the file, and values from its body.
 Json report(const std::string& file, const Transfer& transfer) {
   Json json = Json::parse(transfer_header(transfer));
   Eigen::Vector3f low = transfer.mesh.positions.front();

@@ -1,4 +1,3 @@
-// Pictures of lights: prt/commands/light_figure.hpp.
 #include "prt/commands/light_figure.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// `--local`: near lights sampled at several points: LocalLighting of prt/commands/subject.hpp.
+// `--local`: samples near lights at several points.
 #include <fmt/format.h>
 
 #include <charconv>

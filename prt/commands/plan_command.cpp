@@ -1,4 +1,4 @@
-// `prt plan SCENE`: what a bake of the scene can leave out, what that saves and costs.
+// `prt plan SCENE`: prints the work that a bake can leave out, its savings and its error.
 #include <memory>
 #include <nlohmann/json.hpp>
 

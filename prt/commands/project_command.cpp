@@ -32,7 +32,7 @@ Json coefficients(const LightCoefficients& light) {
   return out;
 }
 
-/// What a picture's header says, and its sun if that was extracted; nothing for other lights.
+/// Facts about a picture, and its sun if that was extracted; nothing for other lights.
 Json described(const Options& options, const std::vector<Light>& lights) {
   Json out = {{"file", std::filesystem::path(options.light).filename().string()}};
   for (const Light& light : lights) {

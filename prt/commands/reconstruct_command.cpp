@@ -1,4 +1,4 @@
-// `prt reconstruct LIGHT -o picture.png`: a light and what its coefficients make of it, with what is negative marked.
+// `prt reconstruct LIGHT -o picture.png`: draws a light and its SH reconstruction, with negative regions marked.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -28,7 +28,7 @@ struct Options {
   bool strict = false;
 };
 
-/// Least and largest value of any channel, and the part of the sphere on which some channel is negative.
+/// The least and the largest value of any channel, and the part of the sphere on which a channel is negative.
 nlohmann::ordered_json summary(const LightCoefficients& light) {
   const std::vector<double> all(static_cast<std::size_t>(light.degree) + 1, 1.0);
   SphereValue least{std::numeric_limits<double>::infinity()};

@@ -33,8 +33,8 @@ struct Options {
   int threads = 0;
 };
 
-/// What stands behind the mesh: the light, or a grey that does not depend on the exposure. `auto`: the light where it
-/// is a picture; a sky without one is black below its horizon.
+/// The background of the mesh: the light, or a gray that does not depend on the exposure. `auto` shows the light if it
+/// is a picture, because other skies are black below the horizon.
 bool shows_light(const Options& options, const std::vector<Light>& lights) {
   const auto is_picture = [](const Light& light) { return light.image != nullptr; };
   return options.background == "light" ||
@@ -48,7 +48,7 @@ Background background(bool show_light, const std::vector<Light>& lights) {
   return [](const Eigen::Vector3f& /*direction*/) { return Eigen::Vector3f(Eigen::Vector3f::Zero()); };
 }
 
-/// Adds grey of linear 0.3 after exposure where samples missed the mesh.
+/// Adds gray of linear 0.3 after exposure for samples that miss the mesh.
 void put_on_grey(Picture& picture, float exposure) {
   constexpr float kGrey = 0.3F;
   for (std::size_t i = 0; i < picture.radiance.size(); ++i) {
@@ -77,7 +77,7 @@ void check(const Options& options) {
   }
 }
 
-/// Renders frame after frame; meshes are placed and their tree built anew only where something has moved.
+/// Renders frame after frame; places meshes and rebuilds their tree only if something has moved.
 class Sequence {
  public:
   Sequence(const Options& options, Subject& subject, PictureFiles& files)

@@ -1,4 +1,4 @@
-// `prt shader --kind DS --degree 4 > relight.vert`: a vertex shader that relights, complete.
+// `prt shader --kind DS --degree 4 > relight.vert`: prints a complete vertex shader that relights.
 #include <memory>
 #include <stdexcept>
 

@@ -1,4 +1,4 @@
-// `prt study SCENE --out DIR`: error against time of everything a bake can be told, as JSON and charts.
+// `prt study SCENE --out DIR`: measures error against time for every setting of a bake; JSON and charts.
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -53,7 +53,7 @@ void make_folder(const std::string& folder) {
   require_writable((std::filesystem::path(folder) / "study.json").string());
 }
 
-// Of the last part; those before it lie there already.
+// Writes the files of the last part; the files of earlier parts exist already.
 void write_pictures(const std::filesystem::path& folder, const StudyPart& part, const Scene& scene) {
   if (part.fields.empty()) return;
   PictureSize size;

@@ -1,4 +1,3 @@
-// prt/commands/subject.hpp
 #include "prt/commands/subject.hpp"
 
 #include <fmt/format.h>
@@ -10,7 +9,7 @@
 namespace sh::prt {
 namespace {
 
-/// Says what a limited time left out of a bake: prt/bake/estimate.hpp.
+/// Reports the reductions that a time limit caused in a bake.
 std::string coarseness(const std::string& file, const Transfer& transfer) {
   std::string line = fmt::format("{}: coarser than was asked for:", file);
   if (transfer.missing.directions > 0) {

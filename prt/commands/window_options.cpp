@@ -1,4 +1,4 @@
-// Windows on a command line: WindowOptions of prt/commands/commands.hpp.
+// Windows on a command line.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -35,7 +35,7 @@ double number_of(const std::string& window, const std::string& part) {
   return value;
 }
 
-/// The same as a scene would say it, so that one reader checks both.
+/// The option in the form of a scene's JSON, so that one reader checks both.
 nlohmann::json as_in_a_scene(const WindowOptions& options) {
   const std::vector<std::string> parts = parts_of(options.window);
   const auto* const name = std::find(std::begin(kWindowNames), std::end(kWindowNames), parts[0]);

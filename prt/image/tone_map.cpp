@@ -1,4 +1,3 @@
-// Exposure, tone curve and encoding: prt/image/tone_map.hpp.
 #include "prt/image/tone_map.hpp"
 
 #include <algorithm>

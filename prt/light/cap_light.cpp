@@ -1,4 +1,3 @@
-// Directional lights, discs and distant spheres: prt/light/cap_light.hpp.
 #include "prt/light/cap_light.hpp"
 
 #include <cmath>

@@ -1,4 +1,3 @@
-// The least window that leaves nothing negative: prt/light/deringing.hpp.
 #include "prt/light/deringing.hpp"
 
 #include <fmt/format.h>

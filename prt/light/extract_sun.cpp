@@ -1,4 +1,3 @@
-// Finding and removing a picture's sun: prt/light/extract_sun.hpp.
 #include "prt/light/extract_sun.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,3 @@
-// Lights and their radiance: prt/light/light.hpp.
 #include "prt/light/light.hpp"
 
 #include <fmt/format.h>

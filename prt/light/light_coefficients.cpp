@@ -1,4 +1,3 @@
-// Sums, rotations and values of SH lights: prt/light/light_coefficients.hpp.
 #include "prt/light/light_coefficients.hpp"
 
 #include <fmt/format.h>

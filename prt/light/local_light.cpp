@@ -1,4 +1,3 @@
-// Near lights from any point: prt/light/local_light.hpp.
 #include "prt/light/local_light.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,3 @@
-// Polygon lights: prt/light/polygon_light.hpp.
 #include "prt/light/polygon_light.hpp"
 
 #include <Eigen/Geometry>

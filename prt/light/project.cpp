@@ -1,4 +1,3 @@
-// Projection of lights on the SH basis: prt/light/project.hpp.
 #include "prt/light/project.hpp"
 
 #include <cmath>

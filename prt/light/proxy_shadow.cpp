@@ -1,4 +1,3 @@
-// The light that whole objects leave each other: prt/light/proxy_shadow.hpp.
 #include "prt/light/proxy_shadow.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,3 @@
-// The CIE general sky: prt/light/sky.hpp.
 #include "prt/light/sky.hpp"
 
 #include <algorithm>

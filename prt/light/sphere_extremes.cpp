@@ -1,4 +1,3 @@
-// Extremes of band-limited functions: prt/light/sphere_extremes.hpp.
 #include "prt/light/sphere_extremes.hpp"
 
 #include <Eigen/Eigenvalues>

@@ -1,4 +1,3 @@
-// Windows by the generated kernels: prt/light/window.hpp.
 #include "prt/light/window.hpp"
 
 #include <fmt/format.h>

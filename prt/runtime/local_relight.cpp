@@ -1,4 +1,3 @@
-// Sample points, weights and the blend: prt/runtime/local_relight.hpp.
 #include "prt/runtime/local_relight.hpp"
 
 #include <fmt/format.h>

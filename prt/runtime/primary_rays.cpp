@@ -1,4 +1,3 @@
-// Camera rays: prt/runtime/primary_rays.hpp.
 #include "prt/runtime/primary_rays.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,3 @@
-// Brute-force reference pictures: prt/runtime/reference_render.hpp.
 #include "prt/runtime/reference_render.hpp"
 
 #include <oneapi/tbb/parallel_for.h>

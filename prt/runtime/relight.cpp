@@ -1,4 +1,3 @@
-// The product T.L per vertex: prt/runtime/relight.hpp.
 #include "prt/runtime/relight.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,3 @@
-// Several moving objects: prt/runtime/relight_stage.hpp.
 #include "prt/runtime/relight_stage.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,3 @@
-// Rendering of a relit mesh: prt/runtime/render.hpp.
 #include "prt/runtime/render.hpp"
 
 #include <oneapi/tbb/parallel_for.h>

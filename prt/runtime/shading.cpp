@@ -1,4 +1,3 @@
-// prt/runtime/shading.hpp
 #include "prt/runtime/shading.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,3 @@
-// prt/runtime/vertex_shader.hpp
 #include "prt/runtime/vertex_shader.hpp"
 
 #include <fmt/format.h>

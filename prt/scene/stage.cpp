@@ -1,4 +1,3 @@
-// Stages and their files: prt/scene/stage.hpp.
 #include "prt/scene/stage.hpp"
 
 #include <algorithm>

@@ -1,4 +1,3 @@
-// Picture files for tests: tests/prt/image_files.hpp.
 #include "tests/prt/image_files.hpp"
 
 #include <ImathBox.h>

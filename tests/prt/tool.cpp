@@ -1,4 +1,3 @@
-// Child processes for tests: tests/prt/tool.hpp.
 #include "tests/prt/tool.hpp"
 
 #include <fcntl.h>
