@@ -9,7 +9,7 @@
 namespace sh::prt {
 namespace {
 
-/// The pixels that may be blended, first and last; columns may go round.
+/// The range of pixels that may be blended; columns may wrap around.
 struct Frame {
   int left, right, top, bottom;
   bool wraps = false;

@@ -1,4 +1,4 @@
-// OpenEXR pictures through the OpenEXR library: prt/image/image_io.hpp.
+// Reads OpenEXR pictures with the OpenEXR library.
 // Reference: OpenEXR documentation, "Reading and writing image files"; channel names and layers: "Technical
 // introduction", section "Channels".
 #include <ImathBox.h>
@@ -61,8 +61,7 @@ ChannelNames rgb_channels(const std::string& file, const Imf::ChannelList& chann
   return *rgb;
 }
 
-/// A file may name primaries other than Rec. 709 (ACES, Rec. 2020, ...); its numbers are then not what we take them
-/// for.
+/// Warns if a file names primaries other than Rec. 709 (ACES, Rec. 2020, ...): its numbers then have another meaning.
 void check_primaries(const std::string& file, const Imf::Header& header, OnFlaw on_flaw) {
   if (!Imf::hasChromaticities(header)) return;
   const Imf::Chromaticities found = Imf::chromaticities(header);

@@ -1,4 +1,4 @@
-// 8-bit pictures, PNG by libpng and JPEG by libjpeg-turbo: prt/image/image_io.hpp.
+// Reads 8-bit pictures: PNG with libpng, JPEG with libjpeg-turbo.
 #include <fmt/format.h>
 #include <png.h>
 #include <turbojpeg.h>
@@ -23,7 +23,7 @@ std::array<float, 256> table_for(ColorSpace space) {
   return table;
 }
 
-/// `channels` bytes a pixel, the first three red, green, blue.
+/// A pixel has `channels` bytes; the first three are red, green and blue.
 Image linear_image(int width, int height, const std::vector<unsigned char>& bytes, std::size_t channels,
                    ColorSpace space) {
   const std::array<float, 256> table = table_for(space);

@@ -1,4 +1,4 @@
-// Quadrature over single pixels of discs and cube maps: prt/image/environment.hpp.
+// Quadrature over single pixels of discs and cube maps.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -13,7 +13,7 @@ constexpr double kPi = std::numbers::pi;
 constexpr int kMostNodes = 48;  // along an edge, for a picture of one pixel
 using Rule = numeric::GaussLegendreRule<double>;
 
-/// More nodes the fewer pixels an edge has: the basis is of degree 10 at most.
+/// The number of nodes grows as an edge has fewer pixels; the basis has degree 10 at most.
 const Rule& rule_for(int pixels, int more = 0) {
   static const std::vector<Rule> kRules = [] {
     std::vector<Rule> rules;
@@ -43,8 +43,8 @@ PixelNode disc_node(ImageMapping mapping, double u, double v, double w, double a
   return {disc_direction(mapping, u, v, w), stretch * area};
 }
 
-/// The pixel a x b cut by the unit circle, 0 <= a, b, in the angles a = sin t, b = cos t sin s: the normals of a ball,
-/// in which the picture of a mirror ball too is smooth up to the rim.
+/// The pixel a x b, cut by the unit circle, 0 <= a, b, in the angles a = sin t, b = cos t sin s. These are the normals
+/// of a ball; in them the picture of a mirror ball is smooth up to the rim.
 template <class Emit>
 void cut_pixel(const Interval& a, const Interval& b, const Rule& rule, const Emit& emit) {
   if (!(a.low < a.high && b.low < b.high && a.low * a.low + b.low * b.low < 1.0)) return;

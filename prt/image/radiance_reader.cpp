@@ -1,6 +1,6 @@
 // Radiance RGBE pictures (.hdr): text header, then scanlines, run-length encoded or plain.
-// Own code rather than stb_image: stb_image 2.27 loops for ever on a truncated run-length encoded file and returns
-// uninitialised memory for a truncated plain one.
+// The project does not use stb_image: version 2.27 loops forever on a truncated run-length encoded file and returns
+// uninitialized memory for a truncated plain file.
 // References: Greg Ward, "Real Pixels", Graphics Gems II (1991), p. 80; Radiance file formats, filefmts.pdf.
 #include <fmt/format.h>
 
@@ -17,7 +17,7 @@ namespace {
 
 using Rgbe = std::array<std::uint8_t, 4>;
 
-/// Bytes of the file with a place in them; every step past the end is an error.
+/// The bytes of the file with a read position; every step past the end is an error.
 class Reader {
  public:
   Reader(const std::string& file, std::string_view bytes) : file_(file), bytes_(bytes) {}
@@ -102,7 +102,8 @@ void read_channel(Reader& reader, std::vector<Rgbe>& scanline, std::size_t chann
   }
 }
 
-/// Plain pixels, in which (1, 1, 1, n) repeats the one before n << (8 * how many such came just before) times.
+/// Plain pixels. (1, 1, 1, n) repeats the previous pixel n << (8 * k) times, where k is the number of such pixels just
+/// before.
 void read_plain(Reader& reader, std::vector<Rgbe>& scanline) {
   int shift = 0;
   for (std::size_t i = 0; i < scanline.size();) {
@@ -134,8 +135,8 @@ void read_scanline(Reader& reader, std::vector<Rgbe>& scanline) {
   for (std::size_t channel = 0; channel < 4; ++channel) read_channel(reader, scanline, channel);
 }
 
-/// [Ward91] value = (mantissa + 1/2) / 256 * 2^(e - 128). The half is left out, as Radiance's own users mostly do:
-/// black stays black, and mantissa 128 at e = 129 is exactly 1.
+/// [Ward91] value = (mantissa + 1/2) / 256 * 2^(e - 128). This reader omits the half, like most programs: black stays
+/// black, and mantissa 128 at e = 129 is exactly 1.
 Eigen::Vector3f to_linear(const Rgbe& pixel, double exposure) {
   if (pixel[3] == 0) return Eigen::Vector3f::Zero();
   const double factor = std::ldexp(1.0, static_cast<int>(pixel[3]) - (128 + 8)) / exposure;

@@ -1,4 +1,4 @@
-// Transfer of diffuse surfaces: vectors that meet the light by a dot product.
+// Transfer of diffuse surfaces: the dot product of a vector and the light is exit radiance.
 #include <array>
 
 #include "prt/bake/steps.hpp"
@@ -8,10 +8,10 @@ namespace sh::prt {
 
 namespace {
 
-// Cosine and 1/pi: exit radiance = albedo * sum_i T_i L_i.
+// Holds the cosine and 1/pi: exit radiance = albedo * sum_i T_i L_i.
 TransferShape without_albedo(int degree) { return {.degree = degree}; }
 
-// Everything: exit radiance of channel c = sum_i T_ci L_ci.
+// Holds cosine, 1/pi and albedo: exit radiance of channel c = sum_i T_ci L_ci.
 TransferShape with_albedo(int degree) { return {.channels = 3, .degree = degree, .holds_albedo = true}; }
 
 constexpr std::array kSteps = {kUnshadowedStep, kShadowStep, kBounceStep};

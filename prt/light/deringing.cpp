@@ -27,7 +27,7 @@ std::vector<double> kept_factors(Keep keep, int degree) {
   return out;
 }
 
-/// The channels of a light, each times the factors of what is kept and of a window.
+/// The channels of a light, times the factors of the kept quantity and of a window.
 class Channels {
  public:
   Channels(const LightCoefficients& light, Keep keep) : kept_(kept_factors(keep, light.degree)), degree_(light.degree) {
@@ -43,7 +43,7 @@ class Channels {
 
   [[nodiscard]] double peak() const { return peak_; }
 
-  /// Over the peak without a window.
+  /// The least value over the peak without a window.
   [[nodiscard]] double least(const std::vector<double>& window) const {
     double out = functions_[0].least(times_kept(window)).value;
     for (const BandLimited& f : functions_) out = std::min(out, f.least(times_kept(window)).value);
@@ -60,7 +60,7 @@ class Channels {
     return least(window_factors(window, degree_)) < -kRounding;
   }
 
-  /// Root of the sum of squares beyond band 0.
+  /// The root of the sum of squares of all bands except 0.
   [[nodiscard]] double contrast(LightCoefficients light, const std::vector<double>& window) const {
     apply_factors(times_kept(window), light);
     for (std::size_t channel = 0; channel < 3; ++channel) light.at(channel, 0) = 0.0;
@@ -92,8 +92,9 @@ void refuse_negative(const LightCoefficients& light) {
   }
 }
 
-/// The weakest that leaves nothing negative. Under fejer the function moves along a line, so that its least value is
-/// concave in the strength and halving finds the one crossing; the others are searched from weak to strong.
+/// The weakest window that leaves nothing negative. Under fejer the function moves along a line, so that its least
+/// value is concave in the strength and bisection finds the only crossing. The other kinds are searched from weak to
+/// strong.
 double least_strength(const Channels& channels, const WindowChoice& choice) {
   const auto is_negative = [&](double strength) {
     return channels.is_negative(window_of_strength(choice.window.type, choice.window.power, strength));

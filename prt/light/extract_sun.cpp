@@ -35,14 +35,14 @@ class Mosaic {
     return sum;
   }
 
-  /// Of its center; none where the picture shows nothing there.
+  /// The direction of the pixel's center; empty if the picture shows nothing there.
   [[nodiscard]] std::optional<Eigen::Vector3d> direction(std::size_t i) const {
     const std::size_t row = i / width();
     return mapped_direction(mapping_, (static_cast<double>(i % width()) + 0.5) / image_.width,
                             (static_cast<double>(row) + 0.5) / image_.height);
   }
 
-  /// The pixels around one, on the sphere: across seams, edges and poles too.
+  /// The neighbors of a pixel on the sphere, also across seams, edges and poles.
   [[nodiscard]] Pixels around(std::size_t i) const {
     Pixels out;
     const auto middle = direction(i);
@@ -83,7 +83,7 @@ class Mosaic {
   mutable std::vector<PixelNode> nodes_;
 };
 
-/// The pixels around a set, without the set.
+/// The neighbors of a set of pixels, without the set.
 Pixels rim_of(const Pixels& set, const Mosaic& mosaic) {
   Pixels rim;
   for (const std::size_t i : set) {
@@ -94,7 +94,7 @@ Pixels rim_of(const Pixels& set, const Mosaic& mosaic) {
   return rim;
 }
 
-/// All that are joined to the first and at least as bright as `least`, up to `most` steradian.
+/// All pixels that are connected to the first and at least as bright as `least`, up to `most` steradian.
 Pixels grown(const Image& image, const Mosaic& mosaic, std::size_t first, double least, double most) {
   Pixels region{first};
   std::vector<std::size_t> open{first};
@@ -128,7 +128,7 @@ Eigen::Vector3f mean(const Image& image, const Mosaic& mosaic, const Pixels& pix
   return (size > 0.0 ? Eigen::Vector3d(sum / size) : sum).cast<float>();
 }
 
-/// Cuts the region down to the level; the cap holds what was cut off.
+/// Cuts the region down to the level; the cap gets the removed part.
 ExtractedSun cut_off(const Image& image, const Mosaic& mosaic, const Pixels& region, const Eigen::Vector3f& level,
                      double peak) {
   ExtractedSun sun;

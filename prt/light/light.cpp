@@ -18,7 +18,7 @@ Light unloaded(const LightSpec& spec) {
   return {spec, rotation_about(spec.rotation_axis.cast<double>(), static_cast<double>(spec.rotation_degrees)), {}};
 }
 
-/// The sun as a light of its own; the environment keeps the rest. None where the picture has no sun.
+/// The sun as a separate light; the environment keeps the rest. Empty if the picture has no sun.
 std::optional<Light> split_sun(Light& environment) {
   SunSearch search = extract_sun(*environment.image, environment.spec.mapping, *environment.spec.extract_sun);
   if (!search.sun) {

@@ -64,7 +64,7 @@ std::vector<LightCoefficients> project_at(const std::vector<Light>& lights, cons
   std::vector<Light> far;
   std::vector<Light> near;
   for (const Light& light : lights) (is_near(light) ? near : far).push_back(light);
-  const LightCoefficients background = project(far, degree);  // pictures once, not once a point
+  const LightCoefficients background = project(far, degree);  // projects pictures once, not for each point
   std::vector<LightCoefficients> out;
   for (const Eigen::Vector3d& point : points) {
     LightCoefficients sum = background;

@@ -26,7 +26,7 @@ double extent(const Corners& corners) {
   return largest;
 }
 
-/// Twice the area times the normal; the front is where the corners run counterclockwise.
+/// Twice the area times the normal; the corners run counterclockwise as seen from the front.
 Eigen::Vector3d area_vector(const Corners& corners) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -90,7 +90,7 @@ void add_edge(const Eigen::Vector3d& a, const Eigen::Vector3d& b, int degree, st
   }
 }
 
-/// Signed: positive where a, b, c run counterclockwise as seen from outside the sphere.
+/// The signed solid angle: positive if a, b, c run counterclockwise as seen from outside the sphere.
 double triangle_solid_angle(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
   const double la = a.norm();
   const double lb = b.norm();

@@ -1,5 +1,5 @@
-// Projection of pictures on the SH basis: lat-long pictures patch by patch, in closed form along a row; others by nodes
-// in every pixel. prt/light/project.hpp.
+// Projects pictures on the SH basis: lat-long pictures patch by patch, with a closed form along each row; other
+// mappings by nodes in every pixel.
 #include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
@@ -15,9 +15,9 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-/// Y_lm at azimuth 0, m >= 0, integrated over sin(theta) d(theta) from theta = `from` to `to`; for -m, with the sine
-/// for the cosine, the polar factor is the same. A row is at most pi high (a picture of one row), the basis at most of
-/// degree 10: 24 nodes integrate it to rounding.
+/// Y_lm at azimuth 0, m >= 0, integrated over sin(theta) d(theta) from theta = `from` to `to`; the polar factor of -m,
+/// which has the sine instead of the cosine, is the same. A row is at most pi high (a picture of one row), the basis at
+/// most of degree 10: 24 nodes integrate it to rounding.
 BasisValues polar_integrals(int degree, double from, double to) {
   static const auto kRule = numeric::gauss_legendre<double>(24);
   BasisValues sum{};

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-/// Exact for products of two basis functions of that degree.
+/// A rule that is exact for products of two basis functions of this degree.
 const numeric::GaussLegendreRule<double>& rule_for(int degree) {
   static const auto kRules = [] {
     std::array<numeric::GaussLegendreRule<double>, kMaxDegree + 1> rules;
@@ -28,7 +28,7 @@ const numeric::GaussLegendreRule<double>& rule_for(int degree) {
   return kRules[static_cast<std::size_t>(degree)];
 }
 
-/// out -= what the ring of height z, weighted, gives of one channel: `basis` is Y at azimuth 0.
+/// out -= the weighted contribution of the ring at height z to one channel; `basis` is Y at azimuth 0.
 void subtract_ring(int degree, const BasisValues& basis, double weight, const double* light, double* out) {
   for (int m = -degree; m <= degree; ++m) {
     const int order = std::abs(m);
@@ -39,7 +39,7 @@ void subtract_ring(int degree, const BasisValues& basis, double weight, const do
   }
 }
 
-/// The light without what comes from the cap about +z.
+/// The light without the part from the cap about +z.
 LightCoefficients without_polar_cap(const LightCoefficients& light, double one_minus_cos) {
   LightCoefficients out = light;
   const auto& rule = rule_for(light.degree);

@@ -52,8 +52,8 @@ const SkyParameters& parameters(int type) {
   return kSkies[static_cast<std::size_t>(type - 1)];
 }
 
-/// Tanh-sinh nodes on [0, 1]: for integrands that change quickly near both ends, as the length of the arc from a low
-/// sun to the horizon does where it turns sideways. [TakahasiMori74]
+/// Tanh-sinh nodes on [0, 1] [TakahasiMori74], for integrands that change quickly near both ends, such as the length of
+/// the arc from a low sun to the horizon when the arc turns sideways.
 struct Panel {
   std::vector<double> nodes;
   std::vector<double> weights;
@@ -79,8 +79,8 @@ struct Nodes {
 
 Nodes nodes_of(int refinement) { return {numeric::gauss_legendre<double>(80 * refinement), tanh_sinh(refinement)}; }
 
-/// Adds the arc that leaves the sun under `bearing` (0: upwards) and ends at the horizon, the sun above +x; `weight` is
-/// the bearing's. Orders m >= 0 only: the sky is symmetric about the sun's meridian.
+/// Adds the arc that starts at the sun with `bearing` (0: upwards) and ends at the horizon; the sun is above +x.
+/// `weight` is the weight of the bearing. Orders m >= 0 only: the sky is symmetric about the sun's meridian.
 void add_arc(const SkyParameters& sky, const numeric::GaussLegendreRule<double>& rule, double elevation, double bearing,
              double weight, int degree, std::vector<double>& sum) {
   const Eigen::Vector3d sun(std::cos(elevation), 0.0, std::sin(elevation));
@@ -99,7 +99,7 @@ void add_arc(const SkyParameters& sky, const numeric::GaussLegendreRule<double>&
   }
 }
 
-/// A function even in azimuth, given by its coefficients of orders m >= 0, turned about +z.
+/// Turns a function about +z. The function is even in azimuth and has only coefficients of orders m >= 0.
 void turn_even(double azimuth, int degree, std::vector<double>& coefficients) {
   for (int l = 0; l <= degree; ++l) {
     const std::size_t middle = coefficient_count(l) - static_cast<std::size_t>(l) - 1;

@@ -50,7 +50,7 @@ class Descent {
     return full - full.dot(d) * d;
   }
 
-  /// Downhill: Newton's step with the curvatures made positive, no longer than `reach`.
+  /// A downhill step: Newton's step with positive curvatures, no longer than `reach`.
   [[nodiscard]] Eigen::Vector3d newton_step(const Eigen::Vector3d& d, double reach) const {
     constexpr double kDifference = 1e-5;
     Eigen::Matrix<double, 3, 2> frame;
@@ -75,7 +75,7 @@ class Descent {
     return frame * solver.eigenvectors() * (length > reach ? Eigen::Vector2d(step * (reach / length)) : step);
   }
 
-  /// Whether the step, halved up to ten times, leads lower; then `best` is there.
+  /// Tries the step and up to ten halvings of it. True if one leads lower; then `best` is there.
   bool lower(Eigen::Vector3d step, SphereValue& best) const {
     for (int i = 0; i < 10; ++i, step *= 0.5) {
       const Eigen::Vector3d there = (best.direction + step).normalized();
@@ -92,7 +92,7 @@ class Descent {
   int degree_;
 };
 
-/// The lowest places that are not near each other.
+/// The lowest points that are not near each other.
 std::vector<Eigen::Vector3d> starts(const std::vector<Eigen::Vector3d>& points, const std::vector<double>& values,
                                     double sign, int degree) {
   std::vector<std::size_t> order(values.size());

@@ -59,7 +59,7 @@ std::vector<double> legendre(int last, double z) {
   return p;
 }
 
-/// p_l of the header, l = 0..degree.
+/// p_l as defined in the header, l = 0..degree.
 std::vector<double> fejer_kernel(int degree) {
   const auto rule = numeric::gauss_legendre<double>(degree + 1);
   const int half = degree / 2;

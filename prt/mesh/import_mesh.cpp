@@ -66,7 +66,7 @@ class Collector {
     return extension == ".gltf" || extension == ".glb";
   }
 
-  // Collada and 3DS are turned to y-up by the importer; FBX says.
+  // The importer turns Collada and 3DS to y-up; FBX files state their axis.
   [[nodiscard]] UpAxis up_axis() const {
     const std::string extension = extension_of(path_);
     int axis = 1;
@@ -114,7 +114,7 @@ class Collector {
     for (const Face& face : part.faces) soup.faces.push_back({face[0] + first, face[1] + first, face[2] + first});
   }
 
-  // Null where the file has none: some formats know no materials, and an importer makes one up.
+  // Null if the file has no material: for formats without materials the importer invents one.
   [[nodiscard]] const aiMaterial* material_of(const aiMesh& mesh) const {
     const std::string extension = extension_of(path_);
     if (extension == ".ply" || extension == ".stl" || extension == ".off" ||
@@ -128,7 +128,7 @@ class Collector {
     return is_made_up ? nullptr : material;
   }
 
-  // Also notes it among the materials of the file.
+  // Also adds the name to the materials of the file.
   std::string material_name(const aiMesh& mesh) {
     const aiMaterial* material = material_of(mesh);
     aiString name;
@@ -180,7 +180,7 @@ class Collector {
   ImportedMesh result_;
 };
 
-// Some importers (OFF, glTF) mend an index that is out of range and only log it: what they say, kept while this lives.
+// Some importers (OFF, glTF) mend an index out of range and only log it. This class keeps the log while it lives.
 class Complaints final : public Assimp::LogStream {
  public:
   Complaints() {
@@ -203,7 +203,7 @@ class Complaints final : public Assimp::LogStream {
   std::string index_;
 };
 
-// Before anything reads through the indices.
+// Checks the indices before any code uses them.
 void check_indices(const std::string& path, const aiScene& scene) {
   for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
     const aiMesh& mesh = *scene.mMeshes[m];

@@ -1,4 +1,4 @@
-// Vertex normals where a file has none: see soup.hpp. Weights are the angles of the corners [Thuermer, Wuethrich 1998].
+// Computes vertex normals if a file has none. Weights are the angles of the corners [Thuermer, Wuethrich 1998].
 #include <algorithm>
 #include <cmath>
 #include <numbers>

@@ -6,7 +6,7 @@ namespace sh::prt {
 
 namespace {
 
-// Each vertex of the front gets one of the back when it is first asked for.
+// Each vertex of the front gets a vertex of the back at its first use.
 class Backs {
  public:
   explicit Backs(Mesh& mesh) : mesh_(mesh), back_(mesh.positions.size(), kNoVertex) {}

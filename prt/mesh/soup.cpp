@@ -12,7 +12,7 @@ namespace sh::prt {
 
 namespace {
 
-// Twice the area below this part of the longest edge squared is rounding: such a face has no normal to speak of.
+// A face has no usable normal if twice its area is below this part of its longest edge squared, which is rounding.
 constexpr double kFlat = 1e-7;
 
 bool has_area(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {

@@ -23,7 +23,7 @@ class Splitter {
     std::iota(origins_.begin(), origins_.end(), 0U);
   }
 
-  // Splits every face along its long edges once; false when there was none.
+  // Splits every face along its long edges once; false if there was none.
   bool split_once() {
     std::vector<Face> faces;
     faces.reserve(mesh_.faces.size() * 2);
@@ -40,7 +40,7 @@ class Splitter {
     return changed;
   }
 
-  /// The face that each face was a part of at the beginning.
+  /// The original face of each face.
   std::vector<std::uint32_t> take_origins() { return std::move(origins_); }
 
  private:

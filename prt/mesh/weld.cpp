@@ -16,7 +16,7 @@ constexpr float kNormalSteps = 8192.0F;
 
 Eigen::Vector3f rounded(const Eigen::Vector3f& normal) { return (normal * kNormalSteps).array().round().matrix(); }
 
-// An optional array of a mesh with so many vertices.
+// An optional array of a mesh with this many vertices.
 void append_all_or_zeros(std::vector<Eigen::Vector3f>& to, std::size_t count, const std::vector<Eigen::Vector3f>& from,
                          std::size_t from_count) {
   if (!to.empty() || !from.empty()) {
@@ -26,7 +26,7 @@ void append_all_or_zeros(std::vector<Eigen::Vector3f>& to, std::size_t count, co
   }
 }
 
-// (finish of each vertex) -> one of its colours for each vertex, or nothing where all are zero.
+// (finish of each vertex) -> one of its colors for each vertex, or nothing if all are zero.
 std::vector<Eigen::Vector3f> spread(const std::vector<std::uint32_t>& finish_of_vertex,
                                     const std::vector<Finish>& finishes, Eigen::Vector3f Finish::*colour) {
   std::vector<Eigen::Vector3f> values;

@@ -1,4 +1,4 @@
-// Decisions by bounds: whether bounces matter, the type of the stored numbers.
+// Decisions by bounds: the need for bounces, and the type of the stored numbers.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kLoosestTolerance = 0.1;
 
-// The largest exit radiance after any number of bounces, relative, however the light is turned.
+// The largest relative exit radiance after any number of bounces, for all rotations of the light.
 double largest_radiance(const Draft& draft) {
   double largest = 0.0;
   for (std::size_t c = 0; c < 3; ++c) {
@@ -27,7 +27,7 @@ double largest_radiance(const Draft& draft) {
   return draft.gain * static_cast<double>(draft.albedo) * largest / draft.plan.reference;
 }
 
-// Albedo times blocked part times the largest radiance: nothing that comes back to a vertex is more.
+// Albedo times blocked part times the largest radiance: a bound on the light that comes back to a vertex.
 double light_that_returns(const Draft& draft) {
   std::vector<double> returned;
   for (std::size_t k = 0; k < draft.rows.blocked.size(); ++k) {
@@ -37,7 +37,7 @@ double light_that_returns(const Draft& draft) {
   return kProbeMargin * rms(returned) * largest_radiance(draft);
 }
 
-// The error that a tolerance of 1 would leave: every number off by the largest that there can be.
+// The error of a tolerance of 1: every number is off by the largest possible number.
 double error_of_tolerance(const Draft& draft) {
   const double largest = transfer_band_bound(kInterreflected, true, draft.bake.degree);
   return draft.error_of(std::vector<double>(draft.light->coefficients().bands_squared(), largest));
@@ -61,7 +61,7 @@ void loosen_tolerance(Draft& draft, double returned) {
                tolerance * unit, "bound");
 }
 
-// Each number of the rows with the most that an element does to it, (bands^2 of the asked degree).
+// The largest error that an element makes in each column of the rows, (bands^2 of the requested degree).
 std::vector<double> storage_errors(const Draft& draft, Element element) {
   std::vector<double> errors(draft.light->coefficients().bands_squared(), 0.0);
   const Storage& storage = draft.plan.storage;

@@ -1,4 +1,4 @@
-// Decisions that cost nothing: open vertices, one channel, coefficients that the lights do not have.
+// Decisions without error: open vertices, one channel, coefficients that the lights do not have.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@ double norm_of_light(const TurningLight& light) {
   return largest;
 }
 
-// How much of the light a lune of that angle takes, relative; by it and its inverse angles and errors are exchanged.
+// The relative error of a lune of this angle. It and its inverse convert between angles and errors.
 double error_of_angle(const Draft& draft, double angle) {
   return draft.gain * static_cast<double>(draft.albedo) * norm_of_light(*draft.light) * lune_error(angle) /
          draft.plan.reference;

@@ -15,7 +15,7 @@ namespace sh::prt {
 
 namespace {
 
-// Of the lights' bands above `degree`, up to the asked one.
+// The error of omitting the lights' bands above `degree`, up to the requested degree.
 double bound_above(const Draft& draft, int degree) {
   double largest = 0.0;
   for (std::size_t c = 0; c < 3; ++c) {
@@ -38,7 +38,7 @@ double measured_above(const Draft& draft, int degree) {
   return kProbeMargin * draft.gain * draft.error_on_probe(parts);
 }
 
-// error = factor N^-rate, of a probe along N directions against many.
+// error = factor N^-rate, the error of a probe with N directions against many.
 struct Convergence {
   double factor = 0.0;
   double rate = 0.5;
@@ -66,7 +66,7 @@ Convergence measure(const Draft& draft) {
   }
   const numeric::PowerLaw law = numeric::fit_power_law(errors, -1.2, -0.4).value();  // what samplers can have
   Convergence convergence{law.factor, -law.exponent};
-  // With bounces what is seen of other surfaces is sampled as well, and both are reflected again.
+  // With bounces the view of other surfaces is sampled, too, and both errors are reflected again.
   const bool bounces = draft.bake.kind->has_bounces();
   convergence.factor *= kProbeMargin * (bounces ? 2.0 * draft.gain : 1.0);
   return convergence;

@@ -20,7 +20,7 @@ namespace {
 constexpr std::size_t kLeaf = 64;  // points a box
 constexpr int kLandmarks = 64;     // directions whose farthest points rule most vertices out
 
-// Points in boxes, so that the farthest along a direction is found without looking at all.
+// Points in boxes, so that a search for the farthest point along a direction skips most points.
 class Boxes {
  public:
   explicit Boxes(const std::vector<Eigen::Vector3f>& points) : points_(points), order_(points.size()) {

@@ -32,7 +32,7 @@ void check(const PlanOptions& options) {
   }
 }
 
-// A bound on what the bands of the lights beyond the asked degree, up to the last there is, would add.
+// A bound on the radiance that the lights' bands above the requested degree, up to kMaxDegree, would add.
 double light_beyond(const Draft& draft, const LightCoefficients& whole) {
   const TurningLight light(whole, draft.options.turns);
   double largest = 0.0;
@@ -60,7 +60,7 @@ void take_lights(Draft& draft) {
   draft.plan.beyond = light_beyond(draft, whole);
 }
 
-// Which vertices are open is asked of all before: those need no rays in the probe either.
+// Open vertices are found first, because they need no rays in the probe either.
 void take_probe(Draft& draft, const std::string& instruction_set) {
   draft.probe = std::make_unique<Probe>(draft.scene, draft.starts, kProbeVertices, instruction_set);
   draft.rows = draft.probe->bake(draft.plan.open, std::min(kProbeDirections, draft.asked.directions));

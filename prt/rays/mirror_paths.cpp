@@ -45,7 +45,7 @@ void MirrorPaths::follow(std::vector<Leg>& legs) const {
       }
       next.direction = mirrored(leg.direction, interpolated(mesh_.normals, face, leg.hit).normalized());
       if (next.direction.dot(flat) <= 0.0F) next.direction = mirrored(leg.direction, flat);
-      // From the ray, not from the face, which may be so large that its points are coarse.
+      // The point is computed from the ray; a large face would give a coarse point.
       const Eigen::Vector3f point = leg.origin + leg.hit.distance * leg.direction;
       const float rounding =
           std::numeric_limits<float>::epsilon() * std::max(point.cwiseAbs().maxCoeff(), leg.hit.distance);

@@ -13,7 +13,8 @@ namespace {
 
 using Corner = std::array<std::uint32_t, 3>;  // the bits of a position
 
-// The corners from the least one on, in the order of the face or against it: equal for faces that coincide.
+// The corners, starting with the least one, in the order of the face or against it. They are equal for faces that
+// coincide.
 struct Outline {
   std::array<Corner, 3> corners;
   std::uint32_t face;
@@ -48,7 +49,7 @@ Sheets::Sheets(const Mesh& mesh) {
   std::vector<Front> all(mesh.faces.size());
   for (std::uint32_t f = 0; f < all.size(); ++f) all[f] = {f, kNoFace, 0};
   std::vector<std::uint8_t> is_back(mesh.faces.size(), 0);
-  // Among faces that coincide those in order come first: the i-th of them and the i-th against it are a pair.
+  // Among coinciding faces those in order come first; the i-th of them and the i-th face against the order are a pair.
   for (auto begin = outlines.begin(); begin != outlines.end();) {
     const auto end = std::find_if(begin, outlines.end(), [&](const Outline& o) { return o.corners != begin->corners; });
     const auto against = std::find_if(begin, end, [](const Outline& o) { return o.against; });

@@ -29,7 +29,7 @@ struct InstructionSet {
   bool available;
 };
 
-// From best to least; avx512 only when asked for, so that results agree on nearly every machine.
+// From best to least. avx512 is used only on request, so that results agree on nearly every machine.
 std::array<InstructionSet, 4> instruction_sets() {
   return {{{"avx2", __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0},
            {"avx", __builtin_cpu_supports("avx") != 0},

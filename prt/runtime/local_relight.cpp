@@ -16,7 +16,7 @@ using Points = std::vector<Eigen::Vector3d>;
 
 constexpr double kPower = 4.0;  // of the distance
 
-/// Which point is nearest, and how far it is, squared.
+/// The index of the nearest point, and its squared distance.
 struct Nearest {
   std::size_t point = 0;
   double squared = std::numeric_limits<double>::infinity();
@@ -31,7 +31,7 @@ Nearest nearest(const Points& points, const Eigen::Vector3d& place) {
   return best;
 }
 
-/// The vertex nearest to the mean, then each time the one farthest from all points so far.
+/// Takes the vertex nearest to the mean, then repeatedly the vertex farthest from all points so far.
 Points spread(const Points& vertices, int k) {
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
   for (const Eigen::Vector3d& v : vertices) mean += v / static_cast<double>(vertices.size());
@@ -88,8 +88,8 @@ void add_distance_weights(const Points& points, const Eigen::Vector3d& vertex, s
   for (const double weight : row) weights.push_back(static_cast<float>(weight / sum));
 }
 
-/// Barycentric coordinates of the point of a triangle that is nearest to the origin: the solution on the plane where it
-/// lies inside, else the nearest of the edges.
+/// Barycentric coordinates of the point of a triangle that is nearest to the origin: the solution on the plane if it
+/// lies inside, else the nearest point on the edges.
 Eigen::Vector3d nearest_on_triangle(const std::array<Eigen::Vector3d, 3>& corner) {
   const Eigen::Vector3d u = corner[1] - corner[0];
   const Eigen::Vector3d v = corner[2] - corner[0];

@@ -1,4 +1,4 @@
-// A mesh with its exit radiance as a PLY file: prt/runtime/relight.hpp.
+// Writes a mesh with its exit radiance as a PLY file.
 // Reference: Greg Turk, "The PLY Polygon File Format" (1994).
 #include <fmt/format.h>
 

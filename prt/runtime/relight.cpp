@@ -39,7 +39,7 @@ void require_count(std::size_t count, const Transfer& transfer, const char* what
   }
 }
 
-/// The light in single precision, as the inner loop reads it.
+/// The light in single precision, in the layout of the inner loop.
 std::vector<float> in_float(const LightCoefficients& light) { return {light.values.begin(), light.values.end()}; }
 
 /// Whether the three channels, of `n` values each, are equal.

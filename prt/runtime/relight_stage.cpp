@@ -15,7 +15,8 @@ namespace {
 
 Eigen::Vector3d placed(const Pose& pose, const Eigen::Vector3d& p) { return pose.rotation * p + pose.position; }
 
-/// What the other objects cover as seen from a point, in the axes of object `index`; nothing where they block nothing.
+/// The caps that the other objects cover as seen from a point, in the axes of object `index`; empty if they block
+/// nothing.
 std::vector<Cap> caps_seen_from(const Stage& stage, const std::vector<Pose>& poses, std::size_t index,
                                 const Eigen::Vector3d& point) {
   std::vector<Cap> caps;
@@ -35,7 +36,7 @@ LightCoefficients turned_into(const Pose& pose, const LightCoefficients& light, 
   return turned(light, pose.rotation.transpose() * light_turn);
 }
 
-/// Vertex by vertex, each under the light that reaches it.
+/// Relights each vertex under the light that reaches it.
 std::vector<Eigen::Vector3f> radiance_per_vertex(const Stage& stage, const std::vector<Pose>& poses, std::size_t index,
                                                  const LightCoefficients& light, const Shading& shading) {
   const Transfer& transfer = *stage.objects[index].transfer;

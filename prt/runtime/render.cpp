@@ -8,7 +8,7 @@
 namespace sh::prt {
 namespace {
 
-// What each ray of a row sees, by way of mirrors too.
+// The radiance that each ray of a row sees, also over mirrors.
 std::vector<Eigen::Vector3f> seen(const Mesh& mesh, const MirrorPaths& mirrors,
                                   const std::vector<Eigen::Vector3f>& vertex_radiance, const RowOfRays& rays,
                                   const Eigen::Vector3f& eye, const Background& background) {

@@ -1,4 +1,4 @@
-// prt/runtime/row_products.hpp on one instruction set: SH_RELIGHT_ISA is baseline, avx2 or avx512.
+// The products of rows and a light on one instruction set: SH_RELIGHT_ISA is baseline, avx2 or avx512.
 #include "prt/runtime/row_products.hpp"
 
 #include <cstring>
@@ -23,7 +23,7 @@ using Lanes [[gnu::vector_size(kLanes * 4)]] = float;
 [[gnu::always_inline]] inline void load(const float* from, Four& to) { std::memcpy(&to, from, sizeof to); }
 [[gnu::always_inline]] inline void store(const Four& from, float* to) { std::memcpy(to, &from, sizeof from); }
 
-/// Fours from kLanes / 4 rows, 4 rows apart, side by side.
+/// Loads four values from each of kLanes / 4 rows, which are 4 rows apart, side by side.
 [[gnu::always_inline]] inline void load_fours(const float* const* row, std::size_t at, Lanes& out) {
   Four four[kLanes / kFour];
   for (std::size_t q = 0; q < kLanes / kFour; ++q) load(row[q] + at, four[q]);
@@ -36,8 +36,8 @@ using Lanes [[gnu::vector_size(kLanes * 4)]] = float;
 #endif
 }
 
-/// Which element of two vectors side by side lane `lane` takes when each four takes elements `picked` of its own fours
-/// of the first vector (0 .. 3) and of the second (4 .. 7).
+/// The element of two vectors side by side that lane `lane` takes. Each four takes the elements `picked` from its own
+/// four of the first vector (0 .. 3) and of the second (4 .. 7).
 constexpr std::size_t source(std::size_t picked, std::size_t lane) {
   return lane / kFour * kFour + picked % kFour + (picked < kFour ? 0 : kLanes);
 }
@@ -72,7 +72,7 @@ template <std::size_t A, std::size_t B, std::size_t C, std::size_t D>
   pick<2, 3, 6, 7>(high[0], high[1], column[3]);
 }
 
-/// The processor's own prefetching loses rows that are read side by side; these are asked for this far ahead.
+/// The hardware prefetcher misses rows that are read side by side; the loop prefetches them this far ahead.
 constexpr std::size_t kBytesAhead = 8192;
 constexpr std::size_t kFloatsALine = 16;
 
@@ -97,7 +97,7 @@ struct Summer {
     }
   }
 
-  /// Every line of memory that the rows from `ahead` on will need.
+  /// Prefetches every cache line of the rows from `ahead` on.
   [[gnu::always_inline]] void fetch() {
     const std::size_t length = is_whole ? kLanes * rows.stride : rows.coefficients;
     for (std::size_t k = 0; k < (is_whole ? 1 : kLanes); ++k) {
@@ -125,7 +125,7 @@ float sum_one(const RowProducts& rows, std::size_t vertex, std::size_t s) {
   return sum;
 }
 
-/// Calls lanes(vertex, sums) for kLanes vertices at a time and one(vertex) for those that are left.
+/// Calls lanes(vertex, sums) for kLanes vertices at a time and one(vertex) for the remaining vertices.
 template <std::size_t Sums, std::size_t Transfers, std::size_t Lights, class DoLanes, class DoOne>
 [[gnu::always_inline]] inline void for_every_vertex(const RowProducts& rows, std::size_t count, const DoLanes& lanes,
                                                     const DoOne& one) {

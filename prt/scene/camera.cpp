@@ -10,7 +10,7 @@ namespace sh::prt {
 
 namespace {
 
-/// Turned about the axis through its target.
+/// The camera, turned about the vertical axis through its target.
 Camera turned(const Camera& camera, const Eigen::Matrix3d& r) {
   Camera out = camera;
   const Eigen::Vector3d target = camera.target.cast<double>();

@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::size_t kLongestQuote = 60;
 
-// A value as it would stand in the file, cut where it would fill the line.
+// The text of a value in the file, truncated if it is long.
 std::string quote(const nlohmann::json& value) {
   const std::string text = value.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
   return text.size() <= kLongestQuote ? text : text.substr(0, kLongestQuote - 3) + "...";

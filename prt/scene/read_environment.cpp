@@ -1,4 +1,4 @@
-// A picture as a light of a scene: read_environment of prt/scene/scene_parts.hpp.
+// Reads a picture as a light of a scene.
 #include <cmath>
 
 #include "prt/scene/scene_parts.hpp"
@@ -24,7 +24,7 @@ float read_factor(const JsonReader& reader) {
   return static_cast<float>(factor);
 }
 
-/// true, false, or what a sun is.
+/// Reads true, false, or the criteria of a sun.
 std::optional<SunOptions> read_sun_options(const JsonReader& reader) {
   if (reader.is_boolean()) return reader.boolean() ? std::optional<SunOptions>(SunOptions{}) : std::nullopt;
   reader.allow({"threshold", "contrast", "half_angle"});

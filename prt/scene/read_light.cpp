@@ -1,4 +1,4 @@
-// One light of a scene file: read_light of prt/scene/scene_parts.hpp.
+// Reads one light of a scene file.
 #include <Eigen/Core>
 #include <cmath>
 #include <limits>
@@ -69,7 +69,7 @@ void read_cap(const JsonReader& reader, LightSpec& light) {
   read_cap_strength(reader, light);
 }
 
-// A sphere far enough away to be seen whole covers a cap.
+// A sphere covers a cap if the point is outside of it.
 void read_sphere(const JsonReader& reader, LightSpec& light) {
   reader.allow({"type", "position", "radius", "from", "radiance", "irradiance", "rotate", "window"});
   light.type = LightType::kCap;

@@ -1,4 +1,4 @@
-// What a scene says about the surfaces of a mesh: read_materials of prt/scene/scene_parts.hpp.
+// Reads a scene's changes to the materials of a mesh.
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
@@ -10,7 +10,7 @@
 namespace sh::prt {
 namespace {
 
-// A mirror has no albedo unless that is said beside it.
+// A mirror has no albedo unless the scene gives one.
 std::optional<Reflection> read_reflection(const JsonReader& reader) {
   const auto albedo = reader.find("albedo");
   const auto mirror = reader.find("mirror");

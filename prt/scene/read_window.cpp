@@ -1,4 +1,4 @@
-// The window of a light: read_window of prt/scene/scene_parts.hpp.
+// Reads the window of a light.
 #include <limits>
 
 #include "prt/scene/scene_parts.hpp"
@@ -6,7 +6,7 @@
 namespace sh::prt {
 namespace {
 
-/// One of the words: the names of types, or `auto`.
+/// The accepted words: the names of types, and `auto`.
 WindowChoice choice_named(const JsonReader& reader) {
   WindowChoice choice;
   const std::string word =

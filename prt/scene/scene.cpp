@@ -27,7 +27,7 @@ Scene load_scene(const std::string& scene, OnFlaw on_flaw) {
   result.name = name ? name->text() : std::filesystem::path(scene).stem().string();
   const JsonReader meshes = reader.at("meshes");
   if (meshes.items().empty()) meshes.expected("at least one mesh");
-  // The short parts first: a typing error in them should not wait for large meshes.
+  // The short parts come first, so that a typing error in them is found before large meshes are loaded.
   const auto lights = reader.find("lights");
   for (const JsonReader& light : lights ? lights->items() : std::vector<JsonReader>()) {
     result.lights.push_back(read_light(light, folder));

@@ -15,7 +15,7 @@ namespace {
 
 Eigen::Vector3d read_point(const JsonReader& reader) { return reader.vector().cast<double>(); }
 
-/// A key takes what it leaves out from the object.
+/// A key takes missing entries from the object.
 Motion::Key read_key(const JsonReader& reader, const Motion::Key& otherwise) {
   reader.allow({"time", "position", "degrees"});
   Motion::Key key = otherwise;

@@ -1,6 +1,6 @@
-// The part of the study about bounces: the series stopped early.
-// The operator is linear, so that its three columns for the exit radiance under the scene's lights stand for all
-// coefficients; the time is that of all of them.
+// The part of the study about bounces: the error of stopping the series early. The operator is linear, so that three
+// columns for the exit radiance under the scene's lights represent all coefficients; the time is that of all
+// coefficients.
 #include <fmt/core.h>
 #include <tbb/enumerable_thread_specific.h>
 

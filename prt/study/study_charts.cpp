@@ -1,4 +1,4 @@
-// Charts and page of a study: prt/study/study_output.hpp.
+// Draws the charts of a study.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -44,7 +44,7 @@ std::string hover(const StudySeries& series, const StudyPoint& point) {
   return text;
 }
 
-// What a reader looks for along the first curve.
+// The label of a point; only the first curve has labels.
 std::string label(const StudyPart& part, std::size_t curve, const StudyPoint& point) {
   if (curve > 0) return "";
   if (part.name == "directions") return fmt::format("{}", point.at);

@@ -1,4 +1,4 @@
-// The fields of error that bakes of the whole mesh show.
+// The error fields from bakes of the whole mesh.
 #include <fmt/core.h>
 
 #include <algorithm>

@@ -23,7 +23,7 @@ constexpr float kNearlyDark = 0.03F;       // of the cosine; only such vertices 
 constexpr int kClassifyDirections = 2048;  // enough to see whether a vertex is covered
 constexpr std::uint32_t kReferenceSeed = 0x5EED;
 
-// Windows are a part of the study of their own.
+// Windows are a separate part of the study.
 std::vector<Light> lights_of(const Scene& scene) {
   std::vector<LightSpec> specs = scene.lights;
   for (LightSpec& spec : specs) spec.window.reset();
@@ -57,7 +57,7 @@ void gather_all(const StudySetup& setup, const SharedDirections& directions, con
   progress.finish();
 }
 
-// A bake fills these from their neighbours: their own rays tell nothing.
+// A bake fills these vertices from their neighbors, because their own rays say nothing.
 bool is_filled(const Mesh& mesh, Gatherer& gatherer, const RayStart& start, std::uint32_t v) {
   const float fraction = gatherer.gather(start.origin, mesh.normals[v], mesh.geometric_normals[v]).fraction();
   if (fraction >= kNearlyDark) return false;
@@ -80,7 +80,7 @@ TransferRows reference_rows(const StudySetup& setup) {
   return rows;
 }
 
-// The radiance of the lights in place of the basis.
+// Uses the radiance of the lights instead of the basis.
 std::optional<Radiances> under_the_lights(const StudySetup& setup) {
   const bool has_point = std::any_of(setup.scene.lights.begin(), setup.scene.lights.end(),
                                      [](const LightSpec& light) { return light.type == LightType::kDirectional; });

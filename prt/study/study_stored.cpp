@@ -1,4 +1,4 @@
-// Parts of the study that need no rays: how numbers are stored, and windows on the light.
+// Parts of the study that need no rays: storage types, and windows on the light.
 #include <algorithm>
 #include <cmath>
 
@@ -56,7 +56,7 @@ WindowChoice fixed(WindowType type, int degree) {
   return choice;
 }
 
-// Fixed windows end at the first degree that is left out.
+// Fixed windows reach 0 at the first omitted degree.
 const std::vector<NamedWindow>& windows() {
   static const std::vector<NamedWindow> kWindows = {
       {"none", [](int) -> std::optional<WindowChoice> { return std::nullopt; }},

@@ -19,7 +19,7 @@ namespace {
 constexpr float kSteps = 127.0F;
 constexpr double kHalfOverflow = 65520.0;  // rounds to infinity
 
-// A column of the file and where it stands among a receiver's numbers in memory.
+// A column of the file and its place among a receiver's numbers in memory.
 struct Column {
   std::size_t first;
   std::size_t channels;  // that it stands for, shape.count() apart
@@ -47,7 +47,7 @@ float largest_of_column(const std::vector<float>& numbers, std::size_t length, s
   return largest;
 }
 
-// A normal number, 127 of which do not overflow; zero where the column is.
+// The scale of a column: a normal number, 127 times which does not overflow; zero for a column of zeros.
 float scale_for(float largest) {
   const float scale = largest > 0.0F ? std::max(largest / kSteps, std::numeric_limits<float>::min()) : 0.0F;
   return std::isfinite(kSteps * scale) ? scale : std::nextafter(scale, 0.0F);
@@ -58,7 +58,7 @@ std::int8_t quantised(float value, float scale) {
   return static_cast<std::int8_t>(std::lround(std::clamp(steps, -127.0, 127.0)));
 }
 
-// One number at `to`; half and single as they lie.
+// Writes one number to `to`; half and single are copied unchanged.
 void put(std::byte* to, Element element, float value, float scale) {
   if (element == Element::kSingle) {
     std::memcpy(to, &value, sizeof value);

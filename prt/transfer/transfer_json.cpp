@@ -44,7 +44,7 @@ PlanRecord plan_from(const nlohmann::json& json) {
   return plan;
 }
 
-// Bounds are null where nothing is certified.
+// Bounds are null if nothing is certified.
 Json bound_or_null(const BounceReport& report, double bound) { return report.certified ? Json(bound) : Json(); }
 
 double bound_from(const BounceReport& report, const nlohmann::json& json) {
@@ -112,7 +112,7 @@ void put_shape(const TransferShape& shape, Json& header) {
   header["holds_albedo"] = shape.holds_albedo;
 }
 
-// A header of version 1 tells channels (one where it does not) and rows, and leaves the rest to the kind.
+// A header of version 1 gives only channels (default: one) and rows; the kind implies the rest.
 TransferShape shape_from(const nlohmann::json& header, std::uint32_t version, const TransferKind& kind) {
   const int degree = header.at("degree").get<int>();
   if (degree < 0 || degree > kMaxDegree) {

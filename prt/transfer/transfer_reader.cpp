@@ -93,7 +93,7 @@ class Reader {
     return header;
   }
 
-  // The sections are known ones in their order, follow one another, and their lengths agree with the file's.
+  // Checks that the sections are known, in order, without gaps, and as long as the file.
   void check_shape(const Transfer& transfer) const {
     std::uint64_t offset = sizeof prologue_ + table_.size() * sizeof(layout::Section) + prologue_.header_size;
     const auto* next = layout::kSections.begin();
@@ -132,7 +132,7 @@ class Reader {
     }
   }
 
-  // Nothing where the file has no such section. T is one or several elements.
+  // Empty if the file has no such section. T is one element or several.
   template <class T>
   void fetch_section(std::string_view name, std::vector<T>& items) {
     const auto section = std::find_if(table_.begin(), table_.end(),

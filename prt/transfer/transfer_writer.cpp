@@ -14,13 +14,13 @@ namespace sh::prt {
 
 namespace {
 
-// What a section holds; rows 0 leaves an optional one out.
+// The contents of a section; an optional section with 0 rows is left out.
 struct Data {
   const void* first;
   std::size_t rows;
 };
 
-// The coefficients as the file has them.
+// The coefficients in the encoding of the file.
 struct Coefficients {
   explicit Coefficients(const Transfer& transfer)
       : columns(static_cast<std::uint32_t>(transfer.shape.stored_length())), first(transfer.coefficients.data()) {
