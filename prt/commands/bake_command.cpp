@@ -111,18 +111,18 @@ void run(const Options& options) {
 
 void add_checkpoint_to(CLI::App& command, Options& options) {
   auto* path = command.add_option("--checkpoint", options.checkpoint,
-                                  "where a bake that is stopped leaves what it has; the same command goes on from "
+                                  "file in which a stopped bake saves its results; the same command continues from "
                                   "there; default: the output's name with .part");
   command
       .add_option("--budget-seconds", options.budget_seconds,
-                  "be done in about this time: with fewer directions and a looser tolerance, which the file states")
+                  "finish in about this time, with fewer directions and a looser tolerance; the file states both")
       ->check(CLI::Range(0.0, 1e9))
       ->excludes(path);
-  command.add_flag("--no-checkpoint", options.no_checkpoint, "leave nothing")->excludes(path);
-  command.add_flag("--restart", options.restart, "throw the checkpoint away and start afresh");
+  command.add_flag("--no-checkpoint", options.no_checkpoint, "write no checkpoint")->excludes(path);
+  command.add_flag("--restart", options.restart, "delete the checkpoint and start again");
   command
       .add_option("--checkpoint-seconds", options.checkpoint_seconds,
-                  "the most work that is lost when the process is killed")
+                  "seconds of work that a killed process loses at most")
       ->check(CLI::Range(0.0, 1e6))
       ->capture_default_str();
 }
@@ -134,16 +134,16 @@ void add_bake_command(CLI::App& tool) {
   CLI::App* command = tool.add_subcommand("bake", "compute the transfer vectors of a scene");
   command->add_option("SCENE", options->scene, "a scene's JSON file, or `demo`, the embedded scene")->required();
   auto* output = command->add_option("-o,--output", options->output, "transfer file to write");
-  command->add_flag("--estimate", options->only_estimate, "print time and memory that it would take, as JSON");
+  command->add_flag("--estimate", options->only_estimate, "print the estimated time and memory as JSON and stop");
   options->bake.add_to(*command);
   command
       ->add_option("--bounce-memory", options->bounce_memory,
-                   "MiB for what rays hit; what does not fit is traced again for each bounce, with the same result")
+                   "MiB for the hits of rays; further hits are traced again for each bounce, with the same result")
       ->capture_default_str();
-  command->add_option("--threads", options->threads, "0: every core; the file does not depend on it")
+  command->add_option("--threads", options->threads, "number of threads; 0: every core; the file does not depend on it")
       ->capture_default_str();
   command->add_option("--instruction-set", options->instruction_set,
-                      "of the rays: sse4.2, avx, avx2 or avx512; bits are reproducible on each");
+                      "instruction set for rays: sse4.2, avx, avx2 or avx512; results are reproducible on each");
   options->plan.add_to(*command);
   command->add_flag("--strict", options->strict, "refuse meshes that would otherwise be mended with a warning");
   add_checkpoint_to(*command, *options);

@@ -48,7 +48,7 @@ std::vector<LightSpec> named_lights(const std::string& name, const std::string& 
 
 void add_mapping_to(CLI::App& command, std::string& mapping) {
   const std::vector<std::string> words(numeric::kMappingNames.begin(), numeric::kMappingNames.end());
-  command.add_option("--mapping", mapping, "of a picture (prt/IMAGES.md)")
+  command.add_option("--mapping", mapping, "mapping of a picture (prt/IMAGES.md)")
       ->check(CLI::IsMember(words))
       ->capture_default_str();
 }
@@ -57,9 +57,9 @@ void LightOptions::add_to(CLI::App& command) {
   auto* from_scene =
       command.add_option("--scene", scene, "take light and camera from this scene (JSON file or `demo`)");
   command
-      .add_option(
-          "--light", light,
-          "instead of the scene's: constant, overcast, a picture (.exr, .hdr, .png, .jpg) or a .json file of lights")
+      .add_option("--light", light,
+                  "light instead of the scene's: constant, overcast, a picture (.exr, .hdr, .png, .jpg) or a .json "
+                  "file of lights")
       ->excludes(from_scene);
   add_mapping_to(command, mapping);
   window.add_to(command);
@@ -113,14 +113,15 @@ void report_time(const Stopwatch& stopwatch, const std::string& what) {
 }
 
 void BakeOverrides::add_to(CLI::App& command) {
-  command.add_option("--degree", degree, "0 to 10, instead of the scene's");
-  command.add_option("--directions", directions, "rays a vertex over the whole sphere, instead of the scene's");
-  command.add_option("--sampler", sampler, "how the directions are chosen, instead of the scene's")
+  command.add_option("--degree", degree, "SH degree, 0 to 10, instead of the scene's");
+  command.add_option("--directions", directions, "directions over the whole sphere, instead of the scene's");
+  command.add_option("--sampler", sampler, "method that chooses the directions, instead of the scene's")
       ->check(CLI::IsMember(std::vector<std::string>(kSamplerNames.begin(), kSamplerNames.end())));
-  command.add_option("--seed", seed, "of all samplers but fibonacci, instead of the scene's")
+  command.add_option("--seed", seed, "seed of all samplers except fibonacci, instead of the scene's")
       ->check(CLI::Range(0, kMaxSeed));
   const auto words = kind_words();
-  command.add_option("--kind", kind, "unshadowed, shadowed or interreflected, instead of the scene's")
+  command
+      .add_option("--kind", kind, "kind of transfer: unshadowed, shadowed or interreflected, instead of the scene's")
       ->check(CLI::IsMember(std::vector<std::string>{words.begin(), words.end()}));
 }
 

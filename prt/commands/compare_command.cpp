@@ -154,15 +154,18 @@ void run(const Options& options) {
 
 void add_compare_command(CLI::App& tool) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = tool.add_subcommand("compare", "how two bakes of one mesh, or two HDR pictures, differ");
-  command->add_option("FILE", options->first, "what `prt bake` made, or a picture (.exr, .hdr)")->required();
-  command->add_option("REFERENCE", options->second, "the same, what the error is relative to")->required();
-  command->add_option("-o,--output", options->output, "PNG file to write: where they differ, in false colours");
-  command->add_option("--limit", options->limit, "exit 1 where the relative rms error is larger");
-  command->add_option("--width", options->size.width, "pixels, of bakes")->capture_default_str();
-  command->add_option("--height", options->size.height, "pixels, of bakes")->capture_default_str();
-  command->add_option("--samples", options->size.samples, "rays a pixel, of bakes")->capture_default_str();
-  command->add_option("--threads", options->threads, "0: every core")->capture_default_str();
+  CLI::App* command = tool.add_subcommand("compare", "compare two bakes of one mesh, or two HDR pictures");
+  command->add_option("FILE", options->first, "transfer file, or a picture (.exr, .hdr)")->required();
+  command->add_option("REFERENCE", options->second, "reference of the same type; errors are relative to it")
+      ->required();
+  command->add_option("-o,--output", options->output, "PNG file to write: the error in false colors");
+  command->add_option("--limit", options->limit, "exit 1 if the relative rms error is larger");
+  command->add_option("--width", options->size.width, "width of the picture in pixels, for bakes")
+      ->capture_default_str();
+  command->add_option("--height", options->size.height, "height of the picture in pixels, for bakes")
+      ->capture_default_str();
+  command->add_option("--samples", options->size.samples, "rays for each pixel, for bakes")->capture_default_str();
+  command->add_option("--threads", options->threads, "number of threads; 0: every core")->capture_default_str();
   options->light.add_to(*command);
   command->callback([options] { with_threads(options->threads, [&] { run(*options); }); });
 }

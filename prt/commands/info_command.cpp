@@ -43,8 +43,8 @@ void run(const std::string& file) {
 
 void add_info_command(CLI::App& tool) {
   auto file = std::make_shared<std::string>();
-  CLI::App* command = tool.add_subcommand("info", "print what a transfer file holds as JSON");
-  command->add_option("FILE", *file, "what `prt bake` made")->required();
+  CLI::App* command = tool.add_subcommand("info", "print the header and counts of a transfer file as JSON");
+  command->add_option("FILE", *file, "transfer file from `prt bake`")->required();
   command->callback([file] { run(*file); });
 }
 

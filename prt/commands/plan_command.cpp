@@ -33,12 +33,13 @@ void run(const Options& options) {
 }  // namespace
 
 void PlanArguments::add_to(CLI::App& command) {
-  command.add_option("--plan", mode, "none: leave nothing out; exact: what changes no number; lossy: within the error")
+  command.add_option("--plan", mode, "none: leave nothing out; exact: change no number; lossy: stay within the error")
       ->check(CLI::IsMember({"none", "exact", "lossy"}));
-  command.add_option("--error", error, "that a lossy plan may make, instead of the scene's");
-  command.add_option("--light-turns", turns, "how the scene's lights may be turned later, instead of the scene's word")
+  command.add_option("--error", error, "error limit of a lossy plan, instead of the scene's");
+  command
+      .add_option("--light-turns", turns, "later rotations of the lights that the plan allows, instead of the scene's")
       ->check(CLI::IsMember({"none", "about_z", "any"}));
-  command.add_option("--without", without, "decisions not to take")->delimiter(',');
+  command.add_option("--without", without, "decisions to skip")->delimiter(',');
 }
 
 PlanOptions PlanArguments::applied_to(PlanOptions options) const {
@@ -55,12 +56,12 @@ PlanOptions PlanArguments::applied_to(PlanOptions options) const {
 
 void add_plan_command(CLI::App& tool) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = tool.add_subcommand("plan", "say what a bake of a scene can leave out, and what that costs");
+  CLI::App* command = tool.add_subcommand("plan", "list the work that a bake can leave out, and the error");
   command->add_option("SCENE", options->scene, "a scene's JSON file, or `demo`, the embedded scene")->required();
   options->bake.add_to(*command);
   options->plan.add_to(*command);
-  command->add_flag("--json", options->json, "for programs");
-  command->add_option("--threads", options->threads, "0: every core")->capture_default_str();
+  command->add_flag("--json", options->json, "print JSON for programs");
+  command->add_option("--threads", options->threads, "number of threads; 0: every core")->capture_default_str();
   command->callback([options] { with_threads(options->threads, [&] { run(*options); }); });
 }
 

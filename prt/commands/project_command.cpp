@@ -109,8 +109,8 @@ void add_project_command(CLI::App& tool) {
       ->required();
   add_mapping_to(*command, options->mapping);
   options->window.add_to(*command);
-  command->add_option("--degree", options->degree, "0 to 10")->capture_default_str();
-  command->add_option("--threads", options->threads, "0: every core")->capture_default_str();
+  command->add_option("--degree", options->degree, "SH degree, 0 to 10")->capture_default_str();
+  command->add_option("--threads", options->threads, "number of threads; 0: every core")->capture_default_str();
   command->add_flag("--strict", options->strict, "refuse negative pixels instead of setting them to 0");
   command->callback([options] { with_threads(options->threads, [&] { run(*options); }); });
 }

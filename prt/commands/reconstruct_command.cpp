@@ -96,19 +96,19 @@ void add_reconstruct_command(CLI::App& tool) {
   add_mapping_to(*command, options->mapping);
   std::vector<std::string> words(numeric::kMappingNames.begin(), numeric::kMappingNames.end());
   words.emplace_back("all");
-  command->add_option("--draw", options->draw, "mapping of what is drawn, or all")
+  command->add_option("--draw", options->draw, "mapping of the drawing, or all")
       ->check(CLI::IsMember(words))
       ->capture_default_str();
   command->add_option("--show", options->show, "original, reconstruction or both side by side")
       ->check(CLI::IsMember({"original", "reconstruction", "both"}))
       ->capture_default_str();
-  command->add_option("--degree", options->degree, "0 to 10")->capture_default_str();
+  command->add_option("--degree", options->degree, "SH degree, 0 to 10")->capture_default_str();
   options->window.add_to(*command);
   command->add_option("--exposure", options->figure.exposure_stops, "stops brighter than the automatic exposure")
       ->capture_default_str();
-  command->add_option("--width", options->figure.width, "pixels")->capture_default_str();
-  command->add_option("--title", options->figure.title, "over the picture; default: the light's name");
-  command->add_flag("--axes", options->figure.axes, "write +x, -x, ... where they are");
+  command->add_option("--width", options->figure.width, "width in pixels")->capture_default_str();
+  command->add_option("--title", options->figure.title, "title above the picture; default: the light's name");
+  command->add_flag("--axes", options->figure.axes, "label the axes +x, -x, ...");
   command->add_flag("--no-marks", options->no_marks, "do not mark negative regions");
   command->add_flag("--strict", options->strict, "refuse input that would otherwise be mended with a warning");
   command->callback([options] { run(*options); });

@@ -45,9 +45,9 @@ void add_relight_command(CLI::App& tool) {
   CLI::App* command = tool.add_subcommand("relight", "write a PLY mesh with the exit radiance of every vertex");
   options->subject.add_to(*command);
   command->add_option("-o,--output", options->output, "PLY file to write; frames become out_000.ply, ...")->required();
-  command->add_option("--frames", options->frames, "meshes, over the time in which a stage moves")
+  command->add_option("--frames", options->frames, "number of meshes in the time in which a stage moves")
       ->capture_default_str();
-  command->add_option("--threads", options->threads, "0: every core")->capture_default_str();
+  command->add_option("--threads", options->threads, "number of threads; 0: every core")->capture_default_str();
   command->callback([options] { with_threads(options->threads, [&] { run(*options); }); });
 }
 

@@ -140,9 +140,9 @@ void run(const Options& options) {
 }
 
 void add_picture_options(CLI::App& command, Options& options) {
-  command.add_option("--width", options.size.width, "pixels")->capture_default_str();
-  command.add_option("--height", options.size.height, "pixels")->capture_default_str();
-  command.add_option("--samples", options.size.samples, "rays a pixel")->capture_default_str();
+  command.add_option("--width", options.size.width, "width in pixels")->capture_default_str();
+  command.add_option("--height", options.size.height, "height in pixels")->capture_default_str();
+  command.add_option("--samples", options.size.samples, "rays for each pixel")->capture_default_str();
   command.add_option("--exposure", options.exposure_stops, "stops brighter than the automatic or fixed exposure")
       ->capture_default_str();
   command.add_option("--fixed-exposure", options.fixed_exposure,
@@ -152,21 +152,22 @@ void add_picture_options(CLI::App& command, Options& options) {
       ->check(CLI::IsMember(std::vector<std::string>(kTones.begin(), kTones.end())));
   command
       .add_option("--background", options.background,
-                  "behind the mesh: light, grey, or auto: light where it is a picture")
+                  "background of the mesh: light, grey, or auto (light if it is a picture)")
       ->capture_default_str()
       ->check(CLI::IsMember({"auto", "light", "grey"}));
 }
 
 void add_sequence_options(CLI::App& command, Options& options) {
-  command.add_option("--frames", options.frames, "pictures, at times 0, 1/N, 2/N, ... of a sequence")
+  command.add_option("--frames", options.frames, "number of pictures, at times 0, 1/N, 2/N, ... of a sequence")
       ->capture_default_str();
   command
       .add_option("--turntable", options.turntable,
-                  "what turns by 360/N degrees a frame: none, light, camera or object; default: light, and none for a "
+                  "turns by 360/N degrees for each frame: none, light, camera or object; default: light, none for a "
                   "stage")
       ->check(CLI::IsMember(std::vector<std::string>(kTurntables.begin(), kTurntables.end())));
-  command.add_option("--fps", options.animation.frames_a_second, "of a .webp file")->capture_default_str();
-  command.add_option("--quality", options.animation.quality, "of a .webp file, 0 to 100; 100 is lossless")
+  command.add_option("--fps", options.animation.frames_a_second, "frames a second of a .webp file")
+      ->capture_default_str();
+  command.add_option("--quality", options.animation.quality, "quality of a .webp file, 0 to 100; 100 is lossless")
       ->capture_default_str();
 }
 
@@ -182,7 +183,7 @@ void add_render_command(CLI::App& tool) {
       ->required();
   add_picture_options(*command, *options);
   add_sequence_options(*command, *options);
-  command->add_option("--threads", options->threads, "0: every core")->capture_default_str();
+  command->add_option("--threads", options->threads, "number of threads; 0: every core")->capture_default_str();
   command->callback([options] { with_threads(options->threads, [&] { run(*options); }); });
 }
 

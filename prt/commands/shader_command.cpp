@@ -24,15 +24,17 @@ void run(const Options& options) {
 
 void add_shader_command(CLI::App& tool) {
   auto options = std::make_shared<Options>();
-  CLI::App* command =
-      tool.add_subcommand("shader", "print a vertex shader that relights, generated functions included");
+  CLI::App* command = tool.add_subcommand("shader", "print a complete vertex shader that relights");
   const auto letters = kind_letters();
-  command->add_option("--kind", options->kind, "DU from normals; DS rows of one channel; DI rows of three")
+  command
+      ->add_option("--kind", options->kind,
+                   "kind of transfer: DU reads normals, DS rows of one channel, DI rows of three")
       ->check(CLI::IsMember(std::vector<std::string>{letters.begin(), letters.end()}))
       ->capture_default_str();
-  command->add_option("--degree", options->degree, "0 to 10")->capture_default_str();
-  command->add_flag("--white", options->white, "a light with one channel for all colours");
-  command->add_option("--language", options->language, "GLSL 450 (OpenGL 4.5) or GLSL ES 300 (WebGL 2)")
+  command->add_option("--degree", options->degree, "SH degree, 0 to 10")->capture_default_str();
+  command->add_flag("--white", options->white, "use a light with one channel for all colors");
+  command
+      ->add_option("--language", options->language, "shader language: GLSL 450 (OpenGL 4.5) or GLSL ES 300 (WebGL 2)")
       ->check(CLI::IsMember({"450", "es300"}))
       ->capture_default_str();
   command->callback([options] { run(*options); });

@@ -90,14 +90,16 @@ void add_study_command(CLI::App& tool) {
   CLI::App* command = tool.add_subcommand("study", "measure error against time: directions, degree, bounces, storage");
   command->add_option("SCENE", options->scene, "a scene's JSON file, `demo` or `disc`, the embedded scenes")
       ->required();
-  command->add_option("--out", options->out, "folder for study.json and the charts; made if need be")->required();
-  command->add_flag("--quick", options->quick, "a few seconds: fewer vertices and directions");
-  command->add_option("--vertices", options->vertices, "about as many are studied, every k-th of the mesh")
+  command->add_option("--out", options->out, "folder for study.json and the charts; created if necessary")->required();
+  command->add_flag("--quick", options->quick, "take a few seconds: fewer vertices and directions");
+  command->add_option("--vertices", options->vertices, "approximate number of studied vertices, every k-th of the mesh")
       ->check(CLI::Range(1, 1000000));
   command->add_option("--most-directions", options->most_directions,
-                      "256, twice as many, and so on up to this; the reference has four times as many");
-  command->add_option("--threads", options->threads, "0: every core; what is timed runs on one")->capture_default_str();
-  command->add_option("--instruction-set", options->instruction_set, "of the rays: sse4.2, avx, avx2 or avx512");
+                      "study 256, 512, ... up to this number; the reference has four times as many");
+  command->add_option("--threads", options->threads, "number of threads; 0: every core; timed work runs on one")
+      ->capture_default_str();
+  command->add_option("--instruction-set", options->instruction_set,
+                      "instruction set for rays: sse4.2, avx, avx2 or avx512");
   command->add_flag("--strict", options->strict, "refuse input that would otherwise be mended with a warning");
   command->callback([options] { with_threads(options->threads, [&] { run(*options); }); });
 }

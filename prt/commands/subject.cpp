@@ -28,12 +28,12 @@ bool names_stage(const std::string& file) { return std::filesystem::path(file).e
 }  // namespace
 
 void SubjectOptions::add_to(CLI::App& command) {
-  command.add_option("FILE", file, "what `prt bake` made, or a stage of several (.json)")->required();
+  command.add_option("FILE", file, "transfer file from `prt bake`, or a stage (.json)")->required();
   command.add_option("--transfers", transfers, "folder of a stage's transfer files; default: the stage's own");
   light.add_to(command);
-  command.add_option("--degree", shading.degree, "leave out the bands above; 1 takes 4 coefficients a vertex")
+  command.add_option("--degree", shading.degree, "ignore higher bands; 1 takes 4 coefficients for each vertex")
       ->capture_default_str();
-  command.add_flag("--white", shading.white, "the light's luminance in every channel");
+  command.add_flag("--white", shading.white, "use the light's luminance in every channel");
   command
       .add_option("--recolor", shading.recolour, "R G B: linear albedo instead of the transfer's (not with bounces)")
       ->expected(3);

@@ -65,10 +65,11 @@ WindowChoice choice_of(const WindowOptions& options) {
 }  // namespace
 
 void WindowOptions::add_to(CLI::App& command) {
-  command.add_option("--window", window,
-                     "on all lights: auto, or hann|sinc|laplacian|gaussian|fejer[:NUMBER], sinc:WIDTH:POWER; without a "
-                     "number the least window that leaves nothing negative");
-  command.add_option("--keep", keep, "what must not be negative")
+  command.add_option(
+      "--window", window,
+      "window on all lights: auto, or hann|sinc|laplacian|gaussian|fejer[:NUMBER], sinc:WIDTH:POWER; without a "
+      "number the least window that leaves no negative value");
+  command.add_option("--keep", keep, "quantity that must not be negative")
       ->check(CLI::IsMember({"radiance", "irradiance"}))
       ->capture_default_str();
 }
