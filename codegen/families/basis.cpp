@@ -15,7 +15,7 @@ Reference reference(int degree, int count) {
     for (int m = -l; m <= l; ++m) {
       const symbolic::BasisFunction f = symbolic::basis_function(l, m);
       for (ReferencePoint& point : reference) {
-        // One exact rational factor and one irrational one, so the product is as precise as the latter.
+        // The product of an exact rational factor and an irrational one is as precise as the irrational one.
         const symbolic::Surd value = symbolic::Surd(f.homogeneous.evaluate(point.inputs)) * f.factor;
         point.outputs.push_back(value.evaluate(kCheckDigits));
       }

@@ -13,9 +13,9 @@ namespace sh::codegen {
 namespace {
 
 constexpr int kDigits = 30;
-constexpr double kSame = 1e-12;  // relative; every circuit is checked with 100 digits afterwards
+constexpr double kSame = 1e-12;  // relative; the pipeline later checks every circuit with 100 digits
 
-// An exact constant with the double that the search compares; shared, as the search copies it often.
+// An exact constant and the double that the search compares. It is shared, because the search copies it often.
 struct Factor {
   std::shared_ptr<const ExactReal> exact;
   double value = 0;
@@ -38,7 +38,7 @@ Factor quotient(const Factor& a, const Factor& b) {
 
 using Row = std::map<int, Factor>;
 
-// values x = first, y = second and rows in which y/x has one ratio
+// The values x = first and y = second, and the rows that have the same ratio y/x.
 struct Candidate {
   int first = 0;
   int second = 0;
@@ -59,7 +59,7 @@ class Search {
   }
 
  private:
-  // Products with different constants that a value needs.
+  // The number of different products of a value with a constant.
   static int products(const std::vector<double>& factors) {
     std::vector<double> sizes;
     for (const double f : factors) {
@@ -70,7 +70,7 @@ class Search {
     return static_cast<int>(sizes.size());
   }
 
-  // The constants of a value in all rows but `without` of all_rows.
+  // The constants of a value in all rows except the rows `without`.
   [[nodiscard]] std::vector<double> factors(int value, const std::vector<std::size_t>& without) const {
     std::vector<double> result;
     for (std::size_t r = 0; r < rows_.size(); ++r) {
@@ -151,7 +151,7 @@ class Search {
     }
   }
 
-  // Sums in order of need, every product with a constant that is needed twice a value of its own.
+  // Orders the sums by their dependencies. Every product with a constant that occurs twice becomes a value.
   LinearCircuit finish() {
     LinearCircuit circuit;
     circuit.inputs = columns_;
@@ -256,7 +256,7 @@ std::vector<Value> run_forwards(SignedBuilder& build, const LinearCircuit& circu
 }
 
 std::vector<Value> run_transposed(SignedBuilder& build, const LinearCircuit& circuit, const std::vector<Value>& rows) {
-  // The parts that reach every value from the later ones.
+  // The parts of every value that come from later values.
   std::vector<std::vector<Value>> reaching(static_cast<std::size_t>(circuit.inputs) + circuit.sums.size());
   for (std::size_t i = 0; i < rows.size(); ++i) {
     if (circuit.outputs[i] >= 0) reaching[static_cast<std::size_t>(circuit.outputs[i])].push_back(rows[i]);

@@ -1,10 +1,10 @@
-// Recipe: all real spherical harmonics up to a degree by the normalised recurrence in l, one column per order m.
+// Recipe: all real spherical harmonics up to a degree by the normalized recurrence in l, one column for each order m.
 //
 // With c_m + i s_m = (x + iy)^m and Y_lm = p_l_m c_m (m >= 0), p_l_m s_-m (m < 0):
 //     p_m_m = k_m_m,   p_l_m = a_l_m z p_(l-1)_m - b_l_m p_(l-2)_m,
 //     c_(m+1) = x c_m - y s_m,   s_(m+1) = x s_m + y c_m.
-// [Sloan13] has the structure; the constants are derived here, exactly. The recipe writes the plain recurrence; the
-// passes find its short forms for small l - m. Off the unit sphere b_l_m is multiplied by x^2+y^2+z^2.
+// The structure comes from [Sloan13]; this file derives the constants exactly. The recipe writes the plain recurrence,
+// and the passes find its short forms for small l - m. Off the unit sphere, x^2+y^2+z^2 multiplies b_l_m.
 #include "codegen/recipes/basis/basis.hpp"
 
 #include <tuple>
@@ -15,7 +15,7 @@
 namespace sh::codegen::recipes {
 namespace {
 
-// p_l_m for l = m .. degree from p_m_m; element l - m. r2: x^2+y^2+z^2 off the unit sphere, else -1.
+// p_l_m for l = m .. degree from p_m_m, at element l - m. r2: x^2+y^2+z^2 off the unit sphere, otherwise -1.
 std::vector<NodeId> axial_column(Builder& build, NodeId z, NodeId r2, NodeId start, int degree, int m) {
   std::vector<NodeId> p{start};
   for (int l = m + 1; l <= degree; ++l) {
@@ -34,7 +34,7 @@ std::vector<NodeId> axial_column(Builder& build, NodeId z, NodeId r2, NodeId sta
 
 // (c_(m+1), s_(m+1)) from (c_m, s_m); (c_1, s_1) = (x, y), or a multiple of it.
 std::pair<NodeId, NodeId> next_azimuthal(Builder& build, const Direction& d, NodeId c, NodeId s, int m) {
-  // One call a statement: the order of nodes must not depend on the compiler.
+  // Each statement has only one call, because the order of nodes must not depend on the compiler.
   const std::string suffix = std::to_string(m + 1);
   const NodeId xc = build.mul(d.x, c);
   const NodeId ys = build.mul(d.y, s);

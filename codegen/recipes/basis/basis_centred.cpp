@@ -1,11 +1,13 @@
-// Recipe: all real spherical harmonics up to a degree with small rounding error: no recurrence where it would amplify.
+// Recipe: all real spherical harmonics up to a degree with small rounding error. It avoids recurrences that amplify
+// errors.
 //
-// The columns m <= 2, in which a recurrence in l loses most, are polynomials in the centred variable t = 2z^2-1 to
-// l - m = 7, each split into its even and its odd part in t and those evaluated by Horner's rule in s = 2t^2-1: in t
-// the values at both ends of -1 .. 1 are alike, so that no large terms cancel. For m = 0 the slope is steep at the
-// poles: there t is 1 - 2(1-z)(1+z) for odd l and z^2 - (x^2+y^2) for even l >= 8, which are accurate there. The
-// columns m > 2, small near the poles, follow the recurrence in l from T_2, linear in t. Sectoral functions by doubling
-// (codegen/recipes/basis/sectoral.hpp), whose errors grow slowly.
+// A recurrence in l loses most digits in the columns m <= 2. Up to l - m = 7, these columns are polynomials in the
+// centered variable t = 2z^2-1. Each polynomial is split into its even and its odd part in t, and Horner's rule in s =
+// 2t^2-1 evaluates both parts. In t the values at both ends of -1 .. 1 are similar, so no large terms cancel. For m = 0
+// the slope is steep at the poles. Therefore t is 1 - 2(1-z)(1+z) for odd l and z^2 - (x^2+y^2) for even l >= 8; both
+// are accurate at the poles. The columns m > 2 are small near the poles. They follow the recurrence in l from T_2,
+// which is linear in t. Sectoral functions use doubling (codegen/recipes/basis/sectoral.hpp), so their errors grow
+// slowly.
 #include <utility>
 
 #include "codegen/recipes/basis/basis.hpp"
@@ -20,10 +22,10 @@ using symbolic::Surd;
 using Powers = std::vector<cl_RA>;
 
 constexpr int kLastPolynomialOrder = 2;
-constexpr std::size_t kLastPolynomial = 7;  // l - m for m > 0: two accurate rows make a better one than its polynomial
-constexpr int kFirstSplit = 8;              // the first even l where the slope at the poles tells
+constexpr std::size_t kLastPolynomial = 7;  // l - m for m > 0; above it the recurrence is more accurate
+constexpr int kFirstSplit = 8;              // the first even l for which the slope at the poles matters
 
-// p((1 + u) / 2) as powers of u, p given by powers of its argument.
+// The coefficients of p((1 + u) / 2) in powers of u, from the coefficients of p.
 Powers centred(const Powers& p) {
   Powers result;
   for (auto coefficient = p.rbegin(); coefficient != p.rend(); ++coefficient) {
@@ -145,8 +147,8 @@ class Centred {
   NodeId one_ = -1;
   NodeId z2_ = -1;
   Variable general_;
-  Variable polar_;  // the same numbers, accurate near the poles
-  Variable split_;  // z^2 - (x^2 + y^2): errors are divided between poles and equator
+  Variable polar_;  // the same numbers in a form that is accurate near the poles
+  Variable split_;  // z^2 - (x^2 + y^2), which splits the error between poles and equator
   std::vector<NodeId> values_;
 };
 

@@ -1,12 +1,13 @@
-// Recipes: the solid harmonics S_lm = r^l Y_lm up to a degree with their Cartesian gradients.
+// Recipes: the solid harmonics S_lm = r^l Y_lm up to a degree and their Cartesian gradients.
 //
-// Ladder: with q = (2l+1)/(2l-1), C and S for orders m and -m, right side of degree l-1 [Hobson31]:
+// Ladder: with q = (2l+1)/(2l-1), C and S for orders m and -m, and functions of degree l-1 on the right side
+// [Hobson31]:
 //     d/dz S_lm = sqrt(q (l^2-m^2)) S_(l-1)m
 //     d/dx C_m = d C_(m-1) - u C_(m+1),  d/dy S_m =  d C_(m-1) + u C_(m+1),
 //     d/dx S_m = d S_(m-1) - u S_(m+1),  d/dy C_m = -d S_(m-1) - u S_(m+1),
 //     d = 1/2 sqrt(q (l+m)(l+m-1)) (times sqrt 2 for m = 1), u = 1/2 sqrt(q (l-m)(l-m-1)),
 //     d/dx, d/dy of S_l0 = -sqrt(q l(l-1)/2) (C_1, S_1).
-// The four products serve six derivatives.
+// Four products give six derivatives.
 #include "codegen/recipes/basis/basis.hpp"
 
 namespace sh::codegen::recipes {
@@ -32,7 +33,7 @@ class Ladder {
   // sqrt(square * (2l+1)/(2l-1))
   static Surd factor(int l, const cln::cl_RA& square) { return Surd::square_root(square * (2 * l + 1) / (2 * l - 1)); }
 
-  // k times the value of degree l and order m; -1 where there is none.
+  // k times the value of degree l and order m; -1 if there is no such value.
   NodeId times(const Surd& k, const std::string& name, int l, int m) {
     if (k.is_zero() || std::abs(m) > l) return -1;
     return build_.mul(build_.constant(k, name), values_[basis_index(l, m)]);
@@ -60,7 +61,7 @@ class Ladder {
     const NodeId minus_us = times(-u, indexed("v", l, m), l - 1, -1 - m);
     x[basis_index(l, m)] = uc < 0 ? dc : build_.sub(dc, uc);
     y[basis_index(l, -m)] = uc < 0 ? dc : build_.add(dc, uc);
-    if (ds < 0) {  // m = 1: there is no S_0, both derivatives are the same
+    if (ds < 0) {  // m = 1: there is no S_0, and both derivatives are equal
       x[basis_index(l, -m)] = y[basis_index(l, m)] = minus_us < 0 ? zero_ : minus_us;
     } else {
       x[basis_index(l, -m)] = minus_us < 0 ? ds : build_.add(ds, minus_us);

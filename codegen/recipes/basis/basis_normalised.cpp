@@ -1,5 +1,5 @@
-// Recipes: the basis in the direction of any vector but zero: d / |d| first (eight operations, one square root and one
-// division), then the basis by one of its recipes.
+// Recipes: the basis in the direction of any nonzero vector. They compute d / |d| (eight operations, one square root
+// and one division) and then the basis by one of its recipes.
 #include "codegen/recipes/basis/basis.hpp"
 
 namespace sh::codegen::recipes {

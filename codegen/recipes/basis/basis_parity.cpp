@@ -1,6 +1,5 @@
-// Recipe: all real spherical harmonics up to a degree from few products: codegen/recipes/basis/sectoral.hpp for the orders,
-// codegen/recipes/basis/parity_columns.hpp for the polynomials. Odd n >= 3 multiply E_n onto Y_(m+1,+-m), which already holds
-// the factor z.
+// Recipe: all real spherical harmonics up to a degree with few products. sectoral.hpp gives the factors of the orders,
+// parity_columns.hpp the polynomials. For odd n >= 3, E_n multiplies Y_(m+1,+-m), which already contains the factor z.
 #include "codegen/recipes/basis/basis.hpp"
 #include "codegen/recipes/basis/sectoral.hpp"
 #include "symbolic/basis/basis.hpp"
@@ -10,13 +9,13 @@ namespace {
 
 using symbolic::Surd;
 
-// From the parts to the values.
+// Computes the values from the parts.
 class Values {
  public:
   struct Options {
     NodeId r2 = -1;           // off the unit sphere
-    NodeId weight = -1;       // multiplies the values of order 0; those of others have it in `sectoral`
-    bool zonal_rows = false;  // m = 0, n >= 5 by the recurrence in l: as many operations, less error
+    NodeId weight = -1;       // multiplies the values of order 0; for other orders `sectoral` includes it
+    bool zonal_rows = false;  // m = 0, n >= 5 by the recurrence in l: equally many operations, smaller error
     bool z_last = false;      // Y_(m+1,m) as z (c A_m) instead of (c z) A_m
   };
 

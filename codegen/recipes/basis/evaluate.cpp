@@ -1,8 +1,9 @@
-// Recipes: the function with given coefficients in a direction, one or three channels, without storing the basis.
+// Recipes: evaluate a function with given coefficients at a direction, in one or three channels, without storing the
+// basis.
 //
-//   columns  sum over orders of A_m (sum of c T_n over even n + T_1 (c + sum of c E_n over odd n)): the polynomials of
-//            codegen/recipes/basis/parity_columns.hpp are multiplied by coefficients instead of by both sectoral functions
-//   sum      the basis by parity, and its scalar product with the coefficients
+//   columns  sum over orders of A_m (sum of c T_n over even n + T_1 (c + sum of c E_n over odd n)):
+//            coefficients multiply the polynomials of parity_columns.hpp instead of both sectoral functions
+//   sum      the scalar product of the coefficients with the basis by parity
 #include <optional>
 
 #include "codegen/recipes/basis/basis.hpp"
@@ -14,7 +15,7 @@ namespace {
 constexpr const char* kUnitDirection = "|d| = 1 for d = (x, y, z); z is the polar axis; any c";
 constexpr const char* kOrder = "coefficients of the orthonormal Y_lm, no Condon-Shortley phase, at index l(l+1)+m";
 
-// Appends a + b where a exists, else b.
+// Appends a + b if a exists; otherwise returns b.
 NodeId plus(Builder& build, NodeId a, NodeId b) { return a < 0 ? b : build.add(a, b); }
 
 // The sums of products of coefficients and functions.
@@ -31,7 +32,7 @@ class Evaluation {
   // The sum over all columns for one channel.
   NodeId channel(int index) {
     offset_ = first_ + index * basis_count(degree_);
-    // From the largest order down, so that the large terms of low degree are added last.
+    // The sum starts with the largest order, so that it adds the large terms of low degree last.
     NodeId sum = -1;
     for (int m = degree_; m > 0; --m) {
       const Pair& base = sectoral_[static_cast<std::size_t>(m)];

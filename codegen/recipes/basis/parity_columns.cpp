@@ -19,7 +19,7 @@ Powers raised(const Powers& p) {
   return result;
 }
 
-// r, s with target = r u + s v: from the two lowest powers, and checked in all others.
+// The numbers r, s with target = r u + s v. The two lowest powers give them; all other powers check them.
 std::pair<cl_RA, cl_RA> solve(const Powers& target, const Powers& u, const Powers& v) {
   const auto at = power_at;
   const cl_RA determinant = at(u, 0) * at(v, 1) - at(u, 1) * at(v, 0);
@@ -34,7 +34,7 @@ std::pair<cl_RA, cl_RA> solve(const Powers& target, const Powers& u, const Power
 }  // namespace
 
 ParityChoices accurate_choices(int degree) {
-  // The error of A_3 without the split square is too large for degree 3, not for those above.
+  // The error of A_3 without the split square is too large for degree 3, but not for higher degrees.
   if (degree <= 3) return {true, 0, 0, 0};
   return {false, 2, 2, 3};
 }

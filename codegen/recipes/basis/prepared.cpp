@@ -1,8 +1,10 @@
-// Recipes for one coefficient set and many directions: the coefficients of a polynomial once, then Horner's rule.
+// Recipes for one set of coefficients and many directions: compute the coefficients of a polynomial once, then use
+// Horner's rule.
 //
-// On the unit sphere every function of bands 0 to L is p(x,y) + z q(x,y) for exactly one p of degree L and one q of
-// degree L-1, (L+1)^2 coefficients in all: z^2 = 1-x^2-y^2 leaves no other power of z. The value is Horner's rule in x
-// over coefficients that are polynomials in y: (L+1)^2 - 1 steps of one multiplication and one addition, no constants.
+// On the unit sphere, z^2 = 1-x^2-y^2 removes all higher powers of z. Therefore every function of bands 0 to L is
+// p(x,y) + z q(x,y) for exactly one p of degree L and one q of degree L-1, with (L+1)^2 coefficients together. Horner's
+// rule in x, with coefficients that are polynomials in y, gives the value in (L+1)^2 - 1 steps. Each step is one
+// multiplication and one addition, without constants.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -32,7 +34,7 @@ Polynomial across() {
   return result;
 }
 
-// p(1 - v) by powers of v, p by powers of its argument.
+// The coefficients of p(1 - v) in powers of v, from the coefficients of p.
 std::vector<cl_RA> mirrored(const std::vector<cl_RA>& p) {
   std::vector<cl_RA> result(p.size(), 0);
   for (std::size_t i = 0; i < p.size(); ++i) {
@@ -45,7 +47,7 @@ std::vector<cl_RA> mirrored(const std::vector<cl_RA>& p) {
   return result;
 }
 
-// k a added to sum, which may not exist yet.
+// Adds k a to the sum, which may not exist yet.
 NodeId accumulated(Builder& build, NodeId sum, const Surd& k, NodeId a) {
   const bool minus = sum >= 0 && k.is_negative();
   const NodeId term = build.mul(build.constant(minus ? -k : k), a);
@@ -68,7 +70,7 @@ void for_each_monomial(int degree, const F& f) {
   }
 }
 
-// Most that rounding the stored coefficients can add, in eps x |c| x sqrt((2l+1)/(4 pi)).
+// The largest error from rounding the stored coefficients, in eps x |c| x sqrt((2l+1)/(4 pi)).
 double storage_error(int degree) {
   std::vector<double> norms;
   for (const auto& row : polynomial_matrix(degree)) {
@@ -142,7 +144,7 @@ Kernel evaluate_prepare(int degree) {
   for (int m = -degree; m <= degree; ++m) {
     const int order = std::abs(m);
     for (int parity = 0; parity < 2 && order + parity <= degree; ++parity) {
-      // The coefficients of (x^2+y^2)^k in what multiplies Re or Im (x+iy)^order.
+      // The coefficients of (x^2+y^2)^k in the factor of Re or Im (x+iy)^order.
       std::vector<NodeId> by_power(static_cast<std::size_t>((degree - order - parity) / 2 + 1), -1);
       for (int l = order + parity; l <= degree; l += 2) {
         const AxialForm form = axial_form(l, order);

@@ -1,10 +1,10 @@
-// Recipes: sum += weight * Y(d), the basis accumulated without being stored; and the same by moments.
+// Recipes: sum += weight * Y(d) without storing the basis, directly or by moments.
 //
-//   parity      the basis by parity, the weight in the sectoral functions where they are linear in them
-//   recurrence  the basis by the recurrence in l, the weight where the columns start
+//   parity      the basis by parity; the sectoral functions include the weight where the values are linear in them
+//   recurrence  the basis by the recurrence in l; the weight enters at the start of the columns
 //
-// Moments: weight * Re or Im (x+iy)^m z^n for m + n <= degree, in the place of Y_(m+n,+-m), are (degree+1)^2 sums of
-// plain products; one linear map turns their sums into coefficients at the end.
+// Moments are the (degree+1)^2 sums of weight * Re or Im (x+iy)^m z^n for m + n <= degree, at the place of Y_(m+n,+-m).
+// They need plain products only. At the end one linear map converts them to coefficients.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -53,7 +53,8 @@ Kernel accumulated_basis(int degree, const std::string& source, const Append& ap
   return kernel;
 }
 
-// How errors of the moments grow at most: the largest sum of the |coefficients| of a Y_lm over the band's maximum.
+// The largest growth of the errors of the moments: the largest sum of the |coefficients| of a Y_lm, divided by the
+// maximum of its band.
 double amplification(int degree) {
   double largest = 0;
   for (int l = 0; l <= degree; ++l) {
@@ -151,7 +152,7 @@ Kernel project_finish(int degree) {
       const Surd scale = order == 0 ? form.scale : form.scale * sectoral_factor(order);
       NodeId sum = -1;
       for (std::size_t k = 0; k < form.powers.size(); ++k) {
-        // z^n stands in the place of degree order + n
+        // z^n is at the place of degree order + n.
         const int place = order + 2 * static_cast<int>(k) + (form.odd ? 1 : 0);
         const NodeId moment = build.input(static_cast<int>(basis_index(place, m)), "");
         const Surd factor = scale * Surd(form.powers[k]);

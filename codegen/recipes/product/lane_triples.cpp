@@ -12,7 +12,7 @@ using symbolic::gaunt;
 using symbolic::Surd;
 
 constexpr int kCount = 9;
-constexpr int kZero = kTripleLanes - 1;  // a lane in which both factors are 0
+constexpr int kZero = kTripleLanes - 1;  // the lane with factors 0
 constexpr std::array<int, 3> kEven{0, 6, 8};
 
 struct Term {
@@ -21,7 +21,7 @@ struct Term {
   Surd g;
 };
 
-// The part of c_k that the scales leave.
+// The part of c_k that the scales do not give.
 std::vector<Term> remaining(int k) {
   std::vector<Term> terms;
   const auto even = [](int e) { return std::find(kEven.begin(), kEven.end(), e) != kEven.end(); };
@@ -52,7 +52,7 @@ LaneTriples lane_triples() {
   empty.j.fill(kZero);
   result.rounds.assign(kRounds, empty);
   result.more.fill(kZero);
-  int next = kCount;  // lane beyond
+  int next = kCount;  // the first unused lane
   for (int k = 0; k < kCount; ++k) {
     const std::vector<Term> terms = remaining(k);
     const bool beyond = terms.size() > kRounds;

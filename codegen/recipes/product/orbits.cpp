@@ -7,13 +7,13 @@ namespace {
 
 using symbolic::Surd;
 
-// Even polynomials of z up to degree 3L at most meet floor(3L/2) + 1 nodes in t = z^2.
+// Even polynomials of z of degree at most 3L need floor(3L/2) + 1 nodes in t = z^2.
 Rings rings_for(int degree) {
   const int nodes = 3 * degree / 2 + 1;
   return {nodes / 2, nodes % 2 != 0, false};
 }
 
-// Frequencies to 3L, and M even: the angles are symmetric about both axes.
+// M exceeds the largest frequency 3L. It is even, so the angles are symmetric about both axes.
 int angles_for(int degree) { return 3 * degree + 1 + (3 * degree + 1) % 2; }
 
 struct Order {
@@ -27,7 +27,7 @@ Order order_of(int i) {
   return {l, i - l * (l + 1)};
 }
 
-// Parities under x -> -x, y -> -y, z -> -z as bits 1, 2, 4.
+// The parities under x -> -x, y -> -y, z -> -z as bits 1, 2, 4.
 int class_of(int i) {
   const auto [l, m] = order_of(i);
   const bool odd_m = m % 2 != 0;
@@ -87,7 +87,7 @@ ExactReal OrbitQuadrature::weight(int orbit) const {
       return cln::pi(format) * cln::cl_float(factor, format);
     });
   };
-  // Two poles, or four or eight points of 2 pi / M each.
+  // An orbit has two poles, or four or eight points with weight 2 pi / M each.
   if (rings_.is_pole(ring)) return multiply(ring_weight, times_pi(4));
   const int points = 2 * (2 * angle + 1) == angles_ ? 4 : 8;
   return multiply(ring_weight, times_pi(cln::cl_RA(2 * points) / angles_));

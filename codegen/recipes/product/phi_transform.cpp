@@ -17,7 +17,6 @@ constexpr int kThoroughAttempts = 30;
 
 double approximate(const ExactReal& value) { return cln::double_approx(evaluate(value, 20)); }
 
-// The place of an element; arithmetic on positions stays in int.
 std::size_t position(int i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
@@ -98,7 +97,7 @@ std::vector<ExactReal> PhiTransform::candidate_scales(int order) const {
   return candidates;
 }
 
-// One scale after the other, to the one that makes the circuit shortest.
+// Sets one scale after the other to the value with the shortest circuit.
 void PhiTransform::choose_scales(int part) {
   int best = cost(part, kQuickAttempts);
   for (const int order : orders_of(part)) {

@@ -55,7 +55,7 @@ enum class SampleProduct {
 /// The points of a separable product.
 struct SeparablePlan {
   Rings rings;
-  int angles = 0;       ///< M, a multiple of 4, above the degrees of both factors and above twice the result's degree
+  int angles = 0;       ///< M, a multiple of 4, above the sum of the factors' degrees and twice the result's degree
   bool looped = false;  ///< true: a loop runs over the pairs of rings, and a table holds their constants
 };
 

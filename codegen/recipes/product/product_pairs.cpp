@@ -4,8 +4,8 @@
 // share its products:
 //     P = a_i b_j + a_j b_i,   A = sum over k of G_ijk a_k,   B = sum over k of G_ijk b_k,
 //     c_k += G_ijk P,   c_i += A b_j + B a_j,   c_j += A b_i + B a_i,
-// and likewise with half as many products for the pairs (i, i) [Snyder06]. The sums A are one linear map of a, those in
-// B the same map of b, and what P adds to c is its transpose; a short circuit for it serves all three.
+// Pairs (i, i) need half as many products [Snyder06]. One linear map of a gives the sums A, the same map of b gives the
+// sums B, and its transpose adds P to c. One short circuit serves all three.
 #include <algorithm>
 #include <map>
 #include <optional>
@@ -22,7 +22,7 @@ using symbolic::GauntTensor;
 using symbolic::IndexTriple;
 using symbolic::Surd;
 
-// Entries that the shape needs: one index at least among those of a, one of b, one of the result, in some order.
+// The entries that the shape needs: in some order, one index belongs to a, one to b and one to the result.
 GauntTensor needed_entries(const ProductShape& shape) {
   GauntTensor entries;
   std::array<int, 3> sizes{coefficient_count(shape.a), coefficient_count(shape.b), coefficient_count(shape.result)};
@@ -73,7 +73,7 @@ class Pairs {
   void run() {
     for (const auto& [i, entry] : cubes_) {
       backwards_.push_back({{i, entry}});
-      if (!same_) forwards_.push_back({{i, entry}});  // not needed, but then one circuit serves both ways
+      if (!same_) forwards_.push_back({{i, entry}});  // unused, but with it one circuit serves both directions
     }
     const LinearCircuit circuit = short_circuit(forwards_, count_, attempts());
     const std::vector<Value> of_a = run_forwards(build_, circuit, a_);
@@ -93,7 +93,7 @@ class Pairs {
   }
 
  private:
-  // Searching longer for the many sums of a large product finds little.
+  // A longer search improves the many sums of a large product only a little.
   [[nodiscard]] int attempts() const { return count_ <= 16 ? 100 : 1; }
 
   static std::map<int, ExactReal> doubled(std::map<int, ExactReal> entries) {
@@ -106,7 +106,7 @@ class Pairs {
     return values;
   }
 
-  // a_i b_j + a_j b_i, or a_i b_i; in a square half of it.
+  // a_i b_j + a_j b_i, or a_i b_i; half of it in a square.
   Value product(const std::pair<int, int>& pair) {
     const auto i = static_cast<std::size_t>(pair.first);
     const auto j = static_cast<std::size_t>(pair.second);
@@ -134,8 +134,8 @@ class Pairs {
   std::vector<Value> a_;
   std::vector<Value> b_;
   std::vector<std::pair<int, int>> pairs_;
-  LinearMap forwards_;   // sums A and B by pair; in a square twice as large
-  LinearMap backwards_;  // what products by pair add to the result, transposed
+  LinearMap forwards_;   // sums A and B by pair; twice as large in a square
+  LinearMap backwards_;  // transposed map from products by pair to the result
   std::vector<std::pair<int, ExactReal>> cubes_;
   std::vector<std::vector<Value>> sums_;
 };
@@ -170,7 +170,7 @@ PairCover greedy_cover(const ProductShape& shape) {
 }
 
 PairCover best_cover(const ProductShape& shape) {
-  // Found by simulated annealing over the choice of the pair of every triple, counting operations.
+  // Simulated annealing over the choice of the pair of every triple found this cover; it minimized the operations.
   static const PairCover kDegree3{{1, 4, {3, 13}},      {1, 5, {2, 12}}, {1, 11, {6, 8}},      {3, 7, {2, 12}},
                                   {3, 13, {6, 8}},      {4, 9, {3, 13}}, {4, 10, {2, 12}},     {4, 11, {3, 13}},
                                   {4, 15, {1, 11}},     {5, 7, {4}},     {5, 10, {3, 13, 15}}, {5, 11, {2, 12}},

@@ -1,12 +1,12 @@
 // Recipe: the product of two functions by quadrature, split by parity in z and by a discrete Fourier transform in phi.
 //
-// Both factors are evaluated on rings of constant z (codegen/recipes/product/ring_quadrature.hpp), multiplied there, and
-// integrated against the basis again. On a pair of rings +-z the parts that are even and odd in z,
+// The kernel evaluates both factors on rings of constant z (codegen/recipes/product/ring_quadrature.hpp), multiplies
+// them there, and integrates the product against the basis. On a pair of rings +-z, the parts even and odd in z,
 //     E_m = sum over even l+m of theta_lm a_lm,   O_m = sum over odd l+m,
-// give the coefficients E +- O of a trigonometric polynomial in phi on each ring; these are sampled at M angles by
-// parity (codegen/recipes/product/phi_transform.hpp), multiplied like the group Z2 x Z2, and taken back by the transposed
-// maps. M may be less than the degrees ask for: the few frequencies k = M - q that then fall upon q are subtracted.
-// The triple product integral is a sum over quadrature nodes, so all of it is exact.
+// give the coefficients E +- O of a trigonometric polynomial in phi on each ring. The kernel samples the polynomials at
+// M angles by parity (codegen/recipes/product/phi_transform.hpp), multiplies the samples like the group Z2 x Z2, and
+// applies the transposed maps. M may be smaller than the degrees require: then a few frequencies k = M - q alias to q,
+// and the kernel subtracts them. The quadrature is exact for the product of three functions, so the result is exact.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -25,7 +25,6 @@ using Samples = PhiTransform::Samples;
 using Coefficients = PhiTransform::Coefficients;
 using Parts = std::array<Value, kParts>;
 
-// The place of an element; arithmetic on positions stays in int.
 std::size_t position(int i) { return static_cast<std::size_t>(i); }
 
 std::string named(const char* letter, int ring, int order, const char* suffix) {
@@ -63,13 +62,13 @@ class Separable {
   }
 
  private:
-  // Even and odd part in z of one order: E, and O as a sum times a constant.
+  // The even and the odd part in z of one order: E, and O as a sum times a constant.
   struct Halves {
     Value even;
     Value odd;
   };
 
-  // The constant of a ring, or of all pairs of rings where a loop runs over them.
+  // The constant of a ring, or of all pairs of rings if a loop runs over them.
   template <class Of>
   [[nodiscard]] Factor of_rings(int ring, const Of& of) const {
     const bool all = looped_ && ring < quadrature_.rings().pairs;
@@ -94,7 +93,7 @@ class Separable {
     return build_.times(build_.table(column->second), value);
   }
 
-  // scale: a constant that goes into all products.
+  // scale: a constant that multiplies all products.
   Halves synthesise(const std::vector<Value>& c, int degree, int order, int ring, const ExactReal& scale) {
     const int m = std::abs(order);
     std::vector<Value> even;
@@ -111,7 +110,7 @@ class Separable {
     return {build_.sum(even), scaled_sum(odd, scale)};
   }
 
-  // The largest constant is taken out: it multiplies when the sum is added to E and subtracted from it.
+  // The largest constant is a common factor. It multiplies the sum when the sum is added to E and subtracted from it.
   Value scaled_sum(const std::vector<std::pair<Factor, Value>>& terms, const ExactReal& scale) {
     if (terms.empty()) return {};
     const auto largest = std::max_element(terms.begin(), terms.end(), [](const auto& x, const auto& y) {
@@ -147,7 +146,7 @@ class Separable {
     }
   }
 
-  // Frequencies k = M - q beyond the result's that sampling takes for q.
+  // The frequencies k = M - q above the result's that sampling cannot tell from q.
   [[nodiscard]] bool aliased(int q) const { return q > 0 && angles_ - q <= shape_.a + shape_.b; }
 
   [[nodiscard]] std::vector<std::pair<int, int>> orders_adding_to(int k) const {
@@ -156,8 +155,8 @@ class Separable {
     return orders;
   }
 
-  // What an aliased frequency adds, in units of S_q: M/16, twice that where samples are doubled; half where the square
-  // leaves out a factor of two.
+  // The contribution of an aliased frequency in units of S_q: M/16, twice as much for doubled samples, half as much if
+  // the square leaves out a factor of two.
   [[nodiscard]] ExactReal alias_factor(int q, bool sine) const {
     cln::cl_RA factor = cln::cl_RA(angles_) / 16;
     if (halves_) factor = 2 * factor;
@@ -190,7 +189,7 @@ class Separable {
     return known.back().second;
   }
 
-  // Coefficients by ring and order of a factor on a pair of rings, or on the equator.
+  // The coefficients of a factor on a pair of rings or on the equator, by ring and order.
   Coefficients rings_of(const std::vector<Value>& c, int degree, int ring, const PhiTransform& phi,
                         const char* letter) {
     const bool pair = !quadrature_.is_equator(ring);
@@ -251,7 +250,7 @@ class Separable {
     return result;
   }
 
-  // cos and sin coefficient of frequency k in the product of two trigonometric polynomials, times 2.
+  // The cosine and sine coefficients of frequency k in the product of two trigonometric polynomials, times 2.
   std::pair<Value, Value> frequency(int k, const std::vector<Value>& a, const std::vector<Value>& b) {
     const auto of = [](const std::vector<Value>& f, int degree, int order) { return f[position(order + degree)]; };
     std::vector<Value> cosines;
@@ -293,7 +292,7 @@ class Separable {
     Coefficients sums = phi_c.analyse(build_, products);
     const std::vector<Halves> halves = without_aliases(sums, on_a, on_b, phi_c);
     for (int order = -shape_.result; order <= shape_.result; ++order) {
-      // 8 pi / M, half of it where samples are doubled; the square leaves out a factor of two in three of the parts.
+      // 8 pi / M, half of it for doubled samples; the square leaves out a factor of two in three of the parts.
       cln::cl_RA factor = cln::cl_RA(halves_ ? 4 : 8) / angles_;
       if (same_ && part_of(order) != 0) factor = 2 * factor;
       const ExactReal same_on_all = multiply(Surd(factor) * Surd::square_root(1, 2), phi_c.scale(order));
@@ -301,7 +300,7 @@ class Separable {
     }
   }
 
-  // Subtracts what aliases add to the sums over the angles, and splits them by parity in z.
+  // Subtracts the contribution of aliases from the sums over the angles, and splits the sums by parity in z.
   std::vector<Halves> without_aliases(Coefficients& sums, const Coefficients& a, const Coefficients& b,
                                       const PhiTransform& phi) {
     std::vector<std::optional<Value>> shared_alias(sums[0].size());
@@ -316,7 +315,7 @@ class Separable {
           const ExactReal scale = reciprocal(phi.scale(sine ? -q : q));
           ExactReal factor = multiply(alias_factor(q, sine), scale);
           if (once) factor = multiply(factor, Surd(2));
-          // cos k phi falls upon cos q phi, sin k phi upon -sin q phi.
+          // cos k phi aliases to cos q phi, sin k phi to -sin q phi.
           const Value alias = build_.times(factor, sine ? s : SignedBuilder::opposite(c));
           if (once) {
             shared_alias[at] = alias;

@@ -1,5 +1,6 @@
-// Recipe: the product of two functions, term by term: c_k = sum over i, j of G_ijk a_i b_j, the Gaunt tensor without
-// its zeros. Every product a_i b_j is made once. The plainest form, and the one with the least rounding error.
+// Recipe: the product of two functions, term by term: c_k = sum over i, j of G_ijk a_i b_j with the nonzero entries of
+// the Gaunt tensor. The kernel computes every product a_i b_j once. This is the simplest form, and it has the least
+// rounding error.
 #include <cstdlib>
 #include <map>
 #include <tuple>
@@ -16,7 +17,7 @@ using symbolic::coefficient_index;
 
 namespace {
 
-// c_k = sum of factor a_i b_j, every product a_i b_j made once.
+// c_k = sum of factor a_i b_j; the kernel computes every product a_i b_j once.
 void add_up_terms(Kernel& kernel, SignedBuilder& build, const std::vector<BilinearForm>& forms,
                   const std::vector<Value>& a, const std::vector<Value>& b) {
   std::map<std::pair<int, int>, Value> products;

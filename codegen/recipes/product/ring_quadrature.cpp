@@ -53,7 +53,7 @@ std::vector<cln::cl_RA> derivative(const std::vector<cln::cl_RA>& coefficients) 
   return result;
 }
 
-// The zeros in (0, 1), falling, to about double precision: sign changes on a grid finer than any gap.
+// The zeros in (0, 1) in falling order, to about double precision. It finds sign changes on a grid finer than any gap.
 std::vector<double> rough_zeros(const std::vector<cln::cl_RA>& exact) {
   std::vector<double> p;
   p.reserve(exact.size());
@@ -78,7 +78,7 @@ std::vector<double> rough_zeros(const std::vector<cln::cl_RA>& exact) {
 cln::cl_F refined_zero(const std::vector<cln::cl_RA>& p, double start, int digits) {
   const std::vector<cln::cl_RA> slope = derivative(p);
   cln::cl_F t = cln::cl_float(start, cln::float_format(digits));
-  // Newton's method doubles the correct digits, of which `start` has ten at least.
+  // Newton's method doubles the correct digits; `start` has at least ten.
   for (int correct = 8; correct < 2 * digits; correct *= 2) t = t - horner(p, t) / horner(slope, t);
   return t;
 }

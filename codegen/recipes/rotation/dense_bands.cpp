@@ -51,7 +51,7 @@ Coefficients times_linear(const Coefficients& a, const cln::cl_RA& constant, con
   return result;
 }
 
-// A form in c, s = cos, sin of b/2 that holds (2 s c)^across c^along s^opposite, without that factor, in x = cos b.
+// Divides a form in c, s = cos, sin of b/2 by its factor (2 s c)^across c^along s^opposite; the result is in x = cos b.
 Coefficients in_cosine(const Polynomial& form, int across, int along, int opposite) {
   Coefficients result;
   for (const auto& [monomial, coefficient] : form.terms()) {
@@ -67,8 +67,8 @@ Coefficients in_cosine(const Polynomial& form, int across, int along, int opposi
   return result;
 }
 
-// In the sense of k_m / k_n T_mn, what remains of the part with e^(i(ma+ng)) (plus) or e^(i(ma-ng)) (minus) of rows +-m
-// and columns +-n, m >= n, without the powers of P, A and B.
+// For the entries k_m / k_n T_mn of rows +-m and columns +-n, m >= n: the part with e^(i(ma+ng)) (plus) or e^(i(ma-ng))
+// (minus), divided by the powers of P, A and B.
 struct Axial {
   Coefficients plus;
   Coefficients minus;
@@ -79,7 +79,7 @@ Axial axial_part(const Matrix<Polynomial>& about_y, int m, int n) {
   const Polynomial& cosines = about_y(l + m, l + n);
   if (n == 0) return {in_cosine(cosines, m, 0, 0), {}};
   const Polynomial& sines = about_y(l - m, l - n);
-  // A and B come doubled, which makes their powers 2^n times as large.
+  // A and B are doubled, so their powers are 2^n times as large.
   const cln::cl_RA scale = cln::cl_RA(1) / cln::expt(cln::cl_RA(2), n + 1);
   return {in_cosine(scale * (cosines + sines), m - n, 2 * n, 0), in_cosine(scale * (cosines - sines), m - n, 0, 2 * n)};
 }
@@ -145,7 +145,7 @@ Complex times(Builder& build, Signed factor, const Complex& value) {
   return {re, product(build, factor, value.im)};
 }
 
-// The powers that the entries are made of.
+// The powers in the entries.
 struct PowerTables {
   Powers p_a;  // P^(i-m) A^m
   Powers p_b;

@@ -10,13 +10,13 @@ namespace {
 using symbolic::Surd;
 using symbolic::to_size;
 
-// Where sin^2(beta) is below this, alpha is 0 and gamma takes the whole turn about z. Above it the square and its root
-// keep all their digits in float, also where subnormal numbers count as zero; in double the tilt that is dropped is
+// If sin^2(beta) is below this, alpha is 0 and gamma takes the whole turn about z. Above it, the square and its root
+// keep all their digits in float, even if the machine flushes subnormal numbers to zero. In double the dropped tilt is
 // below 2^-51.
 constexpr int kPoleExponent = -102;
 
-// The first multiples that are doubled: alpha's second one is accurate already, and gamma's second one pays for the
-// balanced form only where higher ones are made from it.
+// The first multiples that are doubled. The second multiple of alpha is already accurate. The balanced form of gamma's
+// second multiple is worth its operations only if higher multiples use it.
 constexpr int kDoubledAlpha = 8;
 constexpr int kDoubledGamma = 2;
 
@@ -29,7 +29,7 @@ NodeId number(Builder& build, int value) {
   return build.constant(Surd(value), kNames.at(to_size(value)));
 }
 
-// Multiples of an angle about z from its first, or first and second, multiple.
+// The multiples of an angle about z, from the first multiple or from the first two.
 class TurnBuilder {
  public:
   TurnBuilder(Builder& build, char angle, NodeId cosine, NodeId sine) : build_(build), angle_(angle) {
@@ -79,7 +79,7 @@ class TurnBuilder {
     set(i + j, cosine, build_.add(sc, cs));
   }
 
-  // Powers of two from `doubled` on by doubling, which costs an operation more than a step and errs less.
+  // From `doubled` on, powers of two use doubling: it needs one more operation than a step and has a smaller error.
   Turn complete(int most, int doubled) {
     for (int k = static_cast<int>(turn_.cosine.size()); k <= most; ++k) {
       const bool power_of_two = (k & (k - 1)) == 0;

@@ -12,10 +12,10 @@ using symbolic::Surd;
 using symbolic::to_size;
 using Rationals = Matrix<cln::cl_RA>;
 
-// Smaller classes need fewer operations as they are.
+// Smaller classes need fewer operations without this form.
 constexpr int kSmallestReflection = 3;
 
-// The least square of an entry, the largest one being 1, that rows may be divided by.
+// A row may be divided by an entry whose square is at least this, relative to the square of the largest entry.
 const cln::cl_RA kNearlyAsLarge = cln::cl_RA(3) / 4;
 
 int largest_entry(const Matrix<Surd>& matrix, int row) {
@@ -27,7 +27,7 @@ int largest_entry(const Matrix<Surd>& matrix, int row) {
   return largest;
 }
 
-// All ways to take `count` of the numbers 0 .. size - 1, in lexical order.
+// All ways to choose `count` of the numbers 0 .. size - 1, in lexical order.
 std::vector<std::vector<int>> choices(int size, int count) {
   if (count == 0) return {{}};
   std::vector<std::vector<int>> all;
@@ -41,14 +41,14 @@ std::vector<std::vector<int>> choices(int size, int count) {
   return all;
 }
 
-// Makes columns `pivots` of the matrix those of the identity; returns the determinant of that square part.
+// Transforms columns `pivots` of the matrix to columns of the identity. Returns the determinant of that square part.
 cln::cl_RA eliminate(Rationals& rows, const std::vector<int>& pivots) {
   cln::cl_RA determinant = 1;
   for (int step = 0; step < rows.rows(); ++step) {
     const int pivot = pivots[to_size(step)];
     const cln::cl_RA head = rows(step, pivot);
     determinant = determinant * head;
-    // A principal minor of a projector is positive or its whole choice of pivots is useless.
+    // A principal minor of a projector is positive, or the whole choice of pivots is useless.
     if (cln::zerop(head)) return 0;
     for (int j = 0; j < rows.columns(); ++j) rows(step, j) = rows(step, j) / head;
     for (int i = 0; i < rows.rows(); ++i) {
@@ -138,7 +138,7 @@ QuarterTurnClass::Reflection QuarterTurnClass::find_reflection(int degree, const
     }
   }
   const int rank = static_cast<int>(cln::cl_I_to_long(cln::numerator((size - cln::abs(trace)) / 2)));
-  // The largest determinant gives the best conditioned form.
+  // The largest determinant gives the best-conditioned form.
   cln::cl_RA largest = 0;
   for (const std::vector<int>& pivots : choices(size, rank)) {
     Rationals reduce = chosen_rows(projector, pivots);

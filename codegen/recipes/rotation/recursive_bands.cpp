@@ -10,7 +10,7 @@ using symbolic::Matrix;
 using symbolic::Surd;
 using symbolic::to_size;
 
-// One band from the one below, in the orthonormal basis.
+// Computes one band from the band below, in the orthonormal basis.
 class NextBand {
  public:
   NextBand(Builder& build, const std::array<NodeId, 9>& r, int degree, const Matrix<Signed>& below)
@@ -32,7 +32,7 @@ class NextBand {
   static constexpr int kY = 1;
   static constexpr int kZ = 2;
 
-  // The rational recursion in the entries k_m/k_n T_mn: what depends on the column alone comes last.
+  // The rational recursion in the entries k_m/k_n T_mn. The factor that depends only on the column comes last.
   Signed column(int n, int n_below, const std::vector<Signed>& terms) {
     const Surd factor = symbolic::orthonormal_factor(degree_ - 1, n_below) / symbolic::orthonormal_factor(degree_, n) *
                         Surd(symbolic::column_scale(degree_, n));

@@ -17,7 +17,6 @@ constexpr const char* kDenseSource =
 constexpr const char* kRecursiveSource =
     "J. Ivanic, K. Ruedenberg, J. Phys. Chem. 100, 1996, and J. Phys. Chem. A 102, 1998; constants derived exactly";
 
-// The numbers in the matrices of bands 0 .. degree.
 std::vector<Signed> times(Builder& build, const Matrix<Signed>& matrix, const std::vector<Signed>& v) {
   std::vector<Signed> result;
   for (int i = 0; i < matrix.rows(); ++i) {

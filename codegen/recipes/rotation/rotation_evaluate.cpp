@@ -12,7 +12,7 @@ namespace {
 
 using symbolic::to_size;
 
-// Where the rotation takes s from: r^-1 s, and r^-1 is the transposed matrix.
+// The direction that the rotation maps to s: r^-1 s, where r^-1 is the transposed matrix.
 std::vector<NodeId> turned_back(Builder& build, const std::array<NodeId, 9>& r, const std::array<NodeId, 3>& s) {
   std::vector<NodeId> result;
   for (std::size_t column = 0; column < 3; ++column) {
@@ -41,7 +41,7 @@ Kernel rotate_evaluate_turned(int degree) {
   const NodeId x = build.input(9 + count, "x");
   const NodeId y = build.input(10 + count, "y");
   const NodeId z = build.input(11 + count, "z");
-  // The short forms of the basis are found where x, y, z are inputs.
+  // The passes find the short forms of the basis only if x, y, z are inputs.
   const Kernel basis = passes::factor(passes::share(basis_recurrence(degree)));
   const std::vector<NodeId> functions = splice(build, basis, turned_back(build, in.r, {x, y, z}));
   std::vector<Signed> terms;

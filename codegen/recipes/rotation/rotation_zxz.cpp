@@ -16,8 +16,8 @@ namespace {
 
 using symbolic::Surd;
 
-// The half of a turn about y in one band that acts on cosines (parity 0) or sines (parity 1): quarter turn, turn about
-// z of the pairs (m, -m) with l + m = parity modulo 2, quarter turn back.
+// One half of a turn about y in one band; it acts on cosines (parity 0) or sines (parity 1). It is a quarter turn, a
+// turn about z of the pairs (m, -m) with l + m = parity modulo 2, and a quarter turn back.
 class HalfTilt {
  public:
   HalfTilt(Builder& build, const Tilt& beta, int degree, const symbolic::Matrix<cln::cl_RA>& turn, int parity)
@@ -35,7 +35,7 @@ class HalfTilt {
     sines_.emplace(degree, turn, sine_rows, sine_columns_);
   }
 
-  // Squares of scales by which kind of number (versine, cosine) and by order they multiply.
+  // The squares of scales, by the kind of number (versine, cosine) and by the order that they multiply.
   using Squares = std::map<std::pair<bool, int>, std::multiset<Surd>>;
   void count_scales(Squares& squares) const {
     for (std::size_t i = 0; i < rows_.size(); ++i) {
@@ -58,7 +58,7 @@ class HalfTilt {
     for (std::size_t i = 0; i < rows_.size(); ++i) turn_pair(i, p[i], q[i]);
     std::vector<Signed> cosines = cosines_->backward(build_, p);
     if (fixes_row_zero_) {
-      // The matrix is orthogonal: what is not turned needs no quarter turns.
+      // The matrix is orthogonal, so entries without a turn need no quarter turns.
       const std::vector<Signed> before = gather(v, cosine_columns_);
       for (std::size_t i = 0; i < cosines.size(); ++i) cosines[i] = sum(build_, {before[i], -cosines[i]});
     }
@@ -67,7 +67,7 @@ class HalfTilt {
   }
 
  private:
-  // (p, q) turned by m beta, both scales of each row included; where row 0 is fixed, p minus the turned p.
+  // Turns (p, q) by m beta and includes both scales of each row. If row 0 is fixed, gives p minus the turned p.
   void turn_pair(std::size_t row, Signed& p, Signed& q) const {
     const int m = rows_[row];
     const Surd& p_scale = cosines_->scale(row);
@@ -114,7 +114,7 @@ class HalfTilt {
   std::optional<QuarterTurnClass> sines_;
 };
 
-// Of every band from `first` on; scales are chosen so that bands share products with cosines and sines.
+// The half turns of every band from `first` on, with scales that let bands share products with cosines and sines.
 std::vector<std::array<HalfTilt, 2>> half_tilts(Builder& build, const Tilt& beta, int first, int degree) {
   std::vector<std::array<HalfTilt, 2>> tilts;
   HalfTilt::Squares squares;

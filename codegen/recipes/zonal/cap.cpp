@@ -2,8 +2,8 @@
 //
 //     z_0 = sqrt(pi) u,   z_l = sqrt((2l+1) pi) s P_l'(c) / (l (l+1)),   c = 1 - u,   s = 1 - c^2 = u (2 - u)
 //
-// u and 2 - u stay factors, so that tiny caps and caps that leave out a tiny cap keep their digits. Reference: the
-// integral (2l+1) P_l = P'_(l+1) - P'_(l-1) [AbramowitzStegun64] 8.5.3, 8.5.4 over the cap.
+// u and 2 - u stay factors, so tiny caps and caps that leave out a tiny cap keep their digits. Reference: the integral
+// of (2l+1) P_l = P'_(l+1) - P'_(l-1) over the cap, [AbramowitzStegun64] 8.5.3, 8.5.4.
 #include <string>
 
 #include "codegen/recipes/zonal/zonal.hpp"
@@ -42,10 +42,11 @@ void set_outputs(Kernel& kernel, const std::vector<NodeId>& z) {
   }
 }
 
-// Polynomials of higher degree are written in s - 1/2: in s their coefficients outgrow their values.
+// Polynomials of higher degree use s - 1/2, because in powers of s their coefficients are much larger than their
+// values.
 constexpr int kCentredFrom = 5;
 
-// The parts of every coefficient; weight u and weight s carry the weight.
+// The parts of every coefficient. `weight u` and `weight s` include the weight.
 struct Cap {
   NodeId u;           // 1 - cos
   NodeId c;           // cos
@@ -81,8 +82,8 @@ std::vector<cln::cl_RA> in_sine_square(int l, const cln::cl_RA& centre) {
   return result;
 }
 
-// The polynomial in v; where it begins with a positive constant, every step adds positive constants or subtracts from
-// them, otherwise it takes the coefficients as they are.
+// The polynomial in v by Horner's rule. If it begins with a positive constant, every step adds positive constants or
+// subtracts from them; otherwise it uses the coefficients unchanged.
 NodeId horner(Builder& build, const std::vector<cln::cl_RA>& coefficients, const Surd& scale, NodeId v, int l) {
   const auto constant = [&](std::size_t k, const cln::cl_RA& value) {
     return build.constant(scale * Surd(value), numbered("a", l) + "_" + std::to_string(k));

@@ -12,7 +12,7 @@ using symbolic::Surd;
 
 namespace {
 
-// The coefficients of e_lm in powers of z^2, lowest first; exact.
+// The exact coefficients of e_lm in powers of z^2, lowest power first.
 std::vector<cln::cl_RA> coefficients(int l, int m) {
   const symbolic::Polynomial q = symbolic::reduced_basis_function(l, m).axial;
   std::vector<cln::cl_RA> result;

@@ -1,5 +1,5 @@
-// Recipes: irradiance from radiance coefficients, E(n) = sum A_l c_lm Y_lm(n) [RamamoorthiHanrahan01b], and what is
-// made of it: the 4x4 quadratic form, E(n) itself, the lightmap form of degree 1.
+// Recipes: irradiance from radiance coefficients, E(n) = sum A_l c_lm Y_lm(n) [RamamoorthiHanrahan01b], its 4x4
+// quadratic form, its value E(n), and its lightmap form of degree 1.
 #include <array>
 #include <string>
 
@@ -12,7 +12,6 @@
 namespace sh::codegen::recipes {
 namespace {
 
-// The place of an element; arithmetic on positions stays in int.
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 using symbolic::irradiance_factor;
@@ -65,13 +64,13 @@ Normal normal(Builder& build, int degree) {
   return {x, y, z};
 }
 
-// a + b; a alone or b alone where the other is none.
+// a + b. If a or b does not exist, the other one.
 NodeId sum(Builder& build, NodeId a, NodeId b) {
   if (a < 0) return b;
   return b < 0 ? a : build.add(a, b);
 }
 
-// sum over l of A_l k_lm q_lm(z) c_lm, for the sign of m given.
+// The sum over l of A_l k_lm q_lm(z) c_lm for one sign of m.
 NodeId column(Builder& build, AxialPolynomials& axial, const Normal& n, const std::vector<NodeId>& c, int degree, int m,
               int sign) {
   NodeId even = -1;
@@ -121,7 +120,7 @@ Kernel irradiance_matrix(int degree) {
   Builder build(kernel);
   const std::vector<NodeId> c = coefficients(build, degree);
   const auto half = Surd(cln::cl_RA(1) / 2);
-  // A product such as x y stands in two places of M; 3 z^2 - 1 and x^2 - y^2 stand on its diagonal.
+  // A product such as x y has two places in M; 3 z^2 - 1 and x^2 - y^2 lie on its diagonal.
   const NodeId c1 =
       build.constant(irradiance_constant(2, 1) * half *
                          Surd(symbolic::reduced_basis_function(2, 1).axial.coefficient(symbolic::Monomial{0, 0, 1})),
@@ -177,7 +176,7 @@ Kernel irradiance_evaluate_nested(int degree) {
   const std::vector<NodeId> c = coefficients(build, degree);
   const auto [x, y, z] = normal(build, degree);
   const symbolic::Polynomial zonal = symbolic::reduced_basis_function(2, 0).axial;
-  // The constant of x y, y z and x z, which the sum is divided by; x^2 - y^2 has half of it.
+  // The constant of x y, y z and x z, which divides the sum; x^2 - y^2 has half of it.
   const Surd scale = irradiance_constant(2, 1) *
                      Surd(symbolic::reduced_basis_function(2, 1).axial.coefficient(symbolic::Monomial{0, 0, 1}));
   const NodeId k = build.constant(scale, "k");

@@ -1,7 +1,7 @@
-// Recipes: windows, which damp the higher degrees of a projection in place: c_lm = w_l c_lm, w_0 = 1.
+// Recipes: windows damp the higher degrees of a projection in place: c_lm = w_l c_lm, w_0 = 1.
 //
-// Angles, exponentials and the cut-off w are the caller's: a kernel takes one or two numbers made from w once, and
-// finds w_l for every degree from them. References: [Sloan08], "Windowing" and the appendix on the Laplacian.
+// The caller computes angles and exponentials from the cut-off w once. A kernel takes one or two of these numbers and
+// derives w_l for every degree from them. References: [Sloan08], "Windowing" and the appendix on the Laplacian.
 #include <string>
 #include <utility>
 
@@ -32,7 +32,7 @@ std::string title(const std::string& name, int degree) {
   return name + " window on coefficients of degree 0 to " + std::to_string(degree) + ", in place";
 }
 
-// c_lm = w_l c_lm; w: for l = 1 .. degree; `first`: position of c among the inputs.
+// c_lm = w_l c_lm. w: the factors for l = 1 .. degree; first: the position of c among the inputs.
 void apply_window(Kernel& kernel, Builder& build, const std::vector<NodeId>& w, int first) {
   for (int l = 0; l <= static_cast<int>(w.size()); ++l) {
     for (int i = l * l; i < (l + 1) * (l + 1); ++i) {

@@ -1,9 +1,9 @@
-// Recipes: a zonal function turned to a direction, and cap lights added in closed form.
+// Recipes: turn a zonal function to a direction, and add cap lights in closed form.
 //
-//     h(s . d) has coefficients sqrt(4 pi / (2l+1)) h_l Y_lm(d)          [SloanKautzSnyder02], symbolic/zonal/convolution.hpp
+//     h(s . d) has coefficients sqrt(4 pi / (2l+1)) h_l Y_lm(d)      [SloanKautzSnyder02], symbolic/zonal/convolution.hpp
 //
-// The factor is part of the constants of Y_lm, and h_l multiplies what (l, m) and (l, -m) share: cheaper than the basis
-// followed by a scaling.
+// The constants of Y_lm include the factor, and h_l multiplies the common part of (l, m) and (l, -m). This needs fewer
+// operations than the basis and a scaling.
 #include "codegen/recipes/zonal/zonal.hpp"
 
 #include <string>
@@ -13,7 +13,6 @@
 namespace sh::codegen::recipes {
 namespace {
 
-// The place of an element; arithmetic on positions stays in int.
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 using symbolic::Surd;
@@ -27,7 +26,7 @@ struct Direction {
   NodeId x, y, z;
 };
 
-// (l, m) and (l, -m) of one function: weight_l sqrt(4 pi/(2l+1)) Y_lm.
+// The coefficients (l, m) and (l, -m) of one function: weight_l sqrt(4 pi/(2l+1)) Y_lm.
 class Turned {
  public:
   Turned(Builder& build, const Direction& d, std::vector<NodeId> weights)
