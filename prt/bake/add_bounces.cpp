@@ -59,11 +59,12 @@ void add_bounces(BakeRun& run) {
   transfer.bounces = solve_bounces(*run.factors, scene.mesh.albedo, layout, x, scene.bake.bounces);
   take_solution(x, layout, transfer);
   if (!transfer.bounces.certified && std::chrono::steady_clock::now() < scene.bake.bounces.deadline) {
-    report_flaw(run.settings.on_flaw,
-                fmt::format("{}: bounces did not settle within {} (residual {:.2g} after {} applications): surfaces of "
-                            "albedo 1 enclose light (kept as it is)",
-                            scene.name, scene.bake.bounces.tolerance, transfer.bounces.residual,
-                            transfer.bounces.applications));
+    report_flaw(
+        run.settings.on_flaw,
+        fmt::format("{}: bounces did not converge within {} (residual {:.2g} after {} applications): surfaces of "
+                    "albedo 1 enclose light (kept as it is)",
+                    scene.name, scene.bake.bounces.tolerance, transfer.bounces.residual,
+                    transfer.bounces.applications));
   }
 }
 

@@ -119,14 +119,14 @@ void CheckpointFile::refuse_key() const {
   if (size_ < sizeof prologue) fail("damaged checkpoint: too short; --restart throws it away");
   std::memcpy(&prologue, fetch(0, sizeof prologue).data(), sizeof prologue);
   if (prologue.version != kVersion) {
-    fail(fmt::format("checkpoint of version {}, expected {}; --restart throws it away", prologue.version, kVersion));
+    fail(fmt::format("checkpoint of version {}, expected {}; --restart deletes it", prologue.version, kVersion));
   }
   const std::string key = fetch(sizeof prologue, std::min<std::uint64_t>(size_ - sizeof prologue, prologue.key_size));
   if (checksum_of(prologue, key) != prologue.checksum) {
     fail("damaged checkpoint: the checksum of its key differs; --restart throws it away");
   }
   fail(
-      fmt::format("checkpoint of another bake: {}; finish that one, give another --checkpoint, or throw it away with "
+      fmt::format("checkpoint of another bake: {}; finish that one, give another --checkpoint, or delete it with "
                   "--restart",
                   difference(Json::parse(key), Json::parse(front_.substr(sizeof prologue)))));
 }
@@ -179,7 +179,8 @@ void CheckpointFile::write(std::string_view bytes) {
       const int error = errno;
       [[maybe_unused]] const int ignored =
           ftruncate(descriptor_, static_cast<off_t>(end_));  // a torn record does no harm
-      fail(fmt::format("cannot write: {} (what it holds is kept; --no-checkpoint does without)", std::strerror(error)));
+      fail(fmt::format("cannot write: {} (the finished parts are kept; --no-checkpoint bakes without a checkpoint)",
+                       std::strerror(error)));
     }
     done += count > 0 ? static_cast<std::size_t>(count) : 0;
   }

@@ -85,7 +85,7 @@ ChosenLight choose_light(const LightOptions& options, const std::vector<LightSpe
 }
 
 void with_threads(int threads, const std::function<void()>& work) {
-  if (threads < 0) throw std::invalid_argument(fmt::format("--threads {}: must be 0 (every core) or more", threads));
+  if (threads < 0) throw std::invalid_argument(fmt::format("--threads {}: expected 0 (every core) or more", threads));
   const auto count = static_cast<std::size_t>(threads == 0 ? tbb::info::default_concurrency() : threads);
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, count);
   work();
@@ -99,7 +99,7 @@ void print_out(std::string_view text) {
 void require_writable(const std::string& file) {
   const std::filesystem::path path(file);
   if (std::filesystem::is_directory(path)) {
-    throw std::runtime_error(fmt::format("{}: cannot write: is a folder; a file is needed", file));
+    throw std::runtime_error(fmt::format("{}: cannot write: is a folder; expected a file", file));
   }
   const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
   const std::string& checked = std::filesystem::exists(path) ? path.native() : folder.native();

@@ -68,7 +68,7 @@ Compared compare_transfers(const Options& options) {
   const Transfer second = read_transfer(options.second);
   if (first.mesh.positions != second.mesh.positions || first.mesh.faces != second.mesh.faces) {
     throw std::runtime_error(
-        fmt::format("{}: its mesh is not that of {}; two bakes of one mesh are needed", options.first, options.second));
+        fmt::format("{}: its mesh is not that of {}; expected two bakes of one mesh", options.first, options.second));
   }
   const ChosenLight chosen = choose_light(options.light);
   const Camera camera = chosen.camera.empty() ? default_camera(second.mesh, options.size) : chosen.camera.front();

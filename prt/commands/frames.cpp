@@ -15,7 +15,7 @@ namespace sh::prt {
 void require_frames(int frames) {
   constexpr int kMaxFrames = 1000;
   if (frames < 1 || frames > kMaxFrames) {
-    throw std::invalid_argument(fmt::format("--frames {}: 1 to {} can be made", frames, kMaxFrames));
+    throw std::invalid_argument(fmt::format("--frames {}: expected 1 to {}", frames, kMaxFrames));
   }
 }
 

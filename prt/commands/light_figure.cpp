@@ -124,12 +124,12 @@ std::string draw_lights(const std::vector<Light>& lights, const LightCoefficient
                         const LightFigure& figure) {
   if (figure.width < kLeastWidth || figure.width > plot::kLargestSize) {
     throw std::invalid_argument(
-        fmt::format("--width {}: {} to {} pixels can be drawn", figure.width, kLeastWidth, plot::kLargestSize));
+        fmt::format("--width {}: expected {} to {} pixels", figure.width, kLeastWidth, plot::kLargestSize));
   }
   constexpr float kMostStops = 64.0F;
   if (!(std::abs(figure.exposure_stops) <= kMostStops)) {
     throw std::invalid_argument(
-        fmt::format("--exposure {}: must be within {} stops", figure.exposure_stops, kMostStops));
+        fmt::format("--exposure {0}: expected -{1} to {1} stops", figure.exposure_stops, kMostStops));
   }
   return Drawing(lights, coefficients, figure).draw();
 }

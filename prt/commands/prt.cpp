@@ -38,8 +38,8 @@ int run(int argc, char** argv) {
     if (!tool.get_subcommands().empty()) throw;
     std::fprintf(
         stderr,
-        "prt: `%s` is no command; bake, relight, render, shader, info, project, reconstruct, plan, study and compare "
-        "are\n",
+        "prt: expected a command (bake, relight, render, shader, info, project, reconstruct, plan, study or compare), "
+        "got `%s`\n",
         argc > 1 ? argv[1] : "");
     return 2;
   }

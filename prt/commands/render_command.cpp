@@ -66,14 +66,14 @@ void check(const Options& options) {
   constexpr float kMaxStops = 64.0F;
   if (!(std::abs(options.exposure_stops) <= kMaxStops)) {
     throw std::invalid_argument(
-        fmt::format("--exposure {}: must be within {} stops", options.exposure_stops, kMaxStops));
+        fmt::format("--exposure {0}: expected -{1} to {1} stops", options.exposure_stops, kMaxStops));
   }
   if (!options.subject.local.empty() && options.turntable == "object") {
     throw std::invalid_argument("--turntable object: moves near lights too; with --local turn the camera or the light");
   }
   if (options.fixed_exposure && !(*options.fixed_exposure >= 1e-20F && *options.fixed_exposure <= 1e20F)) {
     throw std::invalid_argument(
-        fmt::format("--fixed-exposure {}: a factor from 1e-20 to 1e20", *options.fixed_exposure));
+        fmt::format("--fixed-exposure {}: expected a factor from 1e-20 to 1e20", *options.fixed_exposure));
   }
 }
 

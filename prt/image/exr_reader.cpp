@@ -49,13 +49,14 @@ ChannelNames rgb_channels(const std::string& file, const Imf::ChannelList& chann
   const std::vector<std::string> names = names_of(channels);
   const auto rgb = find_rgb(names);
   if (!rgb) {
-    throw std::runtime_error(fmt::format("{}: has the channels {}; R, G, B in one layer, or Y alone, are needed", file,
+    throw std::runtime_error(fmt::format("{}: has the channels {}; expected R, G, B in one layer, or Y alone", file,
                                          fmt::join(names, ", ")));
   }
   for (const std::string& name : *rgb) {
     const Imf::Channel& channel = channels[name];
     if (channel.xSampling != 1 || channel.ySampling != 1) {
-      throw std::runtime_error(fmt::format("{}: the channel {} is subsampled; it must have every pixel", file, name));
+      throw std::runtime_error(
+          fmt::format("{}: the channel {} is subsampled; expected a value for every pixel", file, name));
     }
   }
   return *rgb;

@@ -14,7 +14,7 @@ namespace {
 std::string read_bytes(const std::string& file) {
   if (std::filesystem::exists(file) && !std::filesystem::is_regular_file(file)) {
     throw std::runtime_error(
-        fmt::format("{}: is no file; an OpenEXR, Radiance .hdr, PNG or JPEG picture is needed", file));
+        fmt::format("{}: is no file; expected an OpenEXR, Radiance .hdr, PNG or JPEG picture", file));
   }
   return output::read_file(file, std::numeric_limits<std::size_t>::max());
 }
@@ -35,7 +35,7 @@ void require_sane_size(const std::string& file, long long width, long long heigh
   const auto limit = static_cast<long long>(kMaxPixels);
   if (width > 0 && height > 0 && width <= limit && height <= limit / width) return;
   throw std::runtime_error(
-      fmt::format("{}: the picture is {} x {} pixels; 1 to {} pixels can be read", file, width, height, kMaxPixels));
+      fmt::format("{}: the picture is {} x {} pixels; expected 1 to {} pixels", file, width, height, kMaxPixels));
 }
 
 void mend_pixels(const std::string& file, Image& image, OnFlaw on_flaw) {
@@ -43,9 +43,8 @@ void mend_pixels(const std::string& file, Image& image, OnFlaw on_flaw) {
     Eigen::Vector3f& pixel = image.pixels[i];
     if (!pixel.allFinite()) {
       const auto width = static_cast<std::size_t>(image.width);
-      throw std::runtime_error(
-          fmt::format("{}: the pixel in column {}, row {} is ({}, {}, {}); every value must be finite", file, i % width,
-                      i / width, pixel.x(), pixel.y(), pixel.z()));
+      throw std::runtime_error(fmt::format("{}: the pixel in column {}, row {} is ({}, {}, {}); expected finite values",
+                                           file, i % width, i / width, pixel.x(), pixel.y(), pixel.z()));
     }
     if ((pixel.array() < 0.0F).any()) {
       ++image.negative_pixels;

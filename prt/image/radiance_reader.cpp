@@ -37,7 +37,7 @@ class Reader {
   Rgbe pixel() { return {byte(), byte(), byte(), byte()}; }
   void back(std::size_t count) { at_ -= count; }
   [[noreturn]] void fail(const std::string& what) const {
-    throw std::runtime_error(fmt::format("{}: {}; a complete Radiance .hdr picture is needed", file_, what));
+    throw std::runtime_error(fmt::format("{}: {}; expected a complete Radiance .hdr picture", file_, what));
   }
 
   int row = 0;
@@ -69,7 +69,7 @@ Header read_header(const std::string& file, Reader& reader) {
   for (std::string_view line = reader.line(); !line.empty(); line = reader.line()) {
     if (line.starts_with("FORMAT=")) {
       rgbe = line == "FORMAT=32-bit_rle_rgbe";
-      if (!rgbe) reader.fail(fmt::format("has {}; only FORMAT=32-bit_rle_rgbe can be read", line));
+      if (!rgbe) reader.fail(fmt::format("has {}; expected FORMAT=32-bit_rle_rgbe", line));
     } else if (line.starts_with("EXPOSURE=")) {
       header.exposure *= positive_number(reader, std::string(line.substr(9)));  // several multiply
     }
@@ -79,7 +79,7 @@ Header read_header(const std::string& file, Reader& reader) {
   int used = 0;
   if (std::sscanf(size.c_str(), "-Y %9d +X %9d%n", &header.height, &header.width, &used) != 2 ||
       static_cast<std::size_t>(used) != size.size()) {
-    reader.fail(fmt::format("has the size line `{}`; only `-Y HEIGHT +X WIDTH` (top row first) can be read", size));
+    reader.fail(fmt::format("has the size line `{}`; expected `-Y HEIGHT +X WIDTH` (top row first)", size));
   }
   require_sane_size(file, header.width, header.height);
   return header;

@@ -86,7 +86,7 @@ void refuse_negative(const LightCoefficients& light) {
     if (!black && !(c[0] > 0.0)) {
       static constexpr const char* kChannels[] = {"red", "green", "blue"};
       throw std::runtime_error(
-          fmt::format("the light's mean {} is {:.3g}; no window can keep a light positive whose mean is not",
+          fmt::format("the light's mean {} is {:.3g}; a window can keep a light positive only if its mean is positive",
                       kChannels[channel], c[0]));
     }
   }
@@ -137,7 +137,7 @@ Deringing apply_window(const WindowChoice& choice, LightCoefficients& light) {
 
 std::string describe(const Deringing& done) {
   const char* what = done.choice.keep == Keep::kRadiance ? "radiance" : "irradiance";
-  if (!done.needed) return fmt::format("no window is needed: the {} is negative nowhere", what);
+  if (!done.needed) return fmt::format("no window is needed: the {} is nowhere negative", what);
   return fmt::format(
       "{}window {}: least {} {:.3g} of the peak, {:.3g} without; keeps {:.1f} % of the peak and "
       "{:.1f} % of the contrast (root mean square)",

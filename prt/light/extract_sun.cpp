@@ -174,7 +174,7 @@ SunSearch extract_sun(const Image& image, ImageMapping mapping, const SunOptions
   for (const std::size_t i : region) size += mosaic.solid_angle(i);
   if (size > most && region.size() > 1) {
     return {std::nullopt,
-            fmt::format("what is joined to the brightest place and brighter than {} of it is larger than a "
+            fmt::format("the region around the brightest place that is brighter than {} of it is larger than a "
                         "disc of half-angle {} degrees",
                         options.threshold, options.half_angle)};
   }

@@ -14,7 +14,7 @@ namespace sh::prt {
 
 void require_degree(int degree) {
   if (degree < 0 || degree > kMaxDegree) {
-    throw std::invalid_argument(fmt::format("degree {} is out of range; 0 to {} can be used", degree, kMaxDegree));
+    throw std::invalid_argument(fmt::format("degree {} is out of range; expected 0 to {}", degree, kMaxDegree));
   }
 }
 

@@ -69,10 +69,10 @@ LightCoefficients shadowed_by_cap(const LightCoefficients& light, const Eigen::V
                                   double one_minus_cos) {
   constexpr double kUnitWithin = 1e-6;
   if (!(one_minus_cos >= 0.0 && one_minus_cos <= 2.0)) {
-    throw std::invalid_argument(fmt::format("1 - cos of a cap's half-angle is {}; it is from 0 to 2", one_minus_cos));
+    throw std::invalid_argument(fmt::format("1 - cos of a cap's half-angle: expected 0 to 2, got {}", one_minus_cos));
   }
   if (!(std::abs(direction.norm() - 1.0) <= kUnitWithin)) {
-    throw std::invalid_argument(fmt::format("a cap's direction has length {}; it must be 1", direction.norm()));
+    throw std::invalid_argument(fmt::format("a cap's direction: expected length 1, got {}", direction.norm()));
   }
   if (one_minus_cos == 0.0) return light;
   const Eigen::Matrix3d to_pole =

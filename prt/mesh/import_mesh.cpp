@@ -247,7 +247,7 @@ ImportedMesh import_mesh(const std::string& path, const MaterialChanges& changes
   const aiScene* scene = importer.ReadFile(path, 0);
   if (!complaints.about_an_index().empty()) {
     throw std::runtime_error(
-        fmt::format("{}: a face names a vertex that is not there: {}", path, one_line(complaints.about_an_index())));
+        fmt::format("{}: a face names a missing vertex: {}", path, one_line(complaints.about_an_index())));
   }
   if (scene == nullptr || scene->mRootNode == nullptr) {
     throw std::runtime_error(fmt::format("{}: cannot read the mesh: {}", path, one_line(importer.GetErrorString())));

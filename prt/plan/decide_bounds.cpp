@@ -50,8 +50,8 @@ void loosen_tolerance(Draft& draft, double returned) {
   const double unit = error_of_tolerance(draft);
   const double wanted = std::min(kLoosestTolerance, unit > 0.0 ? draft.share(kPart) / unit : kLoosestTolerance);
   if (draft.shines() || wanted <= before) {
-    draft.decide("bounces", fmt::format("to {:.2g} as asked", before),
-                 draft.shines() ? "surfaces shine of their own" : "the budget leaves no room", 0.0, "exact");
+    draft.decide("bounces", fmt::format("to {:.2g} as requested", before),
+                 draft.shines() ? "surfaces emit light" : "the budget leaves no room", 0.0, "exact");
     return;
   }
   tolerance = wanted;
@@ -86,7 +86,7 @@ void decide_bounces(Draft& draft) {
   }
   draft.bake.kind = draft.bake.kind->without_bounces;
   draft.decide("bounces", "none: shadowed instead of interreflected",
-               "albedo times what stands around bounds the light that comes back", returned, "measured");
+               "albedo times the blocked part bounds the light that comes back", returned, "measured");
 }
 
 void decide_storage(Draft& draft) {

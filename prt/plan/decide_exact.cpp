@@ -51,7 +51,7 @@ double widest_angle(const Draft& draft) {
 void decide_analytic(Draft& draft) {
   if (!draft.takes("analytic")) return;
   if (!draft.bake.kind->traces_rays()) {
-    draft.decide("analytic", "all vertices", "unshadowed transfer is asked for", 0.0, "exact");
+    draft.decide("analytic", "all vertices", "the scene requests unshadowed transfer", 0.0, "exact");
     return;
   }
   constexpr double kPart = 0.02;
@@ -80,7 +80,7 @@ void decide_channels(Draft& draft) {
                     std::all_of(mesh.mirror.begin(), mesh.mirror.end(), is_grey);
   draft.plan.storage.one_channel = grey;
   draft.decide("channels", grey ? "one for all three" : "three",
-               grey ? "every albedo and mirror is grey" : "surfaces are coloured, and bounces carry the colour", 0.0,
+               grey ? "every albedo and mirror is gray" : "surfaces are colored, and bounces carry the color", 0.0,
                "exact");
 }
 
@@ -92,13 +92,14 @@ void decide_symmetry(Draft& draft) {
   const std::string turns(name_of(draft.options.turns));
   if (count == 0 || count == draft.count()) {
     draft.decide("symmetry", fmt::format("all {} coefficients", draft.count()),
-                 fmt::format("the lights, turned ({}), have them all", turns), 0.0, "exact");
+                 fmt::format("the lights, turned ({}), need all of them", turns), 0.0, "exact");
     return;
   }
   draft.plan.storage.kept = std::move(kept);
-  draft.decide("symmetry", fmt::format("{} of {} coefficients", count, draft.count()),
-               fmt::format("the lights have no others, however turned ({}); a light that does is refused", turns), 0.0,
-               "exact");
+  draft.decide(
+      "symmetry", fmt::format("{} of {} coefficients", count, draft.count()),
+      fmt::format("no rotation ({}) gives the lights other coefficients; lights that need others are refused", turns),
+      0.0, "exact");
 }
 
 }  // namespace sh::prt

@@ -91,7 +91,7 @@ void decide_bands(Draft& draft) {
       return;
     }
   }
-  draft.decide("bands", fmt::format("degree {} as asked", asked),
+  draft.decide("bands", fmt::format("degree {} as requested", asked),
                fmt::format("without band {} the error would be {:.2g}", asked,
                            asked > 0 ? std::min(bound_above(draft, asked - 1), measured_above(draft, asked - 1)) : 1.0),
                0.0, "exact");
@@ -101,10 +101,11 @@ double floor_of_directions(Draft& draft) {
   const double floor = measure(draft).error(static_cast<double>(draft.bake.directions));
   if (floor > draft.left) {
     const double needed = std::ceil(measure(draft).directions(draft.left));
-    throw std::invalid_argument(fmt::format(
-        "error {:.3g}: cannot be met: {} directions alone leave {:.3g} (measured); {:.2g} can be, or {} directions",
-        draft.options.error, draft.bake.directions, floor, 1.1 * floor + draft.plan.record.error,
-        needed <= static_cast<double>(kMaxDirections) ? fmt::format("{:.0f}", needed) : "no number of"));
+    throw std::invalid_argument(
+        fmt::format("error {:.3g}: cannot be met: {} directions alone give {:.3g} (measured); expected {:.2g} or more, "
+                    "or {} directions",
+                    draft.options.error, draft.bake.directions, floor, 1.1 * floor + draft.plan.record.error,
+                    needed <= static_cast<double>(kMaxDirections) ? fmt::format("{:.0f}", needed) : "no number of"));
   }
   return floor;
 }
@@ -120,7 +121,7 @@ void decide_directions(Draft& draft) {
   const bool bounces = draft.bake.kind->has_bounces();
   draft.decide("directions",
                draft.bake.directions < asked ? fmt::format("{} instead of {}", draft.bake.directions, asked)
-                                             : fmt::format("{} as asked", asked),
+                                             : fmt::format("{} as requested", asked),
                fmt::format("the error falls as N^-{:.2f} on {} vertices, against {} directions", convergence.rate,
                            draft.probe->vertices().size(), kReference),
                error, bounces ? "heuristic" : "measured");

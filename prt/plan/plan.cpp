@@ -53,7 +53,7 @@ void take_lights(Draft& draft) {
   draft.plan.reference = largest_unshadowed_radiance(draft.scene.mesh, light);
   if (!(draft.plan.reference > 0.0)) {
     throw std::invalid_argument(
-        fmt::format("{}: its lights leave the mesh dark, and an error is relative to what they make of it: expected a "
+        fmt::format("{}: its lights leave the mesh dark, and errors are relative to its radiance: expected a "
                     "light that reaches it, or a plan without an error",
                     draft.scene.name));
   }

@@ -35,7 +35,7 @@ std::string plan_text(const BakeJob& job) {
                 "{}: error at most {:.3g} of {:.3g} W m^-2 sr^-1 (the largest exit radiance unshadowed), RMS over "
                 "vertices; lights turned: {}\n",
                 scene, record.budget, plan.reference, record.light_turns)
-          : fmt::format("{}: only what changes no number under any light\n", scene);
+          : fmt::format("{}: only decisions that change no number under any light\n", scene);
   text +=
       fmt::format("{:<11}{:<38}{:>11}{:>13}{:>9}  {}\n", "decision", "choice", "saves", "rays", "error", "known by");
   for (const Decision& decision : record.decisions) {

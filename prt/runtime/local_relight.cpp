@@ -140,7 +140,7 @@ void add_octahedron_weights(const Points& corners, const Eigen::Vector3d& vertex
 LightSamples samples_by_distance(std::span<const Eigen::Vector3f> vertices, int k) {
   if (k < 1 || k > kMaxLightSamples || vertices.empty()) {
     throw std::invalid_argument(
-        fmt::format("{} points sample the light of {} vertices; 1 to {} can", k, vertices.size(), kMaxLightSamples));
+        fmt::format("{} light samples for {} vertices: expected 1 to {}", k, vertices.size(), kMaxLightSamples));
   }
   const Points places = in_double(vertices);
   LightSamples samples{k_means(places, k), {}};
@@ -173,8 +173,9 @@ std::vector<Eigen::Vector3f> relight_locally(const Transfer& transfer, const Lig
         "local lighting needs unshadowed or shadowed transfer; with bounces light comes from other places too");
   }
   if (k == 0 || samples.weights.size() != k * vertices) {
-    throw std::invalid_argument(fmt::format("{} weights for {} lights at {} vertices; one each is needed",
-                                            samples.weights.size(), k, vertices));
+    throw std::invalid_argument(
+        fmt::format("{} weights for {} lights at {} vertices: expected one for each light and vertex",
+                    samples.weights.size(), k, vertices));
   }
   std::vector<Eigen::Vector3f> sum = shading.shade(transfer, lights[0]);
   if (k == 1) return sum;

@@ -27,11 +27,11 @@ void require_picture_size(const PictureSize& size) {
   const auto limit = static_cast<long long>(kMaxPixels);
   if (size.width < 1 || size.height < 1 || static_cast<long long>(size.width) * size.height > limit) {
     throw std::invalid_argument(
-        fmt::format("a picture of {} x {} pixels; 1 to {} pixels can be made", size.width, size.height, kMaxPixels));
+        fmt::format("a picture of {} x {} pixels: expected 1 to {} pixels", size.width, size.height, kMaxPixels));
   }
   constexpr int kMaxSamples = 1024;
   if (size.samples < 1 || size.samples > kMaxSamples) {
-    throw std::invalid_argument(fmt::format("{} samples a pixel; 1 to {} can be taken", size.samples, kMaxSamples));
+    throw std::invalid_argument(fmt::format("{} samples a pixel: expected 1 to {}", size.samples, kMaxSamples));
   }
 }
 

@@ -34,8 +34,8 @@ void require_no_albedo(const Transfer& transfer) {
 
 void require_count(std::size_t count, const Transfer& transfer, const char* what) {
   if (count != transfer.mesh.positions.size()) {
-    throw std::invalid_argument(
-        fmt::format("{} {} for {} vertices; one each is needed", count, what, transfer.mesh.positions.size()));
+    throw std::invalid_argument(fmt::format("{} {} for {} vertices: expected one for each vertex", count, what,
+                                            transfer.mesh.positions.size()));
   }
 }
 

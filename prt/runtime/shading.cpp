@@ -15,7 +15,7 @@ void Shading::require_fit(const Transfer& transfer, int highest) const {
   }
   for (const float channel : recolour) {
     if (!(channel >= 0.0F && channel <= 1.0F)) {
-      throw std::invalid_argument(fmt::format("--recolor {}: an albedo is from 0 to 1", channel));
+      throw std::invalid_argument(fmt::format("--recolor {}: expected an albedo from 0 to 1", channel));
     }
   }
   if (!recolour.empty() && transfer.shape.holds_albedo) {

@@ -19,15 +19,16 @@ void check(const Scene& scene, const StudyOptions& options) {
   const int limit = kMaxDirections / StudyOptions::kReferenceFactor;
   if (most < StudyOptions::kLeastDirections || most > limit) {
     throw std::invalid_argument(
-        fmt::format("most directions {}: must be {} to {}", most, StudyOptions::kLeastDirections, limit));
+        fmt::format("most directions {}: expected {} to {}", most, StudyOptions::kLeastDirections, limit));
   }
   if (options.vertices < 1) throw std::invalid_argument("vertices 0: at least one must be studied");
   if (!scene.mesh.mirror.empty()) {
     throw std::invalid_argument(
-        fmt::format("{}: has mirrors, which the study does not follow; expected a scene without", scene.name));
+        fmt::format("{}: has mirrors, which the study does not follow; expected a scene without mirrors", scene.name));
   }
   if (scene.lights.empty()) {
-    throw std::invalid_argument(fmt::format("{}: no lights; errors are those of what the lights show", scene.name));
+    throw std::invalid_argument(
+        fmt::format("{}: expected lights, because errors are errors of their radiance; got none", scene.name));
   }
 }
 
@@ -57,7 +58,7 @@ Study run_study(const Scene& scene, const StudyOptions& options, const std::func
   const StudySetup setup(scene, options);
   if (setup.vertices.index.empty()) {
     throw std::invalid_argument(
-        fmt::format("{}: none of the {} vertices looked at sees anything", scene.name, setup.left_out));
+        fmt::format("{}: none of the {} studied vertices sees any light", scene.name, setup.left_out));
   }
   Study study = begin(scene, setup);
   for (const auto& part :

@@ -85,7 +85,7 @@ StudyPart study_directions(const StudySetup& setup) {
   StudyPart part;
   part.name = "directions";
   part.axis = "directions over the sphere";
-  part.reference = fmt::format("{} cosine directions with a seed of their own", setup.reference_directions());
+  part.reference = fmt::format("{} cosine directions with their own seed", setup.reference_directions());
   std::vector<int> counts;
   for (int count = StudyOptions::kLeastDirections; count <= setup.options.most_directions; count *= 2) {
     counts.push_back(count);

@@ -126,7 +126,7 @@ StudySetup::StudySetup(const Scene& studied_scene, const StudyOptions& study_opt
 
 std::string StudySetup::all_degrees_name() const {
   return whole ? "the same rays under the lights themselves, of every degree"
-               : fmt::format("degree {}, for a light of the scene is a point", kMaxDegree);
+               : fmt::format("degree {}, because a light of the scene is a point", kMaxDegree);
 }
 
 Radiances StudySetup::relit(const TransferRows& rows, const LightCoefficients& lit_by, int degree) const {

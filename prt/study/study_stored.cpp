@@ -62,7 +62,8 @@ const std::vector<NamedWindow>& windows() {
       {"none", [](int) -> std::optional<WindowChoice> { return std::nullopt; }},
       {"sinc (Lanczos)", [](int d) -> std::optional<WindowChoice> { return fixed(WindowType::kSinc, d); }},
       {"hann", [](int d) -> std::optional<WindowChoice> { return fixed(WindowType::kHann, d); }},
-      {"auto: least that rings nowhere", [](int) -> std::optional<WindowChoice> { return WindowChoice(); }}};
+      {"auto: least window without negative values",
+       [](int) -> std::optional<WindowChoice> { return WindowChoice(); }}};
   return kWindows;
 }
 

@@ -96,7 +96,7 @@ TEST(ShadowedBake, EqualsTheUnshadowedOneOnConvexShapesToTheLastBit) {
   }
 }
 
-// The worst error of the ground before a wall.
+// The largest error of the ground in front of a wall.
 double error_before_wall(float wall_x) {
   const std::vector<double> expected = transfer_before_wall(4);
   const Transfer transfer = bake(scene_of(ground_before_wall(wall_x), &kShadowed));

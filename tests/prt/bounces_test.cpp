@@ -1,4 +1,4 @@
-// Light that bounces, against what is known of closed spheres, and against itself by another solver.
+// Light that bounces, compared with closed forms for closed spheres and with another solver.
 #include "prt/bake/bounces.hpp"
 
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ BakeOptions options_of(int directions) {
   return options;
 }
 
-// What several bounce systems on one mesh share.
+// The common parts of several bounce systems on one mesh.
 struct Room {
   explicit Room(Mesh m, int directions = 1024) : mesh(std::move(m)), shared(options_of(directions)), tracer(mesh) {
     Gatherer gatherer(shared, tracer);
@@ -259,7 +259,7 @@ TEST(InterreflectedBake, AddsLightButNeverMoreThanThereIs) {
   EXPECT_GT(added, 0.05);
 }
 
-// A grey floor beside a red wall: what comes back from the wall is red, and nothing from the wall's back.
+// A gray floor beside a red wall: the light from the wall's front is red, and its back gives no light.
 Mesh floor_and_wall(bool turned) {
   Mesh mesh = primitive_mesh("plane");
   tessellate(

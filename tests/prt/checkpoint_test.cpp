@@ -1,5 +1,5 @@
-// Bakes that are stopped and go on: the same bytes as without a stop, and fewer rays. The processes are real ones and
-// really killed.
+// Bakes that are stopped and continue give the same bytes as without a stop, with fewer rays. The tests kill real
+// processes.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/file.h>
@@ -25,7 +25,7 @@ std::uint64_t size_of(const std::string& file) {
   return error ? 0 : size;
 }
 
-// What the tool says on standard error: `prt: N rays traced`.
+// The number of rays in the tool's message `prt: N rays traced`.
 std::uint64_t rays_of(const Finished& run) {
   const std::size_t end = run.err.find(" rays traced");
   const std::size_t start = run.err.rfind(' ', end - 1);
@@ -63,7 +63,7 @@ class StoppedBake : public testing::TestWithParam<const char*> {
     return {"bake", file_, "-o", out_, "--plan", "none", "--threads", threads, "--checkpoint-seconds", "0"};
   }
 
-  // Bakes until the checkpoint is that long, and ends the process; again where the bake was faster.
+  // Bakes until the checkpoint has this length, then ends the process; tries again if the bake was faster.
   [[nodiscard]] Finished stop_at(std::uint64_t bytes, const std::string& threads, int signal) const {
     Finished run;
     for (int attempt = 0; attempt < 50; ++attempt) {
@@ -160,7 +160,7 @@ TEST_P(AnyStoppedBake, TracesATornOrChangedPartAgain) {
   }
 }
 
-// The second record's chunk in place of the first's, whose data are as they were.
+// The index of the second record in the first record, whose data are unchanged.
 TEST_P(AnyStoppedBake, BelievesNoRecordThatNamesAnotherChunk) {
   constexpr std::size_t kPrologue = 24;
   constexpr std::size_t kHead = 32;

@@ -167,11 +167,11 @@ TEST_F(Tool, BakesBouncesAndSaysHowTheyWereSolved) {
 }
 
 TEST_F(Tool, CommandLinesThatCannotBeParsedAreOneLine) {
-  expect_refused({}, "`` is no command; bake, relight");
+  expect_refused({}, "expected a command (bake, relight");
   expect_refused({"bake"}, "SCENE");
   expect_refused({"bake", "demo"}, "--output");
   expect_refused({"bake", "demo", "-o", "x", "--degree", "two"}, "two");
-  expect_refused({"fly"}, "`fly` is no command");
+  expect_refused({"fly"}, "got `fly`");
   expect_refused({"render", baked, "-o", "x.png", "--scene", "demo", "--light", "constant"}, "--scene");
   expect_refused({"render", baked, "-o", "x.png", "--background", "pink"}, "pink");
 }
@@ -249,7 +249,7 @@ TEST_F(Tool, RelightTakesFewerBandsWhiteLightAndOtherAlbedo) {
     return both;
   };
   expect_refused(with({"--degree", "3"}), "--degree 3: the transfer has degrees 0 to 2");
-  expect_refused(with({"--recolor", "1", "2", "0"}), "--recolor 2: an albedo is from 0 to 1");
+  expect_refused(with({"--recolor", "1", "2", "0"}), "--recolor 2: expected an albedo from 0 to 1");
   expect_refused(with({"--recolor", "1"}), "--recolor");
 }
 

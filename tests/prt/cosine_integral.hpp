@@ -32,7 +32,7 @@ inline std::vector<double> transfer_by_quadrature(int degree, const Eigen::Vecto
   return sum;
 }
 
-/// What a point of the ground z = 0 on the foot of the wall x = 0 gets from the quarter sphere x > 0, z > 0.
+/// The transfer of a point of the ground z = 0 at the foot of the wall x = 0, from the quarter sphere x > 0, z > 0.
 inline std::vector<double> transfer_before_wall(int degree) {
   const Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
   const Eigen::Vector3d across = up.unitOrthogonal();

@@ -1,5 +1,5 @@
-// The sets of directions: shape, seeds, what they integrate, and how fast their error falls at a shadow's edge; bakes
-// with each of them.
+// The sets of directions: shape, seeds, integrals, the decrease of the error at a shadow's edge, and bakes with each
+// set.
 #include "prt/rays/directions.hpp"
 
 #include <gtest/gtest.h>
@@ -83,7 +83,7 @@ Coefficients exact_transfer(const Shaded& surface) {
   return sum;
 }
 
-// What the directions make of it, without any control variate.
+// The estimate of the directions, without a control variate.
 Coefficients sampled_transfer(const Shaded& surface, const std::vector<Eigen::Vector3f>& directions, Sampler sampler) {
   const bool local = sampler == Sampler::kCosine;
   const Eigen::Matrix3d frame = frame_about(surface.normal.cast<float>()).cast<double>();

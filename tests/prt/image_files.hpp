@@ -1,4 +1,4 @@
-// Picture files for tests, written with the OpenEXR library and byte by byte.
+// Writes picture files for tests, with the OpenEXR library and byte by byte.
 #pragma once
 #include <OpenEXR/ImfCompression.h>
 
@@ -9,7 +9,7 @@
 
 namespace sh::prt::test {
 
-/// How an OpenEXR file is written.
+/// The format of an OpenEXR file.
 struct ExrOptions {
   Imf::Compression compression = Imf::ZIP_COMPRESSION;
   bool tiled = false;

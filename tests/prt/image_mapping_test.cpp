@@ -1,5 +1,5 @@
-// Angular maps, mirror balls, crosses and strips: where the axes are, what the pixels cover, what a picture projects
-// to.
+// Angular maps, mirror balls, crosses and strips: their axes, the solid angles of their pixels, and projections of
+// pictures.
 #include <gtest/gtest.h>
 
 #include <algorithm>

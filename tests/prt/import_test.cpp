@@ -62,7 +62,7 @@ class Import : public testing::Test {
     write_all(folder_.file(name), text);
     return import_mesh(folder_.file(name));
   }
-  // What a scene with this one mesh says, without the folder's name.
+  // The message of a scene with this one mesh, without the folder's name.
   std::string refusal(const std::string& name, const std::string& text, OnFlaw on_flaw = OnFlaw::kMend) {
     write_all(folder_.file(name), text);
     write_all(folder_.file("scene.json"), R"({"meshes": [{"file": ")" + name + R"("}]})");

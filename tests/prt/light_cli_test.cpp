@@ -1,4 +1,4 @@
-// The tool `prt` on lights: windows, pictures of lights, what contradicts itself.
+// The tool `prt` on lights: windows, pictures of lights, contradictory input.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -85,7 +85,7 @@ TEST_F(LightTool, ReconstructDrawsALightWithItsNumbersInEveryMapping) {
 TEST_F(LightTool, ReconstructRefusesWhatItCannotDraw) {
   const std::string out = folder.file("x.png");
   expect_refused({"reconstruct", "overcast", "-o", out, "--degree", "11"}, "degree 11 is out of range");
-  expect_refused({"reconstruct", "overcast", "-o", out, "--width", "99"}, "--width 99: 100 to 8192");
+  expect_refused({"reconstruct", "overcast", "-o", out, "--width", "99"}, "--width 99: expected 100 to 8192");
   expect_refused({"reconstruct", "overcast", "-o", out, "--exposure", "1000"}, "--exposure 1000");
   expect_refused({"reconstruct", "overcast", "-o", out, "--draw", "fisheye"}, "--draw");
   expect_refused({"reconstruct", "overcast", "-o", folder.file("no/x.png")}, "cannot write");

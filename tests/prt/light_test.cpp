@@ -112,7 +112,7 @@ TEST(Light, LightsAddUpAndScaleAndTurn) {
   picture.rotation_axis = {0.0F, 0.0F, 3.0F};  // not unit
   picture.rotation_degrees = 90.0F;
   const std::vector<Light> lights = load_lights({constant, picture}, OnFlaw::kRefuse);
-  // Turned by +90 degrees about z, what was at +x stands at +y.
+  // A turn of +90 degrees about z moves the light from +x to +y.
   const Eigen::Vector3f expected =
       2.0F * lookup(image, ImageMapping::kLatLong, Eigen::Vector3d::UnitX()) + constant.radiance;
   EXPECT_LT((radiance(lights, Eigen::Vector3d::UnitY()) - expected).norm(), 1e-5F);

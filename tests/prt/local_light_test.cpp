@@ -1,4 +1,4 @@
-// Near lights seen from several points, and the blend of what they give.
+// Near lights seen from several points, and the blend of their results.
 #include "prt/light/local_light.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// What surfaces are made of, from mesh files and from the scene: colours, light of their own, mirrors, sides.
+// Materials from mesh files and from the scene: colors, emission, mirrors, sides.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -48,7 +48,7 @@ class Materials : public testing::Test {
     put("scene.json", R"({"meshes": [)" + mesh + "]}");
     return load_scene(folder_.file("scene.json"), OnFlaw::kRefuse);
   }
-  // What is said, from the JSON path on.
+  // The message, from the JSON path on.
   std::string refusal(const std::string& mesh) {
     const std::string said = message_of([&] { load(mesh); });
     const std::string before = folder_.file("scene.json") + ": /meshes/0";

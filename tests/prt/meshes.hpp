@@ -1,4 +1,4 @@
-// Small meshes made in code, and questions to ask of a mesh.
+// Small meshes made in code, and properties of meshes.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -52,7 +52,7 @@ inline float longest_edge(const Mesh& mesh) {
   return longest;
 }
 
-/// Six times the volume, positive when the faces are counter-clockwise seen from outside.
+/// Six times the volume, positive when the faces are counterclockwise as seen from outside.
 inline double signed_volume(const Mesh& mesh) {
   double volume = 0.0;
   for (const Face& face : mesh.faces) {

@@ -118,7 +118,7 @@ TEST(Mirrors, ShowALampToTheGroundAsASecondLamp) {
   }
 }
 
-// Four mirrors around a floor: whatever is unfolded, every path gets to the sky at last.
+// Four mirrors around a floor: every path finally reaches the sky.
 TEST(Mirrors, AroundAFloorShowItTheWholeSky) {
   Mesh mesh = primitive_mesh("plane");
   tessellate(

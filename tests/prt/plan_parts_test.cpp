@@ -1,4 +1,4 @@
-// What plans rest on: bounds that hold for every turn of a light and every visibility, and open vertices.
+// The foundations of plans: bounds that hold for every turn of a light and every visibility, and open vertices.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -72,7 +72,7 @@ double measured_error(const Scene& scene, const Transfer& planned, const Transfe
   return worst / reference;
 }
 
-/// As it comes back from a file.
+/// The transfer after a round trip through a file.
 Transfer stored(const Transfer& transfer) {
   const TemporaryFolder folder;
   write_transfer(folder.file("a"), transfer);
@@ -128,7 +128,7 @@ struct Case {
 
 class PlanOf : public testing::TestWithParam<Case> {};
 
-// What is compared with: directions against converged ones, all else against a bake along the same directions.
+// The reference: converged directions for the decision `directions`, else a bake along the same directions.
 TEST_P(PlanOf, CostsNoMoreThanItSaysForEachDecisionAloneAndForAll) {
   const auto& [lights, turns, error] = GetParam();
   const Scene scene = small_scene(lights);
@@ -240,9 +240,10 @@ TEST(Plan, RefusesABudgetThatCannotBeMetAndSaysWhatCan) {
   const Scene scene = small_scene(kOvercast);
   const std::string said = message_of([&] { planned_as(scene, lossy(1e-5, LightTurns::kAboutZ)); });
   EXPECT_NE(said.find("cannot be met"), std::string::npos) << said;
-  const std::size_t at = said.find("(measured); ");
+  const std::string before = "(measured); expected ";
+  const std::size_t at = said.find(before);
   ASSERT_NE(at, std::string::npos) << said;
-  const double can = std::stod(said.substr(at + 12));
+  const double can = std::stod(said.substr(at + before.size()));
   EXPECT_NO_THROW(planned_as(scene, lossy(can, LightTurns::kAboutZ))) << said;
 }
 

@@ -1,4 +1,4 @@
-// The light that occluders leave: exact products with the complement of a cap.
+// Shadowed lights: exact products with the complement of a cap.
 #include "prt/light/proxy_shadow.hpp"
 
 #include <gtest/gtest.h>
@@ -131,7 +131,7 @@ TEST(ProxyShadow, RefusesWhatIsNoCap) {
                std::invalid_argument);
 }
 
-/// What the degree costs, and what the kernel of truncated functions would add.
+/// The error of a low degree, and the additional error of the kernel of truncated functions.
 struct Cost {
   double exact = 0.0;
   double kernel = 0.0;

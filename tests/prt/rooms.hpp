@@ -1,4 +1,4 @@
-// Meshes with known light in them, and short ways to bake them.
+// Meshes whose light is known, and helpers that bake them.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -61,8 +61,8 @@ inline std::vector<double> vertex_areas(const Mesh& mesh) {
   return areas;
 }
 
-/// A speck at the origin that faces up, its vertex 0 in the middle, and at `height` above it a disc of radius 1 that
-/// faces down and shines with radiance 2; albedo 1/2 and 0.
+/// A speck at the origin that faces up, with vertex 0 in its center, and a disc of radius 1 at `height` above it that
+/// faces down and emits radiance 2. The albedos are 1/2 and 0.
 inline Mesh disc_above_point(float height) {
   constexpr int kCorners = 256;
   Soup soup;

@@ -33,7 +33,7 @@ float plain_sum(const RowProducts& rows, std::size_t vertex, std::size_t s) {
 
 constexpr float kUntouched = 1234.5F;
 
-/// Every instruction set, with and without colour, against the plain loop, and nothing written behind the end.
+/// Compares every instruction set, with and without color, with the plain loop; nothing is written past the end.
 void expect_bits_of_the_plain_loop(const RowProducts& rows, std::size_t count) {
   const std::vector<float> colour = random_values(3 * count + 1, 5);
   for (const RowProductsOn& on : row_products_here()) {
@@ -140,9 +140,9 @@ TEST(WaysToRelight, WhatCannotBeDoneIsRefusedInOneLine) {
   EXPECT_NE(test::message_of([&] { recoloured(bounces, light, bounces.mesh.albedo); }).find("cannot be recoloured"),
             std::string::npos);
   EXPECT_EQ(test::message_of([&] { recoloured(shadowed, light, four); }),
-            "4 colours for 5 vertices; one each is needed");
+            "4 colours for 5 vertices: expected one for each vertex");
   EXPECT_EQ(test::message_of([&] { relight_into(shadowed, light, four); }),
-            "4 radiances for 5 vertices; one each is needed");
+            "4 radiances for 5 vertices: expected one for each vertex");
 }
 
 }  // namespace

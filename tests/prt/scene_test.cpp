@@ -1,4 +1,4 @@
-// Scene files: what they make, and how whatever is wrong in them is named.
+// Scene files: their meshes and lights, and messages that name their errors.
 #include "prt/scene/scene.hpp"
 
 #include <gtest/gtest.h>

@@ -62,7 +62,7 @@ void set_transfer(std::vector<float> numbers) {
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
 }
 
-/// There is no window: something complete to draw to, though nothing is drawn.
+/// There is no window. The context needs a complete framebuffer although nothing is drawn.
 void bind_framebuffer() {
   GLuint framebuffer = 0;
   GLuint target = 0;
@@ -84,7 +84,8 @@ void set_light(GLuint program, const LightCoefficients& light, bool white) {
   white ? glUniform1fv(place, count, values.data()) : glUniform3fv(place, count, values.data());
 }
 
-/// What the shader makes of every vertex, the light turned by `turn` into the object's axes where it takes normals.
+/// The output of the shader for every vertex. A shader that takes normals turns the light by `turn` into the object's
+/// axes.
 std::vector<Eigen::Vector3f> run(const Transfer& transfer, const LightCoefficients& light, bool white,
                                  const Eigen::Matrix3d& turn, ShaderLanguage language) {
   const numeric::EglContext context(language == ShaderLanguage::kGlsl450 ? numeric::GlslLanguage::kCore450

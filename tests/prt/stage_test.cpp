@@ -125,8 +125,8 @@ TEST(Stage, DistantObjectsDoNotChangeEachOther) {
 }
 
 TEST(Stage, ASphereOverAPlateTakesTheLightOfItsCap) {
-  // Under a uniform sky a sphere of half-angle a around the normal takes sin^2 a of the irradiance. What a degree
-  // cannot hold of the cap's edge is the error: measured 0.018 at degree 2, 0.006 at 4, 0.0012 at 8.
+  // Under a uniform sky a sphere of half-angle a around the normal blocks sin^2 a of the irradiance. The error is the
+  // part of the cap's edge that a degree cannot represent: measured 0.018 at degree 2, 0.006 at 4, 0.0012 at 8.
   for (const auto& [degree, bound] : {std::pair{2, 0.02}, {4, 0.01}, {8, 0.003}}) {
     double worst = 0.0;
     for (const double distance : {1.01, 1.1, 1.5, 2.0, 4.0, 10.0}) {

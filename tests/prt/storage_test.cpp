@@ -1,5 +1,5 @@
-// How files hold transfer vectors: every error within its bound, at every size of number; whatever is stored comes
-// back.
+// Storage of transfer vectors in files: every error is within its bound for numbers of every size, and files give the
+// stored numbers back.
 #include "prt/transfer/storage.hpp"
 
 #include <gtest/gtest.h>

@@ -36,7 +36,7 @@ TEST(Emission, FillsAClosedSphereAtAnyAlbedo) {
   }
 }
 
-// A patch of the sphere shines: what the patch sends to the rest is spread evenly.
+// A patch of the sphere emits light, which spreads evenly over the rest.
 TEST(Emission, OfAPatchIsSpreadEvenlyOverAClosedSphere) {
   Mesh mesh = hollow_sphere(48);
   paint(mesh, Eigen::Vector3f(0.0F, 0.5F, 0.9F));

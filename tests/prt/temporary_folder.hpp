@@ -21,7 +21,7 @@ inline void write_all(const std::string& file, const std::string& bytes) {
   std::ofstream(file, std::ios::binary) << bytes;
 }
 
-/// The text of the exception that `work` throws; fails by being empty when it throws none.
+/// The text of the exception that `work` throws; empty if it throws none.
 template <class Work>
 std::string message_of(const Work& work) {
   try {

@@ -6,7 +6,7 @@
 
 namespace sh::prt::test {
 
-/// What a finished process left behind.
+/// The result of a finished process.
 struct Finished {
   int status = 0;  // exit status, or 128 + signal
   std::string out;
@@ -18,16 +18,15 @@ struct Finished {
 Finished run_prt(const std::vector<std::string>& arguments, const std::string& before = {},
                  const std::string& redirect = {});
 
-/// Expects exit 2, one line on standard error that begins with `prt: ` and holds `reason`, and nothing on standard
+/// Expects exit 2, one line on standard error that begins with `prt: ` and contains `reason`, and nothing on standard
 /// output; `before` as for run_prt.
 void expect_refused(const std::vector<std::string>& arguments, const std::string& reason,
                     const std::string& before = {});
 
-/// Runs it and sends SIGINT after `milliseconds`.
+/// Runs the tool and sends SIGINT after `milliseconds`.
 Finished interrupt_prt(const std::vector<std::string>& arguments, int milliseconds);
 
-/// Runs it and sends `signal` as soon as `when` returns true, which is asked all the time; without effect where the
-/// process ends before.
+/// Runs the tool, polls `when` and sends `signal` as soon as it returns true; does nothing if the process ends before.
 Finished signal_prt(const std::vector<std::string>& arguments, int signal, const std::function<bool()>& when);
 
 }  // namespace sh::prt::test

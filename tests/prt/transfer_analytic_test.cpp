@@ -1,4 +1,4 @@
-// Baked transfer where the answer is known, and where the input is as bad as it gets.
+// Baked transfer with known results, and with the worst input.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -18,7 +18,7 @@ namespace {
 
 const auto kRoot4Pi = static_cast<float>(std::sqrt(4.0 * std::numbers::pi));
 
-// With shading normals of its own, the horizon of a vertex would cut what it sees.
+// If the shading normals differed, the horizon of a vertex would cut its view.
 Mesh with_one_normal(std::string_view primitive, int segments = 24) {
   Mesh mesh = primitive_mesh(primitive, segments);
   mesh.normals = mesh.geometric_normals;
@@ -29,7 +29,7 @@ void move(Mesh& mesh, float scale, const Eigen::Vector3f& by = Eigen::Vector3f::
   for (Eigen::Vector3f& position : mesh.positions) position = scale * position + by;
 }
 
-// White surfaces under an even light: everything that comes back is as bright as the sky, whatever the shape.
+// White surfaces under an even light: all reflected light is as bright as the sky, for any shape.
 TEST(WhiteFurnace, ShowsSolidsAsBrightAsTheSky) {
   for (const std::string_view name : {"sphere", "torus", "stairs", "arch"}) {
     Mesh mesh = with_one_normal(name);

@@ -1,4 +1,4 @@
-// The transfer file: what is written comes back; anything else is refused in one line.
+// The transfer file: round trips are exact; damaged files are refused in one line.
 #include "prt/transfer/transfer_file.hpp"
 
 #include <gtest/gtest.h>

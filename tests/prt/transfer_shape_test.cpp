@@ -1,4 +1,4 @@
-// What a vertex stores: shapes and their sizes, files of version 1, and a kind of transfer that is added here.
+// Transfer shapes and their sizes, files of version 1, and a kind of transfer that this test adds.
 #include <gtest/gtest.h>
 
 #include <array>
