@@ -1,5 +1,6 @@
-#include "codegen/commands/prove.hpp"
-
+// `shgen prove`: runs the catalogue of proofs and prints a line for each identity.
+//
+// Input: options. Output: lines on `out`, a JSON file if the options name one, progress on `progress`.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
@@ -7,8 +8,11 @@
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <ostream>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "codegen/commands/commands.hpp"
 #include "numeric/output/atomic_file.hpp"
@@ -16,6 +20,13 @@
 
 namespace sh::codegen {
 namespace {
+
+// The options of `shgen prove`.
+struct ProveOptions {
+  std::optional<int> degree;      // the highest degree, limited by the range of each proof; empty: its default
+  std::vector<std::string> only;  // names of the proofs to run; empty: all
+  std::string json;               // the file to write, complete or not at all; empty: none
+};
 
 using symbolic::Proof;
 
@@ -81,8 +92,8 @@ nlohmann::ordered_json as_json(const Proof& proof, const Outcome& outcome) {
   return entry;
 }
 
-}  // namespace
-
+// True if every identity is proved. Throws std::invalid_argument for a negative or too large degree or an unknown
+// name, and std::runtime_error if it cannot write the JSON file.
 bool prove(const ProveOptions& options, std::ostream& out, std::ostream& progress) {
   if (options.degree) symbolic::require_proof_degree(*options.degree);
   nlohmann::ordered_json report = nlohmann::ordered_json::array();
@@ -106,6 +117,8 @@ bool prove(const ProveOptions& options, std::ostream& out, std::ostream& progres
            << std::setprecision(1) << seconds << " s\n";
   return refuted == 0;
 }
+
+}  // namespace
 
 void add_prove_command(CLI::App& tool, int& exit_code) {
   const auto options = std::make_shared<ProveOptions>();

@@ -1,4 +1,5 @@
-#include "codegen/commands/tune.hpp"
+// `shgen tune`: measures recipes, and writes or checks the wisdom that chooses among them.
+#include "codegen/choose/tune.hpp"
 
 #include <fmt/format.h>
 
@@ -8,15 +9,25 @@
 #include <iostream>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <ostream>
+#include <string>
+#include <vector>
 
 #include "codegen/choose/catalogue.hpp"
-#include "codegen/choose/tune.hpp"
 #include "codegen/commands/commands.hpp"
 #include "numeric/output/atomic_file.hpp"
 
 namespace sh::codegen {
 namespace {
+
+// The options of `shgen tune`.
+struct TuneOptions {
+  std::vector<std::string> families;  // empty: all
+  std::optional<int> degree;          // empty: every written degree
+  std::string file;                   // the wisdom file to update; empty: the committed one
+  bool check = false;                 // measure kernels with several recipes, compare with the choice, write nothing
+};
 
 constexpr int kAttempts = 3;  // a busy machine may spoil an attempt
 
@@ -62,8 +73,9 @@ std::vector<Timing> checked_times(const Task& task, const std::vector<Recipe>& r
   return best;
 }
 
-}  // namespace
-
+// Prints a line for every recipe on `out`. Without `check` it returns true. With `check` it returns true if every
+// chosen recipe is at most 10 % slower than the fastest. Throws std::invalid_argument for an unknown family or for a
+// degree that the family does not have.
 bool tune(const TuneOptions& options, std::ostream& out, std::ostream& progress) {
   const auto start = std::chrono::steady_clock::now();
   const std::vector<Task> tasks = tasks_of(options);
@@ -92,6 +104,8 @@ bool tune(const TuneOptions& options, std::ostream& out, std::ostream& progress)
                              : fmt::format(", written to {}; `shgen write` uses it\n", file.string()));
   return !options.check || slower == 0;
 }
+
+}  // namespace
 
 void add_tune_command(CLI::App& tool, int& exit_code) {
   const auto options = std::make_shared<TuneOptions>();

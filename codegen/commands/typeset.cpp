@@ -1,8 +1,10 @@
-#include "codegen/commands/typeset.hpp"
-
+// `shgen tex` and `shgen markdown`: print a table of the formulas of one family.
+//
+// Input: family, degree and the name of a convention. Output: a complete LaTeX document or Markdown text.
 #include <CLI/CLI.hpp>
 #include <iostream>
 #include <memory>
+#include <string>
 
 #include "codegen/commands/commands.hpp"
 #include "symbolic/typeset/typeset_families.hpp"
@@ -10,15 +12,24 @@
 namespace sh::codegen {
 namespace {
 
+// The options of `shgen tex` and `shgen markdown`.
+struct TypesetOptions {
+  std::string family;
+  int degree = 0;
+  std::string convention = "shforge";  // the name of a preset
+};
+
 symbolic::FormulaTable table_of(const TypesetOptions& options) {
   return symbolic::typeset_table(options.family, options.degree, symbolic::find_preset(options.convention));
 }
 
-}  // namespace
-
+// Both functions throw std::invalid_argument, one line, for an unknown family or convention (the line lists the known
+// ones), for a degree beyond the family's largest, and for a convention that does not apply to the family.
 std::string typeset_tex(const TypesetOptions& options) { return symbolic::tex_document(table_of(options)); }
 
 std::string typeset_markdown(const TypesetOptions& options) { return symbolic::markdown_document(table_of(options)); }
+
+}  // namespace
 
 void add_typeset_commands(CLI::App& tool, int& exit_code) {
   const auto add = [&](const char* name, const char* what, std::string (*typeset)(const TypesetOptions&)) {
