@@ -1,5 +1,5 @@
-// Gradients, normalised directions, evaluation and projection: operations, exactness, what fusing saves, and the error
-// of the forms that are split in two.
+// Gradients, normalized directions, evaluation and projection: operations, exactness, the saving by fused kernels, and
+// the error of the forms that are split in two.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@ namespace {
 
 using numeric::coefficient_count;
 
-// The kernel that is written, without its errors.
+// The kernel that `shgen write` takes, without its errors.
 Kernel written(const std::string& family, int degree) {
   const Family& f = find_family(family);
   return kernel_stages(f, recipes_for(f, degree).front(), degree).back().kernel;
@@ -35,7 +35,7 @@ TEST(BasisFamilies, EveryRecipeIsExactBeyondWhatIsWritten) {
                                  "evaluate_prepared", "project", "project_moments", "project_finish"}) {
     const Family& family = find_family(name);
     for (const Recipe& recipe : family.recipes) {
-      // At every degree that is written the generator itself checks this after every pass.
+      // The generator itself checks this after every pass for every written degree.
       EXPECT_NO_THROW(run_pipeline(recipe.make(12), family.reference(12, 1), {})) << name << " " << recipe.name;
     }
   }

@@ -1,4 +1,5 @@
-// The recipes of the basis: operations against the published code and the best known, error against the recurrence.
+// The recipes of the basis: operations compared with the published and the best known code, errors compared with the
+// recurrence.
 #include "codegen/recipes/basis/basis.hpp"
 
 #include <gtest/gtest.h>
@@ -16,8 +17,8 @@ FinishedKernel finished(const std::string& recipe, int degree) {
   return finish_kernel(basis(), find_recipe(basis(), degree, recipe), degree);
 }
 
-// Operations by degree: [Sloan13]'s code, the best handwritten factoring known with errors like its, and ours; the
-// largest rounding error in eps x band maximum that is allowed, twice that of the code of [Sloan13] on the same inputs.
+// Operations by degree: the code of [Sloan13], the best known handwritten factoring with similar errors, and ours. Also
+// the allowed rounding error in eps x band maximum: twice the error of the code of [Sloan13] on the same inputs.
 struct Row {
   int degree;
   int published;
@@ -81,7 +82,7 @@ TEST(BasisRecipes, EveryOneServesEveryDegreeThatCanBeEmitted) {
 }
 
 TEST(BasisRecipes, ChosenFormsSurviveThePasses) {
-  // 2z^2-1 costs two operations more than z^2, which the factor pass would save if it were allowed to.
+  // 2z^2-1 costs two operations more than z^2. The factor pass would save them if it were allowed to.
   const Kernel recipe = find_recipe(basis(), 4, "centred").make(4);
   EXPECT_TRUE(recipe.factored);
   Kernel free = recipe;

@@ -1,4 +1,4 @@
-// C99: the emitted kernels of every family, compiled by gcc and by clang, give the bits of the kernel itself.
+// C99: gcc and clang compile the emitted kernels of every family, and the results equal the kernel's own bit for bit.
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -22,7 +22,7 @@ constexpr const char* kFlags =
     " -std=c99 -O0 -ffp-contract=off -Wall -Wextra -Wpedantic -Wconversion -Wdouble-promotion -Werror -I . ";
 constexpr std::size_t kInputs = 5;  // few, to keep the programs small
 
-// Inputs of the kernel's family rounded to T, spread over those it is measured at.
+// Some of the test inputs of the kernel's family, rounded to T.
 template <class T>
 std::vector<std::vector<T>> some_inputs(const FinishedKernel& finished) {
   const std::vector<std::vector<double>> all = finished.domain.test_inputs(finished.kernel.degree);
@@ -42,7 +42,7 @@ std::string braced(const std::vector<T>& values) {
   return text.str() + "}";
 }
 
-// A C function of the name given that calls the kernel at the inputs and prints every output as a hexadecimal float.
+// A C function `name` that calls the kernel at the inputs and prints every output as a hexadecimal float.
 template <class T>
 std::string c_unit(const FinishedKernel& finished, const std::string& name, const std::vector<std::vector<T>>& inputs) {
   const std::string type = std::is_same_v<T, float> ? "float" : "double";
@@ -73,7 +73,7 @@ std::string c_unit(const FinishedKernel& finished, const std::string& name, cons
   return unit + prints.str() + "  }\n}\n";
 }
 
-// The program under construction: its files, and what it has to print.
+// The program under construction: its files and its expected output.
 class Program {
  public:
   void add(const FinishedKernel& finished) {
@@ -81,7 +81,7 @@ class Program {
     add<double>(finished, Scalar::kDouble, finished.kernel.name + "_double");
   }
 
-  // Compiles and runs it; every line printed against what is expected.
+  // Compiles and runs the program, and compares every line with the expected output.
   void expect_same_bits(const std::string& compiler) {
     test::write_file(folder_.path() / "main.c", declarations_ + "int main(void) {\n" + calls_ + "  return 0;\n}\n");
     const auto built = run_command("cd " + quoted(folder_.path()) + " && " + compiler + kFlags + "*.c -o main -lm");

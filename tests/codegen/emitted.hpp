@@ -1,4 +1,4 @@
-// Shared by the tests of the languages: which kernels are emitted.
+// The emitted kernels that the tests of the languages share.
 #pragma once
 
 #include <string>
@@ -8,10 +8,11 @@
 
 namespace sh::codegen::test {
 
-/// The lowest, a middle and the highest degree that `shgen list` names for the family; fewer where it has fewer.
+/// The lowest, a middle and the highest degree that `shgen list` names for the family; fewer if it has fewer.
 std::vector<int> some_degrees(const Family& family);
 
-/// What `shgen emit FAMILY --degree N` prints, for every family at some_degrees. Takes long, but only once a process.
+/// The output of `shgen emit FAMILY --degree N` for every family at some_degrees. Each process computes it once,
+/// because it takes long.
 const std::vector<FinishedKernel>& emitted_kernels();
 
 /// Expects that the file of each kernel compiles alone in the language. Defined in language_test.cpp.

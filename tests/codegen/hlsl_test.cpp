@@ -1,7 +1,8 @@
-// HLSL: emitted kernels, compiled to SPIR-V, translated to GLSL and run, keep the limits of their families.
+// HLSL: the errors of emitted kernels stay below the limits of their families.
 //
-// glslang compiles a pixel shader that calls the kernel, spirv-cross writes it back as GLSL; the function found there
-// runs on the software rasteriser. Translation may regroup what is computed, so errors are compared, not bits.
+// glslang compiles a pixel shader that calls the kernel to SPIR-V, and spirv-cross translates it to GLSL. The function
+// in this GLSL text runs on the software rasterizer. The translation may regroup operations, so the test compares
+// errors and not bits.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -25,7 +26,7 @@ using numeric::GlslLanguage;
 using test::quoted;
 using test::run_command;
 
-// A pixel shader that calls the function once, so that nothing of it is dropped.
+// A pixel shader that calls the function once, so that the compiler drops no part of it.
 std::string pixel_shader(const Kernel& kernel) {
   std::string body;
   std::string arguments;
@@ -41,7 +42,7 @@ std::string pixel_shader(const Kernel& kernel) {
          (kernel.returns_scalar() ? "return " + call : call + "; return " + value) + "; }\n";
 }
 
-// The GLSL function that the HLSL text becomes; what stands around it is left out.
+// The translation of the HLSL text to a GLSL function, without the surrounding text.
 std::string translated(const Kernel& kernel, const std::string& hlsl, GlslLanguage language) {
   const test::TemporaryFolder folder;
   test::write_file(folder.path() / "kernel.hlsl", hlsl + pixel_shader(kernel));
@@ -64,7 +65,7 @@ const numeric::BoundKernel& bound_kernel(const std::string& name) {
   return *found;
 }
 
-// What a kernel has to compute, at every input of its family's check.
+// The expected outputs of a kernel at every input of its family's check.
 struct Truth {
   explicit Truth(const Kernel& kernel) {
     const numeric::FamilyCheck* const check = numeric::find_check(kernel.family);

@@ -1,4 +1,4 @@
-// Kernels in other conventions, against the exact functions of each convention; what that costs.
+// Kernels in other conventions, compared with the exact functions of each convention, and their cost.
 #include "codegen/convention/in_convention.hpp"
 
 #include <gtest/gtest.h>
@@ -58,8 +58,8 @@ TEST(InConvention, BasisEqualsTheFunctionsOfEveryRealPreset) {
 }
 
 TEST(InConvention, CostsNothingAtRunTime) {
-  // Signs and scales go into constants. Where one product serves several outputs of a zonal function turned, up to two
-  // changes of sign or scale are left.
+  // Constants absorb signs and scales. If one product serves several outputs of a turned zonal function, up to two
+  // changes of sign or scale remain.
   for (const Preset& preset : symbolic::presets()) {
     if (preset.convention.complex) continue;
     for (const char* family : {"basis", "zonal"}) {
@@ -89,7 +89,7 @@ TEST(InConvention, AxesOnlyRenameTheArguments) {
 }
 
 TEST(InConvention, CoefficientsScaleTheOtherWay) {
-  // A zonal function turned to d and summed with the convention's functions is the same everywhere.
+  // A zonal function that is turned to d and summed with the convention's functions is the same in every convention.
   const int degree = 3;
   for (const std::string name : {"ambix", "gaussian-splatting", "shtools"}) {
     const FinishedKernel turned = emitted("zonal", degree, {name, ""});
@@ -160,7 +160,7 @@ TEST(InConvention, ScalesFactorsAndResultOfAProductByTheirOwnDegrees) {
   }
 }
 
-// The kernel's values at inputs of ours, of which the coefficients that lead are put in the convention's storage first.
+// The kernel's values at our inputs. The leading coefficients are first converted to the convention's storage.
 std::vector<cln::cl_F> values_of_stored(const FinishedKernel& kernel, const symbolic::Convention& convention,
                                         int degree, std::vector<cln::cl_F> inputs) {
   std::vector<cln::cl_F> stored = inputs;

@@ -1,4 +1,4 @@
-// The tables of kernels with SIMD inside one call: exact against the Gaunt tensor and what a rotation is.
+// The tables of kernels with SIMD inside one call equal the Gaunt tensor and the definition of a rotation exactly.
 #include <cln/real.h>
 #include <gtest/gtest.h>
 
@@ -53,7 +53,7 @@ TEST(LaneTables, SumsOverOrbitsAreTheGauntTensor) {
       ASSERT_GE(of[to_size(i)], 0) << i;
       for (int j = 0; j <= i; ++j) {
         for (int k = 0; k < size; ++k) {
-          // Elsewhere the signs on the orbit cancel.
+          // In all other cases the signs on the orbit cancel.
           if (!symbolic::gaunt_may_differ_from_zero(i, j, k)) continue;
           cln::cl_R sum = 0;
           for (std::size_t q = 0; q < weight.size(); ++q) {
@@ -104,7 +104,7 @@ TEST(LaneTables, TermsInLanesAreTheGauntTensor) {
   }
 }
 
-// The matrix that rounds stand for.
+// The matrix that the rounds represent.
 std::vector<std::vector<cln::cl_R>> matrix_of(const std::vector<recipes::TurnRound>& rounds) {
   std::vector<std::vector<cln::cl_R>> matrix(recipes::kTurnLanes, std::vector<cln::cl_R>(recipes::kTurnLanes, 0));
   for (const recipes::TurnRound& round : rounds) {

@@ -14,7 +14,7 @@ using test::run_command;
 
 constexpr const char* kStrict = " -fsyntax-only -Wall -Wextra -Wpedantic -Wconversion -Wdouble-promotion -Werror ";
 
-// How the files of a language are compiled: each on its own, in as few commands as the compilers allow.
+// The commands that compile each file of a language alone, as few as the compilers allow.
 struct Toolchain {
   std::string suffix;                 // of a unit, the file that is compiled
   std::string before;                 // of a unit, what stands before the emitted text
@@ -31,7 +31,7 @@ Toolchain toolchain_of(const std::string& language) {
   if (language == "glsl") return {".frag", "#version 450 core\n", fragment, {"glslangValidator *.frag"}};
   if (language == "glsl-es") return {".frag", "#version 300 es\n", fragment, {"glslangValidator *.frag"}};
   if (language == "hlsl") {
-    // HLSL is taken one file at a time.
+    // The HLSL compiler takes one file at a time.
     return {".hlsl",
             "",
             "[numthreads(1, 1, 1)]\nvoid main() {}\n",
@@ -40,8 +40,8 @@ Toolchain toolchain_of(const std::string& language) {
   throw std::invalid_argument("no compiler known for " + language);
 }
 
-// Writes the emitted file as a unit; or, where it is a header, beside a unit that includes it. A template is
-// instantiated for both scalars.
+// Writes the emitted file as a unit. A header gets a unit that includes it, and a template is instantiated for both
+// scalars.
 void write_unit(const std::filesystem::path& folder, const Language& language, const FinishedKernel& finished,
                 Scalar scalar) {
   const Toolchain toolchain = toolchain_of(language.name);

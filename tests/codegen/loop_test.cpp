@@ -1,4 +1,4 @@
-// Kernels with a loop over the rows of a table: meaning, cost, what is refused, how they are printed.
+// Kernels with a loop over the rows of a table: values, cost, refused kernels, printed code.
 #include <gtest/gtest.h>
 
 #include <stdexcept>

@@ -1,4 +1,5 @@
-// Masks: what they take out is what symmetry says, what is left agrees with the full kernel and costs less.
+// Masks remove exactly the entries that a symmetry determines. The masked kernel agrees with the full kernel and costs
+// less.
 #include "codegen/choose/mask.hpp"
 
 #include <gtest/gtest.h>
@@ -90,7 +91,7 @@ TEST(Masks, LeaveKernelsThatComputeWhatTheFullOnesDo) {
         const std::vector<double> inputs = masked_inputs(any, mask);
         const std::vector<double> expected = all(inputs);
         const std::vector<double> values = some(inputs);
-        // Entries that are not to be read may hold anything.
+        // Entries that the kernel must not read may hold anything.
         std::vector<double> spoilt = inputs;
         for (std::size_t i = 0; i < spoilt.size(); ++i) {
           if (mask.inputs[i].kind != KnownInput::Kind::kFree) spoilt[i] = std::nan("");
@@ -106,7 +107,7 @@ TEST(Masks, LeaveKernelsThatComputeWhatTheFullOnesDo) {
 }
 
 TEST(Masks, SpeakOfEntriesByDegreeAndOrderOnly) {
-  // As many entries as coefficients have, but of monomials.
+  // The array has as many entries as coefficients have, but they belong to monomials.
   const Family& prepared = find_family("evaluate_prepared");
   const Family& prepare = find_family("evaluate_prepare");
   EXPECT_THROW(masked_kernel(prepared, 2, Prefer::kSpeed, options("zonal")), std::invalid_argument);
@@ -135,7 +136,7 @@ cln::cl_F value_at(const std::vector<cln::cl_RA>& c, const std::vector<cln::cl_R
   return sum;
 }
 
-// The direction as the symmetry maps it.
+// The image of the direction under the symmetry.
 std::vector<cln::cl_RA> mapped(const std::string& symmetry, const std::array<cln::cl_RA, 3>& d) {
   if (symmetry == "mirror-x") return {-d[0], d[1], d[2]};
   if (symmetry == "mirror-y") return {d[0], -d[1], d[2]};
@@ -154,7 +155,7 @@ TEST(Masks, SymmetriesDescribeExactlyTheFunctionsThatHaveThem) {
     const Mask mask = make_mask(kernel, options(symmetry));
     const auto free = std::count_if(mask.inputs.begin(), mask.inputs.end(),
                                     [](const KnownInput& known) { return known.kind == KnownInput::Kind::kFree; });
-    // A mirror halves every band but for one function; the zonal functions are one a band.
+    // A mirror halves every band except for one function. Each band has one zonal function.
     EXPECT_EQ(free, symmetry == "zonal" ? kDegree + 1 : (kDegree + 1) * (kDegree + 2) / 2) << symmetry;
     for (const auto& any : rational_vectors(3, (kDegree + 1) * (kDegree + 1), 12)) {
       const std::vector<cln::cl_RA> c = masked_inputs(any, mask);

@@ -100,7 +100,7 @@ TEST(Factor, FoldsConstantsAndExactDoublings) {
 }
 
 TEST(Factor, LeavesAloneWhatWouldCostMore) {
-  // (a z) x and (a z) y: three products as they stand, four with one constant each.
+  // (a z) x and (a z) y need three products in this form, and four products with one constant each.
   Kernel kernel = empty_kernel();
   Builder build(kernel);
   const NodeId a = build.constant(Surd::square_root(3));
@@ -158,7 +158,7 @@ TEST(Prune, DropsWhatReachesNoOutput) {
 }
 
 TEST(Schedule, LowersTheNumberOfLiveValues) {
-  // Four squares computed first and used one by one afterwards.
+  // The kernel computes four squares first and uses them one by one later.
   Kernel kernel = empty_kernel();
   Builder build(kernel);
   std::vector<NodeId> powers{kX};

@@ -1,4 +1,4 @@
-// Products of functions of different degrees: exactness against the oracle, operations, what is refused.
+// Products of functions of different degrees: agreement with the oracle, operations, refused shapes.
 #include <gtest/gtest.h>
 
 #include <algorithm>

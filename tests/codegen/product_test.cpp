@@ -1,4 +1,4 @@
-// Products: the operations of every recipe, the circuits and the quadrature they are made of, exactness, errors.
+// Products: the operations of every recipe, its circuits and its quadrature, exactness, errors.
 #include "codegen/recipes/product/product.hpp"
 
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ struct Limit {
   int operations;  // at most
 };
 
-// The best that was known; the second recipe of a line saves additions where a fused instruction costs one.
+// The best known numbers. The second recipe of a line saves additions if a fused instruction counts as one operation.
 constexpr Limit kLimits[] = {
     {"product", "pairs", 1, 19},
     {"product", "pairs", 2, 148},
@@ -55,7 +55,7 @@ constexpr Limit kLimits[] = {
     {"product_zonal", "matrices", 5, 466},
     {"product_zonal", "matrices", 6, 795},
     {"product_zonal", "matrices", 7, 1238},
-    // What was reached first with a loop.
+    // The numbers of the first version with a loop.
     {"product", "looped", 7, 5542},
     {"product", "looped", 8, 7720},
     {"square", "looped", 7, 3671},
@@ -111,7 +111,7 @@ TEST(Products, InALoopAreExactAtTheLargestWrittenDegree) {
 }
 
 TEST(Products, OfDifferentDegreesAreExactWithAliasesAndWithout) {
-  // 3 x 1 -> 2 and so on, by every way of multiplying samples, with every number of angles that may serve.
+  // Shapes such as 3 x 1 -> 2, with every way to multiply samples and every possible number of angles.
   for (const recipes::ProductShape shape : {recipes::ProductShape{3, 1, 2}, {1, 3, 4}, {2, 2, 4}, {4, 0, 4}}) {
     const auto forms = symbolic::product_form(shape);
     for (int angles = 4 * (std::max({shape.a, shape.b, shape.result}) / 2 + 1); angles <= 12; angles += 4) {

@@ -1,4 +1,5 @@
-// Roles: what they say of a parameter's shape, where rounded inputs belong, and that all recipes of a family agree.
+// Roles determine the shape of a parameter and the point that rounded inputs represent; all recipes of a family have
+// the same roles.
 #include "codegen/ir/role.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Rotations: what they cost, that every recipe is exact, and what they err by at every tilt.
+// Rotations: the cost and exactness of every recipe, and the errors at every tilt.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -40,7 +40,7 @@ TEST(RotationFamilies, NeedAtMostTheseMultiplicationsAndAdditions) {
     std::string recipe;
     int degree, operations;
   };
-  // The best known to us before: rotate by zxz 82, 180, 318, 502, 744 at degree 2 to 6 and 1880 at degree 9.
+  // The best numbers known before: zxz needs 82, 180, 318, 502, 744 operations at degrees 2 to 6 and 1880 at degree 9.
   const std::vector<Bound> bounds{{"rotate", "zxz", 1, 15},
                                   {"rotate", "zxz", 2, 82},
                                   {"rotate", "zxz", 3, 179},

@@ -1,4 +1,4 @@
-// The tool from outside: the committed files, reproducibility, what check finds, bad arguments.
+// The tool from outside: the committed files, reproducibility, the differences that `check` finds, bad arguments.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ using test::quoted;
 
 const fs::path kCommitted = fs::path(SHFORGE_SOURCE_DIR) / "generated";
 
-// Runs the tool with the arguments, from the folder given.
+// Runs the tool with the arguments in the folder.
 test::CommandResult shgen(const std::string& arguments, const fs::path& from = "/") {
   return test::run_command("cd " + quoted(from) + " && " + quoted(SHFORGE_BIN_DIR "/shgen") + " " + arguments);
 }
@@ -30,7 +30,7 @@ std::map<std::string, std::string> content_of(const fs::path& folder) {
   return files;
 }
 
-// A few files in place of all that the generator renders, which takes long.
+// A few files in place of all files of the generator, which take long.
 const RenderedFiles kRendered{{"MANIFEST", "one line\n"},
                               {"cpp/basis_l3.hpp", "// degree 3\n// second line\n"},
                               {"cpp/basis_l4.hpp", "// degree 4\n"},
@@ -81,8 +81,8 @@ TEST_F(WrittenTree, WritingAgainLeavesUnchangedFilesAlone) {
   EXPECT_EQ(content_of(folder()), kRendered);
 }
 
-// The one test that derives every kernel, nearly a minute: that each file of generated/ is equal byte for byte to what
-// the generator writes, and that no other is there. What else the two commands do needs few kernels.
+// This is the only test that derives every kernel; it takes nearly a minute. Each file of generated/ has to equal the
+// output of the generator byte for byte, without extra files. The other tests of both commands need few kernels.
 TEST(Shgen, CommittedFilesPassTheCheck) {
   const auto result = shgen("check");
   EXPECT_EQ(result.exit_code, 0) << result.out << result.err;

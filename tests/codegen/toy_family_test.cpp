@@ -1,5 +1,6 @@
-// A family that only this file knows: a function's value in a direction, dimmed by a weight. Registered here, it is
-// emitted in every language, masked, put in another convention, checked and driven in batches, by its roles alone.
+// A family that only this file knows: the value of a function in a direction, times a weight. The test registers it.
+// The roles of the family are enough to emit it in every language, mask it, convert it to another convention, check it
+// and drive it in batches.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -153,7 +154,7 @@ TEST(ToyFamily, HasTheSameValueInAnotherConvention) {
   }
 }
 
-// The record that is written beside the kernels, and exact values, make the oracle's check: inputs, domain, unit, limit.
+// The oracle's check uses only the record beside the kernels and exact values: inputs, domain, unit, limit.
 TEST(ToyFamily, IsCheckedByTheOracleWithNothingButItsRecord) {
   const RenderedFiles files = render_all([](const std::string& /*kernel*/) {}, registered());
   const numeric::FamiliesRecord record = numeric::parse_record(files.at("families.json"));

@@ -1,4 +1,4 @@
-// shgen tex and shgen markdown from outside: they compile, and bad input is one line.
+// shgen tex and shgen markdown from outside: their documents compile, and bad input gives one line.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@ TEST(TypesetCommand, TexCompilesWithPlainLatex) {
         test::run_command("cd " + test::quoted(folder.path()) + " && " + test::quoted(SHFORGE_BIN_DIR "/shgen") +
                           " tex " + table + " > table.tex && pdflatex -halt-on-error -interaction=batchmode table.tex");
     EXPECT_EQ(result.exit_code, 0) << table << "\n" << result.out << result.err;
-    // A warning of a line that runs over the margin would be a formula that cannot be read.
+    // A line that runs over the margin means a formula that nobody can read.
     EXPECT_EQ(test::read_file(folder.path() / "table.log").find("Overfull"), std::string::npos) << table;
   }
 }

@@ -1,5 +1,5 @@
-// Caps, zonal functions, irradiance and windows: what they cost, that they are exact, and where they must not lose
-// digits.
+// Caps, zonal functions, irradiance and windows: their cost, their exactness, and the inputs at which they must not
+// lose digits.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -42,7 +42,7 @@ Cost cost_of(const std::string& name, int degree, const std::string& recipe) {
 TEST(ZonalFamilies, AreExactByEveryRecipeUpToTheLargestDegree) {
   for (const std::string& name : kNames) {
     const Family& family = find_family(name);
-    // Beyond degree 12 the reference takes longer than the kernels.
+    // Above degree 12 the reference takes longer than the kernels.
     for (const int degree : {std::min(1, family.largest_emitted), std::min(7, family.largest_emitted),
                              std::min(12, family.largest_emitted)}) {
       for (const Recipe& recipe : recipes_for(family, degree)) {
@@ -94,7 +94,7 @@ TEST(ZonalFamilies, NeedAtMostTheseOperations) {
 
 TEST(ZonalFamilies, TurningCostsFewerMultiplicationsThanTheBasisAndAScaling) {
   for (int degree = 2; degree <= 10; ++degree) {
-    // The constants sqrt(4 pi/(2l+1)) once a band and a multiplication for each coefficient.
+    // The constants sqrt(4 pi/(2l+1)) once for each band, and a multiplication for each coefficient.
     const int coefficients = (degree + 1) * (degree + 1);
     const int scaling = degree + 1 + coefficients;
     int basis = std::numeric_limits<int>::max();
@@ -166,7 +166,7 @@ TEST(Cap, TinyCapsKeepAllTheirDigits) {
   for (const int degree : {2, 6, 7, 10}) {
     for (const Recipe& recipe : recipes_for(cap, degree)) {
       const Kernel kernel = kernel_of(cap, recipe, degree);
-      // Measured 3.6 and 10.0; the recurrence multiplies what the rounding of 1 - u does by up to 27 at degree 10.
+      // Measured 3.6 and 10.0; the recurrence multiplies the rounding error of 1 - u by up to 27 at degree 10.
       const double limit = recipe.name == "recurrence" ? 13 : 5;
       for (const double u : {1e-3, 1e-7, 1e-12, 1e-30, 1e-37}) {
         EXPECT_LT(relative_error(kernel, static_cast<float>(u)), limit) << recipe.name << " " << degree << " " << u;
