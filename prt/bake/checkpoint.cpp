@@ -41,7 +41,7 @@ void Checkpoint::finished(std::size_t chunk) {
 void Checkpoint::complete() {
   const std::lock_guard lock(writing_);
   if (file_ && (written_ > 0 || is_due())) write_pending();
-  pending_.clear();  // what comes next changes the results in place
+  pending_.clear();  // the next steps change the results in place
 }
 
 std::string Checkpoint::interrupted() {

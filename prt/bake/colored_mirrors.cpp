@@ -46,7 +46,7 @@ bool has_colored_mirrors(const Mesh& mesh) {
 Transfer bake_by_channel(const Scene& scene, const std::function<Transfer(const Scene&)>& bake_grey) {
   if (scene.bake.kind->shape(scene.bake.degree).channels == 1) {
     throw std::invalid_argument(fmt::format(
-        "{}: its mirrors have colours, which shadowed transfer cannot hold; expected grey ones, or interreflected",
+        "{}: its mirrors have colors, which shadowed transfer cannot hold; expected gray mirrors, or interreflected",
         scene.name));
   }
   Transfer transfer = bake_grey(with_mirrors_of_channel(scene, 0));

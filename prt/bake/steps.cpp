@@ -15,7 +15,7 @@ namespace {
 
 void report_closed(const Scene& scene, const FillPlan& plan, OnFlaw on_flaw) {
   if (plan.closed > 0) {
-    report_flaw(on_flaw, fmt::format("{}: no ray can leave {} of {} vertices ({} filled from neighbours, {} "
+    report_flaw(on_flaw, fmt::format("{}: no ray can leave {} of {} vertices ({} filled from neighbors, {} "
                                      "in closed parts left dark)",
                                      scene.name, plan.closed, scene.mesh.positions.size(), plan.filled,
                                      plan.closed - plan.filled));

@@ -12,7 +12,7 @@ namespace sh::prt {
 FormFactorRow RowMerger::merge(const std::vector<BlockedRay>& closest) {
   touched_.clear();
   for (const BlockedRay& ray : closest) {
-    if (ray.hit.face == Hit::kNothing) {  // a hair outside what occlusion found; lost
+    if (ray.hit.face == Hit::kNothing) {  // it just misses the face that the shadow ray hit; the light is lost
       continue;
     }
     const Face& face = mesh_.faces[ray.hit.face];

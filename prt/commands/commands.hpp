@@ -112,7 +112,7 @@ void require_writable(const std::string& file);
 
 using output::Stopwatch;
 
-/// Prints `prt: what in S s` on standard error.
+/// Prints `prt: WHAT in S s` on standard error, with `what` and the seconds.
 void report_time(const Stopwatch& stopwatch, const std::string& what);
 
 }  // namespace sh::prt

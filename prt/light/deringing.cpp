@@ -13,7 +13,7 @@
 namespace sh::prt {
 namespace {
 
-constexpr double kRounding = 1e-10;  // of the peak: what counts as not negative
+constexpr double kRounding = 1e-10;  // of the peak: values above minus this count as not negative
 constexpr int kSteps = 64;
 
 /// A_l / pi for irradiance over pi, 1 for radiance.

@@ -72,7 +72,7 @@ Soup extrude(const Profile& profile) {
       add_vertex(soup, upright(point, y), {0.0F, y > 0.0F ? 1.0F : -1.0F, 0.0F});
     }
     for (const Face& t : profile.triangles) {
-      // Seen from -y the outline runs counter-clockwise with x to the right and z up.
+      // Seen from -y the outline runs counterclockwise with x to the right and z up.
       soup.faces.push_back(y < 0.0F ? Face{t[0] + first, t[1] + first, t[2] + first}
                                     : Face{t[0] + first, t[2] + first, t[1] + first});
     }

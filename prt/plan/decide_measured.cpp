@@ -64,7 +64,7 @@ Convergence measure(const Draft& draft) {
     }
     errors.emplace_back(tried, std::max(draft.error_on_probe(parts), 1e-12));
   }
-  const numeric::PowerLaw law = numeric::fit_power_law(errors, -1.2, -0.4).value();  // what samplers can have
+  const numeric::PowerLaw law = numeric::fit_power_law(errors, -1.2, -0.4).value();  // the possible range for samplers
   Convergence convergence{law.factor, -law.exponent};
   // With bounces the view of other surfaces is sampled, too, and both errors are reflected again.
   const bool bounces = draft.bake.kind->has_bounces();

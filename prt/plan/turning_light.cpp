@@ -9,7 +9,7 @@ namespace sh::prt {
 namespace {
 
 constexpr std::size_t kChannels = 3;
-constexpr double kRounding = 1e-12;  // of the largest coefficient: what exact zeros come out as
+constexpr double kRounding = 1e-12;  // of the largest coefficient: exact zeros come out up to this size
 
 using Group = std::vector<std::uint32_t>;
 

@@ -13,7 +13,7 @@
 namespace sh::prt {
 namespace {
 
-static_assert(sizeof(Eigen::Vector3f) == 3 * sizeof(float), "colours are read and written as plain floats");
+static_assert(sizeof(Eigen::Vector3f) == 3 * sizeof(float), "colors are read and written as plain floats");
 
 constexpr std::size_t kVerticesAtOnce = 2048;
 
@@ -28,7 +28,7 @@ void require_light(const Transfer& transfer, const LightCoefficients& light) {
 void require_no_albedo(const Transfer& transfer) {
   if (transfer.shape.holds_albedo) {
     throw std::invalid_argument(
-        "transfer with bounces holds its albedo and cannot be recoloured; unshadowed or shadowed transfer can");
+        "transfer with bounces holds its albedo and cannot be recolored; unshadowed or shadowed transfer can");
   }
 }
 
@@ -74,7 +74,7 @@ void for_ranges(const Transfer& transfer, const RowProducts& rows, const Work& w
 void relight_with(const Transfer& transfer, const LightCoefficients& light, std::span<const Eigen::Vector3f> colours,
                   std::span<Eigen::Vector3f> radiance) {
   require_light(transfer, light);
-  require_count(colours.size(), transfer, "colours");
+  require_count(colours.size(), transfer, "colors");
   require_count(radiance.size(), transfer, "radiances");
   const std::vector<float> values = in_float(light);
   for_ranges(transfer, row_products(transfer, values), [&](const RowProducts& rows, std::size_t first, std::size_t n) {

@@ -76,7 +76,7 @@ std::vector<std::string> overlaps(const Stage& stage, const std::vector<Pose>& p
       const Sphere& proxy = stage.objects[k].proxy;
       if (k != i && !stage.objects[i].per_vertex && (placed(poses[k], proxy.centre) - centre).norm() < proxy.radius) {
         lines.push_back(
-            fmt::format("{}: the centre of object {} ({}) is inside the proxy of object {} ({}), which "
+            fmt::format("{}: the center of object {} ({}) is inside the proxy of object {} ({}), which "
                         "takes half of its light",
                         stage.name, i, stage.objects[i].name, k, stage.objects[k].name));
       }

@@ -14,7 +14,7 @@ namespace {
 #if defined(__AVX512F__)
 constexpr std::size_t kLanes = 16;
 #else
-constexpr std::size_t kLanes = 8;  // two registers where there is no AVX
+constexpr std::size_t kLanes = 8;  // two registers without AVX
 #endif
 constexpr std::size_t kFour = 4;
 using Four [[gnu::vector_size(16)]] = float;

@@ -19,7 +19,7 @@ void Shading::require_fit(const Transfer& transfer, int highest) const {
     }
   }
   if (!recolour.empty() && transfer.shape.holds_albedo) {
-    throw std::invalid_argument("--recolor: transfer with bounces holds its albedo; only DU and DS can be recoloured");
+    throw std::invalid_argument("--recolor: transfer with bounces holds its albedo; only DU and DS can be recolored");
   }
 }
 

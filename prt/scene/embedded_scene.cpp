@@ -10,7 +10,7 @@ namespace sh::prt {
 
 namespace {
 
-constexpr float kGap = 0.0005F;  // between a shape and what it stands on: no faces coincide
+constexpr float kGap = 0.0005F;  // between a shape and its support, so that no faces coincide
 constexpr float kEdge = 0.09F;
 
 struct Piece {

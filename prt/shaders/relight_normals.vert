@@ -2,7 +2,7 @@
 // generated rotation and gathered over the hemisphere by the generated irradiance. Below a #version line, with
 //   COUNT                coefficients of a channel, (degree+1)^2
 //   ROTATE, IRRADIANCE   the generated functions rotate_l<degree>, irradiance_evaluate_l<degree>, which stand above
-//   WHITE                defined: a light with one channel for all colours
+//   WHITE                defined: a light with one channel for all colors
 // defined; `prt shader` writes it all.
 #ifdef GL_ES
 precision highp float;
@@ -11,8 +11,8 @@ precision highp int;
 
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 albedo;  // linear RGB
-layout(location = 2) in vec3 normal;  // unit, the object's own axes
-layout(location = 3) in vec3 emitted;  // the file's section of that name; without one disabled, which is 0
+layout(location = 2) in vec3 normal;  // unit, in the axes of the object
+layout(location = 3) in vec3 emitted;  // the section `emitted` of the file; disabled without it, which reads 0
 
 // Coefficients of the light's radiance in world axes.
 #ifdef WHITE

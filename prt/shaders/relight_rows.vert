@@ -1,7 +1,7 @@
 // Exit radiance of a vertex from its baked transfer vector. Below a #version line, with
 //   COUNT     coefficients of a channel, (degree+1)^2
 //   CHANNELS  of the transfer: 1 (DU, DS: times the albedo) or 3 (DI: holds it)
-//   WHITE     defined: a light with one channel for all colours
+//   WHITE     defined: a light with one channel for all colors
 // defined; `prt shader` writes it all.
 #ifdef GL_ES
 precision highp float;
@@ -11,9 +11,9 @@ precision highp sampler2D;
 
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 albedo;  // linear RGB; CHANNELS 3 does not read it
-layout(location = 3) in vec3 emitted;  // the section of that name; without one disabled, which is 0
+layout(location = 3) in vec3 emitted;  // the section `emitted` of the file; disabled without it, which reads 0
 
-// The file's section `transfer` as it lies: R32F, 2048 wide, number i in column i % 2048 of row i / 2048. Nearest.
+// The file's section `transfer` unchanged: R32F, 2048 wide, number i in column i % 2048 of row i / 2048. Nearest.
 uniform sampler2D transfer;
 // Coefficients of the light's radiance in the object's own axes: turned by the inverse of its rotation, once an object.
 #ifdef WHITE
@@ -23,7 +23,7 @@ uniform vec3 light[COUNT];  // red, green, blue
 #endif
 uniform mat4 to_clip;
 
-out vec3 radiance;  // linear; slightly negative where the light rings
+out vec3 radiance;  // linear; ringing may make it slightly negative
 
 float transfer_number(int i) { return texelFetch(transfer, ivec2(i % 2048, i / 2048), 0).r; }
 

@@ -10,7 +10,8 @@ namespace sh::prt {
 
 namespace {
 
-constexpr double kNearest = 0.1;  // of the camera's distance to its target: what is nearer counts as if it were there
+constexpr double kNearest =
+    0.1;  // of the camera's distance to its target; nearer vertices count as if at this distance
 
 }  // namespace
 

@@ -26,7 +26,7 @@ constexpr double kShownError = 1e-5;  // no points below
 double process_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 struct Direct {
-  Panel radiance;  // (vertices, 3): what leaves each at once
+  Panel radiance;  // (vertices, 3): light that leaves without bounces
   FormFactors factors;
   double seconds = 0.0;
 };

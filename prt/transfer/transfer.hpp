@@ -57,7 +57,7 @@ struct PlanRecord {
 
 /// The solution of the bounces (prt/bake/bounces.hpp). Errors are bounds for all numbers of the solution.
 struct BounceReport {
-  std::string solver;           // series or bicgstab; empty where there are no bounces
+  std::string solver;           // series or bicgstab; empty if there are no bounces
   int applications = 0;         // of the form factors; each is one bounce of the series
   bool certified = false;       // bound <= tolerance * largest, or time ended first and the bound holds
   double bound = 0.0;           // certified: no number is further from the system's solution
@@ -89,7 +89,7 @@ struct Transfer {
   std::vector<float> coefficients;  // (vertices, channels, rows, columns), row-major; columns i = l(l+1)+m
   /// Linear RGB exit radiance of the light that surfaces emit, with its bounces, (vertices); empty if no surface emits.
   std::vector<Eigen::Vector3f> emitted;
-  PlanRecord plan;  // what the bake left out
+  PlanRecord plan;  // decisions of the bake
   Shortfall missing;
 
   /// A transfer of this kind for light of this degree, without numbers.

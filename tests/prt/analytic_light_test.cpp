@@ -232,7 +232,7 @@ TEST(CieSky, WithoutIndicatrixIsASumOverHeightsWhereverTheSunIs) {
 }
 
 TEST(CieSky, WithTheSunAnywhereIsWhatItsRadianceIntegratesTo) {
-  // The slow rule is what errs: by its spacing cubed, at the sun's cusp.
+  // The error is that of the slow rule: the cube of its spacing, at the sun's cusp.
   for (const int type : {2, 7, 8, 12, 15}) {
     for (const double elevation : {0.0, 2.0, 40.0, 90.0}) {
       const Eigen::Vector3d sun = sun_at(elevation, 130.0);

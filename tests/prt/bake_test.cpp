@@ -89,7 +89,7 @@ TEST(UnshadowedBake, ReflectsConstantLightWithoutLoss) {
 TEST(ShadowedBake, EqualsTheUnshadowedOneOnConvexShapesToTheLastBit) {
   for (const std::string name : {"plane", "box", "cylinder", "cone"}) {
     Mesh mesh = primitive_mesh(name);
-    mesh.normals = mesh.geometric_normals;  // a horizon of its own would cut what the shading normal sees
+    mesh.normals = mesh.geometric_normals;  // a different horizon would cut the view of the shading normal
     const Transfer shadowed = bake(scene_of(mesh, &kShadowed));
     const Transfer unshadowed = bake(scene_of(mesh, &kUnshadowed));
     EXPECT_EQ(shadowed.coefficients, unshadowed.coefficients) << name;

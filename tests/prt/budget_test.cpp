@@ -1,4 +1,4 @@
-// Estimates of what a bake takes, and bakes that must fit into a time. Nothing here depends on how fast the machine is.
+// Estimates of the cost of a bake, and bakes that must fit into a time. No test depends on the speed of the machine.
 #include <gtest/gtest.h>
 
 #include <chrono>

@@ -84,7 +84,7 @@ class StoppedBake : public testing::TestWithParam<const char*> {
     return static_cast<double>(rays_of(run)) / static_cast<double>(report_.rays);
   }
 
-  // The same without a process of its own, from a checkpoint of these bytes.
+  // The same in this process, from a checkpoint of these bytes.
   [[nodiscard]] double go_on_from(const std::string& part) const {
     write_all(part_, part);
     BakeReport report;
@@ -94,7 +94,7 @@ class StoppedBake : public testing::TestWithParam<const char*> {
     return static_cast<double>(report.rays) / static_cast<double>(report_.rays);
   }
 
-  // One line with `what`, exit 2, and the checkpoint is as it was.
+  // One line with `what`, exit 2, and an unchanged checkpoint.
   void expect_refused(std::vector<std::string> changed, const std::string& what) const {
     const std::string before = read_all(part_);
     std::vector<std::string> all = arguments("1");

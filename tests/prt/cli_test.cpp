@@ -266,7 +266,7 @@ TEST_F(Tool, RelightWritesTheLightOfTheSurfacesThemselvesWhateverTheLight) {
     for (const char* way : {"--white", "--degree=1"}) {
       const Finished run = run_prt({"relight", file, "--light", "constant", way, "-o", folder->file("lamp.ply")});
       EXPECT_NE(run.err.find("mean exit radiance 1 2 3"), std::string::npos) << more.back() << run.err;
-      std::array<float, 9> first{};  // position, normal, colour of a vertex
+      std::array<float, 9> first{};  // position, normal, color of a vertex
       const std::string ply = read_all(folder->file("lamp.ply"));
       std::memcpy(first.data(), &ply.at(ply.find("end_header\n") + 11), sizeof first);
       EXPECT_EQ(std::vector(first.begin() + 6, first.end()), (std::vector<float>{1.0F, 2.0F, 3.0F}));

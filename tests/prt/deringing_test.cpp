@@ -1,4 +1,4 @@
-// Windows, the extremes of band-limited functions, and the least window that leaves nothing negative.
+// Windows, the extremes of band-limited functions, and the least window that leaves no negative value.
 #include "prt/light/deringing.hpp"
 
 #include <gtest/gtest.h>
@@ -102,7 +102,7 @@ TEST(Window, RefusesWidthsThatAreNone) {
   EXPECT_THROW(static_cast<void>(window_factors({WindowType::kHann, std::nan("")}, 4)), std::invalid_argument);
 }
 
-/// The least of a million points; none may lie below what the search found.
+/// The least of a million points; none may lie below the result of the search.
 TEST(SphereExtremes, AMillionPointsFindNothingLower) {
   double worst = 0.0;  // how far the points stay above, over the peak
   for (const int degree : {1, 2, 4, 7, kMaxDegree}) {

@@ -80,7 +80,8 @@ const Eigen::Vector3d kY = Eigen::Vector3d::UnitY();
 const Eigen::Vector3d kZ = Eigen::Vector3d::UnitZ();
 
 TEST(ImageMapping, SingleBrightPixelsOfDiscsShineFromTheAxesOfTheHeader) {
-  // Odd: a pixel's centre is the disc's. +-y and +-z lie half way to the rim of an angular map, at sin 45 of a ball.
+  // With an odd size, the center of a pixel is the center of the disc. +-y and +-z lie half way to the rim of an
+  // angular map, at sin 45 of a ball.
   const auto angular = [](double x, double y) { return towards(ImageMapping::kAngularMap, 201, x, y); };
   EXPECT_LT((angular(0.5, 0.5) - kX).norm(), 1e-9);
   EXPECT_LT((angular(0.25, 0.5) - kY).norm(), 0.01);

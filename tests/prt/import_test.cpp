@@ -1,4 +1,4 @@
-// Mesh files: axes, transforms, colours, and every kind of bad file by name.
+// Mesh files: axes, transforms, colors, and messages that name every kind of bad file.
 #include <gtest/gtest.h>
 
 #include <cstdint>

@@ -88,7 +88,7 @@ TEST(Mirrors, OfAColourGiveEachChannelItsOwnTransferWithBouncesAndAreRefusedWith
   }
   EXPECT_EQ(
       message_of([&] { baked(mesh, &kShadowed); }),
-      "test: its mirrors have colours, which shadowed transfer cannot hold; expected grey ones, or interreflected");
+      "test: its mirrors have colors, which shadowed transfer cannot hold; expected gray mirrors, or interreflected");
 }
 
 // A lamp before a perfect mirror is two lamps, and the ground before it a ground twice as wide.

@@ -105,7 +105,7 @@ BakeJob planned_as(Scene scene, const PlanOptions& options, const BakeSettings& 
   return planned({std::move(scene), settings});
 }
 
-/// All decisions but one are left out.
+/// All decisions except one are left out.
 PlanOptions alone(std::string_view name, double error, LightTurns turns) {
   PlanOptions options = lossy(error, turns);
   for (const std::string_view other : kDecisionNames) {
@@ -182,7 +182,7 @@ TEST(Plan, NoneAndExactChangeNoNumber) {
   EXPECT_EQ(read_transfer(folder.file("none")).plan.decisions.size(), 0U);
 }
 
-/// A box on the ground, interreflected; every colour of the one albedo.
+/// A box on the ground, interreflected; every color has the same albedo.
 Scene box_scene(const std::string& albedo, double tolerance = 1e-4) {
   const TemporaryFolder folder;
   const std::string file = folder.file("box.json");

@@ -24,7 +24,7 @@ Eigen::Vector3d lat_long_direction(double column, double row, int width, int hei
   return mapped_direction(ImageMapping::kLatLong, column / width, row / height).value();
 }
 
-/// The band-limited function sampled at pixel centres (it may be negative: no file is involved).
+/// The band-limited function sampled at pixel centers (it may be negative: no file is involved).
 Image picture_of(const LightCoefficients& light, int height) {
   Image image{2 * height, height, {}, 0};
   for (int row = 0; row < height; ++row) {

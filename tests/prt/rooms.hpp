@@ -38,7 +38,7 @@ inline Mesh hollow_sphere(int segments, float opening = 2.0F) {
     mesh.positions[v] *= 2.0F;
     mesh.geometric_normals[v] *= -1.0F;
   }
-  mesh.normals = mesh.geometric_normals;  // a horizon of its own would cut what the shading normal sees
+  mesh.normals = mesh.geometric_normals;  // a different horizon would cut the view of the shading normal
   std::erase_if(mesh.faces, [&](const Face& face) {
     return std::all_of(face.begin(), face.end(), [&](std::uint32_t v) { return mesh.positions[v].z() > opening; });
   });

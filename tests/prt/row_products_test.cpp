@@ -99,7 +99,7 @@ constexpr const TransferKind* kKinds[] = {&kUnshadowed, &kShadowed, &kInterrefle
 
 TEST(WaysToRelight, WhiteLightGivesTheBitsOfThreeEqualChannels) {
   const LightCoefficients light = white(random_light(4, 8));
-  LightCoefficients nearly = light;  // takes the way of coloured light; blue is zero in both
+  LightCoefficients nearly = light;  // is handled as colored light; blue is zero in both
   for (std::size_t i = 0; i < 25; ++i) nearly.at(2, i) = 0.0;
   for (const TransferKind* kind : kKinds) {
     const Transfer transfer = random_transfer(kind, 4, 1000);
@@ -136,11 +136,11 @@ TEST(WaysToRelight, WhatCannotBeDoneIsRefusedInOneLine) {
   const Transfer shadowed = random_transfer(&kShadowed, 1, 5);
   const LightCoefficients light = random_light(1, 11);
   std::vector<Eigen::Vector3f> four(4);
-  EXPECT_NE(test::message_of([&] { relight_grey(bounces, light); }).find("cannot be recoloured"), std::string::npos);
-  EXPECT_NE(test::message_of([&] { recoloured(bounces, light, bounces.mesh.albedo); }).find("cannot be recoloured"),
+  EXPECT_NE(test::message_of([&] { relight_grey(bounces, light); }).find("cannot be recolored"), std::string::npos);
+  EXPECT_NE(test::message_of([&] { recoloured(bounces, light, bounces.mesh.albedo); }).find("cannot be recolored"),
             std::string::npos);
   EXPECT_EQ(test::message_of([&] { recoloured(shadowed, light, four); }),
-            "4 colours for 5 vertices: expected one for each vertex");
+            "4 colors for 5 vertices: expected one for each vertex");
   EXPECT_EQ(test::message_of([&] { relight_into(shadowed, light, four); }),
             "4 radiances for 5 vertices: expected one for each vertex");
 }

@@ -63,7 +63,7 @@ TEST(ToneMap, ReinhardIsLOverOnePlusLAndLinearClips) {
   EXPECT_LT(tone_map(grey, 1.0F, ToneCurve::kReinhard).back(), 245);
 }
 
-/// Pictures of a coloured gradient that moves.
+/// Pictures of a colored gradient that moves.
 std::vector<std::uint8_t> moving_picture(int width, int height, int frame) {
   std::vector<std::uint8_t> rgb;
   for (int row = 0; row < height; ++row) {

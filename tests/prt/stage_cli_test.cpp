@@ -95,9 +95,9 @@ TEST_F(StageTool, OverlappingObjectsAreToldOnceAndRefusedWithStrict) {
             R"({"objects": [{"transfer": "ball.transfer"}, {"transfer": "arch.transfer"}]})");
   const Finished run = run_prt({"relight", folder->file("overlap.json"), "-o", folder->file("o.ply"), "--frames", "2"});
   EXPECT_EQ(run.status, 0) << run.err;
-  const std::size_t first = run.err.find("warning: overlap: the centre of object 0 (ball.transfer) is inside");
+  const std::size_t first = run.err.find("warning: overlap: the center of object 0 (ball.transfer) is inside");
   ASSERT_NE(first, std::string::npos) << run.err;
-  EXPECT_EQ(run.err.find("warning: overlap: the centre of object 0", first + 1), std::string::npos) << run.err;
+  EXPECT_EQ(run.err.find("warning: overlap: the center of object 0", first + 1), std::string::npos) << run.err;
   expect_refused({"relight", folder->file("overlap.json"), "-o", folder->file("x.ply"), "--strict"}, "is inside");
   EXPECT_FALSE(std::filesystem::exists(folder->file("x.ply")));
 }

@@ -178,7 +178,7 @@ TEST(Stage, ASmallMoveIsASmallChange) {
   mover.motion.axis = Eigen::Vector3d(0.0, 1.0, 1.0).normalized();
   mover.motion.keys = {{0.0, {3.0, 0.0, 0.0}, 0.0}, {1.0, {-3.0, 0.5, 0.0}, 400.0}};  // through the other
   const LightCoefficients light = random_light(4, 5);
-  // A half-angle nears 90 degrees as a square root where a centre enters a sphere: a sixteenth of the step is at most
+  // A half-angle nears 90 degrees like a square root when a center enters a sphere: a sixteenth of the step is at most
   // about a quarter of the change.
   EXPECT_LT(largest_change(stage, light, 1600), 0.3F * largest_change(stage, light, 100));
 }
@@ -200,7 +200,7 @@ TEST(Stage, AnObjectInsideTheSphereOfAnotherIsTold) {
   add(stage, test::primitive_mesh("sphere", 8), 1, {0.2, 0.0, 0.0}).name = "b";
   EXPECT_EQ(overlaps(stage, poses_at(stage, 0.0)).size(), 2U);
   EXPECT_EQ(overlaps(stage, poses_at(stage, 0.0)).front(),
-            "s: the centre of object 0 (a) is inside the proxy of object 1 (b), which takes half of its light");
+            "s: the center of object 0 (a) is inside the proxy of object 1 (b), which takes half of its light");
   stage.objects[1].motion.keys.front().position.x() = 2.0;
   EXPECT_TRUE(overlaps(stage, poses_at(stage, 0.0)).empty());
   for (const Eigen::Vector3f& radiance : relit(stage, random_light(1, 7))) EXPECT_TRUE(radiance.allFinite());
