@@ -35,11 +35,16 @@ const T& find(const std::vector<T>& items, const std::string& kind, const std::s
 }  // namespace
 
 const std::vector<Language>& languages() {
-  static const std::vector<Language> kLanguages{{"cpp", ".hpp", true, print::cpp_kernel, print::cpp_family},
-                                                {"glsl", ".glsl", true, print::glsl_kernel, nullptr},
-                                                {"glsl-es", ".glsl", false, print::glsl_es_kernel, nullptr},
-                                                {"hlsl", ".hlsl", false, print::hlsl_kernel, nullptr},
-                                                {"c99", ".h", false, print::c99_kernel, nullptr}};
+  static const std::vector<Language> kLanguages{
+      {.name = "cpp",
+       .suffix = ".hpp",
+       .written = true,
+       .print_kernel = print::cpp_kernel,
+       .print_family = print::cpp_family},
+      {.name = "glsl", .suffix = ".glsl", .written = true, .print_kernel = print::glsl_kernel},
+      {.name = "glsl-es", .suffix = ".glsl", .print_kernel = print::glsl_es_kernel},
+      {.name = "hlsl", .suffix = ".hlsl", .print_kernel = print::hlsl_kernel},
+      {.name = "c99", .suffix = ".h", .print_kernel = print::c99_kernel}};
   return kLanguages;
 }
 

@@ -19,6 +19,7 @@ struct ReferencePoint {
 };
 using Reference = std::vector<ReferencePoint>;
 
+/// The decimal digits of exact checks.
 inline constexpr int kCheckDigits = 100;
 
 /// The size that the error of an element of the flattened results is compared with, at the flattened inputs.

@@ -12,6 +12,7 @@
 
 namespace sh::codegen {
 
+/// The exact outputs of each product family at `count` points.
 Reference product_reference(const symbolic::ProductShape& shape, int count);
 Reference square_reference(int degree, int count);
 Reference product_zonal_reference(int degree, int count);

@@ -5,6 +5,7 @@
 
 namespace sh::codegen {
 
+/// The numbers of operations of each kind, and the two measures that depend on their order.
 struct Cost {
   int mul = 0;
   int add = 0;  ///< additions and subtractions

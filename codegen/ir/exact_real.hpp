@@ -54,6 +54,7 @@ class Computed {
   std::map<std::string, Power> powers_;  // by definition; exponents are not zero
 };
 
+/// A constant of a kernel.
 using ExactReal = std::variant<symbolic::Surd, Computed>;
 
 /// The value with a relative error below 10^-digits.

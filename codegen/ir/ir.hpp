@@ -25,6 +25,7 @@
 
 namespace sh::codegen {
 
+/// The operation of a node.
 enum class Op { kInput, kConstant, kNeg, kAdd, kSub, kMul, kFma, kDiv, kSqrt, kSelect, kTable, kRowSum };
 
 using NodeId = int;  ///< position in Kernel::nodes

@@ -10,6 +10,7 @@
 
 namespace sh::codegen {
 
+/// A quaternion with exact components; it may have any length.
 using RationalQuaternion = symbolic::Quaternion<cln::cl_RA>;
 
 /// The entries of R(q), row by row, for any q except 0.

@@ -7,6 +7,7 @@
 
 namespace sh::codegen::recipes {
 
+/// The citation of basis_recurrence.
 inline constexpr const char* kRecurrenceSource =
     "P.-P. Sloan, \"Efficient Spherical Harmonic Evaluation\", JCGT 2(2), 2013; constants derived exactly";
 
@@ -21,6 +22,7 @@ std::vector<NodeId> append_solid_recurrence(Builder& build, const Direction& d, 
 /// basis_l<degree>: inputs x, y, z with |d| = 1; out ((degree+1)^2). Throws the exceptions of append_recurrence.
 Kernel basis_recurrence(int degree);
 
+/// The citation of basis_centred.
 inline constexpr const char* kCentredSource =
     "polynomials in 2z^2-1 for m <= 2, the recurrence in l for m > 2, doubling in m; derived exactly";
 

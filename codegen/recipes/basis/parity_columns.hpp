@@ -16,6 +16,7 @@
 
 namespace sh::codegen::recipes {
 
+/// The citation of recipes by parity columns.
 inline constexpr const char* kParitySource =
     "parity in z, doubling in m, columns tied by Gegenbauer relations (Abramowitz and Stegun 22.7); derived exactly";
 

@@ -13,6 +13,7 @@
 
 namespace sh::codegen::recipes {
 
+/// The number of SIMD lanes.
 inline constexpr int kTripleLanes = 16;
 
 /// The tables of the kernel.
@@ -33,6 +34,7 @@ struct LaneTriples {
   std::array<int, kTripleLanes> more{};  ///< the lane that is added to lane k; the last lane is 0
 };
 
+/// The tables, from the exact Gaunt tensor. Throws std::logic_error if the terms do not fit into the lanes.
 LaneTriples lane_triples();
 
 }  // namespace sh::codegen::recipes

@@ -12,6 +12,7 @@
 
 namespace sh::codegen::recipes {
 
+/// The number of SIMD lanes.
 inline constexpr int kTurnLanes = 16;
 
 /// One entry of every row of a matrix: out[lane] += entry[lane] * in[column[lane]].

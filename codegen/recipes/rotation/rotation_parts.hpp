@@ -9,6 +9,7 @@
 
 namespace sh::codegen::recipes {
 
+/// The text for the domain of kernels that take a rotation matrix.
 inline constexpr const char* kRotationDomain = "r, row by row, is a rotation: r r^T = 1, det r = 1";
 
 /// "degree 0 to 4"
