@@ -18,7 +18,7 @@ using symbolic::Surd;
 cln::cl_RA power_of_two(int exponent) { return cln::expt(cln::cl_RA(2), exponent); }
 
 TEST(Literal, RoundsTiesToEven) {
-  // 1 + 2^-24 lies halfway between 1 and its float neighbour, 1 + 3 * 2^-24 between the next two.
+  // 1 + 2^-24 lies halfway between 1 and its next float, 1 + 3 * 2^-24 between the next two.
   EXPECT_EQ(nearest<float>(1 + power_of_two(-24)), 1.0F);
   EXPECT_EQ(nearest<float>(1 + 3 * power_of_two(-24)), 1.0F + 2 * std::ldexp(1.0F, -23));
   EXPECT_EQ(nearest<double>(1 + power_of_two(-53)), 1.0);
