@@ -126,7 +126,7 @@ void add_gaunt_sum(std::vector<Method>& all, int degree) {
       out[e.k] += e.value * (e.i == e.j ? a[e.i] * b[e.i] : a[e.i] * b[e.j] + a[e.j] * b[e.i]);
   };
   all.push_back(
-      method_of(info_of("product", "table of Gaunt coefficients", degree, "gaunt.hpp",
+      method_of(info_of("product", "table of Gaunt coefficients", degree, "oracle/gaunt.hpp",
                         "sum of sh::numeric::gaunt(i, j, k) a[i] b[j] over what is not zero", "", "the definition"),
                 task_check("product"), code_of<T>(run, degree)));
 }

@@ -167,7 +167,8 @@ TEST(ToyFamily, IsCheckedByTheOracleWithNothingButItsRecord) {
   };
   const numeric::FamilyCheck check = numeric::make_check(record.families.at(0), {"dimmed", values});
   const double limit = record.limit_factor.total * record.find_kernel("dimmed_l2")->in_double.total;
-  Evaluator<double> kernel(dimmed().kernel);
+  const FinishedKernel finished = dimmed();
+  Evaluator<double> kernel(finished.kernel);
   for (const numeric::NamedInput& input : check.inputs(kDegree)) {
     const std::vector<long double> given(input.values.begin(), input.values.end());
     std::vector<long double> nearest(given.size());
@@ -186,7 +187,7 @@ TEST(ToyFamily, IsWrittenWithABatchDriver) {
     EXPECT_EQ(files.count(name), 1U) << name;
   }
   EXPECT_NE(files.at("MANIFEST").find("dimmed_l2 "), std::string::npos);
-  EXPECT_NE(files.at("batch/batch.hpp").find("Records<const float> directions, Records<const float> weight"),
+  EXPECT_NE(files.at("batch/drivers.hpp").find("Records<const float> directions, Records<const float> weight"),
             std::string::npos);
   const test::TemporaryFolder folder;
   make_folder(folder.path() / "generated");
