@@ -11,8 +11,8 @@
 #include <utility>
 
 #include "numeric/methods/rotation_methods.hpp"
-#include "numeric/oracle/instances.hpp"
 #include "numeric/methods/turns.hpp"
+#include "numeric/oracle/instances.hpp"
 
 namespace sh::numeric::methods {
 namespace {

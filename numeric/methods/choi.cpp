@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "numeric/methods/rotation_methods.hpp"
-#include "numeric/oracle/instances.hpp"
 #include "numeric/oracle/basis.hpp"
+#include "numeric/oracle/instances.hpp"
 
 namespace sh::numeric::methods {
 namespace {

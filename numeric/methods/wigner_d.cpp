@@ -9,8 +9,8 @@
 // Cost: degree^3 / 3 values of d at a root and 10 operations each, memory for one row of starts. Error: turns.hpp and
 // rotation_methods.hpp have the measured figures.
 #include "numeric/methods/rotation_methods.hpp"
-#include "numeric/oracle/instances.hpp"
 #include "numeric/methods/turns.hpp"
+#include "numeric/oracle/instances.hpp"
 #include "numeric/oracle/legendre.hpp"
 
 namespace sh::numeric::methods {

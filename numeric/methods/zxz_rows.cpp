@@ -8,9 +8,9 @@
 #include <string>
 #include <type_traits>
 
-#include "numeric/oracle/instances.hpp"
 #include "numeric/methods/row_sums.hpp"
 #include "numeric/methods/turns.hpp"
+#include "numeric/oracle/instances.hpp"
 
 namespace sh::numeric::methods {
 namespace {

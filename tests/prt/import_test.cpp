@@ -151,9 +151,12 @@ TEST_F(Import, RefusesFacesOutOfRange) {
   EXPECT_EQ(refusal("a.ply", kPly + "0 0 0\n1 0 0\n0 1 0\n3 0 1 -2\n"),
             "a.ply: face 0 names vertex 4294967294, but there are 3 vertices");
   EXPECT_EQ(refusal("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n").find("a.obj: "), 0U);
-  EXPECT_EQ(refusal("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n").find("a.off: a face names a vertex"), 0U);
+  EXPECT_EQ(refusal("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n").find("a.off: a face names a missing vertex"),
+            0U);
   for (const std::vector<std::uint16_t>& indices : {{0, 1, 9}, std::vector<std::uint16_t>{0, 1, 2, 0, 1, 9}}) {
-    EXPECT_EQ(refusal("a.gltf", gltf({0, 0, 0, 1, 0, 0, 0, 1, 0}, indices)).find("a.gltf: a face names a vertex"), 0U);
+    EXPECT_EQ(
+        refusal("a.gltf", gltf({0, 0, 0, 1, 0, 0, 0, 1, 0}, indices)).find("a.gltf: a face names a missing vertex"),
+        0U);
   }
 }
 
