@@ -34,6 +34,8 @@ class Evaluator {
     }
   }
 
+  explicit Evaluator(const Kernel&& kernel, int digits = 0) = delete;
+
   /// inputs: the flattened parameters; result: the flattened outputs.
   std::vector<T> operator()(std::span<const T> inputs) {
     run(Phase::kBefore, inputs);

@@ -263,9 +263,7 @@ class Lister {
 
   std::string unused_name(const std::string& name) {
     std::string candidate = name;
-    for (int& i = copies_[name]; !taken_.insert(candidate).second; ++i) {
-      candidate = name + "_" + std::to_string(i + 2);
-    }
+    for (int& i = copies_[name]; !taken_.insert(candidate).second; ++i) candidate = name + "_" + std::to_string(i + 2);
     return candidate;
   }
 

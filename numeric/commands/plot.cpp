@@ -48,9 +48,7 @@ void require_one_subject(const Options& options, bool grid) {
     throw std::invalid_argument(fmt::format("plot: give one of --degree, --coefficients{}; {} are given",
                                             grid ? ", --basis-grid" : "", subjects));
   }
-  if (options.has("--order") && !options.has("--degree")) {
-    throw std::invalid_argument("--order: needs --degree");
-  }
+  if (options.has("--order") && !options.has("--degree")) throw std::invalid_argument("--order: needs --degree");
 }
 
 // The function that is asked for and what the picture calls it.

@@ -127,9 +127,7 @@ std::vector<float> draw(const std::string& label, const GlslProgram& program, GL
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
   glDeleteFramebuffers(1, &framebuffer);
   glDeleteVertexArrays(1, &no_vertices);
-  if (!complete) {
-    throw std::runtime_error(label + ": this GL cannot render to float textures (EXT_color_buffer_float)");
-  }
+  if (!complete) throw std::runtime_error(label + ": this GL cannot render to float textures (EXT_color_buffer_float)");
   return texels;
 }
 

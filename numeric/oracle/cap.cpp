@@ -118,9 +118,7 @@ void cap_zonal_differences(int degree, const Real& u, Real* out) {
     Real before = 0;  // P_l - P_(l-1)
     detail::visit_legendre(degree + 1, depth, [&](int k, const Real& /*value*/, const Real& difference) {
       const int l = k - 1;
-      if (l > 0) {
-        out[l] = -detail::zonal_scale<Real>(l) * (before + difference) / static_cast<Real>(2L * l + 1);
-      }
+      if (l > 0) out[l] = -detail::zonal_scale<Real>(l) * (before + difference) / static_cast<Real>(2L * l + 1);
       before = difference;
     });
   });

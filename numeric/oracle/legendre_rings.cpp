@@ -133,9 +133,7 @@ std::size_t LegendreRings::first_pair(int degree, int order) const {
       (0.5 * (std::lgamma(l + m + 1) - std::lgamma(l - m + 1)) - std::lgamma(m + 1)) / std::numbers::ln2 - m +
       0.5 * std::log2(2 * l + 1);
   std::size_t first = 0;
-  while (first < z_.size() && largest + m * log_sine_[first + rings::kPadding - 1] < kNothing) {
-    first += rings::kPadding;
-  }
+  while (first < z_.size() && largest + m * log_sine_[first + rings::kPadding - 1] < kNothing) first += rings::kPadding;
   return first;
 }
 

@@ -36,9 +36,7 @@ void sync_folder(const std::string& path) {
 }  // namespace
 
 AtomicFile::AtomicFile(std::string path) : path_(std::move(path)) {
-  if (!is_special(path_)) {
-    temporary_ = fmt::format("{}.{}.tmp", path_, getpid());
-  }
+  if (!is_special(path_)) temporary_ = fmt::format("{}.{}.tmp", path_, getpid());
   const std::string& target = temporary_.empty() ? path_ : temporary_;
   descriptor_ = open(target.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
   if (descriptor_ < 0) {
@@ -49,21 +47,15 @@ AtomicFile::AtomicFile(std::string path) : path_(std::move(path)) {
 }
 
 AtomicFile::~AtomicFile() {
-  if (descriptor_ >= 0) {
-    close(descriptor_);
-  }
-  if (!temporary_.empty()) {
-    unlink(temporary_.c_str());
-  }
+  if (descriptor_ >= 0) close(descriptor_);
+  if (!temporary_.empty()) unlink(temporary_.c_str());
 }
 
 void AtomicFile::write(const void* data, std::size_t size) {
   const char* next = static_cast<const char*>(data);
   while (size > 0) {
     const ssize_t written = ::write(descriptor_, next, size);
-    if (written < 0 && errno != EINTR) {
-      fail(errno);
-    }
+    if (written < 0 && errno != EINTR) fail(errno);
     if (written > 0) {
       next += written;
       size -= static_cast<std::size_t>(written);
@@ -73,16 +65,10 @@ void AtomicFile::write(const void* data, std::size_t size) {
 
 void AtomicFile::commit() {
   // A network or quota file system may report a full disk only here; devices and pipes have no fsync.
-  if (!temporary_.empty() && fsync(descriptor_) != 0) {
-    fail(errno);
-  }
-  if (close(std::exchange(descriptor_, -1)) != 0) {
-    fail(errno);
-  }
+  if (!temporary_.empty() && fsync(descriptor_) != 0) fail(errno);
+  if (close(std::exchange(descriptor_, -1)) != 0) fail(errno);
   if (!temporary_.empty()) {
-    if (std::rename(temporary_.c_str(), path_.c_str()) != 0) {
-      fail(errno);
-    }
+    if (std::rename(temporary_.c_str(), path_.c_str()) != 0) fail(errno);
     temporary_.clear();
     sync_folder(path_);
   }

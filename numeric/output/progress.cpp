@@ -32,9 +32,7 @@ void stop_on_interrupt() {
 }
 
 void check_interrupt() {
-  if (stop_asked != 0) {
-    throw Interrupted("interrupted; nothing was written");
-  }
+  if (stop_asked != 0) throw Interrupted("interrupted; nothing was written");
 }
 
 Progress::Progress(std::string what, std::size_t total)
@@ -45,9 +43,7 @@ Progress::Progress(std::string what, std::size_t total)
       last_draw_(start_) {}
 
 Progress::~Progress() {
-  if (open_line_) {
-    fmt::print(stderr, "\n");
-  }
+  if (open_line_) fmt::print(stderr, "\n");
 }
 
 void Progress::advance(std::size_t steps) {

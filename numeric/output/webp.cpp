@@ -56,9 +56,7 @@ AnimatedWebp::AnimatedWebp(int width, int height, double frames_a_second, int qu
   WebPAnimEncoderOptionsInit(&options);
   encoder_ = std::make_unique<Encoder>(Encoder{width, height, frames_a_second, config_of(quality)});
   encoder_->handle = WebPAnimEncoderNew(width, height, &options);
-  if (encoder_->handle == nullptr) {
-    encoder_->fail("out of memory");
-  }
+  if (encoder_->handle == nullptr) encoder_->fail("out of memory");
 }
 
 AnimatedWebp::~AnimatedWebp() { WebPAnimEncoderDelete(encoder_->handle); }
@@ -76,9 +74,7 @@ void AnimatedWebp::add(std::span<const std::uint8_t> rgb) {
   const bool added = WebPPictureImportRGB(&picture, rgb.data(), 3 * e.width) != 0 &&
                      WebPAnimEncoderAdd(e.handle, &picture, e.begin_of(e.frames), &e.config) != 0;
   WebPPictureFree(&picture);
-  if (!added) {
-    e.fail(WebPAnimEncoderGetError(e.handle));
-  }
+  if (!added) e.fail(WebPAnimEncoderGetError(e.handle));
   ++e.frames;
 }
 

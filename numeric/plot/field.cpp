@@ -34,9 +34,7 @@ class FieldPainter {
     output::Progress progress("plot", static_cast<std::size_t>(height_));
     for (int row = 0; row < height_; ++row) {
       Row below = sample_row(row + 1);
-      for (int column = 0; column < width_; ++column) {
-        picture.set(column, row, pixel(above, here, below, column, row));
-      }
+      for (int column = 0; column < width_; ++column) picture.set(column, row, pixel(above, here, below, column, row));
       above = std::move(here);
       here = std::move(below);
       progress.advance();

@@ -83,9 +83,7 @@ class MapFigure {
       const double x = area_.x + (180 - phi) / 360.0 * area_.width;
       canvas_->line(std::vector<Point>{{x, bottom}, {x, bottom + 5}}, 1, kInk);
       canvas_->text({x, bottom + 20}, std::to_string(phi), kLabelSize, Anchor::kMiddle, kInk);
-      if (phi % 90 == 0) {
-        canvas_->text({x, bottom + 40}, kAxes[(180 - phi) / 90], 18, Anchor::kMiddle, kInk);
-      }
+      if (phi % 90 == 0) canvas_->text({x, bottom + 40}, kAxes[(180 - phi) / 90], 18, Anchor::kMiddle, kInk);
     }
     for (int theta = 0; theta <= 180; theta += 30) {
       const double y = area_.y + theta / 180.0 * area_.height;

@@ -94,9 +94,7 @@ class WignerEntries {
     if (m == 0 && n == 0) return plus_.real;
     if (m == 0) return sqrt(MpfrAny(2)) * (column > 0 ? plus_.real : plus_.imaginary);
     if (n == 0) return sqrt(MpfrAny(2)) * (row > 0 ? plus_.real : MpfrAny(-plus_.imaginary));
-    if (column > 0) {
-      return row > 0 ? MpfrAny(plus_.real + minus_.real) : MpfrAny(minus_.imaginary - plus_.imaginary);
-    }
+    if (column > 0) return row > 0 ? MpfrAny(plus_.real + minus_.real) : MpfrAny(minus_.imaginary - plus_.imaginary);
     return row > 0 ? MpfrAny(plus_.imaginary + minus_.imaginary) : MpfrAny(plus_.real - minus_.real);
   }
 

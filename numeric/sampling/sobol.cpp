@@ -22,9 +22,7 @@ std::uint32_t first_coordinate(std::uint32_t index) {
 // Direction numbers of the primitive polynomial x + 1: v_k = v_(k-1) xor v_(k-1) / 2, Pascal's triangle modulo 2.
 std::uint32_t second_coordinate(std::uint32_t index) {
   std::uint32_t value = 0;
-  for (std::uint32_t v = 1U << (kBits - 1); index != 0; index >>= 1U, v ^= v >> 1U) {
-    value ^= (index & 1U) != 0 ? v : 0U;
-  }
+  for (std::uint32_t v = 1U << (kBits - 1); index != 0; index >>= 1U, v ^= v >> 1U) value ^= (index & 1U) != 0 ? v : 0U;
   return value;
 }
 

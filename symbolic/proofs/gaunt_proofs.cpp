@@ -48,9 +48,7 @@ using Expansions = std::map<std::pair<int, int>, std::vector<std::pair<int, Surd
 Expansions expansions_of(const std::vector<BilinearForm>& forms) {
   Expansions expansions;
   for (const BilinearForm& form : forms) {
-    for (const BilinearTerm& term : form.terms) {
-      expansions[{term.i, term.j}].emplace_back(form.output, term.factor);
-    }
+    for (const BilinearTerm& term : form.terms) expansions[{term.i, term.j}].emplace_back(form.output, term.factor);
   }
   return expansions;
 }

@@ -83,9 +83,7 @@ std::string orthogonality_error(int degree, const Matrix<T>& t, const T& scale) 
   for (int i = 0; i < size; ++i) {
     for (int j = 0; j <= i; ++j) {
       T sum = T();
-      for (int k = 0; k < size; ++k) {
-        sum = sum + cln::recip(squared_factor(degree, k - degree)) * (t(i, k) * t(j, k));
-      }
+      for (int k = 0; k < size; ++k) sum = sum + cln::recip(squared_factor(degree, k - degree)) * (t(i, k) * t(j, k));
       const T expected = i == j ? T(cln::recip(squared_factor(degree, i - degree)) * scale) : T();
       if (!(sum == expected)) return entry_name(degree, i, j) + " of D D^T is wrong";
     }

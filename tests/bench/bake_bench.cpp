@@ -61,9 +61,7 @@ struct Group {
 std::vector<Group> groups_of(const Mesh& mesh, const RaySetup& setup, Gatherer& gatherer) {
   std::vector<Group> groups;
   for (std::size_t v = 0; v < mesh.positions.size(); v += kVertexStep) {
-    if (v % (kVertexStep * kGroup) == 0) {
-      groups.emplace_back();
-    }
+    if (v % (kVertexStep * kGroup) == 0) groups.emplace_back();
     groups.back().vertices.push_back(v);
     groups.back().rays.push_back(gatherer.rays(setup.starts[v].origin, mesh.normals[v], mesh.geometric_normals[v]));
   }
@@ -106,9 +104,7 @@ void rays_at(Table& table, int degree) {
   for (const Group& group : groups) {
     traced += group.traced;
     baked += group.baked;
-    for (const auto& vertex : group.rays) {
-      count += vertex.size();
-    }
+    for (const auto& vertex : group.rays) count += vertex.size();
   }
   const double nano = 1e9 / static_cast<double>(count);
   table.ratio("shadowed, degree " + std::to_string(degree), "ns/ray", baked * nano, traced * nano, "tracing alone",
@@ -137,9 +133,7 @@ void bounces(Table& table) {
   const Panel x(vertices, layout.columns());
   Panel y = x;
   double bounce = std::numeric_limits<double>::max();
-  for (int i = 0; i < kPasses; ++i) {
-    bounce = std::min(bounce, processor_seconds([&] { factors.apply(x, y); }));
-  }
+  for (int i = 0; i < kPasses; ++i) bounce = std::min(bounce, processor_seconds([&] { factors.apply(x, y); }));
   table.ratio("one more bounce", "ms", bounce * kMilli, pass * kMilli, "first pass", kOfFirstPass);
 }
 
@@ -169,9 +163,7 @@ int main(int argc, char** argv) {
     Table table;
     oneapi::tbb::task_arena(1).execute([&] {
       for (const auto& [name, run] : sections) {
-        if (wanted.empty() || std::find(wanted.begin(), wanted.end(), name) != wanted.end()) {
-          run(table);
-        }
+        if (wanted.empty() || std::find(wanted.begin(), wanted.end(), name) != wanted.end()) run(table);
       }
     });
     table.summary();

@@ -151,9 +151,7 @@ TEST(Basis, IsOrthonormalToDegreeTwentyByExactQuadrature) {
   }
   double worst = 0;
   for (std::size_t i = 0; i < kCount; ++i) {
-    for (std::size_t j = 0; j <= i; ++j) {
-      keep_worst(worst, difference(gram[i * kCount + j], Mpfr50(i == j ? 1 : 0)));
-    }
+    for (std::size_t j = 0; j <= i; ++j) keep_worst(worst, difference(gram[i * kCount + j], Mpfr50(i == j ? 1 : 0)));
   }
   EXPECT_LT(worst, 1e-47);
 }

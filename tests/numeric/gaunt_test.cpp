@@ -111,9 +111,7 @@ struct Worst {
     const Mpfr50 exact = gaunt_exact(l, m).value<Mpfr50>();
     const double other = std::abs(static_cast<double>(Mpfr50(Mpfr50(gaunt<Real>(l, m)) - exact))) /
                          static_cast<double>(machine_epsilon<Real>());
-    if (!(other <= error)) {
-      *this = {other, fmt::format("({} {} {}; {} {} {})", l[0], l[1], l[2], m[0], m[1], m[2])};
-    }
+    if (!(other <= error)) *this = {other, fmt::format("({} {} {}; {} {} {})", l[0], l[1], l[2], m[0], m[1], m[2])};
   }
 };
 

@@ -27,9 +27,7 @@ void for_all(int degree, Visit visit) {
     for (int b = 0; b <= degree; ++b) {
       for (int c = 0; c <= degree; ++c) {
         for (int m = -a; m <= a; ++m) {
-          for (int n = std::max(-b, -c - m); n <= std::min(b, c - m); ++n) {
-            visit(Triple{a, b, c}, Triple{m, n, -m - n});
-          }
+          for (int n = std::max(-b, -c - m); n <= std::min(b, c - m); ++n) visit(Triple{a, b, c}, Triple{m, n, -m - n});
         }
       }
     }

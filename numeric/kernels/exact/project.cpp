@@ -47,9 +47,7 @@ std::vector<NamedInput> moments_of_samples(int degree) {
   std::vector<NamedInput> inputs;
   std::vector<double> values(count);
   for (std::size_t i = 0; i < directions.size(); ++i) {
-    if (i % kSamples == 0) {
-      inputs.push_back({"samples " + std::to_string(i / kSamples), std::vector<double>(count)});
-    }
+    if (i % kSamples == 0) inputs.push_back({"samples " + std::to_string(i / kSamples), std::vector<double>(count)});
     const Direction& d = directions[i];
     moments(degree, d.x, d.y, d.z, values.data());
     for (std::size_t j = 0; j < count; ++j) inputs.back().values[j] += values[j] / kSamples;
