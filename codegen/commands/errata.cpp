@@ -59,14 +59,14 @@ void require_verdict(const std::string& name) {
   for (const Source& source : sources) {
     if (source.entries.empty()) continue;
     known.append(known.empty() ? "" : ", ").append(source.prefix).append(" (");
-    known.append(source.entries.front().id).append(" to ").append(source.entries.back().id).append(")");
+    known.append(source.entries.front().place.id).append(" to ").append(source.entries.back().place.id).append(")");
   }
   throw std::invalid_argument("unknown source or entry '" + name + "': expected one of: " + known);
 }
 
 bool is_named(const Source& source, const Entry& entry, const std::vector<std::string>& only) {
   return only.empty() || std::any_of(only.begin(), only.end(), [&](const std::string& name) {
-           return name == source.prefix || name == entry.id;
+           return name == source.prefix || name == entry.place.id;
          });
 }
 
@@ -126,7 +126,7 @@ std::string text_of(const Reading& reading) {
 
 void print_entry(std::ostream& out, const Entry& entry, const Decision& decision) {
   const std::string verdict = decision.contradiction.empty() ? to_string(decision.verdict) : "CONTRADICTED";
-  out << std::left << std::setw(8) << entry.id << std::setw(23) << verdict << entry.where << '\n';
+  out << std::left << std::setw(8) << entry.place.id << std::setw(23) << verdict << entry.place.where << '\n';
   print_field(out, "printed", entry.printed);
   const bool measured = !entry.readings.empty() && !entry.readings.front().number.empty();
   for (std::size_t i = 0; i < entry.readings.size() && (entry.readings.size() > 1 || measured); ++i) {
@@ -171,10 +171,10 @@ Json as_json(const Entry& entry, const Outcome& outcome) {
                         {"statement", reading.statement},
                         {"measured", reading.number}});
   }
-  return {{"id", entry.id},
-          {"where", entry.where},
-          {"kind", kind_name(entry.kind)},
-          {"print", print_name(entry.print)},
+  return {{"id", entry.place.id},
+          {"where", entry.place.where},
+          {"kind", kind_name(entry.place.kind)},
+          {"print", print_name(entry.place.print)},
           {"printed", entry.printed},
           {"stated", to_string(recorded_verdict(entry))},
           {"verdict", to_string(outcome.decision.verdict)},

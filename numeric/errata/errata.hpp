@@ -1,8 +1,8 @@
 // The errata of the sources: every formula, table, claim and code fragment that a reader would copy, with its verdict.
 //
-// One list of plain data. A reading is decided exactly from its `statement` (symbolic/errata/decide.hpp, shown by
-// `shgen errata`) or measured against its `number` (numeric/report/source_claims.hpp, shown by `shcheck report`). The
-// verdict is stored once, as the `holds` of each reading; both tools have to come to it.
+// The list is plain data. `shgen errata` decides a reading exactly from its `statement` (symbolic/errata/decide.hpp);
+// `shcheck report` measures it against its `number` (numeric/report/source_claims.hpp). The list stores each verdict
+// once, as the `holds` of a reading; both tools must come to the same verdict.
 #pragma once
 
 #include <string>
@@ -12,10 +12,10 @@ namespace sh::errata {
 
 enum class Kind { kEquation, kText, kTable, kCode };
 
-/// How the text came to us.
+/// How we know the text.
 enum class Print {
   kRead,    ///< read in the source
-  kLost,    ///< lost in the text extraction: the formula that the paper needs there is derived
+  kLost,    ///< the text extraction lost it: we derive the formula that the paper needs there
   kReport,  ///< from the literature about the source, and from code written after it
 };
 
@@ -28,21 +28,26 @@ struct Reading {
   std::string unit;       ///< of the number: "%" or ""
 };
 
-struct Entry {
+/// The passage of the source.
+struct Place {
   std::string id;     ///< "G-24"; the prefix names the source
   std::string where;  ///< "Recurrence rule 1", "Eq. 7", "Code P(l,m,x)"
   Kind kind = Kind::kEquation;
   Print print = Print::kRead;
-  std::string printed = {};            ///< transcribed in ASCII mathematics; what is known of it when lost
+};
+
+struct Entry {
+  Place place;
+  std::string printed = {};            ///< transcribed in ASCII mathematics; if lost, all that we know of it
   std::vector<Reading> readings = {};  ///< of the printed text; none when it is lost
-  std::string correct = {};            ///< the formula to use, one line; empty when that is what is printed
+  std::string correct = {};            ///< the formula to use, one line; empty if the print is right
   std::string correct_statement = {};  ///< decides `correct`; required for wrong and lost formulas
   std::string remark = {};             ///< why, one or two sentences
 };
 
 enum class Verdict {
   kCorrect,       ///< every reading holds
-  kUnderReading,  ///< right in one reading or scope, wrong in another
+  kUnderReading,  ///< one reading or scope holds, another fails
   kWrong,         ///< no reading holds; `correct` does
   kDerived,       ///< lost; `correct` is derived and decided
 };
@@ -50,7 +55,7 @@ enum class Verdict {
 /// "correct", "correct under reading", "wrong", "lost, derived".
 std::string to_string(Verdict verdict);
 
-/// The verdict on an entry whose readings hold as `held` says: one value a reading, none for a lost text.
+/// The verdict that follows from `held`, one value for each reading; a lost text has no reading.
 Verdict verdict_of(const std::vector<bool>& held);
 
 /// The verdict that the entry's readings record.
@@ -63,7 +68,7 @@ struct Source {
   std::vector<Entry> entries;
 };
 
-/// The four sources, then the papers that they point to.
+/// The four sources, then the papers that they cite.
 std::vector<Source> all_sources();
 
 }  // namespace sh::errata

@@ -7,6 +7,9 @@
 
 namespace sh::errata {
 
+using enum Kind;
+using enum Print;
+
 /// A reading that is decided exactly.
 inline Reading holds(std::string text, std::string statement) {
   return {std::move(text), true, std::move(statement), "", ""};
@@ -14,6 +17,10 @@ inline Reading holds(std::string text, std::string statement) {
 inline Reading fails(std::string text, std::string statement) {
   return {std::move(text), false, std::move(statement), "", ""};
 }
+
+/// The same for a text that has one reading only.
+inline Reading holds(std::string statement) { return holds("as printed", std::move(statement)); }
+inline Reading fails(std::string statement) { return fails("as printed", std::move(statement)); }
 
 /// A claim that is measured.
 inline Reading measured(bool holds, std::string text, std::string number, std::string unit = "") {

@@ -11,8 +11,8 @@ namespace sh::numeric {
 namespace {
 
 SourceClaim row(const errata::Source& source, const errata::Entry& entry, const errata::Reading& reading) {
-  return {entry.id,
-          entry.where + ": " + reading.text,
+  return {entry.place.id,
+          entry.place.where + ": " + reading.text,
           source.short_name,
           reading.number,
           0,
@@ -26,7 +26,7 @@ SourceClaim unmeasured(const std::string& id, int reading) {
   for (const errata::Source& source : errata::all_sources()) {
     for (const errata::Entry& entry : source.entries) {
       for (const errata::Reading& candidate : entry.readings) {
-        if (entry.id == id && !candidate.number.empty() && reading-- == 0) return row(source, entry, candidate);
+        if (entry.place.id == id && !candidate.number.empty() && reading-- == 0) return row(source, entry, candidate);
       }
     }
   }

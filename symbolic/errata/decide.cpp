@@ -37,7 +37,7 @@ Decision decide_or_throw(const Entry& entry) {
   decision.verdict = sh::errata::verdict_of(decision.held);
   decision.contradiction = disagreement(entry, decision);
   if (decision.contradiction.empty()) decision.contradiction = gap(entry, decision.verdict);
-  if (!decision.contradiction.empty()) decision.contradiction.insert(0, entry.id + ": ");
+  if (!decision.contradiction.empty()) decision.contradiction.insert(0, entry.place.id + ": ");
   return decision;
 }
 
@@ -47,7 +47,7 @@ Decision decide(const Entry& entry) {
   try {
     return decide_or_throw(entry);
   } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(entry.id + ": " + error.what());
+    throw std::invalid_argument(entry.place.id + ": " + error.what());
   }
 }
 

@@ -35,18 +35,7 @@ ex real_basis(const exvector& a) { return real_harmonic(integer(a[0]), integer(a
 ex complex_basis(const exvector& a) { return complex_harmonic(integer(a[0]), integer(a[1])); }
 ex cosm(const exvector& a) { return multiple(integer(a[0]), a[1], a[2], false); }
 ex sinm(const exvector& a) { return multiple(integer(a[0]), a[1], a[2], true); }
-ex polar(const exvector& a) {
-  return direction(a[0], symbol("s") * symbol("cp"), symbol("s") * symbol("sp"), symbol("c"));
-}
-ex sphere(const exvector& a) { return cap_integral(a[0], -1); }
 ex cap(const exvector& a) { return cap_integral(a[0], a[1]); }
-ex octa(const exvector& a) {
-  ex sum = 0;
-  for (const int sign : {-1, 1}) {
-    sum += direction(a[0], sign, 0, 0) + direction(a[0], 0, sign, 0) + direction(a[0], 0, 0, sign);
-  }
-  return sum;
-}
 ex at(const exvector& a) { return a[0].subs(a[1] == a[2]); }
 ex dir(const exvector& a) { return direction(a[0], a[1], a[2], a[3]); }
 ex integral(const exvector& a) { return polynomial_integral(a[0], a[1], a[2], a[3]); }
@@ -73,9 +62,6 @@ ex complex_entry(const exvector& a) { return complex_rotation(integer(a[0]), int
 ex real_part_of_entry(const exvector& a) { return complex_entry(a).real_part(); }
 ex imaginary_part_of_entry(const exvector& a) { return complex_entry(a).imag_part(); }
 ex small_d(const exvector& a) { return wigner_small_d(integer(a[0]), integer(a[1]), integer(a[2])); }
-ex small_d_of_sample(const exvector& a) {
-  return small_d(a).subs(GiNaC::exmap{{symbol("ch"), half_cosine(1)}, {symbol("sh"), half_sine(1)}});
-}
 
 ex ivanic_ruedenberg_p(const exvector& a) {
   const int n = integer(a[2]);
@@ -105,6 +91,48 @@ ex green_legendre(const exvector& a) {
   return pll;
 }
 
+// Words whose meaning other words give. A parameter is a symbol; k stands for a function on the sphere.
+struct Definition {
+  const char* name;
+  std::vector<const char*> parameters;
+  const char* meaning;
+};
+const std::array<Definition, 18>& definitions() {
+  static const std::array<Definition, 18> kDefinitions{{
+      {"polar", {"k"}, "dir(k,s*cp,s*sp,c)"},
+      {"sphere", {"k"}, "cap(k,-1)"},
+      {"octa", {"k"}, "dir(k,1,0,0)+dir(k,-1,0,0)+dir(k,0,1,0)+dir(k,0,-1,0)+dir(k,0,0,1)+dir(k,0,0,-1)"},
+      {"rotx", {"k", "c", "s"}, "dir(k,x,c*y-s*z,s*y+c*z)"},
+      {"roty", {"k", "c", "s"}, "dir(k,c*x+s*z,y,c*z-s*x)"},
+      {"rotz", {"k", "c", "s"}, "dir(k,c*x-s*y,s*x+c*y,z)"},
+      {"db", {"l", "m", "n"}, "at(at(d(l,m,n),ch,cos_h),sh,sin_h)"},
+      {"K", {"l", "m"}, "sqrt((2*l+1)/(4*Pi)*factorial(l-m)/factorial(l+m))"},
+      {"Phi", {"m", "c", "s"}, "sqrt(2-delta(m,0))*((1+csgn(2*m+1))*cosm(m,c,s)+(1-csgn(2*m+1))*sinm(-m,c,s))/2"},
+      {"A", {"l"}, "sqrt(4*Pi/(2*l+1))*cap(z*Y(l,0),0)"},
+      {"lambert", {"n"}, "sum((2*l+1)/2*integral(c,0,1,c*P(l,0))*P(l,0),l,0,n)"},
+      {"IRd", {"l", "n"}, "(l+n)*(l-n)+2*l*(2*l-1)*delta(abs(n),l)"},
+      {"IRu", {"l", "m", "n"}, "sqrt((l+m)*(l-m)/IRd(l,n))"},
+      {"IRv", {"l", "m", "n"}, "(1-2*delta(m,0))/2*sqrt((1+delta(m,0))*(l+abs(m)-1)*(l+abs(m))/IRd(l,n))"},
+      {"IRw", {"l", "m", "n"}, "-(1-delta(m,0))/2*sqrt((l-abs(m)-1)*(l-abs(m))/IRd(l,n))"},
+      {"CHa", {"m"}, "sqrt(1+delta(m,0))*(-1)^((abs(m)+m)/2)"},
+      {"CHb", {"m"}, "csgn(m)*(-1)^((abs(m)+m)/2)"},
+      {"greenLight",
+       {"l", "m"},
+       "2*Pi*(integral(c,4/5,1,(5*c-4)*P(l,0))*dir(Y(l,m),0,0,1)"
+       "+integral(c,3/4,1,(4*c-3)*P(l,0))*dir(Y(l,m),cos(5/2),sin(5/2),0))"},
+  }};
+  return kDefinitions;
+}
+
+template <std::size_t I>
+ex defined(const exvector& a) {
+  const Definition& word = definitions()[I];
+  static const ex meaning = GiNaC::parser(symbols())(word.meaning);
+  GiNaC::exmap values;
+  for (std::size_t i = 0; i < a.size(); ++i) values[symbol(word.parameters[i])] = a[i];
+  return meaning.subs(values);
+}
+
 // A function of GiNaC that stands unevaluated while an index has no value. Sums and products bind one of their own.
 template <ex (*Word)(const exvector&)>
 struct Registered {
@@ -126,10 +154,7 @@ const std::array kRegistered{
     Registered<complex_basis>::enter("Yc", 2),
     Registered<cosm>::enter("cosm", 3),
     Registered<sinm>::enter("sinm", 3),
-    Registered<polar>::enter("polar", 1),
-    Registered<sphere>::enter("sphere", 1),
     Registered<cap>::enter("cap", 2),
-    Registered<octa>::enter("octa", 1),
     Registered<at>::enter("at", 3),
     Registered<dir>::enter("dir", 4),
     Registered<integral>::enter("integral", 4),
@@ -146,10 +171,16 @@ const std::array kRegistered{
     Registered<real_part_of_entry>::enter("ReC", 3),
     Registered<imaginary_part_of_entry>::enter("ImC", 3),
     Registered<small_d>::enter("d", 3),
-    Registered<small_d_of_sample>::enter("db", 3),
     Registered<ivanic_ruedenberg_p>::enter("IRP", 4),
     Registered<green_legendre>::enter("greenP", 2),
 };
+
+template <std::size_t... I>
+std::array<unsigned, sizeof...(I)> enter_definitions(std::index_sequence<I...> /*places*/) {
+  return {Registered<defined<I>>::enter(definitions()[I].name,
+                                        static_cast<unsigned>(definitions()[I].parameters.size()))...};
+}
+const auto kDefined = enter_definitions(std::make_index_sequence<18>());
 
 GiNaC::symtab make_symbols() {
   GiNaC::symtab table;

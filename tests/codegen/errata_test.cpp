@@ -72,7 +72,7 @@ TEST(Errata, TheJsonFileHoldsEveryEntryOfTheSources) {
     ASSERT_EQ(report[i].at("entries").size(), sources[i].entries.size());
     for (std::size_t k = 0; k < sources[i].entries.size(); ++k) {
       const auto& entry = report[i].at("entries")[k];
-      EXPECT_EQ(entry.at("id"), sources[i].entries[k].id);
+      EXPECT_EQ(entry.at("id"), sources[i].entries[k].place.id);
       EXPECT_EQ(entry.at("verdict"), to_string(recorded_verdict(sources[i].entries[k]))) << entry.at("id");
       EXPECT_EQ(entry.at("contradiction"), "");
       EXPECT_EQ(entry.at("readings").size(), sources[i].entries[k].readings.size());
@@ -87,9 +87,9 @@ std::vector<Source> source_of(const Entry& entry) { return {{"X", "a source", "s
 
 TEST(Errata, ARecordedVerdictThatTheDecisionsContradictIsNamed) {
   const Entry wrong{
-      .id = "X-1", .where = "Eq. 1", .printed = "1 = 1", .readings = {{"as printed", false, "1 == 1", "", ""}}};
+      .place = {"X-1", "Eq. 1"}, .printed = "1 = 1", .readings = {{"as printed", false, "1 == 1", "", ""}}};
   const Entry unfit{
-      .id = "X-1", .where = "Eq. 1", .printed = "1 = 2", .readings = {{"as printed", false, "1 == 2", "", ""}}};
+      .place = {"X-1", "Eq. 1"}, .printed = "1 = 2", .readings = {{"as printed", false, "1 == 2", "", ""}}};
   for (const Entry& entry : {wrong, unfit}) {
     std::ostringstream out;
     std::ostringstream progress;

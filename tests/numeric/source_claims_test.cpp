@@ -29,7 +29,7 @@ TEST(SourceClaims, AreEveryMeasuredReadingOfTheErrataOnce) {
   for (const errata::Source& source : errata::all_sources()) {
     for (const errata::Entry& entry : source.entries) {
       for (const errata::Reading& reading : entry.readings) {
-        if (!reading.number.empty()) listed.insert(entry.id + " " + entry.where + ": " + reading.text);
+        if (!reading.number.empty()) listed.insert(entry.place.id + " " + entry.place.where + ": " + reading.text);
       }
     }
   }

@@ -35,9 +35,9 @@ TEST(ErrataList, EveryEntryHasItsOwnNumberOfItsSource) {
   for (const Source& source : sources()) {
     EXPECT_FALSE(source.entries.empty()) << source.name;
     for (const Entry& entry : source.entries) {
-      EXPECT_EQ(entry.id.substr(0, entry.id.find('-')), source.prefix);
-      EXPECT_TRUE(given.insert(entry.id).second) << entry.id << " is given twice";
-      EXPECT_FALSE(entry.where.empty() || entry.printed.empty()) << entry.id;
+      EXPECT_EQ(entry.place.id.substr(0, entry.place.id.find('-')), source.prefix);
+      EXPECT_TRUE(given.insert(entry.place.id).second) << entry.place.id << " is given twice";
+      EXPECT_FALSE(entry.place.where.empty() || entry.printed.empty()) << entry.place.id;
     }
   }
 }
@@ -50,7 +50,7 @@ TEST(ErrataList, HoldsEveryKnownMistake) {
   std::set<std::string> wrong;
   for (const Source& source : sources()) {
     for (const Entry& entry : source.entries) {
-      if (sh::errata::recorded_verdict(entry) == Verdict::kWrong) wrong.insert(entry.id);
+      if (sh::errata::recorded_verdict(entry) == Verdict::kWrong) wrong.insert(entry.place.id);
     }
   }
   EXPECT_EQ(wrong, expected);
@@ -72,7 +72,7 @@ std::vector<Piece> relations(const std::string& statement) {
   return pieces;
 }
 
-// Copies of the statement with one number of that relation raised by one.
+// Copies of the statement with one number of that relation raised by one, or with 1 added to its left side.
 std::vector<std::string> spoiled(const std::string& statement, const Piece& relation) {
   std::vector<std::string> copies;
   constexpr const char* kDigits = "0123456789";
@@ -82,6 +82,8 @@ std::vector<std::string> spoiled(const std::string& statement, const Piece& rela
     copies.push_back(statement.substr(0, i) + number + statement.substr(end));
     i = statement.find_first_of(kDigits, end);
   }
+  const std::size_t equal = statement.find(" == ", relation.begin);
+  if (equal < relation.end) copies.push_back(std::string(statement).insert(equal, "+1"));
   return copies;
 }
 
@@ -98,7 +100,7 @@ class ErrataOfSource : public testing::TestWithParam<std::size_t> {};
 
 TEST_P(ErrataOfSource, RecordsWhatExactDecisionsGive) {
   for (const Entry& entry : sources()[GetParam()].entries) {
-    SCOPED_TRACE(entry.id + " " + entry.where);
+    SCOPED_TRACE(entry.place.id + " " + entry.place.where);
     const Decision decision = decide(entry);
     EXPECT_EQ(decision.contradiction, "");
     EXPECT_EQ(decision.verdict, sh::errata::recorded_verdict(entry));
@@ -118,7 +120,8 @@ TEST_P(ErrataOfSource, RefutesEveryRelationWithAChangedNumber) {
           continue;  // a bound, which need not be tight
         }
         const std::vector<std::string> copies = spoiled(statement, relation);
-        EXPECT_TRUE(copies.empty() || std::ranges::any_of(copies, is_refuted)) << entry.id << ": " << copies.front();
+        EXPECT_TRUE(copies.empty() || std::ranges::any_of(copies, is_refuted))
+            << entry.place.id << ": " << copies.front();
       }
     }
   }
@@ -128,8 +131,7 @@ INSTANTIATE_TEST_SUITE_P(Sources, ErrataOfSource, testing::Range<std::size_t>(0,
                          [](const auto& source) { return sources()[source.param].prefix; });
 
 Entry entry_of(bool first_holds, const std::string& first, const std::string& correct = "") {
-  return {.id = "X-1",
-          .where = "Eq. 1",
+  return {.place = {"X-1", "Eq. 1"},
           .printed = "a",
           .readings = {{"a", first_holds, first, "", ""}},
           .correct_statement = correct};
