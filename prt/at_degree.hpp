@@ -19,7 +19,7 @@ void at_degree(int degree, Work&& work) {
         [](std::remove_reference_t<Work>& call) { call(std::integral_constant<int, Degree>()); }...};
   }
   (std::make_integer_sequence<int, kMaxDegree + 1>());
-  kCalls[static_cast<std::size_t>(degree)](work);
+  kCalls[degree](work);
 }
 
 }  // namespace sh::prt

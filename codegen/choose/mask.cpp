@@ -11,8 +11,6 @@
 namespace sh::codegen {
 namespace {
 
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
-
 using Kind = KnownInput::Kind;
 
 struct Coefficient {
@@ -135,7 +133,7 @@ Allowed allowed(const MaskOptions& options, const std::string& symmetries, const
 void mask_array(Mask& mask, const Parameter& array, int first, const MaskOptions& options,
                 const std::string& symmetries) {
   for (int entry = 0; entry < array.size(); ++entry) {
-    KnownInput& known = mask.inputs[index(first + entry)];
+    KnownInput& known = mask.inputs[first + entry];
     const Coefficient c = coefficient(array, entry);
     const Allowed here = allowed(options, symmetries, c);
     if (!here.free) {
@@ -176,7 +174,7 @@ void mask_result(Mask& mask, const Parameter& result, int first, const MaskOptio
       throw std::invalid_argument("--outputs: expected a list of entries, because " + result.name +
                                   " holds no coefficients, got " + options.outputs);
     }
-    if (!wanted) mask.wanted[index(first + entry)] = false;
+    if (!wanted) mask.wanted[first + entry] = false;
   }
 }
 
@@ -195,7 +193,7 @@ void drop_unchanged(Mask& mask, const Kernel& kernel) {
     int first = 0;
     for (const Parameter& parameter : kernel.parameters) {
       for (int i = 0; parameter.name == result.name && i < parameter.size(); ++i) {
-        if (mask.inputs[index(first + i)].kind == Kind::kZero) mask.wanted[index(first_result + i)] = false;
+        if (mask.inputs[first + i].kind == Kind::kZero) mask.wanted[first_result + i] = false;
       }
       first += parameter.size();
     }
@@ -219,7 +217,7 @@ std::string read_entries(const Kernel& kernel, const Mask& mask) {
     bool zero = false;
     bool equal = false;
     for (int i = 0; i < parameter.size(); ++i) {
-      const Kind kind = mask.inputs[index(first + i)].kind;
+      const Kind kind = mask.inputs[first + i].kind;
       zero = zero || kind == Kind::kZero;
       equal = equal || kind == Kind::kSame || kind == Kind::kOpposite;
       if (kind == Kind::kFree) read.push_back(i);
@@ -240,7 +238,7 @@ std::string written_entries(const Kernel& kernel, const Mask& mask) {
   for (const Parameter& result : kernel.results) {
     std::vector<int> written;
     for (int i = 0; i < result.size(); ++i) {
-      if (mask.wanted[index(first + i)]) written.push_back(i);
+      if (mask.wanted[first + i]) written.push_back(i);
     }
     if (static_cast<int>(written.size()) < result.size())
       text += "; of " + result.name + " only entries " + numbered(result, written) + " are written";
@@ -327,9 +325,9 @@ Kernel apply_mask(const Kernel& kernel, const Mask& mask) {
   std::vector<NodeId> position;
   for (const Node& original : kernel.nodes) {
     Node node = original;
-    const KnownInput known = node.op == Op::kInput ? mask.inputs[static_cast<std::size_t>(node.input)] : KnownInput{};
+    const KnownInput known = node.op == Op::kInput ? mask.inputs[node.input] : KnownInput{};
     for (NodeId& arg : node.args) {
-      if (arg >= 0) arg = position[static_cast<std::size_t>(arg)];
+      if (arg >= 0) arg = position[arg];
     }
     if (known.kind == Kind::kZero) {
       position.push_back(build.constant(symbolic::Surd(), "none"));
@@ -345,8 +343,8 @@ Kernel apply_mask(const Kernel& kernel, const Mask& mask) {
   for (std::size_t i = 0; i < kernel.outputs.size(); ++i) {
     Output output = kernel.outputs[i];
     output.element = kernel.element(i);
-    if (!mask.wanted[static_cast<std::size_t>(output.element)]) continue;
-    output.node = position[static_cast<std::size_t>(output.node)];
+    if (!mask.wanted[output.element]) continue;
+    output.node = position[output.node];
     result.outputs.push_back(std::move(output));
   }
   result.domain += read_entries(kernel, mask);

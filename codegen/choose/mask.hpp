@@ -65,8 +65,8 @@ std::vector<T> masked_inputs(std::vector<T> inputs, const Mask& mask) {
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     const KnownInput& known = mask.inputs[i];
     if (known.kind == KnownInput::Kind::kZero) inputs[i] = T(0);
-    if (known.kind == KnownInput::Kind::kSame) inputs[i] = inputs[static_cast<std::size_t>(known.of)];
-    if (known.kind == KnownInput::Kind::kOpposite) inputs[i] = -inputs[static_cast<std::size_t>(known.of)];
+    if (known.kind == KnownInput::Kind::kSame) inputs[i] = inputs[known.of];
+    if (known.kind == KnownInput::Kind::kOpposite) inputs[i] = -inputs[known.of];
   }
   return inputs;
 }

@@ -21,7 +21,7 @@ Reference masked_reference(const Kernel& full, const Reference& reference, const
       inputs.push_back(cln::cl_float(input, cln::float_format(kCheckDigits + kGuardDigits)));
     const std::vector<cln::cl_F> outputs = evaluator(inputs);
     for (std::size_t i = 0; i < outputs.size(); ++i) {
-      if (mask.wanted[static_cast<std::size_t>(full.element(i))]) known.outputs.push_back(outputs[i]);
+      if (mask.wanted[full.element(i)]) known.outputs.push_back(outputs[i]);
     }
     masked.push_back(std::move(known));
   }

@@ -49,7 +49,7 @@ class GaugeSolver {
     for (NodeId id = 0; id < kernel.size(); ++id) position_.push_back(rebuilt(kernel.node(id), inputs));
     for (std::size_t i = 0; i < kernel.outputs.size(); ++i) {
       const NodeId value = value_of(kernel.outputs[i].node);
-      result_.outputs[i].node = with_gauge(value, Gauge{outputs[static_cast<std::size_t>(kernel.element(i))], {}});
+      result_.outputs[i].node = with_gauge(value, Gauge{outputs[kernel.element(i)], {}});
     }
   }
 
@@ -58,7 +58,7 @@ class GaugeSolver {
       const Surd after = value(gauge(r.node));
       const Surd before = r.argument < 0 ? Surd(1) : value(gauge(r.argument));
       const NodeId place = r.argument < 0 ? r.node : result_.node(r.node).args[0];
-      result_.nodes[static_cast<std::size_t>(place)].constant = multiply(r.constant, after / before);
+      result_.nodes[place].constant = multiply(r.constant, after / before);
     }
     return passes::prune(passes::fold(result_));
   }
@@ -67,11 +67,11 @@ class GaugeSolver {
   // Appends a gauge for every appended node.
   NodeId keep(NodeId id, Gauge gauge) {
     gauges_.resize(static_cast<std::size_t>(id) + 1);
-    gauges_[static_cast<std::size_t>(id)] = std::move(gauge);
+    gauges_[id] = std::move(gauge);
     return id;
   }
 
-  Gauge gauge(NodeId id) { return resolved(gauges_[static_cast<std::size_t>(id)]); }
+  Gauge gauge(NodeId id) { return resolved(gauges_[id]); }
 
   Gauge fresh() { return {Surd(1), {{unknowns_++, 1}}}; }
 
@@ -92,7 +92,7 @@ class GaugeSolver {
   // A new value for the constant k, because every use has its own gauge.
   NodeId value_of(NodeId old) {
     const Node& node = kernel_.node(old);
-    if (node.op != Op::kConstant) return position_[static_cast<std::size_t>(old)];
+    if (node.op != Op::kConstant) return position_[old];
     const NodeId id = build_.constant(node.constant, node.name);
     if (is_zero(node.constant)) return keep(id, Gauge{});
     rescaled_.push_back({id, -1, node.constant});
@@ -133,7 +133,7 @@ class GaugeSolver {
     const auto arg = [&](std::size_t i) { return value_of(node.args[i]); };
     switch (node.op) {
       case Op::kInput:
-        return keep(build_.input(node.input, node.name), {inputs[static_cast<std::size_t>(node.input)], {}});
+        return keep(build_.input(node.input, node.name), {inputs[node.input], {}});
       case Op::kConstant:
         return keep(build_.constant(node.constant, node.name), Gauge{});  // every use appends its own constant
       case Op::kNeg: {

@@ -28,8 +28,6 @@ struct Layout {
   std::vector<Surd> factor;
 };
 
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
-
 const Convention& our_convention() { return symbolic::presets().front().convention; }
 
 // Y'_lm = s Y_lm for a real convention without axes.
@@ -151,10 +149,9 @@ class LayoutMaker {
 
 // Our inputs or outputs as the convention stores them. Places without an element are zero.
 std::vector<cln::cl_F> as_stored(const std::vector<cln::cl_F>& ours, const Layout& layout, int digits) {
-  std::vector<cln::cl_F> theirs(static_cast<std::size_t>(total_size(layout.arrays)),
-                                cln::cl_float(0, cln::float_format(digits)));
+  std::vector<cln::cl_F> theirs(total_size(layout.arrays), cln::cl_float(0, cln::float_format(digits)));
   for (std::size_t i = 0; i < ours.size(); ++i) {
-    theirs[static_cast<std::size_t>(layout.place[i])] = ours[i] * layout.factor[i].evaluate(digits);
+    theirs[layout.place[i]] = ours[i] * layout.factor[i].evaluate(digits);
   }
   return theirs;
 }
@@ -162,29 +159,29 @@ std::vector<cln::cl_F> as_stored(const std::vector<cln::cl_F>& ours, const Layou
 std::vector<cln::cl_F> as_ours(const std::vector<cln::cl_F>& theirs, const Layout& layout, int digits) {
   std::vector<cln::cl_F> ours;
   for (std::size_t i = 0; i < layout.place.size(); ++i) {
-    ours.push_back(theirs[static_cast<std::size_t>(layout.place[i])] / layout.factor[i].evaluate(digits));
+    ours.push_back(theirs[layout.place[i]] / layout.factor[i].evaluate(digits));
   }
   return ours;
 }
 
 // The place of one of our outputs.
 std::size_t output_place(const Kernel& kernel, const Layout& outputs, std::size_t output) {
-  return static_cast<std::size_t>(outputs.place[static_cast<std::size_t>(kernel.element(output))]);
+  return static_cast<std::size_t>(outputs.place[kernel.element(output)]);
 }
 
 // The kernel with arrays in the layout of the convention.
 Kernel relaid(Kernel kernel, const Layout& inputs, const Layout& outputs) {
   kernel = with_gauges(kernel, inputs.factor, outputs.factor);
   for (Node& node : kernel.nodes) {
-    if (node.op == Op::kInput) node.input = inputs.place[static_cast<std::size_t>(node.input)];
+    if (node.op == Op::kInput) node.input = inputs.place[node.input];
   }
   kernel.parameters = inputs.arrays;
   kernel.results = outputs.arrays;
-  std::vector<Output> stored(static_cast<std::size_t>(total_size(outputs.arrays)));
+  std::vector<Output> stored(total_size(outputs.arrays));
   for (std::size_t i = 0; i < kernel.outputs.size(); ++i) stored[output_place(kernel, outputs, i)] = kernel.outputs[i];
   // Places without one of our elements are zero. Elements that the kernel does not write stay unwritten.
   std::vector<bool> hole(stored.size(), true);
-  for (const int place : outputs.place) hole[static_cast<std::size_t>(place)] = false;
+  for (const int place : outputs.place) hole[place] = false;
   NodeId none = -1;
   kernel.outputs.clear();
   for (std::size_t i = 0; i < stored.size(); ++i) {
@@ -209,10 +206,9 @@ Reference reference_in(const Kernel& kernel, const Kernel& relaid, const Referen
     for (const cln::cl_F& value : as_stored(in, inputs, kCheckDigits)) mapped.inputs.push_back(cln::rational(value));
     std::vector<cln::cl_F> all(outputs.place.size(), cln::cl_float(0, cln::float_format(kCheckDigits)));
     const std::vector<cln::cl_F> written = ours(in);
-    for (std::size_t i = 0; i < written.size(); ++i) all[static_cast<std::size_t>(kernel.element(i))] = written[i];
+    for (std::size_t i = 0; i < written.size(); ++i) all[kernel.element(i)] = written[i];
     const std::vector<cln::cl_F> stored = as_stored(all, outputs, kCheckDigits);
-    for (std::size_t i = 0; i < relaid.outputs.size(); ++i)
-      mapped.outputs.push_back(stored[static_cast<std::size_t>(relaid.element(i))]);
+    for (std::size_t i = 0; i < relaid.outputs.size(); ++i) mapped.outputs.push_back(stored[relaid.element(i)]);
     reference.push_back(std::move(mapped));
   }
   return reference;
@@ -220,11 +216,11 @@ Reference reference_in(const Kernel& kernel, const Kernel& relaid, const Referen
 
 Domain domain_in(const Kernel& kernel, const Domain& ours, const Layout& inputs, const Layout& outputs) {
   constexpr int kDigits = 40;
-  std::vector<std::size_t> from(static_cast<std::size_t>(total_size(outputs.arrays)), 0);
+  std::vector<std::size_t> from(total_size(outputs.arrays), 0);
   std::vector<double> factor(from.size(), 1);
   for (std::size_t i = 0; i < outputs.place.size(); ++i) {
-    from[static_cast<std::size_t>(outputs.place[i])] = i;
-    factor[static_cast<std::size_t>(outputs.place[i])] = std::abs(cln::double_approx(outputs.factor[i].evaluate(20)));
+    from[outputs.place[i]] = i;
+    factor[outputs.place[i]] = std::abs(cln::double_approx(outputs.factor[i].evaluate(20)));
   }
   const auto in_double = [](const std::vector<cln::cl_F>& values) {
     std::vector<double> result;
@@ -253,15 +249,14 @@ Domain domain_in(const Kernel& kernel, const Domain& ours, const Layout& inputs,
 // True if a result contains a product of two coefficients.
 bool multiplies_coefficients(const Kernel& kernel) {
   std::vector<bool> of_input;
-  for (const Parameter& p : kernel.parameters)
-    of_input.insert(of_input.end(), index(p.size()), holds_coefficients(p.role));
+  for (const Parameter& p : kernel.parameters) of_input.insert(of_input.end(), p.size(), holds_coefficients(p.role));
   std::vector<bool> depends(kernel.nodes.size());
   for (NodeId id = 0; id < kernel.size(); ++id) {
     const Node& node = kernel.node(id);
-    int dependent = node.op == Op::kInput && of_input[index(node.input)] ? 1 : 0;
-    for (int i = 0; i < argument_count(node.op); ++i) dependent += depends[index(node.args[index(i)])] ? 1 : 0;
+    int dependent = node.op == Op::kInput && of_input[node.input] ? 1 : 0;
+    for (int i = 0; i < argument_count(node.op); ++i) dependent += depends[node.args[i]] ? 1 : 0;
     if (node.op == Op::kMul && dependent == 2) return true;
-    depends[index(id)] = dependent > 0;
+    depends[id] = dependent > 0;
   }
   return false;
 }

@@ -62,8 +62,7 @@ Reference matrix_reference(int degree, int points) {
         // The two elements of (x, y, z, 1) whose product is the monomial.
         std::vector<std::size_t> factors;
         for (int axis = 0; axis < 3; ++axis) {
-          factors.insert(factors.end(), static_cast<std::size_t>(monomial.exponent(axis)),
-                         static_cast<std::size_t>(axis));
+          factors.insert(factors.end(), monomial.exponent(axis), axis);
         }
         factors.resize(2, 3);
         const bool diagonal = factors[0] == factors[1];

@@ -28,7 +28,7 @@ cln::cl_F value(const BilinearForm& form, const std::vector<cln::cl_RA>& a, cons
   for (const BilinearTerm& term : form.terms) {
     const symbolic::Surd radical = symbolic::Surd(cln::recip(term.factor.rational())) * term.factor;
     cln::cl_RA& sum = sums.try_emplace(radical, 0).first->second;
-    sum = sum + term.factor.rational() * a[static_cast<std::size_t>(term.i)] * b[static_cast<std::size_t>(term.j)];
+    sum = sum + term.factor.rational() * a[term.i] * b[term.j];
   }
   const cln::float_format_t format = cln::float_format(kCheckDigits + kGuardDigits);
   cln::cl_F total = cln::cl_float(0, format);
@@ -77,7 +77,7 @@ std::vector<std::vector<double>> unit_factors(const std::vector<int>& sizes) {
     const auto vectors = unit_vectors(kRandom, sizes[f], kSeed + f);
     const auto equal = unit_vectors(kEqual, sizes[f], kSeed + sizes.size());
     for (std::size_t i = 0; i < inputs.size(); ++i) {
-      std::vector<double> factor(static_cast<std::size_t>(sizes[f]));
+      std::vector<double> factor(sizes[f]);
       if (i < kRandom) {
         factor = vectors[i];
       } else if (i < kRandom + kSingle) {

@@ -84,7 +84,7 @@ Reference finish_reference(int degree, int points) {
         for (const auto& [monomial, coefficient] : f.axial.terms()) {
           const int place = std::abs(m) + monomial.exponent(2);
           const int index = place * (place + 1) + m;
-          sum = sum + coefficient * moments[static_cast<std::size_t>(index)];
+          sum = sum + coefficient * moments[index];
         }
         point.outputs.push_back((Surd(sum) * f.factor).evaluate(kCheckDigits));
       }
@@ -100,7 +100,7 @@ std::vector<std::vector<double>> moments_of_samples(int degree) {
   const auto directions = some_test_directions(kInputs);
   std::vector<std::vector<double>> inputs;
   for (std::size_t first = 0; first < directions.size(); ++first) {
-    std::vector<double> moments(static_cast<std::size_t>(coefficient_count(degree)), 0.0);
+    std::vector<double> moments(coefficient_count(degree), 0.0);
     for (std::size_t k = 0; k < kSamplesEach; ++k) {
       const auto& [x, y, z] = directions[(first + k * k) % directions.size()];
       double c = (k % 2 == 0 ? 1.0 : -1.0) / kSamplesEach;
@@ -109,8 +109,8 @@ std::vector<std::vector<double>> moments_of_samples(int degree) {
         double power = 1;
         for (int l = m; l <= degree; ++l) {
           const int zonal = l * (l + 1);
-          moments[static_cast<std::size_t>(zonal + m)] += c * power;
-          if (m > 0) moments[static_cast<std::size_t>(zonal - m)] += s * power;
+          moments[zonal + m] += c * power;
+          if (m > 0) moments[zonal - m] += s * power;
           power *= z;
         }
         const double next = x * c - y * s;

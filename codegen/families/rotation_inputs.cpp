@@ -29,7 +29,7 @@ using numeric::coefficient_count;
 std::vector<Surds> exact_bands(int degree, const Rationals& r) {
   const auto rational = symbolic::rotation_bands<cln::cl_RA>(degree, Matrix<cln::cl_RA>(3, 3, r), 1);
   std::vector<Surds> bands;
-  for (int l = 0; l <= degree; ++l) bands.push_back(symbolic::surd_entries(l, rational[to_size(l)]));
+  for (int l = 0; l <= degree; ++l) bands.push_back(symbolic::surd_entries(l, rational[l]));
   return bands;
 }
 
@@ -161,7 +161,7 @@ Reference rotate_apply_reference(int degree, int count) {
       Rationals entries = rational_vectors(1, size * size, kSeed + reference.size() + to_size(l))[0];
       if (l == 0) entries = {1};
       Surds& band = bands.emplace_back(size, size);
-      for (int i = 0; i < size * size; ++i) band(i / size, i % size) = Surd(entries[to_size(i)]);
+      for (int i = 0; i < size * size; ++i) band(i / size, i % size) = Surd(entries[i]);
       append(inputs, entries);
     }
     reference.push_back(turned_point(std::move(inputs), bands, c));
@@ -180,7 +180,7 @@ Reference rotate_evaluate_reference(int degree, int count) {
       for (int m = -l; m <= l; ++m) {
         const symbolic::BasisFunction f = symbolic::basis_function(l, m);
         const Surd y = Surd(f.homogeneous.evaluate(d)) * f.factor;
-        value = value + rotated.outputs[to_size(l * (l + 1) + m)] * y.evaluate(kCheckDigits);
+        value = value + rotated.outputs[l * (l + 1) + m] * y.evaluate(kCheckDigits);
       }
     }
     Rationals inputs = rotated.inputs;
@@ -218,7 +218,7 @@ std::vector<std::vector<double>> rotate_build_inputs(int degree) {
 
 std::vector<std::vector<double>> rotate_apply_inputs(int degree) {
   const int count = degree <= kManyInputs ? 300 : 100;
-  std::vector<std::vector<double>> inputs(to_size(count));
+  std::vector<std::vector<double>> inputs(count);
   for (int l = 0; l <= degree; ++l) {
     const auto rows = unit_vectors(count * (2 * l + 1), 2 * l + 1, kSeed + to_size(l));
     for (std::size_t row = 0; row < rows.size(); ++row) {

@@ -12,8 +12,6 @@
 namespace sh::codegen {
 namespace {
 
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
-
 constexpr int kInputs = 400;
 
 Reference zonal_reference(int degree, int count) {
@@ -25,7 +23,7 @@ Reference zonal_reference(int degree, int count) {
     ReferencePoint point{zonals[i], {}};
     point.inputs.insert(point.inputs.end(), directions[i].begin(), directions[i].end());
     for (const symbolic::TurnedZonal& f : turned) {
-      const cln::cl_RA value = f.polynomial.evaluate(directions[i]) * zonals[i][static_cast<std::size_t>(f.degree)];
+      const cln::cl_RA value = f.polynomial.evaluate(directions[i]) * zonals[i][f.degree];
       point.outputs.push_back((symbolic::Surd(value) * f.factor).evaluate(kCheckDigits));
     }
     reference.push_back(std::move(point));
@@ -51,11 +49,11 @@ Reference cap_reference(int degree, int count, int channels) {
     cln::cl_RA& u = point.inputs[3];
     u = 2 * cln::abs(u) / (1 + cln::abs(u));
     for (int k = 0; k < channels * coefficients; ++k) {
-      const symbolic::TurnedZonal& f = turned[index(k % coefficients)];
-      const cln::cl_RA& colour = point.inputs[index(4 + k / coefficients)];
-      const cln::cl_RA& sum = point.inputs[index(4 + channels + k)];
-      const symbolic::Surd added = symbolic::Surd(colour * f.polynomial.evaluate(directions[i])) * f.factor *
-                                   cap[static_cast<std::size_t>(f.degree)].at({&u, 1});
+      const symbolic::TurnedZonal& f = turned[k % coefficients];
+      const cln::cl_RA& colour = point.inputs[4 + k / coefficients];
+      const cln::cl_RA& sum = point.inputs[4 + channels + k];
+      const symbolic::Surd added =
+          symbolic::Surd(colour * f.polynomial.evaluate(directions[i])) * f.factor * cap[f.degree].at({&u, 1});
       point.outputs.push_back(symbolic::Surd(sum).evaluate(kCheckDigits + 10) + added.evaluate(kCheckDigits + 10));
     }
     reference.push_back(std::move(point));
@@ -65,7 +63,7 @@ Reference cap_reference(int degree, int count, int channels) {
 
 std::vector<std::vector<double>> cap_inputs(int degree, int channels, std::size_t count) {
   const auto chosen = some_test_directions(count);
-  const auto coefficients = index((degree + 1) * (degree + 1));
+  const auto coefficients = static_cast<std::size_t>((degree + 1) * (degree + 1));
   const std::vector<double> sizes = cap_sizes(static_cast<int>(chosen.size()), 74);
   const auto n = static_cast<std::size_t>(channels);
   const auto colours = unit_vectors(static_cast<int>(chosen.size()), channels, 75);

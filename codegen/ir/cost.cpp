@@ -45,18 +45,18 @@ int most_live_values(const Kernel& kernel, const std::vector<bool>& live) {
   std::vector<NodeId> last_use(kernel.nodes.size(), -1);
   for (NodeId id = 0; id < kernel.size(); ++id) {
     const Node& node = kernel.node(id);
-    if (!live[static_cast<std::size_t>(id)]) continue;
+    if (!live[id]) continue;
     for (int i = 0; i < argument_count(node.op); ++i) {
-      last_use[static_cast<std::size_t>(node.args[static_cast<std::size_t>(i)])] = id;
+      last_use[node.args[i]] = id;
     }
   }
   std::vector<int> change(kernel.nodes.size() + 1, 0);
   for (NodeId id = 0; id < kernel.size(); ++id) {
     const Node& node = kernel.node(id);
-    if (!live[static_cast<std::size_t>(id)] || node.op == Op::kConstant || node.op == Op::kTable) continue;
-    const NodeId end = std::max(last_use[static_cast<std::size_t>(id)], id);
-    ++change[static_cast<std::size_t>(node.op == Op::kInput ? 0 : id)];
-    --change[static_cast<std::size_t>(std::max(end, id + 1))];
+    if (!live[id] || node.op == Op::kConstant || node.op == Op::kTable) continue;
+    const NodeId end = std::max(last_use[id], id);
+    ++change[node.op == Op::kInput ? 0 : id];
+    --change[std::max(end, id + 1)];
   }
   int now = 0;
   int most = 0;
@@ -73,14 +73,14 @@ Cost cost(const Kernel& kernel) {
   Cost result;
   std::vector<int> depth(kernel.nodes.size(), 0);
   for (NodeId id = 0; id < kernel.size(); ++id) {
-    if (!live[static_cast<std::size_t>(id)]) continue;
+    if (!live[id]) continue;
     const Node& node = kernel.node(id);
-    const bool every_row = phase[static_cast<std::size_t>(id)] == Phase::kBody || node.op == Op::kRowSum;
+    const bool every_row = phase[id] == Phase::kBody || node.op == Op::kRowSum;
     count(node, every_row ? rows : 1, result);
-    int& here = depth[static_cast<std::size_t>(id)];
+    int& here = depth[id];
     const int steps = node.op == Op::kRowSum ? rows : 1;
     for (int i = 0; i < argument_count(node.op); ++i) {
-      here = std::max(here, depth[static_cast<std::size_t>(node.args[static_cast<std::size_t>(i)])] + steps);
+      here = std::max(here, depth[node.args[i]] + steps);
     }
     result.depth = std::max(result.depth, here);
   }

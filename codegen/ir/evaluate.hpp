@@ -56,7 +56,7 @@ class Evaluator {
 
   void run_row(std::size_t row, std::span<const T> inputs) {
     for (std::size_t i = 0; i < values_.size(); ++i) {
-      if (kernel_.nodes[i].op == Op::kTable) values_[i] = table_[row][static_cast<std::size_t>(kernel_.nodes[i].input)];
+      if (kernel_.nodes[i].op == Op::kTable) values_[i] = table_[row][kernel_.nodes[i].input];
     }
     run(Phase::kBody, inputs);
     for (std::size_t i = 0; i < values_.size(); ++i) {
@@ -90,12 +90,12 @@ class Evaluator {
     }
   }
 
-  [[nodiscard]] const T& value(NodeId id) const { return values_[static_cast<std::size_t>(id)]; }
+  [[nodiscard]] const T& value(NodeId id) const { return values_[id]; }
 
   void step(const Node& node, std::span<const T> inputs, T& result) const {
     switch (node.op) {
       case Op::kInput:
-        result = inputs[static_cast<std::size_t>(node.input)];
+        result = inputs[node.input];
         return;
       case Op::kConstant:
       case Op::kTable:

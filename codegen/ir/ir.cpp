@@ -43,7 +43,7 @@ std::vector<Phase> phases(const Kernel& kernel) {
     bool in_row = node.op == Op::kTable;
     bool after = node.op == Op::kRowSum;
     for (int i = 0; i < argument_count(node.op); ++i) {
-      const Phase of_argument = result[static_cast<std::size_t>(node.args[static_cast<std::size_t>(i)])];
+      const Phase of_argument = result[node.args[i]];
       in_row = in_row || of_argument == Phase::kBody;
       after = after || of_argument == Phase::kAfter;
     }
@@ -55,19 +55,19 @@ std::vector<Phase> phases(const Kernel& kernel) {
       throw std::logic_error(kernel.name + ": node " + std::to_string(id) +
                              ": expected a sum of a value that depends on a row of the table, got another value");
     }
-    result[static_cast<std::size_t>(id)] = after ? Phase::kAfter : in_row ? Phase::kBody : Phase::kBefore;
+    result[id] = after ? Phase::kAfter : in_row ? Phase::kBody : Phase::kBefore;
   }
   return result;
 }
 
 std::vector<bool> live_nodes(const Kernel& kernel) {
   std::vector<bool> live(kernel.nodes.size(), false);
-  for (const Output& output : kernel.outputs) live[static_cast<std::size_t>(output.node)] = true;
+  for (const Output& output : kernel.outputs) live[output.node] = true;
   for (NodeId id = kernel.size() - 1; id >= 0; --id) {
-    if (!live[static_cast<std::size_t>(id)]) continue;
+    if (!live[id]) continue;
     const Node& node = kernel.node(id);
     for (int i = 0; i < argument_count(node.op); ++i) {
-      live[static_cast<std::size_t>(node.args[static_cast<std::size_t>(i)])] = true;
+      live[node.args[i]] = true;
     }
   }
   return live;
@@ -80,11 +80,11 @@ Kernel with_order(const Kernel& kernel, const std::vector<NodeId>& order) {
   for (const NodeId id : order) {
     Node node = kernel.node(id);
     for (NodeId& arg : node.args) {
-      if (arg >= 0) arg = position[static_cast<std::size_t>(arg)];
+      if (arg >= 0) arg = position[arg];
     }
-    position[static_cast<std::size_t>(id)] = Builder(result).append(std::move(node));
+    position[id] = Builder(result).append(std::move(node));
   }
-  for (Output& output : result.outputs) output.node = position[static_cast<std::size_t>(output.node)];
+  for (Output& output : result.outputs) output.node = position[output.node];
   require_well_formed(result);
   return result;
 }
@@ -93,7 +93,7 @@ void require_well_formed(const Kernel& kernel) {
   for (NodeId id = 0; id < kernel.size(); ++id) {
     const Node& node = kernel.node(id);
     for (int i = 0; i < argument_count(node.op); ++i) {
-      const NodeId arg = node.args[static_cast<std::size_t>(i)];
+      const NodeId arg = node.args[i];
       if (arg < 0 || arg >= id) {
         throw std::logic_error(kernel.name + ": node " + std::to_string(id) +
                                ": expected an earlier node as argument, got node " + std::to_string(arg));

@@ -71,7 +71,7 @@ struct Kernel {
   [[nodiscard]] int element(std::size_t output) const {
     return outputs[output].element < 0 ? static_cast<int>(output) : outputs[output].element;
   }
-  [[nodiscard]] const Node& node(NodeId id) const { return nodes[static_cast<std::size_t>(id)]; }
+  [[nodiscard]] const Node& node(NodeId id) const { return nodes[id]; }
   [[nodiscard]] NodeId size() const { return static_cast<NodeId>(nodes.size()); }
 };
 
@@ -114,7 +114,7 @@ class Builder {
   }
   NodeId table(int column) { return append({Op::kTable, {-1, -1, -1, -1}, column, {}, {}}); }
   NodeId row_sum(NodeId a, std::string name = {}) { return operation(Op::kRowSum, {a, -1, -1, -1}, std::move(name)); }
-  void name(NodeId id, std::string name) { kernel_.nodes[static_cast<std::size_t>(id)].name = std::move(name); }
+  void name(NodeId id, std::string name) { kernel_.nodes[id].name = std::move(name); }
 
  private:
   NodeId operation(Op op, const std::array<NodeId, 4>& args, std::string name);

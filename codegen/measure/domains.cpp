@@ -32,7 +32,7 @@ std::vector<std::vector<double>> unit_vectors(int count, int size, unsigned long
   std::mt19937_64 random(seed);
   std::vector<std::vector<double>> vectors;
   for (int i = 0; i < count; ++i) {
-    std::vector<double> v(static_cast<std::size_t>(size));
+    std::vector<double> v(size);
     // std::uniform_real_distribution may differ between libraries.
     for (double& component : v) component = std::ldexp(static_cast<double>(random() >> 11U), -52) - 1;
     const double norm = length(v);
@@ -54,7 +54,7 @@ std::vector<std::array<double, 3>> some_test_directions(std::size_t count) {
 std::vector<double> cap_sizes(int count, unsigned long seed) {
   std::mt19937_64 random(seed);
   std::vector<double> sizes;
-  sizes.reserve(static_cast<std::size_t>(count));
+  sizes.reserve(count);
   for (int i = 0; i < count; ++i) {
     const double u = std::ldexp(static_cast<double>((random() >> 11U) | 1U), -52);
     const double near = u * std::ldexp(1.0, -static_cast<int>(random() % 20));
@@ -72,7 +72,7 @@ std::vector<std::vector<cln::cl_RA>> rational_vectors(int count, int size, unsig
   std::vector<std::vector<cln::cl_RA>> vectors;
   for (int i = 0; i < count; ++i) {
     std::vector<cln::cl_RA> v;
-    v.reserve(static_cast<std::size_t>(size));
+    v.reserve(size);
     for (int k = 0; k < size; ++k) {
       v.push_back(cln::cl_RA(static_cast<long>(random() % 2001) - 1000) / static_cast<long>(random() % 500 + 1));
     }

@@ -22,10 +22,10 @@ std::vector<int> use_counts(const Kernel& kernel) {
   std::vector<int> uses(kernel.nodes.size());
   for (const Node& node : kernel.nodes) {
     for (int i = 0; i < argument_count(node.op); ++i) {
-      ++uses[static_cast<std::size_t>(node.args[static_cast<std::size_t>(i)])];
+      ++uses[node.args[i]];
     }
   }
-  for (const Output& output : kernel.outputs) ++uses[static_cast<std::size_t>(output.node)];
+  for (const Output& output : kernel.outputs) ++uses[output.node];
   return uses;
 }
 
@@ -34,7 +34,7 @@ std::vector<int> use_counts(const Kernel& kernel) {
 Kernel associate(const Kernel& kernel) {
   Kernel result = leaves_first(kernel);
   const std::vector<int> uses = use_counts(result);
-  const auto at = [&result](NodeId id) -> Node& { return result.nodes[static_cast<std::size_t>(id)]; };
+  const auto at = [&result](NodeId id) -> Node& { return result.nodes[id]; };
   const auto is_constant = [&at](NodeId id) { return at(id).op == Op::kConstant; };
   for (Node& outer : result.nodes) {
     if (outer.op != Op::kMul) continue;
@@ -42,7 +42,7 @@ Kernel associate(const Kernel& kernel) {
     const NodeId right = outer.args[1];
     const NodeId k = is_constant(left) ? left : right;
     const NodeId vw = is_constant(left) ? right : left;
-    if (!is_constant(k) || at(vw).op != Op::kMul || uses[static_cast<std::size_t>(vw)] > 1) continue;
+    if (!is_constant(k) || at(vw).op != Op::kMul || uses[vw] > 1) continue;
     Node& inner = at(vw);
     const NodeId v = inner.args[0];
     const NodeId w = inner.args[1];

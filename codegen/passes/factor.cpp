@@ -59,11 +59,9 @@ bool is_short(const Form& form) {
 
 std::optional<Form> form_of(const Kernel& kernel, NodeId id, const Forms& forms) {
   const Node& node = kernel.node(id);
-  const auto arg = [&](std::size_t i) -> const std::optional<Form>& {
-    return forms[static_cast<std::size_t>(node.args[i])];
-  };
+  const auto arg = [&](std::size_t i) -> const std::optional<Form>& { return forms[node.args[i]]; };
   for (int i = 0; i < argument_count(node.op); ++i) {
-    if (!arg(static_cast<std::size_t>(i))) return std::nullopt;
+    if (!arg(i)) return std::nullopt;
   }
   std::optional<Form> form;
   switch (node.op) {
@@ -122,7 +120,7 @@ class FormBuilder {
  private:
   using Term = Form::value_type;
 
-  [[nodiscard]] NodeId at(NodeId input) const { return position_[static_cast<std::size_t>(input)]; }
+  [[nodiscard]] NodeId at(NodeId input) const { return position_[input]; }
 
   NodeId product(NodeId v, NodeId w) {
     const std::string& left = kernel_.node(at(v)).name;
@@ -170,7 +168,7 @@ Kernel rebuilt(const Kernel& kernel, const Forms& forms, const Chosen& chosen) {
   std::vector<NodeId> position;
   for (NodeId id = 0; id < kernel.size(); ++id) {
     Node node = kernel.node(id);
-    const auto& form = forms[static_cast<std::size_t>(id)];
+    const auto& form = forms[id];
     if (argument_count(node.op) > 0 && form && !form->empty() && chosen(id, *form)) {
       if (const auto replacement = FormBuilder(result, position, node.name).append(*form)) {
         if (result.node(*replacement).op != Op::kConstant) build.name(*replacement, node.name);
@@ -179,11 +177,11 @@ Kernel rebuilt(const Kernel& kernel, const Forms& forms, const Chosen& chosen) {
       }
     }
     for (NodeId& arg : node.args) {
-      if (arg >= 0) arg = position[static_cast<std::size_t>(arg)];
+      if (arg >= 0) arg = position[arg];
     }
     position.push_back(build.append(std::move(node)));
   }
-  for (Output& output : result.outputs) output.node = position[static_cast<std::size_t>(output.node)];
+  for (Output& output : result.outputs) output.node = position[output.node];
   return share(result);
 }
 
@@ -202,8 +200,8 @@ std::optional<Kernel> with_better_product(const Kernel& kernel) {
   const std::vector<bool> live = live_nodes(kernel);
   const int operations = cost(kernel).operations();
   for (NodeId target = 0; target < kernel.size(); ++target) {
-    const auto& form = forms[static_cast<std::size_t>(target)];
-    if (!live[static_cast<std::size_t>(target)] || !form || form->size() != 1) continue;
+    const auto& form = forms[target];
+    if (!live[target] || !form || form->size() != 1) continue;
     Kernel candidate = rebuilt(kernel, forms, [target](NodeId id, const Form&) { return id == target; });
     if (cost(candidate).operations() < operations) return candidate;
   }

@@ -7,7 +7,7 @@ Kernel prune(const Kernel& kernel) {
   const std::vector<bool> live = live_nodes(kernel);
   std::vector<NodeId> order;
   for (NodeId id = 0; id < kernel.size(); ++id) {
-    if (live[static_cast<std::size_t>(id)]) order.push_back(id);
+    if (live[id]) order.push_back(id);
   }
   return with_order(kernel, order);
 }

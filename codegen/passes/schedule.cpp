@@ -16,7 +16,7 @@ class ListScheduler {
   explicit ListScheduler(const Kernel& kernel)
       : kernel_(kernel), done_(kernel.nodes.size(), false), uses_left_(kernel.nodes.size(), 0) {
     for (const Node& node : kernel.nodes) {
-      for (int i = 0; i < argument_count(node.op); ++i) ++uses_left_[index(node.args[static_cast<std::size_t>(i)])];
+      for (int i = 0; i < argument_count(node.op); ++i) ++uses_left_[index(node.args[i])];
     }
   }
 
@@ -36,7 +36,7 @@ class ListScheduler {
     if (done_[index(id)]) return false;
     const Node& node = kernel_.node(id);
     for (int i = 0; i < argument_count(node.op); ++i) {
-      if (!done_[index(node.args[static_cast<std::size_t>(i)])]) return false;
+      if (!done_[index(node.args[i])]) return false;
     }
     return true;
   }
@@ -73,7 +73,7 @@ class ListScheduler {
 
   void take(NodeId id) {
     const Node& node = kernel_.node(id);
-    for (int i = 0; i < argument_count(node.op); ++i) --uses_left_[index(node.args[static_cast<std::size_t>(i)])];
+    for (int i = 0; i < argument_count(node.op); ++i) --uses_left_[index(node.args[i])];
     done_[index(id)] = true;
     order_.push_back(id);
   }

@@ -47,7 +47,7 @@ class Sharer {
     const auto [found, inserted] = known_.try_emplace(key_of(node), kernel_.size());
     if (inserted) {
       kernel_.nodes.push_back(std::move(node));
-    } else if (Node& first = kernel_.nodes[static_cast<std::size_t>(found->second)]; first.name.empty()) {
+    } else if (Node& first = kernel_.nodes[found->second]; first.name.empty()) {
       first.name = node.name;
     }
     return found->second;
@@ -134,11 +134,11 @@ Kernel rebuilt(const Kernel& kernel, const Append& append) {
   for (const Node& original : kernel.nodes) {
     Node node = original;
     for (NodeId& arg : node.args) {
-      if (arg >= 0) arg = position[static_cast<std::size_t>(arg)];
+      if (arg >= 0) arg = position[arg];
     }
     position.push_back(append(sharer, std::move(node)));
   }
-  for (Output& output : result.outputs) output.node = position[static_cast<std::size_t>(output.node)];
+  for (Output& output : result.outputs) output.node = position[output.node];
   return result;
 }
 

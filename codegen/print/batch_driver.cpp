@@ -51,7 +51,7 @@ std::vector<Driver> drivers_of(const std::vector<WrittenFamily>& families) {
     const auto served = std::count_if(kernels.begin(), kernels.end(), [largest](const FinishedKernel& finished) {
       return finished.kernel.degree <= largest;
     });
-    const std::span<const FinishedKernel> used = std::span(kernels).first(static_cast<std::size_t>(served));
+    const std::span<const FinishedKernel> used = std::span(kernels).first(served);
     const int further = used.size() < kernels.size() ? kernels.back().kernel.degree : 0;
     drivers.push_back({.name = name,
                        .spec = *spec,

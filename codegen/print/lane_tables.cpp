@@ -60,7 +60,7 @@ std::string orbit_file(int degree) {
       for (const int i : row) slots.add(std::to_string(i));
       for (int j = 0; j < 4; ++j) {
         for (int lane = 0; lane < padded; ++lane) {
-          const int i = row[static_cast<std::size_t>(lane % 4)];
+          const int i = row[lane % 4];
           const int q = lane / 4 * 4 + j;
           if (i < 0 || q >= orbits.count() || is_zero(orbits.value(i, q))) {
             sums.add("0");

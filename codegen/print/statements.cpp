@@ -77,25 +77,24 @@ class Lister {
     for (const auto& names : {&kernel.parameters, &kernel.results}) {
       for (const Parameter& parameter : *names) taken_.insert(dialect.name(parameter.name));
     }
-    for (std::size_t i = 0; i < kernel.outputs.size(); ++i) stores_[index(kernel.outputs[i].node)].push_back(i);
+    for (std::size_t i = 0; i < kernel.outputs.size(); ++i) stores_[kernel.outputs[i].node].push_back(i);
     for (NodeId id = 0; id < kernel.size(); ++id) {
-      if (!live_[index(id)]) continue;
+      if (!live_[id]) continue;
       const Node& node = kernel.node(id);
       for (int i = 0; i < argument_count(node.op); ++i) {
-        ++uses_[index(node.args[index(i)])];
-        users_[index(node.args[index(i)])] = id;
-        Phase& last = last_phase_[index(node.args[index(i)])];
-        last = std::max(last, node.op == Op::kRowSum ? Phase::kBody : phases_[index(id)]);
+        ++uses_[node.args[i]];
+        users_[node.args[i]] = id;
+        Phase& last = last_phase_[node.args[i]];
+        last = std::max(last, node.op == Op::kRowSum ? Phase::kBody : phases_[id]);
       }
     }
     for (NodeId id = 0; id < kernel.size(); ++id) {
       const Node& node = kernel.node(id);
-      if (!live_[index(id)] || node.op != Op::kInput) continue;
-      Element& element = inputs_[index(node.input)];
+      if (!live_[id] || node.op != Op::kInput) continue;
+      Element& element = inputs_[node.input];
       if (is_read_by_own_store(id)) element.may_be_overwritten = false;
       // Stores follow the loop.
-      if (has_loop() && last_phase_[index(id)] != Phase::kAfter && stores_[index(id)].empty())
-        element.may_be_overwritten = false;
+      if (has_loop() && last_phase_[id] != Phase::kAfter && stores_[id].empty()) element.may_be_overwritten = false;
       if (element.may_be_overwritten) overwritable_[element.index].push_back(id);
     }
   }
@@ -105,7 +104,7 @@ class Lister {
     if (has_loop()) {
       list_loop();
       for (NodeId id = 0; id < kernel_.size(); ++id) {
-        if (live_[index(id)] && phases_[index(id)] == Phase::kBefore) store_all(id);
+        if (live_[id] && phases_[id] == Phase::kBefore) store_all(id);
       }
       visit_all(Phase::kAfter);
     }
@@ -113,80 +112,76 @@ class Lister {
   }
 
  private:
-  static std::size_t index(int i) { return static_cast<std::size_t>(i); }
-
-  [[nodiscard]] const Element& result_of(std::size_t output) const {
-    return results_[static_cast<std::size_t>(kernel_.element(output))];
-  }
+  [[nodiscard]] const Element& result_of(std::size_t output) const { return results_[kernel_.element(output)]; }
 
   [[nodiscard]] bool has_loop() const { return !kernel_.table.empty(); }
 
   void visit_all(Phase phase) {
     for (NodeId id = 0; id < kernel_.size(); ++id) {
-      if (live_[index(id)] && phases_[index(id)] == phase && kernel_.node(id).op != Op::kRowSum) visit(id);
+      if (live_[id] && phases_[id] == phase && kernel_.node(id).op != Op::kRowSum) visit(id);
     }
   }
 
   void list_loop() {
     for (NodeId id = 0; id < kernel_.size(); ++id) {
-      if (!live_[index(id)] || kernel_.node(id).op != Op::kRowSum) continue;
-      expressions_[index(id)] = {unused_name(kernel_.node(id).name.empty() ? "sum" : kernel_.node(id).name), kAtom};
-      listing_.statements.push_back({Statement::Kind::kSumStart, expressions_[index(id)].text, "", ""});
+      if (!live_[id] || kernel_.node(id).op != Op::kRowSum) continue;
+      expressions_[id] = {unused_name(kernel_.node(id).name.empty() ? "sum" : kernel_.node(id).name), kAtom};
+      listing_.statements.push_back({Statement::Kind::kSumStart, expressions_[id].text, "", ""});
     }
     listing_.statements.push_back({Statement::Kind::kLoopStart, std::to_string(kernel_.table[0].size()),
                                    std::to_string(kernel_.table.size()), ""});
     const std::size_t first = listing_.statements.size();
     for (NodeId id = 0; id < kernel_.size(); ++id) {
       const Node& node = kernel_.node(id);
-      if (!live_[index(id)]) continue;
+      if (!live_[id]) continue;
       if (node.op == Op::kRowSum) {
-        const Expression& sum = expressions_[index(id)];
+        const Expression& sum = expressions_[id];
         listing_.statements.push_back(
-            {Statement::Kind::kSumStep, sum.text, infix(sum, " + ", expressions_[index(node.args[0])], kSum), ""});
-      } else if (phases_[index(id)] == Phase::kBody) {
+            {Statement::Kind::kSumStep, sum.text, infix(sum, " + ", expressions_[node.args[0]], kSum), ""});
+      } else if (phases_[id] == Phase::kBody) {
         visit(id);
       }
     }
     for (std::size_t i = first; i < listing_.statements.size(); ++i) listing_.statements[i].in_loop = true;
     listing_.statements.push_back({Statement::Kind::kLoopEnd, "", "", ""});
     for (NodeId id = 0; id < kernel_.size(); ++id) {
-      if (live_[index(id)] && kernel_.node(id).op == Op::kRowSum) store_all(id);
+      if (live_[id] && kernel_.node(id).op == Op::kRowSum) store_all(id);
     }
   }
 
   // True when the element is needed only by the expression that is stored at its own index.
   [[nodiscard]] bool is_read_by_own_store(NodeId id) const {
     if (kernel_.results.size() != 1) return false;  // the element of another result might be stored before
-    const int element = inputs_[index(kernel_.node(id).input)].index;
-    for (NodeId at = id;; at = users_[index(at)]) {
-      const std::vector<std::size_t>& stores = stores_[index(at)];
-      if (uses_[index(at)] + static_cast<int>(stores.size()) != 1) return false;
+    const int element = inputs_[kernel_.node(id).input].index;
+    for (NodeId at = id;; at = users_[at]) {
+      const std::vector<std::size_t>& stores = stores_[at];
+      if (uses_[at] + static_cast<int>(stores.size()) != 1) return false;
       if (!stores.empty()) return result_of(stores[0]).index == element;
     }
   }
 
   void visit(NodeId id) {
     const Node& node = kernel_.node(id);
-    const std::vector<std::size_t>& stores = stores_[index(id)];
+    const std::vector<std::size_t>& stores = stores_[id];
     if (node.op == Op::kInput) {
       if (!stores.empty()) load(id);
     } else {
-      expressions_[index(id)] = express(node);
-      const bool kept = last_phase_[index(id)] != phases_[index(id)] || (postponed(id) && !stores.empty());
-      if (argument_count(node.op) > 0 && (kept || uses_[index(id)] + static_cast<int>(stores.size()) > 1)) {
+      expressions_[id] = express(node);
+      const bool kept = last_phase_[id] != phases_[id] || (postponed(id) && !stores.empty());
+      if (argument_count(node.op) > 0 && (kept || uses_[id] + static_cast<int>(stores.size()) > 1)) {
         const std::string name = unique_name(node);
-        listing_.statements.push_back({Statement::Kind::kVariable, name, expressions_[index(id)].text, ""});
-        expressions_[index(id)] = {name, kAtom};
+        listing_.statements.push_back({Statement::Kind::kVariable, name, expressions_[id].text, ""});
+        expressions_[id] = {name, kAtom};
       }
     }
     if (!postponed(id)) store_all(id);
   }
 
   // Nothing is stored before or in the loop.
-  [[nodiscard]] bool postponed(NodeId id) const { return has_loop() && phases_[index(id)] != Phase::kAfter; }
+  [[nodiscard]] bool postponed(NodeId id) const { return has_loop() && phases_[id] != Phase::kAfter; }
 
   void store_all(NodeId id) {
-    for (const std::size_t i : stores_[index(id)]) store(i, expressions_[index(id)]);
+    for (const std::size_t i : stores_[id]) store(i, expressions_[id]);
   }
 
   void store(std::size_t output, const Expression& expression) {
@@ -203,9 +198,9 @@ class Lister {
 
   // The element under its name, or as a variable when a store might change it.
   void load(NodeId id) {
-    Expression& expression = expressions_[index(id)];
+    Expression& expression = expressions_[id];
     if (!expression.text.empty()) return;
-    const Element& element = inputs_[index(kernel_.node(id).input)];
+    const Element& element = inputs_[kernel_.node(id).input];
     expression = {element.name, kAtom};
     if (!element.may_be_overwritten) return;
     expression.text = unused_name(element.local);
@@ -214,9 +209,9 @@ class Lister {
 
   Expression express(const Node& node) {
     for (int i = 0; i < argument_count(node.op); ++i) {
-      if (kernel_.node(node.args[index(i)]).op == Op::kInput) load(node.args[index(i)]);
+      if (kernel_.node(node.args[i]).op == Op::kInput) load(node.args[i]);
     }
-    const auto arg = [&](int i) -> const Expression& { return expressions_[index(node.args[index(i)])]; };
+    const auto arg = [&](int i) -> const Expression& { return expressions_[node.args[i]]; };
     switch (node.op) {
       case Op::kConstant:
         listing_.constants.push_back({unique_name(node), node.constant});
@@ -254,8 +249,8 @@ class Lister {
   std::string unique_name(const Node& node) {
     std::string name = node.name;
     if (name.empty() && node.op == Op::kMul) {
-      const std::string& left = expressions_[index(node.args[0])].text;
-      const std::string& right = expressions_[index(node.args[1])].text;
+      const std::string& left = expressions_[node.args[0]].text;
+      const std::string& right = expressions_[node.args[1]].text;
       if (left.size() == 1 && right.size() == 1) name = left == right ? left + "2" : left + right;
     }
     return unused_name(name.empty() ? (node.op == Op::kConstant ? "k" : "t") : name);

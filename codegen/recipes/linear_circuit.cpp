@@ -155,11 +155,11 @@ class Search {
   LinearCircuit finish() {
     LinearCircuit circuit;
     circuit.inputs = columns_;
-    std::vector<std::vector<std::pair<double, int>>> products(static_cast<std::size_t>(values_));
-    std::vector<int> position(static_cast<std::size_t>(values_));
+    std::vector<std::vector<std::pair<double, int>>> products(values_);
+    std::vector<int> position(values_);
     std::vector<Row> all = sums_;
     all.insert(all.end(), rows_.begin(), rows_.end());
-    for (int i = 0; i < columns_; ++i) position[static_cast<std::size_t>(i)] = i;
+    for (int i = 0; i < columns_; ++i) position[i] = i;
     const auto uses = [&](int value, double size) {
       return std::count_if(all.begin(), all.end(), [&](const Row& row) {
         const auto found = row.find(value);
@@ -171,11 +171,11 @@ class Search {
       return circuit.inputs + static_cast<int>(circuit.sums.size()) - 1;
     };
     const auto term = [&](int value, const Factor& f) -> LinearTerm {
-      const int source = position[static_cast<std::size_t>(value)];
+      const int source = position[value];
       if (is_unit(f.value)) return {source, unit(f.value)};
       const double size = std::abs(f.value);
       if (uses(value, size) < 2) return {source, *f.exact};
-      auto& known = products[static_cast<std::size_t>(value)];
+      auto& known = products[value];
       auto found = std::find_if(known.begin(), known.end(), [size](const auto& p) { return same(p.first, size); });
       if (found == known.end()) {
         known.emplace_back(size, append({{source, f.value < 0 ? negate(*f.exact) : *f.exact}}));
@@ -244,13 +244,13 @@ std::vector<Value> run_forwards(SignedBuilder& build, const LinearCircuit& circu
     std::vector<Value> terms;
     terms.reserve(sum.size());
     for (const LinearTerm& term : sum) {
-      terms.push_back(build.times_once(term.factor, values[static_cast<std::size_t>(term.source)]));
+      terms.push_back(build.times_once(term.factor, values[term.source]));
     }
     values.push_back(build.sum(terms));
   }
   std::vector<Value> rows;
   for (const int output : circuit.outputs) {
-    rows.push_back(output < 0 ? Value{} : values[static_cast<std::size_t>(output)]);
+    rows.push_back(output < 0 ? Value{} : values[output]);
   }
   return rows;
 }
@@ -259,17 +259,17 @@ std::vector<Value> run_transposed(SignedBuilder& build, const LinearCircuit& cir
   // The parts of every value that come from later values.
   std::vector<std::vector<Value>> reaching(static_cast<std::size_t>(circuit.inputs) + circuit.sums.size());
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (circuit.outputs[i] >= 0) reaching[static_cast<std::size_t>(circuit.outputs[i])].push_back(rows[i]);
+    if (circuit.outputs[i] >= 0) reaching[circuit.outputs[i]].push_back(rows[i]);
   }
   for (std::size_t i = circuit.sums.size(); i-- > 0;) {
     const Value value = build.sum(reaching[static_cast<std::size_t>(circuit.inputs) + i]);
     for (const LinearTerm& term : circuit.sums[i]) {
-      reaching[static_cast<std::size_t>(term.source)].push_back(build.times_once(term.factor, value));
+      reaching[term.source].push_back(build.times_once(term.factor, value));
     }
   }
   std::vector<Value> columns;
-  columns.reserve(static_cast<std::size_t>(circuit.inputs));
-  for (int i = 0; i < circuit.inputs; ++i) columns.push_back(build.sum(reaching[static_cast<std::size_t>(i)]));
+  columns.reserve(circuit.inputs);
+  for (int i = 0; i < circuit.inputs; ++i) columns.push_back(build.sum(reaching[i]));
   return columns;
 }
 

@@ -6,16 +6,16 @@ std::vector<NodeId> splice(Builder& build, const Kernel& part, const std::vector
   std::vector<NodeId> position;
   for (Node node : part.nodes) {
     if (node.op == Op::kInput) {
-      position.push_back(inputs[static_cast<std::size_t>(node.input)]);
+      position.push_back(inputs[node.input]);
       continue;
     }
     for (NodeId& arg : node.args) {
-      if (arg >= 0) arg = position[static_cast<std::size_t>(arg)];
+      if (arg >= 0) arg = position[arg];
     }
     position.push_back(build.append(std::move(node)));
   }
   std::vector<NodeId> results;
-  for (const Output& output : part.outputs) results.push_back(position[static_cast<std::size_t>(output.node)]);
+  for (const Output& output : part.outputs) results.push_back(position[output.node]);
   return results;
 }
 

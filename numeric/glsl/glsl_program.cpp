@@ -14,7 +14,7 @@ std::string shader_log(GLuint shader) {
   glGetShaderiv(shader, GL_INFO_LOG_LENGTH, &length);
   std::string log(static_cast<std::size_t>(length) + 1, '\0');
   glGetShaderInfoLog(shader, length + 1, &length, log.data());
-  log.resize(static_cast<std::size_t>(length));
+  log.resize(length);
   return log;
 }
 
@@ -23,7 +23,7 @@ std::string program_log(GLuint program) {
   glGetProgramiv(program, GL_INFO_LOG_LENGTH, &length);
   std::string log(static_cast<std::size_t>(length) + 1, '\0');
   glGetProgramInfoLog(program, length + 1, &length, log.data());
-  log.resize(static_cast<std::size_t>(length));
+  log.resize(length);
   return log;
 }
 

@@ -26,7 +26,7 @@ struct Fit {
 class Functions {
  public:
   Functions(const Samples& samples, const Axes& axes) : rows_(samples.directions.size()) {
-    values_.assign(static_cast<std::size_t>(coefficient_count(samples.degree)), std::vector<double>(rows_));
+    values_.assign(coefficient_count(samples.degree), std::vector<double>(rows_));
     std::vector<double> all(values_.size());
     for (std::size_t row = 0; row < rows_; ++row) {
       const auto d = axes.apply(samples.directions[row]);
@@ -57,9 +57,7 @@ class Functions {
   }
 
  private:
-  [[nodiscard]] const std::vector<double>& of(int l, int m) const {
-    return values_[static_cast<std::size_t>(coefficient_index(l, m))];
-  }
+  [[nodiscard]] const std::vector<double>& of(int l, int m) const { return values_[coefficient_index(l, m)]; }
 
   std::size_t rows_;
   std::vector<std::vector<double>> values_;  // [function][row]

@@ -84,7 +84,7 @@ long double folded_size(Folded folded, int l) {
 
 std::array<double, 3> Axes::apply(const std::array<double, 3>& d) const {
   std::array<double, 3> result{};
-  for (std::size_t row = 0; row < 3; ++row) result[row] = sign[row] * d[static_cast<std::size_t>(axis[row])];
+  for (std::size_t row = 0; row < 3; ++row) result[row] = sign[row] * d[axis[row]];
   return result;
 }
 
@@ -143,10 +143,10 @@ int storage_position(IndexOrder order, int max_degree, int degree, int order_m) 
 }
 
 std::vector<Function> functions_in_order(IndexOrder order, int max_degree) {
-  std::vector<Function> functions(static_cast<std::size_t>(storage_size(order, max_degree)));
+  std::vector<Function> functions(storage_size(order, max_degree));
   for (int l = 0; l <= max_degree; ++l) {
     for (int m = -l; m <= l; ++m) {
-      functions[static_cast<std::size_t>(storage_position(order, max_degree, l, m))] = {l, m};
+      functions[storage_position(order, max_degree, l, m)] = {l, m};
     }
   }
   return functions;
@@ -167,14 +167,14 @@ std::vector<std::complex<double>> convention_values(const Convention& convention
                                                     const std::array<double, 3>& direction) {
   const auto d = convention.axes.apply(direction);
   const auto unit = normalised<long double>(d[0], d[1], d[2]);
-  std::vector<long double> ours(static_cast<std::size_t>(coefficient_count(max_degree)));
+  std::vector<long double> ours(coefficient_count(max_degree));
   basis(max_degree, unit[0], unit[1], unit[2], ours.data());
-  const auto at = [&](int l, int m) { return ours[static_cast<std::size_t>(coefficient_index(l, m))]; };
-  std::vector<std::complex<double>> values(static_cast<std::size_t>(storage_size(convention.order, max_degree)));
+  const auto at = [&](int l, int m) { return ours[coefficient_index(l, m)]; };
+  std::vector<std::complex<double>> values(storage_size(convention.order, max_degree));
   for (int l = 0; l <= max_degree; ++l) {
     for (int m = -l; m <= l; ++m) {
       const long double size = relative_size(convention, l, m);
-      auto& value = values[static_cast<std::size_t>(storage_position(convention.order, max_degree, l, m))];
+      auto& value = values[storage_position(convention.order, max_degree, l, m)];
       if (!convention.complex || m == 0) {
         value = static_cast<double>(size * at(l, m));
       } else {

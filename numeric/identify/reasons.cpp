@@ -141,7 +141,7 @@ std::string as_sum(const Samples& samples, const Columns& expected, std::size_t 
     const Complex part = parts[by_size[i]];
     text += (i > 0 ? " + (" : " (") + number(part.real(), 4) +
             (std::abs(part.imag()) > kSame * std::abs(part) ? " + " + number(part.imag(), 4) + "i" : "") +
-            ") x coefficient " + std::to_string(used[static_cast<std::size_t>(by_size[i])]) + "'s";
+            ") x coefficient " + std::to_string(used[by_size[i]]) + "'s";
   }
   return text;
 }

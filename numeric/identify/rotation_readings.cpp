@@ -194,7 +194,7 @@ std::vector<Band> expected_bands(const RotationReading& reading, const RotationC
   const auto ours = rotation_bands<long double>(max_degree, r.data());
   std::vector<Band> bands;
   for (int l = 0; l <= max_degree; ++l) {
-    const auto& band = ours[static_cast<std::size_t>(l)];
+    const auto& band = ours[l];
     bands.push_back(reading.convention.complex ? to_complex(band, l) : Band(band.begin(), band.end()));
   }
   return bands;
@@ -208,15 +208,14 @@ std::vector<Band> own_bands(const RotationReading& reading, const RotationCase& 
     std::vector<std::size_t> from;
     for (int m = -l; m <= l; ++m) {
       size.push_back(relative_size(reading.convention, l, m));
-      from.push_back(static_cast<std::size_t>(place_in_band(reading.convention.order, l, m)));
+      from.push_back(place_in_band(reading.convention.order, l, m));
     }
     Band band;
     for (std::size_t m = 0; m < size.size(); ++m) {
       for (std::size_t n = 0; n < size.size(); ++n) {
         const std::size_t row = reading.transposed ? from[n] : from[m];
         const std::size_t column = reading.transposed ? from[m] : from[n];
-        band.push_back(Complex(rotation.bands[static_cast<std::size_t>(l)][row * size.size() + column]) * size[m] /
-                       size[n]);
+        band.push_back(Complex(rotation.bands[l][row * size.size() + column]) * size[m] / size[n]);
       }
     }
     bands.push_back(std::move(band));

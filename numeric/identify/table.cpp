@@ -22,7 +22,7 @@ std::optional<double> take_number(std::string_view& text) {
   double value = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   if (error == std::errc::invalid_argument) return std::nullopt;
-  const std::string_view number = digits.substr(0, static_cast<std::size_t>(end - digits.data()));
+  const std::string_view number = digits.substr(0, end - digits.data());
   if (error == std::errc::result_out_of_range) value = std::strtod(std::string(number).c_str(), nullptr);
   digits.remove_prefix(number.size());
   text = digits;

@@ -76,8 +76,8 @@ RealFunction nearest_of(const FamilyRecord& record) {
 
 // By output, the most that inputs of length 1 can make of it, for a kernel that is linear in them.
 std::vector<double> gains(const RealFunction& linear, const Signature& signature, int degree) {
-  std::vector<long double> in(static_cast<std::size_t>(signature.input_count()));
-  std::vector<long double> out(static_cast<std::size_t>(signature.output_count()));
+  std::vector<long double> in(signature.input_count());
+  std::vector<long double> out(signature.output_count());
   std::vector<double> gains(out.size());
   for (long double& one : in) {
     one = 1;

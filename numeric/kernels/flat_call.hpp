@@ -30,7 +30,7 @@ class FlatCall {
       : call_(kernel.call<T>()), signature_(signature), storage_(signature.parameters.size() + 1) {
     require_match(kernel, signature);
     for (std::size_t i = 0; i < signature.parameters.size(); ++i) {
-      storage_[i].resize(static_cast<std::size_t>(signature.parameters[i].values()));
+      storage_[i].resize(signature.parameters[i].values());
       pointers_.push_back(storage_[i].data());
       if (signature.parameters[i].access == Access::kInOut) updated_.push_back({storage_[i], storage_[i].data()});
     }

@@ -131,7 +131,7 @@ std::vector<NamedInput> coefficient_inputs(int degree, int count, std::uint64_t 
 
 std::vector<NamedInput> vector_inputs(int size, int count, std::uint64_t seed) {
   std::vector<NamedInput> inputs;
-  inputs.reserve(static_cast<std::size_t>(count));
+  inputs.reserve(count);
   Random random(seed);
   for (int i = 0; i < count; ++i) inputs.push_back(unit_vector("vector " + std::to_string(i), size, 0, random));
   return inputs;

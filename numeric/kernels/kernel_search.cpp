@@ -22,9 +22,9 @@ class DistanceFromWide {
         size_(check.size),
         call_(kernel, check.signature(degree_)),
         wide_call_(kernel, check.signature(degree_)),
-        wide_in_(static_cast<std::size_t>(check.signature(degree_).input_count())),
+        wide_in_(check.signature(degree_).input_count()),
         in_(wide_in_.size()),
-        out_(static_cast<std::size_t>(check.signature(degree_).output_count())),
+        out_(check.signature(degree_).output_count()),
         wide_out_(out_.size()) {}
 
   double operator()(const T* in) {

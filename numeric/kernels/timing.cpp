@@ -8,8 +8,8 @@
 namespace sh::numeric {
 
 Operations count_operations(const BoundKernel& kernel, const Signature& signature) {
-  const std::vector<Wide> in(static_cast<std::size_t>(signature.input_count()), Wide(0.5));
-  std::vector<Wide> out(static_cast<std::size_t>(signature.output_count()));
+  const std::vector<Wide> in(signature.input_count(), Wide(0.5));
+  std::vector<Wide> out(signature.output_count());
   const auto before = Wide::counts();
   FlatCall<Wide>(kernel, signature)(in.data(), out.data());
   return Wide::counts() - before;

@@ -47,7 +47,7 @@ struct CallAgain {
 template <class T>
 std::vector<CallAgain<T>> calls_again(const BoundKernel& kernel, const Samples<T>& samples, std::size_t count) {
   std::vector<CallAgain<T>> calls;
-  std::vector<T> out(static_cast<std::size_t>(samples.signature.output_count()));
+  std::vector<T> out(samples.signature.output_count());
   for (std::size_t i = samples.count() - std::min(count, samples.count()); i < samples.count(); ++i) {
     calls.push_back({FlatCall<T>(kernel, samples.signature)});
     calls.back().call(samples.input(i), out.data());

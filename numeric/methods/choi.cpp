@@ -88,7 +88,7 @@ class Step {
   }
 
  private:
-  [[nodiscard]] const Real& root(int n) const { return roots_[static_cast<std::size_t>(n)]; }
+  [[nodiscard]] const Real& root(int n) const { return roots_[n]; }
 
   // Eqs. 6.1-6.5 inside and 6.6-6.13 for n = -l; a coefficient vanishes where its term would leave `below`.
   [[nodiscard]] Complex<Real> entry(int m, int n) const {

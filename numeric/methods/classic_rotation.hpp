@@ -24,8 +24,8 @@ inline void turn_z(const Angle<T>& angle, std::array<T, 2 * L + 1>& c) {
   Angle<T> multiple;
   for (int m = 1; m <= L; ++m) {
     multiple = {multiple.c * angle.c - multiple.s * angle.s, multiple.s * angle.c + multiple.c * angle.s};
-    T& plus = c[static_cast<std::size_t>(L + m)];
-    T& minus = c[static_cast<std::size_t>(L - m)];
+    T& plus = c[L + m];
+    T& minus = c[L - m];
     const T turned = multiple.c * plus - multiple.s * minus;
     minus = multiple.s * plus + multiple.c * minus;
     plus = turned;

@@ -25,7 +25,7 @@ void legendre_modified_row(int degree, const Real& z, const Real& sine, Real* ou
     if (l > 0) sectoral *= detail::sectoral_step<Real>(l);
     Real current = sectoral, above = 0, root_above = 0;
     for (int m = l; m >= 0; --m) {
-      out[legendre_index(l, m)] = current * power[static_cast<std::size_t>(m)];
+      out[legendre_index(l, m)] = current * power[m];
       const Real root = sqrt(static_cast<Real>(static_cast<long>(l + m) * (l - m + 1)));
       const Real next = (static_cast<Real>(2 * m) * z * current - root_above * sine * sine * above) / root;
       above = current;

@@ -16,9 +16,7 @@ constexpr double square_root(double x) {
 template <int L>
 struct Band {
   std::array<std::array<double, 2 * L + 1>, 2 * L + 1> entry{};
-  constexpr double operator()(int m, int n) const {
-    return entry[static_cast<std::size_t>(m + L)][static_cast<std::size_t>(n + L)];
-  }
+  constexpr double operator()(int m, int n) const { return entry[m + L][n + L]; }
 };
 
 // (x, y, z) -> (x, -z, y); rows and columns in the order of band 1: y, z, x.
@@ -63,7 +61,7 @@ constexpr Band<L> quarter_turn() {
       for (int n = -L; n <= L; ++n) {
         const double value = quarter_entry<L>(m, n, first_band(), before);
         const bool zero = value < 1e-12 && value > -1e-12;
-        band.entry[static_cast<std::size_t>(m + L)][static_cast<std::size_t>(n + L)] = zero ? 0 : value;
+        band.entry[m + L][n + L] = zero ? 0 : value;
       }
     }
     return band;

@@ -46,7 +46,7 @@ class SwapBands {
       auto back = half_beta + half_beta;
       back.sine = -back.sine;
       const auto turns = multiples<Real>(back, degree);
-      std::vector<Real> swapped(static_cast<std::size_t>(2 * degree + 1));
+      std::vector<Real> swapped(2 * degree + 1);
       for (int l = 0; l <= degree; ++l) {
         apply(l, in + coefficient_index(l, 0), swapped.data() + l);
         turn_band(l, turns, swapped.data() + l, swapped.data() + l);

@@ -82,7 +82,7 @@ template <class Real>
 void turn_band(int l, const std::vector<Turn<Real>>& turns, const Real* c, Real* out) {
   out[0] = c[0];
   for (int m = 1; m <= l; ++m) {
-    const Turn<Real>& t = turns[static_cast<std::size_t>(m)];
+    const Turn<Real>& t = turns[m];
     const Real cosine_part = c[m], sine_part = c[-m];
     out[m] = t.cosine * cosine_part - t.sine * sine_part;
     out[-m] = t.sine * cosine_part + t.cosine * sine_part;
@@ -100,7 +100,7 @@ void turn_about_z(int degree, const Turn<Wide>& turn, const Real* c, Real* out) 
 template <class Real, class Tilt>
 void rotate_by_turns(int degree, const Real* r, const Real* c, Real* out, const Tilt& tilt) {
   const auto turns = three_turns(r);
-  std::vector<Real> before(static_cast<std::size_t>(coefficient_count(degree)));
+  std::vector<Real> before(coefficient_count(degree));
   std::vector<Real> after(before.size());
   turn_about_z(degree, turns.gamma, c, before.data());
   tilt(turns.half_beta, before.data(), after.data());

@@ -41,7 +41,7 @@ class Starts {
 
   [[nodiscard]] const Scaled<Real>& operator()(int q) const {
     const int place = p_ + q;
-    return row_[static_cast<std::size_t>(place)];
+    return row_[place];
   }
 
   void next() {
@@ -51,7 +51,7 @@ class Starts {
     const long p = p_;
     for (long q = 1 - p; q < p; ++q) {
       const Real ratio = static_cast<Real>(2 * p * (2 * p - 1)) / static_cast<Real>((p + q) * (p - q));
-      const auto& below = row_[static_cast<std::size_t>(p - 1 + q)];
+      const auto& below = row_[p - 1 + q];
       row.push_back(times(times(scaled<Real>(sqrt(ratio)), mixed_), below));
     }
     row.push_back(times(cosine2_, row_.back()));

@@ -10,17 +10,17 @@ namespace {
 template <class Real>
 class Rows {
  public:
-  explicit Rows(int l) : l_(l), current_(static_cast<std::size_t>(l + 1)), above_(current_.size()) {
+  explicit Rows(int l) : l_(l), current_(l + 1), above_(current_.size()) {
     Real value = times_power_of_two(Real(1), 1 - l);  // K_lb: roots of binomial coefficients
     for (int b = l; b >= 0; --b) {
-      current_[static_cast<std::size_t>(b)] = (l - b) % 4 < 2 ? value : Real(-value);
+      current_[b] = (l - b) % 4 < 2 ? value : Real(-value);
       if (b > 0) value *= root(l + b) / root(l - b + 1);
     }
     current_[0] /= l == 0 ? 2 : root(2);
   }
 
   [[nodiscard]] Real operator()(int a, int b) const {
-    if (a > 0) return current_[static_cast<std::size_t>(b)];
+    if (a > 0) return current_[b];
     return l_ % 2 != 0 ? Real(0) : Real(current_[0] / (l_ == 0 ? Real(1) : root(2)));
   }
 

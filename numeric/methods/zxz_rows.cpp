@@ -51,13 +51,13 @@ class Swap {
   // band = D(S) band, (2l+1) at order 0.
   void apply(Real* band) {
     for (int k = 0; k <= l_; ++k) {
-      weight_[0][at(k)] = gauge_[at(k)] * band[l_ - k] * down_;
-      weight_[1][at(k)] = gauge_[at(k)] * band[k - l_] * down_;
+      weight_[0][k] = gauge_[k] * band[l_ - k] * down_;
+      weight_[1][k] = gauge_[k] * band[k - l_] * down_;
     }
-    weight_[1][at(l_)] = 0;                               // there is no order -0
-    if (l_ > 0) weight_[0][at(l_)] *= inverse_roots_[2];  // normalisation of order 0
+    weight_[1][l_] = 0;                               // there is no order -0
+    if (l_ > 0) weight_[0][l_] *= inverse_roots_[2];  // normalisation of order 0
     const int rows = (l_ / kRowsAtOnce + 1) * kRowsAtOnce;
-    for (int k = l_ + 1; k < rows; ++k) weight_[0][at(k)] = weight_[1][at(k)] = 0;
+    for (int k = l_ + 1; k < rows; ++k) weight_[0][k] = weight_[1][k] = 0;
     for (int odd = 0; odd < 2; ++odd) add_columns(odd, rows, band);
   }
 
@@ -67,58 +67,56 @@ class Swap {
     std::vector<Real> order, top, row, above, cosine, sine;
   };
 
-  static std::size_t at(int k) { return static_cast<std::size_t>(k); }
   [[nodiscard]] int first_order(int odd) const { return (l_ + odd) % 2; }
   [[nodiscard]] std::size_t count(int odd) const {
-    return at((l_ - first_order(odd)) / 2 + (l_ < first_order(odd) ? 0 : 1));
+    return static_cast<std::size_t>((l_ - first_order(odd)) / 2 + (l_ < first_order(odd) ? 0 : 1));
   }
 
   // |K_lb|, up to the shift: sqrt(2 (2l)! / ((l+b)! (l-b)!)) / 2^l, times sqrt 2 for b > 0, l > 0.
   void next_top(int l) {
     if (l > 1) {
-      const Real factor = roots_[at(2 * l)] * roots_[at(2 * l - 1)] / 2;
-      for (int b = 0; b < l; ++b) top_[at(b)] *= factor * inverse_roots_[at(l + b)] * inverse_roots_[at(l - b)];
+      const Real factor = roots_[static_cast<std::size_t>(2 * l)] * roots_[2 * l - 1] / 2;
+      for (int b = 0; b < l; ++b) top_[b] *= factor * inverse_roots_[l + b] * inverse_roots_[l - b];
     } else {
       top_[0] = times_power_of_two(Real(1), 2 * half_shift_);
     }
-    if (l > 0) top_[at(l)] = times_power_of_two(Real(1), 1 - l + 2 * half_shift_);
+    if (l > 0) top_[l] = times_power_of_two(Real(1), 1 - l + 2 * half_shift_);
   }
 
   // g of place k, with g_0 = g_1 = d_l^(-1/2), and slope +-2 g_k / (d g_(k+1)), + for rows of the parity of l.
   void next_gauge() {
     using std::sqrt;
-    gauge_[0] = gauge_[1] = 1 / sqrt(roots_[at(2 * l_)]);
+    gauge_[0] = gauge_[1] = 1 / sqrt(roots_[static_cast<std::size_t>(2 * l_)]);
     for (int k = 1; k < l_; ++k) {
-      gauge_[at(k + 1)] = gauge_[at(k - 1)] * (roots_[at(k)] * inverse_roots_[at(k + 1)]) *
-                          (roots_[at(2 * l_ - k + 1)] * inverse_roots_[at(2 * l_ - k)]);
+      gauge_[k + 1] =
+          gauge_[k - 1] * (roots_[k] * inverse_roots_[k + 1]) * (roots_[2 * l_ - k + 1] * inverse_roots_[2 * l_ - k]);
     }
     for (int k = 0; k < l_; ++k) {
-      const Real size =
-          2 * gauge_[at(k)] * inverse_roots_[at(2 * l_ - k)] * inverse_roots_[at(k + 1)] / gauge_[at(k + 1)];
-      slope_[at(k)] = k % 2 == 0 ? size : Real(-size);
+      const Real size = 2 * gauge_[k] * inverse_roots_[2 * l_ - k] * inverse_roots_[k + 1] / gauge_[k + 1];
+      slope_[k] = k % 2 == 0 ? size : Real(-size);
     }
-    for (int k = l_; k < l_ + kRowsAtOnce; ++k) slope_[at(k)] = 0;
+    for (int k = l_; k < l_ + kRowsAtOnce; ++k) slope_[k] = 0;
   }
 
   // Order and first row; the sign of K_lb is + + - - from b = l down.
   void fill_columns() {
     const Real inverse = 1 / gauge_[0];
     for (int odd = 0; odd < 2; ++odd) {
-      Columns& columns = columns_[at(odd)];
+      Columns& columns = columns_[odd];
       int b = first_order(odd);
       for (std::size_t i = 0; i < count(odd); ++i, b += 2) {
         columns.order[i] = static_cast<Real>(b);
-        columns.top[i] = (l_ - b) % 4 < 2 ? top_[at(b)] * inverse : -top_[at(b)] * inverse;
+        columns.top[i] = (l_ - b) % 4 < 2 ? top_[b] * inverse : -top_[b] * inverse;
       }
     }
   }
 
   void add_columns(int odd, int rows, Real* band) {
-    Columns& columns = columns_[at(odd)];
+    Columns& columns = columns_[odd];
     const std::size_t n = count(odd);
     std::copy_n(columns.top.begin(), n, columns.row.begin());
     for (auto* values : {&columns.above, &columns.cosine, &columns.sine}) std::fill_n(values->begin(), n, Real(0));
-    add_rows(RowSums<Real>{n, rows, columns.order.data(), slope_.data(), weight_[at(odd)].data(), columns.row.data(),
+    add_rows(RowSums<Real>{n, rows, columns.order.data(), slope_.data(), weight_[odd].data(), columns.row.data(),
                            columns.above.data(), columns.cosine.data(), columns.sine.data()});
     int b = first_order(odd);
     for (std::size_t i = 0; i < n; ++i, b += 2) {
@@ -144,7 +142,7 @@ void rotate_rows(int degree, const Real* r, const Real* c, Real* out) {
   const auto first = multiples<Real>(turns.gamma, degree);
   const auto middle = multiples<Real>(back, degree);
   const auto last = multiples<Real>(turns.alpha, degree);
-  std::vector<Real> room(static_cast<std::size_t>(2 * degree + 1));
+  std::vector<Real> room(2 * degree + 1);
   Real* band = room.data() + degree;
   Swap<Real> swap(degree);
   for (int l = 0; l <= degree; ++l) {

@@ -71,7 +71,7 @@ void evaluate_basis(int degree, const Real& x, const Real& y, const Real& z, con
   const ReducedRows<Real> rows(degree);
   for (int l = 0; l <= degree; ++l) {
     rows.visit(l, 0, z, u2, [&](int m, const Scaled<Real>& q) {
-      const auto& power = powers[static_cast<std::size_t>(m)];
+      const auto& power = powers[m];
       if (m > 0) out[coefficient_index(l, -m)] = power.imaginary_times(q);
       out[coefficient_index(l, m)] = power.real_times(q);
     });

@@ -52,8 +52,8 @@ class ValuesNear {
     });
   }
 
-  [[nodiscard]] Real cosine(int m) const { return cosine_[static_cast<std::size_t>(m - first_)]; }
-  [[nodiscard]] Real sine(int m) const { return sine_[static_cast<std::size_t>(m - first_)]; }
+  [[nodiscard]] Real cosine(int m) const { return cosine_[m - first_]; }
+  [[nodiscard]] Real sine(int m) const { return sine_[m - first_]; }
 
  private:
   int first_;

@@ -110,8 +110,8 @@ class ReducedRows {
     Real above = 0;    // R_(l,m+1) / 2^exponent
     long exponent = 0;
     for (long m = l;; --m) {
-      const auto& up = root_[static_cast<std::size_t>(l + m)];
-      const auto& down = inverse_root_[static_cast<std::size_t>(l - m)];
+      const auto& up = root_[l + m];
+      const auto& down = inverse_root_[l - m];
       visit(static_cast<int>(m), Scaled<Real>{Real(current * (norm.mantissa * (up.mantissa * down.mantissa))),
                                               exponent + norm.exponent + up.exponent + down.exponent});
       if (m == lowest_order) return;
@@ -127,7 +127,7 @@ class ReducedRows {
   // sqrt((2l+1) / 4 pi) / (2^l l!).
   [[nodiscard]] Scaled<Real> row_norm(int degree) const {
     using std::sqrt;
-    const auto& inverse = inverse_root_[static_cast<std::size_t>(degree)];
+    const auto& inverse = inverse_root_[degree];
     const Real root = sqrt(Real(static_cast<Real>(2L * degree + 1) / (4 * pi<Real>())));
     return {Real(root * (inverse.mantissa * inverse.mantissa)), 2 * inverse.exponent - degree};
   }

@@ -158,7 +158,7 @@ struct LegendreRings::Work {
     pole.resize(steps);
     equator.resize(steps);
     sums.resize(4 * rings.z_.size());
-    const double start = rings.sectoral_[static_cast<std::size_t>(order)];
+    const double start = rings.sectoral_[order];
     return {degree, order, steps, start, eps.data(), alpha.data(), table.data(), pole.data(), equator.data()};
   }
 };

@@ -45,11 +45,11 @@ class BandStep {
 
   [[nodiscard]] const Real& r(int i, int j) const {
     const int place = (i + 1) * 3 + j + 1;
-    return first_[static_cast<std::size_t>(place)];
+    return first_[place];
   }
   [[nodiscard]] const Real& d(int m, int n) const {
     const int place = (m + l_ - 1) * (2 * l_ - 1) + n + l_ - 1;
-    return previous_[static_cast<std::size_t>(place)];
+    return previous_[place];
   }
 
   // P_i(m, n): the row i of band 1 with the row m of band l-1.
@@ -112,10 +112,10 @@ void rotate(int degree, const Real* r, const Real* c, Real* out) {
   const auto bands = rotation_bands(degree, r);
   const std::vector<Real> before(c, c + coefficient_count(degree));
   for (int l = 0; l <= degree; ++l) {
-    const Real* matrix = bands[static_cast<std::size_t>(l)].data();
+    const Real* matrix = bands[l].data();
     for (int m = -l; m <= l; ++m) {
       Real sum = 0;
-      for (int n = -l; n <= l; ++n) sum += *matrix++ * before[static_cast<std::size_t>(coefficient_index(l, n))];
+      for (int n = -l; n <= l; ++n) sum += *matrix++ * before[coefficient_index(l, n)];
       out[coefficient_index(l, m)] = sum;
     }
   }

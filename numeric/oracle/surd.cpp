@@ -50,9 +50,9 @@ template MpfrAny Surd::value<MpfrAny>() const;
 RootOfPrimes::RootOfPrimes(long limit) {
   std::vector<bool> composite(static_cast<std::size_t>(limit) + 1);
   for (long p = 2; p <= limit; ++p) {
-    if (composite[static_cast<std::size_t>(p)]) continue;
+    if (composite[p]) continue;
     primes_.push_back(p);
-    for (long n = p * p; n <= limit; n += p) composite[static_cast<std::size_t>(n)] = true;
+    for (long n = p * p; n <= limit; n += p) composite[n] = true;
   }
   halves_.resize(primes_.size());
 }

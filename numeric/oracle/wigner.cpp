@@ -164,7 +164,7 @@ Real wigner_3j(const Triple& degrees, const Triple& orders) {
   require_wigner("wigner_3j", degrees, orders);
   if (!wigner_3j_may_differ_from_zero(degrees, orders)) return Real(0);
   const auto row = wigner_3j_row<Real>(degrees[0], degrees[1], orders[0], orders[1]);
-  return row.values[static_cast<std::size_t>(degrees[2] - row.first_degree)];
+  return row.values[degrees[2] - row.first_degree];
 }
 
 // NOLINTBEGIN(bugprone-macro-parentheses): a type cannot stand in parentheses.

@@ -86,7 +86,7 @@ Color diverging(double value) {
     }
     return table;
   }();
-  return kTable[static_cast<std::size_t>(std::lround(kSteps * std::clamp(value, -1.0, 1.0)) + kSteps)];
+  return kTable[std::lround(kSteps * std::clamp(value, -1.0, 1.0)) + kSteps];
 }
 
 }  // namespace sh::numeric::plot

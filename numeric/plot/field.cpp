@@ -31,7 +31,7 @@ class FieldPainter {
     Raster picture(width_, height_);
     Row above = sample_row(-1);
     Row here = sample_row(0);
-    output::Progress progress("plot", static_cast<std::size_t>(height_));
+    output::Progress progress("plot", height_);
     for (int row = 0; row < height_; ++row) {
       Row below = sample_row(row + 1);
       for (int column = 0; column < width_; ++column) picture.set(column, row, pixel(above, here, below, column, row));

@@ -112,20 +112,18 @@ Raster render(const Surface& surface, const Camera& camera, int width, int heigh
     corners.push_back({kSamples * (width / 2.0 + pixels_a_unit * p[0]),
                        kSamples * (height / 2.0 - pixels_a_unit * p[1]), p[2], vertex.normal});
   }
-  output::Progress progress("plot", static_cast<std::size_t>(height));
+  output::Progress progress("plot", height);
   for (int first = 0; first < height; first += kStripRows) {
     const int rows = std::min(kStripRows, height - first);
     Strip strip(width, first, rows);
     for (const auto& facet : surface.facets) {
-      const auto corner = [&](int k) -> const Corner& {
-        return corners[static_cast<std::size_t>(facet.corners[static_cast<std::size_t>(k)])];
-      };
+      const auto corner = [&](int k) -> const Corner& { return corners[facet.corners[k]]; };
       for (int k = 1; k + 1 < facet.count; ++k) strip.draw(corner(0), corner(k), corner(k + 1), facet.paint, light);
     }
     for (int row = first; row < first + rows; ++row) {
       for (int column = 0; column < width; ++column) picture.set(column, row, strip.pixel(column, row));
     }
-    progress.advance(static_cast<std::size_t>(rows));
+    progress.advance(rows);
   }
   return picture;
 }
@@ -149,7 +147,7 @@ std::vector<Polygon> visible_facets(const Surface& surface, const Camera& camera
     double depth = 0;
     Vector3 normal = Vector3::Zero();
     for (int k = 0; k < facet.count; ++k) {
-      const auto& vertex = surface.vertices[static_cast<std::size_t>(facet.corners[static_cast<std::size_t>(k)])];
+      const auto& vertex = surface.vertices[facet.corners[k]];
       const Vector3 p = camera.project(vertex.position);
       flat.corners.push_back({center.x + unit * p[0], center.y - unit * p[1]});
       depth += p[2] / facet.count;

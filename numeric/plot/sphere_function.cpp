@@ -43,7 +43,7 @@ class CoefficientSum {
         real = next;
         value += sums[m] * real + sums[-m] * imaginary;
       }
-      values[static_cast<std::size_t>(channel)] = value;
+      values[channel] = value;
     }
     return values;
   }
@@ -123,8 +123,8 @@ Vector3 direction(double theta, double phi) {
 }
 
 SphereFunction basis_function(int degree, int order) {
-  std::vector<double> coefficients(static_cast<std::size_t>(coefficient_count(degree)));
-  coefficients[static_cast<std::size_t>(coefficient_index(degree, order))] = 1;
+  std::vector<double> coefficients(coefficient_count(degree));
+  coefficients[coefficient_index(degree, order)] = 1;
   return function_of_coefficients(coefficients);
 }
 

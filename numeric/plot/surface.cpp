@@ -44,7 +44,7 @@ class LobeBuilder {
 
   void add_part(const std::array<int, 4>& cell, double sign, const LinearColor& paint) {
     Facet facet{{}, 0, paint};
-    const auto value = [&](std::size_t k) { return sign * values_[static_cast<std::size_t>(cell[k % 4])]; };
+    const auto value = [&](std::size_t k) { return sign * values_[cell[k % 4]]; };
     bool inside = false;
     for (std::size_t k = 0; k < 4; ++k) {
       const bool cut = value(k) * value(k + 1) < 0;
@@ -59,7 +59,7 @@ class LobeBuilder {
   static void add_corner(Facet& facet, int vertex) {
     const auto end = facet.corners.begin() + facet.count;
     if (facet.count < 5 && std::find(facet.corners.begin(), end, vertex) == end) {
-      facet.corners[static_cast<std::size_t>(facet.count++)] = vertex;
+      facet.corners[facet.count++] = vertex;
     }
   }
 
@@ -98,9 +98,9 @@ class LobeBuilder {
     return sum;
   }
 
-  Vertex& vertex(const Facet& facet, int k) { return vertex_at(facet.corners[static_cast<std::size_t>(k)]); }
+  Vertex& vertex(const Facet& facet, int k) { return vertex_at(facet.corners[k]); }
   Vertex& at(int ring, int column) { return vertex_at(first_ + index(ring, column)); }
-  Vertex& vertex_at(int i) { return surface_.vertices[static_cast<std::size_t>(i)]; }
+  Vertex& vertex_at(int i) { return surface_.vertices[i]; }
 
   Surface& surface_;
   LinearColor positive_ = decode(kPositive), negative_ = decode(kNegative);

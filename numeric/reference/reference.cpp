@@ -118,7 +118,7 @@ std::array<std::string, 3> reference_gradient(int degree, int order, const std::
     }
     return correct_digits(digits, {[&](int /*decimals*/) {
                             const auto [x, y, z] = unit(exact);
-                            return basis_value_gradient(degree, order, x, y, z)[static_cast<std::size_t>(axis)];
+                            return basis_value_gradient(degree, order, x, y, z)[axis];
                           }});
   };
   return {component(0), component(1), component(2)};

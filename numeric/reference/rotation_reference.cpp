@@ -35,7 +35,7 @@ std::vector<Complex> powers(const Complex& a, int count) {
 
 // a^n of the powers of a; of the conjugate for negative n.
 Complex power(const std::vector<Complex>& all, int n) {
-  const auto& value = all[static_cast<std::size_t>(std::abs(n))];
+  const auto& value = all[std::abs(n)];
   return {value.real, n < 0 ? MpfrAny(-value.imaginary) : value.imaginary};
 }
 
@@ -101,9 +101,7 @@ class WignerEntries {
  private:
   // E_column(R^-1 s) = sum over rows of this times E_row(s); column >= 0.
   [[nodiscard]] Complex turned(int row, int column) const {
-    MpfrAny scale =
-        binomial_sum(l_, row, column, a_, b_) *
-        sqrt(MpfrAny(ratios_[static_cast<std::size_t>(std::abs(row))] / ratios_[static_cast<std::size_t>(column)]));
+    MpfrAny scale = binomial_sum(l_, row, column, a_, b_) * sqrt(MpfrAny(ratios_[std::abs(row)] / ratios_[column]));
     if ((std::max(row, 0) + column) % 2 != 0) scale = -scale;
     const Complex phase = power(a_powers_, column + row) * power(b_powers_, column - row);
     return {scale * phase.real, scale * phase.imaginary};

@@ -186,7 +186,7 @@ void add_simd_inside(std::vector<Method>& all, const std::string& task, int degr
                     const float* const in = samples.input(samples.count() - 1);
                     const auto prepared = aligned<float>(batch::rotate_prepared_size(degree));
                     batch::rotate_prepare(degree, in, prepared.get());
-                    std::vector<float> out(static_cast<std::size_t>(samples.signature.output_count()));
+                    std::vector<float> out(samples.signature.output_count());
                     std::vector<std::function<void()>> calls = {
                         [&] { batch::rotate_prepared_one(degree, prepared.get(), in + 9, out.data()); }};
                     return least_nanoseconds(calls, budget);

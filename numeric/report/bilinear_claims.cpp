@@ -52,7 +52,7 @@ class Image {
  private:
   [[nodiscard]] const Values& texel(int column, int row) const {
     const int place = std::clamp(row, 0, size_ - 1) * size_ + std::clamp(column, 0, size_ - 1);
-    return texels_[static_cast<std::size_t>(place)];
+    return texels_[place];
   }
   int size_;
   std::vector<Values> texels_;

@@ -44,7 +44,7 @@ std::function<void(const Samples<T>&, T*)> runner_of(FlatFunction<T> function) {
 template <class T>
 Code<T> code_of(FlatFunction<T> function, int degree) {
   return {runner_of(function), [function, degree](const Samples<T>& samples, std::chrono::nanoseconds budget) {
-            std::vector<T> out(static_cast<std::size_t>(samples.signature.output_count()));
+            std::vector<T> out(samples.signature.output_count());
             std::vector<std::function<void()>> calls;
             const std::size_t count = std::min(timed_inputs(degree), samples.count());
             for (std::size_t i = samples.count() - count; i < samples.count(); ++i) {
@@ -69,7 +69,7 @@ Code<T> code_of(const Pair& pair, Mode mode) {
   const auto made = static_cast<std::size_t>(pair.first_signature.output_count());
   // The inputs of the second.
   const auto between = [pair, taken, made](const Samples<T>& samples, std::size_t i) {
-    std::vector<T> in(static_cast<std::size_t>(pair.second_signature.input_count()));
+    std::vector<T> in(pair.second_signature.input_count());
     FlatCall<T>(pair.first, pair.first_signature)(samples.input(i), in.data());
     std::copy(samples.input(i) + taken, samples.input(i) + samples.signature.input_count(),
               in.begin() + static_cast<std::ptrdiff_t>(made));

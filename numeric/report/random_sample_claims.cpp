@@ -29,7 +29,7 @@ double green_light(double x, double y, double z) {
 std::vector<double> with_phase(std::vector<double> c) {
   for (int l = 0; l <= kDegree; ++l) {
     for (int m = -l; m <= l; ++m) {
-      if (m % 2 != 0) c[static_cast<std::size_t>(coefficient_index(l, m))] *= -1;
+      if (m % 2 != 0) c[coefficient_index(l, m)] *= -1;
     }
   }
   return c;

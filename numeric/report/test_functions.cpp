@@ -46,7 +46,7 @@ TestFunction band_limited() {
   const auto value = [c](double x, double y, double z) { return sh::evaluate_l5(c.data(), x, y, z); };
   const auto coefficients = [c](int degree) {
     std::vector<double> all = c;
-    all.resize(static_cast<std::size_t>(coefficient_count(degree)));
+    all.resize(coefficient_count(degree));
     return all;
   };
   return {"band_limited", "a random function of degree 5", value, coefficients};
@@ -89,14 +89,14 @@ std::vector<double> zonal_coefficients(int degree, const std::function<double(do
     const double sine = std::sqrt(half * (1 - rule.nodes[k]) * (1 + t));
     const std::vector<double> y = basis(degree, sine, 0.0, t);
     for (int l = 0; l <= degree; ++l) {
-      const double legendre = y[static_cast<std::size_t>(coefficient_index(l, 0))] / std::sqrt((2 * l + 1) / (4 * kPi));
-      integrals[static_cast<std::size_t>(l)] += rule.weights[k] * half * profile(t) * legendre;
+      const double legendre = y[coefficient_index(l, 0)] / std::sqrt((2 * l + 1) / (4 * kPi));
+      integrals[l] += rule.weights[k] * half * profile(t) * legendre;
     }
   }
   std::vector<double> c = basis(degree, axis[0], axis[1], axis[2]);
   for (int l = 0; l <= degree; ++l) {
     for (int m = -l; m <= l; ++m) {
-      c[static_cast<std::size_t>(coefficient_index(l, m))] *= 2 * kPi * integrals[static_cast<std::size_t>(l)];
+      c[coefficient_index(l, m)] *= 2 * kPi * integrals[l];
     }
   }
   return c;

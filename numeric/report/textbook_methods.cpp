@@ -58,19 +58,19 @@ void add_sums_over_basis(std::vector<Method>& all, const std::string& task, int 
                                     "takes |d| = 1 for granted", kSloan),
                             task_check(task), code_of<T>(std::move(function), degree)));
   };
-  std::vector<T> values(static_cast<std::size_t>(count));
+  std::vector<T> values(count);
   if (task == "evaluate") {
     add("sum of c[i] * out[i] of sh::textbook::sloan_basis<L>(x, y, z, out)",
         [sloan, count, values](const T* in, T* out) mutable {
           sloan(in[count], in[count + 1], in[count + 2], values.data());
           *out = 0;
-          for (int i = 0; i < count; ++i) *out += in[i] * values[static_cast<std::size_t>(i)];
+          for (int i = 0; i < count; ++i) *out += in[i] * values[i];
         });
   } else if (task == "project") {
     add("sum[i] += weight * out[i] of sh::textbook::sloan_basis<L>(x, y, z, out)",
         [sloan, count, values](const T* in, T* out) mutable {
           sloan(in[0], in[1], in[2], values.data());
-          for (int i = 0; i < count; ++i) out[i] = in[4 + i] + in[3] * values[static_cast<std::size_t>(i)];
+          for (int i = 0; i < count; ++i) out[i] = in[4 + i] + in[3] * values[i];
         });
   } else if (task == "zonal") {
     add("zonal[l] * sqrt(4 pi / (2l+1)) * out[i] of sh::textbook::sloan_basis<L>(x, y, z, out)",
@@ -135,8 +135,8 @@ template <class T>
 void add_textbook(std::vector<Method>& all, const std::string& task, int degree) {
   static const auto kSloan = sloan_by_degree<T>(Degrees{});
   static const auto kClassic = classic_by_degree<T>(Degrees{});
-  const Basis<T> sloan = kSloan[static_cast<std::size_t>(degree)];
-  const Rotation<T> classic = kClassic[static_cast<std::size_t>(degree)];
+  const Basis<T> sloan = kSloan[degree];
+  const Rotation<T> classic = kClassic[degree];
   if (task == "basis") {
     all.push_back(method_of(info_of(task, "Sloan's recurrence", degree, "methods/sloan_basis.hpp",
                                     "sh::textbook::sloan_basis<L>(x, y, z, out)", "takes |d| = 1 for granted",

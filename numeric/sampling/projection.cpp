@@ -111,7 +111,7 @@ void find_residuals(int degree, std::span<const SphereSample> samples, LeastSqua
 std::vector<double> project(int degree, std::span<const SphereNode<double>> nodes,
                             const std::function<double(double, double, double)>& f) {
   require_degree("project", degree);
-  std::vector<double> y(static_cast<std::size_t>(coefficient_count(degree)));
+  std::vector<double> y(coefficient_count(degree));
   std::vector<double> sum(y.size());
   for (std::size_t n = 0; n < nodes.size(); ++n) {
     const auto& [x_n, y_n, z_n, weight] = nodes[n];

@@ -50,7 +50,7 @@ std::vector<std::array<double, 2>> sobol_points(int count, std::uint64_t seed) {
   const std::uint64_t key = 2 * seed * 0x9FB21C651E98DF25U;
   const std::uint64_t other = (2 * seed + 1) * 0x9FB21C651E98DF25U;
   std::vector<std::array<double, 2>> points;
-  points.reserve(static_cast<std::size_t>(count));
+  points.reserve(count);
   for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(count); ++i) {
     points.push_back({scrambled(first_coordinate(i), key), scrambled(second_coordinate(i), other)});
   }

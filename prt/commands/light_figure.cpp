@@ -80,7 +80,7 @@ class Drawing {
 
   /// Of a panel, in the middle of its cell.
   [[nodiscard]] plot::Box box_of(int i) const {
-    const MappingShape shape = mapping_shape(panels_[static_cast<std::size_t>(i)].mapping);
+    const MappingShape shape = mapping_shape(panels_[i].mapping);
     const double unit = std::min(cell_width_ / shape.width, cell_height_ / shape.height);
     const double x = kMargin + (i % columns_) * (cell_width_ + kMargin);
     const double y = kTop + (i / columns_) * (cell_height_ + kCaption);

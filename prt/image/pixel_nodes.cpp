@@ -21,7 +21,7 @@ const Rule& rule_for(int pixels, int more = 0) {
     return rules;
   }();
   const int n = pixels >= 256 ? 3 + more : std::min(4 + more + 96 / pixels, kMostNodes);
-  return kRules[static_cast<std::size_t>(n - 1)];
+  return kRules[n - 1];
 }
 
 struct Interval {

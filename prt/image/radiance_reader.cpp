@@ -149,7 +149,7 @@ Image read_radiance(const std::string& file, std::string_view bytes) {
   Reader reader(file, bytes);
   const Header header = read_header(file, reader);
   Image image{header.width, header.height, {}, 0};
-  std::vector<Rgbe> scanline(static_cast<std::size_t>(header.width));
+  std::vector<Rgbe> scanline(header.width);
   for (reader.row = 0; reader.row < header.height; ++reader.row) {
     read_scanline(reader, scanline);
     for (const Rgbe& pixel : scanline) image.pixels.push_back(to_linear(pixel, header.exposure));

@@ -26,7 +26,7 @@ std::vector<double> project_cap(const Eigen::Vector3d& direction, double one_min
   numeric::cap_zonal(degree, one_minus_cos, zonal.data());
   std::vector<double> out = project_directional(direction, degree);
   // The cap is a zonal function, turned to a direction.
-  for (int l = 0; l <= degree; ++l) zonal[static_cast<std::size_t>(l)] *= std::sqrt(4.0 * kPi / (2.0 * l + 1.0));
+  for (int l = 0; l <= degree; ++l) zonal[l] *= std::sqrt(4.0 * kPi / (2.0 * l + 1.0));
   scale_bands(zonal, out.data());
   return out;
 }

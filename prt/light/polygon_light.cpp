@@ -134,7 +134,7 @@ std::vector<double> project_polygon(const Corners& corners, int degree) {
     add_edge(after(corners, i), corners[i], degree, sum);  // backwards: counterclockwise as seen from outside
   }
   for (int l = 1, i = 1; l <= degree; ++l) {
-    for (; i < (l + 1) * (l + 1); ++i) sum[static_cast<std::size_t>(i)] /= l * (l + 1);
+    for (; i < (l + 1) * (l + 1); ++i) sum[i] /= l * (l + 1);
   }
   sum[0] = polygon_solid_angle(corners) / std::sqrt(4.0 * std::numbers::pi);
   return sum;

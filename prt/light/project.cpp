@@ -26,7 +26,7 @@ std::vector<double> project_overcast(int degree) {
       degree, [](const double& one_minus_z) { return 1.0 - 2.0 / 3.0 * one_minus_z; }, 0.0, 1.0, kRule, zonal.data());
   std::vector<double> out(coefficient_count(degree), 0.0);
   for (int l = 0; l <= degree; ++l) {
-    out[coefficient_count(l) - static_cast<std::size_t>(l) - 1] = zonal[static_cast<std::size_t>(l)];
+    out[coefficient_count(l) - static_cast<std::size_t>(l) - 1] = zonal[l];
   }
   return out;
 }

@@ -71,10 +71,10 @@ LightCoefficients project_row(const Image& image, ImageMapping mapping, int row,
 LightCoefficients project_lat_long(const Image& image, int degree) {
   LightCoefficients light = LightCoefficients::zero(degree);
   const Eigen::MatrixXd azimuth = azimuth_integrals(degree, image.width);
-  std::vector<Eigen::MatrixX3d> sums(static_cast<std::size_t>(image.height));  // (2 degree + 1, 3) a row of pixels
+  std::vector<Eigen::MatrixX3d> sums(image.height);  // (2 degree + 1, 3) a row of pixels
   tbb::parallel_for(0, image.height, [&](int row) {
     const Eigen::Map<const Eigen::Matrix3Xf> pixels(image.at(0, row).data(), 3, image.width);
-    sums[static_cast<std::size_t>(row)] = azimuth * pixels.cast<double>().transpose();
+    sums[row] = azimuth * pixels.cast<double>().transpose();
   });
   const double step = kPi / image.height;
   for (int row = 0; row < image.height; ++row) {  // in order: the sum does not depend on the number of threads
@@ -83,8 +83,7 @@ LightCoefficients project_lat_long(const Image& image, int degree) {
       for (int m = -l; m <= l; ++m) {
         const double factor = polar[coefficient_index(l, std::abs(m))];
         for (int channel = 0; channel < 3; ++channel) {
-          light.at(static_cast<std::size_t>(channel), coefficient_index(l, m)) +=
-              factor * sums[static_cast<std::size_t>(row)](degree + m, channel);
+          light.at(channel, coefficient_index(l, m)) += factor * sums[row](degree + m, channel);
         }
       }
     }
@@ -95,9 +94,8 @@ LightCoefficients project_lat_long(const Image& image, int degree) {
 LightCoefficients project_image(const Image& image, ImageMapping mapping, int degree) {
   if (mapping == ImageMapping::kLatLong) return project_lat_long(image, degree);
   require_degree(degree);
-  std::vector<LightCoefficients> rows(static_cast<std::size_t>(image.height));
-  tbb::parallel_for(0, image.height,
-                    [&](int row) { rows[static_cast<std::size_t>(row)] = project_row(image, mapping, row, degree); });
+  std::vector<LightCoefficients> rows(image.height);
+  tbb::parallel_for(0, image.height, [&](int row) { rows[row] = project_row(image, mapping, row, degree); });
   LightCoefficients sum = LightCoefficients::zero(degree);
   for (const LightCoefficients& row : rows) {  // in order: the sum does not depend on the number of threads
     accumulate(sum, row);

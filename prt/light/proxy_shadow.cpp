@@ -22,10 +22,10 @@ constexpr double kPi = std::numbers::pi;
 const numeric::GaussLegendreRule<double>& rule_for(int degree) {
   static const auto kRules = [] {
     std::array<numeric::GaussLegendreRule<double>, kMaxDegree + 1> rules;
-    for (int l = 0; l <= kMaxDegree; ++l) rules[static_cast<std::size_t>(l)] = numeric::gauss_legendre<double>(l + 1);
+    for (int l = 0; l <= kMaxDegree; ++l) rules[l] = numeric::gauss_legendre<double>(l + 1);
     return rules;
   }();
-  return kRules[static_cast<std::size_t>(degree)];
+  return kRules[degree];
 }
 
 /// out -= the weighted contribution of the ring at height z to one channel; `basis` is Y at azimuth 0.

@@ -49,7 +49,7 @@ double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
 
 const SkyParameters& parameters(int type) {
   if (type < 1 || type > kSkyTypes) throw std::invalid_argument("sky: expected a type from 1 to 15");
-  return kSkies[static_cast<std::size_t>(type - 1)];
+  return kSkies[type - 1];
 }
 
 /// Tanh-sinh nodes on [0, 1] [TakahasiMori74], for integrands that change quickly near both ends, such as the length of

@@ -68,7 +68,7 @@ std::vector<double> fejer_kernel(int degree) {
     const double z = rule.nodes[k];
     const std::vector<double> p = legendre(degree + 1, z);
     double root = degree % 2 == 0 ? 0.0 : (half + 1.0) * p[static_cast<std::size_t>(half) + 1];
-    for (int l = 0; l <= half; ++l) root += (2.0 * l + 1.0) * p[static_cast<std::size_t>(l)];
+    for (int l = 0; l <= half; ++l) root += (2.0 * l + 1.0) * p[l];
     const double value = rule.weights[k] * root * root / (degree % 2 == 0 ? 1.0 : 1.0 + z);
     for (std::size_t l = 0; l < out.size(); ++l) out[l] += value * p[l];
   }

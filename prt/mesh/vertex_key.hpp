@@ -12,7 +12,7 @@ namespace sh::prt {
 template <int N>
 std::array<std::uint32_t, static_cast<std::size_t>(N)> bits_of(const Eigen::Matrix<float, N, 1>& vector) {
   std::array<std::uint32_t, static_cast<std::size_t>(N)> bits{};
-  for (int i = 0; i < N; ++i) bits[static_cast<std::size_t>(i)] = std::bit_cast<std::uint32_t>(vector[i] + 0.0F);
+  for (int i = 0; i < N; ++i) bits[i] = std::bit_cast<std::uint32_t>(vector[i] + 0.0F);
   return bits;
 }
 

@@ -80,7 +80,7 @@ std::vector<std::uint32_t> TurningLight::needed() const {
 double TurningLight::band_norm(std::size_t channel, int l) const {
   double squares = 0.0;
   for (int i = l * l; i < (l + 1) * (l + 1); ++i) {
-    squares += std::pow(light_.at(channel, static_cast<std::size_t>(i)), 2);
+    squares += std::pow(light_.at(channel, i), 2);
   }
   return std::sqrt(squares);
 }

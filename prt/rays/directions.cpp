@@ -29,7 +29,7 @@ std::vector<numeric::SphereNode<double>> sphere_nodes(Sampler sampler, int count
 // Points of a square, spread over the unit disc with equal areas and lifted to the hemisphere [Malley88].
 std::vector<Eigen::Vector3f> cosine_directions(int count, std::uint64_t seed) {
   std::vector<Eigen::Vector3f> directions;
-  directions.reserve(static_cast<std::size_t>(count));
+  directions.reserve(count);
   for (const auto& [u, v] : numeric::sobol_points(count, seed)) {
     const double radius = std::sqrt(u);
     const double azimuth = 2.0 * std::numbers::pi * v;
@@ -47,7 +47,7 @@ std::vector<Eigen::Vector3f> make_directions(Sampler sampler, int count, std::ui
   }
   if (sampler == Sampler::kCosine) return cosine_directions((count + 1) / 2, seed);
   std::vector<Eigen::Vector3f> directions;
-  directions.reserve(static_cast<std::size_t>(count));
+  directions.reserve(count);
   for (const auto& node : sphere_nodes(sampler, count, seed)) {
     directions.emplace_back(Eigen::Vector3d(node.x, node.y, node.z).normalized().cast<float>());
   }

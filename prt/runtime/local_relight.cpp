@@ -43,7 +43,7 @@ Points spread(const Points& vertices, int k) {
     }
     const auto farthest = std::max_element(squared.begin(), squared.end());
     if (static_cast<int>(points.size()) == k || *farthest == 0.0) return points;
-    points.push_back(vertices[static_cast<std::size_t>(farthest - squared.begin())]);
+    points.push_back(vertices[farthest - squared.begin()]);
   }
 }
 
@@ -129,7 +129,7 @@ void add_octahedron_weights(const Points& corners, const Eigen::Vector3d& vertex
     if (squared < least) {
       least = squared;
       row = {};
-      for (int i = 0; i < 3; ++i) row[face[static_cast<std::size_t>(i)]] = static_cast<float>(bary[i]);
+      for (int i = 0; i < 3; ++i) row[face[i]] = static_cast<float>(bary[i]);
     }
   }
   weights.insert(weights.end(), row.begin(), row.end());

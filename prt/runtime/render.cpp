@@ -59,7 +59,7 @@ Picture render(const Mesh& mesh, const Tracer& tracer, const std::vector<Eigen::
   picture.radiance.resize(pixels);
   picture.coverage.resize(pixels);
   const MirrorPaths mirrors(mesh, tracer);
-  output::Progress progress(what, static_cast<std::size_t>(size.height));
+  output::Progress progress(what, size.height);
   tbb::parallel_for(0, size.height, [&](int row) {
     RowOfRays rays;
     trace_row(tracer, camera, size, row, rays);

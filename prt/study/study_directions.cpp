@@ -118,7 +118,7 @@ StudyPart study_degrees(const StudySetup& setup) {
   const Radiances reference = setup.all_degrees();
   StudySeries series;
   series.name = "degrees left out";
-  output::Progress progress("study: degrees", static_cast<std::size_t>(most + 1));
+  output::Progress progress("study: degrees", most + 1);
   for (int degree = 0; degree <= most; ++degree) {
     StudyPoint point;
     point.at = degree + 1;

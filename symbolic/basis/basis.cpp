@@ -91,7 +91,7 @@ BasisFunction reduced_basis_function(int degree, int order) {
   return {degree,
           order,
           orthonormal_factor(degree, order),
-          axial_parts(degree)[static_cast<std::size_t>(std::abs(order))],
+          axial_parts(degree)[std::abs(order)],
           remembered(azimuthal, order, [order] { return azimuthal_part(order); }),
           {}};
 }

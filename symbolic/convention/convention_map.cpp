@@ -109,16 +109,15 @@ std::vector<RadicalSum> map_coefficients(const ConventionMap& map, const std::ve
     throw std::invalid_argument("convention map: " + std::to_string(coefficients.size()) +
                                 " coefficients; there should be " + std::to_string(expected));
   }
-  std::vector<RadicalSum> result(static_cast<std::size_t>(storage_size(map.to_order, map.degree)));
+  std::vector<RadicalSum> result(storage_size(map.to_order, map.degree));
   for (int l = 0; l <= map.degree; ++l) {
-    const RadicalMatrix& c = map.forward[static_cast<std::size_t>(l)];
+    const RadicalMatrix& c = map.forward[l];
     for (int m = -l; m <= l; ++m) {
       RadicalSum sum;
       for (int n = -l; n <= l; ++n) {
-        sum += c(l + m, l + n) *
-               coefficients[static_cast<std::size_t>(storage_position(map.from_order, map.degree, l, n))];
+        sum += c(l + m, l + n) * coefficients[storage_position(map.from_order, map.degree, l, n)];
       }
-      result[static_cast<std::size_t>(storage_position(map.to_order, map.degree, l, m))] = sum;
+      result[storage_position(map.to_order, map.degree, l, m)] = sum;
     }
   }
   return result;

@@ -34,7 +34,7 @@ SignedPermutation::SignedPermutation(std::string_view text) {
     if (!valid) break;
     axes_[row] = letter - 'x';
     signs_[row] = negative ? -1 : 1;
-    seen[static_cast<std::size_t>(axes_[row])] = true;
+    seen[axes_[row]] = true;
   }
   if (!valid || !std::all_of(seen.begin(), seen.end(), [](bool s) { return s; })) {
     throw std::invalid_argument("axes '" + std::string(text) +

@@ -25,8 +25,8 @@ class SignedPermutation {
   explicit SignedPermutation(std::string_view text);
 
   /// Coordinate `row` of s' is sign(row) * (coordinate axis(row) of s).
-  [[nodiscard]] int axis(int row) const { return axes_[static_cast<std::size_t>(row)]; }
-  [[nodiscard]] int sign(int row) const { return signs_[static_cast<std::size_t>(row)]; }
+  [[nodiscard]] int axis(int row) const { return axes_[row]; }
+  [[nodiscard]] int sign(int row) const { return signs_[row]; }
   /// +1 keeps the handedness, -1 changes it.
   [[nodiscard]] int determinant() const;
   [[nodiscard]] Matrix<cln::cl_RA> matrix() const;  // (3, 3)

@@ -107,11 +107,11 @@ ex direction(const ex& f, const ex& a, const ex& b, const ex& c) {
 
 const ex& half_cosine(int angle) {
   static const std::array<ex, 3> cosines{numeric(4, 5), numeric(12, 13), numeric(-15, 17)};
-  return cosines[static_cast<std::size_t>(angle)];
+  return cosines[angle];
 }
 const ex& half_sine(int angle) {
   static const std::array<ex, 3> sines{numeric(3, 5), numeric(5, 13), numeric(8, 17)};
-  return sines[static_cast<std::size_t>(angle)];
+  return sines[angle];
 }
 ex whole_cosine(int angle) { return power_of(half_cosine(angle), 2) - power_of(half_sine(angle), 2); }
 ex whole_sine(int angle) { return 2 * half_cosine(angle) * half_sine(angle); }

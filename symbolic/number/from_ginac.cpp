@@ -89,7 +89,7 @@ GiNaC::ex to_ginac(const Polynomial& p, const std::vector<GiNaC::ex>& values) {
             "to_ginac: expected a value for every variable that occurs, got none for variable " +
             std::to_string(variable));
       }
-      factors.push_back(GiNaC::pow(values[static_cast<std::size_t>(variable)], exponent));
+      factors.push_back(GiNaC::pow(values[variable], exponent));
     }
     terms.push_back(GiNaC::mul(factors));
   }

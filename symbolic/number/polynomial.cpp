@@ -87,7 +87,7 @@ cln::cl_RA Polynomial::evaluate(std::span<const cln::cl_RA> point) const {
       if (static_cast<std::size_t>(variable) >= point.size()) {
         throw std::invalid_argument("Polynomial: the point has too few coordinates; every variable needs a value");
       }
-      product = product * cln::expt(point[static_cast<std::size_t>(variable)], exponent);
+      product = product * cln::expt(point[variable], exponent);
     }
     sum = sum + product;
   }
@@ -110,7 +110,7 @@ std::string Polynomial::to_string(const std::vector<std::string>& names) const {
     for (int variable = 0; variable < Monomial::kMaxVariables; ++variable) {
       const int exponent = monomial.exponent(variable);
       if (exponent == 0) continue;
-      text << (separate ? " " : "") << names.at(static_cast<std::size_t>(variable));
+      text << (separate ? " " : "") << names.at(variable);
       if (exponent > 1) text << '^' << exponent;
       separate = true;
     }

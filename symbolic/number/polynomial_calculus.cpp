@@ -19,7 +19,7 @@ const std::vector<GiNaC::symbol>& symbols() {
   return all;
 }
 
-const GiNaC::symbol& symbol_of(int variable) { return symbols().at(static_cast<std::size_t>(variable)); }
+const GiNaC::symbol& symbol_of(int variable) { return symbols().at(variable); }
 
 ex expression(const Polynomial& p) { return to_ginac(p, {symbols().begin(), symbols().end()}); }
 

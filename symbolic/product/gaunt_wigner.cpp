@@ -59,9 +59,9 @@ Surd sum_over_signs(const RealFunction& a, const RealFunction& b, const RealFunc
   for (int p = 0; p < a.part_count; ++p) {
     for (int q = 0; q < b.part_count; ++q) {
       for (int r = 0; r < c.part_count; ++r) {
-        const Part& u = a.parts[static_cast<std::size_t>(p)];
-        const Part& v = b.parts[static_cast<std::size_t>(q)];
-        const Part& w = c.parts[static_cast<std::size_t>(r)];
+        const Part& u = a.parts[p];
+        const Part& v = b.parts[q];
+        const Part& w = c.parts[r];
         if (u.order + v.order + w.order != 0) continue;
         sum = sum + Surd(u.sign * v.sign * w.sign) * wigner_3j(a.degree, b.degree, c.degree, u.order, v.order, w.order);
       }

@@ -91,9 +91,9 @@ std::vector<std::vector<RadicalSum>> transfer_matrix(const std::vector<Surd>& kn
   const auto columns = static_cast<std::size_t>(count(shape.a));
   std::vector<std::vector<RadicalSum>> matrix(rows, std::vector<RadicalSum>(columns));
   for (const TransferEntry& entry : transfer_form(shape)) {
-    RadicalSum& sum = matrix[static_cast<std::size_t>(entry.row)][static_cast<std::size_t>(entry.column)];
+    RadicalSum& sum = matrix[entry.row][entry.column];
     for (const auto& [k, factor] : entry.terms) {
-      const Surd product = factor * known[static_cast<std::size_t>(k)];
+      const Surd product = factor * known[k];
       if (!product.is_zero()) sum += RadicalSum(product);
     }
   }

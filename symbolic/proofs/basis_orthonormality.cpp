@@ -83,7 +83,7 @@ ProofResult prove_order(const std::vector<const BasisFunction*>& functions, int 
       if (b->degree > a->degree) continue;
       cln::cl_RA sum = 0;
       for (const auto& [monomial, coefficient] : b->axial.terms()) {
-        sum = sum + coefficient * with[static_cast<std::size_t>(monomial.exponent(2))];
+        sum = sum + coefficient * with[monomial.exponent(2)];
       }
       const bool same = a == b;  // the azimuthal integral of a square is pi, or 2 pi at order 0
       if (!integral_is(a->factor, b->factor, sum * (m == 0 ? 2 : 1), same)) return refuted(pair_name(*a, *b, same));

@@ -44,9 +44,9 @@ std::string gradient_error(const Basis& basis, const BasisFunction& f, const Bas
   for (int axis = 0; axis < 3; ++axis) {
     Polynomial ladder;
     for (const LadderTerm& term : gradient_ladder(f.degree, f.order, axis)) {
-      ladder += term.coefficient * basis[to_size(coefficient_index(f.degree - 1, term.order))].homogeneous;
+      ladder += term.coefficient * basis[coefficient_index(f.degree - 1, term.order)].homogeneous;
     }
-    if (!(ladder == d.gradient[static_cast<std::size_t>(axis)])) return "the gradient differs from its ladder";
+    if (!(ladder == d.gradient[axis])) return "the gradient differs from its ladder";
   }
   return "";
 }
@@ -105,7 +105,7 @@ ProofResult prove_addition_theorem(const Basis& basis) {
     const Surd square = f.factor * f.factor;  // rational / pi
     if (square.pi_half_power() != -2 || square.radicand() != 1)
       return refuted(name_of(f) + ": factor^2 pi is irrational");
-    sums[static_cast<std::size_t>(f.degree)] += square.rational() * (f.homogeneous * moved(f.homogeneous, 3));
+    sums[f.degree] += square.rational() * (f.homogeneous * moved(f.homogeneous, 3));
   }
   for (int l = 0; l <= degree; ++l) {
     const auto at = static_cast<std::size_t>(l);

@@ -21,7 +21,7 @@ RadicalMatrix identity(int size) { return RadicalMatrix::identity(size, RadicalS
 std::array<Polynomial, 3> coordinates(const SignedPermutation& axes) {
   std::array<Polynomial, 3> result;
   for (int row = 0; row < 3; ++row) {
-    result[static_cast<std::size_t>(row)] = cln::cl_RA(axes.sign(row)) * Polynomial::variable(axes.axis(row));
+    result[row] = cln::cl_RA(axes.sign(row)) * Polynomial::variable(axes.axis(row));
   }
   return result;
 }
@@ -131,8 +131,8 @@ ProofResult prove_axes(const AxesBand& band, int degree) {
     const Matrix<cln::cl_RA> t = band(axes, degree);
     const auto moved = coordinates(axes);
     for (int m = 0; m <= 2 * degree; ++m) {
-      Polynomial difference = substitute(functions[static_cast<std::size_t>(m)], moved);
-      for (int n = 0; n <= 2 * degree; ++n) difference -= t(m, n) * functions[static_cast<std::size_t>(n)];
+      Polynomial difference = substitute(functions[m], moved);
+      for (int n = 0; n <= 2 * degree; ++n) difference -= t(m, n) * functions[n];
       if (!difference.is_zero()) return refuted("axes " + axes.to_string() + " l=" + std::to_string(degree));
     }
     for (const SignedPermutation& generator : generators) {
@@ -155,7 +155,7 @@ ProofResult prove_basis_change(const Convention& convention, int degree, const R
     add(difference, RadicalSum(f.factor) * RadicalSum::imaginary_unit(), substitute(f.im, moved));
     for (int n = -degree; n <= degree; ++n) {
       add(difference, -(change(degree + m, degree + n) * RadicalSum(orthonormal_factor(degree, n))),
-          functions[to_size(degree + n)]);
+          functions[degree + n]);
     }
     if (!vanishes(difference)) return refuted("l=" + std::to_string(degree) + " m=" + std::to_string(m));
   }

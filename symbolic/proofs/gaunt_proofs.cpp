@@ -26,14 +26,14 @@ class RaisedBasis {
   explicit RaisedBasis(int degree) : basis_(derive_basis(degree)), raised_(basis_.size()) {
     r2_ = Polynomial::variable(0).power(2) + Polynomial::variable(1).power(2) + Polynomial::variable(2).power(2);
   }
-  const BasisFunction& operator[](int index) const { return basis_[static_cast<std::size_t>(index)]; }
+  const BasisFunction& operator[](int index) const { return basis_[index]; }
   [[nodiscard]] std::size_t size() const { return basis_.size(); }
   /// The homogeneous polynomial times (x^2+y^2+z^2)^power.
   const Polynomial& raised(int index, int power) {
-    std::vector<Polynomial>& list = raised_[static_cast<std::size_t>(index)];
+    std::vector<Polynomial>& list = raised_[index];
     if (list.empty()) list.push_back((*this)[index].homogeneous);
     while (static_cast<int>(list.size()) <= power) list.push_back(list.back() * r2_);
-    return list[static_cast<std::size_t>(power)];
+    return list[power];
   }
 
  private:
@@ -180,7 +180,7 @@ namespace {
 // A function with every coefficient different: 1, 1/2, 1/3, ...
 std::vector<Surd> harmonic_coefficients(int degree) {
   std::vector<Surd> known;
-  known.reserve(static_cast<std::size_t>(count(degree)));
+  known.reserve(count(degree));
   for (int k = 0; k < count(degree); ++k) known.emplace_back(cln::cl_RA(1) / (k + 1));
   return known;
 }

@@ -27,7 +27,7 @@ class TurnedMonomials {
   TurnedMonomials() {
     const Matrix<Polynomial> m = quaternion_matrix();
     for (int i = 0; i < 3; ++i) {
-      for (int j = 0; j < 3; ++j) turned_[static_cast<std::size_t>(i)] += m(i, j) * Polynomial::variable(4 + j);
+      for (int j = 0; j < 3; ++j) turned_[i] += m(i, j) * Polynomial::variable(4 + j);
     }
     known_.emplace(Monomial(), Polynomial(1));
   }
@@ -129,13 +129,13 @@ ProofResult prove_equivariance(const std::vector<QuaternionRotation>& bands, con
   for (const QuaternionRotation& band : bands) {
     const int l = band.degree;
     std::vector<Polynomial> right;  // S_ln(v)
-    for (int n = 0; n <= 2 * l; ++n) right.push_back(moved(basis.at(to_size(l * l + n)).homogeneous, 4));
+    for (int n = 0; n <= 2 * l; ++n) right.push_back(moved(basis.at(l * l + n).homogeneous, 4));
     for (int m = 0; m <= 2 * l; ++m) {
       Polynomial difference;
-      for (const auto& [monomial, coefficient] : basis.at(to_size(l * l + m)).homogeneous.terms()) {
+      for (const auto& [monomial, coefficient] : basis.at(l * l + m).homogeneous.terms()) {
         difference += coefficient * turned(monomial);
       }
-      for (int n = 0; n <= 2 * l; ++n) difference -= band.entries(m, n) * right[static_cast<std::size_t>(n)];
+      for (int n = 0; n <= 2 * l; ++n) difference -= band.entries(m, n) * right[n];
       if (!difference.is_zero()) return refuted("l=" + std::to_string(l) + " m=" + std::to_string(m - l));
     }
     turned.forget_below(l);
@@ -171,8 +171,8 @@ ProofResult prove_composition(const std::vector<QuaternionRotation>& bands) {
 ProofResult prove_recursion_agrees(const std::vector<QuaternionRotation>& bands,
                                    const std::vector<Matrix<Polynomial>>& recursion) {
   for (const QuaternionRotation& band : bands) {
-    ProofResult result = compare(band.degree, band.entries, recursion.at(static_cast<std::size_t>(band.degree)),
-                                 "quaternion form and recursion differ");
+    ProofResult result =
+        compare(band.degree, band.entries, recursion.at(band.degree), "quaternion form and recursion differ");
     if (!result.proved) return result;
   }
   return proved(band_count(bands.size()));

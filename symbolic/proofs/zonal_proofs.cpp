@@ -34,7 +34,7 @@ ProofResult prove_turned_band(const std::vector<TurnedZonal>& entries, int l, co
   Polynomial sum;
   const Surd axial_factor = basis_function(l, 0).factor;
   for (int m = -l; m <= l; ++m) {
-    const TurnedZonal& entry = entries[static_cast<std::size_t>(coefficient_index(l, m))];
+    const TurnedZonal& entry = entries[coefficient_index(l, m)];
     const BasisFunction y = basis_function(l, m);
     const Surd ratio = entry.factor * y.factor / axial_factor;
     const std::string place = " at degree " + std::to_string(l) + ", order " + std::to_string(m);
@@ -95,7 +95,7 @@ ProofResult prove_convolution(const std::vector<Surd>& factors) {
       for (int k = l; k <= degree; k += 2) {  // other powers of t have no part in band l
         const std::vector<ZonalPiece> power{
             {Polynomial::variable(kAxisVariable).power(k), Polynomial(-1), Polynomial(1)}};
-        const Surd eigenvalue = factors[static_cast<std::size_t>(l)] * project_profile(l, power).at({}) / sphere_area;
+        const Surd eigenvalue = factors[l] * project_profile(l, power).at({}) / sphere_area;
         const Polynomial expected = eigenvalue.rational() * (dot_product(0, 0).power((k - l) / 2) * solid);
         if (!(eigenvalue == Surd(eigenvalue.rational())) || !(mean_against_power(solid, k) == expected)) {
           return refuted("Y_" + std::to_string(l) + "," + std::to_string(m) + " convolved with t^" + std::to_string(k));
@@ -114,7 +114,7 @@ ProofResult prove_turned_zonal(const std::vector<TurnedZonal>& entries) {
   if (bands * bands != count) return refuted("the last band is not complete");
   const std::vector<Polynomial> legendre = two_point_legendre(bands - 1);
   for (int l = 0; l < bands; ++l) {
-    ProofResult band = prove_turned_band(entries, l, legendre[to_size(l)]);
+    ProofResult band = prove_turned_band(entries, l, legendre[l]);
     if (!band.proved) return band;
   }
   return proved(std::to_string(bands) + " bands");

@@ -44,14 +44,14 @@ ex solid_harmonic(int l, int m, const symbol& s) {
 // The numbers T_-l .. T_l with sum T_n S_ln = p on the null cone: p holds lambda/2 (T_n + i T_-n) s^(l+n) and
 // (-1)^n lambda/2 (T_n - i T_-n) s^(l-n).
 std::vector<ex> along_band(int l, const ex& p, const symbol& s) {
-  std::vector<ex> t(to_size(2 * l + 1));
+  std::vector<ex> t(2 * l + 1);
   const ex expanded = p.expand();
-  t[to_size(l)] = expanded.coeff(s, l) / leading(l, 0);
+  t[l] = expanded.coeff(s, l) / leading(l, 0);
   for (int n = 1; n <= l; ++n) {
     const ex up = expanded.coeff(s, l + n) / leading(l, n);
     const ex down = sign(n) * expanded.coeff(s, l - n) / leading(l, n);
-    t[to_size(l + n)] = up + down;
-    t[to_size(l - n)] = GiNaC::I * (down - up);
+    t[l + n] = up + down;
+    t[l - n] = GiNaC::I * (down - up);
   }
   return t;
 }
@@ -72,7 +72,7 @@ Matrix<Polynomial> turned_band(int l, const Quaternion<ex>& q, const std::vector
     const ex row = leading(l, m) * sign(m) * GiNaC::pow(c * s + d, l - m) * GiNaC::pow(a + b * s, l + m);
     const std::vector<ex> entries = along_band(l, row, s);
     for (int n = 0; n <= 2 * l; ++n) {
-      ComplexPolynomial entry = complex_from_ginac(entries[to_size(n)].subs(parameters), variables);
+      ComplexPolynomial entry = complex_from_ginac(entries[n].subs(parameters), variables);
       t(l + m, n) = std::move(entry.re);
       if (m > 0) t(l - m, n) = std::move(entry.im);
     }
@@ -128,18 +128,18 @@ const Matrix<cln::cl_RA>& rotation_x90(int degree, bool positive) {
 const std::vector<std::vector<Coupling>>& band_couplings(int degree) {
   static std::map<int, std::vector<std::vector<Coupling>>> known;
   return remembered(known, degree, [degree] {
-    std::vector<std::vector<Coupling>> result(to_size(2 * degree + 1));
+    std::vector<std::vector<Coupling>> result(2 * degree + 1);
     const symbol s("s");
     const std::array<ex, 3> v{(GiNaC::pow(s, 2) - 1) / 2, GiNaC::I * (GiNaC::pow(s, 2) + 1) / 2, s};
     for (int c = 0; c < degree; ++c) {
       for (int axis = 0; axis < 3; ++axis) {
         for (int below = c; below >= -c; below -= std::max(2 * c, 1)) {  // the cosine, then the sine function
-          const ex product = v[to_size(axis)] * solid_harmonic(degree - 1, below, s);
+          const ex product = v[axis] * solid_harmonic(degree - 1, below, s);
           const std::vector<ex> g = along_band(degree, product, s);
           for (int above = -degree; above <= degree; ++above) {
-            const cln::cl_RA weight = rational_from_ginac(g[to_size(degree + above)]) *
-                                      squared_factor(degree - 1, below) / squared_factor(degree, above);
-            if (!cln::zerop(weight)) result[to_size(degree + above)].push_back({axis, below, weight});
+            const cln::cl_RA weight = rational_from_ginac(g[degree + above]) * squared_factor(degree - 1, below) /
+                                      squared_factor(degree, above);
+            if (!cln::zerop(weight)) result[degree + above].push_back({axis, below, weight});
           }
         }
       }

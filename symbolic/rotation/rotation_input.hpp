@@ -86,7 +86,7 @@ template <class T>
 Matrix<T> matrix_from_axis_angle(const std::array<T, 3>& axis, const CosSin<T>& angle, const T& one) {
   const T versine = one - angle.cosine;
   Matrix<T> result(3, 3);
-  const auto at = [&axis](int k) { return axis[static_cast<std::size_t>(k % 3)]; };
+  const auto at = [&axis](int k) { return axis[k % 3]; };
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) result(i, j) = versine * at(i) * at(j);
     result(i, i) = result(i, i) + angle.cosine;

@@ -65,7 +65,7 @@ Matrix<T> next_band(int l, const Matrix<T>& r, const Matrix<T>& below) {
   const auto& couplings = band_couplings(l);
   Matrix<T> t(2 * l + 1, 2 * l + 1);
   for (int row = 0; row <= 2 * l; ++row) {
-    const auto& list = couplings[static_cast<std::size_t>(row)];
+    const auto& list = couplings[row];
     const auto sum = [&](int coordinate, int column) { return coupled_sum(list, r, coordinate, below, column, l); };
     for (int n = 1 - l; n < l; ++n) t(row, l + n) = column_scale(l, n) * sum(z, n);
     t(row, 2 * l) = column_scale(l, l) * (sum(x, l - 1) - sum(y, 1 - l));  // S_l = (2l-1)(x S_(l-1) - y S_-(l-1))

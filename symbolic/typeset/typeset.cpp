@@ -66,7 +66,7 @@ std::string tex_monomial(const Monomial& monomial, const std::vector<std::string
     const int exponent = monomial.exponent(variable);
     if (exponent == 0) continue;
     if (!text.empty()) text += ' ';
-    text += power(names.at(static_cast<std::size_t>(variable)), exponent);
+    text += power(names.at(variable), exponent);
   }
   return text;
 }

@@ -62,7 +62,7 @@ FormulaTable gradient_table(int degree, const Convention& convention) {
   for_each_function(degree, convention, [&](const std::string& symbol, int l, int m) {
     const ConventionFunction f = convention_function(convention, l, m);
     for (int axis = 0; axis < 3; ++axis) {
-      const std::string partial = std::string("\\partial_{") + kAxes[static_cast<std::size_t>(axis)] + "} ";
+      const std::string partial = std::string("\\partial_{") + kAxes[axis] + "} ";
       table.rows.push_back({partial + symbol, complex_terms(f.factor, f.re.derivative(axis), f.im.derivative(axis))});
     }
   });
@@ -75,8 +75,7 @@ FormulaTable hessian_table(int degree, const Convention& convention) {
     const ConventionFunction f = convention_function(convention, l, m);
     for (int a = 0; a < 3; ++a) {
       for (int b = a; b < 3; ++b) {
-        const std::string partial =
-            std::string("\\partial_{") + kAxes[static_cast<std::size_t>(a)] + kAxes[static_cast<std::size_t>(b)] + "} ";
+        const std::string partial = std::string("\\partial_{") + kAxes[a] + kAxes[b] + "} ";
         table.rows.push_back({partial + symbol, complex_terms(f.factor, f.re.derivative(a).derivative(b),
                                                               f.im.derivative(a).derivative(b))});
       }

@@ -18,8 +18,8 @@ namespace {
 // Entry (row, column) of C D C^-1, D_pq = (k_p / k_q) T_pq.
 std::vector<FormulaTerm> entry_terms(const ConventionMap& map, int l, const Matrix<Polynomial>& rational, int row,
                                      int column, const std::vector<std::string>& names) {
-  const Matrix<RadicalSum>& forward = map.forward[static_cast<std::size_t>(l)];
-  const Matrix<RadicalSum>& backward = map.backward[static_cast<std::size_t>(l)];
+  const Matrix<RadicalSum>& forward = map.forward[l];
+  const Matrix<RadicalSum>& backward = map.backward[l];
   PolynomialSum sum;
   for (int p = 0; p <= 2 * l; ++p) {
     if (forward(row, p).is_zero()) continue;
@@ -65,7 +65,7 @@ FormulaTable matrix_table(int degree, const Convention& convention) {
   return table_of_bands(
       "Entry (m, n) of band l, for the rotation matrix with entries r_ij, rows and columns 0, 1, 2 = x, y, z. The form "
       "is not unique: rows and columns of the matrix are orthonormal.",
-      names, degree, convention, [&](int l) -> const Matrix<Polynomial>& { return bands[to_size(l)]; });
+      names, degree, convention, [&](int l) -> const Matrix<Polynomial>& { return bands[l]; });
 }
 
 FormulaTable quaternion_table(int degree, const Convention& convention) {

@@ -12,7 +12,7 @@ namespace sh::symbolic {
 namespace {
 
 // What a zonal coefficient of ours is multiplied by.
-Surd zonal_scale(const ConventionMap& map, int l) { return map.forward[static_cast<std::size_t>(l)](l, l).surd(); }
+Surd zonal_scale(const ConventionMap& map, int l) { return map.forward[l](l, l).surd(); }
 
 // "c0" -> "c_{0}"
 std::string tex_parameter(const std::string& name) {
@@ -75,8 +75,8 @@ FormulaTable turned_table(int degree, const Convention& convention) {
     for (int m = -l; m <= l; ++m) {
       PolynomialSum sum;
       for (int n = -l; n <= l; ++n) {
-        const TurnedZonal& entry = entries[static_cast<std::size_t>(coefficient_index(l, n))];
-        const RadicalSum& weight = map.forward[static_cast<std::size_t>(l)](l + m, l + n);
+        const TurnedZonal& entry = entries[coefficient_index(l, n)];
+        const RadicalSum& weight = map.forward[l](l + m, l + n);
         if (!weight.is_zero()) sum.add(weight * own_scale * RadicalSum(entry.factor), entry.polynomial);
       }
       Formula row{"c" + tex_indices(l, m), sum.terms({"x", "y", "z"})};

@@ -41,7 +41,7 @@ ZonalTerm cosine_power(int degree) {
 }  // namespace
 
 Polynomial legendre_moment(int degree, const std::vector<ZonalPiece>& profile) {
-  const std::vector<symbol> parameters(static_cast<std::size_t>(kAxisVariable));
+  const std::vector<symbol> parameters(kAxisVariable);
   std::vector<ex> values(parameters.begin(), parameters.end());
   values.push_back(axis());
   ex sum = 0;

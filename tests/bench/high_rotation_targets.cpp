@@ -17,7 +17,7 @@ using numeric::methods::rotate_zxz_rows;
 
 std::vector<double> coefficients(int degree) {
   numeric::Random random(1);
-  std::vector<double> c(static_cast<std::size_t>(numeric::coefficient_count(degree)));
+  std::vector<double> c(numeric::coefficient_count(degree));
   for (double& v : c) v = random.next();
   return c;
 }

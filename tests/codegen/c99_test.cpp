@@ -116,7 +116,7 @@ class Program {
       const std::vector<T> outputs = evaluator(input);
       std::vector<T> in_place(outputs.size());
       for (std::size_t i = 0; i < outputs.size(); ++i) {
-        in_place[static_cast<std::size_t>(finished.kernel.element(i))] = outputs[i];
+        in_place[finished.kernel.element(i)] = outputs[i];
       }
       for (std::size_t i = 0; i < outputs.size(); ++i) expected_.push_back({name, i, static_cast<double>(in_place[i])});
     }

@@ -49,8 +49,8 @@ TEST(InConvention, BasisEqualsTheFunctionsOfEveryRealPreset) {
         for (int m = -l; m <= l; ++m) {
           const auto exact = convention_function(preset.convention, l, m);
           const int place = storage_position(preset.convention.order, degree, l, m);
-          expect_close(values[static_cast<std::size_t>(place)],
-                       (Surd(exact.re.evaluate({d.begin(), d.end()})) * exact.factor).evaluate(kDigits), preset.name);
+          expect_close(values[place], (Surd(exact.re.evaluate({d.begin(), d.end()})) * exact.factor).evaluate(kDigits),
+                       preset.name);
         }
       }
     }
@@ -132,12 +132,12 @@ TEST(InConvention, ScalesFactorsAndResultOfAProductByTheirOwnDegrees) {
     const symbolic::Convention convention = symbolic::find_preset(name).convention;
     const FinishedKernel theirs = in_convention(ours, family.reference(3, kReferencePoints), {name, ""});
     const auto stored = [&](const std::vector<cln::cl_F>& c, int degree) {
-      std::vector<cln::cl_F> values(static_cast<std::size_t>(storage_size(convention.order, degree)));
+      std::vector<cln::cl_F> values(storage_size(convention.order, degree));
       for (int l = 0; l <= degree; ++l) {
         for (int m = -l; m <= l; ++m) {
           const Surd scale = (convention_factor(convention, l, m) / convention_factor(symbolic::Convention{}, l, m));
-          values[static_cast<std::size_t>(storage_position(convention.order, degree, l, m))] =
-              c[static_cast<std::size_t>(symbolic::coefficient_index(l, m))] / scale.evaluate(kDigits);
+          values[storage_position(convention.order, degree, l, m)] =
+              c[symbolic::coefficient_index(l, m)] / scale.evaluate(kDigits);
         }
       }
       return values;
@@ -167,9 +167,8 @@ std::vector<cln::cl_F> values_of_stored(const FinishedKernel& kernel, const symb
   for (int l = 0; l <= degree; ++l) {
     for (int m = -l; m <= l; ++m) {
       const Surd scale = convention_factor(convention, l, m) / convention_factor(symbolic::Convention{}, l, m);
-      stored[static_cast<std::size_t>(storage_position(convention.order, degree, l, m))] =
-          inputs[static_cast<std::size_t>(symbolic::coefficient_index(l, m))] *
-          (folded_factor(convention.folded, l) / scale).evaluate(kDigits);
+      stored[storage_position(convention.order, degree, l, m)] =
+          inputs[symbolic::coefficient_index(l, m)] * (folded_factor(convention.folded, l) / scale).evaluate(kDigits);
     }
   }
   return Evaluator<cln::cl_F>(kernel.kernel, kDigits)(stored);

@@ -30,8 +30,8 @@ std::vector<int> classes(const OrbitQuadrature& orbits) {
     for (const ClassRow& row : orbits.rows(opposite)) {
       for (std::size_t r = 0; r < row.size(); ++r) {
         if (row[r] < 0) continue;
-        EXPECT_EQ(result[to_size(row[r])], -1) << "coefficient " << row[r] << " twice";
-        result[to_size(row[r])] = opposite ? 7 - static_cast<int>(r) : static_cast<int>(r);
+        EXPECT_EQ(result[row[r]], -1) << "coefficient " << row[r] << " twice";
+        result[row[r]] = opposite ? 7 - static_cast<int>(r) : static_cast<int>(r);
       }
     }
   }
@@ -43,21 +43,21 @@ TEST(LaneTables, SumsOverOrbitsAreTheGauntTensor) {
     const OrbitQuadrature orbits(degree);
     const std::vector<int> of = classes(orbits);
     const int size = static_cast<int>(of.size());
-    std::vector<std::vector<cln::cl_R>> y(to_size(size));
+    std::vector<std::vector<cln::cl_R>> y(size);
     std::vector<cln::cl_R> weight;
     for (int q = 0; q < orbits.count(); ++q) {
       weight.push_back(number(orbits.weight(q)));
-      for (int i = 0; i < size; ++i) y[to_size(i)].push_back(number(orbits.value(i, q)));
+      for (int i = 0; i < size; ++i) y[i].push_back(number(orbits.value(i, q)));
     }
     for (int i = 0; i < size; ++i) {
-      ASSERT_GE(of[to_size(i)], 0) << i;
+      ASSERT_GE(of[i], 0) << i;
       for (int j = 0; j <= i; ++j) {
         for (int k = 0; k < size; ++k) {
           // In all other cases the signs on the orbit cancel.
           if (!symbolic::gaunt_may_differ_from_zero(i, j, k)) continue;
           cln::cl_R sum = 0;
           for (std::size_t q = 0; q < weight.size(); ++q) {
-            sum = sum + weight[q] * y[to_size(i)][q] * y[to_size(j)][q] * y[to_size(k)][q];
+            sum = sum + weight[q] * y[i][q] * y[j][q] * y[k][q];
           }
           EXPECT_TRUE(is_small(sum - number(gaunt(i, j, k)))) << degree << ": " << i << " " << j << " " << k;
         }
@@ -88,8 +88,8 @@ TEST(LaneTables, TermsInLanesAreTheGauntTensor) {
     for (int j = 0; j < kCount; ++j) {
       std::array<cln::cl_R, recipes::kTripleLanes> c;
       for (const auto& scale : table.scales) {
-        if (scale.e == i) c[to_size(j)] = c[to_size(j)] + number(scale.g[to_size(j)]);
-        if (scale.e == j) c[to_size(i)] = c[to_size(i)] + number(scale.g[to_size(i)]);
+        if (scale.e == i) c[j] = c[j] + number(scale.g[j]);
+        if (scale.e == j) c[i] = c[i] + number(scale.g[i]);
       }
       for (const auto& round : table.rounds) {
         for (std::size_t lane = 0; lane < c.size(); ++lane) {
@@ -97,7 +97,7 @@ TEST(LaneTables, TermsInLanesAreTheGauntTensor) {
         }
       }
       for (int k = 0; k < kCount; ++k) {
-        const cln::cl_R sum = c[to_size(k)] + c[to_size(table.more[to_size(k)])];
+        const cln::cl_R sum = c[k] + c[table.more[k]];
         EXPECT_TRUE(is_small(sum - number(gaunt(i, j, k)))) << i << " " << j << " " << k;
       }
     }
@@ -109,7 +109,7 @@ std::vector<std::vector<cln::cl_R>> matrix_of(const std::vector<recipes::TurnRou
   std::vector<std::vector<cln::cl_R>> matrix(recipes::kTurnLanes, std::vector<cln::cl_R>(recipes::kTurnLanes, 0));
   for (const recipes::TurnRound& round : rounds) {
     for (std::size_t lane = 0; lane < matrix.size(); ++lane) {
-      cln::cl_R& entry = matrix[lane][to_size(round.column[lane])];
+      cln::cl_R& entry = matrix[lane][round.column[lane]];
       entry = entry + number(round.entry[lane]);
     }
   }

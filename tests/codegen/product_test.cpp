@@ -129,11 +129,11 @@ TEST(Products, OfDifferentDegreesAreExactWithAliasesAndWithout) {
         for (const auto& form : forms) {
           double sum = 0;
           for (const auto& term : form.terms) {
-            sum += cln::double_approx(term.factor.evaluate(20)) * inputs[static_cast<std::size_t>(term.i)] *
+            sum += cln::double_approx(term.factor.evaluate(20)) * inputs[term.i] *
                    inputs[static_cast<std::size_t>(recipes::coefficient_count(shape.a)) +
                           static_cast<std::size_t>(term.j)];
           }
-          EXPECT_NEAR(outputs[static_cast<std::size_t>(form.output)], sum, 1e-14)
+          EXPECT_NEAR(outputs[form.output], sum, 1e-14)
               << shape.a << shape.b << shape.result << " " << angles << " output " << form.output;
         }
       }
@@ -158,7 +158,7 @@ std::vector<double> run(const LinearCircuit& circuit, int inputs, bool transpose
     kernel.outputs.push_back({build.node(value), ""});
   }
   std::vector<double> point;
-  point.reserve(static_cast<std::size_t>(inputs));
+  point.reserve(inputs);
   for (int i = 0; i < inputs; ++i) point.push_back(1.0 / (i + 1));
   return Evaluator<double>(kernel)(point);
 }
@@ -184,7 +184,7 @@ TEST(LinearCircuit, ComputesTheMapAndItsTransposeWithFewerOperations) {
     for (const auto& [column, entry] : map[r]) {
       const double factor = cln::double_approx(evaluate(entry, 20));
       wanted += factor / (column + 1);
-      wanted_columns[static_cast<std::size_t>(column)] += factor / static_cast<double>(r + 1);
+      wanted_columns[column] += factor / static_cast<double>(r + 1);
     }
     EXPECT_NEAR(rows[r], wanted, 1e-14);
   }

@@ -66,7 +66,7 @@ Reference dimmed_reference(int degree, int points) {
     for (int i = 0; i < coefficient_count(degree); ++i) {
       const auto [l, m] = symbolic::degree_order(i);
       const symbolic::BasisFunction f = symbolic::basis_function(l, m);
-      const cln::cl_RA rational = vectors[k].back() * vectors[k][static_cast<std::size_t>(i)];
+      const cln::cl_RA rational = vectors[k].back() * vectors[k][i];
       sum = sum + (symbolic::Surd(rational * f.homogeneous.evaluate(d)) * f.factor).evaluate(kCheckDigits + 10);
     }
     std::vector<cln::cl_RA> inputs(vectors[k].begin(), vectors[k].end() - 1);
@@ -142,8 +142,7 @@ TEST(ToyFamily, HasTheSameValueInAnotherConvention) {
     for (int i = 0; i < coefficient_count(kDegree); ++i) {
       const auto [l, m] = symbolic::degree_order(i);
       const symbolic::Surd scale = convention_factor(symbolic::Convention{}, l, m) / convention_factor(ambix, l, m);
-      stored[static_cast<std::size_t>(storage_position(ambix.order, kDegree, l, m))] =
-          ours[static_cast<std::size_t>(i)] * scale.evaluate(50);
+      stored[storage_position(ambix.order, kDegree, l, m)] = ours[i] * scale.evaluate(50);
     }
     // (x, z, -y) of the caller's direction is ours.
     stored[9] = ours[9];

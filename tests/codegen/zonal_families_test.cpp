@@ -212,7 +212,7 @@ TEST(Irradiance, OddDegreesAboveOneBecomeZeroWhateverStandsThere) {
   std::vector<float> c(36, std::numeric_limits<float>::infinity());
   const std::vector<float> e = Evaluator<float>(kernel)(c);
   for (const int l : {3, 5}) {
-    for (int i = l * l; i < (l + 1) * (l + 1); ++i) EXPECT_EQ(e[static_cast<std::size_t>(i)], 0.0F);
+    for (int i = l * l; i < (l + 1) * (l + 1); ++i) EXPECT_EQ(e[i], 0.0F);
   }
 }
 

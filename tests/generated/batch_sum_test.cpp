@@ -127,7 +127,7 @@ TEST(BatchHalves, GiveTheBitsOfTheSameNumbersInFloat) {
         for (std::size_t k = 0; k < kSize; ++k) {
           const auto& [bits, value] = kHalves[any(random)];
           wide.at(i, k) = value;
-          halves[static_cast<std::size_t>(&wide.at(i, k) - wide.records().data)] = batch::Half{bits};
+          halves[&wide.at(i, k) - wide.records().data] = batch::Half{bits};
         }
       }
       const Array<float> directions({}, samples.directions, 3);

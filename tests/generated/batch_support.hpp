@@ -84,7 +84,7 @@ class Array {
   [[nodiscard]] bool guarded() {
     std::vector<T> rest = memory_;
     for (std::size_t i = 0; i < n_; ++i) {
-      for (std::size_t k = 0; k < size_; ++k) rest[static_cast<std::size_t>(&at(i, k) - memory_.data())] = T(0);
+      for (std::size_t k = 0; k < size_; ++k) rest[&at(i, k) - memory_.data()] = T(0);
     }
     std::size_t numbers = 0;
     for (const T value : rest) numbers += value == T(0) ? 1 : 0;

@@ -60,8 +60,7 @@ TEST(GeneratedCap, AgreesWithQuadrature) {
     for (const double u : {1e-3, 0.1, 0.5, 1.0, 1.7, 1.99, 2.0}) {
       std::array<double, kDegree + 1> z;
       cap<kDegree>(u, z.data());
-      for (int l = 0; l <= kDegree; ++l)
-        EXPECT_NEAR(z[static_cast<std::size_t>(l)], cap_by_quadrature(l, u), 8e-15) << l << " " << u;
+      for (int l = 0; l <= kDegree; ++l) EXPECT_NEAR(z[l], cap_by_quadrature(l, u), 8e-15) << l << " " << u;
     }
   });
 }

@@ -71,9 +71,9 @@ TEST(Basis, AgreesWithBoostMathOnceThePhaseIsRemoved) {
         const auto degree = static_cast<unsigned>(l);
         const double re = scale * boost::math::spherical_harmonic_r(degree, static_cast<int>(order), theta, phi);
         const double im = scale * boost::math::spherical_harmonic_i(degree, static_cast<int>(order), theta, phi);
-        EXPECT_NEAR(got[static_cast<std::size_t>(coefficient_index(l, m))], re, 2e-14) << l << ' ' << m;
+        EXPECT_NEAR(got[coefficient_index(l, m)], re, 2e-14) << l << ' ' << m;
         if (m > 0) {
-          EXPECT_NEAR(got[static_cast<std::size_t>(coefficient_index(l, -m))], im, 2e-14) << l << ' ' << m;
+          EXPECT_NEAR(got[coefficient_index(l, -m)], im, 2e-14) << l << ' ' << m;
         }
       }
     }
@@ -94,7 +94,7 @@ double addition_theorem_error(int degree, const Direction& a, const Direction& b
   for (int l = 0; l <= degree; ++l) {
     Real sum = 0;
     for (int i = l * l; i < (l + 1) * (l + 1); ++i) {
-      sum += ya[static_cast<std::size_t>(i)] * yb[static_cast<std::size_t>(i)];
+      sum += ya[i] * yb[i];
     }
     const Real scale = static_cast<Real>(2 * l + 1) / (4 * pi<Real>());
     keep_worst(worst, difference(Real(sum / scale), legendre));
@@ -122,7 +122,7 @@ double worst_relative_norm(int degree, const Direction& d) {
   for (int l = 0; l <= degree; ++l) {
     Real sum = 0;
     for (int i = l * l; i < (l + 1) * (l + 1); ++i) {
-      sum += y[static_cast<std::size_t>(i)] * y[static_cast<std::size_t>(i)];
+      sum += y[i] * y[i];
     }
     const Real maximum = static_cast<Real>(2 * l + 1) / (4 * pi<Real>());
     keep_worst(worst, difference(Real(sum / maximum), Real(1)));
@@ -164,7 +164,7 @@ TEST(Basis, AtThePolesOnlyOrderZeroSurvivesAndIsTheBandMaximum) {
       const double maximum = std::sqrt((2 * l + 1) / (4 * pi<double>()));
       for (int m = -l; m <= l; ++m) {
         const double wanted = m == 0 ? (z < 0 && l % 2 == 1 ? -maximum : maximum) : 0;
-        EXPECT_NEAR(y[static_cast<std::size_t>(coefficient_index(l, m))], wanted, 1e-14 * maximum) << l << ' ' << m;
+        EXPECT_NEAR(y[coefficient_index(l, m)], wanted, 1e-14 * maximum) << l << ' ' << m;
       }
     }
   }
@@ -203,7 +203,7 @@ double worst_error(int degree) {
     const auto x = static_cast<Real>(d.x);
     const auto y = static_cast<Real>(d.y);
     const auto z = static_cast<Real>(d.z);
-    std::vector<Real> got(static_cast<std::size_t>(coefficient_count(degree)));
+    std::vector<Real> got(coefficient_count(degree));
     basis(degree, x, y, z, got.data());
     std::vector<Mpfr100> exact(got.size());
     basis(degree, Mpfr100(x), Mpfr100(y), Mpfr100(z), exact.data());
@@ -231,7 +231,7 @@ TEST(Basis, SingleValuesAgreeWithTheWholeBasis) {
   const auto all = basis(15, x, y, z);
   for (int l = 0; l <= 15; ++l) {
     for (int m = -l; m <= l; ++m) {
-      EXPECT_EQ(basis_value(l, m, x, y, z), all[static_cast<std::size_t>(coefficient_index(l, m))]);
+      EXPECT_EQ(basis_value(l, m, x, y, z), all[coefficient_index(l, m)]);
     }
   }
 }

@@ -99,7 +99,7 @@ TEST(Cap, OfUnitIntegralIsItsShareAndTendsToThePoint) {
   }
   const auto point = stable(0.0, kDegree, CapScale::kUnitIntegral);
   for (int l = 0; l <= kDegree; ++l) {
-    EXPECT_NEAR(point[static_cast<std::size_t>(l)], basis_value(l, 0, 0.0, 0.0, 1.0), 2e-15) << l;
+    EXPECT_NEAR(point[l], basis_value(l, 0, 0.0, 0.0, 1.0), 2e-15) << l;
   }
 }
 
@@ -193,7 +193,7 @@ TEST(ExtremeCap, ASeriesGivesTheSameAtAHundredMillionthOfARadian) {
   for (int l = 0; l <= 100; ++l) {
     // P_l(1-s) = 1 - l(l+1) s / 2 + ..., integrated over 0 .. u.
     const double wanted = std::sqrt((2 * l + 1) * pi<double>()) * u * (1 - l * (l + 1) * u / 4);
-    const double error = std::abs(values[static_cast<std::size_t>(l)] / wanted - 1);
+    const double error = std::abs(values[l] / wanted - 1);
     if (error > worst) {
       worst = error;
       at = l;

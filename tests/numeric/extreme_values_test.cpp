@@ -93,7 +93,7 @@ TEST(ExtremeValues, ADirectionOfInfiniteLengthLeavesNoBandOfNumbers) {
   std::string first = "none";
   for (const BoundKernel& kernel : bound_kernels()) {
     if (without_variant(kernel.family) != "basis_normalised") continue;
-    std::vector<double> out(static_cast<std::size_t>(coefficient_count(kernel.degree)));
+    std::vector<double> out(coefficient_count(kernel.degree));
     FlatCall<double> call(kernel, check_of("basis_normalised").signature(kernel.degree));
     for (std::size_t axis = 0; axis < 3; ++axis) {
       std::array<double, 3> d = {0.3, -0.5, 0.7};

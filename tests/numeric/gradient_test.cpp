@@ -25,7 +25,7 @@ struct Gradients {
   std::vector<Real> value;
   std::array<std::vector<Real>, 3> derivative;
 
-  Gradients(int degree, const std::array<Real, 3>& d) : value(static_cast<std::size_t>(coefficient_count(degree))) {
+  Gradients(int degree, const std::array<Real, 3>& d) : value(coefficient_count(degree)) {
     derivative.fill(value);
     basis_gradient(degree, d[0], d[1], d[2], value.data(), derivative[0].data(), derivative[1].data(),
                    derivative[2].data());
@@ -40,7 +40,7 @@ TEST(Gradient, OfOneFunctionIsThatOfAll) {
       for (int m = -l; m <= l; ++m) {
         const auto one = basis_value_gradient(l, m, d[0], d[1], d[2]);
         for (std::size_t axis = 0; axis < 3; ++axis) {
-          EXPECT_EQ(one[axis], all.derivative[axis][static_cast<std::size_t>(coefficient_index(l, m))]) << l << m;
+          EXPECT_EQ(one[axis], all.derivative[axis][coefficient_index(l, m)]) << l << m;
         }
       }
     }
@@ -101,7 +101,7 @@ TEST(Gradient, HasTheSameNormInEveryDirection) {
     for (int l = 1; l <= kDegree; ++l) {
       double sum = 0;
       for (int i = l * l; i < (l + 1) * (l + 1); ++i) {
-        for (const auto& part : got.derivative) sum += std::pow(part[static_cast<std::size_t>(i)], 2);
+        for (const auto& part : got.derivative) sum += std::pow(part[i], 2);
       }
       const double wanted = static_cast<double>(l) * (l + 1) * (2 * l + 1) / (4 * pi<double>());
       EXPECT_NEAR(sum / wanted, 1, 6e-14) << l << " at " << d.x << ' ' << d.z;

@@ -95,9 +95,7 @@ TEST(Identify, FindsTwoSwappedColumns) {
   for (const Preset& preset : presets()) {
     for (const auto& [a, b] : {std::pair{6, 7}, std::pair{1, 5}, std::pair{0, 3}}) {
       if (preset.convention.order == IndexOrder::kCosineSineArray) continue;
-      const auto result = identify_values(preset.convention, 3, [a = a, b = b](Values& v) {
-        std::swap(v[static_cast<std::size_t>(a)], v[static_cast<std::size_t>(b)]);
-      });
+      const auto result = identify_values(preset.convention, 3, [a = a, b = b](Values& v) { std::swap(v[a], v[b]); });
       const auto wrong = wrong_for(result, preset.name);
       ASSERT_EQ(wrong.size(), 2) << preset.name << a;
       EXPECT_EQ(wrong[0].reason, "swapped with coefficient " + std::to_string(b)) << preset.name;

@@ -33,14 +33,13 @@ template <class Real>
 double worst_error(const LegendreMethod<Real>& m, int degree, double theta) {
   const auto z = static_cast<Real>(std::cos(theta)), sine = static_cast<Real>(std::sin(theta));
   const auto got = run(m, degree, z, sine);
-  std::vector<Mpfr50> exact(static_cast<std::size_t>(coefficient_count(degree)));
+  std::vector<Mpfr50> exact(coefficient_count(degree));
   basis(degree, Mpfr50(sine), Mpfr50(0), Mpfr50(z), exact.data());
   double worst = 0;
   for (int l = 0; l <= degree; ++l) {
     for (int k = 0; k <= l; ++k) {
       const Mpfr50 scale = sqrt(Mpfr50(k == 0 ? 1 : 2));
-      const Mpfr50 error =
-          Mpfr50(got[legendre_index(l, k)]) - exact[static_cast<std::size_t>(coefficient_index(l, k))] / scale;
+      const Mpfr50 error = Mpfr50(got[legendre_index(l, k)]) - exact[coefficient_index(l, k)] / scale;
       keep_worst(worst, static_cast<double>(error) / band_maximum(l));
     }
   }

@@ -51,7 +51,7 @@ TEST(CapReference, IsTheRecurrenceOfTheOracle) {
     std::vector<Mpfr100> values(41);
     cap_zonal(40, Mpfr100(u), values.data());
     for (const int l : {0, 1, 3, 39, 40}) {
-      const auto& value = values[static_cast<std::size_t>(l)];
+      const auto& value = values[l];
       const std::string wanted = value == 0 ? "0" : Mpfr50(value).str(39, std::ios::scientific);
       EXPECT_EQ(cap_reference(l, depth(u), 40), wanted) << u << " " << l;
     }

@@ -259,7 +259,7 @@ TEST(PlotField, HatchesWhereTheFunctionIsNegativeAndOnlyThere) {
   for (int row = 0; row < 120; ++row) {
     for (int column = 0; column < 240; ++column) {
       if (!away_from_zero(field, column, row)) continue;
-      const double value = field.values[static_cast<std::size_t>(row * 240 + column)];
+      const double value = field.values[row * 240 + column];
       const std::size_t negative = value < 0 ? 1 : 0;
       const Color plain = diverging(value / field.largest);
       ++pixels[negative];
@@ -323,7 +323,7 @@ TEST(PlotSurface, CutsLobesAtTheirZeros) {
   for (const auto& facet : surface.facets) {
     const double sign = facet.paint == positive ? 1 : -1;
     for (int k = 0; k < facet.count; ++k) {
-      const Vector3 p = surface.vertices[static_cast<std::size_t>(facet.corners[static_cast<std::size_t>(k)])].position;
+      const Vector3 p = surface.vertices[facet.corners[k]].position;
       const double radius = p.norm();
       if (radius > 0) {
         EXPECT_NEAR(sign * f.value(p.normalized())[0], radius, 1e-12);
@@ -339,9 +339,7 @@ TEST(PlotSurface, EnclosesTheVolumeOfItsLobes) {
   add_lobes(surface, f, std::ldexp(1, f.exponent), 200);
   double volume = 0;
   for (const auto& facet : surface.facets) {
-    const auto p = [&](int k) {
-      return surface.vertices[static_cast<std::size_t>(facet.corners[static_cast<std::size_t>(k)])].position;
-    };
+    const auto p = [&](int k) { return surface.vertices[facet.corners[k]].position; };
     for (int k = 1; k + 1 < facet.count; ++k) volume += p(0).dot(p(k).cross(p(k + 1))) / 6;
   }
   // Two spheres of diameter sqrt(3 / 4 pi).

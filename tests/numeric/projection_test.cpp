@@ -19,7 +19,7 @@ namespace {
 
 std::vector<double> random_coefficients(int degree) {
   Random random(11);
-  std::vector<double> c(static_cast<std::size_t>(coefficient_count(degree)));
+  std::vector<double> c(coefficient_count(degree));
   for (double& value : c) value = random.next();
   return c;
 }
@@ -153,7 +153,7 @@ TEST(LeastSquares, RefusesDirectionsThatDoNotDetermineTheCoefficients) {
   const std::vector<SphereSample> same(40, SphereSample{0, 0.6, 0.8, 3});
   EXPECT_NE(refusal(2, same).find("determine 1 of the 9"), std::string::npos) << refusal(2, same);
   std::vector<SphereSample> five = samples_of(1, random_coefficients(1), random_directions(5, 1));
-  for (int i = 0; i < 50; ++i) five.push_back(five[static_cast<std::size_t>(i % 5)]);
+  for (int i = 0; i < 50; ++i) five.push_back(five[i % 5]);
   EXPECT_NE(refusal(2, five).find("determine 5 of the 9"), std::string::npos) << refusal(2, five);
   EXPECT_EQ(refusal(0, same), "no refusal");
 }

@@ -42,14 +42,14 @@ inline std::vector<std::complex<double>> band_by_definition(const Convention& c,
   const Eigen::Index width = 2 * l + 1;
   Eigen::MatrixXcd here(static_cast<Eigen::Index>(directions.size()), width), before = here;
   for (Eigen::Index k = 0; k < here.rows(); ++k) {
-    const auto& [x, y, z] = directions[static_cast<std::size_t>(k)];
+    const auto& [x, y, z] = directions[k];
     const std::array<double, 3> back = {r[0] * x + r[3] * y + r[6] * z, r[1] * x + r[4] * y + r[7] * z,
                                         r[2] * x + r[5] * y + r[8] * z};
     const auto at_s = convention_values(c, l, {x, y, z});
     const auto at_back = convention_values(c, l, back);
     for (Eigen::Index i = 0; i < width; ++i) {
-      here(k, i) = at_s[static_cast<std::size_t>(l * l + i)];
-      before(k, i) = at_back[static_cast<std::size_t>(l * l + i)];
+      here(k, i) = at_s[l * l + i];
+      before(k, i) = at_back[l * l + i];
     }
   }
   const Eigen::MatrixXcd d = here.householderQr().solve(before);

@@ -121,7 +121,7 @@ TEST(RotationMatrix, WithAFlippedSignIsNamed) {
   for (int m = -2; m <= 2; ++m) {
     auto cases = make_rotations({}, 2);
     for (auto& one : cases.cases) {
-      for (int k = 0; k < 5; ++k) one.bands[2][static_cast<std::size_t>((m + 2) * 5 + k)] *= -1;
+      for (int k = 0; k < 5; ++k) one.bands[2][(m + 2) * 5 + k] *= -1;
     }
     const auto result = check_rotations(cases, 1e-12);
     EXPECT_FALSE(result.passes());

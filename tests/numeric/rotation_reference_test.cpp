@@ -52,7 +52,7 @@ TEST(RotationReference, IsTheRecursionOfTheOracleHoweverTheRotationIsWritten) {
     const auto bands = rotation_bands(8, r.data());
     for (int l = 0; l <= 8; ++l) {
       const auto entries = all_entries(l, rotation, 60);
-      const auto& band = bands[static_cast<std::size_t>(l)];
+      const auto& band = bands[l];
       ASSERT_EQ(entries.size(), band.size());
       for (std::size_t i = 0; i < band.size(); ++i) {
         EXPECT_LT(abs(Mpfr100(Mpfr100(entries[i]) - band[i])), 1e-59) << l << " " << i;

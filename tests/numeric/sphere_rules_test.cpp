@@ -87,7 +87,7 @@ TEST(SphereRules, NameWhatIsWrong) {
 
 // Largest |sum w Y_i - sqrt(4 pi) delta_i0| over the functions of degree <= `degree`, or of degree `degree` alone.
 double moment_error(const std::vector<SphereNode<double>>& nodes, int degree, bool alone = false) {
-  std::vector<double> sum(static_cast<std::size_t>(coefficient_count(degree)));
+  std::vector<double> sum(coefficient_count(degree));
   for (const auto& [x, y, z, weight] : nodes) {
     const auto values = basis(degree, x, y, z);
     for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += weight * values[i];

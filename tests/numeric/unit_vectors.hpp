@@ -14,7 +14,7 @@ namespace sh::numeric {
 template <class Real>
 std::vector<Real> unit_vector(int degree, std::uint64_t seed) {
   Random random(seed);
-  std::vector<double> values(static_cast<std::size_t>(coefficient_count(degree)));
+  std::vector<double> values(coefficient_count(degree));
   double square = 0;
   for (double& v : values) {
     v = random.next();

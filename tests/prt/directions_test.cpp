@@ -197,7 +197,7 @@ TEST(SobolPoints, LieOneInEachElementaryBoxWhateverTheSeed) {
       for (int columns = 0; columns <= kLog; ++columns) {
         std::vector<int> hits(std::size_t{1} << kLog, 0);
         for (int i = block << kLog; i < (block + 1) << kLog; ++i) {
-          const auto& [u, v] = points[static_cast<std::size_t>(i)];
+          const auto& [u, v] = points[i];
           ASSERT_TRUE(u > 0.0 && u < 1.0 && v > 0.0 && v < 1.0);
           const auto column = static_cast<std::size_t>(std::ldexp(u, columns));
           const auto row = static_cast<std::size_t>(std::ldexp(v, kLog - columns));

@@ -30,7 +30,7 @@ Rgbe rgbe(const Eigen::Vector3f& color) {
   std::frexp(peak, &exponent);
   Rgbe out{0, 0, 0, static_cast<unsigned char>(exponent + 128)};
   for (int c = 0; c < 3; ++c) {
-    out[static_cast<std::size_t>(c)] = static_cast<unsigned char>(std::ldexp(color[c], 8 - exponent));
+    out[c] = static_cast<unsigned char>(std::ldexp(color[c], 8 - exponent));
   }
   return out;
 }
@@ -112,7 +112,7 @@ std::string radiance_bytes(const Image& image, bool run_length, const std::strin
       fmt::format("#?RADIANCE\n{}FORMAT=32-bit_rle_rgbe\n\n-Y {} +X {}\n", header, image.height, image.width);
   for (int row = 0; row < image.height; ++row) {
     std::vector<Rgbe> pixels;
-    pixels.reserve(static_cast<std::size_t>(image.width));
+    pixels.reserve(image.width);
     for (int column = 0; column < image.width; ++column) pixels.push_back(rgbe(image.at(column, row)));
     if (run_length) {
       append_run_length(bytes, pixels);

@@ -63,8 +63,7 @@ TEST(Relight, IsAlbedoTimesTheDotProductOfTransferAndLight) {
         double sum = 0.0;
         double terms = 0.0;
         for (std::size_t i = 0; i < n; ++i) {
-          const double term =
-              static_cast<double>(transfer.coefficients[v * n + i]) * light.at(static_cast<std::size_t>(c), i);
+          const double term = static_cast<double>(transfer.coefficients[v * n + i]) * light.at(c, i);
           sum += term;
           terms += std::abs(term);
         }

@@ -107,7 +107,7 @@ TEST(AnimatedWebp, LosslessHoldsEveryPixelOfEveryFrameAndItsTime) {
   ASSERT_EQ(decoded.frames.size(), 5U);
   EXPECT_EQ(decoded.ends, (std::vector<int>{33, 67, 100, 133, 167}));  // whole milliseconds that do not drift
   EXPECT_EQ(decoded.info.loop_count, 0U) << "for ever";
-  for (int k = 0; k < 5; ++k) EXPECT_EQ(decoded.frames[static_cast<std::size_t>(k)], moving_picture(31, 17, k)) << k;
+  for (int k = 0; k < 5; ++k) EXPECT_EQ(decoded.frames[k], moving_picture(31, 17, k)) << k;
 }
 
 TEST(AnimatedWebp, LessQualityIsNearTheSameBytesEachTimeAndSmaller) {

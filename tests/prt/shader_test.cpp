@@ -117,7 +117,7 @@ std::vector<Eigen::Vector3f> run(const Transfer& transfer, const LightCoefficien
   std::vector<Eigen::Vector3f> radiance(count, Eigen::Vector3f::Constant(-1e9F));
   const void* mapped = glMapBufferRange(GL_TRANSFORM_FEEDBACK_BUFFER, 0, bytes, GL_MAP_READ_BIT);
   EXPECT_NE(mapped, nullptr);
-  if (mapped != nullptr) std::memcpy(radiance.front().data(), mapped, static_cast<std::size_t>(bytes));
+  if (mapped != nullptr) std::memcpy(radiance.front().data(), mapped, bytes);
   EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
   return radiance;
 }

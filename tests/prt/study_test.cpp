@@ -71,9 +71,7 @@ class DiscStudy : public testing::Test {
     delete study;
     delete scene;
   }
-  static const StudySeries& sampler(Sampler which) {
-    return part_called(*study, "directions").series[static_cast<std::size_t>(which)];
-  }
+  static const StudySeries& sampler(Sampler which) { return part_called(*study, "directions").series[which]; }
 
   static inline Scene* scene = nullptr;
   static inline Study* study = nullptr;

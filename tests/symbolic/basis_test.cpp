@@ -79,7 +79,7 @@ TEST(Basis, BandOneIsYZXWithoutCondonShortleyPhase) {
   const std::vector<Polynomial> expected{kY, kZ, kX};
   for (int m = -1; m <= 1; ++m) {
     const BasisFunction f = basis_function(1, m);
-    EXPECT_EQ(f.homogeneous, expected[static_cast<std::size_t>(m + 1)]);
+    EXPECT_EQ(f.homogeneous, expected[m + 1]);
     EXPECT_EQ(f.factor, k);
   }
 }

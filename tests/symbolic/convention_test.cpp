@@ -18,10 +18,10 @@ RadicalSum number(int n) { return RadicalSum(cln::cl_RA(n)); }
 
 // Coefficients 1, 2, 3, ... in the array order of a convention, holes zero.
 std::vector<RadicalSum> counting_coefficients(IndexOrder order, int degree) {
-  std::vector<RadicalSum> c(static_cast<std::size_t>(storage_size(order, degree)));
+  std::vector<RadicalSum> c(storage_size(order, degree));
   int next = 1;
   for (int l = 0; l <= degree; ++l) {
-    for (int m = -l; m <= l; ++m) c[static_cast<std::size_t>(storage_position(order, degree, l, m))] = number(next++);
+    for (int m = -l; m <= l; ++m) c[storage_position(order, degree, l, m)] = number(next++);
   }
   return c;
 }
@@ -134,7 +134,7 @@ std::vector<Matrix<RadicalSum>> rotation_of(int degree) {
   const auto bands = rotation_bands<cln::cl_RA>(degree, r, 1);
   std::vector<Matrix<RadicalSum>> result;
   for (int l = 0; l <= degree; ++l) {
-    const Matrix<Surd> d = surd_entries(l, bands[static_cast<std::size_t>(l)]);
+    const Matrix<Surd> d = surd_entries(l, bands[l]);
     Matrix<RadicalSum> m(d.rows(), d.columns());
     for (int i = 0; i < d.rows(); ++i) {
       for (int j = 0; j < d.columns(); ++j) m(i, j) = RadicalSum(d(i, j));
@@ -152,7 +152,7 @@ std::vector<RadicalSum> rotated(const std::vector<Matrix<RadicalSum>>& bands, co
   for (int l = 0; l <= degree; ++l) {
     for (int m = -l; m <= l; ++m) {
       for (int n = -l; n <= l; ++n) {
-        result[place(l, m)] += bands[static_cast<std::size_t>(l)](l + m, l + n) * c[place(l, n)];
+        result[place(l, m)] += bands[l](l + m, l + n) * c[place(l, n)];
       }
     }
   }
@@ -176,8 +176,7 @@ std::vector<RadicalSum> product(const TripleTensor& form, const std::vector<Radi
                                 const std::vector<RadicalSum>& g) {
   std::vector<RadicalSum> result(f.size());
   for (const auto& [t, value] : form) {
-    result[static_cast<std::size_t>(t.k)] +=
-        value * f[static_cast<std::size_t>(t.i)] * g[static_cast<std::size_t>(t.j)];
+    result[t.k] += value * f[t.i] * g[t.j];
   }
   return result;
 }

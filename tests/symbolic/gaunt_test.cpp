@@ -125,7 +125,7 @@ TEST(Product, IsExactAtRandomDirectionsOnTheFullBands) {
     for (const BilinearForm& form : forms) {
       double coefficient = 0;
       for (const BilinearTerm& t : form.terms) {
-        coefficient += to_double(t.factor) * a[static_cast<std::size_t>(t.i)] * b[static_cast<std::size_t>(t.j)];
+        coefficient += to_double(t.factor) * a[t.i] * b[t.j];
       }
       product += coefficient * standard_basis(form.output, theta, phi);
     }
@@ -137,7 +137,7 @@ TEST(Product, OfNarrowFactorsIsPartOfTheWideOne) {
   const std::vector<BilinearForm> wide = product_form({4, 4, 4});
   for (const BilinearForm& narrow : product_form({2, 3, 4})) {
     std::size_t found = 0;
-    for (const BilinearTerm& t : wide[static_cast<std::size_t>(narrow.output)].terms) {
+    for (const BilinearTerm& t : wide[narrow.output].terms) {
       if (t.i >= 9 || t.j >= 16) continue;
       ASSERT_LT(found, narrow.terms.size());
       EXPECT_EQ(narrow.terms[found].i, t.i);
@@ -157,9 +157,9 @@ TEST(Transfer, MatrixOfOneFunctionIsASliceOfTheTensor) {
   int non_zero = 0;
   for (int i = 0; i < 25; ++i) {
     for (int j = 0; j < 25; ++j) {
-      const RadicalSum& entry = matrix[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
+      const RadicalSum& entry = matrix[i][j];
       EXPECT_EQ(entry, RadicalSum(gaunt(i, j, 8)));
-      EXPECT_EQ(entry, matrix[static_cast<std::size_t>(j)][static_cast<std::size_t>(i)]);
+      EXPECT_EQ(entry, matrix[j][i]);
       non_zero += entry.is_zero() ? 0 : 1;
     }
   }

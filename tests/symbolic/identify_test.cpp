@@ -33,7 +33,7 @@ long double evaluate(const symbolic::Polynomial& p, const Direction& d) {
   for (const auto& [monomial, coefficient] : p.terms()) {
     long double term = cln::double_approx(coefficient);
     for (int i = 0; i < 3; ++i) {
-      term *= std::pow(static_cast<long double>(d[static_cast<std::size_t>(i)]), monomial.exponent(i));
+      term *= std::pow(static_cast<long double>(d[i]), monomial.exponent(i));
     }
     sum += term;
   }
@@ -62,7 +62,7 @@ double largest_difference(const symbolic::Convention& exact, int degree, int cou
         const int place = id::storage_position(ours.order, degree, l, m);
         places += std::abs(place - symbolic::storage_position(exact.order, degree, l, m));
         const double unit = std::abs(static_cast<double>(id::relative_size(ours, l, m))) * numeric::band_maximum(l);
-        largest = std::max(largest, std::abs(values[static_cast<std::size_t>(place)] - expected) / unit);
+        largest = std::max(largest, std::abs(values[place] - expected) / unit);
       }
     }
   }
@@ -98,8 +98,8 @@ TEST(IdentifyConventions, HaveTheExactAxes) {
     const auto ours = id::parse_axes(axes.to_string());
     EXPECT_EQ(ours.determinant(), axes.determinant());
     for (int row = 0; row < 3; ++row) {
-      EXPECT_EQ(ours.axis[static_cast<std::size_t>(row)], axes.axis(row));
-      EXPECT_EQ(ours.sign[static_cast<std::size_t>(row)], axes.sign(row));
+      EXPECT_EQ(ours.axis[row], axes.axis(row));
+      EXPECT_EQ(ours.sign[row], axes.sign(row));
     }
   }
 }

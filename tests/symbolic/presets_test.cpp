@@ -27,7 +27,7 @@ double evaluate(const Polynomial& p, const Direction& d) {
   double sum = 0;
   for (const auto& [monomial, coefficient] : p.terms()) {
     double term = cln::double_approx(coefficient);
-    for (int i = 0; i < 3; ++i) term *= std::pow(d[static_cast<std::size_t>(i)], monomial.exponent(i));
+    for (int i = 0; i < 3; ++i) term *= std::pow(d[i], monomial.exponent(i));
     sum += term;
   }
   return sum;
@@ -35,13 +35,13 @@ double evaluate(const Polynomial& p, const Direction& d) {
 
 // The functions in array order of the preset, as it evaluates them.
 Values functions(const Convention& c, int degree) {
-  Values values(static_cast<std::size_t>(storage_size(c.order, degree)));
+  Values values(storage_size(c.order, degree));
   for (int l = 0; l <= degree; ++l) {
     for (int m = -l; m <= l; ++m) {
       const ConventionFunction f = convention_function(c, l, m);
       const double factor = cln::double_approx(f.factor.evaluate(20));
-      values[static_cast<std::size_t>(storage_position(c.order, degree, l, m))] = {
-          factor * evaluate(f.re, direction()), factor * evaluate(f.im, direction())};
+      values[storage_position(c.order, degree, l, m)] = {factor * evaluate(f.re, direction()),
+                                                         factor * evaluate(f.im, direction())};
     }
   }
   return values;

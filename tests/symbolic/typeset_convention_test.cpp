@@ -65,7 +65,7 @@ TEST(Typeset, GauntFitsTheFunctionsInEveryConventionThatKeepsRadiance) {
       const IndexTriple triple = sorted({t / 16, t / 4 % 4, t % 4});
       const auto entry = gaunt.find("G" + tex_indices(triple.i, triple.j, triple.k));
       const std::complex<double> value = entry == gaunt.end() ? 0 : test::evaluate(entry->second, {});
-      EXPECT_NEAR(std::abs(value - sums[static_cast<std::size_t>(t)]), 0, kTolerance) << preset.name << " " << t;
+      EXPECT_NEAR(std::abs(value - sums[t]), 0, kTolerance) << preset.name << " " << t;
     }
   }
 }

@@ -58,7 +58,7 @@ inline std::array<double, 9> matrix_of(const std::array<double, 4>& q) {
 inline Values entries_of(const std::array<double, 9>& r) {
   Values values;
   for (int i = 0; i < 9; ++i) {
-    values["r_{" + std::to_string(i / 3) + std::to_string(i % 3) + "}"] = r[static_cast<std::size_t>(i)];
+    values["r_{" + std::to_string(i / 3) + std::to_string(i % 3) + "}"] = r[i];
   }
   return values;
 }

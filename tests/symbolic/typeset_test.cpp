@@ -110,9 +110,7 @@ void expect_rotation(const Formulas& table, int degree, const Values& values, co
       for (int n = -l; n <= l; ++n) {
         const std::string symbol = "D^{" + std::to_string(l) + "}" + tex_indices(m, n);
         const int place = (m + l) * (2 * l + 1) + n + l;
-        EXPECT_NEAR(real(table, symbol, values), expected[static_cast<std::size_t>(l)][static_cast<std::size_t>(place)],
-                    kTolerance)
-            << symbol;
+        EXPECT_NEAR(real(table, symbol, values), expected[l][place], kTolerance) << symbol;
       }
     }
   }
@@ -160,7 +158,7 @@ TEST(Typeset, GauntMatchesQuadrature) {
   for (int t = 0; t < 729; ++t) {
     const IndexTriple triple = sorted({t / 81, t / 9 % 9, t % 9});
     const std::string symbol = "G" + tex_indices(triple.i, triple.j, triple.k);
-    EXPECT_NEAR(real(table, symbol, {}), sums[static_cast<std::size_t>(t)], kTolerance) << symbol;
+    EXPECT_NEAR(real(table, symbol, {}), sums[t], kTolerance) << symbol;
   }
 }
 
@@ -198,7 +196,7 @@ TEST(Typeset, ProductsMatchQuadrature) {
   const Functions f = random_functions(kDegree);
   std::vector<double> turned_h(16);
   for (int l = 0; l <= kDegree; ++l) {
-    turned_h[static_cast<std::size_t>(coefficient_index(l, 0))] = f.zonal[static_cast<std::size_t>(l)];
+    turned_h[coefficient_index(l, 0)] = f.zonal[l];
   }
   std::vector<double> product(16);
   std::vector<double> square(16);
@@ -224,7 +222,7 @@ TEST(Typeset, ProductsMatchQuadrature) {
     EXPECT_NEAR(real(zonal_table, symbol, f.values), zonal[place], kTolerance) << k;
     double row = 0;
     for (int i = 0; i < 16; ++i) {
-      row += real(transfer, "M" + tex_indices(k, i), f.values) * f.a[static_cast<std::size_t>(i)];
+      row += real(transfer, "M" + tex_indices(k, i), f.values) * f.a[i];
     }
     EXPECT_NEAR(row, product[place], kTolerance) << k;
   }
@@ -295,8 +293,7 @@ TEST(Typeset, TurnedZonalFunctionMatchesTheOracle) {
       const DegreeOrder index = degree_order(i);
       Values values = point(d);
       values["h_{" + std::to_string(index.degree) + "}"] = 0.7;
-      const double expected =
-          std::sqrt(4 * std::numbers::pi / (2 * index.degree + 1)) * 0.7 * y[static_cast<std::size_t>(i)];
+      const double expected = std::sqrt(4 * std::numbers::pi / (2 * index.degree + 1)) * 0.7 * y[i];
       EXPECT_NEAR(real(table, "c" + tex_indices(index.degree, index.order), values), expected, kTolerance) << i;
     }
   }

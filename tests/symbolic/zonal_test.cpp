@@ -104,7 +104,7 @@ TEST(Zonal, LinearLobeCoversEveryCaseOfItsParameters) {
     const std::vector<Surd> exact = linear_lobe(6, a, b);
     for (int l = 0; l <= 6; ++l) {
       const double numeric = projected(l, -1, kink, lobe) + projected(l, kink, 1, lobe);
-      EXPECT_NEAR(to_double(exact[static_cast<std::size_t>(l)]), numeric, 2e-11) << a << " " << b << " " << l;
+      EXPECT_NEAR(to_double(exact[l]), numeric, 2e-11) << a << " " << b << " " << l;
     }
   }
 }

@@ -25,7 +25,7 @@ std::vector<NodeId> axial_column(Builder& build, NodeId z, NodeId r2, NodeId sta
     } else {
       NodeId b = build.constant(lower_factor(l, m), indexed("b", l, m));
       if (r2 >= 0) b = build.mul(b, r2);
-      p.push_back(build.sub(raised, build.mul(b, p[static_cast<std::size_t>(l - m - 2)])));
+      p.push_back(build.sub(raised, build.mul(b, p[l - m - 2])));
     }
     build.name(p.back(), indexed("p", l, m));
   }
@@ -47,11 +47,11 @@ std::pair<NodeId, NodeId> next_azimuthal(Builder& build, const Direction& d, Nod
 
 std::vector<NodeId> append(Builder& build, const Direction& d, int degree, NodeId r2, NodeId weight) {
   symbolic::require_basis_index(degree, 0);
-  std::vector<NodeId> values(static_cast<std::size_t>(basis_count(degree)));
+  std::vector<NodeId> values(basis_count(degree));
   NodeId start = build.constant(sectoral_factor(0), indexed("k", 0, 0));
   if (weight >= 0) start = build.mul(start, weight);
   const std::vector<NodeId> zonal = axial_column(build, d.z, r2, start, degree, 0);
-  for (int l = 0; l <= degree; ++l) values[basis_index(l, 0)] = zonal[static_cast<std::size_t>(l)];
+  for (int l = 0; l <= degree; ++l) values[basis_index(l, 0)] = zonal[l];
   NodeId c = weight < 0 ? d.x : build.mul(weight, d.x);
   NodeId s = weight < 0 ? d.y : build.mul(weight, d.y);
   for (int m = 1; m <= degree; ++m) {
@@ -59,7 +59,7 @@ std::vector<NodeId> append(Builder& build, const Direction& d, int degree, NodeI
     const NodeId k = build.constant(sectoral_factor(m), indexed("k", m, m));
     const std::vector<NodeId> p = axial_column(build, d.z, r2, k, degree, m);
     for (int l = m; l <= degree; ++l) {
-      const NodeId axial = p[static_cast<std::size_t>(l - m)];
+      const NodeId axial = p[l - m];
       values[basis_index(l, -m)] = build.mul(axial, s, indexed("y", l, m) + "s");
       values[basis_index(l, m)] = build.mul(axial, c, indexed("y", l, m) + "c");
     }

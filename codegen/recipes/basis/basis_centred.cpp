@@ -45,7 +45,7 @@ Powers centred(const Powers& p) {
 class Centred {
  public:
   Centred(Builder& build, const Direction& d, int degree)
-      : build_(build), d_(d), degree_(degree), values_(static_cast<std::size_t>(basis_count(degree))) {}
+      : build_(build), d_(d), degree_(degree), values_(basis_count(degree)) {}
 
   std::vector<NodeId> values() && {
     values_[0] = build_.constant(sectoral_factor(0), "k_0_0");
@@ -54,7 +54,7 @@ class Centred {
     const NodeId across = build_.sub(one_, z2_, "xy2");
     const std::vector<Pair> sectoral = append_sectoral(build_, d_, degree_, {across, true, -1, -1});
     for (int l = 1; l <= degree_; ++l) values_[basis_index(l, 0)] = with_z(axial_form(l, 0), l, 0);
-    for (int m = 1; m <= degree_; ++m) column(m, sectoral[static_cast<std::size_t>(m)]);
+    for (int m = 1; m <= degree_; ++m) column(m, sectoral[m]);
     return std::move(values_);
   }
 

@@ -20,14 +20,10 @@ class Values {
   };
 
   Values(Builder& build, NodeId z, int degree, const Options& options)
-      : build_(build),
-        z_(z),
-        degree_(degree),
-        options_(options),
-        values_(static_cast<std::size_t>(basis_count(degree))) {}
+      : build_(build), z_(z), degree_(degree), options_(options), values_(basis_count(degree)) {}
 
   std::vector<NodeId> make(const ParityColumns& columns, const std::vector<Pair>& sectoral) && {
-    for (int m = degree_; m > 0; --m) column(m, columns, sectoral[static_cast<std::size_t>(m)]);
+    for (int m = degree_; m > 0; --m) column(m, columns, sectoral[m]);
     for (int l = 0; l <= degree_; ++l) values_[basis_index(l, 0)] = zonal(l, columns);
     return std::move(values_);
   }

@@ -35,7 +35,7 @@ class Evaluation {
     // The sum starts with the largest order, so that it adds the large terms of low degree last.
     NodeId sum = -1;
     for (int m = degree_; m > 0; --m) {
-      const Pair& base = sectoral_[static_cast<std::size_t>(m)];
+      const Pair& base = sectoral_[m];
       sum = plus(build_, sum, build_.mul(column(m, m), base.cosine));
       sum = plus(build_, sum, build_.mul(column(m, -m), base.sine));
     }
@@ -104,7 +104,7 @@ Kernel by_columns(int degree, int channels) {
   const Direction d = direction_behind(build, channels * basis_count(degree));
   Evaluation evaluation(build, d, degree, 0);
   for (int channel = 0; channel < channels; ++channel) {
-    kernel.outputs[static_cast<std::size_t>(channel)].node = evaluation.channel(channel);
+    kernel.outputs[channel].node = evaluation.channel(channel);
   }
   return kernel;
 }
@@ -121,9 +121,9 @@ Kernel by_sum(int degree, int channels) {
     NodeId sum = -1;
     for (int i = count - 1; i >= 0; --i) {
       const NodeId c = build.input(channel * count + i, "");
-      sum = plus(build, sum, build.mul(c, values[static_cast<std::size_t>(i)]));
+      sum = plus(build, sum, build.mul(c, values[i]));
     }
-    kernel.outputs[static_cast<std::size_t>(channel)].node = sum;
+    kernel.outputs[channel].node = sum;
   }
   return kernel;
 }

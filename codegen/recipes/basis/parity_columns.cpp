@@ -46,14 +46,9 @@ Squares unit_squares(Builder& build, NodeId z) {
 }
 
 ParityColumns::ParityColumns(Builder& build, NodeId z, const Squares& squares, int degree, const ParityChoices& choices)
-    : build_(build),
-      z_(z),
-      squares_(squares),
-      degree_(degree),
-      choices_(choices),
-      terms_(static_cast<std::size_t>(degree + 1)) {
+    : build_(build), z_(z), squares_(squares), degree_(degree), choices_(choices), terms_(degree + 1) {
   for (int m = degree; m >= 0; --m) {
-    for (int n = 0; m + n <= degree; ++n) terms_[static_cast<std::size_t>(m)].push_back(make(m, n));
+    for (int n = 0; m + n <= degree; ++n) terms_[m].push_back(make(m, n));
   }
 }
 

@@ -58,9 +58,7 @@ class ParityColumns {
     Powers powers;
   };
 
-  [[nodiscard]] const Term& term(int m, int n) const {
-    return terms_[static_cast<std::size_t>(m)][static_cast<std::size_t>(n)];
-  }
+  [[nodiscard]] const Term& term(int m, int n) const { return terms_[m][n]; }
   Term make(int m, int n);
   NodeId polynomial(const Term& target, int m, int n);
   NodeId linear(const Term& target, int l, int m);

@@ -140,12 +140,12 @@ Kernel evaluate_prepare(int degree) {
   kernel.parameters = {array(Role::kEvaluatedCoefficients, "c", degree)};
   kernel.results = {array(Role::kPolynomial, "polynomial", degree)};
   Builder build(kernel);
-  std::vector<NodeId> sums(static_cast<std::size_t>(count), -1);
+  std::vector<NodeId> sums(count, -1);
   for (int m = -degree; m <= degree; ++m) {
     const int order = std::abs(m);
     for (int parity = 0; parity < 2 && order + parity <= degree; ++parity) {
       // The coefficients of (x^2+y^2)^k in the factor of Re or Im (x+iy)^order.
-      std::vector<NodeId> by_power(static_cast<std::size_t>((degree - order - parity) / 2 + 1), -1);
+      std::vector<NodeId> by_power((degree - order - parity) / 2 + 1, -1);
       for (int l = order + parity; l <= degree; l += 2) {
         const AxialForm form = axial_form(l, order);
         const Surd scale = order == 0 ? form.scale : form.scale * sectoral_factor(order);

@@ -99,7 +99,7 @@ Kernel project_moments(int degree) {
   kernel.factored = true;
   Builder build(kernel);
   const Direction d = direction_inputs(build);
-  std::vector<NodeId> values(static_cast<std::size_t>(basis_count(degree)));
+  std::vector<NodeId> values(basis_count(degree));
   values[0] = build.input(kWeightInput, "weight");
   for (int m = 1; m <= degree; ++m) {
     const auto last = basis_index(m - 1, m - 1);
@@ -144,7 +144,7 @@ Kernel project_finish(int degree) {
   kernel.parameters = {array(Role::kMoments, "moments", degree)};
   kernel.results = {array(Role::kCoefficients, "c", degree)};
   Builder build(kernel);
-  std::vector<NodeId> values(static_cast<std::size_t>(basis_count(degree)));
+  std::vector<NodeId> values(basis_count(degree));
   for (int l = 0; l <= degree; ++l) {
     for (int m = -l; m <= l; ++m) {
       const int order = std::abs(m);

@@ -14,8 +14,8 @@ class Sectoral {
       : build_(build), d_(d), choices_(choices) {}
 
   std::vector<Pair> pairs(int degree) && {
-    pairs_.resize(static_cast<std::size_t>(degree + 1));
-    for (int m = 1; m <= degree; ++m) pairs_[static_cast<std::size_t>(m)] = named(m, pair(m));
+    pairs_.resize(degree + 1);
+    for (int m = 1; m <= degree; ++m) pairs_[m] = named(m, pair(m));
     return std::move(pairs_);
   }
 
@@ -46,7 +46,7 @@ class Sectoral {
     return {cosine, build_.mul(weight, plain[m].sine)};
   }
 
-  [[nodiscard]] const Pair& at(int m) const { return pairs_[static_cast<std::size_t>(m)]; }
+  [[nodiscard]] const Pair& at(int m) const { return pairs_[m]; }
 
   NodeId scaled(const Surd& factor, NodeId a, const std::string& constant) {
     return build_.mul(build_.constant(factor, constant), a);

@@ -29,9 +29,9 @@ Surd lower_factor(int l, int m) { return upper_factor(l, m) / upper_factor(l - 1
 AxialForm axial_form(int l, int m) {
   const symbolic::BasisFunction f = symbolic::reduced_basis_function(l, m);
   AxialForm form{m == 0 ? f.factor : f.factor / sectoral_factor(m), {}, (l - m) % 2 != 0};
-  form.powers.assign(static_cast<std::size_t>((l - m) / 2 + 1), 0);
+  form.powers.assign((l - m) / 2 + 1, 0);
   for (const auto& [monomial, coefficient] : f.axial.terms()) {
-    form.powers.at(static_cast<std::size_t>(monomial.exponent(2) / 2)) = coefficient;
+    form.powers.at(monomial.exponent(2) / 2) = coefficient;
   }
   return form;
 }

@@ -42,7 +42,7 @@ LaneTriples lane_triples() {
   for (const int e : kEven) {
     LaneTriples::Scale scale{e, {}};
     for (int k = 0; k < kCount; ++k) {
-      scale.g[static_cast<std::size_t>(k)] = gaunt(e, k, k) * Surd(e == k ? cln::cl_RA(1) / 2 : cln::cl_RA(1));
+      scale.g[k] = gaunt(e, k, k) * Surd(e == k ? cln::cl_RA(1) / 2 : cln::cl_RA(1));
     }
     result.scales.push_back(scale);
   }
@@ -56,7 +56,7 @@ LaneTriples lane_triples() {
   for (int k = 0; k < kCount; ++k) {
     const std::vector<Term> terms = remaining(k);
     const bool beyond = terms.size() > kRounds;
-    if (beyond) result.more[static_cast<std::size_t>(k)] = next;
+    if (beyond) result.more[k] = next;
     if (terms.size() > std::size_t{2} * kRounds || next >= kZero)
       throw std::logic_error("lane triples: too many terms");
     for (std::size_t t = 0; t < terms.size(); ++t) {

@@ -66,7 +66,7 @@ OrbitQuadrature::OrbitQuadrature(int degree)
 }
 
 ExactReal OrbitQuadrature::value(int i, int orbit) const {
-  const auto [ring, angle] = orbits_[static_cast<std::size_t>(orbit)];
+  const auto [ring, angle] = orbits_[orbit];
   const auto [l, m] = order_of(i);
   const int order = m < 0 ? -m : m;
   const ExactReal theta = rings_.theta(l, order, ring);
@@ -78,7 +78,7 @@ ExactReal OrbitQuadrature::value(int i, int orbit) const {
 }
 
 ExactReal OrbitQuadrature::weight(int orbit) const {
-  const auto [ring, angle] = orbits_[static_cast<std::size_t>(orbit)];
+  const auto [ring, angle] = orbits_[orbit];
   const ExactReal ring_weight = rings_.weight(ring);
   const auto times_pi = [](const cln::cl_RA& factor) {
     const std::string name = "pi " + to_string(Surd(factor));

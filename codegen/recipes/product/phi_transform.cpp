@@ -17,24 +17,20 @@ constexpr int kThoroughAttempts = 30;
 
 double approximate(const ExactReal& value) { return cln::double_approx(evaluate(value, 20)); }
 
-std::size_t position(int i) { return static_cast<std::size_t>(i); }
-
 }  // namespace
 
-PhiTransform::PhiTransform(const PhiShape& shape)
-    : shape_(shape), scales_(static_cast<std::size_t>(2 * shape.degree + 1), ExactReal(Surd(1))) {
+PhiTransform::PhiTransform(const PhiShape& shape) : shape_(shape), scales_(2 * shape.degree + 1, ExactReal(Surd(1))) {
   for (int part = 0; part < kParts; ++part) {
-    auto& columns = columns_[static_cast<std::size_t>(part)];
+    auto& columns = columns_[part];
     for (const int order : orders_of(part)) {
       for (int ring = 0; ring < (shared(order) ? 1 : shape.rings); ++ring) columns.push_back({ring, order});
     }
     choose_scales(part);
-    circuits_[static_cast<std::size_t>(part)] =
-        short_circuit(matrix(part), static_cast<int>(columns.size()), kThoroughAttempts);
+    circuits_[part] = short_circuit(matrix(part), static_cast<int>(columns.size()), kThoroughAttempts);
   }
 }
 
-const ExactReal& PhiTransform::scale(int order) const { return scales_[position(order + shape_.degree)]; }
+const ExactReal& PhiTransform::scale(int order) const { return scales_[order + shape_.degree]; }
 
 std::vector<int> PhiTransform::orders_of(int part) const {
   std::vector<int> orders;
@@ -52,7 +48,7 @@ ExactReal PhiTransform::entry(int order, int j) const {
 
 LinearMap PhiTransform::matrix(int part) const {
   LinearMap rows(static_cast<std::size_t>(shape_.rings * samples()));
-  const auto& columns = columns_[static_cast<std::size_t>(part)];
+  const auto& columns = columns_[part];
   for (std::size_t c = 0; c < columns.size(); ++c) {
     const Column& column = columns[c];
     for (int j = 0; j < samples(); ++j) {
@@ -60,8 +56,7 @@ LinearMap PhiTransform::matrix(int part) const {
       if (is_zero(value)) continue;
       for (int ring = 0; ring < shape_.rings; ++ring) {
         if (!shared(column.order) && ring != column.ring) continue;
-        rows[position(ring * samples() + j)].emplace(static_cast<int>(c),
-                                                     multiply(value, reciprocal(scale(column.order))));
+        rows[ring * samples() + j].emplace(static_cast<int>(c), multiply(value, reciprocal(scale(column.order))));
       }
     }
   }
@@ -69,7 +64,7 @@ LinearMap PhiTransform::matrix(int part) const {
 }
 
 int PhiTransform::cost(int part, int attempts) const {
-  const auto columns = static_cast<int>(columns_[static_cast<std::size_t>(part)].size());
+  const auto columns = static_cast<int>(columns_[part].size());
   int total = short_circuit(matrix(part), columns, attempts).operations();
   for (const auto& [order, preferred] : shape_.preferred) {
     const auto& [wanted, operations] = preferred;
@@ -102,7 +97,7 @@ void PhiTransform::choose_scales(int part) {
   int best = cost(part, kQuickAttempts);
   for (const int order : orders_of(part)) {
     if (std::find(shape_.unscaled.begin(), shape_.unscaled.end(), std::abs(order)) != shape_.unscaled.end()) continue;
-    ExactReal& chosen = scales_[position(order + shape_.degree)];
+    ExactReal& chosen = scales_[order + shape_.degree];
     ExactReal before = chosen;
     for (const ExactReal& candidate : candidate_scales(order)) {
       chosen = candidate;
@@ -116,11 +111,11 @@ void PhiTransform::choose_scales(int part) {
 }
 
 PhiTransform::Samples PhiTransform::sample(SignedBuilder& build, const Coefficients& coefficients) const {
-  Samples result(static_cast<std::size_t>(shape_.rings), std::vector<std::array<Value, kParts>>(samples()));
+  Samples result(shape_.rings, std::vector<std::array<Value, kParts>>(samples()));
   for (std::size_t part = 0; part < kParts; ++part) {
     std::vector<Value> inputs;
     for (const Column& column : columns_[part]) {
-      inputs.push_back(coefficients[static_cast<std::size_t>(column.ring)][position(column.order + shape_.degree)]);
+      inputs.push_back(coefficients[column.ring][column.order + shape_.degree]);
     }
     const std::vector<Value> rows = run_forwards(build, circuits_[part], inputs);
     for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -132,8 +127,7 @@ PhiTransform::Samples PhiTransform::sample(SignedBuilder& build, const Coefficie
 }
 
 PhiTransform::Coefficients PhiTransform::analyse(SignedBuilder& build, const Samples& given) const {
-  Coefficients result(static_cast<std::size_t>(shape_.rings),
-                      std::vector<Value>(static_cast<std::size_t>(2 * shape_.degree + 1)));
+  Coefficients result(shape_.rings, std::vector<Value>(2 * shape_.degree + 1));
   for (std::size_t part = 0; part < kParts; ++part) {
     std::vector<Value> rows;
     for (const auto& ring : given) {
@@ -142,7 +136,7 @@ PhiTransform::Coefficients PhiTransform::analyse(SignedBuilder& build, const Sam
     const std::vector<Value> columns = run_transposed(build, circuits_[part], rows);
     for (std::size_t c = 0; c < columns.size(); ++c) {
       const Column& column = columns_[part][c];
-      result[static_cast<std::size_t>(column.ring)][position(column.order + shape_.degree)] = columns[c];
+      result[column.ring][column.order + shape_.degree] = columns[c];
     }
   }
   return result;

@@ -22,14 +22,13 @@ Kernel product_frame(const ProductShape& shape, Factors factors) {
   kernel.parameters = {array(Role::kCoefficients, "a", shape.a)};
   if (!same) kernel.parameters.push_back(array(Role::kCoefficients, "b", shape.b));
   kernel.results = {array(Role::kCoefficients, "out", shape.result)};
-  kernel.outputs.resize(static_cast<std::size_t>(coefficient_count(shape.result)));
+  kernel.outputs.resize(coefficient_count(shape.result));
   return kernel;
 }
 
 void set_coefficient(Kernel& kernel, int index, NodeId node) {
   const symbolic::DegreeOrder lm = symbolic::degree_order(index);
-  kernel.outputs[static_cast<std::size_t>(index)] = {
-      node, "l=" + std::to_string(lm.degree) + " m=" + std::to_string(lm.order)};
+  kernel.outputs[index] = {node, "l=" + std::to_string(lm.degree) + " m=" + std::to_string(lm.order)};
 }
 
 }  // namespace sh::codegen::recipes

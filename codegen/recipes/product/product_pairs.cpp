@@ -58,7 +58,7 @@ class Pairs {
         count_(coefficient_count(std::max({shape.a, shape.b, shape.result}))) {
     a_ = padded(build_.inputs(0, coefficient_count(shape.a)));
     b_ = same_ ? a_ : padded(build_.inputs(coefficient_count(shape.a), coefficient_count(shape.b)));
-    sums_.resize(static_cast<std::size_t>(count_));
+    sums_.resize(count_);
   }
 
   void add_pair(const std::pair<int, int>& pair, const std::map<int, ExactReal>& thirds) {
@@ -102,7 +102,7 @@ class Pairs {
   }
 
   [[nodiscard]] std::vector<Value> padded(std::vector<Value> values) const {
-    values.resize(static_cast<std::size_t>(count_));
+    values.resize(count_);
     return values;
   }
 

@@ -25,8 +25,6 @@ using Samples = PhiTransform::Samples;
 using Coefficients = PhiTransform::Coefficients;
 using Parts = std::array<Value, kParts>;
 
-std::size_t position(int i) { return static_cast<std::size_t>(i); }
-
 std::string named(const char* letter, int ring, int order, const char* suffix) {
   return letter + std::to_string(ring + 1) + (order < 0 ? "s" : "c") + std::to_string(std::abs(order)) + suffix;
 }
@@ -43,7 +41,7 @@ class Separable {
         angles_(plan.angles),
         looped_(plan.looped && plan.rings.pairs > 1),
         quadrature_(plan.rings),
-        sums_(static_cast<std::size_t>(coefficient_count(shape.result))) {}
+        sums_(coefficient_count(shape.result)) {}
 
   void run() {
     const int count_a = coefficient_count(shape_.a);
@@ -57,7 +55,7 @@ class Separable {
       }
     }
     for (int i = 0; i < coefficient_count(shape_.result); ++i) {
-      set_coefficient(kernel_, i, build_.node(build_.sum(sums_[static_cast<std::size_t>(i)])));
+      set_coefficient(kernel_, i, build_.node(build_.sum(sums_[i])));
     }
   }
 
@@ -99,7 +97,7 @@ class Separable {
     std::vector<Value> even;
     std::vector<std::pair<Factor, Value>> odd;
     for (int l = m; l <= degree; ++l) {
-      const Value value = c[static_cast<std::size_t>(symbolic::coefficient_index(l, order))];
+      const Value value = c[symbolic::coefficient_index(l, order)];
       const Factor factor = theta(l, m, ring);
       if ((l - m) % 2 == 0) {
         even.push_back(scaled(times(factor, scale), value));
@@ -141,8 +139,7 @@ class Separable {
       const Value half = (l - m) % 2 == 0 ? halves.even : halves.odd;
       const Value term = scaled(times(weight, theta(l, m, ring)), half);
       if (term.is_zero()) continue;
-      sums_[static_cast<std::size_t>(symbolic::coefficient_index(l, order))].push_back(
-          weight.size() > 1 ? build_.row_sum(term) : term);
+      sums_[symbolic::coefficient_index(l, order)].push_back(weight.size() > 1 ? build_.row_sum(term) : term);
     }
   }
 
@@ -193,9 +190,9 @@ class Separable {
   Coefficients rings_of(const std::vector<Value>& c, int degree, int ring, const PhiTransform& phi,
                         const char* letter) {
     const bool pair = !quadrature_.is_equator(ring);
-    Coefficients result(pair ? 2 : 1, std::vector<Value>(static_cast<std::size_t>(2 * degree + 1)));
+    Coefficients result(pair ? 2 : 1, std::vector<Value>(2 * degree + 1));
     for (int order = -degree; order <= degree; ++order) {
-      const auto at = position(order + degree);
+      const auto at = static_cast<std::size_t>(order + degree);
       const Halves halves = synthesise(c, degree, order, ring, phi.scale(order));
       result[0][at] = build_.named(build_.plus(halves.even, halves.odd), named(letter, ring, order, "n"));
       if (!pair) continue;
@@ -252,7 +249,7 @@ class Separable {
 
   // The cosine and sine coefficients of frequency k in the product of two trigonometric polynomials, times 2.
   std::pair<Value, Value> frequency(int k, const std::vector<Value>& a, const std::vector<Value>& b) {
-    const auto of = [](const std::vector<Value>& f, int degree, int order) { return f[position(order + degree)]; };
+    const auto of = [](const std::vector<Value>& f, int degree, int order) { return f[order + degree]; };
     std::vector<Value> cosines;
     std::vector<Value> sines;
     for (const auto& [m, n] : orders_adding_to(k)) {
@@ -296,7 +293,7 @@ class Separable {
       cln::cl_RA factor = cln::cl_RA(halves_ ? 4 : 8) / angles_;
       if (same_ && part_of(order) != 0) factor = 2 * factor;
       const ExactReal same_on_all = multiply(Surd(factor) * Surd::square_root(1, 2), phi_c.scale(order));
-      collect(order, ring, halves[position(order + shape_.result)], times(weight(ring), same_on_all));
+      collect(order, ring, halves[order + shape_.result], times(weight(ring), same_on_all));
     }
   }
 
@@ -311,7 +308,7 @@ class Separable {
       for (std::size_t r = 0; r < (once ? 1 : a.size()); ++r) {
         const auto [c, s] = frequency(k, a[r], b[r]);
         for (const bool sine : {false, true}) {
-          const auto at = position((sine ? -q : q) + shape_.result);
+          const auto at = static_cast<std::size_t>((sine ? -q : q) + shape_.result);
           const ExactReal scale = reciprocal(phi.scale(sine ? -q : q));
           ExactReal factor = multiply(alias_factor(q, sine), scale);
           if (once) factor = multiply(factor, Surd(2));
@@ -329,7 +326,7 @@ class Separable {
     }
     std::vector<Halves> halves;
     for (int order = -shape_.result; order <= shape_.result; ++order) {
-      const auto at = position(order + shape_.result);
+      const auto at = static_cast<std::size_t>(order + shape_.result);
       Halves half{sums[0][at], {}};
       if (a.size() == 2 && !phi.shared(order)) {
         half = {build_.plus(sums[0][at], sums[1][at]), build_.minus(sums[0][at], sums[1][at])};

@@ -25,7 +25,7 @@ void add_up_terms(Kernel& kernel, SignedBuilder& build, const std::vector<Biline
     std::vector<Value> terms;
     for (const BilinearTerm& term : form.terms) {
       const auto [known, added] = products.try_emplace({term.i, term.j});
-      if (added) known->second = build.times(a[static_cast<std::size_t>(term.i)], b[static_cast<std::size_t>(term.j)]);
+      if (added) known->second = build.times(a[term.i], b[term.j]);
       terms.push_back(build.times(term.factor, known->second));
     }
     set_coefficient(kernel, form.output, build.node(build.sum(terms)));
@@ -63,7 +63,7 @@ void describe_zonal(Kernel& kernel, int degree) {
       "coefficients of the product at index l(l+1)+m, orthonormal on the unit sphere, no Condon-Shortley phase";
   kernel.parameters = {array(Role::kCoefficients, "a", degree), array(Role::kZonalCoefficients, "zonal", degree)};
   kernel.results = {array(Role::kCoefficients, "out", degree)};
-  kernel.outputs.resize(static_cast<std::size_t>(coefficient_count(degree)));
+  kernel.outputs.resize(coefficient_count(degree));
 }
 
 }  // namespace
@@ -103,8 +103,7 @@ Kernel product_zonal(int degree) {
       const int order = std::abs(m);
       std::vector<Value> terms;
       for (int column = order; column <= degree; ++column) {
-        terms.push_back(
-            build.times(matrix[{order, l, column}], a[static_cast<std::size_t>(coefficient_index(column, m))]));
+        terms.push_back(build.times(matrix[{order, l, column}], a[coefficient_index(column, m)]));
       }
       set_coefficient(kernel, coefficient_index(l, m), build.node(build.sum(terms)));
     }
@@ -128,9 +127,9 @@ Kernel triple(Kernel product, int degree) {
   SignedBuilder build(kernel);
   const std::vector<Value> c = build.inputs(2 * count, count);
   std::vector<Value> terms;
-  terms.reserve(static_cast<std::size_t>(count));
+  terms.reserve(count);
   for (int i = 0; i < count; ++i) {
-    terms.push_back(build.times({kernel.outputs[static_cast<std::size_t>(i)].node}, c[static_cast<std::size_t>(i)]));
+    terms.push_back(build.times({kernel.outputs[i].node}, c[i]));
   }
   const std::string degrees = degree == 0 ? "degree 0" : "degree 0 to " + std::to_string(degree);
   kernel.title = "The integral over the sphere of the product of three functions of " + degrees;

@@ -145,7 +145,7 @@ ExactReal RingQuadrature::theta(int l, int m, int ring) const {
   const std::string name = "theta_" + index(l, m) + "(z" + std::to_string(ring + 1) + ")";
   return Computed(name, [f, ring, rings = rings_, cache = cache_, m](int digits) {
     const int working = digits + kGuardDigits;
-    const cln::cl_F z = nodes(rings, *cache, digits).heights[static_cast<std::size_t>(ring)];
+    const cln::cl_F z = nodes(rings, *cache, digits).heights[ring];
     cln::cl_F value = cln::cl_float(0, cln::float_format(working));
     for (const auto& [monomial, coefficient] : f->axial.terms()) {
       value = value + cln::cl_float(coefficient, z) * power(z, monomial.exponent(2));
@@ -157,7 +157,7 @@ ExactReal RingQuadrature::theta(int l, int m, int ring) const {
 ExactReal RingQuadrature::weight(int ring) const {
   const std::string at = is_pole(ring) ? "pole" : is_equator(ring) ? "equator" : "z" + std::to_string(ring + 1);
   return Computed("w(" + at + ")", [ring, rings = rings_, cache = cache_](int digits) {
-    return nodes(rings, *cache, digits).weights[static_cast<std::size_t>(ring)];
+    return nodes(rings, *cache, digits).weights[ring];
   });
 }
 

@@ -25,16 +25,15 @@ Complex multiply(Builder& build, const Complex& a, const Complex& b) {
 // Element (i, m), i >= m, not both 0: first^(i-m) second^m.
 class Powers {
  public:
-  Powers(Builder& build, const Complex& first, const Complex& second, int most) : powers_(to_size(most + 1)) {
+  Powers(Builder& build, const Complex& first, const Complex& second, int most) : powers_(most + 1) {
     for (int i = 1; i <= most; ++i) {
-      powers_[to_size(i)].push_back(i == 1 ? first : multiply(build, powers_[to_size(i - 1)][0], first));
+      powers_[i].push_back(i == 1 ? first : multiply(build, powers_[i - 1][0], first));
       for (int m = 1; m <= i; ++m) {
-        powers_[to_size(i)].push_back(i == 1 ? second
-                                             : multiply(build, powers_[to_size(i - 1)][to_size(m - 1)], second));
+        powers_[i].push_back(i == 1 ? second : multiply(build, powers_[i - 1][m - 1], second));
       }
     }
   }
-  [[nodiscard]] const Complex& operator()(int i, int m) const { return powers_[to_size(i)][to_size(m)]; }
+  [[nodiscard]] const Complex& operator()(int i, int m) const { return powers_[i][m]; }
 
  private:
   std::vector<std::vector<Complex>> powers_;
@@ -164,7 +163,7 @@ class BandWriter {
     ThreeTerms plus(build_, x_);
     ThreeTerms minus(build_, x_);
     for (int l = m; l < size(); ++l) {
-      const Axial axial = axial_part(about_y_[to_size(l)], m, n);
+      const Axial axial = axial_part(about_y_[l], m, n);
       const Surd ratio = symbolic::factor_ratio(l, m, n);
       const Signed p_plus = plus.next(axial.plus, ratio);
       const Signed p_minus = minus.next(axial.minus, ratio);
@@ -181,9 +180,9 @@ class BandWriter {
   void set_zero(int m) {
     ThreeTerms axial(build_, x_);
     for (int l = m; l < size(); ++l) {
-      const Signed value = axial.next(axial_part(about_y_[to_size(l)], m, 0).plus, symbolic::factor_ratio(l, m, 0));
+      const Signed value = axial.next(axial_part(about_y_[l], m, 0).plus, symbolic::factor_ratio(l, m, 0));
       if (l < 2) continue;
-      Matrix<Signed>& d = bands_[to_size(l)];
+      Matrix<Signed>& d = bands_[l];
       if (m == 0) {
         d(l, l) = value;
         continue;
@@ -201,7 +200,7 @@ class BandWriter {
   [[nodiscard]] int size() const { return static_cast<int>(bands_.size()); }
 
   void set(int l, int m, int n, const Complex& z, const Complex& w) {
-    Matrix<Signed>& d = bands_[to_size(l)];
+    Matrix<Signed>& d = bands_[l];
     d(l + m, l + n) = sum(build_, {z.re, w.re});
     d(l + m, l - n) = sum(build_, {w.im, -z.im});
     d(l - m, l + n) = sum(build_, {z.im, w.im});
@@ -223,7 +222,7 @@ BandMatrices first_bands(Builder& build, const std::array<NodeId, 9>& r, int deg
   constexpr std::array<int, 3> kAxes{1, 2, 0};
   Matrix<Signed>& first = bands.emplace_back(3, 3);
   for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) first(i, j) = {r[to_size(3 * kAxes[to_size(i)] + kAxes[to_size(j)])]};
+    for (int j = 0; j < 3; ++j) first(i, j) = {r[3 * kAxes[i] + kAxes[j]]};
   }
   return bands;
 }
@@ -248,7 +247,7 @@ void append_dense_bands(Builder& build, BandMatrices& bands, const RotationNumbe
 BandMatrices dense_bands(Builder& build, const std::array<NodeId, 9>& r, int degree) {
   BandMatrices bands = first_bands(build, r, degree);
   if (degree < 2) return bands;
-  const auto entry = [&r](int row, int column) { return Signed{r[to_size(3 * row + column)]}; };
+  const auto entry = [&r](int row, int column) { return Signed{r[3 * row + column]}; };
   const Signed a_re = sum(build, {entry(0, 0), entry(1, 1)}, "a_re");
   const Signed a_im = sum(build, {entry(1, 0), -entry(0, 1)}, "a_im");
   const Signed b_re = sum(build, {entry(1, 1), -entry(0, 0)}, "b_re");

@@ -26,7 +26,7 @@ std::string named(const char* function, int k, char angle) {
 
 NodeId number(Builder& build, int value) {
   constexpr std::array<const char*, 3> kNames{"zero", "one", "two"};
-  return build.constant(Surd(value), kNames.at(to_size(value)));
+  return build.constant(Surd(value), kNames.at(value));
 }
 
 // The multiples of an angle about z, from the first multiple or from the first two.
@@ -165,7 +165,7 @@ NodeId tiny_number(Builder& build) { return build.constant(Surd(cln::expt(cln::c
 }  // namespace
 
 EulerTurns euler_turns(Builder& build, const std::array<NodeId, 9>& r, int most) {
-  const auto at = [&r](int row, int column) { return r[to_size(3 * row + column)]; };
+  const auto at = [&r](int row, int column) { return r[3 * row + column]; };
   const NodeId xx = build.mul(at(0, 2), at(0, 2));
   const NodeId yy = build.mul(at(1, 2), at(1, 2));
   const NodeId square = build.add(xx, yy, "sin2_b");
@@ -235,8 +235,8 @@ Turn turn_by_products(Builder& build, NodeId cosine, NodeId sine, int most) {
 
 void turn_about_z(Builder& build, const Turn& turn, int degree, std::vector<Signed>& band, const std::string& name) {
   for (int m = 1; m <= degree; ++m) {
-    Signed& c = band[to_size(degree + m)];
-    Signed& s = band[to_size(degree - m)];
+    Signed& c = band[degree + m];
+    Signed& s = band[degree - m];
     const Signed cosine{turn.cosine.at(m)};
     const Signed sine{turn.sine.at(m)};
     const Signed cc = product(build, cosine, c);

@@ -19,10 +19,10 @@ void deal(const symbolic::Matrix<Surd>& matrix, int start, std::vector<TurnRound
       if (matrix(i, j).is_zero()) continue;
       if (round == rounds.size()) {
         rounds.emplace_back();
-        for (int lane = 0; lane < kTurnLanes; ++lane) rounds.back().column[to_size(lane)] = lane;
+        for (int lane = 0; lane < kTurnLanes; ++lane) rounds.back().column[lane] = lane;
       }
-      rounds[round].column[to_size(start + i)] = start + j;
-      rounds[round].entry[to_size(start + i)] = matrix(i, j);
+      rounds[round].column[start + i] = start + j;
+      rounds[round].entry[start + i] = matrix(i, j);
       ++round;
     }
   }
@@ -33,7 +33,7 @@ void deal(const symbolic::Matrix<Surd>& matrix, int start, std::vector<TurnRound
 LaneTurns lane_turns(int first, int last) {
   LaneTurns turns{first, last, {}, {}, {}, {}, {}};
   if (turns.lanes() > kTurnLanes) throw std::logic_error("lane turns: more coefficients than lanes");
-  for (int lane = 0; lane < kTurnLanes; ++lane) turns.partner[to_size(lane)] = lane;
+  for (int lane = 0; lane < kTurnLanes; ++lane) turns.partner[lane] = lane;
   for (int l = first; l <= last; ++l) {
     const int start = l * l - first * first;
     for (int m = -l; m <= l; ++m) {

@@ -45,7 +45,7 @@ std::vector<std::vector<int>> choices(int size, int count) {
 cln::cl_RA eliminate(Rationals& rows, const std::vector<int>& pivots) {
   cln::cl_RA determinant = 1;
   for (int step = 0; step < rows.rows(); ++step) {
-    const int pivot = pivots[to_size(step)];
+    const int pivot = pivots[step];
     const cln::cl_RA head = rows(step, pivot);
     determinant = determinant * head;
     // A principal minor of a projector is positive, or the whole choice of pivots is useless.
@@ -62,7 +62,7 @@ cln::cl_RA eliminate(Rationals& rows, const std::vector<int>& pivots) {
 Rationals chosen_rows(const Rationals& matrix, const std::vector<int>& rows) {
   Rationals result(static_cast<int>(rows.size()), matrix.columns());
   for (int i = 0; i < result.rows(); ++i) {
-    for (int j = 0; j < result.columns(); ++j) result(i, j) = matrix(rows[to_size(i)], j);
+    for (int j = 0; j < result.columns(); ++j) result(i, j) = matrix(rows[i], j);
   }
   return result;
 }
@@ -90,8 +90,8 @@ QuarterTurnClass::QuarterTurnClass(int degree, const Rationals& turn, const std:
   }
   for (int i = 0; i < entries_.rows(); ++i) {
     for (int j = 0; j < entries_.columns(); ++j) {
-      const int m = rows[to_size(i)];
-      const int n = columns[to_size(j)];
+      const int m = rows[i];
+      const int n = columns[j];
       entries_(i, j) = symbolic::factor_ratio(degree, m, n) * Surd(turn(degree + m, degree + n));
     }
   }
@@ -133,7 +133,7 @@ QuarterTurnClass::Reflection QuarterTurnClass::find_reflection(int degree, const
   Rationals projector(size, size);
   for (int i = 0; i < size; ++i) {
     for (int j = 0; j < size; ++j) {
-      const cln::cl_RA entry = turn(degree + orders[to_size(i)], degree + orders[to_size(j)]);
+      const cln::cl_RA entry = turn(degree + orders[i], degree + orders[j]);
       projector(i, j) = ((i == j ? 1 : 0) - (result.negative ? -entry : entry)) / 2;
     }
   }
@@ -149,8 +149,8 @@ QuarterTurnClass::Reflection QuarterTurnClass::find_reflection(int degree, const
     result.reduce = Surds(rank, size);
     for (int i = 0; i < size; ++i) {
       for (int k = 0; k < rank; ++k) {
-        const int pivot = pivots[to_size(k)];
-        const Surd ratio = symbolic::factor_ratio(degree, orders[to_size(i)], orders[to_size(pivot)]);
+        const int pivot = pivots[k];
+        const Surd ratio = symbolic::factor_ratio(degree, orders[i], orders[pivot]);
         result.expand(i, k) = ratio * Surd(2 * projector(i, pivot));
         result.reduce(k, i) = ratio.inverse() * Surd(reduce(k, i));
       }
@@ -165,10 +165,10 @@ std::vector<Signed> QuarterTurnClass::forward(Builder& build, const std::vector<
   std::vector<Signed> result;
   for (int i = 0; i < reflection_->expand.rows(); ++i) {
     std::vector<Surd> factors{Surd(1)};
-    std::vector<Signed> values{v[to_size(i)]};
+    std::vector<Signed> values{v[i]};
     for (int k = 0; k < reflection_->expand.columns(); ++k) {
       factors.push_back(-reflection_->expand(i, k));
-      values.push_back(reduced[to_size(k)]);
+      values.push_back(reduced[k]);
     }
     const Signed moved = weighted_sum(build, factors, values);
     result.push_back(reflection_->negative ? -moved : moved);

@@ -42,10 +42,10 @@ class NextBand {
   // sum over the couplings of row m of R(axis, coordinate) D_below(below, n)
   Signed coupled(int m, int coordinate, int n) {
     std::vector<Signed> products;
-    for (const Coupling& c : couplings_[to_size(degree_ + m)]) {
+    for (const Coupling& c : couplings_[degree_ + m]) {
       const Surd factor = symbolic::orthonormal_factor(degree_, m) /
                           symbolic::orthonormal_factor(degree_ - 1, c.below) * Surd(c.weight);
-      const Signed entry = scaled(build_, factor, {r_[to_size(3 * c.axis + coordinate)]});
+      const Signed entry = scaled(build_, factor, {r_[3 * c.axis + coordinate]});
       products.push_back(product(build_, entry, below_(degree_ - 1 + c.below, degree_ - 1 + n)));
     }
     return sum(build_, products);

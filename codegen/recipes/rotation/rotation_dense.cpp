@@ -21,7 +21,7 @@ std::vector<Signed> times(Builder& build, const Matrix<Signed>& matrix, const st
   std::vector<Signed> result;
   for (int i = 0; i < matrix.rows(); ++i) {
     std::vector<Signed> terms;
-    for (int j = 0; j < matrix.columns(); ++j) terms.push_back(product(build, matrix(i, j), v[to_size(j)]));
+    for (int j = 0; j < matrix.columns(); ++j) terms.push_back(product(build, matrix(i, j), v[j]));
     result.push_back(sum(build, terms));
   }
   return result;
@@ -34,7 +34,7 @@ Kernel rotate_by(Bands make_bands, const std::string& source, int degree) {
   const RotationInputs in = rotation_inputs(build, degree);
   const BandMatrices bands = make_bands(build, in.r, degree);
   copy_band_zero(kernel, in);
-  for (int l = 1; l <= degree; ++l) set_band(kernel, build, l, times(build, bands[to_size(l)], in.band(l)));
+  for (int l = 1; l <= degree; ++l) set_band(kernel, build, l, times(build, bands[l], in.band(l)));
   return kernel;
 }
 
@@ -98,7 +98,7 @@ Kernel build_by(Bands make_bands, const std::string& source, int degree) {
   for (int l = 0; l <= degree; ++l) {
     for (int m = -l; m <= l; ++m) {
       for (int n = -l; n <= l; ++n) {
-        const NodeId entry = settled(build, bands[to_size(l)](l + m, l + n));
+        const NodeId entry = settled(build, bands[l](l + m, l + n));
         kernel.outputs.push_back(
             {entry, "l=" + std::to_string(l) + " m=" + std::to_string(m) + "," + std::to_string(n)});
       }
@@ -123,7 +123,7 @@ Kernel rotate_quaternion_polynomial(int degree) {
   RotationInputs in;
   in.c = coefficient_inputs(build, 4, degree);
   copy_band_zero(kernel, in);
-  for (int l = 1; l <= degree; ++l) set_band(kernel, build, l, times(build, bands[to_size(l)], in.band(l)));
+  for (int l = 1; l <= degree; ++l) set_band(kernel, build, l, times(build, bands[l], in.band(l)));
   return kernel;
 }
 
@@ -145,7 +145,7 @@ Kernel rotate_apply_rows(int degree) {
   RotationInputs in;
   in.c = coefficient_inputs(build, next, degree);
   copy_band_zero(kernel, in);
-  for (int l = 1; l <= degree; ++l) set_band(kernel, build, l, times(build, bands[to_size(l)], in.band(l)));
+  for (int l = 1; l <= degree; ++l) set_band(kernel, build, l, times(build, bands[l], in.band(l)));
   return kernel;
 }
 

@@ -45,7 +45,7 @@ Kernel rotate_evaluate_turned(int degree) {
   const Kernel basis = passes::factor(passes::share(basis_recurrence(degree)));
   const std::vector<NodeId> functions = splice(build, basis, turned_back(build, in.r, {x, y, z}));
   std::vector<Signed> terms;
-  for (int i = 0; i < count; ++i) terms.push_back({build.mul(in.c[to_size(i)], functions[to_size(i)])});
+  for (int i = 0; i < count; ++i) terms.push_back({build.mul(in.c[i], functions[i])});
   kernel.outputs = {{sum(build, terms).node, ""}};
   return kernel;
 }

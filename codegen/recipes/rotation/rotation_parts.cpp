@@ -20,7 +20,7 @@ Kernel rotation_kernel(int degree) {
       "may be c itself";
   kernel.parameters = {parameter(Role::kRotationMatrix, "r"), array(Role::kCoefficients, "c", degree)};
   kernel.results = {array(Role::kCoefficients, "out", degree)};
-  kernel.outputs.resize(to_size(count));
+  kernel.outputs.resize(count);
   return kernel;
 }
 
@@ -36,19 +36,19 @@ Kernel quaternion_kernel(int degree) {
 std::array<NodeId, 4> quaternion_inputs(Builder& build) {
   const std::array<const char*, 4> names{"w", "x", "y", "z"};
   std::array<NodeId, 4> q{};
-  for (int i = 0; i < 4; ++i) q[to_size(i)] = build.input(i, names[to_size(i)]);
+  for (int i = 0; i < 4; ++i) q[i] = build.input(i, names[i]);
   return q;
 }
 
 std::vector<Signed> RotationInputs::band(int l) const {
   std::vector<Signed> values;
-  for (int i = l * l; i < (l + 1) * (l + 1); ++i) values.push_back({c[to_size(i)]});
+  for (int i = l * l; i < (l + 1) * (l + 1); ++i) values.push_back({c[i]});
   return values;
 }
 
 std::array<NodeId, 9> matrix_inputs(Builder& build) {
   std::array<NodeId, 9> r{};
-  for (int i = 0; i < 9; ++i) r[to_size(i)] = build.input(i, "r" + std::to_string(i));
+  for (int i = 0; i < 9; ++i) r[i] = build.input(i, "r" + std::to_string(i));
   return r;
 }
 
@@ -67,8 +67,8 @@ RotationInputs rotation_inputs(Builder& build, int degree) {
 
 void set_band(Kernel& kernel, Builder& build, int l, const std::vector<Signed>& values) {
   for (int m = -l; m <= l; ++m) {
-    Output& output = kernel.outputs[to_size(l * (l + 1) + m)];
-    output.node = settled(build, values[to_size(l + m)]);
+    Output& output = kernel.outputs[l * (l + 1) + m];
+    output.node = settled(build, values[l + m]);
     output.label = "l=" + std::to_string(l) + " m=" + std::to_string(m);
   }
 }
@@ -80,7 +80,7 @@ void rotate_band_one(Kernel& kernel, Builder& build, const RotationInputs& in) {
   std::vector<Signed> rotated;
   for (const int row : kAxes) {
     std::vector<Signed> terms;
-    for (std::size_t n = 0; n < 3; ++n) terms.push_back({build.mul(in.r[to_size(3 * row + kAxes[n])], in.c[1 + n])});
+    for (std::size_t n = 0; n < 3; ++n) terms.push_back({build.mul(in.r[3 * row + kAxes[n]], in.c[1 + n])});
     rotated.push_back(sum(build, terms));
   }
   set_band(kernel, build, 1, rotated);

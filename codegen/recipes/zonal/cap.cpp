@@ -145,7 +145,7 @@ Kernel cap_recurrence(int degree) {
       z.push_back(raised);
     } else {
       const Surd b = Surd(cln::cl_RA(l - 1) / (l + 2)) * norm(l + 1) / norm(l - 1);
-      const NodeId lowered = build.mul(build.constant(b, numbered("b", l + 1)), z[static_cast<std::size_t>(l - 1)]);
+      const NodeId lowered = build.mul(build.constant(b, numbered("b", l + 1)), z[l - 1]);
       z.push_back(build.sub(raised, lowered));
     }
     build.name(z.back(), numbered("z", l + 1));

@@ -37,7 +37,7 @@ Surd turned_factor(int l, int m) {
 void label_coefficients(Kernel& kernel, int degree, int channels) {
   constexpr std::array<const char*, 3> kChannels{"red ", "green ", "blue "};
   for (int channel = 0; channel < channels; ++channel) {
-    const std::string prefix = channels == 1 ? "" : kChannels[static_cast<std::size_t>(channel)];
+    const std::string prefix = channels == 1 ? "" : kChannels[channel];
     for (int l = 0; l <= degree; ++l) {
       for (int m = -l; m <= l; ++m) {
         kernel.outputs.push_back({-1, prefix + "l=" + std::to_string(l) + " m=" + std::to_string(m)});

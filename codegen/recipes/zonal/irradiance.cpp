@@ -12,8 +12,6 @@
 namespace sh::codegen::recipes {
 namespace {
 
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
-
 using symbolic::irradiance_factor;
 using symbolic::Surd;
 
@@ -33,7 +31,7 @@ using numeric::coefficient_count;
 
 std::vector<NodeId> coefficients(Builder& build, int degree) {
   std::vector<NodeId> c;
-  c.reserve(index(coefficient_count(degree)));
+  c.reserve(coefficient_count(degree));
   for (int i = 0; i < coefficient_count(degree); ++i) c.push_back(build.input(i, "c" + std::to_string(i)));
   return c;
 }
@@ -77,7 +75,7 @@ NodeId column(Builder& build, AxialPolynomials& axial, const Normal& n, const st
   NodeId odd = -1;
   for (int l = m; l <= degree; ++l) {
     if (irradiance_factor(l).is_zero()) continue;
-    const NodeId coefficient = c[index(l * (l + 1) + sign * m)];
+    const NodeId coefficient = c[l * (l + 1) + sign * m];
     NodeId& part = (l - m) % 2 == 0 ? even : odd;
     part = sum(build, part, build.mul(axial.at(l, m), coefficient));
   }
@@ -250,7 +248,7 @@ Kernel lightmap_project(int /*degree*/) {
   label_lightmap(kernel);
   Builder build(kernel);
   std::array<NodeId, 8> input{};
-  for (int i = 0; i < 8; ++i) input[static_cast<std::size_t>(i)] = build.input(i, "");
+  for (int i = 0; i < 8; ++i) input[i] = build.input(i, "");
   // A_l times the square of the constant of Y_lm.
   const auto factor = [](int l) { return irradiance_constant(l, 0) * symbolic::reduced_basis_function(l, 0).factor; };
   const NodeId mean = build.mul(build.constant(factor(0), "k0"), input[3]);

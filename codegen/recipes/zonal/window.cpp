@@ -37,7 +37,7 @@ void apply_window(Kernel& kernel, Builder& build, const std::vector<NodeId>& w, 
   for (int l = 0; l <= static_cast<int>(w.size()); ++l) {
     for (int i = l * l; i < (l + 1) * (l + 1); ++i) {
       const NodeId c = build.input(first + i, numbered("c", i));
-      kernel.outputs[static_cast<std::size_t>(i)].node = l == 0 ? c : build.mul(w[static_cast<std::size_t>(l - 1)], c);
+      kernel.outputs[i].node = l == 0 ? c : build.mul(w[l - 1], c);
     }
   }
 }
@@ -56,7 +56,7 @@ class Cosines {
       const NodeId raised = build_.mul(twice_, at_.back());
       at_.push_back(build_.sub(raised, at_[at_.size() - 2], numbered("t", static_cast<int>(at_.size()))));
     }
-    return at_[static_cast<std::size_t>(k)];
+    return at_[k];
   }
 
  private:
@@ -131,7 +131,7 @@ Kernel window_lanczos(int degree, int power) {
   for (int l = 1; l <= degree; ++l) {
     if (l > 1) {
       const NodeId raised = build.mul(twice, s.back());
-      s.push_back(l == 2 ? raised : build.sub(raised, s[static_cast<std::size_t>(l - 3)]));
+      s.push_back(l == 2 ? raised : build.sub(raised, s[l - 3]));
       build.name(s.back(), numbered("s", l));
     }
     NodeId factor = s.back();
@@ -159,7 +159,7 @@ Kernel window_gaussian(int degree) {
     step = build.mul(step, square, numbered("g", 2 * l - 1));
     w.push_back(build.mul(w.back(), step, numbered("w", l)));
   }
-  w.resize(static_cast<std::size_t>(degree));
+  w.resize(degree);
   apply_window(kernel, build, w, 1);
   return kernel;
 }

@@ -13,8 +13,6 @@
 namespace sh::codegen::recipes {
 namespace {
 
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
-
 using symbolic::Surd;
 
 constexpr const char* kCitation =
@@ -40,7 +38,7 @@ class Turned {
   std::vector<NodeId> coefficients() {
     const int degree = static_cast<int>(weights_.size()) - 1;
     std::vector<NodeId> result(weights_.size() * weights_.size());
-    const auto at = [&](int l, int m) -> NodeId& { return result[index(l * (l + 1) + m)]; };
+    const auto at = [&](int l, int m) -> NodeId& { return result[l * (l + 1) + m]; };
     for (int l = 0; l <= degree; ++l) at(l, 0) = axial(l, 0);
     for (int m = 1; m <= degree; ++m) {
       const auto [c, s] = azimuth_.power(m);
@@ -56,15 +54,15 @@ class Turned {
  private:
   // weight_l F_lm q_lm(z), F_lm the constant of the turned function.
   NodeId axial(int l, int m) {
-    const NodeId weight = (l - m) % 2 == 0 ? weights_[static_cast<std::size_t>(l)] : raised(l);
+    const NodeId weight = (l - m) % 2 == 0 ? weights_[l] : raised(l);
     return build_.mul(axial_.at(l, m), weight, indexed("p", l, m));
   }
 
   // weight_l z
   NodeId raised(int l) {
     raised_.resize(weights_.size(), -1);
-    NodeId& node = raised_[static_cast<std::size_t>(l)];
-    if (node < 0) node = build_.mul(weights_[static_cast<std::size_t>(l)], d_.z, "z" + std::to_string(l) + "z");
+    NodeId& node = raised_[l];
+    if (node < 0) node = build_.mul(weights_[l], d_.z, "z" + std::to_string(l) + "z");
     return node;
   }
 
@@ -78,7 +76,7 @@ class Turned {
 
 std::vector<NodeId> inputs(Builder& build, int first, int count, const std::string& name) {
   std::vector<NodeId> nodes;
-  nodes.reserve(index(count));
+  nodes.reserve(count);
   for (int i = 0; i < count; ++i) nodes.push_back(build.input(first + i, name + std::to_string(i)));
   return nodes;
 }
@@ -117,7 +115,7 @@ std::vector<NodeId> turned_column(Builder& build, NodeId z, int degree, int m) {
     } else {
       const NodeId b =
           build.constant(Surd::square_root(cln::cl_RA((l - 1) * (l - 1) - m * m)) / root, indexed("b", l, m));
-      p.push_back(build.sub(raised, build.mul(b, p[index(l - m - 2)])));
+      p.push_back(build.sub(raised, build.mul(b, p[l - m - 2])));
     }
     build.name(p.back(), indexed("p", l, m));
   }
@@ -154,7 +152,7 @@ Kernel cap_light(int degree, bool rgb) {
   const NodeId u = build.input(3, "u");
   const int channels = rgb ? 3 : 1;
   std::vector<NodeId> colours = inputs(build, 4, channels, "colour");
-  const auto count = index((degree + 1) * (degree + 1));
+  const auto count = static_cast<std::size_t>((degree + 1) * (degree + 1));
   const std::vector<NodeId> sum = inputs(build, 4 + channels, channels * static_cast<int>(count), "sum");
   const std::vector<NodeId> cap = append_cap(build, u, rgb ? -1 : colours[0], degree);
   const std::vector<NodeId> light = Turned(build, d, cap).coefficients();
@@ -189,8 +187,8 @@ Kernel zonal_recurrence(int degree) {
   for (int m = 0; m <= degree; ++m) {
     const std::vector<NodeId> p = turned_column(build, d.z, degree, m);
     for (int l = m; l <= degree; ++l) {
-      const NodeId shared = build.mul(p[index(l - m)], zonal[static_cast<std::size_t>(l)]);
-      const auto set = [&](int order, NodeId node) { kernel.outputs[index(l * (l + 1) + order)].node = node; };
+      const NodeId shared = build.mul(p[l - m], zonal[l]);
+      const auto set = [&](int order, NodeId node) { kernel.outputs[l * (l + 1) + order].node = node; };
       if (m == 0) {
         set(0, shared);
         continue;

@@ -36,10 +36,8 @@ std::vector<NamedInput> prepared_functions(int degree) {
 std::vector<ExactFamily> exact_evaluate() {
   return {{"evaluate", values_of(1)},
           {"evaluate_rgb", values_of(3)},
-          {"evaluate_prepare",
-           [](int degree, const auto* in, auto* out) {
-             multiply(prepare_matrix(degree), static_cast<std::size_t>(coefficient_count(degree)), in, out);
-           }},
+          {"evaluate_prepare", [](int degree, const auto* in,
+                                  auto* out) { multiply(prepare_matrix(degree), coefficient_count(degree), in, out); }},
           {"evaluate_prepared",
            [](int degree, const auto* in, auto* out) {
              using Real = std::remove_cvref_t<decltype(*in)>;

@@ -74,10 +74,10 @@ Vector axial_polynomials(int degree, int m) {
   for (std::size_t node = 0; node < n; ++node) {
     const Mpfr50 z = (Mpfr50(static_cast<double>(node)) + Mpfr50(0.5)) / static_cast<double>(n);
     for (std::size_t i = 0; i < n; ++i) powers.push_back(power(z, static_cast<int>(i)));
-    Vector row(static_cast<std::size_t>(coefficient_count(degree)));
+    Vector row(coefficient_count(degree));
     basis_z_form(degree, Mpfr50(1), Mpfr50(0), z, row.data());  // Re (1 + 0i)^m = 1
     for (std::size_t l = 0; l < n; ++l) {
-      values[node * n + l] = row[static_cast<std::size_t>(coefficient_index(static_cast<int>(l) + m, m))];
+      values[node * n + l] = row[coefficient_index(static_cast<int>(l) + m, m)];
     }
   }
   const Vector by_power = solve(n, powers, values);
@@ -124,8 +124,7 @@ const std::vector<Mpfr50>& finish_matrix(int degree) {
       for (const int sign : {1, -1}) {
         const int row = coefficient_index(m + l / n, sign * m);
         const int column = coefficient_index(m + l % n, sign * m);
-        matrix[static_cast<std::size_t>(row) * count + static_cast<std::size_t>(column)] =
-            q[static_cast<std::size_t>(l)];
+        matrix[static_cast<std::size_t>(row) * count + static_cast<std::size_t>(column)] = q[l];
       }
     }
   }

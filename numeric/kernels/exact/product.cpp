@@ -22,8 +22,7 @@ struct ProductRule {
   std::vector<Real> basis;    // (nodes, result)
 
   ProductRule(int degree, int result_degree)
-      : factor(static_cast<std::size_t>(coefficient_count(degree))),
-        result(static_cast<std::size_t>(coefficient_count(result_degree))) {
+      : factor(coefficient_count(degree)), result(coefficient_count(result_degree)) {
     for (const auto& node : sphere_rule<Real>(2 * degree + result_degree)) {
       weights.push_back(node.weight);
       basis.resize(basis.size() + result);
@@ -72,16 +71,16 @@ std::vector<ExactFamily> exact_product() {
           {"product_zonal",
            [](int degree, const auto* in, auto* out) {
              using Real = std::remove_cvref_t<decltype(*in)>;
-             std::vector<Real> zonal(static_cast<std::size_t>(coefficient_count(degree)));
+             std::vector<Real> zonal(coefficient_count(degree));
              for (int l = 0; l <= degree; ++l) {
-               zonal[static_cast<std::size_t>(coefficient_index(l, 0))] = in[coefficient_count(degree) + l];
+               zonal[coefficient_index(l, 0)] = in[coefficient_count(degree) + l];
              }
              product(degree, in, zonal.data(), out);
            }},
           {"triple", [](int degree, const auto* in, auto* out) {
              using Real = std::remove_cvref_t<decltype(*in)>;
              const int count = coefficient_count(degree);
-             std::vector<Real> product_ab(static_cast<std::size_t>(count));
+             std::vector<Real> product_ab(count);
              product(degree, in, in + count, product_ab.data());
              in += 2 * count;
              *out = 0;

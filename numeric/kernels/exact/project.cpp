@@ -32,7 +32,7 @@ void moments(int degree, const Real& x, const Real& y, const Real& z, Real* out)
 template <class Function>
 auto sample_of(Function function) {
   return [function](int degree, const auto* in, auto* out) {
-    std::vector<std::remove_cvref_t<decltype(*in)>> values(static_cast<std::size_t>(coefficient_count(degree)));
+    std::vector<std::remove_cvref_t<decltype(*in)>> values(coefficient_count(degree));
     function(degree, in[0], in[1], in[2], values.data());
     for (std::size_t i = 0; i < values.size(); ++i) out[i] = in[4 + i] + in[3] * values[i];
   };
@@ -66,7 +66,7 @@ std::vector<ExactFamily> exact_project() {
            })},
           {"project_finish",
            [](int degree, const auto* in, auto* out) {
-             multiply(finish_matrix(degree), static_cast<std::size_t>(coefficient_count(degree)), in, out);
+             multiply(finish_matrix(degree), coefficient_count(degree), in, out);
            },
            moments_of_samples}};
 }

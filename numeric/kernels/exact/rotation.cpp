@@ -26,7 +26,7 @@ void all_bands(int degree, const Real* r, Real* out) {
 std::vector<NamedInput> band_matrices(int degree) {
   std::vector<NamedInput> all;
   for (const auto& rotation : matrix_inputs()) {
-    all.push_back({rotation.name, std::vector<double>(static_cast<std::size_t>(matrix_count(degree)))});
+    all.push_back({rotation.name, std::vector<double>(matrix_count(degree))});
     all_bands(degree, rotation.values.data(), all.back().values.data());
   }
   return all;
@@ -62,7 +62,7 @@ std::vector<ExactFamily> exact_rotation() {
            band_matrices},
           {"rotate_evaluate", [](int degree, const auto* in, auto* out) {
              using Real = std::remove_cvref_t<decltype(*in)>;
-             std::vector<Real> turned(static_cast<std::size_t>(coefficient_count(degree)));
+             std::vector<Real> turned(coefficient_count(degree));
              rotate(degree, in, in + 9, turned.data());
              const Real* const d = in + 9 + turned.size();
              const auto values = basis(degree, d[0], d[1], d[2]);

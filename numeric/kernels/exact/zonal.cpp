@@ -26,7 +26,7 @@ auto light(int channels) {
     using Real = std::remove_cvref_t<decltype(*in)>;
     std::vector<Real> zonal(static_cast<std::size_t>(degree) + 1);
     cap_zonal_quadrature(degree, in[3], zonal.data());
-    std::vector<Real> turned(static_cast<std::size_t>(coefficient_count(degree)));
+    std::vector<Real> turned(coefficient_count(degree));
     turned_zonal(degree, zonal.data(), in, turned.data());
     const Real* sum = in + 4 + channels;
     for (int channel = 0; channel < channels; ++channel) {
