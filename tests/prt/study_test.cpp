@@ -71,7 +71,9 @@ class DiscStudy : public testing::Test {
     delete study;
     delete scene;
   }
-  static const StudySeries& sampler(Sampler which) { return part_called(*study, "directions").series[which]; }
+  static const StudySeries& sampler(Sampler which) {
+    return part_called(*study, "directions").series[static_cast<std::size_t>(which)];
+  }
 
   static inline Scene* scene = nullptr;
   static inline Study* study = nullptr;
