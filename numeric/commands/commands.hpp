@@ -1,41 +1,39 @@
-// The commands of the tool `shcheck`, one file each: options in, results on standard output, progress and messages on
-// standard error. An error is an exception with one line.
+// The commands of the tool `shcheck`: options in, results on standard output, progress and messages on standard error.
+// A command reports an error by an exception with one line.
 #pragma once
 
+#include <array>
+#include <stdexcept>
 #include <string>
 
-namespace CLI {
-class App;
-}
+#include "numeric/commands/command_line.hpp"
 
 namespace sh::numeric {
 
-// What `shcheck` exits with.
-enum ExitCode {
-  kDone = 0,
-  kDifferent = 1,  // a check found a difference
-  kBadInput = 2,
-  kInterrupted = 130,
-};
+void add_kernel_commands(Command& tool);     ///< kernels, worst
+void add_reference_commands(Command& tool);  ///< eval, legendre, rotation, gaunt, cap
+void add_identify_commands(Command& tool);   ///< identify, rotation-matrix
+void add_plot_command(Command& tool);
+void add_report_commands(Command& tool);  ///< report, advise
 
-// Each adds its subcommand; parsing the command line then runs it and sets `exit_code`, which has to live until then.
-void add_kernels_command(CLI::App& tool, int& exit_code);
-void add_worst_command(CLI::App& tool, int& exit_code);
-void add_eval_command(CLI::App& tool, int& exit_code);
-void add_legendre_command(CLI::App& tool, int& exit_code);
-void add_rotation_command(CLI::App& tool, int& exit_code);
-void add_gaunt_command(CLI::App& tool, int& exit_code);
-void add_cap_command(CLI::App& tool, int& exit_code);
-void add_identify_command(CLI::App& tool, int& exit_code);
-void add_plot_command(CLI::App& tool, int& exit_code);
-void add_rotation_matrix_command(CLI::App& tool, int& exit_code);
-void add_report_command(CLI::App& tool, int& exit_code);
-void add_advise_command(CLI::App& tool, int& exit_code);
+void add_rotation_command(Command& tool);
 
-// Standard output; throws std::runtime_error when it cannot take the text (a full disk, say).
-void print(const std::string& text);
-
-// "shcheck: line" on standard error.
-void say(const std::string& line);
+/// The Count parts of "a,b,c". Throws std::invalid_argument: "OPTION: 'TEXT' must be SHAPE separated by commas"; a shape
+/// is, for example, "three numbers x,y,z".
+template <std::size_t Count>
+std::array<std::string, Count> split_numbers(const std::string& option, const std::string& text,
+                                             const std::string& shape) {
+  std::array<std::string, Count> parts;
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i < Count; ++i) {
+    const auto comma = text.find(',', begin);
+    if ((comma == std::string::npos) != (i + 1 == Count)) {
+      throw std::invalid_argument(option + ": '" + text + "' must be " + shape + " separated by commas");
+    }
+    parts[i] = text.substr(begin, comma - begin);
+    begin = comma + 1;
+  }
+  return parts;
+}
 
 }  // namespace sh::numeric

@@ -1,12 +1,9 @@
 // shcheck plot lobes|map: pictures of basis functions and of coefficient vectors.
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <stdexcept>
-#include <string>
 
 #include "numeric/commands/commands.hpp"
 #include "numeric/output/atomic_file.hpp"
@@ -19,50 +16,44 @@ namespace sh::numeric {
 namespace {
 
 struct Options {
-  int degree = -1;
-  int order = 0;
-  int basis_grid = -1;
+  std::optional<int> degree, order, basis_grid;
   std::string coefficients;
+  bool has_coefficients = false;
   std::string output;
   int size = 1000;
   std::string view = "35,20";
   std::string projection = "lat-long";
-  CLI::App* command = nullptr;
-
-  [[nodiscard]] bool has(const char* option) const { return command->count(option) > 0; }
 };
 
-void require_range(const char* option, int value, int least, int most) {
+void require_option(const char* option, int value, int least, int most) {
   if (value < least || value > most) {
     throw std::invalid_argument(fmt::format("{} is {}, must be {} to {}", option, value, least, most));
   }
 }
 
-// An argument in a message: a file's name whole, a long list not.
-std::string shortened(const std::string& text) { return text.size() <= 80 ? text : text.substr(0, 77) + "..."; }
-
-void require_one_subject(const Options& options, bool grid) {
+void require_one_subject(const Options& options, const char* grid) {
   const int subjects =
-      int(options.has("--degree")) + int(options.has("--coefficients")) + int(grid && options.has("--basis-grid"));
+      int(options.degree.has_value()) + int(options.has_coefficients) + int(options.basis_grid.has_value());
   if (subjects != 1) {
-    throw std::invalid_argument(fmt::format("plot: give one of --degree, --coefficients{}; {} are given",
-                                            grid ? ", --basis-grid" : "", subjects));
+    throw std::invalid_argument(
+        fmt::format("plot: give one of --degree, --coefficients{}; {} are given", grid, subjects));
   }
-  if (options.has("--order") && !options.has("--degree")) throw std::invalid_argument("--order: needs --degree");
+  if (options.order && !options.degree) throw std::invalid_argument("--order: needs --degree");
 }
 
-// The function that is asked for and what the picture calls it.
+// The function to draw and its title.
 struct Subject {
   plot::SphereFunction f;
   std::string title;
 };
 
 Subject subject_of(const Options& options) {
-  if (options.has("--degree")) {
-    require_range("--degree", options.degree, 0, plot::kLargestDegree);
-    require_range("--order", options.order, -options.degree, options.degree);
-    return {plot::basis_function(options.degree, options.order),
-            fmt::format("Y({},{})", options.degree, options.order)};
+  if (options.degree) {
+    const int degree = *options.degree;
+    const int order = options.order.value_or(0);
+    require_option("--degree", degree, 0, plot::kLargestDegree);
+    require_option("--order", order, -degree, degree);
+    return {plot::basis_function(degree, order), fmt::format("Y({},{})", degree, order)};
   }
   const auto numbers = plot::numbers_from("--coefficients", options.coefficients);
   try {
@@ -71,37 +62,38 @@ Subject subject_of(const Options& options) {
                              f.channels == 3 ? " a channel" : "");
     return {std::move(f), std::move(title)};
   } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(fmt::format("--coefficients {}: {}", shortened(options.coefficients), error.what()));
+    const auto& text = options.coefficients;  // the name of a file, or a list that may be long
+    throw std::invalid_argument(
+        fmt::format("--coefficients {}: {}", text.size() <= 80 ? text : text.substr(0, 77) + "...", error.what()));
   }
 }
 
-plot::View view_of(const Options& options) {
-  const auto angles = plot::parse_numbers("--view", options.view);
+plot::View view_of(const std::string& text) {
+  const auto angles = plot::parse_numbers("--view", text);
   if (angles.size() != 2 || std::abs(angles[0]) > 360 || std::abs(angles[1]) > 90) {
-    throw std::invalid_argument("--view: '" + options.view +
-                                "' must be azimuth,elevation in degrees, within 360 and 90");
+    throw std::invalid_argument(
+        fmt::format("--view: '{}' must be azimuth,elevation in degrees, within 360 and 90", text));
   }
   return {angles[0], angles[1]};
 }
 
-plot::Figure figure_of(const Options& options, std::string title) {
-  require_range("--size", options.size, plot::kSmallestSize, plot::kLargestSize);
-  return {std::move(title), plot::format_of(options.output), options.size};
+plot::Figure figure_of(const Options& options) {
+  require_option("--size", options.size, plot::kSmallestSize, plot::kLargestSize);
+  return {"", plot::format_of(options.output), options.size};
 }
 
-void plot_lobes(const Options& options) {
-  require_one_subject(options, true);
-  const auto view = view_of(options);
-  if (options.has("--basis-grid")) {
-    require_range("--basis-grid", options.basis_grid, 0, plot::kLargestGrid);
-    const auto title = fmt::format("Real spherical harmonics, degree 0 to {}", options.basis_grid);
-    const auto figure = figure_of(options, title);
-    output::write_file(options.output, plot::draw_basis_grid(options.basis_grid, view, figure));
-    return;
+std::string lobes(const Options& options) {
+  require_one_subject(options, ", --basis-grid");
+  const auto view = view_of(options.view);
+  if (options.basis_grid) {
+    require_option("--basis-grid", *options.basis_grid, 0, plot::kLargestGrid);
+    auto figure = figure_of(options);
+    figure.title = fmt::format("Real spherical harmonics, degree 0 to {}", *options.basis_grid);
+    return plot::draw_basis_grid(*options.basis_grid, view, figure);
   }
-  const auto figure = figure_of(options, {});
+  const auto figure = figure_of(options);
   const auto subject = subject_of(options);
-  output::write_file(options.output, plot::draw_lobes(subject.f, view, {subject.title, figure.format, figure.size}));
+  return plot::draw_lobes(subject.f, view, {subject.title, figure.format, figure.size});
 }
 
 constexpr const char* kProjections = "lat-long, cube-map, angular-map, mirror-ball, vertical-cross or cube-strip";
@@ -114,49 +106,46 @@ ImageMapping mapping_of(const std::string& projection) {
   return *mapping;
 }
 
-void plot_map(const Options& options) {
-  require_one_subject(options, false);
+std::string map(const Options& options) {
+  require_one_subject(options, "");
   const auto mapping = mapping_of(options.projection);
-  const auto figure = figure_of(options, {});
+  const auto figure = figure_of(options);
   const auto subject = subject_of(options);
-  output::write_file(options.output, plot::draw_map(subject.f, mapping, {subject.title, figure.format, figure.size}));
+  return plot::draw_map(subject.f, mapping, {subject.title, figure.format, figure.size});
 }
 
-// What both pictures take.
-std::shared_ptr<Options> add_options(CLI::App* command) {
-  auto options = std::make_shared<Options>();
-  options->command = command;
-  command->add_option("--degree", options->degree, "l of one basis function, 0 to 64");
-  command->add_option("--order", options->order, "its m, -l to l (0)");
-  command->add_option("--coefficients", options->coefficients,
-                      "numbers separated by commas, or a file of them (# comments): bands^2, or three times that");
-  command->add_option("-o,--output", options->output, "the picture, .svg or .png")->required();
-  command->add_option("--size", options->size, "width in pixels, 16 to 8192")->capture_default_str();
-  return options;
+// A picture with the options that both pictures share.
+Command add_picture(Command& plot, const char* name, const char* help, const std::shared_ptr<Options>& options,
+                    std::string (*draw)(const Options& options)) {
+  auto command = plot.command(name, help);
+  command.option("--degree", options->degree, "l of one basis function, 0 to 64");
+  command.option("--order", options->order, "its m, -l to l (0)");
+  const auto coefficients =
+      command.option("--coefficients", options->coefficients,
+                     "numbers separated by commas, or a file of them (# comments): bands^2, or three times that");
+  command.option("-o,--output", options->output, "the picture, .svg or .png").required();
+  command.option("--size", options->size, "width in pixels, 16 to 8192").with_default();
+  command.run([=] {
+    options->has_coefficients = coefficients.given();
+    output::stop_on_interrupt();
+    output::write_file(options->output, draw(*options));
+    return kDone;
+  });
+  return command;
 }
 
 }  // namespace
 
-void add_plot_command(CLI::App& tool, int& /*exit_code*/) {
-  auto* command = tool.add_subcommand("plot", "draw a function on the sphere, from coefficients or one of the basis");
-  command->require_subcommand(1);
-
-  auto* lobes = command->add_subcommand("lobes", "the surface r = |f|, positive and negative in two colors");
-  const auto lobes_options = add_options(lobes);
-  lobes->add_option("--basis-grid", lobes_options->basis_grid, "every basis function to this degree, 0 to 12");
-  lobes->add_option("--view", lobes_options->view, "azimuth,elevation of the viewer, degrees")->capture_default_str();
-  lobes->callback([lobes_options] {
-    output::stop_on_interrupt();
-    plot_lobes(*lobes_options);
-  });
-
-  auto* map = command->add_subcommand("map", "values as colors, negative regions hatched");
-  const auto map_options = add_options(map);
-  map->add_option("--projection", map_options->projection, kProjections)->capture_default_str();
-  map->callback([map_options] {
-    output::stop_on_interrupt();
-    plot_map(*map_options);
-  });
+void add_plot_command(Command& tool) {
+  auto plot = tool.command("plot", "draw a function on the sphere, from coefficients or one of the basis");
+  plot.require_command();
+  const auto options = std::make_shared<Options>();
+  auto of_lobes =
+      add_picture(plot, "lobes", "the surface r = |f|, positive and negative in two colors", options, lobes);
+  of_lobes.option("--basis-grid", options->basis_grid, "every basis function to this degree, 0 to 12");
+  of_lobes.option("--view", options->view, "azimuth,elevation of the viewer, degrees").with_default();
+  auto of_map = add_picture(plot, "map", "values as colors, negative regions hatched", options, map);
+  of_map.option("--projection", options->projection, kProjections).with_default();
 }
 
 }  // namespace sh::numeric

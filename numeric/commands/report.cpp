@@ -1,30 +1,34 @@
-// shcheck report: every method's error against its run time, as a page and as JSON.
+// shcheck report: every method's error against its run time, as a page and as JSON. shcheck advise: which method to take
+// for a task, a degree and an error.
 #include "numeric/report/report.hpp"
 
-#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+
+#include <cmath>
 #include <filesystem>
 #include <memory>
-#include <string>
 
 #include "numeric/commands/commands.hpp"
 #include "numeric/output/atomic_file.hpp"
 #include "numeric/output/progress.hpp"
+#include "numeric/report/advise.hpp"
 #include "numeric/report/figures.hpp"
 
 namespace sh::numeric {
 namespace {
 
-struct Options {
-  std::string out;
+struct ReportCommand {
+  std::string folder;
   bool json = false;
   bool charts = false;
-  ReportOptions report;
+  ReportOptions options;
 };
 
 void make_folder(const std::string& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
-  if (error) throw std::invalid_argument("--out: cannot make the folder '" + folder + "': " + error.message());
+  if (error)
+    throw std::invalid_argument(fmt::format("--out: cannot make the folder '{}': {}", folder, error.message()));
 }
 
 // FOLDER/TASK_lDEGREE.svg
@@ -32,36 +36,63 @@ void write_charts(const std::filesystem::path& folder, const Report& report) {
   for (const auto& task : report.tasks) {
     const auto figure = task_figure(task, report.points);
     for (std::size_t i = 0; i < figure.charts.size(); ++i) {
-      const auto name = task.id + "_l" + std::to_string(figure.degrees[i]) + ".svg";
-      output::write_file(folder / name, picture_of(figure, i));
+      output::write_file(folder / fmt::format("{}_l{}.svg", task.id, figure.degrees[i]), picture_of(figure, i));
     }
   }
 }
 
-void run(const Options& options) {
-  if (!options.report.task.empty()) find_task("--task", options.report.task);
-  make_folder(options.out);
+ExitCode run(const ReportCommand& command) {
+  if (!command.options.task.empty()) find_task("--task", command.options.task);
+  make_folder(command.folder);
   output::stop_on_interrupt();
-  const auto report = make_report(options.report);
-  const auto page = std::filesystem::path(options.out) / "report.html";
+  const auto report = make_report(command.options);
+  const std::filesystem::path folder = command.folder;
   const auto json = report_json(report);
-  output::write_file(std::filesystem::path(options.out) / "report.json", json);
-  output::write_file(page, report_page(report));
-  if (options.charts) write_charts(options.out, report);
-  print(options.json ? json : page.string() + "\n");
+  output::write_file(folder / "report.json", json);
+  output::write_file(folder / "report.html", report_page(report));
+  if (command.charts) write_charts(folder, report);
+  print(command.json ? json : (folder / "report.html").string() + "\n");
+  return kDone;
+}
+
+ExitCode advise_on(const Need& need, const std::string& report_file) {
+  find_task("--task", need.task);
+  if (!(need.error > 0) || !std::isfinite(need.error)) {
+    throw std::invalid_argument("--error: must be a positive number, such as 1e-5");
+  }
+  if (!need.scalar.empty() && need.scalar != "float" && need.scalar != "double") {
+    throw std::invalid_argument("--scalar: '" + need.scalar + "' should be float or double");
+  }
+  output::stop_on_interrupt();
+  const auto advice = advise(report_file.empty() ? measure_for(need) : read_report(report_file), need);
+  print(format_advice(need, advice));
+  return advice.good_enough ? kDone : kDifferent;
 }
 
 }  // namespace
 
-void add_report_command(CLI::App& tool, int& /*exit_code*/) {
-  const auto options = std::make_shared<Options>();
-  auto* command = tool.add_subcommand("report", "measure every method's error and run time: a page and JSON");
-  command->add_option("--out", options->out, "the folder for report.html and report.json")->required();
-  command->add_flag("--quick", options->report.quick, "fewer degrees and inputs: under a minute");
-  command->add_flag("--json", options->json, "print the JSON, not the name of the page");
-  command->add_flag("--charts", options->charts, "also every chart of the tasks as DIR/TASK_lDEGREE.svg");
-  command->add_option("--task", options->report.task, "only this task");
-  command->callback([options] { run(*options); });
+void add_report_commands(Command& tool) {
+  const auto command = std::make_shared<ReportCommand>();
+  auto report = tool.command("report", "measure every method's error and run time: a page and JSON");
+  report.option("--out", command->folder, "the folder for report.html and report.json").required();
+  report.option("--quick", command->options.quick, "fewer degrees and inputs: under a minute");
+  report.option("--json", command->json, "print the JSON, not the name of the page");
+  report.option("--charts", command->charts, "also every chart of the tasks as DIR/TASK_lDEGREE.svg");
+  report.option("--task", command->options.task, "only this task");
+  report.run([command] { return run(*command); });
+
+  const auto need = std::make_shared<Need>();
+  const auto file = std::make_shared<std::string>();
+  auto advise =
+      tool.command("advise", "the cheapest method that is exact enough: kernel, type, error, time, what it leaves out");
+  advise.option("--task", need->task, "basis, gradient, rotate, product, ...").required();
+  advise.option("--degree", need->degree, "the highest degree of the functions").required();
+  advise.option("--error", need->error, "the largest error allowed, for inputs of length 1").required();
+  advise.option("--scalar", need->scalar, "only float, or only double");
+  advise.option("--batch", need->batch, "many at once would do: time of one of a batch");
+  advise.option("--prepared", need->prepared, "what many calls share may be computed before");
+  advise.option("--report", *file, "take the times of this report.json; else measured now");
+  advise.run([need, file] { return advise_on(*need, *file); });
 }
 
 }  // namespace sh::numeric

@@ -1,16 +1,11 @@
 // shcheck rotation: reference values of D_l of a rotation, one entry or all.
-#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <optional>
-#include <stdexcept>
-#include <string>
-#include <vector>
 
 #include "numeric/commands/commands.hpp"
-#include "numeric/commands/split_numbers.hpp"
-#include "numeric/output/formatted.hpp"
 #include "numeric/output/progress.hpp"
 #include "numeric/reference/correct_digits.hpp"
 #include "numeric/reference/rotation_reference.hpp"
@@ -28,8 +23,7 @@ struct Options {
   std::string format = "text";
 };
 
-GivenRotation given_rotation(const Options& options) {
-  const auto& o = options;
+GivenRotation given_rotation(const Options& o) {
   const auto given = {!o.matrix.empty(), !o.quaternion.empty(), !o.euler.empty(), !o.axis.empty()};
   if (std::count(given.begin(), given.end(), true) != 1) {
     throw std::invalid_argument("give one of --matrix, --quaternion, --euler, and --axis with --angle");
@@ -48,23 +42,28 @@ GivenRotation given_rotation(const Options& options) {
   return rotation_from_axis("--axis", split_numbers<3>("--axis", o.axis, "three numbers x,y,z"), "--angle", o.angle);
 }
 
-void say_distance(const GivenRotation& rotation) {
-  if (rotation.distance == 0) return;
-  say("--matrix is " + output::formatted("%.2e", rotation.distance) + " from the nearest rotation, which is taken");
+// Every entry of the matrix, row-major; a bar shows the progress of a large one.
+std::vector<std::string> all_entries(RotationReference& reference, const Options& options) {
+  output::stop_on_interrupt();
+  const int size = 2 * options.degree + 1;
+  std::optional<output::Progress> progress;
+  if (options.degree > 20) progress.emplace("entries", size * size);
+  auto entries = reference.all(options.digits, [&] {
+    output::check_interrupt();
+    if (progress) progress->advance();
+  });
+  if (progress) progress->finish();
+  return entries;
 }
 
-// A row of the matrix a line, or the rows as JSON; numbers are texts there, so that no reader rounds them.
+// A line for each row, or the rows as JSON; numbers are texts there, so that no reader rounds them.
 std::string formatted(const std::vector<std::string>& entries, const Options& options) {
-  const auto size = 2 * static_cast<std::size_t>(options.degree) + 1;
+  const int size = 2 * options.degree + 1;
   std::string text;
   auto rows = nlohmann::json::array();
-  for (std::size_t row = 0; row < size; ++row) {
-    auto cells = nlohmann::json::array();
-    for (std::size_t column = 0; column < size; ++column) {
-      const auto& entry = entries[row * size + column];
-      cells.push_back(entry);
-      text += entry + (column + 1 == size ? "\n" : (options.format == "csv" ? "," : " "));
-    }
+  for (auto row = entries.begin(); row != entries.end(); row += size) {
+    const std::vector<std::string> cells(row, row + size);
+    text += fmt::format("{}\n", fmt::join(cells, options.format == "csv" ? "," : " "));
     rows.push_back(cells);
   }
   if (options.format != "json") return text;
@@ -73,55 +72,45 @@ std::string formatted(const std::vector<std::string>& entries, const Options& op
   return document.dump(1) + "\n";
 }
 
-void run(const Options& options) {
+ExitCode run(const Options& options) {
   if (options.row.has_value() != options.column.has_value()) {
     throw std::invalid_argument("--row and --column belong together");
   }
   if (!options.row && options.degree > kMaxWholeDegree) {
-    throw std::invalid_argument("degree is " + std::to_string(options.degree) + ", the whole matrix is printed up to " +
-                                std::to_string(kMaxWholeDegree) + ": give --row and --column");
+    throw std::invalid_argument(
+        fmt::format("degree is {}, the whole matrix is printed up to {}: give --row and --column", options.degree,
+                    kMaxWholeDegree));
   }
   require_range("digits", options.digits, 1, kMaxReferenceDigits);
   const GivenRotation rotation = given_rotation(options);
   RotationReference reference(options.degree, rotation);
-  if (options.row) {
-    const std::string entry = reference.entry(*options.row, *options.column, options.digits);
-    say_distance(rotation);
-    print(entry + "\n");
-    return;
+  const std::string text = options.row ? reference.entry(*options.row, *options.column, options.digits) + "\n"
+                                       : formatted(all_entries(reference, options), options);
+  if (rotation.distance != 0) {
+    say(fmt::format("--matrix is {:.2e} from the nearest rotation, which is taken", rotation.distance));
   }
-  output::stop_on_interrupt();
-  const auto size = 2 * static_cast<std::size_t>(options.degree) + 1;
-  std::optional<output::Progress> progress;
-  if (options.degree > 20) progress.emplace("entries", size * size);
-  const auto entries = reference.all(options.digits, [&] {
-    output::check_interrupt();
-    if (progress) progress->advance();
-  });
-  if (progress) progress->finish();
-  say_distance(rotation);
-  print(formatted(entries, options));
+  print(text);
+  return kDone;
 }
 
 }  // namespace
 
-void add_rotation_command(CLI::App& tool, int& /*exit_code*/) {
+void add_rotation_command(Command& tool) {
   const auto options = std::make_shared<Options>();
-  auto* command = tool.add_subcommand("rotation",
-                                      "print D_l of a rotation of the real basis: coefficients go to D c, rows and "
-                                      "columns are orders -l to l");
-  command->add_option("--degree", options->degree, "l, 0 to 100; 0 to 1000 for one entry")->required();
-  command->add_option("--matrix", options->matrix, "r00,r01,...,r22, row by row: the nearest rotation is taken");
-  command->add_option("--quaternion", options->quaternion, "w,x,y,z, of any length but zero");
-  command->add_option("--euler", options->euler, "a,b,c in radians: Rz(a) Ry(b) Rz(c)");
-  command->add_option("--axis", options->axis, "x,y,z, of any length but zero; with --angle");
-  command->add_option("--angle", options->angle, "radians about the axis");
-  command->add_option("--digits", options->digits, "significant decimals, 1 to 10000")->required();
-  command->add_option("--row", options->row, "one entry: its row, an order -l to l");
-  command->add_option("--column", options->column, "one entry: its column, an order -l to l");
-  command->add_option("--format", options->format, "of the whole matrix: text, csv or json")
-      ->check(CLI::IsMember({"text", "csv", "json"}));
-  command->callback([options] { run(*options); });
+  auto command = tool.command("rotation",
+                              "print D_l of a rotation of the real basis: coefficients go to D c, rows and columns are "
+                              "orders -l to l");
+  command.option("--degree", options->degree, "l, 0 to 100; 0 to 1000 for one entry").required();
+  command.option("--matrix", options->matrix, "r00,r01,...,r22, row by row: the nearest rotation is taken");
+  command.option("--quaternion", options->quaternion, "w,x,y,z, of any length but zero");
+  command.option("--euler", options->euler, "a,b,c in radians: Rz(a) Ry(b) Rz(c)");
+  command.option("--axis", options->axis, "x,y,z, of any length but zero; with --angle");
+  command.option("--angle", options->angle, "radians about the axis");
+  command.option("--digits", options->digits, "significant decimals, 1 to 10000").required();
+  command.option("--row", options->row, "one entry: its row, an order -l to l");
+  command.option("--column", options->column, "one entry: its column, an order -l to l");
+  command.option("--format", options->format, "of the whole matrix: text, csv or json").one_of({"text", "csv", "json"});
+  command.run([options] { return run(*options); });
 }
 
 }  // namespace sh::numeric
