@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "codegen/families/families.hpp"
+#include "codegen/families/family.hpp"
 #include "codegen/passes/finished_kernel.hpp"
 #include "codegen/passes/pipeline.hpp"
 #include "codegen/print/dialect.hpp"

@@ -1,4 +1,5 @@
-// A family of kernels: the functions computed for every degree, the ways to compute them, and their checks.
+// A family of kernels: the functions computed for every degree, the ways to compute them, and their checks. A file of
+// this folder describes families that share their mathematics.
 #pragma once
 
 #include <array>
@@ -87,5 +88,23 @@ struct Family {
   std::optional<BatchDriver> batch = {};  ///< empty: there is no driver, and callers call the kernels one by one
   std::vector<Promise> promises = {};
 };
+
+/// All families, in the order of MANIFEST.
+const std::vector<Family>& families();
+
+/// The product of factors of these degrees, projected on bands 0 .. degree. Its recipes serve this shape only. Throws
+/// std::invalid_argument, one line, unless 0 <= left_degree, right_degree <= symbolic::kMaxProductDegree and
+/// 0 <= degree <= left_degree + right_degree.
+Family rectangular_product_family(int left_degree, int right_degree, int degree);
+
+/// The families of each file in this folder.
+std::vector<Family> basis_families();
+std::vector<Family> evaluate_families();
+std::vector<Family> project_families();
+std::vector<Family> zonal_families();
+std::vector<Family> irradiance_families();
+std::vector<Family> window_families();
+std::vector<Family> rotation_families();
+std::vector<Family> product_families();
 
 }  // namespace sh::codegen

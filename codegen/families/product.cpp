@@ -1,7 +1,15 @@
+// Products of two functions, squares, zonal products and integrals of three functions, on equal or different bands.
+//
+// Few terms allow products by pairs and term by term. All other shapes use quadrature, with a loop if code without a
+// loop would be too long.
 #include "codegen/recipes/product/product.hpp"
 
-#include "codegen/families/families.hpp"
+#include <algorithm>
+#include <stdexcept>
+
 #include "codegen/families/product_reference.hpp"
+#include "codegen/ir/cost.hpp"
+#include "codegen/passes/passes.hpp"
 
 namespace sh::codegen {
 namespace {
@@ -14,102 +22,169 @@ constexpr int kLargestUnrolled = 6;  // longer code does not fit into the instru
 constexpr int kLargestEmitted = symbolic::kMaxProductDegree;
 constexpr const char* kLimit = "the Gaunt tensor is derived to this degree only";
 constexpr int kLargestByTerms = 3;  // at higher degrees one product for each term is too long to be useful
+constexpr int kLargestComplete = 4;
 
-FactorSizes equal_factors(std::size_t count) {
-  return [count](int degree) { return std::vector<int>(count, recipes::coefficient_count(degree)); };
+// Limits of products of different degrees.
+constexpr int kMostByTerms = 800;  // terms G a_i b_j; with more terms, one product for each is too long
+constexpr int kMostByPairs = 2500;
+constexpr int kLeastByQuadrature = 4;  // sum of the three degrees; below it, poles and equator are the only rings
+constexpr int kMostUnrolled = 20;      // sum of the three degrees; above it, a loop runs over the rings
+
+// The ways to compute a product of any shape.
+using Make = Kernel (*)(const ProductShape&, Factors);
+
+template <SampleProduct Way>
+Kernel separable(const ProductShape& shape, Factors factors) {
+  return recipes::product_separable(shape, factors, Way);
 }
+template <SampleProduct Way>
+Kernel looped(const ProductShape& shape, Factors factors) {
+  return recipes::product_looped(shape, factors, Way);
+}
+Kernel greedy_pairs(const ProductShape& shape, Factors factors) {
+  return recipes::product_pairs(shape, factors, recipes::greedy_cover(shape));
+}
+constexpr Make kPairs = recipes::product_pairs;
+constexpr Make kDirect = separable<SampleProduct::kDirect>;
+constexpr Make kHalves = separable<SampleProduct::kHalves>;
+constexpr Make kLooped = looped<SampleProduct::kDirect>;
+constexpr Make kLoopedHalves = looped<SampleProduct::kHalves>;
 
 ProductShape equal(int degree) { return {degree, degree, degree}; }
+ProductShape complete(int degree) { return {degree, degree, 2 * degree}; }
 
-Kernel pairs(int degree) { return recipes::product_pairs(equal(degree), Factors::kTwo); }
-Kernel greedy_pairs(int degree) {
-  return recipes::product_pairs(equal(degree), Factors::kTwo, recipes::greedy_cover(equal(degree)));
+std::function<Kernel(int)> projected(Make make, Factors factors = Factors::kTwo) {
+  return [=](int degree) { return make(equal(degree), factors); };
 }
-Kernel separable(int degree) {
-  return recipes::product_separable(equal(degree), Factors::kTwo, SampleProduct::kDirect);
+std::function<Kernel(int)> squared(Make make) { return projected(make, Factors::kSame); }
+std::function<Kernel(int)> completed(Make make) {
+  return [make](int degree) { return make(complete(degree), Factors::kTwo); };
 }
-Kernel halves(int degree) { return recipes::product_separable(equal(degree), Factors::kTwo, SampleProduct::kHalves); }
-Kernel looped(int degree) { return recipes::product_looped(equal(degree), Factors::kTwo, SampleProduct::kDirect); }
-Kernel looped_halves(int degree) {
-  return recipes::product_looped(equal(degree), Factors::kTwo, SampleProduct::kHalves);
+std::function<Kernel(int)> integrated(Make make) {
+  return [make](int degree) { return recipes::triple(make(equal(degree), Factors::kTwo), degree); };
 }
-Kernel tensor(int degree) { return recipes::product_tensor(equal(degree), Factors::kTwo); }
 
-std::function<Kernel(int)> integrated(Kernel (*product)(int)) {
-  return [product](int degree) { return recipes::triple(product(degree), degree); };
+FactorSizes equal_factors(int factors) {
+  return [factors](int degree) { return std::vector<int>(factors, coefficient_count(degree)); };
+}
+
+// --- products of different degrees
+
+int operations(const Recipe& recipe, int degree) {
+  return cost(passes::fold(passes::share(recipe.make(degree)))).operations();
+}
+
+int term_count(const ProductShape& shape) {
+  int count = 0;
+  for (const symbolic::BilinearForm& form : symbolic::product_form(shape)) count += static_cast<int>(form.terms.size());
+  return count;
+}
+
+// The ways to compute one shape, the one with the fewest operations first.
+std::vector<Recipe> recipes_of(const ProductShape& shape) {
+  const int degree = shape.result;
+  std::vector<Recipe> recipes;
+  const auto add = [&](const char* name, Make make) {
+    recipes.push_back({name, [=](int /*degree*/) { return make(shape, Factors::kTwo); }, degree, degree});
+  };
+  const int total = shape.a + shape.b + shape.result;
+  const int terms = term_count(shape);
+  if (total >= kLeastByQuadrature && total <= kMostUnrolled) {
+    add("separable", kDirect);
+    add("separable-halves", kHalves);
+  }
+  if (total > kMostUnrolled) add("looped", kLooped);
+  if (terms <= kMostByPairs) add("pairs", greedy_pairs);
+  if (terms <= kMostByTerms) add("tensor", recipes::product_tensor);
+  std::stable_sort(recipes.begin(), recipes.end(), [degree](const Recipe& x, const Recipe& y) {
+    return operations(x, degree) < operations(y, degree);
+  });
+  return recipes;
+}
+
+void require_degree(const std::string& of, int degree, int largest, const std::string& limit) {
+  if (degree >= 0 && degree <= largest) return;
+  throw std::invalid_argument("product: expected degree 0 to " + std::to_string(largest) + " of " + of + ", got " +
+                              std::to_string(degree) + " (" + limit + ")");
 }
 
 }  // namespace
 
-Family product_family() {
-  return {.name = "product",
-          .largest_emitted = kLargestEmitted,
-          .limit = kLimit,
-          // Pairs are faster up to degree 3, quadrature from degree 4 on.
-          .recipes = {{"pairs", pairs, 0, 3},
-                      {"separable", separable, 2, kLargestUnrolled},
-                      {"separable-halves", halves, 2, kLargestUnrolled},
-                      {"looped", looped, kLargestUnrolled, kLargestEmitted},
-                      {"looped-halves", looped_halves, kLargestUnrolled + 1, kLargestEmitted},
-                      {"greedy-pairs", greedy_pairs, 2, 6},
-                      {"tensor", tensor, 0, kLargestByTerms}},
-          .reference = [](int degree, int count) { return product_reference(equal(degree), count); },
-          .domain = factor_domain(equal_factors(2), "|a| |b|"),
-          .of_degrees = rectangular_product_family,
-          .batch = BatchDriver{.what = "Products of two functions, projected on the same bands", .largest = 6}};
+Family rectangular_product_family(int left_degree, int right_degree, int degree) {
+  constexpr const char* kComplete = "all further bands of the product are zero";
+  require_degree("the left factor", left_degree, kLargestEmitted, kLimit);
+  require_degree("the right factor", right_degree, kLargestEmitted, kLimit);
+  require_degree("the result", degree, left_degree + right_degree, kComplete);
+  const ProductShape shape{left_degree, right_degree, degree};
+  const std::string left = std::to_string(left_degree);
+  const std::string right = std::to_string(right_degree);
+  const std::vector<int> sizes{coefficient_count(left_degree), coefficient_count(right_degree)};
+  return {.name = "product_" + left + "x" + right,
+          .largest_written = 0,
+          .largest_emitted = left_degree + right_degree,
+          .limit = kComplete,
+          .recipes = recipes_of(shape),
+          .reference = [shape](int /*degree*/, int points) { return product_reference(shape, points); },
+          .domain = factor_domain([sizes](int /*degree*/) { return sizes; }, "|a| |b|"),
+          .arguments = "product --degree-left " + left + " --degree-right " + right};
 }
 
-Family triple_family() {
-  return {.name = "triple",
-          .largest_emitted = kLargestEmitted,
-          .limit = kLimit,
-          .recipes = {{"pairs", integrated(pairs), 0, 3},
-                      {"separable", integrated(separable), 2, kLargestUnrolled},
-                      {"separable-halves", integrated(halves), 2, kLargestUnrolled},
-                      {"looped", integrated(looped), kLargestUnrolled, kLargestEmitted}},
-          .reference = triple_reference,
-          .domain = factor_domain(equal_factors(3), "|a| |b| |c|")};
-}
-
-Family square_family() {
-  return {.name = "square",
-          .largest_emitted = kLargestEmitted,
-          .limit = kLimit,
-          .recipes = {{"pairs", [](int degree) { return recipes::product_pairs(equal(degree), Factors::kSame); }, 0, 3},
-                      {"separable",
-                       [](int degree) {
-                         return recipes::product_separable(equal(degree), Factors::kSame, SampleProduct::kDirect);
-                       },
-                       2, kLargestUnrolled},
-                      {"looped",
-                       [](int degree) {
-                         return recipes::product_looped(equal(degree), Factors::kSame, SampleProduct::kDirect);
-                       },
-                       kLargestUnrolled, kLargestEmitted},
-                      {"greedy-pairs",
-                       [](int degree) {
-                         return recipes::product_pairs(equal(degree), Factors::kSame,
-                                                       recipes::greedy_cover(equal(degree)));
-                       },
-                       4, kLargestUnrolled},
-                      {"tensor", [](int degree) { return recipes::product_tensor(equal(degree), Factors::kSame); }, 0,
-                       kLargestByTerms}},
-          .reference = square_reference,
-          .domain = factor_domain(equal_factors(1), "|a| |a|")};
-}
-
-Family product_zonal_family() {
-  return {
-      .name = "product_zonal",
-      .largest_emitted = kLargestEmitted,
-      .limit = kLimit,
-      .recipes = {{"matrices", recipes::product_zonal}, {"tensor", recipes::product_zonal_tensor, 0, kLargestUnrolled}},
-      .reference = product_zonal_reference,
-      .domain = factor_domain(
-          [](int degree) {
-            return std::vector<int>{recipes::coefficient_count(degree), degree + 1};
-          },
-          "|a| |zonal|")};
+std::vector<Family> product_families() {
+  return {{.name = "product",
+           .largest_emitted = kLargestEmitted,
+           .limit = kLimit,
+           // Pairs are faster up to degree 3, quadrature from degree 4 on.
+           .recipes = {{"pairs", projected(kPairs), 0, 3},
+                       {"separable", projected(kDirect), 2, kLargestUnrolled},
+                       {"separable-halves", projected(kHalves), 2, kLargestUnrolled},
+                       {"looped", projected(kLooped), kLargestUnrolled, kLargestEmitted},
+                       {"looped-halves", projected(kLoopedHalves), kLargestUnrolled + 1, kLargestEmitted},
+                       {"greedy-pairs", projected(greedy_pairs), 2, kLargestUnrolled},
+                       {"tensor", projected(recipes::product_tensor), 0, kLargestByTerms}},
+           .reference = [](int degree, int points) { return product_reference(equal(degree), points); },
+           .domain = factor_domain(equal_factors(2), "|a| |b|"),
+           .of_degrees = rectangular_product_family,
+           .batch = BatchDriver{.what = "Products of two functions, projected on the same bands", .largest = 6}},
+          {.name = "product_full",
+           .largest_written = kLargestComplete,
+           .largest_emitted = kLargestComplete,
+           .limit = "`shgen emit product --degree-left N --degree-right N` serves higher degrees",
+           .recipes = {{"pairs", completed(kPairs), 0, kLargestComplete},
+                       {"separable", completed(kDirect), 1, kLargestComplete},
+                       {"separable-halves", completed(kHalves), 1, kLargestComplete},
+                       {"tensor", completed(recipes::product_tensor), 0, kLargestByTerms}},
+           .reference = [](int degree, int points) { return product_reference(complete(degree), points); },
+           .domain = factor_domain(equal_factors(2), "|a| |b|")},
+          {.name = "square",
+           .largest_emitted = kLargestEmitted,
+           .limit = kLimit,
+           .recipes = {{"pairs", squared(kPairs), 0, 3},
+                       {"separable", squared(kDirect), 2, kLargestUnrolled},
+                       {"looped", squared(kLooped), kLargestUnrolled, kLargestEmitted},
+                       {"greedy-pairs", squared(greedy_pairs), 4, kLargestUnrolled},
+                       {"tensor", squared(recipes::product_tensor), 0, kLargestByTerms}},
+           .reference = square_reference,
+           .domain = factor_domain(equal_factors(1), "|a| |a|")},
+          {.name = "product_zonal",
+           .largest_emitted = kLargestEmitted,
+           .limit = kLimit,
+           .recipes = {{"matrices", recipes::product_zonal},
+                       {"tensor", recipes::product_zonal_tensor, 0, kLargestUnrolled}},
+           .reference = product_zonal_reference,
+           .domain = factor_domain(
+               [](int degree) {
+                 return std::vector<int>{coefficient_count(degree), degree + 1};
+               },
+               "|a| |zonal|")},
+          {.name = "triple",
+           .largest_emitted = kLargestEmitted,
+           .limit = kLimit,
+           .recipes = {{"pairs", integrated(kPairs), 0, 3},
+                       {"separable", integrated(kDirect), 2, kLargestUnrolled},
+                       {"separable-halves", integrated(kHalves), 2, kLargestUnrolled},
+                       {"looped", integrated(kLooped), kLargestUnrolled, kLargestEmitted}},
+           .reference = triple_reference,
+           .domain = factor_domain(equal_factors(3), "|a| |b| |c|")}};
 }
 
 }  // namespace sh::codegen

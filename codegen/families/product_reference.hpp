@@ -4,19 +4,16 @@
 // vectors of unit length. The unit of errors is machine epsilon times the product of the lengths.
 #pragma once
 
-#include <functional>
-#include <vector>
-
-#include "codegen/families/family.hpp"
+#include "codegen/families/exact.hpp"
 #include "symbolic/product/product_form.hpp"
 
 namespace sh::codegen {
 
-/// The exact outputs of each product family at `count` points.
-Reference product_reference(const symbolic::ProductShape& shape, int count);
-Reference square_reference(int degree, int count);
-Reference product_zonal_reference(int degree, int count);
-Reference triple_reference(int degree, int count);
+/// The exact outputs of each product family at some points.
+Reference product_reference(const symbolic::ProductShape& shape, int points);
+Reference square_reference(int degree, int points);
+Reference product_zonal_reference(int degree, int points);
+Reference triple_reference(int degree, int points);
 
 /// The number of coefficients of each factor of a product, for a degree.
 using FactorSizes = std::function<std::vector<int>(int degree)>;

@@ -17,7 +17,8 @@ std::string dump(const Kernel& kernel) {
   for (NodeId id = 0; id < kernel.size(); ++id) {
     const Node& node = kernel.node(id);
     std::string operation = op_name(node.op);
-    for (int i = 0; i < argument_count(node.op); ++i) operation += " %" + std::to_string(node.args[i]);
+    for (int i = 0; i < argument_count(node.op); ++i)
+      operation += " %" + std::to_string(node.args[i]);
     if (node.op == Op::kInput) operation += " " + std::to_string(node.input);
     if (node.op == Op::kConstant) operation += " " + to_string(node.constant);
     std::string note = node.name.empty() ? "" : "  ; " + node.name;

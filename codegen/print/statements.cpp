@@ -48,7 +48,7 @@ std::vector<Element> elements_of(const std::vector<Parameter>& arrays, const Dia
 void mark_overwritten(std::vector<Element>& inputs, const Kernel& kernel) {
   std::size_t first = 0;
   for (const Parameter& parameter : kernel.parameters) {
-    const auto size = static_cast<std::size_t>(parameter.size());
+    const auto size = parameter.size();
     const bool overwritten = !parameter.shape.empty() &&
                              std::any_of(kernel.results.begin(), kernel.results.end(),
                                          [&](const Parameter& result) { return result.shape == parameter.shape; });
@@ -94,7 +94,8 @@ class Lister {
       Element& element = inputs_[node.input];
       if (is_read_by_own_store(id)) element.may_be_overwritten = false;
       // Stores follow the loop.
-      if (has_loop() && last_phase_[id] != Phase::kAfter && stores_[id].empty()) element.may_be_overwritten = false;
+      if (has_loop() && last_phase_[id] != Phase::kAfter && stores_[id].empty())
+        element.may_be_overwritten = false;
       if (element.may_be_overwritten) overwritable_[element.index].push_back(id);
     }
   }
@@ -112,7 +113,9 @@ class Lister {
   }
 
  private:
-  [[nodiscard]] const Element& result_of(std::size_t output) const { return results_[kernel_.element(output)]; }
+  [[nodiscard]] const Element& result_of(std::size_t output) const {
+    return results_[kernel_.element(output)];
+  }
 
   [[nodiscard]] bool has_loop() const { return !kernel_.table.empty(); }
 

@@ -190,7 +190,7 @@ class Search {
     };
     for (std::size_t i = 0; i < sums_.size(); ++i) {
       const int at = append(row_terms(sums_[i]));
-      position[static_cast<std::size_t>(columns_) + i] = at;
+      position[columns_ + i] = at;
     }
     for (const Row& row : rows_) {
       std::vector<LinearTerm> terms = row_terms(row);
@@ -257,12 +257,12 @@ std::vector<Value> run_forwards(SignedBuilder& build, const LinearCircuit& circu
 
 std::vector<Value> run_transposed(SignedBuilder& build, const LinearCircuit& circuit, const std::vector<Value>& rows) {
   // The parts of every value that come from later values.
-  std::vector<std::vector<Value>> reaching(static_cast<std::size_t>(circuit.inputs) + circuit.sums.size());
+  std::vector<std::vector<Value>> reaching(circuit.inputs + circuit.sums.size());
   for (std::size_t i = 0; i < rows.size(); ++i) {
     if (circuit.outputs[i] >= 0) reaching[circuit.outputs[i]].push_back(rows[i]);
   }
   for (std::size_t i = circuit.sums.size(); i-- > 0;) {
-    const Value value = build.sum(reaching[static_cast<std::size_t>(circuit.inputs) + i]);
+    const Value value = build.sum(reaching[circuit.inputs + i]);
     for (const LinearTerm& term : circuit.sums[i]) {
       reaching[term.source].push_back(build.times_once(term.factor, value));
     }

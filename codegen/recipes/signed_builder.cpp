@@ -3,26 +3,32 @@
 #include <algorithm>
 
 namespace sh::codegen {
+namespace {
+
+bool is_unit(const ExactReal& factor) {
+  const auto rational = as_rational(factor);
+  return rational && cln::abs(*rational) == 1;
+}
+
+}  // namespace
 
 std::vector<Value> SignedBuilder::inputs(int first, int count) {
   std::vector<Value> values;
-  for (int i = first; i < first + count; ++i) values.push_back(input(i));
+  for (int i = first; i < first + count; ++i) values.push_back({input(i, {})});
   return values;
 }
 
 Value SignedBuilder::times(Value a, Value b) {
   if (a.is_zero() || b.is_zero()) return {};
-  return {build_.mul(a.node, b.node), a.negative != b.negative};
+  return {mul(a.node, b.node), a.negative != b.negative};
 }
 
 Value SignedBuilder::times(const ExactReal& factor, Value a) {
   if (a.is_zero() || codegen::is_zero(factor)) return {};
-  const bool negative = is_negative(factor);
-  const ExactReal size = negative ? negate(factor) : factor;
-  const bool flipped = a.negative != negative;
-  if (as_rational(size) == cln::cl_RA(1)) return {a.node, flipped};
-  const NodeId k = build_.constant(size);
-  return {build_.mul(k, a.node), flipped};
+  const bool negative = a.negative != is_negative(factor);
+  if (is_unit(factor)) return {a.node, negative};
+  const Value k = fixed(factor);
+  return {mul(k.node, a.node), negative};
 }
 
 Value SignedBuilder::times_once(const ExactReal& factor, Value a) {
@@ -35,35 +41,46 @@ Value SignedBuilder::times_once(const ExactReal& factor, Value a) {
 Value SignedBuilder::plus(Value a, Value b) {
   if (a.is_zero()) return b;
   if (b.is_zero()) return a;
-  if (a.negative == b.negative) return {build_.add(a.node, b.node), a.negative};
-  return a.negative ? Value{build_.sub(b.node, a.node)} : Value{build_.sub(a.node, b.node)};
+  if (a.negative == b.negative) return {add(a.node, b.node), a.negative};
+  return a.negative ? Value{sub(b.node, a.node)} : Value{sub(a.node, b.node)};
 }
 
-Value SignedBuilder::sum(const std::vector<Value>& terms) {
+Value SignedBuilder::sum(const std::vector<Value>& terms, const std::string& name) {
   const auto first = std::find_if(terms.begin(), terms.end(), [](Value v) { return !v.is_zero() && !v.negative; });
   Value total = first == terms.end() ? Value{} : *first;
   for (auto term = terms.begin(); term != terms.end(); ++term) {
     if (term != first) total = plus(total, *term);
   }
-  return total;
+  return name.empty() || terms.size() < 2 ? total : named(total, name);
+}
+
+Value SignedBuilder::weighted_sum(const std::vector<symbolic::Surd>& factors, const std::vector<Value>& values) {
+  std::vector<Value> terms;
+  for (std::size_t i = 0; i < factors.size(); ++i) terms.push_back(times(factors[i], values[i]));
+  return sum(terms);
 }
 
 Value SignedBuilder::balanced_sum(const std::vector<Value>& terms) {
   if (terms.size() <= 2) return sum(terms);
-  const auto middle = terms.begin() + static_cast<std::ptrdiff_t>(terms.size() / 2);
+  const auto middle = terms.begin() + terms.size() / 2;
   const Value first = balanced_sum({terms.begin(), middle});
   const Value second = balanced_sum({middle, terms.end()});
   return plus(first, second);
 }
 
+Value SignedBuilder::fixed(const ExactReal& exact, const std::string& name) {
+  const bool negative = is_negative(exact);
+  return {constant(negative ? negate(exact) : exact, name), negative};
+}
+
 Value SignedBuilder::named(Value a, std::string name) {
-  if (!a.is_zero()) build_.name(a.node, std::move(name));
+  if (!a.is_zero()) this->name(a.node, std::move(name));
   return a;
 }
 
 NodeId SignedBuilder::node(Value a) {
-  if (a.is_zero()) return build_.constant(symbolic::Surd());
-  return a.negative ? build_.neg(a.node) : a.node;
+  if (a.is_zero()) return constant(symbolic::Surd());
+  return a.negative ? neg(a.node) : a.node;
 }
 
 }  // namespace sh::codegen

@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -14,16 +13,11 @@ namespace {
 
 using errata::Entry;
 using errata::Source;
-using test::quoted;
-using test::run_command;
-
-const std::string kErrata = quoted(std::string(SHFORGE_BIN_DIR) + "/shgen") + " errata ";
-
-std::ptrdiff_t lines(const std::string& text) { return std::count(text.begin(), text.end(), '\n'); }
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+using test::contains;
+using test::shgen;
 
 TEST(Errata, AWrongFormulaIsShownWithTheCorrectOne) {
-  const auto result = run_command(kErrata + "B-08");
+  const auto result = shgen("errata B-08");
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_TRUE(contains(result.out, "B: Brown, Spherical Harmonic Basis Functions, 2004\n")) << result.out;
   EXPECT_TRUE(contains(result.out, "B-08    wrong                  Table l <= 2, labels\n")) << result.out;
@@ -33,21 +27,21 @@ TEST(Errata, AWrongFormulaIsShownWithTheCorrectOne) {
 }
 
 TEST(Errata, ReadingsSayWhichHoldAndWhichFail) {
-  const auto result = run_command(kErrata + "BL-10");
+  const auto result = shgen("errata BL-10");
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_TRUE(contains(result.out, "holds     0 <= b < pi, cos b other than m/l\n")) << result.out;
   EXPECT_TRUE(contains(result.out, "fails     cos b = m/l, as b = pi/2 with m = 0\n")) << result.out;
 }
 
 TEST(Errata, AMeasuredClaimShowsItsNumberAndTheToolThatMeasuresIt) {
-  const auto result = run_command(kErrata + "S-33");
+  const auto result = shgen("errata S-33");
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_TRUE(contains(result.out, "average squared error: 0.7 % (measured by shcheck report)\n")) << result.out;
   EXPECT_TRUE(contains(result.out, "fails     six 16 x 16 images")) << result.out;
 }
 
 TEST(Errata, ASourceAndAVerdictChooseEntries) {
-  const auto result = run_command(kErrata + "IR CH --verdict wrong");
+  const auto result = shgen("errata IR CH --verdict wrong");
   EXPECT_EQ(result.exit_code, 0) << result.err;
   for (const char* id : {"IR-09 ", "CH-08 ", "CH-10 "}) EXPECT_TRUE(contains(result.out, id)) << id;
   EXPECT_FALSE(contains(result.out, "IR-04 "));
@@ -55,14 +49,14 @@ TEST(Errata, ASourceAndAVerdictChooseEntries) {
 }
 
 TEST(Errata, NoLineIsLongerThanAPage) {
-  std::istringstream table(run_command(kErrata + "B RH").out);
+  std::istringstream table(shgen("errata B RH").out);
   for (std::string line; std::getline(table, line);) EXPECT_LE(line.size(), 118U) << line;
 }
 
 TEST(Errata, TheJsonFileHoldsEveryEntryOfTheSources) {
   const test::TemporaryFolder folder;
   const auto file = folder.path() / "errata.json";
-  const auto result = run_command(kErrata + "--json " + quoted(file));
+  const auto result = shgen("errata --json " + test::quoted(file));
   EXPECT_EQ(result.exit_code, 0) << result.err;
   const auto report = nlohmann::json::parse(test::read_file(file));
   const auto sources = errata::all_sources();
@@ -106,13 +100,7 @@ TEST(Errata, BadArgumentsAreOneLineAndExitTwo) {
                                   {"B- ", "RH (RH-02 to "},
                                   {"--verdict right", "'correct', 'correct under reading', 'wrong', 'lost, derived'"},
                                   {"B-08 --json /no/such/folder/errata.json", "/no/such/folder/errata.json"}};
-  for (const auto& [arguments, mention] : cases) {
-    const auto result = run_command(kErrata + arguments);
-    EXPECT_EQ(result.exit_code, 2) << arguments;
-    EXPECT_TRUE(contains(result.err, mention)) << result.err;
-    EXPECT_EQ(result.err.find("shgen: "), 0U) << result.err;
-    EXPECT_EQ(lines(result.err), 1) << result.err;
-  }
+  for (const auto& [arguments, mention] : cases) test::expect_refused(std::string("errata ") + arguments, mention);
 }
 
 }  // namespace

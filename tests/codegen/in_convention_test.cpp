@@ -8,7 +8,7 @@
 
 #include "codegen/choose/catalogue.hpp"
 #include "codegen/convention/gauge.hpp"
-#include "codegen/families/families.hpp"
+#include "codegen/families/family.hpp"
 #include "codegen/ir/evaluate.hpp"
 #include "codegen/measure/directions.hpp"
 #include "symbolic/basis/basis.hpp"
@@ -204,12 +204,12 @@ TEST(InConvention, RefusesWhatItCannotMean) {
     EXPECT_THROW(emitted(family, 2, {"unity", ""}), std::invalid_argument) << family;
 }
 
-TEST(Gauge, MultipliesOnceWhereNoConstantIsFree) {
-  Kernel kernel = test::empty_kernel();
-  Builder build(kernel);
-  const NodeId product = build.mul(0, 1);
-  test::add_output(kernel, product);
-  test::add_output(kernel, build.add(product, build.mul(1, 2)));
+class Gauge : public test::SmallKernel {};
+
+TEST_F(Gauge, MultipliesOnceWhereNoConstantIsFree) {
+  const NodeId product = build.mul(kX, kY);
+  output(product);
+  output(build.add(product, build.mul(kY, kZ)));
   const Kernel scaled = with_gauges(kernel, {Surd(1), Surd(1), Surd(1)}, {Surd(3), Surd::square_root(2)});
   const std::vector<double> point{0.3125, -1.75, 2.5};
   const auto before = Evaluator<double>(kernel)(point);

@@ -193,7 +193,7 @@ TEST(Masks, MergeEntriesOfAllChannels) {
 }
 
 std::string shgen(const std::string& arguments) {
-  const auto result = run_command(SHFORGE_BIN_DIR "/shgen " + arguments);
+  const auto result = test::shgen(arguments);
   EXPECT_EQ(result.exit_code, 0) << result.err;
   return result.out;
 }
@@ -250,11 +250,7 @@ TEST(EmittedMasks, BadArgumentsAreOneLineAndExitTwo) {
       {"irradiance_matrix --degree 2 --outputs zonal", "holds no coefficients"},
       {"irradiance --degree 3 --keep-bands two", "two"}};
   for (const auto& [arguments, part] : bad) {
-    const auto result = run_command(SHFORGE_BIN_DIR "/shgen emit --lang cpp " + arguments);
-    EXPECT_EQ(result.exit_code, 2) << arguments;
-    EXPECT_EQ(result.out, "");
-    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
-    EXPECT_NE(result.err.find(part), std::string::npos) << result.err;
+    EXPECT_EQ(test::expect_refused("emit --lang cpp " + arguments, part).out, "") << arguments;
   }
 }
 

@@ -14,59 +14,55 @@ namespace sh::codegen {
 namespace {
 
 using symbolic::Surd;
-using test::add_output;
-using test::empty_kernel;
 
-constexpr NodeId kX = 0;
-constexpr NodeId kY = 1;
-constexpr NodeId kZ = 2;
+class Associate : public test::SmallKernel {};
+class Costs : public test::SmallKernel {};
+class Evaluation : public test::SmallKernel {};
+class Factor : public test::SmallKernel {};
+class Fold : public test::SmallKernel {};
+class Ir : public test::SmallKernel {};
+class Prune : public test::SmallKernel {};
+class Schedule : public test::SmallKernel {};
+class Share : public test::SmallKernel {};
 
 std::vector<double> values(const Kernel& kernel) {
   const std::vector<double> point{0.3125, -1.75, 2.5};
   return Evaluator<double>(kernel)(point);
 }
 
-TEST(Share, ComputesCommutedProductsAndSumsOnce) {
-  Kernel kernel = empty_kernel();
-  Builder build(kernel);
+TEST_F(Share, ComputesCommutedProductsAndSumsOnce) {
   const NodeId xy = build.mul(kX, kY);
   const NodeId yx = build.mul(kY, kX);
-  add_output(kernel, build.add(xy, kZ));
-  add_output(kernel, build.add(kZ, yx));
+  output(build.add(xy, kZ));
+  output(build.add(kZ, yx));
   const Kernel shared = passes::share(kernel);
   EXPECT_EQ(cost(shared).mul, 1);
   EXPECT_EQ(cost(shared).add, 1);
   EXPECT_EQ(values(shared), values(kernel));
 }
 
-TEST(Share, KeepsDifferencesOfSwappedOperandsApart) {
-  Kernel kernel = empty_kernel();
-  Builder build(kernel);
+TEST_F(Share, KeepsDifferencesOfSwappedOperandsApart) {
   const NodeId xy = build.sub(kX, kY);
   const NodeId yx = build.sub(kY, kX);
-  add_output(kernel, xy);
-  add_output(kernel, yx);
+  output(xy);
+  output(yx);
   EXPECT_EQ(cost(passes::share(kernel)).add, 2);
   EXPECT_EQ(values(passes::share(kernel)), values(kernel));
 }
 
-TEST(Share, MergesEqualConstantsAndKeepsAName) {
-  Kernel kernel = empty_kernel();
-  Builder build(kernel);
+TEST_F(Share, MergesEqualConstantsAndKeepsAName) {
   const NodeId a = build.constant(Surd::square_root(8));
   const NodeId b = build.constant(Surd(2) * Surd::square_root(2), "root");
   const NodeId ax = build.mul(a, kX);
   const NodeId bx = build.mul(b, kX);
-  add_output(kernel, build.add(ax, bx));
+  output(build.add(ax, bx));
   const Kernel shared = passes::share(kernel);
   EXPECT_EQ(shared.nodes.size(), 6U);
   EXPECT_EQ(shared.nodes[3].name, "root");
 }
 
-TEST(Factor, WritesACubicOfARecurrenceAsZTimesALinearFormInZSquared) {
+TEST_F(Factor, WritesACubicOfARecurrenceAsZTimesALinearFormInZSquared) {
   // P3 = (5/3 z) P2 - 2/3 z with P2 = (3/2 z) z - 1/2, both wanted.
-  Kernel kernel = empty_kernel();
-  Builder build(kernel);
   const auto constant = [&](long p, long q) { return build.constant(Surd(cln::cl_RA(p) / q)); };
   const NodeId k32 = constant(3, 2);
   const NodeId k12 = constant(1, 2);
@@ -77,8 +73,8 @@ TEST(Factor, WritesACubicOfARecurrenceAsZTimesALinearFormInZSquared) {
   const NodeId z53 = build.mul(k53, kZ);
   const NodeId first = build.mul(z53, p2);
   const NodeId second = build.mul(k23, kZ);
-  add_output(kernel, p2);
-  add_output(kernel, build.sub(first, second, "p_3_0"));
+  output(p2);
+  output(build.sub(first, second, "p_3_0"));
   const Kernel factored = passes::factor(passes::share(kernel));
   EXPECT_EQ(cost(kernel).mul, 5);
   EXPECT_EQ(cost(factored).mul, 4);  // z^2, 3/2 z^2, 5/2 z^2, z (...)
@@ -86,46 +82,38 @@ TEST(Factor, WritesACubicOfARecurrenceAsZTimesALinearFormInZSquared) {
   EXPECT_NEAR(values(factored)[1], values(kernel)[1], 1e-14);
 }
 
-TEST(Factor, FoldsConstantsAndExactDoublings) {
-  Kernel kernel = empty_kernel();
-  Builder build(kernel);
+TEST_F(Factor, FoldsConstantsAndExactDoublings) {
   const NodeId xy = build.mul(kX, kY);
   const NodeId twice = build.add(xy, xy);
   const NodeId k = build.constant(Surd::square_root(3));
-  add_output(kernel, build.mul(k, twice));
+  output(build.mul(k, twice));
   const Kernel factored = passes::factor(kernel);
   EXPECT_EQ(cost(factored).mul, 2);
   EXPECT_EQ(cost(factored).add, 0);
   EXPECT_DOUBLE_EQ(values(factored)[0], values(kernel)[0]);
 }
 
-TEST(Factor, LeavesAloneWhatWouldCostMore) {
+TEST_F(Factor, LeavesAloneWhatWouldCostMore) {
   // (a z) x and (a z) y need three products in this form, and four products with one constant each.
-  Kernel kernel = empty_kernel();
-  Builder build(kernel);
   const NodeId a = build.constant(Surd::square_root(3));
   const NodeId az = build.mul(a, kZ);
-  add_output(kernel, build.mul(az, kX));
-  add_output(kernel, build.mul(az, kY));
+  output(build.mul(az, kX));
+  output(build.mul(az, kY));
   EXPECT_EQ(print::dump(passes::factor(kernel)), print::dump(kernel));
 }
 
-TEST(Factor, NeverAddsConstantsWhoseRadicalsDiffer) {
-  Kernel kernel = empty_kernel();
-  Builder build(kernel);
+TEST_F(Factor, NeverAddsConstantsWhoseRadicalsDiffer) {
   const NodeId a = build.constant(Surd::square_root(2));
   const NodeId b = build.constant(Surd::square_root(3));
   const NodeId az = build.mul(a, kZ);
   const NodeId bz = build.mul(b, kZ);
-  add_output(kernel, build.add(az, bz));
+  output(build.add(az, bz));
   EXPECT_EQ(values(passes::factor(kernel)), values(kernel));
 }
 
-TEST(Associate, PutsAConstantFirstInAProductThatIsUsedOnce) {
-  Kernel kernel = empty_kernel();
-  Builder build(kernel);
+TEST_F(Associate, PutsAConstantFirstInAProductThatIsUsedOnce) {
   const NodeId xy = build.mul(kX, kY);
-  add_output(kernel, build.mul(build.constant(Surd::square_root(3)), xy));
+  output(build.mul(build.constant(Surd::square_root(3)), xy));
   const Kernel regrouped = passes::associate(kernel);
   const Node& outer = regrouped.node(regrouped.outputs[0].node);
   EXPECT_EQ(regrouped.node(regrouped.node(outer.args[0]).args[0]).op, Op::kConstant);
@@ -134,50 +122,42 @@ TEST(Associate, PutsAConstantFirstInAProductThatIsUsedOnce) {
   EXPECT_NEAR(values(regrouped)[0], values(kernel)[0], 1e-15);
 }
 
-TEST(Associate, LeavesAloneAProductThatServesTwice) {
-  Kernel kernel = empty_kernel();
-  Builder build(kernel);
+TEST_F(Associate, LeavesAloneAProductThatServesTwice) {
   const NodeId xy = build.mul(kX, kY);
   const NodeId k = build.constant(Surd::square_root(3));
-  add_output(kernel, build.mul(k, xy));
-  add_output(kernel, xy);
+  output(build.mul(k, xy));
+  output(xy);
   EXPECT_EQ(cost(passes::associate(kernel)).mul, 2);
   EXPECT_EQ(values(passes::associate(kernel)), values(kernel));
 }
 
-TEST(Prune, DropsWhatReachesNoOutput) {
-  Kernel kernel = empty_kernel();
-  Builder build(kernel);
+TEST_F(Prune, DropsWhatReachesNoOutput) {
   build.mul(kX, kY);
   build.constant(Surd(5));
-  add_output(kernel, build.neg(kZ));
+  output(build.neg(kZ));
   const Kernel pruned = passes::prune(kernel);
   EXPECT_EQ(pruned.nodes.size(), 2U);
   EXPECT_EQ(cost(pruned).operations(), cost(kernel).operations());
   EXPECT_EQ(values(pruned), values(kernel));
 }
 
-TEST(Schedule, LowersTheNumberOfLiveValues) {
+TEST_F(Schedule, LowersTheNumberOfLiveValues) {
   // The kernel computes four squares first and uses them one by one later.
-  Kernel kernel = empty_kernel();
-  Builder build(kernel);
   std::vector<NodeId> powers{kX};
   for (int i = 0; i < 6; ++i) powers.push_back(build.mul(powers.back(), kY));
-  for (const NodeId power : powers) add_output(kernel, build.add(power, kZ));
+  for (const NodeId power : powers) output(build.add(power, kZ));
   const Kernel scheduled = passes::schedule(kernel);
   EXPECT_LT(cost(scheduled).max_live, cost(kernel).max_live);
   EXPECT_EQ(cost(scheduled).max_live, 4);
   EXPECT_EQ(values(scheduled), values(kernel));
 }
 
-TEST(Cost, CountsOperationsThatReachAnOutputOnly) {
-  Kernel kernel = empty_kernel();
-  Builder build(kernel);
+TEST_F(Costs, CountsOperationsThatReachAnOutputOnly) {
   const NodeId dead = build.mul(kX, kX);
   build.add(dead, kY);
   const NodeId product = build.mul(kX, kY);
   const NodeId sum = build.sub(product, kZ);
-  add_output(kernel, build.fma(sum, kX, build.neg(product)));
+  output(build.fma(sum, kX, build.neg(product)));
   const Cost c = cost(kernel);
   EXPECT_EQ(c.mul, 1);
   EXPECT_EQ(c.add, 1);
@@ -186,38 +166,32 @@ TEST(Cost, CountsOperationsThatReachAnOutputOnly) {
   EXPECT_EQ(c.depth, 3);
 }
 
-TEST(Evaluate, FusedMultiplyAddRoundsOnce) {
-  Kernel kernel = empty_kernel();
-  Builder build(kernel);
-  add_output(kernel, build.fma(kX, kY, kZ));
+TEST_F(Evaluation, FusedMultiplyAddRoundsOnce) {
+  output(build.fma(kX, kY, kZ));
   const float e = std::ldexp(1.0F, -20);
   const std::vector<float> point{1 + e, 1 - e, -1};
   EXPECT_EQ(Evaluator<float>(kernel)(point)[0], -e * e);
 }
 
-TEST(Fold, ResolvesZeroOneAndSigns) {
-  Kernel kernel = empty_kernel();
-  Builder build(kernel);
+TEST_F(Fold, ResolvesZeroOneAndSigns) {
   const NodeId zero = build.constant(Surd(0));
   const NodeId one = build.constant(Surd(1));
   const NodeId minus_one = build.neg(one);
   const NodeId dropped = build.mul(zero, build.add(kX, kY));
-  add_output(kernel, build.add(dropped, build.mul(one, kZ)));           // z
-  add_output(kernel, build.sub(kX, build.mul(minus_one, kY)));          // x + y
-  add_output(kernel, build.sub(dropped, build.neg(kX)));                // x
-  add_output(kernel, build.sub(build.mul(kX, kY), build.mul(kY, kX)));  // 0
+  output(build.add(dropped, build.mul(one, kZ)));           // z
+  output(build.sub(kX, build.mul(minus_one, kY)));          // x + y
+  output(build.sub(dropped, build.neg(kX)));                // x
+  output(build.sub(build.mul(kX, kY), build.mul(kY, kX)));  // 0
   const Kernel shared = passes::fold(kernel);
   EXPECT_EQ(cost(shared).operations(), 1) << print::dump(shared);
   EXPECT_EQ(values(shared), values(kernel));
 }
 
-TEST(Evaluate, DividesTakesRootsAndSelects) {
-  Kernel kernel = empty_kernel();
-  Builder build(kernel);
-  add_output(kernel, build.div(kX, kZ));
-  add_output(kernel, build.sqrt(kZ));
-  add_output(kernel, build.select(kY, kX, kZ, kX));
-  add_output(kernel, build.select(kX, kX, kZ, kY));
+TEST_F(Evaluation, DividesTakesRootsAndSelects) {
+  output(build.div(kX, kZ));
+  output(build.sqrt(kZ));
+  output(build.select(kY, kX, kZ, kX));
+  output(build.select(kX, kX, kZ, kY));
   EXPECT_EQ(values(kernel), (std::vector<double>{0.125, std::sqrt(2.5), 2.5, -1.75}));
   EXPECT_EQ(cost(kernel).operations(), 4);
 }
@@ -252,13 +226,12 @@ TEST(ExactReal, ComputedConstantsAreEqualByDefinitionAndNeverRounded) {
   EXPECT_EQ(nearest<float>(value), 1.0F / 3);
 }
 
-TEST(Ir, RefusesKernelsThatReferForward) {
-  Kernel kernel = empty_kernel();
-  Builder(kernel).append({Op::kAdd, {0, 5, -1, -1}, -1, {}, ""});
+TEST_F(Ir, RefusesKernelsThatReferForward) {
+  output(7);
   EXPECT_THROW(require_well_formed(kernel), std::logic_error);
-  Kernel without_node = empty_kernel();
-  add_output(without_node, 7);
-  EXPECT_THROW(require_well_formed(without_node), std::logic_error);
+  Kernel forward = test::empty_kernel();
+  Builder(forward).append({Op::kAdd, {0, 5, -1, -1}, -1, {}, ""});
+  EXPECT_THROW(require_well_formed(forward), std::logic_error);
 }
 
 }  // namespace

@@ -18,36 +18,30 @@
 namespace sh::codegen {
 namespace {
 
-using test::add_output;
-using test::empty_kernel;
 using test::quoted;
 using test::run_command;
 
-constexpr NodeId kX = 0;
-constexpr NodeId kY = 1;
-constexpr NodeId kZ = 2;
+class Statements : public test::SmallKernel {};
+class Dump : public test::SmallKernel {};
+class CppPrinter : public test::SmallKernel {};
 
 std::string expression_of(const Kernel& kernel) {
   return print::make_listing(kernel, print::cpp_dialect()).statements.back().expression;
 }
 
-TEST(Statements, BracketsKeepTheOrderOfOperations) {
-  Kernel kernel = empty_kernel();
-  Builder build(kernel);
+TEST_F(Statements, BracketsKeepTheOrderOfOperations) {
   const NodeId difference = build.sub(kY, kZ);
   const NodeId outer = build.sub(kX, difference);
   const NodeId product = build.mul(outer, build.mul(kY, kZ));
-  add_output(kernel, build.neg(product));
+  output(build.neg(product));
   EXPECT_EQ(expression_of(kernel), "-((x - (y - z)) * (y * z))");
 }
 
-TEST(Statements, ValuesUsedTwiceBecomeVariablesWithTheirNames) {
-  Kernel kernel = empty_kernel();
-  Builder build(kernel);
+TEST_F(Statements, ValuesUsedTwiceBecomeVariablesWithTheirNames) {
   const NodeId z2 = build.mul(kZ, kZ);
   const NodeId sum = build.add(z2, kX, "s2");
-  add_output(kernel, build.mul(sum, z2));
-  add_output(kernel, sum);
+  output(build.mul(sum, z2));
+  output(sum);
   const print::Listing listing = print::make_listing(kernel, print::cpp_dialect());
   ASSERT_EQ(listing.statements.size(), 4U);
   EXPECT_EQ(listing.statements[0].target, "z2");
@@ -57,14 +51,12 @@ TEST(Statements, ValuesUsedTwiceBecomeVariablesWithTheirNames) {
   EXPECT_EQ(listing.statements[3].expression, "s2 * z2");
 }
 
-TEST(Statements, NamesNeverClashWithParametersOrEachOther) {
-  Kernel kernel = empty_kernel();
-  Builder build(kernel);
+TEST_F(Statements, NamesNeverClashWithParametersOrEachOther) {
   const NodeId a = build.add(kX, kY, "x");
   const NodeId b = build.add(kX, kZ, "x");
   const NodeId ab = build.mul(a, b, "out");
   const NodeId squares = build.add(build.mul(ab, ab), build.mul(a, b));
-  add_output(kernel, squares);
+  output(squares);
   const print::Listing listing = print::make_listing(kernel, print::cpp_dialect());
   ASSERT_EQ(listing.statements.size(), 4U);
   EXPECT_EQ(listing.statements[0].target, "x_2");
@@ -72,9 +64,8 @@ TEST(Statements, NamesNeverClashWithParametersOrEachOther) {
   EXPECT_EQ(listing.statements[2].target, "out_2");
 }
 
-TEST(Statements, RefusesFusedMultiplyAdd) {
-  Kernel kernel = empty_kernel();
-  add_output(kernel, Builder(kernel).fma(kX, kY, kZ));
+TEST_F(Statements, RefusesFusedMultiplyAdd) {
+  output(build.fma(kX, kY, kZ));
   EXPECT_THROW(print::make_listing(kernel, print::cpp_dialect()), std::invalid_argument);
 }
 
@@ -91,15 +82,11 @@ Kernel reversing_kernel() {
   return kernel;
 }
 
-TEST(Statements, LoadsAnElementBeforeAStoreMayOverwriteIt) {
-  std::vector<std::string> lines;
-  for (const std::string& line :
-       print::statement_lines(print::make_listing(reversing_kernel(), print::cpp_dialect()), print::cpp_dialect())) {
-    lines.push_back(line);
-  }
+TEST_F(Statements, LoadsAnElementBeforeAStoreMayOverwriteIt) {
+  const print::Listing listing = print::make_listing(reversing_kernel(), print::cpp_dialect());
   const std::vector<std::string> expected{"  const T a2 = a[2];", "  const T a0 = a[0];", "  out[0] = a2 * b[0];",
                                           "  out[1] = a[1] * b[1];", "  out[2] = a0 * b[2];"};
-  EXPECT_EQ(lines, expected);
+  EXPECT_EQ(print::statement_lines(listing, print::cpp_dialect()), expected);
 }
 
 TEST(Functions, ReturnAScalarAndUpdateInPlace) {
@@ -129,7 +116,7 @@ std::string compile_and_run(const std::filesystem::path& folder, const std::stri
 
 constexpr std::size_t kDirections = 60;
 
-FinishedKernel fastest(int degree) { return preferred_kernel(find_family("basis"), degree, Prefer::kSpeed); }
+FinishedKernel fastest(int degree) { return test::fastest("basis", degree); }
 
 template <class T>
 std::vector<std::array<T, 3>> first_directions() {
@@ -168,7 +155,7 @@ std::string program_for(const std::string& type, const std::string& call) {
   return text.str();
 }
 
-TEST(CppPrinter, CompiledCodeComputesTheKernelBitForBit) {
+TEST_F(CppPrinter, CompiledCodeComputesTheKernelBitForBit) {
   const test::TemporaryFolder folder;
   const FinishedKernel finished = fastest(7);
   test::write_file(folder.path() / "kernel.hpp", print::cpp_kernel(finished, print::Scalar::kFloat));
@@ -193,17 +180,17 @@ TEST(GlslPrinter, BodyComputesTheKernelBitForBit) {
             evaluated<float>(finished.kernel));
 }
 
-TEST(CppPrinter, DivisionRootAndSelectionCompileAndAgree) {
+TEST_F(CppPrinter, DivisionRootAndSelectionCompileAndAgree) {
   const test::TemporaryFolder folder;
-  FinishedKernel finished = fastest(0);
-  finished.kernel = empty_kernel();
-  Builder build(finished.kernel);
   const NodeId square = build.add(build.mul(kX, kX), build.mul(kY, kY));
   const NodeId length = build.sqrt(square);
-  for (int i = 0; i < 64; ++i)
-    add_output(finished.kernel,
-               build.select(kZ, kX, build.div(kY, build.add(length, build.constant(symbolic::Surd(i + 1)))), length));
-  finished.cost = cost(finished.kernel);
+  for (int i = 0; i < 64; ++i) {
+    const NodeId sum = build.add(length, build.constant(symbolic::Surd(i + 1)));
+    output(build.select(kZ, kX, build.div(kY, sum), length));
+  }
+  FinishedKernel finished = fastest(0);
+  finished.kernel = kernel;
+  finished.cost = cost(kernel);
   test::write_file(folder.path() / "kernel.hpp", print::cpp_kernel(finished, print::Scalar::kFloat));
   EXPECT_EQ(compile_and_run(folder.path(), "#include \"kernel.hpp\"\n" + program_for<float>("float", "sh::probe"),
                             "-std=c++17"),
@@ -246,11 +233,9 @@ TEST(Printers, SayWhatAReaderNeeds) {
   }
 }
 
-TEST(Dump, ShowsEveryNodeAndMarksDeadOnes) {
-  Kernel kernel = empty_kernel();
-  Builder build(kernel);
+TEST_F(Dump, ShowsEveryNodeAndMarksDeadOnes) {
   build.mul(kX, kY, "unused");
-  add_output(kernel, build.add(kZ, build.constant(symbolic::Surd::square_root(2)), "sum"));
+  output(build.add(kZ, build.constant(symbolic::Surd::square_root(2)), "sum"));
   const std::string text = print::dump(kernel);
   EXPECT_NE(text.find("%3 = mul %0 %1         ; unused, dead"), std::string::npos) << text;
   EXPECT_NE(text.find("constant sqrt(2)"), std::string::npos) << text;

@@ -7,7 +7,7 @@
 
 #include "codegen/choose/catalogue.hpp"
 #include "codegen/choose/masked_kernel.hpp"
-#include "codegen/families/families.hpp"
+#include "codegen/families/family.hpp"
 #include "codegen/ir/evaluate.hpp"
 #include "numeric/oracle/basis.hpp"
 #include "numeric/oracle/quadrature.hpp"

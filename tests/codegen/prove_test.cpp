@@ -1,7 +1,6 @@
 // `shgen prove` from outside: a line and a JSON entry for each identity, exit codes, bad arguments.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -12,17 +11,13 @@
 namespace sh::codegen {
 namespace {
 
-using test::quoted;
-using test::run_command;
-
-const std::string kProve = quoted(std::string(SHFORGE_BIN_DIR) + "/shgen") + " prove ";
-
-std::ptrdiff_t lines(const std::string& text) { return std::count(text.begin(), text.end(), '\n'); }
+using test::lines;
+using test::shgen;
 
 TEST(Prove, EveryIdentityIsProvedWithALineAndAJsonEntry) {
   const test::TemporaryFolder folder;
   const auto file = folder.path() / "proofs.json";
-  const auto result = run_command(kProve + "--degree 4 --json " + quoted(file));
+  const auto result = shgen("prove --degree 4 --json " + test::quoted(file));
   EXPECT_EQ(result.exit_code, 0) << result.out << result.err;
   const auto expected = symbolic::all_proofs();
   EXPECT_EQ(lines(result.out), static_cast<std::ptrdiff_t>(expected.size()));
@@ -74,7 +69,7 @@ TEST(Prove, GinacDefinesEveryFamilyToEveryEmittedDegree) {
 }
 
 TEST(Prove, ChosenProofsRunAlone) {
-  const auto result = run_command(kProve + "axis-angle zyz-angles");
+  const auto result = shgen("prove axis-angle zyz-angles");
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_EQ(lines(result.out), 2);
 }
@@ -85,13 +80,7 @@ TEST(Prove, BadArgumentsAreOneLineAndExitTwo) {
                                   {"--degree ten", "--degree"},
                                   {"no-such-identity", "orthonormality"},
                                   {"axis-angle --json /no/such/folder/proofs.json", "/no/such/folder/proofs.json"}};
-  for (const auto& [arguments, mention] : cases) {
-    const auto result = run_command(kProve + arguments);
-    EXPECT_EQ(result.exit_code, 2) << arguments;
-    EXPECT_NE(result.err.find(mention), std::string::npos) << result.err;
-    EXPECT_EQ(result.err.find("shgen: "), 0U) << result.err;
-    EXPECT_EQ(lines(result.err), 1) << result.err;
-  }
+  for (const auto& [arguments, mention] : cases) test::expect_refused(std::string("prove ") + arguments, mention);
 }
 
 }  // namespace

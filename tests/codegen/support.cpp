@@ -2,6 +2,7 @@
 
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
@@ -23,9 +24,26 @@ Kernel empty_kernel() {
   return kernel;
 }
 
-void add_output(Kernel& kernel, NodeId node) {
+void SmallKernel::output(NodeId node) {
   kernel.outputs.push_back({node, "value " + std::to_string(kernel.outputs.size())});
   kernel.results.front().shape.front() = static_cast<int>(kernel.outputs.size());
+}
+
+Kernel kernel_of(const std::string& family, const std::string& recipe, int degree) {
+  const Family& f = find_family(family);
+  return kernel_stages(f, find_recipe(f, degree, recipe), degree).back().kernel;
+}
+
+Cost cost_of(const std::string& family, const std::string& recipe, int degree) {
+  return cost(kernel_of(family, recipe, degree));
+}
+
+Cost cost_of(const std::string& family, int degree) {
+  return cost_of(family, fastest_recipe(find_family(family), degree).name, degree);
+}
+
+FinishedKernel fastest(const std::string& family, int degree) {
+  return preferred_kernel(find_family(family), degree, Prefer::kSpeed);
 }
 
 CommandResult run_command(const std::string& command) {
@@ -35,6 +53,23 @@ CommandResult run_command(const std::string& command) {
   const int status = std::system(("{ " + command + "\n} >" + quoted(out) + " 2>" + quoted(err)).c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(out), read_file(err)};
 }
+
+CommandResult shgen(const std::string& arguments) {
+  return run_command(quoted(SHFORGE_BIN_DIR "/shgen") + " " + arguments);
+}
+
+CommandResult expect_refused(const std::string& arguments, const std::string& part) {
+  const CommandResult result = shgen(arguments);
+  EXPECT_EQ(result.exit_code, 2) << arguments;
+  EXPECT_EQ(lines(result.err), 1) << arguments << ": " << result.err;
+  EXPECT_EQ(result.err.find("shgen: "), 0U) << arguments << ": " << result.err;
+  EXPECT_TRUE(contains(result.err, part)) << arguments << ": " << result.err;
+  return result;
+}
+
+std::ptrdiff_t lines(const std::string& text) { return std::count(text.begin(), text.end(), '\n'); }
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 std::string quoted(const std::string& text) { return "'" + text + "'"; }
 

@@ -15,7 +15,7 @@
 #include "codegen/measure/domains.hpp"
 #include "codegen/output/output_tree.hpp"
 #include "codegen/recipes/basis/basis.hpp"
-#include "codegen/recipes/splice.hpp"
+#include "codegen/recipes/parts.hpp"
 #include "numeric/kernels/family_check.hpp"
 #include "numeric/oracle/basis.hpp"
 #include "numeric/oracle/index.hpp"

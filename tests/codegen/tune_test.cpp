@@ -47,7 +47,7 @@ TEST(Wisdom, RefusesALineThatIsNoMeasurementAndNamesIt) {
 TEST(Tune, MeasuresAKernelAndWritesWhatItLearned) {
   const test::TemporaryFolder folder;
   const auto file = folder.path() / "wisdom.txt";
-  const auto result = run_command(std::string(SHFORGE_BIN_DIR) + "/shgen tune basis --degree 1 --out " + quoted(file));
+  const auto result = test::shgen("tune basis --degree 1 --out " + quoted(file));
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_NE(result.out.find("basis 1 "), std::string::npos);
   const Wisdom wisdom = Wisdom::read(file);
@@ -60,9 +60,7 @@ TEST(Tune, BadArgumentsAreOneLineAndExitTwo) {
   for (const auto& [arguments, part] : {std::pair<std::string, std::string>{"nothing", "unknown family"},
                                         {"basis --degree 99", "expected degree 0 to 20, got 99"},
                                         {"basis --degree 0 --out /dev/null/here", "/dev/null/here"}}) {
-    const auto result = run_command(std::string(SHFORGE_BIN_DIR) + "/shgen tune " + arguments);
-    EXPECT_EQ(result.exit_code, 2) << arguments;
-    EXPECT_NE(result.err.find(part), std::string::npos) << result.err;
+    test::expect_refused("tune " + arguments, part);
   }
   const auto without =
       run_command("CXX=/nonexistent/c++ " + std::string(SHFORGE_BIN_DIR) + "/shgen tune basis --degree 1");

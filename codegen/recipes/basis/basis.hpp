@@ -3,7 +3,6 @@
 
 #include "codegen/ir/ir.hpp"
 #include "codegen/recipes/basis/parity_columns.hpp"
-#include "codegen/recipes/basis/sphere.hpp"
 
 namespace sh::codegen::recipes {
 
@@ -27,18 +26,18 @@ inline constexpr const char* kCentredSource =
     "polynomials in 2z^2-1 for m <= 2, the recurrence in l for m > 2, doubling in m; derived exactly";
 
 /// Appends the nodes of every Y_lm, in order. Throws the exceptions of symbolic::require_basis_index.
-std::vector<NodeId> append_centred(Builder& build, const Direction& d, int degree);
+std::vector<NodeId> append_centred(SignedBuilder& build, const Direction& d, int degree);
 
 /// basis_l<degree> with small rounding error.
 Kernel basis_centred(int degree);
 
 /// Appends the nodes of every Y_lm on the unit sphere, in order. If `weight` is a node, it multiplies all values.
 /// Throws the exceptions of symbolic::require_basis_index.
-std::vector<NodeId> append_parity(Builder& build, const Direction& d, int degree, const ParityChoices& choices,
+std::vector<NodeId> append_parity(SignedBuilder& build, const Direction& d, int degree, const ParityChoices& choices,
                                   NodeId weight = -1);
 
 /// Appends the nodes of every solid harmonic r^l Y_lm, in order. One of the nodes is d S_(m+1,m) / dz.
-std::vector<NodeId> append_solid(Builder& build, const Direction& d, int degree);
+std::vector<NodeId> append_solid(SignedBuilder& build, const Direction& d, int degree);
 
 /// basis_l<degree> with accurate_choices.
 Kernel basis_parity(int degree);
@@ -50,7 +49,8 @@ Kernel basis_gradient_ladder(int degree);
 /// The same, but the recurrence in l gives the values.
 Kernel basis_gradient_recurrence(int degree);
 
-/// basis_normalised_l<degree>: x, y, z; out ((degree+1)^2).
+/// basis_normalised_l<degree>: x, y, z; out ((degree+1)^2). They compute d / |d| (eight operations, one square root and
+/// one division) and then the basis by one of its recipes.
 Kernel basis_normalised_parity(int degree);
 Kernel basis_normalised_centred(int degree);
 
@@ -64,10 +64,12 @@ Kernel evaluate_rgb_sum(int degree);
 
 /// The position of the coefficient of x^i y^j (in the part p) or of z x^i y^j (in the part q, with_z). p comes first,
 /// then q; each part is ordered by falling i, then by falling j.
-std::size_t polynomial_index(int degree, int i, int j, bool with_z);
+int polynomial_index(int degree, int i, int j, bool with_z);
 
 /// The exact coefficient of every monomial in every Y_lm. Rows: polynomial_index; columns: l(l+1)+m.
 std::vector<std::vector<symbolic::Surd>> polynomial_matrix(int degree);
+/// The norm of each row of the matrix: the largest value of this coefficient for |c| = 1.
+const std::vector<double>& polynomial_norms(int degree);
 
 /// evaluate_prepare_l<degree>: c ((degree+1)^2); polynomial ((degree+1)^2). Converts each order to powers of x^2+y^2,
 /// then to monomials.

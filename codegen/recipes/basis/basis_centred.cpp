@@ -6,12 +6,12 @@
 // 2t^2-1 evaluates both parts. In t the values at both ends of -1 .. 1 are similar, so no large terms cancel. For m = 0
 // the slope is steep at the poles. Therefore t is 1 - 2(1-z)(1+z) for odd l and z^2 - (x^2+y^2) for even l >= 8; both
 // are accurate at the poles. The columns m > 2 are small near the poles. They follow the recurrence in l from T_2,
-// which is linear in t. Sectoral functions use doubling (codegen/recipes/basis/sectoral.hpp), so their errors grow
+// which is linear in t. Sectoral functions use doubling (parity_columns.hpp), so their errors grow
 // slowly.
 #include <utility>
 
 #include "codegen/recipes/basis/basis.hpp"
-#include "codegen/recipes/basis/sectoral.hpp"
+#include "codegen/recipes/basis/parity_columns.hpp"
 #include "symbolic/basis/basis.hpp"
 
 namespace sh::codegen::recipes {
@@ -22,8 +22,8 @@ using symbolic::Surd;
 using Powers = std::vector<cl_RA>;
 
 constexpr int kLastPolynomialOrder = 2;
-constexpr std::size_t kLastPolynomial = 7;  // l - m for m > 0; above it the recurrence is more accurate
-constexpr int kFirstSplit = 8;              // the first even l for which the slope at the poles matters
+constexpr int kLastPolynomial = 7;  // l - m for m > 0; above it the recurrence is more accurate
+constexpr int kFirstSplit = 8;      // the first even l for which the slope at the poles matters
 
 // The coefficients of p((1 + u) / 2) in powers of u, from the coefficients of p.
 Powers centred(const Powers& p) {
@@ -44,16 +44,16 @@ Powers centred(const Powers& p) {
 
 class Centred {
  public:
-  Centred(Builder& build, const Direction& d, int degree)
-      : build_(build), d_(d), degree_(degree), values_(basis_count(degree)) {}
+  Centred(SignedBuilder& build, const Direction& d, int degree)
+      : build_(build), d_(d), degree_(degree), values_(coefficient_count(degree)) {}
 
   std::vector<NodeId> values() && {
     values_[0] = build_.constant(sectoral_factor(0), "k_0_0");
     if (degree_ == 0) return std::move(values_);
     make_variables();
     const NodeId across = build_.sub(one_, z2_, "xy2");
-    const std::vector<Pair> sectoral = append_sectoral(build_, d_, degree_, {across, true, -1, -1});
-    for (int l = 1; l <= degree_; ++l) values_[basis_index(l, 0)] = with_z(axial_form(l, 0), l, 0);
+    const std::vector<Pair> sectoral = append_sectoral(build_, d_, degree_, {.across = across}, true);
+    for (int l = 1; l <= degree_; ++l) values_[coefficient_index(l, 0)] = with_z(axial_form(l, 0), l, 0);
     for (int m = 1; m <= degree_; ++m) column(m, sectoral[m]);
     return std::move(values_);
   }
@@ -88,14 +88,12 @@ class Centred {
 
   // scale * p(u) by Horner's rule
   NodeId horner(const Powers& p, const Surd& scale, NodeId u, const std::string& name) {
-    NodeId sum = build_.constant(scale * Surd(p.back()));
+    Value sum{build_.constant(scale * Surd(p.back()))};
     for (std::size_t i = p.size() - 1; i-- > 0;) {
-      const NodeId product = build_.mul(sum, u);
-      const Surd c = scale * Surd(p[i]);
-      sum = c.is_negative() ? build_.sub(product, build_.constant(-c)) : build_.add(product, build_.constant(c));
+      const NodeId product = build_.mul(sum.node, u);
+      sum = build_.plus({product}, build_.fixed(scale * Surd(p[i])));
     }
-    if (p.size() > 1) build_.name(sum, name);
-    return sum;
+    return p.size() > 1 ? build_.named(sum, name).node : sum.node;
   }
 
   // The polynomial without its factor z.
@@ -119,7 +117,7 @@ class Centred {
     std::vector<NodeId> t{-1};
     set(m, m, sectoral);
     for (int l = m + 1; l <= degree_; ++l) {
-      const auto n = static_cast<std::size_t>(l - m);
+      const auto n = l - m;
       t.push_back((m > kLastPolynomialOrder && n > 2) || n > kLastPolynomial ? row(l, m, t[n - 1], t[n - 2])
                                                                              : with_z(axial_form(l, m), l, m));
       const NodeId sine = build_.mul(t[n], sectoral.sine, indexed("y", l, m) + "s");
@@ -137,11 +135,11 @@ class Centred {
   }
 
   void set(int l, int m, const Pair& pair) {
-    values_[basis_index(l, m)] = pair.cosine;
-    values_[basis_index(l, -m)] = pair.sine;
+    values_[coefficient_index(l, m)] = pair.cosine;
+    values_[coefficient_index(l, -m)] = pair.sine;
   }
 
-  Builder& build_;
+  SignedBuilder& build_;
   Direction d_;
   int degree_;
   NodeId one_ = -1;
@@ -154,7 +152,7 @@ class Centred {
 
 }  // namespace
 
-std::vector<NodeId> append_centred(Builder& build, const Direction& d, int degree) {
+std::vector<NodeId> append_centred(SignedBuilder& build, const Direction& d, int degree) {
   symbolic::require_basis_index(degree, 0);
   return Centred(build, d, degree).values();
 }
@@ -164,9 +162,9 @@ Kernel basis_centred(int degree) {
   describe_basis(kernel, degree);
   kernel.citation = kCentredSource;
   kernel.factored = true;
-  Builder build(kernel);
+  SignedBuilder build(kernel);
   const Direction d = direction_inputs(build);
-  set_basis_outputs(kernel, append_centred(build, d, degree));
+  set_outputs(kernel, append_centred(build, d, degree));
   return kernel;
 }
 

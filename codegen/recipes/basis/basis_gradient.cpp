@@ -36,22 +36,22 @@ class Ladder {
   // k times the value of degree l and order m; -1 if there is no such value.
   NodeId times(const Surd& k, const std::string& name, int l, int m) {
     if (k.is_zero() || std::abs(m) > l) return -1;
-    return build_.mul(build_.constant(k, name), values_[basis_index(l, m)]);
+    return build_.mul(build_.constant(k, name), values_[coefficient_index(l, m)]);
   }
 
   void zonal(int l) {
-    z[basis_index(l, 0)] = times(factor(l, l * l), indexed("z", l, 0), l - 1, 0);
+    z[coefficient_index(l, 0)] = times(factor(l, l * l), indexed("z", l, 0), l - 1, 0);
     if (l == 1) return;
     const Surd down = -factor(l, cln::cl_RA(l * (l - 1)) / 2);
-    x[basis_index(l, 0)] = times(down, indexed("u", l, 0), l - 1, 1);
-    y[basis_index(l, 0)] = times(down, indexed("u", l, 0), l - 1, -1);
+    x[coefficient_index(l, 0)] = times(down, indexed("u", l, 0), l - 1, 1);
+    y[coefficient_index(l, 0)] = times(down, indexed("u", l, 0), l - 1, -1);
   }
 
   void pair(int l, int m) {
     if (m < l) {
       const Surd along = factor(l, l * l - m * m);
-      z[basis_index(l, m)] = times(along, indexed("z", l, m), l - 1, m);
-      z[basis_index(l, -m)] = times(along, indexed("z", l, m), l - 1, -m);
+      z[coefficient_index(l, m)] = times(along, indexed("z", l, m), l - 1, m);
+      z[coefficient_index(l, -m)] = times(along, indexed("z", l, m), l - 1, -m);
     }
     const Surd d = factor(l, cln::cl_RA((l + m) * (l + m - 1)) / (m == 1 ? 2 : 4));
     const Surd u = factor(l, cln::cl_RA((l - m) * (l - m - 1)) / 4);
@@ -59,13 +59,13 @@ class Ladder {
     const NodeId uc = times(u, indexed("u", l, m), l - 1, m + 1);
     const NodeId ds = m == 1 ? -1 : times(d, indexed("d", l, m), l - 1, 1 - m);
     const NodeId minus_us = times(-u, indexed("v", l, m), l - 1, -1 - m);
-    x[basis_index(l, m)] = uc < 0 ? dc : build_.sub(dc, uc);
-    y[basis_index(l, -m)] = uc < 0 ? dc : build_.add(dc, uc);
+    x[coefficient_index(l, m)] = uc < 0 ? dc : build_.sub(dc, uc);
+    y[coefficient_index(l, -m)] = uc < 0 ? dc : build_.add(dc, uc);
     if (ds < 0) {  // m = 1: there is no S_0, and both derivatives are equal
-      x[basis_index(l, -m)] = y[basis_index(l, m)] = minus_us < 0 ? zero_ : minus_us;
+      x[coefficient_index(l, -m)] = y[coefficient_index(l, m)] = minus_us < 0 ? zero_ : minus_us;
     } else {
-      x[basis_index(l, -m)] = minus_us < 0 ? ds : build_.add(ds, minus_us);
-      y[basis_index(l, m)] = minus_us < 0 ? build_.neg(ds) : build_.sub(minus_us, ds);
+      x[coefficient_index(l, -m)] = minus_us < 0 ? ds : build_.add(ds, minus_us);
+      y[coefficient_index(l, m)] = minus_us < 0 ? build_.neg(ds) : build_.sub(minus_us, ds);
     }
   }
 
@@ -80,8 +80,7 @@ void describe(Kernel& kernel, int degree) {
   kernel.domain = "any d = (x, y, z); z is the polar axis";
   kernel.result =
       "r^l Y_lm(d/r) and its derivatives by x, y, z at index l(l+1)+m; r = |d|, Y_lm orthonormal on the unit sphere, "
-      "no "
-      "Condon-Shortley phase";
+      "no Condon-Shortley phase";
   kernel.parameters = with_direction({}, {}, Role::kVector);
   kernel.results = {array(Role::kBasisValues, "out", degree)};
   for (int axis = 0; axis < 3; ++axis) {
@@ -96,7 +95,7 @@ Kernel with_ladder(int degree, const std::string& source, const AppendValues& ap
   Kernel kernel;
   describe(kernel, degree);
   kernel.citation = source + "; gradients by the ladder to the band below (Hobson, 1931)";
-  Builder build(kernel);
+  SignedBuilder build(kernel);
   const Direction d = direction_inputs(build);
   const std::vector<NodeId> values = append_values(build, d);
   const Ladder ladder(build, values, degree);
@@ -117,7 +116,7 @@ Kernel with_ladder(int degree, const std::string& source, const AppendValues& ap
 
 Kernel basis_gradient_ladder(int degree) {
   return with_ladder(degree, "parity columns",
-                     [degree](Builder& build, const Direction& d) { return append_solid(build, d, degree); });
+                     [degree](SignedBuilder& build, const Direction& d) { return append_solid(build, d, degree); });
 }
 
 Kernel basis_gradient_recurrence(int degree) {

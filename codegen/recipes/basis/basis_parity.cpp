@@ -1,13 +1,11 @@
-// Recipe: all real spherical harmonics up to a degree with few products. sectoral.hpp gives the factors of the orders,
-// parity_columns.hpp the polynomials. For odd n >= 3, E_n multiplies Y_(m+1,+-m), which already contains the factor z.
+// Recipe: all real spherical harmonics up to a degree with few products. parity_columns.hpp gives the factors of the
+// orders and the polynomials. For odd n >= 3, E_n multiplies Y_(m+1,+-m), which already contains the factor z.
 #include "codegen/recipes/basis/basis.hpp"
-#include "codegen/recipes/basis/sectoral.hpp"
+#include "codegen/recipes/basis/parity_columns.hpp"
 #include "symbolic/basis/basis.hpp"
 
 namespace sh::codegen::recipes {
 namespace {
-
-using symbolic::Surd;
 
 // Computes the values from the parts.
 class Values {
@@ -20,11 +18,11 @@ class Values {
   };
 
   Values(Builder& build, NodeId z, int degree, const Options& options)
-      : build_(build), z_(z), degree_(degree), options_(options), values_(basis_count(degree)) {}
+      : build_(build), z_(z), degree_(degree), options_(options), values_(coefficient_count(degree)) {}
 
   std::vector<NodeId> make(const ParityColumns& columns, const std::vector<Pair>& sectoral) && {
     for (int m = degree_; m > 0; --m) column(m, columns, sectoral[m]);
-    for (int l = 0; l <= degree_; ++l) values_[basis_index(l, 0)] = zonal(l, columns);
+    for (int l = 0; l <= degree_; ++l) values_[coefficient_index(l, 0)] = zonal(l, columns);
     return std::move(values_);
   }
 
@@ -68,11 +66,11 @@ class Values {
     return build_.sub(high, build_.mul(b, value(l - 2, 0)), indexed("p", l, 0));
   }
 
-  [[nodiscard]] NodeId value(int l, int m) const { return values_[basis_index(l, m)]; }
+  [[nodiscard]] NodeId value(int l, int m) const { return values_[coefficient_index(l, m)]; }
 
   void set(int l, int m, const Pair& pair) {
-    values_[basis_index(l, m)] = pair.cosine;
-    values_[basis_index(l, -m)] = pair.sine;
+    values_[coefficient_index(l, m)] = pair.cosine;
+    values_[coefficient_index(l, -m)] = pair.sine;
   }
 
   Builder& build_;
@@ -87,35 +85,30 @@ Kernel with_choices(int degree, const ParityChoices& choices) {
   describe_basis(kernel, degree);
   kernel.citation = kParitySource;
   kernel.factored = true;
-  Builder build(kernel);
+  SignedBuilder build(kernel);
   const Direction d = direction_inputs(build);
-  set_basis_outputs(kernel, append_parity(build, d, degree, choices));
+  set_outputs(kernel, append_parity(build, d, degree, choices));
   return kernel;
 }
 
 }  // namespace
 
-std::vector<NodeId> append_parity(Builder& build, const Direction& d, int degree, const ParityChoices& choices,
+std::vector<NodeId> append_parity(SignedBuilder& build, const Direction& d, int degree, const ParityChoices& choices,
                                   NodeId weight) {
   symbolic::require_basis_index(degree, 0);
   const Squares squares = unit_squares(build, d.z);
-  const SectoralChoices of_orders{squares.across, choices.split_square, -1, -1};
-  std::vector<Pair> sectoral = append_sectoral(build, d, degree, of_orders);
-  if (weight >= 0) sectoral = append_weighted_sectoral(build, d, weight, sectoral, of_orders);
+  std::vector<Pair> sectoral = append_sectoral(build, d, degree, squares, choices.split_square);
+  if (weight >= 0) sectoral = append_weighted_sectoral(build, d, weight, sectoral, squares, choices.split_square);
   const ParityColumns columns(build, d.z, squares, degree, choices);
   return Values(build, d.z, degree, {-1, weight, choices.rows > 0, false}).make(columns, sectoral);
 }
 
-std::vector<NodeId> append_solid(Builder& build, const Direction& d, int degree) {
+std::vector<NodeId> append_solid(SignedBuilder& build, const Direction& d, int degree) {
   symbolic::require_basis_index(degree, 0);
-  const NodeId x2 = build.mul(d.x, d.x, "x2");
-  const NodeId y2 = build.mul(d.y, d.y, "y2");
-  const NodeId z2 = build.mul(d.z, d.z, "z2");
-  const NodeId across = build.add(x2, y2, "xy2");
-  const NodeId r2 = build.add(across, z2, "r2");
-  const std::vector<Pair> sectoral = append_sectoral(build, d, degree, {across, false, x2, y2});
-  const ParityColumns columns(build, d.z, {z2, across, r2}, degree, accurate_choices(degree));
-  return Values(build, d.z, degree, {r2, -1, true, true}).make(columns, sectoral);
+  const Squares squares = append_squares(build, d);
+  const std::vector<Pair> sectoral = append_sectoral(build, d, degree, squares, false);
+  const ParityColumns columns(build, d.z, squares, degree, accurate_choices(degree));
+  return Values(build, d.z, degree, {squares.r2, -1, true, true}).make(columns, sectoral);
 }
 
 Kernel basis_parity(int degree) { return with_choices(degree, accurate_choices(degree)); }

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "codegen/recipes/basis/basis.hpp"
-#include "codegen/recipes/basis/sectoral.hpp"
+#include "codegen/recipes/basis/parity_columns.hpp"
 
 namespace sh::codegen::recipes {
 namespace {
@@ -15,62 +15,55 @@ namespace {
 constexpr const char* kUnitDirection = "|d| = 1 for d = (x, y, z); z is the polar axis; any c";
 constexpr const char* kOrder = "coefficients of the orthonormal Y_lm, no Condon-Shortley phase, at index l(l+1)+m";
 
-// Appends a + b if a exists; otherwise returns b.
-NodeId plus(Builder& build, NodeId a, NodeId b) { return a < 0 ? b : build.add(a, b); }
-
 // The sums of products of coefficients and functions.
 class Evaluation {
  public:
-  Evaluation(Builder& build, const Direction& d, int degree, int first_channel_input)
-      : build_(build), d_(d), degree_(degree), first_(first_channel_input) {
+  Evaluation(SignedBuilder& build, const Direction& d, int degree) : build_(build), degree_(degree) {
     const Squares squares = unit_squares(build, d.z);
     const ParityChoices choices = accurate_choices(degree);
-    sectoral_ = append_sectoral(build, d, degree, {squares.across, choices.split_square, -1, -1});
+    sectoral_ = append_sectoral(build, d, degree, squares, choices.split_square);
     columns_.emplace(build, d.z, squares, degree, choices);
   }
 
   // The sum over all columns for one channel.
   NodeId channel(int index) {
-    offset_ = first_ + index * basis_count(degree_);
+    offset_ = index * coefficient_count(degree_);
     // The sum starts with the largest order, so that it adds the large terms of low degree last.
-    NodeId sum = -1;
+    Value sum;
     for (int m = degree_; m > 0; --m) {
-      const Pair& base = sectoral_[m];
-      sum = plus(build_, sum, build_.mul(column(m, m), base.cosine));
-      sum = plus(build_, sum, build_.mul(column(m, -m), base.sine));
+      sum = build_.plus(sum, build_.times(column(m, m), {sectoral_[m].cosine}));
+      sum = build_.plus(sum, build_.times(column(m, -m), {sectoral_[m].sine}));
     }
-    return plus(build_, sum, column(0, 0));
+    return build_.plus(sum, column(0, 0)).node;
   }
 
  private:
-  NodeId coefficient(int l, int m) { return build_.input(offset_ + static_cast<int>(basis_index(l, m)), ""); }
+  Value coefficient(int l, int m) { return {build_.input(offset_ + coefficient_index(l, m), "")}; }
 
   // sum over n of c T_n for order `signed_m` = +-m
-  NodeId column(int m, int signed_m) {
-    NodeId even = -1;
-    NodeId odd = -1;
+  Value column(int m, int signed_m) {
+    Value even;
+    Value odd;
     for (int n = degree_ - m; n > 1; --n) {
-      NodeId& sum = n % 2 == 0 ? even : odd;
-      sum = plus(build_, sum, build_.mul(coefficient(m + n, signed_m), columns_->at(m, n)));
+      Value& sum = n % 2 == 0 ? even : odd;
+      sum = build_.plus(sum, build_.times(coefficient(m + n, signed_m), {columns_->at(m, n)}));
     }
-    if (m < degree_) odd = build_.mul(plus(build_, odd, coefficient(m + 1, signed_m)), columns_->at(m, 1));
-    NodeId lowest = coefficient(m, signed_m);
-    if (m == 0) lowest = build_.mul(lowest, columns_->at(0, 0));
-    const NodeId last = plus(build_, even, lowest);
-    return plus(build_, odd, last);
+    if (m < degree_) odd = build_.times(build_.plus(odd, coefficient(m + 1, signed_m)), {columns_->at(m, 1)});
+    Value lowest = coefficient(m, signed_m);
+    if (m == 0) lowest = build_.times(lowest, {columns_->at(0, 0)});
+    const Value last = build_.plus(even, lowest);
+    return build_.plus(odd, last);
   }
 
-  Builder& build_;
-  Direction d_;
+  SignedBuilder& build_;
   int degree_;
-  int first_;
   int offset_ = 0;
   std::vector<Pair> sectoral_;
   std::optional<ParityColumns> columns_;
 };
 
 void describe(Kernel& kernel, int degree, int channels) {
-  const int count = basis_count(degree);
+  const int count = coefficient_count(degree);
   kernel.domain = kUnitDirection;
   kernel.factored = true;
   const std::string bands = "bands 0 to " + std::to_string(degree);
@@ -90,19 +83,13 @@ void describe(Kernel& kernel, int degree, int channels) {
   }
 }
 
-Direction direction_behind(Builder& build, int coefficients) {
-  const NodeId x = build.input(coefficients, "x");
-  const NodeId y = build.input(coefficients + 1, "y");
-  return {x, y, build.input(coefficients + 2, "z")};
-}
-
 Kernel by_columns(int degree, int channels) {
   Kernel kernel;
   describe(kernel, degree, channels);
   kernel.citation = kParitySource;
-  Builder build(kernel);
-  const Direction d = direction_behind(build, channels * basis_count(degree));
-  Evaluation evaluation(build, d, degree, 0);
+  SignedBuilder build(kernel);
+  const Direction d = direction_inputs(build, channels * coefficient_count(degree));
+  Evaluation evaluation(build, d, degree);
   for (int channel = 0; channel < channels; ++channel) {
     kernel.outputs[channel].node = evaluation.channel(channel);
   }
@@ -113,17 +100,17 @@ Kernel by_sum(int degree, int channels) {
   Kernel kernel;
   describe(kernel, degree, channels);
   kernel.citation = kParitySource;
-  Builder build(kernel);
-  const int count = basis_count(degree);
-  const Direction d = direction_behind(build, channels * count);
+  SignedBuilder build(kernel);
+  const int count = coefficient_count(degree);
+  const Direction d = direction_inputs(build, channels * count);
   const std::vector<NodeId> values = append_parity(build, d, degree, accurate_choices(degree));
   for (int channel = 0; channel < channels; ++channel) {
-    NodeId sum = -1;
+    Value sum;
     for (int i = count - 1; i >= 0; --i) {
       const NodeId c = build.input(channel * count + i, "");
-      sum = plus(build, sum, build.mul(c, values[i]));
+      sum = build.plus(sum, {build.mul(c, values[i])});
     }
-    kernel.outputs[channel].node = sum;
+    kernel.outputs[channel].node = sum.node;
   }
   return kernel;
 }

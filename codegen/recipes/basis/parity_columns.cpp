@@ -42,10 +42,19 @@ ParityChoices accurate_choices(int degree) {
 Squares unit_squares(Builder& build, NodeId z) {
   const NodeId one = build.constant(Surd(1), "one");
   const NodeId z2 = build.mul(z, z, "z2");
-  return {z2, build.sub(one, z2, "xy2"), -1};
+  return {z2, build.sub(one, z2, "xy2")};
 }
 
-ParityColumns::ParityColumns(Builder& build, NodeId z, const Squares& squares, int degree, const ParityChoices& choices)
+Squares append_squares(Builder& build, const Direction& d) {
+  const NodeId x2 = build.mul(d.x, d.x, "x2");
+  const NodeId y2 = build.mul(d.y, d.y, "y2");
+  const NodeId z2 = build.mul(d.z, d.z, "z2");
+  const NodeId across = build.add(x2, y2, "xy2");
+  return {z2, across, build.add(across, z2, "r2"), x2, y2};
+}
+
+ParityColumns::ParityColumns(SignedBuilder& build, NodeId z, const Squares& squares, int degree,
+                             const ParityChoices& choices)
     : build_(build), z_(z), squares_(squares), degree_(degree), choices_(choices), terms_(degree + 1) {
   for (int m = degree; m >= 0; --m) {
     for (int n = 0; m + n <= degree; ++n) terms_[m].push_back(make(m, n));
@@ -73,15 +82,15 @@ NodeId ParityColumns::polynomial(const Term& target, int m, int n) {
   if (n <= 3) return linear(target, l, m);
   if (n == 4) return square(target, term(m + 1, 3), l, m);
   const int source = m < choices_.rows ? m : m + 1;
-  if (n % 2 != 0) return combine(target, term(source, n - 1), term(source, n - 2), l, m);
-  if (source > m && l < degree_) return combine(target, term(source, n), term(source, n - 2), l, m);
-  return lifted(target, term(source, n - 1), term(source, n - 2), l, m);
+  if (n % 2 != 0) return combine(target, term(source, n - 1), term(source, n - 2), l, m, false);
+  if (source > m && l < degree_) return combine(target, term(source, n), term(source, n - 2), l, m, false);
+  return combine(target, term(source, n - 1), term(source, n - 2), l, m, true);
 }
 
 // A constant, times x^2+y^2+z^2 off the unit sphere.
-NodeId ParityColumns::constant_part(const Surd& value, const std::string& name) {
-  const NodeId k = build_.constant(value, name);
-  return squares_.r2 < 0 ? k : build_.mul(k, squares_.r2);
+Value ParityColumns::constant_part(const Surd& value, const std::string& name) {
+  const Value k = build_.fixed(value, name);
+  return squares_.r2 < 0 ? k : Value{build_.mul(k.node, squares_.r2), k.negative};
 }
 
 // c1 z^2 + c0, or (c1+c0) - c1 (1-z^2); off the unit sphere (c1+c0) z^2 + c0 (x^2+y^2)
@@ -89,12 +98,16 @@ NodeId ParityColumns::linear(const Term& target, int l, int m) {
   const Surd slope = target.scale * Surd(target.powers[1]);
   const Surd start = target.scale * Surd(target.powers[0]);
   const Surd end = target.scale * Surd(target.powers[0] + target.powers[1]);
-  const std::string name = indexed("p", l, m);
-  if (squares_.r2 >= 0) return combination(build_, end, squares_.z2, start, squares_.across, name);
-  const bool across = m < ((l - m) % 2 == 0 ? choices_.even_across : choices_.odd_across);
-  if (!across) return affine(build_, slope, squares_.z2, start, name);
-  const NodeId product = build_.mul(build_.constant(slope, indexed("a", l, m)), squares_.across);
-  return build_.sub(build_.constant(end, indexed("b", l, m)), product, name);
+  const bool off_sphere = squares_.r2 >= 0;
+  const bool across = !off_sphere && m < ((l - m) % 2 == 0 ? choices_.even_across : choices_.odd_across);
+  if (across) {
+    const NodeId product = build_.mul(build_.constant(slope, indexed("a", l, m)), squares_.across);
+    return build_.sub(build_.constant(end, indexed("b", l, m)), product, indexed("p", l, m));
+  }
+  const NodeId product = build_.mul(build_.constant(off_sphere ? end : slope, indexed("a", l, m)), squares_.z2);
+  Value rest = build_.fixed(start, indexed("b", l, m));
+  if (off_sphere) rest = build_.times(rest, {squares_.across});
+  return build_.named(build_.plus({product}, rest), indexed("p", l, m)).node;
 }
 
 // alpha e^2 + beta
@@ -103,31 +116,20 @@ NodeId ParityColumns::square(const Term& target, const Term& e, int l, int m) {
   const Surd alpha = Surd(ratio) * target.scale / (e.scale * e.scale);
   const NodeId squared = build_.mul(build_.mul(build_.constant(alpha, indexed("a", l, m)), e.node), e.node);
   const Surd beta = target.scale * Surd(target.powers[0] - ratio * e.powers[0] * e.powers[0]);
-  NodeId b = constant_part(beta.is_negative() ? -beta : beta, indexed("b", l, m));
-  if (squares_.r2 >= 0) b = build_.mul(b, squares_.r2);
-  return beta.is_negative() ? build_.sub(squared, b, indexed("p", l, m)) : build_.add(squared, b, indexed("p", l, m));
+  Value b = constant_part(beta, indexed("b", l, m));
+  if (squares_.r2 >= 0) b = build_.times(b, {squares_.r2});
+  return build_.named(build_.plus({squared}, b), indexed("p", l, m)).node;
 }
 
-// first + k v
-NodeId ParityColumns::difference(NodeId first, const Surd& k, const Term& v, int l, int m) {
-  const bool minus = k.is_negative();
-  const NodeId second = build_.mul(constant_part(minus ? -k : k, indexed("b", l, m)), v.node);
-  const std::string name = indexed("p", l, m);
-  return minus ? build_.sub(first, second, name) : build_.add(first, second, name);
-}
-
-// r u + s v
-NodeId ParityColumns::combine(const Term& target, const Term& u, const Term& v, int l, int m) {
-  const auto [r, s] = solve(target.powers, u.powers, v.powers);
-  const NodeId a = build_.constant(Surd(r) * target.scale / u.scale, indexed("a", l, m));
-  return difference(build_.mul(a, u.node), Surd(s) * target.scale / v.scale, v, l, m);
-}
-
-// r z^2 u + s v
-NodeId ParityColumns::lifted(const Term& target, const Term& u, const Term& v, int l, int m) {
-  const auto [r, s] = solve(target.powers, raised(u.powers), v.powers);
-  const NodeId a = build_.constant(Surd(r) * target.scale / u.scale, indexed("a", l, m));
-  return difference(build_.mul(build_.mul(a, squares_.z2), u.node), Surd(s) * target.scale / v.scale, v, l, m);
+// r u + s v, or with `lift` r z^2 u + s v
+NodeId ParityColumns::combine(const Term& target, const Term& u, const Term& v, int l, int m, bool lift) {
+  const auto [r, s] = solve(target.powers, lift ? raised(u.powers) : u.powers, v.powers);
+  NodeId first = build_.constant(Surd(r) * target.scale / u.scale, indexed("a", l, m));
+  if (lift) first = build_.mul(first, squares_.z2);
+  first = build_.mul(first, u.node);
+  const Value k = constant_part(Surd(s) * target.scale / v.scale, indexed("b", l, m));
+  const Value second = build_.times(k, {v.node});
+  return build_.named(build_.plus({first}, second), indexed("p", l, m)).node;
 }
 
 }  // namespace sh::codegen::recipes

@@ -10,9 +10,16 @@
 //
 // Off the unit sphere, powers of x^2+y^2+z^2 make every polynomial homogeneous; this gives solid harmonics. All
 // constants are exact: they are solved from the polynomials.
+//
+// The sectoral functions A_m, B_m = k_m Re, Im (x+iy)^m for m = 1 .. degree (Y_(m,+-m) on the unit sphere):
+//   m = 2        A_2 = k_2 (x-y)(x+y) or 2 k_2 x^2 - k_2 v, B_2 = 2 k_2 x y, v = x^2+y^2
+//   m = 3        A_3 = A_1 (h - D), B_3 = B_1 (h + D), h = 2r A_2 = 2r k_2 (x-y)(x+y), D = r k_2 v, r = k_3 / (k_1 k_2)
+//   even m = 2j  B_m = 2r A_j B_j, A_m = r (A_j - B_j)(A_j + B_j), r = k_m / k_j^2
+//   odd m        one factor r (x+iy)
 #pragma once
 
 #include "codegen/recipes/basis/sphere.hpp"
+#include "codegen/recipes/signed_builder.hpp"
 
 namespace sh::codegen::recipes {
 
@@ -32,20 +39,32 @@ struct ParityChoices {
 /// below 1.6 times the error of the recurrence, then the least error.
 ParityChoices accurate_choices(int degree);
 
-/// Nodes of squares of the coordinates.
+/// Nodes of squares of the coordinates; -1: the node does not exist.
 struct Squares {
   NodeId z2 = -1;
   NodeId across = -1;  ///< x^2+y^2, or 1-z^2 on the unit sphere
   NodeId r2 = -1;      ///< x^2+y^2+z^2; -1 on the unit sphere
+  NodeId x2 = -1;
+  NodeId y2 = -1;
 };
 
 /// z^2 and 1-z^2.
 Squares unit_squares(Builder& build, NodeId z);
+/// All squares off the unit sphere.
+Squares append_squares(Builder& build, const Direction& d);
+
+/// Element m holds A_m, B_m; element 0 is empty. A_2 is k_2 (x^2-y^2) if both squares exist, otherwise k_2 (x-y)(x+y)
+/// with split_square. squares.across is necessary for degree > 2, or from degree 2 on without split_square.
+std::vector<Pair> append_sectoral(Builder& build, const Direction& d, int degree, const Squares& squares,
+                                  bool split_square);
+/// The same times a weight; every formula is linear in it. plain: the result of append_sectoral for the same choices.
+std::vector<Pair> append_weighted_sectoral(Builder& build, const Direction& d, NodeId weight,
+                                           const std::vector<Pair>& plain, const Squares& squares, bool split_square);
 
 /// Appends the axial polynomials of all columns.
 class ParityColumns {
  public:
-  ParityColumns(Builder& build, NodeId z, const Squares& squares, int degree, const ParityChoices& choices);
+  ParityColumns(SignedBuilder& build, NodeId z, const Squares& squares, int degree, const ParityChoices& choices);
   /// T_n for even n and n = 1, E_n for odd n >= 3. T_0 exists for m = 0 only.
   [[nodiscard]] NodeId at(int m, int n) const { return term(m, n).node; }
 
@@ -63,12 +82,10 @@ class ParityColumns {
   NodeId polynomial(const Term& target, int m, int n);
   NodeId linear(const Term& target, int l, int m);
   NodeId square(const Term& target, const Term& e, int l, int m);
-  NodeId combine(const Term& target, const Term& u, const Term& v, int l, int m);
-  NodeId lifted(const Term& target, const Term& u, const Term& v, int l, int m);
-  NodeId difference(NodeId first, const symbolic::Surd& k, const Term& v, int l, int m);
-  NodeId constant_part(const symbolic::Surd& value, const std::string& name);
+  NodeId combine(const Term& target, const Term& u, const Term& v, int l, int m, bool lift);
+  Value constant_part(const symbolic::Surd& value, const std::string& name);
 
-  Builder& build_;
+  SignedBuilder& build_;
   NodeId z_;
   Squares squares_;
   int degree_;

@@ -47,14 +47,6 @@ std::vector<cl_RA> mirrored(const std::vector<cl_RA>& p) {
   return result;
 }
 
-// Adds k a to the sum, which may not exist yet.
-NodeId accumulated(Builder& build, NodeId sum, const Surd& k, NodeId a) {
-  const bool minus = sum >= 0 && k.is_negative();
-  const NodeId term = build.mul(build.constant(minus ? -k : k), a);
-  if (sum < 0) return term;
-  return minus ? build.sub(sum, term) : build.add(sum, term);
-}
-
 std::string monomial_name(int i, int j, bool with_z) {
   return "x^" + std::to_string(i) + " y^" + std::to_string(j) + (with_z ? " z" : "");
 }
@@ -72,12 +64,7 @@ void for_each_monomial(int degree, const F& f) {
 
 // The largest error from rounding the stored coefficients, in eps x |c| x sqrt((2l+1)/(4 pi)).
 double storage_error(int degree) {
-  std::vector<double> norms;
-  for (const auto& row : polynomial_matrix(degree)) {
-    double square = 0;
-    for (const Surd& entry : row) square += std::pow(cln::double_approx(entry.evaluate(20)), 2);
-    norms.push_back(std::sqrt(square));
-  }
+  const std::vector<double>& norms = polynomial_norms(degree);
   double largest = 0;
   for (const auto& d : test_directions()) {
     double sum = 0;
@@ -94,15 +81,14 @@ double storage_error(int degree) {
 
 }  // namespace
 
-std::size_t polynomial_index(int degree, int i, int j, bool with_z) {
+int polynomial_index(int degree, int i, int j, bool with_z) {
   const int most = degree - (with_z ? 1 : 0);
   const int first = with_z ? (degree + 1) * (degree + 2) / 2 : 0;
-  const int index = first + (most - i) * (most - i + 1) / 2 + most - i - j;
-  return static_cast<std::size_t>(index);
+  return first + (most - i) * (most - i + 1) / 2 + most - i - j;
 }
 
 std::vector<std::vector<Surd>> polynomial_matrix(int degree) {
-  const auto count = static_cast<std::size_t>(basis_count(degree));
+  const int count = coefficient_count(degree);
   std::vector<std::vector<Surd>> matrix(count, std::vector<Surd>(count));
   Polynomial without_z(cl_RA(1));
   without_z -= across();
@@ -117,19 +103,29 @@ std::vector<std::vector<Surd>> polynomial_matrix(int degree) {
         reduced += z * without_z.power(power / 2) * f.azimuthal;
       }
       for (const auto& [monomial, coefficient] : reduced.terms()) {
-        const std::size_t row =
-            polynomial_index(degree, monomial.exponent(0), monomial.exponent(1), monomial.exponent(2) > 0);
-        matrix[row][basis_index(l, m)] = Surd(coefficient) * f.factor;
+        const int row = polynomial_index(degree, monomial.exponent(0), monomial.exponent(1), monomial.exponent(2) > 0);
+        matrix[row][coefficient_index(l, m)] = Surd(coefficient) * f.factor;
       }
     }
   }
   return matrix;
 }
 
+const std::vector<double>& polynomial_norms(int degree) {
+  static std::map<int, std::vector<double>> known;
+  std::vector<double>& norms = known[degree];
+  if (!norms.empty()) return norms;
+  for (const auto& row : polynomial_matrix(degree)) {
+    double square = 0;
+    for (const Surd& entry : row) square += std::pow(cln::double_approx(entry.evaluate(20)), 2);
+    norms.push_back(std::sqrt(square));
+  }
+  return norms;
+}
+
 Kernel evaluate_prepare(int degree) {
   symbolic::require_basis_index(degree, 0);
   Kernel kernel;
-  const int count = basis_count(degree);
   kernel.title = "A function with bands 0 to " + std::to_string(degree) +
                  " as a polynomial in the direction, for evaluate_prepared_l" + std::to_string(degree);
   kernel.domain = "any c; coefficients of the orthonormal Y_lm, no Condon-Shortley phase, at index l(l+1)+m";
@@ -140,26 +136,25 @@ Kernel evaluate_prepare(int degree) {
   kernel.parameters = {array(Role::kEvaluatedCoefficients, "c", degree)};
   kernel.results = {array(Role::kPolynomial, "polynomial", degree)};
   Builder build(kernel);
-  std::vector<NodeId> sums(count, -1);
+  std::vector<NodeId> sums(coefficient_count(degree), -1);
   for (int m = -degree; m <= degree; ++m) {
     const int order = std::abs(m);
     for (int parity = 0; parity < 2 && order + parity <= degree; ++parity) {
       // The coefficients of (x^2+y^2)^k in the factor of Re or Im (x+iy)^order.
-      std::vector<NodeId> by_power((degree - order - parity) / 2 + 1, -1);
+      std::vector<NodeId> by_power(((degree - order - parity) / 2 + 1), -1);
       for (int l = order + parity; l <= degree; l += 2) {
-        const AxialForm form = axial_form(l, order);
-        const Surd scale = order == 0 ? form.scale : form.scale * sectoral_factor(order);
+        const AxialForm form = whole_axial_form(l, order);
         const std::vector<cl_RA> powers = mirrored(form.powers);
-        const NodeId c = build.input(static_cast<int>(basis_index(l, m)), "");
+        const NodeId c = build.input(coefficient_index(l, m), "");
         for (std::size_t k = 0; k < powers.size(); ++k) {
-          by_power[k] = accumulated(build, by_power[k], scale * Surd(powers[k]), c);
+          by_power[k] = plus_scaled(build, by_power[k], form.scale * Surd(powers[k]), c);
         }
       }
       Polynomial spread = symbolic::reduced_basis_function(order, m).azimuthal;
       for (const NodeId part : by_power) {
         for (const auto& [monomial, coefficient] : spread.terms()) {
           NodeId& sum = sums[polynomial_index(degree, monomial.exponent(0), monomial.exponent(1), parity == 1)];
-          sum = accumulated(build, sum, Surd(coefficient), part);
+          sum = plus_scaled(build, sum, Surd(coefficient), part);
         }
         spread = spread * across();
       }
@@ -174,7 +169,6 @@ Kernel evaluate_prepare(int degree) {
 Kernel evaluate_prepared(int degree) {
   symbolic::require_basis_index(degree, 0);
   Kernel kernel;
-  const int count = basis_count(degree);
   kernel.title = "The value of a prepared function with bands 0 to " + std::to_string(degree) + " in one direction";
   kernel.domain = "|d| = 1 for d = (x, y, z); polynomial as evaluate_prepare_l" + std::to_string(degree) + " makes it";
   kernel.result = fmt::format(
@@ -186,9 +180,7 @@ Kernel evaluate_prepared(int degree) {
   kernel.parameters = with_direction({array(Role::kPolynomial, "polynomial", degree)});
   kernel.results = {parameter(Role::kValue, "value")};
   Builder build(kernel);
-  const NodeId x = build.input(count, "x");
-  const NodeId y = build.input(count + 1, "y");
-  const NodeId z = build.input(count + 2, "z");
+  const auto [x, y, z] = direction_inputs(build, coefficient_count(degree));
   const auto step = [&build](NodeId sum, NodeId variable, NodeId next) {
     return sum < 0 ? next : build.add(build.mul(sum, variable), next);
   };
@@ -198,7 +190,7 @@ Kernel evaluate_prepared(int degree) {
     for (int i = most; i >= 0; --i) {
       NodeId inner = -1;
       for (int j = most - i; j >= 0; --j) {
-        inner = step(inner, y, build.input(static_cast<int>(polynomial_index(degree, i, j, with_z)), ""));
+        inner = step(inner, y, build.input(polynomial_index(degree, i, j, with_z), ""));
       }
       sum = step(sum, x, inner);
     }

@@ -27,6 +27,7 @@ void describe(Kernel& kernel, const Parameter& sum) {
   kernel.domain = "|d| = 1 for d = (x, y, z); z is the polar axis; any weight";
   kernel.parameters = with_direction({}, {parameter(Role::kWeight, "weight"), sum});
   kernel.results = {sum};
+  label_coefficients(kernel, sum.degree);
 }
 
 // Output i = input sum i + node i.
@@ -36,7 +37,7 @@ void accumulate(Kernel& kernel, Builder& build, const std::vector<NodeId>& value
     const NodeId sum = build.input(kFirstSumInput + static_cast<int>(i), "");
     sums.push_back(build.add(sum, values[i]));
   }
-  set_basis_outputs(kernel, sums);
+  set_outputs(kernel, sums);
 }
 
 template <class Append>
@@ -46,7 +47,7 @@ Kernel accumulated_basis(int degree, const std::string& source, const Append& ap
   kernel.title = "Adds one weighted sample to a projection on bands 0 to " + std::to_string(degree);
   kernel.result = "sum += weight Y_lm(d) at index l(l+1)+m, orthonormal on the unit sphere, no Condon-Shortley phase";
   kernel.citation = source;
-  Builder build(kernel);
+  SignedBuilder build(kernel);
   const Direction d = direction_inputs(build);
   const NodeId weight = build.input(kWeightInput, "weight");
   accumulate(kernel, build, append(build, d, weight));
@@ -59,11 +60,10 @@ double amplification(int degree) {
   double largest = 0;
   for (int l = 0; l <= degree; ++l) {
     for (int m = 0; m <= l; ++m) {
-      const AxialForm form = axial_form(l, m);
-      const Surd scale = m == 0 ? form.scale : form.scale * sectoral_factor(m);
+      const AxialForm form = whole_axial_form(l, m);
       double sum = 0;
       for (const cln::cl_RA& power : form.powers) {
-        sum += std::abs(cln::double_approx((scale * Surd(power)).evaluate(20)));
+        sum += std::abs(cln::double_approx((form.scale * Surd(power)).evaluate(20)));
       }
       largest = std::max(largest, sum / std::sqrt((2 * l + 1) / (4 * std::numbers::pi)));
     }
@@ -74,9 +74,10 @@ double amplification(int degree) {
 }  // namespace
 
 Kernel project_parity(int degree) {
-  Kernel kernel = accumulated_basis(degree, kParitySource, [degree](Builder& build, const Direction& d, NodeId weight) {
-    return append_parity(build, d, degree, accurate_choices(degree), weight);
-  });
+  Kernel kernel =
+      accumulated_basis(degree, kParitySource, [degree](SignedBuilder& build, const Direction& d, NodeId weight) {
+        return append_parity(build, d, degree, accurate_choices(degree), weight);
+      });
   kernel.factored = true;
   return kernel;
 }
@@ -99,33 +100,30 @@ Kernel project_moments(int degree) {
   kernel.factored = true;
   Builder build(kernel);
   const Direction d = direction_inputs(build);
-  std::vector<NodeId> values(basis_count(degree));
+  std::vector<NodeId> values(coefficient_count(degree));
   values[0] = build.input(kWeightInput, "weight");
   for (int m = 1; m <= degree; ++m) {
-    const auto last = basis_index(m - 1, m - 1);
-    const auto last_sine = basis_index(m - 1, 1 - m);
+    const auto last = coefficient_index(m - 1, m - 1);
+    const auto last_sine = coefficient_index(m - 1, 1 - m);
     const NodeId xc = build.mul(d.x, values[last]);
     const NodeId yc = build.mul(d.y, values[last]);
     if (m == 1) {
-      values[basis_index(1, 1)] = xc;
-      values[basis_index(1, -1)] = yc;
+      values[coefficient_index(1, 1)] = xc;
+      values[coefficient_index(1, -1)] = yc;
       continue;
     }
     const NodeId ys = build.mul(d.y, values[last_sine]);
     const NodeId xs = build.mul(d.x, values[last_sine]);
-    values[basis_index(m, m)] = build.sub(xc, ys, "c" + std::to_string(m));
-    values[basis_index(m, -m)] = build.add(xs, yc, "s" + std::to_string(m));
+    values[coefficient_index(m, m)] = build.sub(xc, ys, "c" + std::to_string(m));
+    values[coefficient_index(m, -m)] = build.add(xs, yc, "s" + std::to_string(m));
   }
   for (int m = -degree; m <= degree; ++m) {
     for (int l = std::abs(m) + 1; l <= degree; ++l) {
-      values[basis_index(l, m)] = build.mul(values[basis_index(l - 1, m)], d.z);
+      values[coefficient_index(l, m)] = build.mul(values[coefficient_index(l - 1, m)], d.z);
     }
   }
   accumulate(kernel, build, values);
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    std::string& label = kernel.outputs[i].label;
-    label.insert(0, "as ");
-  }
+  for (Output& output : kernel.outputs) output.label.insert(0, "as ");
   return kernel;
 }
 
@@ -143,27 +141,24 @@ Kernel project_finish(int degree) {
   kernel.factored = true;
   kernel.parameters = {array(Role::kMoments, "moments", degree)};
   kernel.results = {array(Role::kCoefficients, "c", degree)};
+  label_coefficients(kernel, degree);
   Builder build(kernel);
-  std::vector<NodeId> values(basis_count(degree));
+  std::vector<NodeId> values(coefficient_count(degree));
   for (int l = 0; l <= degree; ++l) {
     for (int m = -l; m <= l; ++m) {
       const int order = std::abs(m);
-      const AxialForm form = axial_form(l, order);
-      const Surd scale = order == 0 ? form.scale : form.scale * sectoral_factor(order);
+      const AxialForm form = whole_axial_form(l, order);
       NodeId sum = -1;
       for (std::size_t k = 0; k < form.powers.size(); ++k) {
         // z^n is at the place of degree order + n.
         const int place = order + 2 * static_cast<int>(k) + (form.odd ? 1 : 0);
-        const NodeId moment = build.input(static_cast<int>(basis_index(place, m)), "");
-        const Surd factor = scale * Surd(form.powers[k]);
-        const bool minus = sum >= 0 && factor.is_negative();
-        const NodeId term = build.mul(build.constant(minus ? -factor : factor, indexed("k", l, order)), moment);
-        sum = sum < 0 ? term : minus ? build.sub(sum, term) : build.add(sum, term);
+        const NodeId moment = build.input(coefficient_index(place, m), "");
+        sum = plus_scaled(build, sum, form.scale * Surd(form.powers[k]), moment, indexed("k", l, order));
       }
-      values[basis_index(l, m)] = sum;
+      values[coefficient_index(l, m)] = sum;
     }
   }
-  set_basis_outputs(kernel, values);
+  set_outputs(kernel, values);
   return kernel;
 }
 

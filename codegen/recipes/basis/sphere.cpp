@@ -8,13 +8,6 @@ namespace sh::codegen::recipes {
 
 using symbolic::Surd;
 
-std::size_t basis_index(int l, int m) {
-  const int index = l * (l + 1) + m;
-  return static_cast<std::size_t>(index);
-}
-
-int basis_count(int degree) { return (degree + 1) * (degree + 1); }
-
 Surd sectoral_factor(int m) {
   const cln::cl_I odd = m == 0 ? cln::cl_I(1) : cln::doublefactorial(static_cast<unsigned>(2 * m - 1));
   const cln::cl_RA square =
@@ -26,9 +19,9 @@ Surd upper_factor(int l, int m) { return Surd::square_root(cln::cl_RA(4 * l * l 
 
 Surd lower_factor(int l, int m) { return upper_factor(l, m) / upper_factor(l - 1, m); }
 
-AxialForm axial_form(int l, int m) {
+AxialForm whole_axial_form(int l, int m) {
   const symbolic::BasisFunction f = symbolic::reduced_basis_function(l, m);
-  AxialForm form{m == 0 ? f.factor : f.factor / sectoral_factor(m), {}, (l - m) % 2 != 0};
+  AxialForm form{f.factor, {}, (l - m) % 2 != 0};
   form.powers.assign((l - m) / 2 + 1, 0);
   for (const auto& [monomial, coefficient] : f.axial.terms()) {
     form.powers.at(monomial.exponent(2) / 2) = coefficient;
@@ -36,36 +29,44 @@ AxialForm axial_form(int l, int m) {
   return form;
 }
 
-namespace {
-
-// The constant of node p_4_2: a_4_2.
-std::string constant_name(char letter, const std::string& name) {
-  const std::size_t underscore = name.find('_');
-  return underscore == std::string::npos ? std::string() : letter + name.substr(underscore);
+AxialForm axial_form(int l, int m) {
+  AxialForm form = whole_axial_form(l, m);
+  if (m > 0) form.scale = form.scale / sectoral_factor(m);
+  return form;
 }
 
-}  // namespace
-
-NodeId affine(Builder& build, const ExactReal& k, NodeId a, const ExactReal& c, const std::string& name) {
-  const NodeId product = build.mul(build.constant(k, constant_name('a', name)), a);
-  const bool minus = is_negative(c);
-  const NodeId constant = build.constant(minus ? negate(c) : c, constant_name('b', name));
-  return minus ? build.sub(product, constant, name) : build.add(product, constant, name);
+std::vector<NodeId> append_column(Builder& build, const Recurrence& recurrence, NodeId z, NodeId start, int degree,
+                                  int m, NodeId r2) {
+  std::vector<NodeId> p{start};
+  for (int l = m + 1; l <= degree; ++l) {
+    const NodeId raised = build.mul(build.mul(build.constant(recurrence.a(l, m), indexed("a", l, m)), z), p.back());
+    if (l == m + 1) {
+      p.push_back(raised);
+    } else {
+      NodeId b = build.constant(recurrence.b(l, m), indexed("b", l, m));
+      if (r2 >= 0) b = build.mul(b, r2);
+      p.push_back(build.sub(raised, build.mul(b, p[l - m - 2])));
+    }
+    build.name(p.back(), indexed("p", l, m));
+  }
+  return p;
 }
 
-NodeId combination(Builder& build, const ExactReal& k, NodeId a, const ExactReal& q, NodeId b,
-                   const std::string& name) {
-  const NodeId first = build.mul(build.constant(k, constant_name('a', name)), a);
-  const bool minus = is_negative(q);
-  const NodeId second = build.mul(build.constant(minus ? negate(q) : q, constant_name('b', name)), b);
-  return minus ? build.sub(first, second, name) : build.add(first, second, name);
+Pair next_power(Builder& build, NodeId x, NodeId y, const Pair& last, int m) {
+  // Each statement has only one call, because the order of nodes must not depend on the compiler.
+  const NodeId xc = build.mul(x, last.cosine);
+  const NodeId ys = build.mul(y, last.sine);
+  const NodeId cosine = build.sub(xc, ys, numbered("c", m));
+  const NodeId xs = build.mul(x, last.sine);
+  const NodeId yc = build.mul(y, last.cosine);
+  return {cosine, build.add(xs, yc, numbered("s", m))};
 }
 
-Direction direction_inputs(Builder& build) {
-  const NodeId x = build.input(0, "x");
-  const NodeId y = build.input(1, "y");
-  const NodeId z = build.input(2, "z");
-  return {x, y, z};
+NodeId plus_scaled(Builder& build, NodeId sum, const Surd& k, NodeId a, const std::string& name) {
+  const bool minus = sum >= 0 && k.is_negative();
+  const NodeId term = build.mul(build.constant(minus ? -k : k, name), a);
+  if (sum < 0) return term;
+  return minus ? build.sub(sum, term) : build.add(sum, term);
 }
 
 void describe_basis(Kernel& kernel, int degree) {
@@ -76,14 +77,7 @@ void describe_basis(Kernel& kernel, int degree) {
   kernel.result = "Y_lm(d) at index l(l+1)+m, orthonormal on the unit sphere, no Condon-Shortley phase";
   kernel.parameters = with_direction({});
   kernel.results = {array(Role::kBasisValues, "out", degree)};
-}
-
-void set_basis_outputs(Kernel& kernel, const std::vector<NodeId>& values) {
-  int degree = 0;
-  while (basis_count(degree) < static_cast<int>(values.size())) ++degree;
-  kernel.outputs.clear();
   label_coefficients(kernel, degree);
-  for (std::size_t i = 0; i < values.size(); ++i) kernel.outputs[i].node = values[i];
 }
 
 }  // namespace sh::codegen::recipes

@@ -1,29 +1,18 @@
-// Parts that the recipes of the basis share: exact factors, axial polynomials and texts.
+// Parts that the recipes on the sphere share: exact factors, axial polynomials and texts.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "codegen/ir/ir.hpp"
-#include "codegen/recipes/zonal/columns.hpp"
+#include "codegen/recipes/parts.hpp"
 
 namespace sh::codegen::recipes {
-
-/// The nodes of x, y, z.
-struct Direction {
-  NodeId x, y, z;
-};
 
 /// The two functions of order +-m, m > 0: the function with Re (x+iy)^m (cosine) and the function with Im (sine).
 struct Pair {
   NodeId cosine = -1;
   NodeId sine = -1;
 };
-
-/// Position of Y_lm, l(l+1)+m.
-std::size_t basis_index(int l, int m);
-/// (degree+1)^2
-int basis_count(int degree);
 
 /// k_m = Y_mm / Re (x+iy)^m = (2m-1)!! sqrt((2 - delta_m0) (2m+1) / (4 pi (2m)!))
 symbolic::Surd sectoral_factor(int m);
@@ -40,17 +29,24 @@ struct AxialForm {
 };
 /// The factor of the sectoral functions of order m: Y_lm / Y_mm for m > 0, Y_l0 for m = 0.
 AxialForm axial_form(int l, int m);
+/// The same with the factor k_m: Y_lm / Re (x+iy)^m.
+AxialForm whole_axial_form(int l, int m);
 
-/// k a + c; the operation takes the sign of c. The constants of p_4_2 have the names a_4_2 and b_4_2.
-NodeId affine(Builder& build, const ExactReal& k, NodeId a, const ExactReal& c, const std::string& name);
-/// k a + q b; the operation takes the sign of q.
-NodeId combination(Builder& build, const ExactReal& k, NodeId a, const ExactReal& q, NodeId b, const std::string& name);
+/// The constants of a recurrence p_l = a(l, m) z p_(l-1) - b(l, m) p_(l-2).
+struct Recurrence {
+  symbolic::Surd (*a)(int l, int m);
+  symbolic::Surd (*b)(int l, int m);
+};
+/// p_l for l = m .. degree from p_m = start, at element l - m. r2: a node that multiplies b; -1: there is none.
+std::vector<NodeId> append_column(Builder& build, const Recurrence& recurrence, NodeId z, NodeId start, int degree,
+                                  int m, NodeId r2 = -1);
+/// (Re, Im) of (x + iy)^m from those of (x + iy)^(m-1), or a multiple of them.
+Pair next_power(Builder& build, NodeId x, NodeId y, const Pair& last, int m);
 
-/// Inputs 0, 1, 2 as x, y, z.
-Direction direction_inputs(Builder& build);
+/// sum + k a, or k a if there is no sum (-1). The operation takes the sign of k. name: of the constant.
+NodeId plus_scaled(Builder& build, NodeId sum, const symbolic::Surd& k, NodeId a, const std::string& name = {});
+
 /// Sets title, domain, result, parameters and results of a kernel that computes values in a direction.
 void describe_basis(Kernel& kernel, int degree);
-/// Makes node i the output i with the label of Y_lm.
-void set_basis_outputs(Kernel& kernel, const std::vector<NodeId>& values);
 
 }  // namespace sh::codegen::recipes

@@ -61,7 +61,7 @@ LaneTriples lane_triples() {
       throw std::logic_error("lane triples: too many terms");
     for (std::size_t t = 0; t < terms.size(); ++t) {
       LaneTriples::Round& round = result.rounds[t % kRounds];
-      const auto lane = static_cast<std::size_t>(t < kRounds ? k : next);
+      const auto lane = t < kRounds ? k : next;
       round.i[lane] = terms[t].i;
       round.j[lane] = terms[t].j;
       round.g[lane] = terms[t].g;

@@ -15,11 +15,9 @@ namespace {
 constexpr int kQuickAttempts = 2;
 constexpr int kThoroughAttempts = 30;
 
-double approximate(const ExactReal& value) { return cln::double_approx(evaluate(value, 20)); }
-
 }  // namespace
 
-PhiTransform::PhiTransform(const PhiShape& shape) : shape_(shape), scales_(2 * shape.degree + 1, ExactReal(Surd(1))) {
+PhiTransform::PhiTransform(const PhiShape& shape) : shape_(shape), scales_((2 * shape.degree + 1), ExactReal(Surd(1))) {
   for (int part = 0; part < kParts; ++part) {
     auto& columns = columns_[part];
     for (const int order : orders_of(part)) {
@@ -47,7 +45,7 @@ ExactReal PhiTransform::entry(int order, int j) const {
 }
 
 LinearMap PhiTransform::matrix(int part) const {
-  LinearMap rows(static_cast<std::size_t>(shape_.rings * samples()));
+  LinearMap rows(shape_.rings * samples());
   const auto& columns = columns_[part];
   for (std::size_t c = 0; c < columns.size(); ++c) {
     const Column& column = columns[c];
@@ -119,7 +117,7 @@ PhiTransform::Samples PhiTransform::sample(SignedBuilder& build, const Coefficie
     }
     const std::vector<Value> rows = run_forwards(build, circuits_[part], inputs);
     for (std::size_t i = 0; i < rows.size(); ++i) {
-      const auto per_ring = static_cast<std::size_t>(samples());
+      const auto per_ring = samples();
       result[i / per_ring][i % per_ring][part] = rows[i];
     }
   }

@@ -4,10 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "codegen/ir/ir.hpp"
+#include "codegen/recipes/parts.hpp"
 #include "codegen/recipes/product/ring_quadrature.hpp"
 #include "codegen/recipes/signed_builder.hpp"
-#include "numeric/oracle/index.hpp"
 #include "symbolic/product/product_form.hpp"
 
 namespace sh::codegen::recipes {
@@ -17,13 +16,8 @@ using symbolic::ProductShape;
 /// The factors of a product: two functions, or one function and itself.
 enum class Factors { kTwo, kSame };
 
-using numeric::coefficient_count;
-
 /// A kernel without nodes: its parameters (a and b, or only a), its result and its texts.
 Kernel product_frame(const ProductShape& shape, Factors factors);
-
-/// Sets output l(l+1)+m with its label.
-void set_coefficient(Kernel& kernel, int index, NodeId node);
 
 /// A pair i < j and the third indices of the triples that the pair covers.
 struct PairWithThirds {

@@ -88,7 +88,7 @@ class Pairs {
         run_transposed(build_, same_ ? short_circuit(backwards_, count_, attempts()) : circuit, products);
     for (std::size_t k = 0; k < sums_.size(); ++k) sums_[k].push_back(thirds[k]);
     for (std::size_t k = 0; k < kernel_.outputs.size(); ++k) {
-      set_coefficient(kernel_, static_cast<int>(k), build_.node(build_.sum(sums_[k])));
+      kernel_.outputs[k].node = build_.node(build_.sum(sums_[k]));
     }
   }
 
@@ -108,8 +108,8 @@ class Pairs {
 
   // a_i b_j + a_j b_i, or a_i b_i; half of it in a square.
   Value product(const std::pair<int, int>& pair) {
-    const auto i = static_cast<std::size_t>(pair.first);
-    const auto j = static_cast<std::size_t>(pair.second);
+    const auto i = pair.first;
+    const auto j = pair.second;
     const Value ij = build_.times(a_[i], b_[j]);
     const std::string name = "p_" + std::to_string(i) + "_" + std::to_string(j);
     if (same_ || i == j) return build_.named(ij, name);
@@ -118,8 +118,8 @@ class Pairs {
 
   // c_i += A b_j + B a_j, c_j += A b_i + B a_i; in a square A is twice as large
   void spread(const std::pair<int, int>& pair, Value of_a, Value of_b) {
-    const auto i = static_cast<std::size_t>(pair.first);
-    const auto j = static_cast<std::size_t>(pair.second);
+    const auto i = pair.first;
+    const auto j = pair.second;
     for (const auto& [to, from] : {std::pair(i, j), std::pair(j, i)}) {
       sums_[to].push_back(build_.times(of_a, b_[from]));
       if (!same_) sums_[to].push_back(build_.times(of_b, a_[from]));

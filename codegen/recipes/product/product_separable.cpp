@@ -10,11 +10,10 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <optional>
+#include <tuple>
 
 #include "codegen/recipes/product/phi_transform.hpp"
 #include "codegen/recipes/product/product.hpp"
-#include "codegen/recipes/product/ring_factor.hpp"
 #include "symbolic/product/gaunt.hpp"
 
 namespace sh::codegen::recipes {
@@ -24,6 +23,32 @@ using symbolic::Surd;
 using Samples = PhiTransform::Samples;
 using Coefficients = PhiTransform::Coefficients;
 using Parts = std::array<Value, kParts>;
+
+// One element for a single ring; one element for each pair of rings if a loop runs over the pairs.
+using Factor = std::vector<ExactReal>;
+
+// Arithmetic element by element.
+Factor times(Factor factor, const ExactReal& scale) {
+  for (ExactReal& element : factor) element = multiply(element, scale);
+  return factor;
+}
+
+Factor times(Factor factor, const Factor& other) {
+  for (std::size_t i = 0; i < factor.size(); ++i) factor[i] = multiply(factor[i], other[i]);
+  return factor;
+}
+
+Factor quotient(Factor factor, const Factor& divisor) {
+  for (std::size_t i = 0; i < factor.size(); ++i) factor[i] = multiply(factor[i], reciprocal(divisor[i]));
+  return factor;
+}
+
+// The approximate absolute value of the smallest element.
+double smallest_size(const Factor& factor) {
+  double smallest = approximate(factor.front());
+  for (const ExactReal& element : factor) smallest = std::min(smallest, approximate(element));
+  return smallest;
+}
 
 std::string named(const char* letter, int ring, int order, const char* suffix) {
   return letter + std::to_string(ring + 1) + (order < 0 ? "s" : "c") + std::to_string(std::abs(order)) + suffix;
@@ -55,7 +80,7 @@ class Separable {
       }
     }
     for (int i = 0; i < coefficient_count(shape_.result); ++i) {
-      set_coefficient(kernel_, i, build_.node(build_.sum(sums_[i])));
+      kernel_.outputs[i].node = build_.node(build_.sum(sums_[i]));
     }
   }
 
@@ -88,7 +113,7 @@ class Separable {
     const auto [column, added] = columns_.try_emplace(key, static_cast<int>(columns_.size()));
     kernel_.table.resize(factor.size());
     for (std::size_t row = 0; added && row < factor.size(); ++row) kernel_.table[row].push_back(factor[row]);
-    return build_.times(build_.table(column->second), value);
+    return build_.times(Value{build_.table(column->second)}, value);
   }
 
   // scale: a constant that multiplies all products.
@@ -97,7 +122,7 @@ class Separable {
     std::vector<Value> even;
     std::vector<std::pair<Factor, Value>> odd;
     for (int l = m; l <= degree; ++l) {
-      const Value value = c[symbolic::coefficient_index(l, order)];
+      const Value value = c[coefficient_index(l, order)];
       const Factor factor = theta(l, m, ring);
       if ((l - m) % 2 == 0) {
         even.push_back(scaled(times(factor, scale), value));
@@ -112,7 +137,7 @@ class Separable {
   Value scaled_sum(const std::vector<std::pair<Factor, Value>>& terms, const ExactReal& scale) {
     if (terms.empty()) return {};
     const auto largest = std::max_element(terms.begin(), terms.end(), [](const auto& x, const auto& y) {
-      return approximate(x.first) < approximate(y.first) * (1 - 1e-9);
+      return smallest_size(x.first) < smallest_size(y.first) * (1 - 1e-9);
     });
     std::vector<Value> values;
     for (auto term = terms.begin(); term != terms.end(); ++term) {
@@ -139,12 +164,15 @@ class Separable {
       const Value half = (l - m) % 2 == 0 ? halves.even : halves.odd;
       const Value term = scaled(times(weight, theta(l, m, ring)), half);
       if (term.is_zero()) continue;
-      sums_[symbolic::coefficient_index(l, order)].push_back(weight.size() > 1 ? build_.row_sum(term) : term);
+      sums_[coefficient_index(l, order)].push_back(weight.size() > 1 ? build_.row_sum(term) : term);
     }
   }
 
   // The frequencies k = M - q above the result's that sampling cannot tell from q.
   [[nodiscard]] bool aliased(int q) const { return q > 0 && angles_ - q <= shape_.a + shape_.b; }
+
+  // True if the aliased frequency has the same coefficients on both rings.
+  [[nodiscard]] bool shared_alias(int q, int rings) const { return rings == 2 && angles_ - q == shape_.a + shape_.b; }
 
   [[nodiscard]] std::vector<std::pair<int, int>> orders_adding_to(int k) const {
     std::vector<std::pair<int, int>> orders;
@@ -154,36 +182,31 @@ class Separable {
 
   // The contribution of an aliased frequency in units of S_q: M/16, twice as much for doubled samples, half as much if
   // the square leaves out a factor of two.
-  [[nodiscard]] ExactReal alias_factor(int q, bool sine) const {
+  [[nodiscard]] ExactReal alias_factor(int order) const {
     cln::cl_RA factor = cln::cl_RA(angles_) / 16;
     if (halves_) factor = 2 * factor;
-    if (same_ && part_of(sine ? -q : q) != 0) factor = factor / 2;
+    if (same_ && part_of(order) != 0) factor = factor / 2;
     return Surd(factor);
   }
 
-  const PhiTransform& transform(std::vector<std::pair<std::pair<int, int>, PhiTransform>>& known, int degree, int rings,
-                                bool back) {
-    for (const auto& [key, made] : known) {
-      if (key == std::pair(degree, rings)) return made;
-    }
+  const PhiTransform& transform(int degree, int rings, bool back) {
+    const std::tuple key(degree, rings, back);
+    const auto known = transforms_.find(key);
+    if (known != transforms_.end()) return known->second;
     PhiShape shape{degree, angles_, rings, back && !halves_, {}, {}};
-    if (back) {
-      for (int q = 1; q <= degree; ++q) {
-        if (!aliased(q)) continue;
-        const bool once = angles_ - q == shape_.a + shape_.b && rings == 2;
-        for (const bool sine : {false, true}) {
-          const ExactReal factor = alias_factor(q, sine);
-          shape.preferred[sine ? -q : q] = {once ? multiply(factor, Surd(2)) : factor, once ? 1 : rings};
-        }
-      }
-    } else {
-      for (int q = 1; q <= shape_.result; ++q) {
-        if (!aliased(q)) continue;
+    for (int q = 1; q <= shape_.result; ++q) {
+      if (!aliased(q)) continue;
+      if (!back) {
         for (const auto& [m, n] : orders_adding_to(angles_ - q)) shape.unscaled.insert(shape.unscaled.end(), {m, n});
+        continue;
+      }
+      const bool once = shared_alias(q, rings);
+      for (const int order : {q, -q}) {
+        const ExactReal factor = alias_factor(order);
+        shape.preferred[order] = {once ? multiply(factor, Surd(2)) : factor, once ? 1 : rings};
       }
     }
-    known.emplace_back(std::pair(degree, rings), PhiTransform(shape));
-    return known.back().second;
+    return transforms_.emplace(key, PhiTransform(shape)).first->second;
   }
 
   // The coefficients of a factor on a pair of rings or on the equator, by ring and order.
@@ -192,7 +215,7 @@ class Separable {
     const bool pair = !quadrature_.is_equator(ring);
     Coefficients result(pair ? 2 : 1, std::vector<Value>(2 * degree + 1));
     for (int order = -degree; order <= degree; ++order) {
-      const auto at = static_cast<std::size_t>(order + degree);
+      const auto at = order + degree;
       const Halves halves = synthesise(c, degree, order, ring, phi.scale(order));
       result[0][at] = build_.named(build_.plus(halves.even, halves.odd), named(letter, ring, order, "n"));
       if (!pair) continue;
@@ -204,45 +227,41 @@ class Separable {
   }
 
   Parts product(const Parts& a, const Parts& b, bool end) {
+    if (halves_ && !end) return product_by_halves(a, b);
     Parts result;
-    if (same_) {
-      for (std::size_t r = 0; r < kParts; ++r) {
-        std::vector<Value> terms;
-        for (std::size_t p = 0; p < kParts; ++p) {
-          if (p <= (p ^ r)) terms.push_back(build_.times(a[p], a[p ^ r]));
-        }
-        result[r] = build_.sum(terms);
+    for (int r = 0; r < kParts; ++r) {
+      std::vector<Value> terms;
+      for (int p = 0; p < kParts; ++p) {
+        if (!same_ || p <= (p ^ r)) terms.push_back(build_.times(a[p], b[p ^ r]));
       }
-    } else if (halves_ && !end) {
-      for (const bool minus : {false, true}) {
-        const auto half = [&](const Parts& f, std::size_t p) {
-          return minus ? build_.minus(f[p], f[p + 2]) : build_.plus(f[p], f[p + 2]);
-        };
-        const Value ac = half(a, 0);
-        const Value as = half(a, 1);
-        const Value bc = half(b, 0);
-        const Value bs = half(b, 1);
-        const Value cc = build_.times(ac, bc);
-        const Value ss = build_.times(as, bs);
-        const Value cs = build_.times(ac, bs);
-        const Value sc = build_.times(as, bc);
-        const std::array<Value, 2> value{build_.plus(cc, ss), build_.plus(cs, sc)};
-        for (std::size_t p = 0; p < 2; ++p) {
-          if (!minus) {
-            result[p] = value[p];
-            continue;
-          }
-          const Value plus = result[p];
-          result[p] = build_.plus(plus, value[p]);
-          result[p + 2] = build_.minus(plus, value[p]);
-        }
-      }
-    } else {
-      for (std::size_t r = 0; r < kParts; ++r) {
-        std::vector<Value> terms;
-        for (std::size_t p = 0; p < kParts; ++p) terms.push_back(build_.times(a[p], b[p ^ r]));
-        result[r] = build_.sum(terms);
-      }
+      result[r] = build_.sum(terms);
+    }
+    return result;
+  }
+
+  // The sums and the differences of parts p and p + 2 multiply separately.
+  Parts product_by_halves(const Parts& a, const Parts& b) {
+    const auto half = [&](bool minus) {
+      const auto of = [&](const Parts& f, int p) {
+        return minus ? build_.minus(f[p], f[p + 2]) : build_.plus(f[p], f[p + 2]);
+      };
+      const Value ac = of(a, 0);
+      const Value as = of(a, 1);
+      const Value bc = of(b, 0);
+      const Value bs = of(b, 1);
+      const Value cc = build_.times(ac, bc);
+      const Value ss = build_.times(as, bs);
+      const Value cs = build_.times(ac, bs);
+      const Value sc = build_.times(as, bc);
+      const Value cosines = build_.plus(cc, ss);
+      return std::array{cosines, build_.plus(cs, sc)};
+    };
+    const std::array plus = half(false);
+    const std::array minus = half(true);
+    Parts result;
+    for (int p = 0; p < 2; ++p) {
+      result[p] = build_.plus(plus[p], minus[p]);
+      result[p + 2] = build_.minus(plus[p], minus[p]);
     }
     return result;
   }
@@ -273,9 +292,9 @@ class Separable {
 
   void ring_or_pair(int ring, const std::vector<Value>& a, const std::vector<Value>& b) {
     const int rings = quadrature_.is_equator(ring) ? 1 : 2;
-    const PhiTransform phi_a = transform(forwards_, shape_.a, rings, false);
-    const PhiTransform phi_b = transform(forwards_, shape_.b, rings, false);
-    const PhiTransform phi_c = transform(backwards_, shape_.result, rings, true);
+    const PhiTransform& phi_a = transform(shape_.a, rings, false);
+    const PhiTransform& phi_b = transform(shape_.b, rings, false);
+    const PhiTransform& phi_c = transform(shape_.result, rings, true);
     const Coefficients on_a = rings_of(a, shape_.a, ring, phi_a, "a");
     const Coefficients on_b = same_ ? on_a : rings_of(b, shape_.b, ring, phi_b, "b");
     const Samples of_a = phi_a.sample(build_, on_a);
@@ -300,38 +319,30 @@ class Separable {
   // Subtracts the contribution of aliases from the sums over the angles, and splits the sums by parity in z.
   std::vector<Halves> without_aliases(Coefficients& sums, const Coefficients& a, const Coefficients& b,
                                       const PhiTransform& phi) {
-    std::vector<std::optional<Value>> shared_alias(sums[0].size());
+    const int rings = static_cast<int>(a.size());
+    std::vector<Value> on_both(sums[0].size());
     for (int q = 1; q <= shape_.result; ++q) {
       if (!aliased(q)) continue;
-      const int k = angles_ - q;
-      const bool once = a.size() == 2 && k == shape_.a + shape_.b;  // the same on both rings
-      for (std::size_t r = 0; r < (once ? 1 : a.size()); ++r) {
-        const auto [c, s] = frequency(k, a[r], b[r]);
-        for (const bool sine : {false, true}) {
-          const auto at = static_cast<std::size_t>((sine ? -q : q) + shape_.result);
-          const ExactReal scale = reciprocal(phi.scale(sine ? -q : q));
-          ExactReal factor = multiply(alias_factor(q, sine), scale);
-          if (once) factor = multiply(factor, Surd(2));
+      const bool once = shared_alias(q, rings);
+      for (int r = 0; r < (once ? 1 : rings); ++r) {
+        const auto [c, s] = frequency(angles_ - q, a[r], b[r]);
+        for (const int order : {q, -q}) {
+          const ExactReal factor = multiply(alias_factor(order), reciprocal(phi.scale(order)));
           // cos k phi aliases to cos q phi, sin k phi to -sin q phi.
-          const Value alias = build_.times(factor, sine ? s : SignedBuilder::opposite(c));
-          if (once) {
-            shared_alias[at] = alias;
-          } else if (phi.shared(q)) {
-            sums[0][at] = build_.plus(sums[0][at], alias);
-          } else {
-            sums[r][at] = build_.plus(sums[r][at], alias);
-          }
+          const Value alias = build_.times(once ? multiply(factor, Surd(2)) : factor, order < 0 ? s : -c);
+          Value& sum = once ? on_both[order + shape_.result] : sums[phi.shared(q) ? 0 : r][order + shape_.result];
+          sum = build_.plus(sum, alias);
         }
       }
     }
     std::vector<Halves> halves;
     for (int order = -shape_.result; order <= shape_.result; ++order) {
-      const auto at = static_cast<std::size_t>(order + shape_.result);
+      const int at = order + shape_.result;
       Halves half{sums[0][at], {}};
-      if (a.size() == 2 && !phi.shared(order)) {
+      if (rings == 2 && !phi.shared(order)) {
         half = {build_.plus(sums[0][at], sums[1][at]), build_.minus(sums[0][at], sums[1][at])};
       }
-      if (shared_alias[at]) half.even = build_.plus(half.even, *shared_alias[at]);
+      half.even = build_.plus(half.even, on_both[at]);
       halves.push_back(half);
     }
     return halves;
@@ -345,10 +356,9 @@ class Separable {
   int angles_;
   bool looped_;
   RingQuadrature quadrature_;
-  std::map<std::string, int> columns_;    // of the loop's table, by the constants in them
-  std::vector<std::vector<Value>> sums_;  // terms of every coefficient of the result
-  std::vector<std::pair<std::pair<int, int>, PhiTransform>> forwards_;
-  std::vector<std::pair<std::pair<int, int>, PhiTransform>> backwards_;
+  std::map<std::string, int> columns_;                             // of the loop's table, by the constants in them
+  std::vector<std::vector<Value>> sums_;                           // terms of every coefficient of the result
+  std::map<std::tuple<int, int, bool>, PhiTransform> transforms_;  // by degree, number of rings, direction
 };
 
 }  // namespace
@@ -364,14 +374,14 @@ Kernel product_separable(const ProductShape& shape, Factors factors, SampleProdu
   return kernel;
 }
 
+Kernel product_separable(const ProductShape& shape, Factors factors, SampleProduct sample_product) {
+  return product_separable(shape, factors, sample_product, separable_plan(shape, factors, sample_product));
+}
+
 Kernel product_looped(const ProductShape& shape, Factors factors, SampleProduct sample_product) {
   SeparablePlan plan = separable_plan(shape, factors, sample_product);
   plan.looped = true;
   return product_separable(shape, factors, sample_product, plan);
-}
-
-Kernel product_separable(const ProductShape& shape, Factors factors, SampleProduct sample_product) {
-  return product_separable(shape, factors, sample_product, separable_plan(shape, factors, sample_product));
 }
 
 }  // namespace sh::codegen::recipes

@@ -1,6 +1,7 @@
-// Recipe: the product of two functions, term by term: c_k = sum over i, j of G_ijk a_i b_j with the nonzero entries of
-// the Gaunt tensor. The kernel computes every product a_i b_j once. This is the simplest form, and it has the least
-// rounding error.
+// Recipes: the product of two functions term by term, products with a zonal function, and integrals of three functions.
+//
+// Term by term: c_k = sum over i, j of G_ijk a_i b_j with the nonzero entries of the Gaunt tensor. The kernel computes
+// every product a_i b_j once. This is the simplest form, and it has the least rounding error.
 #include <cstdlib>
 #include <map>
 #include <tuple>
@@ -10,12 +11,13 @@
 #include "symbolic/product/gaunt.hpp"
 
 namespace sh::codegen::recipes {
+namespace {
 
 using symbolic::BilinearForm;
 using symbolic::BilinearTerm;
-using symbolic::coefficient_index;
 
-namespace {
+constexpr const char* kSource =
+    "J. A. Gaunt, \"The Triplets of Helium\", Phil. Trans. R. Soc. A 228, 1929; constants derived exactly";
 
 // c_k = sum of factor a_i b_j; the kernel computes every product a_i b_j once.
 void add_up_terms(Kernel& kernel, SignedBuilder& build, const std::vector<BilinearForm>& forms,
@@ -28,17 +30,47 @@ void add_up_terms(Kernel& kernel, SignedBuilder& build, const std::vector<Biline
       if (added) known->second = build.times(a[term.i], b[term.j]);
       terms.push_back(build.times(term.factor, known->second));
     }
-    set_coefficient(kernel, form.output, build.node(build.sum(terms)));
+    kernel.outputs[form.output].node = build.node(build.sum(terms));
   }
+}
+
+// (order, row degree, column degree) of one entry of the matrices of a zonal product, row <= column
+using ZonalEntry = std::tuple<int, int, int>;
+
+void describe_zonal(Kernel& kernel, int degree) {
+  kernel.citation = kSource;
+  kernel.title = "The product of a function on the sphere and a zonal one about +z, projected on " + degrees_to(degree);
+  kernel.domain = "any coefficients: zonal[l] is that of Y_l0, the others of the zonal function are zero";
+  kernel.result =
+      "coefficients of the product at index l(l+1)+m, orthonormal on the unit sphere, no Condon-Shortley phase";
+  kernel.parameters = {array(Role::kCoefficients, "a", degree), array(Role::kZonalCoefficients, "zonal", degree)};
+  kernel.results = {array(Role::kCoefficients, "out", degree)};
+  label_coefficients(kernel, degree);
 }
 
 }  // namespace
 
+Kernel product_frame(const ProductShape& shape, Factors factors) {
+  Kernel kernel;
+  const bool same = factors == Factors::kSame;
+  const bool exact = shape.result >= shape.a + shape.b;
+  kernel.title = (same ? "The square of a function on the sphere" : "The product of two functions on the sphere") +
+                 std::string(exact ? ", complete, in " : ", projected on ") + degrees_to(shape.result);
+  kernel.domain = "any coefficients";
+  if (shape.a != shape.b) kernel.domain += ": a has " + degrees_to(shape.a) + ", b has " + degrees_to(shape.b);
+  kernel.result = std::string("coefficients of ") + (same ? "a a" : "a b") +
+                  " at index l(l+1)+m, orthonormal on the unit sphere, no Condon-Shortley phase";
+  kernel.parameters = {array(Role::kCoefficients, "a", shape.a)};
+  if (!same) kernel.parameters.push_back(array(Role::kCoefficients, "b", shape.b));
+  kernel.results = {array(Role::kCoefficients, "out", shape.result)};
+  label_coefficients(kernel, shape.result);
+  return kernel;
+}
+
 Kernel product_tensor(const ProductShape& shape, Factors factors) {
   const bool same = factors == Factors::kSame;
   Kernel kernel = product_frame(shape, factors);
-  kernel.citation =
-      "J. A. Gaunt, \"The Triplets of Helium\", Phil. Trans. R. Soc. A 228, 1929; constants derived exactly";
+  kernel.citation = kSource;
   SignedBuilder build(kernel);
   const int count_a = coefficient_count(shape.a);
   const std::vector<Value> a = build.inputs(0, count_a);
@@ -47,26 +79,6 @@ Kernel product_tensor(const ProductShape& shape, Factors factors) {
   add_up_terms(kernel, build, forms, a, b);
   return kernel;
 }
-
-namespace {
-
-// (order, row degree, column degree) of one entry of the matrices of a zonal product, row <= column
-using ZonalEntry = std::tuple<int, int, int>;
-
-void describe_zonal(Kernel& kernel, int degree) {
-  const std::string degrees = degree == 0 ? "degree 0" : "degree 0 to " + std::to_string(degree);
-  kernel.citation =
-      "J. A. Gaunt, \"The Triplets of Helium\", Phil. Trans. R. Soc. A 228, 1929; constants derived exactly";
-  kernel.title = "The product of a function on the sphere and a zonal one about +z, projected on " + degrees;
-  kernel.domain = "any coefficients: zonal[l] is that of Y_l0, the others of the zonal function are zero";
-  kernel.result =
-      "coefficients of the product at index l(l+1)+m, orthonormal on the unit sphere, no Condon-Shortley phase";
-  kernel.parameters = {array(Role::kCoefficients, "a", degree), array(Role::kZonalCoefficients, "zonal", degree)};
-  kernel.results = {array(Role::kCoefficients, "out", degree)};
-  kernel.outputs.resize(coefficient_count(degree));
-}
-
-}  // namespace
 
 Kernel product_zonal(int degree) {
   Kernel kernel;
@@ -105,7 +117,7 @@ Kernel product_zonal(int degree) {
       for (int column = order; column <= degree; ++column) {
         terms.push_back(build.times(matrix[{order, l, column}], a[coefficient_index(column, m)]));
       }
-      set_coefficient(kernel, coefficient_index(l, m), build.node(build.sum(terms)));
+      kernel.outputs[coefficient_index(l, m)].node = build.node(build.sum(terms));
     }
   }
   return kernel;
@@ -131,8 +143,7 @@ Kernel triple(Kernel product, int degree) {
   for (int i = 0; i < count; ++i) {
     terms.push_back(build.times({kernel.outputs[i].node}, c[i]));
   }
-  const std::string degrees = degree == 0 ? "degree 0" : "degree 0 to " + std::to_string(degree);
-  kernel.title = "The integral over the sphere of the product of three functions of " + degrees;
+  kernel.title = "The integral over the sphere of the product of three functions of " + degrees_to(degree);
   kernel.domain = "any coefficients";
   kernel.result = "the integral of a b c, orthonormal basis at index l(l+1)+m, no Condon-Shortley phase";
   kernel.parameters.push_back(array(Role::kCoefficients, "c", degree));

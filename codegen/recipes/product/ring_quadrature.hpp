@@ -6,6 +6,7 @@
 // Lobatto rules without their odd half, [AbramowitzStegun64] 25.4.29 to 25.4.32).
 #pragma once
 
+#include <cmath>
 #include <memory>
 #include <string>
 #include <vector>
@@ -50,6 +51,9 @@ class RingQuadrature {
   Rings rings_;
   std::shared_ptr<Cache> cache_;
 };
+
+/// The approximate absolute value.
+inline double approximate(const ExactReal& value) { return std::abs(cln::double_approx(evaluate(value, 20))); }
 
 /// cos(2 pi numerator / denominator); the denominator has to be a multiple of 4.
 ExactReal cosine(int numerator, int denominator);

@@ -12,24 +12,27 @@
 #include <array>
 #include <vector>
 
-#include "codegen/recipes/signed_sum.hpp"
+#include "codegen/recipes/signed_builder.hpp"
 #include "symbolic/number/matrix.hpp"
 
 namespace sh::codegen::recipes {
 
 /// Element l is D_l, (2l+1, 2l+1), l = 0 .. degree.
-using BandMatrices = std::vector<symbolic::Matrix<Signed>>;
+using BandMatrices = std::vector<symbolic::Matrix<Value>>;
 
-/// D_0 = 1 and, if degree > 0, D_1, which is R with its axes in the order y, z, x.
-BandMatrices first_bands(Builder& build, const std::array<NodeId, 9>& r, int degree);
+/// D_1, which is R with its axes in the order y, z, x.
+symbolic::Matrix<Value> band_one(const std::array<NodeId, 9>& r);
+
+/// The matrix times a vector.
+std::vector<Value> times(SignedBuilder& build, const symbolic::Matrix<Value>& matrix, const std::vector<Value>& v);
 
 /// Bands 0 .. degree in the way `dense`.
-BandMatrices dense_bands(Builder& build, const std::array<NodeId, 9>& r, int degree);
+BandMatrices dense_bands(SignedBuilder& build, const std::array<NodeId, 9>& r, int degree);
 
 /// The nodes of a complex number.
 struct Complex {
-  Signed re;
-  Signed im;
+  Value re;
+  Value im;
 };
 
 /// The numbers of `dense`: cos b and the complex numbers 2A, 2B, P, Q.
@@ -42,8 +45,8 @@ struct RotationNumbers {
 };
 
 /// Appends bands 2 .. degree in the way `dense` to bands 0 and 1.
-void append_dense_bands(Builder& build, BandMatrices& bands, const RotationNumbers& numbers, int degree);
+void append_dense_bands(SignedBuilder& build, BandMatrices& bands, const RotationNumbers& numbers, int degree);
 /// Bands 0 .. degree in the way `recursive`.
-BandMatrices recursive_bands(Builder& build, const std::array<NodeId, 9>& r, int degree);
+BandMatrices recursive_bands(SignedBuilder& build, const std::array<NodeId, 9>& r, int degree);
 
 }  // namespace sh::codegen::recipes

@@ -11,21 +11,20 @@ namespace {
 using symbolic::Matrix;
 using symbolic::Polynomial;
 using symbolic::Surd;
-using symbolic::to_size;
 
-Complex multiply(Builder& build, const Complex& a, const Complex& b) {
-  const Signed rr = product(build, a.re, b.re);
-  const Signed ii = product(build, a.im, b.im);
-  const Signed ri = product(build, a.re, b.im);
-  const Signed ir = product(build, a.im, b.re);
-  const Signed re = sum(build, {rr, -ii});
-  return {re, sum(build, {ri, ir})};
+Complex multiply(SignedBuilder& build, const Complex& a, const Complex& b) {
+  const Value rr = build.times(a.re, b.re);
+  const Value ii = build.times(a.im, b.im);
+  const Value ri = build.times(a.re, b.im);
+  const Value ir = build.times(a.im, b.re);
+  const Value re = build.sum({rr, -ii});
+  return {re, build.sum({ri, ir})};
 }
 
 // Element (i, m), i >= m, not both 0: first^(i-m) second^m.
 class Powers {
  public:
-  Powers(Builder& build, const Complex& first, const Complex& second, int most) : powers_(most + 1) {
+  Powers(SignedBuilder& build, const Complex& first, const Complex& second, int most) : powers_(most + 1) {
     for (int i = 1; i <= most; ++i) {
       powers_[i].push_back(i == 1 ? first : multiply(build, powers_[i - 1][0], first));
       for (int m = 1; m <= i; ++m) {
@@ -86,10 +85,10 @@ Axial axial_part(const Matrix<Polynomial>& about_y, int m, int n) {
 // The values of polynomials of degree 0, 1, 2, ... with p_d = (a x + b) p_(d-1) - c p_(d-2), as Jacobi's have.
 class ThreeTerms {
  public:
-  ThreeTerms(Builder& build, NodeId x) : build_(build), x_(x) {}
+  ThreeTerms(SignedBuilder& build, NodeId x) : build_(build), x_(x) {}
 
   // polynomial: the next one, times ratio.
-  Signed next(Coefficients polynomial, const Surd& ratio) {
+  Value next(Coefficients polynomial, const Surd& ratio) {
     const std::size_t d = polynomial.size() - 1;
     if (d == 0) {
       values_ = {constant(ratio * Surd(polynomial[0]))};
@@ -113,35 +112,35 @@ class ThreeTerms {
     const cln::cl_RA below = d == 2 ? cln::cl_RA(0) : last_[d - 3];
     const cln::cl_RA c = (a * below + b * last_[d - 2] - polynomial[d - 2]) / before_[d - 2];
     const Surd by_last = ratio / last_ratio_;
-    const Signed factor = linear(by_last * Surd(a), by_last * Surd(b));
-    const Signed raised = product(build_, factor, values_[d - 1]);
-    const Signed lowered = scaled(build_, ratio / before_ratio_ * Surd(c), values_[d - 2]);
-    values_.push_back(sum(build_, {raised, -lowered}));
+    const Value factor = linear(by_last * Surd(a), by_last * Surd(b));
+    const Value raised = build_.times(factor, values_[d - 1]);
+    const Value lowered = build_.times(ratio / before_ratio_ * Surd(c), values_[d - 2]);
+    values_.push_back(build_.sum({raised, -lowered}));
   }
 
   // a x + b
-  Signed linear(const Surd& a, const Surd& b) {
-    const Signed ax = scaled(build_, a, {x_});
-    return b.is_zero() ? ax : sum(build_, {ax, constant(b)});
+  Value linear(const Surd& a, const Surd& b) {
+    const Value ax = build_.times(a, {x_});
+    return b.is_zero() ? ax : build_.sum({ax, constant(b)});
   }
 
-  Signed constant(const Surd& value) {
+  Value constant(const Surd& value) {
     const bool negative = value.is_negative();
     return {build_.constant(negative ? -value : value), negative};
   }
 
-  Builder& build_;
+  SignedBuilder& build_;
   NodeId x_;
-  std::vector<Signed> values_;
+  std::vector<Value> values_;
   Coefficients last_;
   Coefficients before_;
   Surd last_ratio_;
   Surd before_ratio_;
 };
 
-Complex times(Builder& build, Signed factor, const Complex& value) {
-  const Signed re = product(build, factor, value.re);
-  return {re, product(build, factor, value.im)};
+Complex times(SignedBuilder& build, Value factor, const Complex& value) {
+  const Value re = build.times(factor, value.re);
+  return {re, build.times(factor, value.im)};
 }
 
 // The powers in the entries.
@@ -155,7 +154,8 @@ struct PowerTables {
 // Fills the matrices of bands 2 and up.
 class BandWriter {
  public:
-  BandWriter(Builder& build, PowerTables powers, std::vector<Matrix<Polynomial>> about_y, NodeId x, BandMatrices& bands)
+  BandWriter(SignedBuilder& build, PowerTables powers, std::vector<Matrix<Polynomial>> about_y, NodeId x,
+             BandMatrices& bands)
       : build_(build), powers_(std::move(powers)), about_y_(std::move(about_y)), x_(x), bands_(bands) {}
 
   // Rows +-m, columns +-n and rows +-n, columns +-m, m >= n > 0, of all bands.
@@ -165,8 +165,8 @@ class BandWriter {
     for (int l = m; l < size(); ++l) {
       const Axial axial = axial_part(about_y_[l], m, n);
       const Surd ratio = symbolic::factor_ratio(l, m, n);
-      const Signed p_plus = plus.next(axial.plus, ratio);
-      const Signed p_minus = minus.next(axial.minus, ratio);
+      const Value p_plus = plus.next(axial.plus, ratio);
+      const Value p_minus = minus.next(axial.minus, ratio);
       if (l < 2) continue;
       const Complex z = times(build_, p_plus, powers_.p_a(m, n));
       set(l, m, n, z, times(build_, p_minus, powers_.p_b(m, n)));
@@ -180,9 +180,9 @@ class BandWriter {
   void set_zero(int m) {
     ThreeTerms axial(build_, x_);
     for (int l = m; l < size(); ++l) {
-      const Signed value = axial.next(axial_part(about_y_[l], m, 0).plus, symbolic::factor_ratio(l, m, 0));
+      const Value value = axial.next(axial_part(about_y_[l], m, 0).plus, symbolic::factor_ratio(l, m, 0));
       if (l < 2) continue;
-      Matrix<Signed>& d = bands_[l];
+      Matrix<Value>& d = bands_[l];
       if (m == 0) {
         d(l, l) = value;
         continue;
@@ -200,14 +200,14 @@ class BandWriter {
   [[nodiscard]] int size() const { return static_cast<int>(bands_.size()); }
 
   void set(int l, int m, int n, const Complex& z, const Complex& w) {
-    Matrix<Signed>& d = bands_[l];
-    d(l + m, l + n) = sum(build_, {z.re, w.re});
-    d(l + m, l - n) = sum(build_, {w.im, -z.im});
-    d(l - m, l + n) = sum(build_, {z.im, w.im});
-    d(l - m, l - n) = sum(build_, {z.re, -w.re});
+    Matrix<Value>& d = bands_[l];
+    d(l + m, l + n) = build_.sum({z.re, w.re});
+    d(l + m, l - n) = build_.sum({w.im, -z.im});
+    d(l - m, l + n) = build_.sum({z.im, w.im});
+    d(l - m, l - n) = build_.sum({z.re, -w.re});
   }
 
-  Builder& build_;
+  SignedBuilder& build_;
   PowerTables powers_;
   std::vector<Matrix<Polynomial>> about_y_;
   NodeId x_;
@@ -216,18 +216,26 @@ class BandWriter {
 
 }  // namespace
 
-BandMatrices first_bands(Builder& build, const std::array<NodeId, 9>& r, int degree) {
-  BandMatrices bands(1, Matrix<Signed>(1, 1, {{build.constant(Surd(1))}}));
-  if (degree == 0) return bands;
-  constexpr std::array<int, 3> kAxes{1, 2, 0};
-  Matrix<Signed>& first = bands.emplace_back(3, 3);
+Matrix<Value> band_one(const std::array<NodeId, 9>& r) {
+  constexpr int kAxes[] = {1, 2, 0};
+  Matrix<Value> band(3, 3);
   for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) first(i, j) = {r[3 * kAxes[i] + kAxes[j]]};
+    for (int j = 0; j < 3; ++j) band(i, j) = {r[3 * kAxes[i] + kAxes[j]]};
   }
-  return bands;
+  return band;
 }
 
-void append_dense_bands(Builder& build, BandMatrices& bands, const RotationNumbers& numbers, int degree) {
+std::vector<Value> times(SignedBuilder& build, const Matrix<Value>& matrix, const std::vector<Value>& v) {
+  std::vector<Value> result;
+  for (int i = 0; i < matrix.rows(); ++i) {
+    std::vector<Value> terms;
+    for (int j = 0; j < matrix.columns(); ++j) terms.push_back(build.times(matrix(i, j), v[j]));
+    result.push_back(build.sum(terms));
+  }
+  return result;
+}
+
+void append_dense_bands(SignedBuilder& build, BandMatrices& bands, const RotationNumbers& numbers, int degree) {
   const Powers p_a(build, numbers.p, numbers.a, degree);
   const Powers p_b(build, numbers.p, numbers.b, degree);
   const Powers q_a(build, {-numbers.q.re, -numbers.q.im}, numbers.a, degree);
@@ -244,14 +252,15 @@ void append_dense_bands(Builder& build, BandMatrices& bands, const RotationNumbe
   }
 }
 
-BandMatrices dense_bands(Builder& build, const std::array<NodeId, 9>& r, int degree) {
-  BandMatrices bands = first_bands(build, r, degree);
+BandMatrices dense_bands(SignedBuilder& build, const std::array<NodeId, 9>& r, int degree) {
+  BandMatrices bands{Matrix<Value>(1, 1, {{build.constant(Surd(1))}})};
+  if (degree >= 1) bands.push_back(band_one(r));
   if (degree < 2) return bands;
-  const auto entry = [&r](int row, int column) { return Signed{r[3 * row + column]}; };
-  const Signed a_re = sum(build, {entry(0, 0), entry(1, 1)}, "a_re");
-  const Signed a_im = sum(build, {entry(1, 0), -entry(0, 1)}, "a_im");
-  const Signed b_re = sum(build, {entry(1, 1), -entry(0, 0)}, "b_re");
-  const Signed b_im = -sum(build, {entry(0, 1), entry(1, 0)}, "b_im");
+  const auto entry = [&r](int row, int column) { return Value{r[3 * row + column]}; };
+  const Value a_re = build.sum({entry(0, 0), entry(1, 1)}, "a_re");
+  const Value a_im = build.sum({entry(1, 0), -entry(0, 1)}, "a_im");
+  const Value b_re = build.sum({entry(1, 1), -entry(0, 0)}, "b_re");
+  const Value b_im = -build.sum({entry(0, 1), entry(1, 0)}, "b_im");
   append_dense_bands(build, bands,
                      {r[8], {a_re, a_im}, {b_re, b_im}, {entry(0, 2), entry(1, 2)}, {-entry(2, 0), entry(2, 1)}},
                      degree);

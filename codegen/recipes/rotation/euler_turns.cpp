@@ -8,7 +8,6 @@ namespace sh::codegen::recipes {
 namespace {
 
 using symbolic::Surd;
-using symbolic::to_size;
 
 // If sin^2(beta) is below this, alpha is 0 and gamma takes the whole turn about z. Above it, the square and its root
 // keep all their digits in float, even if the machine flushes subnormal numbers to zero. In double the dropped tilt is
@@ -24,7 +23,7 @@ std::string named(const char* function, int k, char angle) {
   return std::string(function) + "_" + (k == 1 ? "" : std::to_string(k)) + angle;
 }
 
-NodeId number(Builder& build, int value) {
+NodeId number(SignedBuilder& build, int value) {
   constexpr std::array<const char*, 3> kNames{"zero", "one", "two"};
   return build.constant(Surd(value), kNames.at(value));
 }
@@ -32,7 +31,7 @@ NodeId number(Builder& build, int value) {
 // The multiples of an angle about z, from the first multiple or from the first two.
 class TurnBuilder {
  public:
-  TurnBuilder(Builder& build, char angle, NodeId cosine, NodeId sine) : build_(build), angle_(angle) {
+  TurnBuilder(SignedBuilder& build, char angle, NodeId cosine, NodeId sine) : build_(build), angle_(angle) {
     turn_.cosine[0] = number(build, 1);
     turn_.sine[0] = number(build, 0);
     set(1, cosine, sine);
@@ -100,14 +99,14 @@ class TurnBuilder {
     turn_.sine[k] = sine;
   }
 
-  Builder& build_;
+  SignedBuilder& build_;
   char angle_;
   Turn turn_;
 };
 
 // Odd k: cos k b = cos b (2 cos (k-1)b - 2 cos (k-3)b + ... +- 1), sin k b = sin b (2 cos (k-1)b + ... + 1).
 // Even k: sin = 2 s c, versine = 2 s^2 of half the angle. square: sin^2 b.
-Tilt tilt_multiples(Builder& build, NodeId cosine, NodeId sine, const Multiple& square, int most) {
+Tilt tilt_multiples(SignedBuilder& build, NodeId cosine, NodeId sine, const Multiple& square, int most) {
   Tilt tilt{{{1, cosine}}, {{1, {Surd(1), sine}}}, {}};
   NodeId lower = -1;
   NodeId upper = -1;
@@ -120,7 +119,7 @@ Tilt tilt_multiples(Builder& build, NodeId cosine, NodeId sine, const Multiple& 
       tilt.sine[k] = {Surd(2) * half.factor, product};
       tilt.versine[k] = {Surd(2) * half_square.factor, half_square.node};
       if (k == most) break;
-      const NodeId versine = scaled(build, tilt.versine[k].factor, {half_square.node}).node;
+      const NodeId versine = build.times(tilt.versine[k].factor, {half_square.node}).node;
       tilt.cosine[k] = build.sub(number(build, 1), versine, named("cos", k, 'b'));
       if (k == 2) {  // 2 cos 2b -+ 1
         lower = build.sub(tilt.cosine[k], versine);
@@ -143,14 +142,14 @@ struct Inverse {
   NodeId root;     // 1 / sqrt(square)
 };
 
-Inverse inverse_of(Builder& build, NodeId square) {
+Inverse inverse_of(SignedBuilder& build, NodeId square) {
   const NodeId doubled = build.div(number(build, 2), square, "inv2");
   const NodeId half = build.constant(Surd(cln::cl_RA(1) / 2), "half");
   return {doubled, build.sqrt(build.mul(half, doubled), "inv")};
 }
 
 // Multiples of the angle of (x, y); inverse: of x^2 + y^2.
-Turn turn_of(Builder& build, char angle, NodeId x, NodeId y, const Inverse& inverse, int most) {
+Turn turn_of(SignedBuilder& build, char angle, NodeId x, NodeId y, const Inverse& inverse, int most) {
   const NodeId cosine = build.mul(x, inverse.root);
   TurnBuilder turn(build, angle, cosine, build.mul(y, inverse.root));
   if (most < 2) return turn.complete(most, kDoubledAlpha);
@@ -160,11 +159,13 @@ Turn turn_of(Builder& build, char angle, NodeId x, NodeId y, const Inverse& inve
   return turn.complete(most, kDoubledAlpha);
 }
 
-NodeId tiny_number(Builder& build) { return build.constant(Surd(cln::expt(cln::cl_RA(2), kPoleExponent)), "tiny"); }
+NodeId tiny_number(SignedBuilder& build) {
+  return build.constant(Surd(cln::expt(cln::cl_RA(2), kPoleExponent)), "tiny");
+}
 
 }  // namespace
 
-EulerTurns euler_turns(Builder& build, const std::array<NodeId, 9>& r, int most) {
+EulerTurns euler_turns(SignedBuilder& build, const std::array<NodeId, 9>& r, int most) {
   const auto at = [&r](int row, int column) { return r[3 * row + column]; };
   const NodeId xx = build.mul(at(0, 2), at(0, 2));
   const NodeId yy = build.mul(at(1, 2), at(1, 2));
@@ -185,7 +186,7 @@ EulerTurns euler_turns(Builder& build, const std::array<NodeId, 9>& r, int most)
           gamma.complete(most, most == 2 ? most + 1 : kDoubledGamma)};
 }
 
-EulerTurns euler_turns(Builder& build, const std::array<NodeId, 4>& q, int most) {
+EulerTurns euler_turns(SignedBuilder& build, const std::array<NodeId, 4>& q, int most) {
   const auto& [w, x, y, z] = q;
   const NodeId ww = build.mul(w, w);
   const NodeId zz = build.mul(z, z);
@@ -217,11 +218,11 @@ EulerTurns euler_turns(Builder& build, const std::array<NodeId, 4>& q, int most)
   return {alpha, tilt_multiples(build, build.sub(aa, bb, "cos_b"), sin_b, {Surd(4), square}, most), gamma};
 }
 
-Turn turn_by_steps(Builder& build, NodeId cosine, NodeId sine, int most) {
+Turn turn_by_steps(SignedBuilder& build, NodeId cosine, NodeId sine, int most) {
   return TurnBuilder(build, 'a', cosine, sine).complete(most, most + 1);
 }
 
-Turn turn_by_products(Builder& build, NodeId cosine, NodeId sine, int most) {
+Turn turn_by_products(SignedBuilder& build, NodeId cosine, NodeId sine, int most) {
   TurnBuilder turn(build, 'a', cosine, sine);
   for (int k = 2; k <= most; ++k) {
     if (k % 2 == 0) {
@@ -233,19 +234,20 @@ Turn turn_by_products(Builder& build, NodeId cosine, NodeId sine, int most) {
   return turn.complete(most, most + 1);
 }
 
-void turn_about_z(Builder& build, const Turn& turn, int degree, std::vector<Signed>& band, const std::string& name) {
+void turn_about_z(SignedBuilder& build, const Turn& turn, int degree, std::vector<Value>& band,
+                  const std::string& name) {
   for (int m = 1; m <= degree; ++m) {
-    Signed& c = band[degree + m];
-    Signed& s = band[degree - m];
-    const Signed cosine{turn.cosine.at(m)};
-    const Signed sine{turn.sine.at(m)};
-    const Signed cc = product(build, cosine, c);
-    const Signed ss = product(build, sine, s);
-    const Signed sc = product(build, sine, c);
-    const Signed cs = product(build, cosine, s);
+    Value& c = band[degree + m];
+    Value& s = band[degree - m];
+    const Value cosine{turn.cosine.at(m)};
+    const Value sine{turn.sine.at(m)};
+    const Value cc = build.times(cosine, c);
+    const Value ss = build.times(sine, s);
+    const Value sc = build.times(sine, c);
+    const Value cs = build.times(cosine, s);
     const std::string place = name + "_" + std::to_string(degree) + "_" + std::to_string(m);
-    c = sum(build, {cc, -ss}, place + "c");
-    s = sum(build, {sc, cs}, place + "s");
+    c = build.sum({cc, -ss}, place + "c");
+    s = build.sum({sc, cs}, place + "s");
   }
 }
 

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "codegen/recipes/signed_sum.hpp"
+#include "codegen/recipes/signed_builder.hpp"
 
 namespace sh::codegen::recipes {
 
@@ -44,20 +44,21 @@ struct EulerTurns {
 };
 
 /// Multiples 1 .. most (at least 2) of the angles of r (3x3, row-major).
-EulerTurns euler_turns(Builder& build, const std::array<NodeId, 9>& r, int most);
+EulerTurns euler_turns(SignedBuilder& build, const std::array<NodeId, 9>& r, int most);
 
 /// Multiples 1 .. most (at least 1) of the angles of a unit quaternion (w, x, y, z). With a = w + iz and b = y - ix:
 /// e^(i alpha) = ab / |ab|, e^(i gamma) = a conj(b) / |ab|, cos beta = |a|^2 - |b|^2, sin beta = 2 |ab|. If a or b is
 /// 0, it counts as 1.
-EulerTurns euler_turns(Builder& build, const std::array<NodeId, 4>& q, int most);
+EulerTurns euler_turns(SignedBuilder& build, const std::array<NodeId, 4>& q, int most);
 
 /// Multiples 1 .. most of an angle about z from its cosine and sine, mostly by e_k = 2 cos a e_(k-1) - e_(k-2).
-Turn turn_by_steps(Builder& build, NodeId cosine, NodeId sine, int most);
+Turn turn_by_steps(SignedBuilder& build, NodeId cosine, NodeId sine, int most);
 /// The same with every multiple as a product of two others. It needs more operations and has a smaller error.
-Turn turn_by_products(Builder& build, NodeId cosine, NodeId sine, int most);
+Turn turn_by_products(SignedBuilder& build, NodeId cosine, NodeId sine, int most);
 
 /// Turns a band (element l + m) about z: for m > 0, (v_m, v_-m) -> (cos v_m - sin v_-m, sin v_m + cos v_-m).
 /// name: the first letters of the results, as in v_2_1c and v_2_1s.
-void turn_about_z(Builder& build, const Turn& turn, int degree, std::vector<Signed>& band, const std::string& name);
+void turn_about_z(SignedBuilder& build, const Turn& turn, int degree, std::vector<Value>& band,
+                  const std::string& name);
 
 }  // namespace sh::codegen::recipes

@@ -9,7 +9,6 @@ namespace sh::codegen::recipes {
 namespace {
 
 using symbolic::Surd;
-using symbolic::to_size;
 
 // Entries of a band's matrix, row by row, dealt out to rounds; `start`: lane of its first row and column.
 void deal(const symbolic::Matrix<Surd>& matrix, int start, std::vector<TurnRound>& rounds) {
@@ -37,7 +36,7 @@ LaneTurns lane_turns(int first, int last) {
   for (int l = first; l <= last; ++l) {
     const int start = l * l - first * first;
     for (int m = -l; m <= l; ++m) {
-      const std::size_t lane = to_size(start + l + m);
+      const std::size_t lane = start + l + m;
       turns.order[lane] = m < 0 ? -m : m;
       turns.partner[lane] = start + l - m;
       turns.sign[lane] = m > 0 ? -1 : m < 0 ? 1 : 0;

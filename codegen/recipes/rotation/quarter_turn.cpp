@@ -9,7 +9,6 @@ namespace {
 
 using symbolic::Matrix;
 using symbolic::Surd;
-using symbolic::to_size;
 using Rationals = Matrix<cln::cl_RA>;
 
 // Smaller classes need fewer operations without this form.
@@ -73,9 +72,9 @@ std::vector<Surd> row_of(const Matrix<Surd>& matrix, int row) {
   return entries;
 }
 
-std::vector<Signed> times(Builder& build, const Matrix<Surd>& matrix, const std::vector<Signed>& v) {
-  std::vector<Signed> result;
-  for (int i = 0; i < matrix.rows(); ++i) result.push_back(weighted_sum(build, row_of(matrix, i), v));
+std::vector<Value> times(SignedBuilder& build, const Matrix<Surd>& matrix, const std::vector<Value>& v) {
+  std::vector<Value> result;
+  for (int i = 0; i < matrix.rows(); ++i) result.push_back(build.weighted_sum(row_of(matrix, i), v));
   return result;
 }
 
@@ -159,24 +158,24 @@ QuarterTurnClass::Reflection QuarterTurnClass::find_reflection(int degree, const
   return result;
 }
 
-std::vector<Signed> QuarterTurnClass::forward(Builder& build, const std::vector<Signed>& v) const {
+std::vector<Value> QuarterTurnClass::forward(SignedBuilder& build, const std::vector<Value>& v) const {
   if (!reflection_) return times(build, entries_, v);
-  const std::vector<Signed> reduced = times(build, reflection_->reduce, v);
-  std::vector<Signed> result;
+  const std::vector<Value> reduced = times(build, reflection_->reduce, v);
+  std::vector<Value> result;
   for (int i = 0; i < reflection_->expand.rows(); ++i) {
     std::vector<Surd> factors{Surd(1)};
-    std::vector<Signed> values{v[i]};
+    std::vector<Value> values{v[i]};
     for (int k = 0; k < reflection_->expand.columns(); ++k) {
       factors.push_back(-reflection_->expand(i, k));
       values.push_back(reduced[k]);
     }
-    const Signed moved = weighted_sum(build, factors, values);
+    const Value moved = build.weighted_sum(factors, values);
     result.push_back(reflection_->negative ? -moved : moved);
   }
   return result;
 }
 
-std::vector<Signed> QuarterTurnClass::backward(Builder& build, const std::vector<Signed>& v) const {
+std::vector<Value> QuarterTurnClass::backward(SignedBuilder& build, const std::vector<Value>& v) const {
   return reflection_ ? forward(build, v) : times(build, entries_.transposed(), v);
 }
 

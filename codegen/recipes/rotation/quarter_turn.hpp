@@ -10,7 +10,7 @@
 #include <set>
 #include <vector>
 
-#include "codegen/recipes/signed_sum.hpp"
+#include "codegen/recipes/signed_builder.hpp"
 #include "symbolic/number/matrix.hpp"
 
 namespace sh::codegen::recipes {
@@ -29,9 +29,9 @@ class QuarterTurnClass {
   /// A row of the class is scale(row) times the row that `forward` and `backward` use.
   [[nodiscard]] const symbolic::Surd& scale(std::size_t row) const { return scales_[row]; }
   /// Maps columns to rows.
-  [[nodiscard]] std::vector<Signed> forward(Builder& build, const std::vector<Signed>& v) const;
+  [[nodiscard]] std::vector<Value> forward(SignedBuilder& build, const std::vector<Value>& v) const;
   /// Maps rows to columns by the transposed matrix.
-  [[nodiscard]] std::vector<Signed> backward(Builder& build, const std::vector<Signed>& v) const;
+  [[nodiscard]] std::vector<Value> backward(SignedBuilder& build, const std::vector<Value>& v) const;
 
  private:
   using Surds = symbolic::Matrix<symbolic::Surd>;

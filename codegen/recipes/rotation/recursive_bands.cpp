@@ -8,17 +8,16 @@ namespace {
 using symbolic::Coupling;
 using symbolic::Matrix;
 using symbolic::Surd;
-using symbolic::to_size;
 
 // Computes one band from the band below, in the orthonormal basis.
 class NextBand {
  public:
-  NextBand(Builder& build, const std::array<NodeId, 9>& r, int degree, const Matrix<Signed>& below)
+  NextBand(SignedBuilder& build, const std::array<NodeId, 9>& r, int degree, const Matrix<Value>& below)
       : build_(build), r_(r), degree_(degree), below_(below), couplings_(symbolic::band_couplings(degree)) {}
 
-  Matrix<Signed> entries() {
+  Matrix<Value> entries() {
     const int l = degree_;
-    Matrix<Signed> result(2 * l + 1, 2 * l + 1);
+    Matrix<Value> result(2 * l + 1, 2 * l + 1);
     for (int m = -l; m <= l; ++m) {
       for (int n = 1 - l; n < l; ++n) result(l + m, l + n) = column(n, n, {coupled(m, kZ, n)});
       result(l + m, 2 * l) = column(l, l - 1, {coupled(m, kX, l - 1), -coupled(m, kY, 1 - l)});
@@ -33,35 +32,36 @@ class NextBand {
   static constexpr int kZ = 2;
 
   // The rational recursion in the entries k_m/k_n T_mn. The factor that depends only on the column comes last.
-  Signed column(int n, int n_below, const std::vector<Signed>& terms) {
+  Value column(int n, int n_below, const std::vector<Value>& terms) {
     const Surd factor = symbolic::orthonormal_factor(degree_ - 1, n_below) / symbolic::orthonormal_factor(degree_, n) *
                         Surd(symbolic::column_scale(degree_, n));
-    return scaled(build_, factor, sum(build_, terms));
+    return build_.times(factor, build_.sum(terms));
   }
 
   // sum over the couplings of row m of R(axis, coordinate) D_below(below, n)
-  Signed coupled(int m, int coordinate, int n) {
-    std::vector<Signed> products;
+  Value coupled(int m, int coordinate, int n) {
+    std::vector<Value> products;
     for (const Coupling& c : couplings_[degree_ + m]) {
       const Surd factor = symbolic::orthonormal_factor(degree_, m) /
                           symbolic::orthonormal_factor(degree_ - 1, c.below) * Surd(c.weight);
-      const Signed entry = scaled(build_, factor, {r_[3 * c.axis + coordinate]});
-      products.push_back(product(build_, entry, below_(degree_ - 1 + c.below, degree_ - 1 + n)));
+      const Value entry = build_.times(factor, {r_[3 * c.axis + coordinate]});
+      products.push_back(build_.times(entry, below_(degree_ - 1 + c.below, degree_ - 1 + n)));
     }
-    return sum(build_, products);
+    return build_.sum(products);
   }
 
-  Builder& build_;
+  SignedBuilder& build_;
   const std::array<NodeId, 9>& r_;
   int degree_;
-  const Matrix<Signed>& below_;
+  const Matrix<Value>& below_;
   std::vector<std::vector<Coupling>> couplings_;
 };
 
 }  // namespace
 
-BandMatrices recursive_bands(Builder& build, const std::array<NodeId, 9>& r, int degree) {
-  BandMatrices bands = first_bands(build, r, degree);
+BandMatrices recursive_bands(SignedBuilder& build, const std::array<NodeId, 9>& r, int degree) {
+  BandMatrices bands{Matrix<Value>(1, 1, {{build.constant(Surd(1))}})};
+  if (degree >= 1) bands.push_back(band_one(r));
   for (int l = 2; l <= degree; ++l) bands.push_back(NextBand(build, r, l, bands.back()).entries());
   return bands;
 }

@@ -1,10 +1,11 @@
-#include <array>
+// Rotations by turns about z and constant quarter turns; rotations about z.
 #include <map>
 #include <optional>
 #include <set>
 #include <string>
 #include <utility>
 
+#include "codegen/recipes/rotation/band_matrices.hpp"
 #include "codegen/recipes/rotation/euler_turns.hpp"
 #include "codegen/recipes/rotation/quarter_turn.hpp"
 #include "codegen/recipes/rotation/rotation.hpp"
@@ -20,7 +21,7 @@ using symbolic::Surd;
 // turn about z of the pairs (m, -m) with l + m = parity modulo 2, and a quarter turn back.
 class HalfTilt {
  public:
-  HalfTilt(Builder& build, const Tilt& beta, int degree, const symbolic::Matrix<cln::cl_RA>& turn, int parity)
+  HalfTilt(SignedBuilder& build, const Tilt& beta, int degree, const symbolic::Matrix<cln::cl_RA>& turn, int parity)
       : build_(build), beta_(beta), degree_(degree) {
     const int sign = parity == 0 ? 1 : -1;
     for (int m = parity; m <= degree; ++m)
@@ -51,16 +52,16 @@ class HalfTilt {
   }
 
   // v: the band, element l + m.
-  void apply(std::vector<Signed>& v) const {
+  void apply(std::vector<Value>& v) const {
     if (rows_.empty()) return;
-    std::vector<Signed> p = cosines_->forward(build_, gather(v, cosine_columns_));
-    std::vector<Signed> q = sines_->forward(build_, gather(v, sine_columns_));
+    std::vector<Value> p = cosines_->forward(build_, gather(v, cosine_columns_));
+    std::vector<Value> q = sines_->forward(build_, gather(v, sine_columns_));
     for (std::size_t i = 0; i < rows_.size(); ++i) turn_pair(i, p[i], q[i]);
-    std::vector<Signed> cosines = cosines_->backward(build_, p);
+    std::vector<Value> cosines = cosines_->backward(build_, p);
     if (fixes_row_zero_) {
       // The matrix is orthogonal, so entries without a turn need no quarter turns.
-      const std::vector<Signed> before = gather(v, cosine_columns_);
-      for (std::size_t i = 0; i < cosines.size(); ++i) cosines[i] = sum(build_, {before[i], -cosines[i]});
+      const std::vector<Value> before = gather(v, cosine_columns_);
+      for (std::size_t i = 0; i < cosines.size(); ++i) cosines[i] = build_.sum({before[i], -cosines[i]});
     }
     scatter(v, cosine_columns_, cosines);
     scatter(v, sine_columns_, sines_->backward(build_, q));
@@ -68,42 +69,42 @@ class HalfTilt {
 
  private:
   // Turns (p, q) by m beta and includes both scales of each row. If row 0 is fixed, gives p minus the turned p.
-  void turn_pair(std::size_t row, Signed& p, Signed& q) const {
+  void turn_pair(std::size_t row, Value& p, Value& q) const {
     const int m = rows_[row];
     const Surd& p_scale = cosines_->scale(row);
     const Surd& q_scale = sines_->scale(row);
-    const Signed pp =
+    const Value pp =
         fixes_row_zero_ ? times(p_scale * p_scale, beta_.versine.at(m)) : times_cosine(p_scale * p_scale, m);
-    const Signed pq = times(p_scale * q_scale, beta_.sine.at(m));
-    const Signed qq = times_cosine(q_scale * q_scale, m);
-    const Signed p_of_p = product(build_, pp, p);
-    const Signed p_of_q = product(build_, pq, q);
-    const Signed q_of_p = product(build_, pq, p);
-    const Signed q_of_q = product(build_, qq, q);
+    const Value pq = times(p_scale * q_scale, beta_.sine.at(m));
+    const Value qq = times_cosine(q_scale * q_scale, m);
+    const Value p_of_p = build_.times(pp, p);
+    const Value p_of_q = build_.times(pq, q);
+    const Value q_of_p = build_.times(pq, p);
+    const Value q_of_q = build_.times(qq, q);
     const std::string place = "_" + std::to_string(degree_) + "_" + std::to_string(m);
-    p = sum(build_, {p_of_p, fixes_row_zero_ ? p_of_q : -p_of_q}, "p" + place);
-    q = sum(build_, {q_of_p, q_of_q}, "q" + place);
+    p = build_.sum({p_of_p, fixes_row_zero_ ? p_of_q : -p_of_q}, "p" + place);
+    q = build_.sum({q_of_p, q_of_q}, "q" + place);
   }
 
-  [[nodiscard]] Signed times(const Surd& factor, const Multiple& value) const {
-    return scaled(build_, factor * value.factor, {value.node});
+  [[nodiscard]] Value times(const Surd& factor, const Multiple& value) const {
+    return build_.times(factor * value.factor, {value.node});
   }
-  [[nodiscard]] Signed times_cosine(const Surd& factor, int m) const {
+  [[nodiscard]] Value times_cosine(const Surd& factor, int m) const {
     const auto known = beta_.cosine.find(m);
-    if (known != beta_.cosine.end()) return scaled(build_, factor, {known->second});
-    return sum(build_, {{build_.constant(factor)}, -times(factor, beta_.versine.at(m))});
+    if (known != beta_.cosine.end()) return build_.times(factor, {known->second});
+    return build_.sum({{build_.constant(factor)}, -times(factor, beta_.versine.at(m))});
   }
 
-  [[nodiscard]] std::vector<Signed> gather(const std::vector<Signed>& band, const std::vector<int>& orders) const {
-    std::vector<Signed> values;
-    for (const int m : orders) values.push_back(band[symbolic::to_size(degree_ + m)]);
+  [[nodiscard]] std::vector<Value> gather(const std::vector<Value>& band, const std::vector<int>& orders) const {
+    std::vector<Value> values;
+    for (const int m : orders) values.push_back(band[degree_ + m]);
     return values;
   }
-  void scatter(std::vector<Signed>& band, const std::vector<int>& orders, const std::vector<Signed>& values) const {
-    for (std::size_t i = 0; i < orders.size(); ++i) band[symbolic::to_size(degree_ + orders[i])] = values[i];
+  void scatter(std::vector<Value>& band, const std::vector<int>& orders, const std::vector<Value>& values) const {
+    for (std::size_t i = 0; i < orders.size(); ++i) band[degree_ + orders[i]] = values[i];
   }
 
-  Builder& build_;
+  SignedBuilder& build_;
   const Tilt& beta_;
   int degree_;
   std::vector<int> cosine_columns_;
@@ -115,7 +116,7 @@ class HalfTilt {
 };
 
 // The half turns of every band from `first` on, with scales that let bands share products with cosines and sines.
-std::vector<std::array<HalfTilt, 2>> half_tilts(Builder& build, const Tilt& beta, int first, int degree) {
+std::vector<std::array<HalfTilt, 2>> half_tilts(SignedBuilder& build, const Tilt& beta, int first, int degree) {
   std::vector<std::array<HalfTilt, 2>> tilts;
   HalfTilt::Squares squares;
   for (int l = first; l <= degree; ++l) {
@@ -132,16 +133,43 @@ std::vector<std::array<HalfTilt, 2>> half_tilts(Builder& build, const Tilt& beta
 }
 
 // Bands `first` to degree.
-void rotate_bands(Kernel& kernel, Builder& build, const EulerTurns& turns, const RotationInputs& in, int first,
-                  int degree) {
+void rotate_bands(Kernel& kernel, SignedBuilder& build, const EulerTurns& turns, const std::vector<NodeId>& c,
+                  int first, int degree) {
   const auto tilts = half_tilts(build, turns.beta, first, degree);
   for (int l = first; l <= degree; ++l) {
-    std::vector<Signed> band = in.band(l);
+    std::vector<Value> band = band_of(c, l);
     turn_about_z(build, turns.gamma, l, band, "v");
-    for (const HalfTilt& half : tilts[symbolic::to_size(l - first)]) half.apply(band);
+    for (const HalfTilt& half : tilts[l - first]) half.apply(band);
     turn_about_z(build, turns.alpha, l, band, "y");
     set_band(kernel, build, l, band);
   }
+}
+
+using Multiples = Turn (*)(SignedBuilder&, NodeId, NodeId, int);
+
+Kernel rotate_about_z(Multiples multiples, int degree) {
+  Kernel kernel = rotation_kernel(degree);
+  kernel.title = "Coefficients of a function rotated about z, " + degrees_to(degree);
+  kernel.domain = "cosine and sine of the angle, counter-clockwise seen from +z: cos_angle^2 + sin_angle^2 = 1";
+  kernel.result =
+      "c' with f'(theta, phi) = f(theta, phi - angle), at index l(l+1)+m, orthonormal basis, no Condon-Shortley phase; "
+      "may be c itself";
+  kernel.citation = "(c_m + i c_-m)' = e^(i m angle) (c_m + i c_-m)";
+  kernel.parameters = {parameter(Role::kCosine, "cos_angle"), parameter(Role::kSine, "sin_angle"),
+                       kernel.parameters[1]};
+  SignedBuilder build(kernel);
+  const NodeId cosine = build.input(0, "cos_angle");
+  const NodeId sine = build.input(1, "sin_angle");
+  const std::vector<NodeId> c = coefficient_inputs(build, 2, degree);
+  kernel.outputs[0].node = c[0];
+  if (degree == 0) return kernel;
+  const Turn turn = multiples(build, cosine, sine, degree);
+  for (int l = 1; l <= degree; ++l) {
+    std::vector<Value> band = band_of(c, l);
+    turn_about_z(build, turn, l, band, "y");
+    set_band(kernel, build, l, band);
+  }
+  return kernel;
 }
 
 constexpr const char* kSource =
@@ -153,24 +181,27 @@ constexpr const char* kSource =
 Kernel rotate_zxz(int degree) {
   Kernel kernel = rotation_kernel(degree);
   kernel.citation = kSource;
-  Builder build(kernel);
-  const RotationInputs in = rotation_inputs(build, degree);
-  copy_band_zero(kernel, in);
-  if (degree >= 1) rotate_band_one(kernel, build, in);
-  if (degree >= 2) rotate_bands(kernel, build, euler_turns(build, in.r, degree), in, 2, degree);
+  SignedBuilder build(kernel);
+  const std::array<NodeId, 9> r = matrix_inputs(build);
+  const std::vector<NodeId> c = coefficient_inputs(build, 9, degree);
+  kernel.outputs[0].node = c[0];
+  if (degree >= 1) set_band(kernel, build, 1, times(build, band_one(r), band_of(c, 1)));
+  if (degree >= 2) rotate_bands(kernel, build, euler_turns(build, r, degree), c, 2, degree);
   return kernel;
 }
 
 Kernel rotate_quaternion_zxz(int degree) {
   Kernel kernel = quaternion_kernel(degree);
   kernel.citation = kSource;
-  Builder build(kernel);
+  SignedBuilder build(kernel);
   const std::array<NodeId, 4> q = quaternion_inputs(build);
-  RotationInputs in;
-  in.c = coefficient_inputs(build, 4, degree);
-  copy_band_zero(kernel, in);
-  if (degree >= 1) rotate_bands(kernel, build, euler_turns(build, q, degree), in, 1, degree);
+  const std::vector<NodeId> c = coefficient_inputs(build, 4, degree);
+  kernel.outputs[0].node = c[0];
+  if (degree >= 1) rotate_bands(kernel, build, euler_turns(build, q, degree), c, 1, degree);
   return kernel;
 }
+
+Kernel rotate_z_steps(int degree) { return rotate_about_z(turn_by_steps, degree); }
+Kernel rotate_z_products(int degree) { return rotate_about_z(turn_by_products, degree); }
 
 }  // namespace sh::codegen::recipes

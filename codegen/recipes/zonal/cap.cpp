@@ -4,10 +4,9 @@
 //
 // u and 2 - u stay factors, so tiny caps and caps that leave out a tiny cap keep their digits. Reference: the integral
 // of (2l+1) P_l = P'_(l+1) - P'_(l-1) over the cap, [AbramowitzStegun64] 8.5.3, 8.5.4.
-#include <string>
-
+#include "codegen/recipes/basis/sphere.hpp"
 #include "codegen/recipes/zonal/zonal.hpp"
-#include "symbolic/basis/basis.hpp"
+#include "symbolic/number/polynomial.hpp"
 
 namespace sh::codegen::recipes {
 namespace {
@@ -16,8 +15,6 @@ using symbolic::Surd;
 
 // sqrt((2l+1) pi)
 Surd norm(int l) { return Surd::square_root(cln::cl_RA(2 * l + 1), 1); }
-
-std::string numbered(const std::string& letter, int l) { return letter + std::to_string(l); }
 
 Kernel described(int degree) {
   Kernel kernel;
@@ -32,14 +29,8 @@ Kernel described(int degree) {
   kernel.result = "z_l of sum z_l Y_l0 for the function 1 in the cap and 0 outside; orthonormal Y_l0";
   kernel.parameters = {parameter(Role::kCapSize, "one_minus_cos")};
   kernel.results = {array(Role::kZonalCoefficients, "zonal", degree)};
+  for (int l = 0; l <= degree; ++l) kernel.outputs.push_back({-1, numbered("l=", l)});
   return kernel;
-}
-
-void set_outputs(Kernel& kernel, const std::vector<NodeId>& z) {
-  for (const NodeId node : z) {
-    const std::string label = numbered("l=", static_cast<int>(kernel.outputs.size()));
-    kernel.outputs.push_back({node, label});
-  }
 }
 
 // Polynomials of higher degree use s - 1/2, because in powers of s their coefficients are much larger than their
@@ -69,14 +60,11 @@ Cap cap_of(Builder& build, NodeId u, NodeId weight) {
 
 // The coefficients of P_l'(c) / (l (l+1)), without its factor c for even l, in powers of s - centre, lowest first.
 std::vector<cln::cl_RA> in_sine_square(int l, const cln::cl_RA& centre) {
-  const symbolic::Polynomial q = symbolic::reduced_basis_function(l, 1).axial;
+  const std::vector<cln::cl_RA> powers = whole_axial_form(l, 1).powers;
   // Powers of c^2 = (1 - centre) - (s - centre), variable 0.
   const symbolic::Polynomial square = symbolic::Polynomial(1 - centre) - symbolic::Polynomial::variable(0);
   symbolic::Polynomial sum;
-  for (int k = 0; k <= (l - 1) / 2; ++k) {
-    const cln::cl_RA of_power = q.coefficient(symbolic::Monomial{0, 0, 2 * k + (l - 1) % 2}) / (l * (l + 1));
-    sum += of_power * square.power(k);
-  }
+  for (int k = 0; k <= (l - 1) / 2; ++k) sum += powers[k] / (l * (l + 1)) * square.power(k);
   std::vector<cln::cl_RA> result;
   for (int k = 0; k <= (l - 1) / 2; ++k) result.push_back(sum.coefficient(symbolic::Monomial{k}));
   return result;

@@ -1,4 +1,4 @@
-// Parts that recipes on the sphere share: Y_lm = factor q_lm(z) Re or Im (x + iy)^m for each order m.
+// Parts of the recipes of zonal functions: Y_lm = factor q_lm(z) Re or Im (x + iy)^m for each order m.
 //
 // q_lm = d^m P_l / dz^m has the parity of n = l - m: q_lm = e_lm for even n and z e_lm for odd n, where e_lm is a
 // polynomial in z^2. Recipes multiply by z once for each band instead of once for each function.
@@ -7,9 +7,9 @@
 #include <functional>
 #include <map>
 #include <utility>
-#include <vector>
 
-#include "codegen/ir/ir.hpp"
+#include "codegen/recipes/basis/sphere.hpp"
+#include "codegen/recipes/signed_builder.hpp"
 
 namespace sh::codegen::recipes {
 
@@ -17,15 +17,13 @@ namespace sh::codegen::recipes {
 /// on demand.
 class Azimuth {
  public:
-  Azimuth(Builder& build, NodeId x, NodeId y) : build_(&build), powers_{{1, {x, y}}} {}
-  std::pair<NodeId, NodeId> power(int m);
+  Azimuth(Builder& build, const Direction& d) : build_(build), d_(d), powers_{{1, {d.x, d.y}}} {}
+  Pair power(int m);
 
  private:
-  std::pair<NodeId, NodeId> square(int half, const std::string& suffix);
-  std::pair<NodeId, NodeId> step(int m, const std::string& suffix);
-
-  Builder* build_;
-  std::map<int, std::pair<NodeId, NodeId>> powers_;
+  Builder& build_;
+  Direction d_;
+  std::map<int, Pair> powers_;
 };
 
 /// kAll: the recipe needs every e_lm and computes each from others in the shortest way. kFew: the recipe needs few e_lm
@@ -37,20 +35,19 @@ enum class Wanted { kAll, kFew };
 ///   n >= 5      (l-m) e_lm = (2l-1) [z^2] e_l-1,m - (l+m-1) e_l-2,m, with z^2 for even n   [AbramowitzStegun64] 8.5.3
 class AxialPolynomials {
  public:
-  AxialPolynomials(Builder& build, NodeId z, Wanted wanted, std::function<symbolic::Surd(int l, int m)> scale)
-      : build_(&build), z_(z), wanted_(wanted), scale_(std::move(scale)) {}
+  AxialPolynomials(SignedBuilder& build, NodeId z, Wanted wanted, std::function<symbolic::Surd(int l, int m)> scale)
+      : build_(build), z_(z), wanted_(wanted), scale_(std::move(scale)) {}
   NodeId at(int l, int m);
 
  private:
   NodeId make(int l, int m);
   NodeId horner(int l, int m);
   NodeId completed_square(int l, int m);
-  NodeId difference(const symbolic::Surd& a, NodeId v, const symbolic::Surd& b, NodeId w, int l, int m);
-  NodeId constant(const char* letter, const symbolic::Surd& value, int l, int m);
+  NodeId recurrence(int l, int m);
   NodeId square();
   NodeId doubled_angle();
 
-  Builder* build_;
+  SignedBuilder& build_;
   NodeId z_;
   Wanted wanted_;
   std::function<symbolic::Surd(int l, int m)> scale_;
@@ -58,16 +55,5 @@ class AxialPolynomials {
   NodeId doubled_angle_ = -1;
   std::map<std::pair<int, int>, NodeId> made_;
 };
-
-/// The name of a value of degree l and order m: "p_4_2".
-std::string indexed(const std::string& letter, int l, int m);
-
-/// sqrt(4 pi / (2l+1)) times the factor of Y_lm, m >= 0: the constant of a zonal function that is turned to a
-/// direction.
-symbolic::Surd turned_factor(int l, int m);
-
-/// Makes (degree+1)^2 outputs for each channel and gives them labels such as "l=2 m=-1", in order of the index
-/// l(l+1)+m.
-void label_coefficients(Kernel& kernel, int degree, int channels = 1);
 
 }  // namespace sh::codegen::recipes

@@ -1,12 +1,9 @@
 // Recipes: irradiance from radiance coefficients, E(n) = sum A_l c_lm Y_lm(n) [RamamoorthiHanrahan01b], its 4x4
 // quadratic form, its value E(n), and its lightmap form of degree 1.
 #include <array>
-#include <string>
 
 #include "codegen/recipes/zonal/columns.hpp"
 #include "codegen/recipes/zonal/zonal.hpp"
-#include "numeric/oracle/index.hpp"
-#include "symbolic/basis/basis.hpp"
 #include "symbolic/zonal/convolution.hpp"
 
 namespace sh::codegen::recipes {
@@ -25,19 +22,17 @@ constexpr const char* kLightmap =
     "Y. O'Donnell, \"Precomputed Global Illumination in Frostbite\", GDC 2018; constants derived exactly";
 constexpr const char* kOrder = "index l(l+1)+m, orthonormal, no Condon-Shortley phase";
 
-std::string degrees_to(int degree) { return degree == 0 ? "degree 0" : "degree 0 to " + std::to_string(degree); }
-
-using numeric::coefficient_count;
-
 std::vector<NodeId> coefficients(Builder& build, int degree) {
-  std::vector<NodeId> c;
-  c.reserve(coefficient_count(degree));
-  for (int i = 0; i < coefficient_count(degree); ++i) c.push_back(build.input(i, "c" + std::to_string(i)));
-  return c;
+  return inputs(build, 0, coefficient_count(degree), "c");
 }
 
 // A_l times the constant of Y_lm, |m|.
-Surd irradiance_constant(int l, int m) { return irradiance_factor(l) * symbolic::reduced_basis_function(l, m).factor; }
+Surd irradiance_constant(int l, int m) { return irradiance_factor(l) * whole_axial_form(l, m).scale; }
+
+// The same times the coefficient of z^n in d^m P_l / dz^m; n = 2 power, or 2 power + 1 for odd l - m.
+Surd irradiance_coefficient(int l, int m, int power) {
+  return irradiance_constant(l, m) * Surd(whole_axial_form(l, m).powers[power]);
+}
 
 Kernel described_evaluate(int degree) {
   Kernel kernel;
@@ -51,35 +46,17 @@ Kernel described_evaluate(int degree) {
   return kernel;
 }
 
-struct Normal {
-  NodeId x, y, z;
-};
-
-Normal normal(Builder& build, int degree) {
-  const NodeId x = build.input(coefficient_count(degree), "x");
-  const NodeId y = build.input(coefficient_count(degree) + 1, "y");
-  const NodeId z = build.input(coefficient_count(degree) + 2, "z");
-  return {x, y, z};
-}
-
-// a + b. If a or b does not exist, the other one.
-NodeId sum(Builder& build, NodeId a, NodeId b) {
-  if (a < 0) return b;
-  return b < 0 ? a : build.add(a, b);
-}
-
 // The sum over l of A_l k_lm q_lm(z) c_lm for one sign of m.
-NodeId column(Builder& build, AxialPolynomials& axial, const Normal& n, const std::vector<NodeId>& c, int degree, int m,
-              int sign) {
-  NodeId even = -1;
-  NodeId odd = -1;
+Value column(SignedBuilder& build, AxialPolynomials& axial, NodeId z, const std::vector<NodeId>& c, int degree, int m,
+             int sign) {
+  Value even;
+  Value odd;
   for (int l = m; l <= degree; ++l) {
     if (irradiance_factor(l).is_zero()) continue;
-    const NodeId coefficient = c[l * (l + 1) + sign * m];
-    NodeId& part = (l - m) % 2 == 0 ? even : odd;
-    part = sum(build, part, build.mul(axial.at(l, m), coefficient));
+    Value& part = (l - m) % 2 == 0 ? even : odd;
+    part = build.plus(part, {build.mul(axial.at(l, m), c[coefficient_index(l, sign * m)])});
   }
-  return odd < 0 ? even : sum(build, even, build.mul(n.z, odd));
+  return odd.is_zero() ? even : build.plus(even, {build.mul(z, odd.node)});
 }
 
 }  // namespace
@@ -98,10 +75,9 @@ Kernel irradiance(int degree) {
   const std::vector<NodeId> c = coefficients(build, degree);
   for (int l = 0; l <= degree; ++l) {
     const Surd factor = irradiance_factor(l);
-    const NodeId a = build.constant(factor, factor.is_zero() ? "none" : "a" + std::to_string(l));
+    const NodeId a = build.constant(factor, factor.is_zero() ? "none" : numbered("a", l));
     for (int i = l * l; i < (l + 1) * (l + 1); ++i) {
-      const auto k = static_cast<std::size_t>(i);
-      kernel.outputs[k].node = factor.is_zero() ? a : build.mul(a, c[k]);
+      kernel.outputs[i].node = factor.is_zero() ? a : build.mul(a, c[i]);
     }
   }
   return kernel;
@@ -119,16 +95,11 @@ Kernel irradiance_matrix(int degree) {
   const std::vector<NodeId> c = coefficients(build, degree);
   const auto half = Surd(cln::cl_RA(1) / 2);
   // A product such as x y has two places in M; 3 z^2 - 1 and x^2 - y^2 lie on its diagonal.
-  const NodeId c1 =
-      build.constant(irradiance_constant(2, 1) * half *
-                         Surd(symbolic::reduced_basis_function(2, 1).axial.coefficient(symbolic::Monomial{0, 0, 1})),
-                     "c1");
-  const NodeId c2 = build.constant(irradiance_constant(1, 1) * half, "c2");
-  const symbolic::Polynomial zonal = symbolic::reduced_basis_function(2, 0).axial;
-  const NodeId c3 =
-      build.constant(irradiance_constant(2, 0) * Surd(zonal.coefficient(symbolic::Monomial{0, 0, 2})), "c3");
-  const NodeId c4 = build.constant(irradiance_constant(0, 0), "c4");
-  const NodeId c5 = build.constant(-(irradiance_constant(2, 0) * Surd(zonal.coefficient(symbolic::Monomial{}))), "c5");
+  const NodeId c1 = build.constant(irradiance_coefficient(2, 1, 0) * half, "c1");
+  const NodeId c2 = build.constant(irradiance_coefficient(1, 1, 0) * half, "c2");
+  const NodeId c3 = build.constant(irradiance_coefficient(2, 0, 1), "c3");
+  const NodeId c4 = build.constant(irradiance_coefficient(0, 0, 0), "c4");
+  const NodeId c5 = build.constant(-irradiance_coefficient(2, 0, 0), "c5");
   const NodeId xx = build.mul(c1, c[8], "xx");
   const NodeId xy = build.mul(c1, c[4], "xy");
   const NodeId xz = build.mul(c1, c[7], "xz");
@@ -150,19 +121,19 @@ Kernel irradiance_matrix(int degree) {
 
 Kernel irradiance_evaluate(int degree) {
   Kernel kernel = described_evaluate(degree);
-  Builder build(kernel);
+  SignedBuilder build(kernel);
   const std::vector<NodeId> c = coefficients(build, degree);
-  const Normal n = normal(build, degree);
-  Azimuth azimuth(build, n.x, n.y);
+  const Direction n = direction_inputs(build, coefficient_count(degree));
+  Azimuth azimuth(build, n);
   AxialPolynomials axial(build, n.z, Wanted::kFew, irradiance_constant);
-  NodeId total = column(build, axial, n, c, degree, 0, 1);
+  NodeId total = column(build, axial, n.z, c, degree, 0, 1).node;
   for (int m = 1; m <= degree; ++m) {
-    const NodeId cosine = column(build, axial, n, c, degree, m, 1);
-    if (cosine < 0) continue;
-    const NodeId sine = column(build, axial, n, c, degree, m, -1);
+    const Value cosine = column(build, axial, n.z, c, degree, m, 1);
+    if (cosine.is_zero()) continue;
+    const Value sine = column(build, axial, n.z, c, degree, m, -1);
     const auto [real, imaginary] = azimuth.power(m);
-    total = build.add(total, build.mul(real, cosine));
-    total = build.add(total, build.mul(imaginary, sine));
+    total = build.add(total, build.mul(real, cosine.node));
+    total = build.add(total, build.mul(imaginary, sine.node));
   }
   kernel.outputs[0].node = total;
   return kernel;
@@ -172,19 +143,15 @@ Kernel irradiance_evaluate_nested(int degree) {
   Kernel kernel = described_evaluate(degree);
   Builder build(kernel);
   const std::vector<NodeId> c = coefficients(build, degree);
-  const auto [x, y, z] = normal(build, degree);
-  const symbolic::Polynomial zonal = symbolic::reduced_basis_function(2, 0).axial;
+  const auto [x, y, z] = direction_inputs(build, coefficient_count(degree));
   // The constant of x y, y z and x z, which divides the sum; x^2 - y^2 has half of it.
-  const Surd scale = irradiance_constant(2, 1) *
-                     Surd(symbolic::reduced_basis_function(2, 1).axial.coefficient(symbolic::Monomial{0, 0, 1}));
+  const Surd scale = irradiance_coefficient(2, 1, 0);
   const NodeId k = build.constant(scale, "k");
-  const NodeId linear = build.constant(irradiance_constant(1, 1) / scale, "k_linear");
+  const NodeId linear = build.constant(irradiance_coefficient(1, 1, 0) / scale, "k_linear");
   const NodeId half = build.constant(Surd(cln::cl_RA(1) / 2), "k_half");
-  const NodeId square = build.constant(
-      irradiance_constant(2, 0) * Surd(zonal.coefficient(symbolic::Monomial{0, 0, 2})) / scale, "k_square");
-  const NodeId least =
-      build.constant(-(irradiance_constant(2, 0) * Surd(zonal.coefficient(symbolic::Monomial{}))) / scale, "k_least");
-  const NodeId mean = build.constant(irradiance_constant(0, 0) / scale, "k_mean");
+  const NodeId square = build.constant(irradiance_coefficient(2, 0, 1) / scale, "k_square");
+  const NodeId least = build.constant(-irradiance_coefficient(2, 0, 0) / scale, "k_least");
+  const NodeId mean = build.constant(irradiance_coefficient(0, 0, 0) / scale, "k_mean");
   const auto times = [&](NodeId a, NodeId b) { return build.mul(a, b); };
   const NodeId h = times(half, c[8]);
   // x (linear c3 + c4 y + c7 z + h x) + y (linear c1 + c5 z - h y) + z (linear c2 + square c6 z) + mean c0 - least c6
@@ -230,7 +197,7 @@ Kernel lightmap(int degree) {
   const std::vector<NodeId> c = coefficients(build, degree);
   for (std::size_t i = 0; i < c.size(); ++i) {
     const int l = i == 0 ? 0 : 1;
-    const NodeId k = build.constant(irradiance_constant(l, 0), "k" + std::to_string(l));
+    const NodeId k = build.constant(irradiance_constant(l, 0), numbered("k", l));
     kernel.outputs[i].node = build.mul(k, c[i]);
   }
   return kernel;
@@ -250,13 +217,13 @@ Kernel lightmap_project(int /*degree*/) {
   std::array<NodeId, 8> input{};
   for (int i = 0; i < 8; ++i) input[i] = build.input(i, "");
   // A_l times the square of the constant of Y_lm.
-  const auto factor = [](int l) { return irradiance_constant(l, 0) * symbolic::reduced_basis_function(l, 0).factor; };
+  const auto factor = [](int l) { return irradiance_constant(l, 0) * whole_axial_form(l, 0).scale; };
   const NodeId mean = build.mul(build.constant(factor(0), "k0"), input[3]);
   const NodeId linear = build.mul(build.constant(factor(1), "k1"), input[3]);
   kernel.outputs[0].node = build.add(input[4], mean);
-  const std::array<std::size_t, 3> axes{1, 2, 0};  // y, z, x
-  for (std::size_t i = 0; i < 3; ++i) {
-    const NodeId added = build.mul(linear, input[axes[i]]);
+  constexpr int kAxes[] = {1, 2, 0};  // y, z, x
+  for (int i = 0; i < 3; ++i) {
+    const NodeId added = build.mul(linear, input[kAxes[i]]);
     kernel.outputs[i + 1].node = build.add(input[i + 5], added);
   }
   return kernel;
@@ -272,7 +239,7 @@ Kernel lightmap_evaluate(int degree) {
   kernel.results = {parameter(Role::kValue, "irradiance")};
   Builder build(kernel);
   const std::vector<NodeId> e = coefficients(build, degree);
-  const auto [x, y, z] = normal(build, degree);
+  const auto [x, y, z] = direction_inputs(build, coefficient_count(degree));
   NodeId total = build.add(e[0], build.mul(e[1], y));
   total = build.add(total, build.mul(e[2], z));
   total = build.add(total, build.mul(e[3], x));

@@ -2,10 +2,7 @@
 //
 // The caller computes angles and exponentials from the cut-off w once. A kernel takes one or two of these numbers and
 // derives w_l for every degree from them. References: [Sloan08], "Windowing" and the appendix on the Laplacian.
-#include <string>
-#include <utility>
-
-#include "codegen/recipes/zonal/columns.hpp"
+#include "codegen/recipes/parts.hpp"
 #include "codegen/recipes/zonal/zonal.hpp"
 
 namespace sh::codegen::recipes {
@@ -14,8 +11,6 @@ namespace {
 using symbolic::Surd;
 
 constexpr const char* kCitation = "P.-P. Sloan, \"Stupid Spherical Harmonics (SH) Tricks\", GDC 2008";
-
-std::string numbered(const std::string& letter, int l) { return letter + std::to_string(l); }
 
 Kernel described(int degree, const std::vector<std::string>& parameters) {
   Kernel kernel;

@@ -6,9 +6,10 @@
 // operations than the basis and a scaling.
 #include "codegen/recipes/zonal/zonal.hpp"
 
-#include <string>
+#include <cln/integer.h>
 
 #include "codegen/recipes/zonal/columns.hpp"
+#include "symbolic/zonal/convolution.hpp"
 
 namespace sh::codegen::recipes {
 namespace {
@@ -20,25 +21,24 @@ constexpr const char* kCitation =
     "Spherical Harmonics (SH) Tricks\", GDC 2008; constants derived exactly";
 constexpr const char* kOrder = "index l(l+1)+m, orthonormal, no Condon-Shortley phase";
 
-struct Direction {
-  NodeId x, y, z;
-};
+// sqrt(4 pi / (2l+1)) times the factor of Y_lm, m >= 0.
+Surd turned_factor(int l, int m) { return symbolic::convolution_factor(l) * whole_axial_form(l, m).scale; }
 
 // The coefficients (l, m) and (l, -m) of one function: weight_l sqrt(4 pi/(2l+1)) Y_lm.
 class Turned {
  public:
-  Turned(Builder& build, const Direction& d, std::vector<NodeId> weights)
+  Turned(SignedBuilder& build, const Direction& d, std::vector<NodeId> weights)
       : build_(build),
         d_(d),
         weights_(std::move(weights)),
-        azimuth_(build, d.x, d.y),
+        azimuth_(build, d),
         axial_(build, d.z, Wanted::kAll, turned_factor) {}
 
   // The coefficients in order of l(l+1)+m.
   std::vector<NodeId> coefficients() {
     const int degree = static_cast<int>(weights_.size()) - 1;
     std::vector<NodeId> result(weights_.size() * weights_.size());
-    const auto at = [&](int l, int m) -> NodeId& { return result[l * (l + 1) + m]; };
+    const auto at = [&](int l, int m) -> NodeId& { return result[coefficient_index(l, m)]; };
     for (int l = 0; l <= degree; ++l) at(l, 0) = axial(l, 0);
     for (int m = 1; m <= degree; ++m) {
       const auto [c, s] = azimuth_.power(m);
@@ -62,24 +62,17 @@ class Turned {
   NodeId raised(int l) {
     raised_.resize(weights_.size(), -1);
     NodeId& node = raised_[l];
-    if (node < 0) node = build_.mul(weights_[l], d_.z, "z" + std::to_string(l) + "z");
+    if (node < 0) node = build_.mul(weights_[l], d_.z, numbered("z", l) + "z");
     return node;
   }
 
-  Builder& build_;
+  SignedBuilder& build_;
   Direction d_;
   std::vector<NodeId> weights_;
   std::vector<NodeId> raised_;
   Azimuth azimuth_;
   AxialPolynomials axial_;
 };
-
-std::vector<NodeId> inputs(Builder& build, int first, int count, const std::string& name) {
-  std::vector<NodeId> nodes;
-  nodes.reserve(count);
-  for (int i = 0; i < count; ++i) nodes.push_back(build.input(first + i, name + std::to_string(i)));
-  return nodes;
-}
 
 Kernel described_zonal(int degree) {
   Kernel kernel;
@@ -93,33 +86,17 @@ Kernel described_zonal(int degree) {
   return kernel;
 }
 
-Direction direction(Builder& build, int first) {
-  const NodeId x = build.input(first, "x");
-  const NodeId y = build.input(first + 1, "y");
-  const NodeId z = build.input(first + 2, "z");
-  return {x, y, z};
+// The recurrence of functions whose squares have the mean 1/(2l+1): sqrt(l^2 - m^2) p_l = (2l-1) z p_(l-1) -
+// sqrt((l-1)^2 - m^2) p_(l-2).
+Surd turned_upper(int l, int m) { return Surd(2 * l - 1) / Surd::square_root(l * l - m * m); }
+Surd turned_lower(int l, int m) {
+  return Surd::square_root((l - 1) * (l - 1) - m * m) / Surd::square_root(l * l - m * m);
 }
 
-// p_lm for l = m .. degree by l: sqrt(l^2 - m^2) p_l = (2l-1) z p_(l-1) - sqrt((l-1)^2 - m^2) p_(l-2), the recurrence
-// of functions whose squares have the mean 1/(2l+1).
 std::vector<NodeId> turned_column(Builder& build, NodeId z, int degree, int m) {
-  std::vector<NodeId> p{build.constant(
-      turned_factor(m, m) * symbolic::Surd(cln::doublefactorial(static_cast<unsigned>(m == 0 ? 0 : 2 * m - 1))),
-      indexed("k", m, m))};
-  for (int l = m + 1; l <= degree; ++l) {
-    const Surd root = Surd::square_root(cln::cl_RA(l * l - m * m));
-    const NodeId a = build.constant(Surd(2 * l - 1) / root, indexed("a", l, m));
-    const NodeId raised = build.mul(build.mul(a, z), p.back());
-    if (l == m + 1) {
-      p.push_back(raised);
-    } else {
-      const NodeId b =
-          build.constant(Surd::square_root(cln::cl_RA((l - 1) * (l - 1) - m * m)) / root, indexed("b", l, m));
-      p.push_back(build.sub(raised, build.mul(b, p[l - m - 2])));
-    }
-    build.name(p.back(), indexed("p", l, m));
-  }
-  return p;
+  const Surd power(cln::doublefactorial(m == 0 ? 0 : 2 * m - 1));
+  const NodeId start = build.constant(turned_factor(m, m) * power, indexed("k", m, m));
+  return append_column(build, {turned_upper, turned_lower}, z, start, degree, m);
 }
 
 Kernel described_cap(int degree, bool rgb) {
@@ -147,19 +124,19 @@ Kernel described_cap(int degree, bool rgb) {
 
 Kernel cap_light(int degree, bool rgb) {
   Kernel kernel = described_cap(degree, rgb);
-  Builder build(kernel);
-  const Direction d = direction(build, 0);
+  SignedBuilder build(kernel);
+  const Direction d = direction_inputs(build, 0);
   const NodeId u = build.input(3, "u");
   const int channels = rgb ? 3 : 1;
   std::vector<NodeId> colours = inputs(build, 4, channels, "colour");
-  const auto count = static_cast<std::size_t>((degree + 1) * (degree + 1));
-  const std::vector<NodeId> sum = inputs(build, 4 + channels, channels * static_cast<int>(count), "sum");
+  const int count = coefficient_count(degree);
+  const std::vector<NodeId> sum = inputs(build, 4 + channels, channels * count, "sum");
   const std::vector<NodeId> cap = append_cap(build, u, rgb ? -1 : colours[0], degree);
   const std::vector<NodeId> light = Turned(build, d, cap).coefficients();
-  for (std::size_t i = 0; i < count; ++i) {
-    for (std::size_t channel = 0; channel < colours.size(); ++channel) {
+  for (int i = 0; i < count; ++i) {
+    for (int channel = 0; channel < channels; ++channel) {
       const NodeId added = rgb ? build.mul(colours[channel], light[i]) : light[i];
-      const std::size_t k = channel * count + i;
+      const int k = channel * count + i;
       kernel.outputs[k].node = build.add(sum[k], added);
     }
   }
@@ -170,25 +147,24 @@ Kernel cap_light(int degree, bool rgb) {
 
 Kernel zonal_columns(int degree) {
   Kernel kernel = described_zonal(degree);
-  Builder build(kernel);
+  SignedBuilder build(kernel);
   const std::vector<NodeId> zonal = inputs(build, 0, degree + 1, "zonal");
-  const Direction d = direction(build, degree + 1);
-  const std::vector<NodeId> turned = Turned(build, d, zonal).coefficients();
-  for (std::size_t i = 0; i < turned.size(); ++i) kernel.outputs[i].node = turned[i];
+  const Direction d = direction_inputs(build, degree + 1);
+  set_outputs(kernel, Turned(build, d, zonal).coefficients());
   return kernel;
 }
 
 Kernel zonal_recurrence(int degree) {
   Kernel kernel = described_zonal(degree);
-  Builder build(kernel);
+  SignedBuilder build(kernel);
   const std::vector<NodeId> zonal = inputs(build, 0, degree + 1, "zonal");
-  const Direction d = direction(build, degree + 1);
-  Azimuth azimuth(build, d.x, d.y);
+  const Direction d = direction_inputs(build, degree + 1);
+  Azimuth azimuth(build, d);
   for (int m = 0; m <= degree; ++m) {
     const std::vector<NodeId> p = turned_column(build, d.z, degree, m);
     for (int l = m; l <= degree; ++l) {
       const NodeId shared = build.mul(p[l - m], zonal[l]);
-      const auto set = [&](int order, NodeId node) { kernel.outputs[l * (l + 1) + order].node = node; };
+      const auto set = [&](int order, NodeId node) { kernel.outputs[coefficient_index(l, order)].node = node; };
       if (m == 0) {
         set(0, shared);
         continue;

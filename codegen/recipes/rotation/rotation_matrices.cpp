@@ -1,5 +1,6 @@
-#include <string>
-
+// Rotations by band matrices, and the value of a rotated function.
+#include "codegen/passes/passes.hpp"
+#include "codegen/recipes/basis/basis.hpp"
 #include "codegen/recipes/rotation/band_matrices.hpp"
 #include "codegen/recipes/rotation/rotation.hpp"
 #include "codegen/recipes/rotation/rotation_parts.hpp"
@@ -8,50 +9,47 @@ namespace sh::codegen::recipes {
 namespace {
 
 using symbolic::Matrix;
-using symbolic::to_size;
 
-using Bands = BandMatrices (*)(Builder&, const std::array<NodeId, 9>&, int);
+using Bands = BandMatrices (*)(SignedBuilder&, const std::array<NodeId, 9>&, int);
 
 constexpr const char* kDenseSource =
     "E. P. Wigner, \"Group Theory\", 1959, eq. 15.27, in the entries of r; constants derived exactly";
 constexpr const char* kRecursiveSource =
     "J. Ivanic, K. Ruedenberg, J. Phys. Chem. 100, 1996, and J. Phys. Chem. A 102, 1998; constants derived exactly";
 
-std::vector<Signed> times(Builder& build, const Matrix<Signed>& matrix, const std::vector<Signed>& v) {
-  std::vector<Signed> result;
-  for (int i = 0; i < matrix.rows(); ++i) {
-    std::vector<Signed> terms;
-    for (int j = 0; j < matrix.columns(); ++j) terms.push_back(product(build, matrix(i, j), v[j]));
-    result.push_back(sum(build, terms));
+// The outputs: c turned by the matrices, band by band.
+void set_turned(Kernel& kernel, SignedBuilder& build, const BandMatrices& bands, const std::vector<NodeId>& c) {
+  kernel.outputs[0].node = c[0];
+  for (int l = 1; l < static_cast<int>(bands.size()); ++l) {
+    set_band(kernel, build, l, times(build, bands[l], band_of(c, l)));
   }
-  return result;
 }
 
 Kernel rotate_by(Bands make_bands, const std::string& source, int degree) {
   Kernel kernel = rotation_kernel(degree);
   kernel.citation = source;
-  Builder build(kernel);
-  const RotationInputs in = rotation_inputs(build, degree);
-  const BandMatrices bands = make_bands(build, in.r, degree);
-  copy_band_zero(kernel, in);
-  for (int l = 1; l <= degree; ++l) set_band(kernel, build, l, times(build, bands[l], in.band(l)));
+  SignedBuilder build(kernel);
+  const std::array<NodeId, 9> r = matrix_inputs(build);
+  const std::vector<NodeId> c = coefficient_inputs(build, 9, degree);
+  set_turned(kernel, build, make_bands(build, r, degree), c);
   return kernel;
 }
 
 // Band 1 from the numbers of `dense`: R itself, entry by entry.
-BandMatrices first_bands_of(Builder& build, const RotationNumbers& n, const Complex& a, const Complex& b, int degree) {
-  BandMatrices bands(1, Matrix<Signed>(1, 1, {{build.constant(symbolic::Surd(1))}}));
+BandMatrices first_bands_of(SignedBuilder& build, const RotationNumbers& n, const Complex& a, const Complex& b,
+                            int degree) {
+  BandMatrices bands(1, Matrix<Value>(1, 1, {{build.constant(symbolic::Surd(1))}}));
   if (degree == 0) return bands;
-  const Signed xx = sum(build, {a.re, -b.re});
-  const Signed yy = sum(build, {a.re, b.re});
-  const Signed yx = sum(build, {a.im, -b.im});
-  const Signed xy = -sum(build, {a.im, b.im});
-  bands.emplace_back(3, 3, std::vector<Signed>{yy, n.p.im, yx, n.q.im, {n.cosine}, -n.q.re, xy, n.p.re, xx});
+  const Value xx = build.sum({a.re, -b.re});
+  const Value yy = build.sum({a.re, b.re});
+  const Value yx = build.sum({a.im, -b.im});
+  const Value xy = -build.sum({a.im, b.im});
+  bands.emplace_back(3, 3, std::vector<Value>{yy, n.p.im, yx, n.q.im, {n.cosine}, -n.q.re, xy, n.p.re, xx});
   return bands;
 }
 
 // The numbers of `dense` as quadratic forms in a = w + iz and b = y - ix: A = a^2, B = b^2, P = 2ab, Q = 2a conj(b).
-BandMatrices quaternion_bands(Builder& build, const std::array<NodeId, 4>& q, int degree) {
+BandMatrices quaternion_bands(SignedBuilder& build, const std::array<NodeId, 4>& q, int degree) {
   const auto& [w, x, y, z] = q;
   const auto doubled = [&build](NodeId v) { return build.add(v, v); };
   const NodeId ww = build.mul(w, w);
@@ -92,19 +90,30 @@ Kernel build_by(Bands make_bands, const std::string& source, int degree) {
       "f'(s) = f(r^-1 s), rows and columns in the order m = -l..l, orthonormal basis, no Condon-Shortley phase";
   kernel.parameters = {parameter(Role::kRotationMatrix, "r")};
   kernel.results = {array(Role::kBandMatrices, "m", degree)};
-  Builder build(kernel);
+  SignedBuilder build(kernel);
   const std::array<NodeId, 9> r = matrix_inputs(build);
   const BandMatrices bands = make_bands(build, r, degree);
   for (int l = 0; l <= degree; ++l) {
     for (int m = -l; m <= l; ++m) {
       for (int n = -l; n <= l; ++n) {
-        const NodeId entry = settled(build, bands[l](l + m, l + n));
+        const NodeId entry = build.node(bands[l](l + m, l + n));
         kernel.outputs.push_back(
             {entry, "l=" + std::to_string(l) + " m=" + std::to_string(m) + "," + std::to_string(n)});
       }
     }
   }
   return kernel;
+}
+
+// The direction that the rotation maps to s: r^-1 s, where r^-1 is the transposed matrix.
+std::vector<NodeId> turned_back(SignedBuilder& build, const std::array<NodeId, 9>& r, const std::array<NodeId, 3>& s) {
+  std::vector<NodeId> result;
+  for (int column = 0; column < 3; ++column) {
+    std::vector<Value> terms;
+    for (int row = 0; row < 3; ++row) terms.push_back({build.mul(r[3 * row + column], s[row])});
+    result.push_back(build.sum(terms, std::string("turned_") + "xyz"[column]).node);
+  }
+  return result;
 }
 
 }  // namespace
@@ -117,13 +126,10 @@ Kernel rotate_build_recursive(int degree) { return build_by(recursive_bands, kRe
 Kernel rotate_quaternion_polynomial(int degree) {
   Kernel kernel = quaternion_kernel(degree);
   kernel.citation = "E. P. Wigner, \"Group Theory\", 1959, eq. 15.27, as polynomials in q; constants derived exactly";
-  Builder build(kernel);
+  SignedBuilder build(kernel);
   const std::array<NodeId, 4> q = quaternion_inputs(build);
   const BandMatrices bands = quaternion_bands(build, q, degree);
-  RotationInputs in;
-  in.c = coefficient_inputs(build, 4, degree);
-  copy_band_zero(kernel, in);
-  for (int l = 1; l <= degree; ++l) set_band(kernel, build, l, times(build, bands[l], in.band(l)));
+  set_turned(kernel, build, bands, coefficient_inputs(build, 4, degree));
   return kernel;
 }
 
@@ -133,19 +139,40 @@ Kernel rotate_apply_rows(int degree) {
   kernel.title = "Coefficients of a rotated function from prepared matrices, " + degrees_to(degree);
   kernel.domain = "m as rotate_build leaves it: matrices of 1, 3, 5, ... rows, the first of which is 1";
   kernel.parameters[0] = array(Role::kBandMatrices, "m", degree);
-  Builder build(kernel);
+  SignedBuilder build(kernel);
   int next = 0;
   BandMatrices bands;
   for (int l = 0; l <= degree; ++l) {
-    bands.emplace_back(2 * l + 1, 2 * l + 1);
+    std::vector<Value> entries;
     for (int i = 0; i < (2 * l + 1) * (2 * l + 1); ++i, ++next) {
-      bands.back()(i / (2 * l + 1), i % (2 * l + 1)) = {build.input(next, "m" + std::to_string(next))};
+      entries.push_back({build.input(next, numbered("m", next))});
     }
+    bands.emplace_back(2 * l + 1, 2 * l + 1, std::move(entries));
   }
-  RotationInputs in;
-  in.c = coefficient_inputs(build, next, degree);
-  copy_band_zero(kernel, in);
-  for (int l = 1; l <= degree; ++l) set_band(kernel, build, l, times(build, bands[l], in.band(l)));
+  set_turned(kernel, build, bands, coefficient_inputs(build, next, degree));
+  return kernel;
+}
+
+Kernel rotate_evaluate_turned(int degree) {
+  Kernel kernel;
+  kernel.title = "The value of a rotated function in a direction, " + degrees_to(degree);
+  kernel.domain = kRotationDomain + std::string("; |d| = 1 for d = (x, y, z)");
+  kernel.result =
+      "f(r^-1 d) = sum of c_lm Y_lm(r^-1 d), c_lm at index l(l+1)+m, orthonormal basis, no Condon-Shortley phase";
+  kernel.citation = "the direction turned back, then the basis";
+  kernel.parameters =
+      with_direction({parameter(Role::kRotationMatrix, "r"), array(Role::kEvaluatedCoefficients, "c", degree)});
+  kernel.results = {parameter(Role::kValue, "value")};
+  SignedBuilder build(kernel);
+  const std::array<NodeId, 9> r = matrix_inputs(build);
+  const std::vector<NodeId> c = coefficient_inputs(build, 9, degree);
+  const auto [x, y, z] = direction_inputs(build, 9 + coefficient_count(degree));
+  // The passes find the short forms of the basis only if x, y, z are inputs.
+  const Kernel basis = passes::factor(passes::share(basis_recurrence(degree)));
+  const std::vector<NodeId> functions = splice(build, basis, turned_back(build, r, {x, y, z}));
+  std::vector<Value> terms;
+  for (std::size_t i = 0; i < c.size(); ++i) terms.push_back({build.mul(c[i], functions[i])});
+  kernel.outputs = {{build.sum(terms).node, ""}};
   return kernel;
 }
 
