@@ -1,22 +1,34 @@
-// The generated basis kernels behind a degree chosen at run time, and loops over bands.
+// Calls of the generated kernels with a degree that is chosen at run time, and loops over bands.
 #pragma once
 #include <array>
 #include <cstddef>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "generated/cpp/basis.hpp"
-#include "prt/at_degree.hpp"
+#include "numeric/oracle/index.hpp"
+#include "prt/transfer/shape.hpp"
 
 namespace sh::prt {
+
+/// Calls work(std::integral_constant<int, degree>()), so that `sh::basis<d()>` and its like can be called with its
+/// argument d. Precondition: 0 <= degree <= kMaxDegree.
+template <class Work>
+void at_degree(int degree, Work&& work) {
+  using Call = void (*)(std::remove_reference_t<Work>&);
+  static constexpr auto kCalls = []<int... Degree>(std::integer_sequence<int, Degree...>) {
+    return std::array<Call, sizeof...(Degree)>{
+        [](std::remove_reference_t<Work>& call) { call(std::integral_constant<int, Degree>()); }...};
+  }
+  (std::make_integer_sequence<int, kMaxDegree + 1>());
+  kCalls[degree](work);
+}
 
 /// An array that is large enough for the basis of any degree.
 using BasisValues = std::array<double, std::size_t{kMaxDegree + 1} * (kMaxDegree + 1)>;
 
-/// The index of c_lm among the coefficients.
-constexpr std::size_t coefficient_index(int l, int m) {
-  const int i = l * l + l + m;
-  return static_cast<std::size_t>(i);
-}
+using numeric::coefficient_index;
 
 /// out (bands^2) = Y_lm(direction), l = 0..degree; |direction| = 1, 0 <= degree <= kMaxDegree.
 template <class T>

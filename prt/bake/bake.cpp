@@ -8,11 +8,9 @@
 #include <stdexcept>
 
 #include "numeric/output/progress.hpp"
-#include "prt/bake/bake_run.hpp"
-#include "prt/bake/chunks.hpp"
-#include "prt/bake/colored_mirrors.hpp"
 #include "prt/bake/estimate.hpp"
-#include "prt/plan/plan.hpp"
+#include "prt/bake/steps.hpp"
+#include "prt/chunks.hpp"
 #include "prt/transfer/transfer_file.hpp"
 
 namespace sh::prt {
@@ -53,29 +51,62 @@ Transfer run_steps(const Scene& scene, const BakeSettings& settings, const Plan&
   return std::move(run.transfer);
 }
 
-Transfer run_steps(const BakeJob& job, BakeReport& report) {
-  if (!job.scene.bake.kind->traces_rays() || !has_colored_mirrors(job.scene.mesh)) {
-    return run_steps(job.scene, job.settings, *job.plan, report);
-  }
-  BakeSettings part = job.settings;
-  part.checkpoint = {};  // it holds one bake
-  return bake_by_channel(job.scene, [&](const Scene& grey) { return run_steps(grey, part, *job.plan, report); });
+bool has_colored_mirrors(const Mesh& mesh) {
+  return std::any_of(mesh.mirror.begin(), mesh.mirror.end(),
+                     [](const Eigen::Vector3f& mirror) { return (mirror.array() != mirror.x()).any(); });
 }
 
-void say_estimate(const BakeEstimate& estimate, const BakeObserver& say) {
-  constexpr double kWorthSaying = 2.0;  // seconds
-  if (estimate.seconds() >= kWorthSaying) {
-    say(fmt::format("about {:.2g} s, {:.0f} MiB: {:.3g} million rays{}", estimate.seconds(),
-                    static_cast<double>(estimate.bytes) / 1048576.0, estimate.rays * 1e-6,
-                    estimate.bounces > 0.0 ? fmt::format(", {:.0f} bounces", estimate.bounces) : ""));
+// Takes channel `c` and the worse value of each number of the report.
+void take_channel(const Transfer& from, int c, Transfer& to) {
+  const std::size_t count = to.shape.count();
+  for (std::size_t v = 0; v < to.mesh.positions.size(); ++v) {
+    std::copy_n(from.row(v) + c * count, count, to.row(v) + c * count);
   }
+  for (std::size_t v = 0; v < to.emitted.size(); ++v) to.emitted[v][c] = from.emitted[v][c];
+  to.bounces.applications = std::max(to.bounces.applications, from.bounces.applications);
+  to.bounces.certified = to.bounces.certified && from.bounces.certified;
+  using Report = BounceReport;
+  for (const auto number : {&Report::bound, &Report::residual, &Report::largest, &Report::spectral_bound,
+                            &Report::emitted_bound, &Report::emitted_largest}) {
+    to.bounces.*number = std::max(to.bounces.*number, from.bounces.*number);
+  }
+}
+
+// Each channel is a separate bake, with gray mirrors of that channel's reflectance. The single channel of shadowed
+// transfer cannot hold the color of the mirrors.
+Transfer run_by_channel(const BakeJob& job, BakeReport& report) {
+  if (job.scene.bake.kind->shape(job.scene.bake.degree).channels == 1) {
+    throw std::invalid_argument(fmt::format(
+        "{}: its mirrors have colors, which shadowed transfer cannot hold; expected gray mirrors, or interreflected",
+        job.scene.name));
+  }
+  BakeSettings settings = job.settings;
+  settings.checkpoint = {};  // it holds one bake
+  Transfer transfer;
+  for (int c = 0; c < 3; ++c) {
+    Scene scene = job.scene;
+    for (Eigen::Vector3f& mirror : scene.mesh.mirror) mirror.setConstant(mirror[c]);
+    Transfer channel = run_steps(scene, settings, *job.plan, report);
+    if (c == 0) {
+      transfer = std::move(channel);
+    } else {
+      take_channel(channel, c, transfer);
+    }
+  }
+  transfer.mesh.mirror = job.scene.mesh.mirror;
+  return transfer;
 }
 
 // Sets fewer directions and a deadline for the bounces if there is a budget.
 void prepare(BakeJob& job, const BakeObserver& say) {
+  constexpr double kWorthSaying = 2.0;  // seconds
   if (!job.scene.bake.kind->traces_rays() || (!say && !job.budget)) return;
   const BakeEstimate estimate = estimate_bake(job);
-  if (say) say_estimate(estimate, say);
+  if (say && estimate.seconds() >= kWorthSaying) {
+    say(fmt::format("about {:.2g} s, {:.0f} MiB: {:.3g} million rays{}", estimate.seconds(),
+                    static_cast<double>(estimate.bytes) / 1048576.0, estimate.rays * 1e-6,
+                    estimate.bounces > 0.0 ? fmt::format(", {:.0f} bounces", estimate.bounces) : ""));
+  }
   if (!job.budget) return;
   const auto& [seconds, spent] = *job.budget;
   const int wanted = job.scene.bake.directions;
@@ -86,22 +117,24 @@ void prepare(BakeJob& job, const BakeObserver& say) {
   }
 }
 
-bool fits(const Transfer& transfer, const std::vector<float>& largest) {
-  for (std::size_t i = 0; i < transfer.coefficients.size(); ++i) {
-    if (std::abs(transfer.coefficients[i]) > largest[i % largest.size()]) return false;
-  }
-  return true;
-}
-
 void take_plan(const Plan& plan, Transfer& transfer) {
   transfer.plan = plan.record;
   transfer.shape.storage = plan.storage;
-  if (plan.storage.element == Element::kByte && !fits(transfer, plan.largest)) {
-    transfer.shape.storage.element = Element::kHalf;  // an outlier would coarsen every other number of its column
+  if (plan.storage.element != Element::kByte) return;
+  for (std::size_t i = 0; i < transfer.coefficients.size(); ++i) {
+    if (std::abs(transfer.coefficients[i]) > plan.largest[i % plan.largest.size()]) {
+      transfer.shape.storage.element = Element::kHalf;  // an outlier would coarsen every other number of its column
+      return;
+    }
   }
 }
 
 }  // namespace
+
+BakeJob planned(BakeJob job) {
+  on_threads(job.settings.threads, [&] { job.plan = make_plan(job.scene, job.settings.instruction_set); });
+  return job;
+}
 
 Transfer bake(BakeJob job, BakeReport* report, const BakeObserver& say) {
   check(job);
@@ -110,7 +143,10 @@ Transfer bake(BakeJob job, BakeReport* report, const BakeObserver& say) {
   prepare(job, say);
   Transfer transfer;
   BakeReport measured;
-  on_threads(job.settings.threads, [&] { transfer = run_steps(job, measured); });
+  const bool by_channel = job.scene.bake.kind->traces_rays() && has_colored_mirrors(job.scene.mesh);
+  on_threads(job.settings.threads, [&] {
+    transfer = by_channel ? run_by_channel(job, measured) : run_steps(job.scene, job.settings, *job.plan, measured);
+  });
   take_plan(*job.plan, transfer);
   transfer.missing = shortfall(wanted, transfer);
   if (report != nullptr) *report = measured;

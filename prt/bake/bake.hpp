@@ -2,13 +2,51 @@
 // prt/bake/steps.hpp has the formulas. One task owns one vertex, so the result has the same bits for any number of
 // threads.
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
+#include <utility>
 
-#include "prt/bake/job.hpp"
+#include "numeric/output/stopwatch.hpp"
+#include "prt/mesh/mend.hpp"
+#include "prt/plan/plan.hpp"
+#include "prt/scene/scene.hpp"
+#include "prt/transfer/transfer.hpp"
 
 namespace sh::prt {
+
+/// The file in which a stopped bake leaves its results, so that it can continue from there.
+struct CheckpointSettings {
+  std::string path;      // empty: none
+  bool restart = false;  // delete an existing checkpoint
+  double seconds = 2.0;  // the most work that is lost when the process is killed; a shorter bake writes nothing
+};
+
+struct BakeSettings {
+  int threads = 0;              // 0: every core; no more than there are cores
+  std::string instruction_set;  // of the rays, see Tracer; empty: the best up to avx2
+  OnFlaw on_flaw = OnFlaw::kMend;
+  std::size_t bounce_memory = SIZE_MAX;  // bytes for form factors; the rest is traced again for each bounce
+  CheckpointSettings checkpoint = {};    // unused with colored mirrors
+};
+
+/// The time limit of a bake; it starts when the job is described.
+struct BakeBudget {
+  double seconds = 0.0;
+  output::Stopwatch spent;
+};
+
+struct BakeJob {
+  BakeJob(Scene the_scene, BakeSettings the_settings = {})
+      : scene(std::move(the_scene)), settings(std::move(the_settings)) {}
+
+  Scene scene;  // the bake follows `bake` exactly; `plan` says what it may leave out
+  BakeSettings settings;
+  std::optional<Plan> plan;  // if set, scene.bake already follows it; else the bake starts by making it
+  std::optional<BakeBudget> budget;
+};
 
 /// The cost of a bake.
 struct BakeReport {
@@ -18,6 +56,9 @@ struct BakeReport {
 
 /// Receives one line about the expected time of the bake and one about each change that a budget makes.
 using BakeObserver = std::function<void(const std::string& line)>;
+
+/// Returns the job with its plan; throws like make_plan().
+BakeJob planned(BakeJob job);
 
 /// Shows progress. Vertices that no ray can leave take their neighbors' values and are reported as a flaw. If a number
 /// does not fit the planned storage type, the next wider type is used. Throws std::invalid_argument for options out of

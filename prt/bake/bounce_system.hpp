@@ -1,10 +1,8 @@
 // The operator A = albedo * K and the operations that both solvers of bounces.hpp need.
 #pragma once
-#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <vector>
 
 #include "prt/bake/bounces.hpp"
 
@@ -32,10 +30,12 @@ class BounceSystem {
   int applications_ = 0;
 };
 
-/// Calls each(first, last) for fixed parts of 0..rows on all threads of the arena.
+/// Rows that one task handles; the same for any number of threads.
+inline constexpr std::size_t kRowsAPart = 256;
+
+/// Calls each(first, last) for the parts of 0..rows on all threads of the arena.
 template <class Each>
 void for_rows(std::size_t rows, const Each& each) {
-  constexpr std::size_t kRowsAPart = 256;
   tbb::parallel_for(std::size_t{0}, (rows + kRowsAPart - 1) / kRowsAPart,
                     [&](std::size_t part) { each(part * kRowsAPart, std::min(rows, (part + 1) * kRowsAPart)); });
 }

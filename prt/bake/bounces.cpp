@@ -2,9 +2,7 @@
 
 #include <fmt/core.h>
 
-#include <array>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <stdexcept>
 
@@ -74,10 +72,7 @@ struct Series {
         return;
       }
       before = excess();
-      for_rows(x.rows, [&](std::size_t first, std::size_t last) {
-        std::transform(x.row(first), x.row(first) + (last - first) * x.columns, r.row(first), x.row(first),
-                       std::plus<>());
-      });
+      for_rows(x.rows, [&](std::size_t first, std::size_t last) { x.block(first, last) += r.block(first, last); });
       system.apply(r, next);
       std::swap(r, next);
     }
@@ -119,7 +114,7 @@ void BounceSystem::apply(const Panel& x, Panel& y) {
   for_rows(x.rows, [&](std::size_t first, std::size_t last) {
     for (std::size_t v = first; v < last; ++v) {
       for (std::size_t c = 0; c < kChannels; ++c) {
-        const auto albedo = static_cast<double>(albedo_[v][static_cast<Eigen::Index>(c)]);
+        const auto albedo = static_cast<double>(albedo_[v][c]);
         double* values = y.row(v) + layout_.channel(c);
         std::for_each(values, values + layout_.count + 1, [albedo](double& value) { value *= albedo; });
       }
@@ -131,7 +126,7 @@ void BounceSystem::apply(const Panel& x, Panel& y) {
 void BounceSystem::residual(const Panel& b, const Panel& x, Panel& r) {
   apply(x, r);
   for_rows(x.rows, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first * x.columns; i < last * x.columns; ++i) r.values[i] += b.values[i] - x.values[i];
+    r.block(first, last) += b.block(first, last) - x.block(first, last);
   });
 }
 

@@ -2,9 +2,108 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <nlohmann/json.hpp>
 #include <utility>
 
+#include "prt/transfer/checksum.hpp"
+
 namespace sh::prt {
+
+namespace {
+
+template <class T>
+void put(std::string& bytes, const T* values, std::size_t count) {
+  bytes.append(reinterpret_cast<const char*>(values), count * sizeof(T));
+}
+
+// Takes values off the front of the data; false if there are too few.
+template <class T>
+bool take(std::string_view& data, T* values, std::size_t count) {
+  if (data.size() / sizeof(T) < count) return false;
+  if (count > 0) std::memcpy(values, data.data(), count * sizeof(T));
+  data.remove_prefix(count * sizeof(T));
+  return true;
+}
+
+struct RowHead {
+  std::uint32_t kept = 0;
+  std::uint32_t length = 0;
+};
+
+bool take_row(std::string_view& data, std::size_t vertices, FormFactorRow& row, RowHead& head) {
+  if (!take(data, &head, 1) || head.kept > 1 || data.size() / sizeof(FormFactor) < head.length) return false;
+  row.resize(head.length);
+  return take(data, row.data(), row.size()) &&
+         std::all_of(row.begin(), row.end(), [vertices](const FormFactor& f) { return f.vertex < vertices; });
+}
+
+template <class T>
+std::uint64_t checksum_of(const std::vector<T>& values) {
+  return checksum(values.data(), values.size() * sizeof(T));
+}
+
+// A new member of Mesh does not compile here until somebody decides whether rays depend on it.
+std::string mesh_checksum(const Mesh& mesh) {
+  [[maybe_unused]] const auto& [positions, normals, geometric_normals, albedo, emission, mirror, faces, remap] = mesh;
+  const std::array<std::uint64_t, 5> parts = {checksum_of(positions), checksum_of(normals),
+                                              checksum_of(geometric_normals), checksum_of(mirror), checksum_of(faces)};
+  return fmt::format("{:016x}", checksum(parts.data(), sizeof parts));
+}
+
+std::string encode_chunk(const ShadowResult& result, const VertexRange& range) {
+  const std::size_t count = result.transfer.shape.length();
+  std::string bytes;
+  put(bytes, result.transfer.coefficients.data() + range.first * count, range.size() * count);
+  put(bytes, result.sight.data() + range.first, range.size());
+  for (std::size_t v = range.first; result.factors != nullptr && v < range.last; ++v) {
+    const FormFactorRow& row = result.factors->row(v);
+    const RowHead head{result.factors->is_kept(v) ? 1U : 0U, static_cast<std::uint32_t>(row.size())};
+    put(bytes, &head, 1);
+    put(bytes, row.data(), row.size());
+  }
+  return bytes;
+}
+
+// Returns false, and changes no finished result, if the data do not have the shape of the chunk.
+bool decode_chunk(std::string_view data, const VertexRange& range, ShadowResult& result) {
+  const std::size_t count = result.transfer.shape.length();
+  std::vector<float> transfer(range.size() * count);
+  std::vector<Sight> sight(range.size());
+  if (!take(data, transfer.data(), transfer.size()) || !take(data, sight.data(), sight.size())) return false;
+  std::vector<std::pair<std::size_t, FormFactorRow>> rows;
+  for (std::size_t v = range.first; result.factors != nullptr && v < range.last; ++v) {
+    FormFactorRow row;
+    RowHead head;
+    if (!take_row(data, result.sight.size(), row, head)) return false;
+    if (head.kept != 0) rows.emplace_back(v, std::move(row));
+  }
+  if (!data.empty()) return false;
+  std::copy(transfer.begin(), transfer.end(), result.transfer.coefficients.data() + range.first * count);
+  std::copy(sight.begin(), sight.end(), result.sight.data() + range.first);
+  for (auto& [vertex, row] : rows) result.factors->keep(vertex, std::move(row));
+  return true;
+}
+
+}  // namespace
+
+std::string bake_key(const Scene& scene, const std::string& instruction_set, const std::vector<std::uint8_t>& open) {
+  [[maybe_unused]] const auto& [degree, directions, sampler, seed, kind, bounces] = scene.bake;  // as above
+  const nlohmann::ordered_json key = {{"vertices", scene.mesh.positions.size()},
+                                      {"faces", scene.mesh.faces.size()},
+                                      {"mesh", mesh_checksum(scene.mesh)},
+                                      {"open_vertices", std::count(open.begin(), open.end(), 1)},
+                                      {"open", fmt::format("{:016x}", checksum_of(open))},
+                                      {"transfer", kind->word},
+                                      {"degree", degree},
+                                      {"directions", directions},
+                                      {"sampler", name_of(sampler)},
+                                      {"seed", seed},
+                                      {"instruction_set", instruction_set}};
+  return key.dump();
+}
 
 Checkpoint::Checkpoint(const CheckpointSettings& settings, const std::string& key, ShadowResult& result)
     : result_(result),

@@ -1,4 +1,7 @@
-// Records which chunks of a bake are done and which are on disk, so that a stopped bake can continue.
+// Records which chunks of a bake are done and which are on disk, so that a stopped bake can continue. The checkpoint
+// holds its key, which names everything that the results of rays depend on, and the results of each chunk of vertices:
+//   transfer vectors: (vertices, bands^2) binary32; Sight of each vertex: (vertices) bytes; with bounces, for each
+//   vertex: 1 where its row of form factors is kept, else 0 (4 bytes); its length (4); its entries.
 #pragma once
 #include <chrono>
 #include <cstddef>
@@ -8,11 +11,25 @@
 #include <string>
 #include <vector>
 
-#include "prt/bake/checkpoint_contents.hpp"
+#include "prt/bake/bake.hpp"
 #include "prt/bake/checkpoint_file.hpp"
-#include "prt/bake/job.hpp"
+#include "prt/bake/form_factors.hpp"
+#include "prt/chunks.hpp"
+#include "prt/rays/gather.hpp"
 
 namespace sh::prt {
+
+/// References to the results of the rays.
+struct ShadowResult {
+  Transfer& transfer;        // its first vertices x bands^2 coefficients
+  std::vector<Sight> sight;  // (vertices)
+  FormFactors* factors;      // null if hits are not needed
+};
+
+/// A JSON object: counts and checksum of the mesh and of `open` (see Plan), kind, degree, directions, sampler, seed,
+/// instruction set. Albedo, tolerance and solver are not in it: only the bounces use them, and rays do not depend on
+/// them.
+std::string bake_key(const Scene& scene, const std::string& instruction_set, const std::vector<std::uint8_t>& open);
 
 class Checkpoint {
  public:

@@ -182,7 +182,7 @@ void CheckpointFile::write(std::string_view bytes) {
       fail(fmt::format("cannot write: {} (the finished parts are kept; --no-checkpoint bakes without a checkpoint)",
                        std::strerror(error)));
     }
-    done += count > 0 ? static_cast<std::size_t>(count) : 0;
+    done += std::max<ssize_t>(count, 0);
   }
   end_ += bytes.size();
 }
@@ -194,7 +194,7 @@ std::string CheckpointFile::fetch(std::uint64_t offset, std::uint64_t size) cons
     const ssize_t count = pread(descriptor_, bytes.data() + done, size - done, static_cast<off_t>(offset + done));
     if (count < 0 && errno != EINTR) fail(fmt::format("cannot read: {}", std::strerror(errno)));
     if (count == 0) fail("cannot read: it became shorter");
-    done += count > 0 ? static_cast<std::size_t>(count) : 0;
+    done += std::max<ssize_t>(count, 0);
   }
   return bytes;
 }

@@ -13,7 +13,7 @@
 
 #include "prt/bake/bounces.hpp"
 #include "prt/bake/shadow_pass.hpp"
-#include "prt/bake/unshadowed.hpp"
+#include "prt/transfer/unshadowed.hpp"
 
 namespace sh::prt {
 
@@ -35,7 +35,7 @@ std::size_t resident_memory() {
     resident = read == 2 ? resident : 0;
     std::fclose(file);
   }
-  return resident * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+  return resident * sysconf(_SC_PAGESIZE);
 }
 
 // Vertices that need rays, in golden-ratio order: any number of the first ones is spread over the mesh.
@@ -108,7 +108,7 @@ BakeEstimate estimate_rays(const BakeJob& job) {
   const BakeSettings& settings = job.settings;
   const std::vector<std::uint8_t> open = job.plan ? job.plan->open : std::vector<std::uint8_t>();
   const output::Stopwatch stopwatch;
-  const RaySetup setup(scene, settings.threads, settings.instruction_set);
+  const RaySetup setup(scene.mesh, scene.bake, settings.threads, settings.instruction_set);
   BakeEstimate estimate;
   estimate.setup_seconds = stopwatch.seconds();
   const std::size_t vertices = scene.mesh.positions.size();
@@ -120,7 +120,7 @@ BakeEstimate estimate_rays(const BakeJob& job) {
   FormFactors factors(bounces ? vertices : 0);
   ShadowResult result{transfer, std::vector<Sight>(vertices, Sight::kSome), bounces ? &factors : nullptr};
   const output::Stopwatch tracing;
-  samples.resize(ShadowPass(scene.mesh, setup, open, result).sample(samples, kSampleSeconds));
+  samples.resize(ShadowPass(setup, open, result).sample(samples, kSampleSeconds));
   if (samples.empty()) return estimate;
   const double scale = static_cast<double>(estimate.vertices) / static_cast<double>(samples.size());
   estimate.pass_seconds = tracing.seconds() * scale;
@@ -171,7 +171,7 @@ Shortfall shortfall(const BakeOptions& wanted, const Transfer& transfer) {
 std::size_t peak_memory() {
   struct rusage usage = {};
   getrusage(RUSAGE_SELF, &usage);
-  return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
+  return std::size_t{1024} * usage.ru_maxrss;
 }
 
 }  // namespace sh::prt

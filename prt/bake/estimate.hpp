@@ -4,7 +4,7 @@
 #pragma once
 #include <cstddef>
 
-#include "prt/bake/job.hpp"
+#include "prt/bake/bake.hpp"
 
 namespace sh::prt {
 

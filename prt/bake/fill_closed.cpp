@@ -35,7 +35,7 @@ FillPlan plan_fill(const Mesh& mesh, const std::vector<Sight>& sight) {
   std::erase_if(unknown, [&](const auto& entry) { return !is_filled(sight, entry.first, entry.second); });
   const auto is_flaw = [&](const auto& entry) { return sight[entry.first] != Sight::kCovered; };
   FillPlan plan;
-  plan.closed = static_cast<std::size_t>(std::count_if(unknown.begin(), unknown.end(), is_flaw));
+  plan.closed = std::count_if(unknown.begin(), unknown.end(), is_flaw);
   std::size_t ring = 0;  // the first fill of the current ring
   do {
     ring = plan.fills.size();

@@ -6,14 +6,10 @@
 #include <cstdint>
 #include <vector>
 
+#include "prt/rays/gather.hpp"
 #include "prt/transfer/transfer.hpp"
 
 namespace sh::prt {
-
-/// What happens to the rays of a vertex. kSome: some leave the scene. kDark: all are blocked by fronts of faces (an
-/// ordinary shadow). kCovered: nearly all hit something nearer than an edge's length. kBuried: all are blocked because
-/// the vertex lies inside something.
-enum class Sight : std::uint8_t { kSome, kDark, kCovered, kBuried };
 
 /// A vertex and the vertices whose mean it takes.
 struct Fill {

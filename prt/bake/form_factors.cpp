@@ -89,14 +89,4 @@ void FormFactors::apply(const Panel& x, Panel& y) const {
   });
 }
 
-std::size_t FormFactors::bytes() const {
-  std::size_t sum = 0;
-  for (const FormFactorRow& row : rows_) sum += row.size() * sizeof(FormFactor);
-  return sum;
-}
-
-std::size_t FormFactors::made_each_time() const {
-  return static_cast<std::size_t>(std::count(kept_.begin(), kept_.end(), 0));
-}
-
 }  // namespace sh::prt

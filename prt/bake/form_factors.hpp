@@ -1,6 +1,7 @@
 // The form factors of the mesh: for every vertex, the share of each other vertex in its cosine-weighted hemisphere.
 // Rays find them once, and every bounce uses them. They do not depend on light, albedo, color or degree.
 #pragma once
+#include <Eigen/Core>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -18,6 +19,13 @@ struct Panel {
       : rows(row_count), columns((least_columns + kUnit - 1) / kUnit * kUnit), values(rows * columns, 0.0) {}
   double* row(std::size_t r) { return values.data() + r * columns; }
   [[nodiscard]] const double* row(std::size_t r) const { return values.data() + r * columns; }
+  /// The rows first .. last - 1, transposed.
+  Eigen::Map<Eigen::ArrayXXd> block(std::size_t first, std::size_t last) {
+    return {row(first), Eigen::Index(columns), Eigen::Index(last - first)};
+  }
+  [[nodiscard]] Eigen::Map<const Eigen::ArrayXXd> block(std::size_t first, std::size_t last) const {
+    return {row(first), Eigen::Index(columns), Eigen::Index(last - first)};
+  }
 
   std::size_t rows;
   std::size_t columns;
@@ -55,8 +63,6 @@ class FormFactors {
   [[nodiscard]] std::size_t size() const { return rows_.size(); }
   [[nodiscard]] bool is_kept(std::size_t vertex) const { return kept_[vertex] != 0; }
   [[nodiscard]] const FormFactorRow& row(std::size_t vertex) const { return rows_[vertex]; }  // empty if not kept
-  [[nodiscard]] std::size_t bytes() const;           // of the rows that are kept
-  [[nodiscard]] std::size_t made_each_time() const;  // number of rows that are not kept
 
  private:
   [[nodiscard]] bool fits(std::size_t bytes);

@@ -3,62 +3,79 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <chrono>
 
-#include "prt/bake/bake_run.hpp"
+#include "prt/bake/bounces.hpp"
 #include "prt/bake/fill_closed.hpp"
-#include "prt/bake/trace_form_factors.hpp"
-#include "prt/bake/unshadowed.hpp"
+#include "prt/bake/shadow_pass.hpp"
+#include "prt/transfer/unshadowed.hpp"
 
 namespace sh::prt {
 
 namespace {
 
-void report_closed(const Scene& scene, const FillPlan& plan, OnFlaw on_flaw) {
-  if (plan.closed > 0) {
-    report_flaw(on_flaw, fmt::format("{}: no ray can leave {} of {} vertices ({} filled from neighbors, {} "
-                                     "in closed parts left dark)",
-                                     scene.name, plan.closed, scene.mesh.positions.size(), plan.filled,
-                                     plan.closed - plan.filled));
-  }
-}
+constexpr std::size_t kChannels = BounceLayout::kChannels;
+constexpr double kNoticedCut = 1e-3;  // of the light of a vertex
 
-// Reports meshes that are mostly dark: a closed room without light, or surfaces whose fronts face inwards.
-void report_dark(const Scene& scene, const std::vector<Sight>& sight, OnFlaw on_flaw) {
-  const auto dark = static_cast<std::size_t>(std::count(sight.begin(), sight.end(), Sight::kDark));
-  if (2 * dark > sight.size() && scene.mesh.emission.empty()) {
-    report_flaw(on_flaw, fmt::format("{}: {} of {} vertices see no sky and nothing shines: closed rooms, or meshes "
-                                     "with their fronts inside (`flip` turns a mesh)",
-                                     scene.name, dark, sight.size()));
-  }
-}
-
-// Reports lost light: paths between mirrors that face each other do not end if the mirrors lose little.
-void report_cut(const Scene& scene, double cut, OnFlaw on_flaw) {
-  constexpr double kNoticed = 1e-3;
-  if (cut > kNoticed) {
-    report_flaw(on_flaw, fmt::format("{}: paths were cut after {} mirrors: up to {:.2g} of the light of a vertex is "
-                                     "left out",
-                                     scene.name, MirrorPaths::kMostMirrors, cut));
-  }
+void report(const BakeRun& run, const std::string& flaw) {
+  report_flaw(run.settings.on_flaw, fmt::format("{}: {}", run.scene.name, flaw));
 }
 
 void begin_tracing(BakeRun& run) {
   const Scene& scene = run.scene;
   Transfer& transfer = run.transfer;
-  run.rays.emplace(scene, run.settings.threads, run.settings.instruction_set);
+  run.rays.emplace(scene.mesh, scene.bake, run.settings.threads, run.settings.instruction_set);
   transfer.instruction_set = run.rays->tracer.instruction_set();
   transfer.directions = static_cast<std::uint32_t>(scene.bake.directions);
   transfer.sampler = scene.bake.sampler;
   transfer.seed = scene.bake.seed;
   const std::size_t vertices = scene.mesh.positions.size();
   if (scene.bake.kind->has_bounces()) {
-    run.factors.emplace(vertices, run.settings.bounce_memory, [&scene, rays = &*run.rays] {
-      return make_row_maker(scene.mesh, rays->starts, rays->directions, rays->tracer, rays->mirrors);
-    });
+    run.factors.emplace(vertices, run.settings.bounce_memory, [rays = &*run.rays] { return make_row_maker(*rays); });
   }
   run.found.emplace(
       ShadowResult{transfer, std::vector<Sight>(vertices, Sight::kSome), run.factors ? &*run.factors : nullptr});
   run.checkpoint.emplace(run.settings.checkpoint, bake_key(scene, transfer.instruction_set, run.open), *run.found);
+}
+
+// Reports meshes that are mostly dark: a closed room without light, or surfaces whose fronts face inwards.
+void report_dark(const BakeRun& run) {
+  const std::vector<Sight>& sight = run.found->sight;
+  const std::size_t dark = std::count(sight.begin(), sight.end(), Sight::kDark);
+  if (2 * dark > sight.size() && run.scene.mesh.emission.empty()) {
+    report(run, fmt::format("{} of {} vertices see no sky and nothing shines: closed rooms, or meshes with their "
+                            "fronts inside (`flip` turns a mesh)",
+                            dark, sight.size()));
+  }
+}
+
+// The light that leaves every vertex without bounces: albedo * T, and the emission.
+Panel direct_light(const Mesh& mesh, const Transfer& transfer, const BounceLayout& layout) {
+  Panel x(mesh.positions.size(), layout.columns());
+  for (std::size_t v = 0; v < x.rows; ++v) {
+    const float* direct = transfer.row(v);
+    for (std::size_t c = 0; c < kChannels; ++c) {
+      const auto albedo = static_cast<double>(mesh.albedo[v][c]);
+      double* own = std::transform(direct, direct + transfer.shape.count(), x.row(v) + layout.channel(c),
+                                   [albedo](float value) { return albedo * static_cast<double>(value); });
+      if (layout.emitted > 0) *own = static_cast<double>(mesh.emission[v][c]);
+    }
+  }
+  return x;
+}
+
+void take_solution(const Panel& x, const BounceLayout& layout, Transfer& transfer) {
+  transfer.shape = transfer.kind->shape(transfer.degree());
+  transfer.coefficients.resize(x.rows * transfer.shape.length());
+  const std::size_t count = transfer.shape.count();
+  for (std::size_t v = 0; v < x.rows; ++v) {
+    for (std::size_t c = 0; c < kChannels; ++c) {
+      const double* values = x.row(v) + layout.channel(c);
+      std::transform(values, values + count, transfer.row(v) + c * count,
+                     [](double value) { return static_cast<float>(value); });
+      if (layout.emitted > 0) transfer.emitted[v][c] = static_cast<float>(values[count]);
+    }
+  }
 }
 
 }  // namespace
@@ -75,16 +92,36 @@ void take_unshadowed(BakeRun& run) {
 // Gives closed vertices the vectors of their neighbors.
 void trace_shadows(BakeRun& run) {
   begin_tracing(run);
-  const OnFlaw on_flaw = run.settings.on_flaw;
-  ShadowPass pass(run.scene.mesh, *run.rays, run.open, *run.found);
-  pass.run(*run.checkpoint);
-  report_cut(run.scene, pass.largest_cut(), on_flaw);
+  const double cut = ShadowPass(*run.rays, run.open, *run.found).run(*run.checkpoint);
+  if (cut > kNoticedCut) {  // mirrors that face each other and lose little
+    report(run, fmt::format("paths were cut after {} mirrors: up to {:.2g} of the light of a vertex is left out",
+                            MirrorPaths::kMostMirrors, cut));
+  }
   const FillPlan plan = plan_fill(run.scene.mesh, run.found->sight);
   fill_closed(run.transfer, plan);
-  report_closed(run.scene, plan, on_flaw);
-  report_dark(run.scene, run.found->sight, on_flaw);
+  if (plan.closed > 0) {
+    report(run, fmt::format("no ray can leave {} of {} vertices ({} filled from neighbors, {} in closed parts left "
+                            "dark)",
+                            plan.closed, run.found->sight.size(), plan.filled, plan.closed - plan.filled));
+  }
+  report_dark(run);
   for (const Fill& fill : plan.fills) {
     if (run.factors) run.factors->keep_mean(fill.vertex, fill.sources);
+  }
+}
+
+void add_bounces(BakeRun& run) {
+  const Scene& scene = run.scene;
+  Transfer& transfer = run.transfer;
+  const std::size_t emitted = scene.mesh.emission.empty() ? 0 : 1;
+  const BounceLayout layout{transfer.shape.count() + emitted, emitted};
+  Panel x = direct_light(scene.mesh, transfer, layout);
+  transfer.bounces = solve_bounces(*run.factors, scene.mesh.albedo, layout, x, scene.bake.bounces);
+  take_solution(x, layout, transfer);
+  if (!transfer.bounces.certified && std::chrono::steady_clock::now() < scene.bake.bounces.deadline) {
+    report(run, fmt::format("bounces did not converge within {} (residual {:.2g} after {} applications): surfaces of "
+                            "albedo 1 enclose light (kept as it is)",
+                            scene.bake.bounces.tolerance, transfer.bounces.residual, transfer.bounces.applications));
   }
 }
 

@@ -4,14 +4,41 @@
 //   shadow      sums over shared directions s_j, weights w_j = 4/N max(0, n.s_j): with S over the visible ones, S_all
 //               over all of them and f = (sum of visible w) / (sum of w), T = S + f (T_unshadowed - S_all): a control
 //               variate, exact if nothing is blocked, zero if everything is, continuous in between. Rays that
-//               meet mirrors continue from there (prt/bake/mirror_light.hpp)
+//               meet mirrors continue from there (prt/bake/row_tracer.hpp)
 //   bounce      adds the light that bounces (prt/bake/bounces.hpp): the blocked rays are traced
 //               again to find their closest hits
 // The light that surfaces emit is kept separately (Transfer::emitted), including its bounces if the kind has bounces.
 #pragma once
-#include "prt/transfer/kind.hpp"
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "prt/bake/bake.hpp"
+#include "prt/bake/checkpoint.hpp"
+#include "prt/bake/row_tracer.hpp"
 
 namespace sh::prt {
+
+/// The state of a running bake: the input of its steps, and the results that each step leaves for the next. All
+/// arguments must outlive this object. Mirrors are gray (prt/bake/bake.cpp handles the others).
+struct BakeRun {
+  BakeRun(const Scene& the_scene, const BakeSettings& the_settings, const std::vector<std::uint8_t>& open_vertices)
+      : scene(the_scene),
+        settings(the_settings),
+        open(open_vertices),
+        transfer(Transfer::of(*the_scene.bake.kind, the_scene.bake.degree)) {}
+  BakeRun(const BakeRun&) = delete;
+  BakeRun& operator=(const BakeRun&) = delete;
+
+  const Scene& scene;
+  const BakeSettings& settings;
+  const std::vector<std::uint8_t>& open;  // as in Plan
+  Transfer transfer;                      // in the shape of the last finished step
+  std::optional<RaySetup> rays;
+  std::optional<FormFactors> factors;  // only for kinds with bounces
+  std::optional<ShadowResult> found;
+  std::optional<Checkpoint> checkpoint;
+};
 
 /// In: nothing. Out: unshadowed vectors of one channel, without the albedo.
 void take_unshadowed(BakeRun& run);

@@ -19,8 +19,7 @@
 #include "prt/runtime/relight.hpp"
 #include "prt/scene/camera.hpp"
 #include "prt/study/error_picture.hpp"
-#include "prt/study/false_color.hpp"
-#include "prt/study/studied_vertices.hpp"
+#include "prt/study/study_setup.hpp"
 #include "prt/transfer/transfer_file.hpp"
 #include "prt/transfer/transfer_layout.hpp"
 

@@ -2,9 +2,8 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "prt/bake/bake.hpp"
 #include "prt/commands/commands.hpp"
-#include "prt/plan/plan.hpp"
-#include "prt/plan/plan_text.hpp"
 
 namespace sh::prt {
 namespace {
@@ -26,7 +25,7 @@ void run(const Options& options) {
   BakeSettings settings;
   settings.threads = options.threads;
   const BakeJob job = planned({std::move(scene), settings});
-  print_out(options.json ? plan_json(job).dump(2) + "\n" : plan_text(job));
+  print_out(options.json ? plan_json(*job.plan, job.scene).dump(2) + "\n" : plan_text(*job.plan, job.scene));
   report_time(stopwatch, "planned");
 }
 

@@ -1,13 +1,39 @@
-// The kinds of transfer. A new kind needs a file like diffuse.cpp in this folder, a line here and a line in the list of
-// kinds.cpp.
+// The kinds of transfer: names, shape of what a vertex stores, and the steps by which a bake makes it. A new kind needs a
+// file like diffuse.cpp in this folder, a line here and a line in the list of kinds.cpp.
 #pragma once
+#include <algorithm>
 #include <span>
 #include <string_view>
 #include <vector>
 
-#include "prt/transfer/kind.hpp"
+#include "prt/transfer/shape.hpp"
 
 namespace sh::prt {
+
+struct BakeRun;
+
+/// A part of a bake that continues the steps before it; prt/bake/steps.hpp lists the steps.
+struct BakeStep {
+  void (*run)(BakeRun& run);
+  bool traces_rays = false;
+  bool bounces = false;  // needs the hits of the rays: the form factors
+};
+
+struct TransferKind {
+  std::string_view letters;  // in files, as Sloan, Kautz and Snyder 2002 write
+  std::string_view word;     // in scenes and on command lines
+  /// The shape of a vertex's numbers for light of this degree, in plain storage.
+  TransferShape (*shape)(int degree);
+  std::span<const BakeStep> steps;                // in order
+  const TransferKind* without_bounces = nullptr;  // the same kind without bounces; null if it has none
+
+  [[nodiscard]] bool traces_rays() const {
+    return std::any_of(steps.begin(), steps.end(), [](const BakeStep& step) { return step.traces_rays; });
+  }
+  [[nodiscard]] bool has_bounces() const {
+    return std::any_of(steps.begin(), steps.end(), [](const BakeStep& step) { return step.bounces; });
+  }
+};
 
 /// Diffuse surfaces [SloanKautzSnyder02]. Unshadowed (DU): every vertex sees its whole hemisphere. Shadowed (DS): rays
 /// find the visible part. Interreflected (DI): light also bounces between the surfaces, any number of times.

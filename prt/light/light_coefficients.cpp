@@ -7,7 +7,6 @@
 #include <stdexcept>
 
 #include "generated/cpp/rotate.hpp"
-#include "prt/at_degree.hpp"
 #include "prt/basis.hpp"
 
 namespace sh::prt {

@@ -4,16 +4,12 @@
 #include <cstddef>
 #include <vector>
 
+#include "prt/transfer/shape.hpp"
+
 namespace sh::prt {
 
 /// Throws std::invalid_argument unless 0 <= degree <= kMaxDegree.
 void require_degree(int degree);
-
-/// bands^2, the number of coefficients of degrees 0 .. degree.
-inline std::size_t coefficient_count(int degree) {
-  const auto bands = static_cast<std::size_t>(degree) + 1;
-  return bands * bands;
-}
 
 /// L_i = integral of radiance(s) Y_i(s) over the sphere, per channel; i = l(l+1)+m, unit W m^-2 sr^-1 times sqrt(sr).
 struct LightCoefficients {

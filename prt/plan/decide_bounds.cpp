@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "prt/plan/bounds.hpp"
 #include "prt/plan/draft.hpp"
-#include "prt/plan/transfer_bounds.hpp"
 #include "prt/transfer/storage.hpp"
 
 namespace sh::prt {
@@ -14,27 +14,16 @@ namespace {
 
 constexpr double kLoosestTolerance = 0.1;
 
-// The largest relative exit radiance after any number of bounces, for all rotations of the light.
-double largest_radiance(const Draft& draft) {
-  double largest = 0.0;
-  for (std::size_t c = 0; c < 3; ++c) {
-    double sum = 0.0;
-    for (int l = 0; l <= draft.light->coefficients().degree; ++l) {
-      sum += unshadowed_band_norm(l) * draft.light->band_norm(c, l);
-    }
-    largest = std::max(largest, sum);
-  }
-  return draft.gain * static_cast<double>(draft.albedo) * largest / draft.plan.reference;
-}
-
-// Albedo times blocked part times the largest radiance: a bound on the light that comes back to a vertex.
+// Albedo times blocked part times the largest relative radiance after any number of bounces, for all rotations of the
+// light: a bound on the light that comes back to a vertex.
 double light_that_returns(const Draft& draft) {
   std::vector<double> returned;
   for (std::size_t k = 0; k < draft.rows.blocked.size(); ++k) {
-    const float own = draft.scene.mesh.albedo[draft.probe->vertices()[k]].maxCoeff();
+    const float own = draft.scene.mesh.albedo[draft.probe[k]].maxCoeff();
     returned.push_back(static_cast<double>(own) * draft.rows.blocked[k]);
   }
-  return kProbeMargin * rms(returned) * largest_radiance(draft);
+  const double largest = draft.light->largest_product_of_bands(0, unshadowed_band_norm);
+  return kProbeMargin * rms(returned) * draft.relative(largest, draft.gain);
 }
 
 // The error of a tolerance of 1: every number is off by the largest possible number.
@@ -51,7 +40,7 @@ void loosen_tolerance(Draft& draft, double returned) {
   const double wanted = std::min(kLoosestTolerance, unit > 0.0 ? draft.share(kPart) / unit : kLoosestTolerance);
   if (draft.shines() || wanted <= before) {
     draft.decide("bounces", fmt::format("to {:.2g} as requested", before),
-                 draft.shines() ? "surfaces emit light" : "the budget leaves no room", 0.0, "exact");
+                 draft.shines() ? "surfaces emit light" : "the budget leaves no room");
     return;
   }
   tolerance = wanted;
@@ -76,8 +65,6 @@ std::vector<double> storage_errors(const Draft& draft, Element element) {
 }  // namespace
 
 void decide_bounces(Draft& draft) {
-  if (!draft.bake.kind->has_bounces()) return;
-  if (!draft.takes("bounces")) return;
   constexpr double kPart = 0.25;
   const double returned = light_that_returns(draft);
   if (draft.shines() || draft.has_mirrors() || returned > draft.share(kPart)) {
@@ -91,14 +78,12 @@ void decide_bounces(Draft& draft) {
 
 void decide_storage(Draft& draft) {
   constexpr double kSampling = 1.01;  // sums over directions may exceed the exact bound
-  draft.plan.largest.resize(draft.count());
-  for (std::ptrdiff_t l = 0; l <= draft.bake.degree; ++l) {
-    const double bound = kSampling * transfer_band_bound(*draft.bake.kind, draft.has_mirrors(), static_cast<int>(l));
-    std::fill(draft.plan.largest.begin() + l * l, draft.plan.largest.begin() + (l + 1) * (l + 1),
-              static_cast<float>(bound));
-  }
-  if (!draft.takes("storage")) return;
   constexpr double kPart = 0.5;
+  draft.plan.largest.resize(draft.count());
+  for (int l = 0; l <= draft.bake.degree; ++l) {
+    std::fill(draft.plan.largest.begin() + l * l, draft.plan.largest.begin() + (l + 1) * (l + 1),
+              static_cast<float>(kSampling * draft.band_bound(l)));
+  }
   for (const Element element : {Element::kByte, Element::kHalf}) {
     const double error = draft.error_of(storage_errors(draft, element));
     if (error <= draft.share(kPart)) {
@@ -111,7 +96,7 @@ void decide_storage(Draft& draft) {
       return;
     }
   }
-  draft.decide("storage", "single", "the budget leaves no room for half", 0.0, "exact");
+  draft.decide("storage", "single", "the budget leaves no room for half");
 }
 
 }  // namespace sh::prt

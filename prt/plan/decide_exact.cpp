@@ -49,9 +49,8 @@ double widest_angle(const Draft& draft) {
 }  // namespace
 
 void decide_analytic(Draft& draft) {
-  if (!draft.takes("analytic")) return;
   if (!draft.bake.kind->traces_rays()) {
-    draft.decide("analytic", "all vertices", "the scene requests unshadowed transfer", 0.0, "exact");
+    draft.decide("analytic", "all vertices", "the scene requests unshadowed transfer");
     return;
   }
   constexpr double kPart = 0.02;
@@ -69,9 +68,8 @@ void decide_analytic(Draft& draft) {
 }
 
 void decide_channels(Draft& draft) {
-  if (!draft.takes("channels")) return;
   if (!draft.shape().holds_albedo) {
-    draft.decide("channels", "one", "transfer without bounces holds no albedo", 0.0, "exact");
+    draft.decide("channels", "one", "transfer without bounces holds no albedo");
     return;
   }
   const auto is_grey = [](const Eigen::Vector3f& c) { return c.x() == c.y() && c.y() == c.z(); };
@@ -80,26 +78,23 @@ void decide_channels(Draft& draft) {
                     std::all_of(mesh.mirror.begin(), mesh.mirror.end(), is_grey);
   draft.plan.storage.one_channel = grey;
   draft.decide("channels", grey ? "one for all three" : "three",
-               grey ? "every albedo and mirror is gray" : "surfaces are colored, and bounces carry the color", 0.0,
-               "exact");
+               grey ? "every albedo and mirror is gray" : "surfaces are colored, and bounces carry the color");
 }
 
 void decide_symmetry(Draft& draft) {
-  if (!draft.takes("symmetry")) return;
   std::vector<std::uint32_t> kept = draft.light->needed();
   std::erase_if(kept, [&](std::uint32_t i) { return i >= draft.count(); });
   const std::size_t count = kept.size();
   const std::string turns(name_of(draft.options.turns));
   if (count == 0 || count == draft.count()) {
     draft.decide("symmetry", fmt::format("all {} coefficients", draft.count()),
-                 fmt::format("the lights, turned ({}), need all of them", turns), 0.0, "exact");
+                 fmt::format("the lights, turned ({}), need all of them", turns));
     return;
   }
   draft.plan.storage.kept = std::move(kept);
   draft.decide(
       "symmetry", fmt::format("{} of {} coefficients", count, draft.count()),
-      fmt::format("no rotation ({}) gives the lights other coefficients; lights that need others are refused", turns),
-      0.0, "exact");
+      fmt::format("no rotation ({}) gives the lights other coefficients; lights that need others are refused", turns));
 }
 
 }  // namespace sh::prt

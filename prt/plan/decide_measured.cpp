@@ -7,8 +7,8 @@
 #include <stdexcept>
 
 #include "numeric/sampling/power_law.hpp"
+#include "prt/plan/bounds.hpp"
 #include "prt/plan/draft.hpp"
-#include "prt/plan/transfer_bounds.hpp"
 #include "prt/rays/directions.hpp"
 
 namespace sh::prt {
@@ -17,15 +17,7 @@ namespace {
 
 // The error of omitting the lights' bands above `degree`, up to the requested degree.
 double bound_above(const Draft& draft, int degree) {
-  double largest = 0.0;
-  for (std::size_t c = 0; c < 3; ++c) {
-    double sum = 0.0;
-    for (int l = degree + 1; l <= draft.light->coefficients().degree; ++l) {
-      sum += transfer_band_bound(*draft.bake.kind, draft.has_mirrors(), l) * draft.light->band_norm(c, l);
-    }
-    largest = std::max(largest, sum);
-  }
-  return static_cast<double>(draft.albedo) * largest / draft.plan.reference;
+  return draft.relative(draft.light->largest_product_of_bands(degree + 1, [&](int l) { return draft.band_bound(l); }));
 }
 
 double measured_above(const Draft& draft, int degree) {
@@ -33,7 +25,7 @@ double measured_above(const Draft& draft, int degree) {
   const std::size_t low = coefficient_count(degree);
   std::vector<float> parts = draft.rows.transfer;
   for (std::size_t row = 0; row < parts.size(); row += length) {
-    std::fill_n(parts.begin() + static_cast<std::ptrdiff_t>(row), low, 0.0F);
+    std::fill_n(parts.begin() + row, low, 0.0F);
   }
   return kProbeMargin * draft.gain * draft.error_on_probe(parts);
 }
@@ -55,10 +47,10 @@ constexpr int kUnit = 64;
 
 Convergence measure(const Draft& draft) {
   const std::size_t length = draft.light->coefficients().bands_squared();
-  const ProbeRows reference = draft.probe->bake(draft.plan.open, kReference);
+  const ProbeRows reference = draft.trace_probe(kReference);
   std::vector<std::pair<double, double>> errors;
   for (const int tried : kTried) {
-    std::vector<float> parts = draft.probe->bake(draft.plan.open, tried).transfer;
+    std::vector<float> parts = draft.trace_probe(tried).transfer;
     for (std::size_t i = 0; i < parts.size(); ++i) {
       parts[i] = i % length < draft.count() ? parts[i] - reference.transfer[i] : 0.0F;
     }
@@ -75,7 +67,6 @@ Convergence measure(const Draft& draft) {
 }  // namespace
 
 void decide_bands(Draft& draft) {
-  if (!draft.takes("bands")) return;
   constexpr double kPart = 0.4;
   const int asked = draft.bake.degree;
   for (int degree = 0; degree < asked; ++degree) {
@@ -91,13 +82,13 @@ void decide_bands(Draft& draft) {
       return;
     }
   }
-  draft.decide("bands", fmt::format("degree {} as requested", asked),
-               fmt::format("without band {} the error would be {:.2g}", asked,
-                           asked > 0 ? std::min(bound_above(draft, asked - 1), measured_above(draft, asked - 1)) : 1.0),
-               0.0, "exact");
+  draft.decide(
+      "bands", fmt::format("degree {} as requested", asked),
+      fmt::format("without band {} the error would be {:.2g}", asked,
+                  asked > 0 ? std::min(bound_above(draft, asked - 1), measured_above(draft, asked - 1)) : 1.0));
 }
 
-double floor_of_directions(Draft& draft) {
+double floor_of_directions(const Draft& draft) {
   const double floor = measure(draft).error(static_cast<double>(draft.bake.directions));
   if (floor > draft.left) {
     const double needed = std::ceil(measure(draft).directions(draft.left));
@@ -111,7 +102,6 @@ double floor_of_directions(Draft& draft) {
 }
 
 void decide_directions(Draft& draft) {
-  if (!draft.takes("directions")) return;
   const int asked = draft.bake.directions;
   const Convergence convergence = measure(draft);
   const double wanted = convergence.directions(draft.left);
@@ -123,7 +113,7 @@ void decide_directions(Draft& draft) {
                draft.bake.directions < asked ? fmt::format("{} instead of {}", draft.bake.directions, asked)
                                              : fmt::format("{} as requested", asked),
                fmt::format("the error falls as N^-{:.2f} on {} vertices, against {} directions", convergence.rate,
-                           draft.probe->vertices().size(), kReference),
+                           draft.probe.size(), kReference),
                error, bounces ? "heuristic" : "measured");
 }
 

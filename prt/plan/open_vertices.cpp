@@ -1,7 +1,5 @@
 #include "prt/plan/open_vertices.hpp"
 
-#include <tbb/parallel_for.h>
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
@@ -10,7 +8,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "prt/bake/chunks.hpp"
+#include "prt/chunks.hpp"
 #include "prt/rays/directions.hpp"
 
 namespace sh::prt {
@@ -42,23 +40,22 @@ class Boxes {
   struct Box {
     Eigen::Vector3d middle;
     Eigen::Vector3d half;
-    std::ptrdiff_t first;
-    std::ptrdiff_t last;
+    std::size_t first;
+    std::size_t last;
   };
 
   void split(std::size_t first, std::size_t last) {
     Eigen::AlignedBox3d bounds;
     for (std::size_t i = first; i < last; ++i) bounds.extend(points_[order_[i]].cast<double>());
     if (last - first <= kLeaf) {
-      boxes_.push_back({bounds.center(), 0.5 * bounds.sizes(), static_cast<std::ptrdiff_t>(first),
-                        static_cast<std::ptrdiff_t>(last)});
+      boxes_.push_back({bounds.center(), 0.5 * bounds.sizes(), first, last});
       return;
     }
     Eigen::Index axis = 0;
     bounds.sizes().maxCoeff(&axis);
     const std::size_t middle = first + (last - first) / 2;
-    const auto at = [&](std::size_t i) { return order_.begin() + static_cast<std::ptrdiff_t>(i); };
-    std::nth_element(at(first), at(middle), at(last),
+    const auto begin = order_.begin();
+    std::nth_element(begin + first, begin + middle, begin + last,
                      [&](std::uint32_t a, std::uint32_t b) { return points_[a][axis] < points_[b][axis]; });
     split(first, middle);
     split(middle, last);
@@ -88,15 +85,12 @@ std::vector<std::uint8_t> open_vertices(const Mesh& mesh, const std::vector<RayS
   if (mesh.positions.empty()) return open;
   const std::vector<Eigen::Vector3d> marks = landmarks(mesh.positions);
   const Boxes boxes(mesh.positions);
-  for_chunks(starts.size(), [&](std::size_t chunk) {
-    const VertexRange range = chunk_range(chunk, starts.size());
-    for (std::size_t v = range.first; v < range.last; ++v) {
-      const Eigen::Vector3d up = mesh.geometric_normals[v].cast<double>();
-      const double height = up.dot(starts[v].origin.cast<double>());
-      const bool agrees = (mesh.normals[v].cast<double>() - up).norm() <= most_angle;
-      const auto above = [&](const Eigen::Vector3d& p) { return up.dot(p) > height; };
-      open[v] = agrees && std::none_of(marks.begin(), marks.end(), above) && !boxes.any_above(up, height) ? 1 : 0;
-    }
+  for_vertices(starts.size(), [&](std::size_t v) {
+    const Eigen::Vector3d up = mesh.geometric_normals[v].cast<double>();
+    const double height = up.dot(starts[v].origin.cast<double>());
+    const bool agrees = (mesh.normals[v].cast<double>() - up).norm() <= most_angle;
+    const auto above = [&](const Eigen::Vector3d& p) { return up.dot(p) > height; };
+    open[v] = agrees && std::none_of(marks.begin(), marks.end(), above) && !boxes.any_above(up, height) ? 1 : 0;
   });
   return open;
 }

@@ -8,8 +8,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "prt/bake/gather.hpp"
 #include "prt/mesh/mesh.hpp"
+#include "prt/rays/gather.hpp"
 
 namespace sh::prt {
 

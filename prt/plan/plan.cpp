@@ -2,16 +2,15 @@
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <stdexcept>
 
-#include "prt/bake/chunks.hpp"
 #include "prt/light/light.hpp"
 #include "prt/light/project.hpp"
 #include "prt/plan/draft.hpp"
-#include "prt/plan/transfer_bounds.hpp"
 
 namespace sh::prt {
 
@@ -32,24 +31,10 @@ void check(const PlanOptions& options) {
   }
 }
 
-// A bound on the radiance that the lights' bands above the requested degree, up to kMaxDegree, would add.
-double light_beyond(const Draft& draft, const LightCoefficients& whole) {
-  const TurningLight light(whole, draft.options.turns);
-  double largest = 0.0;
-  for (std::size_t c = 0; c < 3; ++c) {
-    double sum = 0.0;
-    for (int l = draft.bake.degree + 1; l <= kMaxDegree; ++l) {
-      sum += transfer_band_bound(*draft.bake.kind, draft.has_mirrors(), l) * light.band_norm(c, l);
-    }
-    largest = std::max(largest, sum);
-  }
-  return static_cast<double>(draft.albedo) * largest / draft.plan.reference;
-}
-
 void take_lights(Draft& draft) {
   const LightCoefficients whole = project(load_lights(draft.scene.lights, OnFlaw::kMend), kMaxDegree);
   const LightCoefficients light = first_bands(whole, draft.asked.degree);
-  draft.light = std::make_unique<TurningLight>(light, draft.options.turns);
+  draft.light.emplace(light, draft.options.turns);
   draft.plan.reference = largest_unshadowed_radiance(draft.scene.mesh, light);
   if (!(draft.plan.reference > 0.0)) {
     throw std::invalid_argument(
@@ -57,16 +42,25 @@ void take_lights(Draft& draft) {
                     "light that reaches it, or a plan without an error",
                     draft.scene.name));
   }
-  draft.plan.beyond = light_beyond(draft, whole);
+  draft.plan.beyond = draft.relative(
+      TurningLight(whole, draft.options.turns).largest_product_of_bands(draft.asked.degree + 1, [&](int l) {
+        return draft.band_bound(l);
+      }));
 }
 
 // Open vertices are found first, because they need no rays in the probe either.
-void take_probe(Draft& draft, const std::string& instruction_set) {
-  draft.probe = std::make_unique<Probe>(draft.scene, draft.starts, kProbeVertices, instruction_set);
-  draft.rows = draft.probe->bake(draft.plan.open, std::min(kProbeDirections, draft.asked.directions));
+void take_probe(Draft& draft) {
+  draft.tracer =
+      std::make_unique<Tracer>(draft.scene.mesh, tbb::this_task_arena::max_concurrency(), draft.instruction_set);
+  const std::size_t vertices = draft.starts.size();
+  const std::size_t count = std::min(kProbeVertices, vertices);
+  for (std::size_t k = 0; k < count; ++k) {
+    draft.probe.push_back(static_cast<std::uint32_t>((2 * k + 1) * vertices / (2 * count)));
+  }
+  draft.rows = draft.trace_probe(std::min(kProbeDirections, draft.asked.directions));
   double most = 0.0;
   for (const double blocked : draft.rows.blocked) {
-    draft.mean_blocked += blocked / static_cast<double>(draft.rows.blocked.size());
+    draft.mean_blocked += blocked / static_cast<double>(count);
     most = std::max(most, blocked);
   }
   if (draft.asked.kind->has_bounces()) {
@@ -75,43 +69,50 @@ void take_probe(Draft& draft, const std::string& instruction_set) {
   draft.start();
 }
 
-void decide_within_budget(Draft& draft, const std::string& instruction_set) {
-  const bool rays = draft.asked.kind->traces_rays();
-  draft.plan.record.budget = draft.left = draft.options.error;
-  draft.plan.record.light_turns = name_of(draft.options.turns);
-  take_lights(draft);
-  take_probe(draft, instruction_set);
-  const auto& without = draft.options.without;
-  const bool fewer = rays && std::find(without.begin(), without.end(), "directions") == without.end();
-  draft.reserved = fewer ? floor_of_directions(draft) : 0.0;
-  decide_analytic(draft);
-  decide_bounces(draft);
-  decide_channels(draft);
-  decide_bands(draft);
-  decide_symmetry(draft);
-  decide_storage(draft);
-  if (rays) decide_directions(draft);
-}
+// The decisions that a mode takes, in order.
+struct Step {
+  std::string_view name;
+  void (*decide)(Draft& draft);
+  bool is_exact = false;                            // changes no number under any light
+  bool (TransferKind::*applies)() const = nullptr;  // null: to every kind
+};
+
+constexpr std::array kSteps = {Step{"analytic", decide_analytic, true},
+                               Step{"bounces", decide_bounces, false, &TransferKind::has_bounces},
+                               Step{"channels", decide_channels, true},
+                               Step{"bands", decide_bands},
+                               Step{"symmetry", decide_symmetry},
+                               Step{"storage", decide_storage},
+                               Step{"directions", decide_directions, false, &TransferKind::traces_rays}};
 
 }  // namespace
 
-BakeJob planned(BakeJob job) {
-  const PlanOptions options = job.scene.plan;
-  check(options);
-  Draft draft(job.scene, options);
-  on_threads(job.settings.threads, [&] {
-    if (options.mode == PlanMode::kLossy) {
-      decide_within_budget(draft, job.settings.instruction_set);
-    } else if (options.mode == PlanMode::kExact) {
-      decide_analytic(draft);
-      decide_channels(draft);
+Plan make_plan(Scene& scene, const std::string& instruction_set) {
+  const bool is_lossy = scene.plan.mode == PlanMode::kLossy;
+  check(scene.plan);
+  Draft draft(scene, instruction_set);
+  if (scene.plan.mode == PlanMode::kNone) {
+    draft.plan.open.clear();
+    return std::move(draft.plan);
+  }
+  if (is_lossy) {
+    draft.plan.record.budget = draft.left = scene.plan.error;
+    draft.plan.record.light_turns = name_of(scene.plan.turns);
+    take_lights(draft);
+    take_probe(draft);
+    const bool fewer = scene.bake.kind->traces_rays() && draft.allows("directions");
+    draft.reserved = fewer ? floor_of_directions(draft) : 0.0;
+  }
+  for (const auto& [name, decide, is_exact, applies] : kSteps) {
+    if ((!is_lossy && !is_exact) || (applies != nullptr && !(scene.bake.kind->*applies)())) continue;
+    if (draft.allows(name)) {
+      decide(draft);
     } else {
-      draft.plan.open.clear();
+      draft.decide(name, "not taken", "by request");
     }
-  });
-  job.plan = std::move(draft.plan);
-  job.scene.bake = draft.bake;
-  return job;
+  }
+  scene.bake = draft.bake;
+  return std::move(draft.plan);
 }
 
 }  // namespace sh::prt

@@ -13,13 +13,44 @@
 //   directions  the fewest whose error fits; it is measured on a probe and fitted by a power law
 // A plan without a budget takes only `analytic` and `channels`, which change no number under any light.
 #pragma once
-#include "prt/bake/job.hpp"
+#include <cstdint>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "prt/scene/scene.hpp"
+#include "prt/transfer/transfer.hpp"
 
 namespace sh::prt {
 
-/// Returns the job with its `plan`, made according to scene.plan, and with scene.bake lowered to follow it. Throws
-/// std::invalid_argument, one line, for a budget that cannot be met (the line names one that can), for lights that
-/// leave the mesh dark, and for unknown names of decisions.
-BakeJob planned(BakeJob job);
+/// Bytes of the transfer section of the file, and number of rays of the bake: about half the directions of every vertex
+/// that needs rays and, with bounces, also the rays that find closest hits.
+struct PlanCost {
+  std::int64_t bytes = 0;
+  std::int64_t rays = 0;
+};
+
+/// The work and the numbers that a bake leaves out.
+struct Plan {
+  PlanRecord record;
+  std::vector<std::uint8_t> open;  // (vertices), or empty: 1 if nothing blocks the vertex, so that it needs no rays
+  Storage storage;
+  std::vector<float> largest;  // (bands^2) largest numbers for which the storage was chosen; empty if irrelevant
+  double reference = 0.0;      // W m^-2 sr^-1; 0 if no error was requested
+  double beyond = 0.0;  // bound on the relative radiance that bands of the lights above the requested degree would add
+  PlanCost asked;
+  PlanCost planned;
+};
+
+/// Makes a plan according to scene.plan and lowers scene.bake to follow it. `instruction_set` is as in Tracer. Runs on
+/// the threads of the caller's arena. Throws std::invalid_argument, one line, for a budget that cannot be met (the line
+/// names one that can), for lights that leave the mesh dark, and for unknown names of decisions.
+Plan make_plan(Scene& scene, const std::string& instruction_set);
+
+/// A table with one row for each decision and its reason below it.
+std::string plan_text(const Plan& plan, const Scene& scene);
+
+/// `scene` is the scene that follows the plan.
+nlohmann::ordered_json plan_json(const Plan& plan, const Scene& scene);
 
 }  // namespace sh::prt

@@ -1,11 +1,10 @@
-#include "prt/plan/plan_text.hpp"
-
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "prt/transfer/transfer_json.hpp"
+#include "prt/plan/plan.hpp"
+#include "prt/transfer/transfer_file.hpp"
 
 namespace sh::prt {
 
@@ -15,33 +14,27 @@ std::string in_millions(std::int64_t count, const char* unit) {
   return count == 0 ? "-" : fmt::format("{:.2f} M{}", static_cast<double>(count) * 1e-6, unit);
 }
 
-std::string error_text(const Decision& decision) {
-  return decision.error == 0.0 ? "0" : fmt::format("{:.2g}", decision.error);
-}
-
 double part(std::int64_t of, std::int64_t whole) {
   return whole == 0 ? 100.0 : 100.0 * static_cast<double>(of) / static_cast<double>(whole);
 }
 
 }  // namespace
 
-std::string plan_text(const BakeJob& job) {
-  const Plan& plan = *job.plan;
-  const std::string& scene = job.scene.name;
+std::string plan_text(const Plan& plan, const Scene& scene) {
   const PlanRecord& record = plan.record;
   std::string text =
       record.budget > 0.0
           ? fmt::format(
                 "{}: error at most {:.3g} of {:.3g} W m^-2 sr^-1 (the largest exit radiance unshadowed), RMS over "
                 "vertices; lights turned: {}\n",
-                scene, record.budget, plan.reference, record.light_turns)
-          : fmt::format("{}: only decisions that change no number under any light\n", scene);
+                scene.name, record.budget, plan.reference, record.light_turns)
+          : fmt::format("{}: only decisions that change no number under any light\n", scene.name);
   text +=
       fmt::format("{:<11}{:<38}{:>11}{:>13}{:>9}  {}\n", "decision", "choice", "saves", "rays", "error", "known by");
   for (const Decision& decision : record.decisions) {
-    text += fmt::format("{:<11}{:<38}{:>11}{:>13}{:>9}  {}\n{:<11}{}\n", decision.name, decision.choice,
-                        in_millions(decision.bytes_saved, "B"), in_millions(decision.rays_saved, ""),
-                        error_text(decision), decision.basis, "", decision.why);
+    text += fmt::format("{:<11}{:<38}{:>11}{:>13}{:>9.2g}  {}\n{:<11}{}\n", decision.name, decision.choice,
+                        in_millions(decision.bytes_saved, "B"), in_millions(decision.rays_saved, ""), decision.error,
+                        decision.basis, "", decision.why);
   }
   text += fmt::format("in all: {:.2f} of {:.2f} MB of transfer ({:.0f} %), {:.1f} of {:.1f} million rays ({:.0f} %)",
                       static_cast<double>(plan.planned.bytes) * 1e-6, static_cast<double>(plan.asked.bytes) * 1e-6,
@@ -56,11 +49,10 @@ std::string plan_text(const BakeJob& job) {
   return text;
 }
 
-nlohmann::ordered_json plan_json(const BakeJob& job) {
-  const Plan& plan = *job.plan;
-  const BakeOptions& bake = job.scene.bake;
+nlohmann::ordered_json plan_json(const Plan& plan, const Scene& scene) {
+  const BakeOptions& bake = scene.bake;
   nlohmann::ordered_json json = to_json(plan.record);
-  json["scene"] = job.scene.name;
+  json["scene"] = scene.name;
   json["reference_radiance"] = plan.reference;
   json["beyond_asked_degree"] = plan.beyond;
   json["bytes"] = {{"asked", plan.asked.bytes}, {"planned", plan.planned.bytes}};

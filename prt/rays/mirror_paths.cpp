@@ -11,10 +11,6 @@ namespace {
 
 constexpr float kRoundings = 32.0F;  // of the coordinates, off the mirror
 
-Eigen::Vector3f interpolated(const std::vector<Eigen::Vector3f>& values, const Face& face, const Hit& hit) {
-  return (1.0F - hit.u - hit.v) * values[face[0]] + hit.u * values[face[1]] + hit.v * values[face[2]];
-}
-
 Eigen::Vector3f mirrored(const Eigen::Vector3f& direction, const Eigen::Vector3f& normal) {
   return (direction - 2.0F * direction.dot(normal) * normal).normalized();
 }
@@ -43,7 +39,7 @@ void MirrorPaths::follow(std::vector<Leg>& legs) const {
         legs[first].is_cut = true;
         continue;
       }
-      next.direction = mirrored(leg.direction, interpolated(mesh_.normals, face, leg.hit).normalized());
+      next.direction = mirrored(leg.direction, interpolated(leg.hit, mesh_, mesh_.normals).normalized());
       if (next.direction.dot(flat) <= 0.0F) next.direction = mirrored(leg.direction, flat);
       // The point is computed from the ray; a large face would give a coarse point.
       const Eigen::Vector3f point = leg.origin + leg.hit.distance * leg.direction;

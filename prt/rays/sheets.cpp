@@ -27,7 +27,7 @@ struct Outline {
 Outline outline_of(const Mesh& mesh, std::uint32_t face) {
   std::array<Corner, 3> corners{};
   for (std::size_t k = 0; k < 3; ++k) corners[k] = bits_of(mesh.positions[mesh.faces[face][k]]);
-  const auto first = static_cast<std::size_t>(std::min_element(corners.begin(), corners.end()) - corners.begin());
+  const std::size_t first = std::min_element(corners.begin(), corners.end()) - corners.begin();
   Outline outline{{corners[first], corners[(first + 1) % 3], corners[(first + 2) % 3]},
                   face,
                   static_cast<std::uint32_t>(first),

@@ -102,7 +102,7 @@ Eigen::Vector3d nearest_on_triangle(const std::array<Eigen::Vector3d, 3>& corner
   Eigen::Vector3d best;
   double least = std::numeric_limits<double>::infinity();
   for (int i = 0; i < 3; ++i) {
-    const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>((i + 1) % 3);
+    const int a = i, b = (i + 1) % 3;
     const Eigen::Vector3d edge = corner[b] - corner[a];
     const double along = std::clamp(-edge.dot(corner[a]) / edge.squaredNorm(), 0.0, 1.0);
     const double squared = (corner[a] + along * edge).squaredNorm();

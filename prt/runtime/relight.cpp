@@ -11,6 +11,19 @@
 #include "prt/runtime/row_products.hpp"
 
 namespace sh::prt {
+
+namespace baseline {
+extern const RowProductsOn kRowProducts;
+}  // namespace baseline
+#if defined(SH_RELIGHT_X86)
+namespace avx2 {
+extern const RowProductsOn kRowProducts;
+}  // namespace avx2
+namespace avx512 {
+extern const RowProductsOn kRowProducts;
+}  // namespace avx512
+#endif
+
 namespace {
 
 static_assert(sizeof(Eigen::Vector3f) == 3 * sizeof(float), "colors are read and written as plain floats");
@@ -42,18 +55,14 @@ void require_count(std::size_t count, const Transfer& transfer, const char* what
 /// The light in single precision, in the layout of the inner loop.
 std::vector<float> in_float(const LightCoefficients& light) { return {light.values.begin(), light.values.end()}; }
 
-/// Whether the three channels, of `n` values each, are equal.
-bool is_white(const std::vector<float>& light, std::size_t n) {
-  return std::equal(light.begin() + static_cast<std::ptrdiff_t>(n), light.end(), light.begin());
-}
-
 RowProducts row_products(const Transfer& transfer, const std::vector<float>& light) {
   const std::size_t n = light.size() / 3;
   RowProducts rows;
   rows.stride = transfer.shape.length();
   rows.transfer_step = transfer.shape.channels == 3 ? transfer.shape.count() : 0;
   rows.light = light.data();
-  rows.light_step = is_white(light, n) ? 0 : n;
+  const bool is_white = std::equal(light.begin() + n, light.end(), light.begin());  // the three channels are equal
+  rows.light_step = is_white ? 0 : n;
   rows.coefficients = n;
   rows.sums = rows.transfer_step == 0 && rows.light_step == 0 ? 1 : 3;
   return rows;
@@ -78,12 +87,28 @@ void relight_with(const Transfer& transfer, const LightCoefficients& light, std:
   require_count(radiance.size(), transfer, "radiances");
   const std::vector<float> values = in_float(light);
   for_ranges(transfer, row_products(transfer, values), [&](const RowProducts& rows, std::size_t first, std::size_t n) {
-    colour_products(rows, n, transfer.shape.holds_albedo ? nullptr : colours[first].data(), radiance[first].data());
+    row_products_here().back().colour(rows, n, transfer.shape.holds_albedo ? nullptr : colours[first].data(),
+                                      radiance[first].data());
     for (std::size_t v = first; !transfer.emitted.empty() && v < first + n; ++v) radiance[v] += transfer.emitted[v];
   });
 }
 
 }  // namespace
+
+std::span<const RowProductsOn> row_products_here() {
+  static const std::vector<RowProductsOn> kHere = [] {
+    std::vector<RowProductsOn> here{baseline::kRowProducts};
+#if defined(SH_RELIGHT_X86)
+    if (__builtin_cpu_supports("avx2")) here.push_back(avx2::kRowProducts);
+    if (__builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512dq") &&
+        __builtin_cpu_supports("avx512vl")) {
+      here.push_back(avx512::kRowProducts);
+    }
+#endif
+    return here;
+  }();
+  return kHere;
+}
 
 void require_kept(const Transfer& transfer, const LightCoefficients& light) {
   constexpr double kRounding = 1e-6;
@@ -129,7 +154,7 @@ Eigen::Vector3f relight_vertex(const Transfer& transfer, std::size_t vertex, con
   RowProducts rows = row_products(transfer, values);
   rows.transfer = transfer.row(vertex);
   Eigen::Vector3f radiance;
-  colour_products(rows, 1, colour.data(), radiance.data());
+  row_products_here().back().colour(rows, 1, colour.data(), radiance.data());
   return transfer.emitted.empty() ? radiance : Eigen::Vector3f(radiance + transfer.emitted[vertex]);
 }
 
@@ -142,7 +167,7 @@ std::vector<float> relight_grey(const Transfer& transfer, const LightCoefficient
   all.sums = 1;
   std::vector<float> radiance(transfer.mesh.positions.size());
   for_ranges(transfer, all, [&](const RowProducts& rows, std::size_t first, std::size_t n) {
-    grey_products(rows, n, &radiance[first]);
+    row_products_here().back().grey(rows, n, &radiance[first]);
   });
   return radiance;
 }

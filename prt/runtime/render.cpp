@@ -1,12 +1,29 @@
 #include "prt/runtime/render.hpp"
 
+#include <fmt/format.h>
 #include <oneapi/tbb/parallel_for.h>
 
+#include <Eigen/Geometry>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
 #include "numeric/output/progress.hpp"
+#include "prt/image/image.hpp"
 #include "prt/rays/mirror_paths.hpp"
 
 namespace sh::prt {
+
 namespace {
+
+/// The k-th point of the R2 sequence in the unit square; the 0th is the middle.
+/// [Martin Roberts, "The unreasonable effectiveness of quasirandom sequences", 2018]
+Eigen::Vector2f pattern(int k) {
+  constexpr double kG = 1.32471795724474602596;  // the real root of x^3 = x + 1
+  double whole = 0.0;
+  return {static_cast<float>(std::modf(0.5 + k / kG, &whole)),
+          static_cast<float>(std::modf(0.5 + k / (kG * kG), &whole))};
+}
 
 // The radiance that each ray of a row sees, also over mirrors.
 std::vector<Eigen::Vector3f> seen(const Mesh& mesh, const MirrorPaths& mirrors,
@@ -27,21 +44,67 @@ std::vector<Eigen::Vector3f> seen(const Mesh& mesh, const MirrorPaths& mirrors,
 void shade_row(const std::vector<Eigen::Vector3f>& radiance, const RowOfRays& rays, const PictureSize& size, int row,
                Picture& picture) {
   const auto samples = static_cast<std::size_t>(size.samples);
-  const auto width = static_cast<std::size_t>(size.width);
-  for (std::size_t column = 0; column < width; ++column) {
+  for (int column = 0; column < size.width; ++column) {
     Eigen::Vector3f sum = Eigen::Vector3f::Zero();
     int hits = 0;
     for (std::size_t k = column * samples; k < (column + 1) * samples; ++k) {
       hits += rays.hits[k].face != Hit::kNothing ? 1 : 0;
       sum += radiance[k];
     }
-    const std::size_t pixel = static_cast<std::size_t>(row) * width + column;
+    const int pixel = row * size.width + column;
     picture.radiance[pixel] = sum / static_cast<float>(size.samples);
     picture.coverage[pixel] = static_cast<float>(hits) / static_cast<float>(size.samples);
   }
 }
 
 }  // namespace
+
+void require_picture_size(const PictureSize& size) {
+  const auto limit = static_cast<long long>(kMaxPixels);
+  if (size.width < 1 || size.height < 1 || static_cast<long long>(size.width) * size.height > limit) {
+    throw std::invalid_argument(
+        fmt::format("a picture of {} x {} pixels: expected 1 to {} pixels", size.width, size.height, kMaxPixels));
+  }
+  constexpr int kMaxSamples = 1024;
+  if (size.samples < 1 || size.samples > kMaxSamples) {
+    throw std::invalid_argument(fmt::format("{} samples a pixel: expected 1 to {}", size.samples, kMaxSamples));
+  }
+}
+
+CameraFrame::CameraFrame(const Camera& camera, const PictureSize& size)
+    : width_(static_cast<float>(size.width)), height_(static_cast<float>(size.height)) {
+  const Eigen::Vector3f towards = camera.target - camera.position;
+  const Eigen::Vector3f side = towards.cross(camera.up);
+  const float angle = camera.vertical_field_of_view;
+  if (!(side.norm() > 1e-6F * towards.norm() * camera.up.norm()) || !(angle > 0.0F && angle < 180.0F)) {
+    throw std::invalid_argument(
+        "the camera must look at a point other than its own, not along its up, with a vertical "
+        "field of view above 0 and below 180 degrees");
+  }
+  const float half_height = std::tan(0.5F * angle * std::numbers::pi_v<float> / 180.0F);
+  forward_ = towards.normalized();
+  right_ = side.normalized() * half_height * width_ / height_;
+  down_ = forward_.cross(side.normalized()) * half_height;
+}
+
+Eigen::Vector3f CameraFrame::direction(float column, float row) const {
+  return (forward_ + (2.0F * column / width_ - 1.0F) * right_ + (2.0F * row / height_ - 1.0F) * down_).normalized();
+}
+
+void trace_row(const Tracer& tracer, const Camera& camera, const PictureSize& size, int row, RowOfRays& rays) {
+  const CameraFrame frame(camera, size);
+  rays.directions.clear();
+  for (int column = 0; column < size.width; ++column) {
+    for (int k = 0; k < size.samples; ++k) {
+      const Eigen::Vector2f offset = pattern(k);
+      rays.directions.push_back(
+          frame.direction(static_cast<float>(column) + offset.x(), static_cast<float>(row) + offset.y()));
+    }
+  }
+  const std::vector<Eigen::Vector3f> origins(rays.directions.size(), camera.position);
+  rays.hits.resize(rays.directions.size());
+  tracer.intersect(origins, rays.directions, rays.hits);
+}
 
 std::vector<Eigen::Vector3f> Picture::covered() const {
   std::vector<Eigen::Vector3f> out;
@@ -54,10 +117,8 @@ std::vector<Eigen::Vector3f> Picture::covered() const {
 Picture render(const Mesh& mesh, const Tracer& tracer, const std::vector<Eigen::Vector3f>& vertex_radiance,
                const Camera& camera, const PictureSize& size, const Background& background, const std::string& what) {
   require_picture_size(size);
-  Picture picture{size.width, size.height, {}, {}};
-  const auto pixels = static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
-  picture.radiance.resize(pixels);
-  picture.coverage.resize(pixels);
+  const int pixels = size.width * size.height;
+  Picture picture{size.width, size.height, std::vector<Eigen::Vector3f>(pixels), std::vector<float>(pixels)};
   const MirrorPaths mirrors(mesh, tracer);
   output::Progress progress(what, size.height);
   tbb::parallel_for(0, size.height, [&](int row) {

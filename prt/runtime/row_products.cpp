@@ -6,8 +6,7 @@
 
 namespace sh::prt::SH_RELIGHT_ISA {
 
-void colour_products(const RowProducts& rows, std::size_t count, const float* colour, float* out);
-void grey_products(const RowProducts& rows, std::size_t count, float* out);
+extern const RowProductsOn kRowProducts;
 
 namespace {
 
@@ -196,8 +195,6 @@ void colour_any(const RowProducts& rows, std::size_t count, const float* colour,
   colour_rows<3, 3, 3, Coloured>(rows, count, colour, out);
 }
 
-}  // namespace
-
 void colour_products(const RowProducts& rows, std::size_t count, const float* colour, float* out) {
   colour != nullptr ? colour_any<true>(rows, count, colour, out) : colour_any<false>(rows, count, colour, out);
 }
@@ -208,5 +205,11 @@ void grey_products(const RowProducts& rows, std::size_t count, float* out) {
   };
   for_every_vertex<1, 1, 1>(rows, count, lanes, [&](std::size_t v) { out[v] = sum_one(rows, v, 0); });
 }
+
+}  // namespace
+
+#define SH_TEXT_OF(name) #name
+#define SH_TEXT(name) SH_TEXT_OF(name)
+constinit const RowProductsOn kRowProducts = {SH_TEXT(SH_RELIGHT_ISA), colour_products, grey_products};
 
 }  // namespace sh::prt::SH_RELIGHT_ISA

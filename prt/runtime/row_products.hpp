@@ -3,8 +3,7 @@
 // Lanes are vertices: rows pass through registers and are transposed there. Every sum starts with 0 and runs over the
 // coefficients in their order, with one multiplication and one addition each and without contraction. The bits are
 // those of the plain loop on every instruction set, for any number of threads and any split of the rows.
-// Each instruction set has its own copy (row_products.cpp); the program chooses one at run time
-// (row_products_choice.cpp).
+// Each instruction set has its own copy (row_products.cpp); relight.cpp chooses one at run time.
 #pragma once
 #include <cstddef>
 #include <span>
@@ -24,20 +23,17 @@ struct RowProducts {
   std::size_t sums = 3;          // a vertex: 1 or 3; 3 where a step is not 0
 };
 
-/// Writes three values for each of `count` vertices: out[3v + c] = sum c (or the only sum) times colour[3v + c]. If
-/// `colour` is null, the value is the sum itself. `out` overlaps nothing.
-void colour_products(const RowProducts& rows, std::size_t count, const float* colour, float* out);
-
-/// Writes one value for each of `count` vertices: its only sum.
-void grey_products(const RowProducts& rows, std::size_t count, float* out);
-
-/// Both functions on one instruction set, for comparisons. row_products_here() lists all sets of this machine; the last
-/// one is in use.
+/// The products on one instruction set.
 struct RowProductsOn {
   std::string_view instruction_set;
+  /// Writes three values for each of `count` vertices: out[3v + c] = sum c (or the only sum) times colour[3v + c]. If
+  /// `colour` is null, the value is the sum itself. `out` overlaps nothing.
   void (*colour)(const RowProducts& rows, std::size_t count, const float* colour, float* out);
+  /// Writes one value for each of `count` vertices: its only sum.
   void (*grey)(const RowProducts& rows, std::size_t count, float* out);
 };
+
+/// All instruction sets of this machine, for comparisons; the last one is in use.
 std::span<const RowProductsOn> row_products_here();
 
 }  // namespace sh::prt

@@ -26,7 +26,7 @@ struct BakeOptions {
   Sampler sampler = Sampler::kFibonacci;
   std::uint32_t seed = 0;  // of the sampler, 0..kMaxSeed
   const TransferKind* kind = &kShadowed;
-  BounceOptions bounces;  // interreflected only
+  BounceOptions bounces = {};  // interreflected only
 };
 
 }  // namespace sh::prt

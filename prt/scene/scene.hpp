@@ -16,7 +16,7 @@
 
 namespace sh::prt {
 
-/// A disc above the origin that faces straight up, over a ground z = 0; prt/study/exact.hpp has its transfer vectors.
+/// A disc above the origin that faces straight up, over a ground z = 0; prt/study/study_setup.hpp has its transfer vectors.
 struct Disc {
   float radius;
   float height;

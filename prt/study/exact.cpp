@@ -1,13 +1,12 @@
-#include "prt/study/exact.hpp"
-
+// Closed-form solutions for scenes that have one.
 #include <cmath>
 #include <numbers>
 
 #include "numeric/oracle/quadrature.hpp"
-#include "prt/bake/unshadowed.hpp"
 #include "prt/basis.hpp"
 #include "prt/light/light_coefficients.hpp"
 #include "prt/study/study_setup.hpp"
+#include "prt/transfer/unshadowed.hpp"
 
 namespace sh::prt {
 
@@ -15,10 +14,6 @@ namespace {
 
 constexpr int kRadii = 40;
 constexpr int kAzimuths = 80;
-
-bool is_under(const Disc& disc, const Eigen::Vector3f& position, const Eigen::Vector3f& normal) {
-  return normal.z() > 0.0F && position.z() < 0.5F * disc.height;
-}
 
 }  // namespace
 
@@ -42,13 +37,6 @@ std::vector<double> hidden_by_disc(const Eigen::Vector3d& point, double radius, 
   return sum;
 }
 
-double disc_form_factor(double off_axis, double radius, double height) {
-  const double h = height * height;
-  const double r = radius * radius;
-  const double z = off_axis * off_axis + h + r;
-  return 0.5 * (1.0 - (z - 2.0 * r) / std::sqrt(z * z - 4.0 * r * off_axis * off_axis));
-}
-
 std::optional<TransferRows> exact_transfer(const Scene& scene, const std::vector<std::uint32_t>& vertices, int degree) {
   if (!scene.disc) return std::nullopt;
   const Disc& disc = *scene.disc;
@@ -56,7 +44,7 @@ std::optional<TransferRows> exact_transfer(const Scene& scene, const std::vector
   for (const std::uint32_t v : vertices) {
     const Eigen::Vector3f& position = scene.mesh.positions[v];
     std::vector<float> row = unshadowed_transfer(degree, {scene.mesh.normals[v]});
-    if (is_under(disc, position, scene.mesh.normals[v])) {
+    if (scene.mesh.normals[v].z() > 0.0F && position.z() < 0.5F * disc.height) {  // on the ground
       const std::vector<double> hidden = hidden_by_disc(position.cast<double>(), static_cast<double>(disc.radius),
                                                         static_cast<double>(disc.height), degree);
       for (std::size_t i = 0; i < row.size(); ++i) row[i] = static_cast<float>(static_cast<double>(row[i]) - hidden[i]);

@@ -1,20 +1,19 @@
-#include "prt/study/studied_vertices.hpp"
-
+// Chooses the studied vertices and their weights, and compares radiances on them.
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
 
+#include "prt/study/study_setup.hpp"
+
 namespace sh::prt {
 
 namespace {
 
-constexpr double kNearest =
-    0.1;  // of the camera's distance to its target; nearer vertices count as if at this distance
+constexpr double kNearest = 0.1;  // of the camera's distance to its target; nearer vertices count as if there
 
-}  // namespace
-
+// The area of every vertex over the squared distance to the camera.
 std::vector<double> seen_areas(const Mesh& mesh, const Camera& camera) {
   std::vector<double> areas(mesh.positions.size(), 0.0);
   for (const Face& face : mesh.faces) {
@@ -32,6 +31,14 @@ std::vector<double> seen_areas(const Mesh& mesh, const Camera& camera) {
   return areas;
 }
 
+double radiance_unit(const StudiedVertices& vertices, const Radiances& reference) {
+  double square = 0.0;
+  for (std::size_t i = 0; i < reference.size(); ++i) square += vertices.weight[i] * reference[i].squaredNorm() / 3.0;
+  return square > 0.0 ? std::sqrt(square) : 1.0;
+}
+
+}  // namespace
+
 StudiedVertices choose_vertices(const Mesh& mesh, const Camera& camera, std::size_t count,
                                 const std::function<bool(std::uint32_t)>& leave_out) {
   const std::vector<double> areas = seen_areas(mesh, camera);
@@ -47,12 +54,6 @@ StudiedVertices choose_vertices(const Mesh& mesh, const Camera& camera, std::siz
   const double sum = std::accumulate(chosen.weight.begin(), chosen.weight.end(), 0.0);
   for (double& weight : chosen.weight) weight /= sum;
   return chosen;
-}
-
-double radiance_unit(const StudiedVertices& vertices, const Radiances& reference) {
-  double square = 0.0;
-  for (std::size_t i = 0; i < reference.size(); ++i) square += vertices.weight[i] * reference[i].squaredNorm() / 3.0;
-  return square > 0.0 ? std::sqrt(square) : 1.0;
 }
 
 RadianceError radiance_error(const StudiedVertices& vertices, const Radiances& values, const Radiances& reference) {

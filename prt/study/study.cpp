@@ -7,7 +7,9 @@
 #include <stdexcept>
 
 #include "numeric/sampling/power_law.hpp"
+#include "prt/bake/bake.hpp"
 #include "prt/rays/directions.hpp"
+#include "prt/runtime/relight.hpp"
 #include "prt/study/study_setup.hpp"
 
 namespace sh::prt {
@@ -33,22 +35,41 @@ void check(const Scene& scene, const StudyOptions& options) {
 }
 
 Study begin(const Scene& scene, const StudySetup& setup) {
-  Study study;
-  study.scene = scene.name;
-  study.instruction_set = setup.tracer.instruction_set();
-  study.vertices = scene.mesh.positions.size();
-  study.faces = scene.mesh.faces.size();
-  study.step = setup.vertices.step;
-  study.studied = setup.vertices.index.size();
-  study.left_out = setup.left_out;
-  study.degree = scene.bake.degree;
-  study.directions = scene.bake.directions;
-  study.reference_directions = setup.reference_directions();
+  Study study{.scene = scene.name,
+              .instruction_set = setup.tracer.instruction_set(),
+              .vertices = scene.mesh.positions.size(),
+              .faces = scene.mesh.faces.size(),
+              .step = setup.vertices.step,
+              .studied = setup.vertices.index.size(),
+              .left_out = setup.left_out,
+              .degree = scene.bake.degree,
+              .directions = scene.bake.directions,
+              .reference_directions = setup.reference_directions()};
   if (setup.exact) {
-    study.reference_error = radiance_error(setup.vertices, setup.relit(setup.reference, setup.light, scene.bake.degree),
-                                           setup.relit(*setup.exact, setup.light, scene.bake.degree));
+    study.reference_error = radiance_error(setup.vertices, setup.relit(setup.reference, setup.light, study.degree),
+                                           setup.relit(*setup.exact, setup.light, study.degree));
   }
   return study;
+}
+
+Radiances shaded(const Transfer& transfer, const LightCoefficients& light, int degree) {
+  Radiances radiances;
+  for (const Eigen::Vector3f& radiance : relight(transfer, first_bands(light, degree))) {
+    radiances.push_back(radiance.cast<double>());
+  }
+  return radiances;
+}
+
+Transfer shadowed(const StudySetup& setup, int degree, int directions) {
+  Scene scene = setup.scene;
+  scene.mesh.emission.clear();  // the lights' error only
+  scene.bake.kind = &kShadowed;
+  scene.plan.mode = PlanMode::kNone;
+  scene.bake.degree = degree;
+  scene.bake.directions = directions;
+  BakeSettings settings;
+  settings.instruction_set = setup.options.instruction_set;
+  return bake({std::move(scene), settings});
 }
 
 }  // namespace
@@ -79,6 +100,22 @@ std::optional<double> fitted_slope(const std::vector<StudyPoint>& points) {
   }
   const auto law = numeric::fit_power_law(errors);
   return law ? std::optional(law->exponent) : std::nullopt;
+}
+
+StudyPart study_pictures(const StudySetup& setup) {
+  const int degree = setup.scene.bake.degree;
+  const int few = setup.options.bounce_directions;
+  const int many = setup.options.picture_reference;
+  const Transfer reference = shadowed(setup, kMaxDegree, many);
+  const Radiances cut = shaded(reference, setup.light, degree);
+  StudyPart part{.name = "pictures", .reference = fmt::format("{} directions, degree {}", many, kMaxDegree)};
+  part.fields.push_back(field_of(setup, "directions", fmt::format("{} directions against {}", few, many),
+                                 shaded(shadowed(setup, degree, few), setup.light, degree), cut));
+  if (degree < kMaxDegree) {
+    part.fields.push_back(field_of(setup, "degrees", fmt::format("degree {} against degree {}", degree, kMaxDegree),
+                                   cut, shaded(reference, setup.light, kMaxDegree)));
+  }
+  return part;
 }
 
 }  // namespace sh::prt

@@ -7,7 +7,7 @@
 //           dilute the visible objects.
 //   time    processor time of one thread per vertex, the least of several passes; each pass has another seed.
 // Errors refer to reflected light only; emitted light is left out. Scenes with mirrors are refused. Every part names
-// its reference. If the scene has a closed-form solution (prt/study/exact.hpp), the error against it is included.
+// its reference. If the scene has a closed-form solution (prt/study/study_setup.hpp), the error against it is included.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -46,19 +46,19 @@ struct CoefficientError {
 
 struct StudyPoint {
   double at = 0.0;  // position on the axis of the part
-  RadianceError error;
-  std::optional<RadianceError> exact_error;           // against the closed answer
-  std::optional<CoefficientError> coefficient_error;  // of transfer vectors
-  std::optional<double> seconds_a_vertex;
-  std::optional<double> seconds;  // for all vertices of the scene
-  std::optional<double> bytes_a_vertex;
+  RadianceError error = {};
+  std::optional<RadianceError> exact_error = {};           // against the closed answer
+  std::optional<CoefficientError> coefficient_error = {};  // of transfer vectors
+  std::optional<double> seconds_a_vertex = {};
+  std::optional<double> seconds = {};  // for all vertices of the scene
+  std::optional<double> bytes_a_vertex = {};
   int passes = 1;
 };
 
 struct StudySeries {
   std::string name;
-  std::optional<double> slope;  // of log error against log `at`, by least squares
-  std::vector<StudyPoint> points;
+  std::vector<StudyPoint> points = {};
+  std::optional<double> slope = {};  // of log error against log `at`, by least squares
 };
 
 /// Errors of every vertex of the mesh, for a picture.
@@ -71,10 +71,10 @@ struct ErrorField {
 
 struct StudyPart {
   std::string name;
-  std::string axis;       // the meaning of `at`
-  std::string reference;  // the reference of the error
-  std::vector<StudySeries> series;
-  std::vector<ErrorField> fields;
+  std::string axis = {};       // the meaning of `at`
+  std::string reference = {};  // the reference of the error
+  std::vector<StudySeries> series = {};
+  std::vector<ErrorField> fields = {};
 };
 
 struct Study {
@@ -88,8 +88,8 @@ struct Study {
   int degree = 0;
   int directions = 0;  // of the scene; the other parts use it
   int reference_directions = 0;
-  std::optional<RadianceError> reference_error;  // of the reference against the closed answer
-  std::vector<StudyPart> parts;
+  std::optional<RadianceError> reference_error = {};  // of the reference against the closed answer
+  std::vector<StudyPart> parts = {};
 };
 
 /// Calls `finished` after each part, with all parts so far. Shows progress. Throws std::invalid_argument for options

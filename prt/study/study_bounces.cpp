@@ -9,11 +9,10 @@
 
 #include "numeric/output/progress.hpp"
 #include "prt/bake/bounces.hpp"
-#include "prt/bake/chunks.hpp"
-#include "prt/bake/shadow_pass.hpp"
-#include "prt/bake/trace_form_factors.hpp"
-#include "prt/bake/unshadowed.hpp"
+#include "prt/bake/row_tracer.hpp"
+#include "prt/chunks.hpp"
 #include "prt/study/study_setup.hpp"
+#include "prt/transfer/unshadowed.hpp"
 
 namespace sh::prt {
 
@@ -31,38 +30,28 @@ struct Direct {
   double seconds = 0.0;
 };
 
-struct Worker {
-  Worker(const Mesh& mesh, const SharedDirections& directions, const Tracer& tracer)
-      : gatherer(directions, tracer), merger(mesh) {}
-  Gatherer gatherer;
-  RowMerger merger;
-};
-
 Direct trace_mesh(const StudySetup& setup, const BakeOptions& options) {
   const Mesh& mesh = setup.scene.mesh;
   const std::size_t vertices = mesh.positions.size();
   const std::size_t count = coefficient_count(options.degree);
   std::vector<float> transfer = unshadowed_transfer(options.degree, mesh.normals);
   Direct direct{Panel(vertices, 3), FormFactors(vertices)};
-  const SharedDirections directions(options);
+  const RaySetup rays(mesh, options, 0, setup.options.instruction_set);
   output::Progress progress("study: hits", vertices);
-  tbb::enumerable_thread_specific<Worker> workers([&] { return Worker(mesh, directions, setup.tracer); });
+  tbb::enumerable_thread_specific<RowTracer> tracers([&] { return RowTracer(rays); });
   const double start = process_seconds();
-  for_chunks(vertices, [&](std::size_t chunk) {
-    const VertexRange range = chunk_range(chunk, vertices);
-    for (std::size_t v = range.first; v < range.last; ++v) {
-      Worker& worker = workers.local();
-      float* t = transfer.data() + v * count;
-      control_with_unshadowed(
-          worker.gatherer.gather(setup.starts[v].origin, mesh.normals[v], mesh.geometric_normals[v]), count, t);
-      direct.factors.keep(v, worker.merger.merge(worker.gatherer.closest_hits()));
-      for (std::size_t c = 0; c < 3; ++c) {
-        double sum = 0.0;
-        for (std::size_t k = 0; k < count; ++k) sum += static_cast<double>(t[k]) * setup.light.at(c, k);
-        direct.radiance.row(v)[c] = sum * static_cast<double>(mesh.albedo[v][static_cast<Eigen::Index>(c)]);
-      }
+  for_vertices(vertices, [&](std::size_t v) {
+    RowTracer& tracer = tracers.local();
+    float* t = transfer.data() + v * count;
+    control_with_unshadowed(tracer.gatherer().gather(v), count, t);
+    tracer.meet(v);
+    direct.factors.keep(v, tracer.row());
+    for (std::size_t c = 0; c < 3; ++c) {
+      double sum = 0.0;
+      for (std::size_t k = 0; k < count; ++k) sum += static_cast<double>(t[k]) * setup.light.at(c, k);
+      direct.radiance.row(v)[c] = sum * static_cast<double>(mesh.albedo[v][c]);
     }
-    progress.advance(range.size());
+    progress.advance();
   });
   direct.seconds = process_seconds() - start;
   progress.finish();
@@ -114,8 +103,7 @@ std::vector<PartialSum> partial_sums(const Mesh& mesh, const Direct& direct) {
     double largest = 0.0;
     for (std::size_t v = 0; v < x.rows; ++v) {
       for (std::size_t c = 0; c < 3; ++c) {
-        const double next =
-            direct.radiance.row(v)[c] + static_cast<double>(mesh.albedo[v][static_cast<Eigen::Index>(c)]) * y.row(v)[c];
+        const double next = direct.radiance.row(v)[c] + static_cast<double>(mesh.albedo[v][c]) * y.row(v)[c];
         change = std::max(change, std::abs(next - x.row(v)[c]));
         largest = std::max(largest, std::abs(next));
         x.row(v)[c] = next;
@@ -142,23 +130,20 @@ StudyPart study_bounces(const StudySetup& setup) {
   const std::vector<PartialSum> sums = partial_sums(mesh, direct);
   const StudiedVertices all =
       choose_vertices(mesh, setup.scene.camera, mesh.positions.size(), [](std::uint32_t) { return false; });
-  StudyPart part;
-  part.name = "bounces";
-  part.axis = "terms of the series (bounces + 1)";
-  part.reference = fmt::format("the sum of {} terms, which changes by less than {:g}; {} directions, all vertices",
-                               sums.back().terms, kConverged, options.directions);
-  StudySeries series;
-  series.name = "bounces left out";
+  StudyPart part{
+      .name = "bounces",
+      .axis = "terms of the series (bounces + 1)",
+      .reference = fmt::format("the sum of {} terms, which changes by less than {:g}; {} directions, all vertices",
+                               sums.back().terms, kConverged, options.directions)};
+  StudySeries& series = part.series.emplace_back(StudySeries{.name = "bounces left out"});
   for (std::size_t i = 0; i + 1 < sums.size(); ++i) {
-    StudyPoint point;
-    point.at = sums[i].terms;
-    point.error = radiance_error(all, sums[i].radiances, sums.back().radiances);
-    point.seconds = direct.seconds + (sums[i].terms - 1) * each;
-    point.seconds_a_vertex = *point.seconds / static_cast<double>(mesh.positions.size());
-    series.points.push_back(point);
-    if (point.error.rms < kShownError) break;
+    const double seconds = direct.seconds + (sums[i].terms - 1) * each;
+    series.points.push_back({.at = static_cast<double>(sums[i].terms),
+                             .error = radiance_error(all, sums[i].radiances, sums.back().radiances),
+                             .seconds_a_vertex = seconds / static_cast<double>(mesh.positions.size()),
+                             .seconds = seconds});
+    if (series.points.back().error.rms < kShownError) break;
   }
-  part.series.push_back(series);
   if (sums.size() > 2) {
     part.fields.push_back(field_of(setup, "bounces", "no bounces (DS) against all of them (DI)", sums.front().radiances,
                                    sums.back().radiances));

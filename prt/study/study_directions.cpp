@@ -17,19 +17,6 @@ constexpr int kPassDirections = 16384;  // so many, all passes together, where o
 
 int passes_of(int directions) { return std::clamp(kPassDirections / directions, 1, kMostPasses); }
 
-CoefficientError coefficient_error(const TransferRows& rows, const TransferRows& reference) {
-  const std::size_t count = coefficient_count(rows.degree);
-  CoefficientError error;
-  double square = 0.0;
-  for (std::size_t i = 0; i < rows.values.size(); ++i) {
-    const auto difference = static_cast<double>(rows.values[i] - reference.row(i / count)[i % count]);
-    square += difference * difference;
-    error.largest = std::max(error.largest, std::abs(difference));
-  }
-  error.rms = std::sqrt(square / static_cast<double>(std::max<std::size_t>(rows.values.size(), 1)));
-  return error;
-}
-
 // The root mean square over passes; the largest of all.
 void add_pass(const RadianceError& pass, int before, RadianceError& sum) {
   if (before == 0) {
@@ -56,44 +43,39 @@ void take_time(const StudySetup& setup, const TimedRows& timed, int before, Stud
 }
 
 StudyPoint measure(const StudySetup& setup, BakeOptions options) {
-  StudyPoint point;
-  point.at = options.directions;
-  point.passes = passes_of(options.directions);
-  CoefficientError coefficients;
+  StudyPoint point{.at = static_cast<double>(options.directions),
+                   .coefficient_error = CoefficientError(),
+                   .passes = passes_of(options.directions)};
   const Radiances reference = setup.relit(setup.reference, setup.light, options.degree);
+  if (setup.exact) point.exact_error.emplace();
   for (int pass = 0; pass < point.passes; ++pass) {
     options.seed = static_cast<std::uint32_t>(pass);
     const TimedRows timed = trace_rows(setup, options);
     take_time(setup, timed, pass, point);
     const Radiances radiances = setup.relit(timed.rows, setup.light, options.degree);
     add_pass(radiance_error(setup.vertices, radiances, reference), pass, point.error);
-    add_pass(coefficient_error(timed.rows, setup.reference), pass, coefficients);
+    add_pass(coefficient_error(timed.rows, setup.reference), pass, *point.coefficient_error);
     if (setup.exact) {
-      RadianceError exact = point.exact_error.value_or(RadianceError());
-      add_pass(radiance_error(setup.vertices, radiances, setup.relit(*setup.exact, setup.light, options.degree)), pass,
-               exact);
-      point.exact_error = exact;
+      const Radiances exact = setup.relit(*setup.exact, setup.light, options.degree);
+      add_pass(radiance_error(setup.vertices, radiances, exact), pass, *point.exact_error);
     }
   }
-  point.coefficient_error = coefficients;
   return point;
 }
 
 }  // namespace
 
 StudyPart study_directions(const StudySetup& setup) {
-  StudyPart part;
-  part.name = "directions";
-  part.axis = "directions over the sphere";
-  part.reference = fmt::format("{} cosine directions with their own seed", setup.reference_directions());
+  StudyPart part{.name = "directions",
+                 .axis = "directions over the sphere",
+                 .reference = fmt::format("{} cosine directions with their own seed", setup.reference_directions())};
   std::vector<int> counts;
   for (int count = StudyOptions::kLeastDirections; count <= setup.options.most_directions; count *= 2) {
     counts.push_back(count);
   }
   output::Progress progress("study: directions", counts.size() * kSamplerNames.size());
   for (std::size_t s = 0; s < kSamplerNames.size(); ++s) {
-    StudySeries series;
-    series.name = kSamplerNames[s];
+    StudySeries& series = part.series.emplace_back(StudySeries{.name = std::string(kSamplerNames[s])});
     for (const int count : counts) {
       BakeOptions options = setup.scene.bake;
       options.directions = count;
@@ -102,7 +84,6 @@ StudyPart study_directions(const StudySetup& setup) {
       progress.advance();
     }
     series.slope = fitted_slope(series.points);
-    part.series.push_back(series);
   }
   progress.finish();
   return part;
@@ -110,30 +91,24 @@ StudyPart study_directions(const StudySetup& setup) {
 
 StudyPart study_degrees(const StudySetup& setup) {
   constexpr int kPasses = 2;
-  StudyPart part;
-  part.name = "degrees";
-  part.axis = "bands (degree + 1)";
-  part.reference = setup.all_degrees_name();
   const int most = setup.whole ? kMaxDegree : kMaxDegree - 1;
   const Radiances reference = setup.all_degrees();
-  StudySeries series;
-  series.name = "degrees left out";
+  StudySeries series{.name = "degrees left out"};
   output::Progress progress("study: degrees", most + 1);
   for (int degree = 0; degree <= most; ++degree) {
-    StudyPoint point;
-    point.at = degree + 1;
-    point.passes = kPasses;
-    point.error = radiance_error(setup.vertices, setup.relit(setup.reference, setup.light, degree), reference);
+    StudyPoint point{
+        .at = degree + 1.0,
+        .error = radiance_error(setup.vertices, setup.relit(setup.reference, setup.light, degree), reference),
+        .bytes_a_vertex = static_cast<double>(coefficient_count(degree) * sizeof(float)),
+        .passes = kPasses};
     BakeOptions options = setup.scene.bake;
     options.degree = degree;
     for (int pass = 0; pass < kPasses; ++pass) take_time(setup, trace_rows(setup, options), pass, point);
-    point.bytes_a_vertex = static_cast<double>(coefficient_count(degree) * sizeof(float));
     series.points.push_back(point);
     progress.advance();
   }
   progress.finish();
-  part.series.push_back(series);
-  return part;
+  return {.name = "degrees", .axis = "bands (degree + 1)", .reference = setup.all_degrees_name(), .series = {series}};
 }
 
 }  // namespace sh::prt

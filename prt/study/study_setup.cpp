@@ -1,25 +1,21 @@
 #include "prt/study/study_setup.hpp"
 
 #include <fmt/core.h>
-#include <tbb/enumerable_thread_specific.h>
 
 #include <algorithm>
+#include <cmath>
 #include <ctime>
 
 #include "numeric/output/progress.hpp"
-#include "prt/bake/chunks.hpp"
-#include "prt/bake/shadow_pass.hpp"
-#include "prt/bake/unshadowed.hpp"
 #include "prt/light/light.hpp"
 #include "prt/light/project.hpp"
 #include "prt/rays/directions.hpp"
-#include "prt/study/exact.hpp"
+#include "prt/transfer/unshadowed.hpp"
 
 namespace sh::prt {
 
 namespace {
 
-constexpr float kNearlyDark = 0.03F;       // of the cosine; only such vertices may have to be filled
 constexpr int kClassifyDirections = 2048;  // enough to see whether a vertex is covered
 constexpr std::uint32_t kReferenceSeed = 0x5EED;
 
@@ -36,45 +32,33 @@ std::vector<float> unshadowed_rows(const StudySetup& setup, int degree) {
   return unshadowed_transfer(degree, normals);
 }
 
-const Gathered& gather(const StudySetup& setup, Gatherer& gatherer, std::uint32_t v) {
-  const Mesh& mesh = setup.scene.mesh;
-  return gatherer.gather(setup.starts[v].origin, mesh.normals[v], mesh.geometric_normals[v]);
-}
-
 // Calls each(gathered, place among the studied vertices) on all threads.
-template <class Each>
-void gather_all(const StudySetup& setup, const SharedDirections& directions, const char* what, const Each& each) {
-  const std::size_t count = setup.vertices.index.size();
-  output::Progress progress(what, count);
-  tbb::enumerable_thread_specific<Gatherer> gatherers([&] { return Gatherer(directions, setup.tracer); });
-  for_chunks(count, [&](std::size_t chunk) {
-    const VertexRange range = chunk_range(chunk, count);
-    for (std::size_t i = range.first; i < range.last; ++i) {
-      each(gather(setup, gatherers.local(), setup.vertices.index[i]), i);
-      progress.advance();
-    }
-  });
+void gather_studied(const StudySetup& setup, const SharedDirections& directions, const char* what,
+                    const std::function<void(const Gathered&, std::size_t)>& each) {
+  output::Progress progress(what, setup.vertices.index.size());
+  gather_all(setup.scene.mesh, setup.starts, setup.tracer, directions, setup.vertices.index,
+             [&](const Gathered& seen, std::size_t i) {
+               each(seen, i);
+               progress.advance();
+             });
   progress.finish();
 }
 
-// A bake fills these vertices from their neighbors, because their own rays say nothing.
-bool is_filled(const Mesh& mesh, Gatherer& gatherer, const RayStart& start, std::uint32_t v) {
-  const float fraction = gatherer.gather(start.origin, mesh.normals[v], mesh.geometric_normals[v]).fraction();
-  if (fraction >= kNearlyDark) return false;
-  const Sight sight = gatherer.classify(mesh, v, start, fraction <= 0.0F);
-  return sight == Sight::kCovered || sight == Sight::kBuried;
+// Processor time of this thread.
+double thread_seconds() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
 TransferRows reference_rows(const StudySetup& setup) {
-  BakeOptions options;
-  options.degree = kMaxDegree;
-  options.directions = setup.reference_directions();
-  options.sampler = Sampler::kCosine;
-  options.seed = kReferenceSeed;
-  const SharedDirections directions(options);
+  const SharedDirections directions({.degree = kMaxDegree,
+                                     .directions = setup.reference_directions(),
+                                     .sampler = Sampler::kCosine,
+                                     .seed = kReferenceSeed});
   TransferRows rows{kMaxDegree, unshadowed_rows(setup, kMaxDegree)};
   const std::size_t count = coefficient_count(kMaxDegree);
-  gather_all(setup, directions, "study: reference", [&](const Gathered& seen, std::size_t i) {
+  gather_studied(setup, directions, "study: reference", [&](const Gathered& seen, std::size_t i) {
     control_with_unshadowed(seen, count, rows.values.data() + i * count);
   });
   return rows;
@@ -93,7 +77,7 @@ std::optional<Radiances> under_the_lights(const StudySetup& setup) {
                                       std::copy_n(value.data(), 3, out + 1);
                                     });
   Radiances whole(setup.vertices.index.size());
-  gather_all(setup, directions, "study: the light itself", [&](const Gathered& seen, std::size_t i) {
+  gather_studied(setup, directions, "study: the light itself", [&](const Gathered& seen, std::size_t i) {
     const Eigen::Vector3d sum(seen.visible[1], seen.visible[2], seen.visible[3]);
     whole[i] = setup.scene.mesh.albedo[setup.vertices.index[i]].cast<double>().cwiseProduct(sum);
   });
@@ -108,14 +92,13 @@ StudySetup::StudySetup(const Scene& studied_scene, const StudyOptions& study_opt
       tracer(scene.mesh, 0, options.instruction_set),
       starts(ray_starts(scene.mesh)),
       light(project(lights_of(scene), kMaxDegree)) {
-  BakeOptions looking;
-  looking.degree = 0;
-  looking.directions = kClassifyDirections;
-  const SharedDirections directions(looking);
-  Gatherer gatherer(directions, tracer);
+  const SharedDirections directions({.degree = 0, .directions = kClassifyDirections});
+  Gatherer gatherer(scene.mesh, starts, tracer, directions);
   vertices = choose_vertices(scene.mesh, scene.camera, options.vertices, [&](std::uint32_t v) {
     output::check_interrupt();
-    const bool filled = is_filled(scene.mesh, gatherer, starts[v], v);
+    const Sight sight = gatherer.sight(v, gatherer.gather(v).fraction());
+    const bool filled =
+        sight == Sight::kCovered || sight == Sight::kBuried;  // from neighbors: its own rays say nothing
     left_out += filled ? 1 : 0;
     return filled;
   });
@@ -141,16 +124,23 @@ Radiances StudySetup::relit(const TransferRows& rows, const LightCoefficients& l
   return radiances;
 }
 
+CoefficientError coefficient_error(const TransferRows& rows, const TransferRows& reference) {
+  const std::size_t count = coefficient_count(rows.degree);
+  CoefficientError error;
+  double square = 0.0;
+  for (std::size_t i = 0; i < rows.values.size(); ++i) {
+    const auto difference = static_cast<double>(rows.values[i] - reference.row(i / count)[i % count]);
+    square += difference * difference;
+    error.largest = std::max(error.largest, std::abs(difference));
+  }
+  error.rms = std::sqrt(square / static_cast<double>(std::max<std::size_t>(rows.values.size(), 1)));
+  return error;
+}
+
 ErrorField field_of(const StudySetup& setup, const std::string& name, const std::string& title, const Radiances& values,
                     const Radiances& reference) {
   const VertexErrors errors = vertex_errors(setup.scene.mesh, setup.scene.camera, values, reference);
   return {name, fmt::format("{}: {}", setup.scene.name, title), errors.relative, errors.error};
-}
-
-double thread_seconds() {
-  timespec time{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
 TimedRows trace_rows(const StudySetup& setup, const BakeOptions& options) {
@@ -159,12 +149,11 @@ TimedRows trace_rows(const StudySetup& setup, const BakeOptions& options) {
   const std::size_t count = coefficient_count(options.degree);
   const double start = thread_seconds();
   const SharedDirections directions(options);
-  Gatherer gatherer(directions, setup.tracer);
+  Gatherer gatherer(setup.scene.mesh, setup.starts, setup.tracer, directions);
   const double begin = thread_seconds();
   for (std::size_t i = 0; i < setup.vertices.index.size(); ++i) {
     output::check_interrupt();
-    control_with_unshadowed(gather(setup, gatherer, setup.vertices.index[i]), count,
-                            result.rows.values.data() + i * count);
+    control_with_unshadowed(gatherer.gather(setup.vertices.index[i]), count, result.rows.values.data() + i * count);
   }
   result.seconds = thread_seconds() - begin;
   result.setup_seconds = begin - start;

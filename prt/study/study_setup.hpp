@@ -1,15 +1,44 @@
-// The common setup of all parts of a study (rays, studied vertices, light and references), and the parts.
+// The common setup of all parts of a study (rays, studied vertices, light and references), the errors of radiances, and
+// the parts.
 #pragma once
+#include <Eigen/Core>
+#include <cstdint>
+#include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
-#include "prt/bake/gather.hpp"
 #include "prt/light/light_coefficients.hpp"
-#include "prt/rays/tracer.hpp"
-#include "prt/study/studied_vertices.hpp"
+#include "prt/rays/gather.hpp"
+#include "prt/scene/camera.hpp"
 #include "prt/study/study.hpp"
 
 namespace sh::prt {
+
+struct StudiedVertices {
+  std::size_t step = 1;
+  std::vector<std::uint32_t> index;
+  std::vector<double> weight;  // sums to 1
+};
+
+/// Every step-th vertex, about `count` in total, without those for which `leave_out` is true. A vertex weighs by its
+/// area (a third of the area of its faces) over the squared distance to the camera.
+StudiedVertices choose_vertices(const Mesh& mesh, const Camera& camera, std::size_t count,
+                                const std::function<bool(std::uint32_t)>& leave_out);
+
+/// Radiances of the studied vertices, in their order.
+using Radiances = std::vector<Eigen::Vector3d>;
+
+/// Errors over their unit, the root mean square of the channels of the reference, or 1 if it is black.
+RadianceError radiance_error(const StudiedVertices& vertices, const Radiances& values, const Radiances& reference);
+
+/// The errors of all vertices of the mesh. `relative` (vertices) is the largest |a - b| of a channel over that unit;
+/// `error` summarizes them. `values` and `reference` are (vertices); other lengths throw std::invalid_argument.
+struct VertexErrors {
+  std::vector<float> relative;
+  RadianceError error;
+};
+VertexErrors vertex_errors(const Mesh& mesh, const Camera& camera, const Radiances& values, const Radiances& reference);
 
 /// Shadowed transfer vectors of the studied vertices, (studied, bands^2).
 struct TransferRows {
@@ -17,6 +46,16 @@ struct TransferRows {
   std::vector<float> values;
   [[nodiscard]] const float* row(std::size_t i) const { return values.data() + i * coefficient_count(degree); }
 };
+
+/// The shadowed transfer vectors of `vertices`, (vertices, bands^2), exact at the vertices themselves (the rays of a
+/// bake start slightly off the surface). Empty for scenes without Scene::disc.
+std::optional<TransferRows> exact_transfer(const Scene& scene, const std::vector<std::uint32_t>& vertices, int degree);
+
+/// The part of the unshadowed vector that the disc blocks, (bands^2): the integral of cos/pi Y_lm over the disc of this
+/// radius about (0, 0, height), as seen from `point` on the ground z = 0, which faces straight up. It uses
+/// Gauss-Legendre nodes in the radius and equidistant azimuths, with cos cos' / r^2 dA as solid angle. The integrand is
+/// smooth: errors are below 1e-12 if height is at least a quarter of the radius.
+std::vector<double> hidden_by_disc(const Eigen::Vector3d& point, double radius, double height, int degree);
 
 struct StudySetup {
   StudySetup(const Scene& studied_scene, const StudyOptions& study_options);
@@ -40,12 +79,12 @@ struct StudySetup {
   [[nodiscard]] Radiances relit(const TransferRows& rows, const LightCoefficients& lit_by, int degree) const;
 };
 
+/// The error of all coefficients of `rows`; `reference` has the same vertices and at least the same degree.
+CoefficientError coefficient_error(const TransferRows& rows, const TransferRows& reference);
+
 /// The errors of all vertices of the mesh, for a picture.
 ErrorField field_of(const StudySetup& setup, const std::string& name, const std::string& title, const Radiances& values,
                     const Radiances& reference);
-
-/// Processor time of this thread, in seconds.
-double thread_seconds();
 
 /// Traces the studied vertices on this thread. `seconds` is the time of the loop over them, `setup_seconds` the time
 /// before it.
@@ -57,14 +96,12 @@ struct TimedRows {
 TimedRows trace_rows(const StudySetup& setup, const BakeOptions& options);
 
 // The parts of a study.
-
 /// Error and time against directions, with one curve for each sampler, at the scene's degree.
 StudyPart study_directions(const StudySetup& setup);
 /// Error of omitting the higher degrees, and time of each degree, with one curve for each reference.
 StudyPart study_degrees(const StudySetup& setup);
 /// Error of stopping the series of bounces early, for all vertices of the mesh.
 StudyPart study_bounces(const StudySetup& setup);
-
 /// Error against the bytes of a vertex, by degree and storage type.
 StudyPart study_storage(const StudySetup& setup);
 /// Error against degree under windows on the light.

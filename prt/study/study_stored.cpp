@@ -1,6 +1,5 @@
 // Parts of the study that need no rays: storage types, and windows on the light.
-#include <algorithm>
-#include <cmath>
+#include <array>
 
 #include "prt/light/deringing.hpp"
 #include "prt/light/window.hpp"
@@ -20,35 +19,18 @@ TransferRows truncated(const TransferRows& rows, int degree) {
   return result;
 }
 
-CoefficientError difference(const std::vector<float>& a, const std::vector<float>& b) {
-  CoefficientError error;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    const double d = std::abs(static_cast<double>(a[i]) - static_cast<double>(b[i]));
-    error.rms += d * d / static_cast<double>(a.size());
-    error.largest = std::max(error.largest, d);
-  }
-  error.rms = std::sqrt(error.rms);
-  return error;
-}
-
 StudyPoint stored(const StudySetup& setup, Element element, int degree, const Radiances& reference) {
-  const TransferRows rows = truncated(setup.reference, degree);
   TransferShape shape = kShadowed.shape(degree);
   shape.storage.element = element;
-  const TransferRows back{degree, decode(encode(rows.values, shape), shape)};
-  StudyPoint point;
-  point.bytes_a_vertex = static_cast<double>(shape.count() * bytes_of(element));
-  point.at = *point.bytes_a_vertex;
-  point.error = radiance_error(setup.vertices, setup.relit(back, setup.light, degree), reference);
-  point.coefficient_error = difference(back.values, rows.values);
-  return point;
+  const TransferRows back{degree, decode(encode(truncated(setup.reference, degree).values, shape), shape)};
+  const auto bytes = static_cast<double>(shape.stored_bytes());
+  return {.at = bytes,
+          .error = radiance_error(setup.vertices, setup.relit(back, setup.light, degree), reference),
+          .coefficient_error = coefficient_error(back, setup.reference),
+          .bytes_a_vertex = bytes};
 }
 
-struct NamedWindow {
-  const char* name;
-  std::optional<WindowChoice> (*of_degree)(int degree);
-};
-
+// Reaches 0 at the first omitted degree.
 WindowChoice fixed(WindowType type, int degree) {
   WindowChoice choice;
   choice.window = {type, degree + 1.0, 1};
@@ -56,28 +38,26 @@ WindowChoice fixed(WindowType type, int degree) {
   return choice;
 }
 
-// Fixed windows reach 0 at the first omitted degree.
-const std::vector<NamedWindow>& windows() {
-  static const std::vector<NamedWindow> kWindows = {
-      {"none", [](int) -> std::optional<WindowChoice> { return std::nullopt; }},
-      {"sinc (Lanczos)", [](int d) -> std::optional<WindowChoice> { return fixed(WindowType::kSinc, d); }},
-      {"hann", [](int d) -> std::optional<WindowChoice> { return fixed(WindowType::kHann, d); }},
-      {"auto: least window without negative values",
-       [](int) -> std::optional<WindowChoice> { return WindowChoice(); }}};
-  return kWindows;
-}
+struct NamedWindow {
+  const char* name;
+  void (*apply)(int degree, LightCoefficients& light);
+};
+
+constexpr std::array kWindows = {
+    NamedWindow{"none", [](int, LightCoefficients&) {}},
+    NamedWindow{"sinc (Lanczos)",
+                [](int d, LightCoefficients& light) { apply_window(fixed(WindowType::kSinc, d), light); }},
+    NamedWindow{"hann", [](int d, LightCoefficients& light) { apply_window(fixed(WindowType::kHann, d), light); }},
+    NamedWindow{"auto: least window without negative values",
+                [](int, LightCoefficients& light) { apply_window(WindowChoice(), light); }}};
 
 }  // namespace
 
 StudyPart study_storage(const StudySetup& setup) {
-  StudyPart part;
-  part.name = "storage";
-  part.axis = "bytes a vertex, by degree";
-  part.reference = setup.all_degrees_name();
+  StudyPart part{.name = "storage", .axis = "bytes a vertex, by degree", .reference = setup.all_degrees_name()};
   const Radiances reference = setup.all_degrees();
   for (const Element element : {Element::kSingle, Element::kHalf, Element::kByte}) {
-    StudySeries series;
-    series.name = kElementNames[static_cast<std::size_t>(element)];
+    StudySeries series{.name = std::string(word_of(element, kElementNames))};
     for (int degree = 1; degree <= kMaxDegree - (setup.whole ? 0 : 1); ++degree) {
       series.points.push_back(stored(setup, element, degree, reference));
     }
@@ -87,21 +67,16 @@ StudyPart study_storage(const StudySetup& setup) {
 }
 
 StudyPart study_windows(const StudySetup& setup) {
-  StudyPart part;
-  part.name = "windows";
-  part.axis = "bands (degree + 1)";
-  part.reference = setup.all_degrees_name();
+  StudyPart part{.name = "windows", .axis = "bands (degree + 1)", .reference = setup.all_degrees_name()};
   const Radiances reference = setup.all_degrees();
-  for (const NamedWindow& window : windows()) {
-    StudySeries series;
-    series.name = window.name;
+  for (const auto& [name, apply] : kWindows) {
+    StudySeries series{.name = name};
     for (int degree = 1; degree <= kMaxDegree - (setup.whole ? 0 : 1); ++degree) {
       LightCoefficients light = first_bands(setup.light, degree);
-      if (const auto choice = window.of_degree(degree)) apply_window(*choice, light);
-      StudyPoint point;
-      point.at = degree + 1;
-      point.error = radiance_error(setup.vertices, setup.relit(setup.reference, light, degree), reference);
-      series.points.push_back(point);
+      apply(degree, light);
+      series.points.push_back(
+          {.at = degree + 1.0,
+           .error = radiance_error(setup.vertices, setup.relit(setup.reference, light, degree), reference)});
     }
     part.series.push_back(series);
   }

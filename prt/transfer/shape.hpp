@@ -12,9 +12,14 @@
 #include <string_view>
 #include <vector>
 
+#include "numeric/oracle/index.hpp"
+
 namespace sh::prt {
 
 inline constexpr int kMaxDegree = 10;
+
+/// bands^2, the number of coefficients of degrees 0 .. degree.
+constexpr std::size_t coefficient_count(int degree) { return numeric::coefficient_count(degree); }
 
 /// The type of a number in a file: IEEE binary32, IEEE binary16, or signed 8 bits times a scale a column.
 enum class Element : std::uint32_t { kSingle = 0, kHalf = 1, kByte = 2 };
@@ -47,8 +52,10 @@ struct TransferShape {
   bool holds_albedo = false;  // then it cannot be recolored
   Storage storage = {};
 
-  [[nodiscard]] std::size_t rows() const { return meets == Meets::kDot ? squared(result_degree) : 1; }
-  [[nodiscard]] std::size_t columns() const { return squared(meets == Meets::kDot ? degree : degree + result_degree); }
+  [[nodiscard]] std::size_t rows() const { return meets == Meets::kDot ? coefficient_count(result_degree) : 1; }
+  [[nodiscard]] std::size_t columns() const {
+    return coefficient_count(meets == Meets::kDot ? degree : degree + result_degree);
+  }
   /// The count of numbers in memory: of a channel, and of a receiver.
   [[nodiscard]] std::size_t count() const { return rows() * columns(); }
   [[nodiscard]] std::size_t length() const { return channels * count(); }
@@ -57,12 +64,6 @@ struct TransferShape {
     return (storage.one_channel ? 1 : channels) * rows() * (storage.kept.empty() ? columns() : storage.kept.size());
   }
   [[nodiscard]] std::size_t stored_bytes() const { return stored_length() * bytes_of(storage.element); }
-
- private:
-  static constexpr std::size_t squared(int degree) {
-    const auto bands = static_cast<std::size_t>(degree) + 1;
-    return bands * bands;
-  }
 };
 
 /// True if both shapes have the same numbers with the same meaning, whatever their storage.

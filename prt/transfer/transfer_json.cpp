@@ -1,5 +1,3 @@
-#include "prt/transfer/transfer_json.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>

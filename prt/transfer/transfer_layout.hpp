@@ -84,8 +84,23 @@ inline constexpr std::array<Kind, 10> kSections = {{{"position", kFloat, 3, Rows
                                                     {"scale", kFloat, 0, Rows::kOne, Presence::kOptional},
                                                     {"mirror", kFloat, 3, Rows::kVertices, Presence::kOptional}}};
 
-inline constexpr auto kFewestSections = static_cast<std::size_t>(std::count_if(
-    kSections.begin(), kSections.end(), [](const Kind& kind) { return kind.presence == Presence::kAlways; }));
+inline constexpr std::uint32_t kFewestSections = 7;  // those that are always there
+
+/// Calls visit(items) for the contents of every section, in the order of kSections. `encoded` holds the coefficients if
+/// their storage is not plain.
+template <class AnyTransfer, class AnyEncoded, class Visit>
+void each_section(AnyTransfer& transfer, AnyEncoded& encoded, const Visit& visit) {
+  visit(transfer.mesh.positions);
+  visit(transfer.mesh.normals);
+  visit(transfer.mesh.geometric_normals);
+  visit(transfer.mesh.albedo);
+  visit(transfer.mesh.faces);
+  visit(transfer.mesh.remap);
+  transfer.shape.storage.is_plain() ? visit(transfer.coefficients) : visit(encoded.data);
+  visit(transfer.emitted);
+  visit(encoded.scale);
+  visit(transfer.mesh.mirror);
+}
 
 /// A name in the form of the table.
 constexpr std::array<char, 8> padded(std::string_view name) {

@@ -13,7 +13,6 @@
 #include "prt/transfer/checksum.hpp"
 #include "prt/transfer/storage.hpp"
 #include "prt/transfer/transfer_file.hpp"
-#include "prt/transfer/transfer_json.hpp"
 #include "prt/transfer/transfer_layout.hpp"
 
 namespace sh::prt {
@@ -132,35 +131,23 @@ class Reader {
     }
   }
 
-  // Empty if the file has no such section. T is one element or several.
+  // Reads a section into its items, which stay empty if the file has no such section.
   template <class T>
-  void fetch_section(std::string_view name, std::vector<T>& items) {
+  void fetch_section(const layout::Kind& kind, std::vector<T>& items) {
     const auto section = std::find_if(table_.begin(), table_.end(),
-                                      [&](const layout::Section& s) { return s.name == layout::padded(name); });
+                                      [&](const layout::Section& s) { return s.name == layout::padded(kind.name); });
     if (section == table_.end()) return;
     items.resize(bytes_of(*section) / sizeof(T));
     fetch(items.data(), items.size() * sizeof(T));
     if (checksum(items.data(), items.size() * sizeof(T)) != section->checksum) {
-      fail(fmt::format("damaged transfer file: the checksum of section {} differs", name));
+      fail(fmt::format("damaged transfer file: the checksum of section {} differs", kind.name));
     }
   }
 
-  void read_sections(Transfer& transfer) {  // in the order of the file
-    fetch_section("position", transfer.mesh.positions);
-    fetch_section("normal", transfer.mesh.normals);
-    fetch_section("geonorm", transfer.mesh.geometric_normals);
-    fetch_section("albedo", transfer.mesh.albedo);
-    fetch_section("face", transfer.mesh.faces);
-    fetch_section("remap", transfer.mesh.remap);
+  void read_sections(Transfer& transfer) {
     Encoded encoded;
-    if (transfer.shape.storage.is_plain()) {
-      fetch_section("transfer", transfer.coefficients);
-    } else {
-      fetch_section("transfer", encoded.data);
-    }
-    fetch_section("emitted", transfer.emitted);
-    fetch_section("scale", encoded.scale);
-    fetch_section("mirror", transfer.mesh.mirror);
+    const auto* kind = layout::kSections.begin();
+    layout::each_section(transfer, encoded, [&](auto& items) { fetch_section(*kind++, items); });
     check_scale(transfer, encoded);
     if (!transfer.shape.storage.is_plain()) transfer.coefficients = decode(encoded, transfer.shape);
   }

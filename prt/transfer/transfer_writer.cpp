@@ -1,5 +1,3 @@
-#include <algorithm>
-#include <array>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -14,26 +12,6 @@ namespace sh::prt {
 
 namespace {
 
-// The contents of a section; an optional section with 0 rows is left out.
-struct Data {
-  const void* first;
-  std::size_t rows;
-};
-
-// The coefficients in the encoding of the file.
-struct Coefficients {
-  explicit Coefficients(const Transfer& transfer)
-      : columns(static_cast<std::uint32_t>(transfer.shape.stored_length())), first(transfer.coefficients.data()) {
-    if (!transfer.shape.storage.is_plain()) {
-      encoded = encode(transfer.coefficients, transfer.shape);
-      first = encoded.data.data();
-    }
-  }
-  std::uint32_t columns;
-  const void* first;
-  Encoded encoded;
-};
-
 constexpr std::size_t kHeaderUnit = 16;
 
 void check_lengths(const Transfer& transfer) {
@@ -47,44 +25,29 @@ void check_lengths(const Transfer& transfer) {
   }
 }
 
-std::array<Data, layout::kSections.size()> sections_of(const Transfer& transfer, const Coefficients& coefficients) {
-  const Mesh& mesh = transfer.mesh;
-  const std::size_t vertices = mesh.positions.size();
-  return {{{mesh.positions.data(), vertices},
-           {mesh.normals.data(), vertices},
-           {mesh.geometric_normals.data(), vertices},
-           {mesh.albedo.data(), vertices},
-           {mesh.faces.data(), mesh.faces.size()},
-           {mesh.remap.data(), mesh.remap.size()},
-           {coefficients.first, vertices},
-           {transfer.emitted.data(), transfer.emitted.size()},
-           {coefficients.encoded.scale.data(), coefficients.encoded.scale.empty() ? 0U : 1U},
-           {mesh.mirror.data(), mesh.mirror.size()}}};
-}
-
 struct Contents {
   std::vector<layout::Section> table;  // offsets from the end of the header
   std::vector<const void*> data;
 };
 
-Contents contents_of(const Transfer& transfer, const Coefficients& coefficients) {
-  const auto data = sections_of(transfer, coefficients);
+Contents contents_of(const Transfer& transfer, const Encoded& encoded) {
   Contents contents;
   std::uint64_t offset = 0;
-  for (std::size_t i = 0; i < data.size(); ++i) {
-    const layout::Kind& kind = layout::kSections[i];
-    if (kind.presence == layout::Presence::kOptional && data[i].rows == 0) continue;
+  const auto* kind = layout::kSections.begin();
+  layout::each_section(transfer, encoded, [&](const auto& items) {
+    const layout::Kind& known = *kind++;
+    if (known.presence == layout::Presence::kOptional && items.empty()) return;
     layout::Section section;
-    section.name = layout::padded(kind.name);
-    section.type = kind.name == "transfer" ? layout::type_of(transfer.shape.storage.element) : kind.type;
-    section.columns = kind.columns != 0 ? kind.columns : coefficients.columns;
-    section.rows = data[i].rows;
+    section.name = layout::padded(known.name);
+    section.type = known.name == "transfer" ? layout::type_of(transfer.shape.storage.element) : known.type;
+    section.columns = known.columns != 0 ? known.columns : static_cast<std::uint32_t>(transfer.shape.stored_length());
+    section.rows = items.size() * sizeof(items[0]) / (section.columns * layout::size_of(section.type));
     section.offset = offset;
-    section.checksum = checksum(data[i].first, bytes_of(section));
+    section.checksum = checksum(items.data(), bytes_of(section));
     offset += bytes_of(section);
     contents.table.push_back(section);
-    contents.data.push_back(data[i].first);
-  }
+    contents.data.push_back(items.data());
+  });
   return contents;
 }
 
@@ -92,8 +55,9 @@ Contents contents_of(const Transfer& transfer, const Coefficients& coefficients)
 
 void write_transfer(const std::string& path, const Transfer& transfer) {
   check_lengths(transfer);
-  const Coefficients coefficients(transfer);
-  auto [table, data] = contents_of(transfer, coefficients);
+  Encoded encoded;
+  if (!transfer.shape.storage.is_plain()) encoded = encode(transfer.coefficients, transfer.shape);
+  auto [table, data] = contents_of(transfer, encoded);
   std::string header = transfer_header(transfer);
   header.resize((header.size() + kHeaderUnit - 1) / kHeaderUnit * kHeaderUnit, ' ');
   const std::size_t table_size = table.size() * sizeof(layout::Section);

@@ -16,8 +16,8 @@
 #include "prt/bake/bake.hpp"
 #include "prt/bake/bounces.hpp"
 #include "prt/bake/shadow_pass.hpp"
-#include "prt/bake/unshadowed.hpp"
 #include "prt/scene/scene.hpp"
+#include "prt/transfer/unshadowed.hpp"
 #include "tests/bench/harness.hpp"
 
 namespace {
@@ -58,12 +58,12 @@ struct Group {
   double baked = std::numeric_limits<double>::max();
 };
 
-std::vector<Group> groups_of(const Mesh& mesh, const RaySetup& setup, Gatherer& gatherer) {
+std::vector<Group> groups_of(const Mesh& mesh, Gatherer& gatherer) {
   std::vector<Group> groups;
   for (std::size_t v = 0; v < mesh.positions.size(); v += kVertexStep) {
     if (v % (kVertexStep * kGroup) == 0) groups.emplace_back();
     groups.back().vertices.push_back(v);
-    groups.back().rays.push_back(gatherer.rays(setup.starts[v].origin, mesh.normals[v], mesh.geometric_normals[v]));
+    groups.back().rays.push_back(gatherer.rays(v));
   }
   return groups;
 }
@@ -80,21 +80,17 @@ void trace(const Tracer& tracer, std::vector<std::vector<ShadowRay>>& rays) {
 void rays_at(Table& table, int degree) {
   Scene scene = load_scene("demo", OnFlaw::kMend);
   scene.bake.degree = degree;
-  const RaySetup setup(scene, 1, "");
-  const Mesh& mesh = scene.mesh;
-  Gatherer gatherer(setup.directions, setup.tracer);
-  std::vector<Group> groups = groups_of(mesh, setup, gatherer);
+  const RaySetup setup(scene.mesh, scene.bake, 1, "");
+  Gatherer gatherer(scene.mesh, setup.starts, setup.tracer, setup.directions);
+  std::vector<Group> groups = groups_of(scene.mesh, gatherer);
   float sum = 0.0F;
   for (int pass = 0; pass < kPasses; ++pass) {
     for (Group& group : groups) {
       auto fresh = group.rays;
       group.traced = std::min(group.traced, seconds([&] { trace(setup.tracer, fresh); }));
-      group.baked = std::min(
-          group.baked, seconds([&] {
-            for (const std::size_t v : group.vertices) {
-              sum += gatherer.gather(setup.starts[v].origin, mesh.normals[v], mesh.geometric_normals[v]).fraction();
-            }
-          }));
+      group.baked = std::min(group.baked, seconds([&] {
+                               for (const std::size_t v : group.vertices) sum += gatherer.gather(v).fraction();
+                             }));
     }
   }
   sh::bench::keep(sum);
@@ -120,7 +116,7 @@ void rays(Table& table) {
 void bounces(Table& table) {
   table.section("Bounces, degree 4", "each further one with the hits of the first pass; processor time");
   Scene scene = load_scene("demo", OnFlaw::kMend);
-  const RaySetup setup(scene, 1, "");
+  const RaySetup setup(scene.mesh, scene.bake, 1, "");
   const std::size_t vertices = scene.mesh.positions.size();
   Transfer transfer;
   transfer.shape.degree = scene.bake.degree;
@@ -128,7 +124,7 @@ void bounces(Table& table) {
   FormFactors factors(vertices);
   ShadowResult result{transfer, std::vector<Sight>(vertices, Sight::kSome), &factors};
   Checkpoint none({}, "", result);
-  const double pass = processor_seconds([&] { ShadowPass(scene.mesh, setup, {}, result).run(none); });
+  const double pass = processor_seconds([&] { ShadowPass(setup, {}, result).run(none); });
   const BounceLayout layout{transfer.shape.count()};
   const Panel x(vertices, layout.columns());
   Panel y = x;

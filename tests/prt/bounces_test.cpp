@@ -10,7 +10,7 @@
 #include <random>
 
 #include "prt/bake/bake.hpp"
-#include "prt/bake/trace_form_factors.hpp"
+#include "prt/bake/row_tracer.hpp"
 #include "prt/mesh/tessellate.hpp"
 #include "prt/runtime/relight.hpp"
 #include "prt/transfer/transfer_file.hpp"
@@ -24,22 +24,12 @@ namespace {
 
 const auto kRoot4Pi = static_cast<float>(std::sqrt(4.0 * std::numbers::pi));
 
-BakeOptions options_of(int directions) {
-  BakeOptions options;
-  options.degree = 0;
-  options.directions = directions;
-  return options;
-}
-
 // The common parts of several bounce systems on one mesh.
 struct Room {
-  explicit Room(Mesh m, int directions = 1024) : mesh(std::move(m)), shared(options_of(directions)), tracer(mesh) {
-    Gatherer gatherer(shared, tracer);
-    RowMerger merger(mesh);
-    for (std::size_t v = 0; v < starts.size(); ++v) {
-      gatherer.gather(starts[v].origin, mesh.normals[v], mesh.geometric_normals[v]);
-      factors.keep(v, merger.merge(gatherer.closest_hits()));
-    }
+  explicit Room(Mesh m, int directions = 1024) : mesh(std::move(m)) {
+    const RaySetup setup(mesh, {.degree = 0, .directions = directions}, 0, "");
+    const RowMaker make = make_row_maker(setup);
+    for (std::size_t v = 0; v < factors.size(); ++v) factors.keep(v, make(v));
   }
 
   // Solves x = own(v) + albedo K x in all channels.
@@ -54,18 +44,8 @@ struct Room {
     return x;
   }
 
-  static BakeOptions options(int directions) {
-    BakeOptions options;
-    options.degree = 0;
-    options.directions = directions;
-    return options;
-  }
-
   static constexpr BounceLayout kLayout{1};
   Mesh mesh;
-  SharedDirections shared;
-  Tracer tracer;
-  std::vector<RayStart> starts = ray_starts(mesh);
   FormFactors factors{mesh.positions.size()};
 };
 

@@ -3,10 +3,10 @@
 
 #include "prt/bake/bake.hpp"
 #include "prt/light/project.hpp"
-#include "prt/runtime/reference_render.hpp"
 #include "prt/runtime/relight.hpp"
 #include "prt/runtime/render.hpp"
 #include "prt/scene/scene.hpp"
+#include "tests/prt/reference_render.hpp"
 
 namespace sh::prt {
 namespace {

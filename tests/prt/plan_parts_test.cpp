@@ -7,9 +7,8 @@
 
 #include "prt/bake/bake.hpp"
 #include "prt/light/project.hpp"
+#include "prt/plan/bounds.hpp"
 #include "prt/plan/open_vertices.hpp"
-#include "prt/plan/transfer_bounds.hpp"
-#include "prt/plan/turning_light.hpp"
 #include "prt/runtime/relight.hpp"
 #include "tests/prt/meshes.hpp"
 #include "tests/prt/random_light.hpp"

@@ -11,10 +11,8 @@
 #include "prt/bake/bake.hpp"
 #include "prt/light/light.hpp"
 #include "prt/light/project.hpp"
+#include "prt/plan/bounds.hpp"
 #include "prt/plan/open_vertices.hpp"
-#include "prt/plan/plan_text.hpp"
-#include "prt/plan/transfer_bounds.hpp"
-#include "prt/plan/turning_light.hpp"
 #include "prt/runtime/relight.hpp"
 #include "prt/scene/scene.hpp"
 #include "prt/transfer/transfer_file.hpp"
@@ -311,9 +309,10 @@ TEST(Plan, IsTheSameForAnyNumberOfThreadsAndIsPrinted) {
   BakeSettings one;
   one.threads = 1;
   const BakeJob plan_job = planned_as(scene, lossy(0.03, LightTurns::kAboutZ), one);
-  const std::string text = plan_text(plan_job);
-  EXPECT_EQ(text, plan_text(planned_as(scene, lossy(0.03, LightTurns::kAboutZ))));
-  const nlohmann::json json = plan_json(plan_job);
+  const std::string text = plan_text(*plan_job.plan, plan_job.scene);
+  const BakeJob again = planned_as(scene, lossy(0.03, LightTurns::kAboutZ));
+  EXPECT_EQ(text, plan_text(*again.plan, again.scene));
+  const nlohmann::json json = plan_json(*plan_job.plan, plan_job.scene);
   EXPECT_GE(json["decisions"].size(), 6U);
   for (const nlohmann::json& decision : json["decisions"]) {
     EXPECT_NE(text.find(decision["choice"].get<std::string>()), std::string::npos);

@@ -10,8 +10,8 @@
 #include "numeric/output/srgb.hpp"
 #include "prt/image/tone_map.hpp"
 #include "prt/mesh/sides.hpp"
-#include "prt/runtime/reference_render.hpp"
 #include "prt/scene/camera.hpp"
+#include "tests/prt/reference_render.hpp"
 #include "tests/prt/temporary_folder.hpp"
 
 namespace sh::prt {

@@ -10,8 +10,7 @@
 #include <set>
 
 #include "prt/bake/bake.hpp"
-#include "prt/study/exact.hpp"
-#include "prt/study/false_color.hpp"
+#include "prt/study/error_picture.hpp"
 #include "prt/study/study_setup.hpp"
 #include "prt/transfer/transfer.hpp"
 #include "tests/prt/image_files.hpp"
@@ -20,6 +19,13 @@
 
 namespace sh::prt::test {
 namespace {
+
+// The part of the cosine that the disc hides: the form factor of a differential area and a parallel disc [Howell82].
+double disc_form_factor(double off_axis, double radius, double height) {
+  const double r = radius * radius;
+  const double z = off_axis * off_axis + height * height + r;
+  return 0.5 * (1.0 - (z - 2.0 * r) / std::sqrt(z * z - 4.0 * r * off_axis * off_axis));
+}
 
 TEST(HiddenByDisc, AgreesInBandZeroWithTheFormFactorOfAParallelDisc) {
   double worst = 0.0;
@@ -32,11 +38,6 @@ TEST(HiddenByDisc, AgreesInBandZeroWithTheFormFactorOfAParallelDisc) {
   }
   EXPECT_LT(worst, 2e-9) << worst;
   EXPECT_NEAR(disc_form_factor(0.0, 1.0, 0.6), 1.0 / 1.36, 1e-15);  // on the axis R^2 / (R^2 + h^2)
-}
-
-TEST(HiddenByDisc, OfAHugeNearDiscIsTheWholeHemisphere) {
-  EXPECT_NEAR(disc_form_factor(0.3, 1e4, 1.0), 1.0, 1e-7);
-  EXPECT_NEAR(disc_form_factor(1e4, 1.0, 1.0), 0.0, 1e-7);
 }
 
 TEST(FittedSlope, IsThatOfAPowerLawAndOfTheClosedAnswerWhereThereIsOne) {

@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "prt/bake/bake_run.hpp"
 #include "prt/bake/steps.hpp"
 #include "prt/runtime/relight.hpp"
 #include "prt/transfer/shape.hpp"

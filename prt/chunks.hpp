@@ -27,15 +27,15 @@ constexpr VertexRange chunk_range(std::size_t chunk, std::size_t vertices) {
 }
 
 /// The number of threads to use: 0 stands for every core, and the result never exceeds the number of cores.
-inline std::size_t thread_count(int threads) {
+inline int thread_count(int threads) {
   const int cores = tbb::this_task_arena::max_concurrency();
-  return static_cast<std::size_t>(threads == 0 ? cores : std::min(threads, cores));
+  return threads == 0 ? cores : std::min(threads, cores);
 }
 
 /// Runs `work` in an arena of that many threads.
 template <class Work>
 void on_threads(int threads, const Work& work) {
-  tbb::task_arena arena(static_cast<int>(thread_count(threads)));
+  tbb::task_arena arena(thread_count(threads));
   arena.execute(work);
 }
 
@@ -43,6 +43,15 @@ void on_threads(int threads, const Work& work) {
 template <class Each>
 void for_chunks(std::size_t vertices, const Each& each) {
   tbb::parallel_for(std::size_t{0}, chunk_count(vertices), each);
+}
+
+/// Calls each(vertex) for all vertices, in parallel; the vertices of a chunk in their order.
+template <class Each>
+void for_vertices(std::size_t vertices, const Each& each) {
+  for_chunks(vertices, [&](std::size_t chunk) {
+    const VertexRange range = chunk_range(chunk, vertices);
+    for (std::size_t v = range.first; v < range.last; ++v) each(v);
+  });
 }
 
 }  // namespace sh::prt

@@ -1,4 +1,6 @@
-#include "prt/bake/gather.hpp"
+#include "prt/rays/gather.hpp"
+
+#include <tbb/enumerable_thread_specific.h>
 
 #include <algorithm>
 #include <cmath>
@@ -6,8 +8,9 @@
 #include <utility>
 
 #include "generated/cpp/rotate.hpp"
-#include "prt/at_degree.hpp"
+#include "numeric/output/progress.hpp"
 #include "prt/basis.hpp"
+#include "prt/chunks.hpp"
 #include "prt/light/light_coefficients.hpp"
 #include "prt/mesh/corner_angle.hpp"
 #include "prt/rays/directions.hpp"
@@ -18,6 +21,7 @@ namespace {
 
 constexpr float kOffset = 2e-3F;           // of the reach of the mesh around
 constexpr float kRoundings = 32.0F;        // at least this many roundings of the coordinates
+constexpr float kNearlyDark = 0.03F;       // of the cosine; such vertices are looked at more closely
 constexpr float kCoveredReach = 2.0F;      // hits nearer than this many reaches,
 constexpr float kCoveredWeight = 0.97F;    // along this part of the cosine, cover a vertex
 constexpr std::size_t kRowUnit = 8;        // floats
@@ -109,7 +113,7 @@ SharedDirections::SharedDirections(std::vector<Eigen::Vector3f> directions, std:
   for (std::size_t j = 0; j < directions_.size(); ++j) {
     row(directions_[j], values_.data() + j * row_length_);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      components_[axis * directions_.size() + j] = directions_[j][static_cast<int>(axis)];
+      components_[axis * directions_.size() + j] = directions_[j][axis];
     }
   }
 }
@@ -128,9 +132,20 @@ void SharedDirections::turn(const Eigen::Matrix3f& frame, float* row) const {
   at_degree(degree_, [&](auto degree) { sh::rotate<degree()>(rows.data(), row, row); });
 }
 
-Gatherer::Gatherer(const SharedDirections& directions, const Tracer& tracer)
-    : directions_(directions),
+// This order of operations keeps every bit of DU for an open vertex.
+void control_with_unshadowed(const Gathered& seen, std::size_t count, float* transfer) {
+  const float fraction = seen.fraction();
+  for (std::size_t i = 0; i < count; ++i) {
+    transfer[i] = fraction * transfer[i] + (seen.visible[i] - fraction * seen.all[i]);
+  }
+}
+
+Gatherer::Gatherer(const Mesh& mesh, const std::vector<RayStart>& starts, const Tracer& tracer,
+                   const SharedDirections& directions)
+    : mesh_(mesh),
+      starts_(starts),
       tracer_(tracer),
+      directions_(directions),
       rays_(directions.size()),
       chosen_(directions.size()),
       visible_(directions.size()),
@@ -138,8 +153,9 @@ Gatherer::Gatherer(const SharedDirections& directions, const Tracer& tracer)
       weights_(directions.size(), 1.0F / static_cast<float>(directions.size())),
       heights_(directions.size()) {}
 
-std::size_t Gatherer::aim(const Eigen::Vector3f& origin, const Eigen::Vector3f& normal,
-                          const Eigen::Vector3f& geometric_normal) {
+std::size_t Gatherer::aim(std::size_t vertex) {
+  const Eigen::Vector3f& normal = mesh_.normals[vertex];
+  const Eigen::Vector3f& geometric_normal = mesh_.geometric_normals[vertex];
   if (directions_.about_normal()) {
     frame_ = frame_about(normal);
     directions_.cosines_with(frame_.transpose() * geometric_normal, heights_.data());
@@ -158,13 +174,12 @@ std::size_t Gatherer::aim(const Eigen::Vector3f& origin, const Eigen::Vector3f& 
     traced += counts & is_above;
     below_ += counts & (is_above ^ 1U);
   }
-  for (std::size_t i = 0; i < traced; ++i) rays_[i].aim(origin, towards(chosen_[i]));
+  for (std::size_t i = 0; i < traced; ++i) rays_[i].aim(starts_[vertex].origin, towards(chosen_[i]));
   return traced;
 }
 
-const Gathered& Gatherer::gather(const Eigen::Vector3f& origin, const Eigen::Vector3f& normal,
-                                 const Eigen::Vector3f& geometric_normal) {
-  const std::size_t traced = aim(origin, normal, geometric_normal);
+const Gathered& Gatherer::gather(std::size_t vertex) {
+  const std::size_t traced = aim(vertex);
   for (std::size_t first = 0; first < traced; first += kStreamRays) {
     tracer_.occluded({rays_.data() + first, std::min(kStreamRays, traced - first)});
   }
@@ -189,36 +204,38 @@ const Gathered& Gatherer::gather(const Eigen::Vector3f& origin, const Eigen::Vec
   return result_;
 }
 
+void Gatherer::intersect(const std::uint32_t* chosen, std::size_t count) {
+  along_.clear();
+  for (std::size_t i = 0; i < count; ++i) along_.push_back(towards(chosen[i]));
+  hits_.resize(count);
+  const Eigen::Vector3f origin = rays_.front().origin;  // one for all
+  tracer_.intersect(std::vector<Eigen::Vector3f>(count, origin), along_, hits_);
+}
+
 const std::vector<BlockedRay>& Gatherer::closest_hits() {
   closest_.clear();
   double whole = 0.0;
   for (std::size_t i = 0; i < visible_count_; ++i) whole += static_cast<double>(weights_[visible_[i]]);
   for (std::size_t i = 0; i < blocked_count_; ++i) whole += static_cast<double>(weights_[blocked_[i]]);
-  const std::size_t count = blocked_count_ - below_;
-  std::vector<Eigen::Vector3f> directions(count);
-  std::vector<Hit> hits(count);
-  for (std::size_t i = 0; i < count; ++i) directions[i] = towards(blocked_[below_ + i]);
-  const Eigen::Vector3f origin = rays_.front().origin;  // one for all
-  tracer_.intersect(std::vector<Eigen::Vector3f>(count, origin), directions, hits);
-  for (std::size_t i = 0; i < count; ++i) {
-    closest_.push_back({directions[i], hits[i], static_cast<double>(weights_[blocked_[below_ + i]]) / whole});
+  intersect(blocked_.data() + below_, blocked_count_ - below_);
+  for (std::size_t i = 0; i < hits_.size(); ++i) {
+    closest_.push_back({along_[i], hits_[i], static_cast<double>(weights_[blocked_[below_ + i]]) / whole});
   }
   return closest_;
 }
 
-Sight Gatherer::classify(const Mesh& mesh, std::size_t vertex, const RayStart& start, bool is_dark) {
-  const std::size_t traced = aim(start.origin, mesh.normals[vertex], mesh.geometric_normals[vertex]);
-  std::vector<Eigen::Vector3f> directions;
-  for (std::size_t i = 0; i < traced; ++i) directions.push_back(towards(chosen_[i]));
-  std::vector<Hit> hits(traced);
-  tracer_.intersect(std::vector<Eigen::Vector3f>(traced, start.origin), directions, hits);
+Sight Gatherer::sight(std::size_t vertex, float fraction) {
+  if (fraction >= kNearlyDark) return Sight::kSome;
+  const bool is_dark = fraction <= 0.0F;
+  const std::size_t traced = aim(vertex);
+  intersect(chosen_.data(), traced);
   std::size_t backs = 0;
   float weight_near = 0.0F;
   float weight = 0.0F;
   for (std::size_t i = 0; i < traced; ++i) {
-    const bool hit = hits[i].face != Hit::kNothing;
-    backs += hit && face_normal(mesh.positions, mesh.faces[hits[i].face]).dot(directions[i]) > 0.0F ? 1 : 0;
-    weight_near += hit && hits[i].distance < kCoveredReach * start.reach ? weights_[chosen_[i]] : 0.0F;
+    const bool hit = hits_[i].face != Hit::kNothing;
+    backs += hit && face_normal(mesh_.positions, mesh_.faces[hits_[i].face]).dot(along_[i]) > 0.0F ? 1 : 0;
+    weight_near += hit && hits_[i].distance < kCoveredReach * starts_[vertex].reach ? weights_[chosen_[i]] : 0.0F;
     weight += weights_[chosen_[i]];
   }
   if (is_dark && 2 * backs >= traced) return Sight::kBuried;
@@ -226,10 +243,19 @@ Sight Gatherer::classify(const Mesh& mesh, std::size_t vertex, const RayStart& s
   return is_dark ? Sight::kDark : Sight::kSome;
 }
 
-std::vector<ShadowRay> Gatherer::rays(const Eigen::Vector3f& origin, const Eigen::Vector3f& normal,
-                                      const Eigen::Vector3f& geometric_normal) {
-  const std::size_t traced = aim(origin, normal, geometric_normal);
-  return {rays_.begin(), rays_.begin() + static_cast<std::ptrdiff_t>(traced)};
+std::vector<ShadowRay> Gatherer::rays(std::size_t vertex) {
+  const std::size_t traced = aim(vertex);
+  return {rays_.begin(), rays_.begin() + traced};
+}
+
+void gather_all(const Mesh& mesh, const std::vector<RayStart>& starts, const Tracer& tracer,
+                const SharedDirections& directions, const std::vector<std::uint32_t>& vertices,
+                const std::function<void(const Gathered&, std::size_t)>& each) {
+  tbb::enumerable_thread_specific<Gatherer> gatherers([&] { return Gatherer(mesh, starts, tracer, directions); });
+  for_vertices(vertices.size(), [&](std::size_t i) {
+    output::check_interrupt();
+    each(gatherers.local().gather(vertices[i]), i);
+  });
 }
 
 }  // namespace sh::prt

@@ -7,11 +7,9 @@
 #include <functional>
 #include <vector>
 
-#include "prt/bake/fill_closed.hpp"
 #include "prt/mesh/mesh.hpp"
 #include "prt/rays/tracer.hpp"
 #include "prt/scene/bake_options.hpp"
-#include "prt/transfer/transfer.hpp"
 
 namespace sh::prt {
 
@@ -66,6 +64,9 @@ struct Gathered {
   [[nodiscard]] float fraction() const { return all[0] > 0.0F ? visible[0] / all[0] : 0.0F; }
 };
 
+/// Replaces an unshadowed vector (count) by the shadowed one, f DU + (S - f S_all).
+void control_with_unshadowed(const Gathered& seen, std::size_t count, float* transfer);
+
 /// A blocked ray and its share of the cosine weight, which sums to 1 over the hemisphere.
 struct BlockedRay {
   Eigen::Vector3f direction;
@@ -73,47 +74,61 @@ struct BlockedRay {
   double part;
 };
 
+/// What happens to the rays of a vertex. kSome: some leave the scene. kDark: all are blocked by fronts of faces (an
+/// ordinary shadow). kCovered: nearly all hit something nearer than an edge's length. kBuried: all are blocked because
+/// the vertex lies inside something.
+enum class Sight : std::uint8_t { kSome, kDark, kCovered, kBuried };
+
 /// Traces the rays of vertices, with the reusable buffers of one thread. All arguments must outlive it.
 class Gatherer {
  public:
-  Gatherer(const SharedDirections& directions, const Tracer& tracer);
+  Gatherer(const Mesh& mesh, const std::vector<RayStart>& starts, const Tracer& tracer,
+           const SharedDirections& directions);
   /// Traces the rays of one vertex; the result stays valid until the next call.
-  const Gathered& gather(const Eigen::Vector3f& origin, const Eigen::Vector3f& normal,
-                         const Eigen::Vector3f& geometric_normal);
+  const Gathered& gather(std::size_t vertex);
   /// The closest hits of the rays that the last gather() found blocked; valid until the next call of gather() or
   /// closest_hits().
   const std::vector<BlockedRay>& closest_hits();
-  /// Finds why a vertex is nearly dark; call it after gather().
-  Sight classify(const Mesh& mesh, std::size_t vertex, const RayStart& start, bool is_dark);
+  /// What happens to the rays of a vertex that sees `fraction` of its cosine. Nearly dark vertices are traced again.
+  Sight sight(std::size_t vertex, float fraction);
   /// The rays that gather() would trace for one vertex, for measurements.
-  std::vector<ShadowRay> rays(const Eigen::Vector3f& origin, const Eigen::Vector3f& normal,
-                              const Eigen::Vector3f& geometric_normal);
+  std::vector<ShadowRay> rays(std::size_t vertex);
 
  private:
   // Selects directions: fills `chosen_`, which are to be traced, and `blocked_`, which lie under the horizon. Returns
   // how many to trace.
-  std::size_t aim(const Eigen::Vector3f& origin, const Eigen::Vector3f& normal,
-                  const Eigen::Vector3f& geometric_normal);
+  std::size_t aim(std::size_t vertex);
+  // Finds the closest hits of `count` chosen directions.
+  void intersect(const std::uint32_t* chosen, std::size_t count);
 
   // Direction j in world axes.
   [[nodiscard]] Eigen::Vector3f towards(std::uint32_t j) const {
     return directions_.about_normal() ? (frame_ * directions_.direction(j)).eval() : directions_.direction(j);
   }
 
-  const SharedDirections& directions_;
+  const Mesh& mesh_;
+  const std::vector<RayStart>& starts_;
   const Tracer& tracer_;
+  const SharedDirections& directions_;
   std::vector<ShadowRay> rays_;
   std::vector<std::uint32_t> chosen_;  // directions to trace
   std::vector<std::uint32_t> visible_;
   std::vector<std::uint32_t> blocked_;  // the first below_ lie under the horizon
   std::size_t below_ = 0;
   std::size_t visible_count_ = 0;
-  std::size_t blocked_count_ = 0;  // with those under the horizon
+  std::size_t blocked_count_ = 0;       // with those under the horizon
+  std::vector<Eigen::Vector3f> along_;  // of intersect()
+  std::vector<Hit> hits_;
   std::vector<BlockedRay> closest_;
   Eigen::Matrix3f frame_;       // of the vertex, where directions are about the normal
   std::vector<float> weights_;  // of every direction, 4/N cosine with the shading normal, or 1/N
   std::vector<float> heights_;  // cosine with the geometric normal
   Gathered result_;
 };
+
+/// Calls each(gathered, i) for the rays of every vertices[i], on all threads of the caller's arena.
+void gather_all(const Mesh& mesh, const std::vector<RayStart>& starts, const Tracer& tracer,
+                const SharedDirections& directions, const std::vector<std::uint32_t>& vertices,
+                const std::function<void(const Gathered&, std::size_t)>& each);
 
 }  // namespace sh::prt

@@ -1,4 +1,4 @@
-#include "prt/runtime/reference_render.hpp"
+#include "tests/prt/reference_render.hpp"
 
 #include <oneapi/tbb/parallel_for.h>
 

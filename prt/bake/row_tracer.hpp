@@ -1,0 +1,61 @@
+// Traces the rays of one vertex for a bake: what it sees of the sky, directly and over mirrors, and its row of the form
+// factors. Mirrors are gray: only the first channel of a reflectance counts (prt/bake/bake.cpp handles colored mirrors).
+#pragma once
+#include <string>
+#include <vector>
+
+#include "prt/bake/form_factors.hpp"
+#include "prt/rays/gather.hpp"
+#include "prt/rays/mirror_paths.hpp"
+
+namespace sh::prt {
+
+/// Everything that the rays of a bake need. It lives as long as form factors may be traced again. The mesh must outlive
+/// it.
+struct RaySetup {
+  RaySetup(const Mesh& the_mesh, const BakeOptions& options, int threads, const std::string& instruction_set)
+      : mesh(the_mesh), tracer(mesh, threads, instruction_set), directions(options) {}
+  RaySetup(const RaySetup&) = delete;
+  RaySetup& operator=(const RaySetup&) = delete;
+
+  const Mesh& mesh;
+  Tracer tracer;
+  MirrorPaths mirrors{mesh, tracer};
+  SharedDirections directions;
+  std::vector<RayStart> starts = ray_starts(mesh);
+};
+
+/// The reusable buffers of one thread. The setup must outlive it.
+class RowTracer {
+ public:
+  explicit RowTracer(const RaySetup& setup)
+      : setup_(setup),
+        gatherer_(setup.mesh, setup.starts, setup.tracer, setup.directions),
+        sums_(setup.mesh.positions.size(), 0.0) {}
+
+  [[nodiscard]] Gatherer& gatherer() { return gatherer_; }
+  /// Finds the closest hits of the rays that the last gather(vertex) found blocked, and follows their mirror paths.
+  void meet(std::size_t vertex);
+  /// Adds the sky that meet() found in mirrors to a transfer vector (bands^2); returns its part of the cosine. A path
+  /// that leaves the scene in direction s adds (its part of the cosine) * (product of the reflectances) * Y(s).
+  float add_sky(int degree, float* transfer) const;
+  /// The part of the cosine that meet() left out where it cut paths.
+  [[nodiscard]] double cut() const { return cut_; }
+  /// Merges the hits of meet() into a row of the form factors. Surfaces are one-sided: a face that a ray hits from
+  /// behind is black.
+  FormFactorRow row();
+
+ private:
+  const RaySetup& setup_;
+  Gatherer gatherer_;
+  std::vector<Leg> legs_;
+  std::vector<BlockedRay> met_;  // at the ends of all paths, with the remaining parts of the cosine
+  std::vector<BlockedRay> sky_;
+  double cut_ = 0.0;
+  std::vector<double> sums_;  // (vertices), zero between calls
+};
+
+/// Returns a function that traces the rows of vertices again. The setup must outlive it.
+RowMaker make_row_maker(const RaySetup& setup);
+
+}  // namespace sh::prt

@@ -1,0 +1,173 @@
+#include "prt/study/study_output.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "numeric/output/chart.hpp"
+
+namespace sh::prt {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(); }
+
+Json to_json(const RadianceError& error, const Scene& scene) {
+  const Eigen::Vector3f& place = scene.mesh.positions[error.worst_vertex];
+  return {{"relative_rms", number(error.rms)},
+          {"relative_largest", number(error.largest)},
+          {"worst_vertex", error.worst_vertex},
+          {"worst_place", {place.x(), place.y(), place.z()}}};
+}
+
+Json to_json(const StudyPoint& point, const Scene& scene) {
+  Json json = {{"at", point.at}, {"error", to_json(point.error, scene)}};
+  if (point.exact_error) json["error_against_closed_answer"] = to_json(*point.exact_error, scene);
+  if (point.coefficient_error) {
+    json["coefficient_error"] = {{"rms", point.coefficient_error->rms}, {"largest", point.coefficient_error->largest}};
+  }
+  if (point.bytes_a_vertex) json["bytes_a_vertex"] = *point.bytes_a_vertex;
+  if (point.seconds) {
+    json["passes"] = point.passes;
+    json["time"] = {{"seconds_a_vertex", *point.seconds_a_vertex}, {"seconds_of_scene", *point.seconds}};
+  }
+  return json;
+}
+
+Json to_json(const StudySeries& series, const Scene& scene) {
+  Json json = {{"name", series.name}};
+  if (series.slope) json["slope"] = *series.slope;
+  json["points"] = Json::array();
+  for (const StudyPoint& point : series.points) json["points"].push_back(to_json(point, scene));
+  return json;
+}
+
+Json to_json(const StudyPart& part, const Scene& scene) {
+  Json json = {{"name", part.name}, {"axis", part.axis}, {"reference", part.reference}, {"series", Json::array()}};
+  for (const StudySeries& series : part.series) json["series"].push_back(to_json(series, scene));
+  for (const ErrorField& field : part.fields) {
+    json["pictures"].push_back(
+        {{"file", "errors_" + field.name + ".png"}, {"title", field.title}, {"error", to_json(field.error, scene)}});
+  }
+  return json;
+}
+
+using output::Chart;
+using output::ChartSeries;
+
+constexpr double kWidth = 640;
+constexpr double kHeight = 420;
+
+// True if all points of all curves are as `is_so` says.
+bool all_points(const StudyPart& part, const std::function<bool(const StudyPoint&)>& is_so) {
+  return std::all_of(part.series.begin(), part.series.end(), [&](const StudySeries& series) {
+    return std::all_of(series.points.begin(), series.points.end(), is_so);
+  });
+}
+
+const RadianceError& shown_error(const StudyPoint& point) {
+  return point.exact_error ? *point.exact_error : point.error;
+}
+
+std::string named(const StudySeries& series) {
+  return series.slope ? fmt::format("{}, slope {}{:.2f}", series.name, *series.slope < 0.0 ? "\u2212" : "",
+                                    std::abs(*series.slope))
+                      : series.name;
+}
+
+std::string hover(const StudySeries& series, const StudyPoint& point) {
+  const RadianceError& error = shown_error(point);
+  std::string text = fmt::format("{}, {:g}\nrms {:.2g}, largest {:.2g} (vertex {})", series.name, point.at, error.rms,
+                                 error.largest, error.worst_vertex);
+  if (point.seconds) {
+    text += fmt::format("\n{:.3g} us a vertex, {:.3g} s", *point.seconds_a_vertex * 1e6, *point.seconds);
+  }
+  return text;
+}
+
+// The label of a point; only the first curve has labels.
+std::string label(const StudyPart& part, std::size_t curve, const StudyPoint& point) {
+  if (curve > 0) return "";
+  if (part.name == "directions") return fmt::format("{}", point.at);
+  if (part.name == "degrees" || part.name == "windows") return fmt::format("degree {}", point.at - 1.0);
+  if (part.name == "bounces") return fmt::format("{} bounce{}", point.at - 1.0, point.at == 2.0 ? "" : "s");
+  return fmt::format("degree {}", std::sqrt(point.at / sizeof(float)) - 1.0);  // of the bytes of single precision
+}
+
+ChartSeries curve(const StudyPart& part, std::size_t index, bool against_time) {
+  const StudySeries& series = part.series[index];
+  ChartSeries line = {.name = named(series),
+                      .color = static_cast<int>(index % output::kChartColors),
+                      .marker = static_cast<output::Marker>(index % output::kMarkers),
+                      .line = output::Line::kStraight};
+  for (const StudyPoint& point : series.points) {
+    if (shown_error(point).rms > 0.0) {
+      line.points.push_back({against_time ? *point.seconds : point.at, shown_error(point).rms, hover(series, point),
+                             label(part, index, point)});
+    }
+  }
+  return line;
+}
+
+Chart chart_of(const Study& study, const StudyPart& part, bool against_time) {
+  Chart chart;
+  chart.title = fmt::format("{}: error against {}{}", study.scene, against_time ? "time, by " : "", part.name);
+  chart.x.label = against_time ? "processor time for the scene, seconds" : part.axis;
+  chart.y.label = all_points(part, [](const StudyPoint& point) { return point.exact_error.has_value(); })
+                      ? "error against the exact answer, relative rms"
+                      : "error of exit radiance, relative rms";
+  chart.width = kWidth;
+  chart.height = kHeight;
+  chart.legend = part.series.size() > 1;
+  for (std::size_t i = 0; i < part.series.size(); ++i) chart.series.push_back(curve(part, i, against_time));
+  return chart;
+}
+
+}  // namespace
+
+Json study_json(const Study& study, const Scene& scene) {
+  Json json = {
+      {"format", "shforge study"},
+      {"scene", study.scene},
+      {"vertices", study.vertices},
+      {"faces", study.faces},
+      {"studied", {{"every", study.step}, {"vertices", study.studied}, {"left_out_as_filled", study.left_out}}},
+      {"degree", study.degree},
+      {"directions", study.directions},
+      {"reference_directions", study.reference_directions},
+      {"instruction_set", study.instruction_set},
+      {"error",
+       "exit radiance under the scene's lights, all channels, over the root mean square of the reference; "
+       "vertices weigh by area over the squared distance to the camera"},
+      {"coefficient_error", "absolute, of the transfer vectors of the studied vertices, which hold cosine and 1/pi"},
+      {"time",
+       "processor time in seconds, the least of the passes; each pass has another seed, errors are the root "
+       "mean square over passes"},
+      {"slope", "of log error against log `at`, by least squares"},
+      {"convention", "real SH, orthonormal, no Condon-Shortley phase, i = l(l+1)+m"},
+      {"axes", "right-handed, z up"}};
+  if (study.reference_error) json["reference_error_against_closed_answer"] = to_json(*study.reference_error, scene);
+  json["parts"] = Json::array();
+  for (const StudyPart& part : study.parts) json["parts"].push_back(to_json(part, scene));
+  return json;
+}
+
+std::vector<StudyChart> study_charts(const Study& study) {
+  std::vector<StudyChart> charts;
+  for (const StudyPart& part : study.parts) {
+    if (all_points(part, [](const StudyPoint& point) { return !(shown_error(point).rms > 0.0); })) continue;
+    for (const bool against_time : {false, true}) {
+      if (!against_time || all_points(part, [](const StudyPoint& point) { return point.seconds.has_value(); })) {
+        const Chart chart = chart_of(study, part, against_time);
+        charts.push_back({part.name + (against_time ? "_time.svg" : ".svg"), chart.title, chart_file(chart)});
+      }
+    }
+  }
+  return charts;
+}
+
+}  // namespace sh::prt
