@@ -8,7 +8,6 @@
 #include "numeric/commands/commands.hpp"
 #include "numeric/output/atomic_file.hpp"
 #include "numeric/output/progress.hpp"
-#include "numeric/plot/coefficients.hpp"
 #include "numeric/plot/lobes.hpp"
 #include "numeric/plot/map.hpp"
 

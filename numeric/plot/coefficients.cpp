@@ -1,5 +1,4 @@
-#include "numeric/plot/coefficients.hpp"
-
+// The numbers of sphere_function.hpp that a user gives.
 #include <fmt/core.h>
 
 #include <charconv>
@@ -9,6 +8,7 @@
 #include <system_error>
 
 #include "numeric/output/read_file.hpp"
+#include "numeric/plot/sphere_function.hpp"
 
 namespace sh::numeric::plot {
 namespace {

@@ -6,8 +6,6 @@
 #include <limits>
 #include <vector>
 
-#include "numeric/plot/panel.hpp"
-
 namespace sh::numeric::plot {
 namespace {
 

@@ -1,9 +1,10 @@
-#include "numeric/plot/panel.hpp"
-
+// The panels of map.hpp.
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numbers>
+
+#include "numeric/plot/map.hpp"
 
 namespace sh::numeric::plot {
 namespace {

@@ -1,5 +1,4 @@
-#include "numeric/plot/render.hpp"
-
+// Camera and draw_surface of lobes.hpp.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -7,6 +6,7 @@
 #include <utility>
 
 #include "numeric/output/progress.hpp"
+#include "numeric/plot/lobes.hpp"
 
 namespace sh::numeric::plot {
 namespace {

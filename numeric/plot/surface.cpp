@@ -1,9 +1,10 @@
-#include "numeric/plot/surface.hpp"
-
+// The surfaces of lobes.hpp.
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include "numeric/plot/lobes.hpp"
 
 namespace sh::numeric::plot {
 namespace {

@@ -1,7 +1,6 @@
-// See advise.hpp.
 #include "numeric/report/advise.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +8,7 @@
 #include <stdexcept>
 
 #include "numeric/output/progress.hpp"
-#include "numeric/report/methods.hpp"
+#include "numeric/report/tasks.hpp"
 
 namespace sh::numeric {
 namespace {
@@ -41,14 +40,13 @@ std::vector<Point> front_of(const std::vector<Point>& points, const Need& need) 
   for (const auto& point : points) {
     if (point.info.task == need.task) degrees.insert(point.info.degree);
   }
-  std::string list;
-  for (const int degree : degrees) list += fmt::format("{}{}", list.empty() ? "" : ", ", degree);
   if (degrees.contains(need.degree)) {
     throw std::invalid_argument(
         fmt::format("--scalar: no method of '{}' at degree {} is in {}", need.task, need.degree, need.scalar));
   }
-  throw std::invalid_argument(fmt::format("--degree: no measurement of '{}' at degree {}; there are {}", need.task,
-                                          need.degree, list.empty() ? "none of this task" : list));
+  const std::string list = degrees.empty() ? "none of this task" : fmt::format("{}", fmt::join(degrees, ", "));
+  throw std::invalid_argument(
+      fmt::format("--degree: no measurement of '{}' at degree {}; there are {}", need.task, need.degree, list));
 }
 
 std::string brief(const Point& point) {
@@ -57,15 +55,9 @@ std::string brief(const Point& point) {
 }
 
 const char* time_of(Mode mode) {
-  switch (mode) {
-    case Mode::kOne:
-      return "a call";
-    case Mode::kPrepared:
-      return "a call, without what is prepared";
-    case Mode::kBatch:
-      return "a record of a batch";
-  }
-  return "";
+  return mode == Mode::kOne        ? "a call"
+         : mode == Mode::kPrepared ? "a call, without what is prepared"
+                                   : "a record of a batch";
 }
 
 }  // namespace
@@ -77,7 +69,7 @@ Advice advise(const std::vector<Point>& points, const Need& need) {
       std::find_if(front.begin(), front.end(), [&](const Point& point) { return point.error <= need.error; });
   const bool good_enough = found != front.end();
   const auto choice = good_enough ? found : front.end() - 1;
-  Advice advice{.choice = *choice, .good_enough = good_enough, .cheaper = {}, .more_exact = {}};
+  Advice advice{.choice = *choice, .good_enough = good_enough};
   if (choice != front.begin()) advice.cheaper = *(choice - 1);
   if (choice + 1 != front.end()) advice.more_exact = *(choice + 1);
   return advice;
@@ -85,9 +77,9 @@ Advice advise(const std::vector<Point>& points, const Need& need) {
 
 std::vector<Point> measure_for(const Need& need) {
   const auto& task = find_task("--task", need.task);
-  if (need.degree < task.lowest || need.degree > task.highest) {
-    throw std::invalid_argument(fmt::format("--degree: {} is out of range for '{}', which is measured from {} to {}",
-                                            need.degree, task.id, task.lowest, task.highest));
+  if (need.degree < 1 || need.degree > task.full.back()) {
+    throw std::invalid_argument(fmt::format("--degree: {} is out of range for '{}', which is measured from 1 to {}",
+                                            need.degree, task.id, task.full.back()));
   }
   Measurer measurer({.budget = std::chrono::milliseconds(5), .most_inputs = 1200});
   std::vector<Point> points;
@@ -102,9 +94,8 @@ std::vector<Point> measure_for(const Need& need) {
 std::string format_advice(const Need& need, const Advice& advice) {
   const auto& p = advice.choice;
   std::string text = fmt::format("{}, degree {}, error at most {:g}: ", need.task, need.degree, need.error);
-  text += advice.good_enough
-              ? fmt::format("{}, {}\n", p.info.name, p.info.scalar)
-              : fmt::format("no method is exact enough; the most exact is {}, {}\n", p.info.name, p.info.scalar);
+  text += fmt::format("{}{}, {}\n", advice.good_enough ? "" : "no method is exact enough; the most exact is ",
+                      p.info.name, p.info.scalar);
   text += fmt::format("  #include \"{}\"\n  {}\n", p.info.header, p.info.call);
   text += fmt::format("  error       {:.2g} ({:.2g} eps x {}), the largest of {} inputs; {} at {}\n", p.error,
                       p.error_eps, p.unit, p.inputs, p.worst.output, p.worst.input);

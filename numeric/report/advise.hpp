@@ -1,4 +1,4 @@
-// Which method to take: the cheapest that is exact enough, from what was measured.
+// Which method to take: the cheapest that is exact enough, by measurements.
 #pragma once
 
 #include <optional>
@@ -6,36 +6,32 @@
 #include <vector>
 
 #include "numeric/report/measure.hpp"
-#include "numeric/report/report.hpp"
 
 namespace sh::numeric {
 
 struct Need {
   std::string task;
   int degree = 0;
-  double error = 0;       // at most; as Point::error
-  std::string scalar;     // "float", "double"; empty: either
-  bool batch = false;     // many records at once would do
-  bool prepared = false;  // so would computing once what many calls share
+  double error = 0;         ///< at most; as Point::error
+  std::string scalar = {};  ///< "float", "double"; empty: either
+  bool batch = false;       ///< many records at once would do
+  bool prepared = false;    ///< so would a part computed once for many calls
 };
 
 struct Advice {
   Point choice;
-  bool good_enough = false;         // else the most exact there is
-  std::optional<Point> cheaper;     // the next faster one that nothing beats in both
-  std::optional<Point> more_exact;  // the next more exact one
+  bool good_enough = false;              ///< else the most exact there is
+  std::optional<Point> cheaper = {};     ///< the next faster one that nothing beats in both
+  std::optional<Point> more_exact = {};  ///< the next more exact one
 };
 
-// Throws std::invalid_argument, one line, where no point has this task and degree, saying which there are.
+/// Throws std::invalid_argument, one line, where no point has this task and degree; the line says which there are.
 Advice advise(const std::vector<Point>& points, const Need& need);
 
-// Measures every method of the task at the degree. A second or two.
+/// Measures every method of the task at the degree, in a second or two.
 std::vector<Point> measure_for(const Need& need);
 
-// The points of a file that `shcheck report` wrote. Throws std::runtime_error, one line naming the file.
-std::vector<Point> read_report(const std::string& file);
-
-// Some lines of text.
+/// Some lines of text.
 std::string format_advice(const Need& need, const Advice& advice);
 
 }  // namespace sh::numeric

@@ -1,13 +1,9 @@
-// See measure.hpp.
 #include "numeric/report/measure.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <type_traits>
 #include <utility>
-
-#include "numeric/report/methods.hpp"
 
 namespace sh::numeric {
 namespace {
@@ -16,19 +12,8 @@ namespace {
 std::size_t most_inputs(std::size_t most, int degree) {
   constexpr int kLow = 10;
   constexpr std::size_t kLeast = 12;
-  const auto cost = static_cast<std::size_t>(degree) * static_cast<std::size_t>(degree);
+  const auto cost = static_cast<std::size_t>(degree * degree);
   return degree <= kLow ? most : std::max(kLeast, most / cost);
-}
-
-FamilyCheck thinned(FamilyCheck check, std::size_t most) {
-  check.inputs = [inputs = check.inputs, most](int degree) {
-    auto all = inputs(degree);
-    const std::size_t step = (all.size() + most - 1) / most;
-    std::vector<NamedInput> some;
-    for (std::size_t i = 0; i < all.size(); i += step) some.push_back(std::move(all[i]));
-    return some;
-  };
-  return check;
 }
 
 bool dominates(const Point& a, const Point& b) {
@@ -46,14 +31,15 @@ const Samples<T>& Measurer::samples_of(const FamilyCheck& check, int degree) {
   auto& cache = std::get<Cache<T>>(samples_);
   const auto found = cache.find({check.family, degree});
   if (found != cache.end()) return found->second;
-  FamilyCheck tried = thinned(check, most_inputs(effort_.most_inputs, degree));
-  if (effort_.search) {
-    tried.inputs = [inputs = tried.inputs, found = found_inputs<T>(check, degree)](int at_degree) {
-      auto all = found;  // the last inputs are the random ones, which are timed
-      for (auto& input : inputs(at_degree)) all.push_back(std::move(input));
-      return all;
-    };
-  }
+  FamilyCheck tried = check;
+  tried.inputs = [&](int /*degree*/) {
+    auto all = check.inputs(degree);
+    const std::size_t most = most_inputs(effort_.most_inputs, degree);
+    const std::size_t step = (all.size() + most - 1) / most;
+    std::vector<NamedInput> some = effort_.search ? found_inputs<T>(check, degree) : std::vector<NamedInput>{};
+    for (std::size_t i = 0; i < all.size(); i += step) some.push_back(std::move(all[i]));
+    return some;  // the last inputs are the random ones, which are timed
+  };
   return cache.emplace(std::pair{check.family, degree}, make_samples<T>(tried, degree)).first->second;
 }
 
@@ -77,6 +63,15 @@ Point Measurer::measure(const Method& method, const Code<T>& code, bool relative
 
 Point Measurer::measure(const Method& method, bool relative) {
   return std::visit([&](const auto& code) { return measure(method, code, relative); }, method.code);
+}
+
+std::vector<Method> methods_of(const std::string& task, int degree) {
+  std::vector<Method> all;
+  add_kernel_methods(all, task, degree);
+  add_batch_methods(all, task, degree);
+  add_table_methods(all, task, degree);
+  add_textbook_methods(all, task, degree);
+  return all;
 }
 
 void mark_front(std::vector<Point>& points) {

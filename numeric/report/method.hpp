@@ -1,11 +1,12 @@
-// A way to compute something, as data: what it is, how it is run over inputs, how it is timed.
+// A way to compute something, as data: what it is, how it runs over inputs, how its time is measured.
 //
 // Every method of a task and degree has a check (kernels/family_check.hpp): signature, inputs, exact values, unit of the
-// error. Values travel flat, in the order of signature.hpp. Adding a method: make one with method_of and a code of
-// code.hpp, in a function that methods.cpp lists.
+// error. Values travel flat, in the order of signature.hpp. To add a method, make it with method_of in a function that
+// methods_of calls.
 #pragma once
 
-#include <chrono>
+#include <algorithm>
+#include <array>
 #include <functional>
 #include <string>
 #include <type_traits>
@@ -15,35 +16,40 @@
 
 #include "numeric/kernels/family_check.hpp"
 #include "numeric/kernels/samples.hpp"
+#include "numeric/kernels/timing.hpp"
 
 namespace sh::numeric {
 
-// What a time counts.
+/// The meaning of a time.
 enum class Mode {
-  kOne,       // one call, everything in it
-  kPrepared,  // one call, after what many calls share was computed once
-  kBatch,     // one record of many that one call works on
+  kOne,       ///< of one call, everything in it
+  kPrepared,  ///< of one call, after the part that many calls share
+  kBatch,     ///< of one record of many that one call works on
 };
-const char* to_string(Mode mode);  // "one", "prepared", "batch"
+inline constexpr std::array<Mode, 3> kModes = {Mode::kOne, Mode::kPrepared, Mode::kBatch};
+/// "one", "prepared", "batch".
+inline const char* to_string(Mode mode) {
+  return mode == Mode::kOne ? "one" : mode == Mode::kPrepared ? "prepared" : "batch";
+}
 
 struct MethodInfo {
-  std::string task;  // of tasks.hpp
-  std::string name;  // "rotate_accurate": the same in all degrees and types
+  std::string task;  ///< of tasks.hpp
+  std::string name;  ///< "rotate_accurate": the same in all degrees and types
   int degree = 0;
-  std::string scalar;  // "float", "double"
+  std::string scalar = {};  ///< "float", "double"
   Mode mode = Mode::kOne;
-  std::string header;      // what to include; empty: a control of this comparison
-  std::string call;        // how it is called
-  std::string leaves_out;  // what it assumes or does not do, in a line; empty: nothing
-  std::string source;      // author, year; or the recipe
+  std::string header = {};      ///< the header to include
+  std::string call = {};        ///< the call
+  std::string leaves_out = {};  ///< in a line: what the method assumes or does not do; empty: nothing
+  std::string source = {};      ///< author, year; or the recipe
 };
 
-// T: float or double.
+/// T: float or double.
 template <class T>
 struct Code {
-  // out (n, output_count): the values at every input.
+  /// out (n, output_count): the values at every input.
   std::function<void(const Samples<T>&, T* out)> run;
-  // The least of several passes, nanoseconds as Mode says. Budget: of time to spend.
+  /// The least of several passes, in nanoseconds, as Mode says; `budget` is the time to spend.
   std::function<double(const Samples<T>&, std::chrono::nanoseconds budget)> time;
 };
 
@@ -58,5 +64,50 @@ Method method_of(MethodInfo info, FamilyCheck check, Code<T> code) {
   info.scalar = std::is_same_v<T, float> ? "float" : "double";
   return {std::move(info), std::move(check), std::move(code)};
 }
+
+/// The number of inputs that a timed pass goes through: few where one call takes long.
+inline std::size_t timed_inputs(int degree) { return degree > 10 ? 2 : 16; }
+
+/// function(in, out), flat.
+template <class T>
+using FlatFunction = std::function<void(const T*, T*)>;
+
+template <class T>
+std::function<void(const Samples<T>&, T*)> runner_of(FlatFunction<T> function) {
+  return [function](const Samples<T>& samples, T* out) {
+    for (std::size_t i = 0; i < samples.count(); ++i) {
+      function(samples.input(i), out);
+      out += samples.signature.output_count();
+    }
+  };
+}
+
+template <class T>
+Code<T> code_of(FlatFunction<T> function, int degree) {
+  return {runner_of(function), [function, degree](const Samples<T>& samples, std::chrono::nanoseconds budget) {
+            std::vector<T> out(samples.signature.output_count());
+            std::vector<std::function<void()>> calls;
+            const std::size_t count = std::min(timed_inputs(degree), samples.count());
+            for (std::size_t i = samples.count() - count; i < samples.count(); ++i) {
+              calls.emplace_back([&, i] { function(samples.input(i), out.data()); });
+            }
+            return least_nanoseconds(calls, budget);
+          }};
+}
+
+/// Every method of a task: generated kernels, batches, and the methods of others, in the order of legends. `degree` is
+/// in the range of the task.
+std::vector<Method> methods_of(const std::string& task, int degree);
+
+/// methods_of joins these, one from each file.
+void add_kernel_methods(std::vector<Method>& all, const std::string& task, int degree);
+void add_batch_methods(std::vector<Method>& all, const std::string& task, int degree);
+void add_table_methods(std::vector<Method>& all, const std::string& task, int degree);
+void add_textbook_methods(std::vector<Method>& all, const std::string& task, int degree);
+
+/// The worst inputs that a search finds for the generated kernels of the check's family (kernel_search.hpp), T float or
+/// double; none where there is no kernel.
+template <class T>
+std::vector<NamedInput> found_inputs(const FamilyCheck& check, int degree);
 
 }  // namespace sh::numeric

@@ -5,13 +5,39 @@
 
 #include "numeric/output/markup.hpp"
 #include "numeric/report/figures.hpp"
-#include "numeric/report/page_style.hpp"
 #include "numeric/report/report.hpp"
 
 namespace sh::numeric {
 namespace {
 
 using output::escaped;
+
+// Besides the style of the charts.
+constexpr const char* kPageStyle = R"(
+*{box-sizing:border-box}
+body{margin:0;background:var(--paper);color:var(--ink);font:16px/1.55 system-ui,-apple-system,"Segoe UI",Roboto,"DejaVu Sans",sans-serif}
+main,header,nav{max-width:1020px;margin:0 auto;padding:0 24px}
+header{padding-top:48px}
+h1{font-size:30px;line-height:1.2;margin:0 0 8px;letter-spacing:-.01em}
+h2{font-size:21px;margin:56px 0 4px;padding-top:16px;border-top:1px solid var(--grid)}
+p{max-width:70ch;margin:8px 0}
+.quiet,small{color:var(--quiet)}
+nav{margin-top:20px;display:flex;flex-wrap:wrap;gap:6px 18px}
+a{color:var(--c0);text-decoration:none}a:hover{text-decoration:underline}
+.legend{display:flex;flex-wrap:wrap;gap:4px 18px;margin:14px 0 6px;font-size:13px;padding:0;list-style:none}
+.legend li{display:flex;align-items:center;gap:6px}
+.charts{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(440px,100%),1fr));gap:20px 28px;margin:12px 0}
+.charts .chart{width:100%}
+details{margin:10px 0}summary{cursor:pointer;color:var(--quiet);font-size:14px}
+.table{overflow-x:auto}
+table{border-collapse:collapse;font-size:13px;line-height:1.4;margin:8px 0;font-variant-numeric:tabular-nums}
+th,td{text-align:left;padding:3px 14px 3px 0;vertical-align:top;border-bottom:1px solid var(--grid)}
+th{font-weight:600;color:var(--quiet);white-space:nowrap}
+td.n{text-align:right;white-space:nowrap}td.w{white-space:nowrap}tr.best td{font-weight:600}tr.best td.light{font-weight:400}
+td.how{min-width:26ch}ul{max-width:70ch;padding-left:1.2em}
+code{font:12.5px/1.4 ui-monospace,"SF Mono",Menlo,Consolas,"DejaVu Sans Mono",monospace}
+footer{max-width:1020px;margin:64px auto 32px;padding:0 24px;color:var(--quiet);font-size:13px}
+)";
 
 std::string row(const Point& p) {
   return fmt::format(
@@ -35,9 +61,9 @@ std::string table_of(const Task& task, const std::vector<Point>& points) {
   }
   return fmt::format(
       "<details><summary>All {} measurements</summary><p><small>Bold: on the front of its degree and mode. eps: "
-      "largest "
-      "error in machine epsilon \u00d7 {}.</small></p><div class=\"table\"><table><tr><th>degree</th><th>method</th>"
-      "<th>type</th><th>mode</th><th>ns</th><th>error</th><th>eps</th><th>worst input and output</th><th>leaves "
+      "largest error in machine epsilon \u00d7 {}.</small></p><div "
+      "class=\"table\"><table><tr><th>degree</th><th>method</th><th>type</th><th>mode</th><th>ns</th><th>error</"
+      "th><th>eps</th><th>worst input and output</th><th>leaves "
       "out</th><th>call</th></tr>\n{}</table></div></details>\n",
       count, escaped(unit), rows);
 }
@@ -69,14 +95,12 @@ std::string convergence_section(const std::vector<ConvergenceSeries>& convergenc
     }
   }
   return "<section id=\"convergence\"><h2>Projection by quadrature</h2>\n<p>The coefficients of a function up to "
-         "degree 5 "
-         "from samples of it. Error: the largest of a coefficient, relative to the length of all (root mean square "
-         "over "
-         "seeds for random rules). Time: making the nodes, evaluating the function, summing.</p>\n<ul>" +
+         "degree 5 from samples of it. Error: the largest of a coefficient, relative to the length of all (root mean "
+         "square over seeds for random rules). Time: making the nodes, evaluating the function, summing.</p>\n<ul>" +
          functions + "</ul>\n" + html_of(convergence_figure(convergence)) +
          "<details><summary>All measurements</summary><div "
-         "class=\"table\"><table><tr><th>function</th><th>rule</th><th>samples</th><th>error, "
-         "rms</th><th>error, largest</th><th>\u00b5s</th></tr>\n" +
+         "class=\"table\"><table><tr><th>function</th><th>rule</th><th>samples</th><th>error, rms</th><th>error, "
+         "largest</th><th>\u00b5s</th></tr>\n" +
          rows + "</table></div></details></section>\n";
 }
 
@@ -104,8 +128,8 @@ std::string section_of(const Task& task, const std::vector<Point>& points) {
 
 std::string head(const Report& report) {
   return "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
-         "content=\"width=device-width,initial-scale=1\"><meta name=\"color-scheme\" content=\"light dark\">"
-         "<title>shforge: error against run time</title>\n<style>" +
+         "content=\"width=device-width,initial-scale=1\"><meta name=\"color-scheme\" content=\"light "
+         "dark\"><title>shforge: error against run time</title>\n<style>" +
          output::chart_style() + kPageStyle + "</style></head>\n<body><header><h1>Error against run time</h1>\n" +
          fmt::format("<p class=\"quiet\">{}, one thread; batches on {}; {} mode, measured in {:.0f} s.</p>\n",
                      escaped(report.machine), escaped(report.instruction_set), report.quick ? "quick" : "full",
@@ -114,14 +138,12 @@ std::string head(const Report& report) {
 
 constexpr const char* kHowToRead =
     "<p>Each mark is a method in one type, \u25cf filled for float and \u25cb hollow for double. To the left is "
-    "faster, "
-    "below is more exact. The solid line is the front of single calls, the dashed one that of batches: nothing is both "
-    "faster and more exact than what lies on it. Rest on a mark to see its worst input and what it leaves out.</p>\n"
-    "<p>An error is the largest over all inputs tried (random, axes, poles, beside them; all angles), against an "
-    "oracle "
-    "of other algorithms in higher precision, at the input as rounded to the type. A time is the least of several "
-    "passes, calls through a pointer (about 1 ns of each), without contraction; it drifts between machines and runs, "
-    "ratios hardly do.</p></header>\n";
+    "faster, below is more exact. The solid line is the front of single calls, the dashed one that of batches: nothing "
+    "is both faster and more exact than what lies on it. Rest on a mark to see its worst input and what it leaves "
+    "out.</p>\n<p>An error is the largest over all inputs tried (random, axes, poles, beside them; all angles), "
+    "against an oracle of other algorithms in higher precision, at the input as rounded to the type. A time is the "
+    "least of several passes, calls through a pointer (about 1 ns of each), without contraction; it drifts between "
+    "machines and runs, ratios hardly do.</p></header>\n";
 
 }  // namespace
 

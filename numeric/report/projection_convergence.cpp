@@ -1,24 +1,18 @@
-// Error of the projection against samples and time: projection_convergence.hpp.
 #include "numeric/report/projection_convergence.hpp"
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 
 #include "generated/cpp/project_l5.hpp"
 #include "numeric/oracle/basis.hpp"
-#include "numeric/sampling/power_law.hpp"
+#include "numeric/output/stopwatch.hpp"
 
 namespace sh::numeric {
 namespace {
 
 using Coefficients = std::array<double, coefficient_count(kConvergenceDegree)>;
-using Clock = std::chrono::steady_clock;
-
-constexpr double kRounding = 1e-12;
 
 // Largest error of a coefficient, in units of the norm of the exact ones.
 double error_of(const Coefficients& c, const std::vector<double>& exact) {
@@ -39,12 +33,12 @@ struct Projection {
 
 Projection project_with(const SphereRule& rule, const TestFunction& function, int count, std::uint64_t seed) {
   Projection result;
-  const auto start = Clock::now();
+  const output::Stopwatch stopwatch;
   const auto nodes = rule.nodes(count, seed);
   for (const auto& [x, y, z, weight] : nodes) {
     sh::project_l5(x, y, z, weight * function.value(x, y, z), result.coefficients.data());
   }
-  result.nanoseconds = std::chrono::duration<double, std::nano>(Clock::now() - start).count();
+  result.nanoseconds = 1e9 * stopwatch.seconds();
   result.samples = static_cast<int>(nodes.size());
   return result;
 }
@@ -91,15 +85,6 @@ std::vector<ConvergenceSeries> projection_convergence(bool quick, const std::fun
     }
   }
   return all;
-}
-
-double convergence_exponent(const ConvergenceSeries& series, int from) {
-  std::vector<std::pair<double, double>> errors;
-  for (const ConvergencePoint& p : series.points) {
-    if (p.samples >= from && p.error_rms > kRounding) errors.emplace_back(p.samples, p.error_rms);
-  }
-  const auto law = fit_power_law(errors);
-  return law ? law->exponent : std::numeric_limits<double>::quiet_NaN();
 }
 
 }  // namespace sh::numeric

@@ -7,8 +7,8 @@
 #include <cstdlib>
 
 #include "numeric/oracle/basis.hpp"
+#include "numeric/report/projection_convergence.hpp"
 #include "numeric/report/source_claims.hpp"
-#include "numeric/report/test_functions.hpp"
 #include "numeric/sampling/projection.hpp"
 #include "numeric/sampling/sphere_nodes.hpp"
 

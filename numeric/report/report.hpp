@@ -13,29 +13,29 @@ namespace sh::numeric {
 
 struct ReportOptions {
   bool quick = false;
-  std::string task;  // only this one; empty: all, and the experiments
+  std::string task;  ///< only this one; empty: all, and the experiments
 };
 
 struct Report {
-  std::string machine;          // model name of the processor
-  std::string instruction_set;  // that the batches run on
+  std::string machine;          ///< model name of the processor, as /proc/cpuinfo gives it
+  std::string instruction_set;  ///< of the batches
   bool quick = false;
-  double seconds = 0;  // that measuring took
-  std::vector<Task> tasks;
-  std::vector<Point> points;  // by task, degree, method, type
-  std::vector<ConvergenceSeries> convergence;
-  std::vector<SourceClaim> claims;
+  double seconds = 0;  ///< of all measurements
+  std::vector<Task> tasks = {};
+  std::vector<Point> points = {};  ///< by task, degree, method, type
+  std::vector<ConvergenceSeries> convergence = {};
+  std::vector<SourceClaim> claims = {};
 };
 
-// Shows progress on standard error; throws output::Interrupted when asked to stop, std::invalid_argument for a task
-// that there is none of.
+/// Shows progress on standard error. Throws output::Interrupted if the user asks to stop, std::invalid_argument for an
+/// unknown task.
 Report make_report(const ReportOptions& options);
 
-// "AMD EPYC", as /proc/cpuinfo names it; "unknown processor" elsewhere.
-std::string processor_name();
-
-// As text: a page of its own, and JSON of the schema in README.md.
+/// As text: a page of its own, and JSON of the schema in numeric/README.md.
 std::string report_page(const Report& report);
 std::string report_json(const Report& report);
+
+/// The points of such JSON in a file. Throws std::runtime_error, one line that names the file.
+std::vector<Point> read_report(const std::string& file);
 
 }  // namespace sh::numeric

@@ -1,13 +1,18 @@
-// report_json of report.hpp: the schema is in README.md.
+// report_json and read_report of report.hpp: the schema is in numeric/README.md.
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 
+#include "numeric/output/read_file.hpp"
 #include "numeric/report/report.hpp"
 
 namespace sh::numeric {
 namespace {
 
 using Json = nlohmann::ordered_json;
+constexpr const char* kFormat = "shforge report 1";
 
 Json worst_json(const WorstCase& worst) {
   constexpr std::size_t kMostWritten = 16;
@@ -58,11 +63,44 @@ Json claim_json(const SourceClaim& c) {
           {"how", c.how}};
 }
 
+Mode mode_of(const std::string& text) {
+  const auto found = std::find_if(kModes.begin(), kModes.end(), [&](Mode mode) { return text == to_string(mode); });
+  if (found == kModes.end()) throw std::runtime_error("mode '" + text + "' should be one, prepared or batch");
+  return *found;
+}
+
+double error_of(const Json& value) {
+  const double error = value.is_null() ? std::numeric_limits<double>::infinity() : value.get<double>();
+  if (!(error >= 0)) throw std::runtime_error("an error is negative");
+  return error;
+}
+
+Point point_of(const Json& json) {
+  Point point = {.info = {.task = json.at("task"),
+                          .name = json.at("method"),
+                          .degree = json.at("degree"),
+                          .scalar = json.at("scalar"),
+                          .mode = mode_of(json.at("mode")),
+                          .header = json.at("header"),
+                          .call = json.at("call"),
+                          .leaves_out = json.at("leaves_out"),
+                          .source = json.at("source")},
+                 .nanoseconds = json.at("ns"),
+                 .error = error_of(json.at("error")),
+                 .error_eps = error_of(json.at("error_eps")),
+                 .unit = json.at("unit"),
+                 .inputs = json.at("inputs"),
+                 .worst = {json.at("worst").at("input"), {}, json.at("worst").at("output")},
+                 .on_front = json.at("on_front")};
+  if (!(point.nanoseconds > 0)) throw std::runtime_error("'ns' is not positive");
+  return point;
+}
+
 }  // namespace
 
 std::string report_json(const Report& report) {
   Json json = {
-      {"format", "shforge report 1"},
+      {"format", kFormat},
       {"machine", report.machine},
       {"instruction_set", report.instruction_set},
       {"quick", report.quick},
@@ -75,6 +113,21 @@ std::string report_json(const Report& report) {
   for (const auto& series : report.convergence) json["convergence"].push_back(series_json(series));
   for (const auto& claim : report.claims) json["claims"].push_back(claim_json(claim));
   return json.dump(1) + "\n";
+}
+
+std::vector<Point> read_report(const std::string& file) {
+  const std::string text = output::read_file(file);
+  std::vector<Point> points;
+  try {
+    const auto json = Json::parse(text);
+    if (json.at("format") != kFormat) throw std::runtime_error(std::string("'format' is not '") + kFormat + "'");
+    for (const auto& point : json.at("points")) points.push_back(point_of(point));
+  } catch (const std::exception& error) {
+    std::string reason = error.what();
+    std::replace(reason.begin(), reason.end(), '\n', ' ');
+    throw std::runtime_error(file + ": not a report of shcheck: " + reason);
+  }
+  return points;
 }
 
 }  // namespace sh::numeric

@@ -1,4 +1,3 @@
-// All claims in one list: source_claims.hpp.
 #include "numeric/report/source_claims.hpp"
 
 #include <cmath>
@@ -47,11 +46,16 @@ SourceClaim claim_of(const std::string& id, int reading, double measured, const 
   return claim;
 }
 
-std::vector<SourceClaim> source_claims(bool quick) {
-  std::vector<SourceClaim> all = cube_map_claims();
-  for (const auto& more : {bilinear_claims(), irradiance_claims(quick), random_sample_claims(quick)}) {
-    all.insert(all.end(), more.begin(), more.end());
-  }
+std::vector<SourceClaim> source_claims(bool quick, const std::function<void()>& step) {
+  std::vector<SourceClaim> all;
+  const auto add = [&](const std::vector<SourceClaim>& claims) {
+    all.insert(all.end(), claims.begin(), claims.end());
+    if (step) step();
+  };
+  add(cube_map_claims());
+  add(bilinear_claims());
+  add(irradiance_claims(quick));
+  add(random_sample_claims(quick));
   return all;
 }
 

@@ -5,6 +5,7 @@
 // seeds: the same bits in every run on one machine.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -27,8 +28,9 @@ struct SourceClaim {
 SourceClaim claim_of(const std::string& id, int reading, double measured, const std::string& how);
 SourceClaim claim_of(const std::string& id, int reading, double measured, const std::string& how, bool reproduced);
 
-/// All of the below, in the order in which they are declared. Quick: under two seconds; full: more seeds and lights.
-std::vector<SourceClaim> source_claims(bool quick);
+/// All claims below, in their order. Calls `step` after each of the four functions. Quick: under two seconds; full: more
+/// seeds and lights.
+std::vector<SourceClaim> source_claims(bool quick, const std::function<void()>& step = {});
 
 std::vector<SourceClaim> cube_map_claims();                 ///< S-32, GP-36, GP-38
 std::vector<SourceClaim> bilinear_claims();                 ///< S-33

@@ -1,18 +1,17 @@
 // The tables of numeric/methods as methods: what others use, and the oracle's own algorithms, in float and double.
-#include <algorithm>
+#include <fmt/core.h>
+
 #include <cmath>
 #include <numbers>
 #include <span>
-#include <string>
 
 #include "numeric/kernels/inputs.hpp"
 #include "numeric/methods/legendre_methods.hpp"
 #include "numeric/methods/rotation_methods.hpp"
 #include "numeric/methods/zonal_methods.hpp"
 #include "numeric/oracle/legendre_rings.hpp"
-#include "numeric/report/code.hpp"
-#include "numeric/report/methods.hpp"
-#include "numeric/report/task_checks.hpp"
+#include "numeric/report/method.hpp"
+#include "numeric/report/tasks.hpp"
 #include "numeric/sampling/error_stats.hpp"
 
 namespace sh::numeric {
@@ -22,8 +21,9 @@ namespace {
 std::vector<NamedInput> colatitudes() {
   std::vector<NamedInput> all = {{"pole", {1, 0}}, {"equator", {0, 1}}, {"other pole", {-1, 0}}};
   for (const double sine : {1e-300, 1e-20, 1e-8, 1e-4, 0.01}) {
-    all.push_back({"beside the pole", {std::sqrt((1 - sine) * (1 + sine)), sine}});
-    all.push_back({"beside the equator", {sine, std::sqrt((1 - sine) * (1 + sine))}});
+    const double cosine = std::sqrt((1 - sine) * (1 + sine));
+    all.push_back({"beside the pole", {cosine, sine}});
+    all.push_back({"beside the equator", {sine, cosine}});
   }
   constexpr int kEven = 8;
   for (int i = 1; i < 2 * kEven; i += 2) {
@@ -59,46 +59,38 @@ FamilyCheck legendre_check() {
       .unit = "sqrt((2l+1)/4pi)"};
 }
 
-// A method of a table by its name, but "oracle" for the one that the oracle uses.
-MethodInfo info_of(const std::string& task, const char* name, const char* source, int degree,
-                   const std::string& arguments) {
-  const std::string table = task == "cap" ? "zonal" : (task == "rotate" ? "rotation" : task);
-  return {.task = task,
-          .name = name,
-          .degree = degree,
-          .scalar = {},
-          .mode = Mode::kOne,
-          .header = "numeric/methods/" + table + "_methods.hpp",
-          .call = "sh::numeric::" + table + "_methods<T>(), " + name + ": run(" + std::to_string(degree) + ", " +
-                  arguments + ")",
-          .leaves_out = task == "rotate" ? "takes r for a rotation" : "",
-          .source = source};
+// Every method of a table; call(run, in, out) passes flat inputs on.
+template <class T, class Row, class Call>
+void add_table(std::vector<Method>& all, const MethodInfo& shared, const std::string& table,
+               const std::string& arguments, const FamilyCheck& check, std::span<const Row> rows, Call call) {
+  for (const Row& row : rows) {
+    MethodInfo info = shared;
+    info.name = row.name;
+    info.source = row.source;
+    info.header = fmt::format("numeric/methods/{}_methods.hpp", table);
+    info.call = fmt::format("sh::numeric::{}_methods<T>(), {}: run({}, {})", table, row.name, info.degree, arguments);
+    all.push_back(method_of(
+        info, check, code_of<T>([run = row.run, call](const T* in, T* out) { call(run, in, out); }, info.degree)));
+  }
 }
 
 template <class T>
 void add_tables(std::vector<Method>& all, const std::string& task, int degree) {
+  MethodInfo info = {.task = task, .name = {}, .degree = degree};
   if (task == "legendre") {
-    for (const auto& method : legendre_methods<T>()) {
-      all.push_back(method_of(
-          info_of(task, method.name, method.source, degree, "z, sine, out"), legendre_check(),
-          code_of<T>([degree, run = method.run](const T* in, T* out) { run(degree, in[0], in[1], out); }, degree)));
-    }
+    add_table<T>(all, info, task, "z, sine, out", legendre_check(), legendre_methods<T>(),
+                 [degree](auto run, const T* in, T* out) { run(degree, in[0], in[1], out); });
   } else if (task == "rotate") {
-    for (const auto& method : rotation_methods<T>()) {
-      all.push_back(method_of(
-          info_of(task, method.name, method.source, degree, "r, c, out"), task_check("rotate"),
-          code_of<T>([degree, run = method.run](const T* in, T* out) { run(degree, in, in + 9, out); }, degree)));
-    }
+    info.leaves_out = "takes r for a rotation";
+    add_table<T>(all, info, "rotation", "r, c, out", task_check(task), rotation_methods<T>(),
+                 [degree](auto run, const T* in, T* out) { run(degree, in, in + 9, out); });
   } else if (task == "cap") {
-    for (const auto& method : zonal_methods<T>()) {
-      all.push_back(
-          method_of(info_of(task, method.name, method.source, degree, "one_minus_cos, out"), task_check("cap"),
-                    code_of<T>([degree, run = method.run](const T* in, T* out) { run(degree, in[0], out); }, degree)));
-    }
+    add_table<T>(all, info, "zonal", "one_minus_cos, out", task_check(task), zonal_methods<T>(),
+                 [degree](auto run, const T* in, T* out) { run(degree, in[0], out); });
   }
 }
 
-// The Legendre functions of rings, from sums of which one coefficient is 1: two degrees a transform.
+// The Legendre functions of rings, from sums in which one coefficient is 1: two degrees a transform.
 void run_rings(int degree, const Samples<double>& samples, double* out) {
   std::vector<double> z;
   std::vector<double> sine;
@@ -110,19 +102,17 @@ void run_rings(int degree, const Samples<double>& samples, double* out) {
   std::vector<double> values(2 * z.size());
   for (int m = 0; m <= degree; ++m) {
     const int count = degree - m + 1;
-    std::vector<double> coefficients(2 * static_cast<std::size_t>(count));
     for (int k = 0; k < count; k += 2) {
-      const auto at = 2 * static_cast<std::size_t>(k);
-      coefficients[at] = 1;
-      if (k + 1 < count) coefficients[at + 3] = 1;
+      const bool both = k + 1 < count;
+      std::vector<double> coefficients(2 * count);
+      coefficients[2 * k] = 1;
+      if (both) coefficients[2 * k + 3] = 1;
       rings.synthesis(degree, m, coefficients, values);
       for (std::size_t i = 0; i < z.size(); ++i) {
         double* const P = out + i * legendre_count(degree);
         P[legendre_index(m + k, m)] = values[2 * i];
-        if (k + 1 < count) P[legendre_index(m + k + 1, m)] = values[2 * i + 1];
+        if (both) P[legendre_index(m + k + 1, m)] = values[2 * i + 1];
       }
-      std::fill_n(coefficients.begin() + static_cast<std::ptrdiff_t>(at),
-                  std::min<std::size_t>(4, coefficients.size() - at), 0.0);
     }
   }
 }
@@ -138,33 +128,30 @@ double time_rings(int degree, std::chrono::nanoseconds budget) {
     sine.push_back(std::sin(angle));
   }
   const LegendreRings rings(degree, z, sine);
-  const std::vector<double> coefficients(2 * (static_cast<std::size_t>(degree) + 1), 1.0);
+  const std::vector<double> coefficients(2 * (degree + 1), 1.0);
   std::vector<double> values(2 * z.size());
   std::vector<std::function<void()>> calls = {[&] {
     for (int m = 0; m <= degree; ++m) {
-      rings.synthesis(degree, m, std::span(coefficients).first(2 * static_cast<std::size_t>(degree - m + 1)), values);
+      rings.synthesis(degree, m, std::span(coefficients).first(2 * (degree - m + 1)), values);
     }
   }};
   return least_nanoseconds(calls, budget) / kRings;
 }
 
-void add_rings(std::vector<Method>& all, int degree) {
-  const MethodInfo info = {.task = "legendre",
-                           .name = "rings (SIMD)",
-                           .degree = degree,
-                           .scalar = {},
-                           .mode = Mode::kBatch,
-                           .header = "numeric/oracle/legendre_rings.hpp",
-                           .call = "sh::numeric::LegendreRings(" + std::to_string(degree) +
-                                   ", z, sine).synthesis(l, m, coefficients, values)",
-                           .leaves_out = "sums over l instead of storing the values; a time a ring of 256, all orders",
-                           .source = "Ishioka 2018, lanes across rings"};
-  all.push_back(
-      method_of(info, legendre_check(),
-                Code<double>{[degree](const Samples<double>& samples, double* out) { run_rings(degree, samples, out); },
-                             [degree](const Samples<double>& /*samples*/, std::chrono::nanoseconds budget) {
-                               return time_rings(degree, budget);
-                             }}));
+Method rings_method(int degree) {
+  const MethodInfo info = {
+      .task = "legendre",
+      .name = "rings (SIMD)",
+      .degree = degree,
+      .mode = Mode::kBatch,
+      .header = "numeric/oracle/legendre_rings.hpp",
+      .call = fmt::format("sh::numeric::LegendreRings({}, z, sine).synthesis(l, m, coefficients, values)", degree),
+      .leaves_out = "sums over l instead of storing the values; a time a ring of 256, all orders",
+      .source = "Ishioka 2018, lanes across rings"};
+  const Code<double> code = {
+      [degree](const Samples<double>& samples, double* out) { run_rings(degree, samples, out); },
+      [degree](const auto& /*samples*/, std::chrono::nanoseconds budget) { return time_rings(degree, budget); }};
+  return method_of(info, legendre_check(), code);
 }
 
 }  // namespace
@@ -172,7 +159,7 @@ void add_rings(std::vector<Method>& all, int degree) {
 void add_table_methods(std::vector<Method>& all, const std::string& task, int degree) {
   add_tables<float>(all, task, degree);
   add_tables<double>(all, task, degree);
-  if (task == "legendre") add_rings(all, degree);
+  if (task == "legendre") all.push_back(rings_method(degree));
 }
 
 }  // namespace sh::numeric

@@ -1,8 +1,9 @@
-// See tasks.hpp.
 #include "numeric/report/tasks.hpp"
 
 #include <algorithm>
 #include <stdexcept>
+
+#include "numeric/kernels/inputs.hpp"
 
 namespace sh::numeric {
 
@@ -10,58 +11,59 @@ const std::vector<Task>& all_tasks() {
   static const std::vector<int> kQuick = {2, 4, 6, 9};
   static const std::vector<int> kFull = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10};
   static const std::vector<Task> kTasks = {
-      {"basis", "Basis", "A direction to the values of every function.", "a value", kQuick, kFull, 1, 10},
+      {"basis", "Basis", "A direction to the values of every function.", "a value", kQuick, kFull},
       {"gradient", "Values and gradients",
        "A direction to the values of the solid harmonics and their derivatives by x, y and z.",
-       "a value or derivative, at |d| = 1", kQuick, kFull, 1, 10},
+       "a value or derivative, at |d| = 1", kQuick, kFull},
       {"evaluate", "Evaluation", "Coefficients and a direction to the value of the function.",
-       "the value, for coefficients of length 1", kQuick, kFull, 1, 10},
+       "the value, for coefficients of length 1", kQuick, kFull},
       {"project", "Projection of a sample", "A direction and a weight, added to coefficients.",
-       "a coefficient, for weights of 1 and sums up to 1", kQuick, kFull, 1, 10},
-      {"rotate",
-       "Rotation",
-       "A rotation and coefficients to the coefficients of the rotated function.",
-       "a coefficient, for coefficients of length 1",
-       {2, 4, 6, 9, 30},
-       {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 20, 50, 100},
-       1,
-       100},
+       "a coefficient, for weights of 1 and sums up to 1", kQuick, kFull},
+      {"rotate", "Rotation", "A rotation and coefficients to the coefficients of the rotated function.",
+       "a coefficient, for coefficients of length 1", std::vector{2, 4, 6, 9, 30},
+       std::vector{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 20, 50, 100}},
       {"product", "Product", "Two functions to their product, projected on the same bands.",
-       "a coefficient, for factors of length 1", kQuick, kFull, 1, 10},
+       "a coefficient, for factors of length 1", kQuick, kFull},
       {"cap", "Zonal coefficients of a cap",
        "The size of a disc of light, 1 - cos of its half-angle, to its zonal coefficients.",
        "a coefficient, relative to the largest that its band has for a cap of this size: tiny caps count as much as "
        "large ones",
-       kQuick, kFull, 1, 10, true},
+       kQuick, kFull, true},
       {"zonal", "Turning a zonal function", "Zonal coefficients and a direction to coefficients.",
-       "a coefficient, for zonal coefficients of length 1", kQuick, kFull, 1, 10},
-      {"irradiance",
-       "Irradiance",
-       "Coefficients of the light and a normal to the irradiance there.",
-       "the irradiance, for coefficients of length 1",
-       {2, 4},
-       {1, 2, 3, 4, 6, 8, 10},
-       1,
-       10},
-      {"legendre",
-       "Legendre functions of high degree",
+       "a coefficient, for zonal coefficients of length 1", kQuick, kFull},
+      {"irradiance", "Irradiance", "Coefficients of the light and a normal to the irradiance there.",
+       "the irradiance, for coefficients of length 1", std::vector{2, 4}, std::vector{1, 2, 3, 4, 6, 8, 10}},
+      {"legendre", "Legendre functions of high degree",
        "A colatitude to all normalised P_lm, 0 \u2264 m \u2264 l \u2264 degree.",
-       "a value; the largest of all is about sqrt(degree / 6)",
-       {10, 100, 300},
-       {10, 30, 100, 300, 1000},
-       1,
-       1000},
+       "a value; the largest of all is about sqrt(degree / 6)", std::vector{10, 100, 300},
+       std::vector{10, 30, 100, 300, 1000}},
   };
   return kTasks;
 }
 
 const Task& find_task(const std::string& option, const std::string& id) {
-  const auto& tasks = all_tasks();
-  const auto found = std::find_if(tasks.begin(), tasks.end(), [&](const Task& task) { return task.id == id; });
-  if (found != tasks.end()) return *found;
   std::string names;
-  for (const auto& task : tasks) names += (names.empty() ? "" : ", ") + task.id;
+  for (const Task& task : all_tasks()) {
+    if (task.id == id) return task;
+    names += (names.empty() ? "" : ", ") + task.id;
+  }
   throw std::invalid_argument(option + ": '" + id + "' is not a task; there are " + names);
+}
+
+FamilyCheck task_check(const std::string& family) {
+  FamilyCheck check = check_of(family);
+  if (family == "basis_gradient") {
+    constexpr int kRandomDirections = 400;
+    check.inputs = [](int /*degree*/) { return direction_inputs(kRandomDirections); };
+  }
+  if (family == "project") {
+    check.inputs = [inputs = check.inputs](int degree) {
+      auto all = inputs(degree);
+      std::erase_if(all, [](const NamedInput& input) { return input.values[3] != 1; });
+      return all;
+    };
+  }
+  return check;
 }
 
 }  // namespace sh::numeric

@@ -1,14 +1,12 @@
-// Test functions and their coefficients: test_functions.hpp.
-#include "numeric/report/test_functions.hpp"
-
+// test_functions and zonal_coefficients of projection_convergence.hpp.
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 
 #include "generated/cpp/evaluate_l5.hpp"
 #include "numeric/oracle/basis.hpp"
 #include "numeric/oracle/quadrature.hpp"
+#include "numeric/report/projection_convergence.hpp"
 #include "numeric/sampling/random.hpp"
 
 namespace sh::numeric {
@@ -105,27 +103,6 @@ std::vector<double> zonal_coefficients(int degree, const std::function<double(do
 std::span<const TestFunction> test_functions() {
   static const std::array<TestFunction, 4> kFunctions{band_limited(), smooth(), cap(), sun()};
   return kFunctions;
-}
-
-TestFunction soft_sun(double width) {
-  if (!(width > 0 && width <= 1)) throw std::invalid_argument("soft_sun: width must be in (0, 1] radian");
-  const double sharpness = 1 / (width * width);
-  const auto peak = [sharpness](double one_minus_t) { return std::exp(-sharpness * one_minus_t); };
-  const double from = std::max(-1.0, 1 - 60 * width * width);  // exp(-60) is below rounding even of the sky
-  const auto coefficients = [=](int degree) {
-    std::vector<double> c = times(kSunRadiance, about_axis(
-                                                    degree, [=](double t) { return peak(1 - t); }, from, 100));
-    c[0] += std::sqrt(4 * kPi);
-    return c;
-  };
-  // 1 - cos from the chord, which keeps its digits near the axis: |s - axis|^2 / 2.
-  const auto value = [=](double x, double y, double z) {
-    const double dx = x - kAxis[0];
-    const double dy = y - kAxis[1];
-    const double dz = z - kAxis[2];
-    return 1 + kSunRadiance * peak(0.5 * (dx * dx + dy * dy + dz * dz));
-  };
-  return {"soft_sun", "a sky of 1 with a Gaussian peak of 1e6", value, coefficients};
 }
 
 }  // namespace sh::numeric

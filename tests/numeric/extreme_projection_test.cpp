@@ -2,10 +2,11 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
-#include "numeric/report/test_functions.hpp"
+#include "numeric/report/projection_convergence.hpp"
 #include "numeric/sampling/projection.hpp"
 #include "numeric/sampling/sphere_rules.hpp"
 #include "tests/numeric/extreme.hpp"
@@ -16,6 +17,26 @@ namespace {
 
 constexpr int kDegree = 5;
 constexpr double kRadian = 180 / std::numbers::pi;
+
+// 1 + 1e6 exp((cos - 1) / width^2) about an axis: a peak of 1e6:1 without an edge.
+TestFunction soft_sun(double width) {
+  static constexpr std::array kAxis{0.36, -0.48, 0.8};
+  constexpr double kPeak = 1e6;
+  const double sharpness = 1 / (width * width);
+  const double from = std::max(-1.0, 1 - 60 * width * width);  // exp(-60) is below rounding even of the sky
+  const auto coefficients = [=](int degree) {
+    const auto profile = [=](double t) { return kPeak * std::exp(sharpness * (t - 1)); };
+    std::vector<double> c = zonal_coefficients(degree, profile, from, 100, kAxis);
+    c[0] += std::sqrt(4 * std::numbers::pi);
+    return c;
+  };
+  // 1 - cos from the chord, which keeps its digits near the axis: |s - axis|^2 / 2.
+  const auto value = [=](double x, double y, double z) {
+    const double chord = std::hypot(x - kAxis[0], y - kAxis[1], z - kAxis[2]);
+    return 1 + kPeak * std::exp(-sharpness * 0.5 * chord * chord);
+  };
+  return {"soft_sun", "a sky of 1 with a Gaussian peak of 1e6", value, coefficients};
+}
 
 // Largest error of a coefficient over the norm of all.
 double error_of(const TestFunction& light, const std::vector<SphereNode<double>>& nodes) {

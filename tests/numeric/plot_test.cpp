@@ -10,10 +10,8 @@
 #include <numeric>
 
 #include "numeric/oracle/basis.hpp"
-#include "numeric/plot/coefficients.hpp"
-#include "numeric/plot/field.hpp"
-#include "numeric/plot/panel.hpp"
-#include "numeric/plot/surface.hpp"
+#include "numeric/plot/lobes.hpp"
+#include "numeric/plot/map.hpp"
 #include "numeric/sampling/random.hpp"
 #include "tests/temporary_folder.hpp"
 
