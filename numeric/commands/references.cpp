@@ -4,8 +4,7 @@
 
 #include "numeric/commands/commands.hpp"
 #include "numeric/oracle/gaunt.hpp"
-#include "numeric/reference/correct_digits.hpp"
-#include "numeric/reference/legendre_reference.hpp"
+#include "numeric/reference/decimal.hpp"
 #include "numeric/reference/reference.hpp"
 
 namespace sh::numeric {

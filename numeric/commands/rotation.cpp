@@ -7,7 +7,7 @@
 
 #include "numeric/commands/commands.hpp"
 #include "numeric/output/progress.hpp"
-#include "numeric/reference/correct_digits.hpp"
+#include "numeric/reference/decimal.hpp"
 #include "numeric/reference/rotation_reference.hpp"
 
 namespace sh::numeric {

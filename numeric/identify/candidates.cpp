@@ -1,6 +1,5 @@
-// See candidates.hpp.
-#include "numeric/identify/candidates.hpp"
-
+// Every convention, ranked by the number of columns that it does not explain; see identify.hpp.
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -25,42 +24,28 @@ struct Fit {
 // The orthonormal functions at the directions, for one choice of axes.
 class Functions {
  public:
-  Functions(const Samples& samples, const Axes& axes) : rows_(samples.directions.size()) {
-    values_.assign(coefficient_count(samples.degree), std::vector<double>(rows_));
-    std::vector<double> all(values_.size());
-    for (std::size_t row = 0; row < rows_; ++row) {
+  Functions(const Samples& samples, const Axes& axes)
+      : values_(coefficient_count(samples.degree), samples.directions.size()) {
+    for (Eigen::Index row = 0; row < values_.cols(); ++row) {
       const auto d = axes.apply(samples.directions[row]);
-      basis(samples.degree, d[0], d[1], d[2], all.data());
-      for (std::size_t i = 0; i < all.size(); ++i) values_[i][row] = all[i];
+      basis(samples.degree, d[0], d[1], d[2], values_.col(row).data());
     }
   }
 
-  [[nodiscard]] Fit fit(const std::vector<Complex>& column, const Function& f, bool complex) const {
-    const auto& cosine = of(f.degree, complex ? std::abs(f.order) : f.order);
-    const bool has_sine = complex && f.order != 0;
-    const auto& sine = of(f.degree, has_sine ? -std::abs(f.order) : f.order);
-    const double size = has_sine ? std::numbers::sqrt2 / 2 : 1;
-    const double sign = f.order < 0 ? -size : size;
-    const auto g = [&](std::size_t row) { return Complex(size * cosine[row], has_sine ? sign * sine[row] : 0); };
-    Complex product = 0;
-    double square = 0;
-    for (std::size_t row = 0; row < rows_; ++row) {
-      product += std::conj(g(row)) * column[row];
-      square += std::norm(g(row));
+  [[nodiscard]] Fit fit(const std::vector<Complex>& values, const Function& f, bool complex) const {
+    const Eigen::Map<const Eigen::RowVectorXcd> column(values.data(), values_.cols());
+    const int m = complex ? std::abs(f.order) : f.order;
+    Eigen::RowVectorXcd g = values_.row(coefficient_index(f.degree, m)).cast<Complex>();
+    if (complex && m != 0) {
+      const Complex i(0, f.order < 0 ? -1 : 1);
+      g = (g + i * values_.row(coefficient_index(f.degree, -m))) / std::numbers::sqrt2;
     }
-    Fit result{product / square, 0, 0};
-    for (std::size_t row = 0; row < rows_; ++row) {
-      result.rest = std::max(result.rest, std::norm(column[row] - result.scale * g(row)));
-    }
-    result.rest = std::sqrt(result.rest) / band_maximum(f.degree);
-    return result;
+    const Complex scale = g.dot(column) / g.squaredNorm();
+    return {scale, (column - scale * g).cwiseAbs().maxCoeff() / band_maximum(f.degree), 0};
   }
 
  private:
-  [[nodiscard]] const std::vector<double>& of(int l, int m) const { return values_[coefficient_index(l, m)]; }
-
-  std::size_t rows_;
-  std::vector<std::vector<double>> values_;  // [function][row]
+  Eigen::MatrixXd values_;  // (functions, directions)
 };
 
 std::vector<IndexOrder> orders_of(const Samples& samples) {
@@ -76,23 +61,26 @@ std::vector<Convention> scalings(bool complex) {
     if (complex && (normalisation == kUnnormalised || normalisation == kPrimitive)) continue;
     for (const auto folded : {Folded::kNothing, Folded::kCosineOverPi, Folded::kCosine}) {
       for (const bool phase : {false, true}) {
-        Convention convention;
-        convention.normalisation = normalisation;
-        convention.folded = folded;
-        convention.condon_shortley = phase;
-        convention.complex = complex;
-        all.push_back(convention);
+        all.push_back({.normalisation = normalisation, .condon_shortley = phase, .complex = complex, .folded = folded});
       }
     }
   }
   return all;
 }
 
-int rank_of(const Convention& convention) {
-  if (!own_presets(convention).empty()) return 0;
-  if (!world_presets(convention).empty()) return 1;
-  if (convention.axes == Axes{}) return 2;
-  return convention.axes.determinant() > 0 ? 3 : 4;
+PresetNames names_of(const Convention& convention) {
+  const auto same = [&](Convention preset) {
+    preset.axes = convention.axes;
+    return convention == preset;
+  };
+  return preset_names(convention.axes, same, std::equal_to<Axes>());
+}
+
+int rank_of(const Reading& reading) {
+  if (!reading.presets.own.empty()) return 0;
+  if (!reading.presets.world.empty()) return 1;
+  if (reading.convention.axes == Axes{}) return 2;
+  return reading.convention.axes.determinant() > 0 ? 3 : 4;
 }
 
 // Rounds so that noise does not decide between equals.
@@ -147,14 +135,15 @@ class Search {
 
   [[nodiscard]] Candidate judge(const Convention& convention, const std::vector<Function>& places,
                                 const std::vector<Fit>& fits) const {
-    Candidate candidate{convention, 0, 0, rank_of(convention)};
+    Candidate candidate{{convention, names_of(convention)}};
+    candidate.rank = rank_of(candidate.reading);
     for (std::size_t j = 0; j < places.size(); ++j) {
-      const double size = places[j].is_hole() ? 0 : size_of(convention, places[j]);
-      const Fit& fit = fits[j];
-      const double deviation = std::abs(fit.scale - size) + fit.rest;
-      if (size == 0 ? fit.largest <= zero_ : deviation <= kRounded * std::abs(size)) continue;
+      const Function& f = places[j];
+      const auto size = f.is_hole() ? 0 : static_cast<double>(relative_size(convention, f.degree, f.order));
+      const double deviation = std::abs(fits[j].scale - size) + fits[j].rest;
+      if (size == 0 ? fits[j].largest <= zero_ : deviation <= kRounded * std::abs(size)) continue;
       ++candidate.wrong;
-      candidate.penalty += penalty_of(fit, size);
+      candidate.penalty += penalty_of(fits[j], size);
     }
     return candidate;
   }
@@ -166,40 +155,14 @@ class Search {
     return std::min(kMost, std::abs(std::log(scale / std::abs(size)))) + (fit.rest > kRounded * scale ? 1 : 0);
   }
 
-  static double size_of(const Convention& convention, const Function& f) {
-    return static_cast<double>(relative_size(convention, f.degree, f.order));
-  }
-
   const Samples& samples_;
   std::vector<double> largest_;  // [column]
-  double zero_ = 0;              // what counts as zero
+  double zero_ = 0;              // values up to this count as zero
   bool real_ = true;             // kinds of functions that the values may be
   bool complex_ = false;
 };
 
-bool same_but_axes(Convention convention, const Preset& preset) {
-  convention.axes = preset.convention.axes;
-  return convention == preset.convention;
-}
-
 }  // namespace
-
-std::vector<std::string> own_presets(const Convention& convention) {
-  std::vector<std::string> names;
-  for (const Preset& preset : presets()) {
-    if (convention == preset.convention) names.push_back(preset.name);
-  }
-  return names;
-}
-
-std::vector<std::string> world_presets(const Convention& convention) {
-  std::vector<std::string> names;
-  for (const Preset& preset : presets()) {
-    const bool differs = preset.world != preset.convention.axes;
-    if (differs && convention.axes == preset.world && same_but_axes(convention, preset)) names.push_back(preset.name);
-  }
-  return names;
-}
 
 std::vector<Candidate> ranked_candidates(const Samples& samples) { return Search(samples).run(); }
 

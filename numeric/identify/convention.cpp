@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "numeric/oracle/basis.hpp"
+#include "numeric/oracle/surd.hpp"
 #include "numeric/oracle/zonal.hpp"
 
 namespace sh::numeric::identify {
@@ -22,37 +23,21 @@ long double legendre_factor(int l, int a) {
   return std::sqrt(square);
 }
 
-// The power of the prime p in n! (Legendre's formula).
-int prime_power(int n, int p) {
-  int power = 0;
-  for (n /= p; n > 0; n /= p) power += n;
-  return power;
-}
-
-bool is_prime(int p) {
-  for (int q = 2; q * q <= p; ++q) {
-    if (p % q == 0) return false;
-  }
-  return p > 1;
-}
-
 // The greatest number that divides every coefficient of d^a/dz^a P_l times Re or Im (x+iy)^a. P_l has the coefficients
-// (-1)^k (2l-2k)! / (2^l k! (l-k)! (l-2k)!) of z^(l-2k), and differentiating turns (l-2k)! into (l-2k-a)!. The binomial
-// coefficients of Im share the largest power of two in a, those of Re nothing.
+// (-1)^k C(l, k) C(2l-2k, l) / 2^l of z^(l-2k). The binomial coefficients of Im share the largest power of two in a,
+// those of Re nothing.
 long double content(int l, int order) {
   const int a = std::abs(order);
-  long double result = std::ldexp(1.0L, -l);
-  for (int p = 2; p <= 2 * l; ++p) {
-    if (!is_prime(p)) continue;
-    int lowest = prime_power(2 * l, p);
-    for (int k = 0; 2 * k <= l - a; ++k) {
-      lowest = std::min(lowest, prime_power(2 * l - 2 * k, p) - prime_power(k, p) - prime_power(l - k, p) -
-                                    prime_power(l - 2 * k - a, p));
-    }
-    result *= std::pow(static_cast<long double>(p), static_cast<long double>(lowest));
+  Integer common = 0;
+  for (int k = 0; 2 * k <= l - a; ++k) {
+    Integer coefficient = 1;
+    for (int n = 1; n <= k; ++n) coefficient = coefficient * (l - k + n) / n;
+    for (int n = 1; n <= l; ++n) coefficient = coefficient * (l - 2 * k + n) / n;
+    for (int n = 0; n < a; ++n) coefficient *= l - 2 * k - n;
+    common = gcd(common, coefficient);
   }
-  for (int n = order; n < 0 && n % 2 == 0; n /= 2) result *= 2;
-  return result;
+  for (int n = order; n < 0 && n % 2 == 0; n /= 2) common *= 2;
+  return std::ldexp(static_cast<long double>(common), -l);
 }
 
 long double normalisation_size(Normalisation normalisation, int l, int order) {
@@ -84,7 +69,7 @@ long double folded_size(Folded folded, int l) {
 
 std::array<double, 3> Axes::apply(const std::array<double, 3>& d) const {
   std::array<double, 3> result{};
-  for (std::size_t row = 0; row < 3; ++row) result[row] = sign[row] * d[axis[row]];
+  for (std::size_t row = 0; row < 3; ++row) result[row] = sign[row] * d[(axis[row])];
   return result;
 }
 
@@ -105,7 +90,7 @@ Axes parse_axes(const std::string& text) {
   for (const Axes& axes : all_axes()) {
     if (axes.to_string() == text) return axes;
   }
-  throw std::invalid_argument("axes '" + text + "'; they should name x, y, z once each, with signs, such as x,z,-y");
+  throw std::invalid_argument("axes: expected x, y, z once each, with signs, such as x,z,-y, got '" + text + "'");
 }
 
 const std::vector<Axes>& all_axes() {
@@ -143,17 +128,24 @@ int storage_position(IndexOrder order, int max_degree, int degree, int order_m) 
 }
 
 std::vector<Function> functions_in_order(IndexOrder order, int max_degree) {
-  std::vector<Function> functions(storage_size(order, max_degree));
+  std::vector<Function> functions((storage_size(order, max_degree)));
   for (int l = 0; l <= max_degree; ++l) {
     for (int m = -l; m <= l; ++m) {
-      functions[storage_position(order, max_degree, l, m)] = {l, m};
+      functions[(storage_position(order, max_degree, l, m))] = {l, m};
     }
   }
   return functions;
 }
 
 long double primitive_constant(int degree, int order) {
-  return legendre_factor(degree, std::abs(order)) * content(degree, order);
+  static const std::vector<long double> kConstants = [] {
+    std::vector<long double> constants;
+    for (int l = 0; l <= kMaxDegree; ++l) {
+      for (int m = -l; m <= l; ++m) constants.push_back(legendre_factor(l, std::abs(m)) * content(l, m));
+    }
+    return constants;
+  }();
+  return kConstants[coefficient_index(degree, order)];
 }
 
 long double relative_size(const Convention& convention, int degree, int order) {
@@ -167,14 +159,14 @@ std::vector<std::complex<double>> convention_values(const Convention& convention
                                                     const std::array<double, 3>& direction) {
   const auto d = convention.axes.apply(direction);
   const auto unit = normalised<long double>(d[0], d[1], d[2]);
-  std::vector<long double> ours(coefficient_count(max_degree));
+  std::vector<long double> ours((coefficient_count(max_degree)));
   basis(max_degree, unit[0], unit[1], unit[2], ours.data());
-  const auto at = [&](int l, int m) { return ours[coefficient_index(l, m)]; };
-  std::vector<std::complex<double>> values(storage_size(convention.order, max_degree));
+  const auto at = [&](int l, int m) { return ours[(coefficient_index(l, m))]; };
+  std::vector<std::complex<double>> values((storage_size(convention.order, max_degree)));
   for (int l = 0; l <= max_degree; ++l) {
     for (int m = -l; m <= l; ++m) {
       const long double size = relative_size(convention, l, m);
-      auto& value = values[storage_position(convention.order, max_degree, l, m)];
+      auto& value = values[(storage_position(convention.order, max_degree, l, m))];
       if (!convention.complex || m == 0) {
         value = static_cast<double>(size * at(l, m));
       } else {

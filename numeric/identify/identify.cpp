@@ -3,9 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
-#include "numeric/identify/candidates.hpp"
-#include "numeric/identify/reasons.hpp"
 #include "numeric/oracle/basis.hpp"
 #include "numeric/sampling/error_stats.hpp"
 
@@ -14,7 +13,8 @@ namespace {
 
 using Complex = std::complex<double>;
 
-// Size of a column's deviations: the function's, or where it should be zero the table's largest value.
+// The unit of a column's deviations: the function's size or, where the function should be zero, the table's largest
+// value.
 double unit_of(const Samples& samples, const Convention& convention, const Function& f) {
   const double size = f.is_hole() ? 0 : std::abs(static_cast<double>(relative_size(convention, f.degree, f.order)));
   if (size > 0) return size * band_maximum(f.degree);
@@ -78,16 +78,14 @@ std::vector<Coefficient> compare(const Samples& samples, const Convention& conve
   return all;
 }
 
+bool is_wrong(const Coefficient& c) { return c.wrong; }
+
 std::vector<int> wrong_ones(const std::vector<Coefficient>& coefficients) {
   std::vector<int> wrong;
   for (const auto& c : coefficients) {
     if (c.wrong) wrong.push_back(c.index);
   }
   return wrong;
-}
-
-Reading as_reading(const Convention& convention) {
-  return {convention, own_presets(convention), world_presets(convention)};
 }
 
 // The presets nearest to data of degree 0 or 1 that none of them fits.
@@ -98,11 +96,9 @@ std::vector<Doubt> doubts_of(const Samples& samples, const std::vector<Candidate
   std::vector<Doubt> doubts;
   for (auto c = nearest; c != candidates.end() && c->wrong == nearest->wrong; ++c) {
     if (!is_preset(*c) || c->wrong > 2 || c->wrong >= functions) continue;
-    Doubt doubt{as_reading(c->convention), {}};
-    for (auto& coefficient : compare(samples, c->convention)) {
-      if (coefficient.wrong) doubt.wrong.push_back(std::move(coefficient));
-    }
-    const bool swapped = doubt.wrong.front().reason.find("swapped") == 0;
+    Doubt doubt{c->reading, compare(samples, c->reading.convention)};
+    std::erase_if(doubt.wrong, std::not_fn(is_wrong));
+    const bool swapped = doubt.wrong.front().reason.starts_with("swapped");
     if (doubt.wrong.size() == 1 || swapped) doubts.push_back(std::move(doubt));
   }
   return doubts;
@@ -111,11 +107,12 @@ std::vector<Doubt> doubts_of(const Samples& samples, const std::vector<Candidate
 Identification identify_one(const Samples& samples) {
   const auto candidates = ranked_candidates(samples);
   const Candidate& best = candidates.front();
-  Identification result{samples, {}, compare(samples, best.convention), {}};
+  Identification result{samples, {}, compare(samples, best.reading.convention), {}};
+  const auto wrong = wrong_ones(result.coefficients);
   for (const Candidate& c : candidates) {
     if (c.wrong != best.wrong) break;
-    const bool equal = best.wrong == 0 || wrong_ones(compare(samples, c.convention)) == wrong_ones(result.coefficients);
-    if (std::abs(c.penalty - best.penalty) < 1e-3 && equal) result.readings.push_back(as_reading(c.convention));
+    const bool equal = best.wrong == 0 || wrong_ones(compare(samples, c.reading.convention)) == wrong;
+    if (std::abs(c.penalty - best.penalty) < 1e-3 && equal) result.readings.push_back(c.reading);
   }
   if (samples.degree <= 1 && best.wrong == 0 && best.rank > 1) result.doubts = doubts_of(samples, candidates);
   return result;
@@ -123,13 +120,11 @@ Identification identify_one(const Samples& samples) {
 
 }  // namespace
 
-bool Identification::fits() const {
-  return std::none_of(coefficients.begin(), coefficients.end(), [](const auto& c) { return c.wrong; });
-}
+bool Identification::fits() const { return std::none_of(coefficients.begin(), coefficients.end(), is_wrong); }
 
 const Coefficient* Identification::first_wrong() const {
   if (!doubts.empty()) return &doubts.front().wrong.front();
-  const auto first = std::find_if(coefficients.begin(), coefficients.end(), [](const auto& c) { return c.wrong; });
+  const auto first = std::find_if(coefficients.begin(), coefficients.end(), is_wrong);
   return first == coefficients.end() ? nullptr : &*first;
 }
 
@@ -143,11 +138,10 @@ double Identification::digits() const {
 
 Identification identify(const std::vector<Samples>& ways) {
   std::vector<Identification> results;
-  results.reserve(ways.size());
   for (const Samples& way : ways) results.push_back(identify_one(way));
-  const auto wrong = [](const Identification& r) { return wrong_ones(r.coefficients).size(); };
-  return *std::min_element(results.begin(), results.end(),
-                           [&](const auto& a, const auto& b) { return wrong(a) < wrong(b); });
+  return *std::min_element(results.begin(), results.end(), [](const Identification& a, const Identification& b) {
+    return wrong_ones(a.coefficients).size() < wrong_ones(b.coefficients).size();
+  });
 }
 
 }  // namespace sh::numeric::identify

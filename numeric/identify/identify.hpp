@@ -1,10 +1,10 @@
-// Which convention do someone's functions follow? And if none, which coefficient is wrong, and how?
+// The convention that someone's functions follow, or the coefficients that are wrong, with the reason.
 //
-// Every convention (48 axes x phase x normalisation x index order x real or complex x folded factors) says what each
-// column should be: a size times one function. Each column is fitted to that function, v = scale * g + rest, and a
-// coefficient fits where scale = size to within kRounded, rest included. The reading with the most fitting coefficients
-// is the answer; several share it where they are equal on the data (at degree 0 and 1 many are, and a Condon-Shortley
-// phase of real functions is the axes -x,-y,z at every degree).
+// Every convention (48 axes x phase x normalization x index order x real or complex x folded factors) expects a size
+// times one function in each column. Each column is fitted to that function, v = scale * g + rest; a coefficient fits
+// where scale = size to within kRounded, rest included. The answer is the reading with the most fitting coefficients.
+// Several readings share it where they are equal on the data: many at degree 0 and 1, and at every degree a
+// Condon-Shortley phase of real functions is the axes -x,-y,z.
 #pragma once
 
 #include <complex>
@@ -16,33 +16,32 @@
 
 namespace sh::numeric::identify {
 
-// Deviations, all relative to the function's largest value: |size| sqrt((2l+1) / 4 pi), or the half under the root for
-// complex functions. Beyond kRounded (constants of three digits) a coefficient is wrong. So is one beyond kOutlier that
-// stands out among the others a hundredfold, unless its constant is the right one, rounded.
+/// Deviations are relative to the function's largest value: |size| sqrt((2l+1) / 4 pi), or the half under the root for
+/// complex functions. A coefficient beyond kRounded (constants of three digits) is wrong. So is one beyond kOutlier
+/// that stands out among the others a hundredfold, unless its constant is the right one, rounded.
 inline constexpr double kRounded = 5e-3;
 inline constexpr double kOutlier = 1e-5;
 
-// A convention that says the same on the data as the others of its list, with the presets that it is.
+/// A convention that fits the data, and the presets that it is.
 struct Reading {
   Convention convention;
-  std::vector<std::string> presets;        // in the source's own coordinates: axes x,y,z
-  std::vector<std::string> world_presets;  // directions were given in our world: axes are the preset's
+  PresetNames presets;
 };
 
-// One coefficient against the first reading.
+/// One coefficient against the first reading.
 struct Coefficient {
   int index = 0;
   Function function;                     // a hole should hold zero
   std::complex<double> ratio;            // fitted scale / size; 0 where the size is 0
   double deviation = 0;                  // largest |value - expected|, as above
-  double shape = 0;                      // the same of value - ratio * expected: what no constant explains
+  double shape = 0;                      // the same of value - ratio * expected: no constant explains this part
   std::size_t worst_row = 0;             // where `deviation` is
   std::complex<double> found, expected;  // there
   bool wrong = false;
   std::string reason;  // of a wrong one: "sign flipped"; of a rounded constant: "constant rounded to 3 digits"
 };
 
-// A preset that fits all but one coefficient, or all but two that are swapped.
+/// A preset that fits all but one coefficient, or all but two that are swapped.
 struct Doubt {
   Reading reading;
   std::vector<Coefficient> wrong;
@@ -61,11 +60,35 @@ struct Identification {
   [[nodiscard]] double digits() const;                   // to which the worst fitting coefficient agrees, at most 17
 };
 
-// The best answer among the ways to read a table (at least one).
+/// The best answer among the ways to read a table (at least one).
 Identification identify(const std::vector<Samples>& ways);
 
-// For people, and for programs.
+/// The answer for people, and for programs.
 std::string format_text(const Identification& result, bool all_readings);
 std::string format_json(const Identification& result);
+
+/// A convention as an answer.
+struct Candidate {
+  Reading reading;
+  int wrong = 0;       // columns that deviate by more than kRounded, holes that are not zero
+  double penalty = 0;  // how far their sizes are off: 0 where only signs are wrong
+  int rank = 0;        // 0: a preset, 1: a preset's world, 2: axes x,y,z, 3: right-handed, 4: mirrored
+};
+
+/// All conventions, the best first: fewest wrong, then smallest penalty, then rank, then the order of the enumerations.
+std::vector<Candidate> ranked_candidates(const Samples& samples);
+
+/// [function][row]: the values that the convention expects in place of those of `samples`.
+using Columns = std::vector<std::vector<std::complex<double>>>;
+Columns expected_columns(const Samples& samples, const Convention& convention);
+
+/// Why a coefficient of known ratio and shape is wrong: its sign, another coefficient's function, the conjugate, a
+/// factor (2, sqrt 2, ...; a rounded or mistyped constant), single lines, or else the functions that it is a sum of.
+std::string reason_of(const Samples& samples, const Convention& convention, const Columns& expected,
+                      const Coefficient& coefficient);
+
+/// "constant 0.282 for 0.2820948, rounded to 3 digits" where the constant in front of the polynomial of lowest integers
+/// (1.092548 in 1.092548 xy) is the right one to 2 .. 8 digits, rounded or cut off; else "".
+std::string rounding_of(const Convention& convention, const Coefficient& coefficient);
 
 }  // namespace sh::numeric::identify

@@ -1,39 +1,24 @@
 // The answer of identify.hpp as text and as JSON.
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "numeric/identify/identify.hpp"
-#include "numeric/output/formatted.hpp"
+#include "numeric/identify/report_parts.hpp"
 
 namespace sh::numeric::identify {
 namespace {
-
-using Json = nlohmann::ordered_json;
-using Complex = std::complex<double>;
-
-std::string join(const std::vector<std::string>& words, const char* between = ", ") {
-  std::string text;
-  for (const auto& word : words) text += (text.empty() ? "" : between) + word;
-  return text;
-}
-
-std::string number(Complex value) {
-  return value.imag() == 0 ? output::formatted("%.9g", value.real())
-                           : output::formatted("%.9g%+.9gi", value.real(), value.imag());
-}
 
 std::string name_of(const Coefficient& c) {
   if (c.function.is_hole()) return output::formatted("coefficient %d (a hole)", c.index);
   return output::formatted("coefficient %d (l=%d, m=%d)", c.index, c.function.degree, c.function.order);
 }
 
-// What values of functions cannot show of the presets named.
+// The factors of the named presets that values of functions cannot show.
 std::string folded_note(const Identification& result) {
   std::vector<std::string> names;
   for (const Preset& preset : presets()) {
     const bool named = std::any_of(result.readings.begin(), result.readings.end(), [&](const Reading& reading) {
-      return std::count(reading.presets.begin(), reading.presets.end(), preset.name) > 0;
+      return std::count(reading.presets.own.begin(), reading.presets.own.end(), preset.name) > 0;
     });
     if (named && preset.coefficients_hold != Folded::kNothing) names.push_back(preset.name);
   }
@@ -42,32 +27,26 @@ std::string folded_note(const Identification& result) {
          " hold A_l / pi too, which values of functions cannot show\n";
 }
 
-// "presets directxmath, gaussian-splatting; unreal where directions are in our world's axes".
-std::string presets_text(const Reading& reading) {
+// "presets directxmath, gaussian-splatting; preset unreal with directions given in our world (...)".
+std::string presets_text(const PresetNames& presets) {
   std::vector<std::string> parts;
-  if (!reading.presets.empty()) {
-    parts.push_back((reading.presets.size() > 1 ? "presets " : "preset ") + join(reading.presets));
-  }
-  if (!reading.world_presets.empty()) {
-    parts.push_back("preset " + join(reading.world_presets) +
-                    " with directions given in our world (x right, y forward, z up)");
+  if (!presets.own.empty()) parts.push_back((presets.own.size() > 1 ? "presets " : "preset ") + join(presets.own));
+  if (!presets.world.empty()) {
+    parts.push_back("preset " + join(presets.world) + " with directions given in our world (x right, y forward, z up)");
   }
   return join(parts, "; ");
 }
 
-std::string handedness(const Reading& reading) {
-  return reading.convention.axes.determinant() < 0 ? " (mirrored: the other handedness)" : "";
-}
-
 std::string reading_text(const Reading& reading) {
-  const auto presets = presets_text(reading);
-  return describe(reading.convention) + handedness(reading) + (presets.empty() ? "" : ": " + presets);
+  const bool mirrored = reading.convention.axes.determinant() < 0;
+  return describe(reading.convention) + (mirrored ? " (mirrored: the other handedness)" : "") +
+         (reading.presets.empty() ? "" : ": ") + presets_text(reading.presets);
 }
 
 std::string wrong_text(const Samples& samples, const Coefficient& c) {
   return name_of(c) + ": " + c.reason +
-         output::formatted("; on line %d found %s, expected %s\n", samples.lines[c.worst_row], number(c.found).c_str(),
-                           number(c.expected).c_str());
+         output::formatted("; on line %d found %s, expected %s\n", samples.lines[c.worst_row],
+                           number(c.found, 9).c_str(), number(c.expected, 9).c_str());
 }
 
 std::string wrong_list(const Samples& samples, const std::vector<Coefficient>& coefficients) {
@@ -91,34 +70,15 @@ std::string agreement_text(const Identification& result) {
     if (worst == nullptr || c.deviation > worst->deviation) worst = &c;
     if (!c.reason.empty()) {
       rounded += "warning: " + name_of(c) + ": " + c.reason +
-                 output::formatted("; relative deviation %.1e\n", std::abs(c.ratio - Complex(1)));
+                 output::formatted("; relative deviation %.1e\n", std::abs(c.ratio - 1.0));
     }
   }
   if (worst == nullptr) return "";
   return output::formatted("the %s agree to %.1f digits; worst is %s on line %d, found %s, expected %s\n",
                            result.fits() ? "values" : "others", result.digits(), name_of(*worst).c_str(),
-                           result.samples.lines[worst->worst_row], number(worst->found).c_str(),
-                           number(worst->expected).c_str()) +
+                           result.samples.lines[worst->worst_row], number(worst->found, 9).c_str(),
+                           number(worst->expected, 9).c_str()) +
          rounded;
-}
-
-// The readings after the first: those that are presets, the rest counted or listed.
-std::string other_readings(const Identification& result, bool all_readings) {
-  constexpr std::size_t kFew = 4;
-  std::string text;
-  int hidden = 0;
-  for (std::size_t i = 1; i < result.readings.size(); ++i) {
-    const Reading& reading = result.readings[i];
-    const bool shown =
-        all_readings || result.readings.size() <= kFew || !reading.presets.empty() || !reading.world_presets.empty();
-    if (shown) text += "  or: " + reading_text(reading) + "\n";
-    hidden += shown ? 0 : 1;
-  }
-  if (hidden > 0)
-    text += output::formatted("  or: %d further readings that are no preset (--all lists them)\n", hidden);
-  if (text.empty()) return "";
-  const char* why = result.samples.degree <= 1 ? "; values of degree 2 or more can tell most of them apart" : "";
-  return output::formatted("%zu readings are the same on these data%s:\n", result.readings.size(), why) + text;
 }
 
 std::string doubt_text(const Identification& result) {
@@ -131,11 +91,6 @@ std::string doubt_text(const Identification& result) {
   return text;
 }
 
-Json complex_json(Complex value) {
-  if (value.imag() == 0) return value.real();
-  return {{"re", value.real()}, {"im", value.imag()}};
-}
-
 Json reading_json(const Reading& reading) {
   const Convention& c = reading.convention;
   return {{"complex", c.complex},
@@ -145,8 +100,8 @@ Json reading_json(const Reading& reading) {
           {"folded", name_of(c.folded)},
           {"axes", c.axes.to_string()},
           {"mirrored", c.axes.determinant() < 0},
-          {"presets", reading.presets},
-          {"presets_in_world", reading.world_presets}};
+          {"presets", reading.presets.own},
+          {"presets_in_world", reading.presets.world}};
 }
 
 Json coefficient_json(const Samples& samples, const Coefficient& c) {
@@ -173,15 +128,16 @@ std::string format_text(const Identification& result, bool all_readings) {
                                        s.directions.size(), s.columns.size(), s.degree);
   const bool fits = result.fits();
   if (!fits) {
-    const auto wrong =
-        std::count_if(result.coefficients.begin(), result.coefficients.end(), [](const auto& c) { return c.wrong; });
-    text += output::formatted("no convention fits; the nearest explains %zu of %zu coefficients:\n",
-                              result.coefficients.size() - static_cast<std::size_t>(wrong), result.coefficients.size());
+    const auto right =
+        std::count_if(result.coefficients.begin(), result.coefficients.end(), [](const auto& c) { return !c.wrong; });
+    text += output::formatted("no convention fits; the nearest explains %td of %zu coefficients:\n", right,
+                              result.coefficients.size());
   }
   text += (fits ? "convention: " : "") + reading_text(result.readings.front()) + "\n";
   if (!fits) text += wrong_list(s, result.coefficients);
+  const char* why = s.degree <= 1 ? "; values of degree 2 or more can tell most of them apart" : "";
   return text + agreement_text(result) + folded_note(result) + doubt_text(result) +
-         other_readings(result, all_readings);
+         other_readings(result.readings, all_readings, why, reading_text);
 }
 
 std::string format_json(const Identification& result) {

@@ -1,14 +1,12 @@
-// See reasons.hpp.
-#include "numeric/identify/reasons.hpp"
-
+// Why a coefficient differs from the value that a convention expects, in words; see identify.hpp.
 #include <Eigen/QR>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 #include <numeric>
-#include <optional>
 
+#include "numeric/identify/identify.hpp"
 #include "numeric/output/formatted.hpp"
 
 namespace sh::numeric::identify {
@@ -16,7 +14,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr double kSame = 1e-4;  // relative deviation of what counts as the same function or factor
+constexpr double kSame = 1e-4;  // largest relative deviation of a function or factor that counts as the same
 
 std::string number(double value, int digits = 7) { return output::formatted("%.*g", digits, value); }
 
@@ -53,26 +51,20 @@ std::string other_function(const Samples& samples, const Columns& expected, std:
   return "";
 }
 
-struct NamedFactor {
-  double value;
-  const char* name;
-};
-
 std::string named_factor(double ratio, int degree) {
   const double width = 2.0 * degree + 1;
-  constexpr double kTwoRoot = std::numbers::sqrt2;
   constexpr double kPi = std::numbers::pi;
-  const std::array<NamedFactor, 11> factors = {{{2, "2"},
-                                                {kTwoRoot, "sqrt 2"},
-                                                {4, "4"},
-                                                {3, "3"},
-                                                {std::sqrt(3.0), "sqrt 3"},
-                                                {kPi, "pi"},
-                                                {std::sqrt(kPi), "sqrt pi"},
-                                                {4 * kPi, "4 pi"},
-                                                {std::sqrt(4 * kPi), "sqrt(4 pi)"},
-                                                {width, "2l+1"},
-                                                {std::sqrt(width), "sqrt(2l+1)"}}};
+  const std::array<std::pair<double, const char*>, 11> factors = {{{2, "2"},
+                                                                   {std::sqrt(2.0), "sqrt 2"},
+                                                                   {4, "4"},
+                                                                   {3, "3"},
+                                                                   {std::sqrt(3.0), "sqrt 3"},
+                                                                   {kPi, "pi"},
+                                                                   {std::sqrt(kPi), "sqrt pi"},
+                                                                   {4 * kPi, "4 pi"},
+                                                                   {std::sqrt(4 * kPi), "sqrt(4 pi)"},
+                                                                   {width, "2l+1"},
+                                                                   {std::sqrt(width), "sqrt(2l+1)"}}};
   const std::string sign = ratio < 0 ? ", sign flipped" : "";
   for (const auto& [value, name] : factors) {
     if (std::abs(std::abs(ratio) / value - 1) <= kSame) return std::string("too large by the factor ") + name + sign;
@@ -118,15 +110,14 @@ std::string single_lines(const Samples& samples, const Columns& expected, std::s
 
 // The column as a sum of the expected ones, by least squares.
 std::string as_sum(const Samples& samples, const Columns& expected, std::size_t j) {
-  std::vector<std::size_t> used;
-  for (std::size_t k = 0; k < expected.size(); ++k) {
-    if (largest(expected[k]) > 0) used.push_back(k);
-  }
   const auto rows = static_cast<Eigen::Index>(samples.lines.size());
-  Eigen::MatrixXcd functions(rows, static_cast<Eigen::Index>(used.size()));
-  for (std::size_t k = 0; k < used.size(); ++k) {
-    const auto column = static_cast<Eigen::Index>(k);
-    functions.col(column) = Eigen::Map<const Eigen::VectorXcd>(expected[used[k]].data(), rows);
+  std::vector<int> used;
+  Eigen::MatrixXcd functions(rows, 0);
+  for (std::size_t k = 0; k < expected.size(); ++k) {
+    if (largest(expected[k]) == 0) continue;
+    used.push_back(static_cast<int>(k));
+    functions.conservativeResize(rows, functions.cols() + 1);
+    functions.rightCols(1) = Eigen::Map<const Eigen::VectorXcd>(expected[k].data(), rows);
   }
   const Eigen::Map<const Eigen::VectorXcd> values(samples.columns[j].data(), rows);
   const Eigen::VectorXcd parts = functions.householderQr().solve(values);
@@ -139,8 +130,8 @@ std::string as_sum(const Samples& samples, const Columns& expected, std::size_t 
   std::string text = "is not a multiple of its function but";
   for (std::size_t i = 0; i < by_size.size() && i < 3 && weight(by_size[i]) > kSame * weight(by_size[0]); ++i) {
     const Complex part = parts[by_size[i]];
-    text += (i > 0 ? " + (" : " (") + number(part.real(), 4) +
-            (std::abs(part.imag()) > kSame * std::abs(part) ? " + " + number(part.imag(), 4) + "i" : "") +
+    const bool real = std::abs(part.imag()) <= kSame * std::abs(part);
+    text += (i > 0 ? " + (" : " (") + number(part.real(), 4) + (real ? "" : " + " + number(part.imag(), 4) + "i") +
             ") x coefficient " + std::to_string(used[by_size[i]]) + "'s";
   }
   return text;

@@ -1,9 +1,8 @@
-// See rotation_cases.hpp.
-#include "numeric/identify/rotation_cases.hpp"
-
+// Reads rotations and their matrices from a table; see rotation_check.hpp.
 #include <algorithm>
 #include <cmath>
 
+#include "numeric/identify/rotation_check.hpp"
 #include "numeric/oracle/basis.hpp"
 #include "numeric/oracle/rotation_matrices.hpp"
 #include "numeric/output/formatted.hpp"
@@ -11,79 +10,62 @@
 namespace sh::numeric::identify {
 namespace {
 
-std::string format(double value) { return output::formatted("%.3g", value); }
-
-std::size_t entries_in_bands(int degree) {
-  std::size_t count = 0;
-  for (int l = 0; l <= degree; ++l) count += static_cast<std::size_t>((2 * l + 1) * (2 * l + 1));
-  return count;
-}
-
-std::size_t entries_in_full(int degree) {
-  const auto size = static_cast<std::size_t>(coefficient_count(degree));
-  return size * size;
-}
+constexpr double kRotationTolerance = 1e-5;  // of R R^T from 1: six printed digits, or float
 
 struct Layout {
   int degree = -1;
   bool full = false;
 };
 
-Layout layout_with(std::size_t entries) {
-  for (int l = 1; l <= kMaxDegree; ++l) {
-    if (entries == entries_in_full(l)) return {l, true};
-    if (entries == entries_in_bands(l)) return {l, false};
-  }
-  return {};
-}
-
 Layout layout_of(const Table& table) {
-  const std::size_t columns = table.rows.front().cells.size();
-  const Layout layout = layout_with(columns < 9 ? 0 : columns - 9);
-  if (layout.degree >= 0) return layout;
-  refuse_line(table.file, table.rows.front().line,
-              std::to_string(columns) + " columns; it should be the 9 of a rotation and (bands^2)^2 entries (16, 81, " +
-                  "256, ...) or the bands' own (10, 35, 84, ...), degree 1 to " + std::to_string(kMaxDegree));
+  const auto columns = static_cast<int>(table.rows.front().cells.size());
+  int in_bands = 1;
+  for (int l = 1; l <= kMaxDegree; ++l) {
+    in_bands += (2 * l + 1) * (2 * l + 1);
+    const int size = coefficient_count(l);
+    if (columns == 9 + size * size) return {l, true};
+    if (columns == 9 + in_bands) return {l, false};
+  }
+  refuse(table.file, table.rows.front().line,
+         output::formatted("expected the 9 columns of a rotation and (bands^2)^2 entries (16, 81, 256, ...) or the "
+                           "bands' own (10, 35, 84, ...), degree 1 to %d, got %d columns",
+                           kMaxDegree, columns));
 }
 
 std::array<long double, 9> rotation_of(const Table& table, const Row& row) {
   std::array<double, 9> r{};
-  std::array<long double, 9> wide{};
-  for (std::size_t i = 0; i < 9; ++i) {
-    if (row.cells[i].imag() != 0) refuse_line(table.file, row.line, "the rotation (columns 1 to 9) is not real");
+  for (int i = 0; i < 9; ++i) {
+    if (row.cells[i].imag() != 0)
+      refuse(table.file, row.line, "columns 1 to 9: expected real numbers, got complex ones");
     r[i] = row.cells[i].real();
-    wide[i] = r[i];
   }
   const double defect = orthogonality_defect(r);
   if (!(defect <= kRotationTolerance)) {
-    refuse_line(table.file, row.line,
-                "columns 1 to 9 are no rotation: R R^T differs from 1 by " + format(defect) +
-                    "; it should be at most " + format(kRotationTolerance));
+    refuse(table.file, row.line,
+           output::formatted("columns 1 to 9: expected a rotation, |R R^T - 1| at most %.3g, got %.3g",
+                             kRotationTolerance, defect));
   }
   if (determinant(r) < 0) {
-    refuse_line(table.file, row.line, "columns 1 to 9 are a reflection: the determinant is -1; it should be 1");
+    refuse(table.file, row.line, "columns 1 to 9: expected a rotation, determinant 1, got a reflection, -1");
   }
-  std::array<long double, 9> nearest{};
-  nearest_rotation(wide.data(), nearest.data());
-  return nearest;
+  return nearest_rotation<long double>(r.data());
 }
 
-void take_bands(const Row& row, const Layout& layout, RotationCase& result) {
-  std::size_t next = 9;
-  for (int l = 0; l <= layout.degree; ++l) {
-    const auto width = static_cast<std::size_t>(2 * l + 1);
-    std::vector<std::complex<double>> band;
-    for (std::size_t i = 0; i < width * width; ++i) band.push_back(row.cells[next++]);
-    result.bands.push_back(std::move(band));
+void take_bands(const Row& row, int degree, RotationCase& result) {
+  auto next = row.cells.begin() + 9;
+  for (int l = 0; l <= degree; ++l) {
+    const auto end = next + (2 * l + 1) * (2 * l + 1);
+    result.bands.emplace_back(next, end);
+    next = end;
   }
 }
 
-void take_full(const Row& row, const Layout& layout, RotationCase& result) {
-  const auto size = static_cast<std::size_t>(coefficient_count(layout.degree));
-  const auto band_of = [](std::size_t i) { return static_cast<std::size_t>(std::sqrt(static_cast<double>(i))); };
-  result.bands.resize(static_cast<std::size_t>(layout.degree) + 1);
-  for (std::size_t i = 0; i < size; ++i) {
-    for (std::size_t k = 0; k < size; ++k) {
+void take_full(const Row& row, int degree, RotationCase& result) {
+  const int size = coefficient_count(degree);
+  const auto band_of = [](int i) { return static_cast<int>(std::sqrt(i)); };
+  result.bands.resize(degree + 1);
+  for (int i = 0; i < size; ++i) {
+    for (int k = 0; k < size; ++k) {
       const auto& entry = row.cells[9 + i * size + k];
       if (band_of(i) == band_of(k)) {
         result.bands[band_of(i)].push_back(entry);
@@ -107,19 +89,15 @@ RotationCases read_rotation_cases(const Table& table) {
   RotationCases result{table.file, layout.degree, false, {}};
   for (const Row& row : table.rows) {
     RotationCase one{row.line, rotation_of(table, row), {}, 0};
-    if (layout.full) {
-      take_full(row, layout, one);
-    } else {
-      take_bands(row, layout, one);
-    }
+    (layout.full ? take_full : take_bands)(row, layout.degree, one);
     result.complex = result.complex || std::any_of(row.cells.begin() + 9, row.cells.end(),
                                                    [](const auto& cell) { return cell.imag() != 0; });
     result.cases.push_back(std::move(one));
   }
   if (std::none_of(result.cases.begin(), result.cases.end(), is_general)) {
-    refuse_file(table.file,
-                "no rotation is general enough to decide; it should have one by 0.2 to 2.9 radians about an axis away "
-                "from the planes x = 0, y = 0, z = 0, such as `shcheck rotation-matrix --rotations 40` prints");
+    refuse(table.file, 0,
+           "expected a rotation by 0.2 to 2.9 radians about an axis away from the planes x = 0, y = 0, z = 0, such as "
+           "`shcheck rotation-matrix --rotations 40` prints, got none");
   }
   return result;
 }
@@ -138,7 +116,7 @@ bool is_general(const RotationCase& rotation) {
 RotationAngles angles_of(const RotationCase& rotation, const Axes& axes) {
   const auto q = quaternion(rotation);
   const long double length = std::hypot(q[1], q[2], q[3]);
-  const auto polar = static_cast<std::size_t>(1 + axes.axis[2]);
+  const int polar = 1 + axes.axis[2];
   const long double along = q[polar];
   const long double across = std::hypot(q[1 + polar % 3], q[1 + (polar + 1) % 3]);
   const auto twice_angle = [](long double sine, long double cosine) {

@@ -3,32 +3,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <numbers>
 
 namespace sh::numeric::identify {
 namespace {
 
 using Complex = std::complex<long double>;
-
-// Largest entry of D D* - 1.
-double defect_of(const Band& band, std::size_t width) {
-  long double largest = 0;
-  for (std::size_t i = 0; i < width; ++i) {
-    for (std::size_t k = 0; k <= i; ++k) {
-      Complex sum = i == k ? -1.0L : 0.0L;
-      for (std::size_t n = 0; n < width; ++n) sum += band[i * width + n] * std::conj(band[k * width + n]);
-      largest = std::max(largest, std::abs(sum));
-    }
-  }
-  return static_cast<double>(largest);
-}
+using Errors = std::vector<std::vector<double>>;  // [case][band]
 
 double error_of(const Band& own, const Band& expected) {
-  long double largest = 0;
-  for (std::size_t i = 0; i < own.size(); ++i) largest = std::max(largest, std::abs(own[i] - expected[i]));
-  return static_cast<double>(largest);
+  return static_cast<double>((own - expected).cwiseAbs().maxCoeff());
 }
+
+// The largest entry of D D* - 1.
+double defect_of(const Band& d) { return error_of(d * d.adjoint(), Band::Identity(d.rows(), d.cols())); }
 
 double median(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) / 2);
@@ -36,21 +24,21 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-// True errors, [case][band], and the defects in `result`.
-std::vector<std::vector<double>> measure(const RotationReading& reading, RotationCheck& result) {
+// The true errors; the defects go into `result`.
+Errors measure(const RotationReading& reading, RotationCheck& result) {
   const int degree = result.cases.degree;
-  result.bands.resize(static_cast<std::size_t>(degree) + 1);
-  std::vector<std::vector<double>> errors;
+  result.bands.resize(degree + 1);
+  Errors errors;
   for (std::size_t i = 0; i < result.cases.cases.size(); ++i) {
     const RotationCase& one = result.cases.cases[i];
-    const auto own = own_bands(reading, one, degree);
     const auto expected = expected_bands(reading, one, degree);
     errors.emplace_back();
-    for (std::size_t l = 0; l < own.size(); ++l) {
+    for (int l = 0; l <= degree; ++l) {
+      const Band own = own_band(reading, one, l);
       BandErrors& band = result.bands[l];
-      band.degree = static_cast<int>(l);
-      band.defect = std::max(band.defect, defect_of(own[l], 2 * l + 1));
-      errors.back().push_back(error_of(own[l], expected[l]));
+      band.degree = l;
+      band.defect = std::max(band.defect, defect_of(own));
+      errors.back().push_back(error_of(own, expected[l]));
       if (errors.back().back() <= band.error && i > 0) continue;
       band.error = errors.back().back();
       band.worst = i;
@@ -60,7 +48,7 @@ std::vector<std::vector<double>> measure(const RotationReading& reading, Rotatio
   return errors;
 }
 
-void set_limits(const std::vector<std::vector<double>>& errors, double tolerance, RotationCheck& result) {
+void set_limits(const Errors& errors, double tolerance, RotationCheck& result) {
   constexpr double kLooksDouble = 1e-11;
   constexpr double kEpsilons = 16;
   std::vector<double> largest;
@@ -75,7 +63,7 @@ double polar_tilt(const RotationCheck& result, std::size_t i) {
   return std::min(tilt, std::numbers::pi - tilt);
 }
 
-void sort_by_tilt(const std::vector<std::vector<double>>& errors, RotationCheck& result) {
+void sort_by_tilt(const Errors& errors, RotationCheck& result) {
   constexpr int kDecades = 9;
   for (int decade = 0; decade < kDecades; ++decade) {
     TiltErrors tilts;
@@ -91,83 +79,73 @@ void sort_by_tilt(const std::vector<std::vector<double>>& errors, RotationCheck&
   }
 }
 
-// What the failing cases have in common that the others have not.
+// The common property of the failing cases, which the others do not have.
 std::string diagnose(const RotationCheck& result) {
   constexpr double kSmall = 0.1;
-  const auto all_fail_where = [&](const std::function<double(std::size_t)>& angle) {
-    const auto is_small = [&](std::size_t i) { return angle(i) < kSmall; };
-    std::vector<std::size_t> all(result.cases.cases.size());
-    for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
-    return std::all_of(result.failing.begin(), result.failing.end(), is_small) &&
-           !std::all_of(all.begin(), all.end(), is_small);
+  const auto all_fail_where_small = [&](const auto& angle) {
+    std::size_t small = 0;
+    for (std::size_t i = 0; i < result.cases.cases.size(); ++i) small += angle(i) < kSmall ? 1 : 0;
+    return small < result.cases.cases.size() &&
+           std::all_of(result.failing.begin(), result.failing.end(), [&](std::size_t i) { return angle(i) < kSmall; });
   };
+  const auto angles = [&](std::size_t i) { return angles_of(result.cases.cases[i], Axes{}); };
   if (result.failing.empty()) return "";
-  if (all_fail_where([&](std::size_t i) { return polar_tilt(result, i); })) {
+  if (all_fail_where_small([&](std::size_t i) { return polar_tilt(result, i); })) {
     return "only rotations that hardly tilt the polar axis, or turn it over, fail: sin(beta) taken from "
            "sqrt(1 - cos^2(beta)), or beta from acos, loses digits there (near identity above all); take it from the "
            "third column of R, hypot(r02, r12)";
   }
-  const Axes axes = result.readings.front().convention.axes;
-  if (all_fail_where([&](std::size_t i) { return angles_of(result.cases.cases[i], axes).from_half_turn; })) {
+  if (all_fail_where_small([&](std::size_t i) { return angles(i).from_half_turn; })) {
     return "only rotations near a half turn fail: a quaternion or an axis taken from 1 + trace(R) loses digits there; "
            "start from the largest component";
   }
-  if (all_fail_where([&](std::size_t i) { return angles_of(result.cases.cases[i], axes).from_identity; })) {
+  if (all_fail_where_small([&](std::size_t i) { return angles(i).from_identity; })) {
     return "only rotations near identity fail: an angle taken from its cosine loses digits there; take it from its "
            "sine";
   }
   return "the error does not depend on the angle";
 }
 
-struct Spoiler {
-  std::string reason;
-  bool row = false, column = false;
-};
-
-// Signs whose flip makes the band right.
+// The signs whose flip makes the band right.
 std::string sign_reason(const Band& own, const Band& expected, int l) {
-  const auto width = static_cast<std::size_t>(2 * l + 1);
-  for (std::size_t m = 0; m < width; ++m) {
-    const std::string name = "m=" + std::to_string(static_cast<int>(m) - l);
-    for (const Spoiler& spoiler : {Spoiler{"the function of " + name + " has the other sign", true, true},
-                                   Spoiler{"row " + name + " has the other sign", true, false},
-                                   Spoiler{"column " + name + " has the other sign", false, true}}) {
-      Band flipped = own;
-      for (std::size_t k = 0; k < width; ++k) {
-        if (spoiler.row) flipped[m * width + k] *= -1;
-        if (spoiler.column) flipped[k * width + m] *= -1;
-      }
-      if (error_of(flipped, expected) <= static_cast<double>(kFar)) return spoiler.reason;
-    }
+  for (int m = -l; m <= l; ++m) {
+    const std::string name = "m=" + std::to_string(m);
+    Band row = own;
+    Band column = own;
+    row.row(m + l) *= -1;
+    column.col(m + l) *= -1;
+    Band both = row;
+    both.col(m + l) *= -1;
+    const auto limit = static_cast<double>(kFar);
+    if (error_of(both, expected) <= limit) return "the function of " + name + " has the other sign";
+    if (error_of(row, expected) <= limit) return "row " + name + " has the other sign";
+    if (error_of(column, expected) <= limit) return "column " + name + " has the other sign";
   }
   return "";
 }
 
 std::string entry_reason(Complex found, Complex expected) {
   if (std::abs(found + expected) <= kFar) return "sign flipped";
-  if (std::abs(found) <= kFar) return "is zero";
-  return "";
+  return std::abs(found) <= kFar ? "is zero" : "";
 }
 
 std::vector<WrongEntry> first_wrong_entry(const RotationReading& reading, const RotationCases& cases) {
   for (int l = 0; l <= cases.degree; ++l) {
     for (const RotationCase& one : cases.cases) {
       if (!is_general(one)) continue;
-      const auto own = own_bands(reading, one, l).back();
-      const auto expected = expected_bands(reading, one, l).back();
-      const auto is_wrong = [&](std::size_t i) { return std::abs(own[i] - expected[i]) > kFar; };
-      int count = 0;
-      std::size_t first = own.size();
-      for (std::size_t i = own.size(); i-- > 0;) {
-        if (!is_wrong(i)) continue;
-        ++count;
-        first = i;
-      }
-      if (count == 0) continue;
-      const int place = static_cast<int>(first);
-      const auto reason = count == 1 ? entry_reason(own[first], expected[first]) : sign_reason(own, expected, l);
-      return {{one.line, l, place / (2 * l + 1) - l, place % (2 * l + 1) - l, std::complex<double>(own[first]),
-               std::complex<double>(expected[first]), reason}};
+      const Band own = own_band(reading, one, l);
+      const Band expected = expected_bands(reading, one, l).back();
+      const auto wrong = ((own - expected).array().abs() > kFar).eval();
+      if (!wrong.any()) continue;
+      Eigen::Index row = 0;
+      while (!wrong.row(row).any()) ++row;
+      Eigen::Index column = 0;
+      while (!wrong(row, column)) ++column;
+      const Complex found = own(row, column);
+      const Complex right = expected(row, column);
+      return {{one.line, l, static_cast<int>(row) - l, static_cast<int>(column) - l, std::complex<double>(found),
+               std::complex<double>(right),
+               wrong.count() == 1 ? entry_reason(found, right) : sign_reason(own, expected, l)}};
     }
   }
   return {};
@@ -176,12 +154,9 @@ std::vector<WrongEntry> first_wrong_entry(const RotationReading& reading, const 
 }  // namespace
 
 RotationCheck check_rotations(const RotationCases& cases, double tolerance) {
-  const auto candidates = ranked_rotation_readings(cases);
   RotationCheck result;
   result.cases = cases;
-  for (const auto& c : candidates) {
-    if (c.wrong == candidates.front().wrong) result.readings.push_back(c.reading);
-  }
+  result.readings = best_rotation_readings(cases);
   const RotationReading& best = result.readings.front();
   result.wrong = first_wrong_entry(best, cases);
   result.fits = result.wrong.empty();

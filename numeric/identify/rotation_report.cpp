@@ -1,66 +1,36 @@
 // The answer of rotation_check.hpp as text and as JSON.
-#include <nlohmann/json.hpp>
-
+#include "numeric/identify/report_parts.hpp"
 #include "numeric/identify/rotation_check.hpp"
-#include "numeric/output/formatted.hpp"
 
 namespace sh::numeric::identify {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-std::string join(const std::vector<std::string>& words) {
-  std::string text;
-  for (const auto& word : words) text += (text.empty() ? "" : ", ") + word;
-  return text;
-}
-
 std::string reading_text(const RotationReading& reading) {
+  const auto& [own, world] = reading.presets;
   std::string text = reading.describe();
-  const auto own = join(reading.presets());
-  const auto world = join(reading.world_presets());
-  if (!own.empty()) text += ": as " + own;
-  if (!world.empty()) text += (own.empty() ? ": as " : "; ") + world + " with rotations given in our world";
+  if (!own.empty()) text += ": as " + join(own);
+  if (!world.empty()) text += (own.empty() ? ": as " : "; ") + join(world) + " with rotations given in our world";
   return text;
-}
-
-std::string other_readings(const RotationCheck& result, bool all_readings) {
-  constexpr std::size_t kFew = 4;
-  std::string text;
-  int hidden = 0;
-  for (std::size_t i = 1; i < result.readings.size(); ++i) {
-    const RotationReading& reading = result.readings[i];
-    const bool named = !reading.presets().empty() || !reading.world_presets().empty();
-    const bool shown = all_readings || named || result.readings.size() <= kFew;
-    if (shown) text += "  or: " + reading_text(reading) + "\n";
-    hidden += shown ? 0 : 1;
-  }
-  if (hidden > 0)
-    text += output::formatted("  or: %d further readings that are no preset (--all lists them)\n", hidden);
-  return text.empty() ? ""
-                      : output::formatted("%zu readings are the same on these data:\n", result.readings.size()) + text;
-}
-
-std::string number(const std::complex<double>& value) {
-  return value.imag() == 0 ? output::formatted("%.7g", value.real())
-                           : output::formatted("%.7g%+.7gi", value.real(), value.imag());
 }
 
 std::string wrong_text(const WrongEntry& w) {
   return output::formatted("first wrong: line %d, band l=%d, row m=%d, column m=%d: found %s, expected %s%s%s\n",
-                           w.line, w.degree, w.row, w.column, number(w.found).c_str(), number(w.expected).c_str(),
+                           w.line, w.degree, w.row, w.column, number(w.found, 7).c_str(), number(w.expected, 7).c_str(),
                            w.reason.empty() ? "" : ": ", w.reason.c_str());
+}
+
+// The case of a band's largest error.
+RotationAngles worst_angles(const RotationCheck& result, const BandErrors& band) {
+  return angles_of(result.cases.cases[band.worst], result.readings.front().convention.axes);
 }
 
 std::string bands_text(const RotationCheck& result) {
   std::string text = output::formatted("%4s  %-13s  %-10s  %-10s  %s\n", "band", "orthogonal to", "true error", "limit",
                                        "worst: line, radians from identity, from a half turn, tilt of the polar axis");
   for (const BandErrors& band : result.bands) {
-    const RotationCase& worst = result.cases.cases[band.worst];
-    const auto angles = angles_of(worst, result.readings.front().convention.axes);
-    text +=
-        output::formatted("%4d  %-13.1e  %-10.1e  %-10.1e  %d, %.2g, %.2g, %.2g\n", band.degree, band.defect,
-                          band.error, band.limit, worst.line, angles.from_identity, angles.from_half_turn, angles.tilt);
+    const auto [identity, half_turn, tilt] = worst_angles(result, band);
+    text += output::formatted("%4d  %-13.1e  %-10.1e  %-10.1e  %d, %.2g, %.2g, %.2g\n", band.degree, band.defect,
+                              band.error, band.limit, result.cases.cases[band.worst].line, identity, half_turn, tilt);
   }
   return text;
 }
@@ -84,11 +54,6 @@ std::string failing_text(const RotationCheck& result) {
   return result.diagnosis.empty() ? text : text + "diagnosis: " + result.diagnosis + "\n";
 }
 
-Json complex_json(const std::complex<double>& value) {
-  if (value.imag() == 0) return value.real();
-  return {{"re", value.real()}, {"im", value.imag()}};
-}
-
 Json reading_json(const RotationReading& reading) {
   return {{"description", reading.describe()},
           {"complex", reading.convention.complex},
@@ -97,22 +62,21 @@ Json reading_json(const RotationReading& reading) {
           {"axes", reading.convention.axes.to_string()},
           {"inverse", reading.inverse},
           {"transposed", reading.transposed},
-          {"presets", reading.presets()},
-          {"presets_in_world", reading.world_presets()}};
+          {"presets", reading.presets.own},
+          {"presets_in_world", reading.presets.world}};
 }
 
 Json band_json(const RotationCheck& result, const BandErrors& band) {
-  const RotationCase& worst = result.cases.cases[band.worst];
-  const auto angles = angles_of(worst, result.readings.front().convention.axes);
+  const auto [identity, half_turn, tilt] = worst_angles(result, band);
   return {{"degree", band.degree},
           {"orthogonality_defect", band.defect},
           {"error", band.error},
           {"limit", band.limit},
           {"worst",
-           {{"line", worst.line},
-            {"from_identity", angles.from_identity},
-            {"from_half_turn", angles.from_half_turn},
-            {"tilt", angles.tilt}}}};
+           {{"line", result.cases.cases[band.worst].line},
+            {"from_identity", identity},
+            {"from_half_turn", half_turn},
+            {"tilt", tilt}}}};
 }
 
 Json wrong_json(const WrongEntry& w) {
@@ -139,7 +103,7 @@ std::string format_text(const RotationCheck& result, bool all_readings) {
       text += output::formatted("largest entry between bands: %.1e\n", result.between_bands);
     text += failing_text(result);
   }
-  return text + other_readings(result, all_readings);
+  return text + other_readings(result.readings, all_readings, "", reading_text);
 }
 
 std::string format_json(const RotationCheck& result) {

@@ -14,20 +14,20 @@
 namespace sh::numeric::identify {
 namespace {
 
-std::string format(double value) { return output::formatted("%.9g", value); }
+constexpr double kLengthTolerance = 1e-5;  // six printed digits, or float
 
 std::array<double, 3> direction_of(const Table& table, const Row& row, bool normalise) {
   std::array<double, 3> d{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (row.cells[i].imag() != 0) refuse_line(table.file, row.line, "the direction is not real");
+  for (int i = 0; i < 3; ++i) {
+    if (row.cells[i].imag() != 0) refuse(table.file, row.line, "expected a real direction, got complex numbers");
     d[i] = row.cells[i].real();
   }
   const double length = std::hypot(d[0], d[1], d[2]);
-  if (length == 0) refuse_line(table.file, row.line, "the direction is the zero vector; its length should be 1");
+  if (length == 0) refuse(table.file, row.line, "expected a direction of length 1, got the zero vector");
   if (!normalise && !(std::abs(length - 1) <= kLengthTolerance)) {
-    refuse_line(table.file, row.line,
-                "the direction has length " + format(length) + "; it should be 1 to within " +
-                    format(kLengthTolerance) + " (--normalise scales directions)");
+    refuse(table.file, row.line,
+           output::formatted("expected a direction of length 1 to within %g, got %.9g (--normalise scales directions)",
+                             kLengthTolerance, length));
   }
   return normalised(d[0], d[1], d[2]);
 }
@@ -35,7 +35,7 @@ std::array<double, 3> direction_of(const Table& table, const Row& row, bool norm
 // The degree with `count` functions, or -1.
 int degree_with(std::size_t count) {
   for (int l = 0; l <= kMaxDegree; ++l) {
-    if (static_cast<std::size_t>(coefficient_count(l)) == count) return l;
+    if (count == static_cast<std::size_t>(coefficient_count(l))) return l;
   }
   return -1;
 }
@@ -53,17 +53,18 @@ int rank_of(const std::vector<std::array<double, 3>>& directions, int degree) {
 
 void require_enough(const Samples& s) {
   const int needed = coefficient_count(s.degree);
-  const int rank = static_cast<int>(s.directions.size()) < needed ? -1 : rank_of(s.directions, s.degree);
+  const int count = static_cast<int>(s.directions.size());
+  const int rank = count < needed ? -1 : rank_of(s.directions, s.degree);
   if (rank == needed) return;
-  refuse_file(s.file, std::to_string(s.directions.size()) + " directions are too few to decide degree " +
-                          std::to_string(s.degree) + ": " +
-                          (rank < 0 ? "it" : "they tell only " + std::to_string(rank) + " functions apart; it") +
-                          " should be at least " + std::to_string(needed) +
-                          " in general position, such as `shcheck identify --directions " +
-                          std::to_string(2 * needed + 16) + "` prints");
+  refuse(s.file, 0,
+         output::formatted("expected at least %d directions in general position to decide degree %d, such as `shcheck "
+                           "identify --directions %d` prints, got %d",
+                           needed, s.degree, 2 * needed + 16, count) +
+             (rank < 0 ? "" : output::formatted(" that tell %d functions apart", rank)));
 }
 
-Samples without_values(const Table& table, bool normalise) {
+// The directions of the table, without values.
+Samples directions_of(const Table& table, bool normalise) {
   Samples samples;
   samples.file = table.file;
   for (const Row& row : table.rows) {
@@ -75,13 +76,11 @@ Samples without_values(const Table& table, bool normalise) {
 
 // The columns after the direction; with `pairs`, two make one complex column.
 Samples with_values(Samples samples, const Table& table, bool pairs) {
-  const std::size_t step = pairs ? 2 : 1;
-  for (std::size_t j = 3; j < table.rows.front().cells.size(); j += step) {
-    std::vector<std::complex<double>> column;
+  for (std::size_t j = 3; j < table.rows.front().cells.size(); j += pairs ? 2 : 1) {
+    auto& column = samples.columns.emplace_back();
     for (const Row& row : table.rows) {
       column.push_back(pairs ? std::complex<double>(row.cells[j].real(), row.cells[j + 1].real()) : row.cells[j]);
     }
-    samples.columns.push_back(std::move(column));
   }
   return samples;
 }
@@ -100,12 +99,12 @@ std::vector<Samples> read_samples(const Table& table, bool normalise) {
   const int whole = degree_with(values);
   const int half = values % 2 == 0 ? degree_with(values / 2) : -1;
   if (whole < 0 && half < 0) {
-    refuse_line(table.file, table.rows.front().line,
-                std::to_string(columns) +
-                    " columns; it should be x,y,z and (L+1)^2 values, or 2 (L+1)^2 for an array " +
-                    "with holes or for real and imaginary parts, with L from 0 to " + std::to_string(kMaxDegree));
+    refuse(table.file, table.rows.front().line,
+           output::formatted("expected x,y,z and (L+1)^2 values, or 2 (L+1)^2 for an array with holes or for real and "
+                             "imaginary parts, L from 0 to %d, got %zu columns",
+                             kMaxDegree, columns));
   }
-  Samples samples = without_values(table, normalise);
+  Samples samples = directions_of(table, normalise);
   samples.degree = std::max(whole, half);
   require_enough(samples);
   if (whole >= 0) return {with_values(samples, table, false)};
@@ -120,8 +119,7 @@ std::vector<Samples> read_samples(const Table& table, bool normalise) {
 std::string suggested_directions(int count) {
   constexpr int kMost = 1'000'000;
   if (count < 1 || count > kMost) {
-    throw std::invalid_argument("--directions: " + std::to_string(count) + "; it should be 1 to " +
-                                std::to_string(kMost));
+    throw std::invalid_argument(output::formatted("--directions: expected 1 to %d, got %d", kMost, count));
   }
   std::vector<Direction> special = axis_directions();
   for (const auto& d : diagonal_directions()) special.push_back(d);

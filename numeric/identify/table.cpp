@@ -15,24 +15,22 @@ namespace {
 
 using Complex = std::complex<double>;
 
-// The number at the front of `text`, which is moved past it. A value too small for a double is taken as strtod does.
+// Takes the number at the front of `text`. strtod decides what a value beyond the range of a double becomes.
 std::optional<double> take_number(std::string_view& text) {
   std::string_view digits = text;
   if (digits.size() > 1 && digits[0] == '+' && digits[1] != '-') digits.remove_prefix(1);
   double value = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   if (error == std::errc::invalid_argument) return std::nullopt;
-  const std::string_view number = digits.substr(0, end - digits.data());
+  const std::string_view number(digits.data(), end);
   if (error == std::errc::result_out_of_range) value = std::strtod(std::string(number).c_str(), nullptr);
-  digits.remove_prefix(number.size());
-  text = digits;
+  text = digits.substr(number.size());
   return value;
 }
 
-bool is_unit(std::string_view text) { return text == "i" || text == "j"; }
-
 // a, bi, a+bi or a-bj, in brackets or not.
 std::optional<Complex> parse_cell(std::string_view text) {
+  const auto is_unit = [](std::string_view rest) { return rest == "i" || rest == "j"; };
   if (text.size() > 2 && text.front() == '(' && text.back() == ')') text = text.substr(1, text.size() - 2);
   const auto first = take_number(text);
   if (!first) return std::nullopt;
@@ -67,11 +65,11 @@ bool is_header(const std::vector<std::string_view>& cells) {
 Row parse_row(const std::string& file, int line, const std::vector<std::string_view>& cells) {
   Row row{line, {}};
   for (const std::string_view cell : cells) {
-    const std::string name = "column " + std::to_string(row.cells.size() + 1) + ": '" + std::string(cell.substr(0, 40));
     const auto value = parse_cell(cell);
-    if (!value) refuse_line(file, line, name + "' is not a number such as -0.5 or 0.5+0.25i; commas separate columns");
-    if (!std::isfinite(value->real()) || !std::isfinite(value->imag())) {
-      refuse_line(file, line, name + "' is not finite");
+    if (!value || !std::isfinite(value->real()) || !std::isfinite(value->imag())) {
+      refuse(file, line,
+             "column " + std::to_string(row.cells.size() + 1) + ": expected a " + (value ? "finite " : "") +
+                 "number such as -0.5 or 0.5+0.25i, got '" + std::string(cell.substr(0, 40)) + "'");
     }
     row.cells.push_back(*value);
   }
@@ -81,24 +79,20 @@ Row parse_row(const std::string& file, int line, const std::vector<std::string_v
 void require_width(const Table& table, const Row& row) {
   const Row& first = table.rows.front();
   if (row.cells.size() == first.cells.size()) return;
-  refuse_line(table.file, row.line,
-              std::to_string(row.cells.size()) + " columns; it should be " + std::to_string(first.cells.size()) +
-                  " as on line " + std::to_string(first.line));
+  refuse(table.file, row.line,
+         "expected " + std::to_string(first.cells.size()) + " columns as on line " + std::to_string(first.line) +
+             ", got " + std::to_string(row.cells.size()));
 }
 
 }  // namespace
 
-void refuse_line(const std::string& file, int line, const std::string& message) {
-  throw std::invalid_argument(file + ":" + std::to_string(line) + ": " + message);
-}
-
-void refuse_file(const std::string& file, const std::string& message) {
-  throw std::invalid_argument(file + ": " + message);
+void refuse(const std::string& file, int line, const std::string& message) {
+  throw std::invalid_argument(file + (line > 0 ? ":" + std::to_string(line) : "") + ": " + message);
 }
 
 Table parse_table(const std::string& file, std::string_view text) {
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-  if (text.substr(0, kByteOrderMark.size()) == kByteOrderMark) text.remove_prefix(kByteOrderMark.size());
+  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   Table table{file, {}};
   bool header_seen = false;
   for (int line = 1; !text.empty(); ++line) {
@@ -114,7 +108,7 @@ Table parse_table(const std::string& file, std::string_view text) {
     table.rows.push_back(parse_row(file, line, cells));
     require_width(table, table.rows.back());
   }
-  if (table.rows.empty()) refuse_file(file, "holds no row of numbers");
+  if (table.rows.empty()) refuse(file, 0, "expected a row of numbers, got none");
   return table;
 }
 

@@ -1,9 +1,9 @@
 // A table of numbers from a CSV file, with the line that each row stands on.
 //
-// Input: numbers separated by commas, one row a line. A first line without any number is a header; blank lines and what
-// follows a # are left out. A cell is real (0.5, -1e-3) or complex (0.5+0.25i, (1e-3-2j), 2i). Packaged readers of C++
-// fix the number of columns when they compile or do not say which line they are on, hence this one on std::from_chars.
-// Errors: std::invalid_argument, one line "FILE:LINE: what is wrong; what would be right".
+// Input: numbers separated by commas, one row a line. A first line without any number is a header. Blank lines and
+// everything after a # are left out. A cell is real (0.5, -1e-3) or complex (0.5+0.25i, (1e-3-2j), 2i). Packaged
+// readers of C++ fix the number of columns when they compile or do not report the line of an error, hence this one on
+// std::from_chars.
 #pragma once
 
 #include <complex>
@@ -23,14 +23,12 @@ struct Table {
   std::vector<Row> rows;  // at least one, all of the same number of cells
 };
 
-// What a file holds; `file` names it in errors.
+/// The table of a text; `file` names it in errors. Throws std::invalid_argument, one line.
 Table parse_table(const std::string& file, std::string_view text);
-// Reads the file and parses it; std::runtime_error where it cannot be read (output/read_file.hpp).
+/// Reads the file and parses it; std::runtime_error where it cannot be read (output/read_file.hpp).
 Table read_table(const std::string& file);
 
-// Throws "FILE:LINE: message".
-[[noreturn]] void refuse_line(const std::string& file, int line, const std::string& message);
-// Throws "FILE: message".
-[[noreturn]] void refuse_file(const std::string& file, const std::string& message);
+/// Throws std::invalid_argument "FILE:LINE: message", or "FILE: message" for line 0.
+[[noreturn]] void refuse(const std::string& file, int line, const std::string& message);
 
 }  // namespace sh::numeric::identify

@@ -1,4 +1,4 @@
-// The generated C++ kernels as data: by name a function to call on float, double and Wide, and what its arguments are.
+// The generated C++ kernels as data: by name a function to call on float, double and Wide, and its arguments.
 //
 // The list is made by kernel_bindings.cmake from the files in generated/cpp: one row a kernel, two source files a
 // family. Only shcheck and the tests include this: numeric's library knows nothing of the generated code.
@@ -16,7 +16,7 @@ namespace sh::numeric {
 
 enum class ArgumentKind { kValue, kReadArray, kWriteArray };
 
-// arguments[i] points to the values of parameter i; the returned value goes to arguments[number of parameters].
+/// arguments[i] points to the values of parameter i; the returned value goes to arguments[number of parameters].
 template <class T>
 using PointerCall = void (*)(T* const* arguments);
 
@@ -42,7 +42,7 @@ struct BoundKernel {
   }
 };
 
-// Every generated kernel, by family and degree.
+/// Every generated kernel, by family and degree.
 std::vector<BoundKernel> bound_kernels();
 
 namespace detail {
@@ -85,7 +85,7 @@ struct Binding<T, kFunction> {
 
 }  // namespace detail
 
-// One row of the list: bind<&basis_l4<float>, &basis_l4<double>>("basis", 4). Wide comes from another source file.
+/// One row of the list: bind<&basis_l4<float>, &basis_l4<double>>("basis", 4). Wide comes from another source file.
 template <auto kInFloat, auto kInDouble>
 BoundKernel bind(const char* family, int degree) {
   using Float = detail::Binding<float, kInFloat>;
@@ -97,7 +97,7 @@ BoundKernel bind(const char* family, int degree) {
           .in_double = detail::Binding<double, kInDouble>::call};
 }
 
-// The kernels of a family, in_wide[i] for family[i].
+/// The kernels of a family, in_wide[i] for family[i].
 inline void append(std::vector<BoundKernel>& all, std::vector<BoundKernel> family,
                    const std::vector<PointerCall<Wide>>& in_wide) {
   for (std::size_t i = 0; i < family.size(); ++i) {

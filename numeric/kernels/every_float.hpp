@@ -1,18 +1,13 @@
-// The error of a kernel of one float at all floats of a range, or at every n-th: exhaustively instead of by search.
-//
-// Input: the kernel in float and in double, a template on lanes; the size that errors are compared with; the range by
-// the bits of its ends, since positive floats have the order of their bits. Output: the largest error in epsilon x size
-// and where. The reference is the same formula in double, whose own rounding, 2^-29 of float's, does not matter; that
-// the formula is right is tested elsewhere (kernel_check). Below size 2^-100 digits are lost to underflow: not counted.
+// A function of one float beside itself in double, at every float of a range, on SIMD lanes.
 #pragma once
 
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cstddef>
-#include <cstdint>
 #include <experimental/simd>
 #include <limits>
+
+#include "numeric/kernels/exhaustive.hpp"
 
 namespace sh::numeric {
 
@@ -20,19 +15,9 @@ constexpr int kFloatLanes = 8;
 using FloatLanes = std::experimental::fixed_size_simd<float, kFloatLanes>;
 using DoubleLanes = std::experimental::fixed_size_simd<double, kFloatLanes>;
 
-struct FloatRange {
-  float first = 0, last = 0;  // 0 <= first <= last
-  std::uint32_t stride = 1;   // 1: every float
-};
-
-struct FloatError {
-  double error = 0;  // in epsilon x size; infinite where the kernel gives what is not a number
-  float at = 0;
-  std::size_t output = 0;
-  std::uint64_t evaluated = 0;
-};
-
-// kernel(x, out): out (kOutputs), x of FloatLanes or DoubleLanes. size(output, x): the size at x of DoubleLanes, > 0.
+/// The largest error at the floats of a range. Positive floats have the order of their bits. kernel(x, out): out
+/// (kOutputs), x of FloatLanes or DoubleLanes. size(output, x): the size that errors are compared with, at x of
+/// DoubleLanes, > 0.
 template <std::size_t kOutputs, class Kernel, class Size>
 FloatError worst_float(const FloatRange& range, const Kernel& kernel, const Size& size) {
   using std::experimental::all_of;
@@ -55,7 +40,7 @@ FloatError worst_float(const FloatRange& range, const Kernel& kernel, const Size
       const DoubleLanes error = std::experimental::static_simd_cast<DoubleLanes>(out[i]) - exact[i];
       const DoubleLanes magnitude = std::experimental::max(error, -error);
       const DoubleLanes allowed = size(i, wide) * static_cast<double>(std::numeric_limits<float>::epsilon());
-      if (all_of(magnitude <= worst.error * allowed)) continue;  // not so for what is not a number
+      if (all_of(magnitude <= worst.error * allowed)) continue;  // false for values that are not numbers
       for (std::size_t lane = 0; lane < kFloatLanes; ++lane) {
         if (allowed[lane] < kLeastSize) continue;
         double found = magnitude[lane] / allowed[lane];

@@ -16,7 +16,7 @@
 namespace sh::numeric {
 namespace {
 
-// What depends on the degree alone is found once.
+// Values of the degree alone, each made once.
 template <class Value>
 class ByDegree {
  public:
@@ -122,10 +122,10 @@ const std::vector<FamilyCheck>& all_checks() {
 }
 
 const FamilyCheck* find_check(const std::string& family) {
-  const std::vector<FamilyCheck>& checks = all_checks();
-  const auto found = std::find_if(checks.begin(), checks.end(),
-                                  [&](const FamilyCheck& check) { return check.family == without_variant(family); });
-  return found == checks.end() ? nullptr : &*found;
+  for (const FamilyCheck& check : all_checks()) {
+    if (check.family == without_variant(family)) return &check;
+  }
+  return nullptr;
 }
 
 const FamilyCheck& check_of(const std::string& family) {

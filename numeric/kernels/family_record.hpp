@@ -15,7 +15,7 @@
 
 namespace sh::numeric {
 
-// The largest error that the generator measured, or that a kernel may have, in epsilon x the family's size.
+/// The largest error that the generator measured, or that a kernel may have, in epsilon x the family's size.
 struct RoundingAndTotal {
   double rounding = 0;  // against the kernel's own formula: the kernel answers for it
   double total = 0;     // against the exact function: users read it; it includes the input's distance from the domain
@@ -30,7 +30,7 @@ struct KernelRecord {
   RoundingAndTotal in_double;
 };
 
-// A bound that the project promises, with its reason: it holds besides the limit that the recorded error gives.
+/// A bound that the project promises, with its reason: it holds besides the limit that the recorded error gives.
 struct Promise {
   std::string kernels;             // the beginning of their names
   std::string scalar;              // "float", "double"
@@ -47,7 +47,7 @@ struct FamilyRecord {
   std::array<double, 2> lengths = {1, 1};  // of vectors: least and largest to try
   std::vector<KernelRecord> kernels;       // by degree; those of variants too
 
-  // The parameters at any degree, from those of the nearest degree that is recorded.
+  /// The parameters at any degree, from those of the nearest degree that is recorded.
   [[nodiscard]] Signature signature(int degree) const;
 };
 
@@ -57,17 +57,17 @@ struct FamiliesRecord {
   std::vector<FamilyRecord> families;
   std::vector<Promise> promises;
 
-  // By "basis_l4"; nullptr if there is none.
+  /// By "basis_l4"; nullptr if there is none.
   [[nodiscard]] const KernelRecord* find_kernel(const std::string& name) const;
 };
 
-// Throws std::invalid_argument, one line, for a text that is no such record.
+/// Throws std::invalid_argument, one line, for a text that is no such record.
 FamiliesRecord parse_record(std::string_view json);
 
-// The one that belongs to the bound kernels.
+/// The one that belongs to the bound kernels.
 const FamiliesRecord& families_record();
 
-// "basis" for "basis_accurate": the family of which it is a variant, the same function by another recipe.
+/// "basis" for "basis_accurate": the family of which it is a variant, the same function by another recipe.
 std::string without_variant(const std::string& family);
 
 }  // namespace sh::numeric

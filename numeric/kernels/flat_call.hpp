@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <stdexcept>
 #include <vector>
 
 #include "numeric/kernels/bind.hpp"
@@ -12,17 +13,39 @@
 
 namespace sh::numeric {
 
-// Throws std::logic_error, one line, unless the kernel's arguments are those of the signature.
-void require_match(const BoundKernel& kernel, const Signature& signature);
+/// Throws std::logic_error, one line, unless the kernel's arguments are those of the signature.
+inline void require_match(const BoundKernel& kernel, const Signature& signature) {
+  const auto matches = [](ArgumentKind kind, const Parameter& parameter) {
+    if (parameter.count == 0) return kind == ArgumentKind::kValue;
+    return kind == (parameter.access == Access::kIn ? ArgumentKind::kReadArray : ArgumentKind::kWriteArray);
+  };
+  if (kernel.returns_value == signature.returns_value &&
+      std::equal(kernel.arguments.begin(), kernel.arguments.end(), signature.parameters.begin(),
+                 signature.parameters.end(), matches)) {
+    return;
+  }
+  throw std::logic_error(kernel.name() + ": expected the arguments that its check describes, got others");
+}
 
-// Two parameters, by place in the signature, of which the second may overwrite the first: equal sizes, in and out.
+/// Two parameters, by place in the signature, of which the second may overwrite the first: equal sizes, in and out.
 struct InPlacePair {
   std::size_t read;
   std::size_t written;
 };
-std::vector<InPlacePair> in_place_pairs(const Signature& signature);
+inline std::vector<InPlacePair> in_place_pairs(const Signature& signature) {
+  std::vector<InPlacePair> pairs;
+  const auto& all = signature.parameters;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      const bool in_and_out = all[i].access == Access::kIn && all[k].access == Access::kOut;
+      const bool same_shape = all[i].count == all[k].count && all[i].rows == all[k].rows;
+      if (in_and_out && same_shape && all[i].count > 0) pairs.push_back({i, k});
+    }
+  }
+  return pairs;
+}
 
-// T: float, double or Wide.
+/// T: float, double or Wide.
 template <class T>
 class FlatCall {
  public:
@@ -44,14 +67,14 @@ class FlatCall {
   FlatCall(const FlatCall&) = delete;
   FlatCall& operator=(const FlatCall&) = delete;
 
-  // in (signature.input_count()), out (signature.output_count())
+  /// in (signature.input_count()), out (signature.output_count())
   void operator()(const T* in, T* out) {
     load(in);
     call_(pointers_.data());
     store(out);
   }
 
-  // The same with one array as both arguments of the pair.
+  /// The same with one array as both arguments of the pair.
   void in_place(const InPlacePair& pair, const T* in, T* out) {
     load(in);
     T* const apart = pointers_[pair.written];
@@ -62,14 +85,14 @@ class FlatCall {
     store(out);
   }
 
-  // The call on the inputs loaded last and nothing else, but that in-out arrays get their inputs back: what is timed.
+  /// The timed call, on the inputs loaded last: in-out arrays get their inputs back, nothing else is copied.
   void call_again() {
     for (const auto& array : updated_) std::copy(array.loaded.begin(), array.loaded.end(), array.at);
     call_(pointers_.data());
   }
 
  private:
-  // An in-out array and what was loaded into it.
+  // An in-out array and its input.
   struct Updated {
     std::vector<T> loaded;
     T* at;

@@ -1,4 +1,4 @@
-// See inputs.hpp. Angles are given by the tangents of their halves, so that no library function is needed whose last bits
+// See inputs.hpp. Angles are given by the tangents of their halves, since the last bits of library functions
 // differ from machine to machine.
 #include "numeric/kernels/inputs.hpp"
 
@@ -17,19 +17,11 @@
 namespace sh::numeric {
 namespace {
 
-void append(std::vector<NamedInput>& all, const std::string& name, const std::vector<Direction>& directions) {
-  for (std::size_t i = 0; i < directions.size(); ++i) {
-    const auto& d = directions[i];
-    all.push_back({name + " " + std::to_string(i), {d.x, d.y, d.z}});
-  }
-}
-
 // Random components in [-1, 1) scaled to length 1; the first `zeros` of them are 0.
 NamedInput unit_vector(const std::string& name, int size, int zeros, Random& random) {
   NamedInput input{name, {}};
   for (int i = 0; i < size; ++i) input.values.push_back(i < zeros ? 0 : random.next());
-  const double norm = length(input.values.data(), size);
-  for (double& value : input.values) value /= norm;
+  scale_to_unit(size, input.values.data(), input.values.data());
   return input;
 }
 
@@ -112,12 +104,6 @@ void add_tilts(std::vector<NamedInput>& all) {
 
 }  // namespace
 
-double length(const double* v, int count) {
-  double sum = 0;
-  for (int i = 0; i < count; ++i) sum += v[i] * v[i];
-  return std::sqrt(sum);
-}
-
 std::vector<NamedInput> coefficient_inputs(int degree, int count, std::uint64_t seed) {
   std::vector<NamedInput> inputs;
   Random random(seed);
@@ -162,11 +148,16 @@ std::vector<NamedInput> combined(const std::vector<NamedInput>& first, const std
 
 std::vector<NamedInput> direction_inputs(int random_count) {
   std::vector<NamedInput> inputs;
-  append(inputs, "axis", axis_directions());
-  append(inputs, "near pole", near_pole_directions());
-  append(inputs, "diagonal", diagonal_directions());
-  append(inputs, "equator", equator_directions());
-  append(inputs, "random", random_directions(random_count, 1));
+  for (const auto& [name, directions] : {std::pair{"axis ", axis_directions()},
+                                         {"near pole ", near_pole_directions()},
+                                         {"diagonal ", diagonal_directions()},
+                                         {"equator ", equator_directions()},
+                                         {"random ", random_directions(random_count, 1)}}) {
+    for (std::size_t i = 0; i < directions.size(); ++i) {
+      const auto& [x, y, z] = directions[i];
+      inputs.push_back({name + std::to_string(i), {x, y, z}});
+    }
+  }
   return inputs;
 }
 

@@ -5,12 +5,9 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <fstream>
-#include <iterator>
 #include <limits>
 #include <map>
 #include <memory>
-#include <sstream>
 #include <stdexcept>
 #include <utility>
 
@@ -19,6 +16,8 @@
 #include "numeric/kernels/samples.hpp"
 #include "numeric/kernels/timing.hpp"
 #include "numeric/oracle/basis.hpp"
+#include "numeric/output/formatted.hpp"
+#include "numeric/output/read_file.hpp"
 
 namespace sh::numeric {
 namespace {
@@ -38,7 +37,7 @@ Truth make_truth(const FamilyCheck& check, int degree) {
 template <class T>
 KernelResult measure(const BoundKernel& kernel, const std::string& unit, const std::string& language,
                      const std::vector<T>& values, const std::vector<Wide>& own, const Samples<T>& samples) {
-  // In GLSL what is smaller than the smallest normal number may be lost as a whole.
+  // In GLSL a value below the smallest normal number may be lost as a whole.
   const auto smallest_normal = static_cast<double>(std::numeric_limits<T>::min());
   const double smallest_size =
       language == kCpp ? smallest_normal : smallest_normal / static_cast<double>(std::numeric_limits<T>::epsilon());
@@ -111,27 +110,18 @@ BitComparison compare_bits(int degree, const std::vector<float>& cpp, const std:
   bits.compared = cpp.size();
   for (std::size_t i = 0; i < cpp.size(); ++i) {
     if (same_bits(cpp[i], glsl[i])) continue;
-    // An intermediate value may have been flushed and multiplied since, by constants and by what makes outputs large.
+    // An intermediate value may have been flushed and multiplied since, by constants and by large inputs.
     constexpr double kFlushed = 256 * static_cast<double>(std::numeric_limits<float>::min());
     if (std::abs(static_cast<double>(glsl[i]) - static_cast<double>(cpp[i])) <
         kFlushed * std::max(1.0, samples.sizes[i])) {
       ++bits.flushed;
     } else if (bits.different++ == 0) {
-      std::ostringstream text;
-      text.precision(9);
-      text << output_label(samples.signature, degree, i % outputs) << " at " << samples.names[i / outputs] << ": "
-           << glsl[i] << ", c++ " << cpp[i];
-      bits.first_difference = text.str();
+      bits.first_difference =
+          output_label(samples.signature, degree, i % outputs) + " at " + samples.names[i / outputs] +
+          output::formatted(": %.9g, c++ %.9g", static_cast<double>(glsl[i]), static_cast<double>(cpp[i]));
     }
   }
   return bits;
-}
-
-std::string read_text(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::string text((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
-  if (!stream) throw std::runtime_error(file.string() + ": cannot be read; --generated names the folder generated/");
-  return text;
 }
 
 // The contexts of the two GLSL languages, and the folder that the kernels come from.
@@ -143,7 +133,7 @@ class GlslCheck {
   std::vector<KernelResult> check(const BoundKernel& kernel, const std::string& unit, const std::vector<float>& cpp,
                                   const std::vector<Wide>& own, const Samples<float>& samples) {
     const auto file = folder_ / (kernel.name() + ".glsl");
-    const std::string source = read_text(file);
+    const std::string source = output::read_file(file.string());
     std::vector<KernelResult> results;
     for (const auto& [language, runner] : {std::pair{GlslLanguage::kCore450, &core_}, {GlslLanguage::kEs300, &es_}}) {
       const auto run = [&, runner = runner](Grouping grouping) {
@@ -177,39 +167,29 @@ void append_results(std::vector<KernelResult>& all, const BoundKernel& kernel, c
   all.push_back(check_cpp(kernel, unit, float_values, float_own, truth.in_float));
   all.push_back(check_cpp(kernel, unit, run_cpp(kernel, truth.in_double), double_own, truth.in_double));
   if (glsl == nullptr) return;
-  for (auto& result : glsl->check(kernel, unit, float_values, float_own, truth.in_float)) {
+  for (auto& result : glsl->check(kernel, unit, float_values, float_own, truth.in_float))
     all.push_back(std::move(result));
-  }
 }
 
 // The kernels of one check by degree, so that variants share their exact values.
-using ByDegree = std::map<int, std::vector<BoundKernel>>;
-
-ByDegree kernels_of(const FamilyCheck& check) {
-  ByDegree result;
+std::map<int, std::vector<BoundKernel>> kernels_of(const FamilyCheck& check) {
+  std::map<int, std::vector<BoundKernel>> result;
   for (auto& kernel : bound_kernels()) {
-    const FamilyCheck* const found = find_check(kernel.family);
-    if (found == nullptr || found->family != check.family) continue;
-    result[kernel.degree].push_back(std::move(kernel));
+    if (without_variant(kernel.family) == check.family) result[kernel.degree].push_back(std::move(kernel));
   }
   return result;
 }
 
 void require_family(const std::string& family) {
-  const auto names = checked_families();
-  if (family.empty() || std::find(names.begin(), names.end(), family) != names.end()) return;
-  std::string list;
-  for (const auto& name : names) list += (list.empty() ? "" : ", ") + name;
-  throw std::invalid_argument("--family: '" + family + "' is not a family; there are " + list);
+  std::string names;
+  for (const auto& check : all_checks()) {
+    if (family.empty() || check.family == family) return;
+    names += (names.empty() ? "" : ", ") + check.family;
+  }
+  throw std::invalid_argument("--family: expected one of " + names + ", got '" + family + "'");
 }
 
 }  // namespace
-
-std::vector<std::string> checked_families() {
-  std::vector<std::string> names;
-  for (const auto& check : all_checks()) names.push_back(check.family);
-  return names;
-}
 
 std::vector<std::string> unchecked_kernels(const std::vector<BoundKernel>& kernels) {
   std::vector<std::string> names;
@@ -239,11 +219,10 @@ std::vector<KernelResult> check_kernels(const CheckOptions& options,
 }
 
 std::vector<KernelResult> check_kernel(const BoundKernel& kernel, const std::filesystem::path& generated) {
-  const FamilyCheck* const check = find_check(kernel.family);
-  if (check == nullptr) throw std::invalid_argument(kernel.name() + ": no check describes its family");
+  const FamilyCheck& check = check_of(kernel.family);
   const auto glsl = generated.empty() ? nullptr : std::make_unique<GlslCheck>(generated);
   std::vector<KernelResult> results;
-  append_results(results, kernel, check->unit, make_truth(*check, kernel.degree), glsl.get());
+  append_results(results, kernel, check.unit, make_truth(check, kernel.degree), glsl.get());
   return results;
 }
 

@@ -20,11 +20,11 @@
 
 namespace sh::numeric {
 
-// Values of a GLSL kernel against C++ float without contraction. Values that differ by less than the smallest normal
-// number count as flushed, not as different: GLSL may take subnormal numbers for zero (OpenGL Shading Language 4.50,
-// section 4.7.1). Where values differ otherwise, the kernel is run once more with its results declared invariant, which
-// keeps the compiler from regrouping: what differs then is different, what differed before was regrouped. The errors of
-// a kernel are those of the first run.
+/// Values of a GLSL kernel against C++ float without contraction. Values that differ by less than the smallest normal
+/// number count as flushed, not as different: GLSL may take subnormal numbers for zero (OpenGL Shading Language 4.50,
+/// section 4.7.1). Where values differ otherwise, the kernel is run once more with its results declared invariant,
+/// which keeps the compiler from regrouping: values that differ then are different, values that differed only before
+/// are regrouped. The errors of a kernel are those of the first run.
 struct BitComparison {
   std::size_t compared = 0;
   std::size_t flushed = 0;
@@ -39,7 +39,7 @@ struct KernelResult {
   std::string language;  // c++, glsl 450, glsl es 300
   std::string scalar;    // float, double
   int degree = 0;
-  std::string unit;  // what errors are counted in, times epsilon
+  std::string unit;  // of errors, times epsilon
   std::size_t inputs = 0;
   Operations operations;
   ErrorStats rounding;  // against the kernel's own formula at the rounded input
@@ -56,23 +56,19 @@ struct CheckOptions {
   std::string family;               // only this one, its variants included; empty: all
 };
 
-// The names that CheckOptions::family may have.
-std::vector<std::string> checked_families();
-
-// Bound kernels whose family no check describes: none, unless a check is missing.
+/// Bound kernels whose family no check describes: none, unless a check is missing.
 std::vector<std::string> unchecked_kernels(const std::vector<BoundKernel>& kernels);
 
-// Results by family, degree, language and scalar. `progress` receives one line a family. Throws std::invalid_argument
-// for an unknown family, std::runtime_error when a GLSL file cannot be read or compiled or EGL is missing; one line.
+/// Results by family, degree, language and scalar. `progress` receives one line a family. Throws std::invalid_argument
+/// for an unknown family, std::runtime_error when a GLSL file cannot be read or compiled or EGL is missing; one line.
 std::vector<KernelResult> check_kernels(const CheckOptions& options,
                                         const std::function<void(const std::string&)>& progress);
 
-// The results of one kernel, bound or made up: what check_kernels does for each. Without GLSL where `generated` is
-// empty.
+/// The results of one kernel, bound or made up. Without GLSL where `generated` is empty.
 std::vector<KernelResult> check_kernel(const BoundKernel& kernel, const std::filesystem::path& generated);
 
-// The errors alone of a kernel in C++ on T, float or double, at the inputs of a check: its family's own with, say,
-// other inputs.
+/// The errors alone of a kernel in C++ on T, float or double, at the inputs of a check: its family's own with, say,
+/// other inputs.
 template <class T>
 KernelResult kernel_errors(const BoundKernel& kernel, const FamilyCheck& check);
 

@@ -3,7 +3,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
+
+#include "numeric/output/formatted.hpp"
 
 namespace sh::numeric {
 namespace {
@@ -16,13 +17,11 @@ constexpr std::array kRegroupedAnyway = {"product_l5",         "product_l8", "pr
                                          "evaluate_prepare_l", "project_l"};
 
 std::string exceeded(const std::string& what, double value, double limit, const WorstCase& worst) {
-  std::array<char, 64> numbers{};
-  std::snprintf(numbers.data(), numbers.size(), " %.3g exceeds %.3g", value, limit);
-  std::string text = what + numbers.data() + " (" + worst.output + " at " + worst.input;
+  std::string text =
+      what + output::formatted(" %.3g exceeds %.3g (", value, limit) + worst.output + " at " + worst.input;
   constexpr std::size_t kMostPrinted = 4;
   for (std::size_t i = 0; i < worst.values.size() && worst.values.size() <= kMostPrinted; ++i) {
-    std::snprintf(numbers.data(), numbers.size(), "%s%.17g", i == 0 ? ": " : ", ", worst.values[i]);
-    text += numbers.data();
+    text += output::formatted("%s%.17g", i == 0 ? ": " : ", ", worst.values[i]);
   }
   return text + ")";
 }
@@ -34,17 +33,16 @@ void check_errors(const KernelResult& result, const std::string& name, const Fam
     failures.push_back(name + "no error is recorded");
     return;
   }
-  const double rounding = result.rounding.scaled().max();
-  if (!(rounding <= limits->rounding)) {
-    failures.push_back(name + exceeded("rounding error in eps", rounding, limits->rounding, result.worst_rounding));
-  }
-  const double total = result.total.scaled().max();
-  if (!(total <= limits->total)) {
-    failures.push_back(name + exceeded("total error in eps", total, limits->total, result.worst_total));
-  }
-  const double absolute = result.total.absolute().max();
-  if (!(absolute <= limits->total_absolute)) {
-    failures.push_back(name + exceeded("total error", absolute, limits->total_absolute, result.worst_total));
+  struct Bound {
+    const char* error;
+    double value, limit;
+    const WorstCase& worst;
+  };
+  for (const auto& [error, value, limit, worst] :
+       {Bound{"rounding error in eps", result.rounding.scaled().max(), limits->rounding, result.worst_rounding},
+        Bound{"total error in eps", result.total.scaled().max(), limits->total, result.worst_total},
+        Bound{"total error", result.total.absolute().max(), limits->total_absolute, result.worst_total}}) {
+    if (!(value <= limit)) failures.push_back(name + exceeded(error, value, limit, worst));
   }
 }
 

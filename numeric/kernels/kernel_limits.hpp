@@ -1,5 +1,5 @@
-// The limits that a kernel's measured error must keep: the error that the generator recorded for it, times a factor that
-// the record states, and what the project promises besides.
+// The limits that a kernel's measured error must keep: the error that the generator recorded for it, times a factor
+// that the record states, and the promises of the project.
 #pragma once
 
 #include <limits>
@@ -17,20 +17,20 @@ struct KernelLimits {
   double total_absolute = std::numeric_limits<double>::infinity();  // where users are promised a number
 };
 
-// How many times a limit, which holds on the inputs of the family's check, a search for the worst input may find
-// (kernel_search.hpp).
+/// How many times a limit, which holds on the inputs of the family's check, a search for the worst input may find
+/// (kernel_search.hpp).
 inline constexpr double kSearchedLimit = 4;
 
-// Every language of a scalar ("float" or "double") has the same limits. None for a family and degree that the record
-// does not have, which failures_of reports.
+/// Every language of a scalar ("float" or "double") has the same limits. None for a family and degree that the record
+/// does not have, which failures_of reports.
 std::optional<KernelLimits> limits_for(const std::string& family, int degree, const std::string& scalar,
                                        const FamiliesRecord& record = families_record());
 
-// Whether a GLSL kernel has to have the bits of C++ float (BitComparison::different = 0): the languages agree on + - *
-// to the last bit; on division, roots and selections they need not.
+/// Whether a GLSL kernel has to have the bits of C++ float (BitComparison::different = 0): the languages agree on + - *
+/// to the last bit; on division, roots and selections they need not.
 bool bits_must_agree(const KernelResult& result);
 
-// One line for every limit exceeded or comparison failed, naming kernel, language and scalar; empty if all is well.
+/// One line for every limit exceeded or comparison failed, naming kernel, language and scalar; empty if all is well.
 std::vector<std::string> failures_of(const KernelResult& result, const FamiliesRecord& record = families_record());
 
 }  // namespace sh::numeric

@@ -77,7 +77,7 @@ struct Range {
 };
 
 // Makes a 3x3 matrix, row by row, a rotation: the first row keeps its direction, the second its plane with the first.
-void orthogonalise(long double* r) {
+void orthogonalize(long double* r) {
   const auto dot = [&](int i, int k) { return r[i] * r[k] + r[i + 1] * r[k + 1] + r[i + 2] * r[k + 2]; };
   const long double first = std::sqrt(dot(0, 0));
   for (int i = 0; i < 3; ++i) r[i] /= first;
@@ -91,15 +91,11 @@ void orthogonalise(long double* r) {
   }
 }
 
-bool begins_with_rotation(const FamilyCheck& check, int degree) {
-  return check.signature(degree).parameters[0].role == "rotation matrix";
-}
-
 template <class T>
 bool to_nearest(const FamilyCheck& check, int degree, std::size_t width, T* point) {
   std::vector<long double> given(point, point + width);
   std::vector<long double> nearest(width);
-  if (begins_with_rotation(check, degree)) orthogonalise(given.data());
+  if (check.signature(degree).parameters[0].role == "rotation matrix") orthogonalize(given.data());
   try {
     check.nearest(degree, given.data(), nearest.data());
   } catch (const std::invalid_argument&) {

@@ -93,7 +93,7 @@ SizeFormula::Factor SizeFormula::factor(const std::string& text, const Signature
   if (end == 0 || x.count == 0) refuse(text);
   if (subscript == "[i]") return [x](const double* in, const Output& o) { return std::abs(in[x.first + o.index]); };
   if (subscript == "[l]") {
-    return [x](const double* in, const Output& o) { return std::abs(in[x.first + static_cast<std::size_t>(o.band)]); };
+    return [x](const double* in, const Output& o) { return std::abs(in[x.first + o.band]); };
   }
   if (subscript == "[k]") {
     return [x](const double* in, const Output& o) {

@@ -26,12 +26,12 @@ namespace sh::numeric {
 
 class SizeFormula {
  public:
-  // One text a result, the last one for all further results; gain(output): empty where no formula asks for it. Throws
-  // std::invalid_argument, one line, for a text that is no formula or names no input.
+  /// One text a result, the last one for all further results; gain(output): empty where no formula asks for it. Throws
+  /// std::invalid_argument, one line, for a text that is no formula or names no input.
   SizeFormula(const std::vector<std::string>& texts, const Signature& signature, int degree,
               std::function<double(std::size_t output)> gain = {});
 
-  // At the flat inputs, for an output by its place among the flat outputs.
+  /// At the flat inputs, for an output by its place among the flat outputs.
   double operator()(const double* in, std::size_t output) const;
 
  private:
@@ -53,8 +53,8 @@ class SizeFormula {
   std::vector<Result> results_;
 };
 
-// The places of a parameter, or of all parameters of a role, among the flat inputs: first and count. They follow each
-// other. Count 0: there is none.
+/// The places of a parameter, or of all parameters of a role, among the flat inputs: first and count. They follow each
+/// other. Count 0: there is none.
 struct InputPlaces {
   std::size_t first = 0, count = 0;
 };

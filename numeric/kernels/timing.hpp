@@ -1,4 +1,4 @@
-// What a kernel costs: operations, counted exactly, and run time on the machine at hand.
+// The cost of a kernel: operations, counted exactly, and run time on the machine at hand.
 #pragma once
 
 #include <algorithm>
@@ -12,11 +12,17 @@
 
 namespace sh::numeric {
 
-// Operations of one call, counted by running it on Wide.
-Operations count_operations(const BoundKernel& kernel, const Signature& signature);
+/// Operations of one call, counted by running it on Wide.
+inline Operations count_operations(const BoundKernel& kernel, const Signature& signature) {
+  const std::vector<Wide> in(signature.input_count(), Wide(0.5));
+  std::vector<Wide> out(signature.output_count());
+  const auto before = Wide::counts();
+  FlatCall<Wide>(kernel, signature)(in.data(), out.data());
+  return Wide::counts() - before;
+}
 
-// Nanoseconds of one of the calls (each callable without arguments, at least one): the least mean over all of them of
-// the passes that the budget allows, at least three. A pass lasts some microseconds.
+/// Nanoseconds of one of the calls (each callable without arguments, at least one): the least mean over all of them of
+/// the passes that the budget allows, at least three. A pass lasts some microseconds.
 template <class Call>
 double least_nanoseconds(std::vector<Call>& calls, std::chrono::nanoseconds budget) {
   using Clock = std::chrono::steady_clock;
@@ -36,14 +42,14 @@ double least_nanoseconds(std::vector<Call>& calls, std::chrono::nanoseconds budg
   return least / static_cast<double>(repeats) / static_cast<double>(calls.size());
 }
 
-// A kernel's call on inputs loaded before, for least_nanoseconds.
+/// A kernel's call on inputs loaded before, for least_nanoseconds.
 template <class T>
 struct CallAgain {
   FlatCall<T> call;
   void operator()() { call.call_again(); }
 };
 
-// The kernel on some of the inputs: `count` of the last ones, which are the random ones.
+/// The kernel on some of the inputs: `count` of the last ones, which are the random ones.
 template <class T>
 std::vector<CallAgain<T>> calls_again(const BoundKernel& kernel, const Samples<T>& samples, std::size_t count) {
   std::vector<CallAgain<T>> calls;
@@ -55,9 +61,12 @@ std::vector<CallAgain<T>> calls_again(const BoundKernel& kernel, const Samples<T
   return calls;
 }
 
-// Nanoseconds a call, T float or double: the least mean over some inputs of several passes. Informative: it depends on
-// the machine and on what else runs there.
+/// Nanoseconds a call: the least mean over some inputs of several passes. Informative: it depends on the machine and
+/// its load.
 template <class T>
-double nanoseconds_per_call(const BoundKernel& kernel, const Samples<T>& samples);
+double nanoseconds_per_call(const BoundKernel& kernel, const Samples<T>& samples) {
+  auto calls = calls_again(kernel, samples, 16);
+  return least_nanoseconds(calls, std::chrono::milliseconds(2));
+}
 
 }  // namespace sh::numeric

@@ -28,7 +28,7 @@ class Wide {
   explicit Wide(double value) : high_(value) {}
   Wide(double high, double low) : high_(high), low_(low) {}  // |low| <= ulp(high) / 2
 
-  // Any type with more digits than double, such as Mpfr50.
+  /// Any type with more digits than double, such as Mpfr50.
   template <class Real>
   static Wide from(const Real& value) {
     const auto high = static_cast<double>(value);

@@ -21,12 +21,11 @@ namespace {
 template <class Real>
 class Wedge {
  public:
-  explicit Wedge(int l) : entries_(static_cast<std::size_t>((l + 1) * (l + 1))) {}
-  Real& operator()(int row, int column) { return entries_[place(row, column)]; }
-  [[nodiscard]] const Real& operator()(int row, int column) const { return entries_[place(row, column)]; }
+  explicit Wedge(int l) : entries_(coefficient_count(l)) {}
+  Real& operator()(int row, int column) { return entries_[coefficient_index(row, column)]; }
+  const Real& operator()(int row, int column) const { return entries_[coefficient_index(row, column)]; }
 
  private:
-  static std::size_t place(int row, int column) { return static_cast<std::size_t>(coefficient_index(row, column)); }
   std::vector<Real> entries_;
 };
 
@@ -94,9 +93,7 @@ void rotate_blanco(int degree, const Real* r, const Real* c, Real* out) {
   });
 }
 
-// NOLINTBEGIN(bugprone-macro-parentheses): a type cannot stand in parentheses.
 #define SHFORGE_INSTANCE(Real) template void rotate_blanco<Real>(int, const Real*, const Real*, Real*);
-// NOLINTEND(bugprone-macro-parentheses)
 
 SHFORGE_FOR_EACH_METHOD_REAL(SHFORGE_INSTANCE)
 

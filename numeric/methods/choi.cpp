@@ -6,7 +6,6 @@
 // in 8.13 the second term is added. Cost: about 8 degree^3 values of F and G at 12 operations each, memory for two
 // bands. Measured error: rotation_methods.hpp.
 #include <cmath>
-#include <cstddef>
 #include <vector>
 
 #include "numeric/methods/rotation_methods.hpp"
@@ -31,16 +30,13 @@ Complex<Real> product(const Complex<Real>& a, const Complex<Real>& b) {  // eqs.
 template <class Real>
 class Band {
  public:
-  explicit Band(int l) : l_(l), entries_(static_cast<std::size_t>((2 * l + 1) * (2 * l + 1))) {}
+  explicit Band(int l) : l_(l), entries_((2 * l + 1) * (2 * l + 1)) {}
   [[nodiscard]] int degree() const { return l_; }
   [[nodiscard]] const Complex<Real>& operator()(int m, int n) const { return entries_[place(m, n)]; }
   Complex<Real>& operator()(int m, int n) { return entries_[place(m, n)]; }
 
  private:
-  [[nodiscard]] std::size_t place(int m, int n) const {
-    const int place = (m + l_) * (2 * l_ + 1) + n + l_;
-    return static_cast<std::size_t>(place);
-  }
+  [[nodiscard]] int place(int m, int n) const { return (m + l_) * (2 * l_ + 1) + n + l_; }
   int l_;
   std::vector<Complex<Real>> entries_;
 };
@@ -148,9 +144,7 @@ void rotate_choi(int degree, const Real* r, const Real* c, Real* out) {
   }
 }
 
-// NOLINTBEGIN(bugprone-macro-parentheses): a type cannot stand in parentheses.
 #define SHFORGE_INSTANCE(Real) template void rotate_choi<Real>(int, const Real*, const Real*, Real*);
-// NOLINTEND(bugprone-macro-parentheses)
 
 SHFORGE_FOR_EACH_METHOD_REAL(SHFORGE_INSTANCE)
 

@@ -3,9 +3,6 @@
 
 #include <array>
 
-#include "numeric/methods/legendre_columns.hpp"
-#include "numeric/methods/legendre_green.hpp"
-#include "numeric/methods/legendre_ishioka.hpp"
 #include "numeric/methods/legendre_rows.hpp"
 
 namespace sh::numeric {

@@ -19,7 +19,7 @@ struct Band {
   constexpr double operator()(int m, int n) const { return entry[m + L][n + L]; }
 };
 
-// (x, y, z) -> (x, -z, y); rows and columns in the order of band 1: y, z, x.
+/// (x, y, z) -> (x, -z, y); rows and columns in the order of band 1: y, z, x.
 constexpr Band<1> first_band() { return {{{{0, -1, 0}, {1, 0, 0}, {0, 0, 1}}}}; }
 
 template <int L>

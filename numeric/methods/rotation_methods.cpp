@@ -3,8 +3,6 @@
 
 #include <array>
 
-#include "numeric/methods/pinchon_hoggan.hpp"
-#include "numeric/methods/zxz.hpp"
 #include "numeric/methods/zxz_rows.hpp"
 #include "numeric/oracle/instances.hpp"
 #include "numeric/oracle/rotation.hpp"
@@ -25,9 +23,7 @@ std::span<const RotationMethod<Real>> rotation_methods() {
   return kMethods;
 }
 
-// NOLINTBEGIN(bugprone-macro-parentheses): a type cannot stand in parentheses.
 #define SHFORGE_INSTANCE(Real) template std::span<const RotationMethod<Real>> rotation_methods<Real>();
-// NOLINTEND(bugprone-macro-parentheses)
 
 SHFORGE_FOR_EACH_METHOD_REAL(SHFORGE_INSTANCE)
 

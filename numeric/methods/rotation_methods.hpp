@@ -1,4 +1,4 @@
-// Every way to rotate coefficients that the oracle knows, as one table: to compare them, and to plot error and time.
+// All ways to rotate coefficients that the oracle knows, in one table: to compare them, and to plot error and time.
 //
 // Largest error of an entry for |c| = 1 at degree 100, over tilts beta from 0 to pi, against 50 digits at the rotation
 // nearest to the rounded matrix (tests/numeric/rotation_methods_test.cpp):
@@ -16,8 +16,8 @@
 
 namespace sh::numeric {
 
-// run: r (3x3 row-major), c -> out (bands^2) = D(r) c; out may be c. Methods that need tables build them when a degree
-// is asked for that was not before, and keep them; call once before timing.
+/// run: r (3x3 row-major), c -> out (bands^2) = D(r) c; out may be c. Methods that need tables build them when a degree
+/// is asked for that was not before, and keep them; call once before timing.
 template <class Real>
 struct RotationMethod {
   const char* name;
@@ -25,9 +25,13 @@ struct RotationMethod {
   void (*run)(int degree, const Real* r, const Real* c, Real* out);
 };
 
+/// For float, double, long double and Mpfr50. The first is the oracle's own.
+template <class Real>
+std::span<const RotationMethod<Real>> rotation_methods();
+
 namespace methods {
 
-// Each as in its source file, blanco.cpp and so on.
+/// See blanco.cpp, choi.cpp, wigner_d.cpp.
 template <class Real>
 void rotate_blanco(int degree, const Real* r, const Real* c, Real* out);
 template <class Real>
@@ -35,10 +39,13 @@ void rotate_choi(int degree, const Real* r, const Real* c, Real* out);
 template <class Real>
 void rotate_wigner_d(int degree, const Real* r, const Real* c, Real* out);
 
-}  // namespace methods
-
-// For float, double, long double and Mpfr50. The first is the oracle's own.
+/// R = Rz(alpha) S Rz(-beta) S Rz(gamma), where S swaps y and z: turns about z (turns.hpp) between the bands D(S) of
+/// swap.hpp, by recursion over the degree (pinchon_hoggan) or over orders (zxz, the classic z-x90-z). Cost of a
+/// rotation: 2/3 degree^3 multiplications and additions.
 template <class Real>
-std::span<const RotationMethod<Real>> rotation_methods();
+void rotate_pinchon_hoggan(int degree, const Real* r, const Real* c, Real* out);
+template <class Real>
+void rotate_zxz(int degree, const Real* r, const Real* c, Real* out);
 
+}  // namespace methods
 }  // namespace sh::numeric

@@ -7,29 +7,27 @@
 // without contraction: every machine gives the same bits.
 #pragma once
 
-#include <cstddef>
-
 namespace sh::numeric::methods {
 
 constexpr int kRowsAtOnce = 8;
 
 template <class Real>
 struct RowSums {
-  std::size_t columns;
+  int columns;
   int rows;            // a multiple of kRowsAtOnce
   const Real* order;   // (columns) b
   const Real* slope;   // (rows)
   const Real* weight;  // (rows)
-  Real *row, *above;   // (columns) the first row and what stands above it; overwritten
+  Real *row, *above;   // (columns) the first row and the row above it; overwritten
   Real *even, *odd;    // (columns) added to
 };
 
-// One block. Inlined everywhere, or one instruction set's copy might stand in for another's.
+/// One block. Inlined everywhere, or one instruction set's copy might stand in for another's.
 template <class Real>
-[[gnu::always_inline]] inline void add_block(std::size_t columns, const Real* slope, const Real* weight,
+[[gnu::always_inline]] inline void add_block(int columns, const Real* slope, const Real* weight,
                                              const Real* __restrict order, Real* __restrict row, Real* __restrict above,
                                              Real* __restrict even, Real* __restrict odd) {
-  for (std::size_t i = 0; i < columns; ++i) {
+  for (int i = 0; i < columns; ++i) {
     Real x = above[i], y = row[i], to_even = even[i], to_odd = odd[i];
     for (int k = 0; k < kRowsAtOnce; k += 2) {
       to_even += weight[k] * y;
@@ -44,6 +42,7 @@ template <class Real>
   }
 }
 
+/// All blocks.
 template <class Real>
 [[gnu::always_inline]] inline void add_all_blocks(const RowSums<Real>& sums) {
   for (int k = 0; k < sums.rows; k += kRowsAtOnce) {
@@ -58,7 +57,7 @@ void add_rows(const RowSums<Real>& sums) {
 template <>
 void add_rows(const RowSums<double>& sums);
 
-// The copy for any machine, to compare others with.
+/// The copy for any machine, to compare others with.
 namespace baseline {
 void add_rows(const RowSums<double>& sums);
 }

@@ -1,5 +1,5 @@
 // The basis by recurrences with constant coefficients, one order after the other, cosines and sines of m phi from x and
-// y: what the widely used scalar code does, with loops unrolled at compile time. |d| = 1. [Sloan13]
+// y: the widely used scalar code, with loops unrolled at compile time. |d| = 1. [Sloan13]
 #pragma once
 
 #include <array>

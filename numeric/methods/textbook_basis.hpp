@@ -1,4 +1,4 @@
-// What a first implementation of the basis looks like: every value from its own associated Legendre recurrence,
+// A typical first implementation of the basis: every value from its own associated Legendre recurrence,
 // factorials and an angle (Green 2003, "Spherical Harmonics").
 #pragma once
 
@@ -9,7 +9,7 @@ namespace sh::textbook {
 
 inline double factorial(int n) { return n < 2 ? 1.0 : n * factorial(n - 1); }
 
-// Associated Legendre function without the Condon-Shortley phase, l >= m >= 0, |z| <= 1. Green 2003, recurrences 1-3.
+/// Associated Legendre function without the Condon-Shortley phase, l >= m >= 0, |z| <= 1. Green 2003, recurrences 1-3.
 inline double legendre(int l, int m, double z) {
   double diagonal = 1;
   const double sine = std::sqrt((1 - z) * (1 + z));

@@ -1,4 +1,4 @@
-// What the methods by three turns share: turns about z from a matrix without loss of digits, multiples, application.
+// Shared by the methods of three turns: turns about z from a matrix without loss of digits, multiples, application.
 //
 // R = Rz(alpha) Ry(beta) Rz(gamma). A turn is the pair (cosine, sine) of its angle; no angle is ever formed. Both come
 // from the quaternion of the nearest rotation, w + iz = cos(beta/2) e^(i sum), y - ix = sin(beta/2) e^(i difference)
@@ -23,7 +23,7 @@ struct Turn {
   Real cosine, sine;
 };
 
-// a after b, and the difference of the two.
+/// a after b, and the difference of the two.
 template <class Real>
 Turn<Real> operator+(const Turn<Real>& a, const Turn<Real>& b) {
   return {a.cosine * b.cosine - a.sine * b.sine, a.sine * b.cosine + a.cosine * b.sine};
@@ -38,12 +38,12 @@ struct ThreeTurns {
   Turn<Real> alpha, half_beta, gamma;  // 0 <= beta <= pi
 };
 
-// The type in which angles of a Real are kept.
+/// The type in which angles of a Real are kept.
 template <class Real>
 using Longer = std::conditional_t<std::is_same_v<Real, float>, double,
                                   std::conditional_t<std::is_same_v<Real, double>, long double, Real>>;
 
-// (x, y) scaled to length 1, and the length; the turn of nothing is none.
+/// (x, y) scaled to length 1, and the length; the turn of nothing is none.
 template <class Real>
 Turn<Real> direction_of(const Real& x, const Real& y, Real& length) {
   using std::hypot;
@@ -52,7 +52,7 @@ Turn<Real> direction_of(const Real& x, const Real& y, Real& length) {
   return {x / length, y / length};
 }
 
-// r (3x3), orthogonal with determinant 1 up to rounding.
+/// r (3x3), orthogonal with determinant 1 up to rounding.
 template <class Real>
 ThreeTurns<Longer<Real>> three_turns(const Real* r) {
   using Wide = Longer<Real>;
@@ -65,7 +65,7 @@ ThreeTurns<Longer<Real>> three_turns(const Real* r) {
   return {sum + difference, half_beta, sum - difference};
 }
 
-// The turns by 0, 1 .. count times the angle of `turn`.
+/// The turns by 0, 1 .. count times the angle of `turn`.
 template <class Real, class Wide>
 std::vector<Turn<Real>> multiples(const Turn<Wide>& turn, int count) {
   std::vector<Turn<Real>> all;
@@ -77,7 +77,7 @@ std::vector<Turn<Real>> multiples(const Turn<Wide>& turn, int count) {
   return all;
 }
 
-// out = D(Rz) c on the band l, c and out (2l+1) at order 0; multiples of the turn up to l. out may be c.
+/// out = D(Rz) c on the band l, c and out (2l+1) at order 0; multiples of the turn up to l. out may be c.
 template <class Real>
 void turn_band(int l, const std::vector<Turn<Real>>& turns, const Real* c, Real* out) {
   out[0] = c[0];
@@ -89,14 +89,14 @@ void turn_band(int l, const std::vector<Turn<Real>>& turns, const Real* c, Real*
   }
 }
 
-// The same for every band, c and out (bands^2).
+/// The same for every band, c and out (bands^2).
 template <class Real, class Wide>
 void turn_about_z(int degree, const Turn<Wide>& turn, const Real* c, Real* out) {
   const auto turns = multiples<Real>(turn, degree);
   for (int l = 0; l <= degree; ++l) turn_band(l, turns, c + coefficient_index(l, 0), out + coefficient_index(l, 0));
 }
 
-// out = D(r) c as three turns; tilt(half_beta, in, out) is to do D(Ry(beta)), in and out (bands^2) apart.
+/// out = D(r) c as three turns; tilt(half_beta, in, out) is to do D(Ry(beta)), in and out (bands^2) apart.
 template <class Real, class Tilt>
 void rotate_by_turns(int degree, const Real* r, const Real* c, Real* out, const Tilt& tilt) {
   const auto turns = three_turns(r);
@@ -107,9 +107,9 @@ void rotate_by_turns(int degree, const Real* r, const Real* c, Real* out, const 
   turn_about_z(degree, turns.alpha, after.data(), out);
 }
 
-// What Wigner's d contributes to D(Ry(beta)): the entries of rows and columns +-p and +-q, p >= q >= 0, of one band,
-// from `same` = d^l_pq and `opposite` = d^l_(p,-q) [BlancoFlorezBermejo97, the real form at alpha = gamma = 0].
-// in and out at order 0 of the band; adds to out.
+/// Adds a pair of Wigner's d to D(Ry(beta)) c: the entries of rows and columns +-p and +-q, p >= q >= 0, of one band,
+/// from `same` = d^l_pq and `opposite` = d^l_(p,-q) [BlancoFlorezBermejo97, the real form at alpha = gamma = 0].
+/// in and out at order 0 of the band; adds to out.
 template <class Real>
 void add_tilt(int p, int q, const Real& same, const Real& opposite, const Real* in, Real* out) {
   using std::sqrt;

@@ -16,20 +16,6 @@
 namespace sh::numeric::methods {
 namespace {
 
-template <class Real>
-Scaled<Real> scaled(const Real& value) {
-  if (value == 0) return {0, 0};
-  const long e = binary_exponent(value);
-  return {times_power_of_two(value, -e), e};
-}
-
-template <class Real>
-Scaled<Real> times(const Scaled<Real>& a, const Scaled<Real>& b) {
-  Scaled<Real> product = scaled<Real>(a.mantissa * b.mantissa);
-  product.exponent += a.exponent + b.exponent;
-  return product;
-}
-
 // d^p_pq, q = -p .. p at place p + q, for rising p, starting at p = 0.
 template <class Real>
 class Starts {
@@ -37,24 +23,20 @@ class Starts {
   explicit Starts(const Turn<Real>& half)
       : cosine2_(scaled<Real>(half.cosine * half.cosine)),
         sine2_(scaled<Real>(half.sine * half.sine)),
-        mixed_(times(scaled<Real>(-half.sine), scaled(half.cosine))) {}
+        mixed_(multiply(scaled<Real>(-half.sine), scaled(half.cosine))) {}
 
-  [[nodiscard]] const Scaled<Real>& operator()(int q) const {
-    const int place = p_ + q;
-    return row_[place];
-  }
+  [[nodiscard]] const Scaled<Real>& operator()(int q) const { return row_[p_ + q]; }
 
   void next() {
     using std::sqrt;
-    std::vector<Scaled<Real>> row{times(sine2_, row_.front())};
+    std::vector<Scaled<Real>> row{multiply(sine2_, row_.front())};
     ++p_;
     const long p = p_;
     for (long q = 1 - p; q < p; ++q) {
       const Real ratio = static_cast<Real>(2 * p * (2 * p - 1)) / static_cast<Real>((p + q) * (p - q));
-      const auto& below = row_[p - 1 + q];
-      row.push_back(times(times(scaled<Real>(sqrt(ratio)), mixed_), below));
+      row.push_back(multiply(multiply(scaled<Real>(sqrt(ratio)), mixed_), row_[p - 1 + q]));
     }
-    row.push_back(times(cosine2_, row_.back()));
+    row.push_back(multiply(cosine2_, row_.back()));
     row_ = std::move(row);
   }
 
@@ -128,9 +110,7 @@ void rotate_wigner_d(int degree, const Real* r, const Real* c, Real* out) {
   });
 }
 
-// NOLINTBEGIN(bugprone-macro-parentheses): a type cannot stand in parentheses.
 #define SHFORGE_INSTANCE(Real) template void rotate_wigner_d<Real>(int, const Real*, const Real*, Real*);
-// NOLINTEND(bugprone-macro-parentheses)
 
 SHFORGE_FOR_EACH_METHOD_REAL(SHFORGE_INSTANCE)
 

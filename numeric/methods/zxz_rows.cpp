@@ -3,17 +3,38 @@
 
 #include <algorithm>
 #include <array>
-#include <cstddef>
-#include <stdexcept>
-#include <string>
 #include <type_traits>
 
 #include "numeric/methods/row_sums.hpp"
 #include "numeric/methods/turns.hpp"
 #include "numeric/oracle/instances.hpp"
+#include "numeric/oracle/require.hpp"
 
 namespace sh::numeric::methods {
+
+#if defined(SH_ROWS_X86)
+namespace avx2 {
+void add_rows(const RowSums<double>& sums);
+}
+namespace avx512 {
+void add_rows(const RowSums<double>& sums);
+}
+#endif
+
 namespace {
+
+using AddRows = void (*)(const RowSums<double>&);
+
+// The copy of the loop for the widest instruction set of this machine.
+AddRows widest() {
+#if defined(SH_ROWS_X86)
+  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl")) {
+    return avx512::add_rows;
+  }
+  if (__builtin_cpu_supports("avx2")) return avx2::add_rows;
+#endif
+  return baseline::add_rows;
+}
 
 // D(S) of one band after the other, from degree 0 up. Rows and columns are counted from l down: place k is order l - k.
 template <class Real>
@@ -21,8 +42,8 @@ class Swap {
  public:
   explicit Swap(int degree) {
     using std::sqrt;
-    const auto size = static_cast<std::size_t>(degree) + 1;
-    for (std::size_t n = 0; n < 2 * size; ++n) {
+    const int size = degree + 1;
+    for (int n = 0; n < 2 * size; ++n) {
       roots_.push_back(sqrt(static_cast<Real>(n)));
       inverse_roots_.push_back(n == 0 ? Real(0) : Real(1 / roots_.back()));
     }
@@ -55,7 +76,7 @@ class Swap {
       weight_[1][k] = gauge_[k] * band[k - l_] * down_;
     }
     weight_[1][l_] = 0;                               // there is no order -0
-    if (l_ > 0) weight_[0][l_] *= inverse_roots_[2];  // normalisation of order 0
+    if (l_ > 0) weight_[0][l_] *= inverse_roots_[2];  // normalization of order 0
     const int rows = (l_ / kRowsAtOnce + 1) * kRowsAtOnce;
     for (int k = l_ + 1; k < rows; ++k) weight_[0][k] = weight_[1][k] = 0;
     for (int odd = 0; odd < 2; ++odd) add_columns(odd, rows, band);
@@ -68,14 +89,12 @@ class Swap {
   };
 
   [[nodiscard]] int first_order(int odd) const { return (l_ + odd) % 2; }
-  [[nodiscard]] std::size_t count(int odd) const {
-    return static_cast<std::size_t>((l_ - first_order(odd)) / 2 + (l_ < first_order(odd) ? 0 : 1));
-  }
+  [[nodiscard]] int count(int odd) const { return (l_ - first_order(odd)) / 2 + (l_ < first_order(odd) ? 0 : 1); }
 
   // |K_lb|, up to the shift: sqrt(2 (2l)! / ((l+b)! (l-b)!)) / 2^l, times sqrt 2 for b > 0, l > 0.
   void next_top(int l) {
     if (l > 1) {
-      const Real factor = roots_[static_cast<std::size_t>(2 * l)] * roots_[2 * l - 1] / 2;
+      const Real factor = roots_[2 * l] * roots_[2 * l - 1] / 2;
       for (int b = 0; b < l; ++b) top_[b] *= factor * inverse_roots_[l + b] * inverse_roots_[l - b];
     } else {
       top_[0] = times_power_of_two(Real(1), 2 * half_shift_);
@@ -86,7 +105,7 @@ class Swap {
   // g of place k, with g_0 = g_1 = d_l^(-1/2), and slope +-2 g_k / (d g_(k+1)), + for rows of the parity of l.
   void next_gauge() {
     using std::sqrt;
-    gauge_[0] = gauge_[1] = 1 / sqrt(roots_[static_cast<std::size_t>(2 * l_)]);
+    gauge_[0] = gauge_[1] = 1 / sqrt(roots_[2 * l_]);
     for (int k = 1; k < l_; ++k) {
       gauge_[k + 1] =
           gauge_[k - 1] * (roots_[k] * inverse_roots_[k + 1]) * (roots_[2 * l_ - k + 1] * inverse_roots_[2 * l_ - k]);
@@ -104,7 +123,7 @@ class Swap {
     for (int odd = 0; odd < 2; ++odd) {
       Columns& columns = columns_[odd];
       int b = first_order(odd);
-      for (std::size_t i = 0; i < count(odd); ++i, b += 2) {
+      for (int i = 0; i < count(odd); ++i, b += 2) {
         columns.order[i] = static_cast<Real>(b);
         columns.top[i] = (l_ - b) % 4 < 2 ? top_[b] * inverse : -top_[b] * inverse;
       }
@@ -113,13 +132,13 @@ class Swap {
 
   void add_columns(int odd, int rows, Real* band) {
     Columns& columns = columns_[odd];
-    const std::size_t n = count(odd);
+    const int n = count(odd);
     std::copy_n(columns.top.begin(), n, columns.row.begin());
     for (auto* values : {&columns.above, &columns.cosine, &columns.sine}) std::fill_n(values->begin(), n, Real(0));
     add_rows(RowSums<Real>{n, rows, columns.order.data(), slope_.data(), weight_[odd].data(), columns.row.data(),
                            columns.above.data(), columns.cosine.data(), columns.sine.data()});
     int b = first_order(odd);
-    for (std::size_t i = 0; i < n; ++i, b += 2) {
+    for (int i = 0; i < n; ++i, b += 2) {
       if (b > 0) band[-b] = columns.sine[i] * down_;
       band[b] = columns.cosine[i] * down_;
     }
@@ -157,12 +176,15 @@ void rotate_rows(int degree, const Real* r, const Real* c, Real* out) {
 
 }  // namespace
 
+template <>
+void add_rows(const RowSums<double>& sums) {
+  static const AddRows kChosen = widest();
+  kChosen(sums);
+}
+
 template <class Real>
 void rotate_zxz_rows(int degree, const Real* r, const Real* c, Real* out) {
-  if (degree < 0 || degree > kLargestRowsDegree<Real>) {
-    throw std::invalid_argument("rotate_zxz_rows: degree " + std::to_string(degree) + "; it should be 0 to " +
-                                std::to_string(kLargestRowsDegree<Real>));
-  }
+  require_range("rotate_zxz_rows: degree", degree, 0, kLargestRowsDegree<Real>);
   if constexpr (std::is_same_v<Real, float>) {
     std::vector<double> wide(c, c + coefficient_count(degree));
     const auto matrix = nearest_rotation<double>(r);
@@ -173,9 +195,7 @@ void rotate_zxz_rows(int degree, const Real* r, const Real* c, Real* out) {
   }
 }
 
-// NOLINTBEGIN(bugprone-macro-parentheses): a type cannot stand in parentheses.
 #define SHFORGE_INSTANCE(Real) template void rotate_zxz_rows<Real>(int, const Real*, const Real*, Real*);
-// NOLINTEND(bugprone-macro-parentheses)
 
 SHFORGE_FOR_EACH_METHOD_REAL(SHFORGE_INSTANCE)
 

@@ -18,7 +18,7 @@
 
 namespace sh::numeric::methods {
 
-// Rows start at 2^(1-l); half the range of exponents is used to scale them up.
+/// Rows start at 2^(1-l); half the range of exponents is used to scale them up.
 template <class Real>
 inline constexpr long kLargestRowsDegree = 2 * (-static_cast<long>(std::numeric_limits<Real>::min_exponent) -
                                                 std::numeric_limits<Real>::digits);

@@ -4,7 +4,6 @@
 
 namespace sh::numeric {
 
-// NOLINTBEGIN(bugprone-macro-parentheses): a type cannot stand in parentheses.
 #define SHFORGE_INSTANCE(Real)                                                            \
   template void basis<Real>(int, const Real&, const Real&, const Real&, Real*);           \
   template void basis<Real>(int, const Real&, const Real&, const Real&, std::span<Real>); \
@@ -12,7 +11,6 @@ namespace sh::numeric {
   template void basis_z_form<Real>(int, const Real&, const Real&, const Real&, Real*);    \
   template Real basis_value<Real>(int, int, const Real&, const Real&, const Real&);       \
   template std::array<Real, 3> normalised<Real>(const Real&, const Real&, const Real&);
-// NOLINTEND(bugprone-macro-parentheses)
 
 SHFORGE_FOR_EACH_REAL(SHFORGE_INSTANCE)
 

@@ -16,33 +16,33 @@
 
 namespace sh::numeric {
 
-// out (bands^2) = Y_lm(x, y, z). Precondition: degree >= 0, |d| = 1 up to rounding (not checked). For another length r
-// the value is the solid harmonic r^l Y_lm(d / r): the algorithm evaluates the homogeneous polynomial.
+/// out (bands^2) = Y_lm(x, y, z). Precondition: degree >= 0, |d| = 1 up to rounding (not checked). For another length r
+/// the value is the solid harmonic r^l Y_lm(d / r): the algorithm evaluates the homogeneous polynomial.
 template <class Real>
 void basis(int degree, const Real& x, const Real& y, const Real& z, Real* out);
 
-// The same, checked: throws std::invalid_argument if degree < 0, out does not hold exactly bands^2 values, a component
-// is not finite or |d|^2 differs from 1 by more than 16 epsilon.
+/// The same, checked: throws std::invalid_argument if degree < 0, out does not hold exactly bands^2 values, a component
+/// is not finite or |d|^2 differs from 1 by more than 16 epsilon.
 template <class Real>
 void basis(int degree, const Real& x, const Real& y, const Real& z, std::span<Real> out);
 
-// The same, returned as a vector of bands^2.
+/// The same, returned as a vector of bands^2.
 template <class Real>
 std::vector<Real> basis(int degree, const Real& x, const Real& y, const Real& z);
 
-// out (bands^2) = the inhomogeneous form Q_lm(z) * {Re, Im} (x+iy)^|m|, where Q_lm is a polynomial in z alone
-// (sin^2 theta is replaced by 1 - z^2 and |d| = 1 is not used again). It is the exact polynomial that a kernel
-// evaluates whose z part is a column recurrence in z (Sloan 2013), so the distance of such a kernel from it is rounding
-// and nothing else, at any input, on the sphere or slightly off it. Equal to basis() where |d| = 1.
+/// out (bands^2) = the inhomogeneous form Q_lm(z) * {Re, Im} (x+iy)^|m|, where Q_lm is a polynomial in z alone
+/// (sin^2 theta is replaced by 1 - z^2 and |d| = 1 is not used again). It is the exact polynomial that a kernel
+/// evaluates whose z part is a column recurrence in z (Sloan 2013), so the distance of such a kernel from it is
+/// rounding and nothing else, at any input, on the sphere or slightly off it. Equal to basis() where |d| = 1.
 template <class Real>
 void basis_z_form(int degree, const Real& x, const Real& y, const Real& z, Real* out);
 
-// One value Y_lm(x, y, z), |m| <= l, in O(l - |m|) steps. Preconditions as for basis().
+/// One value Y_lm(x, y, z), |m| <= l, in O(l - |m|) steps. Preconditions as for basis().
 template <class Real>
 Real basis_value(int degree, int order, const Real& x, const Real& y, const Real& z);
 
-// (x, y, z) / |(x, y, z)| without overflow or underflow on the way. Throws std::invalid_argument for the zero vector
-// and for components that are not finite.
+/// (x, y, z) / |(x, y, z)| without overflow or underflow on the way. Throws std::invalid_argument for the zero vector
+/// and for components that are not finite.
 template <class Real>
 std::array<Real, 3> normalised(const Real& x, const Real& y, const Real& z);
 

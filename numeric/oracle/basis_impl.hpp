@@ -1,12 +1,11 @@
-// Definitions of basis.hpp, for who instantiates them on a Real of his own; everyone else includes basis.hpp.
+// Definitions of basis.hpp, for users who instantiate them on a Real of their own.
 #pragma once
 
 #include <algorithm>
-#include <stdexcept>
-#include <string>
 
 #include "numeric/oracle/basis.hpp"
 #include "numeric/oracle/legendre.hpp"
+#include "numeric/oracle/require.hpp"
 
 namespace sh::numeric {
 namespace detail {
@@ -15,12 +14,6 @@ template <class Real>
 Real largest_component(const Real& x, const Real& y, const Real& z) {
   using std::abs;
   return std::max(Real(abs(x)), std::max(Real(abs(y)), Real(abs(z))));
-}
-
-template <class Real>
-bool all_finite(const Real& x, const Real& y, const Real& z) {
-  using std::isfinite;
-  return isfinite(x) && isfinite(y) && isfinite(z);
 }
 
 // (x + iy)^m for rising m, times sqrt 2 from m = 1 on; scaled, so that no power underflows near the pole.
@@ -93,21 +86,17 @@ void basis_z_form(int degree, const Real& x, const Real& y, const Real& z, Real*
 template <class Real>
 void basis(int degree, const Real& x, const Real& y, const Real& z, std::span<Real> out) {
   using std::abs;
-  if (degree < 0) throw std::invalid_argument("basis: degree is " + std::to_string(degree) + ", must be 0 or more");
-  if (const auto wanted = static_cast<std::size_t>(coefficient_count(degree)); out.size() != wanted) {
-    throw std::invalid_argument("basis: out holds " + std::to_string(out.size()) + " values, degree " +
-                                std::to_string(degree) + " has " + std::to_string(wanted));
-  }
-  if (!detail::all_finite(x, y, z)) throw std::invalid_argument("basis: a component of the direction is not finite");
-  if (abs(Real(x * x + y * y + z * z - 1)) > 16 * machine_epsilon<Real>()) {
-    throw std::invalid_argument("basis: the direction is not of length 1; normalised() makes it so");
+  require_range("basis: degree", degree, 0);
+  require_size("basis: out", std::ssize(out), coefficient_count(degree));
+  if (!(abs(Real(x * x + y * y + z * z - 1)) <= 16 * machine_epsilon<Real>())) {
+    throw std::invalid_argument("basis: expected a direction of length 1, as normalised() makes it");
   }
   basis(degree, x, y, z, out.data());
 }
 
 template <class Real>
 std::vector<Real> basis(int degree, const Real& x, const Real& y, const Real& z) {
-  std::vector<Real> out(degree < 0 ? 0 : static_cast<std::size_t>(coefficient_count(degree)));
+  std::vector<Real> out(coefficient_count(std::max(degree, 0)));
   basis(degree, x, y, z, std::span<Real>(out));
   return out;
 }
@@ -125,10 +114,12 @@ Real basis_value(int degree, int order, const Real& x, const Real& y, const Real
 
 template <class Real>
 std::array<Real, 3> normalised(const Real& x, const Real& y, const Real& z) {
+  using std::isfinite;
   using std::sqrt;
-  if (!detail::all_finite(x, y, z)) throw std::invalid_argument("direction: a component is not finite");
+  if (!(isfinite(x) && isfinite(y) && isfinite(z)))
+    throw std::invalid_argument("direction: expected finite components");
   const Real largest = detail::largest_component(x, y, z);
-  if (largest == 0) throw std::invalid_argument("direction: the zero vector has no direction");
+  if (largest == 0) throw std::invalid_argument("direction: expected a vector that is not zero, got zeros");
   const long e = -binary_exponent(largest);
   const Real a = times_power_of_two(x, e);
   const Real b = times_power_of_two(y, e);

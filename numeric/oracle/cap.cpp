@@ -1,24 +1,20 @@
-// Definitions of cap.hpp, compiled once for the types of real.hpp.
+// See cap.hpp.
 #include "numeric/oracle/cap.hpp"
 
 #include <cmath>
 #include <map>
-#include <stdexcept>
-#include <string>
 #include <type_traits>
 
 #include "numeric/oracle/instances.hpp"
-#include "numeric/oracle/real.hpp"
+#include "numeric/oracle/require.hpp"
 
 namespace sh::numeric {
 namespace detail {
 
 template <class Real>
 void require_cap(const char* function, int degree, const Real& u) {
-  if (degree < 0) {
-    throw std::invalid_argument(std::string(function) + ": degree is " + std::to_string(degree) + ", must be >= 0");
-  }
-  if (!(u >= 0 && u <= 2)) throw std::invalid_argument(std::string(function) + ": 1 - cos is not in 0 .. 2");
+  require_range(std::string(function) + ": degree", degree, 0);
+  if (!(u >= 0 && u <= 2)) throw std::invalid_argument(std::string(function) + ": expected 1 - cos in 0 to 2");
 }
 
 // sqrt((2l+1) pi)
@@ -28,7 +24,7 @@ Real zonal_scale(int l) {
   return sqrt(Real(static_cast<Real>(2L * l + 1) * pi<Real>()));
 }
 
-// Calls visit(l, P_l(1 - depth), P_l - P_(l-1)) for l = 0 .. degree. As legendre_value in quadrature_impl.hpp, but the
+// Calls visit(l, P_l(1 - depth), P_l - P_(l-1)) for l = 0 .. degree. As legendre_value in quadrature.cpp, but the
 // differences are added up apart from P_0 = 1: beside it small ones would be lost, degree times.
 template <class Real, class Visit>
 void visit_legendre(int degree, const Real& depth, Visit visit) {
@@ -45,7 +41,7 @@ void visit_legendre(int degree, const Real& depth, Visit visit) {
   }
 }
 
-// fill(u) of the smaller of the cap and its complement, and from the latter the cap.
+// Calls fill(u) for the smaller of the cap and its complement, and turns the complement into the cap.
 template <class Real, class Fill>
 void by_smaller_part(int degree, const Real& u, Real* out, Fill fill) {
   if (u <= 1) {
@@ -129,7 +125,7 @@ void zonal_quadrature(int degree, const std::function<Real(const Real& one_minus
                       const Real& upper, const GaussLegendreRule<Real>& rule, Real* out) {
   detail::require_cap("zonal_quadrature", degree, lower);
   detail::require_cap("zonal_quadrature", degree, upper);
-  if (upper < lower) throw std::invalid_argument("zonal_quadrature: upper is below lower");
+  if (upper < lower) throw std::invalid_argument("zonal_quadrature: expected lower <= upper");
   const Real half = (upper - lower) / 2;
   for (int l = 0; l <= degree; ++l) out[l] = 0;
   for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
@@ -158,7 +154,6 @@ Real one_minus_cos(const Real& angle) {
   return 2 * sine * sine;
 }
 
-// NOLINTBEGIN(bugprone-macro-parentheses): a type cannot stand in parentheses.
 #define SHFORGE_INSTANCE(Real)                                                                                 \
   template void cap_zonal<Real>(int, const Real&, Real*, CapScale);                                            \
   template void cap_zonal_closed_form<Real>(int, const Real&, Real*);                                          \
@@ -167,7 +162,6 @@ Real one_minus_cos(const Real& angle) {
   template void zonal_quadrature<Real>(int, const std::function<Real(const Real&)>&, const Real&, const Real&, \
                                        const GaussLegendreRule<Real>&, Real*);                                 \
   template Real one_minus_cos<Real>(const Real&);
-// NOLINTEND(bugprone-macro-parentheses)
 
 SHFORGE_FOR_EACH_REAL(SHFORGE_INSTANCE)
 

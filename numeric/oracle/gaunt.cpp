@@ -110,11 +110,9 @@ Real gaunt(const Triple& degrees, const Triple& orders) {
   return form.sign != 0 && may_differ_from_zero(degrees, form.orders) ? floating<Real>(degrees, form) : Real(0);
 }
 
-// NOLINTBEGIN(bugprone-macro-parentheses): a type cannot stand in parentheses.
 #define SHFORGE_INSTANCE(Real)                             \
   template Real gaunt<Real>(const Triple&, const Triple&); \
   template Real complex_gaunt<Real>(const Triple&, const Triple&);
-// NOLINTEND(bugprone-macro-parentheses)
 
 SHFORGE_FOR_EACH_REAL(SHFORGE_INSTANCE)
 

@@ -15,12 +15,12 @@
 
 namespace sh::numeric {
 
-// Exact: rational * sqrt(integer) / sqrt(pi). Measured: 8 microseconds at degree 100.
+/// Exact: rational * sqrt(integer) / sqrt(pi). Measured: 8 microseconds at degree 100.
 Surd gaunt_exact(const Triple& degrees, const Triple& orders);
 Surd complex_gaunt_exact(const Triple& degrees, const Triple& orders);
 
-// From two rows of 3j symbols, O(degree). Measured in double, to degree 1000: 1.1 epsilon. Compiled for the six types
-// of real.hpp.
+/// From two rows of 3j symbols, O(degree). Measured in double, to degree 1000: 1.1 epsilon. Compiled for the six types
+/// of real.hpp.
 template <class Real>
 Real gaunt(const Triple& degrees, const Triple& orders);
 template <class Real>

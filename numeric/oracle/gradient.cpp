@@ -1,4 +1,4 @@
-// Definitions of gradient.hpp, compiled once for the types of real.hpp.
+// See gradient.hpp.
 #include "numeric/oracle/gradient.hpp"
 
 #include <array>
@@ -9,7 +9,7 @@
 namespace sh::numeric {
 namespace detail {
 
-// Values of one degree as functions of cos(m phi) and sin(m phi), m >= 0, all in the scale of m > 0; 0 beyond the
+// The values of one degree as functions of cos(m phi) and sin(m phi), m >= 0, all in the scale of m > 0; 0 beyond the
 // degree.
 template <class Real>
 class BandValues {
@@ -34,7 +34,7 @@ class BandValues {
   Real root_two_;
 };
 
-// The same of single values: those of a degree at the orders m - 1 to m + 1 about one m >= 0, and none else.
+// The same for the orders m - 1 to m + 1 alone, m >= 0.
 template <class Real>
 class ValuesNear {
  public:
@@ -45,7 +45,7 @@ class ValuesNear {
     for (std::size_t i = 1; i < 3; ++i) (powers[i] = powers[i - 1]).next();
     ReducedRows<Real>(degree).visit(degree, first_, z, Real(x * x + y * y), [&](int n, const Scaled<Real>& q) {
       if (n > m + 1) return;
-      const auto i = static_cast<std::size_t>(n - first_);
+      const int i = n - first_;
       cosine_[i] = powers[i].real_times(q);
       sine_[i] = powers[i].imaginary_times(q);
       if (n == 0) cosine_[i] *= sqrt(Real(2));
@@ -60,7 +60,7 @@ class ValuesNear {
   std::array<Real, 3> cosine_{}, sine_{};  // 0 beyond the degree
 };
 
-// d/dx, d/dy, d/dz of the two functions of degree l and order +-m; of m = 0 the cosine alone means anything.
+// d/dx, d/dy, d/dz of the two functions of degree l and order +-m; for m = 0 only the cosine is a function.
 template <class Real>
 struct Derivatives {
   std::array<Real, 3> cosine, sine;
@@ -138,12 +138,10 @@ void basis_tangent_gradient(int degree, const Real& x, const Real& y, const Real
   }
 }
 
-// NOLINTBEGIN(bugprone-macro-parentheses): a type cannot stand in parentheses.
 #define SHFORGE_INSTANCE(Real)                                                                                \
   template void basis_gradient<Real>(int, const Real&, const Real&, const Real&, Real*, Real*, Real*, Real*); \
   template std::array<Real, 3> basis_value_gradient<Real>(int, int, const Real&, const Real&, const Real&);   \
   template void basis_tangent_gradient<Real>(int, const Real&, const Real&, const Real&, Real*, Real*, Real*, Real*);
-// NOLINTEND(bugprone-macro-parentheses)
 
 SHFORGE_FOR_EACH_REAL(SHFORGE_INSTANCE)
 

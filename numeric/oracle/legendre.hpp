@@ -21,15 +21,15 @@
 
 namespace sh::numeric {
 
-// mantissa * 2^exponent. Mantissas stay within 2^+-32, so that products of two fit even a float; the exponent is what
-// keeps Q_lm (up to 1/sin^m) and sin^m (down to 0) in range at any degree.
+/// mantissa * 2^exponent. Mantissas stay within 2^+-32, so that products of two fit even a float; the exponent
+/// keeps Q_lm (up to 1/sin^m) and sin^m (down to 0) in range at any degree.
 template <class Real>
 struct Scaled {
   Real mantissa;
   long exponent;
 };
 
-// Brings max(|a|, |b|) near 1 if it left 2^+-32, moving the difference into the common exponent.
+/// Brings max(|a|, |b|) near 1 if it left 2^+-32, moving the difference into the common exponent.
 template <class Real>
 void rescale(Real& a, Real& b, long& exponent) {
   constexpr long kRange = 32;
@@ -43,7 +43,7 @@ void rescale(Real& a, Real& b, long& exponent) {
   exponent += e;
 }
 
-// v * n.
+/// v * n.
 template <class Real>
 Real times_integer(const Real& v, long n) {
   if constexpr (std::is_floating_point_v<Real>) {
@@ -53,7 +53,7 @@ Real times_integer(const Real& v, long n) {
   }
 }
 
-// a * b, brought near 1.
+/// a * b, brought near 1.
 template <class Real>
 Scaled<Real> multiply(const Scaled<Real>& a, const Scaled<Real>& b) {
   Scaled<Real> product{Real(a.mantissa * b.mantissa), a.exponent + b.exponent};
@@ -62,13 +62,13 @@ Scaled<Real> multiply(const Scaled<Real>& a, const Scaled<Real>& b) {
   return product;
 }
 
-// a * b as a plain number: rounded once more only where that is subnormal, 0 or infinite.
+/// a * b as a plain number: rounded once more only where that is subnormal, 0 or infinite.
 template <class Real>
 Real product(const Scaled<Real>& a, const Scaled<Real>& b) {
   return times_power_of_two(Real(a.mantissa * b.mantissa), a.exponent + b.exponent);
 }
 
-// v with its exponent apart.
+/// v with its exponent apart.
 template <class Real>
 Scaled<Real> scaled(const Real& v) {
   if (v == 0) return {v, 0};
@@ -76,19 +76,19 @@ Scaled<Real> scaled(const Real& v) {
   return {times_power_of_two(v, -e), e};
 }
 
-// v^n for n = 0 .. count - 1.
+/// v^n for n = 0 .. count - 1.
 template <class Real>
-std::vector<Scaled<Real>> scaled_powers(const Scaled<Real>& step, std::size_t count) {
+std::vector<Scaled<Real>> scaled_powers(const Scaled<Real>& step, int count) {
   std::vector<Scaled<Real>> powers(count, Scaled<Real>{Real(1), 0});
-  for (std::size_t n = 1; n < count; ++n) powers[n] = multiply(powers[n - 1], step);
+  for (int n = 1; n < count; ++n) powers[n] = multiply(powers[n - 1], step);
   return powers;
 }
 
-// Rows of reduced Legendre functions for every degree up to one.
+/// Rows of reduced Legendre functions for every degree up to one.
 template <class Real>
 class ReducedRows {
  public:
-  // max_degree >= 0. Cost: a root for each of 2 max_degree + 1 factorials.
+  /// max_degree >= 0. Cost: a root for each of 2 max_degree + 1 factorials.
   explicit ReducedRows(int max_degree) {
     using std::sqrt;
     Scaled<Real> factorial{Real(1), 0};
@@ -101,7 +101,7 @@ class ReducedRows {
     }
   }
 
-  // Calls visit(m, Scaled<Real>{Q_lm}) for m = degree, degree - 1, ..., lowest_order; degree <= max_degree.
+  /// Calls visit(m, Scaled<Real>{Q_lm}) for m = degree, degree - 1, ..., lowest_order; degree <= max_degree.
   template <class Visit>
   void visit(int degree, int lowest_order, const Real& z, const Real& u2, Visit visit) const {
     const long l = degree;

@@ -9,19 +9,16 @@
 #include <utility>
 
 #include "numeric/oracle/legendre.hpp"
+#include "numeric/oracle/require.hpp"
 #include "numeric/oracle/rings/call.hpp"
 
 namespace sh::numeric {
 namespace {
 
-using Wide = long double;            // of the powers, so that they round once
-constexpr std::size_t kPowers = 64;  // sine^m = sine^(m % 64) sine^(64 (m / 64))
-constexpr double kNothing = -1080;   // to base 2: below every double
-constexpr std::size_t kWidest = 8;   // lanes
-
-void require(bool good, const std::string& message) {
-  if (!good) throw std::invalid_argument("LegendreRings: " + message);
-}
+using Wide = long double;           // of the powers, so that they round once
+constexpr int kPowers = 64;         // sine^m = sine^(m % 64) sine^(64 (m / 64))
+constexpr double kNothing = -1080;  // to base 2: below every double
+constexpr std::size_t kWidest = 8;  // lanes
 
 const rings::Kernels& kernels(RingLanes lanes) {
 #if defined(SH_RINGS_X86)
@@ -55,16 +52,16 @@ RingLanes widest_ring_lanes() noexcept {
 
 LegendreRings::LegendreRings(int max_degree, std::span<const double> z, std::span<const double> sine, RingLanes lanes)
     : max_degree_(max_degree), lanes_(lanes), ring_(z.size()) {
-  require(max_degree >= 0 && max_degree <= kMaxDegree,
-          "max_degree is " + std::to_string(max_degree) + ", must be 0 to " + std::to_string(kMaxDegree));
-  require(z.size() == sine.size(), "z holds " + std::to_string(z.size()) + " values and sine " +
-                                       std::to_string(sine.size()) + ", must be as many");
-  require(available(lanes), "these lanes are not available here");
+  require_range("LegendreRings: max_degree", max_degree, 0, kMaxDegree);
+  require_size("LegendreRings: sine", std::ssize(sine), std::ssize(z));
+  if (!available(lanes)) throw std::invalid_argument("LegendreRings: expected lanes that this machine has");
   for (std::size_t i = 0; i < z.size(); ++i) {
     const bool good = std::isfinite(z[i]) && std::isfinite(sine[i]) && sine[i] >= 0 &&
                       std::abs(z[i] * z[i] + sine[i] * sine[i] - 1) <= 16 * machine_epsilon<double>();
-    require(good, "ring " + std::to_string(i) + " has z = " + std::to_string(z[i]) +
-                      ", sine = " + std::to_string(sine[i]) + ", must be on the circle with sine >= 0");
+    if (good) continue;
+    throw std::invalid_argument("LegendreRings: ring " + std::to_string(i) +
+                                ": expected a point of the circle with sine >= 0, got z = " + std::to_string(z[i]) +
+                                ", sine = " + std::to_string(sine[i]));
   }
   add_pairs(z, sine);
   add_powers();
@@ -97,14 +94,14 @@ void LegendreRings::add_pairs(std::span<const double> z, std::span<const double>
 
 void LegendreRings::add_powers() {
   const std::size_t pairs = z_.size();
-  const std::size_t high = static_cast<std::size_t>(max_degree_) / kPowers + 1;
+  const int high = max_degree_ / kPowers + 1;
   low_mantissa_.resize(kPowers * pairs);
   low_exponent_.resize(kPowers * pairs);
   high_mantissa_.resize(high * pairs);
   high_exponent_.resize(high * pairs);
-  const auto store = [pairs](const std::vector<Scaled<Wide>>& powers, std::size_t count, std::size_t pair,
+  const auto store = [pairs](const std::vector<Scaled<Wide>>& powers, int count, std::size_t pair,
                              std::vector<double>& mantissa, std::vector<double>& exponent) {
-    for (std::size_t j = 0; j < count; ++j) {
+    for (int j = 0; j < count; ++j) {
       const Scaled<Wide> near = scaled(powers[j].mantissa);
       mantissa[j * pairs + pair] = static_cast<double>(near.mantissa);
       exponent[j * pairs + pair] = static_cast<double>(near.exponent + powers[j].exponent);
@@ -151,7 +148,7 @@ struct LegendreRings::Work {
   }
 
   rings::Column column(const LegendreRings& rings, int degree, int order) {
-    const std::size_t steps = static_cast<std::size_t>(degree - order) / 2 + 1;
+    const std::size_t steps = (degree - order) / 2 + 1;
     eps.resize(2 * steps + 8);
     alpha.resize(steps);
     table.resize(steps);
@@ -165,8 +162,8 @@ struct LegendreRings::Work {
 
 rings::Pairs LegendreRings::pairs(int degree, int order) const {
   const std::size_t count = z_.size();
-  const std::size_t low = static_cast<std::size_t>(order) % kPowers * count;
-  const std::size_t high = static_cast<std::size_t>(order) / kPowers * count;
+  const std::size_t low = order % kPowers * count;
+  const std::size_t high = order / kPowers * count;
   return {first_pair(degree, order),
           count,
           z_.data(),
@@ -176,16 +173,11 @@ rings::Pairs LegendreRings::pairs(int degree, int order) const {
 }
 
 void LegendreRings::check(const char* what, int degree, int order, std::size_t coefficients, std::size_t values) const {
-  const std::string where = what;
-  require(degree >= 0 && degree <= max_degree_, where + ": degree is " + std::to_string(degree) +
-                                                    ", must be 0 to max_degree, " + std::to_string(max_degree_));
-  require(order >= 0 && order <= degree,
-          where + ": order is " + std::to_string(order) + ", must be 0 to " + std::to_string(degree));
-  const auto wanted = 2 * static_cast<std::size_t>(degree - order + 1);
-  require(coefficients == wanted,
-          where + ": " + std::to_string(coefficients) + " coefficients, must be " + std::to_string(wanted));
-  require(values == 2 * ring_.size(),
-          where + ": " + std::to_string(values) + " values, must be " + std::to_string(2 * ring_.size()));
+  const std::string where = std::string("LegendreRings: ") + what;
+  require_range(where + ": degree", degree, 0, max_degree_);
+  require_range(where + ": order", order, 0, degree);
+  require_size(where + ": coefficients", static_cast<long>(coefficients), 2L * (degree - order + 1));
+  require_size(where + ": values", static_cast<long>(values), 2 * std::ssize(ring_));
 }
 
 void LegendreRings::synthesis(int degree, int order, std::span<const double> coefficients,

@@ -26,32 +26,32 @@ namespace rings {
 struct Pairs;
 }
 
-// Instruction sets that the transforms are compiled for.
+/// Instruction sets that the transforms are compiled for.
 enum class RingLanes { kBaseline, kAvx2, kAvx512 };
-// Whether this machine has it.
+/// Whether this machine has it.
 bool available(RingLanes lanes) noexcept;
-// The widest that it has.
+/// The widest that it has.
 RingLanes widest_ring_lanes() noexcept;
 
 class LegendreRings {
  public:
   static constexpr int kMaxDegree = 100'000;
 
-  // Rings at z, sine (n each), in any order. Throws std::invalid_argument if max_degree is not 0 to kMaxDegree, if the
-  // arrays differ in length or lanes are not available, or a ring is not finite, has a negative sine or is off the
-  // circle z^2 + sine^2 = 1 by more than 16 epsilon. Memory: (64 + max_degree / 64) * 16 bytes a pair of rings.
+  /// Rings at z, sine (n each), in any order. Throws std::invalid_argument if max_degree is not 0 to kMaxDegree, if the
+  /// arrays differ in length or lanes are not available, or a ring is not finite, has a negative sine or is off the
+  /// circle z^2 + sine^2 = 1 by more than 16 epsilon. Memory: (64 + max_degree / 64) * 16 bytes a pair of rings.
   LegendreRings(int max_degree, std::span<const double> z, std::span<const double> sine,
                 RingLanes lanes = widest_ring_lanes());
 
   [[nodiscard]] int max_degree() const { return max_degree_; }
   [[nodiscard]] std::size_t rings() const { return ring_.size(); }
 
-  // values (rings, 2) from coefficients (degree - order + 1, 2), degree l at l - order. Throws std::invalid_argument
-  // unless 0 <= order <= degree <= max_degree and the spans have these sizes. Safe to call from several threads at
-  // once.
+  /// values (rings, 2) from coefficients (degree - order + 1, 2), degree l at l - order. Throws std::invalid_argument
+  /// unless 0 <= order <= degree <= max_degree and the spans have these sizes. Safe to call from several threads at
+  /// once.
   void synthesis(int degree, int order, std::span<const double> coefficients, std::span<double> values) const;
 
-  // coefficients (degree - order + 1, 2) from values (rings, 2); as synthesis.
+  /// coefficients (degree - order + 1, 2) from values (rings, 2); as synthesis.
   void analysis(int degree, int order, std::span<const double> values, std::span<double> coefficients) const;
 
  private:

@@ -4,14 +4,12 @@
 
 namespace sh::numeric {
 
-// NOLINTBEGIN(bugprone-macro-parentheses): a type cannot stand in parentheses.
 #define SHFORGE_INSTANCE(Real)                                                      \
   template void legendre_row<Real>(int, const Real&, const Real&, Real*);           \
   template void legendre_row<Real>(int, const Real&, const Real&, std::span<Real>); \
   template void legendre_column<Real>(int, int, const Real&, const Real&, Real*);   \
   template Real legendre_value<Real>(int, int, const Real&, const Real&);           \
   template void legendre_amplitude<Real>(int, const Real&, const Real*, Real*);
-// NOLINTEND(bugprone-macro-parentheses)
 
 SHFORGE_FOR_EACH_REAL(SHFORGE_INSTANCE)
 

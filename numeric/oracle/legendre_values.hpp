@@ -19,30 +19,30 @@
 
 namespace sh::numeric {
 
-// out (degree + 1): P_lm for m = 0 .. degree. degree >= 0, not checked. Cost: O(degree), 10 ns a value in double.
+/// out (degree + 1): P_lm for m = 0 .. degree. degree >= 0, not checked. Cost: O(degree), 10 ns a value in double.
 template <class Real>
 void legendre_row(int degree, const Real& z, const Real& sine, Real* out);
 
-// The same, checked: throws std::invalid_argument if degree < 0, out does not hold degree + 1 values, z or sine is not
-// finite, sine < 0 or z^2 + sine^2 differs from 1 by more than 16 epsilon.
+/// The same, checked: throws std::invalid_argument if degree < 0, out does not hold degree + 1 values, z or sine is not
+/// finite, sine < 0 or z^2 + sine^2 differs from 1 by more than 16 epsilon.
 template <class Real>
 void legendre_row(int degree, const Real& z, const Real& sine, std::span<Real> out);
 
-// out (degree - order + 1): P_lm for l = order .. degree at one order, 0 <= order <= degree, not checked. Each degree
-// by its own row, so as exact as those; cost O((degree - order)^2): 2 ms at degree 1000, 0.2 s at 10,000, order 0.
+/// out (degree - order + 1): P_lm for l = order .. degree at one order, 0 <= order <= degree, not checked. Each degree
+/// by its own row, so as exact as those; cost O((degree - order)^2): 2 ms at degree 1000, 0.2 s at 10,000, order 0.
 template <class Real>
 void legendre_column(int degree, int order, const Real& z, const Real& sine, Real* out);
 
-// P_lm alone, 0 <= order <= degree, not checked. Cost: O(degree).
+/// P_lm alone, 0 <= order <= degree, not checked. Cost: O(degree).
 template <class Real>
 Real legendre_value(int degree, int order, const Real& z, const Real& sine);
 
-// out (degree + 1): the local amplitude of P_lm at this colatitude, by which errors of it are judged, from its `row`
-// (degree + 1). With k^2 = (l + 1/2)^2 - (m^2 - 1/4) / sine^2, the squared frequency of sqrt(sin theta) P_lm:
-//   where it oscillates (k^2 > 0)   sqrt(P^2 + (P' / (l + 1/2))^2), P' = dP/dtheta: the envelope of the oscillation, or
-//                                   less, since k <= l + 1/2; never 0, so that zeros of P do not count as relative
-//                                   errors;
-//   in the tail                     |P_lm| itself: an error there is a relative error.
+/// out (degree + 1): the local amplitude of P_lm at this colatitude, by which errors of it are judged, from its `row`
+/// (degree + 1). With k^2 = (l + 1/2)^2 - (m^2 - 1/4) / sine^2, the squared frequency of sqrt(sin theta) P_lm:
+///   where it oscillates (k^2 > 0)   sqrt(P^2 + (P' / (l + 1/2))^2), P' = dP/dtheta: the envelope of the oscillation, or
+///                                   less, since k <= l + 1/2; never 0, so that zeros of P do not count as relative
+///                                   errors;
+///   in the tail                     |P_lm| itself: an error there is a relative error.
 template <class Real>
 void legendre_amplitude(int degree, const Real& sine, const Real* row, Real* out);
 

@@ -1,23 +1,18 @@
-// Definitions of legendre_values.hpp, for who instantiates them on a Real of his own.
+// Definitions of legendre_values.hpp, for users who instantiate them on a Real of their own.
 #pragma once
-
-#include <stdexcept>
-#include <string>
 
 #include "numeric/oracle/legendre.hpp"
 #include "numeric/oracle/legendre_values.hpp"
+#include "numeric/oracle/require.hpp"
 
 namespace sh::numeric {
 namespace detail {
 
-// One row, with what rows of the same colatitude share: rows.visit's table and the powers of the sine.
+// One row, from two tables that rows of the same colatitude share: that of rows.visit and the powers of the sine.
 template <class Real>
 void legendre_row(const ReducedRows<Real>& rows, const std::vector<Scaled<Real>>& powers, int degree, const Real& z,
                   const Real& sine, Real* out) {
-  rows.visit(degree, 0, z, Real(sine * sine), [&](int m, const Scaled<Real>& q) {
-    const auto order = static_cast<std::size_t>(m);
-    out[order] = product(q, powers[order]);
-  });
+  rows.visit(degree, 0, z, Real(sine * sine), [&](int m, const Scaled<Real>& q) { out[m] = product(q, powers[m]); });
 }
 
 // sqrt((l+m)(l-m+1)), with which 2 dP_lm/dtheta = d_m P_(l,m-1) - d_(m+1) P_(l,m+1).
@@ -31,25 +26,16 @@ Real ladder(long l, long m) {
 
 template <class Real>
 void legendre_row(int degree, const Real& z, const Real& sine, Real* out) {
-  detail::legendre_row(ReducedRows<Real>(degree), scaled_powers(scaled(sine), static_cast<std::size_t>(degree) + 1),
-                       degree, z, sine, out);
+  detail::legendre_row(ReducedRows<Real>(degree), scaled_powers(scaled(sine), degree + 1), degree, z, sine, out);
 }
 
 template <class Real>
 void legendre_row(int degree, const Real& z, const Real& sine, std::span<Real> out) {
   using std::abs;
-  using std::isfinite;
-  if (degree < 0) {
-    throw std::invalid_argument("legendre_row: degree is " + std::to_string(degree) + ", must be 0 or more");
-  }
-  if (const auto wanted = static_cast<std::size_t>(degree) + 1; out.size() != wanted) {
-    throw std::invalid_argument("legendre_row: out holds " + std::to_string(out.size()) + " values, degree " +
-                                std::to_string(degree) + " has " + std::to_string(wanted));
-  }
-  if (!isfinite(z) || !isfinite(sine)) throw std::invalid_argument("legendre_row: z or sine is not finite");
-  if (sine < 0) throw std::invalid_argument("legendre_row: sine is negative, must be 0 to 1");
-  if (abs(Real(z * z + sine * sine - 1)) > 16 * machine_epsilon<Real>()) {
-    throw std::invalid_argument("legendre_row: z^2 + sine^2 is not 1");
+  require_range("legendre_row: degree", degree, 0);
+  require_size("legendre_row: out", std::ssize(out), degree + 1);
+  if (!(sine >= 0) || !(abs(Real(z * z + sine * sine - 1)) <= 16 * machine_epsilon<Real>())) {
+    throw std::invalid_argument("legendre_row: expected sine >= 0 and z^2 + sine^2 = 1");
   }
   legendre_row(degree, z, sine, out.data());
 }
@@ -58,7 +44,7 @@ template <class Real>
 void legendre_column(int degree, int order, const Real& z, const Real& sine, Real* out) {
   const ReducedRows<Real> rows(degree);
   const Real square = sine * sine;
-  const Scaled<Real> power = scaled_powers(scaled(sine), static_cast<std::size_t>(order) + 1).back();
+  const Scaled<Real> power = scaled_powers(scaled(sine), order + 1).back();
   for (int l = order; l <= degree; ++l) {
     Scaled<Real> last{0, 0};
     rows.visit(l, order, z, square, [&](int, const Scaled<Real>& q) { last = q; });
@@ -70,7 +56,7 @@ template <class Real>
 Real legendre_value(int degree, int order, const Real& z, const Real& sine) {
   Scaled<Real> last{0, 0};
   ReducedRows<Real>(degree).visit(degree, order, z, Real(sine * sine), [&](int, const Scaled<Real>& q) { last = q; });
-  return product(last, scaled_powers(scaled(sine), static_cast<std::size_t>(order) + 1).back());
+  return product(last, scaled_powers(scaled(sine), order + 1).back());
 }
 
 template <class Real>

@@ -1,13 +1,11 @@
-// Definitions of quadrature.hpp, compiled once for the types of real.hpp.
+// See quadrature.hpp.
 #include "numeric/oracle/quadrature.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
-#include <string>
 
 #include "numeric/oracle/instances.hpp"
-#include "numeric/oracle/real.hpp"
+#include "numeric/oracle/require.hpp"
 
 namespace sh::numeric {
 namespace detail {
@@ -53,24 +51,22 @@ Real legendre_zero(int n, int i) {
 
 template <class Real>
 GaussLegendreRule<Real> gauss_legendre(int n) {
-  if (n < 1) throw std::invalid_argument("gauss_legendre: " + std::to_string(n) + " nodes asked for, must be >= 1");
-  const auto size = static_cast<std::size_t>(n);
-  GaussLegendreRule<Real> rule{std::vector<Real>(size, Real(0)), std::vector<Real>(size, Real(2))};
-  for (std::size_t i = 0; i < (size + 1) / 2; ++i) {
-    const bool middle = 2 * i + 1 == size;
-    const Real delta = middle ? Real(1) : detail::legendre_zero<Real>(n, static_cast<int>(i) + 1);
+  require_range("gauss_legendre: nodes", n, 1);
+  GaussLegendreRule<Real> rule{std::vector<Real>(n, Real(0)), std::vector<Real>(n, Real(2))};
+  for (int i = 0; i < (n + 1) / 2; ++i) {
+    const Real delta = 2 * i + 1 == n ? Real(1) : detail::legendre_zero<Real>(n, i + 1);
     const Real slope = detail::legendre_value(n, delta).slope;
     const Real weight = 2 / (delta * (2 - delta) * slope * slope);
     rule.nodes[i] = delta - 1;
-    rule.nodes[size - 1 - i] = 1 - delta;
-    rule.weights[i] = rule.weights[size - 1 - i] = weight;
+    rule.nodes[n - 1 - i] = 1 - delta;
+    rule.weights[i] = rule.weights[n - 1 - i] = weight;
   }
   return rule;
 }
 
 template <class Real>
 std::vector<SphereNode<Real>> sphere_rule(int degree) {
-  if (degree < 0) throw std::invalid_argument("sphere_rule: degree is " + std::to_string(degree) + ", must be >= 0");
+  require_range("sphere_rule: degree", degree, 0);
   using std::cos;
   using std::sin;
   using std::sqrt;
@@ -78,7 +74,6 @@ std::vector<SphereNode<Real>> sphere_rule(int degree) {
   const int azimuths = degree + 1;
   const Real width = 2 * pi<Real>() / static_cast<Real>(azimuths);
   std::vector<SphereNode<Real>> nodes;
-  nodes.reserve(rings.nodes.size() * static_cast<std::size_t>(azimuths));
   for (std::size_t i = 0; i < rings.nodes.size(); ++i) {
     const Real& z = rings.nodes[i];
     const Real radius = sqrt(Real((1 - z) * (1 + z)));
@@ -90,11 +85,9 @@ std::vector<SphereNode<Real>> sphere_rule(int degree) {
   return nodes;
 }
 
-// NOLINTBEGIN(bugprone-macro-parentheses): a type cannot stand in parentheses.
 #define SHFORGE_INSTANCE(Real)                                \
   template GaussLegendreRule<Real> gauss_legendre<Real>(int); \
   template std::vector<SphereNode<Real>> sphere_rule<Real>(int);
-// NOLINTEND(bugprone-macro-parentheses)
 
 SHFORGE_FOR_EACH_REAL(SHFORGE_INSTANCE)
 

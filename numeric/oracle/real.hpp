@@ -2,8 +2,8 @@
 //
 // Real is float, double, long double, Mpfr50, Mpfr100 (50 and 100 significant decimals) or MpfrAny (precision chosen at
 // run time by a PrecisionScope). The algorithms are templates on Real, declared in basis.hpp, rotation.hpp, zonal.hpp
-// and quadrature.hpp and compiled once for these six types into shforge_numeric; only who names an Mpfr type needs this
-// header. For a further type include the *_impl.hpp beside the declaration; it must behave like a
+// and quadrature.hpp and compiled once for these six types into shforge_numeric; only code that names an Mpfr type
+// needs this header. For a further type include the *_impl.hpp beside the declaration; it must behave like a
 // boost::multiprecision::number (numeric_limits, sqrt, sin, cos, frexp, ldexp with long exponents).
 //
 // Mpfr50 and Mpfr100 keep their digits on the stack: measured 12 % faster than the allocating mpfr_float_100 on the
@@ -28,8 +28,8 @@ using Mpfr100 =
 using MpfrAny =
     boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<0>, boost::multiprecision::et_off>;
 
-// Sets the decimals that new MpfrAny numbers carry, for the life of the scope. The setting is global to the process:
-// one thread at a time.
+/// Sets the decimals that new MpfrAny numbers carry, for the life of the scope. The setting is global to the process:
+/// one thread at a time.
 class PrecisionScope {
  public:
   explicit PrecisionScope(unsigned decimals) : before_(MpfrAny::default_precision()) {
@@ -43,7 +43,7 @@ class PrecisionScope {
   unsigned before_;
 };
 
-// pi, correctly rounded (MpfrAny: at the present precision).
+/// pi, correctly rounded (MpfrAny: at the present precision).
 template <class Real>
 Real pi() {
   if constexpr (std::is_floating_point_v<Real>) {
@@ -57,7 +57,7 @@ Real pi() {
   }
 }
 
-// The exponent e with 2^(e-1) <= |v| < 2^e; v finite and not zero (subnormal values included).
+/// The exponent e with 2^(e-1) <= |v| < 2^e; v finite and not zero (subnormal values included).
 template <class Real>
 long binary_exponent(const Real& v) {
   if constexpr (std::is_floating_point_v<Real>) {
@@ -72,7 +72,7 @@ long binary_exponent(const Real& v) {
   }
 }
 
-// v * 2^e; zero where it underflows, infinity where it overflows.
+/// v * 2^e; zero where it underflows, infinity where it overflows.
 template <class Real>
 Real times_power_of_two(const Real& v, long e) {
   if constexpr (std::is_floating_point_v<Real>) {
@@ -84,7 +84,7 @@ Real times_power_of_two(const Real& v, long e) {
   }
 }
 
-// The distance from 1 to the next larger Real.
+/// The distance from 1 to the next larger Real.
 template <class Real>
 Real machine_epsilon() {
   if constexpr (std::is_same_v<Real, MpfrAny>) {

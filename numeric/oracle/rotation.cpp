@@ -1,4 +1,4 @@
-// Definitions of rotation.hpp, compiled once for the types of real.hpp.
+// See rotation.hpp.
 #include "numeric/oracle/rotation.hpp"
 
 #include <cmath>
@@ -121,11 +121,9 @@ void rotate(int degree, const Real* r, const Real* c, Real* out) {
   }
 }
 
-// NOLINTBEGIN(bugprone-macro-parentheses): a type cannot stand in parentheses.
 #define SHFORGE_INSTANCE(Real)                                                    \
   template std::vector<std::vector<Real>> rotation_bands<Real>(int, const Real*); \
   template void rotate<Real>(int, const Real*, const Real*, Real*);
-// NOLINTEND(bugprone-macro-parentheses)
 
 SHFORGE_FOR_EACH_REAL(SHFORGE_INSTANCE)
 

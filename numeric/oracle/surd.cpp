@@ -48,7 +48,7 @@ template Mpfr100 Surd::value<Mpfr100>() const;
 template MpfrAny Surd::value<MpfrAny>() const;
 
 RootOfPrimes::RootOfPrimes(long limit) {
-  std::vector<bool> composite(static_cast<std::size_t>(limit) + 1);
+  std::vector<bool> composite(limit + 1);
   for (long p = 2; p <= limit; ++p) {
     if (composite[p]) continue;
     primes_.push_back(p);

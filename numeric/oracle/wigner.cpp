@@ -1,4 +1,4 @@
-// Definitions of wigner.hpp, compiled once for the types of real.hpp.
+// The floating-point part of wigner.hpp.
 #include "numeric/oracle/wigner.hpp"
 
 #include <algorithm>
@@ -123,7 +123,7 @@ std::vector<Scaled<Real>> joined(std::vector<Scaled<Real>> up, const std::vector
 
 // Scaled to sum (2j+1) f(j)^2 = 1 for j = first, ..., with the sign of the last value as given.
 template <class Real>
-std::vector<Real> normalised_row(const std::vector<Scaled<Real>>& run, long first, bool last_is_negative) {
+std::vector<Real> normalized_row(const std::vector<Scaled<Real>>& run, long first, bool last_is_negative) {
   using std::sqrt;
   long exponent = run[0].exponent;
   for (const auto& value : run) exponent = std::max(exponent, value.exponent);
@@ -156,7 +156,7 @@ Wigner3jRow<Real> wigner_3j_row(int a, int b, int order_a, int order_b) {
     run = detail::joined(detail::run_up(step, first, match + 1), detail::run_down(step, last, match));
   }
   // The sign at c = a + b is (-1)^(a - b - C).
-  return {first, detail::normalised_row(run, first, (a - b + order_a + order_b) % 2 != 0)};
+  return {first, detail::normalized_row(run, first, (a - b + order_a + order_b) % 2 != 0)};
 }
 
 template <class Real>
@@ -167,11 +167,9 @@ Real wigner_3j(const Triple& degrees, const Triple& orders) {
   return row.values[degrees[2] - row.first_degree];
 }
 
-// NOLINTBEGIN(bugprone-macro-parentheses): a type cannot stand in parentheses.
 #define SHFORGE_INSTANCE(Real)                                        \
   template Wigner3jRow<Real> wigner_3j_row<Real>(int, int, int, int); \
   template Real wigner_3j<Real>(const Triple&, const Triple&);
-// NOLINTEND(bugprone-macro-parentheses)
 
 SHFORGE_FOR_EACH_REAL(SHFORGE_INSTANCE)
 

@@ -3,9 +3,8 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <stdexcept>
-#include <string>
 
+#include "numeric/oracle/require.hpp"
 #include "numeric/oracle/wigner.hpp"
 
 namespace sh::numeric {
@@ -20,15 +19,9 @@ Integer binomial(long n, long k) {
 }  // namespace
 
 void require_wigner(const char* function, const Triple& degrees, const Triple& orders) {
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (degrees[i] < 0 || degrees[i] > kMaxWignerDegree) {
-      throw std::invalid_argument(std::string(function) + ": degree is " + std::to_string(degrees[i]) +
-                                  ", must be 0 to " + std::to_string(kMaxWignerDegree));
-    }
-    if (orders[i] < -degrees[i] || orders[i] > degrees[i]) {
-      throw std::invalid_argument(std::string(function) + ": order is " + std::to_string(orders[i]) + ", must be " +
-                                  std::to_string(-degrees[i]) + " to " + std::to_string(degrees[i]));
-    }
+  for (int i = 0; i < 3; ++i) {
+    require_range(std::string(function) + ": degree", degrees[i], 0, kMaxWignerDegree);
+    require_range(std::string(function) + ": order", orders[i], -degrees[i], degrees[i]);
   }
 }
 

@@ -1,11 +1,8 @@
-// Definitions of zonal.hpp, compiled once for the types of real.hpp.
+// See zonal.hpp.
 #include "numeric/oracle/zonal.hpp"
 
-#include <stdexcept>
-#include <string>
-
 #include "numeric/oracle/instances.hpp"
-#include "numeric/oracle/real.hpp"
+#include "numeric/oracle/require.hpp"
 
 namespace sh::numeric {
 
@@ -13,7 +10,7 @@ namespace sh::numeric {
 // (k-1)/k over even k up to l.
 template <class Real>
 Real clamped_cosine_factor(int l) {
-  if (l < 0) throw std::invalid_argument("clamped_cosine_factor: degree is " + std::to_string(l) + ", must be >= 0");
+  require_range("clamped_cosine_factor: degree", l, 0);
   if (l == 1) return 2 * pi<Real>() / 3;
   if (l % 2 == 1) return Real(0);
   const long first = (l + 2L) * (l - 1L);
@@ -22,7 +19,6 @@ Real clamped_cosine_factor(int l) {
   return factor;
 }
 
-// NOLINTNEXTLINE(bugprone-macro-parentheses): a type cannot stand in parentheses.
 #define SHFORGE_INSTANCE(Real) template Real clamped_cosine_factor<Real>(int);
 
 SHFORGE_FOR_EACH_REAL(SHFORGE_INSTANCE)

@@ -1,9 +1,11 @@
 // See decimal.hpp.
 #include "numeric/reference/decimal.hpp"
 
+#include <mpfr.h>
+
 #include <algorithm>
-#include <cstddef>
 #include <stdexcept>
+#include <vector>
 
 namespace sh::numeric {
 namespace {
@@ -23,8 +25,6 @@ std::string without_leading_zeros(const std::string& digits) {
   const auto first = digits.find_first_not_of('0');
   return first == std::string::npos ? "0" : digits.substr(first);
 }
-
-std::string shown(const std::string& text) { return text.size() > 40 ? text.substr(0, 40) + "..." : text; }
 
 // Reads a text from left to right, a piece at a time.
 class Scanner {
@@ -55,6 +55,50 @@ class Scanner {
   std::size_t place_ = 0;
 };
 
+// The widest range of exponents there is: sin^m near a pole leaves the usual one.
+class WideExponents {
+ public:
+  WideExponents() {
+    mpfr_set_emin(mpfr_get_emin_min());
+    mpfr_set_emax(mpfr_get_emax_max());
+  }
+  ~WideExponents() {
+    mpfr_set_emin(least_);
+    mpfr_set_emax(largest_);
+  }
+  WideExponents(const WideExponents&) = delete;
+  WideExponents& operator=(const WideExponents&) = delete;
+
+ private:
+  mpfr_exp_t least_ = mpfr_get_emin();
+  mpfr_exp_t largest_ = mpfr_get_emax();
+};
+
+MpfrAny value_at(const Computation& computation, int decimals) {
+  const PrecisionScope scope(static_cast<unsigned>(decimals));
+  return computation.compute(decimals);
+}
+
+std::string rounded(const MpfrAny& value, int digits) {
+  std::vector<char> text(static_cast<std::size_t>(digits) + 64);
+  mpfr_snprintf(text.data(), text.size(), "%.*Re", digits - 1, value.backend().data());
+  return text.data();
+}
+
+// Whether two computations of one value that is not zero agree to `digits` and 8 more. Where everything cancels they
+// have nothing in common and this fails.
+bool agree(const MpfrAny& a, const MpfrAny& b, int digits) {
+  if (a == 0 || b == 0) return false;
+  const MpfrAny relative = abs(MpfrAny((a - b) / b));
+  return relative == 0 || relative < pow(MpfrAny(10), -digits - 8);
+}
+
+// Whether the value, computed with so many decimals, cannot be other than zero.
+bool vanishes(const MpfrAny& value, int decimals, const Computation::Separation& zero) {
+  return decimals > zero.separation + zero.absolute_loss + 1 &&
+         (value == 0 || abs(value) < pow(MpfrAny(10), -zero.separation));
+}
+
 }  // namespace
 
 std::uint64_t Decimal::modulo(std::uint64_t prime, long lowest_exponent) const {
@@ -64,6 +108,8 @@ std::uint64_t Decimal::modulo(std::uint64_t prime, long lowest_exponent) const {
   result = result * power_modulo(10, exponent - lowest_exponent, prime) % prime;
   return negative ? (prime - result) % prime : result;
 }
+
+std::string shortened(const std::string& text) { return text.size() > 40 ? text.substr(0, 40) + "..." : text; }
 
 Decimal parse_decimal(const std::string& name, const std::string& text) {
   Scanner scanner(text);
@@ -79,15 +125,30 @@ Decimal parse_decimal(const std::string& name, const std::string& text) {
     well_formed = well_formed && !exponent.empty();
   }
   if (!well_formed || !scanner.at_end()) {
-    throw std::invalid_argument(name + ": '" + shown(text) + "' is not a decimal number such as -0.5 or 1e-3");
+    throw std::invalid_argument(name + ": expected a decimal number such as -0.5 or 1e-3, got '" + shortened(text) +
+                                "'");
   }
   exponent = without_leading_zeros(exponent);
   if (exponent.size() > 6 || std::stol(exponent) > kMaxExponent) {
-    throw std::invalid_argument(name + ": the exponent of '" + shown(text) + "' is beyond +-" +
-                                std::to_string(kMaxExponent));
+    throw std::invalid_argument(name + ": expected an exponent within +-" + std::to_string(kMaxExponent) + ", got '" +
+                                shortened(text) + "'");
   }
   const long power = small ? -std::stol(exponent) : std::stol(exponent);
   return {negative, without_leading_zeros(whole + fraction), power - static_cast<long>(fraction.size())};
+}
+
+std::string correct_digits(int digits, const Computation& computation) {
+  require_range("digits", digits, 1, kMaxReferenceDigits);
+  const WideExponents range;
+  constexpr int kApart = 16;
+  for (int guard = 16;; guard *= 2) {
+    const int decimals = digits + guard + kApart;
+    const MpfrAny value = value_at(computation, digits + guard);
+    const MpfrAny better = value_at(computation, decimals);
+    std::string text = rounded(better, digits);
+    if (agree(value, better, digits) && rounded(value, digits) == text) return text;
+    if (computation.zero && vanishes(better, decimals, *computation.zero)) return "0";
+  }
 }
 
 }  // namespace sh::numeric

@@ -1,42 +1,41 @@
-// See legendre_reference.hpp.
-#include "numeric/reference/legendre_reference.hpp"
-
+// Legendre functions and caps; see reference.hpp.
 #include <algorithm>
 #include <stdexcept>
 
 #include "numeric/oracle/cap.hpp"
 #include "numeric/oracle/legendre_values.hpp"
-#include "numeric/oracle/real.hpp"
-#include "numeric/reference/correct_digits.hpp"
 #include "numeric/reference/decimal.hpp"
+#include "numeric/reference/reference.hpp"
 
 namespace sh::numeric {
 namespace {
 
 using Kind = Colatitude::Kind;
 
-// z and sine of a colatitude at the present precision, and what is exactly known of it.
+// A colatitude at the present precision, and its properties that are exactly known.
 class Point {
  public:
+  struct Values {
+    MpfrAny z, sine, depth;  // depth: 1 - z
+  };
+
   explicit Point(const Colatitude& colatitude)
       : kind_(colatitude.kind), decimal_(parse_decimal(colatitude.name, colatitude.text)) {
     if (in_domain()) return;
     const char* domain = kind_ == Kind::kCosine ? "-1 to 1" : (kind_ == Kind::kAngle ? "0 to pi" : "0 to 2");
-    throw std::invalid_argument(colatitude.name + " is " + shortened(colatitude.text) + ", must be " + domain);
+    throw std::invalid_argument(colatitude.name + ": expected " + domain + ", got " + shortened(colatitude.text));
   }
 
-  [[nodiscard]] MpfrAny z() const {
-    const MpfrAny given(decimal_.text());
-    return kind_ == Kind::kCosine ? given : (kind_ == Kind::kAngle ? MpfrAny(cos(given)) : MpfrAny(1 - given));
-  }
-  [[nodiscard]] MpfrAny sine() const {
-    const MpfrAny given(decimal_.text());
-    if (kind_ == Kind::kAngle) return sin(given);
-    return kind_ == Kind::kCosine ? sqrt(MpfrAny((1 - given) * (1 + given))) : sqrt(MpfrAny(given * (2 - given)));
-  }
-  [[nodiscard]] MpfrAny depth() const {  // 1 - z
-    const MpfrAny given(decimal_.text());
-    return kind_ == Kind::kCosine ? MpfrAny(1 - given) : (kind_ == Kind::kAngle ? one_minus_cos(given) : given);
+  [[nodiscard]] Values values() const {
+    const MpfrAny given = exact();
+    switch (kind_) {
+      case Kind::kCosine:
+        return {given, sqrt(MpfrAny((1 - given) * (1 + given))), 1 - given};
+      case Kind::kAngle:
+        return {cos(given), sin(given), one_minus_cos(given)};
+      default:
+        return {1 - given, sqrt(MpfrAny(given * (2 - given))), given};
+    }
   }
 
   [[nodiscard]] bool is_north_pole() const { return kind_ == Kind::kCosine ? equals(1) : decimal_.is_zero(); }
@@ -57,7 +56,6 @@ class Point {
   }
 
  private:
-  static std::string shortened(const std::string& text) { return text.size() > 40 ? text.substr(0, 40) + "..." : text; }
   // Compared with enough digits to tell them apart.
   [[nodiscard]] MpfrAny exact() const { return MpfrAny(decimal_.text()); }
   [[nodiscard]] unsigned decimals() const { return static_cast<unsigned>(decimal_.digits.size()) + 20; }
@@ -99,8 +97,10 @@ std::string legendre_reference(int degree, int order, const Colatitude& colatitu
   const Point point(colatitude);
   const bool at_pole = point.is_north_pole() || point.is_south_pole();
   if ((order > 0 && at_pole) || point.is_zero_of(degree, order)) return "0";
-  return correct_digits(digits,
-                        {[&](int /*decimals*/) { return legendre_value(degree, order, point.z(), point.sine()); }});
+  return correct_digits(digits, {[&](int /*decimals*/) {
+                          const auto [z, sine, depth] = point.values();
+                          return legendre_value(degree, order, z, sine);
+                        }});
 }
 
 std::string cap_reference(int degree, const Colatitude& half_angle, int digits) {
@@ -109,13 +109,14 @@ std::string cap_reference(int degree, const Colatitude& half_angle, int digits) 
   const Point point(half_angle);
   if (point.is_north_pole()) return "0";
   if (degree == 0) {
-    return correct_digits(digits, {[&](int /*decimals*/) { return MpfrAny(sqrt(pi<MpfrAny>()) * point.depth()); }});
+    return correct_digits(digits,
+                          {[&](int /*decimals*/) { return MpfrAny(sqrt(pi<MpfrAny>()) * point.values().depth); }});
   }
   if (point.is_south_pole() || point.is_zero_of(degree, 1)) return "0";
   return correct_digits(digits, {[&](int /*decimals*/) {
-                          const MpfrAny sine = point.sine();
+                          const auto [z, sine, depth] = point.values();
                           const MpfrAny scale = 2 * pi<MpfrAny>() / sqrt(MpfrAny(degree) * (degree + 1));
-                          return MpfrAny(scale * sine * legendre_value(degree, 1, point.z(), sine));
+                          return MpfrAny(scale * sine * legendre_value(degree, 1, z, sine));
                         }});
 }
 

@@ -1,4 +1,4 @@
-// See reference.hpp.
+// Spherical harmonics and their gradients; see reference.hpp.
 #include "numeric/reference/reference.hpp"
 
 #include <algorithm>
@@ -8,10 +8,7 @@
 
 #include "numeric/oracle/basis.hpp"
 #include "numeric/oracle/gradient.hpp"
-#include "numeric/oracle/real.hpp"
-#include "numeric/reference/correct_digits.hpp"
 #include "numeric/reference/decimal.hpp"
-#include "numeric/reference/legendre_reference.hpp"
 
 namespace sh::numeric {
 namespace {
@@ -22,7 +19,7 @@ Vector parse_direction(const std::array<std::string, 3>& text) {
   Vector direction = {parse_decimal("direction x", text[0]), parse_decimal("direction y", text[1]),
                       parse_decimal("direction z", text[2])};
   if (std::all_of(direction.begin(), direction.end(), [](const Decimal& d) { return d.is_zero(); })) {
-    throw std::invalid_argument("direction: the zero vector has no direction");
+    throw std::invalid_argument("direction: expected a vector that is not zero, got zeros");
   }
   return direction;
 }

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "numeric/oracle/surd.hpp"
-#include "numeric/reference/correct_digits.hpp"
+#include "numeric/reference/decimal.hpp"
 
 namespace sh::numeric {
 namespace {
@@ -101,7 +101,8 @@ class WignerEntries {
  private:
   // E_column(R^-1 s) = sum over rows of this times E_row(s); column >= 0.
   [[nodiscard]] Complex turned(int row, int column) const {
-    MpfrAny scale = binomial_sum(l_, row, column, a_, b_) * sqrt(MpfrAny(ratios_[std::abs(row)] / ratios_[column]));
+    const MpfrAny ratio = ratios_[std::abs(row)] / ratios_[column];
+    MpfrAny scale = binomial_sum(l_, row, column, a_, b_) * sqrt(ratio);
     if ((std::max(row, 0) + column) % 2 != 0) scale = -scale;
     const Complex phase = power(a_powers_, column + row) * power(b_powers_, column - row);
     return {scale * phase.real, scale * phase.imaginary};
@@ -137,15 +138,14 @@ std::string RotationReference::entry(int row, int column, int digits) {
 }
 
 std::vector<std::string> RotationReference::all(int digits, const std::function<void()>& advance) {
-  const auto size = 2 * static_cast<std::size_t>(degree_) + 1;
-  std::vector<std::string> entries(size * size);
+  const int size = 2 * degree_ + 1;
+  std::vector<std::string> entries(static_cast<std::size_t>(size) * size);
   for (int m = 0; m <= degree_; ++m) {
     for (int n = 0; n <= degree_; ++n) {
       // The up to four entries that share their sums.
       for (const int row : {m, -m}) {
         for (const int column : {n, -n}) {
-          auto& text =
-              entries[static_cast<std::size_t>(row + degree_) * size + static_cast<std::size_t>(column + degree_)];
+          auto& text = entries[(row + degree_) * size + column + degree_];
           if (!text.empty()) continue;
           text = entry(row, column, digits);
           advance();

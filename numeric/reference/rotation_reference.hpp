@@ -26,16 +26,16 @@ class WignerEntries;  // of one degree and precision
 
 class RotationReference {
  public:
-  // Throws std::invalid_argument for a degree outside 0 .. kMaxRotationReferenceDegree.
+  /// Throws std::invalid_argument for a degree outside 0 .. kMaxRotationReferenceDegree.
   RotationReference(int degree, GivenRotation rotation);
   ~RotationReference();
   RotationReference(const RotationReference&) = delete;
   RotationReference& operator=(const RotationReference&) = delete;
 
-  // Throws std::invalid_argument for an |order| above the degree and for digits out of range.
+  /// Throws std::invalid_argument for an |order| above the degree and for digits out of range.
   std::string entry(int row, int column, int digits);
 
-  // (2l+1, 2l+1), row-major; advance() is called once for every entry.
+  /// (2l+1, 2l+1), row-major; advance() is called once for every entry.
   std::vector<std::string> all(int digits, const std::function<void()>& advance);
 
  private:

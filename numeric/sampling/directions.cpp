@@ -1,4 +1,4 @@
-// Sets of directions: see directions.hpp.
+// See directions.hpp.
 #include "numeric/sampling/directions.hpp"
 
 #include <array>
@@ -14,16 +14,12 @@ constexpr double kHalfRoot = 0.70710678118654752;
 constexpr std::array<std::array<double, 2>, 6> kAzimuths = {
     {{1, 0}, {0, -1}, {0.6, 0.8}, {-0.28, 0.96}, {-0.8, -0.6}, {kHalfRoot, -kHalfRoot}}};
 
-void append(std::vector<Direction>& all, const std::vector<Direction>& more) {
-  all.insert(all.end(), more.begin(), more.end());
-}
-
 }  // namespace
 
 std::vector<Direction> random_directions(int count, std::uint64_t seed) {
   std::vector<Direction> directions;
   Random random(seed);
-  while (directions.size() < static_cast<std::size_t>(count)) {
+  while (std::ssize(directions) < count) {
     const double a = random.next();
     const double b = random.next();
     const double s = a * a + b * b;
@@ -77,10 +73,10 @@ std::vector<Direction> equator_directions() {
 
 std::vector<Direction> standard_directions(int random_count) {
   std::vector<Direction> all = axis_directions();
-  append(all, near_pole_directions());
-  append(all, diagonal_directions());
-  append(all, equator_directions());
-  append(all, random_directions(random_count, 1));
+  for (const auto& more :
+       {near_pole_directions(), diagonal_directions(), equator_directions(), random_directions(random_count, 1)}) {
+    all.insert(all.end(), more.begin(), more.end());
+  }
   return all;
 }
 

@@ -1,3 +1,4 @@
+// See image_mapping.hpp.
 #include "numeric/sampling/image_mapping.hpp"
 
 #include <Eigen/Geometry>
@@ -51,7 +52,7 @@ std::optional<ImageMapping> mapping_named(std::string_view name) {
 
 MappingShape mapping_shape(ImageMapping mapping) {
   constexpr std::array<MappingShape, 6> kShapes{{{2, 1}, {1, 1}, {1, 1}, {4, 3}, {3, 4}, {6, 1}}};
-  return kShapes[static_cast<std::size_t>(mapping)];
+  return kShapes[static_cast<int>(mapping)];
 }
 
 std::optional<Eigen::Vector3d> mapped_direction(ImageMapping mapping, double u, double v) {
@@ -97,26 +98,20 @@ Eigen::Vector2d CubeFace::place(const Eigen::Vector3d& direction) const {
 }
 
 const std::vector<CubeFace>& cube_faces(ImageMapping mapping) {
-  static const Eigen::Vector3d kX = Eigen::Vector3d::UnitX();
-  static const Eigen::Vector3d kY = Eigen::Vector3d::UnitY();
-  static const Eigen::Vector3d kZ = Eigen::Vector3d::UnitZ();
-  static const std::vector<CubeFace> kNone;
-  static const std::vector<CubeFace> kHorizontal{{1, 0, kZ, -kX}, {0, 1, kY, kZ},  {1, 1, kX, kZ},
-                                                 {2, 1, -kY, kZ}, {3, 1, -kX, kZ}, {1, 2, -kZ, kX}};
-  static const std::vector<CubeFace> kVertical{{1, 0, kZ, -kX}, {0, 1, kY, kZ},  {1, 1, kX, kZ},
-                                               {2, 1, -kY, kZ}, {1, 2, -kZ, kX}, {1, 3, -kX, -kZ}};
-  static const std::vector<CubeFace> kStrip{{0, 0, kX, kZ},  {1, 0, -kX, kZ}, {2, 0, kY, kZ},
-                                            {3, 0, -kY, kZ}, {4, 0, kZ, -kX}, {5, 0, -kZ, kX}};
-  switch (mapping) {
-    case ImageMapping::kHorizontalCross:
-      return kHorizontal;
-    case ImageMapping::kVerticalCross:
-      return kVertical;
-    case ImageMapping::kCubeStrip:
-      return kStrip;
-    default:
-      return kNone;
-  }
+  static const std::array<std::vector<CubeFace>, 6> kFaces = [] {
+    const Eigen::Vector3d x = Eigen::Vector3d::UnitX();
+    const Eigen::Vector3d y = Eigen::Vector3d::UnitY();
+    const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
+    std::array<std::vector<CubeFace>, 6> faces;
+    faces[static_cast<int>(ImageMapping::kHorizontalCross)] = {{1, 0, z, -x}, {0, 1, y, z},  {1, 1, x, z},
+                                                               {2, 1, -y, z}, {3, 1, -x, z}, {1, 2, -z, x}};
+    faces[static_cast<int>(ImageMapping::kVerticalCross)] = {{1, 0, z, -x}, {0, 1, y, z},  {1, 1, x, z},
+                                                             {2, 1, -y, z}, {1, 2, -z, x}, {1, 3, -x, -z}};
+    faces[static_cast<int>(ImageMapping::kCubeStrip)] = {{0, 0, x, z},  {1, 0, -x, z}, {2, 0, y, z},
+                                                         {3, 0, -y, z}, {4, 0, z, -x}, {5, 0, -z, x}};
+    return faces;
+  }();
+  return kFaces[static_cast<int>(mapping)];
 }
 
 const CubeFace& face_towards(ImageMapping mapping, const Eigen::Vector3d& direction) {

@@ -1,7 +1,7 @@
 // The sphere of directions as a flat picture: which direction a place shows, and where +x, +y, +z are.
 //
 // Input: a mapping and a place (u, v), 0..1 from the left and from the top. Output: a unit direction, or the inverse.
-// World axes: z up, right-handed. Except the mirror ball all show what a viewer at the center sees, not mirrored,
+// World axes: z up, right-handed. All but the mirror ball show the view from the center, not mirrored,
 // facing +x with +y to the left:
 //   lat_long          2:1  theta = pi v from +z, phi = pi (1 - 2 u) from +x towards +y: top edge +z, bottom edge -z,
 //                          middle +x, a quarter from the left +y, three quarters -y, left and right edge -x. The same
@@ -27,7 +27,7 @@ enum class ImageMapping { kLatLong, kAngularMap, kMirrorBall, kHorizontalCross, 
 /// The words above, in the order of the enumeration.
 inline constexpr std::array<std::string_view, 6> kMappingNames = {"lat_long",         "angular_map",    "mirror_ball",
                                                                   "horizontal_cross", "vertical_cross", "cube_strip"};
-inline std::string_view name_of(ImageMapping mapping) { return kMappingNames[static_cast<std::size_t>(mapping)]; }
+inline std::string_view name_of(ImageMapping mapping) { return kMappingNames[static_cast<int>(mapping)]; }
 
 /// The mapping of a name; none where it is not one of kMappingNames.
 std::optional<ImageMapping> mapping_named(std::string_view name);

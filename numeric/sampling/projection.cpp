@@ -1,4 +1,4 @@
-// Projection by quadrature and by least squares: projection.hpp.
+// See projection.hpp.
 #include "numeric/sampling/projection.hpp"
 
 #include <Eigen/QR>
@@ -9,6 +9,7 @@
 #include <string>
 
 #include "numeric/oracle/basis.hpp"
+#include "numeric/oracle/require.hpp"
 #include "numeric/sampling/eigenvalues.hpp"
 
 namespace sh::numeric {
@@ -22,19 +23,15 @@ constexpr double kUnitTolerance = 1e-3;
 
 [[noreturn]] void fail(const std::string& message) { throw std::invalid_argument(message); }
 
-void require_degree(const std::string& function, int degree) {
-  if (degree < 0) fail(function + ": degree is " + std::to_string(degree) + ", must be >= 0");
-}
-
 void require_sample(std::size_t number, const SphereSample& s) {
   const std::string name = "fit_samples: sample " + std::to_string(number);
-  if (!std::isfinite(s.value)) fail(name + ": its value is not finite");
+  if (!std::isfinite(s.value)) fail(name + ": expected a finite value, got " + std::to_string(s.value));
   if (!(s.weight >= 0) || !std::isfinite(s.weight)) {
-    fail(name + ": weight is " + std::to_string(s.weight) + ", must be finite and >= 0");
+    fail(name + ": expected a finite weight >= 0, got " + std::to_string(s.weight));
   }
   const double length = std::hypot(s.x, s.y, s.z);
   if (!(std::abs(length - 1) <= kUnitTolerance)) {
-    fail(name + ": its direction has length " + std::to_string(length) + ", must be 1 to within 0.001");
+    fail(name + ": expected a direction of length 1 to within 0.001, got " + std::to_string(length));
   }
 }
 
@@ -73,14 +70,14 @@ class Triangle {
   Index used_ = 0;
 };
 
-double condition_number(int degree, const MatrixXd& triangle, std::size_t samples) {
+double condition_number(int degree, const MatrixXd& triangle, int samples) {
   const VectorXd singular = singular_values(triangle);
-  const double threshold = singular(0) * std::numeric_limits<double>::epsilon() * static_cast<double>(samples);
+  const double threshold = singular(0) * std::numeric_limits<double>::epsilon() * samples;
   const Index rank = (singular.array() > threshold).count();
   if (rank < singular.size()) {
-    fail("fit_samples: the directions determine " + std::to_string(rank) + " of the " +
-         std::to_string(singular.size()) + " coefficients of degree " + std::to_string(degree) +
-         " (rank); spread them over more of the sphere or lower the degree");
+    fail("fit_samples: expected directions that determine the " + std::to_string(singular.size()) +
+         " coefficients of degree " + std::to_string(degree) + ", got rank " + std::to_string(rank) +
+         "; spread them over more of the sphere or lower the degree");
   }
   return singular(0) / singular(singular.size() - 1);
 }
@@ -110,13 +107,14 @@ void find_residuals(int degree, std::span<const SphereSample> samples, LeastSqua
 
 std::vector<double> project(int degree, std::span<const SphereNode<double>> nodes,
                             const std::function<double(double, double, double)>& f) {
-  require_degree("project", degree);
+  require_range("project: degree", degree, 0);
   std::vector<double> y(coefficient_count(degree));
   std::vector<double> sum(y.size());
   for (std::size_t n = 0; n < nodes.size(); ++n) {
     const auto& [x_n, y_n, z_n, weight] = nodes[n];
     const double value = f(x_n, y_n, z_n);
-    if (!std::isfinite(value)) fail("project: the function is not finite at node " + std::to_string(n));
+    if (!std::isfinite(value))
+      fail("project: node " + std::to_string(n) + ": expected a finite value, got " + std::to_string(value));
     basis(degree, x_n, y_n, z_n, y.data());
     for (std::size_t i = 0; i < y.size(); ++i) sum[i] += weight * value * y[i];
   }
@@ -124,19 +122,16 @@ std::vector<double> project(int degree, std::span<const SphereNode<double>> node
 }
 
 LeastSquaresFit fit_samples(int degree, std::span<const SphereSample> samples) {
-  require_degree("fit_samples", degree);
-  std::size_t count = 0;
+  require_range("fit_samples: degree", degree, 0);
+  int count = 0;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     require_sample(i, samples[i]);
     if (samples[i].weight > 0) ++count;
   }
   const int unknowns = coefficient_count(degree);
-  if (count < static_cast<std::size_t>(unknowns)) {
-    fail("fit_samples: " + std::to_string(count) + " samples of weight > 0 for the " + std::to_string(unknowns) +
-         " coefficients of degree " + std::to_string(degree) + ", must be as many at least");
-  }
+  require_range("fit_samples: samples of weight > 0 for degree " + std::to_string(degree), count, unknowns);
   Triangle triangle(unknowns + 1);
-  std::vector<double> y(static_cast<std::size_t>(unknowns) + 1);
+  std::vector<double> y(unknowns + 1);
   for (const SphereSample& s : samples) {
     if (s.weight == 0) continue;
     basis_at(degree, s, y.data());
@@ -148,7 +143,8 @@ LeastSquaresFit fit_samples(int degree, std::span<const SphereSample> samples) {
   LeastSquaresFit fit{};
   fit.condition = condition_number(degree, r, count);
   const VectorXd solution = r.triangularView<Eigen::Upper>().solve(all.col(unknowns).head(unknowns));
-  if (!solution.allFinite()) fail("fit_samples: the coefficients overflow; scale the values down");
+  if (!solution.allFinite())
+    fail("fit_samples: expected coefficients in the range of double, got an overflow; scale the values down");
   fit.coefficients.assign(solution.begin(), solution.end());
   find_residuals(degree, samples, fit);
   return fit;

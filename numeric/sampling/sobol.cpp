@@ -1,8 +1,5 @@
-#include "numeric/sampling/sobol.hpp"
-
-#include <stdexcept>
-#include <string>
-
+// The points of Sobol'; see random.hpp.
+#include "numeric/oracle/require.hpp"
 #include "numeric/sampling/random.hpp"
 
 namespace sh::numeric {
@@ -43,16 +40,14 @@ double scrambled(std::uint32_t value, std::uint64_t key) {
 }  // namespace
 
 std::vector<std::array<double, 2>> sobol_points(int count, std::uint64_t seed) {
-  if (count < 0) {
-    throw std::invalid_argument("sobol_points: count is " + std::to_string(count) + ", must not be negative");
-  }
+  require_range("sobol_points: count", count, 0);
   // Far apart, so that no two trees of nearby seeds share a coin.
   const std::uint64_t key = 2 * seed * 0x9FB21C651E98DF25U;
   const std::uint64_t other = (2 * seed + 1) * 0x9FB21C651E98DF25U;
   std::vector<std::array<double, 2>> points;
-  points.reserve(count);
-  for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(count); ++i) {
-    points.push_back({scrambled(first_coordinate(i), key), scrambled(second_coordinate(i), other)});
+  for (int i = 0; i < count; ++i) {
+    const auto index = static_cast<std::uint32_t>(i);
+    points.push_back({scrambled(first_coordinate(index), key), scrambled(second_coordinate(index), other)});
   }
   return points;
 }

@@ -47,12 +47,10 @@ Real lat_long_solid_angle(int row, int width, int height) {
   return 4 * pi<Real>() / static_cast<Real>(width) * Real(sin(Real((2 * from_pole + 1) * half))) * Real(sin(half));
 }
 
-// NOLINTBEGIN(bugprone-macro-parentheses): a type cannot stand in parentheses.
 #define SHFORGE_INSTANCE(Real)                                                   \
   template Real texel_solid_angle<Real>(const Real&, const Real&, int);          \
   template Real texel_solid_angle_estimate<Real>(const Real&, const Real&, int); \
   template Real lat_long_solid_angle<Real>(int, int, int);
-// NOLINTEND(bugprone-macro-parentheses)
 
 SHFORGE_INSTANCE(double)
 SHFORGE_INSTANCE(Mpfr50)

@@ -1,16 +1,15 @@
-// Points on the sphere with weights: sphere_nodes.hpp.
+// See sphere_nodes.hpp.
 #include "numeric/sampling/sphere_nodes.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 #include <string>
 
+#include "numeric/oracle/require.hpp"
 #include "numeric/sampling/directions.hpp"
 #include "numeric/sampling/random.hpp"
-#include "numeric/sampling/sobol.hpp"
 #include "numeric/sampling/solid_angle.hpp"
 
 namespace sh::numeric {
@@ -19,18 +18,11 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 using Nodes = std::vector<SphereNode<double>>;
 
-// Room for factor * value * value (or value, for power 1) nodes, if that is a number of nodes that there can be.
-Nodes nodes_for(const std::string& rule, const std::string& argument, int value, std::int64_t factor, int power = 2) {
-  const std::int64_t limit = kMaxSphereNodes / factor;
-  const std::int64_t count = power == 2 ? std::int64_t{value} * value : value;
-  if (value < 1 || count > limit) {
-    const auto most = static_cast<std::int64_t>(power == 2 ? std::sqrt(static_cast<double>(limit)) : double(limit));
-    throw std::invalid_argument(rule + ": " + argument + " is " + std::to_string(value) + ", must be 1 to " +
-                                std::to_string(most));
-  }
-  Nodes nodes;
-  nodes.reserve(static_cast<std::size_t>(factor * count));
-  return nodes;
+// No nodes yet, where factor * value * value of them (or factor * value, for power 1) are not too many.
+Nodes nodes_for(const std::string& argument, int value, std::int64_t factor, int power = 2) {
+  const auto limit = static_cast<double>(kMaxSphereNodes / factor);
+  require_range(argument, value, 1, static_cast<long>(power == 2 ? std::sqrt(limit) : limit));
+  return {};
 }
 
 void scale_to_sphere(Nodes& nodes) {
@@ -54,7 +46,7 @@ double texel_weight(double u, double v, int size, TexelWeight weight) {
 
 Nodes fibonacci_nodes(int count) {
   constexpr double kGoldenAngle = 2.0 * kPi * (2.0 - std::numbers::phi);
-  Nodes nodes = nodes_for("fibonacci_nodes", "count", count, 1, 1);
+  Nodes nodes = nodes_for("fibonacci_nodes: count", count, 1, 1);
   for (int i = 0; i < count; ++i) {
     const double z = 1.0 - (2.0 * i + 1.0) / count;
     const double radius = std::sqrt(1.0 - z * z);
@@ -65,13 +57,13 @@ Nodes fibonacci_nodes(int count) {
 }
 
 Nodes uniform_nodes(int count, std::uint64_t seed) {
-  Nodes nodes = nodes_for("uniform_nodes", "count", count, 1, 1);
+  Nodes nodes = nodes_for("uniform_nodes: count", count, 1, 1);
   for (const Direction& d : random_directions(count, seed)) nodes.push_back({d.x, d.y, d.z, 4 * kPi / count});
   return nodes;
 }
 
 Nodes stratified_nodes(int side, std::uint64_t seed) {
-  Nodes nodes = nodes_for("stratified_nodes", "side", side, 1);
+  Nodes nodes = nodes_for("stratified_nodes: side", side, 1);
   Random random(seed);
   const auto jittered = [&](int cell) { return (cell + 0.5 * (random.next() + 1)) / side; };
   const double weight = 4 * kPi / side / side;
@@ -85,7 +77,7 @@ Nodes stratified_nodes(int side, std::uint64_t seed) {
 }
 
 Nodes zone_nodes(int count, std::uint64_t seed) {
-  Nodes nodes = nodes_for("zone_nodes", "count", count, 1, 1);
+  Nodes nodes = nodes_for("zone_nodes: count", count, 1, 1);
   Random random(seed);
   const auto uniform = [&] { return 0.5 * (random.next() + 1); };
   const int zones = std::max(1, static_cast<int>(std::lround(0.5 * std::sqrt(kPi * count))));
@@ -103,14 +95,14 @@ Nodes zone_nodes(int count, std::uint64_t seed) {
 }
 
 Nodes sobol_nodes(int count, std::uint64_t seed) {
-  Nodes nodes = nodes_for("sobol_nodes", "count", count, 1, 1);
+  Nodes nodes = nodes_for("sobol_nodes: count", count, 1, 1);
   for (const auto& [u, v] : sobol_points(count, seed)) nodes.push_back(node_at(u, v, 4 * kPi / count));
   return nodes;
 }
 
 Nodes cube_map_nodes(int size, TexelWeight weight) {
-  Nodes nodes = nodes_for("cube_map_nodes", "size", size, 6);
-  for (std::size_t face = 0; face < 6; ++face) {
+  Nodes nodes = nodes_for("cube_map_nodes: size", size, 6);
+  for (int face = 0; face < 6; ++face) {
     for (int row = 0; row < size; ++row) {
       const double v = (2.0 * row + 1) / size - 1;
       for (int column = 0; column < size; ++column) {
@@ -129,7 +121,7 @@ Nodes cube_map_nodes(int size, TexelWeight weight) {
 }
 
 Nodes lat_long_nodes(int height, LatLongWeight weight) {
-  Nodes nodes = nodes_for("lat_long_nodes", "height", height, 2);
+  Nodes nodes = nodes_for("lat_long_nodes: height", height, 2);
   const int width = 2 * height;
   const double step = kPi / height;
   for (int row = 0; row < height; ++row) {

@@ -15,27 +15,27 @@ namespace sh::numeric {
 
 inline constexpr std::int64_t kMaxSphereNodes = std::int64_t{1} << 26;  // 2 GiB
 
-// Spherical Fibonacci points of equal weight [SwinbankPurser06]: z_i = 1 - (2i+1)/count, azimuth i times the golden
-// angle.
+/// Spherical Fibonacci points of equal weight [SwinbankPurser06]: z_i = 1 - (2i+1)/count, azimuth i times the golden
+/// angle.
 std::vector<SphereNode<double>> fibonacci_nodes(int count);
 
-// Independent uniform points of equal weight: random_directions of directions.hpp.
+/// Independent uniform points of equal weight: random_directions of directions.hpp.
 std::vector<SphereNode<double>> uniform_nodes(int count, std::uint64_t seed);
 
-// One random point in each of side x side cells of equal area, bands of z times sectors of azimuth [Green03] Eq. 4 and
-// SH_setup_spherical_samples: theta = 2 acos sqrt(1-x), phi = 2 pi y for x, y jittered. z = 1 - 2x is that theta.
+/// One random point in each of side x side cells of equal area, bands of z times sectors of azimuth [Green03] Eq. 4 and
+/// SH_setup_spherical_samples: theta = 2 acos sqrt(1-x), phi = 2 pi y for x, y jittered. z = 1 - 2x is that theta.
 std::vector<SphereNode<double>> stratified_nodes(int side, std::uint64_t seed);
 
-// One random point in each of `count` cells of equal area: zones of nearly equal width, each cut into as many sectors
-// as make its cells about square [Leopardi06], the first sector of each zone at a random azimuth. Any count will do,
-// and no cell is thin, as Green's are at the poles.
+/// One random point in each of `count` cells of equal area: zones of nearly equal width, each cut into as many sectors
+/// as make its cells about square [Leopardi06], the first sector of each zone at a random azimuth. Any count will do,
+/// and no cell is thin, as Green's are at the poles.
 std::vector<SphereNode<double>> zone_nodes(int count, std::uint64_t seed);
 
-// The points of sobol_points (sobol.hpp) by z = 1 - 2u, azimuth 2 pi v, which keeps areas.
+/// The points of sobol_points (sobol.hpp) by z = 1 - 2u, azimuth 2 pi v, which keeps areas.
 std::vector<SphereNode<double>> sobol_nodes(int count, std::uint64_t seed);
 
-// The texel centres of a cube map with size x size texels a face. Faces +x +y +z -x -y -z; u and v run along the two
-// axes that follow the face's in the order x y z x y.
+/// The texel centres of a cube map with size x size texels a face. Faces +x +y +z -x -y -z; u and v run along the two
+/// axes that follow the face's in the order x y z x y.
 enum class TexelWeight {
   kExact,               // the solid angle [Driscoll12]
   kDifferential,        // the area element at the centre [SloanKautzSnyder02] 6.2; sums to 4 pi (1 + O(1/size^2))
@@ -43,7 +43,7 @@ enum class TexelWeight {
 };
 std::vector<SphereNode<double>> cube_map_nodes(int size, TexelWeight weight);
 
-// The pixel centres of a lat-long picture, height rows from +z to -z, 2 height columns.
+/// The pixel centres of a lat-long picture, height rows from +z to -z, 2 height columns.
 enum class LatLongWeight {
   kExact,   // the solid angle
   kCentre,  // sin(theta) dtheta dphi at the centre: the solid angle times h / sin h, h = pi / (2 height), in every row

@@ -1,4 +1,4 @@
-// The table of rules on the sphere: sphere_rules.hpp.
+// See sphere_rules.hpp.
 #include "numeric/sampling/sphere_rules.hpp"
 
 #include <algorithm>
@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "numeric/oracle/require.hpp"
 #include "numeric/sampling/sphere_nodes.hpp"
 
 namespace sh::numeric {
@@ -16,10 +17,7 @@ using Nodes = std::vector<SphereNode<double>>;
 
 // n >= 1 with factor * n * n nearest to count.
 int side_of(int count, int factor) {
-  if (count < 1 || count > kMaxSphereNodes) {
-    throw std::invalid_argument("sphere rule: " + std::to_string(count) + " nodes asked for, must be 1 to " +
-                                std::to_string(kMaxSphereNodes));
-  }
+  require_range("sphere rule: nodes", count, 1, kMaxSphereNodes);
   const auto most = static_cast<int>(std::sqrt(static_cast<double>(kMaxSphereNodes) / factor));
   return std::clamp(static_cast<int>(std::lround(std::sqrt(static_cast<double>(count) / factor))), 1, most);
 }
@@ -28,13 +26,13 @@ int side_of(int count, int factor) {
 Nodes gauss_legendre_grid(int count, std::uint64_t /*seed*/) { return sphere_rule<double>(2 * side_of(count, 2) - 1); }
 Nodes fibonacci(int count, std::uint64_t /*seed*/) { return fibonacci_nodes(count); }
 Nodes stratified(int count, std::uint64_t seed) { return stratified_nodes(side_of(count, 1), seed); }
-Nodes cube_map(int count, std::uint64_t /*seed*/) { return cube_map_nodes(side_of(count, 6), TexelWeight::kExact); }
-Nodes cube_map_differential(int count, std::uint64_t /*seed*/) {
-  return cube_map_nodes(side_of(count, 6), TexelWeight::kDifferentialScaled);
+template <TexelWeight kWeight>
+Nodes cube_map(int count, std::uint64_t /*seed*/) {
+  return cube_map_nodes(side_of(count, 6), kWeight);
 }
-Nodes lat_long(int count, std::uint64_t /*seed*/) { return lat_long_nodes(side_of(count, 2), LatLongWeight::kExact); }
-Nodes lat_long_centre(int count, std::uint64_t /*seed*/) {
-  return lat_long_nodes(side_of(count, 2), LatLongWeight::kCentre);
+template <LatLongWeight kWeight>
+Nodes lat_long(int count, std::uint64_t /*seed*/) {
+  return lat_long_nodes(side_of(count, 2), kWeight);
 }
 
 constexpr std::array<SphereRule, 8> kRules{{
@@ -42,10 +40,11 @@ constexpr std::array<SphereRule, 8> kRules{{
     {"fibonacci", "Swinbank and Purser 2006", fibonacci, false},
     {"uniform", "Monte Carlo, Green 2003 Eq. 3", uniform_nodes, true},
     {"stratified", "jittered cells, Green 2003", stratified, true},
-    {"cube_map", "texel centres, exact solid angle, Driscoll 2012", cube_map, false},
-    {"cube_map_differential", "texel centres, area element scaled to 4 pi, Sloan 2008", cube_map_differential, false},
-    {"lat_long", "pixel centres, exact solid angle", lat_long, false},
-    {"lat_long_centre", "pixel centres, sin(theta) dtheta dphi", lat_long_centre, false},
+    {"cube_map", "texel centers, exact solid angle, Driscoll 2012", cube_map<TexelWeight::kExact>, false},
+    {"cube_map_differential", "texel centers, area element scaled to 4 pi, Sloan 2008",
+     cube_map<TexelWeight::kDifferentialScaled>, false},
+    {"lat_long", "pixel centers, exact solid angle", lat_long<LatLongWeight::kExact>, false},
+    {"lat_long_centre", "pixel centers, sin(theta) dtheta dphi", lat_long<LatLongWeight::kCentre>, false},
 }};
 
 }  // namespace
@@ -58,7 +57,7 @@ const SphereRule& sphere_rule_named(std::string_view name) {
     if (name == rule.name) return rule;
     names += (names.empty() ? "" : ", ") + std::string(rule.name);
   }
-  throw std::invalid_argument("sphere rule: no rule is named " + std::string(name) + "; there are " + names);
+  throw std::invalid_argument("sphere rule: expected one of " + names + ", got " + std::string(name));
 }
 
 }  // namespace sh::numeric

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "numeric/sampling/sobol.hpp"
+#include "numeric/sampling/random.hpp"
 #include "numeric/sampling/sphere_nodes.hpp"
 
 namespace sh::prt {

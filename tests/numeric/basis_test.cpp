@@ -282,10 +282,10 @@ TEST(Basis, CheckedFormRefusesWhatIsOutsideItsDomain) {
     return message_of([&] { basis(degree, x, y, z, std::span<double>(out)); });
   };
   EXPECT_EQ(call(2, 0.6, 0, 0.8), "nothing thrown");
-  EXPECT_EQ(call(-1, 0.6, 0, 0.8), "basis: degree is -1, must be 0 or more");
-  EXPECT_EQ(call(3, 0.6, 0, 0.8), "basis: out holds 9 values, degree 3 has 16");
-  EXPECT_EQ(call(2, std::nan(""), 0, 1), "basis: a component of the direction is not finite");
-  EXPECT_EQ(call(2, 0.6, 0, 0.81), "basis: the direction is not of length 1; normalised() makes it so");
+  EXPECT_EQ(call(-1, 0.6, 0, 0.8), "basis: degree: expected 0 or more, got -1");
+  EXPECT_EQ(call(3, 0.6, 0, 0.8), "basis: out: expected 16 values, got 9");
+  EXPECT_EQ(call(2, std::nan(""), 0, 1), "basis: expected a direction of length 1, as normalised() makes it");
+  EXPECT_EQ(call(2, 0.6, 0, 0.81), "basis: expected a direction of length 1, as normalised() makes it");
 }
 
 TEST(Normalised, IsExactAtAnyScaleAndRefusesWhatHasNoDirection) {
@@ -295,8 +295,8 @@ TEST(Normalised, IsExactAtAnyScaleAndRefusesWhatHasNoDirection) {
     EXPECT_EQ(x, 0);
     EXPECT_EQ(z, -y);
   }
-  EXPECT_EQ(message_of([] { normalised(0.0, 0.0, 0.0); }), "direction: the zero vector has no direction");
-  EXPECT_EQ(message_of([] { normalised(0.0, HUGE_VAL, 0.0); }), "direction: a component is not finite");
+  EXPECT_EQ(message_of([] { normalised(0.0, 0.0, 0.0); }), "direction: expected a vector that is not zero, got zeros");
+  EXPECT_EQ(message_of([] { normalised(0.0, HUGE_VAL, 0.0); }), "direction: expected finite components");
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "numeric/kernels/every_float.hpp"
 #include "numeric/kernels/exhaustive.hpp"
 #include "numeric/kernels/kernel_limits.hpp"
 #include "tests/numeric/extreme.hpp"

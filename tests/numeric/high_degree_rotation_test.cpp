@@ -90,7 +90,7 @@ TEST(HighDegreeRotation, RefusesADegreeWhoseRowsUnderflow) {
       methods::rotate_zxz_rows(degree, r.data(), &c, &c);
       FAIL() << degree;
     } catch (const std::invalid_argument& error) {
-      EXPECT_EQ(error.what(), "rotate_zxz_rows: degree " + std::to_string(degree) + "; it should be 0 to 1936");
+      EXPECT_EQ(error.what(), "rotate_zxz_rows: degree: expected 0 to 1936, got " + std::to_string(degree));
     }
   }
 }

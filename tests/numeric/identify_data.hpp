@@ -1,6 +1,8 @@
 // Tables of values as users would send them, made from numeric's own conventions, in memory.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <array>
 #include <complex>
@@ -11,6 +13,7 @@
 #include "numeric/identify/identify.hpp"
 #include "numeric/oracle/basis.hpp"
 #include "numeric/sampling/directions.hpp"
+#include "tests/message_of.hpp"
 
 namespace sh::numeric::identify {
 
@@ -65,12 +68,21 @@ inline bool holds(const std::vector<std::string>& names, const std::string& name
 inline std::vector<Coefficient> wrong_for(const Identification& result, const std::string& preset) {
   std::vector<Coefficient> wrong;
   for (const auto& doubt : result.doubts) {
-    if (holds(doubt.reading.presets, preset)) return doubt.wrong;
+    if (holds(doubt.reading.presets.own, preset)) return doubt.wrong;
   }
   for (const auto& c : result.coefficients) {
     if (c.wrong) wrong.push_back(c);
   }
   return wrong;
+}
+
+/// Expects a refusal in one line that begins with `start` and contains `part`.
+template <class Call>
+void expect_refusal(const Call& call, const std::string& start, const std::string& part) {
+  const std::string message = test::message_of(call);
+  EXPECT_TRUE(message.starts_with(start)) << message;
+  EXPECT_NE(message.find(part), std::string::npos) << message;
+  EXPECT_EQ(message.find('\n'), std::string::npos) << message;
 }
 
 }  // namespace sh::numeric::identify

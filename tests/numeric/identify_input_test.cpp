@@ -3,7 +3,6 @@
 
 #include <filesystem>
 #include <sstream>
-#include <stdexcept>
 
 #include "tests/numeric/identify_data.hpp"
 
@@ -15,15 +14,7 @@ std::vector<Samples> read(const std::string& text, bool normalise = false) {
 }
 
 void expect_refused(const std::string& text, const std::string& start, const std::string& part) {
-  try {
-    (void)identify(read(text));
-    ADD_FAILURE() << "accepted: " << text;
-  } catch (const std::invalid_argument& error) {
-    const std::string message = error.what();
-    EXPECT_EQ(message.find(start), 0) << message;
-    EXPECT_NE(message.find(part), std::string::npos) << message;
-    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
-  }
+  expect_refusal([&] { (void)identify(read(text)); }, start, part);
 }
 
 std::string text_of(double value) {
@@ -71,7 +62,7 @@ TEST(IdentifyInput, ReadsComplexCellsAndPairsOfColumns) {
   for (const auto& text : {write(samples, python_cell), write(samples, pair_of_cells)}) {
     const auto result = identify(read(text));
     EXPECT_TRUE(result.recognised());
-    EXPECT_TRUE(holds(result.readings.front().presets, "scipy"));
+    EXPECT_TRUE(holds(result.readings.front().presets.own, "scipy"));
   }
 }
 
@@ -79,7 +70,7 @@ TEST(IdentifyInput, TellsAnArrayWithHolesFromPairsOfColumns) {
   const Preset& shtools = preset_named("shtools");
   const auto result = identify(read(write(make_samples(shtools.convention, 2), real_cell)));
   EXPECT_TRUE(result.recognised());
-  EXPECT_TRUE(holds(result.readings.front().presets, "shtools"));
+  EXPECT_TRUE(holds(result.readings.front().presets.own, "shtools"));
 }
 
 TEST(IdentifyInput, ScalesDirectionsOnRequest) {
@@ -89,29 +80,32 @@ TEST(IdentifyInput, ScalesDirectionsOnRequest) {
 }
 
 TEST(IdentifyInput, RefusesWhatIsNotATable) {
-  expect_refused("", "my.csv: ", "holds no row of numbers");
-  expect_refused("x,y,z,v0\n# nothing\n", "my.csv: ", "holds no row of numbers");
-  expect_refused("x,y,z,v0\n0,0,1,0.3\n0,0,1\n", "my.csv:3: ", "3 columns; it should be 4 as on line 2");
-  expect_refused("0,0,1,0.3\n0,0,1,0.3,0.4\n", "my.csv:2: ", "5 columns");
-  expect_refused("0,0,1,0.3\n0,0,1,abc\n", "my.csv:2: ", "column 4: 'abc' is not a number");
-  expect_refused("0,0,1,0.3\n0,0,1,\n", "my.csv:2: ", "column 4: '' is not a number");
-  expect_refused("0,0,1,0.3x\n", "my.csv:1: ", "'0.3x' is not a number");
+  expect_refused("", "my.csv: ", "expected a row of numbers, got none");
+  expect_refused("x,y,z,v0\n# nothing\n", "my.csv: ", "expected a row of numbers, got none");
+  expect_refused("x,y,z,v0\n0,0,1,0.3\n0,0,1\n", "my.csv:3: ", "expected 4 columns as on line 2, got 3");
+  expect_refused("0,0,1,0.3\n0,0,1,0.3,0.4\n", "my.csv:2: ", "got 5");
+  expect_refused("0,0,1,0.3\n0,0,1,abc\n",
+                 "my.csv:2: ", "column 4: expected a number such as -0.5 or 0.5+0.25i, got 'abc'");
+  expect_refused("0,0,1,0.3\n0,0,1,\n", "my.csv:2: ", "got ''");
+  expect_refused("0,0,1,0.3x\n", "my.csv:1: ", "got '0.3x'");
   expect_refused("0 0 1 0.3\n", "my.csv", "");
-  expect_refused("0,0,1,nan\n", "my.csv:1: ", "'nan' is not finite");
-  expect_refused("0,0,1,1e999\n", "my.csv:1: ", "'1e999' is not finite");
-  expect_refused("0,0,1,1-infi\n", "my.csv:1: ", "is not finite");
+  expect_refused("0,0,1,nan\n", "my.csv:1: ", "expected a finite number such as -0.5 or 0.5+0.25i, got 'nan'");
+  expect_refused("0,0,1,1e999\n", "my.csv:1: ", "got '1e999'");
+  expect_refused("0,0,1,1-infi\n", "my.csv:1: ", "expected a finite number");
 }
 
 TEST(IdentifyInput, RefusesColumnsAndDirectionsThatDoNotFit) {
   expect_refused("0,0,1\n", "my.csv:1: ", "(L+1)^2 values");
-  expect_refused("0,0,1,1,2,3\n", "my.csv:1: ", "6 columns; it should be x,y,z and (L+1)^2 values");
-  expect_refused("0,0,1,1\n0,0,1.1,1\n", "my.csv:2: ", "length 1.1; it should be 1 to within 1e-05 (--normalise");
+  expect_refused("0,0,1,1,2,3\n", "my.csv:1: ", "got 6 columns");
+  expect_refused("0,0,1,1\n0,0,1.1,1\n",
+                 "my.csv:2: ", "expected a direction of length 1 to within 1e-05, got 1.1 (--normalise");
   expect_refused("0,0,0,1\n", "my.csv:1: ", "zero vector");
-  expect_refused("0,0,1i,1\n", "my.csv:1: ", "the direction is not real");
-  expect_refused("0,0,1,1,2,3,4\n", "my.csv: ", "1 directions are too few to decide degree 1: it should be at least 4");
+  expect_refused("0,0,1i,1\n", "my.csv:1: ", "expected a real direction");
+  expect_refused("0,0,1,1,2,3,4\n",
+                 "my.csv: ", "expected at least 4 directions in general position to decide degree 1");
   std::string equator;
   for (int i = 0; i < 9; ++i) equator += i % 2 == 0 ? "1,0,0,1,2,3,4\n" : "0,1,0,1,2,3,4\n";
-  expect_refused(equator, "my.csv: ", "they tell only 2 functions apart; it should be at least 4 in general position");
+  expect_refused(equator, "my.csv: ", "got 9 that tell 2 functions apart");
 }
 
 TEST(IdentifyInput, RefusesFilesThatCannotBeRead) {

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "numeric/identify/candidates.hpp"
 #include "numeric/sampling/random.hpp"
 #include "tests/numeric/identify_data.hpp"
 
@@ -14,12 +13,12 @@ namespace {
 
 bool names_preset(const Identification& result, const std::string& name) {
   return std::any_of(result.readings.begin(), result.readings.end(),
-                     [&](const Reading& r) { return holds(r.presets, name); });
+                     [&](const Reading& r) { return holds(r.presets.own, name); });
 }
 
 bool names_world_preset(const Identification& result, const std::string& name) {
   return std::any_of(result.readings.begin(), result.readings.end(),
-                     [&](const Reading& r) { return holds(r.world_presets, name); });
+                     [&](const Reading& r) { return holds(r.presets.world, name); });
 }
 
 Convention in_world(const Preset& preset) {

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "numeric/oracle/basis.hpp"
+#include "numeric/oracle/real.hpp"
 #include "numeric/sampling/error_stats.hpp"
 #include "tests/numeric/keep_worst.hpp"
 

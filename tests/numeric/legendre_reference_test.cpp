@@ -1,17 +1,16 @@
 // Reference values of Legendre functions and caps: closed forms, other algorithms of the oracle, exact zeros, refusals.
-#include "numeric/reference/legendre_reference.hpp"
-
 #include <gtest/gtest.h>
-
-#include <functional>
-#include <stdexcept>
 
 #include "numeric/oracle/cap.hpp"
 #include "numeric/oracle/legendre_values.hpp"
 #include "numeric/oracle/real.hpp"
+#include "numeric/reference/reference.hpp"
+#include "tests/message_of.hpp"
 
 namespace sh::numeric {
 namespace {
+
+using test::message_of;
 
 Colatitude cosine(const std::string& text) { return {Colatitude::Kind::kCosine, "--z", text}; }
 Colatitude angle(const std::string& text) { return {Colatitude::Kind::kAngle, "--theta", text}; }
@@ -68,24 +67,21 @@ TEST(CapReference, KnowsTheEdgesOfItsDomain) {
   EXPECT_EQ(cap_reference(3, angle("1e-8"), 9), "2.34473605e-16");
 }
 
-std::string refusal(const std::function<std::string()>& call) {
-  try {
-    return "accepted " + call();
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-}
-
 TEST(LegendreReference, RefusesBadInputInOneLine) {
-  EXPECT_EQ(refusal([] { return legendre_reference(3, 1, cosine("1.5"), 9); }), "--z is 1.5, must be -1 to 1");
-  EXPECT_EQ(refusal([] { return legendre_reference(3, 1, angle("-1"), 9); }), "--theta is -1, must be 0 to pi");
-  EXPECT_EQ(refusal([] { return legendre_reference(3, 1, angle("3.1416"), 9); }), "--theta is 3.1416, must be 0 to pi");
-  EXPECT_EQ(refusal([] { return cap_reference(3, depth("2.1"), 9); }), "--one-minus-cos is 2.1, must be 0 to 2");
-  EXPECT_EQ(refusal([] { return legendre_reference(3, -1, cosine("0"), 9); }), "order is -1, must be 0 to 3");
-  EXPECT_EQ(refusal([] { return cap_reference(3, depth("1"), 10001); }), "digits is 10001, must be 1 to 10000");
-  EXPECT_EQ(refusal([] { return cap_reference(-3, depth("1"), 1); }), "degree is -3, must be 0 to 10000");
-  EXPECT_EQ(refusal([] { return legendre_reference(3, 1, cosine("x"), 9); }),
-            "--z: 'x' is not a decimal number such as -0.5 or 1e-3");
+  const auto legendre = [](int order, const Colatitude& at) {
+    return message_of([&] { legendre_reference(3, order, at, 9); });
+  };
+  const auto cap = [](int degree, const Colatitude& at, int digits) {
+    return message_of([&] { cap_reference(degree, at, digits); });
+  };
+  EXPECT_EQ(legendre(1, cosine("1.5")), "--z: expected -1 to 1, got 1.5");
+  EXPECT_EQ(legendre(1, angle("-1")), "--theta: expected 0 to pi, got -1");
+  EXPECT_EQ(legendre(1, angle("3.1416")), "--theta: expected 0 to pi, got 3.1416");
+  EXPECT_EQ(legendre(-1, cosine("0")), "order: expected 0 to 3, got -1");
+  EXPECT_EQ(legendre(1, cosine("x")), "--z: expected a decimal number such as -0.5 or 1e-3, got 'x'");
+  EXPECT_EQ(cap(3, depth("2.1"), 9), "--one-minus-cos: expected 0 to 2, got 2.1");
+  EXPECT_EQ(cap(3, depth("1"), 10001), "digits: expected 1 to 10000, got 10001");
+  EXPECT_EQ(cap(-3, depth("1"), 1), "degree: expected 0 to 10000, got -3");
 }
 
 }  // namespace

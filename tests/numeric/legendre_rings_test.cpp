@@ -158,21 +158,22 @@ TEST(LegendreRings, TheTailKeepsItsDigitsDownToTheSmallestNormalNumber) {
 
 TEST(LegendreRings, RefusesWhatItCannotTransform) {
   const std::vector<double> z{0.6, 0.8}, sine{0.8, 0.6}, off{0.8, 0.61}, negative{0.8, -0.6}, one{0.8};
-  EXPECT_EQ(message_of([&] { LegendreRings(-1, z, sine); }), "LegendreRings: max_degree is -1, must be 0 to 100000");
-  EXPECT_EQ(message_of([&] { LegendreRings(2, z, one); }),
-            "LegendreRings: z holds 2 values and sine 1, must be as many");
+  EXPECT_EQ(message_of([&] { LegendreRings(-1, z, sine); }), "LegendreRings: max_degree: expected 0 to 100000, got -1");
+  EXPECT_EQ(message_of([&] { LegendreRings(2, z, one); }), "LegendreRings: sine: expected 2 values, got 1");
   EXPECT_EQ(message_of([&] { LegendreRings(2, z, off); }),
-            "LegendreRings: ring 1 has z = 0.800000, sine = 0.610000, must be on the circle with sine >= 0");
+            "LegendreRings: ring 1: expected a point of the circle with sine >= 0, got z = 0.800000, sine = 0.610000");
   EXPECT_NE(message_of([&] { LegendreRings(2, z, negative); }), "nothing thrown");
   const LegendreRings rings(2, z, sine);
   std::vector<double> a(6), values(4);
   EXPECT_EQ(message_of([&] { rings.synthesis(2, 0, a, values); }), "nothing thrown");
   EXPECT_EQ(message_of([&] { rings.synthesis(3, 0, a, values); }),
-            "LegendreRings: synthesis: degree is 3, must be 0 to max_degree, 2");
+            "LegendreRings: synthesis: degree: expected 0 to 2, got 3");
   EXPECT_EQ(message_of([&] { rings.synthesis(2, 3, a, values); }),
-            "LegendreRings: synthesis: order is 3, must be 0 to 2");
-  EXPECT_EQ(message_of([&] { rings.analysis(2, 1, values, a); }), "LegendreRings: analysis: 6 coefficients, must be 4");
-  EXPECT_EQ(message_of([&] { rings.analysis(2, 0, a, a); }), "LegendreRings: analysis: 6 values, must be 4");
+            "LegendreRings: synthesis: order: expected 0 to 2, got 3");
+  EXPECT_EQ(message_of([&] { rings.analysis(2, 1, values, a); }),
+            "LegendreRings: analysis: coefficients: expected 4 values, got 6");
+  EXPECT_EQ(message_of([&] { rings.analysis(2, 0, a, a); }),
+            "LegendreRings: analysis: values: expected 4 values, got 6");
 }
 
 TEST(LegendreRings, NoRingsAreNoWork) {

@@ -54,7 +54,7 @@ TEST(Projection, NamesANodeWhereTheFunctionIsNotFinite) {
     (void)project(2, nodes, f);
     FAIL();
   } catch (const std::invalid_argument& error) {
-    EXPECT_STREQ(error.what(), "project: the function is not finite at node 7");
+    EXPECT_STREQ(error.what(), "project: node 7: expected a finite value, got nan");
   }
   EXPECT_THROW((void)project(-1, nodes, f), std::invalid_argument);
 }
@@ -144,26 +144,28 @@ std::vector<SphereSample> on_the_equator(int count) {
 
 TEST(LeastSquares, RefusesDirectionsThatDoNotDetermineTheCoefficients) {
   // A circle carries 2 degree + 1 functions.
-  EXPECT_NE(refusal(2, on_the_equator(100)).find("determine 5 of the 9 coefficients of degree 2 (rank)"),
+  EXPECT_NE(refusal(2, on_the_equator(100)).find("that determine the 9 coefficients of degree 2, got rank 5"),
             std::string::npos)
       << refusal(2, on_the_equator(100));
   auto turned = on_the_equator(1000);  // the same circle, in no special place
   for (auto& s : turned) s = {0.6 * s.x - 0.64 * s.y, 0.8 * s.x + 0.48 * s.y, 0.6 * s.y, 2};
-  EXPECT_NE(refusal(4, turned).find("determine 9 of the 25"), std::string::npos) << refusal(4, turned);
+  EXPECT_NE(refusal(4, turned).find("that determine the 25 coefficients of degree 4, got rank 9"), std::string::npos)
+      << refusal(4, turned);
   const std::vector<SphereSample> same(40, SphereSample{0, 0.6, 0.8, 3});
-  EXPECT_NE(refusal(2, same).find("determine 1 of the 9"), std::string::npos) << refusal(2, same);
+  EXPECT_NE(refusal(2, same).find("that determine the 9 coefficients of degree 2, got rank 1"), std::string::npos)
+      << refusal(2, same);
   std::vector<SphereSample> five = samples_of(1, random_coefficients(1), random_directions(5, 1));
   for (int i = 0; i < 50; ++i) five.push_back(five[i % 5]);
-  EXPECT_NE(refusal(2, five).find("determine 5 of the 9"), std::string::npos) << refusal(2, five);
+  EXPECT_NE(refusal(2, five).find("that determine the 9 coefficients of degree 2, got rank 5"), std::string::npos)
+      << refusal(2, five);
   EXPECT_EQ(refusal(0, same), "no refusal");
 }
 
 TEST(LeastSquares, NamesASampleThatIsWrong) {
   auto samples = samples_of(1, random_coefficients(1), random_directions(10, 1));
-  EXPECT_EQ(refusal(3, samples),
-            "fit_samples: 10 samples of weight > 0 for the 16 coefficients of degree 3, must be as many at least");
-  EXPECT_NE(refusal(-1, samples).find("degree is -1"), std::string::npos);
-  EXPECT_NE(refusal(0, {}).find("0 samples"), std::string::npos);
+  EXPECT_EQ(refusal(3, samples), "fit_samples: samples of weight > 0 for degree 3: expected 16 or more, got 10");
+  EXPECT_NE(refusal(-1, samples).find("expected 0 or more, got -1"), std::string::npos);
+  EXPECT_NE(refusal(0, {}).find("expected 1 or more, got 0"), std::string::npos);
   const auto changed = [&](const SphereSample& sample) {
     auto copy = samples;
     copy[6] = sample;
@@ -171,12 +173,13 @@ TEST(LeastSquares, NamesASampleThatIsWrong) {
   };
   const double infinity = std::numeric_limits<double>::infinity();
   EXPECT_EQ(changed({0, 0, 1.01, 1}),
-            "fit_samples: sample 6: its direction has length 1.010000, must be 1 to within 0.001");
-  EXPECT_NE(changed({0, 0, 0, 1}).find("sample 6: its direction has length 0"), std::string::npos);
-  EXPECT_NE(changed({std::nan(""), 0, 1, 1}).find("sample 6: its direction"), std::string::npos);
-  EXPECT_NE(changed({0, 0, 1, infinity}).find("sample 6: its value is not finite"), std::string::npos);
-  EXPECT_NE(changed({0, 0, 1, 1, -1}).find("sample 6: weight is -1"), std::string::npos);
-  EXPECT_NE(changed({0, 0, 1, 1, std::nan("")}).find("sample 6: weight"), std::string::npos);
+            "fit_samples: sample 6: expected a direction of length 1 to within 0.001, got 1.010000");
+  EXPECT_NE(changed({0, 0, 0, 1}).find("sample 6: expected a direction of length 1 to within 0.001, got 0"),
+            std::string::npos);
+  EXPECT_NE(changed({std::nan(""), 0, 1, 1}).find("sample 6: expected a direction"), std::string::npos);
+  EXPECT_NE(changed({0, 0, 1, infinity}).find("sample 6: expected a finite value, got inf"), std::string::npos);
+  EXPECT_NE(changed({0, 0, 1, 1, -1}).find("sample 6: expected a finite weight >= 0, got -1"), std::string::npos);
+  EXPECT_NE(changed({0, 0, 1, 1, std::nan("")}).find("sample 6: expected a finite weight"), std::string::npos);
   EXPECT_EQ(changed({0, 0, 1.0005, 1}), "no refusal");
 }
 

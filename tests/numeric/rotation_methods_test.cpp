@@ -9,7 +9,6 @@
 #include <stdexcept>
 #include <string>
 
-#include "numeric/methods/zxz.hpp"
 #include "numeric/oracle/basis.hpp"
 #include "numeric/oracle/real.hpp"
 #include "numeric/oracle/rotation.hpp"

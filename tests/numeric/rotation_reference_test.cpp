@@ -106,32 +106,25 @@ TEST(RotationReference, TakesTheNearestRotationAndSaysHowFarItWas) {
 }
 
 TEST(RotationReference, RefusesWhatIsNoRotation) {
-  EXPECT_EQ(message_of([] {
-              rotation_from_matrix("m", {"1", "0", "0", "0", "1", "0", "0", "0", "-1"});
-            }),
-            "m: a reflection, determinant -1; must be a rotation, 1");
-  EXPECT_EQ(message_of([] {
-              rotation_from_matrix("m", {"1.01", "0", "0", "0", "1", "0", "0", "0", "1"});
-            }),
-            "m: not a rotation: R R^T differs from the identity by 0.02, must be at most 0.002");
-  EXPECT_EQ(message_of([] {
-              rotation_from_matrix("m", {"1", "0", "0", "0", "1", "0", "0", "0", "1e9999"});
-            }),
-            "m: not a rotation: R R^T differs from the identity by inf, must be at most 0.002");
-  EXPECT_EQ(message_of([] {
-              rotation_from_quaternion("q", {"0", "0.0", "-0", "0e5"});
-            }),
-            "q: the zero quaternion is no rotation");
-  EXPECT_EQ(message_of([] { rotation_from_axis("v", {"0", "0", "0"}, "a", "1"); }), "v: the zero vector is no axis");
-  EXPECT_EQ(message_of([] {
-              rotation_from_axis("v", {"0", "0", "1"}, "a", "one");
-            }),
-            "a: 'one' is not a decimal number such as -0.5 or 1e-3");
+  const auto matrix = [](const char* first, const char* last) {
+    return message_of([&] { rotation_from_matrix("m", {first, "0", "0", "0", "1", "0", "0", "0", last}); });
+  };
+  EXPECT_EQ(matrix("1", "-1"), "m: expected a rotation, determinant 1, got a reflection, -1");
+  EXPECT_EQ(matrix("1.01", "1"), "m: expected a rotation, |R R^T - 1| at most 0.002, got 0.02");
+  EXPECT_EQ(matrix("1", "1e9999"), "m: expected a rotation, |R R^T - 1| at most 0.002, got inf");
+  const std::array<std::string, 4> no_turn = {"0", "0.0", "-0", "0e5"};
+  const auto axis = [](const char* z, const char* by) {
+    return message_of([&] { rotation_from_axis("v", {"0", "0", z}, "a", by); });
+  };
+  EXPECT_EQ(message_of([&] { rotation_from_quaternion("q", no_turn); }),
+            "q: expected a number that is not zero, got zeros only");
+  EXPECT_EQ(axis("0", "1"), "v: expected a number that is not zero, got zeros only");
+  EXPECT_EQ(axis("1", "one"), "a: expected a decimal number such as -0.5 or 1e-3, got 'one'");
   const auto turn = rotation_from_euler("e", {"1", "2", "3"});
-  EXPECT_EQ(message_of([&] { RotationReference(1001, turn); }), "degree is 1001, must be 0 to 1000");
-  EXPECT_EQ(message_of([&] { RotationReference(2, turn).entry(3, 0, 9); }), "row is 3, must be -2 to 2");
-  EXPECT_EQ(message_of([&] { RotationReference(2, turn).entry(0, -3, 9); }), "column is -3, must be -2 to 2");
-  EXPECT_EQ(message_of([&] { RotationReference(2, turn).entry(0, 0, 0); }), "digits is 0, must be 1 to 10000");
+  EXPECT_EQ(message_of([&] { RotationReference(1001, turn); }), "degree: expected 0 to 1000, got 1001");
+  EXPECT_EQ(message_of([&] { RotationReference(2, turn).entry(3, 0, 9); }), "row: expected -2 to 2, got 3");
+  EXPECT_EQ(message_of([&] { RotationReference(2, turn).entry(0, -3, 9); }), "column: expected -2 to 2, got -3");
+  EXPECT_EQ(message_of([&] { RotationReference(2, turn).entry(0, 0, 0); }), "digits: expected 1 to 10000, got 0");
 }
 
 }  // namespace

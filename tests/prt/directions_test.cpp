@@ -13,7 +13,7 @@
 #include "numeric/oracle/quadrature.hpp"
 #include "numeric/sampling/directions.hpp"
 #include "numeric/sampling/power_law.hpp"
-#include "numeric/sampling/sobol.hpp"
+#include "numeric/sampling/random.hpp"
 #include "numeric/sampling/sphere_nodes.hpp"
 #include "prt/bake/bake.hpp"
 #include "prt/transfer/transfer.hpp"

@@ -11,21 +11,20 @@
 
 namespace sh::numeric {
 
-// A point at which kernels are tried; its values are rounded to the kernel's type before use.
+/// A point at which kernels are tried; its values are rounded to the kernel's type before use.
 struct NamedInput {
   std::string name;  // "near pole 17"
   std::vector<double> values;
 };
 
-// A function (degree, in, out) for the two reals of the oracle: long double beside float kernels, Mpfr50 beside double.
-// Made from a lambda that takes either.
+/// A function (degree, in, out) for the two reals of the oracle: long double beside float kernels, Mpfr50 beside
+/// double. Made from a lambda that takes either.
 class RealFunction {
  public:
   RealFunction() = default;
   template <class F>
-  RealFunction(
-      F function)  // NOLINT(google-explicit-constructor,bugprone-forwarding-reference-overload): a lambda is one
-      : in_long_double_(function), in_mpfr_(function) {}
+  RealFunction(F function)
+      : in_long_double_(function), in_mpfr_(function) {}  // NOLINT(*-forwarding-reference-overload)
 
   explicit operator bool() const { return static_cast<bool>(in_mpfr_); }
   void operator()(int degree, const long double* in, long double* out) const { in_long_double_(degree, in, out); }
@@ -39,20 +38,20 @@ class RealFunction {
 struct ExactFamily {
   std::string family;
   RealFunction values;  // at flat inputs and outputs
-  // For a first parameter that another kernel makes, such as band matrices: what to try. Its numbers belong together.
+  /// The values to try for a first parameter that another kernel makes, such as band matrices. Its numbers belong
+  /// together.
   std::function<std::vector<NamedInput>(int degree)> made = {};
 };
 
-std::vector<ExactFamily> exact_basis();
-std::vector<ExactFamily> exact_evaluate();
+/// One list a file of this folder.
 std::vector<ExactFamily> exact_project();
 std::vector<ExactFamily> exact_zonal();
+std::vector<ExactFamily> exact_window();
 std::vector<ExactFamily> exact_irradiance();
 std::vector<ExactFamily> exact_product();
 std::vector<ExactFamily> exact_rotation();
-std::vector<ExactFamily> exact_window();
 
-// All of the above.
+/// These and the families of exact.cpp.
 const std::vector<ExactFamily>& exact_families();
 
 }  // namespace sh::numeric

@@ -5,7 +5,8 @@
 // take the values of numeric's basis.
 #pragma once
 
-#include <cstddef>
+#include <Eigen/Core>
+#include <boost/multiprecision/eigen.hpp>
 #include <map>
 #include <vector>
 
@@ -13,31 +14,34 @@
 
 namespace sh::numeric {
 
-// Exponents of x^i y^j z^k, k = 0 or 1, of the coefficient at `index` (bands^2 of them): those without z by falling i,
-// then falling j, i + j <= degree; then those with z likewise, i + j < degree.
+using ExactMatrix = Eigen::Matrix<Mpfr50, Eigen::Dynamic, Eigen::Dynamic>;
+
+/// Exponents of x^i y^j z^k, k = 0 or 1, of the coefficient at `index` (bands^2 of them): those without z by falling i,
+/// then falling j, i + j <= degree; then those with z likewise, i + j < degree.
 struct PreparedTerm {
   int i = 0, j = 0, k = 0;
 };
 std::vector<PreparedTerm> prepared_terms(int degree);
 
-// (bands^2, bands^2) row-major: polynomial = matrix c.
-const std::vector<Mpfr50>& prepare_matrix(int degree);
+/// (bands^2, bands^2): polynomial = matrix c.
+const ExactMatrix& prepare_matrix(int degree);
 
-// (bands^2, bands^2) row-major: c = matrix moments; the moment of z^n Re (x+iy)^m stands at index l(l+1)+m, of Im at
-// l(l+1)-m, l = m+n.
-const std::vector<Mpfr50>& finish_matrix(int degree);
+/// (bands^2, bands^2): c = matrix moments; the moment of z^n Re (x+iy)^m stands at index l(l+1)+m, of Im at l(l+1)-m,
+/// l = m+n.
+const ExactMatrix& finish_matrix(int degree);
 
-// out (n) = matrix (n, n) in (n), the matrix given in Mpfr50.
+/// out = matrix in.
 template <class Real>
-void multiply(const std::vector<Mpfr50>& matrix, std::size_t n, const Real* in, Real* out) {
-  static std::map<const Mpfr50*, std::vector<Real>> converted;  // by the address of a matrix that lives as long
-  auto& entries = converted[matrix.data()];
+void multiply(const ExactMatrix& matrix, const Real* in, Real* out) {
+  static std::map<const ExactMatrix*, std::vector<Real>> converted;  // by the address of a matrix that lives as long
+  auto& entries = converted[&matrix];
   if (entries.empty()) {
-    for (const auto& entry : matrix) entries.push_back(static_cast<Real>(entry));
+    for (const auto& entry : matrix.reshaped<Eigen::RowMajor>()) entries.push_back(static_cast<Real>(entry));
   }
-  for (std::size_t row = 0; row < n; ++row) {
+  const auto n = matrix.rows();
+  for (Eigen::Index row = 0; row < n; ++row) {
     out[row] = 0;
-    for (std::size_t i = 0; i < n; ++i) out[row] += entries[row * n + i] * in[i];
+    for (Eigen::Index i = 0; i < n; ++i) out[row] += entries[row * n + i] * in[i];
   }
 }
 

@@ -64,10 +64,7 @@ std::vector<ExactFamily> exact_project() {
           {"project_moments", sample_of([](int degree, const auto& x, const auto& y, const auto& z, auto* out) {
              moments(degree, x, y, z, out);
            })},
-          {"project_finish",
-           [](int degree, const auto* in, auto* out) {
-             multiply(finish_matrix(degree), coefficient_count(degree), in, out);
-           },
+          {"project_finish", [](int degree, const auto* in, auto* out) { multiply(finish_matrix(degree), in, out); },
            moments_of_samples}};
 }
 

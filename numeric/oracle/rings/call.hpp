@@ -1,4 +1,4 @@
-// What legendre_rings.cpp hands to the inner loops in kernels.cpp, which are compiled once per instruction set.
+// The arguments of the inner loops in kernels.cpp, which are compiled once per instruction set.
 //
 // Rings come in pairs +z, -z, told apart only at the end: P_lm is even in z for even l - m, odd otherwise. Arrays of
 // pairs are padded to a multiple of kPadding by copies of the last one. A value near a pole may lie far below the
@@ -29,14 +29,14 @@ struct Pairs {
   ScaledArray low, high;     // (count): sine^order is the product of the two
 };
 
-// One step of the two-step recurrence (methods/legendre_ishioka.hpp): p' = (a z^2 + b) p - p_before.
-// `even` and `odd`: what p is multiplied by in a synthesis, what its sums come to in an analysis.
+// One step of the two-step recurrence (methods/legendre_rows.hpp): p' = (a z^2 + b) p - p_before.
+// `even` and `odd`: the factors of p in a synthesis, the sums of p in an analysis.
 struct Step {
   double a, b;
   double even[2], odd[2];
 };
 
-// The same step told from how p grows at an anchor, the pole or the equator, g = p' / p there:
+// The same step from the growth of p at an anchor, the pole or the equator, g = p' / p there:
 //   d' = d / g_before - a q p,  p' = g p + d',  q = sine^2 at the pole, -z^2 at the equator.
 // No rounding weighs like 1 / sine or 1 / z then: where q is small so is d.
 struct Growth {

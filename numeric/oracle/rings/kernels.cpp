@@ -1,4 +1,4 @@
-// The inner loops of legendre_rings.hpp on one instruction set, SH_RINGS_ISA; call.hpp says what goes in and out.
+// The inner loops of legendre_rings.hpp on one instruction set, SH_RINGS_ISA; see call.hpp.
 #include "numeric/oracle/rings/recurrence.hpp"
 
 namespace sh::numeric::rings::SH_RINGS_ISA {
@@ -47,7 +47,7 @@ void fill_growth(const Column& c) {
   }
 }
 
-// Multiplies growths by ratio, and sets what depends on the step before.
+// Multiplies a growth by ratio, and sets the inverse of the one before.
 void finish_growth(Growth* growth, std::size_t k, double ratio) {
   growth[k].g *= ratio;
   growth[k].inverse_before = k > 0 ? 1 / growth[k - 1].g : 0;

@@ -1,5 +1,5 @@
 // SIMD lanes across pairs of rings, and the recurrence that runs in them; included by kernels.cpp only, which is
-// compiled once per instruction set. References: numeric/methods/legendre_ishioka.hpp.
+// compiled once per instruction set. References: numeric/methods/legendre_rows.hpp.
 #pragma once
 
 #include <cstdint>
@@ -27,7 +27,7 @@ inline double power_of_two(int e) {
   return value;
 }
 
-// A block of pairs: p_k, what the recurrence keeps beside it, the square that it runs in, the level.
+// A block of pairs: p_k, the second value that the recurrence keeps, the square that it runs in, the level.
 struct State {
   Lanes current[kSide], kept[kSide], square[kSide], level[kSide];
 };
@@ -104,7 +104,7 @@ inline bool all_plain(const State& s) {
   return all;
 }
 
-// What values of each lane are to be multiplied by: 1, 2^-kLevel, or 0 from level -2 on, where they are below 2^-1152.
+// The factor of the values of each lane: 1, 2^-kLevel, or 0 from level -2 on, where they are below 2^-1152.
 inline void factors(const State& s, Lanes* factor) {
   const Lanes down(power_of_two(-kLevel));
   for (std::size_t v = 0; v < kSide; ++v) {
