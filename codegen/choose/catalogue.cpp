@@ -8,8 +8,7 @@
 #include "codegen/choose/manifest.hpp"
 #include "codegen/choose/wisdom.hpp"
 #include "codegen/print/batch.hpp"
-#include "codegen/print/c_like.hpp"
-#include "codegen/print/cpp.hpp"
+#include "codegen/print/files.hpp"
 
 namespace sh::codegen {
 namespace {

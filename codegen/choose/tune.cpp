@@ -10,8 +10,8 @@
 #include <stdexcept>
 
 #include "codegen/choose/catalogue.hpp"
-#include "codegen/print/cpp.hpp"
-#include "codegen/print/function.hpp"
+#include "codegen/print/files.hpp"
+#include "codegen/print/statements.hpp"
 
 namespace sh::codegen {
 namespace {

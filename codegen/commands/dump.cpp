@@ -1,5 +1,5 @@
 // `shgen dump`: the SSA of a kernel after a stage of the pipeline.
-#include "codegen/print/dump.hpp"
+#include "codegen/print/describe.hpp"
 
 #include <CLI/CLI.hpp>
 #include <iostream>

@@ -3,8 +3,7 @@
 #include <algorithm>
 
 #include "codegen/print/batch_driver.hpp"
-#include "codegen/print/batch_kernels.hpp"
-#include "codegen/print/filled.hpp"
+#include "codegen/print/dialect.hpp"
 #include "codegen/print/lane_tables.hpp"
 
 namespace sh::codegen::print {

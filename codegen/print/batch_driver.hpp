@@ -1,7 +1,5 @@
-// What a batched driver is made from: the kernels of a family, seen as functions from records to records.
-//
-// Consecutive scalars x, y, z are one record of 3 values, an array is a record, the results together are the output
-// record; a result that is updated in place is a sum over all records.
+// The parts of batched drivers: the kernels of a family as functions from records to records (batch.hpp), and their
+// files.
 #pragma once
 
 #include <span>
@@ -53,5 +51,12 @@ struct Driver {
 
 /// A driver for each of the families that asks for one.
 std::vector<Driver> drivers_of(const std::vector<WrittenFamily>& families);
+
+/// generated/batch/<driver>.cpp: the driver's kernels by degree, compiled once for each instruction set.
+std::string kernels_file(const Driver& driver);
+
+/// once.hpp and once.cpp: functions from a shared input, or of a sum, that are the same on every instruction set.
+std::string once_header(const std::vector<Driver>& drivers);
+std::string once_file(const std::vector<Driver>& drivers);
 
 }  // namespace sh::codegen::print

@@ -1,9 +1,8 @@
-#include "codegen/print/batch_kernels.hpp"
-
 #include <set>
 #include <stdexcept>
 
-#include "codegen/print/filled.hpp"
+#include "codegen/print/batch_driver.hpp"
+#include "codegen/print/dialect.hpp"
 
 namespace sh::codegen::print {
 namespace {

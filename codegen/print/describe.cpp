@@ -1,19 +1,14 @@
 #include "codegen/print/describe.hpp"
 
-#include <array>
-#include <cstdio>
+#include <fmt/format.h>
+
+#include <sstream>
 
 #include "codegen/measure/nearest.hpp"
 #include "codegen/print/statements.hpp"
 
 namespace sh::codegen::print {
 namespace {
-
-std::string fixed_one(double value) {
-  std::array<char, 32> buffer{};
-  std::snprintf(buffer.data(), buffer.size(), "%.1f", value);
-  return buffer.data();
-}
 
 // "x, y, z" or "r (9), c (25)"
 std::string list_of(const std::vector<Parameter>& arrays, const Dialect& dialect) {
@@ -27,11 +22,13 @@ std::string list_of(const std::vector<Parameter>& arrays, const Dialect& dialect
 
 std::string cost_line(const Cost& cost) {
   std::string text = std::to_string(cost.mul) + " multiplications, " + std::to_string(cost.add) + " additions";
-  if (cost.fma > 0) text += ", " + std::to_string(cost.fma) + " fused multiply-adds";
-  if (cost.neg > 0) text += ", " + std::to_string(cost.neg) + " negations";
-  if (cost.div > 0) text += ", " + std::to_string(cost.div) + " divisions";
-  if (cost.sqrt > 0) text += ", " + std::to_string(cost.sqrt) + " square roots";
-  if (cost.select > 0) text += ", " + std::to_string(cost.select) + " selections";
+  for (const auto& [count, name] : {std::pair(cost.fma, "fused multiply-adds"),
+                                    {cost.neg, "negations"},
+                                    {cost.div, "divisions"},
+                                    {cost.sqrt, "square roots"},
+                                    {cost.select, "selections"}}) {
+    if (count > 0) text += ", " + std::to_string(count) + " " + name;
+  }
   return text + "; longest chain " + std::to_string(cost.depth) + "; at most " + std::to_string(cost.max_live) +
          " values live";
 }
@@ -55,7 +52,7 @@ std::vector<std::string> wrapped(const std::vector<std::string>& lines) {
 }
 
 std::vector<std::string> error_row(const std::string& type, const MeasuredError& error, bool total) {
-  const auto cell = [](const Error& e) { return two_digits(e.absolute) + " (" + fixed_one(e.eps) + " eps)"; };
+  const auto cell = [](const Error& e) { return fmt::format("{:.1e} ({:.1f} eps)", e.absolute, e.eps); };
   std::vector<std::string> row{"              " + type + "  ", "rounding " + cell(error.rounding)};
   if (total) {
     row.back() += "  ";
@@ -66,11 +63,7 @@ std::vector<std::string> error_row(const std::string& type, const MeasuredError&
 
 }  // namespace
 
-std::string two_digits(double value) {
-  std::array<char, 32> buffer{};
-  std::snprintf(buffer.data(), buffer.size(), "%.1e", value);
-  return buffer.data();
-}
+std::string two_digits(double value) { return fmt::format("{:.1e}", value); }
 
 std::vector<std::string> describe(const FinishedKernel& finished, const std::string& language, const Dialect& dialect) {
   const Kernel& kernel = finished.kernel;
@@ -99,6 +92,34 @@ std::vector<std::string> describe(const FinishedKernel& finished, const std::str
   lines.emplace_back("              rounding: against this formula in exact arithmetic at the same input");
   if (total) lines.push_back("              total:    against the exact function at " + nearest);
   return wrapped(lines);
+}
+
+std::string dump(const Kernel& kernel) {
+  const Cost total = cost(kernel);
+  const std::vector<bool> live = live_nodes(kernel);
+  std::ostringstream text;
+  text << kernel.name << ": " << kernel.nodes.size() << " nodes, mul " << total.mul << ", add " << total.add << ", fma "
+       << total.fma << ", neg " << total.neg << ", chain " << total.depth << ", live " << total.max_live << '\n';
+  std::vector<std::vector<std::string>> rows;
+  for (NodeId id = 0; id < kernel.size(); ++id) {
+    const Node& node = kernel.node(id);
+    std::string operation = op_name(node.op);
+    for (int i = 0; i < argument_count(node.op); ++i) operation += " %" + std::to_string(node.args[i]);
+    if (node.op == Op::kInput) operation += " " + std::to_string(node.input);
+    if (node.op == Op::kConstant) operation += " " + to_string(node.constant);
+    std::string note = node.name.empty() ? "" : "  ; " + node.name;
+    if (!live[id]) note += note.empty() ? "  ; dead" : ", dead";
+    rows.push_back({"%" + std::to_string(id), " = " + operation, note});
+  }
+  for (std::string line : align_columns(rows)) {
+    line.erase(line.find_last_not_of(' ') + 1);
+    text << line << '\n';
+  }
+  for (std::size_t i = 0; i < kernel.outputs.size(); ++i) {
+    text << "output " << kernel.element(i) << " = %" << kernel.outputs[i].node << "  ; " << kernel.outputs[i].label
+         << '\n';
+  }
+  return text.str();
 }
 
 }  // namespace sh::codegen::print

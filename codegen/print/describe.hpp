@@ -1,4 +1,5 @@
-// The comment at the head of every generated file: what it computes, from what, at what cost and with what error.
+// Texts about a kernel: the comment at the head of every generated file, and its nodes for people who work on the
+// generator.
 #pragma once
 
 #include <string>
@@ -14,5 +15,8 @@ std::vector<std::string> describe(const FinishedKernel& finished, const std::str
 
 /// "1.2e-07": two significant digits.
 std::string two_digits(double value);
+
+/// The SSA of a kernel, one node a line.
+std::string dump(const Kernel& kernel);
 
 }  // namespace sh::codegen::print

@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "codegen/ir/exact_real.hpp"
@@ -69,6 +70,12 @@ std::string scalar_name(Scalar scalar);
 
 /// The option of `shgen emit` for a scalar: "" for float, " --scalar double".
 std::string scalar_option(Scalar scalar);
+
+/// The text with every $word (letters, digits, _) replaced by its value. Throws std::logic_error for a word without one.
+std::string filled(std::string_view text, const std::map<std::string, std::string>& words);
+
+/// The second and third line at the head of a generated file.
+extern const char* const kStamp;
 
 /// Lines as line comments of C-like languages.
 std::string comment_block(const std::vector<std::string>& lines);

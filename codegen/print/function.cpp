@@ -1,8 +1,5 @@
-#include "codegen/print/function.hpp"
-
 #include <algorithm>
 
-#include "codegen/print/filled.hpp"
 #include "codegen/print/statements.hpp"
 
 namespace sh::codegen::print {
@@ -16,7 +13,15 @@ bool reads(const Kernel& kernel, int first, int size) {
 
 bool is_result(const Kernel& kernel, const std::string& name) { return position_of(kernel.results, name) >= 0; }
 
-bool is_parameter(const Kernel& kernel, const std::string& name) { return position_of(kernel.parameters, name) >= 0; }
+// The arrays that a function fills in and that are no parameters.
+std::vector<Parameter> separate_results(const Kernel& kernel) {
+  std::vector<Parameter> results;
+  if (kernel.returns_scalar()) return results;
+  for (const Parameter& result : kernel.results) {
+    if (position_of(kernel.parameters, result.name) < 0) results.push_back(result);
+  }
+  return results;
+}
 
 // The parameters that the function does not read, under their printed names.
 std::vector<std::string> unused_parameters(const Kernel& kernel, const Dialect& dialect) {
@@ -55,25 +60,16 @@ std::string constant_lines(const Listing& listing, const Dialect& dialect) {
   return text.empty() ? text : text + "\n";
 }
 
-// The numbers of a table, separated by commas, every row on lines of its own.
+// The numbers of a table, every row on lines of its own.
 std::string table_rows(const std::vector<std::vector<ExactReal>>& rows, const Dialect& dialect) {
-  constexpr std::size_t kWidth = 116;
   const auto& literal = dialect.table_literal ? dialect.table_literal : dialect.literal;
   std::string text;
   for (const std::vector<ExactReal>& row : rows) {
-    std::string line = "   ";
-    for (const ExactReal& value : row) {
-      const bool last = &value == &rows.back().back();
-      const std::string item = " " + literal(value) + (last ? "" : ",");
-      if (line.size() + item.size() > kWidth) {
-        text += line + "\n";
-        line = "   ";
-      }
-      line += item;
-    }
-    text += line + "\n";
+    std::vector<std::string> items;
+    for (const ExactReal& value : row) items.push_back(literal(value));
+    text += (text.empty() ? "" : ",\n") + wrapped_list(items, 4, 117);
   }
-  return text;
+  return text + "\n";
 }
 
 std::string table_definition(const Kernel& kernel, const Dialect& dialect) {
@@ -93,10 +89,8 @@ std::string signature(const Kernel& kernel, const Dialect& dialect) {
     append(text, declaration(kernel, parameter, dialect, used));
     first += parameter.size();
   }
-  if (kernel.returns_scalar()) return text;
-  for (const Parameter& result : kernel.results) {
-    if (!is_parameter(kernel, result.name))
-      append(text, array(dialect.out_array, dialect.name(result.name), result.size()));
+  for (const Parameter& result : separate_results(kernel)) {
+    append(text, array(dialect.out_array, dialect.name(result.name), result.size()));
   }
   return text;
 }
@@ -104,10 +98,7 @@ std::string signature(const Kernel& kernel, const Dialect& dialect) {
 std::string arguments(const Kernel& kernel, const Dialect& dialect) {
   std::string text;
   for (const Parameter& parameter : kernel.parameters) append(text, dialect.name(parameter.name));
-  if (kernel.returns_scalar()) return text;
-  for (const Parameter& result : kernel.results) {
-    if (!is_parameter(kernel, result.name)) append(text, dialect.name(result.name));
-  }
+  for (const Parameter& result : separate_results(kernel)) append(text, dialect.name(result.name));
   return text;
 }
 

@@ -1,9 +1,8 @@
 #include "codegen/print/lane_tables.hpp"
 
-#include <algorithm>
-
 #include "codegen/ir/literal.hpp"
-#include "codegen/print/filled.hpp"
+#include "codegen/print/statements.hpp"
+#include "codegen/recipes/parts.hpp"
 #include "codegen/recipes/product/lane_triples.hpp"
 #include "codegen/recipes/product/orbits.hpp"
 #include "codegen/recipes/rotation/lane_turns.hpp"
@@ -13,29 +12,9 @@ namespace {
 
 constexpr std::size_t kMostColumns = 120;
 
-// "{a, b, c}", broken into lines.
-class Rows {
- public:
-  void add(const std::string& value) {
-    const std::string item = value + ", ";
-    if (line_.size() + item.size() > kMostColumns) flush();
-    line_ += item;
-  }
-  std::string text() {
-    flush();
-    return text_.substr(0, text_.rfind(','));
-  }
+constexpr std::size_t kIndent = 6;
 
- private:
-  void flush() {
-    if (line_.size() <= kIndent) return;
-    text_ += line_.substr(0, line_.size() - 1) + "\n";
-    line_.assign(kIndent, ' ');
-  }
-  static constexpr std::size_t kIndent = 6;
-  std::string text_;
-  std::string line_ = std::string(kIndent, ' ');
-};
+std::string rows_of(const std::vector<std::string>& items) { return wrapped_list(items, kIndent, kMostColumns); }
 
 std::string in_float(const ExactReal& value) {
   const float rounded = is_zero(value) ? 0.0F : nearest<float>(value);
@@ -49,25 +28,25 @@ std::string orbit_file(int degree) {
   const int padded = orbits.count() <= kLine / 2 ? kLine / 2 : (orbits.count() + kLine - 1) / kLine * kLine;
   const int size = (degree + 1) * (degree + 1);
 
-  Rows values;
+  std::vector<std::string> values;
   for (int i = 0; i < size; ++i) {
-    for (int q = 0; q < padded; ++q) values.add(q < orbits.count() ? in_float(orbits.value(i, q)) : "0");
+    for (int q = 0; q < padded; ++q) values.push_back(q < orbits.count() ? in_float(orbits.value(i, q)) : "0");
   }
-  Rows slots;
-  Rows sums;
+  std::vector<std::string> slots;
+  std::vector<std::string> sums;
   for (const bool opposite : {false, true}) {
     for (const recipes::ClassRow& row : orbits.rows(opposite)) {
-      for (const int i : row) slots.add(std::to_string(i));
+      for (const int i : row) slots.push_back(std::to_string(i));
       for (int j = 0; j < 4; ++j) {
         for (int lane = 0; lane < padded; ++lane) {
           const int i = row[lane % 4];
           const int q = lane / 4 * 4 + j;
           if (i < 0 || q >= orbits.count() || is_zero(orbits.value(i, q))) {
-            sums.add("0");
+            sums.push_back("0");
             continue;
           }
           const ExactReal weight = multiply(symbolic::Surd(cln::cl_RA(1) / 2), orbits.weight(q));
-          sums.add(in_float(multiply(weight, orbits.value(i, q))));
+          sums.push_back(in_float(multiply(weight, orbits.value(i, q))));
         }
       }
     }
@@ -107,44 +86,62 @@ $sums};
                  {"opposite", std::to_string(orbits.rows(true).size())},
                  {"all_rows", std::to_string(orbits.rows(false).size() + orbits.rows(true).size())},
                  {"size", std::to_string(size)},
-                 {"slots", slots.text()},
-                 {"values", values.text()},
-                 {"sums", sums.text()}});
+                 {"slots", rows_of(slots)},
+                 {"values", rows_of(values)},
+                 {"sums", rows_of(sums)}});
 }
 
-template <class Lanes, class Print>
-std::string lane_row(const Lanes& lanes, const Print& print) {
-  Rows row;
-  for (const auto& lane : lanes) row.add(print(lane));
-  return "      {" + row.text().substr(6) + "},\n";
+std::string printed(int number) { return std::to_string(number); }
+std::string printed(const symbolic::Surd& value) { return in_float(value); }
+
+// "{a, b, c}", broken into lines.
+template <class Lanes>
+std::string lane_row(const Lanes& lanes) {
+  std::vector<std::string> items;
+  for (const auto& lane : lanes) items.push_back(printed(lane));
+  return "{" + rows_of(items).substr(kIndent) + "}";
 }
 
-// The same as the value of an array of one row.
-template <class Lanes, class Print>
-std::string single_row(const Lanes& lanes, const Print& print) {
-  const std::string row = lane_row(lanes, print);
-  return row.substr(6, row.size() - 8);
+template <class Lanes>
+std::string lane_rows(const std::vector<Lanes>& rows) {
+  std::string text;
+  for (const Lanes& row : rows) text += "      " + lane_row(row) + ",\n";
+  return text;
 }
 
-std::string index(int lane) { return std::to_string(lane); }
-std::string surd_in_float(const symbolic::Surd& value) { return in_float(value); }
+// The same array of every round.
+template <class Round, class Lanes>
+std::vector<Lanes> of_each(const std::vector<Round>& rounds, Lanes Round::*lanes) {
+  std::vector<Lanes> rows;
+  for (const Round& round : rounds) rows.push_back(round.*lanes);
+  return rows;
+}
+
+// Members of a struct of tables: a number, an array of lanes, an array of rows of lanes.
+std::string member(const std::string& name, std::size_t value) {
+  return "  static constexpr int " + name + " = " + std::to_string(value) + ";\n";
+}
+
+template <class Lanes>
+std::string member(const std::string& type, const std::string& name, const Lanes& lanes) {
+  return "  alignas(64) static constexpr " + type + " " + name + "[] = " + lane_row(lanes) + ";\n";
+}
+
+template <class Lanes>
+std::string member(const std::string& type, const std::string& name, const std::vector<Lanes>& rows) {
+  return "  alignas(64) static constexpr " + type + " " + name + "[][16] = {\n" + lane_rows(rows) + "  };\n";
+}
 
 std::string triples_file() {
-  const recipes::LaneTriples triples = recipes::lane_triples();
-  std::string scales;
+  using recipes::LaneTriples;
+  const LaneTriples triples = recipes::lane_triples();
   std::string even;
-  for (const auto& scale : triples.scales) {
-    scales += lane_row(scale.g, surd_in_float);
-    even += (even.empty() ? "" : ", ") + std::to_string(scale.e);
-  }
-  std::string i;
-  std::string j;
-  std::string g;
-  for (const auto& round : triples.rounds) {
-    i += lane_row(round.i, index);
-    j += lane_row(round.j, index);
-    g += lane_row(round.g, surd_in_float);
-  }
+  for (const auto& scale : triples.scales) even += (even.empty() ? "" : ", ") + std::to_string(scale.e);
+  const std::string members =
+      member("float", "kScales", of_each(triples.scales, &LaneTriples::Scale::g)) +
+      member("kRounds", triples.rounds.size()) + member("int", "kI", of_each(triples.rounds, &LaneTriples::Round::i)) +
+      member("int", "kJ", of_each(triples.rounds, &LaneTriples::Round::j)) +
+      member("float", "kG", of_each(triples.rounds, &LaneTriples::Round::g)) + member("int", "kMore", triples.more);
   return filled(R"(// The Gaunt tensor G of degree 2 in lanes: for product_one.cpp.
 //
 $stamp#pragma once
@@ -155,95 +152,35 @@ namespace sh::batch::detail {
 // scale(a) = sum over e of Scales a_Even.
 struct Triples2 {
   static constexpr int kEven[] = {$even};
-  alignas(64) static constexpr float kScales[][16] = {
-$scales  };
-  static constexpr int kRounds = $rounds;
-  alignas(64) static constexpr int kI[][16] = {
-$i  };
-  alignas(64) static constexpr int kJ[][16] = {
-$j  };
-  alignas(64) static constexpr float kG[][16] = {
-$g  };
-  alignas(64) static constexpr int kMore[] = $more;
-};
+$members};
 
 }  // namespace sh::batch::detail
 )",
-                {{"stamp", kStamp},
-                 {"even", even},
-                 {"scales", scales},
-                 {"rounds", std::to_string(triples.rounds.size())},
-                 {"i", i},
-                 {"j", j},
-                 {"g", g},
-                 {"more", single_row(triples.more, index)}});
-}
-
-// The columns and the entries of all rounds, as two arrays of rows.
-struct RoundRows {
-  std::string columns;
-  std::string entries;
-};
-
-RoundRows rows_of(const std::vector<recipes::TurnRound>& rounds) {
-  RoundRows rows;
-  for (const recipes::TurnRound& round : rounds) {
-    rows.columns += lane_row(round.column, index);
-    rows.entries += lane_row(round.entry, surd_in_float);
-  }
-  return rows;
+                {{"stamp", kStamp}, {"even", even}, {"members", members}});
 }
 
 std::string turns_struct(int first, int last) {
+  using recipes::TurnRound;
   const recipes::LaneTurns turns = recipes::lane_turns(first, last);
-  std::string multiples;
+  std::vector<std::array<int, recipes::kTurnLanes>> multiples(3, turns.order);
   for (int angle = 0; angle < 3; ++angle) {
-    multiples += lane_row(turns.order, [angle](int m) { return std::to_string(4 * m + angle); });
+    for (int& m : multiples[angle]) m = 4 * m + angle;
   }
-  const RoundRows quarter = rows_of(turns.quarter);
-  const RoundRows back = rows_of(turns.back);
-  return filled(R"(struct Turns$first {
-  static constexpr int kFirst = $first;
-  static constexpr int kLast = $last;
-  static constexpr int kLanes = $lanes;
-  alignas(64) static constexpr int kMultiple[][16] = {
-$multiples  };
-  alignas(64) static constexpr int kPartner[] = $partner;
-  alignas(64) static constexpr float kSign[] = $sign;
-  static constexpr int kRounds = $rounds;
-  alignas(64) static constexpr int kQuarterColumn[][16] = {
-$quarter_columns  };
-  alignas(64) static constexpr float kQuarter[][16] = {
-$quarter_entries  };
-  static constexpr int kBackRounds = $back_rounds;
-  alignas(64) static constexpr int kBackColumn[][16] = {
-$back_columns  };
-  alignas(64) static constexpr float kBack[][16] = {
-$back_entries  };
-};
-)",
-                {{"first", std::to_string(first)},
-                 {"last", std::to_string(last)},
-                 {"lanes", std::to_string(turns.lanes())},
-                 {"multiples", multiples},
-                 {"partner", single_row(turns.partner, index)},
-                 {"sign", single_row(turns.sign, index)},
-                 {"rounds", std::to_string(turns.quarter.size())},
-                 {"quarter_columns", quarter.columns},
-                 {"quarter_entries", quarter.entries},
-                 {"back_rounds", std::to_string(turns.back.size())},
-                 {"back_columns", back.columns},
-                 {"back_entries", back.entries}});
+  return "struct " + recipes::numbered("Turns", first) + " {\n" + member("kFirst", first) + member("kLast", last) +
+         member("kLanes", turns.lanes()) + member("int", "kMultiple", multiples) +
+         member("int", "kPartner", turns.partner) + member("float", "kSign", turns.sign) +
+         member("kRounds", turns.quarter.size()) +
+         member("int", "kQuarterColumn", of_each(turns.quarter, &TurnRound::column)) +
+         member("float", "kQuarter", of_each(turns.quarter, &TurnRound::entry)) +
+         member("kBackRounds", turns.back.size()) +
+         member("int", "kBackColumn", of_each(turns.back, &TurnRound::column)) +
+         member("float", "kBack", of_each(turns.back, &TurnRound::entry)) + "};\n";
 }
 
 std::string turns_file() {
-  std::string columns;
+  std::vector<std::vector<int>> columns(7);
   for (int j = 0; j < 7; ++j) {
-    std::vector<int> lanes;
-    for (int l = 0; l <= 3; ++l) {
-      for (int i = 0; i <= 2 * l; ++i) lanes.push_back(l * l + std::min(j, 2 * l));
-    }
-    columns += lane_row(lanes, index);
+    for (int l = 0; l <= 3; ++l) columns[j].insert(columns[j].end(), 2 * l + 1, l * l + std::min(j, 2 * l));
   }
   std::string turns = turns_struct(0, 3);
   for (int l = 4; l <= kLastTurnDegree; ++l) turns += "\n" + turns_struct(l, l);
@@ -263,7 +200,7 @@ $columns};
 $turns
 }  // namespace sh::batch::detail
 )",
-                {{"stamp", kStamp}, {"columns", columns}, {"turns", turns}});
+                {{"stamp", kStamp}, {"columns", lane_rows(columns)}, {"turns", turns}});
 }
 
 }  // namespace

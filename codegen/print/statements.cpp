@@ -5,8 +5,6 @@
 #include <set>
 #include <stdexcept>
 
-#include "codegen/print/filled.hpp"
-
 namespace sh::codegen::print {
 namespace {
 
@@ -19,9 +17,10 @@ struct Expression {
 
 std::string bracketed(const Expression& e, bool needed) { return needed ? "(" + e.text + ")" : e.text; }
 
-std::string infix(const Expression& left, const char* sign, const Expression& right, Precedence precedence) {
+Expression infix(const Expression& left, const char* sign, const Expression& right, Precedence precedence) {
   // All operators group to the left, so the left operand keeps its own level and the right one does not.
-  return bracketed(left, left.precedence < precedence) + sign + bracketed(right, right.precedence <= precedence);
+  return {bracketed(left, left.precedence < precedence) + sign + bracketed(right, right.precedence <= precedence),
+          precedence};
 }
 
 // An element of a flattened array: "x" for a scalar, "r[3]" for an element.
@@ -62,7 +61,6 @@ class Lister {
   Lister(const Kernel& kernel, const Dialect& dialect)
       : kernel_(kernel),
         dialect_(dialect),
-        live_(live_nodes(kernel)),
         uses_(kernel.nodes.size(), 0),
         expressions_(kernel.nodes.size()),
         inputs_(elements_of(kernel.parameters, dialect)),
@@ -78,8 +76,10 @@ class Lister {
       for (const Parameter& parameter : *names) taken_.insert(dialect.name(parameter.name));
     }
     for (std::size_t i = 0; i < kernel.outputs.size(); ++i) stores_[kernel.outputs[i].node].push_back(i);
+    const std::vector<bool> live = live_nodes(kernel);
     for (NodeId id = 0; id < kernel.size(); ++id) {
-      if (!live_[id]) continue;
+      if (!live[id]) continue;
+      live_.push_back(id);
       const Node& node = kernel.node(id);
       for (int i = 0; i < argument_count(node.op); ++i) {
         ++uses_[node.args[i]];
@@ -88,14 +88,13 @@ class Lister {
         last = std::max(last, node.op == Op::kRowSum ? Phase::kBody : phases_[id]);
       }
     }
-    for (NodeId id = 0; id < kernel.size(); ++id) {
+    for (const NodeId id : live_) {
       const Node& node = kernel.node(id);
-      if (!live_[id] || node.op != Op::kInput) continue;
+      if (node.op != Op::kInput) continue;
       Element& element = inputs_[node.input];
       if (is_read_by_own_store(id)) element.may_be_overwritten = false;
       // Stores follow the loop.
-      if (has_loop() && last_phase_[id] != Phase::kAfter && stores_[id].empty())
-        element.may_be_overwritten = false;
+      if (has_loop() && last_phase_[id] != Phase::kAfter && stores_[id].empty()) element.may_be_overwritten = false;
       if (element.may_be_overwritten) overwritable_[element.index].push_back(id);
     }
   }
@@ -104,8 +103,8 @@ class Lister {
     visit_all(Phase::kBefore);
     if (has_loop()) {
       list_loop();
-      for (NodeId id = 0; id < kernel_.size(); ++id) {
-        if (live_[id] && phases_[id] == Phase::kBefore) store_all(id);
+      for (const NodeId id : live_) {
+        if (phases_[id] == Phase::kBefore) store_all(id);
       }
       visit_all(Phase::kAfter);
     }
@@ -113,43 +112,45 @@ class Lister {
   }
 
  private:
-  [[nodiscard]] const Element& result_of(std::size_t output) const {
-    return results_[kernel_.element(output)];
+  [[nodiscard]] const Element& result_of(std::size_t output) const { return results_[kernel_.element(output)]; }
+
+  void add(const std::string& text, const std::string& comment = {}) {
+    listing_.statements.push_back({text, comment, in_loop_});
   }
 
   [[nodiscard]] bool has_loop() const { return !kernel_.table.empty(); }
 
   void visit_all(Phase phase) {
-    for (NodeId id = 0; id < kernel_.size(); ++id) {
-      if (live_[id] && phases_[id] == phase && kernel_.node(id).op != Op::kRowSum) visit(id);
+    for (const NodeId id : live_) {
+      if (phases_[id] == phase && kernel_.node(id).op != Op::kRowSum) visit(id);
     }
   }
 
   void list_loop() {
-    for (NodeId id = 0; id < kernel_.size(); ++id) {
-      if (!live_[id] || kernel_.node(id).op != Op::kRowSum) continue;
-      expressions_[id] = {unused_name(kernel_.node(id).name.empty() ? "sum" : kernel_.node(id).name), kAtom};
-      listing_.statements.push_back({Statement::Kind::kSumStart, expressions_[id].text, "", ""});
-    }
-    listing_.statements.push_back({Statement::Kind::kLoopStart, std::to_string(kernel_.table[0].size()),
-                                   std::to_string(kernel_.table.size()), ""});
-    const std::size_t first = listing_.statements.size();
-    for (NodeId id = 0; id < kernel_.size(); ++id) {
+    std::vector<NodeId> sums;
+    for (const NodeId id : live_) {
       const Node& node = kernel_.node(id);
-      if (!live_[id]) continue;
+      if (node.op != Op::kRowSum) continue;
+      sums.push_back(id);
+      expressions_[id] = {unused_name(node.name.empty() ? "sum" : node.name), kAtom};
+      add(dialect_.scalar + " " + expressions_[id].text + " = " + dialect_.literal(symbolic::Surd()) + ";");
+    }
+    const std::string rows = std::to_string(kernel_.table.size());
+    add(std::string("for (int ") + kRow + " = 0; " + kRow + " < " + rows + "; ++" + kRow + ") {");
+    in_loop_ = true;
+    add(std::string("int ") + kRowStart + " = " + std::to_string(kernel_.table[0].size()) + " * " + kRow + ";");
+    for (const NodeId id : live_) {
+      const Node& node = kernel_.node(id);
       if (node.op == Op::kRowSum) {
         const Expression& sum = expressions_[id];
-        listing_.statements.push_back(
-            {Statement::Kind::kSumStep, sum.text, infix(sum, " + ", expressions_[node.args[0]], kSum), ""});
+        add(sum.text + " = " + infix(sum, " + ", expressions_[node.args[0]], kSum).text + ";");
       } else if (phases_[id] == Phase::kBody) {
         visit(id);
       }
     }
-    for (std::size_t i = first; i < listing_.statements.size(); ++i) listing_.statements[i].in_loop = true;
-    listing_.statements.push_back({Statement::Kind::kLoopEnd, "", "", ""});
-    for (NodeId id = 0; id < kernel_.size(); ++id) {
-      if (live_[id] && kernel_.node(id).op == Op::kRowSum) store_all(id);
-    }
+    in_loop_ = false;
+    add("}");
+    for (const NodeId sum : sums) store_all(sum);
   }
 
   // True when the element is needed only by the expression that is stored at its own index.
@@ -173,7 +174,7 @@ class Lister {
       const bool kept = last_phase_[id] != phases_[id] || (postponed(id) && !stores.empty());
       if (argument_count(node.op) > 0 && (kept || uses_[id] + static_cast<int>(stores.size()) > 1)) {
         const std::string name = unique_name(node);
-        listing_.statements.push_back({Statement::Kind::kVariable, name, expressions_[id].text, ""});
+        add(dialect_.variable + name + " = " + expressions_[id].text + ";");
         expressions_[id] = {name, kAtom};
       }
     }
@@ -190,13 +191,13 @@ class Lister {
   void store(std::size_t output, const Expression& expression) {
     const std::string& label = kernel_.outputs[output].label;
     if (kernel_.returns_scalar()) {
-      listing_.statements.push_back({Statement::Kind::kReturn, "", expression.text, label});
+      add("return " + expression.text + ";", label);
       return;
     }
     const Element& result = result_of(output);
     if (expression.text == result.name) return;  // an element that stays as it is
     for (const NodeId input : overwritable_[result.index]) load(input);
-    listing_.statements.push_back({Statement::Kind::kStore, result.name, expression.text, label});
+    add(result.name + " = " + expression.text + ";", label);
   }
 
   // The element under its name, or as a variable when a store might change it.
@@ -207,7 +208,7 @@ class Lister {
     expression = {element.name, kAtom};
     if (!element.may_be_overwritten) return;
     expression.text = unused_name(element.local);
-    listing_.statements.push_back({Statement::Kind::kVariable, expression.text, element.name, ""});
+    add(dialect_.variable + expression.text + " = " + element.name + ";");
   }
 
   Expression express(const Node& node) {
@@ -222,13 +223,13 @@ class Lister {
       case Op::kNeg:
         return {"-" + bracketed(arg(0), arg(0).precedence < kAtom), kProduct};
       case Op::kAdd:
-        return {infix(arg(0), " + ", arg(1), kSum), kSum};
+        return infix(arg(0), " + ", arg(1), kSum);
       case Op::kSub:
-        return {infix(arg(0), " - ", arg(1), kSum), kSum};
+        return infix(arg(0), " - ", arg(1), kSum);
       case Op::kMul:
-        return {infix(arg(0), " * ", arg(1), kProduct), kProduct};
+        return infix(arg(0), " * ", arg(1), kProduct);
       case Op::kDiv:
-        return {infix(arg(0), " / ", arg(1), kProduct), kProduct};
+        return infix(arg(0), " / ", arg(1), kProduct);
       case Op::kSqrt:
         return {dialect_.square_root + "(" + arg(0).text + ")", kAtom};
       case Op::kSelect:
@@ -267,7 +268,7 @@ class Lister {
 
   const Kernel& kernel_;
   const Dialect& dialect_;
-  std::vector<bool> live_;
+  std::vector<NodeId> live_;
   std::vector<int> uses_;
   std::vector<Expression> expressions_;
   std::vector<Element> inputs_;
@@ -280,29 +281,8 @@ class Lister {
   std::set<std::string> taken_;
   std::map<std::string, int> copies_;
   Listing listing_;
+  bool in_loop_ = false;
 };
-
-std::string line_of(const Statement& statement, const Dialect& dialect) {
-  switch (statement.kind) {
-    case Statement::Kind::kVariable:
-      return dialect.variable + statement.target + " = " + statement.expression + ";";
-    case Statement::Kind::kStore:
-      return statement.target + " = " + statement.expression + ";";
-    case Statement::Kind::kReturn:
-      return "return " + statement.expression + ";";
-    case Statement::Kind::kSumStart:
-      return dialect.scalar + " " + statement.target + " = " + dialect.literal(symbolic::Surd()) + ";";
-    case Statement::Kind::kLoopStart:
-      return std::string("for (int ") + kRow + " = 0; " + kRow + " < " + statement.expression + "; ++" + kRow +
-             ") {\n" + dialect.indent + dialect.indent + "int " + kRowStart + " = " + statement.target + " * " + kRow +
-             ";";
-    case Statement::Kind::kSumStep:
-      return statement.target + " = " + statement.expression + ";";
-    case Statement::Kind::kLoopEnd:
-      return "}";
-  }
-  throw std::logic_error("statement: unknown kind");
-}
 
 // Breaks a line that is too long in front of + and -.
 std::vector<std::string> wrapped(const std::string& line, const std::string& indent) {
@@ -328,7 +308,7 @@ std::vector<std::string> statement_lines(const Listing& listing, const Dialect& 
   std::size_t width = 0;
   for (const Statement& s : listing.statements) {
     const std::string indent = dialect.indent + (s.in_loop ? dialect.indent : "");
-    for (std::string& line : wrapped(indent + line_of(s, dialect), indent)) lines.push_back(std::move(line));
+    for (std::string& line : wrapped(indent + s.text, indent)) lines.push_back(std::move(line));
     if (s.comment.empty()) continue;
     width = std::max(width, lines.back().size());
     comments.emplace_back(lines.size() - 1, s.comment);
@@ -337,6 +317,19 @@ std::vector<std::string> statement_lines(const Listing& listing, const Dialect& 
     lines[line] += std::string(width - lines[line].size(), ' ') + "  // " + comment;
   }
   return lines;
+}
+
+std::string wrapped_list(const std::vector<std::string>& items, std::size_t indent, std::size_t width) {
+  std::string text;
+  std::string line(indent, ' ');
+  for (const std::string& item : items) {
+    if (line.size() + item.size() + 2 > width) {
+      text += line.substr(0, line.size() - 1) + "\n";
+      line.assign(indent, ' ');
+    }
+    line += item + ", ";
+  }
+  return text + line.substr(0, line.size() - 2);
 }
 
 std::vector<std::string> align_columns(const std::vector<std::vector<std::string>>& rows) {

@@ -1,4 +1,4 @@
-// From a kernel to named constants and infix statements, which C-like languages have in common.
+// From a kernel to named constants, infix statements and one function, which C-like languages have in common.
 //
 // A value used once is written into the expression that uses it (with brackets wherever the order of operations would
 // change otherwise); a value used more often becomes a variable under its hint, or a name made from its operands.
@@ -22,11 +22,8 @@ struct NamedConstant {
 };
 
 struct Statement {
-  enum class Kind { kVariable, kStore, kReturn, kSumStart, kLoopStart, kSumStep, kLoopEnd };
-  Kind kind = Kind::kVariable;
-  std::string target;  ///< a new variable, or an element of a result such as "out[4]"; empty for a return
-  std::string expression;
-  std::string comment;  ///< stores: which value this is
+  std::string text;     ///< "const T z2 = z * z;"
+  std::string comment;  ///< stores: the value that this is
   bool in_loop = false;
 };
 
@@ -46,7 +43,22 @@ Listing make_listing(const Kernel& kernel, const Dialect& dialect);
 /// The statements as lines, indented, comments in one column.
 std::vector<std::string> statement_lines(const Listing& listing, const Dialect& dialect);
 
+/// The items, separated by commas, in lines of at most about `width` characters behind `indent` spaces.
+std::string wrapped_list(const std::vector<std::string>& items, std::size_t indent, std::size_t width);
+
 /// Pads every row's cells so that columns line up; the last cell of a row is never padded.
 std::vector<std::string> align_columns(const std::vector<std::vector<std::string>>& rows);
+
+/// "T x, T y, T z, T* out". A parameter that is also a result appears once, in the parameter's place.
+std::string signature(const Kernel& kernel, const Dialect& dialect);
+
+/// "x, y, z, out": the names that a call passes on.
+std::string arguments(const Kernel& kernel, const Dialect& dialect);
+
+/// "T" or "void".
+std::string return_type(const Kernel& kernel, const Dialect& dialect);
+
+/// The whole definition, from `dialect.head` to the closing brace and a line end.
+std::string function(const Kernel& kernel, const Dialect& dialect);
 
 }  // namespace sh::codegen::print

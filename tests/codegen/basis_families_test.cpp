@@ -1,4 +1,4 @@
-// Gradients, normalized directions, evaluation and projection: operations, exactness, the saving by fused kernels, and
+// Gradients, normalized directions, evaluation and projection: operations, the saving by fused kernels, and
 // the error of the forms that are split in two.
 #include <gtest/gtest.h>
 
@@ -7,38 +7,22 @@
 #include <cmath>
 #include <numbers>
 
-#include "codegen/choose/catalogue.hpp"
 #include "codegen/ir/evaluate.hpp"
 #include "codegen/measure/directions.hpp"
 #include "codegen/measure/domains.hpp"
 #include "numeric/oracle/index.hpp"
+#include "tests/codegen/support.hpp"
 
 namespace sh::codegen {
 namespace {
 
 using numeric::coefficient_count;
+using test::cost_of;
+using test::fastest;
 
 // The kernel that `shgen write` takes, without its errors.
 Kernel written(const std::string& family, int degree) {
-  const Family& f = find_family(family);
-  return kernel_stages(f, recipes_for(f, degree).front(), degree).back().kernel;
-}
-
-Cost cost_of(const std::string& family, int degree) { return cost(written(family, degree)); }
-
-FinishedKernel finished(const std::string& family, int degree) {
-  return preferred_kernel(find_family(family), degree, Prefer::kSpeed);
-}
-
-TEST(BasisFamilies, EveryRecipeIsExactBeyondWhatIsWritten) {
-  for (const std::string name : {"basis_gradient", "basis_normalised", "evaluate", "evaluate_rgb", "evaluate_prepare",
-                                 "evaluate_prepared", "project", "project_moments", "project_finish"}) {
-    const Family& family = find_family(name);
-    for (const Recipe& recipe : family.recipes) {
-      // The generator itself checks this after every pass for every written degree.
-      EXPECT_NO_THROW(run_pipeline(recipe.make(12), family.reference(12, 1), {})) << name << " " << recipe.name;
-    }
-  }
+  return test::kernel_of(family, fastest_recipe(find_family(family), degree).name, degree);
 }
 
 TEST(Gradient, NeedsFewerOperationsThanTheBestKnown) {
@@ -69,7 +53,7 @@ TEST(Gradient, IsHomogeneousAndItsRoundingStaysSmall) {
     }
   }
   for (int degree = 0; degree <= 10; ++degree) {
-    const FinishedKernel gradient = finished("basis_gradient", degree);
+    const FinishedKernel gradient = fastest("basis_gradient", degree);
     EXPECT_LT(gradient.in_float.rounding.eps, 2.5 * (degree + 1)) << degree;
     EXPECT_LT(gradient.in_double.rounding.eps, 2.5 * (degree + 1)) << degree;
   }
@@ -99,8 +83,8 @@ TEST(Evaluate, IsCheaperThanBasisAndScalarProduct) {
 
 TEST(Evaluate, ErrsByFewEps) {
   for (int degree = 0; degree <= 10; ++degree) {
-    EXPECT_LT(finished("evaluate", degree).in_float.rounding.eps, 8) << degree;
-    EXPECT_LT(finished("evaluate_rgb", degree).in_float.rounding.eps, 8) << degree;
+    EXPECT_LT(fastest("evaluate", degree).in_float.rounding.eps, 8) << degree;
+    EXPECT_LT(fastest("evaluate_rgb", degree).in_float.rounding.eps, 8) << degree;
   }
 }
 

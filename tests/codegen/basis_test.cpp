@@ -4,18 +4,12 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
-#include "codegen/choose/catalogue.hpp"
+#include "tests/codegen/support.hpp"
 
 namespace sh::codegen {
 namespace {
 
 const Family& basis() { return find_family("basis"); }
-
-FinishedKernel finished(const std::string& recipe, int degree) {
-  return finish_kernel(basis(), find_recipe(basis(), degree, recipe), degree);
-}
 
 // Operations by degree: the code of [Sloan13], the best known handwritten factoring with similar errors, and ours. Also
 // the allowed rounding error in eps x band maximum: twice the error of the code of [Sloan13] on the same inputs.
@@ -44,8 +38,7 @@ constexpr Row kRows[] = {
 TEST(BasisRecipes, NeedTheOperationsOfTheTable) {
   for (const Row& row : kRows) {
     const auto operations = [&](const std::string& recipe) {
-      return cost(kernel_stages(basis(), find_recipe(basis(), row.degree, recipe), row.degree).back().kernel)
-          .operations();
+      return test::cost_of("basis", recipe, row.degree).operations();
     };
     EXPECT_EQ(operations("parity"), row.parity) << row.degree;
     EXPECT_EQ(operations("parity-least"), row.parity_least) << row.degree;
@@ -56,8 +49,8 @@ TEST(BasisRecipes, NeedTheOperationsOfTheTable) {
 
 TEST(BasisRecipes, TheFastestErrsLessThanTwiceTheRecurrence) {
   for (int degree = 0; degree <= basis().largest_written; ++degree) {
-    const FinishedKernel control = finished("recurrence", degree);
-    const FinishedKernel fastest = preferred_kernel(basis(), degree, Prefer::kSpeed);
+    const FinishedKernel control = finish_kernel(basis(), find_recipe(basis(), degree, "recurrence"), degree);
+    const FinishedKernel fastest = test::fastest("basis", degree);
     EXPECT_LE(fastest.in_float.rounding.eps, 2 * control.in_float.rounding.eps) << degree;
     EXPECT_LE(fastest.in_double.rounding.eps, 2 * control.in_double.rounding.eps) << degree;
     EXPECT_LE(fastest.in_float.total.eps, 1.6 * control.in_float.total.eps) << degree;

@@ -7,7 +7,7 @@
 
 #include "codegen/ir/evaluate.hpp"
 #include "codegen/measure/size.hpp"
-#include "codegen/print/c_like.hpp"
+#include "codegen/print/files.hpp"
 #include "tests/codegen/emitted.hpp"
 #include "tests/codegen/support.hpp"
 

@@ -11,6 +11,7 @@
 #include "codegen/families/family.hpp"
 #include "codegen/ir/evaluate.hpp"
 #include "codegen/measure/directions.hpp"
+#include "numeric/oracle/index.hpp"
 #include "symbolic/basis/basis.hpp"
 #include "symbolic/convention/presets.hpp"
 #include "tests/codegen/support.hpp"
@@ -64,7 +65,7 @@ TEST(InConvention, CostsNothingAtRunTime) {
     if (preset.convention.complex) continue;
     for (const char* family : {"basis", "zonal"}) {
       const int degree = largest_degree(preset);
-      const FinishedKernel ours = preferred_kernel(find_family(family), degree, Prefer::kSpeed);
+      const FinishedKernel ours = test::fastest(family, degree);
       const FinishedKernel theirs = emitted(family, degree, {preset.name, ""});
       const int left_over = family == std::string("basis") ? 0 : 2;
       EXPECT_LE(theirs.cost.operations(), ours.cost.operations() + left_over) << family << " " << preset.name;
@@ -74,7 +75,7 @@ TEST(InConvention, CostsNothingAtRunTime) {
 
 TEST(InConvention, AxesOnlyRenameTheArguments) {
   const FinishedKernel finished = emitted("basis", 4, {"", "x,z,-y"});
-  const FinishedKernel ours = preferred_kernel(find_family("basis"), 4, Prefer::kSpeed);
+  const FinishedKernel ours = test::fastest("basis", 4);
   EXPECT_LE(finished.cost.operations(), ours.cost.operations());
   Evaluator<cln::cl_F> kernel(finished.kernel, kDigits);
   Evaluator<cln::cl_F> own(ours.kernel, kDigits);
@@ -94,8 +95,8 @@ TEST(InConvention, CoefficientsScaleTheOtherWay) {
   for (const std::string name : {"ambix", "gaussian-splatting", "shtools"}) {
     const FinishedKernel turned = emitted("zonal", degree, {name, ""});
     const FinishedKernel basis = emitted("basis", degree, {name, ""});
-    const FinishedKernel own = preferred_kernel(find_family("zonal"), degree, Prefer::kSpeed);
-    const FinishedKernel own_basis = preferred_kernel(find_family("basis"), degree, Prefer::kSpeed);
+    const FinishedKernel own = test::fastest("zonal", degree);
+    const FinishedKernel own_basis = test::fastest("basis", degree);
     const symbolic::Convention convention = symbolic::find_preset(name).convention;
     std::vector<cln::cl_F> theirs;
     std::vector<cln::cl_F> ours;
@@ -124,72 +125,64 @@ TEST(InConvention, CoefficientsScaleTheOtherWay) {
   }
 }
 
+using Numbers = std::vector<cln::cl_F>;
+
+Numbers values_of(const FinishedKernel& kernel, const Numbers& inputs) {
+  return Evaluator<cln::cl_F>(kernel.kernel, kDigits)(inputs);
+}
+
+// Our coefficients in the convention's storage.
+Numbers stored(const symbolic::Convention& convention, int degree, const Numbers& c) {
+  Numbers result(storage_size(convention.order, degree));
+  for (int l = 0; l <= degree; ++l) {
+    for (int m = -l; m <= l; ++m) {
+      const Surd scale = convention_factor(convention, l, m) / convention_factor(symbolic::Convention{}, l, m);
+      result[storage_position(convention.order, degree, l, m)] =
+          c[numeric::coefficient_index(l, m)] * (folded_factor(convention.folded, l) / scale).evaluate(kDigits);
+    }
+  }
+  return result;
+}
+
+Numbers joined(Numbers left, const Numbers& right) {
+  left.insert(left.end(), right.begin(), right.end());
+  return left;
+}
+
+void expect_all_close(const Numbers& values, const Numbers& expected, const std::string& what) {
+  ASSERT_EQ(values.size(), expected.size()) << what;
+  for (std::size_t i = 0; i < values.size(); ++i) expect_close(values[i], expected[i], what);
+}
+
 TEST(InConvention, ScalesFactorsAndResultOfAProductByTheirOwnDegrees) {
   // theirs(s a, t b) = u (a b), each in its own storage; DirectXMath scales by a sign, N3D by a factor as well.
   const Family family = rectangular_product_family(2, 1, 3);
   const FinishedKernel ours = preferred_kernel(family, 3, Prefer::kSpeed);
+  Numbers a;
+  Numbers b;
+  for (int i = 0; i < 9; ++i) a.push_back(as_float(cln::cl_RA(i + 2) / 7));
+  for (int i = 0; i < 4; ++i) b.push_back(as_float(cln::cl_RA(3 - 2 * i) / 5));
   for (const char* name : {"directxmath", "ambix"}) {
     const symbolic::Convention convention = symbolic::find_preset(name).convention;
     const FinishedKernel theirs = in_convention(ours, family.reference(3, kReferencePoints), {name, ""});
-    const auto stored = [&](const std::vector<cln::cl_F>& c, int degree) {
-      std::vector<cln::cl_F> values(storage_size(convention.order, degree));
-      for (int l = 0; l <= degree; ++l) {
-        for (int m = -l; m <= l; ++m) {
-          const Surd scale = (convention_factor(convention, l, m) / convention_factor(symbolic::Convention{}, l, m));
-          values[storage_position(convention.order, degree, l, m)] =
-              c[symbolic::coefficient_index(l, m)] / scale.evaluate(kDigits);
-        }
-      }
-      return values;
-    };
-    std::vector<cln::cl_F> a;
-    std::vector<cln::cl_F> b;
-    a.reserve(9);
-    b.reserve(4);
-    for (int i = 0; i < 9; ++i) a.push_back(as_float(cln::cl_RA(i + 2) / 7));
-    for (int i = 0; i < 4; ++i) b.push_back(as_float(cln::cl_RA(3 - 2 * i) / 5));
-    std::vector<cln::cl_F> inputs = a;
-    inputs.insert(inputs.end(), b.begin(), b.end());
-    const auto wanted = stored(Evaluator<cln::cl_F>(ours.kernel, kDigits)(inputs), 3);
-    inputs = stored(a, 2);
-    const auto right = stored(b, 1);
-    inputs.insert(inputs.end(), right.begin(), right.end());
-    const auto values = Evaluator<cln::cl_F>(theirs.kernel, kDigits)(inputs);
-    ASSERT_EQ(values.size(), wanted.size());
-    for (std::size_t i = 0; i < values.size(); ++i) expect_close(values[i], wanted[i], name);
+    expect_all_close(values_of(theirs, joined(stored(convention, 2, a), stored(convention, 1, b))),
+                     stored(convention, 3, values_of(ours, joined(a, b))), name);
   }
-}
-
-// The kernel's values at our inputs. The leading coefficients are first converted to the convention's storage.
-std::vector<cln::cl_F> values_of_stored(const FinishedKernel& kernel, const symbolic::Convention& convention,
-                                        int degree, std::vector<cln::cl_F> inputs) {
-  std::vector<cln::cl_F> stored = inputs;
-  for (int l = 0; l <= degree; ++l) {
-    for (int m = -l; m <= l; ++m) {
-      const Surd scale = convention_factor(convention, l, m) / convention_factor(symbolic::Convention{}, l, m);
-      stored[storage_position(convention.order, degree, l, m)] =
-          inputs[symbolic::coefficient_index(l, m)] * (folded_factor(convention.folded, l) / scale).evaluate(kDigits);
-    }
-  }
-  return Evaluator<cln::cl_F>(kernel.kernel, kDigits)(stored);
 }
 
 TEST(InConvention, IrradianceIsTheSameFromEveryStorage) {
-  const auto normals = rational_directions(1);
+  const auto normal = rational_directions(1)[0];
   // E(n) and its lightmap form are physical: signs, scales and folded cosines of the coefficients do not reach them.
   for (const char* name : {"directxmath", "unity", "threejs"}) {
     const symbolic::Convention convention = symbolic::find_preset(name).convention;
     for (const auto& [family, degree] : {std::pair("irradiance_evaluate", 2), std::pair("lightmap", 1)}) {
-      std::vector<cln::cl_F> inputs;
-      for (int i = 0; i < (degree + 1) * (degree + 1); ++i) inputs.push_back(as_float(cln::cl_RA(2 * i - 5) / 7));
-      if (degree == 2) {
-        for (const cln::cl_RA& n : normals[0]) inputs.push_back(as_float(n));
-      }
-      const FinishedKernel own = preferred_kernel(find_family(family), degree, Prefer::kSpeed);
-      const auto expected = Evaluator<cln::cl_F>(own.kernel, kDigits)(inputs);
-      const auto values = values_of_stored(emitted(family, degree, {name, ""}), convention, degree, inputs);
-      for (std::size_t i = 0; i < values.size(); ++i)
-        expect_close(values[i], expected[i], std::string(name) + " " + family);
+      Numbers c;
+      for (int i = 0; i < numeric::coefficient_count(degree); ++i) c.push_back(as_float(cln::cl_RA(2 * i - 5) / 7));
+      Numbers n;
+      for (const cln::cl_RA& component : normal) n.push_back(as_float(component));
+      if (degree == 1) n.clear();
+      expect_all_close(values_of(emitted(family, degree, {name, ""}), joined(stored(convention, degree, c), n)),
+                       values_of(test::fastest(family, degree), joined(c, n)), std::string(name) + " " + family);
     }
   }
 }

@@ -7,8 +7,7 @@
 #include "codegen/ir/evaluate.hpp"
 #include "codegen/ir/ir.hpp"
 #include "codegen/passes/passes.hpp"
-#include "codegen/print/cpp.hpp"
-#include "codegen/print/function.hpp"
+#include "codegen/print/files.hpp"
 #include "codegen/print/statements.hpp"
 
 namespace sh::codegen {

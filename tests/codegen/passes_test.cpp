@@ -7,7 +7,7 @@
 #include "codegen/ir/cost.hpp"
 #include "codegen/ir/evaluate.hpp"
 #include "codegen/ir/literal.hpp"
-#include "codegen/print/dump.hpp"
+#include "codegen/print/describe.hpp"
 #include "tests/codegen/support.hpp"
 
 namespace sh::codegen {

@@ -12,6 +12,7 @@
 #include "numeric/oracle/basis.hpp"
 #include "numeric/oracle/quadrature.hpp"
 #include "symbolic/product/product_form.hpp"
+#include "tests/codegen/support.hpp"
 
 namespace sh::codegen {
 namespace {
@@ -77,7 +78,7 @@ TEST(RectangularProducts, AreLoopedWhenLarge) {
 
 TEST(RectangularProducts, CompleteAreThoseOfTheFamilyProductFull) {
   for (int degree = 0; degree <= 3; ++degree) {
-    const FinishedKernel full = preferred_kernel(find_family("product_full"), degree, Prefer::kSpeed);
+    const FinishedKernel full = test::fastest("product_full", degree);
     expect_agrees_with_the_oracle({degree, degree, 2 * degree}, full.kernel);
     const Family family = rectangular_product_family(degree, degree, 2 * degree);
     EXPECT_EQ(preferred_kernel(family, 2 * degree, Prefer::kSpeed).cost.operations(), full.cost.operations());
@@ -88,7 +89,7 @@ TEST(RectangularProducts, CostLessThanTheSquareOneAroundThem) {
   for (const ProductShape shape : {ProductShape{1, 3, 3}, {3, 1, 3}, {3, 3, 1}, {2, 4, 4}, {4, 4, 2}}) {
     const int around = std::max({shape.a, shape.b, shape.result});
     EXPECT_LT(preferred_kernel(family_of(shape), shape.result, Prefer::kSpeed).cost.operations(),
-              preferred_kernel(find_family("product"), around, Prefer::kSpeed).cost.operations())
+              test::fastest("product", around).cost.operations())
         << shape.a << shape.b << shape.result;
   }
 }

@@ -1,4 +1,4 @@
-// Products: the operations of every recipe, its circuits and its quadrature, exactness, errors.
+// Products: errors, loops, circuits and quadrature.
 #include "codegen/recipes/product/product.hpp"
 
 #include <gtest/gtest.h>
@@ -7,13 +7,11 @@
 #include <cmath>
 #include <random>
 
-#include "codegen/choose/catalogue.hpp"
-#include "codegen/ir/cost.hpp"
 #include "codegen/ir/evaluate.hpp"
-#include "codegen/passes/pipeline.hpp"
 #include "codegen/recipes/linear_circuit.hpp"
 #include "codegen/recipes/product/phi_transform.hpp"
 #include "codegen/recipes/product/ring_quadrature.hpp"
+#include "tests/codegen/support.hpp"
 
 namespace sh::codegen {
 namespace {
@@ -21,72 +19,11 @@ namespace {
 using recipes::Rings;
 using symbolic::Surd;
 
-Kernel finished(const char* family, const char* recipe, int degree) {
-  const Family& f = find_family(family);
-  return kernel_stages(f, find_recipe(f, degree, recipe), degree).back().kernel;
-}
-
-struct Limit {
-  const char* family;
-  const char* recipe;
-  int degree;
-  int operations;  // at most
-};
-
-// The best known numbers. The second recipe of a line saves additions if a fused instruction counts as one operation.
-constexpr Limit kLimits[] = {
-    {"product", "pairs", 1, 19},
-    {"product", "pairs", 2, 148},
-    {"product", "pairs", 3, 534},
-    {"product", "separable", 4, 1333},
-    {"product", "separable", 5, 2271},
-    {"product", "separable", 6, 3798},
-    {"product", "separable-halves", 4, 1224},
-    {"product", "separable-halves", 5, 2125},
-    {"product", "separable-halves", 6, 3622},
-    {"square", "pairs", 2, 63 + 38},
-    {"square", "pairs", 3, 197 + 175},
-    {"square", "separable", 4, 461 + 452},
-    {"square", "separable", 5, 774 + 731},
-    {"square", "separable", 6, 1250 + 1248},
-    {"product_zonal", "matrices", 2, 49},
-    {"product_zonal", "matrices", 3, 118},
-    {"product_zonal", "matrices", 4, 258},
-    {"product_zonal", "matrices", 5, 466},
-    {"product_zonal", "matrices", 6, 795},
-    {"product_zonal", "matrices", 7, 1238},
-    // The numbers of the first version with a loop.
-    {"product", "looped", 7, 5542},
-    {"product", "looped", 8, 7720},
-    {"square", "looped", 7, 3671},
-    {"product_full", "pairs", 2, 258},
-    {"product_full", "pairs", 3, 996},
-};
-
-TEST(Products, NeedAtMostTheOperationsOfTheBestThatWasKnownAndNegateNothing) {
-  for (const Limit& limit : kLimits) {
-    const Cost total = cost(finished(limit.family, limit.recipe, limit.degree));
-    EXPECT_LE(total.operations(), limit.operations) << limit.family << " " << limit.recipe << " " << limit.degree;
-    EXPECT_EQ(total.neg, 0) << limit.family << limit.degree;
-  }
-}
-
-TEST(Products, EveryRecipeIsExactAtEveryWrittenDegree) {
-  for (const char* name : {"product", "product_full", "square", "product_zonal", "triple"}) {
-    const Family& family = find_family(name);
-    for (int degree = 0; degree <= std::min(7, family.largest_written); ++degree) {
-      for (const Recipe& recipe : recipes_for(family, degree)) {
-        EXPECT_NO_THROW(kernel_stages(family, recipe, degree)) << name << " " << recipe.name << " " << degree;
-      }
-    }
-  }
-}
-
 TEST(Products, ErrAtMostFourEpsOfTheLengths) {
   for (const char* name : {"product", "square", "product_zonal", "triple"}) {
     for (int degree = 0; degree <= 5; ++degree) {
       // Measured: 0.5 at most, in float and double.
-      const FinishedKernel kernel = preferred_kernel(find_family(name), degree, Prefer::kSpeed);
+      const FinishedKernel kernel = test::fastest(name, degree);
       EXPECT_LT(kernel.in_float.rounding.eps, 1) << kernel.kernel.name;
       EXPECT_LT(kernel.in_double.rounding.eps, 1) << kernel.kernel.name;
       EXPECT_GT(kernel.in_float.rounding.eps, 0.05) << kernel.kernel.name;

@@ -1,4 +1,4 @@
-// Rotations: the cost and exactness of every recipe, and the errors at every tilt.
+// Rotations: their errors at every tilt, and the rotation nearest to a matrix.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,88 +7,21 @@
 #include <numbers>
 #include <random>
 
-#include "codegen/choose/catalogue.hpp"
 #include "codegen/ir/evaluate.hpp"
 #include "codegen/measure/nearest.hpp"
 #include "codegen/measure/rotations.hpp"
+#include "tests/codegen/support.hpp"
 
 namespace sh::codegen {
 namespace {
 
-const std::vector<std::string> kNames{"rotate",       "rotate_quaternion", "rotate_z",
-                                      "rotate_build", "rotate_apply",      "rotate_evaluate"};
-
-Kernel kernel_of(const std::string& name, const std::string& recipe, int degree) {
-  const Family& family = find_family(name);
-  return kernel_stages(family, find_recipe(family, degree, recipe), degree).back().kernel;
-}
-
-TEST(RotationFamilies, AreExactByEveryRecipe) {
-  for (const std::string& name : kNames) {
-    const Family& family = find_family(name);
-    for (const int degree : {0, 1, 2, 3, 5, 8, 10}) {
-      for (const Recipe& recipe : recipes_for(family, degree)) {
-        EXPECT_NO_THROW(kernel_stages(family, recipe, degree)) << name << " " << degree << " " << recipe.name;
-      }
-    }
-  }
-}
-
-TEST(RotationFamilies, NeedAtMostTheseMultiplicationsAndAdditions) {
-  struct Bound {
-    std::string family;
-    std::string recipe;
-    int degree, operations;
-  };
-  // The best numbers known before: zxz needs 82, 180, 318, 502, 744 operations at degrees 2 to 6 and 1880 at degree 9.
-  const std::vector<Bound> bounds{{"rotate", "zxz", 1, 15},
-                                  {"rotate", "zxz", 2, 82},
-                                  {"rotate", "zxz", 3, 179},
-                                  {"rotate", "zxz", 4, 318},
-                                  {"rotate", "zxz", 5, 502},
-                                  {"rotate", "zxz", 6, 743},
-                                  {"rotate", "zxz", 7, 1052},
-                                  {"rotate", "zxz", 8, 1430},
-                                  {"rotate", "zxz", 9, 1880},
-                                  {"rotate", "zxz", 10, 2423},
-                                  {"rotate", "dense", 2, 152},
-                                  {"rotate", "dense", 4, 855},
-                                  {"rotate", "dense", 6, 2408},
-                                  {"rotate", "recursive", 3, 728},
-                                  {"rotate_quaternion", "polynomial", 1, 44},
-                                  {"rotate_quaternion", "zxz", 2, 96},
-                                  {"rotate_quaternion", "zxz", 4, 330},
-                                  {"rotate_quaternion", "polynomial", 4, 888},
-                                  {"rotate_z", "steps", 4, 72},
-                                  {"rotate_z", "products", 4, 76},
-                                  {"rotate_build", "dense", 4, 551},
-                                  {"rotate_apply", "rows", 4, 304},
-                                  {"rotate_evaluate", "turned", 4, 122}};
-  for (const Bound& bound : bounds) {
-    const Cost cost = codegen::cost(kernel_of(bound.family, bound.recipe, bound.degree));
-    EXPECT_LE(cost.mul + cost.add, bound.operations) << bound.family << " " << bound.recipe << " " << bound.degree;
-    EXPECT_LE(cost.div, 1);
-    EXPECT_LE(cost.sqrt, 1);
-  }
-}
-
-TEST(RotationFamilies, NegateNothingExceptEntriesOfMatrices) {
-  for (const std::string& name : kNames) {
-    if (name == "rotate_build") continue;
-    const Family& family = find_family(name);
-    for (int degree = 0; degree <= 6; ++degree) {
-      for (const Recipe& recipe : recipes_for(family, degree)) {
-        EXPECT_EQ(cost(kernel_of(name, recipe.name, degree)).neg, 0) << name << " " << recipe.name << " " << degree;
-      }
-    }
-  }
-}
+using test::kernel_of;
 
 TEST(RotationFamilies, SpendTheRootAndTheDivisionOnlyOnAngles) {
   for (const auto& [name, recipe] : {std::pair("rotate", "dense"), std::pair("rotate_quaternion", "polynomial"),
                                      std::pair("rotate_build", "dense"), std::pair("rotate_build", "recursive"),
                                      std::pair("rotate_z", "steps"), std::pair("rotate_evaluate", "turned")}) {
-    const Cost cost = codegen::cost(kernel_of(name, recipe, 3));
+    const Cost cost = test::cost_of(name, recipe, 3);
     EXPECT_EQ(cost.div + cost.sqrt + cost.select, 0) << name << " " << recipe;
   }
 }
@@ -115,7 +48,7 @@ TEST(RotationFamilies, ErrorsStayWithinTheirLimits) {
                                   {"rotate_apply", 4, 2e-7, 4e-16},
                                   {"rotate_evaluate", 4, 5e-7, 1.5e-15}};
   for (const Limit& limit : limits) {
-    const FinishedKernel fast = preferred_kernel(find_family(limit.family), limit.degree, Prefer::kSpeed);
+    const FinishedKernel fast = test::fastest(limit.family, limit.degree);
     EXPECT_LE(fast.in_float.rounding.absolute, limit.in_float) << limit.family << " " << limit.degree;
     EXPECT_LE(fast.in_double.rounding.absolute, limit.in_double) << limit.family << " " << limit.degree;
     if (nearest_point(fast.kernel.parameters).empty()) continue;
