@@ -3,21 +3,20 @@
 
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
+#include <fmt/core.h>
 
 #include <array>
 #include <cstdlib>
-#include <iomanip>
-#include <sstream>
 #include <stdexcept>
 
 namespace sh::numeric {
 namespace {
 
 [[noreturn]] void fail(const std::string& what) {
-  std::ostringstream line;
-  line << "EGL: " << what << " failed (error 0x" << std::hex << eglGetError()
-       << "); the GLSL kernels need libegl1 and Mesa's llvmpipe (Debian: libegl-mesa0, libgl1-mesa-dri)";
-  throw std::runtime_error(line.str());
+  throw std::runtime_error(fmt::format(
+      "EGL: {} failed (error {:#x}); the GLSL kernels need libegl1 and Mesa's llvmpipe (Debian: libegl-mesa0, "
+      "libgl1-mesa-dri)",
+      what, eglGetError()));
 }
 
 EGLDisplay surfaceless_display() {
@@ -68,10 +67,8 @@ void EglContext::make_current() const {
 
 std::string EglContext::renderer() const {
   make_current();
-  const auto* name = glGetString(GL_RENDERER);
-  std::string result;
-  for (const auto* c = name; c != nullptr && *c != 0; ++c) result += static_cast<char>(*c);
-  return result;
+  const auto* const name = glGetString(GL_RENDERER);
+  return name == nullptr ? "" : reinterpret_cast<const char*>(name);
 }
 
 }  // namespace sh::numeric

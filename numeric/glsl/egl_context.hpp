@@ -1,7 +1,8 @@
-// An OpenGL or OpenGL ES context without a window or display: EGL surfaceless on Mesa's software rasteriser llvmpipe.
+// An OpenGL or OpenGL ES context without a window or display: surfaceless EGL on the software rasterizer of Mesa,
+// llvmpipe.
 //
-// The same machine-independent results everywhere Mesa runs, no GPU and no display server needed. The constructor sets
-// LIBGL_ALWAYS_SOFTWARE and GALLIUM_DRIVER in the process's environment, unless they are set already.
+// It needs no GPU and no display server, and gives the same results wherever Mesa runs. The constructor sets
+// LIBGL_ALWAYS_SOFTWARE and GALLIUM_DRIVER in the environment of the process, unless they are set already.
 #pragma once
 
 #include <memory>
@@ -10,23 +11,23 @@
 namespace sh::numeric {
 
 enum class GlslLanguage {
-  kCore450,  // OpenGL 4.5 core, GLSL 4.50
-  kEs300,    // OpenGL ES 3.0, GLSL ES 3.00 (that of WebGL 2)
+  kCore450,  ///< OpenGL 4.5 core, GLSL 4.50
+  kEs300,    ///< OpenGL ES 3.0, GLSL ES 3.00 (that of WebGL 2)
 };
 
-// "glsl 450" or "glsl es 300".
+/// "glsl 450" or "glsl es 300".
 std::string to_string(GlslLanguage language);
 
 class EglContext {
  public:
-  // Makes the context current on this thread. Throws std::runtime_error, one line, when EGL or the version is missing.
+  /// Makes the context current on this thread. Throws std::runtime_error, one line, if EGL or the version is missing.
   explicit EglContext(GlslLanguage language);
   ~EglContext();
   EglContext(const EglContext&) = delete;
   EglContext& operator=(const EglContext&) = delete;
 
   void make_current() const;
-  // The renderer's own name, such as "llvmpipe (LLVM 15.0.6, 256 bits)".
+  /// The name that the renderer gives itself, such as "llvmpipe (LLVM 15.0.6, 256 bits)".
   [[nodiscard]] std::string renderer() const;
 
  private:

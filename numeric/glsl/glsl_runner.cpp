@@ -2,122 +2,179 @@
 #include "numeric/glsl/glsl_runner.hpp"
 
 #include <epoxy/gl.h>
+#include <fmt/format.h>
 
 #include <algorithm>
-#include <sstream>
 #include <stdexcept>
-
-#include "numeric/glsl/glsl_program.hpp"
 
 namespace sh::numeric {
 namespace {
 
 constexpr int kTextureWidth = 2048;  // the least that ES 3.0 guarantees
 
-// name[i]
-std::string indexed(const std::string& name, int i) {
-  std::string text = name;
-  text += '[';
-  text += std::to_string(i);
-  text += ']';
-  return text;
+// The first line of the log of a shader or a program.
+template <class GetLength, class GetLog>
+std::string log_of(GLuint id, GetLength get_length, GetLog get_log) {
+  GLint length = 0;
+  get_length(id, GL_INFO_LOG_LENGTH, &length);
+  std::string log(length + 1, '\0');
+  get_log(id, length + 1, &length, log.data());
+  log.resize(length);
+  return log.substr(0, log.find('\n'));
 }
 
-// The body of "void call(int item)": reads the item's inputs by read_input, calls the function and hands every output,
-// a name with a constant index, to `store`. Constant indices throughout: drivers compile arrays that are indexed by
-// variables, and loops, many times slower.
-template <class Store>
-std::string wrapper(const GlslFunction& function, Store&& store) {
-  std::ostringstream before;
-  std::ostringstream arguments;
-  std::ostringstream after;
+// A linked program, deleted with the object. Needs a current context.
+class GlslProgram {
+ public:
+  // Throws std::runtime_error: "LABEL: does not compile as GLSL: MESSAGE".
+  GlslProgram(const std::string& label, const std::string& vertex, const std::string& fragment)
+      : id_(glCreateProgram()) {
+    std::string problem = attach(GL_VERTEX_SHADER, vertex);
+    if (problem.empty()) problem = attach(GL_FRAGMENT_SHADER, fragment);
+    GLint linked = GL_FALSE;
+    if (problem.empty()) {
+      glLinkProgram(id_);
+      glGetProgramiv(id_, GL_LINK_STATUS, &linked);
+      if (linked != GL_TRUE) problem = "link: " + log_of(id_, glGetProgramiv, glGetProgramInfoLog);
+    }
+    if (problem.empty()) return;
+    glDeleteProgram(id_);
+    throw std::runtime_error(label + ": does not compile as GLSL: " + problem);
+  }
+  ~GlslProgram() { glDeleteProgram(id_); }
+  GlslProgram(const GlslProgram&) = delete;
+  GlslProgram& operator=(const GlslProgram&) = delete;
+
+  [[nodiscard]] GLuint id() const { return id_; }
+
+ private:
+  // Compiles and attaches a stage; returns the message of the compiler if it fails.
+  [[nodiscard]] std::string attach(GLenum type, const std::string& source) const {
+    const GLuint shader = glCreateShader(type);
+    const char* text = source.c_str();
+    glShaderSource(shader, 1, &text, nullptr);
+    glCompileShader(shader);
+    GLint compiled = GL_FALSE;
+    glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
+    std::string problem;
+    if (compiled == GL_TRUE) {
+      glAttachShader(id_, shader);
+    } else {
+      problem = log_of(shader, glGetShaderiv, glGetShaderInfoLog);
+      if (problem.empty()) problem = "the compiler gave no reason";
+    }
+    glDeleteShader(shader);  // lives on while attached
+    return problem;
+  }
+
+  GLuint id_;
+};
+
+// The body of "void call(int item)": reads the inputs of the item, calls the function and stores every output in its
+// texel. All indices are constant: drivers compile loops, and arrays that are indexed by variables, many times slower.
+std::string wrapper(const GlslFunction& function) {
+  std::string before;
+  std::string arguments;
+  std::string after;
   const Signature& signature = function.signature;
   int input = 0;
   int output = 0;
-  if (signature.returns_value) after << store(output++, "returned");
+  const auto store = [&](const std::string& value) {
+    after += fmt::format("    if (part == {}) texel[{}] = {};\n", output / 4, output % 4, value);
+    ++output;
+  };
+  if (signature.returns_value) store("returned");
   for (std::size_t i = 0; i < signature.parameters.size(); ++i) {
     const auto& p = signature.parameters[i];
-    const std::string name = std::string("p").append(std::to_string(i));
-    before << "    float " << (p.count == 0 ? name : indexed(name, p.count)) << ";\n";
-    arguments << (i == 0 ? "" : ", ") << name;
+    const auto element = [&](int k) { return p.count == 0 ? fmt::format("p{}", i) : fmt::format("p{}[{}]", i, k); };
+    before += fmt::format("    float {};\n", element(p.count));
+    arguments += fmt::format("{}p{}", i == 0 ? "" : ", ", i);
     for (int k = 0; k < p.values(); ++k) {
-      const std::string element = p.count == 0 ? name : indexed(name, k);
-      if (p.is_written()) after << store(output++, element);
+      if (p.is_written()) store(element(k));
       if (!p.is_read()) continue;
-      before << "    " << element << " = read_input(item * " << signature.input_count() << " + " << input++ << ");\n";
+      before += fmt::format("    {} = read_input(item * {} + {});\n", element(k), signature.input_count(), input++);
     }
   }
-  return "void call(int item) {\n" + before.str() + "    " + (signature.returns_value ? "float returned = " : "") +
-         function.name + "(" + arguments.str() + ");\n" + after.str() + "}\n";
+  return fmt::format("void call(int item) {{\n{}    {}{}({});\n{}}}\n", before,
+                     signature.returns_value ? "float returned = " : "", function.name, arguments, after);
 }
 
 int texels_per_item(const GlslFunction& function) { return (function.signature.output_count() + 3) / 4; }
 
-std::string version_line(GlslLanguage language) {
+const char* version_line(GlslLanguage language) {
   return language == GlslLanguage::kCore450 ? "#version 450 core\n" : "#version 300 es\n";
 }
 
 // One triangle that covers the target.
 std::string vertex_source(GlslLanguage language) {
-  return version_line(language) +
+  return std::string(version_line(language)) +
          "void main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0); "
          "}\n";
 }
 
 std::string fragment_source(GlslLanguage language, const std::string& source, const GlslFunction& function,
                             Grouping grouping) {
-  std::ostringstream text;
-  text << version_line(language) << "#line 1\n"
-       << source << "precision highp float;\nprecision highp int;\nprecision highp sampler2D;\n"
-       << "uniform sampler2D inputs;\nuniform int items;\n"
-       << (grouping == Grouping::kInvariant ? "invariant " : "") << "out vec4 texel;\nint part;\n"
-       << "float read_input(int i) { return texelFetch(inputs, ivec2(i % " << kTextureWidth << ", i / " << kTextureWidth
-       << "), 0).r; }\n"
-       << wrapper(function,
-                  [](int i, const std::string& value) {
-                    return "    if (part == " + std::to_string(i / 4) + ") texel[" + std::to_string(i % 4) +
-                           "] = " + value + ";\n";
-                  })
-       << "void main() {\n"
-       << "    int place = int(gl_FragCoord.y) * " << kTextureWidth << " + int(gl_FragCoord.x);\n"
-       << "    int item = place / " << texels_per_item(function) << ";\n"
-       << "    part = place - item * " << texels_per_item(function) << ";\n"
-       << "    texel = vec4(0.0);\n"
-       << "    if (item < items) call(item);\n"
-       << "}\n";
-  return text.str();
+  constexpr const char* kText = R"({version}#line 1
+{source}precision highp float;
+precision highp int;
+precision highp sampler2D;
+uniform sampler2D inputs;
+uniform int items;
+{invariant}out vec4 texel;
+int part;
+float read_input(int i) {{ return texelFetch(inputs, ivec2(i % {width}, i / {width}), 0).r; }}
+{wrapper}void main() {{
+    int place = int(gl_FragCoord.y) * {width} + int(gl_FragCoord.x);
+    int item = place / {texels};
+    part = place - item * {texels};
+    texel = vec4(0.0);
+    if (item < items) call(item);
+}}
+)";
+  return fmt::format(kText, fmt::arg("version", version_line(language)), fmt::arg("source", source),
+                     fmt::arg("invariant", grouping == Grouping::kInvariant ? "invariant " : ""),
+                     fmt::arg("width", kTextureWidth), fmt::arg("wrapper", wrapper(function)),
+                     fmt::arg("texels", texels_per_item(function)));
 }
 
-int rows_for(std::size_t texels) {
-  return static_cast<int>((texels + kTextureWidth - 1) / static_cast<std::size_t>(kTextureWidth));
-}
+int rows_for(std::size_t texels) { return static_cast<int>((texels + kTextureWidth - 1) / kTextureWidth); }
 
-GLuint make_texture(GLint internal_format, GLenum format, int rows, const float* data) {
-  GLuint texture = 0;
-  glGenTextures(1, &texture);
-  glBindTexture(GL_TEXTURE_2D, texture);
-  glTexImage2D(GL_TEXTURE_2D, 0, internal_format, kTextureWidth, rows, 0, format, GL_FLOAT, data);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-  return texture;
-}
+// A texture, deleted with the object.
+class Texture {
+ public:
+  Texture(GLint internal_format, GLenum format, int rows, const float* data) {
+    glGenTextures(1, &id_);
+    glBindTexture(GL_TEXTURE_2D, id_);
+    glTexImage2D(GL_TEXTURE_2D, 0, internal_format, kTextureWidth, rows, 0, format, GL_FLOAT, data);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  }
+  ~Texture() { glDeleteTextures(1, &id_); }
+  Texture(const Texture&) = delete;
+  Texture& operator=(const Texture&) = delete;
 
-// Draws the target's texels; returns them as RGBA, row by row.
-std::vector<float> draw(const std::string& label, const GlslProgram& program, GLuint input, GLuint target, int rows,
-                        int items) {
+  [[nodiscard]] GLuint id() const { return id_; }
+
+ private:
+  GLuint id_ = 0;
+};
+
+// Draws the texels of the target; returns them as RGBA, row by row.
+std::vector<float> draw(const std::string& label, const GlslProgram& program, const Texture& input,
+                        const Texture& target, int rows, int items) {
   GLuint framebuffer = 0;
   GLuint no_vertices = 0;
   glGenVertexArrays(1, &no_vertices);
   glBindVertexArray(no_vertices);
   glGenFramebuffers(1, &framebuffer);
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target, 0);
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target.id(), 0);
   const bool complete = glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
-  std::vector<float> texels(complete ? 4 * static_cast<std::size_t>(rows) * kTextureWidth : 0);
+  std::vector<float> texels(complete ? std::size_t{4} * rows * kTextureWidth : 0);
   if (complete) {
     glViewport(0, 0, kTextureWidth, rows);
     glUseProgram(program.id());
-    glBindTexture(GL_TEXTURE_2D, input);
+    glBindTexture(GL_TEXTURE_2D, input.id());
     glUniform1i(glGetUniformLocation(program.id(), "inputs"), 0);
     glUniform1i(glGetUniformLocation(program.id(), "items"), items);
     glDrawArrays(GL_TRIANGLES, 0, 3);
@@ -128,55 +185,39 @@ std::vector<float> draw(const std::string& label, const GlslProgram& program, GL
   glDeleteFramebuffers(1, &framebuffer);
   glDeleteVertexArrays(1, &no_vertices);
   if (!complete) throw std::runtime_error(label + ": this GL cannot render to float textures (EXT_color_buffer_float)");
+  if (const GLenum error = glGetError(); error != GL_NO_ERROR) {
+    throw std::runtime_error(fmt::format("{}: GL error {:#x} while running", label, error));
+  }
   return texels;
-}
-
-std::vector<float> run_items(GlslLanguage language, const std::string& label, const std::string& source,
-                             const GlslFunction& function, const std::vector<float>& inputs, int items,
-                             Grouping grouping) {
-  const GlslProgram program(label, {{GL_VERTEX_SHADER, vertex_source(language)},
-                                    {GL_FRAGMENT_SHADER, fragment_source(language, source, function, grouping)}});
-  const int input_rows = rows_for(inputs.size());
-  std::vector<float> padded(inputs);
-  padded.resize(static_cast<std::size_t>(input_rows) * kTextureWidth);
-  const auto per_item = static_cast<std::size_t>(texels_per_item(function));
-  const int rows = rows_for(static_cast<std::size_t>(items) * per_item);
-  const GLuint textures[2] = {make_texture(GL_R32F, GL_RED, input_rows, padded.data()),
-                              make_texture(GL_RGBA32F, GL_RGBA, rows, nullptr)};
-  std::vector<float> texels;
-  try {
-    texels = draw(label, program, textures[0], textures[1], rows, items);
-  } catch (...) {
-    glDeleteTextures(2, textures);
-    throw;
-  }
-  glDeleteTextures(2, textures);
-  require_no_gl_error(label);
-  // Drop the padding of each item to whole texels.
-  const auto wanted = static_cast<std::size_t>(function.signature.output_count());
-  std::vector<float> outputs;
-  outputs.reserve(static_cast<std::size_t>(items) * wanted);
-  for (std::size_t i = 0; i < static_cast<std::size_t>(items); ++i) {
-    const auto first = texels.begin() + static_cast<std::ptrdiff_t>(4 * per_item * i);
-    outputs.insert(outputs.end(), first, first + static_cast<std::ptrdiff_t>(wanted));
-  }
-  return outputs;
 }
 
 }  // namespace
 
-GlslRunner::GlslRunner(GlslLanguage language) : language_(language), context_(language) {}
-
 std::vector<float> GlslRunner::run(const std::string& label, const std::string& source, const GlslFunction& function,
                                    const std::vector<float>& inputs, Grouping grouping) {
-  const auto width = static_cast<std::size_t>(function.signature.input_count());
+  const std::size_t width = function.signature.input_count();
   if (width == 0 || inputs.empty() || inputs.size() % width != 0) {
-    throw std::invalid_argument(label + ": " + std::to_string(inputs.size()) + " inputs given, must be a multiple of " +
-                                std::to_string(width) + " and not none");
+    throw std::invalid_argument(
+        fmt::format("{}: {} inputs given, must be a multiple of {} and not none", label, inputs.size(), width));
   }
   context_.make_current();
-  const auto items = static_cast<int>(inputs.size() / width);
-  return run_items(language_, label, source, function, inputs, items, grouping);
+  const GlslProgram program(label, vertex_source(language_), fragment_source(language_, source, function, grouping));
+  const std::size_t items = inputs.size() / width;
+  const int input_rows = rows_for(inputs.size());
+  std::vector<float> padded = inputs;
+  padded.resize(std::size_t{kTextureWidth} * input_rows);
+  const std::size_t per_item = texels_per_item(function);
+  const int rows = rows_for(items * per_item);
+  const Texture input(GL_R32F, GL_RED, input_rows, padded.data());
+  const Texture target(GL_RGBA32F, GL_RGBA, rows, nullptr);
+  const std::vector<float> texels = draw(label, program, input, target, rows, static_cast<int>(items));
+  // Each item fills whole texels: leave out the rest of the last one.
+  std::vector<float> outputs;
+  for (std::size_t i = 0; i < items; ++i) {
+    const auto first = texels.begin() + static_cast<std::ptrdiff_t>(4 * per_item * i);
+    outputs.insert(outputs.end(), first, first + function.signature.output_count());
+  }
+  return outputs;
 }
 
 }  // namespace sh::numeric

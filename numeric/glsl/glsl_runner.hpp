@@ -20,18 +20,18 @@ struct GlslFunction {
   Signature signature;
 };
 
-// Whether the compiler may regroup what a kernel computes, such as k1 (k2 v) as (k1 k2) v. GLSL leaves it free unless
-// the result is declared invariant (OpenGL Shading Language 4.50, section 4.8.1).
+/// Whether the compiler may regroup operations, such as k1 (k2 v) as (k1 k2) v. GLSL allows it unless the result is
+/// declared invariant (OpenGL Shading Language 4.50, section 4.8.1).
 enum class Grouping { kFree, kInvariant };
 
 class GlslRunner {
  public:
-  // Throws std::runtime_error, one line, when EGL or the version of GL is missing.
-  explicit GlslRunner(GlslLanguage language);
+  /// Throws std::runtime_error, one line, if EGL or the version of GL is missing.
+  explicit GlslRunner(GlslLanguage language) : language_(language), context_(language) {}
 
-  // inputs (n, input_count()) row-major -> (n, output_count()) of the signature. `label` names the source in errors,
-  // usually its file. Throws std::runtime_error with one line when the source does not compile (the compiler's first
-  // message) or GL reports an error, std::invalid_argument when inputs is not a whole number of items.
+  /// inputs (n, input_count()) row-major -> (n, output_count()) of the signature. `label` names the source in errors,
+  /// usually by its file. Throws std::runtime_error, one line, if the source does not compile (the first message of the
+  /// compiler) or GL reports an error, std::invalid_argument if `inputs` is not a whole number of items.
   std::vector<float> run(const std::string& label, const std::string& source, const GlslFunction& function,
                          const std::vector<float>& inputs, Grouping grouping = Grouping::kFree);
 

@@ -15,14 +15,14 @@ namespace sh::output {
 
 namespace {
 
-// Whether a rename would replace a device or a pipe by mistake; false where nothing is there yet.
+// Whether a rename would replace a device or a pipe by mistake; false if the path does not exist.
 bool is_special(const std::string& path) {
   struct stat status = {};
   return stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode);
 }
 
-// Makes the new name of a file last through a power failure. Some file systems have no fsync of folders; the file is
-// complete either way, so that errors are ignored.
+// Makes the new name of a file last through a power failure. The file is complete in any case: this function ignores
+// errors, because some file systems have no fsync of folders.
 void sync_folder(const std::string& path) {
   const auto slash = path.rfind('/');
   const std::string folder = slash == std::string::npos ? "." : path.substr(0, slash + 1);

@@ -6,9 +6,9 @@
 
 namespace sh::output {
 
-/// Write, then commit(): file and name are then on disk. Without commit() nothing remains and an old file stays as it
-/// was. An existing destination that is no regular file (a device, a pipe) is written directly. Errors (not writable,
-/// disk full) throw std::runtime_error `path: cannot write: reason`.
+/// After commit() the file and its name are on disk. Without commit() nothing remains, and an old file stays as it was. A
+/// destination that exists and is no regular file (a device, a pipe) is written directly. Errors (no permission, a full
+/// disk) throw std::runtime_error `path: cannot write: reason`.
 class AtomicFile {
  public:
   explicit AtomicFile(std::string path);

@@ -1,17 +1,14 @@
-// See chart.hpp.
 #include "numeric/output/chart.hpp"
 
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <numbers>
 
-#include "numeric/output/chart_labels.hpp"
-#include "numeric/output/chart_scale.hpp"
+#include "numeric/output/chart_layout.hpp"
 #include "numeric/output/markup.hpp"
 
 namespace sh::output {
@@ -57,7 +54,7 @@ std::string marker_path(Marker marker, double x, double y) {
                        fmt::arg("y", svg_number(y)), fmt::arg("r", svg_number(kRadius)),
                        fmt::arg("d", svg_number(2 * kRadius)));
   }
-  std::vector<Point> corners = outline(marker);
+  Outline corners = outline(marker);
   for (auto& corner : corners) corner = {x + corner.x * kRadius, y + corner.y * kRadius};
   return svg_path(corners) + "z";
 }
@@ -82,12 +79,12 @@ std::string tick_svg(double x, double y, const std::string& style, double value)
                      fmt::format("{}{}", exponent < 0 ? "\u2212" : "", std::abs(exponent)));
 }
 
-std::string line_svg(double x1, double y1, double x2, double y2, const std::string& style) {
-  return fmt::format("<path class=\"{}\" d=\"M{} {}L{} {}\"/>\n", style, svg_number(x1), svg_number(y1), svg_number(x2),
-                     svg_number(y2));
+std::string line_svg(const Point& from, const Point& to, const std::string& style) {
+  return fmt::format("<path class=\"{}\" d=\"M{} {}L{} {}\"/>\n", style, svg_number(from.x), svg_number(from.y),
+                     svg_number(to.x), svg_number(to.y));
 }
 
-// One chart while it is drawn.
+// The drawing of one chart.
 class Drawing {
  public:
   explicit Drawing(const Chart& chart)
@@ -120,8 +117,8 @@ class Drawing {
     std::string svg = text_svg(kLeft, 18, "title", chart_.title);
     const bool every = x_.ticks().size() < 12;
     for (const auto& tick : x_.ticks()) {
-      if (tick.decade) svg += line_svg(tick.at, y_.from(), tick.at, y_.to(), "grid");
-      svg += line_svg(tick.at, y_.from(), tick.at, y_.from() + (tick.decade ? 5 : 3), "tick");
+      if (tick.decade) svg += line_svg({tick.at, y_.from()}, {tick.at, y_.to()}, "grid");
+      svg += line_svg({tick.at, y_.from()}, {tick.at, y_.from() + (tick.decade ? 5 : 3)}, "tick");
       if (tick.named) svg += tick_svg(tick.at, y_.from() + 17, "middle", tick.value);
       const double digit = tick.value / std::pow(10, std::floor(std::log10(tick.value * 1.0000001)));
       if (every && !tick.decade && (std::lround(digit) == 2 || std::lround(digit) == 5) && tick.value >= 1 &&
@@ -130,12 +127,12 @@ class Drawing {
       }
     }
     for (const auto& tick : y_.ticks()) {
-      if (tick.decade) svg += line_svg(x_.from(), tick.at, x_.to(), tick.at, "grid");
-      svg += line_svg(x_.from() - (tick.decade ? 5 : 3), tick.at, x_.from(), tick.at, "tick");
+      if (tick.decade) svg += line_svg({x_.from(), tick.at}, {x_.to(), tick.at}, "grid");
+      svg += line_svg({x_.from() - (tick.decade ? 5 : 3), tick.at}, {x_.from(), tick.at}, "tick");
       if (tick.named) svg += tick_svg(x_.from() - 8, tick.at + 4, "end", tick.value);
     }
-    svg += line_svg(x_.from(), y_.from(), x_.to(), y_.from(), "axis");
-    svg += line_svg(x_.from(), y_.from(), x_.from(), y_.to(), "axis");
+    svg += line_svg({x_.from(), y_.from()}, {x_.to(), y_.from()}, "axis");
+    svg += line_svg({x_.from(), y_.from()}, {x_.from(), y_.to()}, "axis");
     for (const double at : y_.breaks()) svg += break_svg(at);
     svg += text_svg((x_.from() + x_.to()) / 2, y_.from() + 35, "middle name", chart_.x.label);
     svg += fmt::format("<text transform=\"translate(13 {}) rotate(-90)\" class=\"middle name\">{}</text>\n",
@@ -147,9 +144,11 @@ class Drawing {
   [[nodiscard]] std::string break_svg(double at) const {
     return fmt::format("<path class=\"cut\" d=\"M{} {}H{}\"/>\n", svg_number(x_.from() - 4), svg_number(at),
                        svg_number(x_.to())) +
-           line_svg(x_.from() - 5, at + 0.5, x_.from() + 5, at - 5.5, "axis") +
-           line_svg(x_.from() - 5, at + 5.5, x_.from() + 5, at - 0.5, "axis");
+           line_svg({x_.from() - 5, at + 0.5}, {x_.from() + 5, at - 5.5}, "axis") +
+           line_svg({x_.from() - 5, at + 5.5}, {x_.from() + 5, at - 0.5}, "axis");
   }
+
+  [[nodiscard]] Point place(const ChartPoint& point) const { return {x_.at(point.x), y_.at(point.y)}; }
 
   // The corners of a line or staircase, in the units of the picture.
   [[nodiscard]] std::vector<Point> corners(const ChartSeries& series) const {
@@ -159,7 +158,7 @@ class Drawing {
     if (stairs) all.push_back({x_.at(series.points.front().x), y_.to()});
     for (const auto& point : series.points) {
       if (stairs) all.push_back({x_.at(point.x), all.back().y});
-      all.push_back({x_.at(point.x), y_.at(point.y)});
+      all.push_back(place(point));
     }
     if (stairs) all.push_back({x_.to(), all.back().y});
     return all;
@@ -185,8 +184,7 @@ class Drawing {
     if (!series.marked) return {};
     std::string svg;
     for (const auto& point : series.points) {
-      const double px = x_.at(point.x);
-      const double py = y_.at(point.y);
+      const auto [px, py] = place(point);
       labels_.take({px - kRadius, py - kRadius, px + kRadius, py + kRadius});
       svg += fmt::format(
           "<g class=\"point\"><title>{}</title><circle cx=\"{}\" cy=\"{}\" r=\"9\" class=\"target\"/>{}</g>\n",
@@ -200,17 +198,16 @@ class Drawing {
     const bool notes = text == &ChartPoint::note;
     for (const auto& point : series.points) {
       if ((point.*text).empty()) continue;
-      const double px = x_.at(point.x);
-      const double py = y_.at(point.y);
-      const auto place = labels_.place(px, py, point.*text, notes);
-      if (!place) continue;
-      if (place->led) {
+      const auto [px, py] = place(point);
+      const auto label = labels_.place(px, py, point.*text, notes);
+      if (!label) continue;
+      if (label->led) {
         const double width = text_width(point.*text, kFont);
-        const double end_x = std::clamp(px, place->x, place->x + width);
-        const double end_y = std::clamp(py, place->y - 0.85 * kFont, place->y + 0.2 * kFont);
-        svg += line_svg(px, py, end_x, end_y, "leader");
+        const double end_x = std::clamp(px, label->x, label->x + width);
+        const double end_y = std::clamp(py, label->y - 0.85 * kFont, label->y + 0.2 * kFont);
+        svg += line_svg({px, py}, {end_x, end_y}, "leader");
       }
-      svg += text_svg(place->x, place->y, notes ? "note" : "label", point.*text);
+      svg += text_svg(label->x, label->y, notes ? "note" : "label", point.*text);
     }
     return svg;
   }
@@ -268,18 +265,11 @@ struct StyleColor {
   const char* light;
   const char* dark;
 };
-constexpr std::array<StyleColor, 4 + kChartColors> kColors = {{{"ink", "#1d2430", "#e4e7ec"},
-                                                               {"quiet", "#6a7280", "#98a1af"},
-                                                               {"grid", "#e6e8ec", "#2c323c"},
-                                                               {"paper", "#fff", "#15191f"},
-                                                               {"c0", "#0072b2", "#4ea3dd"},
-                                                               {"c1", "#d55e00", "#f0813a"},
-                                                               {"c2", "#009e73", "#35c19a"},
-                                                               {"c3", "#b0589a", "#dd8fc6"},
-                                                               {"c4", "#c98f00", "#edb944"},
-                                                               {"c5", "#3b9fd6", "#8fd0f7"},
-                                                               {"c6", "#555f6e", "#a9b3c1"},
-                                                               {"c7", "#7a6300", "#c9b458"}}};
+constexpr StyleColor kColors[4 + kChartColors] = {
+    {"ink", "#1d2430", "#e4e7ec"}, {"quiet", "#6a7280", "#98a1af"}, {"grid", "#e6e8ec", "#2c323c"},
+    {"paper", "#fff", "#15191f"},  {"c0", "#0072b2", "#4ea3dd"},    {"c1", "#d55e00", "#f0813a"},
+    {"c2", "#009e73", "#35c19a"},  {"c3", "#b0589a", "#dd8fc6"},    {"c4", "#c98f00", "#edb944"},
+    {"c5", "#3b9fd6", "#8fd0f7"},  {"c6", "#555f6e", "#a9b3c1"},    {"c7", "#7a6300", "#c9b458"}};
 
 constexpr const char* kShapes = R"(
 .chart{font:11px/1.2 system-ui,-apple-system,"Segoe UI",Roboto,"DejaVu Sans",sans-serif;max-width:100%;height:auto}
@@ -293,7 +283,7 @@ constexpr const char* kShapes = R"(
 .chart .point:hover .marker{stroke-width:3.5}
 )";
 
-// The colors of the light theme in place of the variables, which programs other than browsers do not know.
+// Replaces the variables, which only browsers know, by the colors of the light theme.
 std::string on_white(std::string svg) {
   for (const auto& color : kColors) {
     const std::string variable = fmt::format("var(--{})", color.name);

@@ -1,8 +1,8 @@
 // Plots with logarithmic axes as SVG: markers, lines, staircases, labels that do not overlap, hover titles.
 //
-// Input: series of points with positive coordinates. Output: the text of one <svg> element, the same bytes for the same
-// chart. Colors are CSS variables (chart_style), so that a page or a file follows light and dark; a stretch of an axis
-// without any point can be cut out (axis_pieces). A coordinate that is not positive is drawn at the lower end.
+// Input: series of points with positive coordinates; others are drawn at the lower end of their axis. Output: the text
+// of one <svg> element, the same bytes for the same chart. Colors are CSS variables (chart_style), so that a page follows
+// light and dark themes. axis_pieces cuts out a stretch of an axis that has no point.
 #pragma once
 #include <string>
 #include <vector>
@@ -19,9 +19,9 @@ enum class Line { kNone, kStraight, kStaircase };
 struct ChartPoint {
   double x = 0;
   double y = 0;
-  std::string hover = {};  ///< shown while the pointer rests on it; lines separated by \n
-  std::string label = {};  ///< written beside it where there is room
-  std::string note = {};   ///< instead of a label: written once all labels are, and only close by
+  std::string hover = {};  ///< appears while the pointer rests on the point; \n separates lines
+  std::string label = {};  ///< written beside the point if there is room
+  std::string note = {};   ///< instead of a label: written after all labels, and only close to the point
 };
 
 struct ChartSeries {
@@ -56,14 +56,14 @@ struct Chart {
   bool legend = false;  ///< below, a marker and a name for every named series
 };
 
-/// Pieces around the positive values, rounded outwards; a gap of more than `widest_gap` decades ends a piece. Widths
-/// are at least one decade. {1, 10} where there is no positive value.
+/// Pieces around the positive values; a gap of more than `widest_gap` decades ends a piece. A piece is at least one decade
+/// wide. {1, 10} if there is no positive value.
 std::vector<AxisPiece> axis_pieces(std::vector<double> values, double widest_gap);
 
 /// The <svg> element, for a page that has chart_style in its style sheet.
 std::string chart_svg(const Chart& chart);
 
-/// The same as a file of its own, on white, in colors that every program that shows SVG knows.
+/// The same as a file of its own, on white, in colors that every SVG program knows.
 std::string chart_file(const Chart& chart);
 
 /// The marker of a series as a small <svg> element, for a legend.

@@ -9,8 +9,7 @@ namespace sh::output {
 /// The bytes of a PNG file. 8-bit sRGB, (height, width, 3) row-major, top row first.
 std::string encode_png(int width, int height, std::span<const std::uint8_t> rgb);
 
-/// encode_png to a file. The file appears complete or not at all. Throws
-/// std::runtime_error, one line naming the file, where it cannot be written.
+/// encode_png to a file, which appears complete or not at all. Throws std::runtime_error as AtomicFile does.
 void write_png(const std::string& file, int width, int height, std::span<const std::uint8_t> rgb);
 
 }  // namespace sh::output

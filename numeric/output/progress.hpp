@@ -9,18 +9,18 @@
 
 namespace sh::output {
 
-/// Thrown at the next Progress::advance after the user pressed ^C; a tool then exits 130 with nothing half-written.
+/// Progress::advance throws it after the user pressed ^C; a tool then exits 130 and leaves no half-written file.
 struct Interrupted : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// From now on SIGINT and SIGTERM only ask to stop (see Interrupted); a second one ends the process at once.
+/// From now on SIGINT and SIGTERM only ask to stop (see Interrupted); a second signal ends the process at once.
 void stop_on_interrupt();
-/// Throws Interrupted once a stop has been asked for. Cheap.
+/// Throws Interrupted if a signal has asked to stop. Cheap.
 void check_interrupt();
 
-/// Counts `total` steps of `what`. advance() may be called from any thread; it throws Interrupted when asked to stop.
-/// finish() prints the elapsed time; a Progress destroyed without it leaves the terminal on a fresh line.
+/// Counts `total` steps of `what`. Any thread may call advance(), which throws Interrupted if a signal has asked to stop.
+/// finish() prints the elapsed time; the destructor leaves the terminal on a fresh line.
 class Progress {
  public:
   Progress(std::string what, std::size_t total);

@@ -1,5 +1,5 @@
-// The transfer function of sRGB [IEC 61966-2-1] and its inverse. Its primaries are those of Rec. 709, so that channels
-// stay apart.
+// The transfer function of sRGB [IEC 61966-2-1] and its inverse. sRGB has the primaries of Rec. 709, so that no channel
+// depends on another.
 #pragma once
 #include <cmath>
 

@@ -1,4 +1,4 @@
-// Time on the wall since a moment.
+// The time since a moment, by a steady clock.
 #pragma once
 #include <chrono>
 

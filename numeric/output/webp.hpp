@@ -7,7 +7,7 @@
 
 namespace sh::output {
 
-/// Pictures are added one after the other, each 8-bit sRGB, (height, width, 3) row-major, top row first.
+/// Takes the pictures in their order: 8-bit sRGB, (height, width, 3) row-major, top row first.
 class AnimatedWebp {
  public:
   /// `quality` 0 .. 100; 100 is lossless. Throws std::invalid_argument for a size WebP does not have (1 to 16383 a
@@ -20,7 +20,7 @@ class AnimatedWebp {
   /// Throws std::invalid_argument for a picture of another size, std::runtime_error where libwebp fails.
   void add(std::span<const std::uint8_t> rgb);
 
-  /// The bytes of the file: all pictures, for ever again. Call it once, after the last picture.
+  /// The bytes of the file, which repeats the pictures for ever. Call it once, after the last picture.
   std::string finish();
 
  private:

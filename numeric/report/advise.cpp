@@ -20,7 +20,7 @@ bool is_wanted(const Point& point, const Need& need) {
          (need.prepared || info.mode != Mode::kPrepared);
 }
 
-// The front of what is wanted, whatever its mode, from the fastest to the most exact.
+// The front of the wanted points of any mode, from the fastest to the most exact.
 std::vector<Point> front_of(const std::vector<Point>& points, const Need& need) {
   std::vector<Point> wanted;
   std::copy_if(points.begin(), points.end(), std::back_inserter(wanted),

@@ -56,7 +56,7 @@ void add_band_limited(std::vector<SourceClaim>& claims, int first, int size) {
   const CubeMapError exact = error_of(size, kWeights[0]);
   const auto add = [&](int reading, double measured, double with_exact) {
     claims.push_back(claim_of("S-32", reading, kPercent * measured,
-                              fmt::format("E = sum ds y y^T - 1, ds at the texel's centre, not scaled; with exact "
+                              fmt::format("E = sum ds y y^T - 1, ds at the texel's center, not scaled; with exact "
                                           "solid angles {:.2g} %",
                                           kPercent * with_exact)));
   };
@@ -66,7 +66,7 @@ void add_band_limited(std::vector<SourceClaim>& claims, int first, int size) {
 
 SourceClaim total_area() {
   return claim_of("GP-38", 0, 4 * std::numbers::pi * (1 + error_of(128, kWeights[0]).area),
-                  "exact solid angles; the sum of the estimates at the centres is off by 1.5e-5 of it");
+                  "exact solid angles; the sum of the estimates at the centers is off by 1.5e-5 of it");
 }
 
 // Errors of the projection of the smooth test function with six 32 x 32 images.
@@ -78,7 +78,7 @@ SourceClaim estimate_against_exact() {
   const double ratio = error("cube_map_differential") / error("cube_map");
   return claim_of("GP-36", 0, ratio,
                   "six 32 x 32 images, estimate scaled to 4 pi; its errors cancel part of those of sampling at the "
-                  "centre",
+                  "center",
                   ratio > 1);
 }
 
@@ -93,7 +93,7 @@ Values basis_on_face(std::size_t face, double u, double v) {
   return y;
 }
 
-// The basis at the texel centres of a face, read bilinearly, and as the centre beyond the last one.
+// The basis at the centers of the texels of a face, read bilinearly; beyond the last center its value goes on.
 class Image {
  public:
   Image(std::size_t face, int size) : size_(size) {
@@ -124,7 +124,7 @@ class Image {
   std::vector<Values> texels_;
 };
 
-// Adds INT e e^T over a cell of half a texel, in which the image is smooth; e = what is read less the basis itself.
+// Adds INT e e^T over a cell of half a texel, in which the image is smooth; e = the value read from the image less the basis itself.
 void add_cell(Matrix& sum, const Image& image, std::size_t face, double u0, double v0, double width) {
   static const auto kRule = gauss_legendre<double>(3);
   const double half = 0.5 * width;

@@ -13,11 +13,11 @@ namespace {
 using output::Chart;
 using output::ChartSeries;
 
-// Errors more than this many decades apart are drawn in pieces: those of float and of double.
+// A wider gap between errors, in decades, divides the axis: errors of float and of double.
 constexpr double kWidestGap = 2.2;
 constexpr int kHighestKernel = 10;
 
-// Methods in the order of the degree that has most, then those of other degrees.
+// Methods in the order of the degree with the most methods, then those of other degrees.
 std::vector<std::string> method_names(const std::vector<Point>& points) {
   std::map<int, int> counts;
   for (const auto& point : points) ++counts[point.info.degree];
@@ -33,7 +33,7 @@ std::vector<std::string> method_names(const std::vector<Point>& points) {
   return names;
 }
 
-// Nothing of the same type and mode is faster and more exact.
+// Whether no point of the same type and mode is faster and more exact.
 bool is_best_of_type(const Point& point, const std::vector<Point>& points) {
   return std::none_of(points.begin(), points.end(), [&](const Point& other) {
     return other.info.scalar == point.info.scalar && other.info.mode == point.info.mode &&

@@ -1,8 +1,8 @@
 // Numbers that the sources state about sampling and truncation, measured again.
 //
-// Input: the measured readings of numeric/errata/errata.hpp, which record the printed number and whether it is right.
-// Output: a row a reading, ready for a table. Everything is computed here, by quadrature or with samples of fixed
-// seeds: the same bits in every run on one machine.
+// Input: the measured readings of numeric/errata/errata.hpp, which record the printed number and the verdict on it.
+// Output: one row for each reading. The numbers come from quadrature or from samples of fixed seeds: the same bits in
+// every run on one machine.
 #pragma once
 
 #include <functional>
@@ -19,12 +19,12 @@ struct SourceClaim {
   double measured;      ///< in the same unit
   std::string unit;     ///< "%" or ""
   bool reproduced;  ///< the measured number is the printed one, to its digits or within the spread that `how` states
-  bool recorded;    ///< what the errata say of it
+  bool recorded;    ///< the verdict of the errata
   std::string how;  ///< the experiment in a sentence
 };
 
-/// The row of an entry's measured reading `reading` (0: its first with a number), reproduced when `measured` rounds to
-/// the printed number. Throws std::out_of_range when there is no such reading.
+/// The row of an entry's measured reading `reading` (0: its first with a number), reproduced if `measured` rounds to the
+/// printed number. Throws std::out_of_range if there is no such reading.
 SourceClaim claim_of(const std::string& id, int reading, double measured, const std::string& how);
 SourceClaim claim_of(const std::string& id, int reading, double measured, const std::string& how, bool reproduced);
 

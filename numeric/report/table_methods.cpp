@@ -1,4 +1,4 @@
-// The tables of numeric/methods as methods: what others use, and the oracle's own algorithms, in float and double.
+// The tables of numeric/methods as methods of the report: algorithms of others and of the oracle, in float and double.
 #include <fmt/core.h>
 
 #include <cmath>

@@ -10,8 +10,7 @@
 #include <sstream>
 #include <vector>
 
-#include "numeric/output/chart_labels.hpp"
-#include "numeric/output/chart_scale.hpp"
+#include "numeric/output/chart_layout.hpp"
 #include "numeric/sampling/random.hpp"
 
 namespace {
