@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "prt/bake/form_factors.hpp"
-#include "prt/scene/bake_options.hpp"
+#include "prt/scene/options.hpp"
 #include "prt/transfer/transfer.hpp"
 
 namespace sh::prt {

@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "prt/basis.hpp"
-#include "prt/mesh/corner_angle.hpp"
+#include "prt/mesh/corners.hpp"
 
 namespace sh::prt {
 

@@ -4,16 +4,16 @@
 #include <oneapi/tbb/info.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
-#include <cstdio>
+#include <charconv>
+#include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <iostream>
-#include <nlohmann/json.hpp>
-#include <stdexcept>
+#include <sstream>
 
 #include "prt/commands/commands.hpp"
-#include "prt/scene/json_reader.hpp"
 #include "prt/scene/scene_parts.hpp"
 
 namespace sh::prt {
@@ -23,22 +23,74 @@ std::vector<LightSpec> lights_of_file(const std::string& file) {
   const nlohmann::json document = read_json(file);
   const JsonReader reader(file, document);
   const std::string folder = std::filesystem::path(file).parent_path().string();
-  if (!reader.is_array()) return {read_light(reader, folder)};
+  if (!reader.is("array")) return {read_light(reader, folder)};
   std::vector<LightSpec> lights;
   for (const JsonReader& item : reader.items()) lights.push_back(read_light(item, folder));
   return lights;
 }
 
+double number_of(const std::string& window, const std::string& part) {
+  double value = 0.0;
+  const auto end = std::from_chars(part.data(), part.data() + part.size(), value);
+  if (end.ec != std::errc() || end.ptr != part.data() + part.size()) {
+    throw std::runtime_error(fmt::format("--window {}: `{}` is no number", window, part));
+  }
+  return value;
+}
+
+/// The option in the form of a scene's JSON, so that one reader checks both.
+WindowChoice choice_of(const WindowOptions& options) {
+  std::vector<std::string> parts;
+  std::istringstream stream(options.window + ':');
+  for (std::string part; std::getline(stream, part, ':');) parts.push_back(part);
+  const auto type = value_called<WindowType>(parts[0], kWindowNames);
+  if (parts.size() > 3 || (parts.size() > 1 && !type)) {
+    throw std::runtime_error(
+        fmt::format("--window {}: expected auto, KIND, KIND:NUMBER or sinc:WIDTH:POWER", options.window));
+  }
+  nlohmann::json window = {{"type", parts[0]}, {"keep", options.keep}};
+  if (parts.size() > 1) window[std::string(number_key(*type))] = number_of(options.window, parts[1]);
+  if (parts.size() > 2) {
+    const double power = number_of(options.window, parts[2]);
+    const bool is_whole = power == std::round(power);
+    window["power"] = is_whole ? nlohmann::json(static_cast<long long>(power)) : nlohmann::json(power);
+  }
+  const std::string where = "--window " + options.window;
+  return read_window(JsonReader(where, window));
+}
+
 }  // namespace
+
+void WindowOptions::add_to(CLI::App& command) {
+  command.add_option(
+      "--window", window,
+      "window on all lights: auto, or hann|sinc|laplacian|gaussian|fejer[:NUMBER], sinc:WIDTH:POWER; without a "
+      "number the least window that leaves no negative value");
+  command.add_option("--keep", keep, "quantity that must not be negative")
+      ->check(CLI::IsMember({"radiance", "irradiance"}));
+}
+
+LightCoefficients project_windowed(const std::vector<Light>& lights, int degree, const WindowOptions& options,
+                                   std::vector<Deringing>* windowed) {
+  const bool has_window = std::any_of(lights.begin(), lights.end(), [](const Light& l) { return l.spec.window; });
+  if (has_window && !options.window.empty()) {
+    throw std::runtime_error(fmt::format(
+        "--window {}: a light has a window of its own; either all lights take one or each its own", options.window));
+  }
+  std::vector<Deringing> done;
+  LightCoefficients light = project(lights, degree, &done);
+  if (!options.window.empty()) done.push_back(apply_window(choice_of(options), light));
+  for (const Deringing& one : done) fmt::print(stderr, "prt: {}\n", describe(one));
+  if (windowed != nullptr) *windowed = done;
+  return light;
+}
 
 std::vector<LightSpec> named_lights(const std::string& name, const std::string& mapping) {
   if (std::filesystem::path(name).extension() == ".json") return lights_of_file(name);
   LightSpec spec;
   if (name == "constant") {
     spec.type = LightType::kConstant;
-  } else if (name == "overcast") {
-    spec.type = LightType::kCieOvercast;
-  } else {
+  } else if (name != "overcast") {
     spec.type = LightType::kEnvironment;
     spec.file = name;
     spec.mapping = numeric::mapping_named(mapping).value();
@@ -47,10 +99,8 @@ std::vector<LightSpec> named_lights(const std::string& name, const std::string& 
 }
 
 void add_mapping_to(CLI::App& command, std::string& mapping) {
-  const std::vector<std::string> words(numeric::kMappingNames.begin(), numeric::kMappingNames.end());
   command.add_option("--mapping", mapping, "mapping of a picture (prt/IMAGES.md)")
-      ->check(CLI::IsMember(words))
-      ->capture_default_str();
+      ->check(CLI::IsMember(std::vector<std::string>(numeric::kMappingNames.begin(), numeric::kMappingNames.end())));
 }
 
 void LightOptions::add_to(CLI::App& command) {
@@ -68,19 +118,18 @@ void LightOptions::add_to(CLI::App& command) {
 }
 
 ChosenLight choose_light(const LightOptions& options, const std::vector<LightSpec>& otherwise) {
+  const OnFlaw flaws = on_flaw(options.strict);
   ChosenLight chosen;
+  std::vector<LightSpec> lights = otherwise;
   if (!options.scene.empty()) {
-    const Scene scene = load_scene(options.scene, options.on_flaw());
-    chosen.lights = load_lights(scene.lights, options.on_flaw());
-    chosen.camera.push_back(scene.camera);
-  } else if (options.light.empty() && !otherwise.empty()) {
-    chosen.lights = load_lights(otherwise, options.on_flaw());
-  } else {
-    chosen.lights = load_lights(named_lights(options.light.empty() ? "overcast" : options.light, options.mapping),
-                                options.on_flaw());
+    const Scene scene = load_scene(options.scene, flaws);
+    lights = scene.lights;
+    chosen.camera = scene.camera;
+  } else if (!options.light.empty() || otherwise.empty()) {
+    lights = named_lights(options.light.empty() ? "overcast" : options.light, options.mapping);
   }
-  chosen.lights =
-      turned(chosen.lights, rotation_about(Eigen::Vector3d::UnitZ(), static_cast<double>(options.turn_degrees)));
+  const double degrees = static_cast<double>(options.turn_degrees);
+  chosen.lights = turned(load_lights(lights, flaws), rotation_about(Eigen::Vector3d::UnitZ(), degrees));
   return chosen;
 }
 
@@ -91,10 +140,19 @@ void with_threads(int threads, const std::function<void()>& work) {
   work();
 }
 
+void require_stops(float stops) {
+  constexpr float kMostStops = 64.0F;
+  if (!(std::abs(stops) <= kMostStops)) {
+    throw std::invalid_argument(fmt::format("--exposure {0}: expected -{1} to {1} stops", stops, kMostStops));
+  }
+}
+
 void print_out(std::string_view text) {
   std::cout << text << std::flush;
   if (!std::cout) throw std::runtime_error("standard output: cannot write");
 }
+
+void print_json(const Json& json) { print_out(json.dump(2) + "\n"); }
 
 void require_writable(const std::string& file) {
   const std::filesystem::path path(file);
@@ -110,28 +168,6 @@ void require_writable(const std::string& file) {
 
 void report_time(const Stopwatch& stopwatch, const std::string& what) {
   fmt::print(stderr, "prt: {} in {:.2f} s\n", what, stopwatch.seconds());
-}
-
-void BakeOverrides::add_to(CLI::App& command) {
-  command.add_option("--degree", degree, "SH degree, 0 to 10, instead of the scene's");
-  command.add_option("--directions", directions, "directions over the whole sphere, instead of the scene's");
-  command.add_option("--sampler", sampler, "method that chooses the directions, instead of the scene's")
-      ->check(CLI::IsMember(std::vector<std::string>(kSamplerNames.begin(), kSamplerNames.end())));
-  command.add_option("--seed", seed, "seed of all samplers except fibonacci, instead of the scene's")
-      ->check(CLI::Range(0, kMaxSeed));
-  const auto words = kind_words();
-  command
-      .add_option("--kind", kind, "kind of transfer: unshadowed, shadowed or interreflected, instead of the scene's")
-      ->check(CLI::IsMember(std::vector<std::string>{words.begin(), words.end()}));
-}
-
-void BakeOverrides::apply_to(BakeOptions& bake) const {
-  bake.degree = degree.value_or(bake.degree);
-  bake.directions = directions.value_or(bake.directions);
-  bake.sampler = sampler_called(sampler).value_or(bake.sampler);
-  bake.seed = seed.value_or(bake.seed);
-  if (!kind.empty()) bake.kind = kind_called(kind);
-  require_degree(bake.degree);
 }
 
 }  // namespace sh::prt

@@ -1,8 +1,10 @@
-// The commands of the tool `prt`, one file each. Each reads options, calls the library and writes a file or JSON.
-// Results go to standard output, progress and messages to standard error. An error is an exception with one line.
+// The commands of the tool `prt`. Each reads options, calls the library and writes a file or JSON. Results go to
+// standard output, progress and messages to standard error. An error is an exception with one line.
 #pragma once
 #include <CLI/CLI.hpp>
 #include <functional>
+#include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -10,13 +12,14 @@
 #include <vector>
 
 #include "numeric/output/stopwatch.hpp"
-#include "prt/light/deringing.hpp"
 #include "prt/light/light.hpp"
-#include "prt/light/light_coefficients.hpp"
-#include "prt/mesh/mend.hpp"
+#include "prt/light/window.hpp"
 #include "prt/scene/scene.hpp"
 
 namespace sh::prt {
+
+using Json = nlohmann::ordered_json;
+using output::Stopwatch;
 
 /// Each function adds its subcommand to the tool; parsing the command line then runs it.
 void add_bake_command(CLI::App& tool);
@@ -59,38 +62,13 @@ struct LightOptions {
   bool strict = false;
 
   void add_to(CLI::App& command);
-  [[nodiscard]] OnFlaw on_flaw() const { return strict ? OnFlaw::kRefuse : OnFlaw::kMend; }
 };
 
-/// Options that replace entries of the scene's `bake`.
-struct BakeOverrides {
-  std::optional<int> degree;
-  std::optional<int> directions;
-  std::string sampler;
-  std::optional<std::uint32_t> seed;
-  std::string kind;
-
-  void add_to(CLI::App& command);
-  /// Throws std::invalid_argument for a degree out of range.
-  void apply_to(BakeOptions& bake) const;
-};
-
-/// Options that replace entries of the scene's `plan`.
-struct PlanArguments {
-  std::string mode;  // none, exact, lossy; empty: the scene's
-  std::optional<double> error;
-  std::string turns;
-  std::vector<std::string> without;
-
-  void add_to(CLI::App& command);
-  [[nodiscard]] PlanOptions applied_to(PlanOptions options) const;
-};
-
-/// The lights that the options name, and the camera of their scene; without a scene `camera` stays empty. Without any
-/// option the lights are `otherwise` or, if that is empty, the CIE overcast sky.
+/// The lights that the options name, and the camera of their scene. Without any option the lights are `otherwise` or,
+/// if that is empty, the CIE overcast sky.
 struct ChosenLight {
   std::vector<Light> lights;
-  std::vector<Camera> camera;  // none or one
+  std::optional<Camera> camera;
 };
 ChosenLight choose_light(const LightOptions& options, const std::vector<LightSpec>& otherwise = {});
 
@@ -101,16 +79,35 @@ void add_mapping_to(CLI::App& command, std::string& mapping);
 /// array of lights, else a picture of this mapping.
 std::vector<LightSpec> named_lights(const std::string& name, const std::string& mapping);
 
-/// Runs `work` with at most `threads` threads (`--threads N`); 0 uses every core.
+/// The treatment of flaws, by the flag `--strict`.
+inline OnFlaw on_flaw(bool strict) { return strict ? OnFlaw::kRefuse : OnFlaw::kMend; }
+
+/// Runs `work` with at most `threads` threads; 0 uses every core.
 void with_threads(int threads, const std::function<void()>& work);
+
+/// Adds `--threads`, and calls run(options) after parsing, with so many threads.
+template <class Options>
+void run_with_threads(CLI::App& command, const std::shared_ptr<Options>& options, void (*run)(const Options&),
+                      const std::string& more_help = {}) {
+  command.add_option("--threads", options->threads, "number of threads; 0: every core" + more_help);
+  command.callback([options, run] { with_threads(options->threads, [&] { run(*options); }); });
+}
+
+/// Refuses a value of `--exposure` beyond 64 stops.
+void require_stops(float stops);
 
 /// Prints a result on standard output; throws std::runtime_error if writing fails.
 void print_out(std::string_view text);
+void print_json(const Json& json);
+
+/// The three components of a vector.
+template <class Vector>
+Json json_of(const Vector& v) {
+  return {v.x(), v.y(), v.z()};
+}
 
 /// Throws std::runtime_error before long work starts if `file` cannot be written.
 void require_writable(const std::string& file);
-
-using output::Stopwatch;
 
 /// Prints `prt: WHAT in S s` on standard error, with `what` and the seconds.
 void report_time(const Stopwatch& stopwatch, const std::string& what);

@@ -9,12 +9,10 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
-#include <memory>
-#include <nlohmann/json.hpp>
 
 #include "numeric/output/atomic_file.hpp"
 #include "prt/commands/commands.hpp"
-#include "prt/image/image_io.hpp"
+#include "prt/image/image.hpp"
 #include "prt/rays/tracer.hpp"
 #include "prt/runtime/relight.hpp"
 #include "prt/scene/camera.hpp"
@@ -25,8 +23,6 @@
 
 namespace sh::prt {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 struct Options {
   std::string first;
@@ -56,11 +52,18 @@ Radiances shaded(const Transfer& transfer, const std::vector<Light>& lights, con
   return radiances;
 }
 
+/// The result of a comparison; the errors are relative.
 struct Compared {
-  Json json;
+  std::string error;  // the quantity that is compared, in words
   double rms = 0.0;
+  double largest = 0.0;
+  Json worst;           // where the largest error is
   std::string picture;  // a PNG file's bytes
 };
+
+std::string title(double rms, double largest) {
+  return fmt::format("rms {:.2g} %, largest {:.2g} %", 100 * rms, 100 * largest);
+}
 
 Compared compare_transfers(const Options& options) {
   const Transfer first = read_transfer(options.first);
@@ -70,33 +73,27 @@ Compared compare_transfers(const Options& options) {
         fmt::format("{}: its mesh is not that of {}; expected two bakes of one mesh", options.first, options.second));
   }
   const ChosenLight chosen = choose_light(options.light);
-  const Camera camera = chosen.camera.empty() ? default_camera(second.mesh, options.size) : chosen.camera.front();
+  const Camera camera = chosen.camera.value_or(default_camera(second.mesh, options.size));
   const VertexErrors errors = vertex_errors(second.mesh, camera, shaded(first, chosen.lights, options.light.window),
                                             shaded(second, chosen.lights, options.light.window));
-  const Eigen::Vector3f& place = second.mesh.positions[errors.error.worst_vertex];
-  Compared compared;
-  compared.rms = errors.error.rms;
-  compared.json = {{"file", options.first},
-                   {"reference", options.second},
-                   {"error",
-                    "exit radiance, over the root mean square of the reference; vertices weigh by area over the "
-                    "squared distance to the camera"},
-                   {"relative_rms", errors.error.rms},
-                   {"relative_largest", errors.error.largest},
-                   {"worst_vertex", errors.error.worst_vertex},
-                   {"worst_place", {place.x(), place.y(), place.z()}}};
+  Compared compared{
+      "exit radiance, over the root mean square of the reference; vertices weigh by area over the "
+      "squared distance to the camera",
+      errors.error.rms,
+      errors.error.largest,
+      {{"worst_vertex", errors.error.worst_vertex},
+       {"worst_place", json_of(second.mesh.positions[errors.error.worst_vertex])}},
+      {}};
   if (!options.output.empty()) {
-    const Tracer tracer(second.mesh, options.threads);
-    const std::string title =
-        fmt::format("rms {:.2g} %, largest {:.2g} %", 100 * errors.error.rms, 100 * errors.error.largest);
-    compared.picture = error_picture(second.mesh, tracer, errors.relative, camera, options.size, title, "compare");
+    compared.picture = error_picture(second.mesh, Tracer(second.mesh, options.threads), errors.relative, camera,
+                                     options.size, title(compared.rms, compared.largest), "compare");
   }
   return compared;
 }
 
 Compared compare_pictures(const Options& options) {
-  const Image first = read_image(options.first, options.light.on_flaw());
-  const Image second = read_image(options.second, options.light.on_flaw());
+  const Image first = read_image(options.first, on_flaw(options.light.strict));
+  const Image second = read_image(options.second, on_flaw(options.light.strict));
   if (first.width != second.width || first.height != second.height) {
     throw std::runtime_error(fmt::format("{}: {} x {} pixels, {} has {} x {}", options.first, first.width, first.height,
                                          options.second, second.width, second.height));
@@ -107,7 +104,8 @@ Compared compare_pictures(const Options& options) {
     square += (first.pixels[i] - second.pixels[i]).cast<double>().squaredNorm();
     reference += second.pixels[i].cast<double>().squaredNorm();
   }
-  const double unit = reference > 0.0 ? std::sqrt(reference / (3.0 * static_cast<double>(second.pixels.size()))) : 1.0;
+  const double values = 3.0 * static_cast<double>(second.pixels.size());
+  const double unit = reference > 0.0 ? std::sqrt(reference / values) : 1.0;
   ErrorMap map{first.width, first.height, {}, std::vector<float>(first.pixels.size(), 1.0F)};
   double largest = -1.0;
   std::size_t worst = 0;
@@ -119,18 +117,13 @@ Compared compare_pictures(const Options& options) {
       worst = i;
     }
   }
-  Compared compared;
-  compared.rms = std::sqrt(square / (3.0 * static_cast<double>(second.pixels.size()))) / unit;
   const auto width = static_cast<std::size_t>(first.width);
-  compared.json = {{"file", options.first},
-                   {"reference", options.second},
-                   {"error", "all channels of all pixels, over the root mean square of the reference"},
-                   {"relative_rms", compared.rms},
-                   {"relative_largest", largest},
-                   {"worst_pixel", {worst % width, worst / width}}};
-  if (!options.output.empty()) {
-    compared.picture = error_png(map, fmt::format("rms {:.2g} %, largest {:.2g} %", 100 * compared.rms, 100 * largest));
-  }
+  Compared compared{"all channels of all pixels, over the root mean square of the reference",
+                    std::sqrt(square / values) / unit,
+                    largest,
+                    {{"worst_pixel", {worst % width, worst / width}}},
+                    {}};
+  if (!options.output.empty()) compared.picture = error_png(map, title(compared.rms, largest));
   return compared;
 }
 
@@ -143,7 +136,13 @@ void run(const Options& options) {
   }
   const Compared compared = transfers ? compare_transfers(options) : compare_pictures(options);
   if (!options.output.empty()) output::write_file(options.output, compared.picture);
-  print_out(compared.json.dump(2) + "\n");
+  Json json = {{"file", options.first},
+               {"reference", options.second},
+               {"error", compared.error},
+               {"relative_rms", compared.rms},
+               {"relative_largest", compared.largest}};
+  json.update(compared.worst);
+  print_json(json);
   if (!(compared.rms <= options.limit)) {
     throw CheckFailed(fmt::format("{}: differs by {:.3g}, more than {:g}", options.first, compared.rms, options.limit));
   }
@@ -153,20 +152,16 @@ void run(const Options& options) {
 
 void add_compare_command(CLI::App& tool) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = tool.add_subcommand("compare", "compare two bakes of one mesh, or two HDR pictures");
-  command->add_option("FILE", options->first, "transfer file, or a picture (.exr, .hdr)")->required();
-  command->add_option("REFERENCE", options->second, "reference of the same type; errors are relative to it")
-      ->required();
-  command->add_option("-o,--output", options->output, "PNG file to write: the error in false colors");
-  command->add_option("--limit", options->limit, "exit 1 if the relative rms error is larger");
-  command->add_option("--width", options->size.width, "width of the picture in pixels, for bakes")
-      ->capture_default_str();
-  command->add_option("--height", options->size.height, "height of the picture in pixels, for bakes")
-      ->capture_default_str();
-  command->add_option("--samples", options->size.samples, "rays for each pixel, for bakes")->capture_default_str();
-  command->add_option("--threads", options->threads, "number of threads; 0: every core")->capture_default_str();
-  options->light.add_to(*command);
-  command->callback([options] { with_threads(options->threads, [&] { run(*options); }); });
+  CLI::App& command = *tool.add_subcommand("compare", "compare two bakes of one mesh, or two HDR pictures");
+  command.add_option("FILE", options->first, "transfer file, or a picture (.exr, .hdr)")->required();
+  command.add_option("REFERENCE", options->second, "reference of the same type; errors are relative to it")->required();
+  command.add_option("-o,--output", options->output, "PNG file to write: the error in false colors");
+  command.add_option("--limit", options->limit, "exit 1 if the relative rms error is larger");
+  command.add_option("--width", options->size.width, "width of the picture in pixels, for bakes");
+  command.add_option("--height", options->size.height, "height of the picture in pixels, for bakes");
+  command.add_option("--samples", options->size.samples, "rays for each pixel, for bakes");
+  options->light.add_to(command);
+  run_with_threads(command, options, run);
 }
 
 }  // namespace sh::prt

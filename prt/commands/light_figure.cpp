@@ -8,6 +8,7 @@
 
 #include "numeric/plot/map.hpp"
 #include "numeric/sampling/sphere_nodes.hpp"
+#include "prt/commands/commands.hpp"
 #include "prt/image/tone_map.hpp"
 
 namespace sh::prt {
@@ -126,11 +127,7 @@ std::string draw_lights(const std::vector<Light>& lights, const LightCoefficient
     throw std::invalid_argument(
         fmt::format("--width {}: expected {} to {} pixels", figure.width, kLeastWidth, plot::kLargestSize));
   }
-  constexpr float kMostStops = 64.0F;
-  if (!(std::abs(figure.exposure_stops) <= kMostStops)) {
-    throw std::invalid_argument(
-        fmt::format("--exposure {0}: expected -{1} to {1} stops", figure.exposure_stops, kMostStops));
-  }
+  require_stops(figure.exposure_stops);
   return Drawing(lights, coefficients, figure).draw();
 }
 

@@ -11,17 +11,14 @@
 namespace {
 
 void add_commands(CLI::App& tool) {
+  using namespace sh::prt;
   tool.require_subcommand(1);
-  sh::prt::add_bake_command(tool);
-  sh::prt::add_relight_command(tool);
-  sh::prt::add_render_command(tool);
-  sh::prt::add_shader_command(tool);
-  sh::prt::add_info_command(tool);
-  sh::prt::add_project_command(tool);
-  sh::prt::add_plan_command(tool);
-  sh::prt::add_reconstruct_command(tool);
-  sh::prt::add_study_command(tool);
-  sh::prt::add_compare_command(tool);
+  tool.option_defaults()->always_capture_default();
+  for (const auto add :
+       {add_bake_command, add_relight_command, add_render_command, add_shader_command, add_info_command,
+        add_project_command, add_plan_command, add_reconstruct_command, add_study_command, add_compare_command}) {
+    add(tool);
+  }
 }
 
 int run(int argc, char** argv) {

@@ -4,10 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <memory>
-#include <optional>
 
-#include "prt/commands/frames.hpp"
 #include "prt/commands/subject.hpp"
 #include "prt/image/tone_map.hpp"
 #include "prt/runtime/render.hpp"
@@ -16,10 +13,10 @@
 namespace sh::prt {
 namespace {
 
-constexpr std::array<const char*, 4> kTurntables = {"none", "light", "camera", "object"};
-constexpr std::array<const char*, 3> kTones = {"neutral", "reinhard", "linear"};
+constexpr std::array<std::string_view, 4> kTurntables = {"none", "light", "camera", "object"};
+constexpr std::array<std::string_view, 3> kTones = {"neutral", "reinhard", "linear"};
 
-struct Options {
+struct RenderCommand {
   SubjectOptions subject;
   std::string output;
   PictureSize size;
@@ -28,17 +25,16 @@ struct Options {
   AnimationOptions animation;
   std::optional<float> fixed_exposure;
   float exposure_stops = 0.0F;
-  std::string tone = kTones[0];
+  std::string tone = "neutral";
   std::string background = "auto";
   int threads = 0;
 };
 
 /// The background of the mesh: the light, or a gray that does not depend on the exposure. `auto` shows the light if it
 /// is a picture, because other skies are black below the horizon.
-bool shows_light(const Options& options, const std::vector<Light>& lights) {
+bool shows_light(const std::string& background, const std::vector<Light>& lights) {
   const auto is_picture = [](const Light& light) { return light.image != nullptr; };
-  return options.background == "light" ||
-         (options.background == "auto" && std::any_of(lights.begin(), lights.end(), is_picture));
+  return background == "light" || (background == "auto" && std::any_of(lights.begin(), lights.end(), is_picture));
 }
 
 Background background(bool show_light, const std::vector<Light>& lights) {
@@ -49,25 +45,16 @@ Background background(bool show_light, const std::vector<Light>& lights) {
 }
 
 /// Adds gray of linear 0.3 after exposure for samples that miss the mesh.
-void put_on_grey(Picture& picture, float exposure) {
-  constexpr float kGrey = 0.3F;
+void put_on_gray(Picture& picture, float exposure) {
+  constexpr float kGray = 0.3F;
   for (std::size_t i = 0; i < picture.radiance.size(); ++i) {
-    picture.radiance[i].array() += (1.0F - picture.coverage[i]) * kGrey / exposure;
+    picture.radiance[i].array() += (1.0F - picture.coverage[i]) * kGray / exposure;
   }
 }
 
-template <std::size_t N>
-std::size_t place_of(const std::array<const char*, N>& words, const std::string& word) {
-  return static_cast<std::size_t>(std::find(words.begin(), words.end(), word) - words.begin());
-}
-
-void check(const Options& options) {
+void check(const RenderCommand& options) {
   require_picture_size(options.size);
-  constexpr float kMaxStops = 64.0F;
-  if (!(std::abs(options.exposure_stops) <= kMaxStops)) {
-    throw std::invalid_argument(
-        fmt::format("--exposure {0}: expected -{1} to {1} stops", options.exposure_stops, kMaxStops));
-  }
+  require_stops(options.exposure_stops);
   if (!options.subject.local.empty() && options.turntable == "object") {
     throw std::invalid_argument("--turntable object: moves near lights too; with --local turn the camera or the light");
   }
@@ -80,11 +67,14 @@ void check(const Options& options) {
 /// Renders frame after frame; places meshes and rebuilds their tree only if something has moved.
 class Sequence {
  public:
-  Sequence(const Options& options, Subject& subject, PictureFiles& files)
-      : options_(options), subject_(subject), files_(files), show_light_(shows_light(options, subject.lights())) {
-    const std::string word = !options.turntable.empty() ? options.turntable : subject.is_stage() ? "none" : "light";
-    turntable_ = static_cast<Turntable>(place_of(kTurntables, word));
-  }
+  Sequence(const RenderCommand& options, Subject& subject, PictureFiles& files)
+      : options_(options),
+        subject_(subject),
+        files_(files),
+        show_light_(shows_light(options.background, subject.lights())),
+        turntable_(value_called<Turntable>(options.turntable, kTurntables)
+                       .value_or(subject.is_stage() ? Turntable::kNone : Turntable::kLight)),
+        tone_(value_called<ToneCurve>(options.tone, kTones).value()) {}
 
   void render_frame(int frame) {
     const double time = static_cast<double>(frame) / options_.frames;
@@ -97,8 +87,8 @@ class Sequence {
       exposure_ =
           options_.fixed_exposure.value_or(automatic_exposure(picture.covered())) * std::exp2(options_.exposure_stops);
     }
-    if (!show_light_) put_on_grey(picture, exposure_);
-    files_.add(frame, tone_map(picture.radiance, exposure_, static_cast<ToneCurve>(place_of(kTones, options_.tone))));
+    if (!show_light_) put_on_gray(picture, exposure_);
+    files_.add(frame, tone_map(picture.radiance, exposure_, tone_));
   }
 
   [[nodiscard]] float exposure() const { return exposure_; }
@@ -109,16 +99,15 @@ class Sequence {
     poses_ = poses;
     mesh_ = subject_.mesh(poses_);
     tracer_ = std::make_unique<Tracer>(mesh_, options_.threads);
-    if (!camera_) {
-      camera_ = subject_.camera().empty() ? default_camera(mesh_, options_.size) : subject_.camera().front();
-    }
+    if (!camera_) camera_ = subject_.camera().value_or(default_camera(mesh_, options_.size));
   }
 
-  const Options& options_;
+  const RenderCommand& options_;
   Subject& subject_;
   PictureFiles& files_;
   bool show_light_;
   Turntable turntable_;
+  ToneCurve tone_;
   std::vector<Pose> poses_;
   Mesh mesh_;
   std::unique_ptr<Tracer> tracer_;
@@ -126,7 +115,7 @@ class Sequence {
   float exposure_ = 1.0F;
 };
 
-void run(const Options& options) {
+void run(const RenderCommand& options) {
   check(options);
   PictureFiles files(options.output, options.frames, options.size.width, options.size.height, options.animation);
   const Stopwatch stopwatch;
@@ -139,52 +128,37 @@ void run(const Options& options) {
                                      options.size.height, options.size.samples, sequence.exposure()));
 }
 
-void add_picture_options(CLI::App& command, Options& options) {
-  command.add_option("--width", options.size.width, "width in pixels")->capture_default_str();
-  command.add_option("--height", options.size.height, "height in pixels")->capture_default_str();
-  command.add_option("--samples", options.size.samples, "rays for each pixel")->capture_default_str();
-  command.add_option("--exposure", options.exposure_stops, "stops brighter than the automatic or fixed exposure")
-      ->capture_default_str();
-  command.add_option("--fixed-exposure", options.fixed_exposure,
-                     "factor on radiance; default: brings the 95th percentile of the first picture to 0.7");
-  command.add_option("--tone", options.tone, "neutral (Khronos PBR), reinhard, or linear, which clips")
-      ->capture_default_str()
-      ->check(CLI::IsMember(std::vector<std::string>(kTones.begin(), kTones.end())));
-  command
-      .add_option("--background", options.background,
-                  "background of the mesh: light, grey, or auto (light if it is a picture)")
-      ->capture_default_str()
-      ->check(CLI::IsMember({"auto", "light", "grey"}));
-}
-
-void add_sequence_options(CLI::App& command, Options& options) {
-  command.add_option("--frames", options.frames, "number of pictures, at times 0, 1/N, 2/N, ... of a sequence")
-      ->capture_default_str();
-  command
-      .add_option("--turntable", options.turntable,
-                  "turns by 360/N degrees for each frame: none, light, camera or object; default: light, none for a "
-                  "stage")
-      ->check(CLI::IsMember(std::vector<std::string>(kTurntables.begin(), kTurntables.end())));
-  command.add_option("--fps", options.animation.frames_a_second, "frames a second of a .webp file")
-      ->capture_default_str();
-  command.add_option("--quality", options.animation.quality, "quality of a .webp file, 0 to 100; 100 is lossless")
-      ->capture_default_str();
-}
-
 }  // namespace
 
 void add_render_command(CLI::App& tool) {
-  auto options = std::make_shared<Options>();
-  CLI::App* command = tool.add_subcommand("render", "render a baked mesh or a stage to PNG or animated WebP");
-  options->subject.add_to(*command);
+  auto options = std::make_shared<RenderCommand>();
+  CLI::App& command = *tool.add_subcommand("render", "render a baked mesh or a stage to PNG or animated WebP");
+  options->subject.add_to(command);
   command
-      ->add_option("-o,--output", options->output,
-                   "PNG file to write, frames become out_000.png, ...; or one .webp file with all frames")
+      .add_option("-o,--output", options->output,
+                  "PNG file to write, frames become out_000.png, ...; or one .webp file with all frames")
       ->required();
-  add_picture_options(*command, *options);
-  add_sequence_options(*command, *options);
-  command->add_option("--threads", options->threads, "number of threads; 0: every core")->capture_default_str();
-  command->callback([options] { with_threads(options->threads, [&] { run(*options); }); });
+  command.add_option("--width", options->size.width, "width in pixels");
+  command.add_option("--height", options->size.height, "height in pixels");
+  command.add_option("--samples", options->size.samples, "rays for each pixel");
+  command.add_option("--exposure", options->exposure_stops, "stops brighter than the automatic or fixed exposure");
+  command.add_option("--fixed-exposure", options->fixed_exposure,
+                     "factor on radiance; default: brings the 95th percentile of the first picture to 0.7");
+  command.add_option("--tone", options->tone, "neutral (Khronos PBR), reinhard, or linear, which clips")
+      ->check(CLI::IsMember(std::vector<std::string>(kTones.begin(), kTones.end())));
+  command
+      .add_option("--background", options->background,
+                  "background of the mesh: light, grey, or auto (light if it is a picture)")
+      ->check(CLI::IsMember({"auto", "light", "grey"}));
+  command.add_option("--frames", options->frames, "number of pictures, at times 0, 1/N, 2/N, ... of a sequence");
+  command
+      .add_option("--turntable", options->turntable,
+                  "turns by 360/N degrees for each frame: none, light, camera or object; default: light, none for a "
+                  "stage")
+      ->check(CLI::IsMember(std::vector<std::string>(kTurntables.begin(), kTurntables.end())));
+  command.add_option("--fps", options->animation.frames_a_second, "frames a second of a .webp file");
+  command.add_option("--quality", options->animation.quality, "quality of a .webp file, 0 to 100; 100 is lossless");
+  run_with_threads(command, options, run);
 }
 
 }  // namespace sh::prt

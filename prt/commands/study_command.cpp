@@ -2,8 +2,6 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <memory>
-#include <nlohmann/json.hpp>
 
 #include "numeric/output/atomic_file.hpp"
 #include "prt/commands/commands.hpp"
@@ -26,16 +24,12 @@ struct Options {
 };
 
 StudyOptions study_options(const Options& options) {
-  constexpr std::size_t kQuickVertices = 250;
-  constexpr int kQuickDirections = 4096;
-  constexpr int kQuickBounceDirections = 128;
-  constexpr int kQuickPictureReference = 1024;
   StudyOptions result;
   if (options.quick) {
-    result.vertices = kQuickVertices;
-    result.most_directions = kQuickDirections;
-    result.bounce_directions = kQuickBounceDirections;
-    result.picture_reference = kQuickPictureReference;
+    result.vertices = 250;
+    result.most_directions = 4096;
+    result.bounce_directions = 128;
+    result.picture_reference = 1024;
   }
   result.vertices = options.vertices.value_or(result.vertices);
   result.most_directions = options.most_directions.value_or(result.most_directions);
@@ -76,7 +70,7 @@ void write(const std::string& folder, const Study& study, const Scene& scene) {
 void run(const Options& options) {
   const Stopwatch stopwatch;
   make_folder(options.out);
-  const Scene scene = load_scene(options.scene, options.strict ? OnFlaw::kRefuse : OnFlaw::kMend);
+  const Scene scene = load_scene(options.scene, on_flaw(options.strict));
   const Study study =
       run_study(scene, study_options(options), [&](const Study& so_far) { write(options.out, so_far, scene); });
   report_time(stopwatch, fmt::format("studied {} of {} vertices of {}, into {}", study.studied, study.vertices,
@@ -87,21 +81,18 @@ void run(const Options& options) {
 
 void add_study_command(CLI::App& tool) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = tool.add_subcommand("study", "measure error against time: directions, degree, bounces, storage");
-  command->add_option("SCENE", options->scene, "a scene's JSON file, `demo` or `disc`, the embedded scenes")
-      ->required();
-  command->add_option("--out", options->out, "folder for study.json and the charts; created if necessary")->required();
-  command->add_flag("--quick", options->quick, "take a few seconds: fewer vertices and directions");
-  command->add_option("--vertices", options->vertices, "approximate number of studied vertices, every k-th of the mesh")
+  CLI::App& command = *tool.add_subcommand("study", "measure error against time: directions, degree, bounces, storage");
+  command.add_option("SCENE", options->scene, "a scene's JSON file, `demo` or `disc`, the embedded scenes")->required();
+  command.add_option("--out", options->out, "folder for study.json and the charts; created if necessary")->required();
+  command.add_flag("--quick", options->quick, "take a few seconds: fewer vertices and directions");
+  command.add_option("--vertices", options->vertices, "approximate number of studied vertices, every k-th of the mesh")
       ->check(CLI::Range(1, 1000000));
-  command->add_option("--most-directions", options->most_directions,
-                      "study 256, 512, ... up to this number; the reference has four times as many");
-  command->add_option("--threads", options->threads, "number of threads; 0: every core; timed work runs on one")
-      ->capture_default_str();
-  command->add_option("--instruction-set", options->instruction_set,
-                      "instruction set for rays: sse4.2, avx, avx2 or avx512");
-  command->add_flag("--strict", options->strict, "refuse input that would otherwise be mended with a warning");
-  command->callback([options] { with_threads(options->threads, [&] { run(*options); }); });
+  command.add_option("--most-directions", options->most_directions,
+                     "study 256, 512, ... up to this number; the reference has four times as many");
+  command.add_option("--instruction-set", options->instruction_set,
+                     "instruction set for rays: sse4.2, avx, avx2 or avx512");
+  command.add_flag("--strict", options->strict, "refuse input that would otherwise be mended with a warning");
+  run_with_threads(command, options, run, "; timed work runs on one");
 }
 
 }  // namespace sh::prt

@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
 #include <filesystem>
 
+#include "numeric/output/atomic_file.hpp"
+#include "numeric/output/png.hpp"
 #include "prt/transfer/transfer_file.hpp"
 
 namespace sh::prt {
@@ -23,7 +26,32 @@ std::string coarseness(const std::string& file, const Transfer& transfer) {
   return line;
 }
 
-bool names_stage(const std::string& file) { return std::filesystem::path(file).extension() == ".json"; }
+bool has_extension(const std::string& file, const char* extension) {
+  return std::filesystem::path(file).extension() == extension;
+}
+
+LightSamples samples_named(const std::string& local, const Mesh& mesh) {
+  if (local == "octahedron") return samples_on_octahedron(mesh.positions);
+  int k = 0;
+  const auto end = std::from_chars(local.data(), local.data() + local.size(), k);
+  if (end.ec != std::errc() || end.ptr != local.data() + local.size() || k < 1 || k > kMaxLightSamples) {
+    throw std::runtime_error(
+        fmt::format("--local {}: expected `octahedron` or a number of points from 1 to {}", local, kMaxLightSamples));
+  }
+  return samples_by_distance(mesh.positions, k);
+}
+
+/// The points of `--local`; throws if the option does not fit the transfer.
+LightSamples local_samples(const SubjectOptions& options, const Transfer& transfer, bool is_stage) {
+  const auto refuse = [&](const char* why) {
+    throw std::runtime_error(fmt::format("{}: --local {}: {}", options.file, options.local, why));
+  };
+  if (is_stage) refuse("a stage takes distant light only; a transfer file is needed");
+  if (transfer.kind->has_bounces()) {
+    refuse("the bake has bounces, whose light comes from other places too; bake unshadowed or shadowed transfer");
+  }
+  return samples_named(options.local, transfer.mesh);
+}
 
 }  // namespace
 
@@ -31,11 +59,11 @@ void SubjectOptions::add_to(CLI::App& command) {
   command.add_option("FILE", file, "transfer file from `prt bake`, or a stage (.json)")->required();
   command.add_option("--transfers", transfers, "folder of a stage's transfer files; default: the stage's own");
   light.add_to(command);
-  command.add_option("--degree", shading.degree, "ignore higher bands; 1 takes 4 coefficients for each vertex")
-      ->capture_default_str();
+  command.add_option("--degree", shading.degree, "ignore higher bands; 1 takes 4 coefficients for each vertex");
   command.add_flag("--white", shading.white, "use the light's luminance in every channel");
   command
       .add_option("--recolor", shading.recolour, "R G B: linear albedo instead of the transfer's (not with bounces)")
+      ->default_str("")
       ->expected(3);
   command
       .add_option("--local", local,
@@ -45,22 +73,23 @@ void SubjectOptions::add_to(CLI::App& command) {
 }
 
 Subject::Subject(const SubjectOptions& options)
-    : is_stage_(names_stage(options.file)),
-      on_flaw_(options.light.on_flaw()),
+    : is_stage_(has_extension(options.file, ".json")),
+      on_flaw_(on_flaw(options.light.strict)),
+      shading_(options.shading),
       stage_(is_stage_ ? load_stage(options.file, options.transfers) : stage_of(read_transfer(options.file))),
-      camera_(stage_.camera),
-      lights_([&] {
-        ChosenLight chosen = choose_light(options.light, stage_.lights);
-        if (!chosen.camera.empty()) camera_ = chosen.camera;
-        return chosen.lights;
-      }()),
+      chosen_(choose_light(options.light, stage_.lights)),
       lighting_(
-          stage_, [&](int degree) { return project_windowed(lights_, degree, options.light.window); },
-          options.shading) {
+          stage_, [&](int degree) { return project_windowed(chosen_.lights, degree, options.light.window); },
+          shading_) {
+  if (!chosen_.camera) chosen_.camera = stage_.camera;
   for (const StageObject& object : stage_.objects) {
     if (object.transfer->missing.any()) tell_once(coarseness(is_stage_ ? object.name : options.file, *object.transfer));
   }
-  if (!options.local.empty()) local_.emplace(options, stage_, is_stage_, lights_);
+  if (options.local.empty()) return;
+  local_ = local_samples(options, *stage_.objects.front().transfer, is_stage_);
+  if (!varies(chosen_.lights)) {
+    tell_once(fmt::format("--local {}: no light is a sphere or a polygon, so that it changes nothing", options.local));
+  }
 }
 
 void Subject::tell_once(const std::string& line) {
@@ -71,6 +100,53 @@ std::vector<Pose> Subject::poses_at(double time) {
   std::vector<Pose> poses = sh::prt::poses_at(stage_, time);
   for (const std::string& line : overlaps(stage_, poses)) tell_once(line);
   return poses;
+}
+
+std::vector<Eigen::Vector3f> Subject::radiance(const std::vector<Pose>& poses,
+                                               const Eigen::Matrix3d& light_turn) const {
+  if (!local_) return lighting_.radiance(poses, light_turn);
+  const Transfer& transfer = *stage_.objects.front().transfer;
+  std::vector<LightCoefficients> at_points =
+      project_at(turned(chosen_.lights, light_turn), local_->points, shading_.degree_for(transfer.degree()));
+  for (LightCoefficients& light : at_points) light = shading_.chosen(light);
+  return relight_locally(transfer, *local_, at_points, shading_);
+}
+
+void require_frames(int frames) {
+  constexpr int kMaxFrames = 1000;
+  if (frames < 1 || frames > kMaxFrames) {
+    throw std::invalid_argument(fmt::format("--frames {}: expected 1 to {}", frames, kMaxFrames));
+  }
+}
+
+std::string frame_name(const std::string& output, int frame, int frames) {
+  if (frames == 1) return output;
+  const std::filesystem::path path(output);
+  const std::string name = fmt::format("{}_{:03}{}", path.stem().string(), frame, path.extension().string());
+  return (path.parent_path() / name).string();
+}
+
+PictureFiles::PictureFiles(std::string output, int frames, int width, int height, const AnimationOptions& options)
+    : output_(std::move(output)), frames_(frames), width_(width), height_(height) {
+  require_frames(frames);
+  if (has_extension(output_, ".webp")) {
+    animation_ = std::make_unique<output::AnimatedWebp>(width, height, options.frames_a_second, options.quality);
+  }
+  require_writable(name(0));
+}
+
+std::string PictureFiles::name(int frame) const { return animation_ ? output_ : frame_name(output_, frame, frames_); }
+
+void PictureFiles::add(int frame, std::span<const std::uint8_t> rgb) {
+  if (animation_) {
+    animation_->add(rgb);
+  } else {
+    output::write_png(name(frame), width_, height_, rgb);
+  }
+}
+
+void PictureFiles::finish() {
+  if (animation_) output::write_file(output_, animation_->finish());
 }
 
 }  // namespace sh::prt

@@ -1,10 +1,15 @@
-// The subject of `relight` and `render`: a transfer file, or a stage of several moving objects, under a light.
+// The subject of `relight` and `render` (a transfer file, or a stage of several moving objects, under a light), and the
+// files of their frames.
 #pragma once
+#include <cstdint>
+#include <memory>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "numeric/output/webp.hpp"
 #include "prt/commands/commands.hpp"
 #include "prt/runtime/local_relight.hpp"
 #include "prt/runtime/relight_stage.hpp"
@@ -23,53 +28,66 @@ struct SubjectOptions {
   void add_to(CLI::App& command);
 };
 
-/// Samples near lights according to `--local` (prt/runtime/local_relight.hpp).
-class LocalLighting {
- public:
-  /// Stage and lights must outlive this object. Throws std::runtime_error, one line, if the option does not fit; prints
-  /// a message if it has no effect.
-  LocalLighting(const SubjectOptions& options, const Stage& stage, bool is_stage, const std::vector<Light>& lights);
-
-  /// Exit radiance of the vertices. A near light turns about its `from`.
-  [[nodiscard]] std::vector<Eigen::Vector3f> radiance(const Eigen::Matrix3d& light_turn) const;
-
- private:
-  const Transfer& transfer_;
-  const std::vector<Light>& lights_;
-  Shading shading_;
-  LightSamples samples_;
-};
-
 class Subject {
  public:
   /// Light and camera come from the options, else from the stage. Throws one line that names the input that cannot be
-  /// read or does not fit. Prints a message if a time limit made the transfer coarser than requested.
+  /// read or does not fit. Prints a message if a time limit made the transfer coarser than requested, or if `--local`
+  /// has no effect.
   explicit Subject(const SubjectOptions& options);
   Subject(const Subject&) = delete;
   Subject& operator=(const Subject&) = delete;
 
   [[nodiscard]] bool is_stage() const { return is_stage_; }
-  [[nodiscard]] const std::vector<Light>& lights() const { return lights_; }
-  [[nodiscard]] const std::vector<Camera>& camera() const { return camera_; }  // none or one
+  [[nodiscard]] const std::vector<Light>& lights() const { return chosen_.lights; }
+  [[nodiscard]] const std::optional<Camera>& camera() const { return chosen_.camera; }
   /// Prints a message about objects that overlap, once for each pair.
   [[nodiscard]] std::vector<Pose> poses_at(double time);
   [[nodiscard]] Mesh mesh(const std::vector<Pose>& poses) const { return merged_mesh(stage_, poses); }
+  /// Exit radiance of the vertices. With `--local`, a near light turns about its `from`.
   [[nodiscard]] std::vector<Eigen::Vector3f> radiance(const std::vector<Pose>& poses,
-                                                      const Eigen::Matrix3d& light_turn) const {
-    return local_ ? local_->radiance(light_turn) : lighting_.radiance(poses, light_turn);
-  }
+                                                      const Eigen::Matrix3d& light_turn) const;
 
  private:
   void tell_once(const std::string& line);
 
   bool is_stage_;
   OnFlaw on_flaw_;
+  Shading shading_;
   Stage stage_;
-  std::vector<Camera> camera_;
-  std::vector<Light> lights_;
+  ChosenLight chosen_;
   StageLighting lighting_;
-  std::optional<LocalLighting> local_;
+  std::optional<LightSamples> local_;  // of `--local`
   std::set<std::string> told_;
+};
+
+/// Throws std::invalid_argument unless 1 <= frames <= 1000, so that frame numbers have three digits.
+void require_frames(int frames);
+
+/// out.png -> out_000.png, ...; a single frame keeps its name.
+std::string frame_name(const std::string& output, int frame, int frames);
+
+struct AnimationOptions {
+  double frames_a_second = 24.0;
+  int quality = 90;  // 100: lossless
+};
+
+/// Writes one PNG file for each frame, or one WebP file with all frames if `output` ends in .webp.
+class PictureFiles {
+ public:
+  /// Throws if the first file cannot be written or if the options are invalid.
+  PictureFiles(std::string output, int frames, int width, int height, const AnimationOptions& options);
+  /// The file to which frame `frame` is written.
+  [[nodiscard]] std::string name(int frame) const;
+  /// Adds the next frame, in 8-bit sRGB. Frames must come in order.
+  void add(int frame, std::span<const std::uint8_t> rgb);
+  void finish();
+
+ private:
+  std::string output_;
+  int frames_;
+  int width_;
+  int height_;
+  std::unique_ptr<output::AnimatedWebp> animation_;  // none: PNG files
 };
 
 }  // namespace sh::prt

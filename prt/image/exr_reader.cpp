@@ -14,7 +14,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "prt/image/image_io.hpp"
+#include "prt/image/image.hpp"
 
 namespace sh::prt {
 namespace {

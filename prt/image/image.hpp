@@ -1,8 +1,10 @@
-// A linear RGB picture in memory, and the checks that every picture passes before it may light a scene.
+// A linear RGB picture in memory. It is read from OpenEXR, Radiance, PNG and JPEG files; the first bytes of a file
+// decide the format, not its name.
 #pragma once
 #include <Eigen/Core>
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "prt/mesh/mend.hpp"
@@ -17,7 +19,7 @@ struct Image {
   std::size_t negative_pixels = 0;      // of the file, before mend_pixels set them to 0
 
   [[nodiscard]] const Eigen::Vector3f& at(int column, int row) const {
-    return pixels[static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column)];
+    return pixels[static_cast<std::size_t>(row) * width + column];
   }
 };
 
@@ -30,5 +32,24 @@ void require_sane_size(const std::string& file, long long width, long long heigh
 /// Refuses NaN and infinite pixels (the message names column and row); sets negative channels to 0 and reports how many
 /// pixels had one. `file` names the picture in messages.
 void mend_pixels(const std::string& file, Image& image, OnFlaw on_flaw);
+
+/// The encoding of a file's values. kOfFile: linear for OpenEXR and Radiance, sRGB for PNG and JPEG.
+enum class ColorSpace { kOfFile, kLinear, kSrgb };
+
+/// OpenEXR (any compression, DWA included; scanline or tiled; channels named R, G, B in any one layer, or Y alone;
+/// alpha is ignored; the data window is the picture), Radiance RGBE (.hdr), or 8-bit PNG or JPEG, whose bytes become
+/// 0..1. Values are taken as Rec. 709. Throws std::runtime_error, one line with the file's name, if the file is
+/// missing, truncated or of another format, if the picture is too large or has non-finite values, and if sRGB is
+/// requested of OpenEXR or Radiance. Reports negative pixels (see mend_pixels) and pixels that are not opaque as flaws.
+Image read_image(const std::string& file, OnFlaw on_flaw, ColorSpace space = ColorSpace::kOfFile);
+
+/// The OpenEXR part of read_image, before mend_pixels.
+Image read_exr(const std::string& file, OnFlaw on_flaw);
+
+/// The other parts of read_image: `bytes` are the whole file, `file` is its name for messages. Values are divided by
+/// the EXPOSURE of a Radiance header.
+Image read_radiance(const std::string& file, std::string_view bytes);
+Image read_png(const std::string& file, std::string_view bytes, ColorSpace space, OnFlaw on_flaw);
+Image read_jpeg(const std::string& file, std::string_view bytes, ColorSpace space);
 
 }  // namespace sh::prt

@@ -10,7 +10,7 @@
 #include <cstdlib>
 #include <stdexcept>
 
-#include "prt/image/image_io.hpp"
+#include "prt/image/image.hpp"
 
 namespace sh::prt {
 namespace {

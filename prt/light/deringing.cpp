@@ -1,5 +1,4 @@
-#include "prt/light/deringing.hpp"
-
+// The least window that keeps a light from ringing below zero [Sloan17]; sphere_extremes.hpp finds the least values.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,6 +8,7 @@
 
 #include "numeric/oracle/zonal.hpp"
 #include "prt/light/sphere_extremes.hpp"
+#include "prt/light/window.hpp"
 
 namespace sh::prt {
 namespace {
@@ -18,11 +18,9 @@ constexpr int kSteps = 64;
 
 /// A_l / pi for irradiance over pi, 1 for radiance.
 std::vector<double> kept_factors(Keep keep, int degree) {
-  std::vector<double> out;
-  for (int l = 0; l <= degree; ++l) {
-    out.push_back(keep == Keep::kRadiance
-                      ? 1.0
-                      : numeric::clamped_cosine_factor<double>(l) / numeric::clamped_cosine_factor<double>(0));
+  std::vector<double> out(degree + 1, 1.0);
+  for (int l = 0; keep == Keep::kIrradiance && l <= degree; ++l) {
+    out[l] = numeric::clamped_cosine_factor<double>(l) / numeric::clamped_cosine_factor<double>(0);
   }
   return out;
 }
@@ -32,11 +30,10 @@ class Channels {
  public:
   Channels(const LightCoefficients& light, Keep keep) : kept_(kept_factors(keep, light.degree)), degree_(light.degree) {
     const std::size_t n = light.bands_squared();
-    for (std::size_t channel = 0; channel < 3; ++channel) {
-      const double* c = &light.values[channel * n];
-      if (channel == 0 || !std::equal(c, c + n, c - n)) {  // white light is searched once
-        functions_.emplace_back(c, light.degree);
-      }
+    for (int channel = 0; channel < 3; ++channel) {
+      const double* c = &light.at(channel, 0);
+      const bool is_white = channel > 0 && std::equal(c, c + n, c - n);
+      if (!is_white) functions_.emplace_back(c, light.degree);  // white light is searched once
     }
     peak_ = largest(std::vector<double>(kept_.size(), 1.0));
   }
@@ -63,7 +60,7 @@ class Channels {
   /// The root of the sum of squares of all bands except 0.
   [[nodiscard]] double contrast(LightCoefficients light, const std::vector<double>& window) const {
     apply_factors(times_kept(window), light);
-    for (std::size_t channel = 0; channel < 3; ++channel) light.at(channel, 0) = 0.0;
+    for (int channel = 0; channel < 3; ++channel) light.at(channel, 0) = 0.0;
     return std::sqrt(std::inner_product(light.values.begin(), light.values.end(), light.values.begin(), 0.0));
   }
 
@@ -80,11 +77,11 @@ class Channels {
 };
 
 void refuse_negative(const LightCoefficients& light) {
-  for (std::size_t channel = 0; channel < 3; ++channel) {
-    const double* c = &light.values[channel * light.bands_squared()];
+  static constexpr const char* kChannels[] = {"red", "green", "blue"};
+  for (int channel = 0; channel < 3; ++channel) {
+    const double* c = &light.at(channel, 0);
     const bool black = std::all_of(c, c + light.bands_squared(), [](double value) { return value == 0.0; });
     if (!black && !(c[0] > 0.0)) {
-      static constexpr const char* kChannels[] = {"red", "green", "blue"};
       throw std::runtime_error(
           fmt::format("the light's mean {} is {:.3g}; a window can keep a light positive only if its mean is positive",
                       kChannels[channel], c[0]));
@@ -116,7 +113,7 @@ double least_strength(const Channels& channels, const WindowChoice& choice) {
 
 Deringing apply_window(const WindowChoice& choice, LightCoefficients& light) {
   const Channels channels(light, choice.keep);
-  const std::vector<double> none(static_cast<std::size_t>(light.degree) + 1, 1.0);
+  const std::vector<double> none(light.degree + 1, 1.0);
   Deringing done{choice};
   done.least_before = channels.least(none);
   done.least_after = done.least_before;

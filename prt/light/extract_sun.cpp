@@ -75,7 +75,7 @@ class Mosaic {
   [[nodiscard]] std::size_t at(const Eigen::Vector2d& place) const {
     const int column = std::clamp(static_cast<int>(place.x() * image_.width), 0, image_.width - 1);
     const int row = std::clamp(static_cast<int>(place.y() * image_.height), 0, image_.height - 1);
-    return static_cast<std::size_t>(row) * width() + static_cast<std::size_t>(column);
+    return row * width() + column;
   }
 
   const Image& image_;

@@ -2,14 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <limits>
 #include <optional>
+#include <stdexcept>
 
 #include "prt/image/environment.hpp"
-#include "prt/image/image_io.hpp"
-#include "prt/light/cap_light.hpp"
+#include "prt/image/image.hpp"
 #include "prt/light/light_coefficients.hpp"
-#include "prt/light/polygon_light.hpp"
-#include "prt/light/sky.hpp"
+#include "prt/light/light_shapes.hpp"
 
 namespace sh::prt {
 namespace {
@@ -21,11 +22,9 @@ Light unloaded(const LightSpec& spec) {
 /// The sun as a separate light; the environment keeps the rest. Empty if the picture has no sun.
 std::optional<Light> split_sun(Light& environment) {
   SunSearch search = extract_sun(*environment.image, environment.spec.mapping, *environment.spec.extract_sun);
-  if (!search.sun) {
-    report_found(fmt::format("{}: no sun: {}", environment.spec.file, search.why_none));
-    return std::nullopt;
-  }
-  report_found(fmt::format("{}: {}", environment.spec.file, describe(*search.sun)));
+  fmt::print(stderr, "prt: {}: {}\n", environment.spec.file,
+             search.sun ? describe(*search.sun) : "no sun: " + search.why_none);
+  if (!search.sun) return std::nullopt;
   Light sun = environment;
   sun.spec.type = LightType::kCap;
   sun.spec.direction = search.sun->direction;
@@ -72,6 +71,33 @@ Eigen::Vector3f radiance(const Light& light, const Eigen::Vector3d& direction) {
   return Eigen::Vector3f::Zero();
 }
 
+bool is_near(const Light& light) { return light.spec.near || light.spec.type == LightType::kPolygon; }
+
+Light sphere_from(const Light& light, const Eigen::Vector3d& point) {
+  const NearSphere& sphere = *light.spec.near;
+  const Eigen::Vector3d towards = light.rotation * sphere.centre - (point - light.spec.from);
+  if (!(towards.norm() > sphere.radius)) {
+    throw std::runtime_error(
+        fmt::format("the light is sampled at ({:.4g}, {:.4g}, {:.4g}), inside a sphere light of radius {:.4g}; near "
+                    "lights must stay "
+                    "outside of the mesh",
+                    point.x(), point.y(), point.z(), sphere.radius));
+  }
+  Light out = light;
+  out.rotation.setIdentity();
+  out.spec.direction = towards.normalized();
+  out.spec.one_minus_cos =
+      std::max(sphere_one_minus_cos(sphere.radius, towards.norm()), std::numeric_limits<double>::min());
+  return out;
+}
+
+std::optional<Light> polygon_from(const Light& light, const Eigen::Vector3d& point) {
+  Light out = light;
+  out.rotation.setIdentity();
+  for (Eigen::Vector3d& corner : out.spec.corners) corner = light.rotation * corner - (point - light.spec.from);
+  return polygon_flaw(out.spec.corners).empty() ? std::optional<Light>(out) : std::nullopt;
+}
+
 }  // namespace
 
 std::vector<Light> load_lights(const std::vector<LightSpec>& specs, OnFlaw on_flaw) {
@@ -91,6 +117,37 @@ Eigen::Vector3f radiance(const std::vector<Light>& lights, const Eigen::Vector3d
   Eigen::Vector3f sum = Eigen::Vector3f::Zero();
   for (const Light& light : lights) sum += radiance(light, direction);
   return sum;
+}
+
+bool varies(const std::vector<Light>& lights) { return std::any_of(lights.begin(), lights.end(), is_near); }
+
+std::vector<Light> seen_from(const std::vector<Light>& lights, const Eigen::Vector3d& point) {
+  std::vector<Light> out;
+  for (const Light& light : lights) {
+    if (light.spec.near) {
+      out.push_back(sphere_from(light, point));
+    } else if (!is_near(light)) {
+      out.push_back(light);
+    } else if (std::optional<Light> polygon = polygon_from(light, point)) {
+      out.push_back(std::move(*polygon));
+    }
+  }
+  return out;
+}
+
+std::vector<LightCoefficients> project_at(const std::vector<Light>& lights, const std::vector<Eigen::Vector3d>& points,
+                                          int degree) {
+  std::vector<Light> far;
+  std::vector<Light> near;
+  for (const Light& light : lights) (is_near(light) ? near : far).push_back(light);
+  const LightCoefficients background = project(far, degree);  // projects pictures once, not for each point
+  std::vector<LightCoefficients> out;
+  for (const Eigen::Vector3d& point : points) {
+    LightCoefficients sum = background;
+    accumulate(sum, project(seen_from(near, point), degree));
+    out.push_back(std::move(sum));
+  }
+  return out;
 }
 
 }  // namespace sh::prt

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <numbers>
 #include <stdexcept>
 
@@ -26,9 +27,7 @@ LightCoefficients LightCoefficients::zero(int degree) {
 
 LightCoefficients first_bands(const LightCoefficients& light, int degree) {
   LightCoefficients first = LightCoefficients::zero(degree);
-  for (std::size_t c = 0; c < 3; ++c) {
-    for (std::size_t i = 0; i < first.bands_squared(); ++i) first.at(c, i) = light.at(c, i);
-  }
+  for (int c = 0; c < 3; ++c) std::copy_n(&light.at(c, 0), first.bands_squared(), &first.at(c, 0));
   return first;
 }
 
@@ -41,9 +40,8 @@ LightCoefficients turned(const LightCoefficients& light, const Eigen::Matrix3d& 
   if (r == Eigen::Matrix3d::Identity()) return out;
   const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> rows = r;
   at_degree(light.degree, [&](auto degree) {
-    for (std::size_t channel = 0; channel < 3; ++channel) {
-      const std::size_t at = channel * light.bands_squared();
-      sh::rotate<degree()>(rows.data(), &light.values[at], &out.values[at]);
+    for (int channel = 0; channel < 3; ++channel) {
+      sh::rotate<degree()>(rows.data(), &light.at(channel, 0), &out.at(channel, 0));
     }
   });
   return out;

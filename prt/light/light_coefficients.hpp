@@ -20,7 +20,9 @@ struct LightCoefficients {
   static LightCoefficients zero(int degree);
   [[nodiscard]] std::size_t bands_squared() const { return coefficient_count(degree); }
   double& at(std::size_t channel, std::size_t i) { return values[channel * bands_squared() + i]; }
-  [[nodiscard]] double at(std::size_t channel, std::size_t i) const { return values[channel * bands_squared() + i]; }
+  [[nodiscard]] const double& at(std::size_t channel, std::size_t i) const {
+    return values[channel * bands_squared() + i];
+  }
 };
 
 /// The bands 0 .. degree of a light. Precondition: degree <= light.degree.

@@ -1,5 +1,10 @@
-#include "prt/light/polygon_light.hpp"
-
+// Exact projection of a flat emitting polygon. Y_lm is an eigenfunction of the Laplacian on the sphere, so that its
+// integral over a region equals an integral over the border,
+//   integral of Y_lm = 1 / (l(l+1)) * sum over edges of the integral of grad Y_lm . N along the edge,   l > 0,
+// where N is the unit normal of the edge's great circle, pointing inwards. On an edge the integrand is a trigonometric
+// polynomial of degree l in the arc, which Gauss-Legendre nodes integrate to rounding. The result equals that of the
+// recurrences over zonal lobes in [WangRamamoorthi18], but needs no recurrences. Band 0 is the solid angle by
+// [VanOosteromStrackee83] eq. 8.
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -8,6 +13,7 @@
 #include "numeric/oracle/gradient.hpp"
 #include "numeric/oracle/quadrature.hpp"
 #include "prt/light/light_coefficients.hpp"
+#include "prt/light/light_shapes.hpp"
 
 namespace sh::prt {
 namespace {

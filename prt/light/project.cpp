@@ -1,37 +1,32 @@
-#include "prt/light/project.hpp"
-
+// Projects lights without pictures on the SH basis.
 #include <cmath>
 #include <numbers>
 
 #include "numeric/oracle/cap.hpp"
-#include "prt/light/cap_light.hpp"
-#include "prt/light/polygon_light.hpp"
-#include "prt/light/sky.hpp"
+#include "prt/basis.hpp"
+#include "prt/light/light.hpp"
+#include "prt/light/light_coefficients.hpp"
+#include "prt/light/light_shapes.hpp"
 #include "prt/transfer/transfer.hpp"
 
 namespace sh::prt {
 namespace {
 
-std::vector<double> project_constant(int degree) {
-  std::vector<double> out(coefficient_count(degree), 0.0);
-  out[0] = std::sqrt(4.0 * std::numbers::pi);
-  return out;
-}
+constexpr double kPi = std::numbers::pi;
+constexpr double kHemisphere = 1.0;  // as 1 - cos(90 degrees)
 
 /// (1 + 2z) / 3 above the horizon; a polynomial, so that the rule is exact.
 std::vector<double> project_overcast(int degree) {
   static const auto kRule = numeric::gauss_legendre<double>(kMaxDegree);
-  std::vector<double> zonal(static_cast<std::size_t>(degree) + 1);
+  std::vector<double> zonal(degree + 1);
   numeric::zonal_quadrature<double>(
       degree, [](const double& one_minus_z) { return 1.0 - 2.0 / 3.0 * one_minus_z; }, 0.0, 1.0, kRule, zonal.data());
   std::vector<double> out(coefficient_count(degree), 0.0);
-  for (int l = 0; l <= degree; ++l) {
-    out[coefficient_count(l) - static_cast<std::size_t>(l) - 1] = zonal[l];
-  }
+  for (int l = 0; l <= degree; ++l) out[coefficient_index(l, 0)] = zonal[l];
   return out;
 }
 
-/// The light without its rotation, for radiance (or irradiance) 1. Not for pictures.
+/// The light without its rotation, for radiance (or irradiance) 1; zeros at the end may be missing. Not for pictures.
 std::vector<double> project_shape(const LightSpec& spec, int degree) {
   switch (spec.type) {
     case LightType::kCieOvercast:
@@ -44,17 +39,9 @@ std::vector<double> project_shape(const LightSpec& spec, int degree) {
       return project_cap(spec.direction, spec.one_minus_cos, degree);
     case LightType::kPolygon:
       return project_polygon(spec.corners, degree);
-    default:
-      return project_constant(degree);
+    default:  // constant
+      return {std::sqrt(4.0 * kPi)};
   }
-}
-
-LightCoefficients scaled(const std::vector<double>& shape, const Eigen::Vector3d& factor, int degree) {
-  LightCoefficients out = LightCoefficients::zero(degree);
-  for (std::size_t channel = 0; channel < 3; ++channel) {
-    for (std::size_t i = 0; i < shape.size(); ++i) out.at(channel, i) = factor[static_cast<int>(channel)] * shape[i];
-  }
-  return out;
 }
 
 LightCoefficients project(const Light& light, int degree) {
@@ -65,7 +52,11 @@ LightCoefficients project(const Light& light, int degree) {
     return turned(out, light.rotation);
   }
   const std::vector<double> shape = project_shape(light.spec, degree);
-  const LightCoefficients out = scaled(shape, light.spec.radiance.cast<double>(), degree);
+  const Eigen::Vector3d radiance = light.spec.radiance.cast<double>();
+  LightCoefficients out = LightCoefficients::zero(degree);
+  for (int channel = 0; channel < 3; ++channel) {
+    for (std::size_t i = 0; i < shape.size(); ++i) out.at(channel, i) = radiance[channel] * shape[i];
+  }
   return light.rotation.isIdentity(0.0) ? out : turned(out, light.rotation);
 }
 
@@ -82,6 +73,35 @@ LightCoefficients project(const std::vector<Light>& lights, int degree, std::vec
     accumulate(sum, one);
   }
   return sum;
+}
+
+std::vector<double> project_directional(const Eigen::Vector3d& direction, int degree) {
+  std::vector<double> out(coefficient_count(degree));
+  evaluate_basis(degree, direction.x(), direction.y(), direction.z(), out.data());
+  return out;
+}
+
+std::vector<double> project_cap(const Eigen::Vector3d& direction, double one_minus_cos, int degree) {
+  std::vector<double> zonal(degree + 1);
+  numeric::cap_zonal(degree, one_minus_cos, zonal.data());
+  std::vector<double> out = project_directional(direction, degree);
+  // The cap is a zonal function, turned to a direction.
+  for (int l = 0; l <= degree; ++l) zonal[l] *= std::sqrt(4.0 * kPi / (2.0 * l + 1.0));
+  scale_bands(zonal, out.data());
+  return out;
+}
+
+bool cap_covers(const Eigen::Vector3d& middle, double one_minus_cos, const Eigen::Vector3d& direction) {
+  return 0.5 * (direction - middle).squaredNorm() <= one_minus_cos;  // 1 - cos of the angle between unit vectors
+}
+
+double cap_irradiance(double one_minus_cos) {
+  return one_minus_cos < kHemisphere ? kPi * one_minus_cos * (2.0 - one_minus_cos) : kPi;
+}
+
+double sphere_one_minus_cos(double radius, double distance) {
+  const double sine = radius / distance;
+  return sine * sine / (1.0 + std::sqrt((1.0 - sine) * (1.0 + sine)));
 }
 
 }  // namespace sh::prt

@@ -1,5 +1,8 @@
-// Projects pictures on the SH basis: lat-long pictures patch by patch, with a closed form along each row; other
-// mappings by nodes in every pixel.
+// Projects pictures on the SH basis. Each pixel is a patch of constant radiance, over which the basis is integrated.
+// For lat-long pictures this is exact in azimuth and uses Gauss-Legendre quadrature (to rounding) between the polar
+// angles of the pixel's upper and lower edge; band 0 is then the sum of radiance times exact solid angle. Other
+// mappings have nodes in every pixel. The quicker rule (basis at the pixel's center times exact solid angle) leaks a
+// constant picture into the even bands (prt/IMAGES.md has the numbers).
 #include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
@@ -8,7 +11,7 @@
 
 #include "numeric/oracle/quadrature.hpp"
 #include "prt/basis.hpp"
-#include "prt/light/project.hpp"
+#include "prt/light/light.hpp"
 
 namespace sh::prt {
 namespace {
@@ -59,14 +62,12 @@ LightCoefficients project_row(const Image& image, ImageMapping mapping, int row,
       for (std::size_t i = 0; i < pixel.size(); ++i) pixel[i] += node.weight * basis[i];
     }
     const Eigen::Vector3d value = image.at(column, row).cast<double>();
-    for (std::size_t channel = 0; channel < 3; ++channel) {
-      for (std::size_t i = 0; i < pixel.size(); ++i) sum.at(channel, i) += value[static_cast<int>(channel)] * pixel[i];
+    for (int channel = 0; channel < 3; ++channel) {
+      for (std::size_t i = 0; i < pixel.size(); ++i) sum.at(channel, i) += value[channel] * pixel[i];
     }
   }
   return sum;
 }
-
-}  // namespace
 
 LightCoefficients project_lat_long(const Image& image, int degree) {
   LightCoefficients light = LightCoefficients::zero(degree);
@@ -91,15 +92,15 @@ LightCoefficients project_lat_long(const Image& image, int degree) {
   return light;
 }
 
+}  // namespace
+
 LightCoefficients project_image(const Image& image, ImageMapping mapping, int degree) {
   if (mapping == ImageMapping::kLatLong) return project_lat_long(image, degree);
   require_degree(degree);
   std::vector<LightCoefficients> rows(image.height);
   tbb::parallel_for(0, image.height, [&](int row) { rows[row] = project_row(image, mapping, row, degree); });
   LightCoefficients sum = LightCoefficients::zero(degree);
-  for (const LightCoefficients& row : rows) {  // in order: the sum does not depend on the number of threads
-    accumulate(sum, row);
-  }
+  for (const LightCoefficients& row : rows) accumulate(sum, row);  // in order, for any number of threads
   return sum;
 }
 

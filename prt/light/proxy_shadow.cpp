@@ -11,7 +11,7 @@
 
 #include "numeric/oracle/quadrature.hpp"
 #include "prt/basis.hpp"
-#include "prt/light/cap_light.hpp"
+#include "prt/light/light_shapes.hpp"
 
 namespace sh::prt {
 namespace {
@@ -48,9 +48,9 @@ LightCoefficients without_polar_cap(const LightCoefficients& light, double one_m
     const double one_minus_z = 0.5 * one_minus_cos * (1.0 + rule.nodes[k]);
     const double sine = std::sqrt(std::max(0.0, one_minus_z * (2.0 - one_minus_z)));
     evaluate_basis(light.degree, sine, 0.0, 1.0 - one_minus_z, basis.data());
-    for (std::size_t channel = 0; channel < 3; ++channel) {
-      const std::size_t at = channel * light.bands_squared();
-      subtract_ring(light.degree, basis, 0.5 * one_minus_cos * rule.weights[k], &light.values[at], &out.values[at]);
+    const double weight = 0.5 * one_minus_cos * rule.weights[k];
+    for (int channel = 0; channel < 3; ++channel) {
+      subtract_ring(light.degree, basis, weight, &light.at(channel, 0), &out.at(channel, 0));
     }
   }
   return out;

@@ -1,5 +1,8 @@
-#include "prt/light/sky.hpp"
-
+// The CIE general skies for a given sun position, relative to the radiance at the zenith:
+//   L(Z, chi) / L_zenith = f(chi) phi(Z) / (f(Z_sun) phi(0)),   Z from the zenith +z, chi from the sun
+//   phi(Z) = 1 + a exp(b / cos Z)                               standard gradation
+//   f(chi) = 1 + c (exp(d chi) - exp(d pi/2)) + e cos^2 chi     standard indicatrix
+// [CIE03] eqs. 1-5 and table 1.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,6 +12,7 @@
 #include "numeric/oracle/quadrature.hpp"
 #include "prt/basis.hpp"
 #include "prt/light/light_coefficients.hpp"
+#include "prt/light/light_shapes.hpp"
 
 namespace sh::prt {
 namespace {
@@ -52,17 +56,14 @@ const SkyParameters& parameters(int type) {
   return kSkies[type - 1];
 }
 
+using Rule = numeric::GaussLegendreRule<double>;
+
 /// Tanh-sinh nodes on [0, 1] [TakahasiMori74], for integrands that change quickly near both ends, such as the length of
 /// the arc from a low sun to the horizon when the arc turns sideways.
-struct Panel {
-  std::vector<double> nodes;
-  std::vector<double> weights;
-};
-
-Panel tanh_sinh(int refinement) {
+Rule tanh_sinh(int refinement) {
   const int side = 64 * refinement;
   const double step = 3.2 / side;
-  Panel panel;
+  Rule panel;
   for (int k = -side; k <= side; ++k) {
     const double s = 0.5 * kPi * std::sinh(k * step);
     panel.nodes.push_back(0.5 * (1.0 + std::tanh(s)));
@@ -73,16 +74,16 @@ Panel tanh_sinh(int refinement) {
 
 /// The nodes along an arc and across the arcs.
 struct Nodes {
-  numeric::GaussLegendreRule<double> along;
-  Panel across;
+  Rule along;
+  Rule across;
 };
 
 Nodes nodes_of(int refinement) { return {numeric::gauss_legendre<double>(80 * refinement), tanh_sinh(refinement)}; }
 
 /// Adds the arc that starts at the sun with `bearing` (0: upwards) and ends at the horizon; the sun is above +x.
 /// `weight` is the weight of the bearing. Orders m >= 0 only: the sky is symmetric about the sun's meridian.
-void add_arc(const SkyParameters& sky, const numeric::GaussLegendreRule<double>& rule, double elevation, double bearing,
-             double weight, int degree, std::vector<double>& sum) {
+void add_arc(const SkyParameters& sky, const Rule& rule, double elevation, double bearing, double weight, int degree,
+             std::vector<double>& sum) {
   const Eigen::Vector3d sun(std::cos(elevation), 0.0, std::sin(elevation));
   const Eigen::Vector3d side(-std::sin(elevation) * std::cos(bearing), std::sin(bearing),
                              std::cos(elevation) * std::cos(bearing));
@@ -102,11 +103,10 @@ void add_arc(const SkyParameters& sky, const numeric::GaussLegendreRule<double>&
 /// Turns a function about +z. The function is even in azimuth and has only coefficients of orders m >= 0.
 void turn_even(double azimuth, int degree, std::vector<double>& coefficients) {
   for (int l = 0; l <= degree; ++l) {
-    const std::size_t middle = coefficient_count(l) - static_cast<std::size_t>(l) - 1;
     for (int m = 1; m <= l; ++m) {
-      const double even = coefficients[middle + static_cast<std::size_t>(m)];
-      coefficients[middle + static_cast<std::size_t>(m)] = even * std::cos(m * azimuth);
-      coefficients[middle - static_cast<std::size_t>(m)] = even * std::sin(m * azimuth);
+      const double even = coefficients[coefficient_index(l, m)];
+      coefficients[coefficient_index(l, m)] = even * std::cos(m * azimuth);
+      coefficients[coefficient_index(l, -m)] = even * std::sin(m * azimuth);
     }
   }
 }

@@ -63,7 +63,7 @@ std::vector<double> legendre(int last, double z) {
 std::vector<double> fejer_kernel(int degree) {
   const auto rule = numeric::gauss_legendre<double>(degree + 1);
   const int half = degree / 2;
-  std::vector<double> out(static_cast<std::size_t>(degree) + 1, 0.0);
+  std::vector<double> out(degree + 1, 0.0);
   for (std::size_t k = 0; k < rule.nodes.size(); ++k) {
     const double z = rule.nodes[k];
     const std::vector<double> p = legendre(degree + 1, z);
@@ -126,7 +126,7 @@ std::vector<double> window_factors(const Window& window, int degree) {
 }
 
 void apply_factors(const std::vector<double>& factors, LightCoefficients& light) {
-  for (std::size_t channel = 0; channel < 3; ++channel) scale_bands(factors, &light.at(channel, 0));
+  for (int channel = 0; channel < 3; ++channel) scale_bands(factors, &light.at(channel, 0));
 }
 
 Window window_of_strength(WindowType type, int power, double strength) {

@@ -12,6 +12,7 @@
 #include <cctype>
 #include <cmath>
 #include <filesystem>
+#include <optional>
 #include <stdexcept>
 
 #include "numeric/output/srgb.hpp"
@@ -24,9 +25,15 @@ Eigen::Vector3f to_eigen(const aiVector3D& v) { return {v.x, v.y, v.z}; }
 Eigen::Vector3f to_eigen(const aiColor4D& c) { return {c.r, c.g, c.b}; }
 
 Eigen::Affine3f to_eigen(const aiMatrix4x4& m) {
-  Eigen::Matrix4f matrix;
-  matrix << m.a1, m.a2, m.a3, m.a4, m.b1, m.b2, m.b3, m.b4, m.c1, m.c2, m.c3, m.c4, m.d1, m.d2, m.d3, m.d4;
-  return Eigen::Affine3f(matrix);
+  return Eigen::Affine3f(Eigen::Map<const Eigen::Matrix<float, 4, 4, Eigen::RowMajor>>(&m.a1));
+}
+
+// A property of a material, if it has it: material_value<T>(material, AI_MATKEY_...).
+template <class T>
+std::optional<T> material_value(const aiMaterial* material, const char* key, unsigned type, unsigned index) {
+  T value{};
+  if (material == nullptr || material->Get(key, type, index, value) != AI_SUCCESS) return std::nullopt;
+  return value;
 }
 
 std::string extension_of(const std::string& path) {
@@ -47,7 +54,10 @@ std::string one_line(std::string text) {
 class Collector {
  public:
   Collector(const std::string& path, const aiScene& scene, const MaterialChanges& changes)
-      : path_(path), scene_(scene), changes_(changes), is_linear_(path_is_gltf(path)) {}
+      : extension_(extension_of(path)),
+        scene_(scene),
+        changes_(changes),
+        is_linear_(extension_ == ".gltf" || extension_ == ".glb") {}
 
   ImportedMesh collect() {
     visit(*scene_.mRootNode, Eigen::Affine3f::Identity());
@@ -61,19 +71,13 @@ class Collector {
   }
 
  private:
-  static bool path_is_gltf(const std::string& path) {
-    const std::string extension = extension_of(path);
-    return extension == ".gltf" || extension == ".glb";
-  }
-
   // The importer turns Collada and 3DS to y-up; FBX files state their axis.
   [[nodiscard]] UpAxis up_axis() const {
-    const std::string extension = extension_of(path_);
     int axis = 1;
     if (scene_.mMetaData != nullptr && scene_.mMetaData->Get("UpAxis", axis)) {
       return axis == 2 ? UpAxis::kZ : UpAxis::kY;
     }
-    return extension == ".stl" || extension == ".ply" ? UpAxis::kZ : UpAxis::kY;
+    return extension_ == ".stl" || extension_ == ".ply" ? UpAxis::kZ : UpAxis::kY;
   }
 
   void visit(const aiNode& node, const Eigen::Affine3f& parent) {
@@ -84,21 +88,22 @@ class Collector {
 
   void add(const aiMesh& mesh, const Eigen::Affine3f& map) {
     Soup part;
-    const MaterialChange change = changes_.of(material_name(mesh));
-    const Eigen::Vector3f albedo = material_albedo(mesh);
+    const aiMaterial* material = material_of(mesh);
+    const MaterialChange change = changes_.of(name_of(material));
+    const Eigen::Vector3f albedo = albedo_of(material, mesh.HasVertexColors(0));
     for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
       part.positions.emplace_back(to_eigen(mesh.mVertices[v]));
       part.normals.push_back(mesh.HasNormals() ? to_eigen(mesh.mNormals[v]) : Eigen::Vector3f::Zero().eval());
-      part.albedo.emplace_back(change.reflection
-                                   ? change.reflection->albedo
-                                   : albedo.cwiseProduct(vertex_colour(mesh, v)).cwiseMax(0.0F).cwiseMin(1.0F).eval());
+      Eigen::Vector3f color = albedo;
+      if (mesh.HasVertexColors(0)) color = color.cwiseProduct(linear(mesh.mColors[0][v]));
+      part.albedo.push_back(change.reflection ? change.reflection->albedo : color.cwiseMax(0.0F).cwiseMin(1.0F).eval());
     }
     for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
       const aiFace& face = mesh.mFaces[f];
       if (face.mNumIndices == 3) part.faces.push_back({face.mIndices[0], face.mIndices[1], face.mIndices[2]});
     }
     transform(part, map);
-    append(part, finish_of(mesh, change));
+    append(part, finish_of(material, change));
   }
 
   void append(const Soup& part, const Finish& finish) {
@@ -116,64 +121,48 @@ class Collector {
 
   // Null if the file has no material: for formats without materials the importer invents one.
   [[nodiscard]] const aiMaterial* material_of(const aiMesh& mesh) const {
-    const std::string extension = extension_of(path_);
-    if (extension == ".ply" || extension == ".stl" || extension == ".off" ||
+    if (extension_ == ".ply" || extension_ == ".stl" || extension_ == ".off" ||
         mesh.mMaterialIndex >= scene_.mNumMaterials) {
       return nullptr;
     }
     const aiMaterial* material = scene_.mMaterials[mesh.mMaterialIndex];
-    aiString name;
-    const bool is_made_up =
-        material->Get(AI_MATKEY_NAME, name) == AI_SUCCESS && name == aiString(AI_DEFAULT_MATERIAL_NAME);
+    const bool is_made_up = material_value<aiString>(material, AI_MATKEY_NAME) == aiString(AI_DEFAULT_MATERIAL_NAME);
     return is_made_up ? nullptr : material;
   }
 
   // Also adds the name to the materials of the file.
-  std::string material_name(const aiMesh& mesh) {
-    const aiMaterial* material = material_of(mesh);
-    aiString name;
-    if (material == nullptr || material->Get(AI_MATKEY_NAME, name) != AI_SUCCESS) return {};
+  std::string name_of(const aiMaterial* material) {
+    const auto name = material_value<aiString>(material, AI_MATKEY_NAME);
+    if (!name) return {};
     std::vector<std::string>& names = result_.materials;
-    if (std::find(names.begin(), names.end(), name.C_Str()) == names.end()) names.emplace_back(name.C_Str());
-    return name.C_Str();
+    if (std::find(names.begin(), names.end(), name->C_Str()) == names.end()) names.emplace_back(name->C_Str());
+    return name->C_Str();
   }
 
-  [[nodiscard]] Eigen::Vector3f material_albedo(const aiMesh& mesh) const {
-    const aiMaterial* material = material_of(mesh);
-    aiColor4D colour;
-    if (material == nullptr || material->Get(AI_MATKEY_COLOR_DIFFUSE, colour) != AI_SUCCESS) {
-      const bool has_colours = material == nullptr && mesh.HasVertexColors(0);
-      return Eigen::Vector3f::Constant(has_colours ? 1.0F : kDefaultAlbedo);
-    }
-    return is_linear_ ? to_eigen(colour) : to_eigen(colour).unaryExpr(&output::srgb_decode<float>).eval();
+  [[nodiscard]] Eigen::Vector3f linear(const aiColor4D& color) const {
+    return is_linear_ ? to_eigen(color) : to_eigen(color).unaryExpr(&output::srgb_decode<float>).eval();
   }
 
-  [[nodiscard]] Finish finish_of(const aiMesh& mesh, const MaterialChange& change) const {
+  [[nodiscard]] Eigen::Vector3f albedo_of(const aiMaterial* material, bool has_vertex_colors) const {
+    if (const auto color = material_value<aiColor4D>(material, AI_MATKEY_COLOR_DIFFUSE)) return linear(*color);
+    return Eigen::Vector3f::Constant(material == nullptr && has_vertex_colors ? 1.0F : kDefaultAlbedo);
+  }
+
+  [[nodiscard]] static Finish finish_of(const aiMaterial* material, const MaterialChange& change) {
     Finish finish;
-    if (const aiMaterial* material = material_of(mesh)) {
-      aiColor4D colour;
-      float strength = 1.0F;
-      int sides = 0;
-      if (material->Get(AI_MATKEY_COLOR_EMISSIVE, colour) == AI_SUCCESS) {
-        material->Get(AI_MATKEY_EMISSIVE_INTENSITY, strength);
-        const Eigen::Vector3f emission = strength * to_eigen(colour).cwiseMax(0.0F);
-        finish.emission = emission.allFinite() ? emission : Eigen::Vector3f::Zero().eval();
-      }
-      finish.is_two_sided = material->Get(AI_MATKEY_TWOSIDED, sides) == AI_SUCCESS && sides != 0;
+    if (const auto color = material_value<aiColor4D>(material, AI_MATKEY_COLOR_EMISSIVE)) {
+      const float strength = material_value<float>(material, AI_MATKEY_EMISSIVE_INTENSITY).value_or(1.0F);
+      const Eigen::Vector3f emission = strength * to_eigen(*color).cwiseMax(0.0F);
+      if (emission.allFinite()) finish.emission = emission;
     }
     finish.emission = change.emission.value_or(finish.emission);
-    finish.mirror = change.reflection ? change.reflection->mirror : finish.mirror;
-    finish.is_two_sided = change.is_two_sided.value_or(finish.is_two_sided);
+    if (change.reflection) finish.mirror = change.reflection->mirror;
+    finish.is_two_sided =
+        change.is_two_sided.value_or(material_value<int>(material, AI_MATKEY_TWOSIDED).value_or(0) != 0);
     return finish;
   }
 
-  [[nodiscard]] Eigen::Vector3f vertex_colour(const aiMesh& mesh, unsigned v) const {
-    if (!mesh.HasVertexColors(0)) return Eigen::Vector3f::Ones();
-    const Eigen::Vector3f colour = to_eigen(mesh.mColors[0][v]);
-    return is_linear_ ? colour : colour.unaryExpr(&output::srgb_decode<float>).eval();
-  }
-
-  const std::string& path_;
+  std::string extension_;
   const aiScene& scene_;
   const MaterialChanges& changes_;
   bool is_linear_;

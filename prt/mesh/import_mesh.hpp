@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "prt/mesh/material.hpp"
 #include "prt/mesh/soup.hpp"
 
 namespace sh::prt {

@@ -1,5 +1,7 @@
 // Flaws of the input that the program can mend: each prints one line on standard error or, in strict mode, is an error.
 #pragma once
+#include <cstdio>
+#include <stdexcept>
 #include <string>
 
 namespace sh::prt {
@@ -8,9 +10,9 @@ enum class OnFlaw { kMend, kRefuse };
 
 /// Call once per kind of flaw, with a complete line such as `a.obj: 3 faces have no area (dropped)`.
 /// kMend: prints `warning: line` on standard error; kRefuse: throws std::runtime_error(line + why).
-void report_flaw(OnFlaw on_flaw, const std::string& line);
-
-/// Reports something that may interest the user: prints `prt: line` on standard error.
-void report_found(const std::string& line);
+inline void report_flaw(OnFlaw on_flaw, const std::string& line) {
+  if (on_flaw == OnFlaw::kRefuse) throw std::runtime_error(line + "; refused because of --strict");
+  std::fputs(("warning: " + line + "\n").c_str(), stderr);
+}
 
 }  // namespace sh::prt

@@ -2,6 +2,7 @@
 // up, right-handed. Lengths have the unit of the scene (nothing here depends on it). Albedo is linear RGB in 0..1.
 #pragma once
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -27,5 +28,11 @@ struct Mesh {
 };
 
 inline constexpr std::uint32_t kNoVertex = 0xFFFFFFFFU;
+
+inline Eigen::AlignedBox3f bounding_box(const std::vector<Eigen::Vector3f>& positions) {
+  Eigen::AlignedBox3f box;
+  for (const Eigen::Vector3f& position : positions) box.extend(position);
+  return box;
+}
 
 }  // namespace sh::prt

@@ -5,12 +5,8 @@
 
 #include <array>
 #include <cmath>
-#include <functional>
 #include <numbers>
 #include <stdexcept>
-#include <utility>
-
-#include "prt/mesh/solids.hpp"
 
 namespace sh::prt {
 
@@ -19,13 +15,13 @@ namespace {
 constexpr float kPi = std::numbers::pi_v<float>;
 constexpr int kSteps = 5;  // of the stairs
 
-Soup make_plane() {
+Soup make_plane(int /*segments*/) {
   Soup soup;
   add_quad(soup, {{{-0.5F, -0.5F, 0.0F}, {0.5F, -0.5F, 0.0F}, {0.5F, 0.5F, 0.0F}, {-0.5F, 0.5F, 0.0F}}});
   return soup;
 }
 
-Soup make_box() {
+Soup make_box(int /*segments*/) {
   Soup soup;
   for (int axis = 0; axis < 3; ++axis) {
     for (const float side : {-0.5F, 0.5F}) {
@@ -43,49 +39,44 @@ Soup make_box() {
 }
 
 Soup make_sphere(int segments) {
-  return surface_of_revolution(
-      segments, {{segments / 2, [](float t) {
-                    const float polar = kPi * (1.0F - t);
-                    return RingPoint{0.5F * std::sin(polar), 0.5F * std::cos(polar), std::sin(polar), std::cos(polar)};
-                  }}});
+  const int steps = segments / 2;
+  Curve curve;
+  for (int step = 0; step <= steps; ++step) {
+    const float polar = kPi * (1.0F - static_cast<float>(step) / static_cast<float>(steps));
+    curve.push_back({0.5F * std::sin(polar), 0.5F * std::cos(polar), std::sin(polar), std::cos(polar)});
+  }
+  return surface_of_revolution(segments, {curve});
 }
 
 Soup make_torus(int segments) {
   constexpr float kTube = 0.14F;
-  return surface_of_revolution(segments, {{segments / 2, [](float t) {
-                                             const float angle = 2.0F * kPi * t;
-                                             return RingPoint{0.5F - kTube + kTube * std::cos(angle),
-                                                              kTube * std::sin(angle), std::cos(angle),
-                                                              std::sin(angle)};
-                                           }}});
+  const int steps = segments / 2;
+  Curve curve;
+  for (int step = 0; step < steps; ++step) {
+    const float angle = 2.0F * kPi * (static_cast<float>(step) / static_cast<float>(steps));
+    const float c = std::cos(angle);
+    const float s = std::sin(angle);
+    curve.push_back({0.5F - kTube + kTube * c, kTube * s, c, s});
+  }
+  curve.push_back(RingPoint(curve.front()));
+  return surface_of_revolution(segments, {curve});
 }
 
 Soup make_cylinder(int segments) {
-  return surface_of_revolution(segments, {{1,
-                                           [](float t) {
-                                             return RingPoint{0.5F * t, -0.5F, 0.0F, -1.0F};
-                                           }},
-                                          {1,
-                                           [](float t) {
-                                             return RingPoint{0.5F, t - 0.5F, 1.0F, 0.0F};
-                                           }},
-                                          {1, [](float t) {
-                                             return RingPoint{0.5F * (1.0F - t), 0.5F, 0.0F, 1.0F};
-                                           }}});
+  const Curve bottom = {{0.0F, -0.5F, 0.0F, -1.0F}, {0.5F, -0.5F, 0.0F, -1.0F}};
+  const Curve side = {{0.5F, -0.5F, 1.0F, 0.0F}, {0.5F, 0.5F, 1.0F, 0.0F}};
+  const Curve top = {{0.5F, 0.5F, 0.0F, 1.0F}, {0.0F, 0.5F, 0.0F, 1.0F}};
+  return surface_of_revolution(segments, {bottom, side, top});
 }
 
 Soup make_cone(int segments) {
   const float slope = 1.0F / std::sqrt(5.0F);
-  return surface_of_revolution(segments, {{1,
-                                           [](float t) {
-                                             return RingPoint{0.5F * t, -0.5F, 0.0F, -1.0F};
-                                           }},
-                                          {1, [=](float t) {
-                                             return RingPoint{0.5F * (1.0F - t), t - 0.5F, 2.0F * slope, slope};
-                                           }}});
+  const Curve bottom = {{0.0F, -0.5F, 0.0F, -1.0F}, {0.5F, -0.5F, 0.0F, -1.0F}};
+  const Curve side = {{0.5F, -0.5F, 2.0F * slope, slope}, {0.0F, 0.5F, 2.0F * slope, slope}};
+  return surface_of_revolution(segments, {bottom, side});
 }
 
-Soup make_stairs() {
+Soup make_stairs(int /*segments*/) {
   Profile profile;
   profile.points.emplace_back(-0.5F, -0.5F);
   profile.points.emplace_back(0.5F, -0.5F);
@@ -127,37 +118,29 @@ Soup make_arch(int segments) {
   return extrude(profile);
 }
 
-const std::vector<std::pair<std::string, std::function<Soup(int)>>>& makers() {
-  static const std::vector<std::pair<std::string, std::function<Soup(int)>>> kMakers = {
-      {"arch", make_arch},
-      {"box", [](int) { return make_box(); }},
-      {"cone", make_cone},
-      {"cylinder", make_cylinder},
-      {"plane", [](int) { return make_plane(); }},
-      {"sphere", make_sphere},
-      {"stairs", [](int) { return make_stairs(); }},
-      {"torus", make_torus}};
-  return kMakers;
-}
+struct Maker {
+  std::string_view name;
+  Soup (*make)(int segments);
+};
+
+constexpr Maker kMakers[] = {{"arch", make_arch},         {"box", make_box},     {"cone", make_cone},
+                             {"cylinder", make_cylinder}, {"plane", make_plane}, {"sphere", make_sphere},
+                             {"stairs", make_stairs},     {"torus", make_torus}};
 
 }  // namespace
 
-const std::vector<std::string>& primitive_names() {
-  static const std::vector<std::string> kNames = [] {
-    std::vector<std::string> names;
-    for (const auto& [name, make] : makers()) names.push_back(name);
-    return names;
-  }();
-  return kNames;
+std::vector<std::string_view> primitive_names() {
+  std::vector<std::string_view> names;
+  for (const Maker& maker : kMakers) names.push_back(maker.name);
+  return names;
 }
 
 Soup make_primitive(std::string_view name, int segments) {
-  for (const auto& [known, make] : makers()) {
-    if (known == name) {
-      Soup soup = make(segments);
-      soup.albedo.assign(soup.positions.size(), Eigen::Vector3f::Constant(0.5F));
-      return soup;
-    }
+  for (const Maker& maker : kMakers) {
+    if (maker.name != name) continue;
+    Soup soup = maker.make(segments);
+    soup.albedo.assign(soup.positions.size(), Eigen::Vector3f::Constant(0.5F));
+    return soup;
   }
   throw std::invalid_argument(
       fmt::format("primitive {}: expected one of {}", name, fmt::join(primitive_names(), ", ")));

@@ -1,9 +1,9 @@
-#include "prt/mesh/solids.hpp"
-
 #include <Eigen/Geometry>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+
+#include "prt/mesh/primitives.hpp"
 
 namespace sh::prt {
 
@@ -45,18 +45,12 @@ Soup surface_of_revolution(int segments, const std::vector<Curve>& curves) {
                       (point.normal_radius * out + point.normal_z * Eigen::Vector3f::UnitZ()).normalized());
   };
   for (const Curve& curve : curves) {
-    for (int step = 0; step < curve.steps; ++step) {
-      const RingPoint low = curve.at(static_cast<float>(step) / static_cast<float>(curve.steps));
-      const bool closes = step + 1 == curve.steps && curve.at(0.0F).radius > 1e-6F &&
-                          std::abs(curve.at(1.0F).z - curve.at(0.0F).z) < 1e-6F &&
-                          std::abs(curve.at(1.0F).radius - curve.at(0.0F).radius) < 1e-6F;
-      const RingPoint high =
-          closes ? curve.at(0.0F) : curve.at(static_cast<float>(step + 1) / static_cast<float>(curve.steps));
+    for (std::size_t i = 1; i < curve.size(); ++i) {
       for (int segment = 0; segment < segments; ++segment) {
-        const std::uint32_t a = turned(low, segment);
-        const std::uint32_t b = turned(low, segment + 1);
-        const std::uint32_t c = turned(high, segment + 1);
-        const std::uint32_t d = turned(high, segment);
+        const std::uint32_t a = turned(curve[i - 1], segment);
+        const std::uint32_t b = turned(curve[i - 1], segment + 1);
+        const std::uint32_t c = turned(curve[i], segment + 1);
+        const std::uint32_t d = turned(curve[i], segment);
         add_faces(soup, a, b, c, d);
       }
     }

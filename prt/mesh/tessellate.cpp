@@ -1,5 +1,3 @@
-#include "prt/mesh/tessellate.hpp"
-
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -9,8 +7,7 @@
 #include <unordered_map>
 #include <utility>
 
-#include "prt/mesh/corner_angle.hpp"
-#include "prt/mesh/vertex_key.hpp"
+#include "prt/mesh/corners.hpp"
 #include "prt/mesh/weld.hpp"
 
 namespace sh::prt {
@@ -58,18 +55,9 @@ class Splitter {
       mesh_.positions.emplace_back(0.5F * (mesh_.positions[a] + mesh_.positions[b]));
       mesh_.normals.push_back(normal.norm() > 1e-3F ? normal.normalized() : mesh_.normals[a]);
       mesh_.albedo.emplace_back(0.5F * (mesh_.albedo[a] + mesh_.albedo[b]));
-      repeat(mesh_.emission, a);
-      repeat(mesh_.mirror, a);
+      repeat_finish(mesh_, a);  // both ends of an edge have one finish
     }
     return entry->second;
-  }
-
-  // Both ends of an edge have one finish.
-  static void repeat(std::vector<Eigen::Vector3f>& values, std::uint32_t vertex) {
-    if (!values.empty()) {
-      const Eigen::Vector3f value = values[vertex];
-      values.push_back(value);
-    }
   }
 
   void split(const Face& face, std::vector<Face>& faces) {

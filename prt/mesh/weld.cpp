@@ -5,18 +5,16 @@
 #include <cmath>
 #include <unordered_map>
 
-#include "prt/mesh/corner_angle.hpp"
-#include "prt/mesh/vertex_key.hpp"
+#include "prt/mesh/corners.hpp"
 
 namespace sh::prt {
-
 namespace {
 
 constexpr float kNormalSteps = 8192.0F;
 
 Eigen::Vector3f rounded(const Eigen::Vector3f& normal) { return (normal * kNormalSteps).array().round().matrix(); }
 
-// An optional array of a mesh with this many vertices.
+// Appends an optional array of a mesh part; a mesh or part without it has zeros.
 void append_all_or_zeros(std::vector<Eigen::Vector3f>& to, std::size_t count, const std::vector<Eigen::Vector3f>& from,
                          std::size_t from_count) {
   if (!to.empty() || !from.empty()) {
@@ -28,11 +26,11 @@ void append_all_or_zeros(std::vector<Eigen::Vector3f>& to, std::size_t count, co
 
 // (finish of each vertex) -> one of its colors for each vertex, or nothing if all are zero.
 std::vector<Eigen::Vector3f> spread(const std::vector<std::uint32_t>& finish_of_vertex,
-                                    const std::vector<Finish>& finishes, Eigen::Vector3f Finish::*colour) {
+                                    const std::vector<Finish>& finishes, Eigen::Vector3f Finish::*color) {
   std::vector<Eigen::Vector3f> values;
   bool is_zero = true;
   for (const std::uint32_t finish : finish_of_vertex) {
-    values.push_back(finishes[finish].*colour);
+    values.push_back(finishes[finish].*color);
     is_zero = is_zero && values.back().isZero(0.0F);
   }
   return is_zero ? std::vector<Eigen::Vector3f>() : values;
@@ -70,8 +68,10 @@ Mesh weld(const Soup& soup, std::size_t source_vertices) {
         finish_of_vertex.push_back(key[9]);
       }
       indices[k] = entry->second;
-      std::uint32_t& made = mesh.remap.at(soup.source.empty() ? v : soup.source[v]);
-      made = made == kNoVertex ? entry->second : made;
+      if (source_vertices > 0) {
+        std::uint32_t& made = mesh.remap.at(soup.source.empty() ? v : soup.source[v]);
+        made = made == kNoVertex ? entry->second : made;
+      }
     }
     mesh.faces.push_back(indices);
   }
@@ -106,6 +106,36 @@ void append(Mesh& mesh, const Mesh& part) {
   append_all(mesh.albedo, part.albedo);
   for (const Face& face : part.faces) mesh.faces.push_back({face[0] + first, face[1] + first, face[2] + first});
   for (const std::uint32_t vertex : part.remap) mesh.remap.push_back(vertex == kNoVertex ? kNoVertex : vertex + first);
+}
+
+void repeat_finish(Mesh& mesh, std::uint32_t vertex) {
+  for (std::vector<Eigen::Vector3f>* values : {&mesh.emission, &mesh.mirror}) {
+    if (!values->empty()) values->push_back(Eigen::Vector3f((*values)[vertex]));
+  }
+}
+
+void add_backs(Mesh& mesh, const std::vector<std::uint8_t>& is_two_sided) {
+  std::vector<std::uint32_t> backs(mesh.positions.size(), kNoVertex);
+  const auto back_of = [&](std::uint32_t front) {
+    if (backs[front] == kNoVertex) {
+      backs[front] = static_cast<std::uint32_t>(mesh.positions.size());
+      mesh.positions.push_back(Eigen::Vector3f(mesh.positions[front]));
+      mesh.normals.emplace_back(-mesh.normals[front]);
+      mesh.albedo.push_back(Eigen::Vector3f(mesh.albedo[front]));
+      repeat_finish(mesh, front);
+    }
+    return backs[front];
+  };
+  const std::size_t faces = mesh.faces.size();
+  for (std::size_t f = 0; f < faces; ++f) {
+    if (is_two_sided[f] != 0) {
+      const Face front = mesh.faces[f];
+      const std::uint32_t first = back_of(front[0]);
+      const std::uint32_t second = back_of(front[2]);
+      mesh.faces.push_back({first, second, back_of(front[1])});
+    }
+  }
+  set_geometric_normals(mesh);
 }
 
 }  // namespace sh::prt

@@ -23,7 +23,7 @@
 
 #include "prt/light/light_coefficients.hpp"
 #include "prt/mesh/mesh.hpp"
-#include "prt/scene/plan_options.hpp"
+#include "prt/scene/options.hpp"
 #include "prt/transfer/transfer.hpp"
 
 namespace sh::prt {

@@ -9,7 +9,6 @@
 #include <stdexcept>
 
 #include "prt/light/light.hpp"
-#include "prt/light/project.hpp"
 #include "prt/plan/draft.hpp"
 
 namespace sh::prt {

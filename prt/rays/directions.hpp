@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "prt/scene/bake_options.hpp"
+#include "prt/scene/options.hpp"
 
 namespace sh::prt {
 

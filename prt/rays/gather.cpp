@@ -12,7 +12,7 @@
 #include "prt/basis.hpp"
 #include "prt/chunks.hpp"
 #include "prt/light/light_coefficients.hpp"
-#include "prt/mesh/corner_angle.hpp"
+#include "prt/mesh/corners.hpp"
 #include "prt/rays/directions.hpp"
 
 namespace sh::prt {

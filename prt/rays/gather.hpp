@@ -9,7 +9,7 @@
 
 #include "prt/mesh/mesh.hpp"
 #include "prt/rays/tracer.hpp"
-#include "prt/scene/bake_options.hpp"
+#include "prt/scene/options.hpp"
 
 namespace sh::prt {
 

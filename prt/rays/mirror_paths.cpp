@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "prt/mesh/corner_angle.hpp"
+#include "prt/mesh/corners.hpp"
 
 namespace sh::prt {
 

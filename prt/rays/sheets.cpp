@@ -5,7 +5,7 @@
 #include <numeric>
 #include <tuple>
 
-#include "prt/mesh/vertex_key.hpp"
+#include "prt/mesh/corners.hpp"
 
 namespace sh::prt {
 

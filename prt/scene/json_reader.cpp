@@ -18,6 +18,7 @@ namespace sh::prt {
 namespace {
 
 constexpr std::size_t kLongestQuote = 60;
+constexpr float kLargest = std::numeric_limits<float>::max();
 
 // The text of a value in the file, truncated if it is long.
 std::string quote(const nlohmann::json& value) {
@@ -45,7 +46,7 @@ void JsonReader::expected(std::string_view what) const {
       fmt::format("{}: {}: expected {}, got {}", *file_, path_.empty() ? "/" : path_, what, quote(*value_)));
 }
 
-void JsonReader::allow(std::initializer_list<std::string_view> keys) const {
+void JsonReader::allow(const std::vector<std::string_view>& keys) const {
   if (!value_->is_object()) expected("an object");
   for (const auto& [key, value] : value_->items()) {
     if (std::find(keys.begin(), keys.end(), key) == keys.end()) {
@@ -62,6 +63,7 @@ std::optional<JsonReader> JsonReader::find(std::string_view key) const {
 }
 
 JsonReader JsonReader::at(std::string_view key) const {
+  if (!value_->is_object()) expected("an object");
   const std::optional<JsonReader> value = find(key);
   if (!value) {
     throw std::runtime_error(fmt::format("{}: {}: the key `{}` is missing", *file_, path_.empty() ? "/" : path_, key));
@@ -78,6 +80,11 @@ std::vector<JsonReader> JsonReader::items() const {
   return items;
 }
 
+std::vector<JsonReader> JsonReader::items(std::string_view key) const {
+  const auto array = find(key);
+  return array ? array->items() : std::vector<JsonReader>();
+}
+
 std::vector<std::pair<std::string, JsonReader>> JsonReader::members() const {
   if (!value_->is_object()) expected("an object");
   std::vector<std::pair<std::string, JsonReader>> members;
@@ -87,11 +94,7 @@ std::vector<std::pair<std::string, JsonReader>> JsonReader::members() const {
   return members;
 }
 
-bool JsonReader::is_array() const { return value_->is_array(); }
-
-bool JsonReader::is_boolean() const { return value_->is_boolean(); }
-
-bool JsonReader::is_text() const { return value_->is_string(); }
+bool JsonReader::is(std::string_view type) const { return value_->type_name() == type; }
 
 std::string JsonReader::text() const {
   if (!value_->is_string() || value_->get_ref<const std::string&>().empty()) expected("a string that is not empty");
@@ -127,15 +130,10 @@ double JsonReader::degrees(double least, double most) const {
   return value;
 }
 
-float JsonReader::finite() const {
-  constexpr double kLargest = std::numeric_limits<float>::max();
-  return static_cast<float>(number(-kLargest, kLargest, "a number"));
-}
+float JsonReader::finite() const { return static_cast<float>(number(-kLargest, kLargest, "a number")); }
 
 float JsonReader::positive() const {
-  constexpr double kLeast = std::numeric_limits<float>::min();
-  constexpr double kLargest = std::numeric_limits<float>::max();
-  return static_cast<float>(number(kLeast, kLargest, "a positive number"));
+  return static_cast<float>(number(std::numeric_limits<float>::min(), kLargest, "a positive number"));
 }
 
 int JsonReader::integer(int least, int most) const {
@@ -144,13 +142,10 @@ int JsonReader::integer(int least, int most) const {
   return static_cast<int>(number(least, most, what));
 }
 
-Eigen::Vector3f JsonReader::vector() const {
-  constexpr float kLargest = std::numeric_limits<float>::max();
-  return vector(-kLargest, kLargest);
-}
+Eigen::Vector3f JsonReader::vector() const { return vector_within(-kLargest, kLargest); }
 
-Eigen::Vector3f JsonReader::vector(float least, float most) const {
-  const bool any = most == std::numeric_limits<float>::max();
+Eigen::Vector3f JsonReader::vector_within(float least, float most) const {
+  const bool any = most == kLargest;
   const std::string what = !any            ? fmt::format("three numbers from {} to {}", least, most)
                            : least == 0.0F ? "three numbers of 0 or more"
                                            : "three numbers";

@@ -3,7 +3,6 @@
 #pragma once
 #include <Eigen/Core>
 #include <functional>
-#include <initializer_list>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
@@ -23,7 +22,7 @@ class JsonReader {
   JsonReader(const std::string& file, const nlohmann::json& value) : file_(&file), value_(&value) {}
 
   /// Refuses a value that is not an object, and an object with any other key.
-  void allow(std::initializer_list<std::string_view> keys) const;
+  void allow(const std::vector<std::string_view>& keys) const;
   /// The value of the key; empty if the object has no such key.
   [[nodiscard]] std::optional<JsonReader> find(std::string_view key) const;
   [[nodiscard]] JsonReader at(std::string_view key) const;
@@ -33,12 +32,11 @@ class JsonReader {
     if (const auto value = find(key)) to = static_cast<T>(std::invoke(read, *value, arguments...));
   }
   [[nodiscard]] std::vector<JsonReader> items() const;                            // of an array
+  [[nodiscard]] std::vector<JsonReader> items(std::string_view key) const;        // of an array; none without the key
   [[nodiscard]] std::vector<std::pair<std::string, JsonReader>> members() const;  // of an object whose keys are names
 
-  [[nodiscard]] bool is_array() const;
-  [[nodiscard]] bool is_boolean() const;
+  [[nodiscard]] bool is(std::string_view type) const;  // array, boolean or string
   [[nodiscard]] bool boolean() const;
-  [[nodiscard]] bool is_text() const;
   [[nodiscard]] std::string text() const;
   [[nodiscard]] std::string one_of(const std::vector<std::string_view>& words) const;
   [[nodiscard]] double number(double least, double most, std::string_view expected) const;
@@ -47,8 +45,9 @@ class JsonReader {
   [[nodiscard]] float finite() const;
   [[nodiscard]] float positive() const;
   [[nodiscard]] int integer(int least, int most) const;
-  [[nodiscard]] Eigen::Vector3f vector() const;                         // three numbers
-  [[nodiscard]] Eigen::Vector3f vector(float least, float most) const;  // within limits
+  [[nodiscard]] Eigen::Vector3f vector() const;  // three numbers
+  [[nodiscard]] Eigen::Vector3f vector_within(float least, float most) const;
+  [[nodiscard]] Eigen::Vector3d point() const { return vector().cast<double>(); }
 
   [[noreturn]] void expected(std::string_view what) const;
 

@@ -6,17 +6,17 @@
 #include <string>
 #include <vector>
 
-#include "prt/light/light_spec.hpp"
+#include "prt/light/light.hpp"
 #include "prt/mesh/mend.hpp"
 #include "prt/mesh/mesh.hpp"
-#include "prt/scene/bake_options.hpp"
 #include "prt/scene/camera.hpp"
-#include "prt/scene/plan_options.hpp"
+#include "prt/scene/options.hpp"
 #include "prt/transfer/transfer.hpp"
 
 namespace sh::prt {
 
-/// A disc above the origin that faces straight up, over a ground z = 0; prt/study/study_setup.hpp has its transfer vectors.
+/// A disc above the origin that faces straight up, over a ground z = 0; prt/study/study_setup.hpp has its transfer
+/// vectors.
 struct Disc {
   float radius;
   float height;

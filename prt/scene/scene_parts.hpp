@@ -1,10 +1,9 @@
-// Reads the parts of a scene file, one function for each part. prt/README.md lists the keys.
+// The parts of a scene file, one function for each part (prt/README.md lists the keys), and the scenes made in code.
 #pragma once
 #include <string>
 #include <vector>
 
-#include "prt/light/deringing.hpp"
-#include "prt/mesh/material.hpp"
+#include "prt/light/window.hpp"
 #include "prt/mesh/mend.hpp"
 #include "prt/mesh/mesh.hpp"
 #include "prt/mesh/soup.hpp"
@@ -40,15 +39,11 @@ void add_ground(Mesh& mesh, const Ground& ground);
 
 /// Reads one entry of `meshes`: a mesh in world axes, checked, welded and split. Relative paths start in `folder`.
 Mesh read_mesh(const JsonReader& reader, const std::string& folder, OnFlaw on_flaw);
-/// Reads the keys albedo, mirror, emission, sides and materials of such an entry.
-MaterialChanges read_materials(const JsonReader& mesh);
-/// Refuses names in `materials` that the mesh does not have.
-void check_material_names(const JsonReader& mesh, const std::vector<std::string>& known);
 Ground read_ground(const JsonReader& reader, const Mesh& mesh);
 /// Reads one entry of `lights`; its files are not loaded yet.
 LightSpec read_light(const JsonReader& reader, const std::string& folder);
-/// Reads the keys of an environment light.
-void read_environment(const JsonReader& reader, const std::string& folder, LightSpec& light);
+/// Reads the key `lights`; without it, the CIE overcast sky is the only light.
+std::vector<LightSpec> read_lights(const JsonReader& reader, const std::string& folder);
 /// Reads "auto", the name of a kind, or {"type", "width" | "lambda" | "strength", "power", "keep"}; without a number,
 /// the least window.
 WindowChoice read_window(const JsonReader& reader);
@@ -61,5 +56,13 @@ PlanOptions read_plan_options(const JsonReader& reader);
 /// and errors begin with `name`.
 Mesh finish_mesh(Soup soup, std::size_t file_vertices, float crease_degrees, float max_edge, const std::string& name,
                  OnFlaw on_flaw);
+
+/// An arch, stairs, and columns with a sphere, a torus and a cone, under the CIE overcast sky and on a ground that
+/// receives their shadows. It has smooth and flat shading and several albedos; every vertex sees a part of the sky.
+Scene make_embedded_scene();
+
+/// A thin disc of radius 1 that faces up, 0.6 above a ground z = 0, under the CIE overcast sky and a broad light from
+/// one side. The disc is a regular polygon of the same area; it has enough corners to keep the difference below 1e-5.
+Scene make_disc_scene();
 
 }  // namespace sh::prt

@@ -13,14 +13,12 @@
 namespace sh::prt {
 namespace {
 
-Eigen::Vector3d read_point(const JsonReader& reader) { return reader.vector().cast<double>(); }
-
 /// A key takes missing entries from the object.
 Motion::Key read_key(const JsonReader& reader, const Motion::Key& otherwise) {
   reader.allow({"time", "position", "degrees"});
   Motion::Key key = otherwise;
   key.time = reader.at("time").number(0.0, 1.0, "a number from 0 to 1");
-  reader.take("position", key.position, read_point);
+  reader.take("position", key.position, &JsonReader::point);
   reader.take("degrees", key.degrees, &JsonReader::finite);
   return key;
 }
@@ -28,7 +26,7 @@ Motion::Key read_key(const JsonReader& reader, const Motion::Key& otherwise) {
 Motion read_motion(const JsonReader& object) {
   Motion motion;
   Motion::Key& rest = motion.keys.front();
-  object.take("position", rest.position, read_point);
+  object.take("position", rest.position, &JsonReader::point);
   if (const auto rotate = object.find("rotate")) {
     const Turn turn = read_turn(*rotate);
     motion.axis = turn.axis.cast<double>().normalized();
@@ -51,7 +49,7 @@ Motion read_motion(const JsonReader& object) {
 Sphere read_proxy(const JsonReader& reader, const Sphere& otherwise) {
   reader.allow({"center", "radius"});
   Sphere sphere = otherwise;
-  reader.take("center", sphere.centre, read_point);
+  reader.take("center", sphere.centre, &JsonReader::point);
   reader.take("radius", sphere.radius, &JsonReader::number, 0.0, 1e30, "a number of 0 or more");
   return sphere;
 }
@@ -91,13 +89,7 @@ Pose Motion::at(double time) const {
 Sphere bounding_sphere(const Mesh& mesh) {
   Sphere sphere;
   if (mesh.positions.empty()) return sphere;
-  Eigen::Vector3f least = mesh.positions.front();
-  Eigen::Vector3f most = least;
-  for (const Eigen::Vector3f& p : mesh.positions) {
-    least = least.cwiseMin(p);
-    most = most.cwiseMax(p);
-  }
-  sphere.centre = 0.5 * (least.cast<double>() + most.cast<double>());
+  sphere.centre = bounding_box(mesh.positions).cast<double>().center();
   for (const Eigen::Vector3f& p : mesh.positions) {
     sphere.radius = std::max(sphere.radius, (p.cast<double>() - sphere.centre).norm());
   }
@@ -119,14 +111,10 @@ Stage load_stage(const std::string& file, const std::string& transfers_folder) {
   const std::string folder = std::filesystem::path(file).parent_path().string();
   reader.allow({"name", "objects", "lights", "camera"});
   Stage stage;
-  const auto name = reader.find("name");
-  stage.name = name ? name->text() : std::filesystem::path(file).stem().string();
-  if (const auto lights = reader.find("lights")) {
-    for (const JsonReader& light : lights->items()) stage.lights.push_back(read_light(light, folder));
-  } else {
-    stage.lights.emplace_back();  // the CIE overcast sky
-  }
-  if (const auto camera = reader.find("camera")) stage.camera.push_back(read_camera(*camera, Camera()));
+  stage.name = std::filesystem::path(file).stem().string();
+  reader.take("name", stage.name, &JsonReader::text);
+  stage.lights = read_lights(reader, folder);
+  reader.take("camera", stage.camera, read_camera, Camera());
   const JsonReader objects = reader.at("objects");
   Transfers transfers;
   for (const JsonReader& object : objects.items()) {

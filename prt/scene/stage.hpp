@@ -3,10 +3,11 @@
 #pragma once
 #include <Eigen/Core>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "prt/light/light_spec.hpp"
+#include "prt/light/light.hpp"
 #include "prt/scene/camera.hpp"
 #include "prt/transfer/transfer.hpp"
 
@@ -50,7 +51,7 @@ struct Stage {
   std::string name;
   std::vector<StageObject> objects;
   std::vector<LightSpec> lights;
-  std::vector<Camera> camera;  // none or one
+  std::optional<Camera> camera;
 };
 
 /// The sphere around the center of the mesh's bounding box that contains the mesh.

@@ -8,7 +8,6 @@
 
 #include "numeric/output/progress.hpp"
 #include "prt/light/light.hpp"
-#include "prt/light/project.hpp"
 #include "prt/rays/directions.hpp"
 #include "prt/transfer/unshadowed.hpp"
 

@@ -1,7 +1,6 @@
 // Parts of the study that need no rays: storage types, and windows on the light.
 #include <array>
 
-#include "prt/light/deringing.hpp"
 #include "prt/light/window.hpp"
 #include "prt/study/study_setup.hpp"
 #include "prt/transfer/storage.hpp"

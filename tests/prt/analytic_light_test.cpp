@@ -10,30 +10,22 @@
 #include "numeric/oracle/cap.hpp"
 #include "numeric/oracle/quadrature.hpp"
 #include "prt/basis.hpp"
-#include "prt/light/cap_light.hpp"
-#include "prt/light/polygon_light.hpp"
-#include "prt/light/project.hpp"
-#include "prt/light/sky.hpp"
+#include "prt/light/light.hpp"
+#include "prt/light/light_shapes.hpp"
+#include "tests/prt/lights.hpp"
 
-namespace sh::prt {
+namespace sh::prt::test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
 using Coefficients = std::vector<double>;
 using Corners = std::vector<Eigen::Vector3d>;
-const Eigen::Vector3d kSlanted = Eigen::Vector3d(0.36, -0.48, 0.8);  // unit
-
-double largest_difference(const Coefficients& a, const Coefficients& b) {
-  double largest = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
-  return largest;
-}
 
 /// By `rings` Gauss nodes in z over [low, 1] and twice as many azimuths.
 template <class Function>
 Coefficients by_quadrature(const Function& f, int degree, int rings, double low) {
   const auto rule = numeric::gauss_legendre<double>(rings);
-  Coefficients sum(static_cast<std::size_t>((degree + 1) * (degree + 1)), 0.0);
+  Coefficients sum(coefficient_count(degree), 0.0);
   Coefficients basis(sum.size());
   for (std::size_t k = 0; k < rule.nodes.size(); ++k) {
     const double z = low + 0.5 * (1.0 - low) * (1.0 + rule.nodes[k]);
@@ -293,4 +285,4 @@ TEST(Skies, DoublingTheNodesMovesNoCoefficient) {
 }
 
 }  // namespace
-}  // namespace sh::prt
+}  // namespace sh::prt::test

@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "numeric/oracle/basis.hpp"
-#include "prt/mesh/tessellate.hpp"
+#include "prt/mesh/weld.hpp"
 #include "prt/rays/directions.hpp"
 #include "tests/prt/cosine_integral.hpp"
 #include "tests/prt/meshes.hpp"

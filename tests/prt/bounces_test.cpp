@@ -11,11 +11,11 @@
 
 #include "prt/bake/bake.hpp"
 #include "prt/bake/row_tracer.hpp"
-#include "prt/mesh/tessellate.hpp"
+#include "prt/mesh/weld.hpp"
 #include "prt/runtime/relight.hpp"
 #include "prt/transfer/transfer_file.hpp"
+#include "tests/prt/lights.hpp"
 #include "tests/prt/meshes.hpp"
-#include "tests/prt/random_light.hpp"
 #include "tests/prt/rooms.hpp"
 #include "tests/prt/temporary_folder.hpp"
 

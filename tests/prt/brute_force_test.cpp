@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "prt/bake/bake.hpp"
-#include "prt/light/project.hpp"
+#include "prt/light/light.hpp"
 #include "prt/runtime/relight.hpp"
 #include "prt/runtime/render.hpp"
 #include "prt/scene/scene.hpp"

@@ -13,17 +13,8 @@
 #include "tests/prt/temporary_folder.hpp"
 #include "tests/prt/tool.hpp"
 
-namespace sh::prt {
+namespace sh::prt::test {
 namespace {
-
-using test::expect_refused;
-using test::Finished;
-using test::interrupt_prt;
-using test::read_all;
-using test::run_prt;
-using test::TemporaryFolder;
-using test::write_all;
-using Arguments = std::vector<std::string>;
 
 /// The last line of standard error; progress stands before it.
 std::string last_line(const std::string& text) {
@@ -45,8 +36,7 @@ class Tool : public testing::Test {
   static void SetUpTestSuite() {
     folder = new TemporaryFolder;
     baked = folder->file("demo.transfer");
-    const Finished run = run_prt({"bake", "demo", "-o", baked, "--degree", "2", "--directions", "64"});
-    ASSERT_EQ(run.status, 0) << run.err;
+    succeeded({"bake", "demo", "-o", baked, "--degree", "2", "--directions", "64"});
   }
   static void TearDownTestSuite() { delete folder; }
 
@@ -57,13 +47,12 @@ class Tool : public testing::Test {
 TEST_F(Tool, BakesWithTheSamplerAndTheSeedOfTheCommandLineAndSaysSo) {
   const std::string file = folder->file("sobol.transfer");
   const auto bake = [&](const std::string& seed) {
-    const Finished run = run_prt(
+    succeeded(
         {"bake", "demo", "-o", file, "--degree", "1", "--directions", "32", "--sampler", "sobol", "--seed", seed});
-    EXPECT_EQ(run.status, 0) << run.err;
     return read_all(file);
   };
   const std::string first = bake("7");
-  const auto info = nlohmann::json::parse(run_prt({"info", file}).out);
+  const auto info = printed({"info", file});
   EXPECT_EQ(info.at("sampler"), "sobol");
   EXPECT_EQ(info.at("seed"), 7);
   EXPECT_EQ(bake("7"), first);
@@ -76,12 +65,11 @@ TEST_F(Tool, BakesWithTheSamplerAndTheSeedOfTheCommandLineAndSaysSo) {
 }
 
 TEST_F(Tool, ProjectPrintsCoefficientsWithConventionAxesAndUnits) {
-  Image image = test::pattern_image(64, 32);
+  Image image = pattern_image(64, 32);
   for (Eigen::Vector3f& pixel : image.pixels) pixel = {1.0F, 2.0F, 4.0F};
   image.pixels[7].x() = -1.0F;
-  test::write_exr(folder->file("light.exr"), image);
-  const Finished run = run_prt({"project", folder->file("light.exr"), "--degree", "2"});
-  ASSERT_EQ(run.status, 0) << run.err;
+  write_exr(folder->file("light.exr"), image);
+  const Finished run = succeeded({"project", folder->file("light.exr"), "--degree", "2"});
   const auto json = nlohmann::json::parse(run.out);
   EXPECT_EQ(json["file"], "light.exr");
   EXPECT_EQ(json["width"], 64);
@@ -105,12 +93,10 @@ TEST_F(Tool, ProjectAndRelightTakeAFileOfLights) {
   const std::string lights = folder->file("lights.json");
   write_all(lights, R"([{"type": "constant", "radiance": [1, 2, 3]},
                         {"type": "cap", "direction": [0, 0, 1], "half_angle": 180, "radiance": [1, 1, 1]}])");
-  const Finished run = run_prt({"project", lights, "--degree", "1"});
-  ASSERT_EQ(run.status, 0) << run.err;
-  const auto json = nlohmann::json::parse(run.out);
+  const auto json = printed({"project", lights, "--degree", "1"});
   EXPECT_NEAR(json["coefficients"][1][0].get<double>(), 3.0 * std::sqrt(4.0 * std::numbers::pi), 1e-12);
   EXPECT_NEAR(json["coefficients"][1][2].get<double>(), 0.0, 1e-12);
-  EXPECT_EQ(run_prt({"relight", baked, "--light", lights, "-o", folder->file("lights.ply")}).status, 0);
+  succeeded({"relight", baked, "--light", lights, "-o", folder->file("lights.ply")});
   write_all(lights, R"([{"type": "constant"}, {"type": "cie_clear", "sun": {"elevation": -5}}])");
   expect_refused({"project", lights}, "lights.json: /1/sun: expected a sun that is not below the horizon");
   expect_refused({"relight", baked, "--light", lights, "-o", folder->file("x.ply")}, "lights.json: /1/sun");
@@ -118,31 +104,30 @@ TEST_F(Tool, ProjectAndRelightTakeAFileOfLights) {
 }
 
 TEST_F(Tool, ProjectTakesPicturesOfEveryMapping) {
-  test::write_exr(folder->file("ball.exr"), test::pattern_image(16, 16));
-  const Finished run = run_prt({"project", folder->file("ball.exr"), "--mapping", "mirror_ball"});
-  ASSERT_EQ(run.status, 0) << run.err;
+  write_exr(folder->file("ball.exr"), pattern_image(16, 16));
+  const Finished run = succeeded({"project", folder->file("ball.exr"), "--mapping", "mirror_ball"});
   EXPECT_EQ(nlohmann::json::parse(run.out)["mapping"], "mirror_ball");
   expect_refused({"project", folder->file("ball.exr"), "--mapping", "vertical_cross"}, "needs 3:4");
   expect_refused({"project", folder->file("ball.exr"), "--mapping", "fisheye"}, "--mapping");
 }
 
 TEST_F(Tool, ProjectRefusesBadPictures) {
-  Image image = test::pattern_image(8, 4);
+  Image image = pattern_image(8, 4);
   image.pixels[0].x() = -1.0F;
-  test::write_exr(folder->file("negative.exr"), image);
+  write_exr(folder->file("negative.exr"), image);
   expect_refused({"project", folder->file("negative.exr"), "--strict"}, "1 of 32 pixels");
   image.pixels[9].y() = std::nanf("");
   image.pixels[0].x() = 1.0F;
-  test::write_exr(folder->file("nan.exr"), image);
+  write_exr(folder->file("nan.exr"), image);
   expect_refused({"project", folder->file("nan.exr")}, "nan.exr: the pixel in column 1, row 1");
   write_all(folder->file("cut.exr"), read_all(folder->file("negative.exr")).substr(0, 400));
   expect_refused({"project", folder->file("cut.exr")}, "cut.exr");
-  test::write_exr(folder->file("square.exr"), test::pattern_image(8, 8));
+  write_exr(folder->file("square.exr"), pattern_image(8, 8));
   expect_refused({"project", folder->file("square.exr")}, "8 x 8 pixels");
   write_all(folder->file("text.exr"), "hello");
   expect_refused({"project", folder->file("text.exr")}, "is not an OpenEXR");
   expect_refused({"project", folder->file("none.exr")}, "No such file");
-  test::write_exr(folder->file("good.exr"), test::pattern_image(8, 4));
+  write_exr(folder->file("good.exr"), pattern_image(8, 4));
   expect_refused({"project", folder->file("good.exr"), "--degree", "11"}, "degree 11 is out of range");
   expect_refused({"project", folder->file("good.exr"), "--degree", "-1"}, "degree -1 is out of range");
   expect_refused({"project", folder->file("good.exr"), "--threads", "-2"}, "--threads -2");
@@ -154,16 +139,15 @@ TEST_F(Tool, BakesBouncesAndSaysHowTheyWereSolved) {
   write_all(scene, R"({"meshes": [{"primitive": "stairs", "albedo": [0.9, 0.5, 0.1]}],
                        "bake": {"degree": 1, "directions": 64, "transfer": "interreflected"}})");
   const std::string file = folder->file("room.transfer");
-  const Finished run = run_prt({"bake", scene, "-o", file, "--bounce-memory", "0"});
-  ASSERT_EQ(run.status, 0) << run.err;
+  const Finished run = succeeded({"bake", scene, "-o", file, "--bounce-memory", "0"});
   EXPECT_NE(run.err.find("prt: bounces by series: "), std::string::npos) << run.err;
   EXPECT_NE(run.err.find("certified error "), std::string::npos) << run.err;
-  const auto info = nlohmann::json::parse(run_prt({"info", file}).out);
+  const auto info = printed({"info", file});
   EXPECT_EQ(info["kind"], "DI");
   EXPECT_EQ(info["channels"], 3);
   EXPECT_TRUE(info["bounces"]["certified"]);
-  EXPECT_EQ(run_prt({"relight", file, "-o", folder->file("room.ply")}).status, 0);
-  EXPECT_EQ(run_prt({"render", file, "-o", folder->file("room.png"), "--width", "32", "--height", "16"}).status, 0);
+  succeeded({"relight", file, "-o", folder->file("room.ply")});
+  succeeded({"render", file, "-o", folder->file("room.png"), "--width", "32", "--height", "16"});
 }
 
 TEST_F(Tool, CommandLinesThatCannotBeParsedAreOneLine) {
@@ -183,9 +167,7 @@ TEST_F(Tool, HelpExitsZeroAndGoesToStandardOutput) {
 }
 
 TEST_F(Tool, InfoDescribesABake) {
-  const Finished run = run_prt({"info", baked});
-  ASSERT_EQ(run.status, 0) << run.err;
-  const auto json = nlohmann::json::parse(run.out);
+  const auto json = printed({"info", baked});
   EXPECT_EQ(json["file"], "demo.transfer");
   EXPECT_EQ(json["degree"], 2);
   EXPECT_EQ(json["bytes"], std::filesystem::file_size(baked));
@@ -205,8 +187,8 @@ TEST_F(Tool, FilesThatAreNoTransferAreRefusedByEveryCommand) {
 
 TEST_F(Tool, BakeIsTheSameFileForAnyNumberOfThreads) {
   const std::string again = folder->file("again.transfer");
-  const Finished run = run_prt({"bake", "demo", "-o", again, "--degree", "2", "--directions", "64", "--threads", "1"});
-  ASSERT_EQ(run.status, 0) << run.err;
+  const Finished run =
+      succeeded({"bake", "demo", "-o", again, "--degree", "2", "--directions", "64", "--threads", "1"});
   EXPECT_TRUE(read_all(again) == read_all(baked));
 }
 
@@ -223,18 +205,14 @@ TEST_F(Tool, BakeRefusesWhatItCannotDo) {
 
 TEST_F(Tool, RelightWritesAPlyOfTheWholeMesh) {
   const std::string ply = folder->file("demo.ply");
-  const Finished run = run_prt({"relight", baked, "--light", "constant", "-o", ply});
-  ASSERT_EQ(run.status, 0) << run.err;
+  const Finished run = succeeded({"relight", baked, "--light", "constant", "-o", ply});
   EXPECT_EQ(read_all(ply).rfind("ply\n", 0), 0U);
   EXPECT_NE(run.err.find("mean exit radiance"), std::string::npos) << run.err;
 }
 
 TEST_F(Tool, RelightTakesFewerBandsWhiteLightAndOtherAlbedo) {
   const auto relit = [&](const Arguments& more) {
-    Arguments all{"relight", baked, "--scene", "demo", "-o", folder->file("ways.ply")};
-    all.insert(all.end(), more.begin(), more.end());
-    const Finished run = run_prt(all);
-    EXPECT_EQ(run.status, 0) << run.err;
+    succeeded(joined({"relight", baked, "--scene", "demo", "-o", folder->file("ways.ply")}, more));
     return read_all(folder->file("ways.ply"));
   };
   const std::string all = relit({});
@@ -242,12 +220,7 @@ TEST_F(Tool, RelightTakesFewerBandsWhiteLightAndOtherAlbedo) {
   EXPECT_FALSE(relit({"--degree", "1"}) == all);
   EXPECT_FALSE(relit({"--recolor", "1", "0", "0"}) == all);
   EXPECT_TRUE(relit({"--white"}) == all);  // the demo's sky is
-  const Arguments refused{"relight", baked, "-o", folder->file("x.ply")};
-  const auto with = [&](const Arguments& more) {
-    Arguments both = refused;
-    both.insert(both.end(), more.begin(), more.end());
-    return both;
-  };
+  const auto with = [](const Arguments& more) { return joined({"relight", baked, "-o", folder->file("x.ply")}, more); };
   expect_refused(with({"--degree", "3"}), "--degree 3: the transfer has degrees 0 to 2");
   expect_refused(with({"--recolor", "1", "2", "0"}), "--recolor 2: expected an albedo from 0 to 1");
   expect_refused(with({"--recolor", "1"}), "--recolor");
@@ -260,9 +233,7 @@ TEST_F(Tool, RelightWritesTheLightOfTheSurfacesThemselvesWhateverTheLight) {
                        "bake": {"degree": 2, "directions": 64}})");
   for (const Arguments& more :
        {Arguments{"--kind", "unshadowed"}, {"--kind", "interreflected"}, {"--kind", "shadowed"}}) {
-    Arguments bake{"bake", scene, "-o", file};
-    bake.insert(bake.end(), more.begin(), more.end());
-    ASSERT_EQ(run_prt(bake).status, 0);
+    succeeded(joined({"bake", scene, "-o", file}, more));
     for (const char* way : {"--white", "--degree=1"}) {
       const Finished run = run_prt({"relight", file, "--light", "constant", way, "-o", folder->file("lamp.ply")});
       EXPECT_NE(run.err.find("mean exit radiance 1 2 3"), std::string::npos) << more.back() << run.err;
@@ -275,33 +246,29 @@ TEST_F(Tool, RelightWritesTheLightOfTheSurfacesThemselvesWhateverTheLight) {
 }
 
 TEST_F(Tool, RenderWritesOnePictureOrNumberedFrames) {
-  const Arguments common{"render", baked, "--scene", "demo", "--width", "64", "--height", "48", "--samples", "2"};
-  const auto with = [&](const Arguments& more) {
-    Arguments all = common;
-    all.insert(all.end(), more.begin(), more.end());
-    return run_prt(all);
+  const auto render = [](const Arguments& more) {
+    succeeded(joined({"render", baked, "--scene", "demo", "--width", "64", "--height", "48", "--samples", "2"}, more));
   };
-  ASSERT_EQ(with({"-o", folder->file("one.png")}).status, 0);
-  ASSERT_EQ(with({"-o", folder->file("turn.png"), "--frames", "3"}).status, 0);
-  EXPECT_TRUE(std::filesystem::exists(folder->file("turn_000.png")));
-  EXPECT_TRUE(std::filesystem::exists(folder->file("turn_001.png")));
-  EXPECT_TRUE(std::filesystem::exists(folder->file("turn_002.png")));
+  render({"-o", folder->file("one.png")});
+  render({"-o", folder->file("turn.png"), "--frames", "3"});
+  for (const char* frame : {"turn_000.png", "turn_001.png", "turn_002.png"}) {
+    EXPECT_TRUE(std::filesystem::exists(folder->file(frame)));
+  }
   EXPECT_FALSE(std::filesystem::exists(folder->file("turn.png")));
   EXPECT_TRUE(read_all(folder->file("one.png")) == read_all(folder->file("turn_000.png")));
-  ASSERT_EQ(with({"-o", folder->file("single.png"), "--threads", "1"}).status, 0);
+  render({"-o", folder->file("single.png"), "--threads", "1"});
   EXPECT_TRUE(read_all(folder->file("one.png")) == read_all(folder->file("single.png")));
 }
 
 TEST_F(Tool, TurningTheLightChangesThePicture) {
-  Image image = test::pattern_image(32, 16);
+  Image image = pattern_image(32, 16);
   for (std::size_t i = 0; i < image.pixels.size(); ++i) {
     image.pixels[i] = i % 32 < 16 ? Eigen::Vector3f(2.0F, 1.0F, 0.5F) : Eigen::Vector3f(0.1F, 0.2F, 0.4F);
   }
-  test::write_exr(folder->file("half.exr"), image);
+  write_exr(folder->file("half.exr"), image);
   const auto render = [&](const std::string& name, const std::string& turn) {
-    const Finished run = run_prt({"render", baked, "--light", folder->file("half.exr"), "--turn", turn, "--width", "64",
-                                  "--height", "48", "--samples", "1", "-o", folder->file(name)});
-    EXPECT_EQ(run.status, 0) << run.err;
+    succeeded({"render", baked, "--light", folder->file("half.exr"), "--turn", turn, "--width", "64", "--height", "48",
+               "--samples", "1", "-o", folder->file(name)});
     return read_all(folder->file(name));
   };
   const std::string once = render("a.png", "0");
@@ -347,4 +314,4 @@ TEST_F(Tool, InterruptionLeavesNothingWithoutACheckpoint) {
 }
 
 }  // namespace
-}  // namespace sh::prt
+}  // namespace sh::prt::test

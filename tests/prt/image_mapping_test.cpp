@@ -8,48 +8,42 @@
 
 #include "numeric/sampling/solid_angle.hpp"
 #include "prt/image/environment.hpp"
-#include "prt/light/project.hpp"
+#include "prt/light/light.hpp"
 #include "prt/transfer/transfer.hpp"
 #include "tests/prt/image_files.hpp"
-#include "tests/prt/random_light.hpp"
+#include "tests/prt/lights.hpp"
 #include "tests/prt/temporary_folder.hpp"
 
-namespace sh::prt {
+namespace sh::prt::test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-struct Size {
-  int width;
-  int height;
-};
+/// The columns and rows of a picture whose faces (or disc) have `edge` pixels; a lat-long picture is `edge` high.
+Eigen::Vector2i size_of(ImageMapping mapping, int edge) {
+  const MappingShape shape = mapping_shape(mapping);
+  return {shape.width * edge, shape.height * edge};
+}
 
-/// A picture whose faces (or disc) have `edge` pixels.
-Size size_of(ImageMapping mapping, int edge) {
-  switch (mapping) {
-    case ImageMapping::kLatLong:
-      return {2 * edge, edge};
-    case ImageMapping::kHorizontalCross:
-      return {4 * edge, 3 * edge};
-    case ImageMapping::kVerticalCross:
-      return {3 * edge, 4 * edge};
-    case ImageMapping::kCubeStrip:
-      return {6 * edge, edge};
-    default:
-      return {edge, edge};
+/// Calls visit(column, row, nodes) for each pixel.
+template <class Visit>
+void for_each_pixel(ImageMapping mapping, int edge, const Visit& visit) {
+  const Eigen::Vector2i size = size_of(mapping, edge);
+  std::vector<PixelNode> nodes;
+  for (int row = 0; row < size.y(); ++row) {
+    for (int column = 0; column < size.x(); ++column) {
+      if (mapping != ImageMapping::kLatLong) pixel_nodes(mapping, size.x(), column, row, nodes);
+      visit(column, row, nodes);
+    }
   }
 }
 
 Image black(ImageMapping mapping, int edge) {
-  const Size size = size_of(mapping, edge);
-  const std::size_t pixels = static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
-  return {size.width, size.height, std::vector<Eigen::Vector3f>(pixels, Eigen::Vector3f::Zero()), 0};
+  const Eigen::Vector2i size = size_of(mapping, edge);
+  return {size.x(), size.y(), std::vector<Eigen::Vector3f>(size.prod(), Eigen::Vector3f::Zero()), 0};
 }
 
-Eigen::Vector3f& pixel(Image& image, int column, int row) {
-  return image
-      .pixels[static_cast<std::size_t>(row) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(column)];
-}
+Eigen::Vector3f& pixel(Image& image, int column, int row) { return image.pixels[row * image.width + column]; }
 
 const std::vector<ImageMapping> kOthers{ImageMapping::kAngularMap, ImageMapping::kMirrorBall,
                                         ImageMapping::kHorizontalCross, ImageMapping::kVerticalCross,
@@ -59,12 +53,6 @@ double solid_angle(const std::vector<PixelNode>& nodes) {
   double sum = 0.0;
   for (const PixelNode& node : nodes) sum += node.weight;
   return sum;
-}
-
-double largest_difference(const LightCoefficients& a, const LightCoefficients& b) {
-  double largest = 0.0;
-  for (std::size_t i = 0; i < a.values.size(); ++i) largest = std::max(largest, std::abs(a.values[i] - b.values[i]));
-  return largest;
 }
 
 /// A bright pixel's mean direction, from its band 1, (y, z, x).
@@ -101,8 +89,8 @@ TEST(ImageMapping, SingleBrightPixelsOfDiscsShineFromTheAxesOfTheHeader) {
 
 TEST(ImageMapping, SingleBrightPixelsOfCubesShineFromTheAxesOfTheHeader) {
   const auto at = [](ImageMapping mapping, int column, int row) {
-    const Size size = size_of(mapping, 1);
-    return towards(mapping, 31, (column + 0.5) / size.width, (row + 0.5) / size.height);
+    const Eigen::Vector2i size = size_of(mapping, 1);
+    return towards(mapping, 31, (column + 0.5) / size.x(), (row + 0.5) / size.y());
   };
   const auto h = ImageMapping::kHorizontalCross;
   const auto v = ImageMapping::kVerticalCross;
@@ -122,8 +110,8 @@ TEST(ImageMapping, FacesOfACrossMeetAtTheirEdges) {
   const auto near = [&](ImageMapping mapping, int c0, int r0, int c1, int r1) {
     std::vector<PixelNode> a;
     std::vector<PixelNode> b;
-    pixel_nodes(mapping, size_of(mapping, n).width, c0, r0, a);
-    pixel_nodes(mapping, size_of(mapping, n).width, c1, r1, b);
+    pixel_nodes(mapping, size_of(mapping, n).x(), c0, r0, a);
+    pixel_nodes(mapping, size_of(mapping, n).x(), c1, r1, b);
     ASSERT_FALSE(a.empty() || b.empty());
     EXPECT_LT((a.front().direction - b.front().direction).norm(), 3.0 / n);
   };
@@ -143,15 +131,8 @@ TEST(ImageMapping, FacesOfACrossMeetAtTheirEdges) {
 TEST(ImageMapping, PixelsOfEveryMappingCoverTheSphereOnce) {
   for (const ImageMapping mapping : kOthers) {
     for (const int edge : {1, 2, 7, 64}) {
-      const Size size = size_of(mapping, edge);
       double sum = 0.0;
-      std::vector<PixelNode> nodes;
-      for (int row = 0; row < size.height; ++row) {
-        for (int column = 0; column < size.width; ++column) {
-          pixel_nodes(mapping, size.width, column, row, nodes);
-          sum += solid_angle(nodes);
-        }
-      }
+      for_each_pixel(mapping, edge, [&](int, int, const auto& nodes) { sum += solid_angle(nodes); });
       EXPECT_NEAR(sum / (4.0 * kPi), 1.0, 1e-9) << static_cast<int>(mapping) << ' ' << edge;
     }
   }
@@ -180,22 +161,17 @@ TEST(ImageMapping, ConstantPicturesLeakNothingIntoHigherBands) {
 }
 
 TEST(ImageMapping, PictureOfAKnownFunctionGivesItsCoefficientsBack) {
-  const LightCoefficients known = test::random_light(3, 3);
+  const LightCoefficients known = random_light(3, 3);
   for (const ImageMapping mapping : kOthers) {
     double error[2];
     for (const int round : {0, 1}) {
       Image image = black(mapping, 32 << round);
-      std::vector<PixelNode> nodes;
-      for (int row = 0; row < image.height; ++row) {
-        for (int column = 0; column < image.width; ++column) {
-          pixel_nodes(mapping, image.width, column, row, nodes);
-          if (!nodes.empty()) {  // the mean over the pixel
-            Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-            for (const PixelNode& node : nodes) mean += node.weight * radiance(known, node.direction);
-            pixel(image, column, row) = (mean / solid_angle(nodes)).cast<float>();
-          }
-        }
-      }
+      for_each_pixel(mapping, 32 << round, [&](int column, int row, const auto& nodes) {
+        if (nodes.empty()) return;
+        Eigen::Vector3d mean = Eigen::Vector3d::Zero();  // over the pixel
+        for (const PixelNode& node : nodes) mean += node.weight * radiance(known, node.direction);
+        pixel(image, column, row) = (mean / solid_angle(nodes)).template cast<float>();
+      });
       error[round] = largest_difference(project_image(image, mapping, 3), known);
     }
     EXPECT_LT(error[1], 2e-2) << static_cast<int>(mapping);
@@ -205,23 +181,16 @@ TEST(ImageMapping, PictureOfAKnownFunctionGivesItsCoefficientsBack) {
 
 TEST(ImageMapping, LookupIsThePixelThatShowsTheDirection) {
   for (const ImageMapping mapping : kOthers) {
-    const Size size = size_of(mapping, 15);
-    Image image = test::pattern_image(size.width, size.height);
-    std::vector<PixelNode> nodes;
-    for (int row = 0; row < size.height; ++row) {
-      for (int column = 0; column < size.width; ++column) {
-        pixel_nodes(mapping, size.width, column, row, nodes);
-        const bool whole = cube_faces(mapping).empty()
-                               ? std::hypot((2.0 * column + 1.0) / 15 - 1.0, (2.0 * row + 1.0) / 15 - 1.0) < 0.9
-                               : !nodes.empty();
-        if (whole) {
-          const Eigen::Vector3d middle = nodes[nodes.size() / 2].direction;
-          EXPECT_LT((lookup(image, mapping, middle) - image.at(column, row)).norm(),
-                    cube_faces(mapping).empty() ? 1e-6F : 1.0F)
-              << static_cast<int>(mapping) << ' ' << column << ' ' << row;
-        }
-      }
-    }
+    const Eigen::Vector2i size = size_of(mapping, 15);
+    const Image image = pattern_image(size.x(), size.y());
+    for_each_pixel(mapping, 15, [&](int column, int row, const auto& nodes) {
+      const bool is_disc = cube_faces(mapping).empty();
+      const double radius = std::hypot((2.0 * column + 1.0) / 15 - 1.0, (2.0 * row + 1.0) / 15 - 1.0);
+      if (nodes.empty() || (is_disc && radius >= 0.9)) return;
+      const Eigen::Vector3d middle = nodes[nodes.size() / 2].direction;
+      EXPECT_LT((lookup(image, mapping, middle) - image.at(column, row)).norm(), is_disc ? 1e-6F : 1.0F)
+          << static_cast<int>(mapping) << ' ' << column << ' ' << row;
+    });
     for (const Eigen::Vector3d& d : {kX, kY, kZ}) {
       EXPECT_TRUE(lookup(image, mapping, d).allFinite());
       EXPECT_TRUE(lookup(image, mapping, -d).allFinite());
@@ -230,54 +199,41 @@ TEST(ImageMapping, LookupIsThePixelThatShowsTheDirection) {
 }
 
 TEST(ImageMapping, OtherShapesAreRefused) {
-  const auto refusal = [](int width, int height, ImageMapping mapping) {
-    return test::message_of([&] { require_shape("a.exr", test::pattern_image(width, height), mapping); });
+  const auto expect = [](int width, int height, ImageMapping mapping, const std::string& reason) {
+    EXPECT_EQ(message_of([&] { require_shape("a.exr", pattern_image(width, height), mapping); }),
+              "a.exr: the picture is " + reason + ", in whole faces");
   };
-  EXPECT_EQ(refusal(16, 8, ImageMapping::kMirrorBall),
-            "a.exr: the picture is 16 x 8 pixels; the mapping mirror_ball needs 1:1, in whole faces");
-  EXPECT_EQ(refusal(12, 16, ImageMapping::kHorizontalCross),
-            "a.exr: the picture is 12 x 16 pixels; the mapping horizontal_cross needs 4:3, in whole faces");
-  EXPECT_EQ(refusal(16, 12, ImageMapping::kVerticalCross),
-            "a.exr: the picture is 16 x 12 pixels; the mapping vertical_cross needs 3:4, in whole faces");
-  EXPECT_EQ(refusal(13, 2, ImageMapping::kCubeStrip),
-            "a.exr: the picture is 13 x 2 pixels; the mapping cube_strip needs 6:1, in whole faces");
+  expect(16, 8, ImageMapping::kMirrorBall, "16 x 8 pixels; the mapping mirror_ball needs 1:1");
+  expect(12, 16, ImageMapping::kHorizontalCross, "12 x 16 pixels; the mapping horizontal_cross needs 4:3");
+  expect(16, 12, ImageMapping::kVerticalCross, "16 x 12 pixels; the mapping vertical_cross needs 3:4");
+  expect(13, 2, ImageMapping::kCubeStrip, "13 x 2 pixels; the mapping cube_strip needs 6:1");
 }
 
 TEST(ImageMapping, PlacesAndDirectionsAreInversesAndAgreeWithThePixels) {
   for (int i = 0; i < 6; ++i) {
     const auto mapping = static_cast<ImageMapping>(i);
-    const MappingShape shape = mapping_shape(mapping);
-    const int size = 24;
+    const Eigen::Vector2i size = size_of(mapping, 24);
     int shown = 0;
-    std::vector<PixelNode> nodes;
-    for (int row = 0; row < shape.height * size; ++row) {
-      for (int column = 0; column < shape.width * size; ++column) {
-        const double u = (column + 0.5) / (shape.width * size);
-        const double v = (row + 0.5) / (shape.height * size);
-        const auto direction = mapped_direction(mapping, u, v);
-        if (mapping != ImageMapping::kLatLong) {
-          pixel_nodes(mapping, shape.width * size, column, row, nodes);
-          if (nodes.empty()) {
-            EXPECT_FALSE(direction) << i;
-          }
-        }
-        if (!direction) continue;
-        ++shown;
-        EXPECT_NEAR(direction->norm(), 1.0, 1e-14);
-        const Eigen::Vector2d place = mapped_place(mapping, *direction);
-        EXPECT_NEAR(place.x(), u, 1e-5) << i;
-        EXPECT_NEAR(place.y(), v, 1e-5) << i;
-        const auto nearest = std::max_element(nodes.begin(), nodes.end(), [&](const auto& a, const auto& b) {
-          return a.direction.dot(*direction) < b.direction.dot(*direction);
-        });
-        if (nearest != nodes.end()) {
-          EXPECT_GT(nearest->direction.dot(*direction), std::cos(0.3)) << i;
-        }
+    for_each_pixel(mapping, 24, [&](int column, int row, const auto& nodes) {
+      const double u = (column + 0.5) / size.x();
+      const double v = (row + 0.5) / size.y();
+      const auto direction = mapped_direction(mapping, u, v);
+      if (mapping != ImageMapping::kLatLong && nodes.empty()) {
+        EXPECT_FALSE(direction) << i;
       }
-    }
-    EXPECT_GT(shown, shape.width * shape.height * size * size / 2 - 1) << i;
+      if (!direction) return;
+      ++shown;
+      EXPECT_NEAR(direction->norm(), 1.0, 1e-14);
+      const Eigen::Vector2d place = mapped_place(mapping, *direction);
+      EXPECT_NEAR(place.x(), u, 1e-5) << i;
+      EXPECT_NEAR(place.y(), v, 1e-5) << i;
+      double nearest = nodes.empty() ? 1.0 : -1.0;
+      for (const PixelNode& node : nodes) nearest = std::max(nearest, node.direction.dot(*direction));
+      EXPECT_GT(nearest, std::cos(0.3)) << i;
+    });
+    EXPECT_GT(shown, size.prod() / 2 - 1) << i;
   }
 }
 
 }  // namespace
-}  // namespace sh::prt
+}  // namespace sh::prt::test

@@ -1,4 +1,6 @@
 // Reading HDR pictures in every form, refusing bad ones, writing PNG.
+#include "prt/image/image.hpp"
+
 #include <OpenEXR/ImfCompression.h>
 #include <gtest/gtest.h>
 #include <png.h>
@@ -7,19 +9,11 @@
 #include <limits>
 
 #include "numeric/output/png.hpp"
-#include "prt/image/image_io.hpp"
 #include "tests/prt/image_files.hpp"
 #include "tests/prt/temporary_folder.hpp"
 
-namespace sh::prt {
+namespace sh::prt::test {
 namespace {
-
-using test::ExrOptions;
-using test::message_of;
-using test::pattern_image;
-using test::read_all;
-using test::TemporaryFolder;
-using test::write_all;
 
 float largest_difference(const Image& a, const Image& b) {
   EXPECT_EQ(a.width, b.width);
@@ -42,47 +36,28 @@ void expect_refused(const std::string& file, const std::string& reason, OnFlaw o
 struct Form {
   const char* name;
   ExrOptions options;
-  float
-      tolerance;  // 0: lossless. DWA at its default level on values of 0.25..1: measured 0.0032 and 0.0025, B44 0.0078
+  float tolerance = 0.0F;  // DWA at its default level on values of 0.25..1: measured 0.0032 and 0.0025, B44 0.0078
 };
 
-const std::vector<Form>& forms() {
-  static const std::vector<Form> kForms = [] {
-    std::vector<Form> list;
-    const auto add = [&](const char* name, Imf::Compression compression, float tolerance) -> ExrOptions& {
-      list.push_back({name, {}, tolerance});
-      list.back().options.compression = compression;
-      return list.back().options;
-    };
-    add("none", Imf::NO_COMPRESSION, 0.0F);
-    add("rle", Imf::RLE_COMPRESSION, 0.0F);
-    add("zip", Imf::ZIP_COMPRESSION, 0.0F);
-    add("zips half", Imf::ZIPS_COMPRESSION, 0.0F).half = true;
-    add("piz", Imf::PIZ_COMPRESSION, 0.0F);
-    add("b44 half", Imf::B44_COMPRESSION, 0.02F).half = true;
-    add("dwaa half", Imf::DWAA_COMPRESSION, 0.008F).half = true;
-    add("dwab half tiled", Imf::DWAB_COMPRESSION, 0.008F).half = true;
-    list.back().options.tiled = true;
-    add("tiled", Imf::ZIP_COMPRESSION, 0.0F).tiled = true;
-    add("alpha", Imf::ZIP_COMPRESSION, 0.0F).alpha = true;
-    add("layer", Imf::ZIP_COMPRESSION, 0.0F).channels = {"View.Combined.R", "View.Combined.G", "View.Combined.B"};
-    ExrOptions& window = add("data window", Imf::ZIP_COMPRESSION, 0.0F);
-    window.left = -7;
-    window.top = 11;
-    ExrOptions& tiles = add("tiled data window", Imf::ZIP_COMPRESSION, 0.0F);
-    tiles.left = 5;
-    tiles.top = -3;
-    tiles.tiled = true;
-    return list;
-  }();
-  return kForms;
-}
-
 TEST(Image, ExrIsReadInEveryCompressionLayoutAndLayer) {
+  const std::vector<Form> forms = {
+      {"none", {.compression = Imf::NO_COMPRESSION}},
+      {"rle", {.compression = Imf::RLE_COMPRESSION}},
+      {"zip", {}},
+      {"zips half", {.compression = Imf::ZIPS_COMPRESSION, .half = true}},
+      {"piz", {.compression = Imf::PIZ_COMPRESSION}},
+      {"b44 half", {.compression = Imf::B44_COMPRESSION, .half = true}, 0.02F},
+      {"dwaa half", {.compression = Imf::DWAA_COMPRESSION, .half = true}, 0.008F},
+      {"dwab half tiled", {.compression = Imf::DWAB_COMPRESSION, .tiled = true, .half = true}, 0.008F},
+      {"tiled", {.tiled = true}},
+      {"alpha", {.alpha = true}},
+      {"layer", {.channels = {"View.Combined.R", "View.Combined.G", "View.Combined.B"}}},
+      {"data window", {.left = -7, .top = 11}},
+      {"tiled data window", {.tiled = true, .left = 5, .top = -3}}};
   const TemporaryFolder folder;
   const Image image = pattern_image(64, 32);
-  for (const Form& form : forms()) {
-    test::write_exr(folder.file("a.exr"), image, form.options);
+  for (const Form& form : forms) {
+    write_exr(folder.file("a.exr"), image, form.options);
     const Image read = read_image(folder.file("a.exr"), OnFlaw::kRefuse);
     EXPECT_LE(largest_difference(read, image), form.tolerance) << form.name;
   }
@@ -90,10 +65,8 @@ TEST(Image, ExrIsReadInEveryCompressionLayoutAndLayer) {
 
 TEST(Image, ExrOfOneLuminanceChannelBecomesGrey) {
   const TemporaryFolder folder;
-  ExrOptions options;
-  options.channels = {"Y"};
   const Image image = pattern_image(8, 4);
-  test::write_exr(folder.file("y.exr"), image, options);
+  write_exr(folder.file("y.exr"), image, {.channels = {"Y"}});
   const Image read = read_image(folder.file("y.exr"), OnFlaw::kRefuse);
   for (std::size_t i = 0; i < image.pixels.size(); ++i) {
     EXPECT_EQ(read.pixels[i], Eigen::Vector3f::Constant(image.pixels[i].x()));
@@ -105,7 +78,7 @@ TEST(Image, RadianceIsReadRunLengthEncodedAndPlain) {
   for (const int width : {4, 64, 256}) {  // below 8 pixels a row is never encoded
     const Image image = pattern_image(width, width / 2);
     for (const bool run_length : {false, true}) {
-      write_all(folder.file("a.hdr"), test::radiance_bytes(image, run_length && width >= 8));
+      write_all(folder.file("a.hdr"), radiance_bytes(image, run_length && width >= 8));
       EXPECT_EQ(largest_difference(read_image(folder.file("a.hdr"), OnFlaw::kRefuse), image), 0.0F);
     }
   }
@@ -114,7 +87,7 @@ TEST(Image, RadianceIsReadRunLengthEncodedAndPlain) {
 TEST(Image, RadianceExposureIsDividedOut) {
   const TemporaryFolder folder;
   const Image image = pattern_image(16, 8);
-  write_all(folder.file("a.hdr"), test::radiance_bytes(image, true, "EXPOSURE=4\nEXPOSURE=0.5\n"));
+  write_all(folder.file("a.hdr"), radiance_bytes(image, true, "EXPOSURE=4\nEXPOSURE=0.5\n"));
   Image expected = image;
   for (Eigen::Vector3f& pixel : expected.pixels) pixel /= 2.0F;
   EXPECT_EQ(largest_difference(read_image(folder.file("a.hdr"), OnFlaw::kRefuse), expected), 0.0F);
@@ -134,7 +107,7 @@ TEST(Image, NegativePixelsAreSetToZeroCountedAndRefusedWhenStrict) {
   Image image = pattern_image(16, 8);
   image.pixels[3] = {-0.5F, 1.0F, 2.0F};
   image.pixels[9] = {1.0F, -0.001F, -1.0F};
-  test::write_exr(folder.file("negative.exr"), image);
+  write_exr(folder.file("negative.exr"), image);
   testing::internal::CaptureStderr();
   const Image read = read_image(folder.file("negative.exr"), OnFlaw::kMend);
   const std::string warning = testing::internal::GetCapturedStderr();
@@ -151,7 +124,7 @@ TEST(Image, NotFinitePixelsAreRefusedWithTheirPlace) {
   for (const float bad : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
     Image image = pattern_image(16, 8);
     image.pixels[2 * 16 + 5].y() = bad;
-    test::write_exr(folder.file("bad.exr"), image);
+    write_exr(folder.file("bad.exr"), image);
     expect_refused(folder.file("bad.exr"), "column 5, row 2");
   }
 }
@@ -171,16 +144,11 @@ TEST(Image, MissingEmptyAndForeignFilesAreRefused) {
 TEST(Image, FilesTruncatedAnywhereAreRefused) {
   const TemporaryFolder folder;
   const Image image = pattern_image(64, 32);
-  ExrOptions tiled;
-  tiled.tiled = true;
-  ExrOptions dwa;
-  dwa.compression = Imf::DWAA_COMPRESSION;
-  dwa.half = true;
-  test::write_exr(folder.file("0"), image);
-  test::write_exr(folder.file("1"), image, tiled);
-  test::write_exr(folder.file("2"), image, dwa);
-  write_all(folder.file("3"), test::radiance_bytes(image, true));
-  write_all(folder.file("4"), test::radiance_bytes(image, false));
+  write_exr(folder.file("0"), image);
+  write_exr(folder.file("1"), image, {.tiled = true});
+  write_exr(folder.file("2"), image, {.compression = Imf::DWAA_COMPRESSION, .half = true});
+  write_all(folder.file("3"), radiance_bytes(image, true));
+  write_all(folder.file("4"), radiance_bytes(image, false));
   for (const char* name : {"0", "1", "2", "3", "4"}) {
     const std::string bytes = read_all(folder.file(name));
     for (std::size_t size = 1; size < bytes.size(); size += 1 + bytes.size() / 97) {
@@ -194,7 +162,7 @@ TEST(Image, FilesTruncatedAnywhereAreRefused) {
 
 TEST(Image, DamagedExrBytesNeverCrash) {
   const TemporaryFolder folder;
-  test::write_exr(folder.file("a.exr"), pattern_image(16, 8));
+  write_exr(folder.file("a.exr"), pattern_image(16, 8));
   const std::string bytes = read_all(folder.file("a.exr"));
   for (std::size_t i = 0; i < bytes.size(); ++i) {
     std::string damaged = bytes;
@@ -223,9 +191,7 @@ TEST(Image, RadianceHeadersThatCannotBeReadAreNamed) {
 
 TEST(Image, ExrWithoutColourChannelsIsRefusedWithItsChannels) {
   const TemporaryFolder folder;
-  ExrOptions options;
-  options.channels = {"depth", "u", "v"};
-  test::write_exr(folder.file("a.exr"), pattern_image(8, 4), options);
+  write_exr(folder.file("a.exr"), pattern_image(8, 4), {.channels = {"depth", "u", "v"}});
   expect_refused(folder.file("a.exr"), "depth, u, v");
 }
 
@@ -254,4 +220,4 @@ TEST(Image, PngThatCannotBeWrittenLeavesNothing) {
 }
 
 }  // namespace
-}  // namespace sh::prt
+}  // namespace sh::prt::test

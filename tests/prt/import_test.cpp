@@ -2,12 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
-#include <cstring>
 #include <limits>
-#include <nlohmann/json.hpp>
 
 #include "prt/mesh/import_mesh.hpp"
 #include "prt/scene/scene.hpp"
+#include "tests/prt/gltf.hpp"
 #include "tests/prt/meshes.hpp"
 #include "tests/prt/temporary_folder.hpp"
 
@@ -20,40 +19,11 @@ const std::string kPly =
     "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
     "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
 
-// A glTF file of one triangle, whose node moves and scales it; the buffer lies in the file.
-std::string gltf(const std::vector<float>& positions, const std::vector<std::uint16_t>& indices) {
-  std::string bytes(positions.size() * 4 + indices.size() * 2, '\0');
-  std::memcpy(bytes.data(), positions.data(), positions.size() * 4);
-  std::memcpy(bytes.data() + positions.size() * 4, indices.data(), indices.size() * 2);
-  static const std::string kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string base64;
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    std::uint32_t word = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      word = word << 8U | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U);
-    }
-    for (std::size_t k = 0; k < 4; ++k) base64 += i + k > bytes.size() ? '=' : kDigits[word >> (18U - 6U * k) & 63U];
-  }
-  const nlohmann::json document = {
-      {"asset", {{"version", "2.0"}}},
-      {"scene", 0},
-      {"scenes", {{{"nodes", {0}}}}},
-      {"nodes", {{{"mesh", 0}, {"translation", {10, 20, 30}}, {"scale", {2, 2, 2}}}}},
-      {"meshes", {{{"primitives", {{{"attributes", {{"POSITION", 0}}}, {"indices", 1}, {"material", 0}}}}}}},
-      {"materials", {{{"name", "paint"}, {"pbrMetallicRoughness", {{"baseColorFactor", {0.25, 0.5, 0.75, 1.0}}}}}}},
-      {"buffers", {{{"byteLength", bytes.size()}, {"uri", "data:application/octet-stream;base64," + base64}}}},
-      {"bufferViews",
-       {{{"buffer", 0}, {"byteOffset", 0}, {"byteLength", positions.size() * 4}},
-        {{"buffer", 0}, {"byteOffset", positions.size() * 4}, {"byteLength", indices.size() * 2}}}},
-      {"accessors",
-       {{{"bufferView", 0},
-         {"componentType", 5126},
-         {"count", positions.size() / 3},
-         {"type", "VEC3"},
-         {"min", {0, 0, 0}},
-         {"max", {1, 1, 1}}},
-        {{"bufferView", 1}, {"componentType", 5123}, {"count", indices.size()}, {"type", "SCALAR"}}}}};
-  return document.dump();
+// One triangle with a material, whose node moves and scales it.
+std::string triangle(const std::vector<float>& positions, const std::vector<std::uint16_t>& indices) {
+  return gltf(positions, indices,
+              {{"name", "paint"}, {"pbrMetallicRoughness", {{"baseColorFactor", {0.25, 0.5, 0.75, 1.0}}}}},
+              {{"mesh", 0}, {"translation", {10, 20, 30}}, {"scale", {2, 2, 2}}});
 }
 
 class Import : public testing::Test {
@@ -84,7 +54,7 @@ TEST_F(Import, ReadsPositionsFacesAndPolygons) {
 }
 
 TEST_F(Import, AppliesNodeTransformsAndLinearBaseColour) {
-  const ImportedMesh mesh = import("a.gltf", gltf({0, 0, 0, 1, 0, 0, 0, 1, 0}, {0, 1, 2}));
+  const ImportedMesh mesh = import("a.gltf", triangle({0, 0, 0, 1, 0, 0, 0, 1, 0}, {0, 1, 2}));
   ASSERT_EQ(mesh.soup.positions.size(), 3U);
   EXPECT_EQ(mesh.soup.positions[1], Eigen::Vector3f(12, 20, 30));
   EXPECT_EQ(mesh.soup.albedo[0], Eigen::Vector3f(0.25F, 0.5F, 0.75F));
@@ -108,7 +78,7 @@ TEST_F(Import, KnowsTheCustomOfEachFormatsAxes) {
 }
 
 TEST_F(Import, StandsYUpGltfUpright) {
-  write_all(folder_.file("a.gltf"), gltf({0, 0, 0, 1, 0, 0, 0, 1, 0}, {0, 1, 2}));
+  write_all(folder_.file("a.gltf"), triangle({0, 0, 0, 1, 0, 0, 0, 1, 0}, {0, 1, 2}));
   write_all(folder_.file("scene.json"), R"({"meshes": [{"file": "a.gltf"}]})");
   const Scene scene = load_scene(folder_.file("scene.json"), OnFlaw::kRefuse);
   // The file's (10, 20 + 2, 30) is 22 high and 30 towards the viewer, -y.
@@ -142,7 +112,7 @@ TEST_F(Import, RefusesVerticesThatAreNotFinite) {
   EXPECT_EQ(refusal("a.obj", "v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n"), "a.obj" + said);
   EXPECT_EQ(refusal("a.ply", kPly + "0 0 0\n1 inf 0\n0 1 0\n3 0 1 2\n"), "a.ply" + said);
   const float nan = std::numeric_limits<float>::quiet_NaN();
-  EXPECT_EQ(refusal("a.gltf", gltf({0, 0, 0, nan, 0, 0, 0, 1, 0}, {0, 1, 2})), "a.gltf" + said);
+  EXPECT_EQ(refusal("a.gltf", triangle({0, 0, 0, nan, 0, 0, 0, 1, 0}, {0, 1, 2})), "a.gltf" + said);
 }
 
 TEST_F(Import, RefusesFacesOutOfRange) {
@@ -155,7 +125,7 @@ TEST_F(Import, RefusesFacesOutOfRange) {
             0U);
   for (const std::vector<std::uint16_t>& indices : {{0, 1, 9}, std::vector<std::uint16_t>{0, 1, 2, 0, 1, 9}}) {
     EXPECT_EQ(
-        refusal("a.gltf", gltf({0, 0, 0, 1, 0, 0, 0, 1, 0}, indices)).find("a.gltf: a face names a missing vertex"),
+        refusal("a.gltf", triangle({0, 0, 0, 1, 0, 0, 0, 1, 0}, indices)).find("a.gltf: a face names a missing vertex"),
         0U);
   }
 }

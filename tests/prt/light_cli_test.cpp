@@ -11,13 +11,8 @@
 #include "tests/prt/temporary_folder.hpp"
 #include "tests/prt/tool.hpp"
 
-namespace sh::prt {
+namespace sh::prt::test {
 namespace {
-
-using test::expect_refused;
-using test::Finished;
-using test::run_prt;
-using test::write_all;
 
 class LightTool : public testing::Test {
  protected:
@@ -27,13 +22,12 @@ class LightTool : public testing::Test {
     return folder.file("lights.json");
   }
 
-  test::TemporaryFolder folder;
+  TemporaryFolder folder;
 };
 
 TEST_F(LightTool, WindowsAreReportedWithTheContrastTheyCost) {
   const std::string sun = R"({"type": "directional", "direction": [0, 0, 1]})";
-  const Finished run = run_prt({"project", lights(sun), "--degree", "4", "--window", "auto"});
-  ASSERT_EQ(run.status, 0) << run.err;
+  const Finished run = succeeded({"project", lights(sun), "--degree", "4", "--window", "auto"});
   const auto done = nlohmann::json::parse(run.out)["windows"][0];
   EXPECT_EQ(done["type"], "fejer");
   EXPECT_GE(done["least_over_peak"].get<double>(), -1e-9);
@@ -72,12 +66,11 @@ TEST_F(LightTool, ReconstructDrawsALightWithItsNumbersInEveryMapping) {
     EXPECT_NEAR(found["largest"].get<double>(), 9.0 / (4.0 * std::numbers::pi), 1e-12);
     // Negative between z = -1/5 - sqrt(24/100) and z = -1/5 + sqrt(24/100).
     EXPECT_NEAR(found["negative_share"].get<double>(), std::sqrt(0.24), 1e-3);
-    EXPECT_EQ(test::read_all(out).substr(1, 3), "PNG");
+    EXPECT_EQ(read_all(out).substr(1, 3), "PNG");
   }
-  const std::string first = test::read_all(out);
-  ASSERT_EQ(
-      run_prt({"reconstruct", sun, "--degree", "2", "--draw", "all", "--axes", "--width", "200", "-o", out}).status, 0);
-  EXPECT_EQ(test::read_all(out), first);
+  const std::string first = read_all(out);
+  succeeded({"reconstruct", sun, "--degree", "2", "--draw", "all", "--axes", "--width", "200", "-o", out});
+  EXPECT_EQ(read_all(out), first);
   const Finished windowed = run_prt({"reconstruct", sun, "--window", "auto", "--width", "200", "-o", out});
   EXPECT_LT(nlohmann::json::parse(windowed.out)["negative_share"].get<double>(), 0.01) << windowed.err;
 }
@@ -97,13 +90,11 @@ TEST_F(LightTool, PicturesOfEightBitsAndTheirSunsAreLights) {
   for (int k = 0; k < 3; ++k) rgb[3 * (64 * 10 + 20) + static_cast<std::size_t>(k)] = 255;
   output::write_png(folder.file("sky.png"), 64, 32, rgb);
   const std::string with_sun = R"({"type": "environment", "file": "sky.png", "extract_sun": true, "exposure": 2})";
-  const Finished run = run_prt({"project", lights(with_sun)});
-  ASSERT_EQ(run.status, 0) << run.err;
+  const Finished run = succeeded({"project", lights(with_sun)});
   EXPECT_NE(run.err.find("sky.png: sun at elevation"), std::string::npos) << run.err;
   const auto split = nlohmann::json::parse(run.out);
   EXPECT_GT(split["suns"][0]["share_of_picture"].get<double>(), 0.05);
-  const Finished scaled = run_prt({"project", lights(R"({"type": "environment", "file": "sky.png", "scale": 4})")});
-  const auto whole = nlohmann::json::parse(scaled.out);
+  const auto whole = printed({"project", lights(R"({"type": "environment", "file": "sky.png", "scale": 4})")});
   EXPECT_NEAR(split["coefficients"][0][0].get<double>() / whole["coefficients"][0][0].get<double>(), 1.0, 1e-6);
   const Finished none =
       run_prt({"project", lights(R"({"type": "environment", "file": "sky.png", "extract_sun": {"contrast": 1e6}})")});
@@ -113,40 +104,32 @@ TEST_F(LightTool, PicturesOfEightBitsAndTheirSunsAreLights) {
 TEST_F(LightTool, LightsThatContradictThemselvesAreRefused) {
   output::write_png(folder.file("square.png"), 8, 8, std::vector<std::uint8_t>(192, 20));
   expect_refused({"project", folder.file("square.png")}, "square.png: the picture is 8 x 8 pixels");
-  expect_refused({"project", lights(R"({"type": "environment", "file": "square.png", "mapping": "vertical_cross"})")},
-                 "needs 3:4");
-  expect_refused({"project", lights(R"({"type": "constant", "extract_sun": true})")}, "lights.json: /extract_sun");
-  expect_refused({"project", lights(R"({"type": "cap", "direction": [0, 0, 1], "half_angle": 3, "radiance": [1, 1, 1],
-                                        "irradiance": [1, 1, 1]})")},
-                 "either `radiance` or `irradiance`");
-  expect_refused({"project", lights(R"({"type": "environment", "file": "square.png", "exposure": 100})")},
-                 "stops from -64 to 64");
-  expect_refused({"project", lights(R"({"type": "environment", "file": "square.png", "color_space": "gamma"})")},
-                 "expected one of linear, srgb");
-}
-
-TEST_F(LightTool, AnglesInRadiansAreRefusedWithAHint) {
-  expect_refused({"project", lights(R"({"type": "cap", "direction": [0, 0, 1], "half_angle": 0.7854})")},
-                 "looks like 3/12 pi radians, which are 45 degrees");
-  expect_refused({"project", lights(R"({"type": "cie_clear", "sun": {"elevation": 1.0472}})")}, "60 degrees");
-  expect_refused({"project", lights(R"({"type": "cie_clear", "sun": {"elevation": 100}})")}, "degrees from -90 to 90");
-  expect_refused({"project", lights(R"({"type": "cap", "direction": [0, 0, 1], "half_angle": 200})")},
-                 "degrees from 1e-09 to 180");
+  const std::pair<const char*, const char*> cases[] = {
+      {R"("environment", "file": "square.png", "mapping": "vertical_cross")", "needs 3:4"},
+      {R"("constant", "extract_sun": true)", "lights.json: /extract_sun"},
+      {R"("cap", "direction": [0, 0, 1], "half_angle": 3, "radiance": [1, 1, 1], "irradiance": [1, 1, 1])",
+       "either `radiance` or `irradiance`"},
+      {R"("environment", "file": "square.png", "exposure": 100)", "stops from -64 to 64"},
+      {R"("environment", "file": "square.png", "color_space": "gamma")", "expected one of linear, srgb"},
+      {R"("cap", "direction": [0, 0, 1], "half_angle": 0.7854)", "looks like 3/12 pi radians, which are 45 degrees"},
+      {R"("cie_clear", "sun": {"elevation": 1.0472})", "60 degrees"},
+      {R"("cie_clear", "sun": {"elevation": 100})", "degrees from -90 to 90"},
+      {R"("cap", "direction": [0, 0, 1], "half_angle": 200)", "degrees from 1e-09 to 180"}};
+  for (const auto& [type, reason] : cases) {
+    expect_refused({"project", lights(R"({"type": )" + std::string(type) + "}")}, reason);
+  }
 }
 
 TEST_F(LightTool, LocalLightingChangesWhatANearSphereGives) {
   const std::string baked = folder.file("a.transfer");
   const auto bake = [&](const std::string& kind) {
-    return run_prt({"bake", "demo", "-o", baked, "--degree", "2", "--directions", "32", "--kind", kind}).status;
+    succeeded({"bake", "demo", "-o", baked, "--degree", "2", "--directions", "32", "--kind", kind});
   };
-  ASSERT_EQ(bake("shadowed"), 0);
+  bake("shadowed");
   const std::string sphere = lights(R"({"type": "sphere", "position": [0, 0, 6], "radius": 0.5})");
-  const auto relit = [&](const std::vector<std::string>& more, const std::string& light) {
-    std::vector<std::string> arguments{"relight", baked, "-o", folder.file("a.ply"), "--light", light};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    const Finished run = run_prt(arguments);
-    EXPECT_EQ(run.status, 0) << run.err;
-    return std::pair(test::read_all(folder.file("a.ply")), run.err);
+  const auto relit = [&](const Arguments& more, const std::string& light) {
+    const Finished run = succeeded(joined({"relight", baked, "-o", folder.file("a.ply"), "--light", light}, more));
+    return std::pair(read_all(folder.file("a.ply")), run.err);
   };
   const std::string local = relit({"--local", "9"}, sphere).first;
   EXPECT_FALSE(local == relit({}, sphere).first);
@@ -164,10 +147,10 @@ TEST_F(LightTool, LocalLightingChangesWhatANearSphereGives) {
   expect_refused({"relight", baked, "-o", folder.file("b.ply"), "--local", "4", "--strict"}, "it changes nothing");
   expect_refused({"render", baked, "-o", folder.file("b.png"), "--local", "4", "--turntable", "object"},
                  "--turntable object: moves near lights too");
-  ASSERT_EQ(bake("interreflected"), 0);
+  bake("interreflected");
   refused("4", sphere, "a.transfer: --local 4: the bake has bounces");
   EXPECT_FALSE(std::filesystem::exists(folder.file("b.ply")));
 }
 
 }  // namespace
-}  // namespace sh::prt
+}  // namespace sh::prt::test

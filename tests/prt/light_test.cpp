@@ -12,17 +12,13 @@
 #include "prt/light/light_coefficients.hpp"
 #include "prt/transfer/transfer.hpp"
 #include "tests/prt/image_files.hpp"
+#include "tests/prt/lights.hpp"
 #include "tests/prt/temporary_folder.hpp"
 
-namespace sh::prt {
+namespace sh::prt::test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-
-Eigen::Vector3d random_direction(std::mt19937& random) {
-  std::normal_distribution<double> normal;
-  return Eigen::Vector3d(normal(random), normal(random), normal(random)).normalized();
-}
 
 /// Of a place in continuous pixel coordinates.
 Eigen::Vector3d lat_long_direction(double column, double row, int width, int height) {
@@ -70,7 +66,7 @@ TEST(LatLong, PointIsTheInverseOfDirection) {
 }
 
 TEST(LatLong, LookupIsThePixelAtItsCentreAndWrapsAround) {
-  const Image image = test::pattern_image(32, 16);
+  const Image image = pattern_image(32, 16);
   for (int row = 0; row < 16; ++row) {
     for (int column = 0; column < 32; ++column) {
       const Eigen::Vector3d d = lat_long_direction(column + 0.5, row + 0.5, 32, 16);
@@ -84,10 +80,9 @@ TEST(LatLong, LookupIsThePixelAtItsCentreAndWrapsAround) {
 }
 
 TEST(LatLong, OtherShapesAreRefused) {
-  const test::TemporaryFolder folder;
-  test::write_exr(folder.file("square.exr"), test::pattern_image(16, 16));
-  const std::string message =
-      test::message_of([&] { load_lights({environment(folder.file("square.exr"))}, OnFlaw::kMend); });
+  const TemporaryFolder folder;
+  write_exr(folder.file("square.exr"), pattern_image(16, 16));
+  const std::string message = message_of([&] { load_lights({environment(folder.file("square.exr"))}, OnFlaw::kMend); });
   EXPECT_NE(message.find("square.exr: the picture is 16 x 16 pixels"), std::string::npos) << message;
 }
 
@@ -102,9 +97,9 @@ TEST(Light, OvercastSkyHasThreeTimesTheHorizonsRadianceAtTheZenithAndNoneBelow) 
 }
 
 TEST(Light, LightsAddUpAndScaleAndTurn) {
-  const test::TemporaryFolder folder;
-  const Image image = test::pattern_image(64, 32);
-  test::write_exr(folder.file("a.exr"), image);
+  const TemporaryFolder folder;
+  const Image image = pattern_image(64, 32);
+  write_exr(folder.file("a.exr"), image);
   LightSpec constant;
   constant.type = LightType::kConstant;
   constant.radiance = {0.5F, 0.25F, 0.125F};
@@ -122,10 +117,8 @@ TEST(Light, LightsAddUpAndScaleAndTurn) {
 
 TEST(Light, CoefficientsTurnAsTheFunctionDoes) {
   std::mt19937 random(2);
-  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
   for (const int degree : {0, 1, 4, kMaxDegree}) {
-    LightCoefficients light = LightCoefficients::zero(degree);
-    for (double& value : light.values) value = uniform(random);
+    const LightCoefficients light = random_light(degree, 2);
     const Eigen::Matrix3d r = rotation_about(random_direction(random), 77.0);
     const LightCoefficients moved = turned(light, r);
     for (int i = 0; i < 100; ++i) {
@@ -137,10 +130,10 @@ TEST(Light, CoefficientsTurnAsTheFunctionDoes) {
 
 TEST(Light, DegreesOutOfRangeAreRefused) {
   for (const int degree : {-1, kMaxDegree + 1}) {
-    const std::string message = test::message_of([&] { LightCoefficients::zero(degree); });
+    const std::string message = message_of([&] { LightCoefficients::zero(degree); });
     EXPECT_NE(message.find("degree " + std::to_string(degree) + " is out of range"), std::string::npos) << message;
   }
 }
 
 }  // namespace
-}  // namespace sh::prt
+}  // namespace sh::prt::test

@@ -1,6 +1,4 @@
 // Near lights seen from several points, and the blend of their results.
-#include "prt/light/local_light.hpp"
-
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -8,13 +6,12 @@
 #include <cmath>
 #include <numbers>
 
-#include "prt/light/cap_light.hpp"
-#include "prt/light/polygon_light.hpp"
-#include "prt/light/project.hpp"
+#include "prt/light/light.hpp"
+#include "prt/light/light_shapes.hpp"
 #include "prt/runtime/local_relight.hpp"
 #include "prt/runtime/relight.hpp"
 
-namespace sh::prt {
+namespace sh::prt::test {
 namespace {
 
 /// A flat square of 21 x 21 vertices, 4 wide, at z = 0, facing up, unshadowed.
@@ -184,4 +181,4 @@ TEST(LocalLight, RefusesBouncesAndPointsInsideALight) {
 }
 
 }  // namespace
-}  // namespace sh::prt
+}  // namespace sh::prt::test

@@ -1,11 +1,10 @@
 // Materials from mesh files and from the scene: colors, emission, mirrors, sides.
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
-
-#include "prt/mesh/corner_angle.hpp"
+#include "prt/mesh/corners.hpp"
 #include "prt/mesh/import_mesh.hpp"
 #include "prt/scene/scene.hpp"
+#include "tests/prt/gltf.hpp"
 #include "tests/prt/meshes.hpp"
 #include "tests/prt/temporary_folder.hpp"
 
@@ -17,28 +16,8 @@ const std::string kTwoPaints =
     "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nusemtl red\nf 1 2 3\nusemtl lamp\nf 1 3 4\n";
 const std::string kPaints = "newmtl red\nKd 1 0 0\n\nnewmtl lamp\nKd 0 0 0\nKe 5 4 0.5\n";
 
-// One triangle of a glTF file with this material.
-std::string gltf_with(const nlohmann::json& material) {
-  const nlohmann::json document = {
-      {"asset", {{"version", "2.0"}}},
-      {"scenes", {{{"nodes", {0}}}}},
-      {"nodes", {{{"mesh", 0}}}},
-      {"meshes", {{{"primitives", {{{"attributes", {{"POSITION", 0}}}, {"material", 0}}}}}}},
-      {"materials", {material}},
-      {"buffers",  // (0,0,0) (1,0,0) (0,1,0)
-       {{{"byteLength", 36},
-         {"uri",
-          "data:application/octet-stream;base64,"
-          "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}}}},
-      {"bufferViews", {{{"buffer", 0}, {"byteLength", 36}}}},
-      {"accessors",
-       {{{"bufferView", 0},
-         {"componentType", 5126},
-         {"count", 3},
-         {"type", "VEC3"},
-         {"min", {0, 0, 0}},
-         {"max", {1, 1, 0}}}}}};
-  return document.dump();
+std::string triangle_of(const nlohmann::json& material) {
+  return gltf({0, 0, 0, 1, 0, 0, 0, 1, 0}, {0, 1, 2}, material);
 }
 
 class Materials : public testing::Test {
@@ -82,14 +61,14 @@ TEST_F(Materials, OfEachFaceOfAnObjFileAreItsOwn) {
 }
 
 TEST_F(Materials, AreReadFromGltf) {
-  put("a.gltf", gltf_with({{"name", "lamp"}, {"doubleSided", true}, {"emissiveFactor", {0.25, 0.5, 1.0}}}));
+  put("a.gltf", triangle_of({{"name", "lamp"}, {"doubleSided", true}, {"emissiveFactor", {0.25, 0.5, 1.0}}}));
   const ImportedMesh mesh = import_mesh(folder_.file("a.gltf"));
   EXPECT_EQ(mesh.materials, std::vector<std::string>{"lamp"});
   const Finish finish = mesh.soup.finishes[mesh.soup.finish_of(0)];
   EXPECT_TRUE(finish.is_two_sided);
   EXPECT_EQ(finish.emission, Eigen::Vector3f(0.25F, 0.5F, 1.0F));
   EXPECT_EQ(finish.mirror, Eigen::Vector3f(0, 0, 0));
-  put("b.gltf", gltf_with({{"name", "plain"}}));
+  put("b.gltf", triangle_of({{"name", "plain"}}));
   EXPECT_EQ(import_mesh(folder_.file("b.gltf")).soup.finishes[0], Finish());
 }
 
@@ -179,21 +158,21 @@ TEST_F(Materials, AreOnTheOtherSideOfAMeshThatIsFlipped) {
 }
 
 TEST_F(Materials, ThatCannotBeAreRefused) {
-  EXPECT_EQ(refusal(R"({"primitive": "box", "sides": 3})"), "/sides: expected an integer from 1 to 2, got 3");
-  EXPECT_EQ(refusal(R"({"primitive": "box", "emission": [1, -1, 1]})"),
-            "/emission/1: expected three numbers of 0 or more, got -1");
-  EXPECT_EQ(refusal(R"({"primitive": "box", "mirror": [1.5, 1, 1]})"),
-            "/mirror/0: expected three numbers from 0 to 1, got 1.5");
-  EXPECT_EQ(refusal(R"({"primitive": "box", "mirror": [0.5, 0.5, 0.5], "albedo": [0.4, 0.6, 0.2]})"),
-            "/mirror: expected a reflectance that is at most 1 together with the albedo, got [0.5,0.5,0.5]");
-  EXPECT_EQ(refusal(R"({"primitive": "box", "materials": {"red": {}}})"),
-            "/materials/red: expected no `materials`: the mesh has none, got {}");
   put("a.mtl", kPaints);
   put("a.obj", kTwoPaints);
-  EXPECT_EQ(refusal(R"({"file": "a.obj", "materials": {"green": {}}})"),
-            "/materials/green: expected the name of one of the mesh's materials (red, lamp), got {}");
-  EXPECT_EQ(refusal(R"({"file": "a.obj", "materials": {"red": {"colour": [1, 1, 1]}}})"),
-            "/materials/red/colour: unknown key, expected one of albedo, emission, mirror, sides");
+  const std::pair<const char*, const char*> cases[] = {
+      {R"("primitive": "box", "sides": 3)", "/sides: expected an integer from 1 to 2, got 3"},
+      {R"("primitive": "box", "emission": [1, -1, 1])", "/emission/1: expected three numbers of 0 or more, got -1"},
+      {R"("primitive": "box", "mirror": [1.5, 1, 1])", "/mirror/0: expected three numbers from 0 to 1, got 1.5"},
+      {R"("primitive": "box", "mirror": [0.5, 0.5, 0.5], "albedo": [0.4, 0.6, 0.2])",
+       "/mirror: expected a reflectance that is at most 1 together with the albedo, got [0.5,0.5,0.5]"},
+      {R"("primitive": "box", "materials": {"red": {}})",
+       "/materials/red: expected no `materials`: the mesh has none, got {}"},
+      {R"("file": "a.obj", "materials": {"green": {}})",
+       "/materials/green: expected the name of one of the mesh's materials (red, lamp), got {}"},
+      {R"("file": "a.obj", "materials": {"red": {"colour": [1, 1, 1]}})",
+       "/materials/red/colour: unknown key, expected one of albedo, emission, mirror, sides"}};
+  for (const auto& [mesh, message] : cases) EXPECT_EQ(refusal("{" + std::string(mesh) + "}"), message);
 }
 
 }  // namespace

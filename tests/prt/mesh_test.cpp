@@ -6,7 +6,7 @@
 #include <numbers>
 #include <set>
 
-#include "prt/mesh/tessellate.hpp"
+#include "prt/mesh/weld.hpp"
 #include "tests/prt/meshes.hpp"
 #include "tests/prt/temporary_folder.hpp"
 
@@ -23,7 +23,7 @@ Soup two_triangles() {
 }
 
 TEST(Primitives, AreClosedSurfacesInTheUnitCubeTurnedOutwards) {
-  for (const std::string& name : primitive_names()) {
+  for (const std::string_view name : primitive_names()) {
     const Mesh mesh = primitive_mesh(name);
     for (const Eigen::Vector3f& position : mesh.positions) {
       EXPECT_LE(position.cwiseAbs().maxCoeff(), 0.5F + 1e-6F) << name;

@@ -5,9 +5,9 @@
 #include <map>
 #include <utility>
 
+#include "prt/mesh/corners.hpp"
 #include "prt/mesh/primitives.hpp"
 #include "prt/mesh/soup.hpp"
-#include "prt/mesh/vertex_key.hpp"
 #include "prt/mesh/weld.hpp"
 
 namespace sh::prt::test {

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "prt/bake/bake.hpp"
-#include "prt/mesh/tessellate.hpp"
+#include "prt/mesh/weld.hpp"
 #include "prt/rays/mirror_paths.hpp"
 #include "prt/runtime/render.hpp"
 #include "prt/transfer/transfer_file.hpp"

@@ -9,14 +9,14 @@
 #include "numeric/oracle/cap.hpp"
 #include "numeric/output/png.hpp"
 #include "numeric/output/srgb.hpp"
-#include "prt/image/image_io.hpp"
-#include "prt/light/cap_light.hpp"
+#include "prt/image/image.hpp"
 #include "prt/light/extract_sun.hpp"
-#include "prt/light/project.hpp"
+#include "prt/light/light.hpp"
+#include "prt/light/light_shapes.hpp"
 #include "tests/prt/image_files.hpp"
 #include "tests/prt/temporary_folder.hpp"
 
-namespace sh::prt {
+namespace sh::prt::test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -49,7 +49,7 @@ TEST(Srgb, DecodesAsTheStandardSays) {
 }
 
 TEST(EightBitPictures, PngIsLinearisedExactlyAndStaysLinearWhereItIs) {
-  const test::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const Bytes rgb = ramp();
   output::write_png(folder.file("a.png"), 16, 8, rgb);
   const Image srgb = read_image(folder.file("a.png"), OnFlaw::kRefuse);
@@ -64,25 +64,25 @@ TEST(EightBitPictures, PngIsLinearisedExactlyAndStaysLinearWhereItIs) {
 }
 
 TEST(EightBitPictures, JpegIsReadAndCutFilesOfBothAreRefused) {
-  const test::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const Bytes grey(3 * 64 * 32, 128);
   const std::string jpeg = jpeg_of(grey, 64, 32);
-  test::write_all(folder.file("a.jpg"), jpeg);
+  write_all(folder.file("a.jpg"), jpeg);
   const Image image = read_image(folder.file("a.jpg"), OnFlaw::kRefuse);
   ASSERT_EQ(image.width, 64);
   EXPECT_NEAR(image.at(40, 20).y(), output::srgb_decode(128.0 / 255.0), 0.01);
   const std::string png = output::encode_png(16, 8, ramp());
   for (const std::string& whole : {jpeg, png}) {
     for (const std::size_t size : {whole.size() / 4, whole.size() / 2, whole.size() - 20}) {
-      test::write_all(folder.file("cut"), whole.substr(0, size));
+      write_all(folder.file("cut"), whole.substr(0, size));
       EXPECT_THROW(static_cast<void>(read_image(folder.file("cut"), OnFlaw::kMend)), std::runtime_error) << size;
     }
   }
 }
 
 TEST(EightBitPictures, SrgbAskedOfALinearFormatIsRefused) {
-  const test::TemporaryFolder folder;
-  test::write_exr(folder.file("a.exr"), test::pattern_image(16, 8));
+  const TemporaryFolder folder;
+  write_exr(folder.file("a.exr"), pattern_image(16, 8));
   EXPECT_THROW(static_cast<void>(read_image(folder.file("a.exr"), OnFlaw::kMend, ColorSpace::kSrgb)),
                std::runtime_error);
 }
@@ -167,4 +167,4 @@ TEST(ExtractSun, PicturesWithoutASunSaySo) {
 }
 
 }  // namespace
-}  // namespace sh::prt
+}  // namespace sh::prt::test

@@ -10,17 +10,10 @@
 namespace sh::prt::test {
 namespace {
 
-const std::vector<std::string> kSmall = {"bake", "demo", "--degree", "2", "--directions", "256"};
-
-std::vector<std::string> with(std::vector<std::string> arguments, const std::vector<std::string>& more) {
-  arguments.insert(arguments.end(), more.begin(), more.end());
-  return arguments;
-}
+const Arguments kSmall = {"bake", "demo", "--degree", "2", "--directions", "256"};
 
 TEST(PlanTool, PrintsTheDecisionsForTheEmbeddedSceneWithSavingsAndErrors) {
-  const Finished run = run_prt({"plan", "demo", "--json"});
-  ASSERT_EQ(run.status, 0) << run.err;
-  const auto json = nlohmann::json::parse(run.out);
+  const auto json = printed({"plan", "demo", "--json"});
   std::size_t saving = 0;
   double sum = 0.0;
   for (const auto& decision : json["decisions"]) {
@@ -38,13 +31,12 @@ TEST(PlanTool, PrintsTheDecisionsForTheEmbeddedSceneWithSavingsAndErrors) {
 TEST(PlanTool, BakesByThePlanAndTheFileSaysSo) {
   const TemporaryFolder folder;
   const std::string planned = folder.file("planned.transfer");
-  const Finished run = run_prt(with(kSmall, {"-o", planned, "--error", "0.05"}));
-  ASSERT_EQ(run.status, 0) << run.err;
+  const Finished run = succeeded(joined(kSmall, {"-o", planned, "--error", "0.05"}));
   EXPECT_NE(run.err.find("prt: plan: symmetry"), std::string::npos) << run.err;
-  const auto info = nlohmann::json::parse(run_prt({"info", planned}).out);
+  const auto info = printed({"info", planned});
   EXPECT_EQ(info["plan"]["budget"], 0.05);
   EXPECT_TRUE(info.contains("storage"));
-  EXPECT_EQ(run_prt({"relight", planned, "-o", folder.file("a.ply")}).status, 0);
+  succeeded({"relight", planned, "-o", folder.file("a.ply")});
   const std::string sun = folder.file("sun.json");
   write_all(sun, R"({"type": "directional", "direction": [1, 0, 1]})");
   expect_refused({"relight", planned, "--light", sun, "-o", folder.file("b.ply")}, "--without symmetry");
@@ -53,15 +45,15 @@ TEST(PlanTool, BakesByThePlanAndTheFileSaysSo) {
 TEST(PlanTool, LeavesNothingOutWhenToldTo) {
   const TemporaryFolder folder;
   const std::string none = folder.file("none.transfer");
-  ASSERT_EQ(run_prt(with(kSmall, {"-o", none, "--plan", "none"})).status, 0);
-  EXPECT_FALSE(nlohmann::json::parse(run_prt({"info", none}).out).contains("plan"));
+  succeeded(joined(kSmall, {"-o", none, "--plan", "none"}));
+  EXPECT_FALSE(printed({"info", none}).contains("plan"));
 }
 
 TEST(PlanTool, RefusesBudgetsThatCannotBeMetAndWordsItDoesNotKnow) {
   const TemporaryFolder folder;
   const std::string out = folder.file("no.transfer");
   expect_refused({"plan", "demo", "--error", "0.00001"}, "cannot be met");
-  expect_refused(with(kSmall, {"-o", out, "--error", "0.00001"}), "cannot be met");
+  expect_refused(joined(kSmall, {"-o", out, "--error", "0.00001"}), "cannot be met");
   expect_refused({"plan", "demo", "--error", "-1"}, "expected more than 0");
   expect_refused({"plan", "demo", "--without", "colour"}, "expected one of analytic");
   expect_refused({"plan", "demo", "--light-turns", "often"}, "--light-turns");

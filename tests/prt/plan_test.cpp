@@ -10,14 +10,13 @@
 
 #include "prt/bake/bake.hpp"
 #include "prt/light/light.hpp"
-#include "prt/light/project.hpp"
 #include "prt/plan/bounds.hpp"
 #include "prt/plan/open_vertices.hpp"
 #include "prt/runtime/relight.hpp"
 #include "prt/scene/scene.hpp"
 #include "prt/transfer/transfer_file.hpp"
+#include "tests/prt/lights.hpp"
 #include "tests/prt/meshes.hpp"
-#include "tests/prt/random_light.hpp"
 #include "tests/prt/temporary_folder.hpp"
 
 namespace sh::prt::test {

@@ -1,6 +1,4 @@
 // Projection of lights on the basis, against closed forms, known functions and rotations.
-#include "prt/light/project.hpp"
-
 #include <gtest/gtest.h>
 #include <oneapi/tbb/global_control.h>
 
@@ -10,18 +8,21 @@
 
 #include "numeric/sampling/solid_angle.hpp"
 #include "prt/basis.hpp"
-#include "tests/prt/random_light.hpp"
+#include "prt/light/light.hpp"
+#include "tests/prt/lights.hpp"
 
-namespace sh::prt {
+namespace sh::prt::test {
 namespace {
-
-using test::random_light;
 
 constexpr double kPi = std::numbers::pi;
 
 /// Of a place in continuous pixel coordinates.
 Eigen::Vector3d lat_long_direction(double column, double row, int width, int height) {
   return mapped_direction(ImageMapping::kLatLong, column / width, row / height).value();
+}
+
+LightCoefficients project_lat_long(const Image& image, int degree) {
+  return project_image(image, ImageMapping::kLatLong, degree);
 }
 
 /// The band-limited function sampled at pixel centers (it may be negative: no file is involved).
@@ -34,12 +35,6 @@ Image picture_of(const LightCoefficients& light, int height) {
     }
   }
   return image;
-}
-
-double largest_difference(const LightCoefficients& a, const LightCoefficients& b) {
-  double largest = 0.0;
-  for (std::size_t i = 0; i < a.values.size(); ++i) largest = std::max(largest, std::abs(a.values[i] - b.values[i]));
-  return largest;
 }
 
 /// The slow, obvious rule: every pixel's basis by quadrature over the pixel itself, n x n midpoints of exact solid
@@ -184,4 +179,4 @@ TEST(Project, BitsDoNotDependOnTheNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace sh::prt
+}  // namespace sh::prt::test

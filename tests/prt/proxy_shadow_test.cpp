@@ -14,15 +14,13 @@
 #include "numeric/oracle/cap.hpp"
 #include "numeric/oracle/quadrature.hpp"
 #include "prt/basis.hpp"
-#include "prt/light/cap_light.hpp"
-#include "prt/light/sky.hpp"
-#include "tests/prt/random_light.hpp"
+#include "prt/light/light_shapes.hpp"
+#include "tests/prt/lights.hpp"
 
-namespace sh::prt {
+namespace sh::prt::test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-const Eigen::Vector3d kSlanted(0.36, -0.48, 0.8);
 
 double cap_of(double degrees) { return numeric::one_minus_cos(kPi / 180.0 * degrees); }
 
@@ -33,12 +31,6 @@ double norm(const LightCoefficients& light) {
 double distance(LightCoefficients a, const LightCoefficients& b) {
   for (std::size_t i = 0; i < a.values.size(); ++i) a.values[i] -= b.values[i];
   return norm(a);
-}
-
-LightCoefficients white(const std::vector<double>& shape, int degree) {
-  LightCoefficients out = LightCoefficients::zero(degree);
-  for (std::size_t channel = 0; channel < 3; ++channel) std::copy(shape.begin(), shape.end(), &out.at(channel, 0));
-  return out;
 }
 
 /// Integral of radiance times Y over the directions outside the cap, on rings about its middle; exact.
@@ -70,7 +62,7 @@ LightCoefficients by_rings(const LightCoefficients& light, const Eigen::Vector3d
 
 TEST(ProxyShadow, NothingInTheWayChangesNoBitAndEverythingInTheWayLeavesNothing) {
   for (int degree = 0; degree <= kMaxDegree; ++degree) {
-    const LightCoefficients light = test::random_light(degree, 5);
+    const LightCoefficients light = random_light(degree, 5);
     EXPECT_EQ(shadowed_by_cap(light, kSlanted, 0.0).values, light.values);
     EXPECT_LT(norm(shadowed_by_cap(light, kSlanted, 2.0)), 2e-14 * norm(light)) << degree;
   }
@@ -81,7 +73,7 @@ TEST(ProxyShadow, IsTheIntegralOfTheLightOverWhatTheCapLeaves) {
   for (const int degree : {0, 1, 4, kMaxDegree}) {
     for (const double degrees : {1e-4, 5.0, 60.0, 90.0, 135.0, 179.0}) {
       for (const Eigen::Vector3d& d : {kSlanted, Eigen::Vector3d::UnitZ().eval(), (-Eigen::Vector3d::UnitZ()).eval()}) {
-        const LightCoefficients light = test::random_light(degree, 7);
+        const LightCoefficients light = random_light(degree, 7);
         const LightCoefficients expected = by_rings(light, d, cap_of(degrees));
         worst = std::max(worst, distance(shadowed_by_cap(light, d, cap_of(degrees)), expected) / norm(light));
       }
@@ -95,7 +87,7 @@ TEST(ProxyShadow, TheLightNeverGrowsWhereTheProductOfTruncatedFunctionsMay) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> size(0.0, 2.0);
   for (unsigned i = 0; i < 200; ++i) {
-    const LightCoefficients light = test::random_light(static_cast<int>(i % (kMaxDegree + 1)), i);
+    const LightCoefficients light = random_light(static_cast<int>(i % (kMaxDegree + 1)), i);
     EXPECT_LE(norm(shadowed_by_cap(light, kSlanted, size(random))), norm(light) * (1.0 + 1e-14)) << i;
   }
 }
@@ -123,12 +115,11 @@ TEST(ProxyShadow, ASphereIsSeenAsTheCapItCoversAndFromWithinAsAHemisphere) {
 }
 
 TEST(ProxyShadow, RefusesWhatIsNoCap) {
-  const LightCoefficients light = test::random_light(2, 1);
-  EXPECT_THROW(static_cast<void>(shadowed_by_cap(light, kSlanted, -0.1)), std::invalid_argument);
-  EXPECT_THROW(static_cast<void>(shadowed_by_cap(light, kSlanted, 2.1)), std::invalid_argument);
-  EXPECT_THROW(static_cast<void>(shadowed_by_cap(light, 2.0 * kSlanted, 1.0)), std::invalid_argument);
-  EXPECT_THROW(static_cast<void>(shadowed_by_cap(light, kSlanted, std::numeric_limits<double>::quiet_NaN())),
-               std::invalid_argument);
+  const LightCoefficients light = random_light(2, 1);
+  for (const auto& [length, one_minus_cos] :
+       {std::pair{1.0, -0.1}, {1.0, 2.1}, {2.0, 1.0}, {1.0, std::numeric_limits<double>::quiet_NaN()}}) {
+    EXPECT_THROW(static_cast<void>(shadowed_by_cap(light, length * kSlanted, one_minus_cos)), std::invalid_argument);
+  }
 }
 
 /// The error of a low degree, and the additional error of the kernel of truncated functions.
@@ -156,15 +147,11 @@ struct Sample {
 template <class MakeLight>
 std::vector<Sample> samples(const MakeLight& make_light) {
   std::mt19937 random(1);
-  std::normal_distribution<double> normal;
-  const auto direction = [&] {
-    return Eigen::Vector3d(normal(random), normal(random), normal(random)).normalized().eval();
-  };
   std::vector<Sample> out;
   for (int i = 0; i < 40; ++i) {
-    Eigen::Vector3d sun = direction();
+    Eigen::Vector3d sun = random_direction(random);
     sun.z() = std::abs(sun.z());
-    const Eigen::Vector3d d = direction();
+    const Eigen::Vector3d d = random_direction(random);
     out.push_back({white(make_light(sun), kMaxDegree), d.dot(sun) < 0.0 ? Eigen::Vector3d(-d) : d});
   }
   return out;
@@ -206,4 +193,4 @@ TEST(ProxyShadow, WhatTheDegreeCostsFallsWithItAndIsLessThanTheTruncatedProducts
 }
 
 }  // namespace
-}  // namespace sh::prt
+}  // namespace sh::prt::test

@@ -9,7 +9,7 @@
 #include <numbers>
 #include <random>
 
-#include "tests/prt/random_light.hpp"
+#include "tests/prt/lights.hpp"
 #include "tests/prt/temporary_folder.hpp"
 
 namespace sh::prt {

@@ -9,7 +9,7 @@
 
 #include "numeric/output/srgb.hpp"
 #include "prt/image/tone_map.hpp"
-#include "prt/mesh/sides.hpp"
+#include "prt/mesh/weld.hpp"
 #include "prt/scene/camera.hpp"
 #include "tests/prt/reference_render.hpp"
 #include "tests/prt/temporary_folder.hpp"

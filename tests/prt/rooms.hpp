@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "prt/bake/bake.hpp"
-#include "prt/mesh/corner_angle.hpp"
+#include "prt/mesh/corners.hpp"
 #include "tests/prt/meshes.hpp"
 
 namespace sh::prt::test {

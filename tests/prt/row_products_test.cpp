@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "prt/runtime/relight.hpp"
-#include "tests/prt/random_light.hpp"
+#include "tests/prt/lights.hpp"
 #include "tests/prt/temporary_folder.hpp"
 
 namespace sh::prt {

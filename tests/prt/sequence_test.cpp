@@ -11,10 +11,8 @@
 #include "prt/scene/camera.hpp"
 #include "tests/prt/temporary_folder.hpp"
 
-namespace sh::prt {
+namespace sh::prt::test {
 namespace {
-
-using test::message_of;
 
 Camera some_camera() {
   Camera camera;
@@ -134,4 +132,4 @@ TEST(AnimatedWebp, WhatItCannotHoldIsRefused) {
 }
 
 }  // namespace
-}  // namespace sh::prt
+}  // namespace sh::prt::test

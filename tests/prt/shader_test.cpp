@@ -9,8 +9,8 @@
 #include "prt/bake/bake.hpp"
 #include "prt/runtime/relight.hpp"
 #include "prt/runtime/vertex_shader.hpp"
+#include "tests/prt/lights.hpp"
 #include "tests/prt/meshes.hpp"
-#include "tests/prt/random_light.hpp"
 
 namespace sh::prt {
 namespace {

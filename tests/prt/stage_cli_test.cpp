@@ -6,31 +6,18 @@
 #include "tests/prt/temporary_folder.hpp"
 #include "tests/prt/tool.hpp"
 
-namespace sh::prt {
+namespace sh::prt::test {
 namespace {
-
-using test::expect_refused;
-using test::Finished;
-using test::read_all;
-using test::run_prt;
-using test::write_all;
-using Arguments = std::vector<std::string>;
-
-Arguments joined(Arguments a, const Arguments& b) {
-  a.insert(a.end(), b.begin(), b.end());
-  return a;
-}
 
 /// The committed stage with its parts baked coarsely.
 class StageTool : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    folder = new test::TemporaryFolder;
+    folder = new TemporaryFolder;
     scenes = std::string(SHFORGE_SOURCE_DIR) + "/prt/scenes/stage/";
     for (const std::string part : {"floor", "torus", "arch", "ball"}) {
-      const Finished run = run_prt({"bake", scenes + part + ".json", "-o", folder->file(part + ".transfer"), "--degree",
-                                    "2", "--directions", "32"});
-      ASSERT_EQ(run.status, 0) << run.err;
+      succeeded({"bake", scenes + part + ".json", "-o", folder->file(part + ".transfer"), "--degree", "2",
+                 "--directions", "32"});
     }
   }
   static void TearDownTestSuite() { delete folder; }
@@ -41,45 +28,42 @@ class StageTool : public testing::Test {
                   more);
   }
 
-  static inline test::TemporaryFolder* folder = nullptr;
+  static inline TemporaryFolder* folder = nullptr;
   static inline std::string scenes;
 };
 
 TEST_F(StageTool, TheCommittedStageIsRenderedAsFramesThatDiffer) {
-  const Finished run = run_prt(render({"--frames", "3", "-o", folder->file("s.png")}));
-  ASSERT_EQ(run.status, 0) << run.err;
+  const Finished run = succeeded(render({"--frames", "3", "-o", folder->file("s.png")}));
   EXPECT_EQ(run.err.find("warning"), std::string::npos) << run.err;
   EXPECT_NE(run.err.find("rendered 3 pictures of 64 x 36 pixels, 1 samples each, exposure "), std::string::npos);
   EXPECT_FALSE(read_all(folder->file("s_000.png")) == read_all(folder->file("s_001.png")));
-  ASSERT_EQ(run_prt(render({"-o", folder->file("one.png"), "--threads", "1"})).status, 0);
+  succeeded(render({"-o", folder->file("one.png"), "--threads", "1"}));
   EXPECT_TRUE(read_all(folder->file("one.png")) == read_all(folder->file("s_000.png"))) << "first frame, one thread";
 }
 
 TEST_F(StageTool, OneAnimatedFileHoldsTheSequence) {
-  ASSERT_EQ(run_prt(render({"--frames", "4", "--fps", "8", "-o", folder->file("s.webp")})).status, 0);
+  succeeded(render({"--frames", "4", "--fps", "8", "-o", folder->file("s.webp")}));
   const std::string bytes = read_all(folder->file("s.webp"));
   EXPECT_EQ(bytes.substr(0, 4), "RIFF");
   std::size_t frames = 0;
   for (std::size_t at = bytes.find("ANMF"); at != std::string::npos; at = bytes.find("ANMF", at + 1)) ++frames;
   EXPECT_EQ(frames, 4U);
-  ASSERT_EQ(run_prt(render({"--frames", "4", "--fps", "8", "-o", folder->file("t.webp"), "--threads", "1"})).status, 0);
+  succeeded(render({"--frames", "4", "--fps", "8", "-o", folder->file("t.webp"), "--threads", "1"}));
   EXPECT_TRUE(read_all(folder->file("t.webp")) == bytes);
 }
 
 TEST_F(StageTool, RelightWritesTheMergedMeshOfEachFrame) {
-  const Finished run = run_prt({"relight", scenes + "stage.json", "--transfers", folder->file(""), "--frames", "2",
-                                "-o", folder->file("s.ply")});
-  ASSERT_EQ(run.status, 0) << run.err;
+  succeeded({"relight", scenes + "stage.json", "--transfers", folder->file(""), "--frames", "2", "-o",
+             folder->file("s.ply")});
   EXPECT_EQ(read_all(folder->file("s_000.ply")).rfind("ply\n", 0), 0U);
   EXPECT_FALSE(read_all(folder->file("s_000.ply")) == read_all(folder->file("s_001.ply")));
 }
 
 TEST_F(StageTool, TurntablesTonesAndExposuresChangeThePicture) {
   const auto second = [&](const Arguments& more) {
-    const Finished run = run_prt(joined({"render", folder->file("ball.transfer"), "--frames", "2", "--width", "48",
-                                         "--height", "32", "--samples", "1", "-o", folder->file("b.png")},
-                                        more));
-    EXPECT_EQ(run.status, 0) << run.err;
+    succeeded(joined({"render", folder->file("ball.transfer"), "--frames", "2", "--width", "48", "--height", "32",
+                      "--samples", "1", "-o", folder->file("b.png")},
+                     more));
     return read_all(folder->file("b_001.png"));
   };
   const std::string plain = second({"--turntable", "none"});
@@ -93,8 +77,8 @@ TEST_F(StageTool, TurntablesTonesAndExposuresChangeThePicture) {
 TEST_F(StageTool, OverlappingObjectsAreToldOnceAndRefusedWithStrict) {
   write_all(folder->file("overlap.json"),
             R"({"objects": [{"transfer": "ball.transfer"}, {"transfer": "arch.transfer"}]})");
-  const Finished run = run_prt({"relight", folder->file("overlap.json"), "-o", folder->file("o.ply"), "--frames", "2"});
-  EXPECT_EQ(run.status, 0) << run.err;
+  const Finished run =
+      succeeded({"relight", folder->file("overlap.json"), "-o", folder->file("o.ply"), "--frames", "2"});
   const std::size_t first = run.err.find("warning: overlap: the center of object 0 (ball.transfer) is inside");
   ASSERT_NE(first, std::string::npos) << run.err;
   EXPECT_EQ(run.err.find("warning: overlap: the center of object 0", first + 1), std::string::npos) << run.err;
@@ -120,4 +104,4 @@ TEST_F(StageTool, WhatCannotBeDoneIsOneLine) {
 }
 
 }  // namespace
-}  // namespace sh::prt
+}  // namespace sh::prt::test

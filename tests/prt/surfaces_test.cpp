@@ -6,8 +6,7 @@
 #include <numbers>
 
 #include "prt/bake/bake.hpp"
-#include "prt/mesh/sides.hpp"
-#include "prt/mesh/tessellate.hpp"
+#include "prt/mesh/weld.hpp"
 #include "prt/rays/tracer.hpp"
 #include "prt/transfer/transfer_file.hpp"
 #include "tests/prt/meshes.hpp"

@@ -9,6 +9,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
+#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "tests/prt/temporary_folder.hpp"
@@ -22,7 +23,7 @@ std::string quoted(const std::string& text) {
   return out + "'";
 }
 
-std::string command_line(const std::vector<std::string>& arguments) {
+std::string command_line(const Arguments& arguments) {
   std::string line = quoted(std::string(SHFORGE_BIN_DIR) + "/prt");
   for (const std::string& argument : arguments) line += ' ' + quoted(argument);
   return line;
@@ -45,7 +46,7 @@ int wait_for(pid_t child) {
 
 }  // namespace
 
-Finished run_prt(const std::vector<std::string>& arguments, const std::string& before, const std::string& redirect) {
+Finished run_prt(const Arguments& arguments, const std::string& before, const std::string& redirect) {
   const TemporaryFolder folder;
   const std::string out = redirect.empty() ? folder.file("out") : redirect;
   const std::string text = (before.empty() ? "" : before + "; ") + "exec " + command_line(arguments) + " > " +
@@ -54,16 +55,20 @@ Finished run_prt(const std::vector<std::string>& arguments, const std::string& b
   return {status, redirect.empty() ? read_all(out) : std::string(), read_all(folder.file("err"))};
 }
 
-Finished interrupt_prt(const std::vector<std::string>& arguments, int milliseconds) {
-  const TemporaryFolder folder;
-  const pid_t child = start_shell("exec " + command_line(arguments) + " > /dev/null 2> " + quoted(folder.file("err")));
-  std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
-  kill(child, SIGINT);
-  const int status = wait_for(child);
-  return {status, {}, read_all(folder.file("err"))};
+Arguments joined(Arguments first, const Arguments& more) {
+  first.insert(first.end(), more.begin(), more.end());
+  return first;
 }
 
-void expect_refused(const std::vector<std::string>& arguments, const std::string& reason, const std::string& before) {
+Finished succeeded(const Arguments& arguments) {
+  Finished run = run_prt(arguments);
+  EXPECT_EQ(run.status, 0) << run.err;
+  return run;
+}
+
+nlohmann::json printed(const Arguments& arguments) { return nlohmann::json::parse(succeeded(arguments).out); }
+
+void expect_refused(const Arguments& arguments, const std::string& reason, const std::string& before) {
   const Finished run = run_prt(arguments, before);
   EXPECT_EQ(run.status, 2) << run.err;
   EXPECT_EQ(run.err.rfind("prt: ", 0), 0U) << run.err;
@@ -72,7 +77,7 @@ void expect_refused(const std::vector<std::string>& arguments, const std::string
   EXPECT_EQ(run.out, "");
 }
 
-Finished signal_prt(const std::vector<std::string>& arguments, int signal, const std::function<bool()>& when) {
+Finished signal_prt(const Arguments& arguments, int signal, const std::function<bool()>& when) {
   const TemporaryFolder folder;
   const pid_t child = start_shell("exec " + command_line(arguments) + " > /dev/null 2> " + quoted(folder.file("err")));
   siginfo_t info = {};
@@ -88,6 +93,11 @@ Finished signal_prt(const std::vector<std::string>& arguments, int signal, const
   }
   const int status = wait_for(child);
   return {status, {}, read_all(folder.file("err"))};
+}
+
+Finished interrupt_prt(const Arguments& arguments, int milliseconds) {
+  const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(milliseconds);
+  return signal_prt(arguments, SIGINT, [end] { return std::chrono::steady_clock::now() >= end; });
 }
 
 }  // namespace sh::prt::test

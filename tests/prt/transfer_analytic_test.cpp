@@ -7,9 +7,9 @@
 
 #include "prt/bake/bake.hpp"
 #include "prt/light/light_coefficients.hpp"
-#include "prt/mesh/sides.hpp"
+#include "prt/mesh/weld.hpp"
 #include "prt/runtime/relight.hpp"
-#include "tests/prt/random_light.hpp"
+#include "tests/prt/lights.hpp"
 #include "tests/prt/rooms.hpp"
 #include "tests/prt/temporary_folder.hpp"
 

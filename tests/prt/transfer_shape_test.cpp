@@ -12,7 +12,7 @@
 #include "prt/transfer/shape.hpp"
 #include "prt/transfer/storage.hpp"
 #include "prt/transfer/transfer_file.hpp"
-#include "tests/prt/random_light.hpp"
+#include "tests/prt/lights.hpp"
 #include "tests/prt/rooms.hpp"
 #include "tests/prt/temporary_folder.hpp"
 

@@ -1,14 +1,39 @@
-// The work and the numbers that a plan may leave out of a bake.
+// The settings of a bake and of its plan in a scene.
 #pragma once
 #include <array>
+#include <chrono>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "prt/names.hpp"
+#include "prt/transfer/transfer.hpp"
 
 namespace sh::prt {
+
+/// The solver for the light that bounces; prt/bake/bounces.hpp describes the methods.
+enum class BounceSolver { kAutomatic, kSeries, kKrylov };
+
+struct BounceOptions {
+  double tolerance = 1e-4;  // certified error of any number, relative to the largest number in the solution
+  BounceSolver solver = BounceSolver::kAutomatic;
+  int most_applications = 1000;  // of K; beyond this limit the result is marked as not certified
+  /// No application begins after this time; the certified bound may then be above the tolerance.
+  std::chrono::steady_clock::time_point deadline = std::chrono::steady_clock::time_point::max();
+};
+
+inline constexpr int kMaxSeed = 2147483647;
+
+struct BakeOptions {
+  int degree = 4;         // 0..kMaxDegree
+  int directions = 2048;  // over the whole sphere
+  Sampler sampler = Sampler::kFibonacci;
+  std::uint32_t seed = 0;  // of the sampler, 0..kMaxSeed
+  const TransferKind* kind = &kShadowed;
+  BounceOptions bounces = {};  // interreflected only
+};
 
 /// The rotations that the declared lights, as a whole, may later get.
 enum class LightTurns { kNone, kAboutZ, kAny };
@@ -27,6 +52,7 @@ inline constexpr std::array<std::string_view, 7> kDecisionNames = {"analytic", "
 /// kExact: leaves out only work that changes no number under any light. kLossy: also leaves out numbers, as long as the
 /// error under the declared lights stays within `PlanOptions::error`.
 enum class PlanMode { kNone, kExact, kLossy };
+inline constexpr std::array<std::string_view, 3> kPlanModeNames = {"none", "exact", "lossy"};
 
 struct PlanOptions {
   PlanMode mode = PlanMode::kNone;

@@ -1,0 +1,214 @@
+// `prt bake SCENE -o FILE`: the transfer vectors of a scene's mesh.
+// `prt plan SCENE`: the work that a bake can leave out, its savings and its error.
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "prt/bake/bake.hpp"
+#include "prt/bake/estimate.hpp"
+#include "prt/commands/commands.hpp"
+#include "prt/plan/plan.hpp"
+
+namespace sh::prt {
+namespace {
+
+/// A scene, and options that replace entries of its `bake` and `plan`.
+struct SceneOptions {
+  std::string scene;
+  std::optional<int> degree;
+  std::optional<int> directions;
+  std::string sampler;
+  std::optional<std::uint32_t> seed;
+  std::string kind;
+  std::string plan;  // none, exact, lossy; empty: the scene's
+  std::optional<double> error;
+  std::string turns;
+  std::vector<std::string> without;
+  int threads = 0;
+
+  void add_to(CLI::App& command);
+  void apply_to(Scene& loaded) const;
+};
+
+struct BakeCommand : SceneOptions {
+  std::string output;
+  std::string instruction_set;
+  std::size_t bounce_memory = 4096;  // MiB
+  bool strict = false;
+  std::string checkpoint;  // empty: beside the output
+  bool no_checkpoint = false;
+  bool restart = false;
+  double checkpoint_seconds = CheckpointSettings().seconds;
+  bool only_estimate = false;
+  std::optional<double> budget_seconds;
+};
+
+struct PlanCommand : SceneOptions {
+  bool json = false;
+};
+
+void SceneOptions::add_to(CLI::App& command) {
+  const auto words = [](const auto& names) {
+    return CLI::IsMember(std::vector<std::string>(std::begin(names), std::end(names)));
+  };
+  command.add_option("SCENE", scene, "a scene's JSON file, or `demo`, the embedded scene")->required();
+  command.add_option("--degree", degree, "SH degree, 0 to 10, instead of the scene's");
+  command.add_option("--directions", directions, "directions over the whole sphere, instead of the scene's");
+  command.add_option("--sampler", sampler, "method that chooses the directions, instead of the scene's")
+      ->check(words(kSamplerNames));
+  command.add_option("--seed", seed, "seed of all samplers except fibonacci, instead of the scene's")
+      ->check(CLI::Range(0, kMaxSeed));
+  command
+      .add_option("--kind", kind, "kind of transfer: unshadowed, shadowed or interreflected, instead of the scene's")
+      ->check(words(kind_words()));
+  command.add_option("--plan", plan, "none: leave nothing out; exact: change no number; lossy: stay within the error")
+      ->check(words(kPlanModeNames));
+  command.add_option("--error", error, "error limit of a lossy plan, instead of the scene's");
+  command
+      .add_option("--light-turns", turns, "later rotations of the lights that the plan allows, instead of the scene's")
+      ->check(words(kLightTurnsNames));
+  command.add_option("--without", without, "decisions to skip")->default_str("")->delimiter(',');
+}
+
+void SceneOptions::apply_to(Scene& loaded) const {
+  BakeOptions& bake = loaded.bake;
+  bake.degree = degree.value_or(bake.degree);
+  bake.directions = directions.value_or(bake.directions);
+  bake.sampler = sampler_called(sampler).value_or(bake.sampler);
+  bake.seed = seed.value_or(bake.seed);
+  if (!kind.empty()) bake.kind = kind_called(kind);
+  require_degree(bake.degree);
+  PlanOptions& made = loaded.plan;
+  made.mode = value_called<PlanMode>(plan, kPlanModeNames).value_or(error ? PlanMode::kLossy : made.mode);
+  made.error = error.value_or(made.error);
+  made.turns = turns_called(turns).value_or(made.turns);
+  made.without.insert(made.without.end(), without.begin(), without.end());
+}
+
+CheckpointSettings checkpoint_of(const BakeCommand& options) {
+  CheckpointSettings settings{options.checkpoint, options.restart, options.checkpoint_seconds};
+  const bool is_special = std::filesystem::exists(options.output) && !std::filesystem::is_regular_file(options.output);
+  if (settings.path.empty() && !options.no_checkpoint && !is_special && !options.budget_seconds &&
+      !options.only_estimate) {
+    settings.path = options.output + ".part";
+  }
+  if (!settings.path.empty()) require_writable(settings.path);
+  return settings;
+}
+
+void print_estimate(const BakeJob& job) {
+  const Scene& scene = job.scene;
+  const BakeEstimate estimate = estimate_bake(job);
+  print_json({{"scene", scene.name},
+              {"vertices", scene.mesh.positions.size()},
+              {"traced_vertices", estimate.vertices},
+              {"degree", scene.bake.degree},
+              {"directions", scene.bake.directions},
+              {"rays", estimate.rays},
+              {"seconds", estimate.seconds()},
+              {"setup_seconds", estimate.setup_seconds},
+              {"first_pass_seconds", estimate.pass_seconds},
+              {"bounces", estimate.bounces},
+              {"seconds_a_bounce", estimate.bounce_seconds},
+              {"form_factor_bytes", estimate.factor_bytes},
+              {"bytes", estimate.bytes}});
+}
+
+void report_bake(const Transfer& transfer, const BakeReport& report) {
+  for (const Decision& decision : transfer.plan.decisions) {
+    fmt::print(stderr, "prt: plan: {}: {} ({:.2g}, {})\n", decision.name, decision.choice, decision.error,
+               decision.basis);
+  }
+  if (const BounceReport& bounces = transfer.bounces; transfer.kind->has_bounces()) {
+    fmt::print(stderr,
+               "prt: bounces by {}: {} applications, certified error {:.2g} of {:.3g} (residual {:.2g}), largest "
+               "eigenvalue at most {:.4g}\n",
+               bounces.solver, bounces.applications, bounces.bound, bounces.largest, bounces.residual,
+               bounces.spectral_bound);
+  }
+  fmt::print(stderr, "prt: {} rays traced, {:.0f} MiB at the most\n", report.rays,
+             static_cast<double>(peak_memory()) / 1048576.0);
+}
+
+void run_bake(const BakeCommand& options) {
+  const Stopwatch stopwatch;
+  if (!options.only_estimate) require_writable(options.output);
+  const BakeSettings settings{.threads = options.threads,
+                              .instruction_set = options.instruction_set,
+                              .on_flaw = on_flaw(options.strict),
+                              .bounce_memory = options.bounce_memory << 20U,
+                              .checkpoint = checkpoint_of(options)};
+  BakeJob job(load_scene(options.scene, settings.on_flaw), settings);
+  options.apply_to(job.scene);
+  if (options.only_estimate) return print_estimate(planned(std::move(job)));
+  if (options.budget_seconds) job.budget = BakeBudget{*options.budget_seconds, stopwatch};
+  BakeReport report;
+  const Transfer transfer = bake_to_file(options.output, std::move(job), &report,
+                                         [](const std::string& line) { fmt::print(stderr, "prt: {}\n", line); });
+  report_bake(transfer, report);
+  report_time(stopwatch, fmt::format("baked {} vertices, {} faces, degree {}, {} directions, into {}",
+                                     transfer.mesh.positions.size(), transfer.mesh.faces.size(), transfer.degree(),
+                                     transfer.directions, options.output));
+}
+
+void run_plan(const PlanCommand& options) {
+  const Stopwatch stopwatch;
+  Scene scene = load_scene(options.scene, OnFlaw::kMend);
+  options.apply_to(scene);
+  if (options.plan.empty()) scene.plan.mode = PlanMode::kLossy;
+  BakeSettings settings;
+  settings.threads = options.threads;
+  const BakeJob job = planned({std::move(scene), settings});
+  print_out(options.json ? plan_json(*job.plan, job.scene).dump(2) + "\n" : plan_text(*job.plan, job.scene));
+  report_time(stopwatch, "planned");
+}
+
+void add_checkpoint_to(CLI::App& command, BakeCommand& options) {
+  auto* path = command.add_option("--checkpoint", options.checkpoint,
+                                  "file in which a stopped bake saves its results; the same command continues from "
+                                  "there; default: the output's name with .part");
+  command
+      .add_option("--budget-seconds", options.budget_seconds,
+                  "finish in about this time, with fewer directions and a looser tolerance; the file states both")
+      ->check(CLI::Range(0.0, 1e9))
+      ->excludes(path);
+  command.add_flag("--no-checkpoint", options.no_checkpoint, "write no checkpoint")->excludes(path);
+  command.add_flag("--restart", options.restart, "delete the checkpoint and start again");
+  command
+      .add_option("--checkpoint-seconds", options.checkpoint_seconds,
+                  "seconds of work that a killed process loses at most")
+      ->check(CLI::Range(0.0, 1e6));
+}
+
+}  // namespace
+
+void add_bake_command(CLI::App& tool) {
+  auto options = std::make_shared<BakeCommand>();
+  CLI::App& command = *tool.add_subcommand("bake", "compute the transfer vectors of a scene");
+  options->add_to(command);
+  command.add_option("-o,--output", options->output, "transfer file to write");
+  command.add_flag("--estimate", options->only_estimate, "print the estimated time and memory as JSON and stop");
+  command.add_option("--bounce-memory", options->bounce_memory,
+                     "MiB for the hits of rays; further hits are traced again for each bounce, with the same result");
+  command.add_option("--instruction-set", options->instruction_set,
+                     "instruction set for rays: sse4.2, avx, avx2 or avx512; results are reproducible on each");
+  command.add_flag("--strict", options->strict, "refuse meshes that would otherwise be mended with a warning");
+  add_checkpoint_to(command, *options);
+  run_with_threads<BakeCommand>(
+      command, options,
+      [](const BakeCommand& given) {
+        if (given.output.empty() && !given.only_estimate) throw CLI::RequiredError("--output");
+        run_bake(given);
+      },
+      "; the file does not depend on it");
+}
+
+void add_plan_command(CLI::App& tool) {
+  auto options = std::make_shared<PlanCommand>();
+  CLI::App& command = *tool.add_subcommand("plan", "list the work that a bake can leave out, and the error");
+  options->add_to(command);
+  command.add_flag("--json", options->json, "print JSON for programs");
+  run_with_threads<PlanCommand>(command, options, run_plan);
+}
+
+}  // namespace sh::prt

@@ -1,0 +1,107 @@
+// `prt relight FILE -o out.ply`: exit radiance per vertex under a light, of a baked mesh or of a stage.
+// `prt info FILE`: the header and counts of a transfer file as JSON.
+// `prt shader --kind DS --degree 4 > relight.vert`: a complete vertex shader that relights.
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "prt/commands/subject.hpp"
+#include "prt/runtime/relight.hpp"
+#include "prt/runtime/vertex_shader.hpp"
+#include "prt/transfer/transfer_file.hpp"
+
+namespace sh::prt {
+namespace {
+
+struct RelightCommand {
+  SubjectOptions subject;
+  std::string output;
+  int frames = 1;
+  int threads = 0;
+};
+
+void relight_frame(const RelightCommand& options, Subject& subject, int frame) {
+  const std::vector<Pose> poses = subject.poses_at(static_cast<double>(frame) / options.frames);
+  const Stopwatch stopwatch;
+  const std::vector<Eigen::Vector3f> radiance = subject.radiance(poses, Eigen::Matrix3d::Identity());
+  report_time(stopwatch, fmt::format("relit {} vertices", radiance.size()));
+  const Mesh mesh = subject.mesh(poses);
+  const std::string name = frame_name(options.output, frame, options.frames);
+  write_ply(name, mesh, radiance);
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3f& value : radiance) mean += value.cast<double>() / static_cast<double>(radiance.size());
+  fmt::print(stderr, "prt: {}: {} vertices, {} faces, mean exit radiance {:.4g} {:.4g} {:.4g}\n", name, radiance.size(),
+             mesh.faces.size(), mean.x(), mean.y(), mean.z());
+}
+
+void run_relight(const RelightCommand& options) {
+  require_frames(options.frames);
+  require_writable(frame_name(options.output, 0, options.frames));
+  Subject subject(options.subject);
+  for (int frame = 0; frame < options.frames; ++frame) relight_frame(options, subject, frame);
+}
+
+/// Prints the header of the file, and values from its body.
+void run_info(const std::string& file) {
+  const Transfer transfer = read_transfer(file);
+  Json json = Json::parse(transfer_header(transfer));
+  const Eigen::AlignedBox3f box = bounding_box(transfer.mesh.positions);
+  double mean = 0.0;
+  const std::size_t vectors = transfer.coefficients.size() / transfer.shape.count();
+  for (std::size_t i = 0; i < transfer.coefficients.size(); i += transfer.shape.count()) {
+    mean += static_cast<double>(transfer.coefficients[i]) / static_cast<double>(vectors);
+  }
+  json["file"] = std::filesystem::path(file).filename().string();
+  json["bytes"] = std::filesystem::file_size(file);
+  json["bounding_box"] = {json_of(box.min()), json_of(box.max())};
+  json["mean_of_first_coefficient"] = mean;
+  print_json(json);
+}
+
+struct ShaderCommand {
+  std::string kind = "DS";
+  int degree = 4;
+  bool white = false;
+  std::string language = "450";
+};
+
+void run_shader(const ShaderCommand& options) {
+  print_out(vertex_shader(*kind_with_letters(options.kind), options.degree, options.white,
+                          options.language == "450" ? ShaderLanguage::kGlsl450 : ShaderLanguage::kEs300));
+}
+
+}  // namespace
+
+void add_relight_command(CLI::App& tool) {
+  auto options = std::make_shared<RelightCommand>();
+  CLI::App& command = *tool.add_subcommand("relight", "write a PLY mesh with the exit radiance of every vertex");
+  options->subject.add_to(command);
+  command.add_option("-o,--output", options->output, "PLY file to write; frames become out_000.ply, ...")->required();
+  command.add_option("--frames", options->frames, "number of meshes in the time in which a stage moves");
+  run_with_threads(command, options, run_relight);
+}
+
+void add_info_command(CLI::App& tool) {
+  auto file = std::make_shared<std::string>();
+  CLI::App& command = *tool.add_subcommand("info", "print the header and counts of a transfer file as JSON");
+  command.add_option("FILE", *file, "transfer file from `prt bake`")->required();
+  command.callback([file] { run_info(*file); });
+}
+
+void add_shader_command(CLI::App& tool) {
+  auto options = std::make_shared<ShaderCommand>();
+  CLI::App& command = *tool.add_subcommand("shader", "print a complete vertex shader that relights");
+  const auto letters = kind_letters();
+  command
+      .add_option("--kind", options->kind,
+                  "kind of transfer: DU reads normals, DS rows of one channel, DI rows of three")
+      ->check(CLI::IsMember(std::vector<std::string>{letters.begin(), letters.end()}));
+  command.add_option("--degree", options->degree, "SH degree, 0 to 10");
+  command.add_flag("--white", options->white, "use a light with one channel for all colors");
+  command
+      .add_option("--language", options->language, "shader language: GLSL 450 (OpenGL 4.5) or GLSL ES 300 (WebGL 2)")
+      ->check(CLI::IsMember({"450", "es300"}));
+  command.callback([options] { run_shader(*options); });
+}
+
+}  // namespace sh::prt
