@@ -18,8 +18,8 @@ void add_report_commands(Command& tool);  ///< report, advise
 
 void add_rotation_command(Command& tool);
 
-/// The Count parts of "a,b,c". Throws std::invalid_argument: "OPTION: 'TEXT' must be SHAPE separated by commas"; a shape
-/// is, for example, "three numbers x,y,z".
+/// The Count parts of "a,b,c". Throws std::invalid_argument: "OPTION: expected SHAPE separated by commas, got 'TEXT'"; a
+/// shape is, for example, "three numbers x,y,z".
 template <std::size_t Count>
 std::array<std::string, Count> split_numbers(const std::string& option, const std::string& text,
                                              const std::string& shape) {
@@ -28,7 +28,7 @@ std::array<std::string, Count> split_numbers(const std::string& option, const st
   for (std::size_t i = 0; i < Count; ++i) {
     const auto comma = text.find(',', begin);
     if ((comma == std::string::npos) != (i + 1 == Count)) {
-      throw std::invalid_argument(option + ": '" + text + "' must be " + shape + " separated by commas");
+      throw std::invalid_argument(option + ": expected " + shape + " separated by commas, got '" + text + "'");
     }
     parts[i] = text.substr(begin, comma - begin);
     begin = comma + 1;

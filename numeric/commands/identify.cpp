@@ -9,6 +9,7 @@
 #include "numeric/commands/commands.hpp"
 #include "numeric/identify/rotation_check.hpp"
 #include "numeric/kernels/inputs.hpp"
+#include "numeric/oracle/require.hpp"
 
 namespace sh::numeric {
 namespace {
@@ -27,9 +28,7 @@ struct Options {
 std::string suggested_rotations(int count) {
   const auto all = matrix_inputs();
   const int most = static_cast<int>(all.size());
-  if (count < 2 || count > most) {
-    throw std::invalid_argument(fmt::format("--rotations: {}; it should be 2 to {}", count, most));
-  }
+  require_range("--rotations", count, 2, most);
   std::string text =
       "# rotations, s' = R s; append your matrix to each line, all entries or band after band, row by row\n"
       "r00,r01,r02,r10,r11,r12,r20,r21,r22\n";
@@ -78,7 +77,7 @@ std::pair<Command, std::shared_ptr<Options>> add_table_command(Command& tool, co
       print(row.suggest(options->count));
       return kDone;
     }
-    if (!file.given()) throw std::invalid_argument(fmt::format("{}: it needs FILE or {} N", row.name, name));
+    if (!file.given()) throw std::invalid_argument(fmt::format("{}: expected FILE or {} N", row.name, name));
     return row.check(*options);
   });
   return {command, options};

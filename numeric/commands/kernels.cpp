@@ -82,7 +82,7 @@ ExitCode search_all(const WorstOptions& options) {
     kept = search<float>(kernel, *check, options) && kept;
     kept = search<double>(kernel, *check, options) && kept;
   }
-  if (count == 0) throw std::invalid_argument("worst: no such kernel; `shcheck kernels` lists families and degrees");
+  if (count == 0) throw std::invalid_argument("worst: expected a kernel that `shcheck kernels` lists");
   return kept ? kDone : kDifferent;
 }
 
@@ -99,8 +99,8 @@ ExitCode try_every_float(const WorstOptions& options) {
   }
   if (count == 0) {
     throw std::invalid_argument(
-        "worst: --exhaustive is for kernels of one variable, cap and window_hann, "
-        "window_gaussian, window_laplacian");
+        "worst: --exhaustive: expected a kernel of one variable: cap, window_hann, window_gaussian or "
+        "window_laplacian");
   }
   return kept ? kDone : kDifferent;
 }

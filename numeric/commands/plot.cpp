@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "numeric/commands/commands.hpp"
+#include "numeric/oracle/require.hpp"
 #include "numeric/output/atomic_file.hpp"
 #include "numeric/output/progress.hpp"
 #include "numeric/plot/lobes.hpp"
@@ -24,20 +25,14 @@ struct Options {
   std::string projection = "lat-long";
 };
 
-void require_option(const char* option, int value, int least, int most) {
-  if (value < least || value > most) {
-    throw std::invalid_argument(fmt::format("{} is {}, must be {} to {}", option, value, least, most));
-  }
-}
-
 void require_one_subject(const Options& options, const char* grid) {
   const int subjects =
       int(options.degree.has_value()) + int(options.has_coefficients) + int(options.basis_grid.has_value());
   if (subjects != 1) {
     throw std::invalid_argument(
-        fmt::format("plot: give one of --degree, --coefficients{}; {} are given", grid, subjects));
+        fmt::format("plot: expected one of --degree, --coefficients{}, got {}", grid, subjects));
   }
-  if (options.order && !options.degree) throw std::invalid_argument("--order: needs --degree");
+  if (options.order && !options.degree) throw std::invalid_argument("--order: expected --degree too");
 }
 
 // The function to draw and its title.
@@ -50,8 +45,8 @@ Subject subject_of(const Options& options) {
   if (options.degree) {
     const int degree = *options.degree;
     const int order = options.order.value_or(0);
-    require_option("--degree", degree, 0, plot::kLargestDegree);
-    require_option("--order", order, -degree, degree);
+    require_range("--degree", degree, 0, plot::kLargestDegree);
+    require_range("--order", order, -degree, degree);
     return {plot::basis_function(degree, order), fmt::format("Y({},{})", degree, order)};
   }
   const auto numbers = plot::numbers_from("--coefficients", options.coefficients);
@@ -71,13 +66,13 @@ plot::View view_of(const std::string& text) {
   const auto angles = plot::parse_numbers("--view", text);
   if (angles.size() != 2 || std::abs(angles[0]) > 360 || std::abs(angles[1]) > 90) {
     throw std::invalid_argument(
-        fmt::format("--view: '{}' must be azimuth,elevation in degrees, within 360 and 90", text));
+        fmt::format("--view: expected azimuth,elevation in degrees, within 360 and 90, got '{}'", text));
   }
   return {angles[0], angles[1]};
 }
 
 plot::Figure figure_of(const Options& options) {
-  require_option("--size", options.size, plot::kSmallestSize, plot::kLargestSize);
+  require_range("--size", options.size, plot::kSmallestSize, plot::kLargestSize);
   return {"", plot::format_of(options.output), options.size};
 }
 
@@ -85,7 +80,7 @@ std::string lobes(const Options& options) {
   require_one_subject(options, ", --basis-grid");
   const auto view = view_of(options.view);
   if (options.basis_grid) {
-    require_option("--basis-grid", *options.basis_grid, 0, plot::kLargestGrid);
+    require_range("--basis-grid", *options.basis_grid, 0, plot::kLargestGrid);
     auto figure = figure_of(options);
     figure.title = fmt::format("Real spherical harmonics, degree 0 to {}", *options.basis_grid);
     return plot::draw_basis_grid(*options.basis_grid, view, figure);
@@ -101,7 +96,8 @@ ImageMapping mapping_of(const std::string& projection) {
   std::string name = projection == "cube-map" ? "horizontal-cross" : projection;
   std::replace(name.begin(), name.end(), '-', '_');
   const auto mapping = mapping_named(name);
-  if (!mapping) throw std::invalid_argument(fmt::format("--projection: '{}' must be {}", projection, kProjections));
+  if (!mapping)
+    throw std::invalid_argument(fmt::format("--projection: expected {}, got '{}'", kProjections, projection));
   return *mapping;
 }
 

@@ -48,7 +48,8 @@ struct ColatitudeOptions {
 
 Colatitude colatitude(const ColatitudeOptions& options, const Colatitude& first, const Colatitude& second) {
   if (options.first.empty() == options.second.empty()) {
-    throw std::invalid_argument("give one of " + first.name + " and " + second.name);
+    throw std::invalid_argument("expected one of " + first.name + " and " + second.name + ", got " +
+                                (options.first.empty() ? "neither" : "both"));
   }
   return options.first.empty() ? Colatitude{second.kind, second.name, options.second}
                                : Colatitude{first.kind, first.name, options.first};
@@ -96,8 +97,8 @@ Triple triple(const std::string& option, const std::string& text) {
     const char* const end = part.data() + part.size();
     const auto [stop, error] = std::from_chars(part.data() + (part.starts_with('+') ? 1 : 0), end, numbers[i]);
     if (error != std::errc() || stop != end || std::abs(numbers[i]) > kMaxWignerDegree + 1) {
-      throw std::invalid_argument(option + ": '" + part + "' is not an integer up to " +
-                                  std::to_string(kMaxWignerDegree));
+      throw std::invalid_argument(option + ": expected an integer up to " + std::to_string(kMaxWignerDegree) +
+                                  ", got '" + part + "'");
     }
   }
   return numbers;

@@ -58,10 +58,10 @@ ExitCode run(const ReportCommand& command) {
 ExitCode advise_on(const Need& need, const std::string& report_file) {
   find_task("--task", need.task);
   if (!(need.error > 0) || !std::isfinite(need.error)) {
-    throw std::invalid_argument("--error: must be a positive number, such as 1e-5");
+    throw std::invalid_argument(fmt::format("--error: expected a positive number such as 1e-5, got {}", need.error));
   }
   if (!need.scalar.empty() && need.scalar != "float" && need.scalar != "double") {
-    throw std::invalid_argument("--scalar: '" + need.scalar + "' should be float or double");
+    throw std::invalid_argument(fmt::format("--scalar: expected float or double, got '{}'", need.scalar));
   }
   output::stop_on_interrupt();
   const auto advice = advise(report_file.empty() ? measure_for(need) : read_report(report_file), need);

@@ -25,10 +25,12 @@ struct Options {
 
 GivenRotation given_rotation(const Options& o) {
   const auto given = {!o.matrix.empty(), !o.quaternion.empty(), !o.euler.empty(), !o.axis.empty()};
-  if (std::count(given.begin(), given.end(), true) != 1) {
-    throw std::invalid_argument("give one of --matrix, --quaternion, --euler, and --axis with --angle");
+  const auto count = std::count(given.begin(), given.end(), true);
+  if (count != 1) {
+    throw std::invalid_argument(
+        fmt::format("expected one of --matrix, --quaternion, --euler, and --axis with --angle, got {}", count));
   }
-  if (o.axis.empty() != o.angle.empty()) throw std::invalid_argument("--axis and --angle belong together");
+  if (o.axis.empty() != o.angle.empty()) throw std::invalid_argument("expected --axis and --angle together, got one");
   if (!o.matrix.empty()) {
     return rotation_from_matrix("--matrix", split_numbers<9>("--matrix", o.matrix, "nine numbers, row by row,"));
   }
@@ -74,12 +76,12 @@ std::string formatted(const std::vector<std::string>& entries, const Options& op
 
 ExitCode run(const Options& options) {
   if (options.row.has_value() != options.column.has_value()) {
-    throw std::invalid_argument("--row and --column belong together");
+    throw std::invalid_argument("expected --row and --column together, got one");
   }
   if (!options.row && options.degree > kMaxWholeDegree) {
     throw std::invalid_argument(
-        fmt::format("degree is {}, the whole matrix is printed up to {}: give --row and --column", options.degree,
-                    kMaxWholeDegree));
+        fmt::format("degree: expected 0 to {} for the whole matrix, got {}: --row and --column print one entry",
+                    kMaxWholeDegree, options.degree));
   }
   require_range("digits", options.digits, 1, kMaxReferenceDigits);
   const GivenRotation rotation = given_rotation(options);

@@ -198,7 +198,7 @@ std::vector<float> GlslRunner::run(const std::string& label, const std::string& 
   const std::size_t width = function.signature.input_count();
   if (width == 0 || inputs.empty() || inputs.size() % width != 0) {
     throw std::invalid_argument(
-        fmt::format("{}: {} inputs given, must be a multiple of {} and not none", label, inputs.size(), width));
+        fmt::format("{}: expected a positive multiple of {} inputs, got {}", label, width, inputs.size()));
   }
   context_.make_current();
   const GlslProgram program(label, vertex_source(language_), fragment_source(language_, source, function, grouping));

@@ -42,15 +42,15 @@ struct AnimatedWebp::Encoder {
 
 AnimatedWebp::AnimatedWebp(int width, int height, double frames_a_second, int quality) {
   if (width < 1 || height < 1 || width > WEBP_MAX_DIMENSION || height > WEBP_MAX_DIMENSION) {
-    throw std::invalid_argument(
-        fmt::format("a WebP picture of {} x {} pixels; a side has 1 to {}", width, height, WEBP_MAX_DIMENSION));
+    throw std::invalid_argument(fmt::format("expected a WebP picture with sides of 1 to {} pixels, got {} x {}",
+                                            WEBP_MAX_DIMENSION, width, height));
   }
   if (!(frames_a_second > 0.0 && frames_a_second <= 1000.0)) {
     throw std::invalid_argument(
-        fmt::format("{} frames a second; above 0 and at most 1000 are possible", frames_a_second));
+        fmt::format("expected more than 0 and at most 1000 frames a second, got {}", frames_a_second));
   }
   if (quality < 0 || quality > 100) {
-    throw std::invalid_argument(fmt::format("quality {}; 0 to 100 are possible", quality));
+    throw std::invalid_argument(fmt::format("expected a quality of 0 to 100, got {}", quality));
   }
   WebPAnimEncoderOptions options;
   WebPAnimEncoderOptionsInit(&options);
@@ -64,7 +64,8 @@ AnimatedWebp::~AnimatedWebp() { WebPAnimEncoderDelete(encoder_->handle); }
 void AnimatedWebp::add(std::span<const std::uint8_t> rgb) {
   Encoder& e = *encoder_;
   if (rgb.size() != std::size_t{3} * static_cast<std::size_t>(e.width) * static_cast<std::size_t>(e.height)) {
-    throw std::invalid_argument(fmt::format("{} bytes for a picture of {} x {} pixels", rgb.size(), e.width, e.height));
+    throw std::invalid_argument(
+        fmt::format("expected the bytes of a picture of {} x {} pixels, got {}", e.width, e.height, rgb.size()));
   }
   WebPPicture picture;
   WebPPictureInit(&picture);

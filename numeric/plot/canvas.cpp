@@ -99,7 +99,7 @@ std::unique_ptr<Canvas> svg_canvas(double width, double height, int size, const 
 Format format_of(const std::string& file) {
   if (file.ends_with(".svg")) return Format::kSvg;
   if (file.ends_with(".png")) return Format::kPng;
-  throw std::invalid_argument(fmt::format("{}: the ending names the format; it must be .svg or .png", file));
+  throw std::invalid_argument(fmt::format("{}: expected the ending .svg or .png, which names the format", file));
 }
 
 std::unique_ptr<Canvas> canvas_for(const Figure& figure, double width, double height) {

@@ -23,11 +23,12 @@ double parse_number(const std::string& place, const std::string& word) {
   double value = 0;
   const auto [stop, error] = std::from_chars(word.data() + (word[0] == '+' ? 1 : 0), end, value);
   if (error == std::errc::result_out_of_range) {
-    throw std::invalid_argument(fmt::format("{}: '{}' is beyond the range of a double", place, word.substr(0, kShown)));
+    throw std::invalid_argument(
+        fmt::format("{}: expected a number in the range of a double, got '{}'", place, word.substr(0, kShown)));
   }
   if (error != std::errc() || stop != end || !std::isfinite(value)) {
     throw std::invalid_argument(
-        fmt::format("{}: '{}' is not a number such as -0.5 or 1e-3", place, word.substr(0, kShown)));
+        fmt::format("{}: expected a number such as -0.5 or 1e-3, got '{}'", place, word.substr(0, kShown)));
   }
   return value;
 }
@@ -45,7 +46,8 @@ void append_numbers(const std::string& place, const std::string& text, std::vect
 std::vector<double> parse_numbers(const std::string& name, const std::string& text) {
   std::vector<double> numbers;
   append_numbers(name, text, numbers);
-  if (numbers.empty()) throw std::invalid_argument(fmt::format("{}: no number in '{}'", name, text.substr(0, kShown)));
+  if (numbers.empty())
+    throw std::invalid_argument(fmt::format("{}: expected numbers, got '{}'", name, text.substr(0, kShown)));
   return numbers;
 }
 
@@ -56,7 +58,7 @@ std::vector<double> read_numbers(const std::string& file) {
   for (std::string line; std::getline(lines, line);) {
     append_numbers(fmt::format("{}:{}", file, ++number), line.substr(0, line.find('#')), numbers);
   }
-  if (numbers.empty()) throw std::invalid_argument(fmt::format("{}: no number in the file", file));
+  if (numbers.empty()) throw std::invalid_argument(fmt::format("{}: expected numbers, got none", file));
   return numbers;
 }
 

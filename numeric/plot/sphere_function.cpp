@@ -96,18 +96,19 @@ SphereFunction function_of_coefficients(std::span<const double> coefficients) {
   constexpr std::size_t kMost = coefficient_count(kLargestDegree);
   if (count > 3 * kMost) {
     throw std::invalid_argument(
-        fmt::format("{} numbers; degree {} is the highest, {} numbers a channel", count, kLargestDegree, kMost));
+        fmt::format("expected at most {} numbers a channel, for degree {}, got {}", kMost, kLargestDegree, count));
   }
   const bool single = bands_of(count) > 0;
   const int bands = single ? bands_of(count) : (count % 3 == 0 ? bands_of(count / 3) : 0);
   if (bands == 0) {
-    throw std::invalid_argument(
-        fmt::format("{} numbers; must be bands^2 (1, 4, 9, 16, ..., {}) or, for red, green and blue, three times that",
-                    count, kMost));
+    throw std::invalid_argument(fmt::format(
+        "expected bands^2 numbers (1, 4, 9, 16, ..., {}) or, for red, green and blue, three times that, got {}", kMost,
+        count));
   }
   double largest = 0;
   for (std::size_t i = 0; i < count; ++i) {
-    if (!std::isfinite(coefficients[i])) throw std::invalid_argument(fmt::format("number {} is not finite", i + 1));
+    if (!std::isfinite(coefficients[i]))
+      throw std::invalid_argument(fmt::format("number {}: expected a finite one", i + 1));
     largest = std::max(largest, std::abs(coefficients[i]));
   }
   int exponent = 0;

@@ -7,6 +7,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "numeric/oracle/require.hpp"
 #include "numeric/output/progress.hpp"
 #include "numeric/report/tasks.hpp"
 
@@ -41,12 +42,13 @@ std::vector<Point> front_of(const std::vector<Point>& points, const Need& need) 
     if (point.info.task == need.task) degrees.insert(point.info.degree);
   }
   if (degrees.contains(need.degree)) {
-    throw std::invalid_argument(
-        fmt::format("--scalar: no method of '{}' at degree {} is in {}", need.task, need.degree, need.scalar));
+    throw std::invalid_argument(fmt::format("--scalar: expected a type that a method of '{}' has at degree {}, got {}",
+                                            need.task, need.degree, need.scalar));
   }
-  const std::string list = degrees.empty() ? "none of this task" : fmt::format("{}", fmt::join(degrees, ", "));
+  if (degrees.empty())
+    throw std::invalid_argument(fmt::format("--task: expected a measured task, got '{}'", need.task));
   throw std::invalid_argument(
-      fmt::format("--degree: no measurement of '{}' at degree {}; there are {}", need.task, need.degree, list));
+      fmt::format("--degree: expected one of {} for '{}', got {}", fmt::join(degrees, ", "), need.task, need.degree));
 }
 
 std::string brief(const Point& point) {
@@ -77,10 +79,7 @@ Advice advise(const std::vector<Point>& points, const Need& need) {
 
 std::vector<Point> measure_for(const Need& need) {
   const auto& task = find_task("--task", need.task);
-  if (need.degree < 1 || need.degree > task.full.back()) {
-    throw std::invalid_argument(fmt::format("--degree: {} is out of range for '{}', which is measured from 1 to {}",
-                                            need.degree, task.id, task.full.back()));
-  }
+  require_range("--degree", need.degree, 1, task.full.back());
   Measurer measurer({.budget = std::chrono::milliseconds(5), .most_inputs = 1200});
   std::vector<Point> points;
   for (const auto& method : methods_of(task.id, need.degree)) {

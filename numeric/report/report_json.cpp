@@ -65,13 +65,13 @@ Json claim_json(const SourceClaim& c) {
 
 Mode mode_of(const std::string& text) {
   const auto found = std::find_if(kModes.begin(), kModes.end(), [&](Mode mode) { return text == to_string(mode); });
-  if (found == kModes.end()) throw std::runtime_error("mode '" + text + "' should be one, prepared or batch");
+  if (found == kModes.end()) throw std::runtime_error("'mode': expected one, prepared or batch, got '" + text + "'");
   return *found;
 }
 
 double error_of(const Json& value) {
   const double error = value.is_null() ? std::numeric_limits<double>::infinity() : value.get<double>();
-  if (!(error >= 0)) throw std::runtime_error("an error is negative");
+  if (!(error >= 0)) throw std::runtime_error("an error: expected 0 or more, got " + std::to_string(error));
   return error;
 }
 
@@ -92,7 +92,8 @@ Point point_of(const Json& json) {
                  .inputs = json.at("inputs"),
                  .worst = {json.at("worst").at("input"), {}, json.at("worst").at("output")},
                  .on_front = json.at("on_front")};
-  if (!(point.nanoseconds > 0)) throw std::runtime_error("'ns' is not positive");
+  if (!(point.nanoseconds > 0))
+    throw std::runtime_error("'ns': expected a positive number, got " + std::to_string(point.nanoseconds));
   return point;
 }
 
@@ -120,12 +121,12 @@ std::vector<Point> read_report(const std::string& file) {
   std::vector<Point> points;
   try {
     const auto json = Json::parse(text);
-    if (json.at("format") != kFormat) throw std::runtime_error(std::string("'format' is not '") + kFormat + "'");
+    if (json.at("format") != kFormat) throw std::runtime_error(std::string("'format': expected '") + kFormat + "'");
     for (const auto& point : json.at("points")) points.push_back(point_of(point));
   } catch (const std::exception& error) {
     std::string reason = error.what();
     std::replace(reason.begin(), reason.end(), '\n', ' ');
-    throw std::runtime_error(file + ": not a report of shcheck: " + reason);
+    throw std::runtime_error(file + ": expected a report of shcheck: " + reason);
   }
   return points;
 }

@@ -47,7 +47,7 @@ const Task& find_task(const std::string& option, const std::string& id) {
     if (task.id == id) return task;
     names += (names.empty() ? "" : ", ") + task.id;
   }
-  throw std::invalid_argument(option + ": '" + id + "' is not a task; there are " + names);
+  throw std::invalid_argument(option + ": expected one of " + names + ", got '" + id + "'");
 }
 
 FamilyCheck task_check(const std::string& family) {

@@ -61,7 +61,7 @@ TEST_P(GlslRun, SaysInOneLineWhatIsWrong) {
   EXPECT_NE(wrong.find("`q' undeclared"), std::string::npos) << wrong;
   EXPECT_EQ(wrong.find('\n'), std::string::npos);
   EXPECT_EQ(message_of(GetParam(), "void f(float a[2], out float b) { b = a[0]; }\n", {1, 2, 3}),
-            "test.glsl: 3 inputs given, must be a multiple of 2 and not none");
+            "test.glsl: expected a positive multiple of 2 inputs, got 3");
   EXPECT_EQ(message_of(GetParam(), "void f(float a[2], out float b) { b = a[0]; }\n", {1, 2}), "nothing thrown");
 }
 
@@ -78,7 +78,7 @@ TEST_P(GlslRun, DoesNotSupplyAPrecision) {
   }
 }
 
-TEST_P(GlslRun, UsesTheSoftwareRasteriser) {
+TEST_P(GlslRun, UsesTheSoftwareRasterizer) {
   EXPECT_NE(GlslRunner(GetParam()).renderer().find("llvmpipe"), std::string::npos);
 }
 

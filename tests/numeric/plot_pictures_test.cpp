@@ -191,15 +191,15 @@ TEST(PlotPicture, HasTheSameBytesEachTime) {
 
 TEST(PlotPicture, LooksTheSameAtAnyMagnitude) {
   const Figure figure{"t", Format::kPng, 400};
-  const auto centre = [&](double scale) {
+  const auto center = [&](double scale) {
     const auto f = function_of_coefficients(std::vector<double>{scale, -scale, 0, scale / 2});
     const auto map = decode_png(draw_map(f, ImageMapping::kLatLong, figure));
     std::vector<Color> colors;
     for (int row = 30; row < 170; ++row) colors.push_back(map.at(100, row));
     return colors;
   };
-  EXPECT_EQ(centre(0x1p-1000), centre(1));
-  EXPECT_EQ(centre(0x1p1000), centre(1));
+  EXPECT_EQ(center(0x1p-1000), center(1));
+  EXPECT_EQ(center(0x1p1000), center(1));
 }
 
 TEST(PlotPicture, TakesAnyCallableAndSaysWhenItIsZero) {
@@ -244,34 +244,35 @@ TEST_F(ShcheckPlot, RefusesBadInputAndWritesNothing) {
   std::ofstream(folder_ / "empty.txt") << "# nothing\n";
   const std::string file = " --coefficients " + folder_.string() + "/";
   const std::string out = " -o " + folder_.string() + "/x.svg";
-  expect_refused("plot map" + file + "bad.txt" + out, "bad.txt:3: 'foo' is not a number");
-  expect_refused("plot map" + file + "five.txt" + out, "five.txt: 5 numbers; must be bands^2");
-  expect_refused("plot map" + file + "empty.txt" + out, "empty.txt: no number in the file");
+  expect_refused("plot map" + file + "bad.txt" + out, "bad.txt:3: expected a number such as -0.5 or 1e-3, got 'foo'");
+  expect_refused("plot map" + file + "five.txt" + out, "five.txt: expected bands^2 numbers");
+  expect_refused("plot map" + file + "empty.txt" + out, "empty.txt: expected numbers, got none");
   expect_refused("plot map" + file + "missing.txt" + out, "missing.txt: cannot read: No such file or directory");
   expect_refused("plot map" + file + out, "/: cannot read: Is a directory");
   expect_refused("plot map --coefficients /dev/zero" + out, "/dev/zero: larger than 4 MB");
-  expect_refused("plot map --coefficients 1,2" + out, "1,2: 2 numbers");
-  expect_refused("plot map --coefficients 1,2,x,4" + out, "--coefficients: 'x' is not a number");
-  expect_refused("plot map --coefficients 1,2,nan,4" + out, "'nan' is not a number");
-  expect_refused("plot map --coefficients inf" + out, "'inf' is not a number");
-  expect_refused("plot map --coefficients 1e999" + out, "beyond the range");
-  expect_refused("plot map --coefficients ''" + out, "no number");
-  expect_refused("plot map --degree 65" + out, "--degree is 65, must be 0 to 64");
-  expect_refused("plot map --degree -1" + out, "--degree is -1");
-  expect_refused("plot map --degree 2 --order -3" + out, "--order is -3, must be -2 to 2");
+  expect_refused("plot map --coefficients 1,2" + out, "1,2: expected bands^2 numbers");
+  expect_refused("plot map --coefficients 1,2,x,4" + out,
+                 "--coefficients: expected a number such as -0.5 or 1e-3, got 'x'");
+  expect_refused("plot map --coefficients 1,2,nan,4" + out, "got 'nan'");
+  expect_refused("plot map --coefficients inf" + out, "got 'inf'");
+  expect_refused("plot map --coefficients 1e999" + out, "expected a number in the range of a double");
+  expect_refused("plot map --coefficients ''" + out, "--coefficients: expected numbers, got ''");
+  expect_refused("plot map --degree 65" + out, "--degree: expected 0 to 64, got 65");
+  expect_refused("plot map --degree -1" + out, "--degree: expected 0 to 64, got -1");
+  expect_refused("plot map --degree 2 --order -3" + out, "--order: expected -2 to 2, got -3");
   expect_refused("plot map --degree x" + out, "--degree");
-  expect_refused("plot map --coefficients 1 --order 0" + out, "--order: needs --degree");
-  expect_refused("plot map --degree 2 --coefficients 1" + out, "give one of --degree, --coefficients; 2 are given");
-  expect_refused("plot lobes" + out, "give one of --degree, --coefficients, --basis-grid; 0 are given");
-  expect_refused("plot lobes --basis-grid 13" + out, "--basis-grid is 13, must be 0 to 12");
-  expect_refused("plot lobes --degree 1 --view 1" + out, "--view: '1'");
-  expect_refused("plot lobes --degree 1 --view 0,91" + out, "--view: '0,91'");
-  expect_refused("plot lobes --degree 1 --view a,b" + out, "--view: 'a'");
-  expect_refused("plot lobes --degree 1 --size 15" + out, "--size is 15, must be 16 to 8192");
-  expect_refused("plot lobes --degree 1 --size 8193" + out, "--size is 8193");
+  expect_refused("plot map --coefficients 1 --order 0" + out, "--order: expected --degree too");
+  expect_refused("plot map --degree 2 --coefficients 1" + out, "plot: expected one of --degree, --coefficients, got 2");
+  expect_refused("plot lobes" + out, "expected one of --degree, --coefficients, --basis-grid, got 0");
+  expect_refused("plot lobes --basis-grid 13" + out, "--basis-grid: expected 0 to 12, got 13");
+  expect_refused("plot lobes --degree 1 --view 1" + out, "--view: expected azimuth,elevation");
+  expect_refused("plot lobes --degree 1 --view 0,91" + out, "within 360 and 90, got '0,91'");
+  expect_refused("plot lobes --degree 1 --view a,b" + out, "--view: expected a number such as -0.5 or 1e-3, got 'a'");
+  expect_refused("plot lobes --degree 1 --size 15" + out, "--size: expected 16 to 8192, got 15");
+  expect_refused("plot lobes --degree 1 --size 8193" + out, "--size: expected 16 to 8192, got 8193");
   expect_refused("plot map --degree 1 --projection mercator" + out,
-                 "'mercator' must be lat-long, cube-map, angular-map");
-  expect_refused("plot map --degree 1 -o " + folder_.string() + "/x.jpg", "x.jpg: the ending names the format");
+                 "--projection: expected lat-long, cube-map, angular-map");
+  expect_refused("plot map --degree 1 -o " + folder_.string() + "/x.jpg", "x.jpg: expected the ending .svg or .png");
   expect_refused("plot map --degree 1 -o " + folder_.string() + "/no/x.png", "no/x.png: cannot write");
   expect_refused("plot map --degree 1", "--output");
   expect_refused("plot", "subcommand");

@@ -212,7 +212,7 @@ TEST(PlotColor, DarkensEvenlyAwayFromZeroAndTellsTheSigns) {
   EXPECT_EQ(diverging(0), (Color{247, 247, 247}));
 }
 
-// A lat-long picture of `f` and its values at the centres of the pixels.
+// A lat-long picture of `f` and its values at the centers of the pixels.
 struct Field {
   Raster picture;
   std::vector<double> values;

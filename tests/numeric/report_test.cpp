@@ -187,16 +187,18 @@ TEST_F(Report, AdviceIsMeasuredOnTheSpotWithoutAFile) {
 }
 
 TEST_F(Report, RefusesBadInputInALineThatSaysWhatIsRight) {
-  expect_refused("advise --error 1e-5 --degree 4 --task rotation", "there are basis, gradient");
+  expect_refused("advise --error 1e-5 --degree 4 --task rotation", "--task: expected one of basis, gradient");
   expect_refused("advise --error -1 --degree 4 --task rotate", "--error");
   expect_refused("advise --error nan --degree 4 --task rotate", "--error");
-  expect_refused("advise --error 1e-5 --degree 11 --task basis", "from 1 to 10");
-  expect_refused("advise --error 1e-5 --degree -1 --task basis", "from 1 to 10");
-  expect_refused("advise --error 1e-5 --degree 4 --task rotate --scalar half", "float or double");
-  expect_refused("advise --error 1e-5 --degree 5 --task rotate --report " + file(), "there are 2, 4, 6, 9, 30");
+  expect_refused("advise --error 1e-5 --degree 11 --task basis", "--degree: expected 1 to 10, got");
+  expect_refused("advise --error 1e-5 --degree -1 --task basis", "--degree: expected 1 to 10, got");
+  expect_refused("advise --error 1e-5 --degree 4 --task rotate --scalar half",
+                 "--scalar: expected float or double, got 'half'");
+  expect_refused("advise --error 1e-5 --degree 5 --task rotate --report " + file(),
+                 "expected one of 2, 4, 6, 9, 30 for 'rotate', got 5");
   expect_refused("advise --error 1e-5 --degree 4 --task rotate --report " + (folder_ / "none.json").string(),
                  "none.json");
-  expect_refused("report --out " + folder_.string() + " --task rotation", "there are basis, gradient");
+  expect_refused("report --out " + folder_.string() + " --task rotation", "--task: expected one of basis, gradient");
   expect_refused("report --out " + file() + "/below --quick", "--out");
   std::ofstream(folder_ / "bad.json") << R"({"format": "shforge report 1", "points": [{"task": 3}]})";
   expect_refused("advise --error 1e-5 --degree 4 --task rotate --report " + (folder_ / "bad.json").string(),

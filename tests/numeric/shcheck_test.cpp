@@ -191,7 +191,7 @@ TEST_F(Shcheck, IdentifiesAConventionAndFindsAFlippedSign) {
   const auto json = nlohmann::json::parse(outcome.out);
   EXPECT_EQ(json.at("first_wrong").at("index"), 0);
   EXPECT_EQ(json.at("first_wrong").at("reason"), "sign flipped");
-  expect_refused("identify", "it needs FILE or --directions N");
+  expect_refused("identify", "identify: expected FILE or --directions N");
   expect_refused("identify --directions 0", "--directions: expected 1 to 1000000, got 0");
   expect_refused("identify missing.csv", "missing.csv: cannot read: No such file or directory");
   std::ofstream(spoiled) << "0,0,1,0.3\n0,0,1.5,0.3\n";
@@ -225,30 +225,36 @@ TEST_F(Shcheck, PrintsReferencesOfRotations) {
 
 TEST_F(Shcheck, RefusesBadRotationsInOneLineWithExitTwo) {
   const std::string start = "rotation --degree 2 --digits 9 ";
-  expect_refused(start, "give one of --matrix, --quaternion, --euler");
-  expect_refused(start + "--quaternion 1,0,0,0 --euler 1,2,3", "give one of --matrix, --quaternion, --euler");
-  expect_refused(start + "--axis 1,0,0", "--axis and --angle belong together");
-  expect_refused(start + "--quaternion 1,0,0", "--quaternion: '1,0,0' must be four numbers w,x,y,z");
+  expect_refused(start, "expected one of --matrix, --quaternion, --euler");
+  expect_refused(start + "--quaternion 1,0,0,0 --euler 1,2,3", "expected one of --matrix, --quaternion, --euler");
+  expect_refused(start + "--axis 1,0,0", "expected --axis and --angle together");
+  expect_refused(start + "--quaternion 1,0,0",
+                 "--quaternion: expected four numbers w,x,y,z separated by commas, got '1,0,0'");
   expect_refused(start + "--matrix 1,0,0,0,1,0,0,0,-1", "--matrix: expected a rotation, determinant 1");
   expect_refused(start + "--matrix 1,0,0,0,1,0,0,0,2", "--matrix: expected a rotation, |R R^T - 1|");
-  expect_refused(start + "--euler 1,2,3 --row 1", "--row and --column belong together");
+  expect_refused(start + "--euler 1,2,3 --row 1", "expected --row and --column together");
   expect_refused(start + "--euler 1,2,3 --row 1 --column 5", "column: expected -2 to 2, got 5");
-  expect_refused("rotation --degree 101 --digits 9 --euler 1,2,3", "the whole matrix is printed up to 100");
+  expect_refused("rotation --degree 101 --digits 9 --euler 1,2,3",
+                 "degree: expected 0 to 100 for the whole matrix, got 101");
   expect_refused(start + "--euler 1,2,3 --format xml", "--format");
 }
 
 TEST_F(Shcheck, RefusesBadReferencesInOneLineWithExitTwo) {
-  expect_refused("legendre --degree 2 --order 1 --digits 9", "give one of --z and --theta");
+  expect_refused("legendre --degree 2 --order 1 --digits 9", "expected one of --z and --theta, got neither");
   expect_refused("legendre --degree 2 --order 1 --z 2 --digits 9", "--z: expected -1 to 1, got 2");
   expect_refused("legendre --degree 2 --order 1 --z 0.5 --digits 10001", "digits: expected 1 to 10000, got 10001");
-  expect_refused("cap --degree 2 --angle 1 --one-minus-cos 1 --digits 9", "give one of --angle and --one-minus-cos");
+  expect_refused("cap --degree 2 --angle 1 --one-minus-cos 1 --digits 9",
+                 "expected one of --angle and --one-minus-cos, got both");
   expect_refused("cap --degree 2 --angle 1e --digits 9",
                  "--angle: expected a decimal number such as -0.5 or 1e-3, got '1e'");
-  expect_refused("gaunt --degrees 2,2 --orders 0,0,0 --digits 9", "--degrees: '2,2' must be three integers");
-  expect_refused("gaunt --degrees 2,2,2.5 --orders 0,0,0 --digits 9", "--degrees: '2.5' is not an integer");
+  expect_refused("gaunt --degrees 2,2 --orders 0,0,0 --digits 9",
+                 "--degrees: expected three integers separated by commas");
+  expect_refused("gaunt --degrees 2,2,2.5 --orders 0,0,0 --digits 9",
+                 "--degrees: expected an integer up to 10000, got '2.5'");
   expect_refused("gaunt --degrees 2,2,2 --orders 0,0,3 --digits 9", "order: expected -2 to 2, got 3");
   expect_refused("gaunt --degrees 2,2,2 --orders 0,0,0 --digits 0", "digits: expected 1 to 10000, got 0");
-  expect_refused("gaunt --degrees 2,99999999999,2 --orders 0,0,0 --digits 9", "'99999999999' is not an integer up to");
+  expect_refused("gaunt --degrees 2,99999999999,2 --orders 0,0,0 --digits 9",
+                 "--degrees: expected an integer up to 10000, got '99999999999'");
 }
 
 TEST_F(Shcheck, ChecksRotationMatricesAndSuggestsRotations) {
@@ -262,8 +268,8 @@ TEST_F(Shcheck, ChecksRotationMatricesAndSuggestsRotations) {
   outcome = run("rotation-matrix --rotations 40");
   EXPECT_EQ(std::count(outcome.out.begin(), outcome.out.end(), '\n'), 42);
   EXPECT_NE(outcome.out.find("  # identity\n"), std::string::npos);
-  expect_refused("rotation-matrix", "it needs FILE or --rotations N");
-  expect_refused("rotation-matrix --rotations 1", "--rotations: 1; it should be 2 to ");
+  expect_refused("rotation-matrix", "rotation-matrix: expected FILE or --rotations N");
+  expect_refused("rotation-matrix --rotations 1", "--rotations: expected 2 to ");
   expect_refused("rotation-matrix missing.csv", "missing.csv: cannot read: No such file or directory");
   expect_refused("rotation-matrix --tolerance -1 " + example.string(), "--tolerance");
 }
@@ -287,9 +293,9 @@ TEST_F(Shcheck, WorstShowsAnInputOfEachKernelAndScalar) {
 }
 
 TEST_F(Shcheck, WorstRefusesWhatThereIsNot) {
-  expect_refused("worst --family nope", "no such kernel");
-  expect_refused("worst --family basis --degree 11", "no such kernel");
-  expect_refused("worst --family basis --exhaustive", "kernels of one variable");
+  expect_refused("worst --family nope", "worst: expected a kernel that `shcheck kernels` lists");
+  expect_refused("worst --family basis --degree 11", "worst: expected a kernel that `shcheck kernels` lists");
+  expect_refused("worst --family basis --exhaustive", "expected a kernel of one variable");
   expect_refused("worst --evaluations 0", "--evaluations");
 }
 

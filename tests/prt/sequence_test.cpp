@@ -122,13 +122,15 @@ TEST(AnimatedWebp, LessQualityIsNearTheSameBytesEachTimeAndSmaller) {
 
 TEST(AnimatedWebp, WhatItCannotHoldIsRefused) {
   EXPECT_EQ(message_of([] { output::AnimatedWebp(16384, 1, 24.0, 90); }),
-            "a WebP picture of 16384 x 1 pixels; a side has 1 to 16383");
+            "expected a WebP picture with sides of 1 to 16383 pixels, got 16384 x 1");
   EXPECT_NE(message_of([] { output::AnimatedWebp(8, 8, 0.0, 90); }).find("frames a second"), std::string::npos);
   EXPECT_NE(message_of([] { output::AnimatedWebp(8, 8, std::nan(""), 90); }).find("frames a second"),
             std::string::npos);
-  EXPECT_NE(message_of([] { output::AnimatedWebp(8, 8, 24.0, 101); }).find("quality 101"), std::string::npos);
+  EXPECT_NE(message_of([] { output::AnimatedWebp(8, 8, 24.0, 101); }).find("a quality of 0 to 100, got 101"),
+            std::string::npos);
   output::AnimatedWebp animation(8, 8, 24.0, 90);
-  EXPECT_EQ(message_of([&] { animation.add(std::vector<std::uint8_t>(5)); }), "5 bytes for a picture of 8 x 8 pixels");
+  EXPECT_EQ(message_of([&] { animation.add(std::vector<std::uint8_t>(5)); }),
+            "expected the bytes of a picture of 8 x 8 pixels, got 5");
 }
 
 }  // namespace

@@ -89,11 +89,11 @@ TEST_F(StageTool, OverlappingObjectsAreToldOnceAndRefusedWithStrict) {
 TEST_F(StageTool, WhatCannotBeDoneIsOneLine) {
   expect_refused(render({"--local", "4", "-o", folder->file("local.png")}), "a stage takes distant light only");
   expect_refused({"render", scenes + "stage.json", "-o", folder->file("x.png")}, "floor.transfer: cannot read");
-  expect_refused(render({"-o", folder->file("x.webp"), "--fps", "0"}), "0 frames a second");
-  expect_refused(render({"-o", folder->file("x.webp"), "--quality", "101"}), "quality 101");
+  expect_refused(render({"-o", folder->file("x.webp"), "--fps", "0"}), "frames a second, got 0");
+  expect_refused(render({"-o", folder->file("x.webp"), "--quality", "101"}), "expected a quality of 0 to 100, got 101");
   expect_refused(
       {"render", folder->file("ball.transfer"), "-o", folder->file("x.webp"), "--width", "20000", "--height", "1"},
-      "a side has 1 to 16383");
+      "expected a WebP picture with sides of 1 to 16383 pixels");
   expect_refused(render({"-o", folder->file("x.png"), "--turntable", "sun"}), "sun");
   expect_refused(render({"-o", folder->file("x.png"), "--tone", "sepia"}), "sepia");
   expect_refused(render({"-o", folder->file("x.png"), "--fixed-exposure", "0"}), "--fixed-exposure 0");
