@@ -4,11 +4,11 @@
 #include <limits>
 #include <stdexcept>
 
-#include "codegen/choose/families_record.hpp"
-#include "codegen/choose/manifest.hpp"
+#include "codegen/choose/records.hpp"
 #include "codegen/choose/wisdom.hpp"
 #include "codegen/print/batch.hpp"
 #include "codegen/print/files.hpp"
+#include "symbolic/number/find_named.hpp"
 
 namespace sh::codegen {
 namespace {
@@ -17,18 +17,55 @@ namespace {
 constexpr double kWorthwhile = 0.75;
 
 template <class T>
-std::string names_of(const std::vector<T>& items) {
-  std::string text;
-  for (const T& item : items) text += (text.empty() ? "" : ", ") + item.name;
-  return text;
+struct Named {
+  const char* name;
+  T value;
+};
+
+// The first recipe that counts as equally fast as the fastest; the first recipe if some have no measured time.
+std::vector<Recipe>::iterator fastest(const Family& family, int degree, std::vector<Recipe>& recipes) {
+  std::vector<double> times;
+  for (const Recipe& recipe : recipes) {
+    const std::optional<Timing> timing = committed_wisdom().find(family.name, degree, recipe.name);
+    if (recipe.for_speed && !timing) return recipes.begin();
+    times.push_back(recipe.for_speed ? timing->call : std::numeric_limits<double>::infinity());
+  }
+  if (times.empty()) return recipes.begin();
+  const double enough = kNoise * *std::min_element(times.begin(), times.end());
+  const auto found = std::find_if(times.begin(), times.end(), [enough](double time) { return time <= enough; });
+  return recipes.begin() + (found - times.begin());
 }
 
-template <class T>
-const T& find(const std::vector<T>& items, const std::string& kind, const std::string& name) {
-  for (const T& item : items) {
-    if (item.name == name) return item;
+std::vector<FinishedKernel> finish_all(const Family& family, int degree) {
+  std::vector<FinishedKernel> finished;
+  for (const Recipe& recipe : recipes_for(family, degree)) finished.push_back(finish_kernel(family, recipe, degree));
+  return finished;
+}
+
+// kernels: one for every recipe, the fastest first.
+FinishedKernel choose(const std::vector<FinishedKernel>& kernels, Prefer prefer) {
+  if (prefer == Prefer::kSpeed) return kernels.front();
+  FinishedKernel chosen = *std::min_element(kernels.begin(), kernels.end(), [&](const auto& a, const auto& b) {
+    return prefer == Prefer::kSize ? a.cost.operations() < b.cost.operations()
+                                   : a.in_float.rounding.eps < b.in_float.rounding.eps;
+  });
+  if (chosen.kernel.recipe == kernels.front().kernel.recipe) return chosen;
+  chosen.kernel.arguments += prefer == Prefer::kSize ? " --prefer size" : " --prefer accuracy";
+  if (prefer == Prefer::kAccuracy) {
+    chosen.kernel.name = chosen.kernel.family + "_accurate_l" + std::to_string(chosen.kernel.degree);
   }
-  throw std::invalid_argument("unknown " + kind + " '" + name + "': expected one of: " + names_of(items));
+  return chosen;
+}
+
+// Prints a kernel in every written language and returns the paths.
+std::vector<std::string> add_files(std::map<std::string, std::string>& files, const FinishedKernel& finished) {
+  std::vector<std::string> paths;
+  for (const Language& language : languages()) {
+    if (!language.written) continue;
+    paths.push_back(language.name + "/" + finished.kernel.name + language.suffix);
+    files[paths.back()] = language.print_kernel(finished, print::Scalar::kFloat);
+  }
+  return paths;
 }
 
 }  // namespace
@@ -48,34 +85,12 @@ const std::vector<Language>& languages() {
 }
 
 const Family& find_family(const std::string& name, const std::vector<Family>& among) {
-  return find(among, "family", name);
+  return symbolic::find_named(among, name, "family");
 }
-const Language& find_language(const std::string& name) { return find(languages(), "language", name); }
-
-namespace {
-
-// The first recipe that counts as equally fast as the fastest; the first recipe if some have no measured time.
-std::vector<Recipe>::iterator fastest(const Family& family, int degree, std::vector<Recipe>& recipes) {
-  std::vector<double> times;
-  for (const Recipe& recipe : recipes) {
-    if (!recipe.for_speed) {
-      times.push_back(std::numeric_limits<double>::infinity());
-      continue;
-    }
-    const std::optional<Timing> timing = committed_wisdom().find(family.name, degree, recipe.name);
-    if (!timing) return recipes.begin();
-    times.push_back(timing->call);
-  }
-  if (times.empty()) return recipes.begin();
-  const double enough = kNoise * *std::min_element(times.begin(), times.end());
-  const auto found = std::find_if(times.begin(), times.end(), [enough](double time) { return time <= enough; });
-  return recipes.begin() + (found - times.begin());
-}
-
-}  // namespace
+const Language& find_language(const std::string& name) { return symbolic::find_named(languages(), name, "language"); }
 
 const Recipe& find_recipe(const Family& family, int degree, const std::string& name) {
-  const Recipe& recipe = find(family.recipes, "recipe of " + family.name, name);
+  const Recipe& recipe = symbolic::find_named(family.recipes, name, "recipe of " + family.name);
   if (degree < recipe.smallest || degree > recipe.largest) {
     throw std::invalid_argument("recipe " + name + " of " + family.name + ": expected degree " +
                                 std::to_string(recipe.smallest) + " to " + std::to_string(recipe.largest) + ", got " +
@@ -85,16 +100,14 @@ const Recipe& find_recipe(const Family& family, int degree, const std::string& n
 }
 
 Prefer find_preference(const std::string& name) {
-  if (name == "speed") return Prefer::kSpeed;
-  if (name == "accuracy") return Prefer::kAccuracy;
-  if (name == "size") return Prefer::kSize;
-  throw std::invalid_argument("unknown preference '" + name + "': expected one of: speed, accuracy, size");
+  constexpr Named<Prefer> kPreferences[] = {
+      {"speed", Prefer::kSpeed}, {"accuracy", Prefer::kAccuracy}, {"size", Prefer::kSize}};
+  return symbolic::find_named(kPreferences, name, "preference").value;
 }
 
 print::Scalar find_scalar(const std::string& name) {
-  if (name == "float") return print::Scalar::kFloat;
-  if (name == "double") return print::Scalar::kDouble;
-  throw std::invalid_argument("unknown scalar '" + name + "': expected one of: float, double");
+  constexpr Named<print::Scalar> kScalars[] = {{"float", print::Scalar::kFloat}, {"double", print::Scalar::kDouble}};
+  return symbolic::find_named(kScalars, name, "scalar").value;
 }
 
 void require_degree(const Family& family, int degree) {
@@ -143,55 +156,8 @@ std::vector<Stage> kernel_stages(const Family& family, const Recipe& recipe, int
 }
 
 FinishedKernel finish_kernel(const Family& family, const Recipe& recipe, int degree) {
-  FinishedKernel finished;
-  finished.kernel = kernel_stages(family, recipe, degree).back().kernel;
-  finished.domain = family.domain;
-  finished.cost = cost(finished.kernel);
-  finished.in_float = measure<float>(finished.kernel, family.domain);
-  finished.in_double = measure<double>(finished.kernel, family.domain);
-  return finished;
+  return finish(kernel_stages(family, recipe, degree).back().kernel, family.domain);
 }
-
-namespace {
-
-std::vector<FinishedKernel> finish_all(const Family& family, int degree) {
-  std::vector<FinishedKernel> finished;
-  for (const Recipe& recipe : recipes_for(family, degree)) finished.push_back(finish_kernel(family, recipe, degree));
-  return finished;
-}
-
-// kernels: one for every recipe, the fastest first.
-FinishedKernel choose(const std::vector<FinishedKernel>& kernels, Prefer prefer) {
-  const auto error = [](const FinishedKernel& k) { return k.in_float.rounding.eps; };
-  const auto size = [](const FinishedKernel& k) { return k.cost.operations(); };
-  const auto least = [&](const auto& of) {
-    return *std::min_element(kernels.begin(), kernels.end(),
-                             [&](const FinishedKernel& a, const FinishedKernel& b) { return of(a) < of(b); });
-  };
-  if (prefer == Prefer::kSpeed) return kernels.front();
-  FinishedKernel chosen = prefer == Prefer::kSize ? least(size) : least(error);
-  if (chosen.kernel.recipe == kernels.front().kernel.recipe) return chosen;
-  if (prefer == Prefer::kSize) {
-    chosen.kernel.arguments += " --prefer size";
-  } else {
-    chosen.kernel.arguments += " --prefer accuracy";
-    chosen.kernel.name = chosen.kernel.family + "_accurate_l" + std::to_string(chosen.kernel.degree);
-  }
-  return chosen;
-}
-
-// Prints a kernel in every written language and returns the paths.
-std::vector<std::string> add_files(std::map<std::string, std::string>& files, const FinishedKernel& finished) {
-  std::vector<std::string> paths;
-  for (const Language& language : languages()) {
-    if (!language.written) continue;
-    paths.push_back(language.name + "/" + finished.kernel.name + language.suffix);
-    files[paths.back()] = language.print_kernel(finished, print::Scalar::kFloat);
-  }
-  return paths;
-}
-
-}  // namespace
 
 FinishedKernel preferred_kernel(const Family& family, int degree, Prefer prefer) {
   const Recipe fastest = fastest_recipe(family, degree);
@@ -250,10 +216,9 @@ std::map<std::string, std::string> render_all(const std::function<void(const std
 
 std::map<std::string, std::string> render_families(const std::vector<std::string>& names,
                                                    const std::function<void(const std::string&)>& progress) {
-  std::vector<const Family*> chosen;
-  for (const std::string& name : names) chosen.push_back(&find_family(name));
+  for (const std::string& name : names) find_family(name);  // refuses every unknown name first
   Rendering rendering;
-  for (const Family* family : chosen) render_family(*family, progress, rendering);
+  for (const std::string& name : names) render_family(find_family(name), progress, rendering);
   return rendering.files;
 }
 

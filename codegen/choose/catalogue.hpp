@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "codegen/families/family.hpp"
-#include "codegen/passes/finished_kernel.hpp"
-#include "codegen/passes/pipeline.hpp"
+#include "codegen/measure/measure.hpp"
+#include "codegen/passes/passes.hpp"
 #include "codegen/print/dialect.hpp"
 
 namespace sh::codegen {

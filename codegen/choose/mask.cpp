@@ -1,8 +1,10 @@
 #include "codegen/choose/mask.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstdlib>
-#include <optional>
+#include <sstream>
 #include <stdexcept>
 
 #include "codegen/passes/passes.hpp"
@@ -12,35 +14,24 @@ namespace sh::codegen {
 namespace {
 
 using Kind = KnownInput::Kind;
-
-struct Coefficient {
-  int l = 0;
-  int m = 0;
-};
+using symbolic::DegreeOrder;
 
 std::vector<std::string> split(const std::string& list) {
-  std::vector<std::string> items{""};
-  for (const char c : list) {
-    if (c == ',') {
-      items.emplace_back();
-    } else {
-      items.back() += c;
-    }
-  }
+  std::vector<std::string> items;
+  std::istringstream stream(list + ",");
+  for (std::string item; std::getline(stream, item, ',');) items.push_back(item);
   return items;
 }
 
-std::string joined(const std::vector<int>& items, const char* separator) {
-  std::string text;
-  for (const int item : items) text += (text.empty() ? "" : separator) + std::to_string(item);
-  return text;
+bool contains(const std::vector<int>& list, int value) {
+  return std::find(list.begin(), list.end(), value) != list.end();
 }
 
-// Replaces every character that is neither a letter nor a digit by an underscore.
-std::string as_name(const std::string& text) {
-  std::string name;
-  for (const char c : text) name += c == ',' || c == '-' ? '_' : c;
-  return name;
+// Replaces commas and hyphens by underscores.
+std::string as_name(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c == ',' || c == '-'; }, '_');
+  return text;
 }
 
 // "0-3, 6" for {0, 1, 2, 3, 6}
@@ -65,11 +56,9 @@ int entries(const Parameter& array) {
   return is_zonal(array) || is_by_degree_and_order(array.role) ? array.shape.back() : 0;
 }
 
-Coefficient coefficient(const Parameter& array, int entry) {
+DegreeOrder coefficient(const Parameter& array, int entry) {
   const int i = entry % std::max(1, entries(array));
-  if (is_zonal(array)) return {i, 0};
-  const symbolic::DegreeOrder lm = symbolic::degree_order(i);
-  return {lm.degree, lm.order};
+  return is_zonal(array) ? DegreeOrder{i, 0} : symbolic::degree_order(i);
 }
 
 // --- symmetries
@@ -83,42 +72,50 @@ struct Allowed {
 
 // Exchanging x and y turns Re (x + iy)^m into Re i^m (x - iy)^m.
 Allowed under_exchange(int m) {
-  switch (std::abs(m) % 4) {
-    case 0:
-      return {m >= 0, 0};
-    case 2:
-      return {m < 0, 0};
-    case 1:
-      return {true, 1};
-    default:
-      return {true, -1};
-  }
+  const int turns = std::abs(m) % 4;
+  if (turns % 2 == 0) return {turns == 0 ? m >= 0 : m < 0, 0};
+  return {true, turns == 1 ? 1 : -1};
 }
 
-Allowed allowed(const std::string& symmetry, const Coefficient& c) {
-  const bool odd = c.m % 2 != 0;
-  if (symmetry == "zonal") return {c.m == 0, 0};
-  if (symmetry == "mirror-x") return {odd == (c.m < 0), 0};
-  if (symmetry == "mirror-y") return {c.m >= 0, 0};
-  if (symmetry == "mirror-z" || symmetry == "hemisphere") return {(c.l + c.m) % 2 == 0, 0};
-  if (symmetry == "mirror-xy") return under_exchange(c.m);
+struct Symmetry {
+  const char* name;
+  Allowed (*allowed)(int l, int m);
+};
+
+Allowed under_mirror_z(int l, int m) { return {(l + m) % 2 == 0, 0}; }
+
+constexpr Symmetry kSymmetries[] = {
+    {"zonal",
+     [](int, int m) {
+       return Allowed{m == 0, 0};
+     }},
+    {"mirror-x",
+     [](int, int m) {
+       return Allowed{(m % 2 != 0) == (m < 0), 0};
+     }},
+    {"mirror-y",
+     [](int, int m) {
+       return Allowed{m >= 0, 0};
+     }},
+    {"mirror-z", under_mirror_z},
+    {"hemisphere", under_mirror_z},
+    {"mirror-xy", [](int, int m) { return under_exchange(m); }},
+};
+
+Allowed allowed(const std::string& symmetry, const DegreeOrder& c) {
   std::string known;
-  for (const std::string& name : mask_symmetries()) known += (known.empty() ? "" : ", ") + name;
+  for (const Symmetry& one : kSymmetries) {
+    if (symmetry == one.name) return one.allowed(c.degree, c.order);
+    known += (known.empty() ? "" : ", ") + std::string(one.name);
+  }
   throw std::invalid_argument("unknown symmetry '" + symmetry + "': expected one of: " + known);
 }
 
-bool contains(const std::vector<int>& list, int value) {
-  return std::find(list.begin(), list.end(), value) != list.end();
-}
-
-bool is_kept(const MaskOptions& options, const Coefficient& c) {
-  return (options.keep_bands.empty() || contains(options.keep_bands, c.l)) &&
-         (options.keep_orders.empty() || contains(options.keep_orders, c.m));
-}
-
 // The combined effect of all symmetries and of the kept bands and orders.
-Allowed allowed(const MaskOptions& options, const std::string& symmetries, const Coefficient& c) {
-  Allowed result{is_kept(options, c), 0};
+Allowed allowed(const MaskOptions& options, const std::string& symmetries, const DegreeOrder& c) {
+  Allowed result{(options.keep_bands.empty() || contains(options.keep_bands, c.degree)) &&
+                     (options.keep_orders.empty() || contains(options.keep_orders, c.order)),
+                 0};
   if (symmetries.empty()) return result;
   for (const std::string& symmetry : split(symmetries)) {
     const Allowed one = allowed(symmetry, c);
@@ -130,52 +127,47 @@ Allowed allowed(const MaskOptions& options, const std::string& symmetries, const
 
 // --- making a mask
 
-void mask_array(Mask& mask, const Parameter& array, int first, const MaskOptions& options,
-                const std::string& symmetries) {
-  for (int entry = 0; entry < array.size(); ++entry) {
-    KnownInput& known = mask.inputs[first + entry];
-    const Coefficient c = coefficient(array, entry);
-    const Allowed here = allowed(options, symmetries, c);
-    if (!here.free) {
-      known.kind = Kind::kZero;
-    } else if (here.mirrored != 0) {
-      // The coefficient of order |m| represents both orders; if one of them is zero, the other is zero too.
-      const bool partner_free = allowed(options, symmetries, {c.l, -c.m}).free;
-      if (!partner_free) known.kind = Kind::kZero;
-      if (partner_free && c.m < 0) known = {here.mirrored > 0 ? Kind::kSame : Kind::kOpposite, first + entry - 2 * c.m};
-    }
-  }
+// The knowledge about an entry; `first` is the place of its array among the flattened inputs.
+KnownInput known_input(const Parameter& array, int entry, int first, const MaskOptions& options,
+                       const std::string& symmetries) {
+  const DegreeOrder c = coefficient(array, entry);
+  const Allowed here = allowed(options, symmetries, c);
+  if (!here.free) return {Kind::kZero, -1};
+  if (here.mirrored == 0) return {};
+  // The coefficient of order |m| represents both orders; if one of them is zero, the other is zero too.
+  if (!allowed(options, symmetries, {c.degree, -c.order}).free) return {Kind::kZero, -1};
+  if (c.order > 0) return {};
+  return {here.mirrored > 0 ? Kind::kSame : Kind::kOpposite, first + entry - 2 * c.order};
 }
 
 int parse_entry(const std::string& item, int size) {
   const bool digits = !item.empty() && item.size() < 6 && item.find_first_not_of("0123456789") == std::string::npos;
   const int entry = digits ? std::stoi(item) : -1;
-  if (entry < 0 || entry >= size) {
-    throw std::invalid_argument("--outputs: expected a number from 0 to " + std::to_string(size - 1) +
-                                " or a symmetry such as zonal, got '" + item + "'");
-  }
-  return entry;
+  if (entry >= 0 && entry < size) return entry;
+  throw std::invalid_argument("--outputs: expected a number from 0 to " + std::to_string(size - 1) +
+                              " or a symmetry such as zonal, got '" + item + "'");
 }
 
-void mask_result(Mask& mask, const Parameter& result, int first, const MaskOptions& options) {
+// For every entry of a result: whether it is wanted.
+std::vector<bool> wanted_entries(const Parameter& result, const MaskOptions& options) {
   const int count = entries(result);
-  const bool list = !options.outputs.empty() && options.outputs.find_first_not_of("0123456789,") == std::string::npos;
+  const std::string& outputs = options.outputs;
+  const bool list = !outputs.empty() && outputs.find_first_not_of("0123456789,") == std::string::npos;
+  if (count == 0 && !list && !outputs.empty()) {
+    throw std::invalid_argument("--outputs: expected a list of entries, because " + result.name +
+                                " holds no coefficients, got " + outputs);
+  }
+  const int size = count > 0 ? count : result.size();
   std::vector<int> listed;
-  if (list) {
-    for (const std::string& item : split(options.outputs)) {
-      listed.push_back(parse_entry(item, count > 0 ? count : result.size()));
-    }
+  for (const std::string& item : split(outputs)) {
+    if (list) listed.push_back(parse_entry(item, size));
   }
+  std::vector<bool> wanted;
   for (int entry = 0; entry < result.size(); ++entry) {
-    bool wanted = !list || contains(listed, count > 0 ? entry % count : entry);
-    if (count > 0) {
-      wanted = wanted && allowed(options, list ? "" : options.outputs, coefficient(result, entry)).free;
-    } else if (!list && !options.outputs.empty()) {
-      throw std::invalid_argument("--outputs: expected a list of entries, because " + result.name +
-                                  " holds no coefficients, got " + options.outputs);
-    }
-    if (!wanted) mask.wanted[first + entry] = false;
+    const bool is_allowed = count == 0 || allowed(options, list ? "" : outputs, coefficient(result, entry)).free;
+    wanted.push_back(is_allowed && (!list || contains(listed, entry % size)));
   }
+  return wanted;
 }
 
 void require_in_range(const char* option, const std::vector<int>& values, int least, int most) {
@@ -186,18 +178,20 @@ void require_in_range(const char* option, const std::vector<int>& values, int le
   }
 }
 
+// The place of an array among the flattened elements of all arrays.
+int first_of(const std::vector<Parameter>& arrays, int position) {
+  return total_size({arrays.begin(), arrays.begin() + position});
+}
+
 // In arrays that are updated in place, entries that are known to be zero do not change.
 void drop_unchanged(Mask& mask, const Kernel& kernel) {
-  int first_result = 0;
+  int element = 0;
   for (const Parameter& result : kernel.results) {
-    int first = 0;
-    for (const Parameter& parameter : kernel.parameters) {
-      for (int i = 0; parameter.name == result.name && i < parameter.size(); ++i) {
-        if (mask.inputs[first + i].kind == Kind::kZero) mask.wanted[first_result + i] = false;
-      }
-      first += parameter.size();
+    const int position = position_of(kernel.parameters, result.name);
+    const int first = position < 0 ? 0 : first_of(kernel.parameters, position);
+    for (int i = 0; i < result.size(); ++i, ++element) {
+      if (position >= 0 && mask.inputs[first + i].kind == Kind::kZero) mask.wanted[element] = false;
     }
-    first_result += result.size();
   }
 }
 
@@ -211,18 +205,17 @@ std::string numbered(const Parameter& array, const std::vector<int>& entries_of)
 
 std::string read_entries(const Kernel& kernel, const Mask& mask) {
   std::string text;
-  int first = 0;
+  int element = 0;
   for (const Parameter& parameter : kernel.parameters) {
     std::vector<int> read;
     bool zero = false;
     bool equal = false;
     for (int i = 0; i < parameter.size(); ++i) {
-      const Kind kind = mask.inputs[first + i].kind;
+      const Kind kind = mask.inputs[element++].kind;
       zero = zero || kind == Kind::kZero;
       equal = equal || kind == Kind::kSame || kind == Kind::kOpposite;
       if (kind == Kind::kFree) read.push_back(i);
     }
-    first += parameter.size();
     if (!zero && !equal) continue;
     text += "; of " + parameter.name + (read.empty() ? " no entries" : " only entries " + numbered(parameter, read)) +
             " are read, the others are " + (zero ? "zero" : "") + (zero && equal ? " or " : "") +
@@ -234,31 +227,26 @@ std::string read_entries(const Kernel& kernel, const Mask& mask) {
 
 std::string written_entries(const Kernel& kernel, const Mask& mask) {
   std::string text;
-  int first = 0;
+  int element = 0;
   for (const Parameter& result : kernel.results) {
     std::vector<int> written;
     for (int i = 0; i < result.size(); ++i) {
-      if (mask.wanted[first + i]) written.push_back(i);
+      if (mask.wanted[element++]) written.push_back(i);
     }
-    if (static_cast<int>(written.size()) < result.size())
-      text += "; of " + result.name + " only entries " + numbered(result, written) + " are written";
-    first += result.size();
+    if (static_cast<int>(written.size()) == result.size()) continue;
+    text += "; of " + result.name + " only entries " + numbered(result, written) + " are written";
   }
   return text;
 }
 
 }  // namespace
 
-bool MaskOptions::empty() const {
-  return left.empty() && right.empty() && outputs.empty() && keep_bands.empty() && keep_orders.empty();
-}
-
 std::string MaskOptions::arguments() const {
   std::string text;
   if (!left.empty()) text += " --left " + left;
   if (!right.empty()) text += " --right " + right;
-  if (!keep_bands.empty()) text += " --keep-bands " + joined(keep_bands, ",");
-  if (!keep_orders.empty()) text += " --keep-orders=" + joined(keep_orders, ",");
+  if (!keep_bands.empty()) text += fmt::format(" --keep-bands {}", fmt::join(keep_bands, ","));
+  if (!keep_orders.empty()) text += fmt::format(" --keep-orders={}", fmt::join(keep_orders, ","));
   if (!outputs.empty()) text += " --outputs " + outputs;
   return text;
 }
@@ -267,53 +255,44 @@ std::string MaskOptions::suffix() const {
   std::string text;
   if (!left.empty()) text += "_left_" + as_name(left);
   if (!right.empty()) text += "_right_" + as_name(right);
-  if (!keep_bands.empty()) text += "_bands_" + joined(keep_bands, "_");
-  if (!keep_orders.empty()) {
-    text += "_orders";
-    for (const int m : keep_orders) text += (m < 0 ? "_n" : "_") + std::to_string(std::abs(m));
-  }
+  if (!keep_bands.empty()) text += fmt::format("_bands_{}", fmt::join(keep_bands, "_"));
+  if (!keep_orders.empty()) text += "_orders";
+  for (const int m : keep_orders) text += (m < 0 ? "_n" : "_") + std::to_string(std::abs(m));
   if (!outputs.empty()) text += "_outputs_" + as_name(outputs);
   return text;
-}
-
-const std::vector<std::string>& mask_symmetries() {
-  static const std::vector<std::string> kSymmetries{"zonal",    "mirror-x",   "mirror-y",
-                                                    "mirror-z", "hemisphere", "mirror-xy"};
-  return kSymmetries;
 }
 
 Mask make_mask(const Kernel& kernel, const MaskOptions& options) {
   require_in_range("--keep-bands", options.keep_bands, 0, kernel.degree);
   require_in_range("--keep-orders", options.keep_orders, -kernel.degree, kernel.degree);
   Mask mask;
-  int first = 0;
   int arrays = 0;
   for (const Parameter& parameter : kernel.parameters) {
-    mask.inputs.resize(mask.inputs.size() + static_cast<std::size_t>(parameter.size()));
-    if (entries(parameter) > 0) {
-      const std::string symmetries = arrays == 0 ? options.left : arrays == 1 ? options.right : "";
-      mask_array(mask, parameter, first, options, symmetries);
-      ++arrays;
+    const bool has_symmetry = entries(parameter) > 0;
+    const std::string symmetries = arrays == 0 ? options.left : arrays == 1 ? options.right : "";
+    const int first = static_cast<int>(mask.inputs.size());
+    for (int entry = 0; entry < parameter.size(); ++entry) {
+      mask.inputs.push_back(has_symmetry ? known_input(parameter, entry, first, options, symmetries) : KnownInput{});
     }
-    first += parameter.size();
+    if (has_symmetry) ++arrays;
   }
   if ((!options.left.empty() && arrays < 1) || (!options.right.empty() && arrays < 2)) {
     throw std::invalid_argument(kernel.family + " has " + std::to_string(arrays) +
                                 " coefficient arrays; --left is for the first and --right for the second");
   }
-  first = 0;
-  for (const Parameter& result : kernel.results) {
-    mask.wanted.resize(mask.wanted.size() + static_cast<std::size_t>(result.size()), true);
-    if (!kernel.returns_scalar()) mask_result(mask, result, first, options);
-    first += result.size();
-  }
   if (kernel.returns_scalar() && !options.outputs.empty()) {
     throw std::invalid_argument("--outputs: expected no such option, because " + kernel.family + " returns one number");
   }
+  for (const Parameter& result : kernel.results) {
+    const std::vector<bool> wanted =
+        kernel.returns_scalar() ? std::vector<bool>{true} : wanted_entries(result, options);
+    mask.wanted.insert(mask.wanted.end(), wanted.begin(), wanted.end());
+  }
   drop_unchanged(mask, kernel);
-  if (std::find(mask.wanted.begin(), mask.wanted.end(), true) == mask.wanted.end())
+  if (std::find(mask.wanted.begin(), mask.wanted.end(), true) == mask.wanted.end()) {
     throw std::invalid_argument("mask: expected at least one result of " + kernel.family +
                                 ", got a mask that leaves no result");
+  }
   return mask;
 }
 
@@ -324,11 +303,8 @@ Kernel apply_mask(const Kernel& kernel, const Mask& mask) {
   Builder build(result);
   std::vector<NodeId> position;
   for (const Node& original : kernel.nodes) {
-    Node node = original;
+    Node node = moved(original, position);
     const KnownInput known = node.op == Op::kInput ? mask.inputs[node.input] : KnownInput{};
-    for (NodeId& arg : node.args) {
-      if (arg >= 0) arg = position[arg];
-    }
     if (known.kind == Kind::kZero) {
       position.push_back(build.constant(symbolic::Surd(), "none"));
       continue;

@@ -12,11 +12,15 @@
 #include <string>
 #include <vector>
 
-#include "codegen/families/family.hpp"
+#include "codegen/choose/catalogue.hpp"
 
 namespace sh::codegen {
 
-/// The options of the command line; empty: nothing is known.
+/// The options of the command line; empty: nothing is known. A function f has the symmetry
+///   zonal         if it depends on z only: m = 0
+///   mirror-x      if f(-x, y, z) = f(x, y, z); mirror-y and mirror-z follow the same rule
+///   hemisphere    if it has mirror-z: its values on the upper hemisphere determine it
+///   mirror-xy     if f(y, x, z) = f(x, y, z)
 struct MaskOptions {
   std::string left;     ///< symmetries of the first coefficient array: "zonal" or "mirror-x,mirror-y"
   std::string right;    ///< symmetries of the second coefficient array
@@ -24,19 +28,12 @@ struct MaskOptions {
   std::vector<int> keep_bands;   ///< all other degrees are zero in every array and are not wanted
   std::vector<int> keep_orders;  ///< all other orders m are zero in every array and are not wanted
 
-  [[nodiscard]] bool empty() const;
+  [[nodiscard]] bool empty() const { return arguments().empty(); }
   /// " --left zonal --keep-bands 0,1": the options of `shgen emit`.
   [[nodiscard]] std::string arguments() const;
   /// "_left_zonal_bands_0_1": the end of the name of a masked kernel.
   [[nodiscard]] std::string suffix() const;
 };
-
-/// The names of the symmetries. A function f has the symmetry
-///   zonal         if it depends on z only: m = 0
-///   mirror-x      if f(-x, y, z) = f(x, y, z); mirror-y and mirror-z follow the same rule
-///   hemisphere    if it has mirror-z: its values on the upper hemisphere determine it
-///   mirror-xy     if f(y, x, z) = f(x, y, z)
-const std::vector<std::string>& mask_symmetries();
 
 /// The knowledge about one flattened input.
 struct KnownInput {
@@ -70,5 +67,14 @@ std::vector<T> masked_inputs(std::vector<T> inputs, const Mask& mask) {
   }
   return inputs;
 }
+
+/// The kernel after the mask and after every pass. The pipeline checks the full kernel of the recipe against the exact
+/// functions, and after every pass the masked kernel against the full kernel at the same inputs. Throws the exceptions
+/// of kernel_stages and make_mask.
+std::vector<Stage> masked_stages(const Family& family, const Recipe& recipe, int degree, const MaskOptions& options);
+
+/// The masked kernel with the fewest operations or, with Prefer::kAccuracy, with the least error. The best recipe of
+/// the full kernel may not be the best recipe of the masked one.
+FinishedKernel masked_kernel(const Family& family, int degree, Prefer prefer, const MaskOptions& options);
 
 }  // namespace sh::codegen

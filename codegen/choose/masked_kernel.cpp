@@ -1,8 +1,7 @@
-#include "codegen/choose/masked_kernel.hpp"
-
 #include <algorithm>
 #include <utility>
 
+#include "codegen/choose/mask.hpp"
 #include "codegen/ir/evaluate.hpp"
 
 namespace sh::codegen {
@@ -12,13 +11,13 @@ constexpr int kGuardDigits = 10;
 
 // The values of the full kernel at the reference points, with the known entries of the mask filled in.
 Reference masked_reference(const Kernel& full, const Reference& reference, const Mask& mask) {
+  const cln::float_format_t format = cln::float_format(kCheckDigits + kGuardDigits);
   Evaluator<cln::cl_F> evaluator(full, kCheckDigits + kGuardDigits);
   Reference masked;
   for (const ReferencePoint& point : reference) {
     ReferencePoint known{masked_inputs(point.inputs, mask), {}};
     std::vector<cln::cl_F> inputs;
-    for (const cln::cl_RA& input : known.inputs)
-      inputs.push_back(cln::cl_float(input, cln::float_format(kCheckDigits + kGuardDigits)));
+    for (const cln::cl_RA& input : known.inputs) inputs.push_back(cln::cl_float(input, format));
     const std::vector<cln::cl_F> outputs = evaluator(inputs);
     for (std::size_t i = 0; i < outputs.size(); ++i) {
       if (mask.wanted[full.element(i)]) known.outputs.push_back(outputs[i]);
@@ -41,13 +40,8 @@ Domain masked_domain(const Domain& domain, const Mask& mask) {
 
 FinishedKernel finished(const Family& family, const Recipe& recipe, int degree, const MaskOptions& options) {
   const Mask mask = make_mask(recipe_kernel(family, recipe, degree), options);
-  FinishedKernel result;
-  result.kernel = masked_stages(family, recipe, degree, options).back().kernel;
-  result.domain = masked_domain(family.domain, mask);
-  result.cost = cost(result.kernel);
-  result.in_float = measure<float>(result.kernel, result.domain);
-  result.in_double = measure<double>(result.kernel, result.domain);
-  return result;
+  Kernel kernel = masked_stages(family, recipe, degree, options).back().kernel;
+  return finish(std::move(kernel), masked_domain(family.domain, mask));
 }
 
 }  // namespace

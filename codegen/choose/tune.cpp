@@ -1,5 +1,3 @@
-#include "codegen/choose/tune.hpp"
-
 #include <sys/wait.h>
 
 #include <algorithm>
@@ -10,6 +8,7 @@
 #include <stdexcept>
 
 #include "codegen/choose/catalogue.hpp"
+#include "codegen/choose/wisdom.hpp"
 #include "codegen/print/files.hpp"
 #include "codegen/print/statements.hpp"
 
@@ -118,14 +117,10 @@ std::string input_table(const Family& family, int degree) {
 std::string call_function(const Kernel& kernel, std::size_t index) {
   std::string copies;
   std::string passed;
-  int out = 0;
   const auto place_of = [&](const std::string& name) {
-    int offset = 0;
-    for (const Parameter& result : kernel.results) {
-      if (result.name == name) return offset;
-      offset += result.size();
-    }
-    return -1;
+    const int position = position_of(kernel.results, name);
+    const auto first = kernel.results.begin();
+    return position < 0 ? -1 : total_size({first, first + position});
   };
   int in = 0;
   for (const Parameter& parameter : kernel.parameters) {
@@ -141,9 +136,8 @@ std::string call_function(const Kernel& kernel, std::size_t index) {
     in += parameter.size();
   }
   for (const Parameter& result : kernel.results) {
-    if (position_of(kernel.parameters, result.name) < 0 && !kernel.returns_scalar())
-      passed += "out + " + std::to_string(out) + ", ";
-    out += result.size();
+    if (position_of(kernel.parameters, result.name) >= 0 || kernel.returns_scalar()) continue;
+    passed += "out + " + std::to_string(place_of(result.name)) + ", ";
   }
   passed.resize(passed.size() - 2);
   return "template <class T> inline void call_" + std::to_string(index) + "(const T* in, T* out) {\n" + copies + "  " +
@@ -193,8 +187,7 @@ std::string describe_machine() {
     throw std::runtime_error("tune: " + compiler() + " cannot run: expected the name of a C++ compiler in CXX");
   std::ifstream processors("/proc/cpuinfo");
   std::string line;
-  while (std::getline(processors, line) && line.rfind("model name", 0) != 0) {
-  }
+  while (std::getline(processors, line) && line.rfind("model name", 0) != 0) continue;
   const std::size_t colon = line.find(": ");
   return (colon == std::string::npos ? "unknown processor" : line.substr(colon + 2)) + "; " + first_line(version) +
          kFlags;

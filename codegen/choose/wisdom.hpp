@@ -10,6 +10,9 @@
 #include <optional>
 #include <string>
 #include <tuple>
+#include <vector>
+
+#include "codegen/families/family.hpp"
 
 namespace sh::codegen {
 
@@ -44,5 +47,13 @@ class Wisdom {
 /// The path of the committed file.
 std::filesystem::path wisdom_file();
 const Wisdom& committed_wisdom();
+
+/// Describes the compiler (the environment variable CXX, otherwise c++) and the processor.
+std::string describe_machine();
+
+/// Measures recipes: prints them as C++, compiles this code with the machine's compiler and runs it. The times are in
+/// the order of `recipes`, which take turns in several passes; the minimum counts. Takes a few seconds. Throws
+/// std::runtime_error with the compiler's first message if the compiler fails.
+std::vector<Timing> measure_times(const Family& family, const std::vector<Recipe>& recipes, int degree);
 
 }  // namespace sh::codegen

@@ -1,4 +1,4 @@
-// The commands of the tool `shgen`, one file for each command.
+// The commands of the tool `shgen`.
 //
 // Input: options. Output: results on standard output, progress on standard error. A command reports an error by an
 // exception with one line.

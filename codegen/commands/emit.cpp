@@ -1,4 +1,5 @@
-// `shgen emit`: prints the file of one kernel, in a language and a convention, with or without a mask.
+// `shgen emit` prints the file of one kernel, in a language and a convention, with or without a mask. `shgen dump`
+// prints its SSA after a stage of the pipeline.
 #include <CLI/CLI.hpp>
 #include <iostream>
 #include <memory>
@@ -7,9 +8,11 @@
 #include <string>
 
 #include "codegen/choose/catalogue.hpp"
-#include "codegen/choose/masked_kernel.hpp"
+#include "codegen/choose/mask.hpp"
 #include "codegen/commands/commands.hpp"
 #include "codegen/convention/in_convention.hpp"
+#include "codegen/print/describe.hpp"
+#include "symbolic/number/find_named.hpp"
 
 namespace sh::codegen {
 namespace {
@@ -61,6 +64,22 @@ void emit(const EmitOptions& options) {
   std::cout << language.print_kernel(finished, find_scalar(options.scalar));
 }
 
+// "basis_l4" -> the stages of family basis at degree 4.
+std::vector<Stage> stages_of(const std::string& kernel) {
+  const std::size_t split = kernel.rfind("_l");
+  const std::string digits = split == std::string::npos ? "" : kernel.substr(split + 2);
+  if (digits.empty() || digits.size() > 3 || digits.find_first_not_of("0123456789") != std::string::npos) {
+    throw std::invalid_argument("unknown kernel '" + kernel + "': expected FAMILY_lDEGREE such as basis_l4");
+  }
+  const Family& family = find_family(kernel.substr(0, split));
+  const int degree = std::stoi(digits);
+  return kernel_stages(family, fastest_recipe(family, degree), degree);
+}
+
+void dump(const std::string& stage, const std::string& kernel) {
+  std::cout << print::dump(symbolic::find_named(stages_of(kernel), stage, "stage").kernel);
+}
+
 void add_mask_options(CLI::App& command, MaskOptions& mask) {
   command.add_option("--left", mask.left, "Symmetries of the first coefficient array, e.g. zonal or mirror-x,mirror-y");
   command.add_option("--right", mask.right, "Symmetries of the second coefficient array");
@@ -97,6 +116,18 @@ void add_emit_command(CLI::App& tool, int& exit_code) {
                  "--outputs");
   command->callback([options, &exit_code] {
     emit(*options);
+    exit_code = kDone;
+  });
+}
+
+void add_dump_command(CLI::App& tool, int& exit_code) {
+  const auto stage = std::make_shared<std::string>();
+  const auto kernel = std::make_shared<std::string>();
+  CLI::App* const command = tool.add_subcommand("dump", "Print the SSA of a kernel after a stage of the pipeline");
+  command->add_option("stage", *stage, "Stage: recipe, share, factor, fold, prune, associate or schedule")->required();
+  command->add_option("kernel", *kernel, "Kernel, e.g. basis_l4")->required();
+  command->callback([stage, kernel, &exit_code] {
+    dump(*stage, *kernel);
     exit_code = kDone;
   });
 }

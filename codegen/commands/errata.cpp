@@ -1,5 +1,7 @@
 #include "codegen/commands/errata.hpp"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
@@ -20,8 +22,6 @@ namespace sh::codegen {
 namespace {
 
 using errata::Entry;
-using errata::Kind;
-using errata::Print;
 using errata::Reading;
 using errata::Source;
 using errata::Verdict;
@@ -33,35 +33,19 @@ constexpr std::size_t kLabelWidth = 10;
 
 constexpr Verdict kVerdicts[] = {Verdict::kCorrect, Verdict::kUnderReading, Verdict::kWrong, Verdict::kDerived};
 
-struct Outcome {
-  symbolic::errata::Decision decision;
-  double seconds = 0;
-};
-
-Outcome decide_entry(const Entry& entry) {
-  const auto start = std::chrono::steady_clock::now();
-  Outcome outcome{symbolic::errata::decide(entry), 0};
-  outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return outcome;
+// "A, B, C"
+template <class Names>
+std::string listed(const Names& names) {
+  return fmt::format("{}", fmt::join(names, ", "));
 }
 
 void require_verdict(const std::string& name) {
-  std::string known;
+  std::vector<std::string> known;
   for (const Verdict verdict : kVerdicts) {
     if (to_string(verdict) == name) return;
-    known.append(known.empty() ? "'" : ", '").append(to_string(verdict)).append("'");
+    known.push_back("'" + to_string(verdict) + "'");
   }
-  throw std::invalid_argument("unknown verdict '" + name + "': expected one of: " + known);
-}
-
-[[noreturn]] void refuse_unknown(const std::string& name, const std::vector<Source>& sources) {
-  std::string known;
-  for (const Source& source : sources) {
-    if (source.entries.empty()) continue;
-    known.append(known.empty() ? "" : ", ").append(source.prefix).append(" (");
-    known.append(source.entries.front().place.id).append(" to ").append(source.entries.back().place.id).append(")");
-  }
-  throw std::invalid_argument("unknown source or entry '" + name + "': expected one of: " + known);
+  throw std::invalid_argument("unknown verdict '" + name + "': expected one of: " + listed(known));
 }
 
 bool is_named(const Source& source, const Entry& entry, const std::vector<std::string>& only) {
@@ -70,20 +54,23 @@ bool is_named(const Source& source, const Entry& entry, const std::vector<std::s
          });
 }
 
-void require_known(const std::vector<std::string>& only, const std::vector<Source>& sources) {
-  for (const std::string& name : only) {
-    const bool known = std::any_of(sources.begin(), sources.end(), [&](const Source& source) {
-      return std::any_of(source.entries.begin(), source.entries.end(),
-                         [&](const Entry& entry) { return is_named(source, entry, {name}); });
-    });
-    if (!known) refuse_unknown(name, sources);
+void require_known(const std::string& name, const std::vector<Source>& sources) {
+  std::vector<std::string> known;
+  for (const Source& source : sources) {
+    if (source.entries.empty()) continue;
+    for (const Entry& entry : source.entries) {
+      if (is_named(source, entry, {name})) return;
+    }
+    known.push_back(source.prefix + " (" + source.entries.front().place.id + " to " + source.entries.back().place.id +
+                    ")");
   }
+  throw std::invalid_argument("unknown source or entry '" + name + "': expected one of: " + listed(known));
 }
 
 // The sources with the chosen entries; none without.
 std::vector<Source> chosen(const std::vector<Source>& sources, const ErrataOptions& options) {
   if (!options.verdict.empty()) require_verdict(options.verdict);
-  require_known(options.only, sources);
+  for (const std::string& name : options.only) require_known(name, sources);
   std::vector<Source> result;
   for (const Source& source : sources) {
     Source part{source.prefix, source.name, source.short_name, {}};
@@ -138,104 +125,68 @@ void print_entry(std::ostream& out, const Entry& entry, const Decision& decision
   out << std::flush;  // as they are decided
 }
 
-std::string kind_name(Kind kind) {
-  switch (kind) {
-    case Kind::kEquation:
-      return "equation";
-    case Kind::kText:
-      return "text";
-    case Kind::kTable:
-      return "table";
-    default:
-      return "code";
-  }
-}
+constexpr const char* kKinds[] = {"equation", "text", "table", "code"};
+constexpr const char* kPrints[] = {"read", "lost", "report"};
 
-std::string print_name(Print print) {
-  switch (print) {
-    case Print::kRead:
-      return "read";
-    case Print::kLost:
-      return "lost";
-    default:
-      return "report";
-  }
-}
-
-Json as_json(const Entry& entry, const Outcome& outcome) {
+Json as_json(const Entry& entry, const Decision& decision, double seconds) {
   Json readings = Json::array();
   for (std::size_t i = 0; i < entry.readings.size(); ++i) {
     const Reading& reading = entry.readings[i];
     readings.push_back({{"text", reading.text},
-                        {"holds", static_cast<bool>(outcome.decision.held[i])},
+                        {"holds", static_cast<bool>(decision.held[i])},
                         {"statement", reading.statement},
                         {"measured", reading.number}});
   }
   return {{"id", entry.place.id},
           {"where", entry.place.where},
-          {"kind", kind_name(entry.place.kind)},
-          {"print", print_name(entry.place.print)},
+          {"kind", kKinds[static_cast<int>(entry.place.kind)]},
+          {"print", kPrints[static_cast<int>(entry.place.print)]},
           {"printed", entry.printed},
           {"stated", to_string(recorded_verdict(entry))},
-          {"verdict", to_string(outcome.decision.verdict)},
+          {"verdict", to_string(decision.verdict)},
           {"readings", readings},
           {"correct", entry.correct},
           {"correct_is_decided", !entry.correct_statement.empty()},
           {"remark", entry.remark},
-          {"contradiction", outcome.decision.contradiction},
-          {"seconds", outcome.seconds}};
+          {"contradiction", decision.contradiction},
+          {"seconds", seconds}};
 }
-
-class Totals {
- public:
-  void add(const Outcome& outcome) {
-    ++entries_;
-    ++verdicts_[to_string(outcome.decision.verdict)];
-    seconds_ += outcome.seconds;
-    const std::string& contradiction = outcome.decision.contradiction;
-    if (!contradiction.empty()) contradictions_.push_back(contradiction);
-  }
-  [[nodiscard]] bool consistent() const { return contradictions_.empty(); }
-  void print(std::ostream& out) const {
-    for (const std::string& line : contradictions_) out << "shgen: contradicted: " << line << '\n';
-    out << "shgen: " << entries_ << " entries decided in " << std::fixed << std::setprecision(1) << seconds_ << " s";
-    const char* separator = ": ";
-    for (const Verdict verdict : kVerdicts) {
-      const auto found = verdicts_.find(to_string(verdict));
-      if (found == verdicts_.end()) continue;
-      out << std::exchange(separator, "; ") << found->second << ' ' << found->first;
-    }
-    out << '\n';
-  }
-
- private:
-  std::size_t entries_ = 0;
-  std::map<std::string, std::size_t> verdicts_;
-  std::vector<std::string> contradictions_;
-  double seconds_ = 0;
-};
 
 }  // namespace
 
 bool errata(const std::vector<Source>& sources, const ErrataOptions& options, std::ostream& out,
             std::ostream& progress) {
   Json report = Json::array();
-  Totals totals;
+  std::map<Verdict, int> counts;
+  std::vector<std::string> contradictions;
+  double total = 0;
   const char* gap = "";
   for (const Source& source : chosen(sources, options)) {
     out << std::exchange(gap, "\n") << source.prefix << ": " << source.name << "\n\n";
     Json entries = Json::array();
     for (const Entry& entry : source.entries) {
-      const Outcome outcome = decide_entry(entry);
-      print_entry(out, entry, outcome.decision);
-      entries.push_back(as_json(entry, outcome));
-      totals.add(outcome);
+      const auto start = std::chrono::steady_clock::now();
+      const Decision decision = symbolic::errata::decide(entry);
+      const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+      print_entry(out, entry, decision);
+      entries.push_back(as_json(entry, decision, time.count()));
+      total += time.count();
+      ++counts[decision.verdict];
+      if (!decision.contradiction.empty()) contradictions.push_back(decision.contradiction);
     }
     report.push_back({{"source", source.prefix}, {"name", source.name}, {"entries", entries}});
   }
   if (!options.json.empty()) output::write_file(options.json, report.dump(2) + "\n");
-  totals.print(progress);
-  return totals.consistent();
+  std::vector<std::string> verdicts;
+  int decided = 0;
+  for (const auto& [verdict, count] : counts) {
+    verdicts.push_back(std::to_string(count) + " " + to_string(verdict));
+    decided += count;
+  }
+  for (const std::string& line : contradictions) progress << "shgen: contradicted: " << line << '\n';
+  progress << fmt::format("shgen: {} entries decided in {:.1f} s{}{}\n", decided, total, decided > 0 ? ": " : "",
+                          fmt::join(verdicts, "; "));
+  return contradictions.empty();
 }
 
 void add_errata_command(CLI::App& tool, int& exit_code) {

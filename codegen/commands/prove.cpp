@@ -1,21 +1,24 @@
 // `shgen prove`: runs the catalogue of proofs and prints a line for each identity.
 //
 // Input: options. Output: lines on `out`, a JSON file if the options name one, progress on `progress`.
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
-#include <iomanip>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <ostream>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "codegen/commands/commands.hpp"
 #include "numeric/output/atomic_file.hpp"
+#include "symbolic/basis/basis.hpp"
+#include "symbolic/number/derivation.hpp"
+#include "symbolic/number/find_named.hpp"
 #include "symbolic/proofs/proofs.hpp"
 
 namespace sh::codegen {
@@ -36,21 +39,11 @@ struct Outcome {
   symbolic::ProofResult result;
 };
 
-[[noreturn]] void refuse_unknown(const std::string& name, const std::vector<Proof>& all) {
-  std::string known;
-  for (const Proof& proof : all) known.append(known.empty() ? "" : ", ").append(proof.name);
-  throw std::invalid_argument("unknown proof '" + name + "': expected one of: " + known);
-}
-
 std::vector<Proof> chosen_proofs(const std::vector<std::string>& only) {
   std::vector<Proof> all = symbolic::all_proofs();
   if (only.empty()) return all;
   std::vector<Proof> chosen;
-  for (const std::string& name : only) {
-    const auto found = std::find_if(all.begin(), all.end(), [&](const Proof& proof) { return proof.name == name; });
-    if (found == all.end()) refuse_unknown(name, all);
-    chosen.push_back(*found);
-  }
+  for (const std::string& name : only) chosen.push_back(symbolic::find_named(all, name, "proof"));
   return chosen;
 }
 
@@ -68,10 +61,10 @@ std::string range(const Proof& proof, int degree) {
 }
 
 void print_line(std::ostream& out, const Proof& proof, const Outcome& outcome) {
-  out << std::left << std::setw(8) << verdict(outcome) << std::setw(31) << proof.name << std::setw(8)
-      << range(proof, outcome.degree) << std::right << std::fixed << std::setprecision(2) << std::setw(8)
-      << outcome.seconds << " s  " << proof.statement << " | " << proof.method << " | " << outcome.result.detail
-      << std::endl;  // flushes each line, because a proof may take minutes
+  out << fmt::format("{:<8}{:<31}{:<8}{:>8.2f} s  {} | {} | {}\n", verdict(outcome), proof.name,
+                     range(proof, outcome.degree), outcome.seconds, proof.statement, proof.method,
+                     outcome.result.detail)
+      << std::flush;  // a proof may take minutes
 }
 
 nlohmann::ordered_json as_json(const Proof& proof, const Outcome& outcome) {
@@ -95,27 +88,24 @@ nlohmann::ordered_json as_json(const Proof& proof, const Outcome& outcome) {
 // True if every identity is proved. Throws std::invalid_argument for a negative or too large degree or an unknown
 // name, and std::runtime_error if it cannot write the JSON file.
 bool prove(const ProveOptions& options, std::ostream& out, std::ostream& progress) {
-  if (options.degree) symbolic::require_proof_degree(*options.degree);
+  if (options.degree) {
+    symbolic::require_degree("prove", *options.degree, symbolic::kMaxBasisDegree, "the basis is derived to there");
+  }
   nlohmann::ordered_json report = nlohmann::ordered_json::array();
-  std::size_t refuted = 0;
+  int count = 0;
   double seconds = 0;
   const std::vector<Proof> proofs = chosen_proofs(options.only);
-  std::vector<int> degrees;
-  degrees.reserve(proofs.size());
   for (const Proof& proof : proofs) {
-    degrees.push_back(options.degree ? std::min(*options.degree, proof.max_degree) : proof.default_degree);
-  }
-  for (std::size_t i = 0; i < proofs.size(); ++i) {
-    const Outcome outcome = run(proofs[i], degrees[i]);
-    print_line(out, proofs[i], outcome);
-    report.push_back(as_json(proofs[i], outcome));
+    const Outcome outcome =
+        run(proof, options.degree ? std::min(*options.degree, proof.max_degree) : proof.default_degree);
+    print_line(out, proof, outcome);
+    report.push_back(as_json(proof, outcome));
     seconds += outcome.seconds;
-    if (!outcome.result.proved) ++refuted;
+    count += outcome.result.proved ? 1 : 0;
   }
   if (!options.json.empty()) output::write_file(options.json, report.dump(2) + "\n");
-  progress << "shgen: " << proofs.size() - refuted << " of " << proofs.size() << " identities proved in " << std::fixed
-           << std::setprecision(1) << seconds << " s\n";
-  return refuted == 0;
+  progress << fmt::format("shgen: {} of {} identities proved in {:.1f} s\n", count, proofs.size(), seconds);
+  return count == static_cast<int>(proofs.size());
 }
 
 }  // namespace

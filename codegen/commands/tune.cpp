@@ -1,6 +1,4 @@
 // `shgen tune`: measures recipes, and writes or checks the wisdom that chooses among them.
-#include "codegen/choose/tune.hpp"
-
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -15,6 +13,7 @@
 #include <vector>
 
 #include "codegen/choose/catalogue.hpp"
+#include "codegen/choose/wisdom.hpp"
 #include "codegen/commands/commands.hpp"
 #include "numeric/output/atomic_file.hpp"
 

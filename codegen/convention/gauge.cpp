@@ -1,10 +1,15 @@
-#include "codegen/convention/gauge.hpp"
-
+// Rescales the inputs and outputs of a kernel by exact factors.
+//
+// The new kernel holds every value v as g v, with a factor g that is called the gauge of v. The caller gives the gauges
+// of inputs and outputs. A product has the product of the gauges of its factors. Both terms of a sum need the same
+// gauge. A multiplication by a constant may have any gauge, because the constant changes with it. One pass over the
+// kernel finds all gauges. Where constants leave no freedom, it adds one multiplication (or a change of sign).
 #include <map>
 #include <optional>
 #include <stdexcept>
 #include <utility>
 
+#include "codegen/convention/in_convention.hpp"
 #include "codegen/passes/passes.hpp"
 
 namespace sh::codegen {

@@ -4,13 +4,11 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "codegen/convention/gauge.hpp"
 #include "codegen/ir/evaluate.hpp"
-#include "codegen/measure/size.hpp"
+#include "codegen/measure/measure.hpp"
 #include "codegen/passes/passes.hpp"
-#include "codegen/passes/pipeline.hpp"
 #include "symbolic/basis/basis.hpp"
-#include "symbolic/convention/presets.hpp"
+#include "symbolic/convention/convention.hpp"
 
 namespace sh::codegen {
 namespace {
@@ -35,117 +33,59 @@ Surd function_scale(const Convention& convention, int l, int m) {
   return convention_factor(convention, l, m) / convention_factor(our_convention(), l, m);
 }
 
-class LayoutMaker {
- public:
-  LayoutMaker(const Kernel& kernel, const Convention& convention, const SignedPermutation& axes)
-      : kernel_(kernel), convention_(convention), axes_(axes) {}
+// Y' = s Y and c' = c / s times the folded factor. Evaluated coefficients multiply the basis as they are stored.
+Surd stored_factor(const Convention& convention, Role role, int l, int m) {
+  const Surd scale = function_scale(convention, l, m);
+  if (role == Role::kBasisValues || role == Role::kBasisGradient) return scale;
+  if (role == Role::kEvaluatedCoefficients) return scale.inverse();
+  return scale.inverse() * folded_factor(convention.folded, l);
+}
 
-  Layout of(const std::vector<Parameter>& arrays) {
-    for (std::size_t i = 0; i < arrays.size(); ++i) append(arrays[i]);
-    return std::move(layout_);
-  }
+bool has_index_order(Role role) {
+  return role == Role::kCoefficients || role == Role::kEvaluatedCoefficients || role == Role::kBasisValues ||
+         role == Role::kBasisGradient;
+}
 
- private:
-  void append(const Parameter& array) {
-    switch (array.role) {
-      case Role::kDirection:
-      case Role::kVector:
-      case Role::kBasisGradient:
-        return append_coordinates(array);
-      case Role::kRotationMatrix:
-        return append_matrix(array);
-      case Role::kZonalCoefficients:
-        return append_zonal(array);
-      case Role::kCoefficients:
-      case Role::kEvaluatedCoefficients:
-      case Role::kBasisValues:
-        return append_channels(array);
-      case Role::kQuaternion:
-      case Role::kBandMatrices:
-      case Role::kQuadraticForm:
-        throw std::invalid_argument(kernel_.family + ": expected roles that other conventions share, got " +
-                                    array.name + " (" + role_name(array.role) + ")");
-      default:
-        return append_plain(array);
+// Appends an array as the convention stores it.
+void append(Layout& layout, const Parameter& array, const Convention& convention, const SignedPermutation& axes) {
+  Parameter theirs = array;
+  if (has_index_order(array.role)) theirs.shape.back() = storage_size(convention.order, array.degree);
+  // Our coordinate `axis` is a coordinate of the caller with a sign; x, y, z follow each other.
+  const bool turns = is_coordinate(array.role);
+  const int shift = turns ? (axes.axis(array.axis) - array.axis) * theirs.size() : 0;
+  const int first = total_size(layout.arrays) + shift;
+  for (int i = 0; i < array.size(); ++i) {
+    int place = i;
+    Surd factor(turns ? axes.sign(array.axis) : 1);
+    if (has_index_order(array.role)) {
+      const int count = array.shape.back();
+      const auto [l, m] = symbolic::degree_order(i % count);
+      place = i / count * theirs.shape.back() + storage_position(convention.order, array.degree, l, m);
+      factor = factor * stored_factor(convention, array.role, l, m);
+    } else if (array.role == Role::kZonalCoefficients) {
+      factor = stored_factor(convention, array.role, i, 0);
+    } else if (array.role == Role::kRotationMatrix) {  // R' = P R P^T
+      place = 3 * axes.axis(i / 3) + axes.axis(i % 3);
+      factor = Surd(axes.sign(i / 3) * axes.sign(i % 3));
     }
+    layout.place.push_back(first + place);
+    layout.factor.push_back(factor);
   }
+  layout.arrays.push_back(std::move(theirs));
+}
 
-  [[nodiscard]] int base() const { return total_size(layout_.arrays); }
-
-  void append_plain(const Parameter& array) {
-    const int first = base();
-    for (int i = 0; i < array.size(); ++i) add(first + i, Surd(1));
-    layout_.arrays.push_back(array);
-  }
-
-  void add(int place, const Surd& factor) {
-    layout_.place.push_back(place);
-    layout_.factor.push_back(factor);
-  }
-
-  // Our coordinate `axis` is a coordinate of the caller with a sign.
-  void append_coordinates(const Parameter& array) {
-    Parameter theirs = array;
-    if (!array.shape.empty()) theirs.shape = {storage_size(convention_.order, array.degree)};
-    // x, y, z follow each other.
-    const int target = base() + (axes_.axis(array.axis) - array.axis) * theirs.size();
-    const Surd sign(axes_.sign(array.axis));
-    if (array.shape.empty()) add(target, sign);
-    for (int l = 0; l <= array.degree; ++l) {
-      for (int m = -l; m <= l; ++m)
-        add(target + position(array.degree, l, m), sign * function_scale(convention_, l, m));
+Layout layout_of(const Kernel& kernel, const std::vector<Parameter>& arrays, const Convention& convention,
+                 const SignedPermutation& axes) {
+  Layout layout;
+  for (const Parameter& array : arrays) {
+    if (array.role == Role::kQuaternion || array.role == Role::kBandMatrices || array.role == Role::kQuadraticForm) {
+      throw std::invalid_argument(kernel.family + ": expected roles that other conventions share, got " + array.name +
+                                  " (" + role_name(array.role) + ")");
     }
-    layout_.arrays.push_back(std::move(theirs));
+    append(layout, array, convention, axes);
   }
-
-  // R' = P R P^T
-  void append_matrix(const Parameter& array) {
-    const int first = base();
-    for (int i = 0; i < 3; ++i) {
-      for (int j = 0; j < 3; ++j) add(first + 3 * axes_.axis(i) + axes_.axis(j), Surd(axes_.sign(i) * axes_.sign(j)));
-    }
-    layout_.arrays.push_back(array);
-  }
-
-  void append_zonal(const Parameter& array) {
-    const int first = base();
-    for (int l = 0; l <= array.degree; ++l) add(first + l, factor_of(array.role, l, 0));
-    layout_.arrays.push_back(array);
-  }
-
-  void append_channels(const Parameter& array) {
-    const int first = base();
-    const int channels = array.channels();
-    const int size = storage_size(convention_.order, array.degree);
-    for (int channel = 0; channel < channels; ++channel) {
-      for (int l = 0; l <= array.degree; ++l) {
-        for (int m = -l; m <= l; ++m) {
-          add(first + channel * size + position(array.degree, l, m), factor_of(array.role, l, m));
-        }
-      }
-    }
-    Parameter theirs = array;
-    theirs.shape = channels == 1 ? std::vector<int>{size} : std::vector<int>{channels, size};
-    layout_.arrays.push_back(std::move(theirs));
-  }
-
-  [[nodiscard]] int position(int degree, int l, int m) const {
-    return storage_position(convention_.order, degree, l, m);
-  }
-
-  // Y' = s Y and c' = c / s times the folded factor. Evaluated coefficients multiply the basis as they are stored.
-  [[nodiscard]] Surd factor_of(Role role, int l, int m) const {
-    const Surd scale = function_scale(convention_, l, m);
-    if (role == Role::kBasisValues) return scale;
-    if (role == Role::kEvaluatedCoefficients) return scale.inverse();
-    return scale.inverse() * folded_factor(convention_.folded, l);
-  }
-
-  const Kernel& kernel_;
-  const Convention& convention_;
-  const SignedPermutation& axes_;
-  Layout layout_;
-};
+  return layout;
+}
 
 // Our inputs or outputs as the convention stores them. Places without an element are zero.
 std::vector<cln::cl_F> as_stored(const std::vector<cln::cl_F>& ours, const Layout& layout, int digits) {
@@ -254,7 +194,7 @@ bool multiplies_coefficients(const Kernel& kernel) {
   for (NodeId id = 0; id < kernel.size(); ++id) {
     const Node& node = kernel.node(id);
     int dependent = node.op == Op::kInput && of_input[node.input] ? 1 : 0;
-    for (int i = 0; i < argument_count(node.op); ++i) dependent += depends[node.args[i]] ? 1 : 0;
+    for (const NodeId arg : arguments(node)) dependent += depends[arg] ? 1 : 0;
     if (node.op == Op::kMul && dependent == 2) return true;
     depends[id] = dependent > 0;
   }
@@ -286,28 +226,22 @@ FinishedKernel in_convention(const FinishedKernel& finished, const Reference& po
                              const ConventionOptions& options) {
   const Convention convention = chosen_convention(finished.kernel, options);
   const SignedPermutation axes = options.axes.empty() ? SignedPermutation() : SignedPermutation(options.axes);
-  const Layout inputs = LayoutMaker(finished.kernel, convention, axes).of(finished.kernel.parameters);
-  const Layout outputs = LayoutMaker(finished.kernel, convention, axes).of(finished.kernel.results);
-  FinishedKernel result = finished;
-  result.kernel = relaid(finished.kernel, inputs, outputs);
-  result.kernel.arguments += options.arguments();
+  const Layout inputs = layout_of(finished.kernel, finished.kernel.parameters, convention, axes);
+  const Layout outputs = layout_of(finished.kernel, finished.kernel.results, convention, axes);
+  Kernel kernel = relaid(finished.kernel, inputs, outputs);
+  kernel.arguments += options.arguments();
   if (!options.convention.empty()) {
-    result.kernel.result = "arrays as " + options.convention + " has them (" +
-                           symbolic::find_preset(options.convention).source +
-                           "); in this project's own convention: " + finished.kernel.result;
-    result.kernel.name += "_" + options.convention;
-    std::replace(result.kernel.name.begin(), result.kernel.name.end(), '-', '_');
+    kernel.result = "arrays as " + options.convention + " has them (" +
+                    symbolic::find_preset(options.convention).source +
+                    "); in this project's own convention: " + finished.kernel.result;
+    kernel.name += "_" + options.convention;
+    std::replace(kernel.name.begin(), kernel.name.end(), '-', '_');
   }
   if (!options.axes.empty())
-    result.kernel.domain +=
-        ". Directions are the caller's; the convention's coordinates are (" + options.axes + ") of them";
-  const Reference reference = reference_in(finished.kernel, result.kernel, points, inputs, outputs);
-  result.kernel = run_pipeline(std::move(result.kernel), reference, kPasses).back().kernel;
-  result.domain = domain_in(finished.kernel, finished.domain, inputs, outputs);
-  result.cost = cost(result.kernel);
-  result.in_float = measure<float>(result.kernel, result.domain);
-  result.in_double = measure<double>(result.kernel, result.domain);
-  return result;
+    kernel.domain += ". Directions are the caller's; the convention's coordinates are (" + options.axes + ") of them";
+  const Reference reference = reference_in(finished.kernel, kernel, points, inputs, outputs);
+  return finish(run_pipeline(std::move(kernel), reference, kPasses).back().kernel,
+                domain_in(finished.kernel, finished.domain, inputs, outputs));
 }
 
 }  // namespace sh::codegen

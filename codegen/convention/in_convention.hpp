@@ -8,13 +8,13 @@
 
 #include <string>
 
-#include "codegen/passes/finished_kernel.hpp"
+#include "codegen/measure/measure.hpp"
 
 namespace sh::codegen {
 
 /// The convention of the caller.
 struct ConventionOptions {
-  std::string convention;  ///< a preset of symbolic/convention/presets.hpp; empty: our convention
+  std::string convention;  ///< a preset of symbolic/convention/convention.hpp; empty: our convention
   std::string axes;        ///< its coordinates in terms of the caller's, such as "x,z,-y"; empty: the same axes
 
   [[nodiscard]] bool empty() const { return convention.empty() && axes.empty(); }
@@ -27,5 +27,11 @@ struct ConventionOptions {
 /// convention, and for axes that are not a signed permutation. Throws std::runtime_error if the new kernel differs from
 /// the exact map.
 FinishedKernel in_convention(const FinishedKernel& finished, const Reference& points, const ConventionOptions& options);
+
+/// Rescales inputs and outputs (gauge.cpp): the kernel that reads inputs[i] * (input i) and writes outputs[k] * (output
+/// k). Each flattened parameter and each flattened result has one factor, which is not zero. This costs nothing where
+/// constants of the kernel can absorb the factors.
+Kernel with_gauges(const Kernel& kernel, const std::vector<symbolic::Surd>& inputs,
+                   const std::vector<symbolic::Surd>& outputs);
 
 }  // namespace sh::codegen

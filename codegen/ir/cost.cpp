@@ -1,42 +1,32 @@
 #include "codegen/ir/cost.hpp"
 
 #include <algorithm>
-#include <stdexcept>
 
 namespace sh::codegen {
 namespace {
 
-void count(const Node& node, int times, Cost& cost) {
-  switch (node.op) {
-    case Op::kInput:
-    case Op::kConstant:
-    case Op::kTable:
-      return;
+// The counter of an operation; nullptr for operations that cost nothing.
+int Cost::*counter_of(Op op) {
+  switch (op) {
     case Op::kNeg:
-      cost.neg += times;
-      return;
+      return &Cost::neg;
     case Op::kAdd:
     case Op::kSub:
     case Op::kRowSum:
-      cost.add += times;
-      return;
+      return &Cost::add;
     case Op::kMul:
-      cost.mul += times;
-      return;
+      return &Cost::mul;
     case Op::kFma:
-      cost.fma += times;
-      return;
+      return &Cost::fma;
     case Op::kDiv:
-      cost.div += times;
-      return;
+      return &Cost::div;
     case Op::kSqrt:
-      cost.sqrt += times;
-      return;
+      return &Cost::sqrt;
     case Op::kSelect:
-      cost.select += times;
-      return;
+      return &Cost::select;
+    default:
+      return nullptr;
   }
-  throw std::logic_error("cost: unknown operation");
 }
 
 // A value is live from its own position to its last use. The kernel stores results as soon as it computes them, inputs
@@ -44,11 +34,8 @@ void count(const Node& node, int times, Cost& cost) {
 int most_live_values(const Kernel& kernel, const std::vector<bool>& live) {
   std::vector<NodeId> last_use(kernel.nodes.size(), -1);
   for (NodeId id = 0; id < kernel.size(); ++id) {
-    const Node& node = kernel.node(id);
     if (!live[id]) continue;
-    for (int i = 0; i < argument_count(node.op); ++i) {
-      last_use[node.args[i]] = id;
-    }
+    for (const NodeId arg : arguments(kernel.node(id))) last_use[arg] = id;
   }
   std::vector<int> change(kernel.nodes.size() + 1, 0);
   for (NodeId id = 0; id < kernel.size(); ++id) {
@@ -76,12 +63,10 @@ Cost cost(const Kernel& kernel) {
     if (!live[id]) continue;
     const Node& node = kernel.node(id);
     const bool every_row = phase[id] == Phase::kBody || node.op == Op::kRowSum;
-    count(node, every_row ? rows : 1, result);
+    if (int Cost::*const counter = counter_of(node.op)) result.*counter += every_row ? rows : 1;
     int& here = depth[id];
     const int steps = node.op == Op::kRowSum ? rows : 1;
-    for (int i = 0; i < argument_count(node.op); ++i) {
-      here = std::max(here, depth[node.args[i]] + steps);
-    }
+    for (const NodeId arg : arguments(node)) here = std::max(here, depth[arg] + steps);
     result.depth = std::max(result.depth, here);
   }
   result.max_live = most_live_values(kernel, live);

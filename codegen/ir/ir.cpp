@@ -34,6 +34,13 @@ static_assert(is_in_order(), "kOperations lists the operations in the order of O
 
 int argument_count(Op op) { return operation_of(op).arguments; }
 
+Node moved(Node node, const std::vector<NodeId>& position) {
+  for (NodeId& arg : node.args) {
+    if (arg >= 0) arg = position[arg];
+  }
+  return node;
+}
+
 std::string op_name(Op op) { return operation_of(op).name; }
 
 std::vector<Phase> phases(const Kernel& kernel) {
@@ -42,10 +49,9 @@ std::vector<Phase> phases(const Kernel& kernel) {
     const Node& node = kernel.node(id);
     bool in_row = node.op == Op::kTable;
     bool after = node.op == Op::kRowSum;
-    for (int i = 0; i < argument_count(node.op); ++i) {
-      const Phase of_argument = result[node.args[i]];
-      in_row = in_row || of_argument == Phase::kBody;
-      after = after || of_argument == Phase::kAfter;
+    for (const NodeId arg : arguments(node)) {
+      in_row = in_row || result[arg] == Phase::kBody;
+      after = after || result[arg] == Phase::kAfter;
     }
     if (in_row != (node.op == Op::kRowSum) && in_row && after) {
       throw std::logic_error(kernel.name + ": node " + std::to_string(id) +
@@ -65,10 +71,7 @@ std::vector<bool> live_nodes(const Kernel& kernel) {
   for (const Output& output : kernel.outputs) live[output.node] = true;
   for (NodeId id = kernel.size() - 1; id >= 0; --id) {
     if (!live[id]) continue;
-    const Node& node = kernel.node(id);
-    for (int i = 0; i < argument_count(node.op); ++i) {
-      live[node.args[i]] = true;
-    }
+    for (const NodeId arg : arguments(kernel.node(id))) live[arg] = true;
   }
   return live;
 }
@@ -78,11 +81,7 @@ Kernel with_order(const Kernel& kernel, const std::vector<NodeId>& order) {
   result.nodes.clear();
   std::vector<NodeId> position(kernel.nodes.size(), -1);
   for (const NodeId id : order) {
-    Node node = kernel.node(id);
-    for (NodeId& arg : node.args) {
-      if (arg >= 0) arg = position[arg];
-    }
-    position[id] = Builder(result).append(std::move(node));
+    position[id] = Builder(result).append(moved(kernel.node(id), position));
   }
   for (Output& output : result.outputs) output.node = position[output.node];
   require_well_formed(result);
@@ -91,19 +90,15 @@ Kernel with_order(const Kernel& kernel, const std::vector<NodeId>& order) {
 
 void require_well_formed(const Kernel& kernel) {
   for (NodeId id = 0; id < kernel.size(); ++id) {
-    const Node& node = kernel.node(id);
-    for (int i = 0; i < argument_count(node.op); ++i) {
-      const NodeId arg = node.args[i];
-      if (arg < 0 || arg >= id) {
-        throw std::logic_error(kernel.name + ": node " + std::to_string(id) +
-                               ": expected an earlier node as argument, got node " + std::to_string(arg));
-      }
+    for (const NodeId arg : arguments(kernel.node(id))) {
+      if (arg >= 0 && arg < id) continue;
+      throw std::logic_error(kernel.name + ": node " + std::to_string(id) +
+                             ": expected an earlier node as argument, got node " + std::to_string(arg));
     }
   }
   for (const Output& output : kernel.outputs) {
-    if (output.node < 0 || output.node >= kernel.size()) {
-      throw std::logic_error(kernel.name + ": output " + output.label + ": expected a node, got none");
-    }
+    if (output.node >= 0 && output.node < kernel.size()) continue;
+    throw std::logic_error(kernel.name + ": output " + output.label + ": expected a node, got none");
   }
 }
 

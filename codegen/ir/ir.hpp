@@ -16,6 +16,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -77,6 +78,12 @@ struct Kernel {
 
 /// The number of arguments of an operation.
 int argument_count(Op op);
+/// The arguments of a node.
+inline std::span<const NodeId> arguments(const Node& node) {
+  return std::span(node.args).first(argument_count(node.op));
+}
+/// The node with every argument replaced by its new position.
+Node moved(Node node, const std::vector<NodeId>& position);
 /// The time at which a kernel computes a node: before the loop (also without a loop), for every row of the table, or
 /// after the loop.
 enum class Phase { kBefore, kBody, kAfter };

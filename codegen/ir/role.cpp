@@ -4,7 +4,6 @@
 #include <functional>
 #include <iterator>
 #include <numeric>
-#include <stdexcept>
 #include <utility>
 
 #include "numeric/oracle/index.hpp"
@@ -12,32 +11,42 @@
 namespace sh::codegen {
 namespace {
 
-struct RoleName {
+// The name of a role, and whether its numbers stand by degree and order, are coefficients, or are coordinates.
+struct Traits {
   Role role;
   const char* name;
+  bool by_degree_and_order = false;
+  bool coefficients = false;
+  bool coordinate = false;
 };
 
-constexpr RoleName kNames[] = {{Role::kDirection, "direction"},
-                               {Role::kVector, "vector"},
-                               {Role::kRotationMatrix, "rotation matrix"},
-                               {Role::kQuaternion, "quaternion"},
-                               {Role::kBandMatrices, "band matrices"},
-                               {Role::kCosine, "cosine"},
-                               {Role::kSine, "sine"},
-                               {Role::kCapSize, "cap size"},
-                               {Role::kParameter, "parameter"},
-                               {Role::kWeight, "weight"},
-                               {Role::kColor, "color"},
-                               {Role::kValue, "value"},
-                               {Role::kCoefficients, "coefficients"},
-                               {Role::kEvaluatedCoefficients, "evaluated coefficients"},
-                               {Role::kZonalCoefficients, "zonal coefficients"},
-                               {Role::kBasisValues, "basis values"},
-                               {Role::kBasisGradient, "basis gradient"},
-                               {Role::kMoments, "moments"},
-                               {Role::kPolynomial, "polynomial"},
-                               {Role::kLinearForm, "linear form"},
-                               {Role::kQuadraticForm, "quadratic form"}};
+constexpr Traits kTraits[] = {
+    {Role::kDirection, "direction", false, false, true},
+    {Role::kVector, "vector", false, false, true},
+    {Role::kRotationMatrix, "rotation matrix"},
+    {Role::kQuaternion, "quaternion"},
+    {Role::kBandMatrices, "band matrices"},
+    {Role::kCosine, "cosine"},
+    {Role::kSine, "sine"},
+    {Role::kCapSize, "cap size"},
+    {Role::kParameter, "parameter"},
+    {Role::kWeight, "weight"},
+    {Role::kColor, "color"},
+    {Role::kValue, "value"},
+    {Role::kCoefficients, "coefficients", true, true},
+    {Role::kEvaluatedCoefficients, "evaluated coefficients", true, true},
+    {Role::kZonalCoefficients, "zonal coefficients", false, true},
+    {Role::kBasisValues, "basis values", true},
+    {Role::kBasisGradient, "basis gradient", true, false, true},
+    {Role::kMoments, "moments", true},
+    {Role::kPolynomial, "polynomial"},
+    {Role::kLinearForm, "linear form", true},
+    {Role::kQuadraticForm, "quadratic form"},
+};
+
+const Traits& traits(Role role) {
+  return *std::find_if(std::begin(kTraits), std::end(kTraits), [role](const Traits& t) { return t.role == role; });
+}
 
 using numeric::coefficient_count;
 
@@ -57,12 +66,7 @@ std::vector<int> shape_of(Role role) {
 
 }  // namespace
 
-std::string role_name(Role role) {
-  const auto* found =
-      std::find_if(std::begin(kNames), std::end(kNames), [role](const RoleName& known) { return known.role == role; });
-  if (found == std::end(kNames)) throw std::logic_error("role_name: unknown role");
-  return found->name;
-}
+std::string role_name(Role role) { return traits(role).name; }
 
 int Parameter::size() const { return std::accumulate(shape.begin(), shape.end(), 1, std::multiplies<>()); }
 
@@ -91,18 +95,11 @@ std::vector<Parameter> with_direction(std::vector<Parameter> before, const std::
   return before;
 }
 
-bool is_by_degree_and_order(Role role) {
-  return role == Role::kCoefficients || role == Role::kEvaluatedCoefficients || role == Role::kBasisValues ||
-         role == Role::kBasisGradient || role == Role::kMoments || role == Role::kLinearForm;
-}
+bool is_by_degree_and_order(Role role) { return traits(role).by_degree_and_order; }
 
-bool holds_coefficients(Role role) {
-  return role == Role::kCoefficients || role == Role::kEvaluatedCoefficients || role == Role::kZonalCoefficients;
-}
+bool holds_coefficients(Role role) { return traits(role).coefficients; }
 
-bool is_coordinate(Role role) {
-  return role == Role::kDirection || role == Role::kVector || role == Role::kBasisGradient;
-}
+bool is_coordinate(Role role) { return traits(role).coordinate; }
 
 int total_size(const std::vector<Parameter>& arrays) {
   return std::accumulate(arrays.begin(), arrays.end(), 0, [](int sum, const Parameter& a) { return sum + a.size(); });

@@ -6,7 +6,14 @@
 // and all outputs. The unit of "eps" is machine epsilon x the size that the domain gives for the output.
 #pragma once
 
+#include <cln/float.h>
+
+#include <string>
+#include <vector>
+
 #include "codegen/families/family.hpp"
+#include "codegen/ir/cost.hpp"
+#include "numeric/kernels/signature.hpp"
 
 namespace sh::codegen {
 
@@ -26,5 +33,32 @@ struct MeasuredError {
 /// T: float or double.
 template <class T>
 MeasuredError measure(const Kernel& kernel, const Domain& domain);
+
+/// A kernel at the end of the pipeline, with all facts that its file states.
+struct FinishedKernel {
+  Kernel kernel;
+  Domain domain;
+  Cost cost;
+  MeasuredError in_float;
+  MeasuredError in_double;
+};
+
+/// Counts the operations of a kernel and measures its errors.
+FinishedKernel finish(Kernel kernel, Domain domain);
+
+/// The point of the kernel's domain that rounded inputs represent; the roles of the parameters determine it. Directions
+/// and quaternions are scaled to length 1, a cosine and its sine to the unit circle, and a matrix becomes the nearest
+/// rotation. All other inputs already lie in the domain. inputs: flattened parameters.
+std::vector<cln::cl_F> nearest_in_domain(const std::vector<Parameter>& parameters, std::vector<cln::cl_F> inputs);
+
+/// A description: "the direction scaled to length 1"; empty if all inputs already lie in the domain.
+std::string nearest_point(const std::vector<Parameter>& parameters);
+
+/// The parameters and results of the printed function, in any language. Its flat inputs and outputs equal the kernel's.
+numeric::Signature printed_signature(const Kernel& kernel);
+
+/// The size that an error is compared with, at flattened inputs for an element of the flattened results. Throws
+/// std::invalid_argument for a wrong formula.
+Size size_of(const Kernel& kernel, const Domain& domain);
 
 }  // namespace sh::codegen

@@ -21,9 +21,7 @@ Kernel leaves_first(const Kernel& kernel) {
 std::vector<int> use_counts(const Kernel& kernel) {
   std::vector<int> uses(kernel.nodes.size());
   for (const Node& node : kernel.nodes) {
-    for (int i = 0; i < argument_count(node.op); ++i) {
-      ++uses[node.args[i]];
-    }
+    for (const NodeId arg : arguments(node)) ++uses[arg];
   }
   for (const Output& output : kernel.outputs) ++uses[output.node];
   return uses;

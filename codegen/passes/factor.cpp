@@ -167,7 +167,7 @@ Kernel rebuilt(const Kernel& kernel, const Forms& forms, const Chosen& chosen) {
   Builder build(result);
   std::vector<NodeId> position;
   for (NodeId id = 0; id < kernel.size(); ++id) {
-    Node node = kernel.node(id);
+    const Node& node = kernel.node(id);
     const auto& form = forms[id];
     if (argument_count(node.op) > 0 && form && !form->empty() && chosen(id, *form)) {
       if (const auto replacement = FormBuilder(result, position, node.name).append(*form)) {
@@ -176,10 +176,7 @@ Kernel rebuilt(const Kernel& kernel, const Forms& forms, const Chosen& chosen) {
         continue;
       }
     }
-    for (NodeId& arg : node.args) {
-      if (arg >= 0) arg = position[arg];
-    }
-    position.push_back(build.append(std::move(node)));
+    position.push_back(build.append(moved(node, position)));
   }
   for (Output& output : result.outputs) output.node = position[output.node];
   return share(result);

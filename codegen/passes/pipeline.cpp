@@ -1,5 +1,3 @@
-#include "codegen/passes/pipeline.hpp"
-
 #include <stdexcept>
 
 #include "codegen/ir/cost.hpp"

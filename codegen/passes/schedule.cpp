@@ -16,7 +16,7 @@ class ListScheduler {
   explicit ListScheduler(const Kernel& kernel)
       : kernel_(kernel), done_(kernel.nodes.size(), false), uses_left_(kernel.nodes.size(), 0) {
     for (const Node& node : kernel.nodes) {
-      for (int i = 0; i < argument_count(node.op); ++i) ++uses_left_[index(node.args[i])];
+      for (const NodeId arg : arguments(node)) ++uses_left_[arg];
     }
   }
 
@@ -30,15 +30,9 @@ class ListScheduler {
   }
 
  private:
-  static std::size_t index(NodeId id) { return static_cast<std::size_t>(id); }
-
   [[nodiscard]] bool ready(NodeId id) const {
-    if (done_[index(id)]) return false;
-    const Node& node = kernel_.node(id);
-    for (int i = 0; i < argument_count(node.op); ++i) {
-      if (!done_[index(node.args[i])]) return false;
-    }
-    return true;
+    const auto args = arguments(kernel_.node(id));
+    return !done_[id] && std::all_of(args.begin(), args.end(), [this](NodeId arg) { return done_[arg]; });
   }
 
   [[nodiscard]] bool is_constant(NodeId id) const {
@@ -47,12 +41,11 @@ class ListScheduler {
 
   // The change of the number of live values by the node.
   [[nodiscard]] int live_change(NodeId id) const {
-    const Node& node = kernel_.node(id);
-    const auto end = node.args.begin() + argument_count(node.op);
-    int change = uses_left_[index(id)] > 0 ? 1 : 0;
-    for (auto arg = node.args.begin(); arg != end; ++arg) {
-      if (std::find(node.args.begin(), arg, *arg) != arg || is_constant(*arg)) continue;
-      if (uses_left_[index(*arg)] == std::count(arg, end, *arg)) --change;
+    const auto args = arguments(kernel_.node(id));
+    int change = uses_left_[id] > 0 ? 1 : 0;
+    for (auto arg = args.begin(); arg != args.end(); ++arg) {
+      if (std::find(args.begin(), arg, *arg) != arg || is_constant(*arg)) continue;
+      if (uses_left_[*arg] == std::count(arg, args.end(), *arg)) --change;
     }
     return change;
   }
@@ -72,9 +65,8 @@ class ListScheduler {
   }
 
   void take(NodeId id) {
-    const Node& node = kernel_.node(id);
-    for (int i = 0; i < argument_count(node.op); ++i) --uses_left_[index(node.args[i])];
-    done_[index(id)] = true;
+    for (const NodeId arg : arguments(kernel_.node(id))) --uses_left_[arg];
+    done_[id] = true;
     order_.push_back(id);
   }
 
@@ -85,6 +77,15 @@ class ListScheduler {
 };
 
 }  // namespace
+
+Kernel prune(const Kernel& kernel) {
+  const std::vector<bool> live = live_nodes(kernel);
+  std::vector<NodeId> order;
+  for (NodeId id = 0; id < kernel.size(); ++id) {
+    if (live[id]) order.push_back(id);
+  }
+  return with_order(kernel, order);
+}
 
 Kernel schedule(const Kernel& kernel) {
   Kernel listed = with_order(kernel, ListScheduler(kernel).order());

@@ -132,11 +132,7 @@ Kernel rebuilt(const Kernel& kernel, const Append& append) {
   Sharer sharer(result);
   std::vector<NodeId> position;
   for (const Node& original : kernel.nodes) {
-    Node node = original;
-    for (NodeId& arg : node.args) {
-      if (arg >= 0) arg = position[arg];
-    }
-    position.push_back(append(sharer, std::move(node)));
+    position.push_back(append(sharer, moved(original, position)));
   }
   for (Output& output : result.outputs) output.node = position[output.node];
   return result;

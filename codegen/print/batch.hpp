@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "codegen/passes/finished_kernel.hpp"
+#include "codegen/measure/measure.hpp"
 
 namespace sh::codegen::print {
 

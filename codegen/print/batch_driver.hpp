@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "codegen/passes/finished_kernel.hpp"
+#include "codegen/measure/measure.hpp"
 #include "codegen/print/batch.hpp"
 
 namespace sh::codegen::print {

@@ -4,7 +4,7 @@
 
 #include <sstream>
 
-#include "codegen/measure/nearest.hpp"
+#include "codegen/measure/measure.hpp"
 #include "codegen/print/statements.hpp"
 
 namespace sh::codegen::print {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "codegen/passes/finished_kernel.hpp"
+#include "codegen/measure/measure.hpp"
 #include "codegen/print/dialect.hpp"
 
 namespace sh::codegen::print {

@@ -7,10 +7,9 @@
 #include <stdexcept>
 #include <string>
 
+#include "symbolic/number/derivation.hpp"
 #include "symbolic/number/from_ginac.hpp"
-#include "symbolic/number/polynomial_calculus.hpp"
-#include "symbolic/number/remembered.hpp"
-#include "symbolic/number/require_degree.hpp"
+#include "symbolic/number/polynomial.hpp"
 
 namespace sh::symbolic {
 namespace {

@@ -7,10 +7,13 @@
 // powers of x^2+y^2+z^2 = 1 are put back), which is the solid harmonic r^l Y_lm everywhere.
 //
 // Definition, by GiNaC (basis.cpp): Rodrigues' formula, its derivatives, expanded binomials, the factor in closed form.
-// Second derivation, over CLN rationals (basis_recurrence.cpp): binomial sums, the solid-harmonic recurrence, the factor
-// by exact integration. Both agree term by term (proof basis-derivations).
+// Second derivation, over CLN rationals (basis_recurrence.cpp): binomial sums, the solid-harmonic recurrence, the
+// factor by exact integration. Both agree term by term (proof basis-derivations).
 #pragma once
 
+#include <string>
+
+#include "numeric/oracle/index.hpp"
 #include "symbolic/number/polynomial.hpp"
 #include "symbolic/number/surd.hpp"
 
@@ -18,8 +21,10 @@ namespace sh::symbolic {
 
 inline constexpr int kMaxBasisDegree = 50;
 
-/// Index l(l+1)+m and its inverse.
-constexpr int coefficient_index(int degree, int order) { return degree * (degree + 1) + order; }
+using numeric::coefficient_count;
+using numeric::coefficient_index;
+
+/// Degree and order of the function at an index.
 struct DegreeOrder {
   int degree = 0;
   int order = 0;
@@ -34,6 +39,10 @@ struct BasisFunction {
   Polynomial axial;        ///< q(z), rational; reduced form = factor * axial * azimuthal
   Polynomial azimuthal;    ///< Re or Im of (x + iy)^|m|, rational
   Polynomial homogeneous;  ///< rational; factor * homogeneous = r^l Y_lm
+
+  /// "l=2 m=-1"
+  [[nodiscard]] std::string name() const { return "l=" + std::to_string(degree) + " m=" + std::to_string(order); }
+  friend bool operator==(const BasisFunction&, const BasisFunction&) = default;
 };
 
 /// Throws std::invalid_argument unless 0 <= degree <= kMaxBasisDegree and |order| <= degree.
@@ -42,7 +51,7 @@ void require_basis_index(int degree, int order);
 /// Y_lm by its definition in GiNaC, derived once; throws as require_basis_index does.
 const BasisFunction& basis_function(int degree, int order);
 
-/// The reduced form alone, `homogeneous` is empty: quick at degree 50, where the homogeneous forms have hundreds of
+/// The reduced form alone, with an empty `homogeneous`: quick at degree 50, where homogeneous forms have hundreds of
 /// terms. Throws as require_basis_index does.
 BasisFunction reduced_basis_function(int degree, int order);
 

@@ -1,10 +1,9 @@
 // Gradients and Hessians of the real spherical harmonics as polynomials, exact to degree 50.
 //
-// The gradient belongs to one of the two forms of symbolic/basis/basis.hpp: the homogeneous form r^l Y_lm is a solid
-// harmonic, the reduced form q(z) Re or Im (x+iy)^|m| agrees with it on the unit sphere only, so their Cartesian
-// gradients differ there, but by a multiple of the direction: tangential derivatives are the same. On the unit sphere
-// the tangential gradient is grad(homogeneous) - l Y_lm s. All polynomials are rational and share the function's
-// factor.
+// The gradient belongs to one of the two forms of symbolic/basis/basis.hpp. The homogeneous form r^l Y_lm is a solid
+// harmonic. The reduced form q(z) Re or Im (x+iy)^|m| agrees with it on the unit sphere only, so their Cartesian
+// gradients differ there by a multiple of the direction; tangential derivatives are the same. On the unit sphere the
+// tangential gradient is grad(homogeneous) - l Y_lm s. All polynomials are rational and share the function's factor.
 //
 // The homogeneous gradient has a second derivation, by its ladder to band l-1 [Hobson31].
 #pragma once

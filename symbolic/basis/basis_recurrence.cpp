@@ -4,7 +4,7 @@
 #include <cstdlib>
 
 #include "symbolic/basis/basis.hpp"
-#include "symbolic/number/polynomial_calculus.hpp"
+#include "symbolic/number/polynomial.hpp"
 
 namespace sh::symbolic {
 namespace {

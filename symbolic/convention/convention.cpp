@@ -6,8 +6,8 @@
 #include <stdexcept>
 
 #include "symbolic/basis/basis.hpp"
-#include "symbolic/number/polynomial_calculus.hpp"
-#include "symbolic/number/require_degree.hpp"
+#include "symbolic/number/derivation.hpp"
+#include "symbolic/number/polynomial.hpp"
 #include "symbolic/rotation/rotation.hpp"
 #include "symbolic/zonal/convolution.hpp"
 
@@ -36,7 +36,7 @@ Surd size_of(const Convention& c, int degree, int order) {
   throw std::invalid_argument("convention: unknown normalisation");
 }
 
-// Y' = factor * (function of size 1), and the unitary step is between orthonormal functions of the same kind.
+// Y' over the orthonormal function of the same kind, real or complex.
 RadicalSum relative_factor(const Convention& c, int degree, int order) {
   Convention orthonormal = c;
   orthonormal.normalisation = Normalisation::kOrthonormal;
@@ -57,7 +57,7 @@ void require_convention(const Convention& convention, int degree) {
       convention.normalisation == Normalisation::kUnnormalised || convention.normalisation == Normalisation::kPrimitive;
   if (convention.complex && has_no_complex_form) {
     throw std::invalid_argument(
-        "convention: complex functions should be orthonormal, 4-pi, Schmidt or SN3D normalised, not unnormalised");
+        "convention: complex functions: expected an orthonormal, 4-pi, Schmidt or SN3D normalization, got another");
   }
   if (convention.folded == Folded::kCosineOverPi) {
     require_degree("convention with the clamped cosine folded in", degree, 2, "A_3 = 0 cannot be undone");

@@ -1,20 +1,62 @@
-// A convention of spherical harmonics as a value: what its functions are, where its coefficients lie.
+// A convention of spherical harmonics as a value: its functions and the places of its coefficients.
 //
-// Ours is the default value: real, orthonormal, no Condon-Shortley phase, index l(l+1)+m, z up. Every other convention
-// is given by how its functions Y' follow from ours, band by band: Y'_l(s) = A_l Y_l(s), with
+// Ours is the default value: real, orthonormal, no Condon-Shortley phase, index l(l+1)+m, z up. The functions Y' of any
+// other convention follow from ours, band by band: Y'_l(s) = A_l Y_l(s), with
 //     A_l = (normalisation, phase) * (complex or real) * D_l(axes).
-// Coefficients go the other way: the function f = sum c Y = sum c' Y' is the same, so c' = A^-T c, then `folded`
-// factors. symbolic/convention/convention_map.hpp makes the maps; symbolic/convention/presets.hpp lists conventions in use.
+// Coefficients go the other way: the function f = sum c Y = sum c' Y' is the same, so c' = A^-T c; then come the folded
+// factors.
 #pragma once
 
-#include <string>
+#include <cln/rational.h>
 
-#include "symbolic/convention/signed_permutation.hpp"
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
 #include "symbolic/number/matrix.hpp"
 #include "symbolic/number/polynomial.hpp"
 #include "symbolic/number/radical_sum.hpp"
 
 namespace sh::symbolic {
+
+// Axes: the 48 signed permutations of x, y, z, and the band matrices that they induce.
+//
+// A convention may name the axes in another way: y up instead of z, a left-handed frame. Its coordinates are s' = P s;
+// each of them is one of our coordinates with a sign. The functions follow Y_l(P s) = D_l(P) Y_l(s): a signed
+// permutation in bands 0 and 1, a full matrix with surds from band 2 on. P may be a reflection: D_l(-1) = (-1)^l.
+
+class SignedPermutation {
+ public:
+  /// The identity: x, y, z.
+  SignedPermutation() = default;
+  /// "x,z,-y" says x' = x, y' = z, z' = -y. Throws std::invalid_argument unless each axis occurs once.
+  explicit SignedPermutation(std::string_view text);
+
+  /// Coordinate `row` of s' is sign(row) * (coordinate axis(row) of s).
+  [[nodiscard]] int axis(int row) const { return axes_[row]; }
+  [[nodiscard]] int sign(int row) const { return signs_[row]; }
+  /// +1 keeps the handedness, -1 changes it.
+  [[nodiscard]] int determinant() const;
+  [[nodiscard]] Matrix<cln::cl_RA> matrix() const;  // (3, 3)
+  [[nodiscard]] SignedPermutation inverse() const;
+  [[nodiscard]] std::string to_string() const;
+
+  /// First b, then a.
+  friend SignedPermutation operator*(const SignedPermutation& a, const SignedPermutation& b);
+  friend bool operator==(const SignedPermutation&, const SignedPermutation&) = default;
+
+ private:
+  std::array<int, 3> axes_{0, 1, 2};
+  std::array<int, 3> signs_{1, 1, 1};
+};
+
+/// All 48, in a fixed order, the identity first.
+std::vector<SignedPermutation> all_signed_permutations();
+
+/// The rational part T_l(P) of D_l(P), D_mn = (k_m/k_n) T_mn, by the recursion in R_ij; the surd
+/// matrix is surd_entries(degree, ...). Throws std::invalid_argument beyond degree 20.
+Matrix<cln::cl_RA> axes_band(const SignedPermutation& axes, int degree);
 
 /// Size of a function. With a = |m|, P_l^a without the Condon-Shortley sign; complex functions lack the 2 - delta.
 enum class Normalisation {
@@ -35,10 +77,10 @@ enum class IndexOrder {
   kCosineSineArray,  ///< array (2, L+1, L+1): [m < 0][l][|m|], with holes that hold zero
 };
 
-/// What was multiplied into the coefficients once and for all.
+/// The factors that the coefficients include.
 enum class Folded {
   kNothing,
-  kCosineOverPi,  ///< A_l / pi: the coefficients of irradiance / pi, ready to evaluate at a normal; to degree 2
+  kCosineOverPi,  ///< A_l / pi: coefficients of irradiance / pi, to evaluate at a normal; to degree 2
 };
 
 struct Convention {
@@ -54,16 +96,16 @@ struct Convention {
 
 inline constexpr int kMaxConventionDegree = 20;
 
-/// Throws std::invalid_argument when the parts contradict each other (complex and unnormalised or primitive) or the
-/// degree is not supported (0..20, and at most 2 with the cosine folded in, since A_3 = 0 cannot be undone).
+/// Throws std::invalid_argument for parts that contradict each other (complex and unnormalised or primitive) and for a
+/// degree outside 0..20, or 0..2 with the cosine folded in, since A_3 = 0 cannot be undone.
 void require_convention(const Convention& convention, int degree);
 
 /// Number of array elements for degree 0..L, holes included.
 int storage_size(IndexOrder order, int max_degree);
-/// Where coefficient (l, m) lies in the array for degree 0..max_degree.
+/// The place of coefficient (l, m) in the array for degree 0..max_degree.
 int storage_position(IndexOrder order, int max_degree, int degree, int order_m);
 
-/// The real factor of Y'_lm before its real function S_lm or P_l^a exp(i m phi), phase included: see Normalisation.
+/// The real factor of Y'_lm before its real function S_lm or P_l^a exp(i m phi), phase included.
 Surd convention_factor(const Convention& convention, int degree, int order);
 
 /// Y'_lm written out in the convention's own coordinates: factor * (re + i im), rational polynomials, every term of
@@ -79,7 +121,7 @@ ConventionFunction convention_function(const Convention& convention, int degree,
 Matrix<RadicalSum> basis_change(const Convention& convention, int degree);
 Matrix<RadicalSum> basis_change_inverse(const Convention& convention, int degree);
 
-/// The factor of band l that `folded` puts on coefficients.
+/// The factor of band l in coefficients.
 Surd folded_factor(Folded folded, int degree);
 
 // Complex and real spherical harmonics: the unitary W between them.
@@ -96,5 +138,25 @@ Matrix<RadicalSum> real_from_complex(int degree, bool condon_shortley);
 
 /// The conjugate transpose.
 Matrix<RadicalSum> adjoint(const Matrix<RadicalSum>& m);
+
+// Conventions in use: engines, file formats, libraries. Each preset is the convention as its source writes it, in the
+// source's own coordinates x, y, z (axes = identity).
+
+struct Preset {
+  std::string name;
+  Convention convention;
+  SignedPermutation world;
+  std::string source;  ///< the file or page that documents the convention
+  std::string covers;  ///< the meaning of the coefficients, and the limits of the preset
+
+  /// The convention with `world` as its axes.
+  [[nodiscard]] Convention in_world() const;
+};
+
+/// All presets; the first is this project's own convention, "shforge".
+const std::vector<Preset>& presets();
+
+/// The preset of that name; throws std::invalid_argument with the names that exist.
+const Preset& find_preset(std::string_view name);
 
 }  // namespace sh::symbolic

@@ -1,9 +1,9 @@
-// Exact maps between two conventions, for coefficients, rotation matrices and triple-product tensors.
+// Exact maps between two conventions.
 //
-// A map holds one matrix C_l per band: c'_l = C_l c_l, where both arrays describe the same function of direction. It
-// composes and inverts exactly. What else is mapped follows from what it is made of:
+// A map holds one matrix C_l per band: c'_l = C_l c_l, where both arrays describe the same function of direction. Maps
+// compose exactly. All other objects follow:
 //   coefficients       c' = C c, read and written in the arrays' own index order
-//   basis functions    Y' = C^-T Y                           (the opposite way: what grows in one shrinks in the other)
+//   basis functions    Y' = C^-T Y                           (the opposite way: larger functions have smaller coefficients)
 //   rotation matrix    c' = D c becomes D' = C D C^-1        R given in our axes; in the other's it is axes R axes^-1
 //   triple integral    G_ijk = integral Y_i Y_j Y_k          becomes G'_abc = sum C^-T_ai C^-T_bj C^-T_ck G_ijk
 //   product form       (fg)_k = sum P_ijk f_i g_j            becomes P'_abc = sum C^-T_ai C^-T_bj C_ck P_ijk
@@ -33,19 +33,12 @@ struct ConventionMap {
 
 /// Throws std::invalid_argument as require_convention does for either side.
 ConventionMap convention_map(const Convention& from, const Convention& to, int degree);
-ConventionMap inverse(const ConventionMap& map);
 /// First `first`, then `second`. Throws std::invalid_argument unless degree and index order meet.
 ConventionMap compose(const ConventionMap& second, const ConventionMap& first);
 /// C_l = 1 in every band, same order on both sides.
 bool is_identity(const ConventionMap& map);
 
-/// coefficients: storage_size(map.from_order, map.degree) numbers. Throws std::invalid_argument on another size.
-std::vector<RadicalSum> map_coefficients(const ConventionMap& map, const std::vector<RadicalSum>& coefficients);
-
-/// D' = C D C^-1; bands: D_l, rows and columns -l .. l, l = 0..map.degree. Throws on another number of bands.
-std::vector<Matrix<RadicalSum>> map_rotation(const ConventionMap& map, const std::vector<Matrix<RadicalSum>>& bands);
-
-/// All non-zero entries, every order of the indices; an index is l(l+1)+m whatever the array order.
+/// All non-zero entries, every order of the indices; an index is l(l+1)+m in every array order.
 using TripleTensor = std::map<IndexTriple, RadicalSum>;
 /// The entries of a symmetric tensor in all orders.
 TripleTensor all_orders(const GauntTensor& tensor);

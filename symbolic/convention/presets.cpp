@@ -1,83 +1,61 @@
-#include "symbolic/convention/presets.hpp"
-
-#include <stdexcept>
+#include "symbolic/convention/convention.hpp"
+#include "symbolic/number/find_named.hpp"
 
 namespace sh::symbolic {
 namespace {
 
-Convention orthonormal_with_phase() {
-  Convention c;
-  c.condon_shortley = true;
-  return c;
-}
-
-// The polynomials 1, y, z, x, xy, yz, 3z^2-1, xz, x^2-y^2 with everything else in the coefficients.
-Convention irradiance_polynomials() {
-  Convention c;
-  c.normalisation = Normalisation::kPrimitive;
-  c.folded = Folded::kCosineOverPi;
-  return c;
-}
-
-Convention four_pi_array() {
-  Convention c;
-  c.normalisation = Normalisation::kFourPi;
-  c.order = IndexOrder::kCosineSineArray;
-  return c;
-}
-
-Convention sn3d() {
-  Convention c;
-  c.normalisation = Normalisation::kSn3d;
-  return c;
-}
-
-Convention complex_with_phase() {
-  Convention c = orthonormal_with_phase();
-  c.complex = true;
-  return c;
-}
-
 std::vector<Preset> make_presets() {
+  const Convention with_phase{.condon_shortley = true};
+  // The polynomials 1, y, z, x, xy, yz, 3z^2-1, xz, x^2-y^2; the coefficients hold all factors.
+  const Convention polynomials{.normalisation = Normalisation::kPrimitive, .folded = Folded::kCosineOverPi};
   const SignedPermutation same;
   const SignedPermutation y_up("x,z,-y");             // x right, y up, z towards the viewer
   const SignedPermutation y_up_left_handed("x,z,y");  // x right, y up, z forward
   return {
-      {"shforge", Convention{}, same, "symbolic/basis/basis.hpp", "this project: real, orthonormal, no phase, z polar"},
-      {"directxmath", orthonormal_with_phase(), same,
+      {"shforge", {}, same, "symbolic/basis/basis.hpp", "this project: real, orthonormal, no phase, z polar"},
+      {"directxmath", with_phase, same,
        "microsoft/DirectXMath SHMath/DirectXSH.cpp, XMSHEvalDirection (sh_eval_basis_1 .. 5)",
        "radiance coefficients, orders 2 to 6 (bands); the library fixes no axes, z is polar"},
-      {"threejs", Convention{}, y_up, "mrdoob/three.js src/math/SphericalHarmonics3.js, getBasisAt and getAt",
+      {"threejs",
+       {},
+       y_up,
+       "mrdoob/three.js src/math/SphericalHarmonics3.js, getBasisAt and getAt",
        "radiance coefficients of LightProbe, 3 bands; getIrradianceAt multiplies by A_l itself"},
-      {"unity", irradiance_polynomials(), y_up_left_handed,
+      {"unity", polynomials, y_up_left_handed,
        "Unity ScriptReference SphericalHarmonicsL2; Unity-Technologies/Graphics SphericalHarmonics.cs "
        "(kNormalizationConstants) and UnityCG.cginc, ShadeSH9",
        "SphericalHarmonicsL2 [channel, 0..8]: basis constants, phase and A_l/pi are folded into the numbers, so that "
        "their sum with 1, y, z, x, xy, yz, 3z^2-1, xz, x^2-y^2 is irradiance / pi"},
-      {"unreal", orthonormal_with_phase(), SignedPermutation("y,x,z"),
+      {"unreal", with_phase, SignedPermutation("y,x,z"),
        "Unreal Engine Engine/Source/Runtime/Core/Public/Math/SHMath.h, TSHVector::SHBasisFunction; "
        "Engine/Shaders/Private/SHCommon.ush, SHBasisFunction3",
        "radiance coefficients, 2 or 3 bands; CalcDiffuseTransfer applies A_l at evaluation; left-handed, x forward, z "
        "up"},
-      {"filament", irradiance_polynomials(), y_up,
+      {"filament", polynomials, y_up,
        "google/filament libs/ibl/src/CubemapSH.cpp, computeIrradianceSH3Bands and renderPreScaledSH3Bands; "
        "IndirectLight::Builder::irradiance",
        "the nine pre-scaled numbers that the shader sums with 1, y, z, x, xy, yz, 3z^2-1, xz, x^2-y^2 to irradiance / "
-       "pi; "
-       "computeSH of the same file, before scaling, is orthonormal with the Condon-Shortley phase: preset directxmath"},
-      {"gaussian-splatting", orthonormal_with_phase(), same,
+       "pi; computeSH of the same file, before scaling, is orthonormal with the Condon-Shortley phase: preset "
+       "directxmath"},
+      {"gaussian-splatting", with_phase, same,
        "graphdeco-inria/gaussian-splatting utils/sh_utils.py, eval_sh; diff-gaussian-rasterization forward.cu, "
        "computeColorFromSH",
-       "colour coefficients f_dc, f_rest, 4 bands, of the direction from camera to splat; the colour is the sum plus "
-       "1/2; "
-       "axes are those of the scene"},
-      {"ambix", sn3d(), SignedPermutation("y,-x,z"),
+       "color coefficients f_dc, f_rest, 4 bands, of the direction from camera to splat; the color is the sum plus "
+       "1/2; axes are those of the scene"},
+      {"ambix",
+       {.normalisation = Normalisation::kSn3d},
+       SignedPermutation("y,-x,z"),
        "Nachbar, Zotter, Deleflie, Sontacchi, AmbiX: a suggested ambisonics format (2011), eqs. 2-4; RFC 8486",
        "ACN order, SN3D with 1/(4 pi) under the root as printed; streams whose W channel equals the signal leave that "
        "constant out (normalisation Schmidt); x front, y left, z up"},
-      {"scipy", complex_with_phase(), same, "SciPy reference, scipy.special.sph_harm_y (formerly sph_harm)",
+      {"scipy",
+       {.condon_shortley = true, .complex = true},
+       same,
+       "SciPy reference, scipy.special.sph_harm_y (formerly sph_harm)",
        "complex, orthonormal, phase included in P_l^m; theta is polar in sph_harm_y, azimuthal in the old sph_harm"},
-      {"shtools", four_pi_array(), same,
+      {"shtools",
+       {.normalisation = Normalisation::kFourPi, .order = IndexOrder::kCosineSineArray},
+       same,
        "SHTOOLS documentation, real spherical harmonics; defaults of SHExpandDH (norm = 1, csphase = 1)",
        "array cilm (2, L+1, L+1): [0] cosine, [1] sine, 4-pi normalised, no Condon-Shortley phase; y axis at longitude "
        "90"},
@@ -97,13 +75,6 @@ const std::vector<Preset>& presets() {
   return all;
 }
 
-const Preset& find_preset(std::string_view name) {
-  std::string known;
-  for (const Preset& preset : presets()) {
-    if (preset.name == name) return preset;
-    known += (known.empty() ? "" : ", ") + preset.name;
-  }
-  throw std::invalid_argument("unknown convention '" + std::string(name) + "'; it should be one of " + known);
-}
+const Preset& find_preset(std::string_view name) { return find_named(presets(), name, "convention"); }
 
 }  // namespace sh::symbolic

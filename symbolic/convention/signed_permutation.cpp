@@ -1,8 +1,7 @@
-#include "symbolic/convention/signed_permutation.hpp"
-
 #include <algorithm>
 #include <stdexcept>
 
+#include "symbolic/convention/convention.hpp"
 #include "symbolic/rotation/rotation_recursion.hpp"
 
 namespace sh::symbolic {

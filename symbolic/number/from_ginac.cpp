@@ -14,7 +14,7 @@ struct Term {
 
 void refuse() {
   throw std::invalid_argument(
-      "from_ginac: the expression should be a polynomial in the given variables with rational coefficients");
+      "from_ginac: expected a polynomial in the given variables with rational coefficients, got another expression");
 }
 
 void multiply_by_power(Term& term, const GiNaC::ex& base, int exponent, const std::vector<GiNaC::symbol>& variables) {

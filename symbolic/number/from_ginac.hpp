@@ -1,7 +1,7 @@
-// The one door by which an expression leaves GiNaC, and the way back in.
+// The only conversion of GiNaC expressions to polynomials, and the way back.
 //
-// GiNaC orders sums by hash values that depend on addresses and so change from run to run; everything that is printed
-// or compared goes through this conversion into the fixed monomial order first.
+// GiNaC orders sums by hash values, which depend on addresses and change from run to run. This conversion puts the
+// terms into the fixed monomial order, so every expression passes it before it is printed or compared.
 #pragma once
 
 #include <ginac/ginac.h>

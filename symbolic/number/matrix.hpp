@@ -1,6 +1,6 @@
 // Small dense matrices over any ring: rationals, surd sums, polynomials.
 //
-// T() must be the zero of the ring. Row-major; no arithmetic beyond what the derivations need.
+// T() must be the zero of the ring. Row-major; only the arithmetic of the derivations.
 #pragma once
 
 #include <cstddef>
@@ -10,9 +10,6 @@
 #include <vector>
 
 namespace sh::symbolic {
-
-/// A non-negative int as an index.
-constexpr std::size_t to_size(int i) { return static_cast<std::size_t>(i); }
 
 template <class T>
 class Matrix {
@@ -26,7 +23,7 @@ class Matrix {
   /// Row by row; throws std::invalid_argument unless there are rows * columns entries.
   Matrix(int rows, int columns, std::vector<T> entries) : rows_(rows), columns_(columns), entries_(std::move(entries)) {
     if (entries_.size() != static_cast<std::size_t>(rows) * static_cast<std::size_t>(columns)) {
-      throw std::invalid_argument("Matrix: the number of entries should be rows times columns");
+      throw std::invalid_argument("Matrix: expected rows times columns entries, got another number");
     }
   }
   static Matrix identity(int size, const T& one) {
@@ -59,7 +56,8 @@ class Matrix {
   }
 
   friend Matrix operator*(const Matrix& a, const Matrix& b) {
-    if (a.columns_ != b.rows_) throw std::invalid_argument("Matrix: a product needs as many columns as rows");
+    if (a.columns_ != b.rows_)
+      throw std::invalid_argument("Matrix: product: expected as many columns as rows, got another number");
     Matrix result(a.rows_, b.columns_);
     for (int i = 0; i < a.rows_; ++i) {
       for (int j = 0; j < b.columns_; ++j) {

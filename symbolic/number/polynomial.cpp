@@ -1,22 +1,18 @@
 #include "symbolic/number/polynomial.hpp"
 
-#include <cln/integer_io.h>
-#include <cln/rational_io.h>
-
 #include <algorithm>
-#include <sstream>
 #include <stdexcept>
 
 namespace sh::symbolic {
 
 Monomial::Monomial(std::span<const int> exponents) {
   if (exponents.size() > static_cast<std::size_t>(kMaxVariables)) {
-    throw std::invalid_argument("Monomial: too many variables; there should be at most 9");
+    throw std::invalid_argument("Monomial: expected at most 9 variables, got " + std::to_string(exponents.size()));
   }
   int variable = 0;
   for (const int exponent : exponents) {
     if (exponent < 0 || exponent > kMaxExponent) {
-      throw std::invalid_argument("Monomial: exponent " + std::to_string(exponent) + "; it should be 0 to 127");
+      throw std::invalid_argument("Monomial: expected an exponent from 0 to 127, got " + std::to_string(exponent));
     }
     packed_ |= static_cast<std::uint64_t>(exponent) << shift(variable++);
   }
@@ -71,7 +67,8 @@ bool Polynomial::is_homogeneous() const {
 }
 
 Polynomial Polynomial::power(int exponent) const {
-  if (exponent < 0) throw std::invalid_argument("Polynomial: a negative power; it should be 0 or more");
+  if (exponent < 0)
+    throw std::invalid_argument("Polynomial: expected a power of 0 or more, got " + std::to_string(exponent));
   Polynomial result(1);
   for (int i = 0; i < exponent; ++i) result = result * *this;
   return result;
@@ -85,37 +82,14 @@ cln::cl_RA Polynomial::evaluate(std::span<const cln::cl_RA> point) const {
       const int exponent = monomial.exponent(variable);
       if (exponent == 0) continue;
       if (static_cast<std::size_t>(variable) >= point.size()) {
-        throw std::invalid_argument("Polynomial: the point has too few coordinates; every variable needs a value");
+        throw std::invalid_argument("Polynomial: expected a value for every variable, got " +
+                                    std::to_string(point.size()) + " values");
       }
       product = product * cln::expt(point[variable], exponent);
     }
     sum = sum + product;
   }
   return sum;
-}
-
-std::string Polynomial::to_string(const std::vector<std::string>& names) const {
-  if (is_zero()) return "0";
-  std::ostringstream text;
-  for (auto term = terms_.rbegin(); term != terms_.rend(); ++term) {
-    const auto& [monomial, coefficient] = *term;
-    const cln::cl_RA size = cln::abs(coefficient);
-    const bool first = term == terms_.rbegin();
-    text << (cln::minusp(coefficient) ? (first ? "-" : " - ") : (first ? "" : " + "));
-    bool separate = false;
-    if (size != 1 || monomial == Monomial()) {
-      text << size;
-      separate = true;
-    }
-    for (int variable = 0; variable < Monomial::kMaxVariables; ++variable) {
-      const int exponent = monomial.exponent(variable);
-      if (exponent == 0) continue;
-      text << (separate ? " " : "") << names.at(variable);
-      if (exponent > 1) text << '^' << exponent;
-      separate = true;
-    }
-  }
-  return text.str();
 }
 
 Polynomial& Polynomial::operator+=(const Polynomial& other) {

@@ -1,8 +1,8 @@
 // Sparse multivariate polynomials with rational coefficients and a fixed monomial order.
 //
 // Terms are kept in a map from packed exponents to non-zero rationals, in lexicographic order with variable 0 first,
-// so two equal polynomials are equal term by term and print alike in every run. Variables are numbers (0, 1, 2 = x, y,
-// z for functions on the sphere; nine of them hold a rotation matrix); names are given only when printing.
+// so two equal polynomials are equal term by term. Variables are numbers: 0, 1, 2 are x, y, z for functions on the
+// sphere, and nine of them hold a rotation matrix.
 #pragma once
 
 #include <cln/float.h>
@@ -12,7 +12,6 @@
 #include <cstdint>
 #include <map>
 #include <span>
-#include <string>
 #include <vector>
 
 namespace sh::symbolic {
@@ -64,8 +63,6 @@ class Polynomial {
   [[nodiscard]] Polynomial power(int exponent) const;
   /// point: one value per variable that occurs.
   [[nodiscard]] cln::cl_RA evaluate(std::span<const cln::cl_RA> point) const;
-  /// names: one per variable that occurs. Highest monomial first: "3/2 z^2 - 1/2".
-  [[nodiscard]] std::string to_string(const std::vector<std::string>& names) const;
 
   Polynomial& operator+=(const Polynomial& other);
   Polynomial& operator-=(const Polynomial& other);
@@ -78,5 +75,30 @@ class Polynomial {
  private:
   Terms terms_;
 };
+
+// Calculus. GiNaC differentiates, integrates and divides; many substitutions at once and means over the sphere have
+// faster functions of their own (polynomial_calculus.cpp).
+
+/// p with values[i] in place of variable i. Throws std::invalid_argument when a variable of p has no value.
+Polynomial substitute(const Polynomial& p, std::span<const Polynomial> values);
+
+/// The integral of p over `variable` from `lower` to `upper`; neither bound may hold `variable`.
+Polynomial definite_integral(const Polynomial& p, int variable, const Polynomial& lower, const Polynomial& upper);
+
+/// P_l of `variable` by Rodrigues' formula, d^l/dt^l (t^2 - 1)^l / (2^l l!) [AbramowitzStegun64] 22.11.5.
+/// Throws std::invalid_argument when degree < 0.
+Polynomial legendre_polynomial(int degree, int variable);
+
+/// The one polynomial of degree at most 1 in x that equals p wherever x^2+y^2+z^2 = 1 (variables 0, 1, 2 are x, y, z).
+/// Two polynomials agree on the sphere exactly when their normal forms are equal.
+Polynomial reduce_on_sphere(const Polynomial& p);
+
+/// The mean of p over the unit sphere, that is its integral divided by 4 pi; variables 0, 1, 2 are x, y, z:
+/// x^a y^b z^c has the mean (a-1)!! (b-1)!! (c-1)!! / (a+b+c+1)!! for even a, b, c, otherwise zero [Folland01].
+cln::cl_RA sphere_mean(const Polynomial& p);
+const cln::cl_RA& sphere_mean(const Monomial& monomial);
+
+/// The positive number by which every coefficient is an integer without a common factor; 0 for zero.
+cln::cl_RA content(const Polynomial& p);
 
 }  // namespace sh::symbolic

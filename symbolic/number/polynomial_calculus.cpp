@@ -1,12 +1,11 @@
-#include "symbolic/number/polynomial_calculus.hpp"
-
 #include <cln/integer.h>
 
 #include <stdexcept>
 #include <string>
 
+#include "symbolic/number/derivation.hpp"
 #include "symbolic/number/from_ginac.hpp"
-#include "symbolic/number/remembered.hpp"
+#include "symbolic/number/polynomial.hpp"
 
 namespace sh::symbolic {
 namespace {
@@ -36,14 +35,6 @@ Polynomial Polynomial::derivative(int variable) const {
   return polynomial(expression(*this).diff(symbol_of(variable)));
 }
 
-Polynomial antiderivative(const Polynomial& p, int variable) {
-  return definite_integral(p, variable, Polynomial(), Polynomial::variable(variable));
-}
-
-Polynomial substitute(const Polynomial& p, int variable, const Polynomial& value) {
-  return polynomial(expression(p).subs(symbol_of(variable) == expression(value)));
-}
-
 Polynomial definite_integral(const Polynomial& p, int variable, const Polynomial& lower, const Polynomial& upper) {
   const GiNaC::symbol t;  // its own symbol, for a bound may be the variable itself
   const ex integrand = expression(p).subs(symbol_of(variable) == t);
@@ -52,7 +43,7 @@ Polynomial definite_integral(const Polynomial& p, int variable, const Polynomial
 
 Polynomial legendre_polynomial(int degree, int variable) {
   if (degree < 0) {
-    throw std::invalid_argument("legendre_polynomial: degree " + std::to_string(degree) + "; it should be 0 or more");
+    throw std::invalid_argument("legendre_polynomial: expected a degree of 0 or more, got " + std::to_string(degree));
   }
   const GiNaC::symbol& t = symbol_of(variable);
   const ex power = GiNaC::pow(GiNaC::pow(t, 2) - 1, degree).expand();

@@ -13,8 +13,6 @@ namespace {
 
 cln::cl_RA as_rational(const cln::cl_R& real) { return cln::the<cln::cl_RA>(real); }
 
-bool is_exact_zero(const cln::cl_N& number) { return cln::zerop(number); }
-
 void print_term(std::ostringstream& text, bool first, const Surd& size, bool imaginary) {
   text << (size.is_negative() ? (first ? "-" : " - ") : (first ? "" : " + "));
   const std::string body = (size.is_negative() ? -size : size).to_string();
@@ -34,11 +32,11 @@ RadicalSum RadicalSum::imaginary_unit() {
 }
 
 void RadicalSum::add_term(const Radical& radical, const cln::cl_N& coefficient) {
-  if (is_exact_zero(coefficient)) return;
+  if (cln::zerop(coefficient)) return;
   const auto [position, inserted] = terms_.try_emplace(radical, coefficient);
   if (inserted) return;
   position->second = position->second + coefficient;
-  if (is_exact_zero(position->second)) terms_.erase(position);
+  if (cln::zerop(position->second)) terms_.erase(position);
 }
 
 bool RadicalSum::is_real() const {
@@ -54,8 +52,7 @@ RadicalSum RadicalSum::conjugate() const {
 
 RadicalSum RadicalSum::inverse() const {
   if (terms_.size() != 1) {
-    throw std::invalid_argument("RadicalSum: inverse of " + to_string() +
-                                "; it should be a single non-zero rational times a radical");
+    throw std::invalid_argument("RadicalSum: inverse: expected one term that is not zero, got " + to_string());
   }
   const auto& [radical, coefficient] = *terms_.begin();
   RadicalSum result;  // 1 / (q sqrt(r) p) = sqrt(r) / (q r p)
@@ -66,21 +63,10 @@ RadicalSum RadicalSum::inverse() const {
 Surd RadicalSum::surd() const {
   if (is_zero()) return {};
   if (terms_.size() != 1 || !is_real()) {
-    throw std::invalid_argument("RadicalSum: " + to_string() + " is no surd; it should be real with one radical");
+    throw std::invalid_argument("RadicalSum: expected a real number with one radical, got " + to_string());
   }
   const auto& [radical, coefficient] = *terms_.begin();
   return Surd::square_root(cln::cl_RA(radical.first), radical.second) * Surd(as_rational(cln::realpart(coefficient)));
-}
-
-std::pair<cln::cl_F, cln::cl_F> RadicalSum::evaluate(int digits) const {
-  const cln::cl_F zero = Surd().evaluate(digits);
-  std::pair<cln::cl_F, cln::cl_F> sum{zero, zero};
-  for (const auto& [radical, coefficient] : terms_) {
-    const Surd root = Surd::square_root(cln::cl_RA(radical.first), radical.second);
-    sum.first = sum.first + (root * Surd(as_rational(cln::realpart(coefficient)))).evaluate(digits);
-    sum.second = sum.second + (root * Surd(as_rational(cln::imagpart(coefficient)))).evaluate(digits);
-  }
-  return sum;
 }
 
 std::string RadicalSum::to_string() const {

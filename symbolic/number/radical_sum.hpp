@@ -7,7 +7,6 @@
 #pragma once
 
 #include <cln/complex.h>
-#include <cln/float.h>
 #include <cln/integer.h>
 #include <cln/rational.h>
 
@@ -40,8 +39,6 @@ class RadicalSum {
   [[nodiscard]] RadicalSum inverse() const;
   /// The number as a surd; throws std::invalid_argument when it is not real or has several radicals.
   [[nodiscard]] Surd surd() const;
-  /// (real part, imaginary part), summed from terms that are rounded to at least `digits` decimal digits.
-  [[nodiscard]] std::pair<cln::cl_F, cln::cl_F> evaluate(int digits) const;
   /// For people: "1/2 + i/2 sqrt(3)".
   [[nodiscard]] std::string to_string() const;
 

@@ -32,8 +32,7 @@ SquareSplit split_square(cln::cl_I n) {
       return split;
     }
     if (factor > kLargestTrialFactor) {
-      throw std::invalid_argument(
-          "Surd: the radicand has a prime factor above 1000000; it should be a product of small factors");
+      throw std::invalid_argument("Surd: expected a radicand with small prime factors, got one above 1000000");
     }
     int multiplicity = 0;
     while (cln::zerop(cln::mod(n, factor))) {
@@ -49,8 +48,9 @@ SquareSplit split_square(cln::cl_I n) {
 }  // namespace
 
 Surd Surd::square_root(const cln::cl_RA& square, int pi_half_power) {
-  if (cln::minusp(square))
-    throw std::invalid_argument("Surd: square root of a negative number; it should be positive or zero");
+  if (cln::minusp(square)) {
+    throw std::invalid_argument("Surd: square root: expected a number of 0 or more, got a negative one");
+  }
   Surd result;
   if (cln::zerop(square)) return result;
   // sqrt(n/d) = sqrt(n d) / d
@@ -110,7 +110,7 @@ Surd Surd::operator-() const {
 }
 
 Surd Surd::inverse() const {
-  if (is_zero()) throw std::invalid_argument("Surd: inverse of zero; it should be a non-zero number");
+  if (is_zero()) throw std::invalid_argument("Surd: inverse: expected a number that is not zero, got 0");
   Surd result;  // 1 / (q sqrt(r)) = sqrt(r) / (q r)
   result.rational_ = cln::recip(rational_ * radicand_);
   result.radicand_ = radicand_;
@@ -132,8 +132,7 @@ Surd operator*(const Surd& a, const Surd& b) {
 
 Surd operator+(const Surd& a, const Surd& b) {
   if (!a.adds_to(b)) {
-    throw std::invalid_argument("Surd: " + a.to_string() + " + " + b.to_string() +
-                                " is no surd; the radicals should agree");
+    throw std::invalid_argument("Surd: expected a sum of equal radicals, got " + a.to_string() + " + " + b.to_string());
   }
   if (a.is_zero()) return b;
   Surd result = a;

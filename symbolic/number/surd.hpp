@@ -1,8 +1,8 @@
 // Surds: the exact real numbers p/q * sqrt(r) * pi^(k/2), r a square-free positive integer.
 //
-// Every normalisation factor of the real spherical harmonics is one, and so is every product and quotient of them.
-// The representation is unique, so equality is equality of the three parts. Two surds add up to a surd only when
-// their radicals agree (or one of them is zero); any other sum is refused, not approximated.
+// Every normalization factor of the real spherical harmonics is a surd, and so are products and quotients of surds. The
+// representation is unique, so equality is equality of the three parts. The sum of two surds is a surd only if their
+// radicals agree or one of them is zero; any other sum is an error, never an approximation.
 #pragma once
 
 #include <cln/float.h>
@@ -28,6 +28,7 @@ class Surd {
   [[nodiscard]] int pi_half_power() const { return pi_half_power_; }
 
   [[nodiscard]] bool is_zero() const { return cln::zerop(rational_); }
+  [[nodiscard]] bool is_rational() const { return radicand_ == 1 && pi_half_power_ == 0; }
   [[nodiscard]] bool is_negative() const { return cln::minusp(rational_); }
   /// True when the sum of both is again a surd.
   [[nodiscard]] bool adds_to(const Surd& other) const;

@@ -5,9 +5,8 @@
 #include <cstdlib>
 
 #include "symbolic/basis/basis.hpp"
+#include "symbolic/number/derivation.hpp"
 #include "symbolic/number/from_ginac.hpp"
-#include "symbolic/number/remembered.hpp"
-#include "symbolic/number/require_degree.hpp"
 
 namespace sh::symbolic {
 namespace {
@@ -20,8 +19,8 @@ const GiNaC::symbol& symbol_z() {
   return z;
 }
 
-// The integral over phi of three functions cos m phi or sin |m| phi, over pi: with u = exp(i phi) twice what is left of
-// u^0 in their product.
+// The integral over phi of three functions cos m phi or sin |m| phi, over pi: twice the coefficient of u^0 in their
+// product, u = exp(i phi).
 const cln::cl_RA& azimuthal_integral(const std::array<int, 3>& orders) {
   static std::map<std::array<int, 3>, cln::cl_RA> known;
   return remembered(known, orders, [&] {
@@ -35,7 +34,7 @@ const cln::cl_RA& azimuthal_integral(const std::array<int, 3>& orders) {
   });
 }
 
-// The integral over z of three q(z) and (1-z^2)^((a+b+c)/2), which is what is left of three (x^2+y^2)^(a/2).
+// The integral over z of three q(z) and (1-z^2)^((a+b+c)/2), the product of three (x^2+y^2)^(a/2).
 const cln::cl_RA& axial_integral(const std::array<Function, 3>& functions) {
   static std::map<std::array<Function, 3>, cln::cl_RA> known;
   return remembered(known, functions, [&] {

@@ -2,8 +2,8 @@
 //
 //     G_ijk = integral Y_i Y_j Y_k,   i = l(l+1)+m, orthonormal, no Condon-Shortley phase.
 //
-// They are what the product of two functions needs: (ab)_k = sum_ij G_ijk a_i b_j. Each is one surd. G is symmetric, so
-// the tensor keeps i <= j <= k, sorted, and nothing that is zero. Definition, by GiNaC: the integral itself, with
+// The product of two functions is (ab)_k = sum_ij G_ijk a_i b_j. Each entry is one surd. G is symmetric, so the tensor
+// keeps i <= j <= k, sorted, without zeros. Definition, by GiNaC: the integral itself, with
 // Y = K q(z) Re or Im (x+iy)^a, so that a part in z and a part in phi are left (gaunt.cpp). Second derivation:
 // Wigner 3j symbols, taken from the complex to the real basis (gaunt_wigner.cpp). Both agree (proof gaunt-tensor).
 #pragma once
@@ -39,9 +39,9 @@ using GauntTensor = std::map<IndexTriple, Surd>;
 /// One entry, indices in any order, by the definition. Throws as require_basis_index does.
 Surd gaunt(int i, int j, int k);
 
-/// The Wigner 3j symbol (l1 l2 l3; m1 m2 m3) of whole angular momenta, free of pi, by Racah's sum [Edmonds57] eq. 3.6.11
-/// with 3.7.3, whose phase it has. Zero where |m| > l, the orders do not add up to zero or the degrees form no triangle.
-/// Throws std::invalid_argument when a degree is negative.
+/// The Wigner 3j symbol (l1 l2 l3; m1 m2 m3) of whole angular momenta, free of pi, by Racah's sum [Edmonds57] eq.
+/// 3.6.11 with 3.7.3, whose phase it has. Zero where |m| > l, the orders do not add up to zero or the degrees form no
+/// triangle. Throws std::invalid_argument when a degree is negative.
 Surd wigner_3j(int l1, int l2, int l3, int m1, int m2, int m3);
 
 /// One entry of any degree by Wigner 3j symbols [Gaunt29], [HomeierSteinborn96].
@@ -54,7 +54,7 @@ GauntTensor gaunt_tensor(int degree);
 /// The same by Wigner 3j symbols. Same errors.
 GauntTensor gaunt_by_wigner(int degree);
 
-/// What must hold for an entry to be other than zero [HomeierSteinborn96]: the degrees add up to an even
+/// The selection rules, necessary for an entry other than zero [HomeierSteinborn96]: the degrees add up to an even
 /// number and form a triangle, an even number of the orders is negative, and one |order| is the sum of the other two.
 bool gaunt_may_differ_from_zero(int i, int j, int k);
 

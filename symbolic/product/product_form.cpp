@@ -1,15 +1,12 @@
 #include "symbolic/product/product_form.hpp"
 
 #include <stdexcept>
-#include <string>
 
-#include "symbolic/number/require_degree.hpp"
+#include "symbolic/number/derivation.hpp"
 #include "symbolic/product/gaunt.hpp"
 
 namespace sh::symbolic {
 namespace {
-
-int count(int degree) { return (degree + 1) * (degree + 1); }
 
 void require_factor_degree(int degree) {
   require_degree("factor of a product", degree, kMaxProductDegree, "the tensor grows with the fifth power");
@@ -29,9 +26,9 @@ template <class Second>
 std::vector<BilinearForm> forms_of(const ProductShape& shape, int seconds, const Second& second) {
   require_shape(shape);
   std::vector<BilinearForm> forms;
-  for (int k = 0; k < count(shape.result); ++k) {
+  for (int k = 0; k < coefficient_count(shape.result); ++k) {
     BilinearForm& form = forms.emplace_back(BilinearForm{k, {}});
-    for (int i = 0; i < count(shape.a); ++i) {
+    for (int i = 0; i < coefficient_count(shape.a); ++i) {
       for (int j = 0; j < seconds; ++j) {
         const Surd factor = selected(i, second(j), k);
         if (!factor.is_zero()) form.terms.push_back({i, j, factor});
@@ -44,7 +41,7 @@ std::vector<BilinearForm> forms_of(const ProductShape& shape, int seconds, const
 }  // namespace
 
 std::vector<BilinearForm> product_form(const ProductShape& shape) {
-  return forms_of(shape, count(shape.b), [](int j) { return j; });
+  return forms_of(shape, coefficient_count(shape.b), [](int j) { return j; });
 }
 
 std::vector<BilinearForm> zonal_product_form(const ProductShape& shape) {
@@ -64,37 +61,18 @@ std::vector<BilinearForm> square_form(int degree, int result) {
   return forms;
 }
 
-std::vector<TransferEntry> transfer_form(const ProductShape& shape) {
+Matrix<RadicalSum> transfer_matrix(const std::vector<Surd>& known, const ProductShape& shape) {
   require_shape(shape);
-  std::vector<TransferEntry> entries;
-  for (int row = 0; row < count(shape.result); ++row) {
-    for (int column = 0; column < count(shape.a); ++column) {
-      TransferEntry entry{row, column, {}};
-      for (int k = 0; k < count(shape.b); ++k) {
-        const Surd factor = selected(row, column, k);
-        if (!factor.is_zero()) entry.terms.emplace_back(k, factor);
+  if (static_cast<int>(known.size()) != coefficient_count(shape.b)) {
+    throw std::invalid_argument("transfer matrix: expected " + std::to_string(coefficient_count(shape.b)) +
+                                " coefficients of the known function, got " + std::to_string(known.size()));
+  }
+  Matrix<RadicalSum> matrix(coefficient_count(shape.result), coefficient_count(shape.a));
+  for (int row = 0; row < matrix.rows(); ++row) {
+    for (int column = 0; column < matrix.columns(); ++column) {
+      for (int k = 0; k < coefficient_count(shape.b); ++k) {
+        matrix(row, column) += RadicalSum(selected(row, column, k) * known[k]);
       }
-      if (!entry.terms.empty()) entries.push_back(std::move(entry));
-    }
-  }
-  return entries;
-}
-
-std::vector<std::vector<RadicalSum>> transfer_matrix(const std::vector<Surd>& known, const ProductShape& shape) {
-  require_shape(shape);
-  if (known.size() != static_cast<std::size_t>(count(shape.b))) {
-    throw std::invalid_argument("transfer matrix: " + std::to_string(known.size()) +
-                                " coefficients of the known function; there should be " +
-                                std::to_string(count(shape.b)));
-  }
-  const auto rows = static_cast<std::size_t>(count(shape.result));
-  const auto columns = static_cast<std::size_t>(count(shape.a));
-  std::vector<std::vector<RadicalSum>> matrix(rows, std::vector<RadicalSum>(columns));
-  for (const TransferEntry& entry : transfer_form(shape)) {
-    RadicalSum& sum = matrix[entry.row][entry.column];
-    for (const auto& [k, factor] : entry.terms) {
-      const Surd product = factor * known[k];
-      if (!product.is_zero()) sum += RadicalSum(product);
     }
   }
   return matrix;

@@ -9,6 +9,7 @@
 
 #include <vector>
 
+#include "symbolic/number/matrix.hpp"
 #include "symbolic/number/radical_sum.hpp"
 #include "symbolic/number/surd.hpp"
 
@@ -47,21 +48,11 @@ std::vector<BilinearForm> square_form(int degree, int result);
 /// c = a h for a zonal h about +z: j is the degree l of the zonal coefficient h_l. Same limits.
 std::vector<BilinearForm> zonal_product_form(const ProductShape& shape);
 
-/// One entry of a transfer matrix: M_(row, column) = sum of factor * b_k.
-struct TransferEntry {
-  int row = 0;
-  int column = 0;
-  std::vector<std::pair<int, Surd>> terms;  ///< (k, factor)
-};
-
 /// The matrix that multiplies by a known function b [Green03] eq. 8, [SloanKautzSnyder02] eq. 7:
 ///     M_ij = integral b Y_i Y_j = sum_k b_k G_ijk,   projection of a b = M a.
-/// shape.a is the degree of the columns, shape.b of the known function, shape.result of the rows. Non-zero entries row
-/// by row. Rows and columns of the same degree make it symmetric. Same limits as product_form.
-std::vector<TransferEntry> transfer_form(const ProductShape& shape);
-
-/// The same for exactly known coefficients b ((shape.b+1)^2 of them; throws std::invalid_argument for another count):
-/// (result+1)^2 rows of (a+1)^2 entries.
-std::vector<std::vector<RadicalSum>> transfer_matrix(const std::vector<Surd>& known, const ProductShape& shape);
+/// shape.a is the degree of the columns, shape.b of the known function, shape.result of the rows. known: the exact
+/// coefficients of b, (shape.b+1)^2 of them; throws std::invalid_argument for another count. Same limits as
+/// product_form.
+Matrix<RadicalSum> transfer_matrix(const std::vector<Surd>& known, const ProductShape& shape);
 
 }  // namespace sh::symbolic

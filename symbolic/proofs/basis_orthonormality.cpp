@@ -5,8 +5,8 @@
 #include <map>
 #include <set>
 
-#include "symbolic/number/polynomial_calculus.hpp"
-#include "symbolic/proofs/basis_proofs.hpp"
+#include "symbolic/number/polynomial.hpp"
+#include "symbolic/proofs/identities.hpp"
 
 namespace sh::symbolic {
 namespace {
@@ -34,14 +34,12 @@ cln::cl_RA dot(const Polynomial& f, const std::map<Monomial, cln::cl_RA>& means)
   return sum;
 }
 
-// factor_a factor_b * integral == expected, where the integral is rational * pi and expected 0 or 1
-bool integral_is(const Surd& factor_a, const Surd& factor_b, const cln::cl_RA& over_pi, bool one) {
-  if (!one) return cln::zerop(over_pi);
-  return factor_a * factor_b * Surd(over_pi) == Surd::square_root(1, -2);
-}
-
-std::string pair_name(const BasisFunction& a, const BasisFunction& b, bool same) {
-  return "the integral of (" + name_of(a) + ") times (" + name_of(b) + ") is not " + (same ? "1" : "0");
+// The integral of a b, which is factor_a factor_b over_pi pi, has to be 1 for one and the same function and 0
+// otherwise.
+void require_integral(const BasisFunction& a, const BasisFunction& b, const cln::cl_RA& over_pi, bool same) {
+  const bool holds = same ? a.factor * b.factor * Surd(over_pi) == Surd::square_root(1, -2) : cln::zerop(over_pi);
+  if (holds) return;
+  throw Refuted("the integral of (" + a.name() + ") times (" + b.name() + ") is not " + (same ? "1" : "0"));
 }
 
 // cos m phi and sin m phi as homogeneous polynomials in x, y: T_(m+1) = 2 x T_m - (x^2+y^2) T_(m-1).
@@ -70,14 +68,13 @@ cln::cl_RA axial_moment(int p, int m) {
 }
 
 // The functions of one order: every pair, with the moments against each power of z made once per function.
-ProofResult prove_order(const std::vector<const BasisFunction*>& functions, int m, int highest) {
+void prove_order(const std::vector<const BasisFunction*>& functions, int m, int highest) {
   std::vector<cln::cl_RA> moment;
   for (int p = 0; p <= 2 * highest; ++p) moment.push_back(axial_moment(p, m));
   for (const BasisFunction* a : functions) {
-    std::vector<cln::cl_RA> with(static_cast<std::size_t>(highest) + 1, 0);
+    std::vector<cln::cl_RA> with(highest + 1, 0);
     for (const auto& [monomial, coefficient] : a->axial.terms()) {
-      const auto p = static_cast<std::size_t>(monomial.exponent(2));
-      for (std::size_t k = 0; k < with.size(); ++k) with[k] = with[k] + coefficient * moment[p + k];
+      for (int k = 0; k <= highest; ++k) with[k] = with[k] + coefficient * moment[monomial.exponent(2) + k];
     }
     for (const BasisFunction* b : functions) {
       if (b->degree > a->degree) continue;
@@ -85,40 +82,36 @@ ProofResult prove_order(const std::vector<const BasisFunction*>& functions, int 
       for (const auto& [monomial, coefficient] : b->axial.terms()) {
         sum = sum + coefficient * with[monomial.exponent(2)];
       }
-      const bool same = a == b;  // the azimuthal integral of a square is pi, or 2 pi at order 0
-      if (!integral_is(a->factor, b->factor, sum * (m == 0 ? 2 : 1), same)) return refuted(pair_name(*a, *b, same));
+      require_integral(*a, *b, sum * (m == 0 ? 2 : 1), a == b);  // the azimuthal integral of a square is pi or 2 pi
     }
   }
-  return proved("");
 }
 
 }  // namespace
 
-ProofResult prove_orthonormality(const Basis& basis) {
+int prove_orthonormality(const Basis& basis) {
   std::set<Monomial> monomials;
   for (const BasisFunction& f : basis) {
     for (const auto& [monomial, coefficient] : f.homogeneous.terms()) monomials.insert(monomial);
   }
+  int pairs = 0;
   for (std::size_t i = 0; i < basis.size(); ++i) {
     const auto means = means_with(basis[i].homogeneous, monomials);
-    for (std::size_t j = 0; j <= i; ++j) {
-      const cln::cl_RA over_pi = 4 * dot(basis[j].homogeneous, means);
-      if (!integral_is(basis[i].factor, basis[j].factor, over_pi, i == j)) {
-        return refuted(pair_name(basis[i], basis[j], i == j));
-      }
+    for (std::size_t j = 0; j <= i; ++j, ++pairs) {
+      require_integral(basis[i], basis[j], 4 * dot(basis[j].homogeneous, means), i == j);
     }
   }
-  return proved(std::to_string(basis.size() * (basis.size() + 1) / 2) + " pairs");
+  return pairs;
 }
 
-ProofResult prove_orthonormality_by_reduction(const Basis& basis) {
+int prove_orthonormality_by_reduction(const Basis& basis) {
   std::map<int, std::vector<const BasisFunction*>> by_order;
   int highest = 0;
   for (const BasisFunction& f : basis) {
     for (const auto& [monomial, coefficient] : f.axial.terms()) {
-      if (monomial.exponent(0) != 0 || monomial.exponent(1) != 0 || monomial.exponent(2) > f.degree) {
-        return refuted(name_of(f) + ": the axial part is no polynomial in z of degree at most l");
-      }
+      const int power = monomial.exponent(2);
+      if (power == monomial.degree() && power <= f.degree) continue;
+      throw Refuted(f.name() + ": the axial part is no polynomial in z of degree at most l");
     }
     by_order[f.order].push_back(&f);
     highest = std::max(highest, f.degree);
@@ -126,12 +119,11 @@ ProofResult prove_orthonormality_by_reduction(const Basis& basis) {
   for (const auto& [order, functions] : by_order) {
     const Polynomial azimuthal = expected_azimuthal(order);
     for (const BasisFunction* f : functions) {
-      if (!(f->azimuthal == azimuthal)) return refuted(name_of(*f) + ": the azimuthal part is not cos or sin of m phi");
+      if (!(f->azimuthal == azimuthal)) throw Refuted(f->name() + ": the azimuthal part is not cos or sin of m phi");
     }
-    ProofResult result = prove_order(functions, std::abs(order), highest);
-    if (!result.proved) return result;
+    prove_order(functions, std::abs(order), highest);
   }
-  return proved(std::to_string(basis.size()) + " functions, " + std::to_string(by_order.size()) + " orders");
+  return static_cast<int>(basis.size());
 }
 
 }  // namespace sh::symbolic

@@ -1,47 +1,47 @@
-// A proof: one identity, the method that decides it, how far it reaches, and the function that runs it.
+// The catalogue of proofs: the identities, the method that decides each of them, and its largest degree.
 //
-// Every area offers a function prove_...(object, ...) -> ProofResult that takes the object it proves, so that a test
-// can hand it a spoiled copy and see it refuted, and a list xyz_proofs() of catalogue entries that derive the object
-// and prove it up to a degree. all_proofs() joins the lists; `shgen prove` runs them.
+// An identity compares a left side with a right side for every index of a range. identities.hpp declares a function for
+// each identity. The function takes the objects that it proves, so a test can give it a spoiled copy. The catalogue
+// derives the objects and calls these functions.
 #pragma once
 
 #include <functional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace sh::symbolic {
 
-/// The outcome of one proof.
-struct ProofResult {
-  bool proved = false;
-  std::string detail;  ///< proved: what was checked ("231 pairs"); refuted: the first counterexample
+/// The two sides of an identity differ. The message names the first place.
+struct Refuted : std::runtime_error {
+  using std::runtime_error::runtime_error;
 };
-
-inline ProofResult proved(std::string what) { return {true, std::move(what)}; }
-inline ProofResult refuted(std::string counterexample) { return {false, std::move(counterexample)}; }
 
 /// An entry of the catalogue.
 struct Proof {
   std::string name;         ///< short and unique: "orthonormality"
   std::string statement;    ///< the identity, one line of plain text
-  std::string method;       ///< how it is decided: "exact integration of every pair"
-  int default_degree = 10;  ///< run by default to this degree
-  int max_degree = 20;      ///< largest degree it supports
-  std::string limit;        ///< why not further, one line
-  /// Derives the object to a degree in 0 .. max_degree and proves it.
-  std::function<ProofResult(int degree)> run;
-  bool every_degree = false;  ///< the identity does not depend on the degree
+  std::string method;       ///< the way to decide it: "exact integration of every pair"
+  int default_degree = 10;  ///< the degree of a run without options
+  int max_degree = 20;      ///< the largest degree that the method supports
+  std::string limit;        ///< the reason for max_degree, one line
+  std::string compared;     ///< the things that `run` counts: "pairs"
+  /// Derives the objects to a degree, compares both sides and returns the number of comparisons. Throws Refuted.
+  std::function<int(int degree)> run;
+  bool every_degree = false;  ///< true: the identity does not depend on the degree
 };
 
-/// Every proof of every area, in reading order: basis, rotations, conventions, zonal functions, Gaunt tensors. Their
-/// `run` throws std::invalid_argument with one line, limit and reason, for a degree outside 0 .. max_degree.
+/// The outcome of a proof.
+struct ProofResult {
+  bool proved = false;
+  std::string detail;  ///< the comparisons ("231 pairs"), or the first place where the sides differ
+};
+
+/// Every proof, in reading order: basis, rotations, conventions, zonal functions, Gaunt tensors. Their `run` throws
+/// std::invalid_argument, one line with the limit and the reason, for a degree outside 0 .. max_degree.
 std::vector<Proof> all_proofs();
 
-/// Runs the proof; when it throws, it counts as refuted, with the error as the detail, so that the others still run.
+/// Runs a proof. Every exception refutes it, and its message becomes the detail, so that the other proofs still run.
 ProofResult run_proof(const Proof& proof, int degree);
-
-/// Throws std::invalid_argument, with the limit and the reason, unless 0 <= degree <= kMaxBasisDegree. Each proof goes
-/// as far as its own max_degree.
-void require_proof_degree(int degree);
 
 }  // namespace sh::symbolic

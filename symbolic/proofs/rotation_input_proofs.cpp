@@ -1,8 +1,7 @@
 // Proofs about the ways to give a rotation: Euler orders, axis and angle, and the ZYZ angles read from a matrix.
 #include "symbolic/number/from_ginac.hpp"
-#include "symbolic/number/polynomial_calculus.hpp"
-#include "symbolic/proofs/rotation_proofs.hpp"
-#include "symbolic/rotation/rotation_input.hpp"
+#include "symbolic/number/polynomial.hpp"
+#include "symbolic/proofs/identities.hpp"
 
 namespace sh::symbolic {
 namespace {
@@ -21,17 +20,16 @@ PolynomialMatrix full_turn(int axis, const CosSin<Polynomial>& h) {
   return matrix_about_axis(axis, doubled(h), circle(h));
 }
 
-ProofResult prove_euler_order(std::string_view order, const EulerFormula& formula) {
+void require_euler_order(std::string_view order, const EulerFormula& formula) {
   const std::array<CosSin<Polynomial>, 3> halves{half(0), half(1), half(2)};
   const auto axes = euler_axes(order);
   std::vector<PolynomialMatrix> turns;
-  for (std::size_t i = 0; i < 3; ++i) turns.push_back(full_turn(axes[i], halves[i]));
+  for (int i = 0; i < 3; ++i) turns.push_back(full_turn(axes[i], halves[i]));
   const auto intrinsic = matrix_from_quaternion(formula(order, EulerFrame::kIntrinsic, halves));
   const auto extrinsic = matrix_from_quaternion(formula(order, EulerFrame::kExtrinsic, halves));
   if (!(intrinsic == turns[0] * turns[1] * turns[2]) || !(extrinsic == turns[2] * turns[1] * turns[0])) {
-    return refuted("Euler order " + std::string(order));
+    throw Refuted("Euler order " + std::string(order));
   }
-  return proved("");
 }
 
 // f (variable 4) squared is `square`: the normal form of p in which f has degree at most 1.
@@ -66,33 +64,30 @@ bool pole_case(const ZyzFormula& formula, const PolynomialMatrix& m, const Polyn
 
 }  // namespace
 
-ProofResult prove_zyz_angles(const ZyzFormula& formula) {
+int prove_zyz_angles(const ZyzFormula& formula) {
   const PolynomialMatrix m = quaternion_matrix();
   Polynomial n;
   for (int i = 0; i < 4; ++i) n += Polynomial::variable(i).power(2);
-  if (!generic_case(formula, m, n)) return refuted("the angles do not give R back where sin(beta) is not 0");
+  if (!generic_case(formula, m, n)) throw Refuted("the angles do not give R back where sin(beta) is not 0");
   const Polynomial u = Polynomial::variable(0);
   const Polynomial v = Polynomial::variable(1);
   const Polynomial none;
   const std::vector<std::array<Polynomial, 4>> poles{{u, none, none, v}, {none, u, v, none}};
   for (const auto& q : poles) {
     const auto at_pole = m.mapped([&](const Polynomial& entry) { return substitute(entry, q); });
-    if (!pole_case(formula, at_pole, substitute(n, q))) return refuted("the angles do not give R back at a pole");
+    if (!pole_case(formula, at_pole, substitute(n, q))) throw Refuted("the angles do not give R back at a pole");
   }
-  return proved("every rotation, both poles");
+  return 3;
 }
 
-ProofResult prove_euler_orders(const EulerFormula& formula) {
-  for (const std::string_view order : kEulerOrders) {
-    ProofResult result = prove_euler_order(order, formula);
-    if (!result.proved) return result;
-  }
-  return proved("12 orders, 2 frames");
+int prove_euler_orders(const EulerFormula& formula) {
+  for (const std::string_view order : kEulerOrders) require_euler_order(order, formula);
+  return 2 * static_cast<int>(kEulerOrders.size());
 }
 
 // The quaternion (c, s u) has the matrix (c^2 - s^2 |u|^2) + 2 s^2 u u^T + 2 c s [u]; Rodrigues' formula at
 // cosine = c^2 - s^2 |u|^2 and one = cosine + 2 s^2 (which is 1 where |u| = 1) must be the same polynomial.
-ProofResult prove_axis_angle(const AxisAngleFormula& formula) {
+int prove_axis_angle(const AxisAngleFormula& formula) {
   const std::array<Polynomial, 3> axis{Polynomial::variable(2), Polynomial::variable(3), Polynomial::variable(4)};
   const CosSin<Polynomial> h = half(0);
   const Polynomial length2 = axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2];
@@ -100,9 +95,9 @@ ProofResult prove_axis_angle(const AxisAngleFormula& formula) {
   const Polynomial one = cosine + cln::cl_RA(2) * (h.sine * h.sine);
   const auto rodrigues = formula(axis, {cosine, cln::cl_RA(2) * (h.cosine * h.sine)}, one);
   if (!(rodrigues == matrix_from_quaternion(quaternion_from_axis_angle(axis, h)))) {
-    return refuted("Rodrigues' formula differs from the quaternion's matrix");
+    throw Refuted("Rodrigues' formula differs from the quaternion's matrix");
   }
-  return proved("identity in the half angle and the axis");
+  return 1;
 }
 
 }  // namespace sh::symbolic

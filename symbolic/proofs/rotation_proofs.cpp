@@ -1,13 +1,8 @@
-#include "symbolic/proofs/rotation_proofs.hpp"
-
 #include <map>
 #include <random>
 
-#include "symbolic/basis/basis.hpp"
-#include "symbolic/number/polynomial_calculus.hpp"
-#include "symbolic/rotation/rotation.hpp"
-#include "symbolic/rotation/rotation_input.hpp"
-#include "symbolic/rotation/rotation_recursion.hpp"
+#include "symbolic/number/polynomial.hpp"
+#include "symbolic/proofs/identities.hpp"
 
 namespace sh::symbolic {
 namespace {
@@ -18,8 +13,6 @@ std::string entry_name(int degree, int row, int column) {
   return "l=" + std::to_string(degree) + " entry (" + std::to_string(row - degree) + ", " +
          std::to_string(column - degree) + ")";
 }
-
-std::string band_count(std::size_t bands) { return std::to_string(bands) + " bands"; }
 
 // x^a y^b z^c at M(q) v, each made from one with a power less. Variables 0..3 are q, 4..6 are v.
 class TurnedMonomials {
@@ -35,7 +28,7 @@ class TurnedMonomials {
     const auto position = known_.find(monomial);
     if (position != known_.end()) return position->second;
     std::array<int, 3> exponents{monomial.exponent(0), monomial.exponent(1), monomial.exponent(2)};
-    const std::size_t axis = exponents[0] > 0 ? 0 : exponents[1] > 0 ? 1 : 2;
+    const int axis = exponents[0] > 0 ? 0 : exponents[1] > 0 ? 1 : 2;
     --exponents[axis];
     return known_.emplace(monomial, turned_[axis] * (*this)(Monomial(exponents))).first->second;
   }
@@ -76,30 +69,29 @@ class RationalRotations {
   std::mt19937 random_{20040301};
 };
 
-// T K^-2 T^T - scale K^-2, the first entry that is not zero; K^-2 up to a common factor.
+// T K^-2 T^T = scale K^-2; K^-2 up to a common factor.
 template <class T>
-std::string orthogonality_error(int degree, const Matrix<T>& t, const T& scale) {
+void require_orthogonal(int degree, const Matrix<T>& t, const T& scale) {
   const int size = 2 * degree + 1;
   for (int i = 0; i < size; ++i) {
     for (int j = 0; j <= i; ++j) {
       T sum = T();
       for (int k = 0; k < size; ++k) sum = sum + cln::recip(squared_factor(degree, k - degree)) * (t(i, k) * t(j, k));
       const T expected = i == j ? T(cln::recip(squared_factor(degree, i - degree)) * scale) : T();
-      if (!(sum == expected)) return entry_name(degree, i, j) + " of D D^T is wrong";
+      if (!(sum == expected)) throw Refuted(entry_name(degree, i, j) + " of D D^T is wrong");
     }
   }
-  return "";
 }
 
-// first - second, the first entry in which they differ
+// Both matrices of a band are the same. Returns the number of bands, which is 1.
 template <class T>
-ProofResult compare(int degree, const Matrix<T>& first, const Matrix<T>& second, const std::string& what) {
+int require_same(int degree, const Matrix<T>& first, const Matrix<T>& second, const std::string& otherwise) {
   for (int i = 0; i < first.rows(); ++i) {
     for (int j = 0; j < first.columns(); ++j) {
-      if (!(first(i, j) == second(i, j))) return refuted(entry_name(degree, i, j) + ": " + what);
+      if (!(first(i, j) == second(i, j))) throw Refuted(entry_name(degree, i, j) + ": " + otherwise);
     }
   }
-  return proved(std::to_string(first.rows() * first.columns()) + " entries");
+  return 1;
 }
 
 // A polynomial in cos, sin of an angle as a homogeneous one of degree 2l in those of the half angle (variables 0, 1).
@@ -118,13 +110,19 @@ Polynomial at_half_angle(const Polynomial& p, int degree) {
 
 Matrix<Polynomial> about_axis(const QuaternionRotation& band, int axis) {
   std::array<Polynomial, 4> q{Polynomial::variable(0), Polynomial(), Polynomial(), Polynomial()};
-  q[static_cast<std::size_t>(axis) + 1] = Polynomial::variable(1);
+  q[axis + 1] = Polynomial::variable(1);
   return band.entries.mapped([&](const Polynomial& p) { return substitute(p, q); });
 }
 
 }  // namespace
 
-ProofResult prove_equivariance(const std::vector<QuaternionRotation>& bands, const Basis& basis) {
+std::vector<QuaternionRotation> derive_quaternion_rotations(int degree) {
+  std::vector<QuaternionRotation> bands;
+  for (int l = 0; l <= degree; ++l) bands.push_back(quaternion_rotation(l));
+  return bands;
+}
+
+int prove_equivariance(const std::vector<QuaternionRotation>& bands, const Basis& basis) {
   TurnedMonomials turned;
   for (const QuaternionRotation& band : bands) {
     const int l = band.degree;
@@ -136,61 +134,56 @@ ProofResult prove_equivariance(const std::vector<QuaternionRotation>& bands, con
         difference += coefficient * turned(monomial);
       }
       for (int n = 0; n <= 2 * l; ++n) difference -= band.entries(m, n) * right[n];
-      if (!difference.is_zero()) return refuted("l=" + std::to_string(l) + " m=" + std::to_string(m - l));
+      if (!difference.is_zero()) throw Refuted("l=" + std::to_string(l) + " m=" + std::to_string(m - l));
     }
     turned.forget_below(l);
   }
-  return proved(band_count(bands.size()));
+  return static_cast<int>(bands.size());
 }
 
-ProofResult prove_orthogonality(const std::vector<QuaternionRotation>& bands) {
+int prove_orthogonality(const std::vector<QuaternionRotation>& bands) {
   for (const QuaternionRotation& band : bands) {
-    const std::string error = orthogonality_error(band.degree, band.entries, squared_norm(0).power(2 * band.degree));
-    if (!error.empty()) return refuted(error);
+    require_orthogonal(band.degree, band.entries, squared_norm(0).power(2 * band.degree));
   }
-  return proved(band_count(bands.size()));
+  return static_cast<int>(bands.size());
 }
 
-ProofResult prove_composition(const std::vector<QuaternionRotation>& bands) {
+int prove_composition(const std::vector<QuaternionRotation>& bands) {
   Quaternion<Polynomial> a;
   Quaternion<Polynomial> b;
-  for (std::size_t i = 0; i < 4; ++i) {
-    a[i] = Polynomial::variable(static_cast<int>(i));
-    b[i] = Polynomial::variable(static_cast<int>(i) + 4);
+  for (int i = 0; i < 4; ++i) {
+    a[i] = Polynomial::variable(i);
+    b[i] = Polynomial::variable(i + 4);
   }
   const Quaternion<Polynomial> ab = quaternion_product(a, b);
+  int count = 0;
   for (const QuaternionRotation& band : bands) {
     const Matrix<Polynomial> t_b = band.entries.mapped([&](const Polynomial& p) { return substitute(p, b); });
     const Matrix<Polynomial> t_ab = band.entries.mapped([&](const Polynomial& p) { return substitute(p, ab); });
-    ProofResult result = compare(band.degree, band.entries * t_b, t_ab, "T(a) T(b) differs from T(ab)");
-    if (!result.proved) return result;
+    count += require_same(band.degree, band.entries * t_b, t_ab, "T(a) T(b) differs from T(ab)");
   }
-  return proved(band_count(bands.size()));
+  return count;
 }
 
-ProofResult prove_recursion_agrees(const std::vector<QuaternionRotation>& bands,
-                                   const std::vector<Matrix<Polynomial>>& recursion) {
+int prove_recursion_agrees(const std::vector<QuaternionRotation>& bands,
+                           const std::vector<Matrix<Polynomial>>& recursion) {
+  int count = 0;
   for (const QuaternionRotation& band : bands) {
-    ProofResult result =
-        compare(band.degree, band.entries, recursion.at(band.degree), "quaternion form and recursion differ");
-    if (!result.proved) return result;
+    count += require_same(band.degree, band.entries, recursion.at(band.degree), "quaternion form and recursion differ");
   }
-  return proved(band_count(bands.size()));
+  return count;
 }
 
-ProofResult prove_orthogonality_at_points(const BandsAt& bands_at, int points) {
+int prove_orthogonality_at_points(const BandsAt& bands_at, int points) {
   RationalRotations rotations;
   for (int point = 0; point < points; ++point) {
-    const auto bands = bands_at(rotations.next());
-    for (std::size_t l = 0; l < bands.size(); ++l) {
-      const std::string error = orthogonality_error(static_cast<int>(l), bands[l], cln::cl_RA(1));
-      if (!error.empty()) return refuted(error);
-    }
+    int degree = 0;
+    for (const RationalMatrix& band : bands_at(rotations.next())) require_orthogonal(degree++, band, cln::cl_RA(1));
   }
-  return proved(std::to_string(points) + " rational rotations");
+  return points;
 }
 
-ProofResult prove_composition_at_points(const BandsAt& bands_at, int points) {
+int prove_composition_at_points(const BandsAt& bands_at, int points) {
   RationalRotations rotations;
   for (int point = 0; point < points; ++point) {
     const RationalMatrix a = rotations.next();
@@ -198,52 +191,43 @@ ProofResult prove_composition_at_points(const BandsAt& bands_at, int points) {
     const auto bands_a = bands_at(a);
     const auto bands_b = bands_at(b);
     const auto bands_ab = bands_at(a * b);
-    for (std::size_t l = 0; l < bands_a.size(); ++l) {
-      ProofResult result =
-          compare(static_cast<int>(l), bands_a[l] * bands_b[l], bands_ab[l], "D(a) D(b) differs from D(ab)");
-      if (!result.proved) return result;
+    for (int l = 0; l < static_cast<int>(bands_a.size()); ++l) {
+      require_same(l, bands_a[l] * bands_b[l], bands_ab[l], "D(a) D(b) differs from D(ab)");
     }
   }
-  return proved(std::to_string(points) + " pairs of rational rotations");
+  return points;
 }
 
-ProofResult prove_about_z(const QuaternionRotation& band, const Matrix<Polynomial>& z) {
+int prove_about_z(const QuaternionRotation& band, const Matrix<Polynomial>& z) {
   const auto half = z.mapped([&](const Polynomial& p) { return at_half_angle(p, band.degree); });
-  return compare(band.degree, about_axis(band, 2), half, "the closed form about z differs from the quaternion form");
+  return require_same(band.degree, about_axis(band, 2), half,
+                      "the closed form about z differs from the quaternion form");
 }
 
-ProofResult prove_about_y(const QuaternionRotation& band, const Matrix<Polynomial>& y) {
-  return compare(band.degree, about_axis(band, 1), y, "the turn about y differs from the quaternion form");
+int prove_about_y(const QuaternionRotation& band, const Matrix<Polynomial>& y) {
+  return require_same(band.degree, about_axis(band, 1), y, "the turn about y differs from the quaternion form");
 }
 
-ProofResult prove_wigner_form(int degree, const Matrix<Polynomial>& y, const Matrix<Polynomial>& by_wigner) {
-  return compare(degree, y, by_wigner, "Wigner's formula differs from the definition");
+int prove_wigner_form(int degree, const Matrix<Polynomial>& y, const Matrix<Polynomial>& by_wigner) {
+  return require_same(degree, y, by_wigner, "Wigner's formula differs from the definition");
 }
 
-ProofResult prove_x90(const QuaternionRotation& band, const RationalMatrix& plus, const RationalMatrix& minus) {
+int prove_x90(const QuaternionRotation& band, const RationalMatrix& plus, const RationalMatrix& minus) {
   const cln::cl_RA norm = cln::expt(cln::cl_RA(2), band.degree);
   const RationalMatrix scaled =
       evaluate(band, {1, 1, 0, 0}).mapped([&](const cln::cl_RA& entry) -> cln::cl_RA { return entry / norm; });
-  ProofResult same = compare(band.degree, plus, scaled, "differs from the quaternion form at (1,1,0,0)");
-  if (!same.proved) return same;
   const auto one = RationalMatrix::identity(plus.rows(), 1);
-  ProofResult inverse = compare(band.degree, plus * minus, one, "+90 and -90 degrees are not inverse");
-  if (!inverse.proved) return inverse;
-  return compare(band.degree, plus * plus * plus * plus, one, "four quarter turns are not the identity");
+  require_same(band.degree, plus, scaled, "differs from the quaternion form at (1,1,0,0)");
+  require_same(band.degree, plus * minus, one, "+90 and -90 degrees are not inverse");
+  return require_same(band.degree, plus * plus * plus * plus, one, "four quarter turns are not the identity");
 }
 
-ProofResult prove_z_x90_z(int degree, const Matrix<Polynomial>& y, const Matrix<Polynomial>& z,
-                          const RationalMatrix& plus, const RationalMatrix& minus) {
+int prove_z_x90_z(int degree, const Matrix<Polynomial>& y, const Matrix<Polynomial>& z, const RationalMatrix& plus,
+                  const RationalMatrix& minus) {
   const auto constant = [](const cln::cl_RA& entry) { return Polynomial(entry); };
   const auto middle = z.mapped([&](const Polynomial& p) { return at_half_angle(p, degree); });
-  return compare(degree, y, minus.mapped(constant) * middle * plus.mapped(constant),
-                 "Ry(beta) differs from Rx(-90) Rz(beta) Rx(90)");
-}
-
-std::vector<QuaternionRotation> derive_quaternion_rotations(int degree) {
-  std::vector<QuaternionRotation> bands;
-  for (int l = 0; l <= degree; ++l) bands.push_back(quaternion_rotation(l));
-  return bands;
+  return require_same(degree, y, minus.mapped(constant) * middle * plus.mapped(constant),
+                      "Ry(beta) differs from Rx(-90) Rz(beta) Rx(90)");
 }
 
 }  // namespace sh::symbolic

@@ -13,9 +13,8 @@
 #include <map>
 
 #include "symbolic/basis/basis.hpp"
+#include "symbolic/number/derivation.hpp"
 #include "symbolic/number/from_ginac.hpp"
-#include "symbolic/number/remembered.hpp"
-#include "symbolic/number/require_degree.hpp"
 #include "symbolic/rotation/rotation_recursion.hpp"
 
 namespace sh::symbolic {
@@ -153,8 +152,6 @@ cln::cl_RA column_scale(int degree, int column) {
   const cln::cl_RA inverse_g = a == degree ? cln::cl_RA(2 * degree - 1) : cln::cl_RA(2 * degree - 1) / (degree - a);
   return squared_factor(degree, a) / squared_factor(degree - 1, a == degree ? a - 1 : a) * inverse_g;
 }
-
-void require_recursion_degree(int degree, int limit) { require_degree("rotation recursion", degree, limit, kGrowth); }
 
 Matrix<Polynomial> quaternion_matrix() {
   return matrix_from_quaternion<Polynomial>(

@@ -30,8 +30,8 @@ struct QuaternionRotation {
   Matrix<Polynomial> entries;  // (2l+1, 2l+1)
 };
 
-/// Band `degree`, derived once; throws std::invalid_argument unless 0 <= degree <= kMaxQuaternionDegree (beyond, the
-/// expanded polynomials outgrow their use; the recursion goes on).
+/// Band `degree`, derived once. Throws std::invalid_argument unless 0 <= degree <= kMaxQuaternionDegree; the recursion
+/// goes further.
 const QuaternionRotation& quaternion_rotation(int degree);
 
 /// M(q) = |q|^2 R(q) as nine quadratic forms in w, x, y, z [Rodrigues1840].
@@ -56,8 +56,8 @@ Matrix<Polynomial> rotation_about_z(int degree);
 /// surd matrix is surd_entries(degree, ...). Derived once. Same range.
 const Matrix<cln::cl_RA>& rotation_x90(int degree, bool positive = true);
 
-/// T of Ry(beta), entries in c, s = cos, sin of beta/2 (variables 0, 1), homogeneous of degree 2l: cosine rows meet only
-/// cosine columns, sine only sine. Derived once. Same range.
+/// T of Ry(beta), entries in c, s = cos, sin of beta/2 (variables 0, 1), homogeneous of degree 2l: cosine rows meet
+/// only cosine columns, sine only sine. Derived once. Same range.
 const Matrix<Polynomial>& rotation_about_y(int degree);
 
 /// One entry of Wigner's d matrix: factor * polynomial in c, s = cos, sin of beta/2 (variables 0, 1), homogeneous of

@@ -1,16 +1,14 @@
-// Rotations given as quaternion, axis and angle, or Euler angles in any order, as a 3x3 matrix or a quaternion.
+// Ways to give a rotation (quaternion, axis and angle, Euler angles in any order) -> 3x3 matrix or quaternion.
 //
 // Everything is a polynomial in cosines and sines, so the functions work over any ring T: exact rationals (rational
 // points of the unit circle), polynomials in symbols, or floating point. Conventions: column vectors, counter-clockwise
-// about the axis seen from its tip, quaternions (w, x, y, z), q v q^-1. Angles come as (cosine, sine) pairs;
-// quaternions take those of the half angle. Intrinsic orders turn about the axes of the turned body: "zyx" applies
-// first z, then the new y, then the new x, R = Rz Ry Rx; extrinsic orders turn about fixed axes, R = Rx Ry Rz for the
-// same word [Diebel06]; [Green03] asks for XYZ, ZYX and ZYZ.
+// about the axis seen from its tip, quaternions (w, x, y, z), q v q^-1. Angles are (cosine, sine) pairs; quaternions
+// take the pairs of the half angles. Intrinsic orders turn about the axes of the turned body: "zyx" applies first z,
+// then the new y, then the new x, R = Rz Ry Rx. Extrinsic orders turn about fixed axes: the same word is R = Rx Ry Rz
+// [Diebel06]. [Green03] uses XYZ, ZYX and ZYZ.
 #pragma once
 
 #include <array>
-#include <cmath>
-#include <limits>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -41,10 +39,10 @@ inline std::array<int, 3> euler_axes(std::string_view order) {
     if (word == order) return {order[0] - 'x', order[1] - 'x', order[2] - 'x'};
     known += " " + std::string(word);
   }
-  throw std::invalid_argument("Euler order '" + std::string(order) + "'; it should be one of" + known);
+  throw std::invalid_argument("unknown Euler order '" + std::string(order) + "': expected one of:" + known);
 }
 
-/// |q|^2 R(q): the rotation itself when |q| = 1. T needs + - *.
+/// |q|^2 R(q); the rotation itself if |q| = 1.
 template <class T>
 Matrix<T> matrix_from_quaternion(const Quaternion<T>& q) {
   const auto& [w, x, y, z] = q;
@@ -81,7 +79,7 @@ Matrix<T> matrix_about_axis(int axis, const CosSin<T>& angle, const T& one) {
   return result;
 }
 
-/// Rodrigues' formula; axis: unit vector (otherwise cosine must be |axis|^2 cos and so on: it is not checked).
+/// Rodrigues' formula. axis: a unit vector, which is not checked.
 template <class T>
 Matrix<T> matrix_from_axis_angle(const std::array<T, 3>& axis, const CosSin<T>& angle, const T& one) {
   const T versine = one - angle.cosine;
@@ -105,42 +103,30 @@ Quaternion<T> quaternion_from_axis_angle(const std::array<T, 3>& axis, const Cos
   return {half_angle.cosine, half_angle.sine * axis[0], half_angle.sine * axis[1], half_angle.sine * axis[2]};
 }
 
-/// angles: in the order of the letters.
-template <class T>
-Matrix<T> matrix_from_euler(std::string_view order, EulerFrame frame, const std::array<CosSin<T>, 3>& angles,
-                            const T& one) {
-  const std::array<int, 3> axes = euler_axes(order);
-  const Matrix<T> first = matrix_about_axis(axes[0], angles[0], one);
-  const Matrix<T> second = matrix_about_axis(axes[1], angles[1], one);
-  const Matrix<T> third = matrix_about_axis(axes[2], angles[2], one);
-  return frame == EulerFrame::kIntrinsic ? first * second * third : third * second * first;
-}
-
 /// half_angles: in the order of the letters.
 template <class T>
 Quaternion<T> quaternion_from_euler(std::string_view order, EulerFrame frame,
                                     const std::array<CosSin<T>, 3>& half_angles) {
   const std::array<int, 3> axes = euler_axes(order);
   std::array<Quaternion<T>, 3> factors{};
-  for (std::size_t i = 0; i < 3; ++i) {
+  for (int i = 0; i < 3; ++i) {
     factors[i][0] = half_angles[i].cosine;
-    factors[i][static_cast<std::size_t>(axes[i]) + 1] = half_angles[i].sine;
+    factors[i][axes[i] + 1] = half_angles[i].sine;
   }
   if (frame == EulerFrame::kExtrinsic) std::swap(factors[0], factors[2]);
   return quaternion_product(quaternion_product(factors[0], factors[1]), factors[2]);
 }
 
-// ZYZ Euler angles from a rotation matrix, R = Rz(alpha) Ry(beta) Rz(gamma), by a formula without a hole at beta = 0 or
-// pi.
+// ZYZ Euler angles of a rotation matrix, R = Rz(alpha) Ry(beta) Rz(gamma), at every beta.
 //
-// Cosines and sines come straight from the entries; no angle is formed. With h = r02^2 + r12^2 = sin^2(beta),
+// Cosines and sines come straight from the entries. With h = r02^2 + r12^2 = sin^2(beta),
 //     (cos, sin) alpha = (r02, r12) / sqrt(h), or (1, 0) where h vanishes;   sin beta = sqrt(h), cos beta = r22;
 //     cos gamma = r11 cos alpha - r01 sin alpha,   sin gamma = r10 cos alpha - r00 sin alpha.
-// Only alpha is normalised. When h is tiny alpha carries the rounding error of r02, r12, but it is an exact point of
-// the circle, and gamma, taken from the matrix and this very alpha, makes up for it: the product is R to rounding at
-// every beta. Formulas that read gamma from r20, r21 as well [Green03] divide two small numbers and need the
-// case beta = 0 by hand. cos beta as sqrt(1 - sin^2 beta) or sin beta as sqrt(1 - r22^2) would lose half the digits
-// near the poles. symbolic/proofs/rotation_proofs.hpp proves the identity exactly for every rotation, with and without h = 0.
+// A tiny h gives alpha the rounding error of r02 and r12. But alpha remains an exact point of the circle, and gamma,
+// which follows from the matrix and this alpha, makes up for the error: the product is R to rounding at every beta.
+// Formulas that read gamma from r20 and r21 as well [Green03] divide two small numbers and need the case beta = 0 by
+// hand. cos beta as sqrt(1 - sin^2 beta) or sin beta as sqrt(1 - r22^2) would lose half the digits near the poles.
+// The proof zyz-angles shows the identity exactly for every rotation, with and without h = 0.
 
 template <class T>
 struct ZyzAngles {
@@ -149,31 +135,13 @@ struct ZyzAngles {
   CosSin<T> gamma;
 };
 
-/// The formula for a given direction of alpha, over any ring: azimuth = (cos, sin) alpha times some factor f, and
-/// sin_beta; then gamma carries the factor f too. f = 1 gives the angles, f = sqrt(h) keeps everything polynomial.
+/// The formula for a given direction of alpha, over any ring. azimuth: (cos, sin) alpha times some factor f; gamma then
+/// carries the factor f too. f = 1 gives the angles, f = sqrt(h) keeps everything polynomial.
 template <class T>
 ZyzAngles<T> zyz_from_azimuth(const Matrix<T>& r, const CosSin<T>& azimuth, const T& sin_beta) {
   return {azimuth,
           {r(2, 2), sin_beta},
           {r(1, 1) * azimuth.cosine - r(0, 1) * azimuth.sine, r(1, 0) * azimuth.cosine - r(0, 0) * azimuth.sine}};
-}
-
-/// The angles of a floating-point rotation matrix (3, 3); T is float, double or long double. Where h underflows beta is
-/// 0 or pi to the last digit, and alpha = 0.
-template <class T>
-ZyzAngles<T> zyz_angles(const Matrix<T>& r) {
-  const T h = r(0, 2) * r(0, 2) + r(1, 2) * r(1, 2);
-  // Where h is this small its square root still has all its digits only if h is a normal number.
-  const bool at_pole = h < std::numeric_limits<T>::min() / std::numeric_limits<T>::epsilon();
-  const T inverse = at_pole ? T(1) : T(1) / std::sqrt(h);
-  const CosSin<T> alpha = at_pole ? CosSin<T>{T(1), T(0)} : CosSin<T>{r(0, 2) * inverse, r(1, 2) * inverse};
-  return zyz_from_azimuth(r, alpha, h * inverse);
-}
-
-/// Rz(alpha) Ry(beta) Rz(gamma).
-template <class T>
-Matrix<T> matrix_from_zyz(const ZyzAngles<T>& angles, const T& one) {
-  return matrix_from_euler<T>("zyz", EulerFrame::kIntrinsic, {angles.alpha, angles.beta, angles.gamma}, one);
 }
 
 }  // namespace sh::symbolic

@@ -8,17 +8,17 @@
 // coordinate, are rational, with at most two j for each i (band_couplings). No division by an entry of R, no
 // special case for any rotation.
 //
-// T is any ring over the rationals: cln::cl_RA for exact points (to degree kMaxRecursionDegree), Polynomial in nine
-// variables to see the entries expanded (sane to about degree 6: 7,251 terms there, 39,312 at degree 8; the expansion
-// is not unique, since R R^T = 1). The matrix need not be checked: an entry is homogeneous of degree l in R.
+// T is any ring over the rationals: cln::cl_RA for exact points (to degree kMaxRecursionDegree), or Polynomial in nine
+// variables for expanded entries (7,251 terms at degree 6, 39,312 at degree 8; the expansion is not unique, since
+// R R^T = 1). Entries are homogeneous of degree l in R, so R may have any scale.
 #pragma once
 
 #include <cln/rational.h>
 
 #include <stdexcept>
-#include <string>
 #include <vector>
 
+#include "symbolic/number/derivation.hpp"
 #include "symbolic/number/matrix.hpp"
 
 namespace sh::symbolic {
@@ -26,8 +26,8 @@ namespace sh::symbolic {
 inline constexpr int kMaxRecursionDegree = 20;
 inline constexpr int kMaxExpandedDegree = 6;
 
-/// weight: how much coordinate `axis` (0, 1, 2) times S_(l-1, below) holds of S_(l, above), in the sense of the
-/// integral scaled as the recursion needs it: g * k_(l-1,below)^2 / k_(l,above)^2.
+/// The part of S_(l, above) in coordinate `axis` (0, 1, 2) times S_(l-1, below). weight: the integral with the scale of
+/// the recursion, g * k_(l-1,below)^2 / k_(l,above)^2.
 struct Coupling {
   int axis = 0;
   int below = 0;
@@ -38,11 +38,8 @@ struct Coupling {
 /// (rotation.cpp), derived once.
 const std::vector<std::vector<Coupling>>& band_couplings(int degree);
 
-/// The factor that stands before the sum for column n: k_ln^2 / (k_(l-1)^2 g).
+/// The factor before the sum for column n: k_ln^2 / (k_(l-1)^2 g).
 cln::cl_RA column_scale(int degree, int column);
-
-/// Throws std::invalid_argument unless 0 <= degree <= limit.
-void require_recursion_degree(int degree, int limit);
 
 namespace detail {
 
@@ -80,8 +77,9 @@ Matrix<T> next_band(int l, const Matrix<T>& r, const Matrix<T>& below) {
 /// the ring. Throws std::invalid_argument unless 0 <= degree <= kMaxRecursionDegree and r is 3x3.
 template <class T>
 std::vector<Matrix<T>> rotation_bands(int degree, const Matrix<T>& r, const T& one) {
-  require_recursion_degree(degree, kMaxRecursionDegree);
-  if (r.rows() != 3 || r.columns() != 3) throw std::invalid_argument("rotation recursion: the matrix should be 3x3");
+  require_degree("rotation recursion", degree, kMaxRecursionDegree, "exact entries grow with the degree");
+  if (r.rows() != 3 || r.columns() != 3)
+    throw std::invalid_argument("rotation recursion: expected a 3x3 matrix, got another shape");
   std::vector<Matrix<T>> bands{Matrix<T>::identity(1, one)};
   if (degree >= 1) {  // S_1 = (y, z, x)
     constexpr int order[3] = {1, 2, 0};

@@ -1,15 +1,11 @@
 // The second derivation of turns about y: Wigner's d matrix in closed form, over CLN rationals.
 #include <cln/integer.h>
 
-#include "symbolic/number/require_degree.hpp"
+#include "symbolic/number/derivation.hpp"
 #include "symbolic/rotation/rotation.hpp"
 
 namespace sh::symbolic {
 namespace {
-
-void require_axis_degree(int degree) {
-  require_degree("axis rotation", degree, kMaxAxisDegree, "exact entries grow with the degree");
-}
 
 cln::cl_I factorial(int n) { return cln::factorial(static_cast<unsigned>(n)); }
 
@@ -29,7 +25,7 @@ int sign(int order) { return order % 2 == 0 ? 1 : -1; }
 }  // namespace
 
 WignerEntry wigner_d(int degree, int row, int column) {
-  require_axis_degree(degree);
+  require_degree("axis rotation", degree, kMaxAxisDegree, "exact entries grow with the degree");
   const cln::cl_I square =
       factorial(degree + column) * factorial(degree - column) * factorial(degree + row) * factorial(degree - row);
   return {Surd::square_root(cln::cl_RA(square)), wigner_sum(degree, row, column)};
@@ -39,7 +35,7 @@ WignerEntry wigner_d(int degree, int row, int column) {
 // i sqrt 2. With d_(-m,-n) = (-1)^(m-n) d_mn the four terms pair up: D = (-1)^(m+n) d_mn +- (-1)^m d_(m,-n), plus for
 // cosines, minus for sines. The root of d times k_n/k_m is rational: (l+m)! (l-n)!, halved in column 0.
 Matrix<Polynomial> rotation_about_y_by_wigner(int degree) {
-  require_axis_degree(degree);
+  require_degree("axis rotation", degree, kMaxAxisDegree, "exact entries grow with the degree");
   const int l = degree;
   Matrix<Polynomial> t(2 * l + 1, 2 * l + 1);
   for (int m = 0; m <= l; ++m) {

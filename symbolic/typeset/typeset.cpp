@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "symbolic/number/polynomial_calculus.hpp"
+#include "symbolic/number/polynomial.hpp"
 
 namespace sh::symbolic {
 namespace {
@@ -35,7 +35,7 @@ SurdParts parts_of(const Surd& surd) {
   SurdParts parts;
   if (cln::numerator(size) != 1) parts.above = to_text(cln::numerator(size));
   if (cln::denominator(size) != 1) parts.below = to_text(cln::denominator(size));
-  int whole = surd.pi_half_power() / 2;  // towards zero: what remains is 1, 0 or -1 halves
+  int whole = surd.pi_half_power() / 2;  // towards zero: the rest is 1, 0 or -1 halves
   const int rest = surd.pi_half_power() - 2 * whole;
   if (whole > 0) parts.above += power("\\pi", whole);
   if (whole < 0) parts.below += power("\\pi", -whole);

@@ -35,8 +35,8 @@ struct Formula {
   std::vector<FormulaTerm> terms;
 };
 
-/// A sum of polynomials with coefficients in the ring of RadicalSum, kept apart by radical: what a rational polynomial
-/// becomes when a map between conventions mixes several of them.
+/// A sum of rational polynomials with coefficients in the ring of RadicalSum, one part for each radical: the image of a
+/// polynomial under a map between conventions.
 class PolynomialSum {
  public:
   /// Adds coefficient * p.

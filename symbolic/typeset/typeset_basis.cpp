@@ -1,8 +1,5 @@
 // Tables of the basis functions and their derivatives.
-#include <array>
-
 #include "symbolic/basis/basis.hpp"
-#include "symbolic/basis/basis_derivatives.hpp"
 #include "symbolic/convention/convention.hpp"
 #include "symbolic/typeset/typeset_families.hpp"
 
@@ -10,15 +7,6 @@ namespace sh::symbolic {
 namespace {
 
 const std::vector<std::string> kPoint{"x", "y", "z"};
-constexpr std::array<const char*, 3> kAxes{"x", "y", "z"};
-
-// factor * (re + i im)
-std::vector<FormulaTerm> complex_terms(const Surd& factor, const Polynomial& re, const Polynomial& im) {
-  std::vector<FormulaTerm> terms;
-  if (!re.is_zero()) terms.push_back({factor, false, {{re, kPoint}}});
-  if (!im.is_zero()) terms.push_back({factor, true, {{im, kPoint}}});
-  return terms;
-}
 
 template <class Visit>
 void for_each_function(int degree, const Convention& convention, Visit visit) {
@@ -29,8 +17,7 @@ void for_each_function(int degree, const Convention& convention, Visit visit) {
 }
 
 // q(z) Re or Im (x+iy)^|m|: as the reduced form of basis.hpp, with the convention's factor.
-FormulaTable reduced_table(int degree, const Convention& convention) {
-  FormulaTable table{{}, {"Reduced form, valid where x^2 + y^2 + z^2 = 1."}, {}};
+void fill_reduced(FormulaTable& table, int degree, const Convention& convention) {
   for_each_function(degree, convention, [&](const std::string& symbol, int l, int m) {
     const Surd factor = convention_factor(convention, l, m);
     const BasisFunction cosine = basis_function(l, std::abs(m));
@@ -45,53 +32,57 @@ FormulaTable reduced_table(int degree, const Convention& convention) {
     }
     table.rows.push_back(std::move(row));
   });
-  return table;
 }
 
-FormulaTable solid_table(int degree, const Convention& convention) {
-  FormulaTable table{{}, {"Homogeneous form: the solid harmonic r^l Y everywhere, Y where x^2 + y^2 + z^2 = 1."}, {}};
+// The homogeneous forms, differentiated along each list of axes; an empty list gives the functions themselves.
+void fill_derivatives(FormulaTable& table, int degree, const Convention& convention,
+                      const std::vector<std::vector<int>>& derivatives) {
   for_each_function(degree, convention, [&](const std::string& symbol, int l, int m) {
-    const ConventionFunction f = convention_function(convention, l, m);
-    table.rows.push_back({symbol, complex_terms(f.factor, f.re, f.im)});
-  });
-  return table;
-}
-
-FormulaTable gradient_table(int degree, const Convention& convention) {
-  FormulaTable table{{}, {"Cartesian gradient of the homogeneous form."}, {}};
-  for_each_function(degree, convention, [&](const std::string& symbol, int l, int m) {
-    const ConventionFunction f = convention_function(convention, l, m);
-    for (int axis = 0; axis < 3; ++axis) {
-      const std::string partial = std::string("\\partial_{") + kAxes[axis] + "} ";
-      table.rows.push_back({partial + symbol, complex_terms(f.factor, f.re.derivative(axis), f.im.derivative(axis))});
-    }
-  });
-  return table;
-}
-
-FormulaTable hessian_table(int degree, const Convention& convention) {
-  FormulaTable table{{}, {"Second Cartesian derivatives of the homogeneous form."}, {}};
-  for_each_function(degree, convention, [&](const std::string& symbol, int l, int m) {
-    const ConventionFunction f = convention_function(convention, l, m);
-    for (int a = 0; a < 3; ++a) {
-      for (int b = a; b < 3; ++b) {
-        const std::string partial = std::string("\\partial_{") + kAxes[a] + kAxes[b] + "} ";
-        table.rows.push_back({partial + symbol, complex_terms(f.factor, f.re.derivative(a).derivative(b),
-                                                              f.im.derivative(a).derivative(b))});
+    for (const std::vector<int>& axes : derivatives) {
+      ConventionFunction f = convention_function(convention, l, m);
+      std::string names;
+      for (const int axis : axes) {
+        f.re = f.re.derivative(axis);
+        f.im = f.im.derivative(axis);
+        names += kPoint[axis];
       }
+      Formula row{names.empty() ? symbol : "\\partial_{" + names + "} " + symbol, {}};
+      if (!f.re.is_zero()) row.terms.push_back({f.factor, false, {{f.re, kPoint}}});
+      if (!f.im.is_zero()) row.terms.push_back({f.factor, true, {{f.im, kPoint}}});
+      table.rows.push_back(std::move(row));
     }
   });
-  return table;
+}
+
+TypesetFamily derivatives_family(const char* name, const char* title, const char* note,
+                                 const std::vector<std::vector<int>>& derivatives) {
+  return {name,
+          title,
+          kMaxConventionDegree,
+          "conventions are exact to degree 20",
+          {note},
+          [derivatives](FormulaTable& table, int degree, const Convention& convention) {
+            fill_derivatives(table, degree, convention, derivatives);
+          }};
 }
 
 }  // namespace
 
 std::vector<TypesetFamily> basis_tables() {
-  const std::string limit = "conventions are exact to degree 20";
-  return {{"basis", "Spherical harmonics", kMaxConventionDegree, limit, reduced_table},
-          {"solid", "Solid harmonics", kMaxConventionDegree, limit, solid_table},
-          {"gradient", "Gradients of solid harmonics", kMaxConventionDegree, limit, gradient_table},
-          {"hessian", "Second derivatives of solid harmonics", kMaxConventionDegree, limit, hessian_table}};
+  return {
+      {"basis",
+       "Spherical harmonics",
+       kMaxConventionDegree,
+       "conventions are exact to degree 20",
+       {"Reduced form, valid where x^2 + y^2 + z^2 = 1."},
+       fill_reduced},
+      derivatives_family("solid", "Solid harmonics",
+                         "Homogeneous form: the solid harmonic r^l Y everywhere, Y where x^2 + y^2 + z^2 = 1.", {{}}),
+      derivatives_family("gradient", "Gradients of solid harmonics", "Cartesian gradient of the homogeneous form.",
+                         {{0}, {1}, {2}}),
+      derivatives_family("hessian", "Second derivatives of solid harmonics",
+                         "Second Cartesian derivatives of the homogeneous form.",
+                         {{0, 0}, {0, 1}, {0, 2}, {1, 1}, {1, 2}, {2, 2}})};
 }
 
 }  // namespace sh::symbolic

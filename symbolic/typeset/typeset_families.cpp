@@ -1,8 +1,7 @@
 #include "symbolic/typeset/typeset_families.hpp"
 
-#include <stdexcept>
-
-#include "symbolic/number/require_degree.hpp"
+#include "symbolic/number/derivation.hpp"
+#include "symbolic/number/find_named.hpp"
 
 namespace sh::symbolic {
 namespace {
@@ -17,31 +16,19 @@ std::vector<TypesetFamily> all_families() {
   return families;
 }
 
-const TypesetFamily& find_typeset_family(std::string_view name) {
-  std::string names;
-  for (const TypesetFamily& family : typeset_families()) {
-    if (family.name == name) return family;
-    names += (names.empty() ? "" : ", ") + family.name;
-  }
-  throw std::invalid_argument("unknown family '" + std::string(name) + "'; it should be one of " + names);
-}
-
 }  // namespace
 
-std::string tex_indices(int first, int second) {
-  return braces(std::to_string(first).append(",").append(std::to_string(second)));
-}
+std::string tex_indices(int first, int second) { return braces(std::to_string(first) + "," + std::to_string(second)); }
 
 std::string tex_indices(int first, int second, int third) {
-  return braces(
-      std::to_string(first).append(",").append(std::to_string(second)).append(",").append(std::to_string(third)));
+  return braces(std::to_string(first) + "," + std::to_string(second) + "," + std::to_string(third));
 }
 
 std::string indexed(const char* name, int index) { return name + braces(std::to_string(index)); }
 
 ConventionMap map_to(Convention convention, int degree) {
   convention.axes = SignedPermutation();
-  return convention_map(Convention{}, convention, degree);
+  return convention_map({}, convention, degree);
 }
 
 const std::vector<TypesetFamily>& typeset_families() {
@@ -50,11 +37,13 @@ const std::vector<TypesetFamily>& typeset_families() {
 }
 
 FormulaTable typeset_table(std::string_view family, int degree, const Preset& preset) {
-  const TypesetFamily& found = find_typeset_family(family);
+  const TypesetFamily& found = find_named(typeset_families(), family, "family");
   require_degree(found.name, degree, found.max_degree, found.limit);
-  FormulaTable table = found.table(degree, preset.convention);
-  table.title = found.title + ", degree " + std::to_string(degree) + ", convention " + preset.name;
-  table.notes.insert(table.notes.begin(), "Convention " + preset.name + ": " + preset.covers + ".");
+  FormulaTable table{found.title + ", degree " + std::to_string(degree) + ", convention " + preset.name,
+                     {"Convention " + preset.name + ": " + preset.covers + "."},
+                     {}};
+  table.notes.insert(table.notes.end(), found.notes.begin(), found.notes.end());
+  found.fill(table, degree, preset.convention);
   return table;
 }
 

@@ -1,8 +1,7 @@
-// Every family of formulas that can be typeset, by name: `shgen tex|markdown FAMILY --degree N [--convention C]`.
+// The families of formulas that can be typeset, by name: `shgen tex|markdown FAMILY --degree N [--convention C]`.
 //
-// Input: a family, a degree and a preset (symbolic/convention/presets.hpp). Output: a FormulaTable (symbolic/typeset/typeset.hpp). The
-// formulas are those of the convention in its own coordinates; where a family does not depend on the convention, a note
-// says so.
+// Input: a family, a degree and a preset. Output: a FormulaTable. The formulas are those of the convention in its own
+// coordinates; a note says where a family does not depend on the convention.
 #pragma once
 
 #include <functional>
@@ -10,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "symbolic/convention/convention.hpp"
 #include "symbolic/convention/convention_map.hpp"
-#include "symbolic/convention/presets.hpp"
 #include "symbolic/typeset/typeset.hpp"
 
 namespace sh::symbolic {
@@ -20,8 +19,10 @@ struct TypesetFamily {
   std::string name;   ///< as on the command line
   std::string title;  ///< plain text
   int max_degree = 0;
-  std::string limit;  ///< why not further
-  std::function<FormulaTable(int degree, const Convention& convention)> table;
+  std::string limit;               ///< the reason for max_degree
+  std::vector<std::string> notes;  ///< plain text, one sentence each
+  /// Adds the rows, and notes that depend on the convention.
+  std::function<void(FormulaTable& table, int degree, const Convention& convention)> fill;
 };
 
 /// basis, solid, gradient, hessian | rotation, rotation-quaternion, rotation-z, rotation-x90, rotation-y, wigner-d |
@@ -29,8 +30,8 @@ struct TypesetFamily {
 /// zonal_families().
 const std::vector<TypesetFamily>& typeset_families();
 
-/// Throws std::invalid_argument, in one line, for an unknown family (lists them), a degree outside 0..max_degree (says
-/// the limit and why) and a convention that the family cannot be written in.
+/// Throws std::invalid_argument, in one line, for an unknown family (lists them), a degree outside 0..max_degree (gives
+/// the limit and the reason) and a convention that does not apply to the family.
 FormulaTable typeset_table(std::string_view family, int degree, const Preset& preset);
 
 /// The parts of the list, one a file.
@@ -39,9 +40,8 @@ std::vector<TypesetFamily> rotation_tables();
 std::vector<TypesetFamily> product_tables();
 std::vector<TypesetFamily> zonal_tables();
 
-/// "_{1,-2}".
+/// "_{1,-2}" or "_{1,2,3}".
 std::string tex_indices(int first, int second);
-/// "_{1,2,3}".
 std::string tex_indices(int first, int second, int third);
 
 /// "a_{3}".

@@ -1,121 +1,113 @@
 // Tables of triple products and of products as bilinear forms.
 //
-// In another convention the entries are those of symbolic/convention/convention_map.hpp. Both tensors hold in the convention's own
+// In another convention the entries are those of convention_map.hpp. Both tensors hold in the convention's own
 // coordinates, so its axes do not enter.
 #include <map>
 
 #include "symbolic/convention/convention_map.hpp"
 #include "symbolic/product/gaunt.hpp"
-#include "symbolic/product/product_form.hpp"
-#include "symbolic/typeset/typeset.hpp"
 #include "symbolic/typeset/typeset_families.hpp"
 
 namespace sh::symbolic {
 namespace {
 
-constexpr int kMaxTypesetProductDegree = 9;
-
-std::string index_note() { return "Indices are l(l+1)+m."; }
-
-FormulaTable gaunt_table(int degree, const Convention& convention) {
-  FormulaTable table{{},
-                     {index_note(),
-                      "G_ijk is the integral of Y_i Y_j Y_k over the sphere (no conjugate). The tensor is symmetric; "
-                      "entries with i <= j <= k that are not listed are zero."},
-                     {}};
+void fill_gaunt(FormulaTable& table, int degree, const Convention& convention) {
   const TripleTensor entries = map_triple_integral(map_to(convention, degree), all_orders(gaunt_tensor(degree)));
   for (const auto& [triple, value] : entries) {
     if (triple != sorted(triple)) continue;
     table.rows.push_back({"G" + tex_indices(triple.i, triple.j, triple.k), formula_terms(value, "")});
   }
-  return table;
 }
 
-// P_ijk of (f g)_k = sum P_ijk f_i g_j, sorted by (k, i, j).
-std::map<IndexTriple, RadicalSum> product_entries(int degree, const Convention& convention) {
-  std::map<IndexTriple, RadicalSum> result;
-  const TripleTensor entries = map_product_form(map_to(convention, degree), all_orders(gaunt_tensor(degree)));
-  for (const auto& [triple, value] : entries) result[{triple.k, triple.i, triple.j}] = value;
-  return result;
-}
+// A term of a product: the place of its row, the symbol of the row, the coefficients that multiply it. Empty
+// coefficients: no term.
+struct ProductTerm {
+  std::pair<int, int> place;
+  std::string symbol;
+  std::string coefficients;
+  int factor = 1;
+};
 
-void append(std::vector<FormulaTerm>& terms, const std::vector<FormulaTerm>& more) {
-  terms.insert(terms.end(), more.begin(), more.end());
-}
-
-// One row c_k for each result; `symbols` names a term by (i, j) or drops it with an empty string.
-template <class Symbols>
-FormulaTable bilinear_table(int degree, const Convention& convention, const std::string& note, Symbols symbols) {
-  FormulaTable table{{}, {index_note(), note}, {}};
-  std::map<int, std::vector<FormulaTerm>> rows;
-  for (const auto& [triple, value] : product_entries(degree, convention)) {
-    const std::string text = symbols(triple.j, triple.k);
-    if (!text.empty()) append(rows[triple.i], formula_terms(value, text));
-  }
-  for (auto& [k, terms] : rows) table.rows.push_back({indexed("c", k), std::move(terms)});
-  return table;
-}
-
-FormulaTable product_table(int degree, const Convention& convention) {
-  return bilinear_table(degree, convention, "c is the product of a and b, projected on their bands.",
-                        [](int i, int j) { return indexed("a", i) + " " + indexed("b", j); });
-}
-
-// Entries (i, j) and (j, i) together multiply a_i a_j.
-FormulaTable square_table(int degree, const Convention& convention) {
-  FormulaTable table{{}, {index_note(), "c is the square of a, projected on its bands."}, {}};
-  std::map<int, std::map<std::pair<int, int>, RadicalSum>> rows;
-  for (const auto& [triple, value] : product_entries(degree, convention)) {
-    rows[triple.i][std::minmax(triple.j, triple.k)] += value;
-  }
-  for (const auto& [k, pairs] : rows) {
-    Formula row{indexed("c", k), {}};
-    for (const auto& [pair, value] : pairs) {
-      const std::string first = pair.first == pair.second ? "a_{" + std::to_string(pair.first) + "}^{2}"
-                                                          : indexed("a", pair.first) + " " + indexed("a", pair.second);
-      append(row.terms, formula_terms(value, first));
+// The rows of (f g)_k = sum P_ijk f_i g_j; term(k, i, j) describes the term of P_ijk.
+template <class Term>
+auto fill_product(Term term) {
+  return [term](FormulaTable& table, int degree, const Convention& convention) {
+    const TripleTensor entries = map_product_form(map_to(convention, degree), all_orders(gaunt_tensor(degree)));
+    std::map<IndexTriple, RadicalSum> by_result;
+    for (const auto& [t, value] : entries) by_result[{t.k, t.i, t.j}] = value;
+    std::map<std::pair<int, int>, Formula> rows;
+    for (const auto& [t, value] : by_result) {
+      const ProductTerm own = term(t.i, t.j, t.k);
+      if (own.coefficients.empty()) continue;
+      Formula& row = rows[own.place];
+      row.symbol = own.symbol;
+      const auto terms = formula_terms(RadicalSum(cln::cl_RA(own.factor)) * value, own.coefficients);
+      row.terms.insert(row.terms.end(), terms.begin(), terms.end());
     }
-    table.rows.push_back(std::move(row));
-  }
-  return table;
+    for (auto& [place, row] : rows) table.rows.push_back(std::move(row));
+  };
 }
 
-FormulaTable zonal_product_table(int degree, const Convention& convention) {
-  return bilinear_table(degree, convention,
-                        "c is the product of a and a zonal function about z with coefficients h_l, projected on the "
-                        "bands of a.",
-                        [](int i, int j) {
-                          const DegreeOrder y = degree_order(j);
-                          return y.order == 0 ? indexed("a", i) + " " + indexed("h", y.degree) : std::string();
-                        });
+ProductTerm product_term(int k, int i, int j) {
+  return {{k, 0}, indexed("c", k), indexed("a", i) + " " + indexed("b", j)};
 }
 
-FormulaTable transfer_table(int degree, const Convention& convention) {
-  FormulaTable table{
-      {},
-      {index_note(),
-       "M_ki is the entry in row k and column i of the matrix that multiplies by a known function b: c = "
-       "M a. Entries that are not listed are zero."},
-      {}};
-  std::map<std::pair<int, int>, std::vector<FormulaTerm>> rows;
-  for (const auto& [triple, value] : product_entries(degree, convention)) {
-    append(rows[{triple.i, triple.j}], formula_terms(value, indexed("b", triple.k)));
-  }
-  for (auto& [place, terms] : rows) {
-    table.rows.push_back({"M" + tex_indices(place.first, place.second), std::move(terms)});
-  }
-  return table;
+// P_ijk and P_jik are equal and multiply the same a_i a_j.
+ProductTerm square_term(int k, int i, int j) {
+  if (j < i) return {};
+  if (i == j) return {{k, 0}, indexed("c", k), indexed("a", i) + "^{2}"};
+  return {{k, 0}, indexed("c", k), indexed("a", i) + " " + indexed("a", j), 2};
 }
+
+ProductTerm zonal_term(int k, int i, int j) {
+  const auto [l, m] = degree_order(j);
+  if (m != 0) return {};
+  return {{k, 0}, indexed("c", k), indexed("a", i) + " " + indexed("h", l)};
+}
+
+ProductTerm transfer_term(int k, int i, int j) { return {{k, i}, "M" + tex_indices(k, i), indexed("b", j)}; }
 
 }  // namespace
 
 std::vector<TypesetFamily> product_tables() {
+  constexpr int kLargest = 9;
   const std::string limit = "the tensor has over 40,000 ordered entries there";
-  return {{"gaunt", "Gaunt coefficients of real harmonics", kMaxTypesetProductDegree, limit, gaunt_table},
-          {"product", "Products", kMaxTypesetProductDegree, limit, product_table},
-          {"square", "Squares", kMaxTypesetProductDegree, limit, square_table},
-          {"zonal-product", "Products with a zonal function", kMaxTypesetProductDegree, limit, zonal_product_table},
-          {"transfer", "Transfer matrix of a known function", kMaxTypesetProductDegree, limit, transfer_table}};
+  const std::string indices = "Indices are l(l+1)+m.";
+  return {{"gaunt",
+           "Gaunt coefficients of real harmonics",
+           kLargest,
+           limit,
+           {indices,
+            "G_ijk is the integral of Y_i Y_j Y_k over the sphere (no conjugate). The tensor is symmetric; entries "
+            "with i <= j <= k that are not listed are zero."},
+           fill_gaunt},
+          {"product",
+           "Products",
+           kLargest,
+           limit,
+           {indices, "c is the product of a and b, projected on their bands."},
+           fill_product(product_term)},
+          {"square",
+           "Squares",
+           kLargest,
+           limit,
+           {indices, "c is the square of a, projected on its bands."},
+           fill_product(square_term)},
+          {"zonal-product",
+           "Products with a zonal function",
+           kLargest,
+           limit,
+           {indices,
+            "c is the product of a and a zonal function about z with coefficients h_l, projected on the bands of a."},
+           fill_product(zonal_term)},
+          {"transfer",
+           "Transfer matrix of a known function",
+           kLargest,
+           limit,
+           {indices,
+            "M_ki is the entry in row k and column i of the matrix that multiplies by a known function b: c = M a. "
+            "Entries that are not listed are zero."},
+           fill_product(transfer_term)}};
 }
 
 }  // namespace sh::symbolic

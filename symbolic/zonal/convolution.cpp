@@ -5,8 +5,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "symbolic/number/polynomial_calculus.hpp"
-#include "symbolic/number/require_degree.hpp"
+#include "symbolic/number/derivation.hpp"
+#include "symbolic/number/polynomial.hpp"
 
 namespace sh::symbolic {
 namespace {

@@ -4,13 +4,13 @@
 //
 // Convention: orthonormal, no Condon-Shortley phase, axis +z. A family is a function with parameters left as symbols
 // (the cosine of a half-angle, a power, ...); a coefficient is one surd times a quotient of polynomials in them.
-//   integral     the definition, by GiNaC                                                       zonal_definition.cpp
-//   closed_form  the second derivation, by Legendre identities such as P'_(l+1) - P'_(l-1) = (2l+1) P_l
-//                                                                                            zonal_closed_forms.cpp
-// The proofs zonal-NAME show that they agree; closed forms are what people read (`shgen tex`).
+//   integral     the definition, by GiNaC (zonal.cpp)
+//   closed_form  the second derivation, by Legendre identities (zonal_closed_forms.cpp)
+// The proofs zonal-NAME show that they agree. `shgen tex` prints the closed forms.
 #pragma once
 
 #include <functional>
+#include <map>
 #include <span>
 #include <string>
 #include <string_view>
@@ -40,7 +40,7 @@ bool same_value(const ZonalTerm& a, const ZonalTerm& b);
 
 struct ZonalFamily {
   std::string name;                     ///< as on the command line: "cap"
-  std::string function;                 ///< what f(t) is
+  std::string function;                 ///< f(t), plain text
   std::vector<std::string> parameters;  ///< names of variables 0, 1, ...
   std::string domain;                   ///< meaning and range of the parameters
   std::string source;                   ///< keys of REFERENCES.md
@@ -48,19 +48,7 @@ struct ZonalFamily {
   std::function<ZonalTerm(int degree)> closed_form = {};
 };
 
-/// Every family, in the order of documentation:
-///   cap                      1 for t > c
-///   cap-small                the same in u = 1 - c, so that small caps keep their digits
-///   cap-complement           1 for t < c: what a cap leaves over (proxy shadow)
-///   annulus                  1 for c0 < t < c1
-///   hemisphere               1 for t > 0
-///   clamped-cosine           max(0, t)
-///   cosine-power             max(0, t)^n, n > -1 real (rational in n)
-///   linear-lobe              max(0, a (t - c)), that is max(0, a t - b) with c = b / a in [-1, 1]
-///   sphere-light             sphere of unit radiance, s = radius / distance, c = sqrt(1 - s^2): a cap, sin(alpha) = s
-///   sphere-light-irradiance  the same sphere, radiance 1 / (pi s^2): irradiance 1 on a surface that faces it
-///   directional-light        its limit s -> 0: a delta function of irradiance 1 on a surface that faces it
-///   cie-overcast             (1 + 2 t) / 3 for t > 0: CIE overcast sky of unit zenith radiance
+/// Every family, in the order of documentation.
 const std::vector<ZonalFamily>& zonal_families();
 
 /// Throws std::invalid_argument, listing the names, when there is none of that name.
@@ -69,11 +57,8 @@ const ZonalFamily& zonal_family(std::string_view name);
 /// Degrees 0..degree by the definition. Throws std::invalid_argument unless 0 <= degree <= kMaxZonalDegree.
 std::vector<ZonalTerm> zonal_coefficients(const ZonalFamily& family, int degree);
 
-/// Exact z_0..z_degree of max(0, a t - b) for any rational a and b: truncated, untruncated (b <= -|a|), zero
-/// (b >= |a|), tilted the other way (a < 0) or constant (a = 0). Throws as zonal_coefficients does.
-std::vector<Surd> linear_lobe(int degree, const cln::cl_RA& a, const cln::cl_RA& b);
-
-/// Throws std::invalid_argument unless 0 <= degree <= kMaxZonalDegree.
-void require_zonal_degree(int degree);
+/// The second derivation of each family, by its name. Legendre polynomials come from Bonnet's recurrence; integrals
+/// from (2l+1) P_l = P'_(l+1) - P'_(l-1) [AbramowitzStegun64] 8.5.3, 8.5.4.
+std::map<std::string, std::function<ZonalTerm(int degree)>> zonal_closed_forms();
 
 }  // namespace sh::symbolic

@@ -1,8 +1,6 @@
-#include <ginac/ginac.h>
-
 #include "symbolic/number/from_ginac.hpp"
 #include "symbolic/zonal/convolution.hpp"
-#include "symbolic/zonal/zonal_derivations.hpp"
+#include "symbolic/zonal/zonal.hpp"
 
 namespace sh::symbolic {
 namespace {
@@ -83,7 +81,7 @@ Surd clamped_cosine(int degree) { return irradiance_factor(degree) / convolution
 
 }  // namespace
 
-ZonalDerivations zonal_closed_forms() {
+std::map<std::string, std::function<ZonalTerm(int degree)>> zonal_closed_forms() {
   const symbol a("a");
   const symbol c("c");
   const symbol c0("c0");

@@ -1,7 +1,7 @@
-// What baking costs, one thread, embedded scene, beside what it cannot do without: rays against tracing alone, bounces
-// against the pass that finds what they meet, and the whole in seconds. Controls and ours by turns in the same process;
-// the least time of each counts. Usage: bake_bench [rays|bounces|whole]..., by default all. Exit 0 whether targets are
-// met or not.
+// The time of baking the embedded scene with one thread: rays against tracing alone, bounces against the pass that
+// finds the visible surfaces, and the whole bake in seconds. Bake and control take turns in one process, and the least
+// time of each counts. Usage: bake_bench [rays|bounces|whole]..., by default all. Exit 0 whether targets are met or
+// not.
 #include <oneapi/tbb/task_arena.h>
 
 #include <algorithm>

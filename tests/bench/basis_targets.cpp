@@ -1,5 +1,5 @@
-// Basis: one direction against the scalar recurrence and the textbook, batches against what stores and multiply-adds
-// take.
+// Basis: one direction against the scalar recurrence and the textbook, batches against the time of stores and
+// multiply-adds.
 #include <algorithm>
 #include <string>
 
@@ -7,9 +7,7 @@
 #include "generated/cpp/basis.hpp"
 #include "numeric/methods/textbook_basis.hpp"
 #include "tests/bench/controls/recurrence_basis.hpp"
-#include "tests/bench/degrees.hpp"
 #include "tests/bench/harness.hpp"
-#include "tests/bench/limits.hpp"
 
 namespace sh::bench {
 namespace {
@@ -38,7 +36,7 @@ void single(Table& table) {
   table.section("Basis, one float direction, ns",
                 "controls: the scalar recurrence of [Sloan13], the textbook's formula");
   const std::vector<float> directions = random_directions(kSingles);
-  const Buffer<float> out = make_buffer<float>(count_of(10));
+  const Buffer<float> out = make_buffer<float>(coefficient_count(10));
   for_degrees<2, 10>([&]<int kDegree>() {
     const std::vector<double> t = least_times(
         {one_by_one(directions, out.get(), [](float x, float y, float z, float* o) { sh::basis<kDegree>(x, y, z, o); }),
@@ -60,12 +58,12 @@ void batched(Table& table) {
   table.section("Basis, batches that stay in the first cache, blocked, ns a direction",
                 "limit: the larger of filling the output and of the multiply-adds alone");
   for (int degree = 2; degree <= 9; ++degree) {
-    const std::size_t n = cached_directions(count_of(degree));
+    const std::size_t n = cached_directions(coefficient_count(degree));
     const Buffer<float> in = to_blocks(random_directions(n), 3);
-    const Buffer<float> out = make_buffer<float>(n * count_of(degree));
+    const Buffer<float> out = make_buffer<float>(n * coefficient_count(degree));
     const std::vector<double> t =
         least_times({[&] { batch::basis(degree, n, batch::blocked(in.get()), batch::blocked(out.get())); },
-                     fill_task(out.get(), n * count_of(degree)), fma_task()});
+                     fill_task(out.get(), n * coefficient_count(degree)), fma_task()});
     const double store = t[1] / static_cast<double>(n);
     const double fma = t[2] / kFmaOperations * least_instructions(degree) / 16;
     table.ratio("batch basis, degree " + std::to_string(degree), "ns", t[0] * kNano / static_cast<double>(n),
@@ -77,7 +75,7 @@ void gradients(Table& table) {
   table.section("Values and gradients, batches that stay in the first cache, blocked, ns a direction",
                 "limit: filling the output");
   for (int degree = 2; degree <= 6; ++degree) {
-    const std::size_t values = 4 * count_of(degree);
+    const std::size_t values = 4 * coefficient_count(degree);
     const std::size_t n = cached_directions(values);
     const Buffer<float> in = to_blocks(random_directions(n), 3);
     const Buffer<float> out = make_buffer<float>(n * values);
@@ -93,10 +91,10 @@ void many(Table& table) {
   table.section("Basis, 100,000 directions, blocked, ns a direction", "limit: a plain fill of the output");
   const Buffer<float> in = to_blocks(random_directions(kMany), 3);
   for (int degree = 2; degree <= 9; ++degree) {
-    const Buffer<float> out = make_buffer<float>(kMany * count_of(degree));
+    const Buffer<float> out = make_buffer<float>(kMany * coefficient_count(degree));
     const std::vector<double> t =
         least_times({[&] { batch::basis(degree, kMany, batch::blocked(in.get()), batch::blocked(out.get())); },
-                     fill_task(out.get(), kMany * count_of(degree))});
+                     fill_task(out.get(), kMany * coefficient_count(degree))});
     table.ratio("batch basis, 100k, degree " + std::to_string(degree), "ns", t[0] * kNano / kMany, t[1] * kNano / kMany,
                 "fill", 1.2);
   }

@@ -5,8 +5,6 @@
 #include "symbolic/basis/basis.hpp"
 #include "symbolic/basis/basis_derivatives.hpp"
 #include "symbolic/convention/convention.hpp"
-#include "symbolic/convention/presets.hpp"
-#include "symbolic/convention/signed_permutation.hpp"
 #include "symbolic/product/gaunt.hpp"
 #include "symbolic/rotation/rotation.hpp"
 #include "symbolic/rotation/rotation_recursion.hpp"

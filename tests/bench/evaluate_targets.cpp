@@ -7,11 +7,7 @@
 #include "generated/batch/batch.hpp"
 #include "generated/cpp/basis.hpp"
 #include "numeric/oracle/basis.hpp"
-#include "tests/bench/controls/splat_colour.hpp"
-#include "tests/bench/degrees.hpp"
 #include "tests/bench/harness.hpp"
-#include "tests/bench/limits.hpp"
-#include "tests/bench/sixteen.hpp"
 
 namespace sh::bench {
 namespace {
@@ -19,12 +15,12 @@ namespace {
 constexpr double kNano = 1e9;
 constexpr std::size_t kCached = 1024;  // directions; in and out stay in the first cache
 constexpr int kSplatDegree = 3;
-constexpr std::size_t kSplatValues = 3 * count_of(kSplatDegree);
+constexpr std::size_t kSplatValues = 3 * coefficient_count(kSplatDegree);
 
 // Basis, then the sum of products, sixteen directions at a time.
 template <int Degree>
 void basis_and_dot(const float* c, const float* directions, std::size_t n, float* out) {
-  constexpr std::size_t kSize = count_of(Degree);
+  constexpr std::size_t kSize = coefficient_count(Degree);
   for (std::size_t block = 0; block < n / 16; ++block) {
     const auto* d = reinterpret_cast<const Sixteen*>(directions + 48 * block);
     Sixteen values[kSize];
@@ -41,7 +37,7 @@ void basis_and_dot(const float* c, const float* directions, std::size_t n, float
 // Largest error for a function of unit length.
 double error_of(int degree, const std::vector<float>& c, const std::vector<float>& directions, const float* values) {
   double largest = 0;
-  std::vector<double> basis(count_of(degree));
+  std::vector<double> basis(coefficient_count(degree));
   for (std::size_t i = 0; i < directions.size() / 3; ++i) {
     const double x = static_cast<double>(directions[3 * i]);
     const double y = static_cast<double>(directions[3 * i + 1]);
@@ -63,7 +59,7 @@ void one_function(Table& table) {
   const Buffer<float> ours = make_buffer<float>(kCached);
   const Buffer<float> other = make_buffer<float>(kCached);
   for_degrees<3, 6>([&]<int kDegree>() {
-    const std::vector<float> c = random_vectors(1, count_of(kDegree));
+    const std::vector<float> c = random_vectors(1, coefficient_count(kDegree));
     const std::vector<double> t =
         least_times({[&] {
                        batch::evaluate(kDegree, kCached, batch::shared(c.data()), batch::blocked(directions.get()),
@@ -77,11 +73,34 @@ void one_function(Table& table) {
   });
 }
 
+// The color of a Gaussian splat in a direction, degree 3, as renderers usually write it: one splat after the other, a
+// polynomial for every basis function, three channels (Kerbl, Kopanas, Leimkuehler and Drettakis 2023).
+// c: 16 coefficients of 3 channels each, c[3 * k + channel]; rgb: 3.
+void splat_color(const float* c, float x, float y, float z, float* rgb) {
+  const float xx = x * x;
+  const float yy = y * y;
+  const float zz = z * z;
+  const float xy = x * y;
+  const float yz = y * z;
+  const float xz = x * z;
+  for (int channel = 0; channel < 3; ++channel) {
+    const auto at = [&](int k) { return c[3 * k + channel]; };
+    float color = 0.28209479F * at(0);
+    color += 0.48860251F * y * at(1) + 0.48860251F * z * at(2) + 0.48860251F * x * at(3);
+    color += 1.0925485F * xy * at(4) + 1.0925485F * yz * at(5) + 0.31539157F * (2 * zz - xx - yy) * at(6) +
+             1.0925485F * xz * at(7) + 0.54627422F * (xx - yy) * at(8);
+    color += 0.59004359F * y * (3 * xx - yy) * at(9) + 2.8906114F * xy * z * at(10) +
+             0.45704580F * y * (4 * zz - xx - yy) * at(11) + 0.37317633F * z * (2 * zz - 3 * xx - 3 * yy) * at(12) +
+             0.45704580F * x * (4 * zz - xx - yy) * at(13) + 1.4453057F * z * (xx - yy) * at(14) +
+             0.59004359F * x * (xx - 3 * yy) * at(15);
+    rgb[channel] = color;
+  }
+}
+
 std::function<void()> usual_splats(const std::vector<float>& c, const std::vector<float>& directions, float* rgb) {
   return [&c, &directions, rgb] {
     for (std::size_t i = 0; i < directions.size() / 3; ++i) {
-      control::splat_colour(&c[kSplatValues * i], directions[3 * i], directions[3 * i + 1], directions[3 * i + 2],
-                            rgb + 3 * i);
+      splat_color(&c[kSplatValues * i], directions[3 * i], directions[3 * i + 1], directions[3 * i + 2], rgb + 3 * i);
     }
     keep(*rgb);
   };
@@ -121,7 +140,7 @@ void splats(Table& table, std::size_t n, const std::string& where) {
 
 void evaluate(Table& table) {
   one_function(table);
-  table.section("Gaussian splats, degree 3, own colour coefficients, float, blocked, ns a splat",
+  table.section("Gaussian splats, degree 3, own color coefficients, float, blocked, ns a splat",
                 "controls: the usual scalar code, and reading the coefficients");
   splats(table, 128, "in L1");
   splats(table, 100'000, "100k");

@@ -1,7 +1,7 @@
-// Timing and the table of targets.
+// Timing, the limits of the machine, inputs, and the table of targets.
 //
-// Times drift between machines and runs, so a figure is always a ratio of two times taken by turns in one run: the
-// least of many short passes of each. A line passes when its ratio is at most its target.
+// Times drift between machines and runs. So a figure is a ratio of two times of one run, which take turns in many short
+// passes; the least time of each counts. A line passes when its ratio is at most its target.
 #pragma once
 
 #include <cstdint>
@@ -10,9 +10,14 @@
 #include <memory>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "numeric/oracle/index.hpp"
+
 namespace sh::bench {
+
+using numeric::coefficient_count;
 
 /// Seconds of one call of each task, by turns, the least of the passes. A pass repeats short tasks.
 std::vector<double> least_times(const std::vector<std::function<void()>>& tasks, int passes = 25);
@@ -70,6 +75,50 @@ std::vector<float> random_vectors(std::size_t n, std::size_t size);
 std::vector<float> random_rotations(std::size_t n);
 /// Plain records in blocks of 16, see generated/batch/batch.hpp; lanes past n are 0.
 Buffer<float> to_blocks(const std::vector<float>& plain, std::size_t size);
+
+/// Calls f.operator()<Degree>() for First..Last.
+template <int First, int Last, class F>
+void for_degrees(const F& f) {
+  [&]<int... kOffset>(std::integer_sequence<int, kOffset...>) { (f.template operator()<First + kOffset>(), ...); }
+  (std::make_integer_sequence<int, Last - First + 1>());
+}
+
+// The limits of the machine, for the batched kernels. They are measured in the same run.
+
+/// A task that fills `count` values, 64 bytes a store.
+std::function<void()> fill_task(float* values, std::size_t count);
+
+/// A task that reads `count` values once.
+std::function<void()> read_task(const float* values, std::size_t count);
+
+/// A task that reads `inputs` values once and writes `outputs` values once, by turns as they go along; the stores may
+/// go past the caches. Both arrays aligned to 64 bytes.
+std::function<void()> stream_task(const float* in, std::size_t inputs, float* out, std::size_t outputs,
+                                  bool past_caches);
+
+/// Operations of fma_task: each a multiply-add of 16 floats.
+inline constexpr int kFmaOperations = 16 * 256;
+/// A task of independent multiply-adds of 16 floats: chains enough to hide their latency.
+std::function<void()> fma_task();
+
+/// Sixteen floats in the registers of the machine, as a scalar type of the kernels.
+class Sixteen {
+ public:
+  using value_type = float;
+  using Vector = float __attribute__((vector_size(64)));
+
+  Sixteen() = default;
+  explicit Sixteen(float value) : v_(Vector{} + value) {}
+  explicit Sixteen(Vector v) : v_(v) {}
+
+  friend Sixteen operator+(Sixteen a, Sixteen b) { return Sixteen(a.v_ + b.v_); }
+  friend Sixteen operator-(Sixteen a, Sixteen b) { return Sixteen(a.v_ - b.v_); }
+  friend Sixteen operator*(Sixteen a, Sixteen b) { return Sixteen(a.v_ * b.v_); }
+  friend Sixteen operator-(Sixteen a) { return Sixteen(-a.v_); }
+
+ private:
+  Vector v_{};
+};
 
 /// Operations of a kernel that is written, from generated/MANIFEST. Throws std::runtime_error when there is none.
 struct Counts {

@@ -32,8 +32,8 @@ std::function<void()> task(int degree, Rotate rotate) {
   };
 }
 
-// The target is 3 times what a widely used library takes for a vector: 21.9 us, 653 us and 214 ms at degree 20, 100 and
-// 1000, where the control took 127 us and 36 ms.
+// The target is 3 times the time of a widely used library for a vector: 21.9 us, 653 us and 214 ms at degree 20, 100
+// and 1000, where the control took 127 us and 36 ms.
 void times(Table& table) {
   table.section("Rotation of high degree, double, one vector", "building and applying; control: Ivanic and Ruedenberg");
   for (const auto& [degree, target] : {std::pair{20, 3 * 21.9 / 127}, {100, 3 * 0.653 / 36}}) {

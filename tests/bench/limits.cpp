@@ -1,15 +1,13 @@
-#include "tests/bench/limits.hpp"
+#include "tests/bench/harness.hpp"
 
 #if defined(__SSE2__)
 #include <emmintrin.h>
 #endif
 
-#include "tests/bench/harness.hpp"
-
 namespace sh::bench {
 namespace {
 
-// Sixteen floats in whatever registers the machine has. May alias floats.
+// Sixteen floats in the registers of the machine. May alias floats.
 using Block = float __attribute__((vector_size(64), may_alias));
 constexpr std::size_t kLanes = 16;
 constexpr int kChains = 16;

@@ -5,7 +5,6 @@
 #include "generated/batch/batch.hpp"
 #include "generated/cpp/product.hpp"
 #include "tests/bench/controls/greedy_pairs_product.hpp"
-#include "tests/bench/degrees.hpp"
 #include "tests/bench/harness.hpp"
 
 namespace sh::bench {
@@ -42,7 +41,7 @@ std::function<void()> one_by_one(const std::vector<float>& a, const std::vector<
 void product(Table& table) {
   table.section("Products, float, ns", "control: greedy pairs; one by one, and per product of a blocked batch");
   for_degrees<2, 5>([&]<int kDegree>() {
-    constexpr std::size_t kSize = count_of(kDegree);
+    constexpr std::size_t kSize = coefficient_count(kDegree);
     const std::vector<float> a = random_vectors(kProducts, kSize);
     const std::vector<float> b(a.rbegin(), a.rend());
     const Buffer<float> out = make_buffer<float>(kProducts * kSize);

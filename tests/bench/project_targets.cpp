@@ -6,9 +6,7 @@
 #include "generated/batch/batch.hpp"
 #include "generated/cpp/basis.hpp"
 #include "numeric/oracle/basis.hpp"
-#include "tests/bench/degrees.hpp"
 #include "tests/bench/harness.hpp"
-#include "tests/bench/sixteen.hpp"
 
 namespace sh::bench {
 namespace {
@@ -19,7 +17,7 @@ constexpr double kNano = 1e9;
 // Basis, then sum += weight * value, sixteen samples at a time.
 template <int Degree>
 void basis_and_add(const float* directions, const float* weights, float* sum) {
-  constexpr std::size_t kSize = count_of(Degree);
+  constexpr std::size_t kSize = coefficient_count(Degree);
   Sixteen lanes[kSize];
   for (std::size_t block = 0; block < kSamples / 16; ++block) {
     const auto* d = reinterpret_cast<const Sixteen*>(directions + 48 * block);
@@ -40,8 +38,8 @@ void basis_and_add(const float* directions, const float* weights, float* sum) {
 
 // Largest error of the sum of Y, of weights that add up to 1.
 double error_of(int degree, const std::vector<float>& directions, const std::vector<float>& sum) {
-  std::vector<double> exact(count_of(degree), 0.0);
-  std::vector<double> values(count_of(degree));
+  std::vector<double> exact(coefficient_count(degree), 0.0);
+  std::vector<double> values(coefficient_count(degree));
   for (std::size_t i = 0; i < kSamples; ++i) {
     const double x = static_cast<double>(directions[3 * i]);
     const double y = static_cast<double>(directions[3 * i + 1]);
@@ -66,8 +64,8 @@ void project(Table& table) {
   const Buffer<float> directions = to_blocks(plain, 3);
   const Buffer<float> weights = make_buffer<float>(kSamples, 1.F / kSamples);
   for_degrees<2, 6>([&]<int kDegree>() {
-    std::vector<float> ours(count_of(kDegree), 0.F);
-    std::vector<float> other(count_of(kDegree), 0.F);
+    std::vector<float> ours(coefficient_count(kDegree), 0.F);
+    std::vector<float> other(coefficient_count(kDegree), 0.F);
     batch::project(kDegree, kSamples, batch::blocked(directions.get()), batch::plain(weights.get()), ours.data());
     basis_and_add<kDegree>(directions.get(), weights.get(), other.data());
     const std::string errors =

@@ -1,6 +1,6 @@
-// Relighting against the memory it has to move, one core: every way of prt/runtime/relight.hpp, the least of many
-// passes by turns with a limit that reads as many bytes of arrays larger than the caches and writes as many, and does
-// nothing else (the faster of ordinary stores and stores past the caches). Exit 0 whether the targets are met or not.
+// Relighting against the memory that it has to move, one core, for every way of prt/runtime/relight.hpp. The limit only
+// reads and writes as many bytes, of arrays larger than the caches (the faster of ordinary stores and stores past the
+// caches). Both take turns, and the least of many passes counts. Exit 0 whether the targets are met or not.
 #include <oneapi/tbb/global_control.h>
 
 #include <algorithm>
@@ -9,7 +9,6 @@
 #include "prt/runtime/relight.hpp"
 #include "prt/runtime/row_products.hpp"
 #include "tests/bench/harness.hpp"
-#include "tests/bench/limits.hpp"
 
 namespace {
 
@@ -47,7 +46,7 @@ LightCoefficients made_up_light(int degree, bool white) {
   return light;
 }
 
-/// One way to relight, and what it cannot do without.
+/// One way to relight.
 struct Case {
   std::string name;
   const TransferKind* kind;

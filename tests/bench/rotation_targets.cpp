@@ -9,7 +9,6 @@
 #include "numeric/methods/classic_rotation.hpp"
 #include "numeric/oracle/rotation.hpp"
 #include "numeric/oracle/rotation_matrices.hpp"
-#include "tests/bench/degrees.hpp"
 #include "tests/bench/harness.hpp"
 
 namespace sh::bench {
@@ -25,7 +24,7 @@ constexpr std::array<double, 4> kSlower{1.06, 1.09, 1.13, 1.13};
 void times(Table& table) {
   table.section("Rotation by a matrix, float, ns", "control: z-x90-z with angles from the matrix; building included");
   for_degrees<3, 6>([&]<int kDegree>() {
-    constexpr std::size_t kSize = count_of(kDegree);
+    constexpr std::size_t kSize = coefficient_count(kDegree);
     const std::vector<float> r = random_rotations(kRotations);
     const std::vector<float> c = random_vectors(kRotations, kSize);
     const Buffer<float> out = make_buffer<float>(kRotations * kSize);
@@ -66,7 +65,7 @@ using Wide = long double;
 // Largest error of rotated unit vectors over tilts from 1e-9 to pi; matrix and vector are rounded to T first.
 template <int Degree, class T, class F>
 double largest_error(const F& rotate) {
-  constexpr std::size_t kSize = count_of(Degree);
+  constexpr std::size_t kSize = coefficient_count(Degree);
   constexpr std::size_t kVectors = 4;
   const std::vector<float> vectors = random_vectors(kVectors, kSize);
   std::mt19937 random(2);

@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "codegen/ir/evaluate.hpp"
-#include "codegen/measure/size.hpp"
+#include "codegen/measure/measure.hpp"
 #include "codegen/print/files.hpp"
 #include "tests/codegen/emitted.hpp"
 #include "tests/codegen/support.hpp"
@@ -46,7 +46,7 @@ std::string braced(const std::vector<T>& values) {
 template <class T>
 std::string c_unit(const FinishedKernel& finished, const std::string& name, const std::vector<std::vector<T>>& inputs) {
   const std::string type = std::is_same_v<T, float> ? "float" : "double";
-  const numeric::Signature signature = signature_of(finished.kernel);
+  const numeric::Signature signature = printed_signature(finished.kernel);
   std::ostringstream declarations;
   std::ostringstream arguments;
   std::ostringstream prints;

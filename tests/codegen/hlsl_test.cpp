@@ -10,7 +10,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "codegen/measure/size.hpp"
+#include "codegen/measure/measure.hpp"
 #include "numeric/glsl/glsl_runner.hpp"
 #include "numeric/kernels/bind.hpp"
 #include "numeric/kernels/kernel_limits.hpp"
@@ -31,7 +31,7 @@ std::string pixel_shader(const Kernel& kernel) {
   std::string body;
   std::string arguments;
   std::string value;
-  for (const numeric::Parameter& p : signature_of(kernel).parameters) {
+  for (const numeric::Parameter& p : printed_signature(kernel).parameters) {
     const std::string name = "p_" + p.name;
     body += "float " + name + (p.count == 0 ? "" : "[" + std::to_string(p.count) + "]") + "; ";
     arguments += (arguments.empty() ? "" : ", ") + name;
@@ -114,7 +114,7 @@ TEST_P(HlslKernel, KeepsTheLimitsOfItsFamilyWhenTranslatedAndRun) {
       numeric::GlslRunner runner(language);
       expect_within_limits(kernel,
                            runner.run(kernel.name + ".hlsl", translated(kernel, hlsl, language),
-                                      {kernel.name, signature_of(kernel)}, truth.samples.inputs),
+                                      {kernel.name, printed_signature(kernel)}, truth.samples.inputs),
                            truth);
     }
   }

@@ -7,13 +7,12 @@
 #include <stdexcept>
 
 #include "codegen/choose/catalogue.hpp"
-#include "codegen/convention/gauge.hpp"
 #include "codegen/families/family.hpp"
 #include "codegen/ir/evaluate.hpp"
 #include "codegen/measure/directions.hpp"
 #include "numeric/oracle/index.hpp"
 #include "symbolic/basis/basis.hpp"
-#include "symbolic/convention/presets.hpp"
+#include "symbolic/convention/convention.hpp"
 #include "tests/codegen/support.hpp"
 
 namespace sh::codegen {

@@ -15,7 +15,6 @@ using recipes::ClassRow;
 using recipes::OrbitQuadrature;
 using symbolic::gaunt;
 using symbolic::Surd;
-using symbolic::to_size;
 
 constexpr int kDigits = 40;
 
@@ -25,7 +24,7 @@ bool is_small(const cln::cl_R& value) { return cln::abs(value) < cln::expt(cln::
 
 // Class of every coefficient: 0 to 3, and the opposite one 7 - that.
 std::vector<int> classes(const OrbitQuadrature& orbits) {
-  std::vector<int> result(to_size((orbits.degree() + 1) * (orbits.degree() + 1)), -1);
+  std::vector<int> result((orbits.degree() + 1) * (orbits.degree() + 1), -1);
   for (const bool opposite : {false, true}) {
     for (const ClassRow& row : orbits.rows(opposite)) {
       for (std::size_t r = 0; r < row.size(); ++r) {
@@ -123,7 +122,7 @@ TEST(LaneTables, QuarterTurnsBackAndForthAreTheIdentity) {
     const auto back = matrix_of(turns.back);
     for (std::size_t i = 0; i < there.size(); ++i) {
       for (std::size_t j = 0; j < there.size(); ++j) {
-        cln::cl_R sum = i == j && i < to_size(turns.lanes()) ? -1 : 0;
+        cln::cl_R sum = i == j && static_cast<int>(i) < turns.lanes() ? -1 : 0;
         for (std::size_t k = 0; k < there.size(); ++k) sum = sum + back[i][k] * there[k][j];
         EXPECT_TRUE(is_small(sum)) << first << ": " << i << " " << j;
       }

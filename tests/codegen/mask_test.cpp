@@ -8,7 +8,6 @@
 #include <cmath>
 #include <random>
 
-#include "codegen/choose/masked_kernel.hpp"
 #include "codegen/ir/evaluate.hpp"
 #include "codegen/measure/directions.hpp"
 #include "codegen/measure/domains.hpp"
@@ -151,7 +150,7 @@ std::vector<cln::cl_RA> mapped(const std::string& symmetry, const std::array<cln
 TEST(Masks, SymmetriesDescribeExactlyTheFunctionsThatHaveThem) {
   constexpr int kDegree = 6;
   const Kernel kernel = recipe_kernel(find_family("irradiance"), find_family("irradiance").recipes[0], kDegree);
-  for (const std::string& symmetry : mask_symmetries()) {
+  for (const std::string symmetry : {"zonal", "mirror-x", "mirror-y", "mirror-z", "hemisphere", "mirror-xy"}) {
     const Mask mask = make_mask(kernel, options(symmetry));
     const auto free = std::count_if(mask.inputs.begin(), mask.inputs.end(),
                                     [](const KnownInput& known) { return known.kind == KnownInput::Kind::kFree; });

@@ -1,10 +1,9 @@
-#include "codegen/passes/pipeline.hpp"
-
 #include <gtest/gtest.h>
 
 #include <stdexcept>
 
 #include "codegen/choose/catalogue.hpp"
+#include "codegen/passes/passes.hpp"
 #include "codegen/recipes/basis/basis.hpp"
 #include "tests/codegen/support.hpp"
 

@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "codegen/choose/catalogue.hpp"
-#include "codegen/choose/masked_kernel.hpp"
+#include "codegen/choose/mask.hpp"
 #include "codegen/families/family.hpp"
 #include "codegen/ir/evaluate.hpp"
 #include "numeric/oracle/basis.hpp"

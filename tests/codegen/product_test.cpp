@@ -8,6 +8,7 @@
 #include <random>
 
 #include "codegen/ir/evaluate.hpp"
+#include "codegen/passes/passes.hpp"
 #include "codegen/recipes/linear_circuit.hpp"
 #include "codegen/recipes/product/phi_transform.hpp"
 #include "codegen/recipes/product/ring_quadrature.hpp"

@@ -47,7 +47,7 @@ TEST(Prove, NamesAreUniqueAndDefaultsLieInTheirRange) {
 
 TEST(Prove, AProofThatThrowsIsRefutedWithItsErrorSoThatTheOthersStillRun) {
   symbolic::Proof proof;
-  proof.run = [](int) -> symbolic::ProofResult { throw std::runtime_error("no such polynomial"); };
+  proof.run = [](int) -> int { throw std::runtime_error("no such polynomial"); };
   const symbolic::ProofResult result = symbolic::run_proof(proof, 2);
   EXPECT_FALSE(result.proved);
   EXPECT_NE(result.detail.find("no such polynomial"), std::string::npos) << result.detail;

@@ -8,7 +8,7 @@
 
 #include "codegen/choose/catalogue.hpp"
 #include "codegen/measure/domains.hpp"
-#include "codegen/measure/nearest.hpp"
+#include "codegen/measure/measure.hpp"
 
 namespace sh::codegen {
 namespace {

@@ -8,7 +8,7 @@
 #include <random>
 
 #include "codegen/ir/evaluate.hpp"
-#include "codegen/measure/nearest.hpp"
+#include "codegen/measure/measure.hpp"
 #include "codegen/measure/rotations.hpp"
 #include "tests/codegen/support.hpp"
 

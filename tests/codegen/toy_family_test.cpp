@@ -8,7 +8,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "codegen/choose/masked_kernel.hpp"
+#include "codegen/choose/mask.hpp"
 #include "codegen/convention/in_convention.hpp"
 #include "codegen/ir/evaluate.hpp"
 #include "codegen/measure/directions.hpp"
@@ -20,7 +20,7 @@
 #include "numeric/oracle/basis.hpp"
 #include "numeric/oracle/index.hpp"
 #include "symbolic/basis/basis.hpp"
-#include "symbolic/convention/presets.hpp"
+#include "symbolic/convention/convention.hpp"
 #include "tests/codegen/emitted.hpp"
 #include "tests/codegen/support.hpp"
 

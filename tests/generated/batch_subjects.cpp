@@ -29,42 +29,11 @@ std::vector<T> random_direction(std::mt19937& random) {
 
 template <class T>
 std::vector<T> random_vector(int degree, std::mt19937& random) {
-  std::vector<T> values = random_numbers<T>(count_of(degree), random);
+  std::vector<T> values = random_numbers<T>(coefficient_count(degree), random);
   double square = 0;
   for (const T value : values) square += static_cast<double>(value) * static_cast<double>(value);
   for (T& value : values) value = static_cast<T>(static_cast<double>(value) / std::sqrt(square));
   return values;
-}
-
-template <class T>
-Subject<T> basis_subject(int degree) {
-  return {"basis",
-          degree,
-          {3},
-          count_of(degree),
-          [](std::size_t /*j*/, std::mt19937& random) { return random_direction<T>(random); },
-          [degree](std::size_t n, const auto& in, Records<T> out) { batch::basis(degree, n, in[0], out); },
-          [degree](const auto& in, T* out) {
-            with_degree<10>(degree, [&]<int kDegree>() { basis<kDegree>(in[0][0], in[0][1], in[0][2], out); });
-          },
-          40,
-          40};
-}
-
-template <class T>
-Subject<T> product_subject(int degree) {
-  const std::size_t size = count_of(degree);
-  return {"product",
-          degree,
-          {size, size},
-          size,
-          [degree](std::size_t /*j*/, std::mt19937& random) { return random_vector<T>(degree, random); },
-          [degree](std::size_t n, const auto& in, Records<T> out) { batch::product(degree, n, in[0], in[1], out); },
-          [degree](const auto& in, T* out) {
-            with_degree<6>(degree, [&]<int kDegree>() { product<kDegree>(in[0], in[1], out); });
-          },
-          2,
-          2};
 }
 
 template <class T>
@@ -83,76 +52,106 @@ std::vector<T> random_rotation(std::mt19937& random) {
           static_cast<T>(1 - s * (q[1] * q[1] + q[2] * q[2]))};
 }
 
+// The kinds of input records.
+enum class Kind { kDirection, kRotation, kVector, kColors };
+
+int size_of(Kind kind, int degree) {
+  switch (kind) {
+    case Kind::kDirection:
+      return 3;
+    case Kind::kRotation:
+      return 9;
+    case Kind::kVector:
+      return coefficient_count(degree);
+    default:
+      return 3 * coefficient_count(degree);
+  }
+}
+
+template <class T>
+std::vector<T> random_record(Kind kind, int degree, std::mt19937& random) {
+  switch (kind) {
+    case Kind::kDirection:
+      return random_direction<T>(random);
+    case Kind::kRotation:
+      return random_rotation<T>(random);
+    case Kind::kVector:
+      return random_vector<T>(degree, random);
+    default:
+      return random_numbers<T>(size_of(kind, degree), random);
+  }
+}
+
+// tolerances: the largest difference from the kernel, in machine epsilons, without and with a shared input
+template <class T, int Largest = 10, class Run, class Kernel>
+Subject<T> subject(const char* name, int degree, const std::vector<Kind>& kinds, int out,
+                   std::array<double, 2> tolerances, Run run, Kernel kernel) {
+  Subject<T> result{
+      .name = name,
+      .degree = degree,
+      .out = out,
+      .record = [kinds, degree](std::size_t j,
+                                std::mt19937& random) { return random_record<T>(kinds[j], degree, random); },
+      .run = run,
+      .kernel =
+          [degree, kernel](const auto& in, T* to) {
+            with_degree<Largest>(degree, [&]<int kDegree>() { kernel.template operator()<kDegree>(in, to); });
+          },
+      .tolerance = tolerances[0],
+      .tolerance_shared = tolerances[1]};
+  for (const Kind kind : kinds) result.in.push_back(size_of(kind, degree));
+  return result;
+}
+
+template <class T>
+Subject<T> basis_subject(int degree) {
+  return subject<T>(
+      "basis", degree, {Kind::kDirection}, coefficient_count(degree), {40, 40},
+      [degree](std::size_t n, const auto& in, Records<T> out) { batch::basis(degree, n, in[0], out); },
+      []<int kDegree>(const auto& in, T* out) { basis<kDegree>(in[0][0], in[0][1], in[0][2], out); });
+}
+
+template <class T>
+Subject<T> product_subject(int degree) {
+  return subject<T, 6>(
+      "product", degree, {Kind::kVector, Kind::kVector}, coefficient_count(degree), {2, 2},
+      [degree](std::size_t n, const auto& in, Records<T> out) { batch::product(degree, n, in[0], in[1], out); },
+      []<int kDegree>(const auto& in, T* out) { product<kDegree>(in[0], in[1], out); });
+}
+
 template <class T>
 Subject<T> rotate_subject(int degree) {
-  return {"rotate",
-          degree,
-          {9, count_of(degree)},
-          count_of(degree),
-          [degree](std::size_t j, std::mt19937& random) {
-            return j == 0 ? random_rotation<T>(random) : random_vector<T>(degree, random);
-          },
-          [degree](std::size_t n, const auto& in, Records<T> out) { batch::rotate(degree, n, in[0], in[1], out); },
-          [degree](const auto& in, T* out) {
-            with_degree<10>(degree, [&]<int kDegree>() { rotate<kDegree>(in[0], in[1], out); });
-          },
-          16,
-          64};
+  return subject<T>(
+      "rotate", degree, {Kind::kRotation, Kind::kVector}, coefficient_count(degree), {16, 64},
+      [degree](std::size_t n, const auto& in, Records<T> out) { batch::rotate(degree, n, in[0], in[1], out); },
+      []<int kDegree>(const auto& in, T* out) { rotate<kDegree>(in[0], in[1], out); });
 }
 
 template <class T>
 Subject<T> gradient_subject(int degree) {
-  const std::size_t size = count_of(degree);
-  return {"basis_gradient",
-          degree,
-          {3},
-          4 * size,
-          [](std::size_t /*j*/, std::mt19937& random) { return random_direction<T>(random); },
-          [degree](std::size_t n, const auto& in, Records<T> out) { batch::basis_gradient(degree, n, in[0], out); },
-          [degree, size](const auto& in, T* out) {
-            with_degree<10>(degree, [&]<int kDegree>() {
-              basis_gradient<kDegree>(in[0][0], in[0][1], in[0][2], out, out + size, out + 2 * size, out + 3 * size);
-            });
-          },
-          400,
-          400};
+  return subject<T>(
+      "basis_gradient", degree, {Kind::kDirection}, 4 * coefficient_count(degree), {400, 400},
+      [degree](std::size_t n, const auto& in, Records<T> out) { batch::basis_gradient(degree, n, in[0], out); },
+      []<int kDegree>(const auto& in, T* out) {
+        constexpr int kSize = coefficient_count(kDegree);
+        basis_gradient<kDegree>(in[0][0], in[0][1], in[0][2], out, out + kSize, out + 2 * kSize, out + 3 * kSize);
+      });
 }
 
 template <class T>
 Subject<T> evaluate_subject(int degree) {
-  return {"evaluate",
-          degree,
-          {count_of(degree), 3},
-          1,
-          [degree](std::size_t j, std::mt19937& random) {
-            return j == 0 ? random_vector<T>(degree, random) : random_direction<T>(random);
-          },
-          [degree](std::size_t n, const auto& in, Records<T> out) { batch::evaluate(degree, n, in[0], in[1], out); },
-          [degree](const auto& in, T* out) {
-            with_degree<10>(degree,
-                            [&]<int kDegree>() { *out = evaluate<kDegree>(in[0], in[1][0], in[1][1], in[1][2]); });
-          },
-          16,
-          400};
+  return subject<T>(
+      "evaluate", degree, {Kind::kVector, Kind::kDirection}, 1, {16, 400},
+      [degree](std::size_t n, const auto& in, Records<T> out) { batch::evaluate(degree, n, in[0], in[1], out); },
+      []<int kDegree>(const auto& in, T* out) { *out = evaluate<kDegree>(in[0], in[1][0], in[1][1], in[1][2]); });
 }
 
 template <class T>
 Subject<T> evaluate_rgb_subject(int degree) {
-  return {
-      "evaluate_rgb",
-      degree,
-      {3 * count_of(degree), 3},
-      3,
-      [degree](std::size_t j, std::mt19937& random) {
-        return j == 0 ? random_numbers<T>(3 * count_of(degree), random) : random_direction<T>(random);
-      },
+  return subject<T>(
+      "evaluate_rgb", degree, {Kind::kColors, Kind::kDirection}, 3, {64, 64},
       [degree](std::size_t n, const auto& in, Records<T> out) { batch::evaluate_rgb(degree, n, in[0], in[1], out); },
-      [degree](const auto& in, T* out) {
-        with_degree<10>(degree,
-                        [&]<int kDegree>() { evaluate_rgb<kDegree>(in[0], in[1][0], in[1][1], in[1][2], out); });
-      },
-      64,
-      64};
+      []<int kDegree>(const auto& in, T* out) { evaluate_rgb<kDegree>(in[0], in[1][0], in[1][1], in[1][2], out); });
 }
 
 }  // namespace

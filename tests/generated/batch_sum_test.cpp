@@ -41,7 +41,7 @@ Samples<T> random_samples(std::size_t n) {
 // Sums kernel by kernel in double, added up in more.
 template <class T>
 std::vector<double> expected_sum(int degree, const Samples<T>& samples) {
-  std::vector<long double> sum(count_of(degree), 1.0L);
+  std::vector<long double> sum(coefficient_count(degree), 1.0L);
   for (std::size_t i = 0; i < samples.weights.size(); ++i) {
     const auto& d = samples.directions[i];
     std::vector<double> one(sum.size(), 0.0);
@@ -59,7 +59,7 @@ std::vector<T> run_sum(int degree, const Samples<T>& samples, Place directions_p
   const std::size_t n = samples.weights.size();
   const Array<T> directions(directions_place, samples.directions, 3);
   const Array<T> weights(weights_place, samples.weights, 1);
-  std::vector<T> sum(count_of(degree) + 2, T(1));
+  std::vector<T> sum(coefficient_count(degree) + 2, T(1));
   batch::project(degree, n, directions.records(), weights.records(), sum.data() + 1);
   EXPECT_EQ(sum.front(), T(1));
   EXPECT_EQ(sum.back(), T(1));
@@ -112,7 +112,7 @@ const std::vector<std::pair<std::uint16_t, float>> kHalves{{0x0000, 0.F},
 
 TEST(BatchHalves, GiveTheBitsOfTheSameNumbersInFloat) {
   constexpr int kDegree = 3;
-  constexpr std::size_t kSize = 3 * count_of(kDegree);
+  constexpr std::size_t kSize = 3 * coefficient_count(kDegree);
   std::mt19937 random(11);
   std::uniform_int_distribution<std::size_t> any(0, kHalves.size() - 1);
   for (const std::size_t n : {std::size_t{1}, std::size_t{15}, std::size_t{16}, std::size_t{53}}) {

@@ -1,4 +1,4 @@
-// What the tests of sh::batch stand on: arrays of records with guard zones, drivers beside the kernels they run.
+// Arrays of records with guard zones, and the drivers of sh::batch with their kernels.
 #pragma once
 
 #include <array>
@@ -49,8 +49,8 @@ struct Place {
   std::size_t offset = 0;
 };
 
-/// n records of `size` values between guard zones. Whatever belongs to no record is not a number, so that a driver that
-/// reads it spoils its results.
+/// n records of `size` values between guard zones. All other values are not a number, so a driver that reads one of
+/// them spoils its results.
 template <class T>
 class Array {
  public:
@@ -80,7 +80,7 @@ class Array {
     return result;
   }
 
-  /// Whether everything that belongs to no record is what it was.
+  /// True if all values that belong to no record are unchanged.
   [[nodiscard]] bool guarded() {
     std::vector<T> rest = memory_;
     for (std::size_t i = 0; i < n_; ++i) {
@@ -111,8 +111,8 @@ template <class T>
 struct Subject {
   std::string name;
   int degree = 0;
-  std::vector<std::size_t> in;  ///< sizes of the input records
-  std::size_t out = 0;
+  std::vector<int> in = {};  ///< sizes of the input records
+  int out = 0;               ///< size of an output record
   /// A valid record of input j.
   std::function<std::vector<T>(std::size_t j, std::mt19937& random)> record;
   std::function<void(std::size_t n, const std::array<Records<const T>, kMostInputs>& in, Records<T> out)> run;

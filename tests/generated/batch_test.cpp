@@ -32,7 +32,7 @@ std::vector<Table<T>> random_inputs(const Subject<T>& subject, std::size_t n) {
   return inputs;
 }
 
-// Runs the driver with arrays placed as told; places: of the inputs, then of the output.
+// Runs the driver with arrays at these places: of the inputs, then of the output.
 template <class T>
 Table<T> run(const Subject<T>& subject, const std::vector<Table<T>>& inputs, const std::vector<Place>& places) {
   const std::size_t n = inputs[0].size();
@@ -161,11 +161,11 @@ TYPED_TEST(BatchDrivers, WriteOverAnInputOfTheSameShape) {
 
 TYPED_TEST(BatchDrivers, GiveTheSameBitsPastTheCache) {
   using T = TypeParam;
-  const std::size_t n = (std::size_t{32} << 20) / sizeof(T) / count_of(10) + 7;  // 32 MB
+  const std::size_t n = (std::size_t{32} << 20) / sizeof(T) / coefficient_count(10) + 7;  // 32 MB
   const Subject<T> subject = subjects<T>().front();
   ASSERT_EQ(subject.name, "basis");
   for (const Layout layout : {Layout::kPlain, Layout::kBlocked}) {
-    const std::size_t size = count_of(10);
+    const std::size_t size = coefficient_count(10);
     std::mt19937 random(3);
     std::vector<T> directions(3 * n);
     for (std::size_t i = 0; i < n; ++i) {

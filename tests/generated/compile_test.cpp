@@ -1,4 +1,4 @@
-// The committed headers in both compilers, both standards, under strict warnings; and what must not compile.
+// The committed headers in both compilers and both standards, under strict warnings; and code that must not compile.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
@@ -72,8 +72,8 @@ std::string use(const std::string& name) {
 // The compiler and standard to use.
 class GeneratedHeader : public testing::TestWithParam<std::string> {};
 
-// Headers of families include those of their kernels. What a header lacks shows in any standard, what a standard
-// refuses in the test below: so each compiler and each standard is here once.
+// Headers of families include the headers of their kernels. A missing include shows in any standard, and the test below
+// compiles every combination, so each compiler and each standard occurs here once.
 TEST_P(GeneratedHeader, OfEveryKernelAndFamilyCompilesAlone) {
   std::map<std::string, std::string> sources;
   for (const std::string& name : headers(false)) sources[name] = include(name);

@@ -1,18 +1,23 @@
-// What tests of generated kernels share: directions, coefficients, a loop over the degrees.
+// Inputs and checks that the tests of generated kernels share.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <random>
 #include <utility>
 #include <vector>
 
 #include "numeric/oracle/basis.hpp"
+#include "numeric/oracle/index.hpp"
 
 namespace sh::test {
 
 inline constexpr int kMaxDegree = 10;
-constexpr std::size_t count_of(int degree) { return static_cast<std::size_t>((degree + 1) * (degree + 1)); }
+using numeric::coefficient_count;
 
 using Direction = std::array<double, 3>;
 
@@ -33,6 +38,33 @@ std::array<double, N> random_array(unsigned seed) {
   std::array<double, N> values;
   for (double& v : values) v = uniform(random);
   return values;
+}
+
+/// A random vector of length 1, the same for the same seed.
+inline std::vector<double> unit_vector(std::size_t size, unsigned seed) {
+  std::mt19937 random(seed);
+  std::normal_distribution<double> normal;
+  std::vector<double> vector(size);
+  double square = 0;
+  for (double& x : vector) square += std::pow(x = normal(random), 2);
+  for (double& x : vector) x /= std::sqrt(square);
+  return vector;
+}
+
+template <class Actual, class Expected>
+void expect_near(const Actual& actual, const Expected& expected, double tolerance) {
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    ASSERT_NEAR(double(actual[i]), double(expected[i]), tolerance) << i << " of " << expected.size();
+  }
+}
+
+/// kernel(out) writes the `size` elements from `out` on, and nothing before or after them.
+template <class Kernel>
+void expect_fills(std::size_t size, const Kernel& kernel) {
+  std::vector<double> out(size + 2, std::numeric_limits<double>::quiet_NaN());
+  kernel(out.data() + 1);
+  EXPECT_TRUE(std::isnan(out.front()) && std::isnan(out.back())) << size;
+  for (std::size_t i = 1; i <= size; ++i) EXPECT_FALSE(std::isnan(out[i])) << size << " " << i;
 }
 
 /// f.operator()<Degree>() for First .. kMaxDegree.

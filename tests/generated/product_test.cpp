@@ -7,8 +7,6 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <random>
-#include <utility>
 #include <vector>
 
 #include "generated/cpp/product_full.hpp"
@@ -22,8 +20,11 @@
 namespace sh {
 namespace {
 
-using test::count_of;
+using test::coefficient_count;
+using test::expect_fills;
+using test::expect_near;
 using test::for_every_degree;
+using test::unit_vector;
 
 using Coefficients = std::vector<double>;
 
@@ -31,22 +32,11 @@ double dot(const Coefficients& a, const Coefficients& b) {
   return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
 }
 
-// Random vectors of length 1.
-Coefficients random_unit(std::size_t size, unsigned seed) {
-  std::mt19937 random(seed);
-  std::normal_distribution<double> normal;
-  Coefficients c(size);
-  for (double& x : c) x = normal(random);
-  const double length = std::sqrt(dot(c, c));
-  for (double& x : c) x /= length;
-  return c;
-}
-
 // The coefficients of a pointwise product by integration over the sphere; exact up to rounding.
 Coefficients integrated_product(const Coefficients& a, const Coefficients& b, int degree) {
-  Coefficients result(count_of(degree));
+  Coefficients result(coefficient_count(degree));
   for (const auto& node : numeric::sphere_rule<double>(3 * degree)) {
-    Coefficients y(count_of(degree));
+    Coefficients y(coefficient_count(degree));
     numeric::basis(degree, node.x, node.y, node.z, y.data());
     const double value = node.weight * dot(a, y) * dot(b, y);
     for (std::size_t i = 0; i < y.size(); ++i) result[i] += value * y[i];
@@ -60,16 +50,12 @@ Coefficients with_zeros(const Coefficients& zonal) {
   return c;
 }
 
-void expect_near(const Coefficients& values, const Coefficients& wanted, double tolerance) {
-  for (std::size_t i = 0; i < wanted.size(); ++i) ASSERT_NEAR(values[i], wanted[i], tolerance) << i;
-}
-
 TEST(GeneratedProducts, AgreeWithIntegrationOverTheSphere) {
   for_every_degree([]<int kDegree>() {
-    const auto a = random_unit(count_of(kDegree), 1);
-    const auto b = random_unit(count_of(kDegree), 2);
-    const auto zonal = random_unit(kDegree + 1, 3);
-    Coefficients out(count_of(kDegree));
+    const auto a = unit_vector(coefficient_count(kDegree), 1);
+    const auto b = unit_vector(coefficient_count(kDegree), 2);
+    const auto zonal = unit_vector(kDegree + 1, 3);
+    Coefficients out(coefficient_count(kDegree));
     product<kDegree>(a.data(), b.data(), out.data());
     expect_near(out, integrated_product(a, b, kDegree), 2e-15);
     EXPECT_NEAR(triple<kDegree>(a.data(), b.data(), b.data()), dot(out, b), 1e-15);
@@ -89,9 +75,9 @@ double value_at(const Coefficients& c, int degree, double x, double y, double z)
 
 TEST(GeneratedProducts, CompleteOnesAreTheProductAtEveryPoint) {
   const auto test = []<int kDegree>() {
-    const auto a = random_unit(count_of(kDegree), 11);
-    const auto b = random_unit(count_of(kDegree), 12);
-    Coefficients out(count_of(2 * kDegree) + 1, std::numeric_limits<double>::quiet_NaN());
+    const auto a = unit_vector(coefficient_count(kDegree), 11);
+    const auto b = unit_vector(coefficient_count(kDegree), 12);
+    Coefficients out(coefficient_count(2 * kDegree) + 1, std::numeric_limits<double>::quiet_NaN());
     product_full<kDegree>(a.data(), b.data(), out.data());
     EXPECT_TRUE(std::isnan(out.back()));
     out.pop_back();
@@ -111,28 +97,28 @@ TEST(GeneratedProducts, InFloatStayWithinFourEpsOfTheLengths) {
   for_every_degree([]<int kDegree>() {
     constexpr double kLimit = 4 * std::numeric_limits<float>::epsilon();
     for (unsigned seed = 0; seed < 20; ++seed) {
-      const auto a = random_unit(count_of(kDegree), 2 * seed);
+      const auto a = unit_vector(coefficient_count(kDegree), 2 * seed);
       // Sharp peaks add up all coefficients: b is a again in every other pair.
-      const auto b = seed % 2 == 0 ? a : random_unit(count_of(kDegree), 2 * seed + 1);
+      const auto b = seed % 2 == 0 ? a : unit_vector(coefficient_count(kDegree), 2 * seed + 1);
       const std::vector<float> a_float(a.begin(), a.end());
       const std::vector<float> b_float(b.begin(), b.end());
       const Coefficients a_rounded(a_float.begin(), a_float.end());
       const Coefficients b_rounded(b_float.begin(), b_float.end());
-      Coefficients wanted(count_of(kDegree));
-      std::vector<float> out(count_of(kDegree));
+      Coefficients wanted(coefficient_count(kDegree));
+      std::vector<float> out(coefficient_count(kDegree));
       product<kDegree>(a_rounded.data(), b_rounded.data(), wanted.data());
       product<kDegree>(a_float.data(), b_float.data(), out.data());
-      expect_near({out.begin(), out.end()}, wanted, kLimit);
+      expect_near(out, wanted, kLimit);
     }
   });
 }
 
 TEST(GeneratedProducts, DoNotDependOnTheOrderOfTheFactors) {
   for_every_degree([]<int kDegree>() {
-    const auto a = random_unit(count_of(kDegree), 4);
-    const auto b = random_unit(count_of(kDegree), 5);
-    Coefficients ab(count_of(kDegree));
-    Coefficients ba(count_of(kDegree));
+    const auto a = unit_vector(coefficient_count(kDegree), 4);
+    const auto b = unit_vector(coefficient_count(kDegree), 5);
+    Coefficients ab(coefficient_count(kDegree));
+    Coefficients ba(coefficient_count(kDegree));
     product<kDegree>(a.data(), b.data(), ab.data());
     product<kDegree>(b.data(), a.data(), ba.data());
     expect_near(ab, ba, 4e-16);
@@ -141,10 +127,10 @@ TEST(GeneratedProducts, DoNotDependOnTheOrderOfTheFactors) {
 
 TEST(GeneratedProducts, WorkInPlace) {
   for_every_degree([]<int kDegree>() {
-    const auto a = random_unit(count_of(kDegree), 6);
-    const auto b = random_unit(count_of(kDegree), 7);
-    const auto zonal = random_unit(kDegree + 1, 8);
-    Coefficients wanted(count_of(kDegree));
+    const auto a = unit_vector(coefficient_count(kDegree), 6);
+    const auto b = unit_vector(coefficient_count(kDegree), 7);
+    const auto zonal = unit_vector(kDegree + 1, 8);
+    Coefficients wanted(coefficient_count(kDegree));
     product<kDegree>(a.data(), b.data(), wanted.data());
     Coefficients over_a = a;
     product<kDegree>(over_a.data(), b.data(), over_a.data());
@@ -169,14 +155,14 @@ TEST(GeneratedProducts, WorkInPlace) {
 TEST(GeneratedProducts, WithAConstantScaleTheOtherFactor) {
   // 1 = sqrt(4 pi) Y_00.
   for_every_degree([]<int kDegree>() {
-    Coefficients one(count_of(kDegree));
+    Coefficients one(coefficient_count(kDegree));
     one[0] = std::sqrt(4 * M_PI);
-    const auto b = random_unit(count_of(kDegree), 9);
-    Coefficients out(count_of(kDegree));
+    const auto b = unit_vector(coefficient_count(kDegree), 9);
+    Coefficients out(coefficient_count(kDegree));
     product<kDegree>(one.data(), b.data(), out.data());
     expect_near(out, b, 4e-15);
-    product<kDegree>(Coefficients(count_of(kDegree)).data(), b.data(), out.data());
-    expect_near(out, Coefficients(count_of(kDegree)), 0);
+    product<kDegree>(Coefficients(coefficient_count(kDegree)).data(), b.data(), out.data());
+    expect_near(out, Coefficients(coefficient_count(kDegree)), 0);
   });
 }
 
@@ -197,12 +183,8 @@ TEST(GeneratedProducts, AreConstantExpressions) {
 
 TEST(GeneratedProducts, WriteExactlyTheirOwnElements) {
   for_every_degree([]<int kDegree>() {
-    const auto a = random_unit(count_of(kDegree), 10);
-    Coefficients out(count_of(kDegree) + 2, std::numeric_limits<double>::quiet_NaN());
-    product<kDegree>(a.data(), a.data(), out.data() + 1);
-    EXPECT_TRUE(std::isnan(out.front()));
-    EXPECT_TRUE(std::isnan(out.back()));
-    for (std::size_t i = 1; i + 1 < out.size(); ++i) EXPECT_FALSE(std::isnan(out[i])) << kDegree << " " << i;
+    const auto a = unit_vector(coefficient_count(kDegree), 10);
+    expect_fills(a.size(), [&](double* out) { product<kDegree>(a.data(), a.data(), out); });
   });
 }
 

@@ -53,18 +53,9 @@ std::vector<Floats> rotations() {
   return all;
 }
 
-Floats unit_vector(int degree, unsigned seed) {
-  std::mt19937 random(seed);
-  std::normal_distribution<double> normal;
-  std::vector<double> v(count_of(degree));
-  double square = 0;
-  for (double& x : v) {
-    x = normal(random);
-    square += x * x;
-  }
-  Floats result;
-  for (const double x : v) result.push_back(static_cast<float>(x / std::sqrt(square)));
-  return result;
+Floats unit_floats(int degree, unsigned seed) {
+  const std::vector<double> v = unit_vector(coefficient_count(degree), seed);
+  return {v.begin(), v.end()};
 }
 
 Floats rotated(int degree, const Floats& r, const Floats& c) {
@@ -95,7 +86,7 @@ TEST(RotateOne, AgreesWithTheOracleOverAllTilts) {
   const std::vector<Floats> all = rotations();
   for (int degree = 0; degree <= kLargest; ++degree) {
     for (std::size_t k = 0; k < all.size(); ++k) {
-      const Floats c = unit_vector(degree, static_cast<unsigned>(k));
+      const Floats c = unit_floats(degree, static_cast<unsigned>(k));
       const Wide wide(c.begin(), c.end());
       Wide expected(c.size());
       numeric::rotate<long double>(degree, numeric::nearest_rotation<long double>(all[k].data()).data(), wide.data(),
@@ -113,7 +104,7 @@ TEST(RotateOne, AgreesWithTheOracleOverAllTilts) {
 TEST(RotateOne, GivesTheSameBitsInPlaceAndAtAnyAlignmentAndWritesNothingElse) {
   const Floats r = rotations()[61];
   for (int degree = 0; degree <= kLargest; ++degree) {
-    const Floats c = unit_vector(degree, 3);
+    const Floats c = unit_floats(degree, 3);
     on_every_set([&] {
       const Floats matrix = prepared(degree, r);
       const Floats expected = rotated(degree, r, c);
@@ -146,7 +137,7 @@ TEST(RotateOne, GivesTheSameBitsInPlaceAndAtAnyAlignmentAndWritesNothingElse) {
 TEST(RotateOne, TakesAMatrixThatWasPreparedOnAnotherInstructionSet) {
   const Floats r = rotations()[61];
   for (int degree = 0; degree <= kLargest; ++degree) {
-    const Floats c = unit_vector(degree, 4);
+    const Floats c = unit_floats(degree, 4);
     const Floats expected = rotated(degree, r, c);
     const Wide wide(expected.begin(), expected.end());
     on_every_set([&] {

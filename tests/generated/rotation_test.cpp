@@ -1,14 +1,13 @@
-// The committed rotations against the oracle, each other and what a rotation is.
+// The committed rotations against the oracle, each other and the laws of rotations.
 #include "numeric/oracle/rotation.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <random>
-#include <utility>
 #include <vector>
 
 #include "generated/cpp/rotate.hpp"
@@ -25,12 +24,14 @@
 namespace sh {
 namespace {
 
-using test::count_of;
+using test::coefficient_count;
+using test::expect_fills;
+using test::expect_near;
 using test::for_every_degree;
 
-constexpr std::size_t matrix_size(int degree) {
-  std::size_t size = 0;
-  for (int l = 0; l <= degree; ++l) size += static_cast<std::size_t>((2 * l + 1) * (2 * l + 1));
+constexpr int matrix_size(int degree) {
+  int size = 0;
+  for (int l = 0; l <= degree; ++l) size += (2 * l + 1) * (2 * l + 1);
   return size;
 }
 
@@ -89,22 +90,13 @@ std::vector<Quaternion> rotations() {
 }
 
 template <std::size_t N>
-std::array<double, N> unit_coefficients(unsigned seed) {
-  std::mt19937 random(seed);
-  std::normal_distribution<double> normal;
+std::array<double, N> unit_array(unsigned seed) {
   std::array<double, N> c;
-  double square = 0;
-  for (double& v : c) square += std::pow(v = normal(random), 2);
-  for (double& v : c) v /= std::sqrt(square);
+  std::ranges::copy(test::unit_vector(N, seed), c.begin());
   return c;
 }
 
-template <class T, std::size_t N>
-void expect_near(const std::array<T, N>& actual, const std::array<double, N>& expected, double tolerance) {
-  for (std::size_t i = 0; i < N; ++i) ASSERT_NEAR(double(actual[i]), expected[i], tolerance) << N << " " << i;
-}
-
-// What the oracle makes of c, in double.
+// The oracle's rotation of c, in double.
 template <std::size_t N>
 std::array<double, N> oracle(int degree, const Matrix& r, const std::array<double, N>& c) {
   std::array<double, N> out;
@@ -114,16 +106,16 @@ std::array<double, N> oracle(int degree, const Matrix& r, const std::array<doubl
 
 TEST(GeneratedRotation, AgreesWithTheOracleAtEveryTilt) {
   for_every_degree([]<int kDegree>() {
-    const auto c = unit_coefficients<count_of(kDegree)>(1);
+    const auto c = unit_array<coefficient_count(kDegree)>(1);
     for (const Quaternion& q : rotations()) {
       const auto expected = oracle(kDegree, matrix_of(q), c);
-      std::array<double, count_of(kDegree)> out;
+      std::array<double, coefficient_count(kDegree)> out;
       rotate<kDegree>(matrix_of(q).data(), c.data(), out.data());
       expect_near(out, expected, 6e-15);
       rotate_quaternion<kDegree>(rounded<double>(q).data(), c.data(), out.data());
       expect_near(out, expected, 6e-15);
 
-      std::array<float, count_of(kDegree)> single;
+      std::array<float, coefficient_count(kDegree)> single;
       rotate<kDegree>(rounded<float>(matrix_of(q)).data(), rounded<float>(c).data(), single.data());
       expect_near(single, expected, kDegree <= 5 ? 1e-6 : 2e-6);
       rotate_quaternion<kDegree>(rounded<float>(q).data(), rounded<float>(c).data(), single.data());
@@ -134,7 +126,7 @@ TEST(GeneratedRotation, AgreesWithTheOracleAtEveryTilt) {
 
 TEST(GeneratedRotation, BuiltMatricesAppliedAreTheRotation) {
   for_every_degree([]<int kDegree>() {
-    const auto c = unit_coefficients<count_of(kDegree)>(2);
+    const auto c = unit_array<coefficient_count(kDegree)>(2);
     for (const Quaternion& q : rotations()) {
       std::array<double, matrix_size(kDegree)> m;
       rotate_build<kDegree>(matrix_of(q).data(), m.data());
@@ -144,7 +136,7 @@ TEST(GeneratedRotation, BuiltMatricesAppliedAreTheRotation) {
         for (std::size_t i = 0; i < band.size(); ++i) ASSERT_NEAR(m[first + i], band[i], 8e-15) << kDegree;
         first += band.size();
       }
-      std::array<double, count_of(kDegree)> out;
+      std::array<double, coefficient_count(kDegree)> out;
       rotate_apply<kDegree>(m.data(), c.data(), out.data());
       expect_near(out, oracle(kDegree, matrix_of(q), c), 8e-15);
     }
@@ -153,11 +145,11 @@ TEST(GeneratedRotation, BuiltMatricesAppliedAreTheRotation) {
 
 TEST(GeneratedRotation, AboutZIsTheMatrixAboutZ) {
   for_every_degree([]<int kDegree>() {
-    const auto c = unit_coefficients<count_of(kDegree)>(3);
+    const auto c = unit_array<coefficient_count(kDegree)>(3);
     for (const double angle : {0.0, 1e-9, 0.3, 1.0, std::numbers::pi / 2, 2.5, std::numbers::pi, -0.7}) {
       const double cosine = std::cos(angle);
       const double sine = std::sin(angle);
-      std::array<double, count_of(kDegree)> out;
+      std::array<double, coefficient_count(kDegree)> out;
       rotate_z<kDegree>(cosine, sine, c.data(), out.data());
       expect_near(out, oracle(kDegree, Matrix{cosine, -sine, 0, sine, cosine, 0, 0, 0, 1}, c), 4e-15);
     }
@@ -166,7 +158,7 @@ TEST(GeneratedRotation, AboutZIsTheMatrixAboutZ) {
 
 TEST(GeneratedRotation, ValueIsThatOfTheFunctionAtTheDirectionTurnedBack) {
   for_every_degree([]<int kDegree>() {
-    const auto c = unit_coefficients<count_of(kDegree)>(4);
+    const auto c = unit_array<coefficient_count(kDegree)>(4);
     for (const Quaternion& q : rotations()) {
       const Matrix r = matrix_of(q);
       const auto v = rounded<double>(q);
@@ -181,7 +173,7 @@ TEST(GeneratedRotation, ValueIsThatOfTheFunctionAtTheDirectionTurnedBack) {
 }
 
 TEST(GeneratedRotation, ComposesLikeQuaternions) {
-  const auto c = unit_coefficients<25>(5);
+  const auto c = unit_array<25>(5);
   const std::vector<Quaternion> all = rotations();
   for (std::size_t i = 0; i + 1 < all.size(); ++i) {
     std::array<double, 25> once;
@@ -195,14 +187,14 @@ TEST(GeneratedRotation, ComposesLikeQuaternions) {
 
 TEST(GeneratedRotation, WorksInPlace) {
   for_every_degree([]<int kDegree>() {
-    const auto c = unit_coefficients<count_of(kDegree)>(6);
+    const auto c = unit_array<coefficient_count(kDegree)>(6);
     const Quaternion q = normalised({0.3L, -0.5L, 0.7L, 0.2L});
     const Matrix r = matrix_of(q);
     std::array<double, matrix_size(kDegree)> m;
     rotate_build<kDegree>(r.data(), m.data());
     const auto same = [&](const auto& kernel) {
       auto in_place = c;
-      std::array<double, count_of(kDegree)> out;
+      std::array<double, coefficient_count(kDegree)> out;
       kernel(c.data(), out.data());
       kernel(in_place.data(), in_place.data());
       EXPECT_EQ(in_place, out) << kDegree;
@@ -216,20 +208,13 @@ TEST(GeneratedRotation, WorksInPlace) {
 
 TEST(GeneratedRotation, WritesExactlyItsOwnElements) {
   for_every_degree([]<int kDegree>() {
-    const auto c = unit_coefficients<count_of(kDegree)>(7);
+    const auto c = unit_array<coefficient_count(kDegree)>(7);
     const Quaternion q = normalised({0.3L, -0.5L, 0.7L, 0.2L});
     const Matrix r = matrix_of(q);
-    const auto check = [](const auto& kernel, std::size_t size) {
-      std::vector<double> out(size + 2, std::numeric_limits<double>::quiet_NaN());
-      kernel(out.data() + 1);
-      EXPECT_TRUE(std::isnan(out.front()));
-      EXPECT_TRUE(std::isnan(out.back()));
-      for (std::size_t i = 1; i <= size; ++i) EXPECT_FALSE(std::isnan(out[i])) << kDegree << " " << i;
-    };
-    check([&](double* out) { rotate<kDegree>(r.data(), c.data(), out); }, c.size());
-    check([&](double* out) { rotate_quaternion<kDegree>(rounded<double>(q).data(), c.data(), out); }, c.size());
-    check([&](double* out) { rotate_z<kDegree>(0.6, 0.8, c.data(), out); }, c.size());
-    check([&](double* out) { rotate_build<kDegree>(r.data(), out); }, matrix_size(kDegree));
+    expect_fills(c.size(), [&](double* out) { rotate<kDegree>(r.data(), c.data(), out); });
+    expect_fills(c.size(), [&](double* out) { rotate_quaternion<kDegree>(rounded<double>(q).data(), c.data(), out); });
+    expect_fills(c.size(), [&](double* out) { rotate_z<kDegree>(0.6, 0.8, c.data(), out); });
+    expect_fills(matrix_size(kDegree), [&](double* out) { rotate_build<kDegree>(r.data(), out); });
   });
 }
 

@@ -34,14 +34,14 @@
 namespace sh {
 namespace {
 
-using test::count_of;
+using test::coefficient_count;
 using test::Direction;
 using test::directions;
 using test::for_degrees_from;
 using test::kMaxDegree;
 using test::random_array;
 
-std::size_t band(std::size_t index) { return static_cast<std::size_t>(std::sqrt(static_cast<double>(index))); }
+int band(std::size_t index) { return static_cast<int>(std::sqrt(static_cast<double>(index))); }
 
 // z_l = 2 pi integral of Y_l0 over the cap, by a Gauss rule in the cosine.
 double cap_by_quadrature(int l, double u) {
@@ -69,7 +69,7 @@ TEST(GeneratedZonal, TurnsALobeToADirection) {
   for_degrees_from<0>([]<int kDegree>() {
     const auto lobe = random_array<kDegree + 1>(3);
     for (const Direction& d : directions(20)) {
-      std::array<double, count_of(kDegree)> out;
+      std::array<double, coefficient_count(kDegree)> out;
       zonal<kDegree>(lobe.data(), d[0], d[1], d[2], out.data());
       const auto y = numeric::basis<double>(kDegree, d[0], d[1], d[2]);
       for (std::size_t i = 0; i < out.size(); ++i) {
@@ -83,7 +83,7 @@ TEST(GeneratedZonal, TurnsALobeToADirection) {
 TEST(GeneratedZonal, TowardsThePoleIsTheLobeItself) {
   for_degrees_from<0>([]<int kDegree>() {
     const auto lobe = random_array<kDegree + 1>(4);
-    std::array<double, count_of(kDegree)> out;
+    std::array<double, coefficient_count(kDegree)> out;
     zonal<kDegree>(lobe.data(), 0.0, 0.0, 1.0, out.data());
     for (std::size_t i = 0; i < out.size(); ++i) {
       const std::size_t l = band(i);
@@ -94,7 +94,7 @@ TEST(GeneratedZonal, TowardsThePoleIsTheLobeItself) {
 
 TEST(GeneratedAddCap, AddsTheCapTurnedToItsDirection) {
   for_degrees_from<0>([]<int kDegree>() {
-    constexpr std::size_t kCount = count_of(kDegree);
+    constexpr std::size_t kCount = coefficient_count(kDegree);
     for (const Direction& d : directions(5)) {
       std::array<double, kDegree + 1> z;
       cap<kDegree>(0.3, z.data());
@@ -107,9 +107,9 @@ TEST(GeneratedAddCap, AddsTheCapTurnedToItsDirection) {
       EXPECT_EQ(sum[kCount], before[kCount]);
       sum = before;
       add_cap_rgb<kDegree>(d[0], d[1], d[2], 0.3, 2.5, -1.0, 0.125, sum.data());
-      const std::array<double, 3> colour{2.5, -1, 0.125};
+      const std::array<double, 3> color{2.5, -1, 0.125};
       for (std::size_t i = 0; i < sum.size(); ++i)
-        EXPECT_NEAR(sum[i], before[i] + colour[i / kCount] * light[i % kCount], 2e-14);
+        EXPECT_NEAR(sum[i], before[i] + color[i / kCount] * light[i % kCount], 2e-14);
     }
   });
 }
@@ -129,11 +129,11 @@ TEST(GeneratedAddCap, TinyLightsOfGreatRadianceKeepTheirEnergy) {
 
 TEST(GeneratedIrradiance, MultipliesEveryBandByTheClampedCosine) {
   for_degrees_from<0>([]<int kDegree>() {
-    const auto before = random_array<count_of(kDegree)>(6);
+    const auto before = random_array<coefficient_count(kDegree)>(6);
     auto c = before;
     irradiance<kDegree>(c.data());
     for (std::size_t i = 0; i < c.size(); ++i) {
-      const int l = static_cast<int>(band(i));
+      const int l = band(i);
       EXPECT_NEAR(c[i], numeric::clamped_cosine_factor<double>(l) * before[i], 1e-15);
       if (l % 2 == 1 && l > 1) {
         EXPECT_EQ(c[i], 0.0);
@@ -144,7 +144,7 @@ TEST(GeneratedIrradiance, MultipliesEveryBandByTheClampedCosine) {
 
 TEST(GeneratedIrradiance, EvaluatesLikeTheConvolutionAndTheQuadraticForm) {
   for_degrees_from<0>([]<int kDegree>() {
-    const auto c = random_array<count_of(kDegree)>(7);
+    const auto c = random_array<coefficient_count(kDegree)>(7);
     auto e = c;
     irradiance<kDegree>(e.data());
     for (const Direction& n : directions(20)) {
@@ -193,11 +193,11 @@ TEST(GeneratedLightmap, ProjectsAndEvaluatesIrradianceOfDegreeOne) {
 // Applies `window` to ones and compares with expected(l).
 template <int Degree, class Window, class Expected>
 void expect_window(const Window& window, const Expected& expected, double tolerance) {
-  std::array<double, count_of(Degree) + 2> c;
+  std::array<double, coefficient_count(Degree) + 2> c;
   c.fill(1);
   c.front() = c.back() = std::numeric_limits<double>::quiet_NaN();
   window(c.data() + 1);
-  for (std::size_t i = 0; i < count_of(Degree); ++i)
+  for (std::size_t i = 0; i < coefficient_count(Degree); ++i)
     EXPECT_NEAR(c[i + 1], i == 0 ? 1.0 : expected(static_cast<double>(band(i))), tolerance) << i;
   EXPECT_TRUE(std::isnan(c.front()));
   EXPECT_TRUE(std::isnan(c.back()));

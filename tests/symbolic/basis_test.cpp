@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "symbolic/number/polynomial_calculus.hpp"
+#include "symbolic/number/polynomial.hpp"
 
 namespace sh::symbolic {
 namespace {

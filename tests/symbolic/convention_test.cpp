@@ -1,4 +1,4 @@
-// Conventions: axes, index orders, what maps do to coefficients, rotations and products, and what is refused.
+// Conventions: axes, index orders, maps of coefficients, rotations and products, and refusals.
 #include "symbolic/convention/convention.hpp"
 
 #include <gtest/gtest.h>
@@ -7,7 +7,6 @@
 #include <stdexcept>
 
 #include "symbolic/convention/convention_map.hpp"
-#include "symbolic/convention/presets.hpp"
 #include "symbolic/rotation/rotation.hpp"
 #include "symbolic/rotation/rotation_recursion.hpp"
 
@@ -24,6 +23,31 @@ std::vector<RadicalSum> counting_coefficients(IndexOrder order, int degree) {
     for (int m = -l; m <= l; ++m) c[storage_position(order, degree, l, m)] = number(next++);
   }
   return c;
+}
+
+// c' = C c, both arrays in their own index order.
+std::vector<RadicalSum> map_coefficients(const ConventionMap& map, const std::vector<RadicalSum>& coefficients) {
+  std::vector<RadicalSum> result(storage_size(map.to_order, map.degree));
+  for (int l = 0; l <= map.degree; ++l) {
+    for (int m = -l; m <= l; ++m) {
+      RadicalSum& sum = result[storage_position(map.to_order, map.degree, l, m)];
+      for (int n = -l; n <= l; ++n) {
+        sum += map.forward[l](l + m, l + n) * coefficients[storage_position(map.from_order, map.degree, l, n)];
+      }
+    }
+  }
+  return result;
+}
+
+// D' = C D C^-1
+std::vector<Matrix<RadicalSum>> map_rotation(const ConventionMap& map, const std::vector<Matrix<RadicalSum>>& bands) {
+  std::vector<Matrix<RadicalSum>> result;
+  for (std::size_t l = 0; l < bands.size(); ++l) result.push_back(map.forward[l] * bands[l] * map.backward[l]);
+  return result;
+}
+
+ConventionMap inverse(const ConventionMap& map) {
+  return {map.degree, map.to_order, map.from_order, map.backward, map.forward, map.folds};
 }
 
 TEST(SignedPermutation, ThereAreFortyEightHalfOfThemRotations) {
@@ -119,11 +143,8 @@ TEST(ConventionMap, IndirectAndDirectMapsAgreeOnCoefficients) {
   EXPECT_EQ(direct, indirect);
 }
 
-TEST(ConventionMap, RefusesArraysOfTheWrongSize) {
-  const ConventionMap map = convention_map({}, {}, 2);
-  EXPECT_THROW((void)map_coefficients(map, std::vector<RadicalSum>(8)), std::invalid_argument);
-  EXPECT_THROW((void)map_rotation(map, {}), std::invalid_argument);
-  EXPECT_THROW((void)compose(convention_map({}, {}, 1), map), std::invalid_argument);
+TEST(ConventionMap, RefusesToComposeMapsOfDifferentDegrees) {
+  EXPECT_THROW((void)compose(convention_map({}, {}, 1), convention_map({}, {}, 2)), std::invalid_argument);
 }
 
 std::vector<Matrix<RadicalSum>> rotation_of(int degree) {
@@ -134,12 +155,7 @@ std::vector<Matrix<RadicalSum>> rotation_of(int degree) {
   const auto bands = rotation_bands<cln::cl_RA>(degree, r, 1);
   std::vector<Matrix<RadicalSum>> result;
   for (int l = 0; l <= degree; ++l) {
-    const Matrix<Surd> d = surd_entries(l, bands[l]);
-    Matrix<RadicalSum> m(d.rows(), d.columns());
-    for (int i = 0; i < d.rows(); ++i) {
-      for (int j = 0; j < d.columns(); ++j) m(i, j) = RadicalSum(d(i, j));
-    }
-    result.push_back(std::move(m));
+    result.push_back(surd_entries(l, bands[l]).mapped([](const Surd& entry) { return RadicalSum(entry); }));
   }
   return result;
 }

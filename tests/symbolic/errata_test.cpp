@@ -107,7 +107,7 @@ TEST_P(ErrataOfSource, RecordsWhatExactDecisionsGive) {
   }
 }
 
-// A changed number may leave a zero as it is, so one refuted change a relation is asked for.
+// A changed number may leave a zero unchanged, so one refuted change of each relation is enough.
 TEST_P(ErrataOfSource, RefutesEveryRelationWithAChangedNumber) {
   for (const Entry& entry : sources()[GetParam()].entries) {
     std::vector<std::string> right{entry.correct_statement};

@@ -1,4 +1,4 @@
-// Reads typeset formulas back and evaluates them: an independent reader of what symbolic/typeset/typeset.hpp writes.
+// Reads typeset formulas back and evaluates them, independently of the writer symbolic/typeset/typeset.hpp.
 //
 // Grammar: sums of products of numbers, names with optional indices, \pi, \frac{}{}, \sqrt{}, parentheses, each with an
 // optional ^{n}. The name i is the imaginary unit.

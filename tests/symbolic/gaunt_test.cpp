@@ -153,13 +153,13 @@ TEST(Product, OfNarrowFactorsIsPartOfTheWideOne) {
 TEST(Transfer, MatrixOfOneFunctionIsASliceOfTheTensor) {
   std::vector<Surd> known(9);
   known[8] = Surd(1);
-  const std::vector<std::vector<RadicalSum>> matrix = transfer_matrix(known, {4, 2, 4});
+  const Matrix<RadicalSum> matrix = transfer_matrix(known, {4, 2, 4});
   int non_zero = 0;
   for (int i = 0; i < 25; ++i) {
     for (int j = 0; j < 25; ++j) {
-      const RadicalSum& entry = matrix[i][j];
+      const RadicalSum& entry = matrix(i, j);
       EXPECT_EQ(entry, RadicalSum(gaunt(i, j, 8)));
-      EXPECT_EQ(entry, matrix[j][i]);
+      EXPECT_EQ(entry, matrix(j, i));
       non_zero += entry.is_zero() ? 0 : 1;
     }
   }

@@ -9,7 +9,7 @@
 #include "numeric/identify/convention.hpp"
 #include "numeric/sampling/directions.hpp"
 #include "numeric/sampling/error_stats.hpp"
-#include "symbolic/convention/presets.hpp"
+#include "symbolic/convention/convention.hpp"
 
 namespace sh {
 namespace {

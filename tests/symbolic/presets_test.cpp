@@ -1,15 +1,16 @@
 // Each preset's first two bands (three where the polynomials are documented to there) are the functions that its source
 // evaluates, in the source's own coordinates. The constants are those the sources print, to their digits.
-#include "symbolic/convention/presets.hpp"
-
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
 #include <complex>
-#include <stdexcept>
 
+#include "symbolic/convention/convention.hpp"
 #include "symbolic/convention/convention_map.hpp"
+#include "symbolic/typeset/typeset_families.hpp"
+#include "symbolic/zonal/zonal.hpp"
+#include "tests/message_of.hpp"
 
 namespace sh::symbolic {
 namespace {
@@ -102,10 +103,10 @@ TEST(Presets, UnityFoldsItsPrintedConstantsIntoOrthonormalCoefficients) {
                                       -0.32573500793527994772, 0.27313710764801976764,  -0.27313710764801976764,
                                       0.07884789131313000151,  -0.27313710764801976764, 0.13656855382400988382};
   const ConventionMap map = convention_map(find_preset("directxmath").convention, find_preset("unity").convention, 2);
-  const std::vector<RadicalSum> ones(9, RadicalSum(cln::cl_RA(1)));
-  const auto mapped = map_coefficients(map, ones);
-  for (std::size_t i = 0; i < 9; ++i) {
-    EXPECT_NEAR(cln::double_approx(mapped[i].evaluate(20).first), printed[i], 1e-16) << i;
+  for (int i = 0; i < 9; ++i) {
+    const auto [l, m] = degree_order(i);
+    const Surd factor = map.forward[l](l + m, l + m).surd();
+    EXPECT_NEAR(cln::double_approx(factor.evaluate(20)), printed[i], 1e-16) << i;
   }
 }
 
@@ -156,15 +157,17 @@ TEST(Presets, WorldAxesHaveTheHandednessOfTheirEngine) {
   EXPECT_EQ(find_preset("unreal").world.determinant(), -1);
 }
 
-TEST(Presets, AnUnknownNameListsTheKnownOnes) {
-  try {
-    (void)find_preset("godot");
-    FAIL();
-  } catch (const std::invalid_argument& error) {
-    const std::string message = error.what();
-    for (const Preset& preset : presets()) EXPECT_NE(message.find(preset.name), std::string::npos);
-    EXPECT_EQ(message.find('\n'), std::string::npos);
-  }
+template <class Items>
+void expect_list(const std::string& message, const Items& items) {
+  EXPECT_NE(message.find("'nothing'"), std::string::npos) << message;
+  EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+  for (const auto& item : items) EXPECT_NE(message.find(item.name), std::string::npos) << message;
+}
+
+TEST(Names, AnUnknownOneIsRefusedInOneLineWithTheKnownOnes) {
+  expect_list(sh::test::message_of([] { find_preset("nothing"); }), presets());
+  expect_list(sh::test::message_of([] { zonal_family("nothing"); }), zonal_families());
+  expect_list(sh::test::message_of([] { typeset_table("nothing", 2, presets().front()); }), typeset_families());
 }
 
 }  // namespace

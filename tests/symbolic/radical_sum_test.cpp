@@ -37,11 +37,8 @@ TEST(RadicalSum, GivesBackTheSurdItWasMadeFrom) {
   EXPECT_THROW((void)(number(1) + root(2)).surd(), std::invalid_argument);
 }
 
-TEST(RadicalSum, EvaluatesAndPrints) {
+TEST(RadicalSum, Prints) {
   const RadicalSum a = RadicalSum(cln::cl_RA(1) / 2) + RadicalSum::imaginary_unit() * root(3);
-  const auto [real, imaginary] = a.evaluate(20);
-  EXPECT_NEAR(cln::double_approx(real), 0.5, 1e-15);
-  EXPECT_NEAR(cln::double_approx(imaginary), 1.7320508075688772, 1e-15);
   EXPECT_EQ(a.to_string(), "1/2 + i sqrt(3)");
   EXPECT_EQ(RadicalSum().to_string(), "0");
 }

@@ -1,9 +1,10 @@
-// Rotations: what they do to functions, the ways to give one, ranges and errors.
+// Rotations: their effect on functions, the ways to give one, ranges and errors.
 #include "symbolic/rotation/rotation.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <random>
 #include <stdexcept>
@@ -11,6 +12,7 @@
 #include "symbolic/basis/basis.hpp"
 #include "symbolic/rotation/rotation_input.hpp"
 #include "symbolic/rotation/rotation_recursion.hpp"
+#include "tests/message_of.hpp"
 
 namespace sh::symbolic {
 namespace {
@@ -97,12 +99,7 @@ TEST(Rotation, ConstantQuarterTurnOfBandTwoIsTheKnownMatrix) {
 }
 
 TEST(RotationInput, RefusesAnUnknownEulerOrderAndListsTheKnown) {
-  try {
-    (void)euler_axes("xxy");
-    FAIL();
-  } catch (const std::invalid_argument& error) {
-    EXPECT_NE(std::string(error.what()).find("zyz"), std::string::npos);
-  }
+  EXPECT_NE(test::message_of([] { euler_axes("xxy"); }).find("zyz"), std::string::npos);
 }
 
 double largest_difference(const Matrix<double>& a, const Matrix<double>& b) {
@@ -115,6 +112,22 @@ double largest_difference(const Matrix<double>& a, const Matrix<double>& b) {
 
 CosSin<double> at(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
+// The angles of a rotation matrix in floating point: alpha = 0 where h underflows.
+ZyzAngles<double> zyz_angles(const Matrix<double>& r) {
+  const double h = r(0, 2) * r(0, 2) + r(1, 2) * r(1, 2);
+  // The square root of h has all its digits only if h is a normal number.
+  if (h < std::numeric_limits<double>::min() / std::numeric_limits<double>::epsilon()) {
+    return zyz_from_azimuth(r, {1, 0}, h);
+  }
+  const double sine = std::sqrt(h);
+  return zyz_from_azimuth(r, {r(0, 2) / sine, r(1, 2) / sine}, sine);
+}
+
+Matrix<double> matrix_from_zyz(const ZyzAngles<double>& angles) {
+  return matrix_about_axis(2, angles.alpha, 1.0) * matrix_about_axis(1, angles.beta, 1.0) *
+         matrix_about_axis(2, angles.gamma, 1.0);
+}
+
 TEST(ZyzAngles, GiveTheMatrixBackAtEveryTiltPolesIncluded) {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> angle(-std::numbers::pi, std::numbers::pi);
@@ -122,9 +135,8 @@ TEST(ZyzAngles, GiveTheMatrixBackAtEveryTiltPolesIncluded) {
   for (const double tilt : {0.0, 1e-300, 1e-170, 1e-160, 1e-150, 1e-20, 1e-12, 1e-8, 2e-4, 0.03, 1.0, 3.0}) {
     for (const double beta : {tilt, std::numbers::pi - tilt}) {
       for (int i = 0; i < 200; ++i) {
-        const Matrix<double> r = matrix_from_euler<double>("zyz", EulerFrame::kIntrinsic,
-                                                           {at(angle(random)), at(beta), at(angle(random))}, 1.0);
-        worst = std::max(worst, largest_difference(matrix_from_zyz(zyz_angles(r), 1.0), r));
+        const Matrix<double> r = matrix_from_zyz({at(angle(random)), at(beta), at(angle(random))});
+        worst = std::max(worst, largest_difference(matrix_from_zyz(zyz_angles(r)), r));
       }
     }
   }

@@ -9,7 +9,6 @@
 #include <stdexcept>
 
 #include "symbolic/zonal/convolution.hpp"
-#include "symbolic/zonal/zonal_derivations.hpp"
 
 namespace sh::symbolic {
 namespace {
@@ -93,30 +92,6 @@ TEST(Zonal, AnnulusIsTheDifferenceOfTwoCaps) {
   for (int l = 0; l <= 10; ++l) {
     const ZonalTerm cap = zonal_family("cap").closed_form(l);
     EXPECT_EQ(zonal_family("annulus").closed_form(l).at(both), cap.at(outer) + -cap.at(inner));
-  }
-}
-
-TEST(Zonal, LinearLobeCoversEveryCaseOfItsParameters) {
-  for (const auto& [a, b] :
-       std::vector<std::pair<int, int>>{{2, 1}, {-2, 1}, {2, -1}, {1, -3}, {1, 3}, {0, -2}, {0, 2}, {-1, -3}}) {
-    const auto lobe = [a = a, b = b](double t) { return std::max(0.0, a * t - b); };
-    const double kink = a == 0 ? 0 : std::clamp(static_cast<double>(b) / a, -1.0, 1.0);
-    const std::vector<Surd> exact = linear_lobe(6, a, b);
-    for (int l = 0; l <= 6; ++l) {
-      const double numeric = projected(l, -1, kink, lobe) + projected(l, kink, 1, lobe);
-      EXPECT_NEAR(to_double(exact[l]), numeric, 2e-11) << a << " " << b << " " << l;
-    }
-  }
-}
-
-TEST(Zonal, UnknownFamilyIsRefusedWithTheListOfNames) {
-  try {
-    zonal_family("cone");
-    FAIL();
-  } catch (const std::invalid_argument& error) {
-    const std::string message = error.what();
-    EXPECT_NE(message.find("'cone'"), std::string::npos);
-    for (const ZonalFamily& family : zonal_families()) EXPECT_NE(message.find(family.name), std::string::npos);
   }
 }
 

@@ -1,0 +1,36 @@
+// The two records of the written kernels.
+//
+// generated/MANIFEST, for people: one line for each recipe of every kernel, with its cost, measured error, tuned time
+// and files. generated/families.json, for programs that run or check the kernels without this generator: the roles,
+// shapes, units, sizes and measured errors of every written kernel, and the limits that follow from these errors.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "codegen/choose/wisdom.hpp"
+#include "codegen/measure/measure.hpp"
+
+namespace sh::codegen {
+
+/// One line of the manifest.
+struct ManifestEntry {
+  FinishedKernel finished;
+  std::vector<std::string> files;  ///< relative to generated/; empty if another recipe was chosen
+  std::optional<Timing> timing;    ///< empty if the recipe was not tuned
+};
+
+/// A family and its written kernels.
+struct RecordedFamily {
+  const Family* family = nullptr;
+  std::vector<FinishedKernel> kernels;  ///< the written kernels, by degree
+};
+
+/// The content of generated/MANIFEST.
+std::string print_manifest(const std::vector<ManifestEntry>& entries);
+
+/// The content of generated/families.json.
+std::string print_families_record(const std::vector<RecordedFamily>& families);
+
+}  // namespace sh::codegen
