@@ -1,5 +1,4 @@
-// shcheck identify and rotation-matrix: which convention a table of someone's values or rotation matrices follows, and
-// what is wrong with it.
+// shcheck identify and rotation-matrix: the convention of a table of values or of rotation matrices, and its mistakes.
 #include "numeric/identify/identify.hpp"
 
 #include <fmt/core.h>

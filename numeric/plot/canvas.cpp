@@ -1,4 +1,4 @@
-// The canvas that writes SVG 1.1 with embedded PNG pictures: one file that needs nothing else; and what both canvases share.
+// The functions that both canvases share, and the canvas that writes SVG 1.1: one file, with embedded PNG pictures.
 #include "numeric/plot/canvas.hpp"
 
 #include <fmt/core.h>

@@ -1,8 +1,8 @@
 // Where figures are drawn: one drawing, as SVG text or as PNG pixels.
 //
-// A figure is laid out in units of its own, y down, and scaled to the pixels asked for. Both canvases draw the same
-// calls; text is set in the reader's sans-serif in SVG, in a built-in stroke font (Anti-Grain Geometry's) in PNG, so
-// that no font has to be installed and bytes never differ.
+// A figure has units of its own, y down; the canvas scales them to pixels. Both canvases draw the same calls. SVG sets
+// text in the sans-serif of the reader, PNG in the built-in stroke font of Anti-Grain Geometry: no font has to be
+// installed, and bytes never differ.
 #pragma once
 #include <cstdint>
 #include <memory>

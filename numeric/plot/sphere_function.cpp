@@ -78,10 +78,10 @@ class CoefficientSum {
   std::vector<double> ring_;  // (channels, 2 degree + 1), order 0 in the middle
 };
 
+// The bands of so many coefficients; 0 if the count is no square.
 int bands_of(std::size_t count) {
-  int bands = 0;
-  while (static_cast<std::size_t>(bands) * static_cast<std::size_t>(bands) < count && bands <= kLargestDegree) ++bands;
-  return static_cast<std::size_t>(bands) * static_cast<std::size_t>(bands) == count ? bands : 0;
+  const auto bands = std::lround(std::sqrt(static_cast<double>(count)));
+  return bands <= kLargestDegree + 1 && bands * bands == static_cast<long>(count) ? static_cast<int>(bands) : 0;
 }
 
 double magnitude_at(const SphereFunction& f, const Vector3& s) {

@@ -47,21 +47,21 @@ struct Largest {
 };
 Largest largest_magnitude(const SphereFunction& f);
 
-/// "largest magnitude 0.846 at (0.00, 0.71, 0.71)", or what the zero function has instead.
+/// "largest magnitude 0.846 at (0.00, 0.71, 0.71)", or "zero function".
 std::string describe(const Largest& largest, int exponent);
 
 /// `value` 2^exponent with three significant digits, of any magnitude.
 std::string format_value(double value, int exponent);
 
-/// Decimals separated by commas or whitespace; `name` begins each message. Throws std::invalid_argument: no number, not
-/// a finite double.
+/// The numbers of a text: decimals separated by commas or whitespace. Throws std::invalid_argument, which begins with
+/// `name`, if there is no number, or one that is not a finite double.
 std::vector<double> parse_numbers(const std::string& name, const std::string& text);
 
-/// The same from a file, where `#` begins a comment that ends with the line; messages say FILE:LINE. Throws
-/// std::runtime_error where it cannot be read or is larger than 4 MB.
+/// The same from a file, in which `#` begins a comment that ends with the line; messages begin with FILE:LINE. Throws
+/// std::runtime_error if the file cannot be read or is larger than 4 MB.
 std::vector<double> read_numbers(const std::string& file);
 
-/// parse_numbers where `text` begins as a number does, else read_numbers (a file named like a number: ./NAME).
+/// parse_numbers if `text` begins like a number, else read_numbers (./NAME is a file named like a number).
 std::vector<double> numbers_from(const std::string& name, const std::string& text);
 
 }  // namespace sh::numeric::plot

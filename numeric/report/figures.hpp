@@ -18,7 +18,7 @@ struct Figure {
 /// Error against time of every method of a task: one chart for each degree, all with the same axes.
 Figure task_figure(const Task& task, const std::vector<Point>& points);
 
-/// A chart of it as a picture of its own, with the legend.
+/// One of its charts as a picture of its own, with the legend.
 std::string picture_of(const Figure& figure, std::size_t chart);
 
 /// Error of the projection of each test function against samples, and against time: two charts for each function.

@@ -1,4 +1,4 @@
-// A way to compute something, as data: what it is, how it runs over inputs, how its time is measured.
+// A method to do a task, as data: its description, a function that runs it over inputs, a function that measures its time.
 //
 // Every method of a task and degree has a check (kernels/family_check.hpp): signature, inputs, exact values, unit of the
 // error. Values travel flat, in the order of signature.hpp. To add a method, make it with method_of in a function that

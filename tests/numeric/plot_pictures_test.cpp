@@ -1,9 +1,10 @@
-// Finished pictures: what they show where, that they are whole and the same each time, and what is refused.
+// Finished pictures: they show the function at the right places, are whole and the same each time; refusals of bad input.
 #include <gtest/gtest.h>
 #include <png.h>
 
 #include <fstream>
 #include <regex>
+#include <tuple>
 
 #include "numeric/plot/lobes.hpp"
 #include "numeric/plot/map.hpp"
@@ -86,12 +87,8 @@ TEST(PlotPicture, ShowsTheLobesOfTheFirstBandOnTheirAxes) {
   EXPECT_EQ(down.positive, 0);
   EXPECT_NEAR(down.negative, up.positive, 0.02 * up.positive);
   // x, seen from +y: positive on the left; from -y: on the right. y, seen from +x: positive on the right.
-  struct Case {
-    int order;
-    double azimuth;
-    bool positive_left;
-  };
-  for (const auto& [order, azimuth, positive_left] : {Case{1, 90, true}, Case{1, -90, false}, Case{-1, 0, false}}) {
+  const std::vector<std::tuple<int, double, bool>> kSides = {{1, 90, true}, {1, -90, false}, {-1, 0, false}};
+  for (const auto& [order, azimuth, positive_left] : kSides) {
     picture = decode_png(draw_lobes(basis_function(1, order), {azimuth, 0}, figure));
     const auto left = count_colors(picture, 0, 60, kMiddleX - 1, 840);
     const auto right = count_colors(picture, kMiddleX + 1, 60, 1000, 840);
@@ -106,34 +103,31 @@ TEST(PlotPicture, ShowsTheLobesOfTheFirstBandOnTheirAxes) {
   EXPECT_EQ(top.negative, 0);
 }
 
-// The same lobes as facets of an SVG: their places are in the paths.
+// The facets of lobes in an SVG, in the order of painting: whether the facet is positive, and the height of a corner.
+std::vector<std::pair<bool, double>> facets_of(const std::string& svg) {
+  static const std::regex kFacet(R"re(<path color="#(..)..(..)" d="M[-0-9.]+[ ]?([-0-9.]+)l)re");
+  std::vector<std::pair<bool, double>> facets;
+  for (auto it = std::sregex_iterator(svg.begin(), svg.end(), kFacet); it != std::sregex_iterator(); ++it) {
+    const int difference = std::stoi((*it)[1], nullptr, 16) - std::stoi((*it)[2], nullptr, 16);
+    if (std::abs(difference) >= 30) facets.emplace_back(difference > 0, std::stod((*it)[3]));  // else an axis
+  }
+  return facets;
+}
+
 TEST(PlotPicture, ShowsTheSameLobesInSvg) {
   const auto svg = draw_lobes(basis_function(1, 0), {35, 0}, {"t", Format::kSvg, 1000});
   EXPECT_EQ(svg.find("<image"), std::string::npos);
-  static const std::regex kFacet(R"re(<path color="#(..)..(..)" d="M[-0-9.]+[ ]?([-0-9.]+)l)re");
-  int facets = 0;
-  for (auto it = std::sregex_iterator(svg.begin(), svg.end(), kFacet); it != std::sregex_iterator(); ++it) {
-    const int difference = std::stoi((*it)[1], nullptr, 16) - std::stoi((*it)[2], nullptr, 16);
-    if (std::abs(difference) < 30) continue;  // an axis
-    const double y = std::stod((*it)[3]);
-    EXPECT_EQ(difference > 0, y < kMiddleY + (difference > 0 ? 1 : -1)) << it->str();
-    ++facets;
-  }
-  EXPECT_GT(facets, 3000);
+  const auto facets = facets_of(svg);
+  for (const auto& [positive, y] : facets) EXPECT_EQ(positive, y < kMiddleY + (positive ? 1 : -1)) << y;
+  EXPECT_GT(facets.size(), 3000U);
 }
 
 // From above, the positive lobe hides the negative one: it is painted later.
 TEST(PlotPicture, PaintsFacetsFromBackToFront) {
-  const auto svg = draw_lobes(basis_function(1, 0), {35, 80}, {"t", Format::kSvg, 1000});
-  static const std::regex kFacet(R"re(<path color="#(..)..(..)" d=)re");
-  std::vector<bool> positive;
-  for (auto it = std::sregex_iterator(svg.begin(), svg.end(), kFacet); it != std::sregex_iterator(); ++it) {
-    const int difference = std::stoi((*it)[1], nullptr, 16) - std::stoi((*it)[2], nullptr, 16);
-    if (std::abs(difference) >= 30) positive.push_back(difference > 0);  // else an axis
-  }
-  ASSERT_GT(positive.size(), 1000);
-  EXPECT_FALSE(positive.front());
-  EXPECT_TRUE(positive.back());
+  const auto facets = facets_of(draw_lobes(basis_function(1, 0), {35, 80}, {"t", Format::kSvg, 1000}));
+  ASSERT_GT(facets.size(), 1000U);
+  EXPECT_FALSE(facets.front().first);
+  EXPECT_TRUE(facets.back().first);
 }
 
 TEST(PlotPicture, ShowsTheSignsOfAMapAtTheAxes) {
@@ -144,21 +138,18 @@ TEST(PlotPicture, ShowsTheSignsOfAMapAtTheAxes) {
     const auto counts = count_colors(picture, x - 6, y - 6, x + 6, y + 6);
     return counts.positive > 100 ? 1 : counts.negative > 100 ? -1 : 0;
   };
-  // The box: left 78, top 58, 784 by 392.
-  EXPECT_EQ(sign_near(lat_long, 78 + 392, 58 + 196), 1);   // +x
-  EXPECT_EQ(sign_near(lat_long, 78 + 196, 58 + 196), -1);  // +y
-  EXPECT_EQ(sign_near(lat_long, 78 + 588, 58 + 196), 1);   // -y
-  EXPECT_EQ(sign_near(lat_long, 78 + 10, 58 + 196), -1);   // -x
-  EXPECT_EQ(sign_near(lat_long, 78 + 700, 58 + 10), 1);    // +z
-  EXPECT_EQ(sign_near(lat_long, 78 + 100, 58 + 382), -1);  // -z
   const auto cube = decode_png(draw_map(f, ImageMapping::kHorizontalCross, {"t", Format::kPng, 1000}));
-  const auto face = [&](int column, int row) { return sign_near(cube, 40 + 205 * column + 115, 58 + 205 * row + 115); };
-  EXPECT_EQ(face(1, 0), 1);
-  EXPECT_EQ(face(0, 1), -1);
-  EXPECT_EQ(face(1, 1), 1);
-  EXPECT_EQ(face(2, 1), 1);
-  EXPECT_EQ(face(3, 1), -1);
-  EXPECT_EQ(face(1, 2), -1);
+  struct Axis {
+    const char* name;
+    int sign, x, y;   // in the box of the lat-long picture: left 78, top 58, 784 by 392
+    int column, row;  // of the face
+  };
+  for (const Axis& axis :
+       {Axis{"+x", 1, 392, 196, 1, 1}, Axis{"+y", -1, 196, 196, 0, 1}, Axis{"-y", 1, 588, 196, 2, 1},
+        Axis{"-x", -1, 10, 196, 3, 1}, Axis{"+z", 1, 700, 10, 1, 0}, Axis{"-z", -1, 100, 382, 1, 2}}) {
+    EXPECT_EQ(sign_near(lat_long, 78 + axis.x, 58 + axis.y), axis.sign) << axis.name;
+    EXPECT_EQ(sign_near(cube, 155 + 205 * axis.column, 173 + 205 * axis.row), axis.sign) << axis.name;
+  }
 }
 
 TEST(PlotPicture, IsWellFormedAndUnderAMegabyteInSvgAtAnyDegree) {
@@ -231,8 +222,9 @@ TEST_F(ShcheckPlot, WritesThePicturesThatItIsAskedFor) {
     EXPECT_EQ(outcome.exit_code, 0) << arguments << outcome.err;
     EXPECT_EQ(outcome.out + outcome.err, "");
   }
-  for (const char* name : {"a.png", "b.png", "c.png", "d.png", "e.png", "f.png", "g.png"}) {
-    EXPECT_EQ(decode_png(test::read(folder_ / name)).width, std::string(name) == "f.png" ? 16 : 64) << name;
+  for (const char letter : std::string("abcdefg")) {
+    const std::string name = std::string(1, letter) + ".png";
+    EXPECT_EQ(decode_png(test::read(folder_ / name)).width, letter == 'f' ? 16 : 64) << name;
   }
   EXPECT_EQ(run("plot map --degree 2" + cd("a.svg")).exit_code, 0);
   EXPECT_TRUE(is_well_formed(test::read(folder_ / "a.svg")));

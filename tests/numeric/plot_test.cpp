@@ -156,17 +156,14 @@ TEST(PlotMapping, FacesOfTheCrossMeetAtTheirEdges) {
   int meetings = 0;
   for (const auto& a : faces) {
     for (const auto& b : faces) {
+      const bool beside = a.face->row == b.face->row && a.face->column + 1 == b.face->column;
+      const bool below = a.face->column == b.face->column && a.face->row + 1 == b.face->row;
+      if (!beside && !below) continue;
       for (const double t : {0.0, 0.3, 1.0}) {
-        if (a.face->row == b.face->row && a.face->column + 1 == b.face->column) {
-          EXPECT_LT(distance(a.direction({1, t}).value(), b.direction({0, t}).value()), 1e-15)
-              << axis_name(a.face->forward) << axis_name(b.face->forward);
-          ++meetings;
-        }
-        if (a.face->column == b.face->column && a.face->row + 1 == b.face->row) {
-          EXPECT_LT(distance(a.direction({t, 1}).value(), b.direction({t, 0}).value()), 1e-15)
-              << axis_name(a.face->forward) << axis_name(b.face->forward);
-          ++meetings;
-        }
+        const Vector3 from = a.direction(beside ? Point{1, t} : Point{t, 1}).value();
+        const Vector3 to = b.direction(beside ? Point{0, t} : Point{t, 0}).value();
+        EXPECT_LT(distance(from, to), 1e-15) << axis_name(a.face->forward) << axis_name(b.face->forward);
+        ++meetings;
       }
     }
   }
@@ -249,28 +246,57 @@ bool away_from_zero(const Field& field, int column, int row) {
   return row > 2 && row < field.picture.height - 3;  // a function may vanish at the poles
 }
 
-TEST(PlotField, HatchesWhereTheFunctionIsNegativeAndOnlyThere) {
-  const auto f = function_of_coefficients(random_coefficients(25, 9));
-  const auto field = paint(f, 240, 120);
+// Pixels away from zero, and how many of them have another color than plain(column, row): [0] where the function is
+// positive, [1] where it is negative.
+struct Marks {
   std::array<int, 2> pixels{};
   std::array<int, 2> marked{};
-  for (int row = 0; row < 120; ++row) {
-    for (int column = 0; column < 240; ++column) {
+};
+
+template <class Plain>
+Marks count_marks(const Field& field, Plain plain) {
+  Marks marks;
+  for (int row = 0; row < field.picture.height; ++row) {
+    for (int column = 0; column < field.picture.width; ++column) {
       if (!away_from_zero(field, column, row)) continue;
-      const double value = field.values[row * 240 + column];
-      const std::size_t negative = value < 0 ? 1 : 0;
-      const Color plain = diverging(value / field.largest);
-      ++pixels[negative];
-      if (field.picture.at(column, row) == plain) continue;
-      ++marked[negative];
-      EXPECT_LT(luminance(field.picture.at(column, row)), luminance(plain));
+      const int negative = field.values[row * field.picture.width + column] < 0 ? 1 : 0;
+      ++marks.pixels[negative];
+      marks.marked[negative] += field.picture.at(column, row) == plain(column, row) ? 0 : 1;
     }
   }
+  return marks;
+}
+
+TEST(PlotField, HatchesWhereTheFunctionIsNegativeAndOnlyThere) {
+  const auto field = paint(function_of_coefficients(random_coefficients(25, 9)), 240, 120);
+  const auto [pixels, marked] = count_marks(field, [&](int column, int row) {
+    const Color plain = diverging(field.values[row * 240 + column] / field.largest);
+    const Color shown = field.picture.at(column, row);
+    EXPECT_TRUE(shown == plain || luminance(shown) < luminance(plain));
+    return plain;
+  });
   EXPECT_GT(pixels[0], 5000);
   EXPECT_EQ(marked[0], 0);
   EXPECT_GT(pixels[1], 5000);
   EXPECT_GT(marked[1], pixels[1] / 8);
   EXPECT_LT(marked[1], pixels[1] / 2);
+}
+
+TEST(PlotField, MarksAnyNegativeChannelOfAPictureOfLight) {
+  auto c = random_coefficients(27, 4);
+  c[0] = c[9] = c[18] = 1.5;
+  const auto f = function_of_coefficients(c);
+  const auto field = paint(f, 240, 120);
+  const auto panel = panels_of(ImageMapping::kLatLong).front();
+  const auto [pixels, marked] = count_marks(field, [&](int column, int row) {
+    auto v = f.value(panel.direction({(column + 0.5) / 240, (row + 0.5) / 120}).value());
+    for (double& channel : v) channel /= field.largest;
+    return encode(v);
+  });
+  EXPECT_GT(pixels[0], 2000);
+  EXPECT_EQ(marked[0], 0);
+  EXPECT_GT(pixels[1], 2000);
+  EXPECT_GT(marked[1], pixels[1] / 8);
 }
 
 TEST(PlotField, DrawsTheZeroLineWhereTheSignChanges) {
@@ -280,30 +306,6 @@ TEST(PlotField, DrawsTheZeroLineWhereTheSignChanges) {
     EXPECT_LT(luminance(field.picture.at(column, 60)), 0.4);
     EXPECT_GT(luminance(field.picture.at(column, 56)), 0.7);
   }
-}
-
-TEST(PlotField, MarksAnyNegativeChannelOfAPictureOfLight) {
-  auto c = random_coefficients(27, 4);
-  c[0] = c[9] = c[18] = 1.5;
-  const auto f = function_of_coefficients(c);
-  const auto field = paint(f, 240, 120);
-  const auto panel = panels_of(ImageMapping::kLatLong).front();
-  std::array<int, 2> pixels{};
-  std::array<int, 2> marked{};
-  for (int row = 0; row < 120; ++row) {
-    for (int column = 0; column < 240; ++column) {
-      if (!away_from_zero(field, column, row)) continue;
-      auto v = f.value(panel.direction({(column + 0.5) / 240, (row + 0.5) / 120}).value());
-      for (double& channel : v) channel /= field.largest;
-      const std::size_t negative = *std::min_element(v.begin(), v.end()) < 0 ? 1 : 0;
-      ++pixels[negative];
-      marked[negative] += field.picture.at(column, row) == encode(v) ? 0 : 1;
-    }
-  }
-  EXPECT_GT(pixels[0], 2000);
-  EXPECT_EQ(marked[0], 0);
-  EXPECT_GT(pixels[1], 2000);
-  EXPECT_GT(marked[1], pixels[1] / 8);
 }
 
 TEST(PlotSurface, HasTheNormalsOfASphereEverywhere) {

@@ -1,5 +1,5 @@
-// shcheck report and advise: what the JSON holds, that the front is the front, that advice is the cheapest that will
-// do.
+// shcheck report and advise: the JSON is complete, the front is the front, advice is the cheapest method that is good
+// enough.
 #include "numeric/report/report.hpp"
 
 #include <algorithm>
@@ -121,37 +121,44 @@ TEST_F(Report, PageStandsAloneAndShowsEveryMethodOfEveryTask) {
   for (const auto& p : report_.points) EXPECT_NE(page.find(p.info.name), std::string::npos) << p.info.name;
 }
 
-// By brute force: whether anything that is allowed is exact enough and faster than the choice.
-TEST_F(Report, AdviceIsTheCheapestThatIsExactEnoughAndOtherwiseTheMostExact) {
-  for (const auto& task : report_.tasks) {
+// Every need of the tasks, the degrees of the quick report, some errors, types and modes.
+std::vector<Need> needs(const std::vector<sh::numeric::Task>& tasks) {
+  std::vector<Need> all;
+  for (const auto& task : tasks) {
     for (const int degree : task.quick) {
       for (const double error : {1e-3, 1e-6, 3e-7, 1e-12, 1e-15, 1e-30}) {
         for (const char* scalar : {"", "float", "double"}) {
-          for (const bool batch : {false, true}) {
-            const Need need = {.task = task.id, .degree = degree, .error = error, .scalar = scalar, .batch = batch};
-            const auto advice = advise(report_.points, need);
-            for (const auto& p : report_.points) {
-              if (p.info.task != task.id || p.info.degree != degree) continue;
-              if (*scalar != 0 && p.info.scalar != scalar) continue;
-              if (p.info.mode == sh::numeric::Mode::kPrepared) continue;
-              if (!batch && p.info.mode == sh::numeric::Mode::kBatch) continue;
-              EXPECT_TRUE(advice.good_enough || p.error > error) << p.info.name;
-              const bool faster_and_enough = p.nanoseconds < advice.choice.nanoseconds && p.error <= error;
-              EXPECT_FALSE(advice.good_enough ? faster_and_enough : p.error < advice.choice.error) << p.info.name;
-            }
-            EXPECT_EQ(advice.good_enough, advice.choice.error <= error);
-            EXPECT_TRUE(*scalar != 0 || batch || advice.choice.on_front) << advice.choice.info.name;
-            if (advice.cheaper) {
-              EXPECT_LT(advice.cheaper->nanoseconds, advice.choice.nanoseconds);
-              EXPECT_GT(advice.cheaper->error, advice.choice.error);
-            }
-            if (advice.more_exact) {
-              EXPECT_GT(advice.more_exact->nanoseconds, advice.choice.nanoseconds);
-              EXPECT_LT(advice.more_exact->error, advice.choice.error);
-            }
-          }
+          for (const bool batch : {false, true}) all.push_back({task.id, degree, error, scalar, batch});
         }
       }
+    }
+  }
+  return all;
+}
+
+// By brute force: whether any allowed point is exact enough and faster than the choice.
+TEST_F(Report, AdviceIsTheCheapestThatIsExactEnoughAndOtherwiseTheMostExact) {
+  for (const Need& need : needs(report_.tasks)) {
+    const auto advice = advise(report_.points, need);
+    const Point& choice = advice.choice;
+    for (const auto& p : report_.points) {
+      if (p.info.task != need.task || p.info.degree != need.degree) continue;
+      if (!need.scalar.empty() && p.info.scalar != need.scalar) continue;
+      if (p.info.mode == sh::numeric::Mode::kPrepared) continue;
+      if (!need.batch && p.info.mode == sh::numeric::Mode::kBatch) continue;
+      EXPECT_TRUE(advice.good_enough || p.error > need.error) << p.info.name;
+      const bool faster_and_enough = p.nanoseconds < choice.nanoseconds && p.error <= need.error;
+      EXPECT_FALSE(advice.good_enough ? faster_and_enough : p.error < choice.error) << p.info.name;
+    }
+    EXPECT_EQ(advice.good_enough, choice.error <= need.error);
+    EXPECT_TRUE(!need.scalar.empty() || need.batch || choice.on_front) << choice.info.name;
+    if (advice.cheaper) {
+      EXPECT_LT(advice.cheaper->nanoseconds, choice.nanoseconds);
+      EXPECT_GT(advice.cheaper->error, choice.error);
+    }
+    if (advice.more_exact) {
+      EXPECT_GT(advice.more_exact->nanoseconds, choice.nanoseconds);
+      EXPECT_LT(advice.more_exact->error, choice.error);
     }
   }
 }

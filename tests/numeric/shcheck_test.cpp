@@ -1,4 +1,4 @@
-// The tool as its users run it: exit codes, one-line errors, the list of kernels, and what it finds in tampered code.
+// The tool as its users run it: exit codes, one-line errors, the list of kernels, the faults that it finds in changed code.
 #include <gtest/gtest.h>
 
 #include <algorithm>
