@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "generated/cpp/evaluate_l5.hpp"
 #include "numeric/oracle/basis.hpp"
@@ -15,27 +16,6 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 constexpr std::array<double, 3> kAxis{0.36, -0.48, 0.8};
 constexpr int kBandLimit = 5;
-constexpr double kSharpness = 4;
-const double kCapCosine = std::cos(40 * kPi / 180);
-constexpr double kSunRadiance = 1e6;
-constexpr double kSunRadius = kPi / 180;
-
-double along_axis(double x, double y, double z) { return kAxis[0] * x + kAxis[1] * y + kAxis[2] * z; }
-
-std::vector<double> times(double factor, std::vector<double> values) {
-  for (double& value : values) value *= factor;
-  return values;
-}
-
-std::vector<double> about_axis(int degree, const std::function<double(double)>& profile, double from, int nodes) {
-  return zonal_coefficients(degree, profile, from, nodes, kAxis);
-}
-
-// Exact: P_l is a polynomial.
-std::vector<double> disc(int degree, double cosine) {
-  return about_axis(
-      degree, [](double) { return 1.0; }, cosine, degree / 2 + 1);
-}
 
 TestFunction band_limited() {
   std::vector<double> c(coefficient_count(kBandLimit));
@@ -50,29 +30,21 @@ TestFunction band_limited() {
   return {"band_limited", "a random function of degree 5", value, coefficients};
 }
 
-TestFunction smooth() {
-  const auto profile = [](double t) { return std::exp(kSharpness * (t - 1)); };
-  return {"smooth", "exp(4 (cos - 1)) about an axis",
-          [profile](double x, double y, double z) { return profile(along_axis(x, y, z)); },
-          [profile](int degree) { return about_axis(degree, profile, -1, degree / 2 + 32); }};
-}
-
-TestFunction cap() {
-  return {"cap", "1 within 40 degrees of an axis, else 0",
-          [](double x, double y, double z) { return along_axis(x, y, z) > kCapCosine ? 1.0 : 0.0; },
-          [](int degree) { return disc(degree, kCapCosine); }};
-}
-
-TestFunction sun() {
-  const double cosine = std::cos(kSunRadius);
-  const auto coefficients = [cosine](int degree) {
-    std::vector<double> c = times(kSunRadiance - 1, disc(degree, cosine));
-    c[0] += std::sqrt(4 * kPi);
+// sky + height profile(t) where the cosine t to the axis is above `from` (-1: everywhere), else sky. `more_nodes`: of the
+// quadrature, beyond those for a constant profile.
+TestFunction zonal(std::string name, std::string description, double sky, double height, double (*profile)(double t),
+                   double from, int more_nodes) {
+  const auto value = [=](double x, double y, double z) {
+    const double t = kAxis[0] * x + kAxis[1] * y + kAxis[2] * z;
+    return sky + (from <= -1 || t > from ? height * profile(t) : 0);
+  };
+  const auto coefficients = [=](int degree) {
+    std::vector<double> c = zonal_coefficients(degree, profile, from, degree / 2 + 1 + more_nodes, kAxis);
+    for (double& value_of : c) value_of *= height;
+    c[0] += sky * std::sqrt(4 * kPi);
     return c;
   };
-  return {"sun", "a sky of 1 with a disc of 1e6, radius 1 degree",
-          [cosine](double x, double y, double z) { return along_axis(x, y, z) > cosine ? kSunRadiance : 1.0; },
-          coefficients};
+  return {std::move(name), std::move(description), value, coefficients};
 }
 
 }  // namespace
@@ -101,7 +73,12 @@ std::vector<double> zonal_coefficients(int degree, const std::function<double(do
 }
 
 std::span<const TestFunction> test_functions() {
-  static const std::array<TestFunction, 4> kFunctions{band_limited(), smooth(), cap(), sun()};
+  const auto one = [](double /*t*/) { return 1.0; };
+  const auto peak = [](double t) { return std::exp(4 * (t - 1)); };
+  static const std::array<TestFunction, 4> kFunctions{
+      band_limited(), zonal("smooth", "exp(4 (cos - 1)) about an axis", 0, 1, peak, -1, 31),
+      zonal("cap", "1 within 40 degrees of an axis, else 0", 0, 1, one, std::cos(40 * kPi / 180), 0),
+      zonal("sun", "a sky of 1 with a disc of 1e6, radius 1 degree", 1, 1e6 - 1, one, std::cos(kPi / 180), 0)};
   return kFunctions;
 }
 
