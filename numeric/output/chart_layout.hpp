@@ -1,4 +1,4 @@
-// Where a chart draws the values of its logarithmic axes, and its labels. Used by chart.cpp.
+// The parts of a chart: the places of values and labels, markers and colors. Used by chart.cpp.
 #pragma once
 #include <optional>
 #include <string>
@@ -74,5 +74,20 @@ class LabelPlacer {
   double font_size_;
   std::vector<Box> taken_;
 };
+
+/// The radius of a marker.
+inline constexpr double kMarkerRadius = 4.2;
+
+/// The marker of a series about a point, as SVG.
+std::string marker_svg(const ChartSeries& series, double x, double y);
+
+/// A variable of the style sheet.
+std::string chart_color(int index);
+
+/// The style sheet of the classes, without the variables.
+const char* chart_classes();
+
+/// Replaces the variables, which only browsers know, by the colors of the light theme.
+std::string on_white(std::string svg);
 
 }  // namespace sh::output
