@@ -33,22 +33,18 @@ constexpr int kMostUnrolled = 20;      // sum of the three degrees; above it, a 
 // The ways to compute a product of any shape.
 using Make = Kernel (*)(const ProductShape&, Factors);
 
-template <SampleProduct Way>
+template <SampleProduct Way, bool Looped>
 Kernel separable(const ProductShape& shape, Factors factors) {
-  return recipes::product_separable(shape, factors, Way);
-}
-template <SampleProduct Way>
-Kernel looped(const ProductShape& shape, Factors factors) {
-  return recipes::product_looped(shape, factors, Way);
+  return recipes::product_separable(shape, factors, Way, Looped);
 }
 Kernel greedy_pairs(const ProductShape& shape, Factors factors) {
   return recipes::product_pairs(shape, factors, recipes::greedy_cover(shape));
 }
 constexpr Make kPairs = recipes::product_pairs;
-constexpr Make kDirect = separable<SampleProduct::kDirect>;
-constexpr Make kHalves = separable<SampleProduct::kHalves>;
-constexpr Make kLooped = looped<SampleProduct::kDirect>;
-constexpr Make kLoopedHalves = looped<SampleProduct::kHalves>;
+constexpr Make kDirect = separable<SampleProduct::kDirect, false>;
+constexpr Make kHalves = separable<SampleProduct::kHalves, false>;
+constexpr Make kLooped = separable<SampleProduct::kDirect, true>;
+constexpr Make kLoopedHalves = separable<SampleProduct::kHalves, true>;
 
 ProductShape equal(int degree) { return {degree, degree, degree}; }
 ProductShape complete(int degree) { return {degree, degree, 2 * degree}; }

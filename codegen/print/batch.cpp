@@ -4,7 +4,6 @@
 
 #include "codegen/print/batch_driver.hpp"
 #include "codegen/print/dialect.hpp"
-#include "codegen/print/lane_tables.hpp"
 
 namespace sh::codegen::print {
 namespace {

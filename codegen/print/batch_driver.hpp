@@ -2,6 +2,7 @@
 // files.
 #pragma once
 
+#include <map>
 #include <span>
 #include <string>
 #include <vector>
@@ -58,5 +59,14 @@ std::string kernels_file(const Driver& driver);
 /// once.hpp and once.cpp: functions from a shared input, or of a sum, that are the same on every instruction set.
 std::string once_header(const std::vector<Driver>& drivers);
 std::string once_file(const std::vector<Driver>& drivers);
+
+/// Degrees whose products have tables of orbits.
+inline constexpr int kFirstOrbitDegree = 3;
+inline constexpr int kLastOrbitDegree = 6;
+/// The last degree that is rotated in lanes.
+inline constexpr int kLastTurnDegree = 6;
+
+/// Relative path -> text: orbits of products, triples of the Gaunt tensor, turns of bands.
+std::map<std::string, std::string> lane_tables();
 
 }  // namespace sh::codegen::print

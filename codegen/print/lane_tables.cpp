@@ -1,11 +1,11 @@
-#include "codegen/print/lane_tables.hpp"
+// The tables of lanes: the exact tables, correctly rounded, that kernels with SIMD inside one call read.
+#include "codegen/recipes/lane_tables.hpp"
 
 #include "codegen/ir/literal.hpp"
+#include "codegen/print/batch_driver.hpp"
 #include "codegen/print/statements.hpp"
 #include "codegen/recipes/parts.hpp"
-#include "codegen/recipes/product/lane_triples.hpp"
 #include "codegen/recipes/product/orbits.hpp"
-#include "codegen/recipes/rotation/lane_turns.hpp"
 
 namespace sh::codegen::print {
 namespace {
@@ -162,7 +162,7 @@ $members};
 std::string turns_struct(int first, int last) {
   using recipes::TurnRound;
   const recipes::LaneTurns turns = recipes::lane_turns(first, last);
-  std::vector<std::array<int, recipes::kTurnLanes>> multiples(3, turns.order);
+  std::vector<std::array<int, recipes::kLanes>> multiples(3, turns.order);
   for (int angle = 0; angle < 3; ++angle) {
     for (int& m : multiples[angle]) m = 4 * m + angle;
   }

@@ -54,12 +54,6 @@ Value SignedBuilder::sum(const std::vector<Value>& terms, const std::string& nam
   return name.empty() || terms.size() < 2 ? total : named(total, name);
 }
 
-Value SignedBuilder::weighted_sum(const std::vector<symbolic::Surd>& factors, const std::vector<Value>& values) {
-  std::vector<Value> terms;
-  for (std::size_t i = 0; i < factors.size(); ++i) terms.push_back(times(factors[i], values[i]));
-  return sum(terms);
-}
-
 Value SignedBuilder::balanced_sum(const std::vector<Value>& terms) {
   if (terms.size() <= 2) return sum(terms);
   const auto middle = terms.begin() + terms.size() / 2;

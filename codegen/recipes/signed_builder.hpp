@@ -35,8 +35,6 @@ class SignedBuilder : public Builder {
   /// Adds the terms one after the other. The sum starts with a positive term if there is one. name: for a sum of more
   /// than one term.
   Value sum(const std::vector<Value>& terms, const std::string& name = {});
-  /// The sum of factors[i] * values[i].
-  Value weighted_sum(const std::vector<symbolic::Surd>& factors, const std::vector<Value>& values);
   /// Adds the terms by halves. For many terms this gives a short chain and a small rounding error.
   Value balanced_sum(const std::vector<Value>& terms);
   /// The sum of a value over all rows of the table.

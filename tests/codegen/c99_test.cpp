@@ -8,7 +8,6 @@
 #include "codegen/ir/evaluate.hpp"
 #include "codegen/measure/measure.hpp"
 #include "codegen/print/files.hpp"
-#include "tests/codegen/emitted.hpp"
 #include "tests/codegen/support.hpp"
 
 namespace sh::codegen {

@@ -16,7 +16,6 @@
 #include "numeric/kernels/kernel_limits.hpp"
 #include "numeric/kernels/samples.hpp"
 #include "numeric/sampling/error_stats.hpp"
-#include "tests/codegen/emitted.hpp"
 #include "tests/codegen/support.hpp"
 
 namespace sh::codegen {

@@ -36,15 +36,49 @@ void expect_close(const cln::cl_F& a, const cln::cl_F& b, const std::string& wha
   EXPECT_LT(cln::double_approx(cln::abs(a - b)), 1e-50) << what;
 }
 
+using Numbers = std::vector<cln::cl_F>;
+
+template <class Exact>
+Numbers numbers(const Exact& exact) {
+  Numbers result;
+  for (const cln::cl_RA& value : exact) result.push_back(as_float(value));
+  return result;
+}
+
+Numbers values_of(const FinishedKernel& kernel, const Numbers& inputs) {
+  return Evaluator<cln::cl_F>(kernel.kernel, kDigits)(inputs);
+}
+
+// Our coefficients in the convention's storage.
+Numbers stored(const symbolic::Convention& convention, int degree, const Numbers& c) {
+  Numbers result(storage_size(convention.order, degree));
+  for (int l = 0; l <= degree; ++l) {
+    for (int m = -l; m <= l; ++m) {
+      const Surd scale = convention_factor(convention, l, m) / convention_factor(symbolic::Convention{}, l, m);
+      result[storage_position(convention.order, degree, l, m)] =
+          c[numeric::coefficient_index(l, m)] * (folded_factor(convention.folded, l) / scale).evaluate(kDigits);
+    }
+  }
+  return result;
+}
+
+Numbers joined(Numbers left, const Numbers& right) {
+  left.insert(left.end(), right.begin(), right.end());
+  return left;
+}
+
+void expect_all_close(const Numbers& values, const Numbers& expected, const std::string& what) {
+  ASSERT_EQ(values.size(), expected.size()) << what;
+  for (std::size_t i = 0; i < values.size(); ++i) expect_close(values[i], expected[i], what);
+}
+
 TEST(InConvention, BasisEqualsTheFunctionsOfEveryRealPreset) {
   for (const Preset& preset : symbolic::presets()) {
     if (preset.convention.complex) continue;
     const int degree = largest_degree(preset);
     const FinishedKernel finished = emitted("basis", degree, {preset.name, ""});
-    Evaluator<cln::cl_F> kernel(finished.kernel, kDigits);
     for (const auto& d : rational_directions(3)) {
-      const std::vector<cln::cl_F> values =
-          kernel(std::vector<cln::cl_F>{as_float(d[0]), as_float(d[1]), as_float(d[2])});
+      const Numbers values = values_of(finished, numbers(d));
       for (int l = 0; l <= degree; ++l) {
         for (int m = -l; m <= l; ++m) {
           const auto exact = convention_function(preset.convention, l, m);
@@ -76,15 +110,9 @@ TEST(InConvention, AxesOnlyRenameTheArguments) {
   const FinishedKernel finished = emitted("basis", 4, {"", "x,z,-y"});
   const FinishedKernel ours = test::fastest("basis", 4);
   EXPECT_LE(finished.cost.operations(), ours.cost.operations());
-  Evaluator<cln::cl_F> kernel(finished.kernel, kDigits);
-  Evaluator<cln::cl_F> own(ours.kernel, kDigits);
   for (const auto& d : rational_directions(3)) {
-    const cln::cl_F x = as_float(d[0]);
-    const cln::cl_F y = as_float(d[1]);
-    const cln::cl_F z = as_float(d[2]);
-    const auto values = kernel(std::vector<cln::cl_F>{x, y, z});
-    const auto expected = own(std::vector<cln::cl_F>{x, z, -y});
-    for (std::size_t i = 0; i < values.size(); ++i) expect_close(values[i], expected[i], "axes");
+    const Numbers renamed = numbers(std::vector<cln::cl_RA>{d[0], d[2], -d[1]});
+    expect_all_close(values_of(finished, numbers(d)), values_of(ours, renamed), "axes");
   }
 }
 
@@ -92,65 +120,25 @@ TEST(InConvention, CoefficientsScaleTheOtherWay) {
   // A zonal function that is turned to d and summed with the convention's functions is the same in every convention.
   const int degree = 3;
   for (const std::string name : {"ambix", "gaussian-splatting", "shtools"}) {
-    const FinishedKernel turned = emitted("zonal", degree, {name, ""});
-    const FinishedKernel basis = emitted("basis", degree, {name, ""});
-    const FinishedKernel own = test::fastest("zonal", degree);
-    const FinishedKernel own_basis = test::fastest("basis", degree);
     const symbolic::Convention convention = symbolic::find_preset(name).convention;
-    std::vector<cln::cl_F> theirs;
-    std::vector<cln::cl_F> ours;
+    Numbers theirs;
+    Numbers ours;
     for (int l = 0; l <= degree; ++l) {
+      const Surd scale = convention_factor(convention, l, 0) / convention_factor(symbolic::Convention{}, l, 0);
       ours.push_back(as_float(cln::cl_RA(l + 2) / 7));
-      const Surd scale =
-          convention_factor(convention, l, 0) / convention_factor(symbolic::presets().front().convention, l, 0);
       theirs.push_back(ours.back() / scale.evaluate(kDigits));
     }
     const auto directions = rational_directions(2);
-    std::vector<cln::cl_F> at;
-    for (const cln::cl_RA& coordinate : directions[1]) at.push_back(as_float(coordinate));
-    for (const cln::cl_RA& coordinate : directions[0]) {
-      ours.push_back(as_float(coordinate));
-      theirs.push_back(as_float(coordinate));
-    }
-    const auto sum = [&](const FinishedKernel& coefficients, const FinishedKernel& functions,
-                         const std::vector<cln::cl_F>& inputs) {
-      const auto c = Evaluator<cln::cl_F>(coefficients.kernel, kDigits)(inputs);
-      const auto y = Evaluator<cln::cl_F>(functions.kernel, kDigits)(at);
+    const auto sum = [&](const FinishedKernel& turned, const FinishedKernel& basis, const Numbers& zonal) {
+      const Numbers c = values_of(turned, joined(zonal, numbers(directions[0])));
+      const Numbers y = values_of(basis, numbers(directions[1]));
       cln::cl_F total = as_float(0);
       for (std::size_t i = 0; i < c.size(); ++i) total = total + c[i] * y[i];
       return total;
     };
-    expect_close(sum(turned, basis, theirs), sum(own, own_basis, ours), name);
+    expect_close(sum(emitted("zonal", degree, {name, ""}), emitted("basis", degree, {name, ""}), theirs),
+                 sum(test::fastest("zonal", degree), test::fastest("basis", degree), ours), name);
   }
-}
-
-using Numbers = std::vector<cln::cl_F>;
-
-Numbers values_of(const FinishedKernel& kernel, const Numbers& inputs) {
-  return Evaluator<cln::cl_F>(kernel.kernel, kDigits)(inputs);
-}
-
-// Our coefficients in the convention's storage.
-Numbers stored(const symbolic::Convention& convention, int degree, const Numbers& c) {
-  Numbers result(storage_size(convention.order, degree));
-  for (int l = 0; l <= degree; ++l) {
-    for (int m = -l; m <= l; ++m) {
-      const Surd scale = convention_factor(convention, l, m) / convention_factor(symbolic::Convention{}, l, m);
-      result[storage_position(convention.order, degree, l, m)] =
-          c[numeric::coefficient_index(l, m)] * (folded_factor(convention.folded, l) / scale).evaluate(kDigits);
-    }
-  }
-  return result;
-}
-
-Numbers joined(Numbers left, const Numbers& right) {
-  left.insert(left.end(), right.begin(), right.end());
-  return left;
-}
-
-void expect_all_close(const Numbers& values, const Numbers& expected, const std::string& what) {
-  ASSERT_EQ(values.size(), expected.size()) << what;
-  for (std::size_t i = 0; i < values.size(); ++i) expect_close(values[i], expected[i], what);
 }
 
 TEST(InConvention, ScalesFactorsAndResultOfAProductByTheirOwnDegrees) {
@@ -177,9 +165,7 @@ TEST(InConvention, IrradianceIsTheSameFromEveryStorage) {
     for (const auto& [family, degree] : {std::pair("irradiance_evaluate", 2), std::pair("lightmap", 1)}) {
       Numbers c;
       for (int i = 0; i < numeric::coefficient_count(degree); ++i) c.push_back(as_float(cln::cl_RA(2 * i - 5) / 7));
-      Numbers n;
-      for (const cln::cl_RA& component : normal) n.push_back(as_float(component));
-      if (degree == 1) n.clear();
+      const Numbers n = degree == 1 ? Numbers{} : numbers(normal);
       expect_all_close(values_of(emitted(family, degree, {name, ""}), joined(stored(convention, degree, c), n)),
                        values_of(test::fastest(family, degree), joined(c, n)), std::string(name) + " " + family);
     }

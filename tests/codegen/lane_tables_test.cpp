@@ -1,10 +1,10 @@
 // The tables of kernels with SIMD inside one call equal the Gaunt tensor and the definition of a rotation exactly.
+#include "codegen/recipes/lane_tables.hpp"
+
 #include <cln/real.h>
 #include <gtest/gtest.h>
 
-#include "codegen/recipes/product/lane_triples.hpp"
 #include "codegen/recipes/product/orbits.hpp"
-#include "codegen/recipes/rotation/lane_turns.hpp"
 #include "symbolic/number/matrix.hpp"
 #include "symbolic/product/gaunt.hpp"
 
@@ -85,7 +85,7 @@ TEST(LaneTables, TermsInLanesAreTheGauntTensor) {
   constexpr int kCount = 9;
   for (int i = 0; i < kCount; ++i) {
     for (int j = 0; j < kCount; ++j) {
-      std::array<cln::cl_R, recipes::kTripleLanes> c;
+      std::array<cln::cl_R, recipes::kLanes> c;
       for (const auto& scale : table.scales) {
         if (scale.e == i) c[j] = c[j] + number(scale.g[j]);
         if (scale.e == j) c[i] = c[i] + number(scale.g[i]);
@@ -105,7 +105,7 @@ TEST(LaneTables, TermsInLanesAreTheGauntTensor) {
 
 // The matrix that the rounds represent.
 std::vector<std::vector<cln::cl_R>> matrix_of(const std::vector<recipes::TurnRound>& rounds) {
-  std::vector<std::vector<cln::cl_R>> matrix(recipes::kTurnLanes, std::vector<cln::cl_R>(recipes::kTurnLanes, 0));
+  std::vector<std::vector<cln::cl_R>> matrix(recipes::kLanes, std::vector<cln::cl_R>(recipes::kLanes, 0));
   for (const recipes::TurnRound& round : rounds) {
     for (std::size_t lane = 0; lane < matrix.size(); ++lane) {
       cln::cl_R& entry = matrix[lane][round.column[lane]];

@@ -1,8 +1,6 @@
 // Every language: the emitted file of every family at its lowest, a middle and its highest degree compiles alone.
 #include <gtest/gtest.h>
 
-#include "codegen/choose/catalogue.hpp"
-#include "tests/codegen/emitted.hpp"
 #include "tests/codegen/support.hpp"
 
 namespace sh::codegen {

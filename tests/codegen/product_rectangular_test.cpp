@@ -10,6 +10,7 @@
 #include "codegen/families/family.hpp"
 #include "codegen/ir/evaluate.hpp"
 #include "numeric/oracle/basis.hpp"
+#include "numeric/oracle/index.hpp"
 #include "numeric/oracle/quadrature.hpp"
 #include "symbolic/product/product_form.hpp"
 #include "tests/codegen/support.hpp"
@@ -17,25 +18,21 @@
 namespace sh::codegen {
 namespace {
 
+using numeric::coefficient_count;
 using symbolic::ProductShape;
-
-std::size_t count_of(int degree) {
-  const auto bands = static_cast<std::size_t>(degree + 1);
-  return bands * bands;
-}
 
 Family family_of(const ProductShape& shape) { return rectangular_product_family(shape.a, shape.b, shape.result); }
 
 // The integrals of a b Y_i over the sphere; inputs: a, then b.
 std::vector<double> integrated(const ProductShape& shape, const std::vector<double>& inputs) {
-  std::vector<double> result(count_of(shape.result));
+  std::vector<double> result(coefficient_count(shape.result));
   for (const auto& node : numeric::sphere_rule<double>(shape.a + shape.b + shape.result)) {
-    std::vector<double> y(count_of(std::max({shape.a, shape.b, shape.result})));
+    std::vector<double> y(coefficient_count(std::max({shape.a, shape.b, shape.result})));
     numeric::basis(std::max({shape.a, shape.b, shape.result}), node.x, node.y, node.z, y.data());
     double a = 0;
     double b = 0;
-    for (std::size_t i = 0; i < count_of(shape.a); ++i) a += inputs[i] * y[i];
-    for (std::size_t i = 0; i < count_of(shape.b); ++i) b += inputs[count_of(shape.a) + i] * y[i];
+    for (int i = 0; i < coefficient_count(shape.a); ++i) a += inputs[i] * y[i];
+    for (int i = 0; i < coefficient_count(shape.b); ++i) b += inputs[coefficient_count(shape.a) + i] * y[i];
     for (std::size_t i = 0; i < result.size(); ++i) result[i] += node.weight * a * b * y[i];
   }
   return result;
@@ -50,7 +47,7 @@ std::vector<double> random_inputs(std::size_t count) {
 }
 
 void expect_agrees_with_the_oracle(const ProductShape& shape, const Kernel& kernel) {
-  const std::vector<double> inputs = random_inputs(count_of(shape.a) + count_of(shape.b));
+  const std::vector<double> inputs = random_inputs(coefficient_count(shape.a) + coefficient_count(shape.b));
   const std::vector<double> wanted = integrated(shape, inputs);
   const std::vector<double> outputs = Evaluator<double>(kernel)(inputs);
   ASSERT_EQ(outputs.size(), wanted.size());

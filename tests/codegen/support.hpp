@@ -35,6 +35,16 @@ Cost cost_of(const std::string& family, int degree);
 /// The kernel that `shgen write` takes, with its errors.
 FinishedKernel fastest(const std::string& family, int degree);
 
+/// The lowest, a middle and the highest degree that `shgen list` names for the family; fewer if it has fewer.
+std::vector<int> some_degrees(const Family& family);
+
+/// The output of `shgen emit FAMILY --degree N` for every family at some_degrees. Each process computes it once,
+/// because it takes long.
+const std::vector<FinishedKernel>& emitted_kernels();
+
+/// Expects that the file of each kernel compiles alone in the language. Defined in language_test.cpp.
+void expect_files_compile_alone(const std::string& language, const std::vector<FinishedKernel>& kernels);
+
 struct CommandResult {
   int exit_code = -1;
   std::string out;

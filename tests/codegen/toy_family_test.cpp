@@ -10,6 +10,7 @@
 
 #include "codegen/choose/mask.hpp"
 #include "codegen/convention/in_convention.hpp"
+#include "codegen/families/exact.hpp"
 #include "codegen/ir/evaluate.hpp"
 #include "codegen/measure/directions.hpp"
 #include "codegen/measure/domains.hpp"
@@ -18,18 +19,13 @@
 #include "codegen/recipes/parts.hpp"
 #include "numeric/kernels/family_check.hpp"
 #include "numeric/oracle/basis.hpp"
-#include "numeric/oracle/index.hpp"
-#include "symbolic/basis/basis.hpp"
 #include "symbolic/convention/convention.hpp"
-#include "tests/codegen/emitted.hpp"
 #include "tests/codegen/support.hpp"
 
 namespace sh::codegen {
 namespace {
 
 constexpr int kDegree = 2;
-
-using numeric::coefficient_count;
 
 Kernel dimmed_sum(int degree, int sign) {
   Kernel kernel;
@@ -42,10 +38,8 @@ Kernel dimmed_sum(int degree, int sign) {
       with_direction({array(Role::kEvaluatedCoefficients, "c", degree)}, {parameter(Role::kWeight, "weight")});
   kernel.results = {parameter(Role::kValue, "value")};
   Builder build(kernel);
-  std::vector<NodeId> c;
-  for (int i = 0; i < count; ++i) c.push_back(build.input(i, ""));
-  std::vector<NodeId> direction;
-  for (int axis = 0; axis < 3; ++axis) direction.push_back(build.input(count + axis, ""));
+  const std::vector<NodeId> c = recipes::inputs(build, 0, count, "c");
+  const std::vector<NodeId> direction = recipes::inputs(build, count, 3, "d");
   const std::vector<NodeId> basis = recipes::splice(build, recipes::basis_recurrence(degree), direction);
   NodeId sum = build.mul(c[0], basis[0]);
   for (std::size_t i = 1; i < c.size(); ++i) {
@@ -57,35 +51,23 @@ Kernel dimmed_sum(int degree, int sign) {
 }
 
 Reference dimmed_reference(int degree, int points) {
-  Reference reference;
-  const auto directions = rational_directions(points);
-  const auto vectors = rational_vectors(points, coefficient_count(degree) + 1, 7);
-  for (std::size_t k = 0; k < directions.size(); ++k) {
-    const std::vector<cln::cl_RA> d(directions[k].begin(), directions[k].end());
-    cln::cl_F sum = cln::cl_float(0, cln::float_format(kCheckDigits));
-    for (int i = 0; i < coefficient_count(degree); ++i) {
-      const auto [l, m] = symbolic::degree_order(i);
-      const symbolic::BasisFunction f = symbolic::basis_function(l, m);
-      const cln::cl_RA rational = vectors[k].back() * vectors[k][i];
-      sum = sum + (symbolic::Surd(rational * f.homogeneous.evaluate(d)) * f.factor).evaluate(kCheckDigits + 10);
+  const int count = coefficient_count(degree);
+  const auto inputs =
+      joined(joined(rational_vectors(points, count, 7), rational_directions(points)), rational_vectors(points, 1, 9));
+  return reference_at(inputs, [count](const Rationals& input) {
+    cln::cl_F sum = precise(0);
+    for (int i = 0; i < count; ++i) {
+      sum = sum + precise(Surd(input.back() * input[i]) * basis_value(i, std::span(input).subspan(count, 3)));
     }
-    std::vector<cln::cl_RA> inputs(vectors[k].begin(), vectors[k].end() - 1);
-    inputs.insert(inputs.end(), d.begin(), d.end());
-    inputs.push_back(vectors[k].back());
-    reference.push_back({std::move(inputs), {sum}});
-  }
-  return reference;
+    return std::vector{sum};
+  });
 }
 
 // Coefficients of norm 1, a direction, a weight of 1/2.
-std::vector<std::vector<double>> dimmed_inputs(int degree) {
+Inputs dimmed_inputs(int degree) {
   const auto directions = some_test_directions(50);
-  auto inputs = unit_vectors(static_cast<int>(directions.size()), coefficient_count(degree), 8);
-  for (std::size_t i = 0; i < inputs.size(); ++i) {
-    inputs[i].insert(inputs[i].end(), directions[i].begin(), directions[i].end());
-    inputs[i].push_back(0.5);
-  }
-  return inputs;
+  const int count = static_cast<int>(directions.size());
+  return joined(joined(unit_vectors(count, coefficient_count(degree), 8), directions), Inputs(count, {0.5}));
 }
 
 Family dimmed_family(int sign = 1) {
@@ -141,7 +123,7 @@ TEST(ToyFamily, HasTheSameValueInAnotherConvention) {
     std::vector<cln::cl_F> stored = ours;
     for (int i = 0; i < coefficient_count(kDegree); ++i) {
       const auto [l, m] = symbolic::degree_order(i);
-      const symbolic::Surd scale = convention_factor(symbolic::Convention{}, l, m) / convention_factor(ambix, l, m);
+      const Surd scale = convention_factor(symbolic::Convention{}, l, m) / convention_factor(ambix, l, m);
       stored[storage_position(ambix.order, kDegree, l, m)] = ours[i] * scale.evaluate(50);
     }
     // (x, z, -y) of the caller's direction is ours.

@@ -25,22 +25,8 @@ constexpr int kLastPolynomialOrder = 2;
 constexpr int kLastPolynomial = 7;  // l - m for m > 0; above it the recurrence is more accurate
 constexpr int kFirstSplit = 8;      // the first even l for which the slope at the poles matters
 
-// The coefficients of p((1 + u) / 2) in powers of u, from the coefficients of p.
-Powers centred(const Powers& p) {
-  Powers result;
-  for (auto coefficient = p.rbegin(); coefficient != p.rend(); ++coefficient) {
-    // result * (1 + u)/2 + coefficient
-    Powers next(result.size() + 1, 0);
-    for (std::size_t i = 0; i < result.size(); ++i) {
-      next[i] = next[i] + result[i] / 2;
-      next[i + 1] = next[i + 1] + result[i] / 2;
-    }
-    next[0] = next[0] + *coefficient;
-    result = std::move(next);
-  }
-  while (result.size() > 1 && cln::zerop(result.back())) result.pop_back();
-  return result;
-}
+// The coefficients of p((1 + u) / 2) in powers of u.
+Powers centred(const Powers& p) { return composed(p, cl_RA(1) / 2, cl_RA(1) / 2); }
 
 class Centred {
  public:

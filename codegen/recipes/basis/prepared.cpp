@@ -34,19 +34,6 @@ Polynomial across() {
   return result;
 }
 
-// The coefficients of p(1 - v) in powers of v, from the coefficients of p.
-std::vector<cl_RA> mirrored(const std::vector<cl_RA>& p) {
-  std::vector<cl_RA> result(p.size(), 0);
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    cl_RA binomial = p[i];
-    for (std::size_t k = 0; k <= i; ++k) {
-      result[k] = result[k] + binomial;
-      binomial = -binomial * static_cast<long>(i - k) / static_cast<long>(k + 1);
-    }
-  }
-  return result;
-}
-
 std::string monomial_name(int i, int j, bool with_z) {
   return "x^" + std::to_string(i) + " y^" + std::to_string(j) + (with_z ? " z" : "");
 }
@@ -144,7 +131,7 @@ Kernel evaluate_prepare(int degree) {
       std::vector<NodeId> by_power(((degree - order - parity) / 2 + 1), -1);
       for (int l = order + parity; l <= degree; l += 2) {
         const AxialForm form = whole_axial_form(l, order);
-        const std::vector<cl_RA> powers = mirrored(form.powers);
+        const std::vector<cl_RA> powers = composed(form.powers, 1, -1);  // of x^2+y^2 in place of z^2
         const NodeId c = build.input(coefficient_index(l, m), "");
         for (std::size_t k = 0; k < powers.size(); ++k) {
           by_power[k] = plus_scaled(build, by_power[k], form.scale * Surd(powers[k]), c);

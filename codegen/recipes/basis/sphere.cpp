@@ -35,6 +35,22 @@ AxialForm axial_form(int l, int m) {
   return form;
 }
 
+std::vector<cln::cl_RA> composed(const std::vector<cln::cl_RA>& p, const cln::cl_RA& constant,
+                                 const cln::cl_RA& slope) {
+  std::vector<cln::cl_RA> result;
+  for (auto coefficient = p.rbegin(); coefficient != p.rend(); ++coefficient) {
+    std::vector<cln::cl_RA> next(result.size() + 1, 0);
+    for (std::size_t i = 0; i < result.size(); ++i) {
+      next[i] = next[i] + constant * result[i];
+      next[i + 1] = slope * result[i];
+    }
+    next[0] = next[0] + *coefficient;
+    result = std::move(next);
+  }
+  while (result.size() > 1 && cln::zerop(result.back())) result.pop_back();
+  return result;
+}
+
 std::vector<NodeId> append_column(Builder& build, const Recurrence& recurrence, NodeId z, NodeId start, int degree,
                                   int m, NodeId r2) {
   std::vector<NodeId> p{start};

@@ -32,6 +32,9 @@ AxialForm axial_form(int l, int m);
 /// The same with the factor k_m: Y_lm / Re (x+iy)^m.
 AxialForm whole_axial_form(int l, int m);
 
+/// The coefficients of p(constant + slope u) in powers of u, from the coefficients of p; without leading zeros.
+std::vector<cln::cl_RA> composed(const std::vector<cln::cl_RA>& p, const cln::cl_RA& constant, const cln::cl_RA& slope);
+
 /// The constants of a recurrence p_l = a(l, m) z p_(l-1) - b(l, m) p_(l-2).
 struct Recurrence {
   symbolic::Surd (*a)(int l, int m);

@@ -16,20 +16,9 @@ Rings rings_for(int degree) {
 // M exceeds the largest frequency 3L. It is even, so the angles are symmetric about both axes.
 int angles_for(int degree) { return 3 * degree + 1 + (3 * degree + 1) % 2; }
 
-struct Order {
-  int l = 0;
-  int m = 0;
-};
-
-Order order_of(int i) {
-  int l = 0;
-  while ((l + 1) * (l + 1) <= i) ++l;
-  return {l, i - l * (l + 1)};
-}
-
 // The parities under x -> -x, y -> -y, z -> -z as bits 1, 2, 4.
 int class_of(int i) {
-  const auto [l, m] = order_of(i);
+  const auto [l, m] = symbolic::degree_order(i);
   const bool odd_m = m % 2 != 0;
   const bool x = m >= 0 ? odd_m : !odd_m;
   const bool z = (l + m) % 2 != 0;
@@ -67,7 +56,7 @@ OrbitQuadrature::OrbitQuadrature(int degree)
 
 ExactReal OrbitQuadrature::value(int i, int orbit) const {
   const auto [ring, angle] = orbits_[orbit];
-  const auto [l, m] = order_of(i);
+  const auto [l, m] = symbolic::degree_order(i);
   const int order = m < 0 ? -m : m;
   const ExactReal theta = rings_.theta(l, order, ring);
   if (m == 0 || is_zero(theta)) return m < 0 ? Surd() : theta;

@@ -1,6 +1,7 @@
 // The recipes of products of functions on the sphere, and the parts that they share: parameters, results and texts.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,9 @@ enum class Factors { kTwo, kSame };
 
 /// A kernel without nodes: its parameters (a and b, or only a), its result and its texts.
 Kernel product_frame(const ProductShape& shape, Factors factors);
+
+/// The coefficients of both factors.
+std::array<std::vector<Value>, 2> factor_inputs(SignedBuilder& build, const ProductShape& shape, Factors factors);
 
 /// A pair i < j and the third indices of the triples that the pair covers.
 struct PairWithThirds {
@@ -56,12 +60,11 @@ struct SeparablePlan {
 /// The plan with the fewest operations among the plans with poles that are exact for the shape; it has no loop.
 SeparablePlan separable_plan(const ProductShape& shape, Factors factors, SampleProduct sample_product);
 
-/// The product by quadrature. Without a plan, uses separable_plan.
+/// The product by quadrature.
 Kernel product_separable(const ProductShape& shape, Factors factors, SampleProduct sample_product,
                          const SeparablePlan& plan);
-Kernel product_separable(const ProductShape& shape, Factors factors, SampleProduct sample_product);
-/// The same by separable_plan with a loop.
-Kernel product_looped(const ProductShape& shape, Factors factors, SampleProduct sample_product);
+/// The same by separable_plan; looped: with a loop.
+Kernel product_separable(const ProductShape& shape, Factors factors, SampleProduct sample_product, bool looped);
 
 /// The product term by term, from the entries of the Gaunt tensor.
 Kernel product_tensor(const ProductShape& shape, Factors factors);

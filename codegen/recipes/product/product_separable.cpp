@@ -69,9 +69,7 @@ class Separable {
         sums_(coefficient_count(shape.result)) {}
 
   void run() {
-    const int count_a = coefficient_count(shape_.a);
-    const std::vector<Value> a = build_.inputs(0, count_a);
-    const std::vector<Value> b = same_ ? a : build_.inputs(count_a, coefficient_count(shape_.b));
+    const auto [a, b] = factor_inputs(build_, shape_, same_ ? Factors::kSame : Factors::kTwo);
     for (int ring = 0; ring < quadrature_.count(); ++ring) {
       if (quadrature_.is_pole(ring)) {
         poles(ring, a, b);
@@ -374,13 +372,9 @@ Kernel product_separable(const ProductShape& shape, Factors factors, SampleProdu
   return kernel;
 }
 
-Kernel product_separable(const ProductShape& shape, Factors factors, SampleProduct sample_product) {
-  return product_separable(shape, factors, sample_product, separable_plan(shape, factors, sample_product));
-}
-
-Kernel product_looped(const ProductShape& shape, Factors factors, SampleProduct sample_product) {
+Kernel product_separable(const ProductShape& shape, Factors factors, SampleProduct sample_product, bool looped) {
   SeparablePlan plan = separable_plan(shape, factors, sample_product);
-  plan.looped = true;
+  plan.looped = looped;
   return product_separable(shape, factors, sample_product, plan);
 }
 

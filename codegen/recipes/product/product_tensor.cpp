@@ -67,14 +67,18 @@ Kernel product_frame(const ProductShape& shape, Factors factors) {
   return kernel;
 }
 
+std::array<std::vector<Value>, 2> factor_inputs(SignedBuilder& build, const ProductShape& shape, Factors factors) {
+  const int count_a = coefficient_count(shape.a);
+  const std::vector<Value> a = build.inputs(0, count_a);
+  return {a, factors == Factors::kSame ? a : build.inputs(count_a, coefficient_count(shape.b))};
+}
+
 Kernel product_tensor(const ProductShape& shape, Factors factors) {
   const bool same = factors == Factors::kSame;
   Kernel kernel = product_frame(shape, factors);
   kernel.citation = kSource;
   SignedBuilder build(kernel);
-  const int count_a = coefficient_count(shape.a);
-  const std::vector<Value> a = build.inputs(0, count_a);
-  const std::vector<Value> b = same ? a : build.inputs(count_a, coefficient_count(shape.b));
+  const auto [a, b] = factor_inputs(build, shape, factors);
   const auto forms = same ? symbolic::square_form(shape.a, shape.result) : symbolic::product_form(shape);
   add_up_terms(kernel, build, forms, a, b);
   return kernel;

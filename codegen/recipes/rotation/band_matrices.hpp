@@ -23,9 +23,6 @@ using BandMatrices = std::vector<symbolic::Matrix<Value>>;
 /// D_1, which is R with its axes in the order y, z, x.
 symbolic::Matrix<Value> band_one(const std::array<NodeId, 9>& r);
 
-/// The matrix times a vector.
-std::vector<Value> times(SignedBuilder& build, const symbolic::Matrix<Value>& matrix, const std::vector<Value>& v);
-
 /// Bands 0 .. degree in the way `dense`.
 BandMatrices dense_bands(SignedBuilder& build, const std::array<NodeId, 9>& r, int degree);
 

@@ -225,16 +225,6 @@ Matrix<Value> band_one(const std::array<NodeId, 9>& r) {
   return band;
 }
 
-std::vector<Value> times(SignedBuilder& build, const Matrix<Value>& matrix, const std::vector<Value>& v) {
-  std::vector<Value> result;
-  for (int i = 0; i < matrix.rows(); ++i) {
-    std::vector<Value> terms;
-    for (int j = 0; j < matrix.columns(); ++j) terms.push_back(build.times(matrix(i, j), v[j]));
-    result.push_back(build.sum(terms));
-  }
-  return result;
-}
-
 void append_dense_bands(SignedBuilder& build, BandMatrices& bands, const RotationNumbers& numbers, int degree) {
   const Powers p_a(build, numbers.p, numbers.a, degree);
   const Powers p_b(build, numbers.p, numbers.b, degree);

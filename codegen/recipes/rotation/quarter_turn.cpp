@@ -2,6 +2,7 @@
 
 #include <cln/real.h>
 
+#include "codegen/recipes/rotation/rotation_parts.hpp"
 #include "symbolic/basis/basis.hpp"
 
 namespace sh::codegen::recipes {
@@ -63,18 +64,6 @@ Rationals chosen_rows(const Rationals& matrix, const std::vector<int>& rows) {
   for (int i = 0; i < result.rows(); ++i) {
     for (int j = 0; j < result.columns(); ++j) result(i, j) = matrix(rows[i], j);
   }
-  return result;
-}
-
-std::vector<Surd> row_of(const Matrix<Surd>& matrix, int row) {
-  std::vector<Surd> entries;
-  for (int j = 0; j < matrix.columns(); ++j) entries.push_back(matrix(row, j));
-  return entries;
-}
-
-std::vector<Value> times(SignedBuilder& build, const Matrix<Surd>& matrix, const std::vector<Value>& v) {
-  std::vector<Value> result;
-  for (int i = 0; i < matrix.rows(); ++i) result.push_back(build.weighted_sum(row_of(matrix, i), v));
   return result;
 }
 
@@ -163,13 +152,11 @@ std::vector<Value> QuarterTurnClass::forward(SignedBuilder& build, const std::ve
   const std::vector<Value> reduced = times(build, reflection_->reduce, v);
   std::vector<Value> result;
   for (int i = 0; i < reflection_->expand.rows(); ++i) {
-    std::vector<Surd> factors{Surd(1)};
-    std::vector<Value> values{v[i]};
+    std::vector<Value> terms{v[i]};
     for (int k = 0; k < reflection_->expand.columns(); ++k) {
-      factors.push_back(-reflection_->expand(i, k));
-      values.push_back(reduced[k]);
+      terms.push_back(build.times(-reflection_->expand(i, k), reduced[k]));
     }
-    const Value moved = build.weighted_sum(factors, values);
+    const Value moved = build.sum(terms);
     result.push_back(reflection_->negative ? -moved : moved);
   }
   return result;

@@ -22,7 +22,6 @@ class QuarterTurnClass {
   QuarterTurnClass(int degree, const symbolic::Matrix<cln::cl_RA>& turn, const std::vector<int>& rows,
                    const std::vector<int>& columns);
 
-  [[nodiscard]] int rows() const { return static_cast<int>(scales_.size()); }
   /// Divides the row by another entry, nearly as large, if `squares` holds the square of that entry more often than the
   /// square of scale(row). Then replaces the old square in `squares` by the new one.
   void prefer_scale(std::size_t row, std::multiset<symbolic::Surd>& squares);

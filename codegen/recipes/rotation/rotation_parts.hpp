@@ -5,6 +5,7 @@
 
 #include "codegen/recipes/parts.hpp"
 #include "codegen/recipes/signed_builder.hpp"
+#include "symbolic/number/matrix.hpp"
 
 namespace sh::codegen::recipes {
 
@@ -26,6 +27,17 @@ std::vector<NodeId> coefficient_inputs(Builder& build, int first, int degree);
 
 /// One band of the coefficients, element l + m.
 std::vector<Value> band_of(const std::vector<NodeId>& c, int l);
+/// A matrix of constants or of values times a vector.
+template <class Entry>
+std::vector<Value> times(SignedBuilder& build, const symbolic::Matrix<Entry>& matrix, const std::vector<Value>& v) {
+  std::vector<Value> result;
+  for (int i = 0; i < matrix.rows(); ++i) {
+    std::vector<Value> terms;
+    for (int j = 0; j < matrix.columns(); ++j) terms.push_back(build.times(matrix(i, j), v[j]));
+    result.push_back(build.sum(terms));
+  }
+  return result;
+}
 /// Sets the outputs of one band. values: element l + m.
 void set_band(Kernel& kernel, SignedBuilder& build, int l, const std::vector<Value>& values);
 

@@ -6,7 +6,6 @@
 // of (2l+1) P_l = P'_(l+1) - P'_(l-1) over the cap, [AbramowitzStegun64] 8.5.3, 8.5.4.
 #include "codegen/recipes/basis/sphere.hpp"
 #include "codegen/recipes/zonal/zonal.hpp"
-#include "symbolic/number/polynomial.hpp"
 
 namespace sh::codegen::recipes {
 namespace {
@@ -60,14 +59,10 @@ Cap cap_of(Builder& build, NodeId u, NodeId weight) {
 
 // The coefficients of P_l'(c) / (l (l+1)), without its factor c for even l, in powers of s - centre, lowest first.
 std::vector<cln::cl_RA> in_sine_square(int l, const cln::cl_RA& centre) {
-  const std::vector<cln::cl_RA> powers = whole_axial_form(l, 1).powers;
-  // Powers of c^2 = (1 - centre) - (s - centre), variable 0.
-  const symbolic::Polynomial square = symbolic::Polynomial(1 - centre) - symbolic::Polynomial::variable(0);
-  symbolic::Polynomial sum;
-  for (int k = 0; k <= (l - 1) / 2; ++k) sum += powers[k] / (l * (l + 1)) * square.power(k);
-  std::vector<cln::cl_RA> result;
-  for (int k = 0; k <= (l - 1) / 2; ++k) result.push_back(sum.coefficient(symbolic::Monomial{k}));
-  return result;
+  // c^2 = (1 - centre) - (s - centre)
+  std::vector<cln::cl_RA> powers = composed(whole_axial_form(l, 1).powers, 1 - centre, -1);
+  for (cln::cl_RA& power : powers) power = power / (l * (l + 1));
+  return powers;
 }
 
 // The polynomial in v by Horner's rule. If it begins with a positive constant, every step adds positive constants or

@@ -1,7 +1,5 @@
 #include "codegen/recipes/zonal/columns.hpp"
 
-#include "symbolic/number/polynomial.hpp"
-
 namespace sh::codegen::recipes {
 
 using symbolic::Surd;
@@ -55,15 +53,11 @@ NodeId AxialPolynomials::make(int l, int m) {
 }
 
 NodeId AxialPolynomials::horner(int l, int m) {
-  const std::vector<cln::cl_RA> of_square = coefficients(l, m);
-  // z^2 = (t + 1) / 2, t is variable 0.
-  const symbolic::Polynomial half(cln::cl_RA(1) / 2);
-  const symbolic::Polynomial square = half + half * symbolic::Polynomial::variable(0);
-  symbolic::Polynomial sum;
-  for (std::size_t k = 0; k < of_square.size(); ++k) sum += of_square[k] * square.power(static_cast<int>(k));
+  const cln::cl_RA half = cln::cl_RA(1) / 2;
+  const std::vector<cln::cl_RA> powers = composed(coefficients(l, m), half, half);  // z^2 = (1 + t) / 2
   NodeId value = -1;
-  for (int k = sum.degree(); k >= 0; --k) {
-    const Surd coefficient = scale_(l, m) * Surd(sum.coefficient(symbolic::Monomial{k}));
+  for (int k = static_cast<int>(powers.size()) - 1; k >= 0; --k) {
+    const Surd coefficient = scale_(l, m) * Surd(powers[k]);
     const std::string name = indexed(k == 0 ? "b" : "a", l, m);
     if (value < 0) {
       value = build_.constant(coefficient, name);
