@@ -132,7 +132,7 @@ std::string drivers_file(const std::vector<Driver>& drivers) {
   return text + "\n}  // namespace sh::batch\n";
 }
 
-// What a driver has to hold beside the caller's arrays, in lines of 64 bytes.
+// The memory that a driver needs in addition to the caller's arrays, in lines of 64 bytes.
 int room_lines(const Driver& driver) {
   const RecordSignature s = signature_of(driver.last());
   int in = 0;

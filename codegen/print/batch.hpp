@@ -1,7 +1,7 @@
-// Printer: drivers that run kernels over many records on SIMD lanes, the files of generated/batch/.
+// Printer: drivers that run kernels over many records on SIMD lanes. They are the files of generated/batch/.
 //
-// A driver is derived from the signature of a family's kernels: consecutive scalars x, y, z are one record of 3 values,
-// an array is a record, the results together are the output record; a result that is updated in place is a sum over all
+// The signature of a family's kernels determines its driver. Consecutive scalars x, y, z are one record of 3 values, an
+// array is a record, and all results are the output record. A result that a kernel updates in place is a sum over all
 // records. The files that depend on no family (layouts, lanes, choice of the instruction set) are copies of
 // codegen/runtime/.
 #pragma once
@@ -15,15 +15,14 @@
 
 namespace sh::codegen::print {
 
-/// What is written of a family: its kernels in order of degree.
+/// The written kernels of a family, in order of degree.
 struct WrittenFamily {
   std::string name;
   std::optional<BatchDriver> batch;
   std::vector<FinishedKernel> kernels;
 };
 
-/// Relative path -> text of every file under generated/batch/: a driver for each of the families that asks for one, the
-/// tables of lanes, the copies.
+/// Relative path -> text of every file under generated/batch/: the drivers, the tables of lanes, the copies.
 std::map<std::string, std::string> batch_files(const std::vector<WrittenFamily>& families);
 
 }  // namespace sh::codegen::print

@@ -12,17 +12,18 @@
 
 namespace sh::codegen::print {
 
+/// The largest degrees of drivers that add up parts, and that use prepared functions (errors of the polynomial grow).
 inline constexpr int kLargestByParts = 5;
-inline constexpr int kLargestPrepared = 6;  // errors of the polynomial grow
+inline constexpr int kLargestPrepared = 6;
 
-// A record that a driver takes, and how the kernel's arguments lie in it.
+/// A record that a driver takes, and the places of the kernel's arguments in it.
 struct Record {
   std::string name;
   std::vector<std::string> arguments;  // of the kernel, from `in[j]`
   int size = 0;
 };
 
-// A kernel as a driver sees it.
+/// A kernel as a driver sees it.
 struct RecordSignature {
   std::vector<Record> inputs;
   std::string out;  // name
@@ -31,16 +32,18 @@ struct RecordSignature {
   bool returns = false;
 };
 
+/// The records of a kernel.
 RecordSignature signature_of(const Kernel& kernel);
 
-// "sh::rotate<Degree>(in[0], in[1], out);". Of several results each is bands^2 values, one after the other.
+/// "sh::rotate<Degree>(in[0], in[1], out);". Several results have bands^2 values each and follow each other.
 std::string call_of(const Kernel& kernel);
 
+/// A driver and the families that it runs.
 struct Driver {
   std::string name;  // of the driver and of the family whose kernels it runs
   BatchDriver spec;
   std::span<const FinishedKernel> kernels;  // to the largest degree of the driver
-  int further = 0;                          // the largest degree of the family where the driver ends before it
+  int further = 0;                          // the largest degree of the family, if the driver does not reach it
   const std::vector<FinishedKernel>* prepare = nullptr;
   const std::vector<FinishedKernel>* prepared = nullptr;
   const std::vector<FinishedKernel>* parts = nullptr;
@@ -50,13 +53,13 @@ struct Driver {
   [[nodiscard]] const Kernel& last() const { return kernels.back().kernel; }
 };
 
-/// A driver for each of the families that asks for one.
+/// The drivers of all families that have one.
 std::vector<Driver> drivers_of(const std::vector<WrittenFamily>& families);
 
 /// generated/batch/<driver>.cpp: the driver's kernels by degree, compiled once for each instruction set.
 std::string kernels_file(const Driver& driver);
 
-/// once.hpp and once.cpp: functions from a shared input, or of a sum, that are the same on every instruction set.
+/// once.hpp and once.cpp: functions that a driver runs once a call, the same on every instruction set.
 std::string once_header(const std::vector<Driver>& drivers);
 std::string once_file(const std::vector<Driver>& drivers);
 

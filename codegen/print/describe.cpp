@@ -33,7 +33,7 @@ std::string cost_line(const Cost& cost) {
          " values live";
 }
 
-// Breaks lines that are too long at spaces and indents what follows like the first word after the label.
+// Breaks long lines at spaces. Indents the rest like the first word after the label.
 std::vector<std::string> wrapped(const std::vector<std::string>& lines) {
   constexpr std::size_t kWidth = 117;
   constexpr std::size_t kLabel = 14;

@@ -37,8 +37,8 @@ struct Dialect {
   /// Template of a selection: $a, $b, $then, $otherwise.
   std::string select = "($a < $b ? $then : $otherwise)";
   /// A table of constants. Templates of its definition in front of the function ($name, $size, $rows), of a line at the
-  /// top of the function ($name; may be empty) and of an element ($table, $at). Its literals are those of the language
-  /// where `table_literal` is empty; `local_table` is its name within the function where that differs.
+  /// top of the function ($name; may be empty) and of an element ($table, $at). Without `table_literal` the table uses
+  /// the literals of the language. `local_table` is its name within the function, if the name differs there.
   std::string table;
   std::string table_use;
   std::string table_entry = "$table[$at]";
@@ -60,7 +60,7 @@ struct Dialect {
 
 /// C++17: functions are constexpr templates on the scalar T; arrays are pointers.
 const Dialect& cpp_dialect();
-/// GLSL and HLSL. `out` is a word of these languages: that array is called `result`.
+/// GLSL and HLSL. `out` is a word of these languages, so the array has the name `result`.
 Dialect glsl_dialect(Scalar scalar = Scalar::kFloat);
 Dialect hlsl_dialect(Scalar scalar);
 Dialect c99_dialect(Scalar scalar);

@@ -1,11 +1,11 @@
 // From a kernel to named constants, infix statements and one function, which C-like languages have in common.
 //
-// A value used once is written into the expression that uses it (with brackets wherever the order of operations would
-// change otherwise); a value used more often becomes a variable under its hint, or a name made from its operands.
-// An array parameter that has the shape of a result may be the same array: its elements become variables before the
-// element of the same index is stored, unless only that store needs them.
+// A value that is used once stands in the expression that uses it, with brackets if the order of operations would
+// change without them. A value that is used more often becomes a variable. Its name is its hint, or comes from its
+// operands. An array parameter with the shape of a result may be the same array. Therefore its elements become
+// variables before the function stores the element of the same index, unless only that store needs them.
 //
-// The loop over the rows of a table adds to variables that are declared before it; all results are stored after it.
+// The loop over the rows of a table adds to variables that stand before it. All stores follow the loop.
 #pragma once
 
 #include <string>

@@ -134,7 +134,7 @@ double error_of_prepared(int degree) {
 TEST(Evaluate, PreparedFormsErrWithinTheStatedBound) {
   struct Row {
     int degree;
-    double largest;  // measured, rounded up: what a user of both kernels sees
+    double largest;  // measured, rounded up: the error that a user of both kernels sees
   };
   for (const Row& row : {Row{2, 3e-7}, Row{4, 1e-6}, Row{6, 4e-6}, Row{8, 2e-5}, Row{10, 1.2e-4}}) {
     EXPECT_LT(error_of_prepared(row.degree), row.largest) << row.degree;

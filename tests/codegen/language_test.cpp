@@ -15,8 +15,8 @@ constexpr const char* kStrict = " -fsyntax-only -Wall -Wextra -Wpedantic -Wconve
 // The commands that compile each file of a language alone, as few as the compilers allow.
 struct Toolchain {
   std::string suffix;                 // of a unit, the file that is compiled
-  std::string before;                 // of a unit, what stands before the emitted text
-  std::string after;                  // and behind it
+  std::string before;                 // of a unit, the text before the emitted text
+  std::string after;                  // and the text after it
   std::vector<std::string> commands;  // run where the units are
 };
 

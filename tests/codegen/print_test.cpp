@@ -96,7 +96,7 @@ TEST(Functions, ReturnAScalarAndUpdateInPlace) {
   EXPECT_EQ(print::arguments(kernel, print::cpp_dialect()), "a, b");
 }
 
-// Compiles `main_program` with g++ and returns what it prints.
+// Compiles `main_program` with g++ and returns its output.
 std::string compile_and_run(const std::filesystem::path& folder, const std::string& main_program,
                             const std::string& flags) {
   test::write_file(folder / "main.cpp", main_program);

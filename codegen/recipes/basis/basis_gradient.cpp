@@ -17,11 +17,10 @@ using symbolic::Surd;
 
 class Ladder {
  public:
-  Ladder(Builder& build, const std::vector<NodeId>& values, int degree)
-      : build_(build), values_(values), degree_(degree) {
-    zero_ = build.constant(Surd(), "zero");
-    for (auto* part : {&x, &y, &z}) part->assign(values.size(), zero_);
-    for (int l = 1; l <= degree_; ++l) {
+  Ladder(SignedBuilder& build, const std::vector<NodeId>& values, int degree) : build_(build), values_(values) {
+    const NodeId zero = build.constant(Surd(), "zero");
+    for (auto* part : {&x, &y, &z}) part->assign(values.size(), zero);
+    for (int l = 1; l <= degree; ++l) {
       zonal(l);
       for (int m = 1; m <= l; ++m) pair(l, m);
     }
@@ -33,46 +32,42 @@ class Ladder {
   // sqrt(square * (2l+1)/(2l-1))
   static Surd factor(int l, const cln::cl_RA& square) { return Surd::square_root(square * (2 * l + 1) / (2 * l - 1)); }
 
-  // k times the value of degree l and order m; -1 if there is no such value.
-  NodeId times(const Surd& k, const std::string& name, int l, int m) {
-    if (k.is_zero() || std::abs(m) > l) return -1;
-    return build_.mul(build_.constant(k, name), values_[coefficient_index(l, m)]);
+  // k times the value of degree l and order m; zero if there is no such value. The constant keeps its sign.
+  Value times(const Surd& k, const std::string& name, int l, int m) {
+    if (k.is_zero() || std::abs(m) > l) return {};
+    return {build_.mul(build_.constant(k, name), values_[coefficient_index(l, m)])};
+  }
+
+  void set(std::vector<NodeId>& derivatives, int l, int m, Value value) {
+    if (!value.is_zero()) derivatives[coefficient_index(l, m)] = build_.node(value);
   }
 
   void zonal(int l) {
-    z[coefficient_index(l, 0)] = times(factor(l, l * l), indexed("z", l, 0), l - 1, 0);
-    if (l == 1) return;
+    set(z, l, 0, times(factor(l, l * l), indexed("z", l, 0), l - 1, 0));
     const Surd down = -factor(l, cln::cl_RA(l * (l - 1)) / 2);
-    x[coefficient_index(l, 0)] = times(down, indexed("u", l, 0), l - 1, 1);
-    y[coefficient_index(l, 0)] = times(down, indexed("u", l, 0), l - 1, -1);
+    set(x, l, 0, times(down, indexed("u", l, 0), l - 1, 1));
+    set(y, l, 0, times(down, indexed("u", l, 0), l - 1, -1));
   }
 
   void pair(int l, int m) {
-    if (m < l) {
-      const Surd along = factor(l, l * l - m * m);
-      z[coefficient_index(l, m)] = times(along, indexed("z", l, m), l - 1, m);
-      z[coefficient_index(l, -m)] = times(along, indexed("z", l, m), l - 1, -m);
-    }
+    const Surd along = factor(l, l * l - m * m);
+    set(z, l, m, times(along, indexed("z", l, m), l - 1, m));
+    set(z, l, -m, times(along, indexed("z", l, m), l - 1, -m));
     const Surd d = factor(l, cln::cl_RA((l + m) * (l + m - 1)) / (m == 1 ? 2 : 4));
     const Surd u = factor(l, cln::cl_RA((l - m) * (l - m - 1)) / 4);
-    const NodeId dc = times(d, indexed("d", l, m), l - 1, m - 1);
-    const NodeId uc = times(u, indexed("u", l, m), l - 1, m + 1);
-    const NodeId ds = m == 1 ? -1 : times(d, indexed("d", l, m), l - 1, 1 - m);
-    const NodeId minus_us = times(-u, indexed("v", l, m), l - 1, -1 - m);
-    x[coefficient_index(l, m)] = uc < 0 ? dc : build_.sub(dc, uc);
-    y[coefficient_index(l, -m)] = uc < 0 ? dc : build_.add(dc, uc);
-    if (ds < 0) {  // m = 1: there is no S_0, and both derivatives are equal
-      x[coefficient_index(l, -m)] = y[coefficient_index(l, m)] = minus_us < 0 ? zero_ : minus_us;
-    } else {
-      x[coefficient_index(l, -m)] = minus_us < 0 ? ds : build_.add(ds, minus_us);
-      y[coefficient_index(l, m)] = minus_us < 0 ? build_.neg(ds) : build_.sub(minus_us, ds);
-    }
+    const Value dc = times(d, indexed("d", l, m), l - 1, m - 1);
+    const Value uc = times(u, indexed("u", l, m), l - 1, m + 1);
+    // For m = 1 there is no S_0, and the last two derivatives are equal.
+    const Value ds = m == 1 ? Value{} : times(d, indexed("d", l, m), l - 1, 1 - m);
+    const Value minus_us = times(-u, indexed("v", l, m), l - 1, -1 - m);
+    set(x, l, m, build_.minus(dc, uc));
+    set(y, l, -m, build_.plus(dc, uc));
+    set(x, l, -m, build_.plus(ds, minus_us));
+    set(y, l, m, build_.minus(minus_us, ds));
   }
 
-  Builder& build_;
+  SignedBuilder& build_;
   const std::vector<NodeId>& values_;
-  int degree_;
-  NodeId zero_ = -1;
 };
 
 void describe(Kernel& kernel, int degree) {

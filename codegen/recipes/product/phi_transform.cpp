@@ -124,7 +124,7 @@ PhiTransform::Samples PhiTransform::sample(SignedBuilder& build, const Coefficie
   return result;
 }
 
-PhiTransform::Coefficients PhiTransform::analyse(SignedBuilder& build, const Samples& given) const {
+PhiTransform::Coefficients PhiTransform::analyze(SignedBuilder& build, const Samples& given) const {
   Coefficients result(shape_.rings, std::vector<Value>(2 * shape_.degree + 1));
   for (std::size_t part = 0; part < kParts; ++part) {
     std::vector<Value> rows;

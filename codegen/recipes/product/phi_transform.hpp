@@ -46,7 +46,7 @@ class PhiTransform {
   using Coefficients = std::vector<std::vector<Value>>;
   [[nodiscard]] Samples sample(SignedBuilder& build, const Coefficients& coefficients) const;
   /// The transposed map; shared coefficients are the sum over both rings.
-  [[nodiscard]] Coefficients analyse(SignedBuilder& build, const Samples& samples) const;
+  [[nodiscard]] Coefficients analyze(SignedBuilder& build, const Samples& samples) const;
 
  private:
   struct Column {

@@ -115,7 +115,7 @@ class Separable {
   }
 
   // scale: a constant that multiplies all products.
-  Halves synthesise(const std::vector<Value>& c, int degree, int order, int ring, const ExactReal& scale) {
+  Halves synthesize(const std::vector<Value>& c, int degree, int order, int ring, const ExactReal& scale) {
     const int m = std::abs(order);
     std::vector<Value> even;
     std::vector<std::pair<Factor, Value>> odd;
@@ -145,8 +145,8 @@ class Separable {
   }
 
   void poles(int ring, const std::vector<Value>& a, const std::vector<Value>& b) {
-    const Halves of_a = synthesise(a, shape_.a, 0, ring, Surd(1));
-    const Halves of_b = same_ ? of_a : synthesise(b, shape_.b, 0, ring, Surd(1));
+    const Halves of_a = synthesize(a, shape_.a, 0, ring, Surd(1));
+    const Halves of_b = same_ ? of_a : synthesize(b, shape_.b, 0, ring, Surd(1));
     const Value north_a = build_.plus(of_a.even, of_a.odd);
     const Value south_a = build_.minus(of_a.even, of_a.odd);
     const Value north = build_.times(north_a, same_ ? north_a : build_.plus(of_b.even, of_b.odd));
@@ -214,7 +214,7 @@ class Separable {
     Coefficients result(pair ? 2 : 1, std::vector<Value>(2 * degree + 1));
     for (int order = -degree; order <= degree; ++order) {
       const auto at = order + degree;
-      const Halves halves = synthesise(c, degree, order, ring, phi.scale(order));
+      const Halves halves = synthesize(c, degree, order, ring, phi.scale(order));
       result[0][at] = build_.named(build_.plus(halves.even, halves.odd), named(letter, ring, order, "n"));
       if (!pair) continue;
       result[1][at] = phi.shared(order)
@@ -303,7 +303,7 @@ class Separable {
         products[r][j] = product(of_a[r][j], of_b[r][j], j == 0 || j + 1 == products[r].size());
       }
     }
-    Coefficients sums = phi_c.analyse(build_, products);
+    Coefficients sums = phi_c.analyze(build_, products);
     const std::vector<Halves> halves = without_aliases(sums, on_a, on_b, phi_c);
     for (int order = -shape_.result; order <= shape_.result; ++order) {
       // 8 pi / M, half of it for doubled samples; the square leaves out a factor of two in three of the parts.
