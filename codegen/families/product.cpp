@@ -5,10 +5,14 @@
 #include "codegen/recipes/product/product.hpp"
 
 #include <algorithm>
+#include <map>
+#include <random>
 #include <stdexcept>
+#include <tuple>
 
-#include "codegen/families/product_reference.hpp"
+#include "codegen/families/exact.hpp"
 #include "codegen/ir/cost.hpp"
+#include "codegen/measure/domains.hpp"
 #include "codegen/passes/passes.hpp"
 
 namespace sh::codegen {
@@ -16,6 +20,7 @@ namespace {
 
 using recipes::Factors;
 using recipes::SampleProduct;
+using symbolic::BilinearForm;
 using symbolic::ProductShape;
 
 constexpr int kLargestUnrolled = 6;  // longer code does not fit into the instruction cache
@@ -29,6 +34,104 @@ constexpr int kMostByTerms = 800;  // terms G a_i b_j; with more terms, one prod
 constexpr int kMostByPairs = 2500;
 constexpr int kLeastByQuadrature = 4;  // sum of the three degrees; below it, poles and equator are the only rings
 constexpr int kMostUnrolled = 20;      // sum of the three degrees; above it, a loop runs over the rings
+
+// --- references: symbolic::product_form and its variants at vectors of small rationals
+
+constexpr unsigned long kSeed = 20060501;
+
+// The sum of factor_i * a_i * b_j. Surds are grouped by their radical, so that nearly all operations are rational.
+cln::cl_F value(const BilinearForm& form, std::span<const cln::cl_RA> a, std::span<const cln::cl_RA> b) {
+  std::map<Surd, cln::cl_RA> sums;
+  for (const symbolic::BilinearTerm& term : form.terms) {
+    const Surd radical = Surd(cln::recip(term.factor.rational())) * term.factor;
+    cln::cl_RA& sum = sums.try_emplace(radical, 0).first->second;
+    sum = sum + term.factor.rational() * a[term.i] * b[term.j];
+  }
+  cln::cl_F total = precise(0);
+  for (const auto& [radical, sum] : sums) total = total + precise(radical * Surd(sum));
+  return total;
+}
+
+const std::vector<BilinearForm>& forms_of(const ProductShape& shape) {
+  static std::map<std::tuple<int, int, int>, std::vector<BilinearForm>> known;
+  const auto [position, added] = known.try_emplace({shape.a, shape.b, shape.result});
+  if (added) position->second = symbolic::product_form(shape);
+  return position->second;
+}
+
+std::vector<cln::cl_F> values(const std::vector<BilinearForm>& forms, std::span<const cln::cl_RA> a,
+                              std::span<const cln::cl_RA> b) {
+  std::vector<cln::cl_F> result;
+  for (const BilinearForm& form : forms) result.push_back(value(form, a, b));
+  return result;
+}
+
+// Products of the first `left` numbers of a point and the others.
+Reference bilinear_reference(const std::vector<BilinearForm>& forms, int left, int right, int points) {
+  return reference_at(rational_vectors(points, left + right, kSeed), [&](const Rationals& point) {
+    return values(forms, std::span(point).first(left), std::span(point).last(right));
+  });
+}
+
+Reference product_reference(const ProductShape& shape, int points) {
+  return bilinear_reference(forms_of(shape), coefficient_count(shape.a), coefficient_count(shape.b), points);
+}
+
+Reference square_reference(int degree, int points) {
+  return reference_at(rational_vectors(points, coefficient_count(degree), kSeed), [degree](const Rationals& a) {
+    return values(forms_of({degree, degree, degree}), a, a);
+  });
+}
+
+Reference product_zonal_reference(int degree, int points) {
+  return bilinear_reference(symbolic::zonal_product_form({degree, degree, degree}), coefficient_count(degree),
+                            degree + 1, points);
+}
+
+Reference triple_reference(int degree, int points) {
+  const int count = coefficient_count(degree);
+  return reference_at(rational_vectors(points, 3 * count, kSeed), [=](const Rationals& point) {
+    const std::span all(point);
+    const auto ab = values(forms_of({degree, degree, degree}), all.first(count), all.subspan(count, count));
+    cln::cl_F integral = precise(0);
+    for (int i = 0; i < count; ++i) integral = integral + ab[i] * precise(point[2 * count + i]);
+    return std::vector{integral};
+  });
+}
+
+// --- domains: vectors of unit length
+
+// Unit vectors, one after the other: random vectors, single coefficients, and equal random vectors.
+Inputs unit_factors(const std::vector<int>& sizes) {
+  constexpr int kRandom = 80;
+  constexpr int kSingle = 20;
+  constexpr int kEqual = 20;
+  Inputs inputs(kRandom + kSingle + kEqual);
+  std::mt19937_64 random(kSeed);
+  for (std::size_t f = 0; f < sizes.size(); ++f) {
+    Inputs factors = unit_vectors(kRandom, sizes[f], kSeed + f);
+    for (int i = 0; i < kSingle; ++i) factors.emplace_back(sizes[f], 0.0)[random() % sizes[f]] = 1;
+    const Inputs equal = unit_vectors(kEqual, sizes[f], kSeed + sizes.size());
+    factors.insert(factors.end(), equal.begin(), equal.end());
+    inputs = joined(std::move(inputs), factors);
+  }
+  return inputs;
+}
+
+// sizes: the number of coefficients of each factor, for a degree.
+Domain factor_domain(const std::string& unit, const std::function<std::vector<int>(int degree)>& sizes) {
+  return {.inputs = "sets of unit vectors of coefficients (random, single coefficients, equal)",
+          .unit = unit,
+          .test_inputs = [sizes](int degree) { return unit_factors(sizes(degree)); },
+          .sizes = {unit}};
+}
+
+// Factors of the family's degree.
+Domain factor_domain(const std::string& unit, int factors) {
+  return factor_domain(unit, [factors](int degree) { return std::vector<int>(factors, coefficient_count(degree)); });
+}
+
+// --- recipes
 
 // The ways to compute a product of any shape.
 using Make = Kernel (*)(const ProductShape&, Factors);
@@ -60,10 +163,6 @@ std::function<Kernel(int)> integrated(Make make) {
   return [make](int degree) { return recipes::triple(make(equal(degree), Factors::kTwo), degree); };
 }
 
-FactorSizes equal_factors(int factors) {
-  return [factors](int degree) { return std::vector<int>(factors, coefficient_count(degree)); };
-}
-
 // --- products of different degrees
 
 int operations(const Recipe& recipe, int degree) {
@@ -72,7 +171,7 @@ int operations(const Recipe& recipe, int degree) {
 
 int term_count(const ProductShape& shape) {
   int count = 0;
-  for (const symbolic::BilinearForm& form : symbolic::product_form(shape)) count += static_cast<int>(form.terms.size());
+  for (const BilinearForm& form : symbolic::product_form(shape)) count += static_cast<int>(form.terms.size());
   return count;
 }
 
@@ -121,7 +220,7 @@ Family rectangular_product_family(int left_degree, int right_degree, int degree)
           .limit = kComplete,
           .recipes = recipes_of(shape),
           .reference = [shape](int /*degree*/, int points) { return product_reference(shape, points); },
-          .domain = factor_domain([sizes](int /*degree*/) { return sizes; }, "|a| |b|"),
+          .domain = factor_domain("|a| |b|", [sizes](int /*degree*/) { return sizes; }),
           .arguments = "product --degree-left " + left + " --degree-right " + right};
 }
 
@@ -138,7 +237,7 @@ std::vector<Family> product_families() {
                        {"greedy-pairs", projected(greedy_pairs), 2, kLargestUnrolled},
                        {"tensor", projected(recipes::product_tensor), 0, kLargestByTerms}},
            .reference = [](int degree, int points) { return product_reference(equal(degree), points); },
-           .domain = factor_domain(equal_factors(2), "|a| |b|"),
+           .domain = factor_domain("|a| |b|", 2),
            .of_degrees = rectangular_product_family,
            .batch = BatchDriver{.what = "Products of two functions, projected on the same bands", .largest = 6}},
           {.name = "product_full",
@@ -150,7 +249,7 @@ std::vector<Family> product_families() {
                        {"separable-halves", completed(kHalves), 1, kLargestComplete},
                        {"tensor", completed(recipes::product_tensor), 0, kLargestByTerms}},
            .reference = [](int degree, int points) { return product_reference(complete(degree), points); },
-           .domain = factor_domain(equal_factors(2), "|a| |b|")},
+           .domain = factor_domain("|a| |b|", 2)},
           {.name = "square",
            .largest_emitted = kLargestEmitted,
            .limit = kLimit,
@@ -160,18 +259,17 @@ std::vector<Family> product_families() {
                        {"greedy-pairs", squared(greedy_pairs), 4, kLargestUnrolled},
                        {"tensor", squared(recipes::product_tensor), 0, kLargestByTerms}},
            .reference = square_reference,
-           .domain = factor_domain(equal_factors(1), "|a| |a|")},
+           .domain = factor_domain("|a| |a|", 1)},
           {.name = "product_zonal",
            .largest_emitted = kLargestEmitted,
            .limit = kLimit,
            .recipes = {{"matrices", recipes::product_zonal},
                        {"tensor", recipes::product_zonal_tensor, 0, kLargestUnrolled}},
            .reference = product_zonal_reference,
-           .domain = factor_domain(
-               [](int degree) {
-                 return std::vector<int>{coefficient_count(degree), degree + 1};
-               },
-               "|a| |zonal|")},
+           .domain = factor_domain("|a| |zonal|",
+                                   [](int degree) {
+                                     return std::vector<int>{coefficient_count(degree), degree + 1};
+                                   })},
           {.name = "triple",
            .largest_emitted = kLargestEmitted,
            .limit = kLimit,
@@ -180,7 +278,7 @@ std::vector<Family> product_families() {
                        {"separable-halves", integrated(kHalves), 2, kLargestUnrolled},
                        {"looped", integrated(kLooped), kLargestUnrolled, kLargestEmitted}},
            .reference = triple_reference,
-           .domain = factor_domain(equal_factors(3), "|a| |b| |c|")}};
+           .domain = factor_domain("|a| |b| |c|", 3)}};
 }
 
 }  // namespace sh::codegen

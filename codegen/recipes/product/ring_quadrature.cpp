@@ -4,18 +4,17 @@
 
 #include <cmath>
 #include <map>
+#include <memory>
 #include <numeric>
 #include <stdexcept>
+#include <tuple>
 
+#include "codegen/recipes/parts.hpp"
 #include "symbolic/basis/basis.hpp"
 
 namespace sh::codegen::recipes {
 
 using symbolic::Surd;
-
-struct RingQuadrature::Cache {
-  std::map<int, Nodes> nodes;  // by digits
-};
 
 namespace {
 
@@ -110,16 +109,12 @@ cln::cl_F power(const cln::cl_F& base, int exponent) {
   return result;
 }
 
-std::string index(int l, int m) { return std::to_string(l) + "_" + std::to_string(m); }
+struct Nodes {
+  std::vector<cln::cl_F> heights;  // by ring
+  std::vector<cln::cl_F> weights;
+};
 
-}  // namespace
-
-RingQuadrature::RingQuadrature(const Rings& rings) : rings_(rings), cache_(std::make_shared<Cache>()) {}
-
-const RingQuadrature::Nodes& RingQuadrature::nodes(const Rings& rings, Cache& cache, int digits) {
-  const auto known = cache.nodes.find(digits);
-  if (known != cache.nodes.end()) return known->second;
-  const int working = digits + kGuardDigits;
+Nodes make_nodes(const Rings& rings, int working) {
   const std::vector<cln::cl_RA> p = node_polynomial(rings);
   std::vector<cln::cl_F> t;
   for (const double start : rough_zeros(p)) t.push_back(refined_zero(p, start, working));
@@ -133,8 +128,17 @@ const RingQuadrature::Nodes& RingQuadrature::nodes(const Rings& rings, Cache& ca
     result.weights.push_back(single ? both : both / 2);
     result.heights.push_back(cln::sqrt(t[j]));
   }
-  return cache.nodes.emplace(digits, std::move(result)).first->second;
+  return result;
 }
+
+const Nodes& nodes(const Rings& rings, int digits) {
+  static std::map<std::tuple<int, bool, bool, int>, Nodes> known;
+  const auto [position, added] = known.try_emplace({rings.pairs, rings.pole, rings.equator, digits});
+  if (added) position->second = make_nodes(rings, digits + kGuardDigits);
+  return position->second;
+}
+
+}  // namespace
 
 ExactReal RingQuadrature::theta(int l, int m, int ring) const {
   const auto f = std::make_shared<const symbolic::BasisFunction>(symbolic::reduced_basis_function(l, m));
@@ -142,10 +146,10 @@ ExactReal RingQuadrature::theta(int l, int m, int ring) const {
     const std::vector<cln::cl_RA> point{0, 0, is_pole(ring) ? 1 : 0};
     return m > 0 && is_pole(ring) ? Surd() : Surd(f->axial.evaluate(point)) * f->factor;
   }
-  const std::string name = "theta_" + index(l, m) + "(z" + std::to_string(ring + 1) + ")";
-  return Computed(name, [f, ring, rings = rings_, cache = cache_, m](int digits) {
+  const std::string name = indexed("theta", l, m) + "(z" + std::to_string(ring + 1) + ")";
+  return Computed(name, [f, ring, rings = rings_, m](int digits) {
     const int working = digits + kGuardDigits;
-    const cln::cl_F z = nodes(rings, *cache, digits).heights[ring];
+    const cln::cl_F z = nodes(rings, digits).heights[ring];
     cln::cl_F value = cln::cl_float(0, cln::float_format(working));
     for (const auto& [monomial, coefficient] : f->axial.terms()) {
       value = value + cln::cl_float(coefficient, z) * power(z, monomial.exponent(2));
@@ -156,9 +160,7 @@ ExactReal RingQuadrature::theta(int l, int m, int ring) const {
 
 ExactReal RingQuadrature::weight(int ring) const {
   const std::string at = is_pole(ring) ? "pole" : is_equator(ring) ? "equator" : "z" + std::to_string(ring + 1);
-  return Computed("w(" + at + ")", [ring, rings = rings_, cache = cache_](int digits) {
-    return nodes(rings, *cache, digits).weights[ring];
-  });
+  return Computed("w(" + at + ")", [ring, rings = rings_](int digits) { return nodes(rings, digits).weights[ring]; });
 }
 
 std::string RingQuadrature::definition() const {

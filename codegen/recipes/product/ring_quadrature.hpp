@@ -7,7 +7,6 @@
 #pragma once
 
 #include <cmath>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -25,7 +24,7 @@ struct Rings {
 /// The constants of a quadrature.
 class RingQuadrature {
  public:
-  explicit RingQuadrature(const Rings& rings);
+  explicit RingQuadrature(const Rings& rings) : rings_(rings) {}
 
   [[nodiscard]] const Rings& rings() const { return rings_; }
   /// The number of rings. Their order: pairs 0 .. pairs-1, then the poles, then the equator.
@@ -41,15 +40,7 @@ class RingQuadrature {
   [[nodiscard]] std::string definition() const;
 
  private:
-  struct Nodes {
-    std::vector<cln::cl_F> heights;  // by ring
-    std::vector<cln::cl_F> weights;
-  };
-  struct Cache;
-  static const Nodes& nodes(const Rings& rings, Cache& cache, int digits);
-
   Rings rings_;
-  std::shared_ptr<Cache> cache_;
 };
 
 /// The approximate absolute value.
