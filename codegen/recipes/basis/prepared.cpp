@@ -167,7 +167,7 @@ Kernel evaluate_prepared(int degree) {
   kernel.parameters = with_direction({array(Role::kPolynomial, "polynomial", degree)});
   kernel.results = {parameter(Role::kValue, "value")};
   Builder build(kernel);
-  const auto [x, y, z] = direction_inputs(build, coefficient_count(degree));
+  const Direction d = direction_inputs(build, coefficient_count(degree));
   const auto step = [&build](NodeId sum, NodeId variable, NodeId next) {
     return sum < 0 ? next : build.add(build.mul(sum, variable), next);
   };
@@ -177,15 +177,15 @@ Kernel evaluate_prepared(int degree) {
     for (int i = most; i >= 0; --i) {
       NodeId inner = -1;
       for (int j = most - i; j >= 0; --j) {
-        inner = step(inner, y, build.input(polynomial_index(degree, i, j, with_z), ""));
+        inner = step(inner, d.y, build.input(polynomial_index(degree, i, j, with_z), ""));
       }
-      sum = step(sum, x, inner);
+      sum = step(sum, d.x, inner);
     }
     return sum;
   };
   const NodeId p = part(false);
   const NodeId q = part(true);
-  kernel.outputs = {{q < 0 ? p : step(q, z, p), ""}};
+  kernel.outputs = {{q < 0 ? p : step(q, d.z, p), ""}};
   return kernel;
 }
 
