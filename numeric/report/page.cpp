@@ -1,7 +1,7 @@
 // report_page of report.hpp: one HTML page with everything in it, charts as SVG, tables folded away.
-#include <fmt/core.h>
+#include <fmt/format.h>
 
-#include <algorithm>
+#include <initializer_list>
 
 #include "numeric/output/markup.hpp"
 #include "numeric/report/figures.hpp"
@@ -39,11 +39,16 @@ code{font:12.5px/1.4 ui-monospace,"SF Mono",Menlo,Consolas,"DejaVu Sans Mono",mo
 footer{max-width:1020px;margin:64px auto 32px;padding:0 24px;color:var(--quiet);font-size:13px}
 )";
 
+std::string table(std::initializer_list<const char*> columns, const std::string& rows) {
+  return fmt::format("<div class=\"table\"><table><tr><th>{}</th></tr>\n{}</table></div>",
+                     fmt::join(columns, "</th><th>"), rows);
+}
+
 std::string row(const Point& p) {
   return fmt::format(
-      "<tr{}><td class=\"n\">{}</td><td class=\"w\">{}</td><td>{}</td><td>{}</td><td class=\"n\">{:.3g}</td><td "
-      "class=\"n\">{:.2e}</td><td class=\"n\">{:.2g}</td><td class=\"light\">{}: {}</td><td class=\"light\">{}</td><td "
-      "class=\"light\"><code>{}</code></td></tr>\n",
+      R"(<tr{}><td class="n">{}</td><td class="w">{}</td><td>{}</td><td>{}</td><td class="n">{:.3g}</td>)"
+      R"(<td class="n">{:.2e}</td><td class="n">{:.2g}</td><td class="light">{}: {}</td><td class="light">{}</td>)"
+      "<td class=\"light\"><code>{}</code></td></tr>\n",
       p.on_front ? " class=\"best\"" : "", p.info.degree, escaped(p.info.name), p.info.scalar, to_string(p.info.mode),
       p.nanoseconds, p.error, p.error_eps, escaped(p.worst.input), escaped(p.worst.output), escaped(p.info.leaves_out),
       escaped(p.info.call.empty() ? p.info.source : p.info.call));
@@ -61,11 +66,10 @@ std::string table_of(const Task& task, const std::vector<Point>& points) {
   }
   return fmt::format(
       "<details><summary>All {} measurements</summary><p><small>Bold: on the front of its degree and mode. eps: "
-      "largest error in machine epsilon \u00d7 {}.</small></p><div "
-      "class=\"table\"><table><tr><th>degree</th><th>method</th><th>type</th><th>mode</th><th>ns</th><th>error</"
-      "th><th>eps</th><th>worst input and output</th><th>leaves "
-      "out</th><th>call</th></tr>\n{}</table></div></details>\n",
-      count, escaped(unit), rows);
+      "largest error in machine epsilon \u00d7 {}.</small></p>{}</details>\n",
+      count, escaped(unit),
+      table({"degree", "method", "type", "mode", "ns", "error", "eps", "worst input and output", "leaves out", "call"},
+            rows));
 }
 
 std::string legend_of(const std::vector<output::ChartSeries>& all) {
@@ -95,13 +99,13 @@ std::string convergence_section(const std::vector<ConvergenceSeries>& convergenc
     }
   }
   return "<section id=\"convergence\"><h2>Projection by quadrature</h2>\n<p>The coefficients of a function up to "
-         "degree 5 from samples of it. Error: the largest of a coefficient, relative to the length of all (root mean "
-         "square over seeds for random rules). Time: making the nodes, evaluating the function, summing.</p>\n<ul>" +
+         "degree 5, from samples of the function. Error: the largest error of a coefficient, relative to the length of "
+         "all coefficients (root mean square over seeds for random rules). Time: making the nodes, evaluating the "
+         "function, summing.</p>\n<ul>" +
          functions + "</ul>\n" + html_of(convergence_figure(convergence)) +
-         "<details><summary>All measurements</summary><div "
-         "class=\"table\"><table><tr><th>function</th><th>rule</th><th>samples</th><th>error, rms</th><th>error, "
-         "largest</th><th>\u00b5s</th></tr>\n" +
-         rows + "</table></div></details></section>\n";
+         "<details><summary>All measurements</summary>" +
+         table({"function", "rule", "samples", "error, rms", "error, largest", "\u00b5s"}, rows) +
+         "</details></section>\n";
 }
 
 std::string claims_section(const std::vector<SourceClaim>& claims) {
@@ -113,10 +117,8 @@ std::string claims_section(const std::vector<SourceClaim>& claims) {
         escaped(c.claim), escaped(c.source + ", " + c.id), escaped(c.printed), escaped(c.unit), c.measured,
         escaped(c.unit), c.reproduced ? "yes" : "<b>no</b>", escaped(c.how));
   }
-  return "<section id=\"claims\"><h2>What the sources claim, measured again</h2>\n<div "
-         "class=\"table\"><table><tr><th>claim</th><th>printed</th><th>measured</th><th>reproduced</th><th>how</th></"
-         "tr>\n" +
-         rows + "</table></div></section>\n";
+  return "<section id=\"claims\"><h2>Claims of the sources, measured again</h2>\n" +
+         table({"claim", "printed", "measured", "reproduced", "how"}, rows) + "</section>\n";
 }
 
 std::string section_of(const Task& task, const std::vector<Point>& points) {
@@ -137,13 +139,15 @@ std::string head(const Report& report) {
 }
 
 constexpr const char* kHowToRead =
-    "<p>Each mark is a method in one type, \u25cf filled for float and \u25cb hollow for double. To the left is "
-    "faster, below is more exact. The solid line is the front of single calls, the dashed one that of batches: nothing "
-    "is both faster and more exact than what lies on it. Rest on a mark to see its worst input and what it leaves "
-    "out.</p>\n<p>An error is the largest over all inputs tried (random, axes, poles, beside them; all angles), "
-    "against an oracle of other algorithms in higher precision, at the input as rounded to the type. A time is the "
-    "least of several passes, calls through a pointer (about 1 ns of each), without contraction; it drifts between "
-    "machines and runs, ratios hardly do.</p></header>\n";
+    "<p>Each mark is a method in one type, \u25cf filled for float and \u25cb hollow for double. Marks to the left are "
+    "faster, marks below are more exact. The solid line is the front of single calls, the dashed line the front of "
+    "batches: no method is both faster and more exact than a mark on its front. Rest the pointer on a mark to see its "
+    "worst input and what it leaves out.</p>\n<p>The error of a method is the largest over all inputs (random ones, "
+    "axes, "
+    "poles, places beside them, all angles), against an oracle of other algorithms in higher precision, at the input "
+    "rounded to the type. The time is the least of several passes. Calls go through a pointer (about 1 ns each); the "
+    "compiler does not contract operations. Times differ between machines and runs, ratios of times hardly do.</p>"
+    "</header>\n";
 
 }  // namespace
 
@@ -151,7 +155,7 @@ std::string report_page(const Report& report) {
   std::string page = head(report) + kHowToRead + "<nav>";
   for (const auto& task : report.tasks) page += fmt::format("<a href=\"#{}\">{}</a>", task.id, escaped(task.title));
   if (!report.convergence.empty()) page += "<a href=\"#convergence\">Projection by quadrature</a>";
-  if (!report.claims.empty()) page += "<a href=\"#claims\">What the sources claim</a>";
+  if (!report.claims.empty()) page += "<a href=\"#claims\">Claims of the sources</a>";
   page += "</nav>\n<main>\n";
   for (const auto& task : report.tasks) page += section_of(task, report.points);
   if (!report.convergence.empty()) page += convergence_section(report.convergence);

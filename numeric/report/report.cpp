@@ -49,7 +49,7 @@ void run_experiments(Report& report) {
   output::Progress convergence("projecting by quadrature", test_functions().size() * sphere_rules().size());
   report.convergence = projection_convergence(report.quick, [&] { convergence.advance(); });
   convergence.finish();
-  output::Progress claims("measuring what the sources claim", 4);
+  output::Progress claims("measuring claims of the sources", 4);
   report.claims = source_claims(report.quick, [&] { claims.advance(); });
   claims.finish();
 }

@@ -34,7 +34,7 @@ const std::vector<Task>& all_tasks() {
       {"irradiance", "Irradiance", "Coefficients of the light and a normal to the irradiance there.",
        "the irradiance, for coefficients of length 1", std::vector{2, 4}, std::vector{1, 2, 3, 4, 6, 8, 10}},
       {"legendre", "Legendre functions of high degree",
-       "A colatitude to all normalised P_lm, 0 \u2264 m \u2264 l \u2264 degree.",
+       "A colatitude to all normalized P_lm, 0 \u2264 m \u2264 l \u2264 degree.",
        "a value; the largest of all is about sqrt(degree / 6)", std::vector{10, 100, 300},
        std::vector{10, 30, 100, 300, 1000}},
   };
