@@ -4,7 +4,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <chrono>
 #include <iomanip>
 #include <iostream>
 #include <map>
@@ -16,6 +15,7 @@
 
 #include "codegen/commands/commands.hpp"
 #include "numeric/output/atomic_file.hpp"
+#include "numeric/output/stopwatch.hpp"
 #include "symbolic/errata/decide.hpp"
 
 namespace sh::codegen {
@@ -165,12 +165,12 @@ bool errata(const std::vector<Source>& sources, const ErrataOptions& options, st
     out << std::exchange(gap, "\n") << source.prefix << ": " << source.name << "\n\n";
     Json entries = Json::array();
     for (const Entry& entry : source.entries) {
-      const auto start = std::chrono::steady_clock::now();
+      const output::Stopwatch stopwatch;
       const Decision decision = symbolic::errata::decide(entry);
-      const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+      const double seconds = stopwatch.seconds();
       print_entry(out, entry, decision);
-      entries.push_back(as_json(entry, decision, time.count()));
-      total += time.count();
+      entries.push_back(as_json(entry, decision, seconds));
+      total += seconds;
       ++counts[decision.verdict];
       if (!decision.contradiction.empty()) contradictions.push_back(decision.contradiction);
     }

@@ -5,7 +5,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <chrono>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -16,6 +15,7 @@
 
 #include "codegen/commands/commands.hpp"
 #include "numeric/output/atomic_file.hpp"
+#include "numeric/output/stopwatch.hpp"
 #include "symbolic/basis/basis.hpp"
 #include "symbolic/number/derivation.hpp"
 #include "symbolic/number/find_named.hpp"
@@ -48,10 +48,9 @@ std::vector<Proof> chosen_proofs(const std::vector<std::string>& only) {
 }
 
 Outcome run(const Proof& proof, int degree) {
-  const auto start = std::chrono::steady_clock::now();
+  const output::Stopwatch stopwatch;
   symbolic::ProofResult result = symbolic::run_proof(proof, degree);
-  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
-  return {degree, time.count(), std::move(result)};
+  return {degree, stopwatch.seconds(), std::move(result)};
 }
 
 const char* verdict(const Outcome& outcome) { return outcome.result.proved ? "proved" : "REFUTED"; }

@@ -3,7 +3,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <chrono>
 #include <iostream>
 #include <limits>
 #include <memory>
@@ -16,6 +15,7 @@
 #include "codegen/choose/wisdom.hpp"
 #include "codegen/commands/commands.hpp"
 #include "numeric/output/atomic_file.hpp"
+#include "numeric/output/stopwatch.hpp"
 
 namespace sh::codegen {
 namespace {
@@ -76,7 +76,7 @@ std::vector<Timing> checked_times(const Task& task, const std::vector<Recipe>& r
 // chosen recipe is at most 10 % slower than the fastest. Throws std::invalid_argument for an unknown family or for a
 // degree that the family does not have.
 bool tune(const TuneOptions& options, std::ostream& out, std::ostream& progress) {
-  const auto start = std::chrono::steady_clock::now();
+  const output::Stopwatch stopwatch;
   const std::vector<Task> tasks = tasks_of(options);
   const std::filesystem::path file = options.file.empty() ? wisdom_file() : std::filesystem::path(options.file);
   Wisdom wisdom = Wisdom::read(file);
@@ -97,8 +97,7 @@ bool tune(const TuneOptions& options, std::ostream& out, std::ostream& progress)
     if (timings[0].call > kNoise * least) ++slower;
     if (!options.check) output::write_file(file.string(), wisdom.to_string());  // an interrupted run keeps its results
   }
-  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
-  progress << fmt::format("shgen: {} measured in {:.0f} s", tasks.size(), time.count());
+  progress << fmt::format("shgen: {} measured in {:.0f} s", tasks.size(), stopwatch.seconds());
   progress << (options.check ? fmt::format(", {} chosen recipes are more than 10 % slower than the fastest\n", slower)
                              : fmt::format(", written to {}; `shgen write` uses it\n", file.string()));
   return !options.check || slower == 0;

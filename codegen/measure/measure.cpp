@@ -16,15 +16,8 @@ namespace {
 // More than double needs, even after the cancellation at the largest degree.
 constexpr int kDigits = 40;
 
-template <class T>
-cln::cl_F exact(T value) {
-  // Every float and double is an integer times a power of two.
-  int exponent = 0;
-  const double mantissa = std::frexp(static_cast<double>(value), &exponent);
-  const auto integer = static_cast<long>(std::ldexp(mantissa, std::numeric_limits<double>::digits));
-  return cln::scale_float(cln::cl_float(cln::cl_I(integer), cln::float_format(kDigits)),
-                          exponent - std::numeric_limits<double>::digits);
-}
+// Every float and double is exact in more digits.
+cln::cl_F exact(double value) { return cln::cl_float(value, cln::float_format(kDigits)); }
 
 template <class T>
 void take_largest(Error& error, const cln::cl_F& difference, double size) {
@@ -134,14 +127,14 @@ MeasuredError measure(const Kernel& kernel, const Domain& domain) {
     std::vector<cln::cl_F> exact_input;
     for (const double component : wanted) {
       input.push_back(static_cast<T>(component));
-      exact_input.push_back(exact(input.back()));
+      exact_input.push_back(exact(static_cast<double>(input.back())));
     }
     const std::vector<T> computed = rounded(input);
     const std::vector<cln::cl_F> same_input = formula(exact_input);
     const std::vector<cln::cl_F> in_domain =
         always_in_domain ? same_input : formula(nearest_in_domain(kernel.parameters, exact_input));
     for (std::size_t i = 0; i < computed.size(); ++i) {
-      const cln::cl_F value = exact(computed[i]);
+      const cln::cl_F value = exact(static_cast<double>(computed[i]));
       const auto element = static_cast<std::size_t>(kernel.element(i));
       const double size = size_at(wanted, element);
       take_largest<T>(result.rounding, value - same_input[i], size);
