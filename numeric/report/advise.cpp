@@ -80,14 +80,8 @@ Advice advise(const std::vector<Point>& points, const Need& need) {
 std::vector<Point> measure_for(const Need& need) {
   const auto& task = find_task("--task", need.task);
   require_range("--degree", need.degree, 1, task.full.back());
-  Measurer measurer({.budget = std::chrono::milliseconds(5), .most_inputs = 1200});
-  std::vector<Point> points;
-  for (const auto& method : methods_of(task.id, need.degree)) {
-    output::check_interrupt();
-    points.push_back(measurer.measure(method, task.relative));
-  }
-  mark_front(points);
-  return points;
+  return measure(methods_of(task.id, need.degree), {.budget = std::chrono::milliseconds(5), .most_inputs = 1200},
+                 output::check_interrupt);
 }
 
 std::string format_advice(const Need& need, const Advice& advice) {

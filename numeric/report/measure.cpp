@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <utility>
+
+#include "numeric/report/tasks.hpp"
 
 namespace sh::numeric {
 namespace {
@@ -24,19 +27,20 @@ bool same_front(const MethodInfo& a, const MethodInfo& b) {
   return a.task == b.task && a.degree == b.degree && a.mode == b.mode;
 }
 
-}  // namespace
+// The samples of each check and degree, made once.
+template <class T>
+using Cache = std::map<std::pair<std::string, int>, Samples<T>>;
 
 template <class T>
-const Samples<T>& Measurer::samples_of(const FamilyCheck& check, int degree) {
-  auto& cache = std::get<Cache<T>>(samples_);
+const Samples<T>& samples_of(Cache<T>& cache, const FamilyCheck& check, int degree, const Effort& effort) {
   const auto found = cache.find({check.family, degree});
   if (found != cache.end()) return found->second;
   FamilyCheck tried = check;
   tried.inputs = [&](int /*degree*/) {
     auto all = check.inputs(degree);
-    const std::size_t most = most_inputs(effort_.most_inputs, degree);
+    const std::size_t most = most_inputs(effort.most_inputs, degree);
     const std::size_t step = (all.size() + most - 1) / most;
-    std::vector<NamedInput> some = effort_.search ? found_inputs<T>(check, degree) : std::vector<NamedInput>{};
+    std::vector<NamedInput> some = effort.search ? found_inputs<T>(check, degree) : std::vector<NamedInput>{};
     for (std::size_t i = 0; i < all.size(); i += step) some.push_back(std::move(all[i]));
     return some;  // the last inputs are the random ones, which are timed
   };
@@ -44,26 +48,22 @@ const Samples<T>& Measurer::samples_of(const FamilyCheck& check, int degree) {
 }
 
 template <class T>
-Point Measurer::measure(const Method& method, const Code<T>& code, bool relative) {
-  const int degree = method.info.degree;
-  const Samples<T>& samples = samples_of<T>(method.check, degree);
-  std::vector<T> values(samples.count() * static_cast<std::size_t>(samples.signature.output_count()));
+Point point_of(const Method& method, const Code<T>& code, const Samples<T>& samples, std::chrono::nanoseconds budget) {
+  std::vector<T> values(samples.count() * samples.signature.output_count());
   code.run(samples, values.data());
   const auto errors = errors_of(samples, values, samples.exact);
+  const bool relative = find_task("", method.info.task).relative;
   const auto epsilon = static_cast<double>(std::numeric_limits<T>::epsilon());
   return {.info = method.info,
-          .nanoseconds = code.time(samples, effort_.budget),
+          .nanoseconds = code.time(samples, budget),
           .error = relative ? errors.scaled().max() * epsilon : errors.absolute().max(),
           .error_eps = errors.scaled().max(),
           .unit = method.check.unit,
           .inputs = samples.count(),
-          .worst = worst_case((relative ? errors.scaled() : errors.absolute()).worst(), degree, samples),
-          .on_front = false};
+          .worst = worst_case((relative ? errors.scaled() : errors.absolute()).worst(), method.info.degree, samples)};
 }
 
-Point Measurer::measure(const Method& method, bool relative) {
-  return std::visit([&](const auto& code) { return measure(method, code, relative); }, method.code);
-}
+}  // namespace
 
 std::vector<Method> methods_of(const std::string& task, int degree) {
   std::vector<Method> all;
@@ -74,12 +74,24 @@ std::vector<Method> methods_of(const std::string& task, int degree) {
   return all;
 }
 
-void mark_front(std::vector<Point>& points) {
+std::vector<Point> measure(const std::vector<Method>& methods, const Effort& effort,
+                           const std::function<void()>& step) {
+  std::pair<Cache<float>, Cache<double>> caches;
+  std::vector<Point> points;
+  for (const Method& method : methods) {
+    const auto measured = [&]<class T>(const Code<T>& code) {
+      const auto& samples = samples_of(std::get<Cache<T>>(caches), method.check, method.info.degree, effort);
+      return point_of(method, code, samples, effort.budget);
+    };
+    points.push_back(std::visit(measured, method.code));
+    step();
+  }
   for (auto& point : points) {
     point.on_front = std::isfinite(point.error) && std::none_of(points.begin(), points.end(), [&](const Point& other) {
                        return same_front(point.info, other.info) && dominates(other, point);
                      });
   }
+  return points;
 }
 
 }  // namespace sh::numeric

@@ -2,9 +2,8 @@
 #pragma once
 
 #include <chrono>
-#include <map>
+#include <functional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "numeric/report/method.hpp"
@@ -30,27 +29,8 @@ struct Effort {
   bool search = false;               ///< also the worst inputs of the generated kernels, found by search
 };
 
-/// Keeps the exact values of a check for its methods.
-class Measurer {
- public:
-  explicit Measurer(const Effort& effort) : effort_(effort) {}
-  /// relative: see Task.
-  Point measure(const Method& method, bool relative = false);
-
- private:
-  template <class T>
-  Point measure(const Method& method, const Code<T>& code, bool relative);
-  template <class T>
-  const Samples<T>& samples_of(const FamilyCheck& check, int degree);
-
-  template <class T>
-  using Cache = std::map<std::pair<std::string, int>, Samples<T>>;
-  Effort effort_;
-  std::pair<Cache<float>, Cache<double>> samples_;
-};
-
-/// Sets on_front: the error is finite, and no point of the same task, degree and mode is at least as fast and as exact,
-/// and better in one.
-void mark_front(std::vector<Point>& points);
+/// Measures the methods and marks the fronts: a point is on the front of its task, degree and mode if its error is finite
+/// and no other point is at least as fast and as exact, and better in one. Calls `step` after each method.
+std::vector<Point> measure(const std::vector<Method>& methods, const Effort& effort, const std::function<void()>& step);
 
 }  // namespace sh::numeric

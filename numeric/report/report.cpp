@@ -35,14 +35,10 @@ void measure_methods(Report& report) {
     }
   }
   output::Progress progress("measuring methods", methods.size());
-  Measurer measurer(report.quick ? Effort{.budget = std::chrono::milliseconds(3), .most_inputs = 1200}
-                                 : Effort{.budget = std::chrono::milliseconds(60), .search = true});
-  for (const auto& method : methods) {
-    report.points.push_back(measurer.measure(method, find_task("", method.info.task).relative));
-    progress.advance();
-  }
+  const Effort effort = report.quick ? Effort{.budget = std::chrono::milliseconds(3), .most_inputs = 1200}
+                                     : Effort{.budget = std::chrono::milliseconds(60), .search = true};
+  report.points = measure(methods, effort, [&] { progress.advance(); });
   progress.finish();
-  mark_front(report.points);
 }
 
 void run_experiments(Report& report) {
