@@ -31,7 +31,7 @@ id::Convention as_numeric(const symbolic::Convention& c) {
 long double evaluate(const symbolic::Polynomial& p, const Direction& d) {
   long double sum = 0;
   for (const auto& [monomial, coefficient] : p.terms()) {
-    long double term = cln::double_approx(coefficient);
+    auto term = static_cast<long double>(cln::double_approx(coefficient));
     for (int i = 0; i < 3; ++i) {
       term *= std::pow(static_cast<long double>(d[i]), monomial.exponent(i));
     }

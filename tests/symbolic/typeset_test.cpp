@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>
@@ -70,7 +71,8 @@ TEST(Typeset, DerivativesMatchDifferencesOfTheOracle) {
   const std::string names = "xyz";
   constexpr long double kStep = 1e-4L;
   const auto at = [](const std::array<double, 3>& d, std::size_t a, long double u, std::size_t b, long double v) {
-    std::array<long double, 3> p{d[0], d[1], d[2]};
+    std::array<long double, 3> p;
+    std::ranges::copy(d, p.begin());
     p[a] += u;
     p[b] += v;
     std::vector<long double> out(16);
