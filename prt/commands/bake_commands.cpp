@@ -81,7 +81,7 @@ void SceneOptions::apply_to(Scene& loaded) const {
   PlanOptions& made = loaded.plan;
   made.mode = value_called<PlanMode>(plan, kPlanModeNames).value_or(error ? PlanMode::kLossy : made.mode);
   made.error = error.value_or(made.error);
-  made.turns = turns_called(turns).value_or(made.turns);
+  made.turns = value_called<LightTurns>(turns, kLightTurnsNames).value_or(made.turns);
   made.without.insert(made.without.end(), without.begin(), without.end());
 }
 

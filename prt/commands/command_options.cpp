@@ -87,15 +87,9 @@ LightCoefficients project_windowed(const std::vector<Light>& lights, int degree,
 
 std::vector<LightSpec> named_lights(const std::string& name, const std::string& mapping) {
   if (std::filesystem::path(name).extension() == ".json") return lights_of_file(name);
-  LightSpec spec;
-  if (name == "constant") {
-    spec.type = LightType::kConstant;
-  } else if (name != "overcast") {
-    spec.type = LightType::kEnvironment;
-    spec.file = name;
-    spec.mapping = numeric::mapping_named(mapping).value();
-  }
-  return {spec};
+  if (name == "constant") return {{.type = LightType::kConstant}};
+  if (name == "overcast") return {{.type = LightType::kCieOvercast}};
+  return {{.type = LightType::kEnvironment, .file = name, .mapping = numeric::mapping_named(mapping).value()}};
 }
 
 void add_mapping_to(CLI::App& command, std::string& mapping) {

@@ -72,7 +72,7 @@ Json described(const Deringing& done) {
   Json out = {{"type", done.needed ? word_of(window.type, kWindowNames) : "none"}};
   if (done.needed) out[std::string(number_key(window.type))] = window.size;
   if (window.type == WindowType::kSinc) out["power"] = window.power;
-  out.update({{"keep", done.choice.keep == Keep::kRadiance ? "radiance" : "irradiance"},
+  out.update({{"keep", word_of(done.choice.keep, kKeepNames)},
               {"least_over_peak_before", done.least_before},
               {"least_over_peak", done.least_after},
               {"peak_kept", done.peak_kept},

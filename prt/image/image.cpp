@@ -30,12 +30,6 @@ constexpr std::string_view kExrMagic("\x76\x2f\x31\x01", 4);
 constexpr std::string_view kPngMagic("\x89PNG\r\n\x1a\n", 8);
 constexpr std::string_view kJpegMagic("\xff\xd8\xff", 3);
 
-void refuse_srgb(const std::string& file, ColorSpace space) {
-  if (space == ColorSpace::kSrgb) {
-    throw std::runtime_error(fmt::format("{}: is linear by its format; sRGB is for 8-bit pictures", file));
-  }
-}
-
 /// The linear value of each byte.
 std::array<float, 256> table_for(ColorSpace space) {
   std::array<float, 256> table{};
@@ -103,17 +97,15 @@ Image read_image(const std::string& file, OnFlaw on_flaw, ColorSpace space) {
   const std::string bytes = read_bytes(file);
   if (bytes.starts_with(kPngMagic)) return read_png(file, bytes, space, on_flaw);
   if (bytes.starts_with(kJpegMagic)) return read_jpeg(file, bytes, space);
-  Image image;
-  if (bytes.starts_with(kExrMagic)) {
-    refuse_srgb(file, space);
-    image = read_exr(file, on_flaw);
-  } else if (bytes.starts_with("#?")) {
-    refuse_srgb(file, space);
-    image = read_radiance(file, bytes);
-  } else {
+  const bool is_exr = bytes.starts_with(kExrMagic);
+  if (!is_exr && !bytes.starts_with("#?")) {
     throw std::runtime_error(fmt::format("{}: {} an OpenEXR, Radiance .hdr, PNG or JPEG picture", file,
                                          bytes.empty() ? "is empty, not" : "is not"));
   }
+  if (space == ColorSpace::kSrgb) {
+    throw std::runtime_error(fmt::format("{}: is linear by its format; sRGB is for 8-bit pictures", file));
+  }
+  Image image = is_exr ? read_exr(file, on_flaw) : read_radiance(file, bytes);
   mend_pixels(file, image, on_flaw);
   return image;
 }

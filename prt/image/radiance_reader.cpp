@@ -54,14 +54,6 @@ struct Header {
   double exposure = 1.0;
 };
 
-double positive_number(const Reader& reader, const std::string& text) {
-  const double value = std::strtod(text.c_str(), nullptr);
-  if (!std::isfinite(value) || value <= 0.0) {
-    reader.fail(fmt::format("has the exposure `{}`, which is no positive number", text));
-  }
-  return value;
-}
-
 Header read_header(const std::string& file, Reader& reader) {
   Header header;
   reader.line();  // #?RADIANCE or #?RGBE
@@ -71,7 +63,12 @@ Header read_header(const std::string& file, Reader& reader) {
       rgbe = line == "FORMAT=32-bit_rle_rgbe";
       if (!rgbe) reader.fail(fmt::format("has {}; expected FORMAT=32-bit_rle_rgbe", line));
     } else if (line.starts_with("EXPOSURE=")) {
-      header.exposure *= positive_number(reader, std::string(line.substr(9)));  // several multiply
+      const std::string text(line.substr(9));
+      const double factor = std::strtod(text.c_str(), nullptr);
+      if (!std::isfinite(factor) || factor <= 0.0) {
+        reader.fail(fmt::format("has the exposure `{}`, which is no positive number", text));
+      }
+      header.exposure *= factor;  // several multiply
     }
   }
   if (!rgbe) reader.fail("has no line FORMAT=32-bit_rle_rgbe in its header");

@@ -40,27 +40,13 @@ Eigen::Vector3f reinhard(const Eigen::Vector3f& color) {
   return color / (1.0F + color.dot(Eigen::Vector3f(0.2126F, 0.7152F, 0.0722F)));
 }
 
-namespace {
-
-Eigen::Vector3f mapped(const Eigen::Vector3f& color, ToneCurve curve) {
-  switch (curve) {
-    case ToneCurve::kNeutral:
-      return khronos_pbr_neutral(color);
-    case ToneCurve::kReinhard:
-      return reinhard(color);
-    case ToneCurve::kLinear:
-      return color;
-  }
-  return color;
-}
-
-}  // namespace
-
 std::vector<std::uint8_t> tone_map(std::span<const Eigen::Vector3f> radiance, float exposure, ToneCurve curve) {
   std::vector<std::uint8_t> bytes;
   bytes.reserve(3 * radiance.size());
   for (const Eigen::Vector3f& color : radiance) {
-    const Eigen::Vector3f shown = mapped(exposure * color.cwiseMax(0.0F), curve);
+    Eigen::Vector3f shown = exposure * color.cwiseMax(0.0F);
+    if (curve == ToneCurve::kNeutral) shown = khronos_pbr_neutral(shown);
+    if (curve == ToneCurve::kReinhard) shown = reinhard(shown);
     for (const float channel : shown) {
       bytes.push_back(
           static_cast<std::uint8_t>(std::lround(255.0F * output::srgb_encode(std::clamp(channel, 0.0F, 1.0F)))));

@@ -9,6 +9,7 @@
 #include "numeric/oracle/zonal.hpp"
 #include "prt/light/sphere_extremes.hpp"
 #include "prt/light/window.hpp"
+#include "prt/names.hpp"
 
 namespace sh::prt {
 namespace {
@@ -133,7 +134,7 @@ Deringing apply_window(const WindowChoice& choice, LightCoefficients& light) {
 }
 
 std::string describe(const Deringing& done) {
-  const char* what = done.choice.keep == Keep::kRadiance ? "radiance" : "irradiance";
+  const std::string_view what = word_of(done.choice.keep, kKeepNames);
   if (!done.needed) return fmt::format("no window is needed: the {} is nowhere negative", what);
   return fmt::format(
       "{}window {}: least {} {:.3g} of the peak, {:.3g} without; keeps {:.1f} % of the peak and "

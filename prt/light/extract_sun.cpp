@@ -153,8 +153,6 @@ ExtractedSun cut_off(const Image& image, const Mosaic& mosaic, const Pixels& reg
   return sun;
 }
 
-double half_angle_degrees(double one_minus_cos) { return 360.0 / kPi * std::asin(std::sqrt(0.5 * one_minus_cos)); }
-
 }  // namespace
 
 SunSearch extract_sun(const Image& image, ImageMapping mapping, const SunOptions& options) {
@@ -193,7 +191,7 @@ std::string describe(const ExtractedSun& sun) {
       "sun at elevation {:.2f}, azimuth {:.2f} degrees, half-angle {:.3g} degrees, radiance {:.4g} {:.4g} {:.4g}, "
       "{:.1f} % of the picture's light, {} pixels",
       180.0 / kPi * std::asin(std::clamp(d.z(), -1.0, 1.0)), 180.0 / kPi * std::atan2(d.y(), d.x()),
-      half_angle_degrees(sun.one_minus_cos), sun.radiance.x(), sun.radiance.y(), sun.radiance.z(),
+      360.0 / kPi * std::asin(std::sqrt(0.5 * sun.one_minus_cos)), sun.radiance.x(), sun.radiance.y(), sun.radiance.z(),
       100.0 * sun.energy_share, sun.pixels);
 }
 

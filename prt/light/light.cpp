@@ -15,10 +15,6 @@
 namespace sh::prt {
 namespace {
 
-Light unloaded(const LightSpec& spec) {
-  return {spec, rotation_about(spec.rotation_axis.cast<double>(), static_cast<double>(spec.rotation_degrees)), {}};
-}
-
 /// The sun as a separate light; the environment keeps the rest. Empty if the picture has no sun.
 std::optional<Light> split_sun(Light& environment) {
   SunSearch search = extract_sun(*environment.image, environment.spec.mapping, *environment.spec.extract_sun);
@@ -37,14 +33,13 @@ std::optional<Light> split_sun(Light& environment) {
 }
 
 void load_light(const LightSpec& spec, OnFlaw on_flaw, std::vector<Light>& lights) {
-  Light light = unloaded(spec);
+  const auto degrees = static_cast<double>(spec.rotation_degrees);
+  Light light{spec, rotation_about(spec.rotation_axis.cast<double>(), degrees), {}};
   if (spec.type == LightType::kEnvironment) {
-    auto image = std::make_shared<Image>(read_image(spec.file, on_flaw, spec.color_space));
-    require_shape(spec.file, *image, spec.mapping);
-    light.image = std::move(image);
-    if (spec.extract_sun) {
-      if (std::optional<Light> sun = split_sun(light)) lights.push_back(std::move(*sun));
-    }
+    light.image = std::make_shared<const Image>(read_image(spec.file, on_flaw, spec.color_space));
+    require_shape(spec.file, *light.image, spec.mapping);
+    std::optional<Light> sun = spec.extract_sun ? split_sun(light) : std::nullopt;
+    if (sun) lights.push_back(std::move(*sun));
   }
   lights.push_back(std::move(light));
 }

@@ -40,17 +40,17 @@ struct LightSpec {
   Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();
   double one_minus_cos = 0.0;                      // cap: of its half-angle, so that tiny ones keep their digits
   int sky = 12;                                    // cie_sky: its type in the standard, 1..15
-  std::vector<Eigen::Vector3d> corners;            // polygon: relative to `from`; polygon_flaw() accepts them
-  std::optional<NearSphere> near;                  // cap: set if it is a near sphere
+  std::vector<Eigen::Vector3d> corners = {};       // polygon: relative to `from`; polygon_flaw() accepts them
+  std::optional<NearSphere> near = {};             // cap: set if it is a near sphere
   Eigen::Vector3d from = Eigen::Vector3d::Zero();  // near spheres and polygons: the point that they are seen from
-  std::string file;                                // environment: a picture (prt/image/image.hpp), path resolved
+  std::string file = {};                           // environment: a picture (prt/image/image.hpp), path resolved
   ImageMapping mapping = ImageMapping::kLatLong;   // environment
   ColorSpace color_space = ColorSpace::kOfFile;    // environment: how its values are encoded
   float scale = 1.0F;                              // environment: factor on every pixel, exposure included
-  std::optional<SunOptions> extract_sun;           // environment: its sun becomes a cap of its own
+  std::optional<SunOptions> extract_sun = {};      // environment: its sun becomes a cap of its own
   Eigen::Vector3f rotation_axis = Eigen::Vector3f::UnitZ();
-  float rotation_degrees = 0.0F;       // right-handed about the axis; turns the light, not the mesh
-  std::optional<WindowChoice> window;  // on the coefficients of this light alone
+  float rotation_degrees = 0.0F;            // right-handed about the axis; turns the light, not the mesh
+  std::optional<WindowChoice> window = {};  // on the coefficients of this light alone
 };
 
 /// One light with its picture loaded. `rotation` turns the light: radiance(s) = unturned radiance(rotation^-1 s).

@@ -21,6 +21,25 @@ namespace sh::prt {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
+constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+
+/// The number of a window, its range, and whether it is the degree from which on the factors are 0.
+struct Number {
+  std::string_view key;
+  double least;
+  double most;
+  const char* range;
+  bool is_cut_off = false;
+};
+
+/// In the order of WindowType.
+constexpr Number kNumbers[] = {{"width", 1.0, kNoLimit, "a width of 1 or more", true},
+                               {"width", 1.0, kNoLimit, "a width of 1 or more", true},
+                               {"lambda", 0.0, kNoLimit, "a lambda of 0 or more"},
+                               {"width", 0.0, kNoLimit, "a width of 0 or more"},
+                               {"strength", 0.0, 1.0, "a strength from 0 to 1"}};
+
+const Number& number_of(WindowType type) { return kNumbers[static_cast<int>(type)]; }
 
 /// The kernels multiply; exponents add up.
 template <int Degree>
@@ -82,26 +101,13 @@ std::vector<double> fejer_factors(double strength, int degree) {
   return factors;
 }
 
-bool has_cut_off(WindowType type) { return type == WindowType::kHann || type == WindowType::kSinc; }
-
 }  // namespace
 
-std::string_view number_key(WindowType type) {
-  switch (type) {
-    case WindowType::kLaplacian:
-      return "lambda";
-    case WindowType::kFejer:
-      return "strength";
-    default:
-      return "width";
-  }
-}
+std::string_view number_key(WindowType type) { return number_of(type).key; }
 
 std::string window_flaw(const Window& window) {
-  if (has_cut_off(window.type) && !(window.size >= 1.0)) return "a width of 1 or more";
-  if (window.type == WindowType::kLaplacian && !(window.size >= 0.0)) return "a lambda of 0 or more";
-  if (window.type == WindowType::kGaussian && !(window.size >= 0.0)) return "a width of 0 or more";
-  if (window.type == WindowType::kFejer && !(window.size >= 0.0 && window.size <= 1.0)) return "a strength from 0 to 1";
+  const Number& number = number_of(window.type);
+  if (!(window.size >= number.least && window.size <= number.most)) return number.range;
   return window.type == WindowType::kSinc && (window.power < 1 || window.power > kMaxPower)
              ? fmt::format("a power from 1 to {}", kMaxPower)
              : "";
@@ -119,7 +125,7 @@ std::vector<double> window_factors(const Window& window, int degree) {
   });
   std::vector<double> factors(1, 1.0);
   for (int l = 1; l <= degree; ++l) {
-    const bool beyond = has_cut_off(window.type) && l >= window.size;
+    const bool beyond = number_of(window.type).is_cut_off && l >= window.size;
     factors.push_back(beyond ? 0.0 : ones[coefficient_count(l - 1)]);
   }
   return factors;

@@ -58,6 +58,7 @@ std::string describe(const Window& window);
 
 /// The quantity that must not be negative.
 enum class Keep { kRadiance, kIrradiance };
+inline constexpr std::string_view kKeepNames[] = {"radiance", "irradiance"};
 
 /// The window of a light: a given window, or the least window of its kind.
 struct WindowChoice {

@@ -34,16 +34,9 @@ Camera default_camera(const Mesh& mesh, const PictureSize& size) {
 
 View view_at(Turntable turntable, const Camera& camera, double time) {
   const Eigen::Matrix3d r = rotation_about(Eigen::Vector3d::UnitZ(), 360.0 * time);
-  switch (turntable) {
-    case Turntable::kNone:
-      return {camera};
-    case Turntable::kLight:
-      return {camera, r};
-    case Turntable::kCamera:
-      return {turned(camera, r)};
-    case Turntable::kObject:
-      return {turned(camera, r.transpose()), r.transpose()};
-  }
+  if (turntable == Turntable::kLight) return {camera, r};
+  if (turntable == Turntable::kCamera) return {turned(camera, r)};
+  if (turntable == Turntable::kObject) return {turned(camera, r.transpose()), r.transpose()};
   return {camera};
 }
 

@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "prt/names.hpp"
+
 namespace sh::prt {
 
 /// Parses a file; throws std::runtime_error with one line if it is missing or not JSON.
@@ -30,6 +32,13 @@ class JsonReader {
   template <class T, class Read, class... Arguments>
   void take(std::string_view key, T& to, const Read& read, const Arguments&... arguments) const {
     if (const auto value = find(key)) to = static_cast<T>(std::invoke(read, *value, arguments...));
+  }
+  /// Replaces `to` by the value whose entry in `words` the key names.
+  template <class Enumeration, class Words>
+  void take_word(std::string_view key, Enumeration& to, const Words& words) const {
+    if (const auto value = find(key)) {
+      to = value_called<Enumeration>(value->one_of({std::begin(words), std::end(words)}), words).value();
+    }
   }
   [[nodiscard]] std::vector<JsonReader> items() const;                            // of an array
   [[nodiscard]] std::vector<JsonReader> items(std::string_view key) const;        // of an array; none without the key

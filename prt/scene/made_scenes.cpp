@@ -35,15 +35,6 @@ Mesh disc_mesh() {
   return weld(soup);
 }
 
-LightSpec side_light() {
-  LightSpec light;
-  light.type = LightType::kCap;
-  light.direction = Eigen::Vector3d(-0.6, -0.4, 0.7).normalized();
-  light.one_minus_cos = 1.0 - std::cos(25.0 * std::numbers::pi / 180.0);
-  light.radiance = Eigen::Vector3f(4.0F, 3.4F, 2.6F);
-  return light;
-}
-
 constexpr float kGap = 0.0005F;  // between a shape and its support, so that no faces coincide
 constexpr float kEdge = 0.09F;
 
@@ -103,7 +94,11 @@ Scene make_disc_scene() {
   scene.name = "disc";
   scene.mesh = disc_mesh();
   add_ground(scene.mesh, {0.0F, 40.0F, 0.07F, {0.58F, 0.57F, 0.54F}});
-  scene.lights = {LightSpec(), side_light()};  // the first is the CIE overcast sky
+  scene.lights = {{.type = LightType::kCieOvercast},
+                  {.type = LightType::kCap,
+                   .radiance = {4.0F, 3.4F, 2.6F},
+                   .direction = Eigen::Vector3d(-0.6, -0.4, 0.7).normalized(),
+                   .one_minus_cos = 1.0 - std::cos(25.0 * std::numbers::pi / 180.0)}};
   scene.camera = {{2.4F, -5.2F, 2.6F}, {0.0F, 0.0F, 0.2F}, {0.0F, 0.0F, 1.0F}, 34.0F};
   scene.disc = kDisc;
   return scene;

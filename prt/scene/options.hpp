@@ -3,7 +3,6 @@
 #include <array>
 #include <chrono>
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -40,11 +39,6 @@ enum class LightTurns { kNone, kAboutZ, kAny };
 
 inline constexpr std::array<std::string_view, 3> kLightTurnsNames = {"none", "about_z", "any"};
 constexpr std::string_view name_of(LightTurns turns) { return word_of(turns, kLightTurnsNames); }
-
-/// The value with this name; empty if there is none.
-constexpr std::optional<LightTurns> turns_called(std::string_view name) {
-  return value_called<LightTurns>(name, kLightTurnsNames);
-}
 
 inline constexpr std::array<std::string_view, 7> kDecisionNames = {"analytic", "bounces", "channels",  "bands",
                                                                    "symmetry", "storage", "directions"};

@@ -97,11 +97,6 @@ void read_sky(const JsonReader& reader, LightSpec& light) {
   read_radiance(reader, light);
 }
 
-ImageMapping read_mapping(const JsonReader& reader) {
-  const auto& names = numeric::kMappingNames;
-  return numeric::mapping_named(reader.one_of({names.begin(), names.end()})).value();
-}
-
 // `scale` times 2 to the `exposure`.
 float read_factor(const JsonReader& reader) {
   double factor = 1.0;
@@ -128,7 +123,7 @@ std::optional<SunOptions> read_sun_options(const JsonReader& reader) {
 
 void read_environment(const JsonReader& reader, LightSpec& light) {
   light.file = reader.at("file").text();
-  reader.take("mapping", light.mapping, read_mapping);
+  reader.take_word("mapping", light.mapping, numeric::kMappingNames);
   reader.take("color_space", light.color_space, [](const JsonReader& value) {
     return value.one_of({"linear", "srgb"}) == "srgb" ? ColorSpace::kSrgb : ColorSpace::kLinear;
   });
@@ -187,9 +182,7 @@ WindowChoice read_window(const JsonReader& reader) {
     choice.window.size = number->number(0.0, std::numeric_limits<double>::max(), "a number of 0 or more");
     if (const std::string flaw = window_flaw(choice.window); !flaw.empty()) number->expected(flaw);
   }
-  reader.take("keep", choice.keep, [](const JsonReader& value) {
-    return value.one_of({"radiance", "irradiance"}) == "radiance" ? Keep::kRadiance : Keep::kIrradiance;
-  });
+  reader.take_word("keep", choice.keep, kKeepNames);
   return choice;
 }
 

@@ -61,9 +61,7 @@ BakeOptions read_bake_options(const JsonReader& reader) {
   BakeOptions options;
   reader.take("degree", options.degree, &JsonReader::integer, 0, kMaxDegree);
   reader.take("directions", options.directions, &JsonReader::integer, 1, kMaxDirections);
-  reader.take("sampler", options.sampler, [](const JsonReader& value) {
-    return *sampler_called(value.one_of({kSamplerNames.begin(), kSamplerNames.end()}));
-  });
+  reader.take_word("sampler", options.sampler, kSamplerNames);
   reader.take("seed", options.seed, &JsonReader::integer, 0, kMaxSeed);
   reader.take("tolerance", options.bounces.tolerance, &JsonReader::number, 1e-9, 1.0, "a number from 1e-9 to 1");
   reader.take("transfer", options.kind,
@@ -76,9 +74,7 @@ PlanOptions read_plan_options(const JsonReader& reader) {
   PlanOptions options;
   options.mode = PlanMode::kLossy;
   reader.take("error", options.error, &JsonReader::number, 1e-9, 1.0, "a number from 1e-9 to 1");
-  reader.take("light_turns", options.turns, [](const JsonReader& value) {
-    return *turns_called(value.one_of({kLightTurnsNames.begin(), kLightTurnsNames.end()}));
-  });
+  reader.take_word("light_turns", options.turns, kLightTurnsNames);
   for (const JsonReader& name : reader.items("without")) {
     options.without.push_back(name.one_of({kDecisionNames.begin(), kDecisionNames.end()}));
   }

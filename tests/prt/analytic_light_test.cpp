@@ -45,10 +45,7 @@ Coefficients by_quadrature(const Function& f, int degree, int rings, double low)
 Light light_of(const LightSpec& spec) { return load_lights({spec}, OnFlaw::kRefuse).front(); }
 
 TEST(DirectionalLight, GivesTheIrradianceOfItsNameToASurfaceThatFacesIt) {
-  LightSpec spec;
-  spec.type = LightType::kDirectional;
-  spec.direction = kSlanted;
-  spec.radiance = {1.0F, 2.0F, 4.0F};
+  const LightSpec spec{.type = LightType::kDirectional, .radiance = {1.0F, 2.0F, 4.0F}, .direction = kSlanted};
   const LightCoefficients light = project({light_of(spec)}, kMaxDegree);
   // sum over m of Y_lm(d)^2 = (2l+1) / 4 pi: towards itself a point of weight E is E bands^2 / 4 pi
   const Eigen::Vector3d peak = radiance(light, kSlanted);
@@ -87,10 +84,7 @@ TEST(CapLight, OfASphereIsTheConeThatTouchesIt) {
 }
 
 TEST(CapLight, IsWhatItsRadianceIntegratesTo) {
-  LightSpec spec;
-  spec.type = LightType::kCap;
-  spec.direction = kSlanted;
-  spec.one_minus_cos = numeric::one_minus_cos(0.7);
+  const LightSpec spec{.type = LightType::kCap, .direction = kSlanted, .one_minus_cos = numeric::one_minus_cos(0.7)};
   const Light light = light_of(spec);
   const auto value = [&](const Eigen::Vector3d& d) {
     return static_cast<double>(radiance(std::vector<Light>{light}, d).x());
@@ -236,16 +230,9 @@ TEST(CieSky, WithTheSunAnywhereIsWhatItsRadianceIntegratesTo) {
 }
 
 TEST(Lights, OfEveryKindTurnAsTheirRadianceDoesAndAddUp) {
-  LightSpec sky;
-  sky.type = LightType::kCieSky;
-  sky.direction = sun_at(30.0, 40.0);
-  LightSpec cap;
-  cap.type = LightType::kCap;
-  cap.direction = kSlanted;
-  cap.one_minus_cos = 0.3;
-  LightSpec polygon;
-  polygon.type = LightType::kPolygon;
-  polygon.corners = octant(1, 1, -1);
+  const LightSpec sky{.type = LightType::kCieSky, .direction = sun_at(30.0, 40.0)};
+  const LightSpec cap{.type = LightType::kCap, .direction = kSlanted, .one_minus_cos = 0.3};
+  const LightSpec polygon{.type = LightType::kPolygon, .corners = octant(1, 1, -1)};
   const Eigen::Matrix3d r = rotation_about(Eigen::Vector3d(0.3, -1.0, 0.7), 111.0);
   LightSpec moved_cap = cap;
   moved_cap.direction = r * cap.direction;

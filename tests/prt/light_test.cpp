@@ -26,11 +26,7 @@ Eigen::Vector3d lat_long_direction(double column, double row, int width, int hei
 }
 
 LightSpec environment(const std::string& file, float scale = 1.0F) {
-  LightSpec spec;
-  spec.type = LightType::kEnvironment;
-  spec.file = file;
-  spec.scale = scale;
-  return spec;
+  return {.type = LightType::kEnvironment, .file = file, .scale = scale};
 }
 
 TEST(LatLong, SolidAnglesSumToTheSphere) {
@@ -87,9 +83,7 @@ TEST(LatLong, OtherShapesAreRefused) {
 }
 
 TEST(Light, OvercastSkyHasThreeTimesTheHorizonsRadianceAtTheZenithAndNoneBelow) {
-  LightSpec spec;
-  spec.type = LightType::kCieOvercast;
-  spec.radiance = {3.0F, 6.0F, 9.0F};
+  const LightSpec spec{.type = LightType::kCieOvercast, .radiance = {3.0F, 6.0F, 9.0F}};
   const std::vector<Light> lights = load_lights({spec}, OnFlaw::kRefuse);
   EXPECT_LT((radiance(lights, Eigen::Vector3d::UnitZ()) - spec.radiance).norm(), 1e-6F);
   EXPECT_LT((radiance(lights, Eigen::Vector3d(1.0, 0.0, 1e-9).normalized()) - spec.radiance / 3.0F).norm(), 1e-6F);
@@ -100,9 +94,7 @@ TEST(Light, LightsAddUpAndScaleAndTurn) {
   const TemporaryFolder folder;
   const Image image = pattern_image(64, 32);
   write_exr(folder.file("a.exr"), image);
-  LightSpec constant;
-  constant.type = LightType::kConstant;
-  constant.radiance = {0.5F, 0.25F, 0.125F};
+  const LightSpec constant{.type = LightType::kConstant, .radiance = {0.5F, 0.25F, 0.125F}};
   LightSpec picture = environment(folder.file("a.exr"), 2.0F);
   picture.rotation_axis = {0.0F, 0.0F, 3.0F};  // not unit
   picture.rotation_degrees = 90.0F;

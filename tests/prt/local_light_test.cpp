@@ -36,16 +36,13 @@ Transfer plane() {
 }
 
 /// A sphere of radius 0.3 over a point, and a constant light.
-std::vector<Light> near_lights(const Eigen::Vector3d& centre) {
-  LightSpec sphere;
-  sphere.type = LightType::kCap;
-  sphere.near = NearSphere{centre, 0.3};
-  sphere.direction = centre.normalized();
-  sphere.one_minus_cos = sphere_one_minus_cos(0.3, centre.norm());
-  sphere.radiance = Eigen::Vector3f(30.0F, 20.0F, 10.0F);
-  LightSpec constant;
-  constant.type = LightType::kConstant;
-  constant.radiance = Eigen::Vector3f(0.1F, 0.1F, 0.1F);
+std::vector<Light> near_lights(const Eigen::Vector3d& center) {
+  const LightSpec sphere{.type = LightType::kCap,
+                         .radiance = {30.0F, 20.0F, 10.0F},
+                         .direction = center.normalized(),
+                         .one_minus_cos = sphere_one_minus_cos(0.3, center.norm()),
+                         .near = NearSphere{center, 0.3}};
+  const LightSpec constant{.type = LightType::kConstant, .radiance = {0.1F, 0.1F, 0.1F}};
   return load_lights({sphere, constant}, OnFlaw::kRefuse);
 }
 
@@ -132,9 +129,7 @@ TEST(LocalLight, AVertexOnASamplePointTakesThatAlone) {
 
 TEST(LocalLight, FarLightsAreTheSameFromEverywhere) {
   const Transfer transfer = plane();
-  LightSpec sky;
-  sky.type = LightType::kCieOvercast;
-  const std::vector<Light> lights = load_lights({sky}, OnFlaw::kRefuse);
+  const std::vector<Light> lights = load_lights({{.type = LightType::kCieOvercast}}, OnFlaw::kRefuse);
   EXPECT_FALSE(varies(lights));
   const auto everywhere = relit(transfer, lights, samples_by_distance(transfer.mesh.positions, 9));
   EXPECT_LT(error(everywhere, relight(transfer, project(lights, transfer.degree()))), 1e-6);
@@ -159,10 +154,9 @@ TEST(LocalLight, TheErrorFallsWithTheNumberOfSamples) {
 }
 
 TEST(LocalLight, APolygonFromBehindGivesNothing) {
-  LightSpec polygon;
-  polygon.type = LightType::kPolygon;
-  polygon.corners = {{-1.0, -1.0, 2.0}, {-1.0, 1.0, 2.0}, {1.0, 1.0, 2.0}, {1.0, -1.0, 2.0}};
-  if (!polygon_flaw(polygon.corners).empty()) std::reverse(polygon.corners.begin(), polygon.corners.end());
+  const LightSpec polygon{.type = LightType::kPolygon,
+                          .corners = {{-1.0, -1.0, 2.0}, {-1.0, 1.0, 2.0}, {1.0, 1.0, 2.0}, {1.0, -1.0, 2.0}}};
+  ASSERT_EQ(polygon_flaw(polygon.corners), "");
   const std::vector<Light> lights = load_lights({polygon}, OnFlaw::kRefuse);
   EXPECT_EQ(seen_from(lights, {0.0, 0.0, 1.0}).size(), 1U);
   EXPECT_GT(project_at(lights, {{0.0, 0.0, 1.0}}, 2)[0].at(0, 0), project(lights, 2).at(0, 0));  // nearer

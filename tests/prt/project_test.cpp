@@ -83,9 +83,7 @@ TEST(Project, ConstantPictureHasBandZeroOnly) {
 }
 
 TEST(Project, ConstantLightHasBandZeroOnly) {
-  LightSpec spec;
-  spec.type = LightType::kConstant;
-  spec.radiance = {1.0F, 2.0F, 4.0F};
+  const LightSpec spec{.type = LightType::kConstant, .radiance = {1.0F, 2.0F, 4.0F}};
   const LightCoefficients light = project(load_lights({spec}, OnFlaw::kRefuse), 3);
   for (std::size_t c = 0; c < 3; ++c) {
     EXPECT_DOUBLE_EQ(light.at(c, 0), std::sqrt(4.0 * kPi) * std::pow(2.0, static_cast<double>(c)));
@@ -114,9 +112,7 @@ TEST(Project, EveryPixelIsAPatchOfConstantRadiance) {
 }
 
 TEST(Project, OvercastSkyMatchesItsClosedForm) {
-  LightSpec spec;
-  spec.type = LightType::kCieOvercast;
-  spec.radiance = {1.0F, 2.0F, 3.0F};
+  const LightSpec spec{.type = LightType::kCieOvercast, .radiance = {1.0F, 2.0F, 3.0F}};
   const LightCoefficients light = project(load_lights({spec}, OnFlaw::kRefuse), 4);
   // integral over 0 <= z <= 1 of (1 + 2z) P_l(z): 2, 7/6, 1/4, -1/8, -1/24
   const double polar[] = {2.0, 7.0 / 6.0, 0.25, -0.125, -1.0 / 24.0};
