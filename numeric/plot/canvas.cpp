@@ -92,10 +92,6 @@ class SvgCanvas : public Canvas {
 
 }  // namespace
 
-std::unique_ptr<Canvas> svg_canvas(double width, double height, int size, const std::string& title) {
-  return std::make_unique<SvgCanvas>(width, height, size, title);
-}
-
 Format format_of(const std::string& file) {
   if (file.ends_with(".svg")) return Format::kSvg;
   if (file.ends_with(".png")) return Format::kPng;
@@ -103,8 +99,8 @@ Format format_of(const std::string& file) {
 }
 
 std::unique_ptr<Canvas> canvas_for(const Figure& figure, double width, double height) {
-  return figure.format == Format::kSvg ? svg_canvas(width, height, figure.size, figure.title)
-                                       : png_canvas(width, height, figure.size);
+  if (figure.format == Format::kPng) return png_canvas(width, height, figure.size);
+  return std::make_unique<SvgCanvas>(width, height, figure.size, figure.title);
 }
 
 PixelBox Canvas::pixels(const Box& box) const {

@@ -33,7 +33,7 @@ struct Raster {
   int width = 0, height = 0;
   std::vector<std::uint8_t> rgb;
 
-  Raster(int w, int h) : width(w), height(h), rgb(3 * static_cast<std::size_t>(w) * static_cast<std::size_t>(h), 255) {}
+  Raster(int w, int h) : width(w), height(h), rgb(std::size_t{3} * w * h, 255) {}
   [[nodiscard]] Color at(int column, int row) const {
     const auto* p = rgb.data() + place(column, row);
     return {p[0], p[1], p[2]};
@@ -46,9 +46,7 @@ struct Raster {
   }
 
  private:
-  [[nodiscard]] std::size_t place(int column, int row) const {
-    return 3 * (static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column));
-  }
+  [[nodiscard]] std::size_t place(int column, int row) const { return std::size_t{3} * (row * width + column); }
 };
 
 /// Pixels of the finished picture, the whole ones that a box covers.
@@ -86,7 +84,6 @@ class Canvas {
 };
 
 /// A white canvas of width x height units, `size` pixels wide.
-std::unique_ptr<Canvas> svg_canvas(double width, double height, int size, const std::string& title);
 std::unique_ptr<Canvas> png_canvas(double width, double height, int size);
 
 enum class Format { kSvg, kPng };
@@ -103,6 +100,7 @@ struct Figure {
 constexpr int kSmallestSize = 16;
 constexpr int kLargestSize = 8192;
 
+/// A white canvas of width x height units for the figure.
 std::unique_ptr<Canvas> canvas_for(const Figure& figure, double width, double height);
 
 /// Sizes of letters, in units.
