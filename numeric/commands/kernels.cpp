@@ -9,7 +9,6 @@
 #include "numeric/kernels/exhaustive.hpp"
 #include "numeric/kernels/kernel_check.hpp"
 #include "numeric/kernels/kernel_limits.hpp"
-#include "numeric/kernels/kernel_report.hpp"
 #include "numeric/kernels/kernel_search.hpp"
 #include "numeric/output/atomic_file.hpp"
 

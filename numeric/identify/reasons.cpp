@@ -1,7 +1,6 @@
 // Why a coefficient differs from the value that a convention expects, in words; see identify.hpp.
 #include <Eigen/QR>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <numeric>

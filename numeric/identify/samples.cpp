@@ -1,12 +1,10 @@
-// See samples.hpp.
-#include "numeric/identify/samples.hpp"
-
+// Reads directions and values from a table; see identify.hpp.
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
-#include "numeric/identify/convention.hpp"
+#include "numeric/identify/identify.hpp"
 #include "numeric/oracle/basis.hpp"
 #include "numeric/output/formatted.hpp"
 #include "numeric/sampling/directions.hpp"

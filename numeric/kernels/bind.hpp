@@ -1,10 +1,9 @@
 // The generated C++ kernels as data: by name a function to call on float, double and Wide, and its arguments.
 //
 // The list is made by kernel_bindings.cmake from the files in generated/cpp: one row a kernel, two source files a
-// family. Only shcheck and the tests include this: numeric's library knows nothing of the generated code.
+// group of families. Only shcheck and the tests include this: numeric's library knows nothing of the generated code.
 #pragma once
 
-#include <cstddef>
 #include <string>
 #include <type_traits>
 #include <utility>

@@ -1,4 +1,4 @@
-// A function of one float beside itself in double, at every float of a range, on SIMD lanes.
+// Compares a function of one float with the same in double, at every float of a range, on SIMD lanes.
 #pragma once
 
 #include <algorithm>

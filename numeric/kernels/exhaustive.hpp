@@ -5,7 +5,6 @@
 // the formula itself. Where the size is below 2^-100, digits are lost to underflow: these errors do not count.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>

@@ -5,7 +5,6 @@
 // order of signature.hpp. A family's variants (basis_accurate of basis) share its check.
 #pragma once
 
-#include <cstddef>
 #include <functional>
 #include <string>
 #include <vector>

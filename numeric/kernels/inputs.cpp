@@ -3,7 +3,6 @@
 #include "numeric/kernels/inputs.hpp"
 
 #include <algorithm>
-#include <array>
 #include <numbers>
 #include <string>
 #include <utility>

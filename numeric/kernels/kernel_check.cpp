@@ -13,7 +13,6 @@
 
 #include "numeric/glsl/glsl_runner.hpp"
 #include "numeric/kernels/flat_call.hpp"
-#include "numeric/kernels/samples.hpp"
 #include "numeric/kernels/timing.hpp"
 #include "numeric/oracle/basis.hpp"
 #include "numeric/output/formatted.hpp"
@@ -50,11 +49,7 @@ KernelResult measure(const BoundKernel& kernel, const std::string& unit, const s
                       .inputs = samples.count(),
                       .operations = count_operations(kernel, samples.signature),
                       .rounding = errors_of(samples, values, own, smallest_size),
-                      .total = errors_of(samples, values, samples.exact, smallest_size),
-                      .worst_rounding = {},
-                      .worst_total = {},
-                      .nanoseconds = {},
-                      .bits = {}};
+                      .total = errors_of(samples, values, samples.exact, smallest_size)};
   result.worst_rounding = worst_case(result.rounding.scaled().worst(), kernel.degree, samples);
   result.worst_total = worst_case(result.total.scaled().worst(), kernel.degree, samples);
   return result;

@@ -5,7 +5,6 @@
 // kernel_limits.hpp.
 #pragma once
 
-#include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -44,11 +43,11 @@ struct KernelResult {
   Operations operations;
   ErrorStats rounding;  // against the kernel's own formula at the rounded input
   ErrorStats total;     // against the true function at the point of the domain that the rounded input stands for
-  WorstCase worst_rounding;
-  WorstCase worst_total;
-  std::optional<double> nanoseconds;   // a call; informative, C++ only
-  std::optional<BitComparison> bits;   // GLSL only
-  std::size_t different_in_place = 0;  // outputs that change when an input array is overwritten; C++ only
+  WorstCase worst_rounding = {};
+  WorstCase worst_total = {};
+  std::optional<double> nanoseconds = {};  // a call; informative, C++ only
+  std::optional<BitComparison> bits = {};  // GLSL only
+  std::size_t different_in_place = 0;      // outputs that change when an input array is overwritten; C++ only
 };
 
 struct CheckOptions {
@@ -71,5 +70,15 @@ std::vector<KernelResult> check_kernel(const BoundKernel& kernel, const std::fil
 /// other inputs.
 template <class T>
 KernelResult kernel_errors(const BoundKernel& kernel, const FamilyCheck& check);
+
+/// One line a kernel below a header: operations, errors in C++, agreement of GLSL, times, worst input. Ends with a line
+/// feed. Results of one kernel have to follow each other, C++ float first, as check_kernels gives them.
+std::string format_summary(const std::vector<KernelResult>& results);
+
+/// One line a kernel, language and scalar below a header.
+std::string format_details(const std::vector<KernelResult>& results);
+
+/// The details with every measure in full, its limits, the convention and the failures.
+std::string format_json(const std::vector<KernelResult>& results, const std::vector<std::string>& failures);
 
 }  // namespace sh::numeric

@@ -1,6 +1,4 @@
-// See kernel_report.hpp.
-#include "numeric/kernels/kernel_report.hpp"
-
+// The results of kernel_check.hpp as tables for people and as JSON for programs.
 #include <cmath>
 #include <nlohmann/json.hpp>
 

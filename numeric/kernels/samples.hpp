@@ -8,7 +8,6 @@
 // domain, x = x', the two errors are one.
 #pragma once
 
-#include <cstddef>
 #include <limits>
 #include <string>
 #include <vector>

@@ -15,7 +15,6 @@
 // X is a parameter by name, or all parameters of a role.
 #pragma once
 
-#include <cstddef>
 #include <functional>
 #include <string>
 #include <vector>

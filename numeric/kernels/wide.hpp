@@ -53,12 +53,4 @@ class Wide {
   double low_ = 0;
 };
 
-Wide operator+(Wide a, Wide b);
-Wide operator-(Wide a, Wide b);
-Wide operator*(Wide a, Wide b);
-Wide operator/(Wide a, Wide b);
-Wide operator-(Wide a);
-Wide sqrt(Wide a);
-bool operator<(Wide a, Wide b);
-
 }  // namespace sh::numeric

@@ -7,10 +7,10 @@
 // beta = pi/2, from l = 2 on), and the rows l and l-1 of d start from cos^2l(beta/2), which underflows: large tilts at
 // high degree come out wrong. wigner_d.cpp has none of this.
 // Cost: degree^3 / 3 values of d at two roots and 12 operations each, memory for three bands. Measured error:
-// rotation_methods.hpp.
+// methods.hpp.
 #include <utility>
 
-#include "numeric/methods/rotation_methods.hpp"
+#include "numeric/methods/methods.hpp"
 #include "numeric/methods/turns.hpp"
 #include "numeric/oracle/instances.hpp"
 

@@ -4,11 +4,11 @@
 // harmonics with the Condon-Shortley phase, band l from bands 1 and l-1; no angles, so no pole.
 // Reference: [ChoiIvanicGordonRuedenberg99] eqs. 5.4-8.14. Errata, decided in exact arithmetic: 8.11 doubles R_00, and
 // in 8.13 the second term is added. Cost: about 8 degree^3 values of F and G at 12 operations each, memory for two
-// bands. Measured error: rotation_methods.hpp.
+// bands. Measured error: methods.hpp.
 #include <cmath>
 #include <vector>
 
-#include "numeric/methods/rotation_methods.hpp"
+#include "numeric/methods/methods.hpp"
 #include "numeric/oracle/basis.hpp"
 #include "numeric/oracle/instances.hpp"
 

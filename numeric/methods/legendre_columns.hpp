@@ -1,11 +1,11 @@
 // Recurrences along columns: rising degree at fixed order. They differ in where the power sin^m theta goes.
-// Input, output: legendre_methods.hpp.
+// Input, output: methods.hpp.
 #pragma once
 
 #include <limits>
 #include <vector>
 
-#include "numeric/methods/legendre_methods.hpp"
+#include "numeric/methods/methods.hpp"
 #include "numeric/oracle/legendre.hpp"
 
 namespace sh::numeric {

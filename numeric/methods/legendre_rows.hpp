@@ -1,5 +1,5 @@
 // Recurrences along rows (falling order at fixed degree), across both, and two degrees a step. Input, output:
-// legendre_methods.hpp.
+// methods.hpp.
 #pragma once
 
 #include "numeric/methods/legendre_columns.hpp"

@@ -3,11 +3,10 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
 #include <numbers>
 #include <utility>
 
-#include "numeric/methods/quarter_turn.hpp"
+#include "numeric/methods/classic_rotation.hpp"
 
 namespace sh::textbook {
 

@@ -1,10 +1,10 @@
-// See swap.hpp and rotation_methods.hpp.
+// See swap.hpp and methods.hpp.
 #include "numeric/methods/swap.hpp"
 
 #include <memory>
 #include <mutex>
 
-#include "numeric/methods/rotation_methods.hpp"
+#include "numeric/methods/methods.hpp"
 #include "numeric/oracle/instances.hpp"
 
 namespace sh::numeric::methods {

@@ -9,7 +9,6 @@
 #pragma once
 
 #include <cmath>
-#include <cstddef>
 #include <type_traits>
 #include <vector>
 
@@ -43,7 +42,7 @@ template <class Real>
 using Longer = std::conditional_t<std::is_same_v<Real, float>, double,
                                   std::conditional_t<std::is_same_v<Real, double>, long double, Real>>;
 
-/// (x, y) scaled to length 1, and the length; the turn of nothing is none.
+/// (x, y) scaled to length 1, and the length; of the zero vector no turn.
 template <class Real>
 Turn<Real> direction_of(const Real& x, const Real& y, Real& length) {
   using std::hypot;

@@ -7,8 +7,8 @@
 // oscillates; [Varshalovich88] 4.8.2). Starts carry an exponent of their own: none underflows in float, or at beta
 // near 0 or pi. cos(beta) -+ 1 is taken from the half angle, so entries near the diagonal keep their digits there.
 // Cost: degree^3 / 3 values of d at a root and 10 operations each, memory for one row of starts. Error: turns.hpp and
-// rotation_methods.hpp have the measured figures.
-#include "numeric/methods/rotation_methods.hpp"
+// methods.hpp have the measured figures.
+#include "numeric/methods/methods.hpp"
 #include "numeric/methods/turns.hpp"
 #include "numeric/oracle/instances.hpp"
 #include "numeric/oracle/legendre.hpp"

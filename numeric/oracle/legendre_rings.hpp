@@ -16,7 +16,6 @@
 // degree, order and ring, two thirds of ducc's beside it (tests/bench).
 #pragma once
 
-#include <cstddef>
 #include <span>
 #include <vector>
 

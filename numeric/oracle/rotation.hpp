@@ -9,7 +9,7 @@
 //
 // Each band is made from the one below, so rounding grows: for |c| = 1 the largest error of an entry is 3e-16, 1e-14,
 // 8e-13 and 2e-9 at degree 20, 40, 60 and 100 in double, away from turns about z. methods/zxz_rows.hpp does not lose
-// digits and is faster from degree 20 on; methods/rotation_methods.hpp compares all that there are.
+// digits and is faster from degree 20 on; methods/methods.hpp compares all methods.
 #pragma once
 
 #include <vector>

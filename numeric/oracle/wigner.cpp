@@ -44,38 +44,24 @@ class Wigner3jStep {
   long difference_, sum_, order_, product_, spread_;
 };
 
-// f from the lowest degree up to `last`; f(first) = 1.
+// f from degree `first` up or down to `last`, in that order; f(first) = 1. `first` is an end of the range.
 template <class Real>
-std::vector<Scaled<Real>> run_up(const Wigner3jStep<Real>& step, long first, long last) {
+std::vector<Scaled<Real>> run(const Wigner3jStep<Real>& step, long first, long last) {
+  const bool up = first < last;
   Real before = 0;
   Real current = 1;
   long exponent = 0;
-  std::vector<Scaled<Real>> run{{current, exponent}};
-  for (long j = first; j < last; ++j) {
-    const Real next = -(step.inner(j) * current + step.lower(j) * before) / step.outer(j + 1);
+  std::vector<Scaled<Real>> values{{current, exponent}};
+  for (long j = first; j != last; j += up ? 1 : -1) {
+    const Real middle = step.inner(j) * current;
+    const Real next = up ? Real(-(middle + step.lower(j) * before) / step.outer(j + 1))
+                         : Real(-(middle + step.outer(j + 1) * before) / step.lower(j));
     before = current;
     current = next;
     rescale(current, before, exponent);
-    run.push_back({current, exponent});
+    values.push_back({current, exponent});
   }
-  return run;
-}
-
-// f from the highest degree down to `first`, in that order; f(last) = 1.
-template <class Real>
-std::vector<Scaled<Real>> run_down(const Wigner3jStep<Real>& step, long last, long first) {
-  Real above = 0;
-  Real current = 1;
-  long exponent = 0;
-  std::vector<Scaled<Real>> run{{current, exponent}};
-  for (long j = last; j > first; --j) {
-    const Real next = -(step.inner(j) * current + step.outer(j + 1) * above) / step.lower(j);
-    above = current;
-    current = next;
-    rescale(current, above, exponent);
-    run.push_back({current, exponent});
-  }
-  return run;
+  return values;
 }
 
 // The degree at which the recurrence oscillates most: f(j+1) + 2 t f(j) + f(j-1) = 0 with the least |t|. In the middle
@@ -150,10 +136,10 @@ Wigner3jRow<Real> wigner_3j_row(int a, int b, int order_a, int order_b) {
   const int first = std::max(std::abs(a - b), std::abs(order_a + order_b));
   const int last = a + b;
   const detail::Wigner3jStep<Real> step(a, b, order_a, order_b);
-  auto run = detail::run_up(step, first, first);
+  auto run = detail::run(step, first, first);
   if (first < last) {
     const long match = detail::matching_degree(step, first, last);
-    run = detail::joined(detail::run_up(step, first, match + 1), detail::run_down(step, last, match));
+    run = detail::joined(detail::run(step, first, match + 1), detail::run(step, last, match));
   }
   // The sign at c = a + b is (-1)^(a - b - C).
   return {first, detail::normalized_row(run, first, (a - b + order_a + order_b) % 2 != 0)};

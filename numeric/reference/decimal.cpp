@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <string_view>
 #include <vector>
 
 namespace sh::numeric {
@@ -26,34 +27,22 @@ std::string without_leading_zeros(const std::string& digits) {
   return first == std::string::npos ? "0" : digits.substr(first);
 }
 
-// Reads a text from left to right, a piece at a time.
-class Scanner {
- public:
-  explicit Scanner(const std::string& text) : text_(text) {}
-
-  bool accept(char c) {
-    if (at_end() || text_[place_] != c) return false;
-    ++place_;
-    return true;
-  }
-  // Takes one sign, if there is one; true for '-'.
-  bool sign() {
-    const bool negative = accept('-');
-    if (!negative) accept('+');
-    return negative;
-  }
-  std::string digits() {
-    const auto end = std::min(text_.find_first_not_of("0123456789", place_), text_.size());
-    const auto begin = place_;
-    place_ = end;
-    return text_.substr(begin, end - begin);
-  }
-  [[nodiscard]] bool at_end() const { return place_ == text_.size(); }
-
- private:
-  const std::string& text_;
-  std::size_t place_ = 0;
-};
+// Take the beginning of a text: one character, if it is there; a sign, true for '-'; digits.
+bool take(std::string_view& text, char c) {
+  if (!text.starts_with(c)) return false;
+  text.remove_prefix(1);
+  return true;
+}
+bool take_minus(std::string_view& text) {
+  const bool negative = take(text, '-');
+  if (!negative) take(text, '+');
+  return negative;
+}
+std::string take_digits(std::string_view& text) {
+  const std::string digits(text.substr(0, text.find_first_not_of("0123456789")));
+  text.remove_prefix(digits.size());
+  return digits;
+}
 
 // The widest range of exponents there is: sin^m near a pole leaves the usual one.
 class WideExponents {
@@ -112,19 +101,17 @@ std::uint64_t Decimal::modulo(std::uint64_t prime, long lowest_exponent) const {
 std::string shortened(const std::string& text) { return text.size() > 40 ? text.substr(0, 40) + "..." : text; }
 
 Decimal parse_decimal(const std::string& name, const std::string& text) {
-  Scanner scanner(text);
-  const bool negative = scanner.sign();
-  const std::string whole = scanner.digits();
-  const std::string fraction = scanner.accept('.') ? scanner.digits() : "";
-  bool well_formed = !whole.empty() || !fraction.empty();
+  std::string_view rest = text;
+  const bool negative = take_minus(rest);
+  const std::string whole = take_digits(rest);
+  const std::string fraction = take(rest, '.') ? take_digits(rest) : "";
   std::string exponent = "0";
   bool small = false;
-  if (scanner.accept('e') || scanner.accept('E')) {
-    small = scanner.sign();
-    exponent = scanner.digits();
-    well_formed = well_formed && !exponent.empty();
+  if (take(rest, 'e') || take(rest, 'E')) {
+    small = take_minus(rest);
+    exponent = take_digits(rest);
   }
-  if (!well_formed || !scanner.at_end()) {
+  if ((whole + fraction).empty() || exponent.empty() || !rest.empty()) {
     throw std::invalid_argument(name + ": expected a decimal number such as -0.5 or 1e-3, got '" + shortened(text) +
                                 "'");
   }

@@ -1,18 +1,16 @@
-// See given_rotation.hpp.
-#include "numeric/reference/given_rotation.hpp"
-
+// Rotations as the user writes them; see rotation_reference.hpp.
 #include <mpfr.h>
 
 #include <algorithm>
 #include <bit>
 #include <cstdlib>
 #include <stdexcept>
-#include <vector>
 
 #include "numeric/oracle/rotation_matrices.hpp"
 #include "numeric/oracle/surd.hpp"
 #include "numeric/output/formatted.hpp"
 #include "numeric/reference/decimal.hpp"
+#include "numeric/reference/rotation_reference.hpp"
 
 namespace sh::numeric {
 namespace {

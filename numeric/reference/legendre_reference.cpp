@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "numeric/oracle/cap.hpp"
 #include "numeric/oracle/legendre_values.hpp"
+#include "numeric/oracle/zonal.hpp"
 #include "numeric/reference/decimal.hpp"
 #include "numeric/reference/reference.hpp"
 

@@ -2,12 +2,10 @@
 #include "numeric/reference/reference.hpp"
 
 #include <algorithm>
-#include <cstdint>
 #include <cstdlib>
 #include <stdexcept>
 
 #include "numeric/oracle/basis.hpp"
-#include "numeric/oracle/gradient.hpp"
 #include "numeric/reference/decimal.hpp"
 
 namespace sh::numeric {

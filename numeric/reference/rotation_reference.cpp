@@ -5,7 +5,6 @@
 #include <mpfr.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdlib>
 #include <utility>
 

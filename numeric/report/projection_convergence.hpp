@@ -1,4 +1,4 @@
-// How fast the projection of a function converges, for every rule of sphere_rules.hpp and every test function.
+// How fast the projection of a function converges, for every rule of sphere_nodes.hpp and every test function.
 //
 // Output: error against number of samples and time. Coefficients up to degree 5 in double, by the generated kernel
 // project_l5. Errors are the same in every run, times are measured.
@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "numeric/sampling/sphere_rules.hpp"
+#include "numeric/sampling/sphere_nodes.hpp"
 
 namespace sh::numeric {
 

@@ -6,9 +6,7 @@
 #include <span>
 
 #include "numeric/kernels/inputs.hpp"
-#include "numeric/methods/legendre_methods.hpp"
-#include "numeric/methods/rotation_methods.hpp"
-#include "numeric/methods/zonal_methods.hpp"
+#include "numeric/methods/methods.hpp"
 #include "numeric/oracle/legendre_rings.hpp"
 #include "numeric/report/method.hpp"
 #include "numeric/report/tasks.hpp"
@@ -67,7 +65,7 @@ void add_table(std::vector<Method>& all, const MethodInfo& shared, const std::st
     MethodInfo info = shared;
     info.name = row.name;
     info.source = row.source;
-    info.header = fmt::format("numeric/methods/{}_methods.hpp", table);
+    info.header = "numeric/methods/methods.hpp";
     info.call = fmt::format("sh::numeric::{}_methods<T>(), {}: run({}, {})", table, row.name, info.degree, arguments);
     all.push_back(method_of(
         info, check, code_of<T>([run = row.run, call](const T* in, T* out) { call(run, in, out); }, info.degree)));

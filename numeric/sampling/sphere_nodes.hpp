@@ -1,5 +1,5 @@
-// Points on the sphere with weights, each rule by its own parameters; sphere_rules.hpp has all of them by their number
-// of points.
+// Points on the sphere with weights, each rule by its own parameters, and all of them in a table by their number of
+// points.
 //
 // Output: nodes in double, |d| = 1 up to 2 epsilon, weights that sum to 4 pi unless said otherwise:
 // sum weight f(x, y, z) is an estimate of the integral of f over the sphere. The same nodes for the same arguments;
@@ -7,6 +7,8 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
+#include <string_view>
 #include <vector>
 
 #include "numeric/oracle/quadrature.hpp"
@@ -49,5 +51,21 @@ enum class LatLongWeight {
   kCentre,  // sin(theta) dtheta dphi at the centre: the solid angle times h / sin h, h = pi / (2 height), in every row
 };
 std::vector<SphereNode<double>> lat_long_nodes(int height, LatLongWeight weight);
+
+/// A rule by the approximate number of its nodes. Rules on grids take the nearest number that they can have;
+/// nodes(...).size() tells.
+struct SphereRule {
+  const char* name;    // "fibonacci"
+  const char* source;  // to cite
+  /// 1 <= count_hint <= kMaxSphereNodes (sphere_nodes.hpp); throws std::invalid_argument otherwise.
+  std::vector<SphereNode<double>> (*nodes)(int count_hint, std::uint64_t seed);
+  bool random;  // another seed gives other nodes
+};
+
+/// gauss_legendre, fibonacci, uniform, stratified, cube_map, cube_map_differential, lat_long, lat_long_centre.
+std::span<const SphereRule> sphere_rules();
+
+/// Throws std::invalid_argument listing the names if there is no such rule.
+const SphereRule& sphere_rule_named(std::string_view name);
 
 }  // namespace sh::numeric

@@ -12,7 +12,7 @@ namespace sh::prt {
 std::vector<double> project_directional(const Eigen::Vector3d& direction, int degree);
 
 /// Coefficients (bands^2) of radiance 1 within the half-angle of `direction` and 0 beyond, 0 <= 1 - cos(half-angle) <=
-/// 2 (numeric/oracle/cap.hpp). The relative error is a few epsilon for any size of the cap.
+/// 2 (numeric/oracle/zonal.hpp). The relative error is a few epsilon for any size of the cap.
 std::vector<double> project_cap(const Eigen::Vector3d& direction, double one_minus_cos, int degree);
 
 /// Whether a unit direction lies within the cap; precise for tiny caps too.

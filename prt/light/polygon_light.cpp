@@ -10,7 +10,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "numeric/oracle/gradient.hpp"
+#include "numeric/oracle/basis.hpp"
 #include "numeric/oracle/quadrature.hpp"
 #include "prt/light/light_coefficients.hpp"
 #include "prt/light/light_shapes.hpp"

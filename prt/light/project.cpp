@@ -2,7 +2,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "numeric/oracle/cap.hpp"
+#include "numeric/oracle/zonal.hpp"
 #include "prt/basis.hpp"
 #include "prt/light/light.hpp"
 #include "prt/light/light_coefficients.hpp"

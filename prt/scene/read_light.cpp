@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-#include "numeric/oracle/cap.hpp"
+#include "numeric/oracle/zonal.hpp"
 #include "prt/light/light_shapes.hpp"
 #include "prt/scene/scene_parts.hpp"
 

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "numeric/methods/legendre_methods.hpp"
+#include "numeric/methods/methods.hpp"
 #include "numeric/oracle/basis.hpp"
 #include "numeric/oracle/gaunt.hpp"
 #include "numeric/oracle/legendre_rings.hpp"

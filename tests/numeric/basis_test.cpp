@@ -66,11 +66,10 @@ TEST(Basis, AgreesWithBoostMathOnceThePhaseIsRemoved) {
     const double phi = std::atan2(d.y, d.x);
     for (int l = 0; l <= kDegree; ++l) {
       for (int m = 0; m <= l; ++m) {
-        const auto order = static_cast<unsigned>(m);
         const double scale = m == 0 ? 1 : (m % 2 == 0 ? 1 : -1) * std::sqrt(2.0);
         const auto degree = static_cast<unsigned>(l);
-        const double re = scale * boost::math::spherical_harmonic_r(degree, static_cast<int>(order), theta, phi);
-        const double im = scale * boost::math::spherical_harmonic_i(degree, static_cast<int>(order), theta, phi);
+        const double re = scale * boost::math::spherical_harmonic_r(degree, m, theta, phi);
+        const double im = scale * boost::math::spherical_harmonic_i(degree, m, theta, phi);
         EXPECT_NEAR(got[coefficient_index(l, m)], re, 2e-14) << l << ' ' << m;
         if (m > 0) {
           EXPECT_NEAR(got[coefficient_index(l, -m)], im, 2e-14) << l << ' ' << m;
@@ -93,9 +92,7 @@ double addition_theorem_error(int degree, const Direction& a, const Direction& b
   double worst = 0;
   for (int l = 0; l <= degree; ++l) {
     Real sum = 0;
-    for (int i = l * l; i < (l + 1) * (l + 1); ++i) {
-      sum += ya[i] * yb[i];
-    }
+    for (int i = l * l; i < (l + 1) * (l + 1); ++i) sum += ya[i] * yb[i];
     const Real scale = static_cast<Real>(2 * l + 1) / (4 * pi<Real>());
     keep_worst(worst, difference(Real(sum / scale), legendre));
     const Real next =
@@ -121,9 +118,7 @@ double worst_relative_norm(int degree, const Direction& d) {
   double worst = 0;
   for (int l = 0; l <= degree; ++l) {
     Real sum = 0;
-    for (int i = l * l; i < (l + 1) * (l + 1); ++i) {
-      sum += y[i] * y[i];
-    }
+    for (int i = l * l; i < (l + 1) * (l + 1); ++i) sum += y[i] * y[i];
     const Real maximum = static_cast<Real>(2 * l + 1) / (4 * pi<Real>());
     keep_worst(worst, difference(Real(sum / maximum), Real(1)));
   }
@@ -140,18 +135,18 @@ TEST(Basis, HasTheRightNormPerBandWhereUnscaledPowersWouldUnderflow) {
 
 TEST(Basis, IsOrthonormalToDegreeTwentyByExactQuadrature) {
   constexpr int kDegree = 20;
-  constexpr auto kCount = static_cast<std::size_t>(coefficient_count(kDegree));
+  constexpr int kCount = coefficient_count(kDegree);
   std::vector<Mpfr50> gram(kCount * kCount, Mpfr50(0));
   for (const auto& node : sphere_rule<Mpfr50>(2 * kDegree)) {
     const auto y = basis(kDegree, node.x, node.y, node.z);
-    for (std::size_t i = 0; i < kCount; ++i) {
+    for (int i = 0; i < kCount; ++i) {
       const Mpfr50 weighted = node.weight * y[i];
-      for (std::size_t j = 0; j <= i; ++j) gram[i * kCount + j] += weighted * y[j];
+      for (int j = 0; j <= i; ++j) gram[i * kCount + j] += weighted * y[j];
     }
   }
   double worst = 0;
-  for (std::size_t i = 0; i < kCount; ++i) {
-    for (std::size_t j = 0; j <= i; ++j) keep_worst(worst, difference(gram[i * kCount + j], Mpfr50(i == j ? 1 : 0)));
+  for (int i = 0; i < kCount; ++i) {
+    for (int j = 0; j <= i; ++j) keep_worst(worst, difference(gram[i * kCount + j], Mpfr50(i == j ? 1 : 0)));
   }
   EXPECT_LT(worst, 1e-47);
 }
@@ -209,10 +204,7 @@ double worst_error(int degree) {
     basis(degree, Mpfr100(x), Mpfr100(y), Mpfr100(z), exact.data());
     for (int l = 0; l <= degree; ++l) {
       const double unit = static_cast<double>(std::numeric_limits<Real>::epsilon()) * std::sqrt((2 * l + 1) / 12.566);
-      for (int i = l * l; i < (l + 1) * (l + 1); ++i) {
-        const auto place = static_cast<std::size_t>(i);
-        keep_worst(worst, difference(Mpfr100(got[place]), exact[place]) / unit);
-      }
+      for (int i = l * l; i < (l + 1) * (l + 1); ++i) keep_worst(worst, difference(Mpfr100(got[i]), exact[i]) / unit);
     }
   }
   return worst;
@@ -230,9 +222,7 @@ TEST(Basis, SingleValuesAgreeWithTheWholeBasis) {
   const auto [x, y, z] = normalised(0.3, -0.5, 0.7);
   const auto all = basis(15, x, y, z);
   for (int l = 0; l <= 15; ++l) {
-    for (int m = -l; m <= l; ++m) {
-      EXPECT_EQ(basis_value(l, m, x, y, z), all[coefficient_index(l, m)]);
-    }
+    for (int m = -l; m <= l; ++m) EXPECT_EQ(basis_value(l, m, x, y, z), all[coefficient_index(l, m)]);
   }
 }
 
@@ -266,7 +256,7 @@ TEST(Basis, IsHomogeneousAndTheZFormIsNot) {
   basis(8, Mpfr100(r * x), Mpfr100(r * y), Mpfr100(r * z), solid.data());
   for (int l = 0; l <= 8; ++l) {
     for (int m = -l; m <= l; ++m) {
-      const auto i = static_cast<std::size_t>(coefficient_index(l, m));
+      const int i = coefficient_index(l, m);
       EXPECT_LT(difference(solid[i], Mpfr100(pow(r, l) * unit[i])), 1e-98);
       EXPECT_LT(difference(z_form[i], unit[i]), 1e-98);
     }

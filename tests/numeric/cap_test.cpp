@@ -1,7 +1,5 @@
 // Zonal coefficients of caps: closed forms, the complement, every method against quadrature at 50 digits; in double at
 // the extremes, down to 1e-8 rad.
-#include "numeric/oracle/cap.hpp"
-
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -11,9 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "numeric/methods/zonal_methods.hpp"
+#include "numeric/methods/methods.hpp"
 #include "numeric/oracle/basis.hpp"
 #include "numeric/oracle/real.hpp"
+#include "numeric/oracle/zonal.hpp"
 #include "tests/numeric/extreme.hpp"
 
 namespace sh::numeric {
@@ -24,14 +23,14 @@ constexpr std::size_t kCount = kDegree + 1;
 
 template <class Real>
 std::vector<Real> by(const ZonalMethod<Real>& method, const Real& u, int degree = kDegree) {
-  std::vector<Real> out(static_cast<std::size_t>(degree) + 1);
+  std::vector<Real> out(degree + 1);
   method.run(degree, u, out.data());
   return out;
 }
 
 template <class Real>
 std::vector<Real> stable(const Real& u, int degree = kDegree, CapScale scale = CapScale::kUnitValue) {
-  std::vector<Real> out(static_cast<std::size_t>(degree) + 1);
+  std::vector<Real> out(degree + 1);
   cap_zonal(degree, u, out.data(), scale);
   return out;
 }
@@ -139,28 +138,22 @@ TEST(Cap, RefusesWhatIsOutsideItsDomain) {
                std::invalid_argument);
 }
 
-struct Worst {
-  double error = 0;
-  std::string where = "nowhere";
-};
-
 // The largest error in the type's epsilon, relative to the coefficient itself or to its amplitude
 // sqrt((2l+1) pi) u (2-u) / 2 (for l = 0 the coefficient), over some caps.
 template <class Real>
-Worst worst_error(const ZonalMethod<Real>& method, const std::vector<double>& caps, int degree, bool relative) {
-  Worst worst;
+test::Worst worst_error(const ZonalMethod<Real>& method, const std::vector<double>& caps, int degree, bool relative) {
+  test::Worst worst;
   for (const double given : caps) {
     const auto u = static_cast<Real>(given);
     const auto values = by(method, u, degree);
     const auto exact = stable(Mpfr50(u), degree);
     for (int l = 0; l <= degree; ++l) {
-      const auto at = static_cast<std::size_t>(l);
       const auto x = static_cast<double>(u);
       const double amplitude = std::sqrt((2 * l + 1) * pi<double>()) * (l == 0 ? x : x * (2 - x) / 2);
-      const double size = relative ? std::abs(static_cast<double>(exact[at])) : amplitude;
-      const double error =
-          difference(Mpfr50(values[at]), exact[at]) / (size * static_cast<double>(machine_epsilon<Real>()));
-      if (!(error <= worst.error)) worst = {error, fmt::format("l={} at 1-cos = {:.17g}", l, x)};
+      const double size = relative ? std::abs(static_cast<double>(exact[l])) : amplitude;
+      const double error = difference(Mpfr50(values[l]), exact[l]);
+      if (error == 0) continue;  // where the size is 0 too
+      worst.keep(error / (size * static_cast<double>(machine_epsilon<Real>())), "l={} at 1-cos = {:.17g}", l, x);
     }
   }
   return worst;
@@ -172,15 +165,15 @@ std::vector<double> caps_between(double low, double high, int count = 200) {
   return caps;
 }
 
-// Half-angles of 1e-12 to 1e-3 rad; what a cap of 1e-8 rad is in double has u = 5e-17.
+// Half-angles of 1e-12 to 1e-3 rad; a cap of 1e-8 rad has u = 5e-17.
 TEST(ExtremeCap, TinyCapsKeepTheDigitsOfEachCoefficient) {
   const auto methods = zonal_methods<double>();
   const std::array<double, 4> limits{0, 100, 150, 10};
   const auto tiny = caps_between(5e-25, 5e-7, 50);
   for (const std::size_t i : {1U, 2U, 3U}) {
-    const auto worst = worst_error(methods[i], tiny, 1000, true);
-    test::report_extreme(fmt::format("cap of 1e-12 .. 1e-3 rad, degree 1000, {}, eps x coefficient", methods[i].name),
-                         worst.error, limits[i], worst.where);
+    worst_error(methods[i], tiny, 1000, true)
+        .report(fmt::format("cap of 1e-12 .. 1e-3 rad, degree 1000, {}, eps x coefficient", methods[i].name),
+                limits[i]);
   }
 }
 
@@ -188,19 +181,13 @@ TEST(ExtremeCap, ASeriesGivesTheSameAtAHundredMillionthOfARadian) {
   const double u = one_minus_cos(1e-8);
   EXPECT_DOUBLE_EQ(u, 5e-17);
   const auto values = stable(u, 100);
-  double worst = 0;
-  int at = 0;
+  test::Worst worst;
   for (int l = 0; l <= 100; ++l) {
     // P_l(1-s) = 1 - l(l+1) s / 2 + ..., integrated over 0 .. u.
     const double wanted = std::sqrt((2 * l + 1) * pi<double>()) * u * (1 - l * (l + 1) * u / 4);
-    const double error = std::abs(values[l] / wanted - 1);
-    if (error > worst) {
-      worst = error;
-      at = l;
-    }
+    worst.keep(std::abs(values[l] / wanted - 1), "l={}", l);
   }
-  test::report_extreme("cap of 1e-8 rad, degree 100, against its series, relative", worst, 1e-15,
-                       fmt::format("l={}", at));
+  worst.report("cap of 1e-8 rad, degree 100, against its series, relative", 1e-15);
 }
 
 TEST(ExtremeCap, EveryCapIsRightToItsAmplitude) {
@@ -209,10 +196,10 @@ TEST(ExtremeCap, EveryCapIsRightToItsAmplitude) {
   for (const double u : {std::nextafter(1.0, 0.0), 1.0, std::nextafter(1.0, 2.0), std::nextafter(2.0, 0.0), 5e-17}) {
     caps.push_back(u);
   }
-  const auto in_double = worst_error(zonal_methods<double>().back(), caps, 100, false);
-  test::report_extreme("cap, any, degree 100, double, eps x amplitude", in_double.error, 12, in_double.where);
-  const auto in_float = worst_error(zonal_methods<float>().back(), caps, 100, false);
-  test::report_extreme("cap, any, degree 100, float, eps x amplitude", in_float.error, 4, in_float.where);
+  worst_error(zonal_methods<double>().back(), caps, 100, false)
+      .report("cap, any, degree 100, double, eps x amplitude", 12);
+  worst_error(zonal_methods<float>().back(), caps, 100, false)
+      .report("cap, any, degree 100, float, eps x amplitude", 4);
 }
 
 }  // namespace

@@ -11,7 +11,7 @@
 namespace sh::test {
 namespace {
 
-// Adds a line to what other tests, which may run at the same time, write: one write in append mode is never split.
+// Adds a line to the file. Other tests may write at the same time: one write in append mode is never split.
 void append(const std::string& line) {
   const int file = ::open(SHFORGE_EXTREMES_FILE, O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, 0644);
   if (file < 0) return;

@@ -63,20 +63,17 @@ std::vector<NamedInput> off_unit(double off) {
 template <class T>
 void report_off_unit(double off, const std::string& family, double limit) {
   const auto epsilon = static_cast<double>(std::numeric_limits<T>::epsilon());
-  double worst = 0;
-  std::string where;
+  test::Worst worst;
   for (const BoundKernel& kernel : test::kernels_of({family})) {
     const auto result = kernel_errors<T>(kernel, test::at_extremes(kernel, "x", off_unit(off)));
-    const double grown = result.total.scaled().max() * epsilon / off;
-    if (grown <= worst) continue;
-    worst = grown;
-    where = result.kernel + " " + result.worst_total.output + " at " + result.worst_total.input;
+    worst.keep(result.total.scaled().max() * epsilon / off, "{} {} at {}", result.kernel, result.worst_total.output,
+               result.worst_total.input);
   }
-  const std::string what = sizeof(T) == sizeof(float) ? "float" : "double";
-  test::report_extreme(fmt::format("off unit by {:.3g}: {} {}, total / off", off, family, what), worst, limit, where);
+  const std::string scalar = sizeof(T) == sizeof(float) ? "float" : "double";
+  worst.report(fmt::format("off unit by {:.3g}: {} {}, total / off", off, family, scalar), limit);
 }
 
-// What a direction off unit adds to the total error, in units of how far off it is. A homogeneous form grows by r^l,
+// The total error that a direction off unit adds, in units of its distance. A homogeneous form grows by r^l,
 // l times that; a form in z alone by the slope of the Legendre polynomial at the pole, P_l'(1) = l(l+1)/2: 55 at degree
 // 10. At one ulp rounding adds its part.
 TEST(ExtremeKernels, OfDirectionsOffUnit) {

@@ -26,10 +26,7 @@ struct Row {
   std::vector<double> computed, exact, error, amplitude;  // (degree + 1)
 
   Row(int degree, double z, double sine)
-      : computed(static_cast<std::size_t>(degree) + 1),
-        exact(computed.size()),
-        error(computed.size()),
-        amplitude(computed.size()) {
+      : computed(degree + 1), exact(computed.size()), error(computed.size()), amplitude(computed.size()) {
     std::vector<Mpfr50> wide(computed.size());
     legendre_row(degree, z, sine, computed.data());
     legendre_row(degree, Mpfr50(z), Mpfr50(sine), wide.data());
@@ -132,28 +129,24 @@ TEST(ExtremeLegendre, Degree1000NearThePoleKeepsTheDeepTail) {
 
 // At sine = 1e-300 the orders 0 and 1 are there, and order 2 would be 1e-596.
 TEST(ExtremeLegendre, PolesAndNextToThem) {
-  double worst = 0;
-  std::string where;
+  test::Worst worst;
   for (const int degree : {1, 2, 1000, 10000}) {
     for (const double sine : {0.0, 5e-324, 1e-300, 1e-200, 1e-100}) {
       for (const double z : {1.0, -1.0}) {
         const Row row(degree, z, sine);
         for (std::size_t m = 0; m < row.error.size(); ++m) {
           const double size = std::max(std::abs(row.exact[m]), 2.3e-308 / 1e-13);
-          if (const double e = row.error[m] / size; !(e <= worst)) {
-            worst = e;
-            where = fmt::format("l={} m={} z={} sine={:g}", degree, m, z, sine);
-          }
+          worst.keep(row.error[m] / size, "l={} m={} z={} sine={:g}", degree, m, z, sine);
         }
       }
     }
   }
-  report_extreme("P_lm l<=10000 double, poles and 5e-324..1e-100 off, relative", worst, 1e-12, where);
+  worst.report("P_lm l<=10000 double, poles and 5e-324..1e-100 off, relative", 1e-12);
 }
 
 // P_l0^2 + 2 sum P_lm^2 = (2l+1) / 4 pi: an identity that no reference takes part in.
 double addition_error(int degree, double theta) {
-  std::vector<double> row(static_cast<std::size_t>(degree) + 1);
+  std::vector<double> row(degree + 1);
   legendre_row(degree, std::cos(theta), std::sin(theta), row.data());
   long double sum = -static_cast<long double>(row[0]) * row[0];
   for (const double p : row) sum += 2 * static_cast<long double>(p) * p;
@@ -178,8 +171,7 @@ TEST(ExtremeLegendre, TransformsOverRingsAtDegree1000) {
     sine.push_back(std::sin(theta));
   }
   const LegendreRings rings(kDegree, z, sine);
-  double worst = 0;
-  std::string where;
+  test::Worst worst;
   for (const int order : {0, 1, 2, 10, 100, 500, 990}) {
     const auto terms = static_cast<std::size_t>(kDegree - order) + 1;
     std::vector<double> a(2 * terms), values(2 * z.size());
@@ -194,13 +186,11 @@ TEST(ExtremeLegendre, TransformsOverRingsAtDegree1000) {
       legendre_column<long double>(kDegree, order, z[i], sine[i], p.data());
       long double error = -values[2 * i];
       for (std::size_t k = 0; k < terms; ++k) error += a[2 * k] * p[k];
-      if (const double e = static_cast<double>(std::abs(error)) / std::sqrt(size); !(e <= worst)) {
-        worst = e;
-        where = fmt::format("m={} z={:.17g} sine={:.17g}", order, z[i], sine[i]);
-      }
+      worst.keep(static_cast<double>(std::abs(error)) / std::sqrt(size), "m={} z={:.17g} sine={:.17g}", order, z[i],
+                 sine[i]);
     }
   }
-  report_extreme("LegendreRings l<=1000 double, of the root of the sum of squared terms", worst, 1.2e-13, where);
+  worst.report("LegendreRings l<=1000 double, of the root of the sum of squared terms", 1.2e-13);
 }
 
 }  // namespace

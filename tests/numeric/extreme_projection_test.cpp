@@ -8,7 +8,7 @@
 
 #include "numeric/report/projection_convergence.hpp"
 #include "numeric/sampling/projection.hpp"
-#include "numeric/sampling/sphere_rules.hpp"
+#include "numeric/sampling/sphere_nodes.hpp"
 #include "tests/numeric/extreme.hpp"
 #include "tests/numeric/keep_worst.hpp"
 
@@ -44,33 +44,25 @@ double error_of(const TestFunction& light, const std::vector<SphereNode<double>>
 }
 
 TEST(ExtremeProjection, OfAPeakOfAMillionIsExactOnceTheRuleResolvesIt) {
-  double worst = 0;
-  std::string where;
+  test::Worst worst;
   for (const double degrees : {20.0, 5.0, 2.0}) {
     const double width = degrees / kRadian;
     const int rule = static_cast<int>(14 / width);  // of polynomials: exp(-(14/2)^2) is left out
-    const double error = error_of(soft_sun(width), sphere_rule<double>(rule));
-    if (error <= worst) continue;
-    worst = error;
-    where = fmt::format("exp(-(angle/{} deg)^2/2), Gauss-Legendre of degree {}", degrees, rule);
+    worst.keep(error_of(soft_sun(width), sphere_rule<double>(rule)),
+               "exp(-(angle/{} deg)^2/2), Gauss-Legendre of degree {}", degrees, rule);
   }
   // 2.2e-14: a direction rounded by epsilon moves the flank of the peak by epsilon angle / width^2.
-  test::report_extreme("light with a Gaussian peak of 1e6:1, projected on bands 0..5, of its norm", worst, 5e-14,
-                       where);
+  worst.report("light with a Gaussian peak of 1e6:1, projected on bands 0..5, of its norm", 5e-14);
 }
 
 TEST(ExtremeProjection, OfADiscOfAMillionSamplesItsEdge) {
   const TestFunction& sun = test_functions()[3];
-  double worst = 0;
-  std::string where;
+  test::Worst worst;
   for (const SphereRule& rule : sphere_rules()) {
-    const double error = error_of(sun, rule.nodes(300000, 1));
-    if (error <= worst) continue;
-    worst = error;
-    where = fmt::format("{}, 300,000 samples, {}", sun.description, rule.name);
+    worst.keep(error_of(sun, rule.nodes(300000, 1)), "{}, 300,000 samples, {}", sun.description, rule.name);
   }
-  // 23 samples in the disc: what sampling can do. A cap has its coefficients in closed form instead.
-  test::report_extreme("light with a disc of 1e6:1, sampled, bands 0..5, of its norm", worst, 0.2, where);
+  // Only 23 samples lie in the disc. A cap has its coefficients in closed form instead.
+  worst.report("light with a disc of 1e6:1, sampled, bands 0..5, of its norm", 0.2);
 }
 
 }  // namespace

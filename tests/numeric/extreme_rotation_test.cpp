@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "numeric/methods/rotation_methods.hpp"
+#include "numeric/methods/methods.hpp"
 #include "numeric/methods/zxz_rows.hpp"
 #include "numeric/oracle/rotation.hpp"
 #include "numeric/oracle/rotation_matrices.hpp"
@@ -70,15 +70,9 @@ Named turn(Wide x, Wide y, Wide z, Wide angle) {
 
 template <class Real>
 void report(const Subject<Real>& subject, const std::string& where, const std::vector<Named>& rotations) {
-  double worst = -1;
-  std::string at;
-  for (const auto& [matrix, name] : rotations) {
-    const double error = error_of(subject, matrix);
-    if (error <= worst) continue;
-    worst = error;
-    at = name;
-  }
-  test::report_extreme(fmt::format("{}, {}", subject.name, where), worst, subject.limit, at);
+  test::Worst worst;
+  for (const auto& [matrix, name] : rotations) worst.keep(error_of(subject, matrix), "{}", name);
+  worst.report(fmt::format("{}, {}", subject.name, where), subject.limit);
 }
 
 void report_all(const std::string& where, const std::vector<Named>& rotations) {

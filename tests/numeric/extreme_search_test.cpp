@@ -1,4 +1,4 @@
-// The worst input of every family of generated kernels by search: beyond what the inputs of its check find, and within
+// The worst input of every family of generated kernels by search: beyond the inputs of its check, and within
 // kSearchedLimit times the limits that hold there (numeric/kernels/kernel_limits.hpp).
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Coefficients stored as double, float and IEEE half (binary16): what that alone does to a function's values and to its
+// Coefficients stored as double, float and IEEE half (binary16): the effect on a function's values and on its
 // rotation, by search for the worst coefficients, against the bounds of Cauchy's inequality. With u the unit roundoff
 // (2^-53, 2^-24, 2^-11) a stored coefficient differs from c_i by d_i, |d_i| <= u |c_i|, so
 //     |sum d_i Y_i| <= u |c| sqrt(sum Y_i^2) = u |c| (L+1) / sqrt(4 pi),    |D d| = |d| <= u |c|.
@@ -105,7 +105,7 @@ TEST(ExtremeStorage, OfCoefficientsKeepsTheBoundsOfItsDigits) {
   report_storage("half", {0x1p-11L, stored<half>});
 }
 
-// Half ends at 65504; from 65520 on numbers become infinite, and so has to be what is computed from them.
+// Half ends at 65504; from 65520 on numbers become infinite, and so must results of them.
 TEST(ExtremeStorage, OfHalvesOverflowsToInfinityAndNotToANumber) {
   int silent = 0;
   std::string first = "none";
@@ -123,18 +123,15 @@ TEST(ExtremeStorage, OfHalvesOverflowsToInfinityAndNotToANumber) {
 
 // Below 2^-14 a half has fewer digits: the error of a coefficient stays at 2^-25, whatever its size.
 TEST(ExtremeStorage, OfSmallCoefficientsAsHalvesLosesDigits) {
-  double worst = 0, at = 0;
+  test::Worst worst;
   for (const auto& input : vector_inputs(1000, 4, 9)) {
     for (const double c : input.values) {
       const double small = c * 1e-4;
       const auto error = static_cast<double>(std::abs(stored<half>(small) - static_cast<long double>(small)));
-      if (error <= worst) continue;
-      worst = error;
-      at = small;
+      worst.keep(error * 0x1p25, "c = {:.17g}", small);
     }
   }
-  test::report_extreme("stored as half: coefficients below 2^-14, absolute error / 2^-25", worst * 0x1p25, 1,
-                       fmt::format("c = {:.17g}", at));
+  worst.report("stored as half: coefficients below 2^-14, absolute error / 2^-25", 1);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// What is not a number, or infinite, goes into every generated kernel at every argument: no output that depends on that
+// NaN and infinity go into every generated kernel at every argument: no output that depends on that
 // argument may come out as an ordinary number, and nothing may trap.
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,4 @@
 // Gradients against differences at 100 digits, Euler's and Laplace's identities, and at the poles.
-#include "numeric/oracle/gradient.hpp"
-
 #include <gtest/gtest.h>
 
 #include <array>

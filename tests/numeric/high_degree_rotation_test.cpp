@@ -1,4 +1,4 @@
-// Rotation of degree 100 to 1200 by z-x90-z without tables: what defines a rotation, and the same bits everywhere.
+// Rotation of degree 100 to 1200 by z-x90-z without tables: the defining properties of a rotation, and the same bits everywhere.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -64,7 +64,7 @@ inline bool holds(const std::vector<std::string>& names, const std::string& name
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-// What is said to be wrong with respect to a preset: the nearest reading, or a doubt. Empty: nothing.
+// The coefficients reported as wrong with respect to a preset: of the nearest reading, or of a doubt.
 inline std::vector<Coefficient> wrong_for(const Identification& result, const std::string& preset) {
   std::vector<Coefficient> wrong;
   for (const auto& doubt : result.doubts) {

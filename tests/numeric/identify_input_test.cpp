@@ -1,4 +1,4 @@
-// Tables as text: what is read, and what is refused with file and line.
+// Tables as text: their values, and refusals with file and line.
 #include <gtest/gtest.h>
 
 #include <filesystem>

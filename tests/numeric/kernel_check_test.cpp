@@ -1,4 +1,4 @@
-// What the comparison finds: kernels that are slightly wrong, wrong by formula, not in place, or not described.
+// The comparison finds kernels that are slightly wrong, wrong by formula, not in place, or not described.
 #include "numeric/kernels/kernel_check.hpp"
 
 #include <gtest/gtest.h>

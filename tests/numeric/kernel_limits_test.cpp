@@ -21,8 +21,6 @@ KernelResult clean_result() {
           .rounding = ErrorStats(1),
           .total = ErrorStats(1),
           .worst_rounding = {"random 3", {0.6, 0, 0.8}, "out l=4 m=-3"},
-          .worst_total = {},
-          .nanoseconds = {},
           .bits = BitComparison{}};
 }
 

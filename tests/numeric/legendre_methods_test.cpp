@@ -1,11 +1,10 @@
 // The named Legendre methods against the oracle's basis, and that each fails where its header says, and only there.
-#include "numeric/methods/legendre_methods.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <string>
 
+#include "numeric/methods/methods.hpp"
 #include "numeric/oracle/basis.hpp"
 #include "numeric/oracle/real.hpp"
 #include "numeric/sampling/error_stats.hpp"

@@ -1,9 +1,9 @@
 // Reference values of Legendre functions and caps: closed forms, other algorithms of the oracle, exact zeros, refusals.
 #include <gtest/gtest.h>
 
-#include "numeric/oracle/cap.hpp"
 #include "numeric/oracle/legendre_values.hpp"
 #include "numeric/oracle/real.hpp"
+#include "numeric/oracle/zonal.hpp"
 #include "numeric/reference/reference.hpp"
 #include "tests/message_of.hpp"
 

@@ -59,7 +59,7 @@ std::vector<RingLanes> all_lanes() {
 
 // Largest error of a synthesis in units of the root of the sum of squares of its terms' sizes.
 double synthesis_error(const LegendreRings& rings, const Circle& circle, int degree, int order) {
-  const auto terms = static_cast<std::size_t>(degree - order) + 1;
+  const int terms = degree - order + 1;
   const auto a = random_values(2 * terms, static_cast<unsigned>(order));
   std::vector<double> got(2 * circle.z.size());
   rings.synthesis(degree, order, a, got);
@@ -70,9 +70,9 @@ double synthesis_error(const LegendreRings& rings, const Circle& circle, int deg
     for (std::size_t c = 0; c < 2; ++c) {
       long double sum = 0;
       double size = 0;
-      for (std::size_t k = 0; k < terms; ++k) {
+      for (int k = 0; k < terms; ++k) {
         sum += p[k] * a[2 * k + c];
-        size += a[2 * k + c] * a[2 * k + c] * (2 * (order + static_cast<double>(k)) + 1) / (4 * std::acos(-1.0));
+        size += a[2 * k + c] * a[2 * k + c] * (2 * (order + k) + 1) / (4 * std::acos(-1.0));
       }
       keep_worst(worst, static_cast<double>(sum - got[2 * i + c]) / std::sqrt(size));
     }
@@ -98,8 +98,7 @@ TEST(LegendreRings, AnalysisIsTheTransposeOfSynthesis) {
   for (const RingLanes lanes : all_lanes()) {
     const LegendreRings rings(200, circle.z, circle.sine, lanes);
     for (const int order : {0, 1, 5, 63, 64, 130, 199, 200}) {
-      const auto terms = static_cast<std::size_t>(200 - order) + 1;
-      const auto a = random_values(2 * terms, 1);
+      const auto a = random_values(2 * (200 - order + 1), 1);
       const auto f = random_values(2 * circle.z.size(), 2);
       std::vector<double> values(f.size());
       std::vector<double> b(a.size());
@@ -119,7 +118,7 @@ TEST(LegendreRings, AnalysisIsTheTransposeOfSynthesis) {
 }
 
 // 2 pi times the sum over Gauss-Legendre rings of weight * P_lm P_km is 1 for l = k, else 0. Measured: 1.3e-13, most of
-// which is what rounding of the nodes makes of degree 300.
+// which rounding of the nodes causes at degree 300.
 TEST(LegendreRings, AnalysisUndoesSynthesisOnGaussLegendreRingsAtDegree300) {
   constexpr int kDegree = 300;
   const auto rule = gauss_legendre<double>(kDegree + 1);
@@ -127,7 +126,7 @@ TEST(LegendreRings, AnalysisUndoesSynthesisOnGaussLegendreRingsAtDegree300) {
   for (const double z : rule.nodes) circle.add(z, std::sqrt((1 - z) * (1 + z)));
   const LegendreRings rings(kDegree, circle.z, circle.sine);
   for (const int order : {0, 1, 2, 10, 100, 250, 300}) {
-    const auto a = random_values(2 * (static_cast<std::size_t>(kDegree - order) + 1), 3);
+    const auto a = random_values(2 * (kDegree - order + 1), 3);
     std::vector<double> values(2 * circle.z.size());
     std::vector<double> back(a.size());
     rings.synthesis(kDegree, order, a, values);
@@ -143,7 +142,7 @@ TEST(LegendreRings, TheTailKeepsItsDigitsDownToTheSmallestNormalNumber) {
   for (const RingLanes lanes : all_lanes()) {
     const LegendreRings rings(500, circle.z, circle.sine, lanes);
     for (const int order : {100, 200, 400}) {
-      std::vector<double> a(2 * (static_cast<std::size_t>(500 - order) + 1), 0.0);
+      std::vector<double> a(2 * (500 - order + 1), 0.0);
       std::vector<double> values(2 * circle.z.size());
       a[6] = 1;  // degree order + 3
       rings.synthesis(500, order, a, values);

@@ -1,4 +1,4 @@
-// Rows, columns and single Legendre values against the basis and each other; parity; what the local amplitude is.
+// Rows, columns and single Legendre values against the basis and each other; parity; the meaning of the local amplitude.
 #include "numeric/oracle/legendre_values.hpp"
 
 #include <gtest/gtest.h>

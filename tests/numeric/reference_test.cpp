@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "numeric/oracle/basis.hpp"
-#include "numeric/oracle/gradient.hpp"
 #include "numeric/oracle/real.hpp"
 #include "tests/message_of.hpp"
 

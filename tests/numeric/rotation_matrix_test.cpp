@@ -96,7 +96,7 @@ TEST(RotationMatrix, MayErrBySixteenEpsilonsTimesItsBands) {
   EXPECT_EQ(check_rotations(make_rotations({}, 2), 0).epsilon, 0x1p-52);
 }
 
-// What orthogonality does not show.
+// Orthogonality does not show this.
 TEST(RotationMatrix, ThatLosesDigitsNearIdentityIsFoundThoughOrthogonal) {
   const auto result = check_rotations(make_float_rotations(5, true), 0);
   EXPECT_TRUE(result.fits);

@@ -1,6 +1,4 @@
-// Every method of the table against the recursion of Ivanic and Ruedenberg, and against what defines a rotation.
-#include "numeric/methods/rotation_methods.hpp"
-
+// Every method of the table against the recursion of Ivanic and Ruedenberg, and against the defining property of a rotation.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "numeric/methods/methods.hpp"
 #include "numeric/oracle/basis.hpp"
 #include "numeric/oracle/real.hpp"
 #include "numeric/oracle/rotation.hpp"

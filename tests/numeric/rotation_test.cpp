@@ -1,4 +1,4 @@
-// Ivanic-Ruedenberg rotations against what defines them: Y(r s) = D(r) Y(s), with the oracle's basis on both sides.
+// Ivanic-Ruedenberg rotations against their definition: Y(r s) = D(r) Y(s), with the oracle's basis on both sides.
 #include "numeric/oracle/rotation.hpp"
 
 #include <gtest/gtest.h>

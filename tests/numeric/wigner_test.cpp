@@ -106,33 +106,24 @@ TEST(Wigner3j, RefusesBadDegreesAndOrders) {
 // The row of (a, b, A, B) against exact values: the largest error in eps x the largest value of the row, and in eps x
 // the value itself where that is outside the oscillating middle (below 1e-3 of the largest) and normal.
 struct RowError {
-  double to_largest = 0;
-  double in_tail = 0;
-  std::string where = "nowhere";
-  std::string where_in_tail = "nowhere";
+  test::Worst to_largest, in_tail;
 
   template <class Real>
   void add(int a, int b, int order_a, int order_b, int stride = 1) {
     const auto row = wigner_3j_row<Real>(a, b, order_a, order_b);
     Real largest = 0;
     for (const Real& value : row.values) largest = std::max(largest, std::abs(value));
-    for (std::size_t i = 0; i < row.values.size(); i += static_cast<std::size_t>(stride)) {
+    for (std::size_t i = 0; i < row.values.size(); i += stride) {
       const int c = row.first_degree + static_cast<int>(i);
       const auto exact = wigner_3j_exact({a, b, c}, {order_a, order_b, -order_a - order_b}).value<Mpfr50>();
       const double error = std::abs(static_cast<double>(Mpfr50(Mpfr50(row.values[i]) - exact))) /
                            static_cast<double>(std::numeric_limits<Real>::epsilon());
       const double size = std::abs(static_cast<double>(exact));
       const auto name = fmt::format("({} {} {}; {} {} {})", a, b, c, order_a, order_b, -order_a - order_b);
-      if (!(error / static_cast<double>(largest) <= to_largest)) {
-        to_largest = error / static_cast<double>(largest);
-        where = name;
-      }
+      to_largest.keep(error / static_cast<double>(largest), "{}", name);
       const bool tail =
           size < 1e-3 * static_cast<double>(largest) && size > 1e-290 && outside(a, b, c, order_a, order_b);
-      if (tail && !(error / size <= in_tail)) {
-        in_tail = error / size;
-        where_in_tail = name;
-      }
+      if (tail) in_tail.keep(error / size, "{}", name);
     }
   }
 
@@ -168,10 +159,8 @@ TEST(ExtremeGaunt, Wigner3jRowsInDoubleMatchTheExactSymbolsToDegreeHundred) {
   error.add<double>(100, 100, 100, 100);
   error.add<double>(100, 100, 99, -98);
   error.add<double>(100, 3, -50, 2);
-  test::report_extreme("Wigner 3j rows to degree 100, double, eps x largest of the row", error.to_largest, 170,
-                       error.where);
-  test::report_extreme("Wigner 3j rows to degree 100, double, tails, eps x value", error.in_tail, 80,
-                       error.where_in_tail);
+  error.to_largest.report("Wigner 3j rows to degree 100, double, eps x largest of the row", 170);
+  error.in_tail.report("Wigner 3j rows to degree 100, double, tails, eps x value", 80);
 }
 
 TEST(ExtremeGaunt, Wigner3jRowsInDoubleMatchTheExactSymbolsAtDegreeThousand) {
@@ -180,10 +169,8 @@ TEST(ExtremeGaunt, Wigner3jRowsInDoubleMatchTheExactSymbolsAtDegreeThousand) {
   error.add<double>(1000, 1000, 300, -299, 97);
   error.add<double>(1000, 900, 800, -20, 97);
   error.add<double>(1000, 1000, 999, -1000, 97);
-  test::report_extreme("Wigner 3j rows at degree 1000, double, eps x largest of the row", error.to_largest, 120,
-                       error.where);
-  test::report_extreme("Wigner 3j rows at degree 1000, double, tails, eps x value", error.in_tail, 900,
-                       error.where_in_tail);
+  error.to_largest.report("Wigner 3j rows at degree 1000, double, eps x largest of the row", 120);
+  error.in_tail.report("Wigner 3j rows at degree 1000, double, tails, eps x value", 900);
 }
 
 }  // namespace

@@ -7,8 +7,8 @@
 #include <numbers>
 #include <random>
 
-#include "numeric/oracle/cap.hpp"
 #include "numeric/oracle/quadrature.hpp"
+#include "numeric/oracle/zonal.hpp"
 #include "prt/basis.hpp"
 #include "prt/light/light.hpp"
 #include "prt/light/light_shapes.hpp"

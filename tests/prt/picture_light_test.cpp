@@ -6,7 +6,7 @@
 #include <memory>
 #include <numbers>
 
-#include "numeric/oracle/cap.hpp"
+#include "numeric/oracle/zonal.hpp"
 #include "numeric/output/png.hpp"
 #include "numeric/output/srgb.hpp"
 #include "prt/image/image.hpp"

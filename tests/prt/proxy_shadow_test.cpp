@@ -11,8 +11,8 @@
 #include <random>
 
 #include "generated/cpp/product.hpp"
-#include "numeric/oracle/cap.hpp"
 #include "numeric/oracle/quadrature.hpp"
+#include "numeric/oracle/zonal.hpp"
 #include "prt/basis.hpp"
 #include "prt/light/light_shapes.hpp"
 #include "tests/prt/lights.hpp"

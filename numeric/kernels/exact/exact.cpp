@@ -10,7 +10,6 @@
 #include "numeric/kernels/exact/polynomial_forms.hpp"
 #include "numeric/kernels/inputs.hpp"
 #include "numeric/oracle/basis.hpp"
-#include "numeric/oracle/gradient.hpp"
 
 namespace sh::numeric {
 namespace {

@@ -4,12 +4,13 @@
 // place). Against quadrature over the cap and the oracle's basis in the direction of the light.
 // window_* (parameters, c): in place, against their definitions with the angles and powers of the parameters, where the
 // kernels have recurrences.
+#include "numeric/oracle/zonal.hpp"
+
 #include <cmath>
 #include <vector>
 
 #include "numeric/kernels/exact/exact.hpp"
 #include "numeric/oracle/basis.hpp"
-#include "numeric/oracle/cap.hpp"
 
 namespace sh::numeric {
 namespace {

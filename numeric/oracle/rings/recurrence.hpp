@@ -12,7 +12,7 @@ namespace sh::numeric::rings::SH_RINGS_ISA {
 
 using Lanes = xsimd::batch<double>;
 inline constexpr std::size_t kWidth = Lanes::size;
-// Registers of pairs that run side by side, to hide the latency of the recurrence: as many as there are registers for.
+// Registers of pairs that run side by side, to hide the latency of the recurrence; their number is bounded by that of registers.
 inline constexpr std::size_t kSide = kWidth == 8 ? 4 : 2;
 inline constexpr std::size_t kBlock = kSide * kWidth;
 static_assert(kPadding % kBlock == 0);
