@@ -25,8 +25,8 @@ struct CheckpointSettings {
 };
 
 struct BakeSettings {
-  int threads = 0;              // 0: every core; no more than there are cores
-  std::string instruction_set;  // of the rays, see Tracer; empty: the best up to avx2
+  int threads = 0;                   // 0: every core; no more than there are cores
+  std::string instruction_set = {};  // of the rays, see Tracer; empty: the best up to avx2
   OnFlaw on_flaw = OnFlaw::kMend;
   std::size_t bounce_memory = SIZE_MAX;  // bytes for form factors; the rest is traced again for each bounce
   CheckpointSettings checkpoint = {};    // unused with colored mirrors

@@ -1,8 +1,9 @@
-// The operator A = albedo * K and the operations that both solvers of bounces.hpp need.
+// The system x = b + A x, A = albedo * K, and the operations that both solvers of bounces.hpp need.
 #pragma once
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <vector>
 
 #include "prt/bake/bounces.hpp"
 
@@ -10,24 +11,29 @@ namespace sh::prt {
 
 class BounceSystem {
  public:
-  BounceSystem(const FormFactors& factors, const std::vector<Eigen::Vector3f>& albedo, BounceLayout layout)
-      : factors_(factors), albedo_(albedo), layout_(layout) {}
+  /// All arguments must outlive this object.
+  BounceSystem(const FormFactors& factors, const std::vector<Eigen::Vector3f>& albedo, const BounceLayout& layout,
+               const BounceOptions& options)
+      : factors_(factors), albedo_(albedo), layout_(layout), options_(options) {}
 
   /// y = A x.
   void apply(const Panel& x, Panel& y);
   /// r = b - (I - A) x.
   void residual(const Panel& b, const Panel& x, Panel& r);
-  /// Fills in bound, residual, largest and spectral_bound for an iterate and its residual.
-  void certify(const Panel& x, const Panel& r, BounceReport& report) const;
+  /// Fills in bound, residual, largest and spectral_bound of the report for an iterate and its residual.
+  void certify(const Panel& x, const Panel& r);
+  /// True while applications and time are left.
+  [[nodiscard]] bool may_go_on() const;
+  /// True if the certified bound is within the tolerance.
+  [[nodiscard]] bool is_solved() const;
 
-  [[nodiscard]] const BounceLayout& layout() const { return layout_; }
-  [[nodiscard]] int applications() const { return applications_; }
+  BounceReport report;  // of the last certify()
 
  private:
   const FormFactors& factors_;
   const std::vector<Eigen::Vector3f>& albedo_;
-  BounceLayout layout_;
-  int applications_ = 0;
+  const BounceLayout& layout_;
+  const BounceOptions& options_;
 };
 
 /// Rows that one task handles; the same for any number of threads.
@@ -40,15 +46,7 @@ void for_rows(std::size_t rows, const Each& each) {
                     [&](std::size_t part) { each(part * kRowsAPart, std::min(rows, (part + 1) * kRowsAPart)); });
 }
 
-/// Improves x, whose residual is r, until the bound in `report` is small enough or the limit on applications is
-/// reached.
-void solve_krylov(BounceSystem& system, const Panel& b, Panel& x, Panel& r, const BounceOptions& options,
-                  BounceReport& report);
-
-/// True while applications and time are left.
-bool may_go_on(const BounceSystem& system, const BounceOptions& options);
-
-/// True if the certified bound is within the tolerance.
-bool is_solved(const BounceReport& report, const BounceOptions& options);
+/// Improves x, whose residual is r, until the certified bound is small enough or the limit on applications is reached.
+void solve_krylov(BounceSystem& system, const Panel& b, Panel& x, Panel& r);
 
 }  // namespace sh::prt

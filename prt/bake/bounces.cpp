@@ -56,46 +56,40 @@ Extremes extremes(const Panel& x, const Panel& r, const BounceLayout& layout, st
   return e;
 }
 
-struct Series {
-  BounceSystem& system;
-  const BounceOptions& options;
-  BounceReport& report;
+// The ratio of the worse bound to the tolerance.
+double excess(const BounceReport& report, double tolerance) {
+  const auto part = [tolerance](double bound, double largest) {
+    return bound > 0.0 ? bound / (tolerance * largest) : 0.0;
+  };
+  return std::max(part(report.bound, report.largest), part(report.emitted_bound, report.emitted_largest));
+}
 
-  // x is a partial sum and r the term after it, which is the residual of x.
-  void run(Panel& x, Panel& r) const {
-    Panel next(x.rows, x.columns);
-    double before = kInfinity;
-    while (true) {
-      system.certify(x, r, report);
-      if (is_solved(report, options) || !may_go_on(system, options) ||
-          (options.solver == BounceSolver::kAutomatic && is_slow(before))) {
-        return;
-      }
-      before = excess();
-      for_rows(x.rows, [&](std::size_t first, std::size_t last) { x.block(first, last) += r.block(first, last); });
-      system.apply(r, next);
-      std::swap(r, next);
+// True if the series still needs more bounces than a Krylov solver.
+bool is_slow(int applications, double before, double now) {
+  constexpr int kFirst = 8;
+  constexpr double kManyMore = 30.0;
+  if (applications < kFirst) return false;
+  const double rate = now / before;
+  return !(rate < 1.0) || std::log(1.0 / now) / std::log(rate) > kManyMore;
+}
+
+// x is a partial sum and r the term after it, which is the residual of x.
+void sum_series(BounceSystem& system, const BounceOptions& options, Panel& x, Panel& r) {
+  Panel next(x.rows, x.columns);
+  double before = kInfinity;
+  while (true) {
+    system.certify(x, r);
+    const double now = excess(system.report, options.tolerance);
+    if (system.is_solved() || !system.may_go_on() ||
+        (options.solver == BounceSolver::kAutomatic && is_slow(system.report.applications, before, now))) {
+      return;
     }
+    before = now;
+    for_rows(x.rows, [&](std::size_t first, std::size_t last) { x.block(first, last) += r.block(first, last); });
+    system.apply(r, next);
+    std::swap(r, next);
   }
-
-  // The ratio of the worse bound to the tolerance.
-  [[nodiscard]] double excess() const {
-    const auto part = [this](double bound, double largest) {
-      return bound > 0.0 ? bound / (options.tolerance * largest) : 0.0;
-    };
-    return std::max(part(report.bound, report.largest), part(report.emitted_bound, report.emitted_largest));
-  }
-
-  // True if the series still needs more bounces than a Krylov solver.
-  [[nodiscard]] bool is_slow(double before) const {
-    constexpr int kFirst = 8;
-    constexpr double kManyMore = 30.0;
-    if (system.applications() < kFirst) return false;
-    const double now = excess();
-    const double rate = now / before;
-    return !(rate < 1.0) || std::log(1.0 / now) / std::log(rate) > kManyMore;
-  }
-};
+}
 
 void check_shapes(const FormFactors& factors, const std::vector<Eigen::Vector3f>& albedo, const BounceLayout& layout,
                   const Panel& x, const BounceOptions& options) {
@@ -120,7 +114,7 @@ void BounceSystem::apply(const Panel& x, Panel& y) {
       }
     }
   });
-  ++applications_;
+  ++report.applications;
 }
 
 void BounceSystem::residual(const Panel& b, const Panel& x, Panel& r) {
@@ -130,8 +124,7 @@ void BounceSystem::residual(const Panel& b, const Panel& x, Panel& r) {
   });
 }
 
-void BounceSystem::certify(const Panel& x, const Panel& r, BounceReport& report) const {
-  report.applications = applications_;
+void BounceSystem::certify(const Panel& x, const Panel& r) {
   report.bound = report.residual = report.largest = report.spectral_bound = 0.0;
   report.emitted_bound = report.emitted_largest = 0.0;
   for (std::size_t c = 0; c < kChannels; ++c) {
@@ -148,38 +141,38 @@ void BounceSystem::certify(const Panel& x, const Panel& r, BounceReport& report)
   }
 }
 
-bool may_go_on(const BounceSystem& system, const BounceOptions& options) {
-  return system.applications() < options.most_applications && std::chrono::steady_clock::now() < options.deadline;
+bool BounceSystem::may_go_on() const {
+  return report.applications < options_.most_applications && std::chrono::steady_clock::now() < options_.deadline;
 }
 
-bool is_solved(const BounceReport& report, const BounceOptions& options) {
-  return report.bound <= options.tolerance * report.largest &&
-         report.emitted_bound <= options.tolerance * report.emitted_largest;
+bool BounceSystem::is_solved() const {
+  return report.bound <= options_.tolerance * report.largest &&
+         report.emitted_bound <= options_.tolerance * report.emitted_largest;
 }
 
 BounceReport solve_bounces(const FormFactors& factors, const std::vector<Eigen::Vector3f>& albedo, BounceLayout layout,
                            Panel& x, const BounceOptions& options) {
   check_shapes(factors, albedo, layout, x, options);
   for (std::size_t v = 0; v < x.rows; ++v) {
-    for (std::size_t c = 0; c < kChannels; ++c) x.row(v)[layout.certificate(c)] = 1.0;
+    for (std::size_t c = 0; c < kChannels; ++c) x.row(v)[layout.channel(c) + layout.count] = 1.0;
   }
-  BounceReport report;
-  BounceSystem system(factors, albedo, layout);
+  BounceSystem system(factors, albedo, layout, options);
+  BounceReport& report = system.report;
   const Panel b = x;
   Panel r(x.rows, x.columns);
   system.apply(x, r);
   if (options.solver != BounceSolver::kKrylov) {
     report.solver = "series";
-    Series{system, options, report}.run(x, r);
+    sum_series(system, options, x, r);
   } else {
-    system.certify(x, r, report);
+    system.certify(x, r);
   }
-  if (!is_solved(report, options) && options.solver != BounceSolver::kSeries) {
+  if (!system.is_solved() && options.solver != BounceSolver::kSeries) {
     report.solver = "bicgstab";
-    solve_krylov(system, b, x, r, options, report);
+    solve_krylov(system, b, x, r);
   }
   const bool is_late = std::chrono::steady_clock::now() >= options.deadline;
-  report.certified = is_solved(report, options) || (is_late && std::isfinite(report.bound));
+  report.certified = system.is_solved() || (is_late && std::isfinite(report.bound));
   return report;
 }
 

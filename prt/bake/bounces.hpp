@@ -26,7 +26,6 @@ struct BounceLayout {
   std::size_t count;
   std::size_t emitted = 0;
   [[nodiscard]] std::size_t channel(std::size_t c) const { return c * (count + 1); }
-  [[nodiscard]] std::size_t certificate(std::size_t c) const { return channel(c) + count; }
   [[nodiscard]] std::size_t columns() const { return channel(kChannels); }
 };
 

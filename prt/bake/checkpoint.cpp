@@ -111,20 +111,16 @@ Checkpoint::Checkpoint(const CheckpointSettings& settings, const std::string& ke
       interval_(std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(settings.seconds))) {
   if (!settings.path.empty()) {
     file_.emplace(settings.path, key, settings.restart);
-    restore();
+    file_->read([&](std::uint32_t chunk, std::string_view data) {
+      if (chunk < restored_.size() && restored_[chunk] == 0 &&
+          decode_chunk(data, chunk_range(chunk, result.sight.size()), result)) {
+        restored_[chunk] = 1;
+        ++written_;
+      }
+    });
   }
-  last_write_ = Clock::now();
-}
-
-void Checkpoint::restore() {
-  file_->read([&](std::uint32_t chunk, std::string_view data) {
-    if (chunk < restored_.size() && restored_[chunk] == 0 &&
-        decode_chunk(data, chunk_range(chunk, result_.sight.size()), result_)) {
-      restored_[chunk] = 1;
-      ++written_;
-    }
-  });
   if (written_ > 0) fmt::print(stderr, "going on from {}: {} of {} parts\n", file_->path(), written_, restored_.size());
+  last_write_ = Clock::now();
 }
 
 void Checkpoint::finished(std::size_t chunk) {

@@ -49,7 +49,6 @@ class Checkpoint {
 
  private:
   using Clock = std::chrono::steady_clock;
-  void restore();
   [[nodiscard]] bool is_due() const { return Clock::now() - last_write_ >= interval_; }
   void write_pending();
 

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <fstream>
 #include <limits>
 #include <numbers>
 #include <stdexcept>
@@ -30,11 +30,7 @@ constexpr double kMostBounces = 60.0;  // then the Krylov solver is quicker
 std::size_t resident_memory() {
   std::size_t pages = 0;
   std::size_t resident = 0;
-  if (std::FILE* file = std::fopen("/proc/self/statm", "r"); file != nullptr) {
-    const int read = std::fscanf(file, "%zu %zu", &pages, &resident);
-    resident = read == 2 ? resident : 0;
-    std::fclose(file);
-  }
+  std::ifstream("/proc/self/statm") >> pages >> resident;
   return resident * sysconf(_SC_PAGESIZE);
 }
 

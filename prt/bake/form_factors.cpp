@@ -48,19 +48,16 @@ SHFORGE_WIDEST void sum_row(const FormFactorRow& row, const double* x, std::size
 FormFactors::FormFactors(std::size_t vertices, std::size_t most_bytes, std::function<RowMaker()> make_maker)
     : rows_(vertices), kept_(vertices, 0), most_bytes_(most_bytes), make_maker_(std::move(make_maker)) {}
 
-bool FormFactors::fits(std::size_t bytes) {
-  const std::atomic_ref<std::size_t> spent(bytes_);
-  if (spent.fetch_add(bytes) + bytes <= most_bytes_) return true;
-  spent.fetch_sub(bytes);
-  return false;
-}
-
 void FormFactors::keep(std::size_t vertex, FormFactorRow row) {
-  if (!make_maker_ || fits(row.size() * sizeof(FormFactor))) {
-    row.shrink_to_fit();
-    rows_[vertex] = std::move(row);
-    kept_[vertex] = 1;
+  const std::size_t bytes = row.size() * sizeof(FormFactor);
+  const std::atomic_ref<std::size_t> spent(bytes_);
+  if (make_maker_ && spent.fetch_add(bytes) + bytes > most_bytes_) {
+    spent.fetch_sub(bytes);
+    return;
   }
+  row.shrink_to_fit();
+  rows_[vertex] = std::move(row);
+  kept_[vertex] = 1;
 }
 
 void FormFactors::keep_mean(std::size_t vertex, const std::vector<std::uint32_t>& sources) {

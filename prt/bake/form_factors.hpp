@@ -65,8 +65,6 @@ class FormFactors {
   [[nodiscard]] const FormFactorRow& row(std::size_t vertex) const { return rows_[vertex]; }  // empty if not kept
 
  private:
-  [[nodiscard]] bool fits(std::size_t bytes);
-
   std::vector<FormFactorRow> rows_;
   std::vector<std::uint8_t> kept_;
   std::size_t most_bytes_;

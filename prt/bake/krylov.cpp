@@ -51,14 +51,14 @@ void apply_system(BounceSystem& system, const Panel& x, Panel& y) {
 }
 
 // Iterates until the recursive residual is small enough or a restart is due.
-void run_cycle(BounceSystem& system, Panel& x, Panel& r, const BounceOptions& options, BounceReport& report) {
+void run_cycle(BounceSystem& system, Panel& x, Panel& r) {
   constexpr int kSteps = 32;
   const Panel shadow = r;
   Panel p = r;
   Panel v(x.rows, x.columns);
   Panel t(x.rows, x.columns);
   Scalars rho = dots(shadow, r);
-  for (int step = 0; step < kSteps && !is_solved(report, options); ++step) {
+  for (int step = 0; step < kSteps && !system.is_solved(); ++step) {
     apply_system(system, p, v);
     const Scalars alpha = ratio(rho, dots(shadow, v));
     add(alpha, p, x);
@@ -71,19 +71,18 @@ void run_cycle(BounceSystem& system, Panel& x, Panel& r, const BounceOptions& op
     add(-omega, v, p);
     follow(r, ratio(next, rho) * ratio(alpha, omega), p);
     rho = next;
-    system.certify(x, r, report);
-    if (!may_go_on(system, options)) return;
+    system.certify(x, r);
+    if (!system.may_go_on()) return;
   }
 }
 
 }  // namespace
 
-void solve_krylov(BounceSystem& system, const Panel& b, Panel& x, Panel& r, const BounceOptions& options,
-                  BounceReport& report) {
-  while (!is_solved(report, options) && may_go_on(system, options)) {
-    run_cycle(system, x, r, options, report);
+void solve_krylov(BounceSystem& system, const Panel& b, Panel& x, Panel& r) {
+  while (!system.is_solved() && system.may_go_on()) {
+    run_cycle(system, x, r);
     system.residual(b, x, r);
-    system.certify(x, r, report);
+    system.certify(x, r);
   }
 }
 

@@ -60,7 +60,7 @@ void SceneOptions::add_to(CLI::App& command) {
       ->check(CLI::Range(0, kMaxSeed));
   command
       .add_option("--kind", kind, "kind of transfer: unshadowed, shadowed or interreflected, instead of the scene's")
-      ->check(words(kind_words()));
+      ->check(words(kind_names(&TransferKind::word)));
   command.add_option("--plan", plan, "none: leave nothing out; exact: change no number; lossy: stay within the error")
       ->check(words(kPlanModeNames));
   command.add_option("--error", error, "error limit of a lossy plan, instead of the scene's");
@@ -74,9 +74,9 @@ void SceneOptions::apply_to(Scene& loaded) const {
   BakeOptions& bake = loaded.bake;
   bake.degree = degree.value_or(bake.degree);
   bake.directions = directions.value_or(bake.directions);
-  bake.sampler = sampler_called(sampler).value_or(bake.sampler);
+  bake.sampler = value_called<Sampler>(sampler, kSamplerNames).value_or(bake.sampler);
   bake.seed = seed.value_or(bake.seed);
-  if (!kind.empty()) bake.kind = kind_called(kind);
+  if (!kind.empty()) bake.kind = find_kind(&TransferKind::word, kind);
   require_degree(bake.degree);
   PlanOptions& made = loaded.plan;
   made.mode = value_called<PlanMode>(plan, kPlanModeNames).value_or(error ? PlanMode::kLossy : made.mode);
@@ -156,10 +156,8 @@ void run_plan(const PlanCommand& options) {
   Scene scene = load_scene(options.scene, OnFlaw::kMend);
   options.apply_to(scene);
   if (options.plan.empty()) scene.plan.mode = PlanMode::kLossy;
-  BakeSettings settings;
-  settings.threads = options.threads;
-  const BakeJob job = planned({std::move(scene), settings});
-  print_out(options.json ? plan_json(*job.plan, job.scene).dump(2) + "\n" : plan_text(*job.plan, job.scene));
+  const BakeJob job = planned({std::move(scene), {.threads = options.threads}});
+  print_out(options.json ? plan_json(*job.plan, job.scene) + "\n" : plan_text(*job.plan, job.scene));
   report_time(stopwatch, "planned");
 }
 

@@ -7,7 +7,7 @@
 #include "prt/commands/commands.hpp"
 #include "prt/rays/tracer.hpp"
 #include "prt/study/error_picture.hpp"
-#include "prt/study/study_output.hpp"
+#include "prt/study/study.hpp"
 
 namespace sh::prt {
 namespace {

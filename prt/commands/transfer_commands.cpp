@@ -66,7 +66,7 @@ struct ShaderCommand {
 };
 
 void run_shader(const ShaderCommand& options) {
-  print_out(vertex_shader(*kind_with_letters(options.kind), options.degree, options.white,
+  print_out(vertex_shader(*find_kind(&TransferKind::letters, options.kind), options.degree, options.white,
                           options.language == "450" ? ShaderLanguage::kGlsl450 : ShaderLanguage::kEs300));
 }
 
@@ -91,7 +91,7 @@ void add_info_command(CLI::App& tool) {
 void add_shader_command(CLI::App& tool) {
   auto options = std::make_shared<ShaderCommand>();
   CLI::App& command = *tool.add_subcommand("shader", "print a complete vertex shader that relights");
-  const auto letters = kind_letters();
+  const auto letters = kind_names(&TransferKind::letters);
   command
       .add_option("--kind", options->kind,
                   "kind of transfer: DU reads normals, DS rows of one channel, DI rows of three")

@@ -45,12 +45,13 @@ using TransferKinds = std::span<const TransferKind* const>;
 
 TransferKinds transfer_kinds();
 
-/// The kind in `kinds` with these letters or this word; null if there is none.
-const TransferKind* kind_with_letters(std::string_view letters, TransferKinds kinds = transfer_kinds());
-const TransferKind* kind_called(std::string_view word, TransferKinds kinds = transfer_kinds());
+/// The name of a kind by which to find it: &TransferKind::letters or &TransferKind::word.
+using KindName = std::string_view TransferKind::*;
 
-/// The letters or the words of all kinds, in order, for command lines and messages.
-std::vector<std::string_view> kind_letters(TransferKinds kinds = transfer_kinds());
-std::vector<std::string_view> kind_words(TransferKinds kinds = transfer_kinds());
+/// The kind in `kinds` with this name; null if there is none.
+const TransferKind* find_kind(KindName name, std::string_view value, TransferKinds kinds = transfer_kinds());
+
+/// The names of all kinds, in order, for command lines and messages.
+std::vector<std::string_view> kind_names(KindName name, TransferKinds kinds = transfer_kinds());
 
 }  // namespace sh::prt

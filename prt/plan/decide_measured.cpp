@@ -1,4 +1,4 @@
-// Decisions by measurements on a probe: bands and directions.
+// Decisions by measurements on a probe: bounces, bands and directions.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -14,6 +14,44 @@
 namespace sh::prt {
 
 namespace {
+
+constexpr double kLoosestTolerance = 0.1;
+
+// Albedo times blocked part times the largest relative radiance after any number of bounces, for all rotations of the
+// light: a bound on the light that comes back to a vertex.
+double light_that_returns(const Draft& draft) {
+  std::vector<double> returned;
+  for (std::size_t k = 0; k < draft.rows.blocked.size(); ++k) {
+    const float own = draft.scene.mesh.albedo[draft.probe[k]].maxCoeff();
+    returned.push_back(static_cast<double>(own) * draft.rows.blocked[k]);
+  }
+  const double largest = draft.light->largest_product_of_bands(0, unshadowed_band_norm);
+  return kProbeMargin * rms(returned) * draft.relative(largest, draft.gain);
+}
+
+// The error of a tolerance of 1: every number is off by the largest possible number.
+double error_of_tolerance(const Draft& draft) {
+  const double largest = transfer_band_bound(kInterreflected, true, draft.bake.degree);
+  return draft.error_of(std::vector<double>(draft.light->coefficients().bands_squared(), largest));
+}
+
+void loosen_tolerance(Draft& draft, double returned) {
+  constexpr double kPart = 0.1;
+  double& tolerance = draft.bake.bounces.tolerance;
+  const double before = tolerance;
+  const double unit = error_of_tolerance(draft);
+  const double wanted = std::min(kLoosestTolerance, unit > 0.0 ? draft.share(kPart) / unit : kLoosestTolerance);
+  if (draft.shines() || wanted <= before) {
+    draft.decide("bounces", fmt::format("to {:.2g} as requested", before),
+                 draft.shines() ? "surfaces emit light" : "the budget leaves no room");
+    return;
+  }
+  tolerance = wanted;
+  draft.decide("bounces", fmt::format("to {:.2g} instead of {:.2g}", tolerance, before),
+               fmt::format("up to {:.2g} of the light comes back; about {:.0f} % of the applications are left",
+                           returned, 100.0 * std::log(tolerance) / std::log(before)),
+               tolerance * unit, "bound");
+}
 
 // The error of omitting the lights' bands above `degree`, up to the requested degree.
 double bound_above(const Draft& draft, int degree) {
@@ -65,6 +103,18 @@ Convergence measure(const Draft& draft) {
 }
 
 }  // namespace
+
+void decide_bounces(Draft& draft) {
+  constexpr double kPart = 0.25;
+  const double returned = light_that_returns(draft);
+  if (draft.shines() || draft.has_mirrors() || returned > draft.share(kPart)) {
+    loosen_tolerance(draft, returned);
+    return;
+  }
+  draft.bake.kind = draft.bake.kind->without_bounces;
+  draft.decide("bounces", "none: shadowed instead of interreflected",
+               "albedo times the blocked part bounds the light that comes back", returned, "measured");
+}
 
 void decide_bands(Draft& draft) {
   constexpr double kPart = 0.4;

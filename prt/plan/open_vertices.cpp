@@ -69,7 +69,7 @@ class Boxes {
 // The farthest points along a few directions.
 std::vector<Eigen::Vector3d> landmarks(const std::vector<Eigen::Vector3f>& points) {
   std::vector<Eigen::Vector3d> found;
-  for (const Eigen::Vector3f& direction : fibonacci_directions(kLandmarks)) {
+  for (const Eigen::Vector3f& direction : make_directions(Sampler::kFibonacci, kLandmarks)) {
     const auto farther = [&](const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
       return a.dot(direction) < b.dot(direction);
     };

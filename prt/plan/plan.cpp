@@ -47,7 +47,6 @@ void take_lights(Draft& draft) {
       }));
 }
 
-// Open vertices are found first, because they need no rays in the probe either.
 void take_probe(Draft& draft) {
   draft.tracer =
       std::make_unique<Tracer>(draft.scene.mesh, tbb::this_task_arena::max_concurrency(), draft.instruction_set);

@@ -14,7 +14,6 @@
 // A plan without a budget takes only `analytic` and `channels`, which change no number under any light.
 #pragma once
 #include <cstdint>
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -50,7 +49,7 @@ Plan make_plan(Scene& scene, const std::string& instruction_set);
 /// A table with one row for each decision and its reason below it.
 std::string plan_text(const Plan& plan, const Scene& scene);
 
-/// `scene` is the scene that follows the plan.
-nlohmann::ordered_json plan_json(const Plan& plan, const Scene& scene);
+/// The same as JSON. `scene` is the scene that follows the plan.
+std::string plan_json(const Plan& plan, const Scene& scene);
 
 }  // namespace sh::prt

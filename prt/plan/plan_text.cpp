@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "prt/plan/plan.hpp"
-#include "prt/transfer/transfer_file.hpp"
+#include "prt/transfer/transfer_json.hpp"
 
 namespace sh::prt {
 
@@ -49,7 +49,7 @@ std::string plan_text(const Plan& plan, const Scene& scene) {
   return text;
 }
 
-nlohmann::ordered_json plan_json(const Plan& plan, const Scene& scene) {
+std::string plan_json(const Plan& plan, const Scene& scene) {
   const BakeOptions& bake = scene.bake;
   nlohmann::ordered_json json = to_json(plan.record);
   json["scene"] = scene.name;
@@ -63,7 +63,7 @@ nlohmann::ordered_json plan_json(const Plan& plan, const Scene& scene) {
                   {"tolerance", bake.bounces.tolerance},
                   {"open_vertices", std::count(plan.open.begin(), plan.open.end(), std::uint8_t{1})}};
   json["storage"] = to_json(plan.storage);
-  return json;
+  return json.dump(2);
 }
 
 }  // namespace sh::prt

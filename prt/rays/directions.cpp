@@ -54,8 +54,6 @@ std::vector<Eigen::Vector3f> make_directions(Sampler sampler, int count, std::ui
   return directions;
 }
 
-std::vector<Eigen::Vector3f> fibonacci_directions(int count) { return make_directions(Sampler::kFibonacci, count, 0); }
-
 Eigen::Matrix3f frame_about(const Eigen::Vector3f& normal) {
   const float sign = std::copysign(1.0F, normal.z());
   const float a = -1.0F / (sign + normal.z());

@@ -18,10 +18,7 @@ inline constexpr int kMaxDirections = 1 << 20;
 
 /// `count` unit vectors, (count + 1) / 2 for Sampler::kCosine. Equal arguments give equal directions. Throws
 /// std::invalid_argument unless 1 <= count <= kMaxDirections.
-std::vector<Eigen::Vector3f> make_directions(Sampler sampler, int count, std::uint32_t seed);
-
-/// The spherical Fibonacci points.
-std::vector<Eigen::Vector3f> fibonacci_directions(int count);
+std::vector<Eigen::Vector3f> make_directions(Sampler sampler, int count, std::uint32_t seed = 0);
 
 /// A rotation whose third column is `normal`, |normal| = 1, without a branch [Duff17].
 Eigen::Matrix3f frame_about(const Eigen::Vector3f& normal);

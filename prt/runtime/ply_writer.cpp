@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <bit>
-#include <cstring>
 
 #include "numeric/output/atomic_file.hpp"
 #include "prt/runtime/relight.hpp"
@@ -14,15 +13,8 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "the bodies of PLY files are written as they are in memory");
 
 template <class T>
-void append(std::string& bytes, const T& value) {
-  static_assert(std::is_trivially_copyable_v<T>);
-  const std::size_t at = bytes.size();
-  bytes.resize(at + sizeof(T));
-  std::memcpy(bytes.data() + at, &value, sizeof(T));
-}
-
-void append(std::string& bytes, const Eigen::Vector3f& value) {
-  for (const float component : value) append(bytes, component);
+void append(std::string& bytes, const T* values, std::size_t count) {
+  bytes.append(reinterpret_cast<const char*>(values), count * sizeof(T));
 }
 
 std::string header(const Mesh& mesh) {
@@ -42,13 +34,11 @@ std::string header(const Mesh& mesh) {
 void write_ply(const std::string& file, const Mesh& mesh, const std::vector<Eigen::Vector3f>& radiance) {
   std::string bytes = header(mesh);
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-    append(bytes, mesh.positions[i]);
-    append(bytes, mesh.normals[i]);
-    append(bytes, radiance[i]);
+    for (const auto* vectors : {&mesh.positions, &mesh.normals, &radiance}) append(bytes, (*vectors)[i].data(), 3);
   }
   for (const Face& face : mesh.faces) {
-    append(bytes, std::uint8_t{3});
-    append(bytes, face);
+    bytes.push_back(3);
+    append(bytes, face.data(), 3);
   }
   output::AtomicFile out(file);
   out.write(bytes.data(), bytes.size());

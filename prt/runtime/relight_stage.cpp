@@ -36,6 +36,14 @@ LightCoefficients turned_into(const Pose& pose, const LightCoefficients& light, 
   return turned(light, pose.rotation.transpose() * light_turn);
 }
 
+/// The light at the proxy's center of object `index`, in the axes of the object. A single object whose rotation is the
+/// identity gets the same bits back.
+LightCoefficients light_at_object(const Stage& stage, const std::vector<Pose>& poses, std::size_t index,
+                                  const LightCoefficients& light, const Eigen::Matrix3d& light_turn) {
+  const Eigen::Vector3d centre = placed(poses[index], stage.objects[index].proxy.centre);
+  return shadowed_by_caps(turned_into(poses[index], light, light_turn), caps_seen_from(stage, poses, index, centre));
+}
+
 /// Relights each vertex under the light that reaches it.
 std::vector<Eigen::Vector3f> radiance_per_vertex(const Stage& stage, const std::vector<Pose>& poses, std::size_t index,
                                                  const LightCoefficients& light, const Shading& shading) {
@@ -61,12 +69,6 @@ void append_placed(Mesh& mesh, const Mesh& part, const Pose& pose) {
 }
 
 }  // namespace
-
-LightCoefficients light_at_object(const Stage& stage, const std::vector<Pose>& poses, std::size_t index,
-                                  const LightCoefficients& light, const Eigen::Matrix3d& light_turn) {
-  const Eigen::Vector3d centre = placed(poses[index], stage.objects[index].proxy.centre);
-  return shadowed_by_caps(turned_into(poses[index], light, light_turn), caps_seen_from(stage, poses, index, centre));
-}
 
 std::vector<std::string> overlaps(const Stage& stage, const std::vector<Pose>& poses) {
   std::vector<std::string> lines;

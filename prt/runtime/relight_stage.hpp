@@ -18,11 +18,6 @@
 
 namespace sh::prt {
 
-/// The light at the proxy's center of object `index`, in the axes of the object. `light` is in world axes and is first
-/// turned by `light_turn`. A single object whose rotation is the identity gets the same bits back.
-LightCoefficients light_at_object(const Stage& stage, const std::vector<Pose>& poses, std::size_t index,
-                                  const LightCoefficients& light, const Eigen::Matrix3d& light_turn);
-
 /// Messages for users about objects that gather light once, at a center that lies inside the sphere of another object.
 std::vector<std::string> overlaps(const Stage& stage, const std::vector<Pose>& poses);
 

@@ -52,7 +52,7 @@ struct PlanOptions {
   PlanMode mode = PlanMode::kNone;
   double error = 0.01;  // lossy: RMS over the vertices, relative to the largest unshadowed exit radiance
   LightTurns turns = LightTurns::kAboutZ;
-  std::vector<std::string> without;  // decisions to skip, of kDecisionNames
+  std::vector<std::string> without = {};  // decisions to skip, of kDecisionNames
 };
 
 }  // namespace sh::prt

@@ -64,8 +64,9 @@ BakeOptions read_bake_options(const JsonReader& reader) {
   reader.take_word("sampler", options.sampler, kSamplerNames);
   reader.take("seed", options.seed, &JsonReader::integer, 0, kMaxSeed);
   reader.take("tolerance", options.bounces.tolerance, &JsonReader::number, 1e-9, 1.0, "a number from 1e-9 to 1");
-  reader.take("transfer", options.kind,
-              [](const JsonReader& value) { return kind_called(value.one_of(kind_words())); });
+  reader.take("transfer", options.kind, [](const JsonReader& value) {
+    return find_kind(&TransferKind::word, value.one_of(kind_names(&TransferKind::word)));
+  });
   return options;
 }
 

@@ -67,9 +67,7 @@ Transfer shadowed(const StudySetup& setup, int degree, int directions) {
   scene.plan.mode = PlanMode::kNone;
   scene.bake.degree = degree;
   scene.bake.directions = directions;
-  BakeSettings settings;
-  settings.instruction_set = setup.options.instruction_set;
-  return bake({std::move(scene), settings});
+  return bake({std::move(scene), {.instruction_set = setup.options.instruction_set}});
 }
 
 }  // namespace

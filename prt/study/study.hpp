@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,11 +23,11 @@
 namespace sh::prt {
 
 struct StudyOptions {
-  std::size_t vertices = 1000;   // about this many are studied
-  int most_directions = 65536;   // a power of two times kLeastDirections
-  int picture_reference = 4096;  // of the whole mesh, for the pictures
-  int bounce_directions = 512;   // of the whole mesh, for the bounces
-  std::string instruction_set;   // of the rays, see Tracer
+  std::size_t vertices = 1000;       // about this many are studied
+  int most_directions = 65536;       // a power of two times kLeastDirections
+  int picture_reference = 4096;      // of the whole mesh, for the pictures
+  int bounce_directions = 512;       // of the whole mesh, for the bounces
+  std::string instruction_set = {};  // of the rays, see Tracer
   static constexpr int kLeastDirections = 256;
   static constexpr int kReferenceFactor = 4;  // the reference has this many times the most directions
 };
@@ -99,5 +100,17 @@ Study run_study(const Scene& scene, const StudyOptions& options, const std::func
 /// The least-squares slope of log error against log `at`; empty for fewer than two points with errors above 0. Uses the
 /// error against the closed-form solution if every point has it.
 std::optional<double> fitted_slope(const std::vector<StudyPoint>& points);
+
+/// All measurements as JSON, with descriptions. `scene` gives the positions of the worst vertices.
+nlohmann::ordered_json study_json(const Study& study, const Scene& scene);
+
+struct StudyChart {
+  std::string file;  // name without folder, .svg
+  std::string title;
+  std::string svg;
+};
+
+/// Charts of every part with errors above 0: error against its axis and, if time was measured, against time.
+std::vector<StudyChart> study_charts(const Study& study);
 
 }  // namespace sh::prt

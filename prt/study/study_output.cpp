@@ -1,4 +1,4 @@
-#include "prt/study/study_output.hpp"
+// A study as JSON and as charts.
 
 #include <fmt/format.h>
 
@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "numeric/output/chart.hpp"
+#include "prt/study/study.hpp"
 
 namespace sh::prt {
 
@@ -58,9 +59,6 @@ Json to_json(const StudyPart& part, const Scene& scene) {
 
 using output::Chart;
 using output::ChartSeries;
-
-constexpr double kWidth = 640;
-constexpr double kHeight = 420;
 
 // True if all points of all curves are as `is_so` says.
 bool all_points(const StudyPart& part, const std::function<bool(const StudyPoint&)>& is_so) {
@@ -120,8 +118,8 @@ Chart chart_of(const Study& study, const StudyPart& part, bool against_time) {
   chart.y.label = all_points(part, [](const StudyPoint& point) { return point.exact_error.has_value(); })
                       ? "error against the exact answer, relative rms"
                       : "error of exit radiance, relative rms";
-  chart.width = kWidth;
-  chart.height = kHeight;
+  chart.width = 640;
+  chart.height = 420;
   chart.legend = part.series.size() > 1;
   for (std::size_t i = 0; i < part.series.size(); ++i) chart.series.push_back(curve(part, i, against_time));
   return chart;

@@ -58,33 +58,29 @@ std::int8_t quantised(float value, float scale) {
   return static_cast<std::int8_t>(std::lround(std::clamp(steps, -127.0, 127.0)));
 }
 
+template <class T>
+void copy_to(std::byte* to, T bits) {
+  std::memcpy(to, &bits, sizeof bits);
+}
+
+template <class T>
+T copy_from(const std::byte* from) {
+  T bits;
+  std::memcpy(&bits, from, sizeof bits);
+  return bits;
+}
+
 // Writes one number to `to`; half and single are copied unchanged.
 void put(std::byte* to, Element element, float value, float scale) {
-  if (element == Element::kSingle) {
-    std::memcpy(to, &value, sizeof value);
-  } else if (element == Element::kHalf) {
-    const std::uint16_t bits = static_cast<Eigen::half>(value).x;
-    std::memcpy(to, &bits, sizeof bits);
-  } else {
-    const std::int8_t steps = quantised(value, scale);
-    std::memcpy(to, &steps, sizeof steps);
-  }
+  if (element == Element::kSingle) return copy_to(to, value);
+  if (element == Element::kHalf) return copy_to(to, static_cast<Eigen::half>(value).x);
+  copy_to(to, quantised(value, scale));
 }
 
 float get(const std::byte* from, Element element, float scale) {
-  if (element == Element::kSingle) {
-    float value = 0.0F;
-    std::memcpy(&value, from, sizeof value);
-    return value;
-  }
-  if (element == Element::kHalf) {
-    std::uint16_t bits = 0;
-    std::memcpy(&bits, from, sizeof bits);
-    return static_cast<float>(Eigen::half(Eigen::half_impl::raw_uint16_to_half(bits)));
-  }
-  std::int8_t steps = 0;
-  std::memcpy(&steps, from, sizeof steps);
-  return static_cast<float>(steps) * scale;
+  if (element == Element::kSingle) return copy_from<float>(from);
+  if (element == Element::kByte) return static_cast<float>(copy_from<std::int8_t>(from)) * scale;
+  return static_cast<float>(Eigen::half(Eigen::half_impl::raw_uint16_to_half(copy_from<std::uint16_t>(from))));
 }
 
 }  // namespace

@@ -9,7 +9,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,11 +27,6 @@ inline constexpr std::array<std::string_view, 5> kSamplerNames = {"fibonacci", "
                                                                   "cosine"};
 
 constexpr std::string_view name_of(Sampler sampler) { return word_of(sampler, kSamplerNames); }
-
-/// The sampler with this name; empty if there is none.
-constexpr std::optional<Sampler> sampler_called(std::string_view name) {
-  return value_called<Sampler>(name, kSamplerNames);
-}
 
 /// One decision of a plan: work or numbers that a bake left out. `error` is relative to the plan's reference radiance
 /// (prt/plan/plan.hpp). `basis` says how the error is known: exact (no error but rounding), bound (proved, for any

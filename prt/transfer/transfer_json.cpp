@@ -1,3 +1,5 @@
+#include "prt/transfer/transfer_json.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,6 +11,10 @@
 #include "prt/transfer/transfer_file.hpp"
 
 namespace sh::prt {
+
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Decision, name, choice, why, bytes_saved, rays_saved, error, basis)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BounceReport, solver, applications, certified, residual, largest, spectral_bound)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PlanRecord, budget, error, light_turns, decisions)
 
 namespace {
 
@@ -24,22 +30,6 @@ Json to_json(const Decision& decision) {
           {"rays_saved", decision.rays_saved},
           {"error", decision.error},
           {"basis", decision.basis}};
-}
-
-Decision decision_from(const nlohmann::json& json) {
-  return {json.at("name").get<std::string>(),        json.at("choice").get<std::string>(),
-          json.at("why").get<std::string>(),         json.at("bytes_saved").get<std::int64_t>(),
-          json.at("rays_saved").get<std::int64_t>(), json.at("error").get<double>(),
-          json.at("basis").get<std::string>()};
-}
-
-PlanRecord plan_from(const nlohmann::json& json) {
-  PlanRecord plan;
-  plan.budget = json.at("budget").get<double>();
-  plan.error = json.at("error").get<double>();
-  plan.light_turns = json.at("light_turns").get<std::string>();
-  for (const nlohmann::json& decision : json.at("decisions")) plan.decisions.push_back(decision_from(decision));
-  return plan;
 }
 
 // Bounds are null if nothing is certified.
@@ -65,14 +55,8 @@ Json to_json(const BounceReport& report) {
 }
 
 BounceReport bounces_from(const nlohmann::json& json) {
-  BounceReport report;
-  report.solver = json.at("solver").get<std::string>();
-  report.applications = json.at("applications").get<int>();
-  report.certified = json.at("certified").get<bool>();
+  auto report = json.get<BounceReport>();
   report.bound = bound_from(report, json.at("bound"));
-  report.residual = json.at("residual").get<double>();
-  report.largest = json.at("largest").get<double>();
-  report.spectral_bound = json.at("spectral_bound").get<double>();
   report.emitted_largest = json.value("emitted_largest", 0.0);
   if (json.contains("emitted_bound")) report.emitted_bound = bound_from(report, json.at("emitted_bound"));
   return report;
@@ -192,14 +176,14 @@ std::string transfer_header(const Transfer& transfer) {
 void take_header(const nlohmann::json& header, std::uint32_t version, TransferKinds kinds, Transfer& transfer) {
   transfer.scene = header.at("scene").get<std::string>();
   const auto letters = header.at("kind").get<std::string>();
-  transfer.kind = kind_with_letters(letters, kinds);
+  transfer.kind = find_kind(&TransferKind::letters, letters, kinds);
   if (transfer.kind == nullptr) {
-    throw std::invalid_argument(
-        fmt::format("transfer of kind {}, expected one of {}", letters, fmt::join(kind_letters(kinds), ", ")));
+    throw std::invalid_argument(fmt::format("transfer of kind {}, expected one of {}", letters,
+                                            fmt::join(kind_names(&TransferKind::letters, kinds), ", ")));
   }
   transfer.shape = shape_from(header, version, *transfer.kind);
   if (transfer.kind->has_bounces()) transfer.bounces = bounces_from(header.at("bounces"));
-  if (header.contains("plan")) transfer.plan = plan_from(header.at("plan"));
+  if (header.contains("plan")) transfer.plan = header.at("plan").get<PlanRecord>();
   transfer.directions = header.at("directions").get<std::uint32_t>();
   if (header.contains("sampler")) {  // absent where no ray was traced, and in files older than the choice
     transfer.sampler = value_from<Sampler>(header["sampler"], kSamplerNames, "sampler");

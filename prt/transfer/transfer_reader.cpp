@@ -13,6 +13,7 @@
 #include "prt/transfer/checksum.hpp"
 #include "prt/transfer/storage.hpp"
 #include "prt/transfer/transfer_file.hpp"
+#include "prt/transfer/transfer_json.hpp"
 #include "prt/transfer/transfer_layout.hpp"
 
 namespace sh::prt {

@@ -2,7 +2,6 @@
 #include "prt/bake/bounces.hpp"
 
 #include <gtest/gtest.h>
-#include <tbb/task_arena.h>
 
 #include <Eigen/Geometry>
 #include <cmath>
@@ -11,18 +10,14 @@
 
 #include "prt/bake/bake.hpp"
 #include "prt/bake/row_tracer.hpp"
-#include "prt/mesh/weld.hpp"
 #include "prt/runtime/relight.hpp"
 #include "prt/transfer/transfer_file.hpp"
 #include "tests/prt/lights.hpp"
-#include "tests/prt/meshes.hpp"
 #include "tests/prt/rooms.hpp"
 #include "tests/prt/temporary_folder.hpp"
 
 namespace sh::prt::test {
 namespace {
-
-const auto kRoot4Pi = static_cast<float>(std::sqrt(4.0 * std::numbers::pi));
 
 // The common parts of several bounce systems on one mesh.
 struct Room {
@@ -142,25 +137,18 @@ TEST(Bounces, WithoutLossAreNotCertified) {
 // The sky through a hole that is the part `a` of the sphere: B = albedo (a + (1 - a) B), even inside.
 TEST(InterreflectedBake, FillsASphereThroughAHole) {
   Mesh mesh = hollow_sphere(32, 0.6F);
-  std::vector<std::uint8_t> used(mesh.positions.size(), 0);
-  float rim = -1.0F;  // the height of the hole
-  for (const Face& face : mesh.faces) {
-    for (const std::uint32_t v : face) {
-      used[v] = 1;
-      rim = std::max(rim, mesh.positions[v].z());
-    }
-  }
+  const float rim = rim_of(mesh);  // the height of the hole
   const float a = 0.5F * (1.0F - rim);
   paint(mesh, {0.2F, 0.8F, 0.95F});
   const Transfer transfer = baked(mesh, &kInterreflected);
   for (std::size_t c = 0; c < 3; ++c) {
-    const float albedo = mesh.albedo[0][static_cast<Eigen::Index>(c)];
+    const float albedo = mesh.albedo[0][c];
     const auto expected = static_cast<double>(albedo * a / (1.0F - albedo * (1.0F - a)));
     double mean = 0.0;
     double vertices = 0.0;
     double worst = 0.0;
     for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
-      if (used[v] != 0 && mesh.positions[v].z() < rim) {
+      if (mesh.positions[v].z() < rim) {
         const auto got = static_cast<double>(transfer.coefficients[v * 27 + c * 9] * kRoot4Pi);
         worst = std::max(worst, std::abs(got / expected - 1.0));
         mean += got / expected;
@@ -172,22 +160,25 @@ TEST(InterreflectedBake, FillsASphereThroughAHole) {
   }
 }
 
+// Each of the three channels is the albedo times the numbers of a bake without bounces, to the last bit.
+void expect_albedo_times(const Transfer& plain, const Transfer& bounced) {
+  for (std::size_t v = 0; v < bounced.mesh.positions.size(); ++v) {
+    for (std::size_t i = 0; i < bounced.shape.length(); ++i) {
+      const float albedo = bounced.mesh.albedo[v][i / bounced.shape.count()];
+      ASSERT_EQ(bounced.row(v)[i], albedo * plain.row(v)[i % bounced.shape.count()]) << v;
+    }
+  }
+}
+
 TEST(InterreflectedBake, OfWhiteConvexShapesIsTheUnshadowedOneToTheLastBit) {
   for (const std::string name : {"plane", "box", "cylinder", "cone"}) {
-    Mesh mesh = primitive_mesh(name);
-    mesh.normals = mesh.geometric_normals;
+    Mesh mesh = with_one_normal(name);
     paint(mesh, Eigen::Vector3f::Constant(1.0F));
     const Transfer bounced = baked(mesh, &kInterreflected);
     const Transfer open = baked(mesh, &kUnshadowed);
     EXPECT_EQ(bounced.bounces.applications, 1);
     EXPECT_EQ(bounced.bounces.bound, 0.0);
-    for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
-      for (std::size_t i = 0; i < 9; ++i) {
-        for (std::size_t c = 0; c < 3; ++c) {
-          ASSERT_EQ(bounced.coefficients[v * 27 + c * 9 + i], open.coefficients[v * 9 + i]) << name;
-        }
-      }
-    }
+    expect_albedo_times(open, bounced);
   }
 }
 
@@ -203,18 +194,8 @@ TEST(InterreflectedBake, WithAllElseBlackIsAlbedoTimesTheShadowedOneToTheLastBit
   const Transfer shadowed = baked(mesh, &kShadowed);
   paint(mesh, Eigen::Vector3f::Zero());
   mesh.albedo[5] = Eigen::Vector3f(1.0F, 0.3F, 0.7F);
-  for (std::size_t i = 0; i < 9; ++i) {
-    ASSERT_TRUE(std::isfinite(shadowed.coefficients[std::size_t{5} * 9 + i]));
-  }
-  const Transfer bounced = baked(mesh, &kInterreflected);
-  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
-    for (std::size_t i = 0; i < 9; ++i) {
-      for (std::size_t c = 0; c < 3; ++c) {
-        const float albedo = mesh.albedo[v][static_cast<Eigen::Index>(c)];
-        ASSERT_EQ(bounced.coefficients[v * 27 + c * 9 + i], albedo * shadowed.coefficients[v * 9 + i]) << v;
-      }
-    }
-  }
+  for (std::size_t i = 0; i < 9; ++i) ASSERT_TRUE(std::isfinite(shadowed.row(5)[i]));
+  expect_albedo_times(shadowed, baked(mesh, &kInterreflected));
 }
 
 TEST(InterreflectedBake, AddsLightButNeverMoreThanThereIs) {
@@ -230,7 +211,7 @@ TEST(InterreflectedBake, AddsLightButNeverMoreThanThereIs) {
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
     for (std::size_t c = 0; c < 3; ++c) {
       const float all = bounced.coefficients[v * 27 + c * 9];
-      const float direct = mesh.albedo[v][static_cast<Eigen::Index>(c)] * shadowed.coefficients[v * 9];
+      const float direct = mesh.albedo[v][c] * shadowed.coefficients[v * 9];
       EXPECT_GE(all, direct * (1.0F - 1e-6F));
       EXPECT_LE(all * kRoot4Pi, 1.0F + 1e-5F);
       added = std::max(added, static_cast<double>((all - direct) * kRoot4Pi));
@@ -242,15 +223,12 @@ TEST(InterreflectedBake, AddsLightButNeverMoreThanThereIs) {
 // A gray floor beside a red wall: the light from the wall's front is red, and its back gives no light.
 Mesh floor_and_wall(bool turned) {
   Mesh mesh = primitive_mesh("plane");
-  tessellate(
-      mesh, [](const Eigen::Vector3f&) { return 0.3F; }, "floor");
-  Soup wall = make_primitive("plane");
-  Eigen::Affine3f map = Eigen::Affine3f::Identity();
-  map.translate(Eigen::Vector3f(-0.5F, 0.0F, 0.5F));
+  refine(mesh, 0.3F);
+  Eigen::Affine3f map(Eigen::Translation3f(-0.5F, 0.0F, 0.5F));
   map.rotate(Eigen::AngleAxisf((turned ? -0.5F : 0.5F) * std::numbers::pi_v<float>, Eigen::Vector3f::UnitY()));
-  transform(wall, map);
-  wall.albedo.assign(wall.positions.size(), Eigen::Vector3f(0.8F, 0.0F, 0.0F));
-  append(mesh, weld(wall, wall.positions.size()));
+  Mesh wall = primitive_mesh("plane", 24, map);
+  paint(wall, {0.8F, 0.0F, 0.0F});
+  append(mesh, wall);
   return mesh;
 }
 
@@ -301,7 +279,7 @@ TEST(InterreflectedBake, IsWrittenReadAndRelitWithItsThreeChannels) {
       for (std::size_t i = 0; i < 9; ++i) {
         sum += static_cast<double>(written.coefficients[v * 27 + c * 9 + i]) * light.at(c, i);
       }
-      ASSERT_NEAR(static_cast<double>(radiance[v][static_cast<Eigen::Index>(c)]), sum, 1e-5);
+      ASSERT_NEAR(static_cast<double>(radiance[v][c]), sum, 1e-5);
     }
   }
 }

@@ -7,7 +7,7 @@
 #include "prt/bake/bake.hpp"
 #include "prt/bake/estimate.hpp"
 #include "prt/transfer/transfer_file.hpp"
-#include "tests/prt/meshes.hpp"
+#include "tests/prt/rooms.hpp"
 #include "tests/prt/temporary_folder.hpp"
 #include "tests/prt/tool.hpp"
 
@@ -15,30 +15,11 @@ namespace sh::prt::test {
 namespace {
 
 // 10 s of rays, 0.5 s of preparation, 20 bounces of 0.2 s.
-BakeEstimate made_up() {
-  BakeEstimate estimate;
-  estimate.setup_seconds = 0.5;
-  estimate.pass_seconds = 10.0;
-  estimate.bounce_seconds = 0.2;
-  estimate.bounces = 20.0;
-  return estimate;
-}
+BakeEstimate made_up() { return {.setup_seconds = 0.5, .pass_seconds = 10.0, .bounce_seconds = 0.2, .bounces = 20.0}; }
 
-BakeOptions wanted(int directions) {
-  BakeOptions options;
-  options.directions = directions;
-  return options;
-}
+BakeOptions wanted(int directions) { return {.directions = directions}; }
 
-Scene room(const TransferKind* kind) {
-  Scene scene;
-  scene.name = "arch";
-  scene.mesh = primitive_mesh("arch");
-  scene.bake.kind = kind;
-  scene.bake.directions = 512;
-  scene.bake.degree = 2;
-  return scene;
-}
+Scene room(const TransferKind* kind) { return scene_of(primitive_mesh("arch"), kind, 512); }
 
 TEST(Budget, LeavesEverythingWhereThereIsTimeEnough) {
   for (const double seconds : {20.0, 1e3, 1e9}) {
@@ -82,10 +63,7 @@ TEST(Bounces, StopWhenTimeIsOverWithACertifiedErrorOfWhatTheyReached) {
   EXPECT_LT(early.bounces.applications, whole.bounces.applications);
   EXPECT_TRUE(early.bounces.certified);
   EXPECT_GT(early.bounces.bound, options.bounces.tolerance * early.bounces.largest);
-  double worst = 0.0;
-  for (std::size_t i = 0; i < whole.coefficients.size(); ++i) {
-    worst = std::max(worst, std::abs(static_cast<double>(whole.coefficients[i] - early.coefficients[i])));
-  }
+  const double worst = largest_difference(whole, early);
   EXPECT_LE(worst, early.bounces.bound + whole.bounces.bound);
   EXPECT_GT(worst, 0.0);
   early.missing = shortfall(options, early);

@@ -12,7 +12,7 @@
 
 #include "prt/bake/bake.hpp"
 #include "prt/transfer/transfer_file.hpp"
-#include "tests/prt/meshes.hpp"
+#include "tests/prt/rooms.hpp"
 #include "tests/prt/temporary_folder.hpp"
 #include "tests/prt/tool.hpp"
 
@@ -42,9 +42,7 @@ class StoppedBake : public testing::TestWithParam<const char*> {
                          std::string(GetParam()) + "\"}}");
     scene_ = load_scene(file_, OnFlaw::kRefuse);
     scene_.plan.mode = PlanMode::kNone;
-    BakeSettings settings = with_checkpoint();
-    settings.threads = 1;
-    whole_ = bake({scene_, settings}, &report_);
+    whole_ = bake({scene_, with_checkpoint(1)}, &report_);
     ASSERT_GT(report_.rays, 100'000U);
     whole_part_ = read_all(part_);
     std::filesystem::remove(part_);
@@ -53,10 +51,8 @@ class StoppedBake : public testing::TestWithParam<const char*> {
     std::filesystem::remove(out_);
   }
 
-  [[nodiscard]] BakeSettings with_checkpoint() const {
-    BakeSettings settings;
-    settings.checkpoint = {part_, false, 0.0};
-    return settings;
+  [[nodiscard]] BakeSettings with_checkpoint(int threads = 0) const {
+    return {.threads = threads, .checkpoint = {part_, false, 0.0}};
   }
 
   [[nodiscard]] std::vector<std::string> arguments(const std::string& threads) const {
@@ -255,15 +251,9 @@ INSTANTIATE_TEST_SUITE_P(OfKind, StoppedShadowedBake, testing::Values("shadowed"
 
 TEST(InterreflectedBake, GoesOnTheSameWhereFormFactorsDoNotFit) {
   const TemporaryFolder folder;
-  Scene scene;
-  scene.mesh = primitive_mesh("arch");
-  scene.bake.kind = &kInterreflected;
-  scene.bake.directions = 256;
-  scene.bake.degree = 1;
+  const Scene scene = scene_of(primitive_mesh("arch"), &kInterreflected, 256, 1);
   const Transfer whole = bake(scene);
-  BakeSettings settings;
-  settings.bounce_memory = 1000;
-  settings.checkpoint = {folder.file("part"), false, 0.0};
+  const BakeSettings settings{.bounce_memory = 1000, .checkpoint = {folder.file("part"), false, 0.0}};
   BakeReport first;
   EXPECT_TRUE(bake({scene, settings}, &first).coefficients == whole.coefficients);
   BakeReport second;

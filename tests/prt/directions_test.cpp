@@ -15,9 +15,7 @@
 #include "numeric/sampling/power_law.hpp"
 #include "numeric/sampling/random.hpp"
 #include "numeric/sampling/sphere_nodes.hpp"
-#include "prt/bake/bake.hpp"
-#include "prt/transfer/transfer.hpp"
-#include "tests/prt/meshes.hpp"
+#include "tests/prt/rooms.hpp"
 
 namespace sh::prt::test {
 namespace {
@@ -245,30 +243,22 @@ TEST(Frames, AreRotationsThatTakeZToTheNormal) {
   }
 }
 
-Scene scene_of(Mesh mesh, Sampler sampler, const TransferKind* kind, int directions) {
-  Scene scene;
-  scene.name = "test";
-  scene.mesh = std::move(mesh);
-  scene.bake.kind = kind;
-  scene.bake.directions = directions;
+Transfer baked_with(Sampler sampler, const Mesh& mesh, const TransferKind* kind, int directions) {
+  Scene scene = scene_of(mesh, kind, directions, kDegree);
   scene.bake.sampler = sampler;
   scene.bake.seed = 11;
-  return scene;
+  return bake(scene);
 }
 
 TEST(BakeWithEverySampler, IsExactWhereNothingIsInTheWayAndZeroWhereEverythingIs) {
   for (const Sampler sampler : kSamplers) {
-    Mesh mesh = primitive_mesh("sphere", 12);
-    mesh.normals = mesh.geometric_normals;
-    const Transfer open = bake(scene_of(mesh, sampler, &kShadowed, 300));
-    EXPECT_EQ(open.coefficients, bake(scene_of(mesh, sampler, &kUnshadowed, 300)).coefficients);
+    Mesh mesh = with_one_normal("sphere", 12);
+    const Transfer open = baked_with(sampler, mesh, &kShadowed, 300);
+    EXPECT_EQ(open.coefficients, baked_with(sampler, mesh, &kUnshadowed, 300).coefficients);
     EXPECT_EQ(open.sampler, sampler);
     EXPECT_EQ(open.seed, 11U);
-    for (Face& face : mesh.faces) std::swap(face[1], face[2]);
-    for (std::size_t v = 0; v < mesh.normals.size(); ++v) {
-      mesh.normals[v] = mesh.geometric_normals[v] = -mesh.normals[v];
-    }
-    const Transfer closed = bake(scene_of(mesh, sampler, &kShadowed, 300));
+    turn_inside_out(mesh);
+    const Transfer closed = baked_with(sampler, mesh, &kShadowed, 300);
     EXPECT_TRUE(std::all_of(closed.coefficients.begin(), closed.coefficients.end(), [](float t) { return t == 0.0F; }))
         << name_of(sampler);
   }
@@ -277,15 +267,10 @@ TEST(BakeWithEverySampler, IsExactWhereNothingIsInTheWayAndZeroWhereEverythingIs
 TEST(BakeWithEverySampler, ComesToTheSameResult) {
   for (const TransferKind* kind : {&kShadowed, &kInterreflected}) {
     const Mesh mesh = primitive_mesh("stairs");
-    const Transfer reference = bake(scene_of(mesh, Sampler::kFibonacci, kind, 65536));
+    const Transfer reference = baked_with(Sampler::kFibonacci, mesh, kind, 65536);
     for (const Sampler sampler : kSamplers) {
-      const Transfer other = bake(scene_of(mesh, sampler, kind, 16384));
-      double sum = 0.0;
-      for (std::size_t i = 0; i < reference.coefficients.size(); ++i) {
-        const auto error = static_cast<double>(other.coefficients[i] - reference.coefficients[i]);
-        sum += error * error / static_cast<double>(reference.coefficients.size());
-      }
-      EXPECT_LT(std::sqrt(sum), sampler == Sampler::kRandom ? 4e-3 : 4e-4) << name_of(sampler);
+      const double error = rms_difference(baked_with(sampler, mesh, kind, 16384), reference);
+      EXPECT_LT(error, sampler == Sampler::kRandom ? 4e-3 : 4e-4) << name_of(sampler);
     }
   }
 }

@@ -1,25 +1,55 @@
-// Lights and their coefficients for tests.
+// Lights, their coefficients, and random transfer for tests.
 #pragma once
 
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <numbers>
 #include <random>
 #include <vector>
 
 #include "prt/light/light_coefficients.hpp"
+#include "prt/transfer/transfer.hpp"
 
 namespace sh::prt::test {
 
 inline const Eigen::Vector3d kSlanted(0.36, -0.48, 0.8);  // unit
 
+/// Numbers in [-1, 1).
+template <class T = float>
+std::vector<T> random_values(std::size_t count, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<T> uniform(-1, 1);
+  std::vector<T> values(count);
+  for (T& value : values) value = uniform(random);
+  return values;
+}
+
 /// A light with random coefficients in [-1, 1).
 inline LightCoefficients random_light(int degree, unsigned seed) {
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  return {degree, random_values<double>(3 * coefficient_count(degree), seed)};
+}
+
+/// The same radiance from everywhere.
+inline LightCoefficients constant_light(int degree, double radiance = 1.0) {
   LightCoefficients light = LightCoefficients::zero(degree);
-  for (double& value : light.values) value = uniform(random);
+  for (std::size_t c = 0; c < 3; ++c) light.at(c, 0) = radiance * std::sqrt(4.0 * std::numbers::pi);
   return light;
+}
+
+/// Vertices in a row, joined by faces, with random transfer and albedo.
+inline Transfer random_transfer(const TransferKind& kind, int degree, std::size_t vertices, unsigned seed = 7) {
+  Transfer transfer = Transfer::of(kind, degree);
+  const std::vector<float> colours = random_values(3 * vertices, seed + 1);
+  for (std::size_t v = 0; v < vertices; ++v) {
+    transfer.mesh.positions.emplace_back(static_cast<float>(v), 0.0F, colours[3 * v]);
+    transfer.mesh.normals.emplace_back(Eigen::Vector3f::UnitZ());
+    transfer.mesh.albedo.emplace_back(colours[3 * v], colours[3 * v + 1], colours[3 * v + 2]);
+  }
+  for (std::uint32_t v = 0; v + 2 < vertices; ++v) transfer.mesh.faces.push_back({v, v + 1, v + 2});
+  transfer.coefficients = random_values(vertices * transfer.shape.length(), seed);
+  return transfer;
 }
 
 /// The same coefficients in every channel.

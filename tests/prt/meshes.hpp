@@ -1,5 +1,6 @@
 // Small meshes made in code, and properties of meshes.
 #pragma once
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <map>
@@ -12,8 +13,10 @@
 
 namespace sh::prt::test {
 
-inline Mesh primitive_mesh(std::string_view name, int segments = 24) {
-  const Soup soup = make_primitive(name, segments);
+inline Mesh primitive_mesh(std::string_view name, int segments = 24,
+                           const Eigen::Affine3f& map = Eigen::Affine3f::Identity()) {
+  Soup soup = make_primitive(name, segments);
+  transform(soup, map);
   return weld(soup, soup.positions.size());
 }
 

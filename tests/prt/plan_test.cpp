@@ -83,19 +83,9 @@ Transfer full_bake(const Scene& scene, int directions = 0) {
   return bake(asked);
 }
 
-PlanOptions lossy(double error, LightTurns turns) {
-  PlanOptions options;
-  options.mode = PlanMode::kLossy;
-  options.error = error;
-  options.turns = turns;
-  return options;
-}
+PlanOptions lossy(double error, LightTurns turns) { return {.mode = PlanMode::kLossy, .error = error, .turns = turns}; }
 
-PlanOptions exact() {
-  PlanOptions options;
-  options.mode = PlanMode::kExact;
-  return options;
-}
+const PlanOptions kExact{.mode = PlanMode::kExact};
 
 BakeJob planned_as(Scene scene, const PlanOptions& options, const BakeSettings& settings = {}) {
   scene.plan = options;
@@ -166,12 +156,9 @@ TEST(Plan, NoneAndExactChangeNoNumber) {
   const Scene scene = small_scene(kOvercast);
   const Transfer full = full_bake(scene);
   write_transfer(folder.file("full"), full);
-  PlanOptions options;
-  options.mode = PlanMode::kNone;
-  write_transfer(folder.file("none"), bake(planned_as(scene, options)));
+  write_transfer(folder.file("none"), bake(planned_as(scene, {.mode = PlanMode::kNone})));
   EXPECT_EQ(read_all(folder.file("none")), read_all(folder.file("full")));
-  options.mode = PlanMode::kExact;
-  const BakeJob plan_job = planned_as(scene, options);
+  const BakeJob plan_job = planned_as(scene, kExact);
   const Plan& plan = *plan_job.plan;
   EXPECT_LT(plan.planned.rays, plan.asked.rays);
   EXPECT_EQ(plan.record.error, 0.0);
@@ -194,14 +181,14 @@ Scene box_scene(const std::string& albedo, double tolerance = 1e-4) {
 TEST(Plan, OfGreyAlbedosStoresOneChannelExactly) {
   const Scene scene = box_scene("[0.5, 0.5, 0.5]");
   const Transfer full = full_bake(scene);
-  for (const PlanOptions& options : {alone("channels", 0.01, LightTurns::kAny), exact()}) {
+  for (const PlanOptions& options : {alone("channels", 0.01, LightTurns::kAny), kExact}) {
     const BakeJob job = planned_as(scene, options);
     const Plan& plan = *job.plan;
     EXPECT_TRUE(plan.storage.one_channel);
     EXPECT_EQ(3 * plan.planned.bytes, plan.asked.bytes);
     EXPECT_EQ(stored(bake(job)).coefficients, full.coefficients);
   }
-  EXPECT_FALSE(planned_as(box_scene("[0.5, 0.5, 0.4]"), exact()).plan->storage.one_channel);
+  EXPECT_FALSE(planned_as(box_scene("[0.5, 0.5, 0.4]"), kExact).plan->storage.one_channel);
 }
 
 TEST(Plan, LeavesBouncesOutWhereLittleComesBackAndElseSolvesThemMoreLoosely) {
@@ -249,12 +236,11 @@ TEST(Plan, RefusesWhatMakesNoSense) {
   EXPECT_NE(message_of([&] { planned_as(scene, lossy(0.0, LightTurns::kAny)); }).find("more than 0"),
             std::string::npos);
   EXPECT_NE(message_of([&] { planned_as(scene, lossy(std::nan(""), LightTurns::kAny)); }), "");
-  PlanOptions options;
-  options.without = {"colour"};
-  EXPECT_NE(message_of([&] { planned_as(scene, options); }).find("expected one of analytic"), std::string::npos);
+  EXPECT_NE(message_of([&] { planned_as(scene, {.without = {"colour"}}); }).find("expected one of analytic"),
+            std::string::npos);
   const Scene dark = small_scene(R"({"type": "constant", "radiance": [0, 0, 0]})");
   EXPECT_NE(message_of([&] { planned_as(dark, lossy(0.01, LightTurns::kAny)); }).find("dark"), std::string::npos);
-  EXPECT_EQ(message_of([&] { planned_as(dark, exact()); }), "");
+  EXPECT_EQ(message_of([&] { planned_as(dark, kExact); }), "");
 }
 
 TEST(Plan, ChoosesStorageForNumbersThatABakeHasAndForLittleMore) {
@@ -305,13 +291,11 @@ TEST(Plan, IsReadFromTheSceneWhichThenIsBakedByIt) {
 
 TEST(Plan, IsTheSameForAnyNumberOfThreadsAndIsPrinted) {
   const Scene scene = small_scene(kSunny);
-  BakeSettings one;
-  one.threads = 1;
-  const BakeJob plan_job = planned_as(scene, lossy(0.03, LightTurns::kAboutZ), one);
+  const BakeJob plan_job = planned_as(scene, lossy(0.03, LightTurns::kAboutZ), {.threads = 1});
   const std::string text = plan_text(*plan_job.plan, plan_job.scene);
   const BakeJob again = planned_as(scene, lossy(0.03, LightTurns::kAboutZ));
   EXPECT_EQ(text, plan_text(*again.plan, again.scene));
-  const nlohmann::json json = plan_json(*plan_job.plan, plan_job.scene);
+  const auto json = nlohmann::json::parse(plan_json(*plan_job.plan, plan_job.scene));
   EXPECT_GE(json["decisions"].size(), 6U);
   for (const nlohmann::json& decision : json["decisions"]) {
     EXPECT_NE(text.find(decision["choice"].get<std::string>()), std::string::npos);

@@ -7,33 +7,15 @@
 #include <cmath>
 #include <cstring>
 #include <numbers>
-#include <random>
 
 #include "tests/prt/lights.hpp"
 #include "tests/prt/temporary_folder.hpp"
 
-namespace sh::prt {
+namespace sh::prt::test {
 namespace {
 
-using test::random_light;
-
-/// `vertices` vertices in a row with random transfer vectors and albedo.
-Transfer random_transfer(int degree, std::size_t vertices, unsigned seed) {
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<float> uniform(-1.0F, 1.0F);
-  Transfer transfer = Transfer::of(kUnshadowed, degree);
-  for (std::size_t i = 0; i < vertices; ++i) {
-    transfer.mesh.positions.emplace_back(static_cast<float>(i), 0.0F, uniform(random));
-    transfer.mesh.normals.emplace_back(Eigen::Vector3f::UnitZ());
-    transfer.mesh.albedo.emplace_back(0.5F + 0.5F * uniform(random), 0.25F, 1.0F);
-  }
-  for (std::uint32_t i = 0; i + 2 < vertices; ++i) transfer.mesh.faces.push_back({i, i + 1, i + 2});
-  for (std::size_t i = 0; i < vertices * transfer.shape.length(); ++i) transfer.coefficients.push_back(uniform(random));
-  return transfer;
-}
-
 TEST(Relight, AddsTheLightOfTheSurfacesThemselvesWhateverTheLight) {
-  Transfer transfer = random_transfer(2, 17, 3);
+  Transfer transfer = random_transfer(kUnshadowed, 2, 17, 3);
   const std::vector<Eigen::Vector3f> reflected = relight(transfer, random_light(2, 4));
   for (std::size_t v = 0; v < reflected.size(); ++v) transfer.emitted.emplace_back(static_cast<float>(v), 3.0F, 0.0F);
   const std::vector<Eigen::Vector3f> all = relight(transfer, random_light(2, 4));
@@ -53,7 +35,7 @@ TEST(Relight, AddsTheLightOfTheSurfacesThemselvesWhateverTheLight) {
 
 TEST(Relight, IsAlbedoTimesTheDotProductOfTransferAndLight) {
   for (const int degree : {0, 1, 2, 4, kMaxDegree}) {
-    const Transfer transfer = random_transfer(degree, 3001, 1);
+    const Transfer transfer = random_transfer(kUnshadowed, degree, 3001, 1);
     const LightCoefficients light = random_light(degree, 2);
     const std::vector<Eigen::Vector3f> radiance = relight(transfer, light);
     ASSERT_EQ(radiance.size(), 3001U);
@@ -75,33 +57,25 @@ TEST(Relight, IsAlbedoTimesTheDotProductOfTransferAndLight) {
 }
 
 TEST(Relight, IsLinearInTheLight) {
-  const Transfer transfer = random_transfer(3, 100, 3);
+  const Transfer transfer = random_transfer(kUnshadowed, 3, 100, 3);
   LightCoefficients light = random_light(3, 4);
   const std::vector<Eigen::Vector3f> once = relight(transfer, light);
   for (double& value : light.values) value *= 4.0;
   const std::vector<Eigen::Vector3f> fourfold = relight(transfer, light);
-  for (std::size_t v = 0; v < once.size(); ++v) {
-    EXPECT_EQ(fourfold[v], 4.0F * once[v]);
-  }
+  for (std::size_t v = 0; v < once.size(); ++v) EXPECT_EQ(fourfold[v], 4.0F * once[v]);
 }
 
 TEST(Relight, OpenUpwardVertexUnderUnitConstantLightLeavesItsAlbedo) {
-  Transfer transfer = random_transfer(1, 3, 5);
+  Transfer transfer = random_transfer(kUnshadowed, 1, 3, 5);
   transfer.coefficients.assign(12, 0.0F);
   const auto dc = static_cast<float>(1.0 / std::sqrt(4.0 * std::numbers::pi));
-  for (const std::size_t v : {0U, 1U, 2U}) {
-    transfer.coefficients[4 * v] = dc;  // A_0 / pi Y_00
-  }
-  LightCoefficients light = LightCoefficients::zero(1);
-  for (std::size_t c = 0; c < 3; ++c) light.at(c, 0) = std::sqrt(4.0 * std::numbers::pi);
-  const std::vector<Eigen::Vector3f> radiance = relight(transfer, light);
-  for (const std::size_t v : {0U, 1U, 2U}) {
-    EXPECT_LT((radiance[v] - transfer.mesh.albedo[v]).norm(), 2e-7F);
-  }
+  for (const std::size_t v : {0U, 1U, 2U}) transfer.coefficients[4 * v] = dc;  // A_0 / pi Y_00
+  const std::vector<Eigen::Vector3f> radiance = relight(transfer, constant_light(1));
+  for (const std::size_t v : {0U, 1U, 2U}) EXPECT_LT((radiance[v] - transfer.mesh.albedo[v]).norm(), 2e-7F);
 }
 
 TEST(Relight, BitsDoNotDependOnTheNumberOfThreads) {
-  const Transfer transfer = random_transfer(4, 20000, 6);
+  const Transfer transfer = random_transfer(kUnshadowed, 4, 20000, 6);
   const LightCoefficients light = random_light(4, 7);
   const std::vector<Eigen::Vector3f> expected = relight(transfer, light);
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 1);
@@ -109,16 +83,16 @@ TEST(Relight, BitsDoNotDependOnTheNumberOfThreads) {
 }
 
 TEST(Relight, ALightOfHigherDegreeIsRefused) {
-  const std::string message = test::message_of([] { relight(random_transfer(2, 3, 8), random_light(3, 9)); });
+  const std::string message = message_of([] { relight(random_transfer(kUnshadowed, 2, 3, 8), random_light(3, 9)); });
   EXPECT_EQ(message, "the light has degree 3, the transfer 2; the light's must not be higher");
 }
 
 TEST(Relight, PlyHoldsPositionsNormalsRadianceAndFaces) {
-  const test::TemporaryFolder folder;
-  const Transfer transfer = random_transfer(0, 5, 10);
+  const TemporaryFolder folder;
+  const Transfer transfer = random_transfer(kUnshadowed, 0, 5, 10);
   const std::vector<Eigen::Vector3f> radiance = relight(transfer, random_light(0, 11));
   write_ply(folder.file("a.ply"), transfer.mesh, radiance);
-  const std::string bytes = test::read_all(folder.file("a.ply"));
+  const std::string bytes = read_all(folder.file("a.ply"));
   const std::string end = "end_header\n";
   const std::size_t body = bytes.find(end) + end.size();
   ASSERT_EQ(bytes.size(), body + 5U * 9U * sizeof(float) + 3U * (1U + 3U * sizeof(std::uint32_t)));
@@ -134,15 +108,15 @@ TEST(Relight, PlyHoldsPositionsNormalsRadianceAndFaces) {
 }
 
 TEST(Relight, PlyThatCannotBeWrittenIsNamedAndLeavesNothing) {
-  const test::TemporaryFolder folder;
-  const Transfer transfer = random_transfer(0, 5, 12);
+  const TemporaryFolder folder;
+  const Transfer transfer = random_transfer(kUnshadowed, 0, 5, 12);
   const std::vector<Eigen::Vector3f> radiance(5, Eigen::Vector3f::Ones());
   for (const std::string& file : {folder.file("no/a.ply"), std::string("/dev/full")}) {
-    const std::string message = test::message_of([&] { write_ply(file, transfer.mesh, radiance); });
+    const std::string message = message_of([&] { write_ply(file, transfer.mesh, radiance); });
     EXPECT_EQ(message.rfind(file + ": cannot write", 0), 0U) << message;
   }
   EXPECT_EQ(folder.entries(), 0U);
 }
 
 }  // namespace
-}  // namespace sh::prt
+}  // namespace sh::prt::test

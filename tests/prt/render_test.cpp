@@ -11,10 +11,11 @@
 #include "prt/image/tone_map.hpp"
 #include "prt/mesh/weld.hpp"
 #include "prt/scene/camera.hpp"
+#include "tests/prt/lights.hpp"
 #include "tests/prt/reference_render.hpp"
 #include "tests/prt/temporary_folder.hpp"
 
-namespace sh::prt {
+namespace sh::prt::test {
 namespace {
 
 /// The square |x|, |y| <= 1 at height z, facing up, albedo 0.5.
@@ -30,14 +31,13 @@ void add_square(Mesh& mesh, float z) {
   mesh.faces.push_back({first, first + 2, first + 3});
 }
 
-Camera from_above() {
-  Camera camera;
-  camera.position = {0.0F, 0.0F, 5.0F};
-  camera.target = {0.0F, 0.0F, 0.0F};
-  camera.up = {0.0F, 1.0F, 0.0F};
-  camera.vertical_field_of_view = 30.0F;
-  return camera;
+Mesh square(float z = 0.0F) {
+  Mesh mesh;
+  add_square(mesh, z);
+  return mesh;
 }
+
+Camera from_above() { return {{0.0F, 0.0F, 5.0F}, {0.0F, 0.0F, 0.0F}, {0.0F, 1.0F, 0.0F}, 30.0F}; }
 
 /// Red to the right, green upwards: where a direction points in the picture.
 Eigen::Vector3f direction_colour(const Eigen::Vector3f& d) { return d; }
@@ -47,15 +47,8 @@ Picture picture_of(const Mesh& mesh, const std::vector<Eigen::Vector3f>& values,
   return render(mesh, tracer, values, from_above(), size, direction_colour, "test");
 }
 
-LightCoefficients constant_light(double radiance, int degree) {
-  LightCoefficients light = LightCoefficients::zero(degree);
-  for (std::size_t c = 0; c < 3; ++c) light.at(c, 0) = radiance * std::sqrt(4.0 * std::numbers::pi);
-  return light;
-}
-
 TEST(Render, InterpolatesLinearlyAndPutsRightRightAndUpUp) {
-  Mesh mesh;
-  add_square(mesh, 0.0F);
+  Mesh mesh = square();
   const PictureSize size{80, 60, 1};
   const Picture picture = picture_of(mesh, mesh.positions, size);  // every vertex glows with its own position
   const float scale = 5.0F * std::tan(15.0F * std::numbers::pi_v<float> / 180.0F) / 30.0F;  // world units a pixel
@@ -76,8 +69,7 @@ TEST(Render, InterpolatesLinearlyAndPutsRightRightAndUpUp) {
 }
 
 TEST(Render, SamplesSmoothTheEdge) {
-  Mesh mesh;
-  add_square(mesh, 0.0F);
+  Mesh mesh = square();
   const Picture picture = picture_of(mesh, mesh.positions, {80, 60, 16});
   double area = 0.0;
   std::size_t partial = 0;
@@ -91,8 +83,7 @@ TEST(Render, SamplesSmoothTheEdge) {
 }
 
 TEST(Render, BitsDoNotDependOnTheNumberOfThreads) {
-  Mesh mesh;
-  add_square(mesh, 0.0F);
+  Mesh mesh = square();
   add_square(mesh, -1.0F);
   std::vector<std::vector<Eigen::Vector3f>> pictures;
   for (const std::size_t threads : {std::size_t{1}, std::size_t{2}, std::size_t{5}}) {
@@ -104,11 +95,10 @@ TEST(Render, BitsDoNotDependOnTheNumberOfThreads) {
 }
 
 TEST(Render, CamerasAndSizesThatCannotBeUsedAreRefused) {
-  Mesh mesh;
-  add_square(mesh, 0.0F);
+  Mesh mesh = square();
   const Tracer tracer(mesh);
   const auto message = [&](const Camera& camera, const PictureSize& size) {
-    return test::message_of([&] { render(mesh, tracer, mesh.positions, camera, size, direction_colour, "test"); });
+    return message_of([&] { render(mesh, tracer, mesh.positions, camera, size, direction_colour, "test"); });
   };
   Camera camera = from_above();
   camera.up = {0.0F, 0.0F, 1.0F};
@@ -122,8 +112,7 @@ TEST(Render, CamerasAndSizesThatCannotBeUsedAreRefused) {
 }
 
 TEST(Render, DefaultCameraSeesTheWholeMesh) {
-  Mesh mesh;
-  add_square(mesh, 3.0F);
+  const Mesh mesh = square(3.0F);
   for (const PictureSize& size : {PictureSize{64, 48, 1}, {30, 90, 1}, {90, 30, 1}}) {
     const CameraFrame frame(default_camera(mesh, size), size);
     const Tracer tracer(mesh);
@@ -172,10 +161,9 @@ TEST(ToneMap, AutomaticExposureBringsThe95thPercentileToItsTarget) {
 }
 
 TEST(Reference, OpenSquareUnderConstantLightLeavesItsAlbedo) {
-  Mesh mesh;
-  add_square(mesh, 0.0F);
+  Mesh mesh = square();
   const Tracer tracer(mesh);
-  const Picture picture = reference_render(mesh, tracer, constant_light(2.0, 2), from_above(), {16, 16, 1}, 20000);
+  const Picture picture = reference_render(mesh, tracer, constant_light(2, 2.0), from_above(), {16, 16, 1}, 20000);
   for (std::size_t i = 0; i < picture.radiance.size(); ++i) {
     EXPECT_NEAR(picture.radiance[i].x(), picture.coverage[i] == 1.0F ? 1.0F : 0.0F, 1e-4F);
   }
@@ -184,36 +172,33 @@ TEST(Reference, OpenSquareUnderConstantLightLeavesItsAlbedo) {
 TEST(Reference, ParallelSquareBlocksItsFormFactor) {
   // From the middle of one square to an equal, parallel square of side 2 at distance 1: form factor 0.5541
   // = 4/(2 pi) 2 a/sqrt(1+a^2) atan(a/sqrt(1+a^2)), a = 1 [Howell, A Catalog of Radiation Heat Transfer, B-4].
-  Mesh mesh;
-  add_square(mesh, 0.0F);
+  Mesh mesh = square();
   add_square(mesh, 1.0F);
   const Tracer tracer(mesh);
   Camera camera = from_above();
   camera.position = {0.0F, 0.0F, 0.5F};  // between the two: sees the middle of the lower one
-  const Picture picture = reference_render(mesh, tracer, constant_light(2.0, 0), camera, {1, 1, 1}, 200000);
+  const Picture picture = reference_render(mesh, tracer, constant_light(0, 2.0), camera, {1, 1, 1}, 200000);
   const double a = 1.0 / std::sqrt(2.0);
   const double form_factor = 4.0 / (2.0 * std::numbers::pi) * 2.0 * a * std::atan(a);
   EXPECT_NEAR(static_cast<double>(picture.radiance[0].x()), 1.0 - form_factor, 1e-3);
 }
 
 TEST(Reference, AddsTheLightOfTheSurfacesAndRefusesMirrors) {
-  Mesh mesh;
-  add_square(mesh, 0.0F);
+  Mesh mesh = square();
   mesh.emission.assign(mesh.positions.size(), {1.0F, 2.0F, 3.0F});
   const Tracer tracer(mesh);
-  const Picture picture = reference_render(mesh, tracer, constant_light(0.0, 0), from_above(), {16, 16, 1}, 64);
+  const Picture picture = reference_render(mesh, tracer, constant_light(0, 0.0), from_above(), {16, 16, 1}, 64);
   EXPECT_EQ(picture.radiance[8 * 16 + 8], Eigen::Vector3f(1.0F, 2.0F, 3.0F));
   mesh.mirror.assign(mesh.positions.size(), Eigen::Vector3f::Ones());
-  EXPECT_THROW((void)reference_render(mesh, tracer, constant_light(0.0, 0), from_above(), {16, 16, 1}, 64),
+  EXPECT_THROW((void)reference_render(mesh, tracer, constant_light(0, 0.0), from_above(), {16, 16, 1}, 64),
                std::invalid_argument);
 }
 
 TEST(Reference, SeesTheBackOfATwoSidedSheetAsASurfaceOfItsOwn) {
-  Mesh mesh;
-  add_square(mesh, 0.0F);
+  Mesh mesh = square();
   add_backs(mesh, std::vector<std::uint8_t>(mesh.faces.size(), 1));
   const double tilt = std::sqrt(4.0 * std::numbers::pi / 3.0);
-  LightCoefficients light = constant_light(2.0, 1);  // 2 - z: brighter from below
+  LightCoefficients light = constant_light(1, 2.0);  // 2 - z: brighter from below
   for (std::size_t c = 0; c < 3; ++c) light.at(c, 2) = -tilt;
   Camera below = from_above();
   below.position.z() = -below.position.z();
@@ -235,4 +220,4 @@ TEST(Reference, DifferenceIsRelativeAndOverCommonPixels) {
 }
 
 }  // namespace
-}  // namespace sh::prt
+}  // namespace sh::prt::test

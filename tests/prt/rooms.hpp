@@ -12,6 +12,8 @@
 
 namespace sh::prt::test {
 
+inline const auto kRoot4Pi = static_cast<float>(std::sqrt(4.0 * std::numbers::pi));
+
 inline void paint(Mesh& mesh, const Eigen::Vector3f& albedo) { mesh.albedo.assign(mesh.positions.size(), albedo); }
 inline void shine(Mesh& mesh, const Eigen::Vector3f& radiance) {
   mesh.emission.assign(mesh.positions.size(), radiance);
@@ -25,6 +27,46 @@ inline Scene scene_of(Mesh mesh, const TransferKind* kind, int directions = 1024
   scene.bake.degree = degree;
   scene.bake.directions = directions;
   return scene;
+}
+
+/// A primitive whose shading normals are its geometric normals: else the horizon of a vertex would cut its view.
+inline Mesh with_one_normal(std::string_view primitive, int segments = 24) {
+  Mesh mesh = primitive_mesh(primitive, segments);
+  mesh.normals = mesh.geometric_normals;
+  return mesh;
+}
+
+/// Halves edges until none is longer.
+inline void refine(Mesh& mesh, float longest) {
+  tessellate(
+      mesh, [longest](const Eigen::Vector3f&) { return longest; }, "test");
+}
+
+/// Turns all faces and normals around.
+inline void turn_inside_out(Mesh& mesh) {
+  for (Face& face : mesh.faces) std::swap(face[1], face[2]);
+  for (Eigen::Vector3f& normal : mesh.normals) normal = -normal;
+  set_geometric_normals(mesh);
+}
+
+/// The largest difference between the numbers of a vertex and others.
+template <class Numbers>
+double row_error(const Transfer& transfer, std::size_t vertex, const Numbers& expected) {
+  double worst = 0.0;
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    worst = std::max(worst, std::abs(static_cast<double>(transfer.row(vertex)[i]) - static_cast<double>(expected[i])));
+  }
+  return worst;
+}
+
+/// The largest and the root mean square difference of two bakes.
+inline double largest_difference(const Transfer& a, const Transfer& b) { return row_error(a, 0, b.coefficients); }
+inline double rms_difference(const Transfer& a, const Transfer& b) {
+  double squares = 0.0;
+  for (std::size_t i = 0; i < a.coefficients.size(); ++i) {
+    squares += std::pow(static_cast<double>(a.coefficients[i] - b.coefficients[i]), 2);
+  }
+  return std::sqrt(squares / static_cast<double>(a.coefficients.size()));
 }
 
 inline Transfer baked(const Mesh& mesh, const TransferKind* kind, int directions = 1024, int degree = 2) {
@@ -44,6 +86,15 @@ inline Mesh hollow_sphere(int segments, float opening = 2.0F) {
   });
   for (Face& face : mesh.faces) std::swap(face[1], face[2]);
   return mesh;
+}
+
+/// The height of the highest vertex of a face: the rim of an open sphere.
+inline float rim_of(const Mesh& mesh) {
+  float rim = -1.0F;
+  for (const Face& face : mesh.faces) {
+    for (const std::uint32_t v : face) rim = std::max(rim, mesh.positions[v].z());
+  }
+  return rim;
 }
 
 /// The part of the mesh's area that belongs to each vertex; they sum to 1.

@@ -3,25 +3,14 @@
 
 #include <gtest/gtest.h>
 
-#include <random>
 #include <vector>
 
 #include "prt/runtime/relight.hpp"
 #include "tests/prt/lights.hpp"
 #include "tests/prt/temporary_folder.hpp"
 
-namespace sh::prt {
+namespace sh::prt::test {
 namespace {
-
-using test::random_light;
-
-std::vector<float> random_values(std::size_t count, unsigned seed) {
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<float> uniform(-1.0F, 1.0F);
-  std::vector<float> values(count);
-  for (float& value : values) value = uniform(random);
-  return values;
-}
 
 float plain_sum(const RowProducts& rows, std::size_t vertex, std::size_t s) {
   float sum = 0.0F;
@@ -83,18 +72,6 @@ TEST(RowProducts, AreTheSameForLongRowsAsForShortOnes) {  // rows are fetched ah
   expect_bits_of_the_plain_loop({values.data(), 25, 0, light.data(), 25, 4, 3}, 1003);
 }
 
-/// Transfer of a kind with random numbers in it.
-Transfer random_transfer(const TransferKind* kind, int degree, std::size_t vertices) {
-  Transfer transfer = Transfer::of(*kind, degree);
-  const std::vector<float> colours = random_values(3 * vertices, 6);
-  for (std::size_t v = 0; v < vertices; ++v) {
-    transfer.mesh.positions.emplace_back(Eigen::Vector3f::Zero());
-    transfer.mesh.albedo.emplace_back(colours[3 * v], colours[3 * v + 1], colours[3 * v + 2]);
-  }
-  transfer.coefficients = random_values(vertices * transfer.shape.length(), 7);
-  return transfer;
-}
-
 constexpr const TransferKind* kKinds[] = {&kUnshadowed, &kShadowed, &kInterreflected};
 
 TEST(WaysToRelight, WhiteLightGivesTheBitsOfThreeEqualChannels) {
@@ -102,7 +79,7 @@ TEST(WaysToRelight, WhiteLightGivesTheBitsOfThreeEqualChannels) {
   LightCoefficients nearly = light;  // is handled as colored light; blue is zero in both
   for (std::size_t i = 0; i < 25; ++i) nearly.at(2, i) = 0.0;
   for (const TransferKind* kind : kKinds) {
-    const Transfer transfer = random_transfer(kind, 4, 1000);
+    const Transfer transfer = random_transfer(*kind, 4, 1000);
     const std::vector<Eigen::Vector3f> one = relight(transfer, light);
     const std::vector<Eigen::Vector3f> three = relight(transfer, nearly);
     for (std::size_t v = 0; v < one.size(); ++v) ASSERT_EQ(one[v].head<2>(), three[v].head<2>()) << v;
@@ -111,7 +88,7 @@ TEST(WaysToRelight, WhiteLightGivesTheBitsOfThreeEqualChannels) {
 
 TEST(WaysToRelight, RecolouringByTheAlbedoChangesNothingAndGreyIsWithoutIt) {
   const LightCoefficients light = white(random_light(3, 9));
-  const Transfer transfer = random_transfer(&kShadowed, 3, 333);
+  const Transfer transfer = random_transfer(kShadowed, 3, 333);
   EXPECT_EQ(recoloured(transfer, light, transfer.mesh.albedo), relight(transfer, light));
   const std::vector<float> grey = relight_grey(transfer, light);
   const std::vector<Eigen::Vector3f> ones(333, Eigen::Vector3f::Ones());
@@ -122,7 +99,7 @@ TEST(WaysToRelight, RecolouringByTheAlbedoChangesNothingAndGreyIsWithoutIt) {
 TEST(WaysToRelight, FourCoefficientsAreThoseOfBandsZeroAndOne) {
   const LightCoefficients light = random_light(1, 10);
   for (const TransferKind* kind : kKinds) {
-    const Transfer transfer = random_transfer(kind, 4, 100);
+    const Transfer transfer = random_transfer(*kind, 4, 100);
     LightCoefficients padded = LightCoefficients::zero(4);
     for (std::size_t c = 0; c < 3; ++c) {
       for (std::size_t i = 0; i < 4; ++i) padded.at(c, i) = light.at(c, i);
@@ -132,18 +109,18 @@ TEST(WaysToRelight, FourCoefficientsAreThoseOfBandsZeroAndOne) {
 }
 
 TEST(WaysToRelight, WhatCannotBeDoneIsRefusedInOneLine) {
-  const Transfer bounces = random_transfer(&kInterreflected, 1, 5);
-  const Transfer shadowed = random_transfer(&kShadowed, 1, 5);
+  const Transfer bounces = random_transfer(kInterreflected, 1, 5);
+  const Transfer shadowed = random_transfer(kShadowed, 1, 5);
   const LightCoefficients light = random_light(1, 11);
   std::vector<Eigen::Vector3f> four(4);
-  EXPECT_NE(test::message_of([&] { relight_grey(bounces, light); }).find("cannot be recolored"), std::string::npos);
-  EXPECT_NE(test::message_of([&] { recoloured(bounces, light, bounces.mesh.albedo); }).find("cannot be recolored"),
+  EXPECT_NE(message_of([&] { relight_grey(bounces, light); }).find("cannot be recolored"), std::string::npos);
+  EXPECT_NE(message_of([&] { recoloured(bounces, light, bounces.mesh.albedo); }).find("cannot be recolored"),
             std::string::npos);
-  EXPECT_EQ(test::message_of([&] { recoloured(shadowed, light, four); }),
+  EXPECT_EQ(message_of([&] { recoloured(shadowed, light, four); }),
             "4 colors for 5 vertices: expected one for each vertex");
-  EXPECT_EQ(test::message_of([&] { relight_into(shadowed, light, four); }),
+  EXPECT_EQ(message_of([&] { relight_into(shadowed, light, four); }),
             "4 radiances for 5 vertices: expected one for each vertex");
 }
 
 }  // namespace
-}  // namespace sh::prt
+}  // namespace sh::prt::test

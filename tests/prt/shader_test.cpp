@@ -6,16 +6,13 @@
 #include <cstring>
 
 #include "numeric/glsl/egl_context.hpp"
-#include "prt/bake/bake.hpp"
 #include "prt/runtime/relight.hpp"
 #include "prt/runtime/vertex_shader.hpp"
 #include "tests/prt/lights.hpp"
-#include "tests/prt/meshes.hpp"
+#include "tests/prt/rooms.hpp"
 
-namespace sh::prt {
+namespace sh::prt::test {
 namespace {
-
-using test::random_light;
 
 GLuint linked(const std::string& source) {
   const GLuint program = glCreateProgram();
@@ -122,13 +119,8 @@ std::vector<Eigen::Vector3f> run(const Transfer& transfer, const LightCoefficien
   return radiance;
 }
 
-Transfer baked(const TransferKind* kind, int degree) {
-  Scene scene;
-  scene.mesh = test::primitive_mesh("torus", 12);
-  scene.bake.degree = degree;
-  scene.bake.kind = kind;
-  scene.bake.directions = 64;
-  return bake(scene);
+Transfer baked_torus(const TransferKind* kind, int degree) {
+  return baked(primitive_mesh("torus", 12), kind, 64, degree);
 }
 
 void expect_close(const std::vector<Eigen::Vector3f>& got, const std::vector<Eigen::Vector3f>& expected) {
@@ -136,16 +128,20 @@ void expect_close(const std::vector<Eigen::Vector3f>& got, const std::vector<Eig
   for (std::size_t v = 0; v < got.size(); ++v) EXPECT_LT((got[v] - expected[v]).norm(), 2e-6F) << v;
 }
 
+// The shader gives what relight() gives, under colored and under white light.
+void expect_as_relight(const Transfer& transfer, const LightCoefficients& light, const Eigen::Matrix3d& turn,
+                       ShaderLanguage language) {
+  expect_close(run(transfer, light, false, turn, language), relight(transfer, turned(light, turn)));
+  expect_close(run(transfer, white(light), true, turn, language), relight(transfer, turned(white(light), turn)));
+}
+
 class VertexShader : public testing::TestWithParam<ShaderLanguage> {};
 
 TEST_P(VertexShader, OfRowsGivesWhatRelightGives) {
   for (const TransferKind* kind : {&kShadowed, &kInterreflected}) {
     for (const int degree : {1, 4}) {
-      const Transfer transfer = baked(kind, degree);
-      const LightCoefficients light = random_light(degree, 1);
-      const Eigen::Matrix3d at_rest = Eigen::Matrix3d::Identity();
-      expect_close(run(transfer, light, false, at_rest, GetParam()), relight(transfer, light));
-      expect_close(run(transfer, white(light), true, at_rest, GetParam()), relight(transfer, white(light)));
+      const Transfer transfer = baked_torus(kind, degree);
+      expect_as_relight(transfer, random_light(degree, 1), Eigen::Matrix3d::Identity(), GetParam());
     }
   }
 }
@@ -153,26 +149,21 @@ TEST_P(VertexShader, OfRowsGivesWhatRelightGives) {
 TEST_P(VertexShader, OfNormalsTurnsTheLightAndGivesWhatUnshadowedTransferGives) {
   const Eigen::Matrix3d turn = rotation_about({1.0, -2.0, 0.5}, 130.0);
   for (const int degree : {2, 4}) {
-    const Transfer transfer = baked(&kUnshadowed, degree);
-    const LightCoefficients light = random_light(degree, 2);
-    expect_close(run(transfer, light, false, turn, GetParam()), relight(transfer, turned(light, turn)));
-    expect_close(run(transfer, white(light), true, turn, GetParam()), relight(transfer, turned(white(light), turn)));
+    const Transfer transfer = baked_torus(&kUnshadowed, degree);
+    expect_as_relight(transfer, random_light(degree, 2), turn, GetParam());
   }
 }
 
 TEST_P(VertexShader, AddsTheLightOfTheSurfacesThemselves) {
   for (const TransferKind* kind : {&kUnshadowed, &kShadowed, &kInterreflected}) {
-    Transfer transfer = baked(kind, 2);
+    Transfer transfer = baked_torus(kind, 2);
     transfer.emitted.assign(transfer.mesh.positions.size(), {0.5F, 1.0F, 2.0F});
     transfer.emitted.front().setZero();
-    const Eigen::Matrix3d at_rest = Eigen::Matrix3d::Identity();
-    const LightCoefficients light = random_light(2, 3);
-    expect_close(run(transfer, light, false, at_rest, GetParam()), relight(transfer, light));
-    expect_close(run(transfer, white(light), true, at_rest, GetParam()), relight(transfer, white(light)));
+    expect_as_relight(transfer, random_light(2, 3), Eigen::Matrix3d::Identity(), GetParam());
   }
 }
 
 INSTANTIATE_TEST_SUITE_P(Languages, VertexShader, testing::Values(ShaderLanguage::kGlsl450, ShaderLanguage::kEs300));
 
 }  // namespace
-}  // namespace sh::prt
+}  // namespace sh::prt::test

@@ -8,39 +8,22 @@
 #include <cmath>
 #include <numbers>
 
-#include "prt/bake/bake.hpp"
-#include "prt/mesh/weld.hpp"
 #include "prt/runtime/relight.hpp"
 #include "prt/runtime/relight_stage.hpp"
 #include "prt/transfer/transfer_file.hpp"
 #include "tests/prt/lights.hpp"
-#include "tests/prt/meshes.hpp"
+#include "tests/prt/rooms.hpp"
 #include "tests/prt/temporary_folder.hpp"
 
 namespace sh::prt::test {
 namespace {
 
-Transfer baked(const Mesh& mesh, int degree, const TransferKind* kind = &kUnshadowed) {
-  Scene scene;
-  scene.mesh = mesh;
-  scene.bake.degree = degree;
-  scene.bake.kind = kind;
-  scene.bake.directions = 64;
-  return bake(scene);
+Transfer baked_coarsely(const Mesh& mesh, int degree, const TransferKind* kind = &kUnshadowed) {
+  return baked(mesh, kind, 64, degree);
 }
 
 /// A square of side `side` in the plane z = 0, facing up.
-Mesh plate(float side) {
-  Mesh mesh = primitive_mesh("plane");
-  for (Eigen::Vector3f& p : mesh.positions) p *= side;
-  return mesh;
-}
-
-LightCoefficients constant_light(int degree) {
-  LightCoefficients light = LightCoefficients::zero(degree);
-  for (std::size_t c = 0; c < 3; ++c) light.at(c, 0) = std::sqrt(4.0 * std::numbers::pi);
-  return light;
-}
+Mesh plate(float side) { return primitive_mesh("plane", 24, Eigen::Affine3f(Eigen::Scaling(side))); }
 
 std::vector<Eigen::Vector3f> relit(const Stage& stage, const LightCoefficients& light, double time = 0.0) {
   const StageLighting lighting(
@@ -49,7 +32,7 @@ std::vector<Eigen::Vector3f> relit(const Stage& stage, const LightCoefficients& 
 }
 
 StageObject& add(Stage& stage, const Mesh& mesh, int degree, const Eigen::Vector3d& position) {
-  StageObject& object = stage.objects.emplace_back(stage_of(baked(mesh, degree)).objects.front());
+  StageObject& object = stage.objects.emplace_back(stage_of(baked_coarsely(mesh, degree)).objects.front());
   object.motion.keys.front().position = position;
   object.proxy = bounding_sphere(mesh);
   return object;
@@ -58,7 +41,7 @@ StageObject& add(Stage& stage, const Mesh& mesh, int degree, const Eigen::Vector
 TEST(Stage, OneObjectAtRestHasTheBitsOfThePlainRelight) {
   const Mesh mesh = primitive_mesh("torus", 12);
   for (const TransferKind* kind : {&kUnshadowed, &kShadowed, &kInterreflected}) {
-    const Transfer transfer = baked(mesh, 3, kind);
+    const Transfer transfer = baked_coarsely(mesh, 3, kind);
     const LightCoefficients light = random_light(3, 2);
     const Stage stage = stage_of(transfer);
     EXPECT_EQ(relit(stage, light), relight(transfer, light));
@@ -75,7 +58,7 @@ TEST(Stage, KeepsTheLightOfTheSurfacesThemselvesHoweverItMovesAndMirrors) {
   const LightCoefficients light = random_light(3, 2);
   const LightCoefficients dark = LightCoefficients::zero(3);
   for (const TransferKind* kind : {&kUnshadowed, &kShadowed, &kInterreflected}) {
-    const Transfer transfer = baked(mesh, 3, kind);
+    const Transfer transfer = baked_coarsely(mesh, 3, kind);
     ASSERT_EQ(transfer.emitted.size(), mesh.positions.size());
     Stage stage = stage_of(transfer);
     EXPECT_EQ(relit(stage, light), relight(transfer, light));
@@ -103,7 +86,7 @@ TEST(Stage, ATurnedObjectLooksLikeOneThatWasBakedTurned) {  // rotating the ligh
   object.motion.keys.front().degrees = 77.0;
   const LightCoefficients light = random_light(4, 3);
   const Mesh turned_mesh = merged_mesh(stage, poses_at(stage, 0.0));
-  const std::vector<Eigen::Vector3f> expected = relight(baked(turned_mesh, 4), light);
+  const std::vector<Eigen::Vector3f> expected = relight(baked_coarsely(turned_mesh, 4), light);
   const std::vector<Eigen::Vector3f> got = relit(stage, light);
   ASSERT_EQ(got.size(), expected.size());
   for (std::size_t v = 0; v < got.size(); ++v) EXPECT_LT((got[v] - expected[v]).norm(), 2e-6F) << v;
@@ -142,8 +125,7 @@ TEST(Stage, EachVertexOfAPlateMayHaveItsOwnShadow) {
   // A sphere wholly above the horizon, its middle at the angle t from the normal, takes sin^2 a cos t.
   Stage stage;
   Mesh fine = plate(3.0F);
-  tessellate(
-      fine, [](const Eigen::Vector3f&) { return 0.5F; }, "plate");
+  refine(fine, 0.5F);
   add(stage, fine, 8, Eigen::Vector3d::Zero()).per_vertex = true;
   const Eigen::Vector3d centre(0.3, -0.2, 1.5);
   add(stage, primitive_mesh("box"), 8, centre).proxy = {Eigen::Vector3d::Zero(), 0.5};
@@ -218,8 +200,8 @@ TEST(Motion, IsLinearBetweenKeysAndRestsOutside) {
 class StageFile : public testing::Test {
  protected:
   StageFile() {
-    write_transfer(folder.file("a.transfer"), baked(primitive_mesh("sphere", 8), 2));
-    write_transfer(folder.file("b.transfer"), baked(primitive_mesh("box"), 1, &kInterreflected));
+    write_transfer(folder.file("a.transfer"), baked_coarsely(primitive_mesh("sphere", 8), 2));
+    write_transfer(folder.file("b.transfer"), baked_coarsely(primitive_mesh("box"), 1, &kInterreflected));
   }
   [[nodiscard]] std::string file(const std::string& text) const {
     write_all(folder.file("stage.json"), text);

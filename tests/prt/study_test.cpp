@@ -9,10 +9,8 @@
 #include <numbers>
 #include <set>
 
-#include "prt/bake/bake.hpp"
 #include "prt/study/error_picture.hpp"
 #include "prt/study/study_setup.hpp"
-#include "prt/transfer/transfer.hpp"
 #include "tests/prt/image_files.hpp"
 #include "tests/prt/temporary_folder.hpp"
 #include "tests/prt/tool.hpp"
@@ -62,10 +60,7 @@ class DiscStudy : public testing::Test {
  protected:
   static void SetUpTestSuite() {
     scene = new Scene(load_scene("disc", OnFlaw::kRefuse));
-    StudyOptions options;
-    options.vertices = 300;
-    options.most_directions = 8192;
-    options.bounce_directions = 64;
+    const StudyOptions options{.vertices = 300, .most_directions = 8192, .bounce_directions = 64};
     study = new Study(run_study(*scene, options, [](const Study&) {}));
   }
   static void TearDownTestSuite() {
@@ -203,17 +198,17 @@ std::set<std::string> files_in(const std::string& folder) {
   return names;
 }
 
-nlohmann::json study_of(const std::string& folder) {
+nlohmann::json study_of(const std::string& scene, const std::string& folder) {
   const Finished run =
-      run_prt({"study", "disc", "--out", folder, "--quick", "--vertices", "60", "--most-directions", "512"});
+      run_prt({"study", scene, "--out", folder, "--quick", "--vertices", "60", "--most-directions", "512"});
   EXPECT_EQ(run.status, 0) << run.err;
   return nlohmann::json::parse(read_all(folder + "/study.json"));
 }
 
 TEST(StudyTool, WritesTheSameNumbersTwiceButForTimes) {
   const TemporaryFolder folder;
-  nlohmann::json first = study_of(folder.file("a/b"));
-  nlohmann::json second = study_of(folder.file("c"));
+  nlohmann::json first = study_of("disc", folder.file("a/b"));
+  nlohmann::json second = study_of("disc", folder.file("c"));
   EXPECT_EQ(first.at("parts").at(0).at("series").at(0).at("points").size(), 2U);
   EXPECT_TRUE(first.at("parts").at(0).at("series").at(0).at("points").at(0).contains("time"));
   drop_times(first);
@@ -225,14 +220,6 @@ TEST(StudyTool, WritesTheSameNumbersTwiceButForTimes) {
               files.contains("storage.svg") && files.contains("windows.svg") &&
               files.contains("errors_directions.png") && files.contains("errors_degrees.png"));
   EXPECT_EQ(files, files_in(folder.file("a/b")));
-}
-
-void expect_refused(const std::vector<std::string>& arguments, const std::string& reason) {
-  const Finished run = run_prt(arguments);
-  EXPECT_EQ(run.status, 2) << run.err;
-  EXPECT_NE(run.err.find(reason), std::string::npos) << run.err;
-  EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
-  EXPECT_EQ(run.out, "");
 }
 
 TEST(StudyTool, RefusesBadInputInOneLine) {
@@ -254,10 +241,7 @@ TEST(StudyTool, LeavesTheLightOfTheSurfacesThemselvesOut) {
   for (const std::string more : {"", R"(, "emission": [9, 9, 9])"}) {
     write_all(folder.file("scene.json"), R"({"meshes": [{"primitive": "torus", "segments": 12, "sides": 2)" + more +
                                              R"(}], "ground": {"max_edge": 1}})");
-    const Finished run = run_prt({"study", folder.file("scene.json"), "--out", folder.file("out"), "--quick",
-                                  "--vertices", "60", "--most-directions", "512"});
-    ASSERT_EQ(run.status, 0) << run.err;
-    drop_times(studies.emplace_back(nlohmann::json::parse(read_all(folder.file("out/study.json")))));
+    drop_times(studies.emplace_back(study_of(folder.file("scene.json"), folder.file("out"))));
   }
   EXPECT_EQ(studies[0], studies[1]);
 }

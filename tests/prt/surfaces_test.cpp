@@ -9,7 +9,6 @@
 #include "prt/mesh/weld.hpp"
 #include "prt/rays/tracer.hpp"
 #include "prt/transfer/transfer_file.hpp"
-#include "tests/prt/meshes.hpp"
 #include "tests/prt/rooms.hpp"
 #include "tests/prt/temporary_folder.hpp"
 
@@ -86,11 +85,7 @@ TEST(Emission, ChangesNoBitOfTheTransferAndIsKeptInTheFile) {
   const Transfer lit = baked(mesh, &kInterreflected);
   EXPECT_TRUE(lit.bounces.certified);
   EXPECT_LE(lit.bounces.emitted_bound, 1e-4 * lit.bounces.emitted_largest);
-  float worst = 0.0F;
-  for (std::size_t i = 0; i < dark.coefficients.size(); ++i) {
-    worst = std::max(worst, std::abs(dark.coefficients[i] - lit.coefficients[i]));
-  }
-  EXPECT_LE(static_cast<double>(worst), dark.bounces.bound + lit.bounces.bound) << "another step or two at the most";
+  EXPECT_LE(largest_difference(dark, lit), dark.bounces.bound + lit.bounces.bound) << "another step or two at the most";
   const TemporaryFolder folder;
   write_transfer(folder.file("a.prt"), lit);
   const Transfer read = read_transfer(folder.file("a.prt"));
@@ -101,8 +96,7 @@ TEST(Emission, ChangesNoBitOfTheTransferAndIsKeptInTheFile) {
 // A leaf: thin, both sides alike.
 Mesh leaf() {
   Mesh mesh = primitive_mesh("plane");
-  tessellate(
-      mesh, [](const Eigen::Vector3f&) { return 0.3F; }, "leaf");
+  refine(mesh, 0.3F);
   add_backs(mesh, std::vector<std::uint8_t>(mesh.faces.size(), 1));
   return mesh;
 }
@@ -124,8 +118,7 @@ TEST(TwoSidedFaces, AreHitOnTheSideThatFacesTheRay) {
         tracer.intersect(origin, direction, hit);
         if (hit[0].face == Hit::kNothing) continue;
         const Face& face = mesh.faces[hit[0].face];
-        const Eigen::Vector3f point = (1.0F - hit[0].u - hit[0].v) * mesh.positions[face[0]] +
-                                      hit[0].u * mesh.positions[face[1]] + hit[0].v * mesh.positions[face[2]];
+        const Eigen::Vector3f point = interpolated(hit[0], mesh, mesh.positions);
         EXPECT_LT((point - origin[0] - hit[0].distance * direction[0]).norm(), 1e-5F);
         EXPECT_LT(face_normal(mesh.positions, face).dot(direction[0]), 0.0F);
         ++seen;
@@ -148,16 +141,9 @@ TEST(TwoSidedFaces, GatherTheLightOfTheirOwnSide) {
 // A floor under a leaf is lit by the leaf's lower side as by a one-sided one that looks down, and by nothing else.
 TEST(TwoSidedFaces, ReflectAndShineFromBehindAsFromTheFront) {
   const auto floor_under = [](bool turned, bool two_sided) {
-    Mesh sheet = primitive_mesh("plane");
-    for (std::size_t v = 0; v < sheet.positions.size(); ++v) {
-      sheet.positions[v].z() += 0.5F;
-      sheet.normals[v] = Eigen::Vector3f(0.0F, 0.0F, turned ? -1.0F : 1.0F);
-    }
-    for (Face& face : sheet.faces) {
-      if (turned) std::swap(face[1], face[2]);
-    }
+    Mesh sheet = primitive_mesh("plane", 24, Eigen::Affine3f(Eigen::Translation3f(0.0F, 0.0F, 0.5F)));
+    if (turned) turn_inside_out(sheet);
     shine(sheet, {1.0F, 0.0F, 0.0F});
-    set_geometric_normals(sheet);
     if (two_sided) add_backs(sheet, {1, 1});
     Mesh mesh = primitive_mesh("plane");
     append(mesh, sheet);

@@ -16,15 +16,6 @@
 namespace sh::prt::test {
 namespace {
 
-const auto kRoot4Pi = static_cast<float>(std::sqrt(4.0 * std::numbers::pi));
-
-// If the shading normals differed, the horizon of a vertex would cut its view.
-Mesh with_one_normal(std::string_view primitive, int segments = 24) {
-  Mesh mesh = primitive_mesh(primitive, segments);
-  mesh.normals = mesh.geometric_normals;
-  return mesh;
-}
-
 void move(Mesh& mesh, float scale, const Eigen::Vector3f& by = Eigen::Vector3f::Zero()) {
   for (Eigen::Vector3f& position : mesh.positions) position = scale * position + by;
 }
@@ -50,25 +41,13 @@ TEST(WhiteFurnace, ShowsSolidsAsBrightAsTheSky) {
 // rim of radius r, sees B through the part r^2 / (r^2 + d^2) of its cosine.
 TEST(Emission, LeavesASphereThroughAHole) {
   Mesh mesh = hollow_sphere(48, 0.93F);
-  std::vector<std::uint8_t> used(mesh.positions.size(), 0);
-  float rim = -1.0F;
-  for (const Face& face : mesh.faces) {
-    for (const std::uint32_t v : face) {
-      used[v] = 1;
-      rim = std::max(rim, mesh.positions[v].z());
-    }
-  }
+  const float rim = rim_of(mesh);
   const double a = 0.5 * (1.0 - static_cast<double>(rim));
   const double r2 = 1.0 - static_cast<double>(rim * rim);
   shine(mesh, Eigen::Vector3f::Ones());
   const std::size_t plate = mesh.positions.size();
-  Mesh speck = primitive_mesh("plane");
-  for (std::size_t v = 0; v < 4; ++v) {
-    speck.positions[v] = 1e-3F * speck.positions[v] + Eigen::Vector3f(0.0F, 0.0F, rim + 0.3F);
-    speck.normals[v] = -speck.normals[v];
-  }
-  for (Face& face : speck.faces) std::swap(face[1], face[2]);
-  set_geometric_normals(speck);
+  Mesh speck = primitive_mesh("plane", 24, Eigen::Translation3f(0.0F, 0.0F, rim + 0.3F) * Eigen::Scaling(1e-3F));
+  turn_inside_out(speck);
   append(mesh, speck);
   for (const float albedo : {0.0F, 0.5F, 0.95F}) {
     paint(mesh, Eigen::Vector3f::Constant(albedo));
@@ -78,7 +57,7 @@ TEST(Emission, LeavesASphereThroughAHole) {
     double mean = 0.0;
     double count = 0.0;
     for (std::size_t v = 0; v < plate; ++v) {
-      if (used[v] != 0 && mesh.positions[v].z() < rim) {
+      if (mesh.positions[v].z() < rim) {
         mean += static_cast<double>(transfer.emitted[v].x());
         count += 1.0;
       }
@@ -143,13 +122,7 @@ TEST(Extremes, MeshesOfAnySizeHaveTheSameTransfer) {
   for (const float scale : {0x1p-20F, 0x1p20F, 1e-6F, 1e6F}) {
     Mesh other = mesh;
     move(other, scale);
-    const Transfer transfer = baked(other, &kInterreflected, 256);
-    double squares = 0.0;
-    for (std::size_t i = 0; i < one.coefficients.size(); ++i) {
-      const auto error = static_cast<double>(transfer.coefficients[i] - one.coefficients[i]);
-      squares += error * error;
-    }
-    EXPECT_LT(std::sqrt(squares / static_cast<double>(one.coefficients.size())), 1e-3) << scale;
+    EXPECT_LT(rms_difference(baked(other, &kInterreflected, 256), one), 1e-3) << scale;
   }
 }
 
@@ -222,9 +195,7 @@ TEST(Extremes, ThinWallsLetNoLightThrough) {
 
 TEST(Extremes, AMeshTurnedInsideOutIsDarkAndReported) {
   Mesh mesh = with_one_normal("torus");
-  for (Face& face : mesh.faces) std::swap(face[1], face[2]);
-  for (std::size_t v = 0; v < mesh.positions.size(); ++v) mesh.normals[v] = -mesh.normals[v];
-  set_geometric_normals(mesh);
+  turn_inside_out(mesh);
   testing::internal::CaptureStderr();
   baked(mesh, &kShadowed);
   const std::string said = testing::internal::GetCapturedStderr();

@@ -10,21 +10,31 @@
 #include <nlohmann/json.hpp>
 
 #include "numeric/output/atomic_file.hpp"
-#include "prt/bake/bake.hpp"
+#include "prt/transfer/storage.hpp"
 #include "prt/transfer/transfer_layout.hpp"
-#include "tests/prt/meshes.hpp"
+#include "tests/prt/rooms.hpp"
 #include "tests/prt/temporary_folder.hpp"
 
 namespace sh::prt::test {
 namespace {
 
-Transfer small_transfer() {
-  Scene scene;
-  scene.name = "small";
-  scene.mesh = primitive_mesh("plane");
-  scene.bake.degree = 1;
-  return bake(scene);
+Transfer small_transfer() { return baked(primitive_mesh("plane"), &kShadowed, 2048, 1); }
+
+Transfer stored_transfer(const Storage& storage) {
+  Transfer transfer = Transfer::of(kInterreflected, 1);
+  transfer.scene = "stored";
+  transfer.mesh = primitive_mesh("plane");
+  for (std::size_t i = 0; i < transfer.mesh.positions.size() * transfer.shape.length(); ++i) {
+    transfer.coefficients.push_back(0.01F * static_cast<float>(i % 4) - 0.02F);
+  }
+  transfer.shape.storage = storage;
+  transfer.plan = {0.01, 0.002, "any", {{"storage", "half", "it is enough", 12, 3, 0.002, "bound"}}};
+  return transfer;
 }
+
+const std::vector<Storage> kStorages = {{Element::kSingle, false, {}}, {Element::kHalf, false, {}},
+                                        {Element::kByte, false, {}},   {Element::kByte, true, {0, 2}},
+                                        {Element::kSingle, true, {}},  {Element::kHalf, true, {0, 1, 3}}};
 
 class TransferFile : public testing::Test {
  protected:
@@ -86,31 +96,66 @@ TEST_F(TransferFile, KeepsLightOfItsOwnAndMirrorsWholeHoweverCoefficientsAreStor
   }
 }
 
-// The file with its section table changed by `change`, checksums made good.
-std::string with_table(std::string bytes, const std::function<void(std::vector<layout::Section>&)>& change) {
+// The file with its section table and its JSON header changed, and its checksums made good.
+std::string changed(std::string bytes, const std::function<void(std::vector<layout::Section>&, std::string&)>& change) {
   layout::Prologue prologue;
   std::memcpy(&prologue, bytes.data(), sizeof prologue);
   std::vector<layout::Section> table(prologue.sections);
   const std::size_t size = table.size() * sizeof(layout::Section);
   std::memcpy(table.data(), bytes.data() + sizeof prologue, size);
-  change(table);
+  std::string header = bytes.substr(sizeof prologue + size, prologue.header_size);
+  change(table, header);
+  prologue.header_checksum = checksum(header.data(), header.size());
   prologue.checksum = layout::front_checksum(prologue, table);
   std::memcpy(bytes.data(), &prologue, sizeof prologue);
   std::memcpy(bytes.data() + sizeof prologue, table.data(), size);
-  return bytes;
+  return bytes.replace(sizeof prologue + size, header.size(), header);
 }
 
 TEST_F(TransferFile, IsRefusedWithASectionThatIsUnknownMissingOrOutOfPlace) {
   write_transfer(file_, small_transfer());
   const std::string good = read_all(file_);
-  write_all(file_, with_table(good, [](auto& table) { table[3].name = layout::padded("aroma\n"); }));
-  EXPECT_EQ(refusal(), file_ + ": transfer file with a section `aroma`, which is unknown or out of place");
-  write_all(file_, with_table(good, [](auto& table) { std::swap(table[1], table[2]); }));
-  EXPECT_EQ(refusal(), file_ + ": damaged transfer file: section normal is missing");
-  write_all(file_, with_table(good, [](auto& table) { table[6].name = layout::padded("emitted"); }));
-  EXPECT_EQ(refusal(), file_ + ": damaged transfer file: section transfer is missing");
-  write_all(file_, with_table(good, [](auto& table) { table[3].type = layout::kIndex; }));
-  EXPECT_EQ(refusal(), file_ + ": damaged transfer file: section albedo does not fit");
+  const auto refusal_with = [&](const std::function<void(std::vector<layout::Section>&)>& change) {
+    write_all(file_, changed(good, [&](auto& table, auto&) { change(table); }));
+    return refusal();
+  };
+  EXPECT_EQ(refusal_with([](auto& table) { table[3].name = layout::padded("aroma\n"); }),
+            file_ + ": transfer file with a section `aroma`, which is unknown or out of place");
+  EXPECT_EQ(refusal_with([](auto& table) { std::swap(table[1], table[2]); }),
+            file_ + ": damaged transfer file: section normal is missing");
+  EXPECT_EQ(refusal_with([](auto& table) { table[6].name = layout::padded("emitted"); }),
+            file_ + ": damaged transfer file: section transfer is missing");
+  EXPECT_EQ(refusal_with([](auto& table) { table[3].type = layout::kIndex; }),
+            file_ + ": damaged transfer file: section albedo does not fit");
+}
+
+TEST_F(TransferFile, IsRefusedWhenItsHeaderDoesNotFitItsSections) {
+  write_transfer(file_, stored_transfer({Element::kByte, true, {0, 2}}));
+  const std::string good = read_all(file_);
+  const auto refusal_with = [&](const std::string& from, const std::string& to) {
+    write_all(file_, changed(good, [&](auto&, std::string& h) { h.replace(h.find(from), from.size(), to); }));
+    return refusal();
+  };
+  EXPECT_NE(refusal_with("\"byte\"", "\"half\"").find("does not fit"), std::string::npos);
+  EXPECT_NE(refusal_with("\"byte\"", "\"bite\"").find("storage that does not exist"), std::string::npos);
+  EXPECT_NE(refusal_with("      2\n    ]", "      9\n    ]").find("storage that does not exist"), std::string::npos);
+  EXPECT_NE(refusal_with("\"one_channel\": true", "\"one_channel\":    1").find("wrong type"), std::string::npos);
+  EXPECT_NE(refusal_with("\"one_channel\": true,", "\"one_channel\":false,").find("does not fit"), std::string::npos);
+}
+
+TEST_F(TransferFile, GivesBackWhatItsStorageKeeps) {
+  for (const Storage& storage : kStorages) {
+    const Transfer written = stored_transfer(storage);
+    write_transfer(file_, written);
+    const Transfer read = read_transfer(file_);
+    EXPECT_EQ(read.coefficients, decode(encode(written.coefficients, written.shape), written.shape));
+    EXPECT_EQ(read.shape.storage.element, storage.element);
+    EXPECT_EQ(read.shape.storage.kept, storage.kept);
+    EXPECT_EQ(read.shape.storage.one_channel, storage.one_channel);
+    EXPECT_EQ(transfer_header(read), transfer_header(written));
+    write_transfer(folder_.file("b"), read);
+    EXPECT_EQ(read_all(folder_.file("b")), read_all(file_)) << "writing again changes nothing";
+  }
 }
 
 TEST_F(TransferFile, NamesItsConventionsInItsHeader) {
@@ -121,36 +166,34 @@ TEST_F(TransferFile, NamesItsConventionsInItsHeader) {
   EXPECT_EQ(header["kind"], "DS");
 }
 
-TEST_F(TransferFile, IsRefusedWithAnyOneByteChanged) {
-  write_transfer(file_, small_transfer());
-  const std::string good = read_all(file_);
-  ASSERT_GT(good.size(), 500U);
-  std::fstream stream(file_, std::ios::binary | std::ios::in | std::ios::out);
-  const auto put = [&](std::size_t i, unsigned value) {
-    stream.seekp(static_cast<std::streamoff>(i)).put(static_cast<char>(value)).flush();
-  };
-  for (std::size_t i = 0; i < good.size(); ++i) {
-    const unsigned byte = static_cast<unsigned char>(good[i]);
-    for (const unsigned flip : {0x01U, 0x80U, 0xFFU}) {
-      put(i, byte ^ flip);
-      const std::string said = refusal();
-      ASSERT_EQ(said.find(file_ + ": "), 0U) << "byte " << i << ": " << said;
-      ASSERT_EQ(said.find('\n'), std::string::npos) << "byte " << i << ": " << said;
+TEST_F(TransferFile, IsRefusedInOneLineWithAnyOneByteChangedOrMissing) {
+  std::vector<Transfer> transfers = {small_transfer()};
+  for (const Storage& storage : kStorages) transfers.push_back(stored_transfer(storage));
+  for (const Transfer& transfer : transfers) {
+    write_transfer(file_, transfer);
+    const std::string good = read_all(file_);
+    ASSERT_GT(good.size(), 500U);
+    std::fstream stream(file_, std::ios::binary | std::ios::in | std::ios::out);
+    const auto put = [&](std::size_t i, char value) {
+      stream.seekp(static_cast<std::streamoff>(i)).put(value).flush();
+    };
+    for (std::size_t i = 0; i < good.size(); ++i) {
+      for (const int flip : {0x01, 0x80, 0xFF}) {
+        put(i, static_cast<char>(good[i] ^ flip));
+        const std::string said = refusal();
+        ASSERT_EQ(said.find(file_ + ": "), 0U) << "byte " << i << ": " << said;
+        ASSERT_EQ(said.find('\n'), std::string::npos) << "byte " << i << ": " << said;
+      }
+      put(i, good[i]);
     }
-    put(i, byte);
+    EXPECT_EQ(refusal(), "");
+    for (std::size_t size = good.size(); size-- > 0;) {
+      std::filesystem::resize_file(file_, size);
+      ASSERT_EQ(refusal().find(file_ + ": "), 0U) << size;
+    }
+    write_all(file_, good + '\0');
+    EXPECT_NE(refusal().find("overlong"), std::string::npos) << refusal();
   }
-  EXPECT_EQ(refusal(), "");
-}
-
-TEST_F(TransferFile, IsRefusedWhenTruncatedAnywhereOrContinued) {
-  write_transfer(file_, small_transfer());
-  const std::string good = read_all(file_);
-  for (std::size_t size = good.size(); size-- > 0;) {
-    std::filesystem::resize_file(file_, size);
-    ASSERT_EQ(refusal().find(file_ + ": "), 0U) << size;
-  }
-  write_all(file_, good + '\0');
-  EXPECT_NE(refusal().find("overlong"), std::string::npos) << refusal();
 }
 
 TEST_F(TransferFile, IsRefusedWhenMissingOrAFolder) {

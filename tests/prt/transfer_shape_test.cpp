@@ -110,7 +110,7 @@ void color(BakeRun& run) {
   transfer.coefficients.clear();
   for (std::size_t v = 0; v < transfer.mesh.positions.size(); ++v) {
     for (std::size_t i = 0; i < transfer.shape.length(); ++i) {
-      const float albedo = transfer.mesh.albedo[v][static_cast<Eigen::Index>(i / count)];
+      const float albedo = transfer.mesh.albedo[v][i / count];
       transfer.coefficients.push_back(albedo * grey[v * count + i % count]);
     }
   }
@@ -144,10 +144,11 @@ TEST(TransferKind, IsAddedByItsShapeAndItsSteps) {
 }
 
 TEST(TransferKind, IsFoundByItsNamesOrNot) {
-  EXPECT_EQ(kind_called("shadowed"), &kShadowed);
-  EXPECT_EQ(kind_with_letters("DI"), &kInterreflected);
-  EXPECT_EQ(kind_called("DI"), nullptr);
-  EXPECT_EQ(kind_words(), (std::vector<std::string_view>{"unshadowed", "shadowed", "interreflected"}));
+  EXPECT_EQ(find_kind(&TransferKind::word, "shadowed"), &kShadowed);
+  EXPECT_EQ(find_kind(&TransferKind::letters, "DI"), &kInterreflected);
+  EXPECT_EQ(find_kind(&TransferKind::word, "DI"), nullptr);
+  EXPECT_EQ(kind_names(&TransferKind::word),
+            (std::vector<std::string_view>{"unshadowed", "shadowed", "interreflected"}));
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
-// Decisions without error: open vertices, one channel, coefficients that the lights do not have.
+// Decisions that are exact or proved: open vertices, one channel, coefficients that the lights do not have, and the type
+// of the stored numbers.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -6,6 +7,7 @@
 
 #include "prt/plan/draft.hpp"
 #include "prt/plan/open_vertices.hpp"
+#include "prt/transfer/storage.hpp"
 
 namespace sh::prt {
 
@@ -44,6 +46,18 @@ double widest_angle(const Draft& draft) {
     }
   }
   return widest;
+}
+
+// The largest error that an element makes in each column of the rows, (bands^2 of the requested degree).
+std::vector<double> storage_errors(const Draft& draft, Element element) {
+  std::vector<double> errors(draft.light->coefficients().bands_squared(), 0.0);
+  const Storage& storage = draft.plan.storage;
+  for (std::size_t i = 0; i < draft.count(); ++i) {
+    if (storage.kept.empty() || std::binary_search(storage.kept.begin(), storage.kept.end(), i)) {
+      errors[i] = encoding_error(element, static_cast<double>(draft.plan.largest[i]));
+    }
+  }
+  return errors;
 }
 
 }  // namespace
@@ -95,6 +109,29 @@ void decide_symmetry(Draft& draft) {
   draft.decide(
       "symmetry", fmt::format("{} of {} coefficients", count, draft.count()),
       fmt::format("no rotation ({}) gives the lights other coefficients; lights that need others are refused", turns));
+}
+
+void decide_storage(Draft& draft) {
+  constexpr double kSampling = 1.01;  // sums over directions may exceed the exact bound
+  constexpr double kPart = 0.5;
+  draft.plan.largest.resize(draft.count());
+  for (int l = 0; l <= draft.bake.degree; ++l) {
+    std::fill(draft.plan.largest.begin() + l * l, draft.plan.largest.begin() + (l + 1) * (l + 1),
+              static_cast<float>(kSampling * draft.band_bound(l)));
+  }
+  for (const Element element : {Element::kByte, Element::kHalf}) {
+    const double error = draft.error_of(storage_errors(draft, element));
+    if (error <= draft.share(kPart)) {
+      draft.plan.storage.element = element;
+      const bool byte = element == Element::kByte;
+      draft.decide("storage", byte ? "8 bits with a scale a coefficient" : "half",
+                   byte ? "half a scale for each number, bounded by what transfer can be, times the lights"
+                        : "2^-11 of each number, bounded by what transfer can be, times the lights",
+                   error, "bound");
+      return;
+    }
+  }
+  draft.decide("storage", "single", "the budget leaves no room for half");
 }
 
 }  // namespace sh::prt
