@@ -61,7 +61,7 @@ Inputs gradient_inputs(int /*degree*/) {
 }
 
 // The basis at exact directions. The inputs are multiples of these directions.
-Reference normalised_reference(int degree, int points) {
+Reference normalized_reference(int degree, int points) {
   Reference reference = basis_reference(degree, points);
   cln::cl_RA length = cln::cl_RA(2) / 3;
   for (ReferencePoint& point : reference) {
@@ -72,7 +72,7 @@ Reference normalised_reference(int degree, int points) {
 }
 
 // Lengths from 2^-20 to 2^20.
-Inputs normalised_inputs(int /*degree*/) {
+Inputs normalized_inputs(int /*degree*/) {
   constexpr int kLargestPower = 20;
   Inputs inputs;
   int power = -kLargestPower;
@@ -109,10 +109,10 @@ std::vector<Family> basis_families() {
        .batch = BatchDriver{.what = "Values and Cartesian gradient of the solid harmonics: values, d/dx, d/dy, d/dz"}},
       {.name = "basis_normalised",
        .recipes = {{"parity", recipes::basis_normalised_parity}, {"centred", recipes::basis_normalised_centred}},
-       .reference = normalised_reference,
+       .reference = normalized_reference,
        .domain = {.inputs = "vectors (random, axes, poles, near poles; lengths 2^-20 to 2^20)",
                   .unit = direction_domain().unit,
-                  .test_inputs = normalised_inputs,
+                  .test_inputs = normalized_inputs,
                   .sizes = direction_domain().sizes,
                   .lengths = {1e-15, 1e15}}}};
 }

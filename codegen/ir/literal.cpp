@@ -55,10 +55,10 @@ T nearest(const ExactReal& value) {
   // Narrow the interval around the irrational value until both its ends round alike [Ziv91].
   constexpr int kMostDigits = 2000;
   for (int digits = 50; digits <= kMostDigits; digits *= 2) {
-    const cln::cl_RA centre = cln::rational(evaluate(value, digits));
-    const cln::cl_RA radius = cln::abs(centre) / cln::expt(cln::cl_RA(10), digits);
-    const T low = nearest<T>(centre - radius);
-    if (low == nearest<T>(centre + radius)) return low;
+    const cln::cl_RA center = cln::rational(evaluate(value, digits));
+    const cln::cl_RA radius = cln::abs(center) / cln::expt(cln::cl_RA(10), digits);
+    const T low = nearest<T>(center - radius);
+    if (low == nearest<T>(center + radius)) return low;
   }
   throw std::runtime_error("literal: " + to_string(value) +
                            ": expected that 2000 digits decide the rounding, got a value too close to a boundary");

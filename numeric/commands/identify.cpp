@@ -44,7 +44,7 @@ ExitCode identify_values(const Options& options) {
   const auto table = identify::read_table(options.file);
   const auto result = identify::identify(identify::read_samples(table, options.normalize));
   print(options.json ? format_json(result) : format_text(result, options.all));
-  return result.recognised() ? kDone : kDifferent;
+  return result.recognized() ? kDone : kDifferent;
 }
 
 ExitCode check_matrices(const Options& options) {
@@ -93,7 +93,7 @@ void add_identify_commands(Command& tool) {
   auto [values, of_values] = add_table_command(tool, {"identify", "name the convention of a table of your own values",
                                                       "CSV: x,y,z,v0,v1,..., a direction a line", "directions",
                                                       identify::suggested_directions, identify_values});
-  values.option("--normalise", of_values->normalize, "scale directions to length 1");
+  values.option("--normalize,--normalise", of_values->normalize, "scale directions to length 1");
   add_flags(values, *of_values);
   auto [matrices, of_matrices] = add_table_command(
       tool, {"rotation-matrix", "check your own rotation matrices of spherical harmonics",

@@ -50,7 +50,7 @@ std::vector<Entry> gpfault() {
        .remark = "sqrt(70)/8 = sqrt(35/2)/4 and sqrt(42)/8 = sqrt(21/2)/4. y_11 in the code is order -1, y11 order +1. "
                  "Off the unit sphere they are not the solid harmonics."},
       {.place = {"GP-14", "Code testBasisFunctions", kCode},
-       .printed = "points in the cube, those outside the ball rejected, the rest normalised; (4 pi / N) sum y_i y_j",
+       .printed = "points in the cube, those outside the ball rejected, the rest normalized; (4 pi / N) sum y_i y_j",
        .readings = {measured(
            true, "inner products of 16 functions by 100,000 samples are very close to 1 and 0: the largest distance",
            "0")},
@@ -70,7 +70,7 @@ std::vector<Entry> gpfault() {
                   "l=0..4, m=-l..l: (-1)^m*K(l,m)*P(l,m)*(cosm(m,cp,sp)+I*sinm(m,cp,sp)) == polar(Yc(l,m))")},
        .correct = "with P_l^-m = (-1)^m (l-m)!/(l+m)! P_l^m, m > 0",
        .remark =
-           "As printed the functions of negative order are not normalised (squared norm 16 for (1,-1)); without the "
+           "As printed the functions of negative order are not normalized (squared norm 16 for (1,-1)); without the "
            "sign they are, but odd orders have the other sign than the standard Y_l^-m = (-1)^m conj(Y_l^m)."},
       {.place = {"GP-20", "Associated Legendre, m < 0"},
        .printed = "P_l^m = (l-m)!/(l+m)! P_l^-m for m < 0",
@@ -107,18 +107,18 @@ std::vector<Entry> gpfault() {
        .readings = {holds("sqrt(5/(48*Pi))*3*s^2*cosm(2,cp,sp) == polar(Y(2,2)); sqrt(15/Pi)/4*(2*cp^2*s^2-1+c^2) == "
                           "polar(Y(2,2)); sqrt(15/Pi)/4*(2*x^2+z^2-1) == Y(2,2); sqrt(15/Pi)/4*(x^2-y^2) == Y(2,2)")}},
       {.place = {"GP-36", "Text on the simpler estimate of the area", kText},
-       .printed = "(4/N^2) (1+u^2+v^2)^(-3/2) at the centre of the texel is less precise",
+       .printed = "(4/N^2) (1+u^2+v^2)^(-3/2) at the center of the texel is less precise",
        .readings = {holds("as a solid angle: 0.544331 for pi/6, 2x2 texels",
                           "4/2^2*(1+1/4+1/4)^(-3/2) ~ 0.544331; Pi/6 ~ 0.523599"),
                     measured(false, "its error over that of the exact solid angle, projecting a smooth function",
                              "> 1")},
        .correct = "the exact solid angle of a texel; the estimate is as good for projecting",
        .remark = "The formula is the one that the page refers to. For projecting it is not the worse choice: its "
-                 "errors cancel part of those of sampling at the centre (S-32)."},
+                 "errors cancel part of those of sampling at the center (S-32)."},
       {.place = {"GP-37", "Code calcTexelWeight(x, y)", kCode},
        .printed = "A(a,b) = atan2(ab, sqrt(a^2+b^2+1)); A(x0,y0)-A(x0,y1)-A(x1,y0)+A(x1,y1), x0, x1 = x -+ 1/CUBE_DIM",
        .readings =
-           {holds("face coordinates of texel centres in [-1,1]",
+           {holds("face coordinates of texel centers in [-1,1]",
                   "n=1..6: sum(2/n,k,0,n-1) == 2 & at(at(diffn(diffn(atan(a*b/sqrt(a^2+b^2+1)),a,1),b,1),a,2),b,2) == "
                   "1/9^(3/2); at(at(diffn(diffn(atan(a*b/sqrt(a^2+b^2+1)),a,1),b,1),a,4),b,8) == 1/81^(3/2); "
                   "at(at(diffn(diffn(atan(a*b/sqrt(a^2+b^2+1)),a,1),b,1),a,1/2),b,1) == 1/(9/4)^(3/2); tan(Pi/6) == "

@@ -100,7 +100,7 @@ std::vector<Entry> sloan() {
                     measured(true, "six 4 x 4 images, worst-case squared error", "1", "%"),
                     measured(true, "six 8 x 8 images, average squared error", "0.003", "%"),
                     measured(true, "six 8 x 8 images, worst-case squared error", "0.02", "%")},
-       .remark = "Measured with ds at the centre of the texel. With the exact areas 0.26/0.94 and 0.0058/0.018 %: not "
+       .remark = "Measured with ds at the center of the texel. With the exact areas 0.26/0.94 and 0.0058/0.018 %: not "
                  "better for the larger images."},
       {.place = {"S-33", "6.2, error for bilinear reconstruction", kText},
        .printed = "6x8x8 0.7 % and 2 %; 6x16x16 0.2 % and 0.5 %; 6x32x32 0.05 % and 0.1 %",

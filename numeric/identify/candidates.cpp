@@ -55,13 +55,13 @@ std::vector<IndexOrder> orders_of(const Samples& samples) {
 
 // Sizes, phases and folded factors that a kind of functions may have.
 std::vector<Convention> scalings(bool complex) {
-  using enum Normalisation;
+  using enum Normalization;
   std::vector<Convention> all;
-  for (const auto normalisation : {kOrthonormal, kFourPi, kSchmidt, kSn3d, kUnnormalised, kPrimitive}) {
-    if (complex && (normalisation == kUnnormalised || normalisation == kPrimitive)) continue;
+  for (const auto normalization : {kOrthonormal, kFourPi, kSchmidt, kSn3d, kUnnormalized, kPrimitive}) {
+    if (complex && (normalization == kUnnormalized || normalization == kPrimitive)) continue;
     for (const auto folded : {Folded::kNothing, Folded::kCosineOverPi, Folded::kCosine}) {
       for (const bool phase : {false, true}) {
-        all.push_back({.normalisation = normalisation, .condon_shortley = phase, .complex = complex, .folded = folded});
+        all.push_back({.normalization = normalization, .condon_shortley = phase, .complex = complex, .folded = folded});
       }
     }
   }

@@ -40,23 +40,23 @@ long double content(int l, int order) {
   return std::ldexp(static_cast<long double>(common), -l);
 }
 
-long double normalisation_size(Normalisation normalisation, int l, int order) {
+long double normalization_size(Normalization normalization, int l, int order) {
   const auto width = static_cast<long double>(2 * l + 1);
-  switch (normalisation) {
-    case Normalisation::kOrthonormal:
+  switch (normalization) {
+    case Normalization::kOrthonormal:
       return 1;
-    case Normalisation::kFourPi:
+    case Normalization::kFourPi:
       return std::sqrt(4 * kPi);
-    case Normalisation::kSchmidt:
+    case Normalization::kSchmidt:
       return std::sqrt(4 * kPi / width);
-    case Normalisation::kSn3d:
+    case Normalization::kSn3d:
       return std::sqrt(1 / width);
-    case Normalisation::kUnnormalised:
+    case Normalization::kUnnormalized:
       return 1 / legendre_factor(l, std::abs(order));
-    case Normalisation::kPrimitive:
+    case Normalization::kPrimitive:
       return 1 / primitive_constant(l, order);
   }
-  throw std::invalid_argument("unknown normalisation");
+  throw std::invalid_argument("unknown normalization");
 }
 
 long double folded_size(Folded folded, int l) {
@@ -151,14 +151,14 @@ long double primitive_constant(int degree, int order) {
 long double relative_size(const Convention& convention, int degree, int order) {
   const bool phased = convention.condon_shortley && order % 2 != 0 && (order > 0 || !convention.complex);
   const long double size =
-      normalisation_size(convention.normalisation, degree, order) * folded_size(convention.folded, degree);
+      normalization_size(convention.normalization, degree, order) * folded_size(convention.folded, degree);
   return phased ? -size : size;
 }
 
 std::vector<std::complex<double>> convention_values(const Convention& convention, int max_degree,
                                                     const std::array<double, 3>& direction) {
   const auto d = convention.axes.apply(direction);
-  const auto unit = normalised<long double>(d[0], d[1], d[2]);
+  const auto unit = normalized<long double>(d[0], d[1], d[2]);
   std::vector<long double> ours((coefficient_count(max_degree)));
   basis(max_degree, unit[0], unit[1], unit[2], ours.data());
   const auto at = [&](int l, int m) { return ours[(coefficient_index(l, m))]; };

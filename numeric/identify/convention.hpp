@@ -14,12 +14,12 @@
 namespace sh::numeric::identify {
 
 /// The size of a function; a = |m|, P_l^a without the Condon-Shortley sign.
-enum class Normalisation {
+enum class Normalization {
   kOrthonormal,   // integral of |Y|^2 = 1
   kFourPi,        // integral = 4 pi: geodesy's 4-pi, ambisonics' N3D
   kSchmidt,       // integral = 4 pi / (2l+1): Schmidt semi-normalized, SN3D with Y_00 = 1
   kSn3d,          // integral = 1 / (2l+1): SN3D with 1/(4 pi) under the root [Nachbar11]
-  kUnnormalised,  // P_l^a cos(a phi) or sin(a phi); real only
+  kUnnormalized,  // P_l^a cos(a phi) or sin(a phi); real only
   kPrimitive,     // the polynomial with coprime integer coefficients: 1, y, z, x, xy, yz, 3z^2-1, ...; real only
 };
 
@@ -51,7 +51,7 @@ Axes parse_axes(const std::string& text);
 const std::vector<Axes>& all_axes();
 
 struct Convention {
-  Normalisation normalisation = Normalisation::kOrthonormal;
+  Normalization normalization = Normalization::kOrthonormal;
   bool condon_shortley = false;  // (-1)^m: real functions, both signs of m; complex, m > 0
   bool complex = false;
   IndexOrder order = IndexOrder::kAcn;
@@ -65,7 +65,7 @@ inline constexpr int kMaxDegree = 20;
 
 /// In words: "real, orthonormal, no Condon-Shortley phase, ACN order, axes x,y,z".
 std::string describe(const Convention& convention);
-std::string name_of(Normalisation normalisation);
+std::string name_of(Normalization normalization);
 std::string name_of(IndexOrder order);
 std::string name_of(Folded folded);
 

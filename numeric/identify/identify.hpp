@@ -33,7 +33,7 @@ struct Samples {
 /// Throws std::invalid_argument, one line "FILE:LINE: ..." or "FILE: ...": a number of columns that fits no degree up
 /// to 20, a direction that is not real or not of length 1 to 1e-5, fewer directions than decide between all functions
 /// of the degree (at least (L+1)^2, in general position: their values have to be linearly independent).
-std::vector<Samples> read_samples(const Table& table, bool normalise);
+std::vector<Samples> read_samples(const Table& table, bool normalize);
 
 /// `count` directions as CSV lines x,y,z with a header: first axes, diagonals and directions near the poles (at most a
 /// quarter of them), then random ones.
@@ -78,7 +78,7 @@ struct Identification {
   std::vector<Doubt> doubts;
 
   [[nodiscard]] bool fits() const;  // no coefficient is wrong
-  [[nodiscard]] bool recognised() const { return fits() && doubts.empty(); }
+  [[nodiscard]] bool recognized() const { return fits() && doubts.empty(); }
   [[nodiscard]] const Coefficient* first_wrong() const;  // of the first doubt where there is one; nullptr: none
   [[nodiscard]] double digits() const;                   // to which the worst fitting coefficient agrees, at most 17
 };

@@ -94,7 +94,7 @@ std::string doubt_text(const Identification& result) {
 Json reading_json(const Reading& reading) {
   const Convention& c = reading.convention;
   return {{"complex", c.complex},
-          {"normalisation", name_of(c.normalisation)},
+          {"normalisation", name_of(c.normalization)},
           {"condon_shortley", c.condon_shortley},
           {"order", name_of(c.order)},
           {"folded", name_of(c.folded)},
@@ -145,7 +145,7 @@ std::string format_json(const Identification& result) {
   Json json = {{"file", result.samples.file},
                {"degree", result.samples.degree},
                {"directions", result.samples.directions.size()},
-               {"recognised", result.recognised()},
+               {"recognised", result.recognized()},
                {"digits", result.digits()},
                {"first_wrong", wrong == nullptr ? Json() : coefficient_json(result.samples, *wrong)},
                {"readings", Json::array()},

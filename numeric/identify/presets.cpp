@@ -4,7 +4,7 @@
 namespace sh::numeric::identify {
 
 const std::vector<Preset>& presets() {
-  using enum Normalisation;
+  using enum Normalization;
   // In our world's axes: y up right-handed is x, z, -y; y up left-handed (z forward) is x, z, y; x forward and y left
   // is y, -x, z; x forward and y right (left-handed) is y, x, z.
   static const std::vector<Preset> all = {
@@ -29,10 +29,10 @@ const std::vector<Preset>& presets() {
   return all;
 }
 
-std::string name_of(Normalisation normalisation) {
+std::string name_of(Normalization normalization) {
   constexpr std::array kNames = {"orthonormal",        "4-pi (N3D)",         "Schmidt (SN3D with Y_00 = 1)",
-                                 "SN3D with 1/(4 pi)", "unnormalised P_l^m", "plain polynomials 1, y, z, x, xy, ..."};
-  return kNames[static_cast<int>(normalisation)];
+                                 "SN3D with 1/(4 pi)", "unnormalized P_l^m", "plain polynomials 1, y, z, x, xy, ..."};
+  return kNames[static_cast<int>(normalization)];
 }
 
 std::string name_of(IndexOrder order) {
@@ -47,7 +47,7 @@ std::string name_of(Folded folded) {
 }
 
 std::string describe(const Convention& c) {
-  return std::string(c.complex ? "complex" : "real") + ", " + name_of(c.normalisation) + ", " +
+  return std::string(c.complex ? "complex" : "real") + ", " + name_of(c.normalization) + ", " +
          (c.condon_shortley ? "Condon-Shortley phase" : "no Condon-Shortley phase") + ", " + name_of(c.order) +
          (c.folded == Folded::kNothing ? "" : ", " + name_of(c.folded)) + ", axes " + c.axes.to_string();
 }

@@ -45,12 +45,12 @@ Band complex_functions(int l) {
 
 // The conventions of a matrix, axes and direction left open.
 std::vector<Convention> matrix_conventions(bool complex) {
-  using enum Normalisation;
+  using enum Normalization;
   std::vector<Convention> all;
-  for (const auto normalisation : {kOrthonormal, kUnnormalised, kPrimitive}) {
-    if (complex && normalisation != kOrthonormal) continue;
+  for (const auto normalization : {kOrthonormal, kUnnormalized, kPrimitive}) {
+    if (complex && normalization != kOrthonormal) continue;
     for (const auto order : {IndexOrder::kAcn, IndexOrder::kZeroFirst, IndexOrder::kCosineSineBands}) {
-      for (const bool phase : {false, true}) all.push_back({normalisation, phase, complex, order});
+      for (const bool phase : {false, true}) all.push_back({normalization, phase, complex, order});
     }
   }
   return all;
@@ -60,11 +60,11 @@ std::vector<Convention> matrix_conventions(bool complex) {
 // matrix and its negative turn alike.
 PresetNames names_of(const Convention& convention) {
   const auto same_matrices = [&](Convention preset) {
-    using enum Normalisation;
+    using enum Normalization;
     preset.axes = convention.axes;
     preset.folded = convention.folded;
-    if (preset.normalisation != kUnnormalised && preset.normalisation != kPrimitive)
-      preset.normalisation = kOrthonormal;
+    if (preset.normalization != kUnnormalized && preset.normalization != kPrimitive)
+      preset.normalization = kOrthonormal;
     return convention == preset;
   };
   const auto same_turns = [](const Axes& a, Axes b) {
@@ -96,7 +96,7 @@ void add_candidates(const std::vector<const RotationCase*>& cases, const std::ve
   for (Convention convention : conventions) {
     convention.axes = turn.convention.axes;
     for (const bool transposed : {false, true}) {
-      const bool same = !convention.complex && convention.normalisation == Normalisation::kOrthonormal;
+      const bool same = !convention.complex && convention.normalization == Normalization::kOrthonormal;
       if (same && transposed) continue;
       Candidate candidate{{convention, turn.inverse, transposed, names_of(convention)}};
       for (std::size_t i = 0; i < cases.size(); ++i) {
@@ -115,9 +115,9 @@ void add_candidates(const std::vector<const RotationCase*>& cases, const std::ve
 
 std::string RotationReading::describe() const {
   const Convention& c = convention;
-  const bool plain = c.normalisation == Normalisation::kOrthonormal;
+  const bool plain = c.normalization == Normalization::kOrthonormal;
   std::string text = std::string(c.complex ? "complex, " : "real, ") +
-                     (plain ? "orthonormal (or N3D, SN3D, Schmidt: the same)" : name_of(c.normalisation)) + ", " +
+                     (plain ? "orthonormal (or N3D, SN3D, Schmidt: the same)" : name_of(c.normalization)) + ", " +
                      (c.condon_shortley ? "Condon-Shortley phase, " : "no Condon-Shortley phase, ") + name_of(c.order) +
                      ", axes " + c.axes.to_string();
   if (plain && !c.complex) return text + (inverse ? ", transposed (or of the inverse rotation)" : ", c' = D(R) c");

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kLengthTolerance = 1e-5;  // six printed digits, or float
 
-std::array<double, 3> direction_of(const Table& table, const Row& row, bool normalise) {
+std::array<double, 3> direction_of(const Table& table, const Row& row, bool normalize) {
   std::array<double, 3> d{};
   for (int i = 0; i < 3; ++i) {
     if (row.cells[i].imag() != 0) refuse(table.file, row.line, "expected a real direction, got complex numbers");
@@ -22,12 +22,12 @@ std::array<double, 3> direction_of(const Table& table, const Row& row, bool norm
   }
   const double length = std::hypot(d[0], d[1], d[2]);
   if (length == 0) refuse(table.file, row.line, "expected a direction of length 1, got the zero vector");
-  if (!normalise && !(std::abs(length - 1) <= kLengthTolerance)) {
+  if (!normalize && !(std::abs(length - 1) <= kLengthTolerance)) {
     refuse(table.file, row.line,
-           output::formatted("expected a direction of length 1 to within %g, got %.9g (--normalise scales directions)",
+           output::formatted("expected a direction of length 1 to within %g, got %.9g (--normalize scales directions)",
                              kLengthTolerance, length));
   }
-  return normalised(d[0], d[1], d[2]);
+  return normalized(d[0], d[1], d[2]);
 }
 
 // The degree with `count` functions, or -1.
@@ -62,12 +62,12 @@ void require_enough(const Samples& s) {
 }
 
 // The directions of the table, without values.
-Samples directions_of(const Table& table, bool normalise) {
+Samples directions_of(const Table& table, bool normalize) {
   Samples samples;
   samples.file = table.file;
   for (const Row& row : table.rows) {
     samples.lines.push_back(row.line);
-    samples.directions.push_back(direction_of(table, row, normalise));
+    samples.directions.push_back(direction_of(table, row, normalize));
   }
   return samples;
 }
@@ -91,7 +91,7 @@ bool all_real(const Table& table) {
 
 }  // namespace
 
-std::vector<Samples> read_samples(const Table& table, bool normalise) {
+std::vector<Samples> read_samples(const Table& table, bool normalize) {
   const std::size_t columns = table.rows.front().cells.size();
   const std::size_t values = columns < 3 ? 0 : columns - 3;
   const int whole = degree_with(values);
@@ -102,7 +102,7 @@ std::vector<Samples> read_samples(const Table& table, bool normalise) {
                              "imaginary parts, L from 0 to %d, got %zu columns",
                              kMaxDegree, columns));
   }
-  Samples samples = directions_of(table, normalise);
+  Samples samples = directions_of(table, normalize);
   samples.degree = std::max(whole, half);
   require_enough(samples);
   if (whole >= 0) return {with_values(samples, table, false)};

@@ -56,7 +56,7 @@ Domain domain_of(const Signature& signature) {
 }
 
 RealFunction nearest_of(const FamilyRecord& record) {
-  if (!record.normalised) return {};
+  if (!record.normalized) return {};
   const auto domains =
       std::make_shared<ByDegree<Domain>>([record](int degree) { return domain_of(record.signature(degree)); });
   return [domains](int degree, const auto* in, auto* out) {
@@ -64,7 +64,7 @@ RealFunction nearest_of(const FamilyRecord& record) {
     std::copy_n(in, domain.inputs, out);
     for (const auto& [role, first] : domain.places) {
       if (role == "direction") {
-        const auto unit = normalised(in[first], in[first + 1], in[first + 2]);
+        const auto unit = normalized(in[first], in[first + 1], in[first + 2]);
         std::copy(unit.begin(), unit.end(), out + first);
       }
       if (role == "rotation matrix") nearest_rotation(in + first, out + first);

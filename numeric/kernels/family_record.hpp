@@ -43,7 +43,7 @@ struct FamilyRecord {
   std::string family;
   std::string unit;                // of errors, for people
   std::vector<std::string> sizes;  // the same as formulas, one a result (size_formula.hpp)
-  bool normalised = false;         // inputs stand for the nearest point of the domain: unit directions, rotations
+  bool normalized = false;         // inputs stand for the nearest point of the domain: unit directions, rotations
   std::array<double, 2> lengths = {1, 1};  // of vectors: least and largest to try
   std::vector<KernelRecord> kernels;       // by degree; those of variants too
 

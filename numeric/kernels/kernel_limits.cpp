@@ -9,7 +9,7 @@
 namespace sh::numeric {
 namespace {
 
-// Kernels, by the start of their names, in which Mesa 22 multiplies neighbouring constants together although the result
+// Kernels, by the start of their names, in which Mesa 22 multiplies neighboring constants together although the result
 // is declared invariant. Their errors in GLSL are held to the limits all the same.
 constexpr std::array kRegroupedAnyway = {"product_l5",         "product_l8", "product_l10",
                                          "square_l5",          "square_l8",  "square_l10",

@@ -71,7 +71,7 @@ void legendre_swarztrauber(int degree, const Real& z, const Real& sine, Real* ou
 }
 
 /// Source: [Ishioka18], in the form of libraries of fast transforms (ducc, SHTns): a recurrence in z^2 over
-/// every second degree, normalised so that a step is two multiply-adds,
+/// every second degree, normalized so that a step is two multiply-adds,
 ///   P_(m+2k+1,m) = z alpha_k p_k,   p_(k+1) = (a_k z^2 + b_k) p_k - p_(k-1),
 ///   P_(m+2k,m) = eps_(m+2k+1) alpha_k p_k + eps_(m+2k) alpha_(k-1) p_(k-1),
 /// here with an exponent that follows the pair. Derivation, with eps of detail::column_coefficient and E_k =

@@ -140,7 +140,7 @@ void basis_tangent_gradient(int degree, const Real& x, const Real& y, const Real
   template std::vector<Real> basis<Real>(int, const Real&, const Real&, const Real&);                         \
   template void basis_z_form<Real>(int, const Real&, const Real&, const Real&, Real*);                        \
   template Real basis_value<Real>(int, int, const Real&, const Real&, const Real&);                           \
-  template std::array<Real, 3> normalised<Real>(const Real&, const Real&, const Real&);                       \
+  template std::array<Real, 3> normalized<Real>(const Real&, const Real&, const Real&);                       \
   template void basis_gradient<Real>(int, const Real&, const Real&, const Real&, Real*, Real*, Real*, Real*); \
   template std::array<Real, 3> basis_value_gradient<Real>(int, int, const Real&, const Real&, const Real&);   \
   template void basis_tangent_gradient<Real>(int, const Real&, const Real&, const Real&, Real*, Real*, Real*, Real*);

@@ -45,7 +45,7 @@ Real basis_value(int degree, int order, const Real& x, const Real& y, const Real
 /// (x, y, z) / |(x, y, z)| without overflow or underflow on the way. Throws std::invalid_argument for the zero vector
 /// and for components that are not finite.
 template <class Real>
-std::array<Real, 3> normalised(const Real& x, const Real& y, const Real& z);
+std::array<Real, 3> normalized(const Real& x, const Real& y, const Real& z);
 
 /// Cartesian gradients. That of a solid harmonic of degree l is a sum of two or three of degree l - 1, with no division
 /// by sin theta and no special case at the poles [Hobson31] ch. III.

@@ -89,7 +89,7 @@ void basis(int degree, const Real& x, const Real& y, const Real& z, std::span<Re
   require_range("basis: degree", degree, 0);
   require_size("basis: out", std::ssize(out), coefficient_count(degree));
   if (!(abs(Real(x * x + y * y + z * z - 1)) <= 16 * machine_epsilon<Real>())) {
-    throw std::invalid_argument("basis: expected a direction of length 1, as normalised() makes it");
+    throw std::invalid_argument("basis: expected a direction of length 1, as normalized() makes it");
   }
   basis(degree, x, y, z, out.data());
 }
@@ -113,7 +113,7 @@ Real basis_value(int degree, int order, const Real& x, const Real& y, const Real
 }
 
 template <class Real>
-std::array<Real, 3> normalised(const Real& x, const Real& y, const Real& z) {
+std::array<Real, 3> normalized(const Real& x, const Real& y, const Real& z) {
   using std::isfinite;
   using std::sqrt;
   if (!(isfinite(x) && isfinite(y) && isfinite(z)))

@@ -30,7 +30,7 @@ struct Wigner3jRow {
   std::vector<Real> values;
 };
 
-/// By the three-term recurrence in c from both ends, matched where it oscillates, normalised by
+/// By the three-term recurrence in c from both ends, matched where it oscillates, normalized by
 /// sum (2c+1) value^2 = 1 [SchultenGordon75], [LuscombeLuban98]. Growing values are scaled, so that nothing overflows;
 /// the tails are right relative to themselves, down to where Real underflows. Measured in double against exact values,
 /// to degree 1000: 43 epsilon of the row's largest value, in the tails 230 epsilon of the value. Compiled for the six

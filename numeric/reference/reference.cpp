@@ -81,7 +81,7 @@ bool is_zero(int order, const Vector& direction, const Compute& compute) {
 }
 
 std::array<MpfrAny, 3> unit(const Vector& direction) {
-  return normalised(MpfrAny(direction[0].text()), MpfrAny(direction[1].text()), MpfrAny(direction[2].text()));
+  return normalized(MpfrAny(direction[0].text()), MpfrAny(direction[1].text()), MpfrAny(direction[2].text()));
 }
 
 Vector checked(int degree, int order, const std::array<std::string, 3>& direction, int digits) {

@@ -89,9 +89,9 @@ Chart chart_of(const Task& task, int degree, const std::vector<Point>& points, c
     auto series = series_of("", index);
     series.filled = point.info.scalar == "float";
     const std::string note = point.info.name + (std::isfinite(point.error) ? "" : " fails");
-    const bool labelled = std::isfinite(point.error) && is_best_of_type(point, points);
+    const bool labeled = std::isfinite(point.error) && is_best_of_type(point, points);
     series.points = {
-        {point.nanoseconds, point.error, hover_of(point), labelled ? point.info.name : "", labelled ? "" : note}};
+        {point.nanoseconds, point.error, hover_of(point), labeled ? point.info.name : "", labeled ? "" : note}};
     chart.series.push_back(std::move(series));
   }
   return chart;

@@ -33,7 +33,7 @@ struct LeastSquaresFit {
   std::size_t worst_sample;          // where
 };
 
-/// The coefficients up to `degree` that minimise sum w r^2: orthogonal triangularisation of the matrix with the values
+/// The coefficients up to `degree` that minimize sum w r^2: orthogonal triangularisation of the matrix with the values
 /// as its last column, block by block [GolubVanLoan13] 5.3, so memory does not grow with the samples; rank and
 /// condition number from the singular values of the triangle. Throws std::invalid_argument in one line for degree < 0,
 /// samples that break the above (which one), fewer samples than coefficients, and directions that do not determine all

@@ -168,7 +168,7 @@ constexpr std::array<SphereRule, 8> kRules{{
     {"cube_map_differential", "texel centers, area element scaled to 4 pi, Sloan 2008",
      cube_map<TexelWeight::kDifferentialScaled>, false},
     {"lat_long", "pixel centers, exact solid angle", lat_long<LatLongWeight::kExact>, false},
-    {"lat_long_centre", "pixel centers, sin(theta) dtheta dphi", lat_long<LatLongWeight::kCentre>, false},
+    {"lat_long_centre", "pixel centers, sin(theta) dtheta dphi", lat_long<LatLongWeight::kCenter>, false},
 }};
 
 }  // namespace

@@ -36,19 +36,19 @@ std::vector<SphereNode<double>> zone_nodes(int count, std::uint64_t seed);
 /// The points of sobol_points (sobol.hpp) by z = 1 - 2u, azimuth 2 pi v, which keeps areas.
 std::vector<SphereNode<double>> sobol_nodes(int count, std::uint64_t seed);
 
-/// The texel centres of a cube map with size x size texels a face. Faces +x +y +z -x -y -z; u and v run along the two
+/// The texel centers of a cube map with size x size texels a face. Faces +x +y +z -x -y -z; u and v run along the two
 /// axes that follow the face's in the order x y z x y.
 enum class TexelWeight {
   kExact,               // the solid angle [Driscoll12]
-  kDifferential,        // the area element at the centre [SloanKautzSnyder02] 6.2; sums to 4 pi (1 + O(1/size^2))
+  kDifferential,        // the area element at the center [SloanKautzSnyder02] 6.2; sums to 4 pi (1 + O(1/size^2))
   kDifferentialScaled,  // the same times 4 pi / sum [Sloan08], appendix
 };
 std::vector<SphereNode<double>> cube_map_nodes(int size, TexelWeight weight);
 
-/// The pixel centres of a lat-long picture, height rows from +z to -z, 2 height columns.
+/// The pixel centers of a lat-long picture, height rows from +z to -z, 2 height columns.
 enum class LatLongWeight {
   kExact,   // the solid angle
-  kCentre,  // sin(theta) dtheta dphi at the centre: the solid angle times h / sin h, h = pi / (2 height), in every row
+  kCenter,  // sin(theta) dtheta dphi at the center: the solid angle times h / sin h, h = pi / (2 height), in every row
 };
 std::vector<SphereNode<double>> lat_long_nodes(int height, LatLongWeight weight);
 

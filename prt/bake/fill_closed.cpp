@@ -11,27 +11,27 @@ namespace sh::prt {
 
 namespace {
 
-using Neighbours = std::map<std::uint32_t, std::set<std::uint32_t>>;  // of some vertices
+using Neighbors = std::map<std::uint32_t, std::set<std::uint32_t>>;  // of some vertices
 
-Neighbours neighbours_of_sightless(const Mesh& mesh, const std::vector<Sight>& sight) {
-  Neighbours neighbours;
+Neighbors neighbors_of_sightless(const Mesh& mesh, const std::vector<Sight>& sight) {
+  Neighbors neighbors;
   for (const Face& face : mesh.faces) {
     for (std::size_t k = 0; k < 3; ++k) {
-      if (sight[face[k]] != Sight::kSome) neighbours[face[k]].insert({face[(k + 1) % 3], face[(k + 2) % 3]});
+      if (sight[face[k]] != Sight::kSome) neighbors[face[k]].insert({face[(k + 1) % 3], face[(k + 2) % 3]});
     }
   }
-  return neighbours;
+  return neighbors;
 }
 
-bool is_filled(const std::vector<Sight>& sight, std::uint32_t vertex, const std::set<std::uint32_t>& neighbours) {
+bool is_filled(const std::vector<Sight>& sight, std::uint32_t vertex, const std::set<std::uint32_t>& neighbors) {
   return sight[vertex] == Sight::kBuried || sight[vertex] == Sight::kCovered ||
-         std::all_of(neighbours.begin(), neighbours.end(), [&](std::uint32_t n) { return sight[n] == Sight::kSome; });
+         std::all_of(neighbors.begin(), neighbors.end(), [&](std::uint32_t n) { return sight[n] == Sight::kSome; });
 }
 
 }  // namespace
 
 FillPlan plan_fill(const Mesh& mesh, const std::vector<Sight>& sight) {
-  Neighbours unknown = neighbours_of_sightless(mesh, sight);
+  Neighbors unknown = neighbors_of_sightless(mesh, sight);
   std::erase_if(unknown, [&](const auto& entry) { return !is_filled(sight, entry.first, entry.second); });
   const auto is_flaw = [&](const auto& entry) { return sight[entry.first] != Sight::kCovered; };
   FillPlan plan;
@@ -39,9 +39,9 @@ FillPlan plan_fill(const Mesh& mesh, const std::vector<Sight>& sight) {
   std::size_t ring = 0;  // the first fill of the current ring
   do {
     ring = plan.fills.size();
-    for (const auto& [vertex, neighbours] : unknown) {
+    for (const auto& [vertex, neighbors] : unknown) {
       Fill fill{vertex, {}};
-      std::copy_if(neighbours.begin(), neighbours.end(), std::back_inserter(fill.sources),
+      std::copy_if(neighbors.begin(), neighbors.end(), std::back_inserter(fill.sources),
                    [&](std::uint32_t n) { return unknown.count(n) == 0; });
       if (!fill.sources.empty()) plan.fills.push_back(std::move(fill));
     }

@@ -62,7 +62,8 @@ void SubjectOptions::add_to(CLI::App& command) {
   command.add_option("--degree", shading.degree, "ignore higher bands; 1 takes 4 coefficients for each vertex");
   command.add_flag("--white", shading.white, "use the light's luminance in every channel");
   command
-      .add_option("--recolor", shading.recolour, "R G B: linear albedo instead of the transfer's (not with bounces)")
+      .add_option("--recolor,--recolour", shading.recolor,
+                  "R G B: linear albedo instead of the transfer's (not with bounces)")
       ->default_str("")
       ->expected(3);
   command

@@ -70,7 +70,7 @@ bool is_near(const Light& light) { return light.spec.near || light.spec.type == 
 
 Light sphere_from(const Light& light, const Eigen::Vector3d& point) {
   const NearSphere& sphere = *light.spec.near;
-  const Eigen::Vector3d towards = light.rotation * sphere.centre - (point - light.spec.from);
+  const Eigen::Vector3d towards = light.rotation * sphere.center - (point - light.spec.from);
   if (!(towards.norm() > sphere.radius)) {
     throw std::runtime_error(
         fmt::format("the light is sampled at ({:.4g}, {:.4g}, {:.4g}), inside a sphere light of radius {:.4g}; near "

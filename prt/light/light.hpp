@@ -26,7 +26,7 @@ enum class LightType { kConstant, kCieOvercast, kCieSky, kDirectional, kCap, kPo
 
 /// A near sphere; the cap that it covers depends on the place (seen_from).
 struct NearSphere {
-  Eigen::Vector3d centre;  // relative to LightSpec::from
+  Eigen::Vector3d center;  // relative to LightSpec::from
   double radius = 0.0;
 };
 

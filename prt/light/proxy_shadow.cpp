@@ -58,8 +58,8 @@ LightCoefficients without_polar_cap(const LightCoefficients& light, double one_m
 
 }  // namespace
 
-Cap sphere_seen_from(const Eigen::Vector3d& from, const Eigen::Vector3d& centre, double radius) {
-  const Eigen::Vector3d towards = centre - from;
+Cap sphere_seen_from(const Eigen::Vector3d& from, const Eigen::Vector3d& center, double radius) {
+  const Eigen::Vector3d towards = center - from;
   const double distance = towards.stableNorm();
   if (!(distance > 0.0)) return {Eigen::Vector3d::UnitZ(), 1.0};
   return {towards / distance, distance > radius ? sphere_one_minus_cos(radius, distance) : 1.0};

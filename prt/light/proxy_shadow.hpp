@@ -28,7 +28,7 @@ struct Cap {
 
 /// The cap that a sphere covers as seen `from` a point. A point inside or on the sphere gets the hemisphere towards the
 /// center, which is the limit from outside; the center itself gets the hemisphere about +z.
-Cap sphere_seen_from(const Eigen::Vector3d& from, const Eigen::Vector3d& centre, double radius);
+Cap sphere_seen_from(const Eigen::Vector3d& from, const Eigen::Vector3d& center, double radius);
 
 /// The light times (1 - cap), projected to the degree of the light. A cap of 0 changes no bit. The norm of the
 /// coefficients of a channel never grows (except by rounding). Throws std::invalid_argument unless 0 <= one_minus_cos

@@ -86,13 +86,13 @@ void decide_channels(Draft& draft) {
     draft.decide("channels", "one", "transfer without bounces holds no albedo");
     return;
   }
-  const auto is_grey = [](const Eigen::Vector3f& c) { return c.x() == c.y() && c.y() == c.z(); };
+  const auto is_gray = [](const Eigen::Vector3f& c) { return c.x() == c.y() && c.y() == c.z(); };
   const Mesh& mesh = draft.scene.mesh;
-  const bool grey = std::all_of(mesh.albedo.begin(), mesh.albedo.end(), is_grey) &&
-                    std::all_of(mesh.mirror.begin(), mesh.mirror.end(), is_grey);
-  draft.plan.storage.one_channel = grey;
-  draft.decide("channels", grey ? "one for all three" : "three",
-               grey ? "every albedo and mirror is gray" : "surfaces are colored, and bounces carry the color");
+  const bool gray = std::all_of(mesh.albedo.begin(), mesh.albedo.end(), is_gray) &&
+                    std::all_of(mesh.mirror.begin(), mesh.mirror.end(), is_gray);
+  draft.plan.storage.one_channel = gray;
+  draft.decide("channels", gray ? "one for all three" : "three",
+               gray ? "every albedo and mirror is gray" : "surfaces are colored, and bounces carry the color");
 }
 
 void decide_symmetry(Draft& draft) {

@@ -14,7 +14,7 @@ Draft::Draft(const Scene& the_scene, const std::string& the_instruction_set)
       asked(scene.bake),
       bake(asked),
       starts(ray_starts(scene.mesh)) {
-  for (const Eigen::Vector3f& colour : scene.mesh.albedo) albedo = std::max(albedo, colour.maxCoeff());
+  for (const Eigen::Vector3f& color : scene.mesh.albedo) albedo = std::max(albedo, color.maxCoeff());
   plan.open.assign(starts.size(), asked.kind->traces_rays() ? 0 : 1);
   start();
 }

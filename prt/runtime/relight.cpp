@@ -80,15 +80,15 @@ void for_ranges(const Transfer& transfer, const RowProducts& rows, const Work& w
 }
 
 /// `colours` serve transfer without the albedo.
-void relight_with(const Transfer& transfer, const LightCoefficients& light, std::span<const Eigen::Vector3f> colours,
+void relight_with(const Transfer& transfer, const LightCoefficients& light, std::span<const Eigen::Vector3f> colors,
                   std::span<Eigen::Vector3f> radiance) {
   require_light(transfer, light);
-  require_count(colours.size(), transfer, "colors");
+  require_count(colors.size(), transfer, "colors");
   require_count(radiance.size(), transfer, "radiances");
   const std::vector<float> values = in_float(light);
   for_ranges(transfer, row_products(transfer, values), [&](const RowProducts& rows, std::size_t first, std::size_t n) {
-    row_products_here().back().colour(rows, n, transfer.shape.holds_albedo ? nullptr : colours[first].data(),
-                                      radiance[first].data());
+    row_products_here().back().color(rows, n, transfer.shape.holds_albedo ? nullptr : colors[first].data(),
+                                     radiance[first].data());
     for (std::size_t v = first; !transfer.emitted.empty() && v < first + n; ++v) radiance[v] += transfer.emitted[v];
   });
 }
@@ -138,27 +138,27 @@ std::vector<Eigen::Vector3f> relight(const Transfer& transfer, const LightCoeffi
   return radiance;
 }
 
-std::vector<Eigen::Vector3f> recoloured(const Transfer& transfer, const LightCoefficients& light,
-                                        std::span<const Eigen::Vector3f> colours) {
+std::vector<Eigen::Vector3f> recolored(const Transfer& transfer, const LightCoefficients& light,
+                                       std::span<const Eigen::Vector3f> colors) {
   require_no_albedo(transfer);
   std::vector<Eigen::Vector3f> radiance(transfer.mesh.positions.size());
-  relight_with(transfer, light, colours, radiance);
+  relight_with(transfer, light, colors, radiance);
   return radiance;
 }
 
 Eigen::Vector3f relight_vertex(const Transfer& transfer, std::size_t vertex, const LightCoefficients& light,
-                               const Eigen::Vector3f& colour) {
+                               const Eigen::Vector3f& color) {
   require_light(transfer, light);
   require_no_albedo(transfer);
   const std::vector<float> values = in_float(light);
   RowProducts rows = row_products(transfer, values);
   rows.transfer = transfer.row(vertex);
   Eigen::Vector3f radiance;
-  row_products_here().back().colour(rows, 1, colour.data(), radiance.data());
+  row_products_here().back().color(rows, 1, color.data(), radiance.data());
   return transfer.emitted.empty() ? radiance : Eigen::Vector3f(radiance + transfer.emitted[vertex]);
 }
 
-std::vector<float> relight_grey(const Transfer& transfer, const LightCoefficients& light) {
+std::vector<float> relight_gray(const Transfer& transfer, const LightCoefficients& light) {
   require_light(transfer, light);
   require_no_albedo(transfer);
   const std::vector<float> values = in_float(light);
@@ -167,7 +167,7 @@ std::vector<float> relight_grey(const Transfer& transfer, const LightCoefficient
   all.sums = 1;
   std::vector<float> radiance(transfer.mesh.positions.size());
   for_ranges(transfer, all, [&](const RowProducts& rows, std::size_t first, std::size_t n) {
-    row_products_here().back().grey(rows, n, &radiance[first]);
+    row_products_here().back().gray(rows, n, &radiance[first]);
   });
   return radiance;
 }

@@ -3,8 +3,8 @@
 // in parallel and give the same bits on every machine and for any number of threads. Single precision.
 //   a light of any color           relight: three sums a vertex
 //   white light                    relight under a light whose channels are equal: one sum a vertex, the same bits
-//   recolored                      any color a vertex in place of the albedo: recoloured
-//   gray                           one number a vertex, no color: relight_grey
+//   recolored                      any color a vertex in place of the albedo: recolored
+//   gray                           one number a vertex, no color: relight_gray
 //   4 coefficients                 any of these under a light of degree 1, which ignores the transfer's higher bands
 #pragma once
 #include <Eigen/Core>
@@ -34,16 +34,16 @@ void relight_into(const Transfer& transfer, const LightCoefficients& light, std:
 /// The same with `colours`, (vertices), in place of the albedo: white light needs one sum a vertex, whatever the
 /// colors. Also throws std::invalid_argument for transfer with bounces, which holds its albedo, and unless there is one
 /// color a vertex.
-std::vector<Eigen::Vector3f> recoloured(const Transfer& transfer, const LightCoefficients& light,
-                                        std::span<const Eigen::Vector3f> colours);
+std::vector<Eigen::Vector3f> recolored(const Transfer& transfer, const LightCoefficients& light,
+                                       std::span<const Eigen::Vector3f> colors);
 
 /// The same for one vertex, with the same bits, for callers whose vertices have different lights.
 Eigen::Vector3f relight_vertex(const Transfer& transfer, std::size_t vertex, const LightCoefficients& light,
-                               const Eigen::Vector3f& colour);
+                               const Eigen::Vector3f& color);
 
 /// sum_i T_i L_i alone, (vertices), for the first channel of the light: the exit radiance of white surfaces without
 /// emission. Throws for the same reasons as `recoloured`.
-std::vector<float> relight_grey(const Transfer& transfer, const LightCoefficients& light);
+std::vector<float> relight_gray(const Transfer& transfer, const LightCoefficients& light);
 
 /// The light with its luminance (Rec. 709) in every channel.
 LightCoefficients white(const LightCoefficients& light);

@@ -23,7 +23,7 @@ std::vector<Cap> caps_seen_from(const Stage& stage, const std::vector<Pose>& pos
   for (std::size_t k = 0; k < stage.objects.size(); ++k) {
     const Sphere& proxy = stage.objects[k].proxy;
     if (k != index && proxy.radius > 0.0) {
-      Cap cap = sphere_seen_from(point, placed(poses[k], proxy.centre), proxy.radius);
+      Cap cap = sphere_seen_from(point, placed(poses[k], proxy.center), proxy.radius);
       cap.direction = (poses[index].rotation.transpose() * cap.direction).normalized();
       caps.push_back(cap);
     }
@@ -40,8 +40,8 @@ LightCoefficients turned_into(const Pose& pose, const LightCoefficients& light, 
 /// identity gets the same bits back.
 LightCoefficients light_at_object(const Stage& stage, const std::vector<Pose>& poses, std::size_t index,
                                   const LightCoefficients& light, const Eigen::Matrix3d& light_turn) {
-  const Eigen::Vector3d centre = placed(poses[index], stage.objects[index].proxy.centre);
-  return shadowed_by_caps(turned_into(poses[index], light, light_turn), caps_seen_from(stage, poses, index, centre));
+  const Eigen::Vector3d center = placed(poses[index], stage.objects[index].proxy.center);
+  return shadowed_by_caps(turned_into(poses[index], light, light_turn), caps_seen_from(stage, poses, index, center));
 }
 
 /// Relights each vertex under the light that reaches it.
@@ -73,10 +73,10 @@ void append_placed(Mesh& mesh, const Mesh& part, const Pose& pose) {
 std::vector<std::string> overlaps(const Stage& stage, const std::vector<Pose>& poses) {
   std::vector<std::string> lines;
   for (std::size_t i = 0; i < stage.objects.size(); ++i) {
-    const Eigen::Vector3d centre = placed(poses[i], stage.objects[i].proxy.centre);
+    const Eigen::Vector3d center = placed(poses[i], stage.objects[i].proxy.center);
     for (std::size_t k = 0; k < stage.objects.size(); ++k) {
       const Sphere& proxy = stage.objects[k].proxy;
-      if (k != i && !stage.objects[i].per_vertex && (placed(poses[k], proxy.centre) - centre).norm() < proxy.radius) {
+      if (k != i && !stage.objects[i].per_vertex && (placed(poses[k], proxy.center) - center).norm() < proxy.radius) {
         lines.push_back(
             fmt::format("{}: the center of object {} ({}) is inside the proxy of object {} ({}), which "
                         "takes half of its light",

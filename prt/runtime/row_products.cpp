@@ -165,13 +165,13 @@ template <class Use, std::size_t... Q>
   }
 }
 
-template <std::size_t Sums, std::size_t Transfers, std::size_t Lights, bool Coloured>
-void colour_rows(const RowProducts& rows, std::size_t count, const float* colour, float* out) {
+template <std::size_t Sums, std::size_t Transfers, std::size_t Lights, bool Colored>
+void color_rows(const RowProducts& rows, std::size_t count, const float* color, float* out) {
   const auto lanes = [&](std::size_t v, const Lanes* sum) __attribute__((always_inline)) {
     const auto use = [&](std::size_t k, Four value) __attribute__((always_inline)) {
-      if constexpr (Coloured) {
+      if constexpr (Colored) {
         Four factor;
-        load(colour + 3 * v + k, factor);
+        load(color + 3 * v + k, factor);
         value *= factor;
       }
       store(value, out + 3 * v + k);
@@ -181,25 +181,25 @@ void colour_rows(const RowProducts& rows, std::size_t count, const float* colour
   const auto one = [&](std::size_t v) {
     for (std::size_t c = 0; c < 3; ++c) {
       const float sum = sum_one(rows, v, c % Sums);
-      out[3 * v + c] = Coloured ? sum * colour[3 * v + c] : sum;
+      out[3 * v + c] = Colored ? sum * color[3 * v + c] : sum;
     }
   };
   for_every_vertex<Sums, Transfers, Lights>(rows, count, lanes, one);
 }
 
-template <bool Coloured>
-void colour_any(const RowProducts& rows, std::size_t count, const float* colour, float* out) {
-  if (rows.sums == 1) return colour_rows<1, 1, 1, Coloured>(rows, count, colour, out);
-  if (rows.transfer_step == 0) return colour_rows<3, 1, 3, Coloured>(rows, count, colour, out);
-  if (rows.light_step == 0) return colour_rows<3, 3, 1, Coloured>(rows, count, colour, out);
-  colour_rows<3, 3, 3, Coloured>(rows, count, colour, out);
+template <bool Colored>
+void color_any(const RowProducts& rows, std::size_t count, const float* color, float* out) {
+  if (rows.sums == 1) return color_rows<1, 1, 1, Colored>(rows, count, color, out);
+  if (rows.transfer_step == 0) return color_rows<3, 1, 3, Colored>(rows, count, color, out);
+  if (rows.light_step == 0) return color_rows<3, 3, 1, Colored>(rows, count, color, out);
+  color_rows<3, 3, 3, Colored>(rows, count, color, out);
 }
 
-void colour_products(const RowProducts& rows, std::size_t count, const float* colour, float* out) {
-  colour != nullptr ? colour_any<true>(rows, count, colour, out) : colour_any<false>(rows, count, colour, out);
+void color_products(const RowProducts& rows, std::size_t count, const float* color, float* out) {
+  color != nullptr ? color_any<true>(rows, count, color, out) : color_any<false>(rows, count, color, out);
 }
 
-void grey_products(const RowProducts& rows, std::size_t count, float* out) {
+void gray_products(const RowProducts& rows, std::size_t count, float* out) {
   const auto lanes = [&](std::size_t v, const Lanes* sum) __attribute__((always_inline)) {
     std::memcpy(out + v, sum, sizeof *sum);
   };
@@ -210,6 +210,6 @@ void grey_products(const RowProducts& rows, std::size_t count, float* out) {
 
 #define SH_TEXT_OF(name) #name
 #define SH_TEXT(name) SH_TEXT_OF(name)
-constinit const RowProductsOn kRowProducts = {SH_TEXT(SH_RELIGHT_ISA), colour_products, grey_products};
+constinit const RowProductsOn kRowProducts = {SH_TEXT(SH_RELIGHT_ISA), color_products, gray_products};
 
 }  // namespace sh::prt::SH_RELIGHT_ISA

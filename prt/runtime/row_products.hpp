@@ -26,11 +26,11 @@ struct RowProducts {
 /// The products on one instruction set.
 struct RowProductsOn {
   std::string_view instruction_set;
-  /// Writes three values for each of `count` vertices: out[3v + c] = sum c (or the only sum) times colour[3v + c]. If
+  /// Writes three values for each of `count` vertices: out[3v + c] = sum c (or the only sum) times color[3v + c]. If
   /// `colour` is null, the value is the sum itself. `out` overlaps nothing.
-  void (*colour)(const RowProducts& rows, std::size_t count, const float* colour, float* out);
+  void (*color)(const RowProducts& rows, std::size_t count, const float* color, float* out);
   /// Writes one value for each of `count` vertices: its only sum.
-  void (*grey)(const RowProducts& rows, std::size_t count, float* out);
+  void (*gray)(const RowProducts& rows, std::size_t count, float* out);
 };
 
 /// All instruction sets of this machine, for comparisons; the last one is in use.

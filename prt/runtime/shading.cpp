@@ -13,12 +13,12 @@ void Shading::require_fit(const Transfer& transfer, int highest) const {
   if (degree < -1 || degree > highest) {
     throw std::invalid_argument(fmt::format("--degree {}: the transfer has degrees 0 to {}", degree, highest));
   }
-  for (const float channel : recolour) {
+  for (const float channel : recolor) {
     if (!(channel >= 0.0F && channel <= 1.0F)) {
       throw std::invalid_argument(fmt::format("--recolor {}: expected an albedo from 0 to 1", channel));
     }
   }
-  if (!recolour.empty() && transfer.shape.holds_albedo) {
+  if (!recolor.empty() && transfer.shape.holds_albedo) {
     throw std::invalid_argument("--recolor: transfer with bounces holds its albedo; only DU and DS can be recolored");
   }
 }
@@ -32,15 +32,15 @@ LightCoefficients Shading::chosen(const LightCoefficients& light) const {
 }
 
 std::vector<Eigen::Vector3f> Shading::shade(const Transfer& transfer, const LightCoefficients& light) const {
-  if (recolour.empty()) return relight(transfer, light);
-  const Eigen::Vector3f albedo(recolour[0], recolour[1], recolour[2]);
-  return recoloured(transfer, light, std::vector<Eigen::Vector3f>(transfer.mesh.positions.size(), albedo));
+  if (recolor.empty()) return relight(transfer, light);
+  const Eigen::Vector3f albedo(recolor[0], recolor[1], recolor[2]);
+  return recolored(transfer, light, std::vector<Eigen::Vector3f>(transfer.mesh.positions.size(), albedo));
 }
 
 Eigen::Vector3f Shading::shade_vertex(const Transfer& transfer, std::size_t vertex,
                                       const LightCoefficients& light) const {
   const Eigen::Vector3f albedo =
-      recolour.empty() ? transfer.mesh.albedo[vertex] : Eigen::Vector3f(recolour[0], recolour[1], recolour[2]);
+      recolor.empty() ? transfer.mesh.albedo[vertex] : Eigen::Vector3f(recolor[0], recolor[1], recolor[2]);
   return relight_vertex(transfer, vertex, light, albedo);
 }
 

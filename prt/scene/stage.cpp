@@ -49,7 +49,7 @@ Motion read_motion(const JsonReader& object) {
 Sphere read_proxy(const JsonReader& reader, const Sphere& otherwise) {
   reader.allow({"center", "radius"});
   Sphere sphere = otherwise;
-  reader.take("center", sphere.centre, &JsonReader::point);
+  reader.take("center", sphere.center, &JsonReader::point);
   reader.take("radius", sphere.radius, &JsonReader::number, 0.0, 1e30, "a number of 0 or more");
   return sphere;
 }
@@ -89,9 +89,9 @@ Pose Motion::at(double time) const {
 Sphere bounding_sphere(const Mesh& mesh) {
   Sphere sphere;
   if (mesh.positions.empty()) return sphere;
-  sphere.centre = bounding_box(mesh.positions).cast<double>().center();
+  sphere.center = bounding_box(mesh.positions).cast<double>().center();
   for (const Eigen::Vector3f& p : mesh.positions) {
-    sphere.radius = std::max(sphere.radius, (p.cast<double>() - sphere.centre).norm());
+    sphere.radius = std::max(sphere.radius, (p.cast<double>() - sphere.center).norm());
   }
   return sphere;
 }

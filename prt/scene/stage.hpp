@@ -35,7 +35,7 @@ struct Motion {
 };
 
 struct Sphere {
-  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();
   double radius = 0.0;
 };
 

@@ -53,7 +53,7 @@ float scale_for(float largest) {
   return std::isfinite(kSteps * scale) ? scale : std::nextafter(scale, 0.0F);
 }
 
-std::int8_t quantised(float value, float scale) {
+std::int8_t quantized(float value, float scale) {
   const double steps = scale > 0.0F ? static_cast<double>(value) / static_cast<double>(scale) : 0.0;
   return static_cast<std::int8_t>(std::lround(std::clamp(steps, -127.0, 127.0)));
 }
@@ -74,7 +74,7 @@ T copy_from(const std::byte* from) {
 void put(std::byte* to, Element element, float value, float scale) {
   if (element == Element::kSingle) return copy_to(to, value);
   if (element == Element::kHalf) return copy_to(to, static_cast<Eigen::half>(value).x);
-  copy_to(to, quantised(value, scale));
+  copy_to(to, quantized(value, scale));
 }
 
 float get(const std::byte* from, Element element, float scale) {

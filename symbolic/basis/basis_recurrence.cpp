@@ -54,7 +54,7 @@ Polynomial solid_harmonic(int degree, int a, const Polynomial& azimuthal) {
 }
 
 // 1 / sqrt(integral of the square) = 1 / sqrt(4 pi mean)
-Surd normalising_factor(const Polynomial& p) { return Surd::square_root(1 / (4 * sphere_mean(p * p)), -1); }
+Surd normalizing_factor(const Polynomial& p) { return Surd::square_root(1 / (4 * sphere_mean(p * p)), -1); }
 
 }  // namespace
 
@@ -63,7 +63,7 @@ BasisFunction basis_function_by_recurrence(int degree, int order) {
   const int a = std::abs(order);
   BasisFunction f{degree, order, {}, axial_part(degree, a), azimuthal_part(order), {}};
   f.homogeneous = solid_harmonic(degree, a, f.azimuthal);
-  f.factor = normalising_factor(f.homogeneous);
+  f.factor = normalizing_factor(f.homogeneous);
   return f;
 }
 

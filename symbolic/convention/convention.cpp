@@ -17,29 +17,29 @@ namespace {
 // 4 pi times the square of the orthonormal factor is (2 - delta) (2l+1) (l-a)!/(l+a)!.
 Surd size_of(const Convention& c, int degree, int order) {
   const cln::cl_RA square = squared_factor(degree, order) / (c.complex && order != 0 ? 2 : 1);
-  switch (c.normalisation) {
-    case Normalisation::kOrthonormal:
+  switch (c.normalization) {
+    case Normalization::kOrthonormal:
       return Surd::square_root(square / 4, -1);
-    case Normalisation::kFourPi:
+    case Normalization::kFourPi:
       return Surd::square_root(square);
-    case Normalisation::kSchmidt:
+    case Normalization::kSchmidt:
       return Surd::square_root(square / (2 * degree + 1));
-    case Normalisation::kSn3d:
+    case Normalization::kSn3d:
       return Surd::square_root(square / (4 * (2 * degree + 1)), -1);
-    case Normalisation::kUnnormalised:
+    case Normalization::kUnnormalized:
       return Surd(1);
-    case Normalisation::kPrimitive: {
+    case Normalization::kPrimitive: {
       const BasisFunction f = basis_function(degree, order);
       return Surd(cln::recip(content(f.axial * f.azimuthal)));
     }
   }
-  throw std::invalid_argument("convention: unknown normalisation");
+  throw std::invalid_argument("convention: unknown normalization");
 }
 
 // Y' over the orthonormal function of the same kind, real or complex.
 RadicalSum relative_factor(const Convention& c, int degree, int order) {
   Convention orthonormal = c;
-  orthonormal.normalisation = Normalisation::kOrthonormal;
+  orthonormal.normalization = Normalization::kOrthonormal;
   const Surd ratio = size_of(c, degree, order) / size_of(orthonormal, degree, order);
   const bool negative = c.condon_shortley && !c.complex && order % 2 != 0;  // W carries the complex phase
   return RadicalSum(negative ? -ratio : ratio);
@@ -54,7 +54,7 @@ Matrix<RadicalSum> axes_matrix(const SignedPermutation& axes, int degree) {
 void require_convention(const Convention& convention, int degree) {
   require_degree("convention", degree, kMaxConventionDegree, "exact band matrices are kept to there");
   const bool has_no_complex_form =
-      convention.normalisation == Normalisation::kUnnormalised || convention.normalisation == Normalisation::kPrimitive;
+      convention.normalization == Normalization::kUnnormalized || convention.normalization == Normalization::kPrimitive;
   if (convention.complex && has_no_complex_form) {
     throw std::invalid_argument(
         "convention: complex functions: expected an orthonormal, 4-pi, Schmidt or SN3D normalization, got another");

@@ -2,7 +2,7 @@
 //
 // Ours is the default value: real, orthonormal, no Condon-Shortley phase, index l(l+1)+m, z up. The functions Y' of any
 // other convention follow from ours, band by band: Y'_l(s) = A_l Y_l(s), with
-//     A_l = (normalisation, phase) * (complex or real) * D_l(axes).
+//     A_l = (normalization, phase) * (complex or real) * D_l(axes).
 // Coefficients go the other way: the function f = sum c Y = sum c' Y' is the same, so c' = A^-T c; then come the folded
 // factors.
 #pragma once
@@ -59,12 +59,12 @@ std::vector<SignedPermutation> all_signed_permutations();
 Matrix<cln::cl_RA> axes_band(const SignedPermutation& axes, int degree);
 
 /// Size of a function. With a = |m|, P_l^a without the Condon-Shortley sign; complex functions lack the 2 - delta.
-enum class Normalisation {
+enum class Normalization {
   kOrthonormal,   ///< integral of |Y|^2 = 1
   kFourPi,        ///< integral = 4 pi: geodesy's 4-pi, ambisonics' N3D; Y_00 = 1
-  kSchmidt,       ///< integral = 4 pi / (2l+1): Schmidt semi-normalised; Y_00 = 1
+  kSchmidt,       ///< integral = 4 pi / (2l+1): Schmidt semi-normalized; Y_00 = 1
   kSn3d,          ///< integral = 1 / (2l+1): SN3D as the ambiX paper prints it, with 1/(4 pi) under the root
-  kUnnormalised,  ///< P_l^a cos or sin (real only)
+  kUnnormalized,  ///< P_l^a cos or sin (real only)
   kPrimitive,     ///< the reduced polynomial with coprime integer coefficients: 1, y, z, x, xy, yz, 3z^2-1, ... (real
                   ///< only)
 };
@@ -84,7 +84,7 @@ enum class Folded {
 };
 
 struct Convention {
-  Normalisation normalisation = Normalisation::kOrthonormal;
+  Normalization normalization = Normalization::kOrthonormal;
   bool condon_shortley = false;  ///< factor (-1)^m: real functions, both signs of m; complex, m > 0
   bool complex = false;
   IndexOrder order = IndexOrder::kAcn;
@@ -96,7 +96,7 @@ struct Convention {
 
 inline constexpr int kMaxConventionDegree = 20;
 
-/// Throws std::invalid_argument for parts that contradict each other (complex and unnormalised or primitive) and for a
+/// Throws std::invalid_argument for parts that contradict each other (complex and unnormalized or primitive) and for a
 /// degree outside 0..20, or 0..2 with the cosine folded in, since A_3 = 0 cannot be undone.
 void require_convention(const Convention& convention, int degree);
 

@@ -7,7 +7,7 @@ namespace {
 std::vector<Preset> make_presets() {
   const Convention with_phase{.condon_shortley = true};
   // The polynomials 1, y, z, x, xy, yz, 3z^2-1, xz, x^2-y^2; the coefficients hold all factors.
-  const Convention polynomials{.normalisation = Normalisation::kPrimitive, .folded = Folded::kCosineOverPi};
+  const Convention polynomials{.normalization = Normalization::kPrimitive, .folded = Folded::kCosineOverPi};
   const SignedPermutation same;
   const SignedPermutation y_up("x,z,-y");             // x right, y up, z towards the viewer
   const SignedPermutation y_up_left_handed("x,z,y");  // x right, y up, z forward
@@ -43,21 +43,21 @@ std::vector<Preset> make_presets() {
        "color coefficients f_dc, f_rest, 4 bands, of the direction from camera to splat; the color is the sum plus "
        "1/2; axes are those of the scene"},
       {"ambix",
-       {.normalisation = Normalisation::kSn3d},
+       {.normalization = Normalization::kSn3d},
        SignedPermutation("y,-x,z"),
        "Nachbar, Zotter, Deleflie, Sontacchi, AmbiX: a suggested ambisonics format (2011), eqs. 2-4; RFC 8486",
        "ACN order, SN3D with 1/(4 pi) under the root as printed; streams whose W channel equals the signal leave that "
-       "constant out (normalisation Schmidt); x front, y left, z up"},
+       "constant out (normalization Schmidt); x front, y left, z up"},
       {"scipy",
        {.condon_shortley = true, .complex = true},
        same,
        "SciPy reference, scipy.special.sph_harm_y (formerly sph_harm)",
        "complex, orthonormal, phase included in P_l^m; theta is polar in sph_harm_y, azimuthal in the old sph_harm"},
       {"shtools",
-       {.normalisation = Normalisation::kFourPi, .order = IndexOrder::kCosineSineArray},
+       {.normalization = Normalization::kFourPi, .order = IndexOrder::kCosineSineArray},
        same,
        "SHTOOLS documentation, real spherical harmonics; defaults of SHExpandDH (norm = 1, csphase = 1)",
-       "array cilm (2, L+1, L+1): [0] cosine, [1] sine, 4-pi normalised, no Condon-Shortley phase; y axis at longitude "
+       "array cilm (2, L+1, L+1): [0] cosine, [1] sine, 4-pi normalized, no Condon-Shortley phase; y axis at longitude "
        "90"},
   };
 }

@@ -94,14 +94,14 @@ Surd gaunt_entry_by_wigner(int i, int j, int k) {
   const RealFunction c = complex_parts(k);
   const int imaginary = (a.imaginary ? 1 : 0) + (b.imaginary ? 1 : 0) + (c.imaginary ? 1 : 0);
   if (imaginary % 2 != 0) return {};  // the sum is real, the integral would be imaginary: both vanish
-  const Surd centre = wigner_3j(a.degree, b.degree, c.degree, 0, 0, 0);
-  if (centre.is_zero()) return {};
+  const Surd center = wigner_3j(a.degree, b.degree, c.degree, 0, 0, 0);
+  if (center.is_zero()) return {};
   const Surd sum = sum_over_signs(a, b, c);
   if (sum.is_zero()) return {};
   const int halvings = (a.part_count - 1) + (b.part_count - 1) + (c.part_count - 1);  // factors 1 / sqrt 2
   const cln::cl_I degrees = cln::cl_I(2 * a.degree + 1) * (2 * b.degree + 1) * (2 * c.degree + 1);
   const Surd factor = Surd::square_root(degrees / cln::cl_RA(4 * (1 << halvings)), -1);
-  const Surd value = factor * centre * sum;
+  const Surd value = factor * center * sum;
   return imaginary == 2 ? -value : value;  // 1 / i^2
 }
 

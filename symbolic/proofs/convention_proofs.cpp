@@ -139,13 +139,13 @@ std::vector<Convention> sample_conventions(int degree) {
     samples.push_back(preset.convention);
     samples.push_back(preset.in_world());
   }
-  for (const Normalisation normalisation :
-       {Normalisation::kOrthonormal, Normalisation::kFourPi, Normalisation::kSchmidt, Normalisation::kSn3d,
-        Normalisation::kUnnormalised, Normalisation::kPrimitive}) {
+  for (const Normalization normalization :
+       {Normalization::kOrthonormal, Normalization::kFourPi, Normalization::kSchmidt, Normalization::kSn3d,
+        Normalization::kUnnormalized, Normalization::kPrimitive}) {
     Convention c;
-    c.normalisation = normalisation;
-    c.condon_shortley = normalisation != Normalisation::kSchmidt;
-    c.complex = normalisation == Normalisation::kFourPi || normalisation == Normalisation::kSchmidt;
+    c.normalization = normalization;
+    c.condon_shortley = normalization != Normalization::kSchmidt;
+    c.complex = normalization == Normalization::kFourPi || normalization == Normalization::kSchmidt;
     c.order = c.complex ? IndexOrder::kZeroFirst : IndexOrder::kCosineSineBands;
     c.axes = SignedPermutation(c.complex ? "-z,x,y" : "y,-z,x");
     samples.push_back(c);

@@ -52,7 +52,7 @@ double largest_error(int degree) {
   for (const double tilt : {0.0, 1e-12, 2e-4, 0.7, 1.5707963267948966, 3.1}) {
     const auto r = numeric::tilted_turn(1.1, tilt, -0.4);
     const auto at = [&](std::size_t row) { return 0.36 * r[row] + 0.48 * r[row + 1] - 0.8 * r[row + 2]; };
-    const auto [x, y, z] = numeric::normalised(at(0), at(3), at(6));
+    const auto [x, y, z] = numeric::normalized(at(0), at(3), at(6));
     const std::vector<double> expected = numeric::basis<double>(degree, x, y, z);
     std::vector<double> out(c.size());
     rotate_zxz_rows(degree, r.data(), c.data(), out.data());

@@ -102,7 +102,7 @@ void errors(Table& table) {
 
 void oracle(Table& table) {
   table.section("The oracle at degree 100, 100 digits, all 10,201 values of one direction, ms");
-  const auto d = numeric::normalised<numeric::Mpfr100>(1, 2, 3);
+  const auto d = numeric::normalized<numeric::Mpfr100>(1, 2, 3);
   std::vector<numeric::Mpfr100> out(numeric::coefficient_count(100));
   const auto t = least_times({[&] { numeric::basis(100, d[0], d[1], d[2], out.data()); }}, 15);
   table.figure("basis<Mpfr100>(100)", "ms", t[0] * 1e3, 3);

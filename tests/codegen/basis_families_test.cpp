@@ -59,13 +59,13 @@ TEST(Gradient, IsHomogeneousAndItsRoundingStaysSmall) {
   }
 }
 
-TEST(Normalised, CostsEightOperationsAndOneReciprocalRootMore) {
+TEST(Normalized, CostsEightOperationsAndOneReciprocalRootMore) {
   for (int degree = 1; degree <= 10; ++degree) {
     const Cost plain = cost_of("basis", degree);
-    const Cost normalised = cost_of("basis_normalised", degree);
-    EXPECT_LE(normalised.mul + normalised.add, plain.mul + plain.add + 8) << degree;
-    EXPECT_EQ(normalised.div, 1);
-    EXPECT_EQ(normalised.sqrt, 1);
+    const Cost normalized = cost_of("basis_normalised", degree);
+    EXPECT_LE(normalized.mul + normalized.add, plain.mul + plain.add + 8) << degree;
+    EXPECT_EQ(normalized.div, 1);
+    EXPECT_EQ(normalized.sqrt, 1);
   }
 }
 

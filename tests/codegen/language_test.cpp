@@ -21,7 +21,7 @@ struct Toolchain {
 };
 
 Toolchain toolchain_of(const std::string& language) {
-  const std::string fragment = "layout(location = 0) out highp vec4 colour;\nvoid main() { colour = vec4(0.0); }\n";
+  const std::string fragment = "layout(location = 0) out highp vec4 color;\nvoid main() { color = vec4(0.0); }\n";
   if (language == "cpp") return {".cpp", "", "", {std::string("g++ -std=c++17") + kStrict + "*.cpp"}};
   if (language == "c99")
     return {

@@ -196,8 +196,8 @@ std::string shader(const std::string& version, int degree) {
   std::ostringstream text;
   text << "#version " << version << '\n'
        << print::glsl_kernel(fastest(degree), print::Scalar::kFloat)
-       << "layout(location = 0) out highp vec4 colour;\nvoid main() {\n    float values[" << (degree + 1) * (degree + 1)
-       << "];\n    basis_l" << degree << "(0.0, 0.6, 0.8, values);\n    colour = vec4(values[0]);\n}\n";
+       << "layout(location = 0) out highp vec4 color;\nvoid main() {\n    float values[" << (degree + 1) * (degree + 1)
+       << "];\n    basis_l" << degree << "(0.0, 0.6, 0.8, values);\n    color = vec4(values[0]);\n}\n";
   return text.str();
 }
 

@@ -80,7 +80,7 @@ TEST(GeneratedGradient, ValuesAreSolidHarmonicsAndDerivativesTheirDifferences) {
   });
 }
 
-TEST(GeneratedNormalised, TakesAnyLength) {
+TEST(GeneratedNormalized, TakesAnyLength) {
   for_every_degree([]<int kDegree>() {
     for (const Direction& d : directions(20)) {
       const auto expected = numeric::basis(kDegree, d[0], d[1], d[2]);

@@ -25,8 +25,8 @@ using Direction = std::array<double, 3>;
 inline std::vector<Direction> directions(int count) {
   std::mt19937 random(23);
   std::normal_distribution<double> normal;
-  std::vector<Direction> result{{0, 0, 1}, {0, 0, -1}, {1, 0, 0}, {0, -1, 0}, numeric::normalised(1e-4, 0.0, 1.0)};
-  for (int i = 0; i < count; ++i) result.push_back(numeric::normalised(normal(random), normal(random), normal(random)));
+  std::vector<Direction> result{{0, 0, 1}, {0, 0, -1}, {1, 0, 0}, {0, -1, 0}, numeric::normalized(1e-4, 0.0, 1.0)};
+  for (int i = 0; i < count; ++i) result.push_back(numeric::normalized(normal(random), normal(random), normal(random)));
   return result;
 }
 

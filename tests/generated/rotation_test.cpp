@@ -46,7 +46,7 @@ std::array<T, N> rounded(const std::array<Wide, N>& values) {
 }
 
 // In long double, so that matrix_of rounds a rotation once.
-Quaternion normalised(Quaternion q) {
+Quaternion normalized(Quaternion q) {
   const long double length = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
   for (long double& component : q) component /= length;
   return q;
@@ -85,7 +85,7 @@ std::vector<Quaternion> rotations() {
                 {std::cos(gamma), 0, 0, std::sin(gamma)}));
     }
   }
-  for (Quaternion& q : result) q = normalised(q);
+  for (Quaternion& q : result) q = normalized(q);
   return result;
 }
 
@@ -162,7 +162,7 @@ TEST(GeneratedRotation, ValueIsThatOfTheFunctionAtTheDirectionTurnedBack) {
     for (const Quaternion& q : rotations()) {
       const Matrix r = matrix_of(q);
       const auto v = rounded<double>(q);
-      const auto d = numeric::normalised(v[0] + 0.2, v[1] - 0.3, v[2] + v[3] + 0.1);
+      const auto d = numeric::normalized(v[0] + 0.2, v[1] - 0.3, v[2] + v[3] + 0.1);
       const auto y = numeric::basis<double>(kDegree, d[0], d[1], d[2]);
       const auto turned = oracle(kDegree, r, c);
       double expected = 0;
@@ -178,7 +178,7 @@ TEST(GeneratedRotation, ComposesLikeQuaternions) {
   for (std::size_t i = 0; i + 1 < all.size(); ++i) {
     std::array<double, 25> once;
     std::array<double, 25> twice;
-    rotate<4>(matrix_of(normalised(times(all[i], all[i + 1]))).data(), c.data(), once.data());
+    rotate<4>(matrix_of(normalized(times(all[i], all[i + 1]))).data(), c.data(), once.data());
     rotate<4>(matrix_of(all[i + 1]).data(), c.data(), twice.data());
     rotate<4>(matrix_of(all[i]).data(), twice.data(), twice.data());
     expect_near(twice, once, 6e-15);
@@ -188,7 +188,7 @@ TEST(GeneratedRotation, ComposesLikeQuaternions) {
 TEST(GeneratedRotation, WorksInPlace) {
   for_every_degree([]<int kDegree>() {
     const auto c = unit_array<coefficient_count(kDegree)>(6);
-    const Quaternion q = normalised({0.3L, -0.5L, 0.7L, 0.2L});
+    const Quaternion q = normalized({0.3L, -0.5L, 0.7L, 0.2L});
     const Matrix r = matrix_of(q);
     std::array<double, matrix_size(kDegree)> m;
     rotate_build<kDegree>(r.data(), m.data());
@@ -209,7 +209,7 @@ TEST(GeneratedRotation, WorksInPlace) {
 TEST(GeneratedRotation, WritesExactlyItsOwnElements) {
   for_every_degree([]<int kDegree>() {
     const auto c = unit_array<coefficient_count(kDegree)>(7);
-    const Quaternion q = normalised({0.3L, -0.5L, 0.7L, 0.2L});
+    const Quaternion q = normalized({0.3L, -0.5L, 0.7L, 0.2L});
     const Matrix r = matrix_of(q);
     expect_fills(c.size(), [&](double* out) { rotate<kDegree>(r.data(), c.data(), out); });
     expect_fills(c.size(), [&](double* out) { rotate_quaternion<kDegree>(rounded<double>(q).data(), c.data(), out); });

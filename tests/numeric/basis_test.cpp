@@ -1,5 +1,5 @@
 // The oracle against sources it shares nothing with: explicit Cartesian formulas, Boost.Math, the addition theorem,
-// exact orthonormality; and its behaviour at the poles, far up in degree and at subnormal inputs.
+// exact orthonormality; and its behavior at the poles, far up in degree and at subnormal inputs.
 #include "numeric/oracle/basis.hpp"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ using test::message_of;
 
 template <class Real>
 std::vector<Real> basis_at(int degree, const Direction& d) {
-  const auto [x, y, z] = normalised(Real(d.x), Real(d.y), Real(d.z));
+  const auto [x, y, z] = normalized(Real(d.x), Real(d.y), Real(d.z));
   return basis(degree, x, y, z);
 }
 
@@ -34,7 +34,7 @@ TEST(Basis, IsTheTextbookPolynomialUpToDegreeThree) {
   using R = Mpfr100;
   const R p = pi<R>();
   for (const auto& d : random_directions(20, 1)) {
-    const auto [x, y, z] = normalised(R(d.x), R(d.y), R(d.z));
+    const auto [x, y, z] = normalized(R(d.x), R(d.y), R(d.z));
     const auto c = [&](int n, int k) { return R(sqrt(R(n) / (R(k) * p))); };
     const std::vector<R> wanted = {c(1, 4),
                                    c(3, 4) * y,
@@ -82,8 +82,8 @@ TEST(Basis, AgreesWithBoostMathOnceThePhaseIsRemoved) {
 // sum over m of Y_lm(a) Y_lm(b) = (2l+1)/(4 pi) P_l(a.b); a = b gives the band maximum squared.
 template <class Real>
 double addition_theorem_error(int degree, const Direction& a, const Direction& b) {
-  const auto [ax, ay, az] = normalised(Real(a.x), Real(a.y), Real(a.z));
-  const auto [bx, by, bz] = normalised(Real(b.x), Real(b.y), Real(b.z));
+  const auto [ax, ay, az] = normalized(Real(a.x), Real(a.y), Real(a.z));
+  const auto [bx, by, bz] = normalized(Real(b.x), Real(b.y), Real(b.z));
   const auto ya = basis(degree, ax, ay, az);
   const auto yb = basis(degree, bx, by, bz);
   const Real t = ax * bx + ay * by + az * bz;
@@ -190,7 +190,7 @@ TEST(Basis, TakesSubnormalComponentsOnEveryAxis) {
   }
 }
 
-// |error| in epsilon x band maximum of Real against 100 digits at the same rounded, unnormalised input.
+// |error| in epsilon x band maximum of Real against 100 digits at the same rounded, unnormalized input.
 template <class Real>
 double worst_error(int degree) {
   double worst = 0;
@@ -219,7 +219,7 @@ TEST(Basis, IsConsistentFromFloatToFiftyDigits) {
 }
 
 TEST(Basis, SingleValuesAgreeWithTheWholeBasis) {
-  const auto [x, y, z] = normalised(0.3, -0.5, 0.7);
+  const auto [x, y, z] = normalized(0.3, -0.5, 0.7);
   const auto all = basis(15, x, y, z);
   for (int l = 0; l <= 15; ++l) {
     for (int m = -l; m <= l; ++m) EXPECT_EQ(basis_value(l, m, x, y, z), all[coefficient_index(l, m)]);
@@ -230,7 +230,7 @@ TEST(Basis, SingleValuesAgreeWithTheWholeBasis) {
 TEST(Basis, HoldsAtDegreeTenThousand) {
   constexpr int kDegree = 10000;
   PrecisionScope scope(60);
-  const auto [x, y, z] = normalised(MpfrAny(1), MpfrAny(2), MpfrAny(3));
+  const auto [x, y, z] = normalized(MpfrAny(1), MpfrAny(2), MpfrAny(3));
   MpfrAny previous = 0;
   MpfrAny legendre = 1;
   for (int l = 0; l < kDegree; ++l) {
@@ -246,7 +246,7 @@ TEST(Basis, HoldsAtDegreeTenThousand) {
 
 // Off the sphere basis() is the solid harmonic, homogeneous of degree l; the z form is not, and both agree on it.
 TEST(Basis, IsHomogeneousAndTheZFormIsNot) {
-  const auto [x, y, z] = normalised(Mpfr100(1), Mpfr100(-2), Mpfr100(0.5));
+  const auto [x, y, z] = normalized(Mpfr100(1), Mpfr100(-2), Mpfr100(0.5));
   const Mpfr100 r = 1.25;
   std::vector<Mpfr100> unit(81);
   std::vector<Mpfr100> solid(81);
@@ -274,19 +274,19 @@ TEST(Basis, CheckedFormRefusesWhatIsOutsideItsDomain) {
   EXPECT_EQ(call(2, 0.6, 0, 0.8), "nothing thrown");
   EXPECT_EQ(call(-1, 0.6, 0, 0.8), "basis: degree: expected 0 or more, got -1");
   EXPECT_EQ(call(3, 0.6, 0, 0.8), "basis: out: expected 16 values, got 9");
-  EXPECT_EQ(call(2, std::nan(""), 0, 1), "basis: expected a direction of length 1, as normalised() makes it");
-  EXPECT_EQ(call(2, 0.6, 0, 0.81), "basis: expected a direction of length 1, as normalised() makes it");
+  EXPECT_EQ(call(2, std::nan(""), 0, 1), "basis: expected a direction of length 1, as normalized() makes it");
+  EXPECT_EQ(call(2, 0.6, 0, 0.81), "basis: expected a direction of length 1, as normalized() makes it");
 }
 
-TEST(Normalised, IsExactAtAnyScaleAndRefusesWhatHasNoDirection) {
+TEST(Normalized, IsExactAtAnyScaleAndRefusesWhatHasNoDirection) {
   for (const double s : {1e-320, 1e-200, 1.0, 1e200, 1e308}) {
-    const auto [x, y, z] = normalised(0.0, s, -s);
+    const auto [x, y, z] = normalized(0.0, s, -s);
     EXPECT_NEAR(y, std::sqrt(0.5), 1.2e-16) << s;
     EXPECT_EQ(x, 0);
     EXPECT_EQ(z, -y);
   }
-  EXPECT_EQ(message_of([] { normalised(0.0, 0.0, 0.0); }), "direction: expected a vector that is not zero, got zeros");
-  EXPECT_EQ(message_of([] { normalised(0.0, HUGE_VAL, 0.0); }), "direction: expected finite components");
+  EXPECT_EQ(message_of([] { normalized(0.0, 0.0, 0.0); }), "direction: expected a vector that is not zero, got zeros");
+  EXPECT_EQ(message_of([] { normalized(0.0, HUGE_VAL, 0.0); }), "direction: expected finite components");
 }
 
 }  // namespace

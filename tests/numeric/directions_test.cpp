@@ -29,7 +29,7 @@ TEST(Directions, RandomOnesAreUniformAndDependOnTheSeedOnly) {
   EXPECT_NE(random_directions(1, 6)[0].x, a[0].x);
 }
 
-TEST(Directions, ContainThePolesTheEquatorAndTheNearestNeighboursOfThePoles) {
+TEST(Directions, ContainThePolesTheEquatorAndTheNearestNeighborsOfThePoles) {
   const auto all = standard_directions(0);
   const auto has = [&](auto&& what) { return std::any_of(all.begin(), all.end(), what); };
   EXPECT_TRUE(has([](const Direction& d) { return d.x == 0 && d.y == 0 && d.z == 1; }));

@@ -70,7 +70,7 @@ TEST(Gradient, IsTheLimitOfDifferencesAtAnyLength) {
 // d . grad = l Y: the form is homogeneous of degree l. Its tangent part is orthogonal to d.
 TEST(Gradient, ObeysEulersIdentityAndItsTangentPartIsTangent) {
   constexpr int kDegree = 100;
-  const auto d = normalised(Mpfr50(1), Mpfr50(-3), Mpfr50(2));
+  const auto d = normalized(Mpfr50(1), Mpfr50(-3), Mpfr50(2));
   const Gradients<Mpfr50> got(kDegree, d);
   Gradients<Mpfr50> tangent = got;
   basis_tangent_gradient(kDegree, d[0], d[1], d[2], tangent.value.data(), tangent.derivative[0].data(),

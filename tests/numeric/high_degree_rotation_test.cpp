@@ -37,7 +37,7 @@ Matrix inverse(const Matrix& r) { return {r[0], r[3], r[6], r[1], r[4], r[7], r[
 double error_of_turned_basis(int degree, const Matrix& r) {
   const Vector before = basis<double>(degree, 0.36, 0.48, -0.8);
   const auto at = [&](std::size_t row) { return 0.36 * r[row] + 0.48 * r[row + 1] - 0.8 * r[row + 2]; };
-  const auto [x, y, z] = normalised(at(0), at(3), at(6));
+  const auto [x, y, z] = normalized(at(0), at(3), at(6));
   return distance(rotated(degree, r, before), basis<double>(degree, x, y, z)) / ((degree + 1) / 3.5449);
 }
 

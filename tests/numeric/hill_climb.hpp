@@ -1,6 +1,6 @@
 // The worst input of a function of one variable, by search: from several starts across [low, high], steps to either
 // side whose size shrinks, kept where the error grows. Rounding errors jump from one input to the next, so late steps
-// are as small as the number's own spacing: the search ends among neighbours of a bad input.
+// are as small as the number's own spacing: the search ends among neighbors of a bad input.
 #pragma once
 
 #include <algorithm>

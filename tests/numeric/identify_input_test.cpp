@@ -9,8 +9,8 @@
 namespace sh::numeric::identify {
 namespace {
 
-std::vector<Samples> read(const std::string& text, bool normalise = false) {
-  return read_samples(parse_table("my.csv", text), normalise);
+std::vector<Samples> read(const std::string& text, bool normalize = false) {
+  return read_samples(parse_table("my.csv", text), normalize);
 }
 
 void expect_refused(const std::string& text, const std::string& start, const std::string& part) {
@@ -61,7 +61,7 @@ TEST(IdentifyInput, ReadsComplexCellsAndPairsOfColumns) {
   const auto samples = make_samples(scipy.convention, 2);
   for (const auto& text : {write(samples, python_cell), write(samples, pair_of_cells)}) {
     const auto result = identify(read(text));
-    EXPECT_TRUE(result.recognised());
+    EXPECT_TRUE(result.recognized());
     EXPECT_TRUE(holds(result.readings.front().presets.own, "scipy"));
   }
 }
@@ -69,14 +69,14 @@ TEST(IdentifyInput, ReadsComplexCellsAndPairsOfColumns) {
 TEST(IdentifyInput, TellsAnArrayWithHolesFromPairsOfColumns) {
   const Preset& shtools = preset_named("shtools");
   const auto result = identify(read(write(make_samples(shtools.convention, 2), real_cell)));
-  EXPECT_TRUE(result.recognised());
+  EXPECT_TRUE(result.recognized());
   EXPECT_TRUE(holds(result.readings.front().presets.own, "shtools"));
 }
 
 TEST(IdentifyInput, ScalesDirectionsOnRequest) {
   const auto ways = read("0,0,2,0.28209479177387814\n3,0,4,0.28209479177387814\n", true);
   EXPECT_EQ(ways[0].directions[1], (std::array<double, 3>{0.6, 0, 0.8}));
-  EXPECT_TRUE(identify(ways).recognised());
+  EXPECT_TRUE(identify(ways).recognized());
 }
 
 TEST(IdentifyInput, RefusesWhatIsNotATable) {
@@ -98,7 +98,7 @@ TEST(IdentifyInput, RefusesColumnsAndDirectionsThatDoNotFit) {
   expect_refused("0,0,1\n", "my.csv:1: ", "(L+1)^2 values");
   expect_refused("0,0,1,1,2,3\n", "my.csv:1: ", "got 6 columns");
   expect_refused("0,0,1,1\n0,0,1.1,1\n",
-                 "my.csv:2: ", "expected a direction of length 1 to within 1e-05, got 1.1 (--normalise");
+                 "my.csv:2: ", "expected a direction of length 1 to within 1e-05, got 1.1 (--normalize");
   expect_refused("0,0,0,1\n", "my.csv:1: ", "zero vector");
   expect_refused("0,0,1i,1\n", "my.csv:1: ", "expected a real direction");
   expect_refused("0,0,1,1,2,3,4\n",

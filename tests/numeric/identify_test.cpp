@@ -31,7 +31,7 @@ TEST(Identify, NamesEveryPresetFromItsFunctions) {
   for (const Preset& preset : presets()) {
     for (int degree = 0; degree <= 4; ++degree) {
       const auto result = identify_values(preset.convention, degree);
-      EXPECT_TRUE(result.recognised()) << preset.name << degree;
+      EXPECT_TRUE(result.recognized()) << preset.name << degree;
       EXPECT_TRUE(names_preset(result, preset.name)) << preset.name << degree;
       EXPECT_GT(result.digits(), 15) << preset.name << degree;
     }
@@ -43,7 +43,7 @@ TEST(Identify, NamesEveryPresetFromFloatsInWorldAxes) {
     if (preset.world == preset.convention.axes) continue;
     for (int degree = 0; degree <= 4; ++degree) {
       const auto result = identify_values(in_world(preset), degree, round_to_float);
-      EXPECT_TRUE(result.recognised()) << preset.name << degree;
+      EXPECT_TRUE(result.recognized()) << preset.name << degree;
       EXPECT_TRUE(names_world_preset(result, preset.name)) << preset.name << degree;
       EXPECT_GT(result.digits(), 6.5) << preset.name << degree;
       EXPECT_LT(result.digits(), 17.1) << preset.name << degree;
@@ -60,7 +60,7 @@ TEST(Identify, FindsTheOneCoefficientWhoseSignIsFlipped) {
         if (functions[j].is_hole()) continue;
         const auto result = identify_values(preset.convention, degree, [j](Values& v) { v[j] = -v[j]; });
         const auto wrong = wrong_for(result, preset.name);
-        EXPECT_FALSE(result.recognised()) << preset.name << degree << " " << j;
+        EXPECT_FALSE(result.recognized()) << preset.name << degree << " " << j;
         ASSERT_EQ(wrong.size(), 1) << preset.name << degree << " " << j;
         EXPECT_EQ(wrong[0].index, static_cast<int>(j)) << preset.name << degree;
         EXPECT_EQ(wrong[0].function.degree, functions[j].degree);
@@ -149,13 +149,13 @@ TEST(Identify, TellsConventionsApartThatNoPresetHas) {
   for (int i = 0; i < 60; ++i) {
     Convention c;
     c.complex = pick(2) == 1;
-    c.normalisation = static_cast<Normalisation>(pick(c.complex ? 4 : 6));
+    c.normalization = static_cast<Normalization>(pick(c.complex ? 4 : 6));
     c.condon_shortley = pick(2) == 1;
     c.order = static_cast<IndexOrder>(pick(4));
     c.axes = all_axes()[pick(48)];
     c.folded = static_cast<Folded>(pick(3));
     const auto result = identify_values(c, 3);
-    EXPECT_TRUE(result.recognised()) << describe(c);
+    EXPECT_TRUE(result.recognized()) << describe(c);
     EXPECT_LE(result.readings.size(), c.complex ? 4 : 2) << describe(c);
     EXPECT_TRUE(
         std::any_of(result.readings.begin(), result.readings.end(), [&](const auto& r) { return r.convention == c; }))
@@ -166,16 +166,16 @@ TEST(Identify, TellsConventionsApartThatNoPresetHas) {
 TEST(Identify, ReadsTheHighestDegree) {
   for (const char* name : {"unity", "scipy"}) {
     const auto result = identify_values(preset_named(name).convention, kMaxDegree, round_to_float);
-    EXPECT_TRUE(result.recognised() && names_preset(result, name)) << name;
+    EXPECT_TRUE(result.recognized() && names_preset(result, name)) << name;
   }
 }
 
-TEST(Identify, RecognisesRoundedConstantsWithAWarning) {
+TEST(Identify, RecognizesRoundedConstantsWithAWarning) {
   const auto result = identify_values({}, 2, [](Values& v) {
     v[0] *= 0.282 / 0.28209479177387814;
     for (const std::size_t j : {4U, 5U, 7U}) v[j] *= 1.0925 / 1.0925484305920792;
   });
-  EXPECT_TRUE(result.recognised());
+  EXPECT_TRUE(result.recognized());
   EXPECT_EQ(result.coefficients[0].reason, "constant 0.282 for 0.2820947918, rounded to 3 digits");
   EXPECT_EQ(result.coefficients[4].reason, "constant 1.0925 for 1.092548431, rounded to 5 digits");
   EXPECT_EQ(result.coefficients[6].reason, "");
@@ -199,7 +199,7 @@ TEST(Identify, ReportsTheSameInTextAndJson) {
 TEST(Identify, DoubtsMirroredAxesAtDegreeOneWhereAPresetIsNear) {
   const auto result = identify_values({}, 1, [](Values& v) { v[3] = -v[3]; });
   EXPECT_TRUE(result.fits());
-  EXPECT_FALSE(result.recognised());
+  EXPECT_FALSE(result.recognized());
   EXPECT_EQ(result.readings.front().convention.axes.determinant(), -1);
   const auto text = format_text(result, false);
   EXPECT_NE(text.find("degree 1 cannot tell it from a wrong coefficient"), std::string::npos) << text;

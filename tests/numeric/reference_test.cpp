@@ -65,11 +65,11 @@ TEST(Reference, PrintsTheDigitsOfGradientsInClosedForm) {
   EXPECT_EQ(reference_gradient(7, 3, {"1", "-2", "3"}, 40), reference_gradient(7, 3, {"1e9", "-2e9", "3e9"}, 40));
 }
 
-// Zeros are found modulo primes from polynomials with whole coefficients, values from the normalised recurrence.
+// Zeros are found modulo primes from polynomials with whole coefficients, values from the normalized recurrence.
 TEST(Reference, FindsExactlyTheZerosOfGradients) {
   for (const std::array<std::string, 3>& d : std::vector<std::array<std::string, 3>>{
            {"0", "0", "1"}, {"1", "1", "1"}, {"3", "0", "4"}, {"0", "1", "0"}, {"1", "-1", "0"}, {"-2", "1", "2"}}) {
-    const auto [x, y, z] = normalised(Mpfr100(d[0]), Mpfr100(d[1]), Mpfr100(d[2]));
+    const auto [x, y, z] = normalized(Mpfr100(d[0]), Mpfr100(d[1]), Mpfr100(d[2]));
     for (int i = 0; i < 49; ++i) {
       const auto l = static_cast<int>(std::sqrt(i));
       const int m = i - l * (l + 1);
@@ -88,7 +88,7 @@ TEST(Reference, ItsGradientHoldsFarUpAndBelowTheRangeOfDouble) {
   // d/dz Y_(l,m) at the pole: P_l'(1) = l(l+1)/2 on the sphere, l P_l(1) for the homogeneous form.
   EXPECT_EQ(reference_gradient(10000, 0, {"0", "0", "1"}, 20)[2], "3.9895225383377636777e+05");
   const auto text = reference_gradient(3000, -1500, {"0.1", "0.2", "3"}, 30);
-  const auto [x, y, z] = normalised(Mpfr50("0.1"), Mpfr50("0.2"), Mpfr50(3));
+  const auto [x, y, z] = normalized(Mpfr50("0.1"), Mpfr50("0.2"), Mpfr50(3));
   const Mpfr50 along = x * Mpfr50(text[0]) + y * Mpfr50(text[1]) + z * Mpfr50(text[2]);
   const Mpfr50 value(reference_value(3000, -1500, {"0.1", "0.2", "3"}, 30));
   EXPECT_LT(static_cast<double>(value), 1e-300);

@@ -163,7 +163,7 @@ TEST_F(Report, AdviceIsTheCheapestThatIsExactEnoughAndOtherwiseTheMostExact) {
   }
 }
 
-TEST(ReportAdvice, NamesItsNeighboursOnTheFront) {
+TEST(ReportAdvice, NamesItsNeighborsOnTheFront) {
   std::vector<sh::numeric::Point> points(6);
   for (std::size_t i = 0; i < points.size(); ++i) {
     points[i].info.task = "basis";
@@ -178,7 +178,7 @@ TEST(ReportAdvice, NamesItsNeighboursOnTheFront) {
   EXPECT_EQ(advice.more_exact->nanoseconds, 5);
 }
 
-TEST_F(Report, AdviceNamesTheKernelItsErrorAndItsNeighbours) {
+TEST_F(Report, AdviceNamesTheKernelItsErrorAndItsNeighbors) {
   const auto outcome = run("advise --error 1e-5 --degree 4 --task rotate --report " + file());
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   for (const char* part : {"#include \"generated/", "error", "time", "leaves out", "cheaper", "more exact"}) {

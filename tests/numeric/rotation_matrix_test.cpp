@@ -23,7 +23,7 @@ double largest(const RotationCheck& result, double BandErrors::*kind) {
   return largest;
 }
 
-TEST(RotationMatrix, OfEveryPresetIsRecognised) {
+TEST(RotationMatrix, OfEveryPresetIsRecognized) {
   for (const Preset& preset : presets()) {
     if (preset.convention.order == IndexOrder::kCosineSineArray) continue;  // an array is no vector to multiply
     for (const int degree : {1, 2, 3}) {
@@ -35,19 +35,19 @@ TEST(RotationMatrix, OfEveryPresetIsRecognised) {
   }
 }
 
-TEST(RotationMatrix, OfOtherAxesAndOrdersIsRecognised) {
+TEST(RotationMatrix, OfOtherAxesAndOrdersIsRecognized) {
   int wrong = 0;
   for (std::size_t i = 0; i < all_axes().size(); i += 7) {
     Convention c;
     c.axes = all_axes()[i];
     c.order = static_cast<IndexOrder>(i % 3);
-    c.normalisation = i % 2 == 0 ? Normalisation::kOrthonormal : Normalisation::kUnnormalised;
+    c.normalization = i % 2 == 0 ? Normalization::kOrthonormal : Normalization::kUnnormalized;
     const auto result = check_rotations(make_rotations(c, 3), 1e-12);
     const bool found = std::any_of(result.readings.begin(), result.readings.end(), [&](const RotationReading& r) {
       Axes negative = r.convention.axes;
       for (int& sign : negative.sign) sign = -sign;
       return (r.convention.axes == c.axes || negative == c.axes) && r.convention.order == c.order &&
-             r.convention.normalisation == c.normalisation && !r.convention.condon_shortley && !r.inverse;
+             r.convention.normalization == c.normalization && !r.convention.condon_shortley && !r.inverse;
     });
     wrong += found && result.passes() ? 0 : 1;
   }
@@ -66,7 +66,7 @@ void transpose(RotationCases& cases) {
   }
 }
 
-TEST(RotationMatrix, TransposedOrOfTheInverseIsRecognised) {
+TEST(RotationMatrix, TransposedOrOfTheInverseIsRecognized) {
   for (const char* name : {"shforge", "unity", "scipy"}) {
     auto cases = make_rotations(preset_named(name).convention, 3);
     transpose(cases);

@@ -50,7 +50,7 @@ double worst_rotated_basis(int degree) {
   const auto count = static_cast<std::size_t>(coefficient_count(degree));
   for (const auto& r : rotations<Real>()) {
     for (const auto& d : random_directions(4, 7)) {
-      const auto [x, y, z] = normalised(Real(d.x), Real(d.y), Real(d.z));
+      const auto [x, y, z] = normalized(Real(d.x), Real(d.y), Real(d.z));
       std::vector<Real> before(count);
       std::vector<Real> after(count);
       basis(degree, x, y, z, before.data());

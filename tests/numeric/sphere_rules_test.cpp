@@ -37,7 +37,7 @@ TEST(SphereRules, HaveUnitDirectionsPositiveWeightsAndTheAreaOfTheSphere) {
         ASSERT_LT(std::abs(x * x + y * y + z * z - 1), 6 * kEpsilon) << rule.name << ' ' << count;
         ASSERT_GT(weight, 0) << rule.name;
       }
-      // The centre rule's common factor is h / sin h, h = pi / (2 height), 2 height^2 nodes.
+      // The center rule's common factor is h / sin h, h = pi / (2 height), 2 height^2 nodes.
       const double h = kPi / 2 / std::sqrt(static_cast<double>(nodes.size()) / 2);
       const double excess = std::string(rule.name) == "lat_long_centre" ? h / std::sin(h) : 1;
       EXPECT_NEAR(sum_of_weights(nodes) / (4 * kPi), excess, 1e-13) << rule.name << ' ' << count;
@@ -172,13 +172,13 @@ TEST(SolidAngle, OfATexelAgreesWithQuadratureAndWithTheFourArcTangents) {
   EXPECT_LT(in_double, 6 * kEpsilon);  // measured 2.7
 }
 
-double centre(int k, int size) { return (2.0 * k + 1) / size - 1; }
+double center(int k, int size) { return (2.0 * k + 1) / size - 1; }
 
 TEST(SolidAngle, OfTheTexelsOfAFaceSumsToASixthOfTheSphere) {
   for (const int size : {1, 2, 7, 64, 300}) {
     double sum = 0;
     for (int i = 0; i < size * size; ++i) {
-      sum += texel_solid_angle(centre(i / size, size), centre(i % size, size), size);
+      sum += texel_solid_angle(center(i / size, size), center(i % size, size), size);
     }
     EXPECT_NEAR(sum, 4 * kPi / 6, 1e-15 * (1 + size)) << size;
   }
@@ -188,8 +188,8 @@ TEST(SolidAngle, EstimateOfATexelErrsWithTheSquareOfItsSize) {
   const auto worst = [](int size) {
     double error = 0;
     for (int i = 0; i < size * size; ++i) {
-      const double u = centre(i / size, size);
-      const double v = centre(i % size, size);
+      const double u = center(i / size, size);
+      const double v = center(i % size, size);
       keep_worst(error, texel_solid_angle_estimate(u, v, size) / texel_solid_angle(u, v, size) - 1);
     }
     return error;

@@ -106,7 +106,7 @@ Scene plane_through_box() {
   return scene_of(mesh, &kShadowed, kDirections, 4);
 }
 
-TEST(BuriedVertices, AreFilledFromTheirNeighboursAndCounted) {
+TEST(BuriedVertices, AreFilledFromTheirNeighborsAndCounted) {
   const Scene scene = plane_through_box();
   testing::internal::CaptureStderr();
   const Transfer transfer = bake(scene);

@@ -34,8 +34,8 @@ struct Room {
     for (std::size_t v = 0; v < x.rows; ++v) {
       for (std::size_t c = 0; c < BounceLayout::kChannels; ++c) x.row(v)[kLayout.channel(c)] = own(mesh.positions[v]);
     }
-    const std::vector<Eigen::Vector3f> colour(x.rows, Eigen::Vector3f(albedo, 0.5F * albedo, 0.0F));
-    report = solve_bounces(factors, colour, kLayout, x, {tolerance, solver, 20000});
+    const std::vector<Eigen::Vector3f> color(x.rows, Eigen::Vector3f(albedo, 0.5F * albedo, 0.0F));
+    report = solve_bounces(factors, color, kLayout, x, {tolerance, solver, 20000});
     return x;
   }
 
@@ -202,7 +202,7 @@ TEST(InterreflectedBake, AddsLightButNeverMoreThanThereIs) {
   Mesh mesh = corner();
   std::mt19937 random(7);
   std::uniform_real_distribution<float> albedo(0.5F, 1.0F);
-  for (Eigen::Vector3f& colour : mesh.albedo) colour = {albedo(random), 1.0F, 0.1F};
+  for (Eigen::Vector3f& color : mesh.albedo) color = {albedo(random), 1.0F, 0.1F};
   const Transfer shadowed = baked(mesh, &kShadowed);
   const Transfer bounced = baked(mesh, &kInterreflected);
   EXPECT_TRUE(bounced.bounces.certified);
@@ -232,7 +232,7 @@ Mesh floor_and_wall(bool turned) {
   return mesh;
 }
 
-TEST(InterreflectedBake, BleedsColourFromFrontsAndNotFromBacks) {
+TEST(InterreflectedBake, BleedsColorFromFrontsAndNotFromBacks) {
   for (const bool turned : {false, true}) {
     const Mesh mesh = floor_and_wall(turned);
     const Transfer transfer = baked(mesh, &kInterreflected);

@@ -185,7 +185,7 @@ TEST(Deringing, FejerKeepsTheMostOfASunsContrast) {
   }
 }
 
-TEST(Deringing, OneWindowServesAllChannelsSoThatNoColourShifts) {
+TEST(Deringing, OneWindowServesAllChannelsSoThatNoColorShifts) {
   LightCoefficients light = white(project_sky(kClearSky, kSlanted, 4), 4);
   for (std::size_t i = 0; i < light.bands_squared(); ++i) {
     light.at(1, i) = project_cap(kSlanted, 0.1, 4)[i];  // rings more than the sky

@@ -189,7 +189,7 @@ TEST(Image, RadianceHeadersThatCannotBeReadAreNamed) {
          "run length");
 }
 
-TEST(Image, ExrWithoutColourChannelsIsRefusedWithItsChannels) {
+TEST(Image, ExrWithoutColorChannelsIsRefusedWithItsChannels) {
   const TemporaryFolder folder;
   write_exr(folder.file("a.exr"), pattern_image(8, 4), {.channels = {"depth", "u", "v"}});
   expect_refused(folder.file("a.exr"), "depth, u, v");

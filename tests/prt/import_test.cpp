@@ -53,7 +53,7 @@ TEST_F(Import, ReadsPositionsFacesAndPolygons) {
   EXPECT_TRUE(mesh.soup.normals.empty());
 }
 
-TEST_F(Import, AppliesNodeTransformsAndLinearBaseColour) {
+TEST_F(Import, AppliesNodeTransformsAndLinearBaseColor) {
   const ImportedMesh mesh = import("a.gltf", triangle({0, 0, 0, 1, 0, 0, 0, 1, 0}, {0, 1, 2}));
   ASSERT_EQ(mesh.soup.positions.size(), 3U);
   EXPECT_EQ(mesh.soup.positions[1], Eigen::Vector3f(12, 20, 30));
@@ -61,7 +61,7 @@ TEST_F(Import, AppliesNodeTransformsAndLinearBaseColour) {
   EXPECT_EQ(mesh.up, UpAxis::kY);
 }
 
-TEST_F(Import, DecodesTheDiffuseColourOfOlderFormatsFromSrgb) {
+TEST_F(Import, DecodesTheDiffuseColorOfOlderFormatsFromSrgb) {
   write_all(folder_.file("a.mtl"), "newmtl paint\nKd 1.0 0.5 0.0\n");
   const ImportedMesh mesh = import("a.obj", "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl paint\nf 1 2 3\n");
   EXPECT_LT((mesh.soup.albedo[0] - Eigen::Vector3f(1.0F, 0.21404F, 0.0F)).norm(), 1e-4F);

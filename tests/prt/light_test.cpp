@@ -61,7 +61,7 @@ TEST(LatLong, PointIsTheInverseOfDirection) {
   }
 }
 
-TEST(LatLong, LookupIsThePixelAtItsCentreAndWrapsAround) {
+TEST(LatLong, LookupIsThePixelAtItsCenterAndWrapsAround) {
   const Image image = pattern_image(32, 16);
   for (int row = 0; row < 16; ++row) {
     for (int column = 0; column < 32; ++column) {

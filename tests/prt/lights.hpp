@@ -41,11 +41,11 @@ inline LightCoefficients constant_light(int degree, double radiance = 1.0) {
 /// Vertices in a row, joined by faces, with random transfer and albedo.
 inline Transfer random_transfer(const TransferKind& kind, int degree, std::size_t vertices, unsigned seed = 7) {
   Transfer transfer = Transfer::of(kind, degree);
-  const std::vector<float> colours = random_values(3 * vertices, seed + 1);
+  const std::vector<float> colors = random_values(3 * vertices, seed + 1);
   for (std::size_t v = 0; v < vertices; ++v) {
-    transfer.mesh.positions.emplace_back(static_cast<float>(v), 0.0F, colours[3 * v]);
+    transfer.mesh.positions.emplace_back(static_cast<float>(v), 0.0F, colors[3 * v]);
     transfer.mesh.normals.emplace_back(Eigen::Vector3f::UnitZ());
-    transfer.mesh.albedo.emplace_back(colours[3 * v], colours[3 * v + 1], colours[3 * v + 2]);
+    transfer.mesh.albedo.emplace_back(colors[3 * v], colors[3 * v + 1], colors[3 * v + 2]);
   }
   for (std::uint32_t v = 0; v + 2 < vertices; ++v) transfer.mesh.faces.push_back({v, v + 1, v + 2});
   transfer.coefficients = random_values(vertices * transfer.shape.length(), seed);

@@ -38,7 +38,7 @@ class Materials : public testing::Test {
   TemporaryFolder folder_;
 };
 
-Eigen::Vector3f colour_at(const std::vector<Eigen::Vector3f>& values, const Mesh& mesh, std::size_t face) {
+Eigen::Vector3f color_at(const std::vector<Eigen::Vector3f>& values, const Mesh& mesh, std::size_t face) {
   for (const std::uint32_t v : mesh.faces[face]) {
     EXPECT_EQ(values[v], values[mesh.faces[face][0]]);
   }
@@ -52,9 +52,9 @@ TEST_F(Materials, OfEachFaceOfAnObjFileAreItsOwn) {
   const auto faces = static_cast<std::ptrdiff_t>(mesh.faces.size());
   std::ptrdiff_t red = 0;
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
-    const bool is_red = colour_at(mesh.albedo, mesh, f) == Eigen::Vector3f(1, 0, 0);
+    const bool is_red = color_at(mesh.albedo, mesh, f) == Eigen::Vector3f(1, 0, 0);
     red += is_red ? 1 : 0;
-    EXPECT_EQ(colour_at(mesh.emission, mesh, f), is_red ? Eigen::Vector3f(0, 0, 0) : Eigen::Vector3f(5, 4, 0.5F));
+    EXPECT_EQ(color_at(mesh.emission, mesh, f), is_red ? Eigen::Vector3f(0, 0, 0) : Eigen::Vector3f(5, 4, 0.5F));
   }
   EXPECT_EQ(2 * red, faces) << "the paints do not bleed into each other over the edge they share";
   EXPECT_TRUE(mesh.mirror.empty());
@@ -72,7 +72,7 @@ TEST_F(Materials, AreReadFromGltf) {
   EXPECT_EQ(import_mesh(folder_.file("b.gltf")).soup.finishes[0], Finish());
 }
 
-TEST_F(Materials, OfEachVertexOfAPlyFileAreItsColours) {
+TEST_F(Materials, OfEachVertexOfAPlyFileAreItsColors) {
   put("a.ply",
       "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
       "property uchar red\nproperty uchar green\nproperty uchar blue\n"
@@ -92,13 +92,13 @@ TEST_F(Materials, OfTheSceneGoBeforeTheFilesByNameBeforeAll) {
     "materials": {"red": {"emission": [0, 0, 2]}, "lamp": {"mirror": [0.5, 0.6, 0.7], "sides": 2}}})")
                         .mesh;
   ASSERT_EQ(mesh.faces.size(), 3U) << "the lamp got a back";
-  EXPECT_EQ(colour_at(mesh.albedo, mesh, 0), Eigen::Vector3f(0.5F, 0.5F, 0.5F));
-  EXPECT_EQ(colour_at(mesh.emission, mesh, 0), Eigen::Vector3f(0, 0, 2));
-  EXPECT_EQ(colour_at(mesh.mirror, mesh, 0), Eigen::Vector3f(0, 0, 0));
+  EXPECT_EQ(color_at(mesh.albedo, mesh, 0), Eigen::Vector3f(0.5F, 0.5F, 0.5F));
+  EXPECT_EQ(color_at(mesh.emission, mesh, 0), Eigen::Vector3f(0, 0, 2));
+  EXPECT_EQ(color_at(mesh.mirror, mesh, 0), Eigen::Vector3f(0, 0, 0));
   for (const std::size_t face : {1U, 2U}) {
-    EXPECT_EQ(colour_at(mesh.albedo, mesh, face), Eigen::Vector3f(0, 0, 0));
-    EXPECT_EQ(colour_at(mesh.emission, mesh, face), Eigen::Vector3f(9, 9, 9));
-    EXPECT_EQ(colour_at(mesh.mirror, mesh, face), Eigen::Vector3f(0.5F, 0.6F, 0.7F));
+    EXPECT_EQ(color_at(mesh.albedo, mesh, face), Eigen::Vector3f(0, 0, 0));
+    EXPECT_EQ(color_at(mesh.emission, mesh, face), Eigen::Vector3f(9, 9, 9));
+    EXPECT_EQ(color_at(mesh.mirror, mesh, face), Eigen::Vector3f(0.5F, 0.6F, 0.7F));
   }
 }
 

@@ -57,7 +57,7 @@ TEST(Mirrors, BesideAVertexShowItTheMirroredLight) {
   }
 }
 
-TEST(Mirrors, OfAColourGiveEachChannelItsOwnTransferWithBouncesAndAreRefusedWithout) {
+TEST(Mirrors, OfAColorGiveEachChannelItsOwnTransferWithBouncesAndAreRefusedWithout) {
   const Eigen::Vector3f reflectance(1.0F, 0.5F, 0.0F);
   const Mesh mesh = ground_before_mirror(reflectance);
   const Transfer transfer = baked(mesh, &kInterreflected, 2048, 2);

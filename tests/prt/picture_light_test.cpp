@@ -65,8 +65,8 @@ TEST(EightBitPictures, PngIsLinearisedExactlyAndStaysLinearWhereItIs) {
 
 TEST(EightBitPictures, JpegIsReadAndCutFilesOfBothAreRefused) {
   const TemporaryFolder folder;
-  const Bytes grey(3 * 64 * 32, 128);
-  const std::string jpeg = jpeg_of(grey, 64, 32);
+  const Bytes gray(3 * 64 * 32, 128);
+  const std::string jpeg = jpeg_of(gray, 64, 32);
   write_all(folder.file("a.jpg"), jpeg);
   const Image image = read_image(folder.file("a.jpg"), OnFlaw::kRefuse);
   ASSERT_EQ(image.width, 64);

@@ -24,13 +24,13 @@ TEST(Relight, AddsTheLightOfTheSurfacesThemselvesWhateverTheLight) {
     EXPECT_EQ(all[v], reflected[v] + transfer.emitted[v]);
     EXPECT_EQ(alone[v], transfer.emitted[v]);
   }
-  const std::vector<Eigen::Vector3f> colours(all.size(), {0.25F, 0.5F, 1.0F});
-  const std::vector<Eigen::Vector3f> other = recoloured(transfer, random_light(2, 4), colours);
+  const std::vector<Eigen::Vector3f> colors(all.size(), {0.25F, 0.5F, 1.0F});
+  const std::vector<Eigen::Vector3f> other = recolored(transfer, random_light(2, 4), colors);
   for (std::size_t v = 0; v < all.size(); ++v) {
     EXPECT_EQ(relight_vertex(transfer, v, random_light(2, 4), transfer.mesh.albedo[v]), all[v]);
-    EXPECT_EQ(relight_vertex(transfer, v, random_light(2, 4), colours[v]), other[v]);
+    EXPECT_EQ(relight_vertex(transfer, v, random_light(2, 4), colors[v]), other[v]);
   }
-  EXPECT_EQ(recoloured(transfer, LightCoefficients::zero(2), colours), transfer.emitted);
+  EXPECT_EQ(recolored(transfer, LightCoefficients::zero(2), colors), transfer.emitted);
 }
 
 TEST(Relight, IsAlbedoTimesTheDotProductOfTransferAndLight) {

@@ -40,11 +40,11 @@ Mesh square(float z = 0.0F) {
 Camera from_above() { return {{0.0F, 0.0F, 5.0F}, {0.0F, 0.0F, 0.0F}, {0.0F, 1.0F, 0.0F}, 30.0F}; }
 
 /// Red to the right, green upwards: where a direction points in the picture.
-Eigen::Vector3f direction_colour(const Eigen::Vector3f& d) { return d; }
+Eigen::Vector3f direction_color(const Eigen::Vector3f& d) { return d; }
 
 Picture picture_of(const Mesh& mesh, const std::vector<Eigen::Vector3f>& values, const PictureSize& size) {
   const Tracer tracer(mesh);
-  return render(mesh, tracer, values, from_above(), size, direction_colour, "test");
+  return render(mesh, tracer, values, from_above(), size, direction_color, "test");
 }
 
 TEST(Render, InterpolatesLinearlyAndPutsRightRightAndUpUp) {
@@ -98,7 +98,7 @@ TEST(Render, CamerasAndSizesThatCannotBeUsedAreRefused) {
   Mesh mesh = square();
   const Tracer tracer(mesh);
   const auto message = [&](const Camera& camera, const PictureSize& size) {
-    return message_of([&] { render(mesh, tracer, mesh.positions, camera, size, direction_colour, "test"); });
+    return message_of([&] { render(mesh, tracer, mesh.positions, camera, size, direction_color, "test"); });
   };
   Camera camera = from_above();
   camera.up = {0.0F, 0.0F, 1.0F};
@@ -117,7 +117,7 @@ TEST(Render, DefaultCameraSeesTheWholeMesh) {
     const CameraFrame frame(default_camera(mesh, size), size);
     const Tracer tracer(mesh);
     const Picture picture =
-        render(mesh, tracer, mesh.positions, default_camera(mesh, size), size, direction_colour, "test");
+        render(mesh, tracer, mesh.positions, default_camera(mesh, size), size, direction_color, "test");
     std::size_t border = 0;
     std::size_t inside = 0;
     for (std::size_t i = 0; i < picture.coverage.size(); ++i) {

@@ -24,24 +24,24 @@ constexpr float kUntouched = 1234.5F;
 
 /// Compares every instruction set, with and without color, with the plain loop; nothing is written past the end.
 void expect_bits_of_the_plain_loop(const RowProducts& rows, std::size_t count) {
-  const std::vector<float> colour = random_values(3 * count + 1, 5);
+  const std::vector<float> color = random_values(3 * count + 1, 5);
   for (const RowProductsOn& on : row_products_here()) {
     SCOPED_TRACE(testing::Message() << on.instruction_set << ", " << count << " vertices, " << rows.coefficients
                                     << " of " << rows.stride << " values, sums " << rows.sums);
-    for (const bool coloured : {false, true}) {
+    for (const bool colored : {false, true}) {
       std::vector<float> out(3 * count + 1, kUntouched);
-      on.colour(rows, count, coloured ? colour.data() : nullptr, out.data());
+      on.color(rows, count, colored ? color.data() : nullptr, out.data());
       for (std::size_t v = 0; v < count; ++v) {
         for (std::size_t c = 0; c < 3; ++c) {
           const float sum = plain_sum(rows, v, rows.sums == 3 ? c : 0);
-          ASSERT_EQ(out[3 * v + c], coloured ? sum * colour[3 * v + c] : sum) << v;
+          ASSERT_EQ(out[3 * v + c], colored ? sum * color[3 * v + c] : sum) << v;
         }
       }
       EXPECT_EQ(out.back(), kUntouched);
     }
     if (rows.sums == 1) {
       std::vector<float> out(count + 1, kUntouched);
-      on.grey(rows, count, out.data());
+      on.gray(rows, count, out.data());
       for (std::size_t v = 0; v < count; ++v) ASSERT_EQ(out[v], plain_sum(rows, v, 0)) << v;
       EXPECT_EQ(out.back(), kUntouched);
     }
@@ -86,14 +86,14 @@ TEST(WaysToRelight, WhiteLightGivesTheBitsOfThreeEqualChannels) {
   }
 }
 
-TEST(WaysToRelight, RecolouringByTheAlbedoChangesNothingAndGreyIsWithoutIt) {
+TEST(WaysToRelight, RecoloringByTheAlbedoChangesNothingAndGrayIsWithoutIt) {
   const LightCoefficients light = white(random_light(3, 9));
   const Transfer transfer = random_transfer(kShadowed, 3, 333);
-  EXPECT_EQ(recoloured(transfer, light, transfer.mesh.albedo), relight(transfer, light));
-  const std::vector<float> grey = relight_grey(transfer, light);
+  EXPECT_EQ(recolored(transfer, light, transfer.mesh.albedo), relight(transfer, light));
+  const std::vector<float> gray = relight_gray(transfer, light);
   const std::vector<Eigen::Vector3f> ones(333, Eigen::Vector3f::Ones());
-  const std::vector<Eigen::Vector3f> as_colours = recoloured(transfer, light, ones);
-  for (std::size_t v = 0; v < 333; ++v) ASSERT_EQ(as_colours[v], Eigen::Vector3f::Constant(grey[v]));
+  const std::vector<Eigen::Vector3f> as_colors = recolored(transfer, light, ones);
+  for (std::size_t v = 0; v < 333; ++v) ASSERT_EQ(as_colors[v], Eigen::Vector3f::Constant(gray[v]));
 }
 
 TEST(WaysToRelight, FourCoefficientsAreThoseOfBandsZeroAndOne) {
@@ -113,10 +113,10 @@ TEST(WaysToRelight, WhatCannotBeDoneIsRefusedInOneLine) {
   const Transfer shadowed = random_transfer(kShadowed, 1, 5);
   const LightCoefficients light = random_light(1, 11);
   std::vector<Eigen::Vector3f> four(4);
-  EXPECT_NE(message_of([&] { relight_grey(bounces, light); }).find("cannot be recolored"), std::string::npos);
-  EXPECT_NE(message_of([&] { recoloured(bounces, light, bounces.mesh.albedo); }).find("cannot be recolored"),
+  EXPECT_NE(message_of([&] { relight_gray(bounces, light); }).find("cannot be recolored"), std::string::npos);
+  EXPECT_NE(message_of([&] { recolored(bounces, light, bounces.mesh.albedo); }).find("cannot be recolored"),
             std::string::npos);
-  EXPECT_EQ(message_of([&] { recoloured(shadowed, light, four); }),
+  EXPECT_EQ(message_of([&] { recolored(shadowed, light, four); }),
             "4 colors for 5 vertices: expected one for each vertex");
   EXPECT_EQ(message_of([&] { relight_into(shadowed, light, four); }),
             "4 radiances for 5 vertices: expected one for each vertex");

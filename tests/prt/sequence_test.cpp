@@ -55,10 +55,10 @@ TEST(ViewAt, TurningTheObjectIsTurningCameraAndLightBack) {
 TEST(ToneMap, ReinhardIsLOverOnePlusLAndLinearClips) {
   EXPECT_NEAR(reinhard(Eigen::Vector3f::Constant(3.0F)).x(), 0.75F, 1e-6F);
   EXPECT_NEAR(reinhard({0.0F, 2.0F, 0.0F}).y(), 2.0F / (1.0F + 2.0F * 0.7152F), 1e-6F);
-  const std::vector<Eigen::Vector3f> grey{Eigen::Vector3f::Constant(0.25F), Eigen::Vector3f::Constant(5.0F)};
-  EXPECT_EQ(tone_map(grey, 1.0F, ToneCurve::kLinear), (std::vector<std::uint8_t>{137, 137, 137, 255, 255, 255}));
-  EXPECT_EQ(tone_map(grey, 1.0F), tone_map(grey, 1.0F, ToneCurve::kNeutral));
-  EXPECT_LT(tone_map(grey, 1.0F, ToneCurve::kReinhard).back(), 245);
+  const std::vector<Eigen::Vector3f> gray{Eigen::Vector3f::Constant(0.25F), Eigen::Vector3f::Constant(5.0F)};
+  EXPECT_EQ(tone_map(gray, 1.0F, ToneCurve::kLinear), (std::vector<std::uint8_t>{137, 137, 137, 255, 255, 255}));
+  EXPECT_EQ(tone_map(gray, 1.0F), tone_map(gray, 1.0F, ToneCurve::kNeutral));
+  EXPECT_LT(tone_map(gray, 1.0F, ToneCurve::kReinhard).back(), 245);
 }
 
 /// Pictures of a colored gradient that moves.

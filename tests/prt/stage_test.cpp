@@ -127,11 +127,11 @@ TEST(Stage, EachVertexOfAPlateMayHaveItsOwnShadow) {
   Mesh fine = plate(3.0F);
   refine(fine, 0.5F);
   add(stage, fine, 8, Eigen::Vector3d::Zero()).per_vertex = true;
-  const Eigen::Vector3d centre(0.3, -0.2, 1.5);
-  add(stage, primitive_mesh("box"), 8, centre).proxy = {Eigen::Vector3d::Zero(), 0.5};
+  const Eigen::Vector3d center(0.3, -0.2, 1.5);
+  add(stage, primitive_mesh("box"), 8, center).proxy = {Eigen::Vector3d::Zero(), 0.5};
   const std::vector<Eigen::Vector3f> lit = relit(stage, constant_light(8));
   for (std::size_t v = 0; v < fine.positions.size(); ++v) {
-    const Eigen::Vector3d towards = centre - fine.positions[v].cast<double>();
+    const Eigen::Vector3d towards = center - fine.positions[v].cast<double>();
     const double sine = 0.5 / towards.norm();
     const double expected = 1.0 - sine * sine * towards.normalized().z();
     EXPECT_NEAR(static_cast<double>(lit[v].x()) / 0.5, expected, 0.004) << v;
@@ -227,7 +227,7 @@ TEST_F(StageFile, HoldsObjectsWithMotionProxyLightsAndCamera) {
   EXPECT_EQ(stage.objects[1].proxy.radius, 0.0);
   EXPECT_EQ(stage.objects[1].motion.at(0.25).position, Eigen::Vector3d(0.5, 0.0, 3.5));
   EXPECT_TRUE(stage.objects[2].per_vertex);
-  EXPECT_EQ(stage.objects[2].proxy.centre, Eigen::Vector3d::UnitZ());
+  EXPECT_EQ(stage.objects[2].proxy.center, Eigen::Vector3d::UnitZ());
   EXPECT_TRUE(stage.camera);
   EXPECT_EQ(stage.lights.front().type, LightType::kConstant);
   EXPECT_EQ(relit(stage, random_light(2, 8)).size(), merged_mesh(stage, poses_at(stage, 0.0)).positions.size());

@@ -104,14 +104,14 @@ TEST(VersionTwo, CarriesTheShapeInItsHeader) {
 // Shadowed transfer times the albedo, in three channels: a kind of one file and one line.
 void color(BakeRun& run) {
   Transfer& transfer = run.transfer;
-  const std::vector<float> grey = transfer.coefficients;
+  const std::vector<float> gray = transfer.coefficients;
   const std::size_t count = transfer.shape.count();
   transfer.shape = transfer.kind->shape(transfer.degree());
   transfer.coefficients.clear();
   for (std::size_t v = 0; v < transfer.mesh.positions.size(); ++v) {
     for (std::size_t i = 0; i < transfer.shape.length(); ++i) {
       const float albedo = transfer.mesh.albedo[v][i / count];
-      transfer.coefficients.push_back(albedo * grey[v * count + i % count]);
+      transfer.coefficients.push_back(albedo * gray[v * count + i % count]);
     }
   }
 }
@@ -140,7 +140,7 @@ TEST(TransferKind, IsAddedByItsShapeAndItsSteps) {
   for (std::size_t v = 0; v < expected.size(); ++v) {
     EXPECT_LT((radiance[v] - expected[v]).norm(), 1e-6F * (1.0F + expected[v].norm())) << v;
   }
-  EXPECT_THROW(static_cast<void>(recoloured(read, light, mesh.albedo)), std::invalid_argument);
+  EXPECT_THROW(static_cast<void>(recolored(read, light, mesh.albedo)), std::invalid_argument);
 }
 
 TEST(TransferKind, IsFoundByItsNamesOrNot) {

@@ -106,7 +106,7 @@ TEST(IndexOrder, PlacesAreTheDocumentedOnes) {
 TEST(Convention, RefusesContradictionsAndDegreesOutOfRange) {
   Convention c;
   c.complex = true;
-  c.normalisation = Normalisation::kUnnormalised;
+  c.normalization = Normalization::kUnnormalized;
   EXPECT_THROW(require_convention(c, 1), std::invalid_argument);
   EXPECT_THROW(require_convention({}, -1), std::invalid_argument);
   EXPECT_THROW(require_convention({}, 21), std::invalid_argument);
@@ -116,7 +116,7 @@ TEST(Convention, RefusesContradictionsAndDegreesOutOfRange) {
 
 TEST(ConventionMap, CoefficientsGoTheOtherWayThanBasisFunctions) {
   // Functions larger by sqrt(4 pi) need coefficients smaller by it.
-  const Convention four_pi{.normalisation = Normalisation::kFourPi};
+  const Convention four_pi{.normalization = Normalization::kFourPi};
   const ConventionMap map = convention_map({}, four_pi, 1);
   const auto c = map_coefficients(map, counting_coefficients(IndexOrder::kAcn, 1));
   EXPECT_EQ(c[3], number(4) * RadicalSum(Surd::square_root(cln::cl_RA(1) / 4, -1)));
@@ -213,7 +213,7 @@ TEST(ConventionMap, MultiplyThenMapEqualsMapThenMultiply) {
 
 TEST(ConventionMap, TripleIntegralScalesWithAllThreeFunctions) {
   const TripleTensor gaunt = all_orders(gaunt_tensor(1));
-  const ConventionMap map = convention_map({}, {.normalisation = Normalisation::kFourPi}, 1);
+  const ConventionMap map = convention_map({}, {.normalization = Normalization::kFourPi}, 1);
   const RadicalSum root(Surd::square_root(4, 1));  // each function grows by sqrt(4 pi)
   for (const auto& [t, value] : map_triple_integral(map, gaunt)) EXPECT_EQ(value, root * root * root * gaunt.at(t));
   for (const auto& [t, value] : map_product_form(map, gaunt)) EXPECT_EQ(value, root * gaunt.at(t));

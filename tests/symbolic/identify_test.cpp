@@ -20,7 +20,7 @@ using Direction = std::array<double, 3>;
 
 id::Convention as_numeric(const symbolic::Convention& c) {
   id::Convention result;
-  result.normalisation = static_cast<id::Normalisation>(c.normalisation);
+  result.normalization = static_cast<id::Normalization>(c.normalization);
   result.condon_shortley = c.condon_shortley;
   result.complex = c.complex;
   result.order = static_cast<id::IndexOrder>(c.order);
@@ -71,13 +71,13 @@ double largest_difference(const symbolic::Convention& exact, int degree, int cou
 
 TEST(IdentifyConventions, HaveTheExactValuesInEveryCombination) {
   double places = 0;
-  for (int normalisation = 0; normalisation < 6; ++normalisation) {
+  for (int normalization = 0; normalization < 6; ++normalization) {
     for (int order = 0; order < 4; ++order) {
       for (const bool phase : {false, true}) {
         for (const bool complex : {false, true}) {
-          if (complex && normalisation >= 4) continue;
+          if (complex && normalization >= 4) continue;
           symbolic::Convention c;
-          c.normalisation = static_cast<symbolic::Normalisation>(normalisation);
+          c.normalization = static_cast<symbolic::Normalization>(normalization);
           c.order = static_cast<symbolic::IndexOrder>(order);
           c.condon_shortley = phase;
           c.complex = complex;
@@ -105,9 +105,9 @@ TEST(IdentifyConventions, HaveTheExactAxes) {
 }
 
 TEST(IdentifyConventions, HaveTheExactSizesToTheHighestDegree) {
-  for (int normalisation = 0; normalisation < 6; ++normalisation) {
+  for (int normalization = 0; normalization < 6; ++normalization) {
     symbolic::Convention exact;
-    exact.normalisation = static_cast<symbolic::Normalisation>(normalisation);
+    exact.normalization = static_cast<symbolic::Normalization>(normalization);
     const auto ours = as_numeric(exact);
     for (int l = 0; l <= id::kMaxDegree; ++l) {
       for (int m = -l; m <= l; ++m) {

@@ -38,7 +38,7 @@ inline std::vector<std::array<double, 3>> directions(int count) {
   std::normal_distribution<double> normal;
   std::vector<std::array<double, 3>> result;
   while (static_cast<int>(result.size()) < count) {
-    result.push_back(numeric::normalised(normal(random), normal(random), normal(random)));
+    result.push_back(numeric::normalized(normal(random), normal(random), normal(random)));
   }
   return result;
 }

@@ -42,7 +42,7 @@ std::vector<NodeId> append(Builder& build, const Direction& d, int degree, NodeI
 
 // Computes d / |d| and then the basis; append(build, direction) makes its nodes.
 template <class Append>
-Kernel normalised(int degree, const std::string& source, const Append& append) {
+Kernel normalized(int degree, const std::string& source, const Append& append) {
   Kernel kernel;
   describe_basis(kernel, degree);
   kernel.title = "Real spherical harmonics of degree 0 to " + std::to_string(degree) + " in the direction of a vector";
@@ -84,13 +84,13 @@ Kernel basis_recurrence(int degree) {
 }
 
 Kernel basis_normalised_parity(int degree) {
-  return normalised(degree, kParitySource, [degree](SignedBuilder& build, const Direction& d) {
+  return normalized(degree, kParitySource, [degree](SignedBuilder& build, const Direction& d) {
     return append_parity(build, d, degree, accurate_choices(degree));
   });
 }
 
 Kernel basis_normalised_centred(int degree) {
-  return normalised(degree, kCentredSource,
+  return normalized(degree, kCentredSource,
                     [degree](SignedBuilder& build, const Direction& d) { return append_centred(build, d, degree); });
 }
 

@@ -57,10 +57,10 @@ Cap cap_of(Builder& build, NodeId u, NodeId weight) {
   return cap;
 }
 
-// The coefficients of P_l'(c) / (l (l+1)), without its factor c for even l, in powers of s - centre, lowest first.
-std::vector<cln::cl_RA> in_sine_square(int l, const cln::cl_RA& centre) {
-  // c^2 = (1 - centre) - (s - centre)
-  std::vector<cln::cl_RA> powers = composed(whole_axial_form(l, 1).powers, 1 - centre, -1);
+// The coefficients of P_l'(c) / (l (l+1)), without its factor c for even l, in powers of s - center, lowest first.
+std::vector<cln::cl_RA> in_sine_square(int l, const cln::cl_RA& center) {
+  // c^2 = (1 - center) - (s - center)
+  std::vector<cln::cl_RA> powers = composed(whole_axial_form(l, 1).powers, 1 - center, -1);
   for (cln::cl_RA& power : powers) power = power / (l * (l + 1));
   return powers;
 }

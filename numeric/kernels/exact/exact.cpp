@@ -41,7 +41,7 @@ std::vector<ExactFamily> exact_basis() {
   return {{"basis", [](int degree, const auto* d, auto* out) { basis(degree, d[0], d[1], d[2], out); }},
           {"basis_normalised",
            [](int degree, const auto* d, auto* out) {
-             const auto unit = normalised(d[0], d[1], d[2]);
+             const auto unit = normalized(d[0], d[1], d[2]);
              basis(degree, unit[0], unit[1], unit[2], out);
            }},
           {"basis_gradient", [](int degree, const auto* d, auto* out) {

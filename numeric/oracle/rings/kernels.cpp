@@ -21,7 +21,7 @@ void fill_eps(const Column& c) {
 
 // p' / p at the pole and the equator, but for alpha / alpha', from P_lm / (z sin^m theta) there with l - m odd: at the
 // pole it is a constant of the order times sqrt((2l+1) (l+m)! / (l-m)!), at the equator that changes from l to l + 2 by
-// the factor -(l+m+2) / (l-m+1) before it is normalised.
+// the factor -(l+m+2) / (l-m+1) before it is normalized.
 void fill_growth(const Column& c) {
   const Lanes one(1.0);
   const Lanes two(2.0);
