@@ -4,6 +4,7 @@
 
 #include "codegen/print/batch_driver.hpp"
 #include "codegen/print/dialect.hpp"
+#include "numeric/oracle/index.hpp"
 
 namespace sh::codegen::print {
 namespace {
@@ -39,14 +40,14 @@ std::string public_signature(const Driver& driver, const Overload& types) {
 
 // "3", "bands^2", "4 bands^2".
 std::string size_text(int size, int degree) {
-  const int count = (degree + 1) * (degree + 1);
+  const int count = numeric::coefficient_count(degree);
   if (size % count != 0) return std::to_string(size);
   return (size == count ? "" : std::to_string(size / count) + " ") + "bands^2";
 }
 
 // {sets of bands^2 values, further values}
 std::string size_in_code(int size, int degree) {
-  const int count = (degree + 1) * (degree + 1);
+  const int count = numeric::coefficient_count(degree);
   return size % count == 0 ? "{" + std::to_string(size / count) + ", 0}" : "{0, " + std::to_string(size) + "}";
 }
 

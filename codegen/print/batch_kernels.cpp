@@ -3,6 +3,7 @@
 
 #include "codegen/print/batch_driver.hpp"
 #include "codegen/print/dialect.hpp"
+#include "numeric/oracle/index.hpp"
 
 namespace sh::codegen::print {
 namespace {
@@ -13,7 +14,7 @@ enum class Loop { kPlain, kFixed, kHalf };
 std::string loop_of(const RecordSignature& s, int degree, Loop loop) {
   const std::string count = "(Degree + 1) * (Degree + 1)";
   const std::string inputs = std::to_string(s.inputs.size());
-  const int sets = s.inputs[0].size / ((degree + 1) * (degree + 1));
+  const int sets = s.inputs[0].size / numeric::coefficient_count(degree);
   if (loop == Loop::kFixed) return "for_every_register_fixed<" + inputs + ", " + count + ">";
   if (loop == Loop::kHalf)
     return "for_every_register_half<" + inputs + ", " + (sets == 1 ? "" : std::to_string(sets) + " * ") + count + ">";

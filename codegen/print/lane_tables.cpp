@@ -6,6 +6,7 @@
 #include "codegen/print/statements.hpp"
 #include "codegen/recipes/parts.hpp"
 #include "codegen/recipes/product/orbits.hpp"
+#include "numeric/oracle/index.hpp"
 
 namespace sh::codegen::print {
 namespace {
@@ -26,7 +27,7 @@ std::string orbit_file(int degree) {
   const recipes::OrbitQuadrature orbits(degree);
   constexpr int kLine = 16;
   const int padded = orbits.count() <= kLine / 2 ? kLine / 2 : (orbits.count() + kLine - 1) / kLine * kLine;
-  const int size = (degree + 1) * (degree + 1);
+  const int size = numeric::coefficient_count(degree);
 
   std::vector<std::string> values;
   for (int i = 0; i < size; ++i) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "numeric/oracle/index.hpp"
 #include "symbolic/number/surd.hpp"
 
 namespace sh::codegen::recipes {
@@ -56,7 +57,7 @@ struct LaneTurns {
   std::array<int, kLanes> sign{};     ///< the sign of the sine: -1 for m > 0
   std::vector<TurnRound> quarter;     ///< T
   std::vector<TurnRound> back;        ///< the transpose of T
-  [[nodiscard]] int lanes() const { return (last + 1) * (last + 1) - first * first; }
+  [[nodiscard]] int lanes() const { return numeric::coefficient_count(last) - first * first; }
 };
 
 /// Bands first .. last, at most 16 coefficients, in their usual order. The unused lanes are 0.

@@ -15,6 +15,7 @@
 #include "generated/cpp/window_hann.hpp"
 #include "generated/cpp/window_laplacian.hpp"
 #include "numeric/kernels/every_float.hpp"
+#include "numeric/oracle/index.hpp"
 
 namespace sh::numeric {
 namespace {
@@ -35,7 +36,7 @@ template <int kDegree, class Window>
 OneVariableKernel window_kernel(const char* family, Window /*window*/) {
   return {family, kDegree, 1, [](const FloatRange& range) {
             const auto factors = []<class T>(const T& x, T* out) {
-              std::array<T, (kDegree + 1) * (kDegree + 1)> c;
+              std::array<T, coefficient_count(kDegree)> c;
               c.fill(T(1));
               Window()(x, c.data());
               for (int l = 0; l <= kDegree; ++l) out[l] = c[l * l];

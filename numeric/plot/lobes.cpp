@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "numeric/oracle/index.hpp"
+
 namespace sh::numeric::plot {
 namespace {
 
@@ -97,7 +99,7 @@ std::string draw_basis_grid(int degree, const View& view, const Figure& figure) 
   // The addition theorem bounds |Y_lm| by sqrt((2l+1) / 4 pi), which Y_l0 reaches at the poles.
   const double bound = std::sqrt((2 * degree + 1) / (4 * std::numbers::pi));
   const int rings = rings_for(degree, 32);
-  const int count = (degree + 1) * (degree + 1);
+  const int count = coefficient_count(degree);
   for (int l = 0; l <= degree; ++l) {
     for (int m = -l; m <= l; ++m) {
       const Box box{kWidth / 2 + (m - 0.5) * side, kTop + l * row_height, side, side};

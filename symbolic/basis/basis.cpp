@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "numeric/oracle/index.hpp"
 #include "symbolic/number/derivation.hpp"
 #include "symbolic/number/from_ginac.hpp"
 #include "symbolic/number/polynomial.hpp"
@@ -55,7 +56,7 @@ Polynomial homogeneous_form(const BasisFunction& f) {
 
 DegreeOrder degree_order(int index) {
   int degree = 0;
-  while ((degree + 1) * (degree + 1) <= index) ++degree;
+  while (numeric::coefficient_count(degree) <= index) ++degree;
   return {degree, index - degree * (degree + 1)};
 }
 

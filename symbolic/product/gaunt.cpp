@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdlib>
 
+#include "numeric/oracle/index.hpp"
 #include "symbolic/basis/basis.hpp"
 #include "symbolic/number/derivation.hpp"
 #include "symbolic/number/from_ginac.hpp"
@@ -52,7 +53,7 @@ const cln::cl_RA& axial_integral(const std::array<Function, 3>& functions) {
 
 GauntTensor tensor_of(int degree, Surd (*entry)(int, int, int)) {
   require_gaunt_degree(degree);
-  const int count = (degree + 1) * (degree + 1);
+  const int count = numeric::coefficient_count(degree);
   GauntTensor tensor;
   for (int i = 0; i < count; ++i) {
     for (int j = i; j < count; ++j) {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "codegen/recipes/product/orbits.hpp"
+#include "numeric/oracle/index.hpp"
 #include "symbolic/number/matrix.hpp"
 #include "symbolic/product/gaunt.hpp"
 
@@ -71,7 +72,7 @@ TEST(LaneTables, OppositeClassesDifferUnderTheInversion) {
     for (const ClassRow& row : orbits.rows(opposite)) {
       for (std::size_t r = 0; r < row.size(); ++r) {
         int l = 0;
-        while ((l + 1) * (l + 1) <= row[r]) ++l;
+        while (numeric::coefficient_count(l) <= row[r]) ++l;
         const bool odd = opposite == (r == 0);  // x, y, z and xyz
         if (row[r] < 0) continue;
         EXPECT_EQ(l % 2 != 0, odd) << row[r];

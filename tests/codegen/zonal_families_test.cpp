@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "codegen/ir/evaluate.hpp"
+#include "numeric/oracle/index.hpp"
 #include "symbolic/zonal/zonal.hpp"
 #include "tests/codegen/support.hpp"
 
@@ -20,7 +21,7 @@ using test::kernel_of;
 TEST(ZonalFamilies, TurningCostsFewerMultiplicationsThanTheBasisAndAScaling) {
   for (int degree = 2; degree <= 10; ++degree) {
     // The constants sqrt(4 pi/(2l+1)) once for each band, and a multiplication for each coefficient.
-    const int coefficients = (degree + 1) * (degree + 1);
+    const int coefficients = numeric::coefficient_count(degree);
     const int scaling = degree + 1 + coefficients;
     int basis = std::numeric_limits<int>::max();
     for (const Recipe& recipe : recipes_for(find_family("basis"), degree)) {
@@ -137,7 +138,7 @@ TEST(Irradiance, OddDegreesAboveOneBecomeZeroWhateverStandsThere) {
   std::vector<float> c(36, std::numeric_limits<float>::infinity());
   const std::vector<float> e = Evaluator<float>(kernel)(c);
   for (const int l : {3, 5}) {
-    for (int i = l * l; i < (l + 1) * (l + 1); ++i) EXPECT_EQ(e[i], 0.0F);
+    for (int i = l * l; i < numeric::coefficient_count(l); ++i) EXPECT_EQ(e[i], 0.0F);
   }
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "numeric/oracle/basis.hpp"
+#include "numeric/oracle/index.hpp"
 #include "numeric/oracle/quadrature.hpp"
 
 namespace sh::prt::test {
@@ -16,7 +17,7 @@ inline std::vector<double> transfer_by_quadrature(int degree, const Eigen::Vecto
   const numeric::GaussLegendreRule<double> rule = numeric::gauss_legendre<double>(40);
   const Eigen::Vector3d across = normal.unitOrthogonal();
   const Eigen::Vector3d along = normal.cross(across);
-  std::vector<double> sum(static_cast<std::size_t>((degree + 1) * (degree + 1)), 0.0);
+  std::vector<double> sum(static_cast<std::size_t>(numeric::coefficient_count(degree)), 0.0);
   std::vector<double> values(sum.size());
   for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
     const double cosine = 0.5 * (1.0 + rule.nodes[i]);

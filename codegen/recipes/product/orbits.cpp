@@ -1,5 +1,6 @@
 #include "codegen/recipes/product/orbits.hpp"
 
+#include "numeric/oracle/index.hpp"
 #include "symbolic/basis/basis.hpp"
 
 namespace sh::codegen::recipes {
@@ -29,7 +30,7 @@ std::vector<ClassRow> rows_of(int degree, const std::array<int, 4>& classes) {
   std::array<std::vector<int>, 4> members;
   std::size_t most = 0;
   for (std::size_t r = 0; r < classes.size(); ++r) {
-    for (int i = 0; i < (degree + 1) * (degree + 1); ++i) {
+    for (int i = 0; i < numeric::coefficient_count(degree); ++i) {
       if (class_of(i) == classes[r]) members[r].push_back(i);
     }
     most = std::max(most, members[r].size());

@@ -9,6 +9,7 @@
 #include "numeric/kernels/exact/exact.hpp"
 #include "numeric/kernels/inputs.hpp"
 #include "numeric/oracle/basis.hpp"
+#include "numeric/oracle/index.hpp"
 #include "numeric/oracle/rotation_matrices.hpp"
 
 namespace sh::numeric {
@@ -53,9 +54,9 @@ std::vector<ExactFamily> exact_rotation() {
            [](int degree, const auto* in, auto* out) {
              const auto* const c = in + matrix_count(degree);
              for (int l = 0; l <= degree; ++l) {
-               for (int row = l * l; row < (l + 1) * (l + 1); ++row) {
+               for (int row = l * l; row < coefficient_count(l); ++row) {
                  out[row] = 0;
-                 for (int column = l * l; column < (l + 1) * (l + 1); ++column) out[row] += *in++ * c[column];
+                 for (int column = l * l; column < coefficient_count(l); ++column) out[row] += *in++ * c[column];
                }
              }
            },
