@@ -72,8 +72,17 @@ void take_channel(const Transfer& from, int c, Transfer& to) {
   }
 }
 
-// Each channel is a separate bake, with gray mirrors of that channel's reflectance. The single channel of shadowed
-// transfer cannot hold the color of the mirrors.
+// The scene as one channel has it: every color is that channel's gray. The albedo and the mirrors of different channels
+// may reflect more than 1 together.
+Scene in_gray(Scene scene, int channel) {
+  Mesh& mesh = scene.mesh;
+  for (auto* colors : {&mesh.albedo, &mesh.mirror, &mesh.emission}) {
+    for (Eigen::Vector3f& color : *colors) color.setConstant(color[channel]);
+  }
+  return scene;
+}
+
+// Each channel is a separate bake. The single channel of shadowed transfer cannot hold the color of the mirrors.
 Transfer run_by_channel(const BakeJob& job, BakeReport& report) {
   if (job.scene.bake.kind->shape(job.scene.bake.degree).channels == 1) {
     throw std::invalid_argument(fmt::format(
@@ -84,16 +93,14 @@ Transfer run_by_channel(const BakeJob& job, BakeReport& report) {
   settings.checkpoint = {};  // it holds one bake
   Transfer transfer;
   for (int c = 0; c < 3; ++c) {
-    Scene scene = job.scene;
-    for (Eigen::Vector3f& mirror : scene.mesh.mirror) mirror.setConstant(mirror[c]);
-    Transfer channel = run_steps(scene, settings, *job.plan, report);
+    Transfer channel = run_steps(in_gray(job.scene, c), settings, *job.plan, report);
     if (c == 0) {
       transfer = std::move(channel);
     } else {
       take_channel(channel, c, transfer);
     }
   }
-  transfer.mesh.mirror = job.scene.mesh.mirror;
+  transfer.mesh = job.scene.mesh;
   return transfer;
 }
 

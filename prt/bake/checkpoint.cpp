@@ -67,12 +67,20 @@ std::string encode_chunk(const ShadowResult& result, const VertexRange& range) {
   return bytes;
 }
 
+bool is_possible(const Sight& sight) {
+  const auto is_part = [](float part) { return part >= 0.0F && part <= 1.0F; };
+  return sight.visible >= 0.0F && is_part(sight.buried) && is_part(sight.covered);
+}
+
 // Returns false, and changes no finished result, if the data do not have the shape of the chunk.
 bool decode_chunk(std::string_view data, const VertexRange& range, ShadowResult& result) {
   const std::size_t count = result.transfer.shape.length();
   std::vector<float> transfer(range.size() * count);
   std::vector<Sight> sight(range.size());
-  if (!take(data, transfer.data(), transfer.size()) || !take(data, sight.data(), sight.size())) return false;
+  if (!take(data, transfer.data(), transfer.size()) || !take(data, sight.data(), sight.size()) ||
+      !std::all_of(sight.begin(), sight.end(), is_possible)) {
+    return false;
+  }
   std::vector<std::pair<std::size_t, FormFactorRow>> rows;
   for (std::size_t v = range.first; result.factors != nullptr && v < range.last; ++v) {
     FormFactorRow row;

@@ -1,6 +1,6 @@
 // Records which chunks of a bake are done and which are on disk, so that a stopped bake can continue. The checkpoint
 // holds its key, which names everything that the results of rays depend on, and the results of each chunk of vertices:
-//   transfer vectors: (vertices, bands^2) binary32; Sight of each vertex: (vertices) bytes; with bounces, for each
+//   transfer vectors: (vertices, bands^2) binary32; Sight of each vertex: (vertices, 3) binary32; with bounces, for each
 //   vertex: 1 where its row of form factors is kept, else 0 (4 bytes); its length (4); its entries.
 #pragma once
 #include <chrono>

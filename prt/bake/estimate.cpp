@@ -114,7 +114,7 @@ BakeEstimate estimate_rays(const BakeJob& job) {
   transfer.coefficients = unshadowed_transfer(scene.bake.degree, scene.mesh.normals);
   const bool bounces = scene.bake.kind->has_bounces();
   FormFactors factors(bounces ? vertices : 0);
-  ShadowResult result{transfer, std::vector<Sight>(vertices, Sight::kSome), bounces ? &factors : nullptr};
+  ShadowResult result{transfer, std::vector<Sight>(vertices), bounces ? &factors : nullptr};
   const output::Stopwatch tracing;
   samples.resize(ShadowPass(setup, open, result).sample(samples, kSampleSeconds));
   if (samples.empty()) return estimate;

@@ -1,70 +1,133 @@
 #include "prt/bake/fill_closed.hpp"
 
+#include <tbb/parallel_for.h>
+
+#include <Eigen/SparseCholesky>
 #include <algorithm>
-#include <functional>
-#include <iterator>
+#include <array>
 #include <map>
 #include <set>
+#include <unordered_map>
 #include <utility>
 
 namespace sh::prt {
 
 namespace {
 
-using Neighbors = std::map<std::uint32_t, std::set<std::uint32_t>>;  // of some vertices
-
-Neighbors neighbors_of_sightless(const Mesh& mesh, const std::vector<Sight>& sight) {
-  Neighbors neighbors;
-  for (const Face& face : mesh.faces) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (sight[face[k]] != Sight::kSome) neighbors[face[k]].insert({face[(k + 1) % 3], face[(k + 2) % 3]});
-    }
-  }
-  return neighbors;
-}
-
-bool is_filled(const std::vector<Sight>& sight, std::uint32_t vertex, const std::set<std::uint32_t>& neighbors) {
-  return sight[vertex] == Sight::kBuried || sight[vertex] == Sight::kCovered ||
-         std::all_of(neighbors.begin(), neighbors.end(), [&](std::uint32_t n) { return sight[n] == Sight::kSome; });
-}
+constexpr double kMostClosed = 1.0 - 1e-4;
+constexpr float kMoreThanHalf = 0.5F;
+constexpr std::size_t kColumnsAPart = 8;  // that one task solves; the same for any number of threads
 
 }  // namespace
 
-FillPlan plan_fill(const Mesh& mesh, const std::vector<Sight>& sight) {
-  Neighbors unknown = neighbors_of_sightless(mesh, sight);
-  std::erase_if(unknown, [&](const auto& entry) { return !is_filled(sight, entry.first, entry.second); });
-  const auto is_flaw = [&](const auto& entry) { return sight[entry.first] != Sight::kCovered; };
-  FillPlan plan;
-  plan.closed = std::count_if(unknown.begin(), unknown.end(), is_flaw);
-  std::size_t ring = 0;  // the first fill of the current ring
-  do {
-    ring = plan.fills.size();
-    for (const auto& [vertex, neighbors] : unknown) {
-      Fill fill{vertex, {}};
-      std::copy_if(neighbors.begin(), neighbors.end(), std::back_inserter(fill.sources),
-                   [&](std::uint32_t n) { return unknown.count(n) == 0; });
-      if (!fill.sources.empty()) plan.fills.push_back(std::move(fill));
+std::vector<ClosedVertex> closed_vertices(const Mesh& mesh, const std::vector<Sight>& sight) {
+  std::map<std::uint32_t, std::set<std::uint32_t>> neighbors;
+  for (const Face& face : mesh.faces) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (sight[face[k]].closed() > 0.0F) neighbors[face[k]].insert({face[(k + 1) % 3], face[(k + 2) % 3]});
     }
-    for (std::size_t i = ring; i < plan.fills.size(); ++i) {
-      plan.filled += sight[plan.fills[i].vertex] != Sight::kCovered ? 1 : 0;
-      unknown.erase(plan.fills[i].vertex);
-    }
-  } while (ring < plan.fills.size());
-  return plan;
+  }
+  std::vector<ClosedVertex> closed;
+  for (const auto& [vertex, around] : neighbors) {
+    closed.push_back({vertex, sight[vertex].closed(), {around.begin(), around.end()}});
+  }
+  return closed;
 }
 
-void fill_closed(Transfer& transfer, const FillPlan& plan) {
-  const std::size_t count = transfer.shape.length();
-  std::vector<float> mean(count);
-  for (const auto& [vertex, sources] : plan.fills) {
-    std::fill(mean.begin(), mean.end(), 0.0F);
-    for (const std::uint32_t source : sources) {
-      const float* value = transfer.row(source);
-      std::transform(value, value + count, mean.begin(), mean.begin(), std::plus<>());
-    }
-    const auto known = static_cast<float>(sources.size());
-    std::transform(mean.begin(), mean.end(), transfer.row(vertex), [known](float sum) { return sum / known; });
+// With n_v neighbors, the equation of v times n_v / c_v is symmetric:
+//   n_v/c_v x_v - sum of closed neighbors x_u = n_v (1/c_v - 1) own_v + sum of sound neighbors own_u.
+struct Fill::System {
+  std::vector<ClosedVertex> closed;
+  std::unordered_map<std::uint32_t, std::size_t> place;  // of a closed vertex
+  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver;
+
+  [[nodiscard]] double scale(const ClosedVertex& v) const {
+    return static_cast<double>(v.neighbors.size()) / std::min(static_cast<double>(v.closed), kMostClosed);
   }
+
+  template <class Number>
+  void solve(Number* values, std::size_t stride, std::size_t first, std::size_t columns) const {
+    Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(Eigen::Index(closed.size()), Eigen::Index(columns));
+    for (std::size_t i = 0; i < closed.size(); ++i) {
+      const auto add = [&](std::uint32_t vertex, double weight) {
+        const Number* own = values + vertex * stride + first;
+        for (std::size_t k = 0; k < columns; ++k) sums(Eigen::Index(i), Eigen::Index(k)) += weight * double{own[k]};
+      };
+      add(closed[i].vertex, scale(closed[i]) - static_cast<double>(closed[i].neighbors.size()));
+      for (const std::uint32_t u : closed[i].neighbors) {
+        if (place.count(u) == 0) add(u, 1.0);
+      }
+    }
+    sums = solver.solve(sums).eval();
+    for (std::size_t i = 0; i < closed.size(); ++i) {
+      Number* to = values + closed[i].vertex * stride + first;
+      for (std::size_t k = 0; k < columns; ++k) to[k] = static_cast<Number>(sums(Eigen::Index(i), Eigen::Index(k)));
+    }
+  }
+
+  // Columns do not depend on each other.
+  template <class Number>
+  void apply(Number* values, std::size_t stride, std::size_t columns) const {
+    tbb::parallel_for(std::size_t{0}, (columns + kColumnsAPart - 1) / kColumnsAPart, [&](std::size_t part) {
+      const std::size_t first = part * kColumnsAPart;
+      solve(values, stride, first, std::min(kColumnsAPart, columns - first));
+    });
+  }
+};
+
+Fill::Fill(std::vector<ClosedVertex> closed) {
+  if (closed.empty()) return;
+  const auto system = std::make_shared<System>();
+  system->closed = std::move(closed);
+  for (std::size_t i = 0; i < system->closed.size(); ++i) system->place[system->closed[i].vertex] = i;
+  std::vector<Eigen::Triplet<double>> entries;
+  for (std::size_t i = 0; i < system->closed.size(); ++i) {
+    entries.emplace_back(i, i, system->scale(system->closed[i]));
+    for (const std::uint32_t u : system->closed[i].neighbors) {
+      if (const auto at = system->place.find(u); at != system->place.end()) entries.emplace_back(i, at->second, -1.0);
+    }
+  }
+  const auto size = Eigen::Index(system->closed.size());
+  Eigen::SparseMatrix<double> matrix(size, size);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  system->solver.compute(matrix);
+  system_ = system;
+}
+
+void Fill::apply(float* values, std::size_t stride, std::size_t columns) const {
+  if (any()) system_->apply(values, stride, columns);
+}
+
+void Fill::apply(double* values, std::size_t stride, std::size_t columns) const {
+  if (any()) system_->apply(values, stride, columns);
+}
+
+BuriedCount count_buried(const std::vector<ClosedVertex>& closed, const std::vector<Sight>& sight) {
+  std::unordered_map<std::uint32_t, const ClosedVertex*> waiting;
+  for (const ClosedVertex& v : closed) {
+    if (v.closed > kMoreThanHalf) waiting[v.vertex] = &v;
+  }
+  BuriedCount count;
+  for (const Sight& s : sight) count.buried += s.buried > kMoreThanHalf ? 1 : 0;
+  std::vector<const ClosedVertex*> next;
+  const auto reach = [&](std::unordered_map<std::uint32_t, const ClosedVertex*>::iterator at) {
+    count.filled += sight[at->first].buried > kMoreThanHalf ? 1 : 0;
+    next.push_back(at->second);
+    waiting.erase(at);
+  };
+  const auto is_sound = [&](std::uint32_t u) { return sight[u].closed() <= kMoreThanHalf; };
+  for (const ClosedVertex& v : closed) {
+    const auto at = waiting.find(v.vertex);
+    if (at != waiting.end() && std::any_of(v.neighbors.begin(), v.neighbors.end(), is_sound)) reach(at);
+  }
+  while (!next.empty()) {
+    const ClosedVertex& v = *next.back();
+    next.pop_back();
+    for (const std::uint32_t u : v.neighbors) {
+      if (const auto at = waiting.find(u); at != waiting.end()) reach(at);
+    }
+  }
+  return count;
 }
 
 }  // namespace sh::prt

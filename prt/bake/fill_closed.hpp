@@ -1,35 +1,54 @@
-// Vertices that no ray can leave would show as black speckles, so they take the mean of their neighbors. Vertices that
-// touch something, such as ground under a box, do the same: else a dark fringe as wide as an edge would show around the
-// box.
+// Vertices that lie inside something would show as black speckles, and ground under a box as a dark fringe as wide as an
+// edge. Such vertices take the light of their neighbors, each to the part c = Sight::closed() of its own light:
+//   x_v = (1 - c_v) own_v + c_v * mean of x over the neighbors of v.
+// This is one linear system over the closed vertices of the mesh, with the sound vertices around as its border. Its
+// solution is continuous in c and in the vertices' own light, so that it converges as rays grow. It is a weighted mean of
+// the own light of the vertices: no weight is negative, and they sum to 1.
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
+#include "prt/mesh/mesh.hpp"
 #include "prt/rays/gather.hpp"
-#include "prt/transfer/transfer.hpp"
 
 namespace sh::prt {
 
-/// A vertex and the vertices whose mean it takes.
-struct Fill {
+/// A closed vertex and the vertices that share an edge with it.
+struct ClosedVertex {
   std::uint32_t vertex;
-  std::vector<std::uint32_t> sources;
+  float closed;  // 0..1
+  std::vector<std::uint32_t> neighbors;
 };
 
-struct FillPlan {
-  std::vector<Fill> fills;  // ordered so that every source already has its final value
-  std::size_t closed = 0;   // vertices that no ray can leave
-  std::size_t filled = 0;   // of these, the vertices joined by edges to a vertex that has a value
+/// The vertices of the mesh with closed() > 0, in order; vertices without neighbors are left out.
+std::vector<ClosedVertex> closed_vertices(const Mesh& mesh, const std::vector<Sight>& sight);
+
+/// The operator above, x = F own, for any table of numbers with a row a vertex.
+class Fill {
+ public:
+  /// Changes nothing.
+  Fill() = default;
+  /// Solves once for all tables. c is at most 1 - 1e-4, so that a part that is closed as a whole keeps its own mean.
+  explicit Fill(std::vector<ClosedVertex> closed);
+  [[nodiscard]] bool any() const { return system_ != nullptr; }
+  /// Replaces the rows of the closed vertices; values (vertices, stride), of which `columns` count. The same bits for any
+  /// number of threads.
+  void apply(float* values, std::size_t stride, std::size_t columns) const;
+  void apply(double* values, std::size_t stride, std::size_t columns) const;
+
+ private:
+  struct System;
+  std::shared_ptr<const System> system_;  // null: no closed vertex
 };
 
-/// A vertex is closed if it is buried, or if it is dark while every neighbor sees some light. Closed and covered
-/// vertices take the mean of their neighbors (covered ones are not a flaw). The fill goes ring by ring from the sound
-/// vertices inwards. Each ring uses only the rings before it, so that the order of work does not change the result. A
-/// connected part that is closed as a whole stays unchanged.
-FillPlan plan_fill(const Mesh& mesh, const std::vector<Sight>& sight);
-
-/// Replaces the transfer vectors of the vertices in the plan.
-void fill_closed(Transfer& transfer, const FillPlan& plan);
+/// The buried vertices of a mesh (more than half), and how many of them have a way along edges of closed vertices to a
+/// sound one, whose light they take.
+struct BuriedCount {
+  std::size_t buried = 0;
+  std::size_t filled = 0;
+};
+BuriedCount count_buried(const std::vector<ClosedVertex>& closed, const std::vector<Sight>& sight);
 
 }  // namespace sh::prt

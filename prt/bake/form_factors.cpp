@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <map>
 #include <utility>
 
 #include "numeric/output/progress.hpp"
@@ -60,21 +59,6 @@ void FormFactors::keep(std::size_t vertex, FormFactorRow row) {
   kept_[vertex] = 1;
 }
 
-void FormFactors::keep_mean(std::size_t vertex, const std::vector<std::uint32_t>& sources) {
-  std::map<std::uint32_t, double> sums;
-  RowMaker make;
-  for (const std::uint32_t source : sources) {
-    if (kept_[source] == 0 && !make) make = make_maker_();
-    const FormFactorRow& row = kept_[source] != 0 ? rows_[source] : make(source);
-    for (const FormFactor& factor : row) {
-      sums[factor.vertex] += static_cast<double>(factor.weight) / static_cast<double>(sources.size());
-    }
-  }
-  rows_[vertex].clear();
-  for (const auto& [other, weight] : sums) rows_[vertex].push_back({other, static_cast<float>(weight)});
-  kept_[vertex] = 1;
-}
-
 void FormFactors::apply(const Panel& x, Panel& y) const {
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rows_.size(), kVerticesPerTask), [&](const auto& part) {
     output::check_interrupt();
@@ -84,6 +68,7 @@ void FormFactors::apply(const Panel& x, Panel& y) const {
       sum_row(kept_[v] != 0 ? rows_[v] : make(v), x.values.data(), x.columns, y.row(v));
     }
   });
+  fill_.apply(y.values.data(), y.columns, y.columns);
 }
 
 }  // namespace sh::prt

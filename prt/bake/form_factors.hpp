@@ -5,7 +5,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <utility>
 #include <vector>
+
+#include "prt/bake/fill_closed.hpp"
 
 namespace sh::prt {
 
@@ -53,8 +56,8 @@ class FormFactors {
   /// Keeps a row, or drops it if no memory is left; this changes times but no result. Any thread may call it, at the
   /// same time for different vertices.
   void keep(std::size_t vertex, FormFactorRow row);
-  /// Gives the vertex the mean of the rows of `sources`. This row is always kept. Do not call it while keep() runs.
-  void keep_mean(std::size_t vertex, const std::vector<std::uint32_t>& sources);
+  /// Closed vertices take the light of their neighbors: from now on K is F K, F of `fill`.
+  void fill_with(Fill fill) { fill_ = std::move(fill); }
 
   /// y = K x: y_v = sum over the row of v of weight * x_vertex; both (vertices, columns). The same bits for any number
   /// of threads.
@@ -70,6 +73,7 @@ class FormFactors {
   std::size_t most_bytes_;
   std::size_t bytes_ = 0;  // atomic access while rows are kept
   std::function<RowMaker()> make_maker_;
+  Fill fill_;
 };
 
 }  // namespace sh::prt

@@ -33,15 +33,15 @@ void begin_tracing(BakeRun& run) {
   if (scene.bake.kind->has_bounces()) {
     run.factors.emplace(vertices, run.settings.bounce_memory, [rays = &*run.rays] { return make_row_maker(*rays); });
   }
-  run.found.emplace(
-      ShadowResult{transfer, std::vector<Sight>(vertices, Sight::kSome), run.factors ? &*run.factors : nullptr});
+  run.found.emplace(ShadowResult{transfer, std::vector<Sight>(vertices), run.factors ? &*run.factors : nullptr});
   run.checkpoint.emplace(run.settings.checkpoint, bake_key(scene, transfer.instruction_set, run.open), *run.found);
 }
 
 // Reports meshes that are mostly dark: a closed room without light, or surfaces whose fronts face inwards.
 void report_dark(const BakeRun& run) {
   const std::vector<Sight>& sight = run.found->sight;
-  const std::size_t dark = std::count(sight.begin(), sight.end(), Sight::kDark);
+  const std::size_t dark =
+      std::count_if(sight.begin(), sight.end(), [](const Sight& s) { return s.visible <= 0.0F && s.closed() <= 0.5F; });
   if (2 * dark > sight.size() && run.scene.mesh.emission.empty()) {
     report(run, fmt::format("{} of {} vertices see no sky and nothing shines: closed rooms, or meshes with their "
                             "fronts inside (`flip` turns a mesh)",
@@ -78,6 +78,21 @@ void take_solution(const Panel& x, const BounceLayout& layout, Transfer& transfe
   }
 }
 
+// Gives closed vertices the light of their neighbors.
+void fill_closed(BakeRun& run) {
+  const std::vector<Sight>& sight = run.found->sight;
+  std::vector<ClosedVertex> closed = closed_vertices(run.scene.mesh, sight);
+  if (const auto [buried, filled] = count_buried(closed, sight); buried > 0) {
+    report(run, fmt::format("no ray can leave {} of {} vertices ({} filled from neighbors, {} in closed parts left "
+                            "dark)",
+                            buried, sight.size(), filled, buried - filled));
+  }
+  Fill fill(std::move(closed));
+  const std::size_t length = run.transfer.shape.length();
+  fill.apply(run.transfer.coefficients.data(), length, length);
+  if (run.factors) run.factors->fill_with(std::move(fill));
+}
+
 }  // namespace
 
 void take_unshadowed(BakeRun& run) {
@@ -89,7 +104,6 @@ void take_unshadowed(BakeRun& run) {
   run.transfer.emitted = run.scene.mesh.emission;
 }
 
-// Gives closed vertices the vectors of their neighbors.
 void trace_shadows(BakeRun& run) {
   begin_tracing(run);
   const double cut = ShadowPass(*run.rays, run.open, *run.found).run(*run.checkpoint);
@@ -97,17 +111,8 @@ void trace_shadows(BakeRun& run) {
     report(run, fmt::format("paths were cut after {} mirrors: up to {:.2g} of the light of a vertex is left out",
                             MirrorPaths::kMostMirrors, cut));
   }
-  const FillPlan plan = plan_fill(run.scene.mesh, run.found->sight);
-  fill_closed(run.transfer, plan);
-  if (plan.closed > 0) {
-    report(run, fmt::format("no ray can leave {} of {} vertices ({} filled from neighbors, {} in closed parts left "
-                            "dark)",
-                            plan.closed, run.found->sight.size(), plan.filled, plan.closed - plan.filled));
-  }
+  fill_closed(run);
   report_dark(run);
-  for (const Fill& fill : plan.fills) {
-    if (run.factors) run.factors->keep_mean(fill.vertex, fill.sources);
-  }
 }
 
 void add_bounces(BakeRun& run) {

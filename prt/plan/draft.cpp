@@ -74,10 +74,11 @@ ProbeRows Draft::trace_probe(int directions) const {
   }
   ProbeRows found{unshadowed_transfer(asked.degree, normals), std::vector<double>(probe.size(), 0.0)};
   const std::size_t length = coefficient_count(asked.degree);
-  gather_all(scene.mesh, starts, *tracer, SharedDirections(fewer), traced, [&](const Gathered& seen, std::size_t i) {
-    control_with_unshadowed(seen, length, found.transfer.data() + places[i] * length);
-    found.blocked[places[i]] = 1.0 - static_cast<double>(seen.fraction());
-  });
+  gather_all(scene.mesh, starts, *tracer, SharedDirections(fewer), traced,
+             [&](Gatherer& /*gatherer*/, const Gathered& seen, std::size_t i) {
+               control_with_unshadowed(seen, length, found.transfer.data() + places[i] * length);
+               found.blocked[places[i]] = 1.0 - static_cast<double>(seen.fraction());
+             });
   return found;
 }
 

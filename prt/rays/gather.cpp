@@ -21,9 +21,8 @@ namespace {
 
 constexpr float kOffset = 2e-3F;           // of the reach of the mesh around
 constexpr float kRoundings = 32.0F;        // at least this many roundings of the coordinates
-constexpr float kNearlyDark = 0.03F;       // of the cosine; such vertices are looked at more closely
-constexpr float kCoveredReach = 2.0F;      // hits nearer than this many reaches,
-constexpr float kCoveredWeight = 0.97F;    // along this part of the cosine, cover a vertex
+constexpr double kNearlyDark = 0.05;       // of the cosine; vertices that see less are looked at more closely
+constexpr float kNearReach = 2.0F;         // hits nearer than this many reaches are near
 constexpr std::size_t kRowUnit = 8;        // floats
 constexpr std::size_t kStreamRays = 1024;  // a stream call
 
@@ -68,6 +67,17 @@ SHFORGE_WIDEST void cosines(const float* directions, std::size_t count, float x,
   const float* dz = directions + 2 * count;
   for (std::size_t j = 0; j < count; ++j) out[j] = x * dx[j] + y * dy[j] + z * dz[j];
 }
+
+// 0 up to the first end, 1 from the second on, a straight line in between.
+double ramp(double x, const std::array<double, 2>& ends) {
+  return std::clamp((x - ends[0]) / (ends[1] - ends[0]), 0.0, 1.0);
+}
+
+// Between these parts of the cosine a vertex goes over from sound to closed: the part that it sees, and the parts of its
+// horizon whose rays hit backs of faces or anything near.
+constexpr std::array<double, 2> kLittleSeen = {0.02, kNearlyDark};
+constexpr std::array<double, 2> kManyBacks = {0.4, 0.6};
+constexpr std::array<double, 2> kMostNear = {0.95, 0.99};
 
 }  // namespace
 
@@ -179,6 +189,7 @@ std::size_t Gatherer::aim(std::size_t vertex) {
 }
 
 const Gathered& Gatherer::gather(std::size_t vertex) {
+  closest_is_known_ = false;
   const std::size_t traced = aim(vertex);
   for (std::size_t first = 0; first < traced; first += kStreamRays) {
     tracer_.occluded({rays_.data() + first, std::min(kStreamRays, traced - first)});
@@ -204,43 +215,41 @@ const Gathered& Gatherer::gather(std::size_t vertex) {
   return result_;
 }
 
-void Gatherer::intersect(const std::uint32_t* chosen, std::size_t count) {
-  along_.clear();
-  for (std::size_t i = 0; i < count; ++i) along_.push_back(towards(chosen[i]));
-  hits_.resize(count);
-  const Eigen::Vector3f origin = rays_.front().origin;  // one for all
-  tracer_.intersect(std::vector<Eigen::Vector3f>(count, origin), along_, hits_);
-}
-
 const std::vector<BlockedRay>& Gatherer::closest_hits() {
+  if (closest_is_known_) return closest_;
+  closest_is_known_ = true;
   closest_.clear();
   double whole = 0.0;
   for (std::size_t i = 0; i < visible_count_; ++i) whole += static_cast<double>(weights_[visible_[i]]);
   for (std::size_t i = 0; i < blocked_count_; ++i) whole += static_cast<double>(weights_[blocked_[i]]);
-  intersect(blocked_.data() + below_, blocked_count_ - below_);
+  along_.clear();
+  for (std::size_t i = below_; i < blocked_count_; ++i) along_.push_back(towards(blocked_[i]));
+  hits_.resize(along_.size());
+  const Eigen::Vector3f origin = rays_.front().origin;  // one for all
+  tracer_.intersect(std::vector<Eigen::Vector3f>(along_.size(), origin), along_, hits_);
   for (std::size_t i = 0; i < hits_.size(); ++i) {
     closest_.push_back({along_[i], hits_[i], static_cast<double>(weights_[blocked_[below_ + i]]) / whole});
   }
   return closest_;
 }
 
-Sight Gatherer::sight(std::size_t vertex, float fraction) {
-  if (fraction >= kNearlyDark) return Sight::kSome;
-  const bool is_dark = fraction <= 0.0F;
-  const std::size_t traced = aim(vertex);
-  intersect(chosen_.data(), traced);
-  std::size_t backs = 0;
-  float weight_near = 0.0F;
-  float weight = 0.0F;
-  for (std::size_t i = 0; i < traced; ++i) {
-    const bool hit = hits_[i].face != Hit::kNothing;
-    backs += hit && face_normal(mesh_.positions, mesh_.faces[hits_[i].face]).dot(along_[i]) > 0.0F ? 1 : 0;
-    weight_near += hit && hits_[i].distance < kCoveredReach * starts_[vertex].reach ? weights_[chosen_[i]] : 0.0F;
-    weight += weights_[chosen_[i]];
+Sight Gatherer::sight(std::size_t vertex, float visible) {
+  Sight sight{visible};
+  if (static_cast<double>(visible) >= kNearlyDark) return sight;
+  double backs = 0.0;
+  double near = 0.0;
+  auto above = static_cast<double>(result_.fraction());  // the horizon
+  for (const BlockedRay& ray : closest_hits()) {
+    above += ray.part;
+    if (ray.hit.face == Hit::kNothing) continue;
+    if (face_normal(mesh_.positions, mesh_.faces[ray.hit.face]).dot(ray.direction) > 0.0F) backs += ray.part;
+    if (ray.hit.distance < kNearReach * starts_[vertex].reach) near += ray.part;
   }
-  if (is_dark && 2 * backs >= traced) return Sight::kBuried;
-  if (weight_near > kCoveredWeight * weight) return Sight::kCovered;
-  return is_dark ? Sight::kDark : Sight::kSome;
+  if (!(above > 0.0)) return sight;
+  const double dark = 1.0 - ramp(static_cast<double>(visible), kLittleSeen);
+  sight.buried = static_cast<float>(dark * ramp(backs / above, kManyBacks));
+  sight.covered = static_cast<float>(dark * ramp(near / above, kMostNear));
+  return sight;
 }
 
 std::vector<ShadowRay> Gatherer::rays(std::size_t vertex) {
@@ -250,11 +259,12 @@ std::vector<ShadowRay> Gatherer::rays(std::size_t vertex) {
 
 void gather_all(const Mesh& mesh, const std::vector<RayStart>& starts, const Tracer& tracer,
                 const SharedDirections& directions, const std::vector<std::uint32_t>& vertices,
-                const std::function<void(const Gathered&, std::size_t)>& each) {
+                const std::function<void(Gatherer&, const Gathered&, std::size_t)>& each) {
   tbb::enumerable_thread_specific<Gatherer> gatherers([&] { return Gatherer(mesh, starts, tracer, directions); });
   for_vertices(vertices.size(), [&](std::size_t i) {
     output::check_interrupt();
-    each(gatherers.local().gather(vertices[i]), i);
+    Gatherer& gatherer = gatherers.local();
+    each(gatherer, gatherer.gather(vertices[i]), i);
   });
 }
 

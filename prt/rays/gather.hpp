@@ -1,6 +1,7 @@
 // Finds the visible part of the shared directions at one vertex: the inner loop of the shadowed bake.
 #pragma once
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -74,10 +75,15 @@ struct BlockedRay {
   double part;
 };
 
-/// What happens to the rays of a vertex. kSome: some leave the scene. kDark: all are blocked by fronts of faces (an
-/// ordinary shadow). kCovered: nearly all hit something nearer than an edge's length. kBuried: all are blocked because
-/// the vertex lies inside something.
-enum class Sight : std::uint8_t { kSome, kDark, kCovered, kBuried };
+/// What the rays of a vertex tell about its place. All numbers are 0..1 and continuous in shares of the cosine that the
+/// rays measure, so that they converge as rays grow: one more ray changes none of them much.
+struct Sight {
+  float visible = 1.0F;  // part of the cosine that sees the sky, directly or over mirrors
+  float buried = 0.0F;   // 1: inside something, since many rays hit backs of faces and hardly any leaves the scene
+  float covered = 0.0F;  // 1: nearly all rays hit something nearer than an edge's length
+  /// The part of the vertex's light that its neighbors decide (prt/bake/fill_closed.hpp).
+  [[nodiscard]] float closed() const { return std::max(buried, covered); }
+};
 
 /// Traces the rays of vertices, with the reusable buffers of one thread. All arguments must outlive it.
 class Gatherer {
@@ -86,11 +92,11 @@ class Gatherer {
            const SharedDirections& directions);
   /// Traces the rays of one vertex; the result stays valid until the next call.
   const Gathered& gather(std::size_t vertex);
-  /// The closest hits of the rays that the last gather() found blocked; valid until the next call of gather() or
-  /// closest_hits().
+  /// The closest hits of the rays that the last gather() found blocked; valid until the next call of gather().
   const std::vector<BlockedRay>& closest_hits();
-  /// What happens to the rays of a vertex that sees `fraction` of its cosine. Nearly dark vertices are traced again.
-  Sight sight(std::size_t vertex, float fraction);
+  /// What the rays of the last gather(vertex) tell. The vertex sees `visible` of its cosine; the closest hits are found
+  /// only if this is little.
+  Sight sight(std::size_t vertex, float visible);
   /// The rays that gather() would trace for one vertex, for measurements.
   std::vector<ShadowRay> rays(std::size_t vertex);
 
@@ -98,9 +104,6 @@ class Gatherer {
   // Selects directions: fills `chosen_`, which are to be traced, and `blocked_`, which lie under the horizon. Returns
   // how many to trace.
   std::size_t aim(std::size_t vertex);
-  // Finds the closest hits of `count` chosen directions.
-  void intersect(const std::uint32_t* chosen, std::size_t count);
-
   // Direction j in world axes.
   [[nodiscard]] Eigen::Vector3f towards(std::uint32_t j) const {
     return directions_.about_normal() ? (frame_ * directions_.direction(j)).eval() : directions_.direction(j);
@@ -120,15 +123,16 @@ class Gatherer {
   std::vector<Eigen::Vector3f> along_;  // of intersect()
   std::vector<Hit> hits_;
   std::vector<BlockedRay> closest_;
-  Eigen::Matrix3f frame_;       // of the vertex, where directions are about the normal
-  std::vector<float> weights_;  // of every direction, 4/N cosine with the shading normal, or 1/N
-  std::vector<float> heights_;  // cosine with the geometric normal
+  bool closest_is_known_ = false;  // for the last gather()
+  Eigen::Matrix3f frame_;          // of the vertex, where directions are about the normal
+  std::vector<float> weights_;     // of every direction, 4/N cosine with the shading normal, or 1/N
+  std::vector<float> heights_;     // cosine with the geometric normal
   Gathered result_;
 };
 
-/// Calls each(gathered, i) for the rays of every vertices[i], on all threads of the caller's arena.
+/// Calls each(gatherer, gathered, i) for the rays of every vertices[i], on all threads of the caller's arena.
 void gather_all(const Mesh& mesh, const std::vector<RayStart>& starts, const Tracer& tracer,
                 const SharedDirections& directions, const std::vector<std::uint32_t>& vertices,
-                const std::function<void(const Gathered&, std::size_t)>& each);
+                const std::function<void(Gatherer&, const Gathered&, std::size_t)>& each);
 
 }  // namespace sh::prt

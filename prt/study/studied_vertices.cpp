@@ -39,17 +39,13 @@ double radiance_unit(const StudiedVertices& vertices, const Radiances& reference
 
 }  // namespace
 
-StudiedVertices choose_vertices(const Mesh& mesh, const Camera& camera, std::size_t count,
-                                const std::function<bool(std::uint32_t)>& leave_out) {
+StudiedVertices choose_vertices(const Mesh& mesh, const Camera& camera, std::size_t count) {
   const std::vector<double> areas = seen_areas(mesh, camera);
   StudiedVertices chosen;
   chosen.step = std::max<std::size_t>(1, (areas.size() + count / 2) / count);
   for (std::size_t v = 0; v < areas.size(); v += chosen.step) {
-    const auto vertex = static_cast<std::uint32_t>(v);
-    if (!leave_out(vertex)) {
-      chosen.index.push_back(vertex);
-      chosen.weight.push_back(areas[v]);
-    }
+    chosen.index.push_back(static_cast<std::uint32_t>(v));
+    chosen.weight.push_back(areas[v]);
   }
   const double sum = std::accumulate(chosen.weight.begin(), chosen.weight.end(), 0.0);
   for (double& weight : chosen.weight) weight /= sum;
@@ -80,7 +76,7 @@ VertexErrors vertex_errors(const Mesh& mesh, const Camera& camera, const Radianc
   if (values.size() != count || reference.size() != count) {
     throw std::invalid_argument("errors of vertices: expected one radiance a vertex");
   }
-  const StudiedVertices all = choose_vertices(mesh, camera, count, [](std::uint32_t) { return false; });
+  const StudiedVertices all = choose_vertices(mesh, camera, count);
   VertexErrors errors{{}, radiance_error(all, values, reference)};
   const double unit = radiance_unit(all, reference);
   for (std::size_t v = 0; v < count; ++v) {

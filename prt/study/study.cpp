@@ -41,7 +41,7 @@ Study begin(const Scene& scene, const StudySetup& setup) {
               .faces = scene.mesh.faces.size(),
               .step = setup.vertices.step,
               .studied = setup.vertices.index.size(),
-              .left_out = setup.left_out,
+              .closed = setup.closed,
               .degree = scene.bake.degree,
               .directions = scene.bake.directions,
               .reference_directions = setup.reference_directions()};
@@ -75,10 +75,6 @@ Transfer shadowed(const StudySetup& setup, int degree, int directions) {
 Study run_study(const Scene& scene, const StudyOptions& options, const std::function<void(const Study&)>& finished) {
   check(scene, options);
   const StudySetup setup(scene, options);
-  if (setup.vertices.index.empty()) {
-    throw std::invalid_argument(
-        fmt::format("{}: none of the {} studied vertices sees any light", scene.name, setup.left_out));
-  }
   Study study = begin(scene, setup);
   for (const auto& part :
        {study_directions, study_degrees, study_storage, study_windows, study_bounces, study_pictures}) {

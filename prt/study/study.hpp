@@ -85,7 +85,7 @@ struct Study {
   std::size_t faces = 0;
   std::size_t step = 1;  // every step-th vertex is studied
   std::size_t studied = 0;
-  std::size_t left_out = 0;  // number of these left out because a bake fills them from their neighbors
+  std::size_t closed = 0;  // number of these that take light from their neighbors
   int degree = 0;
   int directions = 0;  // of the scene; the other parts use it
   int reference_directions = 0;

@@ -39,20 +39,29 @@ Direct trace_mesh(const StudySetup& setup, const BakeOptions& options) {
   const RaySetup rays(mesh, options, 0, setup.options.instruction_set);
   output::Progress progress("study: hits", vertices);
   tbb::enumerable_thread_specific<RowTracer> tracers([&] { return RowTracer(rays); });
+  std::vector<Sight> sight(vertices);
   const double start = process_seconds();
   for_vertices(vertices, [&](std::size_t v) {
     RowTracer& tracer = tracers.local();
-    float* t = transfer.data() + v * count;
-    control_with_unshadowed(tracer.gatherer().gather(v), count, t);
+    const Gathered& seen = tracer.gatherer().gather(v);
+    control_with_unshadowed(seen, count, transfer.data() + v * count);
     tracer.meet(v);
     direct.factors.keep(v, tracer.row());
-    for (std::size_t c = 0; c < 3; ++c) {
-      double sum = 0.0;
-      for (std::size_t k = 0; k < count; ++k) sum += static_cast<double>(t[k]) * setup.light.at(c, k);
-      direct.radiance.row(v)[c] = sum * static_cast<double>(mesh.albedo[v][c]);
-    }
+    sight[v] = tracer.gatherer().sight(v, seen.fraction());
     progress.advance();
   });
+  Fill fill(closed_vertices(mesh, sight));
+  fill.apply(transfer.data(), count, count);
+  direct.factors.fill_with(std::move(fill));
+  for (std::size_t v = 0; v < vertices; ++v) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      double sum = 0.0;
+      for (std::size_t k = 0; k < count; ++k) {
+        sum += static_cast<double>(transfer[v * count + k]) * setup.light.at(c, k);
+      }
+      direct.radiance.row(v)[c] = sum * static_cast<double>(mesh.albedo[v][c]);
+    }
+  }
   direct.seconds = process_seconds() - start;
   progress.finish();
   return direct;
@@ -128,8 +137,7 @@ StudyPart study_bounces(const StudySetup& setup) {
   const Direct direct = trace_mesh(setup, options);
   const double each = seconds_of_application(direct, BounceLayout{coefficient_count(options.degree)});
   const std::vector<PartialSum> sums = partial_sums(mesh, direct);
-  const StudiedVertices all =
-      choose_vertices(mesh, setup.scene.camera, mesh.positions.size(), [](std::uint32_t) { return false; });
+  const StudiedVertices all = choose_vertices(mesh, setup.scene.camera, mesh.positions.size());
   StudyPart part{
       .name = "bounces",
       .axis = "terms of the series (bounces + 1)",

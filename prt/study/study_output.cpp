@@ -133,7 +133,7 @@ Json study_json(const Study& study, const Scene& scene) {
       {"scene", study.scene},
       {"vertices", study.vertices},
       {"faces", study.faces},
-      {"studied", {{"every", study.step}, {"vertices", study.studied}, {"left_out_as_filled", study.left_out}}},
+      {"studied", {{"every", study.step}, {"vertices", study.studied}, {"closed", study.closed}}},
       {"degree", study.degree},
       {"directions", study.directions},
       {"reference_directions", study.reference_directions},

@@ -15,7 +15,7 @@ namespace sh::prt {
 
 namespace {
 
-constexpr int kClassifyDirections = 2048;  // enough to see whether a vertex is covered
+constexpr int kClassifyDirections = 2048;  // enough to see whether a vertex is closed
 constexpr std::uint32_t kReferenceSeed = 0x5EED;
 
 // Windows are a separate part of the study.
@@ -27,20 +27,30 @@ std::vector<Light> lights_of(const Scene& scene) {
 
 std::vector<float> unshadowed_rows(const StudySetup& setup, int degree) {
   std::vector<Eigen::Vector3f> normals;
-  for (const std::uint32_t v : setup.vertices.index) normals.push_back(setup.scene.mesh.normals[v]);
+  for (const std::uint32_t v : setup.part->vertices()) normals.push_back(setup.scene.mesh.normals[v]);
   return unshadowed_transfer(degree, normals);
 }
 
-// Calls each(gathered, place among the studied vertices) on all threads.
-void gather_studied(const StudySetup& setup, const SharedDirections& directions, const char* what,
+// Calls each(gathered, place in the part) on all threads. Returns the fill of the part.
+Fill gather_studied(const StudySetup& setup, const SharedDirections& directions, const char* what,
                     const std::function<void(const Gathered&, std::size_t)>& each) {
-  output::Progress progress(what, setup.vertices.index.size());
-  gather_all(setup.scene.mesh, setup.starts, setup.tracer, directions, setup.vertices.index,
-             [&](const Gathered& seen, std::size_t i) {
+  const std::vector<std::uint32_t>& vertices = setup.part->vertices();
+  output::Progress progress(what, vertices.size());
+  std::vector<Sight> sight(vertices.size());
+  gather_all(setup.scene.mesh, setup.starts, setup.tracer, directions, vertices,
+             [&](Gatherer& gatherer, const Gathered& seen, std::size_t i) {
                each(seen, i);
+               sight[i] = gatherer.sight(vertices[i], seen.fraction());
                progress.advance();
              });
   progress.finish();
+  return setup.part->fill(sight);
+}
+
+// Fills the rows of the part, then keeps those of the studied vertices.
+void fill_studied(const StudySetup& setup, const Fill& fill, std::size_t columns, std::vector<float>& rows) {
+  fill.apply(rows.data(), columns, columns);
+  rows.resize(setup.part->wanted() * columns);
 }
 
 // Processor time of this thread.
@@ -57,9 +67,10 @@ TransferRows reference_rows(const StudySetup& setup) {
                                      .seed = kReferenceSeed});
   TransferRows rows{kMaxDegree, unshadowed_rows(setup, kMaxDegree)};
   const std::size_t count = coefficient_count(kMaxDegree);
-  gather_studied(setup, directions, "study: reference", [&](const Gathered& seen, std::size_t i) {
+  const Fill fill = gather_studied(setup, directions, "study: reference", [&](const Gathered& seen, std::size_t i) {
     control_with_unshadowed(seen, count, rows.values.data() + i * count);
   });
+  fill_studied(setup, fill, count, rows.values);
   return rows;
 }
 
@@ -75,11 +86,16 @@ std::optional<Radiances> under_the_lights(const StudySetup& setup) {
                                       out[0] = 1.0F;
                                       std::copy_n(value.data(), 3, out + 1);
                                     });
-  Radiances whole(setup.vertices.index.size());
-  gather_studied(setup, directions, "study: the light itself", [&](const Gathered& seen, std::size_t i) {
-    const Eigen::Vector3d sum(seen.visible[1], seen.visible[2], seen.visible[3]);
-    whole[i] = setup.scene.mesh.albedo[setup.vertices.index[i]].cast<double>().cwiseProduct(sum);
-  });
+  std::vector<float> sums(3 * setup.part->size());
+  const Fill fill = gather_studied(
+      setup, directions, "study: the light itself",
+      [&](const Gathered& seen, std::size_t i) { std::copy_n(seen.visible.data() + 1, 3, sums.data() + 3 * i); });
+  fill_studied(setup, fill, 3, sums);
+  Radiances whole;
+  for (std::size_t i = 0; i < setup.vertices.index.size(); ++i) {
+    const Eigen::Vector3d sum(sums[3 * i], sums[3 * i + 1], sums[3 * i + 2]);
+    whole.push_back(setup.scene.mesh.albedo[setup.vertices.index[i]].cast<double>().cwiseProduct(sum));
+  }
   return whole;
 }
 
@@ -93,13 +109,13 @@ StudySetup::StudySetup(const Scene& studied_scene, const StudyOptions& study_opt
       light(project(lights_of(scene), kMaxDegree)) {
   const SharedDirections directions({.degree = 0, .directions = kClassifyDirections});
   Gatherer gatherer(scene.mesh, starts, tracer, directions);
-  vertices = choose_vertices(scene.mesh, scene.camera, options.vertices, [&](std::uint32_t v) {
+  vertices = choose_vertices(scene.mesh, scene.camera, options.vertices);
+  std::size_t asked = 0;
+  part.emplace(scene.mesh, vertices.index, [&](std::uint32_t v) {
     output::check_interrupt();
-    const Sight sight = gatherer.sight(v, gatherer.gather(v).fraction());
-    const bool filled =
-        sight == Sight::kCovered || sight == Sight::kBuried;  // from neighbors: its own rays say nothing
-    left_out += filled ? 1 : 0;
-    return filled;
+    const bool is_closed = gatherer.sight(v, gatherer.gather(v).fraction()).closed() > 0.0F;
+    closed += asked++ < vertices.index.size() && is_closed ? 1 : 0;  // the studied ones are asked first
+    return is_closed;
   });
   exact = exact_transfer(scene, vertices.index, kMaxDegree);
   reference = reference_rows(*this);
@@ -149,12 +165,18 @@ TimedRows trace_rows(const StudySetup& setup, const BakeOptions& options) {
   const double start = thread_seconds();
   const SharedDirections directions(options);
   Gatherer gatherer(setup.scene.mesh, setup.starts, setup.tracer, directions);
+  const std::vector<std::uint32_t>& traced = setup.part->vertices();
+  std::vector<Sight> sight(traced.size());
   const double begin = thread_seconds();
-  for (std::size_t i = 0; i < setup.vertices.index.size(); ++i) {
+  for (std::size_t i = 0; i < traced.size(); ++i) {
     output::check_interrupt();
-    control_with_unshadowed(gatherer.gather(setup.vertices.index[i]), count, result.rows.values.data() + i * count);
+    if (i == setup.part->wanted()) result.seconds = thread_seconds() - begin;
+    const Gathered& seen = gatherer.gather(traced[i]);
+    control_with_unshadowed(seen, count, result.rows.values.data() + i * count);
+    sight[i] = gatherer.sight(traced[i], seen.fraction());
   }
-  result.seconds = thread_seconds() - begin;
+  if (traced.size() == setup.part->wanted()) result.seconds = thread_seconds() - begin;
+  fill_studied(setup, setup.part->fill(sight), count, result.rows.values);
   result.setup_seconds = begin - start;
   return result;
 }

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "prt/bake/traced_part.hpp"
 #include "prt/light/light_coefficients.hpp"
 #include "prt/rays/gather.hpp"
 #include "prt/scene/camera.hpp"
@@ -21,10 +22,9 @@ struct StudiedVertices {
   std::vector<double> weight;  // sums to 1
 };
 
-/// Every step-th vertex, about `count` in total, without those for which `leave_out` is true. A vertex weighs by its
-/// area (a third of the area of its faces) over the squared distance to the camera.
-StudiedVertices choose_vertices(const Mesh& mesh, const Camera& camera, std::size_t count,
-                                const std::function<bool(std::uint32_t)>& leave_out);
+/// Every step-th vertex, about `count` in total. A vertex weighs by its area (a third of the area of its faces) over the
+/// squared distance to the camera.
+StudiedVertices choose_vertices(const Mesh& mesh, const Camera& camera, std::size_t count);
 
 /// Radiances of the studied vertices, in their order.
 using Radiances = std::vector<Eigen::Vector3d>;
@@ -65,7 +65,8 @@ struct StudySetup {
   Tracer tracer;
   std::vector<RayStart> starts;
   StudiedVertices vertices;
-  std::size_t left_out = 0;
+  std::size_t closed = 0;             // of these
+  std::optional<TracedPart> part;     // the studied vertices and those that their light needs
   LightCoefficients light;            // of degree kMaxDegree, without windows
   TransferRows reference;             // of degree kMaxDegree, reference_directions() cosine directions
   std::optional<TransferRows> exact;  // the closed-form solution, if there is one

@@ -122,7 +122,7 @@ void bounces(Table& table) {
   transfer.shape.degree = scene.bake.degree;
   transfer.coefficients = unshadowed_transfer(scene.bake.degree, scene.mesh.normals);
   FormFactors factors(vertices);
-  ShadowResult result{transfer, std::vector<Sight>(vertices, Sight::kSome), &factors};
+  ShadowResult result{transfer, std::vector<Sight>(vertices), &factors};
   Checkpoint none({}, "", result);
   const double pass = processor_seconds([&] { ShadowPass(setup, {}, result).run(none); });
   const BounceLayout layout{transfer.shape.count()};

@@ -208,7 +208,7 @@ TEST_P(StoppedShadowedBake, RefusesWhatIsNoCheckpointEvenOnRestart) {
   damaged = whole_part_;
   damaged[8] ^= 2;
   write_all(part_, damaged);
-  expect_refused({}, "checkpoint of version 3, expected 1");
+  expect_refused({}, "checkpoint of version 0, expected 2");
   std::filesystem::remove(part_);
   expect_refused({"--checkpoint", folder_.file("none/x")}, "none/x: cannot write");
   expect_refused({"--checkpoint", folder_.file("")}, "is a folder");

@@ -73,6 +73,38 @@ TEST(Mirrors, OfAColorGiveEachChannelItsOwnTransferWithBouncesAndAreRefusedWitho
       "test: its mirrors have colors, which shadowed transfer cannot hold; expected gray mirrors, or interreflected");
 }
 
+// What is not a mirror in a channel is diffuse there; a mirror of one channel beside the albedo of another would reflect
+// up to 1.75 of the light.
+TEST(Mirrors, OfAColorAreSolvedInEachChannelWithItsOwnAlbedo) {
+  const Eigen::Vector3f reflectance(0.9F, 0.5F, 0.05F);
+  const Eigen::Vector3f albedo(0.05F, 0.45F, 0.85F);
+  Scene scene = scene_of(hollow_sphere(16, 0.7F), &kInterreflected, 512);
+  scene.mesh.mirror.assign(scene.mesh.positions.size(), reflectance);
+  paint(scene.mesh, albedo);
+  shine(scene.mesh, {0.5F, 1.0F, 2.0F});
+  testing::internal::CaptureStderr();
+  const Transfer colored = bake(scene);
+  const std::string said = testing::internal::GetCapturedStderr();
+  EXPECT_EQ(said.find("did not converge"), std::string::npos) << said;
+  EXPECT_LE(colored.bounces.largest * static_cast<double>(kRoot4Pi), 1.0) << "more than the light that comes in";
+  EXPECT_EQ(colored.mesh.albedo, scene.mesh.albedo);
+  EXPECT_EQ(colored.mesh.mirror, scene.mesh.mirror);
+  EXPECT_EQ(colored.mesh.emission, scene.mesh.emission);
+  for (int c = 0; c < 3; ++c) {
+    Scene gray = scene;
+    std::fill(gray.mesh.mirror.begin(), gray.mesh.mirror.end(), Eigen::Vector3f::Constant(reflectance[c]));
+    paint(gray.mesh, Eigen::Vector3f::Constant(albedo[c]));
+    const Transfer alone = bake(gray);
+    for (std::size_t v = 0; v < scene.mesh.positions.size(); ++v) {
+      for (std::size_t i = 0; i < 9; ++i) {
+        const std::size_t at = static_cast<std::size_t>(c) * 9 + i;
+        ASSERT_NEAR(colored.row(v)[at], alone.row(v)[at], 1e-4F) << "channel " << c << ", vertex " << v;
+      }
+      ASSERT_NEAR(colored.emitted[v][c], alone.emitted[v][c], 1e-3F) << "channel " << c << ", vertex " << v;
+    }
+  }
+}
+
 // A lamp before a perfect mirror is two lamps, and the ground before it a ground twice as wide.
 TEST(Mirrors, ShowALampToTheGroundAsASecondLamp) {
   const auto lamp = [](float x) {

@@ -12,6 +12,7 @@
 #include "prt/study/error_picture.hpp"
 #include "prt/study/study_setup.hpp"
 #include "tests/prt/image_files.hpp"
+#include "tests/prt/rooms.hpp"
 #include "tests/prt/temporary_folder.hpp"
 #include "tests/prt/tool.hpp"
 
@@ -117,16 +118,35 @@ TEST_F(DiscStudy, SeesNoBounceWhereNothingIsSeenFromItsFront) {
 TEST(StudiedVertices, AreEveryKthAndWeighWhatTheCameraSees) {
   const Scene scene = load_scene("disc", OnFlaw::kRefuse);
   const std::size_t count = scene.mesh.positions.size();
-  const StudiedVertices some = choose_vertices(scene.mesh, scene.camera, 100, [](std::uint32_t) { return false; });
+  const StudiedVertices some = choose_vertices(scene.mesh, scene.camera, 100);
   EXPECT_EQ(some.step, (count + 50) / 100);
   EXPECT_EQ(some.index[3], 3 * some.step);
   double sum = 0.0;
   for (const double weight : some.weight) sum += weight;
   EXPECT_NEAR(sum, 1.0, 1e-12);
-  const StudiedVertices all =
-      choose_vertices(scene.mesh, scene.camera, 10 * count, [](std::uint32_t v) { return v == 1; });
+  const StudiedVertices all = choose_vertices(scene.mesh, scene.camera, 10 * count);
   EXPECT_EQ(all.step, 1U);
-  EXPECT_EQ(all.index.size(), count - 1);
+  EXPECT_EQ(all.index.size(), count);
+}
+
+TEST(StudiedVertices, ThatAreClosedHaveTheLightOfABake) {
+  Mesh mesh = primitive_mesh("plane");
+  refine(mesh, 0.08F);
+  append(mesh, primitive_mesh("box", 24, Eigen::Affine3f(Eigen::Scaling(0.5F))));
+  Scene scene = scene_of(mesh, &kShadowed, 512, 2);
+  scene.lights = {LightSpec{}};
+  scene.camera = {{2.0F, 2.0F, 2.0F}, {0.0F, 0.0F, 0.0F}, {0.0F, 0.0F, 1.0F}, 40.0F};
+  const Transfer baked = bake(scene);
+  const StudyOptions options{.vertices = mesh.positions.size() / 3, .most_directions = 512};
+  const StudySetup setup(scene, options);
+  EXPECT_GT(setup.closed, 10U);
+  const TransferRows rows = trace_rows(setup, scene.bake).rows;
+  ASSERT_EQ(rows.values.size(), setup.vertices.index.size() * 9);
+  for (std::size_t i = 0; i < setup.vertices.index.size(); ++i) {
+    for (std::size_t k = 0; k < 9; ++k) {
+      EXPECT_NEAR(rows.row(i)[k], baked.row(setup.vertices.index[i])[k], 1e-6F) << setup.vertices.index[i];
+    }
+  }
 }
 
 TEST(RadianceErrors, AreRelativeToTheReferenceAndNameTheWorstVertex) {

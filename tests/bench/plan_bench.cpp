@@ -1,0 +1,102 @@
+// What plans promise and what they cost: for error limits .1, .03 and .01, the stated error of `prt plan` against the
+// error measured with 16 times the directions over eight turns of the light, and the rays that the plan prints against
+// those that its bake traces. Minutes a scene. Usage: plan_bench [demo|real|room|gltf]..., by default all. Exit 0 if
+// every measured error is at most the stated one, and every stated one at most 4 times it (with bounces 6 times).
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "numeric/output/stopwatch.hpp"
+#include "prt/scene/scene.hpp"
+#include "tests/prt/plan_promise.hpp"
+
+namespace {
+
+using namespace sh::prt;
+using nlohmann::json;
+
+constexpr int kMoreDirections = 16;
+constexpr double kLoosest = 4.0;         // stated over measured
+constexpr double kLoosestBounces = 6.0;  // the same with bounces
+
+const char* const kGltf = "/usr/share/assimp/models/glTF2/2CylinderEngine-glTF-Binary/2CylinderEngine.glb";
+
+Scene scene_of(const json& description) {
+  const std::filesystem::path file = std::filesystem::temp_directory_path() / "shforge_plan_bench.json";
+  std::ofstream(file) << description;
+  Scene scene = load_scene(file.string(), OnFlaw::kMend);
+  std::filesystem::remove(file);
+  return scene;
+}
+
+// The scene of a word; the demo's real scene has longer edges here, so that it takes minutes and not an hour.
+Scene scene_called(const std::string& word) {
+  const std::string folder = SHFORGE_SCENES;
+  if (word == "room") return load_scene(folder + "/room.json", OnFlaw::kMend);
+  if (word == "real") {
+    json real = json::parse(std::ifstream(folder + "/real.json"));
+    real["meshes"][0]["max_edge"] = 0.08;
+    return scene_of(real);
+  }
+  if (word == "gltf") return scene_of({{"meshes", {{{"file", kGltf}}}}, {"ground", json::object()}});
+  return load_scene(word, OnFlaw::kMend);
+}
+
+// Prints one line; true if the promise is kept.
+bool keeps_promise(const Scene& scene, const Transfer& reference, double error) {
+  const PlanOptions options{.mode = PlanMode::kLossy, .error = error, .turns = scene.plan.turns};
+  const sh::output::Stopwatch planning;
+  try {
+    const BakeJob job = test::planned_as(scene, options);
+    const double plan_seconds = planning.seconds();
+    BakeReport report;
+    const sh::output::Stopwatch baking;
+    const Transfer planned = test::stored(bake(job, &report));
+    const double bake_seconds = baking.seconds();
+    const double stated = job.plan->record.error;
+    const double measured = test::measured_error(scene, planned, reference, options.turns, job.plan->reference);
+    const double loosest = scene.bake.kind->has_bounces() ? kLoosestBounces : kLoosest;
+    const bool kept = measured <= stated && stated <= loosest * measured && stated <= error;
+    fmt::print("  {:<6g}{:>10.2g}{:>10.2g}{:>8.2f}{:>10.2f}{:>10.2f}{:>8.1f}{:>8.1f}  {} {} {} {}{}\n", error, stated,
+               measured, stated / measured, static_cast<double>(job.plan->planned.rays) * 1e-6,
+               static_cast<double>(report.rays) * 1e-6, plan_seconds, bake_seconds, planned.kind->letters,
+               planned.degree(), planned.directions, word_of(planned.shape.storage.element, kElementNames),
+               kept ? "" : "  BROKEN");
+    return kept;
+  } catch (const std::invalid_argument& refusal) {
+    fmt::print("  {:<6g}refused: {}\n", error, refusal.what());
+    return false;
+  }
+}
+
+bool measure(const std::string& word) {
+  const Scene scene = scene_called(word);
+  const Transfer reference = test::full_bake(scene, kMoreDirections * scene.bake.directions);
+  fmt::print("{}: {} vertices, {}, against {} directions\n", word, scene.mesh.positions.size(), scene.bake.kind->word,
+             reference.directions);
+  fmt::print("  {:<6}{:>10}{:>10}{:>8}{:>10}{:>10}{:>8}{:>8}\n", "limit", "stated", "measured", "ratio", "M planned",
+             "M traced", "plan s", "bake s");
+  bool kept = true;
+  for (const double error : {0.1, 0.03, 0.01}) kept = keeps_promise(scene, reference, error) && kept;
+  std::fflush(stdout);
+  return kept;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) try {
+  std::vector<std::string> words(argv + 1, argv + argc);
+  if (words.empty()) words = {"demo", "real", "room", "gltf"};
+  bool kept = true;
+  for (const std::string& word : words) kept = measure(word) && kept;
+  return kept ? 0 : 1;
+} catch (const std::exception& error) {
+  fmt::print(stderr, "plan_bench: {}\n", error.what());
+  return 2;
+}
