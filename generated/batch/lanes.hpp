@@ -36,11 +36,11 @@ class Lanes {
   static constexpr std::size_t kWidth = Register::size;
   static constexpr std::size_t kParts = detail::kLine / sizeof(Register);  // to cover a block
 
-  Lanes() noexcept {}
+  Lanes() noexcept {}  // NOLINT(modernize-use-equals-default): Lanes{} must not cost a store
   explicit Lanes(T value) noexcept : Lanes(Register(value)) {}
   Lanes(Register value) noexcept : part_{value.data} {}
   Lanes(const Lanes& other) noexcept : part_{other.part_[0]} {}
-  Lanes& operator=(const Lanes& other) noexcept {
+  Lanes& operator=(const Lanes& other) noexcept {  // NOLINT(bugprone-unhandled-self-assignment): copies one register
     part_[0] = other.part_[0];
     return *this;
   }

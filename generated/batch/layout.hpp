@@ -145,7 +145,7 @@ inline Four widen_four(const Half* from) {
   const Four small = __builtin_convertvector(bits & 0x3ff, Four) * 5.9604645e-08F;  // 2^-24: subnormal
   Words small_bits;
   std::memcpy(&small_bits, &small, sizeof small);
-  const Words is_small = Words(exponent == 0);
+  const auto is_small = Words(exponent == 0);
   wide = (small_bits & is_small) | (wide & ~is_small) | (bits & std::numeric_limits<std::int32_t>::min());
   Four values;
   std::memcpy(&values, &wide, sizeof values);

@@ -121,7 +121,7 @@ QuarterTurnClass::Reflection QuarterTurnClass::find_reflection(int degree, const
   Rationals projector(size, size);
   for (int i = 0; i < size; ++i) {
     for (int j = 0; j < size; ++j) {
-      const cln::cl_RA entry = turn(degree + orders[i], degree + orders[j]);
+      const cln::cl_RA& entry = turn(degree + orders[i], degree + orders[j]);
       projector(i, j) = ((i == j ? 1 : 0) - (result.negative ? -entry : entry)) / 2;
     }
   }
