@@ -10,6 +10,7 @@
 //                                                    leave out known zeros and unwanted results
 //                     [--degree-left A --degree-right B]  a product of factors of these degrees
 //   shgen dump STAGE KERNEL                          print the SSA of a kernel after a stage: dump share basis_l4
+//   shgen bound FAMILY --degree N --scalar half|float|double   prove a bound of the kernel's rounding error
 //   shgen prove [NAME...] [--degree L] [--json FILE] prove every identity of symbolic/, or the named ones
 //   shgen errata [ID|SOURCE...] [--verdict V] [--json FILE]  decide every formula of the sources exactly
 //   shgen tex|markdown FAMILY --degree N [--convention C]  print formulas of symbolic/
@@ -34,6 +35,7 @@ void add_commands(CLI::App& tool, int& exit_code) {
   add_tune_command(tool, exit_code);
   add_emit_command(tool, exit_code);
   add_dump_command(tool, exit_code);
+  add_bound_command(tool, exit_code);
   add_prove_command(tool, exit_code);
   add_errata_command(tool, exit_code);
   add_typeset_commands(tool, exit_code);
@@ -52,7 +54,7 @@ int run(int argc, char** argv) {
   }
   if (tool.get_subcommands().empty()) {
     throw std::invalid_argument(
-        "no command: expected one of: write, check, list, tune, emit, dump, prove, errata, tex, markdown");
+        "no command: expected one of: write, check, list, tune, emit, dump, bound, prove, errata, tex, markdown");
   }
   if (!std::cout.flush())
     throw std::runtime_error("standard output: expected a writable file with enough space, got an error");

@@ -25,6 +25,7 @@ void add_list_command(CLI::App& tool, int& exit_code);
 void add_tune_command(CLI::App& tool, int& exit_code);
 void add_emit_command(CLI::App& tool, int& exit_code);
 void add_dump_command(CLI::App& tool, int& exit_code);
+void add_bound_command(CLI::App& tool, int& exit_code);
 void add_prove_command(CLI::App& tool, int& exit_code);
 void add_errata_command(CLI::App& tool, int& exit_code);
 void add_typeset_commands(CLI::App& tool, int& exit_code);

@@ -1,4 +1,5 @@
-// Runs a kernel in a given arithmetic: float and double (one rounding per node, no contraction), or CLN floats.
+// Runs a kernel in a given arithmetic: float and double (one rounding per node, no contraction), CLN floats, or any
+// type with the same operators and a function that converts constants.
 //
 // An Evaluator converts the constants once and serves many inputs.
 #pragma once
@@ -7,6 +8,7 @@
 #include <cln/real.h>
 
 #include <cmath>
+#include <functional>
 #include <span>
 #include <stdexcept>
 #include <type_traits>
@@ -17,20 +19,24 @@
 
 namespace sh::codegen {
 
-/// T: float, double or cln::cl_F. All CLN inputs should have the digits that the constructor gets, because CLN rounds
+/// T: float, double, cln::cl_F or another type with operators. All CLN inputs should have the digits that the constructor gets, because CLN rounds
 /// mixed operations to the shorter operand.
 template <class T>
 class Evaluator {
  public:
   /// digits: decimal digits of the constants, for cl_F only. The kernel has to outlive the evaluator.
   explicit Evaluator(const Kernel& kernel, int digits = 0)
+      : Evaluator(kernel, [digits](const ExactReal& constant) { return convert(constant, digits); }) {}
+
+  /// convert: the value of a constant in T.
+  Evaluator(const Kernel& kernel, const std::function<T(const ExactReal&)>& convert)
       : kernel_(kernel), phases_(phases(kernel)), values_(kernel.nodes.size()) {
     for (std::size_t i = 0; i < kernel.nodes.size(); ++i) {
-      if (kernel.nodes[i].op == Op::kConstant) values_[i] = convert(kernel.nodes[i].constant, digits);
+      if (kernel.nodes[i].op == Op::kConstant) values_[i] = convert(kernel.nodes[i].constant);
     }
     for (const auto& row : kernel.table) {
       table_.emplace_back();
-      for (const ExactReal& constant : row) table_.back().push_back(convert(constant, digits));
+      for (const ExactReal& constant : row) table_.back().push_back(convert(constant));
     }
   }
 
@@ -86,7 +92,8 @@ class Evaluator {
     if constexpr (std::is_floating_point_v<T>) {
       return std::sqrt(a);
     } else {
-      return cln::sqrt(a);
+      using cln::sqrt;
+      return sqrt(a);
     }
   }
 

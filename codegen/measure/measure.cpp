@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "codegen/ir/evaluate.hpp"
+#include "codegen/measure/arithmetic.hpp"
 #include "codegen/measure/rotations.hpp"
 #include "numeric/kernels/size_formula.hpp"
 
@@ -16,15 +16,29 @@ namespace {
 // More than double needs, even after the cancellation at the largest degree.
 constexpr int kDigits = 40;
 
-// Every float and double is exact in more digits.
-cln::cl_F exact(double value) { return cln::cl_float(value, cln::float_format(kDigits)); }
+// Every float and double is exact in more digits. CLN reads no subnormal double; these count as 0.
+cln::cl_F exact(double value) {
+  const bool subnormal = std::abs(value) < std::numeric_limits<double>::min();
+  return cln::cl_float(subnormal ? 0 : value, cln::float_format(kDigits));
+}
+
+// True if the difference is larger in eps than the error so far.
+template <class T>
+bool take_largest(Error& error, const cln::cl_F& difference, double size) {
+  if (cln::zerop(difference)) return false;  // the size may be 0
+  const double absolute = cln::double_approx(cln::abs(difference));
+  const double eps = absolute / (Arithmetic<T>::kEpsilon * size);
+  error.absolute = std::max(error.absolute, absolute);
+  if (eps <= error.eps) return false;
+  error.eps = eps;
+  return true;
+}
 
 template <class T>
-void take_largest(Error& error, const cln::cl_F& difference, double size) {
-  if (cln::zerop(difference)) return;  // the size may be 0
-  const double absolute = cln::double_approx(cln::abs(difference));
-  error.absolute = std::max(error.absolute, absolute);
-  error.eps = std::max(error.eps, absolute / (static_cast<double>(std::numeric_limits<T>::epsilon()) * size));
+std::vector<double> as_doubles(const std::vector<T>& values) {
+  std::vector<double> result;
+  for (const T value : values) result.push_back(static_cast<double>(value));
+  return result;
 }
 
 using Iterator = std::vector<cln::cl_F>::iterator;
@@ -116,13 +130,16 @@ Size size_of(const Kernel& kernel, const Domain& domain) {
 }
 
 template <class T>
-MeasuredError measure(const Kernel& kernel, const Domain& domain) {
+MeasuredError measure(const Kernel& kernel, const Domain& domain, const std::vector<std::vector<double>>& more) {
   MeasuredError result;
-  Evaluator<T> rounded(kernel);
+  Evaluator<T> rounded = Arithmetic<T>::rounded(kernel);
   Evaluator<cln::cl_F> formula(kernel, kDigits);
   const bool always_in_domain = nearest_point(kernel.parameters).empty();
   const Size size_at = size_of(kernel, domain);
-  for (const std::vector<double>& wanted : domain.test_inputs(kernel.degree)) {
+  std::vector<std::vector<double>> inputs = domain.test_inputs(kernel.degree);
+  result.inputs = static_cast<int>(inputs.size());
+  inputs.insert(inputs.end(), more.begin(), more.end());
+  for (const std::vector<double>& wanted : inputs) {
     std::vector<T> input;
     std::vector<cln::cl_F> exact_input;
     for (const double component : wanted) {
@@ -137,16 +154,16 @@ MeasuredError measure(const Kernel& kernel, const Domain& domain) {
       const cln::cl_F value = exact(static_cast<double>(computed[i]));
       const auto element = static_cast<std::size_t>(kernel.element(i));
       const double size = size_at(wanted, element);
-      take_largest<T>(result.rounding, value - same_input[i], size);
+      if (take_largest<T>(result.rounding, value - same_input[i], size)) result.worst = as_doubles(input);
       take_largest<T>(result.total, value - in_domain[i], size);
     }
-    ++result.inputs;
   }
   return result;
 }
 
-template MeasuredError measure<float>(const Kernel&, const Domain&);
-template MeasuredError measure<double>(const Kernel&, const Domain&);
+template MeasuredError measure<float>(const Kernel&, const Domain&, const std::vector<std::vector<double>>&);
+template MeasuredError measure<double>(const Kernel&, const Domain&, const std::vector<std::vector<double>>&);
+template MeasuredError measure<Half>(const Kernel&, const Domain&, const std::vector<std::vector<double>>&);
 
 FinishedKernel finish(Kernel kernel, Domain domain) {
   const Cost operations = cost(kernel);

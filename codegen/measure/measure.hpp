@@ -1,4 +1,4 @@
-// Measures the error of a kernel on its family's test inputs, in float and double, without contraction.
+// Measures the error of a kernel on its family's test inputs, in float, double and half, without contraction.
 //
 // Rounding error: the difference from the kernel's own formula in exact arithmetic at the same rounded input. Total
 // error: the difference from the exact functions at the point of the domain that the input represents (for a direction:
@@ -23,16 +23,17 @@ struct Error {
   double eps = 0;  ///< in units of machine epsilon x size
 };
 
-/// The errors of one kernel in one type.
+/// The largest errors seen of one kernel in one type.
 struct MeasuredError {
   int inputs = 0;  ///< the number of test inputs
   Error rounding;
   Error total;
+  std::vector<double> worst;  ///< the flattened input with the largest rounding error in eps
 };
 
-/// T: float or double.
+/// T: float, double or Half. more: inputs beside the tested ones, such as those that a search found (search.hpp).
 template <class T>
-MeasuredError measure(const Kernel& kernel, const Domain& domain);
+MeasuredError measure(const Kernel& kernel, const Domain& domain, const std::vector<std::vector<double>>& more = {});
 
 /// A kernel at the end of the pipeline, with all facts that its file states.
 struct FinishedKernel {

@@ -1,0 +1,110 @@
+#include "codegen/bound/form.hpp"
+
+#include <stdexcept>
+
+namespace sh::codegen::bound {
+namespace {
+
+using Terms = std::vector<Form::Term>;
+
+// Merges the terms of a and b: both(x, y) for a monomial of both, second(y) for one of b alone.
+template <class Both, class Second>
+void merge(Terms& result, const Terms& a, const Terms& b, const Both& both, const Second& second) {
+  result.clear();
+  auto x = a.begin();
+  auto y = b.begin();
+  while (x != a.end() || y != b.end()) {
+    if (y == b.end() || (x != a.end() && x->monomial < y->monomial)) {
+      result.push_back(*x++);
+    } else if (x == a.end() || y->monomial < x->monomial) {
+      result.push_back({y->monomial, second(y->factor)});
+      ++y;
+    } else {
+      result.push_back({x->monomial, both(x->factor, y->factor)});
+      ++x, ++y;
+    }
+  }
+}
+
+// Adds up the terms of equal monomials.
+void collect(Terms& terms) {
+  std::sort(terms.begin(), terms.end(),
+            [](const Form::Term& a, const Form::Term& b) { return a.monomial < b.monomial; });
+  std::size_t last = 0;
+  for (std::size_t i = 1; i < terms.size(); ++i) {
+    if (terms[i].monomial == terms[last].monomial) {
+      terms[last].factor = terms[last].factor + terms[i].factor;
+    } else {
+      terms[++last] = terms[i];
+    }
+  }
+  if (!terms.empty()) terms.resize(last + 1);
+}
+
+template <class Widen>
+void add_terms(Form& sum, const Form& a, const Widen& widen) {
+  if (sum.is_number() && a.is_number() && !sum.terms.empty() && !a.terms.empty()) {
+    sum.terms[0].factor = sum.terms[0].factor + widen(a.terms[0].factor);
+    return;
+  }
+  if (sum.terms.empty()) {
+    sum.terms = a.terms;
+    for (Form::Term& term : sum.terms) term.factor = widen(term.factor);
+    return;
+  }
+  Terms merged;
+  merge(
+      merged, sum.terms, a.terms, [&](Interval x, Interval y) { return x + widen(y); }, widen);
+  sum.terms.swap(merged);
+}
+
+}  // namespace
+
+Monomial product_of(Monomial a, Monomial b) {
+  if (a == kOne) return b;
+  if (b == kOne) return a;
+  if (degree_of(a) + degree_of(b) > 2) throw std::domain_error("it multiplies more than two coefficients");
+  return std::min(a, b) << 16U | std::max(a, b);
+}
+
+bool Form::is_finite() const {
+  return std::all_of(terms.begin(), terms.end(), [](const Term& term) { return term.factor.is_finite(); });
+}
+
+void set_sum(Form& result, const Form& a, const Form& b) {
+  if (a.is_number() && b.is_number()) return result.set(a.number() + b.number());
+  merge(
+      result.terms, a.terms, b.terms, [](Interval x, Interval y) { return x + y; }, [](Interval y) { return y; });
+}
+
+void set_difference(Form& result, const Form& a, const Form& b) {
+  if (a.is_number() && b.is_number()) return result.set(a.number() - b.number());
+  merge(
+      result.terms, a.terms, b.terms, [](Interval x, Interval y) { return x - y; }, [](Interval y) { return -y; });
+}
+
+void set_product(Form& result, const Form& a, const Form& b) {
+  if (a.is_number() && b.is_number()) return result.set(a.number() * b.number());
+  result.terms.clear();
+  for (const Form::Term& x : a.terms) {
+    for (const Form::Term& y : b.terms) {
+      result.terms.push_back({product_of(x.monomial, y.monomial), x.factor * y.factor});
+    }
+  }
+  if (!a.is_number() && !b.is_number()) collect(result.terms);
+}
+
+void set_negative(Form& result, const Form& a) {
+  result.terms = a.terms;
+  for (Form::Term& term : result.terms) term.factor = -term.factor;
+}
+
+void accumulate(Form& sum, const Form& a) {
+  add_terms(sum, a, [](Interval x) { return x; });
+}
+
+void accumulate_with_zero(Form& sum, const Form& a) {
+  add_terms(sum, a, [](Interval x) { return with_zero(x); });
+}
+
+}  // namespace sh::codegen::bound

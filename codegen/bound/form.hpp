@@ -1,0 +1,51 @@
+// Polynomials in a kernel's coefficients, with intervals as factors: the value of a node on a box of directions.
+//
+// A kernel is linear or bilinear in arrays of coefficients, which have too many dimensions for boxes. So their numbers
+// stay symbols: a node is the sum of factor * monomial, where a monomial is 1, c_i or c_i c_j. A node that depends on no
+// coefficient has the monomial 1 alone.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "codegen/bound/interval.hpp"
+
+namespace sh::codegen::bound {
+
+/// 1 (0), c_i (i+1), or c_i c_j with i <= j ((i+1) << 16 | j+1).
+using Monomial = std::uint32_t;
+
+inline constexpr Monomial kOne = 0;
+inline Monomial monomial_of(int input) { return static_cast<Monomial>(input) + 1; }
+/// The number of coefficients in a monomial, 0 to 2.
+inline int degree_of(Monomial m) { return m == kOne ? 0 : (m >> 16) == 0 ? 1 : 2; }
+/// Throws std::domain_error for a product of more than two coefficients.
+Monomial product_of(Monomial a, Monomial b);
+
+/// A sum of factor * monomial, in the order of the monomials.
+struct Form {
+  struct Term {
+    Monomial monomial = kOne;
+    Interval factor;
+  };
+  std::vector<Term> terms;
+
+  void set(Interval value) { terms.assign(1, {kOne, value}); }
+  /// True if the value depends on no coefficient.
+  [[nodiscard]] bool is_number() const { return terms.empty() || (terms.size() == 1 && terms[0].monomial == kOne); }
+  /// The value of a form that is a number.
+  [[nodiscard]] Interval number() const { return terms.empty() ? Interval{} : terms[0].factor; }
+  [[nodiscard]] bool is_finite() const;
+};
+
+/// Each function overwrites `result`, which must not be an argument.
+void set_sum(Form& result, const Form& a, const Form& b);
+void set_difference(Form& result, const Form& a, const Form& b);
+void set_product(Form& result, const Form& a, const Form& b);
+void set_negative(Form& result, const Form& a);
+/// sum += a.
+void accumulate(Form& sum, const Form& a);
+/// sum += the form with every factor widened to hold 0.
+void accumulate_with_zero(Form& sum, const Form& a);
+
+}  // namespace sh::codegen::bound

@@ -1,0 +1,158 @@
+#include "codegen/bound/size.hpp"
+
+#include <stdexcept>
+
+namespace sh::codegen::bound {
+namespace {
+
+// Sizes and norms are computed in double, to nearest; this factor covers their roundings.
+constexpr double kSlack = 1 + 1e-9;
+
+bool holds(const std::string& text, const char* part) { return text.find(part) != std::string::npos; }
+
+}  // namespace
+
+Sizes::Sizes(const Kernel& kernel, const Domain& domain, const Region& region, const Format& format)
+    : kernel_(kernel), region_(region), scale_(format.scale), size_(size_of(kernel, domain)) {
+  if (domain.size) throw std::domain_error("the size of its unit is that of another convention");
+  const bool symbols = std::count(region.coordinate.begin(), region.coordinate.end(), -1) > 0;
+  if (!symbols) return;
+  for (const std::string& text : domain.sizes) {
+    const bool elements = holds(text, "[i]") || holds(text, "[l]");
+    if (!elements && !holds(text, "|")) throw std::domain_error("its size does not grow with its coefficients");
+    if (holds(text, "cap(")) throw std::domain_error("its size depends on two arrays of inputs in different ways");
+    kind_ = elements ? Kind::kSum : Kind::kNorm;
+  }
+}
+
+Sized Sizes::operator()(const Magnitudes& error, std::size_t output, const Box& box) const {
+  if (kind_ == Kind::kSum) return of_sum(error, output);
+  if (kind_ == Kind::kNorm) return of_norm(error, output);
+  const double absolute = error.one();
+  if (absolute == 0) return {};
+  const double size = of_box(box, output);
+  if (!(size > 0)) throw std::domain_error("its size may be zero");
+  return {absolute / size * kSlack, region_.homogeneous ? 0 : absolute};
+}
+
+double Sizes::at(const std::vector<double>& inputs, std::size_t output) const {
+  return size_(inputs, static_cast<std::size_t>(kernel_.element(static_cast<int>(output)))) / kSlack;
+}
+
+// The least size on a box. The sizes of caps are concave in the only coordinate; all others depend on no coordinate but
+// the length of the vector, which is 1.
+double Sizes::of_box(const Box& box, std::size_t output) const {
+  std::vector<double> inputs(region_.coordinate.size(), 0.0);
+  if (region_.logarithmic < 0) {
+    if (!inputs.empty()) inputs[0] = 1;
+    return at(inputs, output);
+  }
+  const Interval cap = box[region_.logarithmic];
+  inputs[0] = cap.low;
+  const double low = at(inputs, output);
+  inputs[0] = cap.high;
+  return std::min(low, at(inputs, output));
+}
+
+// The size where one or two coefficients are 1 and all others 0. `second` is `first` for linear kernels.
+double Sizes::of_unit(std::size_t first, std::size_t second, std::size_t output) const {
+  const auto [position, added] = known_.try_emplace({first, second, output}, 0);
+  if (added) {
+    std::vector<double> inputs(region_.coordinate.size(), 0.0);
+    inputs[first] = inputs[second] = 1;
+    position->second = at(inputs, output);
+  }
+  return position->second;
+}
+
+// |error| <= sum e_i |c_i| + e and size = sum s_i |c_i|, so the quotient is at most the largest e_i / s_i, and e / size.
+Sized Sizes::of_sum(const Magnitudes& error, std::size_t output) const {
+  Sized sized;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < error.inputs(); ++i) {
+    if (error.of(i) == 0) continue;
+    const double size = of_unit(i, i, output);
+    if (!(size > 0)) throw std::domain_error("its size leaves out a coefficient");
+    least = std::min(least, size);
+    sized.relative = std::max(sized.relative, error.of(i) / size);
+    sized.absolute += error.of(i);
+  }
+  if (error.one() > 0) sized.relative += error.one() * scale_ / least;
+  return {sized.relative * kSlack, (sized.absolute + error.one()) * kSlack};
+}
+
+Sized Sizes::of_norm(const Magnitudes& error, std::size_t output) const {
+  const std::size_t count = error.inputs();
+  double square = 0;
+  std::optional<std::array<std::size_t, 2>> used;
+  for (std::size_t i = 0; i < count; ++i) {
+    square += error.of(i) * error.of(i);
+    if (error.of(i) > 0) used = {i, i};
+  }
+  const double linear = std::sqrt(square) * kSlack;
+  if (!error.is_bilinear()) {
+    if (!used) return {};
+    const double absolute = linear + error.one() * scale_;
+    return {absolute / of_unit((*used)[0], (*used)[1], output) * kSlack, absolute};
+  }
+  std::vector<std::vector<double>> upper(count, std::vector<double>(count, 0.0));
+  bool same = false;  // one array is squared
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t k = i; k < count; ++k) {
+      upper[i][k] = error.of(i, k);
+      if (upper[i][k] > 0) used = {i, k};
+      same = same || (i == k && upper[i][k] > 0);
+    }
+  }
+  if (!used) return {};
+  // Both arrays together have length sqrt(2) if each has length 1.
+  const double bilinear = largest_form(upper) * (same ? 1 : 2);
+  const double absolute = bilinear + (linear * 2 + error.one() * scale_) * scale_;
+  return {absolute / of_unit((*used)[0], (*used)[1], output) * kSlack, absolute};
+}
+
+std::vector<double> Sizes::worst_coefficients(const Magnitudes& error) const {
+  std::vector<double> input(error.inputs(), 0.0);
+  double square = 0;
+  for (std::size_t i = 0; i < input.size(); ++i) {
+    const bool symbol = region_.coordinate[i] < 0;
+    input[i] = !symbol ? 0 : kind_ == Kind::kNorm && !error.is_bilinear() ? error.of(i) : 1;
+    square += input[i] * input[i];
+  }
+  for (double& value : input) value /= square > 0 && kind_ == Kind::kNorm ? std::sqrt(square) : 1;
+  return input;
+}
+
+double largest_form(const std::vector<std::vector<double>>& upper) {
+  const std::size_t count = upper.size();
+  constexpr int kIterations = 60;
+  double most = 0;
+  for (const auto& row : upper) {
+    for (const double factor : row) most = std::max(most, factor);
+  }
+  if (most == 0) return 0;
+  std::vector<double> x(count, 1.0);
+  std::vector<double> image(count);
+  double best = std::numeric_limits<double>::infinity();
+  for (int iteration = 0; iteration < kIterations; ++iteration) {
+    // The shift by `most` keeps the iteration from swinging between two arrays.
+    for (std::size_t i = 0; i < count; ++i) image[i] = (most + upper[i][i]) * x[i];
+    for (std::size_t i = 0; i < count; ++i) {
+      for (std::size_t k = i + 1; k < count; ++k) {
+        image[i] += upper[i][k] / 2 * x[k];
+        image[k] += upper[i][k] / 2 * x[i];
+      }
+    }
+    double largest = 0, norm = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      largest = std::max(largest, image[i] / x[i]);
+      norm = std::max(norm, image[i]);
+    }
+    best = std::min(best, largest - most);
+    // Any positive vector gives a bound.
+    for (std::size_t i = 0; i < count; ++i) x[i] = std::max(image[i] / norm, 1e-100);
+  }
+  return best * kSlack + most * 1e-12;
+}
+
+}  // namespace sh::codegen::bound
