@@ -23,10 +23,13 @@ struct ConventionOptions {
 };
 
 /// Converts the kernel, compares it with the exact map of our values at `points`, and measures its errors again. Throws
-/// std::invalid_argument, one line, for an unknown or complex convention, for a family whose meaning depends on the
-/// convention, and for axes that are not a signed permutation. Throws std::runtime_error if the new kernel differs from
-/// the exact map.
+/// std::invalid_argument, one line, for an unknown or complex convention, for a product or a convolution of coefficients
+/// that are convolved already, for an option that changes nothing in the family, and for axes that are not a signed
+/// permutation. Throws std::runtime_error if the new kernel differs from the exact map.
 FinishedKernel in_convention(const FinishedKernel& finished, const Reference& points, const ConventionOptions& options);
+
+/// The kernel of in_convention before the measurement, in less time.
+Kernel converted_kernel(const FinishedKernel& finished, const Reference& points, const ConventionOptions& options);
 
 /// Rescales inputs and outputs (gauge.cpp): the kernel that reads inputs[i] * (input i) and writes outputs[k] * (output
 /// k). Each flattened parameter and each flattened result has one factor, which is not zero. This costs nothing where

@@ -35,6 +35,7 @@ constexpr Traits kTraits[] = {
     {Role::kValue, "value"},
     {Role::kCoefficients, "coefficients", true, true},
     {Role::kEvaluatedCoefficients, "evaluated coefficients", true, true},
+    {Role::kIrradiance, "coefficients", true, true},  // the name tells the order of the numbers
     {Role::kZonalCoefficients, "zonal coefficients", false, true},
     {Role::kBasisValues, "basis values", true},
     {Role::kBasisGradient, "basis gradient", true, false, true},

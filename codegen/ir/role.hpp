@@ -26,6 +26,7 @@ enum class Role {
   kValue,                  ///< scalar or (channels): the value of a function
   kCoefficients,           ///< (bands^2) or (channels, bands^2): at index l(l+1)+m
   kEvaluatedCoefficients,  ///< the same, but the stored coefficients, with all folded factors, multiply the basis
+  kIrradiance,             ///< the same, of irradiance: A_l times the coefficients of radiance
   kZonalCoefficients,      ///< (bands): coefficients of Y_l0, one for each degree
   kBasisValues,            ///< (bands^2): Y_lm at index l(l+1)+m
   kBasisGradient,  ///< (bands^2): derivatives of Y_lm by coordinate `axis`; derivatives by x, y, z follow each other

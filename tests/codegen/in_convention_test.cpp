@@ -177,7 +177,9 @@ TEST(InConvention, RefusesWhatItCannotMean) {
   EXPECT_THROW(emitted("basis", 3, {"unity", ""}), std::invalid_argument);  // folded: to degree 2
   EXPECT_THROW(emitted("basis", 2, {"nothing", ""}), std::invalid_argument);
   EXPECT_THROW(emitted("basis", 2, {"", "x,x,z"}), std::invalid_argument);
-  EXPECT_THROW(emitted("irradiance_matrix", 2, {"directxmath", ""}), std::invalid_argument);
+  EXPECT_THROW(emitted("irradiance", 2, {"unity", ""}), std::invalid_argument);               // convolved already
+  EXPECT_THROW(emitted("evaluate_prepared", 2, {"directxmath", ""}), std::invalid_argument);  // no effect
+  EXPECT_THROW(emitted("product", 2, {"directxmath", "y,z,x"}), std::invalid_argument);
   for (const char* family : {"product", "square", "triple"})  // of irradiance, not of radiance
     EXPECT_THROW(emitted(family, 2, {"unity", ""}), std::invalid_argument) << family;
 }

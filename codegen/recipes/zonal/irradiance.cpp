@@ -69,7 +69,7 @@ Kernel irradiance(int degree) {
   kernel.result =
       "irradiance A_l c_lm, in place: A_0 = pi, A_1 = 2 pi/3, A_2 = pi/4, A_4 = -pi/24; exactly zero at odd l > 1";
   kernel.parameters = {array(Role::kCoefficients, "c", degree)};
-  kernel.results = kernel.parameters;
+  kernel.results = {array(Role::kIrradiance, "c", degree)};
   label_coefficients(kernel, degree);
   Builder build(kernel);
   const std::vector<NodeId> c = coefficients(build, degree);
