@@ -1,4 +1,6 @@
 // Windows: they damp the higher degrees of a projection.
+#include "symbolic/zonal/window.hpp"
+
 #include "codegen/families/exact.hpp"
 #include "codegen/measure/domains.hpp"
 #include "codegen/recipes/zonal/zonal.hpp"
@@ -23,12 +25,6 @@ Reference window_reference(int degree, const std::vector<Rationals>& parameters,
   return reference;
 }
 
-// cos(l angle) and sin(l angle) at a rational point (cos, sin) of the circle: the functions Re and Im (x + iy)^l.
-cln::cl_RA multiple(int l, bool sine, const Rationals& circle) {
-  if (l == 0) return sine ? 0 : 1;
-  return symbolic::reduced_basis_function(l, sine ? -l : l).azimuthal.evaluate(circle);
-}
-
 std::vector<Rationals> circle_points(int points) {
   std::vector<Rationals> circle;
   for (const Rationals& v : rational_vectors(points, 1, 92)) {
@@ -43,7 +39,7 @@ Reference hann_reference(int degree, int points) {
   std::vector<Rationals> cosines = circle;
   for (Rationals& row : cosines) row.resize(1);
   return window_reference(degree, cosines,
-                          [&](int l, std::size_t k) { return (1 + multiple(l, false, circle[k])) / 2; });
+                          [&](int l, std::size_t k) { return symbolic::window_hann(l).evaluate(circle[k]); });
 }
 
 // The angles have rational sine and cosine. The formula is linear in 1 / angle, so any number can replace the angle.
@@ -54,21 +50,24 @@ Reference lanczos_reference(int degree, int points, int power) {
   std::vector<Rationals> parameters = circle;
   for (std::size_t k = 0; k < circle.size(); ++k) parameters[k][1] = circle[k][1] / angle(k);
   return window_reference(degree, parameters, [&](int l, std::size_t k) {
-    return l == 0 ? cln::cl_RA(1) : cln::expt(multiple(l, true, circle[k]) / (angle(k) * l), power);
+    if (l == 0) return cln::cl_RA(1);
+    return cln::expt(symbolic::window_lanczos_sine(l).evaluate(circle[k]) / (angle(k) * l), power);
   });
 }
 
 Reference gaussian_reference(int degree, int points) {
   auto g = rational_vectors(points, 1, 94);
   for (Rationals& row : g) row[0] = 1 / (1 + cln::abs(row[0]));
-  return window_reference(degree, g, [&](int l, std::size_t k) { return cln::expt(g[k][0], l * l); });
+  return window_reference(
+      degree, g, [&](int l, std::size_t k) { return cln::expt(g[k][0], symbolic::window_gaussian_exponent(l)); });
 }
 
 Reference laplacian_reference(int degree, int points) {
   auto lambda = rational_vectors(points, 1, 95);
   for (Rationals& row : lambda) row[0] = cln::abs(row[0]);
-  return window_reference(degree, lambda,
-                          [&](int l, std::size_t k) { return 1 / (1 + lambda[k][0] * (l * l * (l + 1) * (l + 1))); });
+  return window_reference(degree, lambda, [&](int l, std::size_t k) {
+    return 1 / (1 + lambda[k][0] * symbolic::window_laplacian_penalty(l));
+  });
 }
 
 // Parameters from 0 to 1 (with `signs`: from -1 to 1), followed by coefficient vectors of norm 1.

@@ -100,6 +100,7 @@ std::vector<SignedPermutation> all_signed_permutations() {
 }
 
 Matrix<cln::cl_RA> axes_band(const SignedPermutation& axes, int degree) {
+  if (axes == SignedPermutation()) return Matrix<cln::cl_RA>::identity(2 * degree + 1, 1);
   const int determinant = axes.determinant();
   const auto times = [](const Matrix<cln::cl_RA>& m, int sign) {
     return m.mapped([sign](const cln::cl_RA& entry) -> cln::cl_RA { return sign * entry; });

@@ -50,9 +50,24 @@ RadicalMatrix complex_rotation(int degree, const HalfAngle& alpha, const HalfAng
 
 }  // namespace
 
-int prove_unitary(const RadicalMatrix& w) {
+int prove_unitary(const RadicalMatrix& w, bool condon_shortley) {
   const RadicalMatrix one = identity(w.rows());
   if (!(w * adjoint(w) == one) || !(adjoint(w) * w == one)) throw Refuted("W W* is not 1");
+  const int degree = (w.rows() - 1) / 2;
+  const Convention complex{.condon_shortley = condon_shortley, .complex = true};
+  for (int m = -degree; m <= degree; ++m) {
+    const BasisFunction& real = basis_function(degree, m);
+    PolynomialSum difference;
+    difference.add(-RadicalSum(real.factor), real.homogeneous);
+    for (int n = -degree; n <= degree; ++n) {
+      const ConventionFunction f = convention_function(complex, degree, n);
+      const RadicalSum weight = w(degree + m, degree + n) * RadicalSum(f.factor);
+      difference.add(weight, f.re);
+      difference.add(weight * RadicalSum::imaginary_unit(), f.im);
+    }
+    if (!difference.terms({"x", "y", "z"}).empty())
+      throw Refuted(real.name() + ": W Y_complex is not the real function");
+  }
   return 1;
 }
 
@@ -130,27 +145,6 @@ int prove_complex_rotation(const std::vector<RadicalMatrix>& w) {
     }
   }
   return static_cast<int>(w.size());
-}
-
-std::vector<Convention> sample_conventions(int degree) {
-  std::vector<Convention> samples;
-  for (const Preset& preset : presets()) {
-    if (preset.convention.folded != Folded::kNothing && degree > 2) continue;
-    samples.push_back(preset.convention);
-    samples.push_back(preset.in_world());
-  }
-  for (const Normalization normalization :
-       {Normalization::kOrthonormal, Normalization::kFourPi, Normalization::kSchmidt, Normalization::kSn3d,
-        Normalization::kUnnormalized, Normalization::kPrimitive}) {
-    Convention c;
-    c.normalization = normalization;
-    c.condon_shortley = normalization != Normalization::kSchmidt;
-    c.complex = normalization == Normalization::kFourPi || normalization == Normalization::kSchmidt;
-    c.order = c.complex ? IndexOrder::kZeroFirst : IndexOrder::kCosineSineBands;
-    c.axes = SignedPermutation(c.complex ? "-z,x,y" : "y,-z,x");
-    samples.push_back(c);
-  }
-  return samples;
 }
 
 }  // namespace sh::symbolic

@@ -1,117 +1,58 @@
+// Proofs about the quaternion form of a rotation.
+#include <algorithm>
 #include <map>
-#include <random>
+#include <utility>
 
 #include "symbolic/number/polynomial.hpp"
-#include "symbolic/proofs/identities.hpp"
+#include "symbolic/proofs/rotation_compare.hpp"
 
 namespace sh::symbolic {
 namespace {
 
-using RationalMatrix = Matrix<cln::cl_RA>;
-
-std::string entry_name(int degree, int row, int column) {
-  return "l=" + std::to_string(degree) + " entry (" + std::to_string(row - degree) + ", " +
-         std::to_string(column - degree) + ")";
-}
-
-// x^a y^b z^c at M(q) v, each made from one with a power less. Variables 0..3 are q, 4..6 are v.
-class TurnedMonomials {
+// Monomials with polynomials in place of their variables, each made from one with a power less.
+class SubstitutedMonomials {
  public:
-  TurnedMonomials() {
-    const Matrix<Polynomial> m = quaternion_matrix();
-    for (int i = 0; i < 3; ++i) {
-      for (int j = 0; j < 3; ++j) turned_[i] += m(i, j) * Polynomial::variable(4 + j);
-    }
+  explicit SubstitutedMonomials(std::vector<Polynomial> values) : values_(std::move(values)) {
     known_.emplace(Monomial(), Polynomial(1));
   }
   const Polynomial& operator()(const Monomial& monomial) {
     const auto position = known_.find(monomial);
     if (position != known_.end()) return position->second;
-    std::array<int, 3> exponents{monomial.exponent(0), monomial.exponent(1), monomial.exponent(2)};
-    const int axis = exponents[0] > 0 ? 0 : exponents[1] > 0 ? 1 : 2;
-    --exponents[axis];
-    return known_.emplace(monomial, turned_[axis] * (*this)(Monomial(exponents))).first->second;
+    std::vector<int> exponents;
+    for (std::size_t i = 0; i < values_.size(); ++i) exponents.push_back(monomial.exponent(static_cast<int>(i)));
+    const auto first = std::find_if(exponents.begin(), exponents.end(), [](int exponent) { return exponent > 0; });
+    --*first;
+    const auto variable = static_cast<std::size_t>(first - exponents.begin());
+    return known_.emplace(monomial, values_.at(variable) * (*this)(Monomial(exponents))).first->second;
+  }
+  Polynomial in(const Polynomial& p) {
+    Polynomial sum;
+    for (const auto& [monomial, coefficient] : p.terms()) sum += coefficient * (*this)(monomial);
+    return sum;
   }
   void forget_below(int degree) {
     std::erase_if(known_, [degree](const auto& entry) { return entry.first.degree() < degree; });
   }
 
  private:
-  std::array<Polynomial, 3> turned_;
+  std::vector<Polynomial> values_;
   std::map<Monomial, Polynomial> known_;
 };
+
+// M(q) v. Variables 0..3 are q, 4..6 are v.
+std::vector<Polynomial> turned_point(const Matrix<Polynomial>& m) {
+  std::vector<Polynomial> turned(3);
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) turned[i] += m(i, j) * Polynomial::variable(4 + j);
+  }
+  return turned;
+}
 
 // q.q in variables first .. first+3
 Polynomial squared_norm(int first) {
   Polynomial sum;
   for (int i = 0; i < 4; ++i) sum += Polynomial::variable(first + i).power(2);
   return sum;
-}
-
-// A random rotation with exact rational entries.
-class RationalRotations {
- public:
-  RationalMatrix next() {
-    std::array<cln::cl_RA, 4> q;
-    cln::cl_RA norm = 0;
-    do {
-      norm = 0;
-      for (cln::cl_RA& component : q) {
-        component = static_cast<int>(random_() % 19999U) - 9999;
-        norm = norm + component * component;
-      }
-    } while (cln::zerop(norm));
-    return matrix_from_quaternion<cln::cl_RA>(q).mapped(
-        [&](const cln::cl_RA& entry) -> cln::cl_RA { return entry / norm; });
-  }
-
- private:
-  std::mt19937 random_{20040301};
-};
-
-// T K^-2 T^T = scale K^-2; K^-2 up to a common factor.
-template <class T>
-void require_orthogonal(int degree, const Matrix<T>& t, const T& scale) {
-  const int size = 2 * degree + 1;
-  for (int i = 0; i < size; ++i) {
-    for (int j = 0; j <= i; ++j) {
-      T sum = T();
-      for (int k = 0; k < size; ++k) sum = sum + cln::recip(squared_factor(degree, k - degree)) * (t(i, k) * t(j, k));
-      const T expected = i == j ? T(cln::recip(squared_factor(degree, i - degree)) * scale) : T();
-      if (!(sum == expected)) throw Refuted(entry_name(degree, i, j) + " of D D^T is wrong");
-    }
-  }
-}
-
-// Both matrices of a band are the same. Returns the number of bands, which is 1.
-template <class T>
-int require_same(int degree, const Matrix<T>& first, const Matrix<T>& second, const std::string& otherwise) {
-  for (int i = 0; i < first.rows(); ++i) {
-    for (int j = 0; j < first.columns(); ++j) {
-      if (!(first(i, j) == second(i, j))) throw Refuted(entry_name(degree, i, j) + ": " + otherwise);
-    }
-  }
-  return 1;
-}
-
-// A polynomial in cos, sin of an angle as a homogeneous one of degree 2l in those of the half angle (variables 0, 1).
-Polynomial at_half_angle(const Polynomial& p, int degree) {
-  const Polynomial c = Polynomial::variable(0);
-  const Polynomial s = Polynomial::variable(1);
-  const std::array<Polynomial, 2> doubled{c * c - s * s, cln::cl_RA(2) * (c * s)};
-  std::map<int, Polynomial> by_degree;
-  for (const auto& [monomial, coefficient] : p.terms()) by_degree[monomial.degree()].add_term(monomial, coefficient);
-  Polynomial result;
-  for (const auto& [part_degree, part] : by_degree) {
-    result += (c * c + s * s).power(degree - part_degree) * substitute(part, doubled);
-  }
-  return result;
-}
-
-Matrix<Polynomial> about_axis(const QuaternionRotation& band, int axis) {
-  std::array<Polynomial, 4> q{Polynomial::variable(0), Polynomial(), Polynomial(), Polynomial()};
-  q[axis + 1] = Polynomial::variable(1);
-  return band.entries.mapped([&](const Polynomial& p) { return substitute(p, q); });
 }
 
 }  // namespace
@@ -122,23 +63,47 @@ std::vector<QuaternionRotation> derive_quaternion_rotations(int degree) {
   return bands;
 }
 
-int prove_equivariance(const std::vector<QuaternionRotation>& bands, const Basis& basis) {
-  TurnedMonomials turned;
+int prove_equivariance(const std::vector<QuaternionRotation>& bands, const Basis& basis,
+                       const Matrix<Polynomial>& matrix) {
+  SubstitutedMonomials turned(turned_point(matrix));
   for (const QuaternionRotation& band : bands) {
     const int l = band.degree;
     std::vector<Polynomial> right;  // S_ln(v)
     for (int n = 0; n <= 2 * l; ++n) right.push_back(moved(basis.at(l * l + n).homogeneous, 4));
     for (int m = 0; m <= 2 * l; ++m) {
-      Polynomial difference;
-      for (const auto& [monomial, coefficient] : basis.at(l * l + m).homogeneous.terms()) {
-        difference += coefficient * turned(monomial);
-      }
+      Polynomial difference = turned.in(basis.at(l * l + m).homogeneous);
       for (int n = 0; n <= 2 * l; ++n) difference -= band.entries(m, n) * right[n];
       if (!difference.is_zero()) throw Refuted("l=" + std::to_string(l) + " m=" + std::to_string(m - l));
     }
     turned.forget_below(l);
   }
   return static_cast<int>(bands.size());
+}
+
+int prove_quaternion_matrix(const Matrix<Polynomial>& matrix, const QuaternionProduct& product) {
+  const auto quaternion = [](int first) {
+    return Quaternion<Polynomial>{Polynomial::variable(first), Polynomial::variable(first + 1),
+                                  Polynomial::variable(first + 2), Polynomial::variable(first + 3)};
+  };
+  const Quaternion<Polynomial> a = quaternion(0);
+  const Quaternion<Polynomial> b = quaternion(4);
+  const Quaternion<Polynomial> ab = product(a, b);
+  const Polynomial none;
+  const Quaternion<Polynomial> conjugate{a[0], none - a[1], none - a[2], none - a[3]};
+  const Quaternion<Polynomial> turned = product(product(a, {none, b[1], b[2], b[3]}), conjugate);
+  for (int i = 0; i < 3; ++i) {
+    Polynomial row = turned[i + 1];
+    for (int j = 0; j < 3; ++j) row -= matrix(i, j) * b[j + 1];
+    if (!row.is_zero()) throw Refuted("row " + std::to_string(i) + " of M(q) v is not that of q v q*");
+  }
+  const auto at = [&](const Quaternion<Polynomial>& q) {
+    return matrix.mapped([&](const Polynomial& entry) { return substitute(entry, q); });
+  };
+  if (!(at(a) * at(b) == at(ab))) throw Refuted("M(a) M(b) differs from M(ab)");
+  Polynomial norm;
+  for (const Polynomial& component : ab) norm += component * component;
+  if (!(norm == squared_norm(0) * squared_norm(4))) throw Refuted("|ab| differs from |a| |b|");
+  return 3;
 }
 
 int prove_orthogonality(const std::vector<QuaternionRotation>& bands) {
@@ -156,78 +121,15 @@ int prove_composition(const std::vector<QuaternionRotation>& bands) {
     b[i] = Polynomial::variable(i + 4);
   }
   const Quaternion<Polynomial> ab = quaternion_product(a, b);
+  SubstitutedMonomials in_b({b.begin(), b.end()});
+  SubstitutedMonomials in_ab({ab.begin(), ab.end()});
   int count = 0;
   for (const QuaternionRotation& band : bands) {
-    const Matrix<Polynomial> t_b = band.entries.mapped([&](const Polynomial& p) { return substitute(p, b); });
-    const Matrix<Polynomial> t_ab = band.entries.mapped([&](const Polynomial& p) { return substitute(p, ab); });
+    const Matrix<Polynomial> t_b = band.entries.mapped([&](const Polynomial& p) { return in_b.in(p); });
+    const Matrix<Polynomial> t_ab = band.entries.mapped([&](const Polynomial& p) { return in_ab.in(p); });
     count += require_same(band.degree, band.entries * t_b, t_ab, "T(a) T(b) differs from T(ab)");
   }
   return count;
-}
-
-int prove_recursion_agrees(const std::vector<QuaternionRotation>& bands,
-                           const std::vector<Matrix<Polynomial>>& recursion) {
-  int count = 0;
-  for (const QuaternionRotation& band : bands) {
-    count += require_same(band.degree, band.entries, recursion.at(band.degree), "quaternion form and recursion differ");
-  }
-  return count;
-}
-
-int prove_orthogonality_at_points(const BandsAt& bands_at, int points) {
-  RationalRotations rotations;
-  for (int point = 0; point < points; ++point) {
-    int degree = 0;
-    for (const RationalMatrix& band : bands_at(rotations.next())) require_orthogonal(degree++, band, cln::cl_RA(1));
-  }
-  return points;
-}
-
-int prove_composition_at_points(const BandsAt& bands_at, int points) {
-  RationalRotations rotations;
-  for (int point = 0; point < points; ++point) {
-    const RationalMatrix a = rotations.next();
-    const RationalMatrix b = rotations.next();
-    const auto bands_a = bands_at(a);
-    const auto bands_b = bands_at(b);
-    const auto bands_ab = bands_at(a * b);
-    for (int l = 0; l < static_cast<int>(bands_a.size()); ++l) {
-      require_same(l, bands_a[l] * bands_b[l], bands_ab[l], "D(a) D(b) differs from D(ab)");
-    }
-  }
-  return points;
-}
-
-int prove_about_z(const QuaternionRotation& band, const Matrix<Polynomial>& z) {
-  const auto half = z.mapped([&](const Polynomial& p) { return at_half_angle(p, band.degree); });
-  return require_same(band.degree, about_axis(band, 2), half,
-                      "the closed form about z differs from the quaternion form");
-}
-
-int prove_about_y(const QuaternionRotation& band, const Matrix<Polynomial>& y) {
-  return require_same(band.degree, about_axis(band, 1), y, "the turn about y differs from the quaternion form");
-}
-
-int prove_wigner_form(int degree, const Matrix<Polynomial>& y, const Matrix<Polynomial>& by_wigner) {
-  return require_same(degree, y, by_wigner, "Wigner's formula differs from the definition");
-}
-
-int prove_x90(const QuaternionRotation& band, const RationalMatrix& plus, const RationalMatrix& minus) {
-  const cln::cl_RA norm = cln::expt(cln::cl_RA(2), band.degree);
-  const RationalMatrix scaled =
-      evaluate(band, {1, 1, 0, 0}).mapped([&](const cln::cl_RA& entry) -> cln::cl_RA { return entry / norm; });
-  const auto one = RationalMatrix::identity(plus.rows(), 1);
-  require_same(band.degree, plus, scaled, "differs from the quaternion form at (1,1,0,0)");
-  require_same(band.degree, plus * minus, one, "+90 and -90 degrees are not inverse");
-  return require_same(band.degree, plus * plus * plus * plus, one, "four quarter turns are not the identity");
-}
-
-int prove_z_x90_z(int degree, const Matrix<Polynomial>& y, const Matrix<Polynomial>& z, const RationalMatrix& plus,
-                  const RationalMatrix& minus) {
-  const auto constant = [](const cln::cl_RA& entry) { return Polynomial(entry); };
-  const auto middle = z.mapped([&](const Polynomial& p) { return at_half_angle(p, degree); });
-  return require_same(degree, y, minus.mapped(constant) * middle * plus.mapped(constant),
-                      "Ry(beta) differs from Rx(-90) Rz(beta) Rx(90)");
 }
 
 }  // namespace sh::symbolic

@@ -60,11 +60,26 @@ int prove_cap_complement(const std::vector<ZonalTerm>& cap, const std::vector<Zo
   return count;
 }
 
-int prove_irradiance_factors(const std::vector<Surd>& claimed) {
+int prove_irradiance_factors(const std::vector<Surd>& claimed, const std::vector<Surd>& integral) {
   const int count = static_cast<int>(claimed.size());
   for (int l = 0; l < count; ++l) {
-    if (!(irradiance_factor_integral(l) == claimed[l])) {
-      throw Refuted("the factor differs from its integral" + at_degree(l));
+    if (!(integral.at(l) == claimed[l])) throw Refuted("the factor differs from its integral" + at_degree(l));
+  }
+  return count;
+}
+
+int prove_irradiance_convolution(const std::vector<Surd>& irradiance, const std::vector<Surd>& convolution,
+                                 const std::vector<ZonalTerm>& clamped_cosine,
+                                 const std::function<Surd(Folded folded, int degree)>& folded) {
+  const int count = static_cast<int>(irradiance.size());
+  const Surd pi = Surd::square_root(1, 2);
+  for (int l = 0; l < count; ++l) {
+    if (!(convolution.at(l) * clamped_cosine.at(l).at({}) == irradiance[l])) {
+      throw Refuted("the factor differs from the convolution with the clamped cosine" + at_degree(l));
+    }
+    const bool is_kept = folded(Folded::kNothing, l) == Surd(1);
+    if (!is_kept || (l <= 2 && !(pi * folded(Folded::kCosineOverPi, l) == irradiance[l]))) {
+      throw Refuted("the folded factor differs from A_l / pi" + at_degree(l));
     }
   }
   return count;

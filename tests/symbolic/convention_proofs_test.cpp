@@ -12,8 +12,10 @@ using test::negate;
 using test::nudge;
 using RadicalMatrix = Matrix<RadicalSum>;
 
+Folded unity_folded() { return find_preset("unity").convention.folded; }
+
 TEST(ConventionProofs, UnitarityCatchesAnEntryAndASign) {
-  expect_refuted(real_from_complex(2, true), prove_unitary,
+  expect_refuted(real_from_complex(2, true), [](const RadicalMatrix& w) { prove_unitary(w, true); },
                  {[](RadicalMatrix& w) { nudge(w(1, 1)); }, [](RadicalMatrix& w) { negate(w(1, 1)); }});
 }
 
@@ -56,6 +58,88 @@ TEST(ConventionProofs, BasisChangeCatchesAnEntryAnotherConventionAndAWrongInvers
       BasisChange(), [](const BasisChange& b) { prove_basis_change(b.convention, 2, b.change, b.inverse); },
       {[](BasisChange& b) { nudge(b.change(2, 2)); }, [](BasisChange& b) { b.convention.condon_shortley = true; },
        [](BasisChange& b) { b.inverse = b.change; }});
+}
+
+TEST(ConventionProofs, UnitarityIsNotEnoughWithoutTheFunctions) {
+  expect_refuted(real_from_complex(3, true), [](const RadicalMatrix& w) { prove_unitary(w, true); },
+                 {[](RadicalMatrix& w) { w = real_from_complex(3, false); },
+                  [](RadicalMatrix& w) { w = w.mapped([](const RadicalSum& entry) { return entry.conjugate(); }); }});
+}
+
+// Complex functions in other axes: A is neither symmetric nor orthogonal, so every omission shows.
+TEST(ConventionProofs, SameFunctionCatchesEveryOmissionInTheInverseTranspose) {
+  for (const Normalization normalization : {Normalization::kOrthonormal, Normalization::kSn3d}) {
+    Convention other{.normalization = normalization, .condon_shortley = true, .complex = true};
+    other.axes = SignedPermutation("y,z,x");
+    const auto transposed = [](ConventionMap& map) {
+      for (auto* bands : {&map.forward, &map.backward}) {
+        for (RadicalMatrix& band : *bands) band = band.transposed();
+      }
+    };
+    const auto not_inverted = [](ConventionMap& map) { std::swap(map.forward, map.backward); };
+    expect_refuted(convention_map({}, other, 2), [&](const ConventionMap& map) { prove_same_function(other, map); },
+                   {transposed, not_inverted,
+                    [&](ConventionMap& map) {
+                      transposed(map);
+                      not_inverted(map);
+                    },
+                    [](ConventionMap& map) { nudge(map.forward[2](2, 2)); },
+                    [](ConventionMap& map) { map.to_order = IndexOrder::kZeroFirst; }});
+  }
+}
+
+TEST(ConventionProofs, SameFunctionCatchesAFoldedCosineThatIsLeftOutOrAppliedTwice) {
+  const Convention unity = find_preset("unity").convention;
+  const auto times = [](int power) {
+    return [power](ConventionMap& map) {
+      for (int l = 0; l <= 2; ++l) {
+        const RadicalSum fold(power > 0 ? folded_factor(unity_folded(), l)
+                                        : folded_factor(unity_folded(), l).inverse());
+        map.forward[l] = map.forward[l].mapped([&](const RadicalSum& entry) { return fold * entry; });
+      }
+    };
+  };
+  expect_refuted(convention_map({}, unity, 2), [&](const ConventionMap& map) { prove_same_function(unity, map); },
+                 {times(1), times(-1)});
+}
+
+// Sizes that both the functions and the maps have wrong cancel; the integrals of the definition do not.
+TEST(ConventionProofs, DefinitionsCatchASizeASignAndAPhase) {
+  const auto spoiled = [](void (*spoil)(const Convention& c, int order, ConventionFunction& f)) {
+    return [spoil](WrittenFunction& written) {
+      written = [spoil](const Convention& c, int degree, int order) {
+        ConventionFunction f = convention_function(c, degree, order);
+        spoil(c, order, f);
+        return f;
+      };
+    };
+  };
+  expect_refuted(WrittenFunction(convention_function),
+                 [](const WrittenFunction& written) { prove_definitions(unturned_conventions(3), 3, written); },
+                 {spoiled([](const Convention& c, int, ConventionFunction& f) {
+                    if (c.normalization == Normalization::kSn3d) nudge(f.factor);
+                  }),
+                  spoiled([](const Convention& c, int, ConventionFunction& f) {
+                    if (c.normalization == Normalization::kPrimitive) f.factor = Surd(2) * f.factor;
+                  }),
+                  spoiled([](const Convention& c, int order, ConventionFunction& f) {
+                    if (c.condon_shortley && c.complex && order % 2 != 0) negate(f.factor);
+                  }),
+                  spoiled([](const Convention&, int, ConventionFunction& f) { f.im = cln::cl_RA(-1) * f.im; }),
+                  spoiled([](const Convention&, int order, ConventionFunction& f) {
+                    if (order == 2) nudge(f.re);
+                  })});
+}
+
+TEST(ConventionProofs, IndexOrdersCatchExchangedSignsAndAMissingHole) {
+  expect_refuted(
+      Storage(), [](const Storage& storage) { prove_index_orders(3, storage); },
+      {[](Storage& storage) {
+         storage.position = [](IndexOrder order, int largest, int degree, int m) {
+           return storage_position(order, largest, degree, order == IndexOrder::kZeroFirst ? -m : m);
+         };
+       },
+       [](Storage& storage) { storage.size = [](IndexOrder, int largest) { return coefficient_count(largest); }; }});
 }
 
 TEST(ConventionProofs, RoundTripCatchesAnEntryAnotherOrderAndAnotherConvention) {

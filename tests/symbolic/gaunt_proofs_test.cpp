@@ -43,7 +43,25 @@ TEST(GauntProofs, CatchAnEntryAtAForbiddenPlace) {
                                        {8, 6, 6}}) {          // not sorted
     changes.emplace_back([forbidden](GauntTensor& tensor) { tensor[forbidden] = Surd(millionth()); });
   }
-  expect_refuted(gaunt_tensor(3), prove_gaunt_selection_rules, changes);
+  expect_refuted(
+      gaunt_tensor(3), [](const GauntTensor& tensor) { prove_gaunt_selection_rules(tensor); }, changes);
+}
+
+// The sign of a symbol cancels in Gaunt's tensor: there the symbols come in pairs of the same degrees.
+TEST(GauntProofs, CatchTheSignOfWignerSymbols) {
+  const auto negated = [](bool (*where)(int l1, int l2, int l3, int m3)) {
+    return [where](Wigner3j& symbol) {
+      symbol = [where](int l1, int l2, int l3, int m1, int m2, int m3) {
+        const Surd value = wigner_3j(l1, l2, l3, m1, m2, m3);
+        return where(l1, l2, l3, m3) ? -value : value;
+      };
+    };
+  };
+  expect_refuted(Wigner3j(wigner_3j), [](const Wigner3j& symbol) { prove_wigner_3j(symbol, 2); },
+                 {negated([](int, int, int, int) { return true; }),
+                  negated([](int l1, int l2, int l3, int) { return l1 == 1 && l2 == 1 && l3 == 1; }),
+                  negated([](int, int, int, int m3) { return m3 % 2 != 0; }),
+                  negated([](int l1, int l2, int, int m3) { return (l1 - l2 - m3) % 2 != 0; })});
 }
 
 // One change for each form: its first term.

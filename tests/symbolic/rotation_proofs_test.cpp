@@ -79,12 +79,47 @@ void reversed(PolynomialMatrix& m) {
 TEST(RotationProofs, CatchASmallChangeOfATurnAboutAnAxis) {
   const QuaternionRotation band = quaternion_rotation(kDegree);
   const PolynomialMatrix by_wigner = rotation_about_y_by_wigner(kDegree);
-  expect_refuted(rotation_about_z(kDegree), [&](const PolynomialMatrix& z) { prove_about_z(band, z); },
-                 {one_entry, transposed});
+  using Turns = std::vector<PolynomialMatrix>;
+  expect_refuted(Turns{rotation_about_z(0), rotation_about_z(1), rotation_about_z(2), rotation_about_z(3)},
+                 prove_about_z,
+                 {[](Turns& z) { one_entry(z[3]); }, [](Turns& z) { transposed(z[1]); },
+                  [](Turns& z) { z[2](0, 1) = Polynomial::variable(0); }});
   expect_refuted(rotation_about_y(kDegree), [&](const PolynomialMatrix& y) { prove_about_y(band, y); },
                  {one_entry, reversed});
   expect_refuted(rotation_about_y(kDegree),
                  [&](const PolynomialMatrix& y) { prove_wigner_form(kDegree, y, by_wigner); }, {one_entry, reversed});
+}
+
+TEST(RotationProofs, TablesOfTheRecursionCatchAWeightAnIndexAndAScale) {
+  const Basis basis = derive_basis(kDegree);
+  const auto spoiled = [](void (*spoil)(std::vector<std::vector<Coupling>> & couplings)) {
+    return [spoil](RecursionTables& tables) {
+      tables.couplings = [spoil](int degree) {
+        auto couplings = band_couplings(degree);
+        spoil(couplings);
+        return couplings;
+      };
+    };
+  };
+  expect_refuted(RecursionTables(), [&](const RecursionTables& tables) { prove_recursion_tables(basis, tables); },
+                 {spoiled([](auto& couplings) { nudge(couplings[1][0].weight); }),
+                  spoiled([](auto& couplings) { couplings[0][0].below = -couplings[0][0].below; }),
+                  spoiled([](auto& couplings) { couplings[2].pop_back(); }), [](RecursionTables& tables) {
+                    tables.scale = [](int degree, int column) -> cln::cl_RA {
+                      return column_scale(degree, column) * (column == degree ? -1 : 1);
+                    };
+                  }});
+}
+
+TEST(RotationProofs, QuaternionsCatchAnExchangedProductAndATransposedMatrix) {
+  expect_refuted(quaternion_matrix(),
+                 [](const PolynomialMatrix& m) { prove_quaternion_matrix(m, quaternion_product<Polynomial>); },
+                 {transposed, [](PolynomialMatrix& m) { nudge(m(1, 2)); }});
+  expect_refuted(QuaternionProduct(quaternion_product<Polynomial>),
+                 [](const QuaternionProduct& product) { prove_quaternion_matrix(quaternion_matrix(), product); },
+                 {[](QuaternionProduct& product) {
+                   product = [](const auto& a, const auto& b) { return quaternion_product<Polynomial>(b, a); };
+                 }});
 }
 
 struct AxisTurns {

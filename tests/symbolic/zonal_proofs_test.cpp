@@ -1,6 +1,7 @@
 // A spoiled coefficient refutes every proof about zonal functions.
 #include <gtest/gtest.h>
 
+#include "symbolic/zonal/window.hpp"
 #include "tests/symbolic/spoiled.hpp"
 
 namespace sh::symbolic {
@@ -80,7 +81,53 @@ TEST(ZonalProofs, CatchASpoiledIrradianceFactor) {
   for (int l = 0; l <= 8; ++l) factors.push_back(irradiance_factor(l));
   std::vector<Change<Surds>> changes = nudged_factors(9);
   changes.emplace_back([](Surds& spoiled) { std::swap(spoiled[2], spoiled[4]); });
-  expect_refuted(factors, prove_irradiance_factors, changes);
+  expect_refuted(
+      factors, [&](const Surds& claimed) { prove_irradiance_factors(claimed, factors); }, changes);
+}
+
+TEST(ZonalProofs, CatchAFoldedFactorThatIsNotTheConvolution) {
+  using FoldedFactor = std::function<Surd(Folded folded, int degree)>;
+  Surds irradiance;
+  Surds convolution;
+  for (int l = 0; l <= 4; ++l) {
+    irradiance.push_back(irradiance_factor(l));
+    convolution.push_back(convolution_factor(l));
+  }
+  const Terms clamped = zonal_coefficients(zonal_family("clamped-cosine"), 4);
+  expect_refuted(
+      FoldedFactor(folded_factor),
+      [&](const FoldedFactor& folded) { prove_irradiance_convolution(irradiance, convolution, clamped, folded); },
+      {[](FoldedFactor& folded) {
+         folded = [](Folded, int degree) { return irradiance_factor(degree); };  // without 1 / pi
+       },
+       [](FoldedFactor& folded) { folded = [](Folded, int) { return Surd(1); }; }});
+  expect_refuted(
+      irradiance,
+      [&](const Surds& claimed) { prove_irradiance_convolution(claimed, convolution, clamped, folded_factor); },
+      nudged_factors(5));
+}
+
+TEST(WindowProofs, CatchAnAngleAnExponentAndAPenalty) {
+  using Polynomials = std::vector<Polynomial>;
+  Polynomials hann;
+  Polynomials sine;
+  std::vector<int> exponents;
+  std::vector<cln::cl_RA> penalties;
+  for (int l = 0; l <= 4; ++l) {
+    hann.push_back(window_hann(l));
+    sine.push_back(window_lanczos_sine(l));
+    exponents.push_back(window_gaussian_exponent(l));
+    penalties.push_back(window_laplacian_penalty(l));
+  }
+  expect_refuted(hann, [&](const Polynomials& claimed) { prove_window_angles(claimed, sine); },
+                 {[](Polynomials& p) { nudge(p[3]); }, [](Polynomials& p) { std::swap(p[1], p[2]); }});
+  expect_refuted(sine, [&](const Polynomials& claimed) { prove_window_angles(hann, claimed); },
+                 {[](Polynomials& p) { nudge(p[1]); }, [](Polynomials& p) { test::negate(p[4]); }});
+  expect_refuted(exponents, prove_window_gaussian,
+                 {[](std::vector<int>& e) { ++e[0]; }, [](std::vector<int>& e) { e[4] = 20; }});  // l (l+1)
+  const Basis basis = derive_basis(4);
+  expect_refuted(penalties, [&](const std::vector<cln::cl_RA>& claimed) { prove_window_laplacian(claimed, basis); },
+                 {[](std::vector<cln::cl_RA>& p) { nudge(p[2]); }, [](std::vector<cln::cl_RA>& p) { p[3] = 81; }});
 }
 
 TEST(ZonalProofs, CatchASpoiledConvolutionFactor) {

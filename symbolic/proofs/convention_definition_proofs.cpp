@@ -1,0 +1,304 @@
+// Proofs of what a convention says: its functions by their definitions, its coefficients, its index order.
+#include <cstdlib>
+#include <optional>
+#include <utility>
+
+#include "symbolic/convention/convention.hpp"
+#include "symbolic/number/polynomial.hpp"
+#include "symbolic/proofs/identities.hpp"
+#include "symbolic/typeset/typeset.hpp"
+
+namespace sh::symbolic {
+namespace {
+
+std::string name_of(int degree, int order) { return "l=" + std::to_string(degree) + " m=" + std::to_string(order); }
+
+void require(bool holds, int degree, int order, const char* otherwise) {
+  if (!holds) throw Refuted(name_of(degree, order) + ": " + otherwise);
+}
+
+// d/dphi
+Polynomial azimuthal_derivative(const Polynomial& p) {
+  return Polynomial::variable(0) * p.derivative(1) - Polynomial::variable(1) * p.derivative(0);
+}
+
+bool is_solid(const Polynomial& p, int degree) {
+  Polynomial laplacian;
+  for (int axis = 0; axis < 3; ++axis) laplacian += p.derivative(axis).derivative(axis);
+  return p.is_homogeneous() && p.degree() == degree && laplacian.is_zero();
+}
+
+// Even in y if `even`, otherwise odd.
+bool has_parity(const Polynomial& p, bool even) {
+  for (const auto& [monomial, coefficient] : p.terms()) {
+    if ((monomial.exponent(1) % 2 == 0) != even) return false;
+  }
+  return true;
+}
+
+// The polynomials of one order: solid harmonics of exp(i m phi), or of cos m phi and sin |m| phi.
+void require_shape(const Convention& c, const Polynomial& re, const Polynomial& im, int degree, int order) {
+  require(is_solid(re, degree), degree, order, "no solid harmonic of degree l");
+  if (c.complex) {
+    require(azimuthal_derivative(re) == cln::cl_RA(-order) * im && azimuthal_derivative(im) == cln::cl_RA(order) * re,
+            degree, order, "does not belong to exp(i m phi)");
+    return;
+  }
+  require(im.is_zero() && has_parity(re, order >= 0) &&
+              azimuthal_derivative(azimuthal_derivative(re)) == cln::cl_RA(-order * order) * re,
+          degree, order, "does not belong to cos m phi or sin |m| phi");
+}
+
+cln::cl_RA mean_square(const Polynomial& p) {
+  cln::cl_RA sum = 0;
+  for (const auto& [left, a] : p.terms()) {
+    for (const auto& [right, b] : p.terms()) {
+      const cln::cl_RA& mean = sphere_mean(left * right);
+      if (!cln::zerop(mean)) sum = sum + a * b * mean;
+    }
+  }
+  return sum;
+}
+
+// The integral of |Y'|^2 over the sphere where the normalization fixes it.
+std::optional<Surd> defined_integral(Normalization normalization, int degree) {
+  const Surd sphere_area = Surd(4) * Surd::square_root(1, 2);
+  const Surd inverse(cln::cl_RA(1) / (2 * degree + 1));
+  switch (normalization) {
+    case Normalization::kOrthonormal:
+      return Surd(1);
+    case Normalization::kFourPi:
+      return sphere_area;
+    case Normalization::kSchmidt:
+      return sphere_area * inverse;
+    case Normalization::kSn3d:
+      return inverse;
+    case Normalization::kUnnormalized:
+    case Normalization::kPrimitive:
+      return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+// d^a P_l / dz^a
+Polynomial axial_part(int degree, int a) {
+  Polynomial q = legendre_polynomial(degree, 2);
+  for (int i = 0; i < a; ++i) q = q.derivative(2);
+  return q;
+}
+
+// The number by which q(z) Re or Im (x + iy)^a is the function: both are compared near the north pole at a small phi.
+Surd multiple_of_ferrers(const ConventionFunction& f, const Convention& c, int degree, int order) {
+  const int a = std::abs(order);
+  const bool sine = order < 0 && !c.complex;
+  const Monomial first{sine ? a - 1 : a, sine ? 1 : 0, degree - a};
+  const std::array<cln::cl_RA, 3> pole{0, 0, 1};
+  const cln::cl_RA expected = (sine ? a : 1) * axial_part(degree, a).evaluate(pole);
+  return f.factor * Surd(f.re.coefficient(first) / expected);
+}
+
+bool is_negative_phase(const Convention& c, int order) {
+  return c.condon_shortley && order % 2 != 0 && (order > 0 || !c.complex);
+}
+
+void require_size_and_sign(const Convention& c, const ConventionFunction& f, const cln::cl_RA& mean, int degree,
+                           int order) {
+  const Surd multiple = multiple_of_ferrers(f, c, degree, order);
+  require(multiple.is_negative() == is_negative_phase(c, order), degree, order, "has another sign");
+  const Surd sphere_area = Surd(4) * Surd::square_root(1, 2);
+  if (const auto integral = defined_integral(c.normalization, degree)) {
+    require(f.factor * f.factor * Surd(mean) * sphere_area == *integral, degree, order,
+            "the integral of its square is not that of the normalization");
+  } else if (c.normalization == Normalization::kUnnormalized) {
+    require(multiple * multiple == Surd(1), degree, order, "is not P_l^|m| cos or sin");
+  } else {
+    const Polynomial reduced = axial_part(degree, std::abs(order)) * reduced_basis_function(degree, order).azimuthal;
+    require(multiple.is_rational() && content(multiple.rational() * reduced) == 1, degree, order,
+            "its coefficients are no integers without a common factor");
+  }
+}
+
+std::array<Polynomial, 3> coordinates(const SignedPermutation& axes) {
+  std::array<Polynomial, 3> result;
+  for (int row = 0; row < 3; ++row) {
+    result[row] = cln::cl_RA(axes.sign(row)) * Polynomial::variable(axes.axis(row));
+  }
+  return result;
+}
+
+// Y'_m = re + i im in our coordinates.
+struct Written {
+  RadicalSum factor;
+  Polynomial re;
+  Polynomial im;
+};
+
+std::vector<Written> written_band(const Convention& convention, int degree) {
+  std::vector<Written> band;
+  const bool turns = !(convention.axes == SignedPermutation());
+  const auto moved = coordinates(convention.axes);
+  const auto in_ours = [&](const Polynomial& p) { return turns ? substitute(p, moved) : p; };
+  for (int m = -degree; m <= degree; ++m) {
+    const ConventionFunction f = convention_function(convention, degree, m);
+    band.push_back({RadicalSum(f.factor), in_ours(f.re), in_ours(f.im)});
+  }
+  return band;
+}
+
+// A_l / pi by its integral, 1 where nothing is folded in.
+cln::cl_RA convolution_with(Folded folded, int degree) {
+  if (folded == Folded::kNothing) return 1;
+  const Polynomial integrand = Polynomial::variable(0) * legendre_polynomial(degree, 0);
+  return 2 * definite_integral(integrand, 0, Polynomial(), Polynomial(1)).coefficient({});
+}
+
+constexpr DegreeOrder kHole{-1, 0};
+
+// The functions in the order of the array.
+std::vector<DegreeOrder> listed(IndexOrder order, int degree) {
+  std::vector<DegreeOrder> list;
+  if (order == IndexOrder::kCosineSineArray) {
+    for (const int sign : {1, -1}) {
+      for (int l = 0; l <= degree; ++l) {
+        for (int a = 0; a <= degree; ++a)
+          list.push_back(a > l || (a == 0 && sign < 0) ? kHole : DegreeOrder{l, sign * a});
+      }
+    }
+    return list;
+  }
+  for (int l = 0; l <= degree; ++l) {
+    if (order == IndexOrder::kAcn) {
+      for (int m = -l; m <= l; ++m) list.push_back({l, m});
+      continue;
+    }
+    const bool pairs = order == IndexOrder::kZeroFirst;
+    list.push_back({l, 0});
+    for (int a = 1; a <= l; ++a) {
+      list.push_back({l, a});
+      if (pairs) list.push_back({l, -a});
+    }
+    for (int a = 1; a <= l && !pairs; ++a) list.push_back({l, -a});
+  }
+  return list;
+}
+
+const std::vector<IndexOrder>& index_orders() {
+  static const std::vector<IndexOrder> all{IndexOrder::kAcn, IndexOrder::kZeroFirst, IndexOrder::kCosineSineBands,
+                                           IndexOrder::kCosineSineArray};
+  return all;
+}
+
+}  // namespace
+
+int prove_definitions(const std::vector<Convention>& conventions, int degree, const WrittenFunction& function) {
+  struct Shape {
+    bool complex = false;
+    Polynomial re;
+    Polynomial im;
+    cln::cl_RA mean;  // of re^2 + im^2
+  };
+  for (int m = -degree; m <= degree; ++m) {
+    std::vector<Shape> known;
+    for (const Convention& c : conventions) {
+      const ConventionFunction f = function(c, degree, m);
+      const Shape* shape = nullptr;
+      for (const Shape& other : known) {
+        if (other.complex == c.complex && other.re == f.re && other.im == f.im) shape = &other;
+      }
+      if (shape == nullptr) {
+        require_shape(c, f.re, f.im, degree, m);
+        known.push_back({c.complex, f.re, f.im, mean_square(f.re) + mean_square(f.im)});
+        shape = &known.back();
+      }
+      require_size_and_sign(c, f, shape->mean, degree, m);
+    }
+  }
+  return static_cast<int>(conventions.size()) * (2 * degree + 1);
+}
+
+int prove_same_function(const Convention& convention, const ConventionMap& ours_to_convention) {
+  if (ours_to_convention.to_order != convention.order) throw Refuted("the map leads to another index order");
+  for (int l = 0; l <= ours_to_convention.degree; ++l) {
+    const std::vector<Written> band = written_band(convention, l);
+    const Matrix<RadicalSum>& c = ours_to_convention.forward.at(l);
+    const cln::cl_RA convolution = convolution_with(convention.folded, l);
+    for (int n = -l; n <= l; ++n) {
+      PolynomialSum difference;
+      for (int a = -l; a <= l; ++a) {
+        const RadicalSum& weight = c(l + a, l + n);
+        if (weight.is_zero()) continue;
+        const Written& y = band[l + a];
+        difference.add(weight * y.factor, y.re);
+        difference.add(weight * y.factor * RadicalSum::imaginary_unit(), y.im);
+      }
+      const BasisFunction& ours = basis_function(l, n);
+      difference.add(-RadicalSum(Surd(convolution) * ours.factor), ours.homogeneous);
+      require(difference.terms({"x", "y", "z"}).empty(), l, n, "sum c' Y' differs from sum c Y");
+    }
+  }
+  return 1;
+}
+
+int prove_index_orders(int degree, const Storage& storage) {
+  for (const IndexOrder order : index_orders()) {
+    for (int largest = 0; largest <= degree; ++largest) {
+      const std::vector<DegreeOrder> list = listed(order, largest);
+      if (storage.size(order, largest) != static_cast<int>(list.size())) {
+        throw Refuted("the size of an array to degree " + std::to_string(largest));
+      }
+      for (std::size_t i = 0; i < list.size(); ++i) {
+        const auto [l, m] = list[i];
+        if (l < 0) continue;
+        require(storage.position(order, largest, l, m) == static_cast<int>(i), l, m, "stands at another place");
+      }
+    }
+  }
+  return static_cast<int>(index_orders().size()) * (degree + 1);
+}
+
+std::vector<Convention> unturned_conventions(int degree) {
+  std::vector<Convention> all;
+  for (const Preset& preset : presets()) {
+    const bool turned = !(preset.convention.axes == SignedPermutation());
+    const bool serves = preset.convention.folded == Folded::kNothing || degree <= 2;
+    if (!turned && serves) all.push_back(preset.convention);
+  }
+  for (const Normalization normalization :
+       {Normalization::kOrthonormal, Normalization::kFourPi, Normalization::kSchmidt, Normalization::kSn3d,
+        Normalization::kUnnormalized, Normalization::kPrimitive}) {
+    for (int kind = 0; kind < 4; ++kind) {
+      Convention c;
+      c.normalization = normalization;
+      c.condon_shortley = kind % 2 != 0;
+      c.complex = kind >= 2;
+      c.order = index_orders()[all.size() % index_orders().size()];
+      const bool real_only =
+          normalization == Normalization::kUnnormalized || normalization == Normalization::kPrimitive;
+      if (!c.complex || !real_only) all.push_back(c);
+    }
+  }
+  return all;
+}
+
+std::vector<Convention> sample_conventions(int degree) {
+  std::vector<Convention> samples;
+  for (const Preset& preset : presets()) {
+    if (preset.convention.folded != Folded::kNothing && degree > 2) continue;
+    samples.push_back(preset.convention);
+    samples.push_back(preset.in_world());
+  }
+  for (const Normalization normalization :
+       {Normalization::kOrthonormal, Normalization::kFourPi, Normalization::kSchmidt, Normalization::kSn3d,
+        Normalization::kUnnormalized, Normalization::kPrimitive}) {
+    Convention c;
+    c.normalization = normalization;
+    c.condon_shortley = normalization != Normalization::kSchmidt;
+    c.complex = normalization == Normalization::kFourPi || normalization == Normalization::kSchmidt;
+    c.order = c.complex ? IndexOrder::kZeroFirst : IndexOrder::kCosineSineBands;
+    c.axes = SignedPermutation(c.complex ? "-z,x,y" : "y,-z,x");
+    samples.push_back(c);
+  }
+  return samples;
+}
+
+}  // namespace sh::symbolic
