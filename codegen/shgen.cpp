@@ -22,6 +22,7 @@
 #include <stdexcept>
 
 #include "codegen/commands/commands.hpp"
+#include "numeric/output/version.hpp"
 
 namespace {
 
@@ -44,10 +45,11 @@ void add_commands(CLI::App& tool, int& exit_code) {
 int run(int argc, char** argv) {
   CLI::App tool{"Writes, checks and shows the generated spherical-harmonics kernels."};
   int exit_code = kDone;
+  tool.set_version_flag("--version", sh::output::version_of("shgen"));
   add_commands(tool, exit_code);
   try {
     tool.parse(argc, argv);                // runs the command
-  } catch (const CLI::Success& request) {  // --help
+  } catch (const CLI::Success& request) {  // --help, --version
     return tool.exit(request);
   } catch (const CLI::ParseError& error) {
     throw std::invalid_argument(error.what());

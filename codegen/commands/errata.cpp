@@ -156,6 +156,7 @@ Json as_json(const Entry& entry, const Decision& decision, double seconds) {
 
 bool errata(const std::vector<Source>& sources, const ErrataOptions& options, std::ostream& out,
             std::ostream& progress) {
+  if (!options.json.empty()) output::require_writable(options.json);
   Json report = Json::array();
   std::map<Verdict, int> counts;
   std::vector<std::string> contradictions;

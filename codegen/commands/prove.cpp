@@ -174,6 +174,7 @@ bool run_command(const ProveOptions& options, std::ostream& out, std::ostream& p
   if (options.degree) {
     symbolic::require_degree("prove", *options.degree, symbolic::kMaxBasisDegree, "the basis is derived to there");
   }
+  if (!options.json.empty()) output::require_writable(options.json);
   return options.mutations.empty() ? prove(options, out, progress) : mutate(options, out, progress);
 }
 

@@ -79,6 +79,7 @@ bool tune(const TuneOptions& options, std::ostream& out, std::ostream& progress)
   const output::Stopwatch stopwatch;
   const std::vector<Task> tasks = tasks_of(options);
   const std::filesystem::path file = options.file.empty() ? wisdom_file() : std::filesystem::path(options.file);
+  if (!options.check) output::require_writable(file.string());
   Wisdom wisdom = Wisdom::read(file);
   wisdom.set_machine(describe_machine());
   int slower = 0;

@@ -1,14 +1,26 @@
 #include "numeric/commands/command_line.hpp"
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <stdexcept>
 #include <type_traits>
 
 #include "numeric/output/progress.hpp"
+#include "numeric/output/version.hpp"
 
 namespace sh::numeric {
+
+namespace {
+
+// Refuses what CLI11 takes for numbers: nan and inf.
+std::string flaw_of_number(const std::string& text) {
+  return std::isfinite(std::strtod(text.c_str(), nullptr)) ? "" : "expected a finite number, got " + text;
+}
+
+}  // namespace
 
 Option& Option::required() {
   option_->required();
@@ -53,7 +65,9 @@ Option Command::option(const std::string& names, T& value, const std::string& he
   if constexpr (std::is_same_v<T, bool>) {
     return Option(app_->add_flag(names, value, help));
   } else {
-    return Option(app_->add_option(names, value, help));
+    CLI::Option* const option = app_->add_option(names, value, help);
+    if constexpr (std::is_same_v<T, double>) option->check(flaw_of_number);
+    return Option(option);
   }
 }
 
@@ -72,12 +86,13 @@ int run_tool(int argc, char** argv, const std::string& help, const std::function
   CLI::App app(help, "shcheck");
   int exit_code = kDone;
   Command tool(&app, &exit_code);
+  app.set_version_flag("--version", output::version_of("shcheck"));
   tool.require_command();
   try {
     add_commands(tool);
     app.parse(argc, argv);
     return exit_code;
-  } catch (const CLI::Success& done) {  // --help
+  } catch (const CLI::Success& done) {  // --help, --version
     return app.exit(done);
   } catch (const output::Interrupted& stop) {
     say(stop.what());

@@ -22,6 +22,7 @@ struct KernelOptions {
 };
 
 ExitCode check(const KernelOptions& options) {
+  if (!options.json_file.empty()) output::require_writable(options.json_file);
   const auto results = check_kernels({options.generated, options.family}, say);
   std::vector<std::string> failures;
   for (const auto& kernel : unchecked_kernels(bound_kernels())) {

@@ -122,6 +122,8 @@ Command add_picture(Command& plot, const char* name, const char* help, const std
   command.option("--size", options->size, "width in pixels, 16 to 8192").with_default();
   command.run([=] {
     options->has_coefficients = coefficients.given();
+    output::require_writable(options->output);
+    output::require_no_input(options->output, {options->coefficients});
     output::stop_on_interrupt();
     output::write_file(options->output, draw(*options));
     return kDone;

@@ -44,6 +44,7 @@ void write_charts(const std::filesystem::path& folder, const Report& report) {
 ExitCode run(const ReportCommand& command) {
   if (!command.options.task.empty()) find_task("--task", command.options.task);
   make_folder(command.folder);
+  output::require_writable((std::filesystem::path(command.folder) / "report.json").string());
   output::stop_on_interrupt();
   const auto report = make_report(command.options);
   const std::filesystem::path folder = command.folder;

@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <stdexcept>
 #include <utility>
 
@@ -19,6 +20,14 @@ namespace {
 bool is_special(const std::string& path) {
   struct stat status = {};
   return stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode);
+}
+
+// Whether both names stand for one file. It need not exist.
+bool is_same_file(const std::string& a, const std::string& b) {
+  std::error_code error;
+  if (std::filesystem::equivalent(a, b, error)) return true;
+  const std::filesystem::path first = std::filesystem::weakly_canonical(a, error);
+  return !error && first == std::filesystem::weakly_canonical(b, error);
 }
 
 // Makes the new name of a file last through a power failure. The file is complete in any case: this function ignores
@@ -82,6 +91,27 @@ void write_file(const std::string& path, std::string_view text) {
   AtomicFile file(path);
   file.write(text.data(), text.size());
   file.commit();
+}
+
+void require_writable(const std::string& path) {
+  if (std::filesystem::is_directory(path)) {
+    throw std::runtime_error(fmt::format("{}: cannot write: is a folder; expected a file", path));
+  }
+  const std::string folder = std::filesystem::path(path).parent_path().string();
+  const std::string& checked = std::filesystem::exists(path) ? path : folder.empty() ? "." : folder;
+  if (access(checked.c_str(), W_OK) != 0) {
+    throw std::runtime_error(fmt::format("{}: cannot write: {}", path, std::strerror(errno)));
+  }
+}
+
+void require_no_input(const std::string& path, const std::vector<std::string>& inputs) {
+  if (is_special(path)) return;
+  for (const std::string& input : inputs) {
+    if (!input.empty() && is_same_file(path, input)) {
+      throw std::runtime_error(
+          fmt::format("{}: expected an output that is not an input too, got the input {}", path, input));
+    }
+  }
 }
 
 }  // namespace sh::output

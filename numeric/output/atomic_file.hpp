@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace sh::output {
 
@@ -28,5 +29,13 @@ class AtomicFile {
 
 /// Writes `text` as the whole of the file. Throws as AtomicFile does.
 void write_file(const std::string& path, std::string_view text);
+
+/// For tools, before long work starts: throws std::runtime_error with one line if `path` is a folder or cannot be
+/// written.
+void require_writable(const std::string& path);
+
+/// Throws std::runtime_error with one line if writing `path` would replace one of the files `inputs`, whatever its name.
+/// Empty names do not count.
+void require_no_input(const std::string& path, const std::vector<std::string>& inputs);
 
 }  // namespace sh::output

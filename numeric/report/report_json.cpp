@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "numeric/output/parse_json.hpp"
 #include "numeric/output/read_file.hpp"
 #include "numeric/report/report.hpp"
 
@@ -120,7 +121,7 @@ std::vector<Point> read_report(const std::string& file) {
   const std::string text = output::read_file(file);
   std::vector<Point> points;
   try {
-    const auto json = Json::parse(text);
+    const auto json = output::parse_json<Json>(text);
     if (json.at("format") != kFormat) throw std::runtime_error(std::string("'format': expected '") + kFormat + "'");
     for (const auto& point : json.at("points")) points.push_back(point_of(point));
   } catch (const std::exception& error) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstring>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -33,11 +34,24 @@ struct RowHead {
   std::uint32_t length = 0;
 };
 
+constexpr float kMostOfHemisphere = 2.0F;  // with few directions, the cosines of a hemisphere do not sum to 1
+
+// Whether the entries are what prt/bake/form_factors.hpp says of a row.
+bool is_row(const FormFactorRow& row, std::size_t vertices) {
+  constexpr double kLeast = -1e-6;  // rounding of barycentric coordinates
+  double sum = 0.0;
+  for (const FormFactor& entry : row) {
+    const auto weight = static_cast<double>(entry.weight);
+    if (entry.vertex >= vertices || !(weight >= kLeast)) return false;
+    sum += weight;
+  }
+  return sum <= static_cast<double>(kMostOfHemisphere);
+}
+
 bool take_row(std::string_view& data, std::size_t vertices, FormFactorRow& row, RowHead& head) {
   if (!take(data, &head, 1) || head.kept > 1 || data.size() / sizeof(FormFactor) < head.length) return false;
   row.resize(head.length);
-  return take(data, row.data(), row.size()) &&
-         std::all_of(row.begin(), row.end(), [vertices](const FormFactor& f) { return f.vertex < vertices; });
+  return take(data, row.data(), row.size()) && is_row(row, vertices);
 }
 
 template <class T>
@@ -69,16 +83,22 @@ std::string encode_chunk(const ShadowResult& result, const VertexRange& range) {
 
 bool is_possible(const Sight& sight) {
   const auto is_part = [](float part) { return part >= 0.0F && part <= 1.0F; };
-  return sight.visible >= 0.0F && is_part(sight.buried) && is_part(sight.covered);
+  return sight.visible >= 0.0F && sight.visible <= kMostOfHemisphere && is_part(sight.buried) && is_part(sight.covered);
 }
 
-// Returns false, and changes no finished result, if the data do not have the shape of the chunk.
+bool are_results(const std::vector<float>& transfer, const std::vector<Sight>& sight) {
+  return std::all_of(transfer.begin(), transfer.end(), [](float value) { return std::isfinite(value); }) &&
+         std::all_of(sight.begin(), sight.end(), is_possible);
+}
+
+// Returns false, and changes no finished result, if the data do not have the shape of the chunk or cannot be results of
+// rays, whatever their checksum.
 bool decode_chunk(std::string_view data, const VertexRange& range, ShadowResult& result) {
   const std::size_t count = result.transfer.shape.length();
   std::vector<float> transfer(range.size() * count);
   std::vector<Sight> sight(range.size());
   if (!take(data, transfer.data(), transfer.size()) || !take(data, sight.data(), sight.size()) ||
-      !std::all_of(sight.begin(), sight.end(), is_possible)) {
+      !are_results(transfer, sight)) {
     return false;
   }
   std::vector<std::pair<std::size_t, FormFactorRow>> rows;

@@ -15,6 +15,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "numeric/output/parse_json.hpp"
 #include "prt/transfer/checksum.hpp"
 
 namespace sh::prt {
@@ -63,6 +64,7 @@ std::string front_of(const std::string& key) {
 
 // The first entry that differs, as text for messages.
 std::string difference(const Json& found, const Json& wanted) {
+  if (!found.is_object()) return "its key is no object";
   for (const auto& [name, value] : wanted.items()) {
     if (!found.contains(name) || found[name] != value) {
       return fmt::format("its {} is {}, here it is {}", name, found.value(name, Json("missing")).dump(), value.dump());
@@ -125,10 +127,16 @@ void CheckpointFile::refuse_key() const {
   if (checksum_of(prologue, key) != prologue.checksum) {
     fail("damaged checkpoint: the checksum of its key differs; --restart throws it away");
   }
+  std::string what;
+  try {
+    what = difference(output::parse_json<Json>(key), Json::parse(front_.substr(sizeof prologue)));
+  } catch (const std::runtime_error& error) {
+    fail(fmt::format("damaged checkpoint: its key is {}; --restart throws it away", error.what()));
+  }
   fail(
       fmt::format("checkpoint of another bake: {}; finish that one, give another --checkpoint, or delete it with "
                   "--restart",
-                  difference(Json::parse(key), Json::parse(front_.substr(sizeof prologue)))));
+                  what));
 }
 
 void CheckpointFile::create() {

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "numeric/output/atomic_file.hpp"
 #include "prt/bake/bake.hpp"
 #include "prt/bake/estimate.hpp"
 #include "prt/commands/commands.hpp"
@@ -51,7 +52,12 @@ void SceneOptions::add_to(CLI::App& command) {
   const auto words = [](const auto& names) {
     return CLI::IsMember(std::vector<std::string>(std::begin(names), std::end(names)));
   };
-  command.add_option("SCENE", scene, "a scene's JSON file, or `demo`, the embedded scene")->required();
+  command
+      .add_option(
+          "SCENE", scene,
+          "a scene's JSON file, `demo`, the embedded scene, or a mesh file alone (.gltf, .obj, ...), which gets a "
+          "ground and the overcast sky")
+      ->required();
   command.add_option("--degree", degree, "SH degree, 0 to 10, instead of the scene's");
   command.add_option("--directions", directions, "directions over the whole sphere, instead of the scene's");
   command.add_option("--sampler", sampler, "method that chooses the directions, instead of the scene's")
@@ -92,7 +98,9 @@ CheckpointSettings checkpoint_of(const BakeCommand& options) {
       !options.only_estimate) {
     settings.path = options.output + ".part";
   }
-  if (!settings.path.empty()) require_writable(settings.path);
+  if (settings.path.empty()) return settings;
+  output::require_writable(settings.path);
+  output::require_no_input(settings.path, {options.output});
   return settings;
 }
 
@@ -132,13 +140,15 @@ void report_bake(const Transfer& transfer, const BakeReport& report) {
 
 void run_bake(const BakeCommand& options) {
   const Stopwatch stopwatch;
-  if (!options.only_estimate) require_writable(options.output);
+  if (!options.only_estimate) require_output(options.output);
   const BakeSettings settings{.threads = options.threads,
                               .instruction_set = options.instruction_set,
                               .on_flaw = on_flaw(options.strict),
                               .bounce_memory = options.bounce_memory << 20U,
                               .checkpoint = checkpoint_of(options)};
   BakeJob job(load_scene(options.scene, settings.on_flaw), settings);
+  output::require_no_input(options.output, job.scene.files);
+  output::require_no_input(settings.checkpoint.path, job.scene.files);
   options.apply_to(job.scene);
   if (options.only_estimate) return print_estimate(planned(std::move(job)));
   if (options.budget_seconds) job.budget = BakeBudget{*options.budget_seconds, stopwatch};
@@ -186,8 +196,10 @@ void add_bake_command(CLI::App& tool) {
   options->add_to(command);
   command.add_option("-o,--output", options->output, "transfer file to write");
   command.add_flag("--estimate", options->only_estimate, "print the estimated time and memory as JSON and stop");
-  command.add_option("--bounce-memory", options->bounce_memory,
-                     "MiB for the hits of rays; further hits are traced again for each bounce, with the same result");
+  command
+      .add_option("--bounce-memory", options->bounce_memory,
+                  "MiB for the hits of rays; further hits are traced again for each bounce, with the same result")
+      ->check(CLI::Range(0, 1 << 30));
   command.add_option("--instruction-set", options->instruction_set,
                      "instruction set for rays: sse4.2, avx, avx2 or avx512; results are reproducible on each");
   command.add_flag("--strict", options->strict, "refuse meshes that would otherwise be mended with a warning");

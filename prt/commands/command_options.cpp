@@ -1,18 +1,18 @@
 // Options and helpers that several commands share.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/info.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
 #include <cmath>
-#include <cstring>
 #include <filesystem>
 #include <iostream>
+#include <limits>
 #include <sstream>
 
+#include "numeric/output/atomic_file.hpp"
 #include "prt/commands/commands.hpp"
 #include "prt/scene/scene_parts.hpp"
 
@@ -79,6 +79,12 @@ LightCoefficients project_windowed(const std::vector<Light>& lights, int degree,
   }
   std::vector<Deringing> done;
   LightCoefficients light = project(lights, degree, &done);
+  const auto fits = [](double value) {
+    return std::abs(value) <= static_cast<double>(std::numeric_limits<float>::max());
+  };
+  if (!std::all_of(light.values.begin(), light.values.end(), fits)) {
+    throw std::runtime_error("the lights exceed single precision; expected weaker ones, below 1e37");
+  }
   if (!options.window.empty()) done.push_back(apply_window(choice_of(options), light));
   for (const Deringing& one : done) fmt::print(stderr, "prt: {}\n", describe(one));
   if (windowed != nullptr) *windowed = done;
@@ -119,9 +125,12 @@ ChosenLight choose_light(const LightOptions& options, const std::vector<LightSpe
     const Scene scene = load_scene(options.scene, flaws);
     lights = scene.lights;
     chosen.camera = scene.camera;
+    chosen.files = scene.files;
   } else if (!options.light.empty() || otherwise.empty()) {
     lights = named_lights(options.light.empty() ? "overcast" : options.light, options.mapping);
+    chosen.files.push_back(options.light);
   }
+  for (const LightSpec& light : lights) chosen.files.push_back(light.file);
   const double degrees = static_cast<double>(options.turn_degrees);
   chosen.lights = turned(load_lights(lights, flaws), rotation_about(Eigen::Vector3d::UnitZ(), degrees));
   return chosen;
@@ -146,18 +155,24 @@ void print_out(std::string_view text) {
   if (!std::cout) throw std::runtime_error("standard output: cannot write");
 }
 
-void print_json(const Json& json) { print_out(json.dump(2) + "\n"); }
+void print_json(const Json& json) { print_out(json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"); }
 
-void require_writable(const std::string& file) {
-  const std::filesystem::path path(file);
-  if (std::filesystem::is_directory(path)) {
-    throw std::runtime_error(fmt::format("{}: cannot write: is a folder; expected a file", file));
+void require_output(const std::string& file, const std::vector<std::string>& endings) {
+  const auto ends = [&](const std::string& ending) { return file.ends_with(ending); };
+  const bool is_special = std::filesystem::exists(file) && !std::filesystem::is_regular_file(file);
+  if (!is_special && !endings.empty() && std::none_of(endings.begin(), endings.end(), ends)) {
+    throw std::runtime_error(fmt::format("{}: expected a name that ends in {}", file, fmt::join(endings, " or ")));
   }
-  const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
-  const std::string& checked = std::filesystem::exists(path) ? path.native() : folder.native();
-  if (access(checked.c_str(), W_OK) != 0) {
-    throw std::runtime_error(fmt::format("{}: cannot write: {}", file, std::strerror(errno)));
-  }
+  output::require_writable(file);
+}
+
+void require_finite(const std::vector<Eigen::Vector3f>& radiance, const std::string& file) {
+  const auto flaw =
+      std::find_if(radiance.begin(), radiance.end(), [](const auto& value) { return !value.allFinite(); });
+  if (flaw == radiance.end()) return;
+  throw std::runtime_error(
+      fmt::format("{}: the exit radiance of vertex {} exceeds single precision; expected weaker lights, below 1e37",
+                  file, flaw - radiance.begin()));
 }
 
 void report_time(const Stopwatch& stopwatch, const std::string& what) {

@@ -21,6 +21,9 @@ namespace sh::prt {
 using Json = nlohmann::ordered_json;
 using output::Stopwatch;
 
+/// Runs the command of a command line; an error is one line on standard error. Returns the exit code.
+int run_tool(int argc, char** argv);
+
 /// Each function adds its subcommand to the tool; parsing the command line then runs it.
 void add_bake_command(CLI::App& tool);
 void add_relight_command(CLI::App& tool);
@@ -48,7 +51,7 @@ struct WindowOptions {
 
 /// The lights' coefficients under their own windows or under the window of the options. The effect of each window is
 /// printed on standard error and, if `windowed` is not null, stored there. Throws std::runtime_error if both have a
-/// window.
+/// window, or if a coefficient exceeds single precision.
 LightCoefficients project_windowed(const std::vector<Light>& lights, int degree, const WindowOptions& options,
                                    std::vector<Deringing>* windowed = nullptr);
 
@@ -69,6 +72,7 @@ struct LightOptions {
 struct ChosenLight {
   std::vector<Light> lights;
   std::optional<Camera> camera;
+  std::vector<std::string> files;  // that they are read from
 };
 ChosenLight choose_light(const LightOptions& options, const std::vector<LightSpec>& otherwise = {});
 
@@ -106,8 +110,12 @@ Json json_of(const Vector& v) {
   return {v.x(), v.y(), v.z()};
 }
 
-/// Throws std::runtime_error before long work starts if `file` cannot be written.
-void require_writable(const std::string& file);
+/// Throws std::runtime_error before long work starts if `file` cannot be written, or if its name does not end in one of
+/// `endings`, such as `.png`; devices may have any name.
+void require_output(const std::string& file, const std::vector<std::string>& endings = {});
+
+/// Throws std::runtime_error if a number is not finite, with the file or option that made it.
+void require_finite(const std::vector<Eigen::Vector3f>& radiance, const std::string& file);
 
 /// Prints `prt: WHAT in S s` on standard error, with `what` and the seconds.
 void report_time(const Stopwatch& stopwatch, const std::string& what);

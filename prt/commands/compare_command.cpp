@@ -45,10 +45,10 @@ bool is_transfer(const std::string& file) {
 }
 
 Radiances shaded(const Transfer& transfer, const std::vector<Light>& lights, const WindowOptions& window) {
+  const std::vector<Eigen::Vector3f> relit = relight(transfer, project_windowed(lights, transfer.degree(), window));
+  require_finite(relit, transfer.scene);
   Radiances radiances;
-  for (const Eigen::Vector3f& radiance : relight(transfer, project_windowed(lights, transfer.degree(), window))) {
-    radiances.push_back(radiance.cast<double>());
-  }
+  for (const Eigen::Vector3f& radiance : relit) radiances.push_back(radiance.cast<double>());
   return radiances;
 }
 
@@ -128,7 +128,10 @@ Compared compare_pictures(const Options& options) {
 }
 
 void run(const Options& options) {
-  if (!options.output.empty()) require_writable(options.output);
+  if (!options.output.empty()) {
+    require_output(options.output, {".png"});
+    output::require_no_input(options.output, {options.first, options.second, options.light.scene, options.light.light});
+  }
   const bool transfers = is_transfer(options.first);
   if (transfers != is_transfer(options.second)) {
     throw std::runtime_error(

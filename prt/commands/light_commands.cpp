@@ -139,8 +139,10 @@ std::vector<ImageMapping> mappings_named(const std::string& name) {
 
 void run_reconstruct(const ReconstructCommand& options) {
   const Stopwatch stopwatch;
-  require_writable(options.output);
+  require_output(options.output, {".png"});
   const std::vector<Light> lights = options.load();
+  output::require_no_input(options.output, {options.light});
+  for (const Light& light : lights) output::require_no_input(options.output, {light.spec.file});
   const LightCoefficients light = project_windowed(lights, options.degree, options.window);
   LightFigure figure = options.figure;
   if (figure.title.empty()) figure.title = options.file_name();

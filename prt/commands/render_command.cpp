@@ -120,6 +120,7 @@ void run(const RenderCommand& options) {
   PictureFiles files(options.output, options.frames, options.size.width, options.size.height, options.animation);
   const Stopwatch stopwatch;
   Subject subject(options.subject);
+  for (int frame = 0; frame < options.frames; ++frame) subject.require_no_input(files.name(frame));
   Sequence sequence(options, subject, files);
   for (int frame = 0; frame < options.frames; ++frame) sequence.render_frame(frame);
   files.finish();

@@ -37,6 +37,8 @@ StudyOptions study_options(const Options& options) {
   return result;
 }
 
+std::string study_file(const std::filesystem::path& folder) { return (folder / "study.json").string(); }
+
 void make_folder(const std::string& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
@@ -44,7 +46,7 @@ void make_folder(const std::string& folder) {
     throw std::runtime_error(
         fmt::format("--out {}: cannot make this folder: {}", folder, error ? error.message() : "a file is in the way"));
   }
-  require_writable((std::filesystem::path(folder) / "study.json").string());
+  require_output(study_file(folder));
 }
 
 // Writes the files of the last part; the files of earlier parts exist already.
@@ -64,13 +66,15 @@ void write(const std::string& folder, const Study& study, const Scene& scene) {
   const std::filesystem::path path(folder);
   write_pictures(path, study.parts.back(), scene);
   for (const StudyChart& chart : study_charts(study)) output::write_file((path / chart.file).string(), chart.svg);
-  output::write_file((path / "study.json").string(), study_json(study, scene).dump(2) + "\n");
+  output::write_file(study_file(path),
+                     study_json(study, scene).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 void run(const Options& options) {
   const Stopwatch stopwatch;
   make_folder(options.out);
   const Scene scene = load_scene(options.scene, on_flaw(options.strict));
+  output::require_no_input(study_file(options.out), scene.files);
   const Study study =
       run_study(scene, study_options(options), [&](const Study& so_far) { write(options.out, so_far, scene); });
   report_time(stopwatch, fmt::format("studied {} of {} vertices of {}, into {}", study.studied, study.vertices,

@@ -74,7 +74,8 @@ void SubjectOptions::add_to(CLI::App& command) {
 }
 
 Subject::Subject(const SubjectOptions& options)
-    : is_stage_(has_extension(options.file, ".json")),
+    : file_(options.file),
+      is_stage_(has_extension(options.file, ".json")),
       on_flaw_(on_flaw(options.light.strict)),
       shading_(options.shading),
       stage_(is_stage_ ? load_stage(options.file, options.transfers) : stage_of(read_transfer(options.file))),
@@ -105,12 +106,24 @@ std::vector<Pose> Subject::poses_at(double time) {
 
 std::vector<Eigen::Vector3f> Subject::radiance(const std::vector<Pose>& poses,
                                                const Eigen::Matrix3d& light_turn) const {
-  if (!local_) return lighting_.radiance(poses, light_turn);
+  const std::vector<Eigen::Vector3f> radiance =
+      local_ ? local_radiance(light_turn) : lighting_.radiance(poses, light_turn);
+  require_finite(radiance, file_);
+  return radiance;
+}
+
+std::vector<Eigen::Vector3f> Subject::local_radiance(const Eigen::Matrix3d& light_turn) const {
   const Transfer& transfer = *stage_.objects.front().transfer;
   std::vector<LightCoefficients> at_points =
       project_at(turned(chosen_.lights, light_turn), local_->points, shading_.degree_for(transfer.degree()));
   for (LightCoefficients& light : at_points) light = shading_.chosen(light);
   return relight_locally(transfer, *local_, at_points, shading_);
+}
+
+void Subject::require_no_input(const std::string& output) const {
+  output::require_no_input(output, {file_});
+  output::require_no_input(output, stage_.files);
+  output::require_no_input(output, chosen_.files);
 }
 
 void require_frames(int frames) {
@@ -133,7 +146,7 @@ PictureFiles::PictureFiles(std::string output, int frames, int width, int height
   if (has_extension(output_, ".webp")) {
     animation_ = std::make_unique<output::AnimatedWebp>(width, height, options.frames_a_second, options.quality);
   }
-  require_writable(name(0));
+  require_output(name(0), {".png", ".webp"});
 }
 
 std::string PictureFiles::name(int frame) const { return animation_ ? output_ : frame_name(output_, frame, frames_); }

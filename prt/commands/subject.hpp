@@ -40,16 +40,21 @@ class Subject {
   [[nodiscard]] bool is_stage() const { return is_stage_; }
   [[nodiscard]] const std::vector<Light>& lights() const { return chosen_.lights; }
   [[nodiscard]] const std::optional<Camera>& camera() const { return chosen_.camera; }
+  /// Throws std::runtime_error if `output` is one of the files that this subject is read from.
+  void require_no_input(const std::string& output) const;
   /// Prints a message about objects that overlap, once for each pair.
   [[nodiscard]] std::vector<Pose> poses_at(double time);
   [[nodiscard]] Mesh mesh(const std::vector<Pose>& poses) const { return merged_mesh(stage_, poses); }
-  /// Exit radiance of the vertices. With `--local`, a near light turns about its `from`.
+  /// Exit radiance of the vertices. With `--local`, a near light turns about its `from`. Throws std::runtime_error if
+  /// it exceeds single precision.
   [[nodiscard]] std::vector<Eigen::Vector3f> radiance(const std::vector<Pose>& poses,
                                                       const Eigen::Matrix3d& light_turn) const;
 
  private:
+  [[nodiscard]] std::vector<Eigen::Vector3f> local_radiance(const Eigen::Matrix3d& light_turn) const;
   void tell_once(const std::string& line);
 
+  std::string file_;
   bool is_stage_;
   OnFlaw on_flaw_;
   Shading shading_;
@@ -74,7 +79,7 @@ struct AnimationOptions {
 /// Writes one PNG file for each frame, or one WebP file with all frames if `output` ends in .webp.
 class PictureFiles {
  public:
-  /// Throws if the first file cannot be written or if the options are invalid.
+  /// Throws if the first file cannot be written or has a name of another format, or if the options are invalid.
   PictureFiles(std::string output, int frames, int width, int height, const AnimationOptions& options);
   /// The file to which frame `frame` is written.
   [[nodiscard]] std::string name(int frame) const;

@@ -36,8 +36,11 @@ void relight_frame(const RelightCommand& options, Subject& subject, int frame) {
 
 void run_relight(const RelightCommand& options) {
   require_frames(options.frames);
-  require_writable(frame_name(options.output, 0, options.frames));
+  require_output(frame_name(options.output, 0, options.frames), {".ply"});
   Subject subject(options.subject);
+  for (int frame = 0; frame < options.frames; ++frame) {
+    subject.require_no_input(frame_name(options.output, frame, options.frames));
+  }
   for (int frame = 0; frame < options.frames; ++frame) relight_frame(options, subject, frame);
 }
 

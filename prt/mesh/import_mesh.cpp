@@ -12,7 +12,9 @@
 #include <cctype>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <optional>
+#include <set>
 #include <stdexcept>
 
 #include "numeric/output/srgb.hpp"
@@ -20,6 +22,8 @@
 namespace sh::prt {
 
 namespace {
+
+constexpr int kMostHeaderLines = 1000;
 
 Eigen::Vector3f to_eigen(const aiVector3D& v) { return {v.x, v.y, v.z}; }
 Eigen::Vector3f to_eigen(const aiColor4D& c) { return {c.r, c.g, c.b}; }
@@ -61,6 +65,7 @@ class Collector {
 
   ImportedMesh collect() {
     visit(*scene_.mRootNode, Eigen::Affine3f::Identity());
+    list_unread();
     result_.file_vertices = result_.soup.positions.size();
     result_.up = up_axis();
     if (std::all_of(result_.soup.normals.begin(), result_.soup.normals.end(),
@@ -91,6 +96,8 @@ class Collector {
     const aiMaterial* material = material_of(mesh);
     const MaterialChange change = changes_.of(name_of(material));
     const Eigen::Vector3f albedo = albedo_of(material, mesh.HasVertexColors(0));
+    if (has_textures(material) && !change.reflection) textured_.insert(material);
+    if (mesh.HasVertexColors(1)) ++meshes_of_many_colors_;
     for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
       part.positions.emplace_back(to_eigen(mesh.mVertices[v]));
       part.normals.push_back(mesh.HasNormals() ? to_eigen(mesh.mNormals[v]) : Eigen::Vector3f::Zero().eval());
@@ -117,6 +124,25 @@ class Collector {
     soup.normals.insert(soup.normals.end(), part.normals.begin(), part.normals.end());
     soup.albedo.insert(soup.albedo.end(), part.albedo.begin(), part.albedo.end());
     for (const Face& face : part.faces) soup.faces.push_back({face[0] + first, face[1] + first, face[2] + first});
+  }
+
+  // What the file has and this importer leaves out. A material whose reflection the scene gives needs no texture.
+  void list_unread() {
+    if (!textured_.empty()) {
+      result_.unread.push_back(fmt::format("{} of its materials have textures (not read)", textured_.size()));
+    }
+    if (meshes_of_many_colors_ > 0) {
+      result_.unread.push_back(fmt::format("{} of its meshes have several sets of vertex colors (the first is read)",
+                                           meshes_of_many_colors_));
+    }
+  }
+
+  static bool has_textures(const aiMaterial* material) {
+    if (material == nullptr) return false;
+    for (int type = aiTextureType_DIFFUSE; type <= AI_TEXTURE_TYPE_MAX; ++type) {
+      if (material->GetTextureCount(static_cast<aiTextureType>(type)) > 0) return true;
+    }
+    return false;
   }
 
   // Null if the file has no material: for formats without materials the importer invents one.
@@ -166,6 +192,8 @@ class Collector {
   const aiScene& scene_;
   const MaterialChanges& changes_;
   bool is_linear_;
+  std::set<const aiMaterial*> textured_;
+  std::size_t meshes_of_many_colors_ = 0;
   ImportedMesh result_;
 };
 
@@ -192,10 +220,25 @@ class Complaints final : public Assimp::LogStream {
   std::string index_;
 };
 
+// Checks the nodes before any code visits them: the importer of RAW files loses nodes of files with several objects.
+void check_nodes(const std::string& path, const aiScene& scene, const aiNode* node) {
+  const auto is_known = [&](unsigned mesh) { return mesh < scene.mNumMeshes; };
+  if (node == nullptr || !std::all_of(node->mMeshes, node->mMeshes + node->mNumMeshes, is_known)) {
+    throw std::runtime_error(
+        fmt::format("{}: cannot read the mesh: the importer lost some of its objects; expected one object a file, or "
+                    "another format",
+                    path));
+  }
+  for (unsigned i = 0; i < node->mNumChildren; ++i) check_nodes(path, scene, node->mChildren[i]);
+}
+
 // Checks the indices before any code uses them.
 void check_indices(const std::string& path, const aiScene& scene) {
   for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
     const aiMesh& mesh = *scene.mMeshes[m];
+    if (!mesh.HasPositions() && mesh.mNumVertices > 0) {
+      throw std::runtime_error(fmt::format("{}: mesh {} has no positions", path, m));
+    }
     for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
       for (unsigned k = 0; k < mesh.mFaces[f].mNumIndices; ++k) {
         if (mesh.mFaces[f].mIndices[k] >= mesh.mNumVertices) {
@@ -205,6 +248,18 @@ void check_indices(const std::string& path, const aiScene& scene) {
       }
     }
   }
+}
+
+// Whether the faces of a PLY file have colors, which the importer ignores: the header lists properties by element.
+bool has_face_colors(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  bool in_faces = false;
+  std::string line;
+  for (int i = 0; i < kMostHeaderLines && std::getline(file, line) && !line.starts_with("end_header"); ++i) {
+    if (line.starts_with("element")) in_faces = line.starts_with("element face");
+    if (in_faces && line.find(" red") != std::string::npos) return true;
+  }
+  return false;
 }
 
 bool has_polygons(const aiScene& scene) {
@@ -228,6 +283,8 @@ void check_readable(const std::string& path) {
 
 }  // namespace
 
+bool has_mesh_name(const std::string& path) { return Assimp::Importer().IsExtensionSupported(extension_of(path)); }
+
 ImportedMesh import_mesh(const std::string& path, const MaterialChanges& changes) {
   check_readable(path);
   Complaints complaints;
@@ -238,9 +295,10 @@ ImportedMesh import_mesh(const std::string& path, const MaterialChanges& changes
     throw std::runtime_error(
         fmt::format("{}: a face names a missing vertex: {}", path, one_line(complaints.about_an_index())));
   }
-  if (scene == nullptr || scene->mRootNode == nullptr) {
+  if (scene == nullptr) {
     throw std::runtime_error(fmt::format("{}: cannot read the mesh: {}", path, one_line(importer.GetErrorString())));
   }
+  check_nodes(path, *scene, scene->mRootNode);
   check_indices(path, *scene);
   if (!has_polygons(*scene)) {
     throw std::runtime_error(fmt::format("{}: the mesh has no faces, expected at least one triangle", path));
@@ -250,7 +308,11 @@ ImportedMesh import_mesh(const std::string& path, const MaterialChanges& changes
     throw std::runtime_error(
         fmt::format("{}: cannot triangulate the mesh: {}", path, one_line(importer.GetErrorString())));
   }
-  return Collector(path, *scene, changes).collect();
+  ImportedMesh mesh = Collector(path, *scene, changes).collect();
+  if (!changes.all.reflection && extension_of(path) == ".ply" && has_face_colors(path)) {
+    mesh.unread.emplace_back("its faces have colors (not read)");
+  }
+  return mesh;
 }
 
 }  // namespace sh::prt

@@ -18,12 +18,16 @@ struct ImportedMesh {
   UpAxis up = UpAxis::kZ;              // of the file, else usual for its format: z for STL and PLY, y for all others
   std::size_t file_vertices = 0;       // soup.source counts these
   std::vector<std::string> materials;  // their names
+  std::vector<std::string> unread;     // what the file has and this importer leaves out, a line for each kind
 };
+
+/// Whether the name ends like that of a mesh file.
+bool has_mesh_name(const std::string& path);
 
 /// Albedo: the glTF base color factor (linear), else the material's diffuse color (decoded from sRGB), times the vertex
 /// color; kDefaultAlbedo for meshes without a material. Emission: the material's emissive color, taken as linear, times
 /// its strength if it has one. Two sides: glTF doubleSided and similar entries. `changes` replace all of these; mirrors
-/// come only from `changes`. Textures are not read. Throws std::runtime_error, one line that begins with the path, for
+/// come only from `changes`. Textures are not read; `unread` says so. Throws std::runtime_error, one line that begins with the path, for
 /// a file that is missing, of no known format, damaged, or whose faces name missing vertices.
 ImportedMesh import_mesh(const std::string& path, const MaterialChanges& changes = {});
 

@@ -63,7 +63,7 @@ std::string plan_json(const Plan& plan, const Scene& scene) {
                   {"tolerance", bake.bounces.tolerance},
                   {"open_vertices", std::count(plan.open.begin(), plan.open.end(), std::uint8_t{1})}};
   json["storage"] = to_json(plan.storage);
-  return json.dump(2);
+  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);  // a file's name may be no UTF-8
 }
 
 }  // namespace sh::prt

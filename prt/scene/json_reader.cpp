@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "numeric/output/parse_json.hpp"
 #include "numeric/output/read_file.hpp"
 
 namespace sh::prt {
@@ -31,13 +32,9 @@ std::string quote(const nlohmann::json& value) {
 nlohmann::json read_json(const std::string& file) {
   const std::string text = output::read_file(file);
   try {
-    return nlohmann::json::parse(text);
-  } catch (const nlohmann::json::exception& error) {
-    const std::string what = error.what();
-    const std::size_t detail = what.find("] ");  // after the library's own name and number of the error
-    std::string line = detail == std::string::npos ? what : what.substr(detail + 2);
-    std::replace(line.begin(), line.end(), '\n', ' ');
-    throw std::runtime_error(fmt::format("{}: not JSON: {}", file, line));
+    return output::parse_json<nlohmann::json>(text);
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(fmt::format("{}: {}", file, error.what()));
   }
 }
 

@@ -1,7 +1,11 @@
 // Reads one light of a scene file, with its picture and its window.
+#include <fmt/core.h>
+
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <limits>
 #include <numbers>
 
@@ -198,7 +202,12 @@ LightSpec read_light(const JsonReader& reader, const std::string& folder) {
   LightSpec light;
   light.type = type.type;
   type.read(reader, light);
-  if (type.type == LightType::kEnvironment) light.file = beside(folder, light.file);
+  if (type.type == LightType::kEnvironment) {
+    light.file = beside(folder, light.file);
+    if (!std::ifstream(light.file) || std::filesystem::is_directory(light.file)) {
+      reader.at("file").expected(fmt::format("a picture that can be read ({})", light.file));
+    }
+  }
   if (const auto rotate = reader.find("rotate")) {
     const Turn turn = read_turn(*rotate);
     light.rotation_axis = turn.axis;

@@ -167,6 +167,7 @@ Mesh read_mesh(const JsonReader& reader, const std::string& folder, OnFlaw on_fl
   reader.take("flip", is_flipped, &JsonReader::boolean);
   const auto file = reader.find("file");
   const std::string name = file ? beside(folder, file->text()) : reader.at("primitive").text();
+  for (const std::string& line : shape.unread) report_flaw(on_flaw, fmt::format("{}: {}", name, line));
   check(shape.soup, name);
   transform(shape.soup, up.value_or(shape.up) == UpAxis::kY ? map * stand_up() : map);
   if (is_flipped) turn_inside_out(shape.soup);

@@ -1,13 +1,23 @@
 #include "prt/scene/scene.hpp"
 
+#include <fmt/core.h>
+
+#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "prt/mesh/import_mesh.hpp"
 #include "prt/mesh/weld.hpp"
 #include "prt/rays/directions.hpp"
 #include "prt/scene/scene_parts.hpp"
 
 namespace sh::prt {
+
+namespace {
+
+constexpr double kFarthestGround = 1e6;  // extents of the meshes; single precision separates no triangles beyond
+
+}  // namespace
 
 std::string beside(const std::string& folder, const std::string& file) {
   return (std::filesystem::path(folder) / file).lexically_normal().string();
@@ -28,8 +38,19 @@ Turn read_turn(const JsonReader& reader) {
 Ground read_ground(const JsonReader& reader, const Mesh& mesh) {
   reader.allow({"height", "size", "max_edge", "albedo"});
   Ground ground = default_ground(mesh);
-  reader.take("height", ground.height, &JsonReader::finite);
-  reader.take("size", ground.size, &JsonReader::positive);
+  const Eigen::AlignedBox3d box = bounding_box(mesh.positions).cast<double>();
+  const double farthest = kFarthestGround * box.sizes().norm();
+  const std::string limit = fmt::format("at most {:.4g}, a million times the extent of the meshes", farthest);
+  reader.take("height", ground.height, [&](const JsonReader& value) {
+    const auto height = static_cast<double>(value.finite());
+    if (std::abs(height - box.min().z()) > farthest) value.expected("a distance from the meshes of " + limit);
+    return height;
+  });
+  reader.take("size", ground.size, [&](const JsonReader& value) {
+    const auto size = static_cast<double>(value.positive());
+    if (size > farthest) value.expected("a length of " + limit);
+    return size;
+  });
   reader.take("max_edge", ground.max_edge, &JsonReader::positive);
   reader.take("albedo", ground.albedo, &JsonReader::vector_within, 0.0F, 1.0F);
   return ground;
@@ -82,13 +103,35 @@ PlanOptions read_plan_options(const JsonReader& reader) {
   return options;
 }
 
+namespace {
+
+// The scene of a mesh file alone.
+nlohmann::json around_mesh(const std::string& file) {
+  const std::string name = std::filesystem::path(file).filename().string();
+  return {{"meshes", nlohmann::json::array({{{"file", name}}})}, {"ground", nlohmann::json::object()}};
+}
+
+std::vector<std::string> files_of(const std::string& scene, const std::string& folder, const JsonReader& meshes,
+                                  const std::vector<LightSpec>& lights) {
+  std::vector<std::string> files{scene};
+  for (const JsonReader& mesh : meshes.items()) {
+    if (const auto file = mesh.find("file")) files.push_back(beside(folder, file->text()));
+  }
+  for (const LightSpec& light : lights) {
+    if (!light.file.empty()) files.push_back(light.file);
+  }
+  return files;
+}
+
+}  // namespace
+
 Scene load_scene(const std::string& scene, OnFlaw on_flaw) {
   if (scene == "demo" || scene == "disc") {
     Scene made = scene == "demo" ? make_embedded_scene() : make_disc_scene();
     made.plan.mode = PlanMode::kExact;
     return made;
   }
-  const nlohmann::json document = read_json(scene);
+  const nlohmann::json document = has_mesh_name(scene) ? around_mesh(scene) : read_json(scene);
   const JsonReader reader(scene, document);
   const std::string folder = std::filesystem::path(scene).parent_path().string();
   reader.allow({"name", "meshes", "ground", "lights", "camera", "bake", "plan"});
@@ -105,6 +148,7 @@ Scene load_scene(const std::string& scene, OnFlaw on_flaw) {
   for (const JsonReader& mesh : meshes.items()) append(result.mesh, read_mesh(mesh, folder, on_flaw));
   result.camera = default_camera(result.mesh, PictureSize());
   reader.take("camera", result.camera, read_camera, result.camera);
+  result.files = files_of(scene, folder, meshes, result.lights);
   if (const auto ground = reader.find("ground")) add_ground(result.mesh, read_ground(*ground, result.mesh));
   return result;
 }

@@ -28,12 +28,13 @@ struct Scene {
   std::vector<LightSpec> lights;
   Camera camera;
   BakeOptions bake;
-  PlanOptions plan;          // made in code: none; from a file: lossy if the file has a plan, else exact
-  std::optional<Disc> disc;  // only in the scene `disc`
+  PlanOptions plan;                // made in code: none; from a file: lossy if the file has a plan, else exact
+  std::optional<Disc> disc;        // only in the scene `disc`
+  std::vector<std::string> files;  // that it is read from: its own, meshes, pictures
 };
 
-/// Loads the scene in the JSON file `scene`, or an embedded scene for `demo` and `disc`. Meshes are loaded, welded and
-/// split; light files are not loaded yet. Each kind of mended flaw is counted and reported once through `on_flaw`.
+/// Loads the scene in the JSON file `scene`, or an embedded scene for `demo` and `disc`, or a mesh file alone, with a
+/// ground and the default sky. Meshes are loaded, welded and split; light files must be readable but are not loaded yet. Each kind of mended flaw is counted and reported once through `on_flaw`.
 /// Throws std::runtime_error with one line that names file and JSON path.
 Scene load_scene(const std::string& scene, OnFlaw on_flaw);
 

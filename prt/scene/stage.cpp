@@ -120,6 +120,8 @@ Stage load_stage(const std::string& file, const std::string& transfers_folder) {
   for (const JsonReader& object : objects.items()) {
     stage.objects.push_back(read_object(object, transfers_folder.empty() ? folder : transfers_folder, transfers));
   }
+  for (const auto& [name, transfer] : transfers) stage.files.push_back(name);
+  for (const LightSpec& light : stage.lights) stage.files.push_back(light.file);
   if (stage.objects.empty()) objects.expected("at least one object");
   return stage;
 }

@@ -52,6 +52,7 @@ struct Stage {
   std::vector<StageObject> objects;
   std::vector<LightSpec> lights;
   std::optional<Camera> camera;
+  std::vector<std::string> files;  // that it is read from, besides its own: transfer files, pictures
 };
 
 /// The sphere around the center of the mesh's bounding box that contains the mesh.

@@ -12,15 +12,51 @@
 
 namespace sh::prt {
 
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Decision, name, choice, why, bytes_saved, rays_saved, error, basis)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BounceReport, solver, applications, certified, residual, largest, spectral_bound)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PlanRecord, budget, error, light_turns, decisions)
-
 namespace {
 
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kBadStorage = "transfer file whose JSON header names a storage that does not exist";
+
+// A whole number. The library would cut 2.5 to 2 and take -1 for 4294967295.
+template <class Whole>
+Whole whole_from(const nlohmann::json& json, Whole least = 0, Whole most = std::numeric_limits<Whole>::max()) {
+  const bool is_negative = json.is_number_integer() && !json.is_number_unsigned();
+  if (!json.is_number_integer() || (is_negative ? json.get<std::int64_t>() < static_cast<std::int64_t>(least)
+                                                : json.get<std::uint64_t>() > static_cast<std::uint64_t>(most))) {
+    throw std::invalid_argument(fmt::format(
+        "transfer file whose JSON header has {}, expected a whole number from {} to {}", json.dump(), least, most));
+  }
+  return json.get<Whole>();
+}
+
+// A bound or a residual.
+double amount_from(const nlohmann::json& json) {
+  const auto amount = json.get<double>();
+  if (!(amount >= 0.0)) {
+    throw std::invalid_argument(
+        fmt::format("transfer file whose JSON header has {}, expected a number of 0 or more", json.dump()));
+  }
+  return amount;
+}
+
+Decision decision_from(const nlohmann::json& json) {
+  constexpr std::int64_t kLeast = std::numeric_limits<std::int64_t>::min();  // a decision may cost rays
+  return {json.at("name").get<std::string>(),
+          json.at("choice").get<std::string>(),
+          json.at("why").get<std::string>(),
+          whole_from<std::int64_t>(json.at("bytes_saved"), kLeast),
+          whole_from<std::int64_t>(json.at("rays_saved"), kLeast),
+          amount_from(json.at("error")),
+          json.at("basis").get<std::string>()};
+}
+
+PlanRecord plan_from(const nlohmann::json& json) {
+  PlanRecord plan{
+      amount_from(json.at("budget")), amount_from(json.at("error")), json.at("light_turns").get<std::string>(), {}};
+  for (const nlohmann::json& decision : json.at("decisions")) plan.decisions.push_back(decision_from(decision));
+  return plan;
+}
 
 Json to_json(const Decision& decision) {
   return {{"name", decision.name},
@@ -36,7 +72,7 @@ Json to_json(const Decision& decision) {
 Json bound_or_null(const BounceReport& report, double bound) { return report.certified ? Json(bound) : Json(); }
 
 double bound_from(const BounceReport& report, const nlohmann::json& json) {
-  return report.certified ? json.get<double>() : std::numeric_limits<double>::infinity();
+  return report.certified ? amount_from(json) : std::numeric_limits<double>::infinity();
 }
 
 Json to_json(const BounceReport& report) {
@@ -55,9 +91,15 @@ Json to_json(const BounceReport& report) {
 }
 
 BounceReport bounces_from(const nlohmann::json& json) {
-  auto report = json.get<BounceReport>();
+  BounceReport report;
+  report.solver = json.at("solver").get<std::string>();
+  report.applications = whole_from<int>(json.at("applications"));
+  report.certified = json.at("certified").get<bool>();
+  report.residual = amount_from(json.at("residual"));
+  report.largest = amount_from(json.at("largest"));
+  report.spectral_bound = amount_from(json.at("spectral_bound"));
   report.bound = bound_from(report, json.at("bound"));
-  report.emitted_largest = json.value("emitted_largest", 0.0);
+  if (json.contains("emitted_largest")) report.emitted_largest = amount_from(json.at("emitted_largest"));
   if (json.contains("emitted_bound")) report.emitted_bound = bound_from(report, json.at("emitted_bound"));
   return report;
 }
@@ -74,7 +116,7 @@ Storage storage_from(const nlohmann::json& json, std::size_t columns) {
   const auto element = value_called<Element>(json.at("element").get<std::string>(), kElementNames);
   Storage storage;
   storage.one_channel = json.at("one_channel").get<bool>();
-  storage.kept = json.at("kept").get<std::vector<std::uint32_t>>();
+  for (const nlohmann::json& column : json.at("kept")) storage.kept.push_back(whole_from<std::uint32_t>(column));
   const bool rises = std::is_sorted(storage.kept.begin(), storage.kept.end(), std::less_equal<>());
   if (!element || !rises || (!storage.kept.empty() && storage.kept.back() >= columns)) {
     throw std::invalid_argument(kBadStorage);
@@ -96,23 +138,24 @@ void put_shape(const TransferShape& shape, Json& header) {
 
 // A header of version 1 gives only channels (default: one) and rows; the kind implies the rest.
 TransferShape shape_from(const nlohmann::json& header, std::uint32_t version, const TransferKind& kind) {
-  const int degree = header.at("degree").get<int>();
-  if (degree < 0 || degree > kMaxDegree) {
-    throw std::invalid_argument(fmt::format("transfer of degree {}, expected 0 to {}", degree, kMaxDegree));
+  if (header.at("degree").is_number() && !(header["degree"] >= 0 && header["degree"] <= kMaxDegree)) {
+    throw std::invalid_argument(
+        fmt::format("transfer of degree {}, expected 0 to {}", header["degree"].dump(), kMaxDegree));
   }
+  const auto degree = whole_from<int>(header["degree"], 0, kMaxDegree);
   TransferShape shape = kind.shape(degree);
   const TransferShape expected = shape;
   if (version == 1) {
-    shape.channels = header.value("channels", std::size_t{1});
+    shape.channels = header.contains("channels") ? whole_from<std::size_t>(header["channels"]) : 1;
   } else {
-    shape.channels = header.at("channels").get<std::size_t>();
-    shape.result_degree = header.at("result_degree").get<int>();
+    shape.channels = whole_from<std::size_t>(header.at("channels"));
+    shape.result_degree = whole_from<int>(header.at("result_degree"), 0, kMaxDegree);
     shape.meets = value_from<Meets>(header.at("meets"), kMeetsNames, "transfer that meets the light by");
     shape.holds_cosine = header.at("holds_cosine").get<bool>();
     shape.holds_albedo = header.at("holds_albedo").get<bool>();
   }
-  const auto rows = header.at("rows").get<std::uint64_t>();
-  const auto columns = version == 1 ? expected.columns() : header.at("columns").get<std::uint64_t>();
+  const auto rows = whole_from<std::uint64_t>(header.at("rows"));
+  const auto columns = version == 1 ? expected.columns() : whole_from<std::uint64_t>(header.at("columns"));
   if (!is_alike(shape, expected) || rows != expected.rows() || columns != expected.columns()) {
     throw std::invalid_argument(fmt::format(
         "transfer of kind {} and degree {} with {} channels of {} x {} numbers, expected {} of {} x {}", kind.letters,
@@ -170,7 +213,7 @@ std::string transfer_header(const Transfer& transfer) {
   put_shortfall(transfer.missing, header);
   if (!transfer.shape.storage.is_plain()) header["storage"] = to_json(transfer.shape.storage);
   if (!transfer.plan.decisions.empty()) header["plan"] = to_json(transfer.plan);
-  return header.dump(2);
+  return header.dump(2, ' ', false, Json::error_handler_t::replace);  // names of files may be no UTF-8
 }
 
 void take_header(const nlohmann::json& header, std::uint32_t version, TransferKinds kinds, Transfer& transfer) {
@@ -183,15 +226,16 @@ void take_header(const nlohmann::json& header, std::uint32_t version, TransferKi
   }
   transfer.shape = shape_from(header, version, *transfer.kind);
   if (transfer.kind->has_bounces()) transfer.bounces = bounces_from(header.at("bounces"));
-  if (header.contains("plan")) transfer.plan = header.at("plan").get<PlanRecord>();
-  transfer.directions = header.at("directions").get<std::uint32_t>();
+  if (header.contains("plan")) transfer.plan = plan_from(header.at("plan"));
+  transfer.directions = whole_from<std::uint32_t>(header.at("directions"));
   if (header.contains("sampler")) {  // absent where no ray was traced, and in files older than the choice
     transfer.sampler = value_from<Sampler>(header["sampler"], kSamplerNames, "sampler");
   }
-  transfer.seed = header.value("seed", 0U);
+  if (header.contains("seed")) transfer.seed = whole_from<std::uint32_t>(header["seed"]);
   if (header.contains("asked")) {
-    transfer.missing.directions = header["asked"].value("directions", 0U);
-    transfer.missing.tolerance = header["asked"].value("tolerance", 0.0);
+    const nlohmann::json& asked = header["asked"];
+    if (asked.contains("directions")) transfer.missing.directions = whole_from<std::uint32_t>(asked["directions"]);
+    if (asked.contains("tolerance")) transfer.missing.tolerance = amount_from(asked["tolerance"]);
   }
   transfer.instruction_set = header.at("instruction_set").get<std::string>();
 }

@@ -8,13 +8,16 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "numeric/output/parse_json.hpp"
 #include "prt/transfer/checksum.hpp"
 #include "prt/transfer/storage.hpp"
 #include "prt/transfer/transfer_file.hpp"
 #include "prt/transfer/transfer_json.hpp"
 #include "prt/transfer/transfer_layout.hpp"
+#include "prt/transfer/transfer_values.hpp"
 
 namespace sh::prt {
 
@@ -31,17 +34,18 @@ class Reader {
   Transfer read() {
     read_prologue();
     read_table();
-    const std::string header = read_header();
     Transfer transfer;
     try {
-      take_header(nlohmann::json::parse(header), prologue_.version, kinds_, transfer);
+      const nlohmann::json header = parsed_header();
+      take_header(header, prologue_.version, kinds_, transfer);
+      check_shape(transfer);
+      read_sections(transfer);
+      check_counts(header, transfer);
     } catch (const nlohmann::json::exception&) {
       fail("its JSON header lacks an entry or has one of the wrong type");
     } catch (const std::invalid_argument& flaw) {
       fail(flaw.what());
     }
-    check_shape(transfer);
-    read_sections(transfer);
     check_values(transfer);
     return transfer;
   }
@@ -91,6 +95,15 @@ class Reader {
       fail("damaged transfer file: the checksum of its JSON header differs");
     }
     return header;
+  }
+
+  nlohmann::json parsed_header() {
+    const std::string header = read_header();
+    try {
+      return output::parse_json<nlohmann::json>(header);
+    } catch (const std::runtime_error& error) {
+      fail(fmt::format("its JSON header is {}", error.what()));
+    }
   }
 
   // Checks that the sections are known, in order, without gaps, and as long as the file.
@@ -163,26 +176,22 @@ class Reader {
     }
   }
 
+  // Counts of the header, which repeat those of the sections.
+  void check_counts(const nlohmann::json& header, const Transfer& transfer) const {
+    const std::pair<const char*, std::size_t> counts[] = {{"vertices", transfer.mesh.positions.size()},
+                                                          {"faces", transfer.mesh.faces.size()},
+                                                          {"file_vertices", transfer.mesh.remap.size()}};
+    for (const auto& [name, count] : counts) {
+      if (header.at(name) != count) {
+        fail(fmt::format("damaged transfer file: its JSON header says that `{}` is {}, its sections {}", name,
+                         header.at(name).dump(), count));
+      }
+    }
+  }
+
   void check_values(const Transfer& transfer) const {
-    const std::size_t vertices = transfer.mesh.positions.size();
-    const auto is_vertex = [&](std::uint32_t v) { return v < vertices; };
-    if (!std::all_of(transfer.mesh.faces.begin(), transfer.mesh.faces.end(),
-                     [&](const Face& face) { return std::all_of(face.begin(), face.end(), is_vertex); }) ||
-        !std::all_of(transfer.mesh.remap.begin(), transfer.mesh.remap.end(),
-                     [&](std::uint32_t v) { return v == kNoVertex || is_vertex(v); })) {
-      fail("damaged transfer file: it names a vertex that is not there");
-    }
-    if (!std::all_of(transfer.coefficients.begin(), transfer.coefficients.end(),
-                     [](float value) { return std::isfinite(value); }) ||
-        !std::all_of(transfer.emitted.begin(), transfer.emitted.end(),
-                     [](const Eigen::Vector3f& value) { return value.allFinite(); })) {
-      fail("damaged transfer file: a transfer coefficient is not finite");
-    }
-    if (!std::all_of(transfer.mesh.mirror.begin(), transfer.mesh.mirror.end(), [](const Eigen::Vector3f& value) {
-          return value.minCoeff() >= 0.0F && value.maxCoeff() <= 1.0F;
-        })) {
-      fail("damaged transfer file: a mirror's reflectance is not from 0 to 1");
-    }
+    const std::string flaw = flaw_of_values(transfer);
+    if (!flaw.empty()) fail("damaged transfer file: " + flaw);
   }
 
   std::string path_;

@@ -7,6 +7,7 @@
 #include "prt/transfer/storage.hpp"
 #include "prt/transfer/transfer_file.hpp"
 #include "prt/transfer/transfer_layout.hpp"
+#include "prt/transfer/transfer_values.hpp"
 
 namespace sh::prt {
 
@@ -55,6 +56,8 @@ Contents contents_of(const Transfer& transfer, const Encoded& encoded) {
 
 void write_transfer(const std::string& path, const Transfer& transfer) {
   check_lengths(transfer);
+  const std::string flaw = flaw_of_values(transfer);  // a reader would refuse the file
+  if (!flaw.empty()) throw std::invalid_argument(path + ": cannot write: " + flaw);
   Encoded encoded;
   if (!transfer.shape.storage.is_plain()) encoded = encode(transfer.coefficients, transfer.shape);
   auto [table, data] = contents_of(transfer, encoded);

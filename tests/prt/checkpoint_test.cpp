@@ -8,9 +8,12 @@
 #include <csignal>
 #include <cstring>
 #include <filesystem>
+#include <limits>
 #include <string>
 
 #include "prt/bake/bake.hpp"
+#include "prt/rays/gather.hpp"
+#include "prt/transfer/checksum.hpp"
 #include "prt/transfer/transfer_file.hpp"
 #include "tests/prt/rooms.hpp"
 #include "tests/prt/temporary_folder.hpp"
@@ -156,6 +159,59 @@ TEST_P(AnyStoppedBake, TracesATornOrChangedPartAgain) {
   }
 }
 
+// The place of the data of a record, and its bytes with right checksums.
+struct Record {
+  std::size_t head;
+  std::size_t data;
+  std::uint64_t size;
+};
+
+Record record_of(const std::string& part, std::size_t index) {
+  std::uint32_t key = 0;
+  std::memcpy(&key, &part.at(12), sizeof key);
+  Record record{24 + key, 24 + key + 32, 0};
+  for (std::size_t i = 0;; ++i) {
+    std::memcpy(&record.size, &part.at(record.head + 8), sizeof record.size);
+    if (i == index) return record;
+    record.head += 32 + record.size;
+    record.data = record.head + 32;
+  }
+}
+
+void mend(std::string& part, const Record& record) {
+  const std::uint64_t data = checksum(&part.at(record.data), record.size);
+  std::memcpy(&part.at(record.head + 16), &data, sizeof data);
+  const std::uint64_t head = checksum(&part.at(record.head), 24);
+  std::memcpy(&part.at(record.head + 24), &head, sizeof head);
+}
+
+TEST_P(AnyStoppedBake, BelievesNoNumberThatRaysCannotGiveWhateverItsChecksum) {
+  const Record record = record_of(whole_part_, 1);
+  const std::size_t vectors = 32 * coefficient_count(2) * sizeof(float);
+  const auto expect_traced_again = [&](std::size_t place, auto value) {
+    std::string changed = whole_part_;
+    std::memcpy(&changed.at(record.data + place), &value, sizeof value);
+    mend(changed, record);
+    write_all(part_, changed);
+    BakeReport report;
+    EXPECT_TRUE(bake({scene_, with_checkpoint()}, &report).coefficients == whole_.coefficients)
+        << place << ' ' << value;
+    EXPECT_GT(report.rays, 0U) << place << ' ' << value;
+    EXPECT_LT(report.rays, report_.rays / 5) << place << ' ' << value;
+  };
+  for (const float bad : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
+    for (const std::size_t place : {std::size_t{0}, vectors - 4}) expect_traced_again(place, bad);
+  }
+  for (const float bad : {std::numeric_limits<float>::quiet_NaN(), -0.1F, 9.0F}) {
+    for (const std::size_t part : {0U, 4U, 8U})
+      expect_traced_again(vectors + part, bad);  // of the first vertex's sight
+  }
+  if (std::string(GetParam()) == "shadowed") return;
+  const std::size_t weight = vectors + 32 * sizeof(Sight) + 8 + 4;  // of the first form factor of the first vertex
+  for (const float bad : {std::numeric_limits<float>::quiet_NaN(), -0.5F, 7.0F, 3e38F})
+    expect_traced_again(weight, bad);
+}
+
 // The index of the second record in the first record, whose data are unchanged.
 TEST_P(AnyStoppedBake, BelievesNoRecordThatNamesAnotherChunk) {
   constexpr std::size_t kPrologue = 24;
@@ -209,6 +265,15 @@ TEST_P(StoppedShadowedBake, RefusesWhatIsNoCheckpointEvenOnRestart) {
   damaged[8] ^= 2;
   write_all(part_, damaged);
   expect_refused({}, "checkpoint of version 0, expected 2");
+  damaged = whole_part_.substr(0, 12);
+  const std::string deep(100'000, '[');
+  const auto size = static_cast<std::uint32_t>(deep.size());
+  damaged.append(reinterpret_cast<const char*>(&size), sizeof size);
+  const std::string front = damaged + deep;
+  const std::uint64_t sum = checksum(front.data(), front.size());
+  damaged.append(reinterpret_cast<const char*>(&sum), sizeof sum);
+  write_all(part_, damaged + deep);
+  expect_refused({}, "damaged checkpoint: its key is not JSON for this program");
   std::filesystem::remove(part_);
   expect_refused({"--checkpoint", folder_.file("none/x")}, "none/x: cannot write");
   expect_refused({"--checkpoint", folder_.file("")}, "is a folder");

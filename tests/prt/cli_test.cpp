@@ -151,7 +151,6 @@ TEST_F(Tool, BakesBouncesAndSaysHowTheyWereSolved) {
 }
 
 TEST_F(Tool, CommandLinesThatCannotBeParsedAreOneLine) {
-  expect_refused({}, "expected a command (bake, relight");
   expect_refused({"bake"}, "SCENE");
   expect_refused({"bake", "demo"}, "--output");
   expect_refused({"bake", "demo", "-o", "x", "--degree", "two"}, "two");
@@ -280,7 +279,7 @@ TEST_F(Tool, RenderRefusesWhatItCannotDo) {
   expect_refused({"render", baked, "-o", out, "--width", "0"}, "0 x 540 pixels");
   expect_refused({"render", baked, "-o", out, "--samples", "0"}, "0 samples");
   expect_refused({"render", baked, "-o", out, "--frames", "0"}, "--frames 0");
-  expect_refused({"render", baked, "-o", out, "--exposure", "nan"}, "--exposure nan");
+  expect_refused({"render", baked, "-o", out, "--exposure", "nan"}, "--exposure: expected a finite number, got nan");
   expect_refused({"render", baked, "-o", out, "--light", folder->file("none.exr")}, "none.exr");
   expect_refused({"render", baked, "-o", folder->file("no/such.png")}, "cannot write");
   EXPECT_FALSE(std::filesystem::exists(out));

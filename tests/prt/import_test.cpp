@@ -130,6 +130,33 @@ TEST_F(Import, RefusesFacesOutOfRange) {
   }
 }
 
+TEST_F(Import, RefusesRawFilesWhoseObjectsTheImporterLoses) {
+  const std::string one = "1 1 1 0 0 0 0 1 0 1 0 0\n";
+  const std::string objects = "one\n" + one + "\n\ntwo\n" + one;
+  EXPECT_EQ(refusal("a.raw", objects).find("a.raw: cannot read the mesh: the importer lost some of its objects"), 0U);
+  EXPECT_EQ(refusal("b.raw", one), "");
+}
+
+TEST_F(Import, WarnsOfColorsThatItDoesNotRead) {
+  const auto warning = [&](const std::string& name, const std::string& text) {
+    testing::internal::CaptureStderr();
+    EXPECT_EQ(refusal(name, text), "");
+    return testing::internal::GetCapturedStderr();
+  };
+  write_all(folder_.file("a.mtl"), "newmtl paint\nKd 1 1 1\nmap_Kd wood.png\nnewmtl plain\nKd 1 0 0\n");
+  const std::string obj = "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl ";
+  EXPECT_EQ(warning("a.obj", obj + "paint\nf 1 2 3\n"),
+            "warning: " + folder_.file("a.obj") + ": 1 of its materials have textures (not read)\n");
+  EXPECT_EQ(warning("b.obj", obj + "plain\nf 1 2 3\n"), "");
+  EXPECT_NE(refusal("a.obj", obj + "paint\nf 1 2 3\n", OnFlaw::kRefuse).find("have textures (not read); refused"),
+            std::string::npos);
+  std::string colored = kPly;
+  colored.insert(colored.find("end_header"), "property uchar red\nproperty uchar green\nproperty uchar blue\n");
+  EXPECT_EQ(warning("c.ply", colored + "0 0 0\n1 0 0\n0 1 0\n3 0 1 2 255 0 0\n"),
+            "warning: " + folder_.file("c.ply") + ": its faces have colors (not read)\n");
+  EXPECT_EQ(warning("d.ply", kPly + "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"), "");
+}
+
 TEST_F(Import, DropsFacesWithoutAreaAndCountsThem) {
   const std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 2 0 0\nf 1 2 3\nf 1 2 4\n";
   testing::internal::CaptureStderr();

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 #include "tests/prt/meshes.hpp"
 #include "tests/prt/temporary_folder.hpp"
 
@@ -54,6 +56,8 @@ TEST_F(SceneFile, FillsInWhatIsLeftOut) {
 }
 
 TEST_F(SceneFile, ReadsLightsCameraAndBakeOptions) {
+  std::filesystem::create_directory(folder_.path() / "sky");
+  write_all(folder_.file("sky/a.exr"), "not loaded yet");
   const Scene scene = load(R"({"meshes": [{"primitive": "plane"}],
     "lights": [{"type": "constant", "radiance": [1, 2, 3]},
                {"type": "environment", "file": "sky/a.exr", "scale": 0.5, "rotate": {"axis": [0, 2, 0], "degrees": 30}}],

@@ -1,0 +1,89 @@
+// The command line of the tool `prt`: all commands, `--version`, and errors as one line.
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <limits>
+
+#include "numeric/output/progress.hpp"
+#include "numeric/output/version.hpp"
+#include "prt/commands/commands.hpp"
+
+namespace {
+
+void add_commands(CLI::App& tool) {
+  using namespace sh::prt;
+  tool.require_subcommand(1);
+  tool.option_defaults()->always_capture_default();
+  for (const auto add :
+       {add_bake_command, add_relight_command, add_render_command, add_shader_command, add_info_command,
+        add_project_command, add_plan_command, add_reconstruct_command, add_study_command, add_compare_command}) {
+    add(tool);
+  }
+}
+
+// Refuses what CLI11 takes for numbers: nan, inf, and what exceeds single precision.
+std::string flaw_of_number(const std::string& text) {
+  const double value = std::strtod(text.c_str(), nullptr);
+  return std::abs(value) <= static_cast<double>(std::numeric_limits<float>::max())
+             ? ""
+             : "expected a finite number, got " + text;
+}
+
+void require_finite_numbers(CLI::App& tool) {
+  for (CLI::App* command : tool.get_subcommands({})) {
+    for (CLI::Option* option : command->get_options()) {
+      if (option->get_type_name().starts_with("FLOAT")) option->check(flaw_of_number);
+    }
+  }
+}
+
+int run(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file-size limit is then an error of write(), reported like a full disk
+  sh::output::stop_on_interrupt();
+  CLI::App tool("Precomputed radiance transfer with spherical harmonics: bake, relight, render.", "prt");
+  tool.set_version_flag("--version", sh::output::version_of("prt"));
+  add_commands(tool);
+  require_finite_numbers(tool);
+  if (argc == 1) {
+    std::fputs(tool.help().c_str(), stderr);
+    return 2;
+  }
+  try {
+    tool.parse(argc, argv);  // runs the command
+    return 0;
+  } catch (const CLI::Success& done) {  // --help, --version
+    return tool.exit(done);
+  } catch (const CLI::ParseError& error) {
+    if (!tool.get_subcommands().empty()) throw;
+    std::fprintf(
+        stderr,
+        "prt: expected a command (bake, relight, render, shader, info, project, reconstruct, plan, study or compare), "
+        "got `%s`\n",
+        argc > 1 ? argv[1] : "");
+    return 2;
+  }
+}
+
+}  // namespace
+
+namespace sh::prt {
+
+int run_tool(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const sh::output::Interrupted& stop) {
+    std::fprintf(stderr, "prt: %s\n", stop.what());
+    return 130;
+  } catch (const sh::prt::CheckFailed& difference) {
+    std::fprintf(stderr, "prt: %s\n", difference.what());
+    return 1;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "prt: %s\n", error.what());
+    return 2;
+  }
+}
+
+}  // namespace sh::prt

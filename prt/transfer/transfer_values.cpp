@@ -1,0 +1,47 @@
+#include "prt/transfer/transfer_values.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sh::prt {
+namespace {
+
+template <class Items, class Test>
+bool all(const Items& items, const Test& test) {
+  return std::all_of(items.begin(), items.end(), test);
+}
+
+bool is_finite(const Eigen::Vector3f& value) { return value.allFinite(); }
+
+bool is_unit(const Eigen::Vector3f& value) {
+  constexpr float kRounding = 1e-3F;
+  return std::abs(value.norm() - 1.0F) <= kRounding;
+}
+
+bool is_reflectance(const Eigen::Vector3f& value) {
+  return value.allFinite() && value.minCoeff() >= 0.0F && value.maxCoeff() <= 1.0F;
+}
+
+bool names_vertices(const Mesh& mesh) {
+  const auto is_vertex = [&](std::uint32_t v) { return v < mesh.positions.size(); };
+  return all(mesh.faces, [&](const Face& face) { return all(face, is_vertex); }) &&
+         all(mesh.remap, [&](std::uint32_t v) { return v == kNoVertex || is_vertex(v); });
+}
+
+}  // namespace
+
+std::string flaw_of_values(const Transfer& transfer) {
+  const Mesh& mesh = transfer.mesh;
+  if (!names_vertices(mesh)) return "it names a vertex that is not there";
+  if (!all(mesh.positions, is_finite)) return "a position is not finite";
+  if (!all(mesh.normals, is_unit) || !all(mesh.geometric_normals, is_unit)) return "a normal is not of length 1";
+  if (!all(mesh.albedo, is_reflectance)) return "an albedo is not from 0 to 1";
+  if (!all(mesh.mirror, is_reflectance)) return "a mirror's reflectance is not from 0 to 1";
+  if (!all(transfer.coefficients, [](float value) { return std::isfinite(value); }) ||
+      !all(transfer.emitted, is_finite)) {
+    return "a transfer coefficient is not finite";
+  }
+  return {};
+}
+
+}  // namespace sh::prt

@@ -1,0 +1,155 @@
+// Transfer files with valid checksums and bad content, and JSON of any depth: refused in one line.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "numeric/output/parse_json.hpp"
+#include "prt/scene/scene.hpp"
+#include "prt/transfer/transfer_file.hpp"
+#include "tests/prt/rooms.hpp"
+#include "tests/prt/temporary_folder.hpp"
+#include "tests/prt/transfer_bytes.hpp"
+
+namespace sh::prt::test {
+namespace {
+
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+
+class HostileFile : public testing::Test {
+ protected:
+  void SetUp() override {
+    Transfer transfer = baked(primitive_mesh("plane"), &kInterreflected, 64, 1);
+    transfer.mesh.mirror.assign(transfer.mesh.positions.size(), {0.1F, 0.2F, 0.3F});
+    transfer.emitted.assign(transfer.mesh.positions.size(), {0.5F, 0.5F, 0.5F});
+    transfer.plan = {0.01, 0.002, "any", {{"storage", "half", "it is enough", 12, 3, 0.002, "bound"}}};
+    transfer.missing = {128, 0.001};
+    write_transfer(file_, transfer);
+    good_ = read_all(file_);
+  }
+
+  // What the reader says of these bytes after the name of the file; empty: it accepts them.
+  std::string refusal(const std::string& bytes) {
+    write_all(file_, with_checksums(bytes));
+    const std::string said = message_of([&] { read_transfer(file_); });
+    EXPECT_EQ(said.find('\n'), std::string::npos) << said;
+    if (said.empty()) return said;
+    EXPECT_EQ(said.rfind(file_ + ": ", 0), 0U) << said;
+    return said.substr(file_.size() + 2);
+  }
+
+  // Its first number of a section replaced.
+  std::string with_number(std::string_view section, float number) {
+    std::string bytes = good_;
+    std::memcpy(bytes.data() + place_of(bytes, section), &number, sizeof number);
+    return refusal(bytes);
+  }
+
+  // A text of its header replaced by one that is no longer.
+  std::string with_header(const std::string& from, std::string to) {
+    std::string bytes = good_;
+    const std::size_t place = bytes.find(from);
+    EXPECT_NE(place, std::string::npos) << from;
+    EXPECT_LE(to.size(), from.size());
+    to.resize(from.size(), ' ');
+    return refusal(bytes.replace(place, from.size(), to));
+  }
+
+  TemporaryFolder folder_;
+  std::string file_ = folder_.file("a.transfer");
+  std::string good_;
+};
+
+TEST_F(HostileFile, IsAcceptedAsItWasWritten) { EXPECT_EQ(refusal(good_), ""); }
+
+TEST_F(HostileFile, IsRefusedWithNumbersThatAreNotWhatTheirSectionHolds) {
+  for (const float bad : {kNan, kInfinity, -kInfinity}) {
+    EXPECT_EQ(with_number("position", bad), "damaged transfer file: a position is not finite");
+    EXPECT_EQ(with_number("normal", bad), "damaged transfer file: a normal is not of length 1");
+    EXPECT_EQ(with_number("geonorm", bad), "damaged transfer file: a normal is not of length 1");
+    EXPECT_EQ(with_number("albedo", bad), "damaged transfer file: an albedo is not from 0 to 1");
+    EXPECT_EQ(with_number("mirror", bad), "damaged transfer file: a mirror's reflectance is not from 0 to 1");
+    EXPECT_EQ(with_number("emitted", bad), "damaged transfer file: a transfer coefficient is not finite");
+    EXPECT_EQ(with_number("transfer", bad), "damaged transfer file: a transfer coefficient is not finite");
+  }
+  for (const float bad : {-1.0F, 5.0F}) {
+    EXPECT_EQ(with_number("albedo", bad), "damaged transfer file: an albedo is not from 0 to 1");
+    EXPECT_EQ(with_number("mirror", bad), "damaged transfer file: a mirror's reflectance is not from 0 to 1");
+    EXPECT_EQ(with_number("normal", bad), "damaged transfer file: a normal is not of length 1");
+  }
+  EXPECT_EQ(with_number("albedo", 1.0F), "");
+  EXPECT_EQ(with_number("position", 1e30F), "");
+}
+
+TEST_F(HostileFile, IsRefusedWithCountsInItsHeaderThatDisagreeWithItsSections) {
+  const auto header = nlohmann::json::parse(transfer_header(read_transfer(file_)));
+  for (const char* name : {"vertices", "faces", "file_vertices"}) {
+    const std::string entry = "\"" + std::string(name) + "\": " + header[name].dump();
+    const std::string said = with_header(entry, "\"" + std::string(name) + "\": 7");
+    EXPECT_NE(said.find("its JSON header says that `" + std::string(name) + "` is 7"), std::string::npos) << said;
+  }
+}
+
+TEST_F(HostileFile, IsRefusedWithPartsOfNumbersAndNegativeAmountsInItsHeader) {
+  const auto expect_refused = [&](const std::string& from, const std::string& to, const std::string& reason) {
+    const std::string said = with_header(from, to);
+    EXPECT_NE(said.find(reason), std::string::npos) << to << ": " << said;
+  };
+  expect_refused("\"degree\": 1,", "\"degree\":.5,", "its JSON header is not JSON: ");
+  expect_refused("\"degree\": 1,\n", "\"degree\":1.5,", "has 1.5, expected a whole number from 0 to 10");
+  expect_refused("\"degree\": 1,", "\"degree\":-1,", "transfer of degree -1, expected 0 to 10");
+  expect_refused("\"result_degree\": 0,\n", "\"result_degree\":0.5,", "has 0.5, expected a whole number");
+  expect_refused("\"directions\": 64,", "\"directions\": -4,", "has -4, expected a whole number");
+  expect_refused("\"directions\": 128", "\"directions\": 1.5", "has 1.5, expected a whole number");
+  expect_refused("\"seed\": 0,", "\"seed\":-1,", "has -1, expected a whole number");
+  expect_refused("\"rows\": 1,\n", "\"rows\":1.5,", "has 1.5, expected a whole number");
+  expect_refused("\"error\": 0.002,", "\"error\": -0.02,", "has -0.02, expected a number of 0 or more");
+  expect_refused("\"tolerance\": 0.001", "\"tolerance\": -1.0 ", "has -1.0, expected a number of 0 or more");
+  expect_refused("\"bytes_saved\": 12,", "\"bytes_saved\":1.5,", "has 1.5, expected a whole number");
+}
+
+TEST_F(HostileFile, IsNeverWritten) {
+  const Transfer good = read_transfer(file_);
+  const auto refusal_of = [&](const auto& spoil) {
+    Transfer bad = good;
+    spoil(bad);
+    return message_of([&] { write_transfer(folder_.file("b.transfer"), bad); });
+  };
+  const std::string start = folder_.file("b.transfer") + ": cannot write: ";
+  EXPECT_EQ(refusal_of([](Transfer& t) { t.mesh.positions[0].x() = kInfinity; }), start + "a position is not finite");
+  EXPECT_EQ(refusal_of([](Transfer& t) { t.coefficients[3] = kNan; }), start + "a transfer coefficient is not finite");
+  EXPECT_EQ(refusal_of([](Transfer& t) { t.mesh.albedo[0].y() = -1.0F; }), start + "an albedo is not from 0 to 1");
+  EXPECT_FALSE(std::filesystem::exists(folder_.file("b.transfer")));
+}
+
+TEST_F(HostileFile, KeepsAllColumnsIfItsListOfKeptColumnsIsEmpty) {
+  Transfer transfer = read_transfer(file_);
+  transfer.shape.storage.element = Element::kHalf;
+  write_transfer(file_, transfer);
+  EXPECT_EQ(nlohmann::json::parse(transfer_header(transfer))["storage"]["kept"], nlohmann::json::array());
+  const Transfer read = read_transfer(file_);
+  for (std::size_t i = 0; i < read.coefficients.size(); ++i) {
+    EXPECT_NEAR(read.coefficients[i], transfer.coefficients[i], 1e-3F * std::abs(transfer.coefficients[i]) + 1e-7F);
+  }
+}
+
+TEST(HostileJson, IsRefusedWhenItNestsTooDeep) {
+  const TemporaryFolder folder;
+  const std::string file = folder.file("deep.json");
+  const auto nested = [](std::size_t depth) { return std::string(depth, '[') + std::string(depth, ']'); };
+  for (const std::string& text : {nested(100'000), R"({"name": )" + nested(100'000) + "}", std::string(100'000, '[')}) {
+    write_all(file, text);
+    EXPECT_EQ(message_of([&] { load_scene(file, OnFlaw::kMend); }),
+              file + ": not JSON for this program: expected at most 64 levels of arrays and objects, got more");
+  }
+  EXPECT_NO_THROW(output::parse_json<nlohmann::json>(nested(output::kDeepestJson)));
+  EXPECT_ANY_THROW(output::parse_json<nlohmann::json>(nested(output::kDeepestJson + 1)));
+  EXPECT_EQ(output::parse_json<nlohmann::json>(R"({"a": [1, {"b": null}]})").dump(), R"({"a":[1,{"b":null}]})");
+}
+
+}  // namespace
+}  // namespace sh::prt::test
