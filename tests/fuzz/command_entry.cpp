@@ -1,0 +1,212 @@
+// Command lines of prt. Each byte stands for a word, so that a run of bytes is a command line with known options, files
+// and values, good and bad, in any order. The files that are read must be the same afterwards.
+#include <array>
+#include <filesystem>
+#include <map>
+#include <vector>
+
+#include "prt/commands/commands.hpp"
+#include "prt/transfer/transfer_file.hpp"
+#include "tests/fuzz/entry.hpp"
+#include "tests/prt/rooms.hpp"
+#include "tests/prt/temporary_folder.hpp"
+
+namespace sh::fuzz {
+namespace {
+
+using prt::test::read_all;
+using prt::test::write_all;
+
+constexpr std::size_t kMostWords = 16;
+
+// New words go to the end, so that the committed inputs keep their meaning.
+constexpr std::array kWords = {"bake",
+                               "relight",
+                               "render",
+                               "shader",
+                               "info",
+                               "project",
+                               "reconstruct",
+                               "plan",
+                               "compare",
+                               "--help",
+                               "--version",
+                               "a.json",
+                               "a.transfer",
+                               "b.transfer",
+                               "stage.json",
+                               "lights.json",
+                               "a.obj",
+                               "none.json",
+                               "missing/x.png",
+                               ".",
+                               "",
+                               "-o",
+                               "x.png",
+                               "x.ply",
+                               "x.transfer",
+                               "x.webp",
+                               "x.jpg",
+                               "a.png",
+                               "/dev/null",
+                               "0",
+                               "1",
+                               "2",
+                               "4",
+                               "8",
+                               "16",
+                               "-1",
+                               "1e9",
+                               "nan",
+                               "inf",
+                               "1e-30",
+                               "0.5",
+                               "360",
+                               "99999999999999999999",
+                               "x",
+                               "--degree",
+                               "--directions",
+                               "--sampler",
+                               "sobol",
+                               "cosine",
+                               "--seed",
+                               "--kind",
+                               "shadowed",
+                               "unshadowed",
+                               "interreflected",
+                               "--plan",
+                               "none",
+                               "exact",
+                               "lossy",
+                               "--error",
+                               "--light-turns",
+                               "any",
+                               "--without",
+                               "bands,storage",
+                               "--threads",
+                               "--estimate",
+                               "--bounce-memory",
+                               "--instruction-set",
+                               "sse4.2",
+                               "--strict",
+                               "--checkpoint",
+                               "--no-checkpoint",
+                               "--restart",
+                               "--budget-seconds",
+                               "--checkpoint-seconds",
+                               "--json",
+                               "--scene",
+                               "--light",
+                               "constant",
+                               "overcast",
+                               "--mapping",
+                               "mirror_ball",
+                               "--window",
+                               "auto",
+                               "gaussian:0.1",
+                               "sinc:2:4",
+                               "hann:nan",
+                               "--keep",
+                               "irradiance",
+                               "--turn",
+                               "--white",
+                               "--recolor",
+                               "--local",
+                               "octahedron",
+                               "--frames",
+                               "--turntable",
+                               "object",
+                               "camera",
+                               "--width",
+                               "--height",
+                               "--samples",
+                               "--exposure",
+                               "--fixed-exposure",
+                               "--tone",
+                               "linear",
+                               "--background",
+                               "light",
+                               "--fps",
+                               "--quality",
+                               "--limit",
+                               "--draw",
+                               "all",
+                               "--show",
+                               "both",
+                               "--axes",
+                               "--title",
+                               "--no-marks",
+                               "--language",
+                               "es300",
+                               "DS",
+                               "DI",
+                               "--transfers"};
+static_assert(kWords.size() <= 256);
+
+/// A folder with small files of every type; the tool runs in it.
+class Workplace {
+ public:
+  Workplace() {
+    using prt::write_transfer;
+    std::filesystem::current_path(folder_.path());
+    write_all("a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nf 1 2 3 4\nf 1 2 5\n");
+    write_all("a.json", R"({"meshes": [{"file": "a.obj"}], "bake": {"degree": 1, "directions": 16}})");
+    write_all("stage.json",
+              R"({"objects": [{"transfer": "a.transfer"}, {"transfer": "a.transfer", "position": [2, 0, 0],
+                                "move": [{"time": 0}, {"time": 1, "degrees": 90}]}]})");
+    write_all("lights.json", R"([{"type": "cap", "direction": [1, 0, 1], "half_angle": 10},
+                                 {"type": "sphere", "position": [0, 0, 9], "radius": 1}])");
+    write_transfer("a.transfer", prt::test::baked(prt::test::primitive_mesh("box"), &prt::kShadowed, 16, 1));
+    write_transfer("b.transfer", prt::test::baked(prt::test::primitive_mesh("box"), &prt::kInterreflected, 16, 1));
+    std::filesystem::copy_file("a.transfer", "a.png");
+    files_ = contents();
+  }
+
+  /// Whether all files are as they were; removes the others.
+  bool is_unchanged() {
+    std::map<std::string, std::string> now = contents();
+    for (const auto& [name, bytes] : now) {
+      if (!files_.contains(name)) std::filesystem::remove(name);
+    }
+    std::erase_if(now, [&](const auto& file) { return !files_.contains(file.first); });
+    return now == files_;
+  }
+
+ private:
+  static std::map<std::string, std::string> contents() {
+    std::map<std::string, std::string> all;
+    for (const auto& entry : std::filesystem::directory_iterator(".")) {
+      all[entry.path().string()] = read_all(entry.path().string());
+    }
+    return all;
+  }
+
+  prt::test::TemporaryFolder folder_;
+  std::map<std::string, std::string> files_;
+};
+
+// Without a size of its own a picture takes 16 rays for each of half a million pixels.
+bool is_quick(const std::vector<std::string>& words) {
+  const bool draws = words.size() > 1 && (words[1] == "render" || words[1] == "compare");
+  return !draws || (words.size() > 5 && words[2] == "--width" && words[4] == "--height");
+}
+
+}  // namespace
+
+void run_command(std::string_view bytes) {
+  static Workplace workplace;
+  std::vector<std::string> words{"prt"};
+  for (const char byte : bytes.substr(0, kMostWords)) {
+    const std::size_t number = static_cast<unsigned char>(byte);
+    if (number < kWords.size()) words.emplace_back(kWords[number]);
+  }
+  if (!is_quick(words)) return;
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  const int status = prt::run_tool(static_cast<int>(words.size()), arguments.data());
+  require(status == 0 || status == 1 || status == 2, "the exit code is 0, 1 or 2");
+  require(workplace.is_unchanged(), "no input is written");
+}
+
+}  // namespace sh::fuzz

@@ -1,0 +1,92 @@
+// Readers of files that this project writes: transfer files, checkpoints, reports; and pictures.
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "numeric/output/parse_json.hpp"
+#include "numeric/report/report.hpp"
+#include "prt/bake/checkpoint.hpp"
+#include "prt/image/image.hpp"
+#include "prt/runtime/relight.hpp"
+#include "prt/transfer/transfer_file.hpp"
+#include "tests/fuzz/checkpoint_bytes.hpp"
+#include "tests/fuzz/entry.hpp"
+#include "tests/prt/rooms.hpp"
+
+namespace sh::fuzz {
+namespace {
+
+using namespace sh::prt;
+
+bool is_finite(float value) { return std::isfinite(value); }
+
+// What is accepted can be described, and be lit where all its columns are there.
+void read_and_light(const std::string& file) {
+  const Transfer transfer = read_transfer(file);
+  const auto header = output::parse_json<nlohmann::json>(transfer_header(transfer));
+  require(header.at("vertices") == transfer.mesh.positions.size(), "the header counts the vertices");
+  require(std::all_of(transfer.coefficients.begin(), transfer.coefficients.end(), is_finite),
+          "coefficients are finite");
+  LightCoefficients light = LightCoefficients::zero(transfer.degree());
+  for (int channel = 0; channel < 3; ++channel) light.at(channel, 0) = 1.0;
+  require(relight(transfer, light).size() == transfer.mesh.positions.size(), "every vertex is lit");
+}
+
+struct SmallBake {
+  SmallBake() {
+    scene.bake.degree = 1;
+    transfer = Transfer::of(*scene.bake.kind, 1);
+    transfer.mesh = scene.mesh;
+    transfer.coefficients.resize(scene.mesh.positions.size() * transfer.shape.length());
+  }
+
+  Scene scene = sh::prt::test::scene_of(sh::prt::test::primitive_mesh("box"), &kInterreflected, 64, 1);
+  Transfer transfer;
+  std::string key = bake_key(scene, "avx2", {});
+};
+
+void read_checkpoint(const std::string& file) {
+  static const SmallBake kBake;
+  Transfer transfer = kBake.transfer;
+  const std::size_t vertices = transfer.mesh.positions.size();
+  FormFactors factors(vertices);
+  ShadowResult result{transfer, std::vector<Sight>(vertices), &factors};
+  const Checkpoint checkpoint({file, false, 0.0}, kBake.key, result);
+  require(std::all_of(transfer.coefficients.begin(), transfer.coefficients.end(), is_finite), "vectors are finite");
+  for (std::size_t v = 0; v < vertices; ++v) {
+    for (const FormFactor& factor : factors.row(v)) {
+      require(factor.vertex < vertices && std::abs(factor.weight) <= 2.0F, "form factors are parts of a hemisphere");
+    }
+  }
+}
+
+void read_picture(const std::string& file) {
+  const Image image = read_image(file, OnFlaw::kMend);
+  require(image.pixels.size() == static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height),
+          "a picture has all its pixels");
+  for (const Eigen::Vector3f& pixel : image.pixels) {
+    require(pixel.allFinite() && pixel.minCoeff() >= 0.0F, "pixels are finite and not negative");
+  }
+}
+
+}  // namespace
+
+std::string checkpoint_with_front(std::string_view records) {
+  static const std::string kFront = checkpoint_front(SmallBake().key);
+  return kFront + std::string(records);
+}
+
+void run_transfer(std::string_view bytes) { run_reader(read_and_light, bytes); }
+
+void run_checkpoint(std::string_view bytes) {
+  const bool is_whole = bytes.starts_with("shpart");
+  run_reader(read_checkpoint, is_whole ? std::string(bytes) : checkpoint_with_front(bytes));
+}
+
+void run_image(std::string_view bytes) { run_reader(read_picture, bytes); }
+
+void run_report(std::string_view bytes) {
+  run_reader([](const std::string& file) { numeric::read_report(file); }, bytes);
+}
+
+}  // namespace sh::fuzz
