@@ -48,17 +48,28 @@ class Functions {
   Eigen::MatrixXd values_;  // (functions, directions)
 };
 
+}  // namespace
+
 std::vector<IndexOrder> orders_of(const Samples& samples) {
   if (samples.is_array) return {IndexOrder::kCosineSineArray};
-  return {IndexOrder::kAcn, IndexOrder::kZeroFirst, IndexOrder::kCosineSineBands};
+  std::vector<IndexOrder> orders{IndexOrder::kAcn, IndexOrder::kZeroFirst, IndexOrder::kCosineSineBands};
+  if (samples.degree <= largest_degree({.normalization = Normalization::kFuMa})) orders.push_back(IndexOrder::kFuMa);
+  return orders;
+}
+
+namespace {
+
+bool normalization_is_real(Normalization normalization) {
+  return normalization == Normalization::kUnnormalized || normalization == Normalization::kPrimitive ||
+         normalization == Normalization::kFuMa;
 }
 
 // Sizes, phases and folded factors that a kind of functions may have.
 std::vector<Convention> scalings(bool complex) {
   using enum Normalization;
   std::vector<Convention> all;
-  for (const auto normalization : {kOrthonormal, kFourPi, kSchmidt, kSn3d, kUnnormalized, kPrimitive}) {
-    if (complex && (normalization == kUnnormalized || normalization == kPrimitive)) continue;
+  for (const auto normalization : {kOrthonormal, kFourPi, kSchmidt, kSn3d, kUnnormalized, kPrimitive, kFuMa}) {
+    if (complex && normalization_is_real(normalization)) continue;
     for (const auto folded : {Folded::kNothing, Folded::kCosineOverPi, Folded::kCosine}) {
       for (const bool phase : {false, true}) {
         all.push_back({.normalization = normalization, .condon_shortley = phase, .complex = complex, .folded = folded});
@@ -88,7 +99,7 @@ double coarse(double penalty) { return std::round(penalty * 1e3); }
 
 class Search {
  public:
-  explicit Search(const Samples& samples) : samples_(samples) {
+  Search(const Samples& samples, double noise) : samples_(samples), noise_(noise) {
     for (const auto& column : samples.columns) {
       double square = 0;
       for (const Complex& v : column) {
@@ -127,6 +138,8 @@ class Search {
       fits[j].largest = largest_[j];
     }
     for (Convention convention : scalings(complex)) {
+      // The format defines weights and order together.
+      if ((convention.normalization == Normalization::kFuMa) != (order == IndexOrder::kFuMa)) continue;
       convention.axes = axes;
       convention.order = order;
       all.push_back(judge(convention, places, fits));
@@ -140,8 +153,11 @@ class Search {
     for (std::size_t j = 0; j < places.size(); ++j) {
       const Function& f = places[j];
       const auto size = f.is_hole() ? 0 : static_cast<double>(relative_size(convention, f.degree, f.order));
+      const double noise = kNoiseAllowance * noise_;
       const double deviation = std::abs(fits[j].scale - size) + fits[j].rest;
-      if (size == 0 ? fits[j].largest <= zero_ : deviation <= kRounded * std::abs(size)) continue;
+      const bool is_right = size == 0 ? fits[j].largest <= std::max(zero_, noise)
+                                      : deviation <= kRounded * std::abs(size) + noise / band_maximum(f.degree);
+      if (is_right) continue;
       ++candidate.wrong;
       candidate.penalty += penalty_of(fits[j], size);
     }
@@ -156,6 +172,7 @@ class Search {
   }
 
   const Samples& samples_;
+  double noise_;                 // standard deviation of the values
   std::vector<double> largest_;  // [column]
   double zero_ = 0;              // values up to this count as zero
   bool real_ = true;             // kinds of functions that the values may be
@@ -164,6 +181,6 @@ class Search {
 
 }  // namespace
 
-std::vector<Candidate> ranked_candidates(const Samples& samples) { return Search(samples).run(); }
+std::vector<Candidate> ranked_candidates(const Samples& samples, double noise) { return Search(samples, noise).run(); }
 
 }  // namespace sh::numeric::identify

@@ -40,6 +40,14 @@ long double content(int l, int order) {
   return std::ldexp(static_cast<long double>(common), -l);
 }
 
+// Over SN3D with Y_00 = 1.
+long double fuma_weight(int l, int a) {
+  if (l == 0) return 1 / std::numbers::sqrt2_v<long double>;
+  if (l == 2 && a > 0) return 2 / std::sqrt(3.0L);
+  if (l == 3 && a > 0) return a == 1 ? std::sqrt(45.0L / 32) : a == 2 ? 3 / std::sqrt(5.0L) : std::sqrt(8.0L / 5);
+  return 1;
+}
+
 long double normalization_size(Normalization normalization, int l, int order) {
   const auto width = static_cast<long double>(2 * l + 1);
   switch (normalization) {
@@ -53,6 +61,8 @@ long double normalization_size(Normalization normalization, int l, int order) {
       return std::sqrt(1 / width);
     case Normalization::kUnnormalized:
       return 1 / legendre_factor(l, std::abs(order));
+    case Normalization::kFuMa:
+      return normalization_size(Normalization::kSchmidt, l, order) * fuma_weight(l, std::abs(order));
     case Normalization::kPrimitive:
       return 1 / primitive_constant(l, order);
   }
@@ -107,6 +117,10 @@ const std::vector<Axes>& all_axes() {
   return all;
 }
 
+int largest_degree(const Convention& convention) {
+  return convention.normalization == Normalization::kFuMa ? 3 : kMaxDegree;
+}
+
 int storage_size(IndexOrder order, int max_degree) {
   return coefficient_count(max_degree) * (order == IndexOrder::kCosineSineArray ? 2 : 1);
 }
@@ -115,6 +129,9 @@ int storage_position(IndexOrder order, int max_degree, int degree, int order_m) 
   const int a = std::abs(order_m);
   const int band = degree * degree;
   switch (order) {
+    case IndexOrder::kFuMa:
+      if (degree == 1) return order_m == 0 ? 3 : order_m > 0 ? 1 : 2;
+      return storage_position(IndexOrder::kZeroFirst, max_degree, degree, order_m);
     case IndexOrder::kAcn:
       return coefficient_index(degree, order_m);
     case IndexOrder::kZeroFirst:

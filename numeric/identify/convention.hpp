@@ -21,6 +21,7 @@ enum class Normalization {
   kSn3d,          // integral = 1 / (2l+1): SN3D with 1/(4 pi) under the root [Nachbar11]
   kUnnormalized,  // P_l^a cos(a phi) or sin(a phi); real only
   kPrimitive,     // the polynomial with coprime integer coefficients: 1, y, z, x, xy, yz, 3z^2-1, ...; real only
+  kFuMa,          // Furse-Malham: largest value 1, for W 1/sqrt 2; real only, to degree 3
 };
 
 /// Where an array keeps degree l, order m.
@@ -29,6 +30,7 @@ enum class IndexOrder {
   kZeroFirst,        // bands in order, inside 0, 1, -1, 2, -2, ...
   kCosineSineBands,  // bands in order, inside 0, 1, .., l, -1, .., -l
   kCosineSineArray,  // (2, L+1, L+1): [m < 0][l][|m|], the rest holes that hold zero
+  kFuMa,             // bands in order, inside 1, -1, 0 in band 1, 0, 1, -1, 2, -2, ... in the others
 };
 
 /// The factor of each band: A_l of the clamped cosine (numeric/oracle/zonal.hpp).
@@ -62,6 +64,9 @@ struct Convention {
 };
 
 inline constexpr int kMaxDegree = 20;
+
+/// kMaxDegree, or 3 with Furse-Malham weights.
+int largest_degree(const Convention& convention);
 
 /// In words: "real, orthonormal, no Condon-Shortley phase, ACN order, axes x,y,z".
 std::string describe(const Convention& convention);

@@ -44,6 +44,8 @@ std::string suggested_directions(int count);
 /// that stands out among the others a hundredfold, unless its constant is the right one, rounded.
 inline constexpr double kRounded = 5e-3;
 inline constexpr double kOutlier = 1e-5;
+/// Noise of the values may add so many standard deviations.
+inline constexpr double kNoiseAllowance = 5;
 
 /// A convention that fits the data, and the presets that it is.
 struct Reading {
@@ -76,9 +78,12 @@ struct Identification {
   std::vector<Coefficient> coefficients;
   // At degree 0 and 1 a wrong coefficient may look like other axes: presets that come near, where no reading is one.
   std::vector<Doubt> doubts;
+  std::string mistake = {};         // undone in `samples`: "theta and phi exchanged"; empty: none
+  std::vector<int> bad_lines = {};  // of the file, left out of `samples`: they contradict all others
+  double noise = 0;                 // standard deviation of the values around sums of functions
 
   [[nodiscard]] bool fits() const;  // no coefficient is wrong
-  [[nodiscard]] bool recognized() const { return fits() && doubts.empty(); }
+  [[nodiscard]] bool recognized() const { return fits() && doubts.empty() && mistake.empty() && bad_lines.empty(); }
   [[nodiscard]] const Coefficient* first_wrong() const;  // of the first doubt where there is one; nullptr: none
   [[nodiscard]] double digits() const;                   // to which the worst fitting coefficient agrees, at most 17
 };
@@ -99,7 +104,27 @@ struct Candidate {
 };
 
 /// All conventions, the best first: fewest wrong, then smallest penalty, then rank, then the order of the enumerations.
-std::vector<Candidate> ranked_candidates(const Samples& samples);
+/// noise: the standard deviation of the values; a coefficient may deviate by kNoiseAllowance of it.
+std::vector<Candidate> ranked_candidates(const Samples& samples, double noise = 0);
+
+/// The index orders that the columns may have.
+std::vector<IndexOrder> orders_of(const Samples& samples);
+
+/// How the lines agree with each other, in any convention: every column is a sum of the functions of its degree.
+struct Consistency {
+  double noise = 0;                        // standard deviation of the values; 0 where the table says nothing
+  std::vector<std::size_t> bad_rows = {};  // rows that contradict all others, at most a quarter
+};
+Consistency consistency_of(const Samples& samples);
+Samples without_rows(const Samples& samples, std::vector<std::size_t> rows);
+
+/// The table without a mistake that concerns all of it.
+struct Undone {
+  std::string mistake;
+  Samples samples;
+};
+/// Theta and phi exchanged, sine and cosine exchanged, values conjugated: the table with each of them undone.
+std::vector<Undone> undone_mistakes(const Samples& samples);
 
 /// [function][row]: the values that the convention expects in place of those of `samples`.
 using Columns = std::vector<std::vector<std::complex<double>>>;
@@ -108,7 +133,7 @@ Columns expected_columns(const Samples& samples, const Convention& convention);
 /// Why a coefficient of known ratio and shape is wrong: its sign, another coefficient's function, the conjugate, a
 /// factor (2, sqrt 2, ...; a rounded or mistyped constant), single lines, or else the functions that it is a sum of.
 std::string reason_of(const Samples& samples, const Convention& convention, const Columns& expected,
-                      const Coefficient& coefficient);
+                      const Coefficient& coefficient, double noise);
 
 /// "constant 0.282 for 0.2820948, rounded to 3 digits" where the constant in front of the polynomial of lowest integers
 /// (1.092548 in 1.092548 xy) is the right one to 2 .. 8 digits, rounded or cut off; else "".

@@ -91,6 +91,28 @@ std::string doubt_text(const Identification& result) {
   return text;
 }
 
+// What is wrong with the whole table, or with single lines of it.
+std::string mistake_text(const Identification& result) {
+  if (!result.bad_lines.empty()) {
+    constexpr std::size_t kMost = 10;
+    std::string lines;
+    for (std::size_t i = 0; i < std::min(kMost, result.bad_lines.size()); ++i)
+      lines += (i > 0 ? ", " : "") + std::to_string(result.bad_lines[i]);
+    return output::formatted("%zu of %zu lines contradict all others and are left out: %s%s\n", result.bad_lines.size(),
+                             result.bad_lines.size() + result.samples.lines.size(), lines.c_str(),
+                             result.bad_lines.size() > kMost ? ", ..." : "");
+  }
+  if (result.mistake.empty()) return "";
+  return "the values fit a convention with this mistake: " + result.mistake + "; without it:\n";
+}
+
+std::string noise_text(const Identification& result) {
+  constexpr double kWorthSaying = 1e-5;  // beyond what float or six printed digits explain
+  if (result.noise <= kWorthSaying) return "";
+  return output::formatted("warning: the values carry noise of standard deviation %.1e around sums of functions\n",
+                           result.noise);
+}
+
 Json reading_json(const Reading& reading) {
   const Convention& c = reading.convention;
   return {{"complex", c.complex},
@@ -133,10 +155,11 @@ std::string format_text(const Identification& result, bool all_readings) {
     text += output::formatted("no convention fits; the nearest explains %td of %zu coefficients:\n", right,
                               result.coefficients.size());
   }
+  text += mistake_text(result);
   text += (fits ? "convention: " : "") + reading_text(result.readings.front()) + "\n";
   if (!fits) text += wrong_list(s, result.coefficients);
   const char* why = s.degree <= 1 ? "; values of degree 2 or more can tell most of them apart" : "";
-  return text + agreement_text(result) + folded_note(result) + doubt_text(result) +
+  return text + agreement_text(result) + noise_text(result) + folded_note(result) + doubt_text(result) +
          other_readings(result.readings, all_readings, why, reading_text);
 }
 
@@ -147,6 +170,9 @@ std::string format_json(const Identification& result) {
                {"directions", result.samples.directions.size()},
                {"recognised", result.recognized()},
                {"digits", result.digits()},
+               {"mistake", result.mistake},
+               {"bad_lines", result.bad_lines},
+               {"noise", result.noise},
                {"first_wrong", wrong == nullptr ? Json() : coefficient_json(result.samples, *wrong)},
                {"readings", Json::array()},
                {"coefficients", Json::array()}};

@@ -7,6 +7,7 @@ const std::vector<Preset>& presets() {
   using enum Normalization;
   // In our world's axes: y up right-handed is x, z, -y; y up left-handed (z forward) is x, z, y; x forward and y left
   // is y, -x, z; x forward and y right (left-handed) is y, x, z.
+  constexpr const char* kE3nn = "e3nn o3.spherical_harmonics with this normalization, y polar";
   static const std::vector<Preset> all = {
       {"shforge", {}, parse_axes("x,y,z"), "numeric/README.md"},
       {"directxmath", {.condon_shortley = true}, parse_axes("x,y,z"), "DirectXMath SHMath, XMSHEvalDirection"},
@@ -20,6 +21,14 @@ const std::vector<Preset>& presets() {
        Folded::kCosineOverPi},
       {"gaussian-splatting", {.condon_shortley = true}, parse_axes("x,y,z"), "gaussian-splatting sh_utils.py, eval_sh"},
       {"ambix", {kSn3d}, parse_axes("y,-x,z"), "[Nachbar11] eqs. 2-4"},
+      {"ambix-w1", {kSchmidt}, parse_axes("y,-x,z"), "RFC 8486, SN3D with W = 1"},
+      {"fuma",
+       {kFuMa, false, false, IndexOrder::kFuMa},
+       parse_axes("y,-x,z"),
+       "[Malham03] table 1, channels W XYZ RSTUV KLMNOPQ"},
+      {"e3nn-component", {.normalization = kFourPi, .axes = parse_axes("z,x,y")}, parse_axes("z,x,y"), kE3nn},
+      {"e3nn-integral", {.axes = parse_axes("z,x,y")}, parse_axes("z,x,y"), kE3nn},
+      {"e3nn-norm", {.normalization = kSchmidt, .axes = parse_axes("z,x,y")}, parse_axes("z,x,y"), kE3nn},
       {"scipy", {.condon_shortley = true, .complex = true}, parse_axes("x,y,z"), "scipy.special.sph_harm_y"},
       {"shtools",
        {kFourPi, false, false, IndexOrder::kCosineSineArray},
@@ -30,14 +39,16 @@ const std::vector<Preset>& presets() {
 }
 
 std::string name_of(Normalization normalization) {
-  constexpr std::array kNames = {"orthonormal",        "4-pi (N3D)",         "Schmidt (SN3D with Y_00 = 1)",
-                                 "SN3D with 1/(4 pi)", "unnormalized P_l^m", "plain polynomials 1, y, z, x, xy, ..."};
+  constexpr std::array kNames = {"orthonormal",         "4-pi (N3D)",         "Schmidt (SN3D with Y_00 = 1)",
+                                 "SN3D with 1/(4 pi)",  "unnormalized P_l^m", "plain polynomials 1, y, z, x, xy, ...",
+                                 "Furse-Malham weights"};
   return kNames[static_cast<int>(normalization)];
 }
 
 std::string name_of(IndexOrder order) {
   constexpr std::array kNames = {"ACN order l(l+1)+m", "order 0, 1, -1, 2, -2, ... in each band",
-                                 "order 0, 1, ..., l, -1, ..., -l in each band", "array [cosine, sine][l][|m|]"};
+                                 "order 0, 1, ..., l, -1, ..., -l in each band", "array [cosine, sine][l][|m|]",
+                                 "FuMa order W XYZ RSTUV KLMNOPQ"};
   return kNames[static_cast<int>(order)];
 }
 

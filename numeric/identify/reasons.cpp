@@ -169,7 +169,7 @@ std::string rounding_of(const Convention& convention, const Coefficient& c) {
 }
 
 std::string reason_of(const Samples& samples, const Convention& convention, const Columns& expected,
-                      const Coefficient& c) {
+                      const Coefficient& c, double noise) {
   const auto j = static_cast<std::size_t>(c.index);
   const auto& column = samples.columns[j];
   if (largest(expected[j]) == 0) return c.function.is_hole() ? "a hole of the array; it should hold zero" : "not zero";
@@ -177,6 +177,8 @@ std::string reason_of(const Samples& samples, const Convention& convention, cons
   const bool nearly_right = distance(column, expected[j], 1) <= kRounded;
   if (!nearly_right && distance(column, expected[j], 1, true) <= kRounded)
     return "conjugate: the imaginary part has the wrong sign";
+  const double noisy = kNoiseAllowance * noise / largest(expected[j]);
+  if (distance(column, expected[j], -1) <= kRounded + noisy) return "sign flipped";
   if (auto other = other_function(samples, expected, j); !nearly_right && !other.empty()) return other;
   if (c.shape <= kRounded * std::abs(c.ratio)) return factor_reason(convention, c);
   if (auto lines = single_lines(samples, expected, j); !lines.empty()) return lines;

@@ -44,7 +44,7 @@ Band complex_functions(int l) {
 }
 
 // The conventions of a matrix, axes and direction left open.
-std::vector<Convention> matrix_conventions(bool complex) {
+std::vector<Convention> matrix_conventions(bool complex, int degree) {
   using enum Normalization;
   std::vector<Convention> all;
   for (const auto normalization : {kOrthonormal, kUnnormalized, kPrimitive}) {
@@ -53,6 +53,8 @@ std::vector<Convention> matrix_conventions(bool complex) {
       for (const bool phase : {false, true}) all.push_back({normalization, phase, complex, order});
     }
   }
+  const Convention fuma{.normalization = kFuMa, .order = IndexOrder::kFuMa};
+  if (!complex && degree <= largest_degree(fuma)) all.push_back(fuma);
   return all;
 }
 
@@ -63,7 +65,7 @@ PresetNames names_of(const Convention& convention) {
     using enum Normalization;
     preset.axes = convention.axes;
     preset.folded = convention.folded;
-    if (preset.normalization != kUnnormalized && preset.normalization != kPrimitive)
+    if (preset.normalization != kUnnormalized && preset.normalization != kPrimitive && preset.normalization != kFuMa)
       preset.normalization = kOrthonormal;
     return convention == preset;
   };
@@ -161,7 +163,7 @@ std::vector<RotationReading> best_rotation_readings(const RotationCases& cases) 
   for (const auto& one : cases.cases) {
     if (is_general(one) && general.size() < kMostCases) general.push_back(&one);
   }
-  const auto conventions = matrix_conventions(cases.complex);
+  const auto conventions = matrix_conventions(cases.complex, cases.degree);
   std::vector<Candidate> all;
   for (const Axes& axes : all_axes()) {
     if (axes.determinant() < 0) continue;

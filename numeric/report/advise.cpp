@@ -21,19 +21,44 @@ bool is_wanted(const Point& point, const Need& need) {
          (need.prepared || info.mode != Mode::kPrepared);
 }
 
-// The front of the wanted points of any mode, from the fastest to the most exact.
-std::vector<Point> front_of(const std::vector<Point>& points, const Need& need) {
+// The wanted points of any mode, the fastest first.
+std::vector<Point> wanted_of(const std::vector<Point>& points, const Need& need) {
   std::vector<Point> wanted;
   std::copy_if(points.begin(), points.end(), std::back_inserter(wanted),
                [&](const Point& point) { return is_wanted(point, need); });
   std::stable_sort(wanted.begin(), wanted.end(), [](const Point& a, const Point& b) {
     return a.nanoseconds < b.nanoseconds || (a.nanoseconds == b.nanoseconds && a.error < b.error);
   });
+  return wanted;
+}
+
+// Those that no other beats in both time and error, from the fastest to the most exact.
+std::vector<Point> front_of(const std::vector<Point>& wanted) {
   std::vector<Point> front;
-  for (auto& point : wanted) {
-    if (front.empty() || point.error < front.back().error) front.push_back(std::move(point));
+  for (const Point& point : wanted) {
+    if (front.empty() || point.error < front.back().error) front.push_back(point);
   }
   return front;
+}
+
+// The fastest float that is exact enough and as fast as the choice; else the choice.
+Point preferring_float(const std::vector<Point>& wanted, const Point& choice, double error) {
+  const auto found = std::find_if(wanted.begin(), wanted.end(), [&](const Point& point) {
+    return point.info.scalar == "float" && point.error <= error;
+  });
+  const bool as_fast = found != wanted.end() && found->nanoseconds <= kSameTime * choice.nanoseconds;
+  return as_fast ? *found : choice;
+}
+
+// The highest degree with a batch; -1: there is none.
+int last_batch_of(const std::string& task) {
+  constexpr int kHighest = 10;
+  for (int degree = kHighest; degree >= 1; --degree) {
+    for (const Method& method : methods_of(task, degree)) {
+      if (method.info.mode == Mode::kBatch) return degree;
+    }
+  }
+  return -1;
 }
 
 [[noreturn]] void fail_without_points(const std::vector<Point>& points, const Need& need) {
@@ -47,8 +72,9 @@ std::vector<Point> front_of(const std::vector<Point>& points, const Need& need) 
   }
   if (degrees.empty())
     throw std::invalid_argument(fmt::format("--task: expected a measured task, got '{}'", need.task));
-  throw std::invalid_argument(
-      fmt::format("--degree: expected one of {} for '{}', got {}", fmt::join(degrees, ", "), need.task, need.degree));
+  const std::string beyond = need.degree > *degrees.rbegin() ? "; " + find_task("--task", need.task).beyond : "";
+  throw std::invalid_argument(fmt::format("--degree: expected one of {} for '{}', got {}{}", fmt::join(degrees, ", "),
+                                          need.task, need.degree, beyond));
 }
 
 std::string brief(const Point& point) {
@@ -65,21 +91,33 @@ const char* time_of(Mode mode) {
 }  // namespace
 
 Advice advise(const std::vector<Point>& points, const Need& need) {
-  const auto front = front_of(points, need);
+  const auto wanted = wanted_of(points, need);
+  const auto front = front_of(wanted);
   if (front.empty()) fail_without_points(points, need);
   const auto found =
       std::find_if(front.begin(), front.end(), [&](const Point& point) { return point.error <= need.error; });
   const bool good_enough = found != front.end();
-  const auto choice = good_enough ? found : front.end() - 1;
-  Advice advice{.choice = *choice, .good_enough = good_enough};
-  if (choice != front.begin()) advice.cheaper = *(choice - 1);
-  if (choice + 1 != front.end()) advice.more_exact = *(choice + 1);
+  Advice advice{.choice = good_enough ? *found : front.back(), .good_enough = good_enough};
+  if (good_enough) advice.choice = preferring_float(wanted, advice.choice, need.error);
+  const Point& choice = advice.choice;
+  for (const Point& point : front) {
+    if (point.nanoseconds < choice.nanoseconds && point.error > choice.error) advice.cheaper = point;
+    const bool more_exact = point.nanoseconds > choice.nanoseconds && point.error < choice.error;
+    if (more_exact && !advice.more_exact) advice.more_exact = point;
+  }
+  const bool has_batch =
+      std::any_of(wanted.begin(), wanted.end(), [](const Point& point) { return point.info.mode == Mode::kBatch; });
+  if (need.batch && !has_batch) advice.last_batch = last_batch_of(need.task);
   return advice;
 }
 
 std::vector<Point> measure_for(const Need& need) {
   const auto& task = find_task("--task", need.task);
-  require_range("--degree", need.degree, 1, task.full.back());
+  const int last = task.full.back();
+  if (need.degree > last) {
+    throw std::invalid_argument(fmt::format("--degree: expected 1 to {}, got {}; {}", last, need.degree, task.beyond));
+  }
+  require_range("--degree", need.degree, 1, last);
   return measure(methods_of(task.id, need.degree), {.budget = std::chrono::milliseconds(5), .most_inputs = 1200},
                  output::check_interrupt);
 }
@@ -93,6 +131,9 @@ std::string format_advice(const Need& need, const Advice& advice) {
   text += fmt::format("  error       {:.2g} ({:.2g} eps x {}), the largest of {} inputs; {} at {}\n", p.error,
                       p.error_eps, p.unit, p.inputs, p.worst.output, p.worst.input);
   text += fmt::format("  time        {:.3g} ns {}\n", p.nanoseconds, time_of(p.info.mode));
+  if (advice.last_batch == -1) text += "  batch       none; this task has no batches\n";
+  if (advice.last_batch.value_or(-1) > 0)
+    text += fmt::format("  batch       none; batches of this task end at degree {}\n", *advice.last_batch);
   if (!p.info.leaves_out.empty()) text += fmt::format("  leaves out  {}\n", p.info.leaves_out);
   text += fmt::format("  source      {}\n", p.info.source);
   text += "  cheaper     " + (advice.cheaper ? brief(*advice.cheaper) : "none") + "\n";

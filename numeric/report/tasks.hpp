@@ -15,6 +15,7 @@ struct Task {
   std::string error;       ///< the subject of the error, with its scale
   std::vector<int> quick;  ///< degrees of the quick report
   std::vector<int> full;   ///< of the full one; the last is the highest degree that has a method
+  std::string beyond;      ///< where to go for a higher degree
   bool relative = false;   ///< errors are compared in units of the check's size, not absolutely
 };
 

@@ -14,6 +14,17 @@
 namespace sh::symbolic {
 namespace {
 
+// [Malham03] table 1: the functions of ambiX with W = 1 times 1/sqrt 2, 1, then for |m| = 0, 1, ... the roots of these.
+Surd fuma_size(int degree, int order) {
+  static const std::vector<std::vector<cln::cl_RA>> kSquares{
+      {cln::cl_RA(1) / 2},
+      {1, 1},
+      {1, cln::cl_RA(4) / 3, cln::cl_RA(4) / 3},
+      {1, cln::cl_RA(45) / 32, cln::cl_RA(9) / 5, cln::cl_RA(8) / 5}};
+  const cln::cl_RA schmidt = squared_factor(degree, order) / (2 * degree + 1);
+  return Surd::square_root(schmidt * kSquares.at(static_cast<std::size_t>(degree)).at(std::abs(order)));
+}
+
 // 4 pi times the square of the orthonormal factor is (2 - delta) (2l+1) (l-a)!/(l+a)!.
 Surd size_of(const Convention& c, int degree, int order) {
   const cln::cl_RA square = squared_factor(degree, order) / (c.complex && order != 0 ? 2 : 1);
@@ -28,6 +39,8 @@ Surd size_of(const Convention& c, int degree, int order) {
       return Surd::square_root(square / (4 * (2 * degree + 1)), -1);
     case Normalization::kUnnormalized:
       return Surd(1);
+    case Normalization::kFuMa:
+      return fuma_size(degree, order);
     case Normalization::kPrimitive: {
       const BasisFunction f = basis_function(degree, order);
       return Surd(cln::recip(content(f.axial * f.azimuthal)));
@@ -51,17 +64,25 @@ Matrix<RadicalSum> axes_matrix(const SignedPermutation& axes, int degree) {
 
 }  // namespace
 
+int largest_degree(const Convention& convention) {
+  if (convention.folded == Folded::kCosineOverPi) return 2;
+  return convention.normalization == Normalization::kFuMa ? 3 : kMaxConventionDegree;
+}
+
 void require_convention(const Convention& convention, int degree) {
   require_degree("convention", degree, kMaxConventionDegree, "exact band matrices are kept to there");
-  const bool has_no_complex_form =
-      convention.normalization == Normalization::kUnnormalized || convention.normalization == Normalization::kPrimitive;
+  const bool has_no_complex_form = convention.normalization == Normalization::kUnnormalized ||
+                                   convention.normalization == Normalization::kPrimitive ||
+                                   convention.normalization == Normalization::kFuMa;
   if (convention.complex && has_no_complex_form) {
     throw std::invalid_argument(
         "convention: complex functions: expected an orthonormal, 4-pi, Schmidt or SN3D normalization, got another");
   }
-  if (convention.folded == Folded::kCosineOverPi) {
-    require_degree("convention with the clamped cosine folded in", degree, 2, "A_3 = 0 cannot be undone");
-  }
+  const int largest = largest_degree(convention);
+  if (convention.folded == Folded::kCosineOverPi)
+    require_degree("convention with the clamped cosine folded in", degree, largest, "A_3 = 0 cannot be undone");
+  if (convention.normalization == Normalization::kFuMa)
+    require_degree("convention with Furse-Malham weights", degree, largest, "the format defines no more channels");
 }
 
 int storage_size(IndexOrder order, int max_degree) {
@@ -73,6 +94,9 @@ int storage_position(IndexOrder order, int max_degree, int degree, int order_m) 
   const int a = std::abs(order_m);
   const int bands = max_degree + 1;
   switch (order) {
+    case IndexOrder::kFuMa:
+      if (degree == 1) return order_m == 0 ? 3 : order_m > 0 ? 1 : 2;
+      return storage_position(IndexOrder::kZeroFirst, max_degree, degree, order_m);
     case IndexOrder::kAcn:
       return degree * (degree + 1) + order_m;
     case IndexOrder::kZeroFirst:

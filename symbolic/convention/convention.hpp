@@ -67,6 +67,7 @@ enum class Normalization {
   kUnnormalized,  ///< P_l^a cos or sin (real only)
   kPrimitive,     ///< the reduced polynomial with coprime integer coefficients: 1, y, z, x, xy, yz, 3z^2-1, ... (real
                   ///< only)
+  kFuMa,          ///< largest value 1, for W 1/sqrt 2: Furse-Malham weights (real only, to degree 3)
 };
 
 /// How an array holds the coefficients of degree 0..L.
@@ -75,6 +76,7 @@ enum class IndexOrder {
   kZeroFirst,        ///< bands in order, inside 0, 1, -1, 2, -2, ...
   kCosineSineBands,  ///< bands in order, inside 0, 1, .., l, -1, .., -l
   kCosineSineArray,  ///< array (2, L+1, L+1): [m < 0][l][|m|], with holes that hold zero
+  kFuMa,             ///< W XYZ RSTUV KLMNOPQ: band 1 as 1, -1, 0, other bands as kZeroFirst
 };
 
 /// The factors that the coefficients include.
@@ -96,8 +98,12 @@ struct Convention {
 
 inline constexpr int kMaxConventionDegree = 20;
 
-/// Throws std::invalid_argument for parts that contradict each other (complex and unnormalized or primitive) and for a
-/// degree outside 0..20, or 0..2 with the cosine folded in, since A_3 = 0 cannot be undone.
+/// The largest degree of a convention: 20, 2 with the cosine folded in, since A_3 = 0 cannot be undone, or 3 with
+/// Furse-Malham weights.
+int largest_degree(const Convention& convention);
+
+/// Throws std::invalid_argument for parts that contradict each other (complex, and unnormalized, primitive or
+/// Furse-Malham) and for a degree outside 0 to largest_degree.
 void require_convention(const Convention& convention, int degree);
 
 /// Number of array elements for degree 0..L, holes included.
@@ -140,14 +146,14 @@ Matrix<RadicalSum> real_from_complex(int degree, bool condon_shortley);
 Matrix<RadicalSum> adjoint(const Matrix<RadicalSum>& m);
 
 // Conventions in use: engines, file formats, libraries. Each preset is the convention as its source writes it, in the
-// source's own coordinates x, y, z (axes = identity).
+// source's own coordinates x, y, z. Its axes are the identity where z is the polar axis of the source.
 
 struct Preset {
   std::string name;
   Convention convention;
-  SignedPermutation world;
-  std::string source;  ///< the file or page that documents the convention
-  std::string covers;  ///< the meaning of the coefficients, and the limits of the preset
+  SignedPermutation world;  ///< the axes in place of those of the convention, for directions of our world
+  std::string source;       ///< the file or page that documents the convention
+  std::string covers;       ///< the meaning of the coefficients, and the limits of the preset
 
   /// The convention with `world` as its axes.
   [[nodiscard]] Convention in_world() const;

@@ -9,6 +9,9 @@ std::vector<Preset> make_presets() {
   // The polynomials 1, y, z, x, xy, yz, 3z^2-1, xz, x^2-y^2; the coefficients hold all factors.
   const Convention polynomials{.normalization = Normalization::kPrimitive, .folded = Folded::kCosineOverPi};
   const SignedPermutation same;
+  const SignedPermutation polar_y("z,x,y");
+  const char* const e3nn =
+      "e3nn e3nn/o3/_spherical_harmonics.py, spherical_harmonics(l, x, normalize=True, normalization)";
   const SignedPermutation y_up("x,z,-y");             // x right, y up, z towards the viewer
   const SignedPermutation y_up_left_handed("x,z,y");  // x right, y up, z forward
   return {
@@ -47,7 +50,34 @@ std::vector<Preset> make_presets() {
        SignedPermutation("y,-x,z"),
        "Nachbar, Zotter, Deleflie, Sontacchi, AmbiX: a suggested ambisonics format (2011), eqs. 2-4; RFC 8486",
        "ACN order, SN3D with 1/(4 pi) under the root as printed; streams whose W channel equals the signal leave that "
-       "constant out (normalization Schmidt); x front, y left, z up"},
+       "constant out: preset ambix-w1; x front, y left, z up"},
+      {"ambix-w1",
+       {.normalization = Normalization::kSchmidt},
+       SignedPermutation("y,-x,z"),
+       "RFC 8486 (Ogg Opus, channel mapping families 2 and 3); YouTube and IEM Plug-in Suite, SN3D",
+       "ACN order, SN3D with W = 1: a plane wave from a direction has the channels Y'(direction); x front, y left, z "
+       "up"},
+      {"fuma",
+       {.normalization = Normalization::kFuMa, .order = IndexOrder::kFuMa},
+       SignedPermutation("y,-x,z"),
+       "Malham, Higher order ambisonic systems (2003), table 1; classic B-format (.amb)",
+       "channels W XYZ RSTUV KLMNOPQ to degree 3, weighted to a largest value of 1, W = 1/sqrt 2; x front, y left, z "
+       "up"},
+      {"e3nn-component",
+       {.normalization = Normalization::kFourPi, .axes = polar_y},
+       polar_y,
+       e3nn,
+       "normalization='component': the squares of a band sum to 2l+1; y is polar, so that band 1 is sqrt 3 (x, y, z)"},
+      {"e3nn-integral",
+       {.axes = polar_y},
+       polar_y,
+       e3nn,
+       "normalization='integral': orthonormal; y is polar, so that band 1 is proportional to (x, y, z)"},
+      {"e3nn-norm",
+       {.normalization = Normalization::kSchmidt, .axes = polar_y},
+       polar_y,
+       e3nn,
+       "normalization='norm': the squares of a band sum to 1; y is polar, so that band 1 is (x, y, z)"},
       {"scipy",
        {.condon_shortley = true, .complex = true},
        same,

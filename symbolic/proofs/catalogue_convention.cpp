@@ -9,11 +9,11 @@ namespace {
 const char* const kBands = "exact band matrices are kept to degree 20";
 const char* const kSlowBands = "exact products of band matrices for every convention take minutes beyond";
 
-// The sum of prove(convention, top) over the samples, at a low degree and at this one: some serve degree 2 only.
+// The sum of prove(convention, top) over the samples, at low degrees and at this one: some serve degree 2 or 3 only.
 template <class Prove>
 int for_each_of(std::vector<Convention> (*samples)(int degree), int degree, const Prove& prove) {
   int count = 0;
-  for (const int top : {std::min(degree, 2), degree}) {
+  for (const int top : {std::min(degree, 2), std::min(degree, 3), degree}) {
     for (const Convention& convention : samples(top)) count += prove(convention, top);
   }
   return count;

@@ -75,6 +75,7 @@ std::optional<Surd> defined_integral(Normalization normalization, int degree) {
       return inverse;
     case Normalization::kUnnormalized:
     case Normalization::kPrimitive:
+    case Normalization::kFuMa:
       return std::nullopt;
   }
   return std::nullopt;
@@ -97,6 +98,31 @@ Surd multiple_of_ferrers(const ConventionFunction& f, const Convention& c, int d
   return f.factor * Surd(f.re.coefficient(first) / expected);
 }
 
+// The largest square of q(z) (1 - z^2)^(a/2), at z^2 = u. It is stationary there, or u is an end of 0..1.
+cln::cl_RA largest_square(const Polynomial& q, int a, const cln::cl_RA& u, int degree, int order) {
+  const auto square = [&, squared = q * q](const cln::cl_RA& at) {
+    cln::cl_RA sum = 0;
+    for (const auto& [monomial, coefficient] : squared.terms())
+      sum = sum + coefficient * cln::expt(at, monomial.exponent(2) / 2);
+    return sum * cln::expt(1 - at, a);
+  };
+  const cln::cl_RA largest = square(u);
+  constexpr int kSteps = 64;  // the square is a polynomial of degree 3 at most
+  for (int i = 0; i <= kSteps; ++i)
+    require(square(cln::cl_RA(i) / kSteps) <= largest, degree, order, "is larger somewhere else");
+  return largest;
+}
+
+// Furse-Malham: the largest value is 1, of W 1/sqrt 2.
+void require_largest_value(const Surd& multiple, int degree, int order) {
+  const cln::cl_RA places[][4] = {
+      {1}, {1, 0}, {1, cln::cl_RA(1) / 2, 0}, {1, cln::cl_RA(11) / 15, cln::cl_RA(1) / 3, 0}};
+  const int a = std::abs(order);
+  const cln::cl_RA square = largest_square(axial_part(degree, a), a, places[degree][a], degree, order);
+  require(multiple * multiple * Surd(square) == Surd(degree == 0 ? cln::cl_RA(1) / 2 : cln::cl_RA(1)), degree, order,
+          "its largest value is not that of the format");
+}
+
 bool is_negative_phase(const Convention& c, int order) {
   return c.condon_shortley && order % 2 != 0 && (order > 0 || !c.complex);
 }
@@ -109,6 +135,8 @@ void require_size_and_sign(const Convention& c, const ConventionFunction& f, con
   if (const auto integral = defined_integral(c.normalization, degree)) {
     require(f.factor * f.factor * Surd(mean) * sphere_area == *integral, degree, order,
             "the integral of its square is not that of the normalization");
+  } else if (c.normalization == Normalization::kFuMa) {
+    require_largest_value(multiple, degree, order);
   } else if (c.normalization == Normalization::kUnnormalized) {
     require(multiple * multiple == Surd(1), degree, order, "is not P_l^|m| cos or sin");
   } else {
@@ -171,7 +199,11 @@ std::vector<DegreeOrder> listed(IndexOrder order, int degree) {
       for (int m = -l; m <= l; ++m) list.push_back({l, m});
       continue;
     }
-    const bool pairs = order == IndexOrder::kZeroFirst;
+    if (order == IndexOrder::kFuMa && l == 1) {
+      list.insert(list.end(), {{1, 1}, {1, -1}, {1, 0}});
+      continue;
+    }
+    const bool pairs = order == IndexOrder::kZeroFirst || order == IndexOrder::kFuMa;
     list.push_back({l, 0});
     for (int a = 1; a <= l; ++a) {
       list.push_back({l, a});
@@ -184,7 +216,7 @@ std::vector<DegreeOrder> listed(IndexOrder order, int degree) {
 
 const std::vector<IndexOrder>& index_orders() {
   static const std::vector<IndexOrder> all{IndexOrder::kAcn, IndexOrder::kZeroFirst, IndexOrder::kCosineSineBands,
-                                           IndexOrder::kCosineSineArray};
+                                           IndexOrder::kCosineSineArray, IndexOrder::kFuMa};
   return all;
 }
 
@@ -260,8 +292,7 @@ std::vector<Convention> unturned_conventions(int degree) {
   std::vector<Convention> all;
   for (const Preset& preset : presets()) {
     const bool turned = !(preset.convention.axes == SignedPermutation());
-    const bool serves = preset.convention.folded == Folded::kNothing || degree <= 2;
-    if (!turned && serves) all.push_back(preset.convention);
+    if (!turned && degree <= largest_degree(preset.convention)) all.push_back(preset.convention);
   }
   for (const Normalization normalization :
        {Normalization::kOrthonormal, Normalization::kFourPi, Normalization::kSchmidt, Normalization::kSn3d,
@@ -283,7 +314,7 @@ std::vector<Convention> unturned_conventions(int degree) {
 std::vector<Convention> sample_conventions(int degree) {
   std::vector<Convention> samples;
   for (const Preset& preset : presets()) {
-    if (preset.convention.folded != Folded::kNothing && degree > 2) continue;
+    if (degree > largest_degree(preset.convention)) continue;
     samples.push_back(preset.convention);
     samples.push_back(preset.in_world());
   }

@@ -44,6 +44,47 @@ int squared(int degree) { return (degree + 1) * (degree + 1); }
 int cilm(int degree, int l, int m) { return ((m < 0 ? degree + 1 : 0) + l) * (degree + 1) + std::abs(m); }
 int two_squares(int degree) { return 2 * squared(degree); }
 
+// W XYZ RSTUV KLMNOPQ of [Malham03], table 1.
+int wxyz(int /*degree*/, int l, int m) {
+  constexpr int kPlaces[] = {0, 2, 3, 1, 8, 6, 4, 5, 7, 15, 13, 11, 9, 10, 12, 14};
+  return kPlaces[l * l + l + m];
+}
+
+double furse_malham(int l, int m, const Vector3& d) {
+  const auto [x, y, z] = d;
+  const double third = std::sqrt(135.0 / 256) * (5 * z * z - 1);
+  const double fifth = std::sqrt(27.0 / 4);
+  const double values[] = {std::sqrt(0.5),
+                           x,
+                           y,
+                           z,
+                           (3 * z * z - 1) / 2,
+                           2 * x * z,
+                           2 * y * z,
+                           x * x - y * y,
+                           2 * x * y,
+                           z * (5 * z * z - 3) / 2,
+                           third * x,
+                           third * y,
+                           fifth * z * (x * x - y * y),
+                           2 * fifth * x * y * z,
+                           x * (x * x - 3 * y * y),
+                           y * (3 * x * x - y * y)};
+  return values[wxyz(3, l, m)];
+}
+
+// y is polar: band 1 is (x, y, z).
+Definition e3nn(const std::string& preset, double (*function)(int, int, const Vector3&)) {
+  return {.preset = preset,
+          .function =
+              [=](int l, int m, const Vector3& d) {
+                return function(l, m, {d[2], d[0], d[1]});
+              },
+          .place = acn,
+          .size = squared,
+          .own_axes = true};
+}
+
 std::vector<Definition> all_definitions() {
   return {
       {"shforge", own_function, acn, squared},
@@ -55,6 +96,11 @@ std::vector<Definition> all_definitions() {
       {"gaussian-splatting", with_phase, acn, squared},
       {"ambix", [](int l, int m, const Vector3& d) { return schmidt(l, m, d) / std::sqrt(4 * std::numbers::pi); }, acn,
        squared},
+      {"ambix-w1", schmidt, acn, squared},
+      {.preset = "fuma", .function = furse_malham, .place = wxyz, .size = squared, .largest = 3},
+      e3nn("e3nn-component", four_pi),
+      e3nn("e3nn-integral", own_function),
+      e3nn("e3nn-norm", schmidt),
       {"shtools", four_pi, cilm, two_squares}};
 }
 

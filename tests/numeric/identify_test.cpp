@@ -29,7 +29,7 @@ Convention in_world(const Preset& preset) {
 
 TEST(Identify, NamesEveryPresetFromItsFunctions) {
   for (const Preset& preset : presets()) {
-    for (int degree = 0; degree <= 4; ++degree) {
+    for (int degree = 0; degree <= std::min(4, largest_degree(preset.convention)); ++degree) {
       const auto result = identify_values(preset.convention, degree);
       EXPECT_TRUE(result.recognized()) << preset.name << degree;
       EXPECT_TRUE(names_preset(result, preset.name)) << preset.name << degree;
@@ -41,7 +41,7 @@ TEST(Identify, NamesEveryPresetFromItsFunctions) {
 TEST(Identify, NamesEveryPresetFromFloatsInWorldAxes) {
   for (const Preset& preset : presets()) {
     if (preset.world == preset.convention.axes) continue;
-    for (int degree = 0; degree <= 4; ++degree) {
+    for (int degree = 0; degree <= std::min(4, largest_degree(preset.convention)); ++degree) {
       const auto result = identify_values(in_world(preset), degree, round_to_float);
       EXPECT_TRUE(result.recognized()) << preset.name << degree;
       EXPECT_TRUE(names_world_preset(result, preset.name)) << preset.name << degree;
@@ -203,6 +203,134 @@ TEST(Identify, DoubtsMirroredAxesAtDegreeOneWhereAPresetIsNear) {
   EXPECT_EQ(result.readings.front().convention.axes.determinant(), -1);
   const auto text = format_text(result, false);
   EXPECT_NE(text.find("degree 1 cannot tell it from a wrong coefficient"), std::string::npos) << text;
+}
+
+// --- mistakes that concern the whole table, bad lines, noise
+
+using Direction3 = std::array<double, 3>;
+
+// The values at other directions than the table says.
+Samples called_at(const Preset& preset, int degree, const std::function<Direction3(const Direction3&)>& other) {
+  Samples samples = make_samples(preset.convention, degree);
+  for (std::size_t row = 0; row < samples.directions.size(); ++row) {
+    const auto values = convention_values(preset.convention, degree, other(samples.directions[row]));
+    for (std::size_t j = 0; j < values.size(); ++j) samples.columns[j][row] = values[j];
+  }
+  return samples;
+}
+
+void expect_mistake(const Samples& samples, const std::string& mistake, const std::string& preset) {
+  const auto result = identify({samples});
+  EXPECT_FALSE(result.recognized()) << preset << samples.degree;
+  EXPECT_EQ(result.mistake, mistake) << preset << samples.degree;
+  EXPECT_TRUE(names_preset(result, preset)) << preset << samples.degree;
+  EXPECT_NE(format_text(result, false).find("with this mistake: " + mistake), std::string::npos) << preset;
+}
+
+TEST(Identify, NamesThetaAndPhiExchanged) {
+  // theta becomes a longitude: functions that take its sine from a root lose the sign.
+  for (const bool by_root : {false, true}) {
+    const auto exchanged = [by_root](const Direction3& d) {
+      const double phi = std::atan2(d[1], d[0]);
+      const double theta = std::acos(d[2]);
+      const double sine = by_root ? std::abs(std::sin(phi)) : std::sin(phi);
+      return Direction3{sine * std::cos(theta), sine * std::sin(theta), std::cos(phi)};
+    };
+    for (const char* preset : {"shforge", "unity", "fuma", "scipy", "shtools"})
+      expect_mistake(called_at(preset_named(preset), by_root ? 2 : 3, exchanged), "theta and phi exchanged", preset);
+  }
+}
+
+TEST(Identify, NamesSineAndCosineOfThetaExchanged) {
+  const auto by_latitude = [](const Direction3& d) {
+    const double phi = std::atan2(d[1], d[0]);
+    const double across = std::hypot(d[0], d[1]);
+    return Direction3{d[2] * std::cos(phi), d[2] * std::sin(phi), across};
+  };
+  for (const char* preset : {"shforge", "directxmath", "scipy", "shtools"})
+    expect_mistake(called_at(preset_named(preset), 3, by_latitude),
+                   "sine and cosine of theta exchanged (latitude for theta)", preset);
+}
+
+TEST(Identify, NamesSineAndCosineOfMPhiExchanged) {
+  for (const char* preset : {"shforge", "directxmath", "unity", "ambix-w1", "fuma", "shtools"}) {
+    const Convention& convention = preset_named(preset).convention;
+    Samples samples = make_samples(convention, 3);
+    Samples changed = samples;
+    const auto at = [&](int l, int m) { return static_cast<std::size_t>(storage_position(convention.order, 3, l, m)); };
+    for (int l = 0; l <= 3; ++l) {
+      for (int m = -l; m <= l; ++m) {
+        if (m != 0 || !samples.is_array) changed.columns[at(l, m)] = samples.columns[at(l, -m)];
+      }
+    }
+    if (samples.is_array) {  // the halves change places
+      for (std::size_t j = 0; j < samples.columns.size(); ++j)
+        changed.columns[j] = samples.columns[(j + samples.columns.size() / 2) % samples.columns.size()];
+    }
+    expect_mistake(changed, "sine and cosine of m phi exchanged (m for -m)", preset);
+  }
+}
+
+TEST(Identify, NamesConjugatedValues) {
+  for (const int degree : {1, 2, 4}) {
+    const auto conjugate = [](Values& values) {
+      for (auto& v : values) v = std::conj(v);
+    };
+    expect_mistake(make_samples(preset_named("scipy").convention, degree, conjugate), "every value conjugated",
+                   "scipy");
+  }
+}
+
+TEST(Identify, NamesTheBadLinesAmongMany) {
+  for (const char* name : {"directxmath", "unity", "e3nn-norm", "scipy", "shtools"}) {
+    const Preset& preset = preset_named(name);
+    for (const std::vector<std::size_t>& bad : {std::vector<std::size_t>{0}, {27}, {3, 17}}) {
+      Samples samples = make_samples(preset.convention, 3);
+      for (auto& column : samples.columns) {
+        for (const std::size_t row : bad) column[row] = column[row] * 1.3 + 0.2;
+      }
+      const auto result = identify({samples});
+      EXPECT_FALSE(result.recognized());
+      EXPECT_TRUE(result.fits() && names_preset(result, preset.name)) << preset.name;
+      std::vector<int> lines;
+      for (const std::size_t row : bad) lines.push_back(samples.lines[row]);
+      EXPECT_EQ(result.bad_lines, lines) << preset.name;
+    }
+  }
+}
+
+TEST(Identify, RecognizesNoisyValuesAndSaysHowNoisy) {
+  for (const Preset& preset : presets()) {
+    for (const int degree : {2, 3}) {
+      Random random(11);
+      const bool complex = preset.convention.complex;
+      const auto noise = [&](Values& values) {
+        // The sum of twelve numbers in -1 .. 1 has the variance 4.
+        const auto normal = [&] {
+          double sum = 0;
+          for (int i = 0; i < 12; ++i) sum += random.next();
+          return 1e-3 * sum / 2;
+        };
+        for (auto& v : values) {
+          if (v != std::complex<double>(0)) v += std::complex<double>(normal(), complex ? normal() : 0);
+        }
+      };
+      const auto result = identify_values(preset.convention, degree, noise);
+      EXPECT_TRUE(result.recognized()) << preset.name << degree;
+      EXPECT_TRUE(names_preset(result, preset.name)) << preset.name << degree;
+      EXPECT_GT(result.noise, 0.5e-3) << preset.name << degree;
+      EXPECT_LT(result.noise, 2e-3) << preset.name << degree;
+      EXPECT_NE(format_text(result, false).find("warning: the values carry noise"), std::string::npos);
+      const auto flipped = identify_values(preset.convention, degree, [&](Values& values) {
+        noise(values);
+        for (std::size_t j = 0; j < values.size(); ++j) values[j] *= j == 6 ? -1 : 1;
+      });
+      if (preset.convention.order == IndexOrder::kCosineSineArray) continue;  // 6 is a hole
+      const auto wrong = wrong_for(flipped, preset.name);
+      ASSERT_EQ(wrong.size(), 1) << preset.name << degree;
+      EXPECT_EQ(wrong[0].reason, "sign flipped") << preset.name;
+    }
+  }
 }
 
 }  // namespace

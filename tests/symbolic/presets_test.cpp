@@ -24,6 +24,10 @@ const Direction& direction() {
   return d;
 }
 
+Direction turned(const SignedPermutation& axes, const Direction& d) {
+  return {axes.sign(0) * d[axes.axis(0)], axes.sign(1) * d[axes.axis(1)], axes.sign(2) * d[axes.axis(2)]};
+}
+
 double evaluate(const Polynomial& p, const Direction& d) {
   double sum = 0;
   for (const auto& [monomial, coefficient] : p.terms()) {
@@ -37,12 +41,12 @@ double evaluate(const Polynomial& p, const Direction& d) {
 // The functions in array order of the preset, as it evaluates them.
 Values functions(const Convention& c, int degree) {
   Values values(storage_size(c.order, degree));
+  const Direction own = turned(c.axes, direction());
   for (int l = 0; l <= degree; ++l) {
     for (int m = -l; m <= l; ++m) {
       const ConventionFunction f = convention_function(c, l, m);
       const double factor = cln::double_approx(f.factor.evaluate(20));
-      values[storage_position(c.order, degree, l, m)] = {factor * evaluate(f.re, direction()),
-                                                         factor * evaluate(f.im, direction())};
+      values[storage_position(c.order, degree, l, m)] = {factor * evaluate(f.re, own), factor * evaluate(f.im, own)};
     }
   }
   return values;
@@ -119,6 +123,46 @@ TEST(Presets, AmbixHasTheConstantOfItsPaper) {
                    1e-15);
 }
 
+TEST(Presets, AmbixStreamsHaveASignalInW) {
+  const double r3 = std::sqrt(3.0);
+  expect_functions("ambix-w1", 2,
+                   {1, y, z, x, r3 * x * y, r3 * y * z, (3 * z * z - 1) / 2, r3 * x * z, r3 / 2 * (x * x - y * y)},
+                   1e-15);
+}
+
+TEST(Presets, FuMaHasTheWeightsOfItsTable) {
+  const double l = std::sqrt(135.0 / 256);
+  const double n = std::sqrt(27.0 / 4);
+  expect_functions("fuma", 3,
+                   {std::sqrt(0.5), x, y, z, (3 * z * z - 1) / 2, 2 * x * z, 2 * y * z, x * x - y * y, 2 * x * y,
+                    z * (5 * z * z - 3) / 2, l * x * (5 * z * z - 1), l * y * (5 * z * z - 1), n * z * (x * x - y * y),
+                    2 * n * x * y * z, x * (x * x - 3 * y * y), y * (3 * x * x - y * y)},
+                   2e-15);
+  EXPECT_THROW(require_convention(find_preset("fuma").convention, 4), std::invalid_argument);
+}
+
+TEST(Presets, E3nnHasPolarYAndThreeNormalizations) {
+  const double r15 = std::sqrt(15.0);
+  const Values component{1,
+                         std::sqrt(3.0) * x,
+                         std::sqrt(3.0) * y,
+                         std::sqrt(3.0) * z,
+                         r15 * x * z,
+                         r15 * x * y,
+                         std::sqrt(5.0) * (y * y - (x * x + z * z) / 2),
+                         r15 * y * z,
+                         r15 / 2 * (z * z - x * x)};
+  expect_functions("e3nn-component", 2, component, 2e-15);
+  Values integral;
+  Values norm;
+  for (std::size_t i = 0; i < component.size(); ++i) {
+    integral.push_back(component[i] / std::sqrt(4 * M_PI));
+    norm.push_back(component[i] / std::sqrt(i == 0 ? 1.0 : i < 4 ? 3.0 : 5.0));
+  }
+  expect_functions("e3nn-integral", 2, integral, 2e-15);
+  expect_functions("e3nn-norm", 2, norm, 2e-15);
+}
+
 TEST(Presets, ScipyIsComplexWithThePhase) {
   const std::complex<double> plus{x, y};  // sin(theta) exp(i phi)
   const double c1 = std::sqrt(3 / (8 * M_PI));
@@ -145,7 +189,8 @@ TEST(Presets, StateTheirSourceAndWhatTheyCover) {
   for (const Preset& preset : presets()) {
     EXPECT_FALSE(preset.source.empty()) << preset.name;
     EXPECT_FALSE(preset.covers.empty()) << preset.name;
-    EXPECT_EQ(preset.convention.axes, SignedPermutation()) << preset.name;
+    const bool polar_z = preset.name.find("e3nn") == std::string::npos;
+    EXPECT_EQ(preset.convention.axes, SignedPermutation(polar_z ? "x,y,z" : "z,x,y")) << preset.name;
   }
 }
 

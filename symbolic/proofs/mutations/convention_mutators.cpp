@@ -13,10 +13,13 @@ struct Named {
 };
 
 Normalization normalization(const std::string& name) {
-  static const std::vector<Named<Normalization>> all{
-      {"orthonormal", Normalization::kOrthonormal},   {"four-pi", Normalization::kFourPi},
-      {"schmidt", Normalization::kSchmidt},           {"sn3d", Normalization::kSn3d},
-      {"unnormalized", Normalization::kUnnormalized}, {"primitive", Normalization::kPrimitive}};
+  static const std::vector<Named<Normalization>> all{{"orthonormal", Normalization::kOrthonormal},
+                                                     {"four-pi", Normalization::kFourPi},
+                                                     {"schmidt", Normalization::kSchmidt},
+                                                     {"sn3d", Normalization::kSn3d},
+                                                     {"unnormalized", Normalization::kUnnormalized},
+                                                     {"primitive", Normalization::kPrimitive},
+                                                     {"fuma", Normalization::kFuMa}};
   return find_named(all, name, "normalization").value;
 }
 
@@ -24,7 +27,8 @@ IndexOrder index_order(const std::string& name) {
   static const std::vector<Named<IndexOrder>> all{{"acn", IndexOrder::kAcn},
                                                   {"zero-first", IndexOrder::kZeroFirst},
                                                   {"cosine-sine-bands", IndexOrder::kCosineSineBands},
-                                                  {"cosine-sine-array", IndexOrder::kCosineSineArray}};
+                                                  {"cosine-sine-array", IndexOrder::kCosineSineArray},
+                                                  {"fuma", IndexOrder::kFuMa}};
   return find_named(all, name, "index order").value;
 }
 
