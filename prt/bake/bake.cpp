@@ -9,6 +9,7 @@
 
 #include "numeric/output/progress.hpp"
 #include "prt/bake/estimate.hpp"
+#include "prt/bake/gray.hpp"
 #include "prt/bake/steps.hpp"
 #include "prt/chunks.hpp"
 #include "prt/transfer/transfer_file.hpp"
@@ -51,11 +52,6 @@ Transfer run_steps(const Scene& scene, const BakeSettings& settings, const Plan&
   return std::move(run.transfer);
 }
 
-bool has_colored_mirrors(const Mesh& mesh) {
-  return std::any_of(mesh.mirror.begin(), mesh.mirror.end(),
-                     [](const Eigen::Vector3f& mirror) { return (mirror.array() != mirror.x()).any(); });
-}
-
 // Takes channel `c` and the worse value of each number of the report.
 void take_channel(const Transfer& from, int c, Transfer& to) {
   const std::size_t count = to.shape.count();
@@ -72,16 +68,6 @@ void take_channel(const Transfer& from, int c, Transfer& to) {
   }
 }
 
-// The scene as one channel has it: every color is that channel's gray. The albedo and the mirrors of different channels
-// may reflect more than 1 together.
-Scene in_gray(Scene scene, int channel) {
-  Mesh& mesh = scene.mesh;
-  for (auto* colors : {&mesh.albedo, &mesh.mirror, &mesh.emission}) {
-    for (Eigen::Vector3f& color : *colors) color.setConstant(color[channel]);
-  }
-  return scene;
-}
-
 // Each channel is a separate bake. The single channel of shadowed transfer cannot hold the color of the mirrors.
 Transfer run_by_channel(const BakeJob& job, BakeReport& report) {
   if (job.scene.bake.kind->shape(job.scene.bake.degree).channels == 1) {
@@ -93,7 +79,9 @@ Transfer run_by_channel(const BakeJob& job, BakeReport& report) {
   settings.checkpoint = {};  // it holds one bake
   Transfer transfer;
   for (int c = 0; c < 3; ++c) {
-    Transfer channel = run_steps(in_gray(job.scene, c), settings, *job.plan, report);
+    Scene scene = job.scene;
+    scene.mesh = in_gray(std::move(scene.mesh), c);
+    Transfer channel = run_steps(scene, settings, *job.plan, report);
     if (c == 0) {
       transfer = std::move(channel);
     } else {

@@ -1,6 +1,7 @@
 // Traces the rays of one vertex for a bake: what it sees of the sky, directly and over mirrors, and its row of the form
 // factors. Mirrors are gray: only the first channel of a reflectance counts (prt/bake/bake.cpp handles colored mirrors).
 #pragma once
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -14,15 +15,22 @@ namespace sh::prt {
 /// it.
 struct RaySetup {
   RaySetup(const Mesh& the_mesh, const BakeOptions& options, int threads, const std::string& instruction_set)
-      : mesh(the_mesh), tracer(mesh, threads, instruction_set), directions(options) {}
+      : mesh(the_mesh),
+        shared(std::make_shared<Tracer>(mesh, threads, instruction_set)),
+        directions(options),
+        starts(ray_starts(mesh)) {}
+  /// Other directions for the same mesh.
+  RaySetup(const RaySetup& same, const BakeOptions& options)
+      : mesh(same.mesh), shared(same.shared), directions(options), starts(same.starts) {}
   RaySetup(const RaySetup&) = delete;
   RaySetup& operator=(const RaySetup&) = delete;
 
   const Mesh& mesh;
-  Tracer tracer;
+  std::shared_ptr<Tracer> shared;
+  Tracer& tracer = *shared;
   MirrorPaths mirrors{mesh, tracer};
   SharedDirections directions;
-  std::vector<RayStart> starts = ray_starts(mesh);
+  std::vector<RayStart> starts;
 };
 
 /// The reusable buffers of one thread. The setup must outlive it.

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <chrono>
 
-#include "prt/bake/bounces.hpp"
 #include "prt/bake/fill_closed.hpp"
 #include "prt/bake/shadow_pass.hpp"
 #include "prt/transfer/unshadowed.hpp"
@@ -49,7 +48,23 @@ void report_dark(const BakeRun& run) {
   }
 }
 
-// The light that leaves every vertex without bounces: albedo * T, and the emission.
+// Gives closed vertices the light of their neighbors.
+void fill_closed(BakeRun& run) {
+  const std::vector<Sight>& sight = run.found->sight;
+  std::vector<ClosedVertex> closed = closed_vertices(run.scene.mesh, sight);
+  if (const auto [buried, filled] = count_buried(closed, sight); buried > 0) {
+    report(run, fmt::format("no ray can leave {} of {} vertices ({} filled from neighbors, {} in closed parts left "
+                            "dark)",
+                            buried, sight.size(), filled, buried - filled));
+  }
+  Fill fill(std::move(closed));
+  const std::size_t length = run.transfer.shape.length();
+  fill.apply(run.transfer.coefficients.data(), length, length);
+  if (run.factors) run.factors->fill_with(std::move(fill));
+}
+
+}  // namespace
+
 Panel direct_light(const Mesh& mesh, const Transfer& transfer, const BounceLayout& layout) {
   Panel x(mesh.positions.size(), layout.columns());
   for (std::size_t v = 0; v < x.rows; ++v) {
@@ -77,23 +92,6 @@ void take_solution(const Panel& x, const BounceLayout& layout, Transfer& transfe
     }
   }
 }
-
-// Gives closed vertices the light of their neighbors.
-void fill_closed(BakeRun& run) {
-  const std::vector<Sight>& sight = run.found->sight;
-  std::vector<ClosedVertex> closed = closed_vertices(run.scene.mesh, sight);
-  if (const auto [buried, filled] = count_buried(closed, sight); buried > 0) {
-    report(run, fmt::format("no ray can leave {} of {} vertices ({} filled from neighbors, {} in closed parts left "
-                            "dark)",
-                            buried, sight.size(), filled, buried - filled));
-  }
-  Fill fill(std::move(closed));
-  const std::size_t length = run.transfer.shape.length();
-  fill.apply(run.transfer.coefficients.data(), length, length);
-  if (run.factors) run.factors->fill_with(std::move(fill));
-}
-
-}  // namespace
 
 void take_unshadowed(BakeRun& run) {
   run.transfer.scene = run.scene.name;

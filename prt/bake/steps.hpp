@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "prt/bake/bake.hpp"
+#include "prt/bake/bounces.hpp"
 #include "prt/bake/checkpoint.hpp"
 #include "prt/bake/row_tracer.hpp"
 
@@ -47,6 +48,12 @@ void trace_shadows(BakeRun& run);
 /// In: shadowed vectors and the form factors. Out: vectors of three channels that hold the albedo. Bounces that do not
 /// converge are reported as a flaw.
 void add_bounces(BakeRun& run);
+
+/// The light that leaves every vertex without bounces, a panel of this layout: albedo * T, and the emission. `transfer`
+/// holds shadowed vectors of one channel.
+Panel direct_light(const Mesh& mesh, const Transfer& transfer, const BounceLayout& layout);
+/// Takes the solution of the bounces into the numbers of the kind of `transfer`.
+void take_solution(const Panel& x, const BounceLayout& layout, Transfer& transfer);
 
 inline constexpr BakeStep kUnshadowedStep = {take_unshadowed};
 inline constexpr BakeStep kShadowStep = {trace_shadows, true};

@@ -26,13 +26,13 @@ std::vector<std::vector<std::uint32_t>> neighbors_of_all(const Mesh& mesh) {
 }  // namespace
 
 TracedPart::TracedPart(const Mesh& mesh, std::vector<std::uint32_t> wanted,
-                       const std::function<bool(std::uint32_t)>& is_closed)
+                       const std::function<bool(std::uint32_t)>& is_closed, std::size_t most_sources)
     : vertices_(std::move(wanted)), wanted_(vertices_.size()) {
   constexpr std::uint32_t kAbsent = 0xFFFFFFFFU;
   const std::vector<std::vector<std::uint32_t>> neighbors = neighbors_of_all(mesh);
   std::vector<std::uint32_t> place(mesh.positions.size(), kAbsent);
   for (std::uint32_t i = 0; i < wanted_; ++i) place[vertices_[i]] = i;
-  for (std::size_t i = 0; i < vertices_.size() && vertices_.size() < (1 + kMostSources) * wanted_; ++i) {
+  for (std::size_t i = 0; i < vertices_.size() && vertices_.size() < (1 + most_sources) * wanted_; ++i) {
     if (!is_closed(vertices_[i])) continue;
     for (const std::uint32_t u : neighbors[vertices_[i]]) {
       if (place[u] != kAbsent) continue;

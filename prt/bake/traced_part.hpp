@@ -14,9 +14,9 @@ namespace sh::prt {
 class TracedPart {
  public:
   /// `wanted` are different vertices. The neighbors of each vertex that `is_closed` follow, then theirs if they are
-  /// closed, and so on, up to kMostSources for each wanted one on average.
-  TracedPart(const Mesh& mesh, std::vector<std::uint32_t> wanted, const std::function<bool(std::uint32_t)>& is_closed);
-  static constexpr std::size_t kMostSources = 8;
+  /// closed, and so on ring by ring, up to `most_sources` for each wanted one on average.
+  TracedPart(const Mesh& mesh, std::vector<std::uint32_t> wanted, const std::function<bool(std::uint32_t)>& is_closed,
+             std::size_t most_sources = 8);
 
   /// The vertices of the part: the wanted ones, in their order, then those from which they take light.
   [[nodiscard]] const std::vector<std::uint32_t>& vertices() const { return vertices_; }

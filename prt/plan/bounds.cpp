@@ -50,16 +50,7 @@ double largest_of_basis(int l) { return std::sqrt((2.0 * l + 1.0) / (4.0 * std::
 }  // namespace
 
 TurningLight::TurningLight(LightCoefficients light, LightTurns turns)
-    : light_(std::move(light)), turns_(turns), groups_(groups_of(light_.degree, turns)) {}
-
-double TurningLight::largest_product(std::size_t channel, const std::vector<double>& t) const {
-  if (turns_ == LightTurns::kNone) {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < t.size(); ++i) sum += t[i] * light_.at(channel, i);
-    return std::abs(sum);
-  }
-  return largest_product_of_errors(channel, t);
-}
+    : light_(std::move(light)), groups_(groups_of(light_.degree, turns)) {}
 
 double TurningLight::largest_product_of_errors(std::size_t channel, const std::vector<double>& e) const {
   double sum = 0.0;

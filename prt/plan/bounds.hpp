@@ -4,7 +4,7 @@
 // orders of a band for any rotation, the orders m and -m of a band for a rotation about z, and single coefficients if
 // the light does not turn. Therefore
 //   |sum_i t_i (R L)_i| <= sum over groups |t_g| |L_g|       (Cauchy-Schwarz in every group),
-// for all allowed R at once. If the light does not turn, the sum itself is used.
+// for all allowed R at once.
 //
 // Bounds on transfer vectors hold for any occlusion. They assume albedo 1; bounds for other albedos are proportional.
 // Without bounces a vector is the projection of V(s) max(0, n.s) / pi, 0 <= V <= 1. The norm of its band l is its
@@ -32,9 +32,7 @@ class TurningLight {
  public:
   TurningLight(LightCoefficients light, LightTurns turns);
 
-  /// The largest |sum_i t_i L_i| of a channel over all orientations; t (bands^2).
-  [[nodiscard]] double largest_product(std::size_t channel, const std::vector<double>& t) const;
-  /// The same for unknown t with |t_i| <= e_i.
+  /// A bound on |sum_i t_i L_i| of a channel over all orientations, for any t with |t_i| <= e_i; e (bands^2).
   [[nodiscard]] double largest_product_of_errors(std::size_t channel, const std::vector<double>& e) const;
   /// The largest product of any channel with a t of which only the norms |t_l| <= band(l) of the bands l >= first are
   /// known; its other bands are zero.
@@ -48,7 +46,6 @@ class TurningLight {
 
  private:
   LightCoefficients light_;
-  LightTurns turns_;
   std::vector<std::vector<std::uint32_t>> groups_;
 };
 

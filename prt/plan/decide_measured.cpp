@@ -2,11 +2,10 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
-#include "numeric/sampling/power_law.hpp"
 #include "prt/plan/bounds.hpp"
 #include "prt/plan/draft.hpp"
 #include "prt/rays/directions.hpp"
@@ -16,17 +15,20 @@ namespace sh::prt {
 namespace {
 
 constexpr double kLoosestTolerance = 0.1;
+constexpr int kFewest = 64;
+constexpr int kUnit = 64;
 
-// Albedo times blocked part times the largest relative radiance after any number of bounces, for all rotations of the
-// light: a bound on the light that comes back to a vertex.
-double light_that_returns(const Draft& draft) {
-  std::vector<double> returned;
-  for (std::size_t k = 0; k < draft.rows.blocked.size(); ++k) {
-    const float own = draft.scene.mesh.albedo[draft.probe[k]].maxCoeff();
-    returned.push_back(static_cast<double>(own) * draft.rows.blocked[k]);
-  }
-  const double largest = draft.light->largest_product_of_bands(0, unshadowed_band_norm);
-  return kProbeMargin * rms(returned) * draft.relative(largest, draft.gain);
+using Radiances = Measurement::Radiances;
+
+// The stated error between two sets of numbers of the probe.
+double difference(const Draft& draft, const Radiances& a, const Radiances& b, double factor = 1.0) {
+  Radiances e(a.size());
+  for (std::size_t i = 0; i < e.size(); ++i) e[i] = factor * (a[i] - b[i]);
+  return draft.measurement->error(e);
+}
+
+Radiances radiances_of(const Draft& draft, const std::vector<float>& rows, const TransferShape& shape) {
+  return draft.measurement->radiances(rows, shape);
 }
 
 // The error of a tolerance of 1: every number is off by the largest possible number.
@@ -48,9 +50,10 @@ void loosen_tolerance(Draft& draft, double returned) {
   }
   tolerance = wanted;
   draft.decide("bounces", fmt::format("to {:.2g} instead of {:.2g}", tolerance, before),
-               fmt::format("up to {:.2g} of the light comes back; about {:.0f} % of the applications are left",
+               fmt::format("without bounces the error would be {:.2g}; about {:.0f} % of the applications are left",
                            returned, 100.0 * std::log(tolerance) / std::log(before)),
                tolerance * unit, "bound");
+  draft.loosened = tolerance * unit;
 }
 
 // The error of omitting the lights' bands above `degree`, up to the requested degree.
@@ -59,61 +62,76 @@ double bound_above(const Draft& draft, int degree) {
 }
 
 double measured_above(const Draft& draft, int degree) {
-  const std::size_t length = draft.light->coefficients().bands_squared();
-  const std::size_t low = coefficient_count(degree);
-  std::vector<float> parts = draft.rows.transfer;
-  for (std::size_t row = 0; row < parts.size(); row += length) {
-    std::fill_n(parts.begin() + row, low, 0.0F);
-  }
-  return kProbeMargin * draft.gain * draft.error_on_probe(parts);
+  const TransferShape shape = draft.traced_shape();
+  TransferShape low = shape;
+  low.degree = degree;
+  return difference(draft, radiances_of(draft, draft.measurement->kept(draft.many, low), low),
+                    radiances_of(draft, draft.many, shape));
 }
 
-// error = factor N^-rate, the error of a probe with N directions against many.
-struct Convergence {
-  double factor = 0.0;
-  double rate = 0.5;
-  [[nodiscard]] double error(double directions) const { return factor * std::pow(directions, -rate); }
-  [[nodiscard]] double directions(double error) const {
-    return factor > 0.0 ? std::pow(factor / error, 1.0 / rate) : 0.0;
-  }
-};
+// The error of this many directions alone, with the current kind, measured and as stated.
+double measured_error_of_directions(const Draft& draft, int directions) {
+  const double spread = draft.bake.kind->has_bounces() ? draft.measurement->spread() : 1.0;
+  const TransferShape shape = draft.traced_shape();
+  return difference(draft, radiances_of(draft, draft.measurement->rows(draft.along(directions)), shape),
+                    radiances_of(draft, draft.many, shape), spread);
+}
 
-constexpr std::array<int, 3> kTried = {256, 512, 1024};
-constexpr int kReference = 8192;
-constexpr int kFewest = 64;
-constexpr int kUnit = 64;
+double error_of_directions(const Draft& draft, int directions) {
+  const double measured = measured_error_of_directions(draft, directions);
+  return measured + draft.error_of_reference(directions, measured);
+}
 
-Convergence measure(const Draft& draft) {
-  const std::size_t length = draft.light->coefficients().bands_squared();
-  const ProbeRows reference = draft.trace_probe(kReference);
-  std::vector<std::pair<double, double>> errors;
-  for (const int tried : kTried) {
-    std::vector<float> parts = draft.trace_probe(tried).transfer;
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-      parts[i] = i % length < draft.count() ? parts[i] - reference.transfer[i] : 0.0F;
-    }
-    errors.emplace_back(tried, std::max(draft.error_on_probe(parts), 1e-12));
+[[noreturn]] void refuse(const Draft& draft, double least) {
+  constexpr double kRate = 0.75;  // at which most samplers converge
+  const double needed = std::ceil(draft.asked.directions * std::pow(1.1 * least / draft.options.error, 1.0 / kRate));
+  throw std::invalid_argument(fmt::format(
+      "error {:.3g}: cannot be met: {} directions alone give {:.3g} (measured); expected {:.3g} or more, or {} "
+      "directions",
+      draft.options.error, draft.asked.directions, least, 1.1 * least,
+      needed <= static_cast<double>(kMaxDirections) ? fmt::format("about {:.0f}", needed) : "no number of"));
+}
+
+// The fewest directions for which the whole plan stays within the limit: doubled until they do, then between the last two
+// by a power law.
+int fewest_directions(const Draft& draft, double limit) {
+  const int asked = draft.bake.directions;
+  std::vector<std::pair<double, double>> tried;  // (directions, error)
+  int directions = std::min(kFewest, asked);
+  for (;; directions = std::min(2 * directions, asked)) {
+    tried.emplace_back(directions, draft.error_along(directions));
+    if (tried.back().second <= limit || directions == asked) break;
   }
-  const numeric::PowerLaw law = numeric::fit_power_law(errors, -1.2, -0.4).value();  // the possible range for samplers
-  Convergence convergence{law.factor, -law.exponent};
-  // With bounces the view of other surfaces is sampled, too, and both errors are reflected again.
-  const bool bounces = draft.bake.kind->has_bounces();
-  convergence.factor *= kProbeMargin * (bounces ? 2.0 * draft.gain : 1.0);
-  return convergence;
+  if (tried.size() < 2 || tried.back().second > limit) return directions;
+  const auto& [few, more] = tried[tried.size() - 2];
+  const auto& [many, less] = tried.back();
+  const double place = std::clamp(std::log(more / limit) / std::log(more / less), 0.0, 1.0);
+  for (double at : {place, 0.5 * (1.0 + place)}) {
+    const double between = few * std::pow(many / few, at);
+    const int rounded = static_cast<int>(std::ceil(between / kUnit)) * kUnit;
+    if (rounded >= directions) break;
+    if (draft.error_along(rounded) <= limit) return rounded;
+  }
+  return directions;
 }
 
 }  // namespace
 
 void decide_bounces(Draft& draft) {
   constexpr double kPart = 0.25;
-  const double returned = light_that_returns(draft);
+  BakeOptions without = draft.measurement->reference_options(draft.asked);
+  without.kind = draft.bake.kind->without_bounces;
+  std::vector<float> rows = draft.measurement->rows(without);
+  const double returned =
+      difference(draft, radiances_of(draft, rows, without.kind->shape(draft.asked.degree)), draft.reference);
   if (draft.shines() || draft.has_mirrors() || returned > draft.share(kPart)) {
     loosen_tolerance(draft, returned);
     return;
   }
-  draft.bake.kind = draft.bake.kind->without_bounces;
-  draft.decide("bounces", "none: shadowed instead of interreflected",
-               "albedo times the blocked part bounds the light that comes back", returned, "measured");
+  draft.bake.kind = without.kind;
+  draft.many = std::move(rows);
+  draft.decide("bounces", "none: shadowed instead of interreflected", "this little light comes back", returned,
+               "measured");
 }
 
 void decide_bands(Draft& draft) {
@@ -126,7 +144,7 @@ void decide_bands(Draft& draft) {
     if (error <= draft.share(kPart)) {
       draft.bake.degree = degree;
       draft.decide("bands", fmt::format("degree {} instead of {}", degree, asked),
-                   fmt::format("|T_l| |L_l| over bands {} to {}, lights turned: {} (any visibility: {:.2g})",
+                   fmt::format("what bands {} to {} add, lights turned: {} (at most, for any visibility: {:.2g})",
                                degree + 1, asked, name_of(draft.options.turns), bound),
                    error, bound <= measured ? "bound" : "measured");
       return;
@@ -138,33 +156,39 @@ void decide_bands(Draft& draft) {
                   asked > 0 ? std::min(bound_above(draft, asked - 1), measured_above(draft, asked - 1)) : 1.0));
 }
 
-double floor_of_directions(const Draft& draft) {
-  const double floor = measure(draft).error(static_cast<double>(draft.bake.directions));
-  if (floor > draft.left) {
-    const double needed = std::ceil(measure(draft).directions(draft.left));
-    throw std::invalid_argument(
-        fmt::format("error {:.3g}: cannot be met: {} directions alone give {:.3g} (measured); expected {:.2g} or more, "
-                    "or {} directions",
-                    draft.options.error, draft.bake.directions, floor, 1.1 * floor + draft.plan.record.error,
-                    needed <= static_cast<double>(kMaxDirections) ? fmt::format("{:.0f}", needed) : "no number of"));
-  }
+double floor_of_directions(Draft& draft) {
+  const int asked = draft.bake.directions;
+  const double measured = measured_error_of_directions(draft, asked);
+  draft.unconverged = draft.error_of_reference(asked, measured);
+  const double floor = measured + draft.unconverged;
+  if (floor > draft.left) refuse(draft, floor);
   return floor;
 }
 
 void decide_directions(Draft& draft) {
   const int asked = draft.bake.directions;
-  const Convergence convergence = measure(draft);
-  const double wanted = convergence.directions(draft.left);
-  const double rounded = std::ceil(wanted / kUnit) * kUnit;
-  draft.bake.directions = std::min(asked, std::max(kFewest, static_cast<int>(std::min(rounded, 1e6))));
-  const double error = convergence.error(static_cast<double>(draft.bake.directions));
-  const bool bounces = draft.bake.kind->has_bounces();
-  draft.decide("directions",
-               draft.bake.directions < asked ? fmt::format("{} instead of {}", draft.bake.directions, asked)
-                                             : fmt::format("{} as requested", asked),
-               fmt::format("the error falls as N^-{:.2f} on {} vertices, against {} directions", convergence.rate,
-                           draft.probe.size(), kReference),
-               error, bounces ? "heuristic" : "measured");
+  draft.bake.directions = fewest_directions(draft, draft.options.error);
+  const bool fewer = draft.bake.directions < asked;
+  draft.decide(
+      "directions",
+      fewer ? fmt::format("{} instead of {}", draft.bake.directions, asked) : fmt::format("{} as requested", asked),
+      fmt::format("the error of all decisions together stays within the limit, against {} directions",
+                  draft.measurement->reference_options(draft.asked).directions),
+      error_of_directions(draft, draft.bake.directions), "measured");
+}
+
+void state_error(Draft& draft) {
+  const std::vector<Decision>& all = draft.plan.record.decisions;
+  const bool measured =
+      std::any_of(all.begin(), all.end(), [](const Decision& decision) { return decision.basis == "measured"; });
+  if (!measured) return;
+  const double error = draft.error_along(draft.bake.directions);
+  if (error > draft.options.error) refuse(draft, error);
+  draft.plan.record.error = error;
+  const Measurement& measurement = *draft.measurement;
+  draft.plan.known_by =
+      fmt::format("measured, {} % confidence: {} of {} vertices, {} turn{} of the lights", Measurement::kConfidence,
+                  measurement.probe(), draft.starts.size(), measurement.turns(), measurement.turns() == 1 ? "" : "s");
 }
 
 }  // namespace sh::prt

@@ -28,7 +28,7 @@ double norm_of_light(const TurningLight& light) {
 
 // The relative error of a lune of this angle. It and its inverse convert between angles and errors.
 double error_of_angle(const Draft& draft, double angle) {
-  return draft.gain * static_cast<double>(draft.albedo) * norm_of_light(*draft.light) * lune_error(angle) /
+  return draft.gain() * static_cast<double>(draft.albedo) * norm_of_light(*draft.light) * lune_error(angle) /
          draft.plan.reference;
 }
 

@@ -2,10 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
-
-#include "prt/transfer/unshadowed.hpp"
+#include <numbers>
 
 namespace sh::prt {
+
+namespace {
+
+double angle_between(const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
+  return std::acos(std::clamp(a.cast<double>().dot(b.cast<double>()), -1.0, 1.0));
+}
+
+}  // namespace
 
 Draft::Draft(const Scene& the_scene, const std::string& the_instruction_set)
     : scene(the_scene),
@@ -16,10 +23,23 @@ Draft::Draft(const Scene& the_scene, const std::string& the_instruction_set)
       starts(ray_starts(scene.mesh)) {
   for (const Eigen::Vector3f& color : scene.mesh.albedo) albedo = std::max(albedo, color.maxCoeff());
   plan.open.assign(starts.size(), asked.kind->traces_rays() ? 0 : 1);
+  for (std::size_t v = 0; v < starts.size(); ++v) {
+    const double angle = angle_between(scene.mesh.normals[v], scene.mesh.geometric_normals[v]);
+    upward_.push_back(asked.sampler == Sampler::kCosine ? (1.0 + std::cos(angle)) / 4.0
+                                                        : (1.0 - angle / std::numbers::pi) / 2.0);
+  }
   start();
 }
 
-void Draft::start() { plan.asked = plan.planned = before_ = cost(); }
+void Draft::start() {
+  correction_ = 1.0;
+  if (measurement) {
+    const auto directions = static_cast<double>(bake.directions);
+    const double expected = static_cast<double>(cost().rays) / directions;
+    if (expected > 0.0) correction_ = measurement->rays_a_direction() / expected;
+  }
+  plan.asked = plan.planned = before_ = cost();
+}
 
 bool Draft::allows(std::string_view name) const {
   return std::find(options.without.begin(), options.without.end(), name) == options.without.end();
@@ -34,11 +54,18 @@ void Draft::decide(std::string_view name, std::string choice, std::string why, d
   left -= error;
 }
 
+// A bake traces the directions above the horizons of both normals, and once more those that are blocked, if their closest
+// hits matter.
 PlanCost Draft::cost() const {
-  const double upward = bake.sampler == Sampler::kCosine ? 1.0 : 0.5;
-  const double rays = static_cast<double>(traced()) * static_cast<double>(bake.directions) * upward;
+  const bool always = bake.kind->has_bounces() || has_mirrors();
+  double rays = 0.0;
+  for (std::size_t v = 0; v < starts.size(); ++v) {
+    if (plan.open[v] != 0) continue;
+    const bool again = measurement && (always || measurement->is_nearly_dark(v));
+    rays += upward_[v] * (again ? 1.0 + measurement->blocked(v) : 1.0);
+  }
   return {static_cast<std::int64_t>(starts.size() * shape().stored_bytes()),
-          std::llround(rays * (bake.kind->has_bounces() ? 1.0 + mean_blocked : 1.0))};
+          std::llround(correction_ * rays * static_cast<double>(bake.directions))};
 }
 
 TransferShape Draft::shape() const {
@@ -49,59 +76,52 @@ TransferShape Draft::shape() const {
 
 std::size_t Draft::traced() const { return std::count(plan.open.begin(), plan.open.end(), 0); }
 
-double Draft::relative(double product, double factor) const {
-  return factor * static_cast<double>(albedo) * product / plan.reference;
+double Draft::relative(double product) const { return static_cast<double>(albedo) * product / plan.reference; }
+
+double Draft::gain() const {
+  return asked.kind->has_bounces() ? 1.0 / std::max(1.0 - static_cast<double>(albedo), 1e-9) : 1.0;
+}
+
+BakeOptions Draft::along(int directions) const {
+  BakeOptions other = bake;
+  other.directions = directions;
+  return other;
+}
+
+double Draft::error_along(int directions) const {
+  const auto radiances = [&](const std::vector<float>& rows, const TransferShape& shape) {
+    return measurement->radiances(rows, shape);
+  };
+  const std::vector<float> rows = measurement->rows(along(directions), plan.open);
+  Measurement::Radiances error = radiances(measurement->kept(rows, shape()), shape());
+  if (!bake.kind->traces_rays() || !allows("directions")) {
+    BakeOptions same = asked;
+    same.directions = directions;
+    const Measurement::Radiances whole = radiances(measurement->rows(same), asked.kind->shape(asked.degree));
+    for (std::size_t i = 0; i < error.size(); ++i) error[i] -= whole[i];
+    return measurement->error(error) + loosened;
+  }
+  const double spread = bake.kind->has_bounces() ? measurement->spread() : 1.0;
+  const Measurement::Radiances sampled = radiances(rows, traced_shape());
+  const Measurement::Radiances converged = radiances(many, traced_shape());
+  Measurement::Radiances sampling(error.size());
+  for (std::size_t i = 0; i < error.size(); ++i) {
+    sampling[i] = spread * (sampled[i] - converged[i]);
+    error[i] += sampling[i] - sampled[i] + converged[i] - reference[i];
+  }
+  return measurement->error(error) + error_of_reference(directions, measurement->error(sampling)) + loosened;
+}
+
+double Draft::error_of_reference(int directions, double error) const {
+  constexpr double kRate = 0.5;  // that of random directions; the other sets converge faster
+  const double many_directions = measurement->reference_options(asked).directions;
+  return std::max(unconverged, error * std::pow(directions / many_directions, kRate));
 }
 
 double Draft::error_of(const std::vector<double>& e) const {
   double largest = 0.0;
   for (std::size_t c = 0; c < 3; ++c) largest = std::max(largest, light->largest_product_of_errors(c, e));
   return relative(largest);
-}
-
-ProbeRows Draft::trace_probe(int directions) const {
-  BakeOptions fewer = asked;
-  fewer.directions = directions;
-  std::vector<Eigen::Vector3f> normals;
-  std::vector<std::uint32_t> traced;
-  std::vector<std::size_t> places;  // of the traced vertices in the probe
-  for (const std::uint32_t v : probe) {
-    if (plan.open[v] == 0) {
-      traced.push_back(v);
-      places.push_back(normals.size());
-    }
-    normals.push_back(scene.mesh.normals[v]);
-  }
-  ProbeRows found{unshadowed_transfer(asked.degree, normals), std::vector<double>(probe.size(), 0.0)};
-  const std::size_t length = coefficient_count(asked.degree);
-  gather_all(scene.mesh, starts, *tracer, SharedDirections(fewer), traced,
-             [&](Gatherer& /*gatherer*/, const Gathered& seen, std::size_t i) {
-               control_with_unshadowed(seen, length, found.transfer.data() + places[i] * length);
-               found.blocked[places[i]] = 1.0 - static_cast<double>(seen.fraction());
-             });
-  return found;
-}
-
-double Draft::error_on_probe(const std::vector<float>& parts) const {
-  const std::size_t length = light->coefficients().bands_squared();
-  std::vector<double> errors;
-  for (std::size_t k = 0; k < probe.size(); ++k) {
-    const float* row = parts.data() + k * length;
-    const std::vector<double> part(row, row + length);
-    double largest = 0.0;
-    for (std::size_t c = 0; c < 3; ++c) {
-      const auto own = static_cast<double>(scene.mesh.albedo[probe[k]][c]);
-      largest = std::max(largest, own * light->largest_product(c, part));
-    }
-    errors.push_back(largest / plan.reference);
-  }
-  return rms(errors);
-}
-
-double rms(const std::vector<double>& values) {
-  double squares = 0.0;
-  for (const double value : values) squares += value * value;
-  return values.empty() ? 0.0 : std::sqrt(squares / static_cast<double>(values.size()));
 }
 
 }  // namespace sh::prt

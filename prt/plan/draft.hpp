@@ -2,23 +2,16 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "prt/plan/bounds.hpp"
+#include "prt/plan/measure.hpp"
 #include "prt/plan/plan.hpp"
-#include "prt/rays/gather.hpp"
 
 namespace sh::prt {
-
-/// The transfer of the probe: a few vertices, spread evenly over those of the mesh.
-struct ProbeRows {
-  std::vector<float> transfer;  // (vertices of the probe, bands^2) without albedo
-  std::vector<double> blocked;  // (vertices of the probe) blocked part of the cosine, 0..1
-};
 
 struct Draft {
   Draft(const Scene& the_scene, const std::string& the_instruction_set);
@@ -35,11 +28,11 @@ struct Draft {
   double reserved = 0.0;  // part of `left` that is reserved for directions
   // Only set for a plan with a budget:
   std::optional<TurningLight> light;  // of the asked degree
-  std::unique_ptr<Tracer> tracer;
-  std::vector<std::uint32_t> probe;  // its vertices
-  ProbeRows rows;                    // of the probe, along a few directions
-  double mean_blocked = 0.0;         // of `rows`
-  double gain = 1.0;                 // of radiance by bounces: 1 / (1 - albedo * most blocked), measured
+  std::optional<Measurement> measurement;
+  std::vector<float> many;           // numbers of the probe along many directions, for the current kind
+  Measurement::Radiances reference;  // of the probe after the asked bake along many directions
+  double unconverged = 0.0;          // error of `reference` itself, as the asked directions tell
+  double loosened = 0.0;             // bound on the error of a looser tolerance than asked
 
   /// Makes the current request the baseline for savings.
   void start();
@@ -61,24 +54,27 @@ struct Draft {
   /// The bound on band l of a transfer vector after the decisions so far.
   [[nodiscard]] double band_bound(int l) const { return transfer_band_bound(*bake.kind, has_mirrors(), l); }
   /// The relative exit radiance that a product of transfer and light causes; the product assumes albedo 1.
-  [[nodiscard]] double relative(double product, double factor = 1.0) const;
+  [[nodiscard]] double relative(double product) const;
   /// The relative error if the numbers are off by at most e (bands^2 of the requested degree); e assumes albedo 1.
   [[nodiscard]] double error_of(const std::vector<double>& e) const;
-  /// Shadowed transfer of the probe with this many directions of the scene's sampler.
-  [[nodiscard]] ProbeRows trace_probe(int directions) const;
-  /// The RMS over the probe of the relative exit radiance that a part of each vertex's vector causes. parts (vertices
-  /// of the probe, bands^2 of the requested degree), without albedo.
-  [[nodiscard]] double error_on_probe(const std::vector<float>& parts) const;
+  /// The most that bounces add to an error of direct light, 1 / (1 - largest albedo): no more than all light comes back.
+  [[nodiscard]] double gain() const;
+  /// The shape of numbers along directions: of the current kind, the asked degree and plain storage.
+  [[nodiscard]] TransferShape traced_shape() const { return bake.kind->shape(asked.degree); }
+  /// The current bake, along other directions.
+  [[nodiscard]] BakeOptions along(int directions) const;
+  /// The stated error of the plan so far with this many directions; that of the directions themselves counts only if the
+  /// user does not skip this decision.
+  [[nodiscard]] double error_along(int directions) const;
+  /// The error of the reference itself: what remains of that of fewer directions, by the rate at which they converge, or
+  /// of the asked ones, if that is more.
+  [[nodiscard]] double error_of_reference(int directions, double error) const;
 
  private:
   PlanCost before_;
+  std::vector<double> upward_;  // (vertices) part of the directions that a bake traces
+  double correction_ = 1.0;     // of the count of rays, measured
 };
-
-/// The safety factor on errors that are measured on a probe.
-inline constexpr double kProbeMargin = 1.25;
-
-/// The root mean square; 0 if there are no values.
-double rms(const std::vector<double>& values);
 
 // The decisions, in the order in which they are taken.
 void decide_analytic(Draft& draft);
@@ -88,7 +84,9 @@ void decide_bands(Draft& draft);
 void decide_symmetry(Draft& draft);
 void decide_storage(Draft& draft);
 /// The error of the requested number of directions alone, which the budget reserves; throws if it exceeds the budget.
-double floor_of_directions(const Draft& draft);
+double floor_of_directions(Draft& draft);
 void decide_directions(Draft& draft);
+/// Replaces the sum of the errors by the stated error of all decisions together, if any of them is measured.
+void state_error(Draft& draft);
 
 }  // namespace sh::prt

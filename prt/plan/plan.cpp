@@ -2,7 +2,6 @@
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <array>
@@ -14,9 +13,6 @@
 namespace sh::prt {
 
 namespace {
-
-constexpr std::size_t kProbeVertices = 384;
-constexpr int kProbeDirections = 1024;
 
 void check(const PlanOptions& options) {
   for (const std::string& name : options.without) {
@@ -47,23 +43,11 @@ void take_lights(Draft& draft) {
       }));
 }
 
-void take_probe(Draft& draft) {
-  draft.tracer =
-      std::make_unique<Tracer>(draft.scene.mesh, tbb::this_task_arena::max_concurrency(), draft.instruction_set);
-  const std::size_t vertices = draft.starts.size();
-  const std::size_t count = std::min(kProbeVertices, vertices);
-  for (std::size_t k = 0; k < count; ++k) {
-    draft.probe.push_back(static_cast<std::uint32_t>((2 * k + 1) * vertices / (2 * count)));
-  }
-  draft.rows = draft.trace_probe(std::min(kProbeDirections, draft.asked.directions));
-  double most = 0.0;
-  for (const double blocked : draft.rows.blocked) {
-    draft.mean_blocked += blocked / static_cast<double>(count);
-    most = std::max(most, blocked);
-  }
-  if (draft.asked.kind->has_bounces()) {
-    draft.gain = 1.0 / std::max(1.0 - static_cast<double>(draft.albedo) * most, 1e-3);
-  }
+void take_measurement(Draft& draft) {
+  draft.measurement.emplace(draft.scene, draft.light->coefficients(), draft.options.turns, draft.plan.reference,
+                            draft.instruction_set);
+  draft.many = draft.measurement->rows(draft.measurement->reference_options(draft.asked));
+  draft.reference = draft.measurement->radiances(draft.many, draft.traced_shape());
   draft.start();
 }
 
@@ -97,7 +81,7 @@ Plan make_plan(Scene& scene, const std::string& instruction_set) {
     draft.plan.record.budget = draft.left = scene.plan.error;
     draft.plan.record.light_turns = name_of(scene.plan.turns);
     take_lights(draft);
-    take_probe(draft);
+    take_measurement(draft);
     const bool fewer = scene.bake.kind->traces_rays() && draft.allows("directions");
     draft.reserved = fewer ? floor_of_directions(draft) : 0.0;
   }
@@ -109,6 +93,7 @@ Plan make_plan(Scene& scene, const std::string& instruction_set) {
       draft.decide(name, "not taken", "by request");
     }
   }
+  if (is_lossy) state_error(draft);
   scene.bake = draft.bake;
   return std::move(draft.plan);
 }

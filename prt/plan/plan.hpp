@@ -1,16 +1,18 @@
 // Plans a bake: decides which work and which numbers it can leave out. Each decision states its savings and the error
 // that it introduces. Errors are errors of exit radiance, RMS over the vertices. They are relative to the largest exit
-// radiance of the unshadowed mesh under the declared lights (any vertex, any channel). A bound holds for every vertex,
-// and so for the RMS. The reference is a bake of the requested degree and kind with converged directions, under the
-// declared lights as a whole, with all rotations that PlanOptions allows. The loss by the requested degree itself is
-// reported separately and not counted.
+// radiance of the unshadowed mesh under the declared lights (any vertex, any channel). The reference is a bake of the
+// requested degree and kind with converged directions, under the declared lights as a whole, with all rotations that
+// PlanOptions allows. The loss by the requested degree itself is reported separately and not counted.
 //   analytic    vertices with nothing above their horizon: closed form, no rays (prt/plan/open_vertices.hpp)
 //   bounces     none, or a looser tolerance, if little light comes back
 //   channels    one, if every albedo is gray
-//   bands       a lower degree, if the sum of |T_l| |L_l| over the omitted bands is small [Sloan, Kautz, Snyder 2002]
+//   bands       a lower degree, if the omitted bands add little
 //   symmetry    only the coefficients that the lights have
 //   storage     half or 8 bits
-//   directions  the fewest whose error fits; it is measured on a probe and fitted by a power law
+//   directions  the fewest for which the error of all decisions together stays within the budget
+// A bound holds for every vertex, and so for the RMS. What is measured holds with a confidence, on a probe of vertices
+// (prt/plan/measure.hpp). The error of the plan as a whole is measured, too: the planned bake of the probe against the
+// reference. If the user skips `directions`, the reference has the same directions.
 // A plan without a budget takes only `analytic` and `channels`, which change no number under any light.
 #pragma once
 #include <cstdint>
@@ -22,8 +24,8 @@
 
 namespace sh::prt {
 
-/// Bytes of the transfer section of the file, and number of rays of the bake: about half the directions of every vertex
-/// that needs rays and, with bounces, also the rays that find closest hits.
+/// Bytes of the transfer section of the file, and number of rays of the bake: the directions above the horizon of every
+/// vertex that needs rays. With a budget also the rays that find closest hits, as counted in coarse bakes.
 struct PlanCost {
   std::int64_t bytes = 0;
   std::int64_t rays = 0;
@@ -35,6 +37,7 @@ struct Plan {
   std::vector<std::uint8_t> open;  // (vertices), or empty: 1 if nothing blocks the vertex, so that it needs no rays
   Storage storage;
   std::vector<float> largest;  // (bands^2) largest numbers for which the storage was chosen; empty if irrelevant
+  std::string known_by;        // how the error of all decisions together is known; empty: it is the sum of bounds
   double reference = 0.0;      // W m^-2 sr^-1; 0 if no error was requested
   double beyond = 0.0;  // bound on the relative radiance that bands of the lights above the requested degree would add
   PlanCost asked;

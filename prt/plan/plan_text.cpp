@@ -25,8 +25,8 @@ std::string plan_text(const Plan& plan, const Scene& scene) {
   std::string text =
       record.budget > 0.0
           ? fmt::format(
-                "{}: error at most {:.3g} of {:.3g} W m^-2 sr^-1 (the largest exit radiance unshadowed), RMS over "
-                "vertices; lights turned: {}\n",
+                "{}: limit {:.3g} of {:.3g} W m^-2 sr^-1 (the largest exit radiance unshadowed), RMS over vertices; "
+                "lights turned: {}\n",
                 scene.name, record.budget, plan.reference, record.light_turns)
           : fmt::format("{}: only decisions that change no number under any light\n", scene.name);
   text +=
@@ -40,7 +40,9 @@ std::string plan_text(const Plan& plan, const Scene& scene) {
                       static_cast<double>(plan.planned.bytes) * 1e-6, static_cast<double>(plan.asked.bytes) * 1e-6,
                       part(plan.planned.bytes, plan.asked.bytes), static_cast<double>(plan.planned.rays) * 1e-6,
                       static_cast<double>(plan.asked.rays) * 1e-6, part(plan.planned.rays, plan.asked.rays));
-  text += record.budget > 0.0 ? fmt::format(", error at most {:.2g}\n", record.error) : "\n";
+  if (record.budget > 0.0 && plan.known_by.empty()) text += fmt::format(", error at most {:.2g}", record.error);
+  if (!plan.known_by.empty()) text += fmt::format("\nerror {:.2g} ({})", record.error, plan.known_by);
+  text += "\n";
   if (plan.beyond > 0.0) {
     text += fmt::format(
         "beside it: what the asked degree leaves out of the lights (bands to 10) would change at most {:.2g}\n",
@@ -53,6 +55,7 @@ std::string plan_json(const Plan& plan, const Scene& scene) {
   const BakeOptions& bake = scene.bake;
   nlohmann::ordered_json json = to_json(plan.record);
   json["scene"] = scene.name;
+  json["error_known_by"] = !plan.known_by.empty() ? plan.known_by : plan.record.error > 0.0 ? "bound" : "exact";
   json["reference_radiance"] = plan.reference;
   json["beyond_asked_degree"] = plan.beyond;
   json["bytes"] = {{"asked", plan.asked.bytes}, {"planned", plan.planned.bytes}};

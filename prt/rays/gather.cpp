@@ -21,7 +21,6 @@ namespace {
 
 constexpr float kOffset = 2e-3F;           // of the reach of the mesh around
 constexpr float kRoundings = 32.0F;        // at least this many roundings of the coordinates
-constexpr double kNearlyDark = 0.05;       // of the cosine; vertices that see less are looked at more closely
 constexpr float kNearReach = 2.0F;         // hits nearer than this many reaches are near
 constexpr std::size_t kRowUnit = 8;        // floats
 constexpr std::size_t kStreamRays = 1024;  // a stream call

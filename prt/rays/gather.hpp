@@ -75,6 +75,9 @@ struct BlockedRay {
   double part;
 };
 
+/// Vertices that see less of the cosine are looked at more closely, at their closest hits.
+inline constexpr double kNearlyDark = 0.05;
+
 /// What the rays of a vertex tell about its place. All numbers are 0..1 and continuous in shares of the cosine that the
 /// rays measure, so that they converge as rays grow: one more ray changes none of them much.
 struct Sight {

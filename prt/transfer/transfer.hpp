@@ -30,7 +30,7 @@ constexpr std::string_view name_of(Sampler sampler) { return word_of(sampler, kS
 
 /// One decision of a plan: work or numbers that a bake left out. `error` is relative to the plan's reference radiance
 /// (prt/plan/plan.hpp). `basis` says how the error is known: exact (no error but rounding), bound (proved, for any
-/// vertex), measured (on a probe of vertices, RMS), heuristic.
+/// vertex), measured (RMS, on a probe of vertices, with 99 % confidence).
 struct Decision {
   std::string name;
   std::string choice;
@@ -44,7 +44,7 @@ struct Decision {
 /// The decisions by which a file was baked. With `budget` 0 all of them are exact under any light.
 struct PlanRecord {
   double budget = 0.0;
-  double error = 0.0;       // the sum over the decisions
+  double error = 0.0;       // of all decisions together
   std::string light_turns;  // for which the errors hold: none, about_z or any; empty without a budget
   std::vector<Decision> decisions;
 };

@@ -1,7 +1,9 @@
 // What plans promise and what they cost: for error limits .1, .03 and .01, the stated error of `prt plan` against the
 // error measured with 16 times the directions over eight turns of the light, and the rays that the plan prints against
-// those that its bake traces. Minutes a scene. Usage: plan_bench [demo|real|room|gltf]..., by default all. Exit 0 if
-// every measured error is at most the stated one, and every stated one at most 4 times it (with bounces 6 times).
+// those that its bake traces. Minutes a scene. Usage: plan_bench [--keep FOLDER] [--directions N] [demo|real|room|gltf]...,
+// by default all. The folder keeps the bakes with 16 times the directions for the next run; N replaces the scene's
+// directions. Exit 0 if every measured error is at most the stated one, and every stated one at most 4 times it (with
+// bounces 6 times).
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -14,6 +16,7 @@
 
 #include "numeric/output/stopwatch.hpp"
 #include "prt/scene/scene.hpp"
+#include "prt/transfer/transfer_file.hpp"
 #include "tests/prt/plan_promise.hpp"
 
 namespace {
@@ -75,11 +78,43 @@ bool keeps_promise(const Scene& scene, const Transfer& reference, double error) 
   }
 }
 
-bool measure(const std::string& word) {
-  const Scene scene = scene_called(word);
-  const Transfer reference = test::full_bake(scene, kMoreDirections * scene.bake.directions);
-  fmt::print("{}: {} vertices, {}, against {} directions\n", word, scene.mesh.positions.size(), scene.bake.kind->word,
-             reference.directions);
+struct Options {
+  std::string keep;    // folder, or empty
+  int directions = 0;  // or the scene's
+  std::vector<std::string> words;
+};
+
+Options options_of(int argc, char** argv) {
+  Options options;
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    if (word == "--keep" && i + 1 < argc) {
+      options.keep = argv[++i];
+    } else if (word == "--directions" && i + 1 < argc) {
+      options.directions = std::stoi(argv[++i]);
+    } else {
+      options.words.push_back(word);
+    }
+  }
+  if (options.words.empty()) options.words = {"demo", "real", "room", "gltf"};
+  return options;
+}
+
+Transfer reference_of(const std::string& word, const Scene& scene, const std::string& keep) {
+  const int directions = kMoreDirections * scene.bake.directions;
+  const std::filesystem::path file = std::filesystem::path(keep) / fmt::format("{}_{}.transfer", word, directions);
+  if (!keep.empty() && std::filesystem::exists(file)) return read_transfer(file.string());
+  Transfer reference = test::full_bake(scene, directions);
+  if (!keep.empty()) write_transfer(file.string(), reference);
+  return reference;
+}
+
+bool measure(const std::string& word, const Options& options) {
+  Scene scene = scene_called(word);
+  if (options.directions > 0) scene.bake.directions = options.directions;
+  const Transfer reference = reference_of(word, scene, options.keep);
+  fmt::print("{}: {} vertices, {}, {} directions against {}\n", word, scene.mesh.positions.size(),
+             scene.bake.kind->word, scene.bake.directions, reference.directions);
   fmt::print("  {:<6}{:>10}{:>10}{:>8}{:>10}{:>10}{:>8}{:>8}\n", "limit", "stated", "measured", "ratio", "M planned",
              "M traced", "plan s", "bake s");
   bool kept = true;
@@ -91,10 +126,9 @@ bool measure(const std::string& word) {
 }  // namespace
 
 int main(int argc, char** argv) try {
-  std::vector<std::string> words(argv + 1, argv + argc);
-  if (words.empty()) words = {"demo", "real", "room", "gltf"};
+  const Options options = options_of(argc, argv);
   bool kept = true;
-  for (const std::string& word : words) kept = measure(word) && kept;
+  for (const std::string& word : options.words) kept = measure(word, options) && kept;
   return kept ? 0 : 1;
 } catch (const std::exception& error) {
   fmt::print(stderr, "plan_bench: {}\n", error.what());

@@ -17,6 +17,7 @@
 #include "prt/transfer/transfer_file.hpp"
 #include "tests/prt/lights.hpp"
 #include "tests/prt/meshes.hpp"
+#include "tests/prt/plan_promise.hpp"
 #include "tests/prt/temporary_folder.hpp"
 
 namespace sh::prt::test {
@@ -42,55 +43,9 @@ const char* const kSunny =
     R"({"type": "cie_clear", "sun": {"elevation": 35, "azimuth": 40}, "radiance": [0.3, 0.35, 0.5]},
                               {"type": "cap", "direction": [0.6, 0.5, 0.7], "half_angle": 12, "radiance": [9, 8, 6]})";
 
-std::vector<Eigen::Matrix3d> turns_of(LightTurns turns) {
-  std::vector<Eigen::Matrix3d> rotations = {Eigen::Matrix3d::Identity()};
-  for (int k = 1; k < 8 && turns != LightTurns::kNone; ++k) {
-    rotations.push_back(
-        rotation_about(turns == LightTurns::kAny ? Eigen::Vector3d(k, 3 - k, 1) : Eigen::Vector3d::UnitZ(), 50.0 * k));
-  }
-  return rotations;
-}
-
-/// RMS over vertices, largest channel, worst turn; in units of the plan's reference radiance.
-double measured_error(const Scene& scene, const Transfer& planned, const Transfer& full, LightTurns turns,
-                      double reference) {
-  const LightCoefficients light = project(load_lights(scene.lights, OnFlaw::kMend), full.degree());
-  double worst = 0.0;
-  for (const Eigen::Matrix3d& r : turns_of(turns)) {
-    const LightCoefficients turned_light = turned(light, r);
-    const auto a = relight(planned, first_bands(turned_light, planned.degree()));
-    const auto b = relight(full, turned_light);
-    double squares = 0.0;
-    for (std::size_t v = 0; v < a.size(); ++v) {
-      squares += std::pow(static_cast<double>((a[v] - b[v]).cwiseAbs().maxCoeff()), 2);
-    }
-    worst = std::max(worst, std::sqrt(squares / static_cast<double>(a.size())));
-  }
-  return worst / reference;
-}
-
-/// The transfer after a round trip through a file.
-Transfer stored(const Transfer& transfer) {
-  const TemporaryFolder folder;
-  write_transfer(folder.file("a"), transfer);
-  return read_transfer(folder.file("a"));
-}
-
-Transfer full_bake(const Scene& scene, int directions = 0) {
-  Scene asked = scene;
-  asked.plan.mode = PlanMode::kNone;
-  asked.bake.directions = directions > 0 ? directions : scene.bake.directions;
-  return bake(asked);
-}
-
 PlanOptions lossy(double error, LightTurns turns) { return {.mode = PlanMode::kLossy, .error = error, .turns = turns}; }
 
 const PlanOptions kExact{.mode = PlanMode::kExact};
-
-BakeJob planned_as(Scene scene, const PlanOptions& options, const BakeSettings& settings = {}) {
-  scene.plan = options;
-  return planned({std::move(scene), settings});
-}
 
 /// All decisions except one are left out.
 PlanOptions alone(std::string_view name, double error, LightTurns turns) {
