@@ -76,7 +76,7 @@ std::vector<Proof> meaning_proofs(const SharedFormulas& f) {
        kMaxConventionDegree, kBands, "conventions",
        [f](int degree) { return prove_every_same_function(*f, unturned_conventions, degree); }},
       {"convention-axes", "sum c' Y'(P s) = sum c Y(s) for c' = C c with other axes P",
-       "polynomial identities; every preset in its world and others", 8, 10, kSlowBands, "conventions",
+       "polynomial identities; every preset in its world and others", 10, 10, kSlowBands, "conventions",
        [f](int degree) { return prove_every_same_function(*f, sample_conventions, degree); }},
       {"index-orders", "the places of an array count up in the order of its functions", "every place, holes included",
        kMaxConventionDegree, kMaxConventionDegree, kBands, "arrays",

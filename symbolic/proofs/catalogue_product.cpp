@@ -27,7 +27,7 @@ std::vector<Proof> product_catalogue(const SharedFormulas& f) {
        "two derivations compared entry by entry", kMaxGauntDegree, kMaxGauntDegree, kFifthPower, "entries",
        [f](int degree) { return prove_gaunt_tensor(f->gaunt(degree), degree); }},
       {"wigner-3j", "J- of the three momenta takes the symbols to 0, their squares add up to 1, sign (-1)^(l1-l2+l3)",
-       "exact sums of radicals", 8, kMaxGauntDegree, kFifthPower, "symbols",
+       "exact sums of radicals", kMaxGauntDegree, kMaxGauntDegree, kFifthPower, "symbols",
        [f](int degree) { return prove_wigner_3j(f->wigner_3j, degree); }},
       {"gaunt-symmetry", "G_ijk does not change when its indices are permuted", "every order derived by itself",
        kMaxGauntDegree, kMaxGauntDegree, kFifthPower, "ordered entries",

@@ -217,6 +217,9 @@ int prove_there_and_back(const ConventionMap& there, const ConventionMap& back);
 /// The map a -> c equals b -> c after a -> b.
 int prove_through(const ConventionMap& a_to_b, const ConventionMap& b_to_c, const ConventionMap& a_to_c);
 
+/// Every index order.
+const std::vector<IndexOrder>& index_orders();
+
 /// Every preset whose z axis is polar, and every combination of normalization, phase, real and complex.
 std::vector<Convention> unturned_conventions(int degree);
 
