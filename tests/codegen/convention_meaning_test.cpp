@@ -103,6 +103,20 @@ TEST_P(EmittedFamily, RefusesAConventionThatItCannotMeanAndOptionsWithoutEffect)
 INSTANTIATE_TEST_SUITE_P(Families, EmittedFamily, testing::ValuesIn(test::families_with_meaning()),
                          [](const auto& family) { return family.param; });
 
+TEST(ConventionMeaning, ConvolvesAnOvercastSkyOnce) {
+  // Radiance (1 + 2 z) / 3 above the horizon: bands 0 to 2 of irradiance / pi at the zenith are 1/3, 7/18, 5/96.
+  for (const char* preset : {"unity", "filament"}) {
+    std::vector<double> c(9, 0);
+    c[0] = 1.0 / 3;
+    c[2] = 7.0 / 18;
+    c[6] = 5.0 / 192;  // times 3 z^2 - 1
+    const World world = world_of("irradiance_evaluate", test::definition_of(preset), "x,y,z");
+    const auto call = test::emitted_call(world, {"c99", Scalar::kDouble});
+    const auto arrays = call("irradiance_evaluate", {{"c", c}, {"x", {0}}, {"y", {0}}, {"z", {1}}});
+    EXPECT_NEAR(arrays.at("irradiance")[0], 2.43255, 5e-6) << preset;
+  }
+}
+
 TEST(ConventionMeaning, HeadsSpeakOfOneConvention) {
   for (const Family& family : families()) {
     const int degree = test::degree_of(family.name, 2);
