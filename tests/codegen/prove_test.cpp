@@ -140,6 +140,15 @@ TEST(Prove, BadArgumentsAreOneLineAndExitTwo) {
   for (const auto& [arguments, mention] : cases) test::expect_refused(std::string("prove ") + arguments, mention);
 }
 
+TEST(Prove, TheReportsPlaceIsLookedAtBeforeAnythingIsProvedOrDecided) {
+  for (const char* command : {"prove axis-angle", "errata B-08"}) {
+    const auto result = test::expect_refused(std::string(command) + " --json /no/such/x", "/no/such/x: cannot write");
+    EXPECT_EQ(result.out, "") << command;
+  }
+}
+
+TEST(Shgen, SaysItsVersion) { EXPECT_EQ(shgen("--version").out, "shgen 0.1.0\n"); }
+
 // The whole list: no change survives but named equivalents, and no proof is idle.
 TEST(Mutations, AProofRefutesEveryChangeOfAFormulaButNamedEquivalents) {
   const auto result = shgen(std::string("prove --mutate ") + kMutations);

@@ -11,7 +11,7 @@ found=0
 for target in "$@"; do
   work=$build/fuzz/$target
   mkdir -p "$work/inputs" "$work/findings"
-  nice -n 19 "$build/bin/fuzz_$target" -seed=1 -max_total_time="$seconds" -timeout=60 -rss_limit_mb=4096 -max_len=20000 \
+  nice -n 19 "$build/bin/fuzz_$target" -seed=1 -max_total_time="$seconds" -timeout=300 -rss_limit_mb=4096 -max_len=20000 \
     -close_fd_mask=3 -print_final_stats=1 -artifact_prefix="$work/findings/" "$work/inputs" "$source/tests/data/fuzz/$target" \
     > "$work/log" 2>&1 || found=1
   printf '%s: %s executions, %s, %s findings\n' "$target" \

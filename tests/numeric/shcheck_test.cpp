@@ -136,11 +136,18 @@ TEST_F(Shcheck, RefusesAGlslKernelThatIsMissingOrDoesNotCompile) {
   EXPECT_NE(outcome.err.find("basis_l0.glsl: cannot read"), std::string::npos) << outcome.err;
 }
 
-TEST_F(Shcheck, LeavesNothingBehindWhenTheReportCannotBeWritten) {
-  const auto outcome = run("kernels --family basis --json " + (folder_ / "missing" / "report.json").string());
-  EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_NE(outcome.err.find("report.json: cannot write: No such file or directory"), std::string::npos) << outcome.err;
+TEST_F(Shcheck, LooksAtTheReportsPlaceBeforeItChecksAnything) {
+  expect_refused("kernels --json " + (folder_ / "missing" / "report.json").string(),
+                 "report.json: cannot write: No such file or directory");
   EXPECT_FALSE(fs::exists(folder_ / "missing"));
+}
+
+TEST_F(Shcheck, SaysItsVersionAndTakesFiniteNumbersOnly) {
+  EXPECT_EQ(run("--version").out, "shcheck 0.1.0\n");
+  for (const std::string number : {"nan", "inf"}) {
+    expect_refused("rotation-matrix x --tolerance " + number, "--tolerance: expected a finite number, got " + number);
+    expect_refused("advise --task basis --degree 2 --error " + number, "expected a finite number, got " + number);
+  }
 }
 
 TEST_F(Shcheck, EvaluatesAReferenceValueToAThousandDigits) {

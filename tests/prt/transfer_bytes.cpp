@@ -16,7 +16,9 @@ layout::Prologue prologue_of(const std::string& bytes) {
 std::vector<layout::Section> table_of(const std::string& bytes, std::size_t sections) {
   const std::size_t most = (bytes.size() - sizeof(layout::Prologue)) / sizeof(layout::Section);
   std::vector<layout::Section> table(std::min(sections, most));
-  std::memcpy(table.data(), bytes.data() + sizeof(layout::Prologue), table.size() * sizeof(layout::Section));
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    std::memcpy(&table[i], bytes.data() + sizeof(layout::Prologue) + i * sizeof(layout::Section), sizeof table[i]);
+  }
   return table;
 }
 
@@ -31,6 +33,7 @@ std::string with_checksums(std::string bytes, bool sizes) {
   if (bytes.size() < sizeof(layout::Prologue)) return bytes;
   layout::Prologue prologue = prologue_of(bytes);
   std::vector<layout::Section> table = table_of(bytes, prologue.sections);
+  if (table.empty()) return bytes;
   const std::size_t header = sizeof prologue + table.size() * sizeof(layout::Section);
   if (sizes) prologue.file_size = bytes.size();
   if (holds(bytes, header, prologue.header_size)) {
@@ -46,7 +49,9 @@ std::string with_checksums(std::string bytes, bool sizes) {
   }
   prologue.checksum = layout::front_checksum(prologue, table);
   std::memcpy(bytes.data(), &prologue, sizeof prologue);
-  std::memcpy(bytes.data() + sizeof prologue, table.data(), table.size() * sizeof(layout::Section));
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    std::memcpy(bytes.data() + sizeof prologue + i * sizeof(layout::Section), &table[i], sizeof table[i]);
+  }
   return bytes;
 }
 
