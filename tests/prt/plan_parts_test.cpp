@@ -9,6 +9,7 @@
 #include "prt/light/light.hpp"
 #include "prt/plan/bounds.hpp"
 #include "prt/plan/open_vertices.hpp"
+#include "prt/rays/directions.hpp"
 #include "prt/runtime/relight.hpp"
 #include "tests/prt/lights.hpp"
 #include "tests/prt/meshes.hpp"
@@ -122,6 +123,31 @@ TEST(OpenVertices, AreThoseWithNothingAboveTheirHorizon) {
   EXPECT_GT(count, 20U);
   EXPECT_LT(count, open.size() - 20U);
   EXPECT_TRUE(open_vertices(Mesh{}, {}, 0.1).empty());
+}
+
+// More points than a box of the search holds, and neighbors that no landmark stands for.
+TEST(OpenVertices, AreFoundAmongManyPointsAsByComparingEveryPair) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<float> bump(0.0F, 1e-2F);
+  Mesh mesh;
+  std::vector<RayStart> starts;
+  for (const Eigen::Vector3f& direction : make_directions(Sampler::kFibonacci, 1500)) {
+    mesh.positions.emplace_back((1.0F + bump(random)) * direction);
+    starts.push_back({1.00001F * mesh.positions.back(), 1.0F});
+  }
+  for (const Eigen::Vector3f& position : mesh.positions) mesh.normals.push_back(position.normalized());
+  mesh.geometric_normals = mesh.normals;
+  const std::vector<std::uint8_t> open = open_vertices(mesh, starts, 0.0);  // the normals are the same
+  for (std::size_t v = 0; v < open.size(); ++v) {
+    const Eigen::Vector3d up = mesh.normals[v].cast<double>();
+    const double height = up.dot(starts[v].origin.cast<double>());
+    const bool is_open = std::all_of(mesh.positions.begin(), mesh.positions.end(),
+                                     [&](const Eigen::Vector3f& p) { return up.dot(p.cast<double>()) <= height; });
+    EXPECT_EQ(open[v] != 0, is_open) << v;
+  }
+  const auto count = std::count(open.begin(), open.end(), 1);
+  EXPECT_GT(count, 100);
+  EXPECT_LT(count, 1400);
 }
 
 TEST(OpenVertices, AreAllOfAConvexBodyWhateverItsSize) {
