@@ -2,7 +2,7 @@
 //
 //   shgen write [FAMILY...] [--out DIR]              write the files of generated/ that differ
 //   shgen check [FAMILY...] [--dir DIR]              compare generated/ with the output of the generator
-//   shgen list [FAMILY...]                           list kernels and recipes: operations, errors, times, files
+//   shgen list [FAMILY...] [--table [--degree N,...]]  list kernels and recipes: operations, errors, times, files
 //   shgen tune [FAMILY...] [--degree N] [--out FILE] [--check]  measure the recipes, so that `write` takes the fastest
 //   shgen emit FAMILY --degree N --lang cpp|glsl|glsl-es|hlsl|c99 [--scalar float|double]
 //                     [--prefer speed|accuracy|size | --recipe NAME]  print the file of one kernel

@@ -74,8 +74,8 @@ class Search {
   }
 
   [[nodiscard]] Piece with_urgency(Piece piece) const {
-    const double absolute = first_.absolute > 0 ? piece.error.absolute / first_.absolute : 0;
-    piece.urgency = std::max(piece.error.relative / first_.relative, absolute);
+    const auto part = [](double error, double of) { return of > 0 ? error / of : 0; };
+    piece.urgency = std::max(part(piece.error.relative, first_.relative), part(piece.error.absolute, first_.absolute));
     return piece;
   }
 

@@ -30,8 +30,8 @@ struct Bound {
 
 /// The number of boxes that a bound evaluates after the first ones.
 struct Effort {
-  int most_boxes = 4000;
-  double operations = 4e7;  ///< nodes visited, all boxes together: large kernels get fewer boxes
+  int most_boxes = 3000;
+  double operations = 1e7;  ///< nodes visited, all boxes together: large kernels get fewer boxes
   double most_terms = 1e9;  ///< terms of forms on one box; a kernel with more gets no bound
 };
 

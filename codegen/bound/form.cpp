@@ -41,23 +41,6 @@ void collect(Terms& terms) {
   if (!terms.empty()) terms.resize(last + 1);
 }
 
-template <class Widen>
-void add_terms(Form& sum, const Form& a, const Widen& widen) {
-  if (sum.is_number() && a.is_number() && !sum.terms.empty() && !a.terms.empty()) {
-    sum.terms[0].factor = sum.terms[0].factor + widen(a.terms[0].factor);
-    return;
-  }
-  if (sum.terms.empty()) {
-    sum.terms = a.terms;
-    for (Form::Term& term : sum.terms) term.factor = widen(term.factor);
-    return;
-  }
-  Terms merged;
-  merge(
-      merged, sum.terms, a.terms, [&](Interval x, Interval y) { return x + widen(y); }, widen);
-  sum.terms.swap(merged);
-}
-
 }  // namespace
 
 Monomial product_of(Monomial a, Monomial b) {
@@ -71,20 +54,24 @@ bool Form::is_finite() const {
   return std::all_of(terms.begin(), terms.end(), [](const Term& term) { return term.factor.is_finite(); });
 }
 
+void set_negative(Form& result, const Form& a) {
+  result.terms = a.terms;
+  for (Form::Term& term : result.terms) term.factor = -term.factor;
+}
+
+namespace detail {
+
 void set_sum(Form& result, const Form& a, const Form& b) {
-  if (a.is_number() && b.is_number()) return result.set(a.number() + b.number());
   merge(
       result.terms, a.terms, b.terms, [](Interval x, Interval y) { return x + y; }, [](Interval y) { return y; });
 }
 
 void set_difference(Form& result, const Form& a, const Form& b) {
-  if (a.is_number() && b.is_number()) return result.set(a.number() - b.number());
   merge(
       result.terms, a.terms, b.terms, [](Interval x, Interval y) { return x - y; }, [](Interval y) { return -y; });
 }
 
 void set_product(Form& result, const Form& a, const Form& b) {
-  if (a.is_number() && b.is_number()) return result.set(a.number() * b.number());
   result.terms.clear();
   for (const Form::Term& x : a.terms) {
     for (const Form::Term& y : b.terms) {
@@ -94,17 +81,19 @@ void set_product(Form& result, const Form& a, const Form& b) {
   if (!a.is_number() && !b.is_number()) collect(result.terms);
 }
 
-void set_negative(Form& result, const Form& a) {
-  result.terms = a.terms;
-  for (Form::Term& term : result.terms) term.factor = -term.factor;
+void accumulate(Form& sum, const Form& a, bool with_zeros) {
+  const auto widened = [with_zeros](Interval x) { return with_zeros ? with_zero(x) : x; };
+  if (sum.terms.empty()) {
+    sum.terms = a.terms;
+    for (Form::Term& term : sum.terms) term.factor = widened(term.factor);
+    return;
+  }
+  Terms merged;
+  merge(
+      merged, sum.terms, a.terms, [&](Interval x, Interval y) { return x + widened(y); }, widened);
+  sum.terms.swap(merged);
 }
 
-void accumulate(Form& sum, const Form& a) {
-  add_terms(sum, a, [](Interval x) { return x; });
-}
-
-void accumulate_with_zero(Form& sum, const Form& a) {
-  add_terms(sum, a, [](Interval x) { return with_zero(x); });
-}
+}  // namespace detail
 
 }  // namespace sh::codegen::bound

@@ -30,7 +30,10 @@ struct Form {
   };
   std::vector<Term> terms;
 
-  void set(Interval value) { terms.assign(1, {kOne, value}); }
+  void set(Interval value) {
+    terms.resize(1);
+    terms[0] = {kOne, value};
+  }
   /// True if the value depends on no coefficient.
   [[nodiscard]] bool is_number() const { return terms.empty() || (terms.size() == 1 && terms[0].monomial == kOne); }
   /// The value of a form that is a number.
@@ -38,14 +41,33 @@ struct Form {
   [[nodiscard]] bool is_finite() const;
 };
 
-/// Each function overwrites `result`, which must not be an argument.
+namespace detail {
 void set_sum(Form& result, const Form& a, const Form& b);
 void set_difference(Form& result, const Form& a, const Form& b);
 void set_product(Form& result, const Form& a, const Form& b);
+void accumulate(Form& sum, const Form& a, bool with_zero);
+}  // namespace detail
+
+/// Each function overwrites `result`, which must not be an argument. Numbers, which most nodes are, take a short way.
+inline void set_sum(Form& result, const Form& a, const Form& b) {
+  if (a.is_number() && b.is_number()) return result.set(a.number() + b.number());
+  detail::set_sum(result, a, b);
+}
+inline void set_difference(Form& result, const Form& a, const Form& b) {
+  if (a.is_number() && b.is_number()) return result.set(a.number() - b.number());
+  detail::set_difference(result, a, b);
+}
+inline void set_product(Form& result, const Form& a, const Form& b) {
+  if (a.is_number() && b.is_number()) return result.set(a.number() * b.number());
+  detail::set_product(result, a, b);
+}
 void set_negative(Form& result, const Form& a);
 /// sum += a.
-void accumulate(Form& sum, const Form& a);
+inline void accumulate(Form& sum, const Form& a) {
+  if (a.is_number() && sum.is_number()) return sum.set(sum.number() + a.number());
+  detail::accumulate(sum, a, false);
+}
 /// sum += the form with every factor widened to hold 0.
-void accumulate_with_zero(Form& sum, const Form& a);
+inline void accumulate_with_zero(Form& sum, const Form& a) { detail::accumulate(sum, a, true); }
 
 }  // namespace sh::codegen::bound

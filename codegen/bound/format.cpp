@@ -17,7 +17,7 @@ constexpr int kDigits = 60;  // decimal digits of exact constants
 
 const Format kFormats[] = {
     {"half", 11, -24, 65504, 16},
-    {"float", 24, -149, std::numeric_limits<float>::max(), 0x1p20},
+    {"float", 24, -149, static_cast<double>(std::numeric_limits<float>::max()), 0x1p20},
     {"double", 53, -1074, std::numeric_limits<double>::max(), 0x1p20},
 };
 

@@ -66,7 +66,7 @@ void add_parameter(Region& region, const Parameter& parameter, const Kernel& ker
   const bool of_vector = parameter.role == Role::kDirection || parameter.role == Role::kVector ||
                          parameter.role == Role::kCosine || parameter.role == Role::kSine ||
                          parameter.role == Role::kQuaternion;
-  if (!scalar && !of_vector) throw std::domain_error("no bound covers a " + role_name(parameter.role));
+  if (!scalar && !of_vector) throw std::domain_error("an input is a " + role_name(parameter.role));
   if (parameter.role == Role::kCapSize) region.logarithmic = first;
   for (int i = 0; i < parameter.size(); ++i) {
     const std::size_t input = region.coordinate.size();
@@ -87,8 +87,8 @@ std::string described(const Region& region, const Kernel& kernel, const Format& 
     if (parameter.role == Role::kVector && parameter.axis == 0) {
       parts.push_back(fmt::format("vectors of length {:g} to {:g}", region.lengths.low, region.lengths.high));
     } else if (unit_vector_size(parameter) > 0) {
-      parts.push_back(role_name(parameter.role == Role::kCosine ? Role::kCosine : parameter.role) +
-                      (parameter.role == Role::kCosine ? " and sine" : "") + " of length 1 up to 2 epsilon");
+      const std::string name = parameter.role == Role::kCosine ? "cosine and sine" : "a " + role_name(parameter.role);
+      parts.push_back(name + " off length 1 by at most 2 epsilon");
     } else if (parameter.role == Role::kCapSize) {
       parts.push_back(fmt::format("{} = 0 or 2^-{} to 2", parameter.name, octave_count(format)));
     } else if (parameter.role == Role::kParameter) {
@@ -97,7 +97,8 @@ std::string described(const Region& region, const Kernel& kernel, const Format& 
     }
   }
   if (symbols) {
-    parts.push_back(fmt::format("coefficients of length 1/{0:g} to {0:g}", format.scale));
+    const int power = std::ilogb(format.scale);
+    parts.push_back(fmt::format("coefficients of size 2^-{0} to 2^{0}", power));
   }
   return fmt::format("{}", fmt::join(parts, "; "));
 }

@@ -49,7 +49,7 @@ std::vector<int> degrees_in_vector(const Kernel& kernel) {
         degree.push_back(of(0) / 2);
         break;
       default:
-        throw std::domain_error("no bound covers the operation " + op_name(node.op));
+        throw std::domain_error("it has the operation " + op_name(node.op));
     }
   }
   return degree;
@@ -125,7 +125,7 @@ void RoundingAnalysis::describe_operation(Step& step) const {
       step.computed = step.relative = true;
       return;
     default:
-      throw std::domain_error("no bound covers the operation " + op_name(step.op));
+      throw std::domain_error("it has the operation " + op_name(step.op));
   }
 }
 
@@ -250,7 +250,7 @@ void RoundingAnalysis::exact_result(const Step& step, Form& result) {
       }
       return result.set(sqrt(value(0).number()));
     default:
-      throw std::domain_error("no bound covers the operation " + op_name(step.op));
+      throw std::domain_error("it has the operation " + op_name(step.op));
   }
 }
 
@@ -304,7 +304,10 @@ void RoundingAnalysis::round_form(NodeId id) {
   for (Form::Term& term : values_[id].terms) {
     const double magnitude = term.factor.magnitude();
     if (steps_[id].relative) term.factor = widened(term.factor, above(format_.epsilon() / 2 * magnitude));
-    sum += magnitude * std::pow(format_.scale, degree_of(term.monomial));
+    const int degree = degree_of(term.monomial);
+    sum += degree == 0   ? magnitude
+           : degree == 1 ? magnitude * format_.scale
+                         : magnitude * format_.scale * format_.scale;
   }
   if (!(sum * 2 < format_.largest)) throw std::domain_error("a value may overflow");
 }

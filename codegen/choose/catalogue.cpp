@@ -4,6 +4,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "codegen/bound/stated.hpp"
 #include "codegen/choose/records.hpp"
 #include "codegen/choose/wisdom.hpp"
 #include "codegen/print/batch.hpp"
@@ -57,15 +58,15 @@ FinishedKernel choose(const std::vector<FinishedKernel>& kernels, Prefer prefer)
   return chosen;
 }
 
-// Prints a kernel in every written language and returns the paths.
-std::vector<std::string> add_files(std::map<std::string, std::string>& files, const FinishedKernel& finished) {
-  std::vector<std::string> paths;
+// Prints a kernel in every written language; its line of the manifest gets the paths and the stated errors.
+void add_files(std::map<std::string, std::string>& files, const FinishedKernel& finished, ManifestEntry& entry) {
   for (const Language& language : languages()) {
     if (!language.written) continue;
-    paths.push_back(language.name + "/" + finished.kernel.name + language.suffix);
-    files[paths.back()] = language.print_kernel(finished, print::Scalar::kFloat);
+    entry.files.push_back(language.name + "/" + finished.kernel.name + language.suffix);
+    files[entry.files.back()] = language.print_kernel(finished, print::Scalar::kFloat);
   }
-  return paths;
+  entry.finished.in_float = finished.in_float;
+  entry.finished.in_double = finished.in_double;
 }
 
 }  // namespace
@@ -183,16 +184,20 @@ void render_family(const Family& family, const std::function<void(const std::str
     const std::vector<FinishedKernel> all = finish_all(family, degree);
     if (all.empty()) continue;
     written.push_back(choose(all, Prefer::kSpeed));
-    recorded.push_back(written.back());
     progress(written.back().kernel.name);
-    const FinishedKernel accurate = choose(all, Prefer::kAccuracy);
+    FinishedKernel accurate = choose(all, Prefer::kAccuracy);
     const bool worthwhile = accurate.in_float.rounding.eps < kWorthwhile * all.front().in_float.rounding.eps;
-    if (worthwhile) recorded.push_back(accurate);
+    bound::state_errors(written.back());
+    recorded.push_back(written.back());
+    if (worthwhile) {
+      bound::state_errors(accurate);
+      recorded.push_back(accurate);
+    }
     for (const FinishedKernel& candidate : all) {
       const std::string& recipe = candidate.kernel.recipe;
       ManifestEntry entry{candidate, {}, committed_wisdom().find(family.name, degree, recipe)};
-      if (recipe == written.back().kernel.recipe) entry.files = add_files(rendering.files, written.back());
-      if (worthwhile && recipe == accurate.kernel.recipe) entry.files = add_files(rendering.files, accurate);
+      if (recipe == written.back().kernel.recipe) add_files(rendering.files, written.back(), entry);
+      if (worthwhile && recipe == accurate.kernel.recipe) add_files(rendering.files, accurate, entry);
       rendering.manifest.push_back(entry);
     }
   }

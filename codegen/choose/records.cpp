@@ -17,6 +17,14 @@ std::string time(const std::optional<Timing>& timing, double Timing::*which) {
   return timing ? fmt::format("{:.3g}", (*timing).*which) : "-";
 }
 
+// "7.6/4.3": the proved bound and the largest error seen; "-/4.3": no bound is proved.
+std::string bound_and_seen(const MeasuredError& error) {
+  if (!error.proved) return "-";
+  const std::string bound =
+      error.proved->is_proved() ? fmt::format("{:.1f}", print::raised(error.proved->eps, 1)) : "-";
+  return bound + fmt::format("/{:.1f}", error.rounding.eps);
+}
+
 std::vector<std::string> row(const ManifestEntry& entry) {
   const FinishedKernel& f = entry.finished;
   std::string files;
@@ -29,6 +37,8 @@ std::vector<std::string> row(const ManifestEntry& entry) {
           field("other", std::to_string(f.cost.div + f.cost.sqrt + f.cost.select)),
           field("chain", std::to_string(f.cost.depth)),
           field("live", std::to_string(f.cost.max_live)),
+          field("float_eps", bound_and_seen(f.in_float)),
+          field("double_eps", bound_and_seen(f.in_double)),
           field("float_rounding", print::two_digits(f.in_float.rounding.absolute)),
           field("float_total", print::two_digits(f.in_float.total.absolute)),
           field("double_rounding", print::two_digits(f.in_double.rounding.absolute)),
@@ -65,7 +75,9 @@ Json parameters(const std::vector<Parameter>& arrays) {
 
 Json errors(const MeasuredError& measured) {
   const auto hundredths = [](double eps) { return std::round(eps * 100) / 100; };
-  return {{"rounding_eps", hundredths(measured.rounding.eps)}, {"total_eps", hundredths(measured.total.eps)}};
+  Json json = {{"rounding_eps", hundredths(measured.rounding.eps)}, {"total_eps", hundredths(measured.total.eps)}};
+  if (measured.proved && measured.proved->is_proved()) json["bound_eps"] = print::raised(measured.proved->eps, 2);
+  return json;
 }
 
 Json kernel(const FinishedKernel& finished) {
@@ -111,9 +123,14 @@ std::string print_manifest(const std::vector<ManifestEntry>& entries) {
   std::string text =
       "# Every kernel and every recipe for it, one a line. Written by `shgen write`; licence MIT-0.\n"
       "# mul, add: operations (add holds subtractions and negations); other: divisions, square roots, selections;\n"
-      "# chain: the longest one; live: most values held at once; rounding, total: largest absolute error measured, as\n"
-      "# explained at the head of each file; ns, lane_ns: tuned time of a float call, and of a lane of a SIMD "
-      "register;\n"
+      "# chain: the longest one; live: most values held at once; ns, lane_ns: tuned time of a float call, and of a "
+      "lane of\n"
+      "# a SIMD register;\n"
+      "# float_eps, double_eps: the rounding error in the unit of the family, at most (proved) / largest seen; -/ "
+      "where no\n"
+      "# bound is proved, - where the recipe is not written; rounding, total: the largest absolute error seen, as "
+      "explained\n"
+      "# at the head of each file, for recipes that are not written among the tested inputs alone;\n"
       "# files: what is written with this recipe, - when another one was chosen.\n"
       "# families.json: roles, shapes, units and limits of these kernels, for programs.\n";
   std::vector<std::vector<std::string>> rows;
@@ -133,10 +150,10 @@ std::string print_families_record(const std::vector<RecordedFamily>& families) {
     list += (list.empty() ? "\n " : ",\n ") + family_text(recorded);
   }
   const Json about =
-      "Roles, shapes, units, sizes and largest measured errors of every kernel. eps counts machine epsilon x size; a "
-      "kernel may err by the factors times the recorded errors, or by least_eps where that is more. Written by `shgen "
-      "write`; "
-      "licence MIT-0.";
+      "Roles, shapes, units, sizes, the largest errors seen of every kernel and the proved bounds of its rounding "
+      "error. "
+      "eps counts machine epsilon x size; a kernel may err by the factors times the errors seen, or by least_eps where "
+      "that is more, but not beyond its bound. Written by `shgen write`; licence MIT-0.";
   return "{\"format\": \"shforge families 1\",\n\"about\": " + about.dump() + ",\n\"limits\": " + limits.dump() +
          ",\n\"families\": [" + list + "]}\n";
 }

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "codegen/bound/stated.hpp"
 #include "codegen/choose/catalogue.hpp"
 #include "codegen/choose/mask.hpp"
 #include "codegen/commands/commands.hpp"
@@ -60,7 +61,8 @@ FinishedKernel by_preference(const Family& family, const EmitOptions& options) {
 void emit(const EmitOptions& options) {
   const Language& language = find_language(options.language);
   const Family family = family_of(options);
-  const FinishedKernel finished = options.recipe.empty() ? by_preference(family, options) : by_recipe(family, options);
+  FinishedKernel finished = options.recipe.empty() ? by_preference(family, options) : by_recipe(family, options);
+  bound::state_errors(finished);
   std::cout << language.print_kernel(finished, find_scalar(options.scalar));
 }
 

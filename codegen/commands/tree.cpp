@@ -12,6 +12,7 @@
 
 #include "codegen/choose/catalogue.hpp"
 #include "codegen/commands/commands.hpp"
+#include "codegen/commands/table.hpp"
 #include "codegen/output/output_tree.hpp"
 
 namespace sh::codegen {
@@ -60,20 +61,30 @@ int check(const Selection& selection) {
   return kDone;
 }
 
-// Prints the manifest of a folder: every line, or the lines of some families.
-int list(const std::string& folder, const std::vector<std::string>& only) {
+struct ListOptions {
+  std::vector<std::string> families;  // empty: all
+  std::vector<int> degrees;           // of a table; empty: all
+  bool table = false;
+};
+
+// Prints the manifest of a folder: every line, or the lines of some families, or a table of them.
+int list(const std::string& folder, const ListOptions& options) {
   std::vector<std::string> prefixes;
-  prefixes.reserve(only.size());
-  for (const std::string& name : only) prefixes.push_back(find_family(name).name + "_l");
+  prefixes.reserve(options.families.size());
+  for (const std::string& name : options.families) prefixes.push_back(find_family(name).name + "_l");
   std::ifstream manifest(folder + "/MANIFEST");
   if (!manifest)
     throw std::runtime_error(folder + "/MANIFEST: expected a readable file (`shgen write` writes it), got none");
+  std::vector<std::string> rows;
   std::string line;
   while (std::getline(manifest, line)) {
+    const bool comment = line.starts_with('#');
     const bool chosen = std::any_of(prefixes.begin(), prefixes.end(),
                                     [&](const std::string& prefix) { return line.rfind(prefix, 0) == 0; });
-    if (prefixes.empty() || line[0] == '#' || chosen) std::cout << line << '\n';
+    if (options.table && !comment && (prefixes.empty() || chosen)) rows.push_back(line);
+    if (!options.table && (prefixes.empty() || comment || chosen)) std::cout << line << '\n';
   }
+  if (options.table) std::cout << manifest_table(rows, options.degrees);
   return kDone;
 }
 
@@ -98,11 +109,16 @@ void add_check_command(CLI::App& tool, int& exit_code) {
 }
 
 void add_list_command(CLI::App& tool, int& exit_code) {
-  const auto only = std::make_shared<std::vector<std::string>>();
+  const auto options = std::make_shared<ListOptions>();
   CLI::App* const command =
       tool.add_subcommand("list", "List every kernel and recipe with its cost, error, time and files");
-  command->add_option("family", *only, "Families (default: all)");
-  command->callback([only, &exit_code] { exit_code = list(default_folder(), *only); });
+  command->add_option("family", options->families, "Families (default: all)");
+  CLI::Option* const table =
+      command->add_flag("--table", options->table, "A table in Markdown of the written kernels with their errors");
+  command->add_option("--degree", options->degrees, "Degrees of the table, e.g. 2,4,6 (default: all)")
+      ->delimiter(',')
+      ->needs(table);
+  command->callback([options, &exit_code] { exit_code = list(default_folder(), *options); });
 }
 
 }  // namespace sh::codegen

@@ -19,7 +19,7 @@ Reference basis_reference(int degree, int points) {
 
 // Users are told so.
 std::vector<Promise> promises() {
-  constexpr const char* kAccurate = "the choice for accuracy keeps 8 eps to degree 10";
+  constexpr const char* kAccurate = "the choice for accuracy keeps 8 eps to degree 10 on the inputs of the check";
   constexpr const char* kDegree4 = "the degree that most engines use: 2^-20 in float";
   return {{"basis_accurate_l", "float", 8, 0, kAccurate},
           {"basis_accurate_l", "double", 8, 0, kAccurate},

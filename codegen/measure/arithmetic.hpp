@@ -22,7 +22,7 @@ template <class T>
 struct Arithmetic {
   using Reference = numeric::Wide;
   using Moved = T;
-  static constexpr double kEpsilon = std::numeric_limits<T>::epsilon();
+  static constexpr double kEpsilon = static_cast<double>(std::numeric_limits<T>::epsilon());
   static constexpr bool kWideRange = true;
   static Evaluator<T> rounded(const Kernel& kernel) { return Evaluator<T>(kernel); }
   static Evaluator<numeric::Wide> formula(const Kernel& kernel) { return Evaluator<numeric::Wide>(kernel, wide); }
@@ -31,7 +31,7 @@ template <>
 struct Arithmetic<float> {
   using Reference = double;
   using Moved = float;
-  static constexpr double kEpsilon = std::numeric_limits<float>::epsilon();
+  static constexpr double kEpsilon = 0x1p-23;
   static constexpr bool kWideRange = true;
   static Evaluator<float> rounded(const Kernel& kernel) { return Evaluator<float>(kernel); }
   static Evaluator<double> formula(const Kernel& kernel) { return Evaluator<double>(kernel); }

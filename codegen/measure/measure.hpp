@@ -8,9 +8,11 @@
 
 #include <cln/float.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "codegen/bound/bound.hpp"
 #include "codegen/families/family.hpp"
 #include "codegen/ir/cost.hpp"
 #include "numeric/kernels/signature.hpp"
@@ -28,7 +30,9 @@ struct MeasuredError {
   int inputs = 0;  ///< the number of test inputs
   Error rounding;
   Error total;
-  std::vector<double> worst;  ///< the flattened input with the largest rounding error in eps
+  std::vector<double> worst;                ///< the flattened input with the largest rounding error in eps
+  int searched = 0;                         ///< evaluations of a search for more inputs; 0: there was none
+  std::optional<bound::Bound> proved = {};  ///< the bound of the rounding error; empty: not asked for
 };
 
 /// T: float, double or Half. more: inputs beside the tested ones, such as those that a search found (search.hpp).

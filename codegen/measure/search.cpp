@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <limits>
+#include <span>
 
 #include "codegen/measure/arithmetic.hpp"
+#include "codegen/measure/domains.hpp"
 #include "codegen/measure/measure.hpp"
 #include "numeric/sampling/worst_input.hpp"
 
@@ -113,16 +115,51 @@ void move_to_half_range(const std::vector<Parameter>& parameters, WideVector& in
   }
 }
 
-// The least and the largest tested value of every input.
+// An array of coefficients among the inputs.
+struct Array {
+  std::size_t first = 0;
+  std::size_t size = 0;
+  double largest = 0;  // tested length
+};
+
+double length_of(const double* first, std::size_t size) { return length(std::span(first, size)); }
+
+// The least and the largest tested value of every input, and the largest tested lengths of arrays.
 struct Range {
   std::vector<double> least, largest;
+  std::vector<Array> arrays;
 
-  explicit Range(const std::vector<std::vector<double>>& inputs) : least(inputs[0]), largest(inputs[0]) {
-    for (const std::vector<double>& input : inputs) {
-      for (std::size_t i = 0; i < input.size(); ++i) {
-        least[i] = std::min(least[i], input[i]);
-        largest[i] = std::max(largest[i], input[i]);
+  Range(const std::vector<Parameter>& parameters, const std::vector<std::vector<double>>& inputs)
+      : least(inputs[0]), largest(inputs[0]) {
+    std::size_t first = 0;
+    for (const Parameter& parameter : parameters) {
+      // Each channel has a length of its own.
+      const auto size = static_cast<std::size_t>(parameter.size() / parameter.channels());
+      for (int channel = 0; channel < parameter.channels(); ++channel, first += size) {
+        if (holds_coefficients(parameter.role)) arrays.push_back({first, size});
       }
+    }
+    for (const std::vector<double>& input : inputs) add(input);
+  }
+
+  // Keeps every value and every length in its range.
+  void clamp(std::vector<double>& input) const {
+    for (std::size_t i = 0; i < input.size(); ++i) input[i] = std::clamp(input[i], least[i], largest[i]);
+    for (const Array& array : arrays) {
+      const double present = length_of(input.data() + array.first, array.size);
+      if (present <= array.largest) continue;
+      for (std::size_t i = array.first; i < array.first + array.size; ++i) input[i] *= array.largest / present;
+    }
+  }
+
+ private:
+  void add(const std::vector<double>& input) {
+    for (std::size_t i = 0; i < input.size(); ++i) {
+      least[i] = std::min(least[i], input[i]);
+      largest[i] = std::max(largest[i], input[i]);
+    }
+    for (Array& array : arrays) {
+      array.largest = std::max(array.largest, length_of(input.data() + array.first, array.size));
     }
   }
 };
@@ -140,10 +177,10 @@ std::vector<bool> fixed_inputs(const Kernel& kernel) {
 
 template <class T, class Moved>
 bool to_domain(const Kernel& kernel, const Range& range, Moved* input) {
+  std::vector<double> clamped(input, input + range.least.size());
+  range.clamp(clamped);
   WideVector moved;
-  for (std::size_t i = 0; i < range.least.size(); ++i) {
-    moved.emplace_back(std::clamp(static_cast<double>(input[i]), range.least[i], range.largest[i]));
-  }
+  for (const double value : clamped) moved.emplace_back(value);
   if (!Arithmetic<T>::kWideRange) move_to_half_range(kernel.parameters, moved);
   move_to_domain(kernel.parameters, moved);
   for (std::size_t i = 0; i < moved.size(); ++i) {
@@ -161,7 +198,7 @@ std::vector<std::vector<double>> search_inputs(const Kernel& kernel, const Domai
                                                const std::vector<std::vector<double>>& starts, int evaluations) {
   using Moved = typename Arithmetic<T>::Moved;
   std::vector<std::vector<double>> inputs = domain.test_inputs(kernel.degree);
-  const Range range(inputs);
+  const Range range(kernel.parameters, inputs);
   for (const std::vector<double>& start : starts) {
     if (!start.empty()) inputs.push_back(start);
   }
@@ -198,7 +235,7 @@ Domain in_half_range(const Domain& domain, const Kernel& kernel) {
   Domain narrow = domain;
   narrow.test_inputs = [&kernel, all = domain.test_inputs](int degree) {
     std::vector<std::vector<double>> inputs = all(degree);
-    const Range range(inputs);
+    const Range range(kernel.parameters, inputs);
     for (std::vector<double>& input : inputs) to_domain<Half>(kernel, range, input.data());
     return inputs;
   };

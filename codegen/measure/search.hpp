@@ -2,7 +2,7 @@
 // IR: it starts from the tested inputs with the largest errors and climbs.
 //
 // Inputs stay in the domain: unit vectors and rotation matrices move to the nearest point of the domain and are rounded
-// again; all other inputs stay between the least and the largest tested value.
+// again; all other inputs, and the lengths of arrays, stay between the least and the largest tested one.
 #pragma once
 
 #include <vector>

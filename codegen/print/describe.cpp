@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <sstream>
 
+#include "codegen/ir/literal.hpp"
 #include "codegen/measure/measure.hpp"
 #include "codegen/print/statements.hpp"
 
@@ -51,17 +53,70 @@ std::vector<std::string> wrapped(const std::vector<std::string>& lines) {
   return result;
 }
 
-std::vector<std::string> error_row(const std::string& type, const MeasuredError& error, bool total) {
-  const auto cell = [](const Error& e) { return fmt::format("{:.1e} ({:.1f} eps)", e.absolute, e.eps); };
-  std::vector<std::string> row{"              " + type + "  ", "rounding " + cell(error.rounding)};
-  if (total) {
-    row.back() += "  ";
-    row.push_back("total " + cell(error.total));
+// "3.8e-07 (4.2 eps)"
+std::string both_units(const Error& error) { return fmt::format("{:.1e} ({:.1f} eps)", error.absolute, error.eps); }
+
+// The same, rounded upwards; without the absolute error where the bound states none.
+std::string both_units(const bound::Bound& proved) {
+  const std::string eps = fmt::format("{:.1f} eps", raised(proved.eps, 1));
+  if (proved.absolute == 0) return eps;
+  const double unit = std::pow(10.0, std::floor(std::log10(proved.absolute)) - 1);
+  return fmt::format("{:.1e} ({})", std::ceil(proved.absolute / unit) * unit, eps);
+}
+
+// The rows of one type.
+std::vector<std::vector<std::string>> error_rows(const std::string& type, const MeasuredError& error, bool total) {
+  const bool proved = error.proved && error.proved->is_proved();
+  std::vector<std::vector<std::string>> rows{{"              " + type + "  ", "rounding",
+                                              proved ? "  at most " + both_units(*error.proved) : "",
+                                              "  largest seen " + both_units(error.rounding)}};
+  if (total) rows.push_back({"", "total", "", "  largest seen " + both_units(error.total)});
+  return rows;
+}
+
+// How the errors of a kernel were found.
+std::vector<std::string> explained(const FinishedKernel& finished) {
+  const MeasuredError& error = finished.in_float;
+  std::vector<std::string> lines;
+  lines.emplace_back("              rounding: against this formula in exact arithmetic at the same input");
+  if (error.proved) {
+    lines.push_back("              at most:  " + (error.proved->is_proved()
+                                                      ? "proved for " + error.proved->domain +
+                                                            "; operations round to nearest, with or without contraction"
+                                                      : "no bound is proved: " + error.proved->missing));
   }
-  return row;
+  const std::string nearest = nearest_point(finished.kernel.parameters);
+  if (!nearest.empty()) lines.push_back("              total:    against the exact function at " + nearest);
+  const std::string search =
+      error.searched > 0 ? " and " + std::to_string(error.searched) + " evaluations of a search" : "";
+  lines.push_back("              seen:     among " + std::to_string(error.inputs) + " " + finished.domain.inputs +
+                  search + ", without contraction");
+  return lines;
+}
+
+// The inputs with the largest errors, if they have few numbers.
+std::vector<std::string> worst_inputs(const FinishedKernel& finished, const Dialect& dialect) {
+  constexpr std::size_t kMostPrinted = 4;
+  const std::vector<double>& in_float = finished.in_float.worst;
+  if (finished.in_float.searched == 0 || in_float.empty() || in_float.size() > kMostPrinted) return {};
+  const auto values = [](const std::vector<double>& input, const auto& decimal) {
+    std::string text;
+    for (const double value : input) text += (text.empty() ? "" : ", ") + decimal(value);
+    return text;
+  };
+  const std::string name = list_of(finished.kernel.parameters, dialect) + " = ";
+  return {"              worst:    float " + name +
+              values(in_float, [](double value) { return decimal(static_cast<float>(value)); }),
+          "                        double " + name +
+              values(finished.in_double.worst, [](double value) { return decimal(value); })};
 }
 
 }  // namespace
+
+double raised(double value, int places) {
+  const double unit = std::pow(10.0, places);
+  return std::ceil(value * unit) / unit;
+}
 
 std::string two_digits(double value) { return fmt::format("{:.1e}", value); }
 
@@ -80,18 +135,15 @@ std::vector<std::string> describe(const FinishedKernel& finished, const std::str
                                  "Recipe:       " + kernel.recipe,
                                  "Source:       " + kernel.citation,
                                  "Cost:         " + cost_line(finished.cost),
-                                 "Error:        largest over " + std::to_string(finished.in_float.inputs) + " " +
-                                     domain.inputs + ", without contraction;",
-                                 "              eps counts units of machine epsilon x " + domain.unit};
-  const std::string nearest = nearest_point(kernel.parameters);
-  const bool total = !nearest.empty();
-  for (std::string& row :
-       align_columns({error_row("float", finished.in_float, total), error_row("double", finished.in_double, total)})) {
-    lines.push_back(std::move(row));
-  }
-  lines.emplace_back("              rounding: against this formula in exact arithmetic at the same input");
-  if (total) lines.push_back("              total:    against the exact function at " + nearest);
-  return wrapped(lines);
+                                 "Error:        eps counts units of machine epsilon x " + domain.unit};
+  const bool total = !nearest_point(kernel.parameters).empty();
+  std::vector<std::vector<std::string>> rows = error_rows("float", finished.in_float, total);
+  for (auto& row : error_rows("double", finished.in_double, total)) rows.push_back(std::move(row));
+  for (std::string& row : align_columns(rows)) lines.push_back(std::move(row));
+  for (std::string& line : explained(finished)) lines.push_back(std::move(line));
+  std::vector<std::string> result = wrapped(lines);
+  for (std::string& line : worst_inputs(finished, dialect)) result.push_back(std::move(line));
+  return result;
 }
 
 std::string dump(const Kernel& kernel) {

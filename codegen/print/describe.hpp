@@ -15,6 +15,8 @@ std::vector<std::string> describe(const FinishedKernel& finished, const std::str
 
 /// "1.2e-07": two significant digits.
 std::string two_digits(double value);
+/// The value rounded up to `places` places after the point.
+double raised(double value, int places);
 
 /// The SSA of a kernel, one node a line.
 std::string dump(const Kernel& kernel);

@@ -10,12 +10,17 @@
 // Recipe:       ladder
 // Source:       parity columns; gradients by the ladder to the band below (Hobson, 1931)
 // Cost:         270 multiplications, 84 additions, 11 negations; longest chain 13; at most 43 values live
-// Error:        largest over 454 vectors (random, axes, poles, near poles; lengths 1/3 to 2), without contraction;
-//               eps counts units of machine epsilon x sqrt((2l+1)/(4 pi)) r^l, for derivatives l sqrt((2l+1)/(4 pi))
+// Error:        eps counts units of machine epsilon x sqrt((2l+1)/(4 pi)) r^l, for derivatives l sqrt((2l+1)/(4 pi))
 //               r^(l-1)
-//               float   rounding 2.3e-04 (10.1 eps)
-//               double  rounding 1.0e-12 (14.1 eps)
+//               float   rounding  at most 45.6 eps  largest seen 2.3e-04 (19.9 eps)
+//               double  rounding  at most 47.4 eps  largest seen 1.4e-12 (20.6 eps)
 //               rounding: against this formula in exact arithmetic at the same input
+//               at most:  proved for vectors of length 0.1 to 4; operations round to nearest, with or without
+//               contraction
+//               seen:     among 454 vectors (random, axes, poles, near poles; lengths 1/3 to 2) and 8000 evaluations of
+//               a search, without contraction
+//               worst:    float x, y, z = -0.000104955914, 6.233311e-05, 0.52546966
+//                         double x, y, z = -4.710650412618094e-06, 6.031342834289053e-06, 1.0206651583340531
 #pragma once
 
 #include <type_traits>

@@ -10,12 +10,19 @@
 // Source:       parity in z, doubling in m, columns tied by Gegenbauer relations (Abramowitz and Stegun 22.7); derived
 //               exactly
 // Cost:         0 multiplications, 0 additions; longest chain 0; at most 0 values live
-// Error:        largest over 1110 directions (random, axes, poles, near poles), without contraction;
-//               eps counts units of machine epsilon x sqrt((2l+1)/(4 pi))
-//               float   rounding 1.5e-08 (0.4 eps)  total 1.5e-08 (0.4 eps)
-//               double  rounding 3.8e-18 (0.1 eps)  total 3.8e-18 (0.1 eps)
+// Error:        eps counts units of machine epsilon x sqrt((2l+1)/(4 pi))
+//               float   rounding  at most 1.5e-08 (0.5 eps)  largest seen 1.5e-08 (0.4 eps)
+//                       total                                largest seen 1.5e-08 (0.4 eps)
+//               double  rounding  at most 3.9e-18 (0.1 eps)  largest seen 3.8e-18 (0.1 eps)
+//                       total                                largest seen 3.8e-18 (0.1 eps)
 //               rounding: against this formula in exact arithmetic at the same input
+//               at most:  proved for a direction off length 1 by at most 2 epsilon; operations round to nearest, with
+//               or without contraction
 //               total:    against the exact function at the input scaled to length 1
+//               seen:     among 1110 directions (random, axes, poles, near poles) and 8000 evaluations of a search,
+//               without contraction
+//               worst:    float x, y, z = 0.0, 0.0, 1.0
+//                         double x, y, z = 0.0, 0.0, 1.0
 #pragma once
 
 #include <type_traits>

@@ -10,12 +10,19 @@
 // Source:       parity in z, doubling in m, columns tied by Gegenbauer relations (Abramowitz and Stegun 22.7); derived
 //               exactly
 // Cost:         230 multiplications, 63 additions; longest chain 19; at most 23 values live
-// Error:        largest over 1110 directions (random, axes, poles, near poles), without contraction;
-//               eps counts units of machine epsilon x sqrt((2l+1)/(4 pi))
-//               float   rounding 3.3e-06 (21.2 eps)  total 2.9e-06 (18.8 eps)
-//               double  rounding 4.4e-15 (15.4 eps)  total 1.1e-14 (39.0 eps)
+// Error:        eps counts units of machine epsilon x sqrt((2l+1)/(4 pi))
+//               float   rounding  at most 1.7e-05 (109.9 eps)  largest seen 3.3e-06 (21.2 eps)
+//                       total                                  largest seen 2.9e-06 (18.8 eps)
+//               double  rounding  at most 3.2e-14 (108.4 eps)  largest seen 6.6e-15 (22.9 eps)
+//                       total                                  largest seen 1.1e-14 (39.0 eps)
 //               rounding: against this formula in exact arithmetic at the same input
+//               at most:  proved for a direction off length 1 by at most 2 epsilon; operations round to nearest, with
+//               or without contraction
 //               total:    against the exact function at the input scaled to length 1
+//               seen:     among 1110 directions (random, axes, poles, near poles) and 8000 evaluations of a search,
+//               without contraction
+//               worst:    float x, y, z = 0.030940598, 0.061518643, 0.99762625
+//                         double x, y, z = -0.5118019663493796, -0.010999316433428342, -0.8590330391078715
 #pragma once
 
 #include <type_traits>

@@ -11,12 +11,17 @@
 // Source:       M. Abramowitz, I. A. Stegun, Handbook of Mathematical Functions, 1964, 8.5.3, 8.5.4; constants derived
 //               exactly
 // Cost:         33 multiplications, 23 additions; longest chain 12; at most 4 values live
-// Error:        largest over 522 sizes (random, a hemisphere, the sphere, 2^-1 to 2^-120), without contraction;
-//               eps counts units of machine epsilon x sqrt((2l+1) pi) (1 - cos^2) / 2, the largest coefficient a cap of
+// Error:        eps counts units of machine epsilon x sqrt((2l+1) pi) (1 - cos^2) / 2, the largest coefficient a cap of
 //               that area has (at l = 0: the coefficient)
-//               float   rounding 7.5e-07 (4.3 eps)
-//               double  rounding 8.9e-16 (3.6 eps)
+//               float   rounding  at most 4.6e-06 (11.6 eps)  largest seen 7.5e-07 (5.7 eps)
+//               double  rounding  at most 8.3e-15 (11.3 eps)  largest seen 8.9e-16 (4.3 eps)
 //               rounding: against this formula in exact arithmetic at the same input
+//               at most:  proved for one_minus_cos = 0 or 2^-120 to 2; operations round to nearest, with or without
+//               contraction
+//               seen:     among 522 sizes (random, a hemisphere, the sphere, 2^-1 to 2^-120) and 8000 evaluations of a
+//               search, without contraction
+//               worst:    float one_minus_cos = 0.0005713471
+//                         double one_minus_cos = 1.999965426186625
 #pragma once
 
 #include <type_traits>

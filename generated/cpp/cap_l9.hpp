@@ -11,12 +11,17 @@
 // Source:       M. Abramowitz, I. A. Stegun, Handbook of Mathematical Functions, 1964, 8.5.3, 8.5.4; constants derived
 //               exactly
 // Cost:         26 multiplications, 9 additions; longest chain 17; at most 4 values live
-// Error:        largest over 522 sizes (random, a hemisphere, the sphere, 2^-1 to 2^-120), without contraction;
-//               eps counts units of machine epsilon x sqrt((2l+1) pi) (1 - cos^2) / 2, the largest coefficient a cap of
+// Error:        eps counts units of machine epsilon x sqrt((2l+1) pi) (1 - cos^2) / 2, the largest coefficient a cap of
 //               that area has (at l = 0: the coefficient)
-//               float   rounding 2.2e-07 (8.5 eps)
-//               double  rounding 3.7e-16 (10.5 eps)
+//               float   rounding  at most 1.7e-06 (44.1 eps)  largest seen 2.2e-07 (13.2 eps)
+//               double  rounding  at most 4.7e-15 (68.9 eps)  largest seen 3.7e-16 (16.3 eps)
 //               rounding: against this formula in exact arithmetic at the same input
+//               at most:  proved for one_minus_cos = 0 or 2^-120 to 2; operations round to nearest, with or without
+//               contraction
+//               seen:     among 522 sizes (random, a hemisphere, the sphere, 2^-1 to 2^-120) and 8000 evaluations of a
+//               search, without contraction
+//               worst:    float one_minus_cos = 3.1935572e-06
+//                         double one_minus_cos = 2.6720316784217897e-06
 #pragma once
 
 #include <type_traits>

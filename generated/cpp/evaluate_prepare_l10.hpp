@@ -10,12 +10,15 @@
 // Recipe:       by-order
 // Source:       z^2 = 1-x^2-y^2 applied exactly; Horner's rule in x and y
 // Cost:         493 multiplications, 477 additions; longest chain 7; at most 144 values live
-// Error:        largest over 300 coefficient vectors (random, of norm 1), without contraction;
-//               eps counts units of machine epsilon x the largest that this coefficient of the polynomial gets from |c|
+// Error:        eps counts units of machine epsilon x the largest that this coefficient of the polynomial gets from |c|
 //               = 1
-//               float   rounding 1.1e-04 (0.3 eps)
-//               double  rounding 1.9e-13 (0.3 eps)
+//               float   rounding  at most 1.7e-03 (3.5 eps)  largest seen 1.1e-04 (1.3 eps)
+//               double  rounding  at most 3.0e-12 (3.5 eps)  largest seen 2.3e-13 (1.8 eps)
 //               rounding: against this formula in exact arithmetic at the same input
+//               at most:  proved for coefficients of size 2^-20 to 2^20; operations round to nearest, with or without
+//               contraction
+//               seen:     among 300 coefficient vectors (random, of norm 1) and 1000 evaluations of a search, without
+//               contraction
 #pragma once
 
 #include <type_traits>

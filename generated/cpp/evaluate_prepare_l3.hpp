@@ -10,12 +10,15 @@
 // Recipe:       by-order
 // Source:       z^2 = 1-x^2-y^2 applied exactly; Horner's rule in x and y
 // Cost:         24 multiplications, 12 additions; longest chain 3; at most 16 values live
-// Error:        largest over 300 coefficient vectors (random, of norm 1), without contraction;
-//               eps counts units of machine epsilon x the largest that this coefficient of the polynomial gets from |c|
+// Error:        eps counts units of machine epsilon x the largest that this coefficient of the polynomial gets from |c|
 //               = 1
-//               float   rounding 1.1e-07 (0.4 eps)
-//               double  rounding 3.1e-16 (0.5 eps)
+//               float   rounding  at most 4.7e-07 (1.4 eps)  largest seen 1.1e-07 (1.0 eps)
+//               double  rounding  at most 8.5e-16 (1.4 eps)  largest seen 4.1e-16 (1.0 eps)
 //               rounding: against this formula in exact arithmetic at the same input
+//               at most:  proved for coefficients of size 2^-20 to 2^20; operations round to nearest, with or without
+//               contraction
+//               seen:     among 300 coefficient vectors (random, of norm 1) and 8000 evaluations of a search, without
+//               contraction
 #pragma once
 
 #include <type_traits>

@@ -10,12 +10,15 @@
 // Recipe:       by-order
 // Source:       z^2 = 1-x^2-y^2 applied exactly; Horner's rule in x and y
 // Cost:         188 multiplications, 164 additions; longest chain 5; at most 76 values live
-// Error:        largest over 300 coefficient vectors (random, of norm 1), without contraction;
-//               eps counts units of machine epsilon x the largest that this coefficient of the polynomial gets from |c|
+// Error:        eps counts units of machine epsilon x the largest that this coefficient of the polynomial gets from |c|
 //               = 1
-//               float   rounding 6.2e-06 (0.3 eps)
-//               double  rounding 1.0e-14 (0.3 eps)
+//               float   rounding  at most 5.5e-05 (2.8 eps)  largest seen 8.7e-06 (1.5 eps)
+//               double  rounding  at most 9.8e-14 (2.7 eps)  largest seen 1.1e-14 (1.2 eps)
 //               rounding: against this formula in exact arithmetic at the same input
+//               at most:  proved for coefficients of size 2^-20 to 2^20; operations round to nearest, with or without
+//               contraction
+//               seen:     among 300 coefficient vectors (random, of norm 1) and 8000 evaluations of a search, without
+//               contraction
 #pragma once
 
 #include <type_traits>

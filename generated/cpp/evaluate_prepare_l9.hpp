@@ -10,12 +10,15 @@
 // Recipe:       by-order
 // Source:       z^2 = 1-x^2-y^2 applied exactly; Horner's rule in x and y
 // Cost:         370 multiplications, 348 additions; longest chain 6; at most 118 values live
-// Error:        largest over 300 coefficient vectors (random, of norm 1), without contraction;
-//               eps counts units of machine epsilon x the largest that this coefficient of the polynomial gets from |c|
+// Error:        eps counts units of machine epsilon x the largest that this coefficient of the polynomial gets from |c|
 //               = 1
-//               float   rounding 4.0e-05 (0.4 eps)
-//               double  rounding 9.8e-14 (0.3 eps)
+//               float   rounding  at most 5.9e-04 (3.2 eps)  largest seen 7.7e-05 (1.6 eps)
+//               double  rounding  at most 1.2e-12 (3.2 eps)  largest seen 1.8e-13 (1.6 eps)
 //               rounding: against this formula in exact arithmetic at the same input
+//               at most:  proved for coefficients of size 2^-20 to 2^20; operations round to nearest, with or without
+//               contraction
+//               seen:     among 300 coefficient vectors (random, of norm 1) and 8000 evaluations of a search, without
+//               contraction
 #pragma once
 
 #include <type_traits>

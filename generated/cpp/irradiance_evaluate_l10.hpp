@@ -11,13 +11,17 @@
 // Source:       R. Ramamoorthi, P. Hanrahan, "On the relationship between radiance and irradiance", JOSA A 18, 2001;
 //               constants derived exactly
 // Cost:         182 multiplications, 147 additions; longest chain 36; at most 74 values live
-// Error:        largest over 558 coefficient vectors (random, of norm 1) with normals (random, axes, poles, near
-//               poles), without contraction;
-//               eps counts units of machine epsilon x the norm of c
-//               float   rounding 5.3e-08 (0.4 eps)  total 5.8e-08 (0.5 eps)
-//               double  rounding 1.3e-16 (0.6 eps)  total 1.5e-16 (0.7 eps)
+// Error:        eps counts units of machine epsilon x the norm of c
+//               float   rounding  at most 2.4e-06 (19.8 eps)  largest seen 5.2e-07 (10.0 eps)
+//                       total                                 largest seen 5.2e-07 (10.0 eps)
+//               double  rounding  at most 4.4e-15 (19.6 eps)  largest seen 1.1e-15 (10.7 eps)
+//                       total                                 largest seen 1.1e-15 (10.5 eps)
 //               rounding: against this formula in exact arithmetic at the same input
+//               at most:  proved for a direction off length 1 by at most 2 epsilon; coefficients of size 2^-20 to 2^20;
+//               operations round to nearest, with or without contraction
 //               total:    against the exact function at the direction scaled to length 1
+//               seen:     among 558 coefficient vectors (random, of norm 1) with normals (random, axes, poles, near
+//               poles) and 8000 evaluations of a search, without contraction
 #pragma once
 
 #include <type_traits>

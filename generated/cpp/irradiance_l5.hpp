@@ -11,11 +11,14 @@
 // Source:       R. Ramamoorthi, P. Hanrahan, "On the relationship between radiance and irradiance", JOSA A 18, 2001;
 //               constants derived exactly
 // Cost:         18 multiplications, 0 additions; longest chain 1; at most 18 values live
-// Error:        largest over 400 coefficient vectors (random, of norm 1), without contraction;
-//               eps counts units of machine epsilon x |A_l c_lm|
-//               float   rounding 5.1e-08 (0.7 eps)
-//               double  rounding 1.1e-16 (0.9 eps)
+// Error:        eps counts units of machine epsilon x |A_l c_lm|
+//               float   rounding  at most 2.8e-07 (0.8 eps)  largest seen 5.1e-08 (0.7 eps)
+//               double  rounding  at most 4.8e-16 (1.0 eps)  largest seen 1.1e-16 (1.0 eps)
 //               rounding: against this formula in exact arithmetic at the same input
+//               at most:  proved for coefficients of size 2^-20 to 2^20; operations round to nearest, with or without
+//               contraction
+//               seen:     among 400 coefficient vectors (random, of norm 1) and 8000 evaluations of a search, without
+//               contraction
 #pragma once
 
 #include <type_traits>

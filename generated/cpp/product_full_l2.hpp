@@ -11,12 +11,14 @@
 // Source:       J. Snyder, "Code Generation and Factoring for Fast Evaluation of Low-order Spherical Harmonic Products
 //               and Squares", Microsoft Research, 2006; pairs and sums found by search
 // Cost:         148 multiplications, 110 additions; longest chain 9; at most 44 values live
-// Error:        largest over 120 sets of unit vectors of coefficients (random, single coefficients, equal), without
-//               contraction;
-//               eps counts units of machine epsilon x |a| |b|
-//               float   rounding 5.1e-08 (0.4 eps)
-//               double  rounding 5.6e-17 (0.3 eps)
+// Error:        eps counts units of machine epsilon x |a| |b|
+//               float   rounding  at most 2.1e-07 (1.8 eps)  largest seen 7.6e-08 (0.7 eps)
+//               double  rounding  at most 3.7e-16 (1.7 eps)  largest seen 1.0e-16 (0.6 eps)
 //               rounding: against this formula in exact arithmetic at the same input
+//               at most:  proved for coefficients of size 2^-20 to 2^20; operations round to nearest, with or without
+//               contraction
+//               seen:     among 120 sets of unit vectors of coefficients (random, single coefficients, equal) and 8000
+//               evaluations of a search, without contraction
 #pragma once
 
 #include <type_traits>

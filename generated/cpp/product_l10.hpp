@@ -12,12 +12,13 @@
 //               split by parity; w, z, theta_l_m = Y_lm / cos(m phi) derived exactly; z1, z2, ...: square roots of the
 //               zeros of the Jacobi polynomial P_7^(1,1/2)(2t-1), falling
 // Cost:         7122 multiplications, 7979 additions; longest chain 31; at most 242 values live
-// Error:        largest over 120 sets of unit vectors of coefficients (random, single coefficients, equal), without
-//               contraction;
-//               eps counts units of machine epsilon x |a| |b|
-//               float   rounding 2.4e-08 (0.2 eps)
-//               double  rounding 1.0e-16 (0.5 eps)
+// Error:        eps counts units of machine epsilon x |a| |b|
+//               float   rounding  largest seen 7.5e-08 (0.6 eps)
+//               double  rounding  largest seen 1.3e-16 (0.6 eps)
 //               rounding: against this formula in exact arithmetic at the same input
+//               at most:  no bound is proved: too many products of coefficients to analyze
+//               seen:     among 120 sets of unit vectors of coefficients (random, single coefficients, equal) and 1000
+//               evaluations of a search, without contraction
 #pragma once
 
 #include <type_traits>

@@ -12,12 +12,14 @@
 //               split by parity; w, z, theta_l_m = Y_lm / cos(m phi) derived exactly; z1, z2, ...: square roots of the
 //               zeros of the Jacobi polynomial P_5^(1,-1/2)(2t-1), falling
 // Cost:         2626 multiplications, 2916 additions; longest chain 28; at most 128 values live
-// Error:        largest over 120 sets of unit vectors of coefficients (random, single coefficients, equal), without
-//               contraction;
-//               eps counts units of machine epsilon x |a| |b|
-//               float   rounding 3.1e-08 (0.3 eps)
-//               double  rounding 6.2e-17 (0.3 eps)
+// Error:        eps counts units of machine epsilon x |a| |b|
+//               float   rounding  at most 3.1e-06 (25.5 eps)  largest seen 4.9e-08 (0.6 eps)
+//               double  rounding  at most 5.7e-15 (25.5 eps)  largest seen 1.0e-16 (0.5 eps)
 //               rounding: against this formula in exact arithmetic at the same input
+//               at most:  proved for coefficients of size 2^-20 to 2^20; operations round to nearest, with or without
+//               contraction
+//               seen:     among 120 sets of unit vectors of coefficients (random, single coefficients, equal) and 1000
+//               evaluations of a search, without contraction
 #pragma once
 
 #include <type_traits>

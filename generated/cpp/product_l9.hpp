@@ -12,12 +12,14 @@
 //               split by parity; w, z, theta_l_m = Y_lm / cos(m phi) derived exactly; z1, z2, ...: square roots of the
 //               zeros of the Jacobi polynomial P_6^(1,1/2)(2t-1), falling
 // Cost:         4780 multiplications, 5494 additions; longest chain 31; at most 200 values live
-// Error:        largest over 120 sets of unit vectors of coefficients (random, single coefficients, equal), without
-//               contraction;
-//               eps counts units of machine epsilon x |a| |b|
-//               float   rounding 2.1e-08 (0.2 eps)
-//               double  rounding 9.2e-17 (0.4 eps)
+// Error:        eps counts units of machine epsilon x |a| |b|
+//               float   rounding  at most 4.0e-06 (32.9 eps)  largest seen 5.7e-08 (0.7 eps)
+//               double  rounding  at most 7.3e-15 (32.9 eps)  largest seen 1.1e-16 (0.6 eps)
 //               rounding: against this formula in exact arithmetic at the same input
+//               at most:  proved for coefficients of size 2^-20 to 2^20; operations round to nearest, with or without
+//               contraction
+//               seen:     among 120 sets of unit vectors of coefficients (random, single coefficients, equal) and 1000
+//               evaluations of a search, without contraction
 #pragma once
 
 #include <type_traits>

@@ -11,13 +11,17 @@
 // Source:       parity in z, doubling in m, columns tied by Gegenbauer relations (Abramowitz and Stegun 22.7); derived
 //               exactly
 // Cost:         1 multiplications, 1 additions; longest chain 2; at most 2 values live
-// Error:        largest over 558 samples (directions random, axes, poles, near poles; weights and sums in -1 .. 1),
-//               without contraction;
-//               eps counts units of machine epsilon x |weight| sqrt((2l+1)/(4 pi)) + |sum before|
-//               float   rounding 6.7e-08 (0.9 eps)  total 6.7e-08 (0.9 eps)
-//               double  rounding 1.2e-16 (0.7 eps)  total 1.2e-16 (0.7 eps)
+// Error:        eps counts units of machine epsilon x |weight| sqrt((2l+1)/(4 pi)) + |sum before|
+//               float   rounding  at most 1.1e-07 (1.5 eps)  largest seen 6.7e-08 (1.3 eps)
+//                       total                                largest seen 6.7e-08 (1.3 eps)
+//               double  rounding  at most 1.8e-16 (1.1 eps)  largest seen 1.2e-16 (0.9 eps)
+//                       total                                largest seen 1.2e-16 (0.9 eps)
 //               rounding: against this formula in exact arithmetic at the same input
+//               at most:  proved for a direction off length 1 by at most 2 epsilon; coefficients of size 2^-20 to 2^20;
+//               operations round to nearest, with or without contraction
 //               total:    against the exact function at the direction scaled to length 1
+//               seen:     among 558 samples (directions random, axes, poles, near poles; weights and sums in -1 .. 1)
+//               and 8000 evaluations of a search, without contraction
 #pragma once
 
 #include <type_traits>

@@ -10,13 +10,17 @@
 // Recipe:       products
 // Source:       products by falling order; the map to coefficients is linear
 // Cost:         58 multiplications, 59 additions; longest chain 12; at most 53 values live
-// Error:        largest over 558 samples (directions random, axes, poles, near poles; weights and sums in -1 .. 1),
-//               without contraction;
-//               eps counts units of machine epsilon x |weight| + |moment before|
-//               float   rounding 3.7e-07 (1.6 eps)  total 4.0e-07 (1.7 eps)
-//               double  rounding 5.5e-16 (1.7 eps)  total 1.4e-15 (3.6 eps)
+// Error:        eps counts units of machine epsilon x |weight| + |moment before|
+//               float   rounding  at most 9.9e-07 (7.8 eps)  largest seen 4.2e-07 (1.8 eps)
+//                       total                                largest seen 4.0e-07 (2.4 eps)
+//               double  rounding  at most 1.9e-15 (7.8 eps)  largest seen 7.5e-16 (2.9 eps)
+//                       total                                largest seen 1.4e-15 (3.6 eps)
 //               rounding: against this formula in exact arithmetic at the same input
+//               at most:  proved for a direction off length 1 by at most 2 epsilon; coefficients of size 2^-20 to 2^20;
+//               operations round to nearest, with or without contraction
 //               total:    against the exact function at the direction scaled to length 1
+//               seen:     among 558 samples (directions random, axes, poles, near poles; weights and sums in -1 .. 1)
+//               and 8000 evaluations of a search, without contraction
 #pragma once
 
 #include <type_traits>

@@ -10,11 +10,13 @@
 // Recipe:       rows
 // Source:       the product of a matrix and a vector
 // Cost:         0 multiplications, 0 additions; longest chain 0; at most 1 values live
-// Error:        largest over 300 random unit vectors and matrices with rows of length 1, without contraction;
-//               eps counts units of machine epsilon x |c|
-//               float   rounding 0.0e+00 (0.0 eps)
-//               double  rounding 0.0e+00 (0.0 eps)
+// Error:        eps counts units of machine epsilon x |c|
+//               float   rounding  largest seen 0.0e+00 (0.0 eps)
+//               double  rounding  largest seen 0.0e+00 (0.0 eps)
 //               rounding: against this formula in exact arithmetic at the same input
+//               at most:  no bound is proved: an input is a band matrices
+//               seen:     among 300 random unit vectors and matrices with rows of length 1 and 8000 evaluations of a
+//               search, without contraction
 #pragma once
 
 #include <type_traits>

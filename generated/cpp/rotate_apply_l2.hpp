@@ -10,11 +10,13 @@
 // Recipe:       rows
 // Source:       the product of a matrix and a vector
 // Cost:         34 multiplications, 26 additions; longest chain 5; at most 43 values live
-// Error:        largest over 300 random unit vectors and matrices with rows of length 1, without contraction;
-//               eps counts units of machine epsilon x |c|
-//               float   rounding 8.7e-08 (0.7 eps)
-//               double  rounding 2.0e-16 (0.9 eps)
+// Error:        eps counts units of machine epsilon x |c|
+//               float   rounding  largest seen 1.3e-07 (1.6 eps)
+//               double  rounding  largest seen 2.6e-16 (1.3 eps)
 //               rounding: against this formula in exact arithmetic at the same input
+//               at most:  no bound is proved: an input is a band matrices
+//               seen:     among 300 random unit vectors and matrices with rows of length 1 and 8000 evaluations of a
+//               search, without contraction
 #pragma once
 
 #include <type_traits>

@@ -10,12 +10,16 @@
 // Recipe:       dense
 // Source:       E. P. Wigner, "Group Theory", 1959, eq. 15.27, in the entries of r; constants derived exactly
 // Cost:         325 multiplications, 226 additions, 18 negations; longest chain 10; at most 57 values live
-// Error:        largest over 808 rotations (random, axes, half turns, tilts from 2^-99 to pi), without contraction;
-//               eps counts units of machine epsilon x 1
-//               float   rounding 3.3e-07 (2.8 eps)  total 5.2e-07 (4.4 eps)
-//               double  rounding 7.0e-16 (3.1 eps)  total 1.0e-15 (4.7 eps)
+// Error:        eps counts units of machine epsilon x 1
+//               float   rounding  largest seen 5.0e-07 (4.2 eps)
+//                       total     largest seen 6.9e-07 (5.8 eps)
+//               double  rounding  largest seen 9.2e-16 (4.1 eps)
+//                       total     largest seen 1.2e-15 (5.5 eps)
 //               rounding: against this formula in exact arithmetic at the same input
+//               at most:  no bound is proved: an input is a rotation matrix
 //               total:    against the exact function at the nearest rotation matrix
+//               seen:     among 808 rotations (random, axes, half turns, tilts from 2^-99 to pi) and 8000 evaluations
+//               of a search, without contraction
 #pragma once
 
 #include <type_traits>

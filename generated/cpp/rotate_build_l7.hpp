@@ -10,12 +10,16 @@
 // Recipe:       dense
 // Source:       E. P. Wigner, "Group Theory", 1959, eq. 15.27, in the entries of r; constants derived exactly
 // Cost:         1319 multiplications, 979 additions, 63 negations; longest chain 15; at most 183 values live
-// Error:        largest over 280 rotations (random, axes, half turns, tilts from 2^-99 to pi), without contraction;
-//               eps counts units of machine epsilon x 1
-//               float   rounding 1.5e-06 (13.0 eps)  total 1.5e-06 (12.5 eps)
-//               double  rounding 1.5e-15 (6.7 eps)   total 2.8e-15 (12.8 eps)
+// Error:        eps counts units of machine epsilon x 1
+//               float   rounding  largest seen 1.6e-06 (13.7 eps)
+//                       total     largest seen 2.1e-06 (17.2 eps)
+//               double  rounding  largest seen 2.6e-15 (11.5 eps)
+//                       total     largest seen 2.8e-15 (12.8 eps)
 //               rounding: against this formula in exact arithmetic at the same input
+//               at most:  no bound is proved: an input is a rotation matrix
 //               total:    against the exact function at the nearest rotation matrix
+//               seen:     among 280 rotations (random, axes, half turns, tilts from 2^-99 to pi) and 1000 evaluations
+//               of a search, without contraction
 #pragma once
 
 #include <type_traits>

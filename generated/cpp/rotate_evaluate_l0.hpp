@@ -10,13 +10,17 @@
 // Recipe:       turned
 // Source:       the direction turned back, then the basis
 // Cost:         1 multiplications, 0 additions; longest chain 1; at most 1 values live
-// Error:        largest over 808 turned unit vectors in random directions, without contraction;
-//               eps counts units of machine epsilon x |c| (degree+1) / sqrt(4 pi)
-//               float   rounding 1.5e-08 (0.4 eps)  total 1.5e-08 (0.4 eps)
-//               double  rounding 3.8e-18 (0.1 eps)  total 3.8e-18 (0.1 eps)
+// Error:        eps counts units of machine epsilon x |c| (degree+1) / sqrt(4 pi)
+//               float   rounding  largest seen 2.9e-08 (0.9 eps)
+//                       total     largest seen 2.9e-08 (0.9 eps)
+//               double  rounding  largest seen 3.1e-17 (0.5 eps)
+//                       total     largest seen 3.1e-17 (0.5 eps)
 //               rounding: against this formula in exact arithmetic at the same input
+//               at most:  no bound is proved: an input is a rotation matrix
 //               total:    against the exact function at the nearest rotation matrix and the direction scaled to length
 //               1
+//               seen:     among 808 turned unit vectors in random directions and 8000 evaluations of a search, without
+//               contraction
 #pragma once
 
 #include <type_traits>

@@ -10,13 +10,17 @@
 // Recipe:       turned
 // Source:       the direction turned back, then the basis
 // Cost:         16 multiplications, 9 additions; longest chain 8; at most 16 values live
-// Error:        largest over 808 turned unit vectors in random directions, without contraction;
-//               eps counts units of machine epsilon x |c| (degree+1) / sqrt(4 pi)
-//               float   rounding 6.5e-08 (1.0 eps)  total 7.0e-08 (1.0 eps)
-//               double  rounding 1.2e-16 (0.9 eps)  total 1.3e-16 (1.0 eps)
+// Error:        eps counts units of machine epsilon x |c| (degree+1) / sqrt(4 pi)
+//               float   rounding  largest seen 1.0e-07 (1.6 eps)
+//                       total     largest seen 1.0e-07 (1.5 eps)
+//               double  rounding  largest seen 2.4e-16 (1.9 eps)
+//                       total     largest seen 2.3e-16 (1.9 eps)
 //               rounding: against this formula in exact arithmetic at the same input
+//               at most:  no bound is proved: an input is a rotation matrix
 //               total:    against the exact function at the nearest rotation matrix and the direction scaled to length
 //               1
+//               seen:     among 808 turned unit vectors in random directions and 8000 evaluations of a search, without
+//               contraction
 #pragma once
 
 #include <type_traits>

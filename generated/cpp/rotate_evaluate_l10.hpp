@@ -10,13 +10,17 @@
 // Recipe:       turned
 // Source:       the direction turned back, then the basis
 // Cost:         395 multiplications, 189 additions; longest chain 125; at most 135 values live
-// Error:        largest over 280 turned unit vectors in random directions, without contraction;
-//               eps counts units of machine epsilon x |c| (degree+1) / sqrt(4 pi)
-//               float   rounding 3.8e-07 (1.0 eps)  total 4.9e-07 (1.3 eps)
-//               double  rounding 1.2e-15 (1.8 eps)  total 2.6e-15 (3.8 eps)
+// Error:        eps counts units of machine epsilon x |c| (degree+1) / sqrt(4 pi)
+//               float   rounding  largest seen 1.7e-06 (5.0 eps)
+//                       total     largest seen 1.4e-06 (4.1 eps)
+//               double  rounding  largest seen 5.3e-15 (10.8 eps)
+//                       total     largest seen 4.3e-15 (6.9 eps)
 //               rounding: against this formula in exact arithmetic at the same input
+//               at most:  no bound is proved: an input is a rotation matrix
 //               total:    against the exact function at the nearest rotation matrix and the direction scaled to length
 //               1
+//               seen:     among 280 turned unit vectors in random directions and 8000 evaluations of a search, without
+//               contraction
 #pragma once
 
 #include <type_traits>

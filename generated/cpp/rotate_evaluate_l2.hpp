@@ -10,13 +10,17 @@
 // Recipe:       turned
 // Source:       the direction turned back, then the basis
 // Cost:         31 multiplications, 16 additions; longest chain 13; at most 21 values live
-// Error:        largest over 808 turned unit vectors in random directions, without contraction;
-//               eps counts units of machine epsilon x |c| (degree+1) / sqrt(4 pi)
-//               float   rounding 1.1e-07 (1.1 eps)  total 1.5e-07 (1.5 eps)
-//               double  rounding 2.2e-16 (1.2 eps)  total 3.2e-16 (1.7 eps)
+// Error:        eps counts units of machine epsilon x |c| (degree+1) / sqrt(4 pi)
+//               float   rounding  largest seen 2.2e-07 (2.6 eps)
+//                       total     largest seen 2.3e-07 (2.9 eps)
+//               double  rounding  largest seen 4.0e-16 (2.4 eps)
+//                       total     largest seen 4.1e-16 (2.3 eps)
 //               rounding: against this formula in exact arithmetic at the same input
+//               at most:  no bound is proved: an input is a rotation matrix
 //               total:    against the exact function at the nearest rotation matrix and the direction scaled to length
 //               1
+//               seen:     among 808 turned unit vectors in random directions and 8000 evaluations of a search, without
+//               contraction
 #pragma once
 
 #include <type_traits>

@@ -10,13 +10,17 @@
 // Recipe:       turned
 // Source:       the direction turned back, then the basis
 // Cost:         325 multiplications, 157 additions; longest chain 104; at most 113 values live
-// Error:        largest over 280 turned unit vectors in random directions, without contraction;
-//               eps counts units of machine epsilon x |c| (degree+1) / sqrt(4 pi)
-//               float   rounding 4.7e-07 (1.4 eps)  total 3.7e-07 (1.1 eps)
-//               double  rounding 9.6e-16 (1.5 eps)  total 9.9e-16 (1.6 eps)
+// Error:        eps counts units of machine epsilon x |c| (degree+1) / sqrt(4 pi)
+//               float   rounding  largest seen 2.3e-06 (8.0 eps)
+//                       total     largest seen 1.8e-06 (6.1 eps)
+//               double  rounding  largest seen 4.0e-15 (6.8 eps)
+//                       total     largest seen 4.9e-15 (8.2 eps)
 //               rounding: against this formula in exact arithmetic at the same input
+//               at most:  no bound is proved: an input is a rotation matrix
 //               total:    against the exact function at the nearest rotation matrix and the direction scaled to length
 //               1
+//               seen:     among 280 turned unit vectors in random directions and 8000 evaluations of a search, without
+//               contraction
 #pragma once
 
 #include <type_traits>

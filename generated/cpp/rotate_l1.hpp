@@ -11,13 +11,16 @@
 // Source:       D. Pinchon, P. E. Hoggan, "Rotation matrices for real spherical harmonics", J. Phys. A 40, 2007; angles
 //               without a hole at the poles; constants derived exactly
 // Cost:         9 multiplications, 6 additions; longest chain 3; at most 13 values live
-// Error:        largest over 808 turned unit vectors (random, axes, half turns, tilts from 2^-99 to pi), without
-//               contraction;
-//               eps counts units of machine epsilon x |c|
-//               float   rounding 8.6e-08 (0.7 eps)  total 9.1e-08 (0.8 eps)
-//               double  rounding 1.5e-16 (0.7 eps)  total 1.9e-16 (0.8 eps)
+// Error:        eps counts units of machine epsilon x |c|
+//               float   rounding  largest seen 9.1e-08 (1.2 eps)
+//                       total     largest seen 9.3e-08 (1.2 eps)
+//               double  rounding  largest seen 1.9e-16 (1.0 eps)
+//                       total     largest seen 2.2e-16 (1.1 eps)
 //               rounding: against this formula in exact arithmetic at the same input
+//               at most:  no bound is proved: an input is a rotation matrix
 //               total:    against the exact function at the nearest rotation matrix
+//               seen:     among 808 turned unit vectors (random, axes, half turns, tilts from 2^-99 to pi) and 8000
+//               evaluations of a search, without contraction
 #pragma once
 
 #include <type_traits>

@@ -12,13 +12,16 @@
 //               without a hole at the poles; constants derived exactly
 // Cost:         313 multiplications, 189 additions, 1 divisions, 1 square roots, 3 selections; longest chain 29; at
 //               most 67 values live
-// Error:        largest over 808 turned unit vectors (random, axes, half turns, tilts from 2^-99 to pi), without
-//               contraction;
-//               eps counts units of machine epsilon x |c|
-//               float   rounding 5.4e-07 (4.6 eps)  total 5.7e-07 (4.8 eps)
-//               double  rounding 9.0e-16 (4.1 eps)  total 8.5e-16 (3.8 eps)
+// Error:        eps counts units of machine epsilon x |c|
+//               float   rounding  largest seen 1.2e-06 (16.0 eps)
+//                       total     largest seen 1.2e-06 (16.0 eps)
+//               double  rounding  largest seen 1.9e-15 (15.8 eps)
+//                       total     largest seen 1.9e-15 (15.8 eps)
 //               rounding: against this formula in exact arithmetic at the same input
+//               at most:  no bound is proved: an input is a rotation matrix
 //               total:    against the exact function at the nearest rotation matrix
+//               seen:     among 808 turned unit vectors (random, axes, half turns, tilts from 2^-99 to pi) and 8000
+//               evaluations of a search, without contraction
 #pragma once
 
 #include <cmath>

@@ -10,13 +10,17 @@
 // Recipe:       polynomial
 // Source:       E. P. Wigner, "Group Theory", 1959, eq. 15.27, as polynomials in q; constants derived exactly
 // Cost:         0 multiplications, 0 additions; longest chain 0; at most 1 values live
-// Error:        largest over 808 turned unit vectors (random, axes, half turns, tilts from 2^-99 to pi), without
-//               contraction;
-//               eps counts units of machine epsilon x |c|
-//               float   rounding 0.0e+00 (0.0 eps)  total 0.0e+00 (0.0 eps)
-//               double  rounding 0.0e+00 (0.0 eps)  total 0.0e+00 (0.0 eps)
+// Error:        eps counts units of machine epsilon x |c|
+//               float   rounding  at most 0.0 eps  largest seen 0.0e+00 (0.0 eps)
+//                       total                      largest seen 0.0e+00 (0.0 eps)
+//               double  rounding  at most 0.0 eps  largest seen 0.0e+00 (0.0 eps)
+//                       total                      largest seen 0.0e+00 (0.0 eps)
 //               rounding: against this formula in exact arithmetic at the same input
+//               at most:  proved for a quaternion off length 1 by at most 2 epsilon; coefficients of size 2^-20 to
+//               2^20; operations round to nearest, with or without contraction
 //               total:    against the exact function at the quaternion scaled to length 1
+//               seen:     among 808 turned unit vectors (random, axes, half turns, tilts from 2^-99 to pi) and 8000
+//               evaluations of a search, without contraction
 #pragma once
 
 #include <type_traits>

@@ -10,13 +10,17 @@
 // Recipe:       polynomial
 // Source:       E. P. Wigner, "Group Theory", 1959, eq. 15.27, as polynomials in q; constants derived exactly
 // Cost:         19 multiplications, 25 additions; longest chain 6; at most 13 values live
-// Error:        largest over 808 turned unit vectors (random, axes, half turns, tilts from 2^-99 to pi), without
-//               contraction;
-//               eps counts units of machine epsilon x |c|
-//               float   rounding 1.2e-07 (1.0 eps)  total 1.4e-07 (1.1 eps)
-//               double  rounding 2.2e-16 (1.0 eps)  total 3.8e-16 (1.7 eps)
+// Error:        eps counts units of machine epsilon x |c|
+//               float   rounding  at most 5.5e-07 (4.6 eps)  largest seen 1.4e-07 (2.0 eps)
+//                       total                                largest seen 1.5e-07 (2.2 eps)
+//               double  rounding  at most 1.1e-15 (4.6 eps)  largest seen 2.9e-16 (1.5 eps)
+//                       total                                largest seen 3.8e-16 (1.7 eps)
 //               rounding: against this formula in exact arithmetic at the same input
+//               at most:  proved for a quaternion off length 1 by at most 2 epsilon; coefficients of size 2^-20 to
+//               2^20; operations round to nearest, with or without contraction
 //               total:    against the exact function at the quaternion scaled to length 1
+//               seen:     among 808 turned unit vectors (random, axes, half turns, tilts from 2^-99 to pi) and 8000
+//               evaluations of a search, without contraction
 #pragma once
 
 #include <type_traits>

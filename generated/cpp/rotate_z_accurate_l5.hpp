@@ -10,13 +10,17 @@
 // Recipe:       products
 // Source:       (c_m + i c_-m)' = e^(i m angle) (c_m + i c_-m)
 // Cost:         74 multiplications, 38 additions; longest chain 8; at most 42 values live
-// Error:        largest over 808 unit vectors turned about z (random angles, quarter turns, angles from 2^-99), without
-//               contraction;
-//               eps counts units of machine epsilon x |c|
-//               float   rounding 9.5e-08 (0.8 eps)  total 1.6e-07 (1.3 eps)
-//               double  rounding 2.3e-16 (1.0 eps)  total 2.4e-16 (1.1 eps)
+// Error:        eps counts units of machine epsilon x |c|
+//               float   rounding  at most 6.0e-07 (5.1 eps)  largest seen 1.4e-07 (1.8 eps)
+//                       total                                largest seen 1.6e-07 (1.9 eps)
+//               double  rounding  at most 1.2e-15 (5.1 eps)  largest seen 2.8e-16 (2.3 eps)
+//                       total                                largest seen 4.5e-16 (3.3 eps)
 //               rounding: against this formula in exact arithmetic at the same input
+//               at most:  proved for cosine and sine off length 1 by at most 2 epsilon; coefficients of size 2^-20 to
+//               2^20; operations round to nearest, with or without contraction
 //               total:    against the exact function at cosine and sine scaled to the unit circle
+//               seen:     among 808 unit vectors turned about z (random angles, quarter turns, angles from 2^-99) and
+//               8000 evaluations of a search, without contraction
 #pragma once
 
 #include <type_traits>

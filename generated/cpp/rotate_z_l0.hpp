@@ -10,13 +10,17 @@
 // Recipe:       steps
 // Source:       (c_m + i c_-m)' = e^(i m angle) (c_m + i c_-m)
 // Cost:         0 multiplications, 0 additions; longest chain 0; at most 1 values live
-// Error:        largest over 808 unit vectors turned about z (random angles, quarter turns, angles from 2^-99), without
-//               contraction;
-//               eps counts units of machine epsilon x |c|
-//               float   rounding 0.0e+00 (0.0 eps)  total 0.0e+00 (0.0 eps)
-//               double  rounding 0.0e+00 (0.0 eps)  total 0.0e+00 (0.0 eps)
+// Error:        eps counts units of machine epsilon x |c|
+//               float   rounding  at most 0.0 eps  largest seen 0.0e+00 (0.0 eps)
+//                       total                      largest seen 0.0e+00 (0.0 eps)
+//               double  rounding  at most 0.0 eps  largest seen 0.0e+00 (0.0 eps)
+//                       total                      largest seen 0.0e+00 (0.0 eps)
 //               rounding: against this formula in exact arithmetic at the same input
+//               at most:  proved for cosine and sine off length 1 by at most 2 epsilon; coefficients of size 2^-20 to
+//               2^20; operations round to nearest, with or without contraction
 //               total:    against the exact function at cosine and sine scaled to the unit circle
+//               seen:     among 808 unit vectors turned about z (random angles, quarter turns, angles from 2^-99) and
+//               8000 evaluations of a search, without contraction
 #pragma once
 
 #include <type_traits>

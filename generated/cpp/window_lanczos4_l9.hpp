@@ -10,12 +10,14 @@
 // Recipe:       recurrence
 // Source:       P.-P. Sloan, "Stupid Spherical Harmonics (SH) Tricks", GDC 2008
 // Cost:         133 multiplications, 8 additions; longest chain 20; at most 102 values live
-// Error:        largest over 300 coefficient vectors (random, of norm 1), cosines -1 to 1 and sincs 0 to 1, without
-//               contraction;
-//               eps counts units of machine epsilon x |c_lm|
-//               float   rounding 2.4e-07 (11.4 eps)
-//               double  rounding 3.2e-16 (8.2 eps)
+// Error:        eps counts units of machine epsilon x |c_lm|
+//               float   rounding  at most 2.4e-04 (1949.8 eps)  largest seen 5.1e-07 (25.2 eps)
+//               double  rounding  at most 4.4e-13 (1962.9 eps)  largest seen 9.0e-16 (22.9 eps)
 //               rounding: against this formula in exact arithmetic at the same input
+//               at most:  proved for -1 <= cos_pi_over_w <= 1; 0 <= sinc_pi_over_w <= 1; coefficients of size 2^-20 to
+//               2^20; operations round to nearest, with or without contraction
+//               seen:     among 300 coefficient vectors (random, of norm 1), cosines -1 to 1 and sincs 0 to 1 and 8000
+//               evaluations of a search, without contraction
 #pragma once
 
 #include <type_traits>

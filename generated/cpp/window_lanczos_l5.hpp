@@ -10,12 +10,14 @@
 // Recipe:       recurrence
 // Source:       P.-P. Sloan, "Stupid Spherical Harmonics (SH) Tricks", GDC 2008
 // Cost:         43 multiplications, 4 additions; longest chain 10; at most 38 values live
-// Error:        largest over 300 coefficient vectors (random, of norm 1), cosines -1 to 1 and sincs 0 to 1, without
-//               contraction;
-//               eps counts units of machine epsilon x |c_lm|
-//               float   rounding 7.3e-08 (2.1 eps)
-//               double  rounding 1.0e-16 (1.9 eps)
+// Error:        eps counts units of machine epsilon x |c_lm|
+//               float   rounding  at most 8.3e-07 (7.0 eps)  largest seen 9.9e-08 (3.0 eps)
+//               double  rounding  at most 1.6e-15 (7.1 eps)  largest seen 1.5e-16 (3.3 eps)
 //               rounding: against this formula in exact arithmetic at the same input
+//               at most:  proved for -1 <= cos_pi_over_w <= 1; 0 <= sinc_pi_over_w <= 1; coefficients of size 2^-20 to
+//               2^20; operations round to nearest, with or without contraction
+//               seen:     among 300 coefficient vectors (random, of norm 1), cosines -1 to 1 and sincs 0 to 1 and 8000
+//               evaluations of a search, without contraction
 #pragma once
 
 #include <type_traits>

@@ -10,13 +10,17 @@
 // Source:       P.-P. Sloan, J. Kautz, J. Snyder, "Precomputed Radiance Transfer", SIGGRAPH 2002; P.-P. Sloan, "Stupid
 //               Spherical Harmonics (SH) Tricks", GDC 2008; constants derived exactly
 // Cost:         161 multiplications, 36 additions; longest chain 13; at most 18 values live
-// Error:        largest over 558 directions (random, axes, poles, near poles) with random zonal functions of norm 1,
-//               without contraction;
-//               eps counts units of machine epsilon x |zonal[l]|
-//               float   rounding 2.6e-07 (4.5 eps)  total 4.3e-07 (9.1 eps)
-//               double  rounding 5.1e-16 (5.5 eps)  total 1.6e-15 (18.1 eps)
+// Error:        eps counts units of machine epsilon x |zonal[l]|
+//               float   rounding  at most 3.3e-06 (27.4 eps)  largest seen 3.7e-07 (9.1 eps)
+//                       total                                 largest seen 4.9e-07 (12.9 eps)
+//               double  rounding  at most 6.0e-15 (27.0 eps)  largest seen 9.5e-16 (9.7 eps)
+//                       total                                 largest seen 1.6e-15 (18.1 eps)
 //               rounding: against this formula in exact arithmetic at the same input
+//               at most:  proved for a direction off length 1 by at most 2 epsilon; coefficients of size 2^-20 to 2^20;
+//               operations round to nearest, with or without contraction
 //               total:    against the exact function at the direction scaled to length 1
+//               seen:     among 558 directions (random, axes, poles, near poles) with random zonal functions of norm 1
+//               and 8000 evaluations of a search, without contraction
 #pragma once
 
 #include <type_traits>

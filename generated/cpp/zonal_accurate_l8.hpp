@@ -10,13 +10,17 @@
 // Source:       P.-P. Sloan, J. Kautz, J. Snyder, "Precomputed Radiance Transfer", SIGGRAPH 2002; P.-P. Sloan, "Stupid
 //               Spherical Harmonics (SH) Tricks", GDC 2008; constants derived exactly
 // Cost:         206 multiplications, 46 additions; longest chain 15; at most 20 values live
-// Error:        largest over 558 directions (random, axes, poles, near poles) with random zonal functions of norm 1,
-//               without contraction;
-//               eps counts units of machine epsilon x |zonal[l]|
-//               float   rounding 3.0e-07 (5.4 eps)  total 6.1e-07 (10.9 eps)
-//               double  rounding 6.4e-16 (7.2 eps)  total 1.2e-15 (22.6 eps)
+// Error:        eps counts units of machine epsilon x |zonal[l]|
+//               float   rounding  at most 4.3e-06 (35.6 eps)  largest seen 4.5e-07 (10.1 eps)
+//                       total                                 largest seen 7.6e-07 (16.5 eps)
+//               double  rounding  at most 7.8e-15 (34.8 eps)  largest seen 1.5e-15 (12.5 eps)
+//                       total                                 largest seen 1.5e-15 (22.6 eps)
 //               rounding: against this formula in exact arithmetic at the same input
+//               at most:  proved for a direction off length 1 by at most 2 epsilon; coefficients of size 2^-20 to 2^20;
+//               operations round to nearest, with or without contraction
 //               total:    against the exact function at the direction scaled to length 1
+//               seen:     among 558 directions (random, axes, poles, near poles) with random zonal functions of norm 1
+//               and 8000 evaluations of a search, without contraction
 #pragma once
 
 #include <type_traits>

@@ -10,13 +10,17 @@
 // Source:       P.-P. Sloan, J. Kautz, J. Snyder, "Precomputed Radiance Transfer", SIGGRAPH 2002; P.-P. Sloan, "Stupid
 //               Spherical Harmonics (SH) Tricks", GDC 2008; constants derived exactly
 // Cost:         0 multiplications, 0 additions; longest chain 0; at most 1 values live
-// Error:        largest over 558 directions (random, axes, poles, near poles) with random zonal functions of norm 1,
-//               without contraction;
-//               eps counts units of machine epsilon x |zonal[l]|
-//               float   rounding 0.0e+00 (0.0 eps)  total 0.0e+00 (0.0 eps)
-//               double  rounding 0.0e+00 (0.0 eps)  total 0.0e+00 (0.0 eps)
+// Error:        eps counts units of machine epsilon x |zonal[l]|
+//               float   rounding  at most 0.0 eps  largest seen 0.0e+00 (0.0 eps)
+//                       total                      largest seen 0.0e+00 (0.0 eps)
+//               double  rounding  at most 0.0 eps  largest seen 0.0e+00 (0.0 eps)
+//                       total                      largest seen 0.0e+00 (0.0 eps)
 //               rounding: against this formula in exact arithmetic at the same input
+//               at most:  proved for a direction off length 1 by at most 2 epsilon; coefficients of size 2^-20 to 2^20;
+//               operations round to nearest, with or without contraction
 //               total:    against the exact function at the direction scaled to length 1
+//               seen:     among 558 directions (random, axes, poles, near poles) with random zonal functions of norm 1
+//               and 8000 evaluations of a search, without contraction
 #pragma once
 
 #include <type_traits>

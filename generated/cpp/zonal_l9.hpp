@@ -10,13 +10,17 @@
 // Source:       P.-P. Sloan, J. Kautz, J. Snyder, "Precomputed Radiance Transfer", SIGGRAPH 2002; P.-P. Sloan, "Stupid
 //               Spherical Harmonics (SH) Tricks", GDC 2008; constants derived exactly
 // Cost:         239 multiplications, 56 additions; longest chain 17; at most 23 values live
-// Error:        largest over 558 directions (random, axes, poles, near poles) with random zonal functions of norm 1,
-//               without contraction;
-//               eps counts units of machine epsilon x |zonal[l]|
-//               float   rounding 6.7e-07 (13.0 eps)  total 9.3e-07 (16.8 eps)
-//               double  rounding 1.4e-15 (14.3 eps)  total 2.3e-15 (24.2 eps)
+// Error:        eps counts units of machine epsilon x |zonal[l]|
+//               float   rounding  at most 7.1e-06 (59.4 eps)  largest seen 1.3e-06 (24.4 eps)
+//                       total                                 largest seen 1.7e-06 (33.0 eps)
+//               double  rounding  at most 1.3e-14 (56.5 eps)  largest seen 3.3e-15 (23.6 eps)
+//                       total                                 largest seen 5.9e-15 (26.5 eps)
 //               rounding: against this formula in exact arithmetic at the same input
+//               at most:  proved for a direction off length 1 by at most 2 epsilon; coefficients of size 2^-20 to 2^20;
+//               operations round to nearest, with or without contraction
 //               total:    against the exact function at the direction scaled to length 1
+//               seen:     among 558 directions (random, axes, poles, near poles) with random zonal functions of norm 1
+//               and 8000 evaluations of a search, without contraction
 #pragma once
 
 #include <type_traits>

@@ -9,12 +9,19 @@
 // Recipe:       centred
 // Source:       polynomials in 2z^2-1 for m <= 2, the recurrence in l for m > 2, doubling in m; derived exactly
 // Cost:         129 multiplications, 56 additions; longest chain 12; at most 21 values live
-// Error:        largest over 1110 directions (random, axes, poles, near poles), without contraction;
-//               eps counts units of machine epsilon x sqrt((2l+1)/(4 pi))
-//               float   rounding 4.3e-07 (3.5 eps)  total 9.4e-07 (7.2 eps)
-//               double  rounding 8.5e-16 (3.5 eps)  total 3.4e-15 (13.9 eps)
+// Error:        eps counts units of machine epsilon x sqrt((2l+1)/(4 pi))
+//               float   rounding  at most 2.3e-06 (17.1 eps)  largest seen 5.9e-07 (4.7 eps)
+//                       total                                 largest seen 9.4e-07 (7.2 eps)
+//               double  rounding  at most 4.2e-15 (17.2 eps)  largest seen 1.1e-15 (4.4 eps)
+//                       total                                 largest seen 3.4e-15 (13.9 eps)
 //               rounding: against this formula in exact arithmetic at the same input
+//               at most:  proved for a direction off length 1 by at most 2 epsilon; operations round to nearest, with
+//               or without contraction
 //               total:    against the exact function at the input scaled to length 1
+//               seen:     among 1110 directions (random, axes, poles, near poles) and 8000 evaluations of a search,
+//               without contraction
+//               worst:    float x, y, z = 0.67047495, -0.7404333, -0.04713764
+//                         double x, y, z = -0.5437868891979755, -0.8363608167784045, -0.06925607044980937
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

@@ -10,12 +10,17 @@
 // Recipe:       ladder
 // Source:       parity columns; gradients by the ladder to the band below (Hobson, 1931)
 // Cost:         0 multiplications, 0 additions; longest chain 0; at most 0 values live
-// Error:        largest over 454 vectors (random, axes, poles, near poles; lengths 1/3 to 2), without contraction;
-//               eps counts units of machine epsilon x sqrt((2l+1)/(4 pi)) r^l, for derivatives l sqrt((2l+1)/(4 pi))
+// Error:        eps counts units of machine epsilon x sqrt((2l+1)/(4 pi)) r^l, for derivatives l sqrt((2l+1)/(4 pi))
 //               r^(l-1)
-//               float   rounding 1.5e-08 (0.4 eps)
-//               double  rounding 3.8e-18 (0.1 eps)
+//               float   rounding  at most 0.5 eps  largest seen 1.5e-08 (0.4 eps)
+//               double  rounding  at most 0.1 eps  largest seen 3.8e-18 (0.1 eps)
 //               rounding: against this formula in exact arithmetic at the same input
+//               at most:  proved for vectors of length 0.1 to 4; operations round to nearest, with or without
+//               contraction
+//               seen:     among 454 vectors (random, axes, poles, near poles; lengths 1/3 to 2) and 8000 evaluations of
+//               a search, without contraction
+//               worst:    float x, y, z = 0.0, 0.0, 1.0
+//                         double x, y, z = 0.0, 0.0, 1.0
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

@@ -10,12 +10,17 @@
 // Recipe:       ladder
 // Source:       parity columns; gradients by the ladder to the band below (Hobson, 1931)
 // Cost:         19 multiplications, 3 additions, 1 negations; longest chain 4; at most 7 values live
-// Error:        largest over 454 vectors (random, axes, poles, near poles; lengths 1/3 to 2), without contraction;
-//               eps counts units of machine epsilon x sqrt((2l+1)/(4 pi)) r^l, for derivatives l sqrt((2l+1)/(4 pi))
+// Error:        eps counts units of machine epsilon x sqrt((2l+1)/(4 pi)) r^l, for derivatives l sqrt((2l+1)/(4 pi))
 //               r^(l-1)
-//               float   rounding 2.5e-07 (1.1 eps)
-//               double  rounding 5.1e-16 (1.1 eps)
+//               float   rounding  at most 1.7 eps  largest seen 2.5e-07 (1.4 eps)
+//               double  rounding  at most 1.8 eps  largest seen 7.3e-16 (1.5 eps)
 //               rounding: against this formula in exact arithmetic at the same input
+//               at most:  proved for vectors of length 0.1 to 4; operations round to nearest, with or without
+//               contraction
+//               seen:     among 454 vectors (random, axes, poles, near poles; lengths 1/3 to 2) and 8000 evaluations of
+//               a search, without contraction
+//               worst:    float x, y, z = 0.13105303, 1.0707633, 0.0
+//                         double x, y, z = -2.638499741878611e-08, -2.247707604590255e-07, -0.9386796084695918
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

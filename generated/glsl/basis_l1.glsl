@@ -10,12 +10,19 @@
 // Source:       parity in z, doubling in m, columns tied by Gegenbauer relations (Abramowitz and Stegun 22.7); derived
 //               exactly
 // Cost:         3 multiplications, 0 additions; longest chain 1; at most 3 values live
-// Error:        largest over 1110 directions (random, axes, poles, near poles), without contraction;
-//               eps counts units of machine epsilon x sqrt((2l+1)/(4 pi))
-//               float   rounding 2.2e-08 (0.4 eps)  total 3.5e-08 (0.6 eps)
-//               double  rounding 2.9e-17 (0.3 eps)  total 1.0e-16 (0.9 eps)
+// Error:        eps counts units of machine epsilon x sqrt((2l+1)/(4 pi))
+//               float   rounding  at most 2.3e-08 (0.5 eps)  largest seen 2.2e-08 (0.4 eps)
+//                       total                                largest seen 3.5e-08 (0.6 eps)
+//               double  rounding  at most 2.9e-17 (0.3 eps)  largest seen 2.9e-17 (0.3 eps)
+//                       total                                largest seen 1.0e-16 (0.9 eps)
 //               rounding: against this formula in exact arithmetic at the same input
+//               at most:  proved for a direction off length 1 by at most 2 epsilon; operations round to nearest, with
+//               or without contraction
 //               total:    against the exact function at the input scaled to length 1
+//               seen:     among 1110 directions (random, axes, poles, near poles) and 8000 evaluations of a search,
+//               without contraction
+//               worst:    float x, y, z = 0.0, 0.0, 1.0
+//                         double x, y, z = -0.20462240741269988, -0.936791433746581, 0.2838159263389849
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

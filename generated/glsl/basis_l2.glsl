@@ -10,12 +10,19 @@
 // Source:       parity in z, doubling in m, columns tied by Gegenbauer relations (Abramowitz and Stegun 22.7); derived
 //               exactly
 // Cost:         12 multiplications, 3 additions; longest chain 3; at most 4 values live
-// Error:        largest over 1110 directions (random, axes, poles, near poles), without contraction;
-//               eps counts units of machine epsilon x sqrt((2l+1)/(4 pi))
-//               float   rounding 1.0e-07 (1.4 eps)  total 1.4e-07 (1.9 eps)
-//               double  rounding 1.5e-16 (1.1 eps)  total 2.9e-16 (2.1 eps)
+// Error:        eps counts units of machine epsilon x sqrt((2l+1)/(4 pi))
+//               float   rounding  at most 1.6e-07 (2.1 eps)  largest seen 1.1e-07 (1.4 eps)
+//                       total                                largest seen 1.4e-07 (1.9 eps)
+//               double  rounding  at most 2.9e-16 (2.1 eps)  largest seen 2.1e-16 (1.5 eps)
+//                       total                                largest seen 2.9e-16 (2.1 eps)
 //               rounding: against this formula in exact arithmetic at the same input
+//               at most:  proved for a direction off length 1 by at most 2 epsilon; operations round to nearest, with
+//               or without contraction
 //               total:    against the exact function at the input scaled to length 1
+//               seen:     among 1110 directions (random, axes, poles, near poles) and 8000 evaluations of a search,
+//               without contraction
+//               worst:    float x, y, z = -0.104735896, 0.020011833, -0.9942987
+//                         double x, y, z = -0.07957057910066383, 0.9968292345941631, 0.0
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

@@ -10,12 +10,19 @@
 // Source:       parity in z, doubling in m, columns tied by Gegenbauer relations (Abramowitz and Stegun 22.7); derived
 //               exactly
 // Cost:         24 multiplications, 8 additions; longest chain 5; at most 9 values live
-// Error:        largest over 1110 directions (random, axes, poles, near poles), without contraction;
-//               eps counts units of machine epsilon x sqrt((2l+1)/(4 pi))
-//               float   rounding 1.8e-07 (2.0 eps)  total 2.4e-07 (2.7 eps)
-//               double  rounding 2.9e-16 (1.8 eps)  total 8.5e-16 (5.2 eps)
+// Error:        eps counts units of machine epsilon x sqrt((2l+1)/(4 pi))
+//               float   rounding  at most 4.5e-07 (5.0 eps)  largest seen 2.4e-07 (2.7 eps)
+//                       total                                largest seen 2.6e-07 (2.9 eps)
+//               double  rounding  at most 7.9e-16 (4.8 eps)  largest seen 4.1e-16 (2.5 eps)
+//                       total                                largest seen 8.5e-16 (5.2 eps)
 //               rounding: against this formula in exact arithmetic at the same input
+//               at most:  proved for a direction off length 1 by at most 2 epsilon; operations round to nearest, with
+//               or without contraction
 //               total:    against the exact function at the input scaled to length 1
+//               seen:     among 1110 directions (random, axes, poles, near poles) and 8000 evaluations of a search,
+//               without contraction
+//               worst:    float x, y, z = -0.98284215, -0.03368297, 0.18134694
+//                         double x, y, z = 0.9998037607629988, -0.009004295894713054, -0.017645470229064233
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

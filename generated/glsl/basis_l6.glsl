@@ -10,12 +10,19 @@
 // Source:       parity in z, doubling in m, columns tied by Gegenbauer relations (Abramowitz and Stegun 22.7); derived
 //               exactly
 // Cost:         85 multiplications, 25 additions; longest chain 11; at most 15 values live
-// Error:        largest over 1110 directions (random, axes, poles, near poles), without contraction;
-//               eps counts units of machine epsilon x sqrt((2l+1)/(4 pi))
-//               float   rounding 8.5e-07 (7.0 eps)  total 1.1e-06 (9.3 eps)
-//               double  rounding 1.9e-15 (8.3 eps)  total 4.0e-15 (17.6 eps)
+// Error:        eps counts units of machine epsilon x sqrt((2l+1)/(4 pi))
+//               float   rounding  at most 2.2e-06 (17.7 eps)  largest seen 1.1e-06 (8.9 eps)
+//                       total                                 largest seen 1.4e-06 (11.7 eps)
+//               double  rounding  at most 4.3e-15 (19.0 eps)  largest seen 2.6e-15 (11.3 eps)
+//                       total                                 largest seen 4.0e-15 (17.6 eps)
 //               rounding: against this formula in exact arithmetic at the same input
+//               at most:  proved for a direction off length 1 by at most 2 epsilon; operations round to nearest, with
+//               or without contraction
 //               total:    against the exact function at the input scaled to length 1
+//               seen:     among 1110 directions (random, axes, poles, near poles) and 8000 evaluations of a search,
+//               without contraction
+//               worst:    float x, y, z = -0.04707207, -0.12807272, 0.9906471
+//                         double x, y, z = 0.0040010642974516696, 0.03099280537327873, -0.999511599482258
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

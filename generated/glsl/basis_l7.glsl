@@ -10,12 +10,19 @@
 // Source:       parity in z, doubling in m, columns tied by Gegenbauer relations (Abramowitz and Stegun 22.7); derived
 //               exactly
 // Cost:         116 multiplications, 33 additions; longest chain 13; at most 19 values live
-// Error:        largest over 1110 directions (random, axes, poles, near poles), without contraction;
-//               eps counts units of machine epsilon x sqrt((2l+1)/(4 pi))
-//               float   rounding 1.3e-06 (9.8 eps)   total 1.5e-06 (11.5 eps)
-//               double  rounding 2.7e-15 (11.3 eps)  total 5.6e-15 (23.0 eps)
+// Error:        eps counts units of machine epsilon x sqrt((2l+1)/(4 pi))
+//               float   rounding  at most 3.3e-06 (25.1 eps)  largest seen 1.5e-06 (11.9 eps)
+//                       total                                 largest seen 1.5e-06 (11.5 eps)
+//               double  rounding  at most 6.6e-15 (26.9 eps)  largest seen 2.7e-15 (11.3 eps)
+//                       total                                 largest seen 5.6e-15 (23.0 eps)
 //               rounding: against this formula in exact arithmetic at the same input
+//               at most:  proved for a direction off length 1 by at most 2 epsilon; operations round to nearest, with
+//               or without contraction
 //               total:    against the exact function at the input scaled to length 1
+//               seen:     among 1110 directions (random, axes, poles, near poles) and 8000 evaluations of a search,
+//               without contraction
+//               worst:    float x, y, z = 0.030563036, 0.061511204, 0.99763834
+//                         double x, y, z = 2.8873845327497224e-08, -7.381021318482422e-09, -0.9999999999999996
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

@@ -10,12 +10,19 @@
 // Source:       parity in z, doubling in m, columns tied by Gegenbauer relations (Abramowitz and Stegun 22.7); derived
 //               exactly
 // Cost:         149 multiplications, 42 additions; longest chain 15; at most 19 values live
-// Error:        largest over 1110 directions (random, axes, poles, near poles), without contraction;
-//               eps counts units of machine epsilon x sqrt((2l+1)/(4 pi))
-//               float   rounding 1.9e-06 (13.5 eps)  total 1.9e-06 (13.6 eps)
-//               double  rounding 3.4e-15 (13.1 eps)  total 7.4e-15 (28.7 eps)
+// Error:        eps counts units of machine epsilon x sqrt((2l+1)/(4 pi))
+//               float   rounding  at most 4.9e-06 (34.9 eps)  largest seen 1.9e-06 (13.5 eps)
+//                       total                                 largest seen 1.9e-06 (13.6 eps)
+//               double  rounding  at most 9.4e-15 (36.3 eps)  largest seen 3.4e-15 (13.1 eps)
+//                       total                                 largest seen 7.4e-15 (28.7 eps)
 //               rounding: against this formula in exact arithmetic at the same input
+//               at most:  proved for a direction off length 1 by at most 2 epsilon; operations round to nearest, with
+//               or without contraction
 //               total:    against the exact function at the input scaled to length 1
+//               seen:     among 1110 directions (random, axes, poles, near poles) and 8000 evaluations of a search,
+//               without contraction
+//               worst:    float x, y, z = 0.030940598, 0.061518643, 0.99762625
+//                         double x, y, z = 2.8873845327497224e-08, -7.381021318482422e-09, -0.9999999999999996
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

@@ -10,12 +10,19 @@
 // Source:       parity in z, doubling in m, columns tied by Gegenbauer relations (Abramowitz and Stegun 22.7); derived
 //               exactly
 // Cost:         189 multiplications, 52 additions; longest chain 17; at most 23 values live
-// Error:        largest over 1110 directions (random, axes, poles, near poles), without contraction;
-//               eps counts units of machine epsilon x sqrt((2l+1)/(4 pi))
-//               float   rounding 2.6e-06 (17.9 eps)  total 2.3e-06 (15.9 eps)
-//               double  rounding 3.9e-15 (14.2 eps)  total 9.2e-15 (33.6 eps)
+// Error:        eps counts units of machine epsilon x sqrt((2l+1)/(4 pi))
+//               float   rounding  at most 8.1e-06 (54.8 eps)  largest seen 2.6e-06 (17.9 eps)
+//                       total                                 largest seen 2.3e-06 (15.9 eps)
+//               double  rounding  at most 1.4e-14 (49.3 eps)  largest seen 3.9e-15 (14.2 eps)
+//                       total                                 largest seen 9.2e-15 (33.6 eps)
 //               rounding: against this formula in exact arithmetic at the same input
+//               at most:  proved for a direction off length 1 by at most 2 epsilon; operations round to nearest, with
+//               or without contraction
 //               total:    against the exact function at the input scaled to length 1
+//               seen:     among 1110 directions (random, axes, poles, near poles) and 8000 evaluations of a search,
+//               without contraction
+//               worst:    float x, y, z = 0.030940598, 0.061518643, 0.99762625
+//                         double x, y, z = 2.8873845327497224e-08, -7.381021318482422e-09, -0.9999999999999996
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

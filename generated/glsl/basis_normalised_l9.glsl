@@ -11,11 +11,16 @@
 //               exactly
 // Cost:         195 multiplications, 54 additions, 1 divisions, 1 square roots; longest chain 23; at most 23 values
 //               live
-// Error:        largest over 558 vectors (random, axes, poles, near poles; lengths 2^-20 to 2^20), without contraction;
-//               eps counts units of machine epsilon x sqrt((2l+1)/(4 pi))
-//               float   rounding 4.9e-06 (33.4 eps)
-//               double  rounding 1.3e-14 (49.1 eps)
+// Error:        eps counts units of machine epsilon x sqrt((2l+1)/(4 pi))
+//               float   rounding  at most 637.6 eps  largest seen 9.4e-06 (64.0 eps)
+//               double  rounding  at most 628.0 eps  largest seen 2.0e-14 (72.2 eps)
 //               rounding: against this formula in exact arithmetic at the same input
+//               at most:  proved for vectors of length 1e-15 to 1e+15; operations round to nearest, with or without
+//               contraction
+//               seen:     among 558 vectors (random, axes, poles, near poles; lengths 2^-20 to 2^20) and 8000
+//               evaluations of a search, without contraction
+//               worst:    float x, y, z = 0.47054893, -0.119077355, -65.74024
+//                         double x, y, z = 1.798759152649573, -31.987391496296553, -263333.3137646618
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

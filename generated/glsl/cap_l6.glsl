@@ -11,12 +11,17 @@
 // Source:       M. Abramowitz, I. A. Stegun, Handbook of Mathematical Functions, 1964, 8.5.3, 8.5.4; constants derived
 //               exactly
 // Cost:         15 multiplications, 9 additions; longest chain 8; at most 4 values live
-// Error:        largest over 522 sizes (random, a hemisphere, the sphere, 2^-1 to 2^-120), without contraction;
-//               eps counts units of machine epsilon x sqrt((2l+1) pi) (1 - cos^2) / 2, the largest coefficient a cap of
+// Error:        eps counts units of machine epsilon x sqrt((2l+1) pi) (1 - cos^2) / 2, the largest coefficient a cap of
 //               that area has (at l = 0: the coefficient)
-//               float   rounding 4.2e-07 (1.5 eps)
-//               double  rounding 5.4e-16 (2.3 eps)
+//               float   rounding  at most 1.4e-06 (5.1 eps)  largest seen 5.9e-07 (2.3 eps)
+//               double  rounding  at most 2.5e-15 (5.1 eps)  largest seen 5.4e-16 (2.5 eps)
 //               rounding: against this formula in exact arithmetic at the same input
+//               at most:  proved for one_minus_cos = 0 or 2^-120 to 2; operations round to nearest, with or without
+//               contraction
+//               seen:     among 522 sizes (random, a hemisphere, the sphere, 2^-1 to 2^-120) and 8000 evaluations of a
+//               search, without contraction
+//               worst:    float one_minus_cos = 8.1133185e-05
+//                         double one_minus_cos = 3.9528559028496005e-05
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

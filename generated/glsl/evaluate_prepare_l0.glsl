@@ -10,12 +10,17 @@
 // Recipe:       by-order
 // Source:       z^2 = 1-x^2-y^2 applied exactly; Horner's rule in x and y
 // Cost:         1 multiplications, 0 additions; longest chain 1; at most 1 values live
-// Error:        largest over 300 coefficient vectors (random, of norm 1), without contraction;
-//               eps counts units of machine epsilon x the largest that this coefficient of the polynomial gets from |c|
+// Error:        eps counts units of machine epsilon x the largest that this coefficient of the polynomial gets from |c|
 //               = 1
-//               float   rounding 1.5e-08 (0.4 eps)
-//               double  rounding 3.8e-18 (0.1 eps)
+//               float   rounding  at most 3.2e-08 (1.0 eps)  largest seen 2.9e-08 (0.9 eps)
+//               double  rounding  at most 3.6e-17 (0.6 eps)  largest seen 3.1e-17 (0.6 eps)
 //               rounding: against this formula in exact arithmetic at the same input
+//               at most:  proved for coefficients of size 2^-20 to 2^20; operations round to nearest, with or without
+//               contraction
+//               seen:     among 300 coefficient vectors (random, of norm 1) and 8000 evaluations of a search, without
+//               contraction
+//               worst:    float c (1) = 0.9123475
+//                         double c (1) = -0.888585152270308
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

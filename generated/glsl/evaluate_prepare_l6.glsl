@@ -10,12 +10,15 @@
 // Recipe:       by-order
 // Source:       z^2 = 1-x^2-y^2 applied exactly; Horner's rule in x and y
 // Cost:         128 multiplications, 102 additions; longest chain 5; at most 58 values live
-// Error:        largest over 300 coefficient vectors (random, of norm 1), without contraction;
-//               eps counts units of machine epsilon x the largest that this coefficient of the polynomial gets from |c|
+// Error:        eps counts units of machine epsilon x the largest that this coefficient of the polynomial gets from |c|
 //               = 1
-//               float   rounding 2.7e-06 (0.4 eps)
-//               double  rounding 4.1e-15 (0.3 eps)
+//               float   rounding  at most 1.7e-05 (2.5 eps)  largest seen 4.0e-06 (1.6 eps)
+//               double  rounding  at most 3.1e-14 (2.5 eps)  largest seen 6.7e-15 (1.5 eps)
 //               rounding: against this formula in exact arithmetic at the same input
+//               at most:  proved for coefficients of size 2^-20 to 2^20; operations round to nearest, with or without
+//               contraction
+//               seen:     among 300 coefficient vectors (random, of norm 1) and 8000 evaluations of a search, without
+//               contraction
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

@@ -11,12 +11,14 @@
 // Source:       J. Snyder, "Code Generation and Factoring for Fast Evaluation of Low-order Spherical Harmonic Products
 //               and Squares", Microsoft Research, 2006; pairs and sums found by search
 // Cost:         13 multiplications, 6 additions; longest chain 5; at most 10 values live
-// Error:        largest over 120 sets of unit vectors of coefficients (random, single coefficients, equal), without
-//               contraction;
-//               eps counts units of machine epsilon x |a| |b|
-//               float   rounding 3.6e-08 (0.3 eps)
-//               double  rounding 6.0e-17 (0.3 eps)
+// Error:        eps counts units of machine epsilon x |a| |b|
+//               float   rounding  at most 9.9e-08 (0.9 eps)  largest seen 6.1e-08 (0.6 eps)
+//               double  rounding  at most 1.7e-16 (0.8 eps)  largest seen 9.1e-17 (0.4 eps)
 //               rounding: against this formula in exact arithmetic at the same input
+//               at most:  proved for coefficients of size 2^-20 to 2^20; operations round to nearest, with or without
+//               contraction
+//               seen:     among 120 sets of unit vectors of coefficients (random, single coefficients, equal) and 8000
+//               evaluations of a search, without contraction
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

@@ -12,12 +12,14 @@
 //               split by parity; w, z, theta_l_m = Y_lm / cos(m phi) derived exactly; z1, z2, ...: square roots of the
 //               zeros of the Jacobi polynomial P_3^(1,1/2)(2t-1), falling
 // Cost:         1103 multiplications, 1132 additions; longest chain 20; at most 166 values live
-// Error:        largest over 120 sets of unit vectors of coefficients (random, single coefficients, equal), without
-//               contraction;
-//               eps counts units of machine epsilon x |a| |b|
-//               float   rounding 4.3e-08 (0.4 eps)
-//               double  rounding 9.3e-17 (0.4 eps)
+// Error:        eps counts units of machine epsilon x |a| |b|
+//               float   rounding  at most 1.6e-06 (13.3 eps)  largest seen 6.5e-08 (0.5 eps)
+//               double  rounding  at most 3.0e-15 (13.3 eps)  largest seen 1.0e-16 (0.5 eps)
 //               rounding: against this formula in exact arithmetic at the same input
+//               at most:  proved for coefficients of size 2^-20 to 2^20; operations round to nearest, with or without
+//               contraction
+//               seen:     among 120 sets of unit vectors of coefficients (random, single coefficients, equal) and 1000
+//               evaluations of a search, without contraction
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

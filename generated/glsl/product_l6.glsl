@@ -12,12 +12,14 @@
 //               split by parity; w, z, theta_l_m = Y_lm / cos(m phi) derived exactly; z1, z2, ...: square roots of the
 //               zeros of the Jacobi polynomial P_4^(1,1/2)(2t-1), falling
 // Cost:         1815 multiplications, 1935 additions; longest chain 24; at most 233 values live
-// Error:        largest over 120 sets of unit vectors of coefficients (random, single coefficients, equal), without
-//               contraction;
-//               eps counts units of machine epsilon x |a| |b|
-//               float   rounding 4.4e-08 (0.4 eps)
-//               double  rounding 6.0e-17 (0.3 eps)
+// Error:        eps counts units of machine epsilon x |a| |b|
+//               float   rounding  at most 2.1e-06 (17.3 eps)  largest seen 6.0e-08 (0.6 eps)
+//               double  rounding  at most 3.9e-15 (17.2 eps)  largest seen 9.0e-17 (0.6 eps)
 //               rounding: against this formula in exact arithmetic at the same input
+//               at most:  proved for coefficients of size 2^-20 to 2^20; operations round to nearest, with or without
+//               contraction
+//               seen:     among 120 sets of unit vectors of coefficients (random, single coefficients, equal) and 1000
+//               evaluations of a search, without contraction
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

@@ -10,11 +10,15 @@
 // Recipe:       direct
 // Source:       the polynomials of Y_lm in z, exact
 // Cost:         4 multiplications, 0 additions; longest chain 1; at most 4 values live
-// Error:        largest over 558 moments of samples whose |weights| add up to 1, without contraction;
-//               eps counts units of machine epsilon x sqrt((2l+1)/(4 pi)) x the sum of |weights|
-//               float   rounding 2.0e-08 (0.3 eps)
-//               double  rounding 2.8e-17 (0.3 eps)
+// Error:        eps counts units of machine epsilon x sqrt((2l+1)/(4 pi)) x the sum of |weights|
+//               float   rounding  largest seen 2.0e-08 (0.3 eps)
+//               double  rounding  largest seen 2.8e-17 (0.3 eps)
 //               rounding: against this formula in exact arithmetic at the same input
+//               at most:  no bound is proved: its size does not grow with its coefficients
+//               seen:     among 558 moments of samples whose |weights| add up to 1 and 8000 evaluations of a search,
+//               without contraction
+//               worst:    float moments (4) = 0.0, -0.007913432, -0.98360366, -0.007532392
+//                         double moments (4) = 0.0, -0.19813751245137937, -0.5367552044460927, 0.6606947843002073
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

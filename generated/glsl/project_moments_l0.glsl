@@ -10,13 +10,17 @@
 // Recipe:       products
 // Source:       products by falling order; the map to coefficients is linear
 // Cost:         0 multiplications, 1 additions; longest chain 1; at most 2 values live
-// Error:        largest over 558 samples (directions random, axes, poles, near poles; weights and sums in -1 .. 1),
-//               without contraction;
-//               eps counts units of machine epsilon x |weight| + |moment before|
-//               float   rounding 6.0e-08 (0.5 eps)  total 6.0e-08 (0.5 eps)
-//               double  rounding 1.1e-16 (0.5 eps)  total 1.1e-16 (0.5 eps)
+// Error:        eps counts units of machine epsilon x |weight| + |moment before|
+//               float   rounding  at most 1.2e-07 (0.6 eps)  largest seen 6.0e-08 (0.5 eps)
+//                       total                                largest seen 6.0e-08 (0.5 eps)
+//               double  rounding  at most 2.3e-16 (0.6 eps)  largest seen 1.1e-16 (0.5 eps)
+//                       total                                largest seen 1.1e-16 (0.5 eps)
 //               rounding: against this formula in exact arithmetic at the same input
+//               at most:  proved for a direction off length 1 by at most 2 epsilon; coefficients of size 2^-20 to 2^20;
+//               operations round to nearest, with or without contraction
 //               total:    against the exact function at the direction scaled to length 1
+//               seen:     among 558 samples (directions random, axes, poles, near poles; weights and sums in -1 .. 1)
+//               and 8000 evaluations of a search, without contraction
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

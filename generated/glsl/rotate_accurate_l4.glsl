@@ -10,13 +10,16 @@
 // Recipe:       dense
 // Source:       E. P. Wigner, "Group Theory", 1959, eq. 15.27, in the entries of r; constants derived exactly
 // Cost:         489 multiplications, 366 additions; longest chain 18; at most 132 values live
-// Error:        largest over 808 turned unit vectors (random, axes, half turns, tilts from 2^-99 to pi), without
-//               contraction;
-//               eps counts units of machine epsilon x |c|
-//               float   rounding 2.4e-07 (2.0 eps)  total 2.6e-07 (2.2 eps)
-//               double  rounding 4.0e-16 (1.8 eps)  total 4.9e-16 (2.2 eps)
+// Error:        eps counts units of machine epsilon x |c|
+//               float   rounding  largest seen 4.1e-07 (4.6 eps)
+//                       total     largest seen 3.1e-07 (3.4 eps)
+//               double  rounding  largest seen 7.9e-16 (4.7 eps)
+//                       total     largest seen 6.8e-16 (4.0 eps)
 //               rounding: against this formula in exact arithmetic at the same input
+//               at most:  no bound is proved: an input is a rotation matrix
 //               total:    against the exact function at the nearest rotation matrix
+//               seen:     among 808 turned unit vectors (random, axes, half turns, tilts from 2^-99 to pi) and 8000
+//               evaluations of a search, without contraction
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

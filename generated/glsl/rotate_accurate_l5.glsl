@@ -10,13 +10,16 @@
 // Recipe:       dense
 // Source:       E. P. Wigner, "Group Theory", 1959, eq. 15.27, in the entries of r; constants derived exactly
 // Cost:         853 multiplications, 652 additions; longest chain 22; at most 206 values live
-// Error:        largest over 808 turned unit vectors (random, axes, half turns, tilts from 2^-99 to pi), without
-//               contraction;
-//               eps counts units of machine epsilon x |c|
-//               float   rounding 3.7e-07 (3.1 eps)  total 5.1e-07 (4.3 eps)
-//               double  rounding 5.1e-16 (2.3 eps)  total 8.6e-16 (3.9 eps)
+// Error:        eps counts units of machine epsilon x |c|
+//               float   rounding  largest seen 4.5e-07 (4.6 eps)
+//                       total     largest seen 5.4e-07 (5.5 eps)
+//               double  rounding  largest seen 8.2e-16 (4.6 eps)
+//                       total     largest seen 1.1e-15 (6.4 eps)
 //               rounding: against this formula in exact arithmetic at the same input
+//               at most:  no bound is proved: an input is a rotation matrix
 //               total:    against the exact function at the nearest rotation matrix
+//               seen:     among 808 turned unit vectors (random, axes, half turns, tilts from 2^-99 to pi) and 1000
+//               evaluations of a search, without contraction
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

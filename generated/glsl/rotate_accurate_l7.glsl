@@ -10,13 +10,16 @@
 // Recipe:       dense
 // Source:       E. P. Wigner, "Group Theory", 1959, eq. 15.27, in the entries of r; constants derived exactly
 // Cost:         1998 multiplications, 1595 additions; longest chain 30; at most 441 values live
-// Error:        largest over 280 turned unit vectors (random, axes, half turns, tilts from 2^-99 to pi), without
-//               contraction;
-//               eps counts units of machine epsilon x |c|
-//               float   rounding 3.6e-07 (3.0 eps)  total 5.6e-07 (4.7 eps)
-//               double  rounding 7.0e-16 (3.2 eps)  total 9.4e-16 (4.2 eps)
+// Error:        eps counts units of machine epsilon x |c|
+//               float   rounding  largest seen 6.5e-07 (5.4 eps)
+//                       total     largest seen 7.2e-07 (6.5 eps)
+//               double  rounding  largest seen 1.5e-15 (7.2 eps)
+//                       total     largest seen 2.3e-15 (11.1 eps)
 //               rounding: against this formula in exact arithmetic at the same input
+//               at most:  no bound is proved: an input is a rotation matrix
 //               total:    against the exact function at the nearest rotation matrix
+//               seen:     among 280 turned unit vectors (random, axes, half turns, tilts from 2^-99 to pi) and 1000
+//               evaluations of a search, without contraction
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

@@ -10,11 +10,13 @@
 // Recipe:       rows
 // Source:       the product of a matrix and a vector
 // Cost:         9 multiplications, 6 additions; longest chain 3; at most 13 values live
-// Error:        largest over 300 random unit vectors and matrices with rows of length 1, without contraction;
-//               eps counts units of machine epsilon x |c|
-//               float   rounding 9.2e-08 (0.8 eps)
-//               double  rounding 1.5e-16 (0.7 eps)
+// Error:        eps counts units of machine epsilon x |c|
+//               float   rounding  largest seen 9.8e-08 (1.0 eps)
+//               double  rounding  largest seen 1.8e-16 (1.1 eps)
 //               rounding: against this formula in exact arithmetic at the same input
+//               at most:  no bound is proved: an input is a band matrices
+//               seen:     among 300 random unit vectors and matrices with rows of length 1 and 8000 evaluations of a
+//               search, without contraction
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

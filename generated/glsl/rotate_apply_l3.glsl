@@ -10,11 +10,13 @@
 // Recipe:       rows
 // Source:       the product of a matrix and a vector
 // Cost:         83 multiplications, 68 additions; longest chain 7; at most 99 values live
-// Error:        largest over 300 random unit vectors and matrices with rows of length 1, without contraction;
-//               eps counts units of machine epsilon x |c|
-//               float   rounding 9.8e-08 (0.8 eps)
-//               double  rounding 2.5e-16 (1.1 eps)
+// Error:        eps counts units of machine epsilon x |c|
+//               float   rounding  largest seen 1.6e-07 (1.5 eps)
+//               double  rounding  largest seen 3.5e-16 (1.6 eps)
 //               rounding: against this formula in exact arithmetic at the same input
+//               at most:  no bound is proved: an input is a band matrices
+//               seen:     among 300 random unit vectors and matrices with rows of length 1 and 8000 evaluations of a
+//               search, without contraction
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

@@ -10,11 +10,13 @@
 // Recipe:       rows
 // Source:       the product of a matrix and a vector
 // Cost:         454 multiplications, 406 additions; longest chain 13; at most 503 values live
-// Error:        largest over 100 random unit vectors and matrices with rows of length 1, without contraction;
-//               eps counts units of machine epsilon x |c|
-//               float   rounding 8.0e-08 (0.7 eps)
-//               double  rounding 1.6e-16 (0.7 eps)
+// Error:        eps counts units of machine epsilon x |c|
+//               float   rounding  largest seen 1.4e-07 (1.2 eps)
+//               double  rounding  largest seen 2.5e-16 (1.3 eps)
 //               rounding: against this formula in exact arithmetic at the same input
+//               at most:  no bound is proved: an input is a band matrices
+//               seen:     among 100 random unit vectors and matrices with rows of length 1 and 1000 evaluations of a
+//               search, without contraction
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

@@ -10,13 +10,17 @@
 // Recipe:       turned
 // Source:       the direction turned back, then the basis
 // Cost:         80 multiplications, 42 additions; longest chain 29; at most 37 values live
-// Error:        largest over 808 turned unit vectors in random directions, without contraction;
-//               eps counts units of machine epsilon x |c| (degree+1) / sqrt(4 pi)
-//               float   rounding 2.1e-07 (1.2 eps)  total 2.5e-07 (1.5 eps)
-//               double  rounding 5.2e-16 (1.6 eps)  total 7.1e-16 (2.3 eps)
+// Error:        eps counts units of machine epsilon x |c| (degree+1) / sqrt(4 pi)
+//               float   rounding  largest seen 5.0e-07 (3.7 eps)
+//                       total     largest seen 4.6e-07 (3.4 eps)
+//               double  rounding  largest seen 1.1e-15 (5.2 eps)
+//                       total     largest seen 1.1e-15 (6.0 eps)
 //               rounding: against this formula in exact arithmetic at the same input
+//               at most:  no bound is proved: an input is a rotation matrix
 //               total:    against the exact function at the nearest rotation matrix and the direction scaled to length
 //               1
+//               seen:     among 808 turned unit vectors in random directions and 8000 evaluations of a search, without
+//               contraction
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

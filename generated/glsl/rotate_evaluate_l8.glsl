@@ -10,13 +10,17 @@
 // Recipe:       turned
 // Source:       the direction turned back, then the basis
 // Cost:         262 multiplications, 128 additions; longest chain 85; at most 93 values live
-// Error:        largest over 280 turned unit vectors in random directions, without contraction;
-//               eps counts units of machine epsilon x |c| (degree+1) / sqrt(4 pi)
-//               float   rounding 3.4e-07 (1.1 eps)  total 4.8e-07 (1.6 eps)
-//               double  rounding 1.1e-15 (1.9 eps)  total 1.1e-15 (2.0 eps)
+// Error:        eps counts units of machine epsilon x |c| (degree+1) / sqrt(4 pi)
+//               float   rounding  largest seen 1.0e-06 (4.2 eps)
+//                       total     largest seen 9.7e-07 (3.9 eps)
+//               double  rounding  largest seen 2.9e-15 (8.5 eps)
+//                       total     largest seen 2.6e-15 (6.7 eps)
 //               rounding: against this formula in exact arithmetic at the same input
+//               at most:  no bound is proved: an input is a rotation matrix
 //               total:    against the exact function at the nearest rotation matrix and the direction scaled to length
 //               1
+//               seen:     among 280 turned unit vectors in random directions and 8000 evaluations of a search, without
+//               contraction
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

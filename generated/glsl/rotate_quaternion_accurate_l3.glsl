@@ -10,13 +10,17 @@
 // Recipe:       polynomial
 // Source:       E. P. Wigner, "Group Theory", 1959, eq. 15.27, as polynomials in q; constants derived exactly
 // Cost:         255 multiplications, 196 additions; longest chain 16; at most 76 values live
-// Error:        largest over 808 turned unit vectors (random, axes, half turns, tilts from 2^-99 to pi), without
-//               contraction;
-//               eps counts units of machine epsilon x |c|
-//               float   rounding 3.3e-07 (2.8 eps)  total 5.7e-07 (4.8 eps)
-//               double  rounding 7.8e-16 (3.5 eps)  total 1.8e-15 (8.0 eps)
+// Error:        eps counts units of machine epsilon x |c|
+//               float   rounding  at most 9.1e-06 (76.3 eps)  largest seen 6.4e-07 (7.1 eps)
+//                       total                                 largest seen 7.7e-07 (8.6 eps)
+//               double  rounding  at most 1.7e-14 (75.1 eps)  largest seen 1.0e-15 (7.7 eps)
+//                       total                                 largest seen 1.8e-15 (9.9 eps)
 //               rounding: against this formula in exact arithmetic at the same input
+//               at most:  proved for a quaternion off length 1 by at most 2 epsilon; coefficients of size 2^-20 to
+//               2^20; operations round to nearest, with or without contraction
 //               total:    against the exact function at the quaternion scaled to length 1
+//               seen:     among 808 turned unit vectors (random, axes, half turns, tilts from 2^-99 to pi) and 8000
+//               evaluations of a search, without contraction
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

@@ -12,13 +12,16 @@
 //               without a hole at the poles; constants derived exactly
 // Cost:         210 multiplications, 120 additions, 1 divisions, 1 square roots, 6 selections; longest chain 24; at
 //               most 51 values live
-// Error:        largest over 808 turned unit vectors (random, axes, half turns, tilts from 2^-99 to pi), without
-//               contraction;
-//               eps counts units of machine epsilon x |c|
-//               float   rounding 6.6e-07 (5.5 eps)  total 6.7e-07 (5.6 eps)
-//               double  rounding 1.9e-15 (8.6 eps)  total 1.9e-15 (8.6 eps)
+// Error:        eps counts units of machine epsilon x |c|
+//               float   rounding  largest seen 1.6e-06 (21.8 eps)
+//                       total     largest seen 1.6e-06 (21.8 eps)
+//               double  rounding  largest seen 3.3e-15 (16.7 eps)
+//                       total     largest seen 3.3e-15 (16.7 eps)
 //               rounding: against this formula in exact arithmetic at the same input
+//               at most:  no bound is proved: it has the operation select
 //               total:    against the exact function at the quaternion scaled to length 1
+//               seen:     among 808 turned unit vectors (random, axes, half turns, tilts from 2^-99 to pi) and 8000
+//               evaluations of a search, without contraction
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

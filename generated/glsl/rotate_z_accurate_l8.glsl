@@ -10,13 +10,17 @@
 // Recipe:       products
 // Source:       (c_m + i c_-m)' = e^(i m angle) (c_m + i c_-m)
 // Cost:         168 multiplications, 86 additions; longest chain 8; at most 90 values live
-// Error:        largest over 280 unit vectors turned about z (random angles, quarter turns, angles from 2^-99), without
-//               contraction;
-//               eps counts units of machine epsilon x |c|
-//               float   rounding 1.2e-07 (1.0 eps)  total 1.5e-07 (1.3 eps)
-//               double  rounding 2.0e-16 (0.9 eps)  total 2.9e-16 (1.3 eps)
+// Error:        eps counts units of machine epsilon x |c|
+//               float   rounding  at most 9.6e-07 (8.1 eps)  largest seen 2.0e-07 (2.8 eps)
+//                       total                                largest seen 2.1e-07 (3.3 eps)
+//               double  rounding  at most 1.8e-15 (8.1 eps)  largest seen 3.3e-16 (2.5 eps)
+//                       total                                largest seen 3.1e-16 (2.6 eps)
 //               rounding: against this formula in exact arithmetic at the same input
+//               at most:  proved for cosine and sine off length 1 by at most 2 epsilon; coefficients of size 2^-20 to
+//               2^20; operations round to nearest, with or without contraction
 //               total:    against the exact function at cosine and sine scaled to the unit circle
+//               seen:     among 280 unit vectors turned about z (random angles, quarter turns, angles from 2^-99) and
+//               8000 evaluations of a search, without contraction
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

@@ -11,12 +11,14 @@
 // Source:       J. Snyder, "Code Generation and Factoring for Fast Evaluation of Low-order Spherical Harmonic Products
 //               and Squares", Microsoft Research, 2006; pairs and sums found by search
 // Cost:         51 multiplications, 37 additions; longest chain 7; at most 23 values live
-// Error:        largest over 120 sets of unit vectors of coefficients (random, single coefficients, equal), without
-//               contraction;
-//               eps counts units of machine epsilon x |a| |a|
-//               float   rounding 4.6e-08 (0.4 eps)
-//               double  rounding 5.8e-17 (0.3 eps)
+// Error:        eps counts units of machine epsilon x |a| |a|
+//               float   rounding  at most 2.9e-07 (1.2 eps)  largest seen 6.8e-08 (0.7 eps)
+//               double  rounding  at most 4.9e-16 (1.1 eps)  largest seen 1.0e-16 (0.5 eps)
 //               rounding: against this formula in exact arithmetic at the same input
+//               at most:  proved for coefficients of size 2^-20 to 2^20; operations round to nearest, with or without
+//               contraction
+//               seen:     among 120 sets of unit vectors of coefficients (random, single coefficients, equal) and 8000
+//               evaluations of a search, without contraction
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

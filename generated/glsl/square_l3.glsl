@@ -11,12 +11,14 @@
 // Source:       J. Snyder, "Code Generation and Factoring for Fast Evaluation of Low-order Spherical Harmonic Products
 //               and Squares", Microsoft Research, 2006; pairs and sums found by search
 // Cost:         159 multiplications, 132 additions; longest chain 12; at most 54 values live
-// Error:        largest over 120 sets of unit vectors of coefficients (random, single coefficients, equal), without
-//               contraction;
-//               eps counts units of machine epsilon x |a| |a|
-//               float   rounding 4.7e-08 (0.4 eps)
-//               double  rounding 7.3e-17 (0.3 eps)
+// Error:        eps counts units of machine epsilon x |a| |a|
+//               float   rounding  at most 3.9e-07 (1.9 eps)  largest seen 8.0e-08 (0.7 eps)
+//               double  rounding  at most 7.1e-16 (1.8 eps)  largest seen 1.2e-16 (0.7 eps)
 //               rounding: against this formula in exact arithmetic at the same input
+//               at most:  proved for coefficients of size 2^-20 to 2^20; operations round to nearest, with or without
+//               contraction
+//               seen:     among 120 sets of unit vectors of coefficients (random, single coefficients, equal) and 8000
+//               evaluations of a search, without contraction
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

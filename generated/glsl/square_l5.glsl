@@ -12,12 +12,14 @@
 //               split by parity; w, z, theta_l_m = Y_lm / cos(m phi) derived exactly; z1, z2, ...: square roots of the
 //               zeros of the Jacobi polynomial P_3^(1,1/2)(2t-1), falling
 // Cost:         731 multiplications, 734 additions; longest chain 19; at most 103 values live
-// Error:        largest over 120 sets of unit vectors of coefficients (random, single coefficients, equal), without
-//               contraction;
-//               eps counts units of machine epsilon x |a| |a|
-//               float   rounding 4.4e-08 (0.4 eps)
-//               double  rounding 8.7e-17 (0.4 eps)
+// Error:        eps counts units of machine epsilon x |a| |a|
+//               float   rounding  at most 2.9e-06 (12.2 eps)  largest seen 1.2e-07 (1.0 eps)
+//               double  rounding  at most 5.3e-15 (12.2 eps)  largest seen 1.2e-16 (0.6 eps)
 //               rounding: against this formula in exact arithmetic at the same input
+//               at most:  proved for coefficients of size 2^-20 to 2^20; operations round to nearest, with or without
+//               contraction
+//               seen:     among 120 sets of unit vectors of coefficients (random, single coefficients, equal) and 1000
+//               evaluations of a search, without contraction
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

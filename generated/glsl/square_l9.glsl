@@ -12,12 +12,14 @@
 //               split by parity; w, z, theta_l_m = Y_lm / cos(m phi) derived exactly; z1, z2, ...: square roots of the
 //               zeros of the Jacobi polynomial P_6^(1,1/2)(2t-1), falling
 // Cost:         3225 multiplications, 3586 additions; longest chain 29; at most 100 values live
-// Error:        largest over 120 sets of unit vectors of coefficients (random, single coefficients, equal), without
-//               contraction;
-//               eps counts units of machine epsilon x |a| |a|
-//               float   rounding 4.4e-08 (0.4 eps)
-//               double  rounding 1.0e-16 (0.5 eps)
+// Error:        eps counts units of machine epsilon x |a| |a|
+//               float   rounding  at most 7.0e-06 (29.8 eps)  largest seen 9.8e-08 (0.8 eps)
+//               double  rounding  at most 1.4e-14 (29.8 eps)  largest seen 1.3e-16 (0.6 eps)
 //               rounding: against this formula in exact arithmetic at the same input
+//               at most:  proved for coefficients of size 2^-20 to 2^20; operations round to nearest, with or without
+//               contraction
+//               seen:     among 120 sets of unit vectors of coefficients (random, single coefficients, equal) and 1000
+//               evaluations of a search, without contraction
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

@@ -10,12 +10,13 @@
 // Source:       J. Snyder, "Code Generation and Factoring for Fast Evaluation of Low-order Spherical Harmonic Products
 //               and Squares", Microsoft Research, 2006; pairs and sums found by search
 // Cost:         17 multiplications, 9 additions; longest chain 8; at most 14 values live
-// Error:        largest over 120 sets of unit vectors of coefficients (random, single coefficients, equal), without
-//               contraction;
-//               eps counts units of machine epsilon x |a| |b| |c|
-//               float   rounding 4.7e-08 (0.4 eps)
-//               double  rounding 6.9e-17 (0.3 eps)
+// Error:        eps counts units of machine epsilon x |a| |b| |c|
+//               float   rounding  largest seen 1.0e-07 (0.9 eps)
+//               double  rounding  largest seen 1.4e-16 (0.7 eps)
 //               rounding: against this formula in exact arithmetic at the same input
+//               at most:  no bound is proved: it multiplies more than two coefficients
+//               seen:     among 120 sets of unit vectors of coefficients (random, single coefficients, equal) and 8000
+//               evaluations of a search, without contraction
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

@@ -9,11 +9,14 @@
 // Recipe:       powers
 // Source:       P.-P. Sloan, "Stupid Spherical Harmonics (SH) Tricks", GDC 2008
 // Cost:         139 multiplications, 0 additions; longest chain 12; at most 122 values live
-// Error:        largest over 300 coefficient vectors (random, of norm 1) and g 0 to 1, without contraction;
-//               eps counts units of machine epsilon x |c_lm|
-//               float   rounding 2.5e-07 (13.7 eps)
-//               double  rounding 3.5e-16 (10.4 eps)
+// Error:        eps counts units of machine epsilon x |c_lm|
+//               float   rounding  at most 4.7e-06 (38.8 eps)  largest seen 2.8e-07 (15.7 eps)
+//               double  rounding  at most 8.7e-15 (38.8 eps)  largest seen 6.5e-16 (19.8 eps)
 //               rounding: against this formula in exact arithmetic at the same input
+//               at most:  proved for 0 <= g <= 1; coefficients of size 2^-20 to 2^20; operations round to nearest, with
+//               or without contraction
+//               seen:     among 300 coefficient vectors (random, of norm 1) and g 0 to 1 and 8000 evaluations of a
+//               search, without contraction
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

@@ -9,11 +9,14 @@
 // Recipe:       powers
 // Source:       P.-P. Sloan, "Stupid Spherical Harmonics (SH) Tricks", GDC 2008
 // Cost:         20 multiplications, 0 additions; longest chain 5; at most 17 values live
-// Error:        largest over 300 coefficient vectors (random, of norm 1) and g 0 to 1, without contraction;
-//               eps counts units of machine epsilon x |c_lm|
-//               float   rounding 7.3e-08 (1.5 eps)
-//               double  rounding 1.2e-16 (1.5 eps)
+// Error:        eps counts units of machine epsilon x |c_lm|
+//               float   rounding  at most 4.5e-07 (3.8 eps)  largest seen 8.1e-08 (2.1 eps)
+//               double  rounding  at most 8.4e-16 (3.8 eps)  largest seen 1.6e-16 (2.2 eps)
 //               rounding: against this formula in exact arithmetic at the same input
+//               at most:  proved for 0 <= g <= 1; coefficients of size 2^-20 to 2^20; operations round to nearest, with
+//               or without contraction
+//               seen:     among 300 coefficient vectors (random, of norm 1) and g 0 to 1 and 8000 evaluations of a
+//               search, without contraction
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

@@ -51,7 +51,11 @@ Signature parsed_signature(const Json& json) {
   return signature;
 }
 
-RoundingAndTotal parsed_errors(const Json& json) { return {json.at("rounding_eps"), json.at("total_eps")}; }
+RoundingAndTotal parsed_errors(const Json& json) {
+  RoundingAndTotal errors{json.at("rounding_eps"), json.at("total_eps")};
+  if (json.contains("bound_eps")) errors.bound = json.at("bound_eps");
+  return errors;
+}
 
 KernelRecord parsed_kernel(const Json& json) {
   KernelRecord kernel;

@@ -16,6 +16,9 @@ constexpr std::array kRegroupedAnyway = {"product_l5",         "product_l8", "pr
                                          "triple_l8",          "triple_l10", "basis_gradient_accurate_l",
                                          "evaluate_prepare_l", "project_l"};
 
+// The errors are measured with 106 bits: their own error in eps is far below this, but not 0 as some bounds are.
+constexpr double kCheckError = 1e-6;
+
 std::string exceeded(const std::string& what, double value, double limit, const WorstCase& worst) {
   std::string text =
       what + output::formatted(" %.3g exceeds %.3g (", value, limit) + worst.output + " at " + worst.input;
@@ -56,6 +59,8 @@ std::optional<KernelLimits> limits_for(const std::string& family, int degree, co
   const RoundingAndTotal& recorded = scalar == "float" ? kernel->in_float : kernel->in_double;
   KernelLimits limits{std::max(record.limit_factor.rounding * recorded.rounding, record.least_limit),
                       std::max(record.limit_factor.total * recorded.total, record.least_limit)};
+  if (recorded.bound) limits.rounding = std::min(limits.rounding, *recorded.bound + kCheckError);
+  limits.searched = recorded.bound ? *recorded.bound + kCheckError : kSearchedLimit * limits.rounding;
   for (const Promise& promise : record.promises) {
     if (promise.scalar != scalar || !name.starts_with(promise.kernels)) continue;
     if (promise.rounding) limits.rounding = std::min(limits.rounding, *promise.rounding);

@@ -15,10 +15,12 @@ struct KernelLimits {
   double rounding = 0;  // largest rounding error, in epsilon x the family's unit
   double total = 0;     // largest total error, likewise
   double total_absolute = std::numeric_limits<double>::infinity();  // where users are promised a number
+  double searched =
+      0;  // largest rounding error that a search may find: the proved bound, or else kSearchedLimit limits
 };
 
-/// How many times a limit, which holds on the inputs of the family's check, a search for the worst input may find
-/// (kernel_search.hpp).
+/// How many times the limit of an unproved error, which holds on the inputs of the family's check, a search for the worst
+/// input may find (kernel_search.hpp).
 inline constexpr double kSearchedLimit = 4;
 
 /// Every language of a scalar ("float" or "double") has the same limits. None for a family and degree that the record

@@ -1,5 +1,5 @@
-// The worst input of every family of generated kernels by search: beyond the inputs of its check, and within
-// kSearchedLimit times the limits that hold there (numeric/kernels/kernel_limits.hpp).
+// The worst input of every family of generated kernels by search: beyond the inputs of its check, and within the proved
+// bounds, or else kSearchedLimit times the limits that hold there (numeric/kernels/kernel_limits.hpp).
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -22,7 +22,7 @@ void report_family(const FamilyCheck& check) {
   std::string where;
   for (const BoundKernel& kernel : test::kernels_of({check.family})) {
     const KernelResult result = search_kernel<T>(kernel, check, kEffort);
-    const double allowed = kSearchedLimit * limits_for(kernel.family, kernel.degree, result.scalar).value().rounding;
+    const double allowed = limits_for(kernel.family, kernel.degree, result.scalar).value().searched;
     const double found = result.rounding.scaled().max();
     if (found / allowed <= part) continue;
     part = found / allowed;

@@ -25,7 +25,7 @@ constexpr const char* kToy = R"json({"format": "shforge families 1",
                     {"name": "sum", "role": "zonal coefficients", "shape": [3], "degree": 2}],
      "results": [{"name": "sum", "role": "zonal coefficients", "shape": [3], "degree": 2},
                  {"name": "out", "role": "linear form", "shape": [4]}],
-     "float": {"rounding_eps": 1.5, "total_eps": 2}, "double": {"rounding_eps": 1, "total_eps": 3}}]}]})json";
+     "float": {"rounding_eps": 1.5, "total_eps": 2, "bound_eps": 2.5}, "double": {"rounding_eps": 1, "total_eps": 3}}]}]})json";
 
 TEST(FamilyRecord, IsReadWithRolesShapesAndErrors) {
   const FamiliesRecord record = parse_record(kToy);
@@ -35,6 +35,8 @@ TEST(FamilyRecord, IsReadWithRolesShapesAndErrors) {
   ASSERT_NE(kernel, nullptr);
   EXPECT_EQ(kernel->family, "toy_accurate");
   EXPECT_EQ(kernel->in_float.total, 2);
+  EXPECT_EQ(kernel->in_float.bound, 2.5);
+  EXPECT_FALSE(kernel->in_double.bound);
   const auto& parameters = kernel->signature.parameters;
   ASSERT_EQ(parameters.size(), 6);
   EXPECT_EQ(parameters[0].count, 27);

@@ -58,6 +58,17 @@ TEST(KernelLimits, LetAPromiseBindWhereItIsTighter) {
   EXPECT_EQ(limits_for("basis", 4, "double", record)->rounding, 8);
 }
 
+TEST(KernelLimits, LetAProvedBoundBindWhereItIsTighterAndInASearch) {
+  FamiliesRecord record = round_record();
+  EXPECT_EQ(limits_for("basis", 4, "float", record)->searched, kSearchedLimit * 6);
+  record.families[0].kernels[0].in_float.bound = 3.5;
+  EXPECT_NEAR(limits_for("basis", 4, "float", record)->rounding, 3.5, 1e-5);
+  EXPECT_NEAR(limits_for("basis", 4, "float", record)->searched, 3.5, 1e-5);
+  record.families[0].kernels[0].in_float.bound = 7;  // beyond the limit of the check's inputs, but not of a search
+  EXPECT_EQ(limits_for("basis", 4, "float", record)->rounding, 6);
+  EXPECT_NEAR(limits_for("basis", 4, "float", record)->searched, 7, 1e-5);
+}
+
 TEST(KernelLimits, AcceptAKernelWithoutError) { EXPECT_TRUE(failures_of(clean_result(), round_record()).empty()); }
 
 TEST(KernelLimits, RefuseTooMuchRounding) {

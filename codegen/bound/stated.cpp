@@ -1,0 +1,26 @@
+#include "codegen/bound/stated.hpp"
+
+#include "codegen/measure/search.hpp"
+
+namespace sh::codegen::bound {
+namespace {
+
+template <class T>
+void state(FinishedKernel& finished, MeasuredError& error, const char* format) {
+  error.proved = bound(finished.kernel, finished.domain, find_format(format));
+  const SeenError seen =
+      largest_seen<T>(finished.kernel, finished.domain, {error.proved->worst}, search_evaluations(finished.kernel));
+  error.rounding = seen.measured.rounding;
+  error.total = seen.measured.total;
+  error.worst = seen.measured.worst;
+  error.searched = seen.evaluations;
+}
+
+}  // namespace
+
+void state_errors(FinishedKernel& finished) {
+  state<float>(finished, finished.in_float, "float");
+  state<double>(finished, finished.in_double, "double");
+}
+
+}  // namespace sh::codegen::bound
