@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "prt/plan/bounds.hpp"
 #include "tests/prt/lights.hpp"
@@ -52,6 +53,7 @@ TEST(TurningLight, NeedsWhatIsLoudInAnyChannel) {
   light.at(0, 0) = 1.0;
   light.at(1, 2) = 1.0;
   light.at(2, 5) = -1.0;
+  light.at(2, 8) = 1e-14;  // a rounding of the others
   EXPECT_EQ(TurningLight(light, LightTurns::kNone).needed(), (std::vector<std::uint32_t>{0, 2, 5}));
   EXPECT_EQ(TurningLight(light, LightTurns::kAboutZ).needed(), (std::vector<std::uint32_t>{0, 2, 5, 7}));
 }
@@ -87,6 +89,9 @@ TEST(LargestUnshadowedRadiance, IsThatOfTheBrightestVertexAndChannel) {
       largest = std::max(largest, radiance * static_cast<double>(mesh.albedo[v][static_cast<Eigen::Index>(c)]));
     }
   }
+  EXPECT_NEAR(largest_unshadowed_radiance(mesh, light), largest, 1e-6);
+  std::swap(mesh.normals[0], mesh.normals[1]);
+  std::swap(mesh.albedo[0], mesh.albedo[1]);
   EXPECT_NEAR(largest_unshadowed_radiance(mesh, light), largest, 1e-6);
 }
 
