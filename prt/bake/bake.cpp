@@ -126,6 +126,13 @@ void take_plan(const Plan& plan, Transfer& transfer) {
 
 }  // namespace
 
+BakeJob::BakeJob(Scene the_scene, BakeSettings the_settings)
+    : scene(std::move(the_scene)), settings(std::move(the_settings)) {
+  if (!scene.mesh.frame.is_world()) return;
+  const std::vector<Eigen::Vector3d> points = points_of(scene.mesh);
+  if (!frame_around(bounding_box(points), scene.name).is_world()) place(scene.mesh, points, scene.name);
+}
+
 BakeJob planned(BakeJob job) {
   on_threads(job.settings.threads, [&] { job.plan = make_plan(job.scene, job.settings.instruction_set); });
   return job;

@@ -39,8 +39,8 @@ struct BakeBudget {
 };
 
 struct BakeJob {
-  BakeJob(Scene the_scene, BakeSettings the_settings = {})
-      : scene(std::move(the_scene)), settings(std::move(the_settings)) {}
+  /// Puts a mesh far from the origin or of extreme scale into another frame; throws like frame_around.
+  BakeJob(Scene the_scene, BakeSettings the_settings = {});
 
   Scene scene;  // the bake follows `bake` exactly; `plan` says what it may leave out
   BakeSettings settings;

@@ -68,7 +68,8 @@ std::string title(double rms, double largest) {
 Compared compare_transfers(const Options& options) {
   const Transfer first = read_transfer(options.first);
   const Transfer second = read_transfer(options.second);
-  if (first.mesh.positions != second.mesh.positions || first.mesh.faces != second.mesh.faces) {
+  if (first.mesh.frame != second.mesh.frame || first.mesh.positions != second.mesh.positions ||
+      first.mesh.faces != second.mesh.faces) {
     throw std::runtime_error(
         fmt::format("{}: its mesh is not that of {}; expected two bakes of one mesh", options.first, options.second));
   }
@@ -82,7 +83,7 @@ Compared compare_transfers(const Options& options) {
       errors.error.rms,
       errors.error.largest,
       {{"worst_vertex", errors.error.worst_vertex},
-       {"worst_place", json_of(second.mesh.positions[errors.error.worst_vertex])}},
+       {"worst_place", json_of(second.mesh.point(errors.error.worst_vertex))}},
       {}};
   if (!options.output.empty()) {
     compared.picture = error_picture(second.mesh, Tracer(second.mesh, options.threads), errors.relative, camera,

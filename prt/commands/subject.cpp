@@ -31,14 +31,14 @@ bool has_extension(const std::string& file, const char* extension) {
 }
 
 LightSamples samples_named(const std::string& local, const Mesh& mesh) {
-  if (local == "octahedron") return samples_on_octahedron(mesh.positions);
+  if (local == "octahedron") return samples_on_octahedron(points_of(mesh));
   int k = 0;
   const auto end = std::from_chars(local.data(), local.data() + local.size(), k);
   if (end.ec != std::errc() || end.ptr != local.data() + local.size() || k < 1 || k > kMaxLightSamples) {
     throw std::runtime_error(
         fmt::format("--local {}: expected `octahedron` or a number of points from 1 to {}", local, kMaxLightSamples));
   }
-  return samples_by_distance(mesh.positions, k);
+  return samples_by_distance(points_of(mesh), k);
 }
 
 /// The points of `--local`; throws if the option does not fit the transfer.

@@ -56,7 +56,7 @@ void run_info(const std::string& file) {
   }
   json["file"] = std::filesystem::path(file).filename().string();
   json["bytes"] = std::filesystem::file_size(file);
-  json["bounding_box"] = {json_of(box.min()), json_of(box.max())};
+  json["bounding_box"] = {json_of(transfer.mesh.frame.world(box.min())), json_of(transfer.mesh.frame.world(box.max()))};
   json["mean_of_first_coefficient"] = mean;
   print_json(json);
 }

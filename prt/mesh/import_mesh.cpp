@@ -28,8 +28,8 @@ constexpr int kMostHeaderLines = 1000;
 Eigen::Vector3f to_eigen(const aiVector3D& v) { return {v.x, v.y, v.z}; }
 Eigen::Vector3f to_eigen(const aiColor4D& c) { return {c.r, c.g, c.b}; }
 
-Eigen::Affine3f to_eigen(const aiMatrix4x4& m) {
-  return Eigen::Affine3f(Eigen::Map<const Eigen::Matrix<float, 4, 4, Eigen::RowMajor>>(&m.a1));
+Eigen::Affine3d to_eigen(const aiMatrix4x4& m) {
+  return Eigen::Affine3d(Eigen::Map<const Eigen::Matrix<float, 4, 4, Eigen::RowMajor>>(&m.a1).cast<double>());
 }
 
 // A property of a material, if it has it: material_value<T>(material, AI_MATKEY_...).
@@ -64,7 +64,7 @@ class Collector {
         is_linear_(extension_ == ".gltf" || extension_ == ".glb") {}
 
   ImportedMesh collect() {
-    visit(*scene_.mRootNode, Eigen::Affine3f::Identity());
+    visit(*scene_.mRootNode, Eigen::Affine3d::Identity());
     list_unread();
     result_.file_vertices = result_.soup.positions.size();
     result_.up = up_axis();
@@ -85,13 +85,13 @@ class Collector {
     return extension_ == ".stl" || extension_ == ".ply" ? UpAxis::kZ : UpAxis::kY;
   }
 
-  void visit(const aiNode& node, const Eigen::Affine3f& parent) {
-    const Eigen::Affine3f map = parent * to_eigen(node.mTransformation);
+  void visit(const aiNode& node, const Eigen::Affine3d& parent) {
+    const Eigen::Affine3d map = parent * to_eigen(node.mTransformation);
     for (unsigned i = 0; i < node.mNumMeshes; ++i) add(*scene_.mMeshes[node.mMeshes[i]], map);
     for (unsigned i = 0; i < node.mNumChildren; ++i) visit(*node.mChildren[i], map);
   }
 
-  void add(const aiMesh& mesh, const Eigen::Affine3f& map) {
+  void add(const aiMesh& mesh, const Eigen::Affine3d& map) {
     Soup part;
     const aiMaterial* material = material_of(mesh);
     const MaterialChange change = changes_.of(name_of(material));
@@ -99,7 +99,7 @@ class Collector {
     if (has_textures(material) && !change.reflection) textured_.insert(material);
     if (mesh.HasVertexColors(1)) ++meshes_of_many_colors_;
     for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
-      part.positions.emplace_back(to_eigen(mesh.mVertices[v]));
+      part.positions.emplace_back(to_eigen(mesh.mVertices[v]).cast<double>());
       part.normals.push_back(mesh.HasNormals() ? to_eigen(mesh.mNormals[v]) : Eigen::Vector3f::Zero().eval());
       Eigen::Vector3f color = albedo;
       if (mesh.HasVertexColors(0)) color = color.cwiseProduct(linear(mesh.mColors[0][v]));
@@ -109,6 +109,11 @@ class Collector {
       const aiFace& face = mesh.mFaces[f];
       if (face.mNumIndices == 3) part.faces.push_back({face.mIndices[0], face.mIndices[1], face.mIndices[2]});
     }
+    part.rounding = kSingleRounding * bounding_box(part.positions)
+                                          .min()
+                                          .cwiseAbs()
+                                          .cwiseMax(bounding_box(part.positions).max().cwiseAbs())
+                                          .maxCoeff();
     transform(part, map);
     append(part, finish_of(material, change));
   }
@@ -120,6 +125,7 @@ class Collector {
     if (known == soup.finishes.end()) soup.finishes.push_back(finish);
     soup.finish.insert(soup.finish.end(), part.faces.size(), index);
     const auto first = static_cast<std::uint32_t>(soup.positions.size());
+    soup.rounding = std::max(soup.rounding, part.rounding);
     soup.positions.insert(soup.positions.end(), part.positions.begin(), part.positions.end());
     soup.normals.insert(soup.normals.end(), part.normals.begin(), part.normals.end());
     soup.albedo.insert(soup.albedo.end(), part.albedo.begin(), part.albedo.end());

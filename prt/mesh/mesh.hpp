@@ -1,12 +1,16 @@
 // The mesh that all of prt/ uses: indexed triangles with the data that the baker needs at every vertex. World axes: z
-// up, right-handed. Lengths have the unit of the scene (nothing here depends on it). Albedo is linear RGB in 0..1.
+// up, right-handed. Positions are in the mesh's frame, which for ordinary meshes is the world. Albedo is linear RGB in
+// 0..1.
 #pragma once
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
+
+#include "prt/mesh/frame.hpp"
 
 namespace sh::prt {
 
@@ -17,7 +21,7 @@ using Face = std::array<std::uint32_t, 3>;
 /// of the scene; several vertices of a file map to one vertex here if position, normal, albedo and finish agree. It is
 /// empty for a mesh made in code.
 struct Mesh {
-  std::vector<Eigen::Vector3f> positions;
+  std::vector<Eigen::Vector3f> positions;          // in `frame`
   std::vector<Eigen::Vector3f> normals;            // unit; shading: weighs the cosine
   std::vector<Eigen::Vector3f> geometric_normals;  // unit; mean of the faces around: horizon and ray offset
   std::vector<Eigen::Vector3f> albedo;             // linear RGB, 0..1
@@ -25,14 +29,25 @@ struct Mesh {
   std::vector<Eigen::Vector3f> mirror;             // linear RGB reflectance of the front, 0..1
   std::vector<Face> faces;
   std::vector<std::uint32_t> remap;  // (vertices of the files) -> vertex, kNoVertex where no face used it
+  Frame frame;
+
+  /// A vertex in the world, in the unit of the scene.
+  [[nodiscard]] Eigen::Vector3d point(std::size_t vertex) const { return frame.world(positions[vertex]); }
 };
 
 inline constexpr std::uint32_t kNoVertex = 0xFFFFFFFFU;
 
-inline Eigen::AlignedBox3f bounding_box(const std::vector<Eigen::Vector3f>& positions) {
-  Eigen::AlignedBox3f box;
-  for (const Eigen::Vector3f& position : positions) box.extend(position);
+template <class Scalar>
+Eigen::AlignedBox<Scalar, 3> bounding_box(const std::vector<Eigen::Matrix<Scalar, 3, 1>>& positions) {
+  Eigen::AlignedBox<Scalar, 3> box;
+  for (const Eigen::Matrix<Scalar, 3, 1>& position : positions) box.extend(position);
   return box;
 }
+
+/// All vertices in the world.
+std::vector<Eigen::Vector3d> points_of(const Mesh& mesh);
+
+/// Puts the vertices at these points of the world, in the frame around them. Throws like frame_around.
+void place(Mesh& mesh, const std::vector<Eigen::Vector3d>& points, const std::string& name);
 
 }  // namespace sh::prt

@@ -10,7 +10,7 @@ namespace sh::prt {
 namespace {
 
 std::uint32_t add_vertex(Soup& soup, const Eigen::Vector3f& position, const Eigen::Vector3f& normal) {
-  soup.positions.push_back(position);
+  soup.positions.emplace_back(position.cast<double>());
   soup.normals.push_back(normal);
   return static_cast<std::uint32_t>(soup.positions.size() - 1);
 }

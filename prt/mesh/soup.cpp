@@ -38,9 +38,9 @@ std::vector<Eigen::Vector3f> face_normals(const Soup& soup) {
 std::vector<std::vector<Corner>> corners_around(const Soup& soup, std::vector<std::uint32_t>& point_of_vertex) {
   std::unordered_map<std::array<std::uint32_t, 3>, std::uint32_t, WordsHash> points;
   point_of_vertex.clear();
-  for (const Eigen::Vector3f& position : soup.positions) {
+  for (const Eigen::Vector3d& position : soup.positions) {
     const auto next = static_cast<std::uint32_t>(points.size());
-    point_of_vertex.push_back(points.try_emplace(bits_of(position), next).first->second);
+    point_of_vertex.push_back(points.try_emplace(bits_of(position.cast<float>().eval()), next).first->second);
   }
   std::vector<std::vector<Corner>> around(points.size());
   for (std::uint32_t f = 0; f < soup.faces.size(); ++f) {
@@ -53,16 +53,17 @@ std::vector<std::vector<Corner>> corners_around(const Soup& soup, std::vector<st
 
 }  // namespace
 
-void transform(Soup& soup, const Eigen::Affine3f& map) {
-  const Eigen::Matrix3d linear = map.linear().cast<double>();
+void transform(Soup& soup, const Eigen::Affine3d& map) {
+  const Eigen::Matrix3d linear = map.linear();
   const double determinant = linear.determinant();
   // The cofactor matrix is the inverse transpose up to a positive or negative factor, and exists for flat maps as well.
   Eigen::Matrix3d cofactors;
   for (int i = 0; i < 3; ++i) cofactors.row(i) = linear.row((i + 1) % 3).cross(linear.row((i + 2) % 3));
-  for (Eigen::Vector3f& position : soup.positions) position = map * position;
+  for (Eigen::Vector3d& position : soup.positions) position = map * position;
   for (Eigen::Vector3f& normal : soup.normals) {
     normal = (cofactors * normal.cast<double>() * (determinant < 0.0 ? -1.0 : 1.0)).normalized().cast<float>();
   }
+  soup.rounding *= linear.norm() / std::numbers::sqrt3;
   if (determinant < 0.0) {
     for (Face& face : soup.faces) std::swap(face[1], face[2]);
   }
@@ -107,8 +108,7 @@ std::size_t drop_faces_without_area(Soup& soup) {
   std::size_t kept = 0;
   for (std::size_t f = 0; f < soup.faces.size(); ++f) {
     const Face face = soup.faces[f];
-    if (has_area(soup.positions[face[0]].cast<double>(), soup.positions[face[1]].cast<double>(),
-                 soup.positions[face[2]].cast<double>())) {
+    if (has_area(soup.positions[face[0]], soup.positions[face[1]], soup.positions[face[2]])) {
       soup.faces[kept] = face;
       if (!soup.finish.empty()) soup.finish[kept] = soup.finish[f];
       ++kept;
@@ -159,6 +159,7 @@ std::size_t complete_normals(Soup& soup, float crease_degrees) {
   }
   corners.finish = std::move(soup.finish);  // the faces and their order are the same
   corners.finishes = std::move(soup.finishes);
+  corners.rounding = soup.rounding;
   soup = std::move(corners);
   return replaced;
 }

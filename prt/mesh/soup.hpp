@@ -54,22 +54,23 @@ struct MaterialChanges {
   }
 };
 
-/// Vertices may repeat. `normals` and `albedo` are as long as `positions`; `normals` may be empty, then they are
+/// Vertices may repeat. Positions are double, so that a place far from the origin does not cost the digits of the shape. `normals` and `albedo` are as long as `positions`; `normals` may be empty, then they are
 /// computed.
 struct Soup {
-  std::vector<Eigen::Vector3f> positions;
+  std::vector<Eigen::Vector3d> positions;
   std::vector<Eigen::Vector3f> normals;
   std::vector<Eigen::Vector3f> albedo;  // linear RGB
   std::vector<Face> faces;              // counterclockwise as seen from outside
   std::vector<std::uint32_t> source;    // vertex of the file each vertex came from; empty: itself
   std::vector<std::uint32_t> finish;    // (faces) into `finishes`; empty: every face has the first
   std::vector<Finish> finishes{Finish{}};
+  double rounding = 0.0;  // largest error of a coordinate that single precision in the file brought, in its unit
 
   [[nodiscard]] std::uint32_t finish_of(std::size_t face) const { return finish.empty() ? 0 : finish[face]; }
 };
 
-/// Maps points by `map` and normals by its inverse transpose. A map that mirrors also turns the faces around.
-void transform(Soup& soup, const Eigen::Affine3f& map);
+/// Maps points by `map`, and normals by its inverse transpose. A map that mirrors also turns the faces around.
+void transform(Soup& soup, const Eigen::Affine3d& map);
 
 /// Throws std::runtime_error, one line that begins with `name`, if there are no vertices or no faces, if a face names a
 /// missing vertex, or if a coordinate is NaN or infinite.

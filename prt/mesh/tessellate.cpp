@@ -2,17 +2,118 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numeric>
 #include <stdexcept>
 #include <unordered_map>
 #include <utility>
 
+#include "numeric/output/progress.hpp"
 #include "prt/mesh/corners.hpp"
 #include "prt/mesh/weld.hpp"
 
 namespace sh::prt {
 
 namespace {
+
+using Triangle = std::array<Eigen::Vector3f, 3>;
+
+Eigen::Vector3f middle_of(const Eigen::Vector3f& a, const Eigen::Vector3f& b) { return 0.5F * (a + b); }
+
+// An edge without a point between its ends is never halved, so that splitting ends at any limit.
+bool is_long(const Eigen::Vector3f& a, const Eigen::Vector3f& b, const EdgeLimit& limit) {
+  const Eigen::Vector3f middle = middle_of(a, b);
+  return (a - b).norm() > limit(middle) && middle != a && middle != b;
+}
+
+// The parts of a face. Point 0..2 is a corner; point 3 + k is the middle of edge k, which runs from corner k to k + 1.
+struct Parts {
+  std::vector<std::array<std::size_t, 3>> faces;
+  std::size_t first = 0;  // the edge whose middle is made first
+  std::array<bool, 3> is_split{};
+};
+
+void split(const Triangle& corners, const EdgeLimit& limit, Parts& parts) {
+  parts.faces.clear();
+  parts.first = 0;
+  for (std::size_t k = 0; k < 3; ++k) parts.is_split[k] = is_long(corners[k], corners[(k + 1) % 3], limit);
+  const auto count = std::count(parts.is_split.begin(), parts.is_split.end(), true);
+  if (count == 0) {
+    parts.faces.assign(1, {0, 1, 2});
+  } else if (count == 3) {
+    parts.faces.assign({{0, 3, 5}, {3, 1, 4}, {5, 4, 2}, {3, 4, 5}});
+  } else {
+    // Edge `first` is the only split one, or the edge before it is the only whole one.
+    std::size_t& first = parts.first;
+    while (count == 1 ? !parts.is_split[first] : parts.is_split[(first + 2) % 3]) ++first;
+    const std::array<std::size_t, 3> f = {first, (first + 1) % 3, (first + 2) % 3};
+    const std::size_t m = 3 + f[0];
+    if (count == 1) {
+      parts.faces.assign({{f[0], m, f[2]}, {m, f[1], f[2]}});
+      return;
+    }
+    // The quadrilateral f0 m n f2 is cut along its shorter diagonal.
+    const std::size_t n = 3 + f[1];
+    const Eigen::Vector3f at_m = middle_of(corners[f[0]], corners[f[1]]);
+    const Eigen::Vector3f at_n = middle_of(corners[f[1]], corners[f[2]]);
+    parts.faces.assign(1, {m, f[1], n});
+    if ((corners[f[0]] - at_n).norm() <= (at_m - corners[f[2]]).norm()) {
+      parts.faces.insert(parts.faces.end(), {{f[0], m, n}, {f[0], n, f[2]}});
+    } else {
+      parts.faces.insert(parts.faces.end(), {{f[0], m, f[2]}, {m, n, f[2]}});
+    }
+  }
+}
+
+Triangle corners_of(const Mesh& mesh, const Face& face) {
+  return {mesh.positions[face[0]], mesh.positions[face[1]], mesh.positions[face[2]]};
+}
+
+// Counts the faces that splitting would make, without making them; gives up past `most`.
+std::size_t count_faces(const Mesh& mesh, const EdgeLimit& limit, std::size_t most) {
+  std::size_t count = 0;
+  std::vector<Triangle> open;
+  Parts parts;
+  for (const Face& face : mesh.faces) {
+    open.assign(1, corners_of(mesh, face));
+    while (!open.empty() && count + open.size() <= most) {
+      output::check_interrupt();
+      const Triangle t = open.back();
+      open.pop_back();
+      split(t, limit, parts);
+      if (parts.faces.size() == 1) {
+        ++count;
+        continue;
+      }
+      const std::array<Eigen::Vector3f, 6> points = {
+          t[0], t[1], t[2], middle_of(t[0], t[1]), middle_of(t[1], t[2]), middle_of(t[2], t[0])};
+      for (const auto& part : parts.faces) open.push_back({points[part[0]], points[part[1]], points[part[2]]});
+    }
+    count += open.size();
+    if (count > most) break;
+  }
+  return count;
+}
+
+EdgeLimit stretched(const EdgeLimit& limit, double factor) {
+  return [&limit, factor](const Eigen::Vector3f& point) { return static_cast<float>(factor) * limit(point); };
+}
+
+// A factor on the limit, with two digits, that leaves at most kMaxFaces. Few faces are counted first; their number falls
+// with the square of the factor.
+double factor_that_fits(const Mesh& mesh, const EdgeLimit& limit) {
+  const std::size_t few = std::max(std::size_t{1} << 16U, 4 * mesh.faces.size());
+  const auto count = [&](double factor, std::size_t most) { return count_faces(mesh, stretched(limit, factor), most); };
+  double coarse = 1.0;
+  while (count(coarse, few) > few) coarse *= 2.0;
+  double factor = coarse * std::sqrt(static_cast<double>(count(coarse, few)) / static_cast<double>(kMaxFaces));
+  do {
+    factor *= 1.2;
+    const double digit = std::pow(10.0, std::floor(std::log10(factor)) - 1.0);
+    factor = std::ceil(factor / digit) * digit;
+  } while (count(factor, kMaxFaces) > kMaxFaces);
+  return factor;
+}
 
 class Splitter {
  public:
@@ -28,7 +129,8 @@ class Splitter {
     origins.reserve(faces.capacity());
     middles_.clear();
     for (std::size_t f = 0; f < mesh_.faces.size(); ++f) {
-      split(mesh_.faces[f], faces);
+      output::check_interrupt();
+      split_face(mesh_.faces[f], faces);
       origins.resize(faces.size(), origins_[f]);
     }
     origins_ = std::move(origins);
@@ -41,18 +143,12 @@ class Splitter {
   std::vector<std::uint32_t> take_origins() { return std::move(origins_); }
 
  private:
-  bool is_long(std::uint32_t a, std::uint32_t b) const {
-    const Eigen::Vector3f& p = mesh_.positions[a];
-    const Eigen::Vector3f& q = mesh_.positions[b];
-    return (p - q).norm() > limit_(0.5F * (p + q));
-  }
-
   std::uint32_t middle(std::uint32_t a, std::uint32_t b) {
     const auto next = static_cast<std::uint32_t>(mesh_.positions.size());
     const auto [entry, added] = middles_.try_emplace({std::min(a, b), std::max(a, b)}, next);
     if (added) {
       const Eigen::Vector3f normal = mesh_.normals[a] + mesh_.normals[b];
-      mesh_.positions.emplace_back(0.5F * (mesh_.positions[a] + mesh_.positions[b]));
+      mesh_.positions.emplace_back(middle_of(mesh_.positions[a], mesh_.positions[b]));
       mesh_.normals.push_back(normal.norm() > 1e-3F ? normal.normalized() : mesh_.normals[a]);
       mesh_.albedo.emplace_back(0.5F * (mesh_.albedo[a] + mesh_.albedo[b]));
       repeat_finish(mesh_, a);  // both ends of an edge have one finish
@@ -60,71 +156,33 @@ class Splitter {
     return entry->second;
   }
 
-  void split(const Face& face, std::vector<Face>& faces) {
-    std::array<bool, 3> is_split{};  // edge k runs from corner k to corner k+1
-    for (std::size_t k = 0; k < 3; ++k) is_split[k] = is_long(face[k], face[(k + 1) % 3]);
-    const auto count = std::count(is_split.begin(), is_split.end(), true);
-    if (count == 0) {
-      faces.push_back(face);
-    } else if (count == 3) {
-      into_four(face, faces);
-    } else {
-      // Turn the face so that edge 0 is the only split one, or edge 2 the only whole one.
-      std::size_t first = 0;
-      while (count == 1 ? !is_split[first] : is_split[(first + 2) % 3]) ++first;
-      const Face turned = {face[first], face[(first + 1) % 3], face[(first + 2) % 3]};
-      count == 1 ? into_two(turned, faces) : into_three(turned, faces);
+  void split_face(const Face& face, std::vector<Face>& faces) {
+    split(corners_of(mesh_, face), limit_, parts_);
+    std::array<std::uint32_t, 6> points = {face[0], face[1], face[2], kNoVertex, kNoVertex, kNoVertex};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t k = (parts_.first + i) % 3;
+      if (parts_.is_split[k]) points[3 + k] = middle(face[k], face[(k + 1) % 3]);
     }
-  }
-
-  void into_two(const Face& f, std::vector<Face>& faces) {
-    const std::uint32_t m = middle(f[0], f[1]);
-    faces.push_back({f[0], m, f[2]});
-    faces.push_back({m, f[1], f[2]});
-  }
-
-  void into_three(const Face& f, std::vector<Face>& faces) {
-    const std::uint32_t m = middle(f[0], f[1]);
-    const std::uint32_t n = middle(f[1], f[2]);
-    faces.push_back({m, f[1], n});
-    // The quadrilateral f0 m n f2 is cut along its shorter diagonal.
-    const auto length = [&](std::uint32_t a, std::uint32_t b) {
-      return (mesh_.positions[a] - mesh_.positions[b]).norm();
-    };
-    if (length(f[0], n) <= length(m, f[2])) {
-      faces.push_back({f[0], m, n});
-      faces.push_back({f[0], n, f[2]});
-    } else {
-      faces.push_back({f[0], m, f[2]});
-      faces.push_back({m, n, f[2]});
-    }
-  }
-
-  void into_four(const Face& f, std::vector<Face>& faces) {
-    const std::uint32_t m = middle(f[0], f[1]);
-    const std::uint32_t n = middle(f[1], f[2]);
-    const std::uint32_t o = middle(f[2], f[0]);
-    faces.push_back({f[0], m, o});
-    faces.push_back({m, f[1], n});
-    faces.push_back({o, n, f[2]});
-    faces.push_back({m, n, o});
+    for (const auto& part : parts_.faces) faces.push_back({points[part[0]], points[part[1]], points[part[2]]});
   }
 
   Mesh& mesh_;
   const EdgeLimit& limit_;
   std::vector<std::uint32_t> origins_;
+  Parts parts_;
   std::unordered_map<std::array<std::uint32_t, 2>, std::uint32_t, WordsHash> middles_;
 };
 
 }  // namespace
 
 std::vector<std::uint32_t> tessellate(Mesh& mesh, const EdgeLimit& limit, const std::string& name) {
+  if (count_faces(mesh, limit, kMaxFaces) > kMaxFaces) {
+    throw std::runtime_error(
+        fmt::format("{}: max_edge makes more than {} faces; expected one at least {:.2g} times as long", name,
+                    kMaxFaces, factor_that_fits(mesh, limit)));
+  }
   Splitter splitter(mesh, limit);
   while (splitter.split_once()) {
-    if (mesh.faces.size() > kMaxFaces) {
-      throw std::runtime_error(
-          fmt::format("{}: max_edge is too small: more than {} faces, expected a longer edge", name, kMaxFaces));
-    }
   }
   set_geometric_normals(mesh);
   return splitter.take_origins();

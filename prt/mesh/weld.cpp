@@ -55,14 +55,14 @@ Mesh weld(const Soup& soup, std::size_t source_vertices) {
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t v = face[k];
       Eigen::Matrix<float, 9, 1> numbers;
-      numbers << soup.positions[v], rounded(soup.normals[v]), soup.albedo[v];
+      numbers << soup.positions[v].cast<float>(), rounded(soup.normals[v]), soup.albedo[v];
       std::array<std::uint32_t, 10> key{};
       std::copy_n(bits_of(numbers).begin(), 9, key.begin());
       key[9] = soup.finish_of(f);
       const auto next = static_cast<std::uint32_t>(mesh.positions.size());
       const auto [entry, added] = welded.try_emplace(key, next);
       if (added) {
-        mesh.positions.push_back(soup.positions[v]);
+        mesh.positions.emplace_back(soup.positions[v].cast<float>());
         mesh.normals.push_back(soup.normals[v]);
         mesh.albedo.push_back(soup.albedo[v]);
         finish_of_vertex.push_back(key[9]);

@@ -35,12 +35,13 @@ void add_backs(Mesh& mesh, const std::vector<std::uint8_t>& is_two_sided);
 /// The longest edge allowed around a point; positive.
 using EdgeLimit = std::function<float(const Eigen::Vector3f&)>;
 
-inline constexpr std::size_t kMaxFaces = std::size_t{1} << 27U;
+inline constexpr std::size_t kMaxFaces = std::size_t{1} << 25U;
 
 /// Halves edges until none is longer than `limit` at its middle. The two end points alone decide whether an edge is
 /// halved. Faces on both sides therefore agree, even at hard edges where they share no vertex, and no cracks open. Old
-/// vertices keep their numbers. Returns, for each new face, the old face that it is a part of. Throws
-/// std::runtime_error, one line that begins with `name`, past kMaxFaces.
+/// vertices keep their numbers. Returns, for each new face, the old face that it is a part of. Counts ahead: before any
+/// work it throws std::runtime_error, one line that begins with `name` and says what would do, if more than kMaxFaces
+/// faces would be left. Throws output::Interrupted on request.
 std::vector<std::uint32_t> tessellate(Mesh& mesh, const EdgeLimit& limit, const std::string& name);
 
 }  // namespace sh::prt

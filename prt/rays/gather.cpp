@@ -20,7 +20,8 @@ namespace sh::prt {
 namespace {
 
 constexpr float kOffset = 2e-3F;           // of the reach of the mesh around
-constexpr float kRoundings = 32.0F;        // at least this many roundings of the coordinates
+constexpr float kRoundings = 32.0F;        // at least this many roundings of the coordinates,
+constexpr float kMostOffset = 0.1F;        // but at most this part of the reach
 constexpr float kNearReach = 2.0F;         // hits nearer than this many reaches are near
 constexpr std::size_t kRowUnit = 8;        // floats
 constexpr std::size_t kStreamRays = 1024;  // a stream call
@@ -98,7 +99,7 @@ std::vector<RayStart> ray_starts(const Mesh& mesh) {
     const Eigen::Vector3f& position = mesh.positions[v];
     const float reach = distance[v] / static_cast<float>(std::max(faces[v], 1));
     const float rounding = std::numeric_limits<float>::epsilon() * position.cwiseAbs().maxCoeff();
-    const float length = std::max(kOffset * reach, kRoundings * rounding);
+    const float length = std::max(kOffset * reach, std::min(kRoundings * rounding, kMostOffset * reach));
     const Eigen::Vector3f& up = mesh.geometric_normals[v];
     const Eigen::Vector3f along = distance[v] > 0.0F ? (inward[v] / distance[v]).eval() : inward[v];
     starts.push_back({position + length * (up + along - along.dot(up) * up), reach});

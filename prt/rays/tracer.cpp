@@ -56,6 +56,7 @@ struct Tracer::Impl {
   RTCDevice device = nullptr;
   RTCScene scene = nullptr;
   std::string instruction_set;
+  Frame frame;
   std::atomic<std::uint64_t> rays{0};
   Sheets sheets;
 
@@ -95,6 +96,7 @@ struct Tracer::Impl {
 
 Tracer::Tracer(const Mesh& mesh, int threads, const std::string& instruction_set) : impl_(std::make_unique<Impl>()) {
   impl_->sheets = Sheets(mesh);
+  impl_->frame = mesh.frame;
   impl_->open(threads, instruction_set);
   impl_->add(mesh);
 }
@@ -102,6 +104,8 @@ Tracer::Tracer(const Mesh& mesh, int threads, const std::string& instruction_set
 Tracer::~Tracer() = default;
 
 const std::string& Tracer::instruction_set() const { return impl_->instruction_set; }
+
+const Frame& Tracer::frame() const { return impl_->frame; }
 
 std::uint64_t Tracer::rays() const { return impl_->rays; }
 

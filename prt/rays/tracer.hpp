@@ -52,6 +52,9 @@ class Tracer {
   /// Sets `far` of the rays that hit anything to -infinity.
   void occluded(std::span<ShadowRay> rays) const;
 
+  /// The frame of the mesh, in which rays are, too.
+  [[nodiscard]] const Frame& frame() const;
+
   /// The instruction set in use: results have the same bits on every machine that has it.
   [[nodiscard]] const std::string& instruction_set() const;
 

@@ -70,12 +70,6 @@ Points k_means(const Points& vertices, int k) {
   return points;
 }
 
-Points in_double(std::span<const Eigen::Vector3f> vertices) {
-  Points out;
-  for (const Eigen::Vector3f& v : vertices) out.push_back(v.cast<double>());
-  return out;
-}
-
 void add_distance_weights(const Points& points, const Eigen::Vector3d& vertex, std::vector<float>& weights) {
   const Nearest closest = nearest(points, vertex);
   std::vector<double> row;
@@ -137,20 +131,20 @@ void add_octahedron_weights(const Points& corners, const Eigen::Vector3d& vertex
 
 }  // namespace
 
-LightSamples samples_by_distance(std::span<const Eigen::Vector3f> vertices, int k) {
+LightSamples samples_by_distance(std::span<const Eigen::Vector3d> vertices, int k) {
   if (k < 1 || k > kMaxLightSamples || vertices.empty()) {
     throw std::invalid_argument(
         fmt::format("{} light samples for {} vertices: expected 1 to {}", k, vertices.size(), kMaxLightSamples));
   }
-  const Points places = in_double(vertices);
+  const Points places(vertices.begin(), vertices.end());
   LightSamples samples{k_means(places, k), {}};
   for (const Eigen::Vector3d& place : places) add_distance_weights(samples.points, place, samples.weights);
   return samples;
 }
 
-LightSamples samples_on_octahedron(std::span<const Eigen::Vector3f> vertices) {
+LightSamples samples_on_octahedron(std::span<const Eigen::Vector3d> vertices) {
   Eigen::AlignedBox3d box;
-  for (const Eigen::Vector3f& v : vertices) box.extend(v.cast<double>());
+  for (const Eigen::Vector3d& v : vertices) box.extend(v);
   if (vertices.empty() || !(box.diagonal().norm() > 0.0)) {
     throw std::invalid_argument("a mesh without extent has no polyhedron around it");
   }
@@ -160,7 +154,7 @@ LightSamples samples_on_octahedron(std::span<const Eigen::Vector3f> vertices) {
     samples.points.emplace_back(box.center() + half[axis] * Eigen::Vector3d::Unit(axis));
     samples.points.emplace_back(box.center() - half[axis] * Eigen::Vector3d::Unit(axis));
   }
-  for (const Eigen::Vector3f& v : vertices) add_octahedron_weights(samples.points, v.cast<double>(), samples.weights);
+  for (const Eigen::Vector3d& v : vertices) add_octahedron_weights(samples.points, v, samples.weights);
   return samples;
 }
 

@@ -26,14 +26,14 @@ struct LightSamples {
   std::vector<float> weights;           // (vertices, k)
 };
 
-/// Runs k-means over the vertices. It starts with the vertex nearest to their mean, then adds the vertex farthest from
+/// Runs k-means over the vertices, which are in the world. It starts with the vertex nearest to their mean, then adds the vertex farthest from
 /// all points so far, so that the same mesh always gives the same points. 1 <= k <= kMaxLightSamples, else it throws
 /// std::invalid_argument. The result has fewer points if the mesh has fewer distinct positions.
-LightSamples samples_by_distance(std::span<const Eigen::Vector3f> vertices, int k);
+LightSamples samples_by_distance(std::span<const Eigen::Vector3d> vertices, int k);
 
 /// The six corners of the octahedron; a flat bounding box gets a little thickness. Throws std::invalid_argument for a
 /// mesh without extent.
-LightSamples samples_on_octahedron(std::span<const Eigen::Vector3f> vertices);
+LightSamples samples_on_octahedron(std::span<const Eigen::Vector3d> vertices);
 
 /// Exit radiance per vertex under `lights` (k), blended by the weights of the samples. Each light comes from
 /// `shading.chosen`. One light gives the same bits as shading.shade. Throws std::invalid_argument for transfer with

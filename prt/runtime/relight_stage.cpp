@@ -50,19 +50,20 @@ std::vector<Eigen::Vector3f> radiance_per_vertex(const Stage& stage, const std::
   const Transfer& transfer = *stage.objects[index].transfer;
   std::vector<Eigen::Vector3f> radiance(transfer.mesh.positions.size());
   tbb::parallel_for(std::size_t{0}, radiance.size(), [&](std::size_t v) {
-    const Eigen::Vector3d point = placed(poses[index], transfer.mesh.positions[v].cast<double>());
+    const Eigen::Vector3d point = placed(poses[index], transfer.mesh.point(v));
     radiance[v] =
         shading.shade_vertex(transfer, v, shadowed_by_caps(light, caps_seen_from(stage, poses, index, point)));
   });
   return radiance;
 }
 
-void append_placed(Mesh& mesh, const Mesh& part, const Pose& pose) {
+/// Appends a part with its normals turned, and its placed vertices to `points`.
+void append_placed(Mesh& mesh, std::vector<Eigen::Vector3d>& points, const Mesh& part, const Pose& pose) {
   Mesh moved = part;
   const auto turn = [&](std::vector<Eigen::Vector3f>& vectors) {
     for (Eigen::Vector3f& v : vectors) v = (pose.rotation * v.cast<double>()).cast<float>();
   };
-  for (Eigen::Vector3f& p : moved.positions) p = placed(pose, p.cast<double>()).cast<float>();
+  for (std::size_t v = 0; v < part.positions.size(); ++v) points.push_back(placed(pose, part.point(v)));
   turn(moved.normals);
   turn(moved.geometric_normals);
   append(mesh, moved);
@@ -94,8 +95,11 @@ std::vector<Pose> poses_at(const Stage& stage, double time) {
 }
 
 Mesh merged_mesh(const Stage& stage, const std::vector<Pose>& poses) {
+  if (poses.size() == 1 && poses.front() == Pose()) return stage.objects.front().transfer->mesh;
   Mesh mesh;
-  for (std::size_t i = 0; i < poses.size(); ++i) append_placed(mesh, stage.objects[i].transfer->mesh, poses[i]);
+  std::vector<Eigen::Vector3d> points;
+  for (std::size_t i = 0; i < poses.size(); ++i) append_placed(mesh, points, stage.objects[i].transfer->mesh, poses[i]);
+  place(mesh, points, stage.name);
   return mesh;
 }
 

@@ -25,6 +25,8 @@ Eigen::Vector2f pattern(int k) {
           static_cast<float>(std::modf(0.5 + k / (kG * kG), &whole))};
 }
 
+Eigen::Vector3f eye_in(const Frame& frame, const Camera& camera) { return frame.local(camera.position).cast<float>(); }
+
 // The radiance that each ray of a row sees, also over mirrors.
 std::vector<Eigen::Vector3f> seen(const Mesh& mesh, const MirrorPaths& mirrors,
                                   const std::vector<Eigen::Vector3f>& vertex_radiance, const RowOfRays& rays,
@@ -73,18 +75,19 @@ void require_picture_size(const PictureSize& size) {
 
 CameraFrame::CameraFrame(const Camera& camera, const PictureSize& size)
     : width_(static_cast<float>(size.width)), height_(static_cast<float>(size.height)) {
-  const Eigen::Vector3f towards = camera.target - camera.position;
-  const Eigen::Vector3f side = towards.cross(camera.up);
+  const Eigen::Vector3d towards = camera.target - camera.position;
+  const Eigen::Vector3d side = towards.cross(camera.up);
   const float angle = camera.vertical_field_of_view;
-  if (!(side.norm() > 1e-6F * towards.norm() * camera.up.norm()) || !(angle > 0.0F && angle < 180.0F)) {
+  if (!(side.norm() > 1e-6 * towards.norm() * camera.up.norm()) || !(angle > 0.0F && angle < 180.0F)) {
     throw std::invalid_argument(
         "the camera must look at a point other than its own, not along its up, with a vertical "
         "field of view above 0 and below 180 degrees");
   }
   const float half_height = std::tan(0.5F * angle * std::numbers::pi_v<float> / 180.0F);
-  forward_ = towards.normalized();
-  right_ = side.normalized() * half_height * width_ / height_;
-  down_ = forward_.cross(side.normalized()) * half_height;
+  forward_ = towards.normalized().cast<float>();
+  const Eigen::Vector3f right = side.normalized().cast<float>();
+  right_ = right * half_height * width_ / height_;
+  down_ = forward_.cross(right) * half_height;
 }
 
 Eigen::Vector3f CameraFrame::direction(float column, float row) const {
@@ -101,7 +104,7 @@ void trace_row(const Tracer& tracer, const Camera& camera, const PictureSize& si
           frame.direction(static_cast<float>(column) + offset.x(), static_cast<float>(row) + offset.y()));
     }
   }
-  const std::vector<Eigen::Vector3f> origins(rays.directions.size(), camera.position);
+  const std::vector<Eigen::Vector3f> origins(rays.directions.size(), eye_in(tracer.frame(), camera));
   rays.hits.resize(rays.directions.size());
   tracer.intersect(origins, rays.directions, rays.hits);
 }
@@ -124,7 +127,8 @@ Picture render(const Mesh& mesh, const Tracer& tracer, const std::vector<Eigen::
   tbb::parallel_for(0, size.height, [&](int row) {
     RowOfRays rays;
     trace_row(tracer, camera, size, row, rays);
-    shade_row(seen(mesh, mirrors, vertex_radiance, rays, camera.position, background), rays, size, row, picture);
+    shade_row(seen(mesh, mirrors, vertex_radiance, rays, eye_in(mesh.frame, camera), background), rays, size, row,
+              picture);
     progress.advance();
   });
   progress.finish();

@@ -13,9 +13,8 @@ namespace {
 /// The camera, turned about the vertical axis through its target.
 Camera turned(const Camera& camera, const Eigen::Matrix3d& r) {
   Camera out = camera;
-  const Eigen::Vector3d target = camera.target.cast<double>();
-  out.position = (target + r * (camera.position.cast<double>() - target)).cast<float>();
-  out.up = (r * camera.up.cast<double>()).cast<float>();
+  out.position = camera.target + r * (camera.position - camera.target);
+  out.up = r * camera.up;
   return out;
 }
 
@@ -24,11 +23,11 @@ Camera turned(const Camera& camera, const Eigen::Matrix3d& r) {
 Camera default_camera(const Mesh& mesh, const PictureSize& size) {
   const Eigen::AlignedBox3f box = bounding_box(mesh.positions);
   Camera camera;
-  camera.target = box.center();
+  camera.target = mesh.frame.world(box.center());
   const float narrow = std::min(1.0F, static_cast<float>(size.width) / static_cast<float>(size.height));
   const float half_angle = 0.5F * camera.vertical_field_of_view * std::numbers::pi_v<float> / 180.0F * narrow;
-  const float distance = 0.5F * box.diagonal().norm() / std::sin(half_angle);
-  camera.position = camera.target + distance * Eigen::Vector3f(0.5F, -0.75F, 0.45F).normalized();
+  const auto distance = static_cast<double>(0.5F * box.diagonal().norm() / std::sin(half_angle)) * mesh.frame.unit;
+  camera.position = camera.target + distance * Eigen::Vector3d(0.5, -0.75, 0.45).normalized();
   return camera;
 }
 

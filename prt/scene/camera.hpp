@@ -7,11 +7,11 @@
 
 namespace sh::prt {
 
-/// A pinhole camera; the field of view is vertical, in degrees.
+/// A pinhole camera in the world; the field of view is vertical, in degrees.
 struct Camera {
-  Eigen::Vector3f position{4.0F, -4.0F, 3.0F};
-  Eigen::Vector3f target{0.0F, 0.0F, 0.0F};
-  Eigen::Vector3f up{0.0F, 0.0F, 1.0F};
+  Eigen::Vector3d position{4.0, -4.0, 3.0};
+  Eigen::Vector3d target{0.0, 0.0, 0.0};
+  Eigen::Vector3d up{0.0, 0.0, 1.0};
   float vertical_field_of_view = 40.0F;
 };
 

@@ -20,6 +20,7 @@ namespace {
 
 constexpr std::size_t kLongestQuote = 60;
 constexpr float kLargest = std::numeric_limits<float>::max();
+constexpr double kMost = static_cast<double>(kLargest);
 
 // The text of a value in the file, truncated if it is long.
 std::string quote(const nlohmann::json& value) {
@@ -139,19 +140,25 @@ int JsonReader::integer(int least, int most) const {
   return static_cast<int>(number(least, most, what));
 }
 
+double JsonReader::real() const { return number(-kMost, kMost, "a number"); }
+
 Eigen::Vector3f JsonReader::vector() const { return vector_within(-kLargest, kLargest); }
 
 Eigen::Vector3f JsonReader::vector_within(float least, float most) const {
-  const bool any = most == kLargest;
-  const std::string what = !any            ? fmt::format("three numbers from {} to {}", least, most)
-                           : least == 0.0F ? "three numbers of 0 or more"
-                                           : "three numbers";
+  return numbers(static_cast<double>(least), static_cast<double>(most)).cast<float>();
+}
+
+Eigen::Vector3d JsonReader::point() const { return numbers(-kMost, kMost); }
+
+Eigen::Vector3d JsonReader::numbers(double least, double most) const {
+  const bool any = most == kMost;
+  const std::string what = !any           ? fmt::format("three numbers from {} to {}", least, most)
+                           : least == 0.0 ? "three numbers of 0 or more"
+                                          : "three numbers";
   if (!value_->is_array() || value_->size() != 3) expected(what);
-  Eigen::Vector3f vector;
+  Eigen::Vector3d vector;
   int i = 0;
-  for (const JsonReader& item : items()) {
-    vector[i++] = static_cast<float>(item.number(least, most, any && least < 0.0F ? "a number" : what));
-  }
+  for (const JsonReader& item : items()) vector[i++] = item.number(least, most, any && least < 0.0 ? "a number" : what);
   return vector;
 }
 

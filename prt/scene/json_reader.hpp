@@ -56,11 +56,13 @@ class JsonReader {
   [[nodiscard]] int integer(int least, int most) const;
   [[nodiscard]] Eigen::Vector3f vector() const;  // three numbers
   [[nodiscard]] Eigen::Vector3f vector_within(float least, float most) const;
-  [[nodiscard]] Eigen::Vector3d point() const { return vector().cast<double>(); }
+  [[nodiscard]] Eigen::Vector3d point() const;  // three numbers in double precision
+  [[nodiscard]] double real() const;
 
   [[noreturn]] void expected(std::string_view what) const;
 
  private:
+  [[nodiscard]] Eigen::Vector3d numbers(double least, double most) const;
   JsonReader(const JsonReader& parent, std::string path, const nlohmann::json& value)
       : file_(parent.file_), path_(std::move(path)), value_(&value) {}
 

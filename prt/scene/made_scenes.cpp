@@ -24,10 +24,9 @@ Mesh disc_mesh() {
   const double turn = 2.0 * std::numbers::pi / kCorners;
   const double corner = static_cast<double>(kDisc.radius) * std::sqrt(turn / std::sin(turn));  // equal areas
   Soup soup;
-  soup.positions.emplace_back(0.0F, 0.0F, kDisc.height);
+  soup.positions.emplace_back(0.0, 0.0, kDisc.height);
   for (std::uint32_t k = 0; k < kCorners; ++k) {
-    soup.positions.emplace_back(static_cast<float>(corner * std::cos(turn * k)),
-                                static_cast<float>(corner * std::sin(turn * k)), kDisc.height);
+    soup.positions.emplace_back(corner * std::cos(turn * k), corner * std::sin(turn * k), kDisc.height);
     soup.faces.push_back({0, 1 + k, 1 + (k + 1) % kCorners});
   }
   soup.normals.assign(soup.positions.size(), Eigen::Vector3f::UnitZ());
@@ -35,8 +34,8 @@ Mesh disc_mesh() {
   return weld(soup);
 }
 
-constexpr float kGap = 0.0005F;  // between a shape and its support, so that no faces coincide
-constexpr float kEdge = 0.09F;
+constexpr double kGap = 0.0005;  // between a shape and its support, so that no faces coincide
+constexpr double kEdge = 0.09;
 
 struct Piece {
   const char* primitive;
@@ -50,11 +49,12 @@ Mesh make(const Piece& piece) {
   const float angle = piece.turn_degrees * (std::numbers::pi_v<float> / 180.0F);
   const Eigen::Quaternionf turn(Eigen::AngleAxisf(angle, Eigen::Vector3f::UnitZ()));
   Soup soup = make_primitive(piece.primitive, 64);
-  transform(soup, Eigen::Affine3f(turn.toRotationMatrix() * piece.size.asDiagonal()));
-  const float lowest = bounding_box(soup.positions).min().z();
-  transform(soup, Eigen::Affine3f(Eigen::Translation3f(piece.foot + Eigen::Vector3f(0.0F, 0.0F, kGap - lowest))));
+  transform(soup, Eigen::Affine3d((turn.toRotationMatrix() * piece.size.asDiagonal()).cast<double>()));
+  const double lowest = bounding_box(soup.positions).min().z();
+  transform(soup, Eigen::Affine3d(
+                      Eigen::Translation3d(piece.foot.cast<double>() + Eigen::Vector3d(0.0, 0.0, kGap - lowest))));
   soup.albedo.assign(soup.positions.size(), piece.albedo);
-  return finish_mesh(std::move(soup), 0, 0.0F, kEdge, piece.primitive, OnFlaw::kRefuse);
+  return finish_mesh({.soup = std::move(soup), .max_edge = kEdge, .name = piece.primitive}, Frame(), OnFlaw::kRefuse);
 }
 
 }  // namespace
@@ -99,7 +99,7 @@ Scene make_disc_scene() {
                    .radiance = {4.0F, 3.4F, 2.6F},
                    .direction = Eigen::Vector3d(-0.6, -0.4, 0.7).normalized(),
                    .one_minus_cos = 1.0 - std::cos(25.0 * std::numbers::pi / 180.0)}};
-  scene.camera = {{2.4F, -5.2F, 2.6F}, {0.0F, 0.0F, 0.2F}, {0.0F, 0.0F, 1.0F}, 34.0F};
+  scene.camera = {{2.4, -5.2, 2.6}, {0.0, 0.0, 0.2}, {0.0, 0.0, 1.0}, 34.0F};
   scene.disc = kDisc;
   return scene;
 }
@@ -111,21 +111,22 @@ Scene make_embedded_scene() {
   const Eigen::Vector3f brick(0.62F, 0.24F, 0.16F);
   const Eigen::Vector3f moss(0.28F, 0.45F, 0.22F);
   const Eigen::Vector3f gold(0.78F, 0.56F, 0.18F);
-  const std::vector<Piece> pieces = {{"arch", {2.2F, 0.6F, 1.9F}, {-0.7F, 0.75F, 0.0F}, -14.0F, sandstone},
-                                     {"stairs", {1.3F, 1.0F, 0.8F}, {1.2F, 0.85F, 0.0F}, 0.0F, chalk},
-                                     {"cylinder", {0.36F, 0.36F, 1.1F}, {0.75F, -0.55F, 0.0F}, 0.0F, chalk},
-                                     {"sphere", {0.56F, 0.56F, 0.56F}, {0.75F, -0.55F, 1.1F + kGap}, 0.0F, gold},
-                                     {"torus", {1.0F, 1.0F, 1.0F}, {-0.55F, -0.65F, 0.0F}, 25.0F, brick},
-                                     {"sphere", {0.43F, 0.43F, 0.43F}, {-0.55F, -0.65F, 0.0F}, 0.0F, slate},
-                                     {"cone", {0.5F, 0.5F, 0.75F}, {1.5F, -0.25F, 0.0F}, 0.0F, moss},
-                                     {"box", {0.5F, 0.5F, 0.5F}, {-1.6F, -0.35F, 0.0F}, 33.0F, slate},
-                                     {"torus", {0.5F, 0.5F, 0.5F}, {-1.6F, -0.35F, 0.5F + kGap}, 0.0F, moss}};
+  const std::vector<Piece> pieces = {
+      {"arch", {2.2F, 0.6F, 1.9F}, {-0.7F, 0.75F, 0.0F}, -14.0F, sandstone},
+      {"stairs", {1.3F, 1.0F, 0.8F}, {1.2F, 0.85F, 0.0F}, 0.0F, chalk},
+      {"cylinder", {0.36F, 0.36F, 1.1F}, {0.75F, -0.55F, 0.0F}, 0.0F, chalk},
+      {"sphere", {0.56F, 0.56F, 0.56F}, {0.75F, -0.55F, 1.1F + static_cast<float>(kGap)}, 0.0F, gold},
+      {"torus", {1.0F, 1.0F, 1.0F}, {-0.55F, -0.65F, 0.0F}, 25.0F, brick},
+      {"sphere", {0.43F, 0.43F, 0.43F}, {-0.55F, -0.65F, 0.0F}, 0.0F, slate},
+      {"cone", {0.5F, 0.5F, 0.75F}, {1.5F, -0.25F, 0.0F}, 0.0F, moss},
+      {"box", {0.5F, 0.5F, 0.5F}, {-1.6F, -0.35F, 0.0F}, 33.0F, slate},
+      {"torus", {0.5F, 0.5F, 0.5F}, {-1.6F, -0.35F, 0.5F + static_cast<float>(kGap)}, 0.0F, moss}};
   Scene scene;
   scene.name = "demo";
   for (const Piece& piece : pieces) append(scene.mesh, make(piece));
   add_ground(scene.mesh, {0.0F, 150.0F, 0.06F, {0.58F, 0.57F, 0.54F}});
   scene.lights.emplace_back();  // the CIE overcast sky
-  scene.camera = {{1.6F, -5.6F, 2.5F}, {-0.05F, 0.0F, 0.6F}, {0.0F, 0.0F, 1.0F}, 32.0F};
+  scene.camera = {{1.6, -5.6, 2.5}, {-0.05, 0.0, 0.6}, {0.0, 0.0, 1.0}, 32.0F};
   return scene;
 }
 

@@ -21,30 +21,31 @@ namespace {
 constexpr float kDefaultCrease = 40.0F;  // degrees
 constexpr int kMaxSegments = 4096;
 
-Eigen::Vector3f read_scale(const JsonReader& reader) {
-  return reader.is("array") ? reader.vector() : Eigen::Vector3f::Constant(reader.finite());
+Eigen::Vector3d read_scale(const JsonReader& reader) {
+  return reader.is("array") ? reader.point() : Eigen::Vector3d::Constant(reader.real());
 }
 
 // Scaled first, then turned, then moved.
-Eigen::Affine3f read_transform(const JsonReader& reader) {
+Eigen::Affine3d read_transform(const JsonReader& reader) {
   reader.allow({"translate", "rotate", "scale"});
-  Eigen::Affine3f map = Eigen::Affine3f::Identity();
-  if (const auto translate = reader.find("translate")) map.translate(translate->vector());
+  Eigen::Affine3d map = Eigen::Affine3d::Identity();
+  if (const auto translate = reader.find("translate")) map.translate(translate->point());
   if (const auto rotate = reader.find("rotate")) {
     const Turn turn = read_turn(*rotate);
-    map.rotate(Eigen::AngleAxisf(turn.degrees * std::numbers::pi_v<float> / 180.0F, turn.axis));
+    map.rotate(Eigen::AngleAxisd(static_cast<double>(turn.degrees) * std::numbers::pi / 180.0,
+                                 turn.axis.cast<double>().normalized()));
   }
   if (const auto scale = reader.find("scale")) {
-    const Eigen::Vector3f factors = read_scale(*scale);
-    if (!(factors.cwiseAbs().minCoeff() > 0.0F)) scale->expected("factors that are not zero");
+    const Eigen::Vector3d factors = read_scale(*scale);
+    if (!(factors.cwiseAbs().minCoeff() > 0.0)) scale->expected("factors that are not zero");
     map.scale(factors);
   }
   return map;
 }
 
 // (x, y, z) with y up becomes (x, -z, y).
-Eigen::Affine3f stand_up() {
-  Eigen::Affine3f map = Eigen::Affine3f::Identity();
+Eigen::Affine3d stand_up() {
+  Eigen::Affine3d map = Eigen::Affine3d::Identity();
   map.linear() << 1, 0, 0, 0, 0, -1, 0, 1, 0;
   return map;
 }
@@ -115,29 +116,61 @@ void check_material_names(const JsonReader& mesh, const std::vector<std::string>
   }
 }
 
+double largest(const std::vector<Eigen::Vector3d>& positions) {
+  const Eigen::AlignedBox3d box = bounding_box(positions);
+  return box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).maxCoeff();
+}
+
+double mean_edge(const Soup& soup) {
+  double sum = 0.0;
+  for (const Face& face : soup.faces) {
+    for (std::size_t k = 0; k < 3; ++k) sum += (soup.positions[face[(k + 1) % 3]] - soup.positions[face[k]]).norm();
+  }
+  return sum / (3.0 * static_cast<double>(soup.faces.size()));
+}
+
+// Single precision carries a shape if it rounds positions by less than kFine of a mean edge.
+void report_rounding(const Soup& soup, const Frame& frame, const std::string& name, OnFlaw on_flaw) {
+  constexpr double kFine = 1e-3;
+  const double in_file = soup.rounding / frame.unit;
+  const double in_scene = kSingleRounding * largest(soup.positions);
+  const double edge = mean_edge(soup);
+  if (!(in_file + in_scene > kFine * edge)) return;
+  report_flaw(on_flaw,
+              fmt::format("{}: single precision rounds its positions by up to {:.2g}, {:.2g} of its mean edge; "
+                          "expected {}",
+                          name, (in_file + in_scene) * frame.unit, (in_file + in_scene) / edge,
+                          in_file > in_scene ? "a file with its origin near the mesh (`translate` moves it)"
+                                             : "meshes nearer to each other, or a bake of each"));
+}
+
 }  // namespace
 
-Mesh finish_mesh(Soup soup, std::size_t file_vertices, float crease_degrees, float max_edge, const std::string& name,
-                 OnFlaw on_flaw) {
-  check(soup, name);
+Mesh finish_mesh(MeshPart part, const Frame& frame, OnFlaw on_flaw) {
+  Soup& soup = part.soup;
+  const std::string& name = part.name;
+  for (Eigen::Vector3d& p : soup.positions) p = frame.local(p).cast<float>().cast<double>();
   const std::size_t all = soup.faces.size();
   if (const std::size_t dropped = drop_faces_without_area(soup); dropped > 0) {
     if (soup.faces.empty()) throw std::runtime_error(fmt::format("{}: none of the {} faces has an area", name, all));
     report_flaw(on_flaw, fmt::format("{}: {} of {} faces have no area (dropped)", name, dropped, all));
   }
-  if (const std::size_t made = complete_normals(soup, crease_degrees); made > 0) {
+  report_rounding(soup, frame, name, on_flaw);
+  if (const std::size_t made = complete_normals(soup, part.crease_degrees); made > 0) {
     report_flaw(on_flaw, fmt::format("{}: {} vertex normals are zero or not finite (made from the faces)", name, made));
   }
   if (const std::size_t turned = turn_faces_to_normals(soup); turned > 0) {
     report_flaw(on_flaw, fmt::format("{}: {} of {} faces are wound against their normals (turned)", name, turned,
                                      soup.faces.size()));
   }
-  Mesh mesh = weld(soup, file_vertices);
+  Mesh mesh = weld(soup, part.file_vertices);
+  mesh.frame = frame;
   std::vector<std::uint32_t> origins(mesh.faces.size());
   std::iota(origins.begin(), origins.end(), 0U);
-  if (max_edge > 0.0F) {
+  if (part.max_edge > 0.0) {
+    const auto limit = static_cast<float>(part.max_edge / frame.unit);
     origins = tessellate(
-        mesh, [&](const Eigen::Vector3f&) { return max_edge; }, name);
+        mesh, [&](const Eigen::Vector3f&) { return limit; }, name);
   }
   std::vector<std::uint8_t> is_two_sided;
   for (const std::uint32_t face : origins) {
@@ -147,17 +180,17 @@ Mesh finish_mesh(Soup soup, std::size_t file_vertices, float crease_degrees, flo
   return mesh;
 }
 
-Mesh read_mesh(const JsonReader& reader, const std::string& folder, OnFlaw on_flaw) {
+MeshPart read_mesh(const JsonReader& reader, const std::string& folder, OnFlaw on_flaw) {
   reader.allow({"file", "primitive", "segments", "transform", "up", "albedo", "mirror", "emission", "sides",
                 "materials", "max_edge", "crease", "flip"});
   const MaterialChanges changes = read_materials(reader);
-  float edge = 0.0F;
-  float crease = kDefaultCrease;
-  Eigen::Affine3f map = Eigen::Affine3f::Identity();
+  MeshPart part;
+  part.crease_degrees = kDefaultCrease;
+  Eigen::Affine3d map = Eigen::Affine3d::Identity();
   std::optional<UpAxis> up;
   bool is_flipped = false;
-  reader.take("max_edge", edge, &JsonReader::positive);
-  reader.take("crease", crease, &JsonReader::number, 0.0, 180.0, "degrees from 0 to 180");
+  reader.take("max_edge", part.max_edge, &JsonReader::positive);
+  reader.take("crease", part.crease_degrees, &JsonReader::number, 0.0, 180.0, "degrees from 0 to 180");
   reader.take("transform", map, read_transform);
   reader.take("up", up, [](const JsonReader& value) {
     return value.one_of({"y", "z"}) == "y" ? UpAxis::kY : UpAxis::kZ;
@@ -166,12 +199,15 @@ Mesh read_mesh(const JsonReader& reader, const std::string& folder, OnFlaw on_fl
   check_material_names(reader, shape.materials);
   reader.take("flip", is_flipped, &JsonReader::boolean);
   const auto file = reader.find("file");
-  const std::string name = file ? beside(folder, file->text()) : reader.at("primitive").text();
-  for (const std::string& line : shape.unread) report_flaw(on_flaw, fmt::format("{}: {}", name, line));
-  check(shape.soup, name);
+  part.name = file ? beside(folder, file->text()) : reader.at("primitive").text();
+  for (const std::string& line : shape.unread) report_flaw(on_flaw, fmt::format("{}: {}", part.name, line));
+  check(shape.soup, part.name);
   transform(shape.soup, up.value_or(shape.up) == UpAxis::kY ? map * stand_up() : map);
+  check(shape.soup, part.name);
   if (is_flipped) turn_inside_out(shape.soup);
-  return finish_mesh(std::move(shape.soup), shape.file_vertices, crease, edge, name, on_flaw);
+  part.soup = std::move(shape.soup);
+  part.file_vertices = shape.file_vertices;
+  return part;
 }
 
 }  // namespace sh::prt

@@ -12,7 +12,6 @@
 #include "prt/scene/scene_parts.hpp"
 
 namespace sh::prt {
-
 namespace {
 
 constexpr double kFarthestGround = 1e6;  // extents of the meshes; single precision separates no triangles beyond
@@ -38,20 +37,21 @@ Turn read_turn(const JsonReader& reader) {
 Ground read_ground(const JsonReader& reader, const Mesh& mesh) {
   reader.allow({"height", "size", "max_edge", "albedo"});
   Ground ground = default_ground(mesh);
-  const Eigen::AlignedBox3d box = bounding_box(mesh.positions).cast<double>();
-  const double farthest = kFarthestGround * box.sizes().norm();
-  const std::string limit = fmt::format("at most {:.4g}, a million times the extent of the meshes", farthest);
+  // Lengths of the world in the frame of the mesh.
+  const auto limit = static_cast<double>(bounding_box(mesh.positions).sizes().norm()) * kFarthestGround;
+  const std::string farthest =
+      fmt::format("at most {:.4g}, a million times the extent of the meshes", limit * mesh.frame.unit);
+  const auto length = [&](const JsonReader& value) { return static_cast<double>(value.positive()) / mesh.frame.unit; };
   reader.take("height", ground.height, [&](const JsonReader& value) {
-    const auto height = static_cast<double>(value.finite());
-    if (std::abs(height - box.min().z()) > farthest) value.expected("a distance from the meshes of " + limit);
+    const double height = (value.real() - mesh.frame.origin.z()) / mesh.frame.unit;
+    if (!(std::abs(height) <= limit)) value.expected("a distance from the meshes of " + farthest);
     return height;
   });
   reader.take("size", ground.size, [&](const JsonReader& value) {
-    const auto size = static_cast<double>(value.positive());
-    if (size > farthest) value.expected("a length of " + limit);
-    return size;
+    if (!(length(value) <= limit)) value.expected("a length of " + farthest);
+    return length(value);
   });
-  reader.take("max_edge", ground.max_edge, &JsonReader::positive);
+  reader.take("max_edge", ground.max_edge, length);
   reader.take("albedo", ground.albedo, &JsonReader::vector_within, 0.0F, 1.0F);
   return ground;
 }
@@ -66,12 +66,12 @@ std::vector<LightSpec> read_lights(const JsonReader& reader, const std::string& 
 Camera read_camera(const JsonReader& reader, const Camera& otherwise) {
   reader.allow({"position", "target", "up", "field_of_view"});
   Camera camera = otherwise;
-  reader.take("position", camera.position, &JsonReader::vector);
-  reader.take("target", camera.target, &JsonReader::vector);
-  reader.take("up", camera.up, &JsonReader::vector);
+  reader.take("position", camera.position, &JsonReader::point);
+  reader.take("target", camera.target, &JsonReader::point);
+  reader.take("up", camera.up, &JsonReader::point);
   reader.take("field_of_view", camera.vertical_field_of_view, &JsonReader::number, 1.0, 170.0, "degrees from 1 to 170");
-  const Eigen::Vector3f view = camera.target - camera.position;
-  if (!(view.norm() > 0.0F) || !(view.normalized().cross(camera.up.normalized()).norm() > 1e-4F)) {
+  const Eigen::Vector3d view = camera.target - camera.position;
+  if (!(view.norm() > 0.0) || !(view.normalized().cross(camera.up.normalized()).norm() > 1e-4)) {
     reader.expected("a target away from the position and an `up` that is not along the view");
   }
   return camera;
@@ -145,7 +145,14 @@ Scene load_scene(const std::string& scene, OnFlaw on_flaw) {
   result.lights = read_lights(reader, folder);
   reader.take("bake", result.bake, read_bake_options);
   reader.take("plan", result.plan, read_plan_options);
-  for (const JsonReader& mesh : meshes.items()) append(result.mesh, read_mesh(mesh, folder, on_flaw));
+  std::vector<MeshPart> parts;
+  Eigen::AlignedBox3d box;
+  for (const JsonReader& mesh : meshes.items()) {
+    parts.push_back(read_mesh(mesh, folder, on_flaw));
+    box.extend(bounding_box(parts.back().soup.positions));
+  }
+  result.mesh.frame = frame_around(box, scene);
+  for (MeshPart& part : parts) append(result.mesh, finish_mesh(std::move(part), result.mesh.frame, on_flaw));
   result.camera = default_camera(result.mesh, PictureSize());
   reader.take("camera", result.camera, read_camera, result.camera);
   result.files = files_of(scene, folder, meshes, result.lights);

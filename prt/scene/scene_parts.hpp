@@ -24,7 +24,7 @@ struct Turn {
 /// Reads {"axis": [x, y, z], "degrees": d}; the default axis is z.
 Turn read_turn(const JsonReader& reader);
 
-/// A square of flat ground under the meshes.
+/// A square of flat ground under the meshes, in their frame.
 struct Ground {
   float height;
   float size;      // edge length
@@ -37,8 +37,17 @@ struct Ground {
 Ground default_ground(const Mesh& mesh);
 void add_ground(Mesh& mesh, const Ground& ground);
 
-/// Reads one entry of `meshes`: a mesh in world axes, checked, welded and split. Relative paths start in `folder`.
-Mesh read_mesh(const JsonReader& reader, const std::string& folder, OnFlaw on_flaw);
+/// One mesh of a scene in the world, before it is welded and split.
+struct MeshPart {
+  Soup soup;
+  std::size_t file_vertices = 0;
+  float crease_degrees = 0.0F;
+  double max_edge = 0.0;  // 0: faces are not split
+  std::string name;       // in messages
+};
+
+/// Reads one entry of `meshes` and checks it. Relative paths start in `folder`.
+MeshPart read_mesh(const JsonReader& reader, const std::string& folder, OnFlaw on_flaw);
 Ground read_ground(const JsonReader& reader, const Mesh& mesh);
 /// Reads one entry of `lights`; its files are not loaded yet.
 LightSpec read_light(const JsonReader& reader, const std::string& folder);
@@ -52,10 +61,9 @@ BakeOptions read_bake_options(const JsonReader& reader);
 /// The presence of the key `plan` selects a lossy plan.
 PlanOptions read_plan_options(const JsonReader& reader);
 
-/// Welds and splits a soup that is already in its final place, and adds backs to two-sided faces. Messages about flaws
-/// and errors begin with `name`.
-Mesh finish_mesh(Soup soup, std::size_t file_vertices, float crease_degrees, float max_edge, const std::string& name,
-                 OnFlaw on_flaw);
+/// Rounds a part to single precision in the frame, welds and splits it, and adds backs to two-sided faces. Messages
+/// about flaws and errors begin with its name.
+Mesh finish_mesh(MeshPart part, const Frame& frame, OnFlaw on_flaw);
 
 /// An arch, stairs, and columns with a sphere, a torus and a cone, under the CIE overcast sky and on a ground that
 /// receives their shadows. It has smooth and flat shading and several albedos; every vertex sees a part of the sky.

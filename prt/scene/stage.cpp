@@ -89,9 +89,9 @@ Pose Motion::at(double time) const {
 Sphere bounding_sphere(const Mesh& mesh) {
   Sphere sphere;
   if (mesh.positions.empty()) return sphere;
-  sphere.center = bounding_box(mesh.positions).cast<double>().center();
-  for (const Eigen::Vector3f& p : mesh.positions) {
-    sphere.radius = std::max(sphere.radius, (p.cast<double>() - sphere.center).norm());
+  sphere.center = mesh.frame.world(bounding_box(mesh.positions).center());
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+    sphere.radius = std::max(sphere.radius, (mesh.point(v) - sphere.center).norm());
   }
   return sphere;
 }

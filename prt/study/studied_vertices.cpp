@@ -23,9 +23,10 @@ std::vector<double> seen_areas(const Mesh& mesh, const Camera& camera) {
     const double third = (b - a).cross(c - a).norm() / 6.0;
     for (const std::uint32_t v : face) areas[v] += third;
   }
-  const double nearest = kNearest * (camera.target - camera.position).cast<double>().norm();
+  const Eigen::Vector3d eye = mesh.frame.local(camera.position);
+  const double nearest = kNearest * (mesh.frame.local(camera.target) - eye).norm();
   for (std::size_t v = 0; v < areas.size(); ++v) {
-    const double distance = (mesh.positions[v] - camera.position).cast<double>().norm();
+    const double distance = (mesh.positions[v].cast<double>() - eye).norm();
     areas[v] /= std::max(distance, nearest) * std::max(distance, nearest);
   }
   return areas;

@@ -18,7 +18,7 @@ using Json = nlohmann::ordered_json;
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(); }
 
 Json to_json(const RadianceError& error, const Scene& scene) {
-  const Eigen::Vector3f& place = scene.mesh.positions[error.worst_vertex];
+  const Eigen::Vector3d place = scene.mesh.point(error.worst_vertex);
   return {{"relative_rms", number(error.rms)},
           {"relative_largest", number(error.largest)},
           {"worst_vertex", error.worst_vertex},

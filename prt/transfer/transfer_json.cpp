@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -165,6 +167,19 @@ TransferShape shape_from(const nlohmann::json& header, std::uint32_t version, co
   return shape;
 }
 
+Json to_json(const Frame& frame) {
+  return {{"origin", {frame.origin.x(), frame.origin.y(), frame.origin.z()}}, {"unit", frame.unit}};
+}
+
+Frame frame_from(const nlohmann::json& json) {
+  const auto origin = json.at("origin").get<std::array<double, 3>>();
+  const Frame frame{Eigen::Vector3d(origin.data()), json.at("unit").get<double>()};
+  if (!frame.origin.allFinite() || !(frame.unit > 0.0 && std::isfinite(frame.unit))) {
+    throw std::invalid_argument("transfer file whose frame has an origin or a unit that is no length");
+  }
+  return frame;
+}
+
 void put_shortfall(const Shortfall& missing, Json& header) {
   if (!missing.any()) return;
   header["complete"] = false;  // coarser than was asked for
@@ -202,6 +217,7 @@ std::string transfer_header(const Transfer& transfer) {
                  {"axes", "right-handed, z up"},
                  {"units", "positions: the scene's; transfer: radiance out over radiance in, no unit"},
                  {"colour_space", "albedo: linear RGB, 0..1"}});
+  if (!transfer.mesh.frame.is_world()) header["frame"] = to_json(transfer.mesh.frame);
   if (!transfer.emitted.empty()) {
     header["emitted"] = "exit radiance that is there whatever the light, to be added: linear RGB, W m^-2 sr^-1";
   }
@@ -225,6 +241,7 @@ void take_header(const nlohmann::json& header, std::uint32_t version, TransferKi
                                             fmt::join(kind_names(&TransferKind::letters, kinds), ", ")));
   }
   transfer.shape = shape_from(header, version, *transfer.kind);
+  if (header.contains("frame")) transfer.mesh.frame = frame_from(header.at("frame"));
   if (transfer.kind->has_bounces()) transfer.bounces = bounces_from(header.at("bounces"));
   if (header.contains("plan")) transfer.plan = plan_from(header.at("plan"));
   transfer.directions = whole_from<std::uint32_t>(header.at("directions"));

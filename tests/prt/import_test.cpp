@@ -56,7 +56,7 @@ TEST_F(Import, ReadsPositionsFacesAndPolygons) {
 TEST_F(Import, AppliesNodeTransformsAndLinearBaseColor) {
   const ImportedMesh mesh = import("a.gltf", triangle({0, 0, 0, 1, 0, 0, 0, 1, 0}, {0, 1, 2}));
   ASSERT_EQ(mesh.soup.positions.size(), 3U);
-  EXPECT_EQ(mesh.soup.positions[1], Eigen::Vector3f(12, 20, 30));
+  EXPECT_EQ(mesh.soup.positions[1], Eigen::Vector3d(12, 20, 30));
   EXPECT_EQ(mesh.soup.albedo[0], Eigen::Vector3f(0.25F, 0.5F, 0.75F));
   EXPECT_EQ(mesh.up, UpAxis::kY);
 }
@@ -83,7 +83,7 @@ TEST_F(Import, StandsYUpGltfUpright) {
   const Scene scene = load_scene(folder_.file("scene.json"), OnFlaw::kRefuse);
   // The file's (10, 20 + 2, 30) is 22 high and 30 towards the viewer, -y.
   ASSERT_EQ(scene.mesh.positions.size(), 3U);
-  EXPECT_EQ(scene.mesh.positions[scene.mesh.remap[2]], Eigen::Vector3f(10, -30, 22));
+  EXPECT_EQ(scene.mesh.point(scene.mesh.remap[2]), Eigen::Vector3d(10, -30, 22));
   EXPECT_LT((scene.mesh.normals[0] - Eigen::Vector3f(0, -1, 0)).norm(), 1e-6F);
 }
 

@@ -87,39 +87,39 @@ void expect_weights(const LightSamples& samples, std::size_t vertices) {
 TEST(LocalLight, WeightsAddUpToOneAndAreNotNegative) {
   const Transfer transfer = plane();
   for (const int k : {1, 2, 7, 20}) {
-    expect_weights(samples_by_distance(transfer.mesh.positions, k), transfer.mesh.positions.size());
+    expect_weights(samples_by_distance(points_of(transfer.mesh), k), transfer.mesh.positions.size());
   }
-  expect_weights(samples_on_octahedron(transfer.mesh.positions), transfer.mesh.positions.size());
-  const std::vector<Eigen::Vector3f> corners{{1, 0, 0}, {-1, 0, 0}, {0, 2, 0}, {0, -2, 0}, {0, 0, 3}, {0, 0, -3}};
+  expect_weights(samples_on_octahedron(points_of(transfer.mesh)), transfer.mesh.positions.size());
+  const std::vector<Eigen::Vector3d> corners{{1, 0, 0}, {-1, 0, 0}, {0, 2, 0}, {0, -2, 0}, {0, 0, 3}, {0, 0, -3}};
   const LightSamples samples = samples_on_octahedron(corners);
   for (std::size_t v = 0; v < 6; ++v) {
     EXPECT_NEAR(samples.weights[7 * v], 1.0F, 1e-6F);  // each corner takes its own point
   }
-  const std::vector<Eigen::Vector3f> two{{0, 0, 0}, {0, 0, 0}, {1, 0, 0}};
+  const std::vector<Eigen::Vector3d> two{{0, 0, 0}, {0, 0, 0}, {1, 0, 0}};
   EXPECT_EQ(samples_by_distance(two, 5).points.size(), 2U);  // no more than there are places
 }
 
 TEST(LocalLight, OneSampleIsTheDistantLightToTheBit) {
   const Transfer transfer = plane();
   const std::vector<Light> lights = near_lights({0.5, 0.3, 2.0});
-  const LightSamples one = samples_by_distance(transfer.mesh.positions, 1);
+  const LightSamples one = samples_by_distance(points_of(transfer.mesh), 1);
   const LightCoefficients distant = project(seen_from(lights, one.points[0]), transfer.degree());
   EXPECT_EQ(relit(transfer, lights, one), relight(transfer, distant));
 }
 
 TEST(LocalLight, TheSameMeshHasTheSameSamples) {
   const Transfer transfer = plane();
-  const LightSamples first = samples_by_distance(transfer.mesh.positions, 12);
-  const LightSamples second = samples_by_distance(transfer.mesh.positions, 12);
+  const LightSamples first = samples_by_distance(points_of(transfer.mesh), 12);
+  const LightSamples second = samples_by_distance(points_of(transfer.mesh), 12);
   ASSERT_EQ(first.points.size(), 12U);
   EXPECT_EQ(first.points, second.points);
   EXPECT_EQ(first.weights, second.weights);
-  const LightSamples most = samples_by_distance(transfer.mesh.positions, kMaxLightSamples);
+  const LightSamples most = samples_by_distance(points_of(transfer.mesh), kMaxLightSamples);
   EXPECT_EQ(most.points.size(), static_cast<std::size_t>(kMaxLightSamples));
 }
 
 TEST(LocalLight, AVertexOnASamplePointTakesThatAlone) {
-  const std::vector<Eigen::Vector3f> line{{0, 0, 0}, {3, 0, 0}, {10, 0, 0}};
+  const std::vector<Eigen::Vector3d> line{{0, 0, 0}, {3, 0, 0}, {10, 0, 0}};
   const LightSamples samples = samples_by_distance(line, 3);
   for (std::size_t v = 0; v < 3; ++v) {
     const auto* const row = &samples.weights[3 * v];
@@ -131,7 +131,7 @@ TEST(LocalLight, FarLightsAreTheSameFromEverywhere) {
   const Transfer transfer = plane();
   const std::vector<Light> lights = load_lights({{.type = LightType::kCieOvercast}}, OnFlaw::kRefuse);
   EXPECT_FALSE(varies(lights));
-  const auto everywhere = relit(transfer, lights, samples_by_distance(transfer.mesh.positions, 9));
+  const auto everywhere = relit(transfer, lights, samples_by_distance(points_of(transfer.mesh), 9));
   EXPECT_LT(error(everywhere, relight(transfer, project(lights, transfer.degree()))), 1e-6);
 }
 
@@ -142,13 +142,13 @@ TEST(LocalLight, TheErrorFallsWithTheNumberOfSamples) {
   const auto expected = truth(transfer, lights);
   double before = 10.0;
   for (const int k : {1, 4, 16, 64}) {
-    const double now = error(relit(transfer, lights, samples_by_distance(transfer.mesh.positions, k)), expected);
+    const double now = error(relit(transfer, lights, samples_by_distance(points_of(transfer.mesh), k)), expected);
     std::printf("%d samples by distance: error %.3f of the radiance\n", k, now);
     EXPECT_LT(now, 0.75 * before) << k;
     before = now;
   }
-  const double octahedron = error(relit(transfer, lights, samples_on_octahedron(transfer.mesh.positions)), expected);
-  const double one = error(relit(transfer, lights, samples_by_distance(transfer.mesh.positions, 1)), expected);
+  const double octahedron = error(relit(transfer, lights, samples_on_octahedron(points_of(transfer.mesh))), expected);
+  const double one = error(relit(transfer, lights, samples_by_distance(points_of(transfer.mesh), 1)), expected);
   std::printf("octahedron: error %.3f of the radiance\n", octahedron);
   EXPECT_LT(octahedron, one);
 }
@@ -165,12 +165,12 @@ TEST(LocalLight, APolygonFromBehindGivesNothing) {
 
 TEST(LocalLight, RefusesBouncesAndPointsInsideALight) {
   Transfer transfer = plane();
-  const LightSamples one = samples_by_distance(transfer.mesh.positions, 1);
+  const LightSamples one = samples_by_distance(points_of(transfer.mesh), 1);
   const std::vector<LightCoefficients> light{LightCoefficients::zero(4)};
   transfer.kind = &kInterreflected;
   EXPECT_THROW(static_cast<void>(relight_locally(transfer, one, light)), std::invalid_argument);
-  EXPECT_THROW(static_cast<void>(samples_by_distance(transfer.mesh.positions, 0)), std::invalid_argument);
-  EXPECT_THROW(static_cast<void>(samples_by_distance(transfer.mesh.positions, 65)), std::invalid_argument);
+  EXPECT_THROW(static_cast<void>(samples_by_distance(points_of(transfer.mesh), 0)), std::invalid_argument);
+  EXPECT_THROW(static_cast<void>(samples_by_distance(points_of(transfer.mesh), 65)), std::invalid_argument);
   EXPECT_THROW(static_cast<void>(seen_from(near_lights({0.5, 0.3, 2.0}), {0.5, 0.3, 2.1})), std::runtime_error);
 }
 

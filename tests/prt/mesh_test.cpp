@@ -58,7 +58,7 @@ TEST(Welding, JoinsVerticesOfOnePositionNormalAndAlbedoAndKeepsTheRemap) {
   EXPECT_EQ(mesh.remap[2], mesh.remap[4]);
   EXPECT_EQ(mesh.remap[6], kNoVertex);
   for (std::size_t v = 0; v < 6; ++v) {
-    EXPECT_EQ(mesh.positions[mesh.remap[v]], soup.positions[v]);
+    EXPECT_EQ(mesh.point(mesh.remap[v]), soup.positions[v]);
   }
 }
 
@@ -71,7 +71,7 @@ TEST(Welding, KeepsApartWhatDiffersInNormalOrAlbedo) {
 
 TEST(Welding, IgnoresTheSignOfZeroAndTheRoundingOfNormals) {
   Soup soup = two_triangles();
-  soup.positions[3] = {-0.0F, 0.0F, -0.0F};
+  soup.positions[3] = {-0.0, 0.0, -0.0};
   soup.normals[4] = Eigen::Vector3f(1e-6F, -1e-6F, 1.0F);
   EXPECT_EQ(weld(soup, soup.positions.size()).positions.size(), 4U);
 }
@@ -114,9 +114,9 @@ TEST(Soups, AreRefusedWithNaNInfinityFacesOutOfRangeOrNoFaces) {
   const auto said = [](const Soup& soup) { return message_of([&] { check(soup, "a.obj"); }); };
   EXPECT_EQ(said(two_triangles()), "");
   Soup soup = two_triangles();
-  soup.positions[5].y() = std::numeric_limits<float>::quiet_NaN();
+  soup.positions[5].y() = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(said(soup), "a.obj: vertex 5 has a coordinate that is not finite");
-  soup.positions[5].y() = std::numeric_limits<float>::infinity();
+  soup.positions[5].y() = std::numeric_limits<double>::infinity();
   EXPECT_EQ(said(soup), "a.obj: vertex 5 has a coordinate that is not finite");
   soup = two_triangles();
   soup.faces[1][2] = 7;
@@ -127,8 +127,8 @@ TEST(Soups, AreRefusedWithNaNInfinityFacesOutOfRangeOrNoFaces) {
 
 TEST(Transforms, ThatMirrorKeepTheOutsideOutside) {
   Soup soup = make_primitive("stairs");
-  Eigen::Affine3f map = Eigen::Affine3f::Identity();
-  map.scale(Eigen::Vector3f(-2.0F, 1.0F, 3.0F));
+  Eigen::Affine3d map = Eigen::Affine3d::Identity();
+  map.scale(Eigen::Vector3d(-2.0, 1.0, 3.0));
   transform(soup, map);
   const Mesh mesh = weld(soup, soup.positions.size());
   EXPECT_NEAR(signed_volume(mesh), 3.6, 1e-5);
@@ -160,6 +160,32 @@ TEST(Splitting, MayBeFinerInOnePlaceThanInAnother) {
       mesh, [](const Eigen::Vector3f& p) { return p.x() < 0.0F ? 0.05F : 0.4F; }, "box");
   EXPECT_TRUE(is_closed_surface(mesh));
   EXPECT_NEAR(signed_volume(mesh), 1.0, 1e-5);
+}
+
+TEST(Splitting, EndsAtAnyOffset) {
+  for (const double offset : {1e5, 1e7, 1e9, 1e30}) {
+    Mesh mesh = primitive_mesh("box");
+    for (Eigen::Vector3f& p : mesh.positions) p += Eigen::Vector3f::Constant(static_cast<float>(offset));
+    tessellate(
+        mesh, [](const Eigen::Vector3f&) { return 0.1F; }, "box");  // without a frame, edges of 1e-8 of the coordinate
+    EXPECT_LT(mesh.faces.size(), 100000U) << offset;
+  }
+}
+
+TEST(Splitting, CountsAheadAndSaysWhatWouldDo) {
+  Mesh mesh = primitive_mesh("box");
+  const Mesh before = mesh;
+  const std::string said = message_of([&] {
+    tessellate(
+        mesh, [](const Eigen::Vector3f&) { return 1e-9F; }, "box");
+  });
+  EXPECT_EQ(mesh.positions, before.positions);
+  const std::string expected = "box: max_edge makes more than 33554432 faces; expected one at least ";
+  ASSERT_EQ(said.substr(0, expected.size()), expected);
+  const double factor = std::stod(said.substr(expected.size()));
+  const double faces = 12.0 / std::pow(factor * 1e-9, 2.0);  // at least half as many as this, at most twice
+  EXPECT_LT(faces, 2.0 * static_cast<double>(kMaxFaces));
+  EXPECT_GT(faces, 0.1 * static_cast<double>(kMaxFaces));
 }
 
 TEST(Splitting, MakesUnitNormalsAlongSmoothEdges) {

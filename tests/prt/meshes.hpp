@@ -16,7 +16,7 @@ namespace sh::prt::test {
 inline Mesh primitive_mesh(std::string_view name, int segments = 24,
                            const Eigen::Affine3f& map = Eigen::Affine3f::Identity()) {
   Soup soup = make_primitive(name, segments);
-  transform(soup, map);
+  transform(soup, map.cast<double>());
   return weld(soup, soup.positions.size());
 }
 

@@ -212,7 +212,7 @@ TEST(Mirrors, AreKeptInTheFile) {
 // The camera looks at the wall from +x; where it is one of two walls in a corner, light comes back after both.
 TEST(Mirrors, ShowThePictureWhatTheirPathsEndOn) {
   Mesh mesh = wall(100.0F, {1.0F, 0.5F, 0.25F});
-  const Camera camera{{3.0F, 0.0F, 0.0F}, {0.0F, 0.3F, 0.2F}, {0.0F, 0.0F, 1.0F}, 20.0F};
+  const Camera camera{{3.0, 0.0, 0.0}, {0.0, 0.3, 0.2}, {0.0, 0.0, 1.0}, 20.0F};
   const PictureSize size{8, 8, 1};
   const Background direction_itself = [](const Eigen::Vector3f& direction) { return direction; };
   const auto picture_of = [&](const Mesh& scene) {

@@ -37,7 +37,7 @@ Mesh square(float z = 0.0F) {
   return mesh;
 }
 
-Camera from_above() { return {{0.0F, 0.0F, 5.0F}, {0.0F, 0.0F, 0.0F}, {0.0F, 1.0F, 0.0F}, 30.0F}; }
+Camera from_above() { return {{0.0, 0.0, 5.0}, {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, 30.0F}; }
 
 /// Red to the right, green upwards: where a direction points in the picture.
 Eigen::Vector3f direction_color(const Eigen::Vector3f& d) { return d; }
@@ -101,7 +101,7 @@ TEST(Render, CamerasAndSizesThatCannotBeUsedAreRefused) {
     return message_of([&] { render(mesh, tracer, mesh.positions, camera, size, direction_color, "test"); });
   };
   Camera camera = from_above();
-  camera.up = {0.0F, 0.0F, 1.0F};
+  camera.up = {0.0, 0.0, 1.0};
   EXPECT_NE(message(camera, {8, 8, 1}).find("the camera must look at"), std::string::npos);
   camera = from_above();
   camera.vertical_field_of_view = 180.0F;
@@ -176,7 +176,7 @@ TEST(Reference, ParallelSquareBlocksItsFormFactor) {
   add_square(mesh, 1.0F);
   const Tracer tracer(mesh);
   Camera camera = from_above();
-  camera.position = {0.0F, 0.0F, 0.5F};  // between the two: sees the middle of the lower one
+  camera.position = {0.0, 0.0, 0.5};  // between the two: sees the middle of the lower one
   const Picture picture = reference_render(mesh, tracer, constant_light(0, 2.0), camera, {1, 1, 1}, 200000);
   const double a = 1.0 / std::sqrt(2.0);
   const double form_factor = 4.0 / (2.0 * std::numbers::pi) * 2.0 * a * std::atan(a);

@@ -119,7 +119,7 @@ inline Mesh disc_above_point(float height) {
   Soup soup;
   const auto fan = [&soup](float radius, float z, float side) {
     const auto middle = static_cast<std::uint32_t>(soup.positions.size());
-    soup.positions.emplace_back(0.0F, 0.0F, z);
+    soup.positions.emplace_back(0.0, 0.0, z);
     for (int i = 0; i < kCorners; ++i) {
       const float angle = 2.0F * std::numbers::pi_v<float> * static_cast<float>(i) / kCorners;
       soup.positions.emplace_back(radius * std::cos(angle), radius * side * std::sin(angle), z);

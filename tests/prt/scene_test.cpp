@@ -52,7 +52,7 @@ TEST_F(SceneFile, FillsInWhatIsLeftOut) {
   EXPECT_EQ(scene.bake.degree, 4);
   EXPECT_EQ(scene.bake.directions, 2048);
   EXPECT_EQ(scene.bake.kind, &kShadowed);
-  EXPECT_GT((scene.camera.position - scene.camera.target).norm(), 1.0F);
+  EXPECT_GT((scene.camera.position - scene.camera.target).norm(), 1.0);
 }
 
 TEST_F(SceneFile, ReadsLightsCameraAndBakeOptions) {
@@ -68,7 +68,7 @@ TEST_F(SceneFile, ReadsLightsCameraAndBakeOptions) {
   EXPECT_EQ(scene.lights[1].file, folder_.file("sky/a.exr"));
   EXPECT_EQ(scene.lights[1].scale, 0.5F);
   EXPECT_EQ(scene.lights[1].rotation_axis, Eigen::Vector3f(0, 1, 0));
-  EXPECT_EQ(scene.camera.up, Eigen::Vector3f(0, 1, 0));
+  EXPECT_EQ(scene.camera.up, Eigen::Vector3d(0, 1, 0));
   EXPECT_EQ(scene.camera.vertical_field_of_view, 25.0F);
   EXPECT_EQ(scene.bake.degree, 7);
   EXPECT_EQ(scene.bake.directions, 512);

@@ -16,9 +16,9 @@ namespace {
 
 Camera some_camera() {
   Camera camera;
-  camera.position = {3.0F, -4.0F, 2.5F};
-  camera.target = {0.5F, 0.25F, 1.0F};
-  camera.up = {0.1F, 0.0F, 1.0F};
+  camera.position = {3.0, -4.0, 2.5};
+  camera.target = {0.5, 0.25, 1.0};
+  camera.up = {0.1, 0.0, 1.0};
   return camera;
 }
 
@@ -36,7 +36,7 @@ TEST(ViewAt, BeginsWithTheCameraAndTheLightAsTheyAre) {
 TEST(ViewAt, TurnsRightHandedAboutTheVerticalThroughTheTarget) {
   const Camera camera = some_camera();
   const View quarter = view_at(Turntable::kCamera, camera, 0.25);
-  EXPECT_LT((quarter.camera.position - Eigen::Vector3f(0.5F + 4.25F, 0.25F + 2.5F, 2.5F)).norm(), 1e-5F);
+  EXPECT_LT((quarter.camera.position - Eigen::Vector3d(0.5 + 4.25, 0.25 + 2.5, 2.5)).norm(), 1e-12);
   EXPECT_EQ(quarter.camera.target, camera.target);
   EXPECT_EQ(quarter.light_turn, Eigen::Matrix3d::Identity());
   const View light = view_at(Turntable::kLight, camera, 0.25);
@@ -48,7 +48,7 @@ TEST(ViewAt, TurningTheObjectIsTurningCameraAndLightBack) {
   const View object = view_at(Turntable::kObject, some_camera(), 0.3);
   const View camera = view_at(Turntable::kCamera, some_camera(), -0.3);
   const View light = view_at(Turntable::kLight, some_camera(), -0.3);
-  EXPECT_LT((object.camera.position - camera.camera.position).norm(), 1e-6F);
+  EXPECT_LT((object.camera.position - camera.camera.position).norm(), 1e-12);
   EXPECT_LT((object.light_turn - light.light_turn).norm(), 1e-12);
 }
 
