@@ -76,7 +76,7 @@ void estimate_bounces(const BakeJob& job, const FormFactors& all, const std::vec
     const FormFactorRow& row = all.row(samples[i]);
     double reflected = 0.0;  // share of the vertex's light that comes back to it
     for (const FormFactor& factor : row) {
-      reflected += static_cast<double>(factor.weight * scene.mesh.albedo[factor.vertex].maxCoeff());
+      reflected += factor.weight * static_cast<double>(scene.mesh.albedo[factor.vertex].maxCoeff());
     }
     entries += row.size();
     sum += reflected;
@@ -158,7 +158,7 @@ Shortfall shortfall(const BakeOptions& wanted, const Transfer& transfer) {
     missing.directions = static_cast<std::uint32_t>(wanted.directions);
   }
   if (transfer.kind->has_bounces() &&
-      !(transfer.bounces.bound <= wanted.bounces.tolerance * transfer.bounces.largest)) {
+      !(transfer.bounces.bound <= (wanted.bounces.tolerance + kSingleRounding) * transfer.bounces.largest)) {
     missing.tolerance = wanted.bounces.tolerance;
   }
   return missing;

@@ -26,7 +26,7 @@ template <std::size_t Count>
                                              double* sum) {
   Lanes block[Count] = {};  // a std::array would drop the attributes
   for (const FormFactor& factor : row) {
-    const auto weight = static_cast<double>(factor.weight);
+    const double weight = factor.weight;
     const auto* lanes = reinterpret_cast<const Lanes*>(x + factor.vertex * columns);
     for (std::size_t i = 0; i < Count; ++i) block[i] += weight * lanes[i];
   }

@@ -9,6 +9,18 @@
 #include "prt/mesh/corners.hpp"
 
 namespace sh::prt {
+namespace {
+
+// The shares of the corners in a hit: not negative, with sum 1.
+std::array<double, 3> barycentric(const Hit& hit) {
+  const double u = std::max(0.0, static_cast<double>(hit.u));
+  const double v = std::max(0.0, static_cast<double>(hit.v));
+  const double rest = std::max(0.0, 1.0 - u - v);
+  const double sum = rest + u + v;
+  return {rest / sum, u / sum, v / sum};
+}
+
+}  // namespace
 
 void RowTracer::meet(std::size_t vertex) {
   const std::vector<BlockedRay>& closest = gatherer_.closest_hits();
@@ -47,18 +59,16 @@ FormFactorRow RowTracer::row() {
     if (ray.hit.face == Hit::kNothing) continue;  // it just misses the face that the shadow ray hit; the light is lost
     const Face& face = mesh.faces[ray.hit.face];
     if (face_normal(mesh.positions, face).dot(ray.direction) >= 0.0F) continue;
-    const auto u = static_cast<double>(ray.hit.u);
-    const auto v = static_cast<double>(ray.hit.v);
-    const std::array<double, 3> corners = {1.0 - u - v, u, v};
+    const std::array<double, 3> corners = barycentric(ray.hit);
     for (std::size_t k = 0; k < 3; ++k) {
       if (!(corners[k] > 0.0)) continue;
       double& sum = sums_[face[k]];
-      if (sum == 0.0) row.push_back({face[k], 0.0F});
+      if (sum == 0.0) row.push_back({face[k], 0.0});
       sum += ray.part * corners[k];
     }
   }
   for (FormFactor& factor : row) {
-    factor.weight = static_cast<float>(sums_[factor.vertex]);
+    factor.weight = sums_[factor.vertex];
     sums_[factor.vertex] = 0.0;
   }
   return row;

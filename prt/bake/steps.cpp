@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
 
 #include "prt/bake/fill_closed.hpp"
 #include "prt/bake/shadow_pass.hpp"
@@ -63,6 +66,36 @@ void fill_closed(BakeRun& run) {
   if (run.factors) run.factors->fill_with(std::move(fill));
 }
 
+// Refuses a solution without a digit that is proved, and reports one that is coarser than asked for.
+void check_bounces(const BakeRun& run) {
+  const BounceReport& bounces = run.transfer.bounces;
+  const bool is_late = std::chrono::steady_clock::now() >= run.scene.bake.bounces.deadline;
+  const double error = std::max(bounces.bound, bounces.emitted_bound);
+  if (is_late && !std::isfinite(error)) {
+    throw std::runtime_error(fmt::format(
+        "{}: the time ended before the error of the bounces had a bound; expected more time", run.scene.name));
+  }
+  if (!is_late && !(bounces.bound <= bounces.largest && bounces.emitted_bound <= bounces.emitted_largest)) {
+    throw std::runtime_error(
+        fmt::format("{}: its bounces have no sum that can be told (residual {:.2g} after {} applications): surfaces of "
+                    "albedo near 1 enclose light; expected a lower albedo or a larger opening",
+                    run.scene.name, bounces.residual, bounces.applications));
+  }
+  constexpr double kLargestSingle = std::numeric_limits<float>::max();
+  if (!(std::max(bounces.largest, bounces.emitted_largest) <= kLargestSingle)) {
+    throw std::runtime_error(
+        fmt::format("{}: its light is too strong for single precision: expected at most {:.2g}, "
+                    "got {:.2g}",
+                    run.scene.name, kLargestSingle, std::max(bounces.largest, bounces.emitted_largest)));
+  }
+  if (!bounces.certified && !is_late) {
+    report(run, fmt::format("bounces are within {:.2g} of the largest number, not {:.2g} (residual {:.2g} after {} "
+                            "applications)",
+                            std::max(bounces.bound / bounces.largest, bounces.emitted_bound / bounces.emitted_largest),
+                            run.scene.bake.bounces.tolerance, bounces.residual, bounces.applications));
+  }
+}
+
 }  // namespace
 
 Panel direct_light(const Mesh& mesh, const Transfer& transfer, const BounceLayout& layout) {
@@ -79,7 +112,10 @@ Panel direct_light(const Mesh& mesh, const Transfer& transfer, const BounceLayou
   return x;
 }
 
+// The bounds then hold for the single precision in which the transfer is kept.
 void take_solution(const Panel& x, const BounceLayout& layout, Transfer& transfer) {
+  transfer.bounces.bound += kSingleRounding * transfer.bounces.largest;
+  transfer.bounces.emitted_bound += kSingleRounding * transfer.bounces.emitted_largest;
   transfer.shape = transfer.kind->shape(transfer.degree());
   transfer.coefficients.resize(x.rows * transfer.shape.length());
   const std::size_t count = transfer.shape.count();
@@ -120,12 +156,8 @@ void add_bounces(BakeRun& run) {
   const BounceLayout layout{transfer.shape.count() + emitted, emitted};
   Panel x = direct_light(scene.mesh, transfer, layout);
   transfer.bounces = solve_bounces(*run.factors, scene.mesh.albedo, layout, x, scene.bake.bounces);
+  check_bounces(run);
   take_solution(x, layout, transfer);
-  if (!transfer.bounces.certified && std::chrono::steady_clock::now() < scene.bake.bounces.deadline) {
-    report(run, fmt::format("bounces did not converge within {} (residual {:.2g} after {} applications): surfaces of "
-                            "albedo 1 enclose light (kept as it is)",
-                            scene.bake.bounces.tolerance, transfer.bounces.residual, transfer.bounces.applications));
-  }
 }
 
 }  // namespace sh::prt

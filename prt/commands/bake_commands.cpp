@@ -128,11 +128,12 @@ void report_bake(const Transfer& transfer, const BakeReport& report) {
                decision.basis);
   }
   if (const BounceReport& bounces = transfer.bounces; transfer.kind->has_bounces()) {
-    fmt::print(stderr,
-               "prt: bounces by {}: {} applications, certified error {:.2g} of {:.3g} (residual {:.2g}), largest "
-               "eigenvalue at most {:.4g}\n",
-               bounces.solver, bounces.applications, bounces.bound, bounces.largest, bounces.residual,
-               bounces.spectral_bound);
+    std::string errors = fmt::format("certified error {:.2g} of {:.3g}", bounces.bound, bounces.largest);
+    if (!transfer.emitted.empty()) {
+      errors += fmt::format(", of emitted light {:.2g} of {:.3g}", bounces.emitted_bound, bounces.emitted_largest);
+    }
+    fmt::print(stderr, "prt: bounces by {}: {} applications, {} (residual {:.2g}), largest eigenvalue at most {:.4g}\n",
+               bounces.solver, bounces.applications, errors, bounces.residual, bounces.spectral_bound);
   }
   fmt::print(stderr, "prt: {} rays traced, {:.0f} MiB at the most\n", report.rays,
              static_cast<double>(peak_memory()) / 1048576.0);
