@@ -1,0 +1,112 @@
+// Bakes with bounces against a path tracer.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "prt/runtime/relight.hpp"
+#include "tests/prt/lights.hpp"
+#include "tests/prt/path_render.hpp"
+#include "tests/prt/rooms.hpp"
+
+namespace sh::prt::test {
+namespace {
+
+// A room without its front, with a red wall and a green one.
+Mesh room() {
+  Mesh mesh = primitive_mesh("box");
+  refine(mesh, 0.06F);
+  turn_inside_out(mesh);
+  std::erase_if(mesh.faces, [&](const Face& face) {
+    return std::all_of(face.begin(), face.end(), [&](std::uint32_t v) { return mesh.normals[v].y() > 0.5F; });
+  });
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+    const float x = mesh.normals[v].x();
+    mesh.albedo[v] = x > 0.5F    ? Eigen::Vector3f(0.8F, 0.1F, 0.1F)
+                     : x < -0.5F ? Eigen::Vector3f(0.1F, 0.7F, 0.1F)
+                                 : Eigen::Vector3f::Constant(0.75F).eval();
+  }
+  return mesh;
+}
+
+// A square that faces `normal`, one of the axes, at distance 1/2 of the middle.
+Mesh wall_facing(const Eigen::Vector3f& normal) {
+  const Eigen::Quaternionf turn = Eigen::Quaternionf::FromTwoVectors(Eigen::Vector3f::UnitZ(), normal);
+  Mesh wall = primitive_mesh("plane", 24, Eigen::Translation3f(-0.5F * normal) * turn);
+  refine(wall, 0.04F);
+  return wall;
+}
+
+Mesh ball_in_corner() {
+  Mesh mesh = wall_facing(Eigen::Vector3f::UnitZ());
+  append(mesh, wall_facing(Eigen::Vector3f::UnitX()));
+  append(mesh, wall_facing(-Eigen::Vector3f::UnitY()));
+  paint(mesh, {0.7F, 0.6F, 0.3F});
+  Eigen::Affine3f map(Eigen::Translation3f(0.05F, -0.05F, -0.2F));
+  map.scale(0.4F);
+  append(mesh, primitive_mesh("sphere", 32, map));
+  return mesh;
+}
+
+// Picture and mean of the paths, in units of the picture's root mean square.
+// A pixel exactly on an edge would start its paths on both sides of a wall; the cameras look a little aside.
+void expect_within_noise(const Mesh& mesh, const Camera& camera, const LightCoefficients& light,
+                         double discretization) {
+  constexpr PictureSize kSize{48, 32, 1};
+  const Tracer tracer(mesh);
+  const PathPictures paths = path_render(mesh, tracer, light, camera, kSize, 128);
+  const Transfer transfer = baked(mesh, &kInterreflected, 1024, light.degree);
+  std::vector<Eigen::Vector3f> values = relight(transfer, light);
+  const Background black = [](const Eigen::Vector3f&) { return Eigen::Vector3f::Zero().eval(); };
+  const Picture baked = render(mesh, tracer, values, camera, kSize, black, "baked");
+  Picture mean = paths.first;
+  for (std::size_t i = 0; i < mean.radiance.size(); ++i) {
+    mean.radiance[i] = 0.5F * (paths.first.radiance[i] + paths.second.radiance[i]);
+  }
+  const double noise = 0.5 * difference(paths.first, paths.second).relative_rms;
+  const PictureDifference found = difference(baked, mean);
+  ASSERT_GT(found.pixels, 700U);
+  EXPECT_LT(noise, 0.08);
+  EXPECT_LT(found.relative_rms, std::hypot(1.1 * noise, discretization)) << noise;
+  Eigen::Vector3d bias = Eigen::Vector3d::Zero();
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (std::size_t i = 0; i < mean.radiance.size(); ++i) {
+    bias += (baked.radiance[i] - mean.radiance[i]).cast<double>();
+    sum += mean.radiance[i].cast<double>();
+  }
+  const double per_pixel = noise / std::sqrt(static_cast<double>(found.pixels));
+  EXPECT_LT(std::abs(bias.sum() / sum.sum()), 4.0 * per_pixel + 0.5 * discretization);
+}
+
+// The sky of degree 2 that shines from in front of the room.
+LightCoefficients frontal_light() {
+  LightCoefficients light = constant_light(2);
+  for (int c = 0; c < 3; ++c) light.at(c, numeric::coefficient_index(1, -1)) = -1.5 + 0.3 * c;
+  return light;
+}
+
+TEST(Paths, AgreeWithTheBakeOfAColoredRoom) {
+  const Camera camera{{0.03, -2.2, 0.05}, {0.013, 0.0, 0.007}, {0.0, 0.0, 1.0}, 34.0F};
+  expect_within_noise(room(), camera, frontal_light(), 0.01);
+}
+
+TEST(Paths, AgreeWithTheBakeOfACurvedShapeInACorner) {
+  const Camera camera{{1.6, -1.6, 1.0}, {-0.1, 0.1, -0.2}, {0.0, 0.0, 1.0}, 34.0F};
+  expect_within_noise(ball_in_corner(), camera, frontal_light(), 0.01);
+}
+
+// A closed room, lit by its ceiling alone.
+TEST(Paths, AgreeWithTheBakeOfALampInAClosedRoom) {
+  Mesh mesh = primitive_mesh("box");
+  refine(mesh, 0.06F);
+  turn_inside_out(mesh);
+  paint(mesh, {0.6F, 0.5F, 0.3F});
+  shine(mesh, Eigen::Vector3f::Zero());
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+    if (mesh.normals[v].z() < -0.5F) mesh.emission[v] = {2.0F, 1.5F, 1.0F};
+  }
+  const Camera camera{{0.03, -0.45, 0.05}, {0.013, 0.5, 0.007}, {0.0, 0.0, 1.0}, 80.0F};
+  expect_within_noise(mesh, camera, LightCoefficients::zero(2), 0.01);
+}
+
+}  // namespace
+}  // namespace sh::prt::test
