@@ -63,7 +63,7 @@ void take_channel(const Transfer& from, int c, Transfer& to) {
   to.bounces.certified = to.bounces.certified && from.bounces.certified;
   using Report = BounceReport;
   for (const auto number : {&Report::bound, &Report::residual, &Report::largest, &Report::spectral_bound,
-                            &Report::emitted_bound, &Report::emitted_largest}) {
+                            &Report::emitted_bound, &Report::emitted_largest, &Report::between_vertices}) {
     to.bounces.*number = std::max(to.bounces.*number, from.bounces.*number);
   }
 }

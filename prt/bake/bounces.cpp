@@ -124,10 +124,9 @@ void BounceSystem::residual(const Panel& b, const Panel& x, Panel& r) {
   });
 }
 
-// The bound counts the roundings of r. A row has at most n entries, n the number of vertices, with the sum 1 at most; so
-// fl(A x) is off by at most (n + 1) u max |x|, u = 2^-53, and b and x add at most 4 u max |x|.
+// The bound counts the roundings of r: those of A x, and those of b and x, at most 4 u max |x|, u = 2^-53.
 void BounceSystem::certify(const Panel& x, const Panel& r) {
-  const double rounding = 0x1p-53 * static_cast<double>(factors_.size() + 5);
+  const double rounding = factors_.rounding() + 4.0 * 0x1p-53;
   report.bound = report.residual = report.largest = report.spectral_bound = 0.0;
   report.emitted_bound = report.emitted_largest = 0.0;
   for (std::size_t c = 0; c < kChannels; ++c) {

@@ -41,7 +41,7 @@ bool is_row(const FormFactorRow& row, std::size_t vertices) {
   constexpr double kLeast = -1e-6;  // rounding of barycentric coordinates
   double sum = 0.0;
   for (const FormFactor& entry : row) {
-    const auto weight = static_cast<double>(entry.weight);
+    const double weight = entry.weight;
     if (entry.vertex >= vertices || !(weight >= kLeast)) return false;
     sum += weight;
   }

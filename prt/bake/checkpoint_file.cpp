@@ -27,7 +27,7 @@ using Json = nlohmann::ordered_json;
 static_assert(std::endian::native == std::endian::little, "checkpoints are little-endian and read as they lie");
 
 constexpr std::array<char, 8> kMagic = {'s', 'h', 'p', 'a', 'r', 't', '\n', '\x1a'};
-constexpr std::uint32_t kVersion = 2;  // of the format and of the contents of the chunks
+constexpr std::uint32_t kVersion = 3;  // of the format and of the contents of the chunks
 
 /// The first bytes of the file, followed by the key as JSON text; `checksum` covers the bytes before it and the key.
 struct Prologue {

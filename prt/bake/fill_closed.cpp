@@ -94,6 +94,9 @@ Fill::Fill(std::vector<ClosedVertex> closed) {
   system_ = system;
 }
 
+// A row of the system sums to n (1/c - 1), its absolute values to n (1/c + 1) at most.
+double Fill::condition() const { return any() ? (1.0 + kMostClosed) / (1.0 - kMostClosed) : 0.0; }
+
 void Fill::apply(float* values, std::size_t stride, std::size_t columns) const {
   if (any()) system_->apply(values, stride, columns);
 }

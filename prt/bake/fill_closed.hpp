@@ -33,6 +33,8 @@ class Fill {
   /// Solves once for all tables. c is at most 1 - 1e-4, so that a part that is closed as a whole keeps its own mean.
   explicit Fill(std::vector<ClosedVertex> closed);
   [[nodiscard]] bool any() const { return system_ != nullptr; }
+  /// At least the condition of the system in the maximum norm; 0 without closed vertices.
+  [[nodiscard]] double condition() const;
   /// Replaces the rows of the closed vertices; values (vertices, stride), of which `columns` count. The same bits for any
   /// number of threads.
   void apply(float* values, std::size_t stride, std::size_t columns) const;

@@ -59,6 +59,11 @@ void FormFactors::keep(std::size_t vertex, FormFactorRow row) {
   kept_[vertex] = 1;
 }
 
+// A row has at most size() entries with the sum 1 at most. Filling multiplies by its condition.
+double FormFactors::rounding() const {
+  return 0x1p-53 * static_cast<double>(rows_.size() + 1) * (1.0 + fill_.condition());
+}
+
 void FormFactors::apply(const Panel& x, Panel& y) const {
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rows_.size(), kVerticesPerTask), [&](const auto& part) {
     output::check_interrupt();

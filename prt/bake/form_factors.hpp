@@ -64,6 +64,9 @@ class FormFactors {
   /// of threads.
   void apply(const Panel& x, Panel& y) const;
 
+  /// The largest error of a number of y that apply() makes by rounding, over the largest number of x.
+  [[nodiscard]] double rounding() const;
+
   [[nodiscard]] std::size_t size() const { return rows_.size(); }
   [[nodiscard]] bool is_kept(std::size_t vertex) const { return kept_[vertex] != 0; }
   [[nodiscard]] const FormFactorRow& row(std::size_t vertex) const { return rows_[vertex]; }  // empty if not kept

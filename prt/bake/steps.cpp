@@ -8,6 +8,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "prt/bake/between_vertices.hpp"
 #include "prt/bake/fill_closed.hpp"
 #include "prt/bake/shadow_pass.hpp"
 #include "prt/transfer/unshadowed.hpp"
@@ -66,16 +67,18 @@ void fill_closed(BakeRun& run) {
   if (run.factors) run.factors->fill_with(std::move(fill));
 }
 
+bool is_late(const BounceOptions& options) { return std::chrono::steady_clock::now() >= options.deadline; }
+
 // Refuses a solution without a digit that is proved, and reports one that is coarser than asked for.
 void check_bounces(const BakeRun& run) {
   const BounceReport& bounces = run.transfer.bounces;
-  const bool is_late = std::chrono::steady_clock::now() >= run.scene.bake.bounces.deadline;
+  const bool late = is_late(run.scene.bake.bounces);
   const double error = std::max(bounces.bound, bounces.emitted_bound);
-  if (is_late && !std::isfinite(error)) {
+  if (late && !std::isfinite(error)) {
     throw std::runtime_error(fmt::format(
         "{}: the time ended before the error of the bounces had a bound; expected more time", run.scene.name));
   }
-  if (!is_late && !(bounces.bound <= bounces.largest && bounces.emitted_bound <= bounces.emitted_largest)) {
+  if (!late && !(bounces.bound <= bounces.largest && bounces.emitted_bound <= bounces.emitted_largest)) {
     throw std::runtime_error(
         fmt::format("{}: its bounces have no sum that can be told (residual {:.2g} after {} applications): surfaces of "
                     "albedo near 1 enclose light; expected a lower albedo or a larger opening",
@@ -88,7 +91,7 @@ void check_bounces(const BakeRun& run) {
                     "got {:.2g}",
                     run.scene.name, kLargestSingle, std::max(bounces.largest, bounces.emitted_largest)));
   }
-  if (!bounces.certified && !is_late) {
+  if (!bounces.certified && !late) {
     report(run, fmt::format("bounces are within {:.2g} of the largest number, not {:.2g} (residual {:.2g} after {} "
                             "applications)",
                             std::max(bounces.bound / bounces.largest, bounces.emitted_bound / bounces.emitted_largest),
@@ -157,6 +160,10 @@ void add_bounces(BakeRun& run) {
   Panel x = direct_light(scene.mesh, transfer, layout);
   transfer.bounces = solve_bounces(*run.factors, scene.mesh.albedo, layout, x, scene.bake.bounces);
   check_bounces(run);
+  if (!is_late(scene.bake.bounces)) {
+    const BetweenVertices between = measure_between_vertices(scene, transfer.instruction_set, x, layout);
+    transfer.bounces.between_vertices = between.light > 0.0 ? between.difference / between.light : 0.0;
+  }
   take_solution(x, layout, transfer);
 }
 

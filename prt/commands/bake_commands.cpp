@@ -134,6 +134,13 @@ void report_bake(const Transfer& transfer, const BakeReport& report) {
     }
     fmt::print(stderr, "prt: bounces by {}: {} applications, {} (residual {:.2g}), largest eigenvalue at most {:.4g}\n",
                bounces.solver, bounces.applications, errors, bounces.residual, bounces.spectral_bound);
+    if (bounces.between_vertices > 0.0) {
+      fmt::print(
+          stderr,
+          "prt: the certificate does not cover rays and interpolation: between vertices light is off by {:.2g} of "
+          "itself (rms, measured at centers of faces)\n",
+          bounces.between_vertices);
+    }
   }
   fmt::print(stderr, "prt: {} rays traced, {:.0f} MiB at the most\n", report.rays,
              static_cast<double>(peak_memory()) / 1048576.0);

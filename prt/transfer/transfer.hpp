@@ -60,6 +60,9 @@ struct BounceReport {
   double spectral_bound = 0.0;  // certified: no eigenvalue of albedo times form factors is larger
   double emitted_bound = 0.0;   // as `bound`, of the surfaces' own light
   double emitted_largest = 0.0;
+  /// Not certified but measured: how far light between vertices is from its interpolation, rms over rms
+  /// (prt/bake/between_vertices.hpp). 0 where it was not measured.
+  double between_vertices = 0.0;
 };
 
 /// The requested settings that a time limit did not allow (prt/bake/estimate.hpp).

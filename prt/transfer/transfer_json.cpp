@@ -85,6 +85,7 @@ Json to_json(const BounceReport& report) {
                {"residual", report.residual},
                {"largest", report.largest},
                {"spectral_bound", report.spectral_bound}};
+  if (report.between_vertices > 0.0) json["between_vertices"] = report.between_vertices;
   if (report.emitted_largest > 0.0) {
     json["emitted_bound"] = bound_or_null(report, report.emitted_bound);
     json["emitted_largest"] = report.emitted_largest;
@@ -102,6 +103,7 @@ BounceReport bounces_from(const nlohmann::json& json) {
   report.spectral_bound = amount_from(json.at("spectral_bound"));
   report.bound = bound_from(report, json.at("bound"));
   if (json.contains("emitted_largest")) report.emitted_largest = amount_from(json.at("emitted_largest"));
+  if (json.contains("between_vertices")) report.between_vertices = amount_from(json.at("between_vertices"));
   if (json.contains("emitted_bound")) report.emitted_bound = bound_from(report, json.at("emitted_bound"));
   return report;
 }
@@ -174,7 +176,9 @@ Json to_json(const Frame& frame) {
 Frame frame_from(const nlohmann::json& json) {
   const auto origin = json.at("origin").get<std::array<double, 3>>();
   const Frame frame{Eigen::Vector3d(origin.data()), json.at("unit").get<double>()};
-  if (!frame.origin.allFinite() || !(frame.unit > 0.0 && std::isfinite(frame.unit))) {
+  constexpr double kFarthest = 1e100;
+  if (!(frame.origin.cwiseAbs().maxCoeff() <= kFarthest) ||
+      !(frame.unit >= 0.5 * kLeastExtent && frame.unit <= 2.0 * kLargestExtent)) {
     throw std::invalid_argument("transfer file whose frame has an origin or a unit that is no length");
   }
   return frame;

@@ -26,7 +26,7 @@ void put_checksum(std::string& bytes, std::size_t place, const std::string& cove
 }  // namespace
 
 std::string checkpoint_front(std::string_view key) {
-  const std::uint32_t numbers[] = {2, static_cast<std::uint32_t>(key.size()), 0, 0};
+  const std::uint32_t numbers[] = {3, static_cast<std::uint32_t>(key.size()), 0, 0};
   std::string front("shpart\n\x1a");
   front.append(reinterpret_cast<const char*>(numbers), sizeof numbers).append(key);
   return checkpoint_with_checksums(front);

@@ -55,7 +55,7 @@ void read_checkpoint(const std::string& file) {
   require(std::all_of(transfer.coefficients.begin(), transfer.coefficients.end(), is_finite), "vectors are finite");
   for (std::size_t v = 0; v < vertices; ++v) {
     for (const FormFactor& factor : factors.row(v)) {
-      require(factor.vertex < vertices && std::abs(factor.weight) <= 2.0F, "form factors are parts of a hemisphere");
+      require(factor.vertex < vertices && std::abs(factor.weight) <= 2.0, "form factors are parts of a hemisphere");
     }
   }
 }

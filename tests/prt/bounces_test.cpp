@@ -109,6 +109,26 @@ TEST(InterreflectedBake, OfAClosedWhiteRoomIsRefused) {
   EXPECT_LT(lit.bounces.emitted_bound, 1e-4 * exact);
 }
 
+// The certificate is about the system; the light between vertices tells how coarse that is.
+TEST(InterreflectedBake, MeasuresHowCoarseItsMeshIs) {
+  double before = 1.0;
+  for (const int segments : {8, 16, 32}) {
+    Mesh mesh = hollow_sphere(segments);
+    paint(mesh, Eigen::Vector3f::Constant(0.9F));
+    for (const Eigen::Vector3f& p : mesh.positions) mesh.emission.emplace_back(Eigen::Vector3f::Constant(1.0F + p.z()));
+    const Transfer lit = baked(mesh, &kInterreflected, 1024, 0);
+    double squares = 0.0;  // of the relative error; the mean of E is 1
+    const std::vector<double> areas = vertex_areas(mesh);
+    for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+      const double exact = by_height(mesh.positions[v]) + 9.0;
+      squares += areas[v] * std::pow(static_cast<double>(lit.emitted[v].x()) / exact - 1.0, 2.0);
+    }
+    EXPECT_LT(lit.bounces.between_vertices, 0.6 * before);
+    EXPECT_LT(std::sqrt(squares), lit.bounces.between_vertices);  // a fifth to a twentieth
+    before = lit.bounces.between_vertices;
+  }
+}
+
 // In a sphere every point sees every other alike: B(v) = E(v) + albedo / (1 - albedo) mean E.
 TEST(Bounces, InASphereSpreadEvenly) {
   Room room(hollow_sphere(32));

@@ -303,6 +303,17 @@ TEST_F(Tool, AFullDiskLeavesTheOldFileOrNone) {
   EXPECT_EQ(read_all(out), "old");
 }
 
+// At once: counting ahead and splitting look at the signal, too.
+TEST_F(Tool, SplittingCanBeInterrupted) {
+  const std::string scene = folder->file("fine.json");
+  write_all(scene, R"({"meshes": [{"primitive": "box", "max_edge": 0.0009}]})");
+  const Finished run = interrupt_prt({"bake", scene, "-o", folder->file("never")}, 500);
+  EXPECT_EQ(run.status, 130) << run.err;
+  write_all(scene, R"({"meshes": [{"primitive": "box", "max_edge": 1e-9}]})");
+  expect_refused({"bake", scene, "-o", folder->file("never")},
+                 "box: max_edge makes more than 33554432 faces; expected");
+}
+
 TEST_F(Tool, InterruptionLeavesNothingWithoutACheckpoint) {
   const std::size_t before = folder->entries();
   const Finished run = interrupt_prt(

@@ -96,9 +96,9 @@ TEST(Fill, LetsAPartThatIsClosedAsAWholeKeepItsMean) {
 Mesh plane_through_box_with_hole(float hole) {
   Mesh mesh = fine_plane(0.3F);
   Soup box = make_primitive("box", 24);
-  transform(box, Eigen::Affine3f(Eigen::Scaling(0.5F)));
+  transform(box, Eigen::Affine3d(Eigen::Scaling(0.5)));
   std::erase_if(box.faces, [&](const Face& face) {
-    return std::all_of(face.begin(), face.end(), [&](std::uint32_t v) { return box.positions[v].z() > 0.2F; });
+    return std::all_of(face.begin(), face.end(), [&](std::uint32_t v) { return box.positions[v].z() > 0.2; });
   });
   const float h = hole / 2.0F;
   const auto corner = [](float x, float y) { return Eigen::Vector3f(x, y, 0.25F); };

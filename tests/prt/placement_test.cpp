@@ -36,7 +36,7 @@ Json scene_at(const Eigen::Vector3d& offset, double scale = 1.0) {
   return {{"meshes",
            {{{"primitive", "torus"}, {"segments", 24}, {"transform", at({0.0, 0.0, 0.75})}},
             {{"primitive", "box"}, {"max_edge", 0.3 * scale}, {"transform", at({0.25, 0.0, 0.0})}}}},
-          {"ground", {{"size", 4.0 * scale}, {"max_edge", 0.6 * scale}, {"height", -0.51 * scale + offset.z()}}},
+          {"ground", {{"size", 4.0 * scale}, {"max_edge", 0.6 * scale}, {"height", -0.8 * scale + offset.z()}}},
           {"camera", {{"position", json_of(eye)}, {"target", json_of(offset)}}},
           {"bake", {{"degree", 2}, {"directions", 256}}}};
 }
@@ -190,6 +190,25 @@ TEST_F(Placement, IsKeptByFilesPicturesAndNearLights) {
   const auto near_lit = lit(here, {0.0, 0.0, 0.0});
   const auto far_lit = lit(there, offset);
   for (std::size_t v = 0; v < near_lit.size(); ++v) ASSERT_LT((far_lit[v] - near_lit[v]).norm(), 1e-4F) << v;
+}
+
+TEST_F(Placement, OfNearLightsChangesNoLight) {
+  const auto projected = [&](const Eigen::Vector3d& offset, double scale) {
+    const auto at = [&](double x, double y, double z) { return json_of(scale * Eigen::Vector3d(x, y, z) + offset); };
+    Json scene = scene_at(offset, scale);
+    scene["lights"] = {{{"type", "sphere"}, {"position", at(2, 1, 3)}, {"radius", 0.5 * scale}, {"from", at(0, 0, 1)}},
+                       {{"type", "polygon"},
+                        {"corners", {at(-1, -1, 2), at(-1, 1, 2), at(1, 1, 2), at(1, -1, 2)}},
+                        {"from", at(0, 0, 1)}}};
+    return project(load_lights(load(scene).lights, OnFlaw::kRefuse), 4);
+  };
+  const LightCoefficients here = projected({0.0, 0.0, 0.0}, 1.0);
+  for (const auto& [distance, scale] : {std::pair(0.0, 1e-29), {0.0, 1e-14}, {0.0, 1e29}, {1e6, 1.0}, {1e8, 1e3}}) {
+    const LightCoefficients there = projected(distance * Eigen::Vector3d(1.0, -0.7, 0.3), scale);
+    for (std::size_t i = 0; i < coefficient_count(4); ++i) {
+      EXPECT_NEAR(there.at(0, i), here.at(0, i), 1e-7 + 1e-15 * distance / scale) << distance << ' ' << scale;
+    }
+  }
 }
 
 TEST_F(Placement, OfAStageChangesNoShadowOfItsObjects) {
