@@ -68,8 +68,7 @@ bool search(const BoundKernel& kernel, const FamilyCheck& check, const WorstOpti
   const std::size_t shown = options.family.empty() ? std::min(kMostShown, values.size()) : values.size();
   for (std::size_t i = 0; i < shown; ++i) where += fmt::format(" {:.17g}", values[i]);
   if (shown < values.size()) where += " ... (--family shows all)";
-  return print_line(kernel.name(), found.scalar, found.rounding.scaled().max(),
-                    limits ? limits->searched : 0, where);
+  return print_line(kernel.name(), found.scalar, found.rounding.scaled().max(), limits ? limits->searched : 0, where);
 }
 
 ExitCode search_all(const WorstOptions& options) {
