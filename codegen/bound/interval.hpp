@@ -10,6 +10,9 @@
 
 namespace sh::codegen::bound {
 
+/// Covers the roundings of a sum of magnitudes, a size or a norm that is computed in double, of up to a million terms.
+inline constexpr double kSlack = 1 + 1e-9;
+
 /// A number not above x minus the rounding of x; x was rounded to nearest.
 inline double below(double x) {
   return x - (std::abs(x) * std::numeric_limits<double>::epsilon() + std::numeric_limits<double>::denorm_min());

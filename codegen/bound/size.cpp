@@ -5,9 +5,6 @@
 namespace sh::codegen::bound {
 namespace {
 
-// Sizes and norms are computed in double, to nearest; this factor covers their roundings.
-constexpr double kSlack = 1 + 1e-9;
-
 bool holds(const std::string& text, const char* part) { return text.find(part) != std::string::npos; }
 
 }  // namespace
