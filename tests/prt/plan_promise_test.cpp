@@ -62,6 +62,16 @@ Mesh rare_square() {
   return mesh;
 }
 
+/// Things on a ground, before a sphere that is a mirror in each channel by `reflectance`, and else black.
+Mesh things_and_mirror(const Eigen::Vector3f& reflectance) {
+  Mesh mesh = things_on_ground();
+  mesh.mirror.assign(mesh.positions.size(), Eigen::Vector3f::Zero());
+  append(mesh, colored(primitive_mesh("sphere", 24, Eigen::Affine3f(Eigen::Translation3f(0.0F, -1.2F, 0.6F))),
+                       Eigen::Vector3f::Zero()));
+  mesh.mirror.resize(mesh.positions.size(), reflectance);
+  return mesh;
+}
+
 LightSpec sun(double elevation) {
   const double angle = elevation * std::numbers::pi / 180.0;
   return {.type = LightType::kCap,
@@ -93,7 +103,10 @@ std::vector<Case> cases() {
       {"no turn, sobol", lit(rare_square(), &kShadowed, {sun(60.0)}, Sampler::kSobol), LightTurns::kNone},
       {"room", lit(small_room(0.7F), &kInterreflected, {sky, sun(20.0)}), LightTurns::kAboutZ},
       {"bright room", lit(small_room(0.95F), &kInterreflected, {sky}), LightTurns::kAboutZ},
-      {"bounces outside", lit(things_on_ground(), &kInterreflected, {sky, sun(30.0)}), LightTurns::kNone}};
+      {"bounces outside", lit(things_on_ground(), &kInterreflected, {sky, sun(30.0)}), LightTurns::kNone},
+      {"mirror", lit(things_and_mirror({0.8F, 0.8F, 0.8F}), &kShadowed, {sky, sun(40.0)}), LightTurns::kAboutZ},
+      {"mirror of a color", lit(things_and_mirror({0.9F, 0.6F, 0.2F}), &kInterreflected, {sky, sun(40.0)}),
+       LightTurns::kAboutZ}};
 }
 
 TEST(PlanPromise, IsKeptAndNotFarFromTheTruth) {
@@ -121,19 +134,13 @@ TEST(PlanPromise, IsKeptAndNotFarFromTheTruth) {
 }
 
 TEST(PlannedRays, AreThoseThatABakeTraces) {
-  Mesh mirrored = things_on_ground();
-  mirrored.mirror.assign(mirrored.positions.size(), Eigen::Vector3f::Zero());
-  const std::size_t first = mirrored.positions.size();
-  append(mirrored, primitive_mesh("sphere", 24, Eigen::Affine3f(Eigen::Translation3f(0.0F, -1.2F, 0.6F))));
-  mirrored.mirror.resize(mirrored.positions.size(), Eigen::Vector3f::Constant(0.8F));
-  std::fill(mirrored.albedo.begin() + static_cast<std::ptrdiff_t>(first), mirrored.albedo.end(),
-            Eigen::Vector3f::Zero());
+  const Mesh gray = things_and_mirror({0.8F, 0.8F, 0.8F}), colored = things_and_mirror({0.9F, 0.6F, 0.2F});
   const LightSpec sky;
   for (const Scene& scene :
        {lit(things_on_ground(), &kShadowed, {sky}), lit(things_on_ground(), &kShadowed, {sky}, Sampler::kCosine),
         lit(small_room(0.7F), &kInterreflected, {sky}),
-        lit(small_room(0.7F), &kInterreflected, {sky}, Sampler::kCosine), lit(mirrored, &kShadowed, {sky}),
-        lit(mirrored, &kInterreflected, {sky})}) {
+        lit(small_room(0.7F), &kInterreflected, {sky}, Sampler::kCosine), lit(gray, &kShadowed, {sky}),
+        lit(gray, &kInterreflected, {sky}), lit(colored, &kInterreflected, {sky})}) {
     testing::internal::CaptureStderr();
     const BakeJob job = planned_as(scene, {.mode = PlanMode::kLossy, .error = 0.05, .without = {"bounces"}});
     BakeReport report;
