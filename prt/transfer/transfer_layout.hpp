@@ -84,8 +84,6 @@ inline constexpr std::array<Kind, 10> kSections = {{{"position", kFloat, 3, Rows
                                                     {"scale", kFloat, 0, Rows::kOne, Presence::kOptional},
                                                     {"mirror", kFloat, 3, Rows::kVertices, Presence::kOptional}}};
 
-inline constexpr std::uint32_t kFewestSections = 7;  // those that are always there
-
 /// Calls visit(items) for the contents of every section, in the order of kSections. `encoded` holds the coefficients if
 /// their storage is not plain.
 template <class AnyTransfer, class AnyEncoded, class Visit>

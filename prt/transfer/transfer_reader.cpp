@@ -73,8 +73,8 @@ class Reader {
     if (prologue_.file_size != size_) {
       fail(fmt::format("truncated or overlong transfer file: {} bytes, expected {}", size_, prologue_.file_size));
     }
-    if (prologue_.sections < layout::kFewestSections || prologue_.sections > layout::kSections.size()) {
-      fail(fmt::format("transfer file of {} sections, expected {} to {}", prologue_.sections, layout::kFewestSections,
+    if (prologue_.sections > layout::kSections.size()) {
+      fail(fmt::format("transfer file of {} sections, expected at most {}", prologue_.sections,
                        layout::kSections.size()));
     }
   }

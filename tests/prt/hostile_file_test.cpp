@@ -33,8 +33,8 @@ class HostileFile : public testing::Test {
   }
 
   // What the reader says of these bytes after the name of the file; empty: it accepts them.
-  std::string refusal(const std::string& bytes) {
-    write_all(file_, with_checksums(bytes));
+  std::string refusal(const std::string& bytes, bool sizes = false) {
+    write_all(file_, with_checksums(bytes, sizes));
     const std::string said = message_of([&] { read_transfer(file_); });
     EXPECT_EQ(said.find('\n'), std::string::npos) << said;
     if (said.empty()) return said;
@@ -110,6 +110,52 @@ TEST_F(HostileFile, IsRefusedWithPartsOfNumbersAndNegativeAmountsInItsHeader) {
   expect_refused("\"error\": 0.002,", "\"error\": -0.02,", "has -0.02, expected a number of 0 or more");
   expect_refused("\"tolerance\": 0.001", "\"tolerance\": -1.0 ", "has -1.0, expected a number of 0 or more");
   expect_refused("\"bytes_saved\": 12,", "\"bytes_saved\":1.5,", "has 1.5, expected a whole number");
+}
+
+TEST_F(HostileFile, SaysHowLongItIsWhereItEndsBeforeItsSections) {
+  for (const std::size_t size : {std::size_t{0}, sizeof(layout::Prologue) - 1}) {
+    write_all(file_, good_.substr(0, size));
+    EXPECT_EQ(message_of([&] { read_transfer(file_); }),
+              file_ + ": not a transfer file: " + std::to_string(size) + " bytes, expected at least 48");
+  }
+  EXPECT_EQ(refusal(good_.substr(0, sizeof(layout::Prologue))),
+            "truncated or overlong transfer file: 48 bytes, expected " + std::to_string(good_.size()));
+}
+
+// 2^62 rows of four bytes more are no byte more in 64 bits.
+TEST_F(HostileFile, IsRefusedWithASectionWhoseBytesAreTooManyToCount) {
+  const std::string said = refusal(with_table(good_, [](auto& table) { table[5].rows += std::uint64_t{1} << 62; }));
+  EXPECT_EQ(said, "damaged transfer file: section remap does not fit");
+}
+
+TEST_F(HostileFile, HasScalesWhereItsCoefficientsAreBytesAndNowhereElse) {
+  Transfer transfer = read_transfer(file_);
+  transfer.mesh.mirror.clear();
+  transfer.emitted.clear();
+  const auto written = [&](Element element) {
+    transfer.shape.storage.element = element;
+    write_transfer(file_, transfer);
+    return read_all(file_);
+  };
+  const std::string reason = "damaged transfer file: a scale belongs to 8-bit coefficients and to no others";
+  std::string bytes = written(Element::kByte);
+  const std::string scale = bytes.substr(place_of(bytes, "scale"));
+  bytes = with_table(bytes.substr(0, bytes.size() - scale.size()), [](auto& table) { table.pop_back(); });
+  EXPECT_EQ(refusal(bytes, true), reason);
+  layout::Section section{layout::padded("scale"), layout::kFloat, 12, 1};
+  ASSERT_EQ(scale.size(), bytes_of(section));
+  for (const Element element : {Element::kSingle, Element::kHalf}) {
+    bytes = with_table(written(element) + scale, [&](auto& table) { table.push_back(section); });
+    EXPECT_EQ(refusal(bytes, true), reason);
+  }
+}
+
+TEST_F(HostileFile, HasItsLastSectionsToo) {
+  const std::string bytes = good_.substr(0, place_of(good_, "face"));
+  EXPECT_EQ(refusal(with_table(bytes, [](auto& table) { table.resize(4); }), true),
+            "damaged transfer file: section face is missing");
+  EXPECT_NE(refusal(with_table(good_, [](auto& table) { table.resize(11); }), true).find("of 11 sections, expected"),
+            std::string::npos);
 }
 
 TEST_F(HostileFile, IsNeverWritten) {

@@ -55,6 +55,17 @@ std::string with_checksums(std::string bytes, bool sizes) {
   return bytes;
 }
 
+std::string with_table(const std::string& bytes, const std::function<void(std::vector<layout::Section>&)>& change) {
+  layout::Prologue prologue = prologue_of(bytes);
+  std::vector<layout::Section> table = table_of(bytes, prologue.sections);
+  const std::string rest = bytes.substr(sizeof prologue + table.size() * sizeof(layout::Section));
+  change(table);
+  prologue.sections = static_cast<std::uint32_t>(table.size());
+  std::string result(reinterpret_cast<const char*>(&prologue), sizeof prologue);
+  result.append(reinterpret_cast<const char*>(table.data()), table.size() * sizeof(layout::Section));
+  return result + rest;
+}
+
 std::size_t place_of(const std::string& bytes, std::string_view section) {
   for (const layout::Section& known : table_of(bytes, prologue_of(bytes).sections)) {
     if (known.name == layout::padded(section)) return known.offset;
