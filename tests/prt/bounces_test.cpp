@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <random>
 
@@ -173,6 +175,62 @@ TEST(Bounces, OfBrightRoomsTakeFewStepsOfTheKrylovSolver) {
   EXPECT_EQ(automatic.solver, "bicgstab");
   EXPECT_GT(series.applications, 5000);
   EXPECT_LT(automatic.applications, 50);
+}
+
+// The certificate is about the numbers that are returned, not about the recursions that led to them.
+TEST(Bounces, ReportTheResidualOfWhatTheyReturn) {
+  Room room(hollow_sphere(12), 256);
+  constexpr std::size_t kChannels = BounceLayout::kChannels;
+  for (const BounceSolver solver : {BounceSolver::kSeries, BounceSolver::kKrylov, BounceSolver::kAutomatic}) {
+    BounceReport report;
+    const Panel x = room.solve(0.95F, by_height, solver, report, 1e-5);
+    Panel reflected(x.rows, x.columns);
+    room.factors.apply(x, reflected);
+    double largest = 0.0;
+    for (std::size_t v = 0; v < x.rows; ++v) {
+      for (std::size_t c = 0; c < kChannels; ++c) {
+        const auto albedo = static_cast<double>(std::array{0.95F, 0.5F * 0.95F, 0.0F}[c]);
+        const std::size_t column = Room::kLayout.channel(c);
+        const double residual =
+            albedo * reflected.row(v)[column] + (by_height(room.mesh.positions[v]) - x.row(v)[column]);
+        largest = std::max(largest, std::abs(residual));
+      }
+    }
+    EXPECT_EQ(report.residual, largest);
+    EXPECT_GT(largest, 0.0);
+  }
+}
+
+TEST(Bounces, WithoutLightAreSolvedAtOnce) {
+  Room room(hollow_sphere(8), 64);
+  BounceReport report;
+  const Panel x = room.solve(
+      0.5F, [](const Eigen::Vector3f&) { return 0.0; }, BounceSolver::kAutomatic, report);
+  EXPECT_TRUE(report.certified);
+  EXPECT_EQ(report.applications, 1);
+  EXPECT_EQ(report.bound, 0.0);
+  EXPECT_EQ(report.largest, 0.0);
+  for (std::size_t v = 0; v < x.rows; ++v) ASSERT_EQ(x.row(v)[0], 0.0);
+}
+
+TEST(Bounces, RefuseShapesThatDifferAndAToleranceThatIsNotPositive) {
+  Room room(hollow_sphere(8), 64);
+  const std::size_t vertices = room.factors.size();
+  const auto refusal = [&](std::size_t colors, std::size_t rows, std::size_t columns, double tolerance) {
+    Panel x(rows, columns);
+    const std::vector<Eigen::Vector3f> albedo(colors, Eigen::Vector3f::Constant(0.5F));
+    return message_of([&] { solve_bounces(room.factors, albedo, Room::kLayout, x, {.tolerance = tolerance}); });
+  };
+  const std::size_t columns = Room::kLayout.columns();
+  EXPECT_EQ(refusal(vertices, vertices, columns, 1e-3), "");
+  const std::string shapes = "bounces: form factors, albedo and light differ in their number of vertices";
+  EXPECT_EQ(refusal(vertices - 1, vertices, columns, 1e-3), shapes);
+  EXPECT_EQ(refusal(vertices, vertices - 1, columns, 1e-3), shapes);
+  EXPECT_EQ(refusal(vertices - 1, vertices - 1, columns, 1e-3), shapes);
+  for (const double tolerance : {0.0, -1e-3, std::numeric_limits<double>::quiet_NaN()}) {
+    EXPECT_NE(refusal(vertices, vertices, columns, tolerance).find("tolerance: expected a positive number, got"),
+              std::string::npos);
+  }
 }
 
 TEST(Bounces, WithoutLossAreNotCertified) {
