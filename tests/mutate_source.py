@@ -88,10 +88,11 @@ def limit_memory():
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
 
 
-def run(command, folder, seconds=None):
+def run(command, folder, seconds=None, temporary=None):
+    environment = dict(os.environ, TMPDIR=temporary) if temporary else None
     try:
         done = subprocess.run(command, cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=seconds,
-                              preexec_fn=limit_memory, check=False)
+                              preexec_fn=limit_memory, env=environment, check=False)
         return done.returncode == 0
     except subprocess.TimeoutExpired:
         return False
@@ -144,7 +145,7 @@ class Workshop:
     def passes(self):
         for (program, test_filter), link in zip(self.tests, self.links):
             test = [os.path.join(self.folder, program), "--gtest_filter=" + test_filter, "--gtest_fail_fast"]
-            if not run(link, self.build) or not run(test, self.build, self.seconds):
+            if not run(link, self.build) or not run(test, self.build, self.seconds, self.folder):
                 return False
         return True
 
@@ -157,7 +158,7 @@ def survivors_of(path, entry, arguments):
     if arguments.most and arguments.most < total:
         flips = sorted(random.Random(arguments.seed).sample(flips, arguments.most))
     counts = collections.Counter()
-    with tempfile.TemporaryDirectory() as folder:
+    with tempfile.TemporaryDirectory(dir="/dev/shm" if os.path.isdir("/dev/shm") else None) as folder:  # in memory
         shop = Workshop(os.path.abspath(arguments.build), path, entry.tests, folder)
         if not run(["ninja", "-C", arguments.build] + [program for program, _ in entry.tests], ROOT):
             fail(f"{path}: expected that its tests build before any flip, but they do not")
