@@ -4,9 +4,10 @@
     tests/mutate_source.py [--build build] [--most N] [--seed S] [FILE...]
 
 FILE: a line of tests/data/mutated_sources.txt (all of them by default), which names the test programs and their filters,
-and under it the equivalents. --most takes N flips of each file, chosen by the seed. A flip compiles a copy of the file
-and links it before the libraries, so that neither the sources nor the build change. A flip that does not compile counts
-as caught, one that gives the same machine code as an equivalent. Exit: 0 no survivor, 1 some survive, 2 bad input.
+and under it the equivalents. --most takes N flips of each file, chosen by the seed. Copies of the file are compiled and
+linked before the libraries, so that neither the sources nor the build change. One copy holds most flips (tests/mutant.hpp);
+a flip that it cannot hold, or that survives there, gets a copy of its own. A flip that does not compile counts as caught,
+one that gives the same machine code as an equivalent. Exit: 0 no survivor, 1 some survive, 2 bad input.
 """
 import argparse
 import collections
@@ -25,15 +26,26 @@ import time
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 LIST = os.path.join(ROOT, "tests/data/mutated_sources.txt")
 MOST_MEMORY = 4 << 30  # bytes; a flip may ask for too much
+UNKNOWN = 77  # the exit code kUnknown of tests/mutant.hpp
 
-# clang-format puts spaces around binary operators and none into template arguments. The last but one drops a guard.
-FLIPS = [(" + ", " - "), (" - ", " + "), (" * ", " / "), (" / ", " * "), (" % ", " * "), (" += ", " -= "), (" -= ", " += "),
-         (" < ", " <= "), (" <= ", " < "), (" > ", " >= "), (" >= ", " > "), (" == ", " != "), (" != ", " == "),
-         (" && ", " || "), (" || ", " && "), ("std::min(", "std::max("), ("std::max(", "std::min("), ("(!", "("),
-         ("++", "--"), ("return true;", "return false;"), ("return false;", "return true;"), ("if (", "if (false && ")]
-CALL = re.compile(r"\s*([\w.:]|->)+\(.*\);$")  # a statement that is nothing but a call: a flip leaves it out
+# clang-format puts spaces around binary operators and none into template arguments. Old, new, and the old one with `#`,
+# the number of the flip, for the copy that holds all of them.
+BINARY = [(" + ", " - ", "Plus"), (" - ", " + ", "Minus"), (" * ", " / ", "Times"), (" / ", " * ", "Over"),
+          (" % ", " * ", "Modulo"), (" < ", " <= ", "Less"), (" <= ", " < ", "AtMost"), (" > ", " >= ", "More"),
+          (" >= ", " > ", "AtLeast"), (" == ", " != ", "Same"), (" != ", " == ", "Other"), (" += ", " -= ", "Add"),
+          (" -= ", " += ", "Subtract")]
+FLIPS = [(old, new, old + "mutant::" + name + "{#}" + old) for old, new, name in BINARY] + [
+    (" && ", " || ", None), (" || ", " && ", None), ("++", "--", None),
+    ("std::min(", "std::max(", "mutant::min(#, "), ("std::max(", "std::min(", "mutant::max(#, "),
+    ("(!", "(", "(mutant::is(#) != !"), ("if (", "if (false && ", "if (!mutant::is(#) && "),
+    ("return true;", "return false;", "return !mutant::is(#);"),
+    ("return false;", "return true;", "return mutant::is(#);")]
+CALL = re.compile(r"(\s*)((?:[\w.:]|->)+\(.*\);)$")  # a statement that is nothing but a call: a flip leaves it out
+CALL_SWITCH = "mutant::is(#) ? void() : void(@);"  # @: the call
+ALONE = re.compile(r"\b(constexpr|static_assert|template)\b")  # lines whose flips get copies of their own
 
 Entry = collections.namedtuple("Entry", "tests equivalents")  # [(program, filter)...], {flipped lines}
+Flip = collections.namedtuple("Flip", "line column old new switch")
 
 
 def fail(message):
@@ -67,20 +79,41 @@ def code_part(line):
 
 
 def flips_of(lines):
-    """(line number, flipped line) of every flip."""
     result = []
     for number, line in enumerate(lines):
         code = code_part(line)
-        if code.lstrip().startswith("#"):
+        if code.lstrip().startswith("#") or "static_assert" in code:
             continue
-        for old, new in FLIPS:
-            column = code.find(old)
-            while column >= 0:
-                result.append((number, line[:column] + new + line[column + len(old):]))
-                column = code.find(old, column + 1)
-        if CALL.match(code) and code.count("(") == code.count(")"):
-            result.append((number, re.match(r"\s*", line).group(0) + "// left out: " + line.strip()))
+        for old, new, switch in FLIPS:
+            for column in [match.start() for match in re.finditer(re.escape(old), code)]:
+                if old == "if (" and re.match(r"if \((const|auto)\b", code[column:]):
+                    continue  # a condition that declares
+                result.append(Flip(number, column, old, new, None if ALONE.search(code) else switch))
+        call = CALL.match(code.rstrip())
+        if call and code.count("(") == code.count(")"):
+            old = line[call.start(2):call.end(2)]
+            result.append(Flip(number, call.start(2), old, "// left out: " + old, CALL_SWITCH))
     return result
+
+
+def flipped(lines, flip):
+    line = lines[flip.line]
+    return line[:flip.column] + flip.new + line[flip.column + len(flip.old):]
+
+
+def with_switches(lines, flips):
+    """The file with a switch for every flip that can have one; its number is the place in `flips`."""
+    result = lines[:]
+    for i in sorted(range(len(flips)), key=lambda i: (flips[i].line, -flips[i].column)):  # from right to left
+        flip = flips[i]
+        if not flip.switch:
+            continue
+        now = result[flip.line]
+        behind = len(lines[flip.line]) - flip.column - len(flip.old)  # characters, which no switch has changed if it is a call
+        old = now[flip.column:len(now) - behind] if flip.switch is CALL_SWITCH else flip.old
+        text = flip.switch.replace("#", str(i)).replace("@", old[:-1])
+        result[flip.line] = now[:flip.column] + text + now[flip.column + len(old):]
+    return [f'#include "{ROOT}/tests/mutant.hpp"', "#line 1"] + result
 
 
 def limit_memory():
@@ -88,14 +121,14 @@ def limit_memory():
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
 
 
-def run(command, folder, seconds=None, temporary=None):
-    environment = dict(os.environ, TMPDIR=temporary) if temporary else None
+def run(command, folder, seconds=None, variables=None):
+    """The exit code, -1 after the time, and what went to standard error."""
     try:
-        done = subprocess.run(command, cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=seconds,
-                              preexec_fn=limit_memory, env=environment, check=False)
-        return done.returncode == 0
+        done = subprocess.run(command, cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, timeout=seconds,
+                              preexec_fn=limit_memory, env=dict(os.environ, **(variables or {})), check=False)
+        return done.returncode, done.stderr.decode(errors="replace")
     except subprocess.TimeoutExpired:
-        return False
+        return -1, ""
 
 
 class Workshop:
@@ -117,7 +150,7 @@ class Workshop:
         self.real_object = words[words.index("-o") + 1]
         words[words.index("-o") + 1] = self.object
         words[words.index("-c") + 1] = self.copy
-        self.compile = words + ["-w"]
+        self.command = words + ["-w"]
         self.links = [self.link_of(program) for program, _ in tests]
 
     def link_of(self, program):
@@ -133,21 +166,70 @@ class Workshop:
             words.insert(1, self.object)  # before the libraries, which hold the original
         return words
 
-    def compiles(self, lines):
+    def compile(self, lines):
+        """The lines of the copy that errors name; None if there is no error."""
         with open(self.copy, "w", encoding="utf-8") as file:
             file.write("\n".join(lines))
-        return run(self.compile, self.build)
+        code, errors = run(self.command, self.build)
+        if code == 0:
+            return None
+        return {int(n) - 1 for n in re.findall(re.escape(os.path.basename(self.copy)) + r":(\d+):", errors)}
 
     def machine_code(self):
         with open(self.object, "rb") as file:
             return file.read()
 
-    def passes(self):
-        for (program, test_filter), link in zip(self.tests, self.links):
+    def link(self):
+        return all(run(link, self.build)[0] == 0 for link in self.links)
+
+    def test(self, mutant=-1):
+        """The exit code of the first test program that fails, else 0."""
+        for program, test_filter in self.tests:
             test = [os.path.join(self.folder, program), "--gtest_filter=" + test_filter, "--gtest_fail_fast"]
-            if not run(link, self.build) or not run(test, self.build, self.seconds, self.folder):
+            code = run(test, self.build, self.seconds, {"TMPDIR": self.folder, "MUTANT": str(mutant)})[0]
+            if code != 0:
+                return code
+        return 0
+
+    def compile_switches(self, lines, flips):
+        """Whether one copy with switches works; takes the switch off those flips that do not compile."""
+        for _ in range(5):
+            if not any(flip.switch for flip in flips):
                 return False
-        return True
+            wrong = self.compile(with_switches(lines, flips))
+            if wrong is None:
+                return self.link() and self.test() == 0
+            for i, flip in enumerate(flips):
+                if flip.line in wrong:
+                    flips[i] = flip._replace(switch=None)
+        return False
+
+
+def verdicts_of(shop, lines, flips, equivalents):
+    """(flip, verdict) of every flip."""
+    if shop.compile(lines) is not None or not shop.link():
+        fail(f"{shop.copy}: expected that the unchanged file compiles and links")
+    begin = time.monotonic()
+    if shop.test() != 0:
+        fail(f"{shop.copy}: expected that its tests pass before any flip, but they do not")
+    shop.seconds = 10.0 + 10.0 * (time.monotonic() - begin)  # a flip may make a loop endless
+    original = shop.machine_code()
+    alone = []
+    works = shop.compile_switches(lines, flips)
+    for i, flip in enumerate(flips):
+        if works and flip.switch and shop.test(i) not in (0, UNKNOWN):
+            yield flip, "caught"
+        else:
+            alone.append(flip)
+    for flip in alone:
+        if shop.compile(lines[:flip.line] + [flipped(lines, flip)] + lines[flip.line + 1:]) is not None:
+            yield flip, "caught"
+        elif shop.machine_code() == original:
+            yield flip, "same code"
+        elif not shop.link() or shop.test() != 0:
+            yield flip, "caught"
+        else:
+            yield flip, "equivalent" if flipped(lines, flip).strip() in equivalents else "SURVIVES"
 
 
 def survivors_of(path, entry, arguments):
@@ -156,28 +238,15 @@ def survivors_of(path, entry, arguments):
     flips = flips_of(lines)
     total = len(flips)
     if arguments.most and arguments.most < total:
-        flips = sorted(random.Random(arguments.seed).sample(flips, arguments.most))
+        flips = sorted(random.Random(arguments.seed).sample(flips, arguments.most), key=lambda flip: flip[:2])
+    build = os.path.abspath(arguments.build)
+    if run(["ninja", "-C", build] + [program for program, _ in entry.tests], ROOT)[0] != 0:
+        fail(f"{path}: expected that its tests build before any flip, but they do not")
     counts = collections.Counter()
     with tempfile.TemporaryDirectory(dir="/dev/shm" if os.path.isdir("/dev/shm") else None) as folder:  # in memory
-        shop = Workshop(os.path.abspath(arguments.build), path, entry.tests, folder)
-        if not run(["ninja", "-C", arguments.build] + [program for program, _ in entry.tests], ROOT):
-            fail(f"{path}: expected that its tests build before any flip, but they do not")
-        begin = time.monotonic()
-        if not shop.compiles(lines) or not shop.passes():
-            fail(f"{path}: expected that its tests pass before any flip, but they do not")
-        shop.seconds = 10.0 + 5.0 * (time.monotonic() - begin)  # a flip may make a loop endless
-        original = shop.machine_code()
-        for number, flipped in flips:
-            if not shop.compiles(lines[:number] + [flipped] + lines[number + 1:]):
-                verdict = "caught"
-            elif shop.machine_code() == original:
-                verdict = "same code"
-            elif not shop.passes():
-                verdict = "caught"
-            else:
-                verdict = "equivalent" if flipped.strip() in entry.equivalents else "SURVIVES"
+        for flip, verdict in verdicts_of(Workshop(build, path, entry.tests, folder), lines, flips, entry.equivalents):
             counts[verdict] += 1
-            print(f"{verdict:<11}{path}:{number + 1}: {flipped.strip()}", flush=True)
+            print(f"{verdict:<11}{path}:{flip.line + 1}: {flipped(lines, flip).strip()}", flush=True)
     print(f"{path}: {total} flips, {len(flips)} run: " + ", ".join(f"{n} {word}" for word, n in sorted(counts.items())),
           flush=True)
     return counts["SURVIVES"]

@@ -215,6 +215,14 @@ TEST_F(CheckpointBytes, LieInAFileThatCanBeWritten) {
   EXPECT_EQ(message_of([&] { file.append(0, "x"); }), nowhere + ": cannot write: No such file or directory");
 }
 
+TEST_F(CheckpointBytes, ThatVanishWhileTheyAreReadAreNotInvented) {
+  append(kRecords);
+  CheckpointFile file(path_, kKey, false);
+  std::filesystem::resize_file(path_, kPrologue + kKey.size() + 5);
+  EXPECT_EQ(message_of([&] { file.read([](std::uint32_t, std::string_view) {}); }),
+            path_ + ": cannot read: it became shorter");
+}
+
 TEST_F(CheckpointBytes, StayWholeWhereTheDiskIsFull) {
   append(kRecords);
   const std::size_t end = std::filesystem::file_size(path_);

@@ -122,10 +122,36 @@ TEST_F(HostileFile, SaysHowLongItIsWhereItEndsBeforeItsSections) {
             "truncated or overlong transfer file: 48 bytes, expected " + std::to_string(good_.size()));
 }
 
+TEST_F(HostileFile, OfAnotherKindOrVersionIsRefusedHoweverRightItsChecksums) {
+  for (std::size_t i = 0; i < layout::kMagic.size(); ++i) {
+    std::string bytes = good_;
+    bytes[i] ^= 1;
+    EXPECT_EQ(refusal(bytes), "not a transfer file: it does not begin with `shprt`") << i;
+  }
+  for (const std::uint32_t version : {0U, layout::kVersion + 1, ~0U}) {
+    std::string bytes = good_;
+    std::memcpy(&bytes[layout::kMagic.size()], &version, sizeof version);
+    EXPECT_EQ(refusal(bytes), "transfer file of version " + std::to_string(version) + ", expected 1 to 2");
+  }
+}
+
 // 2^62 rows of four bytes more are no byte more in 64 bits.
 TEST_F(HostileFile, IsRefusedWithASectionWhoseBytesAreTooManyToCount) {
   const std::string said = refusal(with_table(good_, [](auto& table) { table[5].rows += std::uint64_t{1} << 62; }));
   EXPECT_EQ(said, "damaged transfer file: section remap does not fit");
+}
+
+TEST_F(HostileFile, IsRefusedWithASectionThatDiffersInOneThing) {
+  const auto refusal_with = [&](const auto& change) { return refusal(with_table(good_, change)); };
+  EXPECT_EQ(refusal_with([](auto& table) {
+              table[4].columns = 1;
+              table[4].rows *= 3;
+            }),
+            "damaged transfer file: section face does not fit");
+  EXPECT_EQ(refusal_with([](auto& table) { table[2].offset += 4; }),
+            "damaged transfer file: section geonorm does not fit");
+  EXPECT_EQ(refusal_with([](auto& table) { table[5].type = layout::kFloat; }),
+            "damaged transfer file: section remap does not fit");
 }
 
 TEST_F(HostileFile, HasScalesWhereItsCoefficientsAreBytesAndNowhereElse) {

@@ -23,6 +23,17 @@ std::vector<BasisFunction> all_functions(int degree) {
   return functions;
 }
 
+TEST(Basis, IndicesCountOrdersWithinDegrees) {
+  int index = 0;
+  for (int l = 0; l <= kMaxBasisDegree; ++l) {
+    for (int m = -l; m <= l; ++m) {
+      const DegreeOrder found = degree_order(index++);
+      ASSERT_EQ(found.degree, l);
+      ASSERT_EQ(found.order, m);
+    }
+  }
+}
+
 TEST(Basis, TwoDerivationsAgreeAtTheLargestDegree) {
   for (const int m : {-50, -27, 0, 3, 50}) {
     const BasisFunction a = basis_function_by_recurrence(kMaxBasisDegree, m);
