@@ -39,7 +39,9 @@ std::vector<int> PhiTransform::orders_of(int part) const {
 }
 
 ExactReal PhiTransform::entry(int order, int j) const {
-  const ExactReal value = order < 0 ? sine(-order * j, shape_.angles) : cosine(order * j, shape_.angles);
+  const int half_steps = 2 * j + (shape_.half_step ? 1 : 0);
+  const ExactReal value =
+      order < 0 ? sine(-order * half_steps, 2 * shape_.angles) : cosine(order * half_steps, 2 * shape_.angles);
   const bool end = j == 0 || j + 1 == samples();
   return shape_.half_at_ends && end ? multiply(value, Surd(cln::cl_RA(1) / 2)) : value;
 }

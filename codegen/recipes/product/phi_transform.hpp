@@ -1,7 +1,8 @@
 // Converts trigonometric polynomials of the longitude from coefficients to samples (and back, transposed) by short
 // circuits.
 //
-// The samples lie at phi_j = 2 pi j / M, j = 0 .. M/4, M a multiple of 4. Parity splits them into four parts: even or
+// The samples lie at phi_j = 2 pi j / M, j = 0 .. M/4, or half a step further at phi_j = 2 pi (j + 1/2) / M,
+// j = 0 .. M/4 - 1, M a multiple of 4. Parity splits them into four parts: even or
 // odd orders, cosines or sines. The four parts at phi_j give the values at +-phi_j and pi +- phi_j, and multiply like
 // the group Z2 x Z2. A recipe multiplies its coefficients by constants in any case. Their scales are therefore free,
 // and the transform chooses them for the shortest circuits.
@@ -28,6 +29,7 @@ struct PhiShape {
   /// Scales that save operations outside the transform: order -> (scale, extra operations of any other scale).
   std::map<int, std::pair<ExactReal, int>> preferred;
   std::vector<int> unscaled;  ///< orders (>= 0) whose cosine and sine keep their scale
+  bool half_step = false;     ///< the samples lie half a step further; none of them is an end
 };
 
 /// The transform of one shape.
@@ -53,7 +55,7 @@ class PhiTransform {
     int ring = 0;
     int order = 0;
   };
-  [[nodiscard]] int samples() const { return shape_.angles / 4 + 1; }
+  [[nodiscard]] int samples() const { return shape_.angles / 4 + (shape_.half_step ? 0 : 1); }
   [[nodiscard]] std::vector<int> orders_of(int part) const;
   [[nodiscard]] ExactReal entry(int order, int j) const;
   [[nodiscard]] LinearMap matrix(int part) const;

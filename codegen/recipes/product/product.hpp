@@ -66,6 +66,18 @@ Kernel product_separable(const ProductShape& shape, Factors factors, SampleProdu
 /// The same by separable_plan; looped: with a loop.
 Kernel product_separable(const ProductShape& shape, Factors factors, SampleProduct sample_product, bool looped);
 
+/// Transferred radiance: the product of visibility V (degree 2n) and light L (degree n), projected on degree n, which
+/// is the matrix T_ij = integral of V y_i y_j times L [SloanKautzSnyder02, equation 11]. V of degree 2n gives the exact
+/// matrix, because y_i y_j has no higher band.
+///
+/// Many vertices meet the same light. `transfer_prepare` evaluates it once at the nodes of a quadrature, for all
+/// vertices; `transfer_apply` evaluates V there, multiplies and projects. Nodes: the poles, and M = 4n longitudes
+/// (j + 1/2) 2 pi / M on n pairs of rings. They are exact but for the product of the orders 2n of V and n of L, which
+/// they cannot tell from order n; two more numbers of the light correct it.
+/// degree: n, at least 1. channels: 1, or 3 for red, green and blue, which share the samples of V.
+Kernel transfer_prepare(int degree, int channels);
+Kernel transfer_apply(int degree, int channels);
+
 /// The product term by term, from the entries of the Gaunt tensor.
 Kernel product_tensor(const ProductShape& shape, Factors factors);
 

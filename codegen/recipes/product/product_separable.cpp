@@ -191,7 +191,7 @@ class Separable {
     const std::tuple key(degree, rings, back);
     const auto known = transforms_.find(key);
     if (known != transforms_.end()) return known->second;
-    PhiShape shape{degree, angles_, rings, back && !halves_, {}, {}};
+    PhiShape shape{degree, angles_, rings, back && !halves_, {}, {}, false};
     for (int q = 1; q <= shape_.result; ++q) {
       if (!aliased(q)) continue;
       if (!back) {
