@@ -187,6 +187,30 @@ TEST_F(Fold, ResolvesZeroOneAndSigns) {
   EXPECT_EQ(values(shared), values(kernel));
 }
 
+TEST_F(Fold, LeavesNoOperationThatZeroOrOneMakesNeedlessOnEitherSide) {
+  const NodeId zero = build.constant(Surd(0));
+  const NodeId one = build.constant(Surd(1));
+  const NodeId two = build.constant(Surd(2));
+  for (const NodeId node : {build.add(kX, zero), build.add(zero, kX), build.sub(kX, zero), build.sub(kX, kX),
+                            build.mul(kX, one), build.mul(one, kX), build.mul(kX, zero), build.mul(zero, kX),
+                            build.neg(build.neg(kX)), build.neg(two), build.add(two, one), build.sub(two, one),
+                            build.mul(two, two), build.mul(build.neg(one), build.neg(kX)), build.add(zero, zero)}) {
+    output(node);
+  }
+  const Kernel folded = passes::fold(kernel);
+  EXPECT_EQ(cost(folded).operations(), 0) << print::dump(folded);
+  EXPECT_EQ(values(folded), values(kernel));
+  output(build.add(kX, build.neg(kY)));
+  output(build.add(build.neg(kY), kX));
+  EXPECT_EQ(cost(passes::share(passes::fold(kernel))).operations(), 1) << "both are x - y";
+  output(build.sub(kX, build.neg(kY)));
+  output(build.sub(zero, kX));
+  for (const NodeId node : {build.add(two, kX), build.sub(kX, two), build.mul(two, kX)}) output(node);
+  const Kernel more = passes::share(passes::fold(kernel));
+  EXPECT_EQ(cost(more).operations(), 6) << "x + y, -x and three with 2 beside it: " << print::dump(more);
+  EXPECT_EQ(values(more), values(kernel));
+}
+
 TEST_F(Evaluation, DividesTakesRootsAndSelects) {
   output(build.div(kX, kZ));
   output(build.sqrt(kZ));

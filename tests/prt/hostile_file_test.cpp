@@ -176,6 +176,17 @@ TEST_F(HostileFile, HasScalesWhereItsCoefficientsAreBytesAndNowhereElse) {
   }
 }
 
+TEST_F(HostileFile, IsRefusedWithAScaleThatIsNegativeOrNotFinite) {
+  Transfer transfer = read_transfer(file_);
+  transfer.shape.storage.element = Element::kByte;
+  write_transfer(file_, transfer);
+  good_ = read_all(file_);
+  for (const float bad : {-1.0F, -1e-30F, kNan, kInfinity, -kInfinity}) {
+    EXPECT_EQ(with_number("scale", bad), "damaged transfer file: a scale is negative or not finite") << bad;
+  }
+  for (const float good : {0.0F, 1.0F}) EXPECT_EQ(with_number("scale", good), "");
+}
+
 TEST_F(HostileFile, HasItsLastSectionsToo) {
   const std::string bytes = good_.substr(0, place_of(good_, "face"));
   EXPECT_EQ(refusal(with_table(bytes, [](auto& table) { table.resize(4); }), true),
