@@ -138,7 +138,7 @@ class Workshop:
         self.build, self.tests, self.folder = build, tests, folder
         self.copy = os.path.join(folder, os.path.basename(path))
         self.object = os.path.join(folder, "copy.o")
-        self.seconds = 600.0  # that the tests may take
+        self.seconds = [600.0] * len(tests)  # that the tests may take; a flip may make a loop endless
         with open(os.path.join(build, "compile_commands.json"), encoding="utf-8") as text:
             words = [shlex.split(entry["command"]) for entry in json.load(text)
                      if entry["file"] == os.path.join(ROOT, path)]
@@ -182,14 +182,23 @@ class Workshop:
     def link(self):
         return all(run(link, self.build)[0] == 0 for link in self.links)
 
+    def run_tests(self, i, mutant):
+        program, test_filter = self.tests[i]
+        test = [os.path.join(self.folder, program), "--gtest_filter=" + test_filter, "--gtest_fail_fast"]
+        return run(test, self.build, self.seconds[i], {"TMPDIR": self.folder, "MUTANT": str(mutant)})[0]
+
     def test(self, mutant=-1):
         """The exit code of the first test program that fails, else 0."""
-        for program, test_filter in self.tests:
-            test = [os.path.join(self.folder, program), "--gtest_filter=" + test_filter, "--gtest_fail_fast"]
-            code = run(test, self.build, self.seconds, {"TMPDIR": self.folder, "MUTANT": str(mutant)})[0]
-            if code != 0:
-                return code
-        return 0
+        return next((code for i in range(len(self.tests)) if (code := self.run_tests(i, mutant)) != 0), 0)
+
+    def passes_unchanged(self):
+        """Whether all tests pass; from now on they may take five times as long."""
+        for i in range(len(self.tests)):
+            begin = time.monotonic()
+            if self.run_tests(i, -1) != 0:
+                return False
+            self.seconds[i] = 5.0 + 5.0 * (time.monotonic() - begin)
+        return True
 
     def compile_switches(self, lines, flips):
         """Whether one copy with switches works; takes the switch off those flips that do not compile."""
@@ -209,10 +218,8 @@ def verdicts_of(shop, lines, flips, equivalents):
     """(flip, verdict) of every flip."""
     if shop.compile(lines) is not None or not shop.link():
         fail(f"{shop.copy}: expected that the unchanged file compiles and links")
-    begin = time.monotonic()
-    if shop.test() != 0:
+    if not shop.passes_unchanged():
         fail(f"{shop.copy}: expected that its tests pass before any flip, but they do not")
-    shop.seconds = 10.0 + 10.0 * (time.monotonic() - begin)  # a flip may make a loop endless
     original = shop.machine_code()
     alone = []
     works = shop.compile_switches(lines, flips)

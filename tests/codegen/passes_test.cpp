@@ -111,6 +111,40 @@ TEST_F(Factor, NeverAddsConstantsWhoseRadicalsDiffer) {
   EXPECT_EQ(values(passes::factor(kernel)), values(kernel));
 }
 
+// a u + b v for all powers u and v of two inputs up to the third.
+TEST_F(Factor, ChangesNoValueWhateverThePowersOfASum) {
+  const auto power = [&](NodeId input, int exponent) {
+    NodeId node = build.constant(Surd(1));
+    for (int i = 0; i < exponent; ++i) node = build.mul(node, input);
+    return node;
+  };
+  const NodeId a = build.constant(Surd::square_root(3));
+  const NodeId b = build.constant(Surd(-2) / Surd(7));
+  for (const NodeId other : {kY, kZ}) {
+    for (int u = 0; u <= 3; ++u) {
+      for (int v = 0; v <= 3; ++v) {
+        const NodeId first = build.mul(a, power(kY, u));
+        output(build.add(first, build.mul(b, power(other, v))));
+        output(build.sub(first, build.mul(b, power(other, v))));
+      }
+    }
+  }
+  const Kernel factored = passes::factor(passes::share(kernel));
+  const std::vector<double> expected = values(kernel);
+  const std::vector<double> found = values(factored);
+  ASSERT_EQ(found.size(), expected.size());
+  for (std::size_t i = 0; i < found.size(); ++i) EXPECT_NEAR(found[i], expected[i], 1e-14) << i;
+}
+
+TEST_F(Factor, DropsTermsThatCancel) {
+  const NodeId k = build.constant(Surd::square_root(3));
+  const NodeId xz = build.mul(kX, kZ);
+  output(build.sub(build.add(xz, build.mul(k, kZ)), xz));  // k z
+  const Kernel factored = passes::factor(kernel);
+  EXPECT_EQ(cost(factored).operations(), 1) << print::dump(factored);
+  EXPECT_DOUBLE_EQ(values(factored)[0], values(kernel)[0]);
+}
+
 TEST_F(Associate, PutsAConstantFirstInAProductThatIsUsedOnce) {
   const NodeId xy = build.mul(kX, kY);
   output(build.mul(build.constant(Surd::square_root(3)), xy));

@@ -196,6 +196,20 @@ TEST(Motion, IsLinearBetweenKeysAndRestsOutside) {
   EXPECT_LT((motion.at(0.375).rotation * Eigen::Vector3d::UnitX() + Eigen::Vector3d::UnitX()).norm(), 1e-12);
 }
 
+TEST(Motion, TurnsFromTheAngleOfOneKeyToThatOfTheNext) {
+  Motion motion;
+  motion.keys = {{0.0, Eigen::Vector3d::Zero(), 30.0}, {0.5, Eigen::Vector3d::Zero(), 90.0}, {1.0, {1, 1, 1}, -10.0}};
+  for (const auto& [time, degrees] : {std::pair{0.0, 30.0}, {0.25, 60.0}, {0.5, 90.0}, {0.75, 40.0}, {1.0, -10.0}}) {
+    const Eigen::Matrix3d expected = rotation_about(motion.axis, degrees);
+    EXPECT_LT((motion.at(time).rotation - expected).norm(), 1e-14) << time;
+  }
+}
+
+TEST(Stage, TheSphereAroundNothingIsAPoint) {
+  EXPECT_EQ(bounding_sphere(Mesh{}).center, Eigen::Vector3d::Zero());
+  EXPECT_EQ(bounding_sphere(Mesh{}).radius, 0.0);
+}
+
 /// A folder with two small transfer files.
 class StageFile : public testing::Test {
  protected:
@@ -247,7 +261,10 @@ TEST_F(StageFile, ThatIsWrongIsRefusedInOneLine) {
       {R"({"objects": [{"transfer": "a.transfer", "move": [{"time": 0.5}, {"time": 0.5}]}]})",
        "/objects/0/move/1/time: expected a time after"},
       {R"({"objects": [{"transfer": "a.transfer", "move": [{"time": 1.5}]}]})", "a number from 0 to 1"},
+      {R"({"objects": [{"transfer": "a.transfer", "move": [{"time": 0, "angle": 3}]}]})",
+       "/objects/0/move/0/angle: unknown key, expected one of time, position, degrees"},
       {R"({"objects": [{"transfer": "a.transfer", "proxy": {"radius": -1}}]})", "a number of 0 or more"},
+      {R"({"objects": [{"transfer": "a.transfer", "proxy": {"size": 1}}]})", "/objects/0/proxy/size: unknown key"},
       {R"({"objects": [{"transfer": "b.transfer", "light_at": "vertices"}]})", "`center` for transfer with bounces"},
       {R"({"objects": [{"transfer": "a.transfer"}], "bake": {}})", "/bake: unknown key"}};
   for (const auto& [text, reason] : cases) {
