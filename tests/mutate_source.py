@@ -4,7 +4,7 @@
     tests/mutate_source.py [--build build] [--most N] [--seed S] [FILE...]
 
 FILE: a line of tests/data/mutated_sources.txt (all of them by default), which names the test programs and their filters,
-and under it the equivalents. --most takes N flips of each file, chosen by the seed. Copies of the file are compiled and
+and under it the equivalents, which are believed. --most takes N flips of each file, chosen by the seed. Copies of the file are compiled and
 linked before the libraries, so that neither the sources nor the build change. One copy holds most flips (tests/mutant.hpp);
 a flip that it cannot hold, or that survives there, gets a copy of its own. A flip that does not compile counts as caught,
 one that gives the same machine code as an equivalent. Exit: 0 no survivor, 1 some survive, 2 bad input.
@@ -224,7 +224,9 @@ def verdicts_of(shop, lines, flips, equivalents):
     alone = []
     works = shop.compile_switches(lines, flips)
     for i, flip in enumerate(flips):
-        if works and flip.switch and shop.test(i) not in (0, UNKNOWN):
+        if flipped(lines, flip).strip() in equivalents:
+            yield flip, "equivalent"
+        elif works and flip.switch and shop.test(i) not in (0, UNKNOWN):
             yield flip, "caught"
         else:
             alone.append(flip)
@@ -236,7 +238,7 @@ def verdicts_of(shop, lines, flips, equivalents):
         elif not shop.link() or shop.test() != 0:
             yield flip, "caught"
         else:
-            yield flip, "equivalent" if flipped(lines, flip).strip() in equivalents else "SURVIVES"
+            yield flip, "SURVIVES"
 
 
 def survivors_of(path, entry, arguments):

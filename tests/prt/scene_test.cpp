@@ -151,10 +151,59 @@ TEST_F(SceneFile, IsRefusedWithABadLightCameraGroundOrOption) {
        R"(/bake/transfer: expected one of unshadowed, shadowed, interreflected, got "glossy")"},
       {R"("ground": {"size": -1})", "/ground/size: expected a positive number, got -1"},
       {R"("camera": {"field_of_view": 180})", "/camera/field_of_view: expected degrees from 1 to 170, got 180"},
-      {R"("camera": {"position": [0, 0, 0], "target": [0, 0, 0]})", "/camera: expected a target"}};
+      {R"("camera": {"position": [0, 0, 0], "target": [0, 0, 0]})", "/camera: expected a target"},
+      {R"("camera": {"position": [0, 0, 5], "target": [0, 0, 0]})", "/camera: expected a target"},
+      {R"("camera": {"position": [0, 5, 0], "target": [0, 0, 0], "up": [0, -3, 0]})", "/camera: expected a target"},
+      {R"("camera": {"zoom": 2})", "/camera/zoom: unknown key, expected one of position, target"},
+      {R"("ground": {"width": 3})", "/ground/width: unknown key, expected one of height, size"},
+      {R"("ground": {"size": 1e20})", "/ground/size: expected a length of at most 1.732e+06, a million times"},
+      {R"("ground": {"height": -1e20})", "/ground/height: expected a distance from the meshes of at most 1.732e+06"},
+      {R"("bake": {"bounces": 3})", "/bake/bounces: unknown key, expected one of degree, directions"},
+      {R"("bake": {"directions": 0})", "/bake/directions: expected an integer from 1 to "},
+      {R"("bake": {"seed": -1})", "/bake/seed: expected an integer from 0 to "},
+      {R"("bake": {"tolerance": 1.5})", "/bake/tolerance: expected a number from 1e-9 to 1, got 1.5"},
+      {R"("plan": {"budget": 1})", "/plan/budget: unknown key, expected one of error, light_turns, without"},
+      {R"("plan": {"error": 0})", "/plan/error: expected a number from 1e-9 to 1, got 0"},
+      {R"("plan": {"without": ["rays", "noise"]})", "/plan/without/0: expected one of "},
+      {R"("lights": [{"type": "constant", "rotate": {"degrees": 1, "angle": 1}}])",
+       "/lights/0/rotate/angle: unknown key, expected one of axis, degrees"},
+      {R"("light": [])", "/light: unknown key, expected one of name, meshes"}};
   for (const auto& [entry, message] : cases) {
     expect_start(refusal(R"({"meshes": [{"primitive": "box"}], )" + entry + "}"), "scene.json: " + message);
   }
+}
+
+TEST_F(SceneFile, TakesEveryLimitOfItsOptions) {
+  for (const char* entry :
+       {R"("ground": {"size": 1.7e6})", R"("ground": {"height": -1.7e6})", R"("bake": {"degree": 0})",
+        R"("bake": {"degree": 10})", R"("bake": {"directions": 1, "seed": 0, "tolerance": 1})",
+        R"("camera": {"field_of_view": 1})", R"("camera": {"field_of_view": 170})", R"("plan": {"error": 1})",
+        R"("plan": {"without": []})"}) {
+    EXPECT_NO_THROW(load(R"({"meshes": [{"primitive": "box"}], )" + std::string(entry) + "}")) << entry;
+  }
+}
+
+TEST_F(SceneFile, PlansExactlyUnlessItSaysMore) {
+  const std::string start = R"({"meshes": [{"primitive": "plane"}])";
+  EXPECT_EQ(load(start + "}").plan.mode, PlanMode::kExact);
+  const PlanOptions plan =
+      load(start + R"(, "plan": {"error": 0.25, "light_turns": "about_z", "without": ["storage"]}})").plan;
+  EXPECT_EQ(plan.mode, PlanMode::kLossy);
+  EXPECT_EQ(plan.error, 0.25);
+  EXPECT_EQ(plan.turns, LightTurns::kAboutZ);
+  EXPECT_EQ(plan.without, std::vector<std::string>{"storage"});
+}
+
+TEST_F(SceneFile, ListsTheFilesThatItReads) {
+  std::filesystem::create_directory(folder_.path() / "in");
+  write_all(folder_.file("in/a.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  write_all(folder_.file("b.exr"), "not loaded yet");
+  const Scene scene = load(R"({"meshes": [{"primitive": "plane"}, {"file": "in/../in/a.obj"}],
+    "lights": [{"type": "constant"}, {"type": "environment", "file": "b.exr"}]})");
+  EXPECT_EQ(scene.files, (std::vector<std::string>{file_, folder_.file("in/a.obj"), folder_.file("b.exr")}));
+  const Scene alone = load_scene(folder_.file("in/a.obj"), OnFlaw::kMend);
+  EXPECT_EQ(alone.name, "a");
+  EXPECT_GT(alone.mesh.faces.size(), 1U) << "a ground is around it";
 }
 
 TEST_F(SceneFile, ReadsEveryKindOfLight) {
