@@ -4,10 +4,12 @@
     tests/mutate_source.py [--build build] [--most N] [--seed S] [FILE...]
 
 FILE: a line of tests/data/mutated_sources.txt (all of them by default), which names the test programs and their filters,
-and under it the equivalents, which are believed. --most takes N flips of each file, chosen by the seed. Copies of the file are compiled and
-linked before the libraries, so that neither the sources nor the build change. One copy holds most flips (tests/mutant.hpp);
-a flip that it cannot hold, or that survives there, gets a copy of its own. A flip that does not compile counts as caught,
-one that gives the same machine code as an equivalent. Exit: 0 no survivor, 1 some survive, 2 bad input.
+and under it the equivalents, which are believed. --most takes N flips of each file, chosen by the seed.
+
+Copies of the file are compiled and linked before the libraries, so that neither the sources nor the build change. One
+copy holds most flips (tests/mutant.hpp); a flip that it cannot hold, or that survives there, gets a copy of its own. A
+flip that does not compile counts as caught, one that gives the same machine code as an equivalent. Exit: 0 no survivor,
+1 some survive, 2 bad input.
 """
 import argparse
 import collections

@@ -273,6 +273,55 @@ TEST(ExactReal, ComputedConstantsMultiplyAndDivideExactly) {
   EXPECT_EQ(nearest<double>(multiply(a, reciprocal(b))), 5.0 / 3);
 }
 
+// Every pair of surds, computed reals and zero: values to 40 digits, and one order of all of them.
+TEST(ExactReal, SumsAndProductsOfAllKindsHaveTheirValues) {
+  const auto part_of_pi = [](int n) {
+    return ExactReal(Computed("pi/" + std::to_string(n), [n](int digits) {
+      return cln::pi(cln::float_format(digits + 3)) / cln::cl_float(cln::cl_I(n), cln::float_format(digits + 3));
+    }));
+  };
+  const ExactReal a = part_of_pi(3);
+  const ExactReal b = part_of_pi(5);
+  const ExactReal root = Surd::square_root(3);
+  const std::vector<ExactReal> all = {Surd(0),
+                                      Surd(1),
+                                      Surd(-1),
+                                      Surd(2),
+                                      root,
+                                      a,
+                                      negate(a),
+                                      multiply(Surd(2), a),
+                                      b,
+                                      multiply(a, b),
+                                      reciprocal(multiply(b, b)),
+                                      multiply(root, multiply(a, reciprocal(b)))};
+  const auto is_near = [](const cln::cl_F& x, const cln::cl_F& y) {
+    return cln::abs(x - y) < cln::cl_float(1e-40, cln::float_format(50));
+  };
+  for (const ExactReal& x : all) {
+    for (const ExactReal& y : all) {
+      const std::string pair = to_string(x) + " and " + to_string(y);
+      EXPECT_EQ(multiply(x, y), multiply(y, x)) << pair;
+      EXPECT_TRUE(is_near(evaluate(multiply(x, y), 50), evaluate(x, 50) * evaluate(y, 50))) << pair;
+      EXPECT_EQ(add(x, y), add(y, x)) << pair;
+      if (const auto sum = add(x, y)) {
+        EXPECT_TRUE(is_near(evaluate(*sum, 50), evaluate(x, 50) + evaluate(y, 50))) << pair;
+      }
+      EXPECT_EQ((x < y ? 1 : 0) + (y < x ? 1 : 0), x == y ? 0 : 1) << pair;
+      for (const ExactReal& z : all) EXPECT_TRUE(!(x < y && y < z) || x < z) << pair << " and " << to_string(z);
+    }
+    EXPECT_EQ(add(x, Surd(0)), x);
+    EXPECT_EQ(is_negative(x), cln::minusp(evaluate(x, 50))) << to_string(x);
+  }
+  EXPECT_EQ(add(root, Surd(1)), std::nullopt);
+  EXPECT_EQ(add(a, Surd(1)), std::nullopt);
+  EXPECT_EQ(to_string(a), "pi/3");
+  EXPECT_EQ(to_string(negate(a)), "-pi/3");
+  EXPECT_EQ(to_string(multiply(a, a)), "pi/3^2");
+  EXPECT_EQ(to_string(reciprocal(a)), "1 / pi/3");
+  EXPECT_EQ(to_string(negate(reciprocal(a))), "-1 / pi/3");
+}
+
 TEST(ExactReal, ComputedConstantsAreEqualByDefinitionAndNeverRounded) {
   const Computed third("root of 3x - 1",
                        [](int digits) { return cln::cl_float(cln::cl_RA(1) / 3, cln::float_format(digits + 3)); });
