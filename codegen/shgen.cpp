@@ -22,6 +22,7 @@
 #include <stdexcept>
 
 #include "codegen/commands/commands.hpp"
+#include "numeric/output/printable.hpp"
 #include "numeric/output/version.hpp"
 
 namespace {
@@ -69,7 +70,7 @@ int main(int argc, char** argv) {
   try {
     return run(argc, argv);
   } catch (const std::exception& error) {
-    std::cerr << "shgen: " << error.what() << '\n';
+    std::cerr << "shgen: " << sh::output::printable(error.what()) << '\n';
     return kBadInput;
   }
 }

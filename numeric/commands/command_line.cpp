@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <type_traits>
 
+#include "numeric/output/printable.hpp"
 #include "numeric/output/progress.hpp"
 #include "numeric/output/version.hpp"
 
@@ -109,6 +110,6 @@ void print(const std::string& text) {
   }
 }
 
-void say(const std::string& line) { std::fprintf(stderr, "shcheck: %s\n", line.c_str()); }
+void say(const std::string& line) { std::fprintf(stderr, "shcheck: %s\n", output::printable(line).c_str()); }
 
 }  // namespace sh::numeric

@@ -8,6 +8,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "numeric/output/printable.hpp"
 #include "numeric/output/read_file.hpp"
 
 namespace sh::numeric::identify {
@@ -69,7 +70,7 @@ Row parse_row(const std::string& file, int line, const std::vector<std::string_v
     if (!value || !std::isfinite(value->real()) || !std::isfinite(value->imag())) {
       refuse(file, line,
              "column " + std::to_string(row.cells.size() + 1) + ": expected a " + (value ? "finite " : "") +
-                 "number such as -0.5 or 0.5+0.25i, got '" + std::string(cell.substr(0, 40)) + "'");
+                 "number such as -0.5 or 0.5+0.25i, got '" + output::printable(cell.substr(0, 40)) + "'");
     }
     row.cells.push_back(*value);
   }

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "numeric/output/parse_json.hpp"
+#include "numeric/output/printable.hpp"
 #include "numeric/output/read_file.hpp"
 #include "numeric/report/report.hpp"
 
@@ -76,10 +77,22 @@ double error_of(const Json& value) {
   return error;
 }
 
+// A whole number. The library would cut 2.5 to 2 and take -1 for the largest.
+template <class Whole>
+Whole whole_of(const Json& json, const char* key) {
+  const Json& value = json.at(key);
+  constexpr std::uint64_t kMost = std::numeric_limits<Whole>::max();
+  if (!value.is_number_unsigned() || value.get<std::uint64_t>() > kMost) {
+    throw std::runtime_error("'" + std::string(key) + "': expected a whole number from 0 to " + std::to_string(kMost) +
+                             ", got " + value.dump());
+  }
+  return value.get<Whole>();
+}
+
 Point point_of(const Json& json) {
   Point point = {.info = {.task = json.at("task"),
                           .name = json.at("method"),
-                          .degree = json.at("degree"),
+                          .degree = whole_of<int>(json, "degree"),
                           .scalar = json.at("scalar"),
                           .mode = mode_of(json.at("mode")),
                           .header = json.at("header"),
@@ -90,7 +103,7 @@ Point point_of(const Json& json) {
                  .error = error_of(json.at("error")),
                  .error_eps = error_of(json.at("error_eps")),
                  .unit = json.at("unit"),
-                 .inputs = json.at("inputs"),
+                 .inputs = whole_of<std::size_t>(json, "inputs"),
                  .worst = {json.at("worst").at("input"), {}, json.at("worst").at("output")},
                  .on_front = json.at("on_front")};
   if (!(point.nanoseconds > 0))
@@ -125,9 +138,7 @@ std::vector<Point> read_report(const std::string& file) {
     if (json.at("format") != kFormat) throw std::runtime_error(std::string("'format': expected '") + kFormat + "'");
     for (const auto& point : json.at("points")) points.push_back(point_of(point));
   } catch (const std::exception& error) {
-    std::string reason = error.what();
-    std::replace(reason.begin(), reason.end(), '\n', ' ');
-    throw std::runtime_error(file + ": expected a report of shcheck: " + reason);
+    throw std::runtime_error(file + ": expected a report of shcheck: " + output::printable(error.what()));
   }
   return points;
 }

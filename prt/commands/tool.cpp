@@ -7,6 +7,7 @@
 #include <exception>
 #include <limits>
 
+#include "numeric/output/printable.hpp"
 #include "numeric/output/progress.hpp"
 #include "numeric/output/version.hpp"
 #include "prt/commands/commands.hpp"
@@ -62,7 +63,7 @@ int run(int argc, char** argv) {
         stderr,
         "prt: expected a command (bake, relight, render, shader, info, project, reconstruct, plan, study or compare), "
         "got `%s`\n",
-        argc > 1 ? argv[1] : "");
+        sh::output::printable(argc > 1 ? argv[1] : "").c_str());
     return 2;
   }
 }
@@ -75,13 +76,13 @@ int run_tool(int argc, char** argv) {
   try {
     return run(argc, argv);
   } catch (const sh::output::Interrupted& stop) {
-    std::fprintf(stderr, "prt: %s\n", stop.what());
+    std::fprintf(stderr, "prt: %s\n", sh::output::printable(stop.what()).c_str());
     return 130;
   } catch (const sh::prt::CheckFailed& difference) {
-    std::fprintf(stderr, "prt: %s\n", difference.what());
+    std::fprintf(stderr, "prt: %s\n", sh::output::printable(difference.what()).c_str());
     return 1;
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "prt: %s\n", error.what());
+    std::fprintf(stderr, "prt: %s\n", sh::output::printable(error.what()).c_str());
     return 2;
   }
 }

@@ -14,6 +14,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "numeric/output/printable.hpp"
 #include "prt/image/image.hpp"
 
 namespace sh::prt {
@@ -50,13 +51,13 @@ ChannelNames rgb_channels(const std::string& file, const Imf::ChannelList& chann
   const auto rgb = find_rgb(names);
   if (!rgb) {
     throw std::runtime_error(fmt::format("{}: has the channels {}; expected R, G, B in one layer, or Y alone", file,
-                                         fmt::join(names, ", ")));
+                                         output::printable(fmt::format("{}", fmt::join(names, ", ")))));
   }
   for (const std::string& name : *rgb) {
     const Imf::Channel& channel = channels[name];
     if (channel.xSampling != 1 || channel.ySampling != 1) {
-      throw std::runtime_error(
-          fmt::format("{}: the channel {} is subsampled; expected a value for every pixel", file, name));
+      throw std::runtime_error(fmt::format("{}: the channel {} is subsampled; expected a value for every pixel", file,
+                                           output::printable(name)));
     }
   }
   return *rgb;
@@ -110,7 +111,7 @@ Image read_exr(const std::string& file, OnFlaw on_flaw) {
   } catch (const Iex::BaseExc& error) {  // thrown by the library: its text may hold line breaks
     std::string reason = error.what();
     std::replace(reason.begin(), reason.end(), '\n', ' ');
-    throw std::runtime_error(fmt::format("{}: cannot read as OpenEXR: {}", file, reason));
+    throw std::runtime_error(fmt::format("{}: cannot read as OpenEXR: {}", file, output::printable(reason)));
   }
 }
 

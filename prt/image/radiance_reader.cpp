@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <stdexcept>
 
+#include "numeric/output/printable.hpp"
 #include "prt/image/image.hpp"
 
 namespace sh::prt {
@@ -37,7 +38,8 @@ class Reader {
   Rgbe pixel() { return {byte(), byte(), byte(), byte()}; }
   void back(std::size_t count) { at_ -= count; }
   [[noreturn]] void fail(const std::string& what) const {
-    throw std::runtime_error(fmt::format("{}: {}; expected a complete Radiance .hdr picture", file_, what));
+    throw std::runtime_error(
+        fmt::format("{}: {}; expected a complete Radiance .hdr picture", file_, output::printable(what)));
   }
 
   int row = 0;

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "numeric/output/parse_json.hpp"
+#include "numeric/output/printable.hpp"
 #include "numeric/output/read_file.hpp"
 
 namespace sh::prt {
@@ -48,8 +49,8 @@ void JsonReader::allow(const std::vector<std::string_view>& keys) const {
   if (!value_->is_object()) expected("an object");
   for (const auto& [key, value] : value_->items()) {
     if (std::find(keys.begin(), keys.end(), key) == keys.end()) {
-      throw std::runtime_error(
-          fmt::format("{}: {}/{}: unknown key, expected one of {}", *file_, path_, key, fmt::join(keys, ", ")));
+      throw std::runtime_error(fmt::format("{}: {}/{}: unknown key, expected one of {}", *file_, path_,
+                                           output::printable(key), fmt::join(keys, ", ")));
     }
   }
 }
@@ -87,7 +88,7 @@ std::vector<std::pair<std::string, JsonReader>> JsonReader::members() const {
   if (!value_->is_object()) expected("an object");
   std::vector<std::pair<std::string, JsonReader>> members;
   for (const auto& [key, value] : value_->items()) {
-    members.emplace_back(key, JsonReader(*this, fmt::format("{}/{}", path_, key), value));
+    members.emplace_back(key, JsonReader(*this, fmt::format("{}/{}", path_, output::printable(key)), value));
   }
   return members;
 }
@@ -95,8 +96,10 @@ std::vector<std::pair<std::string, JsonReader>> JsonReader::members() const {
 bool JsonReader::is(std::string_view type) const { return value_->type_name() == type; }
 
 std::string JsonReader::text() const {
-  if (!value_->is_string() || value_->get_ref<const std::string&>().empty()) expected("a string that is not empty");
-  return value_->get<std::string>();
+  const auto* text = value_->get_ptr<const std::string*>();
+  if (text == nullptr || text->empty()) expected("a string that is not empty");
+  if (output::printable(*text) != *text) expected("a string without control characters");
+  return *text;
 }
 
 std::string JsonReader::one_of(const std::vector<std::string_view>& words) const {

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "numeric/output/printable.hpp"
 #include "prt/transfer/transfer_file.hpp"
 
 namespace sh::prt {
@@ -112,7 +113,9 @@ template <class Enumeration, std::size_t Count>
 Enumeration value_from(const nlohmann::json& json, const std::array<std::string_view, Count>& words, const char* what) {
   const auto word = json.get<std::string>();
   const auto value = value_called<Enumeration>(word, words);
-  if (!value) throw std::invalid_argument(fmt::format("{} {}, expected one of {}", what, word, fmt::join(words, ", ")));
+  if (!value)
+    throw std::invalid_argument(
+        fmt::format("{} {}, expected one of {}", what, output::printable(word), fmt::join(words, ", ")));
   return *value;
 }
 
@@ -241,7 +244,7 @@ void take_header(const nlohmann::json& header, std::uint32_t version, TransferKi
   const auto letters = header.at("kind").get<std::string>();
   transfer.kind = find_kind(&TransferKind::letters, letters, kinds);
   if (transfer.kind == nullptr) {
-    throw std::invalid_argument(fmt::format("transfer of kind {}, expected one of {}", letters,
+    throw std::invalid_argument(fmt::format("transfer of kind {}, expected one of {}", output::printable(letters),
                                             fmt::join(kind_names(&TransferKind::letters, kinds), ", ")));
   }
   transfer.shape = shape_from(header, version, *transfer.kind);

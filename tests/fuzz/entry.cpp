@@ -3,6 +3,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -17,7 +18,8 @@ void require(bool holds, const char* what) {
 }
 
 void require_one_line(std::string_view message) {
-  require(!message.empty() && message.find('\n') == std::string_view::npos, "an error is one line");
+  const bool has_control = std::any_of(message.begin(), message.end(), [](unsigned char c) { return c < 0x20; });
+  require(!message.empty() && !has_control, "an error is one line without control characters");
 }
 
 MemoryFile::MemoryFile() : descriptor_(memfd_create("input", MFD_CLOEXEC)) {

@@ -109,6 +109,23 @@ TEST_F(Report, IsReadBackAsItWasWritten) {
   }
 }
 
+TEST_F(Report, IsRefusedWithCountsThatAreNotWhole) {
+  const auto refusal = [&](const char* key, const json& value) {
+    json changed = json_;
+    changed.at("points").at(0).at(key) = value;
+    const std::string changed_file = file() + ".changed";
+    std::ofstream(changed_file) << changed;
+    return sh::test::message_of([&] { (void)sh::numeric::read_report(changed_file); });
+  };
+  for (const char* key : {"degree", "inputs"}) {
+    for (const json& value : {json(2.5), json(-1), json(1e300)}) {
+      EXPECT_NE(refusal(key, value).find(std::string("'") + key + "': expected a whole number from 0 to"),
+                std::string::npos)
+          << key << " " << value;
+    }
+  }
+}
+
 TEST_F(Report, PageStandsAloneAndShowsEveryMethodOfEveryTask) {
   const auto page = report_page(report_);
   for (const char* outside : {"http://", "https://", "src=", "<link", "@import", "<script"}) {

@@ -167,6 +167,18 @@ TEST_F(BadInput, ATextThatIsNoUnicodeIsBakedAndDescribed) {
   succeeded({"plan", name, "--json"});
 }
 
+// Names with a line break and with an escape sequence of terminals.
+TEST_F(BadInput, AMessageIsOneLineWhateverItQuotes) {
+  write_all(scene, R"({"a\nb": 1, "meshes": [{"file": "box.obj"}]})");
+  expect_untouched({"plan", scene}, R"(/a\x0ab: unknown key)");
+  write_all(scene, R"({"meshes": [{"file": "x\ny.obj"}]})");
+  expect_untouched({"plan", scene}, "a string without control characters, got \"x\\ny.obj\"");
+  write_all(scene, R"({"meshes": [{"file": "box.obj", "materials": {"\u001b[2J": {"albedo": 3}}}]})");
+  expect_untouched({"plan", scene}, R"(/materials/\x1b[2J/albedo: expected)");
+  expect_untouched({"info", folder.file("x\ny")}, R"(x\x0ay)");
+  expect_untouched({"x\ny"}, R"(`x\x0ay`)");
+}
+
 TEST(Prt, SaysItsVersionAndItsUsage) {
   EXPECT_EQ(succeeded({"--version"}).out, "prt 0.1.0\n");
   const Finished bare = run_prt({});

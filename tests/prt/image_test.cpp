@@ -173,6 +173,19 @@ TEST(Image, DamagedExrBytesNeverCrash) {
   }
 }
 
+// The library would first take 2 GB.
+TEST(Image, AnExrAttributeLongerThanTheFileIsRefused) {
+  const TemporaryFolder folder;
+  write_exr(folder.file("a.exr"), pattern_image(16, 8));
+  std::string bytes = read_all(folder.file("a.exr"));
+  const std::string name("compression\0compression\0", 24);
+  const std::size_t size = bytes.find(name) + name.size();
+  for (const char* wrong : {"\xff\xff\xff\x7f", "\xff\xff\xff\xff"}) {
+    write_all(folder.file("a.exr"), bytes.replace(size, 4, wrong, 4));
+    expect_refused(folder.file("a.exr"), "its header has an attribute of");
+  }
+}
+
 TEST(Image, RadianceHeadersThatCannotBeReadAreNamed) {
   const TemporaryFolder folder;
   const auto refuse = [&](const std::string& bytes, const std::string& reason) {
