@@ -1,6 +1,10 @@
 // Command lines of prt. Each byte stands for a word, so that a run of bytes is a command line with known options, files
 // and values, good and bad, in any order. The files that are read must be the same afterwards.
+#include <tbb/global_control.h>
+
+#include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <vector>
@@ -181,14 +185,25 @@ class Workplace {
     return all;
   }
 
+  // One thread, so that an input always takes the same branches.
+  tbb::global_control one_thread_{tbb::global_control::max_allowed_parallelism, 1};
   prt::test::TemporaryFolder folder_;
   std::map<std::string, std::string> files_;
 };
 
-// Without a size of its own a picture takes 16 rays for each of half a million pixels.
+// Whether it is no number, one of at most 16, or far too large.
+bool is_small(const std::string& word) {
+  const double number = std::strtod(word.c_str(), nullptr);
+  return !(number > 16 && number < 1e6);
+}
+
+// A picture takes 16 rays for each pixel, of half a million unless its size is given; a mesh file alone takes 2,048
+// directions.
 bool is_quick(const std::vector<std::string>& words) {
+  const auto has = [&](const char* word) { return std::find(words.begin(), words.end(), word) != words.end(); };
   const bool draws = words.size() > 1 && (words[1] == "render" || words[1] == "compare");
-  return !draws || (words.size() > 5 && words[2] == "--width" && words[4] == "--height");
+  const bool has_size = words.size() > 5 && words[2] == "--width" && words[4] == "--height";
+  return (!draws || (has_size && is_small(words[3]) && is_small(words[5]))) && (!has("a.obj") || has("--directions"));
 }
 
 }  // namespace

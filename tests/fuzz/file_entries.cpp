@@ -9,6 +9,8 @@
 #include "prt/image/image.hpp"
 #include "prt/runtime/relight.hpp"
 #include "prt/transfer/transfer_file.hpp"
+#include "prt/transfer/transfer_json.hpp"
+#include "prt/transfer/transfer_layout.hpp"
 #include "tests/fuzz/checkpoint_bytes.hpp"
 #include "tests/fuzz/entry.hpp"
 #include "tests/prt/rooms.hpp"
@@ -20,10 +22,20 @@ using namespace sh::prt;
 
 bool is_finite(float value) { return std::isfinite(value); }
 
+// The header describes all that was read.
+void require_description(const nlohmann::json& header, const Transfer& transfer) {
+  Transfer described;
+  described.mesh = transfer.mesh;
+  described.emitted = transfer.emitted;
+  take_header(header, layout::kVersion, transfer_kinds(), described);
+  require(transfer_header(described) == transfer_header(transfer), "a header reads back");
+}
+
 // What is accepted can be described, and be lit where all its columns are there.
 void read_and_light(const std::string& file) {
   const Transfer transfer = read_transfer(file);
   const auto header = output::parse_json<nlohmann::json>(transfer_header(transfer));
+  require_description(header, transfer);
   require(header.at("vertices") == transfer.mesh.positions.size(), "the header counts the vertices");
   require(std::all_of(transfer.coefficients.begin(), transfer.coefficients.end(), is_finite),
           "coefficients are finite");
@@ -32,6 +44,13 @@ void read_and_light(const std::string& file) {
   require(relight(transfer, light).size() == transfer.mesh.positions.size(), "every vertex is lit");
 }
 
+Mesh two_boxes() {
+  Mesh mesh = sh::prt::test::primitive_mesh("box");
+  append(mesh, sh::prt::test::primitive_mesh("box"));
+  return mesh;
+}
+
+/// Of 48 vertices: two records.
 struct SmallBake {
   SmallBake() {
     scene.bake.degree = 1;
@@ -40,7 +59,7 @@ struct SmallBake {
     transfer.coefficients.resize(scene.mesh.positions.size() * transfer.shape.length());
   }
 
-  Scene scene = sh::prt::test::scene_of(sh::prt::test::primitive_mesh("box"), &kInterreflected, 64, 1);
+  Scene scene = sh::prt::test::scene_of(two_boxes(), &kInterreflected, 64, 1);
   Transfer transfer;
   std::string key = bake_key(scene, "avx2", {});
 };

@@ -19,7 +19,7 @@ namespace {
 using namespace sh::prt;
 using Json = nlohmann::json;
 
-constexpr std::size_t kMostCells = 600;
+constexpr std::size_t kMostCells = 600;  // that get an answer
 
 // Whether a scene has few vertices: sizes are asked for, and fine meshes only take time.
 bool is_small(const Json& json) {
@@ -87,6 +87,19 @@ void check_table(const Check& check) {
 
 void read_table(const std::string& file) {
   const auto table = numeric::identify::read_table(file);
+  require(!table.rows.empty(), "a table has a row");
+  check_table([&] {
+    for (const auto& way : numeric::identify::read_samples(table, true)) {
+      require(way.columns.size() >= 1 && way.columns.front().size() == table.rows.size(), "every row has values");
+    }
+  });
+  check_table([&] {
+    require(!numeric::identify::read_rotation_cases(table).cases.empty(), "a table of rotations has a rotation");
+  });
+}
+
+void identify(const std::string& file) {
+  const auto table = numeric::identify::read_table(file);
   if (table.rows.size() * table.rows.front().cells.size() > kMostCells) return;
   check_table([&] {
     const auto result = numeric::identify::identify(numeric::identify::read_samples(table, false));
@@ -105,5 +118,6 @@ void run_scene(std::string_view bytes) { run_reader(read_scene, bytes); }
 void run_stage(std::string_view bytes) { run_reader(read_stage, bytes); }
 void run_parts(std::string_view bytes) { run_reader(read_parts, bytes); }
 void run_table(std::string_view bytes) { run_reader(read_table, bytes); }
+void run_identify(std::string_view bytes) { run_reader(identify, bytes); }
 
 }  // namespace sh::fuzz
