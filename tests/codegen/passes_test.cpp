@@ -322,6 +322,24 @@ TEST(ExactReal, SumsAndProductsOfAllKindsHaveTheirValues) {
   EXPECT_EQ(to_string(negate(reciprocal(a))), "-1 / pi/3");
 }
 
+// Each factor errs as much as it may; the product of many of them still has all its digits.
+TEST(ExactReal, PowersKeepTheirDigitsWhateverTheErrorOfTheirFactors) {
+  const auto error = [](int digits) {
+    return cln::cl_float(cln::expt(cln::cl_RA(1) / 10, digits), cln::float_format(200));
+  };
+  const ExactReal one =
+      Computed("nearly one", [error](int digits) { return cln::cl_float(1, cln::float_format(200)) + error(digits); });
+  ExactReal power = one;
+  for (int i = 1; i < 40; ++i) power = multiply(power, one);
+  const ExactReal many = multiply(Surd::square_root(3), power);
+  for (int digits = 10; digits <= 120; digits += 5) {
+    const cln::cl_F exact = cln::sqrt(cln::cl_float(3, cln::float_format(200)));
+    for (const ExactReal& value : {many, multiply(Surd(3), reciprocal(many))}) {
+      EXPECT_LT(cln::double_approx(cln::abs(evaluate(value, digits) - exact) / (exact * error(digits))), 1.0) << digits;
+    }
+  }
+}
+
 TEST(ExactReal, ComputedConstantsAreEqualByDefinitionAndNeverRounded) {
   const Computed third("root of 3x - 1",
                        [](int digits) { return cln::cl_float(cln::cl_RA(1) / 3, cln::float_format(digits + 3)); });

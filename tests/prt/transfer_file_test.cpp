@@ -7,6 +7,7 @@
 #include <csignal>
 #include <cstring>
 #include <functional>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "numeric/output/atomic_file.hpp"
@@ -156,6 +157,100 @@ TEST_F(TransferFile, GivesBackWhatItsStorageKeeps) {
     write_transfer(folder_.file("b"), read);
     EXPECT_EQ(read_all(folder_.file("b")), read_all(file_)) << "writing again changes nothing";
   }
+}
+
+Transfer with_every_entry(bool certified) {
+  Transfer transfer = stored_transfer({Element::kHalf, false, {0, 2}});
+  transfer.directions = 64;
+  transfer.sampler = Sampler::kSobol;
+  transfer.seed = 5;
+  transfer.instruction_set = "some";
+  transfer.mesh.frame = {{1e6, -2.0, 3.0}, 0.5};
+  transfer.emitted.assign(transfer.mesh.positions.size(), {1.0F, 2.0F, 3.0F});
+  transfer.bounces = {"bicgstab", 7, certified, 0.5, 0.25, 2.0, 0.75, 0.125, 3.0, 0.0625};
+  transfer.missing = {4096, 0.001};
+  transfer.plan.decisions.push_back({"rays", "more", "they cost", 0, -5, 0.0, "exact"});
+  return transfer;
+}
+
+TEST_F(TransferFile, GivesBackEveryEntryOfItsHeader) {
+  for (const bool certified : {true, false}) {
+    const Transfer written = with_every_entry(certified);
+    write_transfer(file_, written);
+    const Transfer read = read_transfer(file_);
+    EXPECT_EQ(read.directions, 64U);
+    EXPECT_EQ(read.sampler, Sampler::kSobol);
+    EXPECT_EQ(read.seed, 5U);
+    EXPECT_EQ(read.instruction_set, "some");
+    EXPECT_EQ(read.mesh.frame.origin, written.mesh.frame.origin);
+    EXPECT_EQ(read.mesh.frame.unit, 0.5);
+    EXPECT_EQ(read.bounces.solver, "bicgstab");
+    EXPECT_EQ(read.bounces.applications, 7);
+    EXPECT_EQ(read.bounces.certified, certified);
+    EXPECT_EQ(read.bounces.bound, certified ? 0.5 : std::numeric_limits<double>::infinity());
+    EXPECT_EQ(read.bounces.residual, 0.25);
+    EXPECT_EQ(read.bounces.largest, 2.0);
+    EXPECT_EQ(read.bounces.spectral_bound, 0.75);
+    EXPECT_EQ(read.bounces.emitted_bound, certified ? 0.125 : std::numeric_limits<double>::infinity());
+    EXPECT_EQ(read.bounces.emitted_largest, 3.0);
+    EXPECT_EQ(read.bounces.between_vertices, 0.0625);
+    EXPECT_EQ(read.missing.directions, 4096U);
+    EXPECT_EQ(read.missing.tolerance, 0.001);
+    EXPECT_EQ(read.plan.budget, 0.01);
+    EXPECT_EQ(read.plan.error, 0.002);
+    EXPECT_EQ(read.plan.light_turns, "any");
+    ASSERT_EQ(read.plan.decisions.size(), 2U);
+    EXPECT_EQ(read.plan.decisions[0].bytes_saved, 12);
+    EXPECT_EQ(read.plan.decisions[1].name, "rays");
+    EXPECT_EQ(read.plan.decisions[1].choice, "more");
+    EXPECT_EQ(read.plan.decisions[1].why, "they cost");
+    EXPECT_EQ(read.plan.decisions[1].rays_saved, -5);
+    EXPECT_EQ(read.plan.decisions[0].error, 0.002);
+    EXPECT_EQ(read.plan.decisions[1].basis, "exact");
+    EXPECT_EQ(transfer_header(read), transfer_header(written));
+  }
+}
+
+TEST_F(TransferFile, LeavesOutWhatThereIsNot) {
+  Transfer transfer = with_every_entry(true);
+  transfer.directions = 0;
+  transfer.missing = {};
+  transfer.mesh.frame = {};
+  transfer.emitted.clear();
+  transfer.bounces.emitted_largest = transfer.bounces.between_vertices = 0.0;
+  transfer.plan.decisions.clear();
+  transfer.shape.storage = {};
+  const nlohmann::json header = nlohmann::json::parse(transfer_header(transfer));
+  for (const char* entry : {"sampler", "seed", "complete", "asked", "frame", "emitted", "plan", "storage"}) {
+    EXPECT_FALSE(header.contains(entry)) << entry;
+  }
+  for (const char* entry : {"emitted_bound", "emitted_largest", "between_vertices"}) {
+    EXPECT_FALSE(header["bounces"].contains(entry)) << entry;
+  }
+  transfer.missing.directions = 2;
+  EXPECT_EQ(nlohmann::json::parse(transfer_header(transfer))["asked"].dump(), R"({"directions":2})");
+  transfer.missing = {0, 0.5};
+  EXPECT_EQ(nlohmann::json::parse(transfer_header(transfer))["asked"].dump(), R"({"tolerance":0.5})");
+  EXPECT_EQ(nlohmann::json::parse(transfer_header(transfer))["complete"], false);
+}
+
+TEST_F(TransferFile, IsRefusedWithAFrameThatIsNoPlaceOrNoLength) {
+  write_transfer(file_, with_every_entry(true));
+  const std::string good = read_all(file_);
+  const auto refusal_with = [&](const std::string& from, std::string to) {
+    to.resize(from.size(), ' ');
+    write_all(file_, changed(good, [&](auto&, std::string& h) { h.replace(h.find(from), from.size(), to); }));
+    return refusal();
+  };
+  const std::string reason = file_ + ": transfer file whose frame has an origin or a unit that is no length";
+  for (const char* unit : {"0.0", "-.5", "-1", "0"}) {
+    EXPECT_NE(refusal_with("\"unit\": 0.5", "\"unit\": " + std::string(unit)), "") << unit;
+  }
+  EXPECT_EQ(refusal_with("\"unit\": 0.5", "\"unit\": 0.0"), reason);
+  EXPECT_EQ(refusal_with("\"unit\": 0.5", "\"unit\":1e99"), reason);
+  EXPECT_EQ(refusal_with("1000000.0", "1e101"), reason);
+  EXPECT_EQ(refusal_with("1000000.0", "-1e101"), reason);
+  EXPECT_EQ(refusal_with("1000000.0", "1e100"), "");
 }
 
 TEST_F(TransferFile, NamesItsConventionsInItsHeader) {
