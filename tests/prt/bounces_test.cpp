@@ -165,6 +165,18 @@ TEST(Bounces, StayWithinTheirCertifiedErrorAtAnyTolerance) {
   }
 }
 
+TEST(Bounces, TakeTheKrylovSolverAFewApplicationsWhateverTheAlbedo) {
+  Room room(hollow_sphere(12), 256);
+  for (const float albedo : {0.3F, 0.9F, 0.995F, 0.99999F}) {
+    for (const double tolerance : {1e-2, 1e-6}) {
+      BounceReport report;
+      room.solve(albedo, by_height, BounceSolver::kKrylov, report, tolerance);
+      EXPECT_TRUE(report.certified) << albedo << ' ' << tolerance;
+      EXPECT_LE(report.applications, 12) << albedo << ' ' << tolerance;  // 4 to 10
+    }
+  }
+}
+
 TEST(Bounces, OfBrightRoomsTakeFewStepsOfTheKrylovSolver) {
   Room room(hollow_sphere(24));
   BounceReport series;
