@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "tests/prt/meshes.hpp"
 #include "tests/prt/temporary_folder.hpp"
@@ -68,6 +69,8 @@ TEST_F(SceneFile, ReadsLightsCameraAndBakeOptions) {
   EXPECT_EQ(scene.lights[1].file, folder_.file("sky/a.exr"));
   EXPECT_EQ(scene.lights[1].scale, 0.5F);
   EXPECT_EQ(scene.lights[1].rotation_axis, Eigen::Vector3f(0, 1, 0));
+  EXPECT_EQ(scene.camera.position, Eigen::Vector3d(1, 2, 3));
+  EXPECT_EQ(scene.camera.target, Eigen::Vector3d(0, 0, 1));
   EXPECT_EQ(scene.camera.up, Eigen::Vector3d(0, 1, 0));
   EXPECT_EQ(scene.camera.vertical_field_of_view, 25.0F);
   EXPECT_EQ(scene.bake.degree, 7);
@@ -171,6 +174,30 @@ TEST_F(SceneFile, IsRefusedWithABadLightCameraGroundOrOption) {
   for (const auto& [entry, message] : cases) {
     expect_start(refusal(R"({"meshes": [{"primitive": "box"}], )" + entry + "}"), "scene.json: " + message);
   }
+}
+
+// Powers of two, so that all numbers of one scene are those of the other times the scale.
+TEST_F(SceneFile, PutsTheSameGroundUnderMeshesOfAnyScaleAndPlace) {
+  const auto scene_of_scale = [&](double scale, const std::string& size) {
+    const auto text = [&](double value) { return nlohmann::json(value * scale).dump(); };
+    return load(R"({"meshes": [{"primitive": "box", "transform": {"scale": )" + text(1.0) +
+                R"(, "translate": [0, 0, )" + text(64.0) + R"(]}}], "ground": {"height": )" + text(63.25) +
+                R"(, "size": )" + size + R"(, "max_edge": )" + text(0.5) + "}}");
+  };
+  const Mesh one = scene_of_scale(1.0, "16").mesh;
+  for (const double scale : {0x1p24, 0x1p-24}) {
+    const Mesh mesh = scene_of_scale(scale, nlohmann::json(16.0 * scale).dump()).mesh;
+    EXPECT_NE(mesh.frame.unit, 1.0);
+    ASSERT_EQ(mesh.positions.size(), one.positions.size());
+    for (std::size_t v = 0; v < one.positions.size(); ++v) {
+      ASSERT_LT((mesh.point(v) / scale - one.point(v)).norm(), 1e-5) << v;
+    }
+  }
+  const Scene fine = load(R"({"meshes": [{"primitive": "box", "transform": {"translate": [0, 0, 64]}}],
+    "ground": {"height": 63.25, "size": 16, "max_edge": 0.125}})");
+  EXPECT_GT(fine.mesh.positions.size(), one.positions.size()) << "its shortest edges are a quarter as long";
+  const std::string said = message_of([&] { scene_of_scale(0x1p24, "1e30"); });
+  EXPECT_NE(said.find("expected a length of at most 2.906e+13, a million times the extent"), std::string::npos) << said;
 }
 
 TEST_F(SceneFile, TakesEveryLimitOfItsOptions) {
