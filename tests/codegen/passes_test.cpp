@@ -136,6 +136,15 @@ TEST_F(Factor, ChangesNoValueWhateverThePowersOfASum) {
   for (std::size_t i = 0; i < found.size(); ++i) EXPECT_NEAR(found[i], expected[i], 1e-14) << i;
 }
 
+TEST_F(Factor, AddsProductsWhoseFactorsStandInAnotherOrder) {
+  const NodeId a = build.constant(Surd::square_root(3));
+  const NodeId b = build.constant(Surd(2) * Surd::square_root(3));
+  output(build.add(build.mul(build.mul(a, kX), kY), build.mul(build.mul(b, kY), kX)));  // 3 sqrt(3) x y
+  const Kernel factored = passes::factor(kernel);
+  EXPECT_EQ(cost(factored).operations(), 2) << print::dump(factored);
+  EXPECT_DOUBLE_EQ(values(factored)[0], values(kernel)[0]);
+}
+
 TEST_F(Factor, DropsTermsThatCancel) {
   const NodeId k = build.constant(Surd::square_root(3));
   const NodeId xz = build.mul(kX, kZ);

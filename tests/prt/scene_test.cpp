@@ -156,6 +156,7 @@ TEST_F(SceneFile, IsRefusedWithABadLightCameraGroundOrOption) {
       {R"("camera": {"field_of_view": 180})", "/camera/field_of_view: expected degrees from 1 to 170, got 180"},
       {R"("camera": {"position": [0, 0, 0], "target": [0, 0, 0]})", "/camera: expected a target"},
       {R"("camera": {"position": [0, 0, 5], "target": [0, 0, 0]})", "/camera: expected a target"},
+      {R"("camera": {"position": [1, 0, 5], "target": [1, 0, 0]})", "/camera: expected a target"},
       {R"("camera": {"position": [0, 5, 0], "target": [0, 0, 0], "up": [0, -3, 0]})", "/camera: expected a target"},
       {R"("camera": {"zoom": 2})", "/camera/zoom: unknown key, expected one of position, target"},
       {R"("ground": {"width": 3})", "/ground/width: unknown key, expected one of height, size"},
