@@ -56,6 +56,7 @@ TEST(TurningLight, NeedsWhatIsLoudInAnyChannel) {
   light.at(2, 8) = 1e-14;  // a rounding of the others
   EXPECT_EQ(TurningLight(light, LightTurns::kNone).needed(), (std::vector<std::uint32_t>{0, 2, 5}));
   EXPECT_EQ(TurningLight(light, LightTurns::kAboutZ).needed(), (std::vector<std::uint32_t>{0, 2, 5, 7}));
+  EXPECT_TRUE(TurningLight(LightCoefficients::zero(2), LightTurns::kAny).needed().empty()) << "darkness";
 }
 
 // bounds.hpp: 1/(2 pi) sqrt(2 pi / 3) sqrt(1/2) = 1 / (2 sqrt(3 pi)), and the largest value of the basis.
