@@ -119,7 +119,7 @@ inline std::uint64_t front_checksum(const Prologue& prologue, const std::vector<
   constexpr std::size_t kBefore = offsetof(Prologue, checksum);
   std::vector<unsigned char> front(kBefore + table.size() * sizeof(Section));
   std::memcpy(front.data(), &prologue, kBefore);
-  std::memcpy(front.data() + kBefore, table.data(), front.size() - kBefore);
+  if (!table.empty()) std::memcpy(front.data() + kBefore, table.data(), front.size() - kBefore);
   return sh::prt::checksum(front.data(), front.size());
 }
 

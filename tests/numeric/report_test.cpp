@@ -109,20 +109,35 @@ TEST_F(Report, IsReadBackAsItWasWritten) {
   }
 }
 
+// What the reader says of these bytes.
+std::string refusal(const std::string& file, const json& report) {
+  std::ofstream(file) << report;
+  try {
+    (void)sh::numeric::read_report(file);
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return "nothing thrown";
+}
+
 TEST_F(Report, IsRefusedWithCountsThatAreNotWhole) {
-  const auto refusal = [&](const char* key, const json& value) {
-    json changed = json_;
-    changed.at("points").at(0).at(key) = value;
-    const std::string changed_file = file() + ".changed";
-    std::ofstream(changed_file) << changed;
-    return sh::test::message_of([&] { (void)sh::numeric::read_report(changed_file); });
-  };
   for (const char* key : {"degree", "inputs"}) {
     for (const json& value : {json(2.5), json(-1), json(1e300)}) {
-      EXPECT_NE(refusal(key, value).find(std::string("'") + key + "': expected a whole number from 0 to"),
-                std::string::npos)
-          << key << " " << value;
+      json changed = json_;
+      changed.at("points").at(0).at(key) = value;
+      const std::string said = refusal(file(), changed);
+      EXPECT_NE(said.find(std::string("'") + key + "': expected a whole number from 0 to"), std::string::npos) << said;
     }
+  }
+}
+
+TEST_F(Report, IsRefusedWithoutAnyOfItsEntries) {
+  const json point = json_.at("points").at(0);
+  for (const auto& [key, value] : point.items()) {
+    json changed = json_;
+    changed.at("points").at(0).erase(key);
+    const std::string said = refusal(file(), changed);
+    EXPECT_NE(said.find("key '" + key + "' not found"), std::string::npos) << said;
   }
 }
 
