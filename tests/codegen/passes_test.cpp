@@ -143,14 +143,15 @@ TEST_F(Factor, AddsProductsWhoseFactorsStandInAnotherOrder) {
 }
 
 TEST_F(Factor, ChangesNoValueOfThreeFactorsOrOfAFusedProduct) {
-  const NodeId a = build.constant(Surd::square_root(3));
-  const NodeId b = build.constant(Surd::square_root(5));
-  const NodeId ax = build.mul(a, kX);
-  const NodeId by = build.mul(b, kY);
-  output(build.mul(build.mul(ax, by), kZ));
-  output(build.fma(ax, b, by));
-  const std::vector<double> found = values(passes::factor(kernel));
-  for (std::size_t i = 0; i < found.size(); ++i) EXPECT_NEAR(found[i], values(kernel)[i], 1e-14) << i;
+  for (const bool fused : {false, true}) {
+    kernel = test::empty_kernel();
+    const NodeId a = build.constant(Surd::square_root(3));
+    const NodeId b = build.constant(Surd::square_root(5));
+    const NodeId ax = build.mul(a, kX);
+    const NodeId by = build.mul(b, kY);
+    output(fused ? build.fma(ax, b, by) : build.mul(build.mul(ax, by), kZ));
+    EXPECT_NEAR(values(passes::factor(kernel))[0], values(kernel)[0], 1e-14) << fused;
+  }
 }
 
 TEST_F(Factor, DropsTermsThatCancel) {
