@@ -5,7 +5,8 @@
 // and without contraction to fused multiply-add, for operations that round to nearest and keep subnormal numbers.
 //
 // Boxes cover the domain. RoundingAnalysis bounds the error on a box; the box with the largest bound is split until the
-// effort is spent. The largest bound of all boxes that are left holds everywhere.
+// effort is spent or the bound is near that of a point. The largest bound of all boxes that are left holds everywhere.
+// Kernels that multiply coefficients have one box (bilinear.hpp).
 #pragma once
 
 #include <string>
@@ -28,11 +29,10 @@ struct Bound {
   [[nodiscard]] bool is_proved() const { return missing.empty(); }
 };
 
-/// The number of boxes that a bound evaluates after the first ones.
+/// The work for a bound.
 struct Effort {
-  int most_boxes = 3000;
-  double operations = 1e7;  ///< nodes visited, all boxes together: large kernels get fewer boxes
-  double most_terms = 1e9;  ///< terms of forms on one box; a kernel with more gets no bound
+  double operations = 8e6;  ///< nodes visited for each coordinate, after the first boxes
+  double most_work = 1e9;   ///< nodes x inputs x outputs of a kernel of products; one with more gets no bound
 };
 
 Bound bound(const Kernel& kernel, const Domain& domain, const Format& format, const Effort& effort = {});

@@ -26,28 +26,12 @@ void merge(Terms& result, const Terms& a, const Terms& b, const Both& both, cons
   }
 }
 
-// Adds up the terms of equal monomials.
-void collect(Terms& terms) {
-  std::sort(terms.begin(), terms.end(),
-            [](const Form::Term& a, const Form::Term& b) { return a.monomial < b.monomial; });
-  std::size_t last = 0;
-  for (std::size_t i = 1; i < terms.size(); ++i) {
-    if (terms[i].monomial == terms[last].monomial) {
-      terms[last].factor = terms[last].factor + terms[i].factor;
-    } else {
-      terms[++last] = terms[i];
-    }
-  }
-  if (!terms.empty()) terms.resize(last + 1);
-}
-
 }  // namespace
 
 Monomial product_of(Monomial a, Monomial b) {
   if (a == kOne) return b;
   if (b == kOne) return a;
-  if (degree_of(a) + degree_of(b) > 2) throw std::domain_error("it multiplies more than two coefficients");
-  return std::min(a, b) << 16U | std::max(a, b);
+  throw std::domain_error("it multiplies coefficients beside other inputs");
 }
 
 bool Form::is_finite() const {
@@ -78,7 +62,6 @@ void set_product(Form& result, const Form& a, const Form& b) {
       result.terms.push_back({product_of(x.monomial, y.monomial), x.factor * y.factor});
     }
   }
-  if (!a.is_number() && !b.is_number()) collect(result.terms);
 }
 
 void accumulate(Form& sum, const Form& a, bool with_zeros) {

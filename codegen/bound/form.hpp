@@ -1,8 +1,8 @@
-// Polynomials in a kernel's coefficients, with intervals as factors: the value of a node on a box of directions.
+// Linear forms of a kernel's coefficients, with intervals as factors: the value of a node on a box of directions.
 //
-// A kernel is linear or bilinear in arrays of coefficients, which have too many dimensions for boxes. So their numbers
-// stay symbols: a node is the sum of factor * monomial, where a monomial is 1, c_i or c_i c_j. A node that depends on no
-// coefficient has the monomial 1 alone.
+// A kernel is linear in an array of coefficients, which has too many dimensions for boxes. So its numbers stay symbols: a
+// node is the sum of factor * monomial, where a monomial is 1 or c_i. A node that depends on no coefficient has the
+// monomial 1 alone. A kernel that is bilinear has a second kind of symbols, for products of two forms (bilinear.hpp).
 #pragma once
 
 #include <cstdint>
@@ -12,14 +12,12 @@
 
 namespace sh::codegen::bound {
 
-/// 1 (0), c_i (i+1), or c_i c_j with i <= j ((i+1) << 16 | j+1).
+/// 1 (0) or c_i (i+1).
 using Monomial = std::uint32_t;
 
 inline constexpr Monomial kOne = 0;
 inline Monomial monomial_of(int input) { return static_cast<Monomial>(input) + 1; }
-/// The number of coefficients in a monomial, 0 to 2.
-inline int degree_of(Monomial m) { return m == kOne ? 0 : (m >> 16) == 0 ? 1 : 2; }
-/// Throws std::domain_error for a product of more than two coefficients.
+/// Throws std::domain_error for a product of coefficients.
 Monomial product_of(Monomial a, Monomial b);
 
 /// A sum of factor * monomial, in the order of the monomials.

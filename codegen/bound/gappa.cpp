@@ -97,12 +97,18 @@ std::string gappa_script(const Kernel& kernel, const Domain& domain, const Forma
   const Region region = region_of(nodes, domain, format);
   if (region.homogeneous) refuse("one of vectors of any length");
   if (std::count(region.coordinate.begin(), region.coordinate.end(), -1) > 0) refuse("one with coefficients");
-  const std::vector<Magnitudes> errors = RoundingAnalysis(nodes, region, format)(proved.worst_box);
-  const auto largest = std::max_element(errors.begin(), errors.end(),
-                                        [](const Magnitudes& a, const Magnitudes& b) { return a.one() < b.one(); });
-  const NodeId output = nodes.outputs[largest - errors.begin()].node;
+  RoundingAnalysis analysis(nodes, region, format);
+  analysis.move_to(proved.worst_box);
+  std::size_t output = 0;
+  double largest = 0;
+  for (std::size_t i = 0; i < nodes.outputs.size(); ++i) {
+    const double error = analysis.error(i).one();
+    if (error <= largest) continue;
+    largest = error;
+    output = i;
+  }
   return "# " + nodes.name + " in " + format.name + ": our bound on the box where it is largest.\n" +
-         Script(nodes, region, format, proved.worst_box).with_goal(output, largest->one());
+         Script(nodes, region, format, proved.worst_box).with_goal(nodes.outputs[output].node, largest);
 }
 
 }  // namespace sh::codegen::bound

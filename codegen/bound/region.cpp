@@ -9,7 +9,7 @@ namespace sh::codegen::bound {
 namespace {
 
 constexpr Interval kCoordinates = {-1.0625, 1.0625};  // of unit vectors and a little more
-constexpr int kPiecesOfVectors = 8;                   // of each coordinate of a unit vector, to start with
+constexpr int kPiecesOfVectors = 4;                   // of each coordinate of a unit vector, to start with
 constexpr int kPiecesOfParameters = 32;               // of any other coordinate
 constexpr int kPiecesOfOctaves = 4;                   // of each octave of a logarithmic coordinate
 constexpr int kLeastCap = 120;                        // caps are tested from 2^-120 on

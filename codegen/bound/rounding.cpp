@@ -20,10 +20,13 @@ int last_place(double magnitude, const Format& format) {
 
 // --- forward: the values
 
-const std::vector<Magnitudes>& RoundingAnalysis::operator()(const Box& box) {
+void RoundingAnalysis::move_to(const Box& box) {
   for (NodeId id = 0; id < static_cast<NodeId>(steps_.size()); ++id) forward(id, box);
-  for (std::size_t output = 0; output < outputs_.size(); ++output) reverse(output);
-  return errors_;
+}
+
+const Magnitudes& RoundingAnalysis::error(std::size_t output) {
+  reverse(output);
+  return error_;
 }
 
 void RoundingAnalysis::forward(NodeId id, const Box& box) {
@@ -130,10 +133,7 @@ void RoundingAnalysis::round_form(NodeId id) {
   for (Form::Term& term : values_[id].terms) {
     const double magnitude = term.factor.magnitude();
     if (steps_[id].relative) term.factor = widened(term.factor, above(format_.epsilon() / 2 * magnitude));
-    const int degree = degree_of(term.monomial);
-    sum += degree == 0   ? magnitude
-           : degree == 1 ? magnitude * format_.scale
-                         : magnitude * format_.scale * format_.scale;
+    sum += term.monomial == kOne ? magnitude : magnitude * format_.scale;
   }
   if (!(sum * 2 < format_.largest)) throw std::domain_error("a value may overflow");
 }
@@ -148,13 +148,12 @@ void RoundingAnalysis::reverse(std::size_t output) {
   derivatives_[outputs_[output]].set({1, 1});
   by_roundings_[outputs_[output]].set({1, 1});
   constants_.terms.clear();
-  Magnitudes& error = errors_[output];
-  error.clear();
+  error_.clear();
   for (const NodeId id : reach_[output]) {
-    add_error(id, error);
+    add_error(id, error_);
     pass_on(id);
   }
-  for (const Form::Term& term : constants_.terms) error[term.monomial] += term.factor.magnitude() * kSlack;
+  for (const Form::Term& term : constants_.terms) error_[term.monomial] += term.factor.magnitude() * kSlack;
 }
 
 const Form& RoundingAnalysis::of_rounding(NodeId id) const {

@@ -16,26 +16,19 @@
 
 namespace sh::codegen::bound {
 
-/// A polynomial in the absolute values of the coefficients, with factors that are not negative.
+/// A linear form of the absolute values of the coefficients, with factors that are not negative.
 class Magnitudes {
  public:
-  /// inputs: the number of flattened inputs; degree: the largest degree of a monomial.
-  Magnitudes(std::size_t inputs, int degree)
-      : stride_(inputs + 1), factors_(degree > 1 ? stride_ * stride_ : stride_) {}
+  /// inputs: the number of flattened inputs.
+  explicit Magnitudes(std::size_t inputs) : factors_(inputs + 1) {}
 
-  double& operator[](Monomial m) { return factors_[(m >> 16U) * stride_ + (m & 0xffffU)]; }
+  double& operator[](Monomial m) { return factors_[m]; }
   [[nodiscard]] double one() const { return factors_[0]; }
   [[nodiscard]] double of(std::size_t input) const { return factors_[input + 1]; }
-  /// of input * other, input <= other
-  [[nodiscard]] double of(std::size_t input, std::size_t other) const {
-    return factors_[(input + 1) * stride_ + other + 1];
-  }
-  [[nodiscard]] std::size_t inputs() const { return stride_ - 1; }
-  [[nodiscard]] bool is_bilinear() const { return factors_.size() > stride_; }
+  [[nodiscard]] std::size_t inputs() const { return factors_.size() - 1; }
   void clear() { std::fill(factors_.begin(), factors_.end(), 0.0); }
 
  private:
-  std::size_t stride_;
   std::vector<double> factors_;
 };
 
@@ -44,19 +37,17 @@ class RoundingAnalysis {
   /// kernel: straight. Throws std::domain_error, which says why, for a kernel that it cannot analyze.
   RoundingAnalysis(const Kernel& kernel, const Region& region, const Format& format);
 
-  /// A bound of the error of every output on a box. Throws std::domain_error if a value may overflow or a divisor may be
-  /// zero.
-  const std::vector<Magnitudes>& operator()(const Box& box);
+  /// Computes the values on a box. Throws std::domain_error if a value may overflow or a divisor may be zero.
+  void move_to(const Box& box);
+  /// A bound of the error of an output on the box of the last call.
+  const Magnitudes& error(std::size_t output);
 
   /// The sign of the derivative of an output by every flattened input, at the box of the last call: 1 or -1; 0 where it
   /// depends on the other inputs or has no fixed sign.
   std::vector<int> signs(std::size_t output);
 
-  /// The number of nodes that the analysis of one box visits.
-  [[nodiscard]] double cost() const;
-  /// The number of terms that the analysis of one box visits, at most: every node that depends on coefficients may hold
-  /// all monomials of its degree.
-  [[nodiscard]] double terms() const;
+  /// The number of nodes that the error of an output visits.
+  [[nodiscard]] std::size_t cost(std::size_t output) const { return reach_[output].size(); }
 
  private:
   struct Step {
@@ -75,7 +66,6 @@ class RoundingAnalysis {
   void describe_operation(Step& step) const;
   void set_tiny(const Kernel& kernel, const Region& region);
   void set_reach();
-  [[nodiscard]] std::vector<int> form_degrees() const;
 
   void forward(NodeId id, const Box& box);
   void exact_result(const Step& step, Form& result);
@@ -105,7 +95,7 @@ class RoundingAnalysis {
   std::vector<Form> by_roundings_;  // of the present output by the node's own rounding, for split nodes
   Form constants_;                  // the present output's error from constants
   Form part_, factor_;
-  std::vector<Magnitudes> errors_;
+  Magnitudes error_;  // of the present output
 };
 
 }  // namespace sh::codegen::bound

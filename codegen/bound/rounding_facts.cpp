@@ -53,13 +53,10 @@ RoundingAnalysis::RoundingAnalysis(const Kernel& kernel, const Region& region, c
       absolute_(kernel.nodes.size()),
       grid_(kernel.nodes.size()),
       derivatives_(kernel.nodes.size()),
-      by_roundings_(kernel.nodes.size()) {
+      by_roundings_(kernel.nodes.size()),
+      error_(region.coordinate.size()) {
   describe(kernel, region);
   set_reach();
-  const std::vector<int> degrees = form_degrees();
-  const int most = degrees.empty() ? 0 : *std::max_element(degrees.begin(), degrees.end());
-  if (most > 2) throw std::domain_error("it multiplies more than two coefficients");
-  errors_.assign(outputs_.size(), Magnitudes(coordinate_.size(), most));
 }
 
 void RoundingAnalysis::describe(const Kernel& kernel, const Region& region) {
@@ -137,20 +134,6 @@ void RoundingAnalysis::set_reach() {
   }
 }
 
-// The degree of every node in the coefficients.
-std::vector<int> RoundingAnalysis::form_degrees() const {
-  std::vector<int> degree;
-  for (const Step& step : steps_) {
-    int most = step.op == Op::kInput && coordinate_[step.input] < 0 ? 1 : 0;
-    for (int i = 0; i < argument_count(step.op); ++i) {
-      const int other = degree[step.args[i]];
-      most = step.op == Op::kMul ? most + other : std::max(most, other);
-    }
-    degree.push_back(most);
-  }
-  return degree;
-}
-
 std::vector<int> RoundingAnalysis::signs(std::size_t output) {
   reverse(output);
   std::vector<int> signs(coordinate_.size(), 0);
@@ -160,22 +143,6 @@ std::vector<int> RoundingAnalysis::signs(std::size_t output) {
     signs[steps_[id].input] = derivative.low > 0 ? 1 : derivative.high < 0 ? -1 : 0;
   }
   return signs;
-}
-
-double RoundingAnalysis::cost() const {
-  auto cost = static_cast<double>(steps_.size());
-  for (const auto& reach : reach_) cost += static_cast<double>(reach.size());
-  return cost;
-}
-
-double RoundingAnalysis::terms() const {
-  const std::vector<int> degrees = form_degrees();
-  const auto symbols = static_cast<double>(std::count(coordinate_.begin(), coordinate_.end(), -1));
-  double terms = 0;
-  for (const auto& reach : reach_) {
-    for (const NodeId id : reach) terms += degrees[id] < 2 ? 1 : symbols * symbols / 4;
-  }
-  return terms;
 }
 
 }  // namespace sh::codegen::bound

@@ -79,33 +79,23 @@ Sized Sizes::of_sum(const Magnitudes& error, std::size_t output) const {
 }
 
 Sized Sizes::of_norm(const Magnitudes& error, std::size_t output) const {
-  const std::size_t count = error.inputs();
   double square = 0;
-  std::optional<std::array<std::size_t, 2>> used;
-  for (std::size_t i = 0; i < count; ++i) {
+  std::optional<std::size_t> used;
+  for (std::size_t i = 0; i < error.inputs(); ++i) {
     square += error.of(i) * error.of(i);
-    if (error.of(i) > 0) used = {i, i};
-  }
-  const double linear = std::sqrt(square) * kSlack;
-  if (!error.is_bilinear()) {
-    if (!used) return {};
-    const double absolute = linear + error.one() * scale_;
-    return {absolute / of_unit((*used)[0], (*used)[1], output) * kSlack, absolute};
-  }
-  std::vector<std::vector<double>> upper(count, std::vector<double>(count, 0.0));
-  bool same = false;  // one array is squared
-  for (std::size_t i = 0; i < count; ++i) {
-    for (std::size_t k = i; k < count; ++k) {
-      upper[i][k] = error.of(i, k);
-      if (upper[i][k] > 0) used = {i, k};
-      same = same || (i == k && upper[i][k] > 0);
-    }
+    if (error.of(i) > 0) used = i;
   }
   if (!used) return {};
-  // Both arrays together have length sqrt(2) if each has length 1.
-  const double bilinear = largest_form(upper) * (same ? 1 : 2);
-  const double absolute = bilinear + (linear * 2 + error.one() * scale_) * scale_;
-  return {absolute / of_unit((*used)[0], (*used)[1], output) * kSlack, absolute};
+  const double absolute = std::sqrt(square) * kSlack + error.one() * scale_;
+  return {absolute / of_unit(*used, *used, output) * kSlack, absolute};
+}
+
+Sized Sizes::operator()(const BilinearError& error, std::size_t output) const {
+  if (kind_ != Kind::kNorm) throw std::domain_error("its size is not a product of lengths");
+  const double absolute = error.bilinear + (2 * error.linear + error.one * scale_) * scale_;
+  // The size where every array has length 1.
+  const std::size_t other = kernel_.parameters.size() == 1 ? 0 : region_.coordinate.size() - 1;
+  return {absolute / of_unit(0, other, output) * kSlack, absolute};
 }
 
 std::vector<double> Sizes::worst_coefficients(const Magnitudes& error) const {
@@ -113,43 +103,11 @@ std::vector<double> Sizes::worst_coefficients(const Magnitudes& error) const {
   double square = 0;
   for (std::size_t i = 0; i < input.size(); ++i) {
     const bool symbol = region_.coordinate[i] < 0;
-    input[i] = !symbol ? 0 : kind_ == Kind::kNorm && !error.is_bilinear() ? error.of(i) : 1;
+    input[i] = !symbol ? 0 : kind_ == Kind::kNorm ? error.of(i) : 1;
     square += input[i] * input[i];
   }
   for (double& value : input) value /= square > 0 && kind_ == Kind::kNorm ? std::sqrt(square) : 1;
   return input;
-}
-
-double largest_form(const std::vector<std::vector<double>>& upper) {
-  const std::size_t count = upper.size();
-  constexpr int kIterations = 60;
-  double most = 0;
-  for (const auto& row : upper) {
-    for (const double factor : row) most = std::max(most, factor);
-  }
-  if (most == 0) return 0;
-  std::vector<double> x(count, 1.0);
-  std::vector<double> image(count);
-  double best = std::numeric_limits<double>::infinity();
-  for (int iteration = 0; iteration < kIterations; ++iteration) {
-    // The shift by `most` keeps the iteration from swinging between two arrays.
-    for (std::size_t i = 0; i < count; ++i) image[i] = (most + upper[i][i]) * x[i];
-    for (std::size_t i = 0; i < count; ++i) {
-      for (std::size_t k = i + 1; k < count; ++k) {
-        image[i] += upper[i][k] / 2 * x[k];
-        image[k] += upper[i][k] / 2 * x[i];
-      }
-    }
-    double largest = 0, norm = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-      largest = std::max(largest, image[i] / x[i]);
-      norm = std::max(norm, image[i]);
-    }
-    best = std::min(best, largest - most);
-    // Any positive vector gives a bound.
-    for (std::size_t i = 0; i < count; ++i) x[i] = std::max(image[i] / norm, 1e-100);
-  }
-  return best * kSlack + most * 1e-12;
 }
 
 }  // namespace sh::codegen::bound

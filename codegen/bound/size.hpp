@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 
+#include "codegen/bound/bilinear.hpp"
 #include "codegen/bound/region.hpp"
 #include "codegen/bound/rounding.hpp"
 #include "codegen/measure/measure.hpp"
@@ -24,6 +25,8 @@ class Sizes {
 
   /// error: of output `output` on `box`
   [[nodiscard]] Sized operator()(const Magnitudes& error, std::size_t output, const Box& box) const;
+  /// error: of output `output` of a kernel that multiplies coefficients
+  [[nodiscard]] Sized operator()(const BilinearError& error, std::size_t output) const;
   /// Absolute values of all flattened inputs of a kernel that is linear in its coefficients: those for which the error
   /// divided by the size is the largest. Coordinates are 0.
   [[nodiscard]] std::vector<double> worst_coefficients(const Magnitudes& error) const;
@@ -47,9 +50,5 @@ class Sizes {
   Size size_;
   mutable std::map<std::array<std::size_t, 3>, double> known_;
 };
-
-/// An upper bound of the largest x^T M x of all x of length 1, for a matrix with M(i,k) >= 0 above or on the diagonal,
-/// zeros below it. By the theorem of Collatz and Wielandt, from a power iteration.
-double largest_form(const std::vector<std::vector<double>>& upper);
 
 }  // namespace sh::codegen::bound

@@ -93,7 +93,7 @@ void add_bound_command(CLI::App& tool, int& exit_code) {
   command->add_option("--degree", options->degree, "Largest degree l")->required();
   command->add_option("--scalar", options->scalar, "Scalar type: half, float or double (default: float)");
   command->add_option("--recipe", options->recipe, "Name of the recipe (default: the one that `shgen write` takes)");
-  command->add_option("--evaluations", options->evaluations, "Evaluations of each of the four climbs of the search")
+  command->add_option("--evaluations", options->evaluations, "Evaluations of each of the eight climbs of the search")
       ->check(CLI::Range(1, 100'000'000));
   command->add_flag("--gappa", options->gappa, "Print a script with which Gappa proves the error on the worst box");
   command->callback([options, &exit_code] { exit_code = print_bound(*options); });

@@ -4,65 +4,29 @@
 #include <limits>
 #include <span>
 
+#include "codegen/bound/straight.hpp"
 #include "codegen/measure/arithmetic.hpp"
 #include "codegen/measure/domains.hpp"
-#include "codegen/measure/measure.hpp"
-#include "numeric/sampling/worst_input.hpp"
+#include "codegen/measure/first_order.hpp"
+#include "codegen/measure/lanes.hpp"
+#include "codegen/passes/passes.hpp"
+#include "numeric/kernels/wide.hpp"
+#include "numeric/sampling/random.hpp"
 
 namespace sh::codegen {
 namespace {
 
 using numeric::Wide;
+using Inputs = std::vector<std::vector<double>>;
 
-constexpr int kClimbs = 4;
+constexpr int kClimbs = 8;
 constexpr double kLeastInput = 1e-30;  // far from subnormal numbers; a search replaces smaller inputs by 0
+constexpr double kLeastSize = 1e-30;   // below it, products of float lose digits whatever the kernel does
 
-double narrow(double value) { return value; }
-double narrow(Wide value) { return value.high(); }
-
-// The largest error of all outputs in epsilon x size.
 template <class T>
-class DistanceFromFormula {
- public:
-  using Reference = typename Arithmetic<T>::Reference;
-
-  DistanceFromFormula(const Kernel& kernel, const Domain& domain)
-      : kernel_(kernel),
-        size_(size_of(kernel, domain)),
-        rounded_(Arithmetic<T>::rounded(kernel)),
-        formula_(Arithmetic<T>::formula(kernel)) {}
-
-  double operator()(const typename Arithmetic<T>::Moved* input, std::size_t count) {
-    in_.assign(input, input + count);
-    rounded_in_.clear();
-    formula_in_.clear();
-    for (const double value : in_) {
-      rounded_in_.push_back(static_cast<T>(value));
-      formula_in_.push_back(Reference(value));
-    }
-    const std::vector<T> computed = rounded_(rounded_in_);
-    const std::vector<Reference> exact = formula_(formula_in_);
-    double most = 0;
-    for (std::size_t i = 0; i < computed.size(); ++i) {
-      const double error = std::abs(narrow(Reference(static_cast<double>(computed[i])) - exact[i]));
-      if (error == 0) continue;
-      const double size = size_(in_, static_cast<std::size_t>(kernel_.element(i)));
-      if (size > kLeastSize) most = std::max(most, error / (size * Arithmetic<T>::kEpsilon));
-    }
-    return most;
-  }
-
- private:
-  static constexpr double kLeastSize = 1e-30;  // below it, products of float lose digits whatever the kernel does
-
-  const Kernel& kernel_;
-  Size size_;
-  Evaluator<T> rounded_;
-  Evaluator<Reference> formula_;
-  std::vector<double> in_;
-  std::vector<T> rounded_in_;
-  std::vector<Reference> formula_in_;
-};
+double rounded(double value) {
+  return static_cast<double>(static_cast<T>(value));
+}
 
 using WideVector = std::vector<Wide>;
 
@@ -97,9 +61,9 @@ void move_to_domain(const std::vector<Parameter>& parameters, WideVector& input)
 }
 
 // Inputs that half precision can hold and multiply: vectors of length 1, no caps below 2^-13, and zeros for coefficients
-// below 1/16.
+// below 1/512.
 void move_to_half_range(const std::vector<Parameter>& parameters, WideVector& input) {
-  constexpr double kLeastCap = 0x1p-13, kLeast = 0x1p-4;
+  constexpr double kLeastCap = 0x1p-13, kLeast = 0x1p-9;
   std::size_t first = 0;
   for (const Parameter& parameter : parameters) {
     if (parameter.role == Role::kVector && parameter.axis == 0) scale_to_length_one(input, first, 3);
@@ -124,15 +88,17 @@ struct Array {
 
 double length_of(const double* first, std::size_t size) { return length(std::span(first, size)); }
 
-// The least and the largest tested value of every input, and the largest tested lengths of arrays.
+// The largest tested lengths of arrays of coefficients; the least and the largest tested value of every other input.
 struct Range {
   std::vector<double> least, largest;
   std::vector<Array> arrays;
+  std::vector<bool> in_array;
 
   Range(const std::vector<Parameter>& parameters, const std::vector<std::vector<double>>& inputs)
       : least(inputs[0]), largest(inputs[0]) {
     std::size_t first = 0;
     for (const Parameter& parameter : parameters) {
+      in_array.insert(in_array.end(), parameter.size(), holds_coefficients(parameter.role));
       // Each channel has a length of its own.
       const auto size = static_cast<std::size_t>(parameter.size() / parameter.channels());
       for (int channel = 0; channel < parameter.channels(); ++channel, first += size) {
@@ -142,9 +108,11 @@ struct Range {
     for (const std::vector<double>& input : inputs) add(input);
   }
 
-  // Keeps every value and every length in its range.
+  // Keeps every length and every other value in its range.
   void clamp(std::vector<double>& input) const {
-    for (std::size_t i = 0; i < input.size(); ++i) input[i] = std::clamp(input[i], least[i], largest[i]);
+    for (std::size_t i = 0; i < input.size(); ++i) {
+      if (!in_array[i]) input[i] = std::clamp(input[i], least[i], largest[i]);
+    }
     for (const Array& array : arrays) {
       const double present = length_of(input.data() + array.first, array.size);
       if (present <= array.largest) continue;
@@ -175,57 +143,269 @@ std::vector<bool> fixed_inputs(const Kernel& kernel) {
   return fixed;
 }
 
-template <class T, class Moved>
-bool to_domain(const Kernel& kernel, const Range& range, Moved* input) {
-  std::vector<double> clamped(input, input + range.least.size());
-  range.clamp(clamped);
-  WideVector moved;
-  for (const double value : clamped) moved.emplace_back(value);
-  if (!Arithmetic<T>::kWideRange) move_to_half_range(kernel.parameters, moved);
-  move_to_domain(kernel.parameters, moved);
-  for (std::size_t i = 0; i < moved.size(); ++i) {
-    input[i] = static_cast<Moved>(static_cast<double>(static_cast<T>(moved[i].high())));
-    if (!std::isfinite(input[i])) return false;
-    if (std::abs(static_cast<double>(input[i])) < kLeastInput) input[i] = 0;
+// Moves a point to the domain, rounded; false if there is no way. Unit vectors that did not change are there already.
+template <class T>
+bool to_domain(const Kernel& kernel, const Range& range, std::vector<double>& input, bool turned = true) {
+  range.clamp(input);
+  if (turned || !Arithmetic<T>::kWideRange) {
+    WideVector moved(input.begin(), input.end());
+    if (!Arithmetic<T>::kWideRange) move_to_half_range(kernel.parameters, moved);
+    move_to_domain(kernel.parameters, moved);
+    std::transform(moved.begin(), moved.end(), input.begin(), [](Wide value) { return value.high(); });
+  }
+  for (double& value : input) {
+    value = rounded<T>(value);
+    if (!std::isfinite(value)) return false;
+    if (std::abs(value) < kLeastInput) value = 0;
   }
   return true;
 }
+
+// The inputs that `to_domain` changes together.
+std::vector<bool> turning_inputs(const Kernel& kernel) {
+  std::vector<bool> turning;
+  for (const Parameter& parameter : kernel.parameters) {
+    turning.insert(turning.end(), parameter.size(),
+                   !holds_coefficients(parameter.role) && parameter.role != Role::kParameter);
+  }
+  return turning;
+}
+
+// A point with the output whose error is looked at there, in epsilon x size.
+struct Point {
+  std::vector<double> input;
+  std::size_t output = 0;
+  double error = 0;
+};
+
+bool is_worse(const Point& a, const Point& b) { return a.error > b.error; }
+
+// Climbs from the tested inputs: first by the first-order error, which is smooth, then by the error itself.
+template <class T>
+class Search {
+ public:
+  Search(const Kernel& kernel, const Domain& domain, const Inputs& tested, const bound::Format& format)
+      : kernel_(bound::straight(kernel)),
+        format_(format),
+        size_(size_of(kernel, domain)),
+        range_(kernel.parameters, tested),
+        fixed_(fixed_inputs(kernel)),
+        turning_(turning_inputs(kernel)) {}
+
+  /// One input from each climb, the worst first.
+  Inputs run(Inputs inputs, int evaluations) {
+    for (std::vector<double>& input : inputs) {
+      for (double& value : input) value = rounded<T>(value);
+    }
+    std::vector<Point> points = peaks(inputs);
+    for (Point& point : points) ascend(point);
+    std::stable_sort(points.begin(), points.end(), is_worse);
+    points.resize(std::min<std::size_t>(points.size(), kClimbs - 1));
+    points.push_back(worst_of(inputs));
+    for (Point& point : points) climb(point, evaluations);
+    std::stable_sort(points.begin(), points.end(), is_worse);
+    Inputs found;
+    for (Point& point : points) found.push_back(std::move(point.input));
+    return found;
+  }
+
+ private:
+  static constexpr int kSteps = 40;  // of an ascent
+  static constexpr double kMostVisits =
+      3e7;  // of nodes: to choose starts, for each ascent, and for all but a few of them
+
+  // The size of an output's error times epsilon; infinity where the size is too small.
+  double unit(const std::vector<double>& input, std::size_t output) const {
+    const double size = size_(input, static_cast<std::size_t>(kernel_.element(static_cast<int>(output))));
+    return size > kLeastSize ? size * format_.epsilon() : std::numeric_limits<double>::infinity();
+  }
+
+  // The starts with the largest first-order errors, of different outputs as far as there are enough.
+  std::vector<Point> peaks(const Inputs& inputs) const {
+    const std::size_t outputs = kernel_.outputs.size();
+    const double visits = static_cast<double>(kernel_.nodes.size()) * static_cast<double>(outputs + 1);
+    const double most = std::max(kMostVisits / visits, 4.0);
+    const auto step = static_cast<std::size_t>(std::ceil(static_cast<double>(inputs.size()) / most));
+    FirstOrder first_order(kernel_, format_);
+    std::vector<Point> points;
+    // From the end: the starts beside the tested inputs stand there.
+    for (std::size_t i = 0; i < inputs.size(); i += step) {
+      const std::vector<double>& input = inputs[inputs.size() - 1 - i];
+      first_order.move_to(input);
+      for (std::size_t output = 0; output < outputs; ++output) {
+        const double error = first_order.error(output) / unit(input, output);
+        if (std::isfinite(error)) points.push_back({input, output, error});
+      }
+    }
+    std::stable_sort(points.begin(), points.end(), is_worse);
+    std::vector<std::size_t> taken(outputs, 0);
+    const double ascent =
+        kSteps * visits_of_step(static_cast<double>(kernel_.nodes.size()) / std::sqrt(static_cast<double>(outputs)),
+                                inputs[0].size());
+    const auto ascents = static_cast<std::size_t>(std::clamp(kMostVisits / ascent, 6.0, 48.0));
+    const std::size_t most_taken = (ascents + outputs - 1) / outputs;
+    std::vector<Point> chosen;
+    for (Point& point : points) {
+      if (chosen.size() < ascents && taken[point.output]++ < most_taken) chosen.push_back(std::move(point));
+    }
+    return chosen;
+  }
+
+  static double visits_of_step(double nodes, std::size_t inputs) { return 2 * nodes * static_cast<double>(inputs); }
+
+  // The kernel of one output alone.
+  Kernel part(std::size_t output) const {
+    Kernel part = kernel_;
+    part.outputs = {kernel_.outputs[output]};
+    part.outputs[0].element = kernel_.element(static_cast<int>(output));
+    return passes::prune(part);
+  }
+
+  // Gradient steps of falling length. An error that is linear in an array of coefficients but for signs has its top
+  // where the array points along its gradient: the first step, which is endless.
+  void ascend(Point& point) const {
+    const Kernel kernel = part(point.output);
+    FirstOrder first_order(kernel, format_);
+    const auto error_at = [&](const std::vector<double>& input) {
+      first_order.move_to(input);
+      const double error = first_order.error(0) / unit(input, point.output);
+      return std::isfinite(error) ? error : 0.0;
+    };
+    const double visits = visits_of_step(static_cast<double>(kernel.nodes.size()), point.input.size());
+    point.error = error_at(point.input);
+    constexpr double kLeastGain = 1.002;
+    for (int left = static_cast<int>(std::min(kMostVisits / visits, double{kSteps})); left > 0; --left) {
+      const std::vector<double> gradient = gradient_of(error_at, point);
+      Point best = point;
+      for (const double step : {1e6, 4.0, 1.0, 0.25, 0.0625, 0.015625, 0.00390625}) {
+        Point next = point;
+        for (std::size_t i = 0; i < gradient.size(); ++i) next.input[i] += step * gradient[i];
+        if (!to_domain<T>(kernel_, range_, next.input)) continue;
+        next.error = error_at(next.input);
+        if (next.error > best.error) best = std::move(next);
+      }
+      const bool small = best.error < point.error * kLeastGain;
+      point = std::move(best);
+      if (small) return;
+    }
+  }
+
+  // The gradient scaled to length 1, by differences.
+  template <class Error>
+  std::vector<double> gradient_of(const Error& error_at, const Point& point) const {
+    constexpr double kStep = 1e-6;
+    std::vector<double> gradient(point.input.size(), 0.0);
+    std::vector<double> near = point.input;
+    for (std::size_t i = 0; i < gradient.size(); ++i) {
+      if (fixed_[i]) continue;
+      near[i] += kStep;
+      gradient[i] = error_at(near) - point.error;
+      near[i] = point.input[i];
+    }
+    const double norm = length(gradient);
+    for (double& part : gradient) part /= norm > 0 ? norm : 1;
+    return gradient;
+  }
+
+  // The input with the largest error of all outputs.
+  Point worst_of(const Inputs& inputs) const {
+    ErrorLanes<T> lanes(kernel_, format_);
+    Point worst{inputs[0], 0, 0};
+    for (std::size_t first = 0; first < inputs.size(); first += kLanes) {
+      const std::size_t count = std::min<std::size_t>(inputs.size() - first, kLanes);
+      lanes(in_lanes(std::span(inputs).subspan(first, count)));
+      for (std::size_t i = 0; i < count; ++i) {
+        for (std::size_t output = 0; output < kernel_.outputs.size(); ++output) {
+          const double error = lanes.error(output, static_cast<int>(i));
+          if (!(error > 0)) continue;
+          const double relative = error / unit(inputs[first + i], output);
+          if (relative > worst.error) worst = {inputs[first + i], output, relative};
+        }
+      }
+    }
+    return worst;
+  }
+
+  static std::vector<Lanes> in_lanes(std::span<const std::vector<double>> inputs) {
+    std::vector<Lanes> lanes(inputs[0].size());
+    for (std::size_t i = 0; i < lanes.size(); ++i) {
+      for (int lane = 0; lane < kLanes; ++lane) {
+        lanes[i][lane] = inputs[std::min<std::size_t>(lane, inputs.size() - 1)][i];
+      }
+    }
+    return lanes;
+  }
+
+  // Changes the input at random, as many ways at once as there are lanes, and goes to the worst of them.
+  void climb(Point& point, int evaluations) {
+    const Kernel kernel = part(point.output);
+    ErrorLanes<T> lanes(kernel, format_);
+    point.error = 0;
+    Inputs near(kLanes);
+    for (int done = 0; done < evaluations; done += kLanes) {
+      for (int lane = 0; lane < kLanes; ++lane) {
+        near[lane] = point.input;
+        if (done + lane > 0 && !change(near[lane])) near[lane] = point.input;
+      }
+      lanes(in_lanes(near));
+      const double about = unit(point.input, point.output);
+      for (int lane = 0; lane < kLanes; ++lane) {
+        // The size changes little, and most changes are no gain: the unit is needed for few.
+        constexpr double kPart = 0.9;
+        const double error = lanes.error(0, lane);
+        if (!(error > point.error * about * kPart)) continue;
+        const double relative = error / unit(near[lane], point.output);
+        if (relative > point.error) point = {near[lane], point.output, relative};
+      }
+    }
+  }
+
+  // Changes one to three numbers by 2^-2 to 2^-digits of themselves or of the length.
+  bool change(std::vector<double>& input) {
+    const double typical = 1 / std::sqrt(static_cast<double>(input.size()));
+    bool turned = false;
+    for (std::size_t n = 0, count = 1 + below(3); n < count; ++n) {
+      const std::size_t i = below(input.size());
+      if (fixed_[i]) continue;
+      const double scale = random_.next() < 0 ? input[i] : typical;
+      input[i] += std::ldexp(random_.next(), -2 - static_cast<int>(below(format_.digits - 1))) * scale;
+      turned = turned || turning_[i];
+    }
+    return to_domain<T>(kernel_, range_, input, turned);
+  }
+
+  // 0 .. n-1
+  std::size_t below(std::size_t n) {
+    return static_cast<std::size_t>((random_.next() + 1) / 2 * static_cast<double>(n));
+  }
+
+  Kernel kernel_;  // without a loop
+  bound::Format format_;
+  Size size_;
+  Range range_;
+  std::vector<bool> fixed_, turning_;
+  numeric::Random random_{1};
+};
 
 }  // namespace
 
 template <class T>
 std::vector<std::vector<double>> search_inputs(const Kernel& kernel, const Domain& domain,
                                                const std::vector<std::vector<double>>& starts, int evaluations) {
-  using Moved = typename Arithmetic<T>::Moved;
-  std::vector<std::vector<double>> inputs = domain.test_inputs(kernel.degree);
-  const Range range(kernel.parameters, inputs);
+  Inputs inputs = domain.test_inputs(kernel.degree);
+  Search<T> search(kernel, domain, inputs, bound::find_format(Arithmetic<T>::kName));
   for (const std::vector<double>& start : starts) {
     if (!start.empty()) inputs.push_back(start);
   }
-  std::vector<std::vector<Moved>> points;
-  for (const std::vector<double>& input : inputs) {
-    points.emplace_back();
-    for (const double value : input) {
-      points.back().push_back(static_cast<Moved>(static_cast<double>(static_cast<T>(value))));
-    }
-  }
-  const std::size_t count = points[0].size();
-  DistanceFromFormula<T> distance(kernel, domain);
-  numeric::SearchProblem<Moved> problem;
-  problem.error = [&](const Moved* input) { return distance(input, count); };
-  problem.to_domain = [&](Moved* input) { return to_domain<T>(kernel, range, input); };
-  problem.fixed = fixed_inputs(kernel);
-  std::vector<std::vector<double>> found;
-  for (const auto& [input, error] :
-       numeric::worst_inputs(problem, points, {kClimbs, static_cast<std::size_t>(evaluations), 1})) {
-    found.emplace_back(input.begin(), input.end());
-  }
-  return found;
+  return search.run(std::move(inputs), evaluations);
 }
 
 int search_evaluations(const Kernel& kernel) {
-  constexpr std::size_t kLarge = 1000;
-  return kernel.nodes.size() > kLarge ? 250 : 2000;
+  constexpr double kMostVisits = 4e7;  // of nodes
+  const auto rows = static_cast<double>(std::max<std::size_t>(kernel.table.size(), 1));
+  return static_cast<int>(
+             std::clamp(kMostVisits / (static_cast<double>(kernel.nodes.size()) * rows), 2048.0, 32768.0)) /
+         kLanes * kLanes;
 }
 
 namespace {
@@ -236,7 +416,7 @@ Domain in_half_range(const Domain& domain, const Kernel& kernel) {
   narrow.test_inputs = [&kernel, all = domain.test_inputs](int degree) {
     std::vector<std::vector<double>> inputs = all(degree);
     const Range range(kernel.parameters, inputs);
-    for (std::vector<double>& input : inputs) to_domain<Half>(kernel, range, input.data());
+    for (std::vector<double>& input : inputs) to_domain<Half>(kernel, range, input);
     return inputs;
   };
   return narrow;
@@ -258,7 +438,6 @@ SeenError largest_seen(const Kernel& kernel, const Domain& domain, const std::ve
   return {measure<T>(kernel, domain, search_inputs<T>(kernel, domain, starts, evaluations)), kClimbs * evaluations};
 }
 
-using Inputs = std::vector<std::vector<double>>;
 template Inputs search_inputs<float>(const Kernel&, const Domain&, const Inputs&, int);
 template Inputs search_inputs<double>(const Kernel&, const Domain&, const Inputs&, int);
 template Inputs search_inputs<Half>(const Kernel&, const Domain&, const Inputs&, int);

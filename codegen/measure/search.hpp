@@ -1,8 +1,13 @@
-// The inputs at which a kernel rounds worst, by the search of `shcheck worst` (numeric/sampling/worst_input.hpp) on the
-// IR: it starts from the tested inputs with the largest errors and climbs.
+// The inputs at which a kernel rounds worst, by search.
+//
+// The error jumps from one input to the next, so the search first climbs the first-order error (first_order.hpp), which is
+// smooth: from the tested inputs where it is largest, along its gradient. There it changes the inputs at random, by much or
+// in the last places, and goes on wherever the error itself is larger. Another climb starts at the tested input with the
+// largest error. Deterministic: the same bits on every IEEE machine.
 //
 // Inputs stay in the domain: unit vectors and rotation matrices move to the nearest point of the domain and are rounded
-// again; all other inputs, and the lengths of arrays, stay between the least and the largest tested one.
+// again, arrays of coefficients are not longer than the tested ones, all other inputs stay between the least and the
+// largest tested one.
 #pragma once
 
 #include <vector>
@@ -11,7 +16,7 @@
 
 namespace sh::codegen {
 
-/// The number of kernel evaluations in each of the four climbs of a search: fewer for large kernels.
+/// The number of kernel evaluations in each of the eight climbs of a search: fewer for large kernels.
 int search_evaluations(const Kernel& kernel);
 
 /// Flattened inputs, numbers of T (float, double or Half): one from each climb, the worst first. starts: more inputs to
