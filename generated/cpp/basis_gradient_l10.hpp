@@ -12,15 +12,15 @@
 // Cost:         558 multiplications, 192 additions, 17 negations; longest chain 19; at most 92 values live
 // Error:        eps counts units of machine epsilon x sqrt((2l+1)/(4 pi)) r^l, for derivatives l sqrt((2l+1)/(4 pi))
 //               r^(l-1)
-//               float   rounding  at most 438.3 eps  largest seen 6.0e-03 (24.6 eps)
-//               double  rounding  at most 430.5 eps  largest seen 3.3e-11 (30.6 eps)
+//               float   rounding  at most 155.0 eps  largest seen 6.0e-03 (46.4 eps)
+//               double  rounding  at most 155.7 eps  largest seen 1.7e-11 (49.4 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for vectors of length 0.1 to 4; operations round to nearest, with or without
 //               contraction
-//               seen:     among 454 vectors (random, axes, poles, near poles; lengths 1/3 to 2) and 1000 evaluations of
-//               a search, without contraction
-//               worst:    float x, y, z = -0.00021454059, 0.00013682283, 0.99999994
-//                         double x, y, z = 0.0, 1.1904678076716227e-08, 1.0379307467057883
+//               seen:     among 454 vectors (random, axes, poles, near poles; lengths 1/3 to 2) and 262144 evaluations
+//               of a search, without contraction
+//               worst:    float x, y, z = 0.0029205836, -0.034500703, -1.0266109
+//                         double x, y, z = -0.0008507443252418596, -0.010918488858638728, -1.0157534284756031
 #pragma once
 
 #include <type_traits>

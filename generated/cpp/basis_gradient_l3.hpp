@@ -12,15 +12,15 @@
 // Cost:         46 multiplications, 9 additions, 3 negations; longest chain 6; at most 10 values live
 // Error:        eps counts units of machine epsilon x sqrt((2l+1)/(4 pi)) r^l, for derivatives l sqrt((2l+1)/(4 pi))
 //               r^(l-1)
-//               float   rounding  at most 4.8 eps  largest seen 9.8e-07 (2.6 eps)
-//               double  rounding  at most 4.5 eps  largest seen 2.4e-15 (2.0 eps)
+//               float   rounding  at most 4.8 eps  largest seen 1.1e-06 (3.2 eps)
+//               double  rounding  at most 4.5 eps  largest seen 2.7e-15 (2.8 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for vectors of length 0.1 to 4; operations round to nearest, with or without
 //               contraction
-//               seen:     among 454 vectors (random, axes, poles, near poles; lengths 1/3 to 2) and 8000 evaluations of
-//               a search, without contraction
-//               worst:    float x, y, z = -0.08296355, -0.5114221, 0.0
-//                         double x, y, z = -0.11306708741101779, 1.9457911340170255, 0.0
+//               seen:     among 454 vectors (random, axes, poles, near poles; lengths 1/3 to 2) and 262144 evaluations
+//               of a search, without contraction
+//               worst:    float x, y, z = -0.361771, -0.0029233226, -1.3919841e-09
+//                         double x, y, z = -0.3567486458272578, 3.5643558302907714e-05, -1.2271427051408886e-09
 #pragma once
 
 #include <type_traits>

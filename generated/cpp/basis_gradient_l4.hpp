@@ -12,15 +12,15 @@
 // Cost:         84 multiplications, 21 additions, 5 negations; longest chain 7; at most 15 values live
 // Error:        eps counts units of machine epsilon x sqrt((2l+1)/(4 pi)) r^l, for derivatives l sqrt((2l+1)/(4 pi))
 //               r^(l-1)
-//               float   rounding  at most 7.5 eps  largest seen 5.5e-06 (4.4 eps)
-//               double  rounding  at most 8.0 eps  largest seen 1.3e-14 (5.0 eps)
+//               float   rounding  at most 7.6 eps  largest seen 4.2e-06 (5.3 eps)
+//               double  rounding  at most 8.0 eps  largest seen 1.5e-14 (5.4 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for vectors of length 0.1 to 4; operations round to nearest, with or without
 //               contraction
-//               seen:     among 454 vectors (random, axes, poles, near poles; lengths 1/3 to 2) and 8000 evaluations of
-//               a search, without contraction
-//               worst:    float x, y, z = -0.11767453, -0.09745966, -0.9150479
-//                         double x, y, z = -4.710592399027583e-06, 6.036576278295021e-06, 1.000007568593365
+//               seen:     among 454 vectors (random, axes, poles, near poles; lengths 1/3 to 2) and 262144 evaluations
+//               of a search, without contraction
+//               worst:    float x, y, z = -0.024497174, -3.3690492e-05, -0.5054306
+//                         double x, y, z = -2.8261148459620378e-09, 0.00044102397235394706, -0.500000341382338
 #pragma once
 
 #include <type_traits>

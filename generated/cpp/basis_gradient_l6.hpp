@@ -12,15 +12,15 @@
 // Cost:         197 multiplications, 58 additions, 9 negations; longest chain 11; at most 32 values live
 // Error:        eps counts units of machine epsilon x sqrt((2l+1)/(4 pi)) r^l, for derivatives l sqrt((2l+1)/(4 pi))
 //               r^(l-1)
-//               float   rounding  at most 31.2 eps  largest seen 8.0e-05 (12.9 eps)
-//               double  rounding  at most 32.5 eps  largest seen 3.4e-13 (15.5 eps)
+//               float   rounding  at most 31.2 eps  largest seen 8.0e-05 (16.0 eps)
+//               double  rounding  at most 32.5 eps  largest seen 2.6e-13 (17.0 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for vectors of length 0.1 to 4; operations round to nearest, with or without
 //               contraction
-//               seen:     among 454 vectors (random, axes, poles, near poles; lengths 1/3 to 2) and 8000 evaluations of
-//               a search, without contraction
-//               worst:    float x, y, z = -0.0001052346, 6.1861465e-05, 0.50927466
-//                         double x, y, z = -4.710650412618094e-06, 6.031342834289053e-06, 1.0206651583340531
+//               seen:     among 454 vectors (random, axes, poles, near poles; lengths 1/3 to 2) and 262144 evaluations
+//               of a search, without contraction
+//               worst:    float x, y, z = 0.0019663794, -0.024480049, -1.00882
+//                         double x, y, z = 0.0034151240351309275, -1.855881064332033e-06, -1.0423534907053273
 #pragma once
 
 #include <type_traits>

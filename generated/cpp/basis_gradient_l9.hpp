@@ -12,15 +12,15 @@
 // Cost:         452 multiplications, 151 additions, 15 negations; longest chain 17; at most 73 values live
 // Error:        eps counts units of machine epsilon x sqrt((2l+1)/(4 pi)) r^l, for derivatives l sqrt((2l+1)/(4 pi))
 //               r^(l-1)
-//               float   rounding  at most 154.9 eps  largest seen 2.1e-03 (35.2 eps)
-//               double  rounding  at most 154.4 eps  largest seen 6.8e-12 (35.3 eps)
+//               float   rounding  at most 79.8 eps  largest seen 2.1e-03 (36.1 eps)
+//               double  rounding  at most 83.1 eps  largest seen 6.8e-12 (38.3 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for vectors of length 0.1 to 4; operations round to nearest, with or without
 //               contraction
-//               seen:     among 454 vectors (random, axes, poles, near poles; lengths 1/3 to 2) and 8000 evaluations of
-//               a search, without contraction
-//               worst:    float x, y, z = -0.00020830984, 0.00012732501, 1.036891
-//                         double x, y, z = -4.7627264109312865e-06, 5.9925246182101e-06, 1.0207904015951683
+//               seen:     among 454 vectors (random, axes, poles, near poles; lengths 1/3 to 2) and 262144 evaluations
+//               of a search, without contraction
+//               worst:    float x, y, z = -0.025150947, -0.000118070886, -1.0275376
+//                         double x, y, z = -0.0043253382123847476, 4.417327824819729e-07, -1.0155057668636889
 #pragma once
 
 #include <type_traits>

@@ -11,15 +11,15 @@
 //               exactly
 // Cost:         45 multiplications, 14 additions, 1 divisions, 1 square roots; longest chain 14; at most 10 values live
 // Error:        eps counts units of machine epsilon x sqrt((2l+1)/(4 pi))
-//               float   rounding  at most 36.8 eps  largest seen 1.3e-06 (13.1 eps)
-//               double  rounding  at most 36.8 eps  largest seen 2.8e-15 (14.8 eps)
+//               float   rounding  at most 27.3 eps  largest seen 1.4e-06 (13.9 eps)
+//               double  rounding  at most 27.8 eps  largest seen 3.1e-15 (16.4 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for vectors of length 1e-15 to 1e+15; operations round to nearest, with or without
 //               contraction
-//               seen:     among 558 vectors (random, axes, poles, near poles; lengths 2^-20 to 2^20) and 8000
+//               seen:     among 558 vectors (random, axes, poles, near poles; lengths 2^-20 to 2^20) and 262144
 //               evaluations of a search, without contraction
-//               worst:    float x, y, z = 431.94238, 0.888239, 4221.07
-//                         double x, y, z = 0.09444608280234104, 0.007585379317921694, -0.9984487932599262
+//               worst:    float x, y, z = 0.09116146, -0.032768015, -17.190678
+//                         double x, y, z = 0.001026973600801329, 1.8639193647755664e-07, -16.024806147052
 #pragma once
 
 #include <cmath>

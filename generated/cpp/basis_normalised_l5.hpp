@@ -11,15 +11,15 @@
 //               exactly
 // Cost:         67 multiplications, 20 additions, 1 divisions, 1 square roots; longest chain 15; at most 15 values live
 // Error:        eps counts units of machine epsilon x sqrt((2l+1)/(4 pi))
-//               float   rounding  at most 56.9 eps  largest seen 2.1e-06 (18.7 eps)
-//               double  rounding  at most 56.8 eps  largest seen 5.4e-15 (26.2 eps)
+//               float   rounding  at most 44.5 eps  largest seen 2.6e-06 (23.7 eps)
+//               double  rounding  at most 45.3 eps  largest seen 5.8e-15 (28.1 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for vectors of length 1e-15 to 1e+15; operations round to nearest, with or without
 //               contraction
-//               seen:     among 558 vectors (random, axes, poles, near poles; lengths 2^-20 to 2^20) and 8000
+//               seen:     among 558 vectors (random, axes, poles, near poles; lengths 2^-20 to 2^20) and 262144
 //               evaluations of a search, without contraction
-//               worst:    float x, y, z = 0.48828775, 0.045316648, -64.04748
-//                         double x, y, z = 1.7318224473393873, -31.987376188239534, -263333.3224644761
+//               worst:    float x, y, z = -0.010376668, -0.028539412, -0.99948215
+//                         double x, y, z = 0.028928517733092605, -0.007207301333750675, -8.008564860493083
 #pragma once
 
 #include <cmath>

@@ -12,15 +12,15 @@
 // Cost:         122 multiplications, 35 additions, 1 divisions, 1 square roots; longest chain 19; at most 19 values
 //               live
 // Error:        eps counts units of machine epsilon x sqrt((2l+1)/(4 pi))
-//               float   rounding  at most 168.0 eps  largest seen 5.2e-06 (40.0 eps)
-//               double  rounding  at most 167.2 eps  largest seen 1.1e-14 (45.2 eps)
+//               float   rounding  at most 90.9 eps  largest seen 5.5e-06 (42.3 eps)
+//               double  rounding  at most 92.8 eps  largest seen 1.2e-14 (50.6 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for vectors of length 1e-15 to 1e+15; operations round to nearest, with or without
 //               contraction
-//               seen:     among 558 vectors (random, axes, poles, near poles; lengths 2^-20 to 2^20) and 8000
+//               seen:     among 558 vectors (random, axes, poles, near poles; lengths 2^-20 to 2^20) and 262144
 //               evaluations of a search, without contraction
-//               worst:    float x, y, z = -0.005118772, -0.18828298, 16.090342
-//                         double x, y, z = 1.798759152649573, -31.987391496296553, -263333.3137646618
+//               worst:    float x, y, z = 0.081995375, -0.03277191, -17.191584
+//                         double x, y, z = 2.2458202303336666e-08, -0.06592457570306337, -16.04049164785266
 #pragma once
 
 #include <cmath>

@@ -13,8 +13,8 @@
 // Cost:         1 multiplications, 0 additions; longest chain 1; at most 1 values live
 // Error:        eps counts units of machine epsilon x |c| sqrt((2L+1)/(4 pi)), the most that the top band alone can
 //               reach
-//               float   rounding  at most 3.2e-08 (1.0 eps)  largest seen 2.9e-08 (0.9 eps)
-//                       total                                largest seen 2.9e-08 (0.9 eps)
+//               float   rounding  at most 3.2e-08 (1.0 eps)  largest seen 2.8e-08 (0.9 eps)
+//                       total                                largest seen 2.8e-08 (0.9 eps)
 //               double  rounding  at most 3.6e-17 (0.6 eps)  largest seen 3.1e-17 (0.6 eps)
 //                       total                                largest seen 3.1e-17 (0.6 eps)
 //               rounding: against this formula in exact arithmetic at the same input
@@ -22,9 +22,9 @@
 //               operations round to nearest, with or without contraction
 //               total:    against the exact function at the direction scaled to length 1
 //               seen:     among 400 coefficient vectors (random, of norm 1) with directions (random, axes, poles, near
-//               poles) and 8000 evaluations of a search, without contraction
-//               worst:    float c (1), x, y, z = -0.22799924, 0.0, 0.0, -1.0
-//                         double c (1), x, y, z = 0.8968257863626145, 0.0, 1.0, 0.0
+//               poles) and 262144 evaluations of a search, without contraction
+//               worst:    float c (1), x, y, z = 0.886906, -0.57895255, -0.57083744, -0.5822015
+//                         double c (1), x, y, z = -0.8873489224208886, 0.005087232178214827, -0.045071815642200135, -0.9989707961214284
 #pragma once
 
 #include <type_traits>

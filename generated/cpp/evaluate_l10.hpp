@@ -13,16 +13,16 @@
 // Cost:         257 multiplications, 183 additions; longest chain 33; at most 144 values live
 // Error:        eps counts units of machine epsilon x |c| sqrt((2L+1)/(4 pi)), the most that the top band alone can
 //               reach
-//               float   rounding  at most 4.8e-05 (307.5 eps)  largest seen 1.8e-06 (16.1 eps)
-//                       total                                  largest seen 1.6e-06 (14.3 eps)
-//               double  rounding  at most 8.7e-14 (302.4 eps)  largest seen 2.9e-15 (12.1 eps)
-//                       total                                  largest seen 5.1e-15 (19.3 eps)
+//               float   rounding  at most 2.3e-05 (143.5 eps)  largest seen 3.2e-06 (20.8 eps)
+//                       total                                  largest seen 3.1e-06 (20.5 eps)
+//               double  rounding  at most 4.0e-14 (138.9 eps)  largest seen 9.5e-15 (33.2 eps)
+//                       total                                  largest seen 1.3e-14 (45.8 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for a direction off length 1 by at most 2 epsilon; coefficients of size 2^-20 to 2^20;
 //               operations round to nearest, with or without contraction
 //               total:    against the exact function at the direction scaled to length 1
 //               seen:     among 400 coefficient vectors (random, of norm 1) with directions (random, axes, poles, near
-//               poles) and 8000 evaluations of a search, without contraction
+//               poles) and 262144 evaluations of a search, without contraction
 #pragma once
 
 #include <type_traits>

@@ -13,16 +13,16 @@
 // Cost:         33 multiplications, 23 additions; longest chain 12; at most 25 values live
 // Error:        eps counts units of machine epsilon x |c| sqrt((2L+1)/(4 pi)), the most that the top band alone can
 //               reach
-//               float   rounding  at most 8.9e-07 (10.0 eps)  largest seen 1.7e-07 (2.5 eps)
-//                       total                                 largest seen 1.8e-07 (2.3 eps)
-//               double  rounding  at most 1.7e-15 (9.8 eps)   largest seen 3.6e-16 (2.4 eps)
-//                       total                                 largest seen 4.8e-16 (2.9 eps)
+//               float   rounding  at most 8.6e-07 (9.7 eps)  largest seen 4.2e-07 (4.8 eps)
+//                       total                                largest seen 4.5e-07 (5.0 eps)
+//               double  rounding  at most 1.6e-15 (9.4 eps)  largest seen 7.4e-16 (4.5 eps)
+//                       total                                largest seen 1.4e-02 (99123062985666.3 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for a direction off length 1 by at most 2 epsilon; coefficients of size 2^-20 to 2^20;
 //               operations round to nearest, with or without contraction
 //               total:    against the exact function at the direction scaled to length 1
 //               seen:     among 400 coefficient vectors (random, of norm 1) with directions (random, axes, poles, near
-//               poles) and 8000 evaluations of a search, without contraction
+//               poles) and 262144 evaluations of a search, without contraction
 #pragma once
 
 #include <type_traits>

@@ -13,16 +13,16 @@
 // Cost:         75 multiplications, 53 additions; longest chain 20; at most 51 values live
 // Error:        eps counts units of machine epsilon x |c| sqrt((2L+1)/(4 pi)), the most that the top band alone can
 //               reach
-//               float   rounding  at most 3.2e-06 (28.3 eps)  largest seen 5.9e-07 (5.4 eps)
-//                       total                                 largest seen 6.6e-07 (6.0 eps)
-//               double  rounding  at most 5.9e-15 (28.3 eps)  largest seen 7.8e-16 (6.0 eps)
-//                       total                                 largest seen 7.2e-16 (4.2 eps)
+//               float   rounding  at most 2.5e-06 (22.2 eps)  largest seen 1.1e-06 (10.2 eps)
+//                       total                                 largest seen 4.2e-04 (3895.0 eps)
+//               double  rounding  at most 4.8e-15 (22.9 eps)  largest seen 2.3e-15 (11.4 eps)
+//                       total                                 largest seen 2.2e-15 (10.8 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for a direction off length 1 by at most 2 epsilon; coefficients of size 2^-20 to 2^20;
 //               operations round to nearest, with or without contraction
 //               total:    against the exact function at the direction scaled to length 1
 //               seen:     among 400 coefficient vectors (random, of norm 1) with directions (random, axes, poles, near
-//               poles) and 8000 evaluations of a search, without contraction
+//               poles) and 262144 evaluations of a search, without contraction
 #pragma once
 
 #include <type_traits>

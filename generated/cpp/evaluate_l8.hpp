@@ -13,16 +13,16 @@
 // Cost:         171 multiplications, 122 additions; longest chain 28; at most 100 values live
 // Error:        eps counts units of machine epsilon x |c| sqrt((2L+1)/(4 pi)), the most that the top band alone can
 //               reach
-//               float   rounding  at most 1.6e-05 (109.1 eps)  largest seen 1.4e-06 (13.3 eps)
-//                       total                                  largest seen 1.9e-06 (17.5 eps)
-//               double  rounding  at most 2.8e-14 (105.2 eps)  largest seen 3.1e-15 (15.5 eps)
-//                       total                                  largest seen 3.7e-15 (23.6 eps)
+//               float   rounding  at most 8.1e-06 (57.8 eps)  largest seen 2.2e-06 (15.8 eps)
+//                       total                                 largest seen 2.7e-06 (19.8 eps)
+//               double  rounding  at most 1.5e-14 (56.7 eps)  largest seen 7.7e-15 (29.9 eps)
+//                       total                                 largest seen 5.8e-15 (22.5 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for a direction off length 1 by at most 2 epsilon; coefficients of size 2^-20 to 2^20;
 //               operations round to nearest, with or without contraction
 //               total:    against the exact function at the direction scaled to length 1
 //               seen:     among 400 coefficient vectors (random, of norm 1) with directions (random, axes, poles, near
-//               poles) and 8000 evaluations of a search, without contraction
+//               poles) and 262144 evaluations of a search, without contraction
 #pragma once
 
 #include <type_traits>

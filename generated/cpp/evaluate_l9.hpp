@@ -13,16 +13,16 @@
 // Cost:         213 multiplications, 151 additions; longest chain 31; at most 123 values live
 // Error:        eps counts units of machine epsilon x |c| sqrt((2L+1)/(4 pi)), the most that the top band alone can
 //               reach
-//               float   rounding  at most 2.6e-05 (175.9 eps)  largest seen 2.1e-06 (15.8 eps)
-//                       total                                  largest seen 2.1e-06 (15.9 eps)
-//               double  rounding  at most 4.7e-14 (168.8 eps)  largest seen 3.8e-15 (16.8 eps)
-//                       total                                  largest seen 3.4e-15 (15.1 eps)
+//               float   rounding  at most 1.3e-05 (86.7 eps)  largest seen 2.7e-06 (18.3 eps)
+//                       total                                 largest seen 2.9e-06 (19.8 eps)
+//               double  rounding  at most 2.3e-14 (83.2 eps)  largest seen 5.7e-15 (20.9 eps)
+//                       total                                 largest seen 6.3e-15 (23.3 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for a direction off length 1 by at most 2 epsilon; coefficients of size 2^-20 to 2^20;
 //               operations round to nearest, with or without contraction
 //               total:    against the exact function at the direction scaled to length 1
 //               seen:     among 400 coefficient vectors (random, of norm 1) with directions (random, axes, poles, near
-//               poles) and 8000 evaluations of a search, without contraction
+//               poles) and 262144 evaluations of a search, without contraction
 #pragma once
 
 #include <type_traits>

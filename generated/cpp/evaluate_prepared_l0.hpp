@@ -20,7 +20,7 @@
 //               at most:  no bound is proved: an input is a polynomial
 //               total:    against the exact function at the direction scaled to length 1
 //               seen:     among 300 prepared functions (random, |c| = 1) with directions (random, axes, poles, near
-//               poles) and 8000 evaluations of a search, without contraction
+//               poles) and 262144 evaluations of a search, without contraction
 #pragma once
 
 #include <type_traits>

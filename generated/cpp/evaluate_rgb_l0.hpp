@@ -13,16 +13,16 @@
 // Cost:         3 multiplications, 0 additions; longest chain 1; at most 3 values live
 // Error:        eps counts units of machine epsilon x |c| sqrt((2L+1)/(4 pi)), the most that the top band alone can
 //               reach
-//               float   rounding  at most 3.2e-08 (1.0 eps)  largest seen 2.9e-08 (0.9 eps)
-//                       total                                largest seen 2.9e-08 (0.9 eps)
-//               double  rounding  at most 3.6e-17 (0.6 eps)  largest seen 3.2e-17 (0.5 eps)
-//                       total                                largest seen 3.2e-17 (0.5 eps)
+//               float   rounding  at most 3.2e-08 (1.0 eps)  largest seen 2.8e-08 (0.9 eps)
+//                       total                                largest seen 2.8e-08 (0.9 eps)
+//               double  rounding  at most 3.6e-17 (0.6 eps)  largest seen 3.1e-17 (0.6 eps)
+//                       total                                largest seen 3.1e-17 (0.6 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for a direction off length 1 by at most 2 epsilon; coefficients of size 2^-20 to 2^20;
 //               operations round to nearest, with or without contraction
 //               total:    against the exact function at the direction scaled to length 1
 //               seen:     among 400 coefficient vectors (random, of norm 1) with directions (random, axes, poles, near
-//               poles) and 8000 evaluations of a search, without contraction
+//               poles) and 262144 evaluations of a search, without contraction
 #pragma once
 
 #include <type_traits>

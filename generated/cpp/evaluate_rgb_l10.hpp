@@ -13,16 +13,16 @@
 // Cost:         499 multiplications, 423 additions; longest chain 33; at most 386 values live
 // Error:        eps counts units of machine epsilon x |c| sqrt((2L+1)/(4 pi)), the most that the top band alone can
 //               reach
-//               float   rounding  at most 4.8e-05 (311.3 eps)  largest seen 9.8e-07 (6.3 eps)
-//                       total                                  largest seen 9.7e-07 (6.3 eps)
-//               double  rounding  at most 8.8e-14 (305.2 eps)  largest seen 3.2e-15 (11.1 eps)
-//                       total                                  largest seen 2.5e-02 (86843295689810.9 eps)
+//               float   rounding  at most 3.2e-05 (205.1 eps)  largest seen 2.6e-06 (16.9 eps)
+//                       total                                  largest seen 3.2e-06 (20.9 eps)
+//               double  rounding  at most 5.8e-14 (202.0 eps)  largest seen 7.9e-15 (27.7 eps)
+//                       total                                  largest seen 6.3e-15 (22.0 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for a direction off length 1 by at most 2 epsilon; coefficients of size 2^-20 to 2^20;
 //               operations round to nearest, with or without contraction
 //               total:    against the exact function at the direction scaled to length 1
 //               seen:     among 400 coefficient vectors (random, of norm 1) with directions (random, axes, poles, near
-//               poles) and 1000 evaluations of a search, without contraction
+//               poles) and 227712 evaluations of a search, without contraction
 #pragma once
 
 #include <type_traits>

@@ -13,16 +13,16 @@
 // Cost:         37 multiplications, 27 additions; longest chain 8; at most 31 values live
 // Error:        eps counts units of machine epsilon x |c| sqrt((2L+1)/(4 pi)), the most that the top band alone can
 //               reach
-//               float   rounding  at most 4.0e-07 (5.3 eps)  largest seen 1.6e-07 (2.4 eps)
-//                       total                                largest seen 1.8e-07 (2.7 eps)
-//               double  rounding  at most 7.2e-16 (5.2 eps)  largest seen 2.8e-16 (2.1 eps)
-//                       total                                largest seen 3.3e-16 (2.4 eps)
+//               float   rounding  at most 3.8e-07 (5.1 eps)  largest seen 2.3e-07 (3.7 eps)
+//                       total                                largest seen 2.6e-07 (4.1 eps)
+//               double  rounding  at most 7.1e-16 (5.1 eps)  largest seen 4.3e-16 (3.1 eps)
+//                       total                                largest seen 4.6e-16 (3.3 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for a direction off length 1 by at most 2 epsilon; coefficients of size 2^-20 to 2^20;
 //               operations round to nearest, with or without contraction
 //               total:    against the exact function at the direction scaled to length 1
 //               seen:     among 400 coefficient vectors (random, of norm 1) with directions (random, axes, poles, near
-//               poles) and 8000 evaluations of a search, without contraction
+//               poles) and 262144 evaluations of a search, without contraction
 #pragma once
 
 #include <type_traits>

@@ -13,16 +13,16 @@
 // Cost:         263 multiplications, 222 additions; longest chain 27; at most 211 values live
 // Error:        eps counts units of machine epsilon x |c| sqrt((2L+1)/(4 pi)), the most that the top band alone can
 //               reach
-//               float   rounding  at most 9.1e-06 (69.5 eps)  largest seen 4.9e-07 (4.0 eps)
-//                       total                                 largest seen 5.8e-07 (4.7 eps)
-//               double  rounding  at most 1.7e-14 (67.8 eps)  largest seen 2.8e-15 (13.2 eps)
-//                       total                                 largest seen 3.2e-15 (15.1 eps)
+//               float   rounding  at most 6.1e-06 (46.2 eps)  largest seen 1.6e-06 (12.0 eps)
+//                       total                                 largest seen 1.5e-02 (114974.3 eps)
+//               double  rounding  at most 1.2e-14 (45.4 eps)  largest seen 3.3e-15 (13.8 eps)
+//                       total                                 largest seen 2.3e-15 (9.4 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for a direction off length 1 by at most 2 epsilon; coefficients of size 2^-20 to 2^20;
 //               operations round to nearest, with or without contraction
 //               total:    against the exact function at the direction scaled to length 1
 //               seen:     among 400 coefficient vectors (random, of norm 1) with directions (random, axes, poles, near
-//               poles) and 8000 evaluations of a search, without contraction
+//               poles) and 262144 evaluations of a search, without contraction
 #pragma once
 
 #include <type_traits>

@@ -13,16 +13,16 @@
 // Cost:         333 multiplications, 282 additions; longest chain 28; at most 262 values live
 // Error:        eps counts units of machine epsilon x |c| sqrt((2L+1)/(4 pi)), the most that the top band alone can
 //               reach
-//               float   rounding  at most 1.6e-05 (109.1 eps)  largest seen 1.5e-06 (13.3 eps)
-//                       total                                  largest seen 2.5e-06 (22.6 eps)
-//               double  rounding  at most 2.8e-14 (105.2 eps)  largest seen 1.6e-15 (6.3 eps)
-//                       total                                  largest seen 2.2e-15 (8.3 eps)
+//               float   rounding  at most 9.9e-06 (71.0 eps)  largest seen 1.9e-06 (14.0 eps)
+//                       total                                 largest seen 1.7e-06 (12.2 eps)
+//               double  rounding  at most 1.8e-14 (68.4 eps)  largest seen 4.2e-15 (16.5 eps)
+//                       total                                 largest seen 5.5e-15 (21.4 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for a direction off length 1 by at most 2 epsilon; coefficients of size 2^-20 to 2^20;
 //               operations round to nearest, with or without contraction
 //               total:    against the exact function at the direction scaled to length 1
 //               seen:     among 400 coefficient vectors (random, of norm 1) with directions (random, axes, poles, near
-//               poles) and 8000 evaluations of a search, without contraction
+//               poles) and 262144 evaluations of a search, without contraction
 #pragma once
 
 #include <type_traits>

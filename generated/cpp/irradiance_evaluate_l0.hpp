@@ -12,18 +12,18 @@
 //               constants derived exactly
 // Cost:         1 multiplications, 0 additions; longest chain 1; at most 1 values live
 // Error:        eps counts units of machine epsilon x the norm of c
-//               float   rounding  at most 8.0e-08 (0.7 eps)  largest seen 4.9e-08 (0.7 eps)
-//                       total                                largest seen 4.9e-08 (0.7 eps)
-//               double  rounding  at most 1.4e-16 (0.7 eps)  largest seen 9.3e-17 (0.6 eps)
-//                       total                                largest seen 9.3e-17 (0.6 eps)
+//               float   rounding  at most 8.0e-08 (0.7 eps)  largest seen 4.5e-08 (0.7 eps)
+//                       total                                largest seen 4.5e-08 (0.7 eps)
+//               double  rounding  at most 1.4e-16 (0.7 eps)  largest seen 7.8e-17 (0.6 eps)
+//                       total                                largest seen 7.8e-17 (0.6 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for a direction off length 1 by at most 2 epsilon; coefficients of size 2^-20 to 2^20;
 //               operations round to nearest, with or without contraction
 //               total:    against the exact function at the direction scaled to length 1
 //               seen:     among 558 coefficient vectors (random, of norm 1) with normals (random, axes, poles, near
-//               poles) and 8000 evaluations of a search, without contraction
-//               worst:    float c (1), x, y, z = 0.571981, 0.0, 0.0, 1.0
-//                         double c (1), x, y, z = 0.6239653135224122, 0.0, 0.0, 1.0
+//               poles) and 262144 evaluations of a search, without contraction
+//               worst:    float c (1), x, y, z = -0.56437045, 0.043299865, 0.0034339584, 0.9990562
+//                         double c (1), x, y, z = -0.5648049570903321, -0.00175962502949545, 0.010575591470677034, -0.9999425286409219
 #pragma once
 
 #include <type_traits>

@@ -11,16 +11,16 @@
 // Source:       Y. O'Donnell, "Precomputed Global Illumination in Frostbite", GDC 2018; constants derived exactly
 // Cost:         3 multiplications, 3 additions; longest chain 4; at most 7 values live
 // Error:        eps counts units of machine epsilon x the norm of e
-//               float   rounding  at most 3.0e-07 (2.6 eps)  largest seen 2.1e-07 (2.1 eps)
-//                       total                                largest seen 2.1e-07 (2.0 eps)
-//               double  rounding  at most 5.6e-16 (2.6 eps)  largest seen 4.0e-16 (1.8 eps)
-//                       total                                largest seen 3.9e-16 (1.7 eps)
+//               float   rounding  at most 3.0e-07 (2.6 eps)  largest seen 2.1e-07 (2.3 eps)
+//                       total                                largest seen 2.3e-07 (2.5 eps)
+//               double  rounding  at most 5.6e-16 (2.6 eps)  largest seen 4.0e-16 (2.3 eps)
+//                       total                                largest seen 4.2e-16 (2.4 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for a direction off length 1 by at most 2 epsilon; coefficients of size 2^-20 to 2^20;
 //               operations round to nearest, with or without contraction
 //               total:    against the exact function at the direction scaled to length 1
 //               seen:     among 558 coefficient vectors (random, of norm 1) with normals (random, axes, poles, near
-//               poles) and 8000 evaluations of a search, without contraction
+//               poles) and 262144 evaluations of a search, without contraction
 #pragma once
 
 #include <type_traits>

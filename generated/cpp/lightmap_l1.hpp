@@ -10,15 +10,15 @@
 // Source:       Y. O'Donnell, "Precomputed Global Illumination in Frostbite", GDC 2018; constants derived exactly
 // Cost:         4 multiplications, 0 additions; longest chain 1; at most 4 values live
 // Error:        eps counts units of machine epsilon x |out|
-//               float   rounding  at most 1.1e-07 (0.9 eps)  largest seen 1.1e-07 (0.9 eps)
+//               float   rounding  at most 1.1e-07 (0.9 eps)  largest seen 1.0e-07 (0.9 eps)
 //               double  rounding  at most 1.4e-16 (0.7 eps)  largest seen 8.2e-17 (0.7 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for coefficients of size 2^-20 to 2^20; operations round to nearest, with or without
 //               contraction
-//               seen:     among 400 coefficient vectors (random, of norm 1) and 8000 evaluations of a search, without
+//               seen:     among 400 coefficient vectors (random, of norm 1) and 262144 evaluations of a search, without
 //               contraction
-//               worst:    float c (4) = 0.04665087, 0.4906518, -0.11095639, 0.8630024
-//                         double c (4) = 0.14172967648562274, 0.9338257003741061, -0.19765776827605228, 0.26232359170349545
+//               worst:    float c (4) = 0.37605536, 0.5323608, 0.5131591, -0.48893085
+//                         double c (4) = 0.28219937362060354, 0.6276299083085395, -0.7196920157164295, 0.09212824886415709
 #pragma once
 
 #include <type_traits>

@@ -12,15 +12,15 @@
 //               and Squares", Microsoft Research, 2006; pairs and sums found by search
 // Cost:         2 multiplications, 0 additions; longest chain 2; at most 2 values live
 // Error:        eps counts units of machine epsilon x |a| |b|
-//               float   rounding  at most 4.9e-08 (0.5 eps)  largest seen 4.1e-08 (0.4 eps)
-//               double  rounding  at most 6.7e-17 (0.3 eps)  largest seen 5.9e-17 (0.3 eps)
+//               float   rounding  at most 4.9e-08 (0.5 eps)  largest seen 4.2e-08 (0.4 eps)
+//               double  rounding  at most 6.7e-17 (0.3 eps)  largest seen 5.7e-17 (0.3 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for coefficients of size 2^-20 to 2^20; operations round to nearest, with or without
 //               contraction
-//               seen:     among 120 sets of unit vectors of coefficients (random, single coefficients, equal) and 8000
-//               evaluations of a search, without contraction
-//               worst:    float a (1), b (1) = -0.22503234, -0.9888028
-//                         double a (1), b (1) = 0.4434089262401826, -0.999999997433194
+//               seen:     among 120 sets of unit vectors of coefficients (random, single coefficients, equal) and
+//               262144 evaluations of a search, without contraction
+//               worst:    float a (1), b (1) = -0.93920875, -0.9491587
+//                         double a (1), b (1) = -0.9536543082989795, -0.9307259026379822
 #pragma once
 
 #include <type_traits>

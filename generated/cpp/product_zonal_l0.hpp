@@ -12,15 +12,15 @@
 //               sums found by search
 // Cost:         2 multiplications, 0 additions; longest chain 2; at most 2 values live
 // Error:        eps counts units of machine epsilon x |a| |zonal|
-//               float   rounding  at most 4.9e-08 (0.5 eps)  largest seen 4.4e-08 (0.4 eps)
-//               double  rounding  at most 6.7e-17 (0.3 eps)  largest seen 5.9e-17 (0.3 eps)
+//               float   rounding  at most 4.9e-08 (0.5 eps)  largest seen 4.3e-08 (0.4 eps)
+//               double  rounding  at most 6.7e-17 (0.3 eps)  largest seen 5.7e-17 (0.3 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for coefficients of size 2^-20 to 2^20; operations round to nearest, with or without
 //               contraction
-//               seen:     among 120 sets of unit vectors of coefficients (random, single coefficients, equal) and 8000
-//               evaluations of a search, without contraction
-//               worst:    float a (1), zonal (1) = 0.9741352, -0.94452995
-//                         double a (1), zonal (1) = -0.497403049865184, -0.9374999164800579
+//               seen:     among 120 sets of unit vectors of coefficients (random, single coefficients, equal) and
+//               262144 evaluations of a search, without contraction
+//               worst:    float a (1), zonal (1) = -0.9868576, -0.91782653
+//                         double a (1), zonal (1) = -0.9474429758365386, -0.9362329229282997
 #pragma once
 
 #include <type_traits>

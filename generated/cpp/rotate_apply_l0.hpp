@@ -15,7 +15,7 @@
 //               double  rounding  largest seen 0.0e+00 (0.0 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  no bound is proved: an input is a band matrices
-//               seen:     among 300 random unit vectors and matrices with rows of length 1 and 8000 evaluations of a
+//               seen:     among 300 random unit vectors and matrices with rows of length 1 and 262144 evaluations of a
 //               search, without contraction
 #pragma once
 

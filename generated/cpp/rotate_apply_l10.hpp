@@ -11,11 +11,11 @@
 // Source:       the product of a matrix and a vector
 // Cost:         1770 multiplications, 1650 additions; longest chain 21; at most 1891 values live
 // Error:        eps counts units of machine epsilon x |c|
-//               float   rounding  largest seen 1.1e-07 (0.9 eps)
-//               double  rounding  largest seen 2.1e-16 (0.9 eps)
+//               float   rounding  largest seen 4.0e-07 (3.3 eps)
+//               double  rounding  largest seen 7.7e-16 (3.5 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  no bound is proved: an input is a band matrices
-//               seen:     among 100 random unit vectors and matrices with rows of length 1 and 1000 evaluations of a
+//               seen:     among 100 random unit vectors and matrices with rows of length 1 and 60160 evaluations of a
 //               search, without contraction
 #pragma once
 

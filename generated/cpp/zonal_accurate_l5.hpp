@@ -11,16 +11,16 @@
 //               Spherical Harmonics (SH) Tricks", GDC 2008; constants derived exactly
 // Cost:         85 multiplications, 20 additions; longest chain 9; at most 13 values live
 // Error:        eps counts units of machine epsilon x |zonal[l]|
-//               float   rounding  at most 1.7e-06 (13.9 eps)  largest seen 3.8e-07 (5.0 eps)
-//                       total                                 largest seen 4.6e-07 (5.7 eps)
-//               double  rounding  at most 3.0e-15 (13.4 eps)  largest seen 7.5e-16 (5.3 eps)
-//                       total                                 largest seen 1.2e-15 (9.8 eps)
+//               float   rounding  at most 1.7e-06 (13.9 eps)  largest seen 3.0e-07 (6.3 eps)
+//                       total                                 largest seen 4.6e-07 (7.7 eps)
+//               double  rounding  at most 3.0e-15 (13.4 eps)  largest seen 5.6e-16 (6.4 eps)
+//                       total                                 largest seen 7.0e-16 (9.8 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for a direction off length 1 by at most 2 epsilon; coefficients of size 2^-20 to 2^20;
 //               operations round to nearest, with or without contraction
 //               total:    against the exact function at the direction scaled to length 1
 //               seen:     among 558 directions (random, axes, poles, near poles) with random zonal functions of norm 1
-//               and 8000 evaluations of a search, without contraction
+//               and 262144 evaluations of a search, without contraction
 #pragma once
 
 #include <type_traits>

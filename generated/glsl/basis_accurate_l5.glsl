@@ -10,18 +10,18 @@
 // Source:       polynomials in 2z^2-1 for m <= 2, the recurrence in l for m > 2, doubling in m; derived exactly
 // Cost:         66 multiplications, 32 additions; longest chain 11; at most 17 values live
 // Error:        eps counts units of machine epsilon x sqrt((2l+1)/(4 pi))
-//               float   rounding  at most 7.9e-07 (7.1 eps)  largest seen 3.6e-07 (3.2 eps)
+//               float   rounding  at most 7.8e-07 (7.1 eps)  largest seen 4.2e-07 (3.8 eps)
 //                       total                                largest seen 5.1e-07 (4.6 eps)
-//               double  rounding  at most 1.5e-15 (7.1 eps)  largest seen 7.1e-16 (3.4 eps)
+//               double  rounding  at most 1.4e-15 (7.1 eps)  largest seen 7.4e-16 (3.6 eps)
 //                       total                                largest seen 1.7e-15 (8.4 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for a direction off length 1 by at most 2 epsilon; operations round to nearest, with
 //               or without contraction
 //               total:    against the exact function at the input scaled to length 1
-//               seen:     among 1110 directions (random, axes, poles, near poles) and 8000 evaluations of a search,
+//               seen:     among 1110 directions (random, axes, poles, near poles) and 262144 evaluations of a search,
 //               without contraction
-//               worst:    float x, y, z = -0.10775177, 0.9941282, 0.009932803
-//                         double x, y, z = -0.9945734635914623, -0.0896898798392618, 0.0527195502076892
+//               worst:    float x, y, z = -0.99829084, 0.032689065, 0.048444077
+//                         double x, y, z = -0.999980379882919, 0.0062632654788521225, -0.00010655869065107815
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

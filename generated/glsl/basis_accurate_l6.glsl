@@ -10,18 +10,18 @@
 // Source:       polynomials in 2z^2-1 for m <= 2, the recurrence in l for m > 2, doubling in m; derived exactly
 // Cost:         93 multiplications, 43 additions; longest chain 11; at most 17 values live
 // Error:        eps counts units of machine epsilon x sqrt((2l+1)/(4 pi))
-//               float   rounding  at most 1.8e-06 (14.5 eps)  largest seen 5.7e-07 (4.7 eps)
+//               float   rounding  at most 1.8e-06 (14.5 eps)  largest seen 6.7e-07 (5.6 eps)
 //                       total                                 largest seen 7.7e-07 (6.3 eps)
-//               double  rounding  at most 3.3e-15 (14.5 eps)  largest seen 9.6e-16 (4.2 eps)
+//               double  rounding  at most 3.3e-15 (14.5 eps)  largest seen 1.2e-15 (5.1 eps)
 //                       total                                 largest seen 2.9e-15 (12.7 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for a direction off length 1 by at most 2 epsilon; operations round to nearest, with
 //               or without contraction
 //               total:    against the exact function at the input scaled to length 1
-//               seen:     among 1110 directions (random, axes, poles, near poles) and 8000 evaluations of a search,
+//               seen:     among 1110 directions (random, axes, poles, near poles) and 262144 evaluations of a search,
 //               without contraction
-//               worst:    float x, y, z = 0.67047495, -0.7404333, -0.04713764
-//                         double x, y, z = 0.7864906773601527, 0.6082697129590725, -0.10695966867121424
+//               worst:    float x, y, z = 0.004395575, -0.9992823, -0.0376244
+//                         double x, y, z = -0.6693995960793399, -0.7428992818733352, 0.002199491054619469
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

@@ -12,15 +12,15 @@
 // Cost:         630 multiplications, 193 additions, 17 negations; longest chain 22; at most 89 values live
 // Error:        eps counts units of machine epsilon x sqrt((2l+1)/(4 pi)) r^l, for derivatives l sqrt((2l+1)/(4 pi))
 //               r^(l-1)
-//               float   rounding  at most 1277.4 eps  largest seen 4.7e-03 (39.4 eps)
-//               double  rounding  at most 1237.8 eps  largest seen 2.2e-11 (29.3 eps)
+//               float   rounding  at most 387.0 eps  largest seen 2.5e-02 (42.8 eps)
+//               double  rounding  at most 373.5 eps  largest seen 4.8e-11 (50.8 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for vectors of length 0.1 to 4; operations round to nearest, with or without
 //               contraction
-//               seen:     among 454 vectors (random, axes, poles, near poles; lengths 1/3 to 2) and 1000 evaluations of
-//               a search, without contraction
-//               worst:    float x, y, z = -0.0002130036, 0.00011551222, 1.0201337
-//                         double x, y, z = -4.082191316545377e-05, -4.498180113659722e-05, 1.0058790162380473
+//               seen:     among 454 vectors (random, axes, poles, near poles; lengths 1/3 to 2) and 262144 evaluations
+//               of a search, without contraction
+//               worst:    float x, y, z = -0.0002326027, -0.027750632, 1.0005432
+//                         double x, y, z = -1.983656494885424e-05, -0.007049169905778955, 0.5092911191797582
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

@@ -12,15 +12,15 @@
 // Cost:         406 multiplications, 116 additions, 13 negations; longest chain 18; at most 53 values live
 // Error:        eps counts units of machine epsilon x sqrt((2l+1)/(4 pi)) r^l, for derivatives l sqrt((2l+1)/(4 pi))
 //               r^(l-1)
-//               float   rounding  at most 167.1 eps  largest seen 6.4e-04 (23.2 eps)
-//               double  rounding  at most 162.9 eps  largest seen 2.6e-12 (25.7 eps)
+//               float   rounding  at most 75.6 eps  largest seen 6.4e-04 (35.2 eps)
+//               double  rounding  at most 74.8 eps  largest seen 2.6e-12 (31.1 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for vectors of length 0.1 to 4; operations round to nearest, with or without
 //               contraction
-//               seen:     among 454 vectors (random, axes, poles, near poles; lengths 1/3 to 2) and 8000 evaluations of
-//               a search, without contraction
-//               worst:    float x, y, z = -0.13676679, 0.0069292374, -1.5403135
-//                         double x, y, z = -0.0395267542340719, 0.0, 0.7180778057764031
+//               seen:     among 454 vectors (random, axes, poles, near poles; lengths 1/3 to 2) and 262144 evaluations
+//               of a search, without contraction
+//               worst:    float x, y, z = -0.07063647, 0.014350183, -1.1093447
+//                         double x, y, z = 2.3981550348031562e-08, 1.897443273530289e-05, -1.0866070159573613
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

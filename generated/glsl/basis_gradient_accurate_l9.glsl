@@ -12,15 +12,15 @@
 // Cost:         512 multiplications, 152 additions, 15 negations; longest chain 20; at most 70 values live
 // Error:        eps counts units of machine epsilon x sqrt((2l+1)/(4 pi)) r^l, for derivatives l sqrt((2l+1)/(4 pi))
 //               r^(l-1)
-//               float   rounding  at most 456.5 eps  largest seen 1.6e-03 (33.2 eps)
-//               double  rounding  at most 445.4 eps  largest seen 1.3e-11 (30.3 eps)
+//               float   rounding  at most 120.7 eps  largest seen 1.6e-03 (46.3 eps)
+//               double  rounding  at most 162.1 eps  largest seen 7.6e-12 (41.4 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for vectors of length 0.1 to 4; operations round to nearest, with or without
 //               contraction
-//               seen:     among 454 vectors (random, axes, poles, near poles; lengths 1/3 to 2) and 8000 evaluations of
-//               a search, without contraction
-//               worst:    float x, y, z = 0.08546919, 0.008292683, -1.0757209
-//                         double x, y, z = -4.0803772256802725e-05, -4.48171492341616e-05, 1.000329337412382
+//               seen:     among 454 vectors (random, axes, poles, near poles; lengths 1/3 to 2) and 262144 evaluations
+//               of a search, without contraction
+//               worst:    float x, y, z = 0.023742089, -0.0042560752, -1.0233061
+//                         double x, y, z = 5.1172676504930204e-05, 8.533050479638533e-05, -1.0000005842728739
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

@@ -12,15 +12,15 @@
 // Cost:         19 multiplications, 3 additions, 1 negations; longest chain 4; at most 7 values live
 // Error:        eps counts units of machine epsilon x sqrt((2l+1)/(4 pi)) r^l, for derivatives l sqrt((2l+1)/(4 pi))
 //               r^(l-1)
-//               float   rounding  at most 1.7 eps  largest seen 2.5e-07 (1.4 eps)
-//               double  rounding  at most 1.8 eps  largest seen 7.3e-16 (1.5 eps)
+//               float   rounding  at most 1.7 eps  largest seen 3.7e-07 (1.6 eps)
+//               double  rounding  at most 1.8 eps  largest seen 5.1e-16 (1.6 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for vectors of length 0.1 to 4; operations round to nearest, with or without
 //               contraction
-//               seen:     among 454 vectors (random, axes, poles, near poles; lengths 1/3 to 2) and 8000 evaluations of
-//               a search, without contraction
-//               worst:    float x, y, z = 0.13105303, 1.0707633, 0.0
-//                         double x, y, z = -2.638499741878611e-08, -2.247707604590255e-07, -0.9386796084695918
+//               seen:     among 454 vectors (random, axes, poles, near poles; lengths 1/3 to 2) and 262144 evaluations
+//               of a search, without contraction
+//               worst:    float x, y, z = -0.00021143198, -0.5019109, -7.857367e-09
+//                         double x, y, z = -3.4946320651646173e-08, -1.0001755608082323, -2.9300192797849375e-09
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

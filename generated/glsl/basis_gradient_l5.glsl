@@ -12,15 +12,15 @@
 // Cost:         136 multiplications, 37 additions, 7 negations; longest chain 9; at most 21 values live
 // Error:        eps counts units of machine epsilon x sqrt((2l+1)/(4 pi)) r^l, for derivatives l sqrt((2l+1)/(4 pi))
 //               r^(l-1)
-//               float   rounding  at most 18.4 eps  largest seen 1.7e-05 (8.6 eps)
-//               double  rounding  at most 19.3 eps  largest seen 7.0e-14 (10.1 eps)
+//               float   rounding  at most 18.5 eps  largest seen 1.7e-05 (10.7 eps)
+//               double  rounding  at most 19.3 eps  largest seen 7.4e-14 (10.9 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for vectors of length 0.1 to 4; operations round to nearest, with or without
 //               contraction
-//               seen:     among 454 vectors (random, axes, poles, near poles; lengths 1/3 to 2) and 8000 evaluations of
-//               a search, without contraction
-//               worst:    float x, y, z = -2.4775885e-05, 8.26499e-05, 0.45321158
-//                         double x, y, z = -4.710534842400236e-06, 6.001543040317599e-06, 0.45207416783794
+//               seen:     among 454 vectors (random, axes, poles, near poles; lengths 1/3 to 2) and 262144 evaluations
+//               of a search, without contraction
+//               worst:    float x, y, z = 0.026720755, 0.05057194, -1.0119381
+//                         double x, y, z = 2.043389904645283e-05, 0.0004410239405055942, -0.5000006325750553
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

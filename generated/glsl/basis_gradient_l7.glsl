@@ -12,15 +12,15 @@
 // Cost:         270 multiplications, 84 additions, 11 negations; longest chain 13; at most 43 values live
 // Error:        eps counts units of machine epsilon x sqrt((2l+1)/(4 pi)) r^l, for derivatives l sqrt((2l+1)/(4 pi))
 //               r^(l-1)
-//               float   rounding  at most 45.6 eps  largest seen 2.3e-04 (19.9 eps)
-//               double  rounding  at most 47.4 eps  largest seen 1.4e-12 (20.6 eps)
+//               float   rounding  at most 46.6 eps  largest seen 2.3e-04 (20.2 eps)
+//               double  rounding  at most 47.7 eps  largest seen 1.0e-12 (24.3 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for vectors of length 0.1 to 4; operations round to nearest, with or without
 //               contraction
-//               seen:     among 454 vectors (random, axes, poles, near poles; lengths 1/3 to 2) and 8000 evaluations of
-//               a search, without contraction
-//               worst:    float x, y, z = -0.000104955914, 6.233311e-05, 0.52546966
-//                         double x, y, z = -4.710650412618094e-06, 6.031342834289053e-06, 1.0206651583340531
+//               seen:     among 454 vectors (random, axes, poles, near poles; lengths 1/3 to 2) and 262144 evaluations
+//               of a search, without contraction
+//               worst:    float x, y, z = 5.6540903e-05, 0.0040186644, -1.0315104
+//                         double x, y, z = -0.023930943853813096, 5.708815569260232e-08, -1.008718552578194
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

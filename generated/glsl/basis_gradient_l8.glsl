@@ -12,15 +12,15 @@
 // Cost:         354 multiplications, 115 additions, 13 negations; longest chain 15; at most 58 values live
 // Error:        eps counts units of machine epsilon x sqrt((2l+1)/(4 pi)) r^l, for derivatives l sqrt((2l+1)/(4 pi))
 //               r^(l-1)
-//               float   rounding  at most 73.1 eps  largest seen 7.4e-04 (23.6 eps)
-//               double  rounding  at most 72.3 eps  largest seen 4.1e-12 (28.8 eps)
+//               float   rounding  at most 61.6 eps  largest seen 7.4e-04 (29.0 eps)
+//               double  rounding  at most 64.7 eps  largest seen 2.6e-12 (29.3 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for vectors of length 0.1 to 4; operations round to nearest, with or without
 //               contraction
-//               seen:     among 454 vectors (random, axes, poles, near poles; lengths 1/3 to 2) and 8000 evaluations of
-//               a search, without contraction
-//               worst:    float x, y, z = -0.000113898466, 4.391234e-05, 0.57775414
-//                         double x, y, z = -4.707877787527554e-06, -4.707946546114723e-06, 1.007201031842118
+//               seen:     among 454 vectors (random, axes, poles, near poles; lengths 1/3 to 2) and 262144 evaluations
+//               of a search, without contraction
+//               worst:    float x, y, z = 5.000087e-05, 0.0016696528, -1.005945
+//                         double x, y, z = 5.134982029328155e-07, 0.006598954873043504, -1.0086649349037082
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

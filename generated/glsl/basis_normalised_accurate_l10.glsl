@@ -11,15 +11,15 @@
 // Cost:         275 multiplications, 108 additions, 1 divisions, 1 square roots; longest chain 22; at most 27 values
 //               live
 // Error:        eps counts units of machine epsilon x sqrt((2l+1)/(4 pi))
-//               float   rounding  at most 1390.4 eps  largest seen 8.4e-06 (57.4 eps)
-//               double  rounding  at most 1373.8 eps  largest seen 1.6e-14 (56.9 eps)
+//               float   rounding  at most 343.8 eps  largest seen 8.9e-06 (60.5 eps)
+//               double  rounding  at most 341.5 eps  largest seen 1.8e-14 (65.3 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for vectors of length 1e-15 to 1e+15; operations round to nearest, with or without
 //               contraction
-//               seen:     among 558 vectors (random, axes, poles, near poles; lengths 2^-20 to 2^20) and 8000
+//               seen:     among 558 vectors (random, axes, poles, near poles; lengths 2^-20 to 2^20) and 262144
 //               evaluations of a search, without contraction
-//               worst:    float x, y, z = -6.575509, -4.5785227, 132.5051
-//                         double x, y, z = 1.7724111714272095, 0.0, -266929.7064475938
+//               worst:    float x, y, z = 0.51080143, -0.11721808, -68.40074
+//                         double x, y, z = 0.4674427068304832, -0.11840349478448604, -64.04153037888588
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

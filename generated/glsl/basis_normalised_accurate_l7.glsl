@@ -11,15 +11,15 @@
 // Cost:         135 multiplications, 58 additions, 1 divisions, 1 square roots; longest chain 18; at most 21 values
 //               live
 // Error:        eps counts units of machine epsilon x sqrt((2l+1)/(4 pi))
-//               float   rounding  at most 132.5 eps  largest seen 4.2e-06 (31.9 eps)
-//               double  rounding  at most 129.8 eps  largest seen 9.4e-15 (38.8 eps)
+//               float   rounding  at most 68.2 eps  largest seen 4.8e-06 (37.2 eps)
+//               double  rounding  at most 66.7 eps  largest seen 9.8e-15 (40.5 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for vectors of length 1e-15 to 1e+15; operations round to nearest, with or without
 //               contraction
-//               seen:     among 558 vectors (random, axes, poles, near poles; lengths 2^-20 to 2^20) and 8000
+//               seen:     among 558 vectors (random, axes, poles, near poles; lengths 2^-20 to 2^20) and 262144
 //               evaluations of a search, without contraction
-//               worst:    float x, y, z = 0.5025767, -0.1177523, -31.994478
-//                         double x, y, z = 0.4863216441414959, -0.1185821871374159, -64.04153007154717
+//               worst:    float x, y, z = 0.09116146, -0.032768015, -17.190678
+//                         double x, y, z = 0.48632108526765655, -0.11760568423655199, -64.0414807212094
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

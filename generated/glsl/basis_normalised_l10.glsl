@@ -12,15 +12,15 @@
 // Cost:         236 multiplications, 65 additions, 1 divisions, 1 square roots; longest chain 25; at most 23 values
 //               live
 // Error:        eps counts units of machine epsilon x sqrt((2l+1)/(4 pi))
-//               float   rounding  at most 1712.8 eps  largest seen 1.2e-05 (79.9 eps)
-//               double  rounding  at most 1676.1 eps  largest seen 2.5e-14 (86.7 eps)
+//               float   rounding  at most 467.7 eps  largest seen 1.3e-05 (86.8 eps)
+//               double  rounding  at most 461.5 eps  largest seen 2.8e-14 (96.2 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for vectors of length 1e-15 to 1e+15; operations round to nearest, with or without
 //               contraction
-//               seen:     among 558 vectors (random, axes, poles, near poles; lengths 2^-20 to 2^20) and 8000
+//               seen:     among 558 vectors (random, axes, poles, near poles; lengths 2^-20 to 2^20) and 262144
 //               evaluations of a search, without contraction
-//               worst:    float x, y, z = -0.0033713437, -0.25556117, 16.09236
-//                         double x, y, z = 1.798759152649573, -31.987391496296553, -263333.3137646618
+//               worst:    float x, y, z = 0.0887994, -0.032734916, -17.25788
+//                         double x, y, z = 0.028928517101218784, -0.008006278903010667, -8.008301283495475
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

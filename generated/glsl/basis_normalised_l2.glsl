@@ -11,15 +11,15 @@
 //               exactly
 // Cost:         18 multiplications, 5 additions, 1 divisions, 1 square roots; longest chain 9; at most 5 values live
 // Error:        eps counts units of machine epsilon x sqrt((2l+1)/(4 pi))
-//               float   rounding  at most 8.4 eps  largest seen 3.3e-07 (4.4 eps)
-//               double  rounding  at most 8.3 eps  largest seen 6.1e-16 (4.4 eps)
+//               float   rounding  at most 8.3 eps  largest seen 3.8e-07 (5.0 eps)
+//               double  rounding  at most 8.3 eps  largest seen 6.8e-16 (4.9 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for vectors of length 1e-15 to 1e+15; operations round to nearest, with or without
 //               contraction
-//               seen:     among 558 vectors (random, axes, poles, near poles; lengths 2^-20 to 2^20) and 8000
+//               seen:     among 558 vectors (random, axes, poles, near poles; lengths 2^-20 to 2^20) and 262144
 //               evaluations of a search, without contraction
-//               worst:    float x, y, z = -3.873462e-06, -6.4414835e-06, -3.1283125e-05
-//                         double x, y, z = -31.950360825547662, -31.950360851456942, -262154.8819156027
+//               worst:    float x, y, z = 0.01509729, -6.519987e-11, 4.0326176
+//                         double x, y, z = -9.047740095258351e-08, 0.13500241399025525, -8.008799242744027
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

@@ -11,15 +11,15 @@
 //               exactly
 // Cost:         30 multiplications, 10 additions, 1 divisions, 1 square roots; longest chain 11; at most 9 values live
 // Error:        eps counts units of machine epsilon x sqrt((2l+1)/(4 pi))
-//               float   rounding  at most 16.6 eps  largest seen 5.9e-07 (6.6 eps)
-//               double  rounding  at most 16.8 eps  largest seen 1.4e-15 (8.4 eps)
+//               float   rounding  at most 16.3 eps  largest seen 7.5e-07 (8.4 eps)
+//               double  rounding  at most 16.4 eps  largest seen 1.5e-15 (9.3 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for vectors of length 1e-15 to 1e+15; operations round to nearest, with or without
 //               contraction
-//               seen:     among 558 vectors (random, axes, poles, near poles; lengths 2^-20 to 2^20) and 8000
+//               seen:     among 558 vectors (random, axes, poles, near poles; lengths 2^-20 to 2^20) and 262144
 //               evaluations of a search, without contraction
-//               worst:    float x, y, z = 34069.24, -6829.84, -5125.141
-//                         double x, y, z = 1.8074346212563737, -30.950357667522265, -262156.8231112918
+//               worst:    float x, y, z = 0.00032663744, -5.9604645e-08, 0.0017197559
+//                         double x, y, z = 0.4863215667260033, -0.11760568426007265, -64.16657671056899
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

@@ -11,15 +11,15 @@
 //               exactly
 // Cost:         91 multiplications, 27 additions, 1 divisions, 1 square roots; longest chain 17; at most 15 values live
 // Error:        eps counts units of machine epsilon x sqrt((2l+1)/(4 pi))
-//               float   rounding  at most 96.8 eps  largest seen 3.2e-06 (26.6 eps)
-//               double  rounding  at most 97.4 eps  largest seen 7.7e-15 (34.3 eps)
+//               float   rounding  at most 66.1 eps  largest seen 3.8e-06 (31.4 eps)
+//               double  rounding  at most 67.6 eps  largest seen 8.9e-15 (39.4 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for vectors of length 1e-15 to 1e+15; operations round to nearest, with or without
 //               contraction
-//               seen:     among 558 vectors (random, axes, poles, near poles; lengths 2^-20 to 2^20) and 8000
+//               seen:     among 558 vectors (random, axes, poles, near poles; lengths 2^-20 to 2^20) and 262144
 //               evaluations of a search, without contraction
-//               worst:    float x, y, z = 0.4864003, -0.11791107, -93.80858
-//                         double x, y, z = 1.798759152649573, -31.987391496296553, -263333.3137646618
+//               worst:    float x, y, z = 0.031575017, 0.01443824, -19.930462
+//                         double x, y, z = 1.8073327183608319, -31.949731523200867, -262166.68038979615
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

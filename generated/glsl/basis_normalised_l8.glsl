@@ -12,15 +12,15 @@
 // Cost:         155 multiplications, 44 additions, 1 divisions, 1 square roots; longest chain 21; at most 19 values
 //               live
 // Error:        eps counts units of machine epsilon x sqrt((2l+1)/(4 pi))
-//               float   rounding  at most 300.5 eps  largest seen 7.0e-06 (50.8 eps)
-//               double  rounding  at most 295.3 eps  largest seen 1.5e-14 (58.4 eps)
+//               float   rounding  at most 119.0 eps  largest seen 7.4e-06 (53.4 eps)
+//               double  rounding  at most 122.6 eps  largest seen 1.7e-14 (64.4 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for vectors of length 1e-15 to 1e+15; operations round to nearest, with or without
 //               contraction
-//               seen:     among 558 vectors (random, axes, poles, near poles; lengths 2^-20 to 2^20) and 8000
+//               seen:     among 558 vectors (random, axes, poles, near poles; lengths 2^-20 to 2^20) and 262144
 //               evaluations of a search, without contraction
-//               worst:    float x, y, z = -0.005118772, -0.18828298, 16.090342
-//                         double x, y, z = 1.798759152649573, -31.987391496296553, -263333.3137646618
+//               worst:    float x, y, z = 0.081995375, -0.03277191, -17.191584
+//                         double x, y, z = 0.09478566749268827, 0.00024149868610491123, -16.03882010998954
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

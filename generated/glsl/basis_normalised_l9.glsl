@@ -12,15 +12,15 @@
 // Cost:         195 multiplications, 54 additions, 1 divisions, 1 square roots; longest chain 23; at most 23 values
 //               live
 // Error:        eps counts units of machine epsilon x sqrt((2l+1)/(4 pi))
-//               float   rounding  at most 637.6 eps  largest seen 9.4e-06 (64.0 eps)
-//               double  rounding  at most 628.0 eps  largest seen 2.0e-14 (72.2 eps)
+//               float   rounding  at most 169.1 eps  largest seen 1.0e-05 (69.5 eps)
+//               double  rounding  at most 167.3 eps  largest seen 2.2e-14 (80.7 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for vectors of length 1e-15 to 1e+15; operations round to nearest, with or without
 //               contraction
-//               seen:     among 558 vectors (random, axes, poles, near poles; lengths 2^-20 to 2^20) and 8000
+//               seen:     among 558 vectors (random, axes, poles, near poles; lengths 2^-20 to 2^20) and 262144
 //               evaluations of a search, without contraction
-//               worst:    float x, y, z = 0.47054893, -0.119077355, -65.74024
-//                         double x, y, z = 1.798759152649573, -31.987391496296553, -263333.3137646618
+//               worst:    float x, y, z = 0.0887994, -0.032734916, -17.25788
+//                         double x, y, z = 0.0947917088845392, 0.00024149962712924006, -16.038795791440197
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

@@ -13,16 +13,16 @@
 // Cost:         7 multiplications, 3 additions; longest chain 4; at most 7 values live
 // Error:        eps counts units of machine epsilon x |c| sqrt((2L+1)/(4 pi)), the most that the top band alone can
 //               reach
-//               float   rounding  at most 1.4e-07 (2.5 eps)  largest seen 9.6e-08 (1.7 eps)
-//                       total                                largest seen 1.0e-07 (1.8 eps)
-//               double  rounding  at most 2.4e-16 (2.2 eps)  largest seen 1.5e-16 (1.5 eps)
-//                       total                                largest seen 1.4e-16 (1.7 eps)
+//               float   rounding  at most 1.5e-07 (2.5 eps)  largest seen 1.1e-07 (2.0 eps)
+//                       total                                largest seen 1.1e-07 (2.1 eps)
+//               double  rounding  at most 2.5e-16 (2.3 eps)  largest seen 1.8e-16 (1.8 eps)
+//                       total                                largest seen 1.9e-16 (1.8 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for a direction off length 1 by at most 2 epsilon; coefficients of size 2^-20 to 2^20;
 //               operations round to nearest, with or without contraction
 //               total:    against the exact function at the direction scaled to length 1
 //               seen:     among 400 coefficient vectors (random, of norm 1) with directions (random, axes, poles, near
-//               poles) and 8000 evaluations of a search, without contraction
+//               poles) and 262144 evaluations of a search, without contraction
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

@@ -13,16 +13,16 @@
 // Cost:         51 multiplications, 36 additions; longest chain 16; at most 33 values live
 // Error:        eps counts units of machine epsilon x |c| sqrt((2L+1)/(4 pi)), the most that the top band alone can
 //               reach
-//               float   rounding  at most 2.0e-06 (19.4 eps)  largest seen 5.2e-07 (6.1 eps)
-//                       total                                 largest seen 5.1e-07 (6.4 eps)
-//               double  rounding  at most 3.8e-15 (19.8 eps)  largest seen 7.2e-16 (4.2 eps)
-//                       total                                 largest seen 8.3e-16 (4.5 eps)
+//               float   rounding  at most 1.9e-06 (18.1 eps)  largest seen 7.1e-07 (7.4 eps)
+//                       total                                 largest seen 1.1e-06 (11.1 eps)
+//               double  rounding  at most 3.6e-15 (18.8 eps)  largest seen 1.7e-15 (9.1 eps)
+//                       total                                 largest seen 1.9e-15 (10.0 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for a direction off length 1 by at most 2 epsilon; coefficients of size 2^-20 to 2^20;
 //               operations round to nearest, with or without contraction
 //               total:    against the exact function at the direction scaled to length 1
 //               seen:     among 400 coefficient vectors (random, of norm 1) with directions (random, axes, poles, near
-//               poles) and 8000 evaluations of a search, without contraction
+//               poles) and 262144 evaluations of a search, without contraction
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

@@ -13,16 +13,16 @@
 // Cost:         102 multiplications, 73 additions; longest chain 23; at most 64 values live
 // Error:        eps counts units of machine epsilon x |c| sqrt((2L+1)/(4 pi)), the most that the top band alone can
 //               reach
-//               float   rounding  at most 5.4e-06 (43.8 eps)  largest seen 6.4e-07 (5.6 eps)
-//                       total                                 largest seen 5.9e-07 (5.2 eps)
-//               double  rounding  at most 9.8e-15 (43.4 eps)  largest seen 1.2e-15 (7.6 eps)
-//                       total                                 largest seen 1.8e-15 (10.4 eps)
+//               float   rounding  at most 3.7e-06 (30.0 eps)  largest seen 1.7e-06 (14.4 eps)
+//                       total                                 largest seen 2.9e-06 (26.8 eps)
+//               double  rounding  at most 7.1e-15 (31.2 eps)  largest seen 3.2e-15 (14.4 eps)
+//                       total                                 largest seen 3.5e-15 (15.3 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for a direction off length 1 by at most 2 epsilon; coefficients of size 2^-20 to 2^20;
 //               operations round to nearest, with or without contraction
 //               total:    against the exact function at the direction scaled to length 1
 //               seen:     among 400 coefficient vectors (random, of norm 1) with directions (random, axes, poles, near
-//               poles) and 8000 evaluations of a search, without contraction
+//               poles) and 262144 evaluations of a search, without contraction
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

@@ -13,16 +13,16 @@
 // Cost:         135 multiplications, 96 additions; longest chain 27; at most 83 values live
 // Error:        eps counts units of machine epsilon x |c| sqrt((2L+1)/(4 pi)), the most that the top band alone can
 //               reach
-//               float   rounding  at most 9.1e-06 (69.5 eps)  largest seen 9.6e-07 (8.7 eps)
-//                       total                                 largest seen 8.1e-07 (6.3 eps)
-//               double  rounding  at most 1.7e-14 (67.8 eps)  largest seen 2.6e-15 (11.8 eps)
-//                       total                                 largest seen 2.1e-15 (9.6 eps)
+//               float   rounding  at most 5.2e-06 (39.7 eps)  largest seen 1.8e-06 (14.0 eps)
+//                       total                                 largest seen 1.9e-06 (14.6 eps)
+//               double  rounding  at most 1.0e-14 (40.9 eps)  largest seen 5.2e-15 (22.2 eps)
+//                       total                                 largest seen 5.4e-15 (23.4 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for a direction off length 1 by at most 2 epsilon; coefficients of size 2^-20 to 2^20;
 //               operations round to nearest, with or without contraction
 //               total:    against the exact function at the direction scaled to length 1
 //               seen:     among 400 coefficient vectors (random, of norm 1) with directions (random, axes, poles, near
-//               poles) and 8000 evaluations of a search, without contraction
+//               poles) and 262144 evaluations of a search, without contraction
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

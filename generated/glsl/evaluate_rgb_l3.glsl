@@ -13,16 +13,16 @@
 // Cost:         65 multiplications, 53 additions; longest chain 12; at most 57 values live
 // Error:        eps counts units of machine epsilon x |c| sqrt((2L+1)/(4 pi)), the most that the top band alone can
 //               reach
-//               float   rounding  at most 8.9e-07 (10.0 eps)  largest seen 1.6e-07 (1.9 eps)
-//                       total                                 largest seen 1.5e-07 (1.8 eps)
-//               double  rounding  at most 1.7e-15 (9.8 eps)   largest seen 4.8e-16 (3.0 eps)
-//                       total                                 largest seen 4.9e-16 (3.2 eps)
+//               float   rounding  at most 8.6e-07 (9.7 eps)  largest seen 3.7e-07 (4.6 eps)
+//                       total                                largest seen 4.3e-07 (4.8 eps)
+//               double  rounding  at most 1.6e-15 (9.4 eps)  largest seen 7.2e-16 (4.5 eps)
+//                       total                                largest seen 6.6e-16 (4.1 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for a direction off length 1 by at most 2 epsilon; coefficients of size 2^-20 to 2^20;
 //               operations round to nearest, with or without contraction
 //               total:    against the exact function at the direction scaled to length 1
 //               seen:     among 400 coefficient vectors (random, of norm 1) with directions (random, axes, poles, near
-//               poles) and 8000 evaluations of a search, without contraction
+//               poles) and 262144 evaluations of a search, without contraction
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

@@ -13,16 +13,16 @@
 // Cost:         101 multiplications, 84 additions; longest chain 16; at most 80 values live
 // Error:        eps counts units of machine epsilon x |c| sqrt((2L+1)/(4 pi)), the most that the top band alone can
 //               reach
-//               float   rounding  at most 2.0e-06 (19.4 eps)  largest seen 5.1e-07 (5.9 eps)
-//                       total                                 largest seen 7.6e-07 (8.6 eps)
-//               double  rounding  at most 3.8e-15 (19.8 eps)  largest seen 7.7e-16 (4.6 eps)
-//                       total                                 largest seen 8.9e-16 (4.7 eps)
+//               float   rounding  at most 1.9e-06 (18.1 eps)  largest seen 8.3e-07 (8.2 eps)
+//                       total                                 largest seen 9.1e-07 (9.0 eps)
+//               double  rounding  at most 3.6e-15 (18.8 eps)  largest seen 1.8e-15 (9.5 eps)
+//                       total                                 largest seen 1.7e-15 (9.1 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for a direction off length 1 by at most 2 epsilon; coefficients of size 2^-20 to 2^20;
 //               operations round to nearest, with or without contraction
 //               total:    against the exact function at the direction scaled to length 1
 //               seen:     among 400 coefficient vectors (random, of norm 1) with directions (random, axes, poles, near
-//               poles) and 8000 evaluations of a search, without contraction
+//               poles) and 262144 evaluations of a search, without contraction
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

@@ -13,16 +13,16 @@
 // Cost:         413 multiplications, 349 additions; longest chain 31; at most 323 values live
 // Error:        eps counts units of machine epsilon x |c| sqrt((2L+1)/(4 pi)), the most that the top band alone can
 //               reach
-//               float   rounding  at most 2.6e-05 (175.9 eps)  largest seen 1.4e-06 (10.5 eps)
-//                       total                                  largest seen 1.4e-06 (10.5 eps)
-//               double  rounding  at most 4.7e-14 (168.8 eps)  largest seen 2.1e-15 (7.7 eps)
-//                       total                                  largest seen 3.5e-15 (12.8 eps)
+//               float   rounding  at most 1.7e-05 (114.2 eps)  largest seen 2.5e-06 (17.3 eps)
+//                       total                                  largest seen 2.3e-06 (15.9 eps)
+//               double  rounding  at most 3.1e-14 (111.1 eps)  largest seen 7.9e-15 (28.9 eps)
+//                       total                                  largest seen 1.3e-02 (47493624518116.2 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for a direction off length 1 by at most 2 epsilon; coefficients of size 2^-20 to 2^20;
 //               operations round to nearest, with or without contraction
 //               total:    against the exact function at the direction scaled to length 1
 //               seen:     among 400 coefficient vectors (random, of norm 1) with directions (random, axes, poles, near
-//               poles) and 1000 evaluations of a search, without contraction
+//               poles) and 262144 evaluations of a search, without contraction
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

@@ -12,16 +12,16 @@
 //               constants derived exactly
 // Cost:         7 multiplications, 3 additions; longest chain 5; at most 7 values live
 // Error:        eps counts units of machine epsilon x the norm of c
-//               float   rounding  at most 4.3e-07 (3.6 eps)  largest seen 2.8e-07 (2.6 eps)
-//                       total                                largest seen 2.9e-07 (2.7 eps)
-//               double  rounding  at most 7.3e-16 (3.3 eps)  largest seen 4.8e-16 (2.2 eps)
-//                       total                                largest seen 4.8e-16 (2.2 eps)
+//               float   rounding  at most 4.3e-07 (3.6 eps)  largest seen 3.2e-07 (3.0 eps)
+//                       total                                largest seen 3.3e-07 (3.2 eps)
+//               double  rounding  at most 7.3e-16 (3.3 eps)  largest seen 5.3e-16 (3.1 eps)
+//                       total                                largest seen 5.7e-16 (3.1 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for a direction off length 1 by at most 2 epsilon; coefficients of size 2^-20 to 2^20;
 //               operations round to nearest, with or without contraction
 //               total:    against the exact function at the direction scaled to length 1
 //               seen:     among 558 coefficient vectors (random, of norm 1) with normals (random, axes, poles, near
-//               poles) and 8000 evaluations of a search, without contraction
+//               poles) and 262144 evaluations of a search, without contraction
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

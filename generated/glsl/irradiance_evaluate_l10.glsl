@@ -12,16 +12,16 @@
 //               constants derived exactly
 // Cost:         182 multiplications, 147 additions; longest chain 36; at most 74 values live
 // Error:        eps counts units of machine epsilon x the norm of c
-//               float   rounding  at most 2.4e-06 (19.8 eps)  largest seen 5.2e-07 (10.0 eps)
-//                       total                                 largest seen 5.2e-07 (10.0 eps)
-//               double  rounding  at most 4.4e-15 (19.6 eps)  largest seen 1.1e-15 (10.7 eps)
-//                       total                                 largest seen 1.1e-15 (10.5 eps)
+//               float   rounding  at most 2.4e-06 (19.5 eps)  largest seen 1.5e-06 (14.2 eps)
+//                       total                                 largest seen 1.6e-06 (14.3 eps)
+//               double  rounding  at most 4.3e-15 (19.3 eps)  largest seen 2.8e-15 (13.5 eps)
+//                       total                                 largest seen 6.5e-03 (32161897786734.7 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for a direction off length 1 by at most 2 epsilon; coefficients of size 2^-20 to 2^20;
 //               operations round to nearest, with or without contraction
 //               total:    against the exact function at the direction scaled to length 1
 //               seen:     among 558 coefficient vectors (random, of norm 1) with normals (random, axes, poles, near
-//               poles) and 8000 evaluations of a search, without contraction
+//               poles) and 262144 evaluations of a search, without contraction
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

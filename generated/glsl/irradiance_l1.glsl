@@ -17,10 +17,10 @@
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for coefficients of size 2^-20 to 2^20; operations round to nearest, with or without
 //               contraction
-//               seen:     among 400 coefficient vectors (random, of norm 1) and 8000 evaluations of a search, without
+//               seen:     among 400 coefficient vectors (random, of norm 1) and 262144 evaluations of a search, without
 //               contraction
-//               worst:    float c (4) = 0.10347029, -0.44629422, 0.8561337, 0.23906161
-//                         double c (4) = 0.5235686185103569, -0.6486006802224076, -0.48601428294293153, 0.2626464850357898
+//               worst:    float c (4) = -0.033609025, -0.059685446, -0.9967731, 0.041849636
+//                         double c (4) = 0.6547171177442124, -0.059696623271392614, 0.7358619718050141, -0.16213872872926352
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

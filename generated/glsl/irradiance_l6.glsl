@@ -17,7 +17,7 @@
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for coefficients of size 2^-20 to 2^20; operations round to nearest, with or without
 //               contraction
-//               seen:     among 400 coefficient vectors (random, of norm 1) and 8000 evaluations of a search, without
+//               seen:     among 400 coefficient vectors (random, of norm 1) and 262144 evaluations of a search, without
 //               contraction
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES

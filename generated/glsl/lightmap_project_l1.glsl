@@ -10,15 +10,15 @@
 // Source:       Y. O'Donnell, "Precomputed Global Illumination in Frostbite", GDC 2018; constants derived exactly
 // Cost:         5 multiplications, 4 additions; longest chain 3; at most 9 values live
 // Error:        eps counts units of machine epsilon x (|weight| / 2 + |sum|)
-//               float   rounding  at most 1.2e-07 (1.1 eps)  largest seen 4.4e-08 (0.8 eps)
-//                       total                                largest seen 4.3e-08 (0.7 eps)
-//               double  rounding  at most 2.3e-16 (1.1 eps)  largest seen 8.3e-17 (0.9 eps)
-//                       total                                largest seen 9.4e-17 (0.9 eps)
+//               float   rounding  at most 1.2e-07 (1.1 eps)  largest seen 4.5e-08 (1.0 eps)
+//                       total                                largest seen 4.2e-08 (1.2 eps)
+//               double  rounding  at most 2.3e-16 (1.1 eps)  largest seen 8.3e-17 (1.0 eps)
+//                       total                                largest seen 9.4e-17 (1.2 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for a direction off length 1 by at most 2 epsilon; coefficients of size 2^-20 to 2^20;
 //               operations round to nearest, with or without contraction
 //               total:    against the exact function at the direction scaled to length 1
-//               seen:     among 558 samples (random, axes, poles, near poles) with random weights and sums and 8000
+//               seen:     among 558 samples (random, axes, poles, near poles) with random weights and sums and 262144
 //               evaluations of a search, without contraction
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES

@@ -12,13 +12,13 @@
 //               and Squares", Microsoft Research, 2006; pairs and sums found by search
 // Cost:         25 multiplications, 11 additions; longest chain 4; at most 12 values live
 // Error:        eps counts units of machine epsilon x |a| |b|
-//               float   rounding  at most 8.2e-08 (0.7 eps)  largest seen 6.0e-08 (0.5 eps)
-//               double  rounding  at most 1.3e-16 (0.6 eps)  largest seen 8.9e-17 (0.4 eps)
+//               float   rounding  at most 8.3e-08 (0.7 eps)  largest seen 6.2e-08 (0.5 eps)
+//               double  rounding  at most 1.3e-16 (0.6 eps)  largest seen 9.2e-17 (0.4 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for coefficients of size 2^-20 to 2^20; operations round to nearest, with or without
 //               contraction
-//               seen:     among 120 sets of unit vectors of coefficients (random, single coefficients, equal) and 8000
-//               evaluations of a search, without contraction
+//               seen:     among 120 sets of unit vectors of coefficients (random, single coefficients, equal) and
+//               262144 evaluations of a search, without contraction
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

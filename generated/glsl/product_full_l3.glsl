@@ -12,13 +12,13 @@
 //               and Squares", Microsoft Research, 2006; pairs and sums found by search
 // Cost:         543 multiplications, 449 additions; longest chain 15; at most 119 values live
 // Error:        eps counts units of machine epsilon x |a| |b|
-//               float   rounding  at most 3.3e-07 (2.8 eps)  largest seen 6.5e-08 (0.6 eps)
-//               double  rounding  at most 6.0e-16 (2.7 eps)  largest seen 1.0e-16 (0.5 eps)
+//               float   rounding  at most 3.6e-07 (3.1 eps)  largest seen 1.9e-07 (2.1 eps)
+//               double  rounding  at most 6.6e-16 (3.0 eps)  largest seen 3.5e-16 (2.0 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for coefficients of size 2^-20 to 2^20; operations round to nearest, with or without
 //               contraction
-//               seen:     among 120 sets of unit vectors of coefficients (random, single coefficients, equal) and 1000
-//               evaluations of a search, without contraction
+//               seen:     among 120 sets of unit vectors of coefficients (random, single coefficients, equal) and
+//               262144 evaluations of a search, without contraction
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

@@ -12,13 +12,13 @@
 //               and Squares", Microsoft Research, 2006; pairs and sums found by search
 // Cost:         82 multiplications, 65 additions; longest chain 9; at most 37 values live
 // Error:        eps counts units of machine epsilon x |a| |b|
-//               float   rounding  at most 2.1e-07 (1.8 eps)  largest seen 7.6e-08 (0.7 eps)
-//               double  rounding  at most 3.7e-16 (1.7 eps)  largest seen 1.1e-16 (0.5 eps)
+//               float   rounding  at most 2.4e-07 (2.0 eps)  largest seen 1.3e-07 (1.6 eps)
+//               double  rounding  at most 4.1e-16 (1.9 eps)  largest seen 2.5e-16 (1.4 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for coefficients of size 2^-20 to 2^20; operations round to nearest, with or without
 //               contraction
-//               seen:     among 120 sets of unit vectors of coefficients (random, single coefficients, equal) and 8000
-//               evaluations of a search, without contraction
+//               seen:     among 120 sets of unit vectors of coefficients (random, single coefficients, equal) and
+//               262144 evaluations of a search, without contraction
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

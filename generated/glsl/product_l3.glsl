@@ -12,13 +12,13 @@
 //               and Squares", Microsoft Research, 2006; pairs and sums found by search
 // Cost:         268 multiplications, 235 additions; longest chain 15; at most 83 values live
 // Error:        eps counts units of machine epsilon x |a| |b|
-//               float   rounding  at most 3.0e-07 (2.5 eps)  largest seen 9.2e-08 (0.8 eps)
-//               double  rounding  at most 5.3e-16 (2.4 eps)  largest seen 1.4e-16 (0.7 eps)
+//               float   rounding  at most 4.1e-07 (3.5 eps)  largest seen 2.1e-07 (2.1 eps)
+//               double  rounding  at most 7.7e-16 (3.5 eps)  largest seen 3.7e-16 (1.9 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for coefficients of size 2^-20 to 2^20; operations round to nearest, with or without
 //               contraction
-//               seen:     among 120 sets of unit vectors of coefficients (random, single coefficients, equal) and 8000
-//               evaluations of a search, without contraction
+//               seen:     among 120 sets of unit vectors of coefficients (random, single coefficients, equal) and
+//               262144 evaluations of a search, without contraction
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

@@ -15,7 +15,7 @@
 //               double  rounding  largest seen 5.3e-15 (20.4 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  no bound is proved: its size does not grow with its coefficients
-//               seen:     among 558 moments of samples whose |weights| add up to 1 and 8000 evaluations of a search,
+//               seen:     among 558 moments of samples whose |weights| add up to 1 and 262144 evaluations of a search,
 //               without contraction
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES

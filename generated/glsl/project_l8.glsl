@@ -12,16 +12,16 @@
 //               exactly
 // Cost:         166 multiplications, 123 additions; longest chain 17; at most 106 values live
 // Error:        eps counts units of machine epsilon x |weight| sqrt((2l+1)/(4 pi)) + |sum before|
-//               float   rounding  at most 5.9e-06 (42.2 eps)  largest seen 3.0e-06 (14.4 eps)
-//                       total                                 largest seen 3.6e-06 (21.0 eps)
-//               double  rounding  at most 1.2e-14 (44.8 eps)  largest seen 8.6e-15 (22.1 eps)
-//                       total                                 largest seen 9.3e-15 (24.1 eps)
+//               float   rounding  at most 5.9e-06 (42.2 eps)  largest seen 3.4e-06 (14.4 eps)
+//                       total                                 largest seen 3.7e-06 (16.2 eps)
+//               double  rounding  at most 1.2e-14 (44.8 eps)  largest seen 9.0e-15 (20.2 eps)
+//                       total                                 largest seen 1.1e-14 (23.7 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for a direction off length 1 by at most 2 epsilon; coefficients of size 2^-20 to 2^20;
 //               operations round to nearest, with or without contraction
 //               total:    against the exact function at the direction scaled to length 1
 //               seen:     among 558 samples (directions random, axes, poles, near poles; weights and sums in -1 .. 1)
-//               and 8000 evaluations of a search, without contraction
+//               and 262144 evaluations of a search, without contraction
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

@@ -11,16 +11,16 @@
 // Source:       products by falling order; the map to coefficients is linear
 // Cost:         19 multiplications, 20 additions; longest chain 6; at most 20 values live
 // Error:        eps counts units of machine epsilon x |weight| + |moment before|
-//               float   rounding  at most 4.5e-07 (3.3 eps)  largest seen 3.0e-07 (1.6 eps)
-//                       total                                largest seen 4.3e-07 (1.3 eps)
-//               double  rounding  at most 8.3e-16 (3.3 eps)  largest seen 5.5e-16 (1.4 eps)
-//                       total                                largest seen 6.9e-16 (1.8 eps)
+//               float   rounding  at most 4.5e-07 (3.3 eps)  largest seen 3.2e-07 (1.9 eps)
+//                       total                                largest seen 4.3e-07 (2.5 eps)
+//               double  rounding  at most 8.4e-16 (3.3 eps)  largest seen 6.1e-16 (1.9 eps)
+//                       total                                largest seen 6.9e-16 (2.2 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for a direction off length 1 by at most 2 epsilon; coefficients of size 2^-20 to 2^20;
 //               operations round to nearest, with or without contraction
 //               total:    against the exact function at the direction scaled to length 1
 //               seen:     among 558 samples (directions random, axes, poles, near poles; weights and sums in -1 .. 1)
-//               and 8000 evaluations of a search, without contraction
+//               and 262144 evaluations of a search, without contraction
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

@@ -12,15 +12,15 @@
 //               and Squares", Microsoft Research, 2006; pairs and sums found by search
 // Cost:         2 multiplications, 0 additions; longest chain 2; at most 2 values live
 // Error:        eps counts units of machine epsilon x |a| |a|
-//               float   rounding  at most 4.9e-08 (0.5 eps)  largest seen 4.4e-08 (0.4 eps)
-//               double  rounding  at most 6.7e-17 (0.3 eps)  largest seen 5.8e-17 (0.3 eps)
+//               float   rounding  at most 4.9e-08 (0.5 eps)  largest seen 4.2e-08 (0.4 eps)
+//               double  rounding  at most 6.7e-17 (0.3 eps)  largest seen 5.9e-17 (0.3 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for coefficients of size 2^-20 to 2^20; operations round to nearest, with or without
 //               contraction
-//               seen:     among 120 sets of unit vectors of coefficients (random, single coefficients, equal) and 8000
-//               evaluations of a search, without contraction
-//               worst:    float a (1) = 0.94448304
-//                         double a (1) = 0.984701649280506
+//               seen:     among 120 sets of unit vectors of coefficients (random, single coefficients, equal) and
+//               262144 evaluations of a search, without contraction
+//               worst:    float a (1) = -0.942527
+//                         double a (1) = 0.9420200724497205
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

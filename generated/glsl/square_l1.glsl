@@ -12,15 +12,15 @@
 //               and Squares", Microsoft Research, 2006; pairs and sums found by search
 // Cost:         9 multiplications, 3 additions; longest chain 5; at most 6 values live
 // Error:        eps counts units of machine epsilon x |a| |a|
-//               float   rounding  at most 9.9e-08 (0.9 eps)  largest seen 5.3e-08 (0.6 eps)
-//               double  rounding  at most 1.7e-16 (0.8 eps)  largest seen 9.6e-17 (0.5 eps)
+//               float   rounding  at most 9.9e-08 (0.9 eps)  largest seen 6.2e-08 (0.6 eps)
+//               double  rounding  at most 1.7e-16 (0.8 eps)  largest seen 1.3e-16 (0.6 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for coefficients of size 2^-20 to 2^20; operations round to nearest, with or without
 //               contraction
-//               seen:     among 120 sets of unit vectors of coefficients (random, single coefficients, equal) and 8000
-//               evaluations of a search, without contraction
-//               worst:    float a (4) = 0.37801072, 0.15547346, -0.0762666, -0.33428058
-//                         double a (4) = 0.23121747188249853, 0.1870207851088499, 0.18702078510884634, 0.4691556765543801
+//               seen:     among 120 sets of unit vectors of coefficients (random, single coefficients, equal) and
+//               262144 evaluations of a search, without contraction
+//               worst:    float a (4) = 0.9486976, 0.0039024337, -0.007760831, 0.027368262
+//                         double a (4) = 0.9950314135476871, 1.0536712127723507e-08, -1.8250120749944284e-08, -0.09956146871803413
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

@@ -12,13 +12,13 @@
 // Cost:         3 multiplications, 0 additions; longest chain 3; at most 3 values live
 // Error:        eps counts units of machine epsilon x |a| |b| |c|
 //               float   rounding  largest seen 5.7e-08 (0.5 eps)
-//               double  rounding  largest seen 7.9e-17 (0.4 eps)
+//               double  rounding  largest seen 8.4e-17 (0.4 eps)
 //               rounding: against this formula in exact arithmetic at the same input
-//               at most:  no bound is proved: it multiplies more than two coefficients
-//               seen:     among 120 sets of unit vectors of coefficients (random, single coefficients, equal) and 8000
-//               evaluations of a search, without contraction
-//               worst:    float a (1), b (1), c (1) = 0.9888084, -0.95454895, -0.95458007
-//                         double a (1), b (1), c (1) = -0.9999999218871043, -0.4687652589505512, 0.9897825677134902
+//               at most:  no bound is proved: it has more than two arrays of coefficients
+//               seen:     among 120 sets of unit vectors of coefficients (random, single coefficients, equal) and
+//               262144 evaluations of a search, without contraction
+//               worst:    float a (1), b (1), c (1) = -0.9449348, -0.95089275, -0.99256474
+//                         double a (1), b (1), c (1) = -0.9331881230821681, -0.9951062064994264, -0.9659330282481182
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

@@ -10,12 +10,12 @@
 // Source:       P.-P. Sloan, "Stupid Spherical Harmonics (SH) Tricks", GDC 2008
 // Cost:         44 multiplications, 0 additions; longest chain 7; at most 37 values live
 // Error:        eps counts units of machine epsilon x |c_lm|
-//               float   rounding  at most 1.2e-06 (10.1 eps)  largest seen 1.5e-07 (4.7 eps)
-//               double  rounding  at most 2.3e-15 (10.1 eps)  largest seen 2.9e-16 (5.0 eps)
+//               float   rounding  at most 1.2e-06 (10.1 eps)  largest seen 1.3e-07 (4.5 eps)
+//               double  rounding  at most 2.3e-15 (10.1 eps)  largest seen 2.7e-16 (5.0 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for 0 <= g <= 1; coefficients of size 2^-20 to 2^20; operations round to nearest, with
 //               or without contraction
-//               seen:     among 300 coefficient vectors (random, of norm 1) and g 0 to 1 and 8000 evaluations of a
+//               seen:     among 300 coefficient vectors (random, of norm 1) and g 0 to 1 and 262144 evaluations of a
 //               search, without contraction
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES

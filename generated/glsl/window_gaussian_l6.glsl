@@ -10,12 +10,12 @@
 // Source:       P.-P. Sloan, "Stupid Spherical Harmonics (SH) Tricks", GDC 2008
 // Cost:         59 multiplications, 0 additions; longest chain 8; at most 50 values live
 // Error:        eps counts units of machine epsilon x |c_lm|
-//               float   rounding  at most 1.7e-06 (14.3 eps)  largest seen 1.7e-07 (5.9 eps)
-//               double  rounding  at most 3.2e-15 (14.3 eps)  largest seen 3.4e-16 (6.7 eps)
+//               float   rounding  at most 1.7e-06 (14.3 eps)  largest seen 1.4e-07 (6.5 eps)
+//               double  rounding  at most 3.2e-15 (14.3 eps)  largest seen 3.3e-16 (7.5 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for 0 <= g <= 1; coefficients of size 2^-20 to 2^20; operations round to nearest, with
 //               or without contraction
-//               seen:     among 300 coefficient vectors (random, of norm 1) and g 0 to 1 and 8000 evaluations of a
+//               seen:     among 300 coefficient vectors (random, of norm 1) and g 0 to 1 and 262144 evaluations of a
 //               search, without contraction
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES

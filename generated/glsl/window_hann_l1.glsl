@@ -15,8 +15,8 @@
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for -1 <= cos_pi_over_w <= 1; coefficients of size 2^-20 to 2^20; operations round to
 //               nearest, with or without contraction
-//               seen:     among 300 coefficient vectors (random, of norm 1) and cosines -1 to 1 and 8000 evaluations of
-//               a search, without contraction
+//               seen:     among 300 coefficient vectors (random, of norm 1) and cosines -1 to 1 and 262144 evaluations
+//               of a search, without contraction
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

@@ -10,13 +10,13 @@
 // Source:       P.-P. Sloan, "Stupid Spherical Harmonics (SH) Tricks", GDC 2008
 // Cost:         139 multiplications, 20 additions; longest chain 22; at most 122 values live
 // Error:        eps counts units of machine epsilon x |c_lm|
-//               float   rounding  at most 4.2e-06 (34.8 eps)  largest seen 1.4e-07 (7.8 eps)
-//               double  rounding  at most 7.8e-15 (34.8 eps)  largest seen 2.8e-16 (8.7 eps)
+//               float   rounding  at most 4.2e-06 (34.8 eps)  largest seen 1.1e-07 (7.5 eps)
+//               double  rounding  at most 7.8e-15 (34.8 eps)  largest seen 3.3e-16 (8.5 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for -1 <= cos_pi_over_w <= 1; coefficients of size 2^-20 to 2^20; operations round to
 //               nearest, with or without contraction
-//               seen:     among 300 coefficient vectors (random, of norm 1) and cosines -1 to 1 and 8000 evaluations of
-//               a search, without contraction
+//               seen:     among 300 coefficient vectors (random, of norm 1) and cosines -1 to 1 and 262144 evaluations
+//               of a search, without contraction
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

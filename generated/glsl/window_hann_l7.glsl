@@ -10,13 +10,13 @@
 // Source:       P.-P. Sloan, "Stupid Spherical Harmonics (SH) Tricks", GDC 2008
 // Cost:         76 multiplications, 14 additions; longest chain 16; at most 65 values live
 // Error:        eps counts units of machine epsilon x |c_lm|
-//               float   rounding  at most 2.0e-06 (16.8 eps)  largest seen 1.0e-07 (4.7 eps)
-//               double  rounding  at most 3.8e-15 (16.8 eps)  largest seen 2.1e-16 (4.8 eps)
+//               float   rounding  at most 2.0e-06 (16.8 eps)  largest seen 1.2e-07 (4.5 eps)
+//               double  rounding  at most 3.8e-15 (16.8 eps)  largest seen 2.1e-16 (4.9 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for -1 <= cos_pi_over_w <= 1; coefficients of size 2^-20 to 2^20; operations round to
 //               nearest, with or without contraction
-//               seen:     among 300 coefficient vectors (random, of norm 1) and cosines -1 to 1 and 8000 evaluations of
-//               a search, without contraction
+//               seen:     among 300 coefficient vectors (random, of norm 1) and cosines -1 to 1 and 262144 evaluations
+//               of a search, without contraction
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

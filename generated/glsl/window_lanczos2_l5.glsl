@@ -11,13 +11,13 @@
 // Source:       P.-P. Sloan, "Stupid Spherical Harmonics (SH) Tricks", GDC 2008
 // Cost:         48 multiplications, 4 additions; longest chain 11; at most 38 values live
 // Error:        eps counts units of machine epsilon x |c_lm|
-//               float   rounding  at most 1.7e-06 (13.9 eps)  largest seen 1.7e-07 (5.6 eps)
-//               double  rounding  at most 3.2e-15 (14.2 eps)  largest seen 4.2e-16 (7.1 eps)
+//               float   rounding  at most 1.7e-06 (13.9 eps)  largest seen 1.7e-07 (6.5 eps)
+//               double  rounding  at most 3.2e-15 (14.2 eps)  largest seen 3.6e-16 (7.6 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for -1 <= cos_pi_over_w <= 1; 0 <= sinc_pi_over_w <= 1; coefficients of size 2^-20 to
 //               2^20; operations round to nearest, with or without contraction
-//               seen:     among 300 coefficient vectors (random, of norm 1), cosines -1 to 1 and sincs 0 to 1 and 8000
-//               evaluations of a search, without contraction
+//               seen:     among 300 coefficient vectors (random, of norm 1), cosines -1 to 1 and sincs 0 to 1 and
+//               262144 evaluations of a search, without contraction
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

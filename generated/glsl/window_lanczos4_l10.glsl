@@ -11,13 +11,13 @@
 // Source:       P.-P. Sloan, "Stupid Spherical Harmonics (SH) Tricks", GDC 2008
 // Cost:         158 multiplications, 9 additions; longest chain 22; at most 123 values live
 // Error:        eps counts units of machine epsilon x |c_lm|
-//               float   rounding  at most 3.8e-03 (31554.0 eps)  largest seen 5.1e-07 (27.1 eps)
-//               double  rounding  at most 7.1e-12 (31642.5 eps)  largest seen 8.9e-16 (28.2 eps)
+//               float   rounding  at most 5.5e-04 (4530.6 eps)  largest seen 6.3e-07 (36.1 eps)
+//               double  rounding  at most 1.2e-12 (5276.1 eps)  largest seen 1.5e-15 (44.9 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for -1 <= cos_pi_over_w <= 1; 0 <= sinc_pi_over_w <= 1; coefficients of size 2^-20 to
 //               2^20; operations round to nearest, with or without contraction
-//               seen:     among 300 coefficient vectors (random, of norm 1), cosines -1 to 1 and sincs 0 to 1 and 8000
-//               evaluations of a search, without contraction
+//               seen:     among 300 coefficient vectors (random, of norm 1), cosines -1 to 1 and sincs 0 to 1 and
+//               262144 evaluations of a search, without contraction
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

@@ -11,13 +11,13 @@
 // Source:       P.-P. Sloan, "Stupid Spherical Harmonics (SH) Tricks", GDC 2008
 // Cost:         25 multiplications, 2 additions; longest chain 8; at most 18 values live
 // Error:        eps counts units of machine epsilon x |c_lm|
-//               float   rounding  at most 1.4e-06 (11.7 eps)  largest seen 2.2e-07 (5.6 eps)
-//               double  rounding  at most 2.6e-15 (11.7 eps)  largest seen 4.6e-16 (5.7 eps)
+//               float   rounding  at most 1.4e-06 (11.7 eps)  largest seen 2.2e-07 (6.2 eps)
+//               double  rounding  at most 2.6e-15 (11.7 eps)  largest seen 3.6e-16 (6.3 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for -1 <= cos_pi_over_w <= 1; 0 <= sinc_pi_over_w <= 1; coefficients of size 2^-20 to
 //               2^20; operations round to nearest, with or without contraction
-//               seen:     among 300 coefficient vectors (random, of norm 1), cosines -1 to 1 and sincs 0 to 1 and 8000
-//               evaluations of a search, without contraction
+//               seen:     among 300 coefficient vectors (random, of norm 1), cosines -1 to 1 and sincs 0 to 1 and
+//               262144 evaluations of a search, without contraction
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

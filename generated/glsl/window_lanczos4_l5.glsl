@@ -11,13 +11,13 @@
 // Source:       P.-P. Sloan, "Stupid Spherical Harmonics (SH) Tricks", GDC 2008
 // Cost:         53 multiplications, 4 additions; longest chain 12; at most 38 values live
 // Error:        eps counts units of machine epsilon x |c_lm|
-//               float   rounding  at most 3.4e-06 (27.8 eps)  largest seen 3.6e-07 (11.6 eps)
-//               double  rounding  at most 6.3e-15 (28.3 eps)  largest seen 9.0e-16 (13.6 eps)
+//               float   rounding  at most 3.4e-06 (27.8 eps)  largest seen 4.1e-07 (12.2 eps)
+//               double  rounding  at most 6.3e-15 (28.3 eps)  largest seen 6.9e-16 (14.8 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for -1 <= cos_pi_over_w <= 1; 0 <= sinc_pi_over_w <= 1; coefficients of size 2^-20 to
 //               2^20; operations round to nearest, with or without contraction
-//               seen:     among 300 coefficient vectors (random, of norm 1), cosines -1 to 1 and sincs 0 to 1 and 8000
-//               evaluations of a search, without contraction
+//               seen:     among 300 coefficient vectors (random, of norm 1), cosines -1 to 1 and sincs 0 to 1 and
+//               262144 evaluations of a search, without contraction
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

@@ -12,12 +12,12 @@
 // Cost:         9 multiplications, 0 additions; longest chain 2; at most 11 values live
 // Error:        eps counts units of machine epsilon x |c_lm|
 //               float   rounding  at most 9.0e-08 (0.8 eps)  largest seen 2.8e-08 (0.7 eps)
-//               double  rounding  at most 1.7e-16 (0.8 eps)  largest seen 5.5e-17 (0.7 eps)
+//               double  rounding  at most 1.7e-16 (0.8 eps)  largest seen 8.3e-17 (0.7 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for -1 <= cos_pi_over_w <= 1; 0 <= sinc_pi_over_w <= 1; coefficients of size 2^-20 to
 //               2^20; operations round to nearest, with or without contraction
-//               seen:     among 300 coefficient vectors (random, of norm 1), cosines -1 to 1 and sincs 0 to 1 and 8000
-//               evaluations of a search, without contraction
+//               seen:     among 300 coefficient vectors (random, of norm 1), cosines -1 to 1 and sincs 0 to 1 and
+//               262144 evaluations of a search, without contraction
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

@@ -11,13 +11,13 @@
 // Source:       P.-P. Sloan, "Stupid Spherical Harmonics (SH) Tricks", GDC 2008
 // Cost:         30 multiplications, 3 additions; longest chain 8; at most 27 values live
 // Error:        eps counts units of machine epsilon x |c_lm|
-//               float   rounding  at most 4.8e-07 (4.1 eps)  largest seen 8.4e-08 (2.2 eps)
-//               double  rounding  at most 8.9e-16 (4.1 eps)  largest seen 1.3e-16 (2.3 eps)
+//               float   rounding  at most 4.8e-07 (4.1 eps)  largest seen 6.0e-08 (2.3 eps)
+//               double  rounding  at most 8.9e-16 (4.1 eps)  largest seen 1.2e-16 (2.3 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for -1 <= cos_pi_over_w <= 1; 0 <= sinc_pi_over_w <= 1; coefficients of size 2^-20 to
 //               2^20; operations round to nearest, with or without contraction
-//               seen:     among 300 coefficient vectors (random, of norm 1), cosines -1 to 1 and sincs 0 to 1 and 8000
-//               evaluations of a search, without contraction
+//               seen:     among 300 coefficient vectors (random, of norm 1), cosines -1 to 1 and sincs 0 to 1 and
+//               262144 evaluations of a search, without contraction
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

@@ -10,13 +10,13 @@
 // Source:       P.-P. Sloan, "Stupid Spherical Harmonics (SH) Tricks", GDC 2008
 // Cost:         130 multiplications, 10 additions, 10 divisions; longest chain 4; at most 122 values live
 // Error:        eps counts units of machine epsilon x |c_lm|
-//               float   rounding  at most 1.8e-07 (1.6 eps)  largest seen 9.5e-09 (1.1 eps)
-//               double  rounding  at most 3.4e-16 (1.6 eps)  largest seen 3.4e-17 (1.1 eps)
+//               float   rounding  at most 1.8e-07 (1.6 eps)  largest seen 1.1e-08 (1.1 eps)
+//               double  rounding  at most 3.4e-16 (1.6 eps)  largest seen 3.5e-17 (1.2 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for 0 <= lambda <= 1; coefficients of size 2^-20 to 2^20; operations round to nearest,
 //               with or without contraction
-//               seen:     among 300 coefficient vectors (random, of norm 1) and lambda 0 to 1 and 8000 evaluations of a
-//               search, without contraction
+//               seen:     among 300 coefficient vectors (random, of norm 1) and lambda 0 to 1 and 262144 evaluations of
+//               a search, without contraction
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

@@ -12,16 +12,16 @@
 //               Spherical Harmonics (SH) Tricks", GDC 2008; constants derived exactly
 // Cost:         318 multiplications, 68 additions; longest chain 19; at most 24 values live
 // Error:        eps counts units of machine epsilon x |zonal[l]|
-//               float   rounding  at most 1.1e-05 (86.5 eps)  largest seen 7.1e-07 (18.7 eps)
-//                       total                                 largest seen 1.3e-06 (25.0 eps)
-//               double  rounding  at most 1.9e-14 (85.1 eps)  largest seen 1.4e-15 (13.5 eps)
+//               float   rounding  at most 6.7e-06 (55.6 eps)  largest seen 9.0e-07 (19.9 eps)
+//                       total                                 largest seen 1.5e-06 (32.2 eps)
+//               double  rounding  at most 1.2e-14 (53.6 eps)  largest seen 1.6e-15 (19.3 eps)
 //                       total                                 largest seen 3.2e-15 (35.0 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for a direction off length 1 by at most 2 epsilon; coefficients of size 2^-20 to 2^20;
 //               operations round to nearest, with or without contraction
 //               total:    against the exact function at the direction scaled to length 1
 //               seen:     among 558 directions (random, axes, poles, near poles) with random zonal functions of norm 1
-//               and 8000 evaluations of a search, without contraction
+//               and 262144 evaluations of a search, without contraction
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

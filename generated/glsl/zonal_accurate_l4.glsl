@@ -12,16 +12,16 @@
 //               Spherical Harmonics (SH) Tricks", GDC 2008; constants derived exactly
 // Cost:         55 multiplications, 14 additions; longest chain 7; at most 10 values live
 // Error:        eps counts units of machine epsilon x |zonal[l]|
-//               float   rounding  at most 9.7e-07 (8.2 eps)  largest seen 2.4e-07 (3.7 eps)
-//                       total                                largest seen 2.3e-07 (4.2 eps)
-//               double  rounding  at most 1.9e-15 (8.2 eps)  largest seen 2.6e-16 (3.3 eps)
+//               float   rounding  at most 9.7e-07 (8.2 eps)  largest seen 1.8e-07 (3.7 eps)
+//                       total                                largest seen 2.1e-07 (5.8 eps)
+//               double  rounding  at most 1.9e-15 (8.2 eps)  largest seen 4.4e-16 (4.0 eps)
 //                       total                                largest seen 7.4e-16 (7.6 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for a direction off length 1 by at most 2 epsilon; coefficients of size 2^-20 to 2^20;
 //               operations round to nearest, with or without contraction
 //               total:    against the exact function at the direction scaled to length 1
 //               seen:     among 558 directions (random, axes, poles, near poles) with random zonal functions of norm 1
-//               and 8000 evaluations of a search, without contraction
+//               and 262144 evaluations of a search, without contraction
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

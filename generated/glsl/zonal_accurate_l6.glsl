@@ -12,16 +12,16 @@
 //               Spherical Harmonics (SH) Tricks", GDC 2008; constants derived exactly
 // Cost:         119 multiplications, 28 additions; longest chain 11; at most 16 values live
 // Error:        eps counts units of machine epsilon x |zonal[l]|
-//               float   rounding  at most 2.4e-06 (20.0 eps)  largest seen 3.2e-07 (6.2 eps)
-//                       total                                 largest seen 4.8e-07 (9.2 eps)
-//               double  rounding  at most 4.5e-15 (20.1 eps)  largest seen 6.0e-16 (6.6 eps)
+//               float   rounding  at most 2.4e-06 (20.0 eps)  largest seen 3.5e-07 (7.2 eps)
+//                       total                                 largest seen 4.4e-07 (9.5 eps)
+//               double  rounding  at most 4.5e-15 (20.1 eps)  largest seen 5.3e-16 (8.8 eps)
 //                       total                                 largest seen 1.3e-15 (14.1 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for a direction off length 1 by at most 2 epsilon; coefficients of size 2^-20 to 2^20;
 //               operations round to nearest, with or without contraction
 //               total:    against the exact function at the direction scaled to length 1
 //               seen:     among 558 directions (random, axes, poles, near poles) with random zonal functions of norm 1
-//               and 8000 evaluations of a search, without contraction
+//               and 262144 evaluations of a search, without contraction
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

@@ -12,16 +12,16 @@
 //               Spherical Harmonics (SH) Tricks", GDC 2008; constants derived exactly
 // Cost:         206 multiplications, 46 additions; longest chain 15; at most 20 values live
 // Error:        eps counts units of machine epsilon x |zonal[l]|
-//               float   rounding  at most 4.3e-06 (35.6 eps)  largest seen 4.5e-07 (10.1 eps)
-//                       total                                 largest seen 7.6e-07 (16.5 eps)
-//               double  rounding  at most 7.8e-15 (34.8 eps)  largest seen 1.5e-15 (12.5 eps)
-//                       total                                 largest seen 1.5e-15 (22.6 eps)
+//               float   rounding  at most 4.3e-06 (35.6 eps)  largest seen 4.8e-07 (11.7 eps)
+//                       total                                 largest seen 7.2e-07 (17.5 eps)
+//               double  rounding  at most 7.8e-15 (34.8 eps)  largest seen 9.4e-16 (12.8 eps)
+//                       total                                 largest seen 1.3e-15 (22.6 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for a direction off length 1 by at most 2 epsilon; coefficients of size 2^-20 to 2^20;
 //               operations round to nearest, with or without contraction
 //               total:    against the exact function at the direction scaled to length 1
 //               seen:     among 558 directions (random, axes, poles, near poles) with random zonal functions of norm 1
-//               and 8000 evaluations of a search, without contraction
+//               and 262144 evaluations of a search, without contraction
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

@@ -12,16 +12,16 @@
 //               Spherical Harmonics (SH) Tricks", GDC 2008; constants derived exactly
 // Cost:         260 multiplications, 56 additions; longest chain 17; at most 22 values live
 // Error:        eps counts units of machine epsilon x |zonal[l]|
-//               float   rounding  at most 5.4e-06 (45.2 eps)  largest seen 5.6e-07 (16.7 eps)
-//                       total                                 largest seen 7.0e-07 (23.1 eps)
-//               double  rounding  at most 9.9e-15 (44.3 eps)  largest seen 7.5e-16 (12.8 eps)
-//                       total                                 largest seen 1.8e-15 (28.7 eps)
+//               float   rounding  at most 5.4e-06 (45.2 eps)  largest seen 9.5e-07 (15.9 eps)
+//                       total                                 largest seen 1.6e-06 (26.9 eps)
+//               double  rounding  at most 9.7e-15 (43.5 eps)  largest seen 1.8e-15 (16.0 eps)
+//                       total                                 largest seen 2.4e-15 (28.7 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for a direction off length 1 by at most 2 epsilon; coefficients of size 2^-20 to 2^20;
 //               operations round to nearest, with or without contraction
 //               total:    against the exact function at the direction scaled to length 1
 //               seen:     among 558 directions (random, axes, poles, near poles) with random zonal functions of norm 1
-//               and 8000 evaluations of a search, without contraction
+//               and 262144 evaluations of a search, without contraction
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

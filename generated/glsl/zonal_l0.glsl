@@ -20,7 +20,7 @@
 //               operations round to nearest, with or without contraction
 //               total:    against the exact function at the direction scaled to length 1
 //               seen:     among 558 directions (random, axes, poles, near poles) with random zonal functions of norm 1
-//               and 8000 evaluations of a search, without contraction
+//               and 262144 evaluations of a search, without contraction
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

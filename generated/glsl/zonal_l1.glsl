@@ -12,15 +12,15 @@
 // Cost:         3 multiplications, 0 additions; longest chain 1; at most 5 values live
 // Error:        eps counts units of machine epsilon x |zonal[l]|
 //               float   rounding  at most 6.0e-08 (0.6 eps)  largest seen 3.0e-08 (0.5 eps)
-//                       total                                largest seen 5.0e-08 (0.6 eps)
-//               double  rounding  at most 1.2e-16 (0.6 eps)  largest seen 5.5e-17 (0.5 eps)
+//                       total                                largest seen 5.0e-08 (0.7 eps)
+//               double  rounding  at most 1.2e-16 (0.6 eps)  largest seen 5.6e-17 (0.5 eps)
 //                       total                                largest seen 1.7e-16 (0.9 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for a direction off length 1 by at most 2 epsilon; coefficients of size 2^-20 to 2^20;
 //               operations round to nearest, with or without contraction
 //               total:    against the exact function at the direction scaled to length 1
 //               seen:     among 558 directions (random, axes, poles, near poles) with random zonal functions of norm 1
-//               and 8000 evaluations of a search, without contraction
+//               and 262144 evaluations of a search, without contraction
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

@@ -12,16 +12,16 @@
 //               Spherical Harmonics (SH) Tricks", GDC 2008; constants derived exactly
 // Cost:         292 multiplications, 68 additions; longest chain 19; at most 25 values live
 // Error:        eps counts units of machine epsilon x |zonal[l]|
-//               float   rounding  at most 8.8e-06 (73.2 eps)  largest seen 1.2e-06 (27.8 eps)
-//                       total                                 largest seen 1.4e-06 (33.6 eps)
-//               double  rounding  at most 1.6e-14 (70.2 eps)  largest seen 3.3e-15 (29.1 eps)
-//                       total                                 largest seen 3.2e-15 (30.2 eps)
+//               float   rounding  at most 8.5e-06 (71.0 eps)  largest seen 1.4e-06 (29.9 eps)
+//                       total                                 largest seen 1.4e-06 (39.6 eps)
+//               double  rounding  at most 1.6e-14 (68.8 eps)  largest seen 3.9e-15 (34.6 eps)
+//                       total                                 largest seen 7.0e-15 (47.5 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for a direction off length 1 by at most 2 epsilon; coefficients of size 2^-20 to 2^20;
 //               operations round to nearest, with or without contraction
 //               total:    against the exact function at the direction scaled to length 1
 //               seen:     among 558 directions (random, axes, poles, near poles) with random zonal functions of norm 1
-//               and 8000 evaluations of a search, without contraction
+//               and 262144 evaluations of a search, without contraction
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

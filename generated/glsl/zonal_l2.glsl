@@ -11,16 +11,16 @@
 //               Spherical Harmonics (SH) Tricks", GDC 2008; constants derived exactly
 // Cost:         15 multiplications, 4 additions; longest chain 4; at most 6 values live
 // Error:        eps counts units of machine epsilon x |zonal[l]|
-//               float   rounding  at most 2.8e-07 (2.3 eps)  largest seen 9.5e-08 (1.4 eps)
-//                       total                                largest seen 1.2e-07 (1.6 eps)
-//               double  rounding  at most 5.4e-16 (2.4 eps)  largest seen 2.0e-16 (1.6 eps)
+//               float   rounding  at most 2.8e-07 (2.3 eps)  largest seen 9.5e-08 (1.6 eps)
+//                       total                                largest seen 1.3e-07 (2.1 eps)
+//               double  rounding  at most 5.4e-16 (2.4 eps)  largest seen 2.0e-16 (1.7 eps)
 //                       total                                largest seen 3.3e-16 (2.3 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for a direction off length 1 by at most 2 epsilon; coefficients of size 2^-20 to 2^20;
 //               operations round to nearest, with or without contraction
 //               total:    against the exact function at the direction scaled to length 1
 //               seen:     among 558 directions (random, axes, poles, near poles) with random zonal functions of norm 1
-//               and 8000 evaluations of a search, without contraction
+//               and 262144 evaluations of a search, without contraction
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

@@ -12,16 +12,16 @@
 //               Spherical Harmonics (SH) Tricks", GDC 2008; constants derived exactly
 // Cost:         32 multiplications, 8 additions; longest chain 5; at most 8 values live
 // Error:        eps counts units of machine epsilon x |zonal[l]|
-//               float   rounding  at most 4.5e-07 (3.8 eps)  largest seen 1.1e-07 (2.2 eps)
-//                       total                                largest seen 2.1e-07 (2.6 eps)
-//               double  rounding  at most 8.4e-16 (3.8 eps)  largest seen 2.4e-16 (2.2 eps)
+//               float   rounding  at most 4.5e-07 (3.8 eps)  largest seen 1.7e-07 (2.6 eps)
+//                       total                                largest seen 2.1e-07 (3.8 eps)
+//               double  rounding  at most 8.4e-16 (3.8 eps)  largest seen 2.9e-16 (2.5 eps)
 //                       total                                largest seen 4.5e-16 (4.7 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for a direction off length 1 by at most 2 epsilon; coefficients of size 2^-20 to 2^20;
 //               operations round to nearest, with or without contraction
 //               total:    against the exact function at the direction scaled to length 1
 //               seen:     among 558 directions (random, axes, poles, near poles) with random zonal functions of norm 1
-//               and 8000 evaluations of a search, without contraction
+//               and 262144 evaluations of a search, without contraction
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

@@ -12,16 +12,16 @@
 //               Spherical Harmonics (SH) Tricks", GDC 2008; constants derived exactly
 // Cost:         79 multiplications, 20 additions; longest chain 9; at most 13 values live
 // Error:        eps counts units of machine epsilon x |zonal[l]|
-//               float   rounding  at most 2.3e-06 (18.6 eps)  largest seen 5.5e-07 (9.7 eps)
-//                       total                                 largest seen 5.9e-07 (11.8 eps)
-//               double  rounding  at most 3.7e-15 (16.7 eps)  largest seen 1.1e-15 (9.3 eps)
-//                       total                                 largest seen 1.5e-15 (12.2 eps)
+//               float   rounding  at most 2.3e-06 (18.6 eps)  largest seen 8.6e-07 (11.2 eps)
+//                       total                                 largest seen 1.1e-06 (14.5 eps)
+//               double  rounding  at most 3.7e-15 (16.7 eps)  largest seen 1.3e-15 (10.5 eps)
+//                       total                                 largest seen 1.3e-15 (11.9 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for a direction off length 1 by at most 2 epsilon; coefficients of size 2^-20 to 2^20;
 //               operations round to nearest, with or without contraction
 //               total:    against the exact function at the direction scaled to length 1
 //               seen:     among 558 directions (random, axes, poles, near poles) with random zonal functions of norm 1
-//               and 8000 evaluations of a search, without contraction
+//               and 262144 evaluations of a search, without contraction
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

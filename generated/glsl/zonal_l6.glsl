@@ -12,16 +12,16 @@
 //               Spherical Harmonics (SH) Tricks", GDC 2008; constants derived exactly
 // Cost:         110 multiplications, 28 additions; longest chain 11; at most 17 values live
 // Error:        eps counts units of machine epsilon x |zonal[l]|
-//               float   rounding  at most 3.4e-06 (28.2 eps)  largest seen 6.0e-07 (15.1 eps)
-//                       total                                 largest seen 7.6e-07 (16.2 eps)
-//               double  rounding  at most 5.8e-15 (25.8 eps)  largest seen 1.6e-15 (13.7 eps)
-//                       total                                 largest seen 1.5e-15 (16.9 eps)
+//               float   rounding  at most 3.4e-06 (28.2 eps)  largest seen 6.0e-07 (15.7 eps)
+//                       total                                 largest seen 7.4e-07 (20.6 eps)
+//               double  rounding  at most 5.8e-15 (25.8 eps)  largest seen 1.2e-15 (14.3 eps)
+//                       total                                 largest seen 1.3e-15 (17.2 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for a direction off length 1 by at most 2 epsilon; coefficients of size 2^-20 to 2^20;
 //               operations round to nearest, with or without contraction
 //               total:    against the exact function at the direction scaled to length 1
 //               seen:     among 558 directions (random, axes, poles, near poles) with random zonal functions of norm 1
-//               and 8000 evaluations of a search, without contraction
+//               and 262144 evaluations of a search, without contraction
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

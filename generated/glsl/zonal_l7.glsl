@@ -12,16 +12,16 @@
 //               Spherical Harmonics (SH) Tricks", GDC 2008; constants derived exactly
 // Cost:         148 multiplications, 36 additions; longest chain 13; at most 19 values live
 // Error:        eps counts units of machine epsilon x |zonal[l]|
-//               float   rounding  at most 4.6e-06 (38.1 eps)  largest seen 1.0e-06 (19.0 eps)
-//                       total                                 largest seen 9.3e-07 (24.6 eps)
-//               double  rounding  at most 7.9e-15 (35.3 eps)  largest seen 2.3e-15 (18.0 eps)
-//                       total                                 largest seen 2.1e-15 (17.9 eps)
+//               float   rounding  at most 4.6e-06 (38.1 eps)  largest seen 9.1e-07 (19.1 eps)
+//                       total                                 largest seen 9.3e-07 (20.3 eps)
+//               double  rounding  at most 7.9e-15 (35.3 eps)  largest seen 1.7e-15 (18.1 eps)
+//                       total                                 largest seen 2.0e-15 (21.1 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for a direction off length 1 by at most 2 epsilon; coefficients of size 2^-20 to 2^20;
 //               operations round to nearest, with or without contraction
 //               total:    against the exact function at the direction scaled to length 1
 //               seen:     among 558 directions (random, axes, poles, near poles) with random zonal functions of norm 1
-//               and 8000 evaluations of a search, without contraction
+//               and 262144 evaluations of a search, without contraction
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

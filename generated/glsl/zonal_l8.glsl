@@ -12,16 +12,16 @@
 //               Spherical Harmonics (SH) Tricks", GDC 2008; constants derived exactly
 // Cost:         190 multiplications, 46 additions; longest chain 15; at most 21 values live
 // Error:        eps counts units of machine epsilon x |zonal[l]|
-//               float   rounding  at most 5.8e-06 (48.5 eps)  largest seen 8.0e-07 (21.7 eps)
-//                       total                                 largest seen 9.8e-07 (26.2 eps)
-//               double  rounding  at most 1.1e-14 (45.4 eps)  largest seen 2.5e-15 (21.0 eps)
-//                       total                                 largest seen 2.3e-15 (20.7 eps)
+//               float   rounding  at most 5.8e-06 (48.5 eps)  largest seen 9.6e-07 (23.1 eps)
+//                       total                                 largest seen 1.0e-06 (24.6 eps)
+//               double  rounding  at most 1.1e-14 (45.4 eps)  largest seen 2.9e-15 (22.9 eps)
+//                       total                                 largest seen 2.7e-15 (27.9 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for a direction off length 1 by at most 2 epsilon; coefficients of size 2^-20 to 2^20;
 //               operations round to nearest, with or without contraction
 //               total:    against the exact function at the direction scaled to length 1
 //               seen:     among 558 directions (random, axes, poles, near poles) with random zonal functions of norm 1
-//               and 8000 evaluations of a search, without contraction
+//               and 262144 evaluations of a search, without contraction
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

@@ -12,16 +12,16 @@
 //               Spherical Harmonics (SH) Tricks", GDC 2008; constants derived exactly
 // Cost:         239 multiplications, 56 additions; longest chain 17; at most 23 values live
 // Error:        eps counts units of machine epsilon x |zonal[l]|
-//               float   rounding  at most 7.1e-06 (59.4 eps)  largest seen 1.3e-06 (24.4 eps)
-//                       total                                 largest seen 1.7e-06 (33.0 eps)
-//               double  rounding  at most 1.3e-14 (56.5 eps)  largest seen 3.3e-15 (23.6 eps)
-//                       total                                 largest seen 5.9e-15 (26.5 eps)
+//               float   rounding  at most 7.1e-06 (59.4 eps)  largest seen 1.1e-06 (26.6 eps)
+//                       total                                 largest seen 1.0e-06 (27.1 eps)
+//               double  rounding  at most 1.3e-14 (56.5 eps)  largest seen 3.3e-15 (26.9 eps)
+//                       total                                 largest seen 4.7e-15 (32.0 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for a direction off length 1 by at most 2 epsilon; coefficients of size 2^-20 to 2^20;
 //               operations round to nearest, with or without contraction
 //               total:    against the exact function at the direction scaled to length 1
 //               seen:     among 558 directions (random, axes, poles, near poles) with random zonal functions of norm 1
-//               and 8000 evaluations of a search, without contraction
+//               and 262144 evaluations of a search, without contraction
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;
