@@ -42,7 +42,7 @@ Interval hull(Interval a, Interval b) { return {std::min(a.low, b.low), std::max
 double Format::half_ulp(double magnitude) const {
   if (!std::isfinite(magnitude)) return std::numeric_limits<double>::infinity();
   constexpr std::uint64_t kExponentBits = 0x7ff0000000000000ULL;
-  const double power = std::bit_cast<double>(std::bit_cast<std::uint64_t>(magnitude) & kExponentBits);
+  const auto power = std::bit_cast<double>(std::bit_cast<std::uint64_t>(magnitude) & kExponentBits);
   // Numbers below a power of two have the smaller unit, and the power itself needs no rounding.
   const double binade = power == magnitude ? power / 2 : power;
   return std::max(binade * (epsilon() / 2), tiny());

@@ -35,7 +35,7 @@ class Magnitudes {
 class RoundingAnalysis {
  public:
   /// kernel: straight. Throws std::domain_error, which says why, for a kernel that it cannot analyze.
-  RoundingAnalysis(const Kernel& kernel, const Region& region, const Format& format);
+  RoundingAnalysis(const Kernel& kernel, const Region& region, Format format);
 
   /// Computes the values on a box. Throws std::domain_error if a value may overflow or a divisor may be zero.
   void move_to(const Box& box);

@@ -1,6 +1,7 @@
 // The part of the analysis that holds on every box: steps, reach and degrees of a kernel.
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 #include "codegen/bound/rounding.hpp"
 
@@ -45,8 +46,8 @@ std::vector<int> degrees_in_vector(const Kernel& kernel) {
 
 }  // namespace
 
-RoundingAnalysis::RoundingAnalysis(const Kernel& kernel, const Region& region, const Format& format)
-    : format_(format),
+RoundingAnalysis::RoundingAnalysis(const Kernel& kernel, const Region& region, Format format)
+    : format_(std::move(format)),
       coordinate_(region.coordinate),
       homogeneous_(region.homogeneous),
       values_(kernel.nodes.size()),

@@ -104,10 +104,10 @@ class GaugeSolver {
     return keep(id, fresh());
   }
 
-  // k times a value of the new kernel.
-  NodeId times_constant(const ExactReal& k, const std::string& k_name, NodeId argument, const std::string& name) {
+  // k times a value of the new kernel. The name may be that of a node of this kernel, which moves as nodes are added.
+  NodeId times_constant(const ExactReal& k, const std::string& k_name, NodeId argument, std::string name) {
     const NodeId constant = keep(build_.constant(k, k_name), Gauge{});
-    const NodeId id = build_.mul(constant, argument, name);
+    const NodeId id = build_.mul(constant, argument, std::move(name));
     rescaled_.push_back({id, argument, k});
     return keep(id, fresh());
   }

@@ -220,7 +220,7 @@ Family rectangular_product_family(int left_degree, int right_degree, int degree)
           .limit = kComplete,
           .recipes = recipes_of(shape),
           .reference = [shape](int /*degree*/, int points) { return product_reference(shape, points); },
-          .domain = factor_domain("|a| |b|", [sizes](int /*degree*/) { return sizes; }),
+          .domain = factor_domain("|a| |b|", [sizes](int /*degree*/) { return std::vector<int>(sizes); }),
           .arguments = "product --degree-left " + left + " --degree-right " + right};
 }
 

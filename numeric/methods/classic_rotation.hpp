@@ -21,6 +21,10 @@ template <int L>
 struct Band {
   std::array<std::array<double, 2 * L + 1>, 2 * L + 1> entry{};
   constexpr double operator()(int m, int n) const { return entry[m + L][n + L]; }
+  /// Of the band or of its transpose, by indices from 0.
+  [[nodiscard]] constexpr double at(std::size_t row, std::size_t column, bool transposed) const {
+    return transposed ? entry[column][row] : entry[row][column];
+  }
 };
 
 /// (x, y, z) -> (x, -z, y); rows and columns in the order of band 1: y, z, x.
@@ -101,7 +105,7 @@ inline void turn_quarter(std::array<T, 2 * L + 1>& c) {
   const auto row = [&]<std::size_t M, std::size_t... N>(std::index_sequence<N...>) {
     T sum = 0;
     const auto add = [&]<std::size_t K>() {
-      constexpr double kEntry = Inverse ? kTurn.entry[K][M] : kTurn.entry[M][K];
+      constexpr double kEntry = kTurn.at(M, K, Inverse);
       if constexpr (kEntry != 0) sum += static_cast<T>(kEntry) * from[K];
     };
     (add.template operator()<N>(), ...);

@@ -3,7 +3,6 @@
 
 namespace sh::numeric::methods::SH_ROWS_ISA {
 
-void add_rows(const RowSums<double>& sums);
 void add_rows(const RowSums<double>& sums) { add_all_blocks(sums); }
 
 }  // namespace sh::numeric::methods::SH_ROWS_ISA

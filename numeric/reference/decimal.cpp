@@ -39,7 +39,7 @@ bool take_minus(std::string_view& text) {
   return negative;
 }
 std::string take_digits(std::string_view& text) {
-  const std::string digits(text.substr(0, text.find_first_not_of("0123456789")));
+  std::string digits(text.substr(0, text.find_first_not_of("0123456789")));
   text.remove_prefix(digits.size());
   return digits;
 }

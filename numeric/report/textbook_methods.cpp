@@ -52,7 +52,7 @@ std::vector<GauntEntry<T>> gaunt_entries(int degree) {
       for (int k = 0; k < count; ++k) {
         const Triple l = {degree_of(i), degree_of(j), degree_of(k)};
         if ((l[0] + l[1] + l[2]) % 2 != 0 || l[2] > l[0] + l[1] || l[1] > l[0] + l[2]) continue;
-        const double value = gaunt<double>(l, {order_of(i), order_of(j), order_of(k)});
+        const auto value = gaunt<double>(l, {order_of(i), order_of(j), order_of(k)});
         if (value != 0) entries.push_back({i, j, k, static_cast<T>(value)});
       }
     }

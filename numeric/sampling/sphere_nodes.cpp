@@ -21,7 +21,8 @@ using Nodes = std::vector<SphereNode<double>>;
 
 // No nodes yet, where factor * value * value of them (or factor * value, for power 1) are not too many.
 Nodes nodes_for(const std::string& argument, int value, std::int64_t factor, int power = 2) {
-  const auto limit = static_cast<double>(kMaxSphereNodes / factor);
+  const std::int64_t most = kMaxSphereNodes / factor;
+  const auto limit = static_cast<double>(most);
   require_range(argument, value, 1, static_cast<long>(power == 2 ? std::sqrt(limit) : limit));
   return {};
 }

@@ -49,7 +49,8 @@ class Drawing {
       cell_height_ =
           std::max(cell_height_, cell_width_ * std::min(0.75, static_cast<double>(shape.height) / shape.width));
     }
-    bottom_ = kTop + (count + columns_ - 1) / columns_ * (cell_height_ + kCaption);
+    const int rows = (count + columns_ - 1) / columns_;
+    bottom_ = kTop + rows * (cell_height_ + kCaption);
     canvas_ = plot::png_canvas(kWidth, bottom_ + 36.0, figure.width);
     white_ = 1.0 / exposure();
   }
@@ -83,8 +84,9 @@ class Drawing {
   [[nodiscard]] plot::Box box_of(int i) const {
     const MappingShape shape = mapping_shape(panels_[i].mapping);
     const double unit = std::min(cell_width_ / shape.width, cell_height_ / shape.height);
-    const double x = kMargin + (i % columns_) * (cell_width_ + kMargin);
-    const double y = kTop + (i / columns_) * (cell_height_ + kCaption);
+    const int row = i / columns_, column = i % columns_;
+    const double x = kMargin + column * (cell_width_ + kMargin);
+    const double y = kTop + row * (cell_height_ + kCaption);
     return {x + 0.5 * (cell_width_ - unit * shape.width), y, unit * shape.width, unit * shape.height};
   }
 

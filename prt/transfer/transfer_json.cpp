@@ -178,7 +178,7 @@ Json to_json(const Frame& frame) {
 
 Frame frame_from(const nlohmann::json& json) {
   const auto origin = json.at("origin").get<std::array<double, 3>>();
-  const Frame frame{Eigen::Vector3d(origin.data()), json.at("unit").get<double>()};
+  Frame frame{Eigen::Vector3d(origin.data()), json.at("unit").get<double>()};
   constexpr double kFarthest = 1e100;
   if (!(frame.origin.cwiseAbs().maxCoeff() <= kFarthest) ||
       !(frame.unit >= 0.5 * kLeastExtent && frame.unit <= 2.0 * kLargestExtent)) {

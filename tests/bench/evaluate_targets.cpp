@@ -39,9 +39,9 @@ double error_of(int degree, const std::vector<float>& c, const std::vector<float
   double largest = 0;
   std::vector<double> basis(coefficient_count(degree));
   for (std::size_t i = 0; i < directions.size() / 3; ++i) {
-    const double x = static_cast<double>(directions[3 * i]);
-    const double y = static_cast<double>(directions[3 * i + 1]);
-    const double z = static_cast<double>(directions[3 * i + 2]);
+    const auto x = static_cast<double>(directions[3 * i]);
+    const auto y = static_cast<double>(directions[3 * i + 1]);
+    const auto z = static_cast<double>(directions[3 * i + 2]);
     const double length = std::hypot(x, y, z);
     numeric::basis(degree, x / length, y / length, z / length, basis.data());
     double exact = 0;

@@ -51,7 +51,8 @@ void transforms(Table& table) {
   table.section("Legendre transforms over degree + 1 rings, two coefficients each, ns a degree, order and ring",
                 "target: three times ducc, in multiply-adds of this machine");
   const double limit = multiply_add() * kOperations;
-  for (const auto& [degree, ducc] : kDucc) {
+  for (const auto& [of_degree, ducc] : kDucc) {
+    const int degree = of_degree;
     const Rings rings = gauss_rings(degree);
     const numeric::LegendreRings transform(degree, rings.z, rings.sine);
     const std::vector<double> a(2 * static_cast<std::size_t>(degree) + 2, 0.5);
@@ -65,7 +66,7 @@ void transforms(Table& table) {
                                   [&] { transform.analysis(degree, m, values, std::span(back).first(n)); }},
                                  5);
       for (std::size_t i = 0; i < 2; ++i) seconds[i] += t[i];
-      count += static_cast<double>(n / 2 * rings.z.size());
+      count += 0.5 * static_cast<double>(n * rings.z.size());
     }
     const std::string what = ", degree " + std::to_string(degree);
     table.ratio("synthesis" + what, "ns", seconds[0] / count * 1e9, ducc * limit, "ducc", 3);

@@ -41,9 +41,9 @@ double error_of(int degree, const std::vector<float>& directions, const std::vec
   std::vector<double> exact(coefficient_count(degree), 0.0);
   std::vector<double> values(coefficient_count(degree));
   for (std::size_t i = 0; i < kSamples; ++i) {
-    const double x = static_cast<double>(directions[3 * i]);
-    const double y = static_cast<double>(directions[3 * i + 1]);
-    const double z = static_cast<double>(directions[3 * i + 2]);
+    const auto x = static_cast<double>(directions[3 * i]);
+    const auto y = static_cast<double>(directions[3 * i + 1]);
+    const auto z = static_cast<double>(directions[3 * i + 2]);
     const double length = std::hypot(x, y, z);
     numeric::basis(degree, x / length, y / length, z / length, values.data());
     for (std::size_t k = 0; k < exact.size(); ++k) exact[k] += values[k] / kSamples;

@@ -7,8 +7,6 @@ namespace sh::codegen {
 namespace {
 
 using print::Scalar;
-using test::quoted;
-using test::run_command;
 
 constexpr const char* kStrict = " -fsyntax-only -Wall -Wextra -Wpedantic -Wconversion -Wdouble-promotion -Werror ";
 
@@ -68,7 +66,7 @@ void test::expect_files_compile_alone(const std::string& name, const std::vector
     if (name != "cpp" && name != "glsl-es") write_unit(folder.path(), language, finished, Scalar::kDouble);
   }
   for (const std::string& command : toolchain_of(name).commands) {
-    const auto result = run_command("cd " + quoted(folder.path()) + " && " + command);
+    const auto result = test::run_command("cd " + test::quoted(folder.path()) + " && " + command);
     constexpr std::size_t kMostPrinted = 4000;
     EXPECT_EQ(result.exit_code, 0) << command << '\n' << (result.out + result.err).substr(0, kMostPrinted);
   }

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <map>
 #include <stdexcept>
+#include <utility>
 
 namespace sh::codegen::test {
 namespace {
@@ -61,9 +62,8 @@ std::vector<std::string> tokens_of(const std::string& text) {
 
 class Reader {
  public:
-  Reader(const std::string& language, Scalar scalar, const std::string& text, const std::string& name,
-         Arguments& arguments)
-      : language_(language), scalar_(scalar), arguments_(arguments) {
+  Reader(std::string language, Scalar scalar, const std::string& text, const std::string& name, Arguments& arguments)
+      : language_(std::move(language)), scalar_(scalar), arguments_(arguments) {
     const std::size_t start = text.find(" " + name + "(");
     if (start == std::string::npos) throw std::runtime_error(name + ": expected a function of this name, got none");
     tokens_ = tokens_of(text.substr(start));

@@ -80,7 +80,7 @@ CommandResult shgen(const std::string& arguments) {
 }
 
 CommandResult expect_refused(const std::string& arguments, const std::string& part) {
-  const CommandResult result = shgen(arguments);
+  CommandResult result = shgen(arguments);
   EXPECT_EQ(result.exit_code, 2) << arguments;
   EXPECT_EQ(lines(result.err), 1) << arguments << ": " << result.err;
   EXPECT_EQ(result.err.find("shgen: "), 0U) << arguments << ": " << result.err;

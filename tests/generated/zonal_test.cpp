@@ -38,7 +38,6 @@ using test::coefficient_count;
 using test::Direction;
 using test::directions;
 using test::for_degrees_from;
-using test::kMaxDegree;
 using test::random_array;
 
 int band(std::size_t index) { return static_cast<int>(std::sqrt(static_cast<double>(index))); }

@@ -141,7 +141,7 @@ TEST(Wigner3j, InFloatingPointIsTheExactOneUpToDegreeEight) {
     const Surd exact = wigner_3j_exact(l, m);
     EXPECT_NEAR(wigner_3j<double>(l, m), exact.value<double>(), 2e-15) << text(l) << ", " << text(m);
   });
-  const Mpfr100 wanted = wigner_3j_exact({30, 25, 20}, {11, -20, 9}).value<Mpfr100>();
+  const auto wanted = wigner_3j_exact({30, 25, 20}, {11, -20, 9}).value<Mpfr100>();
   EXPECT_LT(abs(Mpfr100(wigner_3j<Mpfr100>({30, 25, 20}, {11, -20, 9}) - wanted)), 1e-97);
 }
 

@@ -142,7 +142,7 @@ TEST(ImageMapping, TexelsHaveTheirExactSolidAngle) {
   std::vector<PixelNode> nodes;
   for (const int k : {0, 5, 15}) {
     pixel_nodes(ImageMapping::kCubeStrip, 6 * 16, k, 3, nodes);
-    const double exact = numeric::texel_solid_angle<double>((2 * k + 1) / 16.0 - 1.0, 7.0 / 16.0 - 1.0, 16);
+    const auto exact = numeric::texel_solid_angle<double>((2 * k + 1) / 16.0 - 1.0, 7.0 / 16.0 - 1.0, 16);
     EXPECT_NEAR(solid_angle(nodes) / exact, 1.0, 1e-13);
   }
 }
@@ -163,7 +163,7 @@ TEST(ImageMapping, ConstantPicturesLeakNothingIntoHigherBands) {
 TEST(ImageMapping, PictureOfAKnownFunctionGivesItsCoefficientsBack) {
   const LightCoefficients known = random_light(3, 3);
   for (const ImageMapping mapping : kOthers) {
-    double error[2];
+    double error[2] = {};
     for (const int round : {0, 1}) {
       Image image = black(mapping, 32 << round);
       for_each_pixel(mapping, 32 << round, [&](int column, int row, const auto& nodes) {

@@ -116,7 +116,9 @@ TEST_F(Placement, ThatTheFileRoundsAwayIsReportedWithTheFigure) {
   const std::string file = folder_.file("fine.obj");
   const auto grid = [&](double offset) {
     std::string text;
-    for (int i = 0; i < 4; ++i) text += fmt::format("v {:.9g} {:.9g} 0\n", offset + 0.5 * (i % 2), 0.5 * (i / 2));
+    for (const double y : {0.0, 0.5}) {
+      for (const double x : {0.0, 0.5}) text += fmt::format("v {:.9g} {:.9g} 0\n", offset + x, y);
+    }
     write_all(file, text + "f 1 2 4 3\n");
     return Json{{"meshes", {{{"file", file}}}}};
   };
@@ -228,7 +230,7 @@ TEST_F(Placement, OfAStageChangesNoShadowOfItsObjects) {
   const Stage here = stage_at({0.0, 0.0, 0.0}, {0.0, 0.0, 0.0});
   const LightCoefficients light = random_light(2, 8);
   const auto radiance = [&](const Stage& stage) {
-    return StageLighting(stage, [&](int) { return light; }, {})
+    return StageLighting(stage, [&](int) { return LightCoefficients(light); }, {})
         .radiance(poses_at(stage, 0.0), Eigen::Matrix3d::Identity());
   };
   const auto expected = radiance(here);

@@ -31,7 +31,7 @@ Image picture_of(const LightCoefficients& light, int height) {
   for (int row = 0; row < height; ++row) {
     for (int column = 0; column < 2 * height; ++column) {
       const Eigen::Vector3d d = lat_long_direction(column + 0.5, row + 0.5, 2 * height, height);
-      image.pixels.push_back(radiance(light, d).cast<float>());
+      image.pixels.emplace_back(radiance(light, d).cast<float>());
     }
   }
   return image;

@@ -23,9 +23,9 @@ void add_square(Mesh& mesh, float z) {
   const auto first = static_cast<std::uint32_t>(mesh.positions.size());
   for (const auto& [x, y] : {std::pair{-1.0F, -1.0F}, {1.0F, -1.0F}, {1.0F, 1.0F}, {-1.0F, 1.0F}}) {
     mesh.positions.emplace_back(x, y, z);
-    mesh.normals.push_back(Eigen::Vector3f::UnitZ());
-    mesh.geometric_normals.push_back(Eigen::Vector3f::UnitZ());
-    mesh.albedo.push_back(Eigen::Vector3f::Constant(0.5F));
+    mesh.normals.emplace_back(Eigen::Vector3f::UnitZ());
+    mesh.geometric_normals.emplace_back(Eigen::Vector3f::UnitZ());
+    mesh.albedo.emplace_back(Eigen::Vector3f::Constant(0.5F));
   }
   mesh.faces.push_back({first, first + 1, first + 2});
   mesh.faces.push_back({first, first + 2, first + 3});

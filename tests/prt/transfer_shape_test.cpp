@@ -40,7 +40,8 @@ TEST(TransferShape, KeepsColumnsInEveryRowOfAMatrixWhenItIsStored) {
   matrix.storage.one_channel = true;
   std::vector<float> numbers(2 * matrix.length());
   for (std::size_t i = 0; i < numbers.size(); ++i) {
-    numbers[i] = static_cast<float>(i / matrix.length() * 100 + i % matrix.count());
+    const std::size_t row = i / matrix.length(), place = i % matrix.count();
+    numbers[i] = static_cast<float>(100 * row + place);
   }
   const Encoded encoded = encode(numbers, matrix);
   EXPECT_EQ(encoded.data.size(), 2 * 4 * 2 * sizeof(float));

@@ -20,7 +20,6 @@ namespace sh::codegen::recipes {
 namespace {
 
 using cln::cl_RA;
-using symbolic::Monomial;
 using symbolic::Polynomial;
 using symbolic::Surd;
 
