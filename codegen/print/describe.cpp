@@ -58,7 +58,7 @@ std::string both_units(const Error& error) { return fmt::format("{:.1e} ({:.1f} 
 
 // The same, rounded upwards; without the absolute error where the bound states none.
 std::string both_units(const bound::Bound& proved) {
-  const std::string eps = fmt::format("{:.1f} eps", raised(proved.eps, 1));
+  std::string eps = fmt::format("{:.1f} eps", raised(proved.eps, 1));
   if (proved.absolute == 0) return eps;
   const double unit = std::pow(10.0, std::floor(std::log10(proved.absolute)) - 1);
   return fmt::format("{:.1e} ({})", std::ceil(proved.absolute / unit) * unit, eps);

@@ -43,7 +43,7 @@ std::string orbit_file(int degree) {
           const int i = row[lane % 4];
           const int q = lane / 4 * 4 + j;
           if (i < 0 || q >= orbits.count() || is_zero(orbits.value(i, q))) {
-            sums.push_back("0");
+            sums.emplace_back("0");
             continue;
           }
           const ExactReal weight = multiply(symbolic::Surd(cln::cl_RA(1) / 2), orbits.weight(q));

@@ -104,7 +104,7 @@ TEST(Gaunt, RefusesBadDegreesAndOrders) {
 // |G - exact| in epsilon.
 template <class Real>
 void keep_error(test::Worst& worst, const Triple& l, const Triple& m) {
-  const Mpfr50 exact = gaunt_exact(l, m).value<Mpfr50>();
+  const auto exact = gaunt_exact(l, m).value<Mpfr50>();
   const double error = std::abs(static_cast<double>(Mpfr50(Mpfr50(gaunt<Real>(l, m)) - exact))) /
                        static_cast<double>(machine_epsilon<Real>());
   worst.keep(error, "({} {} {}; {} {} {})", l[0], l[1], l[2], m[0], m[1], m[2]);

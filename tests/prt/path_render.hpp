@@ -49,7 +49,7 @@ class PathTracer {
         path.throughput = path.throughput.cwiseProduct(interpolated(path.hit, mesh_, mesh_.albedo));
         const Eigen::Vector3f direction = cosine_direction(path.hit, random);
         if (direction.dot(flat(path.hit)) <= 0.0F || !survives(path, random)) continue;
-        origins.push_back(interpolated(path.hit, mesh_, mesh_.positions) + offset_ * flat(path.hit));
+        origins.emplace_back(interpolated(path.hit, mesh_, mesh_.positions) + offset_ * flat(path.hit));
         directions.push_back(direction);
         paths[kept++] = path;
       }
