@@ -36,7 +36,7 @@ Surd function_scale(const Convention& convention, int l, int m) {
 
 // Y' = s Y and c' = c / s times the folded factor. Evaluated coefficients multiply the basis as they are stored.
 Surd stored_factor(const Convention& convention, Role role, int l, int m) {
-  const Surd scale = function_scale(convention, l, m);
+  Surd scale = function_scale(convention, l, m);
   if (role == Role::kBasisValues || role == Role::kBasisGradient) return scale;
   if (role == Role::kEvaluatedCoefficients) return scale.inverse();
   return scale.inverse() * folded_factor(convention.folded, l);

@@ -131,7 +131,7 @@ ChosenLight choose_light(const LightOptions& options, const std::vector<LightSpe
     chosen.files.push_back(options.light);
   }
   for (const LightSpec& light : lights) chosen.files.push_back(light.file);
-  const double degrees = static_cast<double>(options.turn_degrees);
+  const auto degrees = static_cast<double>(options.turn_degrees);
   chosen.lights = turned(load_lights(lights, flaws), rotation_about(Eigen::Vector3d::UnitZ(), degrees));
   return chosen;
 }

@@ -1,4 +1,5 @@
 // What a change of the scene must do to its light, as properties over random scenes.
+#include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
