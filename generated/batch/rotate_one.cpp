@@ -40,7 +40,7 @@ void build_columns(const float* r, float* prepared) {
   constexpr int kBands = Degree + 1;
   float m[kBands * (2 * kBands - 1) * (2 * kBands + 1) / 3];
   sh::rotate_build<Degree>(r, static_cast<float*>(m));
-  const float* from = static_cast<const float*>(m);
+  const auto* from = static_cast<const float*>(m);
   float* column = prepared;
   for (int l = 0; l <= Degree; ++l) {
     const int size = 2 * l + 1;

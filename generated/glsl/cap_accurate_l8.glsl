@@ -13,15 +13,15 @@
 // Cost:         23 multiplications, 15 additions; longest chain 10; at most 4 values live
 // Error:        eps counts units of machine epsilon x sqrt((2l+1) pi) (1 - cos^2) / 2, the largest coefficient a cap of
 //               that area has (at l = 0: the coefficient)
-//               float   rounding  at most 1.5e-06 (7.4 eps)  largest seen 5.9e-07 (3.5 eps)
-//               double  rounding  at most 2.6e-15 (7.3 eps)  largest seen 6.2e-16 (3.7 eps)
+//               float   rounding  at most 1.5e-06 (7.5 eps)  largest seen 5.9e-07 (3.5 eps)
+//               double  rounding  at most 2.6e-15 (7.3 eps)  largest seen 6.2e-16 (3.9 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for one_minus_cos = 0 or 2^-120 to 2; operations round to nearest, with or without
 //               contraction
 //               seen:     among 522 sizes (random, a hemisphere, the sphere, 2^-1 to 2^-120) and 262144 evaluations of
 //               a search, without contraction
 //               worst:    float one_minus_cos = 0.0001857523
-//                         double one_minus_cos = 6.297536656269636e-07
+//                         double one_minus_cos = 6.826659798504972e-07
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

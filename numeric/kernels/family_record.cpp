@@ -73,7 +73,7 @@ FamilyRecord parsed_family(const Json& json) {
   family.family = json.at("name");
   family.unit = json.at("unit");
   family.sizes = json.at("sizes");
-  family.normalized = json.at("nearest") != "";
+  family.normalized = !json.at("nearest").get<std::string>().empty();
   if (json.contains("lengths")) family.lengths = json.at("lengths");
   for (const Json& kernel : json.at("kernels")) family.kernels.push_back(parsed_kernel(kernel));
   return family;

@@ -94,7 +94,7 @@ template <class T>
 ErrorStats errors_of(const Samples<T>& samples, const std::vector<T>& values, const std::vector<Wide>& truth,
                      double smallest_size) {
   ErrorStats errors(static_cast<double>(std::numeric_limits<T>::epsilon()));
-  const auto outputs = static_cast<std::size_t>(samples.signature.output_count());
+  const auto outputs = static_cast<std::size_t>(std::max(1, samples.signature.output_count()));
   for (std::size_t i = 0; i < values.size(); ++i) {
     const double size = samples.sizes[i] == 0 ? 0 : std::max(samples.sizes[i], smallest_size);
     errors.add({i / outputs, i % outputs}, (Wide(static_cast<double>(values[i])) - truth[i]).high(), size);

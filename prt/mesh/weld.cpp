@@ -119,9 +119,9 @@ void add_backs(Mesh& mesh, const std::vector<std::uint8_t>& is_two_sided) {
   const auto back_of = [&](std::uint32_t front) {
     if (backs[front] == kNoVertex) {
       backs[front] = static_cast<std::uint32_t>(mesh.positions.size());
-      mesh.positions.push_back(Eigen::Vector3f(mesh.positions[front]));
+      mesh.positions.emplace_back(Eigen::Vector3f(mesh.positions[front]));
       mesh.normals.emplace_back(-mesh.normals[front]);
-      mesh.albedo.push_back(Eigen::Vector3f(mesh.albedo[front]));
+      mesh.albedo.emplace_back(Eigen::Vector3f(mesh.albedo[front]));
       repeat_finish(mesh, front);
     }
     return backs[front];

@@ -136,11 +136,12 @@ double encoding_error(Element element, double largest) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   if (!(largest <= static_cast<double>(std::numeric_limits<float>::max()))) return kInfinity;
   if (element == Element::kHalf) {
-    return largest < kHalfOverflow ? std::max(std::ldexp(largest, -11), std::ldexp(1.0, -25)) : kInfinity;
+    if (!(largest < kHalfOverflow)) return kInfinity;
+    return std::max(std::ldexp(largest, -11), std::ldexp(1.0, -25));
   }
   if (element == Element::kByte) {
     constexpr double kRounding = 1.0001;  // of the scale and of its product with q
-    const double least = static_cast<double>(std::numeric_limits<float>::min());
+    const auto least = static_cast<double>(std::numeric_limits<float>::min());
     return largest > 0.0 ? std::max(largest / static_cast<double>(kSteps), least) / 2.0 * kRounding : 0.0;
   }
   return 0.0;

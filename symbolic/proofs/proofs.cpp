@@ -21,7 +21,7 @@ Proof with_range_check(Proof proof) {
 
 std::vector<Proof> all_proofs() { return all_proofs(std::make_shared<const Formulas>()); }
 
-std::vector<Proof> all_proofs(std::shared_ptr<const Formulas> formulas) {
+std::vector<Proof> all_proofs(const std::shared_ptr<const Formulas>& formulas) {
   std::vector<Proof> all;
   for (const auto& area : {basis_catalogue(formulas), rotation_catalogue(formulas), convention_catalogue(formulas),
                            zonal_catalogue(formulas), product_catalogue(formulas)}) {

@@ -54,7 +54,7 @@ struct ProofResult {
 /// Their `run` throws std::invalid_argument, one line with the limit and the reason, for a degree outside
 /// 0 .. max_degree. The second form has proofs about other formulas than ours.
 std::vector<Proof> all_proofs();
-std::vector<Proof> all_proofs(std::shared_ptr<const Formulas> formulas);
+std::vector<Proof> all_proofs(const std::shared_ptr<const Formulas>& formulas);
 
 /// Runs a proof. No exception leaves it, so that the other proofs still run.
 ProofResult run_proof(const Proof& proof, int degree);

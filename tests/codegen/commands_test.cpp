@@ -6,7 +6,6 @@
 namespace sh::codegen {
 namespace {
 
-using test::lines;
 using test::shgen;
 
 TEST(TypesetCommand, TexCompilesWithPlainLatex) {

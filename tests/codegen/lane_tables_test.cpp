@@ -15,7 +15,6 @@ namespace {
 using recipes::ClassRow;
 using recipes::OrbitQuadrature;
 using symbolic::gaunt;
-using symbolic::Surd;
 
 constexpr int kDigits = 40;
 

@@ -36,7 +36,7 @@ std::string jpeg_of(const Bytes& rgb, int width, int height) {
   unsigned char* bytes = nullptr;
   unsigned long size = 0;
   tjCompress2(coder.get(), rgb.data(), width, 0, height, TJPF_RGB, &bytes, &size, TJSAMP_444, 100, 0);
-  const std::string out(reinterpret_cast<const char*>(bytes), size);
+  std::string out(reinterpret_cast<const char*>(bytes), size);
   tjFree(bytes);
   return out;
 }
@@ -97,8 +97,9 @@ Image sky_with_disc(ImageMapping mapping, int unit, const Eigen::Vector3d& sun, 
     for (int column = 0; column < image.width; ++column) {
       Eigen::Vector3f sum = Eigen::Vector3f::Zero();
       for (int k = 0; k < kSide * kSide; ++k) {
-        const auto d = mapped_direction(mapping, (column + (k % kSide + 0.5) / kSide) / image.width,
-                                        (row + (k / kSide + 0.5) / kSide) / image.height);
+        const int down = k / kSide, across = k % kSide;
+        const auto d = mapped_direction(mapping, (column + (across + 0.5) / kSide) / image.width,
+                                        (row + (down + 0.5) / kSide) / image.height);
         if (d) {
           const auto sky = static_cast<float>(0.6 + 0.4 * d->z());
           sum += cap_covers(sun, one_minus_cos, *d) ? Eigen::Vector3f(radiance, 0.9F * radiance, 0.8F * radiance)
