@@ -84,7 +84,7 @@ PresetNames names_of(const Convention& convention) {
     preset.axes = convention.axes;
     return convention == preset;
   };
-  return preset_names(convention.axes, same, std::equal_to<Axes>());
+  return preset_names(convention.axes, same, std::equal_to<>());
 }
 
 int rank_of(const Reading& reading) {
