@@ -149,7 +149,7 @@ double SizeFormula::operator()(const double* in, std::size_t output) const {
   const std::size_t index = output - (found->end - found->values);
   const std::size_t each = found->values / found->channels;
   const std::size_t in_channel = index % each;
-  const double place_in_bands = static_cast<double>(in_channel);
+  const auto place_in_bands = static_cast<double>(in_channel);
   const int band = static_cast<int>(found->zonal ? place_in_bands : std::sqrt(place_in_bands));
   const Output place{output, index, index / each, found->channels, band};
   double size = 0;

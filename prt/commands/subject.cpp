@@ -106,8 +106,7 @@ std::vector<Pose> Subject::poses_at(double time) {
 
 std::vector<Eigen::Vector3f> Subject::radiance(const std::vector<Pose>& poses,
                                                const Eigen::Matrix3d& light_turn) const {
-  const std::vector<Eigen::Vector3f> radiance =
-      local_ ? local_radiance(light_turn) : lighting_.radiance(poses, light_turn);
+  std::vector<Eigen::Vector3f> radiance = local_ ? local_radiance(light_turn) : lighting_.radiance(poses, light_turn);
   require_finite(radiance, file_);
   return radiance;
 }
