@@ -44,8 +44,8 @@ class ListScheduler {
     const auto args = arguments(kernel_.node(id));
     int change = uses_left_[id] > 0 ? 1 : 0;
     for (auto arg = args.begin(); arg != args.end(); ++arg) {
-      if (std::find(args.begin(), arg, *arg) != arg || is_constant(*arg)) continue;
-      if (uses_left_[*arg] == std::count(arg, args.end(), *arg)) --change;
+      if (!is_constant(*arg) && uses_left_[*arg] == std::count(arg, args.end(), *arg))
+        --change;  // once: at its first place
     }
     return change;
   }

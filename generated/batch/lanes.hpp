@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstddef>
+#include <initializer_list>
 #include <utility>
 #include <xsimd/xsimd.hpp>
 
@@ -117,7 +118,7 @@ template <int Inputs, int Size, class T, class Kernel>
 // body(0), body(1), ..., so that arrays with these indices may live in registers.
 template <std::size_t... K, class Body>
 [[gnu::always_inline]] inline void unrolled(std::index_sequence<K...> /*count*/, const Body& body) {
-  (body(K), ...);
+  static_cast<void>(std::initializer_list<int>{(body(K), 0)...});  // a fold nests deeper than clang allows
 }
 
 // The same where input 0, Size values a record, is in half precision: `in[0]` and `step[0]` count two of them as one.

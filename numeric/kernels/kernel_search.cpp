@@ -76,6 +76,32 @@ struct Range {
   }
 };
 
+// The least and the largest length of a first parameter that is a vector of any length; any length otherwise.
+template <class T>
+class LengthRange {
+ public:
+  LengthRange(const std::vector<std::vector<T>>& points, const FamilyCheck& check, int degree)
+      : any_(check.signature(degree).parameters[0].role != "vector") {
+    if (any_) return;
+    for (const auto& point : points) {
+      least_ = std::min(least_, length(point.data()));
+      largest_ = std::max(largest_, length(point.data()));
+    }
+  }
+  [[nodiscard]] bool contains(const T* point) const {
+    return any_ || (length(point) >= least_ && length(point) <= largest_);
+  }
+
+ private:
+  static long double length(const T* v) {
+    return std::hypot(static_cast<long double>(v[0]), static_cast<long double>(v[1]), static_cast<long double>(v[2]));
+  }
+
+  bool any_;
+  long double least_ = std::numeric_limits<long double>::infinity();
+  long double largest_ = 0;
+};
+
 // Makes a 3x3 matrix, row by row, a rotation: the first row keeps its direction, the second its plane with the first.
 void orthogonalize(long double* r) {
   const auto dot = [&](int i, int k) { return r[i] * r[k] + r[i + 1] * r[k + 1] + r[i + 2] * r[k + 2]; };
@@ -127,9 +153,9 @@ KernelResult search_kernel(const BoundKernel& kernel, const FamilyCheck& check, 
   const auto distance = std::make_shared<DistanceFromWide<T>>(kernel, check);
   SearchProblem<T> problem;
   problem.error = [distance](const T* in) { return (*distance)(in); };
-  problem.to_domain = [&check, degree, width, range](T* in) {
+  problem.to_domain = [&check, degree, width, range, lengths = LengthRange<T>(starts, check, degree)](T* in) {
     range->clamp(in);
-    return !check.nearest || to_nearest(check, degree, width, in);
+    return lengths.contains(in) && (!check.nearest || to_nearest(check, degree, width, in));
   };
   problem.fixed.assign(width, false);
   std::fill_n(problem.fixed.begin(), fixed_inputs(check, degree), true);

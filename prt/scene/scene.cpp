@@ -30,7 +30,7 @@ Turn read_turn(const JsonReader& reader) {
     if (!(turn.axis.stableNorm() > 0.0F)) axis->expected("an axis that is not zero");
     turn.axis.stableNormalize();
   }
-  turn.degrees = reader.at("degrees").finite();
+  turn.degrees = static_cast<float>(reader.at("degrees").degrees(-kMostTurn, kMostTurn));
   return turn;
 }
 

@@ -21,7 +21,9 @@ struct Turn {
   float degrees = 0.0F;
 };
 
-/// Reads {"axis": [x, y, z], "degrees": d}; the default axis is z.
+constexpr double kMostTurn = 36000.0;  // degrees: a hundred turns
+
+/// Reads {"axis": [x, y, z], "degrees": d}, d from -kMostTurn to kMostTurn; the default axis is z.
 Turn read_turn(const JsonReader& reader);
 
 /// A square of flat ground under the meshes, in their frame.

@@ -19,7 +19,7 @@ Motion::Key read_key(const JsonReader& reader, const Motion::Key& otherwise) {
   Motion::Key key = otherwise;
   key.time = reader.at("time").number(0.0, 1.0, "a number from 0 to 1");
   reader.take("position", key.position, &JsonReader::point);
-  reader.take("degrees", key.degrees, &JsonReader::finite);
+  reader.take("degrees", key.degrees, &JsonReader::degrees, -kMostTurn, kMostTurn);
   return key;
 }
 

@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <set>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
 
 #include "numeric/kernels/kernel_limits.hpp"
 #include "numeric/kernels/kernel_search.hpp"
@@ -54,6 +57,23 @@ TEST(ExtremeSearch, FindsMoreThanTheInputsOfTheCheckDo) {
     if (kernel.degree < 4) continue;
     const double sampled = kernel_errors<float>(kernel, check).rounding.scaled().max();
     EXPECT_GT(search_kernel<float>(kernel, check, kEffort).rounding.scaled().max(), 1.2 * sampled) << kernel.name();
+  }
+}
+
+// Shorter vectors lose their digits to underflow, which is no rounding error of the kernel.
+TEST(ExtremeSearch, KeepsVectorsAtTestedLengths) {
+  const FamilyCheck& check = check_of("basis_normalised");
+  const auto length = [](const std::vector<double>& v) { return std::hypot(v[0], v[1], v[2]); };
+  for (const BoundKernel& kernel : test::kernels_of({"basis_normalised", "basis_normalised_accurate"})) {
+    double shortest = std::numeric_limits<double>::infinity(), longest = 0;
+    for (const auto& input : check.inputs(kernel.degree)) {
+      shortest = std::min(shortest, length(input.values));
+      longest = std::max(longest, length(input.values));
+    }
+    const KernelResult found = search_kernel<float>(kernel, check, SearchEffort{});
+    constexpr double kRounded = 1e-6;
+    EXPECT_GE(length(found.worst_rounding.values), shortest * (1 - kRounded)) << kernel.name();
+    EXPECT_LE(length(found.worst_rounding.values), longest * (1 + kRounded)) << kernel.name();
   }
 }
 

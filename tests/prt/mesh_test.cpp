@@ -6,6 +6,7 @@
 #include <numbers>
 #include <set>
 
+#include "prt/mesh/mend.hpp"
 #include "prt/mesh/weld.hpp"
 #include "tests/prt/meshes.hpp"
 #include "tests/prt/temporary_folder.hpp"
@@ -196,6 +197,12 @@ TEST(Splitting, MakesUnitNormalsAlongSmoothEdges) {
     EXPECT_NEAR(mesh.normals[v].norm(), 1.0F, 1e-6F);
     EXPECT_GT(mesh.normals[v].dot(mesh.positions[v].normalized()), 0.999F);
   }
+}
+
+TEST(Flaw, QuotesNamesWithoutTheirControlCharacters) {
+  testing::internal::CaptureStderr();
+  report_flaw(OnFlaw::kMend, "a\n\x1b[2J.obj: 3 faces have no area (dropped)");
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "warning: a\\x0a\\x1b[2J.obj: 3 faces have no area (dropped)\n");
 }
 
 }  // namespace

@@ -260,6 +260,8 @@ TEST_F(StageFile, ThatIsWrongIsRefusedInOneLine) {
       {R"({"objects": [{"transfer": "a.transfer", "move": []}]})", "/objects/0/move: expected at least one key"},
       {R"({"objects": [{"transfer": "a.transfer", "move": [{"time": 0.5}, {"time": 0.5}]}]})",
        "/objects/0/move/1/time: expected a time after"},
+      {R"({"objects": [{"transfer": "a.transfer", "move": [{"time": 0, "degrees": 3.14159}]}]})",
+       "/objects/0/move/0/degrees: expected degrees; this looks like 12/12 pi radians, which are 180 degrees"},
       {R"({"objects": [{"transfer": "a.transfer", "move": [{"time": 1.5}]}]})", "a number from 0 to 1"},
       {R"({"objects": [{"transfer": "a.transfer", "move": [{"time": 0, "angle": 3}]}]})",
        "/objects/0/move/0/angle: unknown key, expected one of time, position, degrees"},
