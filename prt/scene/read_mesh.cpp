@@ -129,19 +129,21 @@ double mean_edge(const Soup& soup) {
   return sum / (3.0 * static_cast<double>(soup.faces.size()));
 }
 
-// Single precision carries a shape if it rounds positions by less than kFine of a mean edge.
+// Single precision carries a shape if it rounds positions by less than kFine of a mean edge; by a whole one, nothing is
+// left of the shape.
 void report_rounding(const Soup& soup, const Frame& frame, const std::string& name, OnFlaw on_flaw) {
   constexpr double kFine = 1e-3;
   const double in_file = soup.rounding / frame.unit;
   const double in_scene = kSingleRounding * largest(soup.positions);
-  const double edge = mean_edge(soup);
-  if (!(in_file + in_scene > kFine * edge)) return;
-  report_flaw(on_flaw,
-              fmt::format("{}: single precision rounds its positions by up to {:.2g}, {:.2g} of its mean edge; "
-                          "expected {}",
-                          name, (in_file + in_scene) * frame.unit, (in_file + in_scene) / edge,
-                          in_file > in_scene ? "a file with its origin near the mesh (`translate` moves it)"
-                                             : "meshes nearer to each other, or a bake of each"));
+  const double edges = (in_file + in_scene) / mean_edge(soup);
+  if (!(edges > kFine)) return;
+  const std::string flaw =
+      fmt::format("{}: single precision rounds its positions by up to {:.2g}, {:.2g} of its mean edge; expected {}",
+                  name, (in_file + in_scene) * frame.unit, edges,
+                  in_file > in_scene ? "a file with its origin near the mesh (`translate` moves it)"
+                                     : "meshes nearer to each other, or a bake of each");
+  if (edges > 1.0) throw std::runtime_error(flaw);
+  report_flaw(on_flaw, flaw);
 }
 
 }  // namespace

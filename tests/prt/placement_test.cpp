@@ -135,6 +135,18 @@ TEST_F(Placement, ThatTheFileRoundsAwayIsReportedWithTheFigure) {
   EXPECT_NE(wide.find("expected meshes nearer to each other"), std::string::npos) << wide;
 }
 
+TEST_F(Placement, ThatLeavesNothingOfAShapeIsRefusedInEveryMode) {
+  Json apart = scene_at({0.0, 0.0, 0.0});
+  for (const double distance : {1e8, 1e15, 1e25, 1e30}) {
+    apart["meshes"][1]["transform"]["translate"] = {0.0, 0.0, distance};
+    write_all(folder_.file("apart.json"), apart.dump());
+    const std::string said = message_of([&] { load_scene(folder_.file("apart.json"), OnFlaw::kMend); });
+    EXPECT_TRUE(said.find("expected meshes nearer to each other") != std::string::npos ||
+                said.find("has an area") != std::string::npos)
+        << distance << ": " << said;
+  }
+}
+
 TEST_F(Placement, InANodeOfTheFileKeepsTheDigitsOfTheShape) {
   const std::vector<float> corners = {0.0F, 0.0F, 0.0F, 0.1F, 0.0F, 0.0F, 0.0F, 0.1F, 0.0F};
   const auto mesh_at = [&](const Json& node) {
