@@ -43,7 +43,8 @@ class HostileFile : public testing::Test {
   }
 
   // Its first number of a section replaced.
-  std::string with_number(std::string_view section, float number) {
+  template <class Number>
+  std::string with_number(std::string_view section, Number number) {
     std::string bytes = good_;
     std::memcpy(bytes.data() + place_of(bytes, section), &number, sizeof number);
     return refusal(bytes);
@@ -85,6 +86,27 @@ TEST_F(HostileFile, IsRefusedWithNumbersThatAreNotWhatTheirSectionHolds) {
   EXPECT_EQ(with_number("position", 1e30F), "");
 }
 
+TEST_F(HostileFile, IsAcceptedWithTheLimitsOfItsNumbers) {
+  for (const float limit : {0.0F, 1.0F}) {
+    EXPECT_EQ(with_number("albedo", limit), "");
+    EXPECT_EQ(with_number("mirror", limit), "");
+  }
+  EXPECT_EQ(with_number("normal", 0.04F), "") << "of length 1.0008";
+  EXPECT_EQ(with_number("normal", 0.05F), "damaged transfer file: a normal is not of length 1") << "of length 1.0012";
+}
+
+TEST_F(HostileFile, IsRefusedWhereItNamesAVertexThatIsNotThere) {
+  const auto count = static_cast<std::uint32_t>(read_transfer(file_).mesh.positions.size());
+  const std::string reason = "damaged transfer file: it names a vertex that is not there";
+  for (const char* section : {"face", "remap"}) {
+    EXPECT_EQ(with_number(section, count - 1), "") << section;
+    EXPECT_EQ(with_number(section, count), reason) << section;
+    EXPECT_EQ(with_number(section, kNoVertex - 1), reason) << section;
+  }
+  EXPECT_EQ(with_number("face", kNoVertex), reason);
+  EXPECT_EQ(with_number("remap", kNoVertex), "") << "no face uses it";
+}
+
 TEST_F(HostileFile, IsRefusedWithCountsInItsHeaderThatDisagreeWithItsSections) {
   const auto header = nlohmann::json::parse(transfer_header(read_transfer(file_)));
   for (const char* name : {"vertices", "faces", "file_vertices"}) {
@@ -103,6 +125,12 @@ TEST_F(HostileFile, IsRefusedWithPartsOfNumbersAndNegativeAmountsInItsHeader) {
   expect_refused("\"degree\": 1,\n", "\"degree\":1.5,", "has 1.5, expected a whole number from 0 to 10");
   expect_refused("\"degree\": 1,", "\"degree\":-1,", "transfer of degree -1, expected 0 to 10");
   expect_refused("\"result_degree\": 0,\n", "\"result_degree\":0.5,", "has 0.5, expected a whole number");
+  expect_refused("\"result_degree\": 0,\n", "\"result_degree\":11,", "has 11, expected a whole number from 0 to 10");
+  expect_refused("\"result_degree\": 0,\n", "\"result_degree\":10,", "transfer of kind DI and degree 1 with");
+  expect_refused("\"columns\": 4,", "\"columns\": 5,", "with 3 channels of 1 x 5 numbers, expected 3 of 1 x 4");
+  expect_refused("\"rows\": 1,", "\"rows\": 2,", "with 3 channels of 2 x 4 numbers, expected 3 of 1 x 4");
+  expect_refused("\"channels\": 3,", "\"channels\": 1,", "with 1 channels of 1 x 4 numbers, expected 3 of 1 x 4");
+  expect_refused(R"("sampler": "fibonacci")", R"("sampler": "fibonaccy")", "sampler fibonaccy, expected one of fib");
   expect_refused("\"directions\": 64,", "\"directions\": -4,", "has -4, expected a whole number");
   expect_refused("\"directions\": 128", "\"directions\": 1.5", "has 1.5, expected a whole number");
   expect_refused("\"seed\": 0,", "\"seed\":-1,", "has -1, expected a whole number");
@@ -194,6 +222,25 @@ TEST_F(HostileFile, HasItsLastSectionsToo) {
             "damaged transfer file: section face is missing");
   EXPECT_NE(refusal(with_table(good_, [](auto& table) { table.resize(11); }), true).find("of 11 sections, expected"),
             std::string::npos);
+}
+
+TEST_F(HostileFile, IsRefusedWhereItsPartsAndItsSizeDisagree) {
+  const auto with_prologue = [&](std::string bytes, const auto& change) {
+    layout::Prologue prologue;
+    std::memcpy(&prologue, bytes.data(), sizeof prologue);
+    change(prologue);
+    std::memcpy(bytes.data(), &prologue, sizeof prologue);
+    return refusal(bytes);
+  };
+  const auto of_size = [](std::size_t size) { return [size](auto& prologue) { prologue.file_size = size; }; };
+  EXPECT_EQ(with_prologue(good_.substr(0, sizeof(layout::Prologue)), of_size(sizeof(layout::Prologue))),
+            "truncated transfer file");
+  EXPECT_EQ(with_prologue(good_ + '\0', of_size(good_.size() + 1)),
+            "damaged transfer file: bytes after its last section");
+  for (const std::uint64_t size : {good_.size() + 1, std::size_t{1} << 60}) {
+    EXPECT_EQ(with_prologue(good_, [size](auto& prologue) { prologue.header_size = size; }),
+              "damaged transfer file: its JSON header is longer than the file");
+  }
 }
 
 TEST_F(HostileFile, IsNeverWritten) {

@@ -4,11 +4,13 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
+#include <cmath>
 #include <csignal>
 #include <cstring>
 #include <functional>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "numeric/output/atomic_file.hpp"
 #include "prt/transfer/storage.hpp"
@@ -139,7 +141,10 @@ TEST_F(TransferFile, IsRefusedWhenItsHeaderDoesNotFitItsSections) {
   };
   EXPECT_NE(refusal_with("\"byte\"", "\"half\"").find("does not fit"), std::string::npos);
   EXPECT_NE(refusal_with("\"byte\"", "\"bite\"").find("storage that does not exist"), std::string::npos);
-  EXPECT_NE(refusal_with("      2\n    ]", "      9\n    ]").find("storage that does not exist"), std::string::npos);
+  for (const char* column : {"4", "9"}) {  // there are four
+    const std::string last = std::string("      ") + column + "\n    ]";
+    EXPECT_NE(refusal_with("      2\n    ]", last).find("storage that does not exist"), std::string::npos) << column;
+  }
   EXPECT_NE(refusal_with("\"one_channel\": true", "\"one_channel\":    1").find("wrong type"), std::string::npos);
   EXPECT_NE(refusal_with("\"one_channel\": true,", "\"one_channel\":false,").find("does not fit"), std::string::npos);
 }
@@ -211,6 +216,29 @@ TEST_F(TransferFile, GivesBackEveryEntryOfItsHeader) {
   }
 }
 
+TEST_F(TransferFile, HoldsTheLeastAndTheLargestDegree) {
+  for (const int degree : {0, kMaxDegree}) {
+    Transfer transfer = Transfer::of(kShadowed, degree);
+    transfer.mesh = primitive_mesh("plane");
+    transfer.coefficients.assign(transfer.mesh.positions.size() * transfer.shape.length(), 0.25F);
+    write_transfer(file_, transfer);
+    const Transfer read = read_transfer(file_);
+    EXPECT_EQ(read.shape.degree, degree);
+    EXPECT_EQ(read.coefficients, transfer.coefficients);
+  }
+}
+
+TEST_F(TransferFile, KeepsDecisionsThatCostOrSaveAsMuchAsCanBeCounted) {
+  Transfer transfer = stored_transfer({});
+  const auto least = std::numeric_limits<std::int64_t>::min(), most = std::numeric_limits<std::int64_t>::max();
+  transfer.plan.decisions[0].rays_saved = least;
+  transfer.plan.decisions[0].bytes_saved = most;
+  write_transfer(file_, transfer);
+  const Transfer read = read_transfer(file_);
+  EXPECT_EQ(read.plan.decisions[0].rays_saved, least);
+  EXPECT_EQ(read.plan.decisions[0].bytes_saved, most);
+}
+
 TEST_F(TransferFile, LeavesOutWhatThereIsNot) {
   Transfer transfer = with_every_entry(true);
   transfer.directions = 0;
@@ -220,8 +248,10 @@ TEST_F(TransferFile, LeavesOutWhatThereIsNot) {
   transfer.bounces.emitted_largest = transfer.bounces.between_vertices = 0.0;
   transfer.plan.decisions.clear();
   transfer.shape.storage = {};
+  const nlohmann::json whole = nlohmann::json::parse(transfer_header(with_every_entry(true)));
   const nlohmann::json header = nlohmann::json::parse(transfer_header(transfer));
   for (const char* entry : {"sampler", "seed", "complete", "asked", "frame", "emitted", "plan", "storage"}) {
+    EXPECT_TRUE(whole.contains(entry)) << entry;
     EXPECT_FALSE(header.contains(entry)) << entry;
   }
   for (const char* entry : {"emitted_bound", "emitted_largest", "between_vertices"}) {
@@ -251,6 +281,15 @@ TEST_F(TransferFile, IsRefusedWithAFrameThatIsNoPlaceOrNoLength) {
   EXPECT_EQ(refusal_with("1000000.0", "1e101"), reason);
   EXPECT_EQ(refusal_with("1000000.0", "-1e101"), reason);
   EXPECT_EQ(refusal_with("1000000.0", "1e100"), "");
+  Transfer transfer = with_every_entry(true);
+  for (const auto& [limit, beyond] : {std::pair{0.5 * kLeastExtent, 0.0}, std::pair{2.0 * kLargestExtent, HUGE_VAL}}) {
+    transfer.mesh.frame.unit = limit;
+    write_transfer(file_, transfer);
+    EXPECT_EQ(refusal(), "");
+    transfer.mesh.frame.unit = std::nextafter(limit, beyond);
+    write_transfer(file_, transfer);
+    EXPECT_EQ(refusal(), reason);
+  }
 }
 
 TEST_F(TransferFile, NamesItsConventionsInItsHeader) {
