@@ -295,7 +295,8 @@ bool any_array(const Kernel& kernel, const std::function<bool(const Parameter&)>
 
 // Coefficients that hold A_l / pi cannot be multiplied or convolved again.
 void require_radiance(const Kernel& kernel, const std::string& name) {
-  const bool multiplies = multiplies_coefficients(kernel);
+  const bool samples = any_array(kernel, [](const Parameter& array) { return array.role == Role::kSamples; });
+  const bool multiplies = samples || multiplies_coefficients(kernel);
   const bool convolves = any_array(kernel, [](const Parameter& array) { return array.role == Role::kIrradiance; });
   if (!multiplies && !convolves) return;
   throw std::invalid_argument("convention " + name + ": expected coefficients of radiance for " +
@@ -327,7 +328,12 @@ Convention chosen_convention(const Kernel& kernel, const ConventionOptions& opti
   if (convention.complex)
     throw std::invalid_argument("convention " + options.convention + ": expected a real convention, got a complex one");
   int degree = kernel.degree;
-  for (const Parameter& result : kernel.results) degree = std::max(degree, result.degree);
+  for (const auto* arrays : {&kernel.parameters, &kernel.results}) {
+    for (const Parameter& array : *arrays) {
+      const bool meets_visibility = array.role == Role::kSamples;
+      degree = std::max(degree, meets_visibility ? 2 * array.degree : array.degree);
+    }
+  }
   require_convention(convention, degree);
   require_effect(kernel, convention, options);
   if (convention.folded != symbolic::Folded::kNothing) require_radiance(kernel, options.convention);

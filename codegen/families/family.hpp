@@ -106,5 +106,6 @@ std::vector<Family> irradiance_families();
 std::vector<Family> window_families();
 std::vector<Family> rotation_families();
 std::vector<Family> product_families();
+std::vector<Family> transfer_families();
 
 }  // namespace sh::codegen

@@ -41,6 +41,7 @@ constexpr Traits kTraits[] = {
     {Role::kBasisGradient, "basis gradient", true, false, true},
     {Role::kMoments, "moments", true},
     {Role::kPolynomial, "polynomial"},
+    {Role::kSamples, "sampled function"},
     {Role::kLinearForm, "linear form", true},
     {Role::kQuadraticForm, "quadratic form"},
 };
@@ -83,6 +84,8 @@ Parameter parameter(Role role, std::string name) {
 Parameter array(Role role, std::string name, int degree, int channels) {
   int size = coefficient_count(degree);
   if (role == Role::kZonalCoefficients) size = degree + 1;
+  // 8 n^2 on the rings, two at the poles, two for the correction; a constant has one.
+  if (role == Role::kSamples) size = degree == 0 ? 1 : 8 * degree * degree + 4;
   if (role == Role::kBandMatrices) size = (degree + 1) * (2 * degree + 1) * (2 * degree + 3) / 3;
   std::vector<int> shape{size};
   if (channels > 1) shape.insert(shape.begin(), channels);
@@ -94,6 +97,10 @@ std::vector<Parameter> with_direction(std::vector<Parameter> before, const std::
   for (int axis = 0; axis < 3; ++axis) before.push_back({kCoordinates[axis], {}, role, -1, axis});
   before.insert(before.end(), after.begin(), after.end());
   return before;
+}
+
+bool is_prepared(Role role) {
+  return role == Role::kBandMatrices || role == Role::kPolynomial || role == Role::kMoments || role == Role::kSamples;
 }
 
 bool is_by_degree_and_order(Role role) { return traits(role).by_degree_and_order; }

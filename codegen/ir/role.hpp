@@ -32,6 +32,7 @@ enum class Role {
   kBasisGradient,  ///< (bands^2): derivatives of Y_lm by coordinate `axis`; derivatives by x, y, z follow each other
   kMoments,        ///< (bands^2): sums of z^n Re (x+iy)^m at index l(l+1)+m, l = m+n; of z^n Im (x+iy)^m at l(l+1)-m
   kPolynomial,     ///< (bands^2): the coefficients of x^i y^j and z x^i y^j of a function on the sphere
+  kSamples,        ///< (samples) or (channels, samples): a function of `degree` at the nodes of transfer_apply
   kLinearForm,     ///< (4): e_0 + e_1 y + e_2 z + e_3 x, a function of degree 1
   kQuadraticForm,  ///< (4, 4), row by row: a quadratic form in (x, y, z, 1)
 };
@@ -61,6 +62,8 @@ Parameter array(Role role, std::string name, int degree, int channels = 1);
 std::vector<Parameter> with_direction(std::vector<Parameter> before, const std::vector<Parameter>& after = {},
                                       Role role = Role::kDirection);
 
+/// True for numbers that another kernel makes and that only make sense together: band matrices, samples.
+bool is_prepared(Role role);
 /// True for numbers at index l(l+1)+m that have the parities of Y_lm in x, y and z.
 bool is_by_degree_and_order(Role role);
 /// True for coefficients of a function in the basis, including zonal coefficients.

@@ -136,9 +136,8 @@ struct Range {
 std::vector<bool> fixed_inputs(const Kernel& kernel) {
   std::vector<bool> fixed;
   for (const Parameter& parameter : kernel.parameters) {
-    const bool together = parameter.role == Role::kBandMatrices || parameter.role == Role::kPolynomial ||
-                          parameter.role == Role::kMoments;
-    fixed.insert(fixed.end(), parameter.size(), together && kernel.parameters[0].name == parameter.name);
+    const bool sum = position_of(kernel.results, parameter.name) >= 0;
+    fixed.insert(fixed.end(), parameter.size(), is_prepared(parameter.role) && !sum);
   }
   return fixed;
 }

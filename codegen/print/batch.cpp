@@ -56,7 +56,8 @@ std::string declaration(const Driver& driver) {
   const RecordSignature s = signature_of(kernel);
   std::string records;
   for (const Record& record : s.inputs) {
-    records += " " + record.name + " (" + size_text(record.size, kernel.degree) + "),";
+    const std::string size = record.size_text.empty() ? size_text(record.size, kernel.degree) : record.size_text;
+    records += " " + record.name + " (" + size + "),";
   }
   std::string text = filled(R"(
 /// $what.

@@ -3,6 +3,19 @@
 #include <algorithm>
 
 namespace sh::codegen::print {
+namespace {
+
+std::string size_text(const Parameter& array, int kernel_degree) {
+  if (array.role == Role::kSamples) {
+    const std::string one = "8 degree^2 + 4";
+    const bool channels = array.shape.size() == 2;
+    return (channels ? std::to_string(array.shape.front()) + " (" + one + ")" : one) + ", at degree 0 one a channel";
+  }
+  return holds_coefficients(array.role) && array.degree == 2 * kernel_degree ? "(2 degree + 1)^2" : "";
+}
+
+}  // namespace
+
 RecordSignature signature_of(const Kernel& kernel) {
   RecordSignature s;
   for (const Parameter& p : kernel.parameters) {
@@ -16,6 +29,7 @@ RecordSignature signature_of(const Kernel& kernel) {
     Record& record = s.inputs.back();
     record.arguments.push_back(p.shape.empty() ? from + "[" + std::to_string(record.size) + "]" : from);
     record.size += p.size();
+    record.size_text = size_text(p, kernel.degree);
   }
   s.out_size = total_size(kernel.results);
   s.returns = kernel.returns_scalar();

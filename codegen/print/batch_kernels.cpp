@@ -3,7 +3,6 @@
 
 #include "codegen/print/batch_driver.hpp"
 #include "codegen/print/dialect.hpp"
-#include "numeric/oracle/index.hpp"
 
 namespace sh::codegen::print {
 namespace {
@@ -11,13 +10,11 @@ namespace {
 enum class Loop { kPlain, kFixed, kHalf };
 
 // The loop over registers that runs a kernel: its name and template arguments.
-std::string loop_of(const RecordSignature& s, int degree, Loop loop) {
+std::string loop_of(const RecordSignature& s, Loop loop) {
   const std::string count = "(Degree + 1) * (Degree + 1)";
   const std::string inputs = std::to_string(s.inputs.size());
-  const int sets = s.inputs[0].size / numeric::coefficient_count(degree);
   if (loop == Loop::kFixed) return "for_every_register_fixed<" + inputs + ", " + count + ">";
-  if (loop == Loop::kHalf)
-    return "for_every_register_half<" + inputs + ", " + (sets == 1 ? "" : std::to_string(sets) + " * ") + count + ">";
+  if (loop == Loop::kHalf) return "for_every_register_half<" + inputs + ", Size>";
   return s.sums ? "sum_every_register<" + inputs + ", " + count + ">" : "for_every_register<" + inputs + ">";
 }
 
@@ -31,10 +28,10 @@ std::string block_kernel(const std::string& name, const Kernel& kernel, Loop loo
 }
 
 )",
-                {{"class_t", half ? "" : ", class T"},
+                {{"class_t", half ? ", int Size" : ", class T"},
                  {"name", name},
                  {"t", half ? "float" : "T"},
-                 {"loop", loop_of(signature_of(kernel), kernel.degree, loop)},
+                 {"loop", loop_of(signature_of(kernel), loop)},
                  {"call", call_of(kernel)}});
 }
 
@@ -58,7 +55,9 @@ std::string plan_row(const Driver& driver, std::size_t i) {
                  {"out", std::to_string(s.out_size)},
                  {"sums", s.sums ? "true" : "false"},
                  {"kernel", (by_parts ? "parts" : "kernel") + at_degree + ", T>"},
-                 {"half", driver.spec.half ? "float_only<T>(kernel_half" + at_degree + ">)" : "nullptr"},
+                 {"half", driver.spec.half
+                              ? "float_only<T>(kernel_half" + at_degree + ", " + std::to_string(s.inputs[0].size) + ">)"
+                              : "nullptr"},
                  {"prepared", prepared},
                  {"finish", by_parts ? "detail::finish_" + driver.name : "nullptr"}});
 }

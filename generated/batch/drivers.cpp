@@ -23,6 +23,10 @@ template <class T>
 void rotate(const detail::Call<T>& call);
 template <class T>
 void product(const detail::Call<T>& call);
+template <class T>
+void transfer_apply(const detail::Call<T>& call);
+template <class T>
+void transfer_apply_rgb(const detail::Call<T>& call);
 }  // namespace baseline
 
 namespace avx2 {
@@ -40,6 +44,10 @@ template <class T>
 void rotate(const detail::Call<T>& call);
 template <class T>
 void product(const detail::Call<T>& call);
+template <class T>
+void transfer_apply(const detail::Call<T>& call);
+template <class T>
+void transfer_apply_rgb(const detail::Call<T>& call);
 }  // namespace avx2
 
 namespace avx512 {
@@ -57,6 +65,10 @@ template <class T>
 void rotate(const detail::Call<T>& call);
 template <class T>
 void product(const detail::Call<T>& call);
+template <class T>
+void transfer_apply(const detail::Call<T>& call);
+template <class T>
+void transfer_apply_rgb(const detail::Call<T>& call);
 }  // namespace avx512
 
 void basis(int degree, std::size_t n, Records<const float> directions, Records<float> out) {
@@ -121,6 +133,30 @@ void product(int degree, std::size_t n, Records<const float> a, Records<const fl
 
 void product(int degree, std::size_t n, Records<const double> a, Records<const double> b, Records<double> out) {
   detail::run<double>("product", SH_BATCH_EVERY(product), {degree, n, {a, b}, out}, 2, 6, {1, 0});
+}
+
+void transfer_apply(int degree, std::size_t n, Records<const float> visibility, Records<const float> samples, Records<float> out) {
+  detail::run<float>("transfer_apply", SH_BATCH_EVERY(transfer_apply), {degree, n, {visibility, samples}, out}, 2, 4, {1, 0});
+}
+
+void transfer_apply(int degree, std::size_t n, Records<const double> visibility, Records<const double> samples, Records<double> out) {
+  detail::run<double>("transfer_apply", SH_BATCH_EVERY(transfer_apply), {degree, n, {visibility, samples}, out}, 2, 4, {1, 0});
+}
+
+void transfer_apply(int degree, std::size_t n, Records<const Half> visibility, Records<const float> samples, Records<float> out) {
+  detail::run<float>("transfer_apply", SH_BATCH_EVERY(transfer_apply), {degree, n, {{nullptr, visibility.layout}, samples}, out, visibility.data}, 2, 4, {1, 0});
+}
+
+void transfer_apply_rgb(int degree, std::size_t n, Records<const float> visibility, Records<const float> samples, Records<float> out) {
+  detail::run<float>("transfer_apply_rgb", SH_BATCH_EVERY(transfer_apply_rgb), {degree, n, {visibility, samples}, out}, 2, 4, {3, 0});
+}
+
+void transfer_apply_rgb(int degree, std::size_t n, Records<const double> visibility, Records<const double> samples, Records<double> out) {
+  detail::run<double>("transfer_apply_rgb", SH_BATCH_EVERY(transfer_apply_rgb), {degree, n, {visibility, samples}, out}, 2, 4, {3, 0});
+}
+
+void transfer_apply_rgb(int degree, std::size_t n, Records<const Half> visibility, Records<const float> samples, Records<float> out) {
+  detail::run<float>("transfer_apply_rgb", SH_BATCH_EVERY(transfer_apply_rgb), {degree, n, {{nullptr, visibility.layout}, samples}, out, visibility.data}, 2, 4, {3, 0});
 }
 
 }  // namespace sh::batch

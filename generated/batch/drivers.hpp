@@ -53,4 +53,18 @@ void rotate(int degree, std::size_t n, Records<const double> r, Records<const do
 void product(int degree, std::size_t n, Records<const float> a, Records<const float> b, Records<float> out);
 void product(int degree, std::size_t n, Records<const double> a, Records<const double> b, Records<double> out);
 
+/// Transferred radiance of visibility under a prepared light.
+/// degree 0 to 4; visibility ((2 degree + 1)^2), samples (8 degree^2 + 4, at degree 0 one a channel), out (bands^2).
+/// Domain: any coefficients of the visibility, degree 0 to 8; a light from transfer_prepare.
+void transfer_apply(int degree, std::size_t n, Records<const float> visibility, Records<const float> samples, Records<float> out);
+void transfer_apply(int degree, std::size_t n, Records<const double> visibility, Records<const double> samples, Records<double> out);
+void transfer_apply(int degree, std::size_t n, Records<const Half> visibility, Records<const float> samples, Records<float> out);
+
+/// The same of three channels, which share the samples of the visibility.
+/// degree 0 to 4; visibility ((2 degree + 1)^2), samples (3 (8 degree^2 + 4), at degree 0 one a channel), out (3 bands^2).
+/// Domain: any coefficients of the visibility, degree 0 to 8; a light from transfer_prepare.
+void transfer_apply_rgb(int degree, std::size_t n, Records<const float> visibility, Records<const float> samples, Records<float> out);
+void transfer_apply_rgb(int degree, std::size_t n, Records<const double> visibility, Records<const double> samples, Records<double> out);
+void transfer_apply_rgb(int degree, std::size_t n, Records<const Half> visibility, Records<const float> samples, Records<float> out);
+
 }  // namespace sh::batch

@@ -15,9 +15,9 @@ template <int Degree, class T>
   });
 }
 
-template <int Degree>
+template <int Degree, int Size>
 [[gnu::flatten]] void kernel_half(const Blocks<float>& blocks) {
-  for_every_register_half<2, 3 * (Degree + 1) * (Degree + 1)>(blocks, [](const Lanes<float>* const* in, Lanes<float>* out) {
+  for_every_register_half<2, Size>(blocks, [](const Lanes<float>* const* in, Lanes<float>* out) {
     sh::evaluate_rgb<Degree>(in[0], in[1][0], in[1][1], in[1][2], out);
   });
 }
@@ -27,17 +27,17 @@ template <int Degree>
 template <class T>
 void evaluate_rgb(const detail::Call<T>& call) {
   static constexpr Plan<T> kPlans[] = {
-      {2, {3, 3}, 3, false, kernel<0, T>, float_only<T>(kernel_half<0>), nullptr, 0, nullptr, nullptr},
-      {2, {12, 3}, 3, false, kernel<1, T>, float_only<T>(kernel_half<1>), nullptr, 0, nullptr, nullptr},
-      {2, {27, 3}, 3, false, kernel<2, T>, float_only<T>(kernel_half<2>), nullptr, 0, nullptr, nullptr},
-      {2, {48, 3}, 3, false, kernel<3, T>, float_only<T>(kernel_half<3>), nullptr, 0, nullptr, nullptr},
-      {2, {75, 3}, 3, false, kernel<4, T>, float_only<T>(kernel_half<4>), nullptr, 0, nullptr, nullptr},
-      {2, {108, 3}, 3, false, kernel<5, T>, float_only<T>(kernel_half<5>), nullptr, 0, nullptr, nullptr},
-      {2, {147, 3}, 3, false, kernel<6, T>, float_only<T>(kernel_half<6>), nullptr, 0, nullptr, nullptr},
-      {2, {192, 3}, 3, false, kernel<7, T>, float_only<T>(kernel_half<7>), nullptr, 0, nullptr, nullptr},
-      {2, {243, 3}, 3, false, kernel<8, T>, float_only<T>(kernel_half<8>), nullptr, 0, nullptr, nullptr},
-      {2, {300, 3}, 3, false, kernel<9, T>, float_only<T>(kernel_half<9>), nullptr, 0, nullptr, nullptr},
-      {2, {363, 3}, 3, false, kernel<10, T>, float_only<T>(kernel_half<10>), nullptr, 0, nullptr, nullptr},
+      {2, {3, 3}, 3, false, kernel<0, T>, float_only<T>(kernel_half<0, 3>), nullptr, 0, nullptr, nullptr},
+      {2, {12, 3}, 3, false, kernel<1, T>, float_only<T>(kernel_half<1, 12>), nullptr, 0, nullptr, nullptr},
+      {2, {27, 3}, 3, false, kernel<2, T>, float_only<T>(kernel_half<2, 27>), nullptr, 0, nullptr, nullptr},
+      {2, {48, 3}, 3, false, kernel<3, T>, float_only<T>(kernel_half<3, 48>), nullptr, 0, nullptr, nullptr},
+      {2, {75, 3}, 3, false, kernel<4, T>, float_only<T>(kernel_half<4, 75>), nullptr, 0, nullptr, nullptr},
+      {2, {108, 3}, 3, false, kernel<5, T>, float_only<T>(kernel_half<5, 108>), nullptr, 0, nullptr, nullptr},
+      {2, {147, 3}, 3, false, kernel<6, T>, float_only<T>(kernel_half<6, 147>), nullptr, 0, nullptr, nullptr},
+      {2, {192, 3}, 3, false, kernel<7, T>, float_only<T>(kernel_half<7, 192>), nullptr, 0, nullptr, nullptr},
+      {2, {243, 3}, 3, false, kernel<8, T>, float_only<T>(kernel_half<8, 243>), nullptr, 0, nullptr, nullptr},
+      {2, {300, 3}, 3, false, kernel<9, T>, float_only<T>(kernel_half<9, 300>), nullptr, 0, nullptr, nullptr},
+      {2, {363, 3}, 3, false, kernel<10, T>, float_only<T>(kernel_half<10, 363>), nullptr, 0, nullptr, nullptr},
   };
   drive(call, kPlans[call.degree]);
 }

@@ -15,7 +15,7 @@
 namespace sh::numeric {
 
 /// Values for every parameter that is read, by its role: unit directions, rotations, coefficients of length 1 (in
-/// place: sums before, half of them zero). `made`: the values of a first parameter that another kernel makes. lengths:
+/// place: sums before, half of them zero). `made`: the values of the parameter that another kernel makes. lengths:
 /// the least and the largest of vectors. Lists of different lengths are joined in parallel; each starts again at its end.
 std::vector<NamedInput> inputs_by_role(const Signature& signature, int degree, const std::array<double, 2>& lengths,
                                        const std::function<std::vector<NamedInput>(int degree)>& made);

@@ -44,7 +44,8 @@ class InputsByRole {
     std::vector<NamedInput> inputs;
     for (std::size_t i = 0; i < parameters_.size();) {
       const std::size_t together = same_role_from(i);
-      auto next = i == 0 && made ? made(degree_) : of_role(parameters_[i], static_cast<int>(together));
+      const bool is_made = made && parameters_[i].is_prepared();
+      auto next = is_made ? made(degree_) : of_role(parameters_[i], static_cast<int>(together));
       if (accumulates_ && parameters_[i].access == Access::kInOut) clear_every_second(next);
       inputs = inputs.empty() ? std::move(next) : combined(inputs, next);
       i += together;

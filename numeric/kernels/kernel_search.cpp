@@ -131,11 +131,13 @@ bool to_nearest(const FamilyCheck& check, int degree, std::size_t width, T* poin
   return std::all_of(point, point + width, [](T value) { return std::isfinite(value); });
 }
 
-// Inputs at the front that only make sense together, as they were computed.
-std::size_t fixed_inputs(const FamilyCheck& check, int degree) {
-  const Parameter first = check.signature(degree).parameters[0];
-  const bool together = first.role == "band matrices" || first.role == "polynomial";
-  return together ? static_cast<std::size_t>(first.values()) : 0;
+// Inputs that only make sense together stay as they were computed.
+std::vector<bool> fixed_inputs(const FamilyCheck& check, int degree) {
+  std::vector<bool> fixed;
+  for (const Parameter& parameter : check.signature(degree).parameters) {
+    if (parameter.is_read()) fixed.insert(fixed.end(), parameter.values(), parameter.is_prepared());
+  }
+  return fixed;
 }
 
 }  // namespace
@@ -157,8 +159,7 @@ KernelResult search_kernel(const BoundKernel& kernel, const FamilyCheck& check, 
     range->clamp(in);
     return lengths.contains(in) && (!check.nearest || to_nearest(check, degree, width, in));
   };
-  problem.fixed.assign(width, false);
-  std::fill_n(problem.fixed.begin(), fixed_inputs(check, degree), true);
+  problem.fixed = fixed_inputs(check, degree);
   FamilyCheck at_found = check;
   at_found.inputs = [&](int /*degree*/) {
     std::vector<NamedInput> inputs;

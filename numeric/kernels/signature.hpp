@@ -26,6 +26,8 @@ struct Parameter {
   [[nodiscard]] int values() const { return count == 0 ? 1 : count; }
   [[nodiscard]] bool is_read() const { return access != Access::kOut; }
   [[nodiscard]] bool is_written() const { return access != Access::kIn; }
+  /// True for numbers that another kernel makes and that only make sense together.
+  [[nodiscard]] bool is_prepared() const { return role == "band matrices" || role == "polynomial" || role == "sampled function"; }
 };
 
 struct Signature {

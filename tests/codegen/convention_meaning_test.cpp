@@ -26,8 +26,9 @@ using test::World;
 constexpr const char* kAxes[] = {"y,z,x", "x,z,-y", "-z,x,y", "x,z,y", "y,x,z", "y,-x,z", "-y,-z,-x"};
 
 bool is_refused(const std::string& family, const World& world) {
+  const bool doubles = family == "product_full" || family.starts_with("transfer_");
   return (world.definition.convolved && test::needs_radiance(family)) ||
-         (family == "product_full" ? 2 : 1) * world.degree > world.definition.largest;
+         (doubles ? 2 : 1) * world.degree > world.definition.largest;
 }
 
 World world_of(const std::string& family, const Definition& definition, const std::string& axes, int degree = 2) {

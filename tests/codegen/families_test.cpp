@@ -49,6 +49,10 @@ TEST(Products, AreExactByEveryRecipe) {
   expect_exact({"product", "product_full", "square", "product_zonal", "triple"}, {0, 1, 2, 3, 4, 5, 6, 7});
 }
 
+TEST(TransferFamilies, AreExactAtEveryDegree) {
+  expect_exact({"transfer_prepare", "transfer_apply", "transfer_apply_rgb"}, {0, 1, 2, 3, 4, 5, 6});
+}
+
 // The most multiplications and additions, by degree. Most are the best numbers that were known before: zxz needed 82,
 // 180, 318, 502, 744 operations at degrees 2 to 6 and 1880 at degree 9; looped: those of the first version with a loop.
 // The second recipe by quadrature saves additions if a fused instruction counts as one operation.

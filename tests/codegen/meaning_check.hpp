@@ -56,12 +56,13 @@ class Check {
     for (double& component : q) component /= length;
     return q;
   }
-  std::vector<double> coefficients(int channels = 1) {
-    const int size = world.definition.size(degree);
+  std::vector<double> coefficients(int channels = 1) { return coefficients_to(degree, channels); }
+  std::vector<double> coefficients_to(int of_degree, int channels = 1) {
+    const int size = world.definition.size(of_degree);
     std::vector<double> c(static_cast<std::size_t>(channels * size), 0);
     for (int channel = 0; channel < channels; ++channel) {
-      for (int l = 0; l <= degree; ++l) {
-        for (int m = -l; m <= l; ++m) c.at(channel * size + world.definition.place(degree, l, m)) = any();
+      for (int l = 0; l <= of_degree; ++l) {
+        for (int m = -l; m <= l; ++m) c.at(channel * size + world.definition.place(of_degree, l, m)) = any();
       }
     }
     return c;

@@ -129,6 +129,30 @@ void check_triple(Check& check) {
   check.expect(check.call("triple", {{"a", a}, {"b", b}, {"c", c}}).at("integral")[0], total);
 }
 
+// By prepare, then apply: the product of visibility and light, on the bands of the light.
+void check_transfer(Check& check, const std::string& family, std::size_t channels) {
+  const auto visibility = check.coefficients_to(2 * check.degree);
+  std::vector<std::vector<double>> lights;
+  std::vector<double> samples;
+  while (lights.size() < channels) {
+    lights.push_back(check.coefficients());
+    const auto one = check.call("transfer_prepare", {{"light", lights.back()}}).at("samples");
+    samples.insert(samples.end(), one.begin(), one.end());
+  }
+  const auto out = check.call(family, {{"visibility", visibility}, {"samples", samples}}).at("out");
+  const auto size = static_cast<std::size_t>(check.world.definition.size(check.degree));
+  for (std::size_t channel = 0; channel < channels; ++channel) {
+    const std::vector<double> one(out.begin() + channel * size, out.begin() + (channel + 1) * size);
+    const Function product = [&](const Vector3& s) {
+      return check.sum(
+                 visibility, s, [](int) { return 1; }, 2 * check.degree) *
+             check.value(lights[channel], s);
+    };
+    check.expect_function(
+        one, [&](const Vector3& d) { return Check::projected(product, 3 * check.degree, check.degree, d); });
+  }
+}
+
 }  // namespace
 
 std::vector<Meaning> rotation_and_product_meanings() {
@@ -142,7 +166,10 @@ std::vector<Meaning> rotation_and_product_meanings() {
           {"product_full", [](Check& check) { check_product(check, "product_full", 2 * check.degree); }},
           {"square", [](Check& check) { check_product(check, "square", check.degree); }},
           {"product_zonal", check_product_zonal},
-          {"triple", check_triple}};
+          {"triple", check_triple},
+          {"transfer_prepare", [](Check& check) { check_transfer(check, "transfer_apply", 1); }},
+          {"transfer_apply", [](Check& check) { check_transfer(check, "transfer_apply", 1); }},
+          {"transfer_apply_rgb", [](Check& check) { check_transfer(check, "transfer_apply_rgb", 3); }}};
 }
 
 }  // namespace sh::codegen::test

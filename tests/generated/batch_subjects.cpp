@@ -7,6 +7,7 @@
 #include "generated/cpp/evaluate_rgb.hpp"
 #include "generated/cpp/product.hpp"
 #include "generated/cpp/rotate.hpp"
+#include "generated/cpp/transfer_apply_rgb.hpp"
 #include "tests/generated/batch_support.hpp"
 
 namespace sh::test {
@@ -53,7 +54,7 @@ std::vector<T> random_rotation(std::mt19937& random) {
 }
 
 // The kinds of input records.
-enum class Kind { kDirection, kRotation, kVector, kColors };
+enum class Kind { kDirection, kRotation, kVector, kColors, kVisibility, kSamples };
 
 int size_of(Kind kind, int degree) {
   switch (kind) {
@@ -63,6 +64,10 @@ int size_of(Kind kind, int degree) {
       return 9;
     case Kind::kVector:
       return coefficient_count(degree);
+    case Kind::kVisibility:
+      return coefficient_count(2 * degree);
+    case Kind::kSamples:
+      return 3 * (degree == 0 ? 1 : 8 * degree * degree + 4);
     default:
       return 3 * coefficient_count(degree);
   }
@@ -77,6 +82,8 @@ std::vector<T> random_record(Kind kind, int degree, std::mt19937& random) {
       return random_rotation<T>(random);
     case Kind::kVector:
       return random_vector<T>(degree, random);
+    case Kind::kVisibility:
+      return random_vector<T>(2 * degree, random);
     default:
       return random_numbers<T>(size_of(kind, degree), random);
   }
@@ -154,6 +161,16 @@ Subject<T> evaluate_rgb_subject(int degree) {
       []<int kDegree>(const auto& in, T* out) { evaluate_rgb<kDegree>(in[0], in[1][0], in[1][1], in[1][2], out); });
 }
 
+template <class T>
+Subject<T> transfer_subject(int degree) {
+  return subject<T, 4>(
+      "transfer_apply_rgb", degree, {Kind::kVisibility, Kind::kSamples}, 3 * coefficient_count(degree), {8, 8},
+      [degree](std::size_t n, const auto& in, Records<T> out) {
+        batch::transfer_apply_rgb(degree, n, in[0], in[1], out);
+      },
+      []<int kDegree>(const auto& in, T* out) { transfer_apply_rgb<kDegree>(in[0], in[1], out); });
+}
+
 }  // namespace
 
 template <class T>
@@ -161,6 +178,7 @@ std::vector<Subject<T>> subjects() {
   std::vector<Subject<T>> all;
   for (const int degree : {0, 1, 2, 4, 5, 9, 10}) all.push_back(basis_subject<T>(degree));
   for (const int degree : {0, 2, 4, 6}) all.push_back(product_subject<T>(degree));
+  for (const int degree : {0, 1, 2, 4}) all.push_back(transfer_subject<T>(degree));
   for (const int degree : {0, 1, 3, 6, 10}) {
     all.push_back(rotate_subject<T>(degree));
     all.push_back(gradient_subject<T>(degree));

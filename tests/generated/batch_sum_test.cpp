@@ -110,36 +110,63 @@ const std::vector<std::pair<std::uint16_t, float>> kHalves{{0x0000, 0.F},
                                                            {0x7bff, 65504.F},
                                                            {0x8001, -5.9604645e-08F}};
 
+// n records of halves in a layout, and the same numbers in float; what belongs to no record is not a number.
+struct HalvesAndFloats {
+  std::vector<batch::Half> halves;
+  Array<float> floats;
+
+  HalvesAndFloats(Layout layout, std::size_t n, std::size_t size, std::mt19937& random)
+      : floats({layout, 0}, n, size), layout_(layout) {
+    const std::size_t values = layout == Layout::kBlocked  ? batch::blocked_size<float>(n, size)
+                               : layout == Layout::kShared ? size
+                                                           : n * size;
+    halves.assign(values, batch::Half{0x7e00});
+    std::uniform_int_distribution<std::size_t> any(0, kHalves.size() - 1);
+    for (std::size_t i = 0; i < (layout == Layout::kShared ? 1 : n); ++i) {
+      for (std::size_t k = 0; k < size; ++k) {
+        const auto& [bits, value] = kHalves[any(random)];
+        floats.at(i, k) = value;
+        halves[&floats.at(i, k) - floats.records().data] = batch::Half{bits};
+      }
+    }
+  }
+  [[nodiscard]] Records<const batch::Half> records() const { return {halves.data(), layout_}; }
+
+ private:
+  Layout layout_;
+};
+
+// run(input 0, output) with records of `size` values in either type.
+template <class Run>
+void expect_same_bits(std::size_t n, std::size_t size, std::size_t out_size, std::mt19937& random, const Run& run) {
+  for (const Layout layout : {Layout::kPlain, Layout::kBlocked, Layout::kShared}) {
+    HalvesAndFloats both(layout, n, size, random);
+    on_every_set([&] {
+      std::vector<float> from_floats(out_size * n);
+      std::vector<float> from_halves(out_size * n);
+      run(Records<const float>(both.floats.records()), batch::plain(from_floats.data()));
+      run(both.records(), batch::plain(from_halves.data()));
+      EXPECT_EQ(from_halves, from_floats) << n;
+    });
+  }
+}
+
 TEST(BatchHalves, GiveTheBitsOfTheSameNumbersInFloat) {
   constexpr int kDegree = 3;
-  constexpr std::size_t kSize = 3 * coefficient_count(kDegree);
   std::mt19937 random(11);
-  std::uniform_int_distribution<std::size_t> any(0, kHalves.size() - 1);
   for (const std::size_t n : {std::size_t{1}, std::size_t{15}, std::size_t{16}, std::size_t{53}}) {
     const Samples<float> samples = random_samples<float>(n);
-    for (const Layout layout : {Layout::kPlain, Layout::kBlocked, Layout::kShared}) {
-      Array<float> wide({layout, 0}, n, kSize);
-      const std::size_t values = layout == Layout::kBlocked  ? batch::blocked_size<float>(n, kSize)
-                                 : layout == Layout::kShared ? kSize
-                                                             : n * kSize;
-      std::vector<batch::Half> halves(values, batch::Half{0x7e00});  // not a number
-      for (std::size_t i = 0; i < (layout == Layout::kShared ? 1 : n); ++i) {
-        for (std::size_t k = 0; k < kSize; ++k) {
-          const auto& [bits, value] = kHalves[any(random)];
-          wide.at(i, k) = value;
-          halves[&wide.at(i, k) - wide.records().data] = batch::Half{bits};
-        }
-      }
-      const Array<float> directions({}, samples.directions, 3);
-      on_every_set([&] {
-        std::vector<float> from_floats(3 * n);
-        std::vector<float> from_halves(3 * n);
-        batch::evaluate_rgb(kDegree, n, wide.records(), directions.records(), batch::plain(from_floats.data()));
-        batch::evaluate_rgb(kDegree, n, Records<const batch::Half>{halves.data(), layout}, directions.records(),
-                            batch::plain(from_halves.data()));
-        EXPECT_EQ(from_halves, from_floats);
-      });
-    }
+    const Array<float> directions({}, samples.directions, 3);
+    expect_same_bits(n, 3 * coefficient_count(kDegree), 3, random, [&](auto colors, auto out) {
+      batch::evaluate_rgb(kDegree, n, colors, directions.records(), out);
+    });
+    constexpr int kLight = 2;
+    std::vector<float> light(3 * (8 * kLight * kLight + 4));
+    for (float& sample : light) sample = std::uniform_real_distribution<float>(-1, 1)(random);
+    expect_same_bits(n, coefficient_count(2 * kLight), 3 * coefficient_count(kLight), random,
+                     [&](auto visibility, auto out) {
+                       batch::transfer_apply_rgb(kLight, n, visibility, batch::shared(light.data()), out);
+                     });
   }
 }
 

@@ -74,8 +74,8 @@ Kernel product_separable(const ProductShape& shape, Factors factors, SampleProdu
 /// vertices; `transfer_apply` evaluates V there, multiplies and projects. Nodes: the poles, and M = 4n longitudes
 /// (j + 1/2) 2 pi / M on n pairs of rings. They are exact but for the product of the orders 2n of V and n of L, which
 /// they cannot tell from order n; two more numbers of the light correct it.
-/// degree: n, at least 1. channels: 1, or 3 for red, green and blue, which share the samples of V.
-Kernel transfer_prepare(int degree, int channels);
+/// degree: n. channels: 1, or 3 for red, green and blue, which share the samples of V.
+Kernel transfer_prepare(int degree);
 Kernel transfer_apply(int degree, int channels);
 
 /// The product term by term, from the entries of the Gaunt tensor.

@@ -41,23 +41,29 @@ class Transfer {
         of_visibility_(shape(2 * n_)) {}
 
   void prepare() {
-    for (int channel = 0; channel < channels_; ++channel) {
-      const std::vector<Value> light = build_.inputs(channel * coefficient_count(n_), coefficient_count(n_));
-      for (int pair = 0; pair < n_; ++pair) {
-        for (const auto& ring : samples_of(light, n_, pair, of_light_)) {
-          for (const Parts& samples : ring) {
-            for (const Value& sample : samples) output(sample);
-          }
+    const std::vector<Value> light = build_.inputs(0, coefficient_count(n_));
+    if (n_ == 0) {
+      output(build_.times(symbolic::gaunt(0, 0, 0), light[0]));
+      return;
+    }
+    for (int pair = 0; pair < n_; ++pair) {
+      for (const auto& ring : samples_of(light, n_, pair, of_light_)) {
+        for (const Parts& samples : ring) {
+          for (const Value& sample : samples) output(sample);
         }
       }
-      for (const Value& sample : poles_of(light, n_)) output(sample);
-      for (const int order : {n_, -n_}) {
-        output(build_.times(correction(), light[coefficient_index(n_, order)]));
-      }
     }
+    for (const Value& sample : poles_of(light, n_)) output(sample);
+    for (const int order : {n_, -n_}) output(build_.times(correction(), light[coefficient_index(n_, order)]));
   }
 
   void apply() {
+    if (n_ == 0) {
+      for (int channel = 0; channel < channels_; ++channel) {
+        output(build_.times(build_.inputs(0, 1)[0], build_.inputs(1 + channel, 1)[0]));
+      }
+      return;
+    }
     const int count = coefficient_count(2 * n_);
     const std::vector<Value> visibility = build_.inputs(0, count);
     const int size = kernel_.parameters[1].size() / channels_;
@@ -195,24 +201,18 @@ class Transfer {
   std::vector<std::vector<std::vector<Value>>> sums_;  // by channel and coefficient: the terms of the result
 };
 
-// 8 n^2 values on the rings, two at the poles, two for the correction.
-Parameter samples(int degree, int channels) {
-  const int size = 8 * degree * degree + 4;
-  return {"prepared", channels > 1 ? std::vector<int>{channels, size} : std::vector<int>{size}, Role::kValue, degree};
-}
-
 }  // namespace
 
-Kernel transfer_prepare(int degree, int channels) {
+Kernel transfer_prepare(int degree) {
   Kernel kernel;
   kernel.citation = kCitation + RingQuadrature({degree, true, false}).definition();
   kernel.title = "A light of " + degrees_to(degree) + ", prepared for transfer_apply";
   kernel.domain = "any coefficients";
   kernel.result = "its values at the nodes of transfer_apply, in the order that it takes";
-  kernel.parameters = {array(Role::kCoefficients, "light", degree, channels)};
-  kernel.results = {samples(degree, channels)};
+  kernel.parameters = {array(Role::kCoefficients, "light", degree)};
+  kernel.results = {array(Role::kSamples, "samples", degree)};
   for (int i = 0; i < total_size(kernel.results); ++i) kernel.outputs.push_back({-1, "sample " + std::to_string(i)});
-  Transfer(kernel, degree, channels).prepare();
+  Transfer(kernel, degree, 1).prepare();
   return kernel;
 }
 
@@ -224,7 +224,8 @@ Kernel transfer_apply(int degree, int channels) {
   kernel.result =
       "coefficients of visibility times light at index l(l+1)+m, orthonormal on the unit sphere, no Condon-Shortley "
       "phase";
-  kernel.parameters = {array(Role::kCoefficients, "visibility", 2 * degree), samples(degree, channels)};
+  kernel.parameters = {array(Role::kCoefficients, "visibility", 2 * degree),
+                       array(Role::kSamples, "samples", degree, channels)};
   kernel.results = {array(Role::kCoefficients, "out", degree, channels)};
   label_coefficients(kernel, degree, channels);
   Transfer(kernel, degree, channels).apply();

@@ -76,7 +76,7 @@ const std::vector<ExactFamily>& exact_families() {
   static const std::vector<ExactFamily> kAll = [] {
     std::vector<ExactFamily> all;
     for (auto* const group : {exact_basis, exact_evaluate, exact_project, exact_zonal, exact_window, exact_irradiance,
-                              exact_product, exact_rotation}) {
+                              exact_product, exact_rotation, exact_transfer}) {
       for (ExactFamily& family : group()) all.push_back(std::move(family));
     }
     return all;

@@ -38,7 +38,7 @@ class RealFunction {
 struct ExactFamily {
   std::string family;
   RealFunction values;  // at flat inputs and outputs
-  /// The values to try for a first parameter that another kernel makes, such as band matrices. Its numbers belong
+  /// The values to try for the parameter that another kernel makes, such as band matrices. Its numbers belong
   /// together.
   std::function<std::vector<NamedInput>(int degree)> made = {};
 };
@@ -50,6 +50,7 @@ std::vector<ExactFamily> exact_window();
 std::vector<ExactFamily> exact_irradiance();
 std::vector<ExactFamily> exact_product();
 std::vector<ExactFamily> exact_rotation();
+std::vector<ExactFamily> exact_transfer();
 
 /// These and the families of exact.cpp.
 const std::vector<ExactFamily>& exact_families();
