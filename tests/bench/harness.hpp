@@ -133,6 +133,7 @@ void basis(Table& table);
 void rotation(Table& table);
 void high_rotation(Table& table);
 void product(Table& table);
+void transfer(Table& table);
 void evaluate(Table& table);
 void project(Table& table);
 void legendre(Table& table);

@@ -10,12 +10,17 @@
 
 int main(int argc, char** argv) {
   using sh::bench::Table;
-  const std::vector<std::pair<std::string, void (*)(Table&)>> sections{
-      {"operations", sh::bench::operations}, {"basis", sh::bench::basis},
-      {"rotation", sh::bench::rotation},     {"high_rotation", sh::bench::high_rotation},
-      {"product", sh::bench::product},       {"evaluate", sh::bench::evaluate},
-      {"project", sh::bench::project},       {"legendre", sh::bench::legendre},
-      {"build", sh::bench::build},           {"gaunt", sh::bench::gaunt}};
+  const std::vector<std::pair<std::string, void (*)(Table&)>> sections{{"operations", sh::bench::operations},
+                                                                       {"basis", sh::bench::basis},
+                                                                       {"rotation", sh::bench::rotation},
+                                                                       {"high_rotation", sh::bench::high_rotation},
+                                                                       {"product", sh::bench::product},
+                                                                       {"transfer", sh::bench::transfer},
+                                                                       {"evaluate", sh::bench::evaluate},
+                                                                       {"project", sh::bench::project},
+                                                                       {"legendre", sh::bench::legendre},
+                                                                       {"build", sh::bench::build},
+                                                                       {"gaunt", sh::bench::gaunt}};
   const std::vector<std::string> wanted(argv + 1, argv + argc);
   try {
     Table table;
