@@ -37,6 +37,7 @@ class DistanceFromWide {
     double largest = 0;
     for (std::size_t i = 0; i < out_.size(); ++i) {
       const double error = std::abs((Wide(static_cast<double>(out_[i])) - wide_out_[i]).high());
+      if (!std::isfinite(error)) return std::numeric_limits<double>::infinity();
       const double size = error == 0 ? 0 : size_(degree_, in_.data(), i);
       if (size < kLeastSize) continue;
       largest = std::max(largest, error / (size * static_cast<double>(std::numeric_limits<T>::epsilon())));

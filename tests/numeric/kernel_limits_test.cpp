@@ -64,12 +64,36 @@ TEST(KernelLimits, LetAProvedBoundBindWhereItIsTighterAndInASearch) {
   record.families[0].kernels[0].in_float.bound = 3.5;
   EXPECT_NEAR(limits_for("basis", 4, "float", record)->rounding, 3.5, 1e-5);
   EXPECT_NEAR(limits_for("basis", 4, "float", record)->searched, 3.5, 1e-5);
+  EXPECT_GT(limits_for("basis", 4, "float", record)->rounding, 3.5) << "the check itself errs";
+  EXPECT_GT(limits_for("basis", 4, "float", record)->searched, 3.5);
   record.families[0].kernels[0].in_float.bound = 7;  // beyond the limit of the check's inputs, but not of a search
   EXPECT_EQ(limits_for("basis", 4, "float", record)->rounding, 6);
   EXPECT_NEAR(limits_for("basis", 4, "float", record)->searched, 7, 1e-5);
 }
 
 TEST(KernelLimits, AcceptAKernelWithoutError) { EXPECT_TRUE(failures_of(clean_result(), round_record()).empty()); }
+
+TEST(KernelLimits, AcceptAKernelThatMeetsThemAndPrintsNoBits) {
+  auto result = clean_result();
+  result.bits.reset();  // of c++ itself
+  result.rounding.add({}, 6, 1);
+  EXPECT_TRUE(failures_of(result, round_record()).empty());
+}
+
+// As many values as a quaternion has; the coefficients of a function would fill the screen.
+TEST(KernelLimits, PrintUpToFourValuesOfTheWorstInput) {
+  auto result = clean_result();
+  result.rounding.add({}, 7, 1);
+  for (std::size_t count = 0; count <= 5; ++count) {
+    result.worst_rounding.values.assign(count, 0.5);
+    const auto failures = failures_of(result, round_record());
+    ASSERT_EQ(failures.size(), 1);
+    std::string values;
+    for (std::size_t i = 0; count <= 4 && i < count; ++i) values += i == 0 ? ": 0.5" : ", 0.5";
+    EXPECT_EQ(failures[0],
+              "basis_l4 glsl 450 float: rounding error in eps 7 exceeds 6 (out l=4 m=-3 at random 3" + values + ")");
+  }
+}
 
 TEST(KernelLimits, RefuseTooMuchRounding) {
   auto result = clean_result();
@@ -112,6 +136,15 @@ TEST(KernelLimits, RefuseADifferentBitButNotAFlushedOne) {
   EXPECT_TRUE(failures_of(result).empty());
   result.bits->different = 1;
   EXPECT_EQ(failures_of(result).size(), 1);
+  result.bits->compared = 25;
+  result.bits->first_difference = "there";
+  EXPECT_EQ(failures_of(result)[0],
+            "basis_l4 glsl 450 float: 1 of 25 values differ from c++ float in their bits; first: there");
+  for (const char* regrouped : {"product_l5", "basis_gradient_accurate_l2"}) {
+    auto other = result;
+    other.kernel = regrouped;
+    EXPECT_TRUE(failures_of(other).empty()) << regrouped;
+  }
   result.operations.other = 1;  // a square root, say: its last bit is the language's affair
   EXPECT_TRUE(failures_of(result).empty());
 }

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstddef>
+#include <iterator>
 
 #include "numeric/oracle/real.hpp"
 #include "numeric/sampling/directions.hpp"
@@ -44,6 +46,30 @@ TEST(Wide, KeepsAHundredBitsInEveryOperation) {
   EXPECT_EQ(sqrt(Wide(0)).high(), 0);
 }
 
+// Largest measured: 2^-105.1. Without the last of its three steps, a quotient errs by 2^-104.2.
+TEST(Wide, DividesToTheLastOfItsBits) {
+  for_random_pairs([&](const Wide& a, const Wide& b) {
+    ASSERT_LT(std::abs(relative_error(a / b, exact(a) / exact(b))), 0x1.3p-105);
+  });
+}
+
+// The high parts cancel, and the sum of the low parts needs all 106 bits.
+TEST(Wide, AddsExactlyWhatACancellationLeaves) {
+  const Wide a(1, 0x1p-60);
+  const Wide b(-1, 0x1p-120);
+  for (const Wide& sum : {a + b, b + a, a - -b, b - -a}) {
+    EXPECT_EQ(sum.high(), 0x1p-60);
+    EXPECT_EQ(sum.low(), 0x1p-120);
+  }
+}
+
+TEST(Wide, ComparesLowPartsWhereHighPartsAreTheSame) {
+  const Wide rising[] = {{-1, 0}, {1, -0x1p-60}, {1, 0}, {1, 0x1p-60}, {1, 0x1p-59}, {2, -0x1p-60}};
+  for (std::size_t i = 0; i < std::size(rising); ++i) {
+    for (std::size_t k = 0; k < std::size(rising); ++k) EXPECT_EQ(rising[i] < rising[k], i < k) << i << ' ' << k;
+  }
+}
+
 TEST(Wide, TakesItsValueFromLongerNumbers) {
   const Mpfr100 third = Mpfr100(1) / 3;
   EXPECT_LT(std::abs(relative_error(Wide::from(third), third)), 0x1p-106);
@@ -55,10 +81,11 @@ TEST(Wide, CountsOperations) {
   const Wide b = -(a * a + a) - a;
   const Wide c = a < b ? sqrt(a) : a / b;
   static_cast<void>(c);
+  static_cast<void>(sqrt(a));
   const auto counted = Wide::counts() - before;
   EXPECT_EQ(counted.mul, 1);
   EXPECT_EQ(counted.add, 3);
-  EXPECT_EQ(counted.other, 2);
+  EXPECT_EQ(counted.other, 3);
 }
 
 }  // namespace

@@ -131,6 +131,19 @@ TEST(InterreflectedBake, MeasuresHowCoarseItsMeshIs) {
   }
 }
 
+// Every channel glows by E / (1 - albedo) everywhere, and a plane below the sky reflects the same everywhere.
+TEST(InterreflectedBake, IsRightBetweenVerticesWhereItsLightIsTheSameEverywhere) {
+  Mesh sphere = hollow_sphere(16);
+  paint(sphere, {0.2F, 0.5F, 0.8F});
+  shine(sphere, {1.0F, 2.0F, 3.0F});
+  const Transfer lit = baked(sphere, &kInterreflected, 1024, 1);
+  ASSERT_NEAR(lit.emitted[0].z(), 15.0, 1e-3);
+  EXPECT_LT(lit.bounces.between_vertices, 1e-4);
+  Mesh plane = primitive_mesh("plane");
+  paint(plane, {0.2F, 0.5F, 0.8F});
+  EXPECT_LT(baked(plane, &kInterreflected, 1024, 2).bounces.between_vertices, 1e-6);
+}
+
 // In a sphere every point sees every other alike: B(v) = E(v) + albedo / (1 - albedo) mean E.
 TEST(Bounces, InASphereSpreadEvenly) {
   Room room(hollow_sphere(32));

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <utility>
 
 #include "prt/bake/row_tracer.hpp"
 #include "tests/prt/rooms.hpp"
@@ -59,6 +60,64 @@ TEST(Fill, SolvesItsEquationAndIsAMeanOfOwnLight) {
         EXPECT_EQ(x[v], own[v]);
       }
     }
+  }
+}
+
+// Every column alone, whatever their number, their distance and what lies beside them.
+TEST(Fill, TreatsEachOfManyColumnsAsIfItWereAlone) {
+  const Mesh mesh = fine_plane(0.3F);
+  const std::size_t count = mesh.positions.size();
+  const std::vector<Sight> sights = random_sights(count, 1);
+  const Fill fill(closed_vertices(mesh, sights));
+  constexpr std::size_t kStride = 24;
+  for (const std::size_t columns : {1U, 7U, 8U, 9U, 16U, 19U}) {
+    std::vector<double> table(count * kStride + 1);
+    for (std::size_t i = 0; i < table.size(); ++i) table[i] = std::sin(static_cast<double>(i)) + 1.0;
+    std::vector<double> expected = table;
+    for (std::size_t k = 0; k < columns; ++k) {
+      std::vector<double> own(count);
+      for (std::size_t v = 0; v < count; ++v) own[v] = table[v * kStride + k];
+      own = filled(mesh, sights, own);
+      for (std::size_t v = 0; v < count; ++v) expected[v * kStride + k] = own[v];
+    }
+    std::vector<float> singles(table.begin(), table.end());
+    fill.apply(table.data(), kStride, columns);
+    EXPECT_EQ(table, expected) << columns;
+    fill.apply(singles.data(), kStride, columns);
+    for (std::size_t i = 0; i < table.size(); ++i) EXPECT_NEAR(static_cast<double>(singles[i]), table[i], 1e-6) << i;
+  }
+}
+
+TEST(Fill, WithoutClosedVerticesChangesNothing) {
+  std::vector<float> own = {1.0F, 2.0F};
+  const Fill none(closed_vertices(primitive_mesh("plane"), std::vector<Sight>(4)));
+  none.apply(own.data(), 1, 1);
+  EXPECT_EQ(own, (std::vector<float>{1.0F, 2.0F}));
+  EXPECT_EQ(none.condition(), 0.0);
+  EXPECT_NEAR(Fill({{0, 1.0F, {1}}}).condition(), 2e4, 2.0) << "a vertex keeps at least 1e-4 of its own light";
+}
+
+// Closed for 0.6: 1, 2, 4, 5, 7, 8 are buried, 6 is covered; exactly a half is not closed.
+//   0 sound - 1 - 2    0 - 6 - 7    3 (a half) - 8    4 - 5 see nobody else
+TEST(Fill, ReachesBuriedVerticesFromSoundOnesOverClosedOnes) {
+  std::vector<Sight> sights(9);
+  for (const std::size_t v : {1U, 2U, 4U, 5U, 7U, 8U}) sights[v].buried = 0.6F;
+  sights[3].buried = 0.5F;
+  sights[6].covered = 0.6F;
+  sights[6].buried = 0.5F;
+  const std::vector<std::pair<std::uint32_t, std::uint32_t>> edges = {{0, 1}, {1, 2}, {0, 6}, {6, 7}, {3, 8}, {4, 5}};
+  std::vector<ClosedVertex> closed;
+  for (std::uint32_t v = 1; v < 9; ++v) {
+    closed.push_back({v, sights[v].closed(), {}});
+    for (const auto& [a, b] : edges) {
+      if (a == v || b == v) closed.back().neighbors.push_back(a == v ? b : a);
+    }
+  }
+  for (int order = 0; order < 2; ++order) {
+    const BuriedCount count = count_buried(closed, sights);
+    EXPECT_EQ(count.buried, 6U);
+    EXPECT_EQ(count.filled, 4U);
+    std::reverse(closed.begin(), closed.end());
   }
 }
 

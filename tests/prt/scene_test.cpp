@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "tests/prt/meshes.hpp"
 #include "tests/prt/temporary_folder.hpp"
@@ -203,6 +205,51 @@ TEST_F(SceneFile, PutsTheSameGroundUnderMeshesOfAnyScaleAndPlace) {
   EXPECT_GT(fine.mesh.positions.size(), one.positions.size()) << "its shortest edges are a quarter as long";
   const std::string said = message_of([&] { scene_of_scale(0x1p24, "1e30"); });
   EXPECT_NE(said.find("expected a length of at most 2.906e+13, a million times the extent"), std::string::npos) << said;
+}
+
+// The two numbers of the message `PATH: single precision rounds its positions by up to A, E of its mean edge`.
+std::pair<double, double> rounding_in(const std::string& said) {
+  const std::string before = "single precision rounds its positions by up to ";
+  const std::size_t first = said.find(before);
+  EXPECT_NE(first, std::string::npos) << said;
+  if (first == std::string::npos) return {};
+  return {std::stod(said.substr(first + before.size())), std::stod(said.substr(said.find(", ", first) + 2))};
+}
+
+// 2^-24 of the largest coordinate; the mean edge of a triangle with a right angle, and of a box, is (2 + sqrt 2) / 3.
+TEST_F(SceneFile, SaysHowMuchSinglePrecisionRoundsItsMeshesAtAnyScale) {
+  const double mean_edge = (2.0 + std::sqrt(2.0)) / 3.0;
+  constexpr double kPrinted = 0.06;  // two digits
+  for (const double scale : {1.0, 0x1p40}) {
+    const auto text = [&](double value) { return nlohmann::json(value * scale).dump(); };
+    const double far = 40000.0;
+    write_all(folder_.file("far.obj"), "v " + text(far) + " 0 0\nv " + text(far + 1.0) + " 0 0\nv " + text(far) + " " +
+                                           text(1.0) + " 0\nf 1 2 3\n");
+    const std::string file = message_of([&] { load(R"({"meshes": [{"file": "far.obj"}]})"); });
+    const auto [in_file, of_edge] = rounding_in(file);
+    EXPECT_NEAR(in_file / (0x1p-24 * far * scale), 1.0, kPrinted) << file;
+    EXPECT_NEAR(of_edge / (0x1p-24 * far / mean_edge), 1.0, kPrinted) << file;
+    EXPECT_NE(file.find("expected a file with its origin near the mesh"), std::string::npos) << file;
+    const std::string box = R"({"primitive": "box", "transform": {"scale": )" + text(1.0) + R"(, "translate": [)";
+    const std::string apart = message_of(
+        [&] { load(R"({"meshes": [)" + box + text(-far) + ", 0, 0]}}, " + box + text(far) + ", 0, 0]}}]}"); });
+    const auto [in_scene, of_box] = rounding_in(apart);
+    EXPECT_NEAR(in_scene / (0x1p-24 * far * scale), 1.0, kPrinted) << apart;
+    EXPECT_NEAR(of_box / (0x1p-24 * far / mean_edge), 1.0, kPrinted) << apart;
+    EXPECT_NE(apart.find("expected meshes nearer to each other"), std::string::npos) << apart;
+  }
+}
+
+TEST_F(SceneFile, HalvesTheSameEdgesAtAnyScale) {
+  const auto faces = [&](double scale) {
+    const auto text = [&](double value) { return nlohmann::json(value * scale).dump(); };
+    return load(R"({"meshes": [{"primitive": "box", "transform": {"scale": )" + text(1.0) + R"(}, "max_edge": )" +
+                text(0.3) + "}]}")
+        .mesh.faces;
+  };
+  EXPECT_GT(faces(1.0).size(), 100U);
+  EXPECT_EQ(faces(0x1p40), faces(1.0));
+  EXPECT_EQ(faces(0x1p-40), faces(1.0));
 }
 
 TEST_F(SceneFile, TakesEveryLimitOfItsOptions) {
