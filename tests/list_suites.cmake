@@ -1,5 +1,6 @@
-# Input: PROGRAM, a GoogleTest executable; PREFIX; TOGETHER, a pattern of suites, may be empty. Writes to OUTPUT one ctest
-# entry for each suite, PREFIX.Suite, and one, PREFIX.Together, for all suites of the pattern.
+# Input: PROGRAM, a GoogleTest executable; PREFIX; TOGETHER, a pattern of suites, may be empty; SECONDS that an entry may
+# take. Writes to OUTPUT one ctest entry for each suite, PREFIX.Suite, and one, PREFIX.Together, for all suites of the
+# pattern.
 # A list of tests says nothing about leaks: the sanitizers' suppressions hold when the tests run.
 execute_process(COMMAND ${CMAKE_COMMAND} -E env ASAN_OPTIONS=detect_leaks=0 ${PROGRAM} --gtest_list_tests OUTPUT_VARIABLE lines RESULT_VARIABLE code)
 if(NOT code EQUAL 0)
@@ -9,7 +10,7 @@ string(REGEX MATCHALL "(^|\n)[^ \n][^ \n]*\\." suites "${lines}")
 set(entries "")
 function(add_entry name filter)
   string(APPEND entries "add_test([=[${PREFIX}.${name}]=] [=[${PROGRAM}]=] [=[--gtest_filter=${filter}]=])\n"
-    "set_tests_properties([=[${PREFIX}.${name}]=] PROPERTIES TIMEOUT 1800)\n")
+    "set_tests_properties([=[${PREFIX}.${name}]=] PROPERTIES TIMEOUT ${SECONDS})\n")
   set(entries "${entries}" PARENT_SCOPE)
 endfunction()
 foreach(suite IN LISTS suites)
