@@ -205,7 +205,6 @@ MeshPart read_mesh(const JsonReader& reader, const std::string& folder, OnFlaw o
   for (const std::string& line : shape.unread) report_flaw(on_flaw, fmt::format("{}: {}", part.name, line));
   check(shape.soup, part.name);
   transform(shape.soup, up.value_or(shape.up) == UpAxis::kY ? map * stand_up() : map);
-  check(shape.soup, part.name);
   if (is_flipped) turn_inside_out(shape.soup);
   part.soup = std::move(shape.soup);
   part.file_vertices = shape.file_vertices;

@@ -237,7 +237,38 @@ TEST_F(SceneFile, SaysHowMuchSinglePrecisionRoundsItsMeshesAtAnyScale) {
     EXPECT_NEAR(in_scene / (0x1p-24 * far * scale), 1.0, kPrinted) << apart;
     EXPECT_NEAR(of_box / (0x1p-24 * far / mean_edge), 1.0, kPrinted) << apart;
     EXPECT_NE(apart.find("expected meshes nearer to each other"), std::string::npos) << apart;
+    EXPECT_EQ(message_of([&] { load_scene(file_, OnFlaw::kMend); }), "");
+    const auto lost = [&] {
+      load(R"({"meshes": [)" + box + text(-1e9) + ", 0, 0]}}, " + box + text(1e9) + ", 0, 0]}}]}");
+    };
+    EXPECT_GT(rounding_in(message_of(lost)).second, 50.0);
+    EXPECT_NE(message_of([&] { load_scene(file_, OnFlaw::kMend); }), "") << "nothing is left of the boxes";
   }
+}
+
+// Two triangles that meet at a right angle over the edge from (0, 0, 0) to (0, 2, 0).
+TEST_F(SceneFile, StandsFilesUprightAndRoundsEdgesBelowTheCrease) {
+  write_all(folder_.file("a.obj"), "v 0 0 0\nv 0 2 0\nv 3 0 0\nv 0 0 5\nf 1 3 2\nf 1 2 4\n");
+  const auto mesh = [&](const std::string& more) {
+    return load(R"({"meshes": [{"file": "a.obj")" + more + "}]}").mesh;
+  };
+  const auto corner = [](const Mesh& m) {
+    return Eigen::Vector3d(m.point(m.faces[0][0]) + m.point(m.faces[0][1]) + m.point(m.faces[0][2]));
+  };
+  EXPECT_EQ(corner(mesh("")), Eigen::Vector3d(3, 0, 2)) << "OBJ files have y up";
+  EXPECT_EQ(corner(mesh(R"(, "up": "y")")), Eigen::Vector3d(3, 0, 2));
+  EXPECT_EQ(corner(mesh(R"(, "up": "z")")), Eigen::Vector3d(3, 2, 0));
+  EXPECT_EQ(mesh("").positions.size(), 6U) << "40 degrees";
+  EXPECT_EQ(mesh(R"(, "crease": 89)").positions.size(), 6U);
+  EXPECT_EQ(mesh(R"(, "crease": 91)").positions.size(), 4U);
+  EXPECT_EQ(refusal(R"({"meshes": [{"file": "a.obj", "crease": 181}]})"),
+            "scene.json: /meshes/0/crease: expected degrees from 0 to 180, got 181");
+}
+
+TEST_F(SceneFile, IsRefusedWithNormalsOfNoLength) {
+  write_all(folder_.file("a.obj"), "v 0 0 0\nv 1 0 0\nv 0 0 -1\nvn 0 1 0\nvn 0 0 0\nf 1//1 2//1 3//2\n");
+  expect_start(refusal(R"({"meshes": [{"file": "a.obj"}]})"),
+               "a.obj: 1 vertex normals are zero or not finite (made from the faces); refused");
 }
 
 TEST_F(SceneFile, HalvesTheSameEdgesAtAnyScale) {
