@@ -143,7 +143,50 @@ TEST(InterreflectedBake, IsRightBetweenVerticesWhereItsLightIsTheSameEverywhere)
   EXPECT_LT(lit.bounces.between_vertices, 1e-4);
   Mesh plane = primitive_mesh("plane");
   paint(plane, {0.2F, 0.5F, 0.8F});
+  shine(plane, Eigen::Vector3f::Ones());
   EXPECT_LT(baked(plane, &kInterreflected, 1024, 2).bounces.between_vertices, 1e-6);
+}
+
+TEST(InterreflectedBake, MeasuresTheSameBetweenVerticesAtAnyPlaceAndScale) {
+  Mesh mesh = hollow_sphere(16);
+  paint(mesh, Eigen::Vector3f::Constant(0.5F));
+  for (const Eigen::Vector3f& p : mesh.positions) {
+    mesh.emission.emplace_back(Eigen::Vector3f::Constant(p.z() > 0.5F ? 1.0F : 0.0F));
+  }
+  const double here = baked(mesh, &kInterreflected, 1024, 0).bounces.between_vertices;
+  for (const Eigen::Vector3f& step : {Eigen::Vector3f(8, 0, 0), Eigen::Vector3f(0, 8, 4), Eigen::Vector3f(4, 4, -8)}) {
+    Mesh moved = mesh;
+    for (Eigen::Vector3f& p : moved.positions) p += step;
+    EXPECT_NEAR(baked(moved, &kInterreflected, 1024, 0).bounces.between_vertices / here, 1.0, 0.01);
+  }
+  for (const float scale : {0x1p-6F, 0x1p6F}) {
+    Mesh scaled = mesh;
+    for (Eigen::Vector3f& p : scaled.positions) p *= scale;
+    EXPECT_NEAR(baked(scaled, &kInterreflected, 1024, 0).bounces.between_vertices / here, 1.0, 0.01);
+  }
+}
+
+// A room of even light beside a sphere counts by its area, not by its triangles or its place; so does each channel.
+TEST(InterreflectedBake, MeasuresBetweenVerticesByArea) {
+  const auto measure = [](float edge, bool sphere_is_last) {
+    Mesh sphere = hollow_sphere(16);
+    for (Eigen::Vector3f& p : sphere.positions) p.x() += 8.0F;
+    for (const Eigen::Vector3f& p : sphere.positions) {
+      sphere.emission.emplace_back(0.0F, 0.0F, p.z() > 0.5F ? 3.0F : 0.0F);
+    }
+    Mesh room = primitive_mesh("box");
+    refine(room, edge);
+    turn_inside_out(room);
+    shine(room, Eigen::Vector3f::Ones());
+    Mesh both = sphere_is_last ? room : sphere;
+    append(both, sphere_is_last ? sphere : room);
+    paint(both, Eigen::Vector3f::Constant(0.5F));
+    return baked(both, &kInterreflected, 1024, 0).bounces.between_vertices;
+  };
+  const double coarse = measure(2.0F, true);
+  EXPECT_GT(coarse, 0.005);
+  EXPECT_NEAR(measure(2.0F, false) / coarse, 1.0, 0.1);
+  EXPECT_NEAR(measure(0.1F, true) / coarse, 1.0, 0.1);
 }
 
 // In a sphere every point sees every other alike: B(v) = E(v) + albedo / (1 - albedo) mean E.

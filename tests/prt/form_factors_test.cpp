@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -134,6 +135,22 @@ TEST(FormFactors, RoundByNoMoreThanTheySay) {
   EXPECT_GT(plain, 0.0);
   EXPECT_GT(factors.rounding(), plain) << "filling rounds, too";
   EXPECT_LT(plain, 1e-13) << "a bound far off tells nothing";
+}
+
+// One entry: its product rounds, however short the sum.
+TEST(FormFactors, OfOneVertexRoundByNoMoreThanTheySay) {
+  FormFactors factors(1);
+  factors.keep(0, {{0, 1.0 / 3.0}});
+  Panel x(1, 1), y(1, 1);
+  double worst = 0.0;
+  for (int i = 0; i < 100; ++i) {
+    x.row(0)[0] = 1.0 - 0.003 * i;
+    factors.apply(x, y);
+    const long double exact = static_cast<long double>(1.0 / 3.0) * static_cast<long double>(x.row(0)[0]);
+    worst = std::max(worst, std::abs(static_cast<double>(static_cast<long double>(y.row(0)[0]) - exact)));
+  }
+  EXPECT_GT(worst, 0.0);
+  EXPECT_LE(worst, factors.rounding());
 }
 
 }  // namespace

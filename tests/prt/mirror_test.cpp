@@ -147,6 +147,7 @@ TEST(Mirrors, AroundAFloorShowItTheWholeSky) {
   for (std::size_t v = 0; v < floor; ++v) {
     EXPECT_NEAR(transfer.coefficients[v * 9] * kRoot4Pi, 1.0F, 2e-3F) << mesh.positions[v].transpose();
   }
+  EXPECT_LT(baked(mesh, &kInterreflected, 1024, 0).bounces.between_vertices, 0.01) << "between vertices, too";
 }
 
 // Nothing leaves a closed room of mirrors, and no path in it ends by itself.
