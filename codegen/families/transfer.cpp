@@ -170,6 +170,7 @@ Family apply_family(const std::string& name, int channels, const std::string& wh
       .name = name,
       .largest_written = kLargestWritten,
       .largest_emitted = kLargestEmitted,
+      .limit = kLimit,
       .recipes = {{"rings", [=](int degree) { return recipes::transfer_apply(degree, channels); }}},
       .reference = [=](int degree, int points) { return apply_reference(degree, points, channels); },
       .domain = {.inputs = "visibility (random, of norm 1) with prepared lights (random, of norm 1 in each channel)",
