@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <span>
 
@@ -78,15 +79,26 @@ std::vector<Node> nodes_of(int degree) {
   return nodes;
 }
 
-// A light, then the samples of it.
+// The basis at the nodes: a row for each node.
+const std::vector<Numbers>& basis_at_nodes(int degree) {
+  static std::map<int, std::vector<Numbers>> known;
+  const auto [position, added] = known.try_emplace(degree);
+  if (added) {
+    for (const Node& node : nodes_of(degree)) {
+      Numbers& row = position->second.emplace_back();
+      for (int i = 0; i < coefficient_count(degree); ++i) row.push_back(basis_value(i, node).evaluate(kDigits));
+    }
+  }
+  return position->second;
+}
+
+// The samples of a light.
 Numbers samples_of(int degree, std::span<const cln::cl_RA> light) {
   if (degree == 0) return {(symbolic::gaunt(0, 0, 0) * Surd(light[0])).evaluate(kDigits)};
   Numbers samples;
-  for (const Node& node : nodes_of(degree)) {
+  for (const Numbers& basis : basis_at_nodes(degree)) {
     cln::cl_F sum = number(0);
-    for (std::size_t i = 0; i < light.size(); ++i) {
-      sum = sum + (Surd(light[i]) * basis_value(static_cast<int>(i), node)).evaluate(kDigits);
-    }
+    for (std::size_t i = 0; i < light.size(); ++i) sum = sum + number(light[i]) * basis[i];
     samples.push_back(sum);
   }
   const int cosine = numeric::coefficient_index(degree, degree), sine = numeric::coefficient_index(degree, -degree);
