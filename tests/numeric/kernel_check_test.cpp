@@ -92,6 +92,27 @@ TEST(KernelCheck, FailsABasisValueThatIsWrongByAFewOfItsLimits) {
   EXPECT_EQ(failures(spoiled(*kernel, 1 + 0x1p-18)).size(), 4);
 }
 
+template <class T>
+void wrong_in_place(T* const* arguments) {
+  spoil().original.call<T>()(arguments);
+  if (arguments[1] == arguments[2]) arguments[2][0] = arguments[2][0] + T(1);
+}
+
+// One output of each of the inputs that are tried: 16, or a few more where 16 does not divide their number.
+TEST(KernelCheck, CountsTheValuesThatChangeInPlace) {
+  const auto kernels = bound_kernels();
+  BoundKernel kernel =
+      *std::find_if(kernels.begin(), kernels.end(), [](const auto& k) { return k.name() == "rotate_l2"; });
+  spoil().original = kernel;
+  kernel.in_float = wrong_in_place<float>;
+  kernel.in_double = wrong_in_place<double>;
+  for (const auto& result : check_kernel(kernel, {})) {
+    EXPECT_GE(result.different_in_place, 16U) << result.scalar;
+    EXPECT_LT(result.different_in_place, 24U) << result.scalar;
+    EXPECT_EQ(failures_of(result).size(), 1U) << "and nothing else is wrong";
+  }
+}
+
 void overwriting(double* const* a) {
   a[1][0] = a[0][0];
   a[1][1] = a[0][1] + a[0][0];
