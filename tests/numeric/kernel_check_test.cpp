@@ -4,6 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <exception>
+#include <filesystem>
+#include <string>
+#include <vector>
 
 #include "numeric/kernels/flat_call.hpp"
 #include "numeric/kernels/kernel_limits.hpp"
@@ -111,6 +115,50 @@ TEST(KernelCheck, CountsTheValuesThatChangeInPlace) {
     EXPECT_LT(result.different_in_place, 24U) << result.scalar;
     EXPECT_EQ(failures_of(result).size(), 1U) << "and nothing else is wrong";
   }
+}
+
+const std::filesystem::path kGenerated = std::filesystem::path(SHFORGE_SOURCE_DIR) / "generated";
+
+// Near the poles some values are below the smallest normal number: they count as flushed, not as different.
+TEST(KernelCheck, ComparesEveryBitOfGlslWithFloat) {
+  const auto kernels = bound_kernels();
+  const auto kernel =
+      *std::find_if(kernels.begin(), kernels.end(), [](const auto& k) { return k.name() == "basis_l2"; });
+  for (const bool is_spoiled : {false, true}) {
+    const auto results = check_kernel(is_spoiled ? spoiled(kernel, 1.001) : kernel, kGenerated);
+    ASSERT_EQ(results.size(), 4U);
+    for (const KernelResult& result : results) {
+      EXPECT_EQ(result.bits.has_value(), result.language != "c++") << result.language;
+      if (!result.bits) continue;
+      EXPECT_EQ(result.bits->compared, 9 * result.inputs);
+      EXPECT_LT(result.bits->flushed, result.inputs / 10);
+      EXPECT_EQ(result.bits->regrouped, result.bits->different) << "no grouping makes up for a thousandth";
+      EXPECT_GE(result.bits->different, is_spoiled ? result.inputs / 2 : 0U);
+      EXPECT_LE(result.bits->different, is_spoiled ? result.inputs : 0U);
+      EXPECT_EQ(result.bits->first_difference.find("out l=2 m=2 at "), is_spoiled ? 0U : std::string::npos);
+    }
+  }
+}
+
+TEST(KernelCheck, ChecksOneFamilyOrAllAndNamesThem) {
+  std::vector<std::string> said;
+  const auto note = [&](const std::string& line) { said.push_back(line); };
+  const auto results = check_kernels({kGenerated, "cap"}, note);
+  ASSERT_EQ(said.size(), 2U);
+  EXPECT_EQ(said[0].find("GLSL: "), 0U);
+  EXPECT_EQ(said[1], "checking cap");
+  EXPECT_GE(results.size(), 4U * 11U);
+  for (const KernelResult& result : results) EXPECT_EQ(without_variant(result.family), "cap");
+  const auto message = [&](const CheckOptions& options) {
+    try {
+      static_cast<void>(check_kernels(options, note));
+    } catch (const std::exception& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(message({kGenerated, "caps"}).find("--family: expected one of basis, "), 0U);
+  EXPECT_NE(message({"/none", ""}).find("/none"), std::string::npos);
 }
 
 void overwriting(double* const* a) {
