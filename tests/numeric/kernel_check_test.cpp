@@ -129,6 +129,7 @@ TEST(KernelCheck, ComparesEveryBitOfGlslWithFloat) {
     ASSERT_EQ(results.size(), 4U);
     for (const KernelResult& result : results) {
       EXPECT_EQ(result.bits.has_value(), result.language != "c++") << result.language;
+      EXPECT_EQ(failures_of(result).empty(), !is_spoiled) << "what is flushed is no error";
       if (!result.bits) continue;
       EXPECT_EQ(result.bits->compared, 9 * result.inputs);
       EXPECT_LT(result.bits->flushed, result.inputs / 10);
