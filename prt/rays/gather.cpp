@@ -30,20 +30,25 @@ constexpr std::size_t kStreamRays = 1024;  // a stream call
 // sum, and nothing is contracted. The bits therefore do not depend on the width.
 #define SHFORGE_WIDEST __attribute__((target_clones("avx2", "default")))
 
-// Eight floats at any address; two registers if one is not wide enough.
-using Lanes = float __attribute__((vector_size(kRowUnit * sizeof(float)), aligned(alignof(float)), may_alias));
+// Eight floats; two registers if one is not wide enough.
+using Lanes = float __attribute__((vector_size(kRowUnit * sizeof(float))));
+// The same at any address. A type with an attribute of alignment would lose it in templates of clang.
+struct __attribute__((packed, may_alias)) LanesAnywhere {
+  Lanes lanes;
+};
 
 // sum (8 Count) = the weighted sum of the chosen rows, kept in registers.
 template <std::size_t Count>
 [[gnu::always_inline]] inline void sum_block(const float* values, std::size_t row_length, const std::uint32_t* chosen,
                                              std::size_t count, const float* weights, float* sum) {
-  Lanes block[Count] = {};  // a std::array would drop the attributes
+  Lanes block[Count] = {};
   for (std::size_t k = 0; k < count; ++k) {
     const float weight = weights[chosen[k]];
-    const auto* row = reinterpret_cast<const Lanes*>(values + chosen[k] * row_length);
-    for (std::size_t i = 0; i < Count; ++i) block[i] += weight * row[i];
+    const auto* row = reinterpret_cast<const LanesAnywhere*>(values + chosen[k] * row_length);
+    for (std::size_t i = 0; i < Count; ++i) block[i] += weight * row[i].lanes;
   }
-  std::copy_n(block, Count, reinterpret_cast<Lanes*>(sum));
+  auto* to = reinterpret_cast<LanesAnywhere*>(sum);
+  for (std::size_t i = 0; i < Count; ++i) to[i].lanes = block[i];
 }
 
 SHFORGE_WIDEST void sum_rows(const float* values, std::size_t row_length, const std::uint32_t* chosen,

@@ -156,7 +156,7 @@ Subject<T> evaluate_subject(int degree) {
 template <class T>
 Subject<T> evaluate_rgb_subject(int degree) {
   return subject<T>(
-      "evaluate_rgb", degree, {Kind::kColors, Kind::kDirection}, 3, {64, 64},
+      "evaluate_rgb", degree, {Kind::kColors, Kind::kDirection}, 3, {96, 96},
       [degree](std::size_t n, const auto& in, Records<T> out) { batch::evaluate_rgb(degree, n, in[0], in[1], out); },
       []<int kDegree>(const auto& in, T* out) { evaluate_rgb<kDegree>(in[0], in[1][0], in[1][1], in[1][2], out); });
 }
