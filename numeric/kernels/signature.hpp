@@ -27,7 +27,9 @@ struct Parameter {
   [[nodiscard]] bool is_read() const { return access != Access::kOut; }
   [[nodiscard]] bool is_written() const { return access != Access::kIn; }
   /// True for numbers that another kernel makes and that only make sense together.
-  [[nodiscard]] bool is_prepared() const { return role == "band matrices" || role == "polynomial" || role == "sampled function"; }
+  [[nodiscard]] bool is_prepared() const {
+    return role == "band matrices" || role == "polynomial" || role == "sampled function";
+  }
 };
 
 struct Signature {
