@@ -37,7 +37,8 @@ std::vector<std::array<cln::cl_RA, 3>> rational_directions(int count) {
   // Stereographic projection of rational points of the plane.
   std::mt19937_64 random(2013);
   const auto coordinate = [&random] {
-    return cln::cl_RA(static_cast<long>(random() % 4001) - 2000) / static_cast<long>(random() % 1000 + 1);
+    const auto numerator = static_cast<long>(random() % 4001) - 2000;
+    return cln::cl_RA(numerator) / static_cast<long>(random() % 1000 + 1);
   };
   std::vector<std::array<cln::cl_RA, 3>> directions;
   for (int i = 0; i < count; ++i) {

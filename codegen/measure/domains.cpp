@@ -74,7 +74,8 @@ std::vector<std::vector<cln::cl_RA>> rational_vectors(int count, int size, unsig
     std::vector<cln::cl_RA> v;
     v.reserve(size);
     for (int k = 0; k < size; ++k) {
-      v.push_back(cln::cl_RA(static_cast<long>(random() % 2001) - 1000) / static_cast<long>(random() % 500 + 1));
+      const auto numerator = static_cast<long>(random() % 2001) - 1000;
+      v.push_back(cln::cl_RA(numerator) / static_cast<long>(random() % 500 + 1));
     }
     vectors.push_back(std::move(v));
   }

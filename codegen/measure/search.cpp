@@ -367,7 +367,8 @@ class Search {
       const std::size_t i = below(input.size());
       if (fixed_[i]) continue;
       const double scale = random_.next() < 0 ? input[i] : typical;
-      input[i] += std::ldexp(random_.next(), -2 - static_cast<int>(below(format_.digits - 1))) * scale;
+      const int places = static_cast<int>(below(format_.digits - 1));
+      input[i] += std::ldexp(random_.next(), -2 - places) * scale;
       turned = turned || turning_[i];
     }
     return to_domain<T>(kernel_, range_, input, turned);

@@ -71,7 +71,8 @@ class Climber {
     return static_cast<std::size_t>((random_.next() + 1) / 2 * static_cast<double>(n));
   }
   T relative() {  // 1 +- 2^-k, k = 0 .. kDigits - 1
-    return static_cast<T>(1 + std::ldexp(random_.next(), -static_cast<int>(below(kDigits))));
+    const auto places = static_cast<int>(below(kDigits));
+    return static_cast<T>(1 + std::ldexp(random_.next(), -places));
   }
   [[nodiscard]] bool is_fixed(std::size_t i) const { return !problem_.fixed.empty() && problem_.fixed[i]; }
 
