@@ -93,12 +93,15 @@ struct Range {
   std::vector<double> least, largest;
   std::vector<Array> arrays;
   std::vector<bool> in_array;
+  std::vector<bool> turning;  // the inputs that `to_domain` changes together
 
   Range(const std::vector<Parameter>& parameters, const std::vector<std::vector<double>>& inputs)
       : least(inputs[0]), largest(inputs[0]) {
     std::size_t first = 0;
     for (const Parameter& parameter : parameters) {
-      in_array.insert(in_array.end(), parameter.size(), holds_coefficients(parameter.role));
+      const bool coefficients = holds_coefficients(parameter.role);
+      in_array.insert(in_array.end(), parameter.size(), coefficients);
+      turning.insert(turning.end(), parameter.size(), !coefficients && parameter.role != Role::kParameter);
       // Each channel has a length of its own.
       const auto size = static_cast<std::size_t>(parameter.size() / parameter.channels());
       for (int channel = 0; channel < parameter.channels(); ++channel, first += size) {
@@ -108,10 +111,11 @@ struct Range {
     for (const std::vector<double>& input : inputs) add(input);
   }
 
-  // Keeps every length and every other value in its range.
-  void clamp(std::vector<double>& input) const {
+  // Keeps every length and every other value in its range. Directions and other inputs that `to_domain` moves together
+  // may stand outside of it; where none of them changed, they stay.
+  void clamp(std::vector<double>& input, bool turned) const {
     for (std::size_t i = 0; i < input.size(); ++i) {
-      if (!in_array[i]) input[i] = std::clamp(input[i], least[i], largest[i]);
+      if (!in_array[i] && (turned || !turning[i])) input[i] = std::clamp(input[i], least[i], largest[i]);
     }
     for (const Array& array : arrays) {
       const double present = length_of(input.data() + array.first, array.size);
@@ -145,7 +149,7 @@ std::vector<bool> fixed_inputs(const Kernel& kernel) {
 // Moves a point to the domain, rounded; false if there is no way. Unit vectors that did not change are there already.
 template <class T>
 bool to_domain(const Kernel& kernel, const Range& range, std::vector<double>& input, bool turned = true) {
-  range.clamp(input);
+  range.clamp(input, turned);
   if (turned || !Arithmetic<T>::kWideRange) {
     WideVector moved(input.begin(), input.end());
     if (!Arithmetic<T>::kWideRange) move_to_half_range(kernel.parameters, moved);
@@ -158,16 +162,6 @@ bool to_domain(const Kernel& kernel, const Range& range, std::vector<double>& in
     if (std::abs(value) < kLeastInput) value = 0;
   }
   return true;
-}
-
-// The inputs that `to_domain` changes together.
-std::vector<bool> turning_inputs(const Kernel& kernel) {
-  std::vector<bool> turning;
-  for (const Parameter& parameter : kernel.parameters) {
-    turning.insert(turning.end(), parameter.size(),
-                   !holds_coefficients(parameter.role) && parameter.role != Role::kParameter);
-  }
-  return turning;
 }
 
 // A point with the output whose error is looked at there, in epsilon x size.
@@ -188,13 +182,15 @@ class Search {
         format_(format),
         size_(size_of(kernel, domain)),
         range_(kernel.parameters, tested),
-        fixed_(fixed_inputs(kernel)),
-        turning_(turning_inputs(kernel)) {}
+        fixed_(fixed_inputs(kernel)) {}
 
-  /// One input from each climb, the worst first.
-  Inputs run(Inputs inputs, int evaluations) {
+  /// One input from each climb, the worst first. inputs: in the domain. starts: perhaps not.
+  Inputs run(Inputs inputs, const Inputs& starts, int evaluations) {
     for (std::vector<double>& input : inputs) {
       for (double& value : input) value = rounded<T>(value);
+    }
+    for (std::vector<double> start : starts) {
+      if (!start.empty() && to_domain<T>(kernel_, range_, start)) inputs.push_back(std::move(start));
     }
     std::vector<Point> points = peaks(inputs);
     for (Point& point : points) ascend(point);
@@ -369,7 +365,7 @@ class Search {
       const double scale = random_.next() < 0 ? input[i] : typical;
       const int places = static_cast<int>(below(format_.digits - 1));
       input[i] += std::ldexp(random_.next(), -2 - places) * scale;
-      turned = turned || turning_[i];
+      turned = turned || range_.turning[i];
     }
     return to_domain<T>(kernel_, range_, input, turned);
   }
@@ -383,7 +379,7 @@ class Search {
   bound::Format format_;
   Size size_;
   Range range_;
-  std::vector<bool> fixed_, turning_;
+  std::vector<bool> fixed_;
   numeric::Random random_{1};
 };
 
@@ -394,10 +390,7 @@ std::vector<std::vector<double>> search_inputs(const Kernel& kernel, const Domai
                                                const std::vector<std::vector<double>>& starts, int evaluations) {
   Inputs inputs = domain.test_inputs(kernel.degree);
   Search<T> search(kernel, domain, inputs, bound::find_format(Arithmetic<T>::kName));
-  for (const std::vector<double>& start : starts) {
-    if (!start.empty()) inputs.push_back(start);
-  }
-  return search.run(std::move(inputs), evaluations);
+  return search.run(std::move(inputs), starts, evaluations);
 }
 
 int search_evaluations(const Kernel& kernel) {

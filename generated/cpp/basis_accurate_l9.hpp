@@ -10,7 +10,7 @@
 // Source:       polynomials in 2z^2-1 for m <= 2, the recurrence in l for m > 2, doubling in m; derived exactly
 // Cost:         219 multiplications, 91 additions; longest chain 14; at most 27 values live
 // Error:        eps counts units of machine epsilon x sqrt((2l+1)/(4 pi))
-//               float   rounding  at most 2.6e-06 (17.1 eps)  largest seen 1.1e-06 (7.6 eps)
+//               float   rounding  at most 2.6e-06 (17.1 eps)  largest seen 1.1e-06 (7.7 eps)
 //                       total                                 largest seen 2.0e-06 (13.7 eps)
 //               double  rounding  at most 4.4e-15 (15.8 eps)  largest seen 1.9e-15 (6.9 eps)
 //                       total                                 largest seen 5.9e-15 (21.8 eps)
@@ -20,7 +20,7 @@
 //               total:    against the exact function at the input scaled to length 1
 //               seen:     among 1110 directions (random, axes, poles, near poles) and 262144 evaluations of a search,
 //               without contraction
-//               worst:    float x, y, z = 0.49426383, 0.012428836, 0.8692231
+//               worst:    float x, y, z = -0.015147314, -0.48315516, -0.8754037
 //                         double x, y, z = 5.572795753646235e-12, 0.00013353678990367558, 0.9999999910839629
 #pragma once
 

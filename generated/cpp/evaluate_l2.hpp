@@ -15,8 +15,8 @@
 //               reach
 //               float   rounding  at most 3.8e-07 (5.1 eps)  largest seen 2.3e-07 (3.3 eps)
 //                       total                                largest seen 2.5e-07 (3.5 eps)
-//               double  rounding  at most 7.1e-16 (5.1 eps)  largest seen 4.5e-16 (3.6 eps)
-//                       total                                largest seen 4.4e-16 (3.3 eps)
+//               double  rounding  at most 7.1e-16 (5.1 eps)  largest seen 4.5e-16 (3.2 eps)
+//                       total                                largest seen 4.4e-16 (3.2 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for a direction off length 1 by at most 2 epsilon; coefficients of size 2^-20 to 2^20;
 //               operations round to nearest, with or without contraction

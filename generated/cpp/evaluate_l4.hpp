@@ -15,7 +15,7 @@
 //               reach
 //               float   rounding  at most 1.9e-06 (18.1 eps)  largest seen 7.1e-07 (7.4 eps)
 //                       total                                 largest seen 1.1e-06 (11.1 eps)
-//               double  rounding  at most 3.6e-15 (18.8 eps)  largest seen 1.7e-15 (9.1 eps)
+//               double  rounding  at most 3.6e-15 (18.8 eps)  largest seen 1.7e-15 (9.4 eps)
 //                       total                                 largest seen 1.9e-15 (10.0 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for a direction off length 1 by at most 2 epsilon; coefficients of size 2^-20 to 2^20;

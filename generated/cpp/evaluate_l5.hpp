@@ -14,9 +14,9 @@
 // Error:        eps counts units of machine epsilon x |c| sqrt((2L+1)/(4 pi)), the most that the top band alone can
 //               reach
 //               float   rounding  at most 2.5e-06 (22.2 eps)  largest seen 1.1e-06 (10.2 eps)
-//                       total                                 largest seen 4.2e-04 (3895.0 eps)
-//               double  rounding  at most 4.8e-15 (22.9 eps)  largest seen 2.3e-15 (11.4 eps)
-//                       total                                 largest seen 2.2e-15 (10.8 eps)
+//                       total                                 largest seen 1.4e-06 (12.6 eps)
+//               double  rounding  at most 4.8e-15 (22.9 eps)  largest seen 2.5e-15 (12.6 eps)
+//                       total                                 largest seen 2.7e-15 (13.5 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for a direction off length 1 by at most 2 epsilon; coefficients of size 2^-20 to 2^20;
 //               operations round to nearest, with or without contraction

@@ -13,8 +13,8 @@
 // Cost:         15 multiplications, 9 additions; longest chain 4; at most 15 values live
 // Error:        eps counts units of machine epsilon x |c| sqrt((2L+1)/(4 pi)), the most that the top band alone can
 //               reach
-//               float   rounding  at most 1.5e-07 (2.5 eps)  largest seen 1.0e-07 (1.9 eps)
-//                       total                                largest seen 1.0e-07 (1.9 eps)
+//               float   rounding  at most 1.5e-07 (2.5 eps)  largest seen 1.0e-07 (2.0 eps)
+//                       total                                largest seen 1.1e-07 (2.0 eps)
 //               double  rounding  at most 2.5e-16 (2.3 eps)  largest seen 1.7e-16 (1.7 eps)
 //                       total                                largest seen 1.9e-16 (1.8 eps)
 //               rounding: against this formula in exact arithmetic at the same input

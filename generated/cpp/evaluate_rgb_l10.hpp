@@ -14,7 +14,7 @@
 // Error:        eps counts units of machine epsilon x |c| sqrt((2L+1)/(4 pi)), the most that the top band alone can
 //               reach
 //               float   rounding  at most 3.2e-05 (205.1 eps)  largest seen 2.6e-06 (16.9 eps)
-//                       total                                  largest seen 3.2e-06 (20.9 eps)
+//                       total                                  largest seen 3.7e-06 (23.9 eps)
 //               double  rounding  at most 5.8e-14 (202.0 eps)  largest seen 7.9e-15 (27.7 eps)
 //                       total                                  largest seen 6.3e-15 (22.0 eps)
 //               rounding: against this formula in exact arithmetic at the same input

@@ -13,10 +13,10 @@
 // Cost:         200 multiplications, 169 additions; longest chain 23; at most 162 values live
 // Error:        eps counts units of machine epsilon x |c| sqrt((2L+1)/(4 pi)), the most that the top band alone can
 //               reach
-//               float   rounding  at most 3.8e-06 (30.9 eps)  largest seen 1.3e-06 (11.1 eps)
+//               float   rounding  at most 3.8e-06 (30.9 eps)  largest seen 1.4e-06 (11.6 eps)
 //                       total                                 largest seen 1.3e-06 (11.1 eps)
-//               double  rounding  at most 7.1e-15 (31.4 eps)  largest seen 3.2e-15 (14.9 eps)
-//                       total                                 largest seen 2.9e-15 (13.5 eps)
+//               double  rounding  at most 7.1e-15 (31.4 eps)  largest seen 3.0e-15 (14.1 eps)
+//                       total                                 largest seen 2.5e-15 (11.0 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for a direction off length 1 by at most 2 epsilon; coefficients of size 2^-20 to 2^20;
 //               operations round to nearest, with or without contraction

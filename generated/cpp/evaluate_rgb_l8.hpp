@@ -13,8 +13,8 @@
 // Cost:         333 multiplications, 282 additions; longest chain 28; at most 262 values live
 // Error:        eps counts units of machine epsilon x |c| sqrt((2L+1)/(4 pi)), the most that the top band alone can
 //               reach
-//               float   rounding  at most 9.9e-06 (71.0 eps)  largest seen 1.9e-06 (14.0 eps)
-//                       total                                 largest seen 1.7e-06 (12.2 eps)
+//               float   rounding  at most 9.9e-06 (71.0 eps)  largest seen 1.8e-06 (12.9 eps)
+//                       total                                 largest seen 2.1e-06 (15.4 eps)
 //               double  rounding  at most 1.8e-14 (68.4 eps)  largest seen 4.2e-15 (16.5 eps)
 //                       total                                 largest seen 5.5e-15 (21.4 eps)
 //               rounding: against this formula in exact arithmetic at the same input

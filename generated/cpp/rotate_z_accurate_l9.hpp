@@ -11,9 +11,9 @@
 // Source:       (c_m + i c_-m)' = e^(i m angle) (c_m + i c_-m)
 // Cost:         208 multiplications, 106 additions; longest chain 10; at most 110 values live
 // Error:        eps counts units of machine epsilon x |c|
-//               float   rounding  at most 1.1e-06 (9.1 eps)  largest seen 3.8e-07 (3.2 eps)
-//                       total                                largest seen 4.9e-07 (4.1 eps)
-//               double  rounding  at most 2.0e-15 (9.1 eps)  largest seen 7.6e-16 (3.4 eps)
+//               float   rounding  at most 1.1e-06 (9.1 eps)  largest seen 3.1e-07 (3.2 eps)
+//                       total                                largest seen 4.0e-07 (3.7 eps)
+//               double  rounding  at most 2.0e-15 (9.1 eps)  largest seen 6.6e-16 (3.2 eps)
 //                       total                                largest seen 9.6e-16 (4.3 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for cosine and sine off length 1 by at most 2 epsilon; coefficients of size 2^-20 to

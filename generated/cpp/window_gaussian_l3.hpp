@@ -11,7 +11,7 @@
 // Cost:         20 multiplications, 0 additions; longest chain 5; at most 17 values live
 // Error:        eps counts units of machine epsilon x |c_lm|
 //               float   rounding  at most 4.5e-07 (3.8 eps)  largest seen 8.1e-08 (2.1 eps)
-//               double  rounding  at most 8.4e-16 (3.8 eps)  largest seen 1.6e-16 (2.2 eps)
+//               double  rounding  at most 8.4e-16 (3.8 eps)  largest seen 1.6e-16 (2.4 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for 0 <= g <= 1; coefficients of size 2^-20 to 2^20; operations round to nearest, with
 //               or without contraction

@@ -11,7 +11,7 @@
 // Cost:         31 multiplications, 0 additions; longest chain 6; at most 26 values live
 // Error:        eps counts units of machine epsilon x |c_lm|
 //               float   rounding  at most 7.8e-07 (6.6 eps)  largest seen 1.0e-07 (3.2 eps)
-//               double  rounding  at most 1.5e-15 (6.6 eps)  largest seen 2.5e-16 (3.8 eps)
+//               double  rounding  at most 1.5e-15 (6.6 eps)  largest seen 2.2e-16 (3.4 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for 0 <= g <= 1; coefficients of size 2^-20 to 2^20; operations round to nearest, with
 //               or without contraction

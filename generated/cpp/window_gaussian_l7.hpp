@@ -10,7 +10,7 @@
 // Source:       P.-P. Sloan, "Stupid Spherical Harmonics (SH) Tricks", GDC 2008
 // Cost:         76 multiplications, 0 additions; longest chain 9; at most 65 values live
 // Error:        eps counts units of machine epsilon x |c_lm|
-//               float   rounding  at most 2.3e-06 (19.3 eps)  largest seen 1.9e-07 (8.2 eps)
+//               float   rounding  at most 2.3e-06 (19.3 eps)  largest seen 1.9e-07 (8.0 eps)
 //               double  rounding  at most 4.3e-15 (19.3 eps)  largest seen 4.3e-16 (9.9 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for 0 <= g <= 1; coefficients of size 2^-20 to 2^20; operations round to nearest, with

@@ -10,8 +10,8 @@
 // Source:       P.-P. Sloan, "Stupid Spherical Harmonics (SH) Tricks", GDC 2008
 // Cost:         95 multiplications, 0 additions; longest chain 10; at most 82 values live
 // Error:        eps counts units of machine epsilon x |c_lm|
-//               float   rounding  at most 3.0e-06 (25.1 eps)  largest seen 2.3e-07 (10.6 eps)
-//               double  rounding  at most 5.6e-15 (25.1 eps)  largest seen 4.5e-16 (11.4 eps)
+//               float   rounding  at most 3.0e-06 (25.1 eps)  largest seen 2.3e-07 (10.9 eps)
+//               double  rounding  at most 5.6e-15 (25.1 eps)  largest seen 4.5e-16 (11.2 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for 0 <= g <= 1; coefficients of size 2^-20 to 2^20; operations round to nearest, with
 //               or without contraction

@@ -11,7 +11,7 @@
 // Cost:         31 multiplications, 8 additions; longest chain 10; at most 26 values live
 // Error:        eps counts units of machine epsilon x |c_lm|
 //               float   rounding  at most 6.6e-07 (5.6 eps)  largest seen 6.8e-08 (1.9 eps)
-//               double  rounding  at most 1.3e-15 (5.6 eps)  largest seen 1.1e-16 (1.9 eps)
+//               double  rounding  at most 1.3e-15 (5.6 eps)  largest seen 1.3e-16 (1.9 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for -1 <= cos_pi_over_w <= 1; coefficients of size 2^-20 to 2^20; operations round to
 //               nearest, with or without contraction

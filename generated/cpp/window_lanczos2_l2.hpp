@@ -12,7 +12,7 @@
 // Cost:         11 multiplications, 0 additions; longest chain 3; at most 11 values live
 // Error:        eps counts units of machine epsilon x |c_lm|
 //               float   rounding  at most 1.8e-07 (1.6 eps)  largest seen 7.3e-08 (1.2 eps)
-//               double  rounding  at most 3.4e-16 (1.6 eps)  largest seen 7.6e-17 (1.2 eps)
+//               double  rounding  at most 3.4e-16 (1.6 eps)  largest seen 9.1e-17 (1.2 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for -1 <= cos_pi_over_w <= 1; 0 <= sinc_pi_over_w <= 1; coefficients of size 2^-20 to
 //               2^20; operations round to nearest, with or without contraction

@@ -11,8 +11,8 @@
 // Source:       P.-P. Sloan, "Stupid Spherical Harmonics (SH) Tricks", GDC 2008
 // Cost:         22 multiplications, 2 additions; longest chain 7; at most 18 values live
 // Error:        eps counts units of machine epsilon x |c_lm|
-//               float   rounding  at most 7.0e-07 (5.9 eps)  largest seen 1.0e-07 (3.3 eps)
-//               double  rounding  at most 1.3e-15 (5.9 eps)  largest seen 2.1e-16 (3.3 eps)
+//               float   rounding  at most 7.0e-07 (5.9 eps)  largest seen 1.3e-07 (3.2 eps)
+//               double  rounding  at most 1.3e-15 (5.9 eps)  largest seen 2.5e-16 (3.3 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for -1 <= cos_pi_over_w <= 1; 0 <= sinc_pi_over_w <= 1; coefficients of size 2^-20 to
 //               2^20; operations round to nearest, with or without contraction

@@ -11,8 +11,8 @@
 // Source:       P.-P. Sloan, "Stupid Spherical Harmonics (SH) Tricks", GDC 2008
 // Cost:         82 multiplications, 6 additions; longest chain 15; at most 66 values live
 // Error:        eps counts units of machine epsilon x |c_lm|
-//               float   rounding  at most 3.0e-06 (24.8 eps)  largest seen 2.4e-07 (11.5 eps)
-//               double  rounding  at most 5.5e-15 (24.6 eps)  largest seen 4.8e-16 (11.5 eps)
+//               float   rounding  at most 3.0e-06 (24.8 eps)  largest seen 2.4e-07 (11.2 eps)
+//               double  rounding  at most 5.5e-15 (24.6 eps)  largest seen 4.8e-16 (11.4 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for -1 <= cos_pi_over_w <= 1; 0 <= sinc_pi_over_w <= 1; coefficients of size 2^-20 to
 //               2^20; operations round to nearest, with or without contraction

@@ -11,8 +11,8 @@
 // Source:       P.-P. Sloan, "Stupid Spherical Harmonics (SH) Tricks", GDC 2008
 // Cost:         102 multiplications, 7 additions; longest chain 17; at most 83 values live
 // Error:        eps counts units of machine epsilon x |c_lm|
-//               float   rounding  at most 3.5e-06 (29.1 eps)  largest seen 2.7e-07 (14.2 eps)
-//               double  rounding  at most 6.5e-15 (29.1 eps)  largest seen 4.2e-16 (14.9 eps)
+//               float   rounding  at most 3.5e-06 (29.1 eps)  largest seen 2.7e-07 (14.6 eps)
+//               double  rounding  at most 6.5e-15 (29.1 eps)  largest seen 4.2e-16 (15.0 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for -1 <= cos_pi_over_w <= 1; 0 <= sinc_pi_over_w <= 1; coefficients of size 2^-20 to
 //               2^20; operations round to nearest, with or without contraction

@@ -12,7 +12,7 @@
 // Cost:         13 multiplications, 0 additions; longest chain 4; at most 11 values live
 // Error:        eps counts units of machine epsilon x |c_lm|
 //               float   rounding  at most 3.6e-07 (3.1 eps)  largest seen 9.5e-08 (2.2 eps)
-//               double  rounding  at most 6.7e-16 (3.1 eps)  largest seen 2.5e-16 (2.2 eps)
+//               double  rounding  at most 6.7e-16 (3.1 eps)  largest seen 2.3e-16 (2.2 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for -1 <= cos_pi_over_w <= 1; 0 <= sinc_pi_over_w <= 1; coefficients of size 2^-20 to
 //               2^20; operations round to nearest, with or without contraction

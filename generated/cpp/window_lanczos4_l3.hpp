@@ -11,8 +11,8 @@
 // Source:       P.-P. Sloan, "Stupid Spherical Harmonics (SH) Tricks", GDC 2008
 // Cost:         25 multiplications, 2 additions; longest chain 8; at most 18 values live
 // Error:        eps counts units of machine epsilon x |c_lm|
-//               float   rounding  at most 1.4e-06 (11.7 eps)  largest seen 2.2e-07 (6.2 eps)
-//               double  rounding  at most 2.6e-15 (11.7 eps)  largest seen 3.6e-16 (6.3 eps)
+//               float   rounding  at most 1.4e-06 (11.7 eps)  largest seen 2.4e-07 (6.0 eps)
+//               double  rounding  at most 2.6e-15 (11.7 eps)  largest seen 5.1e-16 (6.1 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for -1 <= cos_pi_over_w <= 1; 0 <= sinc_pi_over_w <= 1; coefficients of size 2^-20 to
 //               2^20; operations round to nearest, with or without contraction

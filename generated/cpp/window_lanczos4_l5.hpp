@@ -11,8 +11,8 @@
 // Source:       P.-P. Sloan, "Stupid Spherical Harmonics (SH) Tricks", GDC 2008
 // Cost:         53 multiplications, 4 additions; longest chain 12; at most 38 values live
 // Error:        eps counts units of machine epsilon x |c_lm|
-//               float   rounding  at most 3.4e-06 (27.8 eps)  largest seen 4.1e-07 (12.2 eps)
-//               double  rounding  at most 6.3e-15 (28.3 eps)  largest seen 6.9e-16 (14.8 eps)
+//               float   rounding  at most 3.4e-06 (27.8 eps)  largest seen 4.1e-07 (13.0 eps)
+//               double  rounding  at most 6.3e-15 (28.3 eps)  largest seen 6.9e-16 (14.4 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for -1 <= cos_pi_over_w <= 1; 0 <= sinc_pi_over_w <= 1; coefficients of size 2^-20 to
 //               2^20; operations round to nearest, with or without contraction

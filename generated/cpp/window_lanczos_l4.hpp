@@ -12,7 +12,7 @@
 // Cost:         30 multiplications, 3 additions; longest chain 8; at most 27 values live
 // Error:        eps counts units of machine epsilon x |c_lm|
 //               float   rounding  at most 4.8e-07 (4.1 eps)  largest seen 6.0e-08 (2.3 eps)
-//               double  rounding  at most 8.9e-16 (4.1 eps)  largest seen 1.2e-16 (2.3 eps)
+//               double  rounding  at most 8.9e-16 (4.1 eps)  largest seen 1.3e-16 (2.3 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for -1 <= cos_pi_over_w <= 1; 0 <= sinc_pi_over_w <= 1; coefficients of size 2^-20 to
 //               2^20; operations round to nearest, with or without contraction

@@ -11,8 +11,8 @@
 // Source:       P.-P. Sloan, "Stupid Spherical Harmonics (SH) Tricks", GDC 2008
 // Cost:         75 multiplications, 6 additions; longest chain 14; at most 66 values live
 // Error:        eps counts units of machine epsilon x |c_lm|
-//               float   rounding  at most 1.5e-06 (12.4 eps)  largest seen 1.2e-07 (6.2 eps)
-//               double  rounding  at most 2.8e-15 (12.3 eps)  largest seen 1.8e-16 (6.2 eps)
+//               float   rounding  at most 1.5e-06 (12.4 eps)  largest seen 1.2e-07 (6.0 eps)
+//               double  rounding  at most 2.8e-15 (12.3 eps)  largest seen 2.0e-16 (6.4 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for -1 <= cos_pi_over_w <= 1; 0 <= sinc_pi_over_w <= 1; coefficients of size 2^-20 to
 //               2^20; operations round to nearest, with or without contraction

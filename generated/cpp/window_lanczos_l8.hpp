@@ -11,8 +11,8 @@
 // Source:       P.-P. Sloan, "Stupid Spherical Harmonics (SH) Tricks", GDC 2008
 // Cost:         94 multiplications, 7 additions; longest chain 16; at most 83 values live
 // Error:        eps counts units of machine epsilon x |c_lm|
-//               float   rounding  at most 1.8e-06 (14.6 eps)  largest seen 1.3e-07 (7.7 eps)
-//               double  rounding  at most 3.3e-15 (14.6 eps)  largest seen 2.2e-16 (7.5 eps)
+//               float   rounding  at most 1.8e-06 (14.6 eps)  largest seen 1.3e-07 (7.4 eps)
+//               double  rounding  at most 3.3e-15 (14.6 eps)  largest seen 2.2e-16 (6.6 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for -1 <= cos_pi_over_w <= 1; 0 <= sinc_pi_over_w <= 1; coefficients of size 2^-20 to
 //               2^20; operations round to nearest, with or without contraction

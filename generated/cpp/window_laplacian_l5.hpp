@@ -10,7 +10,7 @@
 // Source:       P.-P. Sloan, "Stupid Spherical Harmonics (SH) Tricks", GDC 2008
 // Cost:         40 multiplications, 5 additions, 5 divisions; longest chain 4; at most 37 values live
 // Error:        eps counts units of machine epsilon x |c_lm|
-//               float   rounding  at most 1.8e-07 (1.6 eps)  largest seen 2.1e-08 (1.2 eps)
+//               float   rounding  at most 1.8e-07 (1.6 eps)  largest seen 2.2e-08 (1.2 eps)
 //               double  rounding  at most 3.4e-16 (1.6 eps)  largest seen 5.2e-17 (1.2 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for 0 <= lambda <= 1; coefficients of size 2^-20 to 2^20; operations round to nearest,

@@ -10,8 +10,8 @@
 // Source:       P.-P. Sloan, "Stupid Spherical Harmonics (SH) Tricks", GDC 2008
 // Cost:         108 multiplications, 9 additions, 9 divisions; longest chain 4; at most 101 values live
 // Error:        eps counts units of machine epsilon x |c_lm|
-//               float   rounding  at most 1.8e-07 (1.6 eps)  largest seen 1.2e-08 (1.1 eps)
-//               double  rounding  at most 3.4e-16 (1.6 eps)  largest seen 4.0e-17 (1.1 eps)
+//               float   rounding  at most 1.8e-07 (1.6 eps)  largest seen 1.9e-08 (1.2 eps)
+//               double  rounding  at most 3.4e-16 (1.6 eps)  largest seen 4.0e-17 (1.0 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for 0 <= lambda <= 1; coefficients of size 2^-20 to 2^20; operations round to nearest,
 //               with or without contraction

@@ -11,8 +11,8 @@
 //               Spherical Harmonics (SH) Tricks", GDC 2008; constants derived exactly
 // Cost:         55 multiplications, 14 additions; longest chain 7; at most 10 values live
 // Error:        eps counts units of machine epsilon x |zonal[l]|
-//               float   rounding  at most 9.7e-07 (8.2 eps)  largest seen 1.8e-07 (3.7 eps)
-//                       total                                largest seen 2.1e-07 (5.8 eps)
+//               float   rounding  at most 9.7e-07 (8.2 eps)  largest seen 2.4e-07 (4.0 eps)
+//                       total                                largest seen 2.1e-07 (4.9 eps)
 //               double  rounding  at most 1.9e-15 (8.2 eps)  largest seen 4.4e-16 (4.0 eps)
 //                       total                                largest seen 7.4e-16 (7.6 eps)
 //               rounding: against this formula in exact arithmetic at the same input

@@ -11,8 +11,8 @@
 //               Spherical Harmonics (SH) Tricks", GDC 2008; constants derived exactly
 // Cost:         161 multiplications, 36 additions; longest chain 13; at most 18 values live
 // Error:        eps counts units of machine epsilon x |zonal[l]|
-//               float   rounding  at most 3.3e-06 (27.4 eps)  largest seen 5.8e-07 (9.9 eps)
-//                       total                                 largest seen 8.5e-07 (14.3 eps)
+//               float   rounding  at most 3.3e-06 (27.4 eps)  largest seen 5.3e-07 (9.9 eps)
+//                       total                                 largest seen 7.2e-07 (12.5 eps)
 //               double  rounding  at most 6.0e-15 (27.0 eps)  largest seen 1.0e-15 (9.9 eps)
 //                       total                                 largest seen 1.6e-15 (18.1 eps)
 //               rounding: against this formula in exact arithmetic at the same input

@@ -11,9 +11,9 @@
 //               Spherical Harmonics (SH) Tricks", GDC 2008; constants derived exactly
 // Cost:         52 multiplications, 14 additions; longest chain 7; at most 11 values live
 // Error:        eps counts units of machine epsilon x |zonal[l]|
-//               float   rounding  at most 1.2e-06 (9.8 eps)  largest seen 4.8e-07 (6.3 eps)
-//                       total                                largest seen 2.9e-06 (24.0 eps)
-//               double  rounding  at most 1.9e-15 (8.4 eps)  largest seen 6.3e-16 (5.7 eps)
+//               float   rounding  at most 1.2e-06 (9.8 eps)  largest seen 3.7e-07 (6.3 eps)
+//                       total                                largest seen 3.6e-07 (7.7 eps)
+//               double  rounding  at most 1.9e-15 (8.4 eps)  largest seen 6.3e-16 (5.6 eps)
 //                       total                                largest seen 8.9e-16 (6.2 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for a direction off length 1 by at most 2 epsilon; coefficients of size 2^-20 to 2^20;

@@ -11,8 +11,8 @@
 //               Spherical Harmonics (SH) Tricks", GDC 2008; constants derived exactly
 // Cost:         148 multiplications, 36 additions; longest chain 13; at most 19 values live
 // Error:        eps counts units of machine epsilon x |zonal[l]|
-//               float   rounding  at most 4.6e-06 (38.1 eps)  largest seen 9.1e-07 (19.1 eps)
-//                       total                                 largest seen 9.3e-07 (20.3 eps)
+//               float   rounding  at most 4.6e-06 (38.1 eps)  largest seen 1.2e-06 (19.8 eps)
+//                       total                                 largest seen 1.3e-06 (21.1 eps)
 //               double  rounding  at most 7.9e-15 (35.3 eps)  largest seen 1.7e-15 (18.1 eps)
 //                       total                                 largest seen 2.0e-15 (21.1 eps)
 //               rounding: against this formula in exact arithmetic at the same input

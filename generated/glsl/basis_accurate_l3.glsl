@@ -12,7 +12,7 @@
 // Error:        eps counts units of machine epsilon x sqrt((2l+1)/(4 pi))
 //               float   rounding  at most 2.4e-07 (2.7 eps)  largest seen 1.5e-07 (1.6 eps)
 //                       total                                largest seen 2.2e-07 (2.5 eps)
-//               double  rounding  at most 4.5e-16 (2.7 eps)  largest seen 2.8e-16 (1.7 eps)
+//               double  rounding  at most 4.5e-16 (2.7 eps)  largest seen 2.9e-16 (1.7 eps)
 //                       total                                largest seen 8.5e-16 (5.2 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for a direction off length 1 by at most 2 epsilon; operations round to nearest, with
@@ -21,7 +21,7 @@
 //               seen:     among 1110 directions (random, axes, poles, near poles) and 262144 evaluations of a search,
 //               without contraction
 //               worst:    float x, y, z = 0.10630787, -0.02343279, 0.9940571
-//                         double x, y, z = -0.0015258436805901826, 0.00044102487895218787, -0.9999987386482637
+//                         double x, y, z = -0.0015271417064982003, -1.557281755267804e-08, 0.9999988339184241
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;

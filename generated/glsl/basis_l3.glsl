@@ -11,8 +11,8 @@
 //               exactly
 // Cost:         24 multiplications, 8 additions; longest chain 5; at most 9 values live
 // Error:        eps counts units of machine epsilon x sqrt((2l+1)/(4 pi))
-//               float   rounding  at most 4.5e-07 (5.0 eps)  largest seen 2.7e-07 (3.0 eps)
-//                       total                                largest seen 3.5e-07 (3.9 eps)
+//               float   rounding  at most 4.5e-07 (5.0 eps)  largest seen 2.8e-07 (3.1 eps)
+//                       total                                largest seen 3.5e-07 (4.0 eps)
 //               double  rounding  at most 7.9e-16 (4.8 eps)  largest seen 4.7e-16 (2.8 eps)
 //                       total                                largest seen 8.5e-16 (5.2 eps)
 //               rounding: against this formula in exact arithmetic at the same input
@@ -21,7 +21,7 @@
 //               total:    against the exact function at the input scaled to length 1
 //               seen:     among 1110 directions (random, axes, poles, near poles) and 262144 evaluations of a search,
 //               without contraction
-//               worst:    float x, y, z = 0.015503018, 0.99723995, -0.07260978
+//               worst:    float x, y, z = 0.9979248, 0.004068702, 0.06426165
 //                         double x, y, z = 0.0005288782083689435, 0.9999998601437627, 5.437903112495757e-07
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES

@@ -13,8 +13,8 @@
 // Cost:         257 multiplications, 183 additions; longest chain 33; at most 144 values live
 // Error:        eps counts units of machine epsilon x |c| sqrt((2L+1)/(4 pi)), the most that the top band alone can
 //               reach
-//               float   rounding  at most 2.3e-05 (143.5 eps)  largest seen 3.2e-06 (20.8 eps)
-//                       total                                  largest seen 3.1e-06 (20.5 eps)
+//               float   rounding  at most 2.3e-05 (143.5 eps)  largest seen 3.0e-06 (19.4 eps)
+//                       total                                  largest seen 3.0e-06 (19.4 eps)
 //               double  rounding  at most 4.0e-14 (138.9 eps)  largest seen 9.5e-15 (33.2 eps)
 //                       total                                  largest seen 1.3e-14 (45.8 eps)
 //               rounding: against this formula in exact arithmetic at the same input

@@ -13,10 +13,10 @@
 // Cost:         102 multiplications, 73 additions; longest chain 23; at most 64 values live
 // Error:        eps counts units of machine epsilon x |c| sqrt((2L+1)/(4 pi)), the most that the top band alone can
 //               reach
-//               float   rounding  at most 3.7e-06 (30.0 eps)  largest seen 1.7e-06 (14.4 eps)
-//                       total                                 largest seen 2.9e-06 (26.8 eps)
-//               double  rounding  at most 7.1e-15 (31.2 eps)  largest seen 3.2e-15 (14.4 eps)
-//                       total                                 largest seen 3.5e-15 (15.3 eps)
+//               float   rounding  at most 3.7e-06 (30.0 eps)  largest seen 1.4e-06 (11.9 eps)
+//                       total                                 largest seen 1.9e-06 (16.0 eps)
+//               double  rounding  at most 7.1e-15 (31.2 eps)  largest seen 3.3e-15 (14.4 eps)
+//                       total                                 largest seen 3.5e-15 (15.4 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for a direction off length 1 by at most 2 epsilon; coefficients of size 2^-20 to 2^20;
 //               operations round to nearest, with or without contraction

@@ -13,10 +13,10 @@
 // Cost:         135 multiplications, 96 additions; longest chain 27; at most 83 values live
 // Error:        eps counts units of machine epsilon x |c| sqrt((2L+1)/(4 pi)), the most that the top band alone can
 //               reach
-//               float   rounding  at most 5.2e-06 (39.7 eps)  largest seen 1.8e-06 (14.0 eps)
+//               float   rounding  at most 5.2e-06 (39.7 eps)  largest seen 1.9e-06 (14.6 eps)
 //                       total                                 largest seen 1.9e-06 (14.6 eps)
-//               double  rounding  at most 1.0e-14 (40.9 eps)  largest seen 5.2e-15 (22.2 eps)
-//                       total                                 largest seen 5.4e-15 (23.4 eps)
+//               double  rounding  at most 1.0e-14 (40.9 eps)  largest seen 5.5e-15 (23.4 eps)
+//                       total                                 largest seen 7.3e-15 (29.9 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for a direction off length 1 by at most 2 epsilon; coefficients of size 2^-20 to 2^20;
 //               operations round to nearest, with or without contraction

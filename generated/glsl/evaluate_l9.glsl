@@ -13,8 +13,8 @@
 // Cost:         213 multiplications, 151 additions; longest chain 31; at most 123 values live
 // Error:        eps counts units of machine epsilon x |c| sqrt((2L+1)/(4 pi)), the most that the top band alone can
 //               reach
-//               float   rounding  at most 1.3e-05 (86.7 eps)  largest seen 2.7e-06 (18.3 eps)
-//                       total                                 largest seen 2.9e-06 (19.8 eps)
+//               float   rounding  at most 1.3e-05 (86.7 eps)  largest seen 3.0e-06 (20.3 eps)
+//                       total                                 largest seen 4.1e-06 (27.7 eps)
 //               double  rounding  at most 2.3e-14 (83.2 eps)  largest seen 5.7e-15 (20.9 eps)
 //                       total                                 largest seen 6.3e-15 (23.3 eps)
 //               rounding: against this formula in exact arithmetic at the same input

@@ -13,7 +13,7 @@
 // Cost:         65 multiplications, 53 additions; longest chain 12; at most 57 values live
 // Error:        eps counts units of machine epsilon x |c| sqrt((2L+1)/(4 pi)), the most that the top band alone can
 //               reach
-//               float   rounding  at most 8.6e-07 (9.7 eps)  largest seen 3.7e-07 (4.6 eps)
+//               float   rounding  at most 8.6e-07 (9.7 eps)  largest seen 4.1e-07 (4.6 eps)
 //                       total                                largest seen 4.3e-07 (4.8 eps)
 //               double  rounding  at most 1.6e-15 (9.4 eps)  largest seen 7.2e-16 (4.5 eps)
 //                       total                                largest seen 6.6e-16 (4.1 eps)

@@ -13,9 +13,9 @@
 // Cost:         45 multiplications, 32 additions; longest chain 18; at most 23 values live
 // Error:        eps counts units of machine epsilon x the norm of c
 //               float   rounding  at most 1.2e-06 (9.4 eps)  largest seen 7.5e-07 (7.5 eps)
-//                       total                                largest seen 8.2e-04 (7204.1 eps)
+//                       total                                largest seen 7.6e-07 (7.2 eps)
 //               double  rounding  at most 2.1e-15 (9.1 eps)  largest seen 1.3e-15 (6.7 eps)
-//                       total                                largest seen 1.3e-15 (6.7 eps)
+//                       total                                largest seen 1.3e-15 (6.8 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for a direction off length 1 by at most 2 epsilon; coefficients of size 2^-20 to 2^20;
 //               operations round to nearest, with or without contraction

@@ -12,10 +12,10 @@
 //               constants derived exactly
 // Cost:         124 multiplications, 96 additions; longest chain 30; at most 53 values live
 // Error:        eps counts units of machine epsilon x the norm of c
-//               float   rounding  at most 2.0e-06 (16.3 eps)  largest seen 1.3e-06 (13.0 eps)
-//                       total                                 largest seen 3.3e-03 (36707.8 eps)
+//               float   rounding  at most 2.0e-06 (16.3 eps)  largest seen 1.3e-06 (12.3 eps)
+//                       total                                 largest seen 1.3e-06 (12.4 eps)
 //               double  rounding  at most 3.6e-15 (16.0 eps)  largest seen 2.3e-15 (11.6 eps)
-//                       total                                 largest seen 3.9e-03 (17981538731404.2 eps)
+//                       total                                 largest seen 2.3e-15 (11.3 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for a direction off length 1 by at most 2 epsilon; coefficients of size 2^-20 to 2^20;
 //               operations round to nearest, with or without contraction

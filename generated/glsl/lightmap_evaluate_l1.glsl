@@ -12,7 +12,7 @@
 // Cost:         3 multiplications, 3 additions; longest chain 4; at most 7 values live
 // Error:        eps counts units of machine epsilon x the norm of e
 //               float   rounding  at most 3.0e-07 (2.6 eps)  largest seen 2.1e-07 (2.3 eps)
-//                       total                                largest seen 2.3e-07 (2.5 eps)
+//                       total                                largest seen 2.3e-07 (2.3 eps)
 //               double  rounding  at most 5.6e-16 (2.6 eps)  largest seen 4.0e-16 (2.3 eps)
 //                       total                                largest seen 4.2e-16 (2.4 eps)
 //               rounding: against this formula in exact arithmetic at the same input

@@ -13,7 +13,7 @@
 // Error:        eps counts units of machine epsilon x |c|
 //               float   rounding  at most 8.4e-07 (7.1 eps)  largest seen 2.7e-07 (2.3 eps)
 //                       total                                largest seen 3.6e-07 (3.1 eps)
-//               double  rounding  at most 1.6e-15 (7.1 eps)  largest seen 5.0e-16 (2.3 eps)
+//               double  rounding  at most 1.6e-15 (7.1 eps)  largest seen 6.0e-16 (2.7 eps)
 //                       total                                largest seen 9.2e-16 (4.2 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for cosine and sine off length 1 by at most 2 epsilon; coefficients of size 2^-20 to

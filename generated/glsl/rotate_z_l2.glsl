@@ -14,7 +14,7 @@
 //               float   rounding  at most 3.0e-07 (2.6 eps)  largest seen 1.2e-07 (1.5 eps)
 //                       total                                largest seen 1.7e-07 (1.8 eps)
 //               double  rounding  at most 5.6e-16 (2.6 eps)  largest seen 2.2e-16 (1.5 eps)
-//                       total                                largest seen 3.6e-16 (1.9 eps)
+//                       total                                largest seen 3.6e-16 (2.2 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for cosine and sine off length 1 by at most 2 epsilon; coefficients of size 2^-20 to
 //               2^20; operations round to nearest, with or without contraction

@@ -10,8 +10,8 @@
 // Source:       P.-P. Sloan, "Stupid Spherical Harmonics (SH) Tricks", GDC 2008
 // Cost:         43 multiplications, 7 additions; longest chain 8; at most 38 values live
 // Error:        eps counts units of machine epsilon x |c_lm|
-//               float   rounding  at most 9.0e-07 (7.6 eps)  largest seen 6.6e-08 (2.7 eps)
-//               double  rounding  at most 1.7e-15 (7.6 eps)  largest seen 1.5e-16 (2.8 eps)
+//               float   rounding  at most 9.0e-07 (7.6 eps)  largest seen 6.6e-08 (2.9 eps)
+//               double  rounding  at most 1.7e-15 (7.6 eps)  largest seen 1.5e-16 (2.9 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for -1 <= cos_pi_over_w <= 1; coefficients of size 2^-20 to 2^20; operations round to
 //               nearest, with or without contraction

@@ -10,8 +10,8 @@
 // Source:       P.-P. Sloan, "Stupid Spherical Harmonics (SH) Tricks", GDC 2008
 // Cost:         95 multiplications, 16 additions; longest chain 18; at most 82 values live
 // Error:        eps counts units of machine epsilon x |c_lm|
-//               float   rounding  at most 2.7e-06 (22.1 eps)  largest seen 8.8e-08 (5.6 eps)
-//               double  rounding  at most 4.9e-15 (22.1 eps)  largest seen 2.2e-16 (5.6 eps)
+//               float   rounding  at most 2.7e-06 (22.1 eps)  largest seen 8.6e-08 (5.2 eps)
+//               double  rounding  at most 4.9e-15 (22.1 eps)  largest seen 2.2e-16 (5.9 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for -1 <= cos_pi_over_w <= 1; coefficients of size 2^-20 to 2^20; operations round to
 //               nearest, with or without contraction

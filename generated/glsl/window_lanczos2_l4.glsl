@@ -11,8 +11,8 @@
 // Source:       P.-P. Sloan, "Stupid Spherical Harmonics (SH) Tricks", GDC 2008
 // Cost:         34 multiplications, 3 additions; longest chain 9; at most 27 values live
 // Error:        eps counts units of machine epsilon x |c_lm|
-//               float   rounding  at most 9.6e-07 (8.1 eps)  largest seen 1.1e-07 (4.4 eps)
-//               double  rounding  at most 1.8e-15 (8.1 eps)  largest seen 2.2e-16 (4.6 eps)
+//               float   rounding  at most 9.6e-07 (8.1 eps)  largest seen 1.2e-07 (4.2 eps)
+//               double  rounding  at most 1.8e-15 (8.1 eps)  largest seen 3.0e-16 (4.5 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for -1 <= cos_pi_over_w <= 1; 0 <= sinc_pi_over_w <= 1; coefficients of size 2^-20 to
 //               2^20; operations round to nearest, with or without contraction

@@ -11,7 +11,7 @@
 // Source:       P.-P. Sloan, "Stupid Spherical Harmonics (SH) Tricks", GDC 2008
 // Cost:         48 multiplications, 4 additions; longest chain 11; at most 38 values live
 // Error:        eps counts units of machine epsilon x |c_lm|
-//               float   rounding  at most 1.7e-06 (13.9 eps)  largest seen 1.7e-07 (6.5 eps)
+//               float   rounding  at most 1.7e-06 (13.9 eps)  largest seen 1.7e-07 (6.4 eps)
 //               double  rounding  at most 3.2e-15 (14.2 eps)  largest seen 3.6e-16 (7.6 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for -1 <= cos_pi_over_w <= 1; 0 <= sinc_pi_over_w <= 1; coefficients of size 2^-20 to

@@ -11,8 +11,8 @@
 // Source:       P.-P. Sloan, "Stupid Spherical Harmonics (SH) Tricks", GDC 2008
 // Cost:         64 multiplications, 5 additions; longest chain 13; at most 51 values live
 // Error:        eps counts units of machine epsilon x |c_lm|
-//               float   rounding  at most 2.3e-06 (19.2 eps)  largest seen 2.2e-07 (9.4 eps)
-//               double  rounding  at most 4.3e-15 (19.2 eps)  largest seen 3.5e-16 (9.0 eps)
+//               float   rounding  at most 2.3e-06 (19.2 eps)  largest seen 2.2e-07 (8.8 eps)
+//               double  rounding  at most 4.3e-15 (19.2 eps)  largest seen 3.5e-16 (9.5 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for -1 <= cos_pi_over_w <= 1; 0 <= sinc_pi_over_w <= 1; coefficients of size 2^-20 to
 //               2^20; operations round to nearest, with or without contraction

@@ -11,8 +11,8 @@
 // Source:       P.-P. Sloan, "Stupid Spherical Harmonics (SH) Tricks", GDC 2008
 // Cost:         38 multiplications, 3 additions; longest chain 10; at most 27 values live
 // Error:        eps counts units of machine epsilon x |c_lm|
-//               float   rounding  at most 2.0e-06 (16.1 eps)  largest seen 2.5e-07 (8.0 eps)
-//               double  rounding  at most 3.6e-15 (16.1 eps)  largest seen 4.7e-16 (8.8 eps)
+//               float   rounding  at most 2.0e-06 (16.1 eps)  largest seen 2.7e-07 (7.9 eps)
+//               double  rounding  at most 3.6e-15 (16.1 eps)  largest seen 5.8e-16 (8.6 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for -1 <= cos_pi_over_w <= 1; 0 <= sinc_pi_over_w <= 1; coefficients of size 2^-20 to
 //               2^20; operations round to nearest, with or without contraction

@@ -11,8 +11,8 @@
 // Source:       P.-P. Sloan, "Stupid Spherical Harmonics (SH) Tricks", GDC 2008
 // Cost:         70 multiplications, 5 additions; longest chain 14; at most 51 values live
 // Error:        eps counts units of machine epsilon x |c_lm|
-//               float   rounding  at most 4.6e-06 (38.4 eps)  largest seen 4.6e-07 (17.2 eps)
-//               double  rounding  at most 8.6e-15 (38.4 eps)  largest seen 7.0e-16 (18.3 eps)
+//               float   rounding  at most 4.6e-06 (38.4 eps)  largest seen 4.6e-07 (18.6 eps)
+//               double  rounding  at most 8.6e-15 (38.4 eps)  largest seen 7.1e-16 (18.6 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for -1 <= cos_pi_over_w <= 1; 0 <= sinc_pi_over_w <= 1; coefficients of size 2^-20 to
 //               2^20; operations round to nearest, with or without contraction

@@ -11,8 +11,8 @@
 // Source:       P.-P. Sloan, "Stupid Spherical Harmonics (SH) Tricks", GDC 2008
 // Cost:         89 multiplications, 6 additions; longest chain 16; at most 66 values live
 // Error:        eps counts units of machine epsilon x |c_lm|
-//               float   rounding  at most 6.0e-06 (49.6 eps)  largest seen 5.5e-07 (23.6 eps)
-//               double  rounding  at most 1.1e-14 (49.1 eps)  largest seen 7.0e-16 (22.1 eps)
+//               float   rounding  at most 6.0e-06 (49.6 eps)  largest seen 5.5e-07 (21.2 eps)
+//               double  rounding  at most 1.1e-14 (49.1 eps)  largest seen 7.0e-16 (24.3 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for -1 <= cos_pi_over_w <= 1; 0 <= sinc_pi_over_w <= 1; coefficients of size 2^-20 to
 //               2^20; operations round to nearest, with or without contraction

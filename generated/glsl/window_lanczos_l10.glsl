@@ -11,8 +11,8 @@
 // Source:       P.-P. Sloan, "Stupid Spherical Harmonics (SH) Tricks", GDC 2008
 // Cost:         138 multiplications, 9 additions; longest chain 20; at most 123 values live
 // Error:        eps counts units of machine epsilon x |c_lm|
-//               float   rounding  at most 2.8e-06 (23.0 eps)  largest seen 1.3e-07 (9.1 eps)
-//               double  rounding  at most 5.2e-15 (23.1 eps)  largest seen 2.8e-16 (11.6 eps)
+//               float   rounding  at most 2.8e-06 (23.0 eps)  largest seen 1.3e-07 (11.4 eps)
+//               double  rounding  at most 5.2e-15 (23.1 eps)  largest seen 2.5e-16 (11.6 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for -1 <= cos_pi_over_w <= 1; 0 <= sinc_pi_over_w <= 1; coefficients of size 2^-20 to
 //               2^20; operations round to nearest, with or without contraction

@@ -11,8 +11,8 @@
 // Source:       P.-P. Sloan, "Stupid Spherical Harmonics (SH) Tricks", GDC 2008
 // Cost:         19 multiplications, 2 additions; longest chain 6; at most 18 values live
 // Error:        eps counts units of machine epsilon x |c_lm|
-//               float   rounding  at most 3.5e-07 (3.0 eps)  largest seen 5.4e-08 (1.8 eps)
-//               double  rounding  at most 6.5e-16 (3.0 eps)  largest seen 1.3e-16 (1.8 eps)
+//               float   rounding  at most 3.5e-07 (3.0 eps)  largest seen 5.6e-08 (1.8 eps)
+//               double  rounding  at most 6.5e-16 (3.0 eps)  largest seen 1.4e-16 (1.8 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for -1 <= cos_pi_over_w <= 1; 0 <= sinc_pi_over_w <= 1; coefficients of size 2^-20 to
 //               2^20; operations round to nearest, with or without contraction

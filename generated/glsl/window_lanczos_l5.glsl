@@ -11,8 +11,8 @@
 // Source:       P.-P. Sloan, "Stupid Spherical Harmonics (SH) Tricks", GDC 2008
 // Cost:         43 multiplications, 4 additions; longest chain 10; at most 38 values live
 // Error:        eps counts units of machine epsilon x |c_lm|
-//               float   rounding  at most 8.3e-07 (7.0 eps)  largest seen 1.1e-07 (3.5 eps)
-//               double  rounding  at most 1.6e-15 (7.1 eps)  largest seen 1.6e-16 (3.9 eps)
+//               float   rounding  at most 8.3e-07 (7.0 eps)  largest seen 1.1e-07 (3.2 eps)
+//               double  rounding  at most 1.6e-15 (7.1 eps)  largest seen 2.1e-16 (4.0 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for -1 <= cos_pi_over_w <= 1; 0 <= sinc_pi_over_w <= 1; coefficients of size 2^-20 to
 //               2^20; operations round to nearest, with or without contraction

@@ -11,8 +11,8 @@
 // Source:       P.-P. Sloan, "Stupid Spherical Harmonics (SH) Tricks", GDC 2008
 // Cost:         58 multiplications, 5 additions; longest chain 12; at most 51 values live
 // Error:        eps counts units of machine epsilon x |c_lm|
-//               float   rounding  at most 1.2e-06 (9.6 eps)  largest seen 9.5e-08 (4.8 eps)
-//               double  rounding  at most 2.2e-15 (9.6 eps)  largest seen 1.7e-16 (4.8 eps)
+//               float   rounding  at most 1.2e-06 (9.6 eps)  largest seen 9.3e-08 (4.8 eps)
+//               double  rounding  at most 2.2e-15 (9.6 eps)  largest seen 1.6e-16 (4.9 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for -1 <= cos_pi_over_w <= 1; 0 <= sinc_pi_over_w <= 1; coefficients of size 2^-20 to
 //               2^20; operations round to nearest, with or without contraction

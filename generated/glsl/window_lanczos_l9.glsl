@@ -11,8 +11,8 @@
 // Source:       P.-P. Sloan, "Stupid Spherical Harmonics (SH) Tricks", GDC 2008
 // Cost:         115 multiplications, 8 additions; longest chain 18; at most 102 values live
 // Error:        eps counts units of machine epsilon x |c_lm|
-//               float   rounding  at most 2.3e-06 (18.8 eps)  largest seen 1.2e-07 (8.4 eps)
-//               double  rounding  at most 4.3e-15 (19.0 eps)  largest seen 2.4e-16 (9.5 eps)
+//               float   rounding  at most 2.3e-06 (18.8 eps)  largest seen 1.2e-07 (8.9 eps)
+//               double  rounding  at most 4.3e-15 (19.0 eps)  largest seen 2.3e-16 (9.5 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for -1 <= cos_pi_over_w <= 1; 0 <= sinc_pi_over_w <= 1; coefficients of size 2^-20 to
 //               2^20; operations round to nearest, with or without contraction

@@ -11,7 +11,7 @@
 // Cost:         54 multiplications, 6 additions, 6 divisions; longest chain 4; at most 50 values live
 // Error:        eps counts units of machine epsilon x |c_lm|
 //               float   rounding  at most 1.8e-07 (1.6 eps)  largest seen 2.0e-08 (1.2 eps)
-//               double  rounding  at most 3.4e-16 (1.6 eps)  largest seen 4.9e-17 (1.2 eps)
+//               double  rounding  at most 3.4e-16 (1.6 eps)  largest seen 6.7e-17 (1.2 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for 0 <= lambda <= 1; coefficients of size 2^-20 to 2^20; operations round to nearest,
 //               with or without contraction

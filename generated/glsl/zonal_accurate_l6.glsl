@@ -12,8 +12,8 @@
 //               Spherical Harmonics (SH) Tricks", GDC 2008; constants derived exactly
 // Cost:         119 multiplications, 28 additions; longest chain 11; at most 16 values live
 // Error:        eps counts units of machine epsilon x |zonal[l]|
-//               float   rounding  at most 2.4e-06 (20.0 eps)  largest seen 3.5e-07 (7.2 eps)
-//                       total                                 largest seen 4.4e-07 (9.5 eps)
+//               float   rounding  at most 2.4e-06 (20.0 eps)  largest seen 3.3e-07 (7.2 eps)
+//                       total                                 largest seen 4.0e-07 (9.5 eps)
 //               double  rounding  at most 4.5e-15 (20.1 eps)  largest seen 5.3e-16 (8.8 eps)
 //                       total                                 largest seen 1.3e-15 (14.1 eps)
 //               rounding: against this formula in exact arithmetic at the same input

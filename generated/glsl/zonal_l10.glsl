@@ -14,8 +14,8 @@
 // Error:        eps counts units of machine epsilon x |zonal[l]|
 //               float   rounding  at most 8.5e-06 (71.0 eps)  largest seen 1.4e-06 (29.9 eps)
 //                       total                                 largest seen 1.4e-06 (39.6 eps)
-//               double  rounding  at most 1.6e-14 (68.8 eps)  largest seen 3.9e-15 (34.6 eps)
-//                       total                                 largest seen 7.0e-15 (47.5 eps)
+//               double  rounding  at most 1.6e-14 (68.8 eps)  largest seen 3.3e-15 (34.6 eps)
+//                       total                                 largest seen 4.1e-15 (47.5 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for a direction off length 1 by at most 2 epsilon; coefficients of size 2^-20 to 2^20;
 //               operations round to nearest, with or without contraction

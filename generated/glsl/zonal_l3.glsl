@@ -14,7 +14,7 @@
 // Error:        eps counts units of machine epsilon x |zonal[l]|
 //               float   rounding  at most 4.5e-07 (3.8 eps)  largest seen 1.7e-07 (2.6 eps)
 //                       total                                largest seen 2.1e-07 (3.8 eps)
-//               double  rounding  at most 8.4e-16 (3.8 eps)  largest seen 2.9e-16 (2.5 eps)
+//               double  rounding  at most 8.4e-16 (3.8 eps)  largest seen 2.9e-16 (2.6 eps)
 //                       total                                largest seen 4.5e-16 (4.7 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for a direction off length 1 by at most 2 epsilon; coefficients of size 2^-20 to 2^20;

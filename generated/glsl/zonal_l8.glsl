@@ -13,9 +13,9 @@
 // Cost:         190 multiplications, 46 additions; longest chain 15; at most 21 values live
 // Error:        eps counts units of machine epsilon x |zonal[l]|
 //               float   rounding  at most 5.8e-06 (48.5 eps)  largest seen 9.6e-07 (23.1 eps)
-//                       total                                 largest seen 1.0e-06 (24.6 eps)
-//               double  rounding  at most 1.1e-14 (45.4 eps)  largest seen 2.9e-15 (22.9 eps)
-//                       total                                 largest seen 2.7e-15 (27.9 eps)
+//                       total                                 largest seen 1.0e-06 (23.6 eps)
+//               double  rounding  at most 1.1e-14 (45.4 eps)  largest seen 1.8e-15 (22.9 eps)
+//                       total                                 largest seen 2.2e-15 (27.9 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for a direction off length 1 by at most 2 epsilon; coefficients of size 2^-20 to 2^20;
 //               operations round to nearest, with or without contraction

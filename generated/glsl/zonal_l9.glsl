@@ -13,9 +13,9 @@
 // Cost:         239 multiplications, 56 additions; longest chain 17; at most 23 values live
 // Error:        eps counts units of machine epsilon x |zonal[l]|
 //               float   rounding  at most 7.1e-06 (59.4 eps)  largest seen 1.1e-06 (26.6 eps)
-//                       total                                 largest seen 1.0e-06 (27.1 eps)
-//               double  rounding  at most 1.3e-14 (56.5 eps)  largest seen 3.3e-15 (26.9 eps)
-//                       total                                 largest seen 4.7e-15 (32.0 eps)
+//                       total                                 largest seen 1.2e-06 (31.3 eps)
+//               double  rounding  at most 1.3e-14 (56.5 eps)  largest seen 3.2e-15 (28.6 eps)
+//                       total                                 largest seen 3.4e-15 (32.0 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for a direction off length 1 by at most 2 epsilon; coefficients of size 2^-20 to 2^20;
 //               operations round to nearest, with or without contraction

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "codegen/bound/straight.hpp"
@@ -119,6 +122,34 @@ TEST(Search, FindsSeveralTimesTheErrorOfTestedInputsOfProducts) {
     EXPECT_GT(seen.measured.rounding.eps, 2 * measure<float>(kernel, domain).rounding.eps);
     EXPECT_EQ(seen.measured.worst, largest_seen<float>(kernel, domain, {}, 4000).measured.worst);
   }
+}
+
+// A bound is largest in a corner of a box, which need not be a direction.
+TEST(Search, BringsStartsToTheDomain) {
+  const Kernel kernel = written("evaluate", 3);
+  std::vector<double> start(16, 0.25);
+  start.insert(start.end(), {0.9, 0.5, 0.1});  // of length 1.03
+  for (const auto& found : search_inputs<double>(kernel, find_family("evaluate").domain, {start}, 200)) {
+    EXPECT_NEAR(std::hypot(found[16], found[17], found[18]), 1, 1e-15);
+  }
+}
+
+// Inputs are rounded, so that the direction that they stand for is off by an epsilon: the total error exceeds the
+// rounding error by a small multiple of the degree.
+TEST(Search, StatesTotalErrorsNotFarAboveRoundingErrors) {
+  const nlohmann::json record = nlohmann::json::parse(std::ifstream(SHFORGE_SOURCE_DIR "/generated/families.json"));
+  int compared = 0;
+  for (const auto& family : record.at("families")) {
+    for (const auto& kernel : family.at("kernels")) {
+      for (const char* scalar : {"float", "double"}) {
+        const double rounding = kernel.at(scalar).at("rounding_eps"), total = kernel.at(scalar).at("total_eps");
+        const double degree = kernel.at("degree");
+        EXPECT_LE(total, rounding + (degree + 1) * (degree + 1)) << kernel.at("name") << " " << scalar;
+        ++compared;
+      }
+    }
+  }
+  EXPECT_GT(compared, 800);
 }
 
 }  // namespace
