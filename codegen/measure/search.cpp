@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <span>
+#include <utility>
 
 #include "codegen/bound/straight.hpp"
 #include "codegen/measure/arithmetic.hpp"
@@ -177,9 +178,9 @@ bool is_worse(const Point& a, const Point& b) { return a.error > b.error; }
 template <class T>
 class Search {
  public:
-  Search(const Kernel& kernel, const Domain& domain, const Inputs& tested, const bound::Format& format)
+  Search(const Kernel& kernel, const Domain& domain, const Inputs& tested, bound::Format format)
       : kernel_(bound::straight(kernel)),
-        format_(format),
+        format_(std::move(format)),
         size_(size_of(kernel, domain)),
         range_(kernel.parameters, tested),
         fixed_(fixed_inputs(kernel)) {}
