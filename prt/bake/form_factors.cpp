@@ -3,11 +3,11 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
-#include <algorithm>
 #include <atomic>
 #include <utility>
 
 #include "numeric/output/progress.hpp"
+#include "prt/rays/widest.hpp"
 
 namespace sh::prt {
 
@@ -15,26 +15,19 @@ namespace {
 
 constexpr std::size_t kVerticesPerTask = 32;
 
-// Lanes are columns, never terms of one sum, and nothing is contracted. The bits therefore do not depend on the width.
-#define SHFORGE_WIDEST __attribute__((target_clones("avx2", "default")))
-constexpr std::size_t kLanes = 4;
-using Lanes = double __attribute__((vector_size(kLanes * sizeof(double))));
-// Lanes at any address. A type with an attribute of alignment would lose it in templates of clang.
-struct __attribute__((packed, may_alias)) LanesAnywhere {
-  Lanes lanes;
-};
+constexpr std::size_t kLanes = sizeof(DoubleLanes) / sizeof(double);
 
 // sum (4 Count) = the weighted sum of the rows of x, kept in registers.
 template <std::size_t Count>
 [[gnu::always_inline]] inline void sum_block(const FormFactorRow& row, const double* x, std::size_t columns,
                                              double* sum) {
-  Lanes block[Count] = {};
+  DoubleLanes block[Count] = {};
   for (const FormFactor& factor : row) {
     const double weight = factor.weight;
-    const auto* from = reinterpret_cast<const LanesAnywhere*>(x + factor.vertex * columns);
+    const auto* from = reinterpret_cast<const DoubleLanesAnywhere*>(x + factor.vertex * columns);
     for (std::size_t i = 0; i < Count; ++i) block[i] += weight * from[i].lanes;
   }
-  auto* to = reinterpret_cast<LanesAnywhere*>(sum);
+  auto* to = reinterpret_cast<DoubleLanesAnywhere*>(sum);
   for (std::size_t i = 0; i < Count; ++i) to[i].lanes = block[i];
 }
 

@@ -14,6 +14,7 @@
 #include "prt/light/light_coefficients.hpp"
 #include "prt/mesh/corners.hpp"
 #include "prt/rays/directions.hpp"
+#include "prt/rays/widest.hpp"
 
 namespace sh::prt {
 
@@ -26,28 +27,19 @@ constexpr float kNearReach = 2.0F;         // hits nearer than this many reaches
 constexpr std::size_t kRowUnit = 8;        // floats
 constexpr std::size_t kStreamRays = 1024;  // a stream call
 
-// The sums below run on the widest registers of the processor. Lanes are coefficients or directions, never terms of one
-// sum, and nothing is contracted. The bits therefore do not depend on the width.
-#define SHFORGE_WIDEST __attribute__((target_clones("avx2", "default")))
-
-// Eight floats; two registers if one is not wide enough.
-using Lanes = float __attribute__((vector_size(kRowUnit * sizeof(float))));
-// The same at any address. A type with an attribute of alignment would lose it in templates of clang.
-struct __attribute__((packed, may_alias)) LanesAnywhere {
-  Lanes lanes;
-};
+static_assert(kRowUnit == sizeof(FloatLanes) / sizeof(float));
 
 // sum (8 Count) = the weighted sum of the chosen rows, kept in registers.
 template <std::size_t Count>
 [[gnu::always_inline]] inline void sum_block(const float* values, std::size_t row_length, const std::uint32_t* chosen,
                                              std::size_t count, const float* weights, float* sum) {
-  Lanes block[Count] = {};
+  FloatLanes block[Count] = {};
   for (std::size_t k = 0; k < count; ++k) {
     const float weight = weights[chosen[k]];
-    const auto* row = reinterpret_cast<const LanesAnywhere*>(values + chosen[k] * row_length);
+    const auto* row = reinterpret_cast<const FloatLanesAnywhere*>(values + chosen[k] * row_length);
     for (std::size_t i = 0; i < Count; ++i) block[i] += weight * row[i].lanes;
   }
-  auto* to = reinterpret_cast<LanesAnywhere*>(sum);
+  auto* to = reinterpret_cast<FloatLanesAnywhere*>(sum);
   for (std::size_t i = 0; i < Count; ++i) to[i].lanes = block[i];
 }
 
