@@ -41,9 +41,8 @@ int most_live_values(const Kernel& kernel, const std::vector<bool>& live) {
   for (NodeId id = 0; id < kernel.size(); ++id) {
     const Node& node = kernel.node(id);
     if (!live[id] || node.op == Op::kConstant || node.op == Op::kTable) continue;
-    const NodeId end = std::max(last_use[id], id);
     ++change[node.op == Op::kInput ? 0 : id];
-    --change[std::max(end, id + 1)];
+    --change[std::max(last_use[id], id + 1)];
   }
   int now = 0;
   int most = 0;

@@ -39,10 +39,8 @@ T nearest(const cln::cl_RA& value) {
   const cln::cl_RA size = cln::abs(value);
   constexpr int kSmallest = std::numeric_limits<T>::min_exponent - std::numeric_limits<T>::digits;
   const int exponent = binary_exponent(size);
-  if (exponent >= std::numeric_limits<T>::max_exponent) {
-    return cln::minusp(value) ? -std::numeric_limits<T>::infinity() : std::numeric_limits<T>::infinity();
-  }
-  // Count in units of the last place, with at most as many bits as T holds; round1 rounds ties to even.
+  // Count in units of the last place, with at most as many bits as T holds; round1 rounds ties to even. ldexp returns
+  // infinity for what is too large.
   const int unit = std::max(exponent - (std::numeric_limits<T>::digits - 1), kSmallest);
   const cln::cl_I count = cln::round1(size * cln::expt(cln::cl_RA(2), -unit));
   const T result = std::ldexp(static_cast<T>(cln::cl_I_to_long(count)), unit);
@@ -72,13 +70,11 @@ template double nearest<double>(const ExactReal&);
 std::string decimal(double value) { return to_digits(value); }
 
 std::string decimal(float value) {
-  std::string digits = to_digits(value);
-  for (int precision = std::numeric_limits<float>::digits10; precision <= std::numeric_limits<float>::max_digits10 + 1;
-       ++precision) {
-    if (static_cast<float>(std::strtod(digits.c_str(), nullptr)) == value) break;
-    digits = to_digits(value, std::chars_format::general, precision);
-  }
-  return digits;
+  const std::string digits = to_digits(value);
+  // Few digits may lie so near the middle of two floats that their double is the middle. With max_digits10 digits they
+  // are ten times as near to the float.
+  if (static_cast<float>(std::strtod(digits.c_str(), nullptr)) == value) return digits;
+  return to_digits(value, std::chars_format::general, std::numeric_limits<float>::max_digits10);
 }
 
 }  // namespace sh::codegen

@@ -19,7 +19,8 @@ T nearest(const cln::cl_RA& value);
 
 /// The shortest decimal that reads back as `value`. It has a point or an exponent and no suffix: "0.5", "1e-20".
 std::string decimal(double value);
-/// The same for float. It also reads back as `value` if a compiler converts it to double first.
+/// The same for float. It also reads back as `value` if a compiler converts it to double first: the few floats whose
+/// shortest decimal does not, get nine digits.
 std::string decimal(float value);
 
 }  // namespace sh::codegen

@@ -98,27 +98,6 @@ KernelResult check_cpp(const BoundKernel& kernel, const std::string& unit, const
   return result;
 }
 
-BitComparison compare_bits(int degree, const std::vector<float>& cpp, const std::vector<float>& glsl,
-                           const Samples<float>& samples) {
-  BitComparison bits;
-  const auto outputs = static_cast<std::size_t>(samples.signature.output_count());
-  bits.compared = cpp.size();
-  for (std::size_t i = 0; i < cpp.size(); ++i) {
-    if (same_bits(cpp[i], glsl[i])) continue;
-    // An intermediate value may have been flushed and multiplied since, by constants and by large inputs.
-    constexpr double kFlushed = 256 * static_cast<double>(std::numeric_limits<float>::min());
-    if (std::abs(static_cast<double>(glsl[i]) - static_cast<double>(cpp[i])) <
-        kFlushed * std::max(1.0, samples.sizes[i])) {
-      ++bits.flushed;
-    } else if (bits.different++ == 0) {
-      bits.first_difference =
-          output_label(samples.signature, degree, i % outputs) + " at " + samples.names[i / outputs] +
-          output::formatted(": %.9g, c++ %.9g", static_cast<double>(glsl[i]), static_cast<double>(cpp[i]));
-    }
-  }
-  return bits;
-}
-
 // The contexts of the two GLSL languages, and the folder that the kernels come from.
 class GlslCheck {
  public:
@@ -185,6 +164,27 @@ void require_family(const std::string& family) {
 }
 
 }  // namespace
+
+BitComparison compare_bits(int degree, const std::vector<float>& cpp, const std::vector<float>& glsl,
+                           const Samples<float>& samples) {
+  BitComparison bits;
+  const auto outputs = static_cast<std::size_t>(samples.signature.output_count());
+  bits.compared = cpp.size();
+  for (std::size_t i = 0; i < cpp.size(); ++i) {
+    if (same_bits(cpp[i], glsl[i])) continue;
+    // An intermediate value may have been flushed and multiplied since, by constants and by large inputs.
+    constexpr double kFlushed = 256 * static_cast<double>(std::numeric_limits<float>::min());
+    if (std::abs(static_cast<double>(glsl[i]) - static_cast<double>(cpp[i])) <
+        kFlushed * std::max(1.0, samples.sizes[i])) {
+      ++bits.flushed;
+    } else if (bits.different++ == 0) {
+      bits.first_difference =
+          output_label(samples.signature, degree, i % outputs) + " at " + samples.names[i / outputs] +
+          output::formatted(": %.9g, c++ %.9g", static_cast<double>(glsl[i]), static_cast<double>(cpp[i]));
+    }
+  }
+  return bits;
+}
 
 std::vector<std::string> unchecked_kernels(const std::vector<BoundKernel>& kernels) {
   std::vector<std::string> names;

@@ -66,6 +66,12 @@ std::vector<KernelResult> check_kernels(const CheckOptions& options,
 /// The results of one kernel, bound or made up. Without GLSL where `generated` is empty.
 std::vector<KernelResult> check_kernel(const BoundKernel& kernel, const std::filesystem::path& generated);
 
+/// Compares values (n, output_count) of a kernel in GLSL and in C++; `regrouped` stays 0. A difference counts as flushed up
+/// to 256 times the smallest normal number, times the size of the value if that is more than 1: a flushed intermediate
+/// value may have been multiplied since, by constants and by large inputs.
+BitComparison compare_bits(int degree, const std::vector<float>& cpp, const std::vector<float>& glsl,
+                           const Samples<float>& samples);
+
 /// The errors alone of a kernel in C++ on T, float or double, at the inputs of a check: its family's own with, say,
 /// other inputs.
 template <class T>

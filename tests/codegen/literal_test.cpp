@@ -52,6 +52,9 @@ TEST(Literal, RoundsSubnormalsAndOverflow) {
   EXPECT_EQ(nearest<float>(power_of_two(128)), std::numeric_limits<float>::infinity());
   EXPECT_EQ(nearest<float>(-power_of_two(128) + power_of_two(103)), -std::numeric_limits<float>::infinity());
   EXPECT_EQ(nearest<float>(power_of_two(128) - power_of_two(104)), std::numeric_limits<float>::max());
+  EXPECT_EQ(nearest<double>(-power_of_two(20000)), -std::numeric_limits<double>::infinity());
+  EXPECT_EQ(nearest<double>(power_of_two(1024) - power_of_two(970)), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(nearest<double>(power_of_two(1024) - power_of_two(971)), std::numeric_limits<double>::max());
 }
 
 TEST(Literal, AgreesWithTheCorrectlyRoundedSquareRoot) {
@@ -80,6 +83,15 @@ TEST(Literal, FloatsReadBackFromTheirDigitsDirectlyAndThroughDouble) {
     EXPECT_EQ(std::strtof(digits.c_str(), nullptr), value) << digits;
     EXPECT_EQ(static_cast<float>(std::strtod(digits.c_str(), nullptr)), value) << digits;
   }
+}
+
+// Its shortest decimal is so near the middle of two floats that the nearest double is the middle.
+TEST(Literal, OfAFloatReadsBackThroughDoubleEvenNextToATie) {
+  const float value = std::strtof("7.038531e-26", nullptr);
+  ASSERT_NE(static_cast<float>(std::strtod("7.038531e-26", nullptr)), value);
+  const std::string digits = decimal(value);
+  EXPECT_EQ(static_cast<float>(std::strtod(digits.c_str(), nullptr)), value) << digits;
+  EXPECT_EQ(std::strtof(digits.c_str(), nullptr), value) << digits;
 }
 
 TEST(Literal, UsesFewDigitsAndAlwaysLooksLikeAFloatingPointNumber) {

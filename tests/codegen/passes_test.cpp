@@ -2,8 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <random>
+#include <string>
+#include <vector>
 
 #include "codegen/ir/cost.hpp"
 #include "codegen/ir/evaluate.hpp"
@@ -183,6 +187,41 @@ TEST_F(Associate, LeavesAloneAProductThatServesTwice) {
   EXPECT_EQ(values(passes::associate(kernel)), values(kernel));
 }
 
+// What is no longer the product of x and y no longer has its name.
+TEST_F(Associate, TakesTheNameFromTheProductThatItTakesApart) {
+  const NodeId xy = build.mul(kX, kY, "xy");
+  output(build.mul(build.constant(Surd::square_root(3), "k"), xy, "kxy"));
+  const Kernel regrouped = passes::associate(kernel);
+  const auto named = [&](const std::string& name) {
+    return std::count_if(regrouped.nodes.begin(), regrouped.nodes.end(), [&](const Node& n) { return n.name == name; });
+  };
+  EXPECT_EQ(named("xy"), 0);
+  EXPECT_EQ(named("kxy"), 1);
+  EXPECT_EQ(named("k"), 1);
+}
+
+// Products of three inputs, and those whose inner product has a constant: for all of them the order is that of the recipe.
+TEST_F(Associate, LeavesAloneProductsOfNoConstantOrOfTwo) {
+  const NodeId k = build.constant(Surd::square_root(3));
+  const NodeId c = build.constant(Surd::square_root(5));
+  output(build.mul(kX, build.mul(kY, kZ)));
+  output(build.mul(build.mul(kY, kX), kZ));
+  output(build.mul(k, build.mul(c, kX)));
+  output(build.mul(build.mul(kY, c), k));
+  const Kernel same = passes::associate(kernel);
+  const auto products = [](const Kernel& of) {
+    std::vector<std::array<std::string, 2>> found;  // the operations of their factors, where inputs have names
+    for (const Node& node : of.nodes) {
+      if (node.op != Op::kMul) continue;
+      const auto word = [&](NodeId id) { return op_name(of.node(id).op) + of.node(id).name; };
+      found.push_back({word(node.args[0]), word(node.args[1])});
+    }
+    return found;
+  };
+  EXPECT_EQ(products(same), products(kernel));
+  EXPECT_EQ(values(same), values(kernel));
+}
+
 TEST_F(Prune, DropsWhatReachesNoOutput) {
   build.mul(kX, kY);
   build.constant(Surd(5));
@@ -216,6 +255,60 @@ TEST_F(Costs, CountsOperationsThatReachAnOutputOnly) {
   EXPECT_EQ(c.neg, 1);
   EXPECT_EQ(c.fma, 1);
   EXPECT_EQ(c.depth, 3);
+}
+
+/// Whether node v holds a value that the kernel needs at the time of node `now` or later, by the definition.
+bool is_live_at(const Kernel& kernel, const std::vector<bool>& reaches_output, NodeId v, NodeId now) {
+  const Op op = kernel.node(v).op;
+  if (!reaches_output[v] || op == Op::kConstant || op == Op::kTable) return false;
+  if (now < v) return op == Op::kInput;
+  bool is_live = now == v;
+  for (NodeId user = now + 1; user < kernel.size(); ++user) {
+    const auto args = arguments(kernel.node(user));
+    is_live = is_live || (reaches_output[user] && std::find(args.begin(), args.end(), v) != args.end());
+  }
+  return is_live;
+}
+
+int most_live(const Kernel& kernel) {
+  const std::vector<bool> reaches_output = live_nodes(kernel);
+  int most = 0;
+  for (NodeId now = 0; now < kernel.size(); ++now) {
+    int live = 0;
+    for (NodeId v = 0; v < kernel.size(); ++v) live += is_live_at(kernel, reaches_output, v, now) ? 1 : 0;
+    most = std::max(most, live);
+  }
+  return most;
+}
+
+// Kernels of random operations, many of which reach no output; some have the table of a loop.
+TEST_F(Costs, CountsTheMostValuesThatAreLiveAtOnce) {
+  std::mt19937 random(5);
+  for (int count = 0; count < 300; ++count) {
+    Kernel any = test::empty_kernel();
+    Builder more(any);
+    const auto operand = [&] { return static_cast<NodeId>(random() % any.nodes.size()); };
+    for (int i = 0; i < 3 + count % 12; ++i) {
+      switch (random() % 5) {
+        case 0:
+          more.constant(Surd(7));
+          break;
+        case 1:
+          more.neg(operand());
+          break;
+        case 2:
+          if (count % 3 == 0) more.table(0);
+          break;
+        case 3:
+          more.fma(operand(), operand(), operand());
+          break;
+        default:
+          more.mul(operand(), operand());
+      }
+    }
+    for (int i = 0; i < 2; ++i) any.outputs.push_back({operand(), "out"});
+    EXPECT_EQ(cost(any).max_live, most_live(any)) << count;
+  }
 }
 
 TEST_F(Evaluation, FusedMultiplyAddRoundsOnce) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <exception>
 #include <filesystem>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -99,7 +100,7 @@ TEST(KernelCheck, FailsABasisValueThatIsWrongByAFewOfItsLimits) {
 template <class T>
 void wrong_in_place(T* const* arguments) {
   spoil().original.call<T>()(arguments);
-  if (arguments[1] == arguments[2]) arguments[2][0] = arguments[2][0] + T(1);
+  if (arguments[1] == arguments[2]) arguments[2][8] = arguments[2][8] + T(1);  // the last output
 }
 
 // One output of each of the inputs that are tried: 16, or a few more where 16 does not divide their number.
@@ -115,6 +116,38 @@ TEST(KernelCheck, CountsTheValuesThatChangeInPlace) {
     EXPECT_LT(result.different_in_place, 24U) << result.scalar;
     EXPECT_EQ(failures_of(result).size(), 1U) << "and nothing else is wrong";
   }
+}
+
+// Two inputs of two outputs each; every output has its own size.
+TEST(CompareBits, CountsAsFlushedOnlyWhatIsSmallForItsSize) {
+  const auto compare = [](const std::vector<float>& cpp, const std::vector<float>& glsl) {
+    Samples<float> samples;
+    samples.signature = {{scalar("x"), out_array("b", 2)}};
+    samples.names = {"here", "there"};
+    samples.inputs = {0.0F, 0.0F};
+    samples.sizes = {1.0, 1e-3, 1e3, 0.0};
+    return compare_bits(2, cpp, glsl, samples);
+  };
+  constexpr float kLeast = std::numeric_limits<float>::min();
+  const BitComparison same = compare({1.0F, -2.0F, kLeast, 0.0F}, {1.0F, -2.0F, kLeast, 0.0F});
+  EXPECT_EQ(same.compared, 4U);
+  EXPECT_EQ(same.flushed + same.different + same.regrouped, 0U);
+  EXPECT_EQ(same.first_difference, "");
+  EXPECT_EQ(compare({1.0F, 0.0F, 0.0F, 0.0F}, {-1.0F, 0.0F, 0.0F, 0.0F}).different, 1U) << "another sign";
+  for (const float sign : {1.0F, -1.0F}) {
+    const float little = 200.0F * kLeast * sign;
+    const float more = 300.0F * kLeast * sign;
+    EXPECT_EQ(compare({little, little, little, little}, {0.0F, 0.0F, 0.0F, 0.0F}).flushed, 4U);
+    EXPECT_EQ(compare({0.0F, 0.0F, 0.0F, 0.0F}, {little, little, little, little}).flushed, 4U);
+    const BitComparison large = compare({more, more, more, more}, {0.0F, 0.0F, 0.0F, 0.0F});
+    EXPECT_EQ(large.flushed, 1U);
+    EXPECT_EQ(large.different, 3U);
+  }
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_EQ(compare({1.0F, 1.0F, 1.0F, 1.0F}, {nan, 1.0F, 1.0F, 1.0F}).different, 1U);
+  const BitComparison two = compare({1.0F, 1.0F, 1.0F, 1.0F}, {1.0F, 1.0F, 1.0F, 1.5F});
+  EXPECT_EQ(two.different, 1U);
+  EXPECT_NE(two.first_difference.find("at there: 1.5, c++ 1"), std::string::npos) << two.first_difference;
 }
 
 const std::filesystem::path kGenerated = std::filesystem::path(SHFORGE_SOURCE_DIR) / "generated";
