@@ -42,7 +42,7 @@ void loosen_tolerance(Draft& draft, double returned) {
   double& tolerance = draft.bake.bounces.tolerance;
   const double before = tolerance;
   const double unit = error_of_tolerance(draft);
-  const double wanted = std::min(kLoosestTolerance, unit > 0.0 ? draft.share(kPart) / unit : kLoosestTolerance);
+  const double wanted = std::min(kLoosestTolerance, draft.share(kPart) / unit);
   if (draft.shines() || wanted <= before) {
     draft.decide("bounces", fmt::format("to {:.2g} as requested", before),
                  draft.shines() ? "surfaces emit light" : "the budget leaves no room");
@@ -92,30 +92,29 @@ double error_of_directions(const Draft& draft, int directions) {
       needed <= static_cast<double>(kMaxDirections) ? fmt::format("about {:.0f}", needed) : "no number of"));
 }
 
-// The fewest directions for which the whole plan stays within the limit: doubled until they do, then between the last two
-// by a power law.
-int fewest_directions(const Draft& draft, double limit) {
-  const int asked = draft.bake.directions;
-  std::vector<std::pair<double, double>> tried;  // (directions, error)
-  int directions = std::min(kFewest, asked);
-  for (;; directions = std::min(2 * directions, asked)) {
-    tried.emplace_back(directions, draft.error_along(directions));
-    if (tried.back().second <= limit || directions == asked) break;
-  }
-  if (tried.size() < 2 || tried.back().second > limit) return directions;
-  const auto& [few, more] = tried[tried.size() - 2];
-  const auto& [many, less] = tried.back();
-  const double place = std::clamp(std::log(more / limit) / std::log(more / less), 0.0, 1.0);
-  for (double at : {place, 0.5 * (1.0 + place)}) {
-    const double between = few * std::pow(many / few, at);
-    const int rounded = static_cast<int>(std::ceil(between / kUnit)) * kUnit;
-    if (rounded >= directions) break;
-    if (draft.error_along(rounded) <= limit) return rounded;
-  }
-  return directions;
-}
-
 }  // namespace
+
+int fewest_directions(const std::function<double(int directions)>& error_along, int asked, double limit) {
+  int few = 0;
+  double more = 0.0;  // the error of `few`
+  int many = std::min(kFewest, asked);
+  double less = error_along(many);
+  while (less > limit && many < asked) {
+    few = many;
+    more = less;
+    many = std::min(2 * many, asked);
+    less = error_along(many);
+  }
+  if (few == 0 || less > limit) return many;
+  const double place = std::log(more / limit) / std::log(more / less);
+  for (const double at : {place, 0.5 * (1.0 + place)}) {
+    const double between = few * std::pow(static_cast<double>(many) / few, at);
+    const int rounded = static_cast<int>(std::ceil(between / kUnit)) * kUnit;
+    if (rounded >= many) break;
+    if (error_along(rounded) <= limit) return rounded;
+  }
+  return many;
+}
 
 void decide_bounces(Draft& draft) {
   constexpr double kPart = 0.25;
@@ -167,7 +166,8 @@ double floor_of_directions(Draft& draft) {
 
 void decide_directions(Draft& draft) {
   const int asked = draft.bake.directions;
-  draft.bake.directions = fewest_directions(draft, draft.options.error);
+  draft.bake.directions =
+      fewest_directions([&](int directions) { return draft.error_along(directions); }, asked, draft.options.error);
   const bool fewer = draft.bake.directions < asked;
   draft.decide(
       "directions",
@@ -186,9 +186,9 @@ void state_error(Draft& draft) {
   if (error > draft.options.error) refuse(draft, error);
   draft.plan.record.error = error;
   const Measurement& measurement = *draft.measurement;
-  draft.plan.known_by =
-      fmt::format("measured, {} % confidence: {} of {} vertices, {} turn{} of the lights", Measurement::kConfidence,
-                  measurement.probe(), draft.starts.size(), measurement.turns(), measurement.turns() == 1 ? "" : "s");
+  draft.plan.known_by = fmt::format("measured, {} % confidence: {} of {} vertices, {} turn{} of the lights",
+                                    Probe::kConfidence, measurement.probe().vertices.size(), draft.starts.size(),
+                                    measurement.turns(), measurement.turns() == 1 ? "" : "s");
 }
 
 }  // namespace sh::prt

@@ -33,8 +33,7 @@ double error_of_angle(const Draft& draft, double angle) {
 }
 
 double angle_within(const Draft& draft, double error) {
-  const double unit = error_of_angle(draft, 1.0);
-  return unit > 0.0 ? std::clamp(std::pow(error / unit, 2.0 / 3.0), kExactAngle, kWidestAngle) : kExactAngle;
+  return std::clamp(std::pow(error / error_of_angle(draft, 1.0), 2.0 / 3.0), kExactAngle, kWidestAngle);
 }
 
 double widest_angle(const Draft& draft) {

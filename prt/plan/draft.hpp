@@ -2,6 +2,7 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -85,6 +86,9 @@ void decide_symmetry(Draft& draft);
 void decide_storage(Draft& draft);
 /// The error of the requested number of directions alone, which the budget reserves; throws if it exceeds the budget.
 double floor_of_directions(Draft& draft);
+/// The fewest directions for which the error is within the limit, `asked` at most: doubled until it is, then between the
+/// last two by a power law, rounded up to a multiple of 64. `asked` if no number of them will do.
+int fewest_directions(const std::function<double(int directions)>& error_along, int asked, double limit);
 void decide_directions(Draft& draft);
 /// Replaces the sum of the errors by the stated error of all decisions together, if any of them is measured.
 void state_error(Draft& draft);

@@ -1,29 +1,29 @@
-// Measures errors of exit radiance on a probe of vertices, for plans. Coarse bakes of the whole mesh (prt/plan/rehearsal.hpp)
-// tell where errors are likely. Half of the probe is chosen there, so that it meets rare vertices, too; the rest is spread
-// evenly. A vertex v is chosen with a known probability p_v, so that
-//   mean square error = 1/V * sum over the probe of e_v^2 / p_v            [HorvitzThompson52]
-// has no bias, and its standard error is about
-//   1/V * sqrt(sum over the probe of (1 - p_v) e_v^4 / p_v^2).
-// What is stated is the root of the mean square plus kDeviations standard errors, for the worst of some turns of the light.
+// Measures errors of exit radiance on a probe of vertices (prt/plan/probe.hpp), for plans. Coarse bakes of the whole mesh
+// (prt/plan/rehearsal.hpp) tell where errors are likely. What is stated is the error for the worst of some turns of the
+// light.
 #pragma once
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "prt/plan/bounds.hpp"
+#include "prt/plan/probe.hpp"
 #include "prt/plan/rehearsal.hpp"
 #include "prt/scene/scene.hpp"
 
 namespace sh::prt {
 
+/// A bound on the exit radiance of a vertex in any channel, for any turn of the light: the albedo, unless the numbers of
+/// the row hold it, times the sum of |t_l| |L_l| over the bands. Unlike the radiance itself it is hardly ever small by
+/// accident.
+double radiance_bound(const float* row, const TransferShape& shape, const TurningLight& light,
+                      const Eigen::Vector3f& albedo);
+
 class Measurement {
  public:
-  static constexpr std::size_t kProbe = 512;   // vertices, about
-  static constexpr int kReference = 8192;      // directions, at least
-  static constexpr double kDeviations = 2.33;  // one-sided confidence
-  static constexpr int kConfidence = 99;       // percent
+  static constexpr int kReference = 8192;  // directions, at least
 
   /// Exit radiances of the probe, (turns, vertices of the probe, 3), over the unit of errors.
   using Radiances = std::vector<double>;
@@ -44,7 +44,7 @@ class Measurement {
 
   /// Many directions, of which the asked ones are no part: their own error counts little.
   [[nodiscard]] BakeOptions reference_options(BakeOptions options) const;
-  [[nodiscard]] std::size_t probe() const { return part_->wanted(); }
+  [[nodiscard]] const Probe& probe() const { return probe_; }
   [[nodiscard]] std::size_t turns() const { return lights_.size(); }
   /// The mean over the coarse bakes of the part of the cosine that hits something.
   [[nodiscard]] double blocked(std::size_t vertex) const;
@@ -54,17 +54,14 @@ class Measurement {
   [[nodiscard]] double rays_a_direction() const;
 
  private:
-  void choose_probe();
-  [[nodiscard]] std::vector<double> likely_errors() const;
-  [[nodiscard]] double size_of(const float* row, std::size_t vertex) const;
+  [[nodiscard]] std::vector<double> likely_errors(const TurningLight& light) const;
 
   const Scene& scene_;
   double unit_;
   std::vector<LightCoefficients> lights_;               // turned
   std::vector<std::unique_ptr<Rehearsal>> rehearsals_;  // one, or one a channel where mirrors have colors
-  std::optional<TracedPart> part_;
-  std::vector<double> chance_;                     // of the vertices of the probe
-  std::array<std::vector<double>, 3> band_norms_;  // of the light, for each channel
+  Probe probe_;
+  std::optional<TracedPart> part_;  // the probe, and the vertices from which it takes light
   double spread_ = 1.0;
 };
 

@@ -48,7 +48,6 @@ Rehearsal::Rehearsal(Mesh mesh, const BakeOptions& asked, const std::string& ins
     : mesh_(std::move(mesh)),
       asked_(asked),
       first_(mesh_, coarse_options(0), tbb::this_task_arena::max_concurrency(), instruction_set) {
-  mesh_.emission.clear();  // only what the surfaces do with the lights counts
   for (std::uint32_t half = 0; half < halves_.size(); ++half) {
     halves_[half] = std::make_unique<Half>(first_, coarse_options(half));
     bake(*halves_[half]);

@@ -65,9 +65,10 @@ Mesh rare_square() {
 /// Things on a ground, before a sphere that is a mirror in each channel by `reflectance`, and else black.
 Mesh things_and_mirror(const Eigen::Vector3f& reflectance) {
   Mesh mesh = things_on_ground();
-  mesh.mirror.assign(mesh.positions.size(), Eigen::Vector3f::Zero());
+  const std::size_t things = mesh.positions.size();
   append(mesh, colored(primitive_mesh("sphere", 24, Eigen::Affine3f(Eigen::Translation3f(0.0F, -1.2F, 0.6F))),
                        Eigen::Vector3f::Zero()));
+  mesh.mirror.assign(things, Eigen::Vector3f::Zero());
   mesh.mirror.resize(mesh.positions.size(), reflectance);
   return mesh;
 }
