@@ -12,6 +12,9 @@
 
 namespace sh::prt {
 
+/// The highest degree of the generated kernels `transfer_prepare` and `transfer_apply`.
+inline constexpr int kHighestProduct = 4;
+
 /// Calls work(std::integral_constant<int, degree>()), so that `sh::basis<d()>` and its like can be called with its
 /// argument d. Precondition: 0 <= degree <= kMaxDegree.
 template <class Work>

@@ -20,8 +20,9 @@ namespace {
 
 void check(const BakeJob& job) {
   const BakeOptions& options = job.scene.bake;
-  if (options.degree < 0 || options.degree > kMaxDegree) {
-    throw std::invalid_argument(fmt::format("degree: expected 0 to {}, got {}", kMaxDegree, options.degree));
+  if (const int highest = options.kind->highest_degree; options.degree < 0 || options.degree > highest) {
+    const std::string whose = highest < kMaxDegree ? fmt::format(" (of the kind {})", options.kind->word) : "";
+    throw std::invalid_argument(fmt::format("degree: expected 0 to {}{}, got {}", highest, whose, options.degree));
   }
   if (job.settings.threads < 0) {
     throw std::invalid_argument(fmt::format("threads: expected 0 (every core) or more, got {}", job.settings.threads));
@@ -30,6 +31,17 @@ void check(const BakeJob& job) {
   if (mesh.faces.empty()) {
     throw std::invalid_argument(
         fmt::format("{}: the mesh has no faces, expected at least one triangle", job.scene.name));
+  }
+  if (options.kind->is_glossy() && options.sampler == Sampler::kCosine) {
+    throw std::invalid_argument(fmt::format(
+        "{}: the sampler cosine has few directions near the horizon, which glossy transfer needs; expected another one",
+        job.scene.name));
+  }
+  if (options.kind->is_glossy() && !mesh.mirror.empty()) {
+    throw std::invalid_argument(
+        fmt::format("{}: its mirrors turn light into other directions, which glossy transfer cannot hold; expected no "
+                    "mirrors, or a diffuse kind",
+                    job.scene.name));
   }
   if (job.plan && !job.plan->open.empty() && job.plan->open.size() != mesh.positions.size()) {
     throw std::invalid_argument(

@@ -110,8 +110,8 @@ BakeEstimate estimate_rays(const BakeJob& job) {
   const std::size_t vertices = scene.mesh.positions.size();
   std::vector<std::uint32_t> samples = spread_vertices(vertices, open, estimate.vertices);
   Transfer transfer;
-  transfer.shape.degree = scene.bake.degree;
-  transfer.coefficients = unshadowed_transfer(scene.bake.degree, scene.mesh.normals);
+  transfer.shape = scene.bake.kind->traced_shape(scene.bake.degree);
+  transfer.coefficients = unshadowed_transfer(transfer.shape, scene.mesh);
   const bool bounces = scene.bake.kind->has_bounces();
   FormFactors factors(bounces ? vertices : 0);
   ShadowResult result{transfer, std::vector<Sight>(vertices), bounces ? &factors : nullptr};

@@ -135,9 +135,9 @@ void take_solution(const Panel& x, const BounceLayout& layout, Transfer& transfe
 void take_unshadowed(BakeRun& run) {
   run.transfer.scene = run.scene.name;
   run.transfer.mesh = run.scene.mesh;
-  run.transfer.shape = {.degree = run.scene.bake.degree};
+  run.transfer.shape = run.scene.bake.kind->traced_shape(run.scene.bake.degree);
   run.transfer.instruction_set = "any";
-  run.transfer.coefficients = unshadowed_transfer(run.scene.bake.degree, run.scene.mesh.normals);
+  run.transfer.coefficients = unshadowed_transfer(run.transfer.shape, run.scene.mesh);
   run.transfer.emitted = run.scene.mesh.emission;
 }
 

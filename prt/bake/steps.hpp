@@ -1,7 +1,8 @@
 // The steps of a bake. Each kind of transfer lists the steps that it needs (prt/kinds/diffuse.cpp)
 // [SloanKautzSnyder02].
-//   unshadowed  closed form: T_lm = A_l/pi Y_lm(n), A_l the clamped-cosine factors [RamamoorthiHanrahan01]
-//   shadow      sums over shared directions s_j, weights w_j = 4/N max(0, n.s_j): with S over the visible ones, S_all
+//   unshadowed  closed form (prt/transfer/unshadowed.hpp)
+//   shadow      sums over shared directions s_j, weights w_j = 4/N max(0, n.s_j), or 4 pi/N above the horizon for
+//               transfer that holds no cosine: with S over the visible ones, S_all
 //               over all of them and f = (sum of visible w) / (sum of w), T = S + f (T_unshadowed - S_all): a control
 //               variate, exact if nothing is blocked, zero if everything is, continuous in between. Rays that
 //               meet mirrors continue from there (prt/bake/row_tracer.hpp)
@@ -41,9 +42,9 @@ struct BakeRun {
   std::optional<Checkpoint> checkpoint;
 };
 
-/// In: nothing. Out: unshadowed vectors of one channel, without the albedo.
+/// In: nothing. Out: the unshadowed numbers of a vertex, one channel, without the albedo.
 void take_unshadowed(BakeRun& run);
-/// In: unshadowed vectors. Out: the same vectors with shadows, and the Sight of every vertex.
+/// In: unshadowed numbers. Out: the same numbers with shadows, and the Sight of every vertex.
 void trace_shadows(BakeRun& run);
 /// In: shadowed vectors and the form factors. Out: vectors of three channels that hold the albedo. Bounces that do not
 /// converge are reported as a flaw.

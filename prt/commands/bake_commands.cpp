@@ -9,6 +9,7 @@
 #include "prt/bake/estimate.hpp"
 #include "prt/commands/commands.hpp"
 #include "prt/plan/plan.hpp"
+#include "prt/runtime/glossy.hpp"
 
 namespace sh::prt {
 namespace {
@@ -64,8 +65,7 @@ void SceneOptions::add_to(CLI::App& command) {
       ->check(words(kSamplerNames));
   command.add_option("--seed", seed, "seed of all samplers except fibonacci, instead of the scene's")
       ->check(CLI::Range(0, kMaxSeed));
-  command
-      .add_option("--kind", kind, "kind of transfer: unshadowed, shadowed or interreflected, instead of the scene's")
+  command.add_option("--kind", kind, "kind of transfer, instead of the scene's")
       ->check(words(kind_names(&TransferKind::word)));
   command.add_option("--plan", plan, "none: leave nothing out; exact: change no number; lossy: stay within the error")
       ->check(words(kPlanModeNames));
@@ -103,6 +103,8 @@ CheckpointSettings checkpoint_of(const BakeCommand& options) {
   output::require_no_input(settings.path, {options.output});
   return settings;
 }
+
+constexpr double kLittleOfALobe = 0.9;
 
 void print_estimate(const BakeJob& job) {
   const Scene& scene = job.scene;
@@ -142,6 +144,10 @@ void report_bake(const Transfer& transfer, const BakeReport& report) {
           bounces.between_vertices);
     }
   }
+  if (const auto lobe = sharpest_lobe(transfer); lobe && lobe->share < kLittleOfALobe) {
+    fmt::print(stderr, "prt: degree {} holds {:.2g} % of the lobe of exponent {:g} (in squares): it shows duller\n",
+               transfer.degree(), 100.0 * lobe->share, lobe->exponent);
+  }
   fmt::print(stderr, "prt: {} rays traced, {:.0f} MiB at the most\n", report.rays,
              static_cast<double>(peak_memory()) / 1048576.0);
 }
@@ -173,7 +179,7 @@ void run_plan(const PlanCommand& options) {
   const Stopwatch stopwatch;
   Scene scene = load_scene(options.scene, OnFlaw::kMend);
   options.apply_to(scene);
-  if (options.plan.empty()) scene.plan.mode = PlanMode::kLossy;
+  if (options.plan.empty() && !scene.bake.kind->is_glossy()) scene.plan.mode = PlanMode::kLossy;
   const BakeJob job = planned({std::move(scene), {.threads = options.threads}});
   print_out(options.json ? plan_json(*job.plan, job.scene) + "\n" : plan_text(*job.plan, job.scene));
   report_time(stopwatch, "planned");

@@ -80,8 +80,8 @@ class Sequence {
     const double time = static_cast<double>(frame) / options_.frames;
     place(subject_.poses_at(time));
     const View view = view_at(turntable_, *camera_, time);
-    Picture picture = render(mesh_, *tracer_, subject_.radiance(poses_, view.light_turn), view.camera, options_.size,
-                             background(show_light_, turned(subject_.lights(), view.light_turn)),
+    Picture picture = render(mesh_, *tracer_, subject_.surface(poses_, mesh_, view.light_turn), view.camera,
+                             options_.size, background(show_light_, turned(subject_.lights(), view.light_turn)),
                              fmt::format("render {} ({} of {})", files_.name(frame), frame + 1, options_.frames));
     if (frame == 0) {  // one exposure for all frames: the picture must not flicker
       exposure_ =

@@ -46,6 +46,7 @@ LightSamples local_samples(const SubjectOptions& options, const Transfer& transf
   const auto refuse = [&](const char* why) {
     throw std::runtime_error(fmt::format("{}: --local {}: {}", options.file, options.local, why));
   };
+  if (transfer.kind->is_glossy()) refuse("glossy transfer takes distant light only; diffuse transfer is needed");
   if (is_stage) refuse("a stage takes distant light only; a transfer file is needed");
   if (transfer.kind->has_bounces()) {
     refuse("the bake has bounces, whose light comes from other places too; bake unshadowed or shadowed transfer");
@@ -85,7 +86,12 @@ Subject::Subject(const SubjectOptions& options)
           shading_) {
   if (!chosen_.camera) chosen_.camera = stage_.camera;
   for (const StageObject& object : stage_.objects) {
+    is_glossy_ = is_glossy_ || object.transfer->kind->is_glossy();
     if (object.transfer->missing.any()) tell_once(coarseness(is_stage_ ? object.name : options.file, *object.transfer));
+  }
+  if (is_glossy_ && is_stage_) {
+    throw std::runtime_error(
+        fmt::format("{}: a stage takes diffuse transfer only; a glossy transfer file is needed alone", file_));
   }
   if (options.local.empty()) return;
   local_ = local_samples(options, *stage_.objects.front().transfer, is_stage_);
@@ -104,15 +110,27 @@ std::vector<Pose> Subject::poses_at(double time) {
   return poses;
 }
 
-std::vector<Eigen::Vector3f> Subject::radiance(const std::vector<Pose>& poses,
-                                               const Eigen::Matrix3d& light_turn) const {
-  std::vector<Eigen::Vector3f> radiance = local_ ? local_radiance(light_turn) : lighting_.radiance(poses, light_turn);
+TransferredRadiance Subject::reaching(const Eigen::Matrix3d& light_turn) const {
+  return {only_transfer(), turned(lighting_.light(only_transfer().degree()), light_turn)};
+}
+
+std::vector<Eigen::Vector3f> Subject::radiance(const std::vector<Pose>& poses, const Eigen::Matrix3d& light_turn,
+                                               const Eigen::Vector3d& eye) const {
+  std::vector<Eigen::Vector3f> radiance =
+      is_glossy_ ? exit_radiance(only_transfer(), reaching(light_turn), eye, shading_.albedo(only_transfer().mesh))
+      : local_   ? local_radiance(light_turn)
+                 : lighting_.radiance(poses, light_turn);
   require_finite(radiance, file_);
   return radiance;
 }
 
+Surface Subject::surface(const std::vector<Pose>& poses, const Mesh& mesh, const Eigen::Matrix3d& light_turn) const {
+  if (!is_glossy_) return diffuse_surface(mesh, radiance(poses, light_turn, Eigen::Vector3d::Zero()));
+  return glossy_surface(only_transfer(), reaching(light_turn), shading_.albedo(only_transfer().mesh));
+}
+
 std::vector<Eigen::Vector3f> Subject::local_radiance(const Eigen::Matrix3d& light_turn) const {
-  const Transfer& transfer = *stage_.objects.front().transfer;
+  const Transfer& transfer = only_transfer();
   std::vector<LightCoefficients> at_points =
       project_at(turned(chosen_.lights, light_turn), local_->points, shading_.degree_for(transfer.degree()));
   for (LightCoefficients& light : at_points) light = shading_.chosen(light);

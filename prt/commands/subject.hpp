@@ -11,6 +11,7 @@
 
 #include "numeric/output/webp.hpp"
 #include "prt/commands/commands.hpp"
+#include "prt/runtime/glossy.hpp"
 #include "prt/runtime/local_relight.hpp"
 #include "prt/runtime/relight_stage.hpp"
 #include "prt/runtime/shading.hpp"
@@ -45,17 +46,25 @@ class Subject {
   /// Prints a message about objects that overlap, once for each pair.
   [[nodiscard]] std::vector<Pose> poses_at(double time);
   [[nodiscard]] Mesh mesh(const std::vector<Pose>& poses) const { return merged_mesh(stage_, poses); }
-  /// Exit radiance of the vertices. With `--local`, a near light turns about its `from`. Throws std::runtime_error if
-  /// it exceeds single precision.
-  [[nodiscard]] std::vector<Eigen::Vector3f> radiance(const std::vector<Pose>& poses,
-                                                      const Eigen::Matrix3d& light_turn) const;
+  /// Whether exit radiance depends on the direction of view.
+  [[nodiscard]] bool is_glossy() const { return is_glossy_; }
+  /// Exit radiance of the vertices, of glossy ones towards the point `eye` of the world. With `--local`, a near light
+  /// turns about its `from`. Throws std::runtime_error if it exceeds single precision.
+  [[nodiscard]] std::vector<Eigen::Vector3f> radiance(const std::vector<Pose>& poses, const Eigen::Matrix3d& light_turn,
+                                                      const Eigen::Vector3d& eye) const;
+  /// What a picture of mesh(poses) shows. This object and `mesh`, which is mesh(poses), must outlive it.
+  [[nodiscard]] Surface surface(const std::vector<Pose>& poses, const Mesh& mesh,
+                                const Eigen::Matrix3d& light_turn) const;
 
  private:
+  [[nodiscard]] const Transfer& only_transfer() const { return *stage_.objects.front().transfer; }
   [[nodiscard]] std::vector<Eigen::Vector3f> local_radiance(const Eigen::Matrix3d& light_turn) const;
+  [[nodiscard]] TransferredRadiance reaching(const Eigen::Matrix3d& light_turn) const;
   void tell_once(const std::string& line);
 
   std::string file_;
   bool is_stage_;
+  bool is_glossy_ = false;
   OnFlaw on_flaw_;
   Shading shading_;
   Stage stage_;

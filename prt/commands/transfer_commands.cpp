@@ -16,16 +16,27 @@ namespace {
 struct RelightCommand {
   SubjectOptions subject;
   std::string output;
+  std::vector<double> eye;  // empty: the camera
   int frames = 1;
   int threads = 0;
 };
 
+/// The point from which glossy surfaces are seen: of the option, else the camera that a picture would have.
+Eigen::Vector3d eye_of(const RelightCommand& options, const Subject& subject, const Mesh& mesh) {
+  if (options.eye.empty()) return subject.camera().value_or(default_camera(mesh, PictureSize())).position;
+  const Eigen::Vector3d eye(options.eye[0], options.eye[1], options.eye[2]);
+  if (!eye.allFinite()) throw std::invalid_argument("--eye: expected three finite numbers");
+  return eye;
+}
+
 void relight_frame(const RelightCommand& options, Subject& subject, int frame) {
   const std::vector<Pose> poses = subject.poses_at(static_cast<double>(frame) / options.frames);
-  const Stopwatch stopwatch;
-  const std::vector<Eigen::Vector3f> radiance = subject.radiance(poses, Eigen::Matrix3d::Identity());
-  report_time(stopwatch, fmt::format("relit {} vertices", radiance.size()));
   const Mesh mesh = subject.mesh(poses);
+  const Eigen::Vector3d eye = eye_of(options, subject, mesh);
+  const Stopwatch stopwatch;
+  const std::vector<Eigen::Vector3f> radiance = subject.radiance(poses, Eigen::Matrix3d::Identity(), eye);
+  report_time(stopwatch, fmt::format("relit {} vertices", radiance.size()));
+  if (subject.is_glossy()) fmt::print(stderr, "prt: seen from {:.4g} {:.4g} {:.4g}\n", eye.x(), eye.y(), eye.z());
   const std::string name = frame_name(options.output, frame, options.frames);
   write_ply(name, mesh, radiance);
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
@@ -50,14 +61,18 @@ void run_info(const std::string& file) {
   Json json = Json::parse(transfer_header(transfer));
   const Eigen::AlignedBox3f box = bounding_box(transfer.mesh.positions);
   double mean = 0.0;
-  const std::size_t vectors = transfer.coefficients.size() / transfer.shape.count();
   for (std::size_t i = 0; i < transfer.coefficients.size(); i += transfer.shape.count()) {
-    mean += static_cast<double>(transfer.coefficients[i]) / static_cast<double>(vectors);
+    mean += static_cast<double>(transfer.coefficients[i]);
   }
+  mean /= std::max<double>(1.0, static_cast<double>(transfer.mesh.positions.size() * transfer.shape.channels));
   json["file"] = std::filesystem::path(file).filename().string();
   json["bytes"] = std::filesystem::file_size(file);
   json["bounding_box"] = {json_of(transfer.mesh.frame.world(box.min())), json_of(transfer.mesh.frame.world(box.max()))};
+  json["bytes_a_vertex"] = transfer.shape.stored_bytes();
   json["mean_of_first_coefficient"] = mean;
+  if (const auto lobe = sharpest_lobe(transfer)) {
+    json["sharpest_lobe"] = {{"exponent", lobe->exponent}, {"share_that_the_degree_holds", lobe->share}};
+  }
   print_json(json);
 }
 
@@ -80,6 +95,10 @@ void add_relight_command(CLI::App& tool) {
   CLI::App& command = *tool.add_subcommand("relight", "write a PLY mesh with the exit radiance of every vertex");
   options->subject.add_to(command);
   command.add_option("-o,--output", options->output, "PLY file to write; frames become out_000.ply, ...")->required();
+  command
+      .add_option("--eye", options->eye, "X Y Z: the point from which glossy surfaces are seen; default: the camera")
+      ->default_str("")
+      ->expected(3);
   command.add_option("--frames", options->frames, "number of meshes in the time in which a stage moves");
   run_with_threads(command, options, run_relight);
 }
@@ -94,7 +113,8 @@ void add_info_command(CLI::App& tool) {
 void add_shader_command(CLI::App& tool) {
   auto options = std::make_shared<ShaderCommand>();
   CLI::App& command = *tool.add_subcommand("shader", "print a complete vertex shader that relights");
-  const auto letters = kind_names(&TransferKind::letters);
+  auto letters = kind_names(&TransferKind::letters);
+  std::erase_if(letters, [](std::string_view name) { return find_kind(&TransferKind::letters, name)->is_glossy(); });
   command
       .add_option("--kind", options->kind,
                   "kind of transfer: DU reads normals, DS rows of one channel, DI rows of three")

@@ -6,7 +6,8 @@
 namespace sh::prt {
 
 TransferKinds transfer_kinds() {
-  static constexpr std::array<const TransferKind*, 3> kKinds = {&kUnshadowed, &kShadowed, &kInterreflected};
+  static constexpr std::array<const TransferKind*, 5> kKinds = {&kUnshadowed, &kShadowed, &kInterreflected,
+                                                                &kGlossyUnshadowed, &kGlossyShadowed};
   return kKinds;
 }
 

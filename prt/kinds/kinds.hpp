@@ -1,5 +1,5 @@
 // The kinds of transfer: names, shape of what a vertex stores, and the steps by which a bake makes it. A new kind needs a
-// file like diffuse.cpp in this folder, a line here and a line in the list of kinds.cpp.
+// definition in a file of this folder, a line here and a line in the list of kinds.cpp.
 #pragma once
 #include <algorithm>
 #include <span>
@@ -26,7 +26,18 @@ struct TransferKind {
   TransferShape (*shape)(int degree);
   std::span<const BakeStep> steps;                // in order
   const TransferKind* without_bounces = nullptr;  // the same kind without bounces; null if it has none
+  int highest_degree = kMaxDegree;                // of the light
 
+  /// True if a vertex keeps the radiance that reaches it, as a function of direction, and its material decides at run
+  /// time what leaves it towards the eye.
+  [[nodiscard]] bool is_glossy() const { return !shape(0).holds_cosine; }
+  /// The shape of the numbers that rays give, before albedo and bounces: one channel.
+  [[nodiscard]] TransferShape traced_shape(int degree) const {
+    TransferShape traced = shape(degree);
+    traced.channels = 1;
+    traced.holds_albedo = false;
+    return traced;
+  }
   [[nodiscard]] bool traces_rays() const {
     return std::any_of(steps.begin(), steps.end(), [](const BakeStep& step) { return step.traces_rays; });
   }
@@ -40,6 +51,11 @@ struct TransferKind {
 extern const TransferKind kUnshadowed;
 extern const TransferKind kShadowed;
 extern const TransferKind kInterreflected;
+
+/// Glossy surfaces [SloanKautzSnyder02, section 4.2]. Unshadowed (GU): the light reaches every vertex. Shadowed (GS): rays
+/// find the directions from which it does.
+extern const TransferKind kGlossyUnshadowed;
+extern const TransferKind kGlossyShadowed;
 
 using TransferKinds = std::span<const TransferKind* const>;
 

@@ -16,8 +16,11 @@ namespace sh::prt {
 
 using Face = std::array<std::uint32_t, 3>;
 
-/// Triangles, counterclockwise as seen from outside. All vertex arrays have one length, except that `emission` and
-/// `mirror` are empty if the whole mesh has none. `remap` has one entry for each vertex of the mesh files, in the order
+/// The largest exponent of a glossy lobe.
+inline constexpr float kMaxExponent = 1e6F;
+
+/// Triangles, counterclockwise as seen from outside. All vertex arrays have one length, except that `emission`, `mirror`,
+/// and `specular` with `exponent`, are empty if the whole mesh has none. `remap` has one entry for each vertex of the mesh files, in the order
 /// of the scene; several vertices of a file map to one vertex here if position, normal, albedo and finish agree. It is
 /// empty for a mesh made in code.
 struct Mesh {
@@ -27,6 +30,8 @@ struct Mesh {
   std::vector<Eigen::Vector3f> albedo;             // linear RGB, 0..1
   std::vector<Eigen::Vector3f> emission;           // linear RGB radiance, W m^-2 sr^-1, of the front
   std::vector<Eigen::Vector3f> mirror;             // linear RGB reflectance of the front, 0..1
+  std::vector<Eigen::Vector3f> specular;           // linear RGB reflectance of the glossy lobe of the front, 0..1
+  std::vector<float> exponent;                     // of this lobe [Phong75], 0..kMaxExponent
   std::vector<Face> faces;
   std::vector<std::uint32_t> remap;  // (vertices of the files) -> vertex, kNoVertex where no face used it
   Frame frame;

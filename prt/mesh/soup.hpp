@@ -1,6 +1,6 @@
 // Triangles from a file or a generator before they are welded into a Mesh, the checks that they must pass, and the
 // materials of surfaces besides their diffuse color. Emitted light is radiance, W m^-2 sr^-1, linear RGB. Reflectances
-// are linear RGB in 0..1 (albedo, mirror); their sum is at most 1.
+// are linear RGB in 0..1 (albedo, mirror, specular); their sum is at most 1.
 #pragma once
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -15,11 +15,20 @@
 
 namespace sh::prt {
 
-/// The finish of a face. The front of a surface always emits `emission`, reflects the part `mirror` like a mirror and
-/// reflects the part albedo diffusely.
+/// A lobe about the mirrored direction of view: the part `specular` of the light, cos^exponent of the angle between them
+/// [Phong75].
+struct Gloss {
+  Eigen::Vector3f specular = Eigen::Vector3f::Zero();
+  float exponent = 0.0F;
+  bool operator==(const Gloss&) const = default;
+};
+
+/// The finish of a face. The front of a surface always emits `emission`, reflects the part `mirror` like a mirror, the
+/// part gloss.specular about the mirrored direction, and the part albedo diffusely.
 struct Finish {
   Eigen::Vector3f emission = Eigen::Vector3f::Zero();
   Eigen::Vector3f mirror = Eigen::Vector3f::Zero();
+  Gloss gloss;
   bool is_two_sided = false;  // both sides are fronts
   bool operator==(const Finish&) const = default;
 };
@@ -33,6 +42,7 @@ struct Reflection {
 /// A scene's changes to a material. Each value that is set replaces the one of the file, including its vertex colors.
 struct MaterialChange {
   std::optional<Reflection> reflection;
+  std::optional<Gloss> gloss;
   std::optional<Eigen::Vector3f> emission;
   std::optional<bool> is_two_sided;
 };
@@ -47,6 +57,7 @@ struct MaterialChanges {
     if (const auto named = by_name.find(name); named != by_name.end()) {
       const MaterialChange& own = named->second;
       change.reflection = own.reflection ? own.reflection : change.reflection;
+      change.gloss = own.gloss ? own.gloss : change.gloss;
       change.emission = own.emission ? own.emission : change.emission;
       change.is_two_sided = own.is_two_sided ? own.is_two_sided : change.is_two_sided;
     }

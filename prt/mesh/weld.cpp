@@ -15,22 +15,24 @@ constexpr float kNormalSteps = 8192.0F;
 Eigen::Vector3f rounded(const Eigen::Vector3f& normal) { return (normal * kNormalSteps).array().round().matrix(); }
 
 // Appends an optional array of a mesh part; a mesh or part without it has zeros.
-void append_all_or_zeros(std::vector<Eigen::Vector3f>& to, std::size_t count, const std::vector<Eigen::Vector3f>& from,
-                         std::size_t from_count) {
+template <class T>
+void append_all_or_zeros(std::vector<T>& to, std::size_t count, const std::vector<T>& from, std::size_t from_count,
+                         const T& zero) {
   if (!to.empty() || !from.empty()) {
-    to.resize(count, Eigen::Vector3f::Zero());
+    to.resize(count, zero);
     to.insert(to.end(), from.begin(), from.end());
-    to.resize(count + from_count, Eigen::Vector3f::Zero());
+    to.resize(count + from_count, zero);
   }
 }
 
 // (finish of each vertex) -> one of its colors for each vertex, or nothing if all are zero.
+template <class Color>
 std::vector<Eigen::Vector3f> spread(const std::vector<std::uint32_t>& finish_of_vertex,
-                                    const std::vector<Finish>& finishes, Eigen::Vector3f Finish::*color) {
+                                    const std::vector<Finish>& finishes, const Color& color) {
   std::vector<Eigen::Vector3f> values;
   bool is_zero = true;
   for (const std::uint32_t finish : finish_of_vertex) {
-    values.push_back(finishes[finish].*color);
+    values.push_back(color(finishes[finish]));
     is_zero = is_zero && values.back().isZero(0.0F);
   }
   return is_zero ? std::vector<Eigen::Vector3f>() : values;
@@ -75,8 +77,12 @@ Mesh weld(const Soup& soup, std::size_t source_vertices) {
     }
     mesh.faces.push_back(indices);
   }
-  mesh.emission = spread(finish_of_vertex, soup.finishes, &Finish::emission);
-  mesh.mirror = spread(finish_of_vertex, soup.finishes, &Finish::mirror);
+  mesh.emission = spread(finish_of_vertex, soup.finishes, [](const Finish& finish) { return finish.emission; });
+  mesh.mirror = spread(finish_of_vertex, soup.finishes, [](const Finish& finish) { return finish.mirror; });
+  mesh.specular = spread(finish_of_vertex, soup.finishes, [](const Finish& finish) { return finish.gloss.specular; });
+  for (std::size_t v = 0; v < mesh.specular.size(); ++v) {
+    mesh.exponent.push_back(soup.finishes[finish_of_vertex[v]].gloss.exponent);
+  }
   set_geometric_normals(mesh);
   return mesh;
 }
@@ -98,8 +104,11 @@ void set_geometric_normals(Mesh& mesh) {
 
 void append(Mesh& mesh, const Mesh& part) {
   const auto first = static_cast<std::uint32_t>(mesh.positions.size());
-  append_all_or_zeros(mesh.emission, first, part.emission, part.positions.size());
-  append_all_or_zeros(mesh.mirror, first, part.mirror, part.positions.size());
+  const Eigen::Vector3f black = Eigen::Vector3f::Zero();
+  append_all_or_zeros(mesh.emission, first, part.emission, part.positions.size(), black);
+  append_all_or_zeros(mesh.mirror, first, part.mirror, part.positions.size(), black);
+  append_all_or_zeros(mesh.specular, first, part.specular, part.positions.size(), black);
+  append_all_or_zeros(mesh.exponent, first, part.exponent, part.positions.size(), 0.0F);
   append_all(mesh.positions, part.positions);
   append_all(mesh.normals, part.normals);
   append_all(mesh.geometric_normals, part.geometric_normals);
@@ -109,9 +118,10 @@ void append(Mesh& mesh, const Mesh& part) {
 }
 
 void repeat_finish(Mesh& mesh, std::uint32_t vertex) {
-  for (std::vector<Eigen::Vector3f>* values : {&mesh.emission, &mesh.mirror}) {
+  for (std::vector<Eigen::Vector3f>* values : {&mesh.emission, &mesh.mirror, &mesh.specular}) {
     if (!values->empty()) values->push_back(Eigen::Vector3f((*values)[vertex]));
   }
+  if (!mesh.exponent.empty()) mesh.exponent.push_back(float{mesh.exponent[vertex]});
 }
 
 void add_backs(Mesh& mesh, const std::vector<std::uint8_t>& is_two_sided) {

@@ -25,8 +25,9 @@ Draft::Draft(const Scene& the_scene, const std::string& the_instruction_set)
   plan.open.assign(starts.size(), asked.kind->traces_rays() ? 0 : 1);
   for (std::size_t v = 0; v < starts.size(); ++v) {
     const double angle = angle_between(scene.mesh.normals[v], scene.mesh.geometric_normals[v]);
-    upward_.push_back(asked.sampler == Sampler::kCosine ? (1.0 + std::cos(angle)) / 4.0
-                                                        : (1.0 - angle / std::numbers::pi) / 2.0);
+    upward_.push_back(asked.kind->is_glossy()             ? 0.5
+                      : asked.sampler == Sampler::kCosine ? (1.0 + std::cos(angle)) / 4.0
+                                                          : (1.0 - angle / std::numbers::pi) / 2.0);
   }
   start();
 }

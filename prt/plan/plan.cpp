@@ -72,6 +72,11 @@ constexpr std::array kSteps = {Step{"analytic", decide_analytic, true},
 Plan make_plan(Scene& scene, const std::string& instruction_set) {
   const bool is_lossy = scene.plan.mode == PlanMode::kLossy;
   check(scene.plan);
+  if (is_lossy && scene.bake.kind->is_glossy()) {
+    throw std::invalid_argument(
+        fmt::format("{}: plans with an error are for diffuse transfer; expected the plan exact or none for {}",
+                    scene.name, scene.bake.kind->word));
+  }
   Draft draft(scene, instruction_set);
   if (scene.plan.mode == PlanMode::kNone) {
     draft.plan.open.clear();

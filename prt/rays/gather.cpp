@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 #include "generated/cpp/rotate.hpp"
@@ -105,11 +106,14 @@ std::vector<RayStart> ray_starts(const Mesh& mesh) {
 }
 
 SharedDirections::SharedDirections(const BakeOptions& options)
-    : SharedDirections(
-          make_directions(options.sampler, options.directions, options.seed), coefficient_count(options.degree),
-          [&](const Eigen::Vector3f& d, float* out) { evaluate_basis(options.degree, d.x(), d.y(), d.z(), out); }) {
+    : SharedDirections(make_directions(options.sampler, options.directions, options.seed),
+                       options.kind->traced_shape(options.degree).columns(), [&](const Eigen::Vector3f& d, float* out) {
+                         evaluate_basis(options.kind->traced_shape(options.degree).function_degree(), d.x(), d.y(),
+                                        d.z(), out);
+                       }) {
   degree_ = options.degree;
   about_normal_ = options.sampler == Sampler::kCosine;
+  weighs_cosine_ = options.kind->traced_shape(options.degree).holds_cosine;
 }
 
 SharedDirections::SharedDirections(std::vector<Eigen::Vector3f> directions, std::size_t columns, const Row& row)
@@ -167,8 +171,14 @@ std::size_t Gatherer::aim(std::size_t vertex) {
     frame_ = frame_about(normal);
     directions_.cosines_with(frame_.transpose() * geometric_normal, heights_.data());
   } else {
-    directions_.cosines_with(normal * (4.0F / static_cast<float>(directions_.size())), weights_.data());
     directions_.cosines_with(geometric_normal, heights_.data());
+    const float whole = 4.0F / static_cast<float>(directions_.size());
+    if (directions_.weighs_cosine()) {
+      directions_.cosines_with(normal * whole, weights_.data());
+    } else {
+      std::transform(heights_.begin(), heights_.end(), weights_.begin(),
+                     [&](float height) { return height > 0.0F ? std::numbers::pi_v<float> * whole : 0.0F; });
+    }
   }
   std::size_t traced = 0;
   below_ = 0;

@@ -37,6 +37,8 @@ class SharedDirections {
   [[nodiscard]] std::size_t size() const { return directions_.size(); }
   [[nodiscard]] std::size_t row_length() const { return row_length_; }
   [[nodiscard]] bool about_normal() const { return about_normal_; }
+  /// True if directions weigh by the cosine with the shading normal; else all above the horizon weigh the same.
+  [[nodiscard]] bool weighs_cosine() const { return weighs_cosine_; }
   [[nodiscard]] const Eigen::Vector3f& direction(std::size_t j) const { return directions_[j]; }
   /// out (size) = the dot product of `normal` and every direction.
   void cosines_with(const Eigen::Vector3f& normal, float* out) const;
@@ -48,6 +50,7 @@ class SharedDirections {
  private:
   int degree_ = 0;
   bool about_normal_ = false;
+  bool weighs_cosine_ = true;
   std::vector<Eigen::Vector3f> directions_;
   std::size_t row_length_;
   std::vector<float> values_;      // (directions, row_length)
@@ -57,7 +60,8 @@ class SharedDirections {
 inline constexpr std::size_t kMaxRow = 128;
 
 /// Quadrature sums of Y_lm over the hemisphere of the shading normal. The weights are 4/N cos, or 1/N for directions of
-/// the cosine sampler.
+/// the cosine sampler. Without the cosine the sums are over the hemisphere of the geometric normal, the weights 4 pi/N,
+/// and parts of the cosine below are parts of this hemisphere.
 struct Gathered {
   alignas(64) std::array<float, kMaxRow> visible;
   alignas(64) std::array<float, kMaxRow> all;
@@ -128,7 +132,7 @@ class Gatherer {
   std::vector<BlockedRay> closest_;
   bool closest_is_known_ = false;  // for the last gather()
   Eigen::Matrix3f frame_;          // of the vertex, where directions are about the normal
-  std::vector<float> weights_;     // of every direction, 4/N cosine with the shading normal, or 1/N
+  std::vector<float> weights_;     // of every direction, as in Gathered; none is negative where it counts
   std::vector<float> heights_;     // cosine with the geometric normal
   Gathered result_;
 };

@@ -30,12 +30,12 @@ static_assert(sizeof(Eigen::Vector3f) == 3 * sizeof(float), "colors are read and
 
 constexpr std::size_t kVerticesAtOnce = 2048;
 
-void require_light(const Transfer& transfer, const LightCoefficients& light) {
-  if (light.degree > transfer.degree()) {
-    throw std::invalid_argument(fmt::format("the light has degree {}, the transfer {}; the light's must not be higher",
-                                            light.degree, transfer.degree()));
+void require_diffuse(const Transfer& transfer) {
+  if (transfer.kind->is_glossy()) {
+    throw std::invalid_argument(
+        fmt::format("{}: glossy transfer ({}) shows other light in every direction; expected diffuse transfer",
+                    transfer.scene, transfer.kind->letters));
   }
-  require_kept(transfer, light);
 }
 
 void require_no_albedo(const Transfer& transfer) {
@@ -82,6 +82,7 @@ void for_ranges(const Transfer& transfer, const RowProducts& rows, const Work& w
 /// `colours` serve transfer without the albedo.
 void relight_with(const Transfer& transfer, const LightCoefficients& light, std::span<const Eigen::Vector3f> colors,
                   std::span<Eigen::Vector3f> radiance) {
+  require_diffuse(transfer);
   require_light(transfer, light);
   require_count(colors.size(), transfer, "colors");
   require_count(radiance.size(), transfer, "radiances");
@@ -108,6 +109,14 @@ std::span<const RowProductsOn> row_products_here() {
     return here;
   }();
   return kHere;
+}
+
+void require_light(const Transfer& transfer, const LightCoefficients& light) {
+  if (light.degree > transfer.degree()) {
+    throw std::invalid_argument(fmt::format("the light has degree {}, the transfer {}; the light's must not be higher",
+                                            light.degree, transfer.degree()));
+  }
+  require_kept(transfer, light);
 }
 
 void require_kept(const Transfer& transfer, const LightCoefficients& light) {
@@ -148,6 +157,7 @@ std::vector<Eigen::Vector3f> recolored(const Transfer& transfer, const LightCoef
 
 Eigen::Vector3f relight_vertex(const Transfer& transfer, std::size_t vertex, const LightCoefficients& light,
                                const Eigen::Vector3f& color) {
+  require_diffuse(transfer);
   require_light(transfer, light);
   require_no_albedo(transfer);
   const std::vector<float> values = in_float(light);
@@ -159,6 +169,7 @@ Eigen::Vector3f relight_vertex(const Transfer& transfer, std::size_t vertex, con
 }
 
 std::vector<float> relight_gray(const Transfer& transfer, const LightCoefficients& light) {
+  require_diffuse(transfer);
   require_light(transfer, light);
   require_no_albedo(transfer);
   const std::vector<float> values = in_float(light);

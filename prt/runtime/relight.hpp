@@ -22,9 +22,13 @@ namespace sh::prt {
 /// transfer.
 void require_kept(const Transfer& transfer, const LightCoefficients& light);
 
+/// The same, and also if the light has a higher degree than the transfer.
+void require_light(const Transfer& transfer, const LightCoefficients& light);
+
 /// Exit radiance per vertex, (vertices), linear RGB, W m^-2 sr^-1, as transfer.hpp says; slightly negative where a
 /// band-limited light rings. A light of lower degree than the transfer is zero in the bands above. Throws
-/// std::invalid_argument if the light has a higher degree.
+/// std::invalid_argument if the light has a higher degree, and for glossy transfer, whose exit radiance depends on the
+/// direction (prt/runtime/glossy.hpp).
 std::vector<Eigen::Vector3f> relight(const Transfer& transfer, const LightCoefficients& light);
 
 /// The same, but writes into `radiance` and allocates nothing. Also throws std::invalid_argument unless `radiance` has

@@ -33,6 +33,8 @@ class StageLighting {
   /// std::invalid_argument where the shading does not fit an object; a degree need only fit one of them.
   StageLighting(const Stage& stage, const std::function<LightCoefficients(int)>& projected, Shading shading);
 
+  /// The light of the objects of this degree, before it turns.
+  [[nodiscard]] const LightCoefficients& light(int degree) const { return lights_.at(degree); }
   /// Exit radiance of the vertices of merged_mesh. The same bits for any number of threads.
   [[nodiscard]] std::vector<Eigen::Vector3f> radiance(const std::vector<Pose>& poses,
                                                       const Eigen::Matrix3d& light_turn) const;

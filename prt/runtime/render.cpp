@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
+#include <utility>
 
 #include "numeric/output/progress.hpp"
 #include "prt/image/image.hpp"
@@ -28,8 +29,7 @@ Eigen::Vector2f pattern(int k) {
 Eigen::Vector3f eye_in(const Frame& frame, const Camera& camera) { return frame.local(camera.position).cast<float>(); }
 
 // The radiance that each ray of a row sees, also over mirrors.
-std::vector<Eigen::Vector3f> seen(const Mesh& mesh, const MirrorPaths& mirrors,
-                                  const std::vector<Eigen::Vector3f>& vertex_radiance, const RowOfRays& rays,
+std::vector<Eigen::Vector3f> seen(const MirrorPaths& mirrors, const Surface& surface, const RowOfRays& rays,
                                   const Eigen::Vector3f& eye, const Background& background) {
   std::vector<Leg> legs;
   for (std::uint32_t k = 0; k < rays.hits.size(); ++k) legs.push_back({eye, rays.directions[k], rays.hits[k], k});
@@ -37,8 +37,7 @@ std::vector<Eigen::Vector3f> seen(const Mesh& mesh, const MirrorPaths& mirrors,
   std::vector<Eigen::Vector3f> radiance(rays.hits.size(), Eigen::Vector3f::Zero());
   for (const Leg& leg : legs) {
     const bool hit = leg.hit.face != Hit::kNothing;
-    radiance[leg.ray] +=
-        leg.throughput.cwiseProduct(hit ? interpolated(leg.hit, mesh, vertex_radiance) : background(leg.direction));
+    radiance[leg.ray] += leg.throughput.cwiseProduct(hit ? surface(leg.hit, leg.direction) : background(leg.direction));
   }
   return radiance;
 }
@@ -117,8 +116,14 @@ std::vector<Eigen::Vector3f> Picture::covered() const {
   return out;
 }
 
-Picture render(const Mesh& mesh, const Tracer& tracer, const std::vector<Eigen::Vector3f>& vertex_radiance,
-               const Camera& camera, const PictureSize& size, const Background& background, const std::string& what) {
+Surface diffuse_surface(const Mesh& mesh, std::vector<Eigen::Vector3f> vertex_radiance) {
+  return [&mesh, radiance = std::move(vertex_radiance)](const Hit& hit, const Eigen::Vector3f& /*direction*/) {
+    return interpolated(hit, mesh, radiance);
+  };
+}
+
+Picture render(const Mesh& mesh, const Tracer& tracer, const Surface& surface, const Camera& camera,
+               const PictureSize& size, const Background& background, const std::string& what) {
   require_picture_size(size);
   const int pixels = size.width * size.height;
   Picture picture{size.width, size.height, std::vector<Eigen::Vector3f>(pixels), std::vector<float>(pixels)};
@@ -127,8 +132,7 @@ Picture render(const Mesh& mesh, const Tracer& tracer, const std::vector<Eigen::
   tbb::parallel_for(0, size.height, [&](int row) {
     RowOfRays rays;
     trace_row(tracer, camera, size, row, rays);
-    shade_row(seen(mesh, mirrors, vertex_radiance, rays, eye_in(mesh.frame, camera), background), rays, size, row,
-              picture);
+    shade_row(seen(mirrors, surface, rays, eye_in(mesh.frame, camera), background), rays, size, row, picture);
     progress.advance();
   });
   progress.finish();

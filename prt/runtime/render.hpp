@@ -1,5 +1,4 @@
-// Renders a mesh with exit radiance per vertex: rays from a pinhole camera, barycentric interpolation, and the light as
-// background.
+// Renders a mesh whose exit radiance is known: rays from a pinhole camera, mirrors, and the light as background.
 #pragma once
 #include <Eigen/Core>
 #include <functional>
@@ -53,10 +52,17 @@ struct Picture {
 /// The radiance that a ray in this unit direction sees if it hits nothing.
 using Background = std::function<Eigen::Vector3f(const Eigen::Vector3f& direction)>;
 
-/// `vertex_radiance` (vertices) comes from relight(). Mirrors show the surface at which their paths end. The same bits
+/// The radiance that leaves a surface at a hit, against the direction of the ray.
+using Surface = std::function<Eigen::Vector3f(const Hit& hit, const Eigen::Vector3f& direction)>;
+
+/// Interpolates exit radiance between vertices; `vertex_radiance` (vertices) comes from relight(). The mesh must outlive
+/// the result.
+Surface diffuse_surface(const Mesh& mesh, std::vector<Eigen::Vector3f> vertex_radiance);
+
+/// Mirrors show the surface at which their paths end. The same bits
 /// for any number of threads. Progress on standard error is labeled `what`. Throws std::invalid_argument for an
 /// unusable camera or size.
-Picture render(const Mesh& mesh, const Tracer& tracer, const std::vector<Eigen::Vector3f>& vertex_radiance,
-               const Camera& camera, const PictureSize& size, const Background& background, const std::string& what);
+Picture render(const Mesh& mesh, const Tracer& tracer, const Surface& surface, const Camera& camera,
+               const PictureSize& size, const Background& background, const std::string& what);
 
 }  // namespace sh::prt

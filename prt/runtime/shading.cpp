@@ -31,10 +31,13 @@ LightCoefficients Shading::chosen(const LightCoefficients& light) const {
   return white ? sh::prt::white(light) : light;
 }
 
+std::vector<Eigen::Vector3f> Shading::albedo(const Mesh& mesh) const {
+  if (recolor.empty()) return mesh.albedo;
+  return std::vector<Eigen::Vector3f>(mesh.positions.size(), Eigen::Vector3f(recolor[0], recolor[1], recolor[2]));
+}
+
 std::vector<Eigen::Vector3f> Shading::shade(const Transfer& transfer, const LightCoefficients& light) const {
-  if (recolor.empty()) return relight(transfer, light);
-  const Eigen::Vector3f albedo(recolor[0], recolor[1], recolor[2]);
-  return recolored(transfer, light, std::vector<Eigen::Vector3f>(transfer.mesh.positions.size(), albedo));
+  return recolor.empty() ? relight(transfer, light) : recolored(transfer, light, albedo(transfer.mesh));
 }
 
 Eigen::Vector3f Shading::shade_vertex(const Transfer& transfer, std::size_t vertex,

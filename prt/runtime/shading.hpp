@@ -19,6 +19,8 @@ struct Shading {
   [[nodiscard]] int degree_for(int transfer_degree) const;
   /// Applies the choices to a light of that degree.
   [[nodiscard]] LightCoefficients chosen(const LightCoefficients& light) const;
+  /// The albedo of every vertex.
+  [[nodiscard]] std::vector<Eigen::Vector3f> albedo(const Mesh& mesh) const;
   /// Exit radiance, (vertices), under a light from `chosen`, which may be turned or shadowed afterwards.
   [[nodiscard]] std::vector<Eigen::Vector3f> shade(const Transfer& transfer, const LightCoefficients& light) const;
   /// The same for one vertex, with the same bits; not for transfer with bounces.

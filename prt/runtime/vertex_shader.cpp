@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <stdexcept>
 #include <string_view>
 #include <utility>
 
@@ -24,6 +25,9 @@ std::string_view text_of(const std::string& file) {
 
 std::string vertex_shader(const TransferKind& kind, int degree, bool white, ShaderLanguage language) {
   require_degree(degree);
+  if (kind.is_glossy()) {
+    throw std::invalid_argument(fmt::format("transfer of kind {}: expected a diffuse kind", kind.letters));
+  }
   const TransferShape shape = kind.shape(degree);
   std::string out = language == ShaderLanguage::kGlsl450 ? "#version 450 core\n" : "#version 300 es\n";
   out += fmt::format("// `prt shader`: transfer {}, degree {}, {} light.\n",

@@ -64,6 +64,7 @@ ImportedMesh read_shape(const JsonReader& reader, const std::string& folder, con
     shape.soup.albedo.assign(shape.soup.positions.size(), change.reflection->albedo);
     shape.soup.finishes[0].mirror = change.reflection->mirror;
   }
+  shape.soup.finishes[0].gloss = change.gloss.value_or(Gloss());
   shape.soup.finishes[0].emission = change.emission.value_or(Eigen::Vector3f::Zero());
   shape.soup.finishes[0].is_two_sided = change.is_two_sided.value_or(false);
   return shape;
@@ -84,9 +85,19 @@ std::optional<Reflection> read_reflection(const JsonReader& reader) {
   return reflection;
 }
 
+std::optional<Gloss> read_gloss(const JsonReader& reader) {
+  const auto specular = reader.find("specular");
+  const auto exponent = reader.find("exponent");
+  if (!specular && !exponent) return std::nullopt;
+  if (!specular || !exponent) reader.expected("`specular` and `exponent` together");
+  return Gloss{specular->vector_within(0.0F, 1.0F),
+               static_cast<float>(exponent->number(0.0, kMaxExponent, "an exponent from 0 to 1e6"))};
+}
+
 MaterialChange read_material(const JsonReader& reader) {
   MaterialChange change;
   change.reflection = read_reflection(reader);
+  change.gloss = read_gloss(reader);
   reader.take("emission", change.emission, &JsonReader::vector_within, 0.0F, std::numeric_limits<float>::max());
   reader.take("sides", change.is_two_sided, [](const JsonReader& value) { return value.integer(1, 2) == 2; });
   return change;
@@ -97,7 +108,7 @@ MaterialChanges read_materials(const JsonReader& mesh) {
   changes.all = read_material(mesh);
   if (const auto materials = mesh.find("materials")) {
     for (const auto& [name, material] : materials->members()) {
-      material.allow({"albedo", "emission", "mirror", "sides"});
+      material.allow({"albedo", "emission", "exponent", "mirror", "sides", "specular"});
       changes.by_name[name] = read_material(material);
     }
   }
@@ -112,6 +123,21 @@ void check_material_names(const JsonReader& mesh, const std::vector<std::string>
       material.expected(known.empty()
                             ? std::string("no `materials`: the mesh has none")
                             : fmt::format("the name of one of the mesh's materials ({})", fmt::join(known, ", ")));
+    }
+  }
+}
+
+// The albedo may be that of the file, so that only the finished mesh tells.
+void check_reflectance(const JsonReader& reader, const Soup& soup) {
+  constexpr float kRounding = 1e-6F;
+  for (std::size_t f = 0; f < soup.faces.size(); ++f) {
+    const Finish& finish = soup.finishes[soup.finish_of(f)];
+    for (const std::uint32_t v : soup.faces[f]) {
+      const Eigen::Vector3f sum = soup.albedo[v] + finish.mirror + finish.gloss.specular;
+      if (!finish.gloss.specular.isZero(0.0F) && sum.maxCoeff() > 1.0F + kRounding) {
+        reader.expected(fmt::format(
+            "reflectances of at most 1 together: with its albedo and mirror, `specular` makes {:.4g}", sum.maxCoeff()));
+      }
     }
   }
 }
@@ -183,8 +209,8 @@ Mesh finish_mesh(MeshPart part, const Frame& frame, OnFlaw on_flaw) {
 }
 
 MeshPart read_mesh(const JsonReader& reader, const std::string& folder, OnFlaw on_flaw) {
-  reader.allow({"file", "primitive", "segments", "transform", "up", "albedo", "mirror", "emission", "sides",
-                "materials", "max_edge", "crease", "flip"});
+  reader.allow({"file", "primitive", "segments", "transform", "up", "albedo", "mirror", "specular", "exponent",
+                "emission", "sides", "materials", "max_edge", "crease", "flip"});
   const MaterialChanges changes = read_materials(reader);
   MeshPart part;
   part.crease_degrees = kDefaultCrease;
@@ -204,6 +230,7 @@ MeshPart read_mesh(const JsonReader& reader, const std::string& folder, OnFlaw o
   part.name = file ? beside(folder, file->text()) : reader.at("primitive").text();
   for (const std::string& line : shape.unread) report_flaw(on_flaw, fmt::format("{}: {}", part.name, line));
   check(shape.soup, part.name);
+  check_reflectance(reader, shape.soup);
   transform(shape.soup, up.value_or(shape.up) == UpAxis::kY ? map * stand_up() : map);
   if (is_flipped) turn_inside_out(shape.soup);
   part.soup = std::move(shape.soup);

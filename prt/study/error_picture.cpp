@@ -94,7 +94,7 @@ std::string error_picture(const Mesh& mesh, const Tracer& tracer, const std::vec
   const Background nothing = [](const Eigen::Vector3f& /*direction*/) { return Eigen::Vector3f::Zero().eval(); };
   Mesh shown = mesh;
   shown.mirror.clear();  // errors are those of the vertices themselves
-  const Picture picture = render(shown, tracer, places, camera, size, nothing, what);
+  const Picture picture = render(shown, tracer, diffuse_surface(shown, places), camera, size, nothing, what);
   ErrorMap map{picture.width, picture.height, {}, picture.coverage};
   for (std::size_t i = 0; i < picture.radiance.size(); ++i) {
     map.place.push_back(picture.coverage[i] > 0.0F ? picture.radiance[i].x() / picture.coverage[i] : 0.0F);

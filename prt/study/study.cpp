@@ -23,6 +23,10 @@ void check(const Scene& scene, const StudyOptions& options) {
     throw std::invalid_argument(
         fmt::format("most directions {}: expected {} to {}", most, StudyOptions::kLeastDirections, limit));
   }
+  if (scene.bake.kind->is_glossy()) {
+    throw std::invalid_argument(
+        fmt::format("{}: its transfer is {}; expected a diffuse kind for a study", scene.name, scene.bake.kind->word));
+  }
   if (options.vertices < 1) throw std::invalid_argument("vertices 0: at least one must be studied");
   if (!scene.mesh.mirror.empty()) {
     throw std::invalid_argument(

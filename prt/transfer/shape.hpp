@@ -5,6 +5,7 @@
 //              (result_degree+1)^2 x (degree+1)^2         radiance itself: a transfer vector is a matrix of one row
 //   operator   (degree+result_degree+1)^2, one row:       the product of its function with the light, projected: the
 //              a function of direction                    matrix of equation (11) [SloanKautzSnyder02], exactly
+//   nothing    none                                       the light itself
 #pragma once
 #include <array>
 #include <cstddef>
@@ -40,22 +41,25 @@ struct Storage {
   [[nodiscard]] bool is_plain() const { return element == Element::kSingle && !one_channel && kept.empty(); }
 };
 
-enum class Meets : std::uint32_t { kDot = 0, kOperator = 1 };
-inline constexpr std::array<std::string_view, 2> kMeetsNames = {"dot", "operator"};
+enum class Meets : std::uint32_t { kDot = 0, kOperator = 1, kNothing = 2 };
+inline constexpr std::array<std::string_view, 3> kMeetsNames = {"dot", "operator", "nothing"};
 
 struct TransferShape {
   std::size_t channels = 1;  // 1: serves all colors; 3: one each, red, green, blue
   int degree = 0;            // of the incident light
   int result_degree = 0;     // of the result
   Meets meets = Meets::kDot;
-  bool holds_cosine = true;   // and 1/pi: the result is exit radiance, or exit radiance over albedo
+  bool holds_cosine = true;   // and 1/pi: the result is exit radiance, or exit radiance over albedo; else it is the
+                              // incident radiance that reaches the receiver
   bool holds_albedo = false;  // then it cannot be recolored
   Storage storage = {};
 
   [[nodiscard]] std::size_t rows() const { return meets == Meets::kDot ? coefficient_count(result_degree) : 1; }
   [[nodiscard]] std::size_t columns() const {
-    return coefficient_count(meets == Meets::kDot ? degree : degree + result_degree);
+    return meets == Meets::kNothing ? 0 : coefficient_count(function_degree());
   }
+  /// The degree of the functions of direction that the columns are coefficients of.
+  [[nodiscard]] int function_degree() const { return meets == Meets::kOperator ? degree + result_degree : degree; }
   /// The count of numbers in memory: of a channel, and of a receiver.
   [[nodiscard]] std::size_t count() const { return rows() * columns(); }
   [[nodiscard]] std::size_t length() const { return channels * count(); }

@@ -145,11 +145,12 @@ void put_shape(const TransferShape& shape, Json& header) {
 
 // A header of version 1 gives only channels (default: one) and rows; the kind implies the rest.
 TransferShape shape_from(const nlohmann::json& header, std::uint32_t version, const TransferKind& kind) {
-  if (header.at("degree").is_number() && !(header["degree"] >= 0 && header["degree"] <= kMaxDegree)) {
+  const int highest = kind.highest_degree;
+  if (header.at("degree").is_number() && !(header["degree"] >= 0 && header["degree"] <= highest)) {
     throw std::invalid_argument(
-        fmt::format("transfer of degree {}, expected 0 to {}", header["degree"].dump(), kMaxDegree));
+        fmt::format("transfer of degree {}, expected 0 to {}", header["degree"].dump(), highest));
   }
-  const auto degree = whole_from<int>(header["degree"], 0, kMaxDegree);
+  const auto degree = whole_from<int>(header["degree"], 0, highest);
   TransferShape shape = kind.shape(degree);
   const TransferShape expected = shape;
   if (version == 1) {
@@ -187,6 +188,15 @@ Frame frame_from(const nlohmann::json& json) {
   return frame;
 }
 
+std::string_view holds(const TransferShape& shape) {
+  if (shape.meets == Meets::kNothing) return "nothing: the light itself reaches every vertex";
+  if (shape.meets == Meets::kOperator) {
+    return "visibility V, 1 towards the sky: V times the light, on the bands of the light, reaches the vertex";
+  }
+  return shape.holds_albedo ? "everything, the albedo too: exit radiance of channel c = sum_i T_ci L_ci"
+                            : "cosine and 1/pi, not the albedo: exit radiance = albedo * sum_i T_i L_i";
+}
+
 void put_shortfall(const Shortfall& missing, Json& header) {
   if (!missing.any()) return;
   header["complete"] = false;  // coarser than was asked for
@@ -217,12 +227,12 @@ std::string transfer_header(const Transfer& transfer) {
                  {"file_vertices", transfer.mesh.remap.size()},
                  {"directions", transfer.directions},
                  {"instruction_set", transfer.instruction_set},
-                 {"holds", transfer.shape.holds_albedo
-                               ? "everything, the albedo too: exit radiance of channel c = sum_i T_ci L_ci"
-                               : "cosine and 1/pi, not the albedo: exit radiance = albedo * sum_i T_i L_i"},
+                 {"holds", holds(transfer.shape)},
                  {"convention", "real SH, orthonormal, no Condon-Shortley phase, i = l(l+1)+m, band 1 is (y,z,x)"},
                  {"axes", "right-handed, z up"},
-                 {"units", "positions: the scene's; transfer: radiance out over radiance in, no unit"},
+                 {"units", transfer.shape.holds_cosine
+                               ? "positions: the scene's; transfer: radiance out over radiance in, no unit"
+                               : "positions: the scene's; transfer: visibility, no unit"},
                  {"colour_space", "albedo: linear RGB, 0..1"}});
   if (!transfer.mesh.frame.is_world()) header["frame"] = to_json(transfer.mesh.frame);
   if (!transfer.emitted.empty()) {

@@ -65,7 +65,8 @@ constexpr std::uint64_t bytes_of(const Section& section) {
 enum class Rows { kVertices, kOne, kOther };
 enum class Presence { kAlways, kOptional };
 
-/// A section of a file. Sections stand in the order of kSections; optional ones may be left out.
+/// A section of a file. Sections stand in the order of kSections; optional ones may be left out, and so is `transfer`
+/// where a vertex stores nothing.
 struct Kind {
   std::string_view name;
   std::uint32_t type;     // for `transfer`, the header may name another type
@@ -73,7 +74,7 @@ struct Kind {
   Rows rows;
   Presence presence;
 };
-inline constexpr std::array<Kind, 10> kSections = {{{"position", kFloat, 3, Rows::kVertices, Presence::kAlways},
+inline constexpr std::array<Kind, 12> kSections = {{{"position", kFloat, 3, Rows::kVertices, Presence::kAlways},
                                                     {"normal", kFloat, 3, Rows::kVertices, Presence::kAlways},
                                                     {"geonorm", kFloat, 3, Rows::kVertices, Presence::kAlways},
                                                     {"albedo", kFloat, 3, Rows::kVertices, Presence::kAlways},
@@ -82,7 +83,14 @@ inline constexpr std::array<Kind, 10> kSections = {{{"position", kFloat, 3, Rows
                                                     {"transfer", kFloat, 0, Rows::kVertices, Presence::kAlways},
                                                     {"emitted", kFloat, 3, Rows::kVertices, Presence::kOptional},
                                                     {"scale", kFloat, 0, Rows::kOne, Presence::kOptional},
-                                                    {"mirror", kFloat, 3, Rows::kVertices, Presence::kOptional}}};
+                                                    {"mirror", kFloat, 3, Rows::kVertices, Presence::kOptional},
+                                                    {"specular", kFloat, 3, Rows::kVertices, Presence::kOptional},
+                                                    {"exponent", kFloat, 1, Rows::kVertices, Presence::kOptional}}};
+
+/// True for the section `transfer` of a shape without numbers.
+inline bool stores_nothing(const Kind& kind, const TransferShape& shape) {
+  return kind.name == "transfer" && shape.stored_length() == 0;
+}
 
 /// Calls visit(items) for the contents of every section, in the order of kSections. `encoded` holds the coefficients if
 /// their storage is not plain.
@@ -98,6 +106,8 @@ void each_section(AnyTransfer& transfer, AnyEncoded& encoded, const Visit& visit
   visit(transfer.emitted);
   visit(encoded.scale);
   visit(transfer.mesh.mirror);
+  visit(transfer.mesh.specular);
+  visit(transfer.mesh.exponent);
 }
 
 /// A name in the form of the table.

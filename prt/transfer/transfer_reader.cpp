@@ -118,23 +118,25 @@ class Reader {
         fail(fmt::format("transfer file with a section `{}`, which is unknown or out of place",
                          layout::readable(section.name)));
       }
-      check_left_out(next, kind);
+      check_left_out(next, kind, transfer.shape);
       check_section(*kind, section, offset, transfer);
       offset += bytes_of(section);
       next = kind + 1;
     }
-    check_left_out(next, layout::kSections.end());
+    check_left_out(next, layout::kSections.end(), transfer.shape);
     if (offset != size_) fail("damaged transfer file: bytes after its last section");
   }
 
-  void check_left_out(const layout::Kind* first, const layout::Kind* last) const {
-    const auto* missing =
-        std::find_if(first, last, [](const layout::Kind& kind) { return kind.presence == layout::Presence::kAlways; });
+  void check_left_out(const layout::Kind* first, const layout::Kind* last, const TransferShape& shape) const {
+    const auto* missing = std::find_if(first, last, [&](const layout::Kind& kind) {
+      return kind.presence == layout::Presence::kAlways && !layout::stores_nothing(kind, shape);
+    });
     if (missing != last) fail(fmt::format("damaged transfer file: section {} is missing", missing->name));
   }
 
   void check_section(const layout::Kind& kind, const layout::Section& section, std::uint64_t offset,
                      const Transfer& transfer) const {
+    if (layout::stores_nothing(kind, transfer.shape)) fail("damaged transfer file: section transfer does not fit");
     const std::uint64_t columns = kind.columns != 0 ? kind.columns : transfer.shape.stored_length();
     const std::uint32_t type = kind.name == "transfer" ? layout::type_of(transfer.shape.storage.element) : kind.type;
     if (section.type != type || section.columns != columns || section.offset != offset ||

@@ -22,6 +22,8 @@ bool is_reflectance(const Eigen::Vector3f& value) {
   return value.allFinite() && value.minCoeff() >= 0.0F && value.maxCoeff() <= 1.0F;
 }
 
+bool is_exponent(float value) { return value >= 0.0F && value <= kMaxExponent; }
+
 bool names_vertices(const Mesh& mesh) {
   const auto is_vertex = [&](std::uint32_t v) { return v < mesh.positions.size(); };
   return all(mesh.faces, [&](const Face& face) { return all(face, is_vertex); }) &&
@@ -37,6 +39,10 @@ std::string flaw_of_values(const Transfer& transfer) {
   if (!all(mesh.normals, is_unit) || !all(mesh.geometric_normals, is_unit)) return "a normal is not of length 1";
   if (!all(mesh.albedo, is_reflectance)) return "an albedo is not from 0 to 1";
   if (!all(mesh.mirror, is_reflectance)) return "a mirror's reflectance is not from 0 to 1";
+  if (!all(mesh.specular, is_reflectance)) return "a specular reflectance is not from 0 to 1";
+  if (mesh.exponent.size() != mesh.specular.size() || !all(mesh.exponent, is_exponent)) {
+    return "an exponent is not from 0 to 1e6";
+  }
   if (!all(transfer.coefficients, [](float value) { return std::isfinite(value); }) ||
       !all(transfer.emitted, is_finite)) {
     return "a transfer coefficient is not finite";

@@ -21,7 +21,8 @@ void check_lengths(const Transfer& transfer) {
   if (mesh.normals.size() != vertices || mesh.geometric_normals.size() != vertices || mesh.albedo.size() != vertices ||
       transfer.coefficients.size() != vertices * transfer.shape.length() ||
       (!transfer.emitted.empty() && transfer.emitted.size() != vertices) ||
-      (!mesh.mirror.empty() && mesh.mirror.size() != vertices)) {
+      (!mesh.mirror.empty() && mesh.mirror.size() != vertices) ||
+      (!mesh.specular.empty() && mesh.specular.size() != vertices) || mesh.exponent.size() != mesh.specular.size()) {
     throw std::invalid_argument("transfer: its arrays differ in length, expected one entry a vertex in each");
   }
 }
@@ -37,7 +38,9 @@ Contents contents_of(const Transfer& transfer, const Encoded& encoded) {
   const auto* kind = layout::kSections.begin();
   layout::each_section(transfer, encoded, [&](const auto& items) {
     const layout::Kind& known = *kind++;
-    if (known.presence == layout::Presence::kOptional && items.empty()) return;
+    const bool may_miss =
+        known.presence == layout::Presence::kOptional || layout::stores_nothing(known, transfer.shape);
+    if (may_miss && items.empty()) return;
     layout::Section section;
     section.name = layout::padded(known.name);
     section.type = known.name == "transfer" ? layout::type_of(transfer.shape.storage.element) : known.type;

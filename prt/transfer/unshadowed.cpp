@@ -1,6 +1,7 @@
 #include "prt/transfer/unshadowed.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <numbers>
 
@@ -10,18 +11,45 @@
 
 namespace sh::prt {
 
-std::vector<float> unshadowed_transfer(int degree, const std::vector<Eigen::Vector3f>& normals) {
+namespace {
+
+// (normals, bands^2): zonal functions about the normals, factors_l Y_lm(n).
+std::vector<float> about(const std::vector<Eigen::Vector3f>& normals, const std::vector<double>& factors) {
+  const auto degree = static_cast<int>(factors.size()) - 1;
   const std::size_t count = coefficient_count(degree);
   std::vector<float> transfer(normals.size() * count);
   for_vertices(normals.size(), [&](std::size_t v) {
     float* row = transfer.data() + v * count;
     evaluate_basis(degree, normals[v].x(), normals[v].y(), normals[v].z(), row);
     for (int l = 0; l <= degree; ++l) {
-      const auto factor = static_cast<float>(numeric::clamped_cosine_factor<double>(l) / std::numbers::pi);
+      const auto factor = static_cast<float>(factors[l]);
       std::for_each(row + l * l, row + (l + 1) * (l + 1), [factor](float& value) { value *= factor; });
     }
   });
   return transfer;
+}
+
+std::vector<double> hemisphere_factors(int degree) {
+  std::vector<double> factors(degree + 1);
+  numeric::cap_zonal(degree, 1.0, factors.data());
+  for (int l = 0; l <= degree; ++l) factors[l] *= std::sqrt(4.0 * std::numbers::pi / (2 * l + 1));
+  return factors;
+}
+
+}  // namespace
+
+std::vector<float> unshadowed_transfer(int degree, const std::vector<Eigen::Vector3f>& normals) {
+  std::vector<double> factors;
+  for (int l = 0; l <= degree; ++l) factors.push_back(numeric::clamped_cosine_factor<double>(l) / std::numbers::pi);
+  return about(normals, factors);
+}
+
+std::vector<float> unshadowed_transfer(const TransferShape& shape, const Mesh& mesh) {
+  if (shape.meets == Meets::kNothing) return {};
+  if (shape.meets == Meets::kOperator) {
+    return about(mesh.geometric_normals, hemisphere_factors(shape.function_degree()));
+  }
+  return unshadowed_transfer(shape.degree, mesh.normals);
 }
 
 }  // namespace sh::prt

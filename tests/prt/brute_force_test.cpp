@@ -33,8 +33,8 @@ struct Stage {
     const Transfer transfer = bake(changed);
     const Tracer tracer(transfer.mesh);
     const Background black = [](const Eigen::Vector3f& /*direction*/) { return Eigen::Vector3f(0.0F, 0.0F, 0.0F); };
-    return difference(render(transfer.mesh, tracer, relight(transfer, light), scene.camera, kSize, black, "baked"),
-                      reference);
+    const Surface surface = diffuse_surface(transfer.mesh, relight(transfer, light));
+    return difference(render(transfer.mesh, tracer, surface, scene.camera, kSize, black, "baked"), reference);
   }
 };
 

@@ -257,6 +257,8 @@ TEST(BakeKey, ChangesWithAllThatRaysDependOnAndWithNothingElse) {
   EXPECT_FALSE(changed([](Scene& s, auto&) {
     paint(s.mesh, {0.9F, 0.1F, 0.1F});
     shine(s.mesh, {1.0F, 1.0F, 1.0F});
+    s.mesh.specular.assign(s.mesh.positions.size(), {0.1F, 0.1F, 0.1F});
+    s.mesh.exponent.assign(s.mesh.positions.size(), 7.0F);
     s.bake.bounces.tolerance = 0.1;
     s.name = "another";
   }));

@@ -225,7 +225,8 @@ void mend(std::string& part, const Record& record) {
 
 TEST_P(AnyStoppedBake, BelievesNoNumberThatRaysCannotGiveWhateverItsChecksum) {
   const Record record = records_of(whole_part_).at(1);
-  const std::size_t vectors = 32 * coefficient_count(2) * sizeof(float);
+  const TransferKind& kind = *find_kind(&TransferKind::word, GetParam());
+  const std::size_t vectors = 32 * kind.traced_shape(2).columns() * sizeof(float);
   const auto expect_traced_again = [&](std::size_t place, auto value) {
     std::string changed = whole_part_;
     std::memcpy(&changed.at(record.data + place), &value, sizeof value);
@@ -244,7 +245,7 @@ TEST_P(AnyStoppedBake, BelievesNoNumberThatRaysCannotGiveWhateverItsChecksum) {
     for (const std::size_t part : {0U, 4U, 8U})
       expect_traced_again(vectors + part, bad);  // of the first vertex's sight
   }
-  if (std::string(GetParam()) == "shadowed") return;
+  if (!kind.has_bounces()) return;
   const std::size_t weight = vectors + 32 * sizeof(Sight) + 8 + 4;  // of the first form factor of the first vertex
   for (const double bad : {std::numeric_limits<double>::quiet_NaN(), -0.5, 7.0, 1e300})
     expect_traced_again(weight, bad);
@@ -260,7 +261,7 @@ TEST_P(AnyStoppedBake, BelievesNoRecordThatNamesAnotherChunk) {
   EXPECT_TRUE(bake({scene_, with_checkpoint()}).coefficients == whole_.coefficients);
 }
 
-INSTANTIATE_TEST_SUITE_P(OfKind, AnyStoppedBake, testing::Values("shadowed", "interreflected"));
+INSTANTIATE_TEST_SUITE_P(OfKind, AnyStoppedBake, testing::Values("shadowed", "interreflected", "glossy_shadowed"));
 
 TEST_P(StoppedShadowedBake, StartsAfreshWhereTheCheckpointWasNotYetMade) {
   for (const std::size_t size : {0U, 7U, 24U, 100U}) {

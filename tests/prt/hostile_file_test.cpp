@@ -25,6 +25,8 @@ class HostileFile : public testing::Test {
   void SetUp() override {
     Transfer transfer = baked(primitive_mesh("plane"), &kInterreflected, 64, 1);
     transfer.mesh.mirror.assign(transfer.mesh.positions.size(), {0.1F, 0.2F, 0.3F});
+    transfer.mesh.specular.assign(transfer.mesh.positions.size(), {0.3F, 0.2F, 0.1F});
+    transfer.mesh.exponent.assign(transfer.mesh.positions.size(), 20.0F);
     transfer.emitted.assign(transfer.mesh.positions.size(), {0.5F, 0.5F, 0.5F});
     transfer.plan = {0.01, 0.002, "any", {{"storage", "half", "it is enough", 12, 3, 0.002, "bound"}}};
     transfer.missing = {128, 0.001};
@@ -74,13 +76,19 @@ TEST_F(HostileFile, IsRefusedWithNumbersThatAreNotWhatTheirSectionHolds) {
     EXPECT_EQ(with_number("geonorm", bad), "damaged transfer file: a normal is not of length 1");
     EXPECT_EQ(with_number("albedo", bad), "damaged transfer file: an albedo is not from 0 to 1");
     EXPECT_EQ(with_number("mirror", bad), "damaged transfer file: a mirror's reflectance is not from 0 to 1");
+    EXPECT_EQ(with_number("specular", bad), "damaged transfer file: a specular reflectance is not from 0 to 1");
+    EXPECT_EQ(with_number("exponent", bad), "damaged transfer file: an exponent is not from 0 to 1e6");
     EXPECT_EQ(with_number("emitted", bad), "damaged transfer file: a transfer coefficient is not finite");
     EXPECT_EQ(with_number("transfer", bad), "damaged transfer file: a transfer coefficient is not finite");
   }
   for (const float bad : {-1.0F, 5.0F}) {
     EXPECT_EQ(with_number("albedo", bad), "damaged transfer file: an albedo is not from 0 to 1");
     EXPECT_EQ(with_number("mirror", bad), "damaged transfer file: a mirror's reflectance is not from 0 to 1");
+    EXPECT_EQ(with_number("specular", bad), "damaged transfer file: a specular reflectance is not from 0 to 1");
     EXPECT_EQ(with_number("normal", bad), "damaged transfer file: a normal is not of length 1");
+  }
+  for (const float bad : {-1.0F, 1.1e6F}) {
+    EXPECT_EQ(with_number("exponent", bad), "damaged transfer file: an exponent is not from 0 to 1e6");
   }
   EXPECT_EQ(with_number("albedo", 1.0F), "");
   EXPECT_EQ(with_number("position", 1e30F), "");
@@ -90,6 +98,8 @@ TEST_F(HostileFile, IsAcceptedWithTheLimitsOfItsNumbers) {
   for (const float limit : {0.0F, 1.0F}) {
     EXPECT_EQ(with_number("albedo", limit), "");
     EXPECT_EQ(with_number("mirror", limit), "");
+    EXPECT_EQ(with_number("specular", limit), "");
+    EXPECT_EQ(with_number("exponent", limit * 1e6F), "");
   }
   EXPECT_EQ(with_number("normal", 0.04F), "") << "of length 1.0008";
   EXPECT_EQ(with_number("normal", 0.05F), "damaged transfer file: a normal is not of length 1") << "of length 1.0012";
@@ -186,6 +196,8 @@ TEST_F(HostileFile, IsRefusedWithASectionThatDiffersInOneThing) {
 TEST_F(HostileFile, HasScalesWhereItsCoefficientsAreBytesAndNowhereElse) {
   Transfer transfer = read_transfer(file_);
   transfer.mesh.mirror.clear();
+  transfer.mesh.specular.clear();
+  transfer.mesh.exponent.clear();
   transfer.emitted.clear();
   const auto written = [&](Element element) {
     transfer.shape.storage.element = element;
@@ -220,7 +232,7 @@ TEST_F(HostileFile, HasItsLastSectionsToo) {
   const std::string bytes = good_.substr(0, place_of(good_, "face"));
   EXPECT_EQ(refusal(with_table(bytes, [](auto& table) { table.resize(4); }), true),
             "damaged transfer file: section face is missing");
-  EXPECT_NE(refusal(with_table(good_, [](auto& table) { table.resize(11); }), true).find("of 11 sections, expected"),
+  EXPECT_NE(refusal(with_table(good_, [](auto& table) { table.resize(13); }), true).find("of 13 sections, expected"),
             std::string::npos);
 }
 

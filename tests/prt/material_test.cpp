@@ -171,7 +171,7 @@ TEST_F(Materials, ThatCannotBeAreRefused) {
       {R"("file": "a.obj", "materials": {"green": {}})",
        "/materials/green: expected the name of one of the mesh's materials (red, lamp), got {}"},
       {R"("file": "a.obj", "materials": {"red": {"colour": [1, 1, 1]}})",
-       "/materials/red/colour: unknown key, expected one of albedo, emission, mirror, sides"}};
+       "/materials/red/colour: unknown key, expected one of albedo, emission, exponent, mirror, sides, specular"}};
   for (const auto& [mesh, message] : cases) EXPECT_EQ(refusal("{" + std::string(mesh) + "}"), message);
 }
 

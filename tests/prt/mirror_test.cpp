@@ -219,7 +219,7 @@ TEST(Mirrors, ShowThePictureWhatTheirPathsEndOn) {
   const auto picture_of = [&](const Mesh& scene) {
     const Tracer tracer(scene);
     const std::vector<Eigen::Vector3f> own(scene.positions.size(), Eigen::Vector3f::Constant(0.125F));
-    return render(scene, tracer, own, camera, size, direction_itself, "mirror");
+    return render(scene, tracer, diffuse_surface(scene, own), camera, size, direction_itself, "mirror");
   };
   Mesh none = mesh;
   none.mirror.clear();

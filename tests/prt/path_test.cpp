@@ -57,7 +57,7 @@ void expect_within_noise(const Mesh& mesh, const Camera& camera, const LightCoef
   const Transfer transfer = baked(mesh, &kInterreflected, 1024, light.degree);
   std::vector<Eigen::Vector3f> values = relight(transfer, light);
   const Background black = [](const Eigen::Vector3f&) { return Eigen::Vector3f::Zero().eval(); };
-  const Picture baked = render(mesh, tracer, values, camera, kSize, black, "baked");
+  const Picture baked = render(mesh, tracer, diffuse_surface(mesh, values), camera, kSize, black, "baked");
   Picture mean = paths.first;
   for (std::size_t i = 0; i < mean.radiance.size(); ++i) {
     mean.radiance[i] = 0.5F * (paths.first.radiance[i] + paths.second.radiance[i]);

@@ -178,7 +178,7 @@ TEST_F(Placement, IsKeptByFilesPicturesAndNearLights) {
   }
   const auto picture = [](const Mesh& mesh, const std::vector<Eigen::Vector3f>& radiance, const Camera& camera) {
     const Background black = [](const Eigen::Vector3f&) { return Eigen::Vector3f::Zero().eval(); };
-    return render(mesh, Tracer(mesh), radiance, camera, {64, 36, 1}, black, "far").radiance;
+    return render(mesh, Tracer(mesh), diffuse_surface(mesh, radiance), camera, {64, 36, 1}, black, "far").radiance;
   };
   const auto differs = [](const std::vector<Eigen::Vector3f>& a, const std::vector<Eigen::Vector3f>& b) {
     std::size_t pixels = 0;

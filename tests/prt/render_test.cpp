@@ -44,7 +44,7 @@ Eigen::Vector3f direction_color(const Eigen::Vector3f& d) { return d; }
 
 Picture picture_of(const Mesh& mesh, const std::vector<Eigen::Vector3f>& values, const PictureSize& size) {
   const Tracer tracer(mesh);
-  return render(mesh, tracer, values, from_above(), size, direction_color, "test");
+  return render(mesh, tracer, diffuse_surface(mesh, values), from_above(), size, direction_color, "test");
 }
 
 TEST(Render, InterpolatesLinearlyAndPutsRightRightAndUpUp) {
@@ -98,7 +98,8 @@ TEST(Render, CamerasAndSizesThatCannotBeUsedAreRefused) {
   Mesh mesh = square();
   const Tracer tracer(mesh);
   const auto message = [&](const Camera& camera, const PictureSize& size) {
-    return message_of([&] { render(mesh, tracer, mesh.positions, camera, size, direction_color, "test"); });
+    return message_of(
+        [&] { render(mesh, tracer, diffuse_surface(mesh, mesh.positions), camera, size, direction_color, "test"); });
   };
   Camera camera = from_above();
   camera.up = {0.0, 0.0, 1.0};
@@ -116,8 +117,8 @@ TEST(Render, DefaultCameraSeesTheWholeMesh) {
   for (const PictureSize& size : {PictureSize{64, 48, 1}, {30, 90, 1}, {90, 30, 1}}) {
     const CameraFrame frame(default_camera(mesh, size), size);
     const Tracer tracer(mesh);
-    const Picture picture =
-        render(mesh, tracer, mesh.positions, default_camera(mesh, size), size, direction_color, "test");
+    const Picture picture = render(mesh, tracer, diffuse_surface(mesh, mesh.positions), default_camera(mesh, size),
+                                   size, direction_color, "test");
     std::size_t border = 0;
     std::size_t inside = 0;
     for (std::size_t i = 0; i < picture.coverage.size(); ++i) {

@@ -129,7 +129,8 @@ TEST(TransferKind, IsAddedByItsShapeAndItsSteps) {
   paint(mesh, {0.75F, 0.5F, 0.25F});
   const Transfer colored = baked(mesh, &kColored);
   write_transfer(file, colored);
-  EXPECT_EQ(message_of([&] { read_transfer(file); }), file + ": transfer of kind DC, expected one of DU, DS, DI");
+  EXPECT_EQ(message_of([&] { read_transfer(file); }),
+            file + ": transfer of kind DC, expected one of DU, DS, DI, GU, GS");
   const std::array<const TransferKind*, 2> kinds = {&kShadowed, &kColored};
   const Transfer read = read_transfer(file, kinds);
   EXPECT_EQ(read.kind, &kColored);
@@ -148,8 +149,8 @@ TEST(TransferKind, IsFoundByItsNamesOrNot) {
   EXPECT_EQ(find_kind(&TransferKind::word, "shadowed"), &kShadowed);
   EXPECT_EQ(find_kind(&TransferKind::letters, "DI"), &kInterreflected);
   EXPECT_EQ(find_kind(&TransferKind::word, "DI"), nullptr);
-  EXPECT_EQ(kind_names(&TransferKind::word),
-            (std::vector<std::string_view>{"unshadowed", "shadowed", "interreflected"}));
+  EXPECT_EQ(kind_names(&TransferKind::word), (std::vector<std::string_view>{"unshadowed", "shadowed", "interreflected",
+                                                                            "glossy_unshadowed", "glossy_shadowed"}));
 }
 
 }  // namespace

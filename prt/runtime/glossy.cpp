@@ -1,0 +1,182 @@
+#include "prt/runtime/glossy.hpp"
+
+#include <fmt/format.h>
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <stdexcept>
+#include <utility>
+
+#include "generated/batch/batch.hpp"
+#include "generated/cpp/transfer_prepare.hpp"
+#include "numeric/oracle/zonal.hpp"
+#include "prt/basis.hpp"
+#include "prt/chunks.hpp"
+#include "prt/kinds/kinds.hpp"
+#include "prt/runtime/lobe.hpp"
+#include "prt/runtime/relight.hpp"
+
+namespace sh::prt {
+
+namespace {
+
+constexpr std::size_t kChannels = 3;
+constexpr std::size_t kVerticesAtOnce = 2048;
+constexpr std::size_t kMostCoefficients = coefficient_count(kMaxDegree);
+
+// The light in the degree of the transfer, (3, bands^2).
+std::vector<float> widened(const LightCoefficients& light, int degree) {
+  const std::size_t count = coefficient_count(degree);
+  std::vector<float> values(kChannels * count, 0.0F);
+  for (std::size_t c = 0; c < kChannels; ++c) {
+    for (std::size_t i = 0; i < light.bands_squared(); ++i) {
+      values[c * count + i] = static_cast<float>(light.at(c, i));
+    }
+  }
+  return values;
+}
+
+// The light as `transfer_apply_rgb` takes it.
+std::vector<float> prepared(const std::vector<float>& light, int degree) {
+  std::vector<float> samples;
+  at_degree(degree, [&](auto known) {
+    if constexpr (known() <= kHighestProduct) {
+      constexpr std::size_t kSamples = known() == 0 ? 1 : 8 * known() * known() + 4;
+      samples.resize(kChannels * kSamples);
+      for (std::size_t c = 0; c < kChannels; ++c) {
+        sh::transfer_prepare<known()>(&light[c * light.size() / kChannels], &samples[c * kSamples]);
+      }
+    }
+  });
+  return samples;
+}
+
+// sum over lobes of scale_l Y_i(direction), and its product with each channel.
+struct Lobe {
+  std::array<float, kMostCoefficients> values;
+
+  template <class Factor>
+  Lobe(int degree, const Eigen::Vector3f& direction, const Factor& factor) {
+    evaluate_basis(degree, direction.x(), direction.y(), direction.z(), values.data());
+    for (int l = 0; l <= degree; ++l) {
+      const auto scale = static_cast<float>(factor(l));
+      std::for_each(&values[l * l], &values[l * l] + 2 * l + 1, [scale](float& value) { value *= scale; });
+    }
+  }
+  [[nodiscard]] Eigen::Vector3f meets(const float* reaching, std::size_t count) const {
+    Eigen::Vector3f sums;
+    for (std::size_t c = 0; c < kChannels; ++c) {
+      sums[static_cast<Eigen::Index>(c)] =
+          std::inner_product(reaching + c * count, reaching + (c + 1) * count, values.begin(), 0.0F);
+    }
+    return sums;
+  }
+};
+
+Material material_of(const Mesh& mesh, std::size_t vertex, const Eigen::Vector3f& albedo) {
+  Material material{albedo, Eigen::Vector3f::Zero(), 0.0F};
+  if (mesh.specular.empty()) return material;
+  material.specular = mesh.specular[vertex];
+  material.exponent = mesh.exponent[vertex];
+  return material;
+}
+
+double diffuse_factor(int l) { return numeric::clamped_cosine_factor<double>(l) / std::numbers::pi; }
+
+}  // namespace
+
+TransferredRadiance::TransferredRadiance(const Transfer& transfer, const LightCoefficients& light)
+    : degree_(transfer.degree()), stride_(0) {
+  if (!transfer.kind->is_glossy()) {
+    throw std::invalid_argument(
+        fmt::format("transfer of kind {} is exit radiance; expected a glossy kind", transfer.kind->letters));
+  }
+  require_light(transfer, light);
+  values_ = widened(light, degree_);
+  if (transfer.shape.meets == Meets::kNothing) return;
+  const std::vector<float> samples = prepared(values_, degree_);
+  const std::size_t vertices = transfer.mesh.positions.size();
+  stride_ = values_.size();
+  values_.resize(vertices * stride_);
+  const tbb::blocked_range<std::size_t> all(0, vertices, kVerticesAtOnce);
+  tbb::parallel_for(all, [&](const auto& range) {
+    batch::transfer_apply_rgb(degree_, range.size(), batch::plain(transfer.row(range.begin())),
+                              batch::shared(samples.data()), batch::plain(values_.data() + range.begin() * stride_));
+  });
+  if (!std::all_of(values_.begin(), values_.end(), [](float value) { return std::isfinite(value); })) {
+    throw std::runtime_error(
+        fmt::format("{}: the radiance that reaches it exceeds single precision; expected weaker lights, below 1e37",
+                    transfer.scene));
+  }
+}
+
+void TransferredRadiance::at(const Hit& hit, const Mesh& mesh, float* out) const {
+  const Face& face = mesh.faces[hit.face];
+  const std::array<float, 3> part = {1.0F - hit.u - hit.v, hit.u, hit.v};
+  const std::array<const float*, 3> corner = {at(face[0]), at(face[1]), at(face[2])};
+  for (std::size_t i = 0; i < kChannels * coefficient_count(degree_); ++i) {
+    out[i] = part[0] * corner[0][i] + part[1] * corner[1][i] + part[2] * corner[2][i];
+  }
+}
+
+Eigen::Vector3f exit_radiance(const Material& material, int degree, const float* reaching,
+                              const Eigen::Vector3f& normal, const Eigen::Vector3f& to_eye) {
+  const std::size_t count = coefficient_count(degree);
+  Eigen::Vector3f radiance = Eigen::Vector3f::Zero();
+  if (!material.albedo.isZero(0.0F)) {
+    radiance += material.albedo.cwiseProduct(Lobe(degree, normal, diffuse_factor).meets(reaching, count));
+  }
+  if (!material.specular.isZero(0.0F)) {
+    const Eigen::Vector3f mirrored = (2.0F * normal.dot(to_eye) * normal - to_eye).normalized();
+    const auto exponent = static_cast<double>(material.exponent);
+    const Lobe lobe(degree, mirrored, [exponent](int l) { return phong_factor(l, exponent); });
+    radiance += material.specular.cwiseProduct(lobe.meets(reaching, count));
+  }
+  return radiance;
+}
+
+std::optional<SharpestLobe> sharpest_lobe(const Transfer& transfer) {
+  const Mesh& mesh = transfer.mesh;
+  std::optional<SharpestLobe> sharpest;
+  for (std::size_t v = 0; transfer.kind->is_glossy() && v < mesh.specular.size(); ++v) {
+    const auto exponent = static_cast<double>(mesh.exponent[v]);
+    if (mesh.specular[v].isZero(0.0F) || (sharpest && sharpest->exponent >= exponent)) continue;
+    sharpest = {exponent, phong_share(transfer.degree(), exponent)};
+  }
+  return sharpest;
+}
+
+Surface glossy_surface(const Transfer& transfer, TransferredRadiance reaching, std::vector<Eigen::Vector3f> albedo) {
+  return [&transfer, all = std::move(reaching), colors = std::move(albedo)](const Hit& hit,
+                                                                            const Eigen::Vector3f& direction) {
+    const Mesh& mesh = transfer.mesh;
+    std::array<float, kChannels * kMostCoefficients> between;
+    all.at(hit, mesh, between.data());
+    // A face has one finish, but its vertices have their own colors.
+    const Material material = material_of(mesh, mesh.faces[hit.face][0], interpolated(hit, mesh, colors));
+    const Eigen::Vector3f normal = interpolated(hit, mesh, mesh.normals).normalized();
+    Eigen::Vector3f radiance = exit_radiance(material, all.degree(), between.data(), normal, -direction);
+    if (!transfer.emitted.empty()) radiance += interpolated(hit, mesh, transfer.emitted);
+    return radiance;
+  };
+}
+
+std::vector<Eigen::Vector3f> exit_radiance(const Transfer& transfer, const TransferredRadiance& reaching,
+                                           const Eigen::Vector3d& eye, const std::vector<Eigen::Vector3f>& albedo) {
+  const Mesh& mesh = transfer.mesh;
+  std::vector<Eigen::Vector3f> radiance(mesh.positions.size(), Eigen::Vector3f::Zero());
+  for_vertices(mesh.positions.size(), [&](std::size_t v) {
+    const Eigen::Vector3f to_eye = (eye - mesh.point(v)).stableNormalized().cast<float>();
+    radiance[v] =
+        exit_radiance(material_of(mesh, v, albedo[v]), reaching.degree(), reaching.at(v), mesh.normals[v], to_eye);
+    if (!transfer.emitted.empty()) radiance[v] += transfer.emitted[v];
+  });
+  return radiance;
+}
+
+}  // namespace sh::prt

@@ -1,0 +1,66 @@
+// Relighting of glossy transfer [SloanKautzSnyder02, section 4.2]: a vertex keeps the visibility V. Its product with the
+// light, projected, is the radiance that reaches the vertex (equation 11, from V alone: as many numbers as V has in twice
+// the degree of the light, and exact). What leaves towards the eye is this radiance, convolved with the lobe and evaluated
+// at the mirrored direction of view (equation 12), plus the same about the normal with the clamped cosine for the diffuse
+// part. Since only the second step knows the normal, it may be another one at every pixel.
+#pragma once
+#include <Eigen/Core>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "prt/light/light_coefficients.hpp"
+#include "prt/runtime/render.hpp"
+#include "prt/transfer/transfer.hpp"
+
+namespace sh::prt {
+
+/// The radiance that reaches every vertex. The same bits on one instruction set (generated/batch/records.hpp).
+class TransferredRadiance {
+ public:
+  /// A light of lower degree than the transfer is zero in the bands above. Throws std::invalid_argument for transfer that
+  /// is not glossy, and if the light has a higher degree; std::runtime_error if a number exceeds single precision.
+  TransferredRadiance(const Transfer& transfer, const LightCoefficients& light);
+
+  [[nodiscard]] int degree() const { return degree_; }
+  /// (3, bands^2): red, green, blue.
+  [[nodiscard]] const float* at(std::size_t vertex) const { return values_.data() + vertex * stride_; }
+  /// The same between the corners of a face, into `out`.
+  void at(const Hit& hit, const Mesh& mesh, float* out) const;
+
+ private:
+  int degree_;
+  std::size_t stride_;  // 0: one radiance reaches every vertex
+  std::vector<float> values_;
+};
+
+/// The reflection of a place on a surface: linear RGB reflectances, and the exponent of the glossy lobe.
+struct Material {
+  Eigen::Vector3f albedo = Eigen::Vector3f::Zero();
+  Eigen::Vector3f specular = Eigen::Vector3f::Zero();
+  float exponent = 0.0F;
+};
+
+/// Exit radiance, linear RGB, W m^-2 sr^-1, where `reaching` (3, bands^2) reaches a surface. `normal` and `to_eye` are
+/// unit. Slightly negative where a band-limited product rings.
+Eigen::Vector3f exit_radiance(const Material& material, int degree, const float* reaching,
+                              const Eigen::Vector3f& normal, const Eigen::Vector3f& to_eye);
+
+/// The largest exponent of a lobe on the mesh, and the part of it that the degree of the transfer holds (lobe.hpp); nothing
+/// without lobes or for diffuse transfer.
+struct SharpestLobe {
+  double exponent;
+  double share;
+};
+std::optional<SharpestLobe> sharpest_lobe(const Transfer& transfer);
+
+/// What a picture shows, shaded at every hit; `albedo` (vertices) serves in place of the mesh's. `transfer` must outlive
+/// the result.
+Surface glossy_surface(const Transfer& transfer, TransferredRadiance reaching, std::vector<Eigen::Vector3f> albedo);
+
+/// Exit radiance of the vertices of `transfer` towards a point `eye` of the world, with the emitted light; `albedo`
+/// (vertices) serves in place of the mesh's.
+std::vector<Eigen::Vector3f> exit_radiance(const Transfer& transfer, const TransferredRadiance& reaching,
+                                           const Eigen::Vector3d& eye, const std::vector<Eigen::Vector3f>& albedo);
+
+}  // namespace sh::prt

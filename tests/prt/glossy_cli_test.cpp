@@ -1,0 +1,117 @@
+// Glossy transfer with the tool `prt`: results, and what it refuses in one line.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "tests/prt/temporary_folder.hpp"
+#include "tests/prt/tool.hpp"
+
+namespace sh::prt::test {
+namespace {
+
+std::string scene_with(const std::string& material, const std::string& bake) {
+  return R"({"meshes": [{"primitive": "torus", "segments": 16, )" + material + R"(}], "ground": {}, "bake": {)" + bake +
+         "}}";
+}
+
+const std::string kGold = R"("albedo": [0.1, 0.1, 0.1], "specular": [0.8, 0.6, 0.3], "exponent": 20)";
+
+class GlossyTool : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder = new TemporaryFolder;
+    for (const std::string kind : {"unshadowed", "shadowed"}) {
+      write_all(folder->file(kind + ".json"),
+                scene_with(kGold, R"("directions": 128, "transfer": "glossy_)" + kind + "\""));
+      succeeded({"bake", folder->file(kind + ".json"), "-o", folder->file(kind)});
+    }
+  }
+  static void TearDownTestSuite() { delete folder; }
+
+  static void expect_scene_refused(const std::string& material, const std::string& bake, const std::string& reason) {
+    write_all(folder->file("bad.json"), scene_with(material, bake));
+    expect_refused({"bake", folder->file("bad.json"), "-o", folder->file("bad")}, reason);
+    EXPECT_FALSE(std::filesystem::exists(folder->file("bad")));
+  }
+
+  static inline TemporaryFolder* folder = nullptr;
+};
+
+TEST_F(GlossyTool, TellsOperatorDegreesAndBytes) {
+  const auto shadowed = printed({"info", folder->file("shadowed")});
+  EXPECT_EQ(shadowed["kind"], "GS");
+  EXPECT_EQ(shadowed["meets"], "operator");
+  EXPECT_EQ(shadowed["degree"], 4);
+  EXPECT_EQ(shadowed["result_degree"], 4);
+  EXPECT_EQ(shadowed["bytes_a_vertex"], 324);
+  EXPECT_EQ(shadowed["sharpest_lobe"]["exponent"], 20);
+  const auto unshadowed = printed({"info", folder->file("unshadowed")});
+  EXPECT_EQ(unshadowed["kind"], "GU");
+  EXPECT_EQ(unshadowed["meets"], "nothing");
+  EXPECT_EQ(unshadowed["bytes_a_vertex"], 0);
+}
+
+TEST_F(GlossyTool, SaysHowMuchOfALobeTheDegreeHolds) {
+  write_all(folder->file("sharp.json"), scene_with(R"("albedo": [0, 0, 0], "specular": [1, 1, 1], "exponent": 1000)",
+                                                   R"("degree": 2, "directions": 64, "transfer": "glossy_shadowed")"));
+  const Finished run = succeeded({"bake", folder->file("sharp.json"), "-o", folder->file("sharp")});
+  EXPECT_NE(run.err.find("degree 2 holds 0.9 % of the lobe of exponent 1000"), std::string::npos) << run.err;
+}
+
+TEST_F(GlossyTool, RendersAndRelightsTowardsTheEye) {
+  for (const std::string kind : {"unshadowed", "shadowed"}) {
+    const auto ply = [&](const std::string& x) {
+      succeeded({"relight", folder->file(kind), "--eye", x, "-2", "1", "-o", folder->file("a.ply")});
+      return read_all(folder->file("a.ply"));
+    };
+    const std::string first = ply("3");
+    EXPECT_EQ(ply("3"), first) << kind;
+    EXPECT_NE(ply("-3"), first) << kind << ": glossy light depends on the eye";
+    const auto picture = [&](const std::string& threads) {
+      succeeded({"render", folder->file(kind), "--width", "48", "--height", "32", "--samples", "1", "--threads",
+                 threads, "-o", folder->file("a.png")});
+      return read_all(folder->file("a.png"));
+    };
+    EXPECT_EQ(picture("1"), picture("2")) << kind;
+  }
+}
+
+TEST_F(GlossyTool, RefusesMaterialsThatReflectTooMuchOrHalfOfALobe) {
+  const std::string bake = R"("transfer": "glossy_shadowed")";
+  expect_scene_refused(R"("specular": [0.5, 0.5, 0.5])", bake,
+                       "/meshes/0: expected `specular` and `exponent` together");
+  expect_scene_refused(R"("exponent": 3)", bake, "/meshes/0: expected `specular` and `exponent` together");
+  expect_scene_refused(R"("specular": [0.6, 0.1, 0.1], "exponent": 3)", bake,
+                       "/meshes/0: expected reflectances of at most 1 together");
+  expect_scene_refused(R"("specular": [0.1, 0.1, 0.1], "exponent": -1)", bake,
+                       "/meshes/0/exponent: expected an exponent from 0 to 1e6");
+  expect_scene_refused(R"("specular": [0.1, 0.1, 0.1], "exponent": 1e7)", bake, "/meshes/0/exponent");
+  expect_scene_refused(R"("specular": [1.1, 0, 0], "exponent": 1)", bake, "/meshes/0/specular");
+}
+
+TEST_F(GlossyTool, RefusesBakesThatGlossyTransferCannotHold) {
+  expect_scene_refused(kGold, R"("transfer": "glossy_shadowed", "degree": 5)",
+                       "degree: expected 0 to 4 (of the kind glossy_shadowed), got 5");
+  expect_scene_refused(kGold, R"("transfer": "glossy_shadowed", "sampler": "cosine")", "the sampler cosine");
+  expect_scene_refused(R"("mirror": [1, 1, 1])", R"("transfer": "glossy_shadowed")", "expected no mirrors");
+  expect_scene_refused(kGold, R"("transfer": "shiny")", "glossy_shadowed");
+  expect_refused({"plan", folder->file("shadowed.json"), "--error", "0.1"}, "expected the plan exact or none");
+  succeeded({"plan", folder->file("shadowed.json")});
+}
+
+TEST_F(GlossyTool, RefusesGlossyTransferWhereNoDirectionOfViewIsKnown) {
+  const std::string file = folder->file("shadowed");
+  expect_refused({"shader", "--kind", "GS"}, "--kind");
+  expect_refused({"study", folder->file("shadowed.json"), "--out", folder->file("s")}, "expected a diffuse kind");
+  expect_refused({"compare", file, file, "-o", folder->file("c.png")}, "expected diffuse transfer");
+  expect_refused({"render", file, "--local", "4", "-o", folder->file("x.png")}, "--local 4: glossy transfer");
+  expect_refused({"relight", file, "--eye", "1", "2", "-o", folder->file("x.ply")}, "--eye");
+  expect_refused({"relight", file, "--eye", "nan", "2", "1", "-o", folder->file("x.ply")}, "--eye");
+  write_all(folder->file("stage.json"), R"({"objects": [{"transfer": "shadowed"}]})");
+  expect_refused({"relight", folder->file("stage.json"), "-o", folder->file("x.ply")},
+                 "a stage takes diffuse transfer");
+}
+
+}  // namespace
+}  // namespace sh::prt::test

@@ -1,0 +1,419 @@
+// Glossy transfer: lobes, visibility, the radiance that reaches a vertex and the radiance that leaves it, against closed
+// forms, exact Gaunt coefficients and sums over rays.
+#include "prt/runtime/glossy.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "numeric/oracle/gaunt.hpp"
+#include "numeric/oracle/zonal.hpp"
+#include "prt/basis.hpp"
+#include "prt/rays/directions.hpp"
+#include "prt/rays/gather.hpp"
+#include "prt/runtime/lobe.hpp"
+#include "prt/runtime/relight.hpp"
+#include "prt/transfer/transfer_file.hpp"
+#include "prt/transfer/unshadowed.hpp"
+#include "tests/prt/lights.hpp"
+#include "tests/prt/rooms.hpp"
+#include "tests/prt/temporary_folder.hpp"
+
+namespace sh::prt::test {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr std::array kExponents = {0.0, 1e-3, 0.5, 1.0, 2.0, 3.0, 7.3, 24.0, 1e3, 1e6};
+
+using Wide = boost::multiprecision::cpp_bin_float_100;
+
+// (e+1) * integral over 0..1 of t^e P_l(t), term by term.
+double power_by_terms(int l, double exponent) {
+  std::vector<Wide> before{1}, legendre{0, 1};
+  if (l == 0) legendre = before;
+  for (int n = 1; n < l; ++n) {
+    std::vector<Wide> next(n + 2, 0);
+    for (int k = 0; k <= n; ++k) next[k + 1] += Wide(2 * n + 1) / (n + 1) * legendre[k];
+    for (int k = 0; k < n; ++k) next[k] -= Wide(n) / (n + 1) * before[k];
+    before = std::exchange(legendre, next);
+  }
+  Wide sum = 0;
+  for (int k = 0; k <= l; ++k) sum += legendre[k] * (Wide(exponent) + 1) / (Wide(exponent) + 1 + k);
+  return sum.convert_to<double>();
+}
+
+TEST(Lobe, HasTheBandsOfThePowerOfTheCosine) {
+  for (const double exponent : kExponents) {
+    for (int l = 0; l <= kMaxDegree; ++l) {
+      EXPECT_NEAR(phong_factor(l, exponent), power_by_terms(l, exponent), 1e-15) << l << ' ' << exponent;
+    }
+  }
+}
+
+TEST(Lobe, OfExponentOneIsTheDiffuseSurface) {
+  for (int l = 0; l <= kMaxDegree; ++l) {
+    EXPECT_NEAR(phong_factor(l, 1.0), numeric::clamped_cosine_factor<double>(l) / kPi, 1e-16) << l;
+  }
+}
+
+TEST(Lobe, IsHeldMoreAndMoreByHigherDegrees) {
+  for (const double exponent : kExponents) {
+    double before = 0.0;
+    for (int degree = 0; degree <= 400; ++degree) {
+      const double share = phong_share(degree, exponent);
+      EXPECT_GE(share, before);
+      EXPECT_LE(share, 1.0 + 1e-12);
+      before = share;
+    }
+    if (exponent >= 1.0 && exponent <= 24.0) {
+      EXPECT_NEAR(before, 1.0, 1e-5) << exponent;
+    }
+  }
+  EXPECT_GT(phong_share(4, 12.0), 0.8);
+  EXPECT_LT(phong_share(4, 1e6), 1e-4);
+}
+
+Mesh polished(Mesh mesh, float albedo, float specular, float exponent) {
+  paint(mesh, Eigen::Vector3f::Constant(albedo));
+  mesh.specular.assign(mesh.positions.size(), Eigen::Vector3f::Constant(specular));
+  mesh.exponent.assign(mesh.positions.size(), exponent);
+  return mesh;
+}
+
+TEST(UnshadowedGloss, GivesBackConstantLightForEveryExponent) {
+  for (const double exponent : kExponents) {
+    const Mesh mesh = polished(primitive_mesh("sphere", 9), 0.25F, 0.5F, static_cast<float>(exponent));
+    const Transfer transfer = baked(mesh, &kGlossyUnshadowed, 1, 4);
+    const TransferredRadiance reaching(transfer, constant_light(4, 2.0));
+    for (const Eigen::Vector3f& radiance : exit_radiance(transfer, reaching, {3.0, 1.0, 2.0}, mesh.albedo)) {
+      EXPECT_NEAR(radiance.x(), 1.5F, 2e-6F) << exponent;
+    }
+  }
+}
+
+TEST(UnshadowedGloss, WithoutALobeIsUnshadowedDiffuseTransfer) {
+  for (int degree = 0; degree <= kMaxDegree; ++degree) {
+    const Mesh mesh = polished(primitive_mesh("torus", 12), 0.7F, 0.0F, 5.0F);
+    const Transfer glossy = baked(mesh, &kGlossyUnshadowed, 1, degree);
+    EXPECT_EQ(glossy.coefficients.size(), 0U);
+    const LightCoefficients light = random_light(degree, 3);
+    const std::vector<Eigen::Vector3f> diffuse = relight(baked(mesh, &kUnshadowed, 1, degree), light);
+    const TransferredRadiance reaching(glossy, light);
+    const std::vector<Eigen::Vector3f> radiance = exit_radiance(glossy, reaching, {9.0, 0.0, 0.0}, mesh.albedo);
+    for (std::size_t v = 0; v < diffuse.size(); ++v) EXPECT_LT((radiance[v] - diffuse[v]).norm(), 4e-6F) << degree;
+  }
+}
+
+TEST(UnshadowedGloss, OfTheLargestExponentShowsTheLightItself) {
+  std::mt19937 random(5);
+  const LightCoefficients light = random_light(4, 4);
+  for (int i = 0; i < 50; ++i) {
+    const Eigen::Vector3d normal = random_direction(random);
+    const Eigen::Vector3d to_eye = random_direction(random);
+    const Material mirror{Eigen::Vector3f::Zero(), Eigen::Vector3f::Ones(), kMaxExponent};
+    const std::vector<float> reaching(light.values.begin(), light.values.end());
+    const Eigen::Vector3f seen = exit_radiance(mirror, 4, reaching.data(), normal.cast<float>(), to_eye.cast<float>());
+    const Eigen::Vector3d mirrored = 2.0 * normal.dot(to_eye) * normal - to_eye;
+    EXPECT_LT((seen - radiance(light, mirrored).cast<float>()).norm(), 2e-4F) << i;  // (1 - factor) of band 4 is 1e-5
+  }
+}
+
+// Band-limited light over the rays of a vertex: the integral of V(s) L(s) (diffuse + lobe)(s), all of them of degree
+// `light.degree` but V.
+Eigen::Vector3d by_rays(const Mesh& mesh, const Tracer& tracer, std::size_t vertex, const LightCoefficients& light,
+                        const Eigen::Vector3d& eye, int rays) {
+  const RayStart start = ray_starts(mesh)[vertex];
+  std::vector<Eigen::Vector3f> above;
+  for (const Eigen::Vector3f& d : make_directions(Sampler::kFibonacci, rays)) {
+    if (d.dot(mesh.geometric_normals[vertex]) > 0.0F) above.push_back(d);
+  }
+  std::vector<Hit> hits(above.size());
+  tracer.intersect(std::vector<Eigen::Vector3f>(above.size(), start.origin), above, hits);
+  const Eigen::Vector3d normal = mesh.normals[vertex].cast<double>();
+  const Eigen::Vector3d to_eye = (eye - mesh.point(vertex)).normalized();
+  const Eigen::Vector3d mirrored = 2.0 * normal.dot(to_eye) * normal - to_eye;
+  const auto bands_of = [&](double exponent) {
+    std::vector<double> bands;
+    for (int l = 0; l <= light.degree; ++l) bands.push_back((2 * l + 1) / (4.0 * kPi) * power_by_terms(l, exponent));
+    return bands;
+  };
+  const auto lobe = [](double cosine, const std::vector<double>& bands) {
+    double sum = 0.0;
+    for (unsigned l = 0; l < bands.size(); ++l) sum += bands[l] * std::legendre(l, cosine);
+    return sum;
+  };
+  const std::vector<double> cosine = bands_of(1.0);
+  const std::vector<double> power = bands_of(static_cast<double>(mesh.exponent[vertex]));
+  const auto bounded = [](double x) { return std::clamp(x, -1.0, 1.0); };
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (std::size_t i = 0; i < above.size(); ++i) {
+    if (hits[i].face != Hit::kNothing) continue;
+    const Eigen::Vector3d s = above[i].cast<double>();
+    const Eigen::Vector3d reflected = mesh.albedo[vertex].cast<double>() * lobe(bounded(normal.dot(s)), cosine) +
+                                      mesh.specular[vertex].cast<double>() * lobe(bounded(mirrored.dot(s)), power);
+    sum += reflected.cwiseProduct(radiance(light, s).cast<double>());
+  }
+  return sum * 4.0 * kPi / rays;
+}
+
+// A torus over stairs: concave, with edges.
+Mesh statue(float exponent) {
+  Mesh mesh = primitive_mesh("stairs");
+  append(mesh, primitive_mesh("torus", 14, Eigen::Affine3f(Eigen::Translation3f(0.0F, 0.0F, 0.9F))));
+  return polished(std::move(mesh), 0.3F, 0.6F, exponent);
+}
+
+TEST(ShadowedGloss, EqualsTheSumOverRaysOfEveryLobeAndView) {
+  const Eigen::Vector3d eye(2.0, -3.0, 1.5);
+  const LightCoefficients light = random_light(4, 8);
+  for (const float exponent : {0.0F, 1.0F, 12.0F, 1e6F}) {
+    const Mesh mesh = statue(exponent);
+    const Tracer tracer(mesh);
+    const Transfer transfer = baked(mesh, &kGlossyShadowed, 16384, 4);
+    const std::vector<Eigen::Vector3f> relit =
+        exit_radiance(transfer, TransferredRadiance(transfer, light), eye, mesh.albedo);
+    for (std::size_t v = 0; v < mesh.positions.size(); v += 37) {
+      const Eigen::Vector3d expected = by_rays(mesh, tracer, v, light, eye, 4096);
+      EXPECT_LT((relit[v].cast<double>() - expected).norm(), 0.03) << v << ' ' << exponent;
+    }
+  }
+}
+
+// The matrix of equation (11) from the numbers of a file and exact Gaunt coefficients, times the light.
+std::vector<double> by_gaunt(const float* visibility, int degree, const LightCoefficients& light) {
+  std::vector<double> out(3 * light.bands_squared(), 0.0);
+  const auto each = [&](int most, const auto& visit) {
+    for (int l = 0; l <= most; ++l) {
+      for (int m = -l; m <= l; ++m) visit(l, m, static_cast<std::size_t>(coefficient_index(l, m)));
+    }
+  };
+  each(degree, [&](int a, int p, std::size_t i) {
+    each(degree, [&](int b, int q, std::size_t j) {
+      double entry = 0.0;
+      each(2 * degree, [&](int c, int r, std::size_t k) {
+        if (c > a + b) return;
+        entry += numeric::gaunt<double>({a, b, c}, {p, q, r}) * static_cast<double>(visibility[k]);
+      });
+      for (std::size_t channel = 0; channel < 3; ++channel) {
+        out[channel * light.bands_squared() + i] += entry * light.at(channel, j);
+      }
+    });
+  });
+  return out;
+}
+
+class GlossOfDegree : public testing::TestWithParam<int> {};
+
+TEST_P(GlossOfDegree, IsTheMatrixOfExactGauntCoefficientsFromTheNumbersOfTheFile) {
+  const int degree = GetParam();
+  const TemporaryFolder folder;
+  write_transfer(folder.file("g"), baked(statue(12.0F), &kGlossyShadowed, 512, degree));
+  const Transfer transfer = read_transfer(folder.file("g"));
+  ASSERT_EQ(transfer.shape.count(), coefficient_count(2 * degree));
+  const LightCoefficients light = random_light(degree, 11);
+  const TransferredRadiance reaching(transfer, light);
+  for (std::size_t v = 0; v < transfer.mesh.positions.size(); v += 211) {
+    const std::vector<double> expected = by_gaunt(transfer.row(v), degree, light);
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+      EXPECT_NEAR(static_cast<double>(reaching.at(v)[i]), expected[i], 1e-6) << v << ' ' << i;
+    }
+  }
+}
+
+TEST_P(GlossOfDegree, TakesALightOfLowerDegreeAsOneWithZerosAbove) {
+  const Transfer transfer = baked(statue(12.0F), &kGlossyShadowed, 128, GetParam());
+  for (int degree = 0; degree <= GetParam(); ++degree) {
+    const LightCoefficients low = random_light(degree, 2);
+    LightCoefficients high = LightCoefficients::zero(GetParam());
+    for (std::size_t c = 0; c < 3; ++c) {
+      for (std::size_t i = 0; i < low.bands_squared(); ++i) high.at(c, i) = low.at(c, i);
+    }
+    const TransferredRadiance a(transfer, low);
+    const TransferredRadiance b(transfer, high);
+    EXPECT_TRUE(std::equal(a.at(0), a.at(transfer.mesh.positions.size()), b.at(0))) << degree;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Degrees, GlossOfDegree, testing::Range(0, 5));
+
+// h_l: hemisphere about +z.
+TEST(ShadowedGloss, OfAConvexBodyIsTheHemisphereToTheLastBit) {
+  for (const std::string name : {"plane", "box", "cylinder", "cone", "sphere"}) {
+    const Mesh mesh = polished(primitive_mesh(name), 0.0F, 1.0F, 20.0F);
+    const Transfer traced = baked(mesh, &kGlossyShadowed, 1024, 4);
+    EXPECT_EQ(traced.coefficients, unshadowed_transfer(traced.shape, mesh)) << name;
+    std::vector<double> zonal(9);
+    numeric::cap_zonal(8, 1.0, zonal.data());
+    for (std::size_t v = 0; v < mesh.positions.size(); v += 7) {
+      std::array<double, 81> values{};
+      const Eigen::Vector3d n = mesh.geometric_normals[v].cast<double>();
+      evaluate_basis(8, n.x(), n.y(), n.z(), values.data());
+      for (int l = 0, i = 0; l <= 8; ++l) {
+        for (; i < (l + 1) * (l + 1); ++i) {
+          EXPECT_NEAR(traced.row(v)[i], zonal[l] * std::sqrt(4.0 * kPi / (2 * l + 1)) * values[i], 3e-6) << name;
+        }
+      }
+    }
+  }
+}
+
+TEST(ShadowedGloss, UnderADiscIsTheHemisphereWithoutACap) {
+  constexpr double kHeight = 0.6;
+  const Mesh mesh = polished(disc_above_point(static_cast<float>(kHeight)), 0.0F, 1.0F, 20.0F);
+  const Transfer transfer = baked(mesh, &kGlossyShadowed, 65536, 4);
+  std::vector<double> hemisphere(9);
+  std::vector<double> cap(9);
+  numeric::cap_zonal(8, 1.0, hemisphere.data());
+  numeric::cap_zonal(8, 1.0 - 1.0 / std::sqrt(1.0 + 1.0 / (kHeight * kHeight)), cap.data());
+  for (int l = 0; l <= 8; ++l) {
+    for (int m = -l; m <= l; ++m) {
+      const double expected = m == 0 ? hemisphere[l] - cap[l] : 0.0;
+      EXPECT_NEAR(transfer.row(0)[coefficient_index(l, m)], expected, 2e-3) << l << ' ' << m;
+    }
+  }
+}
+
+TEST(ShadowedGloss, TurnsWithItsLightAndItsObject) {
+  const Eigen::Matrix3d turn = rotation_about({0.3, -1.0, 0.5}, 77.0);
+  const Mesh mesh = polished(primitive_mesh("cone"), 0.2F, 0.7F, 9.0F);
+  Mesh turned_mesh = mesh;
+  for (auto* vectors : {&turned_mesh.positions, &turned_mesh.normals, &turned_mesh.geometric_normals}) {
+    for (Eigen::Vector3f& v : *vectors) v = (turn * v.cast<double>()).cast<float>();
+  }
+  const Eigen::Vector3d eye(1.0, -4.0, 2.0);
+  const LightCoefficients light = random_light(4, 6);
+  const auto seen = [](const Mesh& shown, const LightCoefficients& under, const Eigen::Vector3d& from) {
+    const Transfer transfer = baked(shown, &kGlossyShadowed, 1024, 4);
+    return exit_radiance(transfer, TransferredRadiance(transfer, under), from, shown.albedo);
+  };
+  const std::vector<Eigen::Vector3f> first = seen(mesh, light, eye);
+  const std::vector<Eigen::Vector3f> second = seen(turned_mesh, turned(light, turn), turn * eye);
+  for (std::size_t v = 0; v < first.size(); ++v) EXPECT_LT((first[v] - second[v]).norm(), 1e-5F) << v;
+}
+
+TEST(ShadowedGloss, OfAnExactPlanAndOfAnyThreadsHasTheSameBits) {
+  Scene scene = scene_of(statue(12.0F), &kGlossyShadowed, 256, 3);
+  append(scene.mesh, polished(primitive_mesh("box", 24, Eigen::Affine3f(Eigen::Translation3f(40.0F, 0.0F, 0.0F))), 0.5F,
+                              0.5F, 3.0F));
+  const Transfer whole = bake({scene, {.threads = 1}});
+  EXPECT_EQ(bake({scene, {.threads = 2}}).coefficients, whole.coefficients);
+  scene.plan.mode = PlanMode::kExact;
+  BakeReport planned_report;
+  EXPECT_EQ(bake(scene, &planned_report).coefficients, whole.coefficients);
+}
+
+TEST(ShadowedGloss, ConvergesWithTheNumberOfDirections) {
+  const Transfer exact = baked(statue(1.0F), &kGlossyShadowed, 32768, 4);
+  const double few = rms_difference(baked(statue(1.0F), &kGlossyShadowed, 128, 4), exact);
+  const double many = rms_difference(baked(statue(1.0F), &kGlossyShadowed, 2048, 4), exact);
+  EXPECT_LT(many, few / 4.0);
+}
+
+TEST(GlossySurface, AtAVertexIsTheExitRadianceOfTheVertex) {
+  const Mesh mesh = statue(12.0F);
+  const Transfer transfer = baked(mesh, &kGlossyShadowed, 256, 4);
+  const TransferredRadiance reaching(transfer, random_light(4, 9));
+  const Eigen::Vector3d eye(2.0, -3.0, 1.5);
+  const std::vector<Eigen::Vector3f> relit = exit_radiance(transfer, reaching, eye, mesh.albedo);
+  const Surface surface = glossy_surface(transfer, reaching, mesh.albedo);
+  for (std::uint32_t f = 0; f < mesh.faces.size(); f += 13) {
+    for (int k = 0; k < 3; ++k) {
+      const Hit hit{f, k == 1 ? 1.0F : 0.0F, k == 2 ? 1.0F : 0.0F, 1.0F};
+      const std::uint32_t v = mesh.faces[f][k];
+      const Eigen::Vector3d direction = (mesh.point(v) - eye).normalized();
+      EXPECT_LT((surface(hit, direction.cast<float>()) - relit[v]).norm(), 1e-5F) << f;
+    }
+  }
+}
+
+TEST(GlossySurface, ShowsEmissionToo) {
+  Mesh mesh = polished(primitive_mesh("sphere", 9), 0.0F, 0.0F, 1.0F);
+  shine(mesh, {1.0F, 2.0F, 3.0F});
+  const Transfer transfer = baked(mesh, &kGlossyShadowed, 64, 2);
+  const TransferredRadiance reaching(transfer, random_light(2, 9));
+  EXPECT_EQ(exit_radiance(transfer, reaching, {5.0, 0.0, 0.0}, mesh.albedo)[3], Eigen::Vector3f(1.0F, 2.0F, 3.0F));
+  EXPECT_EQ(glossy_surface(transfer, reaching, mesh.albedo)({0, 0.25F, 0.25F, 1.0F}, Eigen::Vector3f::UnitX()),
+            Eigen::Vector3f(1.0F, 2.0F, 3.0F));
+}
+
+TEST(GlossySurface, IsFiniteFromBelowTheHorizonAndFromTheVertexItself) {
+  const Mesh mesh = statue(1e6F);
+  const Transfer transfer = baked(mesh, &kGlossyShadowed, 64, 4);
+  const TransferredRadiance reaching(transfer, random_light(4, 9));
+  for (const Eigen::Vector3d& eye : {Eigen::Vector3d(0.0, 0.0, -9.0), mesh.point(0), Eigen::Vector3d(1e30, 0.0, 0.0)}) {
+    for (const Eigen::Vector3f& value : exit_radiance(transfer, reaching, eye, mesh.albedo)) {
+      EXPECT_TRUE(value.allFinite());
+    }
+  }
+}
+
+TEST(GlossyFile, KeepsEveryNumberAndMaterial) {
+  const TemporaryFolder folder;
+  for (const TransferKind* kind : {&kGlossyUnshadowed, &kGlossyShadowed}) {
+    const Transfer written = baked(statue(12.0F), kind, 64, 3);
+    write_transfer(folder.file("g"), written);
+    const Transfer read = read_transfer(folder.file("g"));
+    EXPECT_EQ(read.kind, kind);
+    EXPECT_TRUE(is_alike(read.shape, written.shape));
+    EXPECT_EQ(read.coefficients, written.coefficients);
+    EXPECT_EQ(read.mesh.specular, written.mesh.specular);
+    EXPECT_EQ(read.mesh.exponent, written.mesh.exponent);
+  }
+}
+
+TEST(GlossyFile, IsRefusedWithMaterialsThatDoNotExist) {
+  const TemporaryFolder folder;
+  Transfer transfer = baked(statue(12.0F), &kGlossyShadowed, 64, 1);
+  const auto refused = [&](const std::string& reason) {
+    EXPECT_NE(message_of([&] { write_transfer(folder.file("g"), transfer); }).find(reason), std::string::npos);
+  };
+  for (const float bad : {-1.0F, 1.1e6F, std::numeric_limits<float>::quiet_NaN()}) {
+    transfer.mesh.exponent.back() = bad;
+    refused("an exponent is not from 0 to 1e6");
+  }
+  transfer.mesh.exponent.back() = 1.0F;
+  transfer.mesh.specular.back().y() = 1.5F;
+  refused("a specular reflectance is not from 0 to 1");
+  transfer.mesh.exponent.pop_back();
+  refused("differ in length");
+}
+
+TEST(GlossyBake, RefusesWhatItCannotHold) {
+  Scene scene = scene_of(statue(12.0F), &kGlossyShadowed, 64, 5);
+  const auto refused = [&](const std::string& reason) {
+    const std::string message = message_of([&] { bake(scene); });
+    EXPECT_NE(message.find(reason), std::string::npos) << message;
+  };
+  refused("degree: expected 0 to 4 (of the kind glossy_shadowed), got 5");
+  scene.bake.degree = 4;
+  scene.bake.sampler = Sampler::kCosine;
+  refused("the sampler cosine");
+  scene.bake.sampler = Sampler::kFibonacci;
+  scene.plan.mode = PlanMode::kLossy;
+  refused("expected the plan exact or none for glossy_shadowed");
+  scene.plan.mode = PlanMode::kNone;
+  scene.mesh.mirror.assign(scene.mesh.positions.size(), Eigen::Vector3f::Constant(0.5F));
+  refused("expected no mirrors, or a diffuse kind");
+}
+
+TEST(GlossyTransfer, IsRefusedWhereRadianceNeedsNoDirection) {
+  const Transfer glossy = baked(statue(12.0F), &kGlossyShadowed, 64, 2);
+  const LightCoefficients light = random_light(2, 1);
+  EXPECT_NE(message_of([&] { relight(glossy, light); }).find("expected diffuse transfer"), std::string::npos);
+  EXPECT_NE(message_of([&] { relight_gray(glossy, light); }).find("expected diffuse transfer"), std::string::npos);
+  EXPECT_NE(message_of([&] { TransferredRadiance(glossy, random_light(3, 1)); }).find("must not be higher"),
+            std::string::npos);
+  const Transfer diffuse = baked(primitive_mesh("box"), &kShadowed, 64, 2);
+  EXPECT_NE(message_of([&] { TransferredRadiance(diffuse, light); }).find("expected a glossy kind"), std::string::npos);
+  LightCoefficients strong = light;
+  for (double& value : strong.values) value = 3e38;
+  EXPECT_NE(message_of([&] { TransferredRadiance(glossy, strong); }).find("exceeds single precision"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace sh::prt::test
