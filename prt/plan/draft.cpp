@@ -95,7 +95,7 @@ double Draft::error_along(int directions) const {
   };
   const std::vector<float> rows = measurement->rows(along(directions), plan.open);
   Measurement::Radiances error = radiances(measurement->kept(rows, shape()), shape());
-  if (!bake.kind->traces_rays() || !allows("directions")) {
+  if (!allows("directions")) {
     BakeOptions same = asked;
     same.directions = directions;
     const Measurement::Radiances whole = radiances(measurement->rows(same), asked.kind->shape(asked.degree));

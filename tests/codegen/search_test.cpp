@@ -124,13 +124,16 @@ TEST(Search, FindsSeveralTimesTheErrorOfTestedInputsOfProducts) {
   }
 }
 
-// A bound is largest in a corner of a box, which need not be a direction.
+// A bound is largest in a corner of a box, which need not be a direction. Vectors longer than 1 have larger errors, so that
+// the search would end with them.
 TEST(Search, BringsStartsToTheDomain) {
   const Kernel kernel = written("evaluate", 3);
-  std::vector<double> start(16, 0.25);
-  start.insert(start.end(), {0.9, 0.5, 0.1});  // of length 1.03
-  for (const auto& found : search_inputs<double>(kernel, find_family("evaluate").domain, {start}, 200)) {
-    EXPECT_NEAR(std::hypot(found[16], found[17], found[18]), 1, 1e-15);
+  for (const double length : {1.03, 3.0}) {
+    std::vector<double> start(16, 0.25);
+    start.insert(start.end(), {0.87 * length, 0.48 * length, 0.11 * length});
+    for (const auto& found : search_inputs<double>(kernel, find_family("evaluate").domain, {start}, 200)) {
+      EXPECT_NEAR(std::hypot(found[16], found[17], found[18]), 1, 1e-15) << length;
+    }
   }
 }
 

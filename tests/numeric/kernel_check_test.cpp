@@ -182,7 +182,20 @@ TEST(KernelCheck, ChecksOneFamilyOrAllAndNamesThem) {
   EXPECT_EQ(said[0].find("GLSL: "), 0U);
   EXPECT_EQ(said[1], "checking cap");
   EXPECT_GE(results.size(), 4U * 11U);
-  for (const KernelResult& result : results) EXPECT_EQ(without_variant(result.family), "cap");
+  for (const KernelResult& result : results) {
+    EXPECT_EQ(without_variant(result.family), "cap");
+    EXPECT_EQ(failures_of(result), std::vector<std::string>{})
+        << "GLSL may lose values below the smallest normal number";
+  }
+  ASSERT_EQ(results.size() % 4, 0U);
+  for (std::size_t i = 0; i < results.size(); i += 4) {  // as format_summary needs them
+    const auto word = [&](std::size_t k) { return results[i + k].language + " " + results[i + k].scalar; };
+    EXPECT_EQ((std::vector{word(0), word(1), word(2), word(3)}),
+              (std::vector<std::string>{"c++ float", "c++ double", "glsl 450 float", "glsl es 300 float"}));
+    for (std::size_t k = 1; k < 4; ++k) EXPECT_EQ(results[i + k].kernel, results[i].kernel);
+    if (i == 0 || results[i].family != results[i - 4].family) continue;
+    EXPECT_GT(results[i].degree, results[i - 4].degree) << results[i].kernel;
+  }
   const auto message = [&](const CheckOptions& options) {
     try {
       static_cast<void>(check_kernels(options, note));

@@ -211,6 +211,8 @@ TEST(Draft, StatesTheErrorAgainstTheSameDirectionsIfTheUserSkipsThem) {
     Draft draft(scene, kBestSet);
     begin_measuring(draft, light, 0.1);
     EXPECT_EQ(draft.error_along(256), 0.0);
+    EXPECT_EQ(draft.plan.asked.rays > 0, kind == &kShadowed);
+    EXPECT_GE(draft.plan.asked.rays, 0);
     decide_something(draft);
     if (kind == &kUnshadowed) draft.plan.open.assign(draft.plan.open.size(), 1);
     BakeOptions same = scene.bake;
@@ -221,6 +223,17 @@ TEST(Draft, StatesTheErrorAgainstTheSameDirectionsIfTheUserSkipsThem) {
     draft.loosened = 0.25;
     EXPECT_NEAR(draft.error_along(256), expected + 0.25, 1e-6) << kind->word;
   }
+}
+
+TEST(Draft, HasNoErrorOfDirectionsWhereNoRayIsTraced) {
+  const LightCoefficients light = bright_light(2);
+  const Scene scene = scene_to_plan(box_in_square(), &kUnshadowed);
+  Draft draft(scene, kBestSet);
+  begin_measuring(draft, light, 0.1);
+  EXPECT_EQ(draft.error_along(256), 0.0);
+  draft.bake.degree = 1;
+  const double lost = error_between(planned_bake(draft, 256), bake_of(scene, scene.bake), light, draft.plan.reference);
+  EXPECT_NEAR(draft.error_along(256), lost, 1e-6);
 }
 
 TEST(Draft, StatesTheErrorAgainstManyDirections) {
