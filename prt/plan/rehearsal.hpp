@@ -19,9 +19,8 @@ class Rehearsal {
  public:
   static constexpr int kCoarseDirections = 64;
 
-  /// Traces the whole mesh twice, each time along kCoarseDirections of its own. Mirrors are gray; what surfaces emit does not
-  /// count. Kind and degree are
-  /// those of `asked`.
+  /// Traces the whole mesh twice, each time along kCoarseDirections of its own. Mirrors are gray; what surfaces emit does
+  /// not count. Kind and degree are those of `asked`.
   Rehearsal(Mesh mesh, const BakeOptions& asked, const std::string& instruction_set);
 
   /// The numbers of all vertices after a coarse bake, 0 or 1, in the shape of the asked kind.

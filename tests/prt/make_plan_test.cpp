@@ -164,6 +164,21 @@ TEST(MakePlan, RefusesErrorsOutOfRangeAndNamesOfNoDecision) {
   }
 }
 
+// Errors of plans are errors of what diffuse surfaces reflect.
+TEST(MakePlan, OfGlossyTransferIsExactOrNone) {
+  for (const TransferKind* kind : {&kGlossyUnshadowed, &kGlossyShadowed}) {
+    Scene scene = lit_scene(kind, PlanMode::kLossy);
+    scene.name = "hall";
+    EXPECT_EQ(message_of([&] { make_plan(scene, kBestSet); }),
+              "hall: plans with an error are for diffuse transfer; expected the plan exact or none for " +
+                  std::string(kind->word));
+    scene.plan.mode = PlanMode::kExact;
+    EXPECT_EQ(names_of(make_plan(scene, kBestSet)), (Names{"analytic", "channels"}));
+    scene.plan.mode = PlanMode::kNone;
+    EXPECT_EQ(names_of(make_plan(scene, kBestSet)), Names());
+  }
+}
+
 TEST(MakePlan, RefusesLightsThatLeaveTheMeshDark) {
   Scene scene = lit_scene(&kShadowed, PlanMode::kLossy);
   scene.lights = {{.type = LightType::kConstant, .radiance = Eigen::Vector3f::Zero()}};

@@ -23,7 +23,7 @@ Mesh leaning_square(const std::vector<double>& angles) {
   return mesh;
 }
 
-// The directions above both horizons, counted one by one.
+// The directions above both horizons, counted one by one. Glossy vertices have the horizon of the surface alone.
 std::int64_t count_upward(const Mesh& mesh, const BakeOptions& options) {
   const std::vector<Eigen::Vector3f> directions = make_directions(options.sampler, options.directions, options.seed);
   std::int64_t count = 0;
@@ -31,15 +31,18 @@ std::int64_t count_upward(const Mesh& mesh, const BakeOptions& options) {
     const bool turns = options.sampler == Sampler::kCosine;
     const Eigen::Matrix3f frame = turns ? frame_about(mesh.normals[v]) : Eigen::Matrix3f(Eigen::Matrix3f::Identity());
     count += std::count_if(directions.begin(), directions.end(), [&](const Eigen::Vector3f& s) {
-      return (frame * s).dot(mesh.normals[v]) > 0.0F && (frame * s).dot(mesh.geometric_normals[v]) > 0.0F;
+      return (options.kind->is_glossy() || (frame * s).dot(mesh.normals[v]) > 0.0F) &&
+             (frame * s).dot(mesh.geometric_normals[v]) > 0.0F;
     });
   }
   return count;
 }
 
 TEST(Draft, CountsTheDirectionsAboveBothHorizons) {
-  for (const Sampler sampler : {Sampler::kFibonacci, Sampler::kCosine}) {
-    Scene scene = scene_to_plan(leaning_square({0.0, 30.0, 75.0, 120.0}), &kShadowed);
+  for (const auto& [sampler, kind] : {std::pair(Sampler::kFibonacci, &kShadowed),
+                                      {Sampler::kCosine, &kShadowed},
+                                      {Sampler::kFibonacci, &kGlossyShadowed}}) {
+    Scene scene = scene_to_plan(leaning_square({0.0, 30.0, 75.0, 120.0}), kind);
     scene.bake.sampler = sampler;
     scene.bake.directions = 20000;
     Draft draft(scene, kBestSet);
