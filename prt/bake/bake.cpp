@@ -43,6 +43,11 @@ void check(const BakeJob& job) {
                     "mirrors, or a diffuse kind",
                     job.scene.name));
   }
+  if (options.kind->indirect != nullptr && !mesh.emission.empty()) {
+    throw std::invalid_argument(fmt::format(
+        "{}: its surfaces shine, and {} does not bounce their light; expected no emission, or a kind of {} or {}",
+        job.scene.name, options.kind->word, kGlossyShadowed.word, kInterreflected.word));
+  }
   if (job.plan && !job.plan->open.empty() && job.plan->open.size() != mesh.positions.size()) {
     throw std::invalid_argument(
         fmt::format("{} marks of open vertices for {} vertices", job.plan->open.size(), mesh.positions.size()));

@@ -112,7 +112,7 @@ BakeEstimate estimate_rays(const BakeJob& job) {
   Transfer transfer;
   transfer.shape = scene.bake.kind->traced_shape(scene.bake.degree);
   transfer.coefficients = unshadowed_transfer(transfer.shape, scene.mesh);
-  const bool bounces = scene.bake.kind->has_bounces();
+  const bool bounces = scene.bake.kind->has_form_factors();
   FormFactors factors(bounces ? vertices : 0);
   ShadowResult result{transfer, std::vector<Sight>(vertices), bounces ? &factors : nullptr};
   const output::Stopwatch tracing;

@@ -33,7 +33,7 @@ void begin_tracing(BakeRun& run) {
   transfer.sampler = scene.bake.sampler;
   transfer.seed = scene.bake.seed;
   const std::size_t vertices = scene.mesh.positions.size();
-  if (scene.bake.kind->has_bounces()) {
+  if (scene.bake.kind->has_form_factors()) {
     run.factors.emplace(vertices, run.settings.bounce_memory, [rays = &*run.rays] { return make_row_maker(*rays); });
   }
   run.found.emplace(ShadowResult{transfer, std::vector<Sight>(vertices), run.factors ? &*run.factors : nullptr});

@@ -129,7 +129,14 @@ void report_bake(const Transfer& transfer, const BakeReport& report) {
     fmt::print(stderr, "prt: plan: {}: {} ({:.2g}, {})\n", decision.name, decision.choice, decision.error,
                decision.basis);
   }
-  if (const BounceReport& bounces = transfer.bounces; transfer.kind->has_bounces()) {
+  if (const BounceReport& bounces = transfer.bounces; transfer.kind->indirect != nullptr) {
+    fmt::print(
+        stderr,
+        "prt: {} bounces, each {:.2g} of the one before, {:.2g} left of {:.3g} (measured); matrices of {} bytes a "
+        "vertex\n",
+        bounces.applications, bounces.spectral_bound, bounces.residual, bounces.largest,
+        transfer.indirect_shape.stored_bytes());
+  } else if (transfer.kind->has_bounces()) {
     std::string errors = fmt::format("certified error {:.2g} of {:.3g}", bounces.bound, bounces.largest);
     if (!transfer.emitted.empty()) {
       errors += fmt::format(", of emitted light {:.2g} of {:.3g}", bounces.emitted_bound, bounces.emitted_largest);

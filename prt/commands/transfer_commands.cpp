@@ -68,7 +68,8 @@ void run_info(const std::string& file) {
   json["file"] = std::filesystem::path(file).filename().string();
   json["bytes"] = std::filesystem::file_size(file);
   json["bounding_box"] = {json_of(transfer.mesh.frame.world(box.min())), json_of(transfer.mesh.frame.world(box.max()))};
-  json["bytes_a_vertex"] = transfer.shape.stored_bytes();
+  const bool has_matrices = transfer.kind->indirect != nullptr;
+  json["bytes_a_vertex"] = transfer.shape.stored_bytes() + (has_matrices ? transfer.indirect_shape.stored_bytes() : 0);
   json["mean_of_first_coefficient"] = mean;
   if (const auto lobe = sharpest_lobe(transfer)) {
     json["sharpest_lobe"] = {{"exponent", lobe->exponent}, {"share_that_the_degree_holds", lobe->share}};

@@ -2,7 +2,7 @@
 // with the material's lobe about the mirrored direction of view (prt/runtime/glossy.hpp).
 #include <array>
 
-#include "prt/bake/steps.hpp"
+#include "prt/bake/glossy_bounces.hpp"
 #include "prt/basis.hpp"
 #include "prt/kinds/kinds.hpp"
 
@@ -21,11 +21,22 @@ TransferShape nothing(int degree) {
   return {.degree = degree, .result_degree = degree, .meets = Meets::kNothing, .holds_cosine = false};
 }
 
-constexpr std::array kSteps = {kUnshadowedStep, kShadowStep};
+// What other surfaces send, linear in the light: their albedos and lobes are in it.
+TransferShape matrix(int degree) {
+  TransferShape shape{
+      .channels = 3, .degree = degree, .result_degree = degree, .holds_cosine = false, .holds_albedo = true};
+  shape.storage.element = Element::kHalf;
+  return shape;
+}
+
+constexpr std::array kSteps = {kUnshadowedStep, kShadowStep, kGlossyBounceStep};
 
 }  // namespace
 
 constinit const TransferKind kGlossyUnshadowed = {"GU", "glossy_unshadowed", nothing, std::span(kSteps).first(1)};
-constinit const TransferKind kGlossyShadowed = {"GS", "glossy_shadowed", visibility, kSteps, nullptr, kHighestProduct};
+constinit const TransferKind kGlossyShadowed = {"GS",    "glossy_shadowed", visibility, std::span(kSteps).first(2),
+                                                nullptr, kHighestProduct};
+constinit const TransferKind kGlossyInterreflected = {
+    "GI", "glossy_interreflected", visibility, kSteps, &kGlossyShadowed, kHighestProduct, matrix};
 
 }  // namespace sh::prt

@@ -6,8 +6,8 @@
 namespace sh::prt {
 
 TransferKinds transfer_kinds() {
-  static constexpr std::array<const TransferKind*, 5> kKinds = {&kUnshadowed, &kShadowed, &kInterreflected,
-                                                                &kGlossyUnshadowed, &kGlossyShadowed};
+  static constexpr std::array<const TransferKind*, 6> kKinds = {
+      &kUnshadowed, &kShadowed, &kInterreflected, &kGlossyUnshadowed, &kGlossyShadowed, &kGlossyInterreflected};
   return kKinds;
 }
 

@@ -27,6 +27,8 @@ struct TransferKind {
   std::span<const BakeStep> steps;                // in order
   const TransferKind* without_bounces = nullptr;  // the same kind without bounces; null if it has none
   int highest_degree = kMaxDegree;                // of the light
+  /// The shape of the matrices (Transfer::indirect) that bring light over other surfaces; null: there are none.
+  TransferShape (*indirect)(int degree) = nullptr;
 
   /// True if a vertex keeps the radiance that reaches it, as a function of direction, and its material decides at run
   /// time what leaves it towards the eye.
@@ -41,6 +43,8 @@ struct TransferKind {
   [[nodiscard]] bool traces_rays() const {
     return std::any_of(steps.begin(), steps.end(), [](const BakeStep& step) { return step.traces_rays; });
   }
+  /// True if the bounces solve a system of form factors: those of diffuse surfaces.
+  [[nodiscard]] bool has_form_factors() const { return has_bounces() && !is_glossy(); }
   [[nodiscard]] bool has_bounces() const {
     return std::any_of(steps.begin(), steps.end(), [](const BakeStep& step) { return step.bounces; });
   }
@@ -53,9 +57,10 @@ extern const TransferKind kShadowed;
 extern const TransferKind kInterreflected;
 
 /// Glossy surfaces [SloanKautzSnyder02, section 4.2]. Unshadowed (GU): the light reaches every vertex. Shadowed (GS): rays
-/// find the directions from which it does.
+/// find the directions from which it does. Interreflected (GI): light also bounces between the surfaces.
 extern const TransferKind kGlossyUnshadowed;
 extern const TransferKind kGlossyShadowed;
+extern const TransferKind kGlossyInterreflected;
 
 using TransferKinds = std::span<const TransferKind* const>;
 

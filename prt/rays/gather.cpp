@@ -15,6 +15,7 @@
 #include "prt/light/light_coefficients.hpp"
 #include "prt/mesh/corners.hpp"
 #include "prt/rays/directions.hpp"
+#include "prt/rays/row_sums.hpp"
 #include "prt/rays/widest.hpp"
 
 namespace sh::prt {
@@ -25,38 +26,7 @@ constexpr float kOffset = 2e-3F;           // of the reach of the mesh around
 constexpr float kRoundings = 32.0F;        // at least this many roundings of the coordinates,
 constexpr float kMostOffset = 0.1F;        // but at most this part of the reach
 constexpr float kNearReach = 2.0F;         // hits nearer than this many reaches are near
-constexpr std::size_t kRowUnit = 8;        // floats
 constexpr std::size_t kStreamRays = 1024;  // a stream call
-
-static_assert(kRowUnit == sizeof(FloatLanes) / sizeof(float));
-
-// sum (8 Count) = the weighted sum of the chosen rows, kept in registers.
-template <std::size_t Count>
-[[gnu::always_inline]] inline void sum_block(const float* values, std::size_t row_length, const std::uint32_t* chosen,
-                                             std::size_t count, const float* weights, float* sum) {
-  FloatLanes block[Count] = {};
-  for (std::size_t k = 0; k < count; ++k) {
-    const float weight = weights[chosen[k]];
-    const auto* row = reinterpret_cast<const FloatLanesAnywhere*>(values + chosen[k] * row_length);
-    for (std::size_t i = 0; i < Count; ++i) block[i] += weight * row[i].lanes;
-  }
-  auto* to = reinterpret_cast<FloatLanesAnywhere*>(sum);
-  for (std::size_t i = 0; i < Count; ++i) to[i].lanes = block[i];
-}
-
-SHFORGE_WIDEST void sum_rows(const float* values, std::size_t row_length, const std::uint32_t* chosen,
-                             std::size_t count, const float* weights, float* sum) {
-  std::size_t first = 0;
-  for (; first + 8 * kRowUnit <= row_length; first += 8 * kRowUnit) {  // sums enough to hide how long an addition takes
-    sum_block<8>(values + first, row_length, chosen, count, weights, sum + first);
-  }
-  for (; first + 4 * kRowUnit <= row_length; first += 4 * kRowUnit) {
-    sum_block<4>(values + first, row_length, chosen, count, weights, sum + first);
-  }
-  for (; first + kRowUnit <= row_length; first += kRowUnit) {
-    sum_block<1>(values + first, row_length, chosen, count, weights, sum + first);
-  }
-}
 
 // out (count) = scale normal.direction for directions (3, count).
 SHFORGE_WIDEST void cosines(const float* directions, std::size_t count, float x, float y, float z, float* out) {
@@ -118,7 +88,7 @@ SharedDirections::SharedDirections(const BakeOptions& options)
 
 SharedDirections::SharedDirections(std::vector<Eigen::Vector3f> directions, std::size_t columns, const Row& row)
     : directions_(std::move(directions)),
-      row_length_((columns + kRowUnit - 1) / kRowUnit * kRowUnit),
+      row_length_(padded_row(columns)),
       values_(directions_.size() * row_length_, 0.0F),
       components_(3 * directions_.size()) {
   for (std::size_t j = 0; j < directions_.size(); ++j) {

@@ -1,8 +1,6 @@
 #include "prt/runtime/glossy.hpp"
 
 #include <fmt/format.h>
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
@@ -12,21 +10,19 @@
 #include <stdexcept>
 #include <utility>
 
-#include "generated/batch/batch.hpp"
-#include "generated/cpp/transfer_prepare.hpp"
 #include "numeric/oracle/zonal.hpp"
 #include "prt/basis.hpp"
 #include "prt/chunks.hpp"
 #include "prt/kinds/kinds.hpp"
-#include "prt/runtime/lobe.hpp"
 #include "prt/runtime/relight.hpp"
+#include "prt/transfer/lobe.hpp"
+#include "prt/transfer/visibility.hpp"
 
 namespace sh::prt {
 
 namespace {
 
 constexpr std::size_t kChannels = 3;
-constexpr std::size_t kVerticesAtOnce = 2048;
 constexpr std::size_t kMostCoefficients = coefficient_count(kMaxDegree);
 
 // The light in the degree of the transfer, (3, bands^2).
@@ -41,19 +37,16 @@ std::vector<float> widened(const LightCoefficients& light, int degree) {
   return values;
 }
 
-// The light as `transfer_apply_rgb` takes it.
-std::vector<float> prepared(const std::vector<float>& light, int degree) {
-  std::vector<float> samples;
-  at_degree(degree, [&](auto known) {
-    if constexpr (known() <= kHighestProduct) {
-      constexpr std::size_t kSamples = known() == 0 ? 1 : 8 * known() * known() + 4;
-      samples.resize(kChannels * kSamples);
-      for (std::size_t c = 0; c < kChannels; ++c) {
-        sh::transfer_prepare<known()>(&light[c * light.size() / kChannels], &samples[c * kSamples]);
-      }
-    }
-  });
-  return samples;
+// reaching (3, rows) += matrices (channels, rows, columns) times the light (3, columns).
+void add_indirect(const TransferShape& shape, const float* matrices, const float* light, float* reaching) {
+  using Matrix = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  const auto rows = static_cast<Eigen::Index>(shape.rows());
+  const auto columns = static_cast<Eigen::Index>(shape.columns());
+  for (std::size_t c = 0; c < kChannels; ++c) {
+    const Eigen::Map<const Matrix> matrix(matrices + (shape.channels == 1 ? 0 : c * shape.count()), rows, columns);
+    const Eigen::Map<const Eigen::VectorXf> from(light + c * shape.columns(), columns);
+    Eigen::Map<Eigen::VectorXf>(reaching + c * shape.rows(), rows) += matrix * from;
+  }
 }
 
 // sum over lobes of scale_l Y_i(direction), and its product with each channel.
@@ -97,17 +90,20 @@ TransferredRadiance::TransferredRadiance(const Transfer& transfer, const LightCo
         fmt::format("transfer of kind {} is exit radiance; expected a glossy kind", transfer.kind->letters));
   }
   require_light(transfer, light);
-  values_ = widened(light, degree_);
+  const std::vector<float> wide = widened(light, degree_);
+  values_ = wide;
   if (transfer.shape.meets == Meets::kNothing) return;
-  const std::vector<float> samples = prepared(values_, degree_);
   const std::size_t vertices = transfer.mesh.positions.size();
-  stride_ = values_.size();
+  stride_ = wide.size();
   values_.resize(vertices * stride_);
-  const tbb::blocked_range<std::size_t> all(0, vertices, kVerticesAtOnce);
-  tbb::parallel_for(all, [&](const auto& range) {
-    batch::transfer_apply_rgb(degree_, range.size(), batch::plain(transfer.row(range.begin())),
-                              batch::shared(samples.data()), batch::plain(values_.data() + range.begin() * stride_));
-  });
+  times_visibility(degree_, vertices, transfer.coefficients.data(), prepared_light(degree_, wide.data()),
+                   values_.data());
+  if (!transfer.indirect.empty()) {
+    for_vertices(vertices, [&](std::size_t v) {
+      const float* matrices = transfer.indirect.data() + v * transfer.indirect_shape.length();
+      add_indirect(transfer.indirect_shape, matrices, wide.data(), values_.data() + v * stride_);
+    });
+  }
   if (!std::all_of(values_.begin(), values_.end(), [](float value) { return std::isfinite(value); })) {
     throw std::runtime_error(
         fmt::format("{}: the radiance that reaches it exceeds single precision; expected weaker lights, below 1e37",

@@ -1,8 +1,9 @@
 // Relighting of glossy transfer [SloanKautzSnyder02, section 4.2]: a vertex keeps the visibility V. Its product with the
 // light, projected, is the radiance that reaches the vertex (equation 11, from V alone: as many numbers as V has in twice
-// the degree of the light, and exact). What leaves towards the eye is this radiance, convolved with the lobe and evaluated
-// at the mirrored direction of view (equation 12), plus the same about the normal with the clamped cosine for the diffuse
-// part. Since only the second step knows the normal, it may be another one at every pixel.
+// the degree of the light, and exact). Where the bake has bounces, a matrix adds what other surfaces send. What leaves
+// towards the eye is this radiance, convolved with the lobe and evaluated at the mirrored direction of view (equation 12),
+// plus the same about the normal with the clamped cosine for the diffuse part. Since only the second step knows the normal,
+// it may be another one at every pixel.
 #pragma once
 #include <Eigen/Core>
 #include <cstddef>

@@ -84,6 +84,10 @@ struct Transfer {
   std::string instruction_set;      // on which the bits are reproducible
   BounceReport bounces;             // of kinds with bounces
   std::vector<float> coefficients;  // (vertices, channels, rows, columns), row-major; columns i = l(l+1)+m
+  TransferShape indirect_shape;     // of the matrices, where the kind has them: dot
+  /// Matrices that bring the light to a vertex over other surfaces, (vertices, channels, rows, columns): they add to the
+  /// radiance that reaches it directly. One channel where every material is gray. Empty where the kind has none.
+  std::vector<float> indirect;
   /// Linear RGB exit radiance of the light that surfaces emit, with its bounces, (vertices); empty if no surface emits.
   std::vector<Eigen::Vector3f> emitted;
   PlanRecord plan;  // decisions of the bake

@@ -173,6 +173,28 @@ TransferShape shape_from(const nlohmann::json& header, std::uint32_t version, co
   return shape;
 }
 
+// The degree of the matrices is that of the light.
+void put_indirect(const TransferShape& shape, Json& header) {
+  header["indirect"] = {{"channels", shape.channels},
+                        {"rows", shape.rows()},
+                        {"columns", shape.columns()},
+                        {"element", word_of(shape.storage.element, kElementNames)}};
+}
+
+TransferShape indirect_from(const nlohmann::json& json, const TransferKind& kind, int degree) {
+  TransferShape shape = kind.indirect(degree);
+  shape.channels = whole_from<std::size_t>(json.at("channels"), 1, 3);
+  const std::string_view element = word_of(shape.storage.element, kElementNames);
+  if (shape.channels == 2 || json.at("rows") != shape.rows() || json.at("columns") != shape.columns() ||
+      json.at("element") != element) {
+    throw std::invalid_argument(
+        fmt::format("transfer file with indirect matrices of {} x {} x {} {}, expected 1 or 3 x {} x {} {}",
+                    json.at("channels").dump(), json.at("rows").dump(), json.at("columns").dump(),
+                    json.at("element").dump(), shape.rows(), shape.columns(), element));
+  }
+  return shape;
+}
+
 Json to_json(const Frame& frame) {
   return {{"origin", {frame.origin.x(), frame.origin.y(), frame.origin.z()}}, {"unit", frame.unit}};
 }
@@ -243,6 +265,7 @@ std::string transfer_header(const Transfer& transfer) {
     header["seed"] = transfer.seed;
   }
   if (transfer.kind->has_bounces()) header["bounces"] = to_json(transfer.bounces);
+  if (transfer.kind->indirect != nullptr) put_indirect(transfer.indirect_shape, header);
   put_shortfall(transfer.missing, header);
   if (!transfer.shape.storage.is_plain()) header["storage"] = to_json(transfer.shape.storage);
   if (!transfer.plan.decisions.empty()) header["plan"] = to_json(transfer.plan);
@@ -260,6 +283,9 @@ void take_header(const nlohmann::json& header, std::uint32_t version, TransferKi
   transfer.shape = shape_from(header, version, *transfer.kind);
   if (header.contains("frame")) transfer.mesh.frame = frame_from(header.at("frame"));
   if (transfer.kind->has_bounces()) transfer.bounces = bounces_from(header.at("bounces"));
+  if (transfer.kind->indirect != nullptr) {
+    transfer.indirect_shape = indirect_from(header.at("indirect"), *transfer.kind, transfer.degree());
+  }
   if (header.contains("plan")) transfer.plan = plan_from(header.at("plan"));
   transfer.directions = whole_from<std::uint32_t>(header.at("directions"));
   if (header.contains("sampler")) {  // absent where no ray was traced, and in files older than the choice

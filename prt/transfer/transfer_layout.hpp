@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "prt/transfer/checksum.hpp"
-#include "prt/transfer/shape.hpp"
+#include "prt/transfer/transfer.hpp"
 
 namespace sh::prt::layout {
 
@@ -74,7 +74,7 @@ struct Kind {
   Rows rows;
   Presence presence;
 };
-inline constexpr std::array<Kind, 12> kSections = {{{"position", kFloat, 3, Rows::kVertices, Presence::kAlways},
+inline constexpr std::array<Kind, 13> kSections = {{{"position", kFloat, 3, Rows::kVertices, Presence::kAlways},
                                                     {"normal", kFloat, 3, Rows::kVertices, Presence::kAlways},
                                                     {"geonorm", kFloat, 3, Rows::kVertices, Presence::kAlways},
                                                     {"albedo", kFloat, 3, Rows::kVertices, Presence::kAlways},
@@ -85,17 +85,24 @@ inline constexpr std::array<Kind, 12> kSections = {{{"position", kFloat, 3, Rows
                                                     {"scale", kFloat, 0, Rows::kOne, Presence::kOptional},
                                                     {"mirror", kFloat, 3, Rows::kVertices, Presence::kOptional},
                                                     {"specular", kFloat, 3, Rows::kVertices, Presence::kOptional},
-                                                    {"exponent", kFloat, 1, Rows::kVertices, Presence::kOptional}}};
+                                                    {"exponent", kFloat, 1, Rows::kVertices, Presence::kOptional},
+                                                    {"indirect", kHalf, 0, Rows::kVertices, Presence::kOptional}}};
 
 /// True for the section `transfer` of a shape without numbers.
 inline bool stores_nothing(const Kind& kind, const TransferShape& shape) {
   return kind.name == "transfer" && shape.stored_length() == 0;
 }
 
+/// The columns of a section of this transfer, whose shapes are known.
+inline std::uint64_t columns_of(const Kind& kind, const Transfer& transfer) {
+  if (kind.columns != 0) return kind.columns;
+  return kind.name == "indirect" ? transfer.indirect_shape.stored_length() : transfer.shape.stored_length();
+}
+
 /// Calls visit(items) for the contents of every section, in the order of kSections. `encoded` holds the coefficients if
-/// their storage is not plain.
+/// their storage is not plain, `indirect` the matrices.
 template <class AnyTransfer, class AnyEncoded, class Visit>
-void each_section(AnyTransfer& transfer, AnyEncoded& encoded, const Visit& visit) {
+void each_section(AnyTransfer& transfer, AnyEncoded& encoded, AnyEncoded& indirect, const Visit& visit) {
   visit(transfer.mesh.positions);
   visit(transfer.mesh.normals);
   visit(transfer.mesh.geometric_normals);
@@ -108,6 +115,7 @@ void each_section(AnyTransfer& transfer, AnyEncoded& encoded, const Visit& visit
   visit(transfer.mesh.mirror);
   visit(transfer.mesh.specular);
   visit(transfer.mesh.exponent);
+  visit(indirect.data);
 }
 
 /// A name in the form of the table.

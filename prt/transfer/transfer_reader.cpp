@@ -137,7 +137,11 @@ class Reader {
   void check_section(const layout::Kind& kind, const layout::Section& section, std::uint64_t offset,
                      const Transfer& transfer) const {
     if (layout::stores_nothing(kind, transfer.shape)) fail("damaged transfer file: section transfer does not fit");
-    const std::uint64_t columns = kind.columns != 0 ? kind.columns : transfer.shape.stored_length();
+    if (kind.name == "indirect" && transfer.kind->indirect == nullptr) {
+      fail(fmt::format("transfer file of kind {} with a section indirect, which it does not have",
+                       transfer.kind->letters));
+    }
+    const std::uint64_t columns = layout::columns_of(kind, transfer);
     const std::uint32_t type = kind.name == "transfer" ? layout::type_of(transfer.shape.storage.element) : kind.type;
     if (section.type != type || section.columns != columns || section.offset != offset ||
         section.rows > (size_ - offset) / (columns * layout::size_of(section.type)) ||
@@ -162,9 +166,14 @@ class Reader {
 
   void read_sections(Transfer& transfer) {
     Encoded encoded;
+    Encoded indirect;
     const auto* kind = layout::kSections.begin();
-    layout::each_section(transfer, encoded, [&](auto& items) { fetch_section(*kind++, items); });
+    layout::each_section(transfer, encoded, indirect, [&](auto& items) { fetch_section(*kind++, items); });
     check_scale(transfer, encoded);
+    if (transfer.kind->indirect != nullptr) {
+      if (indirect.data.empty()) fail("damaged transfer file: section indirect is missing");
+      transfer.indirect = decode(indirect, transfer.indirect_shape);
+    }
     if (!transfer.shape.storage.is_plain()) transfer.coefficients = decode(encoded, transfer.shape);
   }
 

@@ -44,7 +44,7 @@ std::string flaw_of_values(const Transfer& transfer) {
     return "an exponent is not from 0 to 1e6";
   }
   if (!all(transfer.coefficients, [](float value) { return std::isfinite(value); }) ||
-      !all(transfer.emitted, is_finite)) {
+      !all(transfer.indirect, [](float value) { return std::isfinite(value); }) || !all(transfer.emitted, is_finite)) {
     return "a transfer coefficient is not finite";
   }
   return {};

@@ -20,6 +20,8 @@ void check_lengths(const Transfer& transfer) {
   const std::size_t vertices = mesh.positions.size();
   if (mesh.normals.size() != vertices || mesh.geometric_normals.size() != vertices || mesh.albedo.size() != vertices ||
       transfer.coefficients.size() != vertices * transfer.shape.length() ||
+      transfer.indirect.size() !=
+          (transfer.kind->indirect != nullptr ? vertices * transfer.indirect_shape.length() : 0) ||
       (!transfer.emitted.empty() && transfer.emitted.size() != vertices) ||
       (!mesh.mirror.empty() && mesh.mirror.size() != vertices) ||
       (!mesh.specular.empty() && mesh.specular.size() != vertices) || mesh.exponent.size() != mesh.specular.size()) {
@@ -32,11 +34,11 @@ struct Contents {
   std::vector<const void*> data;
 };
 
-Contents contents_of(const Transfer& transfer, const Encoded& encoded) {
+Contents contents_of(const Transfer& transfer, const Encoded& encoded, const Encoded& indirect) {
   Contents contents;
   std::uint64_t offset = 0;
   const auto* kind = layout::kSections.begin();
-  layout::each_section(transfer, encoded, [&](const auto& items) {
+  layout::each_section(transfer, encoded, indirect, [&](const auto& items) {
     const layout::Kind& known = *kind++;
     const bool may_miss =
         known.presence == layout::Presence::kOptional || layout::stores_nothing(known, transfer.shape);
@@ -44,7 +46,7 @@ Contents contents_of(const Transfer& transfer, const Encoded& encoded) {
     layout::Section section;
     section.name = layout::padded(known.name);
     section.type = known.name == "transfer" ? layout::type_of(transfer.shape.storage.element) : known.type;
-    section.columns = known.columns != 0 ? known.columns : static_cast<std::uint32_t>(transfer.shape.stored_length());
+    section.columns = static_cast<std::uint32_t>(layout::columns_of(known, transfer));
     section.rows = items.size() * sizeof(items[0]) / (section.columns * layout::size_of(section.type));
     section.offset = offset;
     section.checksum = checksum(items.data(), bytes_of(section));
@@ -63,7 +65,9 @@ void write_transfer(const std::string& path, const Transfer& transfer) {
   if (!flaw.empty()) throw std::invalid_argument(path + ": cannot write: " + flaw);
   Encoded encoded;
   if (!transfer.shape.storage.is_plain()) encoded = encode(transfer.coefficients, transfer.shape);
-  auto [table, data] = contents_of(transfer, encoded);
+  Encoded indirect;
+  if (!transfer.indirect.empty()) indirect = encode(transfer.indirect, transfer.indirect_shape);
+  auto [table, data] = contents_of(transfer, encoded, indirect);
   std::string header = transfer_header(transfer);
   header.resize((header.size() + kHeaderUnit - 1) / kHeaderUnit * kHeaderUnit, ' ');
   const std::size_t table_size = table.size() * sizeof(layout::Section);

@@ -144,7 +144,11 @@ constexpr std::array kWords = {"bake",
                                "es300",
                                "DS",
                                "DI",
-                               "--transfers"};
+                               "--transfers",
+                               "glossy_unshadowed",
+                               "glossy_shadowed",
+                               "g.transfer",
+                               "--eye"};
 static_assert(kWords.size() <= 256);
 
 /// A folder with small files of every type; the tool runs in it.
@@ -162,6 +166,7 @@ class Workplace {
                                  {"type": "sphere", "position": [0, 0, 9], "radius": 1}])");
     write_transfer("a.transfer", prt::test::baked(prt::test::primitive_mesh("box"), &prt::kShadowed, 16, 1));
     write_transfer("b.transfer", prt::test::baked(prt::test::primitive_mesh("box"), &prt::kInterreflected, 16, 1));
+    write_transfer("g.transfer", prt::test::baked(prt::test::primitive_mesh("box"), &prt::kGlossyShadowed, 16, 1));
     std::filesystem::copy_file("a.transfer", "a.png");
     files_ = contents();
   }

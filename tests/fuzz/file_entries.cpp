@@ -7,6 +7,7 @@
 #include "numeric/report/report.hpp"
 #include "prt/bake/checkpoint.hpp"
 #include "prt/image/image.hpp"
+#include "prt/runtime/glossy.hpp"
 #include "prt/runtime/relight.hpp"
 #include "prt/transfer/transfer_file.hpp"
 #include "prt/transfer/transfer_json.hpp"
@@ -41,7 +42,12 @@ void read_and_light(const std::string& file) {
           "coefficients are finite");
   LightCoefficients light = LightCoefficients::zero(transfer.degree());
   for (int channel = 0; channel < 3; ++channel) light.at(channel, 0) = 1.0;
-  require(relight(transfer, light).size() == transfer.mesh.positions.size(), "every vertex is lit");
+  const std::size_t lit = transfer.kind->is_glossy()
+                              ? exit_radiance(transfer, TransferredRadiance(transfer, light), {0.0, 0.0, 9.0},
+                                              transfer.mesh.albedo)
+                                    .size()
+                              : relight(transfer, light).size();
+  require(lit == transfer.mesh.positions.size(), "every vertex is lit");
 }
 
 Mesh two_boxes() {

@@ -52,6 +52,20 @@ TEST_F(GlossyTool, TellsOperatorDegreesAndBytes) {
   EXPECT_EQ(unshadowed["bytes_a_vertex"], 0);
 }
 
+TEST_F(GlossyTool, BakesBouncesAndTellsTheirMatrices) {
+  const std::string file = folder->file("bounced");
+  const Finished run = succeeded({"bake", folder->file("shadowed.json"), "--kind", "glossy_interreflected", "--degree",
+                                  "2", "--directions", "64", "-o", file});
+  EXPECT_NE(run.err.find("(measured); matrices of 486 bytes a vertex"), std::string::npos) << run.err;
+  const auto info = printed({"info", file});
+  EXPECT_EQ(info["kind"], "GI");
+  EXPECT_EQ(info["indirect"]["rows"], 9);
+  EXPECT_EQ(info["bytes_a_vertex"], 25 * 4 + 3 * 81 * 2);
+  EXPECT_EQ(info["bounces"]["certified"], false);
+  succeeded({"render", file, "--width", "24", "--height", "16", "--samples", "1", "-o", folder->file("b.png")});
+  succeeded({"bake", folder->file("shadowed.json"), "--kind", "glossy_interreflected", "--estimate"});
+}
+
 TEST_F(GlossyTool, SaysHowMuchOfALobeTheDegreeHolds) {
   write_all(folder->file("sharp.json"), scene_with(R"("albedo": [0, 0, 0], "specular": [1, 1, 1], "exponent": 1000)",
                                                    R"("degree": 2, "directions": 64, "transfer": "glossy_shadowed")"));

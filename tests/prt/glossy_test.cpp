@@ -15,8 +15,8 @@
 #include "prt/basis.hpp"
 #include "prt/rays/directions.hpp"
 #include "prt/rays/gather.hpp"
-#include "prt/runtime/lobe.hpp"
 #include "prt/runtime/relight.hpp"
+#include "prt/transfer/lobe.hpp"
 #include "prt/transfer/transfer_file.hpp"
 #include "prt/transfer/unshadowed.hpp"
 #include "tests/prt/lights.hpp"
@@ -380,6 +380,46 @@ TEST(GlossyFile, IsRefusedWithMaterialsThatDoNotExist) {
   refused("a specular reflectance is not from 0 to 1");
   transfer.mesh.exponent.pop_back();
   refused("differ in length");
+}
+
+TEST(SharpestLobe, IsThatOfTheLargestExponentThatReflects) {
+  Transfer transfer = baked(statue(12.0F), &kGlossyShadowed, 64, 4);
+  EXPECT_EQ(sharpest_lobe(transfer)->exponent, 12.0);
+  EXPECT_EQ(sharpest_lobe(transfer)->share, phong_share(4, 12.0));
+  transfer.mesh.exponent.back() = 100.0F;
+  transfer.mesh.exponent[3] = 50.0F;
+  EXPECT_EQ(sharpest_lobe(transfer)->exponent, 100.0);
+  transfer.mesh.specular.back().setZero();
+  EXPECT_EQ(sharpest_lobe(transfer)->exponent, 50.0);
+  transfer.mesh.specular.assign(transfer.mesh.specular.size(), Eigen::Vector3f::Zero());
+  EXPECT_FALSE(sharpest_lobe(transfer).has_value());
+  EXPECT_FALSE(sharpest_lobe(baked(statue(12.0F), &kShadowed, 64, 1)).has_value());
+}
+
+TEST(ShadowedGloss, OfManyVerticesIsThatOfEachAlone) {
+  Transfer transfer = Transfer::of(kGlossyShadowed, 2);
+  constexpr std::size_t kVertices = 5000;
+  transfer.mesh.positions.assign(kVertices, Eigen::Vector3f::Zero());
+  transfer.coefficients = random_values(kVertices * transfer.shape.length(), 17);
+  const LightCoefficients light = random_light(2, 3);
+  const TransferredRadiance all(transfer, light);
+  for (const std::size_t v : {0U, 1U, 2047U, 2048U, 4097U, 4999U}) {
+    const std::vector<double> expected = by_gaunt(transfer.row(v), 2, light);
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+      EXPECT_NEAR(static_cast<double>(all.at(v)[i]), expected[i], 3e-6) << v;
+    }
+  }
+}
+
+TEST(GlossySurface, OfAMeshWithoutLobesIsDiffuse) {
+  Mesh mesh = primitive_mesh("stairs");
+  const Transfer transfer = baked(mesh, &kGlossyShadowed, 64, 2);
+  const TransferredRadiance reaching(transfer, random_light(2, 3));
+  for (std::size_t v = 0; v < mesh.positions.size(); v += 5) {
+    const std::vector<Eigen::Vector3f> a = exit_radiance(transfer, reaching, {1.0, 2.0, 3.0}, mesh.albedo);
+    const std::vector<Eigen::Vector3f> b = exit_radiance(transfer, reaching, {-3.0, 2.0, 1.0}, mesh.albedo);
+    EXPECT_EQ(a[v], b[v]);
+  }
 }
 
 TEST(GlossyBake, RefusesWhatItCannotHold) {

@@ -232,8 +232,31 @@ TEST_F(HostileFile, HasItsLastSectionsToo) {
   const std::string bytes = good_.substr(0, place_of(good_, "face"));
   EXPECT_EQ(refusal(with_table(bytes, [](auto& table) { table.resize(4); }), true),
             "damaged transfer file: section face is missing");
-  EXPECT_NE(refusal(with_table(good_, [](auto& table) { table.resize(13); }), true).find("of 13 sections, expected"),
+  EXPECT_NE(refusal(with_table(good_, [](auto& table) { table.resize(14); }), true).find("of 14 sections, expected"),
             std::string::npos);
+}
+
+TEST_F(HostileFile, HasTheMatricesOfItsKindAndNoOthers) {
+  Mesh mesh = primitive_mesh("plane");
+  write_transfer(file_, baked(mesh, &kGlossyInterreflected, 64, 1));
+  good_ = read_all(file_);
+  EXPECT_EQ(refusal(good_), "");
+  const std::string expected = ", expected 1 or 3 x 4 x 4 half";
+  EXPECT_EQ(with_header("    \"rows\": 4,", "    \"rows\": 9,"),
+            "transfer file with indirect matrices of 1 x 9 x 4 \"half\"" + expected);
+  EXPECT_EQ(with_header("    \"channels\": 1,", "    \"channels\": 2,"),
+            "transfer file with indirect matrices of 2 x 4 x 4 \"half\"" + expected);
+  EXPECT_EQ(with_header("    \"element\": \"half\"", "    \"element\": \"byte\""),
+            "transfer file with indirect matrices of 1 x 4 x 4 \"byte\"" + expected);
+  EXPECT_EQ(with_header("    \"channels\": 1,", "    \"channels\": 3,"),
+            "damaged transfer file: section indirect does not fit");
+  EXPECT_EQ(with_header("\"kind\": \"GI\"", "\"kind\": \"GS\""),
+            "transfer file of kind GS with a section indirect, which it does not have");
+  EXPECT_EQ(with_number("indirect", std::uint16_t{0x7e00}),
+            "damaged transfer file: a transfer coefficient is not finite");
+  const std::string cut = good_.substr(0, place_of(good_, "indirect"));
+  EXPECT_EQ(refusal(with_table(cut, [](auto& table) { table.pop_back(); }), true),
+            "damaged transfer file: section indirect is missing");
 }
 
 TEST_F(HostileFile, IsRefusedWhereItsPartsAndItsSizeDisagree) {

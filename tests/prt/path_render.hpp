@@ -2,7 +2,8 @@
 // but to interpolate albedo, emission and normals over a face. At the center of every pixel it follows random paths;
 //   radiance = sum over the surfaces of a path of (product of the albedos so far) * emission
 //            + (product of all albedos) * L(s) where the path leaves the scene in direction s.
-// Directions have the density of the cosine about the shading normal. Paths end below the face, at backs of faces, and
+// Directions have the density of the cosine about the shading normal, or of the lobe about the mirrored direction: chance
+// decides by their reflectances. Paths end below the face, at backs of faces, and
 // by chance where they carry little light (Russian roulette [ArvoKirk90]).
 #pragma once
 #include <algorithm>
@@ -26,6 +27,7 @@ struct Path {
   std::size_t pixel;
   Hit hit;
   Eigen::Vector3f throughput;
+  Eigen::Vector3f direction;  // of the ray that came to the hit
 };
 
 class PathTracer {
@@ -46,8 +48,7 @@ class PathTracer {
         if (!mesh_.emission.empty()) {
           sums[path.pixel] += path.throughput.cwiseProduct(interpolated(path.hit, mesh_, mesh_.emission));
         }
-        path.throughput = path.throughput.cwiseProduct(interpolated(path.hit, mesh_, mesh_.albedo));
-        const Eigen::Vector3f direction = cosine_direction(path.hit, random);
+        const Eigen::Vector3f direction = reflect(path, random);
         if (direction.dot(flat(path.hit)) <= 0.0F || !survives(path, random)) continue;
         origins.emplace_back(interpolated(path.hit, mesh_, mesh_.positions) + offset_ * flat(path.hit));
         directions.push_back(direction);
@@ -62,7 +63,7 @@ class PathTracer {
           const Eigen::Vector3f sky = radiance(light_, directions[i].cast<double>().normalized()).cast<float>();
           sums[paths[i].pixel] += paths[i].throughput.cwiseProduct(sky);
         } else if (flat(hits[i]).dot(directions[i]) < 0.0F) {
-          paths[kept++] = {paths[i].pixel, hits[i], paths[i].throughput};
+          paths[kept++] = {paths[i].pixel, hits[i], paths[i].throughput, directions[i]};
         }
       }
       paths.resize(kept);
@@ -74,14 +75,36 @@ class PathTracer {
     return face_normal(mesh_.positions, mesh_.faces[hit.face]);
   }
 
-  [[nodiscard]] Eigen::Vector3f cosine_direction(const Hit& hit, std::mt19937& random) const {
+  // Takes the reflectance into the throughput; returns where the path goes on.
+  [[nodiscard]] Eigen::Vector3f reflect(Path& path, std::mt19937& random) const {
+    const Eigen::Vector3f normal = interpolated(path.hit, mesh_, mesh_.normals).normalized();
+    const Eigen::Vector3f albedo = interpolated(path.hit, mesh_, mesh_.albedo);
+    const std::uint32_t corner = mesh_.faces[path.hit.face][0];
+    const Eigen::Vector3f specular =
+        mesh_.specular.empty() ? Eigen::Vector3f::Zero().eval() : Eigen::Vector3f(mesh_.specular[corner]);
+    const float gloss = specular.maxCoeff();
+    if (gloss > 0.0F) {
+      const float glossy = gloss / (gloss + albedo.maxCoeff());
+      std::uniform_real_distribution<float> uniform(0.0F, 1.0F);
+      if (uniform(random) < glossy) {
+        path.throughput = path.throughput.cwiseProduct(specular) / glossy;
+        const Eigen::Vector3f mirrored = path.direction - 2.0F * normal.dot(path.direction) * normal;
+        return power_direction(mirrored.normalized(), mesh_.exponent[corner], random);
+      }
+      path.throughput /= 1.0F - glossy;
+    }
+    path.throughput = path.throughput.cwiseProduct(albedo);
+    return power_direction(normal, 1.0F, random);
+  }
+
+  // With the density (e+1) / (2 pi) cos^e about an axis.
+  static Eigen::Vector3f power_direction(const Eigen::Vector3f& axis, float exponent, std::mt19937& random) {
     std::uniform_real_distribution<float> uniform(0.0F, 1.0F);
     const float azimuth = 2.0F * std::numbers::pi_v<float> * uniform(random);
-    const float squared = uniform(random);  // of the sine
-    const Eigen::Vector3f local(std::sqrt(squared) * std::cos(azimuth), std::sqrt(squared) * std::sin(azimuth),
-                                std::sqrt(1.0F - squared));
-    const Eigen::Vector3f normal = interpolated(hit, mesh_, mesh_.normals).normalized();
-    return Eigen::Quaternionf::FromTwoVectors(Eigen::Vector3f::UnitZ(), normal) * local;
+    const float cosine = std::pow(uniform(random), 1.0F / (exponent + 1.0F));
+    const float sine = std::sqrt(std::max(0.0F, 1.0F - cosine * cosine));
+    const Eigen::Vector3f local(sine * std::cos(azimuth), sine * std::sin(azimuth), cosine);
+    return Eigen::Quaternionf::FromTwoVectors(Eigen::Vector3f::UnitZ(), axis) * local;
   }
 
   static bool survives(Path& path, std::mt19937& random) {
@@ -119,7 +142,7 @@ inline PathPictures path_render(const Mesh& mesh, const Tracer& tracer, const Li
         if (rays.hits[column].face == Hit::kNothing) continue;
         picture->coverage[pixel] = 1.0F;
         starts.insert(starts.end(), static_cast<std::size_t>(paths),
-                      {pixel, rays.hits[column], Eigen::Vector3f::Ones()});
+                      {pixel, rays.hits[column], Eigen::Vector3f::Ones(), rays.directions[column]});
       }
       from.follow(std::move(starts), random, picture->radiance);
     }

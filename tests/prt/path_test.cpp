@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "prt/runtime/glossy.hpp"
 #include "prt/runtime/relight.hpp"
 #include "tests/prt/lights.hpp"
 #include "tests/prt/path_render.hpp"
@@ -12,9 +13,9 @@ namespace sh::prt::test {
 namespace {
 
 // A room without its front, with a red wall and a green one.
-Mesh room() {
+Mesh room(float longest = 0.06F) {
   Mesh mesh = primitive_mesh("box");
-  refine(mesh, 0.06F);
+  refine(mesh, longest);
   turn_inside_out(mesh);
   std::erase_if(mesh.faces, [&](const Face& face) {
     return std::all_of(face.begin(), face.end(), [&](std::uint32_t v) { return mesh.normals[v].y() > 0.5F; });
@@ -29,35 +30,36 @@ Mesh room() {
 }
 
 // A square that faces `normal`, one of the axes, at distance 1/2 of the middle.
-Mesh wall_facing(const Eigen::Vector3f& normal) {
+Mesh wall_facing(const Eigen::Vector3f& normal, float longest) {
   const Eigen::Quaternionf turn = Eigen::Quaternionf::FromTwoVectors(Eigen::Vector3f::UnitZ(), normal);
   Mesh wall = primitive_mesh("plane", 24, Eigen::Translation3f(-0.5F * normal) * turn);
-  refine(wall, 0.04F);
+  refine(wall, longest);
   return wall;
 }
 
-Mesh ball_in_corner() {
-  Mesh mesh = wall_facing(Eigen::Vector3f::UnitZ());
-  append(mesh, wall_facing(Eigen::Vector3f::UnitX()));
-  append(mesh, wall_facing(-Eigen::Vector3f::UnitY()));
+Mesh ball_in_corner(float longest = 0.04F, int segments = 32) {
+  Mesh mesh = wall_facing(Eigen::Vector3f::UnitZ(), longest);
+  append(mesh, wall_facing(Eigen::Vector3f::UnitX(), longest));
+  append(mesh, wall_facing(-Eigen::Vector3f::UnitY(), longest));
   paint(mesh, {0.7F, 0.6F, 0.3F});
   Eigen::Affine3f map(Eigen::Translation3f(0.05F, -0.05F, -0.2F));
   map.scale(0.4F);
-  append(mesh, primitive_mesh("sphere", 32, map));
+  append(mesh, primitive_mesh("sphere", segments, map));
   return mesh;
 }
 
 // Picture and mean of the paths, in units of the picture's root mean square.
 // A pixel exactly on an edge would start its paths on both sides of a wall; the cameras look a little aside.
-void expect_within_noise(const Mesh& mesh, const Camera& camera, const LightCoefficients& light,
-                         double discretization) {
+void expect_within_noise(const Mesh& mesh, const Camera& camera, const LightCoefficients& light, double discretization,
+                         const TransferKind& kind = kInterreflected) {
   constexpr PictureSize kSize{48, 32, 1};
   const Tracer tracer(mesh);
   const PathPictures paths = path_render(mesh, tracer, light, camera, kSize, 128);
-  const Transfer transfer = baked(mesh, &kInterreflected, 1024, light.degree);
-  std::vector<Eigen::Vector3f> values = relight(transfer, light);
+  const Transfer transfer = baked(mesh, &kind, kind.is_glossy() ? 512 : 1024, kind.is_glossy() ? 4 : light.degree);
+  const Surface surface = kind.is_glossy() ? glossy_surface(transfer, TransferredRadiance(transfer, light), mesh.albedo)
+                                           : diffuse_surface(mesh, relight(transfer, light));
   const Background black = [](const Eigen::Vector3f&) { return Eigen::Vector3f::Zero().eval(); };
-  const Picture baked = render(mesh, tracer, diffuse_surface(mesh, values), camera, kSize, black, "baked");
+  const Picture baked = render(mesh, tracer, surface, camera, kSize, black, "baked");
   Picture mean = paths.first;
   for (std::size_t i = 0; i < mean.radiance.size(); ++i) {
     mean.radiance[i] = 0.5F * (paths.first.radiance[i] + paths.second.radiance[i]);
@@ -82,6 +84,24 @@ LightCoefficients frontal_light() {
   LightCoefficients light = constant_light(2);
   for (int c = 0; c < 3; ++c) light.at(c, numeric::coefficient_index(1, -1)) = -1.5 + 0.3 * c;
   return light;
+}
+
+// Gray, for one channel. Degree 4 holds all of a lobe of exponent 3 but 1e-4.
+Mesh polished(Mesh mesh) {
+  paint(mesh, Eigen::Vector3f::Constant(0.35F));
+  mesh.specular.assign(mesh.positions.size(), Eigen::Vector3f::Constant(0.5F));
+  mesh.exponent.assign(mesh.positions.size(), 3.0F);
+  return mesh;
+}
+
+TEST(Paths, AgreeWithTheBakeOfAGlossyRoom) {
+  const Camera camera{{0.03, -2.2, 0.05}, {0.013, 0.0, 0.007}, {0.0, 0.0, 1.0}, 34.0F};
+  expect_within_noise(polished(room(0.12F)), camera, frontal_light(), 0.03, kGlossyInterreflected);
+}
+
+TEST(Paths, AgreeWithTheBakeOfAGlossyBallInACorner) {
+  const Camera camera{{1.6, -1.6, 1.0}, {-0.1, 0.1, -0.2}, {0.0, 0.0, 1.0}, 34.0F};
+  expect_within_noise(polished(ball_in_corner(0.08F, 20)), camera, frontal_light(), 0.03, kGlossyInterreflected);
 }
 
 TEST(Paths, AgreeWithTheBakeOfAColoredRoom) {

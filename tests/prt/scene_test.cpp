@@ -158,7 +158,7 @@ TEST_F(SceneFile, IsRefusedWithABadLightCameraGroundOrOption) {
       {R"("bake": {"tolerance": 0})", "/bake/tolerance: expected a number from 1e-9 to 1, got 0"},
       {R"("bake": {"transfer": "glossy"})",
        "/bake/transfer: expected one of unshadowed, shadowed, interreflected, glossy_unshadowed, "
-       R"(glossy_shadowed, got "glossy")"},
+       R"(glossy_shadowed, glossy_interreflected, got "glossy")"},
       {R"("ground": {"size": -1})", "/ground/size: expected a positive number, got -1"},
       {R"("camera": {"field_of_view": 180})", "/camera/field_of_view: expected degrees from 1 to 170, got 180"},
       {R"("camera": {"position": [0, 0, 0], "target": [0, 0, 0]})", "/camera: expected a target"},

@@ -130,7 +130,7 @@ TEST(TransferKind, IsAddedByItsShapeAndItsSteps) {
   const Transfer colored = baked(mesh, &kColored);
   write_transfer(file, colored);
   EXPECT_EQ(message_of([&] { read_transfer(file); }),
-            file + ": transfer of kind DC, expected one of DU, DS, DI, GU, GS");
+            file + ": transfer of kind DC, expected one of DU, DS, DI, GU, GS, GI");
   const std::array<const TransferKind*, 2> kinds = {&kShadowed, &kColored};
   const Transfer read = read_transfer(file, kinds);
   EXPECT_EQ(read.kind, &kColored);
@@ -149,8 +149,9 @@ TEST(TransferKind, IsFoundByItsNamesOrNot) {
   EXPECT_EQ(find_kind(&TransferKind::word, "shadowed"), &kShadowed);
   EXPECT_EQ(find_kind(&TransferKind::letters, "DI"), &kInterreflected);
   EXPECT_EQ(find_kind(&TransferKind::word, "DI"), nullptr);
-  EXPECT_EQ(kind_names(&TransferKind::word), (std::vector<std::string_view>{"unshadowed", "shadowed", "interreflected",
-                                                                            "glossy_unshadowed", "glossy_shadowed"}));
+  EXPECT_EQ(kind_names(&TransferKind::word),
+            (std::vector<std::string_view>{"unshadowed", "shadowed", "interreflected", "glossy_unshadowed",
+                                           "glossy_shadowed", "glossy_interreflected"}));
 }
 
 }  // namespace

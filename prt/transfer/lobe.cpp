@@ -1,4 +1,4 @@
-#include "prt/runtime/lobe.hpp"
+#include "prt/transfer/lobe.hpp"
 
 namespace sh::prt {
 

@@ -1,0 +1,322 @@
+#include "prt/bake/glossy_bounces.hpp"
+
+#include <fmt/core.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <stdexcept>
+
+#include "numeric/output/progress.hpp"
+#include "prt/bake/fill_closed.hpp"
+#include "prt/basis.hpp"
+#include "prt/mesh/corners.hpp"
+#include "prt/rays/row_sums.hpp"
+#include "prt/transfer/lobe.hpp"
+#include "prt/transfer/visibility.hpp"
+
+namespace sh::prt {
+
+namespace {
+
+constexpr int kBouncesBeforeJudgment = 8;
+constexpr double kMostBounces = 300.0;
+
+constexpr std::size_t kRaysAtOnce = 64;
+constexpr std::size_t kMostRow = padded_row(3 * coefficient_count(kHighestProduct));
+
+struct BlockedAt {
+  Eigen::Vector3f direction;
+  Hit hit;
+};
+
+bool is_gray(const std::vector<Eigen::Vector3f>& colors) {
+  return std::all_of(colors.begin(), colors.end(),
+                     [](const Eigen::Vector3f& color) { return (color.array() == color.x()).all(); });
+}
+
+using Weights = std::array<float, coefficient_count(kMaxDegree)>;
+
+// A function of direction: factor_l Y_lm(direction).
+template <class Factor>
+Weights zonal_about(int degree, const Eigen::Vector3f& direction, const Factor& factor) {
+  Weights values;
+  evaluate_basis(degree, direction.x(), direction.y(), direction.z(), values.data());
+  for (int l = 0; l <= degree; ++l) {
+    const auto scale = static_cast<float>(factor(l));
+    std::for_each(&values[l * l], &values[l * l] + 2 * l + 1, [scale](float& value) { value *= scale; });
+  }
+  return values;
+}
+
+class Bounces {
+ public:
+  explicit Bounces(BakeRun& run)
+      : run_(run),
+        mesh_(run.scene.mesh),
+        degree_(run.transfer.degree()),
+        count_(coefficient_count(degree_)),
+        channels_(is_gray(mesh_.albedo) && is_gray(mesh_.specular) ? 1 : 3),
+        vertices_(mesh_.positions.size()),
+        row_(padded_row(channels_ * count_)),
+        size_(count_ * row_),
+        fill_(closed_vertices(mesh_, run.found->sight)),
+        hits_(vertices_),
+        tracers_(
+            [&run] { return Gatherer(run.scene.mesh, run.rays->starts, run.rays->tracer, run.rays->directions); }) {
+    require_memory();
+    for (const float exponent : mesh_.exponent) {
+      for (int l = 0; l <= degree_; ++l) {
+        lobes_.push_back(static_cast<float>(phong_factor(l, static_cast<double>(exponent))));
+      }
+    }
+    in_order_.resize(std::max(kRaysAtOnce, count_));
+    std::iota(in_order_.begin(), in_order_.end(), 0U);
+  }
+
+  void solve() {
+    take_direct();
+    trace();
+    std::vector<float> sum(term_.size(), 0.0F);
+    BounceReport& report = run_.transfer.bounces;
+    report = {.solver = "series"};
+    const double direct = largest_of(term_);
+    for (double before = direct;;) {
+      next_.resize(term_.size());
+      bounce();
+      term_.swap(next_);
+      ++report.applications;
+      for_chunks(vertices_, [&](std::size_t chunk) {
+        const VertexRange range = chunk_range(chunk, vertices_);
+        for (std::size_t i = range.first * size_; i < range.last * size_; ++i) sum[i] += term_[i];
+      });
+      const double now = largest_of(term_);
+      report.spectral_bound = before > 0.0 ? now / before : 0.0;
+      report.residual = now > 0.0 ? now * report.spectral_bound / std::max(1.0 - report.spectral_bound, 1e-9) : 0.0;
+      if (is_done(report, now, direct)) break;
+      before = now;
+    }
+    report.largest = largest_of(sum);
+    take_sum(sum);
+  }
+
+ private:
+  void require_memory() const {
+    const double needed = 4.0 * static_cast<double>(vertices_ * size_ * sizeof(float));
+    const double there = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+    if (needed > there) {
+      constexpr double kMiB = 1048576.0;
+      throw std::runtime_error(
+          fmt::format("{}: its bounces need {:.0f} MiB for a matrix at each of {} vertices, this machine has {:.0f}; "
+                      "expected fewer "
+                      "vertices, a lower degree, gray materials, or {}",
+                      run_.scene.name, needed / kMiB, vertices_, there / kMiB, kGlossyShadowed.word));
+    }
+  }
+
+  // term = G: column j is the visibility times Y_j.
+  void take_direct() {
+    term_.assign(vertices_ * size_, 0.0F);
+    std::vector<float> columns(vertices_ * 3 * count_);
+    for (std::size_t first = 0; first < count_; first += 3) {
+      const std::size_t some = std::min<std::size_t>(3, count_ - first);
+      std::vector<float> lights(3 * count_, 0.0F);
+      for (std::size_t k = 0; k < some; ++k) lights[k * count_ + first + k] = 1.0F;
+      times_visibility(degree_, vertices_, run_.transfer.coefficients.data(), prepared_light(degree_, lights.data()),
+                       columns.data());
+      for_vertices(vertices_, [&](std::size_t v) {
+        for (std::size_t i = 0; i < some * count_; ++i) {
+          for (std::size_t c = 0; c < channels_; ++c) {
+            term_[v * size_ + i % count_ * row_ + c * count_ + first + i / count_] = columns[v * 3 * count_ + i];
+          }
+        }
+      });
+    }
+  }
+
+  // The blocked rays of a vertex that meet fronts.
+  std::vector<BlockedAt> blocked(std::size_t vertex) {
+    Gatherer& gatherer = tracers_.local();
+    gatherer.gather(vertex);
+    std::vector<BlockedAt> rays;
+    for (const BlockedRay& ray : gatherer.closest_hits()) {
+      if (ray.hit.face == Hit::kNothing) continue;
+      if (face_normal(mesh_.positions, mesh_.faces[ray.hit.face]).dot(ray.direction) >= 0.0F) continue;
+      rays.push_back({ray.direction, ray.hit});
+    }
+    return rays;
+  }
+
+  // Keeps as many hits as the memory for bounces allows; the others are traced again for each bounce.
+  void trace() {
+    output::Progress progress("hits", vertices_);
+    std::atomic<std::size_t> bytes{0};
+    kept_.assign(vertices_, 0);
+    for_vertices(vertices_, [&](std::size_t v) {
+      output::check_interrupt();
+      if (is_open(v)) {
+        kept_[v] = 1;
+      } else if (bytes < run_.settings.bounce_memory) {
+        hits_[v] = blocked(v);
+        kept_[v] = 1;
+        bytes += hits_[v].size() * sizeof(BlockedAt);
+      }
+      progress.advance();
+    });
+    progress.finish();
+  }
+
+  [[nodiscard]] bool is_open(std::size_t vertex) const { return !run_.open.empty() && run_.open[vertex] != 0; }
+
+  // row (row_) = weights times the matrix of a vertex.
+  void weigh(const Weights& weights, std::size_t vertex, float* row) const {
+    sum_rows(term_.data() + vertex * size_, row_, in_order_.data(), count_, weights.data(), row);
+  }
+
+  void scale_channels(const Eigen::Vector3f& color, float* row) const {
+    for (std::size_t c = 0; c < channels_; ++c) {
+      const float scale = color[static_cast<Eigen::Index>(c)];
+      std::for_each(row + c * count_, row + (c + 1) * count_, [scale](float& value) { value *= scale; });
+    }
+  }
+
+  // What leaves each vertex diffusely, (vertices, row_).
+  [[nodiscard]] std::vector<float> diffuse() const {
+    std::vector<float> rows(vertices_ * row_);
+    for_vertices(vertices_, [&](std::size_t v) {
+      float* row = rows.data() + v * row_;
+      weigh(zonal_about(degree_, mesh_.normals[v], [](int l) { return phong_factor(l, 1.0); }), v, row);
+      scale_channels(mesh_.albedo[v], row);
+    });
+    return rows;
+  }
+
+  // Adds what leaves a hit against the ray to `row` (row_).
+  void add_exit(const BlockedAt& ray, const std::vector<float>& diffuse_rows, float* row) const {
+    const Face& face = mesh_.faces[ray.hit.face];
+    const std::array<float, 3> parts = {1.0F - ray.hit.u - ray.hit.v, ray.hit.u, ray.hit.v};
+    const auto add = [&](const float* sent, float part) {
+      for (std::size_t i = 0; i < row_; ++i) row[i] += part * sent[i];
+    };
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t q = face[k];
+      add(diffuse_rows.data() + q * row_, parts[k]);
+      if (mesh_.specular.empty() || mesh_.specular[q].isZero(0.0F)) continue;
+      const Eigen::Vector3f& normal = mesh_.normals[q];
+      const Eigen::Vector3f mirrored = ray.direction - 2.0F * normal.dot(ray.direction) * normal;
+      const float* factors = &lobes_[q * (degree_ + 1)];
+      alignas(64) std::array<float, kMostRow> lobe;
+      weigh(zonal_about(degree_, mirrored, [factors](int l) { return factors[l]; }), q, lobe.data());
+      scale_channels(mesh_.specular[q], lobe.data());
+      add(lobe.data(), parts[k]);
+    }
+  }
+
+  // The matrix of a vertex whose rays meet fronts here: sum over rays of arriving times leaving.
+  void collect(const std::vector<BlockedAt>& rays, const std::vector<float>& diffuse_rows, float* out) const {
+    const auto weight = static_cast<float>(4.0 * std::numbers::pi / static_cast<double>(run_.rays->directions.size()));
+    std::fill_n(out, size_, 0.0F);
+    std::vector<float> arriving(count_ * kRaysAtOnce);
+    std::vector<float> leaving(kRaysAtOnce * row_);
+    std::vector<float> part(row_);
+    for (std::size_t first = 0; first < rays.size(); first += kRaysAtOnce) {
+      const std::size_t some = std::min(kRaysAtOnce, rays.size() - first);
+      std::fill(leaving.begin(), leaving.end(), 0.0F);
+      for (std::size_t j = 0; j < some; ++j) {
+        const BlockedAt& ray = rays[first + j];
+        const Weights basis = zonal_about(degree_, ray.direction, [&](int) { return weight; });
+        for (std::size_t i = 0; i < count_; ++i) arriving[i * kRaysAtOnce + j] = basis[i];
+        add_exit(ray, diffuse_rows, leaving.data() + j * row_);
+      }
+      for (std::size_t i = 0; i < count_; ++i) {
+        sum_rows(leaving.data(), row_, in_order_.data(), some, &arriving[i * kRaysAtOnce], part.data());
+        for (std::size_t k = 0; k < row_; ++k) out[i * row_ + k] += part[k];
+      }
+    }
+  }
+
+  // next = K term.
+  void bounce() {
+    const std::vector<float> diffuse_rows = diffuse();
+    output::Progress progress(fmt::format("bounce {}", run_.transfer.bounces.applications + 1), vertices_);
+    for_vertices(vertices_, [&](std::size_t v) {
+      output::check_interrupt();
+      const std::vector<BlockedAt> again = kept_[v] != 0 ? std::vector<BlockedAt>() : blocked(v);
+      collect(kept_[v] != 0 ? hits_[v] : again, diffuse_rows, next_.data() + v * size_);
+      progress.advance();
+    });
+    progress.finish();
+    fill_.apply(next_.data(), size_, size_);
+  }
+
+  [[nodiscard]] double largest_of(const std::vector<float>& all) const {
+    std::vector<float> largest(chunk_count(vertices_), 0.0F);
+    for_chunks(vertices_, [&](std::size_t chunk) {
+      const VertexRange range = chunk_range(chunk, vertices_);
+      for (std::size_t i = range.first * size_; i < range.last * size_; ++i) {
+        largest[chunk] = std::max(largest[chunk], std::abs(all[i]));
+      }
+    });
+    return static_cast<double>(*std::max_element(largest.begin(), largest.end()));
+  }
+
+  [[nodiscard]] bool is_done(const BounceReport& report, double now, double direct) const {
+    const BounceOptions& options = run_.scene.bake.bounces;
+    const double rate = report.spectral_bound;
+    const double enough = options.tolerance * std::max(direct, 1.0);
+    if (now == 0.0 || (rate < 1.0 && report.residual <= enough)) return true;
+    if (std::chrono::steady_clock::now() >= options.deadline) return true;
+    const double left = rate < 1.0 ? std::log(enough / report.residual) / std::log(rate) : kMostBounces;
+    if (report.applications >= kBouncesBeforeJudgment && report.applications + left > kMostBounces) {
+      throw std::runtime_error(
+          fmt::format("{}: its bounces shrink to only {:.4f} of the one before: surfaces that reflect nearly all light "
+                      "enclose it; expected lower reflectances or a larger opening",
+                      run_.scene.name, rate));
+    }
+    return false;
+  }
+
+  void take_sum(const std::vector<float>& sum) {
+    Transfer& transfer = run_.transfer;
+    transfer.indirect_shape = transfer.kind->indirect(degree_);
+    transfer.indirect_shape.channels = channels_;
+    transfer.indirect.resize(vertices_ * transfer.indirect_shape.length());
+    for_vertices(vertices_, [&](std::size_t v) {
+      float* to = transfer.indirect.data() + v * transfer.indirect_shape.length();
+      for (std::size_t c = 0; c < channels_; ++c) {
+        for (std::size_t i = 0; i < count_; ++i, to += count_) {
+          std::copy_n(sum.data() + v * size_ + i * row_ + c * count_, count_, to);
+        }
+      }
+    });
+  }
+
+  BakeRun& run_;
+  const Mesh& mesh_;
+  int degree_;
+  std::size_t count_;  // coefficients: rows, and columns of a channel
+  std::size_t channels_;
+  std::size_t vertices_;
+  std::size_t row_;   // channels x columns, padded
+  std::size_t size_;  // numbers of a vertex: count_ rows
+  Fill fill_;
+  std::vector<float> lobes_;             // (vertices, bands), empty without lobes
+  std::vector<std::uint32_t> in_order_;  // 0, 1, 2, ...
+  std::vector<float> term_;
+  std::vector<float> next_;
+  std::vector<std::vector<BlockedAt>> hits_;
+  std::vector<std::uint8_t> kept_;
+  tbb::enumerable_thread_specific<Gatherer> tracers_;
+};
+
+}  // namespace
+
+void add_glossy_bounces(BakeRun& run) { Bounces(run).solve(); }
+
+}  // namespace sh::prt

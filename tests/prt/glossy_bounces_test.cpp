@@ -1,0 +1,206 @@
+// Glossy transfer with bounces: the system that it solves, by the functions of the run time; diffuse bakes; extremes.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "prt/basis.hpp"
+#include "prt/mesh/corners.hpp"
+#include "prt/rays/directions.hpp"
+#include "prt/rays/gather.hpp"
+#include "prt/runtime/glossy.hpp"
+#include "prt/runtime/relight.hpp"
+#include "prt/transfer/storage.hpp"
+#include "prt/transfer/transfer_file.hpp"
+#include "tests/prt/lights.hpp"
+#include "tests/prt/rooms.hpp"
+#include "tests/prt/temporary_folder.hpp"
+
+namespace sh::prt::test {
+namespace {
+
+Mesh finished(Mesh mesh, const Eigen::Vector3f& albedo, const Eigen::Vector3f& specular, float exponent) {
+  paint(mesh, albedo);
+  mesh.specular.assign(mesh.positions.size(), specular);
+  mesh.exponent.assign(mesh.positions.size(), exponent);
+  return mesh;
+}
+
+// A diffuse bowl around a glossy torus.
+Mesh bowl(const Eigen::Vector3f& color, float exponent) {
+  Mesh mesh = finished(hollow_sphere(12, 0.3F), color, Eigen::Vector3f::Zero(), 0.0F);
+  Mesh ring = primitive_mesh("torus", 10);
+  append(mesh, finished(std::move(ring), 0.3F * color, 0.6F * color, exponent));
+  return mesh;
+}
+
+// The radiance that reaches vertex v if surfaces send what `reaching` makes them send.
+std::vector<double> one_bounce(const Transfer& transfer, const TransferredRadiance& direct,
+                               const TransferredRadiance& reaching, std::size_t v) {
+  const Mesh& mesh = transfer.mesh;
+  const Tracer tracer(mesh, 1, transfer.instruction_set);
+  const std::size_t count = coefficient_count(transfer.degree());
+  const auto directions = static_cast<int>(transfer.directions);
+  std::vector<double> sum(direct.at(v), direct.at(v) + 3 * count);
+  const Eigen::Vector3f origin = ray_starts(mesh)[v].origin;
+  for (const Eigen::Vector3f& s : make_directions(Sampler::kFibonacci, directions)) {
+    if (s.dot(mesh.geometric_normals[v]) <= 0.0F) continue;
+    std::vector<Hit> hit(1);
+    tracer.intersect(std::vector<Eigen::Vector3f>{origin}, std::vector<Eigen::Vector3f>{s}, hit);
+    if (hit[0].face == Hit::kNothing) continue;
+    const Face& face = mesh.faces[hit[0].face];
+    if (face_normal(mesh.positions, face).dot(s) >= 0.0F) continue;
+    const std::array<float, 3> part = {1.0F - hit[0].u - hit[0].v, hit[0].u, hit[0].v};
+    Eigen::Vector3f sent = Eigen::Vector3f::Zero();
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Material material{mesh.albedo[face[k]], mesh.specular[face[k]], mesh.exponent[face[k]]};
+      sent += part[k] * exit_radiance(material, transfer.degree(), reaching.at(face[k]), mesh.normals[face[k]], -s);
+    }
+    std::vector<float> basis(count);
+    evaluate_basis(transfer.degree(), s.x(), s.y(), s.z(), basis.data());
+    for (std::size_t i = 0; i < 3 * count; ++i) {
+      sum[i] += 4.0 * std::numbers::pi / directions *
+                static_cast<double>(basis[i % count] * sent[static_cast<Eigen::Index>(i / count)]);
+    }
+  }
+  return sum;
+}
+
+void expect_fixed_point(const Mesh& mesh, int degree, std::size_t channels) {
+  Scene scene = scene_of(mesh, &kGlossyInterreflected, 256, degree);
+  scene.bake.bounces.tolerance = 1e-6;
+  const Transfer transfer = bake(scene);
+  EXPECT_EQ(transfer.indirect_shape.channels, channels);
+  ASSERT_EQ(transfer.indirect.size(),
+            mesh.positions.size() * channels * coefficient_count(degree) * coefficient_count(degree));
+  Transfer without = transfer;
+  without.indirect.clear();
+  const LightCoefficients light = random_light(degree, 21);
+  const TransferredRadiance reaching(transfer, light);
+  const TransferredRadiance direct(without, light);
+  double most = 0.0;
+  for (std::size_t v = 0; v < mesh.positions.size(); v += 61) {
+    const std::vector<double> expected = one_bounce(transfer, direct, reaching, v);
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+      EXPECT_NEAR(static_cast<double>(reaching.at(v)[i]), expected[i], 3e-5) << v << ' ' << i;
+      most = std::max(most, std::abs(expected[i] - static_cast<double>(direct.at(v)[i])));
+    }
+  }
+  EXPECT_GT(most, 0.005) << "nothing bounces";
+}
+
+TEST(GlossyBounces, ReachEveryVertexAsTheRunTimeSendsThemFromEverySurface) {
+  for (const int degree : {0, 1, 4}) expect_fixed_point(bowl({0.8F, 0.6F, 0.3F}, 12.0F), degree, 3);
+}
+
+TEST(GlossyBounces, HaveOneChannelWhereAllIsGray) {
+  expect_fixed_point(bowl(Eigen::Vector3f::Constant(0.7F), 3.0F), 2, 1);
+}
+
+TEST(GlossyBounces, AreThoseOfThreeChannelsWhereOneColorIsAlmostGray) {
+  const Transfer gray = baked(bowl(Eigen::Vector3f::Constant(0.7F), 3.0F), &kGlossyInterreflected, 128, 2);
+  const Transfer colored = baked(bowl({0.7F, 0.7F, 0.7000001F}, 3.0F), &kGlossyInterreflected, 128, 2);
+  ASSERT_EQ(colored.indirect_shape.channels, 3U);
+  const std::size_t count = gray.indirect_shape.count();
+  for (std::size_t i = 0; i < colored.indirect.size(); ++i) {
+    EXPECT_NEAR(colored.indirect[i], gray.indirect[i / (3 * count) * count + i % count], 1e-5F);
+  }
+}
+
+TEST(GlossyBounces, OfDiffuseSurfacesMeetTheDiffuseBake) {
+  const Mesh mesh = finished(hollow_sphere(16, 0.3F), {0.8F, 0.5F, 0.2F}, Eigen::Vector3f::Zero(), 0.0F);
+  const LightCoefficients light = constant_light(4);
+  const std::vector<Eigen::Vector3f> diffuse = relight(baked(mesh, &kInterreflected, 2048, 4), light);
+  const Transfer transfer = baked(mesh, &kGlossyInterreflected, 2048, 4);
+  const std::vector<Eigen::Vector3f> glossy =
+      exit_radiance(transfer, TransferredRadiance(transfer, light), {0.0, 0.0, 9.0}, mesh.albedo);
+  double squares = 0.0;
+  double all = 0.0;
+  for (std::size_t v = 0; v < diffuse.size(); ++v) {
+    squares += static_cast<double>((glossy[v] - diffuse[v]).squaredNorm());
+    all += static_cast<double>(diffuse[v].squaredNorm());
+  }
+  EXPECT_LT(std::sqrt(squares / all), 0.03) << "the clamped cosine to degree 4 is a little off";
+}
+
+TEST(GlossyBounces, OfAConvexBodyAreNone) {
+  const Mesh mesh = finished(primitive_mesh("sphere", 9), {0.2F, 0.1F, 0.3F}, {0.5F, 0.5F, 0.6F}, 20.0F);
+  const Transfer transfer = baked(mesh, &kGlossyInterreflected, 256, 3);
+  EXPECT_TRUE(std::all_of(transfer.indirect.begin(), transfer.indirect.end(), [](float x) { return x == 0.0F; }));
+  EXPECT_EQ(transfer.bounces.applications, 1);
+  EXPECT_EQ(transfer.coefficients, baked(mesh, &kGlossyShadowed, 256, 3).coefficients);
+}
+
+TEST(GlossyBounces, HaveTheSameBitsForAnyThreadsMemoryAndExactPlan) {
+  Scene scene = scene_of(bowl({0.8F, 0.6F, 0.3F}, 12.0F), &kGlossyInterreflected, 128, 2);
+  const Transfer whole = bake({scene, {.threads = 1}});
+  EXPECT_EQ(bake({scene, {.threads = 2}}).indirect, whole.indirect);
+  EXPECT_EQ(bake({scene, {.threads = 2, .bounce_memory = 0}}).indirect, whole.indirect);
+  EXPECT_EQ(bake({scene, {.threads = 2, .bounce_memory = 20'000}}).indirect, whole.indirect);
+  scene.plan.mode = PlanMode::kExact;
+  EXPECT_EQ(bake(scene).indirect, whole.indirect);
+}
+
+TEST(GlossyBounces, EndOnTheirToleranceAndSaySo) {
+  Scene scene = scene_of(bowl({0.8F, 0.6F, 0.3F}, 12.0F), &kGlossyInterreflected, 128, 2);
+  scene.bake.bounces.tolerance = 1e-2;
+  const Transfer coarse = bake(scene);
+  scene.bake.bounces.tolerance = 1e-6;
+  const Transfer fine = bake(scene);
+  EXPECT_GT(fine.bounces.applications, coarse.bounces.applications);
+  double apart = 0.0;
+  for (std::size_t i = 0; i < fine.indirect.size(); ++i) {
+    apart = std::max(apart, static_cast<double>(std::abs(fine.indirect[i] - coarse.indirect[i])));
+  }
+  EXPECT_LE(apart, 2.0 * coarse.bounces.residual);
+  EXPECT_LE(coarse.bounces.residual, 1e-2);
+}
+
+TEST(GlossyBounces, BetweenDiffuseSurfacesThatLoseNothingAreRefused) {
+  const Mesh mesh = finished(hollow_sphere(32, 0.97F), Eigen::Vector3f::Ones(), Eigen::Vector3f::Zero(), 0.0F);
+  const std::string reason = message_of([&] { baked(mesh, &kGlossyInterreflected, 512, 1); });
+  EXPECT_NE(reason.find("its bounces shrink to only 0.9"), std::string::npos) << reason;
+}
+
+// A lobe loses the part that its surface cuts off, so that the sum exists.
+TEST(GlossyBounces, BetweenLobesThatReflectAllLightHaveASum) {
+  for (const float exponent : {0.0F, 1.0F, 1e6F}) {
+    const Mesh mesh = finished(hollow_sphere(24, 0.5F), Eigen::Vector3f::Zero(), Eigen::Vector3f::Ones(), exponent);
+    const Transfer transfer = baked(mesh, &kGlossyInterreflected, 256, 2);
+    EXPECT_LT(transfer.bounces.residual, 1.1e-4) << exponent;
+    EXPECT_GT(transfer.bounces.applications, 4) << exponent;
+    EXPECT_LT(transfer.bounces.largest, 10.0) << exponent;
+  }
+}
+
+TEST(GlossyBounces, OfAClosedRoomAreNone) {
+  const Mesh mesh = finished(hollow_sphere(12), Eigen::Vector3f::Ones(), Eigen::Vector3f::Zero(), 1.0F);
+  const Transfer transfer = baked(mesh, &kGlossyInterreflected, 128, 2);
+  EXPECT_TRUE(std::all_of(transfer.indirect.begin(), transfer.indirect.end(), [](float x) { return x == 0.0F; }));
+}
+
+TEST(GlossyBounces, DoNotCarryEmission) {
+  Mesh mesh = bowl({0.8F, 0.6F, 0.3F}, 12.0F);
+  shine(mesh, {1.0F, 1.0F, 1.0F});
+  EXPECT_NE(message_of([&] { baked(mesh, &kGlossyInterreflected, 64, 2); }).find("expected no emission"),
+            std::string::npos);
+}
+
+TEST(GlossyFile, KeepsItsMatricesInHalfPrecision) {
+  const TemporaryFolder folder;
+  for (const Eigen::Vector3f& color : {Eigen::Vector3f(0.8F, 0.6F, 0.3F), Eigen::Vector3f(0.5F, 0.5F, 0.5F)}) {
+    const Transfer written = baked(bowl(color, 12.0F), &kGlossyInterreflected, 128, 3);
+    write_transfer(folder.file("g"), written);
+    const Transfer read = read_transfer(folder.file("g"));
+    EXPECT_EQ(read.indirect_shape.channels, written.indirect_shape.channels);
+    EXPECT_EQ(read.bounces.applications, written.bounces.applications);
+    ASSERT_EQ(read.indirect.size(), written.indirect.size());
+    for (std::size_t i = 0; i < read.indirect.size(); ++i) {
+      const auto size = static_cast<double>(written.indirect[i]);
+      EXPECT_LE(std::abs(static_cast<double>(read.indirect[i]) - size), encoding_error(Element::kHalf, std::abs(size)));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace sh::prt::test
