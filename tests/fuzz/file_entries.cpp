@@ -42,11 +42,10 @@ void read_and_light(const std::string& file) {
           "coefficients are finite");
   LightCoefficients light = LightCoefficients::zero(transfer.degree());
   for (int channel = 0; channel < 3; ++channel) light.at(channel, 0) = 1.0;
-  const std::size_t lit = transfer.kind->is_glossy()
-                              ? exit_radiance(transfer, TransferredRadiance(transfer, light), {0.0, 0.0, 9.0},
-                                              transfer.mesh.albedo)
-                                    .size()
-                              : relight(transfer, light).size();
+  const std::size_t lit =
+      transfer.kind->is_glossy()
+          ? exit_radiance(transfer, TransferredRadiance(transfer, light), {0.0, 0.0, 9.0}, transfer.mesh.albedo).size()
+          : relight(transfer, light).size();
   require(lit == transfer.mesh.positions.size(), "every vertex is lit");
 }
 
