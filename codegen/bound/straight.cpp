@@ -1,5 +1,7 @@
 #include "codegen/bound/straight.hpp"
 
+#include <utility>
+
 #include "codegen/passes/passes.hpp"
 
 namespace sh::codegen::bound {
@@ -26,7 +28,9 @@ class Unroller {
     for (NodeId id = 0; id < from_.size(); ++id) {
       const Node& node = from_.node(id);
       if (phases_[id] != phase || node.op == Op::kRowSum || node.op == Op::kTable) continue;
-      place_[id] = Builder(result_).append(moved(node, place_));
+      Node copied = moved(node, place_);
+      copied.input += std::exchange(copied.stride, 0) * row_;
+      place_[id] = Builder(result_).append(std::move(copied));
     }
   }
 
@@ -42,12 +46,14 @@ class Unroller {
       const NodeId term = place_[node.args[0]];
       place_[id] = place_[id] < 0 ? term : Builder(result_).add(place_[id], term);
     }
+    ++row_;
   }
 
   const Kernel& from_;
   std::vector<Phase> phases_;
   std::vector<NodeId> place_;
   Kernel result_;
+  int row_ = 0;
 };
 
 }  // namespace

@@ -138,7 +138,7 @@ class GaugeSolver {
     const auto arg = [&](std::size_t i) { return value_of(node.args[i]); };
     switch (node.op) {
       case Op::kInput:
-        return keep(build_.input(node.input, node.name), {inputs[node.input], {}});
+        return keep(build_.input(node.input, node.name, node.stride), {inputs[node.input], {}});
       case Op::kConstant:
         return keep(build_.constant(node.constant, node.name), Gauge{});  // every use appends its own constant
       case Op::kNeg: {

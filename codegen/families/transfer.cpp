@@ -1,21 +1,26 @@
 // Transferred radiance: visibility of degree 2n times light of degree n on the bands of the light.
 //
 // `transfer_prepare` evaluates a light at the nodes of a quadrature, `transfer_apply` multiplies with the visibility there
-// and projects (codegen/recipes/product/transfer.cpp). The references know the nodes by their definition, and the result
-// by the Gaunt tensor.
+// and projects, `transfer_glossy` multiplies with a lobe, too, and integrates (codegen/recipes/product/transfer.cpp). The
+// references know the nodes by their definition, and the result by the Gaunt tensor.
 #include <cln/real.h>
 
 #include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <numeric>
 #include <span>
+#include <utility>
 
 #include "codegen/families/exact.hpp"
 #include "codegen/ir/evaluate.hpp"
+#include "codegen/measure/directions.hpp"
 #include "codegen/measure/domains.hpp"
 #include "codegen/recipes/product/product.hpp"
 #include "symbolic/product/gaunt.hpp"
+#include "symbolic/product/product_form.hpp"
+#include "symbolic/zonal/convolution.hpp"
 
 namespace sh::codegen {
 namespace {
@@ -23,9 +28,9 @@ namespace {
 constexpr int kDigits = kCheckDigits + 20;
 constexpr unsigned long kSeed = 20020701;
 constexpr int kInputs = 120;
-constexpr int kLargestWritten = 4;
-constexpr int kLargestEmitted = 6;
-constexpr const char* kLimit = "straight-line code of a higher degree does not fit into the instruction cache";
+constexpr int kLargestWritten = 4;  // shader compilers unroll the loops of higher degrees, and take long
+constexpr int kLargestEmitted = symbolic::kMaxProductDegree / 2;
+constexpr const char* kLimit = "visibility has twice the degree, and the Gaunt tensor is derived to that degree only";
 
 using Node = std::array<cln::cl_RA, 3>;
 using Numbers = std::vector<cln::cl_F>;
@@ -150,6 +155,31 @@ Reference apply_reference(int degree, int points, int channels) {
   return reference;
 }
 
+// The lobe, a zonal function about the direction, as coefficients.
+Numbers turned(int degree, std::span<const cln::cl_RA> lobe, std::span<const cln::cl_RA> direction) {
+  Numbers result;
+  for (const symbolic::TurnedZonal& f : symbolic::turned_zonal(degree)) {
+    result.push_back((Surd(f.polynomial.evaluate(direction) * lobe[f.degree]) * f.factor).evaluate(kDigits));
+  }
+  return result;
+}
+
+// The points of apply with a lobe and a direction; of each channel the scalar product with the turned lobe.
+Reference glossy_reference(int degree, int points, int channels) {
+  const auto lobes = joined(rational_vectors(points, degree + 1, kSeed + 3), rational_directions(points));
+  Reference reference = apply_reference(degree, points, channels);
+  for (int point = 0; point < points; ++point) {
+    const std::span lobe(lobes[point]);
+    const Numbers weights = turned(degree, lobe.first(degree + 1), lobe.last(3));
+    const Numbers transferred = std::exchange(reference[point].outputs, {});
+    for (auto first = transferred.begin(); first != transferred.end(); first += weights.size()) {
+      reference[point].outputs.push_back(std::inner_product(weights.begin(), weights.end(), first, number(0)));
+    }
+    reference[point].inputs.insert(reference[point].inputs.end(), lobe.begin(), lobe.end());
+  }
+  return reference;
+}
+
 Inputs lights(int degree, unsigned long seed) { return unit_vectors(kInputs, coefficient_count(degree), seed); }
 
 Inputs apply_inputs(int degree, int channels) {
@@ -162,6 +192,19 @@ Inputs apply_inputs(int degree, int channels) {
     inputs = joined(std::move(inputs), samples);
   }
   return inputs;
+}
+
+Inputs glossy_inputs(int degree, int channels) {
+  const auto lobes = joined(unit_vectors(kInputs, degree + 1, kSeed + 6), some_test_directions(kInputs));
+  return joined(apply_inputs(degree, channels), lobes);
+}
+
+// Straight-line code of a higher degree does not fit into the instruction cache.
+constexpr int kLargestStraight = 3;
+
+std::vector<Recipe> recipes_of(Kernel (*make)(int degree, int channels, bool looped), int channels) {
+  return {{"rings", [=](int degree) { return make(degree, channels, false); }, 0, kLargestStraight},
+          {"looped", [=](int degree) { return make(degree, channels, true); }, kLargestStraight}};
 }
 
 Family prepare_family() {
@@ -183,7 +226,7 @@ Family apply_family(const std::string& name, int channels, const std::string& wh
       .largest_written = kLargestWritten,
       .largest_emitted = kLargestEmitted,
       .limit = kLimit,
-      .recipes = {{"rings", [=](int degree) { return recipes::transfer_apply(degree, channels); }}},
+      .recipes = recipes_of(recipes::transfer_apply, channels),
       .reference = [=](int degree, int points) { return apply_reference(degree, points, channels); },
       .domain = {.inputs = "visibility (random, of norm 1) with prepared lights (random, of norm 1 in each channel)",
                  .unit = "|visibility| |light|, |light| = 1",
@@ -192,12 +235,30 @@ Family apply_family(const std::string& name, int channels, const std::string& wh
       .batch = BatchDriver{.what = what, .half = true, .largest = kLargestWritten}};
 }
 
+Family glossy_family(const std::string& name, int channels, const std::string& what) {
+  return {
+      .name = name,
+      .largest_written = kLargestWritten,
+      .largest_emitted = kLargestEmitted,
+      .limit = kLimit,
+      .recipes = recipes_of(recipes::transfer_glossy, channels),
+      .reference = [=](int degree, int points) { return glossy_reference(degree, points, channels); },
+      .domain = {.inputs = "visibility and lobes (random, of norm 1) with prepared lights (random, of norm 1 in each "
+                           "channel) and directions (random, axes, poles, near poles)",
+                 .unit = "|visibility| |light| |lobe|, |light| = 1",
+                 .test_inputs = [=](int degree) { return glossy_inputs(degree, channels); },
+                 .sizes = {"|visibility| |lobe|"}},
+      .batch = BatchDriver{.what = what, .half = true, .largest = kLargestWritten}};
+}
+
 }  // namespace
 
 std::vector<Family> transfer_families() {
   return {
       prepare_family(), apply_family("transfer_apply", 1, "Transferred radiance of visibility under a prepared light"),
-      apply_family("transfer_apply_rgb", 3, "The same of three channels, which share the samples of the visibility")};
+      apply_family("transfer_apply_rgb", 3, "The same of three channels, which share the samples of the visibility"),
+      glossy_family("transfer_glossy", 1, "Radiance that glossy vertices reflect under a prepared light"),
+      glossy_family("transfer_glossy_rgb", 3, "The same of three channels")};
 }
 
 }  // namespace sh::codegen

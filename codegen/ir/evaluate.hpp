@@ -45,7 +45,7 @@ class Evaluator {
   /// inputs: the flattened parameters; result: the flattened outputs.
   std::vector<T> operator()(std::span<const T> inputs) {
     run(Phase::kBefore, inputs);
-    for (std::size_t row = 0; row < table_.size(); ++row) run_row(row, inputs);
+    for (row_ = 0; row_ < table_.size(); ++row_) run_row(inputs);
     run(Phase::kAfter, inputs);
     std::vector<T> results;
     results.reserve(kernel_.outputs.size());
@@ -60,15 +60,15 @@ class Evaluator {
     }
   }
 
-  void run_row(std::size_t row, std::span<const T> inputs) {
+  void run_row(std::span<const T> inputs) {
     for (std::size_t i = 0; i < values_.size(); ++i) {
-      if (kernel_.nodes[i].op == Op::kTable) values_[i] = table_[row][kernel_.nodes[i].input];
+      if (kernel_.nodes[i].op == Op::kTable) values_[i] = table_[row_][kernel_.nodes[i].input];
     }
     run(Phase::kBody, inputs);
     for (std::size_t i = 0; i < values_.size(); ++i) {
       if (kernel_.nodes[i].op != Op::kRowSum) continue;
       const T& term = value(kernel_.nodes[i].args[0]);
-      values_[i] = row == 0 ? term : values_[i] + term;
+      values_[i] = row_ == 0 ? term : values_[i] + term;
     }
   }
 
@@ -102,7 +102,7 @@ class Evaluator {
   void step(const Node& node, std::span<const T> inputs, T& result) const {
     switch (node.op) {
       case Op::kInput:
-        result = inputs[node.input];
+        result = inputs[node.input + row_ * node.stride];
         return;
       case Op::kConstant:
       case Op::kTable:
@@ -140,6 +140,7 @@ class Evaluator {
   std::vector<Phase> phases_;
   std::vector<T> values_;
   std::vector<std::vector<T>> table_;  // the constants of the loop, by row
+  std::size_t row_ = 0;
 };
 
 }  // namespace sh::codegen

@@ -47,7 +47,7 @@ std::vector<Phase> phases(const Kernel& kernel) {
   std::vector<Phase> result(kernel.nodes.size(), Phase::kBefore);
   for (NodeId id = 0; id < kernel.size(); ++id) {
     const Node& node = kernel.node(id);
-    bool in_row = node.op == Op::kTable;
+    bool in_row = node.op == Op::kTable || node.stride != 0;
     bool after = node.op == Op::kRowSum;
     for (const NodeId arg : arguments(node)) {
       in_row = in_row || result[arg] == Phase::kBody;
@@ -111,8 +111,8 @@ NodeId Builder::operation(Op op, const std::array<NodeId, 4>& args, std::string 
   return append({op, args, -1, {}, std::move(name)});
 }
 
-NodeId Builder::input(int index, std::string name) {
-  return append({Op::kInput, {-1, -1, -1, -1}, index, {}, std::move(name)});
+NodeId Builder::input(int index, std::string name, int stride) {
+  return append({Op::kInput, {-1, -1, -1, -1}, index, {}, std::move(name), stride});
 }
 
 NodeId Builder::constant(ExactReal value, std::string name) {

@@ -7,9 +7,9 @@
 // the printer chooses the type. Constants stay exact until a printer rounds them (codegen/ir/literal.hpp).
 //
 // A kernel may have one counted loop, for code that would outgrow the instruction cache. Such a kernel has a table of
-// constants. A node kTable is an element of the table's current row; a node kRowSum is the sum of a value over all
-// rows. Values that depend on the row and on no sum form the body of the loop. The kernel computes all other values
-// once, before or after the loop.
+// constants. A node kTable is an element of the table's current row; an input with a stride moves on from row to row; a
+// node kRowSum is the sum of a value over all rows. Values that depend on the row and on no sum form the body of the
+// loop. The kernel computes all other values once, before or after the loop.
 //
 // Names are hints for readers, never identity. Some nodes may reach no output: passes leave them behind and `prune`
 // drops them. They cost nothing.
@@ -39,6 +39,7 @@ struct Node {
   int input = -1;      ///< kInput: position among the flattened parameters; kTable: column of the table
   ExactReal constant;  ///< kConstant: the value
   std::string name;    ///< a hint such as "p_4_2"; may be empty
+  int stride = 0;      ///< kInput: the positions from one row of the table to the next; 0: the same in every row
 };
 
 /// One element of the results.
@@ -104,7 +105,7 @@ class Builder {
  public:
   explicit Builder(Kernel& kernel) : kernel_(kernel) {}
   NodeId append(Node node);
-  NodeId input(int index, std::string name);
+  NodeId input(int index, std::string name, int stride = 0);
   NodeId constant(ExactReal value, std::string name = {});
   NodeId neg(NodeId a, std::string name = {}) { return operation(Op::kNeg, {a, -1, -1, -1}, std::move(name)); }
   NodeId add(NodeId a, NodeId b, std::string name = {}) { return operation(Op::kAdd, {a, b, -1, -1}, std::move(name)); }

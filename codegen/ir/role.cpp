@@ -103,6 +103,8 @@ bool is_prepared(Role role) {
   return role == Role::kBandMatrices || role == Role::kPolynomial || role == Role::kMoments || role == Role::kSamples;
 }
 
+bool is_shared(Role role) { return role == Role::kSamples; }
+
 bool is_by_degree_and_order(Role role) { return traits(role).by_degree_and_order; }
 
 bool holds_coefficients(Role role) { return traits(role).coefficients; }

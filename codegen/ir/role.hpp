@@ -64,6 +64,8 @@ std::vector<Parameter> with_direction(std::vector<Parameter> before, const std::
 
 /// True for numbers that another kernel makes and that only make sense together: band matrices, samples.
 bool is_prepared(Role role);
+/// True for numbers that belong to no vertex: records that are computed together share them.
+bool is_shared(Role role);
 /// True for numbers at index l(l+1)+m that have the parities of Y_lm in x, y and z.
 bool is_by_degree_and_order(Role role);
 /// True for coefficients of a function in the basis, including zonal coefficients.

@@ -10,13 +10,13 @@
 namespace sh::codegen::passes {
 namespace {
 
-using Key = std::tuple<Op, std::array<NodeId, 4>, int, ExactReal>;
+using Key = std::tuple<Op, std::array<NodeId, 4>, int, int, ExactReal>;
 
 Key key_of(const Node& node) {
   std::array<NodeId, 4> args = node.args;
   const bool commutes = node.op == Op::kAdd || node.op == Op::kMul || node.op == Op::kFma;
   if (commutes && args[0] > args[1]) std::swap(args[0], args[1]);
-  return {node.op, args, node.input, node.constant};
+  return {node.op, args, node.input, node.stride, node.constant};
 }
 
 // Appends every distinct node once.

@@ -33,7 +33,9 @@ std::string public_signature(const Driver& driver, const Overload& types) {
   const RecordSignature s = signature_of(driver.last());
   std::string text = "void " + driver.name + "(int degree, std::size_t n";
   for (std::size_t j = 0; j < s.inputs.size(); ++j) {
-    text += ", Records<const " + (j == 0 ? types.first : types.scalar) + "> " + s.inputs[j].name;
+    const std::string& scalar = j == 0 ? types.first : types.scalar;
+    const std::string type = s.inputs[j].shared ? "const " + scalar + "* " : "Records<const " + scalar + "> ";
+    text += ", " + type + s.inputs[j].name;
   }
   return text + ", " + (s.sums ? types.scalar + "* " : "Records<" + types.scalar + "> ") + s.out + ")";
 }
@@ -101,7 +103,9 @@ std::string definition(const Driver& driver, const Overload& types) {
   std::string inputs;
   for (std::size_t j = 0; j < s.inputs.size(); ++j) {
     const std::string& name = s.inputs[j].name;
-    inputs += (j == 0 ? "" : ", ") + (half && j == 0 ? "{nullptr, " + name + ".layout}" : name);
+    inputs += (j == 0 ? "" : ", ") + (half && j == 0       ? "{nullptr, " + name + ".layout}"
+                                      : s.inputs[j].shared ? "shared(" + name + ")"
+                                                           : name);
   }
   return filled(R"(
 $signature {
@@ -138,7 +142,7 @@ std::string drivers_file(const std::vector<Driver>& drivers) {
 int room_lines(const Driver& driver) {
   const RecordSignature s = signature_of(driver.last());
   int in = 0;
-  for (const Record& record : s.inputs) in += record.size;
+  for (const Record& record : s.inputs) in += record.shared ? 0 : record.size;
   int prepared = 0;
   if (driver.prepares()) prepared = 2 * signature_of(driver.prepare->back().kernel).out_size;  // once plain
   const int chunk = std::max(kChunkLines, in + s.out_size);

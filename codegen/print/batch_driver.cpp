@@ -11,6 +11,7 @@ std::string size_text(const Parameter& array, int kernel_degree) {
     const bool channels = array.shape.size() == 2;
     return (channels ? std::to_string(array.shape.front()) + " (" + one + ")" : one) + ", at degree 0 one a channel";
   }
+  if (array.role == Role::kZonalCoefficients) return "degree + 1";
   return holds_coefficients(array.role) && array.degree == 2 * kernel_degree ? "(2 degree + 1)^2" : "";
 }
 
@@ -27,7 +28,10 @@ RecordSignature signature_of(const Kernel& kernel) {
     if (!component || p.axis == 0) s.inputs.push_back({component ? "directions" : p.name, {}, 0});
     const std::string from = "in[" + std::to_string(s.inputs.size() - 1) + "]";
     Record& record = s.inputs.back();
-    record.arguments.push_back(p.shape.empty() ? from + "[" + std::to_string(record.size) + "]" : from);
+    record.shared = is_shared(p.role);
+    record.arguments.push_back(p.shape.empty() ? from + "[" + std::to_string(record.size) + "]"
+                               : record.shared ? "blocks." + from
+                                               : from);
     record.size += p.size();
     record.size_text = size_text(p, kernel.degree);
   }

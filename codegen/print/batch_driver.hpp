@@ -21,6 +21,7 @@ struct Record {
   std::string name;
   std::vector<std::string> arguments;  // of the kernel, from `in[j]`
   int size = 0;
+  bool shared = false;         // scalars that serve all records
   std::string size_text = {};  // for every degree; empty: a number or a multiple of bands^2
 };
 

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <set>
 #include <stdexcept>
 
@@ -18,17 +19,24 @@ std::string loop_of(const RecordSignature& s, Loop loop) {
   return s.sums ? "sum_every_register<" + inputs + ", " + count + ">" : "for_every_register<" + inputs + ">";
 }
 
+// The place of the input that serves all records; -1: there is none.
+int shared_input(const RecordSignature& s) {
+  const auto found = std::find_if(s.inputs.begin(), s.inputs.end(), [](const Record& r) { return r.shared; });
+  return found == s.inputs.end() ? -1 : static_cast<int>(found - s.inputs.begin());
+}
+
 std::string block_kernel(const std::string& name, const Kernel& kernel, Loop loop = Loop::kPlain) {
   const bool half = loop == Loop::kHalf;
   return filled(R"(template <int Degree$class_t>
 [[gnu::flatten]] void $name(const Blocks<$t>& blocks) {
-  $loop(blocks, [](const Lanes<$t>* const* in, Lanes<$t>* out) {
+  $loop(blocks, [$capture](const Lanes<$t>* const* in, Lanes<$t>* out) {
     $call
   });
 }
 
 )",
-                {{"class_t", half ? ", int Size" : ", class T"},
+                {{"capture", shared_input(signature_of(kernel)) < 0 ? "" : "&blocks"},
+                 {"class_t", half ? ", int Size" : ", class T"},
                  {"name", name},
                  {"t", half ? "float" : "T"},
                  {"loop", loop_of(signature_of(kernel), loop)},
@@ -49,7 +57,7 @@ std::string plan_row(const Driver& driver, std::size_t i) {
     prepared =
         "detail::prepare_" + driver.name + ", " + std::to_string(size) + ", kernel_prepared" + at_degree + ", T>";
   }
-  return filled("      {$inputs, {$sizes}, $out, $sums, $kernel, $half, $prepared, $finish},\n",
+  return filled("      {$inputs, {$sizes}, $out, $sums, $kernel, $half, $prepared, $finish$shared},\n",
                 {{"inputs", std::to_string(s.inputs.size())},
                  {"sizes", sizes},
                  {"out", std::to_string(s.out_size)},
@@ -59,7 +67,8 @@ std::string plan_row(const Driver& driver, std::size_t i) {
                               ? "float_only<T>(kernel_half" + at_degree + ", " + std::to_string(s.inputs[0].size) + ">)"
                               : "nullptr"},
                  {"prepared", prepared},
-                 {"finish", by_parts ? "detail::finish_" + driver.name : "nullptr"}});
+                 {"finish", by_parts ? "detail::finish_" + driver.name : "nullptr"},
+                 {"shared", shared_input(s) < 0 ? "" : ", " + std::to_string(shared_input(s))}});
 }
 
 // A function that a driver runs once a call: the kernels of a family, for each of some scalars.

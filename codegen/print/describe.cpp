@@ -158,6 +158,7 @@ std::string dump(const Kernel& kernel) {
     std::string operation = op_name(node.op);
     for (int i = 0; i < argument_count(node.op); ++i) operation += " %" + std::to_string(node.args[i]);
     if (node.op == Op::kInput) operation += " " + std::to_string(node.input);
+    if (node.stride != 0) operation += " + " + std::to_string(node.stride) + " row";
     if (node.op == Op::kConstant) operation += " " + to_string(node.constant);
     std::string note = node.name.empty() ? "" : "  ; " + node.name;
     if (!live[id]) note += note.empty() ? "  ; dead" : ", dead";

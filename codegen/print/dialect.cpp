@@ -29,6 +29,9 @@ Dialect cpp() {
   d.in_array = "const T* $name";
   d.out_array = "T* $name";
   d.in_out_array = d.out_array;
+  d.shared_head = "template <class T, class S = T>\nconstexpr ";
+  d.shared_array = "const S* $name";
+  d.shared_element = "T($element)";
   d.square_root = "detail::square_root";
   d.select = "detail::choose($a < $b, $then, $otherwise)";
   d.table =

@@ -33,6 +33,11 @@ struct Dialect {
   std::string in_array;
   std::string out_array;
   std::string in_out_array;
+  /// Where T may be a register of lanes: the head of a function with an array that all lanes share, and templates of that
+  /// array and of its $element as a T. Empty: there are no lanes.
+  std::string shared_head = {};
+  std::string shared_array = {};
+  std::string shared_element = {};
   std::string square_root = "sqrt";  ///< the function
   /// Template of a selection: $a, $b, $then, $otherwise.
   std::string select = "($a < $b ? $then : $otherwise)";
@@ -58,7 +63,8 @@ struct Dialect {
   }
 };
 
-/// C++17: functions are constexpr templates on the scalar T; arrays are pointers.
+/// C++17: functions are constexpr templates on the scalar T; arrays are pointers. T may be a register of lanes; a prepared
+/// light has numbers of type S, which lanes share if that is their scalar.
 const Dialect& cpp_dialect();
 /// GLSL and HLSL. `out` is a word of these languages, so the array has the name `result`.
 Dialect glsl_dialect(Scalar scalar = Scalar::kFloat);

@@ -113,7 +113,7 @@ namespace sh {
 
 // Degree: $first to $last. Domain: $domain.
 // Output: $result.
-template <int Degree, class T>
+template <int Degree, class T$shared>
 constexpr $type $family($signature) noexcept {
   static_assert(Degree >= $first && Degree <= $last,
                 "sh::$family<Degree>: Degree has to be $first to $last; `shgen emit $family --degree N` prints others");
@@ -129,6 +129,7 @@ $choices}
                  {"includes", includes},
                  {"domain", last.domain},
                  {"result", last.result},
+                 {"shared", takes_shared(last) ? ", class S = T" : ""},
                  {"type", return_type(last, dialect)},
                  {"signature", signature(last, dialect)},
                  {"choices", choices}});

@@ -43,7 +43,11 @@ std::string declaration(const Kernel& kernel, const Parameter& parameter, const 
   std::string name = dialect.name(parameter.name);
   if (!used && dialect.unused == Unused::kUnnamed) name = "/*" + name + "*/";
   if (parameter.shape.empty()) return dialect.scalar + " " + name;
-  return array(is_result(kernel, parameter.name) ? dialect.in_out_array : dialect.in_array, name, parameter.size());
+  const bool shared = is_shared(parameter.role) && !dialect.shared_array.empty();
+  const std::string& form = is_result(kernel, parameter.name) ? dialect.in_out_array
+                            : shared                          ? dialect.shared_array
+                                                              : dialect.in_array;
+  return array(form, name, parameter.size());
 }
 
 void append(std::string& list, const std::string& item) { list += (list.empty() ? "" : ", ") + item; }
@@ -81,6 +85,11 @@ std::string table_definition(const Kernel& kernel, const Dialect& dialect) {
 
 }  // namespace
 
+bool takes_shared(const Kernel& kernel) {
+  return std::any_of(kernel.parameters.begin(), kernel.parameters.end(),
+                     [](const Parameter& parameter) { return is_shared(parameter.role); });
+}
+
 std::string signature(const Kernel& kernel, const Dialect& dialect) {
   std::string text;
   int first = 0;
@@ -110,8 +119,9 @@ std::string function(const Kernel& kernel, const Dialect& dialect) {
   const Listing listing = make_listing(kernel, dialect);
   std::string text;
   if (!kernel.table.empty()) text += table_definition(kernel, dialect);
-  text += dialect.head + return_type(kernel, dialect) + " " + kernel.name + "(" + signature(kernel, dialect) + ")" +
-          dialect.tail + " {\n";
+  text += (takes_shared(kernel) && !dialect.shared_head.empty() ? dialect.shared_head : dialect.head) +
+          return_type(kernel, dialect) + " " + kernel.name + "(" + signature(kernel, dialect) + ")" + dialect.tail +
+          " {\n";
   if (dialect.unused == Unused::kDiscarded) {
     for (const std::string& name : unused_parameters(kernel, dialect)) text += dialect.indent + "(void)" + name + ";\n";
   }

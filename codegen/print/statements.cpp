@@ -23,21 +23,30 @@ Expression infix(const Expression& left, const char* sign, const Expression& rig
           precedence};
 }
 
-// An element of a flattened array: "x" for a scalar, "r[3]" for an element.
+// An element of a flattened array.
 struct Element {
-  std::string name;
+  std::string form;   // "x" for a scalar, "r[$at]" for an element
   std::string local;  // the variable it is copied to where it has to be
   int index = 0;      // within its array
   bool may_be_overwritten = false;
+
+  // "x", "r[3]", or "r[8 * row + 3]" if it moves on from row to row.
+  [[nodiscard]] std::string name(int stride = 0) const {
+    const std::string row = std::to_string(stride) + " * " + kRow;
+    const std::string here = std::to_string(index);
+    return filled(form, {{"at", stride == 0 ? here : index == 0 ? row : row + " + " + here}});
+  }
 };
 
-std::vector<Element> elements_of(const std::vector<Parameter>& arrays, const Dialect& dialect) {
+std::vector<Element> elements_of(const std::vector<Parameter>& arrays, const Dialect& dialect, bool read) {
   std::vector<Element> elements;
   for (const Parameter& array : arrays) {
     const std::string name = dialect.name(array.name);
+    const bool shared = read && is_shared(array.role) && !dialect.shared_element.empty();
     for (int i = 0; i < array.size(); ++i) {
-      const bool scalar = array.shape.empty();
-      elements.push_back({scalar ? name : name + "[" + std::to_string(i) + "]", name + std::to_string(i), i, false});
+      std::string form = array.shape.empty() ? name : name + "[$at]";
+      if (shared) form = filled(dialect.shared_element, {{"element", form}});
+      elements.push_back({std::move(form), name + std::to_string(i), i, false});
     }
   }
   return elements;
@@ -63,8 +72,8 @@ class Lister {
         dialect_(dialect),
         uses_(kernel.nodes.size(), 0),
         expressions_(kernel.nodes.size()),
-        inputs_(elements_of(kernel.parameters, dialect)),
-        results_(elements_of(kernel.results, dialect)),
+        inputs_(elements_of(kernel.parameters, dialect, true)),
+        results_(elements_of(kernel.results, dialect, false)),
         stores_(kernel.nodes.size()),
         users_(kernel.nodes.size(), -1),
         phases_(phases(kernel)),
@@ -195,9 +204,9 @@ class Lister {
       return;
     }
     const Element& result = result_of(output);
-    if (expression.text == result.name) return;  // an element that stays as it is
+    if (expression.text == result.name()) return;  // an element that stays as it is
     for (const NodeId input : overwritable_[result.index]) load(input);
-    add(result.name + " = " + expression.text + ";", label);
+    add(result.name() + " = " + expression.text + ";", label);
   }
 
   // The element under its name, or as a variable when a store might change it.
@@ -205,10 +214,11 @@ class Lister {
     Expression& expression = expressions_[id];
     if (!expression.text.empty()) return;
     const Element& element = inputs_[kernel_.node(id).input];
-    expression = {element.name, kAtom};
+    const std::string name = element.name(kernel_.node(id).stride);
+    expression = {name, kAtom};
     if (!element.may_be_overwritten) return;
     expression.text = unused_name(element.local);
-    add(dialect_.variable + expression.text + " = " + element.name + ";");
+    add(dialect_.variable + expression.text + " = " + name + ";");
   }
 
   Expression express(const Node& node) {

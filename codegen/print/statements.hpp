@@ -49,6 +49,9 @@ std::string wrapped_list(const std::vector<std::string>& items, std::size_t inde
 /// Pads every row's cells so that columns line up; the last cell of a row is never padded.
 std::vector<std::string> align_columns(const std::vector<std::vector<std::string>>& rows);
 
+/// True if lanes share a parameter.
+bool takes_shared(const Kernel& kernel);
+
 /// "T x, T y, T z, T* out". A parameter that is also a result appears once, in the parameter's place.
 std::string signature(const Kernel& kernel, const Dialect& dialect);
 

@@ -9,7 +9,7 @@
 namespace sh::batch::detail {
 
 constexpr std::size_t kLine = 64;  // bytes of a cache line, and of one value of a block
-constexpr int kMostInputs = 3;
+constexpr int kMostInputs = 4;
 
 /// One call of a driver, checked.
 template <class T>

@@ -50,13 +50,17 @@ class Driver {
     return room;
   }
 
-  // Shared inputs are prepared if there is a kernel for that, and spread over a block.
+  // Shared inputs are prepared if there is a kernel for that, and spread over a block; one that is always shared is not.
   void take_input(int j) {
     const Records<const T>& in = call_.in[j];
     const bool halves = is_half(j);
     direct_in_[j] = in.layout == Layout::kShared ||
                     (halves ? direct(call_.half, in.layout, plan_.in[j]) : direct(in.data, in.layout, plan_.in[j]));
     if (in.layout != Layout::kShared) return;
+    if (j == plan_.shared) {
+      blocks_.in[j] = in.data;
+      return;
+    }
     const T* record = in.data;
     std::size_t size = plan_.in[j];
     if (halves) {

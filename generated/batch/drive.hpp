@@ -23,6 +23,7 @@ struct Plan {
   BlockKernel<T> kernel_prepared = nullptr;
   // Where the kernel adds up something else: from that to the sum.
   detail::Once<double> finish = nullptr;
+  int shared = -1;  // the input that is always shared, and that the kernel takes as scalars; none: -1
 };
 
 /// The kernel where T is float; none for double.

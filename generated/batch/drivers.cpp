@@ -27,6 +27,10 @@ template <class T>
 void transfer_apply(const detail::Call<T>& call);
 template <class T>
 void transfer_apply_rgb(const detail::Call<T>& call);
+template <class T>
+void transfer_glossy(const detail::Call<T>& call);
+template <class T>
+void transfer_glossy_rgb(const detail::Call<T>& call);
 }  // namespace baseline
 
 namespace avx2 {
@@ -48,6 +52,10 @@ template <class T>
 void transfer_apply(const detail::Call<T>& call);
 template <class T>
 void transfer_apply_rgb(const detail::Call<T>& call);
+template <class T>
+void transfer_glossy(const detail::Call<T>& call);
+template <class T>
+void transfer_glossy_rgb(const detail::Call<T>& call);
 }  // namespace avx2
 
 namespace avx512 {
@@ -69,6 +77,10 @@ template <class T>
 void transfer_apply(const detail::Call<T>& call);
 template <class T>
 void transfer_apply_rgb(const detail::Call<T>& call);
+template <class T>
+void transfer_glossy(const detail::Call<T>& call);
+template <class T>
+void transfer_glossy_rgb(const detail::Call<T>& call);
 }  // namespace avx512
 
 void basis(int degree, std::size_t n, Records<const float> directions, Records<float> out) {
@@ -135,28 +147,52 @@ void product(int degree, std::size_t n, Records<const double> a, Records<const d
   detail::run<double>("product", SH_BATCH_EVERY(product), {degree, n, {a, b}, out}, 2, 6, {1, 0});
 }
 
-void transfer_apply(int degree, std::size_t n, Records<const float> visibility, Records<const float> samples, Records<float> out) {
-  detail::run<float>("transfer_apply", SH_BATCH_EVERY(transfer_apply), {degree, n, {visibility, samples}, out}, 2, 4, {1, 0});
+void transfer_apply(int degree, std::size_t n, Records<const float> visibility, const float* samples, Records<float> out) {
+  detail::run<float>("transfer_apply", SH_BATCH_EVERY(transfer_apply), {degree, n, {visibility, shared(samples)}, out}, 2, 4, {1, 0});
 }
 
-void transfer_apply(int degree, std::size_t n, Records<const double> visibility, Records<const double> samples, Records<double> out) {
-  detail::run<double>("transfer_apply", SH_BATCH_EVERY(transfer_apply), {degree, n, {visibility, samples}, out}, 2, 4, {1, 0});
+void transfer_apply(int degree, std::size_t n, Records<const double> visibility, const double* samples, Records<double> out) {
+  detail::run<double>("transfer_apply", SH_BATCH_EVERY(transfer_apply), {degree, n, {visibility, shared(samples)}, out}, 2, 4, {1, 0});
 }
 
-void transfer_apply(int degree, std::size_t n, Records<const Half> visibility, Records<const float> samples, Records<float> out) {
-  detail::run<float>("transfer_apply", SH_BATCH_EVERY(transfer_apply), {degree, n, {{nullptr, visibility.layout}, samples}, out, visibility.data}, 2, 4, {1, 0});
+void transfer_apply(int degree, std::size_t n, Records<const Half> visibility, const float* samples, Records<float> out) {
+  detail::run<float>("transfer_apply", SH_BATCH_EVERY(transfer_apply), {degree, n, {{nullptr, visibility.layout}, shared(samples)}, out, visibility.data}, 2, 4, {1, 0});
 }
 
-void transfer_apply_rgb(int degree, std::size_t n, Records<const float> visibility, Records<const float> samples, Records<float> out) {
-  detail::run<float>("transfer_apply_rgb", SH_BATCH_EVERY(transfer_apply_rgb), {degree, n, {visibility, samples}, out}, 2, 4, {3, 0});
+void transfer_apply_rgb(int degree, std::size_t n, Records<const float> visibility, const float* samples, Records<float> out) {
+  detail::run<float>("transfer_apply_rgb", SH_BATCH_EVERY(transfer_apply_rgb), {degree, n, {visibility, shared(samples)}, out}, 2, 4, {3, 0});
 }
 
-void transfer_apply_rgb(int degree, std::size_t n, Records<const double> visibility, Records<const double> samples, Records<double> out) {
-  detail::run<double>("transfer_apply_rgb", SH_BATCH_EVERY(transfer_apply_rgb), {degree, n, {visibility, samples}, out}, 2, 4, {3, 0});
+void transfer_apply_rgb(int degree, std::size_t n, Records<const double> visibility, const double* samples, Records<double> out) {
+  detail::run<double>("transfer_apply_rgb", SH_BATCH_EVERY(transfer_apply_rgb), {degree, n, {visibility, shared(samples)}, out}, 2, 4, {3, 0});
 }
 
-void transfer_apply_rgb(int degree, std::size_t n, Records<const Half> visibility, Records<const float> samples, Records<float> out) {
-  detail::run<float>("transfer_apply_rgb", SH_BATCH_EVERY(transfer_apply_rgb), {degree, n, {{nullptr, visibility.layout}, samples}, out, visibility.data}, 2, 4, {3, 0});
+void transfer_apply_rgb(int degree, std::size_t n, Records<const Half> visibility, const float* samples, Records<float> out) {
+  detail::run<float>("transfer_apply_rgb", SH_BATCH_EVERY(transfer_apply_rgb), {degree, n, {{nullptr, visibility.layout}, shared(samples)}, out, visibility.data}, 2, 4, {3, 0});
+}
+
+void transfer_glossy(int degree, std::size_t n, Records<const float> visibility, const float* samples, Records<const float> lobe, Records<const float> directions, Records<float> out) {
+  detail::run<float>("transfer_glossy", SH_BATCH_EVERY(transfer_glossy), {degree, n, {visibility, shared(samples), lobe, directions}, out}, 4, 4, {0, 1});
+}
+
+void transfer_glossy(int degree, std::size_t n, Records<const double> visibility, const double* samples, Records<const double> lobe, Records<const double> directions, Records<double> out) {
+  detail::run<double>("transfer_glossy", SH_BATCH_EVERY(transfer_glossy), {degree, n, {visibility, shared(samples), lobe, directions}, out}, 4, 4, {0, 1});
+}
+
+void transfer_glossy(int degree, std::size_t n, Records<const Half> visibility, const float* samples, Records<const float> lobe, Records<const float> directions, Records<float> out) {
+  detail::run<float>("transfer_glossy", SH_BATCH_EVERY(transfer_glossy), {degree, n, {{nullptr, visibility.layout}, shared(samples), lobe, directions}, out, visibility.data}, 4, 4, {0, 1});
+}
+
+void transfer_glossy_rgb(int degree, std::size_t n, Records<const float> visibility, const float* samples, Records<const float> lobe, Records<const float> directions, Records<float> out) {
+  detail::run<float>("transfer_glossy_rgb", SH_BATCH_EVERY(transfer_glossy_rgb), {degree, n, {visibility, shared(samples), lobe, directions}, out}, 4, 4, {0, 3});
+}
+
+void transfer_glossy_rgb(int degree, std::size_t n, Records<const double> visibility, const double* samples, Records<const double> lobe, Records<const double> directions, Records<double> out) {
+  detail::run<double>("transfer_glossy_rgb", SH_BATCH_EVERY(transfer_glossy_rgb), {degree, n, {visibility, shared(samples), lobe, directions}, out}, 4, 4, {0, 3});
+}
+
+void transfer_glossy_rgb(int degree, std::size_t n, Records<const Half> visibility, const float* samples, Records<const float> lobe, Records<const float> directions, Records<float> out) {
+  detail::run<float>("transfer_glossy_rgb", SH_BATCH_EVERY(transfer_glossy_rgb), {degree, n, {{nullptr, visibility.layout}, shared(samples), lobe, directions}, out, visibility.data}, 4, 4, {0, 3});
 }
 
 }  // namespace sh::batch

@@ -10,15 +10,15 @@ namespace {
 
 template <int Degree, class T>
 [[gnu::flatten]] void kernel(const Blocks<T>& blocks) {
-  for_every_register<2>(blocks, [](const Lanes<T>* const* in, Lanes<T>* out) {
-    sh::transfer_apply_rgb<Degree>(in[0], in[1], out);
+  for_every_register<2>(blocks, [&blocks](const Lanes<T>* const* in, Lanes<T>* out) {
+    sh::transfer_apply_rgb<Degree>(in[0], blocks.in[1], out);
   });
 }
 
 template <int Degree, int Size>
 [[gnu::flatten]] void kernel_half(const Blocks<float>& blocks) {
-  for_every_register_half<2, Size>(blocks, [](const Lanes<float>* const* in, Lanes<float>* out) {
-    sh::transfer_apply_rgb<Degree>(in[0], in[1], out);
+  for_every_register_half<2, Size>(blocks, [&blocks](const Lanes<float>* const* in, Lanes<float>* out) {
+    sh::transfer_apply_rgb<Degree>(in[0], blocks.in[1], out);
   });
 }
 
@@ -27,11 +27,11 @@ template <int Degree, int Size>
 template <class T>
 void transfer_apply_rgb(const detail::Call<T>& call) {
   static constexpr Plan<T> kPlans[] = {
-      {2, {1, 3}, 3, false, kernel<0, T>, float_only<T>(kernel_half<0, 1>), nullptr, 0, nullptr, nullptr},
-      {2, {9, 36}, 12, false, kernel<1, T>, float_only<T>(kernel_half<1, 9>), nullptr, 0, nullptr, nullptr},
-      {2, {25, 108}, 27, false, kernel<2, T>, float_only<T>(kernel_half<2, 25>), nullptr, 0, nullptr, nullptr},
-      {2, {49, 228}, 48, false, kernel<3, T>, float_only<T>(kernel_half<3, 49>), nullptr, 0, nullptr, nullptr},
-      {2, {81, 396}, 75, false, kernel<4, T>, float_only<T>(kernel_half<4, 81>), nullptr, 0, nullptr, nullptr},
+      {2, {1, 3}, 3, false, kernel<0, T>, float_only<T>(kernel_half<0, 1>), nullptr, 0, nullptr, nullptr, 1},
+      {2, {9, 36}, 12, false, kernel<1, T>, float_only<T>(kernel_half<1, 9>), nullptr, 0, nullptr, nullptr, 1},
+      {2, {25, 108}, 27, false, kernel<2, T>, float_only<T>(kernel_half<2, 25>), nullptr, 0, nullptr, nullptr, 1},
+      {2, {49, 228}, 48, false, kernel<3, T>, float_only<T>(kernel_half<3, 49>), nullptr, 0, nullptr, nullptr, 1},
+      {2, {81, 396}, 75, false, kernel<4, T>, float_only<T>(kernel_half<4, 81>), nullptr, 0, nullptr, nullptr, 1},
   };
   drive(call, kPlans[call.degree]);
 }

@@ -14,8 +14,8 @@ namespace sh {
 
 // Degree: 0 to 4. Domain: any coefficients of the visibility, degree 0 to 8; a light from transfer_prepare.
 // Output: coefficients of visibility times light at index l(l+1)+m, orthonormal on the unit sphere, no Condon-Shortley phase.
-template <int Degree, class T>
-constexpr void transfer_apply(const T* visibility, const T* samples, T* out) noexcept {
+template <int Degree, class T, class S = T>
+constexpr void transfer_apply(const T* visibility, const S* samples, T* out) noexcept {
   static_assert(Degree >= 0 && Degree <= 4,
                 "sh::transfer_apply<Degree>: Degree has to be 0 to 4; `shgen emit transfer_apply --degree N` prints others");
   if constexpr (Degree == 0) transfer_apply_l0(visibility, samples, out);

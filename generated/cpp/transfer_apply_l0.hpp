@@ -57,9 +57,9 @@ constexpr T constant([[maybe_unused]] float in_float, [[maybe_unused]] double in
 
 namespace sh {
 
-template <class T>
-constexpr void transfer_apply_l0(const T* visibility, const T* samples, T* out) noexcept {
-  out[0] = visibility[0] * samples[0];  // l=0 m=0
+template <class T, class S = T>
+constexpr void transfer_apply_l0(const T* visibility, const S* samples, T* out) noexcept {
+  out[0] = visibility[0] * T(samples[0]);  // l=0 m=0
 }
 
 }  // namespace sh

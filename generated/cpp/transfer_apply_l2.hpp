@@ -11,9 +11,9 @@
 // Source:       P.-P. Sloan, J. Kautz, J. Snyder, "Precomputed Radiance Transfer", SIGGRAPH 2002, equation 11; by
 //               quadrature on rings of constant z (Lobatto; M. Abramowitz, I. Stegun, 1964, 25.4), split by parity; z1,
 //               z2, ...: square roots of the zeros of the Jacobi polynomial P_2^(1,-1/2)(2t-1), falling
-// Cost:         136 multiplications, 265 additions; longest chain 17; at most 70 values live
+// Cost:         136 multiplications, 265 additions; longest chain 16; at most 70 values live
 // Error:        eps counts units of machine epsilon x |visibility| |light|, |light| = 1
-//               float   rounding  largest seen 1.3e-07 (1.1 eps)
+//               float   rounding  largest seen 1.4e-07 (1.2 eps)
 //               double  rounding  largest seen 2.5e-16 (1.1 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  no bound is proved: an input is a sampled function
@@ -55,8 +55,8 @@ constexpr T constant([[maybe_unused]] float in_float, [[maybe_unused]] double in
 
 namespace sh {
 
-template <class T>
-constexpr void transfer_apply_l2(const T* visibility, const T* samples, T* out) noexcept {
+template <class T, class S = T>
+constexpr void transfer_apply_l2(const T* visibility, const S* samples, T* out) noexcept {
   const T k    = detail::constant<T>(0.2820948f, 0.28209479177387814);     // 1/2 sqrt(1/pi)
   const T k_2  = detail::constant<T>(0.48860252f, 0.4886025119029199);     // 1/2 sqrt(3/pi)
   const T k_3  = detail::constant<T>(0.63078314f, 0.63078313050504);       // 1/2 sqrt(5/pi)
@@ -128,8 +128,8 @@ constexpr void transfer_apply_l2(const T* visibility, const T* samples, T* out) 
 
   const T t = k_2 * visibility[2] + k_4 * visibility[12];
   const T t_2 = k * visibility[0] + k_3 * visibility[6] + k_5 * visibility[20];
-  const T t_3 = (t_2 + t) * samples[32];
-  const T t_4 = (t_2 - t) * samples[33];
+  const T t_3 = (t_2 + t) * T(samples[32]);
+  const T t_4 = (t_2 - t) * T(samples[33]);
   const T t_5 = t_3 + t_4;
   const T t_6 = k_9 * visibility[16];
   const T t_7 = k_10 * visibility[9];
@@ -176,79 +176,79 @@ constexpr void transfer_apply_l2(const T* visibility, const T* samples, T* out) 
   const T t_48 = t_43 - t_45;
   const T t_49 = t_29 + t_41;
   const T t_50 = t_29 - t_41;
-  const T t_51 = t_30 + t_42;
-  const T t_52 = t_30 - t_42;
-  const T t_53 = t_6 + t_17;
-  const T t_54 = t_17 - t_6;
-  const T t_55 = t_6 + t_18;
-  const T t_56 = t_18 - t_6;
-  const T t_57 = t_35 + t_47;
-  const T t_58 = k_30 * t_35 - k_31 * t_47;
-  const T t_59 = t_36 + t_48;
-  const T t_60 = k_30 * t_36 - k_31 * t_48;
-  const T t_61 = t_11 + t_23;
-  const T t_62 = k_31 * t_23 - k_30 * t_11;
-  const T t_63 = t_12 + t_24;
-  const T t_64 = k_31 * t_24 - k_30 * t_12;
-  const T t_65 = t_49 + t_53;
-  const T t_66 = t_49 - t_53;
-  const T t_67 = t_57 + t_61;
-  const T t_68 = t_57 - t_61;
-  const T t_69 = (t_65 + t_67) * samples[0];
-  const T t_70 = (t_65 - t_67) * samples[1];
-  const T t_71 = (t_66 + t_68) * samples[2];
-  const T t_72 = (t_66 - t_68) * samples[3];
-  const T t_73 = t_50 + t_54;
-  const T t_74 = t_50 - t_54;
-  const T t_75 = t_58 + t_62;
-  const T t_76 = t_58 - t_62;
-  const T t_77 = (t_73 + t_75) * samples[4];
-  const T t_78 = (t_73 - t_75) * samples[5];
-  const T t_79 = (t_74 + t_76) * samples[6];
-  const T t_80 = (t_74 - t_76) * samples[7];
-  const T t_81 = t_51 + t_55;
-  const T t_82 = t_51 - t_55;
-  const T t_83 = t_59 + t_63;
-  const T t_84 = t_59 - t_63;
-  const T t_85 = (t_81 + t_83) * samples[8];
-  const T t_86 = (t_81 - t_83) * samples[9];
-  const T t_87 = (t_82 + t_84) * samples[10];
-  const T t_88 = (t_82 - t_84) * samples[11];
-  const T t_89 = t_52 + t_56;
-  const T t_90 = t_52 - t_56;
-  const T t_91 = t_60 + t_64;
-  const T t_92 = t_60 - t_64;
-  const T t_93 = (t_89 + t_91) * samples[12];
-  const T t_94 = (t_89 - t_91) * samples[13];
-  const T t_95 = (t_90 + t_92) * samples[14];
-  const T t_96 = (t_90 - t_92) * samples[15];
-  const T t_97 = t_69 + t_70;
-  const T t_98 = t_69 - t_70;
-  const T t_99 = t_71 + t_72;
-  const T t_100 = t_71 - t_72;
-  const T t_101 = t_97 + t_99;
-  const T t_102 = t_77 + t_78;
-  const T t_103 = t_77 - t_78;
-  const T t_104 = t_79 + t_80;
-  const T t_105 = t_79 - t_80;
-  const T t_106 = t_102 + t_104;
-  const T t_107 = k_30 * (t_103 + t_105) + (t_98 + t_100);
-  const T t_108 = k_31 * (t_103 - t_105) + (t_98 - t_100);
-  const T t_109 = t_85 + t_86;
-  const T t_110 = t_85 - t_86;
-  const T t_111 = t_87 + t_88;
-  const T t_112 = t_87 - t_88;
-  const T t_113 = t_109 + t_111;
-  const T t_114 = t_93 + t_94;
-  const T t_115 = t_93 - t_94;
-  const T t_116 = t_95 + t_96;
-  const T t_117 = t_95 - t_96;
-  const T t_118 = t_114 + t_116;
-  const T t_119 = k_30 * (t_115 + t_117) + (t_110 + t_112);
-  const T t_120 = k_31 * (t_115 - t_117) + (t_110 - t_112);
-  const T t_121 = t_106 + t_101;
-  const T t_122 = t_118 + t_113;
-  const T t_123 = t_121 + t_122;
+  const T t_51 = t_6 + t_17;
+  const T t_52 = t_17 - t_6;
+  const T t_53 = t_35 + t_47;
+  const T t_54 = k_30 * t_35 - k_31 * t_47;
+  const T t_55 = t_11 + t_23;
+  const T t_56 = k_31 * t_23 - k_30 * t_11;
+  const T t_57 = t_49 + t_51;
+  const T t_58 = t_49 - t_51;
+  const T t_59 = t_53 + t_55;
+  const T t_60 = t_53 - t_55;
+  const T t_61 = (t_57 + t_59) * T(samples[0]);
+  const T t_62 = (t_57 - t_59) * T(samples[1]);
+  const T t_63 = (t_58 + t_60) * T(samples[2]);
+  const T t_64 = (t_58 - t_60) * T(samples[3]);
+  const T t_65 = t_50 + t_52;
+  const T t_66 = t_50 - t_52;
+  const T t_67 = t_54 + t_56;
+  const T t_68 = t_54 - t_56;
+  const T t_69 = (t_65 + t_67) * T(samples[4]);
+  const T t_70 = (t_65 - t_67) * T(samples[5]);
+  const T t_71 = (t_66 + t_68) * T(samples[6]);
+  const T t_72 = (t_66 - t_68) * T(samples[7]);
+  const T t_73 = t_61 + t_62;
+  const T t_74 = t_61 - t_62;
+  const T t_75 = t_63 + t_64;
+  const T t_76 = t_63 - t_64;
+  const T t_77 = t_73 + t_75;
+  const T t_78 = t_69 + t_70;
+  const T t_79 = t_69 - t_70;
+  const T t_80 = t_71 + t_72;
+  const T t_81 = t_71 - t_72;
+  const T t_82 = t_78 + t_80;
+  const T t_83 = k_30 * (t_79 + t_81) + (t_74 + t_76);
+  const T t_84 = k_31 * (t_79 - t_81) + (t_74 - t_76);
+  const T t_85 = t_82 + t_77;
+  const T t_86 = t_30 + t_42;
+  const T t_87 = t_30 - t_42;
+  const T t_88 = t_6 + t_18;
+  const T t_89 = t_18 - t_6;
+  const T t_90 = t_36 + t_48;
+  const T t_91 = k_30 * t_36 - k_31 * t_48;
+  const T t_92 = t_12 + t_24;
+  const T t_93 = k_31 * t_24 - k_30 * t_12;
+  const T t_94 = t_86 + t_88;
+  const T t_95 = t_86 - t_88;
+  const T t_96 = t_90 + t_92;
+  const T t_97 = t_90 - t_92;
+  const T t_98 = (t_94 + t_96) * T(samples[8]);
+  const T t_99 = (t_94 - t_96) * T(samples[9]);
+  const T t_100 = (t_95 + t_97) * T(samples[10]);
+  const T t_101 = (t_95 - t_97) * T(samples[11]);
+  const T t_102 = t_87 + t_89;
+  const T t_103 = t_87 - t_89;
+  const T t_104 = t_91 + t_93;
+  const T t_105 = t_91 - t_93;
+  const T t_106 = (t_102 + t_104) * T(samples[12]);
+  const T t_107 = (t_102 - t_104) * T(samples[13]);
+  const T t_108 = (t_103 + t_105) * T(samples[14]);
+  const T t_109 = (t_103 - t_105) * T(samples[15]);
+  const T t_110 = t_98 + t_99;
+  const T t_111 = t_98 - t_99;
+  const T t_112 = t_100 + t_101;
+  const T t_113 = t_100 - t_101;
+  const T t_114 = t_110 + t_112;
+  const T t_115 = t_106 + t_107;
+  const T t_116 = t_106 - t_107;
+  const T t_117 = t_108 + t_109;
+  const T t_118 = t_108 - t_109;
+  const T t_119 = t_115 + t_117;
+  const T t_120 = k_30 * (t_116 + t_118) + (t_111 + t_113);
+  const T t_121 = k_31 * (t_116 - t_118) + (t_111 - t_113);
+  const T t_122 = t_119 + t_114;
+  const T t_123 = t_85 + t_122;
   const T t_124 = k_40 * visibility[16];
   const T t_125 = t_8 + t_10;
   const T t_126 = t_8 - t_10;
@@ -266,90 +266,91 @@ constexpr void transfer_apply_l2(const T* visibility, const T* samples, T* out) 
   const T t_138 = t_44 - t_46;
   const T t_139 = t_131 + t_135;
   const T t_140 = t_131 - t_135;
-  const T t_141 = t_132 + t_136;
-  const T t_142 = t_132 - t_136;
-  const T t_143 = t_124 + t_127;
-  const T t_144 = t_127 - t_124;
-  const T t_145 = t_124 + t_128;
-  const T t_146 = t_128 - t_124;
-  const T t_147 = t_133 + t_137;
-  const T t_148 = k_30 * t_133 - k_31 * t_137;
-  const T t_149 = t_134 + t_138;
-  const T t_150 = k_30 * t_134 - k_31 * t_138;
-  const T t_151 = t_125 + t_129;
-  const T t_152 = k_31 * t_129 - k_30 * t_125;
-  const T t_153 = t_126 + t_130;
-  const T t_154 = k_31 * t_130 - k_30 * t_126;
-  const T t_155 = t_139 + t_143;
-  const T t_156 = t_139 - t_143;
-  const T t_157 = t_147 + t_151;
-  const T t_158 = t_147 - t_151;
-  const T t_159 = (t_155 + t_157) * samples[16];
-  const T t_160 = (t_155 - t_157) * samples[17];
-  const T t_161 = (t_156 + t_158) * samples[18];
-  const T t_162 = (t_156 - t_158) * samples[19];
-  const T t_163 = t_140 + t_144;
-  const T t_164 = t_140 - t_144;
-  const T t_165 = t_148 + t_152;
-  const T t_166 = t_148 - t_152;
-  const T t_167 = (t_163 + t_165) * samples[20];
-  const T t_168 = (t_163 - t_165) * samples[21];
-  const T t_169 = (t_164 + t_166) * samples[22];
-  const T t_170 = (t_164 - t_166) * samples[23];
-  const T t_171 = t_141 + t_145;
-  const T t_172 = t_141 - t_145;
-  const T t_173 = t_149 + t_153;
-  const T t_174 = t_149 - t_153;
-  const T t_175 = (t_171 + t_173) * samples[24];
-  const T t_176 = (t_171 - t_173) * samples[25];
-  const T t_177 = (t_172 + t_174) * samples[26];
-  const T t_178 = (t_172 - t_174) * samples[27];
-  const T t_179 = t_142 + t_146;
-  const T t_180 = t_142 - t_146;
-  const T t_181 = t_150 + t_154;
-  const T t_182 = t_150 - t_154;
-  const T t_183 = (t_179 + t_181) * samples[28];
-  const T t_184 = (t_179 - t_181) * samples[29];
-  const T t_185 = (t_180 + t_182) * samples[30];
-  const T t_186 = (t_180 - t_182) * samples[31];
-  const T t_187 = t_159 + t_160;
-  const T t_188 = t_159 - t_160;
-  const T t_189 = t_161 + t_162;
-  const T t_190 = t_161 - t_162;
-  const T t_191 = t_187 + t_189;
-  const T t_192 = t_167 + t_168;
-  const T t_193 = t_167 - t_168;
-  const T t_194 = t_169 + t_170;
-  const T t_195 = t_169 - t_170;
-  const T t_196 = t_192 + t_194;
-  const T t_197 = k_30 * (t_193 + t_195) + (t_188 + t_190);
-  const T t_198 = k_31 * (t_193 - t_195) + (t_188 - t_190);
-  const T t_199 = t_175 + t_176;
-  const T t_200 = t_175 - t_176;
-  const T t_201 = t_177 + t_178;
-  const T t_202 = t_177 - t_178;
-  const T t_203 = t_199 + t_201;
-  const T t_204 = t_183 + t_184;
-  const T t_205 = t_183 - t_184;
-  const T t_206 = t_185 + t_186;
-  const T t_207 = t_185 - t_186;
-  const T t_208 = t_204 + t_206;
-  const T t_209 = k_30 * (t_205 + t_207) + (t_200 + t_202);
-  const T t_210 = k_31 * (t_205 - t_207) + (t_200 - t_202);
-  const T t_211 = t_196 + t_191;
-  const T t_212 = t_208 + t_203;
-  out[1] = k_33 * (t_108 + t_120) + k_62 * (t_198 + t_210);                                                         // l=1 m=-1
-  out[5] = k_34 * (t_108 - t_120) + k_63 * (t_198 - t_210);                                                         // l=2 m=-1
-  const T t_213 = t_211 + t_212;
-  out[2] = k_7 * (t_3 - t_4) + k_36 * (t_121 - t_122) + k_65 * (t_211 - t_212);                                     // l=1 m=0
-  out[0] = k_6 * t_5 + k_35 * t_123 + k_64 * t_213;                                                                 // l=0 m=0
-  out[6] = k_8 * t_5 + k_37 * t_123 - k_66 * t_213;                                                                 // l=2 m=0
-  out[3] = k_38 * (t_107 + t_119) + k_67 * (t_197 + t_209);                                                         // l=1 m=1
-  out[7] = k_39 * (t_107 - t_119) + k_68 * (t_197 - t_209);                                                         // l=2 m=1
-  out[8] = k_32 * (t_113 - t_118 - t_106 + t_101) + k_61 * (t_203 - t_208 - t_196 + t_191)
-      + visibility[24] * samples[34] - visibility[16] * samples[35];                                                // l=2 m=2
-  out[4] = k_32 * (t_114 - t_116 + (t_109 - t_111) + (t_102 - t_104) + (t_97 - t_99)) + k_61 * (t_204 - t_206 + (t_199
-      - t_201) + (t_192 - t_194) + (t_187 - t_189)) - visibility[24] * samples[35] - visibility[16] * samples[34];  // l=2 m=-2
+  const T t_141 = t_124 + t_127;
+  const T t_142 = t_127 - t_124;
+  const T t_143 = t_133 + t_137;
+  const T t_144 = k_30 * t_133 - k_31 * t_137;
+  const T t_145 = t_125 + t_129;
+  const T t_146 = k_31 * t_129 - k_30 * t_125;
+  const T t_147 = t_139 + t_141;
+  const T t_148 = t_139 - t_141;
+  const T t_149 = t_143 + t_145;
+  const T t_150 = t_143 - t_145;
+  const T t_151 = (t_147 + t_149) * T(samples[16]);
+  const T t_152 = (t_147 - t_149) * T(samples[17]);
+  const T t_153 = (t_148 + t_150) * T(samples[18]);
+  const T t_154 = (t_148 - t_150) * T(samples[19]);
+  const T t_155 = t_140 + t_142;
+  const T t_156 = t_140 - t_142;
+  const T t_157 = t_144 + t_146;
+  const T t_158 = t_144 - t_146;
+  const T t_159 = (t_155 + t_157) * T(samples[20]);
+  const T t_160 = (t_155 - t_157) * T(samples[21]);
+  const T t_161 = (t_156 + t_158) * T(samples[22]);
+  const T t_162 = (t_156 - t_158) * T(samples[23]);
+  const T t_163 = t_151 + t_152;
+  const T t_164 = t_151 - t_152;
+  const T t_165 = t_153 + t_154;
+  const T t_166 = t_153 - t_154;
+  const T t_167 = t_163 + t_165;
+  const T t_168 = t_159 + t_160;
+  const T t_169 = t_159 - t_160;
+  const T t_170 = t_161 + t_162;
+  const T t_171 = t_161 - t_162;
+  const T t_172 = t_168 + t_170;
+  const T t_173 = k_30 * (t_169 + t_171) + (t_164 + t_166);
+  const T t_174 = k_31 * (t_169 - t_171) + (t_164 - t_166);
+  const T t_175 = t_172 + t_167;
+  const T t_176 = t_132 + t_136;
+  const T t_177 = t_132 - t_136;
+  const T t_178 = t_124 + t_128;
+  const T t_179 = t_128 - t_124;
+  const T t_180 = t_134 + t_138;
+  const T t_181 = k_30 * t_134 - k_31 * t_138;
+  const T t_182 = t_126 + t_130;
+  const T t_183 = k_31 * t_130 - k_30 * t_126;
+  const T t_184 = t_176 + t_178;
+  const T t_185 = t_176 - t_178;
+  const T t_186 = t_180 + t_182;
+  const T t_187 = t_180 - t_182;
+  const T t_188 = (t_184 + t_186) * T(samples[24]);
+  const T t_189 = (t_184 - t_186) * T(samples[25]);
+  const T t_190 = (t_185 + t_187) * T(samples[26]);
+  const T t_191 = (t_185 - t_187) * T(samples[27]);
+  const T t_192 = t_177 + t_179;
+  const T t_193 = t_177 - t_179;
+  const T t_194 = t_181 + t_183;
+  const T t_195 = t_181 - t_183;
+  const T t_196 = (t_192 + t_194) * T(samples[28]);
+  const T t_197 = (t_192 - t_194) * T(samples[29]);
+  const T t_198 = (t_193 + t_195) * T(samples[30]);
+  const T t_199 = (t_193 - t_195) * T(samples[31]);
+  const T t_200 = t_188 + t_189;
+  const T t_201 = t_188 - t_189;
+  const T t_202 = t_190 + t_191;
+  const T t_203 = t_190 - t_191;
+  const T t_204 = t_200 + t_202;
+  const T t_205 = t_196 + t_197;
+  const T t_206 = t_196 - t_197;
+  const T t_207 = t_198 + t_199;
+  const T t_208 = t_198 - t_199;
+  const T t_209 = t_205 + t_207;
+  const T t_210 = k_30 * (t_206 + t_208) + (t_201 + t_203);
+  const T t_211 = k_31 * (t_206 - t_208) + (t_201 - t_203);
+  const T t_212 = t_209 + t_204;
+  out[1] = k_33 * (t_84 + t_121) + k_62 * (t_174 + t_211);                      // l=1 m=-1
+  out[5] = k_34 * (t_84 - t_121) + k_63 * (t_174 - t_211);                      // l=2 m=-1
+  const T t_213 = t_175 + t_212;
+  out[2] = k_7 * (t_3 - t_4) + k_36 * (t_85 - t_122) + k_65 * (t_175 - t_212);  // l=1 m=0
+  out[0] = k_6 * t_5 + k_35 * t_123 + k_64 * t_213;                             // l=0 m=0
+  out[6] = k_8 * t_5 + k_37 * t_123 - k_66 * t_213;                             // l=2 m=0
+  out[3] = k_38 * (t_83 + t_120) + k_67 * (t_173 + t_210);                      // l=1 m=1
+  out[7] = k_39 * (t_83 - t_120) + k_68 * (t_173 - t_210);                      // l=2 m=1
+  out[8] = k_32 * (t_77 - t_82 + (t_114 - t_119)) + k_61 * (t_167 - t_172 + (t_204 - t_209))
+      + visibility[24] * T(samples[34]) - visibility[16] * T(samples[35]);      // l=2 m=2
+  out[4] = k_32 * (t_78 - t_80 + (t_73 - t_75) + (t_115 - t_117 + (t_110 - t_112))) + k_61 * (t_168 - t_170 + (t_163
+      - t_165) + (t_205 - t_207 + (t_200 - t_202))) - visibility[24] * T(samples[35])
+      - visibility[16] * T(samples[34]);                                        // l=2 m=-2
 }
 
 }  // namespace sh

@@ -7,18 +7,18 @@
 // Domain:       any coefficients of the visibility, degree 0 to 8; a light from transfer_prepare
 // Output:       out (25): coefficients of visibility times light at index l(l+1)+m, orthonormal on the unit sphere, no
 //               Condon-Shortley phase
-// Recipe:       rings
+// Recipe:       looped
 // Source:       P.-P. Sloan, J. Kautz, J. Snyder, "Precomputed Radiance Transfer", SIGGRAPH 2002, equation 11; by
 //               quadrature on rings of constant z (Lobatto; M. Abramowitz, I. Stegun, 1964, 25.4), split by parity; z1,
 //               z2, ...: square roots of the zeros of the Jacobi polynomial P_4^(1,-1/2)(2t-1), falling
-// Cost:         904 multiplications, 1507 additions; longest chain 27; at most 252 values live
+// Cost:         904 multiplications, 1532 additions; longest chain 25; at most 117 values live
 // Error:        eps counts units of machine epsilon x |visibility| |light|, |light| = 1
-//               float   rounding  largest seen 1.3e-07 (1.1 eps)
+//               float   rounding  largest seen 1.1e-07 (1.0 eps)
 //               double  rounding  largest seen 2.2e-16 (1.0 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  no bound is proved: an input is a sampled function
 //               seen:     among 120 visibility (random, of norm 1) with prepared lights (random, of norm 1 in each
-//               channel) and 104832 evaluations of a search, without contraction
+//               channel) and 90496 evaluations of a search, without contraction
 #pragma once
 
 #include <type_traits>
@@ -55,1527 +55,621 @@ constexpr T constant([[maybe_unused]] float in_float, [[maybe_unused]] double in
 
 namespace sh {
 
-template <class T>
-constexpr void transfer_apply_l4(const T* visibility, const T* samples, T* out) noexcept {
-  const T k     = detail::constant<T>(0.2820948f, 0.28209479177387814);         // 1/2 sqrt(1/pi)
-  const T k_2   = detail::constant<T>(0.48860252f, 0.4886025119029199);         // 1/2 sqrt(3/pi)
-  const T k_3   = detail::constant<T>(0.63078314f, 0.63078313050504);           // 1/2 sqrt(5/pi)
-  const T k_4   = detail::constant<T>(0.7463527f, 0.7463526651802308);          // 1/2 sqrt(7/pi)
-  const T k_5   = detail::constant<T>(0.8462844f, 0.8462843753216345);          // 3/2 sqrt(1/pi)
-  const T k_6   = detail::constant<T>(0.9356026f, 0.9356025796273888);          // 1/2 sqrt(11/pi)
-  const T k_7   = detail::constant<T>(1.0171072f, 1.0171072362820548);          // 1/2 sqrt(13/pi)
-  const T k_8   = detail::constant<T>(1.0925485f, 1.0925484305920792);          // 1/2 sqrt(15/pi)
-  const T k_9   = detail::constant<T>(1.1631067f, 1.1631066229203195);          // 1/2 sqrt(17/pi)
-  const T k_10  = detail::constant<T>(0.039387863f, 0.03938786335345591);       // pi^(1/2) w(pole)
-  const T k_11  = detail::constant<T>(0.06822178f, 0.0682217805297659);         // sqrt(3) pi^(1/2) w(pole)
-  const T k_12  = detail::constant<T>(0.08807394f, 0.08807393994680024);        // sqrt(5) pi^(1/2) w(pole)
-  const T k_13  = detail::constant<T>(0.10421049f, 0.10421049110743892);        // sqrt(7) pi^(1/2) w(pole)
-  const T k_14  = detail::constant<T>(0.11816359f, 0.11816359006036774);        // 3 pi^(1/2) w(pole)
-  const T k_15  = detail::constant<T>(0.0004148763f, 0.0004148762957272488);    // theta_8_8(z1)
-  const T k_16  = detail::constant<T>(0.0010044394f, 0.0010044394079395118);    // cos(2 pi/32) theta_7_7(z1)
-  const T k_17  = detail::constant<T>(0.0038081666f, 0.0038081667143153143);    // cos(2 pi/32) theta_8_7(z1)
-  const T k_18  = detail::constant<T>(0.0023258366f, 0.0023258365435769933);    // cos(2 pi/16) theta_6_6(z1)
-  const T k_19  = detail::constant<T>(0.008283094f, 0.008283093582493748);      // cos(2 pi/16) theta_7_6(z1)
-  const T k_20  = detail::constant<T>(0.021173088f, 0.021173087059101144);      // cos(2 pi/16) theta_8_6(z1)
-  const T k_21  = detail::constant<T>(0.005117111f, 0.005117110839436217);      // cos(6 pi/32) theta_5_5(z1)
-  const T k_22  = detail::constant<T>(0.016965406f, 0.016965405675815486);      // cos(6 pi/32) theta_6_5(z1)
-  const T k_23  = detail::constant<T>(0.040422168f, 0.04042216785882031);       // cos(6 pi/32) theta_7_5(z1)
-  const T k_24  = detail::constant<T>(0.07982495f, 0.07982494594042891);        // cos(6 pi/32) theta_8_5(z1)
-  const T k_25  = detail::constant<T>(0.010557541f, 0.010557540439821876);      // 1/2 sqrt(2) theta_4_4(z1)
-  const T k_26  = detail::constant<T>(0.032197848f, 0.032197847927911125);      // 1/2 sqrt(2) theta_5_4(z1)
-  const T k_27  = detail::constant<T>(0.07065586f, 0.07065586340359684);        // 1/2 sqrt(2) theta_6_4(z1)
-  const T k_28  = detail::constant<T>(0.12866347f, 0.12866346817239407);        // 1/2 sqrt(2) theta_7_4(z1)
-  const T k_29  = detail::constant<T>(0.20569782f, 0.20569782691035038);        // 1/2 sqrt(2) theta_8_4(z1)
-  const T k_30  = detail::constant<T>(0.019899223f, 0.019899222608424715);      // cos(10 pi/32) theta_3_3(z1)
-  const T k_31  = detail::constant<T>(0.05489403f, 0.054894029803797394);       // cos(10 pi/32) theta_4_3(z1)
-  const T k_32  = detail::constant<T>(0.10906019f, 0.10906019378578248);        // cos(10 pi/32) theta_5_3(z1)
-  const T k_33  = detail::constant<T>(0.18000455f, 0.18000455410995614);        // cos(10 pi/32) theta_6_3(z1)
-  const T k_34  = detail::constant<T>(0.2608262f, 0.2608262059583975);          // cos(10 pi/32) theta_7_3(z1)
-  const T k_35  = detail::constant<T>(0.34088197f, 0.3408819761588381);         // cos(10 pi/32) theta_8_3(z1)
-  const T k_36  = detail::constant<T>(0.032289334f, 0.032289331908745576);      // cos(6 pi/16) theta_2_2(z1)
-  const T k_37  = detail::constant<T>(0.07855536f, 0.07855536084050924);        // cos(6 pi/16) theta_3_2(z1)
-  const T k_38  = detail::constant<T>(0.13754623f, 0.13754623321092302);        // cos(6 pi/16) theta_4_2(z1)
-  const T k_39  = detail::constant<T>(0.20017548f, 0.20017547502907368);        // cos(6 pi/16) theta_5_2(z1)
-  const T k_40  = detail::constant<T>(0.25519294f, 0.25519292678008865);        // cos(6 pi/16) theta_6_2(z1)
-  const T k_41  = detail::constant<T>(0.29136154f, 0.2913615421282022);         // cos(6 pi/16) theta_7_2(z1)
-  const T k_42  = detail::constant<T>(0.29959744f, 0.29959743194952176);        // cos(6 pi/16) theta_8_2(z1)
-  const T k_43  = detail::constant<T>(0.037462413f, 0.037462414892162205);      // cos(14 pi/32) theta_1_1(z1)
-  const T k_44  = detail::constant<T>(0.077027984f, 0.07702798197946668);       // cos(14 pi/32) theta_2_1(z1)
-  const T k_45  = detail::constant<T>(0.11310836f, 0.11310836191796352);        // cos(14 pi/32) theta_3_1(z1)
-  const T k_46  = detail::constant<T>(0.13767917f, 0.1376791678379414);         // cos(14 pi/32) theta_4_1(z1)
-  const T k_47  = detail::constant<T>(0.14503324f, 0.14503324596925832);        // cos(14 pi/32) theta_5_1(z1)
-  const T k_48  = detail::constant<T>(0.13254662f, 0.1325466213162358);         // cos(14 pi/32) theta_6_1(z1)
-  const T k_49  = detail::constant<T>(0.101038605f, 0.101038603566662);         // cos(14 pi/32) theta_7_1(z1)
-  const T k_50  = detail::constant<T>(0.054615986f, 0.054615985074621606);      // cos(14 pi/32) theta_8_1(z1)
-  const T k_51  = detail::constant<T>(0.2820948f, 0.28209479177387814);         // theta_0_0(z1)
-  const T k_52  = detail::constant<T>(0.44928658f, 0.4492865773100407);         // theta_1_0(z1)
-  const T k_53  = detail::constant<T>(0.48463947f, 0.48463945487539656);        // theta_2_0(z1)
-  const T k_54  = detail::constant<T>(0.42128763f, 0.4212876326392235);         // theta_3_0(z1)
-  const T k_55  = detail::constant<T>(0.2810407f, 0.2810407095876695);          // theta_4_0(z1)
-  const T k_56  = detail::constant<T>(0.09177257f, 0.09177256934969798);        // theta_5_0(z1)
-  const T k_57  = detail::constant<T>(0.11328515f, 0.11328515020103233);        // -theta_6_0(z1)
-  const T k_58  = detail::constant<T>(0.2996646f, 0.29966457908821054);         // -theta_7_0(z1)
-  const T k_59  = detail::constant<T>(0.43667284f, 0.4366728461264045);         // -theta_8_0(z1)
-  const T k_60  = detail::constant<T>(0.18833628f, 0.18833627785777057);        // cos(2 pi/32) theta_1_1(z1)
-  const T k_61  = detail::constant<T>(0.3872458f, 0.38724581580413103);         // cos(2 pi/32) theta_2_1(z1)
-  const T k_62  = detail::constant<T>(0.56863415f, 0.5686341347598414);         // cos(2 pi/32) theta_3_1(z1)
-  const T k_63  = detail::constant<T>(0.6921599f, 0.6921599177147058);          // cos(2 pi/32) theta_4_1(z1)
-  const T k_64  = detail::constant<T>(0.72913134f, 0.7291313651324544);         // cos(2 pi/32) theta_5_1(z1)
-  const T k_65  = detail::constant<T>(0.66635686f, 0.666356863890962);          // cos(2 pi/32) theta_6_1(z1)
-  const T k_66  = detail::constant<T>(0.5079554f, 0.5079553619399274);          // cos(2 pi/32) theta_7_1(z1)
-  const T k_67  = detail::constant<T>(0.2745731f, 0.2745730986670011);          // cos(2 pi/32) theta_8_1(z1)
-  const T k_68  = detail::constant<T>(0.077953346f, 0.0779533430140599);        // cos(2 pi/16) theta_2_2(z1)
-  const T k_69  = detail::constant<T>(0.18964942f, 0.18964941753826975);        // cos(2 pi/16) theta_3_2(z1)
-  const T k_70  = detail::constant<T>(0.33206597f, 0.33206598167114293);        // cos(2 pi/16) theta_4_2(z1)
-  const T k_71  = detail::constant<T>(0.48326635f, 0.4832663466696665);         // cos(2 pi/16) theta_5_2(z1)
-  const T k_72  = detail::constant<T>(0.61609024f, 0.6160902248541742);         // cos(2 pi/16) theta_6_2(z1)
-  const T k_73  = detail::constant<T>(0.703409f, 0.7034089865598456);           // cos(2 pi/16) theta_7_2(z1)
-  const T k_74  = detail::constant<T>(0.7232922f, 0.7232921834646858);          // cos(2 pi/16) theta_8_2(z1)
-  const T k_75  = detail::constant<T>(0.029781291f, 0.02978129122833181);       // cos(6 pi/32) theta_3_3(z1)
-  const T k_76  = detail::constant<T>(0.08215472f, 0.08215472134029428);        // cos(6 pi/32) theta_4_3(z1)
-  const T k_77  = detail::constant<T>(0.16322011f, 0.16322011449721702);        // cos(6 pi/32) theta_5_3(z1)
-  const T k_78  = detail::constant<T>(0.26939586f, 0.2693958529869922);         // cos(6 pi/32) theta_6_3(z1)
-  const T k_79  = detail::constant<T>(0.390354f, 0.3903540028915134);           // cos(6 pi/32) theta_7_3(z1)
-  const T k_80  = detail::constant<T>(0.5101659f, 0.5101659299081169);          // cos(6 pi/32) theta_8_3(z1)
-  const T k_81  = detail::constant<T>(0.003419144f, 0.003419144150776572);      // cos(10 pi/32) theta_5_5(z1)
-  const T k_82  = detail::constant<T>(0.0113359215f, 0.011335921656214736);     // cos(10 pi/32) theta_6_5(z1)
-  const T k_83  = detail::constant<T>(0.027009228f, 0.027009229061651818);      // cos(10 pi/32) theta_7_5(z1)
-  const T k_84  = detail::constant<T>(0.053337324f, 0.053337323650457465);      // cos(10 pi/32) theta_8_5(z1)
-  const T k_85  = detail::constant<T>(0.000963393f, 0.0009633930402125528);     // cos(6 pi/16) theta_6_6(z1)
-  const T k_86  = detail::constant<T>(0.0034309698f, 0.003430969700274457);     // cos(6 pi/16) theta_7_6(z1)
-  const T k_87  = detail::constant<T>(0.00877018f, 0.008770179817185964);       // cos(6 pi/16) theta_8_6(z1)
-  const T k_88  = detail::constant<T>(0.00019979542f, 0.00019979542052267035);  // cos(14 pi/32) theta_7_7(z1)
-  const T k_89  = detail::constant<T>(0.00075749145f, 0.000757491456520873);    // cos(14 pi/32) theta_8_7(z1)
-  const T k_90  = detail::constant<T>(5.8284273f, 5.82842712474619);            // cos(2 pi/16)^2 / cos(6 pi/16)^2
-  const T k_91  = detail::constant<T>(0.41421357f, 0.41421356237309503);        // cos(6 pi/16) / cos(2 pi/16)
-  const T k_92  = detail::constant<T>(0.84775907f, 0.8477590650225735);         // cos(6 pi/32) / cos(2 pi/32)
-  const T k_93  = detail::constant<T>(0.23463313f, 0.23463313526982046);        // cos(14 pi/32) / cos(6 pi/32)
-  const T k_94  = detail::constant<T>(1.7653669f, 1.7653668647301795);          // cos(2 pi/32) / cos(10 pi/32)
-  const T k_95  = detail::constant<T>(2.847759f, 2.8477590650225735);           // cos(10 pi/32) / cos(14 pi/32)
-  const T k_96  = detail::constant<T>(0.56645447f, 0.5664544973505216);         // cos(10 pi/32) / cos(2 pi/32)
-  const T k_97  = detail::constant<T>(1.1795805f, 1.1795804271032746);          // cos(2 pi/32) / cos(6 pi/32)
-  const T k_98  = detail::constant<T>(0.3511533f, 0.3511533023570845);          // cos(14 pi/32) / cos(10 pi/32)
-  const T k_99  = detail::constant<T>(4.2619724f, 4.261972627395669);           // cos(6 pi/32) / cos(14 pi/32)
-  const T k_100 = detail::constant<T>(0.19891237f, 0.198912367379658);          // cos(14 pi/32) / cos(2 pi/32)
-  const T k_101 = detail::constant<T>(0.6681786f, 0.6681786379192989);          // cos(10 pi/32) / cos(6 pi/32)
-  const T k_102 = detail::constant<T>(1.4966058f, 1.496605762665489);           // cos(6 pi/32) / cos(10 pi/32)
-  const T k_103 = detail::constant<T>(5.0273395f, 5.027339492125848);           // cos(2 pi/32) / cos(14 pi/32)
-  const T k_104 = detail::constant<T>(2.4142137f, 2.414213562373095);           // cos(2 pi/16) / cos(6 pi/16)
-  const T k_105 = detail::constant<T>(0.0005526782f, 0.000552678164568568);     // 1/16 sqrt(2) pi theta_4_4(z1) w(z1)
-  const T k_106 = detail::constant<T>(0.0010417072f, 0.0010417071940433007);    // 1/8 pi cos(10 pi/32) theta_3_3(z1) w(z1)
-  const T k_107 = detail::constant<T>(0.0028736552f, 0.0028736552619112563);    // 1/8 pi cos(10 pi/32) theta_4_3(z1) w(z1)
-  const T k_108 = detail::constant<T>(0.0016903188f, 0.0016903187628019057);    // 1/8 pi cos(6 pi/16) theta_2_2(z1) w(z1)
-  const T k_109 = detail::constant<T>(0.0041123056f, 0.004112305597485043);     // 1/8 pi cos(6 pi/16) theta_3_2(z1) w(z1)
-  const T k_110 = detail::constant<T>(0.007200427f, 0.007200427045261283);      // 1/8 pi cos(6 pi/16) theta_4_2(z1) w(z1)
-  const T k_111 = detail::constant<T>(0.0019611253f, 0.001961125209126428);     // 1/8 pi cos(14 pi/32) theta_1_1(z1) w(z1)
-  const T k_112 = detail::constant<T>(0.0040323487f, 0.004032348627361794);     // 1/8 pi cos(14 pi/32) theta_2_1(z1) w(z1)
-  const T k_113 = detail::constant<T>(0.0059211254f, 0.005921125494948338);     // 1/8 pi cos(14 pi/32) theta_3_1(z1) w(z1)
-  const T k_114 = detail::constant<T>(0.007207386f, 0.007207386058687461);      // 1/8 pi cos(14 pi/32) theta_4_1(z1) w(z1)
-  const T k_115 = detail::constant<T>(0.01476742f, 0.014767419802047169);       // 1/8 pi theta_0_0(z1) w(z1)
-  const T k_116 = detail::constant<T>(0.023519766f, 0.023519766022056247);      // 1/8 pi theta_1_0(z1) w(z1)
-  const T k_117 = detail::constant<T>(0.025370458f, 0.025370458765921106);      // 1/8 pi theta_2_0(z1) w(z1)
-  const T k_118 = detail::constant<T>(0.022054045f, 0.02205404534225128);       // 1/8 pi theta_3_0(z1) w(z1)
-  const T k_119 = detail::constant<T>(0.01471224f, 0.014712239505907282);       // 1/8 pi theta_4_0(z1) w(z1)
-  const T k_120 = detail::constant<T>(0.0098592425f, 0.009859242212844855);     // 1/8 pi cos(2 pi/32) theta_1_1(z1) w(z1)
-  const T k_121 = detail::constant<T>(0.020271985f, 0.020271985500355406);      // 1/8 pi cos(2 pi/32) theta_2_1(z1) w(z1)
-  const T k_122 = detail::constant<T>(0.029767508f, 0.029767508038586986);      // 1/8 pi cos(2 pi/32) theta_3_1(z1) w(z1)
-  const T k_123 = detail::constant<T>(0.036233976f, 0.03623397656783674);       // 1/8 pi cos(2 pi/32) theta_4_1(z1) w(z1)
-  const T k_124 = detail::constant<T>(0.0040807906f, 0.004080790481890071);     // 1/8 pi cos(2 pi/16) theta_2_2(z1) w(z1)
-  const T k_125 = detail::constant<T>(0.009927984f, 0.009927983946071186);      // 1/8 pi cos(2 pi/16) theta_3_2(z1) w(z1)
-  const T k_126 = detail::constant<T>(0.017383369f, 0.017383368627547822);      // 1/8 pi cos(2 pi/16) theta_4_2(z1) w(z1)
-  const T k_127 = detail::constant<T>(0.001559025f, 0.0015590249896153007);     // 1/8 pi cos(6 pi/32) theta_3_3(z1) w(z1)
-  const T k_128 = detail::constant<T>(0.004300729f, 0.0043007290248903915);     // 1/8 pi cos(6 pi/32) theta_4_3(z1) w(z1)
-  const T k_129 = detail::constant<T>(0.031025782f, 0.031025782853790724);      // theta_8_8(z2)
-  const T k_130 = detail::constant<T>(0.04380285f, 0.04380284857322108);        // cos(2 pi/32) theta_7_7(z2)
-  const T k_131 = detail::constant<T>(0.13342534f, 0.13342534622788696);        // cos(2 pi/32) theta_8_7(z2)
-  const T k_132 = detail::constant<T>(0.05914694f, 0.05914694053043603);        // cos(2 pi/16) theta_6_6(z2)
-  const T k_133 = detail::constant<T>(0.16923471f, 0.1692347085908262);         // cos(2 pi/16) theta_7_6(z2)
-  const T k_134 = detail::constant<T>(0.33121762f, 0.3312176195013312);         // cos(2 pi/16) theta_8_6(z2)
-  const T k_135 = detail::constant<T>(0.07588438f, 0.07588438231076633);        // cos(6 pi/32) theta_5_5(z2)
-  const T k_136 = detail::constant<T>(0.20213224f, 0.20213224658065787);        // cos(6 pi/32) theta_6_5(z2)
-  const T k_137 = detail::constant<T>(0.36566418f, 0.3656641788963496);         // cos(6 pi/32) theta_7_5(z2)
-  const T k_138 = detail::constant<T>(0.50944054f, 0.5094405550569894);         // cos(6 pi/32) theta_8_5(z2)
-  const T k_139 = detail::constant<T>(0.091298744f, 0.09129874695486827);       // 1/2 sqrt(2) theta_4_4(z2)
-  const T k_140 = detail::constant<T>(0.22370344f, 0.2237034505669869);         // 1/2 sqrt(2) theta_5_4(z2)
-  const T k_141 = detail::constant<T>(0.36830604f, 0.36830605460031995);        // 1/2 sqrt(2) theta_6_4(z2)
-  const T k_142 = detail::constant<T>(0.4580584f, 0.45805839652297736);         // 1/2 sqrt(2) theta_7_4(z2)
-  const T k_143 = detail::constant<T>(0.43075797f, 0.43075798017569855);        // 1/2 sqrt(2) theta_8_4(z2)
-  const T k_144 = detail::constant<T>(0.10034891f, 0.1003489096430046);         // cos(10 pi/32) theta_3_3(z2)
-  const T k_145 = detail::constant<T>(0.22240545f, 0.22240545550825677);        // cos(10 pi/32) theta_4_3(z2)
-  const T k_146 = detail::constant<T>(0.32550442f, 0.325504422450431);          // cos(10 pi/32) theta_5_3(z2)
-  const T k_147 = detail::constant<T>(0.34765345f, 0.34765345560435623);        // cos(10 pi/32) theta_6_3(z2)
-  const T k_148 = detail::constant<T>(0.25479138f, 0.25479138314198324);        // cos(10 pi/32) theta_7_3(z2)
-  const T k_149 = detail::constant<T>(0.06627014f, 0.06627014630607933);        // cos(10 pi/32) theta_8_3(z2)
-  const T k_150 = detail::constant<T>(0.094953306f, 0.0949533061537167);        // cos(6 pi/16) theta_2_2(z2)
-  const T k_151 = detail::constant<T>(0.18559687f, 0.18559686425876085);        // cos(6 pi/16) theta_3_2(z2)
-  const T k_152 = detail::constant<T>(0.23193592f, 0.2319359249820511);         // cos(6 pi/16) theta_4_2(z2)
-  const T k_153 = detail::constant<T>(0.19616526f, 0.19616526376369015);        // cos(6 pi/16) theta_5_2(z2)
-  const T k_154 = detail::constant<T>(0.08054103f, 0.08054102597411986);        // cos(6 pi/16) theta_6_2(z2)
-  const T k_155 = detail::constant<T>(0.06930773f, 0.06930773019634821);        // -cos(6 pi/16) theta_7_2(z2)
-  const T k_156 = detail::constant<T>(0.18531999f, 0.18531998565115823);        // -cos(6 pi/16) theta_8_2(z2)
-  const T k_157 = detail::constant<T>(0.06424233f, 0.06424233017997852);        // cos(14 pi/32) theta_1_1(z2)
-  const T k_158 = detail::constant<T>(0.10612503f, 0.10612502626935731);        // cos(14 pi/32) theta_2_1(z2)
-  const T k_159 = detail::constant<T>(0.10389718f, 0.10389717914720631);        // cos(14 pi/32) theta_3_1(z2)
-  const T k_160 = detail::constant<T>(0.05332319f, 0.05332319221603933);        // cos(14 pi/32) theta_4_1(z2)
-  const T k_161 = detail::constant<T>(0.0229562f, 0.02295620000074445);         // -cos(14 pi/32) theta_5_1(z2)
-  const T k_162 = detail::constant<T>(0.087349035f, 0.08734903628488509);       // -cos(14 pi/32) theta_6_1(z2)
-  const T k_163 = detail::constant<T>(0.10717587f, 0.10717587124714484);        // -cos(14 pi/32) theta_7_1(z2)
-  const T k_164 = detail::constant<T>(0.07210837f, 0.0721083708669124);         // -cos(14 pi/32) theta_8_1(z2)
-  const T k_165 = detail::constant<T>(0.2820948f, 0.28209479177387814);         // theta_0_0(z2)
-  const T k_166 = detail::constant<T>(0.36096677f, 0.3609667662187787);         // theta_1_0(z2)
-  const T k_167 = detail::constant<T>(0.20101811f, 0.20101811666985248);        // theta_2_0(z2)
-  const T k_168 = detail::constant<T>(0.07473095f, 0.07473094472830899);        // -theta_3_0(z2)
-  const T k_169 = detail::constant<T>(0.31182307f, 0.31182307475372);           // -theta_4_0(z2)
-  const T k_170 = detail::constant<T>(0.38347986f, 0.3834798632452079);         // -theta_5_0(z2)
-  const T k_171 = detail::constant<T>(0.25233507f, 0.2523350663758506);         // -theta_6_0(z2)
-  const T k_172 = detail::constant<T>(0.011950658f, 0.011950657861271268);      // theta_7_0(z2)
-  const T k_173 = detail::constant<T>(0.2701098f, 0.2701098105274493);          // theta_8_0(z2)
-  const T k_174 = detail::constant<T>(0.322968f, 0.3229680035799943);           // cos(2 pi/32) theta_1_1(z2)
-  const T k_175 = detail::constant<T>(0.53352654f, 0.5335265356668331);         // cos(2 pi/32) theta_2_1(z2)
-  const T k_176 = detail::constant<T>(0.5223264f, 0.5223263918472244);          // cos(2 pi/32) theta_3_1(z2)
-  const T k_177 = detail::constant<T>(0.2680738f, 0.26807379007391213);         // cos(2 pi/32) theta_4_1(z2)
-  const T k_178 = detail::constant<T>(0.115408614f, 0.115408610852882);         // -cos(2 pi/32) theta_5_1(z2)
-  const T k_179 = detail::constant<T>(0.43913326f, 0.4391332597141365);         // -cos(2 pi/32) theta_6_1(z2)
-  const T k_180 = detail::constant<T>(0.5388095f, 0.5388094901237664);          // -cos(2 pi/32) theta_7_1(z2)
-  const T k_181 = detail::constant<T>(0.36251327f, 0.3625132605720856);         // -cos(2 pi/32) theta_8_1(z2)
-  const T k_182 = detail::constant<T>(0.22923756f, 0.22923755950846753);        // cos(2 pi/16) theta_2_2(z2)
-  const T k_183 = detail::constant<T>(0.44807047f, 0.4480704668274188);         // cos(2 pi/16) theta_3_2(z2)
-  const T k_184 = detail::constant<T>(0.55994284f, 0.5599428556932166);         // cos(2 pi/16) theta_4_2(z2)
-  const T k_185 = detail::constant<T>(0.47358483f, 0.4735848402447962);         // cos(2 pi/16) theta_5_2(z2)
-  const T k_186 = detail::constant<T>(0.19444324f, 0.1944432372341639);         // cos(2 pi/16) theta_6_2(z2)
-  const T k_187 = detail::constant<T>(0.16732366f, 0.16732366221731915);        // -cos(2 pi/16) theta_7_2(z2)
-  const T k_188 = detail::constant<T>(0.44740203f, 0.4474020227378136);         // -cos(2 pi/16) theta_8_2(z2)
-  const T k_189 = detail::constant<T>(0.15018275f, 0.15018275644891912);        // cos(6 pi/32) theta_3_3(z2)
-  const T k_190 = detail::constant<T>(0.3328533f, 0.33285328636190015);         // cos(6 pi/32) theta_4_3(z2)
-  const T k_191 = detail::constant<T>(0.4871518f, 0.4871517944124168);          // cos(6 pi/32) theta_5_3(z2)
-  const T k_192 = detail::constant<T>(0.52030015f, 0.5203001650680502);         // cos(6 pi/32) theta_6_3(z2)
-  const T k_193 = detail::constant<T>(0.38132226f, 0.3813222522878027);         // cos(6 pi/32) theta_7_3(z2)
-  const T k_194 = detail::constant<T>(0.09918028f, 0.0991802828543634);         // cos(6 pi/32) theta_8_3(z2)
-  const T k_195 = detail::constant<T>(0.050704323f, 0.050704323211755185);      // cos(10 pi/32) theta_5_5(z2)
-  const T k_196 = detail::constant<T>(0.13506044f, 0.13506044919983184);        // cos(10 pi/32) theta_6_5(z2)
-  const T k_197 = detail::constant<T>(0.24432899f, 0.24432899299084174);        // cos(10 pi/32) theta_7_5(z2)
-  const T k_198 = detail::constant<T>(0.3403973f, 0.3403972961788308);          // cos(10 pi/32) theta_8_5(z2)
-  const T k_199 = detail::constant<T>(0.024499465f, 0.024499464940581507);      // cos(6 pi/16) theta_6_6(z2)
-  const T k_200 = detail::constant<T>(0.07009931f, 0.07009931152257876);        // cos(6 pi/16) theta_7_6(z2)
-  const T k_201 = detail::constant<T>(0.13719483f, 0.1371948300943827);         // cos(6 pi/16) theta_8_6(z2)
-  const T k_202 = detail::constant<T>(0.008712929f, 0.00871292830767208);       // cos(14 pi/32) theta_7_7(z2)
-  const T k_203 = detail::constant<T>(0.026539952f, 0.026539951486639516);      // cos(14 pi/32) theta_8_7(z2)
-  const T k_204 = detail::constant<T>(0.008062943f, 0.008062942758402516);      // 1/16 sqrt(2) pi theta_4_4(z2) w(z2)
-  const T k_205 = detail::constant<T>(0.008862197f, 0.008862197360930033);      // 1/8 pi cos(10 pi/32) theta_3_3(z2) w(z2)
-  const T k_206 = detail::constant<T>(0.01964148f, 0.01964147939298626);        // 1/8 pi cos(10 pi/32) theta_4_3(z2) w(z2)
-  const T k_207 = detail::constant<T>(0.008385691f, 0.008385690907860411);      // 1/8 pi cos(6 pi/16) theta_2_2(z2) w(z2)
-  const T k_208 = detail::constant<T>(0.01639077f, 0.01639077142424676);        // 1/8 pi cos(6 pi/16) theta_3_2(z2) w(z2)
-  const T k_209 = detail::constant<T>(0.020483151f, 0.02048315173122648);       // 1/8 pi cos(6 pi/16) theta_4_2(z2) w(z2)
-  const T k_210 = detail::constant<T>(0.0056734867f, 0.005673486747453561);     // 1/8 pi cos(14 pi/32) theta_1_1(z2) w(z2)
-  const T k_211 = detail::constant<T>(0.009372309f, 0.009372308389585892);      // 1/8 pi cos(14 pi/32) theta_2_1(z2) w(z2)
-  const T k_212 = detail::constant<T>(0.009175559f, 0.00917555865950192);       // 1/8 pi cos(14 pi/32) theta_3_1(z2) w(z2)
-  const T k_213 = detail::constant<T>(0.004709176f, 0.004709175764983423);      // 1/8 pi cos(14 pi/32) theta_4_1(z2) w(z2)
-  const T k_214 = detail::constant<T>(0.024912873f, 0.02491287377296227);       // 1/8 pi theta_0_0(z2) w(z2)
-  const T k_215 = detail::constant<T>(0.03187836f, 0.0318783605556646);         // 1/8 pi theta_1_0(z2) w(z2)
-  const T k_216 = detail::constant<T>(0.01775268f, 0.017752681413164505);       // 1/8 pi theta_2_0(z2) w(z2)
-  const T k_217 = detail::constant<T>(0.0065997764f, 0.006599776554694197);     // -1/8 pi theta_3_0(z2) w(z2)
-  const T k_218 = detail::constant<T>(0.027538292f, 0.027538292543392347);      // -1/8 pi theta_4_0(z2) w(z2)
-  const T k_219 = detail::constant<T>(0.028522544f, 0.028522543983525914);      // 1/8 pi cos(2 pi/32) theta_1_1(z2) w(z2)
-  const T k_220 = detail::constant<T>(0.047117777f, 0.04711777609934757);       // 1/8 pi cos(2 pi/32) theta_2_1(z2) w(z2)
-  const T k_221 = detail::constant<T>(0.04612865f, 0.04612864841123131);        // 1/8 pi cos(2 pi/32) theta_3_1(z2) w(z2)
-  const T k_222 = detail::constant<T>(0.023674626f, 0.023674625298663113);      // 1/8 pi cos(2 pi/32) theta_4_1(z2) w(z2)
-  const T k_223 = detail::constant<T>(0.020244848f, 0.020244848719625355);      // 1/8 pi cos(2 pi/16) theta_2_2(z2) w(z2)
-  const T k_224 = detail::constant<T>(0.039570823f, 0.0395708226701739);        // 1/8 pi cos(2 pi/16) theta_3_2(z2) w(z2)
-  const T k_225 = detail::constant<T>(0.049450703f, 0.04945070270967291);       // 1/8 pi cos(2 pi/16) theta_4_2(z2) w(z2)
-  const T k_226 = detail::constant<T>(0.013263215f, 0.013263215640246774);      // 1/8 pi cos(6 pi/32) theta_3_3(z2) w(z2)
-  const T k_227 = detail::constant<T>(0.02939555f, 0.02939555124681869);        // 1/8 pi cos(6 pi/32) theta_4_3(z2) w(z2)
-  const T k_228 = detail::constant<T>(0.2583599f, 0.2583599033937192);          // theta_8_8(z3)
-  const T k_229 = detail::constant<T>(0.2798607f, 0.27986070485521747);         // cos(2 pi/32) theta_7_7(z3)
-  const T k_230 = detail::constant<T>(0.55147535f, 0.5514753278072394);         // cos(2 pi/32) theta_8_7(z3)
-  const T k_231 = detail::constant<T>(0.28994063f, 0.28994061692133066);        // cos(2 pi/16) theta_6_6(z3)
-  const T k_232 = detail::constant<T>(0.53667873f, 0.5366787398885778);         // cos(2 pi/16) theta_7_6(z3)
-  const T k_233 = detail::constant<T>(0.54812324f, 0.5481232369642529);         // cos(2 pi/16) theta_8_6(z3)
-  const T k_234 = detail::constant<T>(0.28540817f, 0.2854081571908452);         // cos(6 pi/32) theta_5_5(z3)
-  const T k_235 = detail::constant<T>(0.49181047f, 0.4918104595208801);         // cos(6 pi/32) theta_6_5(z3)
-  const T k_236 = detail::constant<T>(0.44435632f, 0.4443563178035736);         // cos(6 pi/32) theta_7_5(z3)
-  const T k_237 = detail::constant<T>(0.10184811f, 0.10184811058286505);        // cos(6 pi/32) theta_8_5(z3)
-  const T k_238 = detail::constant<T>(0.2634608f, 0.2634607959032638);          // 1/2 sqrt(2) theta_4_4(z3)
-  const T k_239 = detail::constant<T>(0.41761112f, 0.4176111112350274);         // 1/2 sqrt(2) theta_5_4(z3)
-  const T k_240 = detail::constant<T>(0.32127583f, 0.32127583661154085);        // 1/2 sqrt(2) theta_6_4(z3)
-  const T k_241 = detail::constant<T>(0.006397938f, 0.0063979380590028796);     // -1/2 sqrt(2) theta_7_4(z3)
-  const T k_242 = detail::constant<T>(0.31167388f, 0.31167389126113293);        // -1/2 sqrt(2) theta_8_4(z3)
-  const T k_243 = detail::constant<T>(0.222178f, 0.22217799578793576);          // cos(10 pi/32) theta_3_3(z3)
-  const T k_244 = detail::constant<T>(0.3185532f, 0.31855322245780304);         // cos(10 pi/32) theta_4_3(z3)
-  const T k_245 = detail::constant<T>(0.19448324f, 0.1944832317220422);         // cos(10 pi/32) theta_5_3(z3)
-  const T k_246 = detail::constant<T>(0.08081215f, 0.08081214729310388);        // -cos(10 pi/32) theta_6_3(z3)
-  const T k_247 = detail::constant<T>(0.27186322f, 0.271863218784295);          // -cos(10 pi/32) theta_7_3(z3)
-  const T k_248 = detail::constant<T>(0.20095915f, 0.20095914615461657);        // -cos(10 pi/32) theta_8_3(z3)
-  const T k_249 = detail::constant<T>(0.1613005f, 0.16130048830958987);         // cos(6 pi/16) theta_2_2(z3)
-  const T k_250 = detail::constant<T>(0.20395972f, 0.20395971919265268);        // cos(6 pi/16) theta_3_2(z3)
-  const T k_251 = detail::constant<T>(0.083658546f, 0.08365854985342898);       // cos(6 pi/16) theta_4_2(z3)
-  const T k_252 = detail::constant<T>(0.10646203f, 0.10646202963007959);        // -cos(6 pi/16) theta_5_2(z3)
-  const T k_253 = detail::constant<T>(0.18901f, 0.18900998872574495);           // -cos(6 pi/16) theta_6_2(z3)
-  const T k_254 = detail::constant<T>(0.08320572f, 0.0832057202677373);         // -cos(6 pi/16) theta_7_2(z3)
-  const T k_255 = detail::constant<T>(0.10520387f, 0.10520386839165718);        // cos(6 pi/16) theta_8_2(z3)
-  const T k_256 = detail::constant<T>(0.08373058f, 0.08373057637724589);        // cos(14 pi/32) theta_1_1(z3)
-  const T k_257 = detail::constant<T>(0.08948058f, 0.08948057911333913);        // cos(14 pi/32) theta_2_1(z3)
-  const T k_258 = detail::constant<T>(0.011126636f, 0.011126635367610802);      // cos(14 pi/32) theta_3_1(z3)
-  const T k_259 = detail::constant<T>(0.07677467f, 0.07677466913516702);        // -cos(14 pi/32) theta_4_1(z3)
-  const T k_260 = detail::constant<T>(0.08554973f, 0.08554972340385424);        // -cos(14 pi/32) theta_5_1(z3)
-  const T k_261 = detail::constant<T>(0.0062359856f, 0.006235985738418395);     // -cos(14 pi/32) theta_6_1(z3)
-  const T k_262 = detail::constant<T>(0.079299286f, 0.07929928465661902);       // cos(14 pi/32) theta_7_1(z3)
-  const T k_263 = detail::constant<T>(0.082472615f, 0.08247261229762498);       // cos(14 pi/32) theta_8_1(z3)
-  const T k_264 = detail::constant<T>(0.2820948f, 0.28209479177387814);         // theta_0_0(z3)
-  const T k_265 = detail::constant<T>(0.23351534f, 0.2335153309784601);         // theta_1_0(z3)
-  const T k_266 = detail::constant<T>(0.09927367f, 0.09927366686198878);        // -theta_2_0(z3)
-  const T k_267 = detail::constant<T>(0.3313639f, 0.3313638895060823);          // -theta_3_0(z3)
-  const T k_268 = detail::constant<T>(0.21435772f, 0.21435771246416352);        // -theta_4_0(z3)
-  const T k_269 = detail::constant<T>(0.12844254f, 0.1284425399277969);         // theta_5_0(z3)
-  const T k_270 = detail::constant<T>(0.337033f, 0.3370330118441771);           // theta_6_0(z3)
-  const T k_271 = detail::constant<T>(0.19276847f, 0.19276846717789137);        // theta_7_0(z3)
-  const T k_272 = detail::constant<T>(0.153338f, 0.15333800538661782);          // -theta_8_0(z3)
-  const T k_273 = detail::constant<T>(0.42094204f, 0.4209420333197879);         // cos(2 pi/32) theta_1_1(z3)
-  const T k_274 = detail::constant<T>(0.44984925f, 0.44984924915478114);        // cos(2 pi/32) theta_2_1(z3)
-  const T k_275 = detail::constant<T>(0.055937372f, 0.05593737339807399);       // cos(2 pi/32) theta_3_1(z3)
-  const T k_276 = detail::constant<T>(0.38597232f, 0.3859723261381206);         // -cos(2 pi/32) theta_4_1(z3)
-  const T k_277 = detail::constant<T>(0.4300875f, 0.43008750300863935);         // -cos(2 pi/32) theta_5_1(z3)
-  const T k_278 = detail::constant<T>(0.03135042f, 0.031350417375084365);       // -cos(2 pi/32) theta_6_1(z3)
-  const T k_279 = detail::constant<T>(0.3986644f, 0.3986644254515501);          // cos(2 pi/32) theta_7_1(z3)
-  const T k_280 = detail::constant<T>(0.4146178f, 0.414617820822634);           // cos(2 pi/32) theta_8_1(z3)
-  const T k_281 = detail::constant<T>(0.38941383f, 0.38941382649441475);        // cos(2 pi/16) theta_2_2(z3)
-  const T k_282 = detail::constant<T>(0.49240232f, 0.49240232025271014);        // cos(2 pi/16) theta_3_2(z3)
-  const T k_283 = detail::constant<T>(0.20196961f, 0.20196960566461394);        // cos(2 pi/16) theta_4_2(z3)
-  const T k_284 = detail::constant<T>(0.25702208f, 0.2570220758107044);         // -cos(2 pi/16) theta_5_2(z3)
-  const T k_285 = detail::constant<T>(0.45631048f, 0.4563104782056792);         // -cos(2 pi/16) theta_6_2(z3)
-  const T k_286 = detail::constant<T>(0.20087638f, 0.2008763783373933);         // -cos(2 pi/16) theta_7_2(z3)
-  const T k_287 = detail::constant<T>(0.2539846f, 0.25398460588525296);         // cos(2 pi/16) theta_8_2(z3)
-  const T k_288 = detail::constant<T>(0.33251286f, 0.3325128688336934);         // cos(6 pi/32) theta_3_3(z3)
-  const T k_289 = detail::constant<T>(0.4767486f, 0.4767485884460095);          // cos(6 pi/32) theta_4_3(z3)
-  const T k_290 = detail::constant<T>(0.29106474f, 0.291064725337016);          // cos(6 pi/32) theta_5_3(z3)
-  const T k_291 = detail::constant<T>(0.12094393f, 0.12094392533223156);        // -cos(6 pi/32) theta_6_3(z3)
-  const T k_292 = detail::constant<T>(0.40687206f, 0.4068720598893645);         // -cos(6 pi/32) theta_7_3(z3)
-  const T k_293 = detail::constant<T>(0.3007566f, 0.3007566161953354);          // -cos(6 pi/32) theta_8_3(z3)
-  const T k_294 = detail::constant<T>(0.19070363f, 0.1907036337228361);         // cos(10 pi/32) theta_5_5(z3)
-  const T k_295 = detail::constant<T>(0.32861724f, 0.3286172429571262);         // cos(10 pi/32) theta_6_5(z3)
-  const T k_296 = detail::constant<T>(0.2969094f, 0.2969093991808269);          // cos(10 pi/32) theta_7_5(z3)
-  const T k_297 = detail::constant<T>(0.06805273f, 0.0680527318039129);         // cos(10 pi/32) theta_8_5(z3)
-  const T k_298 = detail::constant<T>(0.12009734f, 0.12009733581163726);        // cos(6 pi/16) theta_6_6(z3)
-  const T k_299 = detail::constant<T>(0.2222996f, 0.2222996126991515);          // cos(6 pi/16) theta_7_6(z3)
-  const T k_300 = detail::constant<T>(0.22704008f, 0.22704007860243533);        // cos(6 pi/16) theta_8_6(z3)
-  const T k_301 = detail::constant<T>(0.055667754f, 0.05566775533929105);       // cos(14 pi/32) theta_7_7(z3)
-  const T k_302 = detail::constant<T>(0.10969526f, 0.10969526300561093);        // cos(14 pi/32) theta_8_7(z3)
-  const T k_303 = detail::constant<T>(0.030214973f, 0.030214973371714866);      // 1/16 sqrt(2) pi theta_4_4(z3) w(z3)
-  const T k_304 = detail::constant<T>(0.02548046f, 0.025480459828939175);       // 1/8 pi cos(10 pi/32) theta_3_3(z3) w(z3)
-  const T k_305 = detail::constant<T>(0.036533244f, 0.036533242454678407);      // 1/8 pi cos(10 pi/32) theta_4_3(z3) w(z3)
-  const T k_306 = detail::constant<T>(0.01849873f, 0.018498729355195448);       // 1/8 pi cos(6 pi/16) theta_2_2(z3) w(z3)
-  const T k_307 = detail::constant<T>(0.023391098f, 0.023391098714251237);      // 1/8 pi cos(6 pi/16) theta_3_2(z3) w(z3)
-  const T k_308 = detail::constant<T>(0.009594372f, 0.009594371896856184);      // 1/8 pi cos(6 pi/16) theta_4_2(z3) w(z3)
-  const T k_309 = detail::constant<T>(0.009602632f, 0.009602632251083551);      // 1/8 pi cos(14 pi/32) theta_1_1(z3) w(z3)
-  const T k_310 = detail::constant<T>(0.010262071f, 0.01026207070363471);       // 1/8 pi cos(14 pi/32) theta_2_1(z3) w(z3)
-  const T k_311 = detail::constant<T>(0.001276057f, 0.0012760569943491029);     // 1/8 pi cos(14 pi/32) theta_3_1(z3) w(z3)
-  const T k_312 = detail::constant<T>(0.008804895f, 0.008804894768453682);      // -1/8 pi cos(14 pi/32) theta_4_1(z3) w(z3)
-  const T k_313 = detail::constant<T>(0.03235201f, 0.032352011207302314);       // 1/8 pi theta_0_0(z3) w(z3)
-  const T k_314 = detail::constant<T>(0.026780682f, 0.026780680910081272);      // 1/8 pi theta_1_0(z3) w(z3)
-  const T k_315 = detail::constant<T>(0.01138519f, 0.011385189931062242);       // -1/8 pi theta_2_0(z3) w(z3)
-  const T k_316 = detail::constant<T>(0.03800243f, 0.038002432443308774);       // -1/8 pi theta_3_0(z3) w(z3)
-  const T k_317 = detail::constant<T>(0.024583591f, 0.024583591467265343);      // -1/8 pi theta_4_0(z3) w(z3)
-  const T k_318 = detail::constant<T>(0.04827569f, 0.04827569234423367);        // 1/8 pi cos(2 pi/32) theta_1_1(z3) w(z3)
-  const T k_319 = detail::constant<T>(0.051590912f, 0.05159091331937047);       // 1/8 pi cos(2 pi/32) theta_2_1(z3) w(z3)
-  const T k_320 = detail::constant<T>(0.0064151715f, 0.006415171721894654);     // 1/8 pi cos(2 pi/32) theta_3_1(z3) w(z3)
-  const T k_321 = detail::constant<T>(0.044265196f, 0.04426519519345947);       // -1/8 pi cos(2 pi/32) theta_4_1(z3) w(z3)
-  const T k_322 = detail::constant<T>(0.044659883f, 0.04465988329598215);       // 1/8 pi cos(2 pi/16) theta_2_2(z3) w(z3)
-  const T k_323 = detail::constant<T>(0.05647111f, 0.056471107754753204);       // 1/8 pi cos(2 pi/16) theta_3_2(z3) w(z3)
-  const T k_324 = detail::constant<T>(0.023162862f, 0.023162862755841476);      // 1/8 pi cos(2 pi/16) theta_4_2(z3) w(z3)
-  const T k_325 = detail::constant<T>(0.038134202f, 0.03813420301535687);       // 1/8 pi cos(6 pi/32) theta_3_3(z3) w(z3)
-  const T k_326 = detail::constant<T>(0.054675862f, 0.0546758611865272);        // 1/8 pi cos(6 pi/32) theta_4_3(z3) w(z3)
-  const T k_327 = detail::constant<T>(0.65248257f, 0.6524825448530486);         // theta_8_8(z4)
-  const T k_328 = detail::constant<T>(0.6294957f, 0.62949565243665);            // cos(2 pi/32) theta_7_7(z4)
-  const T k_329 = detail::constant<T>(0.42897776f, 0.4289777440929171);         // cos(2 pi/32) theta_8_7(z4)
-  const T k_330 = detail::constant<T>(0.5808539f, 0.5808538830683474);          // cos(2 pi/16) theta_6_6(z4)
-  const T k_331 = detail::constant<T>(0.37181774f, 0.37181772719479883);        // cos(2 pi/16) theta_7_6(z4)
-  const T k_332 = detail::constant<T>(0.26714262f, 0.2671426203750086);         // -cos(2 pi/16) theta_8_6(z4)
-  const T k_333 = detail::constant<T>(0.5092502f, 0.5092502451495461);          // cos(6 pi/32) theta_5_5(z4)
-  const T k_334 = detail::constant<T>(0.3034733f, 0.3034733006493963);          // cos(6 pi/32) theta_6_5(z4)
-  const T k_335 = detail::constant<T>(0.2596261f, 0.2596260812858043);          // -cos(6 pi/32) theta_7_5(z4)
-  const T k_336 = detail::constant<T>(0.38196117f, 0.38196116394645);           // -cos(6 pi/32) theta_8_5(z4)
-  const T k_337 = detail::constant<T>(0.41868547f, 0.41868547217551005);        // 1/2 sqrt(2) theta_4_4(z4)
-  const T k_338 = detail::constant<T>(0.2295101f, 0.22951009862708452);         // 1/2 sqrt(2) theta_5_4(z4)
-  const T k_339 = detail::constant<T>(0.23612362f, 0.23612362716687524);        // -1/2 sqrt(2) theta_6_4(z4)
-  const T k_340 = detail::constant<T>(0.30351302f, 0.30351302039787553);        // -1/2 sqrt(2) theta_7_4(z4)
-  const T k_341 = detail::constant<T>(0.10826381f, 0.10826381320120998);        // 1/2 sqrt(2) theta_8_4(z4)
-  const T k_342 = detail::constant<T>(0.31447053f, 0.31447053822091614);        // cos(10 pi/32) theta_3_3(z4)
-  const T k_343 = detail::constant<T>(0.1559261f, 0.15592608832182223);         // cos(10 pi/32) theta_4_3(z4)
-  const T k_344 = detail::constant<T>(0.1966399f, 0.19663989302006765);         // -cos(10 pi/32) theta_5_3(z4)
-  const T k_345 = detail::constant<T>(0.21905594f, 0.21905593680668717);        // -cos(10 pi/32) theta_6_3(z4)
-  const T k_346 = detail::constant<T>(0.108717725f, 0.1087177278421087);        // cos(10 pi/32) theta_7_3(z4)
-  const T k_347 = detail::constant<T>(0.25231788f, 0.25231786629852143);        // cos(10 pi/32) theta_8_3(z4)
-  const T k_348 = detail::constant<T>(0.20333944f, 0.20333944238567592);        // cos(6 pi/16) theta_2_2(z4)
-  const T k_349 = detail::constant<T>(0.088917695f, 0.08891769859319135);       // cos(6 pi/16) theta_3_2(z4)
-  const T k_350 = detail::constant<T>(0.14242384f, 0.1424238420014363);         // -cos(6 pi/16) theta_4_2(z4)
-  const T k_351 = detail::constant<T>(0.13536932f, 0.13536931535017058);        // -cos(6 pi/16) theta_5_2(z4)
-  const T k_352 = detail::constant<T>(0.09136859f, 0.09136859535957222);        // cos(6 pi/16) theta_6_2(z4)
-  const T k_353 = detail::constant<T>(0.16473836f, 0.16473836254780805);        // cos(6 pi/16) theta_7_2(z4)
-  const T k_354 = detail::constant<T>(0.03435427f, 0.034354269852133225);       // -cos(6 pi/16) theta_8_2(z4)
-  const T k_355 = detail::constant<T>(0.09401065f, 0.09401064965027042);        // cos(14 pi/32) theta_1_1(z4)
-  const T k_356 = detail::constant<T>(0.034743983f, 0.034743984396015636);      // cos(14 pi/32) theta_2_1(z4)
-  const T k_357 = detail::constant<T>(0.07592771f, 0.07592771549253831);        // -cos(14 pi/32) theta_3_1(z4)
-  const T k_358 = detail::constant<T>(0.059760332f, 0.059760330271209666);      // -cos(14 pi/32) theta_4_1(z4)
-  const T k_359 = detail::constant<T>(0.0551862f, 0.05518619977462419);         // cos(14 pi/32) theta_5_1(z4)
-  const T k_360 = detail::constant<T>(0.07791173f, 0.0779117281449746);         // cos(14 pi/32) theta_6_1(z4)
-  const T k_361 = detail::constant<T>(0.029074432f, 0.029074433140096657);      // -cos(14 pi/32) theta_7_1(z4)
-  const T k_362 = detail::constant<T>(0.08743672f, 0.08743672356163255);        // -cos(14 pi/32) theta_8_1(z4)
-  const T k_363 = detail::constant<T>(0.2820948f, 0.28209479177387814);         // theta_0_0(z4)
-  const T k_364 = detail::constant<T>(0.08075571f, 0.08075571388049306);        // theta_1_0(z4)
-  const T k_365 = detail::constant<T>(0.2895448f, 0.28954478444559434);         // -theta_2_0(z4)
-  const T k_366 = detail::constant<T>(0.17661023f, 0.17661022824967423);        // -theta_3_0(z4)
-  const T k_367 = detail::constant<T>(0.2334268f, 0.23342679907904954);         // theta_4_0(z4)
-  const T k_368 = detail::constant<T>(0.2538884f, 0.2538884114355789);          // theta_5_0(z4)
-  const T k_369 = detail::constant<T>(0.15015383f, 0.1501538374008767);         // -theta_6_0(z4)
-  const T k_370 = detail::constant<T>(0.30363157f, 0.30363157913580646);        // -theta_7_0(z4)
-  const T k_371 = detail::constant<T>(0.050072446f, 0.05007244786882258);       // theta_8_0(z4)
-  const T k_372 = detail::constant<T>(0.47262344f, 0.47262345166721154);        // cos(2 pi/32) theta_1_1(z4)
-  const T k_373 = detail::constant<T>(0.1746698f, 0.17466980486789363);         // cos(2 pi/32) theta_2_1(z4)
-  const T k_374 = detail::constant<T>(0.3817144f, 0.38171440264253337);         // -cos(2 pi/32) theta_3_1(z4)
-  const T k_375 = detail::constant<T>(0.30043545f, 0.3004354684349361);         // -cos(2 pi/32) theta_4_1(z4)
-  const T k_376 = detail::constant<T>(0.27743977f, 0.27743976154731476);        // cos(2 pi/32) theta_5_1(z4)
-  const T k_377 = detail::constant<T>(0.3916887f, 0.3916887078030038);          // cos(2 pi/32) theta_6_1(z4)
-  const T k_378 = detail::constant<T>(0.14616704f, 0.14616704593638044);        // -cos(2 pi/32) theta_7_1(z4)
-  const T k_379 = detail::constant<T>(0.4395741f, 0.43957409342348597);         // -cos(2 pi/32) theta_8_1(z4)
-  const T k_380 = detail::constant<T>(0.49090484f, 0.4909048395728814);         // cos(2 pi/16) theta_2_2(z4)
-  const T k_381 = detail::constant<T>(0.2146663f, 0.21466631387868562);         // cos(2 pi/16) theta_3_2(z4)
-  const T k_382 = detail::constant<T>(0.34384158f, 0.34384157096515033);        // -cos(2 pi/16) theta_4_2(z4)
-  const T k_383 = detail::constant<T>(0.32681045f, 0.32681043704754226);        // -cos(2 pi/16) theta_5_2(z4)
-  const T k_384 = detail::constant<T>(0.2205833f, 0.22058330209205868);         // cos(2 pi/16) theta_6_2(z4)
-  const T k_385 = detail::constant<T>(0.3977136f, 0.39771358910605414);         // cos(2 pi/16) theta_7_2(z4)
-  const T k_386 = detail::constant<T>(0.082938544f, 0.08293854420244517);       // -cos(2 pi/16) theta_8_2(z4)
-  const T k_387 = detail::constant<T>(0.47063842f, 0.47063841968994097);        // cos(6 pi/32) theta_3_3(z4)
-  const T k_388 = detail::constant<T>(0.23335989f, 0.23335988233232713);        // cos(6 pi/32) theta_4_3(z4)
-  const T k_389 = detail::constant<T>(0.2942924f, 0.29429239706375854);         // -cos(6 pi/32) theta_5_3(z4)
-  const T k_390 = detail::constant<T>(0.3278404f, 0.3278403773709752);          // -cos(6 pi/32) theta_6_3(z4)
-  const T k_391 = detail::constant<T>(0.16270758f, 0.16270757799239816);        // cos(6 pi/32) theta_7_3(z4)
-  const T k_392 = detail::constant<T>(0.37762037f, 0.37762037272582755);        // cos(6 pi/32) theta_8_3(z4)
-  const T k_393 = detail::constant<T>(0.34027013f, 0.34027013516409277);        // cos(10 pi/32) theta_5_5(z4)
-  const T k_394 = detail::constant<T>(0.20277438f, 0.20277437667278753);        // cos(10 pi/32) theta_6_5(z4)
-  const T k_395 = detail::constant<T>(0.1734766f, 0.1734766013618739);          // -cos(10 pi/32) theta_7_5(z4)
-  const T k_396 = detail::constant<T>(0.2552183f, 0.255218290263809);           // -cos(10 pi/32) theta_8_5(z4)
-  const T k_397 = detail::constant<T>(0.24059756f, 0.24059755612398537);        // cos(6 pi/16) theta_6_6(z4)
-  const T k_398 = detail::constant<T>(0.15401195f, 0.15401194533482526);        // cos(6 pi/16) theta_7_6(z4)
-  const T k_399 = detail::constant<T>(0.11065409f, 0.11065409644721566);        // -cos(6 pi/16) theta_8_6(z4)
-  const T k_400 = detail::constant<T>(0.12521447f, 0.12521447048137643);        // cos(14 pi/32) theta_7_7(z4)
-  const T k_401 = detail::constant<T>(0.08532898f, 0.08532897863070725);        // cos(14 pi/32) theta_8_7(z4)
-  const T k_402 = detail::constant<T>(0.053853236f, 0.053853236075878635);      // 1/16 sqrt(2) pi theta_4_4(z4) w(z4)
-  const T k_403 = detail::constant<T>(0.040448636f, 0.04044863569238072);       // 1/8 pi cos(10 pi/32) theta_3_3(z4) w(z4)
-  const T k_404 = detail::constant<T>(0.020055925f, 0.020055925038792312);      // 1/8 pi cos(10 pi/32) theta_4_3(z4) w(z4)
-  const T k_405 = detail::constant<T>(0.026154447f, 0.026154447006326888);      // 1/8 pi cos(6 pi/16) theta_2_2(z4) w(z4)
-  const T k_406 = detail::constant<T>(0.011437f, 0.011437000163348508);         // 1/8 pi cos(6 pi/16) theta_3_2(z4) w(z4)
-  const T k_407 = detail::constant<T>(0.018319204f, 0.018319204500417397);      // -1/8 pi cos(6 pi/16) theta_4_2(z4) w(z4)
-  const T k_408 = detail::constant<T>(0.012092079f, 0.012092078769669966);      // 1/8 pi cos(14 pi/32) theta_1_1(z4) w(z4)
-  const T k_409 = detail::constant<T>(0.00446893f, 0.0044689298249902774);      // 1/8 pi cos(14 pi/32) theta_2_1(z4) w(z4)
-  const T k_410 = detail::constant<T>(0.009766169f, 0.009766169257976432);      // -1/8 pi cos(14 pi/32) theta_3_1(z4) w(z4)
-  const T k_411 = detail::constant<T>(0.007686646f, 0.007686646391969499);      // -1/8 pi cos(14 pi/32) theta_4_1(z4) w(z4)
-  const T k_412 = detail::constant<T>(0.03628432f, 0.03628431943969201);        // 1/8 pi theta_0_0(z4) w(z4)
-  const T k_413 = detail::constant<T>(0.010387168f, 0.010387168442900378);      // 1/8 pi theta_1_0(z4) w(z4)
-  const T k_414 = detail::constant<T>(0.037242573f, 0.03724257149469839);       // -1/8 pi theta_2_0(z4) w(z4)
-  const T k_415 = detail::constant<T>(0.022716414f, 0.02271641350707664);       // -1/8 pi theta_3_0(z4) w(z4)
-  const T k_416 = detail::constant<T>(0.03002442f, 0.030024420125977423);       // 1/8 pi theta_4_0(z4) w(z4)
-  const T k_417 = detail::constant<T>(0.060790986f, 0.06079098514065836);       // 1/8 pi cos(2 pi/32) theta_1_1(z4) w(z4)
-  const T k_418 = detail::constant<T>(0.022466827f, 0.022466827396712675);      // 1/8 pi cos(2 pi/32) theta_2_1(z4) w(z4)
-  const T k_419 = detail::constant<T>(0.049097847f, 0.049097848397410306);      // -1/8 pi cos(2 pi/32) theta_3_1(z4) w(z4)
-  const T k_420 = detail::constant<T>(0.038643382f, 0.03864338096835492);       // -1/8 pi cos(2 pi/32) theta_4_1(z4) w(z4)
-  const T k_421 = detail::constant<T>(0.06314242f, 0.06314242067904276);        // 1/8 pi cos(2 pi/16) theta_2_2(z4) w(z4)
-  const T k_422 = detail::constant<T>(0.027611362f, 0.02761136090721927);       // 1/8 pi cos(2 pi/16) theta_3_2(z4) w(z4)
-  const T k_423 = detail::constant<T>(0.04422647f, 0.044226471956793925);       // -1/8 pi cos(2 pi/16) theta_4_2(z4) w(z4)
-  const T k_424 = detail::constant<T>(0.060535662f, 0.06053566126917397);       // 1/8 pi cos(6 pi/32) theta_3_3(z4) w(z4)
-  const T k_425 = detail::constant<T>(0.030015813f, 0.03001581298864365);       // 1/8 pi cos(6 pi/32) theta_4_3(z4) w(z4)
+namespace detail {
+
+// Constants of the loop, row by row.
+template <class S>
+inline constexpr S transfer_apply_l4_table[396] = {
+    constant<S>(0.0004148763f, 0.0004148762957272488), constant<S>(0.0010044394f, 0.0010044394079395118),
+    constant<S>(0.0038081666f, 0.0038081667143153143), constant<S>(0.0023258366f, 0.0023258365435769933),
+    constant<S>(0.008283094f, 0.008283093582493748), constant<S>(0.021173088f, 0.021173087059101144),
+    constant<S>(0.005117111f, 0.005117110839436217), constant<S>(0.016965406f, 0.016965405675815486),
+    constant<S>(0.040422168f, 0.04042216785882031), constant<S>(0.07982495f, 0.07982494594042891),
+    constant<S>(0.010557541f, 0.010557540439821876), constant<S>(0.032197848f, 0.032197847927911125),
+    constant<S>(0.07065586f, 0.07065586340359684), constant<S>(0.12866347f, 0.12866346817239407),
+    constant<S>(0.20569782f, 0.20569782691035038), constant<S>(0.019899223f, 0.019899222608424715),
+    constant<S>(0.05489403f, 0.054894029803797394), constant<S>(0.10906019f, 0.10906019378578248),
+    constant<S>(0.18000455f, 0.18000455410995614), constant<S>(0.2608262f, 0.2608262059583975),
+    constant<S>(0.34088197f, 0.3408819761588381), constant<S>(0.032289334f, 0.032289331908745576),
+    constant<S>(0.07855536f, 0.07855536084050924), constant<S>(0.13754623f, 0.13754623321092302),
+    constant<S>(0.20017548f, 0.20017547502907368), constant<S>(0.25519294f, 0.25519292678008865),
+    constant<S>(0.29136154f, 0.2913615421282022), constant<S>(0.29959744f, 0.29959743194952176),
+    constant<S>(0.037462413f, 0.037462414892162205), constant<S>(0.077027984f, 0.07702798197946668),
+    constant<S>(0.11310836f, 0.11310836191796352), constant<S>(0.13767917f, 0.1376791678379414),
+    constant<S>(0.14503324f, 0.14503324596925832), constant<S>(0.13254662f, 0.1325466213162358),
+    constant<S>(0.101038605f, 0.101038603566662), constant<S>(0.054615986f, 0.054615985074621606),
+    constant<S>(0.2820948f, 0.28209479177387814), constant<S>(0.44928658f, 0.4492865773100407),
+    constant<S>(0.48463947f, 0.48463945487539656), constant<S>(0.42128763f, 0.4212876326392235),
+    constant<S>(0.2810407f, 0.2810407095876695), constant<S>(0.09177257f, 0.09177256934969798),
+    constant<S>(-0.11328515f, -0.11328515020103233), constant<S>(-0.2996646f, -0.29966457908821054),
+    constant<S>(-0.43667284f, -0.4366728461264045), constant<S>(0.18833628f, 0.18833627785777057),
+    constant<S>(0.3872458f, 0.38724581580413103), constant<S>(0.56863415f, 0.5686341347598414),
+    constant<S>(0.6921599f, 0.6921599177147058), constant<S>(0.72913134f, 0.7291313651324544),
+    constant<S>(0.66635686f, 0.666356863890962), constant<S>(0.5079554f, 0.5079553619399274),
+    constant<S>(0.2745731f, 0.2745730986670011), constant<S>(0.077953346f, 0.0779533430140599),
+    constant<S>(0.18964942f, 0.18964941753826975), constant<S>(0.33206597f, 0.33206598167114293),
+    constant<S>(0.48326635f, 0.4832663466696665), constant<S>(0.61609024f, 0.6160902248541742),
+    constant<S>(0.703409f, 0.7034089865598456), constant<S>(0.7232922f, 0.7232921834646858),
+    constant<S>(0.029781291f, 0.02978129122833181), constant<S>(0.08215472f, 0.08215472134029428),
+    constant<S>(0.16322011f, 0.16322011449721702), constant<S>(0.26939586f, 0.2693958529869922),
+    constant<S>(0.390354f, 0.3903540028915134), constant<S>(0.5101659f, 0.5101659299081169),
+    constant<S>(0.003419144f, 0.003419144150776572), constant<S>(0.0113359215f, 0.011335921656214736),
+    constant<S>(0.027009228f, 0.027009229061651818), constant<S>(0.053337324f, 0.053337323650457465),
+    constant<S>(0.000963393f, 0.0009633930402125528), constant<S>(0.0034309698f, 0.003430969700274457),
+    constant<S>(0.00877018f, 0.008770179817185964), constant<S>(0.00019979542f, 0.00019979542052267035),
+    constant<S>(0.00075749145f, 0.000757491456520873), constant<S>(0.0005526782f, 0.000552678164568568),
+    constant<S>(0.0010417072f, 0.0010417071940433007), constant<S>(0.0028736552f, 0.0028736552619112563),
+    constant<S>(0.0016903188f, 0.0016903187628019057), constant<S>(0.0041123056f, 0.004112305597485043),
+    constant<S>(0.007200427f, 0.007200427045261283), constant<S>(0.0019611253f, 0.001961125209126428),
+    constant<S>(0.0040323487f, 0.004032348627361794), constant<S>(0.0059211254f, 0.005921125494948338),
+    constant<S>(0.007207386f, 0.007207386058687461), constant<S>(0.01476742f, 0.014767419802047169),
+    constant<S>(0.023519766f, 0.023519766022056247), constant<S>(0.025370458f, 0.025370458765921106),
+    constant<S>(0.022054045f, 0.02205404534225128), constant<S>(0.01471224f, 0.014712239505907282),
+    constant<S>(0.0098592425f, 0.009859242212844855), constant<S>(0.020271985f, 0.020271985500355406),
+    constant<S>(0.029767508f, 0.029767508038586986), constant<S>(0.036233976f, 0.03623397656783674),
+    constant<S>(0.0040807906f, 0.004080790481890071), constant<S>(0.009927984f, 0.009927983946071186),
+    constant<S>(0.017383369f, 0.017383368627547822), constant<S>(0.001559025f, 0.0015590249896153007),
+    constant<S>(0.004300729f, 0.0043007290248903915),
+    constant<S>(0.031025782f, 0.031025782853790724), constant<S>(0.04380285f, 0.04380284857322108),
+    constant<S>(0.13342534f, 0.13342534622788696), constant<S>(0.05914694f, 0.05914694053043603),
+    constant<S>(0.16923471f, 0.1692347085908262), constant<S>(0.33121762f, 0.3312176195013312),
+    constant<S>(0.07588438f, 0.07588438231076633), constant<S>(0.20213224f, 0.20213224658065787),
+    constant<S>(0.36566418f, 0.3656641788963496), constant<S>(0.50944054f, 0.5094405550569894),
+    constant<S>(0.091298744f, 0.09129874695486827), constant<S>(0.22370344f, 0.2237034505669869),
+    constant<S>(0.36830604f, 0.36830605460031995), constant<S>(0.4580584f, 0.45805839652297736),
+    constant<S>(0.43075797f, 0.43075798017569855), constant<S>(0.10034891f, 0.1003489096430046),
+    constant<S>(0.22240545f, 0.22240545550825677), constant<S>(0.32550442f, 0.325504422450431),
+    constant<S>(0.34765345f, 0.34765345560435623), constant<S>(0.25479138f, 0.25479138314198324),
+    constant<S>(0.06627014f, 0.06627014630607933), constant<S>(0.094953306f, 0.0949533061537167),
+    constant<S>(0.18559687f, 0.18559686425876085), constant<S>(0.23193592f, 0.2319359249820511),
+    constant<S>(0.19616526f, 0.19616526376369015), constant<S>(0.08054103f, 0.08054102597411986),
+    constant<S>(-0.06930773f, -0.06930773019634821), constant<S>(-0.18531999f, -0.18531998565115823),
+    constant<S>(0.06424233f, 0.06424233017997852), constant<S>(0.10612503f, 0.10612502626935731),
+    constant<S>(0.10389718f, 0.10389717914720631), constant<S>(0.05332319f, 0.05332319221603933),
+    constant<S>(-0.0229562f, -0.02295620000074445), constant<S>(-0.087349035f, -0.08734903628488509),
+    constant<S>(-0.10717587f, -0.10717587124714484), constant<S>(-0.07210837f, -0.0721083708669124),
+    constant<S>(0.2820948f, 0.28209479177387814), constant<S>(0.36096677f, 0.3609667662187787),
+    constant<S>(0.20101811f, 0.20101811666985248), constant<S>(-0.07473095f, -0.07473094472830899),
+    constant<S>(-0.31182307f, -0.31182307475372), constant<S>(-0.38347986f, -0.3834798632452079),
+    constant<S>(-0.25233507f, -0.2523350663758506), constant<S>(0.011950658f, 0.011950657861271268),
+    constant<S>(0.2701098f, 0.2701098105274493), constant<S>(0.322968f, 0.3229680035799943),
+    constant<S>(0.53352654f, 0.5335265356668331), constant<S>(0.5223264f, 0.5223263918472244),
+    constant<S>(0.2680738f, 0.26807379007391213), constant<S>(-0.115408614f, -0.115408610852882),
+    constant<S>(-0.43913326f, -0.4391332597141365), constant<S>(-0.5388095f, -0.5388094901237664),
+    constant<S>(-0.36251327f, -0.3625132605720856), constant<S>(0.22923756f, 0.22923755950846753),
+    constant<S>(0.44807047f, 0.4480704668274188), constant<S>(0.55994284f, 0.5599428556932166),
+    constant<S>(0.47358483f, 0.4735848402447962), constant<S>(0.19444324f, 0.1944432372341639),
+    constant<S>(-0.16732366f, -0.16732366221731915), constant<S>(-0.44740203f, -0.4474020227378136),
+    constant<S>(0.15018275f, 0.15018275644891912), constant<S>(0.3328533f, 0.33285328636190015),
+    constant<S>(0.4871518f, 0.4871517944124168), constant<S>(0.52030015f, 0.5203001650680502),
+    constant<S>(0.38132226f, 0.3813222522878027), constant<S>(0.09918028f, 0.0991802828543634),
+    constant<S>(0.050704323f, 0.050704323211755185), constant<S>(0.13506044f, 0.13506044919983184),
+    constant<S>(0.24432899f, 0.24432899299084174), constant<S>(0.3403973f, 0.3403972961788308),
+    constant<S>(0.024499465f, 0.024499464940581507), constant<S>(0.07009931f, 0.07009931152257876),
+    constant<S>(0.13719483f, 0.1371948300943827), constant<S>(0.008712929f, 0.00871292830767208),
+    constant<S>(0.026539952f, 0.026539951486639516), constant<S>(0.008062943f, 0.008062942758402516),
+    constant<S>(0.008862197f, 0.008862197360930033), constant<S>(0.01964148f, 0.01964147939298626),
+    constant<S>(0.008385691f, 0.008385690907860411), constant<S>(0.01639077f, 0.01639077142424676),
+    constant<S>(0.020483151f, 0.02048315173122648), constant<S>(0.0056734867f, 0.005673486747453561),
+    constant<S>(0.009372309f, 0.009372308389585892), constant<S>(0.009175559f, 0.00917555865950192),
+    constant<S>(0.004709176f, 0.004709175764983423), constant<S>(0.024912873f, 0.02491287377296227),
+    constant<S>(0.03187836f, 0.0318783605556646), constant<S>(0.01775268f, 0.017752681413164505),
+    constant<S>(-0.0065997764f, -0.006599776554694197), constant<S>(-0.027538292f, -0.027538292543392347),
+    constant<S>(0.028522544f, 0.028522543983525914), constant<S>(0.047117777f, 0.04711777609934757),
+    constant<S>(0.04612865f, 0.04612864841123131), constant<S>(0.023674626f, 0.023674625298663113),
+    constant<S>(0.020244848f, 0.020244848719625355), constant<S>(0.039570823f, 0.0395708226701739),
+    constant<S>(0.049450703f, 0.04945070270967291), constant<S>(0.013263215f, 0.013263215640246774),
+    constant<S>(0.02939555f, 0.02939555124681869),
+    constant<S>(0.2583599f, 0.2583599033937192), constant<S>(0.2798607f, 0.27986070485521747),
+    constant<S>(0.55147535f, 0.5514753278072394), constant<S>(0.28994063f, 0.28994061692133066),
+    constant<S>(0.53667873f, 0.5366787398885778), constant<S>(0.54812324f, 0.5481232369642529),
+    constant<S>(0.28540817f, 0.2854081571908452), constant<S>(0.49181047f, 0.4918104595208801),
+    constant<S>(0.44435632f, 0.4443563178035736), constant<S>(0.10184811f, 0.10184811058286505),
+    constant<S>(0.2634608f, 0.2634607959032638), constant<S>(0.41761112f, 0.4176111112350274),
+    constant<S>(0.32127583f, 0.32127583661154085), constant<S>(-0.006397938f, -0.0063979380590028796),
+    constant<S>(-0.31167388f, -0.31167389126113293), constant<S>(0.222178f, 0.22217799578793576),
+    constant<S>(0.3185532f, 0.31855322245780304), constant<S>(0.19448324f, 0.1944832317220422),
+    constant<S>(-0.08081215f, -0.08081214729310388), constant<S>(-0.27186322f, -0.271863218784295),
+    constant<S>(-0.20095915f, -0.20095914615461657), constant<S>(0.1613005f, 0.16130048830958987),
+    constant<S>(0.20395972f, 0.20395971919265268), constant<S>(0.083658546f, 0.08365854985342898),
+    constant<S>(-0.10646203f, -0.10646202963007959), constant<S>(-0.18901f, -0.18900998872574495),
+    constant<S>(-0.08320572f, -0.0832057202677373), constant<S>(0.10520387f, 0.10520386839165718),
+    constant<S>(0.08373058f, 0.08373057637724589), constant<S>(0.08948058f, 0.08948057911333913),
+    constant<S>(0.011126636f, 0.011126635367610802), constant<S>(-0.07677467f, -0.07677466913516702),
+    constant<S>(-0.08554973f, -0.08554972340385424), constant<S>(-0.0062359856f, -0.006235985738418395),
+    constant<S>(0.079299286f, 0.07929928465661902), constant<S>(0.082472615f, 0.08247261229762498),
+    constant<S>(0.2820948f, 0.28209479177387814), constant<S>(0.23351534f, 0.2335153309784601),
+    constant<S>(-0.09927367f, -0.09927366686198878), constant<S>(-0.3313639f, -0.3313638895060823),
+    constant<S>(-0.21435772f, -0.21435771246416352), constant<S>(0.12844254f, 0.1284425399277969),
+    constant<S>(0.337033f, 0.3370330118441771), constant<S>(0.19276847f, 0.19276846717789137),
+    constant<S>(-0.153338f, -0.15333800538661782), constant<S>(0.42094204f, 0.4209420333197879),
+    constant<S>(0.44984925f, 0.44984924915478114), constant<S>(0.055937372f, 0.05593737339807399),
+    constant<S>(-0.38597232f, -0.3859723261381206), constant<S>(-0.4300875f, -0.43008750300863935),
+    constant<S>(-0.03135042f, -0.031350417375084365), constant<S>(0.3986644f, 0.3986644254515501),
+    constant<S>(0.4146178f, 0.414617820822634), constant<S>(0.38941383f, 0.38941382649441475),
+    constant<S>(0.49240232f, 0.49240232025271014), constant<S>(0.20196961f, 0.20196960566461394),
+    constant<S>(-0.25702208f, -0.2570220758107044), constant<S>(-0.45631048f, -0.4563104782056792),
+    constant<S>(-0.20087638f, -0.2008763783373933), constant<S>(0.2539846f, 0.25398460588525296),
+    constant<S>(0.33251286f, 0.3325128688336934), constant<S>(0.4767486f, 0.4767485884460095),
+    constant<S>(0.29106474f, 0.291064725337016), constant<S>(-0.12094393f, -0.12094392533223156),
+    constant<S>(-0.40687206f, -0.4068720598893645), constant<S>(-0.3007566f, -0.3007566161953354),
+    constant<S>(0.19070363f, 0.1907036337228361), constant<S>(0.32861724f, 0.3286172429571262),
+    constant<S>(0.2969094f, 0.2969093991808269), constant<S>(0.06805273f, 0.0680527318039129),
+    constant<S>(0.12009734f, 0.12009733581163726), constant<S>(0.2222996f, 0.2222996126991515),
+    constant<S>(0.22704008f, 0.22704007860243533), constant<S>(0.055667754f, 0.05566775533929105),
+    constant<S>(0.10969526f, 0.10969526300561093), constant<S>(0.030214973f, 0.030214973371714866),
+    constant<S>(0.02548046f, 0.025480459828939175), constant<S>(0.036533244f, 0.036533242454678407),
+    constant<S>(0.01849873f, 0.018498729355195448), constant<S>(0.023391098f, 0.023391098714251237),
+    constant<S>(0.009594372f, 0.009594371896856184), constant<S>(0.009602632f, 0.009602632251083551),
+    constant<S>(0.010262071f, 0.01026207070363471), constant<S>(0.001276057f, 0.0012760569943491029),
+    constant<S>(-0.008804895f, -0.008804894768453682), constant<S>(0.03235201f, 0.032352011207302314),
+    constant<S>(0.026780682f, 0.026780680910081272), constant<S>(-0.01138519f, -0.011385189931062242),
+    constant<S>(-0.03800243f, -0.038002432443308774), constant<S>(-0.024583591f, -0.024583591467265343),
+    constant<S>(0.04827569f, 0.04827569234423367), constant<S>(0.051590912f, 0.05159091331937047),
+    constant<S>(0.0064151715f, 0.006415171721894654), constant<S>(-0.044265196f, -0.04426519519345947),
+    constant<S>(0.044659883f, 0.04465988329598215), constant<S>(0.05647111f, 0.056471107754753204),
+    constant<S>(0.023162862f, 0.023162862755841476), constant<S>(0.038134202f, 0.03813420301535687),
+    constant<S>(0.054675862f, 0.0546758611865272),
+    constant<S>(0.65248257f, 0.6524825448530486), constant<S>(0.6294957f, 0.62949565243665),
+    constant<S>(0.42897776f, 0.4289777440929171), constant<S>(0.5808539f, 0.5808538830683474),
+    constant<S>(0.37181774f, 0.37181772719479883), constant<S>(-0.26714262f, -0.2671426203750086),
+    constant<S>(0.5092502f, 0.5092502451495461), constant<S>(0.3034733f, 0.3034733006493963),
+    constant<S>(-0.2596261f, -0.2596260812858043), constant<S>(-0.38196117f, -0.38196116394645),
+    constant<S>(0.41868547f, 0.41868547217551005), constant<S>(0.2295101f, 0.22951009862708452),
+    constant<S>(-0.23612362f, -0.23612362716687524), constant<S>(-0.30351302f, -0.30351302039787553),
+    constant<S>(0.10826381f, 0.10826381320120998), constant<S>(0.31447053f, 0.31447053822091614),
+    constant<S>(0.1559261f, 0.15592608832182223), constant<S>(-0.1966399f, -0.19663989302006765),
+    constant<S>(-0.21905594f, -0.21905593680668717), constant<S>(0.108717725f, 0.1087177278421087),
+    constant<S>(0.25231788f, 0.25231786629852143), constant<S>(0.20333944f, 0.20333944238567592),
+    constant<S>(0.088917695f, 0.08891769859319135), constant<S>(-0.14242384f, -0.1424238420014363),
+    constant<S>(-0.13536932f, -0.13536931535017058), constant<S>(0.09136859f, 0.09136859535957222),
+    constant<S>(0.16473836f, 0.16473836254780805), constant<S>(-0.03435427f, -0.034354269852133225),
+    constant<S>(0.09401065f, 0.09401064965027042), constant<S>(0.034743983f, 0.034743984396015636),
+    constant<S>(-0.07592771f, -0.07592771549253831), constant<S>(-0.059760332f, -0.059760330271209666),
+    constant<S>(0.0551862f, 0.05518619977462419), constant<S>(0.07791173f, 0.0779117281449746),
+    constant<S>(-0.029074432f, -0.029074433140096657), constant<S>(-0.08743672f, -0.08743672356163255),
+    constant<S>(0.2820948f, 0.28209479177387814), constant<S>(0.08075571f, 0.08075571388049306),
+    constant<S>(-0.2895448f, -0.28954478444559434), constant<S>(-0.17661023f, -0.17661022824967423),
+    constant<S>(0.2334268f, 0.23342679907904954), constant<S>(0.2538884f, 0.2538884114355789),
+    constant<S>(-0.15015383f, -0.1501538374008767), constant<S>(-0.30363157f, -0.30363157913580646),
+    constant<S>(0.050072446f, 0.05007244786882258), constant<S>(0.47262344f, 0.47262345166721154),
+    constant<S>(0.1746698f, 0.17466980486789363), constant<S>(-0.3817144f, -0.38171440264253337),
+    constant<S>(-0.30043545f, -0.3004354684349361), constant<S>(0.27743977f, 0.27743976154731476),
+    constant<S>(0.3916887f, 0.3916887078030038), constant<S>(-0.14616704f, -0.14616704593638044),
+    constant<S>(-0.4395741f, -0.43957409342348597), constant<S>(0.49090484f, 0.4909048395728814),
+    constant<S>(0.2146663f, 0.21466631387868562), constant<S>(-0.34384158f, -0.34384157096515033),
+    constant<S>(-0.32681045f, -0.32681043704754226), constant<S>(0.2205833f, 0.22058330209205868),
+    constant<S>(0.3977136f, 0.39771358910605414), constant<S>(-0.082938544f, -0.08293854420244517),
+    constant<S>(0.47063842f, 0.47063841968994097), constant<S>(0.23335989f, 0.23335988233232713),
+    constant<S>(-0.2942924f, -0.29429239706375854), constant<S>(-0.3278404f, -0.3278403773709752),
+    constant<S>(0.16270758f, 0.16270757799239816), constant<S>(0.37762037f, 0.37762037272582755),
+    constant<S>(0.34027013f, 0.34027013516409277), constant<S>(0.20277438f, 0.20277437667278753),
+    constant<S>(-0.1734766f, -0.1734766013618739), constant<S>(-0.2552183f, -0.255218290263809),
+    constant<S>(0.24059756f, 0.24059755612398537), constant<S>(0.15401195f, 0.15401194533482526),
+    constant<S>(-0.11065409f, -0.11065409644721566), constant<S>(0.12521447f, 0.12521447048137643),
+    constant<S>(0.08532898f, 0.08532897863070725), constant<S>(0.053853236f, 0.053853236075878635),
+    constant<S>(0.040448636f, 0.04044863569238072), constant<S>(0.020055925f, 0.020055925038792312),
+    constant<S>(0.026154447f, 0.026154447006326888), constant<S>(0.011437f, 0.011437000163348508),
+    constant<S>(-0.018319204f, -0.018319204500417397), constant<S>(0.012092079f, 0.012092078769669966),
+    constant<S>(0.00446893f, 0.0044689298249902774), constant<S>(-0.009766169f, -0.009766169257976432),
+    constant<S>(-0.007686646f, -0.007686646391969499), constant<S>(0.03628432f, 0.03628431943969201),
+    constant<S>(0.010387168f, 0.010387168442900378), constant<S>(-0.037242573f, -0.03724257149469839),
+    constant<S>(-0.022716414f, -0.02271641350707664), constant<S>(0.03002442f, 0.030024420125977423),
+    constant<S>(0.060790986f, 0.06079098514065836), constant<S>(0.022466827f, 0.022466827396712675),
+    constant<S>(-0.049097847f, -0.049097848397410306), constant<S>(-0.038643382f, -0.03864338096835492),
+    constant<S>(0.06314242f, 0.06314242067904276), constant<S>(0.027611362f, 0.02761136090721927),
+    constant<S>(-0.04422647f, -0.044226471956793925), constant<S>(0.060535662f, 0.06053566126917397),
+    constant<S>(0.030015813f, 0.03001581298864365)
+};
+
+}  // namespace detail
+
+template <class T, class S = T>
+constexpr void transfer_apply_l4(const T* visibility, const S* samples, T* out) noexcept {
+  constexpr const auto& table = detail::transfer_apply_l4_table<typename detail::scalar<T>::type>;
+  const T k    = detail::constant<T>(0.2820948f, 0.28209479177387814);    // 1/2 sqrt(1/pi)
+  const T k_2  = detail::constant<T>(0.48860252f, 0.4886025119029199);    // 1/2 sqrt(3/pi)
+  const T k_3  = detail::constant<T>(0.63078314f, 0.63078313050504);      // 1/2 sqrt(5/pi)
+  const T k_4  = detail::constant<T>(0.7463527f, 0.7463526651802308);     // 1/2 sqrt(7/pi)
+  const T k_5  = detail::constant<T>(0.8462844f, 0.8462843753216345);     // 3/2 sqrt(1/pi)
+  const T k_6  = detail::constant<T>(0.9356026f, 0.9356025796273888);     // 1/2 sqrt(11/pi)
+  const T k_7  = detail::constant<T>(1.0171072f, 1.0171072362820548);     // 1/2 sqrt(13/pi)
+  const T k_8  = detail::constant<T>(1.0925485f, 1.0925484305920792);     // 1/2 sqrt(15/pi)
+  const T k_9  = detail::constant<T>(1.1631067f, 1.1631066229203195);     // 1/2 sqrt(17/pi)
+  const T k_10 = detail::constant<T>(0.039387863f, 0.03938786335345591);  // pi^(1/2) w(pole)
+  const T k_11 = detail::constant<T>(0.06822178f, 0.0682217805297659);    // sqrt(3) pi^(1/2) w(pole)
+  const T k_12 = detail::constant<T>(0.08807394f, 0.08807393994680024);   // sqrt(5) pi^(1/2) w(pole)
+  const T k_13 = detail::constant<T>(0.10421049f, 0.10421049110743892);   // sqrt(7) pi^(1/2) w(pole)
+  const T k_14 = detail::constant<T>(0.11816359f, 0.11816359006036774);   // 3 pi^(1/2) w(pole)
+  const T k_15 = detail::constant<T>(5.8284273f, 5.82842712474619);       // cos(2 pi/16)^2 / cos(6 pi/16)^2
+  const T k_16 = detail::constant<T>(0.41421357f, 0.41421356237309503);   // cos(6 pi/16) / cos(2 pi/16)
+  const T k_17 = detail::constant<T>(0.84775907f, 0.8477590650225735);    // cos(6 pi/32) / cos(2 pi/32)
+  const T k_18 = detail::constant<T>(0.23463313f, 0.23463313526982046);   // cos(14 pi/32) / cos(6 pi/32)
+  const T k_19 = detail::constant<T>(1.7653669f, 1.7653668647301795);     // cos(2 pi/32) / cos(10 pi/32)
+  const T k_20 = detail::constant<T>(2.847759f, 2.8477590650225735);      // cos(10 pi/32) / cos(14 pi/32)
+  const T k_21 = detail::constant<T>(0.56645447f, 0.5664544973505216);    // cos(10 pi/32) / cos(2 pi/32)
+  const T k_22 = detail::constant<T>(1.1795805f, 1.1795804271032746);     // cos(2 pi/32) / cos(6 pi/32)
+  const T k_23 = detail::constant<T>(0.3511533f, 0.3511533023570845);     // cos(14 pi/32) / cos(10 pi/32)
+  const T k_24 = detail::constant<T>(4.2619724f, 4.261972627395669);      // cos(6 pi/32) / cos(14 pi/32)
+  const T k_25 = detail::constant<T>(0.19891237f, 0.198912367379658);     // cos(14 pi/32) / cos(2 pi/32)
+  const T k_26 = detail::constant<T>(0.6681786f, 0.6681786379192989);     // cos(10 pi/32) / cos(6 pi/32)
+  const T k_27 = detail::constant<T>(1.4966058f, 1.496605762665489);      // cos(6 pi/32) / cos(10 pi/32)
+  const T k_28 = detail::constant<T>(5.0273395f, 5.027339492125848);      // cos(2 pi/32) / cos(14 pi/32)
+  const T k_29 = detail::constant<T>(2.4142137f, 2.414213562373095);      // cos(2 pi/16) / cos(6 pi/16)
 
   const T t = k_2 * visibility[2] + k_4 * visibility[12] + k_6 * visibility[30] + k_8 * visibility[56];
   const T t_2 = k * visibility[0] + k_3 * visibility[6] + k_5 * visibility[20] + k_7 * visibility[42]
       + k_9 * visibility[72];
-  const T t_3 = (t_2 + t) * samples[128];
-  const T t_4 = (t_2 - t) * samples[129];
+  const T t_3 = (t_2 + t) * T(samples[128]);
+  const T t_4 = (t_2 - t) * T(samples[129]);
   const T t_5 = t_3 + t_4;
   const T t_6 = t_3 - t_4;
-  const T t_7 = k_15 * visibility[64];
-  const T t_8 = k_16 * visibility[49];
-  const T t_9 = k_17 * visibility[65];
-  const T t_10 = t_8 + t_9;
-  const T t_11 = t_8 - t_9;
-  const T t_12 = k_19 * visibility[50];
-  const T t_13 = k_18 * visibility[36] + k_20 * visibility[66];
-  const T t_14 = t_13 + t_12;
-  const T t_15 = t_13 - t_12;
-  const T t_16 = k_21 * visibility[25] + k_23 * visibility[51];
-  const T t_17 = k_22 * visibility[37] + k_24 * visibility[67];
-  const T t_18 = t_16 + t_17;
-  const T t_19 = t_16 - t_17;
-  const T t_20 = k_26 * visibility[26] + k_28 * visibility[52];
-  const T t_21 = k_25 * visibility[16] + k_27 * visibility[38] + k_29 * visibility[68];
-  const T t_22 = t_21 + t_20;
-  const T t_23 = t_21 - t_20;
-  const T t_24 = k_30 * visibility[9] + k_32 * visibility[27] + k_34 * visibility[53];
-  const T t_25 = k_31 * visibility[17] + k_33 * visibility[39] + k_35 * visibility[69];
-  const T t_26 = t_24 + t_25;
-  const T t_27 = t_24 - t_25;
-  const T t_28 = k_37 * visibility[10] + k_39 * visibility[28] + k_41 * visibility[54];
-  const T t_29 = k_36 * visibility[4] + k_38 * visibility[18] + k_40 * visibility[40] + k_42 * visibility[70];
-  const T t_30 = t_29 + t_28;
-  const T t_31 = t_29 - t_28;
-  const T t_32 = k_43 * visibility[1] + k_45 * visibility[11] + k_47 * visibility[29] + k_49 * visibility[55];
-  const T t_33 = k_44 * visibility[5] + k_46 * visibility[19] + k_48 * visibility[41] + k_50 * visibility[71];
-  const T t_34 = t_32 + t_33;
-  const T t_35 = t_32 - t_33;
-  const T t_36 = k_52 * visibility[2] + k_54 * visibility[12] + k_56 * visibility[30] - k_58 * visibility[56];
-  const T t_37 = k_51 * visibility[0] + k_53 * visibility[6] + k_55 * visibility[20] - k_57 * visibility[42]
-      - k_59 * visibility[72];
-  const T t_38 = t_37 + t_36;
-  const T t_39 = t_37 - t_36;
-  const T t_40 = k_60 * visibility[3] + k_62 * visibility[13] + k_64 * visibility[31] + k_66 * visibility[57];
-  const T t_41 = k_61 * visibility[7] + k_63 * visibility[21] + k_65 * visibility[43] + k_67 * visibility[73];
-  const T t_42 = t_40 + t_41;
-  const T t_43 = t_40 - t_41;
-  const T t_44 = k_69 * visibility[14] + k_71 * visibility[32] + k_73 * visibility[58];
-  const T t_45 = k_68 * visibility[8] + k_70 * visibility[22] + k_72 * visibility[44] + k_74 * visibility[74];
-  const T t_46 = t_45 + t_44;
-  const T t_47 = t_45 - t_44;
-  const T t_48 = k_75 * visibility[15] + k_77 * visibility[33] + k_79 * visibility[59];
-  const T t_49 = k_76 * visibility[23] + k_78 * visibility[45] + k_80 * visibility[75];
-  const T t_50 = t_48 + t_49;
-  const T t_51 = t_48 - t_49;
-  const T t_52 = k_26 * visibility[34] + k_28 * visibility[60];
-  const T t_53 = k_25 * visibility[24] + k_27 * visibility[46] + k_29 * visibility[76];
-  const T t_54 = t_53 + t_52;
-  const T t_55 = t_53 - t_52;
-  const T t_56 = k_81 * visibility[35] + k_83 * visibility[61];
-  const T t_57 = k_82 * visibility[47] + k_84 * visibility[77];
-  const T t_58 = t_56 + t_57;
-  const T t_59 = t_56 - t_57;
-  const T t_60 = k_86 * visibility[62];
-  const T t_61 = k_85 * visibility[48] + k_87 * visibility[78];
-  const T t_62 = t_61 + t_60;
-  const T t_63 = t_61 - t_60;
-  const T t_64 = k_88 * visibility[63];
-  const T t_65 = k_89 * visibility[79];
-  const T t_66 = t_64 + t_65;
-  const T t_67 = t_64 - t_65;
-  const T t_68 = t_38 + t_54;
-  const T t_69 = t_38 - t_54;
-  const T t_70 = t_39 + t_55;
-  const T t_71 = t_39 - t_55;
-  const T t_72 = t_46 + t_62;
-  const T t_73 = k_91 * (t_46 - k_90 * t_62);
-  const T t_74 = t_47 + t_63;
-  const T t_75 = k_91 * (t_47 - k_90 * t_63);
-  const T t_76 = t_68 + t_72;
-  const T t_77 = t_68 - t_72;
-  const T t_78 = t_69 + t_73;
-  const T t_79 = t_69 - t_73;
-  const T t_80 = t_70 + t_74;
-  const T t_81 = t_70 - t_74;
-  const T t_82 = t_71 + t_75;
-  const T t_83 = t_71 - t_75;
-  const T t_84 = t_7 + t_22;
-  const T t_85 = t_7 - t_22;
-  const T t_86 = t_7 + t_23;
-  const T t_87 = t_7 - t_23;
-  const T t_88 = t_14 + t_30;
-  const T t_89 = k_91 * (t_14 - k_90 * t_30);
-  const T t_90 = t_15 + t_31;
-  const T t_91 = k_91 * (t_15 - k_90 * t_31);
-  const T t_92 = t_84 + t_88;
-  const T t_93 = t_88 - t_84;
-  const T t_94 = t_85 + t_89;
-  const T t_95 = t_85 - t_89;
-  const T t_96 = t_86 + t_90;
-  const T t_97 = t_90 - t_86;
-  const T t_98 = t_87 + t_91;
-  const T t_99 = t_87 - t_91;
-  const T t_100 = t_42 + t_50 + t_58 + t_66;
-  const T t_101 = k_92 * t_42 - k_93 * t_50 - k_94 * t_58 - k_95 * t_66;
-  const T t_102 = k_96 * t_42 - k_97 * t_50 + k_98 * t_58 + k_99 * t_66;
-  const T t_103 = k_100 * t_42 - k_101 * t_50 + k_102 * t_58 - k_103 * t_66;
-  const T t_104 = t_43 + t_51 + t_59 + t_67;
-  const T t_105 = k_92 * t_43 - k_93 * t_51 - k_94 * t_59 - k_95 * t_67;
-  const T t_106 = k_96 * t_43 - k_97 * t_51 + k_98 * t_59 + k_99 * t_67;
-  const T t_107 = k_100 * t_43 - k_101 * t_51 + k_102 * t_59 - k_103 * t_67;
-  const T t_108 = t_10 + t_18 + t_26 + t_34;
-  const T t_109 = k_93 * t_18 - k_92 * t_10 + k_94 * t_26 + k_95 * t_34;
-  const T t_110 = k_96 * t_10 - k_97 * t_18 + k_98 * t_26 + k_99 * t_34;
-  const T t_111 = k_101 * t_18 - k_100 * t_10 - k_102 * t_26 + k_103 * t_34;
-  const T t_112 = t_11 + t_19 + t_27 + t_35;
-  const T t_113 = k_93 * t_19 - k_92 * t_11 + k_94 * t_27 + k_95 * t_35;
-  const T t_114 = k_96 * t_11 - k_97 * t_19 + k_98 * t_27 + k_99 * t_35;
-  const T t_115 = k_101 * t_19 - k_100 * t_11 - k_102 * t_27 + k_103 * t_35;
-  const T t_116 = t_76 + t_92;
-  const T t_117 = t_76 - t_92;
-  const T t_118 = t_100 + t_108;
-  const T t_119 = t_100 - t_108;
-  const T t_120 = (t_116 + t_118) * samples[0];
-  const T t_121 = (t_116 - t_118) * samples[1];
-  const T t_122 = (t_117 + t_119) * samples[2];
-  const T t_123 = (t_117 - t_119) * samples[3];
-  const T t_124 = t_78 - t_94;
-  const T t_125 = t_78 + t_94;
-  const T t_126 = t_101 + t_109;
-  const T t_127 = t_101 - t_109;
-  const T t_128 = (t_124 + t_126) * samples[4];
-  const T t_129 = (t_124 - t_126) * samples[5];
-  const T t_130 = (t_125 + t_127) * samples[6];
-  const T t_131 = (t_125 - t_127) * samples[7];
-  const T t_132 = t_79 + t_95;
-  const T t_133 = t_79 - t_95;
-  const T t_134 = t_102 + t_110;
-  const T t_135 = t_102 - t_110;
-  const T t_136 = (t_132 + t_134) * samples[8];
-  const T t_137 = (t_132 - t_134) * samples[9];
-  const T t_138 = (t_133 + t_135) * samples[10];
-  const T t_139 = (t_133 - t_135) * samples[11];
-  const T t_140 = t_77 + t_93;
-  const T t_141 = t_77 - t_93;
-  const T t_142 = t_103 + t_111;
-  const T t_143 = t_103 - t_111;
-  const T t_144 = (t_140 + t_142) * samples[12];
-  const T t_145 = (t_140 - t_142) * samples[13];
-  const T t_146 = (t_141 + t_143) * samples[14];
-  const T t_147 = (t_141 - t_143) * samples[15];
-  const T t_148 = t_80 + t_96;
-  const T t_149 = t_80 - t_96;
-  const T t_150 = t_104 + t_112;
-  const T t_151 = t_104 - t_112;
-  const T t_152 = (t_148 + t_150) * samples[16];
-  const T t_153 = (t_148 - t_150) * samples[17];
-  const T t_154 = (t_149 + t_151) * samples[18];
-  const T t_155 = (t_149 - t_151) * samples[19];
-  const T t_156 = t_82 - t_98;
-  const T t_157 = t_82 + t_98;
-  const T t_158 = t_105 + t_113;
-  const T t_159 = t_105 - t_113;
-  const T t_160 = (t_156 + t_158) * samples[20];
-  const T t_161 = (t_156 - t_158) * samples[21];
-  const T t_162 = (t_157 + t_159) * samples[22];
-  const T t_163 = (t_157 - t_159) * samples[23];
-  const T t_164 = t_83 + t_99;
-  const T t_165 = t_83 - t_99;
-  const T t_166 = t_106 + t_114;
-  const T t_167 = t_106 - t_114;
-  const T t_168 = (t_164 + t_166) * samples[24];
-  const T t_169 = (t_164 - t_166) * samples[25];
-  const T t_170 = (t_165 + t_167) * samples[26];
-  const T t_171 = (t_165 - t_167) * samples[27];
-  const T t_172 = t_81 + t_97;
-  const T t_173 = t_81 - t_97;
-  const T t_174 = t_107 + t_115;
-  const T t_175 = t_107 - t_115;
-  const T t_176 = (t_172 + t_174) * samples[28];
-  const T t_177 = (t_172 - t_174) * samples[29];
-  const T t_178 = (t_173 + t_175) * samples[30];
-  const T t_179 = (t_173 - t_175) * samples[31];
-  const T t_180 = t_120 + t_121;
-  const T t_181 = t_120 - t_121;
-  const T t_182 = t_122 + t_123;
-  const T t_183 = t_122 - t_123;
-  const T t_184 = t_180 + t_182;
-  const T t_185 = t_180 - t_182;
-  const T t_186 = t_181 + t_183;
-  const T t_187 = t_181 - t_183;
-  const T t_188 = t_128 + t_129;
-  const T t_189 = t_128 - t_129;
-  const T t_190 = t_130 + t_131;
-  const T t_191 = t_130 - t_131;
-  const T t_192 = t_188 + t_190;
-  const T t_193 = t_188 - t_190;
-  const T t_194 = t_189 + t_191;
-  const T t_195 = t_189 - t_191;
-  const T t_196 = t_136 + t_137;
-  const T t_197 = t_136 - t_137;
-  const T t_198 = t_138 + t_139;
-  const T t_199 = t_138 - t_139;
-  const T t_200 = t_196 + t_198;
-  const T t_201 = t_196 - t_198;
-  const T t_202 = t_197 + t_199;
-  const T t_203 = t_197 - t_199;
-  const T t_204 = t_144 + t_145;
-  const T t_205 = t_144 - t_145;
-  const T t_206 = t_146 + t_147;
-  const T t_207 = t_146 - t_147;
-  const T t_208 = t_204 + t_206;
-  const T t_209 = t_204 - t_206;
-  const T t_210 = t_205 + t_207;
-  const T t_211 = t_205 - t_207;
-  const T t_212 = t_152 + t_153;
-  const T t_213 = t_152 - t_153;
-  const T t_214 = t_154 + t_155;
-  const T t_215 = t_154 - t_155;
-  const T t_216 = t_212 + t_214;
-  const T t_217 = t_212 - t_214;
-  const T t_218 = t_213 + t_215;
-  const T t_219 = t_213 - t_215;
-  const T t_220 = t_160 + t_161;
-  const T t_221 = t_160 - t_161;
-  const T t_222 = t_162 + t_163;
-  const T t_223 = t_162 - t_163;
-  const T t_224 = t_220 + t_222;
-  const T t_225 = t_220 - t_222;
-  const T t_226 = t_221 + t_223;
-  const T t_227 = t_221 - t_223;
-  const T t_228 = t_168 + t_169;
-  const T t_229 = t_168 - t_169;
-  const T t_230 = t_170 + t_171;
-  const T t_231 = t_170 - t_171;
-  const T t_232 = t_228 + t_230;
-  const T t_233 = t_228 - t_230;
-  const T t_234 = t_229 + t_231;
-  const T t_235 = t_229 - t_231;
-  const T t_236 = t_176 + t_177;
-  const T t_237 = t_176 - t_177;
-  const T t_238 = t_178 + t_179;
-  const T t_239 = t_178 - t_179;
-  const T t_240 = t_236 + t_238;
-  const T t_241 = t_236 - t_238;
-  const T t_242 = t_237 + t_239;
-  const T t_243 = t_237 - t_239;
-  const T t_244 = t_232 + t_224;
-  const T t_245 = t_240 + t_216;
-  const T t_246 = k_91 * (t_224 - t_232) - t_240 + t_216;
-  const T t_247 = t_200 + t_192;
-  const T t_248 = t_208 + t_184;
-  const T t_249 = k_91 * (t_192 - t_200) - t_208 + t_184;
-  const T t_250 = t_247 + t_248;
-  const T t_251 = t_244 + t_245;
-  const T t_252 = t_241 + k_104 * (t_233 + t_225) + t_217;
-  const T t_253 = t_209 + k_104 * (t_201 + t_193) + t_185;
-  const T t_254 = k_100 * t_242 + k_96 * t_234 + k_92 * t_226 + t_218;
-  const T t_255 = t_218 - k_101 * t_242 - k_97 * t_234 - k_93 * t_226;
-  const T t_256 = k_100 * t_210 + k_96 * t_202 + k_92 * t_194 + t_186;
-  const T t_257 = t_186 - k_101 * t_210 - k_97 * t_202 - k_93 * t_194;
-  const T t_258 = k_98 * t_235 - k_102 * t_243 + k_94 * t_227 + t_219;
-  const T t_259 = k_103 * t_243 + k_99 * t_235 + k_95 * t_227 + t_219;
-  const T t_260 = k_98 * t_203 - k_102 * t_211 + k_94 * t_195 + t_187;
-  const T t_261 = k_103 * t_211 + k_99 * t_203 + k_95 * t_195 + t_187;
-  const T t_262 = t_253 + t_252;
-  const T t_263 = t_261 + t_259;
-  const T t_264 = t_261 - t_259;
-  const T t_265 = t_250 + t_251;
-  const T t_266 = t_250 - t_251;
-  const T t_267 = t_256 + t_254;
-  const T t_268 = t_256 - t_254;
-  const T t_269 = t_249 + t_246;
-  const T t_270 = k_129 * visibility[64];
-  const T t_271 = k_130 * visibility[49];
-  const T t_272 = k_131 * visibility[65];
-  const T t_273 = t_271 + t_272;
-  const T t_274 = t_271 - t_272;
-  const T t_275 = k_133 * visibility[50];
-  const T t_276 = k_132 * visibility[36] + k_134 * visibility[66];
-  const T t_277 = t_276 + t_275;
-  const T t_278 = t_276 - t_275;
-  const T t_279 = k_135 * visibility[25] + k_137 * visibility[51];
-  const T t_280 = k_136 * visibility[37] + k_138 * visibility[67];
-  const T t_281 = t_279 + t_280;
-  const T t_282 = t_279 - t_280;
-  const T t_283 = k_140 * visibility[26] + k_142 * visibility[52];
-  const T t_284 = k_139 * visibility[16] + k_141 * visibility[38] + k_143 * visibility[68];
-  const T t_285 = t_284 + t_283;
-  const T t_286 = t_284 - t_283;
-  const T t_287 = k_144 * visibility[9] + k_146 * visibility[27] + k_148 * visibility[53];
-  const T t_288 = k_145 * visibility[17] + k_147 * visibility[39] + k_149 * visibility[69];
-  const T t_289 = t_287 + t_288;
-  const T t_290 = t_287 - t_288;
-  const T t_291 = k_151 * visibility[10] + k_153 * visibility[28] - k_155 * visibility[54];
-  const T t_292 = k_150 * visibility[4] + k_152 * visibility[18] + k_154 * visibility[40] - k_156 * visibility[70];
-  const T t_293 = t_292 + t_291;
-  const T t_294 = t_292 - t_291;
-  const T t_295 = k_157 * visibility[1] + k_159 * visibility[11] - k_161 * visibility[29] - k_163 * visibility[55];
-  const T t_296 = k_158 * visibility[5] + k_160 * visibility[19] - k_162 * visibility[41] - k_164 * visibility[71];
-  const T t_297 = t_295 + t_296;
-  const T t_298 = t_295 - t_296;
-  const T t_299 = k_166 * visibility[2] - k_168 * visibility[12] - k_170 * visibility[30] + k_172 * visibility[56];
-  const T t_300 = k_165 * visibility[0] + k_167 * visibility[6] - k_169 * visibility[20] - k_171 * visibility[42]
-      + k_173 * visibility[72];
-  const T t_301 = t_300 + t_299;
-  const T t_302 = t_300 - t_299;
-  const T t_303 = k_174 * visibility[3] + k_176 * visibility[13] - k_178 * visibility[31] - k_180 * visibility[57];
-  const T t_304 = k_175 * visibility[7] + k_177 * visibility[21] - k_179 * visibility[43] - k_181 * visibility[73];
-  const T t_305 = t_303 + t_304;
-  const T t_306 = t_303 - t_304;
-  const T t_307 = k_183 * visibility[14] + k_185 * visibility[32] - k_187 * visibility[58];
-  const T t_308 = k_182 * visibility[8] + k_184 * visibility[22] + k_186 * visibility[44] - k_188 * visibility[74];
-  const T t_309 = t_308 + t_307;
-  const T t_310 = t_308 - t_307;
-  const T t_311 = k_189 * visibility[15] + k_191 * visibility[33] + k_193 * visibility[59];
-  const T t_312 = k_190 * visibility[23] + k_192 * visibility[45] + k_194 * visibility[75];
-  const T t_313 = t_311 + t_312;
-  const T t_314 = t_311 - t_312;
-  const T t_315 = k_140 * visibility[34] + k_142 * visibility[60];
-  const T t_316 = k_139 * visibility[24] + k_141 * visibility[46] + k_143 * visibility[76];
-  const T t_317 = t_316 + t_315;
-  const T t_318 = t_316 - t_315;
-  const T t_319 = k_195 * visibility[35] + k_197 * visibility[61];
-  const T t_320 = k_196 * visibility[47] + k_198 * visibility[77];
-  const T t_321 = t_319 + t_320;
-  const T t_322 = t_319 - t_320;
-  const T t_323 = k_200 * visibility[62];
-  const T t_324 = k_199 * visibility[48] + k_201 * visibility[78];
-  const T t_325 = t_324 + t_323;
-  const T t_326 = t_324 - t_323;
-  const T t_327 = k_202 * visibility[63];
-  const T t_328 = k_203 * visibility[79];
-  const T t_329 = t_327 + t_328;
-  const T t_330 = t_327 - t_328;
-  const T t_331 = t_301 + t_317;
-  const T t_332 = t_301 - t_317;
-  const T t_333 = t_302 + t_318;
-  const T t_334 = t_302 - t_318;
-  const T t_335 = t_309 + t_325;
-  const T t_336 = k_91 * (t_309 - k_90 * t_325);
-  const T t_337 = t_310 + t_326;
-  const T t_338 = k_91 * (t_310 - k_90 * t_326);
-  const T t_339 = t_331 + t_335;
-  const T t_340 = t_331 - t_335;
-  const T t_341 = t_332 + t_336;
-  const T t_342 = t_332 - t_336;
-  const T t_343 = t_333 + t_337;
-  const T t_344 = t_333 - t_337;
-  const T t_345 = t_334 + t_338;
-  const T t_346 = t_334 - t_338;
-  const T t_347 = t_270 + t_285;
-  const T t_348 = t_270 - t_285;
-  const T t_349 = t_270 + t_286;
-  const T t_350 = t_270 - t_286;
-  const T t_351 = t_277 + t_293;
-  const T t_352 = k_91 * (t_277 - k_90 * t_293);
-  const T t_353 = t_278 + t_294;
-  const T t_354 = k_91 * (t_278 - k_90 * t_294);
-  const T t_355 = t_347 + t_351;
-  const T t_356 = t_351 - t_347;
-  const T t_357 = t_348 + t_352;
-  const T t_358 = t_348 - t_352;
-  const T t_359 = t_349 + t_353;
-  const T t_360 = t_353 - t_349;
-  const T t_361 = t_350 + t_354;
-  const T t_362 = t_350 - t_354;
-  const T t_363 = t_305 + t_313 + t_321 + t_329;
-  const T t_364 = k_92 * t_305 - k_93 * t_313 - k_94 * t_321 - k_95 * t_329;
-  const T t_365 = k_96 * t_305 - k_97 * t_313 + k_98 * t_321 + k_99 * t_329;
-  const T t_366 = k_100 * t_305 - k_101 * t_313 + k_102 * t_321 - k_103 * t_329;
-  const T t_367 = t_306 + t_314 + t_322 + t_330;
-  const T t_368 = k_92 * t_306 - k_93 * t_314 - k_94 * t_322 - k_95 * t_330;
-  const T t_369 = k_96 * t_306 - k_97 * t_314 + k_98 * t_322 + k_99 * t_330;
-  const T t_370 = k_100 * t_306 - k_101 * t_314 + k_102 * t_322 - k_103 * t_330;
-  const T t_371 = t_273 + t_281 + t_289 + t_297;
-  const T t_372 = k_93 * t_281 - k_92 * t_273 + k_94 * t_289 + k_95 * t_297;
-  const T t_373 = k_96 * t_273 - k_97 * t_281 + k_98 * t_289 + k_99 * t_297;
-  const T t_374 = k_101 * t_281 - k_100 * t_273 - k_102 * t_289 + k_103 * t_297;
-  const T t_375 = t_274 + t_282 + t_290 + t_298;
-  const T t_376 = k_93 * t_282 - k_92 * t_274 + k_94 * t_290 + k_95 * t_298;
-  const T t_377 = k_96 * t_274 - k_97 * t_282 + k_98 * t_290 + k_99 * t_298;
-  const T t_378 = k_101 * t_282 - k_100 * t_274 - k_102 * t_290 + k_103 * t_298;
-  const T t_379 = t_339 + t_355;
-  const T t_380 = t_339 - t_355;
-  const T t_381 = t_363 + t_371;
-  const T t_382 = t_363 - t_371;
-  const T t_383 = (t_379 + t_381) * samples[32];
-  const T t_384 = (t_379 - t_381) * samples[33];
-  const T t_385 = (t_380 + t_382) * samples[34];
-  const T t_386 = (t_380 - t_382) * samples[35];
-  const T t_387 = t_341 - t_357;
-  const T t_388 = t_341 + t_357;
-  const T t_389 = t_364 + t_372;
-  const T t_390 = t_364 - t_372;
-  const T t_391 = (t_387 + t_389) * samples[36];
-  const T t_392 = (t_387 - t_389) * samples[37];
-  const T t_393 = (t_388 + t_390) * samples[38];
-  const T t_394 = (t_388 - t_390) * samples[39];
-  const T t_395 = t_342 + t_358;
-  const T t_396 = t_342 - t_358;
-  const T t_397 = t_365 + t_373;
-  const T t_398 = t_365 - t_373;
-  const T t_399 = (t_395 + t_397) * samples[40];
-  const T t_400 = (t_395 - t_397) * samples[41];
-  const T t_401 = (t_396 + t_398) * samples[42];
-  const T t_402 = (t_396 - t_398) * samples[43];
-  const T t_403 = t_340 + t_356;
-  const T t_404 = t_340 - t_356;
-  const T t_405 = t_366 + t_374;
-  const T t_406 = t_366 - t_374;
-  const T t_407 = (t_403 + t_405) * samples[44];
-  const T t_408 = (t_403 - t_405) * samples[45];
-  const T t_409 = (t_404 + t_406) * samples[46];
-  const T t_410 = (t_404 - t_406) * samples[47];
-  const T t_411 = t_343 + t_359;
-  const T t_412 = t_343 - t_359;
-  const T t_413 = t_367 + t_375;
-  const T t_414 = t_367 - t_375;
-  const T t_415 = (t_411 + t_413) * samples[48];
-  const T t_416 = (t_411 - t_413) * samples[49];
-  const T t_417 = (t_412 + t_414) * samples[50];
-  const T t_418 = (t_412 - t_414) * samples[51];
-  const T t_419 = t_345 - t_361;
-  const T t_420 = t_345 + t_361;
-  const T t_421 = t_368 + t_376;
-  const T t_422 = t_368 - t_376;
-  const T t_423 = (t_419 + t_421) * samples[52];
-  const T t_424 = (t_419 - t_421) * samples[53];
-  const T t_425 = (t_420 + t_422) * samples[54];
-  const T t_426 = (t_420 - t_422) * samples[55];
-  const T t_427 = t_346 + t_362;
-  const T t_428 = t_346 - t_362;
-  const T t_429 = t_369 + t_377;
-  const T t_430 = t_369 - t_377;
-  const T t_431 = (t_427 + t_429) * samples[56];
-  const T t_432 = (t_427 - t_429) * samples[57];
-  const T t_433 = (t_428 + t_430) * samples[58];
-  const T t_434 = (t_428 - t_430) * samples[59];
-  const T t_435 = t_344 + t_360;
-  const T t_436 = t_344 - t_360;
-  const T t_437 = t_370 + t_378;
-  const T t_438 = t_370 - t_378;
-  const T t_439 = (t_435 + t_437) * samples[60];
-  const T t_440 = (t_435 - t_437) * samples[61];
-  const T t_441 = (t_436 + t_438) * samples[62];
-  const T t_442 = (t_436 - t_438) * samples[63];
-  const T t_443 = t_383 + t_384;
-  const T t_444 = t_383 - t_384;
-  const T t_445 = t_385 + t_386;
-  const T t_446 = t_385 - t_386;
-  const T t_447 = t_443 + t_445;
-  const T t_448 = t_443 - t_445;
-  const T t_449 = t_444 + t_446;
-  const T t_450 = t_444 - t_446;
-  const T t_451 = t_391 + t_392;
-  const T t_452 = t_391 - t_392;
-  const T t_453 = t_393 + t_394;
-  const T t_454 = t_393 - t_394;
-  const T t_455 = t_451 + t_453;
-  const T t_456 = t_451 - t_453;
-  const T t_457 = t_452 + t_454;
-  const T t_458 = t_452 - t_454;
-  const T t_459 = t_399 + t_400;
-  const T t_460 = t_399 - t_400;
-  const T t_461 = t_401 + t_402;
-  const T t_462 = t_401 - t_402;
-  const T t_463 = t_459 + t_461;
-  const T t_464 = t_459 - t_461;
-  const T t_465 = t_460 + t_462;
-  const T t_466 = t_460 - t_462;
-  const T t_467 = t_407 + t_408;
-  const T t_468 = t_407 - t_408;
-  const T t_469 = t_409 + t_410;
-  const T t_470 = t_409 - t_410;
-  const T t_471 = t_467 + t_469;
-  const T t_472 = t_467 - t_469;
-  const T t_473 = t_468 + t_470;
-  const T t_474 = t_468 - t_470;
-  const T t_475 = t_415 + t_416;
-  const T t_476 = t_415 - t_416;
-  const T t_477 = t_417 + t_418;
-  const T t_478 = t_417 - t_418;
-  const T t_479 = t_475 + t_477;
-  const T t_480 = t_475 - t_477;
-  const T t_481 = t_476 + t_478;
-  const T t_482 = t_476 - t_478;
-  const T t_483 = t_423 + t_424;
-  const T t_484 = t_423 - t_424;
-  const T t_485 = t_425 + t_426;
-  const T t_486 = t_425 - t_426;
-  const T t_487 = t_483 + t_485;
-  const T t_488 = t_483 - t_485;
-  const T t_489 = t_484 + t_486;
-  const T t_490 = t_484 - t_486;
-  const T t_491 = t_431 + t_432;
-  const T t_492 = t_431 - t_432;
-  const T t_493 = t_433 + t_434;
-  const T t_494 = t_433 - t_434;
-  const T t_495 = t_491 + t_493;
-  const T t_496 = t_491 - t_493;
-  const T t_497 = t_492 + t_494;
-  const T t_498 = t_492 - t_494;
-  const T t_499 = t_439 + t_440;
-  const T t_500 = t_439 - t_440;
-  const T t_501 = t_441 + t_442;
-  const T t_502 = t_441 - t_442;
-  const T t_503 = t_499 + t_501;
-  const T t_504 = t_499 - t_501;
-  const T t_505 = t_500 + t_502;
-  const T t_506 = t_500 - t_502;
-  const T t_507 = t_495 + t_487;
-  const T t_508 = t_503 + t_479;
-  const T t_509 = k_91 * (t_487 - t_495) - t_503 + t_479;
-  const T t_510 = t_463 + t_455;
-  const T t_511 = t_471 + t_447;
-  const T t_512 = k_91 * (t_455 - t_463) - t_471 + t_447;
-  const T t_513 = t_510 + t_511;
-  const T t_514 = t_507 + t_508;
-  const T t_515 = t_504 + k_104 * (t_496 + t_488) + t_480;
-  const T t_516 = t_472 + k_104 * (t_464 + t_456) + t_448;
-  const T t_517 = k_100 * t_505 + k_96 * t_497 + k_92 * t_489 + t_481;
-  const T t_518 = t_481 - k_101 * t_505 - k_97 * t_497 - k_93 * t_489;
-  const T t_519 = k_100 * t_473 + k_96 * t_465 + k_92 * t_457 + t_449;
-  const T t_520 = t_449 - k_101 * t_473 - k_97 * t_465 - k_93 * t_457;
-  const T t_521 = k_98 * t_498 - k_102 * t_506 + k_94 * t_490 + t_482;
-  const T t_522 = k_103 * t_506 + k_99 * t_498 + k_95 * t_490 + t_482;
-  const T t_523 = k_98 * t_466 - k_102 * t_474 + k_94 * t_458 + t_450;
-  const T t_524 = k_103 * t_474 + k_99 * t_466 + k_95 * t_458 + t_450;
-  const T t_525 = t_516 + t_515;
-  const T t_526 = t_524 + t_522;
-  const T t_527 = t_524 - t_522;
-  const T t_528 = t_513 + t_514;
-  const T t_529 = t_513 - t_514;
-  const T t_530 = t_519 + t_517;
-  const T t_531 = t_519 - t_517;
-  const T t_532 = t_512 + t_509;
-  const T t_533 = k_228 * visibility[64];
-  const T t_534 = k_229 * visibility[49];
-  const T t_535 = k_328 * visibility[49];
-  const T t_536 = k_230 * visibility[65];
-  const T t_537 = k_329 * visibility[65];
-  const T t_538 = t_534 + t_536;
-  const T t_539 = t_534 - t_536;
-  const T t_540 = k_232 * visibility[50];
-  const T t_541 = k_331 * visibility[50];
-  const T t_542 = k_231 * visibility[36] + k_233 * visibility[66];
-  const T t_543 = k_330 * visibility[36] - k_332 * visibility[66];
-  const T t_544 = t_542 + t_540;
-  const T t_545 = t_542 - t_540;
-  const T t_546 = k_234 * visibility[25] + k_236 * visibility[51];
-  const T t_547 = k_333 * visibility[25] - k_335 * visibility[51];
-  const T t_548 = k_235 * visibility[37] + k_237 * visibility[67];
-  const T t_549 = k_334 * visibility[37] - k_336 * visibility[67];
-  const T t_550 = t_546 + t_548;
-  const T t_551 = t_546 - t_548;
-  const T t_552 = k_239 * visibility[26] - k_241 * visibility[52];
-  const T t_553 = k_338 * visibility[26] - k_340 * visibility[52];
-  const T t_554 = k_238 * visibility[16] + k_240 * visibility[38] - k_242 * visibility[68];
-  const T t_555 = k_337 * visibility[16] - k_339 * visibility[38] + k_341 * visibility[68];
-  const T t_556 = t_554 + t_552;
-  const T t_557 = t_554 - t_552;
-  const T t_558 = k_243 * visibility[9] + k_245 * visibility[27] - k_247 * visibility[53];
-  const T t_559 = k_342 * visibility[9] - k_344 * visibility[27] + k_346 * visibility[53];
-  const T t_560 = k_244 * visibility[17] - k_246 * visibility[39] - k_248 * visibility[69];
-  const T t_561 = k_343 * visibility[17] - k_345 * visibility[39] + k_347 * visibility[69];
-  const T t_562 = t_558 + t_560;
-  const T t_563 = t_558 - t_560;
-  const T t_564 = k_250 * visibility[10] - k_252 * visibility[28] - k_254 * visibility[54];
-  const T t_565 = k_349 * visibility[10] - k_351 * visibility[28] + k_353 * visibility[54];
-  const T t_566 = k_249 * visibility[4] + k_251 * visibility[18] - k_253 * visibility[40] + k_255 * visibility[70];
-  const T t_567 = k_348 * visibility[4] - k_350 * visibility[18] + k_352 * visibility[40] - k_354 * visibility[70];
-  const T t_568 = t_566 + t_564;
-  const T t_569 = t_566 - t_564;
-  const T t_570 = k_256 * visibility[1] + k_258 * visibility[11] - k_260 * visibility[29] + k_262 * visibility[55];
-  const T t_571 = k_355 * visibility[1] - k_357 * visibility[11] + k_359 * visibility[29] - k_361 * visibility[55];
-  const T t_572 = k_257 * visibility[5] - k_259 * visibility[19] - k_261 * visibility[41] + k_263 * visibility[71];
-  const T t_573 = k_356 * visibility[5] - k_358 * visibility[19] + k_360 * visibility[41] - k_362 * visibility[71];
-  const T t_574 = t_570 + t_572;
-  const T t_575 = t_570 - t_572;
-  const T t_576 = k_265 * visibility[2] - k_267 * visibility[12] + k_269 * visibility[30] + k_271 * visibility[56];
-  const T t_577 = k_364 * visibility[2] - k_366 * visibility[12] + k_368 * visibility[30] - k_370 * visibility[56];
-  const T t_578 = k_264 * visibility[0] - k_266 * visibility[6] - k_268 * visibility[20] + k_270 * visibility[42]
-      - k_272 * visibility[72];
-  const T t_579 = k_363 * visibility[0] - k_365 * visibility[6] + k_367 * visibility[20] - k_369 * visibility[42]
-      + k_371 * visibility[72];
-  const T t_580 = t_578 + t_576;
-  const T t_581 = t_578 - t_576;
-  const T t_582 = k_273 * visibility[3] + k_275 * visibility[13] - k_277 * visibility[31] + k_279 * visibility[57];
-  const T t_583 = k_372 * visibility[3] - k_374 * visibility[13] + k_376 * visibility[31] - k_378 * visibility[57];
-  const T t_584 = k_274 * visibility[7] - k_276 * visibility[21] - k_278 * visibility[43] + k_280 * visibility[73];
-  const T t_585 = k_373 * visibility[7] - k_375 * visibility[21] + k_377 * visibility[43] - k_379 * visibility[73];
-  const T t_586 = t_582 + t_584;
-  const T t_587 = t_582 - t_584;
-  const T t_588 = k_282 * visibility[14] - k_284 * visibility[32] - k_286 * visibility[58];
-  const T t_589 = k_381 * visibility[14] - k_383 * visibility[32] + k_385 * visibility[58];
-  const T t_590 = k_281 * visibility[8] + k_283 * visibility[22] - k_285 * visibility[44] + k_287 * visibility[74];
-  const T t_591 = k_380 * visibility[8] - k_382 * visibility[22] + k_384 * visibility[44] - k_386 * visibility[74];
-  const T t_592 = t_590 + t_588;
-  const T t_593 = t_590 - t_588;
-  const T t_594 = k_288 * visibility[15] + k_290 * visibility[33] - k_292 * visibility[59];
-  const T t_595 = k_387 * visibility[15] - k_389 * visibility[33] + k_391 * visibility[59];
-  const T t_596 = k_289 * visibility[23] - k_291 * visibility[45] - k_293 * visibility[75];
-  const T t_597 = k_388 * visibility[23] - k_390 * visibility[45] + k_392 * visibility[75];
-  const T t_598 = t_594 + t_596;
-  const T t_599 = t_594 - t_596;
-  const T t_600 = k_239 * visibility[34] - k_241 * visibility[60];
-  const T t_601 = k_338 * visibility[34] - k_340 * visibility[60];
-  const T t_602 = k_238 * visibility[24] + k_240 * visibility[46] - k_242 * visibility[76];
-  const T t_603 = k_337 * visibility[24] - k_339 * visibility[46] + k_341 * visibility[76];
-  const T t_604 = t_602 + t_600;
-  const T t_605 = t_602 - t_600;
-  const T t_606 = k_294 * visibility[35] + k_296 * visibility[61];
-  const T t_607 = k_393 * visibility[35] - k_395 * visibility[61];
-  const T t_608 = k_295 * visibility[47] + k_297 * visibility[77];
-  const T t_609 = k_394 * visibility[47] - k_396 * visibility[77];
-  const T t_610 = t_606 + t_608;
-  const T t_611 = t_606 - t_608;
-  const T t_612 = k_299 * visibility[62];
-  const T t_613 = k_398 * visibility[62];
-  const T t_614 = k_298 * visibility[48] + k_300 * visibility[78];
-  const T t_615 = k_397 * visibility[48] - k_399 * visibility[78];
-  const T t_616 = t_614 + t_612;
-  const T t_617 = t_614 - t_612;
-  const T t_618 = k_301 * visibility[63];
-  const T t_619 = k_400 * visibility[63];
-  const T t_620 = k_302 * visibility[79];
-  const T t_621 = k_401 * visibility[79];
-  const T t_622 = t_618 + t_620;
-  const T t_623 = t_618 - t_620;
-  const T t_624 = t_580 + t_604;
-  const T t_625 = t_580 - t_604;
-  const T t_626 = t_581 + t_605;
-  const T t_627 = t_581 - t_605;
-  const T t_628 = t_592 + t_616;
-  const T t_629 = k_91 * (t_592 - k_90 * t_616);
-  const T t_630 = t_593 + t_617;
-  const T t_631 = k_91 * (t_593 - k_90 * t_617);
-  const T t_632 = t_624 + t_628;
-  const T t_633 = t_624 - t_628;
-  const T t_634 = t_625 + t_629;
-  const T t_635 = t_625 - t_629;
-  const T t_636 = t_626 + t_630;
-  const T t_637 = t_626 - t_630;
-  const T t_638 = t_627 + t_631;
-  const T t_639 = t_627 - t_631;
-  const T t_640 = t_533 + t_556;
-  const T t_641 = t_533 - t_556;
-  const T t_642 = t_533 + t_557;
-  const T t_643 = t_533 - t_557;
-  const T t_644 = t_544 + t_568;
-  const T t_645 = k_91 * (t_544 - k_90 * t_568);
-  const T t_646 = t_545 + t_569;
-  const T t_647 = k_91 * (t_545 - k_90 * t_569);
-  const T t_648 = t_640 + t_644;
-  const T t_649 = t_644 - t_640;
-  const T t_650 = t_641 + t_645;
-  const T t_651 = t_641 - t_645;
-  const T t_652 = t_642 + t_646;
-  const T t_653 = t_646 - t_642;
-  const T t_654 = t_643 + t_647;
-  const T t_655 = t_643 - t_647;
-  const T t_656 = t_586 + t_598 + t_610 + t_622;
-  const T t_657 = k_92 * t_586 - k_93 * t_598 - k_94 * t_610 - k_95 * t_622;
-  const T t_658 = k_96 * t_586 - k_97 * t_598 + k_98 * t_610 + k_99 * t_622;
-  const T t_659 = k_100 * t_586 - k_101 * t_598 + k_102 * t_610 - k_103 * t_622;
-  const T t_660 = t_587 + t_599 + t_611 + t_623;
-  const T t_661 = k_92 * t_587 - k_93 * t_599 - k_94 * t_611 - k_95 * t_623;
-  const T t_662 = k_96 * t_587 - k_97 * t_599 + k_98 * t_611 + k_99 * t_623;
-  const T t_663 = k_100 * t_587 - k_101 * t_599 + k_102 * t_611 - k_103 * t_623;
-  const T t_664 = t_538 + t_550 + t_562 + t_574;
-  const T t_665 = k_93 * t_550 - k_92 * t_538 + k_94 * t_562 + k_95 * t_574;
-  const T t_666 = k_96 * t_538 - k_97 * t_550 + k_98 * t_562 + k_99 * t_574;
-  const T t_667 = k_101 * t_550 - k_100 * t_538 - k_102 * t_562 + k_103 * t_574;
-  const T t_668 = t_539 + t_551 + t_563 + t_575;
-  const T t_669 = k_93 * t_551 - k_92 * t_539 + k_94 * t_563 + k_95 * t_575;
-  const T t_670 = k_96 * t_539 - k_97 * t_551 + k_98 * t_563 + k_99 * t_575;
-  const T t_671 = k_101 * t_551 - k_100 * t_539 - k_102 * t_563 + k_103 * t_575;
-  const T t_672 = t_632 + t_648;
-  const T t_673 = t_632 - t_648;
-  const T t_674 = t_656 + t_664;
-  const T t_675 = t_656 - t_664;
-  const T t_676 = (t_672 + t_674) * samples[64];
-  const T t_677 = (t_672 - t_674) * samples[65];
-  const T t_678 = (t_673 + t_675) * samples[66];
-  const T t_679 = (t_673 - t_675) * samples[67];
-  const T t_680 = t_634 - t_650;
-  const T t_681 = t_634 + t_650;
-  const T t_682 = t_657 + t_665;
-  const T t_683 = t_657 - t_665;
-  const T t_684 = (t_680 + t_682) * samples[68];
-  const T t_685 = (t_680 - t_682) * samples[69];
-  const T t_686 = (t_681 + t_683) * samples[70];
-  const T t_687 = (t_681 - t_683) * samples[71];
-  const T t_688 = t_635 + t_651;
-  const T t_689 = t_635 - t_651;
-  const T t_690 = t_658 + t_666;
-  const T t_691 = t_658 - t_666;
-  const T t_692 = (t_688 + t_690) * samples[72];
-  const T t_693 = (t_688 - t_690) * samples[73];
-  const T t_694 = (t_689 + t_691) * samples[74];
-  const T t_695 = (t_689 - t_691) * samples[75];
-  const T t_696 = t_633 + t_649;
-  const T t_697 = t_633 - t_649;
-  const T t_698 = t_659 + t_667;
-  const T t_699 = t_659 - t_667;
-  const T t_700 = (t_696 + t_698) * samples[76];
-  const T t_701 = (t_696 - t_698) * samples[77];
-  const T t_702 = (t_697 + t_699) * samples[78];
-  const T t_703 = (t_697 - t_699) * samples[79];
-  const T t_704 = t_636 + t_652;
-  const T t_705 = t_636 - t_652;
-  const T t_706 = t_660 + t_668;
-  const T t_707 = t_660 - t_668;
-  const T t_708 = (t_704 + t_706) * samples[80];
-  const T t_709 = (t_704 - t_706) * samples[81];
-  const T t_710 = (t_705 + t_707) * samples[82];
-  const T t_711 = (t_705 - t_707) * samples[83];
-  const T t_712 = t_638 - t_654;
-  const T t_713 = t_638 + t_654;
-  const T t_714 = t_661 + t_669;
-  const T t_715 = t_661 - t_669;
-  const T t_716 = (t_712 + t_714) * samples[84];
-  const T t_717 = (t_712 - t_714) * samples[85];
-  const T t_718 = (t_713 + t_715) * samples[86];
-  const T t_719 = (t_713 - t_715) * samples[87];
-  const T t_720 = t_639 + t_655;
-  const T t_721 = t_639 - t_655;
-  const T t_722 = t_662 + t_670;
-  const T t_723 = t_662 - t_670;
-  const T t_724 = (t_720 + t_722) * samples[88];
-  const T t_725 = (t_720 - t_722) * samples[89];
-  const T t_726 = (t_721 + t_723) * samples[90];
-  const T t_727 = (t_721 - t_723) * samples[91];
-  const T t_728 = t_637 + t_653;
-  const T t_729 = t_637 - t_653;
-  const T t_730 = t_663 + t_671;
-  const T t_731 = t_663 - t_671;
-  const T t_732 = (t_728 + t_730) * samples[92];
-  const T t_733 = (t_728 - t_730) * samples[93];
-  const T t_734 = (t_729 + t_731) * samples[94];
-  const T t_735 = (t_729 - t_731) * samples[95];
-  const T t_736 = t_676 + t_677;
-  const T t_737 = t_676 - t_677;
-  const T t_738 = t_678 + t_679;
-  const T t_739 = t_678 - t_679;
-  const T t_740 = t_736 + t_738;
-  const T t_741 = t_736 - t_738;
-  const T t_742 = t_737 + t_739;
-  const T t_743 = t_737 - t_739;
-  const T t_744 = t_684 + t_685;
-  const T t_745 = t_684 - t_685;
-  const T t_746 = t_686 + t_687;
-  const T t_747 = t_686 - t_687;
-  const T t_748 = t_744 + t_746;
-  const T t_749 = t_744 - t_746;
-  const T t_750 = t_745 + t_747;
-  const T t_751 = t_745 - t_747;
-  const T t_752 = t_692 + t_693;
-  const T t_753 = t_692 - t_693;
-  const T t_754 = t_694 + t_695;
-  const T t_755 = t_694 - t_695;
-  const T t_756 = t_752 + t_754;
-  const T t_757 = t_752 - t_754;
-  const T t_758 = t_753 + t_755;
-  const T t_759 = t_753 - t_755;
-  const T t_760 = t_700 + t_701;
-  const T t_761 = t_700 - t_701;
-  const T t_762 = t_702 + t_703;
-  const T t_763 = t_702 - t_703;
-  const T t_764 = t_760 + t_762;
-  const T t_765 = t_760 - t_762;
-  const T t_766 = t_761 + t_763;
-  const T t_767 = t_761 - t_763;
-  const T t_768 = t_708 + t_709;
-  const T t_769 = t_708 - t_709;
-  const T t_770 = t_710 + t_711;
-  const T t_771 = t_710 - t_711;
-  const T t_772 = t_768 + t_770;
-  const T t_773 = t_768 - t_770;
-  const T t_774 = t_769 + t_771;
-  const T t_775 = t_769 - t_771;
-  const T t_776 = t_716 + t_717;
-  const T t_777 = t_716 - t_717;
-  const T t_778 = t_718 + t_719;
-  const T t_779 = t_718 - t_719;
-  const T t_780 = t_776 + t_778;
-  const T t_781 = t_776 - t_778;
-  const T t_782 = t_777 + t_779;
-  const T t_783 = t_777 - t_779;
-  const T t_784 = t_724 + t_725;
-  const T t_785 = t_724 - t_725;
-  const T t_786 = t_726 + t_727;
-  const T t_787 = t_726 - t_727;
-  const T t_788 = t_784 + t_786;
-  const T t_789 = t_784 - t_786;
-  const T t_790 = t_785 + t_787;
-  const T t_791 = t_785 - t_787;
-  const T t_792 = t_732 + t_733;
-  const T t_793 = t_732 - t_733;
-  const T t_794 = t_734 + t_735;
-  const T t_795 = t_734 - t_735;
-  const T t_796 = t_792 + t_794;
-  const T t_797 = t_792 - t_794;
-  const T t_798 = t_793 + t_795;
-  const T t_799 = t_793 - t_795;
-  const T t_800 = t_788 + t_780;
-  const T t_801 = t_796 + t_772;
-  const T t_802 = k_91 * (t_780 - t_788) - t_796 + t_772;
-  const T t_803 = t_756 + t_748;
-  const T t_804 = t_764 + t_740;
-  const T t_805 = k_91 * (t_748 - t_756) - t_764 + t_740;
-  const T t_806 = t_803 + t_804;
-  const T t_807 = t_800 + t_801;
-  const T t_808 = t_797 + k_104 * (t_789 + t_781) + t_773;
-  const T t_809 = t_765 + k_104 * (t_757 + t_749) + t_741;
-  const T t_810 = k_100 * t_798 + k_96 * t_790 + k_92 * t_782 + t_774;
-  const T t_811 = t_774 - k_101 * t_798 - k_97 * t_790 - k_93 * t_782;
-  const T t_812 = k_100 * t_766 + k_96 * t_758 + k_92 * t_750 + t_742;
-  const T t_813 = t_742 - k_101 * t_766 - k_97 * t_758 - k_93 * t_750;
-  const T t_814 = k_98 * t_791 - k_102 * t_799 + k_94 * t_783 + t_775;
-  const T t_815 = k_103 * t_799 + k_99 * t_791 + k_95 * t_783 + t_775;
-  const T t_816 = k_98 * t_759 - k_102 * t_767 + k_94 * t_751 + t_743;
-  const T t_817 = k_103 * t_767 + k_99 * t_759 + k_95 * t_751 + t_743;
-  const T t_818 = t_809 + t_808;
-  const T t_819 = t_817 + t_815;
-  const T t_820 = t_817 - t_815;
-  const T t_821 = t_806 + t_807;
-  const T t_822 = t_806 - t_807;
-  const T t_823 = t_812 + t_810;
-  const T t_824 = t_812 - t_810;
-  const T t_825 = t_805 + t_802;
-  const T t_826 = k_327 * visibility[64];
-  const T t_827 = t_535 + t_537;
-  const T t_828 = t_535 - t_537;
-  const T t_829 = t_543 + t_541;
-  const T t_830 = t_543 - t_541;
-  const T t_831 = t_547 + t_549;
-  const T t_832 = t_547 - t_549;
-  const T t_833 = t_555 + t_553;
-  const T t_834 = t_555 - t_553;
-  const T t_835 = t_559 + t_561;
-  const T t_836 = t_559 - t_561;
-  const T t_837 = t_567 + t_565;
-  const T t_838 = t_567 - t_565;
-  const T t_839 = t_571 + t_573;
-  const T t_840 = t_571 - t_573;
-  const T t_841 = t_579 + t_577;
-  const T t_842 = t_579 - t_577;
-  const T t_843 = t_583 + t_585;
-  const T t_844 = t_583 - t_585;
-  const T t_845 = t_591 + t_589;
-  const T t_846 = t_591 - t_589;
-  const T t_847 = t_595 + t_597;
-  const T t_848 = t_595 - t_597;
-  const T t_849 = t_603 + t_601;
-  const T t_850 = t_603 - t_601;
-  const T t_851 = t_607 + t_609;
-  const T t_852 = t_607 - t_609;
-  const T t_853 = t_615 + t_613;
-  const T t_854 = t_615 - t_613;
-  const T t_855 = t_619 + t_621;
-  const T t_856 = t_619 - t_621;
-  const T t_857 = t_841 + t_849;
-  const T t_858 = t_841 - t_849;
-  const T t_859 = t_842 + t_850;
-  const T t_860 = t_842 - t_850;
-  const T t_861 = t_845 + t_853;
-  const T t_862 = k_91 * (t_845 - k_90 * t_853);
-  const T t_863 = t_846 + t_854;
-  const T t_864 = k_91 * (t_846 - k_90 * t_854);
-  const T t_865 = t_857 + t_861;
-  const T t_866 = t_857 - t_861;
-  const T t_867 = t_858 + t_862;
-  const T t_868 = t_858 - t_862;
-  const T t_869 = t_859 + t_863;
-  const T t_870 = t_859 - t_863;
-  const T t_871 = t_860 + t_864;
-  const T t_872 = t_860 - t_864;
-  const T t_873 = t_826 + t_833;
-  const T t_874 = t_826 - t_833;
-  const T t_875 = t_826 + t_834;
-  const T t_876 = t_826 - t_834;
-  const T t_877 = t_829 + t_837;
-  const T t_878 = k_91 * (t_829 - k_90 * t_837);
-  const T t_879 = t_830 + t_838;
-  const T t_880 = k_91 * (t_830 - k_90 * t_838);
-  const T t_881 = t_873 + t_877;
-  const T t_882 = t_877 - t_873;
-  const T t_883 = t_874 + t_878;
-  const T t_884 = t_874 - t_878;
-  const T t_885 = t_875 + t_879;
-  const T t_886 = t_879 - t_875;
-  const T t_887 = t_876 + t_880;
-  const T t_888 = t_876 - t_880;
-  const T t_889 = t_843 + t_847 + t_851 + t_855;
-  const T t_890 = k_92 * t_843 - k_93 * t_847 - k_94 * t_851 - k_95 * t_855;
-  const T t_891 = k_96 * t_843 - k_97 * t_847 + k_98 * t_851 + k_99 * t_855;
-  const T t_892 = k_100 * t_843 - k_101 * t_847 + k_102 * t_851 - k_103 * t_855;
-  const T t_893 = t_844 + t_848 + t_852 + t_856;
-  const T t_894 = k_92 * t_844 - k_93 * t_848 - k_94 * t_852 - k_95 * t_856;
-  const T t_895 = k_96 * t_844 - k_97 * t_848 + k_98 * t_852 + k_99 * t_856;
-  const T t_896 = k_100 * t_844 - k_101 * t_848 + k_102 * t_852 - k_103 * t_856;
-  const T t_897 = t_827 + t_831 + t_835 + t_839;
-  const T t_898 = k_93 * t_831 - k_92 * t_827 + k_94 * t_835 + k_95 * t_839;
-  const T t_899 = k_96 * t_827 - k_97 * t_831 + k_98 * t_835 + k_99 * t_839;
-  const T t_900 = k_101 * t_831 - k_100 * t_827 - k_102 * t_835 + k_103 * t_839;
-  const T t_901 = t_828 + t_832 + t_836 + t_840;
-  const T t_902 = k_93 * t_832 - k_92 * t_828 + k_94 * t_836 + k_95 * t_840;
-  const T t_903 = k_96 * t_828 - k_97 * t_832 + k_98 * t_836 + k_99 * t_840;
-  const T t_904 = k_101 * t_832 - k_100 * t_828 - k_102 * t_836 + k_103 * t_840;
-  const T t_905 = t_865 + t_881;
-  const T t_906 = t_865 - t_881;
-  const T t_907 = t_889 + t_897;
-  const T t_908 = t_889 - t_897;
-  const T t_909 = (t_905 + t_907) * samples[96];
-  const T t_910 = (t_905 - t_907) * samples[97];
-  const T t_911 = (t_906 + t_908) * samples[98];
-  const T t_912 = (t_906 - t_908) * samples[99];
-  const T t_913 = t_867 - t_883;
-  const T t_914 = t_867 + t_883;
-  const T t_915 = t_890 + t_898;
-  const T t_916 = t_890 - t_898;
-  const T t_917 = (t_913 + t_915) * samples[100];
-  const T t_918 = (t_913 - t_915) * samples[101];
-  const T t_919 = (t_914 + t_916) * samples[102];
-  const T t_920 = (t_914 - t_916) * samples[103];
-  const T t_921 = t_868 + t_884;
-  const T t_922 = t_868 - t_884;
-  const T t_923 = t_891 + t_899;
-  const T t_924 = t_891 - t_899;
-  const T t_925 = (t_921 + t_923) * samples[104];
-  const T t_926 = (t_921 - t_923) * samples[105];
-  const T t_927 = (t_922 + t_924) * samples[106];
-  const T t_928 = (t_922 - t_924) * samples[107];
-  const T t_929 = t_866 + t_882;
-  const T t_930 = t_866 - t_882;
-  const T t_931 = t_892 + t_900;
-  const T t_932 = t_892 - t_900;
-  const T t_933 = (t_929 + t_931) * samples[108];
-  const T t_934 = (t_929 - t_931) * samples[109];
-  const T t_935 = (t_930 + t_932) * samples[110];
-  const T t_936 = (t_930 - t_932) * samples[111];
-  const T t_937 = t_869 + t_885;
-  const T t_938 = t_869 - t_885;
-  const T t_939 = t_893 + t_901;
-  const T t_940 = t_893 - t_901;
-  const T t_941 = (t_937 + t_939) * samples[112];
-  const T t_942 = (t_937 - t_939) * samples[113];
-  const T t_943 = (t_938 + t_940) * samples[114];
-  const T t_944 = (t_938 - t_940) * samples[115];
-  const T t_945 = t_871 - t_887;
-  const T t_946 = t_871 + t_887;
-  const T t_947 = t_894 + t_902;
-  const T t_948 = t_894 - t_902;
-  const T t_949 = (t_945 + t_947) * samples[116];
-  const T t_950 = (t_945 - t_947) * samples[117];
-  const T t_951 = (t_946 + t_948) * samples[118];
-  const T t_952 = (t_946 - t_948) * samples[119];
-  const T t_953 = t_872 + t_888;
-  const T t_954 = t_872 - t_888;
-  const T t_955 = t_895 + t_903;
-  const T t_956 = t_895 - t_903;
-  const T t_957 = (t_953 + t_955) * samples[120];
-  const T t_958 = (t_953 - t_955) * samples[121];
-  const T t_959 = (t_954 + t_956) * samples[122];
-  const T t_960 = (t_954 - t_956) * samples[123];
-  const T t_961 = t_870 + t_886;
-  const T t_962 = t_870 - t_886;
-  const T t_963 = t_896 + t_904;
-  const T t_964 = t_896 - t_904;
-  const T t_965 = (t_961 + t_963) * samples[124];
-  const T t_966 = (t_961 - t_963) * samples[125];
-  const T t_967 = (t_962 + t_964) * samples[126];
-  const T t_968 = (t_962 - t_964) * samples[127];
-  const T t_969 = t_909 + t_910;
-  const T t_970 = t_909 - t_910;
-  const T t_971 = t_911 + t_912;
-  const T t_972 = t_911 - t_912;
-  const T t_973 = t_969 + t_971;
-  const T t_974 = t_969 - t_971;
-  const T t_975 = t_970 + t_972;
-  const T t_976 = t_970 - t_972;
-  const T t_977 = t_917 + t_918;
-  const T t_978 = t_917 - t_918;
-  const T t_979 = t_919 + t_920;
-  const T t_980 = t_919 - t_920;
-  const T t_981 = t_977 + t_979;
-  const T t_982 = t_977 - t_979;
-  const T t_983 = t_978 + t_980;
-  const T t_984 = t_978 - t_980;
-  const T t_985 = t_925 + t_926;
-  const T t_986 = t_925 - t_926;
-  const T t_987 = t_927 + t_928;
-  const T t_988 = t_927 - t_928;
-  const T t_989 = t_985 + t_987;
-  const T t_990 = t_985 - t_987;
-  const T t_991 = t_986 + t_988;
-  const T t_992 = t_986 - t_988;
-  const T t_993 = t_933 + t_934;
-  const T t_994 = t_933 - t_934;
-  const T t_995 = t_935 + t_936;
-  const T t_996 = t_935 - t_936;
-  const T t_997 = t_993 + t_995;
-  const T t_998 = t_993 - t_995;
-  const T t_999 = t_994 + t_996;
-  const T t_1000 = t_994 - t_996;
-  const T t_1001 = t_941 + t_942;
-  const T t_1002 = t_941 - t_942;
-  const T t_1003 = t_943 + t_944;
-  const T t_1004 = t_943 - t_944;
-  const T t_1005 = t_1001 + t_1003;
-  const T t_1006 = t_1001 - t_1003;
-  const T t_1007 = t_1002 + t_1004;
-  const T t_1008 = t_1002 - t_1004;
-  const T t_1009 = t_949 + t_950;
-  const T t_1010 = t_949 - t_950;
-  const T t_1011 = t_951 + t_952;
-  const T t_1012 = t_951 - t_952;
-  const T t_1013 = t_1009 + t_1011;
-  const T t_1014 = t_1009 - t_1011;
-  const T t_1015 = t_1010 + t_1012;
-  const T t_1016 = t_1010 - t_1012;
-  const T t_1017 = t_957 + t_958;
-  const T t_1018 = t_957 - t_958;
-  const T t_1019 = t_959 + t_960;
-  const T t_1020 = t_959 - t_960;
-  const T t_1021 = t_1017 + t_1019;
-  const T t_1022 = t_1017 - t_1019;
-  const T t_1023 = t_1018 + t_1020;
-  const T t_1024 = t_1018 - t_1020;
-  const T t_1025 = t_965 + t_966;
-  const T t_1026 = t_965 - t_966;
-  const T t_1027 = t_967 + t_968;
-  const T t_1028 = t_967 - t_968;
-  const T t_1029 = t_1025 + t_1027;
-  const T t_1030 = t_1025 - t_1027;
-  const T t_1031 = t_1026 + t_1028;
-  const T t_1032 = t_1026 - t_1028;
-  const T t_1033 = t_1021 + t_1013;
-  const T t_1034 = t_1029 + t_1005;
-  const T t_1035 = k_91 * (t_1013 - t_1021) - t_1029 + t_1005;
-  const T t_1036 = t_989 + t_981;
-  const T t_1037 = t_997 + t_973;
-  const T t_1038 = k_91 * (t_981 - t_989) - t_997 + t_973;
-  const T t_1039 = t_1036 + t_1037;
-  const T t_1040 = t_1033 + t_1034;
-  const T t_1041 = t_1030 + k_104 * (t_1022 + t_1014) + t_1006;
-  const T t_1042 = t_998 + k_104 * (t_990 + t_982) + t_974;
-  const T t_1043 = k_100 * t_1031 + k_96 * t_1023 + k_92 * t_1015 + t_1007;
-  const T t_1044 = t_1007 - k_101 * t_1031 - k_97 * t_1023 - k_93 * t_1015;
-  const T t_1045 = k_100 * t_999 + k_96 * t_991 + k_92 * t_983 + t_975;
-  const T t_1046 = t_975 - k_101 * t_999 - k_97 * t_991 - k_93 * t_983;
-  const T t_1047 = k_98 * t_1024 - k_102 * t_1032 + k_94 * t_1016 + t_1008;
-  const T t_1048 = k_103 * t_1032 + k_99 * t_1024 + k_95 * t_1016 + t_1008;
-  const T t_1049 = k_98 * t_992 - k_102 * t_1000 + k_94 * t_984 + t_976;
-  const T t_1050 = k_103 * t_1000 + k_99 * t_992 + k_95 * t_984 + t_976;
-  out[9] = k_106 * (t_260 + t_258) + k_205 * (t_523 + t_521) + k_304 * (t_816 + t_814) + k_403 * (t_1049 + t_1047);   // l=3 m=-3
-  out[17] = k_107 * (t_260 - t_258) + k_206 * (t_523 - t_521) + k_305 * (t_816 - t_814) + k_404 * (t_1049 - t_1047);  // l=4 m=-3
-  const T t_1051 = t_1042 + t_1041;
-  out[10] = k_109 * (t_253 - t_252) + k_208 * (t_516 - t_515) + k_307 * (t_809 - t_808) + k_406 * (t_1042 - t_1041);  // l=3 m=-2
-  out[4] = k_108 * t_262 + k_207 * t_525 + k_306 * t_818 + k_405 * t_1051;                                            // l=2 m=-2
-  out[18] = k_110 * t_262 + k_209 * t_525 + k_308 * t_818 - k_407 * t_1051;                                           // l=4 m=-2
-  const T t_1052 = t_1050 + t_1048;
-  const T t_1053 = t_1050 - t_1048;
-  out[1] = k_111 * t_263 + k_210 * t_526 + k_309 * t_819 + k_408 * t_1052;                                            // l=1 m=-1
-  out[11] = k_113 * t_263 + k_212 * t_526 + k_311 * t_819 - k_410 * t_1052;                                           // l=3 m=-1
-  out[5] = k_112 * t_264 + k_211 * t_527 + k_310 * t_820 + k_409 * t_1053;                                            // l=2 m=-1
-  out[19] = k_114 * t_264 + k_213 * t_527 - k_312 * t_820 - k_411 * t_1053;                                           // l=4 m=-1
-  const T t_1054 = t_1039 + t_1040;
-  const T t_1055 = t_1039 - t_1040;
-  out[0] = k_10 * t_5 + k_115 * t_265 + k_214 * t_528 + k_313 * t_821 + k_412 * t_1054;                               // l=0 m=0
-  out[2] = k_11 * t_6 + k_116 * t_266 + k_215 * t_529 + k_314 * t_822 + k_413 * t_1055;                               // l=1 m=0
-  out[12] = k_13 * t_6 + k_118 * t_266 - k_217 * t_529 - k_316 * t_822 - k_415 * t_1055;                              // l=3 m=0
-  out[6] = k_12 * t_5 + k_117 * t_265 + k_216 * t_528 - k_315 * t_821 - k_414 * t_1054;                               // l=2 m=0
-  out[20] = k_14 * t_5 + k_119 * t_265 - k_218 * t_528 - k_317 * t_821 + k_416 * t_1054;                              // l=4 m=0
-  const T t_1056 = t_1045 + t_1043;
-  const T t_1057 = t_1045 - t_1043;
-  out[3] = k_120 * t_267 + k_219 * t_530 + k_318 * t_823 + k_417 * t_1056;                                            // l=1 m=1
-  out[13] = k_122 * t_267 + k_221 * t_530 + k_320 * t_823 - k_419 * t_1056;                                           // l=3 m=1
-  out[7] = k_121 * t_268 + k_220 * t_531 + k_319 * t_824 + k_418 * t_1057;                                            // l=2 m=1
-  out[21] = k_123 * t_268 + k_222 * t_531 - k_321 * t_824 - k_420 * t_1057;                                           // l=4 m=1
-  const T t_1058 = t_1038 + t_1035;
-  out[14] = k_125 * (t_249 - t_246) + k_224 * (t_512 - t_509) + k_323 * (t_805 - t_802) + k_422 * (t_1038 - t_1035);  // l=3 m=2
-  out[8] = k_124 * t_269 + k_223 * t_532 + k_322 * t_825 + k_421 * t_1058;                                            // l=2 m=2
-  out[22] = k_126 * t_269 + k_225 * t_532 + k_324 * t_825 - k_423 * t_1058;                                           // l=4 m=2
-  out[15] = k_127 * (t_257 + t_255) + k_226 * (t_520 + t_518) + k_325 * (t_813 + t_811) + k_424 * (t_1046 + t_1044);  // l=3 m=3
-  out[23] = k_128 * (t_257 - t_255) + k_227 * (t_520 - t_518) + k_326 * (t_813 - t_811) + k_425 * (t_1046 - t_1044);  // l=4 m=3
-  out[24] = k_105 * (t_245 - t_244 - t_247 + t_248) + k_204 * (t_508 - t_507 - t_510 + t_511) + k_303 * (t_801 - t_800
-      - t_803 + t_804) + k_402 * (t_1034 - t_1033 - t_1036 + t_1037) + visibility[80] * samples[130]
-      - visibility[64] * samples[131];                                                                                // l=4 m=4
-  out[16] = k_105 * (t_225 - t_241 - t_233 + t_217 - t_209 - t_201 + t_193 + t_185) + k_204 * (t_488 - t_504 - t_496
-      + t_480 - t_472 - t_464 + t_456 + t_448) + k_303 * (t_781 - t_797 - t_789 + t_773 - t_765 - t_757 + t_749
-      + t_741) + k_402 * (t_1014 - t_1030 - t_1022 + t_1006 - t_998 - t_990 + t_982 + t_974)
-      - visibility[80] * samples[131] - visibility[64] * samples[130];                                                // l=4 m=-4
+  const T t_7 = k_10 * t_5;
+  const T t_8 = k_11 * t_6;
+  const T t_9 = k_13 * t_6;
+  const T t_10 = k_12 * t_5;
+  const T t_11 = k_14 * t_5;
+  const T t_12 = visibility[80] * T(samples[130]);
+  const T t_13 = visibility[80] * T(samples[131]);
+  const T t_14 = visibility[64] * T(samples[131]);
+  const T t_15 = visibility[64] * T(samples[130]);
+  T sum = detail::constant<T>(0.0f, 0.0);
+  T sum_2 = detail::constant<T>(0.0f, 0.0);
+  T sum_3 = detail::constant<T>(0.0f, 0.0);
+  T sum_4 = detail::constant<T>(0.0f, 0.0);
+  T sum_5 = detail::constant<T>(0.0f, 0.0);
+  T sum_6 = detail::constant<T>(0.0f, 0.0);
+  T sum_7 = detail::constant<T>(0.0f, 0.0);
+  T sum_8 = detail::constant<T>(0.0f, 0.0);
+  T sum_9 = detail::constant<T>(0.0f, 0.0);
+  T sum_10 = detail::constant<T>(0.0f, 0.0);
+  T sum_11 = detail::constant<T>(0.0f, 0.0);
+  T sum_12 = detail::constant<T>(0.0f, 0.0);
+  T sum_13 = detail::constant<T>(0.0f, 0.0);
+  T sum_14 = detail::constant<T>(0.0f, 0.0);
+  T sum_15 = detail::constant<T>(0.0f, 0.0);
+  T sum_16 = detail::constant<T>(0.0f, 0.0);
+  T sum_17 = detail::constant<T>(0.0f, 0.0);
+  T sum_18 = detail::constant<T>(0.0f, 0.0);
+  T sum_19 = detail::constant<T>(0.0f, 0.0);
+  T sum_20 = detail::constant<T>(0.0f, 0.0);
+  T sum_21 = detail::constant<T>(0.0f, 0.0);
+  T sum_22 = detail::constant<T>(0.0f, 0.0);
+  T sum_23 = detail::constant<T>(0.0f, 0.0);
+  T sum_24 = detail::constant<T>(0.0f, 0.0);
+  T sum_25 = detail::constant<T>(0.0f, 0.0);
+  for (int row = 0; row < 4; ++row) {
+    int at = 99 * row;
+    const T t_16 = T(table[at+1]) * visibility[49];
+    const T t_17 = T(table[at+2]) * visibility[65];
+    const T t_18 = T(table[at+4]) * visibility[50];
+    const T t_19 = T(table[at+3]) * visibility[36] + T(table[at+5]) * visibility[66];
+    const T t_20 = T(table[at+6]) * visibility[25] + T(table[at+8]) * visibility[51];
+    const T t_21 = T(table[at+7]) * visibility[37] + T(table[at+9]) * visibility[67];
+    const T t_22 = T(table[at+11]) * visibility[26] + T(table[at+13]) * visibility[52];
+    const T t_23 = T(table[at+10]) * visibility[16] + T(table[at+12]) * visibility[38]
+        + T(table[at+14]) * visibility[68];
+    const T t_24 = T(table[at+15]) * visibility[9] + T(table[at+17]) * visibility[27]
+        + T(table[at+19]) * visibility[53];
+    const T t_25 = T(table[at+16]) * visibility[17] + T(table[at+18]) * visibility[39]
+        + T(table[at+20]) * visibility[69];
+    const T t_26 = T(table[at+22]) * visibility[10] + T(table[at+24]) * visibility[28]
+        + T(table[at+26]) * visibility[54];
+    const T t_27 = T(table[at+21]) * visibility[4] + T(table[at+23]) * visibility[18]
+        + T(table[at+25]) * visibility[40] + T(table[at+27]) * visibility[70];
+    const T t_28 = T(table[at+28]) * visibility[1] + T(table[at+30]) * visibility[11]
+        + T(table[at+32]) * visibility[29] + T(table[at+34]) * visibility[55];
+    const T t_29 = T(table[at+29]) * visibility[5] + T(table[at+31]) * visibility[19]
+        + T(table[at+33]) * visibility[41] + T(table[at+35]) * visibility[71];
+    const T t_30 = T(table[at+45]) * visibility[3] + T(table[at+47]) * visibility[13]
+        + T(table[at+49]) * visibility[31] + T(table[at+51]) * visibility[57];
+    const T t_31 = T(table[at+46]) * visibility[7] + T(table[at+48]) * visibility[21]
+        + T(table[at+50]) * visibility[43] + T(table[at+52]) * visibility[73];
+    const T t_32 = T(table[at+54]) * visibility[14] + T(table[at+56]) * visibility[32]
+        + T(table[at+58]) * visibility[58];
+    const T t_33 = T(table[at+53]) * visibility[8] + T(table[at+55]) * visibility[22]
+        + T(table[at+57]) * visibility[44] + T(table[at+59]) * visibility[74];
+    const T t_34 = T(table[at+60]) * visibility[15] + T(table[at+62]) * visibility[33]
+        + T(table[at+64]) * visibility[59];
+    const T t_35 = T(table[at+61]) * visibility[23] + T(table[at+63]) * visibility[45]
+        + T(table[at+65]) * visibility[75];
+    const T t_36 = T(table[at+11]) * visibility[34] + T(table[at+13]) * visibility[60];
+    const T t_37 = T(table[at+10]) * visibility[24] + T(table[at+12]) * visibility[46]
+        + T(table[at+14]) * visibility[76];
+    const T t_38 = T(table[at+66]) * visibility[35] + T(table[at+68]) * visibility[61];
+    const T t_39 = T(table[at+67]) * visibility[47] + T(table[at+69]) * visibility[77];
+    const T t_40 = T(table[at+71]) * visibility[62];
+    const T t_41 = T(table[at+70]) * visibility[48] + T(table[at+72]) * visibility[78];
+    const T t_42 = T(table[at+73]) * visibility[63];
+    const T t_43 = T(table[at+74]) * visibility[79];
+    const T t_44 = T(table[at+37]) * visibility[2] + T(table[at+39]) * visibility[12]
+        + T(table[at+41]) * visibility[30] + T(table[at+43]) * visibility[56];
+    const T t_45 = T(table[at+36]) * visibility[0] + T(table[at+38]) * visibility[6]
+        + T(table[at+40]) * visibility[20] + T(table[at+42]) * visibility[42] + T(table[at+44]) * visibility[72];
+    const T t_46 = T(table[at+0]) * visibility[64];
+    const T t_47 = t_16 + t_17;
+    const T t_48 = t_16 - t_17;
+    const T t_49 = t_19 + t_18;
+    const T t_50 = t_19 - t_18;
+    const T t_51 = t_20 + t_21;
+    const T t_52 = t_20 - t_21;
+    const T t_53 = t_23 + t_22;
+    const T t_54 = t_23 - t_22;
+    const T t_55 = t_24 + t_25;
+    const T t_56 = t_24 - t_25;
+    const T t_57 = t_27 + t_26;
+    const T t_58 = t_27 - t_26;
+    const T t_59 = t_28 + t_29;
+    const T t_60 = t_28 - t_29;
+    const T t_61 = t_45 + t_44;
+    const T t_62 = t_45 - t_44;
+    const T t_63 = t_30 + t_31;
+    const T t_64 = t_30 - t_31;
+    const T t_65 = t_33 + t_32;
+    const T t_66 = t_33 - t_32;
+    const T t_67 = t_34 + t_35;
+    const T t_68 = t_34 - t_35;
+    const T t_69 = t_37 + t_36;
+    const T t_70 = t_37 - t_36;
+    const T t_71 = t_38 + t_39;
+    const T t_72 = t_38 - t_39;
+    const T t_73 = t_41 + t_40;
+    const T t_74 = t_41 - t_40;
+    const T t_75 = t_42 + t_43;
+    const T t_76 = t_42 - t_43;
+    const T t_77 = t_61 + t_69;
+    const T t_78 = t_61 - t_69;
+    const T t_79 = t_65 + t_73;
+    const T t_80 = k_16 * (t_65 - k_15 * t_73);
+    const T t_81 = t_77 + t_79;
+    const T t_82 = t_77 - t_79;
+    const T t_83 = t_78 + t_80;
+    const T t_84 = t_78 - t_80;
+    const T t_85 = t_46 + t_53;
+    const T t_86 = t_46 - t_53;
+    const T t_87 = t_49 + t_57;
+    const T t_88 = k_16 * (t_49 - k_15 * t_57);
+    const T t_89 = t_85 + t_87;
+    const T t_90 = t_87 - t_85;
+    const T t_91 = t_86 + t_88;
+    const T t_92 = t_86 - t_88;
+    const T t_93 = t_63 + t_67 + t_71 + t_75;
+    const T t_94 = k_17 * t_63 - k_18 * t_67 - k_19 * t_71 - k_20 * t_75;
+    const T t_95 = k_21 * t_63 - k_22 * t_67 + k_23 * t_71 + k_24 * t_75;
+    const T t_96 = k_25 * t_63 - k_26 * t_67 + k_27 * t_71 - k_28 * t_75;
+    const T t_97 = t_47 + t_51 + t_55 + t_59;
+    const T t_98 = k_18 * t_51 - k_17 * t_47 + k_19 * t_55 + k_20 * t_59;
+    const T t_99 = k_21 * t_47 - k_22 * t_51 + k_23 * t_55 + k_24 * t_59;
+    const T t_100 = k_26 * t_51 - k_25 * t_47 - k_27 * t_55 + k_28 * t_59;
+    const T t_101 = t_81 + t_89;
+    const T t_102 = t_81 - t_89;
+    const T t_103 = t_93 + t_97;
+    const T t_104 = t_93 - t_97;
+    const T t_105 = (t_101 + t_103) * T(samples[32 * row]);
+    const T t_106 = (t_101 - t_103) * T(samples[32 * row + 1]);
+    const T t_107 = (t_102 + t_104) * T(samples[32 * row + 2]);
+    const T t_108 = (t_102 - t_104) * T(samples[32 * row + 3]);
+    const T t_109 = t_83 - t_91;
+    const T t_110 = t_83 + t_91;
+    const T t_111 = t_94 + t_98;
+    const T t_112 = t_94 - t_98;
+    const T t_113 = (t_109 + t_111) * T(samples[32 * row + 4]);
+    const T t_114 = (t_109 - t_111) * T(samples[32 * row + 5]);
+    const T t_115 = (t_110 + t_112) * T(samples[32 * row + 6]);
+    const T t_116 = (t_110 - t_112) * T(samples[32 * row + 7]);
+    const T t_117 = t_84 + t_92;
+    const T t_118 = t_84 - t_92;
+    const T t_119 = t_95 + t_99;
+    const T t_120 = t_95 - t_99;
+    const T t_121 = (t_117 + t_119) * T(samples[32 * row + 8]);
+    const T t_122 = (t_117 - t_119) * T(samples[32 * row + 9]);
+    const T t_123 = (t_118 + t_120) * T(samples[32 * row + 10]);
+    const T t_124 = (t_118 - t_120) * T(samples[32 * row + 11]);
+    const T t_125 = t_82 + t_90;
+    const T t_126 = t_82 - t_90;
+    const T t_127 = t_96 + t_100;
+    const T t_128 = t_96 - t_100;
+    const T t_129 = (t_125 + t_127) * T(samples[32 * row + 12]);
+    const T t_130 = (t_125 - t_127) * T(samples[32 * row + 13]);
+    const T t_131 = (t_126 + t_128) * T(samples[32 * row + 14]);
+    const T t_132 = (t_126 - t_128) * T(samples[32 * row + 15]);
+    const T t_133 = t_105 + t_106;
+    const T t_134 = t_105 - t_106;
+    const T t_135 = t_107 + t_108;
+    const T t_136 = t_107 - t_108;
+    const T t_137 = t_133 + t_135;
+    const T t_138 = t_133 - t_135;
+    const T t_139 = t_134 + t_136;
+    const T t_140 = t_134 - t_136;
+    const T t_141 = t_113 + t_114;
+    const T t_142 = t_113 - t_114;
+    const T t_143 = t_115 + t_116;
+    const T t_144 = t_115 - t_116;
+    const T t_145 = t_141 + t_143;
+    const T t_146 = t_141 - t_143;
+    const T t_147 = t_142 + t_144;
+    const T t_148 = t_142 - t_144;
+    const T t_149 = t_121 + t_122;
+    const T t_150 = t_121 - t_122;
+    const T t_151 = t_123 + t_124;
+    const T t_152 = t_123 - t_124;
+    const T t_153 = t_149 + t_151;
+    const T t_154 = t_149 - t_151;
+    const T t_155 = t_150 + t_152;
+    const T t_156 = t_150 - t_152;
+    const T t_157 = t_129 + t_130;
+    const T t_158 = t_129 - t_130;
+    const T t_159 = t_131 + t_132;
+    const T t_160 = t_131 - t_132;
+    const T t_161 = t_157 + t_159;
+    const T t_162 = t_157 - t_159;
+    const T t_163 = t_158 + t_160;
+    const T t_164 = t_158 - t_160;
+    const T t_165 = t_153 + t_145;
+    const T t_166 = t_161 + t_137;
+    const T t_167 = k_16 * (t_145 - t_153) - t_161 + t_137;
+    const T t_168 = t_165 + t_166;
+    const T t_169 = t_162 + k_29 * (t_154 + t_146) + t_138;
+    const T t_170 = k_25 * t_163 + k_21 * t_155 + k_17 * t_147 + t_139;
+    const T t_171 = t_139 - k_26 * t_163 - k_22 * t_155 - k_18 * t_147;
+    const T t_172 = k_23 * t_156 - k_27 * t_164 + k_19 * t_148 + t_140;
+    const T t_173 = k_28 * t_164 + k_24 * t_156 + k_20 * t_148 + t_140;
+    const T t_174 = t_62 + t_70;
+    const T t_175 = t_62 - t_70;
+    const T t_176 = t_66 + t_74;
+    const T t_177 = k_16 * (t_66 - k_15 * t_74);
+    const T t_178 = t_174 + t_176;
+    const T t_179 = t_174 - t_176;
+    const T t_180 = t_175 + t_177;
+    const T t_181 = t_175 - t_177;
+    const T t_182 = t_46 + t_54;
+    const T t_183 = t_46 - t_54;
+    const T t_184 = t_50 + t_58;
+    const T t_185 = k_16 * (t_50 - k_15 * t_58);
+    const T t_186 = t_182 + t_184;
+    const T t_187 = t_184 - t_182;
+    const T t_188 = t_183 + t_185;
+    const T t_189 = t_183 - t_185;
+    const T t_190 = t_64 + t_68 + t_72 + t_76;
+    const T t_191 = k_17 * t_64 - k_18 * t_68 - k_19 * t_72 - k_20 * t_76;
+    const T t_192 = k_21 * t_64 - k_22 * t_68 + k_23 * t_72 + k_24 * t_76;
+    const T t_193 = k_25 * t_64 - k_26 * t_68 + k_27 * t_72 - k_28 * t_76;
+    const T t_194 = t_48 + t_52 + t_56 + t_60;
+    const T t_195 = k_18 * t_52 - k_17 * t_48 + k_19 * t_56 + k_20 * t_60;
+    const T t_196 = k_21 * t_48 - k_22 * t_52 + k_23 * t_56 + k_24 * t_60;
+    const T t_197 = k_26 * t_52 - k_25 * t_48 - k_27 * t_56 + k_28 * t_60;
+    const T t_198 = t_178 + t_186;
+    const T t_199 = t_178 - t_186;
+    const T t_200 = t_190 + t_194;
+    const T t_201 = t_190 - t_194;
+    const T t_202 = (t_198 + t_200) * T(samples[32 * row + 16]);
+    const T t_203 = (t_198 - t_200) * T(samples[32 * row + 17]);
+    const T t_204 = (t_199 + t_201) * T(samples[32 * row + 18]);
+    const T t_205 = (t_199 - t_201) * T(samples[32 * row + 19]);
+    const T t_206 = t_180 - t_188;
+    const T t_207 = t_180 + t_188;
+    const T t_208 = t_191 + t_195;
+    const T t_209 = t_191 - t_195;
+    const T t_210 = (t_206 + t_208) * T(samples[32 * row + 20]);
+    const T t_211 = (t_206 - t_208) * T(samples[32 * row + 21]);
+    const T t_212 = (t_207 + t_209) * T(samples[32 * row + 22]);
+    const T t_213 = (t_207 - t_209) * T(samples[32 * row + 23]);
+    const T t_214 = t_181 + t_189;
+    const T t_215 = t_181 - t_189;
+    const T t_216 = t_192 + t_196;
+    const T t_217 = t_192 - t_196;
+    const T t_218 = (t_214 + t_216) * T(samples[32 * row + 24]);
+    const T t_219 = (t_214 - t_216) * T(samples[32 * row + 25]);
+    const T t_220 = (t_215 + t_217) * T(samples[32 * row + 26]);
+    const T t_221 = (t_215 - t_217) * T(samples[32 * row + 27]);
+    const T t_222 = t_179 + t_187;
+    const T t_223 = t_179 - t_187;
+    const T t_224 = t_193 + t_197;
+    const T t_225 = t_193 - t_197;
+    const T t_226 = (t_222 + t_224) * T(samples[32 * row + 28]);
+    const T t_227 = (t_222 - t_224) * T(samples[32 * row + 29]);
+    const T t_228 = (t_223 + t_225) * T(samples[32 * row + 30]);
+    const T t_229 = (t_223 - t_225) * T(samples[32 * row + 31]);
+    const T t_230 = t_202 + t_203;
+    const T t_231 = t_202 - t_203;
+    const T t_232 = t_204 + t_205;
+    const T t_233 = t_204 - t_205;
+    const T t_234 = t_230 + t_232;
+    const T t_235 = t_230 - t_232;
+    const T t_236 = t_231 + t_233;
+    const T t_237 = t_231 - t_233;
+    const T t_238 = t_210 + t_211;
+    const T t_239 = t_210 - t_211;
+    const T t_240 = t_212 + t_213;
+    const T t_241 = t_212 - t_213;
+    const T t_242 = t_238 + t_240;
+    const T t_243 = t_238 - t_240;
+    const T t_244 = t_239 + t_241;
+    const T t_245 = t_239 - t_241;
+    const T t_246 = t_218 + t_219;
+    const T t_247 = t_218 - t_219;
+    const T t_248 = t_220 + t_221;
+    const T t_249 = t_220 - t_221;
+    const T t_250 = t_246 + t_248;
+    const T t_251 = t_246 - t_248;
+    const T t_252 = t_247 + t_249;
+    const T t_253 = t_247 - t_249;
+    const T t_254 = t_226 + t_227;
+    const T t_255 = t_226 - t_227;
+    const T t_256 = t_228 + t_229;
+    const T t_257 = t_228 - t_229;
+    const T t_258 = t_254 + t_256;
+    const T t_259 = t_254 - t_256;
+    const T t_260 = t_255 + t_257;
+    const T t_261 = t_255 - t_257;
+    const T t_262 = t_250 + t_242;
+    const T t_263 = t_258 + t_234;
+    const T t_264 = k_16 * (t_242 - t_250) - t_258 + t_234;
+    const T t_265 = t_262 + t_263;
+    sum = sum + T(table[at+75]) * (t_166 - t_165 + (t_263 - t_262));
+    const T t_266 = t_259 + k_29 * (t_251 + t_243) + t_235;
+    sum_2 = sum_2 + T(table[at+75]) * (t_146 - t_162 - t_154 + t_138 + (t_243 - t_259 - t_251 + t_235));
+    const T t_267 = k_25 * t_260 + k_21 * t_252 + k_17 * t_244 + t_236;
+    const T t_268 = t_236 - k_26 * t_260 - k_22 * t_252 - k_18 * t_244;
+    const T t_269 = k_23 * t_253 - k_27 * t_261 + k_19 * t_245 + t_237;
+    const T t_270 = k_28 * t_261 + k_24 * t_253 + k_20 * t_245 + t_237;
+    sum_3 = sum_3 + T(table[at+76]) * (t_172 + t_269);
+    sum_4 = sum_4 + T(table[at+77]) * (t_172 - t_269);
+    const T t_271 = t_169 + t_266;
+    sum_5 = sum_5 + T(table[at+79]) * (t_169 - t_266);
+    sum_6 = sum_6 + T(table[at+78]) * t_271;
+    sum_7 = sum_7 + T(table[at+80]) * t_271;
+    const T t_272 = t_173 + t_270;
+    const T t_273 = t_173 - t_270;
+    sum_8 = sum_8 + T(table[at+81]) * t_272;
+    sum_9 = sum_9 + T(table[at+83]) * t_272;
+    sum_10 = sum_10 + T(table[at+82]) * t_273;
+    sum_11 = sum_11 + T(table[at+84]) * t_273;
+    const T t_274 = t_168 + t_265;
+    const T t_275 = t_168 - t_265;
+    sum_12 = sum_12 + T(table[at+85]) * t_274;
+    sum_13 = sum_13 + T(table[at+86]) * t_275;
+    sum_14 = sum_14 + T(table[at+88]) * t_275;
+    sum_15 = sum_15 + T(table[at+87]) * t_274;
+    sum_16 = sum_16 + T(table[at+89]) * t_274;
+    const T t_276 = t_170 + t_267;
+    const T t_277 = t_170 - t_267;
+    sum_17 = sum_17 + T(table[at+90]) * t_276;
+    sum_18 = sum_18 + T(table[at+92]) * t_276;
+    sum_19 = sum_19 + T(table[at+91]) * t_277;
+    sum_20 = sum_20 + T(table[at+93]) * t_277;
+    const T t_278 = t_167 + t_264;
+    sum_21 = sum_21 + T(table[at+95]) * (t_167 - t_264);
+    sum_22 = sum_22 + T(table[at+94]) * t_278;
+    sum_23 = sum_23 + T(table[at+96]) * t_278;
+    sum_24 = sum_24 + T(table[at+97]) * (t_171 + t_268);
+    sum_25 = sum_25 + T(table[at+98]) * (t_171 - t_268);
+  }
+  out[9] = sum_3;                 // l=3 m=-3
+  out[17] = sum_4;                // l=4 m=-3
+  out[10] = sum_5;                // l=3 m=-2
+  out[4] = sum_6;                 // l=2 m=-2
+  out[18] = sum_7;                // l=4 m=-2
+  out[1] = sum_8;                 // l=1 m=-1
+  out[11] = sum_9;                // l=3 m=-1
+  out[5] = sum_10;                // l=2 m=-1
+  out[19] = sum_11;               // l=4 m=-1
+  out[3] = sum_17;                // l=1 m=1
+  out[13] = sum_18;               // l=3 m=1
+  out[7] = sum_19;                // l=2 m=1
+  out[21] = sum_20;               // l=4 m=1
+  out[14] = sum_21;               // l=3 m=2
+  out[8] = sum_22;                // l=2 m=2
+  out[22] = sum_23;               // l=4 m=2
+  out[15] = sum_24;               // l=3 m=3
+  out[23] = sum_25;               // l=4 m=3
+  out[0] = t_7 + sum_12;          // l=0 m=0
+  out[2] = t_8 + sum_13;          // l=1 m=0
+  out[12] = t_9 + sum_14;         // l=3 m=0
+  out[6] = t_10 + sum_15;         // l=2 m=0
+  out[20] = t_11 + sum_16;        // l=4 m=0
+  out[24] = sum + t_12 - t_14;    // l=4 m=4
+  out[16] = sum_2 - t_13 - t_15;  // l=4 m=-4
 }
 
 }  // namespace sh

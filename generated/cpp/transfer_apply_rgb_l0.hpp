@@ -57,11 +57,11 @@ constexpr T constant([[maybe_unused]] float in_float, [[maybe_unused]] double in
 
 namespace sh {
 
-template <class T>
-constexpr void transfer_apply_rgb_l0(const T* visibility, const T* samples, T* out) noexcept {
-  out[0] = visibility[0] * samples[0];  // red l=0 m=0
-  out[1] = visibility[0] * samples[1];  // green l=0 m=0
-  out[2] = visibility[0] * samples[2];  // blue l=0 m=0
+template <class T, class S = T>
+constexpr void transfer_apply_rgb_l0(const T* visibility, const S* samples, T* out) noexcept {
+  out[0] = visibility[0] * T(samples[0]);  // red l=0 m=0
+  out[1] = visibility[0] * T(samples[1]);  // green l=0 m=0
+  out[2] = visibility[0] * T(samples[2]);  // blue l=0 m=0
 }
 
 }  // namespace sh

@@ -11,10 +11,10 @@
 // Source:       P.-P. Sloan, J. Kautz, J. Snyder, "Precomputed Radiance Transfer", SIGGRAPH 2002, equation 11; by
 //               quadrature on rings of constant z (Lobatto; M. Abramowitz, I. Stegun, 1964, 25.4), split by parity; z1,
 //               z2, ...: square roots of the zeros of the Jacobi polynomial P_2^(1,-1/2)(2t-1), falling
-// Cost:         270 multiplications, 501 additions; longest chain 17; at most 144 values live
+// Cost:         270 multiplications, 501 additions; longest chain 16; at most 144 values live
 // Error:        eps counts units of machine epsilon x |visibility| |light|, |light| = 1
-//               float   rounding  largest seen 1.4e-07 (1.1 eps)
-//               double  rounding  largest seen 2.4e-16 (1.1 eps)
+//               float   rounding  largest seen 1.3e-07 (1.1 eps)
+//               double  rounding  largest seen 2.2e-16 (1.0 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  no bound is proved: an input is a sampled function
 //               seen:     among 120 visibility (random, of norm 1) with prepared lights (random, of norm 1 in each
@@ -55,8 +55,8 @@ constexpr T constant([[maybe_unused]] float in_float, [[maybe_unused]] double in
 
 namespace sh {
 
-template <class T>
-constexpr void transfer_apply_rgb_l2(const T* visibility, const T* samples, T* out) noexcept {
+template <class T, class S = T>
+constexpr void transfer_apply_rgb_l2(const T* visibility, const S* samples, T* out) noexcept {
   const T k    = detail::constant<T>(0.2820948f, 0.28209479177387814);     // 1/2 sqrt(1/pi)
   const T k_2  = detail::constant<T>(0.48860252f, 0.4886025119029199);     // 1/2 sqrt(3/pi)
   const T k_3  = detail::constant<T>(0.63078314f, 0.63078313050504);       // 1/2 sqrt(5/pi)
@@ -130,12 +130,12 @@ constexpr void transfer_apply_rgb_l2(const T* visibility, const T* samples, T* o
   const T t_2 = k * visibility[0] + k_3 * visibility[6] + k_5 * visibility[20];
   const T t_3 = t_2 + t;
   const T t_4 = t_2 - t;
-  const T t_5 = t_3 * samples[32];
-  const T t_6 = t_4 * samples[33];
-  const T t_7 = t_3 * samples[68];
-  const T t_8 = t_3 * samples[104];
-  const T t_9 = t_4 * samples[69];
-  const T t_10 = t_4 * samples[105];
+  const T t_5 = t_3 * T(samples[32]);
+  const T t_6 = t_4 * T(samples[33]);
+  const T t_7 = t_3 * T(samples[68]);
+  const T t_8 = t_3 * T(samples[104]);
+  const T t_9 = t_4 * T(samples[69]);
+  const T t_10 = t_4 * T(samples[105]);
   const T t_11 = t_5 + t_6;
   const T t_12 = t_7 + t_9;
   const T t_13 = t_8 + t_10;
@@ -184,181 +184,181 @@ constexpr void transfer_apply_rgb_l2(const T* visibility, const T* samples, T* o
   const T t_56 = t_51 - t_53;
   const T t_57 = t_37 + t_49;
   const T t_58 = t_37 - t_49;
-  const T t_59 = t_38 + t_50;
-  const T t_60 = t_38 - t_50;
-  const T t_61 = t_14 + t_25;
-  const T t_62 = t_25 - t_14;
-  const T t_63 = t_14 + t_26;
-  const T t_64 = t_26 - t_14;
-  const T t_65 = t_43 + t_55;
-  const T t_66 = k_30 * t_43 - k_31 * t_55;
-  const T t_67 = t_44 + t_56;
-  const T t_68 = k_30 * t_44 - k_31 * t_56;
-  const T t_69 = t_19 + t_31;
-  const T t_70 = k_31 * t_31 - k_30 * t_19;
-  const T t_71 = t_20 + t_32;
-  const T t_72 = k_31 * t_32 - k_30 * t_20;
-  const T t_73 = t_57 + t_61;
-  const T t_74 = t_57 - t_61;
-  const T t_75 = t_65 + t_69;
-  const T t_76 = t_65 - t_69;
-  const T t_77 = t_73 + t_75;
-  const T t_78 = t_73 - t_75;
-  const T t_79 = t_77 * samples[0];
-  const T t_80 = t_78 * samples[1];
-  const T t_81 = t_77 * samples[36];
-  const T t_82 = t_77 * samples[72];
-  const T t_83 = t_78 * samples[37];
-  const T t_84 = t_78 * samples[73];
-  const T t_85 = t_74 + t_76;
-  const T t_86 = t_74 - t_76;
-  const T t_87 = t_85 * samples[2];
-  const T t_88 = t_86 * samples[3];
-  const T t_89 = t_85 * samples[38];
-  const T t_90 = t_85 * samples[74];
-  const T t_91 = t_86 * samples[39];
-  const T t_92 = t_86 * samples[75];
-  const T t_93 = t_58 + t_62;
-  const T t_94 = t_58 - t_62;
-  const T t_95 = t_66 + t_70;
-  const T t_96 = t_66 - t_70;
-  const T t_97 = t_93 + t_95;
-  const T t_98 = t_93 - t_95;
-  const T t_99 = t_97 * samples[4];
-  const T t_100 = t_98 * samples[5];
-  const T t_101 = t_97 * samples[40];
-  const T t_102 = t_97 * samples[76];
-  const T t_103 = t_98 * samples[41];
-  const T t_104 = t_98 * samples[77];
-  const T t_105 = t_94 + t_96;
-  const T t_106 = t_94 - t_96;
-  const T t_107 = t_105 * samples[6];
-  const T t_108 = t_106 * samples[7];
-  const T t_109 = t_105 * samples[42];
-  const T t_110 = t_105 * samples[78];
-  const T t_111 = t_106 * samples[43];
-  const T t_112 = t_106 * samples[79];
-  const T t_113 = t_59 + t_63;
-  const T t_114 = t_59 - t_63;
-  const T t_115 = t_67 + t_71;
-  const T t_116 = t_67 - t_71;
-  const T t_117 = t_113 + t_115;
-  const T t_118 = t_113 - t_115;
-  const T t_119 = t_117 * samples[8];
-  const T t_120 = t_118 * samples[9];
-  const T t_121 = t_117 * samples[44];
-  const T t_122 = t_117 * samples[80];
-  const T t_123 = t_118 * samples[45];
-  const T t_124 = t_118 * samples[81];
-  const T t_125 = t_114 + t_116;
-  const T t_126 = t_114 - t_116;
-  const T t_127 = t_125 * samples[10];
-  const T t_128 = t_126 * samples[11];
-  const T t_129 = t_125 * samples[46];
-  const T t_130 = t_125 * samples[82];
-  const T t_131 = t_126 * samples[47];
-  const T t_132 = t_126 * samples[83];
-  const T t_133 = t_60 + t_64;
-  const T t_134 = t_60 - t_64;
-  const T t_135 = t_68 + t_72;
-  const T t_136 = t_68 - t_72;
-  const T t_137 = t_133 + t_135;
-  const T t_138 = t_133 - t_135;
-  const T t_139 = t_137 * samples[12];
-  const T t_140 = t_138 * samples[13];
-  const T t_141 = t_137 * samples[48];
-  const T t_142 = t_137 * samples[84];
-  const T t_143 = t_138 * samples[49];
-  const T t_144 = t_138 * samples[85];
-  const T t_145 = t_134 + t_136;
-  const T t_146 = t_134 - t_136;
-  const T t_147 = t_145 * samples[14];
-  const T t_148 = t_146 * samples[15];
-  const T t_149 = t_145 * samples[50];
-  const T t_150 = t_145 * samples[86];
-  const T t_151 = t_146 * samples[51];
-  const T t_152 = t_146 * samples[87];
-  const T t_153 = t_79 + t_80;
-  const T t_154 = t_79 - t_80;
-  const T t_155 = t_87 + t_88;
-  const T t_156 = t_87 - t_88;
-  const T t_157 = t_153 + t_155;
-  const T t_158 = t_99 + t_100;
-  const T t_159 = t_99 - t_100;
-  const T t_160 = t_107 + t_108;
-  const T t_161 = t_107 - t_108;
-  const T t_162 = t_158 + t_160;
-  const T t_163 = k_30 * (t_159 + t_161) + (t_154 + t_156);
-  const T t_164 = k_31 * (t_159 - t_161) + (t_154 - t_156);
-  const T t_165 = t_119 + t_120;
-  const T t_166 = t_119 - t_120;
-  const T t_167 = t_127 + t_128;
-  const T t_168 = t_127 - t_128;
-  const T t_169 = t_165 + t_167;
-  const T t_170 = t_139 + t_140;
-  const T t_171 = t_139 - t_140;
-  const T t_172 = t_147 + t_148;
-  const T t_173 = t_147 - t_148;
-  const T t_174 = t_170 + t_172;
-  const T t_175 = k_30 * (t_171 + t_173) + (t_166 + t_168);
-  const T t_176 = k_31 * (t_171 - t_173) + (t_166 - t_168);
-  const T t_177 = t_162 + t_157;
-  const T t_178 = t_174 + t_169;
-  const T t_179 = t_177 + t_178;
-  const T t_180 = t_81 + t_83;
-  const T t_181 = t_81 - t_83;
-  const T t_182 = t_89 + t_91;
-  const T t_183 = t_89 - t_91;
-  const T t_184 = t_180 + t_182;
-  const T t_185 = t_101 + t_103;
-  const T t_186 = t_101 - t_103;
-  const T t_187 = t_109 + t_111;
-  const T t_188 = t_109 - t_111;
-  const T t_189 = t_185 + t_187;
-  const T t_190 = k_30 * (t_186 + t_188) + (t_181 + t_183);
-  const T t_191 = k_31 * (t_186 - t_188) + (t_181 - t_183);
-  const T t_192 = t_121 + t_123;
-  const T t_193 = t_121 - t_123;
-  const T t_194 = t_129 + t_131;
-  const T t_195 = t_129 - t_131;
+  const T t_59 = t_14 + t_25;
+  const T t_60 = t_25 - t_14;
+  const T t_61 = t_43 + t_55;
+  const T t_62 = k_30 * t_43 - k_31 * t_55;
+  const T t_63 = t_19 + t_31;
+  const T t_64 = k_31 * t_31 - k_30 * t_19;
+  const T t_65 = t_57 + t_59;
+  const T t_66 = t_57 - t_59;
+  const T t_67 = t_61 + t_63;
+  const T t_68 = t_61 - t_63;
+  const T t_69 = t_65 + t_67;
+  const T t_70 = t_65 - t_67;
+  const T t_71 = t_69 * T(samples[0]);
+  const T t_72 = t_70 * T(samples[1]);
+  const T t_73 = t_69 * T(samples[36]);
+  const T t_74 = t_69 * T(samples[72]);
+  const T t_75 = t_70 * T(samples[37]);
+  const T t_76 = t_70 * T(samples[73]);
+  const T t_77 = t_66 + t_68;
+  const T t_78 = t_66 - t_68;
+  const T t_79 = t_77 * T(samples[2]);
+  const T t_80 = t_78 * T(samples[3]);
+  const T t_81 = t_77 * T(samples[38]);
+  const T t_82 = t_77 * T(samples[74]);
+  const T t_83 = t_78 * T(samples[39]);
+  const T t_84 = t_78 * T(samples[75]);
+  const T t_85 = t_58 + t_60;
+  const T t_86 = t_58 - t_60;
+  const T t_87 = t_62 + t_64;
+  const T t_88 = t_62 - t_64;
+  const T t_89 = t_85 + t_87;
+  const T t_90 = t_85 - t_87;
+  const T t_91 = t_89 * T(samples[4]);
+  const T t_92 = t_90 * T(samples[5]);
+  const T t_93 = t_89 * T(samples[40]);
+  const T t_94 = t_89 * T(samples[76]);
+  const T t_95 = t_90 * T(samples[41]);
+  const T t_96 = t_90 * T(samples[77]);
+  const T t_97 = t_86 + t_88;
+  const T t_98 = t_86 - t_88;
+  const T t_99 = t_97 * T(samples[6]);
+  const T t_100 = t_98 * T(samples[7]);
+  const T t_101 = t_97 * T(samples[42]);
+  const T t_102 = t_97 * T(samples[78]);
+  const T t_103 = t_98 * T(samples[43]);
+  const T t_104 = t_98 * T(samples[79]);
+  const T t_105 = t_71 + t_72;
+  const T t_106 = t_71 - t_72;
+  const T t_107 = t_79 + t_80;
+  const T t_108 = t_79 - t_80;
+  const T t_109 = t_105 + t_107;
+  const T t_110 = t_91 + t_92;
+  const T t_111 = t_91 - t_92;
+  const T t_112 = t_99 + t_100;
+  const T t_113 = t_99 - t_100;
+  const T t_114 = t_110 + t_112;
+  const T t_115 = k_30 * (t_111 + t_113) + (t_106 + t_108);
+  const T t_116 = k_31 * (t_111 - t_113) + (t_106 - t_108);
+  const T t_117 = t_114 + t_109;
+  const T t_118 = t_73 + t_75;
+  const T t_119 = t_73 - t_75;
+  const T t_120 = t_81 + t_83;
+  const T t_121 = t_81 - t_83;
+  const T t_122 = t_118 + t_120;
+  const T t_123 = t_93 + t_95;
+  const T t_124 = t_93 - t_95;
+  const T t_125 = t_101 + t_103;
+  const T t_126 = t_101 - t_103;
+  const T t_127 = t_123 + t_125;
+  const T t_128 = k_30 * (t_124 + t_126) + (t_119 + t_121);
+  const T t_129 = k_31 * (t_124 - t_126) + (t_119 - t_121);
+  const T t_130 = t_127 + t_122;
+  const T t_131 = t_74 + t_76;
+  const T t_132 = t_74 - t_76;
+  const T t_133 = t_82 + t_84;
+  const T t_134 = t_82 - t_84;
+  const T t_135 = t_131 + t_133;
+  const T t_136 = t_94 + t_96;
+  const T t_137 = t_94 - t_96;
+  const T t_138 = t_102 + t_104;
+  const T t_139 = t_102 - t_104;
+  const T t_140 = t_136 + t_138;
+  const T t_141 = k_30 * (t_137 + t_139) + (t_132 + t_134);
+  const T t_142 = k_31 * (t_137 - t_139) + (t_132 - t_134);
+  const T t_143 = t_140 + t_135;
+  const T t_144 = t_38 + t_50;
+  const T t_145 = t_38 - t_50;
+  const T t_146 = t_14 + t_26;
+  const T t_147 = t_26 - t_14;
+  const T t_148 = t_44 + t_56;
+  const T t_149 = k_30 * t_44 - k_31 * t_56;
+  const T t_150 = t_20 + t_32;
+  const T t_151 = k_31 * t_32 - k_30 * t_20;
+  const T t_152 = t_144 + t_146;
+  const T t_153 = t_144 - t_146;
+  const T t_154 = t_148 + t_150;
+  const T t_155 = t_148 - t_150;
+  const T t_156 = t_152 + t_154;
+  const T t_157 = t_152 - t_154;
+  const T t_158 = t_156 * T(samples[8]);
+  const T t_159 = t_157 * T(samples[9]);
+  const T t_160 = t_156 * T(samples[44]);
+  const T t_161 = t_156 * T(samples[80]);
+  const T t_162 = t_157 * T(samples[45]);
+  const T t_163 = t_157 * T(samples[81]);
+  const T t_164 = t_153 + t_155;
+  const T t_165 = t_153 - t_155;
+  const T t_166 = t_164 * T(samples[10]);
+  const T t_167 = t_165 * T(samples[11]);
+  const T t_168 = t_164 * T(samples[46]);
+  const T t_169 = t_164 * T(samples[82]);
+  const T t_170 = t_165 * T(samples[47]);
+  const T t_171 = t_165 * T(samples[83]);
+  const T t_172 = t_145 + t_147;
+  const T t_173 = t_145 - t_147;
+  const T t_174 = t_149 + t_151;
+  const T t_175 = t_149 - t_151;
+  const T t_176 = t_172 + t_174;
+  const T t_177 = t_172 - t_174;
+  const T t_178 = t_176 * T(samples[12]);
+  const T t_179 = t_177 * T(samples[13]);
+  const T t_180 = t_176 * T(samples[48]);
+  const T t_181 = t_176 * T(samples[84]);
+  const T t_182 = t_177 * T(samples[49]);
+  const T t_183 = t_177 * T(samples[85]);
+  const T t_184 = t_173 + t_175;
+  const T t_185 = t_173 - t_175;
+  const T t_186 = t_184 * T(samples[14]);
+  const T t_187 = t_185 * T(samples[15]);
+  const T t_188 = t_184 * T(samples[50]);
+  const T t_189 = t_184 * T(samples[86]);
+  const T t_190 = t_185 * T(samples[51]);
+  const T t_191 = t_185 * T(samples[87]);
+  const T t_192 = t_158 + t_159;
+  const T t_193 = t_158 - t_159;
+  const T t_194 = t_166 + t_167;
+  const T t_195 = t_166 - t_167;
   const T t_196 = t_192 + t_194;
-  const T t_197 = t_141 + t_143;
-  const T t_198 = t_141 - t_143;
-  const T t_199 = t_149 + t_151;
-  const T t_200 = t_149 - t_151;
+  const T t_197 = t_178 + t_179;
+  const T t_198 = t_178 - t_179;
+  const T t_199 = t_186 + t_187;
+  const T t_200 = t_186 - t_187;
   const T t_201 = t_197 + t_199;
   const T t_202 = k_30 * (t_198 + t_200) + (t_193 + t_195);
   const T t_203 = k_31 * (t_198 - t_200) + (t_193 - t_195);
-  const T t_204 = t_189 + t_184;
-  const T t_205 = t_201 + t_196;
-  const T t_206 = t_204 + t_205;
-  const T t_207 = t_82 + t_84;
-  const T t_208 = t_82 - t_84;
-  const T t_209 = t_90 + t_92;
-  const T t_210 = t_90 - t_92;
-  const T t_211 = t_207 + t_209;
-  const T t_212 = t_102 + t_104;
-  const T t_213 = t_102 - t_104;
-  const T t_214 = t_110 + t_112;
-  const T t_215 = t_110 - t_112;
-  const T t_216 = t_212 + t_214;
-  const T t_217 = k_30 * (t_213 + t_215) + (t_208 + t_210);
-  const T t_218 = k_31 * (t_213 - t_215) + (t_208 - t_210);
-  const T t_219 = t_122 + t_124;
-  const T t_220 = t_122 - t_124;
-  const T t_221 = t_130 + t_132;
-  const T t_222 = t_130 - t_132;
-  const T t_223 = t_219 + t_221;
-  const T t_224 = t_142 + t_144;
-  const T t_225 = t_142 - t_144;
-  const T t_226 = t_150 + t_152;
-  const T t_227 = t_150 - t_152;
-  const T t_228 = t_224 + t_226;
-  const T t_229 = k_30 * (t_225 + t_227) + (t_220 + t_222);
-  const T t_230 = k_31 * (t_225 - t_227) + (t_220 - t_222);
-  const T t_231 = t_216 + t_211;
-  const T t_232 = t_228 + t_223;
-  const T t_233 = t_231 + t_232;
+  const T t_204 = t_201 + t_196;
+  const T t_205 = t_160 + t_162;
+  const T t_206 = t_160 - t_162;
+  const T t_207 = t_168 + t_170;
+  const T t_208 = t_168 - t_170;
+  const T t_209 = t_205 + t_207;
+  const T t_210 = t_180 + t_182;
+  const T t_211 = t_180 - t_182;
+  const T t_212 = t_188 + t_190;
+  const T t_213 = t_188 - t_190;
+  const T t_214 = t_210 + t_212;
+  const T t_215 = k_30 * (t_211 + t_213) + (t_206 + t_208);
+  const T t_216 = k_31 * (t_211 - t_213) + (t_206 - t_208);
+  const T t_217 = t_214 + t_209;
+  const T t_218 = t_161 + t_163;
+  const T t_219 = t_161 - t_163;
+  const T t_220 = t_169 + t_171;
+  const T t_221 = t_169 - t_171;
+  const T t_222 = t_218 + t_220;
+  const T t_223 = t_181 + t_183;
+  const T t_224 = t_181 - t_183;
+  const T t_225 = t_189 + t_191;
+  const T t_226 = t_189 - t_191;
+  const T t_227 = t_223 + t_225;
+  const T t_228 = k_30 * (t_224 + t_226) + (t_219 + t_221);
+  const T t_229 = k_31 * (t_224 - t_226) + (t_219 - t_221);
+  const T t_230 = t_227 + t_222;
+  const T t_231 = t_117 + t_204;
+  const T t_232 = t_130 + t_217;
+  const T t_233 = t_143 + t_230;
   const T t_234 = k_40 * visibility[16];
   const T t_235 = t_16 + t_18;
   const T t_236 = t_16 - t_18;
@@ -376,217 +376,217 @@ constexpr void transfer_apply_rgb_l2(const T* visibility, const T* samples, T* o
   const T t_248 = t_52 - t_54;
   const T t_249 = t_241 + t_245;
   const T t_250 = t_241 - t_245;
-  const T t_251 = t_242 + t_246;
-  const T t_252 = t_242 - t_246;
-  const T t_253 = t_234 + t_237;
-  const T t_254 = t_237 - t_234;
-  const T t_255 = t_234 + t_238;
-  const T t_256 = t_238 - t_234;
-  const T t_257 = t_243 + t_247;
-  const T t_258 = k_30 * t_243 - k_31 * t_247;
-  const T t_259 = t_244 + t_248;
-  const T t_260 = k_30 * t_244 - k_31 * t_248;
-  const T t_261 = t_235 + t_239;
-  const T t_262 = k_31 * t_239 - k_30 * t_235;
-  const T t_263 = t_236 + t_240;
-  const T t_264 = k_31 * t_240 - k_30 * t_236;
-  const T t_265 = t_249 + t_253;
-  const T t_266 = t_249 - t_253;
-  const T t_267 = t_257 + t_261;
-  const T t_268 = t_257 - t_261;
-  const T t_269 = t_265 + t_267;
-  const T t_270 = t_265 - t_267;
-  const T t_271 = t_269 * samples[16];
-  const T t_272 = t_270 * samples[17];
-  const T t_273 = t_269 * samples[52];
-  const T t_274 = t_269 * samples[88];
-  const T t_275 = t_270 * samples[53];
-  const T t_276 = t_270 * samples[89];
-  const T t_277 = t_266 + t_268;
-  const T t_278 = t_266 - t_268;
-  const T t_279 = t_277 * samples[18];
-  const T t_280 = t_278 * samples[19];
-  const T t_281 = t_277 * samples[54];
-  const T t_282 = t_277 * samples[90];
-  const T t_283 = t_278 * samples[55];
-  const T t_284 = t_278 * samples[91];
-  const T t_285 = t_250 + t_254;
-  const T t_286 = t_250 - t_254;
-  const T t_287 = t_258 + t_262;
-  const T t_288 = t_258 - t_262;
-  const T t_289 = t_285 + t_287;
-  const T t_290 = t_285 - t_287;
-  const T t_291 = t_289 * samples[20];
-  const T t_292 = t_290 * samples[21];
-  const T t_293 = t_289 * samples[56];
-  const T t_294 = t_289 * samples[92];
-  const T t_295 = t_290 * samples[57];
-  const T t_296 = t_290 * samples[93];
-  const T t_297 = t_286 + t_288;
-  const T t_298 = t_286 - t_288;
-  const T t_299 = t_297 * samples[22];
-  const T t_300 = t_298 * samples[23];
-  const T t_301 = t_297 * samples[58];
-  const T t_302 = t_297 * samples[94];
-  const T t_303 = t_298 * samples[59];
-  const T t_304 = t_298 * samples[95];
-  const T t_305 = t_251 + t_255;
-  const T t_306 = t_251 - t_255;
-  const T t_307 = t_259 + t_263;
-  const T t_308 = t_259 - t_263;
-  const T t_309 = t_305 + t_307;
-  const T t_310 = t_305 - t_307;
-  const T t_311 = t_309 * samples[24];
-  const T t_312 = t_310 * samples[25];
-  const T t_313 = t_309 * samples[60];
-  const T t_314 = t_309 * samples[96];
-  const T t_315 = t_310 * samples[61];
-  const T t_316 = t_310 * samples[97];
-  const T t_317 = t_306 + t_308;
-  const T t_318 = t_306 - t_308;
-  const T t_319 = t_317 * samples[26];
-  const T t_320 = t_318 * samples[27];
-  const T t_321 = t_317 * samples[62];
-  const T t_322 = t_317 * samples[98];
-  const T t_323 = t_318 * samples[63];
-  const T t_324 = t_318 * samples[99];
-  const T t_325 = t_252 + t_256;
-  const T t_326 = t_252 - t_256;
-  const T t_327 = t_260 + t_264;
-  const T t_328 = t_260 - t_264;
-  const T t_329 = t_325 + t_327;
-  const T t_330 = t_325 - t_327;
-  const T t_331 = t_329 * samples[28];
-  const T t_332 = t_330 * samples[29];
-  const T t_333 = t_329 * samples[64];
-  const T t_334 = t_329 * samples[100];
-  const T t_335 = t_330 * samples[65];
-  const T t_336 = t_330 * samples[101];
-  const T t_337 = t_326 + t_328;
-  const T t_338 = t_326 - t_328;
-  const T t_339 = t_337 * samples[30];
-  const T t_340 = t_338 * samples[31];
-  const T t_341 = t_337 * samples[66];
-  const T t_342 = t_337 * samples[102];
-  const T t_343 = t_338 * samples[67];
-  const T t_344 = t_338 * samples[103];
-  const T t_345 = t_271 + t_272;
-  const T t_346 = t_271 - t_272;
-  const T t_347 = t_279 + t_280;
-  const T t_348 = t_279 - t_280;
-  const T t_349 = t_345 + t_347;
-  const T t_350 = t_291 + t_292;
-  const T t_351 = t_291 - t_292;
-  const T t_352 = t_299 + t_300;
-  const T t_353 = t_299 - t_300;
-  const T t_354 = t_350 + t_352;
-  const T t_355 = k_30 * (t_351 + t_353) + (t_346 + t_348);
-  const T t_356 = k_31 * (t_351 - t_353) + (t_346 - t_348);
-  const T t_357 = t_311 + t_312;
-  const T t_358 = t_311 - t_312;
-  const T t_359 = t_319 + t_320;
-  const T t_360 = t_319 - t_320;
-  const T t_361 = t_357 + t_359;
-  const T t_362 = t_331 + t_332;
-  const T t_363 = t_331 - t_332;
-  const T t_364 = t_339 + t_340;
-  const T t_365 = t_339 - t_340;
-  const T t_366 = t_362 + t_364;
-  const T t_367 = k_30 * (t_363 + t_365) + (t_358 + t_360);
-  const T t_368 = k_31 * (t_363 - t_365) + (t_358 - t_360);
-  const T t_369 = t_354 + t_349;
-  const T t_370 = t_366 + t_361;
-  out[1] = k_33 * (t_164 + t_176) + k_62 * (t_356 + t_368);                        // red l=1 m=-1
-  out[5] = k_34 * (t_164 - t_176) + k_63 * (t_356 - t_368);                        // red l=2 m=-1
-  const T t_371 = t_369 + t_370;
-  out[2] = k_7 * (t_5 - t_6) + k_36 * (t_177 - t_178) + k_65 * (t_369 - t_370);    // red l=1 m=0
-  out[0] = k_6 * t_11 + k_35 * t_179 + k_64 * t_371;                               // red l=0 m=0
-  out[6] = k_8 * t_11 + k_37 * t_179 - k_66 * t_371;                               // red l=2 m=0
-  out[3] = k_38 * (t_163 + t_175) + k_67 * (t_355 + t_367);                        // red l=1 m=1
-  out[7] = k_39 * (t_163 - t_175) + k_68 * (t_355 - t_367);                        // red l=2 m=1
-  const T t_372 = t_273 + t_275;
-  const T t_373 = t_273 - t_275;
-  const T t_374 = t_281 + t_283;
-  const T t_375 = t_281 - t_283;
-  const T t_376 = t_372 + t_374;
-  const T t_377 = t_293 + t_295;
-  const T t_378 = t_293 - t_295;
-  const T t_379 = t_301 + t_303;
-  const T t_380 = t_301 - t_303;
-  const T t_381 = t_377 + t_379;
-  const T t_382 = k_30 * (t_378 + t_380) + (t_373 + t_375);
-  const T t_383 = k_31 * (t_378 - t_380) + (t_373 - t_375);
-  const T t_384 = t_313 + t_315;
-  const T t_385 = t_313 - t_315;
-  const T t_386 = t_321 + t_323;
-  const T t_387 = t_321 - t_323;
+  const T t_251 = t_234 + t_237;
+  const T t_252 = t_237 - t_234;
+  const T t_253 = t_243 + t_247;
+  const T t_254 = k_30 * t_243 - k_31 * t_247;
+  const T t_255 = t_235 + t_239;
+  const T t_256 = k_31 * t_239 - k_30 * t_235;
+  const T t_257 = t_249 + t_251;
+  const T t_258 = t_249 - t_251;
+  const T t_259 = t_253 + t_255;
+  const T t_260 = t_253 - t_255;
+  const T t_261 = t_257 + t_259;
+  const T t_262 = t_257 - t_259;
+  const T t_263 = t_261 * T(samples[16]);
+  const T t_264 = t_262 * T(samples[17]);
+  const T t_265 = t_261 * T(samples[52]);
+  const T t_266 = t_261 * T(samples[88]);
+  const T t_267 = t_262 * T(samples[53]);
+  const T t_268 = t_262 * T(samples[89]);
+  const T t_269 = t_258 + t_260;
+  const T t_270 = t_258 - t_260;
+  const T t_271 = t_269 * T(samples[18]);
+  const T t_272 = t_270 * T(samples[19]);
+  const T t_273 = t_269 * T(samples[54]);
+  const T t_274 = t_269 * T(samples[90]);
+  const T t_275 = t_270 * T(samples[55]);
+  const T t_276 = t_270 * T(samples[91]);
+  const T t_277 = t_250 + t_252;
+  const T t_278 = t_250 - t_252;
+  const T t_279 = t_254 + t_256;
+  const T t_280 = t_254 - t_256;
+  const T t_281 = t_277 + t_279;
+  const T t_282 = t_277 - t_279;
+  const T t_283 = t_281 * T(samples[20]);
+  const T t_284 = t_282 * T(samples[21]);
+  const T t_285 = t_281 * T(samples[56]);
+  const T t_286 = t_281 * T(samples[92]);
+  const T t_287 = t_282 * T(samples[57]);
+  const T t_288 = t_282 * T(samples[93]);
+  const T t_289 = t_278 + t_280;
+  const T t_290 = t_278 - t_280;
+  const T t_291 = t_289 * T(samples[22]);
+  const T t_292 = t_290 * T(samples[23]);
+  const T t_293 = t_289 * T(samples[58]);
+  const T t_294 = t_289 * T(samples[94]);
+  const T t_295 = t_290 * T(samples[59]);
+  const T t_296 = t_290 * T(samples[95]);
+  const T t_297 = t_263 + t_264;
+  const T t_298 = t_263 - t_264;
+  const T t_299 = t_271 + t_272;
+  const T t_300 = t_271 - t_272;
+  const T t_301 = t_297 + t_299;
+  const T t_302 = t_283 + t_284;
+  const T t_303 = t_283 - t_284;
+  const T t_304 = t_291 + t_292;
+  const T t_305 = t_291 - t_292;
+  const T t_306 = t_302 + t_304;
+  const T t_307 = k_30 * (t_303 + t_305) + (t_298 + t_300);
+  const T t_308 = k_31 * (t_303 - t_305) + (t_298 - t_300);
+  const T t_309 = t_306 + t_301;
+  const T t_310 = t_265 + t_267;
+  const T t_311 = t_265 - t_267;
+  const T t_312 = t_273 + t_275;
+  const T t_313 = t_273 - t_275;
+  const T t_314 = t_310 + t_312;
+  const T t_315 = t_285 + t_287;
+  const T t_316 = t_285 - t_287;
+  const T t_317 = t_293 + t_295;
+  const T t_318 = t_293 - t_295;
+  const T t_319 = t_315 + t_317;
+  const T t_320 = k_30 * (t_316 + t_318) + (t_311 + t_313);
+  const T t_321 = k_31 * (t_316 - t_318) + (t_311 - t_313);
+  const T t_322 = t_319 + t_314;
+  const T t_323 = t_266 + t_268;
+  const T t_324 = t_266 - t_268;
+  const T t_325 = t_274 + t_276;
+  const T t_326 = t_274 - t_276;
+  const T t_327 = t_323 + t_325;
+  const T t_328 = t_286 + t_288;
+  const T t_329 = t_286 - t_288;
+  const T t_330 = t_294 + t_296;
+  const T t_331 = t_294 - t_296;
+  const T t_332 = t_328 + t_330;
+  const T t_333 = k_30 * (t_329 + t_331) + (t_324 + t_326);
+  const T t_334 = k_31 * (t_329 - t_331) + (t_324 - t_326);
+  const T t_335 = t_332 + t_327;
+  const T t_336 = t_242 + t_246;
+  const T t_337 = t_242 - t_246;
+  const T t_338 = t_234 + t_238;
+  const T t_339 = t_238 - t_234;
+  const T t_340 = t_244 + t_248;
+  const T t_341 = k_30 * t_244 - k_31 * t_248;
+  const T t_342 = t_236 + t_240;
+  const T t_343 = k_31 * t_240 - k_30 * t_236;
+  const T t_344 = t_336 + t_338;
+  const T t_345 = t_336 - t_338;
+  const T t_346 = t_340 + t_342;
+  const T t_347 = t_340 - t_342;
+  const T t_348 = t_344 + t_346;
+  const T t_349 = t_344 - t_346;
+  const T t_350 = t_348 * T(samples[24]);
+  const T t_351 = t_349 * T(samples[25]);
+  const T t_352 = t_348 * T(samples[60]);
+  const T t_353 = t_348 * T(samples[96]);
+  const T t_354 = t_349 * T(samples[61]);
+  const T t_355 = t_349 * T(samples[97]);
+  const T t_356 = t_345 + t_347;
+  const T t_357 = t_345 - t_347;
+  const T t_358 = t_356 * T(samples[26]);
+  const T t_359 = t_357 * T(samples[27]);
+  const T t_360 = t_356 * T(samples[62]);
+  const T t_361 = t_356 * T(samples[98]);
+  const T t_362 = t_357 * T(samples[63]);
+  const T t_363 = t_357 * T(samples[99]);
+  const T t_364 = t_337 + t_339;
+  const T t_365 = t_337 - t_339;
+  const T t_366 = t_341 + t_343;
+  const T t_367 = t_341 - t_343;
+  const T t_368 = t_364 + t_366;
+  const T t_369 = t_364 - t_366;
+  const T t_370 = t_368 * T(samples[28]);
+  const T t_371 = t_369 * T(samples[29]);
+  const T t_372 = t_368 * T(samples[64]);
+  const T t_373 = t_368 * T(samples[100]);
+  const T t_374 = t_369 * T(samples[65]);
+  const T t_375 = t_369 * T(samples[101]);
+  const T t_376 = t_365 + t_367;
+  const T t_377 = t_365 - t_367;
+  const T t_378 = t_376 * T(samples[30]);
+  const T t_379 = t_377 * T(samples[31]);
+  const T t_380 = t_376 * T(samples[66]);
+  const T t_381 = t_376 * T(samples[102]);
+  const T t_382 = t_377 * T(samples[67]);
+  const T t_383 = t_377 * T(samples[103]);
+  const T t_384 = t_350 + t_351;
+  const T t_385 = t_350 - t_351;
+  const T t_386 = t_358 + t_359;
+  const T t_387 = t_358 - t_359;
   const T t_388 = t_384 + t_386;
-  const T t_389 = t_333 + t_335;
-  const T t_390 = t_333 - t_335;
-  const T t_391 = t_341 + t_343;
-  const T t_392 = t_341 - t_343;
+  const T t_389 = t_370 + t_371;
+  const T t_390 = t_370 - t_371;
+  const T t_391 = t_378 + t_379;
+  const T t_392 = t_378 - t_379;
   const T t_393 = t_389 + t_391;
   const T t_394 = k_30 * (t_390 + t_392) + (t_385 + t_387);
   const T t_395 = k_31 * (t_390 - t_392) + (t_385 - t_387);
-  const T t_396 = t_381 + t_376;
-  const T t_397 = t_393 + t_388;
-  out[10] = k_33 * (t_191 + t_203) + k_62 * (t_383 + t_395);                       // green l=1 m=-1
-  out[14] = k_34 * (t_191 - t_203) + k_63 * (t_383 - t_395);                       // green l=2 m=-1
-  const T t_398 = t_396 + t_397;
-  out[11] = k_7 * (t_7 - t_9) + k_36 * (t_204 - t_205) + k_65 * (t_396 - t_397);   // green l=1 m=0
-  out[9] = k_6 * t_12 + k_35 * t_206 + k_64 * t_398;                               // green l=0 m=0
-  out[15] = k_8 * t_12 + k_37 * t_206 - k_66 * t_398;                              // green l=2 m=0
-  out[12] = k_38 * (t_190 + t_202) + k_67 * (t_382 + t_394);                       // green l=1 m=1
-  out[16] = k_39 * (t_190 - t_202) + k_68 * (t_382 - t_394);                       // green l=2 m=1
-  const T t_399 = t_274 + t_276;
-  const T t_400 = t_274 - t_276;
-  const T t_401 = t_282 + t_284;
-  const T t_402 = t_282 - t_284;
-  const T t_403 = t_399 + t_401;
-  const T t_404 = t_294 + t_296;
-  const T t_405 = t_294 - t_296;
-  const T t_406 = t_302 + t_304;
-  const T t_407 = t_302 - t_304;
-  const T t_408 = t_404 + t_406;
-  const T t_409 = k_30 * (t_405 + t_407) + (t_400 + t_402);
-  const T t_410 = k_31 * (t_405 - t_407) + (t_400 - t_402);
-  const T t_411 = t_314 + t_316;
-  const T t_412 = t_314 - t_316;
-  const T t_413 = t_322 + t_324;
-  const T t_414 = t_322 - t_324;
-  const T t_415 = t_411 + t_413;
-  const T t_416 = t_334 + t_336;
-  const T t_417 = t_334 - t_336;
-  const T t_418 = t_342 + t_344;
-  const T t_419 = t_342 - t_344;
-  const T t_420 = t_416 + t_418;
-  const T t_421 = k_30 * (t_417 + t_419) + (t_412 + t_414);
-  const T t_422 = k_31 * (t_417 - t_419) + (t_412 - t_414);
-  const T t_423 = t_408 + t_403;
-  const T t_424 = t_420 + t_415;
-  out[19] = k_33 * (t_218 + t_230) + k_62 * (t_410 + t_422);                       // blue l=1 m=-1
-  out[23] = k_34 * (t_218 - t_230) + k_63 * (t_410 - t_422);                       // blue l=2 m=-1
-  const T t_425 = t_423 + t_424;
-  out[20] = k_7 * (t_8 - t_10) + k_36 * (t_231 - t_232) + k_65 * (t_423 - t_424);  // blue l=1 m=0
+  const T t_396 = t_393 + t_388;
+  const T t_397 = t_352 + t_354;
+  const T t_398 = t_352 - t_354;
+  const T t_399 = t_360 + t_362;
+  const T t_400 = t_360 - t_362;
+  const T t_401 = t_397 + t_399;
+  const T t_402 = t_372 + t_374;
+  const T t_403 = t_372 - t_374;
+  const T t_404 = t_380 + t_382;
+  const T t_405 = t_380 - t_382;
+  const T t_406 = t_402 + t_404;
+  const T t_407 = k_30 * (t_403 + t_405) + (t_398 + t_400);
+  const T t_408 = k_31 * (t_403 - t_405) + (t_398 - t_400);
+  const T t_409 = t_406 + t_401;
+  const T t_410 = t_353 + t_355;
+  const T t_411 = t_353 - t_355;
+  const T t_412 = t_361 + t_363;
+  const T t_413 = t_361 - t_363;
+  const T t_414 = t_410 + t_412;
+  const T t_415 = t_373 + t_375;
+  const T t_416 = t_373 - t_375;
+  const T t_417 = t_381 + t_383;
+  const T t_418 = t_381 - t_383;
+  const T t_419 = t_415 + t_417;
+  const T t_420 = k_30 * (t_416 + t_418) + (t_411 + t_413);
+  const T t_421 = k_31 * (t_416 - t_418) + (t_411 - t_413);
+  const T t_422 = t_419 + t_414;
+  out[1] = k_33 * (t_116 + t_203) + k_62 * (t_308 + t_395);                        // red l=1 m=-1
+  out[5] = k_34 * (t_116 - t_203) + k_63 * (t_308 - t_395);                        // red l=2 m=-1
+  const T t_423 = t_309 + t_396;
+  out[2] = k_7 * (t_5 - t_6) + k_36 * (t_117 - t_204) + k_65 * (t_309 - t_396);    // red l=1 m=0
+  out[0] = k_6 * t_11 + k_35 * t_231 + k_64 * t_423;                               // red l=0 m=0
+  out[6] = k_8 * t_11 + k_37 * t_231 - k_66 * t_423;                               // red l=2 m=0
+  out[3] = k_38 * (t_115 + t_202) + k_67 * (t_307 + t_394);                        // red l=1 m=1
+  out[7] = k_39 * (t_115 - t_202) + k_68 * (t_307 - t_394);                        // red l=2 m=1
+  out[10] = k_33 * (t_129 + t_216) + k_62 * (t_321 + t_408);                       // green l=1 m=-1
+  out[14] = k_34 * (t_129 - t_216) + k_63 * (t_321 - t_408);                       // green l=2 m=-1
+  const T t_424 = t_322 + t_409;
+  out[11] = k_7 * (t_7 - t_9) + k_36 * (t_130 - t_217) + k_65 * (t_322 - t_409);   // green l=1 m=0
+  out[9] = k_6 * t_12 + k_35 * t_232 + k_64 * t_424;                               // green l=0 m=0
+  out[15] = k_8 * t_12 + k_37 * t_232 - k_66 * t_424;                              // green l=2 m=0
+  out[12] = k_38 * (t_128 + t_215) + k_67 * (t_320 + t_407);                       // green l=1 m=1
+  out[16] = k_39 * (t_128 - t_215) + k_68 * (t_320 - t_407);                       // green l=2 m=1
+  out[19] = k_33 * (t_142 + t_229) + k_62 * (t_334 + t_421);                       // blue l=1 m=-1
+  out[23] = k_34 * (t_142 - t_229) + k_63 * (t_334 - t_421);                       // blue l=2 m=-1
+  const T t_425 = t_335 + t_422;
+  out[20] = k_7 * (t_8 - t_10) + k_36 * (t_143 - t_230) + k_65 * (t_335 - t_422);  // blue l=1 m=0
   out[18] = k_6 * t_13 + k_35 * t_233 + k_64 * t_425;                              // blue l=0 m=0
   out[24] = k_8 * t_13 + k_37 * t_233 - k_66 * t_425;                              // blue l=2 m=0
-  out[21] = k_38 * (t_217 + t_229) + k_67 * (t_409 + t_421);                       // blue l=1 m=1
-  out[25] = k_39 * (t_217 - t_229) + k_68 * (t_409 - t_421);                       // blue l=2 m=1
-  out[8] = k_32 * (t_169 - t_174 - t_162 + t_157) + k_61 * (t_361 - t_366 - t_354 + t_349)
-      + visibility[24] * samples[34] - visibility[16] * samples[35];               // red l=2 m=2
-  out[4] = k_32 * (t_170 - t_172 + (t_165 - t_167) + (t_158 - t_160) + (t_153 - t_155)) + k_61 * (t_362 - t_364
-      + (t_357 - t_359) + (t_350 - t_352) + (t_345 - t_347)) - visibility[24] * samples[35]
-      - visibility[16] * samples[34];                                              // red l=2 m=-2
-  out[17] = k_32 * (t_196 - t_201 - t_189 + t_184) + k_61 * (t_388 - t_393 - t_381 + t_376)
-      + visibility[24] * samples[70] - visibility[16] * samples[71];               // green l=2 m=2
-  out[13] = k_32 * (t_197 - t_199 + (t_192 - t_194) + (t_185 - t_187) + (t_180 - t_182)) + k_61 * (t_389 - t_391
-      + (t_384 - t_386) + (t_377 - t_379) + (t_372 - t_374)) - visibility[24] * samples[71]
-      - visibility[16] * samples[70];                                              // green l=2 m=-2
-  out[26] = k_32 * (t_223 - t_228 - t_216 + t_211) + k_61 * (t_415 - t_420 - t_408 + t_403)
-      + visibility[24] * samples[106] - visibility[16] * samples[107];             // blue l=2 m=2
-  out[22] = k_32 * (t_224 - t_226 + (t_219 - t_221) + (t_212 - t_214) + (t_207 - t_209)) + k_61 * (t_416 - t_418
-      + (t_411 - t_413) + (t_404 - t_406) + (t_399 - t_401)) - visibility[24] * samples[107]
-      - visibility[16] * samples[106];                                             // blue l=2 m=-2
+  out[21] = k_38 * (t_141 + t_228) + k_67 * (t_333 + t_420);                       // blue l=1 m=1
+  out[25] = k_39 * (t_141 - t_228) + k_68 * (t_333 - t_420);                       // blue l=2 m=1
+  out[8] = k_32 * (t_109 - t_114 + (t_196 - t_201)) + k_61 * (t_301 - t_306 + (t_388 - t_393))
+      + visibility[24] * T(samples[34]) - visibility[16] * T(samples[35]);         // red l=2 m=2
+  out[4] = k_32 * (t_110 - t_112 + (t_105 - t_107) + (t_197 - t_199 + (t_192 - t_194))) + k_61 * (t_302 - t_304
+      + (t_297 - t_299) + (t_389 - t_391 + (t_384 - t_386))) - visibility[24] * T(samples[35])
+      - visibility[16] * T(samples[34]);                                           // red l=2 m=-2
+  out[17] = k_32 * (t_122 - t_127 + (t_209 - t_214)) + k_61 * (t_314 - t_319 + (t_401 - t_406))
+      + visibility[24] * T(samples[70]) - visibility[16] * T(samples[71]);         // green l=2 m=2
+  out[13] = k_32 * (t_123 - t_125 + (t_118 - t_120) + (t_210 - t_212 + (t_205 - t_207))) + k_61 * (t_315 - t_317
+      + (t_310 - t_312) + (t_402 - t_404 + (t_397 - t_399))) - visibility[24] * T(samples[71])
+      - visibility[16] * T(samples[70]);                                           // green l=2 m=-2
+  out[26] = k_32 * (t_135 - t_140 + (t_222 - t_227)) + k_61 * (t_327 - t_332 + (t_414 - t_419))
+      + visibility[24] * T(samples[106]) - visibility[16] * T(samples[107]);       // blue l=2 m=2
+  out[22] = k_32 * (t_136 - t_138 + (t_131 - t_133) + (t_223 - t_225 + (t_218 - t_220))) + k_61 * (t_328 - t_330
+      + (t_323 - t_325) + (t_415 - t_417 + (t_410 - t_412))) - visibility[24] * T(samples[107])
+      - visibility[16] * T(samples[106]);                                          // blue l=2 m=-2
 }
 
 }  // namespace sh

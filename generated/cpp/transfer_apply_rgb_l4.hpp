@@ -7,18 +7,18 @@
 // Domain:       any coefficients of the visibility, degree 0 to 8; a light from transfer_prepare
 // Output:       out (75): coefficients of visibility times light at index l(l+1)+m, orthonormal on the unit sphere, no
 //               Condon-Shortley phase
-// Recipe:       rings
+// Recipe:       looped
 // Source:       P.-P. Sloan, J. Kautz, J. Snyder, "Precomputed Radiance Transfer", SIGGRAPH 2002, equation 11; by
 //               quadrature on rings of constant z (Lobatto; M. Abramowitz, I. Stegun, 1964, 25.4), split by parity; z1,
 //               z2, ...: square roots of the zeros of the Jacobi polynomial P_4^(1,-1/2)(2t-1), falling
-// Cost:         1606 multiplications, 2719 additions; longest chain 27; at most 522 values live
+// Cost:         1606 multiplications, 2794 additions; longest chain 25; at most 189 values live
 // Error:        eps counts units of machine epsilon x |visibility| |light|, |light| = 1
 //               float   rounding  largest seen 1.0e-07 (0.8 eps)
 //               double  rounding  largest seen 1.7e-16 (0.8 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  no bound is proved: an input is a sampled function
 //               seen:     among 120 visibility (random, of norm 1) with prepared lights (random, of norm 1 in each
-//               channel) and 61184 evaluations of a search, without contraction
+//               channel) and 54016 evaluations of a search, without contraction
 #pragma once
 
 #include <type_traits>
@@ -55,2707 +55,1075 @@ constexpr T constant([[maybe_unused]] float in_float, [[maybe_unused]] double in
 
 namespace sh {
 
-template <class T>
-constexpr void transfer_apply_rgb_l4(const T* visibility, const T* samples, T* out) noexcept {
-  const T k     = detail::constant<T>(0.2820948f, 0.28209479177387814);         // 1/2 sqrt(1/pi)
-  const T k_2   = detail::constant<T>(0.48860252f, 0.4886025119029199);         // 1/2 sqrt(3/pi)
-  const T k_3   = detail::constant<T>(0.63078314f, 0.63078313050504);           // 1/2 sqrt(5/pi)
-  const T k_4   = detail::constant<T>(0.7463527f, 0.7463526651802308);          // 1/2 sqrt(7/pi)
-  const T k_5   = detail::constant<T>(0.8462844f, 0.8462843753216345);          // 3/2 sqrt(1/pi)
-  const T k_6   = detail::constant<T>(0.9356026f, 0.9356025796273888);          // 1/2 sqrt(11/pi)
-  const T k_7   = detail::constant<T>(1.0171072f, 1.0171072362820548);          // 1/2 sqrt(13/pi)
-  const T k_8   = detail::constant<T>(1.0925485f, 1.0925484305920792);          // 1/2 sqrt(15/pi)
-  const T k_9   = detail::constant<T>(1.1631067f, 1.1631066229203195);          // 1/2 sqrt(17/pi)
-  const T k_10  = detail::constant<T>(0.039387863f, 0.03938786335345591);       // pi^(1/2) w(pole)
-  const T k_11  = detail::constant<T>(0.06822178f, 0.0682217805297659);         // sqrt(3) pi^(1/2) w(pole)
-  const T k_12  = detail::constant<T>(0.08807394f, 0.08807393994680024);        // sqrt(5) pi^(1/2) w(pole)
-  const T k_13  = detail::constant<T>(0.10421049f, 0.10421049110743892);        // sqrt(7) pi^(1/2) w(pole)
-  const T k_14  = detail::constant<T>(0.11816359f, 0.11816359006036774);        // 3 pi^(1/2) w(pole)
-  const T k_15  = detail::constant<T>(0.0004148763f, 0.0004148762957272488);    // theta_8_8(z1)
-  const T k_16  = detail::constant<T>(0.0010044394f, 0.0010044394079395118);    // cos(2 pi/32) theta_7_7(z1)
-  const T k_17  = detail::constant<T>(0.0038081666f, 0.0038081667143153143);    // cos(2 pi/32) theta_8_7(z1)
-  const T k_18  = detail::constant<T>(0.0023258366f, 0.0023258365435769933);    // cos(2 pi/16) theta_6_6(z1)
-  const T k_19  = detail::constant<T>(0.008283094f, 0.008283093582493748);      // cos(2 pi/16) theta_7_6(z1)
-  const T k_20  = detail::constant<T>(0.021173088f, 0.021173087059101144);      // cos(2 pi/16) theta_8_6(z1)
-  const T k_21  = detail::constant<T>(0.005117111f, 0.005117110839436217);      // cos(6 pi/32) theta_5_5(z1)
-  const T k_22  = detail::constant<T>(0.016965406f, 0.016965405675815486);      // cos(6 pi/32) theta_6_5(z1)
-  const T k_23  = detail::constant<T>(0.040422168f, 0.04042216785882031);       // cos(6 pi/32) theta_7_5(z1)
-  const T k_24  = detail::constant<T>(0.07982495f, 0.07982494594042891);        // cos(6 pi/32) theta_8_5(z1)
-  const T k_25  = detail::constant<T>(0.010557541f, 0.010557540439821876);      // 1/2 sqrt(2) theta_4_4(z1)
-  const T k_26  = detail::constant<T>(0.032197848f, 0.032197847927911125);      // 1/2 sqrt(2) theta_5_4(z1)
-  const T k_27  = detail::constant<T>(0.07065586f, 0.07065586340359684);        // 1/2 sqrt(2) theta_6_4(z1)
-  const T k_28  = detail::constant<T>(0.12866347f, 0.12866346817239407);        // 1/2 sqrt(2) theta_7_4(z1)
-  const T k_29  = detail::constant<T>(0.20569782f, 0.20569782691035038);        // 1/2 sqrt(2) theta_8_4(z1)
-  const T k_30  = detail::constant<T>(0.019899223f, 0.019899222608424715);      // cos(10 pi/32) theta_3_3(z1)
-  const T k_31  = detail::constant<T>(0.05489403f, 0.054894029803797394);       // cos(10 pi/32) theta_4_3(z1)
-  const T k_32  = detail::constant<T>(0.10906019f, 0.10906019378578248);        // cos(10 pi/32) theta_5_3(z1)
-  const T k_33  = detail::constant<T>(0.18000455f, 0.18000455410995614);        // cos(10 pi/32) theta_6_3(z1)
-  const T k_34  = detail::constant<T>(0.2608262f, 0.2608262059583975);          // cos(10 pi/32) theta_7_3(z1)
-  const T k_35  = detail::constant<T>(0.34088197f, 0.3408819761588381);         // cos(10 pi/32) theta_8_3(z1)
-  const T k_36  = detail::constant<T>(0.032289334f, 0.032289331908745576);      // cos(6 pi/16) theta_2_2(z1)
-  const T k_37  = detail::constant<T>(0.07855536f, 0.07855536084050924);        // cos(6 pi/16) theta_3_2(z1)
-  const T k_38  = detail::constant<T>(0.13754623f, 0.13754623321092302);        // cos(6 pi/16) theta_4_2(z1)
-  const T k_39  = detail::constant<T>(0.20017548f, 0.20017547502907368);        // cos(6 pi/16) theta_5_2(z1)
-  const T k_40  = detail::constant<T>(0.25519294f, 0.25519292678008865);        // cos(6 pi/16) theta_6_2(z1)
-  const T k_41  = detail::constant<T>(0.29136154f, 0.2913615421282022);         // cos(6 pi/16) theta_7_2(z1)
-  const T k_42  = detail::constant<T>(0.29959744f, 0.29959743194952176);        // cos(6 pi/16) theta_8_2(z1)
-  const T k_43  = detail::constant<T>(0.037462413f, 0.037462414892162205);      // cos(14 pi/32) theta_1_1(z1)
-  const T k_44  = detail::constant<T>(0.077027984f, 0.07702798197946668);       // cos(14 pi/32) theta_2_1(z1)
-  const T k_45  = detail::constant<T>(0.11310836f, 0.11310836191796352);        // cos(14 pi/32) theta_3_1(z1)
-  const T k_46  = detail::constant<T>(0.13767917f, 0.1376791678379414);         // cos(14 pi/32) theta_4_1(z1)
-  const T k_47  = detail::constant<T>(0.14503324f, 0.14503324596925832);        // cos(14 pi/32) theta_5_1(z1)
-  const T k_48  = detail::constant<T>(0.13254662f, 0.1325466213162358);         // cos(14 pi/32) theta_6_1(z1)
-  const T k_49  = detail::constant<T>(0.101038605f, 0.101038603566662);         // cos(14 pi/32) theta_7_1(z1)
-  const T k_50  = detail::constant<T>(0.054615986f, 0.054615985074621606);      // cos(14 pi/32) theta_8_1(z1)
-  const T k_51  = detail::constant<T>(0.2820948f, 0.28209479177387814);         // theta_0_0(z1)
-  const T k_52  = detail::constant<T>(0.44928658f, 0.4492865773100407);         // theta_1_0(z1)
-  const T k_53  = detail::constant<T>(0.48463947f, 0.48463945487539656);        // theta_2_0(z1)
-  const T k_54  = detail::constant<T>(0.42128763f, 0.4212876326392235);         // theta_3_0(z1)
-  const T k_55  = detail::constant<T>(0.2810407f, 0.2810407095876695);          // theta_4_0(z1)
-  const T k_56  = detail::constant<T>(0.09177257f, 0.09177256934969798);        // theta_5_0(z1)
-  const T k_57  = detail::constant<T>(0.11328515f, 0.11328515020103233);        // -theta_6_0(z1)
-  const T k_58  = detail::constant<T>(0.2996646f, 0.29966457908821054);         // -theta_7_0(z1)
-  const T k_59  = detail::constant<T>(0.43667284f, 0.4366728461264045);         // -theta_8_0(z1)
-  const T k_60  = detail::constant<T>(0.18833628f, 0.18833627785777057);        // cos(2 pi/32) theta_1_1(z1)
-  const T k_61  = detail::constant<T>(0.3872458f, 0.38724581580413103);         // cos(2 pi/32) theta_2_1(z1)
-  const T k_62  = detail::constant<T>(0.56863415f, 0.5686341347598414);         // cos(2 pi/32) theta_3_1(z1)
-  const T k_63  = detail::constant<T>(0.6921599f, 0.6921599177147058);          // cos(2 pi/32) theta_4_1(z1)
-  const T k_64  = detail::constant<T>(0.72913134f, 0.7291313651324544);         // cos(2 pi/32) theta_5_1(z1)
-  const T k_65  = detail::constant<T>(0.66635686f, 0.666356863890962);          // cos(2 pi/32) theta_6_1(z1)
-  const T k_66  = detail::constant<T>(0.5079554f, 0.5079553619399274);          // cos(2 pi/32) theta_7_1(z1)
-  const T k_67  = detail::constant<T>(0.2745731f, 0.2745730986670011);          // cos(2 pi/32) theta_8_1(z1)
-  const T k_68  = detail::constant<T>(0.077953346f, 0.0779533430140599);        // cos(2 pi/16) theta_2_2(z1)
-  const T k_69  = detail::constant<T>(0.18964942f, 0.18964941753826975);        // cos(2 pi/16) theta_3_2(z1)
-  const T k_70  = detail::constant<T>(0.33206597f, 0.33206598167114293);        // cos(2 pi/16) theta_4_2(z1)
-  const T k_71  = detail::constant<T>(0.48326635f, 0.4832663466696665);         // cos(2 pi/16) theta_5_2(z1)
-  const T k_72  = detail::constant<T>(0.61609024f, 0.6160902248541742);         // cos(2 pi/16) theta_6_2(z1)
-  const T k_73  = detail::constant<T>(0.703409f, 0.7034089865598456);           // cos(2 pi/16) theta_7_2(z1)
-  const T k_74  = detail::constant<T>(0.7232922f, 0.7232921834646858);          // cos(2 pi/16) theta_8_2(z1)
-  const T k_75  = detail::constant<T>(0.029781291f, 0.02978129122833181);       // cos(6 pi/32) theta_3_3(z1)
-  const T k_76  = detail::constant<T>(0.08215472f, 0.08215472134029428);        // cos(6 pi/32) theta_4_3(z1)
-  const T k_77  = detail::constant<T>(0.16322011f, 0.16322011449721702);        // cos(6 pi/32) theta_5_3(z1)
-  const T k_78  = detail::constant<T>(0.26939586f, 0.2693958529869922);         // cos(6 pi/32) theta_6_3(z1)
-  const T k_79  = detail::constant<T>(0.390354f, 0.3903540028915134);           // cos(6 pi/32) theta_7_3(z1)
-  const T k_80  = detail::constant<T>(0.5101659f, 0.5101659299081169);          // cos(6 pi/32) theta_8_3(z1)
-  const T k_81  = detail::constant<T>(0.003419144f, 0.003419144150776572);      // cos(10 pi/32) theta_5_5(z1)
-  const T k_82  = detail::constant<T>(0.0113359215f, 0.011335921656214736);     // cos(10 pi/32) theta_6_5(z1)
-  const T k_83  = detail::constant<T>(0.027009228f, 0.027009229061651818);      // cos(10 pi/32) theta_7_5(z1)
-  const T k_84  = detail::constant<T>(0.053337324f, 0.053337323650457465);      // cos(10 pi/32) theta_8_5(z1)
-  const T k_85  = detail::constant<T>(0.000963393f, 0.0009633930402125528);     // cos(6 pi/16) theta_6_6(z1)
-  const T k_86  = detail::constant<T>(0.0034309698f, 0.003430969700274457);     // cos(6 pi/16) theta_7_6(z1)
-  const T k_87  = detail::constant<T>(0.00877018f, 0.008770179817185964);       // cos(6 pi/16) theta_8_6(z1)
-  const T k_88  = detail::constant<T>(0.00019979542f, 0.00019979542052267035);  // cos(14 pi/32) theta_7_7(z1)
-  const T k_89  = detail::constant<T>(0.00075749145f, 0.000757491456520873);    // cos(14 pi/32) theta_8_7(z1)
-  const T k_90  = detail::constant<T>(5.8284273f, 5.82842712474619);            // cos(2 pi/16)^2 / cos(6 pi/16)^2
-  const T k_91  = detail::constant<T>(0.41421357f, 0.41421356237309503);        // cos(6 pi/16) / cos(2 pi/16)
-  const T k_92  = detail::constant<T>(0.84775907f, 0.8477590650225735);         // cos(6 pi/32) / cos(2 pi/32)
-  const T k_93  = detail::constant<T>(0.23463313f, 0.23463313526982046);        // cos(14 pi/32) / cos(6 pi/32)
-  const T k_94  = detail::constant<T>(1.7653669f, 1.7653668647301795);          // cos(2 pi/32) / cos(10 pi/32)
-  const T k_95  = detail::constant<T>(2.847759f, 2.8477590650225735);           // cos(10 pi/32) / cos(14 pi/32)
-  const T k_96  = detail::constant<T>(0.56645447f, 0.5664544973505216);         // cos(10 pi/32) / cos(2 pi/32)
-  const T k_97  = detail::constant<T>(1.1795805f, 1.1795804271032746);          // cos(2 pi/32) / cos(6 pi/32)
-  const T k_98  = detail::constant<T>(0.3511533f, 0.3511533023570845);          // cos(14 pi/32) / cos(10 pi/32)
-  const T k_99  = detail::constant<T>(4.2619724f, 4.261972627395669);           // cos(6 pi/32) / cos(14 pi/32)
-  const T k_100 = detail::constant<T>(0.19891237f, 0.198912367379658);          // cos(14 pi/32) / cos(2 pi/32)
-  const T k_101 = detail::constant<T>(0.6681786f, 0.6681786379192989);          // cos(10 pi/32) / cos(6 pi/32)
-  const T k_102 = detail::constant<T>(1.4966058f, 1.496605762665489);           // cos(6 pi/32) / cos(10 pi/32)
-  const T k_103 = detail::constant<T>(5.0273395f, 5.027339492125848);           // cos(2 pi/32) / cos(14 pi/32)
-  const T k_104 = detail::constant<T>(2.4142137f, 2.414213562373095);           // cos(2 pi/16) / cos(6 pi/16)
-  const T k_105 = detail::constant<T>(0.0005526782f, 0.000552678164568568);     // 1/16 sqrt(2) pi theta_4_4(z1) w(z1)
-  const T k_106 = detail::constant<T>(0.0010417072f, 0.0010417071940433007);    // 1/8 pi cos(10 pi/32) theta_3_3(z1) w(z1)
-  const T k_107 = detail::constant<T>(0.0028736552f, 0.0028736552619112563);    // 1/8 pi cos(10 pi/32) theta_4_3(z1) w(z1)
-  const T k_108 = detail::constant<T>(0.0016903188f, 0.0016903187628019057);    // 1/8 pi cos(6 pi/16) theta_2_2(z1) w(z1)
-  const T k_109 = detail::constant<T>(0.0041123056f, 0.004112305597485043);     // 1/8 pi cos(6 pi/16) theta_3_2(z1) w(z1)
-  const T k_110 = detail::constant<T>(0.007200427f, 0.007200427045261283);      // 1/8 pi cos(6 pi/16) theta_4_2(z1) w(z1)
-  const T k_111 = detail::constant<T>(0.0019611253f, 0.001961125209126428);     // 1/8 pi cos(14 pi/32) theta_1_1(z1) w(z1)
-  const T k_112 = detail::constant<T>(0.0040323487f, 0.004032348627361794);     // 1/8 pi cos(14 pi/32) theta_2_1(z1) w(z1)
-  const T k_113 = detail::constant<T>(0.0059211254f, 0.005921125494948338);     // 1/8 pi cos(14 pi/32) theta_3_1(z1) w(z1)
-  const T k_114 = detail::constant<T>(0.007207386f, 0.007207386058687461);      // 1/8 pi cos(14 pi/32) theta_4_1(z1) w(z1)
-  const T k_115 = detail::constant<T>(0.01476742f, 0.014767419802047169);       // 1/8 pi theta_0_0(z1) w(z1)
-  const T k_116 = detail::constant<T>(0.023519766f, 0.023519766022056247);      // 1/8 pi theta_1_0(z1) w(z1)
-  const T k_117 = detail::constant<T>(0.025370458f, 0.025370458765921106);      // 1/8 pi theta_2_0(z1) w(z1)
-  const T k_118 = detail::constant<T>(0.022054045f, 0.02205404534225128);       // 1/8 pi theta_3_0(z1) w(z1)
-  const T k_119 = detail::constant<T>(0.01471224f, 0.014712239505907282);       // 1/8 pi theta_4_0(z1) w(z1)
-  const T k_120 = detail::constant<T>(0.0098592425f, 0.009859242212844855);     // 1/8 pi cos(2 pi/32) theta_1_1(z1) w(z1)
-  const T k_121 = detail::constant<T>(0.020271985f, 0.020271985500355406);      // 1/8 pi cos(2 pi/32) theta_2_1(z1) w(z1)
-  const T k_122 = detail::constant<T>(0.029767508f, 0.029767508038586986);      // 1/8 pi cos(2 pi/32) theta_3_1(z1) w(z1)
-  const T k_123 = detail::constant<T>(0.036233976f, 0.03623397656783674);       // 1/8 pi cos(2 pi/32) theta_4_1(z1) w(z1)
-  const T k_124 = detail::constant<T>(0.0040807906f, 0.004080790481890071);     // 1/8 pi cos(2 pi/16) theta_2_2(z1) w(z1)
-  const T k_125 = detail::constant<T>(0.009927984f, 0.009927983946071186);      // 1/8 pi cos(2 pi/16) theta_3_2(z1) w(z1)
-  const T k_126 = detail::constant<T>(0.017383369f, 0.017383368627547822);      // 1/8 pi cos(2 pi/16) theta_4_2(z1) w(z1)
-  const T k_127 = detail::constant<T>(0.001559025f, 0.0015590249896153007);     // 1/8 pi cos(6 pi/32) theta_3_3(z1) w(z1)
-  const T k_128 = detail::constant<T>(0.004300729f, 0.0043007290248903915);     // 1/8 pi cos(6 pi/32) theta_4_3(z1) w(z1)
-  const T k_129 = detail::constant<T>(0.031025782f, 0.031025782853790724);      // theta_8_8(z2)
-  const T k_130 = detail::constant<T>(0.04380285f, 0.04380284857322108);        // cos(2 pi/32) theta_7_7(z2)
-  const T k_131 = detail::constant<T>(0.13342534f, 0.13342534622788696);        // cos(2 pi/32) theta_8_7(z2)
-  const T k_132 = detail::constant<T>(0.05914694f, 0.05914694053043603);        // cos(2 pi/16) theta_6_6(z2)
-  const T k_133 = detail::constant<T>(0.16923471f, 0.1692347085908262);         // cos(2 pi/16) theta_7_6(z2)
-  const T k_134 = detail::constant<T>(0.33121762f, 0.3312176195013312);         // cos(2 pi/16) theta_8_6(z2)
-  const T k_135 = detail::constant<T>(0.07588438f, 0.07588438231076633);        // cos(6 pi/32) theta_5_5(z2)
-  const T k_136 = detail::constant<T>(0.20213224f, 0.20213224658065787);        // cos(6 pi/32) theta_6_5(z2)
-  const T k_137 = detail::constant<T>(0.36566418f, 0.3656641788963496);         // cos(6 pi/32) theta_7_5(z2)
-  const T k_138 = detail::constant<T>(0.50944054f, 0.5094405550569894);         // cos(6 pi/32) theta_8_5(z2)
-  const T k_139 = detail::constant<T>(0.091298744f, 0.09129874695486827);       // 1/2 sqrt(2) theta_4_4(z2)
-  const T k_140 = detail::constant<T>(0.22370344f, 0.2237034505669869);         // 1/2 sqrt(2) theta_5_4(z2)
-  const T k_141 = detail::constant<T>(0.36830604f, 0.36830605460031995);        // 1/2 sqrt(2) theta_6_4(z2)
-  const T k_142 = detail::constant<T>(0.4580584f, 0.45805839652297736);         // 1/2 sqrt(2) theta_7_4(z2)
-  const T k_143 = detail::constant<T>(0.43075797f, 0.43075798017569855);        // 1/2 sqrt(2) theta_8_4(z2)
-  const T k_144 = detail::constant<T>(0.10034891f, 0.1003489096430046);         // cos(10 pi/32) theta_3_3(z2)
-  const T k_145 = detail::constant<T>(0.22240545f, 0.22240545550825677);        // cos(10 pi/32) theta_4_3(z2)
-  const T k_146 = detail::constant<T>(0.32550442f, 0.325504422450431);          // cos(10 pi/32) theta_5_3(z2)
-  const T k_147 = detail::constant<T>(0.34765345f, 0.34765345560435623);        // cos(10 pi/32) theta_6_3(z2)
-  const T k_148 = detail::constant<T>(0.25479138f, 0.25479138314198324);        // cos(10 pi/32) theta_7_3(z2)
-  const T k_149 = detail::constant<T>(0.06627014f, 0.06627014630607933);        // cos(10 pi/32) theta_8_3(z2)
-  const T k_150 = detail::constant<T>(0.094953306f, 0.0949533061537167);        // cos(6 pi/16) theta_2_2(z2)
-  const T k_151 = detail::constant<T>(0.18559687f, 0.18559686425876085);        // cos(6 pi/16) theta_3_2(z2)
-  const T k_152 = detail::constant<T>(0.23193592f, 0.2319359249820511);         // cos(6 pi/16) theta_4_2(z2)
-  const T k_153 = detail::constant<T>(0.19616526f, 0.19616526376369015);        // cos(6 pi/16) theta_5_2(z2)
-  const T k_154 = detail::constant<T>(0.08054103f, 0.08054102597411986);        // cos(6 pi/16) theta_6_2(z2)
-  const T k_155 = detail::constant<T>(0.06930773f, 0.06930773019634821);        // -cos(6 pi/16) theta_7_2(z2)
-  const T k_156 = detail::constant<T>(0.18531999f, 0.18531998565115823);        // -cos(6 pi/16) theta_8_2(z2)
-  const T k_157 = detail::constant<T>(0.06424233f, 0.06424233017997852);        // cos(14 pi/32) theta_1_1(z2)
-  const T k_158 = detail::constant<T>(0.10612503f, 0.10612502626935731);        // cos(14 pi/32) theta_2_1(z2)
-  const T k_159 = detail::constant<T>(0.10389718f, 0.10389717914720631);        // cos(14 pi/32) theta_3_1(z2)
-  const T k_160 = detail::constant<T>(0.05332319f, 0.05332319221603933);        // cos(14 pi/32) theta_4_1(z2)
-  const T k_161 = detail::constant<T>(0.0229562f, 0.02295620000074445);         // -cos(14 pi/32) theta_5_1(z2)
-  const T k_162 = detail::constant<T>(0.087349035f, 0.08734903628488509);       // -cos(14 pi/32) theta_6_1(z2)
-  const T k_163 = detail::constant<T>(0.10717587f, 0.10717587124714484);        // -cos(14 pi/32) theta_7_1(z2)
-  const T k_164 = detail::constant<T>(0.07210837f, 0.0721083708669124);         // -cos(14 pi/32) theta_8_1(z2)
-  const T k_165 = detail::constant<T>(0.2820948f, 0.28209479177387814);         // theta_0_0(z2)
-  const T k_166 = detail::constant<T>(0.36096677f, 0.3609667662187787);         // theta_1_0(z2)
-  const T k_167 = detail::constant<T>(0.20101811f, 0.20101811666985248);        // theta_2_0(z2)
-  const T k_168 = detail::constant<T>(0.07473095f, 0.07473094472830899);        // -theta_3_0(z2)
-  const T k_169 = detail::constant<T>(0.31182307f, 0.31182307475372);           // -theta_4_0(z2)
-  const T k_170 = detail::constant<T>(0.38347986f, 0.3834798632452079);         // -theta_5_0(z2)
-  const T k_171 = detail::constant<T>(0.25233507f, 0.2523350663758506);         // -theta_6_0(z2)
-  const T k_172 = detail::constant<T>(0.011950658f, 0.011950657861271268);      // theta_7_0(z2)
-  const T k_173 = detail::constant<T>(0.2701098f, 0.2701098105274493);          // theta_8_0(z2)
-  const T k_174 = detail::constant<T>(0.322968f, 0.3229680035799943);           // cos(2 pi/32) theta_1_1(z2)
-  const T k_175 = detail::constant<T>(0.53352654f, 0.5335265356668331);         // cos(2 pi/32) theta_2_1(z2)
-  const T k_176 = detail::constant<T>(0.5223264f, 0.5223263918472244);          // cos(2 pi/32) theta_3_1(z2)
-  const T k_177 = detail::constant<T>(0.2680738f, 0.26807379007391213);         // cos(2 pi/32) theta_4_1(z2)
-  const T k_178 = detail::constant<T>(0.115408614f, 0.115408610852882);         // -cos(2 pi/32) theta_5_1(z2)
-  const T k_179 = detail::constant<T>(0.43913326f, 0.4391332597141365);         // -cos(2 pi/32) theta_6_1(z2)
-  const T k_180 = detail::constant<T>(0.5388095f, 0.5388094901237664);          // -cos(2 pi/32) theta_7_1(z2)
-  const T k_181 = detail::constant<T>(0.36251327f, 0.3625132605720856);         // -cos(2 pi/32) theta_8_1(z2)
-  const T k_182 = detail::constant<T>(0.22923756f, 0.22923755950846753);        // cos(2 pi/16) theta_2_2(z2)
-  const T k_183 = detail::constant<T>(0.44807047f, 0.4480704668274188);         // cos(2 pi/16) theta_3_2(z2)
-  const T k_184 = detail::constant<T>(0.55994284f, 0.5599428556932166);         // cos(2 pi/16) theta_4_2(z2)
-  const T k_185 = detail::constant<T>(0.47358483f, 0.4735848402447962);         // cos(2 pi/16) theta_5_2(z2)
-  const T k_186 = detail::constant<T>(0.19444324f, 0.1944432372341639);         // cos(2 pi/16) theta_6_2(z2)
-  const T k_187 = detail::constant<T>(0.16732366f, 0.16732366221731915);        // -cos(2 pi/16) theta_7_2(z2)
-  const T k_188 = detail::constant<T>(0.44740203f, 0.4474020227378136);         // -cos(2 pi/16) theta_8_2(z2)
-  const T k_189 = detail::constant<T>(0.15018275f, 0.15018275644891912);        // cos(6 pi/32) theta_3_3(z2)
-  const T k_190 = detail::constant<T>(0.3328533f, 0.33285328636190015);         // cos(6 pi/32) theta_4_3(z2)
-  const T k_191 = detail::constant<T>(0.4871518f, 0.4871517944124168);          // cos(6 pi/32) theta_5_3(z2)
-  const T k_192 = detail::constant<T>(0.52030015f, 0.5203001650680502);         // cos(6 pi/32) theta_6_3(z2)
-  const T k_193 = detail::constant<T>(0.38132226f, 0.3813222522878027);         // cos(6 pi/32) theta_7_3(z2)
-  const T k_194 = detail::constant<T>(0.09918028f, 0.0991802828543634);         // cos(6 pi/32) theta_8_3(z2)
-  const T k_195 = detail::constant<T>(0.050704323f, 0.050704323211755185);      // cos(10 pi/32) theta_5_5(z2)
-  const T k_196 = detail::constant<T>(0.13506044f, 0.13506044919983184);        // cos(10 pi/32) theta_6_5(z2)
-  const T k_197 = detail::constant<T>(0.24432899f, 0.24432899299084174);        // cos(10 pi/32) theta_7_5(z2)
-  const T k_198 = detail::constant<T>(0.3403973f, 0.3403972961788308);          // cos(10 pi/32) theta_8_5(z2)
-  const T k_199 = detail::constant<T>(0.024499465f, 0.024499464940581507);      // cos(6 pi/16) theta_6_6(z2)
-  const T k_200 = detail::constant<T>(0.07009931f, 0.07009931152257876);        // cos(6 pi/16) theta_7_6(z2)
-  const T k_201 = detail::constant<T>(0.13719483f, 0.1371948300943827);         // cos(6 pi/16) theta_8_6(z2)
-  const T k_202 = detail::constant<T>(0.008712929f, 0.00871292830767208);       // cos(14 pi/32) theta_7_7(z2)
-  const T k_203 = detail::constant<T>(0.026539952f, 0.026539951486639516);      // cos(14 pi/32) theta_8_7(z2)
-  const T k_204 = detail::constant<T>(0.008062943f, 0.008062942758402516);      // 1/16 sqrt(2) pi theta_4_4(z2) w(z2)
-  const T k_205 = detail::constant<T>(0.008862197f, 0.008862197360930033);      // 1/8 pi cos(10 pi/32) theta_3_3(z2) w(z2)
-  const T k_206 = detail::constant<T>(0.01964148f, 0.01964147939298626);        // 1/8 pi cos(10 pi/32) theta_4_3(z2) w(z2)
-  const T k_207 = detail::constant<T>(0.008385691f, 0.008385690907860411);      // 1/8 pi cos(6 pi/16) theta_2_2(z2) w(z2)
-  const T k_208 = detail::constant<T>(0.01639077f, 0.01639077142424676);        // 1/8 pi cos(6 pi/16) theta_3_2(z2) w(z2)
-  const T k_209 = detail::constant<T>(0.020483151f, 0.02048315173122648);       // 1/8 pi cos(6 pi/16) theta_4_2(z2) w(z2)
-  const T k_210 = detail::constant<T>(0.0056734867f, 0.005673486747453561);     // 1/8 pi cos(14 pi/32) theta_1_1(z2) w(z2)
-  const T k_211 = detail::constant<T>(0.009372309f, 0.009372308389585892);      // 1/8 pi cos(14 pi/32) theta_2_1(z2) w(z2)
-  const T k_212 = detail::constant<T>(0.009175559f, 0.00917555865950192);       // 1/8 pi cos(14 pi/32) theta_3_1(z2) w(z2)
-  const T k_213 = detail::constant<T>(0.004709176f, 0.004709175764983423);      // 1/8 pi cos(14 pi/32) theta_4_1(z2) w(z2)
-  const T k_214 = detail::constant<T>(0.024912873f, 0.02491287377296227);       // 1/8 pi theta_0_0(z2) w(z2)
-  const T k_215 = detail::constant<T>(0.03187836f, 0.0318783605556646);         // 1/8 pi theta_1_0(z2) w(z2)
-  const T k_216 = detail::constant<T>(0.01775268f, 0.017752681413164505);       // 1/8 pi theta_2_0(z2) w(z2)
-  const T k_217 = detail::constant<T>(0.0065997764f, 0.006599776554694197);     // -1/8 pi theta_3_0(z2) w(z2)
-  const T k_218 = detail::constant<T>(0.027538292f, 0.027538292543392347);      // -1/8 pi theta_4_0(z2) w(z2)
-  const T k_219 = detail::constant<T>(0.028522544f, 0.028522543983525914);      // 1/8 pi cos(2 pi/32) theta_1_1(z2) w(z2)
-  const T k_220 = detail::constant<T>(0.047117777f, 0.04711777609934757);       // 1/8 pi cos(2 pi/32) theta_2_1(z2) w(z2)
-  const T k_221 = detail::constant<T>(0.04612865f, 0.04612864841123131);        // 1/8 pi cos(2 pi/32) theta_3_1(z2) w(z2)
-  const T k_222 = detail::constant<T>(0.023674626f, 0.023674625298663113);      // 1/8 pi cos(2 pi/32) theta_4_1(z2) w(z2)
-  const T k_223 = detail::constant<T>(0.020244848f, 0.020244848719625355);      // 1/8 pi cos(2 pi/16) theta_2_2(z2) w(z2)
-  const T k_224 = detail::constant<T>(0.039570823f, 0.0395708226701739);        // 1/8 pi cos(2 pi/16) theta_3_2(z2) w(z2)
-  const T k_225 = detail::constant<T>(0.049450703f, 0.04945070270967291);       // 1/8 pi cos(2 pi/16) theta_4_2(z2) w(z2)
-  const T k_226 = detail::constant<T>(0.013263215f, 0.013263215640246774);      // 1/8 pi cos(6 pi/32) theta_3_3(z2) w(z2)
-  const T k_227 = detail::constant<T>(0.02939555f, 0.02939555124681869);        // 1/8 pi cos(6 pi/32) theta_4_3(z2) w(z2)
-  const T k_228 = detail::constant<T>(0.2583599f, 0.2583599033937192);          // theta_8_8(z3)
-  const T k_229 = detail::constant<T>(0.2798607f, 0.27986070485521747);         // cos(2 pi/32) theta_7_7(z3)
-  const T k_230 = detail::constant<T>(0.55147535f, 0.5514753278072394);         // cos(2 pi/32) theta_8_7(z3)
-  const T k_231 = detail::constant<T>(0.28994063f, 0.28994061692133066);        // cos(2 pi/16) theta_6_6(z3)
-  const T k_232 = detail::constant<T>(0.53667873f, 0.5366787398885778);         // cos(2 pi/16) theta_7_6(z3)
-  const T k_233 = detail::constant<T>(0.54812324f, 0.5481232369642529);         // cos(2 pi/16) theta_8_6(z3)
-  const T k_234 = detail::constant<T>(0.28540817f, 0.2854081571908452);         // cos(6 pi/32) theta_5_5(z3)
-  const T k_235 = detail::constant<T>(0.49181047f, 0.4918104595208801);         // cos(6 pi/32) theta_6_5(z3)
-  const T k_236 = detail::constant<T>(0.44435632f, 0.4443563178035736);         // cos(6 pi/32) theta_7_5(z3)
-  const T k_237 = detail::constant<T>(0.10184811f, 0.10184811058286505);        // cos(6 pi/32) theta_8_5(z3)
-  const T k_238 = detail::constant<T>(0.2634608f, 0.2634607959032638);          // 1/2 sqrt(2) theta_4_4(z3)
-  const T k_239 = detail::constant<T>(0.41761112f, 0.4176111112350274);         // 1/2 sqrt(2) theta_5_4(z3)
-  const T k_240 = detail::constant<T>(0.32127583f, 0.32127583661154085);        // 1/2 sqrt(2) theta_6_4(z3)
-  const T k_241 = detail::constant<T>(0.006397938f, 0.0063979380590028796);     // -1/2 sqrt(2) theta_7_4(z3)
-  const T k_242 = detail::constant<T>(0.31167388f, 0.31167389126113293);        // -1/2 sqrt(2) theta_8_4(z3)
-  const T k_243 = detail::constant<T>(0.222178f, 0.22217799578793576);          // cos(10 pi/32) theta_3_3(z3)
-  const T k_244 = detail::constant<T>(0.3185532f, 0.31855322245780304);         // cos(10 pi/32) theta_4_3(z3)
-  const T k_245 = detail::constant<T>(0.19448324f, 0.1944832317220422);         // cos(10 pi/32) theta_5_3(z3)
-  const T k_246 = detail::constant<T>(0.08081215f, 0.08081214729310388);        // -cos(10 pi/32) theta_6_3(z3)
-  const T k_247 = detail::constant<T>(0.27186322f, 0.271863218784295);          // -cos(10 pi/32) theta_7_3(z3)
-  const T k_248 = detail::constant<T>(0.20095915f, 0.20095914615461657);        // -cos(10 pi/32) theta_8_3(z3)
-  const T k_249 = detail::constant<T>(0.1613005f, 0.16130048830958987);         // cos(6 pi/16) theta_2_2(z3)
-  const T k_250 = detail::constant<T>(0.20395972f, 0.20395971919265268);        // cos(6 pi/16) theta_3_2(z3)
-  const T k_251 = detail::constant<T>(0.083658546f, 0.08365854985342898);       // cos(6 pi/16) theta_4_2(z3)
-  const T k_252 = detail::constant<T>(0.10646203f, 0.10646202963007959);        // -cos(6 pi/16) theta_5_2(z3)
-  const T k_253 = detail::constant<T>(0.18901f, 0.18900998872574495);           // -cos(6 pi/16) theta_6_2(z3)
-  const T k_254 = detail::constant<T>(0.08320572f, 0.0832057202677373);         // -cos(6 pi/16) theta_7_2(z3)
-  const T k_255 = detail::constant<T>(0.10520387f, 0.10520386839165718);        // cos(6 pi/16) theta_8_2(z3)
-  const T k_256 = detail::constant<T>(0.08373058f, 0.08373057637724589);        // cos(14 pi/32) theta_1_1(z3)
-  const T k_257 = detail::constant<T>(0.08948058f, 0.08948057911333913);        // cos(14 pi/32) theta_2_1(z3)
-  const T k_258 = detail::constant<T>(0.011126636f, 0.011126635367610802);      // cos(14 pi/32) theta_3_1(z3)
-  const T k_259 = detail::constant<T>(0.07677467f, 0.07677466913516702);        // -cos(14 pi/32) theta_4_1(z3)
-  const T k_260 = detail::constant<T>(0.08554973f, 0.08554972340385424);        // -cos(14 pi/32) theta_5_1(z3)
-  const T k_261 = detail::constant<T>(0.0062359856f, 0.006235985738418395);     // -cos(14 pi/32) theta_6_1(z3)
-  const T k_262 = detail::constant<T>(0.079299286f, 0.07929928465661902);       // cos(14 pi/32) theta_7_1(z3)
-  const T k_263 = detail::constant<T>(0.082472615f, 0.08247261229762498);       // cos(14 pi/32) theta_8_1(z3)
-  const T k_264 = detail::constant<T>(0.2820948f, 0.28209479177387814);         // theta_0_0(z3)
-  const T k_265 = detail::constant<T>(0.23351534f, 0.2335153309784601);         // theta_1_0(z3)
-  const T k_266 = detail::constant<T>(0.09927367f, 0.09927366686198878);        // -theta_2_0(z3)
-  const T k_267 = detail::constant<T>(0.3313639f, 0.3313638895060823);          // -theta_3_0(z3)
-  const T k_268 = detail::constant<T>(0.21435772f, 0.21435771246416352);        // -theta_4_0(z3)
-  const T k_269 = detail::constant<T>(0.12844254f, 0.1284425399277969);         // theta_5_0(z3)
-  const T k_270 = detail::constant<T>(0.337033f, 0.3370330118441771);           // theta_6_0(z3)
-  const T k_271 = detail::constant<T>(0.19276847f, 0.19276846717789137);        // theta_7_0(z3)
-  const T k_272 = detail::constant<T>(0.153338f, 0.15333800538661782);          // -theta_8_0(z3)
-  const T k_273 = detail::constant<T>(0.42094204f, 0.4209420333197879);         // cos(2 pi/32) theta_1_1(z3)
-  const T k_274 = detail::constant<T>(0.44984925f, 0.44984924915478114);        // cos(2 pi/32) theta_2_1(z3)
-  const T k_275 = detail::constant<T>(0.055937372f, 0.05593737339807399);       // cos(2 pi/32) theta_3_1(z3)
-  const T k_276 = detail::constant<T>(0.38597232f, 0.3859723261381206);         // -cos(2 pi/32) theta_4_1(z3)
-  const T k_277 = detail::constant<T>(0.4300875f, 0.43008750300863935);         // -cos(2 pi/32) theta_5_1(z3)
-  const T k_278 = detail::constant<T>(0.03135042f, 0.031350417375084365);       // -cos(2 pi/32) theta_6_1(z3)
-  const T k_279 = detail::constant<T>(0.3986644f, 0.3986644254515501);          // cos(2 pi/32) theta_7_1(z3)
-  const T k_280 = detail::constant<T>(0.4146178f, 0.414617820822634);           // cos(2 pi/32) theta_8_1(z3)
-  const T k_281 = detail::constant<T>(0.38941383f, 0.38941382649441475);        // cos(2 pi/16) theta_2_2(z3)
-  const T k_282 = detail::constant<T>(0.49240232f, 0.49240232025271014);        // cos(2 pi/16) theta_3_2(z3)
-  const T k_283 = detail::constant<T>(0.20196961f, 0.20196960566461394);        // cos(2 pi/16) theta_4_2(z3)
-  const T k_284 = detail::constant<T>(0.25702208f, 0.2570220758107044);         // -cos(2 pi/16) theta_5_2(z3)
-  const T k_285 = detail::constant<T>(0.45631048f, 0.4563104782056792);         // -cos(2 pi/16) theta_6_2(z3)
-  const T k_286 = detail::constant<T>(0.20087638f, 0.2008763783373933);         // -cos(2 pi/16) theta_7_2(z3)
-  const T k_287 = detail::constant<T>(0.2539846f, 0.25398460588525296);         // cos(2 pi/16) theta_8_2(z3)
-  const T k_288 = detail::constant<T>(0.33251286f, 0.3325128688336934);         // cos(6 pi/32) theta_3_3(z3)
-  const T k_289 = detail::constant<T>(0.4767486f, 0.4767485884460095);          // cos(6 pi/32) theta_4_3(z3)
-  const T k_290 = detail::constant<T>(0.29106474f, 0.291064725337016);          // cos(6 pi/32) theta_5_3(z3)
-  const T k_291 = detail::constant<T>(0.12094393f, 0.12094392533223156);        // -cos(6 pi/32) theta_6_3(z3)
-  const T k_292 = detail::constant<T>(0.40687206f, 0.4068720598893645);         // -cos(6 pi/32) theta_7_3(z3)
-  const T k_293 = detail::constant<T>(0.3007566f, 0.3007566161953354);          // -cos(6 pi/32) theta_8_3(z3)
-  const T k_294 = detail::constant<T>(0.19070363f, 0.1907036337228361);         // cos(10 pi/32) theta_5_5(z3)
-  const T k_295 = detail::constant<T>(0.32861724f, 0.3286172429571262);         // cos(10 pi/32) theta_6_5(z3)
-  const T k_296 = detail::constant<T>(0.2969094f, 0.2969093991808269);          // cos(10 pi/32) theta_7_5(z3)
-  const T k_297 = detail::constant<T>(0.06805273f, 0.0680527318039129);         // cos(10 pi/32) theta_8_5(z3)
-  const T k_298 = detail::constant<T>(0.12009734f, 0.12009733581163726);        // cos(6 pi/16) theta_6_6(z3)
-  const T k_299 = detail::constant<T>(0.2222996f, 0.2222996126991515);          // cos(6 pi/16) theta_7_6(z3)
-  const T k_300 = detail::constant<T>(0.22704008f, 0.22704007860243533);        // cos(6 pi/16) theta_8_6(z3)
-  const T k_301 = detail::constant<T>(0.055667754f, 0.05566775533929105);       // cos(14 pi/32) theta_7_7(z3)
-  const T k_302 = detail::constant<T>(0.10969526f, 0.10969526300561093);        // cos(14 pi/32) theta_8_7(z3)
-  const T k_303 = detail::constant<T>(0.030214973f, 0.030214973371714866);      // 1/16 sqrt(2) pi theta_4_4(z3) w(z3)
-  const T k_304 = detail::constant<T>(0.02548046f, 0.025480459828939175);       // 1/8 pi cos(10 pi/32) theta_3_3(z3) w(z3)
-  const T k_305 = detail::constant<T>(0.036533244f, 0.036533242454678407);      // 1/8 pi cos(10 pi/32) theta_4_3(z3) w(z3)
-  const T k_306 = detail::constant<T>(0.01849873f, 0.018498729355195448);       // 1/8 pi cos(6 pi/16) theta_2_2(z3) w(z3)
-  const T k_307 = detail::constant<T>(0.023391098f, 0.023391098714251237);      // 1/8 pi cos(6 pi/16) theta_3_2(z3) w(z3)
-  const T k_308 = detail::constant<T>(0.009594372f, 0.009594371896856184);      // 1/8 pi cos(6 pi/16) theta_4_2(z3) w(z3)
-  const T k_309 = detail::constant<T>(0.009602632f, 0.009602632251083551);      // 1/8 pi cos(14 pi/32) theta_1_1(z3) w(z3)
-  const T k_310 = detail::constant<T>(0.010262071f, 0.01026207070363471);       // 1/8 pi cos(14 pi/32) theta_2_1(z3) w(z3)
-  const T k_311 = detail::constant<T>(0.001276057f, 0.0012760569943491029);     // 1/8 pi cos(14 pi/32) theta_3_1(z3) w(z3)
-  const T k_312 = detail::constant<T>(0.008804895f, 0.008804894768453682);      // -1/8 pi cos(14 pi/32) theta_4_1(z3) w(z3)
-  const T k_313 = detail::constant<T>(0.03235201f, 0.032352011207302314);       // 1/8 pi theta_0_0(z3) w(z3)
-  const T k_314 = detail::constant<T>(0.026780682f, 0.026780680910081272);      // 1/8 pi theta_1_0(z3) w(z3)
-  const T k_315 = detail::constant<T>(0.01138519f, 0.011385189931062242);       // -1/8 pi theta_2_0(z3) w(z3)
-  const T k_316 = detail::constant<T>(0.03800243f, 0.038002432443308774);       // -1/8 pi theta_3_0(z3) w(z3)
-  const T k_317 = detail::constant<T>(0.024583591f, 0.024583591467265343);      // -1/8 pi theta_4_0(z3) w(z3)
-  const T k_318 = detail::constant<T>(0.04827569f, 0.04827569234423367);        // 1/8 pi cos(2 pi/32) theta_1_1(z3) w(z3)
-  const T k_319 = detail::constant<T>(0.051590912f, 0.05159091331937047);       // 1/8 pi cos(2 pi/32) theta_2_1(z3) w(z3)
-  const T k_320 = detail::constant<T>(0.0064151715f, 0.006415171721894654);     // 1/8 pi cos(2 pi/32) theta_3_1(z3) w(z3)
-  const T k_321 = detail::constant<T>(0.044265196f, 0.04426519519345947);       // -1/8 pi cos(2 pi/32) theta_4_1(z3) w(z3)
-  const T k_322 = detail::constant<T>(0.044659883f, 0.04465988329598215);       // 1/8 pi cos(2 pi/16) theta_2_2(z3) w(z3)
-  const T k_323 = detail::constant<T>(0.05647111f, 0.056471107754753204);       // 1/8 pi cos(2 pi/16) theta_3_2(z3) w(z3)
-  const T k_324 = detail::constant<T>(0.023162862f, 0.023162862755841476);      // 1/8 pi cos(2 pi/16) theta_4_2(z3) w(z3)
-  const T k_325 = detail::constant<T>(0.038134202f, 0.03813420301535687);       // 1/8 pi cos(6 pi/32) theta_3_3(z3) w(z3)
-  const T k_326 = detail::constant<T>(0.054675862f, 0.0546758611865272);        // 1/8 pi cos(6 pi/32) theta_4_3(z3) w(z3)
-  const T k_327 = detail::constant<T>(0.65248257f, 0.6524825448530486);         // theta_8_8(z4)
-  const T k_328 = detail::constant<T>(0.6294957f, 0.62949565243665);            // cos(2 pi/32) theta_7_7(z4)
-  const T k_329 = detail::constant<T>(0.42897776f, 0.4289777440929171);         // cos(2 pi/32) theta_8_7(z4)
-  const T k_330 = detail::constant<T>(0.5808539f, 0.5808538830683474);          // cos(2 pi/16) theta_6_6(z4)
-  const T k_331 = detail::constant<T>(0.37181774f, 0.37181772719479883);        // cos(2 pi/16) theta_7_6(z4)
-  const T k_332 = detail::constant<T>(0.26714262f, 0.2671426203750086);         // -cos(2 pi/16) theta_8_6(z4)
-  const T k_333 = detail::constant<T>(0.5092502f, 0.5092502451495461);          // cos(6 pi/32) theta_5_5(z4)
-  const T k_334 = detail::constant<T>(0.3034733f, 0.3034733006493963);          // cos(6 pi/32) theta_6_5(z4)
-  const T k_335 = detail::constant<T>(0.2596261f, 0.2596260812858043);          // -cos(6 pi/32) theta_7_5(z4)
-  const T k_336 = detail::constant<T>(0.38196117f, 0.38196116394645);           // -cos(6 pi/32) theta_8_5(z4)
-  const T k_337 = detail::constant<T>(0.41868547f, 0.41868547217551005);        // 1/2 sqrt(2) theta_4_4(z4)
-  const T k_338 = detail::constant<T>(0.2295101f, 0.22951009862708452);         // 1/2 sqrt(2) theta_5_4(z4)
-  const T k_339 = detail::constant<T>(0.23612362f, 0.23612362716687524);        // -1/2 sqrt(2) theta_6_4(z4)
-  const T k_340 = detail::constant<T>(0.30351302f, 0.30351302039787553);        // -1/2 sqrt(2) theta_7_4(z4)
-  const T k_341 = detail::constant<T>(0.10826381f, 0.10826381320120998);        // 1/2 sqrt(2) theta_8_4(z4)
-  const T k_342 = detail::constant<T>(0.31447053f, 0.31447053822091614);        // cos(10 pi/32) theta_3_3(z4)
-  const T k_343 = detail::constant<T>(0.1559261f, 0.15592608832182223);         // cos(10 pi/32) theta_4_3(z4)
-  const T k_344 = detail::constant<T>(0.1966399f, 0.19663989302006765);         // -cos(10 pi/32) theta_5_3(z4)
-  const T k_345 = detail::constant<T>(0.21905594f, 0.21905593680668717);        // -cos(10 pi/32) theta_6_3(z4)
-  const T k_346 = detail::constant<T>(0.108717725f, 0.1087177278421087);        // cos(10 pi/32) theta_7_3(z4)
-  const T k_347 = detail::constant<T>(0.25231788f, 0.25231786629852143);        // cos(10 pi/32) theta_8_3(z4)
-  const T k_348 = detail::constant<T>(0.20333944f, 0.20333944238567592);        // cos(6 pi/16) theta_2_2(z4)
-  const T k_349 = detail::constant<T>(0.088917695f, 0.08891769859319135);       // cos(6 pi/16) theta_3_2(z4)
-  const T k_350 = detail::constant<T>(0.14242384f, 0.1424238420014363);         // -cos(6 pi/16) theta_4_2(z4)
-  const T k_351 = detail::constant<T>(0.13536932f, 0.13536931535017058);        // -cos(6 pi/16) theta_5_2(z4)
-  const T k_352 = detail::constant<T>(0.09136859f, 0.09136859535957222);        // cos(6 pi/16) theta_6_2(z4)
-  const T k_353 = detail::constant<T>(0.16473836f, 0.16473836254780805);        // cos(6 pi/16) theta_7_2(z4)
-  const T k_354 = detail::constant<T>(0.03435427f, 0.034354269852133225);       // -cos(6 pi/16) theta_8_2(z4)
-  const T k_355 = detail::constant<T>(0.09401065f, 0.09401064965027042);        // cos(14 pi/32) theta_1_1(z4)
-  const T k_356 = detail::constant<T>(0.034743983f, 0.034743984396015636);      // cos(14 pi/32) theta_2_1(z4)
-  const T k_357 = detail::constant<T>(0.07592771f, 0.07592771549253831);        // -cos(14 pi/32) theta_3_1(z4)
-  const T k_358 = detail::constant<T>(0.059760332f, 0.059760330271209666);      // -cos(14 pi/32) theta_4_1(z4)
-  const T k_359 = detail::constant<T>(0.0551862f, 0.05518619977462419);         // cos(14 pi/32) theta_5_1(z4)
-  const T k_360 = detail::constant<T>(0.07791173f, 0.0779117281449746);         // cos(14 pi/32) theta_6_1(z4)
-  const T k_361 = detail::constant<T>(0.029074432f, 0.029074433140096657);      // -cos(14 pi/32) theta_7_1(z4)
-  const T k_362 = detail::constant<T>(0.08743672f, 0.08743672356163255);        // -cos(14 pi/32) theta_8_1(z4)
-  const T k_363 = detail::constant<T>(0.2820948f, 0.28209479177387814);         // theta_0_0(z4)
-  const T k_364 = detail::constant<T>(0.08075571f, 0.08075571388049306);        // theta_1_0(z4)
-  const T k_365 = detail::constant<T>(0.2895448f, 0.28954478444559434);         // -theta_2_0(z4)
-  const T k_366 = detail::constant<T>(0.17661023f, 0.17661022824967423);        // -theta_3_0(z4)
-  const T k_367 = detail::constant<T>(0.2334268f, 0.23342679907904954);         // theta_4_0(z4)
-  const T k_368 = detail::constant<T>(0.2538884f, 0.2538884114355789);          // theta_5_0(z4)
-  const T k_369 = detail::constant<T>(0.15015383f, 0.1501538374008767);         // -theta_6_0(z4)
-  const T k_370 = detail::constant<T>(0.30363157f, 0.30363157913580646);        // -theta_7_0(z4)
-  const T k_371 = detail::constant<T>(0.050072446f, 0.05007244786882258);       // theta_8_0(z4)
-  const T k_372 = detail::constant<T>(0.47262344f, 0.47262345166721154);        // cos(2 pi/32) theta_1_1(z4)
-  const T k_373 = detail::constant<T>(0.1746698f, 0.17466980486789363);         // cos(2 pi/32) theta_2_1(z4)
-  const T k_374 = detail::constant<T>(0.3817144f, 0.38171440264253337);         // -cos(2 pi/32) theta_3_1(z4)
-  const T k_375 = detail::constant<T>(0.30043545f, 0.3004354684349361);         // -cos(2 pi/32) theta_4_1(z4)
-  const T k_376 = detail::constant<T>(0.27743977f, 0.27743976154731476);        // cos(2 pi/32) theta_5_1(z4)
-  const T k_377 = detail::constant<T>(0.3916887f, 0.3916887078030038);          // cos(2 pi/32) theta_6_1(z4)
-  const T k_378 = detail::constant<T>(0.14616704f, 0.14616704593638044);        // -cos(2 pi/32) theta_7_1(z4)
-  const T k_379 = detail::constant<T>(0.4395741f, 0.43957409342348597);         // -cos(2 pi/32) theta_8_1(z4)
-  const T k_380 = detail::constant<T>(0.49090484f, 0.4909048395728814);         // cos(2 pi/16) theta_2_2(z4)
-  const T k_381 = detail::constant<T>(0.2146663f, 0.21466631387868562);         // cos(2 pi/16) theta_3_2(z4)
-  const T k_382 = detail::constant<T>(0.34384158f, 0.34384157096515033);        // -cos(2 pi/16) theta_4_2(z4)
-  const T k_383 = detail::constant<T>(0.32681045f, 0.32681043704754226);        // -cos(2 pi/16) theta_5_2(z4)
-  const T k_384 = detail::constant<T>(0.2205833f, 0.22058330209205868);         // cos(2 pi/16) theta_6_2(z4)
-  const T k_385 = detail::constant<T>(0.3977136f, 0.39771358910605414);         // cos(2 pi/16) theta_7_2(z4)
-  const T k_386 = detail::constant<T>(0.082938544f, 0.08293854420244517);       // -cos(2 pi/16) theta_8_2(z4)
-  const T k_387 = detail::constant<T>(0.47063842f, 0.47063841968994097);        // cos(6 pi/32) theta_3_3(z4)
-  const T k_388 = detail::constant<T>(0.23335989f, 0.23335988233232713);        // cos(6 pi/32) theta_4_3(z4)
-  const T k_389 = detail::constant<T>(0.2942924f, 0.29429239706375854);         // -cos(6 pi/32) theta_5_3(z4)
-  const T k_390 = detail::constant<T>(0.3278404f, 0.3278403773709752);          // -cos(6 pi/32) theta_6_3(z4)
-  const T k_391 = detail::constant<T>(0.16270758f, 0.16270757799239816);        // cos(6 pi/32) theta_7_3(z4)
-  const T k_392 = detail::constant<T>(0.37762037f, 0.37762037272582755);        // cos(6 pi/32) theta_8_3(z4)
-  const T k_393 = detail::constant<T>(0.34027013f, 0.34027013516409277);        // cos(10 pi/32) theta_5_5(z4)
-  const T k_394 = detail::constant<T>(0.20277438f, 0.20277437667278753);        // cos(10 pi/32) theta_6_5(z4)
-  const T k_395 = detail::constant<T>(0.1734766f, 0.1734766013618739);          // -cos(10 pi/32) theta_7_5(z4)
-  const T k_396 = detail::constant<T>(0.2552183f, 0.255218290263809);           // -cos(10 pi/32) theta_8_5(z4)
-  const T k_397 = detail::constant<T>(0.24059756f, 0.24059755612398537);        // cos(6 pi/16) theta_6_6(z4)
-  const T k_398 = detail::constant<T>(0.15401195f, 0.15401194533482526);        // cos(6 pi/16) theta_7_6(z4)
-  const T k_399 = detail::constant<T>(0.11065409f, 0.11065409644721566);        // -cos(6 pi/16) theta_8_6(z4)
-  const T k_400 = detail::constant<T>(0.12521447f, 0.12521447048137643);        // cos(14 pi/32) theta_7_7(z4)
-  const T k_401 = detail::constant<T>(0.08532898f, 0.08532897863070725);        // cos(14 pi/32) theta_8_7(z4)
-  const T k_402 = detail::constant<T>(0.053853236f, 0.053853236075878635);      // 1/16 sqrt(2) pi theta_4_4(z4) w(z4)
-  const T k_403 = detail::constant<T>(0.040448636f, 0.04044863569238072);       // 1/8 pi cos(10 pi/32) theta_3_3(z4) w(z4)
-  const T k_404 = detail::constant<T>(0.020055925f, 0.020055925038792312);      // 1/8 pi cos(10 pi/32) theta_4_3(z4) w(z4)
-  const T k_405 = detail::constant<T>(0.026154447f, 0.026154447006326888);      // 1/8 pi cos(6 pi/16) theta_2_2(z4) w(z4)
-  const T k_406 = detail::constant<T>(0.011437f, 0.011437000163348508);         // 1/8 pi cos(6 pi/16) theta_3_2(z4) w(z4)
-  const T k_407 = detail::constant<T>(0.018319204f, 0.018319204500417397);      // -1/8 pi cos(6 pi/16) theta_4_2(z4) w(z4)
-  const T k_408 = detail::constant<T>(0.012092079f, 0.012092078769669966);      // 1/8 pi cos(14 pi/32) theta_1_1(z4) w(z4)
-  const T k_409 = detail::constant<T>(0.00446893f, 0.0044689298249902774);      // 1/8 pi cos(14 pi/32) theta_2_1(z4) w(z4)
-  const T k_410 = detail::constant<T>(0.009766169f, 0.009766169257976432);      // -1/8 pi cos(14 pi/32) theta_3_1(z4) w(z4)
-  const T k_411 = detail::constant<T>(0.007686646f, 0.007686646391969499);      // -1/8 pi cos(14 pi/32) theta_4_1(z4) w(z4)
-  const T k_412 = detail::constant<T>(0.03628432f, 0.03628431943969201);        // 1/8 pi theta_0_0(z4) w(z4)
-  const T k_413 = detail::constant<T>(0.010387168f, 0.010387168442900378);      // 1/8 pi theta_1_0(z4) w(z4)
-  const T k_414 = detail::constant<T>(0.037242573f, 0.03724257149469839);       // -1/8 pi theta_2_0(z4) w(z4)
-  const T k_415 = detail::constant<T>(0.022716414f, 0.02271641350707664);       // -1/8 pi theta_3_0(z4) w(z4)
-  const T k_416 = detail::constant<T>(0.03002442f, 0.030024420125977423);       // 1/8 pi theta_4_0(z4) w(z4)
-  const T k_417 = detail::constant<T>(0.060790986f, 0.06079098514065836);       // 1/8 pi cos(2 pi/32) theta_1_1(z4) w(z4)
-  const T k_418 = detail::constant<T>(0.022466827f, 0.022466827396712675);      // 1/8 pi cos(2 pi/32) theta_2_1(z4) w(z4)
-  const T k_419 = detail::constant<T>(0.049097847f, 0.049097848397410306);      // -1/8 pi cos(2 pi/32) theta_3_1(z4) w(z4)
-  const T k_420 = detail::constant<T>(0.038643382f, 0.03864338096835492);       // -1/8 pi cos(2 pi/32) theta_4_1(z4) w(z4)
-  const T k_421 = detail::constant<T>(0.06314242f, 0.06314242067904276);        // 1/8 pi cos(2 pi/16) theta_2_2(z4) w(z4)
-  const T k_422 = detail::constant<T>(0.027611362f, 0.02761136090721927);       // 1/8 pi cos(2 pi/16) theta_3_2(z4) w(z4)
-  const T k_423 = detail::constant<T>(0.04422647f, 0.044226471956793925);       // -1/8 pi cos(2 pi/16) theta_4_2(z4) w(z4)
-  const T k_424 = detail::constant<T>(0.060535662f, 0.06053566126917397);       // 1/8 pi cos(6 pi/32) theta_3_3(z4) w(z4)
-  const T k_425 = detail::constant<T>(0.030015813f, 0.03001581298864365);       // 1/8 pi cos(6 pi/32) theta_4_3(z4) w(z4)
+namespace detail {
+
+// Constants of the loop, row by row.
+template <class S>
+inline constexpr S transfer_apply_rgb_l4_table[396] = {
+    constant<S>(0.0004148763f, 0.0004148762957272488), constant<S>(0.0010044394f, 0.0010044394079395118),
+    constant<S>(0.0038081666f, 0.0038081667143153143), constant<S>(0.0023258366f, 0.0023258365435769933),
+    constant<S>(0.008283094f, 0.008283093582493748), constant<S>(0.021173088f, 0.021173087059101144),
+    constant<S>(0.005117111f, 0.005117110839436217), constant<S>(0.016965406f, 0.016965405675815486),
+    constant<S>(0.040422168f, 0.04042216785882031), constant<S>(0.07982495f, 0.07982494594042891),
+    constant<S>(0.010557541f, 0.010557540439821876), constant<S>(0.032197848f, 0.032197847927911125),
+    constant<S>(0.07065586f, 0.07065586340359684), constant<S>(0.12866347f, 0.12866346817239407),
+    constant<S>(0.20569782f, 0.20569782691035038), constant<S>(0.019899223f, 0.019899222608424715),
+    constant<S>(0.05489403f, 0.054894029803797394), constant<S>(0.10906019f, 0.10906019378578248),
+    constant<S>(0.18000455f, 0.18000455410995614), constant<S>(0.2608262f, 0.2608262059583975),
+    constant<S>(0.34088197f, 0.3408819761588381), constant<S>(0.032289334f, 0.032289331908745576),
+    constant<S>(0.07855536f, 0.07855536084050924), constant<S>(0.13754623f, 0.13754623321092302),
+    constant<S>(0.20017548f, 0.20017547502907368), constant<S>(0.25519294f, 0.25519292678008865),
+    constant<S>(0.29136154f, 0.2913615421282022), constant<S>(0.29959744f, 0.29959743194952176),
+    constant<S>(0.037462413f, 0.037462414892162205), constant<S>(0.077027984f, 0.07702798197946668),
+    constant<S>(0.11310836f, 0.11310836191796352), constant<S>(0.13767917f, 0.1376791678379414),
+    constant<S>(0.14503324f, 0.14503324596925832), constant<S>(0.13254662f, 0.1325466213162358),
+    constant<S>(0.101038605f, 0.101038603566662), constant<S>(0.054615986f, 0.054615985074621606),
+    constant<S>(0.2820948f, 0.28209479177387814), constant<S>(0.44928658f, 0.4492865773100407),
+    constant<S>(0.48463947f, 0.48463945487539656), constant<S>(0.42128763f, 0.4212876326392235),
+    constant<S>(0.2810407f, 0.2810407095876695), constant<S>(0.09177257f, 0.09177256934969798),
+    constant<S>(-0.11328515f, -0.11328515020103233), constant<S>(-0.2996646f, -0.29966457908821054),
+    constant<S>(-0.43667284f, -0.4366728461264045), constant<S>(0.18833628f, 0.18833627785777057),
+    constant<S>(0.3872458f, 0.38724581580413103), constant<S>(0.56863415f, 0.5686341347598414),
+    constant<S>(0.6921599f, 0.6921599177147058), constant<S>(0.72913134f, 0.7291313651324544),
+    constant<S>(0.66635686f, 0.666356863890962), constant<S>(0.5079554f, 0.5079553619399274),
+    constant<S>(0.2745731f, 0.2745730986670011), constant<S>(0.077953346f, 0.0779533430140599),
+    constant<S>(0.18964942f, 0.18964941753826975), constant<S>(0.33206597f, 0.33206598167114293),
+    constant<S>(0.48326635f, 0.4832663466696665), constant<S>(0.61609024f, 0.6160902248541742),
+    constant<S>(0.703409f, 0.7034089865598456), constant<S>(0.7232922f, 0.7232921834646858),
+    constant<S>(0.029781291f, 0.02978129122833181), constant<S>(0.08215472f, 0.08215472134029428),
+    constant<S>(0.16322011f, 0.16322011449721702), constant<S>(0.26939586f, 0.2693958529869922),
+    constant<S>(0.390354f, 0.3903540028915134), constant<S>(0.5101659f, 0.5101659299081169),
+    constant<S>(0.003419144f, 0.003419144150776572), constant<S>(0.0113359215f, 0.011335921656214736),
+    constant<S>(0.027009228f, 0.027009229061651818), constant<S>(0.053337324f, 0.053337323650457465),
+    constant<S>(0.000963393f, 0.0009633930402125528), constant<S>(0.0034309698f, 0.003430969700274457),
+    constant<S>(0.00877018f, 0.008770179817185964), constant<S>(0.00019979542f, 0.00019979542052267035),
+    constant<S>(0.00075749145f, 0.000757491456520873), constant<S>(0.0005526782f, 0.000552678164568568),
+    constant<S>(0.0010417072f, 0.0010417071940433007), constant<S>(0.0028736552f, 0.0028736552619112563),
+    constant<S>(0.0016903188f, 0.0016903187628019057), constant<S>(0.0041123056f, 0.004112305597485043),
+    constant<S>(0.007200427f, 0.007200427045261283), constant<S>(0.0019611253f, 0.001961125209126428),
+    constant<S>(0.0040323487f, 0.004032348627361794), constant<S>(0.0059211254f, 0.005921125494948338),
+    constant<S>(0.007207386f, 0.007207386058687461), constant<S>(0.01476742f, 0.014767419802047169),
+    constant<S>(0.023519766f, 0.023519766022056247), constant<S>(0.025370458f, 0.025370458765921106),
+    constant<S>(0.022054045f, 0.02205404534225128), constant<S>(0.01471224f, 0.014712239505907282),
+    constant<S>(0.0098592425f, 0.009859242212844855), constant<S>(0.020271985f, 0.020271985500355406),
+    constant<S>(0.029767508f, 0.029767508038586986), constant<S>(0.036233976f, 0.03623397656783674),
+    constant<S>(0.0040807906f, 0.004080790481890071), constant<S>(0.009927984f, 0.009927983946071186),
+    constant<S>(0.017383369f, 0.017383368627547822), constant<S>(0.001559025f, 0.0015590249896153007),
+    constant<S>(0.004300729f, 0.0043007290248903915),
+    constant<S>(0.031025782f, 0.031025782853790724), constant<S>(0.04380285f, 0.04380284857322108),
+    constant<S>(0.13342534f, 0.13342534622788696), constant<S>(0.05914694f, 0.05914694053043603),
+    constant<S>(0.16923471f, 0.1692347085908262), constant<S>(0.33121762f, 0.3312176195013312),
+    constant<S>(0.07588438f, 0.07588438231076633), constant<S>(0.20213224f, 0.20213224658065787),
+    constant<S>(0.36566418f, 0.3656641788963496), constant<S>(0.50944054f, 0.5094405550569894),
+    constant<S>(0.091298744f, 0.09129874695486827), constant<S>(0.22370344f, 0.2237034505669869),
+    constant<S>(0.36830604f, 0.36830605460031995), constant<S>(0.4580584f, 0.45805839652297736),
+    constant<S>(0.43075797f, 0.43075798017569855), constant<S>(0.10034891f, 0.1003489096430046),
+    constant<S>(0.22240545f, 0.22240545550825677), constant<S>(0.32550442f, 0.325504422450431),
+    constant<S>(0.34765345f, 0.34765345560435623), constant<S>(0.25479138f, 0.25479138314198324),
+    constant<S>(0.06627014f, 0.06627014630607933), constant<S>(0.094953306f, 0.0949533061537167),
+    constant<S>(0.18559687f, 0.18559686425876085), constant<S>(0.23193592f, 0.2319359249820511),
+    constant<S>(0.19616526f, 0.19616526376369015), constant<S>(0.08054103f, 0.08054102597411986),
+    constant<S>(-0.06930773f, -0.06930773019634821), constant<S>(-0.18531999f, -0.18531998565115823),
+    constant<S>(0.06424233f, 0.06424233017997852), constant<S>(0.10612503f, 0.10612502626935731),
+    constant<S>(0.10389718f, 0.10389717914720631), constant<S>(0.05332319f, 0.05332319221603933),
+    constant<S>(-0.0229562f, -0.02295620000074445), constant<S>(-0.087349035f, -0.08734903628488509),
+    constant<S>(-0.10717587f, -0.10717587124714484), constant<S>(-0.07210837f, -0.0721083708669124),
+    constant<S>(0.2820948f, 0.28209479177387814), constant<S>(0.36096677f, 0.3609667662187787),
+    constant<S>(0.20101811f, 0.20101811666985248), constant<S>(-0.07473095f, -0.07473094472830899),
+    constant<S>(-0.31182307f, -0.31182307475372), constant<S>(-0.38347986f, -0.3834798632452079),
+    constant<S>(-0.25233507f, -0.2523350663758506), constant<S>(0.011950658f, 0.011950657861271268),
+    constant<S>(0.2701098f, 0.2701098105274493), constant<S>(0.322968f, 0.3229680035799943),
+    constant<S>(0.53352654f, 0.5335265356668331), constant<S>(0.5223264f, 0.5223263918472244),
+    constant<S>(0.2680738f, 0.26807379007391213), constant<S>(-0.115408614f, -0.115408610852882),
+    constant<S>(-0.43913326f, -0.4391332597141365), constant<S>(-0.5388095f, -0.5388094901237664),
+    constant<S>(-0.36251327f, -0.3625132605720856), constant<S>(0.22923756f, 0.22923755950846753),
+    constant<S>(0.44807047f, 0.4480704668274188), constant<S>(0.55994284f, 0.5599428556932166),
+    constant<S>(0.47358483f, 0.4735848402447962), constant<S>(0.19444324f, 0.1944432372341639),
+    constant<S>(-0.16732366f, -0.16732366221731915), constant<S>(-0.44740203f, -0.4474020227378136),
+    constant<S>(0.15018275f, 0.15018275644891912), constant<S>(0.3328533f, 0.33285328636190015),
+    constant<S>(0.4871518f, 0.4871517944124168), constant<S>(0.52030015f, 0.5203001650680502),
+    constant<S>(0.38132226f, 0.3813222522878027), constant<S>(0.09918028f, 0.0991802828543634),
+    constant<S>(0.050704323f, 0.050704323211755185), constant<S>(0.13506044f, 0.13506044919983184),
+    constant<S>(0.24432899f, 0.24432899299084174), constant<S>(0.3403973f, 0.3403972961788308),
+    constant<S>(0.024499465f, 0.024499464940581507), constant<S>(0.07009931f, 0.07009931152257876),
+    constant<S>(0.13719483f, 0.1371948300943827), constant<S>(0.008712929f, 0.00871292830767208),
+    constant<S>(0.026539952f, 0.026539951486639516), constant<S>(0.008062943f, 0.008062942758402516),
+    constant<S>(0.008862197f, 0.008862197360930033), constant<S>(0.01964148f, 0.01964147939298626),
+    constant<S>(0.008385691f, 0.008385690907860411), constant<S>(0.01639077f, 0.01639077142424676),
+    constant<S>(0.020483151f, 0.02048315173122648), constant<S>(0.0056734867f, 0.005673486747453561),
+    constant<S>(0.009372309f, 0.009372308389585892), constant<S>(0.009175559f, 0.00917555865950192),
+    constant<S>(0.004709176f, 0.004709175764983423), constant<S>(0.024912873f, 0.02491287377296227),
+    constant<S>(0.03187836f, 0.0318783605556646), constant<S>(0.01775268f, 0.017752681413164505),
+    constant<S>(-0.0065997764f, -0.006599776554694197), constant<S>(-0.027538292f, -0.027538292543392347),
+    constant<S>(0.028522544f, 0.028522543983525914), constant<S>(0.047117777f, 0.04711777609934757),
+    constant<S>(0.04612865f, 0.04612864841123131), constant<S>(0.023674626f, 0.023674625298663113),
+    constant<S>(0.020244848f, 0.020244848719625355), constant<S>(0.039570823f, 0.0395708226701739),
+    constant<S>(0.049450703f, 0.04945070270967291), constant<S>(0.013263215f, 0.013263215640246774),
+    constant<S>(0.02939555f, 0.02939555124681869),
+    constant<S>(0.2583599f, 0.2583599033937192), constant<S>(0.2798607f, 0.27986070485521747),
+    constant<S>(0.55147535f, 0.5514753278072394), constant<S>(0.28994063f, 0.28994061692133066),
+    constant<S>(0.53667873f, 0.5366787398885778), constant<S>(0.54812324f, 0.5481232369642529),
+    constant<S>(0.28540817f, 0.2854081571908452), constant<S>(0.49181047f, 0.4918104595208801),
+    constant<S>(0.44435632f, 0.4443563178035736), constant<S>(0.10184811f, 0.10184811058286505),
+    constant<S>(0.2634608f, 0.2634607959032638), constant<S>(0.41761112f, 0.4176111112350274),
+    constant<S>(0.32127583f, 0.32127583661154085), constant<S>(-0.006397938f, -0.0063979380590028796),
+    constant<S>(-0.31167388f, -0.31167389126113293), constant<S>(0.222178f, 0.22217799578793576),
+    constant<S>(0.3185532f, 0.31855322245780304), constant<S>(0.19448324f, 0.1944832317220422),
+    constant<S>(-0.08081215f, -0.08081214729310388), constant<S>(-0.27186322f, -0.271863218784295),
+    constant<S>(-0.20095915f, -0.20095914615461657), constant<S>(0.1613005f, 0.16130048830958987),
+    constant<S>(0.20395972f, 0.20395971919265268), constant<S>(0.083658546f, 0.08365854985342898),
+    constant<S>(-0.10646203f, -0.10646202963007959), constant<S>(-0.18901f, -0.18900998872574495),
+    constant<S>(-0.08320572f, -0.0832057202677373), constant<S>(0.10520387f, 0.10520386839165718),
+    constant<S>(0.08373058f, 0.08373057637724589), constant<S>(0.08948058f, 0.08948057911333913),
+    constant<S>(0.011126636f, 0.011126635367610802), constant<S>(-0.07677467f, -0.07677466913516702),
+    constant<S>(-0.08554973f, -0.08554972340385424), constant<S>(-0.0062359856f, -0.006235985738418395),
+    constant<S>(0.079299286f, 0.07929928465661902), constant<S>(0.082472615f, 0.08247261229762498),
+    constant<S>(0.2820948f, 0.28209479177387814), constant<S>(0.23351534f, 0.2335153309784601),
+    constant<S>(-0.09927367f, -0.09927366686198878), constant<S>(-0.3313639f, -0.3313638895060823),
+    constant<S>(-0.21435772f, -0.21435771246416352), constant<S>(0.12844254f, 0.1284425399277969),
+    constant<S>(0.337033f, 0.3370330118441771), constant<S>(0.19276847f, 0.19276846717789137),
+    constant<S>(-0.153338f, -0.15333800538661782), constant<S>(0.42094204f, 0.4209420333197879),
+    constant<S>(0.44984925f, 0.44984924915478114), constant<S>(0.055937372f, 0.05593737339807399),
+    constant<S>(-0.38597232f, -0.3859723261381206), constant<S>(-0.4300875f, -0.43008750300863935),
+    constant<S>(-0.03135042f, -0.031350417375084365), constant<S>(0.3986644f, 0.3986644254515501),
+    constant<S>(0.4146178f, 0.414617820822634), constant<S>(0.38941383f, 0.38941382649441475),
+    constant<S>(0.49240232f, 0.49240232025271014), constant<S>(0.20196961f, 0.20196960566461394),
+    constant<S>(-0.25702208f, -0.2570220758107044), constant<S>(-0.45631048f, -0.4563104782056792),
+    constant<S>(-0.20087638f, -0.2008763783373933), constant<S>(0.2539846f, 0.25398460588525296),
+    constant<S>(0.33251286f, 0.3325128688336934), constant<S>(0.4767486f, 0.4767485884460095),
+    constant<S>(0.29106474f, 0.291064725337016), constant<S>(-0.12094393f, -0.12094392533223156),
+    constant<S>(-0.40687206f, -0.4068720598893645), constant<S>(-0.3007566f, -0.3007566161953354),
+    constant<S>(0.19070363f, 0.1907036337228361), constant<S>(0.32861724f, 0.3286172429571262),
+    constant<S>(0.2969094f, 0.2969093991808269), constant<S>(0.06805273f, 0.0680527318039129),
+    constant<S>(0.12009734f, 0.12009733581163726), constant<S>(0.2222996f, 0.2222996126991515),
+    constant<S>(0.22704008f, 0.22704007860243533), constant<S>(0.055667754f, 0.05566775533929105),
+    constant<S>(0.10969526f, 0.10969526300561093), constant<S>(0.030214973f, 0.030214973371714866),
+    constant<S>(0.02548046f, 0.025480459828939175), constant<S>(0.036533244f, 0.036533242454678407),
+    constant<S>(0.01849873f, 0.018498729355195448), constant<S>(0.023391098f, 0.023391098714251237),
+    constant<S>(0.009594372f, 0.009594371896856184), constant<S>(0.009602632f, 0.009602632251083551),
+    constant<S>(0.010262071f, 0.01026207070363471), constant<S>(0.001276057f, 0.0012760569943491029),
+    constant<S>(-0.008804895f, -0.008804894768453682), constant<S>(0.03235201f, 0.032352011207302314),
+    constant<S>(0.026780682f, 0.026780680910081272), constant<S>(-0.01138519f, -0.011385189931062242),
+    constant<S>(-0.03800243f, -0.038002432443308774), constant<S>(-0.024583591f, -0.024583591467265343),
+    constant<S>(0.04827569f, 0.04827569234423367), constant<S>(0.051590912f, 0.05159091331937047),
+    constant<S>(0.0064151715f, 0.006415171721894654), constant<S>(-0.044265196f, -0.04426519519345947),
+    constant<S>(0.044659883f, 0.04465988329598215), constant<S>(0.05647111f, 0.056471107754753204),
+    constant<S>(0.023162862f, 0.023162862755841476), constant<S>(0.038134202f, 0.03813420301535687),
+    constant<S>(0.054675862f, 0.0546758611865272),
+    constant<S>(0.65248257f, 0.6524825448530486), constant<S>(0.6294957f, 0.62949565243665),
+    constant<S>(0.42897776f, 0.4289777440929171), constant<S>(0.5808539f, 0.5808538830683474),
+    constant<S>(0.37181774f, 0.37181772719479883), constant<S>(-0.26714262f, -0.2671426203750086),
+    constant<S>(0.5092502f, 0.5092502451495461), constant<S>(0.3034733f, 0.3034733006493963),
+    constant<S>(-0.2596261f, -0.2596260812858043), constant<S>(-0.38196117f, -0.38196116394645),
+    constant<S>(0.41868547f, 0.41868547217551005), constant<S>(0.2295101f, 0.22951009862708452),
+    constant<S>(-0.23612362f, -0.23612362716687524), constant<S>(-0.30351302f, -0.30351302039787553),
+    constant<S>(0.10826381f, 0.10826381320120998), constant<S>(0.31447053f, 0.31447053822091614),
+    constant<S>(0.1559261f, 0.15592608832182223), constant<S>(-0.1966399f, -0.19663989302006765),
+    constant<S>(-0.21905594f, -0.21905593680668717), constant<S>(0.108717725f, 0.1087177278421087),
+    constant<S>(0.25231788f, 0.25231786629852143), constant<S>(0.20333944f, 0.20333944238567592),
+    constant<S>(0.088917695f, 0.08891769859319135), constant<S>(-0.14242384f, -0.1424238420014363),
+    constant<S>(-0.13536932f, -0.13536931535017058), constant<S>(0.09136859f, 0.09136859535957222),
+    constant<S>(0.16473836f, 0.16473836254780805), constant<S>(-0.03435427f, -0.034354269852133225),
+    constant<S>(0.09401065f, 0.09401064965027042), constant<S>(0.034743983f, 0.034743984396015636),
+    constant<S>(-0.07592771f, -0.07592771549253831), constant<S>(-0.059760332f, -0.059760330271209666),
+    constant<S>(0.0551862f, 0.05518619977462419), constant<S>(0.07791173f, 0.0779117281449746),
+    constant<S>(-0.029074432f, -0.029074433140096657), constant<S>(-0.08743672f, -0.08743672356163255),
+    constant<S>(0.2820948f, 0.28209479177387814), constant<S>(0.08075571f, 0.08075571388049306),
+    constant<S>(-0.2895448f, -0.28954478444559434), constant<S>(-0.17661023f, -0.17661022824967423),
+    constant<S>(0.2334268f, 0.23342679907904954), constant<S>(0.2538884f, 0.2538884114355789),
+    constant<S>(-0.15015383f, -0.1501538374008767), constant<S>(-0.30363157f, -0.30363157913580646),
+    constant<S>(0.050072446f, 0.05007244786882258), constant<S>(0.47262344f, 0.47262345166721154),
+    constant<S>(0.1746698f, 0.17466980486789363), constant<S>(-0.3817144f, -0.38171440264253337),
+    constant<S>(-0.30043545f, -0.3004354684349361), constant<S>(0.27743977f, 0.27743976154731476),
+    constant<S>(0.3916887f, 0.3916887078030038), constant<S>(-0.14616704f, -0.14616704593638044),
+    constant<S>(-0.4395741f, -0.43957409342348597), constant<S>(0.49090484f, 0.4909048395728814),
+    constant<S>(0.2146663f, 0.21466631387868562), constant<S>(-0.34384158f, -0.34384157096515033),
+    constant<S>(-0.32681045f, -0.32681043704754226), constant<S>(0.2205833f, 0.22058330209205868),
+    constant<S>(0.3977136f, 0.39771358910605414), constant<S>(-0.082938544f, -0.08293854420244517),
+    constant<S>(0.47063842f, 0.47063841968994097), constant<S>(0.23335989f, 0.23335988233232713),
+    constant<S>(-0.2942924f, -0.29429239706375854), constant<S>(-0.3278404f, -0.3278403773709752),
+    constant<S>(0.16270758f, 0.16270757799239816), constant<S>(0.37762037f, 0.37762037272582755),
+    constant<S>(0.34027013f, 0.34027013516409277), constant<S>(0.20277438f, 0.20277437667278753),
+    constant<S>(-0.1734766f, -0.1734766013618739), constant<S>(-0.2552183f, -0.255218290263809),
+    constant<S>(0.24059756f, 0.24059755612398537), constant<S>(0.15401195f, 0.15401194533482526),
+    constant<S>(-0.11065409f, -0.11065409644721566), constant<S>(0.12521447f, 0.12521447048137643),
+    constant<S>(0.08532898f, 0.08532897863070725), constant<S>(0.053853236f, 0.053853236075878635),
+    constant<S>(0.040448636f, 0.04044863569238072), constant<S>(0.020055925f, 0.020055925038792312),
+    constant<S>(0.026154447f, 0.026154447006326888), constant<S>(0.011437f, 0.011437000163348508),
+    constant<S>(-0.018319204f, -0.018319204500417397), constant<S>(0.012092079f, 0.012092078769669966),
+    constant<S>(0.00446893f, 0.0044689298249902774), constant<S>(-0.009766169f, -0.009766169257976432),
+    constant<S>(-0.007686646f, -0.007686646391969499), constant<S>(0.03628432f, 0.03628431943969201),
+    constant<S>(0.010387168f, 0.010387168442900378), constant<S>(-0.037242573f, -0.03724257149469839),
+    constant<S>(-0.022716414f, -0.02271641350707664), constant<S>(0.03002442f, 0.030024420125977423),
+    constant<S>(0.060790986f, 0.06079098514065836), constant<S>(0.022466827f, 0.022466827396712675),
+    constant<S>(-0.049097847f, -0.049097848397410306), constant<S>(-0.038643382f, -0.03864338096835492),
+    constant<S>(0.06314242f, 0.06314242067904276), constant<S>(0.027611362f, 0.02761136090721927),
+    constant<S>(-0.04422647f, -0.044226471956793925), constant<S>(0.060535662f, 0.06053566126917397),
+    constant<S>(0.030015813f, 0.03001581298864365)
+};
+
+}  // namespace detail
+
+template <class T, class S = T>
+constexpr void transfer_apply_rgb_l4(const T* visibility, const S* samples, T* out) noexcept {
+  constexpr const auto& table = detail::transfer_apply_rgb_l4_table<typename detail::scalar<T>::type>;
+  const T k    = detail::constant<T>(0.2820948f, 0.28209479177387814);    // 1/2 sqrt(1/pi)
+  const T k_2  = detail::constant<T>(0.48860252f, 0.4886025119029199);    // 1/2 sqrt(3/pi)
+  const T k_3  = detail::constant<T>(0.63078314f, 0.63078313050504);      // 1/2 sqrt(5/pi)
+  const T k_4  = detail::constant<T>(0.7463527f, 0.7463526651802308);     // 1/2 sqrt(7/pi)
+  const T k_5  = detail::constant<T>(0.8462844f, 0.8462843753216345);     // 3/2 sqrt(1/pi)
+  const T k_6  = detail::constant<T>(0.9356026f, 0.9356025796273888);     // 1/2 sqrt(11/pi)
+  const T k_7  = detail::constant<T>(1.0171072f, 1.0171072362820548);     // 1/2 sqrt(13/pi)
+  const T k_8  = detail::constant<T>(1.0925485f, 1.0925484305920792);     // 1/2 sqrt(15/pi)
+  const T k_9  = detail::constant<T>(1.1631067f, 1.1631066229203195);     // 1/2 sqrt(17/pi)
+  const T k_10 = detail::constant<T>(0.039387863f, 0.03938786335345591);  // pi^(1/2) w(pole)
+  const T k_11 = detail::constant<T>(0.06822178f, 0.0682217805297659);    // sqrt(3) pi^(1/2) w(pole)
+  const T k_12 = detail::constant<T>(0.08807394f, 0.08807393994680024);   // sqrt(5) pi^(1/2) w(pole)
+  const T k_13 = detail::constant<T>(0.10421049f, 0.10421049110743892);   // sqrt(7) pi^(1/2) w(pole)
+  const T k_14 = detail::constant<T>(0.11816359f, 0.11816359006036774);   // 3 pi^(1/2) w(pole)
+  const T k_15 = detail::constant<T>(5.8284273f, 5.82842712474619);       // cos(2 pi/16)^2 / cos(6 pi/16)^2
+  const T k_16 = detail::constant<T>(0.41421357f, 0.41421356237309503);   // cos(6 pi/16) / cos(2 pi/16)
+  const T k_17 = detail::constant<T>(0.84775907f, 0.8477590650225735);    // cos(6 pi/32) / cos(2 pi/32)
+  const T k_18 = detail::constant<T>(0.23463313f, 0.23463313526982046);   // cos(14 pi/32) / cos(6 pi/32)
+  const T k_19 = detail::constant<T>(1.7653669f, 1.7653668647301795);     // cos(2 pi/32) / cos(10 pi/32)
+  const T k_20 = detail::constant<T>(2.847759f, 2.8477590650225735);      // cos(10 pi/32) / cos(14 pi/32)
+  const T k_21 = detail::constant<T>(0.56645447f, 0.5664544973505216);    // cos(10 pi/32) / cos(2 pi/32)
+  const T k_22 = detail::constant<T>(1.1795805f, 1.1795804271032746);     // cos(2 pi/32) / cos(6 pi/32)
+  const T k_23 = detail::constant<T>(0.3511533f, 0.3511533023570845);     // cos(14 pi/32) / cos(10 pi/32)
+  const T k_24 = detail::constant<T>(4.2619724f, 4.261972627395669);      // cos(6 pi/32) / cos(14 pi/32)
+  const T k_25 = detail::constant<T>(0.19891237f, 0.198912367379658);     // cos(14 pi/32) / cos(2 pi/32)
+  const T k_26 = detail::constant<T>(0.6681786f, 0.6681786379192989);     // cos(10 pi/32) / cos(6 pi/32)
+  const T k_27 = detail::constant<T>(1.4966058f, 1.496605762665489);      // cos(6 pi/32) / cos(10 pi/32)
+  const T k_28 = detail::constant<T>(5.0273395f, 5.027339492125848);      // cos(2 pi/32) / cos(14 pi/32)
+  const T k_29 = detail::constant<T>(2.4142137f, 2.414213562373095);      // cos(2 pi/16) / cos(6 pi/16)
 
   const T t = k_2 * visibility[2] + k_4 * visibility[12] + k_6 * visibility[30] + k_8 * visibility[56];
   const T t_2 = k * visibility[0] + k_3 * visibility[6] + k_5 * visibility[20] + k_7 * visibility[42]
       + k_9 * visibility[72];
   const T t_3 = t_2 + t;
   const T t_4 = t_2 - t;
-  const T t_5 = t_3 * samples[128];
-  const T t_6 = t_4 * samples[129];
-  const T t_7 = t_3 * samples[260];
-  const T t_8 = t_3 * samples[392];
-  const T t_9 = t_4 * samples[261];
-  const T t_10 = t_4 * samples[393];
+  const T t_5 = t_3 * T(samples[128]);
+  const T t_6 = t_4 * T(samples[129]);
+  const T t_7 = t_3 * T(samples[260]);
+  const T t_8 = t_3 * T(samples[392]);
+  const T t_9 = t_4 * T(samples[261]);
+  const T t_10 = t_4 * T(samples[393]);
   const T t_11 = t_5 + t_6;
   const T t_12 = t_5 - t_6;
-  const T t_13 = t_7 + t_9;
-  const T t_14 = t_7 - t_9;
-  const T t_15 = t_8 + t_10;
-  const T t_16 = t_8 - t_10;
-  const T t_17 = k_15 * visibility[64];
-  const T t_18 = k_16 * visibility[49];
-  const T t_19 = k_17 * visibility[65];
-  const T t_20 = t_18 + t_19;
-  const T t_21 = t_18 - t_19;
-  const T t_22 = k_19 * visibility[50];
-  const T t_23 = k_18 * visibility[36] + k_20 * visibility[66];
-  const T t_24 = t_23 + t_22;
-  const T t_25 = t_23 - t_22;
-  const T t_26 = k_21 * visibility[25] + k_23 * visibility[51];
-  const T t_27 = k_22 * visibility[37] + k_24 * visibility[67];
-  const T t_28 = t_26 + t_27;
-  const T t_29 = t_26 - t_27;
-  const T t_30 = k_26 * visibility[26] + k_28 * visibility[52];
-  const T t_31 = k_25 * visibility[16] + k_27 * visibility[38] + k_29 * visibility[68];
-  const T t_32 = t_31 + t_30;
-  const T t_33 = t_31 - t_30;
-  const T t_34 = k_30 * visibility[9] + k_32 * visibility[27] + k_34 * visibility[53];
-  const T t_35 = k_31 * visibility[17] + k_33 * visibility[39] + k_35 * visibility[69];
-  const T t_36 = t_34 + t_35;
-  const T t_37 = t_34 - t_35;
-  const T t_38 = k_37 * visibility[10] + k_39 * visibility[28] + k_41 * visibility[54];
-  const T t_39 = k_36 * visibility[4] + k_38 * visibility[18] + k_40 * visibility[40] + k_42 * visibility[70];
-  const T t_40 = t_39 + t_38;
-  const T t_41 = t_39 - t_38;
-  const T t_42 = k_43 * visibility[1] + k_45 * visibility[11] + k_47 * visibility[29] + k_49 * visibility[55];
-  const T t_43 = k_44 * visibility[5] + k_46 * visibility[19] + k_48 * visibility[41] + k_50 * visibility[71];
-  const T t_44 = t_42 + t_43;
-  const T t_45 = t_42 - t_43;
-  const T t_46 = k_52 * visibility[2] + k_54 * visibility[12] + k_56 * visibility[30] - k_58 * visibility[56];
-  const T t_47 = k_51 * visibility[0] + k_53 * visibility[6] + k_55 * visibility[20] - k_57 * visibility[42]
-      - k_59 * visibility[72];
-  const T t_48 = t_47 + t_46;
-  const T t_49 = t_47 - t_46;
-  const T t_50 = k_60 * visibility[3] + k_62 * visibility[13] + k_64 * visibility[31] + k_66 * visibility[57];
-  const T t_51 = k_61 * visibility[7] + k_63 * visibility[21] + k_65 * visibility[43] + k_67 * visibility[73];
-  const T t_52 = t_50 + t_51;
-  const T t_53 = t_50 - t_51;
-  const T t_54 = k_69 * visibility[14] + k_71 * visibility[32] + k_73 * visibility[58];
-  const T t_55 = k_68 * visibility[8] + k_70 * visibility[22] + k_72 * visibility[44] + k_74 * visibility[74];
-  const T t_56 = t_55 + t_54;
-  const T t_57 = t_55 - t_54;
-  const T t_58 = k_75 * visibility[15] + k_77 * visibility[33] + k_79 * visibility[59];
-  const T t_59 = k_76 * visibility[23] + k_78 * visibility[45] + k_80 * visibility[75];
-  const T t_60 = t_58 + t_59;
-  const T t_61 = t_58 - t_59;
-  const T t_62 = k_26 * visibility[34] + k_28 * visibility[60];
-  const T t_63 = k_25 * visibility[24] + k_27 * visibility[46] + k_29 * visibility[76];
-  const T t_64 = t_63 + t_62;
-  const T t_65 = t_63 - t_62;
-  const T t_66 = k_81 * visibility[35] + k_83 * visibility[61];
-  const T t_67 = k_82 * visibility[47] + k_84 * visibility[77];
-  const T t_68 = t_66 + t_67;
-  const T t_69 = t_66 - t_67;
-  const T t_70 = k_86 * visibility[62];
-  const T t_71 = k_85 * visibility[48] + k_87 * visibility[78];
-  const T t_72 = t_71 + t_70;
-  const T t_73 = t_71 - t_70;
-  const T t_74 = k_88 * visibility[63];
-  const T t_75 = k_89 * visibility[79];
-  const T t_76 = t_74 + t_75;
-  const T t_77 = t_74 - t_75;
-  const T t_78 = t_48 + t_64;
-  const T t_79 = t_48 - t_64;
-  const T t_80 = t_49 + t_65;
-  const T t_81 = t_49 - t_65;
-  const T t_82 = t_56 + t_72;
-  const T t_83 = k_91 * (t_56 - k_90 * t_72);
-  const T t_84 = t_57 + t_73;
-  const T t_85 = k_91 * (t_57 - k_90 * t_73);
-  const T t_86 = t_78 + t_82;
-  const T t_87 = t_78 - t_82;
-  const T t_88 = t_79 + t_83;
-  const T t_89 = t_79 - t_83;
-  const T t_90 = t_80 + t_84;
-  const T t_91 = t_80 - t_84;
-  const T t_92 = t_81 + t_85;
-  const T t_93 = t_81 - t_85;
-  const T t_94 = t_17 + t_32;
-  const T t_95 = t_17 - t_32;
-  const T t_96 = t_17 + t_33;
-  const T t_97 = t_17 - t_33;
-  const T t_98 = t_24 + t_40;
-  const T t_99 = k_91 * (t_24 - k_90 * t_40);
-  const T t_100 = t_25 + t_41;
-  const T t_101 = k_91 * (t_25 - k_90 * t_41);
-  const T t_102 = t_94 + t_98;
-  const T t_103 = t_98 - t_94;
-  const T t_104 = t_95 + t_99;
-  const T t_105 = t_95 - t_99;
-  const T t_106 = t_96 + t_100;
-  const T t_107 = t_100 - t_96;
-  const T t_108 = t_97 + t_101;
-  const T t_109 = t_97 - t_101;
-  const T t_110 = t_52 + t_60 + t_68 + t_76;
-  const T t_111 = k_92 * t_52 - k_93 * t_60 - k_94 * t_68 - k_95 * t_76;
-  const T t_112 = k_96 * t_52 - k_97 * t_60 + k_98 * t_68 + k_99 * t_76;
-  const T t_113 = k_100 * t_52 - k_101 * t_60 + k_102 * t_68 - k_103 * t_76;
-  const T t_114 = t_53 + t_61 + t_69 + t_77;
-  const T t_115 = k_92 * t_53 - k_93 * t_61 - k_94 * t_69 - k_95 * t_77;
-  const T t_116 = k_96 * t_53 - k_97 * t_61 + k_98 * t_69 + k_99 * t_77;
-  const T t_117 = k_100 * t_53 - k_101 * t_61 + k_102 * t_69 - k_103 * t_77;
-  const T t_118 = t_20 + t_28 + t_36 + t_44;
-  const T t_119 = k_93 * t_28 - k_92 * t_20 + k_94 * t_36 + k_95 * t_44;
-  const T t_120 = k_96 * t_20 - k_97 * t_28 + k_98 * t_36 + k_99 * t_44;
-  const T t_121 = k_101 * t_28 - k_100 * t_20 - k_102 * t_36 + k_103 * t_44;
-  const T t_122 = t_21 + t_29 + t_37 + t_45;
-  const T t_123 = k_93 * t_29 - k_92 * t_21 + k_94 * t_37 + k_95 * t_45;
-  const T t_124 = k_96 * t_21 - k_97 * t_29 + k_98 * t_37 + k_99 * t_45;
-  const T t_125 = k_101 * t_29 - k_100 * t_21 - k_102 * t_37 + k_103 * t_45;
-  const T t_126 = t_86 + t_102;
-  const T t_127 = t_86 - t_102;
-  const T t_128 = t_110 + t_118;
-  const T t_129 = t_110 - t_118;
-  const T t_130 = t_126 + t_128;
-  const T t_131 = t_126 - t_128;
-  const T t_132 = t_130 * samples[0];
-  const T t_133 = t_131 * samples[1];
-  const T t_134 = t_130 * samples[132];
-  const T t_135 = t_130 * samples[264];
-  const T t_136 = t_131 * samples[133];
-  const T t_137 = t_131 * samples[265];
-  const T t_138 = t_127 + t_129;
-  const T t_139 = t_127 - t_129;
-  const T t_140 = t_138 * samples[2];
-  const T t_141 = t_139 * samples[3];
-  const T t_142 = t_138 * samples[134];
-  const T t_143 = t_138 * samples[266];
-  const T t_144 = t_139 * samples[135];
-  const T t_145 = t_139 * samples[267];
-  const T t_146 = t_88 - t_104;
-  const T t_147 = t_88 + t_104;
-  const T t_148 = t_111 + t_119;
-  const T t_149 = t_111 - t_119;
-  const T t_150 = t_146 + t_148;
-  const T t_151 = t_146 - t_148;
-  const T t_152 = t_150 * samples[4];
-  const T t_153 = t_151 * samples[5];
-  const T t_154 = t_150 * samples[136];
-  const T t_155 = t_150 * samples[268];
-  const T t_156 = t_151 * samples[137];
-  const T t_157 = t_151 * samples[269];
-  const T t_158 = t_147 + t_149;
-  const T t_159 = t_147 - t_149;
-  const T t_160 = t_158 * samples[6];
-  const T t_161 = t_159 * samples[7];
-  const T t_162 = t_158 * samples[138];
-  const T t_163 = t_158 * samples[270];
-  const T t_164 = t_159 * samples[139];
-  const T t_165 = t_159 * samples[271];
-  const T t_166 = t_89 + t_105;
-  const T t_167 = t_89 - t_105;
-  const T t_168 = t_112 + t_120;
-  const T t_169 = t_112 - t_120;
-  const T t_170 = t_166 + t_168;
-  const T t_171 = t_166 - t_168;
-  const T t_172 = t_170 * samples[8];
-  const T t_173 = t_171 * samples[9];
-  const T t_174 = t_170 * samples[140];
-  const T t_175 = t_170 * samples[272];
-  const T t_176 = t_171 * samples[141];
-  const T t_177 = t_171 * samples[273];
-  const T t_178 = t_167 + t_169;
-  const T t_179 = t_167 - t_169;
-  const T t_180 = t_178 * samples[10];
-  const T t_181 = t_179 * samples[11];
-  const T t_182 = t_178 * samples[142];
-  const T t_183 = t_178 * samples[274];
-  const T t_184 = t_179 * samples[143];
-  const T t_185 = t_179 * samples[275];
-  const T t_186 = t_87 + t_103;
-  const T t_187 = t_87 - t_103;
-  const T t_188 = t_113 + t_121;
-  const T t_189 = t_113 - t_121;
-  const T t_190 = t_186 + t_188;
-  const T t_191 = t_186 - t_188;
-  const T t_192 = t_190 * samples[12];
-  const T t_193 = t_191 * samples[13];
-  const T t_194 = t_190 * samples[144];
-  const T t_195 = t_190 * samples[276];
-  const T t_196 = t_191 * samples[145];
-  const T t_197 = t_191 * samples[277];
-  const T t_198 = t_187 + t_189;
-  const T t_199 = t_187 - t_189;
-  const T t_200 = t_198 * samples[14];
-  const T t_201 = t_199 * samples[15];
-  const T t_202 = t_198 * samples[146];
-  const T t_203 = t_198 * samples[278];
-  const T t_204 = t_199 * samples[147];
-  const T t_205 = t_199 * samples[279];
-  const T t_206 = t_90 + t_106;
-  const T t_207 = t_90 - t_106;
-  const T t_208 = t_114 + t_122;
-  const T t_209 = t_114 - t_122;
-  const T t_210 = t_206 + t_208;
-  const T t_211 = t_206 - t_208;
-  const T t_212 = t_210 * samples[16];
-  const T t_213 = t_211 * samples[17];
-  const T t_214 = t_210 * samples[148];
-  const T t_215 = t_210 * samples[280];
-  const T t_216 = t_211 * samples[149];
-  const T t_217 = t_211 * samples[281];
-  const T t_218 = t_207 + t_209;
-  const T t_219 = t_207 - t_209;
-  const T t_220 = t_218 * samples[18];
-  const T t_221 = t_219 * samples[19];
-  const T t_222 = t_218 * samples[150];
-  const T t_223 = t_218 * samples[282];
-  const T t_224 = t_219 * samples[151];
-  const T t_225 = t_219 * samples[283];
-  const T t_226 = t_92 - t_108;
-  const T t_227 = t_92 + t_108;
-  const T t_228 = t_115 + t_123;
-  const T t_229 = t_115 - t_123;
-  const T t_230 = t_226 + t_228;
-  const T t_231 = t_226 - t_228;
-  const T t_232 = t_230 * samples[20];
-  const T t_233 = t_231 * samples[21];
-  const T t_234 = t_230 * samples[152];
-  const T t_235 = t_230 * samples[284];
-  const T t_236 = t_231 * samples[153];
-  const T t_237 = t_231 * samples[285];
-  const T t_238 = t_227 + t_229;
-  const T t_239 = t_227 - t_229;
-  const T t_240 = t_238 * samples[22];
-  const T t_241 = t_239 * samples[23];
-  const T t_242 = t_238 * samples[154];
-  const T t_243 = t_238 * samples[286];
-  const T t_244 = t_239 * samples[155];
-  const T t_245 = t_239 * samples[287];
-  const T t_246 = t_93 + t_109;
-  const T t_247 = t_93 - t_109;
-  const T t_248 = t_116 + t_124;
-  const T t_249 = t_116 - t_124;
-  const T t_250 = t_246 + t_248;
-  const T t_251 = t_246 - t_248;
-  const T t_252 = t_250 * samples[24];
-  const T t_253 = t_251 * samples[25];
-  const T t_254 = t_250 * samples[156];
-  const T t_255 = t_250 * samples[288];
-  const T t_256 = t_251 * samples[157];
-  const T t_257 = t_251 * samples[289];
-  const T t_258 = t_247 + t_249;
-  const T t_259 = t_247 - t_249;
-  const T t_260 = t_258 * samples[26];
-  const T t_261 = t_259 * samples[27];
-  const T t_262 = t_258 * samples[158];
-  const T t_263 = t_258 * samples[290];
-  const T t_264 = t_259 * samples[159];
-  const T t_265 = t_259 * samples[291];
-  const T t_266 = t_91 + t_107;
-  const T t_267 = t_91 - t_107;
-  const T t_268 = t_117 + t_125;
-  const T t_269 = t_117 - t_125;
-  const T t_270 = t_266 + t_268;
-  const T t_271 = t_266 - t_268;
-  const T t_272 = t_270 * samples[28];
-  const T t_273 = t_271 * samples[29];
-  const T t_274 = t_270 * samples[160];
-  const T t_275 = t_270 * samples[292];
-  const T t_276 = t_271 * samples[161];
-  const T t_277 = t_271 * samples[293];
-  const T t_278 = t_267 + t_269;
-  const T t_279 = t_267 - t_269;
-  const T t_280 = t_278 * samples[30];
-  const T t_281 = t_279 * samples[31];
-  const T t_282 = t_278 * samples[162];
-  const T t_283 = t_278 * samples[294];
-  const T t_284 = t_279 * samples[163];
-  const T t_285 = t_279 * samples[295];
-  const T t_286 = t_132 + t_133;
-  const T t_287 = t_132 - t_133;
-  const T t_288 = t_140 + t_141;
-  const T t_289 = t_140 - t_141;
-  const T t_290 = t_286 + t_288;
-  const T t_291 = t_286 - t_288;
-  const T t_292 = t_287 + t_289;
-  const T t_293 = t_287 - t_289;
-  const T t_294 = t_152 + t_153;
-  const T t_295 = t_152 - t_153;
-  const T t_296 = t_160 + t_161;
-  const T t_297 = t_160 - t_161;
-  const T t_298 = t_294 + t_296;
-  const T t_299 = t_294 - t_296;
-  const T t_300 = t_295 + t_297;
-  const T t_301 = t_295 - t_297;
-  const T t_302 = t_172 + t_173;
-  const T t_303 = t_172 - t_173;
-  const T t_304 = t_180 + t_181;
-  const T t_305 = t_180 - t_181;
-  const T t_306 = t_302 + t_304;
-  const T t_307 = t_302 - t_304;
-  const T t_308 = t_303 + t_305;
-  const T t_309 = t_303 - t_305;
-  const T t_310 = t_192 + t_193;
-  const T t_311 = t_192 - t_193;
-  const T t_312 = t_200 + t_201;
-  const T t_313 = t_200 - t_201;
-  const T t_314 = t_310 + t_312;
-  const T t_315 = t_310 - t_312;
-  const T t_316 = t_311 + t_313;
-  const T t_317 = t_311 - t_313;
-  const T t_318 = t_212 + t_213;
-  const T t_319 = t_212 - t_213;
-  const T t_320 = t_220 + t_221;
-  const T t_321 = t_220 - t_221;
-  const T t_322 = t_318 + t_320;
-  const T t_323 = t_318 - t_320;
-  const T t_324 = t_319 + t_321;
-  const T t_325 = t_319 - t_321;
-  const T t_326 = t_232 + t_233;
-  const T t_327 = t_232 - t_233;
-  const T t_328 = t_240 + t_241;
-  const T t_329 = t_240 - t_241;
-  const T t_330 = t_326 + t_328;
-  const T t_331 = t_326 - t_328;
-  const T t_332 = t_327 + t_329;
-  const T t_333 = t_327 - t_329;
-  const T t_334 = t_252 + t_253;
-  const T t_335 = t_252 - t_253;
-  const T t_336 = t_260 + t_261;
-  const T t_337 = t_260 - t_261;
-  const T t_338 = t_334 + t_336;
-  const T t_339 = t_334 - t_336;
-  const T t_340 = t_335 + t_337;
-  const T t_341 = t_335 - t_337;
-  const T t_342 = t_272 + t_273;
-  const T t_343 = t_272 - t_273;
-  const T t_344 = t_280 + t_281;
-  const T t_345 = t_280 - t_281;
-  const T t_346 = t_342 + t_344;
-  const T t_347 = t_342 - t_344;
-  const T t_348 = t_343 + t_345;
-  const T t_349 = t_343 - t_345;
-  const T t_350 = t_338 + t_330;
-  const T t_351 = t_346 + t_322;
-  const T t_352 = k_91 * (t_330 - t_338) - t_346 + t_322;
-  const T t_353 = t_306 + t_298;
-  const T t_354 = t_314 + t_290;
-  const T t_355 = k_91 * (t_298 - t_306) - t_314 + t_290;
-  const T t_356 = t_353 + t_354;
-  const T t_357 = t_350 + t_351;
-  const T t_358 = t_347 + k_104 * (t_339 + t_331) + t_323;
-  const T t_359 = t_315 + k_104 * (t_307 + t_299) + t_291;
-  const T t_360 = k_100 * t_348 + k_96 * t_340 + k_92 * t_332 + t_324;
-  const T t_361 = t_324 - k_101 * t_348 - k_97 * t_340 - k_93 * t_332;
-  const T t_362 = k_100 * t_316 + k_96 * t_308 + k_92 * t_300 + t_292;
-  const T t_363 = t_292 - k_101 * t_316 - k_97 * t_308 - k_93 * t_300;
-  const T t_364 = k_98 * t_341 - k_102 * t_349 + k_94 * t_333 + t_325;
-  const T t_365 = k_103 * t_349 + k_99 * t_341 + k_95 * t_333 + t_325;
-  const T t_366 = k_98 * t_309 - k_102 * t_317 + k_94 * t_301 + t_293;
-  const T t_367 = k_103 * t_317 + k_99 * t_309 + k_95 * t_301 + t_293;
-  const T t_368 = t_359 + t_358;
-  const T t_369 = t_367 + t_365;
-  const T t_370 = t_367 - t_365;
-  const T t_371 = t_356 + t_357;
-  const T t_372 = t_356 - t_357;
-  const T t_373 = t_362 + t_360;
-  const T t_374 = t_362 - t_360;
-  const T t_375 = t_355 + t_352;
-  const T t_376 = t_134 + t_136;
-  const T t_377 = t_134 - t_136;
-  const T t_378 = t_142 + t_144;
-  const T t_379 = t_142 - t_144;
-  const T t_380 = t_376 + t_378;
-  const T t_381 = t_376 - t_378;
-  const T t_382 = t_377 + t_379;
-  const T t_383 = t_377 - t_379;
-  const T t_384 = t_154 + t_156;
-  const T t_385 = t_154 - t_156;
-  const T t_386 = t_162 + t_164;
-  const T t_387 = t_162 - t_164;
-  const T t_388 = t_384 + t_386;
-  const T t_389 = t_384 - t_386;
-  const T t_390 = t_385 + t_387;
-  const T t_391 = t_385 - t_387;
-  const T t_392 = t_174 + t_176;
-  const T t_393 = t_174 - t_176;
-  const T t_394 = t_182 + t_184;
-  const T t_395 = t_182 - t_184;
-  const T t_396 = t_392 + t_394;
-  const T t_397 = t_392 - t_394;
-  const T t_398 = t_393 + t_395;
-  const T t_399 = t_393 - t_395;
-  const T t_400 = t_194 + t_196;
-  const T t_401 = t_194 - t_196;
-  const T t_402 = t_202 + t_204;
-  const T t_403 = t_202 - t_204;
-  const T t_404 = t_400 + t_402;
-  const T t_405 = t_400 - t_402;
-  const T t_406 = t_401 + t_403;
-  const T t_407 = t_401 - t_403;
-  const T t_408 = t_214 + t_216;
-  const T t_409 = t_214 - t_216;
-  const T t_410 = t_222 + t_224;
-  const T t_411 = t_222 - t_224;
-  const T t_412 = t_408 + t_410;
-  const T t_413 = t_408 - t_410;
-  const T t_414 = t_409 + t_411;
-  const T t_415 = t_409 - t_411;
-  const T t_416 = t_234 + t_236;
-  const T t_417 = t_234 - t_236;
-  const T t_418 = t_242 + t_244;
-  const T t_419 = t_242 - t_244;
-  const T t_420 = t_416 + t_418;
-  const T t_421 = t_416 - t_418;
-  const T t_422 = t_417 + t_419;
-  const T t_423 = t_417 - t_419;
-  const T t_424 = t_254 + t_256;
-  const T t_425 = t_254 - t_256;
-  const T t_426 = t_262 + t_264;
-  const T t_427 = t_262 - t_264;
-  const T t_428 = t_424 + t_426;
-  const T t_429 = t_424 - t_426;
-  const T t_430 = t_425 + t_427;
-  const T t_431 = t_425 - t_427;
-  const T t_432 = t_274 + t_276;
-  const T t_433 = t_274 - t_276;
-  const T t_434 = t_282 + t_284;
-  const T t_435 = t_282 - t_284;
-  const T t_436 = t_432 + t_434;
-  const T t_437 = t_432 - t_434;
-  const T t_438 = t_433 + t_435;
-  const T t_439 = t_433 - t_435;
-  const T t_440 = t_428 + t_420;
-  const T t_441 = t_436 + t_412;
-  const T t_442 = k_91 * (t_420 - t_428) - t_436 + t_412;
-  const T t_443 = t_396 + t_388;
-  const T t_444 = t_404 + t_380;
-  const T t_445 = k_91 * (t_388 - t_396) - t_404 + t_380;
-  const T t_446 = t_443 + t_444;
-  const T t_447 = t_440 + t_441;
-  const T t_448 = t_437 + k_104 * (t_429 + t_421) + t_413;
-  const T t_449 = t_405 + k_104 * (t_397 + t_389) + t_381;
-  const T t_450 = k_100 * t_438 + k_96 * t_430 + k_92 * t_422 + t_414;
-  const T t_451 = t_414 - k_101 * t_438 - k_97 * t_430 - k_93 * t_422;
-  const T t_452 = k_100 * t_406 + k_96 * t_398 + k_92 * t_390 + t_382;
-  const T t_453 = t_382 - k_101 * t_406 - k_97 * t_398 - k_93 * t_390;
-  const T t_454 = k_98 * t_431 - k_102 * t_439 + k_94 * t_423 + t_415;
-  const T t_455 = k_103 * t_439 + k_99 * t_431 + k_95 * t_423 + t_415;
-  const T t_456 = k_98 * t_399 - k_102 * t_407 + k_94 * t_391 + t_383;
-  const T t_457 = k_103 * t_407 + k_99 * t_399 + k_95 * t_391 + t_383;
-  const T t_458 = t_449 + t_448;
-  const T t_459 = t_457 + t_455;
-  const T t_460 = t_457 - t_455;
-  const T t_461 = t_446 + t_447;
-  const T t_462 = t_446 - t_447;
-  const T t_463 = t_452 + t_450;
-  const T t_464 = t_452 - t_450;
-  const T t_465 = t_445 + t_442;
-  const T t_466 = t_135 + t_137;
-  const T t_467 = t_135 - t_137;
-  const T t_468 = t_143 + t_145;
-  const T t_469 = t_143 - t_145;
-  const T t_470 = t_466 + t_468;
-  const T t_471 = t_466 - t_468;
-  const T t_472 = t_467 + t_469;
-  const T t_473 = t_467 - t_469;
-  const T t_474 = t_155 + t_157;
-  const T t_475 = t_155 - t_157;
-  const T t_476 = t_163 + t_165;
-  const T t_477 = t_163 - t_165;
-  const T t_478 = t_474 + t_476;
-  const T t_479 = t_474 - t_476;
-  const T t_480 = t_475 + t_477;
-  const T t_481 = t_475 - t_477;
-  const T t_482 = t_175 + t_177;
-  const T t_483 = t_175 - t_177;
-  const T t_484 = t_183 + t_185;
-  const T t_485 = t_183 - t_185;
-  const T t_486 = t_482 + t_484;
-  const T t_487 = t_482 - t_484;
-  const T t_488 = t_483 + t_485;
-  const T t_489 = t_483 - t_485;
-  const T t_490 = t_195 + t_197;
-  const T t_491 = t_195 - t_197;
-  const T t_492 = t_203 + t_205;
-  const T t_493 = t_203 - t_205;
-  const T t_494 = t_490 + t_492;
-  const T t_495 = t_490 - t_492;
-  const T t_496 = t_491 + t_493;
-  const T t_497 = t_491 - t_493;
-  const T t_498 = t_215 + t_217;
-  const T t_499 = t_215 - t_217;
-  const T t_500 = t_223 + t_225;
-  const T t_501 = t_223 - t_225;
-  const T t_502 = t_498 + t_500;
-  const T t_503 = t_498 - t_500;
-  const T t_504 = t_499 + t_501;
-  const T t_505 = t_499 - t_501;
-  const T t_506 = t_235 + t_237;
-  const T t_507 = t_235 - t_237;
-  const T t_508 = t_243 + t_245;
-  const T t_509 = t_243 - t_245;
-  const T t_510 = t_506 + t_508;
-  const T t_511 = t_506 - t_508;
-  const T t_512 = t_507 + t_509;
-  const T t_513 = t_507 - t_509;
-  const T t_514 = t_255 + t_257;
-  const T t_515 = t_255 - t_257;
-  const T t_516 = t_263 + t_265;
-  const T t_517 = t_263 - t_265;
-  const T t_518 = t_514 + t_516;
-  const T t_519 = t_514 - t_516;
-  const T t_520 = t_515 + t_517;
-  const T t_521 = t_515 - t_517;
-  const T t_522 = t_275 + t_277;
-  const T t_523 = t_275 - t_277;
-  const T t_524 = t_283 + t_285;
-  const T t_525 = t_283 - t_285;
-  const T t_526 = t_522 + t_524;
-  const T t_527 = t_522 - t_524;
-  const T t_528 = t_523 + t_525;
-  const T t_529 = t_523 - t_525;
-  const T t_530 = t_518 + t_510;
-  const T t_531 = t_526 + t_502;
-  const T t_532 = k_91 * (t_510 - t_518) - t_526 + t_502;
-  const T t_533 = t_486 + t_478;
-  const T t_534 = t_494 + t_470;
-  const T t_535 = k_91 * (t_478 - t_486) - t_494 + t_470;
-  const T t_536 = t_533 + t_534;
-  const T t_537 = t_530 + t_531;
-  const T t_538 = t_527 + k_104 * (t_519 + t_511) + t_503;
-  const T t_539 = t_495 + k_104 * (t_487 + t_479) + t_471;
-  const T t_540 = k_100 * t_528 + k_96 * t_520 + k_92 * t_512 + t_504;
-  const T t_541 = t_504 - k_101 * t_528 - k_97 * t_520 - k_93 * t_512;
-  const T t_542 = k_100 * t_496 + k_96 * t_488 + k_92 * t_480 + t_472;
-  const T t_543 = t_472 - k_101 * t_496 - k_97 * t_488 - k_93 * t_480;
-  const T t_544 = k_98 * t_521 - k_102 * t_529 + k_94 * t_513 + t_505;
-  const T t_545 = k_103 * t_529 + k_99 * t_521 + k_95 * t_513 + t_505;
-  const T t_546 = k_98 * t_489 - k_102 * t_497 + k_94 * t_481 + t_473;
-  const T t_547 = k_103 * t_497 + k_99 * t_489 + k_95 * t_481 + t_473;
-  const T t_548 = t_539 + t_538;
-  const T t_549 = t_547 + t_545;
-  const T t_550 = t_547 - t_545;
-  const T t_551 = t_536 + t_537;
-  const T t_552 = t_536 - t_537;
-  const T t_553 = t_542 + t_540;
-  const T t_554 = t_542 - t_540;
-  const T t_555 = t_535 + t_532;
-  const T t_556 = k_129 * visibility[64];
-  const T t_557 = k_130 * visibility[49];
-  const T t_558 = k_131 * visibility[65];
-  const T t_559 = t_557 + t_558;
-  const T t_560 = t_557 - t_558;
-  const T t_561 = k_133 * visibility[50];
-  const T t_562 = k_132 * visibility[36] + k_134 * visibility[66];
-  const T t_563 = t_562 + t_561;
-  const T t_564 = t_562 - t_561;
-  const T t_565 = k_135 * visibility[25] + k_137 * visibility[51];
-  const T t_566 = k_136 * visibility[37] + k_138 * visibility[67];
-  const T t_567 = t_565 + t_566;
-  const T t_568 = t_565 - t_566;
-  const T t_569 = k_140 * visibility[26] + k_142 * visibility[52];
-  const T t_570 = k_139 * visibility[16] + k_141 * visibility[38] + k_143 * visibility[68];
-  const T t_571 = t_570 + t_569;
-  const T t_572 = t_570 - t_569;
-  const T t_573 = k_144 * visibility[9] + k_146 * visibility[27] + k_148 * visibility[53];
-  const T t_574 = k_145 * visibility[17] + k_147 * visibility[39] + k_149 * visibility[69];
-  const T t_575 = t_573 + t_574;
-  const T t_576 = t_573 - t_574;
-  const T t_577 = k_151 * visibility[10] + k_153 * visibility[28] - k_155 * visibility[54];
-  const T t_578 = k_150 * visibility[4] + k_152 * visibility[18] + k_154 * visibility[40] - k_156 * visibility[70];
-  const T t_579 = t_578 + t_577;
-  const T t_580 = t_578 - t_577;
-  const T t_581 = k_157 * visibility[1] + k_159 * visibility[11] - k_161 * visibility[29] - k_163 * visibility[55];
-  const T t_582 = k_158 * visibility[5] + k_160 * visibility[19] - k_162 * visibility[41] - k_164 * visibility[71];
-  const T t_583 = t_581 + t_582;
-  const T t_584 = t_581 - t_582;
-  const T t_585 = k_166 * visibility[2] - k_168 * visibility[12] - k_170 * visibility[30] + k_172 * visibility[56];
-  const T t_586 = k_165 * visibility[0] + k_167 * visibility[6] - k_169 * visibility[20] - k_171 * visibility[42]
-      + k_173 * visibility[72];
-  const T t_587 = t_586 + t_585;
-  const T t_588 = t_586 - t_585;
-  const T t_589 = k_174 * visibility[3] + k_176 * visibility[13] - k_178 * visibility[31] - k_180 * visibility[57];
-  const T t_590 = k_175 * visibility[7] + k_177 * visibility[21] - k_179 * visibility[43] - k_181 * visibility[73];
-  const T t_591 = t_589 + t_590;
-  const T t_592 = t_589 - t_590;
-  const T t_593 = k_183 * visibility[14] + k_185 * visibility[32] - k_187 * visibility[58];
-  const T t_594 = k_182 * visibility[8] + k_184 * visibility[22] + k_186 * visibility[44] - k_188 * visibility[74];
-  const T t_595 = t_594 + t_593;
-  const T t_596 = t_594 - t_593;
-  const T t_597 = k_189 * visibility[15] + k_191 * visibility[33] + k_193 * visibility[59];
-  const T t_598 = k_190 * visibility[23] + k_192 * visibility[45] + k_194 * visibility[75];
-  const T t_599 = t_597 + t_598;
-  const T t_600 = t_597 - t_598;
-  const T t_601 = k_140 * visibility[34] + k_142 * visibility[60];
-  const T t_602 = k_139 * visibility[24] + k_141 * visibility[46] + k_143 * visibility[76];
-  const T t_603 = t_602 + t_601;
-  const T t_604 = t_602 - t_601;
-  const T t_605 = k_195 * visibility[35] + k_197 * visibility[61];
-  const T t_606 = k_196 * visibility[47] + k_198 * visibility[77];
-  const T t_607 = t_605 + t_606;
-  const T t_608 = t_605 - t_606;
-  const T t_609 = k_200 * visibility[62];
-  const T t_610 = k_199 * visibility[48] + k_201 * visibility[78];
-  const T t_611 = t_610 + t_609;
-  const T t_612 = t_610 - t_609;
-  const T t_613 = k_202 * visibility[63];
-  const T t_614 = k_203 * visibility[79];
-  const T t_615 = t_613 + t_614;
-  const T t_616 = t_613 - t_614;
-  const T t_617 = t_587 + t_603;
-  const T t_618 = t_587 - t_603;
-  const T t_619 = t_588 + t_604;
-  const T t_620 = t_588 - t_604;
-  const T t_621 = t_595 + t_611;
-  const T t_622 = k_91 * (t_595 - k_90 * t_611);
-  const T t_623 = t_596 + t_612;
-  const T t_624 = k_91 * (t_596 - k_90 * t_612);
-  const T t_625 = t_617 + t_621;
-  const T t_626 = t_617 - t_621;
-  const T t_627 = t_618 + t_622;
-  const T t_628 = t_618 - t_622;
-  const T t_629 = t_619 + t_623;
-  const T t_630 = t_619 - t_623;
-  const T t_631 = t_620 + t_624;
-  const T t_632 = t_620 - t_624;
-  const T t_633 = t_556 + t_571;
-  const T t_634 = t_556 - t_571;
-  const T t_635 = t_556 + t_572;
-  const T t_636 = t_556 - t_572;
-  const T t_637 = t_563 + t_579;
-  const T t_638 = k_91 * (t_563 - k_90 * t_579);
-  const T t_639 = t_564 + t_580;
-  const T t_640 = k_91 * (t_564 - k_90 * t_580);
-  const T t_641 = t_633 + t_637;
-  const T t_642 = t_637 - t_633;
-  const T t_643 = t_634 + t_638;
-  const T t_644 = t_634 - t_638;
-  const T t_645 = t_635 + t_639;
-  const T t_646 = t_639 - t_635;
-  const T t_647 = t_636 + t_640;
-  const T t_648 = t_636 - t_640;
-  const T t_649 = t_591 + t_599 + t_607 + t_615;
-  const T t_650 = k_92 * t_591 - k_93 * t_599 - k_94 * t_607 - k_95 * t_615;
-  const T t_651 = k_96 * t_591 - k_97 * t_599 + k_98 * t_607 + k_99 * t_615;
-  const T t_652 = k_100 * t_591 - k_101 * t_599 + k_102 * t_607 - k_103 * t_615;
-  const T t_653 = t_592 + t_600 + t_608 + t_616;
-  const T t_654 = k_92 * t_592 - k_93 * t_600 - k_94 * t_608 - k_95 * t_616;
-  const T t_655 = k_96 * t_592 - k_97 * t_600 + k_98 * t_608 + k_99 * t_616;
-  const T t_656 = k_100 * t_592 - k_101 * t_600 + k_102 * t_608 - k_103 * t_616;
-  const T t_657 = t_559 + t_567 + t_575 + t_583;
-  const T t_658 = k_93 * t_567 - k_92 * t_559 + k_94 * t_575 + k_95 * t_583;
-  const T t_659 = k_96 * t_559 - k_97 * t_567 + k_98 * t_575 + k_99 * t_583;
-  const T t_660 = k_101 * t_567 - k_100 * t_559 - k_102 * t_575 + k_103 * t_583;
-  const T t_661 = t_560 + t_568 + t_576 + t_584;
-  const T t_662 = k_93 * t_568 - k_92 * t_560 + k_94 * t_576 + k_95 * t_584;
-  const T t_663 = k_96 * t_560 - k_97 * t_568 + k_98 * t_576 + k_99 * t_584;
-  const T t_664 = k_101 * t_568 - k_100 * t_560 - k_102 * t_576 + k_103 * t_584;
-  const T t_665 = t_625 + t_641;
-  const T t_666 = t_625 - t_641;
-  const T t_667 = t_649 + t_657;
-  const T t_668 = t_649 - t_657;
-  const T t_669 = t_665 + t_667;
-  const T t_670 = t_665 - t_667;
-  const T t_671 = t_669 * samples[32];
-  const T t_672 = t_670 * samples[33];
-  const T t_673 = t_669 * samples[164];
-  const T t_674 = t_669 * samples[296];
-  const T t_675 = t_670 * samples[165];
-  const T t_676 = t_670 * samples[297];
-  const T t_677 = t_666 + t_668;
-  const T t_678 = t_666 - t_668;
-  const T t_679 = t_677 * samples[34];
-  const T t_680 = t_678 * samples[35];
-  const T t_681 = t_677 * samples[166];
-  const T t_682 = t_677 * samples[298];
-  const T t_683 = t_678 * samples[167];
-  const T t_684 = t_678 * samples[299];
-  const T t_685 = t_627 - t_643;
-  const T t_686 = t_627 + t_643;
-  const T t_687 = t_650 + t_658;
-  const T t_688 = t_650 - t_658;
-  const T t_689 = t_685 + t_687;
-  const T t_690 = t_685 - t_687;
-  const T t_691 = t_689 * samples[36];
-  const T t_692 = t_690 * samples[37];
-  const T t_693 = t_689 * samples[168];
-  const T t_694 = t_689 * samples[300];
-  const T t_695 = t_690 * samples[169];
-  const T t_696 = t_690 * samples[301];
-  const T t_697 = t_686 + t_688;
-  const T t_698 = t_686 - t_688;
-  const T t_699 = t_697 * samples[38];
-  const T t_700 = t_698 * samples[39];
-  const T t_701 = t_697 * samples[170];
-  const T t_702 = t_697 * samples[302];
-  const T t_703 = t_698 * samples[171];
-  const T t_704 = t_698 * samples[303];
-  const T t_705 = t_628 + t_644;
-  const T t_706 = t_628 - t_644;
-  const T t_707 = t_651 + t_659;
-  const T t_708 = t_651 - t_659;
-  const T t_709 = t_705 + t_707;
-  const T t_710 = t_705 - t_707;
-  const T t_711 = t_709 * samples[40];
-  const T t_712 = t_710 * samples[41];
-  const T t_713 = t_709 * samples[172];
-  const T t_714 = t_709 * samples[304];
-  const T t_715 = t_710 * samples[173];
-  const T t_716 = t_710 * samples[305];
-  const T t_717 = t_706 + t_708;
-  const T t_718 = t_706 - t_708;
-  const T t_719 = t_717 * samples[42];
-  const T t_720 = t_718 * samples[43];
-  const T t_721 = t_717 * samples[174];
-  const T t_722 = t_717 * samples[306];
-  const T t_723 = t_718 * samples[175];
-  const T t_724 = t_718 * samples[307];
-  const T t_725 = t_626 + t_642;
-  const T t_726 = t_626 - t_642;
-  const T t_727 = t_652 + t_660;
-  const T t_728 = t_652 - t_660;
-  const T t_729 = t_725 + t_727;
-  const T t_730 = t_725 - t_727;
-  const T t_731 = t_729 * samples[44];
-  const T t_732 = t_730 * samples[45];
-  const T t_733 = t_729 * samples[176];
-  const T t_734 = t_729 * samples[308];
-  const T t_735 = t_730 * samples[177];
-  const T t_736 = t_730 * samples[309];
-  const T t_737 = t_726 + t_728;
-  const T t_738 = t_726 - t_728;
-  const T t_739 = t_737 * samples[46];
-  const T t_740 = t_738 * samples[47];
-  const T t_741 = t_737 * samples[178];
-  const T t_742 = t_737 * samples[310];
-  const T t_743 = t_738 * samples[179];
-  const T t_744 = t_738 * samples[311];
-  const T t_745 = t_629 + t_645;
-  const T t_746 = t_629 - t_645;
-  const T t_747 = t_653 + t_661;
-  const T t_748 = t_653 - t_661;
-  const T t_749 = t_745 + t_747;
-  const T t_750 = t_745 - t_747;
-  const T t_751 = t_749 * samples[48];
-  const T t_752 = t_750 * samples[49];
-  const T t_753 = t_749 * samples[180];
-  const T t_754 = t_749 * samples[312];
-  const T t_755 = t_750 * samples[181];
-  const T t_756 = t_750 * samples[313];
-  const T t_757 = t_746 + t_748;
-  const T t_758 = t_746 - t_748;
-  const T t_759 = t_757 * samples[50];
-  const T t_760 = t_758 * samples[51];
-  const T t_761 = t_757 * samples[182];
-  const T t_762 = t_757 * samples[314];
-  const T t_763 = t_758 * samples[183];
-  const T t_764 = t_758 * samples[315];
-  const T t_765 = t_631 - t_647;
-  const T t_766 = t_631 + t_647;
-  const T t_767 = t_654 + t_662;
-  const T t_768 = t_654 - t_662;
-  const T t_769 = t_765 + t_767;
-  const T t_770 = t_765 - t_767;
-  const T t_771 = t_769 * samples[52];
-  const T t_772 = t_770 * samples[53];
-  const T t_773 = t_769 * samples[184];
-  const T t_774 = t_769 * samples[316];
-  const T t_775 = t_770 * samples[185];
-  const T t_776 = t_770 * samples[317];
-  const T t_777 = t_766 + t_768;
-  const T t_778 = t_766 - t_768;
-  const T t_779 = t_777 * samples[54];
-  const T t_780 = t_778 * samples[55];
-  const T t_781 = t_777 * samples[186];
-  const T t_782 = t_777 * samples[318];
-  const T t_783 = t_778 * samples[187];
-  const T t_784 = t_778 * samples[319];
-  const T t_785 = t_632 + t_648;
-  const T t_786 = t_632 - t_648;
-  const T t_787 = t_655 + t_663;
-  const T t_788 = t_655 - t_663;
-  const T t_789 = t_785 + t_787;
-  const T t_790 = t_785 - t_787;
-  const T t_791 = t_789 * samples[56];
-  const T t_792 = t_790 * samples[57];
-  const T t_793 = t_789 * samples[188];
-  const T t_794 = t_789 * samples[320];
-  const T t_795 = t_790 * samples[189];
-  const T t_796 = t_790 * samples[321];
-  const T t_797 = t_786 + t_788;
-  const T t_798 = t_786 - t_788;
-  const T t_799 = t_797 * samples[58];
-  const T t_800 = t_798 * samples[59];
-  const T t_801 = t_797 * samples[190];
-  const T t_802 = t_797 * samples[322];
-  const T t_803 = t_798 * samples[191];
-  const T t_804 = t_798 * samples[323];
-  const T t_805 = t_630 + t_646;
-  const T t_806 = t_630 - t_646;
-  const T t_807 = t_656 + t_664;
-  const T t_808 = t_656 - t_664;
-  const T t_809 = t_805 + t_807;
-  const T t_810 = t_805 - t_807;
-  const T t_811 = t_809 * samples[60];
-  const T t_812 = t_810 * samples[61];
-  const T t_813 = t_809 * samples[192];
-  const T t_814 = t_809 * samples[324];
-  const T t_815 = t_810 * samples[193];
-  const T t_816 = t_810 * samples[325];
-  const T t_817 = t_806 + t_808;
-  const T t_818 = t_806 - t_808;
-  const T t_819 = t_817 * samples[62];
-  const T t_820 = t_818 * samples[63];
-  const T t_821 = t_817 * samples[194];
-  const T t_822 = t_817 * samples[326];
-  const T t_823 = t_818 * samples[195];
-  const T t_824 = t_818 * samples[327];
-  const T t_825 = t_671 + t_672;
-  const T t_826 = t_671 - t_672;
-  const T t_827 = t_679 + t_680;
-  const T t_828 = t_679 - t_680;
-  const T t_829 = t_825 + t_827;
-  const T t_830 = t_825 - t_827;
-  const T t_831 = t_826 + t_828;
-  const T t_832 = t_826 - t_828;
-  const T t_833 = t_691 + t_692;
-  const T t_834 = t_691 - t_692;
-  const T t_835 = t_699 + t_700;
-  const T t_836 = t_699 - t_700;
-  const T t_837 = t_833 + t_835;
-  const T t_838 = t_833 - t_835;
-  const T t_839 = t_834 + t_836;
-  const T t_840 = t_834 - t_836;
-  const T t_841 = t_711 + t_712;
-  const T t_842 = t_711 - t_712;
-  const T t_843 = t_719 + t_720;
-  const T t_844 = t_719 - t_720;
-  const T t_845 = t_841 + t_843;
-  const T t_846 = t_841 - t_843;
-  const T t_847 = t_842 + t_844;
-  const T t_848 = t_842 - t_844;
-  const T t_849 = t_731 + t_732;
-  const T t_850 = t_731 - t_732;
-  const T t_851 = t_739 + t_740;
-  const T t_852 = t_739 - t_740;
-  const T t_853 = t_849 + t_851;
-  const T t_854 = t_849 - t_851;
-  const T t_855 = t_850 + t_852;
-  const T t_856 = t_850 - t_852;
-  const T t_857 = t_751 + t_752;
-  const T t_858 = t_751 - t_752;
-  const T t_859 = t_759 + t_760;
-  const T t_860 = t_759 - t_760;
-  const T t_861 = t_857 + t_859;
-  const T t_862 = t_857 - t_859;
-  const T t_863 = t_858 + t_860;
-  const T t_864 = t_858 - t_860;
-  const T t_865 = t_771 + t_772;
-  const T t_866 = t_771 - t_772;
-  const T t_867 = t_779 + t_780;
-  const T t_868 = t_779 - t_780;
-  const T t_869 = t_865 + t_867;
-  const T t_870 = t_865 - t_867;
-  const T t_871 = t_866 + t_868;
-  const T t_872 = t_866 - t_868;
-  const T t_873 = t_791 + t_792;
-  const T t_874 = t_791 - t_792;
-  const T t_875 = t_799 + t_800;
-  const T t_876 = t_799 - t_800;
-  const T t_877 = t_873 + t_875;
-  const T t_878 = t_873 - t_875;
-  const T t_879 = t_874 + t_876;
-  const T t_880 = t_874 - t_876;
-  const T t_881 = t_811 + t_812;
-  const T t_882 = t_811 - t_812;
-  const T t_883 = t_819 + t_820;
-  const T t_884 = t_819 - t_820;
-  const T t_885 = t_881 + t_883;
-  const T t_886 = t_881 - t_883;
-  const T t_887 = t_882 + t_884;
-  const T t_888 = t_882 - t_884;
-  const T t_889 = t_877 + t_869;
-  const T t_890 = t_885 + t_861;
-  const T t_891 = k_91 * (t_869 - t_877) - t_885 + t_861;
-  const T t_892 = t_845 + t_837;
-  const T t_893 = t_853 + t_829;
-  const T t_894 = k_91 * (t_837 - t_845) - t_853 + t_829;
-  const T t_895 = t_892 + t_893;
-  const T t_896 = t_889 + t_890;
-  const T t_897 = t_886 + k_104 * (t_878 + t_870) + t_862;
-  const T t_898 = t_854 + k_104 * (t_846 + t_838) + t_830;
-  const T t_899 = k_100 * t_887 + k_96 * t_879 + k_92 * t_871 + t_863;
-  const T t_900 = t_863 - k_101 * t_887 - k_97 * t_879 - k_93 * t_871;
-  const T t_901 = k_100 * t_855 + k_96 * t_847 + k_92 * t_839 + t_831;
-  const T t_902 = t_831 - k_101 * t_855 - k_97 * t_847 - k_93 * t_839;
-  const T t_903 = k_98 * t_880 - k_102 * t_888 + k_94 * t_872 + t_864;
-  const T t_904 = k_103 * t_888 + k_99 * t_880 + k_95 * t_872 + t_864;
-  const T t_905 = k_98 * t_848 - k_102 * t_856 + k_94 * t_840 + t_832;
-  const T t_906 = k_103 * t_856 + k_99 * t_848 + k_95 * t_840 + t_832;
-  const T t_907 = t_898 + t_897;
-  const T t_908 = t_906 + t_904;
-  const T t_909 = t_906 - t_904;
-  const T t_910 = t_895 + t_896;
-  const T t_911 = t_895 - t_896;
-  const T t_912 = t_901 + t_899;
-  const T t_913 = t_901 - t_899;
-  const T t_914 = t_894 + t_891;
-  const T t_915 = t_673 + t_675;
-  const T t_916 = t_673 - t_675;
-  const T t_917 = t_681 + t_683;
-  const T t_918 = t_681 - t_683;
-  const T t_919 = t_915 + t_917;
-  const T t_920 = t_915 - t_917;
-  const T t_921 = t_916 + t_918;
-  const T t_922 = t_916 - t_918;
-  const T t_923 = t_693 + t_695;
-  const T t_924 = t_693 - t_695;
-  const T t_925 = t_701 + t_703;
-  const T t_926 = t_701 - t_703;
-  const T t_927 = t_923 + t_925;
-  const T t_928 = t_923 - t_925;
-  const T t_929 = t_924 + t_926;
-  const T t_930 = t_924 - t_926;
-  const T t_931 = t_713 + t_715;
-  const T t_932 = t_713 - t_715;
-  const T t_933 = t_721 + t_723;
-  const T t_934 = t_721 - t_723;
-  const T t_935 = t_931 + t_933;
-  const T t_936 = t_931 - t_933;
-  const T t_937 = t_932 + t_934;
-  const T t_938 = t_932 - t_934;
-  const T t_939 = t_733 + t_735;
-  const T t_940 = t_733 - t_735;
-  const T t_941 = t_741 + t_743;
-  const T t_942 = t_741 - t_743;
-  const T t_943 = t_939 + t_941;
-  const T t_944 = t_939 - t_941;
-  const T t_945 = t_940 + t_942;
-  const T t_946 = t_940 - t_942;
-  const T t_947 = t_753 + t_755;
-  const T t_948 = t_753 - t_755;
-  const T t_949 = t_761 + t_763;
-  const T t_950 = t_761 - t_763;
-  const T t_951 = t_947 + t_949;
-  const T t_952 = t_947 - t_949;
-  const T t_953 = t_948 + t_950;
-  const T t_954 = t_948 - t_950;
-  const T t_955 = t_773 + t_775;
-  const T t_956 = t_773 - t_775;
-  const T t_957 = t_781 + t_783;
-  const T t_958 = t_781 - t_783;
-  const T t_959 = t_955 + t_957;
-  const T t_960 = t_955 - t_957;
-  const T t_961 = t_956 + t_958;
-  const T t_962 = t_956 - t_958;
-  const T t_963 = t_793 + t_795;
-  const T t_964 = t_793 - t_795;
-  const T t_965 = t_801 + t_803;
-  const T t_966 = t_801 - t_803;
-  const T t_967 = t_963 + t_965;
-  const T t_968 = t_963 - t_965;
-  const T t_969 = t_964 + t_966;
-  const T t_970 = t_964 - t_966;
-  const T t_971 = t_813 + t_815;
-  const T t_972 = t_813 - t_815;
-  const T t_973 = t_821 + t_823;
-  const T t_974 = t_821 - t_823;
-  const T t_975 = t_971 + t_973;
-  const T t_976 = t_971 - t_973;
-  const T t_977 = t_972 + t_974;
-  const T t_978 = t_972 - t_974;
-  const T t_979 = t_967 + t_959;
-  const T t_980 = t_975 + t_951;
-  const T t_981 = k_91 * (t_959 - t_967) - t_975 + t_951;
-  const T t_982 = t_935 + t_927;
-  const T t_983 = t_943 + t_919;
-  const T t_984 = k_91 * (t_927 - t_935) - t_943 + t_919;
-  const T t_985 = t_982 + t_983;
-  const T t_986 = t_979 + t_980;
-  const T t_987 = t_976 + k_104 * (t_968 + t_960) + t_952;
-  const T t_988 = t_944 + k_104 * (t_936 + t_928) + t_920;
-  const T t_989 = k_100 * t_977 + k_96 * t_969 + k_92 * t_961 + t_953;
-  const T t_990 = t_953 - k_101 * t_977 - k_97 * t_969 - k_93 * t_961;
-  const T t_991 = k_100 * t_945 + k_96 * t_937 + k_92 * t_929 + t_921;
-  const T t_992 = t_921 - k_101 * t_945 - k_97 * t_937 - k_93 * t_929;
-  const T t_993 = k_98 * t_970 - k_102 * t_978 + k_94 * t_962 + t_954;
-  const T t_994 = k_103 * t_978 + k_99 * t_970 + k_95 * t_962 + t_954;
-  const T t_995 = k_98 * t_938 - k_102 * t_946 + k_94 * t_930 + t_922;
-  const T t_996 = k_103 * t_946 + k_99 * t_938 + k_95 * t_930 + t_922;
-  const T t_997 = t_988 + t_987;
-  const T t_998 = t_996 + t_994;
-  const T t_999 = t_996 - t_994;
-  const T t_1000 = t_985 + t_986;
-  const T t_1001 = t_985 - t_986;
-  const T t_1002 = t_991 + t_989;
-  const T t_1003 = t_991 - t_989;
-  const T t_1004 = t_984 + t_981;
-  const T t_1005 = t_674 + t_676;
-  const T t_1006 = t_674 - t_676;
-  const T t_1007 = t_682 + t_684;
-  const T t_1008 = t_682 - t_684;
-  const T t_1009 = t_1005 + t_1007;
-  const T t_1010 = t_1005 - t_1007;
-  const T t_1011 = t_1006 + t_1008;
-  const T t_1012 = t_1006 - t_1008;
-  const T t_1013 = t_694 + t_696;
-  const T t_1014 = t_694 - t_696;
-  const T t_1015 = t_702 + t_704;
-  const T t_1016 = t_702 - t_704;
-  const T t_1017 = t_1013 + t_1015;
-  const T t_1018 = t_1013 - t_1015;
-  const T t_1019 = t_1014 + t_1016;
-  const T t_1020 = t_1014 - t_1016;
-  const T t_1021 = t_714 + t_716;
-  const T t_1022 = t_714 - t_716;
-  const T t_1023 = t_722 + t_724;
-  const T t_1024 = t_722 - t_724;
-  const T t_1025 = t_1021 + t_1023;
-  const T t_1026 = t_1021 - t_1023;
-  const T t_1027 = t_1022 + t_1024;
-  const T t_1028 = t_1022 - t_1024;
-  const T t_1029 = t_734 + t_736;
-  const T t_1030 = t_734 - t_736;
-  const T t_1031 = t_742 + t_744;
-  const T t_1032 = t_742 - t_744;
-  const T t_1033 = t_1029 + t_1031;
-  const T t_1034 = t_1029 - t_1031;
-  const T t_1035 = t_1030 + t_1032;
-  const T t_1036 = t_1030 - t_1032;
-  const T t_1037 = t_754 + t_756;
-  const T t_1038 = t_754 - t_756;
-  const T t_1039 = t_762 + t_764;
-  const T t_1040 = t_762 - t_764;
-  const T t_1041 = t_1037 + t_1039;
-  const T t_1042 = t_1037 - t_1039;
-  const T t_1043 = t_1038 + t_1040;
-  const T t_1044 = t_1038 - t_1040;
-  const T t_1045 = t_774 + t_776;
-  const T t_1046 = t_774 - t_776;
-  const T t_1047 = t_782 + t_784;
-  const T t_1048 = t_782 - t_784;
-  const T t_1049 = t_1045 + t_1047;
-  const T t_1050 = t_1045 - t_1047;
-  const T t_1051 = t_1046 + t_1048;
-  const T t_1052 = t_1046 - t_1048;
-  const T t_1053 = t_794 + t_796;
-  const T t_1054 = t_794 - t_796;
-  const T t_1055 = t_802 + t_804;
-  const T t_1056 = t_802 - t_804;
-  const T t_1057 = t_1053 + t_1055;
-  const T t_1058 = t_1053 - t_1055;
-  const T t_1059 = t_1054 + t_1056;
-  const T t_1060 = t_1054 - t_1056;
-  const T t_1061 = t_814 + t_816;
-  const T t_1062 = t_814 - t_816;
-  const T t_1063 = t_822 + t_824;
-  const T t_1064 = t_822 - t_824;
-  const T t_1065 = t_1061 + t_1063;
-  const T t_1066 = t_1061 - t_1063;
-  const T t_1067 = t_1062 + t_1064;
-  const T t_1068 = t_1062 - t_1064;
-  const T t_1069 = t_1057 + t_1049;
-  const T t_1070 = t_1065 + t_1041;
-  const T t_1071 = k_91 * (t_1049 - t_1057) - t_1065 + t_1041;
-  const T t_1072 = t_1025 + t_1017;
-  const T t_1073 = t_1033 + t_1009;
-  const T t_1074 = k_91 * (t_1017 - t_1025) - t_1033 + t_1009;
-  const T t_1075 = t_1072 + t_1073;
-  const T t_1076 = t_1069 + t_1070;
-  const T t_1077 = t_1066 + k_104 * (t_1058 + t_1050) + t_1042;
-  const T t_1078 = t_1034 + k_104 * (t_1026 + t_1018) + t_1010;
-  const T t_1079 = k_100 * t_1067 + k_96 * t_1059 + k_92 * t_1051 + t_1043;
-  const T t_1080 = t_1043 - k_101 * t_1067 - k_97 * t_1059 - k_93 * t_1051;
-  const T t_1081 = k_100 * t_1035 + k_96 * t_1027 + k_92 * t_1019 + t_1011;
-  const T t_1082 = t_1011 - k_101 * t_1035 - k_97 * t_1027 - k_93 * t_1019;
-  const T t_1083 = k_98 * t_1060 - k_102 * t_1068 + k_94 * t_1052 + t_1044;
-  const T t_1084 = k_103 * t_1068 + k_99 * t_1060 + k_95 * t_1052 + t_1044;
-  const T t_1085 = k_98 * t_1028 - k_102 * t_1036 + k_94 * t_1020 + t_1012;
-  const T t_1086 = k_103 * t_1036 + k_99 * t_1028 + k_95 * t_1020 + t_1012;
-  const T t_1087 = t_1078 + t_1077;
-  const T t_1088 = t_1086 + t_1084;
-  const T t_1089 = t_1086 - t_1084;
-  const T t_1090 = t_1075 + t_1076;
-  const T t_1091 = t_1075 - t_1076;
-  const T t_1092 = t_1081 + t_1079;
-  const T t_1093 = t_1081 - t_1079;
-  const T t_1094 = t_1074 + t_1071;
-  const T t_1095 = k_228 * visibility[64];
-  const T t_1096 = k_229 * visibility[49];
-  const T t_1097 = k_328 * visibility[49];
-  const T t_1098 = k_230 * visibility[65];
-  const T t_1099 = k_329 * visibility[65];
-  const T t_1100 = t_1096 + t_1098;
-  const T t_1101 = t_1096 - t_1098;
-  const T t_1102 = k_232 * visibility[50];
-  const T t_1103 = k_331 * visibility[50];
-  const T t_1104 = k_231 * visibility[36] + k_233 * visibility[66];
-  const T t_1105 = k_330 * visibility[36] - k_332 * visibility[66];
-  const T t_1106 = t_1104 + t_1102;
-  const T t_1107 = t_1104 - t_1102;
-  const T t_1108 = k_234 * visibility[25] + k_236 * visibility[51];
-  const T t_1109 = k_333 * visibility[25] - k_335 * visibility[51];
-  const T t_1110 = k_235 * visibility[37] + k_237 * visibility[67];
-  const T t_1111 = k_334 * visibility[37] - k_336 * visibility[67];
-  const T t_1112 = t_1108 + t_1110;
-  const T t_1113 = t_1108 - t_1110;
-  const T t_1114 = k_239 * visibility[26] - k_241 * visibility[52];
-  const T t_1115 = k_338 * visibility[26] - k_340 * visibility[52];
-  const T t_1116 = k_238 * visibility[16] + k_240 * visibility[38] - k_242 * visibility[68];
-  const T t_1117 = k_337 * visibility[16] - k_339 * visibility[38] + k_341 * visibility[68];
-  const T t_1118 = t_1116 + t_1114;
-  const T t_1119 = t_1116 - t_1114;
-  const T t_1120 = k_243 * visibility[9] + k_245 * visibility[27] - k_247 * visibility[53];
-  const T t_1121 = k_342 * visibility[9] - k_344 * visibility[27] + k_346 * visibility[53];
-  const T t_1122 = k_244 * visibility[17] - k_246 * visibility[39] - k_248 * visibility[69];
-  const T t_1123 = k_343 * visibility[17] - k_345 * visibility[39] + k_347 * visibility[69];
-  const T t_1124 = t_1120 + t_1122;
-  const T t_1125 = t_1120 - t_1122;
-  const T t_1126 = k_250 * visibility[10] - k_252 * visibility[28] - k_254 * visibility[54];
-  const T t_1127 = k_349 * visibility[10] - k_351 * visibility[28] + k_353 * visibility[54];
-  const T t_1128 = k_249 * visibility[4] + k_251 * visibility[18] - k_253 * visibility[40] + k_255 * visibility[70];
-  const T t_1129 = k_348 * visibility[4] - k_350 * visibility[18] + k_352 * visibility[40] - k_354 * visibility[70];
-  const T t_1130 = t_1128 + t_1126;
-  const T t_1131 = t_1128 - t_1126;
-  const T t_1132 = k_256 * visibility[1] + k_258 * visibility[11] - k_260 * visibility[29] + k_262 * visibility[55];
-  const T t_1133 = k_355 * visibility[1] - k_357 * visibility[11] + k_359 * visibility[29] - k_361 * visibility[55];
-  const T t_1134 = k_257 * visibility[5] - k_259 * visibility[19] - k_261 * visibility[41] + k_263 * visibility[71];
-  const T t_1135 = k_356 * visibility[5] - k_358 * visibility[19] + k_360 * visibility[41] - k_362 * visibility[71];
-  const T t_1136 = t_1132 + t_1134;
-  const T t_1137 = t_1132 - t_1134;
-  const T t_1138 = k_265 * visibility[2] - k_267 * visibility[12] + k_269 * visibility[30] + k_271 * visibility[56];
-  const T t_1139 = k_364 * visibility[2] - k_366 * visibility[12] + k_368 * visibility[30] - k_370 * visibility[56];
-  const T t_1140 = k_264 * visibility[0] - k_266 * visibility[6] - k_268 * visibility[20] + k_270 * visibility[42]
-      - k_272 * visibility[72];
-  const T t_1141 = k_363 * visibility[0] - k_365 * visibility[6] + k_367 * visibility[20] - k_369 * visibility[42]
-      + k_371 * visibility[72];
-  const T t_1142 = t_1140 + t_1138;
-  const T t_1143 = t_1140 - t_1138;
-  const T t_1144 = k_273 * visibility[3] + k_275 * visibility[13] - k_277 * visibility[31] + k_279 * visibility[57];
-  const T t_1145 = k_372 * visibility[3] - k_374 * visibility[13] + k_376 * visibility[31] - k_378 * visibility[57];
-  const T t_1146 = k_274 * visibility[7] - k_276 * visibility[21] - k_278 * visibility[43] + k_280 * visibility[73];
-  const T t_1147 = k_373 * visibility[7] - k_375 * visibility[21] + k_377 * visibility[43] - k_379 * visibility[73];
-  const T t_1148 = t_1144 + t_1146;
-  const T t_1149 = t_1144 - t_1146;
-  const T t_1150 = k_282 * visibility[14] - k_284 * visibility[32] - k_286 * visibility[58];
-  const T t_1151 = k_381 * visibility[14] - k_383 * visibility[32] + k_385 * visibility[58];
-  const T t_1152 = k_281 * visibility[8] + k_283 * visibility[22] - k_285 * visibility[44] + k_287 * visibility[74];
-  const T t_1153 = k_380 * visibility[8] - k_382 * visibility[22] + k_384 * visibility[44] - k_386 * visibility[74];
-  const T t_1154 = t_1152 + t_1150;
-  const T t_1155 = t_1152 - t_1150;
-  const T t_1156 = k_288 * visibility[15] + k_290 * visibility[33] - k_292 * visibility[59];
-  const T t_1157 = k_387 * visibility[15] - k_389 * visibility[33] + k_391 * visibility[59];
-  const T t_1158 = k_289 * visibility[23] - k_291 * visibility[45] - k_293 * visibility[75];
-  const T t_1159 = k_388 * visibility[23] - k_390 * visibility[45] + k_392 * visibility[75];
-  const T t_1160 = t_1156 + t_1158;
-  const T t_1161 = t_1156 - t_1158;
-  const T t_1162 = k_239 * visibility[34] - k_241 * visibility[60];
-  const T t_1163 = k_338 * visibility[34] - k_340 * visibility[60];
-  const T t_1164 = k_238 * visibility[24] + k_240 * visibility[46] - k_242 * visibility[76];
-  const T t_1165 = k_337 * visibility[24] - k_339 * visibility[46] + k_341 * visibility[76];
-  const T t_1166 = t_1164 + t_1162;
-  const T t_1167 = t_1164 - t_1162;
-  const T t_1168 = k_294 * visibility[35] + k_296 * visibility[61];
-  const T t_1169 = k_393 * visibility[35] - k_395 * visibility[61];
-  const T t_1170 = k_295 * visibility[47] + k_297 * visibility[77];
-  const T t_1171 = k_394 * visibility[47] - k_396 * visibility[77];
-  const T t_1172 = t_1168 + t_1170;
-  const T t_1173 = t_1168 - t_1170;
-  const T t_1174 = k_299 * visibility[62];
-  const T t_1175 = k_398 * visibility[62];
-  const T t_1176 = k_298 * visibility[48] + k_300 * visibility[78];
-  const T t_1177 = k_397 * visibility[48] - k_399 * visibility[78];
-  const T t_1178 = t_1176 + t_1174;
-  const T t_1179 = t_1176 - t_1174;
-  const T t_1180 = k_301 * visibility[63];
-  const T t_1181 = k_400 * visibility[63];
-  const T t_1182 = k_302 * visibility[79];
-  const T t_1183 = k_401 * visibility[79];
-  const T t_1184 = t_1180 + t_1182;
-  const T t_1185 = t_1180 - t_1182;
-  const T t_1186 = t_1142 + t_1166;
-  const T t_1187 = t_1142 - t_1166;
-  const T t_1188 = t_1143 + t_1167;
-  const T t_1189 = t_1143 - t_1167;
-  const T t_1190 = t_1154 + t_1178;
-  const T t_1191 = k_91 * (t_1154 - k_90 * t_1178);
-  const T t_1192 = t_1155 + t_1179;
-  const T t_1193 = k_91 * (t_1155 - k_90 * t_1179);
-  const T t_1194 = t_1186 + t_1190;
-  const T t_1195 = t_1186 - t_1190;
-  const T t_1196 = t_1187 + t_1191;
-  const T t_1197 = t_1187 - t_1191;
-  const T t_1198 = t_1188 + t_1192;
-  const T t_1199 = t_1188 - t_1192;
-  const T t_1200 = t_1189 + t_1193;
-  const T t_1201 = t_1189 - t_1193;
-  const T t_1202 = t_1095 + t_1118;
-  const T t_1203 = t_1095 - t_1118;
-  const T t_1204 = t_1095 + t_1119;
-  const T t_1205 = t_1095 - t_1119;
-  const T t_1206 = t_1106 + t_1130;
-  const T t_1207 = k_91 * (t_1106 - k_90 * t_1130);
-  const T t_1208 = t_1107 + t_1131;
-  const T t_1209 = k_91 * (t_1107 - k_90 * t_1131);
-  const T t_1210 = t_1202 + t_1206;
-  const T t_1211 = t_1206 - t_1202;
-  const T t_1212 = t_1203 + t_1207;
-  const T t_1213 = t_1203 - t_1207;
-  const T t_1214 = t_1204 + t_1208;
-  const T t_1215 = t_1208 - t_1204;
-  const T t_1216 = t_1205 + t_1209;
-  const T t_1217 = t_1205 - t_1209;
-  const T t_1218 = t_1148 + t_1160 + t_1172 + t_1184;
-  const T t_1219 = k_92 * t_1148 - k_93 * t_1160 - k_94 * t_1172 - k_95 * t_1184;
-  const T t_1220 = k_96 * t_1148 - k_97 * t_1160 + k_98 * t_1172 + k_99 * t_1184;
-  const T t_1221 = k_100 * t_1148 - k_101 * t_1160 + k_102 * t_1172 - k_103 * t_1184;
-  const T t_1222 = t_1149 + t_1161 + t_1173 + t_1185;
-  const T t_1223 = k_92 * t_1149 - k_93 * t_1161 - k_94 * t_1173 - k_95 * t_1185;
-  const T t_1224 = k_96 * t_1149 - k_97 * t_1161 + k_98 * t_1173 + k_99 * t_1185;
-  const T t_1225 = k_100 * t_1149 - k_101 * t_1161 + k_102 * t_1173 - k_103 * t_1185;
-  const T t_1226 = t_1100 + t_1112 + t_1124 + t_1136;
-  const T t_1227 = k_93 * t_1112 - k_92 * t_1100 + k_94 * t_1124 + k_95 * t_1136;
-  const T t_1228 = k_96 * t_1100 - k_97 * t_1112 + k_98 * t_1124 + k_99 * t_1136;
-  const T t_1229 = k_101 * t_1112 - k_100 * t_1100 - k_102 * t_1124 + k_103 * t_1136;
-  const T t_1230 = t_1101 + t_1113 + t_1125 + t_1137;
-  const T t_1231 = k_93 * t_1113 - k_92 * t_1101 + k_94 * t_1125 + k_95 * t_1137;
-  const T t_1232 = k_96 * t_1101 - k_97 * t_1113 + k_98 * t_1125 + k_99 * t_1137;
-  const T t_1233 = k_101 * t_1113 - k_100 * t_1101 - k_102 * t_1125 + k_103 * t_1137;
-  const T t_1234 = t_1194 + t_1210;
-  const T t_1235 = t_1194 - t_1210;
-  const T t_1236 = t_1218 + t_1226;
-  const T t_1237 = t_1218 - t_1226;
-  const T t_1238 = t_1234 + t_1236;
-  const T t_1239 = t_1234 - t_1236;
-  const T t_1240 = t_1238 * samples[64];
-  const T t_1241 = t_1239 * samples[65];
-  const T t_1242 = t_1238 * samples[196];
-  const T t_1243 = t_1238 * samples[328];
-  const T t_1244 = t_1239 * samples[197];
-  const T t_1245 = t_1239 * samples[329];
-  const T t_1246 = t_1235 + t_1237;
-  const T t_1247 = t_1235 - t_1237;
-  const T t_1248 = t_1246 * samples[66];
-  const T t_1249 = t_1247 * samples[67];
-  const T t_1250 = t_1246 * samples[198];
-  const T t_1251 = t_1246 * samples[330];
-  const T t_1252 = t_1247 * samples[199];
-  const T t_1253 = t_1247 * samples[331];
-  const T t_1254 = t_1196 - t_1212;
-  const T t_1255 = t_1196 + t_1212;
-  const T t_1256 = t_1219 + t_1227;
-  const T t_1257 = t_1219 - t_1227;
-  const T t_1258 = t_1254 + t_1256;
-  const T t_1259 = t_1254 - t_1256;
-  const T t_1260 = t_1258 * samples[68];
-  const T t_1261 = t_1259 * samples[69];
-  const T t_1262 = t_1258 * samples[200];
-  const T t_1263 = t_1258 * samples[332];
-  const T t_1264 = t_1259 * samples[201];
-  const T t_1265 = t_1259 * samples[333];
-  const T t_1266 = t_1255 + t_1257;
-  const T t_1267 = t_1255 - t_1257;
-  const T t_1268 = t_1266 * samples[70];
-  const T t_1269 = t_1267 * samples[71];
-  const T t_1270 = t_1266 * samples[202];
-  const T t_1271 = t_1266 * samples[334];
-  const T t_1272 = t_1267 * samples[203];
-  const T t_1273 = t_1267 * samples[335];
-  const T t_1274 = t_1197 + t_1213;
-  const T t_1275 = t_1197 - t_1213;
-  const T t_1276 = t_1220 + t_1228;
-  const T t_1277 = t_1220 - t_1228;
-  const T t_1278 = t_1274 + t_1276;
-  const T t_1279 = t_1274 - t_1276;
-  const T t_1280 = t_1278 * samples[72];
-  const T t_1281 = t_1279 * samples[73];
-  const T t_1282 = t_1278 * samples[204];
-  const T t_1283 = t_1278 * samples[336];
-  const T t_1284 = t_1279 * samples[205];
-  const T t_1285 = t_1279 * samples[337];
-  const T t_1286 = t_1275 + t_1277;
-  const T t_1287 = t_1275 - t_1277;
-  const T t_1288 = t_1286 * samples[74];
-  const T t_1289 = t_1287 * samples[75];
-  const T t_1290 = t_1286 * samples[206];
-  const T t_1291 = t_1286 * samples[338];
-  const T t_1292 = t_1287 * samples[207];
-  const T t_1293 = t_1287 * samples[339];
-  const T t_1294 = t_1195 + t_1211;
-  const T t_1295 = t_1195 - t_1211;
-  const T t_1296 = t_1221 + t_1229;
-  const T t_1297 = t_1221 - t_1229;
-  const T t_1298 = t_1294 + t_1296;
-  const T t_1299 = t_1294 - t_1296;
-  const T t_1300 = t_1298 * samples[76];
-  const T t_1301 = t_1299 * samples[77];
-  const T t_1302 = t_1298 * samples[208];
-  const T t_1303 = t_1298 * samples[340];
-  const T t_1304 = t_1299 * samples[209];
-  const T t_1305 = t_1299 * samples[341];
-  const T t_1306 = t_1295 + t_1297;
-  const T t_1307 = t_1295 - t_1297;
-  const T t_1308 = t_1306 * samples[78];
-  const T t_1309 = t_1307 * samples[79];
-  const T t_1310 = t_1306 * samples[210];
-  const T t_1311 = t_1306 * samples[342];
-  const T t_1312 = t_1307 * samples[211];
-  const T t_1313 = t_1307 * samples[343];
-  const T t_1314 = t_1198 + t_1214;
-  const T t_1315 = t_1198 - t_1214;
-  const T t_1316 = t_1222 + t_1230;
-  const T t_1317 = t_1222 - t_1230;
-  const T t_1318 = t_1314 + t_1316;
-  const T t_1319 = t_1314 - t_1316;
-  const T t_1320 = t_1318 * samples[80];
-  const T t_1321 = t_1319 * samples[81];
-  const T t_1322 = t_1318 * samples[212];
-  const T t_1323 = t_1318 * samples[344];
-  const T t_1324 = t_1319 * samples[213];
-  const T t_1325 = t_1319 * samples[345];
-  const T t_1326 = t_1315 + t_1317;
-  const T t_1327 = t_1315 - t_1317;
-  const T t_1328 = t_1326 * samples[82];
-  const T t_1329 = t_1327 * samples[83];
-  const T t_1330 = t_1326 * samples[214];
-  const T t_1331 = t_1326 * samples[346];
-  const T t_1332 = t_1327 * samples[215];
-  const T t_1333 = t_1327 * samples[347];
-  const T t_1334 = t_1200 - t_1216;
-  const T t_1335 = t_1200 + t_1216;
-  const T t_1336 = t_1223 + t_1231;
-  const T t_1337 = t_1223 - t_1231;
-  const T t_1338 = t_1334 + t_1336;
-  const T t_1339 = t_1334 - t_1336;
-  const T t_1340 = t_1338 * samples[84];
-  const T t_1341 = t_1339 * samples[85];
-  const T t_1342 = t_1338 * samples[216];
-  const T t_1343 = t_1338 * samples[348];
-  const T t_1344 = t_1339 * samples[217];
-  const T t_1345 = t_1339 * samples[349];
-  const T t_1346 = t_1335 + t_1337;
-  const T t_1347 = t_1335 - t_1337;
-  const T t_1348 = t_1346 * samples[86];
-  const T t_1349 = t_1347 * samples[87];
-  const T t_1350 = t_1346 * samples[218];
-  const T t_1351 = t_1346 * samples[350];
-  const T t_1352 = t_1347 * samples[219];
-  const T t_1353 = t_1347 * samples[351];
-  const T t_1354 = t_1201 + t_1217;
-  const T t_1355 = t_1201 - t_1217;
-  const T t_1356 = t_1224 + t_1232;
-  const T t_1357 = t_1224 - t_1232;
-  const T t_1358 = t_1354 + t_1356;
-  const T t_1359 = t_1354 - t_1356;
-  const T t_1360 = t_1358 * samples[88];
-  const T t_1361 = t_1359 * samples[89];
-  const T t_1362 = t_1358 * samples[220];
-  const T t_1363 = t_1358 * samples[352];
-  const T t_1364 = t_1359 * samples[221];
-  const T t_1365 = t_1359 * samples[353];
-  const T t_1366 = t_1355 + t_1357;
-  const T t_1367 = t_1355 - t_1357;
-  const T t_1368 = t_1366 * samples[90];
-  const T t_1369 = t_1367 * samples[91];
-  const T t_1370 = t_1366 * samples[222];
-  const T t_1371 = t_1366 * samples[354];
-  const T t_1372 = t_1367 * samples[223];
-  const T t_1373 = t_1367 * samples[355];
-  const T t_1374 = t_1199 + t_1215;
-  const T t_1375 = t_1199 - t_1215;
-  const T t_1376 = t_1225 + t_1233;
-  const T t_1377 = t_1225 - t_1233;
-  const T t_1378 = t_1374 + t_1376;
-  const T t_1379 = t_1374 - t_1376;
-  const T t_1380 = t_1378 * samples[92];
-  const T t_1381 = t_1379 * samples[93];
-  const T t_1382 = t_1378 * samples[224];
-  const T t_1383 = t_1378 * samples[356];
-  const T t_1384 = t_1379 * samples[225];
-  const T t_1385 = t_1379 * samples[357];
-  const T t_1386 = t_1375 + t_1377;
-  const T t_1387 = t_1375 - t_1377;
-  const T t_1388 = t_1386 * samples[94];
-  const T t_1389 = t_1387 * samples[95];
-  const T t_1390 = t_1386 * samples[226];
-  const T t_1391 = t_1386 * samples[358];
-  const T t_1392 = t_1387 * samples[227];
-  const T t_1393 = t_1387 * samples[359];
-  const T t_1394 = t_1240 + t_1241;
-  const T t_1395 = t_1240 - t_1241;
-  const T t_1396 = t_1248 + t_1249;
-  const T t_1397 = t_1248 - t_1249;
-  const T t_1398 = t_1394 + t_1396;
-  const T t_1399 = t_1394 - t_1396;
-  const T t_1400 = t_1395 + t_1397;
-  const T t_1401 = t_1395 - t_1397;
-  const T t_1402 = t_1260 + t_1261;
-  const T t_1403 = t_1260 - t_1261;
-  const T t_1404 = t_1268 + t_1269;
-  const T t_1405 = t_1268 - t_1269;
-  const T t_1406 = t_1402 + t_1404;
-  const T t_1407 = t_1402 - t_1404;
-  const T t_1408 = t_1403 + t_1405;
-  const T t_1409 = t_1403 - t_1405;
-  const T t_1410 = t_1280 + t_1281;
-  const T t_1411 = t_1280 - t_1281;
-  const T t_1412 = t_1288 + t_1289;
-  const T t_1413 = t_1288 - t_1289;
-  const T t_1414 = t_1410 + t_1412;
-  const T t_1415 = t_1410 - t_1412;
-  const T t_1416 = t_1411 + t_1413;
-  const T t_1417 = t_1411 - t_1413;
-  const T t_1418 = t_1300 + t_1301;
-  const T t_1419 = t_1300 - t_1301;
-  const T t_1420 = t_1308 + t_1309;
-  const T t_1421 = t_1308 - t_1309;
-  const T t_1422 = t_1418 + t_1420;
-  const T t_1423 = t_1418 - t_1420;
-  const T t_1424 = t_1419 + t_1421;
-  const T t_1425 = t_1419 - t_1421;
-  const T t_1426 = t_1320 + t_1321;
-  const T t_1427 = t_1320 - t_1321;
-  const T t_1428 = t_1328 + t_1329;
-  const T t_1429 = t_1328 - t_1329;
-  const T t_1430 = t_1426 + t_1428;
-  const T t_1431 = t_1426 - t_1428;
-  const T t_1432 = t_1427 + t_1429;
-  const T t_1433 = t_1427 - t_1429;
-  const T t_1434 = t_1340 + t_1341;
-  const T t_1435 = t_1340 - t_1341;
-  const T t_1436 = t_1348 + t_1349;
-  const T t_1437 = t_1348 - t_1349;
-  const T t_1438 = t_1434 + t_1436;
-  const T t_1439 = t_1434 - t_1436;
-  const T t_1440 = t_1435 + t_1437;
-  const T t_1441 = t_1435 - t_1437;
-  const T t_1442 = t_1360 + t_1361;
-  const T t_1443 = t_1360 - t_1361;
-  const T t_1444 = t_1368 + t_1369;
-  const T t_1445 = t_1368 - t_1369;
-  const T t_1446 = t_1442 + t_1444;
-  const T t_1447 = t_1442 - t_1444;
-  const T t_1448 = t_1443 + t_1445;
-  const T t_1449 = t_1443 - t_1445;
-  const T t_1450 = t_1380 + t_1381;
-  const T t_1451 = t_1380 - t_1381;
-  const T t_1452 = t_1388 + t_1389;
-  const T t_1453 = t_1388 - t_1389;
-  const T t_1454 = t_1450 + t_1452;
-  const T t_1455 = t_1450 - t_1452;
-  const T t_1456 = t_1451 + t_1453;
-  const T t_1457 = t_1451 - t_1453;
-  const T t_1458 = t_1446 + t_1438;
-  const T t_1459 = t_1454 + t_1430;
-  const T t_1460 = k_91 * (t_1438 - t_1446) - t_1454 + t_1430;
-  const T t_1461 = t_1414 + t_1406;
-  const T t_1462 = t_1422 + t_1398;
-  const T t_1463 = k_91 * (t_1406 - t_1414) - t_1422 + t_1398;
-  const T t_1464 = t_1461 + t_1462;
-  const T t_1465 = t_1458 + t_1459;
-  const T t_1466 = t_1455 + k_104 * (t_1447 + t_1439) + t_1431;
-  const T t_1467 = t_1423 + k_104 * (t_1415 + t_1407) + t_1399;
-  const T t_1468 = k_100 * t_1456 + k_96 * t_1448 + k_92 * t_1440 + t_1432;
-  const T t_1469 = t_1432 - k_101 * t_1456 - k_97 * t_1448 - k_93 * t_1440;
-  const T t_1470 = k_100 * t_1424 + k_96 * t_1416 + k_92 * t_1408 + t_1400;
-  const T t_1471 = t_1400 - k_101 * t_1424 - k_97 * t_1416 - k_93 * t_1408;
-  const T t_1472 = k_98 * t_1449 - k_102 * t_1457 + k_94 * t_1441 + t_1433;
-  const T t_1473 = k_103 * t_1457 + k_99 * t_1449 + k_95 * t_1441 + t_1433;
-  const T t_1474 = k_98 * t_1417 - k_102 * t_1425 + k_94 * t_1409 + t_1401;
-  const T t_1475 = k_103 * t_1425 + k_99 * t_1417 + k_95 * t_1409 + t_1401;
-  const T t_1476 = t_1467 + t_1466;
-  const T t_1477 = t_1475 + t_1473;
-  const T t_1478 = t_1475 - t_1473;
-  const T t_1479 = t_1464 + t_1465;
-  const T t_1480 = t_1464 - t_1465;
-  const T t_1481 = t_1470 + t_1468;
-  const T t_1482 = t_1470 - t_1468;
-  const T t_1483 = t_1463 + t_1460;
-  const T t_1484 = t_1242 + t_1244;
-  const T t_1485 = t_1242 - t_1244;
-  const T t_1486 = t_1250 + t_1252;
-  const T t_1487 = t_1250 - t_1252;
-  const T t_1488 = t_1484 + t_1486;
-  const T t_1489 = t_1484 - t_1486;
-  const T t_1490 = t_1485 + t_1487;
-  const T t_1491 = t_1485 - t_1487;
-  const T t_1492 = t_1262 + t_1264;
-  const T t_1493 = t_1262 - t_1264;
-  const T t_1494 = t_1270 + t_1272;
-  const T t_1495 = t_1270 - t_1272;
-  const T t_1496 = t_1492 + t_1494;
-  const T t_1497 = t_1492 - t_1494;
-  const T t_1498 = t_1493 + t_1495;
-  const T t_1499 = t_1493 - t_1495;
-  const T t_1500 = t_1282 + t_1284;
-  const T t_1501 = t_1282 - t_1284;
-  const T t_1502 = t_1290 + t_1292;
-  const T t_1503 = t_1290 - t_1292;
-  const T t_1504 = t_1500 + t_1502;
-  const T t_1505 = t_1500 - t_1502;
-  const T t_1506 = t_1501 + t_1503;
-  const T t_1507 = t_1501 - t_1503;
-  const T t_1508 = t_1302 + t_1304;
-  const T t_1509 = t_1302 - t_1304;
-  const T t_1510 = t_1310 + t_1312;
-  const T t_1511 = t_1310 - t_1312;
-  const T t_1512 = t_1508 + t_1510;
-  const T t_1513 = t_1508 - t_1510;
-  const T t_1514 = t_1509 + t_1511;
-  const T t_1515 = t_1509 - t_1511;
-  const T t_1516 = t_1322 + t_1324;
-  const T t_1517 = t_1322 - t_1324;
-  const T t_1518 = t_1330 + t_1332;
-  const T t_1519 = t_1330 - t_1332;
-  const T t_1520 = t_1516 + t_1518;
-  const T t_1521 = t_1516 - t_1518;
-  const T t_1522 = t_1517 + t_1519;
-  const T t_1523 = t_1517 - t_1519;
-  const T t_1524 = t_1342 + t_1344;
-  const T t_1525 = t_1342 - t_1344;
-  const T t_1526 = t_1350 + t_1352;
-  const T t_1527 = t_1350 - t_1352;
-  const T t_1528 = t_1524 + t_1526;
-  const T t_1529 = t_1524 - t_1526;
-  const T t_1530 = t_1525 + t_1527;
-  const T t_1531 = t_1525 - t_1527;
-  const T t_1532 = t_1362 + t_1364;
-  const T t_1533 = t_1362 - t_1364;
-  const T t_1534 = t_1370 + t_1372;
-  const T t_1535 = t_1370 - t_1372;
-  const T t_1536 = t_1532 + t_1534;
-  const T t_1537 = t_1532 - t_1534;
-  const T t_1538 = t_1533 + t_1535;
-  const T t_1539 = t_1533 - t_1535;
-  const T t_1540 = t_1382 + t_1384;
-  const T t_1541 = t_1382 - t_1384;
-  const T t_1542 = t_1390 + t_1392;
-  const T t_1543 = t_1390 - t_1392;
-  const T t_1544 = t_1540 + t_1542;
-  const T t_1545 = t_1540 - t_1542;
-  const T t_1546 = t_1541 + t_1543;
-  const T t_1547 = t_1541 - t_1543;
-  const T t_1548 = t_1536 + t_1528;
-  const T t_1549 = t_1544 + t_1520;
-  const T t_1550 = k_91 * (t_1528 - t_1536) - t_1544 + t_1520;
-  const T t_1551 = t_1504 + t_1496;
-  const T t_1552 = t_1512 + t_1488;
-  const T t_1553 = k_91 * (t_1496 - t_1504) - t_1512 + t_1488;
-  const T t_1554 = t_1551 + t_1552;
-  const T t_1555 = t_1548 + t_1549;
-  const T t_1556 = t_1545 + k_104 * (t_1537 + t_1529) + t_1521;
-  const T t_1557 = t_1513 + k_104 * (t_1505 + t_1497) + t_1489;
-  const T t_1558 = k_100 * t_1546 + k_96 * t_1538 + k_92 * t_1530 + t_1522;
-  const T t_1559 = t_1522 - k_101 * t_1546 - k_97 * t_1538 - k_93 * t_1530;
-  const T t_1560 = k_100 * t_1514 + k_96 * t_1506 + k_92 * t_1498 + t_1490;
-  const T t_1561 = t_1490 - k_101 * t_1514 - k_97 * t_1506 - k_93 * t_1498;
-  const T t_1562 = k_98 * t_1539 - k_102 * t_1547 + k_94 * t_1531 + t_1523;
-  const T t_1563 = k_103 * t_1547 + k_99 * t_1539 + k_95 * t_1531 + t_1523;
-  const T t_1564 = k_98 * t_1507 - k_102 * t_1515 + k_94 * t_1499 + t_1491;
-  const T t_1565 = k_103 * t_1515 + k_99 * t_1507 + k_95 * t_1499 + t_1491;
-  const T t_1566 = t_1557 + t_1556;
-  const T t_1567 = t_1565 + t_1563;
-  const T t_1568 = t_1565 - t_1563;
-  const T t_1569 = t_1554 + t_1555;
-  const T t_1570 = t_1554 - t_1555;
-  const T t_1571 = t_1560 + t_1558;
-  const T t_1572 = t_1560 - t_1558;
-  const T t_1573 = t_1553 + t_1550;
-  const T t_1574 = t_1243 + t_1245;
-  const T t_1575 = t_1243 - t_1245;
-  const T t_1576 = t_1251 + t_1253;
-  const T t_1577 = t_1251 - t_1253;
-  const T t_1578 = t_1574 + t_1576;
-  const T t_1579 = t_1574 - t_1576;
-  const T t_1580 = t_1575 + t_1577;
-  const T t_1581 = t_1575 - t_1577;
-  const T t_1582 = t_1263 + t_1265;
-  const T t_1583 = t_1263 - t_1265;
-  const T t_1584 = t_1271 + t_1273;
-  const T t_1585 = t_1271 - t_1273;
-  const T t_1586 = t_1582 + t_1584;
-  const T t_1587 = t_1582 - t_1584;
-  const T t_1588 = t_1583 + t_1585;
-  const T t_1589 = t_1583 - t_1585;
-  const T t_1590 = t_1283 + t_1285;
-  const T t_1591 = t_1283 - t_1285;
-  const T t_1592 = t_1291 + t_1293;
-  const T t_1593 = t_1291 - t_1293;
-  const T t_1594 = t_1590 + t_1592;
-  const T t_1595 = t_1590 - t_1592;
-  const T t_1596 = t_1591 + t_1593;
-  const T t_1597 = t_1591 - t_1593;
-  const T t_1598 = t_1303 + t_1305;
-  const T t_1599 = t_1303 - t_1305;
-  const T t_1600 = t_1311 + t_1313;
-  const T t_1601 = t_1311 - t_1313;
-  const T t_1602 = t_1598 + t_1600;
-  const T t_1603 = t_1598 - t_1600;
-  const T t_1604 = t_1599 + t_1601;
-  const T t_1605 = t_1599 - t_1601;
-  const T t_1606 = t_1323 + t_1325;
-  const T t_1607 = t_1323 - t_1325;
-  const T t_1608 = t_1331 + t_1333;
-  const T t_1609 = t_1331 - t_1333;
-  const T t_1610 = t_1606 + t_1608;
-  const T t_1611 = t_1606 - t_1608;
-  const T t_1612 = t_1607 + t_1609;
-  const T t_1613 = t_1607 - t_1609;
-  const T t_1614 = t_1343 + t_1345;
-  const T t_1615 = t_1343 - t_1345;
-  const T t_1616 = t_1351 + t_1353;
-  const T t_1617 = t_1351 - t_1353;
-  const T t_1618 = t_1614 + t_1616;
-  const T t_1619 = t_1614 - t_1616;
-  const T t_1620 = t_1615 + t_1617;
-  const T t_1621 = t_1615 - t_1617;
-  const T t_1622 = t_1363 + t_1365;
-  const T t_1623 = t_1363 - t_1365;
-  const T t_1624 = t_1371 + t_1373;
-  const T t_1625 = t_1371 - t_1373;
-  const T t_1626 = t_1622 + t_1624;
-  const T t_1627 = t_1622 - t_1624;
-  const T t_1628 = t_1623 + t_1625;
-  const T t_1629 = t_1623 - t_1625;
-  const T t_1630 = t_1383 + t_1385;
-  const T t_1631 = t_1383 - t_1385;
-  const T t_1632 = t_1391 + t_1393;
-  const T t_1633 = t_1391 - t_1393;
-  const T t_1634 = t_1630 + t_1632;
-  const T t_1635 = t_1630 - t_1632;
-  const T t_1636 = t_1631 + t_1633;
-  const T t_1637 = t_1631 - t_1633;
-  const T t_1638 = t_1626 + t_1618;
-  const T t_1639 = t_1634 + t_1610;
-  const T t_1640 = k_91 * (t_1618 - t_1626) - t_1634 + t_1610;
-  const T t_1641 = t_1594 + t_1586;
-  const T t_1642 = t_1602 + t_1578;
-  const T t_1643 = k_91 * (t_1586 - t_1594) - t_1602 + t_1578;
-  const T t_1644 = t_1641 + t_1642;
-  const T t_1645 = t_1638 + t_1639;
-  const T t_1646 = t_1635 + k_104 * (t_1627 + t_1619) + t_1611;
-  const T t_1647 = t_1603 + k_104 * (t_1595 + t_1587) + t_1579;
-  const T t_1648 = k_100 * t_1636 + k_96 * t_1628 + k_92 * t_1620 + t_1612;
-  const T t_1649 = t_1612 - k_101 * t_1636 - k_97 * t_1628 - k_93 * t_1620;
-  const T t_1650 = k_100 * t_1604 + k_96 * t_1596 + k_92 * t_1588 + t_1580;
-  const T t_1651 = t_1580 - k_101 * t_1604 - k_97 * t_1596 - k_93 * t_1588;
-  const T t_1652 = k_98 * t_1629 - k_102 * t_1637 + k_94 * t_1621 + t_1613;
-  const T t_1653 = k_103 * t_1637 + k_99 * t_1629 + k_95 * t_1621 + t_1613;
-  const T t_1654 = k_98 * t_1597 - k_102 * t_1605 + k_94 * t_1589 + t_1581;
-  const T t_1655 = k_103 * t_1605 + k_99 * t_1597 + k_95 * t_1589 + t_1581;
-  const T t_1656 = t_1647 + t_1646;
-  const T t_1657 = t_1655 + t_1653;
-  const T t_1658 = t_1655 - t_1653;
-  const T t_1659 = t_1644 + t_1645;
-  const T t_1660 = t_1644 - t_1645;
-  const T t_1661 = t_1650 + t_1648;
-  const T t_1662 = t_1650 - t_1648;
-  const T t_1663 = t_1643 + t_1640;
-  const T t_1664 = k_327 * visibility[64];
-  const T t_1665 = t_1097 + t_1099;
-  const T t_1666 = t_1097 - t_1099;
-  const T t_1667 = t_1105 + t_1103;
-  const T t_1668 = t_1105 - t_1103;
-  const T t_1669 = t_1109 + t_1111;
-  const T t_1670 = t_1109 - t_1111;
-  const T t_1671 = t_1117 + t_1115;
-  const T t_1672 = t_1117 - t_1115;
-  const T t_1673 = t_1121 + t_1123;
-  const T t_1674 = t_1121 - t_1123;
-  const T t_1675 = t_1129 + t_1127;
-  const T t_1676 = t_1129 - t_1127;
-  const T t_1677 = t_1133 + t_1135;
-  const T t_1678 = t_1133 - t_1135;
-  const T t_1679 = t_1141 + t_1139;
-  const T t_1680 = t_1141 - t_1139;
-  const T t_1681 = t_1145 + t_1147;
-  const T t_1682 = t_1145 - t_1147;
-  const T t_1683 = t_1153 + t_1151;
-  const T t_1684 = t_1153 - t_1151;
-  const T t_1685 = t_1157 + t_1159;
-  const T t_1686 = t_1157 - t_1159;
-  const T t_1687 = t_1165 + t_1163;
-  const T t_1688 = t_1165 - t_1163;
-  const T t_1689 = t_1169 + t_1171;
-  const T t_1690 = t_1169 - t_1171;
-  const T t_1691 = t_1177 + t_1175;
-  const T t_1692 = t_1177 - t_1175;
-  const T t_1693 = t_1181 + t_1183;
-  const T t_1694 = t_1181 - t_1183;
-  const T t_1695 = t_1679 + t_1687;
-  const T t_1696 = t_1679 - t_1687;
-  const T t_1697 = t_1680 + t_1688;
-  const T t_1698 = t_1680 - t_1688;
-  const T t_1699 = t_1683 + t_1691;
-  const T t_1700 = k_91 * (t_1683 - k_90 * t_1691);
-  const T t_1701 = t_1684 + t_1692;
-  const T t_1702 = k_91 * (t_1684 - k_90 * t_1692);
-  const T t_1703 = t_1695 + t_1699;
-  const T t_1704 = t_1695 - t_1699;
-  const T t_1705 = t_1696 + t_1700;
-  const T t_1706 = t_1696 - t_1700;
-  const T t_1707 = t_1697 + t_1701;
-  const T t_1708 = t_1697 - t_1701;
-  const T t_1709 = t_1698 + t_1702;
-  const T t_1710 = t_1698 - t_1702;
-  const T t_1711 = t_1664 + t_1671;
-  const T t_1712 = t_1664 - t_1671;
-  const T t_1713 = t_1664 + t_1672;
-  const T t_1714 = t_1664 - t_1672;
-  const T t_1715 = t_1667 + t_1675;
-  const T t_1716 = k_91 * (t_1667 - k_90 * t_1675);
-  const T t_1717 = t_1668 + t_1676;
-  const T t_1718 = k_91 * (t_1668 - k_90 * t_1676);
-  const T t_1719 = t_1711 + t_1715;
-  const T t_1720 = t_1715 - t_1711;
-  const T t_1721 = t_1712 + t_1716;
-  const T t_1722 = t_1712 - t_1716;
-  const T t_1723 = t_1713 + t_1717;
-  const T t_1724 = t_1717 - t_1713;
-  const T t_1725 = t_1714 + t_1718;
-  const T t_1726 = t_1714 - t_1718;
-  const T t_1727 = t_1681 + t_1685 + t_1689 + t_1693;
-  const T t_1728 = k_92 * t_1681 - k_93 * t_1685 - k_94 * t_1689 - k_95 * t_1693;
-  const T t_1729 = k_96 * t_1681 - k_97 * t_1685 + k_98 * t_1689 + k_99 * t_1693;
-  const T t_1730 = k_100 * t_1681 - k_101 * t_1685 + k_102 * t_1689 - k_103 * t_1693;
-  const T t_1731 = t_1682 + t_1686 + t_1690 + t_1694;
-  const T t_1732 = k_92 * t_1682 - k_93 * t_1686 - k_94 * t_1690 - k_95 * t_1694;
-  const T t_1733 = k_96 * t_1682 - k_97 * t_1686 + k_98 * t_1690 + k_99 * t_1694;
-  const T t_1734 = k_100 * t_1682 - k_101 * t_1686 + k_102 * t_1690 - k_103 * t_1694;
-  const T t_1735 = t_1665 + t_1669 + t_1673 + t_1677;
-  const T t_1736 = k_93 * t_1669 - k_92 * t_1665 + k_94 * t_1673 + k_95 * t_1677;
-  const T t_1737 = k_96 * t_1665 - k_97 * t_1669 + k_98 * t_1673 + k_99 * t_1677;
-  const T t_1738 = k_101 * t_1669 - k_100 * t_1665 - k_102 * t_1673 + k_103 * t_1677;
-  const T t_1739 = t_1666 + t_1670 + t_1674 + t_1678;
-  const T t_1740 = k_93 * t_1670 - k_92 * t_1666 + k_94 * t_1674 + k_95 * t_1678;
-  const T t_1741 = k_96 * t_1666 - k_97 * t_1670 + k_98 * t_1674 + k_99 * t_1678;
-  const T t_1742 = k_101 * t_1670 - k_100 * t_1666 - k_102 * t_1674 + k_103 * t_1678;
-  const T t_1743 = t_1703 + t_1719;
-  const T t_1744 = t_1703 - t_1719;
-  const T t_1745 = t_1727 + t_1735;
-  const T t_1746 = t_1727 - t_1735;
-  const T t_1747 = t_1743 + t_1745;
-  const T t_1748 = t_1743 - t_1745;
-  const T t_1749 = t_1747 * samples[96];
-  const T t_1750 = t_1748 * samples[97];
-  const T t_1751 = t_1747 * samples[228];
-  const T t_1752 = t_1747 * samples[360];
-  const T t_1753 = t_1748 * samples[229];
-  const T t_1754 = t_1748 * samples[361];
-  const T t_1755 = t_1744 + t_1746;
-  const T t_1756 = t_1744 - t_1746;
-  const T t_1757 = t_1755 * samples[98];
-  const T t_1758 = t_1756 * samples[99];
-  const T t_1759 = t_1755 * samples[230];
-  const T t_1760 = t_1755 * samples[362];
-  const T t_1761 = t_1756 * samples[231];
-  const T t_1762 = t_1756 * samples[363];
-  const T t_1763 = t_1705 - t_1721;
-  const T t_1764 = t_1705 + t_1721;
-  const T t_1765 = t_1728 + t_1736;
-  const T t_1766 = t_1728 - t_1736;
-  const T t_1767 = t_1763 + t_1765;
-  const T t_1768 = t_1763 - t_1765;
-  const T t_1769 = t_1767 * samples[100];
-  const T t_1770 = t_1768 * samples[101];
-  const T t_1771 = t_1767 * samples[232];
-  const T t_1772 = t_1767 * samples[364];
-  const T t_1773 = t_1768 * samples[233];
-  const T t_1774 = t_1768 * samples[365];
-  const T t_1775 = t_1764 + t_1766;
-  const T t_1776 = t_1764 - t_1766;
-  const T t_1777 = t_1775 * samples[102];
-  const T t_1778 = t_1776 * samples[103];
-  const T t_1779 = t_1775 * samples[234];
-  const T t_1780 = t_1775 * samples[366];
-  const T t_1781 = t_1776 * samples[235];
-  const T t_1782 = t_1776 * samples[367];
-  const T t_1783 = t_1706 + t_1722;
-  const T t_1784 = t_1706 - t_1722;
-  const T t_1785 = t_1729 + t_1737;
-  const T t_1786 = t_1729 - t_1737;
-  const T t_1787 = t_1783 + t_1785;
-  const T t_1788 = t_1783 - t_1785;
-  const T t_1789 = t_1787 * samples[104];
-  const T t_1790 = t_1788 * samples[105];
-  const T t_1791 = t_1787 * samples[236];
-  const T t_1792 = t_1787 * samples[368];
-  const T t_1793 = t_1788 * samples[237];
-  const T t_1794 = t_1788 * samples[369];
-  const T t_1795 = t_1784 + t_1786;
-  const T t_1796 = t_1784 - t_1786;
-  const T t_1797 = t_1795 * samples[106];
-  const T t_1798 = t_1796 * samples[107];
-  const T t_1799 = t_1795 * samples[238];
-  const T t_1800 = t_1795 * samples[370];
-  const T t_1801 = t_1796 * samples[239];
-  const T t_1802 = t_1796 * samples[371];
-  const T t_1803 = t_1704 + t_1720;
-  const T t_1804 = t_1704 - t_1720;
-  const T t_1805 = t_1730 + t_1738;
-  const T t_1806 = t_1730 - t_1738;
-  const T t_1807 = t_1803 + t_1805;
-  const T t_1808 = t_1803 - t_1805;
-  const T t_1809 = t_1807 * samples[108];
-  const T t_1810 = t_1808 * samples[109];
-  const T t_1811 = t_1807 * samples[240];
-  const T t_1812 = t_1807 * samples[372];
-  const T t_1813 = t_1808 * samples[241];
-  const T t_1814 = t_1808 * samples[373];
-  const T t_1815 = t_1804 + t_1806;
-  const T t_1816 = t_1804 - t_1806;
-  const T t_1817 = t_1815 * samples[110];
-  const T t_1818 = t_1816 * samples[111];
-  const T t_1819 = t_1815 * samples[242];
-  const T t_1820 = t_1815 * samples[374];
-  const T t_1821 = t_1816 * samples[243];
-  const T t_1822 = t_1816 * samples[375];
-  const T t_1823 = t_1707 + t_1723;
-  const T t_1824 = t_1707 - t_1723;
-  const T t_1825 = t_1731 + t_1739;
-  const T t_1826 = t_1731 - t_1739;
-  const T t_1827 = t_1823 + t_1825;
-  const T t_1828 = t_1823 - t_1825;
-  const T t_1829 = t_1827 * samples[112];
-  const T t_1830 = t_1828 * samples[113];
-  const T t_1831 = t_1827 * samples[244];
-  const T t_1832 = t_1827 * samples[376];
-  const T t_1833 = t_1828 * samples[245];
-  const T t_1834 = t_1828 * samples[377];
-  const T t_1835 = t_1824 + t_1826;
-  const T t_1836 = t_1824 - t_1826;
-  const T t_1837 = t_1835 * samples[114];
-  const T t_1838 = t_1836 * samples[115];
-  const T t_1839 = t_1835 * samples[246];
-  const T t_1840 = t_1835 * samples[378];
-  const T t_1841 = t_1836 * samples[247];
-  const T t_1842 = t_1836 * samples[379];
-  const T t_1843 = t_1709 - t_1725;
-  const T t_1844 = t_1709 + t_1725;
-  const T t_1845 = t_1732 + t_1740;
-  const T t_1846 = t_1732 - t_1740;
-  const T t_1847 = t_1843 + t_1845;
-  const T t_1848 = t_1843 - t_1845;
-  const T t_1849 = t_1847 * samples[116];
-  const T t_1850 = t_1848 * samples[117];
-  const T t_1851 = t_1847 * samples[248];
-  const T t_1852 = t_1847 * samples[380];
-  const T t_1853 = t_1848 * samples[249];
-  const T t_1854 = t_1848 * samples[381];
-  const T t_1855 = t_1844 + t_1846;
-  const T t_1856 = t_1844 - t_1846;
-  const T t_1857 = t_1855 * samples[118];
-  const T t_1858 = t_1856 * samples[119];
-  const T t_1859 = t_1855 * samples[250];
-  const T t_1860 = t_1855 * samples[382];
-  const T t_1861 = t_1856 * samples[251];
-  const T t_1862 = t_1856 * samples[383];
-  const T t_1863 = t_1710 + t_1726;
-  const T t_1864 = t_1710 - t_1726;
-  const T t_1865 = t_1733 + t_1741;
-  const T t_1866 = t_1733 - t_1741;
-  const T t_1867 = t_1863 + t_1865;
-  const T t_1868 = t_1863 - t_1865;
-  const T t_1869 = t_1867 * samples[120];
-  const T t_1870 = t_1868 * samples[121];
-  const T t_1871 = t_1867 * samples[252];
-  const T t_1872 = t_1867 * samples[384];
-  const T t_1873 = t_1868 * samples[253];
-  const T t_1874 = t_1868 * samples[385];
-  const T t_1875 = t_1864 + t_1866;
-  const T t_1876 = t_1864 - t_1866;
-  const T t_1877 = t_1875 * samples[122];
-  const T t_1878 = t_1876 * samples[123];
-  const T t_1879 = t_1875 * samples[254];
-  const T t_1880 = t_1875 * samples[386];
-  const T t_1881 = t_1876 * samples[255];
-  const T t_1882 = t_1876 * samples[387];
-  const T t_1883 = t_1708 + t_1724;
-  const T t_1884 = t_1708 - t_1724;
-  const T t_1885 = t_1734 + t_1742;
-  const T t_1886 = t_1734 - t_1742;
-  const T t_1887 = t_1883 + t_1885;
-  const T t_1888 = t_1883 - t_1885;
-  const T t_1889 = t_1887 * samples[124];
-  const T t_1890 = t_1888 * samples[125];
-  const T t_1891 = t_1887 * samples[256];
-  const T t_1892 = t_1887 * samples[388];
-  const T t_1893 = t_1888 * samples[257];
-  const T t_1894 = t_1888 * samples[389];
-  const T t_1895 = t_1884 + t_1886;
-  const T t_1896 = t_1884 - t_1886;
-  const T t_1897 = t_1895 * samples[126];
-  const T t_1898 = t_1896 * samples[127];
-  const T t_1899 = t_1895 * samples[258];
-  const T t_1900 = t_1895 * samples[390];
-  const T t_1901 = t_1896 * samples[259];
-  const T t_1902 = t_1896 * samples[391];
-  const T t_1903 = t_1749 + t_1750;
-  const T t_1904 = t_1749 - t_1750;
-  const T t_1905 = t_1757 + t_1758;
-  const T t_1906 = t_1757 - t_1758;
-  const T t_1907 = t_1903 + t_1905;
-  const T t_1908 = t_1903 - t_1905;
-  const T t_1909 = t_1904 + t_1906;
-  const T t_1910 = t_1904 - t_1906;
-  const T t_1911 = t_1769 + t_1770;
-  const T t_1912 = t_1769 - t_1770;
-  const T t_1913 = t_1777 + t_1778;
-  const T t_1914 = t_1777 - t_1778;
-  const T t_1915 = t_1911 + t_1913;
-  const T t_1916 = t_1911 - t_1913;
-  const T t_1917 = t_1912 + t_1914;
-  const T t_1918 = t_1912 - t_1914;
-  const T t_1919 = t_1789 + t_1790;
-  const T t_1920 = t_1789 - t_1790;
-  const T t_1921 = t_1797 + t_1798;
-  const T t_1922 = t_1797 - t_1798;
-  const T t_1923 = t_1919 + t_1921;
-  const T t_1924 = t_1919 - t_1921;
-  const T t_1925 = t_1920 + t_1922;
-  const T t_1926 = t_1920 - t_1922;
-  const T t_1927 = t_1809 + t_1810;
-  const T t_1928 = t_1809 - t_1810;
-  const T t_1929 = t_1817 + t_1818;
-  const T t_1930 = t_1817 - t_1818;
-  const T t_1931 = t_1927 + t_1929;
-  const T t_1932 = t_1927 - t_1929;
-  const T t_1933 = t_1928 + t_1930;
-  const T t_1934 = t_1928 - t_1930;
-  const T t_1935 = t_1829 + t_1830;
-  const T t_1936 = t_1829 - t_1830;
-  const T t_1937 = t_1837 + t_1838;
-  const T t_1938 = t_1837 - t_1838;
-  const T t_1939 = t_1935 + t_1937;
-  const T t_1940 = t_1935 - t_1937;
-  const T t_1941 = t_1936 + t_1938;
-  const T t_1942 = t_1936 - t_1938;
-  const T t_1943 = t_1849 + t_1850;
-  const T t_1944 = t_1849 - t_1850;
-  const T t_1945 = t_1857 + t_1858;
-  const T t_1946 = t_1857 - t_1858;
-  const T t_1947 = t_1943 + t_1945;
-  const T t_1948 = t_1943 - t_1945;
-  const T t_1949 = t_1944 + t_1946;
-  const T t_1950 = t_1944 - t_1946;
-  const T t_1951 = t_1869 + t_1870;
-  const T t_1952 = t_1869 - t_1870;
-  const T t_1953 = t_1877 + t_1878;
-  const T t_1954 = t_1877 - t_1878;
-  const T t_1955 = t_1951 + t_1953;
-  const T t_1956 = t_1951 - t_1953;
-  const T t_1957 = t_1952 + t_1954;
-  const T t_1958 = t_1952 - t_1954;
-  const T t_1959 = t_1889 + t_1890;
-  const T t_1960 = t_1889 - t_1890;
-  const T t_1961 = t_1897 + t_1898;
-  const T t_1962 = t_1897 - t_1898;
-  const T t_1963 = t_1959 + t_1961;
-  const T t_1964 = t_1959 - t_1961;
-  const T t_1965 = t_1960 + t_1962;
-  const T t_1966 = t_1960 - t_1962;
-  const T t_1967 = t_1955 + t_1947;
-  const T t_1968 = t_1963 + t_1939;
-  const T t_1969 = k_91 * (t_1947 - t_1955) - t_1963 + t_1939;
-  const T t_1970 = t_1923 + t_1915;
-  const T t_1971 = t_1931 + t_1907;
-  const T t_1972 = k_91 * (t_1915 - t_1923) - t_1931 + t_1907;
-  const T t_1973 = t_1970 + t_1971;
-  const T t_1974 = t_1967 + t_1968;
-  const T t_1975 = t_1964 + k_104 * (t_1956 + t_1948) + t_1940;
-  const T t_1976 = t_1932 + k_104 * (t_1924 + t_1916) + t_1908;
-  const T t_1977 = k_100 * t_1965 + k_96 * t_1957 + k_92 * t_1949 + t_1941;
-  const T t_1978 = t_1941 - k_101 * t_1965 - k_97 * t_1957 - k_93 * t_1949;
-  const T t_1979 = k_100 * t_1933 + k_96 * t_1925 + k_92 * t_1917 + t_1909;
-  const T t_1980 = t_1909 - k_101 * t_1933 - k_97 * t_1925 - k_93 * t_1917;
-  const T t_1981 = k_98 * t_1958 - k_102 * t_1966 + k_94 * t_1950 + t_1942;
-  const T t_1982 = k_103 * t_1966 + k_99 * t_1958 + k_95 * t_1950 + t_1942;
-  const T t_1983 = k_98 * t_1926 - k_102 * t_1934 + k_94 * t_1918 + t_1910;
-  const T t_1984 = k_103 * t_1934 + k_99 * t_1926 + k_95 * t_1918 + t_1910;
-  out[9] = k_106 * (t_366 + t_364) + k_205 * (t_905 + t_903) + k_304 * (t_1474 + t_1472) + k_403 * (t_1983 + t_1981);   // red l=3 m=-3
-  out[17] = k_107 * (t_366 - t_364) + k_206 * (t_905 - t_903) + k_305 * (t_1474 - t_1472) + k_404 * (t_1983 - t_1981);  // red l=4 m=-3
-  const T t_1985 = t_1976 + t_1975;
-  out[10] = k_109 * (t_359 - t_358) + k_208 * (t_898 - t_897) + k_307 * (t_1467 - t_1466) + k_406 * (t_1976 - t_1975);  // red l=3 m=-2
-  out[4] = k_108 * t_368 + k_207 * t_907 + k_306 * t_1476 + k_405 * t_1985;                                             // red l=2 m=-2
-  out[18] = k_110 * t_368 + k_209 * t_907 + k_308 * t_1476 - k_407 * t_1985;                                            // red l=4 m=-2
-  const T t_1986 = t_1984 + t_1982;
-  const T t_1987 = t_1984 - t_1982;
-  out[1] = k_111 * t_369 + k_210 * t_908 + k_309 * t_1477 + k_408 * t_1986;                                             // red l=1 m=-1
-  out[11] = k_113 * t_369 + k_212 * t_908 + k_311 * t_1477 - k_410 * t_1986;                                            // red l=3 m=-1
-  out[5] = k_112 * t_370 + k_211 * t_909 + k_310 * t_1478 + k_409 * t_1987;                                             // red l=2 m=-1
-  out[19] = k_114 * t_370 + k_213 * t_909 - k_312 * t_1478 - k_411 * t_1987;                                            // red l=4 m=-1
-  const T t_1988 = t_1973 + t_1974;
-  const T t_1989 = t_1973 - t_1974;
-  out[0] = k_10 * t_11 + k_115 * t_371 + k_214 * t_910 + k_313 * t_1479 + k_412 * t_1988;                               // red l=0 m=0
-  out[2] = k_11 * t_12 + k_116 * t_372 + k_215 * t_911 + k_314 * t_1480 + k_413 * t_1989;                               // red l=1 m=0
-  out[12] = k_13 * t_12 + k_118 * t_372 - k_217 * t_911 - k_316 * t_1480 - k_415 * t_1989;                              // red l=3 m=0
-  out[6] = k_12 * t_11 + k_117 * t_371 + k_216 * t_910 - k_315 * t_1479 - k_414 * t_1988;                               // red l=2 m=0
-  out[20] = k_14 * t_11 + k_119 * t_371 - k_218 * t_910 - k_317 * t_1479 + k_416 * t_1988;                              // red l=4 m=0
-  const T t_1990 = t_1979 + t_1977;
-  const T t_1991 = t_1979 - t_1977;
-  out[3] = k_120 * t_373 + k_219 * t_912 + k_318 * t_1481 + k_417 * t_1990;                                             // red l=1 m=1
-  out[13] = k_122 * t_373 + k_221 * t_912 + k_320 * t_1481 - k_419 * t_1990;                                            // red l=3 m=1
-  out[7] = k_121 * t_374 + k_220 * t_913 + k_319 * t_1482 + k_418 * t_1991;                                             // red l=2 m=1
-  out[21] = k_123 * t_374 + k_222 * t_913 - k_321 * t_1482 - k_420 * t_1991;                                            // red l=4 m=1
-  const T t_1992 = t_1972 + t_1969;
-  out[14] = k_125 * (t_355 - t_352) + k_224 * (t_894 - t_891) + k_323 * (t_1463 - t_1460) + k_422 * (t_1972 - t_1969);  // red l=3 m=2
-  out[8] = k_124 * t_375 + k_223 * t_914 + k_322 * t_1483 + k_421 * t_1992;                                             // red l=2 m=2
-  out[22] = k_126 * t_375 + k_225 * t_914 + k_324 * t_1483 - k_423 * t_1992;                                            // red l=4 m=2
-  out[15] = k_127 * (t_363 + t_361) + k_226 * (t_902 + t_900) + k_325 * (t_1471 + t_1469) + k_424 * (t_1980 + t_1978);  // red l=3 m=3
-  out[23] = k_128 * (t_363 - t_361) + k_227 * (t_902 - t_900) + k_326 * (t_1471 - t_1469) + k_425 * (t_1980 - t_1978);  // red l=4 m=3
-  const T t_1993 = t_1751 + t_1753;
-  const T t_1994 = t_1751 - t_1753;
-  const T t_1995 = t_1759 + t_1761;
-  const T t_1996 = t_1759 - t_1761;
-  const T t_1997 = t_1993 + t_1995;
-  const T t_1998 = t_1993 - t_1995;
-  const T t_1999 = t_1994 + t_1996;
-  const T t_2000 = t_1994 - t_1996;
-  const T t_2001 = t_1771 + t_1773;
-  const T t_2002 = t_1771 - t_1773;
-  const T t_2003 = t_1779 + t_1781;
-  const T t_2004 = t_1779 - t_1781;
-  const T t_2005 = t_2001 + t_2003;
-  const T t_2006 = t_2001 - t_2003;
-  const T t_2007 = t_2002 + t_2004;
-  const T t_2008 = t_2002 - t_2004;
-  const T t_2009 = t_1791 + t_1793;
-  const T t_2010 = t_1791 - t_1793;
-  const T t_2011 = t_1799 + t_1801;
-  const T t_2012 = t_1799 - t_1801;
-  const T t_2013 = t_2009 + t_2011;
-  const T t_2014 = t_2009 - t_2011;
-  const T t_2015 = t_2010 + t_2012;
-  const T t_2016 = t_2010 - t_2012;
-  const T t_2017 = t_1811 + t_1813;
-  const T t_2018 = t_1811 - t_1813;
-  const T t_2019 = t_1819 + t_1821;
-  const T t_2020 = t_1819 - t_1821;
-  const T t_2021 = t_2017 + t_2019;
-  const T t_2022 = t_2017 - t_2019;
-  const T t_2023 = t_2018 + t_2020;
-  const T t_2024 = t_2018 - t_2020;
-  const T t_2025 = t_1831 + t_1833;
-  const T t_2026 = t_1831 - t_1833;
-  const T t_2027 = t_1839 + t_1841;
-  const T t_2028 = t_1839 - t_1841;
-  const T t_2029 = t_2025 + t_2027;
-  const T t_2030 = t_2025 - t_2027;
-  const T t_2031 = t_2026 + t_2028;
-  const T t_2032 = t_2026 - t_2028;
-  const T t_2033 = t_1851 + t_1853;
-  const T t_2034 = t_1851 - t_1853;
-  const T t_2035 = t_1859 + t_1861;
-  const T t_2036 = t_1859 - t_1861;
-  const T t_2037 = t_2033 + t_2035;
-  const T t_2038 = t_2033 - t_2035;
-  const T t_2039 = t_2034 + t_2036;
-  const T t_2040 = t_2034 - t_2036;
-  const T t_2041 = t_1871 + t_1873;
-  const T t_2042 = t_1871 - t_1873;
-  const T t_2043 = t_1879 + t_1881;
-  const T t_2044 = t_1879 - t_1881;
-  const T t_2045 = t_2041 + t_2043;
-  const T t_2046 = t_2041 - t_2043;
-  const T t_2047 = t_2042 + t_2044;
-  const T t_2048 = t_2042 - t_2044;
-  const T t_2049 = t_1891 + t_1893;
-  const T t_2050 = t_1891 - t_1893;
-  const T t_2051 = t_1899 + t_1901;
-  const T t_2052 = t_1899 - t_1901;
-  const T t_2053 = t_2049 + t_2051;
-  const T t_2054 = t_2049 - t_2051;
-  const T t_2055 = t_2050 + t_2052;
-  const T t_2056 = t_2050 - t_2052;
-  const T t_2057 = t_2045 + t_2037;
-  const T t_2058 = t_2053 + t_2029;
-  const T t_2059 = k_91 * (t_2037 - t_2045) - t_2053 + t_2029;
-  const T t_2060 = t_2013 + t_2005;
-  const T t_2061 = t_2021 + t_1997;
-  const T t_2062 = k_91 * (t_2005 - t_2013) - t_2021 + t_1997;
-  const T t_2063 = t_2060 + t_2061;
-  const T t_2064 = t_2057 + t_2058;
-  const T t_2065 = t_2054 + k_104 * (t_2046 + t_2038) + t_2030;
-  const T t_2066 = t_2022 + k_104 * (t_2014 + t_2006) + t_1998;
-  const T t_2067 = k_100 * t_2055 + k_96 * t_2047 + k_92 * t_2039 + t_2031;
-  const T t_2068 = t_2031 - k_101 * t_2055 - k_97 * t_2047 - k_93 * t_2039;
-  const T t_2069 = k_100 * t_2023 + k_96 * t_2015 + k_92 * t_2007 + t_1999;
-  const T t_2070 = t_1999 - k_101 * t_2023 - k_97 * t_2015 - k_93 * t_2007;
-  const T t_2071 = k_98 * t_2048 - k_102 * t_2056 + k_94 * t_2040 + t_2032;
-  const T t_2072 = k_103 * t_2056 + k_99 * t_2048 + k_95 * t_2040 + t_2032;
-  const T t_2073 = k_98 * t_2016 - k_102 * t_2024 + k_94 * t_2008 + t_2000;
-  const T t_2074 = k_103 * t_2024 + k_99 * t_2016 + k_95 * t_2008 + t_2000;
-  out[34] = k_106 * (t_456 + t_454) + k_205 * (t_995 + t_993) + k_304 * (t_1564 + t_1562) + k_403 * (t_2073 + t_2071);  // green l=3 m=-3
-  out[42] = k_107 * (t_456 - t_454) + k_206 * (t_995 - t_993) + k_305 * (t_1564 - t_1562) + k_404 * (t_2073 - t_2071);  // green l=4 m=-3
-  const T t_2075 = t_2066 + t_2065;
-  out[35] = k_109 * (t_449 - t_448) + k_208 * (t_988 - t_987) + k_307 * (t_1557 - t_1556) + k_406 * (t_2066 - t_2065);  // green l=3 m=-2
-  out[29] = k_108 * t_458 + k_207 * t_997 + k_306 * t_1566 + k_405 * t_2075;                                            // green l=2 m=-2
-  out[43] = k_110 * t_458 + k_209 * t_997 + k_308 * t_1566 - k_407 * t_2075;                                            // green l=4 m=-2
-  const T t_2076 = t_2074 + t_2072;
-  const T t_2077 = t_2074 - t_2072;
-  out[26] = k_111 * t_459 + k_210 * t_998 + k_309 * t_1567 + k_408 * t_2076;                                            // green l=1 m=-1
-  out[36] = k_113 * t_459 + k_212 * t_998 + k_311 * t_1567 - k_410 * t_2076;                                            // green l=3 m=-1
-  out[30] = k_112 * t_460 + k_211 * t_999 + k_310 * t_1568 + k_409 * t_2077;                                            // green l=2 m=-1
-  out[44] = k_114 * t_460 + k_213 * t_999 - k_312 * t_1568 - k_411 * t_2077;                                            // green l=4 m=-1
-  const T t_2078 = t_2063 + t_2064;
-  const T t_2079 = t_2063 - t_2064;
-  out[25] = k_10 * t_13 + k_115 * t_461 + k_214 * t_1000 + k_313 * t_1569 + k_412 * t_2078;                             // green l=0 m=0
-  out[27] = k_11 * t_14 + k_116 * t_462 + k_215 * t_1001 + k_314 * t_1570 + k_413 * t_2079;                             // green l=1 m=0
-  out[37] = k_13 * t_14 + k_118 * t_462 - k_217 * t_1001 - k_316 * t_1570 - k_415 * t_2079;                             // green l=3 m=0
-  out[31] = k_12 * t_13 + k_117 * t_461 + k_216 * t_1000 - k_315 * t_1569 - k_414 * t_2078;                             // green l=2 m=0
-  out[45] = k_14 * t_13 + k_119 * t_461 - k_218 * t_1000 - k_317 * t_1569 + k_416 * t_2078;                             // green l=4 m=0
-  const T t_2080 = t_2069 + t_2067;
-  const T t_2081 = t_2069 - t_2067;
-  out[28] = k_120 * t_463 + k_219 * t_1002 + k_318 * t_1571 + k_417 * t_2080;                                           // green l=1 m=1
-  out[38] = k_122 * t_463 + k_221 * t_1002 + k_320 * t_1571 - k_419 * t_2080;                                           // green l=3 m=1
-  out[32] = k_121 * t_464 + k_220 * t_1003 + k_319 * t_1572 + k_418 * t_2081;                                           // green l=2 m=1
-  out[46] = k_123 * t_464 + k_222 * t_1003 - k_321 * t_1572 - k_420 * t_2081;                                           // green l=4 m=1
-  const T t_2082 = t_2062 + t_2059;
-  out[39] = k_125 * (t_445 - t_442) + k_224 * (t_984 - t_981) + k_323 * (t_1553 - t_1550) + k_422 * (t_2062 - t_2059);  // green l=3 m=2
-  out[33] = k_124 * t_465 + k_223 * t_1004 + k_322 * t_1573 + k_421 * t_2082;                                           // green l=2 m=2
-  out[47] = k_126 * t_465 + k_225 * t_1004 + k_324 * t_1573 - k_423 * t_2082;                                           // green l=4 m=2
-  out[40] = k_127 * (t_453 + t_451) + k_226 * (t_992 + t_990) + k_325 * (t_1561 + t_1559) + k_424 * (t_2070 + t_2068);  // green l=3 m=3
-  out[48] = k_128 * (t_453 - t_451) + k_227 * (t_992 - t_990) + k_326 * (t_1561 - t_1559) + k_425 * (t_2070 - t_2068);  // green l=4 m=3
-  const T t_2083 = t_1752 + t_1754;
-  const T t_2084 = t_1752 - t_1754;
-  const T t_2085 = t_1760 + t_1762;
-  const T t_2086 = t_1760 - t_1762;
-  const T t_2087 = t_2083 + t_2085;
-  const T t_2088 = t_2083 - t_2085;
-  const T t_2089 = t_2084 + t_2086;
-  const T t_2090 = t_2084 - t_2086;
-  const T t_2091 = t_1772 + t_1774;
-  const T t_2092 = t_1772 - t_1774;
-  const T t_2093 = t_1780 + t_1782;
-  const T t_2094 = t_1780 - t_1782;
-  const T t_2095 = t_2091 + t_2093;
-  const T t_2096 = t_2091 - t_2093;
-  const T t_2097 = t_2092 + t_2094;
-  const T t_2098 = t_2092 - t_2094;
-  const T t_2099 = t_1792 + t_1794;
-  const T t_2100 = t_1792 - t_1794;
-  const T t_2101 = t_1800 + t_1802;
-  const T t_2102 = t_1800 - t_1802;
-  const T t_2103 = t_2099 + t_2101;
-  const T t_2104 = t_2099 - t_2101;
-  const T t_2105 = t_2100 + t_2102;
-  const T t_2106 = t_2100 - t_2102;
-  const T t_2107 = t_1812 + t_1814;
-  const T t_2108 = t_1812 - t_1814;
-  const T t_2109 = t_1820 + t_1822;
-  const T t_2110 = t_1820 - t_1822;
-  const T t_2111 = t_2107 + t_2109;
-  const T t_2112 = t_2107 - t_2109;
-  const T t_2113 = t_2108 + t_2110;
-  const T t_2114 = t_2108 - t_2110;
-  const T t_2115 = t_1832 + t_1834;
-  const T t_2116 = t_1832 - t_1834;
-  const T t_2117 = t_1840 + t_1842;
-  const T t_2118 = t_1840 - t_1842;
-  const T t_2119 = t_2115 + t_2117;
-  const T t_2120 = t_2115 - t_2117;
-  const T t_2121 = t_2116 + t_2118;
-  const T t_2122 = t_2116 - t_2118;
-  const T t_2123 = t_1852 + t_1854;
-  const T t_2124 = t_1852 - t_1854;
-  const T t_2125 = t_1860 + t_1862;
-  const T t_2126 = t_1860 - t_1862;
-  const T t_2127 = t_2123 + t_2125;
-  const T t_2128 = t_2123 - t_2125;
-  const T t_2129 = t_2124 + t_2126;
-  const T t_2130 = t_2124 - t_2126;
-  const T t_2131 = t_1872 + t_1874;
-  const T t_2132 = t_1872 - t_1874;
-  const T t_2133 = t_1880 + t_1882;
-  const T t_2134 = t_1880 - t_1882;
-  const T t_2135 = t_2131 + t_2133;
-  const T t_2136 = t_2131 - t_2133;
-  const T t_2137 = t_2132 + t_2134;
-  const T t_2138 = t_2132 - t_2134;
-  const T t_2139 = t_1892 + t_1894;
-  const T t_2140 = t_1892 - t_1894;
-  const T t_2141 = t_1900 + t_1902;
-  const T t_2142 = t_1900 - t_1902;
-  const T t_2143 = t_2139 + t_2141;
-  const T t_2144 = t_2139 - t_2141;
-  const T t_2145 = t_2140 + t_2142;
-  const T t_2146 = t_2140 - t_2142;
-  const T t_2147 = t_2135 + t_2127;
-  const T t_2148 = t_2143 + t_2119;
-  const T t_2149 = k_91 * (t_2127 - t_2135) - t_2143 + t_2119;
-  const T t_2150 = t_2103 + t_2095;
-  const T t_2151 = t_2111 + t_2087;
-  const T t_2152 = k_91 * (t_2095 - t_2103) - t_2111 + t_2087;
-  const T t_2153 = t_2150 + t_2151;
-  const T t_2154 = t_2147 + t_2148;
-  const T t_2155 = t_2144 + k_104 * (t_2136 + t_2128) + t_2120;
-  const T t_2156 = t_2112 + k_104 * (t_2104 + t_2096) + t_2088;
-  const T t_2157 = k_100 * t_2145 + k_96 * t_2137 + k_92 * t_2129 + t_2121;
-  const T t_2158 = t_2121 - k_101 * t_2145 - k_97 * t_2137 - k_93 * t_2129;
-  const T t_2159 = k_100 * t_2113 + k_96 * t_2105 + k_92 * t_2097 + t_2089;
-  const T t_2160 = t_2089 - k_101 * t_2113 - k_97 * t_2105 - k_93 * t_2097;
-  const T t_2161 = k_98 * t_2138 - k_102 * t_2146 + k_94 * t_2130 + t_2122;
-  const T t_2162 = k_103 * t_2146 + k_99 * t_2138 + k_95 * t_2130 + t_2122;
-  const T t_2163 = k_98 * t_2106 - k_102 * t_2114 + k_94 * t_2098 + t_2090;
-  const T t_2164 = k_103 * t_2114 + k_99 * t_2106 + k_95 * t_2098 + t_2090;
-  out[59] = k_106 * (t_546 + t_544) + k_205 * (t_1085 + t_1083) + k_304 * (t_1654 + t_1652) + k_403 * (t_2163
-      + t_2161);                                                                                                        // blue l=3 m=-3
-  out[67] = k_107 * (t_546 - t_544) + k_206 * (t_1085 - t_1083) + k_305 * (t_1654 - t_1652) + k_404 * (t_2163
-      - t_2161);                                                                                                        // blue l=4 m=-3
-  const T t_2165 = t_2156 + t_2155;
-  out[60] = k_109 * (t_539 - t_538) + k_208 * (t_1078 - t_1077) + k_307 * (t_1647 - t_1646) + k_406 * (t_2156
-      - t_2155);                                                                                                        // blue l=3 m=-2
-  out[54] = k_108 * t_548 + k_207 * t_1087 + k_306 * t_1656 + k_405 * t_2165;                                           // blue l=2 m=-2
-  out[68] = k_110 * t_548 + k_209 * t_1087 + k_308 * t_1656 - k_407 * t_2165;                                           // blue l=4 m=-2
-  const T t_2166 = t_2164 + t_2162;
-  const T t_2167 = t_2164 - t_2162;
-  out[51] = k_111 * t_549 + k_210 * t_1088 + k_309 * t_1657 + k_408 * t_2166;                                           // blue l=1 m=-1
-  out[61] = k_113 * t_549 + k_212 * t_1088 + k_311 * t_1657 - k_410 * t_2166;                                           // blue l=3 m=-1
-  out[55] = k_112 * t_550 + k_211 * t_1089 + k_310 * t_1658 + k_409 * t_2167;                                           // blue l=2 m=-1
-  out[69] = k_114 * t_550 + k_213 * t_1089 - k_312 * t_1658 - k_411 * t_2167;                                           // blue l=4 m=-1
-  const T t_2168 = t_2153 + t_2154;
-  const T t_2169 = t_2153 - t_2154;
-  out[50] = k_10 * t_15 + k_115 * t_551 + k_214 * t_1090 + k_313 * t_1659 + k_412 * t_2168;                             // blue l=0 m=0
-  out[52] = k_11 * t_16 + k_116 * t_552 + k_215 * t_1091 + k_314 * t_1660 + k_413 * t_2169;                             // blue l=1 m=0
-  out[62] = k_13 * t_16 + k_118 * t_552 - k_217 * t_1091 - k_316 * t_1660 - k_415 * t_2169;                             // blue l=3 m=0
-  out[56] = k_12 * t_15 + k_117 * t_551 + k_216 * t_1090 - k_315 * t_1659 - k_414 * t_2168;                             // blue l=2 m=0
-  out[70] = k_14 * t_15 + k_119 * t_551 - k_218 * t_1090 - k_317 * t_1659 + k_416 * t_2168;                             // blue l=4 m=0
-  const T t_2170 = t_2159 + t_2157;
-  const T t_2171 = t_2159 - t_2157;
-  out[53] = k_120 * t_553 + k_219 * t_1092 + k_318 * t_1661 + k_417 * t_2170;                                           // blue l=1 m=1
-  out[63] = k_122 * t_553 + k_221 * t_1092 + k_320 * t_1661 - k_419 * t_2170;                                           // blue l=3 m=1
-  out[57] = k_121 * t_554 + k_220 * t_1093 + k_319 * t_1662 + k_418 * t_2171;                                           // blue l=2 m=1
-  out[71] = k_123 * t_554 + k_222 * t_1093 - k_321 * t_1662 - k_420 * t_2171;                                           // blue l=4 m=1
-  const T t_2172 = t_2152 + t_2149;
-  out[64] = k_125 * (t_535 - t_532) + k_224 * (t_1074 - t_1071) + k_323 * (t_1643 - t_1640) + k_422 * (t_2152
-      - t_2149);                                                                                                        // blue l=3 m=2
-  out[58] = k_124 * t_555 + k_223 * t_1094 + k_322 * t_1663 + k_421 * t_2172;                                           // blue l=2 m=2
-  out[72] = k_126 * t_555 + k_225 * t_1094 + k_324 * t_1663 - k_423 * t_2172;                                           // blue l=4 m=2
-  out[65] = k_127 * (t_543 + t_541) + k_226 * (t_1082 + t_1080) + k_325 * (t_1651 + t_1649) + k_424 * (t_2160
-      + t_2158);                                                                                                        // blue l=3 m=3
-  out[73] = k_128 * (t_543 - t_541) + k_227 * (t_1082 - t_1080) + k_326 * (t_1651 - t_1649) + k_425 * (t_2160
-      - t_2158);                                                                                                        // blue l=4 m=3
-  out[24] = k_105 * (t_351 - t_350 - t_353 + t_354) + k_204 * (t_890 - t_889 - t_892 + t_893) + k_303 * (t_1459
-      - t_1458 - t_1461 + t_1462) + k_402 * (t_1968 - t_1967 - t_1970 + t_1971) + visibility[80] * samples[130]
-      - visibility[64] * samples[131];                                                                                  // red l=4 m=4
-  out[16] = k_105 * (t_331 - t_347 - t_339 + t_323 - t_315 - t_307 + t_299 + t_291) + k_204 * (t_870 - t_886 - t_878
-      + t_862 - t_854 - t_846 + t_838 + t_830) + k_303 * (t_1439 - t_1455 - t_1447 + t_1431 - t_1423 - t_1415 + t_1407
-      + t_1399) + k_402 * (t_1948 - t_1964 - t_1956 + t_1940 - t_1932 - t_1924 + t_1916 + t_1908)
-      - visibility[80] * samples[131] - visibility[64] * samples[130];                                                  // red l=4 m=-4
-  out[49] = k_105 * (t_441 - t_440 - t_443 + t_444) + k_204 * (t_980 - t_979 - t_982 + t_983) + k_303 * (t_1549
-      - t_1548 - t_1551 + t_1552) + k_402 * (t_2058 - t_2057 - t_2060 + t_2061) + visibility[80] * samples[262]
-      - visibility[64] * samples[263];                                                                                  // green l=4 m=4
-  out[41] = k_105 * (t_421 - t_437 - t_429 + t_413 - t_405 - t_397 + t_389 + t_381) + k_204 * (t_960 - t_976 - t_968
-      + t_952 - t_944 - t_936 + t_928 + t_920) + k_303 * (t_1529 - t_1545 - t_1537 + t_1521 - t_1513 - t_1505 + t_1497
-      + t_1489) + k_402 * (t_2038 - t_2054 - t_2046 + t_2030 - t_2022 - t_2014 + t_2006 + t_1998)
-      - visibility[80] * samples[263] - visibility[64] * samples[262];                                                  // green l=4 m=-4
-  out[74] = k_105 * (t_531 - t_530 - t_533 + t_534) + k_204 * (t_1070 - t_1069 - t_1072 + t_1073) + k_303 * (t_1639
-      - t_1638 - t_1641 + t_1642) + k_402 * (t_2148 - t_2147 - t_2150 + t_2151) + visibility[80] * samples[394]
-      - visibility[64] * samples[395];                                                                                  // blue l=4 m=4
-  out[66] = k_105 * (t_511 - t_527 - t_519 + t_503 - t_495 - t_487 + t_479 + t_471) + k_204 * (t_1050 - t_1066
-      - t_1058 + t_1042 - t_1034 - t_1026 + t_1018 + t_1010) + k_303 * (t_1619 - t_1635 - t_1627 + t_1611 - t_1603
-      - t_1595 + t_1587 + t_1579) + k_402 * (t_2128 - t_2144 - t_2136 + t_2120 - t_2112 - t_2104 + t_2096 + t_2088)
-      - visibility[80] * samples[395] - visibility[64] * samples[394];                                                  // blue l=4 m=-4
+  const T t_13 = k_10 * t_11;
+  const T t_14 = k_11 * t_12;
+  const T t_15 = k_13 * t_12;
+  const T t_16 = k_12 * t_11;
+  const T t_17 = k_14 * t_11;
+  const T t_18 = t_7 + t_9;
+  const T t_19 = t_7 - t_9;
+  const T t_20 = k_10 * t_18;
+  const T t_21 = k_11 * t_19;
+  const T t_22 = k_13 * t_19;
+  const T t_23 = k_12 * t_18;
+  const T t_24 = k_14 * t_18;
+  const T t_25 = t_8 + t_10;
+  const T t_26 = t_8 - t_10;
+  const T t_27 = k_10 * t_25;
+  const T t_28 = k_11 * t_26;
+  const T t_29 = k_13 * t_26;
+  const T t_30 = k_12 * t_25;
+  const T t_31 = k_14 * t_25;
+  const T t_32 = visibility[80] * T(samples[130]);
+  const T t_33 = visibility[64] * T(samples[130]);
+  const T t_34 = visibility[64] * T(samples[131]);
+  const T t_35 = visibility[80] * T(samples[131]);
+  const T t_36 = visibility[80] * T(samples[262]);
+  const T t_37 = visibility[64] * T(samples[262]);
+  const T t_38 = visibility[64] * T(samples[263]);
+  const T t_39 = visibility[80] * T(samples[263]);
+  const T t_40 = visibility[80] * T(samples[394]);
+  const T t_41 = visibility[80] * T(samples[395]);
+  const T t_42 = visibility[64] * T(samples[395]);
+  const T t_43 = visibility[64] * T(samples[394]);
+  T sum = detail::constant<T>(0.0f, 0.0);
+  T sum_2 = detail::constant<T>(0.0f, 0.0);
+  T sum_3 = detail::constant<T>(0.0f, 0.0);
+  T sum_4 = detail::constant<T>(0.0f, 0.0);
+  T sum_5 = detail::constant<T>(0.0f, 0.0);
+  T sum_6 = detail::constant<T>(0.0f, 0.0);
+  T sum_7 = detail::constant<T>(0.0f, 0.0);
+  T sum_8 = detail::constant<T>(0.0f, 0.0);
+  T sum_9 = detail::constant<T>(0.0f, 0.0);
+  T sum_10 = detail::constant<T>(0.0f, 0.0);
+  T sum_11 = detail::constant<T>(0.0f, 0.0);
+  T sum_12 = detail::constant<T>(0.0f, 0.0);
+  T sum_13 = detail::constant<T>(0.0f, 0.0);
+  T sum_14 = detail::constant<T>(0.0f, 0.0);
+  T sum_15 = detail::constant<T>(0.0f, 0.0);
+  T sum_16 = detail::constant<T>(0.0f, 0.0);
+  T sum_17 = detail::constant<T>(0.0f, 0.0);
+  T sum_18 = detail::constant<T>(0.0f, 0.0);
+  T sum_19 = detail::constant<T>(0.0f, 0.0);
+  T sum_20 = detail::constant<T>(0.0f, 0.0);
+  T sum_21 = detail::constant<T>(0.0f, 0.0);
+  T sum_22 = detail::constant<T>(0.0f, 0.0);
+  T sum_23 = detail::constant<T>(0.0f, 0.0);
+  T sum_24 = detail::constant<T>(0.0f, 0.0);
+  T sum_25 = detail::constant<T>(0.0f, 0.0);
+  T sum_26 = detail::constant<T>(0.0f, 0.0);
+  T sum_27 = detail::constant<T>(0.0f, 0.0);
+  T sum_28 = detail::constant<T>(0.0f, 0.0);
+  T sum_29 = detail::constant<T>(0.0f, 0.0);
+  T sum_30 = detail::constant<T>(0.0f, 0.0);
+  T sum_31 = detail::constant<T>(0.0f, 0.0);
+  T sum_32 = detail::constant<T>(0.0f, 0.0);
+  T sum_33 = detail::constant<T>(0.0f, 0.0);
+  T sum_34 = detail::constant<T>(0.0f, 0.0);
+  T sum_35 = detail::constant<T>(0.0f, 0.0);
+  T sum_36 = detail::constant<T>(0.0f, 0.0);
+  T sum_37 = detail::constant<T>(0.0f, 0.0);
+  T sum_38 = detail::constant<T>(0.0f, 0.0);
+  T sum_39 = detail::constant<T>(0.0f, 0.0);
+  T sum_40 = detail::constant<T>(0.0f, 0.0);
+  T sum_41 = detail::constant<T>(0.0f, 0.0);
+  T sum_42 = detail::constant<T>(0.0f, 0.0);
+  T sum_43 = detail::constant<T>(0.0f, 0.0);
+  T sum_44 = detail::constant<T>(0.0f, 0.0);
+  T sum_45 = detail::constant<T>(0.0f, 0.0);
+  T sum_46 = detail::constant<T>(0.0f, 0.0);
+  T sum_47 = detail::constant<T>(0.0f, 0.0);
+  T sum_48 = detail::constant<T>(0.0f, 0.0);
+  T sum_49 = detail::constant<T>(0.0f, 0.0);
+  T sum_50 = detail::constant<T>(0.0f, 0.0);
+  T sum_51 = detail::constant<T>(0.0f, 0.0);
+  T sum_52 = detail::constant<T>(0.0f, 0.0);
+  T sum_53 = detail::constant<T>(0.0f, 0.0);
+  T sum_54 = detail::constant<T>(0.0f, 0.0);
+  T sum_55 = detail::constant<T>(0.0f, 0.0);
+  T sum_56 = detail::constant<T>(0.0f, 0.0);
+  T sum_57 = detail::constant<T>(0.0f, 0.0);
+  T sum_58 = detail::constant<T>(0.0f, 0.0);
+  T sum_59 = detail::constant<T>(0.0f, 0.0);
+  T sum_60 = detail::constant<T>(0.0f, 0.0);
+  T sum_61 = detail::constant<T>(0.0f, 0.0);
+  T sum_62 = detail::constant<T>(0.0f, 0.0);
+  T sum_63 = detail::constant<T>(0.0f, 0.0);
+  T sum_64 = detail::constant<T>(0.0f, 0.0);
+  T sum_65 = detail::constant<T>(0.0f, 0.0);
+  T sum_66 = detail::constant<T>(0.0f, 0.0);
+  T sum_67 = detail::constant<T>(0.0f, 0.0);
+  T sum_68 = detail::constant<T>(0.0f, 0.0);
+  T sum_69 = detail::constant<T>(0.0f, 0.0);
+  T sum_70 = detail::constant<T>(0.0f, 0.0);
+  T sum_71 = detail::constant<T>(0.0f, 0.0);
+  T sum_72 = detail::constant<T>(0.0f, 0.0);
+  T sum_73 = detail::constant<T>(0.0f, 0.0);
+  T sum_74 = detail::constant<T>(0.0f, 0.0);
+  T sum_75 = detail::constant<T>(0.0f, 0.0);
+  for (int row = 0; row < 4; ++row) {
+    int at = 99 * row;
+    const T t_44 = T(table[at+1]) * visibility[49];
+    const T t_45 = T(table[at+2]) * visibility[65];
+    const T t_46 = T(table[at+4]) * visibility[50];
+    const T t_47 = T(table[at+3]) * visibility[36] + T(table[at+5]) * visibility[66];
+    const T t_48 = T(table[at+6]) * visibility[25] + T(table[at+8]) * visibility[51];
+    const T t_49 = T(table[at+7]) * visibility[37] + T(table[at+9]) * visibility[67];
+    const T t_50 = T(table[at+11]) * visibility[26] + T(table[at+13]) * visibility[52];
+    const T t_51 = T(table[at+10]) * visibility[16] + T(table[at+12]) * visibility[38]
+        + T(table[at+14]) * visibility[68];
+    const T t_52 = T(table[at+15]) * visibility[9] + T(table[at+17]) * visibility[27]
+        + T(table[at+19]) * visibility[53];
+    const T t_53 = T(table[at+16]) * visibility[17] + T(table[at+18]) * visibility[39]
+        + T(table[at+20]) * visibility[69];
+    const T t_54 = T(table[at+22]) * visibility[10] + T(table[at+24]) * visibility[28]
+        + T(table[at+26]) * visibility[54];
+    const T t_55 = T(table[at+21]) * visibility[4] + T(table[at+23]) * visibility[18]
+        + T(table[at+25]) * visibility[40] + T(table[at+27]) * visibility[70];
+    const T t_56 = T(table[at+28]) * visibility[1] + T(table[at+30]) * visibility[11]
+        + T(table[at+32]) * visibility[29] + T(table[at+34]) * visibility[55];
+    const T t_57 = T(table[at+29]) * visibility[5] + T(table[at+31]) * visibility[19]
+        + T(table[at+33]) * visibility[41] + T(table[at+35]) * visibility[71];
+    const T t_58 = T(table[at+45]) * visibility[3] + T(table[at+47]) * visibility[13]
+        + T(table[at+49]) * visibility[31] + T(table[at+51]) * visibility[57];
+    const T t_59 = T(table[at+46]) * visibility[7] + T(table[at+48]) * visibility[21]
+        + T(table[at+50]) * visibility[43] + T(table[at+52]) * visibility[73];
+    const T t_60 = T(table[at+54]) * visibility[14] + T(table[at+56]) * visibility[32]
+        + T(table[at+58]) * visibility[58];
+    const T t_61 = T(table[at+53]) * visibility[8] + T(table[at+55]) * visibility[22]
+        + T(table[at+57]) * visibility[44] + T(table[at+59]) * visibility[74];
+    const T t_62 = T(table[at+60]) * visibility[15] + T(table[at+62]) * visibility[33]
+        + T(table[at+64]) * visibility[59];
+    const T t_63 = T(table[at+61]) * visibility[23] + T(table[at+63]) * visibility[45]
+        + T(table[at+65]) * visibility[75];
+    const T t_64 = T(table[at+11]) * visibility[34] + T(table[at+13]) * visibility[60];
+    const T t_65 = T(table[at+10]) * visibility[24] + T(table[at+12]) * visibility[46]
+        + T(table[at+14]) * visibility[76];
+    const T t_66 = T(table[at+66]) * visibility[35] + T(table[at+68]) * visibility[61];
+    const T t_67 = T(table[at+67]) * visibility[47] + T(table[at+69]) * visibility[77];
+    const T t_68 = T(table[at+71]) * visibility[62];
+    const T t_69 = T(table[at+70]) * visibility[48] + T(table[at+72]) * visibility[78];
+    const T t_70 = T(table[at+73]) * visibility[63];
+    const T t_71 = T(table[at+74]) * visibility[79];
+    const T t_72 = T(table[at+37]) * visibility[2] + T(table[at+39]) * visibility[12]
+        + T(table[at+41]) * visibility[30] + T(table[at+43]) * visibility[56];
+    const T t_73 = T(table[at+36]) * visibility[0] + T(table[at+38]) * visibility[6]
+        + T(table[at+40]) * visibility[20] + T(table[at+42]) * visibility[42] + T(table[at+44]) * visibility[72];
+    const T t_74 = T(table[at+0]) * visibility[64];
+    const T t_75 = t_44 + t_45;
+    const T t_76 = t_44 - t_45;
+    const T t_77 = t_47 + t_46;
+    const T t_78 = t_47 - t_46;
+    const T t_79 = t_48 + t_49;
+    const T t_80 = t_48 - t_49;
+    const T t_81 = t_51 + t_50;
+    const T t_82 = t_51 - t_50;
+    const T t_83 = t_52 + t_53;
+    const T t_84 = t_52 - t_53;
+    const T t_85 = t_55 + t_54;
+    const T t_86 = t_55 - t_54;
+    const T t_87 = t_56 + t_57;
+    const T t_88 = t_56 - t_57;
+    const T t_89 = t_73 + t_72;
+    const T t_90 = t_73 - t_72;
+    const T t_91 = t_58 + t_59;
+    const T t_92 = t_58 - t_59;
+    const T t_93 = t_61 + t_60;
+    const T t_94 = t_61 - t_60;
+    const T t_95 = t_62 + t_63;
+    const T t_96 = t_62 - t_63;
+    const T t_97 = t_65 + t_64;
+    const T t_98 = t_65 - t_64;
+    const T t_99 = t_66 + t_67;
+    const T t_100 = t_66 - t_67;
+    const T t_101 = t_69 + t_68;
+    const T t_102 = t_69 - t_68;
+    const T t_103 = t_70 + t_71;
+    const T t_104 = t_70 - t_71;
+    const T t_105 = t_89 + t_97;
+    const T t_106 = t_89 - t_97;
+    const T t_107 = t_93 + t_101;
+    const T t_108 = k_16 * (t_93 - k_15 * t_101);
+    const T t_109 = t_105 + t_107;
+    const T t_110 = t_105 - t_107;
+    const T t_111 = t_106 + t_108;
+    const T t_112 = t_106 - t_108;
+    const T t_113 = t_74 + t_81;
+    const T t_114 = t_74 - t_81;
+    const T t_115 = t_77 + t_85;
+    const T t_116 = k_16 * (t_77 - k_15 * t_85);
+    const T t_117 = t_113 + t_115;
+    const T t_118 = t_115 - t_113;
+    const T t_119 = t_114 + t_116;
+    const T t_120 = t_114 - t_116;
+    const T t_121 = t_91 + t_95 + t_99 + t_103;
+    const T t_122 = k_17 * t_91 - k_18 * t_95 - k_19 * t_99 - k_20 * t_103;
+    const T t_123 = k_21 * t_91 - k_22 * t_95 + k_23 * t_99 + k_24 * t_103;
+    const T t_124 = k_25 * t_91 - k_26 * t_95 + k_27 * t_99 - k_28 * t_103;
+    const T t_125 = t_75 + t_79 + t_83 + t_87;
+    const T t_126 = k_18 * t_79 - k_17 * t_75 + k_19 * t_83 + k_20 * t_87;
+    const T t_127 = k_21 * t_75 - k_22 * t_79 + k_23 * t_83 + k_24 * t_87;
+    const T t_128 = k_26 * t_79 - k_25 * t_75 - k_27 * t_83 + k_28 * t_87;
+    const T t_129 = t_109 + t_117;
+    const T t_130 = t_109 - t_117;
+    const T t_131 = t_121 + t_125;
+    const T t_132 = t_121 - t_125;
+    const T t_133 = t_129 + t_131;
+    const T t_134 = t_129 - t_131;
+    const T t_135 = t_133 * T(samples[32 * row]);
+    const T t_136 = t_134 * T(samples[32 * row + 1]);
+    const T t_137 = t_133 * T(samples[32 * row + 132]);
+    const T t_138 = t_133 * T(samples[32 * row + 264]);
+    const T t_139 = t_134 * T(samples[32 * row + 133]);
+    const T t_140 = t_134 * T(samples[32 * row + 265]);
+    const T t_141 = t_130 + t_132;
+    const T t_142 = t_130 - t_132;
+    const T t_143 = t_141 * T(samples[32 * row + 2]);
+    const T t_144 = t_142 * T(samples[32 * row + 3]);
+    const T t_145 = t_141 * T(samples[32 * row + 134]);
+    const T t_146 = t_141 * T(samples[32 * row + 266]);
+    const T t_147 = t_142 * T(samples[32 * row + 135]);
+    const T t_148 = t_142 * T(samples[32 * row + 267]);
+    const T t_149 = t_111 - t_119;
+    const T t_150 = t_111 + t_119;
+    const T t_151 = t_122 + t_126;
+    const T t_152 = t_122 - t_126;
+    const T t_153 = t_149 + t_151;
+    const T t_154 = t_149 - t_151;
+    const T t_155 = t_153 * T(samples[32 * row + 4]);
+    const T t_156 = t_154 * T(samples[32 * row + 5]);
+    const T t_157 = t_153 * T(samples[32 * row + 136]);
+    const T t_158 = t_153 * T(samples[32 * row + 268]);
+    const T t_159 = t_154 * T(samples[32 * row + 137]);
+    const T t_160 = t_154 * T(samples[32 * row + 269]);
+    const T t_161 = t_150 + t_152;
+    const T t_162 = t_150 - t_152;
+    const T t_163 = t_161 * T(samples[32 * row + 6]);
+    const T t_164 = t_162 * T(samples[32 * row + 7]);
+    const T t_165 = t_161 * T(samples[32 * row + 138]);
+    const T t_166 = t_161 * T(samples[32 * row + 270]);
+    const T t_167 = t_162 * T(samples[32 * row + 139]);
+    const T t_168 = t_162 * T(samples[32 * row + 271]);
+    const T t_169 = t_112 + t_120;
+    const T t_170 = t_112 - t_120;
+    const T t_171 = t_123 + t_127;
+    const T t_172 = t_123 - t_127;
+    const T t_173 = t_169 + t_171;
+    const T t_174 = t_169 - t_171;
+    const T t_175 = t_173 * T(samples[32 * row + 8]);
+    const T t_176 = t_174 * T(samples[32 * row + 9]);
+    const T t_177 = t_173 * T(samples[32 * row + 140]);
+    const T t_178 = t_173 * T(samples[32 * row + 272]);
+    const T t_179 = t_174 * T(samples[32 * row + 141]);
+    const T t_180 = t_174 * T(samples[32 * row + 273]);
+    const T t_181 = t_170 + t_172;
+    const T t_182 = t_170 - t_172;
+    const T t_183 = t_181 * T(samples[32 * row + 10]);
+    const T t_184 = t_182 * T(samples[32 * row + 11]);
+    const T t_185 = t_181 * T(samples[32 * row + 142]);
+    const T t_186 = t_181 * T(samples[32 * row + 274]);
+    const T t_187 = t_182 * T(samples[32 * row + 143]);
+    const T t_188 = t_182 * T(samples[32 * row + 275]);
+    const T t_189 = t_110 + t_118;
+    const T t_190 = t_110 - t_118;
+    const T t_191 = t_124 + t_128;
+    const T t_192 = t_124 - t_128;
+    const T t_193 = t_189 + t_191;
+    const T t_194 = t_189 - t_191;
+    const T t_195 = t_193 * T(samples[32 * row + 12]);
+    const T t_196 = t_194 * T(samples[32 * row + 13]);
+    const T t_197 = t_193 * T(samples[32 * row + 144]);
+    const T t_198 = t_193 * T(samples[32 * row + 276]);
+    const T t_199 = t_194 * T(samples[32 * row + 145]);
+    const T t_200 = t_194 * T(samples[32 * row + 277]);
+    const T t_201 = t_190 + t_192;
+    const T t_202 = t_190 - t_192;
+    const T t_203 = t_201 * T(samples[32 * row + 14]);
+    const T t_204 = t_202 * T(samples[32 * row + 15]);
+    const T t_205 = t_201 * T(samples[32 * row + 146]);
+    const T t_206 = t_201 * T(samples[32 * row + 278]);
+    const T t_207 = t_202 * T(samples[32 * row + 147]);
+    const T t_208 = t_202 * T(samples[32 * row + 279]);
+    const T t_209 = t_135 + t_136;
+    const T t_210 = t_135 - t_136;
+    const T t_211 = t_143 + t_144;
+    const T t_212 = t_143 - t_144;
+    const T t_213 = t_209 + t_211;
+    const T t_214 = t_209 - t_211;
+    const T t_215 = t_210 + t_212;
+    const T t_216 = t_210 - t_212;
+    const T t_217 = t_155 + t_156;
+    const T t_218 = t_155 - t_156;
+    const T t_219 = t_163 + t_164;
+    const T t_220 = t_163 - t_164;
+    const T t_221 = t_217 + t_219;
+    const T t_222 = t_217 - t_219;
+    const T t_223 = t_218 + t_220;
+    const T t_224 = t_218 - t_220;
+    const T t_225 = t_175 + t_176;
+    const T t_226 = t_175 - t_176;
+    const T t_227 = t_183 + t_184;
+    const T t_228 = t_183 - t_184;
+    const T t_229 = t_225 + t_227;
+    const T t_230 = t_225 - t_227;
+    const T t_231 = t_226 + t_228;
+    const T t_232 = t_226 - t_228;
+    const T t_233 = t_195 + t_196;
+    const T t_234 = t_195 - t_196;
+    const T t_235 = t_203 + t_204;
+    const T t_236 = t_203 - t_204;
+    const T t_237 = t_233 + t_235;
+    const T t_238 = t_233 - t_235;
+    const T t_239 = t_234 + t_236;
+    const T t_240 = t_234 - t_236;
+    const T t_241 = t_229 + t_221;
+    const T t_242 = t_237 + t_213;
+    const T t_243 = k_16 * (t_221 - t_229) - t_237 + t_213;
+    const T t_244 = t_241 + t_242;
+    const T t_245 = t_238 + k_29 * (t_230 + t_222) + t_214;
+    const T t_246 = k_25 * t_239 + k_21 * t_231 + k_17 * t_223 + t_215;
+    const T t_247 = t_215 - k_26 * t_239 - k_22 * t_231 - k_18 * t_223;
+    const T t_248 = k_23 * t_232 - k_27 * t_240 + k_19 * t_224 + t_216;
+    const T t_249 = k_28 * t_240 + k_24 * t_232 + k_20 * t_224 + t_216;
+    const T t_250 = t_137 + t_139;
+    const T t_251 = t_137 - t_139;
+    const T t_252 = t_145 + t_147;
+    const T t_253 = t_145 - t_147;
+    const T t_254 = t_250 + t_252;
+    const T t_255 = t_250 - t_252;
+    const T t_256 = t_251 + t_253;
+    const T t_257 = t_251 - t_253;
+    const T t_258 = t_157 + t_159;
+    const T t_259 = t_157 - t_159;
+    const T t_260 = t_165 + t_167;
+    const T t_261 = t_165 - t_167;
+    const T t_262 = t_258 + t_260;
+    const T t_263 = t_258 - t_260;
+    const T t_264 = t_259 + t_261;
+    const T t_265 = t_259 - t_261;
+    const T t_266 = t_177 + t_179;
+    const T t_267 = t_177 - t_179;
+    const T t_268 = t_185 + t_187;
+    const T t_269 = t_185 - t_187;
+    const T t_270 = t_266 + t_268;
+    const T t_271 = t_266 - t_268;
+    const T t_272 = t_267 + t_269;
+    const T t_273 = t_267 - t_269;
+    const T t_274 = t_197 + t_199;
+    const T t_275 = t_197 - t_199;
+    const T t_276 = t_205 + t_207;
+    const T t_277 = t_205 - t_207;
+    const T t_278 = t_274 + t_276;
+    const T t_279 = t_274 - t_276;
+    const T t_280 = t_275 + t_277;
+    const T t_281 = t_275 - t_277;
+    const T t_282 = t_270 + t_262;
+    const T t_283 = t_278 + t_254;
+    const T t_284 = k_16 * (t_262 - t_270) - t_278 + t_254;
+    const T t_285 = t_282 + t_283;
+    const T t_286 = t_279 + k_29 * (t_271 + t_263) + t_255;
+    const T t_287 = k_25 * t_280 + k_21 * t_272 + k_17 * t_264 + t_256;
+    const T t_288 = t_256 - k_26 * t_280 - k_22 * t_272 - k_18 * t_264;
+    const T t_289 = k_23 * t_273 - k_27 * t_281 + k_19 * t_265 + t_257;
+    const T t_290 = k_28 * t_281 + k_24 * t_273 + k_20 * t_265 + t_257;
+    const T t_291 = t_138 + t_140;
+    const T t_292 = t_138 - t_140;
+    const T t_293 = t_146 + t_148;
+    const T t_294 = t_146 - t_148;
+    const T t_295 = t_291 + t_293;
+    const T t_296 = t_291 - t_293;
+    const T t_297 = t_292 + t_294;
+    const T t_298 = t_292 - t_294;
+    const T t_299 = t_158 + t_160;
+    const T t_300 = t_158 - t_160;
+    const T t_301 = t_166 + t_168;
+    const T t_302 = t_166 - t_168;
+    const T t_303 = t_299 + t_301;
+    const T t_304 = t_299 - t_301;
+    const T t_305 = t_300 + t_302;
+    const T t_306 = t_300 - t_302;
+    const T t_307 = t_178 + t_180;
+    const T t_308 = t_178 - t_180;
+    const T t_309 = t_186 + t_188;
+    const T t_310 = t_186 - t_188;
+    const T t_311 = t_307 + t_309;
+    const T t_312 = t_307 - t_309;
+    const T t_313 = t_308 + t_310;
+    const T t_314 = t_308 - t_310;
+    const T t_315 = t_198 + t_200;
+    const T t_316 = t_198 - t_200;
+    const T t_317 = t_206 + t_208;
+    const T t_318 = t_206 - t_208;
+    const T t_319 = t_315 + t_317;
+    const T t_320 = t_315 - t_317;
+    const T t_321 = t_316 + t_318;
+    const T t_322 = t_316 - t_318;
+    const T t_323 = t_311 + t_303;
+    const T t_324 = t_319 + t_295;
+    const T t_325 = k_16 * (t_303 - t_311) - t_319 + t_295;
+    const T t_326 = t_323 + t_324;
+    const T t_327 = t_320 + k_29 * (t_312 + t_304) + t_296;
+    const T t_328 = k_25 * t_321 + k_21 * t_313 + k_17 * t_305 + t_297;
+    const T t_329 = t_297 - k_26 * t_321 - k_22 * t_313 - k_18 * t_305;
+    const T t_330 = k_23 * t_314 - k_27 * t_322 + k_19 * t_306 + t_298;
+    const T t_331 = k_28 * t_322 + k_24 * t_314 + k_20 * t_306 + t_298;
+    const T t_332 = t_90 + t_98;
+    const T t_333 = t_90 - t_98;
+    const T t_334 = t_94 + t_102;
+    const T t_335 = k_16 * (t_94 - k_15 * t_102);
+    const T t_336 = t_332 + t_334;
+    const T t_337 = t_332 - t_334;
+    const T t_338 = t_333 + t_335;
+    const T t_339 = t_333 - t_335;
+    const T t_340 = t_74 + t_82;
+    const T t_341 = t_74 - t_82;
+    const T t_342 = t_78 + t_86;
+    const T t_343 = k_16 * (t_78 - k_15 * t_86);
+    const T t_344 = t_340 + t_342;
+    const T t_345 = t_342 - t_340;
+    const T t_346 = t_341 + t_343;
+    const T t_347 = t_341 - t_343;
+    const T t_348 = t_92 + t_96 + t_100 + t_104;
+    const T t_349 = k_17 * t_92 - k_18 * t_96 - k_19 * t_100 - k_20 * t_104;
+    const T t_350 = k_21 * t_92 - k_22 * t_96 + k_23 * t_100 + k_24 * t_104;
+    const T t_351 = k_25 * t_92 - k_26 * t_96 + k_27 * t_100 - k_28 * t_104;
+    const T t_352 = t_76 + t_80 + t_84 + t_88;
+    const T t_353 = k_18 * t_80 - k_17 * t_76 + k_19 * t_84 + k_20 * t_88;
+    const T t_354 = k_21 * t_76 - k_22 * t_80 + k_23 * t_84 + k_24 * t_88;
+    const T t_355 = k_26 * t_80 - k_25 * t_76 - k_27 * t_84 + k_28 * t_88;
+    const T t_356 = t_336 + t_344;
+    const T t_357 = t_336 - t_344;
+    const T t_358 = t_348 + t_352;
+    const T t_359 = t_348 - t_352;
+    const T t_360 = t_356 + t_358;
+    const T t_361 = t_356 - t_358;
+    const T t_362 = t_360 * T(samples[32 * row + 16]);
+    const T t_363 = t_361 * T(samples[32 * row + 17]);
+    const T t_364 = t_360 * T(samples[32 * row + 148]);
+    const T t_365 = t_360 * T(samples[32 * row + 280]);
+    const T t_366 = t_361 * T(samples[32 * row + 149]);
+    const T t_367 = t_361 * T(samples[32 * row + 281]);
+    const T t_368 = t_357 + t_359;
+    const T t_369 = t_357 - t_359;
+    const T t_370 = t_368 * T(samples[32 * row + 18]);
+    const T t_371 = t_369 * T(samples[32 * row + 19]);
+    const T t_372 = t_368 * T(samples[32 * row + 150]);
+    const T t_373 = t_368 * T(samples[32 * row + 282]);
+    const T t_374 = t_369 * T(samples[32 * row + 151]);
+    const T t_375 = t_369 * T(samples[32 * row + 283]);
+    const T t_376 = t_338 - t_346;
+    const T t_377 = t_338 + t_346;
+    const T t_378 = t_349 + t_353;
+    const T t_379 = t_349 - t_353;
+    const T t_380 = t_376 + t_378;
+    const T t_381 = t_376 - t_378;
+    const T t_382 = t_380 * T(samples[32 * row + 20]);
+    const T t_383 = t_381 * T(samples[32 * row + 21]);
+    const T t_384 = t_380 * T(samples[32 * row + 152]);
+    const T t_385 = t_380 * T(samples[32 * row + 284]);
+    const T t_386 = t_381 * T(samples[32 * row + 153]);
+    const T t_387 = t_381 * T(samples[32 * row + 285]);
+    const T t_388 = t_377 + t_379;
+    const T t_389 = t_377 - t_379;
+    const T t_390 = t_388 * T(samples[32 * row + 22]);
+    const T t_391 = t_389 * T(samples[32 * row + 23]);
+    const T t_392 = t_388 * T(samples[32 * row + 154]);
+    const T t_393 = t_388 * T(samples[32 * row + 286]);
+    const T t_394 = t_389 * T(samples[32 * row + 155]);
+    const T t_395 = t_389 * T(samples[32 * row + 287]);
+    const T t_396 = t_339 + t_347;
+    const T t_397 = t_339 - t_347;
+    const T t_398 = t_350 + t_354;
+    const T t_399 = t_350 - t_354;
+    const T t_400 = t_396 + t_398;
+    const T t_401 = t_396 - t_398;
+    const T t_402 = t_400 * T(samples[32 * row + 24]);
+    const T t_403 = t_401 * T(samples[32 * row + 25]);
+    const T t_404 = t_400 * T(samples[32 * row + 156]);
+    const T t_405 = t_400 * T(samples[32 * row + 288]);
+    const T t_406 = t_401 * T(samples[32 * row + 157]);
+    const T t_407 = t_401 * T(samples[32 * row + 289]);
+    const T t_408 = t_397 + t_399;
+    const T t_409 = t_397 - t_399;
+    const T t_410 = t_408 * T(samples[32 * row + 26]);
+    const T t_411 = t_409 * T(samples[32 * row + 27]);
+    const T t_412 = t_408 * T(samples[32 * row + 158]);
+    const T t_413 = t_408 * T(samples[32 * row + 290]);
+    const T t_414 = t_409 * T(samples[32 * row + 159]);
+    const T t_415 = t_409 * T(samples[32 * row + 291]);
+    const T t_416 = t_337 + t_345;
+    const T t_417 = t_337 - t_345;
+    const T t_418 = t_351 + t_355;
+    const T t_419 = t_351 - t_355;
+    const T t_420 = t_416 + t_418;
+    const T t_421 = t_416 - t_418;
+    const T t_422 = t_420 * T(samples[32 * row + 28]);
+    const T t_423 = t_421 * T(samples[32 * row + 29]);
+    const T t_424 = t_420 * T(samples[32 * row + 160]);
+    const T t_425 = t_420 * T(samples[32 * row + 292]);
+    const T t_426 = t_421 * T(samples[32 * row + 161]);
+    const T t_427 = t_421 * T(samples[32 * row + 293]);
+    const T t_428 = t_417 + t_419;
+    const T t_429 = t_417 - t_419;
+    const T t_430 = t_428 * T(samples[32 * row + 30]);
+    const T t_431 = t_429 * T(samples[32 * row + 31]);
+    const T t_432 = t_428 * T(samples[32 * row + 162]);
+    const T t_433 = t_428 * T(samples[32 * row + 294]);
+    const T t_434 = t_429 * T(samples[32 * row + 163]);
+    const T t_435 = t_429 * T(samples[32 * row + 295]);
+    const T t_436 = t_362 + t_363;
+    const T t_437 = t_362 - t_363;
+    const T t_438 = t_370 + t_371;
+    const T t_439 = t_370 - t_371;
+    const T t_440 = t_436 + t_438;
+    const T t_441 = t_436 - t_438;
+    const T t_442 = t_437 + t_439;
+    const T t_443 = t_437 - t_439;
+    const T t_444 = t_382 + t_383;
+    const T t_445 = t_382 - t_383;
+    const T t_446 = t_390 + t_391;
+    const T t_447 = t_390 - t_391;
+    const T t_448 = t_444 + t_446;
+    const T t_449 = t_444 - t_446;
+    const T t_450 = t_445 + t_447;
+    const T t_451 = t_445 - t_447;
+    const T t_452 = t_402 + t_403;
+    const T t_453 = t_402 - t_403;
+    const T t_454 = t_410 + t_411;
+    const T t_455 = t_410 - t_411;
+    const T t_456 = t_452 + t_454;
+    const T t_457 = t_452 - t_454;
+    const T t_458 = t_453 + t_455;
+    const T t_459 = t_453 - t_455;
+    const T t_460 = t_422 + t_423;
+    const T t_461 = t_422 - t_423;
+    const T t_462 = t_430 + t_431;
+    const T t_463 = t_430 - t_431;
+    const T t_464 = t_460 + t_462;
+    const T t_465 = t_460 - t_462;
+    const T t_466 = t_461 + t_463;
+    const T t_467 = t_461 - t_463;
+    const T t_468 = t_456 + t_448;
+    const T t_469 = t_464 + t_440;
+    const T t_470 = k_16 * (t_448 - t_456) - t_464 + t_440;
+    const T t_471 = t_468 + t_469;
+    sum = sum + T(table[at+75]) * (t_242 - t_241 + (t_469 - t_468));
+    const T t_472 = t_465 + k_29 * (t_457 + t_449) + t_441;
+    sum_2 = sum_2 + T(table[at+75]) * (t_222 - t_238 - t_230 + t_214 + (t_449 - t_465 - t_457 + t_441));
+    const T t_473 = k_25 * t_466 + k_21 * t_458 + k_17 * t_450 + t_442;
+    const T t_474 = t_442 - k_26 * t_466 - k_22 * t_458 - k_18 * t_450;
+    const T t_475 = k_23 * t_459 - k_27 * t_467 + k_19 * t_451 + t_443;
+    const T t_476 = k_28 * t_467 + k_24 * t_459 + k_20 * t_451 + t_443;
+    const T t_477 = t_364 + t_366;
+    const T t_478 = t_364 - t_366;
+    const T t_479 = t_372 + t_374;
+    const T t_480 = t_372 - t_374;
+    const T t_481 = t_477 + t_479;
+    const T t_482 = t_477 - t_479;
+    const T t_483 = t_478 + t_480;
+    const T t_484 = t_478 - t_480;
+    const T t_485 = t_384 + t_386;
+    const T t_486 = t_384 - t_386;
+    const T t_487 = t_392 + t_394;
+    const T t_488 = t_392 - t_394;
+    const T t_489 = t_485 + t_487;
+    const T t_490 = t_485 - t_487;
+    const T t_491 = t_486 + t_488;
+    const T t_492 = t_486 - t_488;
+    const T t_493 = t_404 + t_406;
+    const T t_494 = t_404 - t_406;
+    const T t_495 = t_412 + t_414;
+    const T t_496 = t_412 - t_414;
+    const T t_497 = t_493 + t_495;
+    const T t_498 = t_493 - t_495;
+    const T t_499 = t_494 + t_496;
+    const T t_500 = t_494 - t_496;
+    const T t_501 = t_424 + t_426;
+    const T t_502 = t_424 - t_426;
+    const T t_503 = t_432 + t_434;
+    const T t_504 = t_432 - t_434;
+    const T t_505 = t_501 + t_503;
+    const T t_506 = t_501 - t_503;
+    const T t_507 = t_502 + t_504;
+    const T t_508 = t_502 - t_504;
+    const T t_509 = t_497 + t_489;
+    const T t_510 = t_505 + t_481;
+    const T t_511 = k_16 * (t_489 - t_497) - t_505 + t_481;
+    const T t_512 = t_509 + t_510;
+    sum_3 = sum_3 + T(table[at+75]) * (t_283 - t_282 + (t_510 - t_509));
+    const T t_513 = t_506 + k_29 * (t_498 + t_490) + t_482;
+    sum_4 = sum_4 + T(table[at+75]) * (t_263 - t_279 - t_271 + t_255 + (t_490 - t_506 - t_498 + t_482));
+    const T t_514 = k_25 * t_507 + k_21 * t_499 + k_17 * t_491 + t_483;
+    const T t_515 = t_483 - k_26 * t_507 - k_22 * t_499 - k_18 * t_491;
+    const T t_516 = k_23 * t_500 - k_27 * t_508 + k_19 * t_492 + t_484;
+    const T t_517 = k_28 * t_508 + k_24 * t_500 + k_20 * t_492 + t_484;
+    const T t_518 = t_365 + t_367;
+    const T t_519 = t_365 - t_367;
+    const T t_520 = t_373 + t_375;
+    const T t_521 = t_373 - t_375;
+    const T t_522 = t_518 + t_520;
+    const T t_523 = t_518 - t_520;
+    const T t_524 = t_519 + t_521;
+    const T t_525 = t_519 - t_521;
+    const T t_526 = t_385 + t_387;
+    const T t_527 = t_385 - t_387;
+    const T t_528 = t_393 + t_395;
+    const T t_529 = t_393 - t_395;
+    const T t_530 = t_526 + t_528;
+    const T t_531 = t_526 - t_528;
+    const T t_532 = t_527 + t_529;
+    const T t_533 = t_527 - t_529;
+    const T t_534 = t_405 + t_407;
+    const T t_535 = t_405 - t_407;
+    const T t_536 = t_413 + t_415;
+    const T t_537 = t_413 - t_415;
+    const T t_538 = t_534 + t_536;
+    const T t_539 = t_534 - t_536;
+    const T t_540 = t_535 + t_537;
+    const T t_541 = t_535 - t_537;
+    const T t_542 = t_425 + t_427;
+    const T t_543 = t_425 - t_427;
+    const T t_544 = t_433 + t_435;
+    const T t_545 = t_433 - t_435;
+    const T t_546 = t_542 + t_544;
+    const T t_547 = t_542 - t_544;
+    const T t_548 = t_543 + t_545;
+    const T t_549 = t_543 - t_545;
+    const T t_550 = t_538 + t_530;
+    const T t_551 = t_546 + t_522;
+    const T t_552 = k_16 * (t_530 - t_538) - t_546 + t_522;
+    const T t_553 = t_550 + t_551;
+    sum_5 = sum_5 + T(table[at+75]) * (t_324 - t_323 + (t_551 - t_550));
+    const T t_554 = t_547 + k_29 * (t_539 + t_531) + t_523;
+    sum_6 = sum_6 + T(table[at+75]) * (t_304 - t_320 - t_312 + t_296 + (t_531 - t_547 - t_539 + t_523));
+    const T t_555 = k_25 * t_548 + k_21 * t_540 + k_17 * t_532 + t_524;
+    const T t_556 = t_524 - k_26 * t_548 - k_22 * t_540 - k_18 * t_532;
+    const T t_557 = k_23 * t_541 - k_27 * t_549 + k_19 * t_533 + t_525;
+    const T t_558 = k_28 * t_549 + k_24 * t_541 + k_20 * t_533 + t_525;
+    sum_7 = sum_7 + T(table[at+76]) * (t_248 + t_475);
+    sum_8 = sum_8 + T(table[at+77]) * (t_248 - t_475);
+    const T t_559 = t_245 + t_472;
+    sum_9 = sum_9 + T(table[at+79]) * (t_245 - t_472);
+    sum_10 = sum_10 + T(table[at+78]) * t_559;
+    sum_11 = sum_11 + T(table[at+80]) * t_559;
+    const T t_560 = t_249 + t_476;
+    const T t_561 = t_249 - t_476;
+    sum_12 = sum_12 + T(table[at+81]) * t_560;
+    sum_13 = sum_13 + T(table[at+83]) * t_560;
+    sum_14 = sum_14 + T(table[at+82]) * t_561;
+    sum_15 = sum_15 + T(table[at+84]) * t_561;
+    const T t_562 = t_244 + t_471;
+    const T t_563 = t_244 - t_471;
+    sum_16 = sum_16 + T(table[at+85]) * t_562;
+    sum_17 = sum_17 + T(table[at+86]) * t_563;
+    sum_18 = sum_18 + T(table[at+88]) * t_563;
+    sum_19 = sum_19 + T(table[at+87]) * t_562;
+    sum_20 = sum_20 + T(table[at+89]) * t_562;
+    const T t_564 = t_246 + t_473;
+    const T t_565 = t_246 - t_473;
+    sum_21 = sum_21 + T(table[at+90]) * t_564;
+    sum_22 = sum_22 + T(table[at+92]) * t_564;
+    sum_23 = sum_23 + T(table[at+91]) * t_565;
+    sum_24 = sum_24 + T(table[at+93]) * t_565;
+    const T t_566 = t_243 + t_470;
+    sum_25 = sum_25 + T(table[at+95]) * (t_243 - t_470);
+    sum_26 = sum_26 + T(table[at+94]) * t_566;
+    sum_27 = sum_27 + T(table[at+96]) * t_566;
+    sum_28 = sum_28 + T(table[at+97]) * (t_247 + t_474);
+    sum_29 = sum_29 + T(table[at+98]) * (t_247 - t_474);
+    sum_30 = sum_30 + T(table[at+76]) * (t_289 + t_516);
+    sum_31 = sum_31 + T(table[at+77]) * (t_289 - t_516);
+    const T t_567 = t_286 + t_513;
+    sum_32 = sum_32 + T(table[at+79]) * (t_286 - t_513);
+    sum_33 = sum_33 + T(table[at+78]) * t_567;
+    sum_34 = sum_34 + T(table[at+80]) * t_567;
+    const T t_568 = t_290 + t_517;
+    const T t_569 = t_290 - t_517;
+    sum_35 = sum_35 + T(table[at+81]) * t_568;
+    sum_36 = sum_36 + T(table[at+83]) * t_568;
+    sum_37 = sum_37 + T(table[at+82]) * t_569;
+    sum_38 = sum_38 + T(table[at+84]) * t_569;
+    const T t_570 = t_285 + t_512;
+    const T t_571 = t_285 - t_512;
+    sum_39 = sum_39 + T(table[at+85]) * t_570;
+    sum_40 = sum_40 + T(table[at+86]) * t_571;
+    sum_41 = sum_41 + T(table[at+88]) * t_571;
+    sum_42 = sum_42 + T(table[at+87]) * t_570;
+    sum_43 = sum_43 + T(table[at+89]) * t_570;
+    const T t_572 = t_287 + t_514;
+    const T t_573 = t_287 - t_514;
+    sum_44 = sum_44 + T(table[at+90]) * t_572;
+    sum_45 = sum_45 + T(table[at+92]) * t_572;
+    sum_46 = sum_46 + T(table[at+91]) * t_573;
+    sum_47 = sum_47 + T(table[at+93]) * t_573;
+    const T t_574 = t_284 + t_511;
+    sum_48 = sum_48 + T(table[at+95]) * (t_284 - t_511);
+    sum_49 = sum_49 + T(table[at+94]) * t_574;
+    sum_50 = sum_50 + T(table[at+96]) * t_574;
+    sum_51 = sum_51 + T(table[at+97]) * (t_288 + t_515);
+    sum_52 = sum_52 + T(table[at+98]) * (t_288 - t_515);
+    sum_53 = sum_53 + T(table[at+76]) * (t_330 + t_557);
+    sum_54 = sum_54 + T(table[at+77]) * (t_330 - t_557);
+    const T t_575 = t_327 + t_554;
+    sum_55 = sum_55 + T(table[at+79]) * (t_327 - t_554);
+    sum_56 = sum_56 + T(table[at+78]) * t_575;
+    sum_57 = sum_57 + T(table[at+80]) * t_575;
+    const T t_576 = t_331 + t_558;
+    const T t_577 = t_331 - t_558;
+    sum_58 = sum_58 + T(table[at+81]) * t_576;
+    sum_59 = sum_59 + T(table[at+83]) * t_576;
+    sum_60 = sum_60 + T(table[at+82]) * t_577;
+    sum_61 = sum_61 + T(table[at+84]) * t_577;
+    const T t_578 = t_326 + t_553;
+    const T t_579 = t_326 - t_553;
+    sum_62 = sum_62 + T(table[at+85]) * t_578;
+    sum_63 = sum_63 + T(table[at+86]) * t_579;
+    sum_64 = sum_64 + T(table[at+88]) * t_579;
+    sum_65 = sum_65 + T(table[at+87]) * t_578;
+    sum_66 = sum_66 + T(table[at+89]) * t_578;
+    const T t_580 = t_328 + t_555;
+    const T t_581 = t_328 - t_555;
+    sum_67 = sum_67 + T(table[at+90]) * t_580;
+    sum_68 = sum_68 + T(table[at+92]) * t_580;
+    sum_69 = sum_69 + T(table[at+91]) * t_581;
+    sum_70 = sum_70 + T(table[at+93]) * t_581;
+    const T t_582 = t_325 + t_552;
+    sum_71 = sum_71 + T(table[at+95]) * (t_325 - t_552);
+    sum_72 = sum_72 + T(table[at+94]) * t_582;
+    sum_73 = sum_73 + T(table[at+96]) * t_582;
+    sum_74 = sum_74 + T(table[at+97]) * (t_329 + t_556);
+    sum_75 = sum_75 + T(table[at+98]) * (t_329 - t_556);
+  }
+  out[9] = sum_7;                 // red l=3 m=-3
+  out[17] = sum_8;                // red l=4 m=-3
+  out[10] = sum_9;                // red l=3 m=-2
+  out[4] = sum_10;                // red l=2 m=-2
+  out[18] = sum_11;               // red l=4 m=-2
+  out[1] = sum_12;                // red l=1 m=-1
+  out[11] = sum_13;               // red l=3 m=-1
+  out[5] = sum_14;                // red l=2 m=-1
+  out[19] = sum_15;               // red l=4 m=-1
+  out[3] = sum_21;                // red l=1 m=1
+  out[13] = sum_22;               // red l=3 m=1
+  out[7] = sum_23;                // red l=2 m=1
+  out[21] = sum_24;               // red l=4 m=1
+  out[14] = sum_25;               // red l=3 m=2
+  out[8] = sum_26;                // red l=2 m=2
+  out[22] = sum_27;               // red l=4 m=2
+  out[15] = sum_28;               // red l=3 m=3
+  out[23] = sum_29;               // red l=4 m=3
+  out[34] = sum_30;               // green l=3 m=-3
+  out[42] = sum_31;               // green l=4 m=-3
+  out[35] = sum_32;               // green l=3 m=-2
+  out[29] = sum_33;               // green l=2 m=-2
+  out[43] = sum_34;               // green l=4 m=-2
+  out[26] = sum_35;               // green l=1 m=-1
+  out[36] = sum_36;               // green l=3 m=-1
+  out[30] = sum_37;               // green l=2 m=-1
+  out[44] = sum_38;               // green l=4 m=-1
+  out[28] = sum_44;               // green l=1 m=1
+  out[38] = sum_45;               // green l=3 m=1
+  out[32] = sum_46;               // green l=2 m=1
+  out[46] = sum_47;               // green l=4 m=1
+  out[39] = sum_48;               // green l=3 m=2
+  out[33] = sum_49;               // green l=2 m=2
+  out[47] = sum_50;               // green l=4 m=2
+  out[40] = sum_51;               // green l=3 m=3
+  out[48] = sum_52;               // green l=4 m=3
+  out[59] = sum_53;               // blue l=3 m=-3
+  out[67] = sum_54;               // blue l=4 m=-3
+  out[60] = sum_55;               // blue l=3 m=-2
+  out[54] = sum_56;               // blue l=2 m=-2
+  out[68] = sum_57;               // blue l=4 m=-2
+  out[51] = sum_58;               // blue l=1 m=-1
+  out[61] = sum_59;               // blue l=3 m=-1
+  out[55] = sum_60;               // blue l=2 m=-1
+  out[69] = sum_61;               // blue l=4 m=-1
+  out[53] = sum_67;               // blue l=1 m=1
+  out[63] = sum_68;               // blue l=3 m=1
+  out[57] = sum_69;               // blue l=2 m=1
+  out[71] = sum_70;               // blue l=4 m=1
+  out[64] = sum_71;               // blue l=3 m=2
+  out[58] = sum_72;               // blue l=2 m=2
+  out[72] = sum_73;               // blue l=4 m=2
+  out[65] = sum_74;               // blue l=3 m=3
+  out[73] = sum_75;               // blue l=4 m=3
+  out[0] = t_13 + sum_16;         // red l=0 m=0
+  out[2] = t_14 + sum_17;         // red l=1 m=0
+  out[12] = t_15 + sum_18;        // red l=3 m=0
+  out[6] = t_16 + sum_19;         // red l=2 m=0
+  out[20] = t_17 + sum_20;        // red l=4 m=0
+  out[25] = t_20 + sum_39;        // green l=0 m=0
+  out[27] = t_21 + sum_40;        // green l=1 m=0
+  out[37] = t_22 + sum_41;        // green l=3 m=0
+  out[31] = t_23 + sum_42;        // green l=2 m=0
+  out[45] = t_24 + sum_43;        // green l=4 m=0
+  out[50] = t_27 + sum_62;        // blue l=0 m=0
+  out[52] = t_28 + sum_63;        // blue l=1 m=0
+  out[62] = t_29 + sum_64;        // blue l=3 m=0
+  out[56] = t_30 + sum_65;        // blue l=2 m=0
+  out[70] = t_31 + sum_66;        // blue l=4 m=0
+  out[24] = sum + t_32 - t_34;    // red l=4 m=4
+  out[16] = sum_2 - t_35 - t_33;  // red l=4 m=-4
+  out[49] = sum_3 + t_36 - t_38;  // green l=4 m=4
+  out[41] = sum_4 - t_39 - t_37;  // green l=4 m=-4
+  out[74] = sum_5 + t_40 - t_42;  // blue l=4 m=4
+  out[66] = sum_6 - t_41 - t_43;  // blue l=4 m=-4
 }
 
 }  // namespace sh

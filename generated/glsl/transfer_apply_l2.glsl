@@ -11,9 +11,9 @@
 // Source:       P.-P. Sloan, J. Kautz, J. Snyder, "Precomputed Radiance Transfer", SIGGRAPH 2002, equation 11; by
 //               quadrature on rings of constant z (Lobatto; M. Abramowitz, I. Stegun, 1964, 25.4), split by parity; z1,
 //               z2, ...: square roots of the zeros of the Jacobi polynomial P_2^(1,-1/2)(2t-1), falling
-// Cost:         136 multiplications, 265 additions; longest chain 17; at most 70 values live
+// Cost:         136 multiplications, 265 additions; longest chain 16; at most 70 values live
 // Error:        eps counts units of machine epsilon x |visibility| |light|, |light| = 1
-//               float   rounding  largest seen 1.3e-07 (1.1 eps)
+//               float   rounding  largest seen 1.4e-07 (1.2 eps)
 //               double  rounding  largest seen 2.5e-16 (1.1 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  no bound is proved: an input is a sampled function
@@ -144,79 +144,79 @@ void transfer_apply_l2(float visibility[25], float samples[36], out float result
     float t_48 = t_43 - t_45;
     float t_49 = t_29 + t_41;
     float t_50 = t_29 - t_41;
-    float t_51 = t_30 + t_42;
-    float t_52 = t_30 - t_42;
-    float t_53 = t_6 + t_17;
-    float t_54 = t_17 - t_6;
-    float t_55 = t_6 + t_18;
-    float t_56 = t_18 - t_6;
-    float t_57 = t_35 + t_47;
-    float t_58 = k_30 * t_35 - k_31 * t_47;
-    float t_59 = t_36 + t_48;
-    float t_60 = k_30 * t_36 - k_31 * t_48;
-    float t_61 = t_11 + t_23;
-    float t_62 = k_31 * t_23 - k_30 * t_11;
-    float t_63 = t_12 + t_24;
-    float t_64 = k_31 * t_24 - k_30 * t_12;
-    float t_65 = t_49 + t_53;
-    float t_66 = t_49 - t_53;
-    float t_67 = t_57 + t_61;
-    float t_68 = t_57 - t_61;
-    float t_69 = (t_65 + t_67) * samples[0];
-    float t_70 = (t_65 - t_67) * samples[1];
-    float t_71 = (t_66 + t_68) * samples[2];
-    float t_72 = (t_66 - t_68) * samples[3];
-    float t_73 = t_50 + t_54;
-    float t_74 = t_50 - t_54;
-    float t_75 = t_58 + t_62;
-    float t_76 = t_58 - t_62;
-    float t_77 = (t_73 + t_75) * samples[4];
-    float t_78 = (t_73 - t_75) * samples[5];
-    float t_79 = (t_74 + t_76) * samples[6];
-    float t_80 = (t_74 - t_76) * samples[7];
-    float t_81 = t_51 + t_55;
-    float t_82 = t_51 - t_55;
-    float t_83 = t_59 + t_63;
-    float t_84 = t_59 - t_63;
-    float t_85 = (t_81 + t_83) * samples[8];
-    float t_86 = (t_81 - t_83) * samples[9];
-    float t_87 = (t_82 + t_84) * samples[10];
-    float t_88 = (t_82 - t_84) * samples[11];
-    float t_89 = t_52 + t_56;
-    float t_90 = t_52 - t_56;
-    float t_91 = t_60 + t_64;
-    float t_92 = t_60 - t_64;
-    float t_93 = (t_89 + t_91) * samples[12];
-    float t_94 = (t_89 - t_91) * samples[13];
-    float t_95 = (t_90 + t_92) * samples[14];
-    float t_96 = (t_90 - t_92) * samples[15];
-    float t_97 = t_69 + t_70;
-    float t_98 = t_69 - t_70;
-    float t_99 = t_71 + t_72;
-    float t_100 = t_71 - t_72;
-    float t_101 = t_97 + t_99;
-    float t_102 = t_77 + t_78;
-    float t_103 = t_77 - t_78;
-    float t_104 = t_79 + t_80;
-    float t_105 = t_79 - t_80;
-    float t_106 = t_102 + t_104;
-    float t_107 = k_30 * (t_103 + t_105) + (t_98 + t_100);
-    float t_108 = k_31 * (t_103 - t_105) + (t_98 - t_100);
-    float t_109 = t_85 + t_86;
-    float t_110 = t_85 - t_86;
-    float t_111 = t_87 + t_88;
-    float t_112 = t_87 - t_88;
-    float t_113 = t_109 + t_111;
-    float t_114 = t_93 + t_94;
-    float t_115 = t_93 - t_94;
-    float t_116 = t_95 + t_96;
-    float t_117 = t_95 - t_96;
-    float t_118 = t_114 + t_116;
-    float t_119 = k_30 * (t_115 + t_117) + (t_110 + t_112);
-    float t_120 = k_31 * (t_115 - t_117) + (t_110 - t_112);
-    float t_121 = t_106 + t_101;
-    float t_122 = t_118 + t_113;
-    float t_123 = t_121 + t_122;
+    float t_51 = t_6 + t_17;
+    float t_52 = t_17 - t_6;
+    float t_53 = t_35 + t_47;
+    float t_54 = k_30 * t_35 - k_31 * t_47;
+    float t_55 = t_11 + t_23;
+    float t_56 = k_31 * t_23 - k_30 * t_11;
+    float t_57 = t_49 + t_51;
+    float t_58 = t_49 - t_51;
+    float t_59 = t_53 + t_55;
+    float t_60 = t_53 - t_55;
+    float t_61 = (t_57 + t_59) * samples[0];
+    float t_62 = (t_57 - t_59) * samples[1];
+    float t_63 = (t_58 + t_60) * samples[2];
+    float t_64 = (t_58 - t_60) * samples[3];
+    float t_65 = t_50 + t_52;
+    float t_66 = t_50 - t_52;
+    float t_67 = t_54 + t_56;
+    float t_68 = t_54 - t_56;
+    float t_69 = (t_65 + t_67) * samples[4];
+    float t_70 = (t_65 - t_67) * samples[5];
+    float t_71 = (t_66 + t_68) * samples[6];
+    float t_72 = (t_66 - t_68) * samples[7];
+    float t_73 = t_61 + t_62;
+    float t_74 = t_61 - t_62;
+    float t_75 = t_63 + t_64;
+    float t_76 = t_63 - t_64;
+    float t_77 = t_73 + t_75;
+    float t_78 = t_69 + t_70;
+    float t_79 = t_69 - t_70;
+    float t_80 = t_71 + t_72;
+    float t_81 = t_71 - t_72;
+    float t_82 = t_78 + t_80;
+    float t_83 = k_30 * (t_79 + t_81) + (t_74 + t_76);
+    float t_84 = k_31 * (t_79 - t_81) + (t_74 - t_76);
+    float t_85 = t_82 + t_77;
+    float t_86 = t_30 + t_42;
+    float t_87 = t_30 - t_42;
+    float t_88 = t_6 + t_18;
+    float t_89 = t_18 - t_6;
+    float t_90 = t_36 + t_48;
+    float t_91 = k_30 * t_36 - k_31 * t_48;
+    float t_92 = t_12 + t_24;
+    float t_93 = k_31 * t_24 - k_30 * t_12;
+    float t_94 = t_86 + t_88;
+    float t_95 = t_86 - t_88;
+    float t_96 = t_90 + t_92;
+    float t_97 = t_90 - t_92;
+    float t_98 = (t_94 + t_96) * samples[8];
+    float t_99 = (t_94 - t_96) * samples[9];
+    float t_100 = (t_95 + t_97) * samples[10];
+    float t_101 = (t_95 - t_97) * samples[11];
+    float t_102 = t_87 + t_89;
+    float t_103 = t_87 - t_89;
+    float t_104 = t_91 + t_93;
+    float t_105 = t_91 - t_93;
+    float t_106 = (t_102 + t_104) * samples[12];
+    float t_107 = (t_102 - t_104) * samples[13];
+    float t_108 = (t_103 + t_105) * samples[14];
+    float t_109 = (t_103 - t_105) * samples[15];
+    float t_110 = t_98 + t_99;
+    float t_111 = t_98 - t_99;
+    float t_112 = t_100 + t_101;
+    float t_113 = t_100 - t_101;
+    float t_114 = t_110 + t_112;
+    float t_115 = t_106 + t_107;
+    float t_116 = t_106 - t_107;
+    float t_117 = t_108 + t_109;
+    float t_118 = t_108 - t_109;
+    float t_119 = t_115 + t_117;
+    float t_120 = k_30 * (t_116 + t_118) + (t_111 + t_113);
+    float t_121 = k_31 * (t_116 - t_118) + (t_111 - t_113);
+    float t_122 = t_119 + t_114;
+    float t_123 = t_85 + t_122;
     float t_124 = k_40 * visibility[16];
     float t_125 = t_8 + t_10;
     float t_126 = t_8 - t_10;
@@ -234,89 +234,89 @@ void transfer_apply_l2(float visibility[25], float samples[36], out float result
     float t_138 = t_44 - t_46;
     float t_139 = t_131 + t_135;
     float t_140 = t_131 - t_135;
-    float t_141 = t_132 + t_136;
-    float t_142 = t_132 - t_136;
-    float t_143 = t_124 + t_127;
-    float t_144 = t_127 - t_124;
-    float t_145 = t_124 + t_128;
-    float t_146 = t_128 - t_124;
-    float t_147 = t_133 + t_137;
-    float t_148 = k_30 * t_133 - k_31 * t_137;
-    float t_149 = t_134 + t_138;
-    float t_150 = k_30 * t_134 - k_31 * t_138;
-    float t_151 = t_125 + t_129;
-    float t_152 = k_31 * t_129 - k_30 * t_125;
-    float t_153 = t_126 + t_130;
-    float t_154 = k_31 * t_130 - k_30 * t_126;
-    float t_155 = t_139 + t_143;
-    float t_156 = t_139 - t_143;
-    float t_157 = t_147 + t_151;
-    float t_158 = t_147 - t_151;
-    float t_159 = (t_155 + t_157) * samples[16];
-    float t_160 = (t_155 - t_157) * samples[17];
-    float t_161 = (t_156 + t_158) * samples[18];
-    float t_162 = (t_156 - t_158) * samples[19];
-    float t_163 = t_140 + t_144;
-    float t_164 = t_140 - t_144;
-    float t_165 = t_148 + t_152;
-    float t_166 = t_148 - t_152;
-    float t_167 = (t_163 + t_165) * samples[20];
-    float t_168 = (t_163 - t_165) * samples[21];
-    float t_169 = (t_164 + t_166) * samples[22];
-    float t_170 = (t_164 - t_166) * samples[23];
-    float t_171 = t_141 + t_145;
-    float t_172 = t_141 - t_145;
-    float t_173 = t_149 + t_153;
-    float t_174 = t_149 - t_153;
-    float t_175 = (t_171 + t_173) * samples[24];
-    float t_176 = (t_171 - t_173) * samples[25];
-    float t_177 = (t_172 + t_174) * samples[26];
-    float t_178 = (t_172 - t_174) * samples[27];
-    float t_179 = t_142 + t_146;
-    float t_180 = t_142 - t_146;
-    float t_181 = t_150 + t_154;
-    float t_182 = t_150 - t_154;
-    float t_183 = (t_179 + t_181) * samples[28];
-    float t_184 = (t_179 - t_181) * samples[29];
-    float t_185 = (t_180 + t_182) * samples[30];
-    float t_186 = (t_180 - t_182) * samples[31];
-    float t_187 = t_159 + t_160;
-    float t_188 = t_159 - t_160;
-    float t_189 = t_161 + t_162;
-    float t_190 = t_161 - t_162;
-    float t_191 = t_187 + t_189;
-    float t_192 = t_167 + t_168;
-    float t_193 = t_167 - t_168;
-    float t_194 = t_169 + t_170;
-    float t_195 = t_169 - t_170;
-    float t_196 = t_192 + t_194;
-    float t_197 = k_30 * (t_193 + t_195) + (t_188 + t_190);
-    float t_198 = k_31 * (t_193 - t_195) + (t_188 - t_190);
-    float t_199 = t_175 + t_176;
-    float t_200 = t_175 - t_176;
-    float t_201 = t_177 + t_178;
-    float t_202 = t_177 - t_178;
-    float t_203 = t_199 + t_201;
-    float t_204 = t_183 + t_184;
-    float t_205 = t_183 - t_184;
-    float t_206 = t_185 + t_186;
-    float t_207 = t_185 - t_186;
-    float t_208 = t_204 + t_206;
-    float t_209 = k_30 * (t_205 + t_207) + (t_200 + t_202);
-    float t_210 = k_31 * (t_205 - t_207) + (t_200 - t_202);
-    float t_211 = t_196 + t_191;
-    float t_212 = t_208 + t_203;
-    result[1] = k_33 * (t_108 + t_120) + k_62 * (t_198 + t_210);                      // l=1 m=-1
-    result[5] = k_34 * (t_108 - t_120) + k_63 * (t_198 - t_210);                      // l=2 m=-1
-    float t_213 = t_211 + t_212;
-    result[2] = k_7 * (t_3 - t_4) + k_36 * (t_121 - t_122) + k_65 * (t_211 - t_212);  // l=1 m=0
-    result[0] = k_6 * t_5 + k_35 * t_123 + k_64 * t_213;                              // l=0 m=0
-    result[6] = k_8 * t_5 + k_37 * t_123 - k_66 * t_213;                              // l=2 m=0
-    result[3] = k_38 * (t_107 + t_119) + k_67 * (t_197 + t_209);                      // l=1 m=1
-    result[7] = k_39 * (t_107 - t_119) + k_68 * (t_197 - t_209);                      // l=2 m=1
-    result[8] = k_32 * (t_113 - t_118 - t_106 + t_101) + k_61 * (t_203 - t_208 - t_196 + t_191)
-        + visibility[24] * samples[34] - visibility[16] * samples[35];                // l=2 m=2
-    result[4] = k_32 * (t_114 - t_116 + (t_109 - t_111) + (t_102 - t_104) + (t_97 - t_99)) + k_61 * (t_204 - t_206
-        + (t_199 - t_201) + (t_192 - t_194) + (t_187 - t_189)) - visibility[24] * samples[35]
-        - visibility[16] * samples[34];                                               // l=2 m=-2
+    float t_141 = t_124 + t_127;
+    float t_142 = t_127 - t_124;
+    float t_143 = t_133 + t_137;
+    float t_144 = k_30 * t_133 - k_31 * t_137;
+    float t_145 = t_125 + t_129;
+    float t_146 = k_31 * t_129 - k_30 * t_125;
+    float t_147 = t_139 + t_141;
+    float t_148 = t_139 - t_141;
+    float t_149 = t_143 + t_145;
+    float t_150 = t_143 - t_145;
+    float t_151 = (t_147 + t_149) * samples[16];
+    float t_152 = (t_147 - t_149) * samples[17];
+    float t_153 = (t_148 + t_150) * samples[18];
+    float t_154 = (t_148 - t_150) * samples[19];
+    float t_155 = t_140 + t_142;
+    float t_156 = t_140 - t_142;
+    float t_157 = t_144 + t_146;
+    float t_158 = t_144 - t_146;
+    float t_159 = (t_155 + t_157) * samples[20];
+    float t_160 = (t_155 - t_157) * samples[21];
+    float t_161 = (t_156 + t_158) * samples[22];
+    float t_162 = (t_156 - t_158) * samples[23];
+    float t_163 = t_151 + t_152;
+    float t_164 = t_151 - t_152;
+    float t_165 = t_153 + t_154;
+    float t_166 = t_153 - t_154;
+    float t_167 = t_163 + t_165;
+    float t_168 = t_159 + t_160;
+    float t_169 = t_159 - t_160;
+    float t_170 = t_161 + t_162;
+    float t_171 = t_161 - t_162;
+    float t_172 = t_168 + t_170;
+    float t_173 = k_30 * (t_169 + t_171) + (t_164 + t_166);
+    float t_174 = k_31 * (t_169 - t_171) + (t_164 - t_166);
+    float t_175 = t_172 + t_167;
+    float t_176 = t_132 + t_136;
+    float t_177 = t_132 - t_136;
+    float t_178 = t_124 + t_128;
+    float t_179 = t_128 - t_124;
+    float t_180 = t_134 + t_138;
+    float t_181 = k_30 * t_134 - k_31 * t_138;
+    float t_182 = t_126 + t_130;
+    float t_183 = k_31 * t_130 - k_30 * t_126;
+    float t_184 = t_176 + t_178;
+    float t_185 = t_176 - t_178;
+    float t_186 = t_180 + t_182;
+    float t_187 = t_180 - t_182;
+    float t_188 = (t_184 + t_186) * samples[24];
+    float t_189 = (t_184 - t_186) * samples[25];
+    float t_190 = (t_185 + t_187) * samples[26];
+    float t_191 = (t_185 - t_187) * samples[27];
+    float t_192 = t_177 + t_179;
+    float t_193 = t_177 - t_179;
+    float t_194 = t_181 + t_183;
+    float t_195 = t_181 - t_183;
+    float t_196 = (t_192 + t_194) * samples[28];
+    float t_197 = (t_192 - t_194) * samples[29];
+    float t_198 = (t_193 + t_195) * samples[30];
+    float t_199 = (t_193 - t_195) * samples[31];
+    float t_200 = t_188 + t_189;
+    float t_201 = t_188 - t_189;
+    float t_202 = t_190 + t_191;
+    float t_203 = t_190 - t_191;
+    float t_204 = t_200 + t_202;
+    float t_205 = t_196 + t_197;
+    float t_206 = t_196 - t_197;
+    float t_207 = t_198 + t_199;
+    float t_208 = t_198 - t_199;
+    float t_209 = t_205 + t_207;
+    float t_210 = k_30 * (t_206 + t_208) + (t_201 + t_203);
+    float t_211 = k_31 * (t_206 - t_208) + (t_201 - t_203);
+    float t_212 = t_209 + t_204;
+    result[1] = k_33 * (t_84 + t_121) + k_62 * (t_174 + t_211);                      // l=1 m=-1
+    result[5] = k_34 * (t_84 - t_121) + k_63 * (t_174 - t_211);                      // l=2 m=-1
+    float t_213 = t_175 + t_212;
+    result[2] = k_7 * (t_3 - t_4) + k_36 * (t_85 - t_122) + k_65 * (t_175 - t_212);  // l=1 m=0
+    result[0] = k_6 * t_5 + k_35 * t_123 + k_64 * t_213;                             // l=0 m=0
+    result[6] = k_8 * t_5 + k_37 * t_123 - k_66 * t_213;                             // l=2 m=0
+    result[3] = k_38 * (t_83 + t_120) + k_67 * (t_173 + t_210);                      // l=1 m=1
+    result[7] = k_39 * (t_83 - t_120) + k_68 * (t_173 - t_210);                      // l=2 m=1
+    result[8] = k_32 * (t_77 - t_82 + (t_114 - t_119)) + k_61 * (t_167 - t_172 + (t_204 - t_209))
+        + visibility[24] * samples[34] - visibility[16] * samples[35];               // l=2 m=2
+    result[4] = k_32 * (t_78 - t_80 + (t_73 - t_75) + (t_115 - t_117 + (t_110 - t_112))) + k_61 * (t_168 - t_170
+        + (t_163 - t_165) + (t_205 - t_207 + (t_200 - t_202))) - visibility[24] * samples[35]
+        - visibility[16] * samples[34];                                              // l=2 m=-2
 }

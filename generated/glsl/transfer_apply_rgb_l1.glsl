@@ -14,7 +14,7 @@
 // Cost:         71 multiplications, 104 additions; longest chain 12; at most 48 values live
 // Error:        eps counts units of machine epsilon x |visibility| |light|, |light| = 1
 //               float   rounding  largest seen 1.2e-07 (1.0 eps)
-//               double  rounding  largest seen 2.4e-16 (1.1 eps)
+//               double  rounding  largest seen 2.3e-16 (1.1 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  no bound is proved: an input is a sampled function
 //               seen:     among 120 visibility (random, of norm 1) with prepared lights (random, of norm 1 in each
@@ -71,66 +71,66 @@ void transfer_apply_rgb_l1(float visibility[9], float samples[36], out float res
     float t_29 = t_24 - t_26;
     float t_30 = t_25 + t_27;
     float t_31 = t_25 - t_27;
-    float t_32 = t_19 + t_11;
-    float t_33 = t_19 - t_11;
-    float t_34 = t_23 + t_15;
-    float t_35 = t_23 - t_15;
-    float t_36 = t_32 + t_34;
-    float t_37 = t_32 - t_34;
-    float t_38 = t_33 + t_35;
-    float t_39 = t_33 - t_35;
-    float t_40 = t_28 * samples[0];
-    float t_41 = t_29 * samples[1];
-    float t_42 = t_30 * samples[2];
-    float t_43 = t_31 * samples[3];
-    float t_44 = t_40 - t_41;
-    float t_45 = t_42 - t_43;
-    float t_46 = t_40 + t_41 + (t_42 + t_43);
-    float t_47 = t_36 * samples[4];
-    float t_48 = t_37 * samples[5];
-    float t_49 = t_38 * samples[6];
-    float t_50 = t_39 * samples[7];
-    float t_51 = t_47 - t_48;
-    float t_52 = t_49 - t_50;
-    float t_53 = t_47 + t_48 + (t_49 + t_50);
-    float t_54 = t_28 * samples[12];
-    float t_55 = t_29 * samples[13];
-    float t_56 = t_30 * samples[14];
-    float t_57 = t_31 * samples[15];
-    float t_58 = t_54 - t_55;
-    float t_59 = t_56 - t_57;
-    float t_60 = t_54 + t_55 + (t_56 + t_57);
-    float t_61 = t_36 * samples[16];
-    float t_62 = t_37 * samples[17];
-    float t_63 = t_38 * samples[18];
-    float t_64 = t_39 * samples[19];
+    float t_32 = t_28 * samples[0];
+    float t_33 = t_29 * samples[1];
+    float t_34 = t_30 * samples[2];
+    float t_35 = t_31 * samples[3];
+    float t_36 = t_32 - t_33;
+    float t_37 = t_34 - t_35;
+    float t_38 = t_32 + t_33 + (t_34 + t_35);
+    float t_39 = t_28 * samples[12];
+    float t_40 = t_29 * samples[13];
+    float t_41 = t_30 * samples[14];
+    float t_42 = t_31 * samples[15];
+    float t_43 = t_39 - t_40;
+    float t_44 = t_41 - t_42;
+    float t_45 = t_39 + t_40 + (t_41 + t_42);
+    float t_46 = t_28 * samples[24];
+    float t_47 = t_29 * samples[25];
+    float t_48 = t_30 * samples[26];
+    float t_49 = t_31 * samples[27];
+    float t_50 = t_46 - t_47;
+    float t_51 = t_48 - t_49;
+    float t_52 = t_46 + t_47 + (t_48 + t_49);
+    float t_53 = t_19 + t_11;
+    float t_54 = t_19 - t_11;
+    float t_55 = t_23 + t_15;
+    float t_56 = t_23 - t_15;
+    float t_57 = t_53 + t_55;
+    float t_58 = t_53 - t_55;
+    float t_59 = t_54 + t_56;
+    float t_60 = t_54 - t_56;
+    float t_61 = t_57 * samples[4];
+    float t_62 = t_58 * samples[5];
+    float t_63 = t_59 * samples[6];
+    float t_64 = t_60 * samples[7];
     float t_65 = t_61 - t_62;
     float t_66 = t_63 - t_64;
     float t_67 = t_61 + t_62 + (t_63 + t_64);
-    float t_68 = t_28 * samples[24];
-    float t_69 = t_29 * samples[25];
-    float t_70 = t_30 * samples[26];
-    float t_71 = t_31 * samples[27];
+    float t_68 = t_57 * samples[16];
+    float t_69 = t_58 * samples[17];
+    float t_70 = t_59 * samples[18];
+    float t_71 = t_60 * samples[19];
     float t_72 = t_68 - t_69;
     float t_73 = t_70 - t_71;
     float t_74 = t_68 + t_69 + (t_70 + t_71);
-    float t_75 = t_36 * samples[28];
-    float t_76 = t_37 * samples[29];
-    float t_77 = t_38 * samples[30];
-    float t_78 = t_39 * samples[31];
+    float t_75 = t_57 * samples[28];
+    float t_76 = t_58 * samples[29];
+    float t_77 = t_59 * samples[30];
+    float t_78 = t_60 * samples[31];
     float t_79 = t_75 - t_76;
     float t_80 = t_77 - t_78;
     float t_81 = t_75 + t_76 + (t_77 + t_78);
-    result[0] = k_4 * (t_5 + t_6) + k_13 * (t_46 + t_53);                                                           // red l=0 m=0
-    result[1] = k_12 * (t_51 - t_52 + (t_44 - t_45)) - visibility[8] * samples[11] - visibility[4] * samples[10];   // red l=1 m=-1
-    result[2] = k_5 * (t_5 - t_6) + k_14 * (t_46 - t_53);                                                           // red l=1 m=0
-    result[3] = k_12 * (t_51 + t_52 + (t_44 + t_45)) + visibility[8] * samples[10] - visibility[4] * samples[11];   // red l=1 m=1
-    result[4] = k_4 * (t_7 + t_8) + k_13 * (t_60 + t_67);                                                           // green l=0 m=0
-    result[5] = k_12 * (t_65 - t_66 + (t_58 - t_59)) - visibility[8] * samples[23] - visibility[4] * samples[22];   // green l=1 m=-1
-    result[6] = k_5 * (t_7 - t_8) + k_14 * (t_60 - t_67);                                                           // green l=1 m=0
-    result[7] = k_12 * (t_65 + t_66 + (t_58 + t_59)) + visibility[8] * samples[22] - visibility[4] * samples[23];   // green l=1 m=1
-    result[8] = k_4 * (t_9 + t_10) + k_13 * (t_74 + t_81);                                                          // blue l=0 m=0
-    result[9] = k_12 * (t_79 - t_80 + (t_72 - t_73)) - visibility[8] * samples[35] - visibility[4] * samples[34];   // blue l=1 m=-1
-    result[10] = k_5 * (t_9 - t_10) + k_14 * (t_74 - t_81);                                                         // blue l=1 m=0
-    result[11] = k_12 * (t_79 + t_80 + (t_72 + t_73)) + visibility[8] * samples[34] - visibility[4] * samples[35];  // blue l=1 m=1
+    result[0] = k_4 * (t_5 + t_6) + k_13 * (t_38 + t_67);                                                           // red l=0 m=0
+    result[1] = k_12 * (t_36 - t_37 + (t_65 - t_66)) - visibility[8] * samples[11] - visibility[4] * samples[10];   // red l=1 m=-1
+    result[2] = k_5 * (t_5 - t_6) + k_14 * (t_38 - t_67);                                                           // red l=1 m=0
+    result[3] = k_12 * (t_36 + t_37 + (t_65 + t_66)) + visibility[8] * samples[10] - visibility[4] * samples[11];   // red l=1 m=1
+    result[4] = k_4 * (t_7 + t_8) + k_13 * (t_45 + t_74);                                                           // green l=0 m=0
+    result[5] = k_12 * (t_43 - t_44 + (t_72 - t_73)) - visibility[8] * samples[23] - visibility[4] * samples[22];   // green l=1 m=-1
+    result[6] = k_5 * (t_7 - t_8) + k_14 * (t_45 - t_74);                                                           // green l=1 m=0
+    result[7] = k_12 * (t_43 + t_44 + (t_72 + t_73)) + visibility[8] * samples[22] - visibility[4] * samples[23];   // green l=1 m=1
+    result[8] = k_4 * (t_9 + t_10) + k_13 * (t_52 + t_81);                                                          // blue l=0 m=0
+    result[9] = k_12 * (t_50 - t_51 + (t_79 - t_80)) - visibility[8] * samples[35] - visibility[4] * samples[34];   // blue l=1 m=-1
+    result[10] = k_5 * (t_9 - t_10) + k_14 * (t_52 - t_81);                                                         // blue l=1 m=0
+    result[11] = k_12 * (t_50 + t_51 + (t_79 + t_80)) + visibility[8] * samples[34] - visibility[4] * samples[35];  // blue l=1 m=1
 }

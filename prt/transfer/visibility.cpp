@@ -36,7 +36,7 @@ void times_visibility(int degree, std::size_t vertices, const float* visibility,
   const std::size_t out_length = kChannels * coefficient_count(degree);
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, vertices, kVerticesAtOnce), [&](const auto& range) {
     batch::transfer_apply_rgb(degree, range.size(), batch::plain(visibility + range.begin() * in_length),
-                              batch::shared(prepared.data()), batch::plain(out + range.begin() * out_length));
+                              prepared.data(), batch::plain(out + range.begin() * out_length));
   });
 }
 

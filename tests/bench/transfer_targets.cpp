@@ -1,6 +1,7 @@
-// Transferred radiance of many vertices under one light, from 81 numbers of visibility a vertex, against 25x25 transfer
-// matrices times the light [Sloan, Kautz and Snyder, 2002, section 4]. The matrices lie in blocks of 16 vertices, so that
-// each is read once, in order, and serves three channels. More vertices than fit into the caches.
+// Transferred radiance of many vertices under one light, from 81 numbers of visibility a vertex, and what glossy vertices
+// reflect of it, against 25x25 transfer matrices times the light [Sloan, Kautz and Snyder, 2002, section 4]. The matrices
+// lie in blocks of 16 vertices, so that each is read once, in order, and serves three channels. More vertices than fit
+// into the caches.
 #if defined(__F16C__) || defined(__AVX512F__)
 #include <immintrin.h>
 #endif
@@ -10,6 +11,7 @@
 
 #include "generated/batch/batch.hpp"
 #include "generated/cpp/transfer_prepare.hpp"
+#include "generated/cpp/zonal.hpp"
 #include "tests/bench/harness.hpp"
 
 namespace sh::bench {
@@ -43,23 +45,55 @@ inline Vector load(const Half* from) {
 #endif
 }
 
+using Colors = std::array<Vector, kChannels>;
+
+// A row of 16 matrices times the light; goes to the next row.
+template <class T>
+inline Colors times_row(const T*& matrices, const float* light) {
+  Colors sums{};
+  for (std::size_t i = 0; i < kSize; ++i) {
+    const Vector entry = load(matrices);
+    __builtin_prefetch(matrices + 4096 / sizeof(T));
+    matrices += kLanes;
+    for (int channel = 0; channel < kChannels; ++channel) sums[channel] += entry * light[channel * kSize + i];
+  }
+  return sums;
+}
+
 // out = matrices times light, in blocks.
 template <class T>
 void multiply(const T* matrices, const float* light, float* out) {
   for (std::size_t block = 0; block < kVertices / kLanes; ++block) {
     for (std::size_t row = 0; row < kSize; ++row) {
-      std::array<Vector, kChannels> sums{};
-      for (std::size_t i = 0; i < kSize; ++i) {
-        const Vector entry = load(matrices);
-        __builtin_prefetch(matrices + 4096 / sizeof(T));
-        matrices += kLanes;
-        for (int channel = 0; channel < kChannels; ++channel) sums[channel] += entry * light[channel * kSize + i];
-      }
+      const Colors sums = times_row(matrices, light);
       for (int channel = 0; channel < kChannels; ++channel) {
         *reinterpret_cast<Vector*>(out + (channel * kSize + row) * kLanes) = sums[channel];
       }
     }
     out += kChannels * kSize * kLanes;
+  }
+}
+
+// rgb = matrices times light, convolved with the lobe, in the direction of each vertex.
+template <class T>
+void reflect(const T* matrices, const float* light, const float* lobe, const float* directions, float* rgb) {
+  std::array<Sixteen, kDegree + 1> lobes;
+  for (std::size_t l = 0; l < lobes.size(); ++l) lobes[l] = Sixteen(lobe[l]);
+  for (std::size_t block = 0; block < kVertices / kLanes; ++block) {
+    std::array<Sixteen, 3> d;
+    for (std::size_t k = 0; k < d.size(); ++k) d[k] = Sixteen(load(directions + k * kLanes));
+    std::array<Sixteen, kSize> weights;
+    sh::zonal<kDegree>(lobes.data(), d[0], d[1], d[2], weights.data());
+    Colors total{};
+    for (const Sixteen& weight : weights) {
+      const Colors sums = times_row(matrices, light);
+      for (int channel = 0; channel < kChannels; ++channel) total[channel] += weight.vector() * sums[channel];
+    }
+    for (int channel = 0; channel < kChannels; ++channel) {
+      *reinterpret_cast<Vector*>(rgb + channel * kLanes) = total[channel];
+    }
+    directions += d.size() * kLanes;
+    rgb += kChannels * kLanes;
   }
 }
 
@@ -84,17 +118,34 @@ void transfer(Table& table) {
   const Buffer<float> out = make_buffer<float>(kVertices * kChannels * kSize);
   const Buffer<float> matrices = make_buffer<float>(kVertices * kSize * kSize, 0.25F);
   const Buffer<Half> half_matrices = make_buffer<Half>(kVertices * kSize * kSize, kQuarter);
-  const auto apply = [&](auto records_of) {
-    batch::transfer_apply_rgb(kDegree, kVertices, records_of, batch::shared(samples.data()), batch::blocked(out.get()));
+  const std::vector<float> lobe{0.9F, 0.7F, 0.5F, 0.3F, 0.1F};
+  const Buffer<float> directions = to_blocks(random_directions(kVertices), 3);
+  const auto apply = [&](auto visibilities) {
+    batch::transfer_apply_rgb(kDegree, kVertices, visibilities, samples.data(), batch::blocked(out.get()));
   };
-  const std::vector<double> t = least_times({[&] { apply(records(visibility)); }, [&] { apply(records(halves)); },
-                                             [&] { multiply(matrices.get(), lights.data(), out.get()); },
-                                             [&] { multiply(half_matrices.get(), lights.data(), out.get()); }},
-                                            kPasses);
+  const auto glossy = [&](auto visibilities) {
+    batch::transfer_glossy_rgb(kDegree, kVertices, visibilities, samples.data(), batch::shared(lobe.data()),
+                               batch::Records<const float>{directions.get(), batch::Layout::kBlocked},
+                               batch::blocked(out.get()));
+  };
+  const auto dense = [&](const auto* of) { multiply(of, lights.data(), out.get()); };
+  const auto reflected = [&](const auto* of) { reflect(of, lights.data(), lobe.data(), directions.get(), out.get()); };
+  const std::vector<double> t = least_times(
+      {[&] { apply(records(visibility)); }, [&] { apply(records(halves)); }, [&] { dense(matrices.get()); },
+       [&] { dense(half_matrices.get()); }, [&] { glossy(records(visibility)); }, [&] { glossy(records(halves)); },
+       [&] { reflected(matrices.get()); }, [&] { reflected(half_matrices.get()); }},
+      kPasses);
   const double ns = 1e9 / kVertices;
-  table.ratio("visibility in half, 162 bytes", "ns", t[1] * ns, t[2] * ns, "matrices in float, 2,500 bytes", 0.5);
-  table.ratio("visibility in half, 162 bytes", "ns", t[1] * ns, t[3] * ns, "matrices in half, 1,250 bytes", 1.0);
-  table.ratio("visibility in float, 324 bytes", "ns", t[0] * ns, t[2] * ns, "matrices in float", 0.5);
+  const auto rows = [&](std::size_t ours, std::size_t control) {
+    table.ratio("visibility in half, 162 bytes", "ns", t[ours + 1] * ns, t[control] * ns,
+                "matrices in float, 2,500 bytes", 0.5);
+    table.ratio("visibility in half, 162 bytes", "ns", t[ours + 1] * ns, t[control + 1] * ns,
+                "matrices in half, 1,250 bytes", 1.0);
+    table.ratio("visibility in float, 324 bytes", "ns", t[ours] * ns, t[control] * ns, "matrices in float", 0.5);
+  };
+  rows(0, 2);
+  table.section("The same, convolved with a lobe and evaluated at a direction a vertex: 12 bytes instead of 300");
+  rows(4, 6);
 }
 
 }  // namespace sh::bench

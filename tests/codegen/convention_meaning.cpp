@@ -44,7 +44,7 @@ bool has_no_functions(const std::string& family) {
 }
 
 bool has_no_axes(const std::string& family) {
-  return family.starts_with("transfer_") ||
+  return family == "transfer_prepare" || family.starts_with("transfer_apply") ||
          is_among(family, {"evaluate_prepare", "project_finish", "cap", "irradiance", "window_hann", "window_lanczos",
                            "window_lanczos2", "window_lanczos4", "window_gaussian", "window_laplacian", "rotate_z",
                            "rotate_apply", "lightmap_project", "lightmap_evaluate", "product", "product_full", "square",

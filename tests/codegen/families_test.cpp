@@ -50,7 +50,8 @@ TEST(Products, AreExactByEveryRecipe) {
 }
 
 TEST(TransferFamilies, AreExactAtEveryDegree) {
-  expect_exact({"transfer_prepare", "transfer_apply", "transfer_apply_rgb"}, {0, 1, 2, 3, 4, 5, 6});
+  expect_exact({"transfer_prepare", "transfer_apply", "transfer_apply_rgb", "transfer_glossy", "transfer_glossy_rgb"},
+               {0, 1, 2, 3, 4, 5, 6});
 }
 
 // The most multiplications and additions, by degree. Most are the best numbers that were known before: zxz needed 82,

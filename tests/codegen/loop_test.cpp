@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 
+#include "codegen/bound/straight.hpp"
 #include "codegen/ir/cost.hpp"
 #include "codegen/ir/evaluate.hpp"
 #include "codegen/ir/ir.hpp"
@@ -54,6 +55,33 @@ TEST(Loop, PassesKeepItsMeaning) {
   const Kernel unscheduled = probe();
   EXPECT_EQ(Evaluator<double>(kernel)(input), Evaluator<double>(unscheduled)(input));
   EXPECT_EQ(cost(kernel).operations(), cost(probe()).operations());
+}
+
+// out = sum over rows of u x[1 + 2 row] for the rows u = 1, 5: an input that moves on.
+Kernel striding() {
+  Kernel kernel;
+  kernel.name = "striding";
+  kernel.parameters = {{"x", {4}}};
+  kernel.results = {{"out", {1}}};
+  kernel.table = {{Surd(1)}, {Surd(5)}};
+  Builder build(kernel);
+  const NodeId fixed = build.input(1, "");
+  const NodeId moving = build.input(1, "", 2);
+  const NodeId u = build.table(0);
+  kernel.outputs = {{build.row_sum(build.mul(build.mul(u, moving), fixed), "sum"), ""}};
+  return kernel;
+}
+
+TEST(Loop, InputsWithAStrideMoveOnFromRowToRow) {
+  const std::vector<double> input{10, 100, 1000, 10000};
+  const Kernel kernel = passes::schedule(passes::prune(passes::fold(passes::share(striding()))));
+  const Kernel unrolled = bound::straight(kernel);
+  for (const Kernel* each : {&kernel, &unrolled}) {
+    EXPECT_EQ(Evaluator<double>(*each)(input), std::vector<double>{(100.0 + 5 * 10000) * 100});
+  }
+  const print::Dialect& dialect = print::cpp_dialect();
+  EXPECT_EQ(print::make_listing(kernel, dialect).statements.at(3).text,
+            "sum = sum + T(table[at+0]) * x[2 * row + 1] * x[1];");
 }
 
 TEST(Loop, RefusesSumsOfNothingAndRowsAfterSums) {

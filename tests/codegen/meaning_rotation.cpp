@@ -129,27 +129,57 @@ void check_triple(Check& check) {
   check.expect(check.call("triple", {{"a", a}, {"b", b}, {"c", c}}).at("integral")[0], total);
 }
 
-// By prepare, then apply: the product of visibility and light, on the bands of the light.
-void check_transfer(Check& check, const std::string& family, std::size_t channels) {
-  const auto visibility = check.coefficients_to(2 * check.degree);
+// Visibility and lights, prepared by transfer_prepare.
+struct Transfer {
+  std::vector<double> visibility;
   std::vector<std::vector<double>> lights;
   std::vector<double> samples;
-  while (lights.size() < channels) {
-    lights.push_back(check.coefficients());
-    const auto one = check.call("transfer_prepare", {{"light", lights.back()}}).at("samples");
-    samples.insert(samples.end(), one.begin(), one.end());
+
+  Transfer(Check& check, std::size_t channels) : visibility(check.coefficients_to(2 * check.degree)) {
+    while (lights.size() < channels) {
+      lights.push_back(check.coefficients());
+      const auto one = check.call("transfer_prepare", {{"light", lights.back()}}).at("samples");
+      samples.insert(samples.end(), one.begin(), one.end());
+    }
   }
-  const auto out = check.call(family, {{"visibility", visibility}, {"samples", samples}}).at("out");
+
+  // The product in one direction, all bands.
+  [[nodiscard]] double product(const Check& check, std::size_t channel, const Vector3& s) const {
+    const auto one = [](int) { return 1; };
+    return check.sum(visibility, s, one, 2 * check.degree) * check.value(lights[channel], s);
+  }
+};
+
+// By prepare, then apply: the product of visibility and light, on the bands of the light.
+void check_transfer(Check& check, const std::string& family, std::size_t channels) {
+  const Transfer transfer(check, channels);
+  const auto out = check.call(family, {{"visibility", transfer.visibility}, {"samples", transfer.samples}}).at("out");
   const auto size = static_cast<std::size_t>(check.world.definition.size(check.degree));
   for (std::size_t channel = 0; channel < channels; ++channel) {
     const std::vector<double> one(out.begin() + channel * size, out.begin() + (channel + 1) * size);
-    const Function product = [&](const Vector3& s) {
-      return check.sum(
-                 visibility, s, [](int) { return 1; }, 2 * check.degree) *
-             check.value(lights[channel], s);
-    };
+    const Function product = [&](const Vector3& s) { return transfer.product(check, channel, s); };
     check.expect_function(
         one, [&](const Vector3& d) { return Check::projected(product, 3 * check.degree, check.degree, d); });
+  }
+}
+
+// The integral of visibility, light and the lobe about a direction.
+void check_glossy(Check& check, const std::string& family, const std::string& result, std::size_t channels) {
+  const Transfer transfer(check, channels);
+  const auto lobe = check.zonal_coefficients();
+  const Vector3 d = check.direction();
+  const auto out =
+      check
+          .call(family,
+                Check::with({{"visibility", transfer.visibility}, {"samples", transfer.samples}, {"lobe", lobe}}, d))
+          .at(result);
+  for (std::size_t channel = 0; channel < channels; ++channel) {
+    double integral = 0;
+    for (const auto& node : numeric::sphere_rule<double>(4 * check.degree)) {
+      const Vector3 s{node.x, node.y, node.z};
+      integral += node.weight * transfer.product(check, channel, s) * check.zonal(lobe, dot(d, s));
+    }
+    check.expect(out.at(channel), integral);
   }
 }
 
@@ -169,7 +199,9 @@ std::vector<Meaning> rotation_and_product_meanings() {
           {"triple", check_triple},
           {"transfer_prepare", [](Check& check) { check_transfer(check, "transfer_apply", 1); }},
           {"transfer_apply", [](Check& check) { check_transfer(check, "transfer_apply", 1); }},
-          {"transfer_apply_rgb", [](Check& check) { check_transfer(check, "transfer_apply_rgb", 3); }}};
+          {"transfer_apply_rgb", [](Check& check) { check_transfer(check, "transfer_apply_rgb", 3); }},
+          {"transfer_glossy", [](Check& check) { check_glossy(check, "transfer_glossy", "value", 1); }},
+          {"transfer_glossy_rgb", [](Check& check) { check_glossy(check, "transfer_glossy_rgb", "rgb", 3); }}};
 }
 
 }  // namespace sh::codegen::test

@@ -116,7 +116,7 @@ class Reader {
   }
 
   std::optional<Scalar> type_at(const std::string& word) const {
-    if (word == "T" && language_ == "cpp") return scalar_;
+    if ((word == "T" || word == "S") && language_ == "cpp") return scalar_;
     if (word == "float" && language_ != "cpp") return Scalar::kFloat;
     if (word == "double" && language_ != "cpp") return Scalar::kDouble;
     return std::nullopt;
@@ -203,6 +203,12 @@ class Reader {
     if (std::isdigit(static_cast<unsigned char>(word[0])) != 0) return literal(word);
     if (word == "detail::constant") return constant();
     if (word == "detail::choose") return choice();
+    if (word == "T" && language_ == "cpp") {  // of an S, which lanes may share
+      expect("(");
+      const Number a = expression();
+      expect(")");
+      return number(a.value, scalar_);
+    }
     if (word == "sqrt" || word == "sqrtf" || word == "detail::square_root") {
       expect("(");
       const Number a = expression();

@@ -96,7 +96,8 @@ TEST(Prove, ProofsReachEveryDegreeThatEmitOffers) {
       {"product_zonal", {"zonal-product-identity"}},
       {"square", {"gaunt-tensor", "square-identity"}},
       {"triple", {"gaunt-tensor", "product-identity"}},
-      {"transfer", {"gaunt-tensor", "product-identity"}}};
+      {"transfer", {"gaunt-tensor", "product-identity"}},
+      {"transfer_glossy", {"turned-zonal", "convolution-theorem"}}};
   const std::map<std::string, std::vector<std::string>> about_z_only{{"rotate_z", {"about-z"}}};
   std::map<std::string, int> reached;
   for (const Proof& proof : symbolic::all_proofs()) {

@@ -27,15 +27,20 @@ Numbers evaluated(const Kernel& kernel, const Numbers& inputs) {
   return evaluator(inputs);
 }
 
-// The kernels apply(V, prepare(L)), for one channel or three.
-Numbers transferred(int degree, const Numbers& visibility, const Numbers& lights, int channels) {
+// Visibility, then the samples of every light.
+Numbers with_prepared(int degree, const Numbers& visibility, const Numbers& lights) {
   Numbers inputs = visibility;
   for (auto first = lights.begin(); first != lights.end(); first += coefficient_count(degree)) {
     const Numbers light(first, first + coefficient_count(degree));
     const Numbers samples = evaluated(recipes::transfer_prepare(degree), light);
     inputs.insert(inputs.end(), samples.begin(), samples.end());
   }
-  return evaluated(recipes::transfer_apply(degree, channels), inputs);
+  return inputs;
+}
+
+// The kernels apply(V, prepare(L)), for one channel or three.
+Numbers transferred(int degree, const Numbers& visibility, const Numbers& lights, int channels, bool looped = false) {
+  return evaluated(recipes::transfer_apply(degree, channels, looped), with_prepared(degree, visibility, lights));
 }
 
 Numbers product(int degree, const Rationals& visibility, const Rationals& light) {
@@ -62,8 +67,10 @@ TEST(Transfer, IsTheProductOfVisibilityAndLight) {
   for (int degree = 0; degree <= kLargest; ++degree) {
     const auto visibility = rational_vectors(2, coefficient_count(2 * degree), 11)[1];
     const auto light = rational_vectors(2, coefficient_count(degree), 12)[1];
-    expect_equal(transferred(degree, precise_numbers(visibility), precise_numbers(light), 1),
-                 product(degree, visibility, light), "degree " + std::to_string(degree));
+    for (const bool looped : {false, true}) {
+      expect_equal(transferred(degree, precise_numbers(visibility), precise_numbers(light), 1, looped),
+                   product(degree, visibility, light), "degree " + std::to_string(degree));
+    }
   }
 }
 
@@ -79,12 +86,13 @@ TEST(Transfer, OfThreeChannelsIsThatOfEach) {
   expect_equal(transferred(degree, precise_numbers(visibility), lights, 3), expected, "three channels");
 }
 
+int operations(const Kernel& kernel) { return cost(passes::fold(passes::share(kernel))).operations(); }
+
 TEST(Transfer, NeedsAtMostSixTenthsOfTheOperationsOfThreeProducts) {
   for (int degree = 2; degree <= 4; ++degree) {
-    const auto operations = [](const Kernel& kernel) { return cost(passes::fold(passes::share(kernel))).operations(); };
     const int products = 3 * operations(recipes::product_separable({2 * degree, degree, degree}, recipes::Factors::kTwo,
                                                                    recipes::SampleProduct::kDirect, false));
-    EXPECT_LE(operations(recipes::transfer_apply(degree, 3)), 0.6 * products) << degree;
+    EXPECT_LE(operations(recipes::transfer_apply(degree, 3, false)), 0.6 * products) << degree;
   }
 }
 
@@ -97,6 +105,34 @@ TEST(Transfer, OfAConstantVisibilityIsTheLight) {
   Numbers expected = precise_numbers(light);
   for (cln::cl_F& x : expected) x = x * y00;
   expect_equal(transferred(degree, precise_numbers(whole), precise_numbers(light), 1), expected, "constant");
+}
+
+TEST(Transfer, GlossyReflectionOfAConstantVisibilityIsTheConvolvedLight) {
+  for (int degree = 0; degree <= 4; ++degree) {
+    Numbers inputs(coefficient_count(2 * degree), Surd(0).evaluate(kDigits));
+    inputs[0] = Surd::square_root(4, 1).evaluate(kDigits);  // the function 1
+    const auto light = rational_vectors(1, coefficient_count(degree), 16)[0];
+    const auto lobe = rational_vectors(1, degree + 1, 17)[0];
+    inputs = with_prepared(degree, inputs, precise_numbers(light));
+    for (const cln::cl_F& x : precise_numbers(lobe)) inputs.push_back(x);
+    for (const cln::cl_F& x : precise_numbers({0, 0, -1})) inputs.push_back(x);
+    cln::cl_F sum = Surd(0).evaluate(kDigits);
+    for (int l = 0; l <= degree; ++l) {  // sqrt(4 pi/(2l+1)) Y_l0(-z) = (-1)^l
+      sum = sum + Surd((l % 2 == 0 ? 1 : -1) * lobe[l] * light[numeric::coefficient_index(l, 0)]).evaluate(kDigits);
+    }
+    for (const bool looped : {false, true}) {
+      expect_equal(evaluated(recipes::transfer_glossy(degree, 1, looped), inputs), {sum},
+                   "degree " + std::to_string(degree));
+    }
+  }
+}
+
+TEST(Transfer, GlossyReflectionNeedsFewerOperationsThanTransferredRadiance) {
+  for (int degree = 2; degree <= 6; ++degree) {
+    EXPECT_LT(operations(recipes::transfer_glossy(degree, 3, false)),
+              0.8 * operations(recipes::transfer_apply(degree, 3, false)))
+        << degree;
+  }
 }
 
 }  // namespace

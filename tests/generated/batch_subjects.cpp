@@ -1,5 +1,6 @@
 // The drivers of sh::batch beside the kernels they run.
 #include <cmath>
+#include <map>
 
 #include "generated/cpp/basis.hpp"
 #include "generated/cpp/basis_gradient.hpp"
@@ -8,6 +9,8 @@
 #include "generated/cpp/product.hpp"
 #include "generated/cpp/rotate.hpp"
 #include "generated/cpp/transfer_apply_rgb.hpp"
+#include "generated/cpp/transfer_glossy.hpp"
+#include "generated/cpp/transfer_glossy_rgb.hpp"
 #include "tests/generated/batch_support.hpp"
 
 namespace sh::test {
@@ -54,7 +57,7 @@ std::vector<T> random_rotation(std::mt19937& random) {
 }
 
 // The kinds of input records.
-enum class Kind { kDirection, kRotation, kVector, kColors, kVisibility, kSamples };
+enum class Kind { kDirection, kRotation, kVector, kColors, kVisibility, kLobe };
 
 int size_of(Kind kind, int degree) {
   switch (kind) {
@@ -66,8 +69,8 @@ int size_of(Kind kind, int degree) {
       return coefficient_count(degree);
     case Kind::kVisibility:
       return coefficient_count(2 * degree);
-    case Kind::kSamples:
-      return 3 * (degree == 0 ? 1 : 8 * degree * degree + 4);
+    case Kind::kLobe:
+      return degree + 1;
     default:
       return 3 * coefficient_count(degree);
   }
@@ -161,14 +164,47 @@ Subject<T> evaluate_rgb_subject(int degree) {
       []<int kDegree>(const auto& in, T* out) { evaluate_rgb<kDegree>(in[0], in[1][0], in[1][1], in[1][2], out); });
 }
 
+// A light in three channels that serves all records.
+template <class T>
+const T* samples_of(int degree) {
+  static std::map<int, std::vector<T>> known;
+  std::mt19937 random(7);
+  const std::size_t size = degree == 0 ? 1 : 8 * degree * degree + 4;
+  return known.try_emplace(degree, random_numbers<T>(3 * size, random)).first->second.data();
+}
+
 template <class T>
 Subject<T> transfer_subject(int degree) {
   return subject<T, 4>(
-      "transfer_apply_rgb", degree, {Kind::kVisibility, Kind::kSamples}, 3 * coefficient_count(degree), {8, 8},
+      "transfer_apply_rgb", degree, {Kind::kVisibility}, 3 * coefficient_count(degree), {8, 8},
       [degree](std::size_t n, const auto& in, Records<T> out) {
-        batch::transfer_apply_rgb(degree, n, in[0], in[1], out);
+        batch::transfer_apply_rgb(degree, n, in[0], samples_of<T>(degree), out);
       },
-      []<int kDegree>(const auto& in, T* out) { transfer_apply_rgb<kDegree>(in[0], in[1], out); });
+      []<int kDegree>(const auto& in, T* out) { transfer_apply_rgb<kDegree>(in[0], samples_of<T>(kDegree), out); });
+}
+
+template <class T>
+Subject<T> glossy_subject(int degree) {
+  return subject<T, 4>(
+      "transfer_glossy", degree, {Kind::kVisibility, Kind::kLobe, Kind::kDirection}, 1, {32, 32},
+      [degree](std::size_t n, const auto& in, Records<T> out) {
+        batch::transfer_glossy(degree, n, in[0], samples_of<T>(degree), in[1], in[2], out);
+      },
+      []<int kDegree>(const auto& in, T* out) {
+        *out = transfer_glossy<kDegree>(in[0], samples_of<T>(kDegree), in[1], in[2][0], in[2][1], in[2][2]);
+      });
+}
+
+template <class T>
+Subject<T> glossy_rgb_subject(int degree) {
+  return subject<T, 4>(
+      "transfer_glossy_rgb", degree, {Kind::kVisibility, Kind::kLobe, Kind::kDirection}, 3, {32, 32},
+      [degree](std::size_t n, const auto& in, Records<T> out) {
+        batch::transfer_glossy_rgb(degree, n, in[0], samples_of<T>(degree), in[1], in[2], out);
+      },
+      []<int kDegree>(const auto& in, T* out) {
+        transfer_glossy_rgb<kDegree>(in[0], samples_of<T>(kDegree), in[1], in[2][0], in[2][1], in[2][2], out);
+      });
 }
 
 }  // namespace
@@ -178,7 +214,11 @@ std::vector<Subject<T>> subjects() {
   std::vector<Subject<T>> all;
   for (const int degree : {0, 1, 2, 4, 5, 9, 10}) all.push_back(basis_subject<T>(degree));
   for (const int degree : {0, 2, 4, 6}) all.push_back(product_subject<T>(degree));
-  for (const int degree : {0, 1, 2, 4}) all.push_back(transfer_subject<T>(degree));
+  for (const int degree : {0, 1, 2, 4}) {
+    all.push_back(transfer_subject<T>(degree));
+    all.push_back(glossy_subject<T>(degree));
+    all.push_back(glossy_rgb_subject<T>(degree));
+  }
   for (const int degree : {0, 1, 3, 6, 10}) {
     all.push_back(rotate_subject<T>(degree));
     all.push_back(gradient_subject<T>(degree));

@@ -163,10 +163,14 @@ TEST(BatchHalves, GiveTheBitsOfTheSameNumbersInFloat) {
     constexpr int kLight = 2;
     std::vector<float> light(3 * (8 * kLight * kLight + 4));
     for (float& sample : light) sample = std::uniform_real_distribution<float>(-1, 1)(random);
-    expect_same_bits(n, coefficient_count(2 * kLight), 3 * coefficient_count(kLight), random,
-                     [&](auto visibility, auto out) {
-                       batch::transfer_apply_rgb(kLight, n, visibility, batch::shared(light.data()), out);
-                     });
+    const std::vector<float> lobe{0.5F, 0.25F, 0.125F};
+    expect_same_bits(n, coefficient_count(2 * kLight), 3, random, [&](auto visibility, auto out) {
+      batch::transfer_glossy_rgb(kLight, n, visibility, light.data(), batch::shared(lobe.data()), directions.records(),
+                                 out);
+    });
+    expect_same_bits(
+        n, coefficient_count(2 * kLight), 3 * coefficient_count(kLight), random,
+        [&](auto visibility, auto out) { batch::transfer_apply_rgb(kLight, n, visibility, light.data(), out); });
   }
 }
 

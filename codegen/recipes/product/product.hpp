@@ -74,9 +74,15 @@ Kernel product_separable(const ProductShape& shape, Factors factors, SampleProdu
 /// vertices; `transfer_apply` evaluates V there, multiplies and projects. Nodes: the poles, and M = 4n longitudes
 /// (j + 1/2) 2 pi / M on n pairs of rings. They are exact but for the product of the orders 2n of V and n of L, which
 /// they cannot tell from order n; two more numbers of the light correct it.
-/// degree: n. channels: 1, or 3 for red, green and blue, which share the samples of V.
+/// degree: n. channels: 1, or 3 for red, green and blue, which share the samples of V. looped: a loop runs over the pairs
+/// of rings; from degree 4 on, straight-line code does not fit into the instruction cache.
 Kernel transfer_prepare(int degree);
-Kernel transfer_apply(int degree, int channels);
+Kernel transfer_apply(int degree, int channels, bool looped);
+
+/// What a glossy vertex reflects towards the viewer: transferred radiance convolved with a lobe, at the reflected view
+/// direction d [SloanKautzSnyder02, equation 12]. That is the integral of V L G, G the lobe turned to d, so the lobe's
+/// samples serve all channels, and no channel is projected.
+Kernel transfer_glossy(int degree, int channels, bool looped);
 
 /// The product term by term, from the entries of the Gaunt tensor.
 Kernel product_tensor(const ProductShape& shape, Factors factors);

@@ -14,6 +14,7 @@
 
 #include "codegen/recipes/product/phi_transform.hpp"
 #include "codegen/recipes/product/product.hpp"
+#include "codegen/recipes/product/ring_factor.hpp"
 #include "symbolic/product/gaunt.hpp"
 
 namespace sh::codegen::recipes {
@@ -23,32 +24,6 @@ using symbolic::Surd;
 using Samples = PhiTransform::Samples;
 using Coefficients = PhiTransform::Coefficients;
 using Parts = std::array<Value, kParts>;
-
-// One element for a single ring; one element for each pair of rings if a loop runs over the pairs.
-using Factor = std::vector<ExactReal>;
-
-// Arithmetic element by element.
-Factor times(Factor factor, const ExactReal& scale) {
-  for (ExactReal& element : factor) element = multiply(element, scale);
-  return factor;
-}
-
-Factor times(Factor factor, const Factor& other) {
-  for (std::size_t i = 0; i < factor.size(); ++i) factor[i] = multiply(factor[i], other[i]);
-  return factor;
-}
-
-Factor quotient(Factor factor, const Factor& divisor) {
-  for (std::size_t i = 0; i < factor.size(); ++i) factor[i] = multiply(factor[i], reciprocal(divisor[i]));
-  return factor;
-}
-
-// The approximate absolute value of the smallest element.
-double smallest_size(const Factor& factor) {
-  double smallest = approximate(factor.front());
-  for (const ExactReal& element : factor) smallest = std::min(smallest, approximate(element));
-  return smallest;
-}
 
 std::string named(const char* letter, int ring, int order, const char* suffix) {
   return letter + std::to_string(ring + 1) + (order < 0 ? "s" : "c") + std::to_string(std::abs(order)) + suffix;
@@ -66,6 +41,7 @@ class Separable {
         angles_(plan.angles),
         looped_(plan.looped && plan.rings.pairs > 1),
         quadrature_(plan.rings),
+        factors_(kernel, quadrature_, looped_),
         sums_(coefficient_count(shape.result)) {}
 
   void run() {
@@ -89,30 +65,7 @@ class Separable {
     Value odd;
   };
 
-  // The constant of a ring, or of all pairs of rings if a loop runs over them.
-  template <class Of>
-  [[nodiscard]] Factor of_rings(int ring, const Of& of) const {
-    const bool all = looped_ && ring < quadrature_.rings().pairs;
-    Factor factor;
-    for (int r = ring; r < (all ? quadrature_.rings().pairs : ring + 1); ++r) factor.push_back(of(r));
-    return factor;
-  }
-  [[nodiscard]] Factor theta(int l, int m, int ring) const {
-    return of_rings(ring, [&](int r) { return quadrature_.theta(l, m, r); });
-  }
-  [[nodiscard]] Factor weight(int ring) const {
-    return of_rings(ring, [&](int r) { return quadrature_.weight(r); });
-  }
-
-  Value scaled(const Factor& factor, Value value) {
-    if (value.is_zero() || factor.size() == 1) return build_.times(factor[0], value);
-    std::string key;
-    for (const ExactReal& element : factor) key += to_string(element) + ";";
-    const auto [column, added] = columns_.try_emplace(key, static_cast<int>(columns_.size()));
-    kernel_.table.resize(factor.size());
-    for (std::size_t row = 0; added && row < factor.size(); ++row) kernel_.table[row].push_back(factor[row]);
-    return build_.times(Value{build_.table(column->second)}, value);
-  }
+  Value scaled(const Factor& factor, Value value) { return factors_.scaled(build_, factor, value); }
 
   // scale: a constant that multiplies all products.
   Halves synthesize(const std::vector<Value>& c, int degree, int order, int ring, const ExactReal& scale) {
@@ -121,7 +74,7 @@ class Separable {
     std::vector<std::pair<Factor, Value>> odd;
     for (int l = m; l <= degree; ++l) {
       const Value value = c[coefficient_index(l, order)];
-      const Factor factor = theta(l, m, ring);
+      const Factor factor = factors_.theta(l, m, ring);
       if ((l - m) % 2 == 0) {
         even.push_back(scaled(times(factor, scale), value));
       } else if (!is_zero(factor[0]) && !value.is_zero()) {
@@ -152,7 +105,7 @@ class Separable {
     const Value north = build_.times(north_a, same_ ? north_a : build_.plus(of_b.even, of_b.odd));
     const Value south = build_.times(south_a, same_ ? south_a : build_.minus(of_b.even, of_b.odd));
     collect(0, ring, {build_.plus(north, south), build_.minus(north, south)},
-            times({Surd::square_root(4, 2)}, weight(ring)));
+            times({Surd::square_root(4, 2)}, factors_.weight(ring)));
   }
 
   // c_lm += weight theta_lm (E or O)
@@ -160,7 +113,7 @@ class Separable {
     const int m = std::abs(order);
     for (int l = m; l <= shape_.result; ++l) {
       const Value half = (l - m) % 2 == 0 ? halves.even : halves.odd;
-      const Value term = scaled(times(weight, theta(l, m, ring)), half);
+      const Value term = scaled(times(weight, factors_.theta(l, m, ring)), half);
       if (term.is_zero()) continue;
       sums_[coefficient_index(l, order)].push_back(weight.size() > 1 ? build_.row_sum(term) : term);
     }
@@ -310,7 +263,7 @@ class Separable {
       cln::cl_RA factor = cln::cl_RA(halves_ ? 4 : 8) / angles_;
       if (same_ && part_of(order) != 0) factor = 2 * factor;
       const ExactReal same_on_all = multiply(Surd(factor) * Surd::square_root(1, 2), phi_c.scale(order));
-      collect(order, ring, halves[order + shape_.result], times(weight(ring), same_on_all));
+      collect(order, ring, halves[order + shape_.result], times(factors_.weight(ring), same_on_all));
     }
   }
 
@@ -354,7 +307,7 @@ class Separable {
   int angles_;
   bool looped_;
   RingQuadrature quadrature_;
-  std::map<std::string, int> columns_;                             // of the loop's table, by the constants in them
+  RingFactors factors_;
   std::vector<std::vector<Value>> sums_;                           // terms of every coefficient of the result
   std::map<std::tuple<int, int, bool>, PhiTransform> transforms_;  // by degree, number of rings, direction
 };

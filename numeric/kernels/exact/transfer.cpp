@@ -1,5 +1,6 @@
-// Transferred radiance: transfer_prepare(light) -> the light at the nodes of a quadrature, and transfer_apply(visibility,
-// samples) -> the coefficients of their product, for the samples of one channel or three.
+// Transferred radiance: transfer_prepare(light) -> the light at the nodes of a quadrature, transfer_apply(visibility,
+// samples) -> the coefficients of their product, for the samples of one channel or three, and transfer_glossy(visibility,
+// samples, lobe, direction) -> that product convolved with a zonal lobe, in one direction.
 //
 // The nodes for degree n, at least 1: the poles and n pairs of rings at the inner nodes of the Lobatto rule of 2n + 2
 // points, the largest z first, z before -z; on each ring phi, pi + phi, -phi, pi - phi for phi = (j + 1/2) pi / (2n),
@@ -13,6 +14,7 @@
 #include "numeric/kernels/inputs.hpp"
 #include "numeric/oracle/basis.hpp"
 #include "numeric/oracle/quadrature.hpp"
+#include "numeric/oracle/zonal.hpp"
 
 namespace sh::numeric {
 namespace {
@@ -119,13 +121,24 @@ Real* prepare(int degree, const Real* light, Real* samples) {
   return samples;
 }
 
-// The result of one channel; returns the end of its samples.
+// The visibility at the nodes, times their weights.
 template <class Real>
-const Real* apply(int degree, const Real* visibility, const Real* samples, Real* out) {
+std::vector<Real> weighted(int degree, const Real* visibility) {
+  const auto& rule = rule_of<Real>(degree);
+  std::vector<Real> seen;
+  for (std::size_t k = 0; k < rule.weights.size(); ++k) {
+    seen.push_back(rule.weights[k] * rule.value(k, rule.visibility, visibility));
+  }
+  return seen;
+}
+
+// The result of one channel; returns the end of its samples. seen: the visibility, `weighted`.
+template <class Real>
+const Real* apply(int degree, const Real* visibility, const std::vector<Real>& seen, const Real* samples, Real* out) {
   const auto& rule = rule_of<Real>(degree);
   for (std::size_t i = 0; i < rule.light; ++i) out[i] = 0;
   for (std::size_t k = 0; k < rule.weights.size(); ++k) {
-    const Real value = rule.weights[k] * *samples++ * rule.value(k, rule.visibility, visibility);
+    const Real value = seen[k] * *samples++;
     for (std::size_t i = 0; i < rule.light; ++i) out[i] += value * rule.basis[k * rule.visibility + i];
   }
   if (degree == 0) return samples;
@@ -138,8 +151,32 @@ const Real* apply(int degree, const Real* visibility, const Real* samples, Real*
 
 auto applies(int channels) {
   return [channels](int degree, const auto* in, auto* out) {
+    const auto seen = weighted(degree, in);
     const auto* samples = in + coefficient_count(2 * degree);
-    for (int i = 0; i < channels; ++i) samples = apply(degree, in, samples, out + i * coefficient_count(degree));
+    for (int i = 0; i < channels; ++i) samples = apply(degree, in, seen, samples, out + i * coefficient_count(degree));
+  };
+}
+
+// The products of `applies`, convolved band by band: lobe (degree + 1) and a direction follow the samples.
+auto reflects(int channels) {
+  return [channels](int degree, const auto* in, auto* out) {
+    using std::sqrt;
+    using Real = std::remove_cvref_t<decltype(*in)>;
+    const std::size_t count = coefficient_count(degree);
+    std::vector<Real> transferred(channels * count);
+    const std::vector<Real> seen = weighted(degree, in);
+    const Real* samples = in + coefficient_count(2 * degree);
+    for (int i = 0; i < channels; ++i) samples = apply(degree, in, seen, samples, transferred.data() + i * count);
+    const Real *const lobe = samples, *const d = lobe + degree + 1;
+    const std::vector<Real> basis = sh::numeric::basis(degree, d[0], d[1], d[2]);
+    for (int i = 0; i < channels; ++i) {
+      Real value = 0;
+      for (int l = 0; l <= degree; ++l) {
+        const Real factor = sqrt(Real(4 * pi<Real>() / static_cast<Real>(2 * l + 1))) * lobe[l];
+        for (int k = l * l; k < (l + 1) * (l + 1); ++k) value += factor * transferred[i * count + k] * basis[k];
+      }
+      out[i] = value;
+    }
   };
 }
 
@@ -168,7 +205,9 @@ auto prepared_lights(int channels) {
 std::vector<ExactFamily> exact_transfer() {
   return {{"transfer_prepare", [](int degree, const auto* in, auto* out) { prepare(degree, in, out); }},
           {"transfer_apply", applies(1), prepared_lights(1)},
-          {"transfer_apply_rgb", applies(3), prepared_lights(3)}};
+          {"transfer_apply_rgb", applies(3), prepared_lights(3)},
+          {"transfer_glossy", reflects(1), prepared_lights(1)},
+          {"transfer_glossy_rgb", reflects(3), prepared_lights(3)}};
 }
 
 }  // namespace sh::numeric
