@@ -23,7 +23,7 @@ constexpr std::size_t kVertices = 131072;
 constexpr std::size_t kSize = coefficient_count(kDegree);
 constexpr std::size_t kVisibility = coefficient_count(2 * kDegree);
 constexpr std::size_t kLanes = 16;
-constexpr int kPasses = 7;
+constexpr int kPasses = 15;
 
 using Vector = Sixteen::Vector;
 using Half = batch::Half;
