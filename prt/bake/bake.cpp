@@ -117,7 +117,9 @@ void prepare(BakeJob& job, const BakeObserver& say) {
   if (say && estimate.seconds() >= kWorthSaying) {
     say(fmt::format("about {:.2g} s, {:.0f} MiB: {:.3g} million rays{}", estimate.seconds(),
                     static_cast<double>(estimate.bytes) / 1048576.0, estimate.rays * 1e-6,
-                    estimate.bounces > 0.0 ? fmt::format(", {:.0f} bounces", estimate.bounces) : ""));
+                    estimate.bounces > 0.0                     ? fmt::format(", {:.0f} bounces", estimate.bounces)
+                    : job.scene.bake.kind->indirect != nullptr ? ", bounces not counted"
+                                                               : ""));
   }
   if (!job.budget) return;
   const auto& [seconds, spent] = *job.budget;

@@ -157,7 +157,10 @@ Shortfall shortfall(const BakeOptions& wanted, const Transfer& transfer) {
   if (transfer.directions > 0 && static_cast<int>(transfer.directions) < wanted.directions) {
     missing.directions = static_cast<std::uint32_t>(wanted.directions);
   }
-  if (transfer.kind->has_bounces() &&
+  if (transfer.kind->indirect != nullptr && !(transfer.bounces.residual <= wanted.bounces.tolerance)) {
+    missing.tolerance = wanted.bounces.tolerance;
+  }
+  if (transfer.kind->has_form_factors() &&
       !(transfer.bounces.bound <= (wanted.bounces.tolerance + kSingleRounding) * transfer.bounces.largest)) {
     missing.tolerance = wanted.bounces.tolerance;
   }

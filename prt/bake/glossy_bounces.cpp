@@ -86,8 +86,7 @@ class Bounces {
     std::vector<float> sum(term_.size(), 0.0F);
     BounceReport& report = run_.transfer.bounces;
     report = {.solver = "series"};
-    const double direct = largest_of(term_);
-    for (double before = direct;;) {
+    for (double before = largest_of(term_);;) {
       next_.resize(term_.size());
       bounce();
       term_.swap(next_);
@@ -99,7 +98,7 @@ class Bounces {
       const double now = largest_of(term_);
       report.spectral_bound = before > 0.0 ? now / before : 0.0;
       report.residual = now > 0.0 ? now * report.spectral_bound / std::max(1.0 - report.spectral_bound, 1e-9) : 0.0;
-      if (is_done(report, now, direct)) break;
+      if (is_done(report, now)) break;
       before = now;
     }
     report.largest = largest_of(sum);
@@ -266,10 +265,11 @@ class Bounces {
     return static_cast<double>(*std::max_element(largest.begin(), largest.end()));
   }
 
-  [[nodiscard]] bool is_done(const BounceReport& report, double now, double direct) const {
+  // No number of the direct part is above 1.
+  [[nodiscard]] bool is_done(const BounceReport& report, double now) const {
     const BounceOptions& options = run_.scene.bake.bounces;
     const double rate = report.spectral_bound;
-    const double enough = options.tolerance * std::max(direct, 1.0);
+    const double enough = options.tolerance;
     if (now == 0.0 || (rate < 1.0 && report.residual <= enough)) return true;
     if (std::chrono::steady_clock::now() >= options.deadline) return true;
     const double left = rate < 1.0 ? std::log(enough / report.residual) / std::log(rate) : kMostBounces;

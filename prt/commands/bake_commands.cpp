@@ -109,6 +109,7 @@ constexpr double kLittleOfALobe = 0.9;
 void print_estimate(const BakeJob& job) {
   const Scene& scene = job.scene;
   const BakeEstimate estimate = estimate_bake(job);
+  const bool has_matrices = scene.bake.kind->indirect != nullptr;
   print_json({{"scene", scene.name},
               {"vertices", scene.mesh.positions.size()},
               {"traced_vertices", estimate.vertices},
@@ -118,8 +119,8 @@ void print_estimate(const BakeJob& job) {
               {"seconds", estimate.seconds()},
               {"setup_seconds", estimate.setup_seconds},
               {"first_pass_seconds", estimate.pass_seconds},
-              {"bounces", estimate.bounces},
-              {"seconds_a_bounce", estimate.bounce_seconds},
+              {"bounces", has_matrices ? Json() : Json(estimate.bounces)},  // not estimated
+              {"seconds_a_bounce", has_matrices ? Json() : Json(estimate.bounce_seconds)},
               {"form_factor_bytes", estimate.factor_bytes},
               {"bytes", estimate.bytes}});
 }

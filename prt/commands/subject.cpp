@@ -20,7 +20,9 @@ std::string coarseness(const std::string& file, const Transfer& transfer) {
   }
   if (transfer.missing.tolerance > 0.0) {
     line += fmt::format("{} bounces to {:.2g} of the largest coefficient, not {:.2g}",
-                        transfer.missing.directions > 0 ? "," : "", transfer.bounces.bound / transfer.bounces.largest,
+                        transfer.missing.directions > 0 ? "," : "",
+                        transfer.kind->has_form_factors() ? transfer.bounces.bound / transfer.bounces.largest
+                                                          : transfer.bounces.residual,
                         transfer.missing.tolerance);
   }
   return line;

@@ -18,8 +18,9 @@ void Shading::require_fit(const Transfer& transfer, int highest) const {
       throw std::invalid_argument(fmt::format("--recolor {}: expected an albedo from 0 to 1", channel));
     }
   }
-  if (!recolor.empty() && transfer.shape.holds_albedo) {
-    throw std::invalid_argument("--recolor: transfer with bounces holds its albedo; only DU and DS can be recolored");
+  if (!recolor.empty() && transfer.kind->has_bounces()) {
+    throw std::invalid_argument(
+        "--recolor: transfer with bounces holds its albedo; only kinds without bounces can be recolored");
   }
 }
 

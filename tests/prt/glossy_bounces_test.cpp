@@ -156,6 +156,15 @@ TEST(GlossyBounces, EndOnTheirToleranceAndSaySo) {
   EXPECT_LE(coarse.bounces.residual, 1e-2);
 }
 
+TEST(GlossyBounces, EndWhenTheTimeIsOverAndSaySo) {
+  Scene scene = scene_of(bowl({0.8F, 0.6F, 0.3F}, 12.0F), &kGlossyInterreflected, 128, 2);
+  EXPECT_FALSE(bake(scene).missing.any());
+  scene.bake.bounces.deadline = std::chrono::steady_clock::now();
+  const Transfer cut = bake(scene);
+  EXPECT_EQ(cut.bounces.applications, 1);
+  EXPECT_EQ(cut.missing.tolerance, scene.bake.bounces.tolerance);
+}
+
 TEST(GlossyBounces, BetweenDiffuseSurfacesThatLoseNothingAreRefused) {
   const Mesh mesh = finished(hollow_sphere(32, 0.97F), Eigen::Vector3f::Ones(), Eigen::Vector3f::Zero(), 0.0F);
   const std::string reason = message_of([&] { baked(mesh, &kGlossyInterreflected, 512, 1); });
