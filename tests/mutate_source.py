@@ -8,8 +8,9 @@ and under it the equivalents, which are believed. --most takes N flips of each f
 
 Copies of the file are compiled and linked before the libraries, so that neither the sources nor the build change. One
 copy holds most flips (tests/mutant.hpp); a flip that it cannot hold, or that survives there, gets a copy of its own. A
-flip that does not compile counts as caught, one that gives the same machine code as an equivalent. Exit: 0 no survivor,
-1 some survive, 2 bad input.
+flip that does not compile counts as caught, one that gives the same machine code as an equivalent. Copies have the
+assertions of the standard library, which find what reads behind a vector. Exit: 0 no survivor, 1 some survive, 2 bad
+input.
 """
 import argparse
 import collections
@@ -152,7 +153,7 @@ class Workshop:
         self.real_object = words[words.index("-o") + 1]
         words[words.index("-o") + 1] = self.object
         words[words.index("-c") + 1] = self.copy
-        self.command = words + ["-w"]
+        self.command = words + ["-w", "-D_GLIBCXX_ASSERTIONS"]
         self.links = [self.link_of(program) for program, _ in tests]
 
     def link_of(self, program):
