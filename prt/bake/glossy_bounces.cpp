@@ -41,17 +41,12 @@ bool is_gray(const std::vector<Eigen::Vector3f>& colors) {
                      [](const Eigen::Vector3f& color) { return (color.array() == color.x()).all(); });
 }
 
-using Weights = std::array<float, coefficient_count(kMaxDegree)>;
+using Weights = std::array<float, coefficient_count(kHighestProduct)>;
 
-// A function of direction: factor_l Y_lm(direction).
 template <class Factor>
-Weights zonal_about(int degree, const Eigen::Vector3f& direction, const Factor& factor) {
+Weights weights_about(int degree, const Eigen::Vector3f& direction, const Factor& factor) {
   Weights values;
-  evaluate_basis(degree, direction.x(), direction.y(), direction.z(), values.data());
-  for (int l = 0; l <= degree; ++l) {
-    const auto scale = static_cast<float>(factor(l));
-    std::for_each(&values[l * l], &values[l * l] + 2 * l + 1, [scale](float& value) { value *= scale; });
-  }
+  zonal_about(degree, direction, factor, values.data());
   return values;
 }
 
@@ -190,7 +185,7 @@ class Bounces {
     std::vector<float> rows(vertices_ * row_);
     for_vertices(vertices_, [&](std::size_t v) {
       float* row = rows.data() + v * row_;
-      weigh(zonal_about(degree_, mesh_.normals[v], [](int l) { return phong_factor(l, 1.0); }), v, row);
+      weigh(weights_about(degree_, mesh_.normals[v], [](int l) { return phong_factor(l, 1.0); }), v, row);
       scale_channels(mesh_.albedo[v], row);
     });
     return rows;
@@ -211,7 +206,7 @@ class Bounces {
       const Eigen::Vector3f mirrored = ray.direction - 2.0F * normal.dot(ray.direction) * normal;
       const float* factors = &lobes_[q * (degree_ + 1)];
       alignas(64) std::array<float, kMostRow> lobe;
-      weigh(zonal_about(degree_, mirrored, [factors](int l) { return factors[l]; }), q, lobe.data());
+      weigh(weights_about(degree_, mirrored, [factors](int l) { return factors[l]; }), q, lobe.data());
       scale_channels(mesh_.specular[q], lobe.data());
       add(lobe.data(), parts[k]);
     }
@@ -229,7 +224,7 @@ class Bounces {
       std::fill(leaving.begin(), leaving.end(), 0.0F);
       for (std::size_t j = 0; j < some; ++j) {
         const BlockedAt& ray = rays[first + j];
-        const Weights basis = zonal_about(degree_, ray.direction, [&](int) { return weight; });
+        const Weights basis = weights_about(degree_, ray.direction, [&](int) { return weight; });
         for (std::size_t i = 0; i < count_; ++i) arriving[i * kRaysAtOnce + j] = basis[i];
         add_exit(ray, diffuse_rows, leaving.data() + j * row_);
       }

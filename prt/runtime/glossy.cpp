@@ -55,11 +55,7 @@ struct Lobe {
 
   template <class Factor>
   Lobe(int degree, const Eigen::Vector3f& direction, const Factor& factor) {
-    evaluate_basis(degree, direction.x(), direction.y(), direction.z(), values.data());
-    for (int l = 0; l <= degree; ++l) {
-      const auto scale = static_cast<float>(factor(l));
-      std::for_each(&values[l * l], &values[l * l] + 2 * l + 1, [scale](float& value) { value *= scale; });
-    }
+    zonal_about(degree, direction, factor, values.data());
   }
   [[nodiscard]] Eigen::Vector3f meets(const float* reaching, std::size_t count) const {
     Eigen::Vector3f sums;

@@ -1,6 +1,5 @@
 #include "prt/transfer/unshadowed.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -19,12 +18,8 @@ std::vector<float> about(const std::vector<Eigen::Vector3f>& normals, const std:
   const std::size_t count = coefficient_count(degree);
   std::vector<float> transfer(normals.size() * count);
   for_vertices(normals.size(), [&](std::size_t v) {
-    float* row = transfer.data() + v * count;
-    evaluate_basis(degree, normals[v].x(), normals[v].y(), normals[v].z(), row);
-    for (int l = 0; l <= degree; ++l) {
-      const auto factor = static_cast<float>(factors[l]);
-      std::for_each(row + l * l, row + (l + 1) * (l + 1), [factor](float& value) { value *= factor; });
-    }
+    zonal_about(
+        degree, normals[v], [&](int l) { return factors[l]; }, transfer.data() + v * count);
   });
   return transfer;
 }

@@ -111,7 +111,7 @@ class Sixteen {
   explicit Sixteen(float value) : v_(Vector{} + value) {}
   explicit Sixteen(Vector v) : v_(v) {}
 
-  [[nodiscard]] Vector vector() const { return v_; }
+  [[nodiscard]] const Vector& vector() const { return v_; }
 
   friend Sixteen operator+(Sixteen a, Sixteen b) { return Sixteen(a.v_ + b.v_); }
   friend Sixteen operator-(Sixteen a, Sixteen b) { return Sixteen(a.v_ - b.v_); }
