@@ -1,10 +1,11 @@
-// Splits vertices into chunks of one fixed size and runs them on all threads of the caller's arena.
+// Loops on all threads of the caller's arena, and chunks of vertices of one fixed size.
 #pragma once
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 namespace sh::prt {
 
@@ -39,10 +40,19 @@ void on_threads(int threads, const Work& work) {
   arena.execute(work);
 }
 
+/// tbb::parallel_for, with the caller's rounding and denormals on every thread. Threads that have traced rays flush
+/// denormals, so that the bits of a result would depend on the thread that made it.
+template <class... Arguments>
+void in_parallel(Arguments&&... arguments) {
+  using Context = tbb::task_group_context;
+  Context callers(Context::bound, Context::default_traits | Context::fp_settings);
+  tbb::parallel_for(std::forward<Arguments>(arguments)..., callers);
+}
+
 /// Calls each(chunk) for all chunks of `vertices` vertices, in parallel and in any order.
 template <class Each>
 void for_chunks(std::size_t vertices, const Each& each) {
-  tbb::parallel_for(std::size_t{0}, chunk_count(vertices), each);
+  in_parallel(std::size_t{0}, chunk_count(vertices), each);
 }
 
 /// Calls each(vertex) for all vertices, in parallel; the vertices of a chunk in their order.

@@ -1,11 +1,11 @@
 // The system x = b + A x, A = albedo * K, and the operations that both solvers of bounces.hpp need.
 #pragma once
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <vector>
 
 #include "prt/bake/bounces.hpp"
+#include "prt/chunks.hpp"
 
 namespace sh::prt {
 
@@ -42,8 +42,8 @@ inline constexpr std::size_t kRowsAPart = 256;
 /// Calls each(first, last) for the parts of 0..rows on all threads of the arena.
 template <class Each>
 void for_rows(std::size_t rows, const Each& each) {
-  tbb::parallel_for(std::size_t{0}, (rows + kRowsAPart - 1) / kRowsAPart,
-                    [&](std::size_t part) { each(part * kRowsAPart, std::min(rows, (part + 1) * kRowsAPart)); });
+  in_parallel(std::size_t{0}, (rows + kRowsAPart - 1) / kRowsAPart,
+              [&](std::size_t part) { each(part * kRowsAPart, std::min(rows, (part + 1) * kRowsAPart)); });
 }
 
 /// Improves x, whose residual is r, until the certified bound is small enough or the limit on applications is reached.

@@ -1,7 +1,5 @@
 #include "prt/bake/fill_closed.hpp"
 
-#include <tbb/parallel_for.h>
-
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <array>
@@ -9,6 +7,8 @@
 #include <set>
 #include <unordered_map>
 #include <utility>
+
+#include "prt/chunks.hpp"
 
 namespace sh::prt {
 
@@ -68,7 +68,7 @@ struct Fill::System {
   // Columns do not depend on each other.
   template <class Number>
   void apply(Number* values, std::size_t stride, std::size_t columns) const {
-    tbb::parallel_for(std::size_t{0}, (columns + kColumnsAPart - 1) / kColumnsAPart, [&](std::size_t part) {
+    in_parallel(std::size_t{0}, (columns + kColumnsAPart - 1) / kColumnsAPart, [&](std::size_t part) {
       const std::size_t first = part * kColumnsAPart;
       solve(values, stride, first, std::min(kColumnsAPart, columns - first));
     });

@@ -1,12 +1,12 @@
 #include "prt/bake/form_factors.hpp"
 
 #include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 #include <atomic>
 #include <utility>
 
 #include "numeric/output/progress.hpp"
+#include "prt/chunks.hpp"
 #include "prt/rays/widest.hpp"
 
 namespace sh::prt {
@@ -63,7 +63,7 @@ double FormFactors::rounding() const {
 }
 
 void FormFactors::apply(const Panel& x, Panel& y) const {
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rows_.size(), kVerticesPerTask), [&](const auto& part) {
+  in_parallel(tbb::blocked_range<std::size_t>(0, rows_.size(), kVerticesPerTask), [&](const auto& part) {
     output::check_interrupt();
     RowMaker make;
     for (std::size_t v = part.begin(); v < part.end(); ++v) {

@@ -7,6 +7,7 @@
 #include <cstddef>
 
 #include "numeric/output/progress.hpp"
+#include "prt/chunks.hpp"
 
 namespace sh::prt {
 
@@ -40,7 +41,7 @@ std::size_t ShadowPass::sample(const std::vector<std::uint32_t>& vertices, doubl
   tbb::enumerable_thread_specific<Worker> workers([this] { return Worker(setup_); });
   std::atomic<std::size_t> next{0};
   std::atomic<std::size_t> done{0};
-  tbb::parallel_for(0, tbb::this_task_arena::max_concurrency(), [&](int) {
+  in_parallel(0, tbb::this_task_arena::max_concurrency(), [&](int) {
     do {
       const std::size_t i = next++;
       if (i >= vertices.size()) return;

@@ -3,7 +3,6 @@
 // angles of the pixel's upper and lower edge; band 0 is then the sum of radiance times exact solid angle. Other
 // mappings have nodes in every pixel. The quicker rule (basis at the pixel's center times exact solid angle) leaks a
 // constant picture into the even bands (prt/IMAGES.md has the numbers).
-#include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +10,7 @@
 
 #include "numeric/oracle/quadrature.hpp"
 #include "prt/basis.hpp"
+#include "prt/chunks.hpp"
 #include "prt/light/light.hpp"
 
 namespace sh::prt {
@@ -73,7 +73,7 @@ LightCoefficients project_lat_long(const Image& image, int degree) {
   LightCoefficients light = LightCoefficients::zero(degree);
   const Eigen::MatrixXd azimuth = azimuth_integrals(degree, image.width);
   std::vector<Eigen::MatrixX3d> sums(image.height);  // (2 degree + 1, 3) a row of pixels
-  tbb::parallel_for(0, image.height, [&](int row) {
+  in_parallel(0, image.height, [&](int row) {
     const Eigen::Map<const Eigen::Matrix3Xf> pixels(image.at(0, row).data(), 3, image.width);
     sums[row] = azimuth * pixels.cast<double>().transpose();
   });
@@ -98,7 +98,7 @@ LightCoefficients project_image(const Image& image, ImageMapping mapping, int de
   if (mapping == ImageMapping::kLatLong) return project_lat_long(image, degree);
   require_degree(degree);
   std::vector<LightCoefficients> rows(image.height);
-  tbb::parallel_for(0, image.height, [&](int row) { rows[row] = project_row(image, mapping, row, degree); });
+  in_parallel(0, image.height, [&](int row) { rows[row] = project_row(image, mapping, row, degree); });
   LightCoefficients sum = LightCoefficients::zero(degree);
   for (const LightCoefficients& row : rows) accumulate(sum, row);  // in order, for any number of threads
   return sum;

@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 #include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
+#include "prt/chunks.hpp"
 #include "prt/runtime/row_products.hpp"
 
 namespace sh::prt {
@@ -72,7 +72,7 @@ RowProducts row_products(const Transfer& transfer, const std::vector<float>& lig
 template <class Work>
 void for_ranges(const Transfer& transfer, const RowProducts& rows, const Work& work) {
   const tbb::blocked_range<std::size_t> all(0, transfer.mesh.positions.size(), kVerticesAtOnce);
-  tbb::parallel_for(all, [&](const auto& range) {
+  in_parallel(all, [&](const auto& range) {
     RowProducts part = rows;
     part.transfer = transfer.row(range.begin());
     work(part, range.begin(), range.size());

@@ -1,11 +1,11 @@
 #include "prt/runtime/relight_stage.hpp"
 
 #include <fmt/format.h>
-#include <oneapi/tbb/parallel_for.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "prt/chunks.hpp"
 #include "prt/light/proxy_shadow.hpp"
 #include "prt/mesh/weld.hpp"
 #include "prt/runtime/relight.hpp"
@@ -49,7 +49,7 @@ std::vector<Eigen::Vector3f> radiance_per_vertex(const Stage& stage, const std::
                                                  const LightCoefficients& light, const Shading& shading) {
   const Transfer& transfer = *stage.objects[index].transfer;
   std::vector<Eigen::Vector3f> radiance(transfer.mesh.positions.size());
-  tbb::parallel_for(std::size_t{0}, radiance.size(), [&](std::size_t v) {
+  in_parallel(std::size_t{0}, radiance.size(), [&](std::size_t v) {
     const Eigen::Vector3d point = placed(poses[index], transfer.mesh.point(v));
     radiance[v] =
         shading.shade_vertex(transfer, v, shadowed_by_caps(light, caps_seen_from(stage, poses, index, point)));

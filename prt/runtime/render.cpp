@@ -1,7 +1,6 @@
 #include "prt/runtime/render.hpp"
 
 #include <fmt/format.h>
-#include <oneapi/tbb/parallel_for.h>
 
 #include <Eigen/Geometry>
 #include <cmath>
@@ -10,6 +9,7 @@
 #include <utility>
 
 #include "numeric/output/progress.hpp"
+#include "prt/chunks.hpp"
 #include "prt/image/image.hpp"
 #include "prt/rays/mirror_paths.hpp"
 
@@ -129,7 +129,7 @@ Picture render(const Mesh& mesh, const Tracer& tracer, const Surface& surface, c
   Picture picture{size.width, size.height, std::vector<Eigen::Vector3f>(pixels), std::vector<float>(pixels)};
   const MirrorPaths mirrors(mesh, tracer);
   output::Progress progress(what, size.height);
-  tbb::parallel_for(0, size.height, [&](int row) {
+  in_parallel(0, size.height, [&](int row) {
     RowOfRays rays;
     trace_row(tracer, camera, size, row, rays);
     shade_row(seen(mirrors, surface, rays, eye_in(mesh.frame, camera), background), rays, size, row, picture);

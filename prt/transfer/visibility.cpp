@@ -1,11 +1,11 @@
 #include "prt/transfer/visibility.hpp"
 
 #include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_for.h>
 
 #include "generated/batch/batch.hpp"
 #include "generated/cpp/transfer_prepare.hpp"
 #include "prt/basis.hpp"
+#include "prt/chunks.hpp"
 
 namespace sh::prt {
 
@@ -34,7 +34,7 @@ void times_visibility(int degree, std::size_t vertices, const float* visibility,
                       float* out) {
   const std::size_t in_length = coefficient_count(2 * degree);
   const std::size_t out_length = kChannels * coefficient_count(degree);
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, vertices, kVerticesAtOnce), [&](const auto& range) {
+  in_parallel(tbb::blocked_range<std::size_t>(0, vertices, kVerticesAtOnce), [&](const auto& range) {
     batch::transfer_apply_rgb(degree, range.size(), batch::plain(visibility + range.begin() * in_length),
                               prepared.data(), batch::plain(out + range.begin() * out_length));
   });
