@@ -40,8 +40,8 @@ void on_threads(int threads, const Work& work) {
   arena.execute(work);
 }
 
-/// tbb::parallel_for, with the caller's rounding and denormals on every thread. Threads that have traced rays flush
-/// denormals, so that the bits of a result would depend on the thread that made it.
+/// tbb::parallel_for, with the caller's rounding and denormals on every thread. The ray tracer flushes denormals while it
+/// builds its tree; where this is the first loop of a process, threads would go on to flush them.
 template <class... Arguments>
 void in_parallel(Arguments&&... arguments) {
   using Context = tbb::task_group_context;

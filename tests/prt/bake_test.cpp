@@ -4,9 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <atomic>
 #include <cmath>
 #include <numbers>
 
+#include "prt/chunks.hpp"
+#include "prt/rays/tracer.hpp"
 #include "tests/prt/cosine_integral.hpp"
 #include "tests/prt/rooms.hpp"
 #include "tests/prt/temporary_folder.hpp"
@@ -26,6 +29,19 @@ Mesh ground_before_wall(float wall_x = 0.0F) {
   map.rotate(Eigen::AngleAxisf(0.5F * std::numbers::pi_v<float>, Eigen::Vector3f::UnitY()));
   append(mesh, primitive_mesh("plane", 24, map));
   return mesh;
+}
+
+// The ray tracer flushes denormals while it builds its tree. Where this is the first loop of a process, all threads go on
+// to flush them (this suite has a process of its own).
+TEST(Loops, KeepDenormalsOnThreadsThatHaveBuiltTheTreeOfRays) {
+  const Tracer tracer(primitive_mesh("sphere"));
+  std::atomic<int> flushed{0};
+  for_vertices(1'000'000, [&](std::size_t) {
+    const volatile float small = 1e-30F;
+    const volatile float smaller = small * 1e-12F;
+    if (smaller == 0.0F) ++flushed;
+  });
+  EXPECT_EQ(flushed, 0);
 }
 
 TEST(UnshadowedBake, EqualsTheIntegralOfTheClampedCosine) {
