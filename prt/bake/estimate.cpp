@@ -12,6 +12,7 @@
 #include <stdexcept>
 
 #include "prt/bake/bounces.hpp"
+#include "prt/bake/glossy_bounces.hpp"
 #include "prt/bake/shadow_pass.hpp"
 #include "prt/transfer/unshadowed.hpp"
 
@@ -122,6 +123,7 @@ BakeEstimate estimate_rays(const BakeJob& job) {
   estimate.pass_seconds = tracing.seconds() * scale;
   estimate.rays = static_cast<double>(setup.tracer.rays()) * scale;
   estimate.bytes = resident_memory() + setup.directions.size() * kBytesADirection * thread_count(settings.threads);
+  if (scene.bake.kind->indirect != nullptr) estimate.bytes += glossy_bounce_bytes(scene.mesh, scene.bake.degree);
   if (bounces) estimate_bounces(job, factors, samples, estimate);
   return estimate;
 }

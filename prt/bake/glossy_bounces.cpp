@@ -15,6 +15,7 @@
 
 #include "numeric/output/progress.hpp"
 #include "prt/bake/fill_closed.hpp"
+#include "prt/bake/gray.hpp"
 #include "prt/basis.hpp"
 #include "prt/mesh/corners.hpp"
 #include "prt/rays/row_sums.hpp"
@@ -36,11 +37,6 @@ struct BlockedAt {
   Hit hit;
 };
 
-bool is_gray(const std::vector<Eigen::Vector3f>& colors) {
-  return std::all_of(colors.begin(), colors.end(),
-                     [](const Eigen::Vector3f& color) { return (color.array() == color.x()).all(); });
-}
-
 using Weights = std::array<float, coefficient_count(kHighestProduct)>;
 
 template <class Factor>
@@ -50,6 +46,8 @@ Weights weights_about(int degree, const Eigen::Vector3f& direction, const Factor
   return values;
 }
 
+std::size_t channels_of(const Mesh& mesh) { return is_gray(mesh.albedo) && is_gray(mesh.specular) ? 1 : 3; }
+
 class Bounces {
  public:
   explicit Bounces(BakeRun& run)
@@ -57,7 +55,7 @@ class Bounces {
         mesh_(run.scene.mesh),
         degree_(run.transfer.degree()),
         count_(coefficient_count(degree_)),
-        channels_(is_gray(mesh_.albedo) && is_gray(mesh_.specular) ? 1 : 3),
+        channels_(channels_of(mesh_)),
         vertices_(mesh_.positions.size()),
         row_(padded_row(channels_ * count_)),
         size_(count_ * row_),
@@ -102,7 +100,7 @@ class Bounces {
 
  private:
   void require_memory() const {
-    const double needed = 4.0 * static_cast<double>(vertices_ * size_ * sizeof(float));
+    const auto needed = static_cast<double>(glossy_bounce_bytes(mesh_, degree_));
     const double there = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
     if (needed > there) {
       constexpr double kMiB = 1048576.0;
@@ -311,6 +309,12 @@ class Bounces {
 };
 
 }  // namespace
+
+std::size_t glossy_bounce_bytes(const Mesh& mesh, int degree) {
+  constexpr std::size_t kTables = 4;  // the sum, two terms, the result
+  const std::size_t count = coefficient_count(degree);
+  return kTables * mesh.positions.size() * count * padded_row(channels_of(mesh) * count) * sizeof(float);
+}
 
 void add_glossy_bounces(BakeRun& run) { Bounces(run).solve(); }
 

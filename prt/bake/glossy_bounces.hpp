@@ -17,6 +17,9 @@ namespace sh::prt {
 /// bounces do not shrink (closed rooms that lose hardly any light), or if their matrices need more memory than there is.
 void add_glossy_bounces(BakeRun& run);
 
+/// The memory of its matrices; the hits of rays need more, as far as the memory for bounces allows.
+std::size_t glossy_bounce_bytes(const Mesh& mesh, int degree);
+
 inline constexpr BakeStep kGlossyBounceStep = {add_glossy_bounces, true, true};
 
 }  // namespace sh::prt

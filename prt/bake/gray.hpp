@@ -1,16 +1,20 @@
-// Colored mirrors: each channel is a scene of its own, in which everything is gray. The albedo of one channel and the
-// mirrors of another may reflect more than 1 together.
+// Gray materials need one channel. With colored mirrors each channel is a scene of its own, in which everything is gray:
+// the albedo of one channel and the mirrors of another may reflect more than 1 together.
 #pragma once
 #include <algorithm>
+#include <vector>
 
 #include "prt/mesh/mesh.hpp"
 
 namespace sh::prt {
 
-inline bool has_colored_mirrors(const Mesh& mesh) {
-  return std::any_of(mesh.mirror.begin(), mesh.mirror.end(),
-                     [](const Eigen::Vector3f& mirror) { return (mirror.array() != mirror.x()).any(); });
+/// True if the channels of every color are equal.
+inline bool is_gray(const std::vector<Eigen::Vector3f>& colors) {
+  return std::all_of(colors.begin(), colors.end(),
+                     [](const Eigen::Vector3f& color) { return (color.array() == color.x()).all(); });
 }
+
+inline bool has_colored_mirrors(const Mesh& mesh) { return !is_gray(mesh.mirror); }
 
 /// The mesh as one channel has it.
 inline Mesh in_gray(Mesh mesh, int channel) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "prt/bake/gray.hpp"
 #include "prt/plan/draft.hpp"
 #include "prt/plan/open_vertices.hpp"
 #include "prt/transfer/storage.hpp"
@@ -85,10 +86,8 @@ void decide_channels(Draft& draft) {
     draft.decide("channels", "one", "transfer without bounces holds no albedo");
     return;
   }
-  const auto is_gray = [](const Eigen::Vector3f& c) { return c.x() == c.y() && c.y() == c.z(); };
   const Mesh& mesh = draft.scene.mesh;
-  const bool gray = std::all_of(mesh.albedo.begin(), mesh.albedo.end(), is_gray) &&
-                    std::all_of(mesh.mirror.begin(), mesh.mirror.end(), is_gray);
+  const bool gray = is_gray(mesh.albedo) && is_gray(mesh.mirror);
   draft.plan.storage.one_channel = gray;
   draft.decide("channels", gray ? "one for all three" : "three",
                gray ? "every albedo and mirror is gray" : "surfaces are colored, and bounces carry the color");

@@ -12,19 +12,12 @@
 #include "prt/runtime/relight.hpp"
 #include "prt/transfer/storage.hpp"
 #include "prt/transfer/transfer_file.hpp"
+#include "tests/prt/glossy_meshes.hpp"
 #include "tests/prt/lights.hpp"
-#include "tests/prt/rooms.hpp"
 #include "tests/prt/temporary_folder.hpp"
 
 namespace sh::prt::test {
 namespace {
-
-Mesh finished(Mesh mesh, const Eigen::Vector3f& albedo, const Eigen::Vector3f& specular, float exponent) {
-  paint(mesh, albedo);
-  mesh.specular.assign(mesh.positions.size(), specular);
-  mesh.exponent.assign(mesh.positions.size(), exponent);
-  return mesh;
-}
 
 // A diffuse bowl around a glossy torus.
 Mesh bowl(const Eigen::Vector3f& color, float exponent) {

@@ -66,6 +66,7 @@ TEST_F(GlossyTool, BakesBouncesAndTellsTheirMatrices) {
   const auto estimate =
       printed({"bake", folder->file("shadowed.json"), "--kind", "glossy_interreflected", "--estimate"});
   EXPECT_TRUE(estimate["bounces"].is_null()) << "not estimated";
+  EXPECT_GT(estimate["bytes"], 4 * 9 * 32 * 4 * estimate["vertices"].get<std::size_t>()) << "the matrices";
   expect_refused({"render", file, "--recolor", "1", "0", "0", "-o", folder->file("b.png")}, "holds its albedo");
 }
 

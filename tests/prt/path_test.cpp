@@ -5,6 +5,7 @@
 
 #include "prt/runtime/glossy.hpp"
 #include "prt/runtime/relight.hpp"
+#include "tests/prt/glossy_meshes.hpp"
 #include "tests/prt/lights.hpp"
 #include "tests/prt/path_render.hpp"
 #include "tests/prt/rooms.hpp"
@@ -87,21 +88,16 @@ LightCoefficients frontal_light() {
 }
 
 // Gray, for one channel. Degree 4 holds all of a lobe of exponent 3 but 1e-4.
-Mesh polished(Mesh mesh) {
-  paint(mesh, Eigen::Vector3f::Constant(0.35F));
-  mesh.specular.assign(mesh.positions.size(), Eigen::Vector3f::Constant(0.5F));
-  mesh.exponent.assign(mesh.positions.size(), 3.0F);
-  return mesh;
-}
+Mesh shiny(Mesh mesh) { return polished(std::move(mesh), 0.35F, 0.5F, 3.0F); }
 
 TEST(Paths, AgreeWithTheBakeOfAGlossyRoom) {
   const Camera camera{{0.03, -2.2, 0.05}, {0.013, 0.0, 0.007}, {0.0, 0.0, 1.0}, 34.0F};
-  expect_within_noise(polished(room(0.12F)), camera, frontal_light(), 0.03, kGlossyInterreflected);
+  expect_within_noise(shiny(room(0.12F)), camera, frontal_light(), 0.03, kGlossyInterreflected);
 }
 
 TEST(Paths, AgreeWithTheBakeOfAGlossyBallInACorner) {
   const Camera camera{{1.6, -1.6, 1.0}, {-0.1, 0.1, -0.2}, {0.0, 0.0, 1.0}, 34.0F};
-  expect_within_noise(polished(ball_in_corner(0.08F, 20)), camera, frontal_light(), 0.03, kGlossyInterreflected);
+  expect_within_noise(shiny(ball_in_corner(0.08F, 20)), camera, frontal_light(), 0.03, kGlossyInterreflected);
 }
 
 TEST(Paths, AgreeWithTheBakeOfAColoredRoom) {
