@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <span>
 #include <stdexcept>
 #include <utility>
 
@@ -17,10 +18,12 @@ namespace sh::prt {
 
 namespace {
 
-constexpr int kRoundsOfGrowth = 3;  // after each split
-constexpr int kRounds = 20;         // at the end
-constexpr int kMostSplits = 24;     // twice as many as double one cluster to kMostClusters
-constexpr double kLittle = 2e-3;    // of the error: a round that gains less is the last
+constexpr int kRoundsOfGrowth = 2;   // after each split
+constexpr int kRounds = 40;          // at the end
+constexpr int kMostSplits = 24;      // twice as many as double one cluster to kMostClusters
+constexpr std::size_t kAround = 24;  // clusters to which a row may go from its own
+constexpr std::size_t kBlock = 64;   // rows at once
+constexpr double kLittle = 5e-4;     // of the error: a round that gains less is the last
 
 void check(const std::vector<float>& rows, std::size_t length, ClusterCounts counts) {
   if (counts.clusters < 1 || counts.clusters > kMostClusters || counts.vectors > kMostVectors) {
@@ -34,6 +37,54 @@ void check(const std::vector<float>& rows, std::size_t length, ClusterCounts cou
     throw std::invalid_argument("clusters: a number is not finite");
   }
 }
+
+// Finds the nearest of some planes.
+class PlanesAround {
+ public:
+  PlanesAround(const std::vector<Plane>& planes, const std::vector<std::uint16_t>& some, std::size_t vectors)
+      : some_(some), vectors_(some.size() * (1 + vectors), planes[0].mean.size()), of_mean_(some.size(), 1 + vectors) {
+    const auto block = static_cast<Eigen::Index>(1 + vectors);
+    for (std::size_t i = 0; i < some.size(); ++i) {
+      const Plane& plane = planes[some[i]];
+      auto own = vectors_.middleRows(i * block, block);
+      own.row(0) = plane.mean;
+      own.bottomRows(vectors) = plane.axes;
+      of_mean_.row(i) = own * plane.mean.transpose();
+    }
+  }
+
+  void assign(const DoubleRows& rows, std::span<const std::uint32_t> members, std::vector<std::uint16_t>& home) const {
+    DoubleRows block(members.size(), rows.cols());
+    for (std::size_t i = 0; i < members.size(); ++i) block.row(i) = rows.row(members[i]);
+    const DoubleRows products = block * vectors_.transpose();
+    for (std::size_t i = 0; i < members.size(); ++i) home[members[i]] = some_[nearest(products.row(i))];
+  }
+
+ private:
+  // Squared distances to the planes: |x - m|^2 - sum_k ((x - m) a_k)^2, less |x|^2.
+  template <class Products>
+  [[nodiscard]] std::size_t nearest(const Products& products) const {
+    double least = std::numeric_limits<double>::infinity();
+    std::size_t best = 0;
+    for (std::size_t i = 0; i < some_.size(); ++i) {
+      const Eigen::Index first = i * of_mean_.cols();
+      double distance = of_mean_(i, 0) - 2.0 * products[first];
+      for (Eigen::Index k = 1; k < of_mean_.cols(); ++k) {
+        const double along = products[first + k] - of_mean_(i, k);
+        distance -= along * along;
+      }
+      if (distance < least) {
+        least = distance;
+        best = i;
+      }
+    }
+    return best;
+  }
+
+  const std::vector<std::uint16_t>& some_;
+  DoubleRows vectors_;  // (some, 1 + vectors, columns)
+  DoubleRows of_mean_;  // (some, 1 + vectors) products of the mean with itself and the axes
+};
 
 // Splits and reassigns clusters of rows in few dimensions.
 class Clustering {
@@ -82,49 +133,39 @@ class Clustering {
   }
 
   void improve() {
+    find_around();
     assign();
     fit();
   }
 
-  // Gives every row to the cluster with the nearest plane, the first of equals.
+  // Gives every row to the cluster with the nearest plane among those around its own.
   void assign() {
-    const std::size_t count = planes_.size();
-    const std::size_t block = 1 + counts_.vectors;
-    DoubleRows vectors(count * block, rows_.cols());
-    DoubleRows of_mean(count, block);  // products of the mean with the vectors
-    for (std::size_t c = 0; c < count; ++c) {
-      vectors.row(c * block) = planes_[c].mean;
-      vectors.middleRows(c * block + 1, counts_.vectors) = planes_[c].axes;
-      of_mean.row(c) = vectors.middleRows(c * block, block) * planes_[c].mean.transpose();
-    }
-    for_chunks(rows_.rows(), [&](std::size_t chunk) {
-      const VertexRange range = chunk_range(chunk, rows_.rows());
-      const DoubleRows products = rows_.middleRows(range.first, range.size()) * vectors.transpose();
-      for (std::size_t r = 0; r < range.size(); ++r) home_[range.first + r] = nearest(products.row(r), of_mean);
+    in_parallel(std::size_t{0}, planes_.size(), [&](std::size_t c) {
+      output::check_interrupt();
+      const PlanesAround around(planes_, around_[c], counts_.vectors);
+      for (std::size_t first = 0; first < members_[c].size(); first += kBlock) {
+        around.assign(rows_, std::span(members_[c]).subspan(first, std::min(kBlock, members_[c].size() - first)),
+                      home_);
+      }
     });
     for (std::vector<std::uint32_t>& members : members_) members.clear();
     for (std::size_t r = 0; r < home_.size(); ++r) members_[home_[r]].push_back(static_cast<std::uint32_t>(r));
   }
 
-  // Squared distances to the planes: |x - m|^2 - sum_k ((x - m) a_k)^2, less |x|^2.
-  template <class Products>
-  [[nodiscard]] std::uint16_t nearest(const Products& products, const DoubleRows& of_mean) const {
-    double least = std::numeric_limits<double>::infinity();
-    std::uint16_t best = 0;
-    for (std::size_t c = 0; c < planes_.size(); ++c) {
-      if (members_[c].empty()) continue;
-      const Eigen::Index first = c * of_mean.cols();
-      double distance = of_mean(c, 0) - 2.0 * products[first];
-      for (Eigen::Index k = 1; k < of_mean.cols(); ++k) {
-        const double along = products[first + k] - of_mean(c, k);
-        distance -= along * along;
+  // The clusters whose means are nearest to that of each, itself the first.
+  void find_around() {
+    around_.resize(planes_.size());
+    in_parallel(std::size_t{0}, planes_.size(), [&](std::size_t c) {
+      std::vector<std::pair<double, std::uint16_t>> apart;
+      for (std::size_t other = 0; other < planes_.size(); ++other) {
+        if (members_[other].empty()) continue;
+        apart.emplace_back((planes_[other].mean - planes_[c].mean).squaredNorm(), static_cast<std::uint16_t>(other));
       }
-      if (distance < least) {
-        least = distance;
-        best = static_cast<std::uint16_t>(c);
-      }
-    }
-    return best;
+      const std::size_t count = std::min(kAround, apart.size());
+      std::partial_sort(apart.begin(), apart.begin() + count, apart.end());
+      around_[c].clear();
+      for (std::size_t i = 0; i < count; ++i) around_[c].push_back(apart[i].second);
+    });
   }
 
   // Splits up to all clusters, the worst first, into empty and new ones; false if there is none to split or to fill.
@@ -182,6 +223,7 @@ class Clustering {
   std::vector<std::uint16_t> home_;                  // (rows) the cluster of each
   std::vector<std::vector<std::uint32_t>> members_;  // rows of a cluster, ascending
   std::vector<Plane> planes_;
+  std::vector<std::vector<std::uint16_t>> around_;
 };
 
 // A mean of the largest numbers may exceed single precision by a rounding.
@@ -191,20 +233,23 @@ float to_single(double number) {
 }
 
 // The means and the vectors, as long as the largest weight along each.
-std::vector<float> basis_of(const Clustering& clustering, const Reduced& reduced, std::size_t vectors) {
-  DoubleRows basis(clustering.planes().size() * (1 + vectors), reduced.axes.cols());
+std::vector<float> basis_of(const Clustering& clustering, const Reduced& reduced, const std::vector<float>& rows,
+                            std::size_t vectors) {
+  const auto length = static_cast<std::size_t>(reduced.axes.cols());
+  std::vector<float> basis(clustering.planes().size() * (1 + vectors) * length);
   in_parallel(std::size_t{0}, clustering.planes().size(), [&](std::size_t c) {
-    const Plane& plane = clustering.planes()[c];
+    const std::vector<std::uint32_t>& members = clustering.members(c);
+    const Plane plane = in_all_dimensions(clustering.planes()[c], reduced, rows, members);
     Eigen::VectorXd largest = Eigen::VectorXd::Zero(vectors);
-    for (const std::uint32_t r : clustering.members(c)) {
-      largest = largest.cwiseMax((plane.axes * (reduced.coordinates.row(r) - plane.mean).transpose()).cwiseAbs());
+    for (const std::uint32_t r : members) {
+      const Eigen::Map<const Eigen::RowVectorXf> row(rows.data() + r * length, length);
+      largest = largest.cwiseMax((plane.axes * (row.cast<double>() - plane.mean).transpose()).cwiseAbs());
     }
-    basis.row(c * (1 + vectors)) = reduced.origin + plane.mean * reduced.axes;
-    basis.middleRows(c * (1 + vectors) + 1, vectors) = largest.asDiagonal() * (plane.axes * reduced.axes);
+    DoubleRows own(1 + vectors, length);
+    own << plane.mean, largest.asDiagonal() * plane.axes;
+    std::transform(own.data(), own.data() + own.size(), basis.begin() + c * own.size(), to_single);
   });
-  std::vector<float> out(basis.size());
-  std::transform(basis.data(), basis.data() + basis.size(), out.begin(), to_single);
-  return out;
+  return basis;
 }
 
 // The weights of a row, and the squares of what it loses. The vectors are nearly at right angles.
@@ -259,7 +304,7 @@ Clusters clustered(const std::vector<float>& rows, std::size_t length, ClusterCo
   clusters.length = length;
   clusters.vectors = counts.vectors;
   clusters.cluster = clustering.home();
-  clusters.basis = basis_of(clustering, few, counts.vectors);
+  clusters.basis = basis_of(clustering, few, rows, counts.vectors);
   if (round) clusters.basis = round(clusters.basis);
   clusters.weights.resize(clusters.receivers() * clusters.vectors);
   std::vector<double> lost(clusters.receivers());

@@ -1,6 +1,7 @@
 #include "prt/transfer/principal_axes.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
@@ -12,6 +13,8 @@ namespace {
 
 constexpr Eigen::Index kMostAxes = 128;
 constexpr Eigen::Index kSampled = 512;   // rows that give the axes of long ones
+constexpr std::size_t kBlock = 64;       // rows at once
+constexpr int kIterations = 6;           // in all dimensions
 constexpr double kSmallestPart = 1e-16;  // of the squares of all rows: below the rounding of single precision
 constexpr double kRoundingPart = 1e-13;  // error of a plane that holds its rows but for rounding
 
@@ -37,17 +40,24 @@ void take_axes(const Eigen::Map<const FloatRows>& rows, Reduced& reduced) {
   }
 }
 
+// Some rows less their mean, each call(block) a few at once.
+template <class AnyRows, class Use>
+void each_block(const AnyRows& rows, std::span<const std::uint32_t> members, const Eigen::RowVectorXd& mean,
+                const Use& use) {
+  for (std::size_t first = 0; first < members.size(); first += kBlock) {
+    const auto some = members.subspan(first, std::min(kBlock, members.size() - first));
+    DoubleRows block(some.size(), rows.cols());
+    for (std::size_t i = 0; i < some.size(); ++i) block.row(i) = rows.row(some[i]).template cast<double>() - mean;
+    use(block);
+  }
+}
+
 // Sum of (row - mean)^T (row - mean), the lower triangle.
 Eigen::MatrixXd scatter(const DoubleRows& rows, std::span<const std::uint32_t> members,
                         const Eigen::RowVectorXd& mean) {
-  constexpr std::size_t kBlock = 64;
   Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(rows.cols(), rows.cols());
-  for (std::size_t first = 0; first < members.size(); first += kBlock) {
-    const std::size_t count = std::min(kBlock, members.size() - first);
-    DoubleRows block(count, rows.cols());
-    for (std::size_t i = 0; i < count; ++i) block.row(i) = rows.row(members[first + i]) - mean;
-    sum.selfadjointView<Eigen::Lower>().rankUpdate(block.transpose());
-  }
+  each_block(rows, members, mean,
+             [&](const DoubleRows& block) { sum.selfadjointView<Eigen::Lower>().rankUpdate(block.transpose()); });
   return sum;
 }
 
@@ -94,6 +104,25 @@ Plane nearest_plane(const DoubleRows& rows, std::span<const std::uint32_t> membe
   }
   plane.error = std::max(plane.error, 0.0);
   return plane;
+}
+
+Plane in_all_dimensions(const Plane& plane, const Reduced& reduced, const std::vector<float>& numbers,
+                        std::span<const std::uint32_t> members) {
+  Plane whole = plane;
+  whole.mean = reduced.origin + plane.mean * reduced.axes;
+  whole.axes = plane.axes * reduced.axes;
+  if (reduced.axes.rows() == reduced.axes.cols()) return whole;
+  const Eigen::Map<const FloatRows> rows(numbers.data(), numbers.size() / reduced.axes.cols(), reduced.axes.cols());
+  whole.mean.setZero();
+  for (const std::uint32_t r : members) whole.mean += rows.row(r).cast<double>() / static_cast<double>(members.size());
+  for (int iteration = 0; iteration < kIterations && whole.axes.rows() > 0; ++iteration) {
+    DoubleRows sum = DoubleRows::Zero(whole.axes.rows(), whole.axes.cols());
+    each_block(rows, members, whole.mean,
+               [&](const DoubleRows& block) { sum += (whole.axes * block.transpose()) * block; });
+    const Eigen::HouseholderQR<Eigen::MatrixXd> qr(sum.transpose());
+    whole.axes = (qr.householderQ() * Eigen::MatrixXd::Identity(sum.cols(), sum.rows())).transpose();
+  }
+  return whole;
 }
 
 }  // namespace sh::prt

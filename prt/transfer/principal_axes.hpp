@@ -33,4 +33,9 @@ struct Plane {
 
 Plane nearest_plane(const DoubleRows& rows, std::span<const std::uint32_t> members, std::size_t vectors);
 
+/// The same plane for rows (.., length) in all their dimensions, by subspace iteration from the plane of their reduced
+/// coordinates. `error` and `energy` are those of the coordinates.
+Plane in_all_dimensions(const Plane& plane, const Reduced& reduced, const std::vector<float>& rows,
+                        std::span<const std::uint32_t> members);
+
 }  // namespace sh::prt
