@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "numeric/output/progress.hpp"
+#include "prt/bake/compress.hpp"
 #include "prt/bake/estimate.hpp"
 #include "prt/bake/gray.hpp"
 #include "prt/bake/steps.hpp"
@@ -47,6 +48,16 @@ void check(const BakeJob& job) {
     throw std::invalid_argument(fmt::format(
         "{}: its surfaces shine, and {} does not bounce their light; expected no emission, or a kind of {} or {}",
         job.scene.name, options.kind->word, kGlossyShadowed.word, kInterreflected.word));
+  }
+  if (options.compress.clusters > kMostClusters || options.compress.vectors > kMostVectors) {
+    throw std::invalid_argument(fmt::format("compress: expected 1 to {} clusters of 0 to {} vectors, got {} of {}",
+                                            kMostClusters, kMostVectors, options.compress.clusters,
+                                            options.compress.vectors));
+  }
+  if (options.compress.clusters > 0 && options.kind->shape(options.degree).length() == 0) {
+    throw std::invalid_argument(
+        fmt::format("{}: {} stores no numbers to compress; expected another kind, or no `compress`", job.scene.name,
+                    options.kind->word));
   }
   if (job.plan && !job.plan->open.empty() && job.plan->open.size() != mesh.positions.size()) {
     throw std::invalid_argument(
@@ -169,6 +180,9 @@ Transfer bake(BakeJob job, BakeReport* report, const BakeObserver& say) {
     transfer = by_channel ? run_by_channel(job, measured) : run_steps(job.scene, job.settings, *job.plan, measured);
   });
   take_plan(*job.plan, transfer);
+  if (wanted.compress.clusters > 0) {
+    on_threads(job.settings.threads, [&] { compress(transfer, wanted.compress); });
+  }
   transfer.missing = shortfall(wanted, transfer);
   if (report != nullptr) *report = measured;
   return transfer;

@@ -22,7 +22,8 @@ struct SceneOptions {
   std::string sampler;
   std::optional<std::uint32_t> seed;
   std::string kind;
-  std::string plan;  // none, exact, lossy; empty: the scene's
+  std::vector<std::uint32_t> compress;  // clusters, vectors; empty: the scene's
+  std::string plan;                     // none, exact, lossy; empty: the scene's
   std::optional<double> error;
   std::string turns;
   std::vector<std::string> without;
@@ -67,6 +68,11 @@ void SceneOptions::add_to(CLI::App& command) {
       ->check(CLI::Range(0, kMaxSeed));
   command.add_option("--kind", kind, "kind of transfer, instead of the scene's")
       ->check(words(kind_names(&TransferKind::word)));
+  command
+      .add_option("--compress", compress,
+                  "CLUSTERS VECTORS: store rows as clusters (prt/README.md), instead of the scene's; 0 0: as they are")
+      ->default_str("")
+      ->expected(2);
   command.add_option("--plan", plan, "none: leave nothing out; exact: change no number; lossy: stay within the error")
       ->check(words(kPlanModeNames));
   command.add_option("--error", error, "error limit of a lossy plan, instead of the scene's");
@@ -83,6 +89,7 @@ void SceneOptions::apply_to(Scene& loaded) const {
   bake.sampler = value_called<Sampler>(sampler, kSamplerNames).value_or(bake.sampler);
   bake.seed = seed.value_or(bake.seed);
   if (!kind.empty()) bake.kind = find_kind(&TransferKind::word, kind);
+  if (!compress.empty()) bake.compress = {compress[0], compress[1]};
   require_degree(bake.degree);
   PlanOptions& made = loaded.plan;
   made.mode = value_called<PlanMode>(plan, kPlanModeNames).value_or(error ? PlanMode::kLossy : made.mode);
@@ -125,6 +132,16 @@ void print_estimate(const BakeJob& job) {
               {"bytes", estimate.bytes}});
 }
 
+void report_clusters(const Clusters& clusters, const TransferShape& shape, const char* of) {
+  if (clusters.empty()) return;
+  fmt::print(
+      stderr,
+      "prt: {} of {} clusters of {} vectors: {} bytes a vertex and {:.2f} MiB for all; the numbers lost {:.2g} of "
+      "themselves (rms)\n",
+      of, clusters.count(), clusters.vectors, shape.receiver_bytes(),
+      static_cast<double>(shape.stored_rows(0) * shape.row_bytes()) / 1048576.0, clusters.error);
+}
+
 void report_bake(const Transfer& transfer, const BakeReport& report) {
   for (const Decision& decision : transfer.plan.decisions) {
     fmt::print(stderr, "prt: plan: {}: {} ({:.2g}, {})\n", decision.name, decision.choice, decision.error,
@@ -136,7 +153,7 @@ void report_bake(const Transfer& transfer, const BakeReport& report) {
         "prt: {} bounces, each {:.2g} of the one before, {:.2g} left of {:.3g} (measured); matrices of {} bytes a "
         "vertex\n",
         bounces.applications, bounces.spectral_bound, bounces.residual, bounces.largest,
-        transfer.indirect_shape.stored_bytes());
+        transfer.indirect_shape.receiver_bytes());
   } else if (transfer.kind->has_bounces()) {
     std::string errors = fmt::format("certified error {:.2g} of {:.3g}", bounces.bound, bounces.largest);
     if (!transfer.emitted.empty()) {
@@ -152,6 +169,8 @@ void report_bake(const Transfer& transfer, const BakeReport& report) {
           bounces.between_vertices);
     }
   }
+  report_clusters(transfer.clusters, transfer.shape, "rows");
+  report_clusters(transfer.indirect_clusters, transfer.indirect_shape, "matrices");
   if (const auto lobe = sharpest_lobe(transfer); lobe && lobe->share < kLittleOfALobe) {
     fmt::print(stderr, "prt: degree {} holds {:.2g} % of the lobe of exponent {:g} (in squares): it shows duller\n",
                transfer.degree(), 100.0 * lobe->share, lobe->exponent);

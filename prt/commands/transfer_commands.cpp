@@ -61,15 +61,25 @@ void run_info(const std::string& file) {
   Json json = Json::parse(transfer_header(transfer));
   const Eigen::AlignedBox3f box = bounding_box(transfer.mesh.positions);
   double mean = 0.0;
-  for (std::size_t i = 0; i < transfer.coefficients.size(); i += transfer.shape.count()) {
-    mean += static_cast<double>(transfer.coefficients[i]);
+  std::vector<float> room;
+  for (std::size_t v = 0; transfer.shape.length() > 0 && v < transfer.mesh.positions.size(); ++v) {
+    const float* row = transfer.row(v, room);
+    for (std::size_t c = 0; c < transfer.shape.channels; ++c) {
+      mean += static_cast<double>(row[c * transfer.shape.count()]);
+    }
   }
   mean /= std::max<double>(1.0, static_cast<double>(transfer.mesh.positions.size() * transfer.shape.channels));
   json["file"] = std::filesystem::path(file).filename().string();
   json["bytes"] = std::filesystem::file_size(file);
   json["bounding_box"] = {json_of(transfer.mesh.frame.world(box.min())), json_of(transfer.mesh.frame.world(box.max()))};
   const bool has_matrices = transfer.kind->indirect != nullptr;
-  json["bytes_a_vertex"] = transfer.shape.stored_bytes() + (has_matrices ? transfer.indirect_shape.stored_bytes() : 0);
+  const std::size_t vertices = transfer.mesh.positions.size();
+  const std::size_t bytes =
+      transfer.shape.receiver_bytes() + (has_matrices ? transfer.indirect_shape.receiver_bytes() : 0);
+  const std::size_t all =
+      transfer.shape.stored_bytes(vertices) + (has_matrices ? transfer.indirect_shape.stored_bytes(vertices) : 0);
+  json["bytes_a_vertex"] = bytes;
+  if (all > bytes * vertices) json["bytes_of_clusters"] = all - bytes * vertices;  // shared by all vertices
   json["mean_of_first_coefficient"] = mean;
   if (const auto lobe = sharpest_lobe(transfer)) {
     json["sharpest_lobe"] = {{"exponent", lobe->exponent}, {"share_that_the_degree_holds", lobe->share}};

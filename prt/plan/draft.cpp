@@ -65,7 +65,7 @@ PlanCost Draft::cost() const {
     const bool again = measurement && (always || measurement->is_nearly_dark(v));
     rays += upward_[v] * (again ? 1.0 + measurement->blocked(v) : 1.0);
   }
-  return {static_cast<std::int64_t>(starts.size() * shape().stored_bytes()),
+  return {static_cast<std::int64_t>(shape().stored_bytes(starts.size())),
           std::llround(correction_ * rays * static_cast<double>(bake.directions))};
 }
 

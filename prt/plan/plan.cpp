@@ -77,6 +77,12 @@ Plan make_plan(Scene& scene, const std::string& instruction_set) {
         fmt::format("{}: plans with an error are for diffuse transfer; expected the plan exact or none for {}",
                     scene.name, scene.bake.kind->word));
   }
+  if (is_lossy && scene.bake.compress.clusters > 0) {
+    throw std::invalid_argument(fmt::format(
+        "{}: a plan with an error chooses how numbers are stored; expected no `compress`, or the plan exact "
+        "or none",
+        scene.name));
+  }
   Draft draft(scene, instruction_set);
   if (scene.plan.mode == PlanMode::kNone) {
     draft.plan.open.clear();

@@ -14,6 +14,7 @@
 #include "prt/basis.hpp"
 #include "prt/chunks.hpp"
 #include "prt/kinds/kinds.hpp"
+#include "prt/runtime/lit_clusters.hpp"
 #include "prt/runtime/relight.hpp"
 #include "prt/transfer/lobe.hpp"
 #include "prt/transfer/visibility.hpp"
@@ -47,6 +48,14 @@ void add_indirect(const TransferShape& shape, const float* matrices, const float
     const Eigen::Map<const Eigen::VectorXf> from(light + c * shape.columns(), columns);
     Eigen::Map<Eigen::VectorXf>(reaching + c * shape.rows(), rows) += matrix * from;
   }
+}
+
+// values (vertices, 3, bands^2) += what the rows give; light_rows(basis, count) (count, 3, bands^2) are rows under the light.
+template <class LightRows>
+void add_clusters(const Clusters& clusters, const LightRows& light_rows, std::vector<float>& values) {
+  const LitClusters lit(clusters, light_rows(clusters.basis.data(), clusters.basis.size() / clusters.length));
+  const std::size_t stride = values.size() / clusters.receivers();
+  for_vertices(clusters.receivers(), [&](std::size_t v) { lit.add_to(v, values.data() + v * stride); });
 }
 
 // sum over lobes of scale_l Y_i(direction), and its product with each channel.
@@ -91,14 +100,30 @@ TransferredRadiance::TransferredRadiance(const Transfer& transfer, const LightCo
   if (transfer.shape.meets == Meets::kNothing) return;
   const std::size_t vertices = transfer.mesh.positions.size();
   stride_ = wide.size();
-  values_.resize(vertices * stride_);
-  times_visibility(degree_, vertices, transfer.coefficients.data(), prepared_light(degree_, wide.data()),
-                   values_.data());
-  if (!transfer.indirect.empty()) {
-    for_vertices(vertices, [&](std::size_t v) {
-      const float* matrices = transfer.indirect.data() + v * transfer.indirect_shape.length();
-      add_indirect(transfer.indirect_shape, matrices, wide.data(), values_.data() + v * stride_);
+  const auto seen = [&](const float* visibility, std::size_t count) {
+    std::vector<float> out(count * stride_);
+    times_visibility(degree_, count, visibility, prepared_light(degree_, wide.data()), out.data());
+    return out;
+  };
+  const auto reflected = [&](const float* matrices, std::size_t count, std::vector<float> out) {
+    for_vertices(count, [&](std::size_t v) {
+      add_indirect(transfer.indirect_shape, matrices + v * transfer.indirect_shape.length(), wide.data(),
+                   out.data() + v * stride_);
     });
+    return out;
+  };
+  if (transfer.clusters.empty()) {
+    values_ = seen(transfer.coefficients.data(), vertices);
+  } else {
+    values_.assign(vertices * stride_, 0.0F);
+    add_clusters(transfer.clusters, seen, values_);
+  }
+  if (!transfer.indirect.empty()) values_ = reflected(transfer.indirect.data(), vertices, std::move(values_));
+  if (!transfer.indirect_clusters.empty()) {
+    const auto alone = [&](const float* matrices, std::size_t count) {
+      return reflected(matrices, count, std::vector<float>(count * stride_, 0.0F));
+    };
+    add_clusters(transfer.indirect_clusters, alone, values_);
   }
   if (!std::all_of(values_.begin(), values_.end(), [](float value) { return std::isfinite(value); })) {
     throw std::runtime_error(

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "prt/chunks.hpp"
+#include "prt/runtime/lit_clusters.hpp"
 #include "prt/runtime/row_products.hpp"
 
 namespace sh::prt {
@@ -79,6 +80,21 @@ void for_ranges(const Transfer& transfer, const RowProducts& rows, const Work& w
   });
 }
 
+/// Calls give(vertex, sum) with the sums of every vertex, (3), of transfer whose rows are clustered, in parallel.
+template <class Give>
+void for_clustered(const Transfer& transfer, RowProducts rows, const Give& give) {
+  const Clusters& clusters = transfer.clusters;
+  rows.transfer = clusters.basis.data();
+  std::vector<float> lit(clusters.basis.size() / clusters.length * 3);
+  row_products_here().back().color(rows, lit.size() / 3, nullptr, lit.data());
+  const LitClusters products(clusters, lit);
+  for_vertices(clusters.receivers(), [&](std::size_t v) {
+    Eigen::Vector3f sums = Eigen::Vector3f::Zero();
+    products.add_to(v, sums.data());
+    give(v, sums);
+  });
+}
+
 /// `colours` serve transfer without the albedo.
 void relight_with(const Transfer& transfer, const LightCoefficients& light, std::span<const Eigen::Vector3f> colors,
                   std::span<Eigen::Vector3f> radiance) {
@@ -87,6 +103,13 @@ void relight_with(const Transfer& transfer, const LightCoefficients& light, std:
   require_count(colors.size(), transfer, "colors");
   require_count(radiance.size(), transfer, "radiances");
   const std::vector<float> values = in_float(light);
+  if (!transfer.clusters.empty()) {
+    for_clustered(transfer, row_products(transfer, values), [&](std::size_t v, const Eigen::Vector3f& sums) {
+      radiance[v] = transfer.shape.holds_albedo ? sums : Eigen::Vector3f(sums.cwiseProduct(colors[v]));
+      if (!transfer.emitted.empty()) radiance[v] += transfer.emitted[v];
+    });
+    return;
+  }
   for_ranges(transfer, row_products(transfer, values), [&](const RowProducts& rows, std::size_t first, std::size_t n) {
     row_products_here().back().color(rows, n, transfer.shape.holds_albedo ? nullptr : colors[first].data(),
                                      radiance[first].data());
@@ -162,7 +185,8 @@ Eigen::Vector3f relight_vertex(const Transfer& transfer, std::size_t vertex, con
   require_no_albedo(transfer);
   const std::vector<float> values = in_float(light);
   RowProducts rows = row_products(transfer, values);
-  rows.transfer = transfer.row(vertex);
+  std::vector<float> room;
+  rows.transfer = transfer.row(vertex, room);
   Eigen::Vector3f radiance;
   row_products_here().back().color(rows, 1, color.data(), radiance.data());
   return transfer.emitted.empty() ? radiance : Eigen::Vector3f(radiance + transfer.emitted[vertex]);
@@ -177,6 +201,10 @@ std::vector<float> relight_gray(const Transfer& transfer, const LightCoefficient
   all.light_step = 0;
   all.sums = 1;
   std::vector<float> radiance(transfer.mesh.positions.size());
+  if (!transfer.clusters.empty()) {
+    for_clustered(transfer, all, [&](std::size_t v, const Eigen::Vector3f& sums) { radiance[v] = sums[0]; });
+    return radiance;
+  }
   for_ranges(transfer, all, [&](const RowProducts& rows, std::size_t first, std::size_t n) {
     row_products_here().back().gray(rows, n, &radiance[first]);
   });

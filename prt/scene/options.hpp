@@ -31,7 +31,8 @@ struct BakeOptions {
   Sampler sampler = Sampler::kFibonacci;
   std::uint32_t seed = 0;  // of the sampler, 0..kMaxSeed
   const TransferKind* kind = &kShadowed;
-  BounceOptions bounces = {};  // interreflected only
+  BounceOptions bounces = {};   // interreflected only
+  ClusterCounts compress = {};  // without clusters: rows as they are
 };
 
 /// The rotations that the declared lights, as a whole, may later get.

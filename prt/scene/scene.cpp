@@ -78,7 +78,7 @@ Camera read_camera(const JsonReader& reader, const Camera& otherwise) {
 }
 
 BakeOptions read_bake_options(const JsonReader& reader) {
-  reader.allow({"degree", "directions", "sampler", "seed", "transfer", "tolerance"});
+  reader.allow({"degree", "directions", "sampler", "seed", "transfer", "tolerance", "compress"});
   BakeOptions options;
   reader.take("degree", options.degree, &JsonReader::integer, 0, kMaxDegree);
   reader.take("directions", options.directions, &JsonReader::integer, 1, kMaxDirections);
@@ -87,6 +87,11 @@ BakeOptions read_bake_options(const JsonReader& reader) {
   reader.take("tolerance", options.bounces.tolerance, &JsonReader::number, 1e-9, 1.0, "a number from 1e-9 to 1");
   reader.take("transfer", options.kind, [](const JsonReader& value) {
     return find_kind(&TransferKind::word, value.one_of(kind_names(&TransferKind::word)));
+  });
+  reader.take("compress", options.compress, [](const JsonReader& value) {
+    value.allow({"clusters", "vectors"});
+    return ClusterCounts{static_cast<std::uint32_t>(value.at("clusters").integer(1, kMostClusters)),
+                         static_cast<std::uint32_t>(value.at("vectors").integer(0, kMostVectors))};
   });
   return options;
 }

@@ -22,7 +22,7 @@ StudyPoint stored(const StudySetup& setup, Element element, int degree, const Ra
   TransferShape shape = kShadowed.shape(degree);
   shape.storage.element = element;
   const TransferRows back{degree, decode(encode(truncated(setup.reference, degree).values, shape), shape)};
-  const auto bytes = static_cast<double>(shape.stored_bytes());
+  const auto bytes = static_cast<double>(shape.row_bytes());
   return {.at = bytes,
           .error = radiance_error(setup.vertices, setup.relit(back, setup.light, degree), reference),
           .coefficient_error = coefficient_error(back, setup.reference),

@@ -32,13 +32,19 @@ constexpr std::size_t bytes_of(Element element) {
   return element == Element::kSingle ? 4 : element == Element::kHalf ? 2 : 1;
 }
 
-/// The numbers of a row that a file keeps, and their type; prt/transfer/storage.hpp encodes them.
+/// The numbers of a row that a file keeps, and their type; prt/transfer/storage.hpp encodes them. The rows are those of
+/// the receivers, or the means and vectors of clusters that the receivers mix (prt/transfer/clusters.hpp).
 struct Storage {
   Element element = Element::kSingle;
   bool one_channel = false;         // one channel is stored for all channels, which are equal
   std::vector<std::uint32_t> kept;  // columns, ascending; empty: all. No light may need the others
+  std::uint32_t clusters = 0;       // 0: a row for each receiver
+  std::uint32_t vectors = 0;        // of a cluster, besides its mean; a receiver has so many 8-bit weights
+  [[nodiscard]] bool is_clustered() const { return clusters > 0; }
   /// True if the file stores every number as in memory.
-  [[nodiscard]] bool is_plain() const { return element == Element::kSingle && !one_channel && kept.empty(); }
+  [[nodiscard]] bool is_plain() const {
+    return element == Element::kSingle && !one_channel && kept.empty() && !is_clustered();
+  }
 };
 
 enum class Meets : std::uint32_t { kDot = 0, kOperator = 1, kNothing = 2 };
@@ -63,11 +69,24 @@ struct TransferShape {
   /// The count of numbers in memory: of a channel, and of a receiver.
   [[nodiscard]] std::size_t count() const { return rows() * columns(); }
   [[nodiscard]] std::size_t length() const { return channels * count(); }
-  /// The count of numbers of a receiver in a file, and their bytes.
+  /// The count of numbers of a row in a file, and their bytes.
   [[nodiscard]] std::size_t stored_length() const {
     return (storage.one_channel ? 1 : channels) * rows() * (storage.kept.empty() ? columns() : storage.kept.size());
   }
-  [[nodiscard]] std::size_t stored_bytes() const { return stored_length() * bytes_of(storage.element); }
+  [[nodiscard]] std::size_t row_bytes() const { return stored_length() * bytes_of(storage.element); }
+  /// The rows of a file with so many receivers.
+  [[nodiscard]] std::size_t stored_rows(std::size_t receivers) const {
+    return storage.is_clustered() ? std::size_t{storage.clusters} * (1 + storage.vectors) : receivers;
+  }
+  /// The bytes that a file has for each receiver alone: its row, or its cluster and weights.
+  [[nodiscard]] std::size_t receiver_bytes() const {
+    return storage.is_clustered() ? sizeof(std::uint16_t) + storage.vectors : row_bytes();
+  }
+  /// The bytes that a file has for all receivers.
+  [[nodiscard]] std::size_t stored_bytes(std::size_t receivers) const {
+    const std::size_t shared = storage.is_clustered() ? stored_rows(receivers) * row_bytes() : 0;
+    return receivers * receiver_bytes() + shared;
+  }
 };
 
 /// True if both shapes have the same numbers with the same meaning, whatever their storage.

@@ -16,6 +16,7 @@
 #include "prt/kinds/kinds.hpp"
 #include "prt/mesh/mesh.hpp"
 #include "prt/names.hpp"
+#include "prt/transfer/clusters.hpp"
 
 namespace sh::prt {
 
@@ -77,17 +78,19 @@ struct Transfer {
   std::string scene;  // the scene's name, for people
   Mesh mesh;
   const TransferKind* kind = &kUnshadowed;
-  TransferShape shape;           // of a vertex's numbers; `storage` applies to files only, in memory they are complete
+  TransferShape shape;  // of a vertex's numbers; `element` and `kept` apply to files, in memory rows are complete
   std::uint32_t directions = 0;  // over the whole sphere; 0 where no ray was traced
   Sampler sampler = Sampler::kFibonacci;
   std::uint32_t seed = 0;           // of the sampler
   std::string instruction_set;      // on which the bits are reproducible
   BounceReport bounces;             // of kinds with bounces
   std::vector<float> coefficients;  // (vertices, channels, rows, columns), row-major; columns i = l(l+1)+m
+  Clusters clusters;                // in place of `coefficients` where shape.storage is clustered
   TransferShape indirect_shape;     // of the matrices, where the kind has them: dot
   /// Matrices that bring the light to a vertex over other surfaces, (vertices, channels, rows, columns): they add to the
   /// radiance that reaches it directly. One channel where every material is gray. Empty where the kind has none.
   std::vector<float> indirect;
+  Clusters indirect_clusters;  // in place of `indirect` where indirect_shape.storage is clustered
   /// Linear RGB exit radiance of the light that surfaces emit, with its bounces, (vertices); empty if no surface emits.
   std::vector<Eigen::Vector3f> emitted;
   PlanRecord plan;  // decisions of the bake
@@ -104,6 +107,13 @@ struct Transfer {
   /// The numbers of a vertex.
   [[nodiscard]] float* row(std::size_t vertex) { return coefficients.data() + vertex * shape.length(); }
   [[nodiscard]] const float* row(std::size_t vertex) const { return coefficients.data() + vertex * shape.length(); }
+  /// The same where they may be clustered: they are then made in `room`.
+  [[nodiscard]] const float* row(std::size_t vertex, std::vector<float>& room) const {
+    if (clusters.empty()) return row(vertex);
+    room.resize(shape.length());
+    clusters.row(vertex, room.data());
+    return room.data();
+  }
 };
 
 }  // namespace sh::prt

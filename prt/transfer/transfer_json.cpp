@@ -119,16 +119,30 @@ Enumeration value_from(const nlohmann::json& json, const std::array<std::string_
   return *value;
 }
 
+// The counts of clusters, if the header has any.
+void take_clusters(const nlohmann::json& json, Storage& storage) {
+  if (!json.contains("clusters")) return;
+  storage.clusters = whole_from<std::uint32_t>(json["clusters"], 1, kMostClusters);
+  storage.vectors = whole_from<std::uint32_t>(json.at("vectors"), 0, kMostVectors);
+}
+
+void put_clusters(const Storage& storage, Json& json) {
+  if (!storage.is_clustered()) return;
+  json["clusters"] = storage.clusters;
+  json["vectors"] = storage.vectors;
+}
+
 Storage storage_from(const nlohmann::json& json, std::size_t columns) {
   const auto element = value_called<Element>(json.at("element").get<std::string>(), kElementNames);
   Storage storage;
   storage.one_channel = json.at("one_channel").get<bool>();
   for (const nlohmann::json& column : json.at("kept")) storage.kept.push_back(whole_from<std::uint32_t>(column));
   const bool rises = std::is_sorted(storage.kept.begin(), storage.kept.end(), std::less_equal<>());
-  if (!element || !rises || (!storage.kept.empty() && storage.kept.back() >= columns)) {
+  if (!element || !rises || columns == 0 || (!storage.kept.empty() && storage.kept.back() >= columns)) {
     throw std::invalid_argument(kBadStorage);
   }
   storage.element = *element;
+  take_clusters(json, storage);
   return storage;
 }
 
@@ -179,6 +193,7 @@ void put_indirect(const TransferShape& shape, Json& header) {
                         {"rows", shape.rows()},
                         {"columns", shape.columns()},
                         {"element", word_of(shape.storage.element, kElementNames)}};
+  put_clusters(shape.storage, header["indirect"]);
 }
 
 TransferShape indirect_from(const nlohmann::json& json, const TransferKind& kind, int degree) {
@@ -192,6 +207,7 @@ TransferShape indirect_from(const nlohmann::json& json, const TransferKind& kind
                     json.at("channels").dump(), json.at("rows").dump(), json.at("columns").dump(),
                     json.at("element").dump(), shape.rows(), shape.columns(), element));
   }
+  take_clusters(json, shape.storage);
   return shape;
 }
 
@@ -230,9 +246,11 @@ void put_shortfall(const Shortfall& missing, Json& header) {
 }  // namespace
 
 Json to_json(const Storage& storage) {
-  return {{"element", word_of(storage.element, kElementNames)},
-          {"one_channel", storage.one_channel},
-          {"kept", storage.kept}};
+  Json json = {{"element", word_of(storage.element, kElementNames)},
+               {"one_channel", storage.one_channel},
+               {"kept", storage.kept}};
+  put_clusters(storage, json);
+  return json;
 }
 
 Json to_json(const PlanRecord& plan) {
@@ -266,8 +284,10 @@ std::string transfer_header(const Transfer& transfer) {
   }
   if (transfer.kind->has_bounces()) header["bounces"] = to_json(transfer.bounces);
   if (transfer.kind->indirect != nullptr) put_indirect(transfer.indirect_shape, header);
+  if (!transfer.indirect_clusters.empty()) header["indirect"]["error"] = transfer.indirect_clusters.error;
   put_shortfall(transfer.missing, header);
   if (!transfer.shape.storage.is_plain()) header["storage"] = to_json(transfer.shape.storage);
+  if (!transfer.clusters.empty()) header["storage"]["error"] = transfer.clusters.error;
   if (!transfer.plan.decisions.empty()) header["plan"] = to_json(transfer.plan);
   return header.dump(2, ' ', false, Json::error_handler_t::replace);  // names of files may be no UTF-8
 }
@@ -285,6 +305,10 @@ void take_header(const nlohmann::json& header, std::uint32_t version, TransferKi
   if (transfer.kind->has_bounces()) transfer.bounces = bounces_from(header.at("bounces"));
   if (transfer.kind->indirect != nullptr) {
     transfer.indirect_shape = indirect_from(header.at("indirect"), *transfer.kind, transfer.degree());
+  }
+  if (transfer.shape.storage.is_clustered()) transfer.clusters.error = amount_from(header["storage"].at("error"));
+  if (transfer.indirect_shape.storage.is_clustered()) {
+    transfer.indirect_clusters.error = amount_from(header["indirect"].at("error"));
   }
   if (header.contains("plan")) transfer.plan = plan_from(header.at("plan"));
   transfer.directions = whole_from<std::uint32_t>(header.at("directions"));

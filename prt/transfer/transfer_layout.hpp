@@ -47,11 +47,14 @@ inline constexpr std::uint32_t kFloat = 0;  // IEEE binary32
 inline constexpr std::uint32_t kIndex = 1;  // unsigned, 32 bits
 inline constexpr std::uint32_t kHalf = 2;   // IEEE binary16
 inline constexpr std::uint32_t kByte = 3;   // signed, 8 bits
+inline constexpr std::uint32_t kSmall = 4;  // unsigned, 16 bits
 
 static_assert(sizeof(Prologue) == 48 && sizeof(Section) == 40);
 
 /// The bytes of an element of one of the types above.
-constexpr std::uint64_t size_of(std::uint32_t type) { return type == kByte ? 1 : type == kHalf ? 2 : 4; }
+constexpr std::uint64_t size_of(std::uint32_t type) {
+  return type == kByte ? 1 : type == kHalf || type == kSmall ? 2 : 4;
+}
 
 /// The type of the section `transfer`.
 constexpr std::uint32_t type_of(Element element) {
@@ -62,45 +65,68 @@ constexpr std::uint64_t bytes_of(const Section& section) {
   return section.rows * section.columns * size_of(section.type);
 }
 
-enum class Rows { kVertices, kOne, kOther };
-enum class Presence { kAlways, kOptional };
+/// The rows of a section; stored: one a vertex, or those of the clusters.
+enum class Rows { kVertices, kStored, kOne, kOther };
+enum class Presence { kAlways, kOptional, kNever };
 
-/// A section of a file. Sections stand in the order of kSections; optional ones may be left out, and so is `transfer`
-/// where a vertex stores nothing.
+/// A section of a file. Sections stand in the order of kSections; presence_of() tells which a transfer has.
 struct Kind {
   std::string_view name;
   std::uint32_t type;     // for `transfer`, the header may name another type
-  std::uint32_t columns;  // 0: as many as a vertex stores
+  std::uint32_t columns;  // 0: as many as a row has, or weights
   Rows rows;
   Presence presence;
 };
-inline constexpr std::array<Kind, 13> kSections = {{{"position", kFloat, 3, Rows::kVertices, Presence::kAlways},
+inline constexpr std::array<Kind, 17> kSections = {{{"position", kFloat, 3, Rows::kVertices, Presence::kAlways},
                                                     {"normal", kFloat, 3, Rows::kVertices, Presence::kAlways},
                                                     {"geonorm", kFloat, 3, Rows::kVertices, Presence::kAlways},
                                                     {"albedo", kFloat, 3, Rows::kVertices, Presence::kAlways},
                                                     {"face", kIndex, 3, Rows::kOther, Presence::kAlways},
                                                     {"remap", kIndex, 1, Rows::kOther, Presence::kAlways},
-                                                    {"transfer", kFloat, 0, Rows::kVertices, Presence::kAlways},
+                                                    {"transfer", kFloat, 0, Rows::kStored, Presence::kAlways},
                                                     {"emitted", kFloat, 3, Rows::kVertices, Presence::kOptional},
                                                     {"scale", kFloat, 0, Rows::kOne, Presence::kOptional},
                                                     {"mirror", kFloat, 3, Rows::kVertices, Presence::kOptional},
                                                     {"specular", kFloat, 3, Rows::kVertices, Presence::kOptional},
                                                     {"exponent", kFloat, 1, Rows::kVertices, Presence::kOptional},
-                                                    {"indirect", kHalf, 0, Rows::kVertices, Presence::kOptional}}};
+                                                    {"indirect", kHalf, 0, Rows::kStored, Presence::kAlways},
+                                                    {"cluster", kSmall, 1, Rows::kVertices, Presence::kAlways},
+                                                    {"weight", kByte, 0, Rows::kVertices, Presence::kAlways},
+                                                    {"icluster", kSmall, 1, Rows::kVertices, Presence::kAlways},
+                                                    {"iweight", kByte, 0, Rows::kVertices, Presence::kAlways}}};
 
-/// True for the section `transfer` of a shape without numbers.
-inline bool stores_nothing(const Kind& kind, const TransferShape& shape) {
-  return kind.name == "transfer" && shape.stored_length() == 0;
+constexpr bool is_weight(const Kind& kind) { return kind.name.ends_with("weight"); }
+constexpr bool is_of_clusters(const Kind& kind) { return is_weight(kind) || kind.name.ends_with("cluster"); }
+constexpr bool is_of_indirect(const Kind& kind) { return kind.name.starts_with('i'); }
+
+/// The shape of the numbers that a section belongs to.
+inline const TransferShape& shape_of(const Kind& kind, const Transfer& transfer) {
+  return is_of_indirect(kind) ? transfer.indirect_shape : transfer.shape;
 }
 
 /// The columns of a section of this transfer, whose shapes are known.
 inline std::uint64_t columns_of(const Kind& kind, const Transfer& transfer) {
   if (kind.columns != 0) return kind.columns;
-  return kind.name == "indirect" ? transfer.indirect_shape.stored_length() : transfer.shape.stored_length();
+  const TransferShape& shape = shape_of(kind, transfer);
+  return is_weight(kind) ? shape.storage.vectors : shape.stored_length();
 }
 
-/// Calls visit(items) for the contents of every section, in the order of kSections. `encoded` holds the coefficients if
-/// their storage is not plain, `indirect` the matrices.
+/// Whether a file of this transfer, whose shapes are known, has a section. It has none without columns.
+inline Presence presence_of(const Kind& kind, const Transfer& transfer) {
+  const bool has_part = !is_of_indirect(kind) || transfer.kind->indirect != nullptr;
+  const bool has_clusters = !is_of_clusters(kind) || shape_of(kind, transfer).storage.is_clustered();
+  return has_part && has_clusters && columns_of(kind, transfer) > 0 ? kind.presence : Presence::kNever;
+}
+
+/// The rows of a section of this transfer with so many vertices; those of Rows::kOther are as many as `otherwise`.
+inline std::uint64_t rows_of(const Kind& kind, const Transfer& transfer, std::uint64_t vertices,
+                             std::uint64_t otherwise) {
+  if (kind.rows == Rows::kStored) return shape_of(kind, transfer).stored_rows(vertices);
+  return kind.rows == Rows::kVertices ? vertices : kind.rows == Rows::kOne ? 1 : otherwise;
+}
+
+/// Calls visit(items) for the contents of every section, in the order of kSections. `encoded` holds the rows of the
+/// coefficients if their storage is not plain, `indirect` those of the matrices.
 template <class AnyTransfer, class AnyEncoded, class Visit>
 void each_section(AnyTransfer& transfer, AnyEncoded& encoded, AnyEncoded& indirect, const Visit& visit) {
   visit(transfer.mesh.positions);
@@ -116,6 +142,10 @@ void each_section(AnyTransfer& transfer, AnyEncoded& encoded, AnyEncoded& indire
   visit(transfer.mesh.specular);
   visit(transfer.mesh.exponent);
   visit(indirect.data);
+  visit(transfer.clusters.cluster);
+  visit(transfer.clusters.weights);
+  visit(transfer.indirect_clusters.cluster);
+  visit(transfer.indirect_clusters.weights);
 }
 
 /// A name in the form of the table.

@@ -118,35 +118,33 @@ class Reader {
         fail(fmt::format("transfer file with a section `{}`, which is unknown or out of place",
                          layout::readable(section.name)));
       }
-      check_left_out(next, kind, transfer.shape);
+      check_left_out(next, kind, transfer);
       check_section(*kind, section, offset, transfer);
       offset += bytes_of(section);
       next = kind + 1;
     }
-    check_left_out(next, layout::kSections.end(), transfer.shape);
+    check_left_out(next, layout::kSections.end(), transfer);
     if (offset != size_) fail("damaged transfer file: bytes after its last section");
   }
 
-  void check_left_out(const layout::Kind* first, const layout::Kind* last, const TransferShape& shape) const {
+  void check_left_out(const layout::Kind* first, const layout::Kind* last, const Transfer& transfer) const {
     const auto* missing = std::find_if(first, last, [&](const layout::Kind& kind) {
-      return kind.presence == layout::Presence::kAlways && !layout::stores_nothing(kind, shape);
+      return layout::presence_of(kind, transfer) == layout::Presence::kAlways;
     });
     if (missing != last) fail(fmt::format("damaged transfer file: section {} is missing", missing->name));
   }
 
   void check_section(const layout::Kind& kind, const layout::Section& section, std::uint64_t offset,
                      const Transfer& transfer) const {
-    if (layout::stores_nothing(kind, transfer.shape)) fail("damaged transfer file: section transfer does not fit");
-    if (kind.name == "indirect" && transfer.kind->indirect == nullptr) {
-      fail(fmt::format("transfer file of kind {} with a section indirect, which it does not have",
-                       transfer.kind->letters));
+    if (layout::presence_of(kind, transfer) == layout::Presence::kNever) {
+      fail(fmt::format("transfer file of kind {} with a section {}, which it does not have", transfer.kind->letters,
+                       kind.name));
     }
     const std::uint64_t columns = layout::columns_of(kind, transfer);
     const std::uint32_t type = kind.name == "transfer" ? layout::type_of(transfer.shape.storage.element) : kind.type;
     if (section.type != type || section.columns != columns || section.offset != offset ||
         section.rows > (size_ - offset) / (columns * layout::size_of(section.type)) ||
-        (kind.rows == layout::Rows::kVertices && section.rows != table_[0].rows) ||
-        (kind.rows == layout::Rows::kOne && section.rows != 1)) {
+        section.rows != layout::rows_of(kind, transfer, table_[0].rows, section.rows)) {
       fail(fmt::format("damaged transfer file: section {} does not fit", kind.name));
     }
   }
@@ -171,10 +169,22 @@ class Reader {
     layout::each_section(transfer, encoded, indirect, [&](auto& items) { fetch_section(*kind++, items); });
     check_scale(transfer, encoded);
     if (transfer.kind->indirect != nullptr) {
-      if (indirect.data.empty()) fail("damaged transfer file: section indirect is missing");
-      transfer.indirect = decode(indirect, transfer.indirect_shape);
+      take_rows(indirect, transfer.indirect_shape, transfer.indirect, transfer.indirect_clusters);
     }
-    if (!transfer.shape.storage.is_plain()) transfer.coefficients = decode(encoded, transfer.shape);
+    if (!transfer.shape.storage.is_plain()) {
+      take_rows(encoded, transfer.shape, transfer.coefficients, transfer.clusters);
+    }
+  }
+
+  static void take_rows(const Encoded& encoded, const TransferShape& shape, std::vector<float>& numbers,
+                        Clusters& clusters) {
+    if (!shape.storage.is_clustered()) {
+      numbers = decode(encoded, shape);
+      return;
+    }
+    clusters.length = shape.length();
+    clusters.vectors = shape.storage.vectors;
+    clusters.basis = decode(encoded, shape);
   }
 
   void check_scale(const Transfer& transfer, const Encoded& encoded) const {

@@ -30,6 +30,24 @@ bool names_vertices(const Mesh& mesh) {
          all(mesh.remap, [&](std::uint32_t v) { return v == kNoVertex || is_vertex(v); });
 }
 
+// What no bake makes; empty if there is nothing. No weights of -1 to 1 lead out of single precision.
+std::string flaw_of(const Clusters& clusters) {
+  if (clusters.empty()) return {};
+  const std::size_t count = clusters.count();
+  if (!all(clusters.cluster, [&](std::uint16_t c) { return c < count; })) return "it names a cluster that is not there";
+  if (!all(clusters.weights, [](std::int8_t weight) { return weight >= -Clusters::kSteps; })) {
+    return "a weight is below -127";
+  }
+  const std::size_t length = clusters.length;
+  std::vector<float> sums(length);
+  for (std::size_t row = 0; row * length < clusters.basis.size(); ++row) {
+    if (row % (1 + clusters.vectors) == 0) std::fill(sums.begin(), sums.end(), 0.0F);
+    for (std::size_t i = 0; i < length; ++i) sums[i] += std::abs(clusters.basis[row * length + i]);
+    if (!all(sums, [](float sum) { return std::isfinite(sum); })) return "a transfer coefficient is not finite";
+  }
+  return {};
+}
+
 }  // namespace
 
 std::string flaw_of_values(const Transfer& transfer) {
@@ -47,7 +65,8 @@ std::string flaw_of_values(const Transfer& transfer) {
       !all(transfer.indirect, [](float value) { return std::isfinite(value); }) || !all(transfer.emitted, is_finite)) {
     return "a transfer coefficient is not finite";
   }
-  return {};
+  const std::string flaw = flaw_of(transfer.clusters);
+  return flaw.empty() ? flaw_of(transfer.indirect_clusters) : flaw;
 }
 
 }  // namespace sh::prt

@@ -15,18 +15,32 @@ namespace {
 
 constexpr std::size_t kHeaderUnit = 16;
 
+// True if the numbers of so many vertices, or their clusters, are as many as the shape says.
+bool fit(const std::vector<float>& numbers, const Clusters& clusters, const TransferShape& shape,
+         std::size_t vertices) {
+  if (!shape.storage.is_clustered()) return clusters.empty() && numbers.size() == vertices * shape.length();
+  return numbers.empty() && clusters.receivers() == vertices && clusters.length == shape.length() &&
+         clusters.vectors == shape.storage.vectors && clusters.weights.size() == vertices * clusters.vectors &&
+         clusters.basis.size() == shape.stored_rows(vertices) * shape.length();
+}
+
 void check_lengths(const Transfer& transfer) {
   const Mesh& mesh = transfer.mesh;
   const std::size_t vertices = mesh.positions.size();
   if (mesh.normals.size() != vertices || mesh.geometric_normals.size() != vertices || mesh.albedo.size() != vertices ||
-      transfer.coefficients.size() != vertices * transfer.shape.length() ||
-      transfer.indirect.size() !=
-          (transfer.kind->indirect != nullptr ? vertices * transfer.indirect_shape.length() : 0) ||
+      !fit(transfer.coefficients, transfer.clusters, transfer.shape, vertices) ||
+      (transfer.kind->indirect != nullptr
+           ? !fit(transfer.indirect, transfer.indirect_clusters, transfer.indirect_shape, vertices)
+           : !transfer.indirect.empty()) ||
       (!transfer.emitted.empty() && transfer.emitted.size() != vertices) ||
       (!mesh.mirror.empty() && mesh.mirror.size() != vertices) ||
       (!mesh.specular.empty() && mesh.specular.size() != vertices) || mesh.exponent.size() != mesh.specular.size()) {
     throw std::invalid_argument("transfer: its arrays differ in length, expected one entry a vertex in each");
   }
+}
+
+Encoded encode_rows(const std::vector<float>& numbers, const Clusters& clusters, const TransferShape& shape) {
+  return encode(shape.storage.is_clustered() ? clusters.basis : numbers, shape);
 }
 
 struct Contents {
@@ -40,9 +54,7 @@ Contents contents_of(const Transfer& transfer, const Encoded& encoded, const Enc
   const auto* kind = layout::kSections.begin();
   layout::each_section(transfer, encoded, indirect, [&](const auto& items) {
     const layout::Kind& known = *kind++;
-    const bool may_miss =
-        known.presence == layout::Presence::kOptional || layout::stores_nothing(known, transfer.shape);
-    if (may_miss && items.empty()) return;
+    if (layout::presence_of(known, transfer) != layout::Presence::kAlways && items.empty()) return;
     layout::Section section;
     section.name = layout::padded(known.name);
     section.type = known.name == "transfer" ? layout::type_of(transfer.shape.storage.element) : known.type;
@@ -64,9 +76,13 @@ void write_transfer(const std::string& path, const Transfer& transfer) {
   const std::string flaw = flaw_of_values(transfer);  // a reader would refuse the file
   if (!flaw.empty()) throw std::invalid_argument(path + ": cannot write: " + flaw);
   Encoded encoded;
-  if (!transfer.shape.storage.is_plain()) encoded = encode(transfer.coefficients, transfer.shape);
+  if (!transfer.shape.storage.is_plain()) {
+    encoded = encode_rows(transfer.coefficients, transfer.clusters, transfer.shape);
+  }
   Encoded indirect;
-  if (!transfer.indirect.empty()) indirect = encode(transfer.indirect, transfer.indirect_shape);
+  if (transfer.kind->indirect != nullptr) {
+    indirect = encode_rows(transfer.indirect, transfer.indirect_clusters, transfer.indirect_shape);
+  }
   auto [table, data] = contents_of(transfer, encoded, indirect);
   std::string header = transfer_header(transfer);
   header.resize((header.size() + kHeaderUnit - 1) / kHeaderUnit * kHeaderUnit, ' ');

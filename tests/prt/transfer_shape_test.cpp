@@ -31,7 +31,7 @@ TEST(TransferShape, CountsTheNumbersOfVectorsMatricesAndOperators) {
   matrix.storage.element = Element::kHalf;
   matrix.storage.kept = {0, 6};
   EXPECT_EQ(matrix.stored_length(), 50U);
-  EXPECT_EQ(matrix.stored_bytes(), 100U);
+  EXPECT_EQ(matrix.row_bytes(), 100U);
 }
 
 TEST(TransferShape, KeepsColumnsInEveryRowOfAMatrixWhenItIsStored) {
