@@ -65,7 +65,7 @@ PlanCost Draft::cost() const {
     const bool again = measurement && (always || measurement->is_nearly_dark(v));
     rays += upward_[v] * (again ? 1.0 + measurement->blocked(v) : 1.0);
   }
-  return {static_cast<std::int64_t>(shape().stored_bytes(starts.size())),
+  return {static_cast<std::int64_t>(stored_shape().stored_bytes(starts.size())),
           std::llround(correction_ * rays * static_cast<double>(bake.directions))};
 }
 
@@ -73,6 +73,15 @@ TransferShape Draft::shape() const {
   TransferShape shape = bake.kind->shape(bake.degree);
   shape.storage = plan.storage;
   return shape;
+}
+
+TransferShape Draft::stored_shape() const {
+  TransferShape stored = shape();
+  if (asked.compress.clusters == 0 || asked.kind->indirect != nullptr) return stored;
+  stored.storage.element = Element::kHalf;
+  stored.storage.clusters = static_cast<std::uint32_t>(std::min<std::size_t>(asked.compress.clusters, starts.size()));
+  stored.storage.vectors = static_cast<std::uint32_t>(std::min<std::size_t>(asked.compress.vectors, stored.length()));
+  return stored;
 }
 
 std::size_t Draft::traced() const { return std::count(plan.open.begin(), plan.open.end(), 0); }

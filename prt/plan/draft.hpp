@@ -49,6 +49,8 @@ struct Draft {
   /// The shape of a vertex's numbers after the decisions so far; count() is per channel.
   [[nodiscard]] TransferShape shape() const;
   [[nodiscard]] std::size_t count() const { return shape().count(); }
+  /// The same as a file stores it: with the clusters that the scene asks for.
+  [[nodiscard]] TransferShape stored_shape() const;
   [[nodiscard]] std::size_t traced() const;  // vertices that need rays
   [[nodiscard]] bool has_mirrors() const { return !scene.mesh.mirror.empty(); }
   [[nodiscard]] bool shines() const { return !scene.mesh.emission.empty(); }

@@ -43,6 +43,45 @@ TEST(PlanTool, BakesByThePlanAndTheFileSaysSo) {
   expect_refused({"relight", planned, "--light", sun, "-o", folder.file("b.ply")}, "--without symmetry");
 }
 
+TEST(PlanTool, StoresRowsAsClustersWhenToldTo) {
+  const TemporaryFolder folder;
+  const std::string file = folder.file("clusters.transfer");
+  const Finished run = succeeded(joined(kSmall, {"-o", file, "--compress", "7", "3"}));
+  EXPECT_NE(run.err.find("prt: rows of 7 clusters of 3 vectors: 5 bytes a vertex and "), std::string::npos) << run.err;
+  const auto info = printed({"info", file});
+  EXPECT_EQ(info["bytes_a_vertex"], 5);
+  EXPECT_EQ(info["storage"]["clusters"], 7);
+  EXPECT_EQ(info["storage"]["vectors"], 3);
+  EXPECT_LT(info["storage"]["error"].get<double>(), 0.2);
+  const std::string plain = folder.file("plain.transfer");
+  succeeded(joined(kSmall, {"-o", plain, "--compress", "0", "0"}));
+  EXPECT_FALSE(printed({"info", plain}).contains("storage"));
+  const auto difference = printed({"compare", plain, file, "-o", folder.file("errors.png")});
+  EXPECT_GT(difference["relative_rms"].get<double>(), 0.0);
+  EXPECT_LT(difference["relative_rms"].get<double>(), 0.1);
+  EXPECT_NEAR(info["mean_of_first_coefficient"].get<double>(),
+              printed({"info", plain})["mean_of_first_coefficient"].get<double>(), 1e-3);
+  const auto plan = printed({"plan", "demo", "--degree", "2", "--plan", "exact", "--compress", "7", "3", "--json"});
+  EXPECT_EQ(plan["bytes"]["planned"], info["vertices"].get<int>() * 5 + info["bytes_of_clusters"].get<int>());
+  succeeded({"relight", file, "-o", folder.file("a.ply")});
+  succeeded({"render", file, "-o", folder.file("a.png"), "--width", "32", "--height", "32"});
+}
+
+TEST(PlanTool, RefusesClustersThatItCannotMake) {
+  const TemporaryFolder folder;
+  const std::string out = folder.file("no.transfer");
+  const auto refuses = [&](const std::string& clusters, const std::string& vectors, const std::string& what) {
+    expect_refused(joined(kSmall, {"-o", out, "--compress", clusters, vectors}), what);
+  };
+  refuses("4097", "8", "compress: expected 1 to 4096 clusters of 0 to 64 vectors, got 4097 of 8");
+  refuses("4", "65", "got 4 of 65");
+  refuses("-4", "8", "--compress");
+  refuses("4", "x", "--compress");
+  expect_refused(joined(kSmall, {"-o", out, "--compress", "8", "4", "--error", "0.05"}), "expected no `compress`");
+  expect_refused(joined(kSmall, {"-o", out, "--compress", "8", "4", "--kind", "glossy_unshadowed"}),
+                 "stores no numbers to compress");
+}
+
 TEST(PlanTool, LeavesNothingOutWhenToldTo) {
   const TemporaryFolder folder;
   const std::string none = folder.file("none.transfer");

@@ -170,6 +170,13 @@ TEST_F(SceneFile, IsRefusedWithABadLightCameraGroundOrOption) {
       {R"("ground": {"size": 1e20})", "/ground/size: expected a length of at most 1.732e+06, a million times"},
       {R"("ground": {"height": -1e20})", "/ground/height: expected a distance from the meshes of at most 1.732e+06"},
       {R"("bake": {"bounces": 3})", "/bake/bounces: unknown key, expected one of degree, directions"},
+      {R"("bake": {"compress": 64})", "/bake/compress: expected an object"},
+      {R"("bake": {"compress": {"clusters": 64}})", "/bake/compress: the key `vectors` is missing"},
+      {R"("bake": {"compress": {"clusters": 0, "vectors": 8}})",
+       "/bake/compress/clusters: expected an integer from 1 to 4096, got 0"},
+      {R"("bake": {"compress": {"clusters": 64, "vectors": 65}})",
+       "/bake/compress/vectors: expected an integer from 0 to 64, got 65"},
+      {R"("bake": {"compress": {"clusters": 64, "vectors": 8, "bits": 8}})", "/bake/compress/bits: unknown key"},
       {R"("bake": {"directions": 0})", "/bake/directions: expected an integer from 1 to "},
       {R"("bake": {"seed": -1})", "/bake/seed: expected an integer from 0 to "},
       {R"("bake": {"tolerance": 1.5})", "/bake/tolerance: expected a number from 1e-9 to 1, got 1.5"},
@@ -288,8 +295,9 @@ TEST_F(SceneFile, TakesEveryLimitOfItsOptions) {
   for (const char* entry :
        {R"("ground": {"size": 1.7e6})", R"("ground": {"height": -1.7e6})", R"("bake": {"degree": 0})",
         R"("bake": {"degree": 10})", R"("bake": {"directions": 1, "seed": 0, "tolerance": 1})",
-        R"("camera": {"field_of_view": 1})", R"("camera": {"field_of_view": 170})", R"("plan": {"error": 1})",
-        R"("plan": {"without": []})"}) {
+        R"("bake": {"compress": {"clusters": 1, "vectors": 0}})",
+        R"("bake": {"compress": {"clusters": 4096, "vectors": 64}})", R"("camera": {"field_of_view": 1})",
+        R"("camera": {"field_of_view": 170})", R"("plan": {"error": 1})", R"("plan": {"without": []})"}) {
     EXPECT_NO_THROW(load(R"({"meshes": [{"primitive": "box"}], )" + std::string(entry) + "}")) << entry;
   }
 }
