@@ -13,6 +13,7 @@
 #include "prt/bake/gray.hpp"
 #include "prt/bake/steps.hpp"
 #include "prt/chunks.hpp"
+#include "prt/plan/measure.hpp"
 #include "prt/transfer/transfer_file.hpp"
 
 namespace sh::prt {
@@ -154,6 +155,28 @@ void take_plan(const Plan& plan, Transfer& transfer) {
   }
 }
 
+// Clusters in place of rows, if they lose no more than the plan has room for or the plan has no errors.
+void compress_by_plan(const Plan& plan, ClusterCounts counts, Transfer& transfer) {
+  const auto decision = std::find_if(transfer.plan.decisions.begin(), transfer.plan.decisions.end(),
+                                     [](const Decision& one) { return one.name == kClustersDecision; });
+  if (decision == transfer.plan.decisions.end()) return compress(transfer, counts);
+  Transfer clustered = transfer;
+  compress(clustered, counts);
+  std::vector<float> lost = clustered.clusters.rows();
+  for (std::size_t i = 0; i < lost.size(); ++i) lost[i] -= transfer.coefficients[i];
+  const double error = worst_radiance(lost, transfer.shape, transfer.mesh, plan.lights) / plan.reference;
+  if (error > decision->error) {
+    decision->why = fmt::format("{} would lose {:.2g}, more than {:.2g}", decision->choice, error, decision->error);
+    decision->choice = "rows as they are";
+    decision->bytes_saved = 0;
+    decision->error = 0.0;
+    return;
+  }
+  decision->error = error;
+  clustered.plan = transfer.plan;
+  transfer = std::move(clustered);
+}
+
 }  // namespace
 
 BakeJob::BakeJob(Scene the_scene, BakeSettings the_settings)
@@ -181,7 +204,7 @@ Transfer bake(BakeJob job, BakeReport* report, const BakeObserver& say) {
   });
   take_plan(*job.plan, transfer);
   if (wanted.compress.clusters > 0) {
-    on_threads(job.settings.threads, [&] { compress(transfer, wanted.compress); });
+    on_threads(job.settings.threads, [&] { compress_by_plan(*job.plan, wanted.compress, transfer); });
   }
   transfer.missing = shortfall(wanted, transfer);
   if (report != nullptr) *report = measured;

@@ -16,6 +16,8 @@ bool fits_half(const std::vector<float>& numbers) {
 }
 
 void cluster_rows(ClusterCounts counts, std::vector<float>& rows, TransferShape& shape, Clusters& clusters) {
+  shape.storage.element = Element::kSingle;
+  if (!shape.storage.kept.empty()) rows = decode(encode(rows, shape), shape);  // no vectors for columns that files lose
   shape.storage.element = Element::kHalf;
   clusters = clustered(rows, shape.length(), counts, [&](const std::vector<float>& basis) {
     if (!fits_half(basis)) shape.storage.element = Element::kSingle;

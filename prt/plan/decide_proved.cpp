@@ -1,5 +1,5 @@
 // Decisions that are exact or proved: open vertices, one channel, coefficients that the lights do not have, and the type
-// of the stored numbers.
+// of the stored numbers; and room for what a bake measures: clusters.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -130,6 +130,26 @@ void decide_storage(Draft& draft) {
     }
   }
   draft.decide("storage", "single", "the budget leaves no room for half");
+}
+
+void decide_clusters(Draft& draft) {
+  constexpr double kPart = 0.25;
+  ClusterCounts& counts = draft.bake.compress;
+  if (counts.clusters == 0) return;
+  const std::size_t rows = draft.stored_shape(false).stored_bytes(draft.starts.size());
+  const std::size_t clusters = draft.stored_shape(true).stored_bytes(draft.starts.size());
+  const double room = draft.share(kPart);
+  if (clusters >= rows || !(room > 0.0)) {
+    counts = {};
+    draft.decide(
+        kClustersDecision, "rows as they are",
+        clusters < rows ? "the budget leaves no room" : fmt::format("clusters take {} bytes, rows {}", clusters, rows));
+    return;
+  }
+  draft.is_clustered = true;
+  draft.room_for_clusters = room;
+  draft.decide(kClustersDecision, fmt::format("{} of {} vectors", counts.clusters, counts.vectors),
+               "as long as the bake measures no larger error; else rows as they are", room, "measured");
 }
 
 }  // namespace sh::prt

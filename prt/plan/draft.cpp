@@ -20,7 +20,8 @@ Draft::Draft(const Scene& the_scene, const std::string& the_instruction_set)
       options(scene.plan),
       asked(scene.bake),
       bake(asked),
-      starts(ray_starts(scene.mesh)) {
+      starts(ray_starts(scene.mesh)),
+      is_clustered(asked.compress.clusters > 0 && asked.kind->indirect == nullptr && options.mode != PlanMode::kLossy) {
   for (const Eigen::Vector3f& color : scene.mesh.albedo) albedo = std::max(albedo, color.maxCoeff());
   plan.open.assign(starts.size(), asked.kind->traces_rays() ? 0 : 1);
   for (std::size_t v = 0; v < starts.size(); ++v) {
@@ -65,7 +66,7 @@ PlanCost Draft::cost() const {
     const bool again = measurement && (always || measurement->is_nearly_dark(v));
     rays += upward_[v] * (again ? 1.0 + measurement->blocked(v) : 1.0);
   }
-  return {static_cast<std::int64_t>(stored_shape().stored_bytes(starts.size())),
+  return {static_cast<std::int64_t>(stored_shape(is_clustered).stored_bytes(starts.size())),
           std::llround(correction_ * rays * static_cast<double>(bake.directions))};
 }
 
@@ -75,9 +76,9 @@ TransferShape Draft::shape() const {
   return shape;
 }
 
-TransferShape Draft::stored_shape() const {
+TransferShape Draft::stored_shape(bool clustered) const {
   TransferShape stored = shape();
-  if (asked.compress.clusters == 0 || asked.kind->indirect != nullptr) return stored;
+  if (!clustered) return stored;
   stored.storage.element = Element::kHalf;
   stored.storage.clusters = static_cast<std::uint32_t>(std::min<std::size_t>(asked.compress.clusters, starts.size()));
   stored.storage.vectors = static_cast<std::uint32_t>(std::min<std::size_t>(asked.compress.vectors, stored.length()));
@@ -109,7 +110,7 @@ double Draft::error_along(int directions) const {
     same.directions = directions;
     const Measurement::Radiances whole = radiances(measurement->rows(same), asked.kind->shape(asked.degree));
     for (std::size_t i = 0; i < error.size(); ++i) error[i] -= whole[i];
-    return measurement->error(error) + loosened;
+    return measurement->error(error) + loosened + room_for_clusters;
   }
   const double spread = bake.kind->has_bounces() ? measurement->spread() : 1.0;
   const Measurement::Radiances sampled = radiances(rows, traced_shape());
@@ -119,7 +120,8 @@ double Draft::error_along(int directions) const {
     sampling[i] = spread * (sampled[i] - converged[i]);
     error[i] += sampling[i] - sampled[i] + converged[i] - reference[i];
   }
-  return measurement->error(error) + error_of_reference(directions, measurement->error(sampling)) + loosened;
+  return measurement->error(error) + error_of_reference(directions, measurement->error(sampling)) + loosened +
+         room_for_clusters;
 }
 
 double Draft::error_of_reference(int directions, double error) const {

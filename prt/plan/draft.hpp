@@ -34,6 +34,8 @@ struct Draft {
   Measurement::Radiances reference;  // of the probe after the asked bake along many directions
   double unconverged = 0.0;          // error of `reference` itself, as the asked directions tell
   double loosened = 0.0;             // bound on the error of a looser tolerance than asked
+  double room_for_clusters = 0.0;    // error that the bake may make by clusters
+  bool is_clustered;                 // as far as decided
 
   /// Makes the current request the baseline for savings.
   void start();
@@ -49,8 +51,8 @@ struct Draft {
   /// The shape of a vertex's numbers after the decisions so far; count() is per channel.
   [[nodiscard]] TransferShape shape() const;
   [[nodiscard]] std::size_t count() const { return shape().count(); }
-  /// The same as a file stores it: with the clusters that the scene asks for.
-  [[nodiscard]] TransferShape stored_shape() const;
+  /// The same as a file stores it, with clusters if `clustered`: as many as the scene asks for.
+  [[nodiscard]] TransferShape stored_shape(bool clustered) const;
   [[nodiscard]] std::size_t traced() const;  // vertices that need rays
   [[nodiscard]] bool has_mirrors() const { return !scene.mesh.mirror.empty(); }
   [[nodiscard]] bool shines() const { return !scene.mesh.emission.empty(); }
@@ -86,6 +88,8 @@ void decide_channels(Draft& draft);
 void decide_bands(Draft& draft);
 void decide_symmetry(Draft& draft);
 void decide_storage(Draft& draft);
+/// Only where the scene asks for clusters: makes room for their error, if they take fewer bytes than rows.
+void decide_clusters(Draft& draft);
 /// The error of the requested number of directions alone, which the budget reserves; throws if it exceeds the budget.
 double floor_of_directions(Draft& draft);
 /// The fewest directions for which the error is within the limit, `asked` at most: doubled until it is, then between the

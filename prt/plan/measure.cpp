@@ -76,6 +76,25 @@ double radiance_bound(const float* row, const TransferShape& shape, const Turnin
   return largest;
 }
 
+double worst_radiance(const std::vector<float>& rows, const TransferShape& shape, const Mesh& mesh,
+                      const std::vector<LightCoefficients>& lights) {
+  double worst = 0.0;
+  for (const LightCoefficients& light : lights) {
+    const LightCoefficients low = first_bands(light, shape.degree);
+    double squares = 0.0;
+    for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+      double largest = 0.0;
+      for (std::size_t c = 0; c < kChannels; ++c) {
+        largest =
+            std::max(largest, std::abs(radiance_of(rows.data() + v * shape.length(), shape, low, c, mesh.albedo[v])));
+      }
+      squares += largest * largest;
+    }
+    worst = std::max(worst, std::sqrt(squares / static_cast<double>(mesh.positions.size())));
+  }
+  return worst;
+}
+
 Measurement::Measurement(const Scene& scene, const LightCoefficients& light, LightTurns turns, double unit,
                          const std::string& instruction_set)
     : scene_(scene), unit_(unit), lights_(turns_of(light, turns)) {

@@ -21,6 +21,11 @@ namespace sh::prt {
 double radiance_bound(const float* row, const TransferShape& shape, const TurningLight& light,
                       const Eigen::Vector3f& albedo);
 
+/// RMS over the vertices of `mesh` of the exit radiance that rows (vertices, shape.length()) give in the largest channel,
+/// for the worst of these lights, which may have a higher degree: an error, if the rows are differences.
+double worst_radiance(const std::vector<float>& rows, const TransferShape& shape, const Mesh& mesh,
+                      const std::vector<LightCoefficients>& lights);
+
 class Measurement {
  public:
   static constexpr int kReference = 8192;  // directions, at least
@@ -46,6 +51,7 @@ class Measurement {
   [[nodiscard]] BakeOptions reference_options(BakeOptions options) const;
   [[nodiscard]] const Probe& probe() const { return probe_; }
   [[nodiscard]] std::size_t turns() const { return lights_.size(); }
+  [[nodiscard]] const std::vector<LightCoefficients>& lights() const { return lights_; }
   /// The mean over the coarse bakes of the part of the cosine that hits something.
   [[nodiscard]] double blocked(std::size_t vertex) const;
   /// True if a bake looks for the closest hits of this vertex, too.

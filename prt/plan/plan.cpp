@@ -48,6 +48,7 @@ void take_measurement(Draft& draft) {
                             draft.instruction_set);
   draft.many = draft.measurement->rows(draft.measurement->reference_options(draft.asked));
   draft.reference = draft.measurement->radiances(draft.many, draft.traced_shape());
+  draft.plan.lights = draft.measurement->lights();
   draft.start();
 }
 
@@ -59,13 +60,11 @@ struct Step {
   bool (TransferKind::*applies)() const = nullptr;  // null: to every kind
 };
 
-constexpr std::array kSteps = {Step{"analytic", decide_analytic, true},
-                               Step{"bounces", decide_bounces, false, &TransferKind::has_bounces},
-                               Step{"channels", decide_channels, true},
-                               Step{"bands", decide_bands},
-                               Step{"symmetry", decide_symmetry},
-                               Step{"storage", decide_storage},
-                               Step{"directions", decide_directions, false, &TransferKind::traces_rays}};
+constexpr std::array kSteps = {
+    Step{"analytic", decide_analytic, true},  Step{"bounces", decide_bounces, false, &TransferKind::has_bounces},
+    Step{"channels", decide_channels, true},  Step{"bands", decide_bands},
+    Step{"symmetry", decide_symmetry},        Step{"storage", decide_storage},
+    Step{kClustersDecision, decide_clusters}, Step{"directions", decide_directions, false, &TransferKind::traces_rays}};
 
 }  // namespace
 
@@ -76,12 +75,6 @@ Plan make_plan(Scene& scene, const std::string& instruction_set) {
     throw std::invalid_argument(
         fmt::format("{}: plans with an error are for diffuse transfer; expected the plan exact or none for {}",
                     scene.name, scene.bake.kind->word));
-  }
-  if (is_lossy && scene.bake.compress.clusters > 0) {
-    throw std::invalid_argument(fmt::format(
-        "{}: a plan with an error chooses how numbers are stored; expected no `compress`, or the plan exact "
-        "or none",
-        scene.name));
   }
   Draft draft(scene, instruction_set);
   if (scene.plan.mode == PlanMode::kNone) {

@@ -9,6 +9,7 @@
 //   bands       a lower degree, if the omitted bands add little
 //   symmetry    only the coefficients that the lights have
 //   storage     half or 8 bits
+//   clusters    those that the scene asks for, if the bake finds that they lose little; only if it asks
 //   directions  the fewest for which the error of all decisions together stays within the budget
 // A bound holds for every vertex, and so for the RMS. What is measured holds with a confidence, on a probe of vertices
 // (prt/plan/measure.hpp). The error of the plan as a whole is measured, too: the planned bake of the probe against the
@@ -32,13 +33,16 @@ struct PlanCost {
 };
 
 /// The work and the numbers that a bake leaves out.
+inline constexpr std::string_view kClustersDecision = "clusters";
+
 struct Plan {
   PlanRecord record;
   std::vector<std::uint8_t> open;  // (vertices), or empty: 1 if nothing blocks the vertex, so that it needs no rays
   Storage storage;
   std::vector<float> largest;  // (bands^2) largest numbers for which the storage was chosen; empty if irrelevant
-  std::string known_by;        // how the error of all decisions together is known; empty: it is the sum of bounds
-  double reference = 0.0;      // W m^-2 sr^-1; 0 if no error was requested
+  std::vector<LightCoefficients> lights;  // the declared ones, turned, for which errors are measured; empty without
+  std::string known_by;    // how the error of all decisions together is known; empty: it is the sum of bounds
+  double reference = 0.0;  // W m^-2 sr^-1; 0 if no error was requested
   double beyond = 0.0;  // bound on the relative radiance that bands of the lights above the requested degree would add
   PlanCost asked;
   PlanCost planned;

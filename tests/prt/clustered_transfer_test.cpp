@@ -1,6 +1,8 @@
 // Transfer whose rows are clustered: files, hostile files, bakes and the run time, for every kind.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -176,6 +178,68 @@ TEST(ClusteredTransfer, IsBakedAsAsked) {
   EXPECT_LT(transfer.clusters.error, 0.2);
 }
 
+// The rows of a room, so many that clusters are smaller.
+Scene room_to_plan(ClusterCounts counts, double error) {
+  Mesh mesh = statue(20.0F);
+  mesh.specular.clear();
+  mesh.exponent.clear();
+  refine(mesh, 0.1F);
+  Scene scene = scene_of(std::move(mesh), &kInterreflected, 512, 2);
+  scene.lights = {{.type = LightType::kCieOvercast}};
+  scene.bake.compress = counts;
+  scene.plan = {.mode = PlanMode::kLossy, .error = error, .without = {"bounces", "bands", "symmetry"}};
+  return scene;
+}
+
+const Decision& clusters_of(const Transfer& transfer) {
+  const auto& all = transfer.plan.decisions;
+  return *std::find_if(all.begin(), all.end(), [](const Decision& one) { return one.name == kClustersDecision; });
+}
+
+TEST(ClusteredTransfer, IsTakenByAPlanThatHasRoomForItsError) {
+  const BakeJob job = planned({room_to_plan({12, 5}, 0.1)});
+  const Transfer transfer = bake(job);
+  ASSERT_FALSE(transfer.clusters.empty()) << clusters_of(transfer).why;
+  EXPECT_TRUE(transfer.coefficients.empty());
+  EXPECT_EQ(clusters_of(transfer).basis, "measured");
+  EXPECT_GT(clusters_of(transfer).bytes_saved, 0);
+  EXPECT_LE(transfer.plan.error, 0.1);
+  // The error, by relighting: the same bake as rows, under the lights of the plan.
+  BakeJob plain = job;
+  plain.scene.bake.compress = {};
+  const Transfer rows = bake(plain);
+  double worst = 0.0;
+  for (const LightCoefficients& light : job.plan->lights) {
+    const std::vector<Eigen::Vector3f> ours = relight(transfer, light);
+    const std::vector<Eigen::Vector3f> theirs = relight(rows, light);
+    double squares = 0.0;
+    for (std::size_t v = 0; v < ours.size(); ++v) {
+      squares += std::pow(static_cast<double>((ours[v] - theirs[v]).cwiseAbs().maxCoeff()), 2);
+    }
+    worst = std::max(worst, std::sqrt(squares / static_cast<double>(ours.size())));
+  }
+  EXPECT_NEAR(clusters_of(transfer).error, worst / job.plan->reference, 1e-5);
+  EXPECT_GT(clusters_of(transfer).error, 1e-4);
+}
+
+TEST(ClusteredTransfer, IsNotTakenWhereItLosesMoreThanThePlanHasRoomFor) {
+  const Transfer transfer = bake(room_to_plan({1, 0}, 0.1));
+  EXPECT_TRUE(transfer.clusters.empty());
+  EXPECT_FALSE(transfer.coefficients.empty());
+  EXPECT_EQ(clusters_of(transfer).choice, "rows as they are");
+  EXPECT_NE(clusters_of(transfer).why.find("1 of 0 vectors would lose"), std::string::npos);
+  EXPECT_EQ(clusters_of(transfer).error, 0.0);
+  EXPECT_EQ(clusters_of(transfer).bytes_saved, 0);
+}
+
+TEST(ClusteredTransfer, IsNotTakenWhereItIsLargerThanRows) {
+  const BakeJob job = planned({room_to_plan({4096, 30}, 0.1)});
+  EXPECT_EQ(job.scene.bake.compress.clusters, 0U);
+  const Transfer transfer = bake(job);
+  EXPECT_TRUE(transfer.clusters.empty());
+  EXPECT_NE(clusters_of(transfer).why.find("clusters take "), std::string::npos);
+}
+
 TEST(ClusteredTransfer, KeepsVisibilityInHalfBesideItsMatrices) {
   const Transfer transfer = compressed(baked_statue(kGlossyInterreflected));
   EXPECT_EQ(transfer.shape.storage.element, Element::kHalf);
@@ -196,6 +260,24 @@ TEST(ClusteredTransfer, OfOneChannelForThreeKeepsThemEqual) {
   for (std::size_t i = 0; i < rows.size(); ++i) EXPECT_EQ(rows[i], rows[i / (3 * count) * 3 * count + i % count]);
 }
 
+// Where half of the columns are noise that no light needs, the others are as good as alone.
+TEST(ClusteredTransfer, SpendsNothingOnColumnsThatFilesLose) {
+  Transfer transfer = baked_statue(kShadowed);
+  const std::vector<float> noise = random_values(transfer.coefficients.size(), 3);
+  for (std::size_t i = 0; i < noise.size(); ++i) {
+    if (i % 9 >= 4) transfer.coefficients[i] = noise[i];
+  }
+  transfer.shape.storage.kept = {0, 1, 2, 3};
+  compress(transfer, {9, 3});
+  EXPECT_LT(transfer.clusters.error, 0.05);
+  const std::vector<float> rows = transfer.clusters.rows();
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (i % 9 >= 4) {
+      EXPECT_EQ(rows[i], 0.0F);
+    }
+  }
+}
+
 TEST(ClusteredTransfer, KeepsVectorsThatHalfCannotHoldInSingle) {
   Transfer transfer = baked_statue(kShadowed);
   for (float& number : transfer.coefficients) number *= 1e6F;
@@ -205,17 +287,14 @@ TEST(ClusteredTransfer, KeepsVectorsThatHalfCannotHoldInSingle) {
 }
 
 TEST(ClusteredTransfer, IsRefusedBeforeABakeThatCannotMakeIt) {
-  const auto refusal = [](const TransferKind& kind, ClusterCounts counts, PlanMode mode = PlanMode::kNone) {
+  const auto refusal = [](const TransferKind& kind, ClusterCounts counts) {
     Scene scene = scene_of(statue(20.0F), &kind, 64, 2);
     scene.bake.compress = counts;
-    scene.plan.mode = mode;
     return message_of([&] { bake(scene); });
   };
   EXPECT_EQ(refusal(kShadowed, {4097, 3}), "compress: expected 1 to 4096 clusters of 0 to 64 vectors, got 4097 of 3");
   EXPECT_EQ(refusal(kShadowed, {4, 65}), "compress: expected 1 to 4096 clusters of 0 to 64 vectors, got 4 of 65");
   EXPECT_NE(refusal(kGlossyUnshadowed, {4, 3}).find("stores no numbers to compress; expected another kind"),
-            std::string::npos);
-  EXPECT_NE(refusal(kShadowed, {4, 3}, PlanMode::kLossy).find("expected no `compress`, or the plan exact or none"),
             std::string::npos);
 }
 

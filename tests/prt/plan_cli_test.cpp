@@ -77,7 +77,6 @@ TEST(PlanTool, RefusesClustersThatItCannotMake) {
   refuses("4", "65", "got 4 of 65");
   refuses("-4", "8", "--compress");
   refuses("4", "x", "--compress");
-  expect_refused(joined(kSmall, {"-o", out, "--compress", "8", "4", "--error", "0.05"}), "expected no `compress`");
   expect_refused(joined(kSmall, {"-o", out, "--compress", "8", "4", "--kind", "glossy_unshadowed"}),
                  "stores no numbers to compress");
 }
