@@ -1,7 +1,5 @@
 // Calls of the generated kernels with a degree that is chosen at run time, and loops over bands.
 #pragma once
-#include <Eigen/Core>
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <type_traits>
@@ -39,16 +37,6 @@ using numeric::coefficient_index;
 template <class T>
 void evaluate_basis(int degree, T x, T y, T z, T* out) {
   at_degree(degree, [&](auto known) { sh::basis<known()>(x, y, z, out); });
-}
-
-/// out (bands^2) = factor(l) Y_lm(direction): a zonal function about a unit direction.
-template <class Factor>
-void zonal_about(int degree, const Eigen::Vector3f& direction, const Factor& factor, float* out) {
-  evaluate_basis(degree, direction.x(), direction.y(), direction.z(), out);
-  for (int l = 0; l <= degree; ++l) {
-    const auto scale = static_cast<float>(factor(l));
-    std::for_each(out + l * l, out + (l + 1) * (l + 1), [scale](float& value) { value *= scale; });
-  }
 }
 
 /// c_lm *= factors_l for as many bands as there are factors.

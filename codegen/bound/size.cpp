@@ -62,6 +62,18 @@ double Sizes::of_unit(std::size_t first, std::size_t second, std::size_t output)
   return position->second;
 }
 
+// The size where every channel of every array has length 1.
+double Sizes::of_unit_arrays(std::size_t output) const {
+  std::vector<double> inputs(region_.coordinate.size(), 0.0);
+  std::size_t first = 0;
+  for (const Parameter& array : kernel_.parameters) {
+    const int count = array.size() / array.channels();
+    for (int i = 0; i < array.size(); i += count) inputs[first + i] = 1;
+    first += array.size();
+  }
+  return at(inputs, output);
+}
+
 // |error| <= sum e_i |c_i| + e and size = sum s_i |c_i|, so the quotient is at most the largest e_i / s_i, and e / size.
 Sized Sizes::of_sum(const Magnitudes& error, std::size_t output) const {
   Sized sized;
@@ -93,9 +105,7 @@ Sized Sizes::of_norm(const Magnitudes& error, std::size_t output) const {
 Sized Sizes::operator()(const BilinearError& error, std::size_t output) const {
   if (kind_ != Kind::kNorm) throw std::domain_error("its size is not a product of lengths");
   const double absolute = error.bilinear + (2 * error.linear + error.one * scale_) * scale_;
-  // The size where every array has length 1.
-  const std::size_t other = kernel_.parameters.size() == 1 ? 0 : region_.coordinate.size() - 1;
-  return {absolute / of_unit(0, other, output) * kSlack, absolute};
+  return {absolute / of_unit_arrays(output) * kSlack, absolute};
 }
 
 std::vector<double> Sizes::worst_coefficients(const Magnitudes& error) const {

@@ -40,6 +40,7 @@ class Sizes {
   [[nodiscard]] double at(const std::vector<double>& inputs, std::size_t output) const;
   [[nodiscard]] double of_box(const Box& box, std::size_t output) const;
   [[nodiscard]] double of_unit(std::size_t first, std::size_t second, std::size_t output) const;
+  [[nodiscard]] double of_unit_arrays(std::size_t output) const;
   [[nodiscard]] Sized of_sum(const Magnitudes& error, std::size_t output) const;
   [[nodiscard]] Sized of_norm(const Magnitudes& error, std::size_t output) const;
 

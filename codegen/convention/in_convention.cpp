@@ -45,7 +45,7 @@ Surd stored_factor(const Convention& convention, Role role, int l, int m) {
 // True for arrays by degree and order, which the convention stores in its own order.
 bool has_index_order(Role role) {
   return role == Role::kCoefficients || role == Role::kEvaluatedCoefficients || role == Role::kIrradiance ||
-         role == Role::kBasisValues || role == Role::kBasisGradient;
+         role == Role::kLight || role == Role::kBasisValues || role == Role::kBasisGradient;
 }
 
 // True if the functions of the convention decide the numbers of the array.

@@ -36,6 +36,7 @@ constexpr Traits kTraits[] = {
     {Role::kCoefficients, "coefficients", true, true},
     {Role::kEvaluatedCoefficients, "evaluated coefficients", true, true},
     {Role::kIrradiance, "coefficients", true, true},  // the name tells the order of the numbers
+    {Role::kLight, "coefficients", true, true},
     {Role::kZonalCoefficients, "zonal coefficients", false, true},
     {Role::kBasisValues, "basis values", true},
     {Role::kBasisGradient, "basis gradient", true, false, true},
@@ -103,7 +104,7 @@ bool is_prepared(Role role) {
   return role == Role::kBandMatrices || role == Role::kPolynomial || role == Role::kMoments || role == Role::kSamples;
 }
 
-bool is_shared(Role role) { return role == Role::kSamples; }
+bool is_shared(Role role) { return role == Role::kSamples || role == Role::kLight; }
 
 bool is_by_degree_and_order(Role role) { return traits(role).by_degree_and_order; }
 

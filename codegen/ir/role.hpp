@@ -27,6 +27,7 @@ enum class Role {
   kCoefficients,           ///< (bands^2) or (channels, bands^2): at index l(l+1)+m
   kEvaluatedCoefficients,  ///< the same, but the stored coefficients, with all folded factors, multiply the basis
   kIrradiance,             ///< the same, of irradiance: A_l times the coefficients of radiance
+  kLight,                  ///< the same, of the light that all records share
   kZonalCoefficients,      ///< (bands): coefficients of Y_l0, one for each degree
   kBasisValues,            ///< (bands^2): Y_lm at index l(l+1)+m
   kBasisGradient,  ///< (bands^2): derivatives of Y_lm by coordinate `axis`; derivatives by x, y, z follow each other

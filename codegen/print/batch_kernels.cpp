@@ -8,7 +8,7 @@
 namespace sh::codegen::print {
 namespace {
 
-enum class Loop { kPlain, kFixed, kHalf };
+enum class Loop { kPlain, kFixed, kHalf, kRecords };
 
 // The loop over registers that runs a kernel: its name and template arguments.
 std::string loop_of(const RecordSignature& s, Loop loop) {
@@ -16,8 +16,11 @@ std::string loop_of(const RecordSignature& s, Loop loop) {
   const std::string inputs = std::to_string(s.inputs.size());
   if (loop == Loop::kFixed) return "for_every_register_fixed<" + inputs + ", " + count + ">";
   if (loop == Loop::kHalf) return "for_every_register_half<" + inputs + ", Size>";
+  if (loop == Loop::kRecords) return "for_every_register_of_records<" + inputs + ", Size>";
   return s.sums ? "sum_every_register<" + inputs + ", " + count + ">" : "for_every_register<" + inputs + ">";
 }
+
+constexpr int kLeastRecord = 4;  // values that for_every_register_of_records takes
 
 // The place of the input that serves all records; -1: there is none.
 int shared_input(const RecordSignature& s) {
@@ -26,7 +29,7 @@ int shared_input(const RecordSignature& s) {
 }
 
 std::string block_kernel(const std::string& name, const Kernel& kernel, Loop loop = Loop::kPlain) {
-  const bool half = loop == Loop::kHalf;
+  const bool is_float = loop == Loop::kHalf || loop == Loop::kRecords;
   return filled(R"(template <int Degree$class_t>
 [[gnu::flatten]] void $name(const Blocks<$t>& blocks) {
   $loop(blocks, [$capture](const Lanes<$t>* const* in, Lanes<$t>* out) {
@@ -36,9 +39,9 @@ std::string block_kernel(const std::string& name, const Kernel& kernel, Loop loo
 
 )",
                 {{"capture", shared_input(signature_of(kernel)) < 0 ? "" : "&blocks"},
-                 {"class_t", half ? ", int Size" : ", class T"},
+                 {"class_t", is_float ? ", int Size" : ", class T"},
                  {"name", name},
-                 {"t", half ? "float" : "T"},
+                 {"t", is_float ? "float" : "T"},
                  {"loop", loop_of(signature_of(kernel), loop)},
                  {"call", call_of(kernel)}});
 }
@@ -57,18 +60,23 @@ std::string plan_row(const Driver& driver, std::size_t i) {
     prepared =
         "detail::prepare_" + driver.name + ", " + std::to_string(size) + ", kernel_prepared" + at_degree + ", T>";
   }
+  const auto of_floats = [&](const std::string& name) {
+    return "float_only<T>(" + name + at_degree + ", " + std::to_string(s.inputs[0].size) + ">)";
+  };
+  const bool records = driver.spec.records && s.inputs[0].size >= kLeastRecord;
+  const std::string shared = shared_input(s) < 0 && !records ? ""
+                                                             : ", " + std::to_string(shared_input(s)) +
+                                                                   (records ? ", " + of_floats("kernel_records") : "");
   return filled("      {$inputs, {$sizes}, $out, $sums, $kernel, $half, $prepared, $finish$shared},\n",
                 {{"inputs", std::to_string(s.inputs.size())},
                  {"sizes", sizes},
                  {"out", std::to_string(s.out_size)},
                  {"sums", s.sums ? "true" : "false"},
                  {"kernel", (by_parts ? "parts" : "kernel") + at_degree + ", T>"},
-                 {"half", driver.spec.half
-                              ? "float_only<T>(kernel_half" + at_degree + ", " + std::to_string(s.inputs[0].size) + ">)"
-                              : "nullptr"},
+                 {"half", driver.spec.half ? of_floats("kernel_half") : "nullptr"},
                  {"prepared", prepared},
                  {"finish", by_parts ? "detail::finish_" + driver.name : "nullptr"},
-                 {"shared", shared_input(s) < 0 ? "" : ", " + std::to_string(shared_input(s))}});
+                 {"shared", shared}});
 }
 
 // A function that a driver runs once a call: the kernels of a family, for each of some scalars.
@@ -123,6 +131,7 @@ std::string kernels_file(const Driver& driver) {
   if (driver.adds_parts()) kernels += block_kernel("parts", driver.parts->back().kernel);
   if (driver.prepares()) kernels += block_kernel("kernel_prepared", driver.prepared->back().kernel, Loop::kFixed);
   if (driver.spec.half) kernels += block_kernel("kernel_half", driver.last(), Loop::kHalf);
+  if (driver.spec.records) kernels += block_kernel("kernel_records", driver.last(), Loop::kRecords);
   std::string plans;
   for (std::size_t i = 0; i < driver.kernels.size(); ++i) plans += plan_row(driver, i);
   return filled(

@@ -31,6 +31,12 @@ template <class T>
 void transfer_glossy(const detail::Call<T>& call);
 template <class T>
 void transfer_glossy_rgb(const detail::Call<T>& call);
+template <class T>
+void relight(const detail::Call<T>& call);
+template <class T>
+void relight_rgb(const detail::Call<T>& call);
+template <class T>
+void relight_colored(const detail::Call<T>& call);
 }  // namespace baseline
 
 namespace avx2 {
@@ -56,6 +62,12 @@ template <class T>
 void transfer_glossy(const detail::Call<T>& call);
 template <class T>
 void transfer_glossy_rgb(const detail::Call<T>& call);
+template <class T>
+void relight(const detail::Call<T>& call);
+template <class T>
+void relight_rgb(const detail::Call<T>& call);
+template <class T>
+void relight_colored(const detail::Call<T>& call);
 }  // namespace avx2
 
 namespace avx512 {
@@ -81,6 +93,12 @@ template <class T>
 void transfer_glossy(const detail::Call<T>& call);
 template <class T>
 void transfer_glossy_rgb(const detail::Call<T>& call);
+template <class T>
+void relight(const detail::Call<T>& call);
+template <class T>
+void relight_rgb(const detail::Call<T>& call);
+template <class T>
+void relight_colored(const detail::Call<T>& call);
 }  // namespace avx512
 
 void basis(int degree, std::size_t n, Records<const float> directions, Records<float> out) {
@@ -193,6 +211,42 @@ void transfer_glossy_rgb(int degree, std::size_t n, Records<const double> visibi
 
 void transfer_glossy_rgb(int degree, std::size_t n, Records<const Half> visibility, const float* samples, Records<const float> lobe, Records<const float> directions, Records<float> out) {
   detail::run<float>("transfer_glossy_rgb", SH_BATCH_EVERY(transfer_glossy_rgb), {degree, n, {{nullptr, visibility.layout}, shared(samples), lobe, directions}, out, visibility.data}, 4, 4, {0, 3});
+}
+
+void relight(int degree, std::size_t n, Records<const float> transfer, const float* light, Records<float> out) {
+  detail::run<float>("relight", SH_BATCH_EVERY(relight), {degree, n, {transfer, shared(light)}, out}, 2, 10, {0, 1});
+}
+
+void relight(int degree, std::size_t n, Records<const double> transfer, const double* light, Records<double> out) {
+  detail::run<double>("relight", SH_BATCH_EVERY(relight), {degree, n, {transfer, shared(light)}, out}, 2, 10, {0, 1});
+}
+
+void relight(int degree, std::size_t n, Records<const Half> transfer, const float* light, Records<float> out) {
+  detail::run<float>("relight", SH_BATCH_EVERY(relight), {degree, n, {{nullptr, transfer.layout}, shared(light)}, out, transfer.data}, 2, 10, {0, 1});
+}
+
+void relight_rgb(int degree, std::size_t n, Records<const float> transfer, const float* light, Records<float> out) {
+  detail::run<float>("relight_rgb", SH_BATCH_EVERY(relight_rgb), {degree, n, {transfer, shared(light)}, out}, 2, 10, {0, 3});
+}
+
+void relight_rgb(int degree, std::size_t n, Records<const double> transfer, const double* light, Records<double> out) {
+  detail::run<double>("relight_rgb", SH_BATCH_EVERY(relight_rgb), {degree, n, {transfer, shared(light)}, out}, 2, 10, {0, 3});
+}
+
+void relight_rgb(int degree, std::size_t n, Records<const Half> transfer, const float* light, Records<float> out) {
+  detail::run<float>("relight_rgb", SH_BATCH_EVERY(relight_rgb), {degree, n, {{nullptr, transfer.layout}, shared(light)}, out, transfer.data}, 2, 10, {0, 3});
+}
+
+void relight_colored(int degree, std::size_t n, Records<const float> transfer, const float* light, Records<float> out) {
+  detail::run<float>("relight_colored", SH_BATCH_EVERY(relight_colored), {degree, n, {transfer, shared(light)}, out}, 2, 10, {0, 3});
+}
+
+void relight_colored(int degree, std::size_t n, Records<const double> transfer, const double* light, Records<double> out) {
+  detail::run<double>("relight_colored", SH_BATCH_EVERY(relight_colored), {degree, n, {transfer, shared(light)}, out}, 2, 10, {0, 3});
+}
+
+void relight_colored(int degree, std::size_t n, Records<const Half> transfer, const float* light, Records<float> out) {
+  detail::run<float>("relight_colored", SH_BATCH_EVERY(relight_colored), {degree, n, {{nullptr, transfer.layout}, shared(light)}, out, transfer.data}, 2, 10, {0, 3});
 }
 
 }  // namespace sh::batch

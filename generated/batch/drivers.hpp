@@ -81,4 +81,25 @@ void transfer_glossy_rgb(int degree, std::size_t n, Records<const float> visibil
 void transfer_glossy_rgb(int degree, std::size_t n, Records<const double> visibility, const double* samples, Records<const double> lobe, Records<const double> directions, Records<double> out);
 void transfer_glossy_rgb(int degree, std::size_t n, Records<const Half> visibility, const float* samples, Records<const float> lobe, Records<const float> directions, Records<float> out);
 
+/// Exit radiance of diffuse vertices under a light of one channel.
+/// degree 0 to 10; transfer (bands^2), light (bands^2), out (1).
+/// Domain: any coefficients; orthonormal on the unit sphere, no Condon-Shortley phase, at index l(l+1)+m.
+void relight(int degree, std::size_t n, Records<const float> transfer, const float* light, Records<float> out);
+void relight(int degree, std::size_t n, Records<const double> transfer, const double* light, Records<double> out);
+void relight(int degree, std::size_t n, Records<const Half> transfer, const float* light, Records<float> out);
+
+/// The same under a light of three channels.
+/// degree 0 to 10; transfer (bands^2), light (3 bands^2), out (3).
+/// Domain: any coefficients; orthonormal on the unit sphere, no Condon-Shortley phase, at index l(l+1)+m.
+void relight_rgb(int degree, std::size_t n, Records<const float> transfer, const float* light, Records<float> out);
+void relight_rgb(int degree, std::size_t n, Records<const double> transfer, const double* light, Records<double> out);
+void relight_rgb(int degree, std::size_t n, Records<const Half> transfer, const float* light, Records<float> out);
+
+/// The same where transfer has three channels, too.
+/// degree 0 to 10; transfer (3 bands^2), light (3 bands^2), out (3).
+/// Domain: any coefficients; orthonormal on the unit sphere, no Condon-Shortley phase, at index l(l+1)+m.
+void relight_colored(int degree, std::size_t n, Records<const float> transfer, const float* light, Records<float> out);
+void relight_colored(int degree, std::size_t n, Records<const double> transfer, const double* light, Records<double> out);
+void relight_colored(int degree, std::size_t n, Records<const Half> transfer, const float* light, Records<float> out);
+
 }  // namespace sh::batch

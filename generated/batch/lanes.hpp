@@ -142,6 +142,32 @@ template <int Inputs, int Size, class Kernel>
   }
 }
 
+// The same where input 0, Size values a record, at least 4, is plain: one record after the other.
+template <int Inputs, int Size, class Kernel>
+[[gnu::always_inline]] inline void for_every_register_of_records(const Blocks<float>& blocks, const Kernel& kernel) {
+  static_assert(kWide == Lanes<float>::kWidth && sizeof(Wide) == sizeof(Lanes<float>::Register),
+                "columns are registers");
+  for (std::size_t b = 0; b < blocks.count; ++b) {
+    const float* records = blocks.in[0] + b * blocks.step[0];
+    constexpr std::size_t kLinesAhead = 128;
+    for (std::size_t k = 0; k < Size; ++k) __builtin_prefetch(records + (kLinesAhead + k) * kBlock<float>);
+    for (std::size_t lane = 0; lane < kBlock<float>; lane += kWide) {
+      Lanes<float> wide[Size];
+      unrolled(std::make_index_sequence<(std::size_t(Size) + 3) / 4>(), [&](std::size_t four) {
+        const std::size_t k = 4 * four + 4 <= std::size_t(Size) ? 4 * four : std::size_t(Size) - 4;
+        Wide columns[4];
+        load_columns(records + lane * Size + k, Size, columns);
+        for (std::size_t j = 0; j < 4; ++j) wide[k + j] = Lanes<float>(Lanes<float>::Register(columns[j]));
+      });
+      const Lanes<float>* in[Inputs] = {wide};
+      for (int j = 1; j < Inputs; ++j) {
+        in[j] = reinterpret_cast<const Lanes<float>*>(blocks.in[j] + b * blocks.step[j] + lane);
+      }
+      kernel(in, reinterpret_cast<Lanes<float>*>(blocks.out + b * blocks.out_step + lane));
+    }
+  }
+}
+
 // The same for a kernel that adds to Size values: they stay in registers, as far as those go, for all blocks.
 template <int Inputs, int Size, class T, class Kernel>
 [[gnu::always_inline]] inline void sum_every_register(const Blocks<T>& blocks, const Kernel& kernel) {

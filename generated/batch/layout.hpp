@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <utility>
 
 #include "call.hpp"
 
@@ -53,6 +54,73 @@ inline void transpose(const double* from, std::size_t from_step, double* to, std
   for (std::size_t i = 0; i < 2; ++i) std::memcpy(to + i * to_step, &columns[i], sizeof columns[i]);
 }
 
+// The widest vectors that hold columns of four records each.
+#if defined(__AVX512F__)
+constexpr std::size_t kWide = 16;
+#elif defined(__AVX2__)
+constexpr std::size_t kWide = 8;
+#else
+constexpr std::size_t kWide = 4;
+#endif
+using Wide = float __attribute__((vector_size(4 * kWide)));
+
+// Four values of each of kWide / 4 rows, which are 4 rows apart, side by side.
+inline Wide load_rows(const float* from, std::size_t step) {
+#if defined(__AVX512F__)
+  const auto low = __builtin_shufflevector(load(from), load(from + 4 * step), 0, 1, 2, 3, 4, 5, 6, 7);
+  const auto high = __builtin_shufflevector(load(from + 8 * step), load(from + 12 * step), 0, 1, 2, 3, 4, 5, 6, 7);
+  return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
+#elif defined(__AVX2__)
+  return __builtin_shufflevector(load(from), load(from + 4 * step), 0, 1, 2, 3, 4, 5, 6, 7);
+#else
+  static_cast<void>(step);
+  return load(from);
+#endif
+}
+
+// In each four lanes of the result the elements A, B, C, D of the four lanes of a (0 to 3) and of b (4 to 7).
+template <std::size_t A, std::size_t B, std::size_t C, std::size_t D, std::size_t... Lane>
+inline Wide pick(const Wide& a, const Wide& b, std::index_sequence<Lane...> /*lanes*/) {
+  constexpr std::size_t kPicked[4] = {A, B, C, D};
+  return __builtin_shufflevector(a, b, (kPicked[Lane % 4] % 4 + Lane / 4 * 4 + (kPicked[Lane % 4] < 4 ? 0 : kWide))...);
+}
+template <std::size_t A, std::size_t B, std::size_t C, std::size_t D>
+inline Wide pick(const Wide& a, const Wide& b) {
+  return pick<A, B, C, D>(a, b, std::make_index_sequence<kWide>());
+}
+
+// Records that to_block takes at a time, and their values: kWide x 4 of float, 2 x 2 of double.
+template <class T>
+constexpr std::size_t kSide = 16 / sizeof(T);
+template <class T>
+constexpr std::size_t kTaken = sizeof(T) == sizeof(float) ? kWide : 2;
+
+// Four values of kWide records, `size` values apart -> four columns.
+inline void load_columns(const float* records, std::size_t size, Wide* columns) {
+  const Wide r0 = load_rows(records, size);
+  const Wide r1 = load_rows(records + size, size);
+  const Wide r2 = load_rows(records + 2 * size, size);
+  const Wide r3 = load_rows(records + 3 * size, size);
+  const Wide a = pick<0, 4, 1, 5>(r0, r1);
+  const Wide b = pick<2, 6, 3, 7>(r0, r1);
+  const Wide c = pick<0, 4, 1, 5>(r2, r3);
+  const Wide d = pick<2, 6, 3, 7>(r2, r3);
+  columns[0] = pick<0, 1, 4, 5>(a, c);
+  columns[1] = pick<2, 3, 6, 7>(a, c);
+  columns[2] = pick<0, 1, 4, 5>(b, d);
+  columns[3] = pick<2, 3, 6, 7>(b, d);
+}
+
+// kTaken records of kSide values, `size` values apart -> a part of a block.
+inline void spread_records(const float* records, std::size_t size, float* block) {
+  Wide columns[4];
+  load_columns(records, size, columns);
+  for (std::size_t k = 0; k < 4; ++k) std::memcpy(block + k * kBlock<float>, &columns[k], sizeof columns[k]);
+}
+inline void spread_records(const double* records, std::size_t size, double* block) {
+  transpose(records, size, block, kBlock<double>);
+}
+
 // Four records of three values -> four lanes of three values of a block.
 inline void spread_triples(const float* records, float* block) {
   const Four v0 = load(records);
@@ -67,18 +135,33 @@ inline void spread_triples(const float* records, float* block) {
 }
 inline void spread_triples(const double* /*records*/, double* /*block*/) {}  // two rows of a transpose serve there
 
+// Four lanes of three values of a block -> four records of three values.
+inline void join_triples(const float* block, float* records) {
+  const Four a = load(block);
+  const Four b = load(block + kBlock<float>);
+  const Four c = load(block + 2 * kBlock<float>);
+  const Four a0b0a1b1 = __builtin_shufflevector(a, b, 0, 4, 1, 5);
+  const Four a2b2a3b3 = __builtin_shufflevector(a, b, 2, 6, 3, 7);
+  const Four c0a1c2a3 = __builtin_shufflevector(c, a, 0, 5, 2, 7);
+  const Four b1c1b3c3 = __builtin_shufflevector(b, c, 1, 5, 3, 7);
+  const Four values[3] = {__builtin_shufflevector(a0b0a1b1, c0a1c2a3, 0, 1, 4, 5),
+                          __builtin_shufflevector(b1c1b3c3, a2b2a3b3, 0, 1, 4, 5),
+                          __builtin_shufflevector(c0a1c2a3, b1c1b3c3, 2, 3, 6, 7)};
+  for (std::size_t k = 0; k < 3; ++k) std::memcpy(records + 4 * k, &values[k], sizeof values[k]);
+}
+inline void join_triples(const double* /*block*/, double* /*records*/) {}  // two rows of a transpose serve there
+
 // `count` <= kBlock plain records of `size` values -> one block; lanes from `count` on become 0.
 template <class T>
 void to_block(const T* records, std::size_t count, std::size_t size, T* block) {
-  constexpr std::size_t kSide = 16 / sizeof(T);
   std::size_t i = 0;
-  if (size == 3 && kSide == 4) {
-    for (; i + kSide <= count; i += kSide) spread_triples(records + i * size, block + i);
-  } else if (size >= kSide) {
-    for (; i + kSide <= count; i += kSide) {
-      for (std::size_t k = 0; k < size; k += kSide) {
-        if (k + kSide > size) k = size - kSide;  // the last square overlaps the one before
-        transpose(records + i * size + k, size, block + k * kBlock<T> + i, kBlock<T>);
+  if (size == 3 && kSide<T> == 4) {
+    for (; i + 4 <= count; i += 4) spread_triples(records + i * size, block + i);
+  } else if (size >= kSide<T>) {
+    for (; i + kTaken<T> <= count; i += kTaken<T>) {
+      for (std::size_t k = 0; k < size; k += kSide<T>) {
+        if (k + kSide < T >> size) k = size - kSide<T>;  // the last ones overlap those before
+        spread_records(records + i * size + k, size, block + k * kBlock<T> + i);
       }
     }
   }
@@ -91,12 +174,13 @@ void to_block(const T* records, std::size_t count, std::size_t size, T* block) {
 // One block -> `count` <= kBlock plain records of `size` values.
 template <class T>
 void to_records(const T* block, std::size_t count, std::size_t size, T* records) {
-  constexpr std::size_t kSide = 16 / sizeof(T);
   std::size_t i = 0;
-  if (size >= kSide) {
-    for (; i + kSide <= count; i += kSide) {
-      for (std::size_t k = 0; k < size; k += kSide) {
-        if (k + kSide > size) k = size - kSide;
+  if (size == 3 && kSide<T> == 4) {
+    for (; i + 4 <= count; i += 4) join_triples(block + i, records + i * size);
+  } else if (size >= kSide<T>) {
+    for (; i + kSide<T> <= count; i += kSide<T>) {
+      for (std::size_t k = 0; k < size; k += kSide<T>) {
+        if (k + kSide < T >> size) k = size - kSide<T>;
         transpose(block + k * kBlock<T> + i, kBlock<T>, records + i * size + k, size);
       }
     }

@@ -21,6 +21,7 @@
 #include "prt/rays/row_sums.hpp"
 #include "prt/transfer/lobe.hpp"
 #include "prt/transfer/visibility.hpp"
+#include "prt/zonal.hpp"
 
 namespace sh::prt {
 

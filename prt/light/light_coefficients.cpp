@@ -7,6 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "generated/cpp/evaluate_rgb.hpp"
 #include "generated/cpp/rotate.hpp"
 #include "prt/basis.hpp"
 
@@ -48,13 +49,11 @@ LightCoefficients turned(const LightCoefficients& light, const Eigen::Matrix3d& 
 }
 
 Eigen::Vector3d radiance(const LightCoefficients& light, const Eigen::Vector3d& direction) {
-  BasisValues basis;
-  evaluate_basis(light.degree, direction.x(), direction.y(), direction.z(), basis.data());
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (std::size_t i = 0; i < light.bands_squared(); ++i) {
-    sum += basis[i] * Eigen::Vector3d(light.at(0, i), light.at(1, i), light.at(2, i));
-  }
-  return sum;
+  Eigen::Vector3d rgb;
+  at_degree(light.degree, [&](auto degree) {
+    sh::evaluate_rgb<degree()>(light.values.data(), direction.x(), direction.y(), direction.z(), rgb.data());
+  });
+  return rgb;
 }
 
 Eigen::Matrix3d rotation_about(const Eigen::Vector3d& axis, double degrees) {

@@ -1,7 +1,10 @@
 // Projects lights without pictures on the SH basis.
+#include <array>
 #include <cmath>
 #include <numbers>
 
+#include "generated/cpp/cap.hpp"
+#include "generated/cpp/zonal.hpp"
 #include "numeric/oracle/zonal.hpp"
 #include "prt/basis.hpp"
 #include "prt/light/light.hpp"
@@ -82,12 +85,12 @@ std::vector<double> project_directional(const Eigen::Vector3d& direction, int de
 }
 
 std::vector<double> project_cap(const Eigen::Vector3d& direction, double one_minus_cos, int degree) {
-  std::vector<double> zonal(degree + 1);
-  numeric::cap_zonal(degree, one_minus_cos, zonal.data());
-  std::vector<double> out = project_directional(direction, degree);
-  // The cap is a zonal function, turned to a direction.
-  for (int l = 0; l <= degree; ++l) zonal[l] *= std::sqrt(4.0 * kPi / (2.0 * l + 1.0));
-  scale_bands(zonal, out.data());
+  std::vector<double> out(coefficient_count(degree));
+  at_degree(degree, [&](auto known) {
+    std::array<double, known() + 1> zonal;
+    sh::cap<known()>(one_minus_cos, zonal.data());
+    sh::zonal<known()>(zonal.data(), direction.x(), direction.y(), direction.z(), out.data());
+  });
   return out;
 }
 

@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "generated/cpp/basis_gradient.hpp"
+#include "generated/cpp/evaluate.hpp"
 #include "numeric/sampling/sphere_nodes.hpp"
 #include "prt/basis.hpp"
 #include "prt/light/light_coefficients.hpp"
@@ -35,9 +36,9 @@ class Descent {
 
  private:
   [[nodiscard]] double value(const Eigen::Vector3d& d) const {
-    BasisValues y;
-    evaluate_basis(degree_, d.x(), d.y(), d.z(), y.data());
-    return std::inner_product(c_.begin(), c_.end(), y.begin(), 0.0);
+    double sum = 0.0;
+    at_degree(degree_, [&](auto known) { sum = sh::evaluate<known()>(c_.data(), d.x(), d.y(), d.z()); });
+    return sum;
   }
 
   [[nodiscard]] Eigen::Vector3d gradient(const Eigen::Vector3d& d) const {

@@ -6,10 +6,11 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 #include <stdexcept>
 #include <utility>
 
+#include "generated/batch/batch.hpp"
+#include "generated/cpp/relight_rgb.hpp"
 #include "numeric/oracle/zonal.hpp"
 #include "prt/basis.hpp"
 #include "prt/chunks.hpp"
@@ -18,6 +19,7 @@
 #include "prt/runtime/relight.hpp"
 #include "prt/transfer/lobe.hpp"
 #include "prt/transfer/visibility.hpp"
+#include "prt/zonal.hpp"
 
 namespace sh::prt {
 
@@ -38,15 +40,13 @@ std::vector<float> widened(const LightCoefficients& light, int degree) {
   return values;
 }
 
-// reaching (3, rows) += matrices (channels, rows, columns) times the light (3, columns).
+// reaching (3, rows) += matrices (channels, rows, columns) of a vertex times the light (3, columns).
 void add_indirect(const TransferShape& shape, const float* matrices, const float* light, float* reaching) {
-  using Matrix = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-  const auto rows = static_cast<Eigen::Index>(shape.rows());
-  const auto columns = static_cast<Eigen::Index>(shape.columns());
+  std::array<float, kMostCoefficients> sums;
   for (std::size_t c = 0; c < kChannels; ++c) {
-    const Eigen::Map<const Matrix> matrix(matrices + (shape.channels == 1 ? 0 : c * shape.count()), rows, columns);
-    const Eigen::Map<const Eigen::VectorXf> from(light + c * shape.columns(), columns);
-    Eigen::Map<Eigen::VectorXf>(reaching + c * shape.rows(), rows) += matrix * from;
+    batch::relight(shape.degree, shape.rows(), batch::plain(matrices + (shape.channels == 1 ? 0 : c * shape.count())),
+                   light + c * shape.columns(), batch::plain(sums.data()));
+    for (std::size_t i = 0; i < shape.rows(); ++i) reaching[c * shape.rows() + i] += sums[i];
   }
 }
 
@@ -58,23 +58,15 @@ void add_clusters(const Clusters& clusters, const LightRows& light_rows, std::ve
   for_vertices(clusters.receivers(), [&](std::size_t v) { lit.add_to(v, values.data() + v * stride); });
 }
 
-// sum over lobes of scale_l Y_i(direction), and its product with each channel.
-struct Lobe {
-  std::array<float, kMostCoefficients> values;
-
-  template <class Factor>
-  Lobe(int degree, const Eigen::Vector3f& direction, const Factor& factor) {
-    zonal_about(degree, direction, factor, values.data());
-  }
-  [[nodiscard]] Eigen::Vector3f meets(const float* reaching, std::size_t count) const {
-    Eigen::Vector3f sums;
-    for (std::size_t c = 0; c < kChannels; ++c) {
-      sums[static_cast<Eigen::Index>(c)] =
-          std::inner_product(reaching + c * count, reaching + (c + 1) * count, values.begin(), 0.0F);
-    }
-    return sums;
-  }
-};
+// What a lobe about a direction gathers of every channel.
+template <class Factor>
+Eigen::Vector3f gathered(int degree, const Eigen::Vector3f& direction, const Factor& factor, const float* reaching) {
+  std::array<float, kMostCoefficients> lobe;
+  zonal_about(degree, direction, factor, lobe.data());
+  Eigen::Vector3f sums;
+  at_degree(degree, [&](auto known) { sh::relight_rgb<known()>(lobe.data(), reaching, sums.data()); });
+  return sums;
+}
 
 Material material_of(const Mesh& mesh, std::size_t vertex, const Eigen::Vector3f& albedo) {
   Material material{albedo, Eigen::Vector3f::Zero(), 0.0F};
@@ -143,16 +135,15 @@ void TransferredRadiance::at(const Hit& hit, const Mesh& mesh, float* out) const
 
 Eigen::Vector3f exit_radiance(const Material& material, int degree, const float* reaching,
                               const Eigen::Vector3f& normal, const Eigen::Vector3f& to_eye) {
-  const std::size_t count = coefficient_count(degree);
   Eigen::Vector3f radiance = Eigen::Vector3f::Zero();
   if (!material.albedo.isZero(0.0F)) {
-    radiance += material.albedo.cwiseProduct(Lobe(degree, normal, diffuse_factor).meets(reaching, count));
+    radiance += material.albedo.cwiseProduct(gathered(degree, normal, diffuse_factor, reaching));
   }
   if (!material.specular.isZero(0.0F)) {
     const Eigen::Vector3f mirrored = (2.0F * normal.dot(to_eye) * normal - to_eye).normalized();
     const auto exponent = static_cast<double>(material.exponent);
-    const Lobe lobe(degree, mirrored, [exponent](int l) { return phong_factor(l, exponent); });
-    radiance += material.specular.cwiseProduct(lobe.meets(reaching, count));
+    const auto factor = [exponent](int l) { return phong_factor(l, exponent); };
+    radiance += material.specular.cwiseProduct(gathered(degree, mirrored, factor, reaching));
   }
   return radiance;
 }

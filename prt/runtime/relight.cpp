@@ -4,26 +4,15 @@
 #include <oneapi/tbb/blocked_range.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 
+#include "generated/batch/batch.hpp"
 #include "prt/chunks.hpp"
 #include "prt/runtime/lit_clusters.hpp"
-#include "prt/runtime/row_products.hpp"
 
 namespace sh::prt {
-
-namespace baseline {
-extern const RowProductsOn kRowProducts;
-}  // namespace baseline
-#if defined(SH_RELIGHT_X86)
-namespace avx2 {
-extern const RowProductsOn kRowProducts;
-}  // namespace avx2
-namespace avx512 {
-extern const RowProductsOn kRowProducts;
-}  // namespace avx512
-#endif
 
 namespace {
 
@@ -53,40 +42,60 @@ void require_count(std::size_t count, const Transfer& transfer, const char* what
   }
 }
 
-/// The light in single precision, in the layout of the inner loop.
-std::vector<float> in_float(const LightCoefficients& light) { return {light.values.begin(), light.values.end()}; }
-
-RowProducts row_products(const Transfer& transfer, const std::vector<float>& light) {
-  const std::size_t n = light.size() / 3;
-  RowProducts rows;
-  rows.stride = transfer.shape.length();
-  rows.transfer_step = transfer.shape.channels == 3 ? transfer.shape.count() : 0;
-  rows.light = light.data();
-  const bool is_white = std::equal(light.begin() + n, light.end(), light.begin());  // the three channels are equal
-  rows.light_step = is_white ? 0 : n;
-  rows.coefficients = n;
-  rows.sums = rows.transfer_step == 0 && rows.light_step == 0 ? 1 : 3;
-  return rows;
+/// The light in single precision and in the degree of the transfer, channel by channel; one channel if all are equal.
+std::vector<float> light_of(const Transfer& transfer, const LightCoefficients& light) {
+  const std::size_t n = light.bands_squared();
+  const auto first = light.values.begin();
+  const auto end = first + static_cast<std::ptrdiff_t>(n);
+  const bool is_white = std::equal(first, end, end) && std::equal(first, end, end + static_cast<std::ptrdiff_t>(n));
+  std::vector<float> values((is_white ? 1 : 3) * coefficient_count(transfer.degree()), 0.0F);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const std::size_t channel = i / coefficient_count(transfer.degree());
+    const std::size_t index = i % coefficient_count(transfer.degree());
+    if (index < n) values[i] = static_cast<float>(light.at(channel, index));
+  }
+  return values;
 }
 
-/// Calls work(rows of the range, first vertex, vertices) for ranges of vertices, in parallel.
+/// The sums of `count` rows of a transfer of this shape, three a row.
+void sums_of(const TransferShape& shape, const float* rows, std::size_t count, const std::vector<float>& light,
+             float* out) {
+  const bool is_white = light.size() == shape.count();
+  const auto all = batch::plain(rows);
+  if (shape.channels == 3 && is_white) {
+    batch::relight(shape.degree, 3 * count, all, light.data(), batch::plain(out));
+  } else if (shape.channels == 3) {
+    batch::relight_colored(shape.degree, count, all, light.data(), batch::plain(out));
+  } else if (!is_white) {
+    batch::relight_rgb(shape.degree, count, all, light.data(), batch::plain(out));
+  } else {
+    alignas(64) std::array<float, kVerticesAtOnce> sums;
+    for (std::size_t first = 0; first < count; first += kVerticesAtOnce) {
+      const std::size_t some = std::min(kVerticesAtOnce, count - first);
+      batch::relight(shape.degree, some, batch::plain(rows + first * shape.length()), light.data(),
+                     batch::plain(sums.data()));
+      for (std::size_t v = 0; v < some; ++v) std::fill_n(out + 3 * (first + v), 3, sums[v]);
+    }
+  }
+}
+
+/// Calls work(first vertex, vertices) for ranges of at most kVerticesAtOnce vertices, in parallel.
 template <class Work>
-void for_ranges(const Transfer& transfer, const RowProducts& rows, const Work& work) {
+void for_ranges(const Transfer& transfer, const Work& work) {
   const tbb::blocked_range<std::size_t> all(0, transfer.mesh.positions.size(), kVerticesAtOnce);
   in_parallel(all, [&](const auto& range) {
-    RowProducts part = rows;
-    part.transfer = transfer.row(range.begin());
-    work(part, range.begin(), range.size());
+    for (std::size_t v = range.begin(); v < range.end(); v += kVerticesAtOnce) {
+      work(v, std::min(kVerticesAtOnce, range.end() - v));
+    }
   });
 }
 
-/// Calls give(vertex, sum) with the sums of every vertex, (3), of transfer whose rows are clustered, in parallel.
+/// Calls give(vertex, sums) with the sums of every vertex, (3), of transfer whose rows are clustered, in parallel.
 template <class Give>
-void for_clustered(const Transfer& transfer, RowProducts rows, const Give& give) {
+void for_clustered(const Transfer& transfer, const std::vector<float>& light, const Give& give) {
   const Clusters& clusters = transfer.clusters;
-  rows.transfer = clusters.basis.data();
   std::vector<float> lit(clusters.basis.size() / clusters.length * 3);
-  row_products_here().back().color(rows, lit.size() / 3, nullptr, lit.data());
+  sums_of(transfer.shape, clusters.basis.data(), lit.size() / 3, light, lit.data());
   const LitClusters products(clusters, lit);
   for_vertices(clusters.receivers(), [&](std::size_t v) {
     Eigen::Vector3f sums = Eigen::Vector3f::Zero();
@@ -95,44 +104,38 @@ void for_clustered(const Transfer& transfer, RowProducts rows, const Give& give)
   });
 }
 
-/// `colours` serve transfer without the albedo.
+/// The sums of `count` vertices from `first` on, times their colors if the rows hold no albedo, with the emitted light;
+/// colors, one a vertex from `first` on.
+void finish(const Transfer& transfer, std::size_t first, std::size_t count, const Eigen::Vector3f* colors,
+            Eigen::Vector3f* radiance) {
+  const auto values = static_cast<Eigen::Index>(3 * count);
+  if (!transfer.shape.holds_albedo) {
+    Eigen::Map<Eigen::ArrayXf>(radiance->data(), values) *= Eigen::Map<const Eigen::ArrayXf>(colors->data(), values);
+  }
+  for (std::size_t v = 0; !transfer.emitted.empty() && v < count; ++v) radiance[v] += transfer.emitted[first + v];
+}
+
+/// `colors` serve transfer without the albedo.
 void relight_with(const Transfer& transfer, const LightCoefficients& light, std::span<const Eigen::Vector3f> colors,
                   std::span<Eigen::Vector3f> radiance) {
   require_diffuse(transfer);
   require_light(transfer, light);
   require_count(colors.size(), transfer, "colors");
   require_count(radiance.size(), transfer, "radiances");
-  const std::vector<float> values = in_float(light);
+  const std::vector<float> values = light_of(transfer, light);
   if (!transfer.clusters.empty()) {
-    for_clustered(transfer, row_products(transfer, values), [&](std::size_t v, const Eigen::Vector3f& sums) {
-      radiance[v] = transfer.shape.holds_albedo ? sums : Eigen::Vector3f(sums.cwiseProduct(colors[v]));
-      if (!transfer.emitted.empty()) radiance[v] += transfer.emitted[v];
+    return for_clustered(transfer, values, [&](std::size_t v, const Eigen::Vector3f& sums) {
+      radiance[v] = sums;
+      finish(transfer, v, 1, &colors[v], &radiance[v]);
     });
-    return;
   }
-  for_ranges(transfer, row_products(transfer, values), [&](const RowProducts& rows, std::size_t first, std::size_t n) {
-    row_products_here().back().color(rows, n, transfer.shape.holds_albedo ? nullptr : colors[first].data(),
-                                     radiance[first].data());
-    for (std::size_t v = first; !transfer.emitted.empty() && v < first + n; ++v) radiance[v] += transfer.emitted[v];
+  for_ranges(transfer, [&](std::size_t first, std::size_t count) {
+    sums_of(transfer.shape, transfer.row(first), count, values, radiance[first].data());
+    finish(transfer, first, count, &colors[first], &radiance[first]);
   });
 }
 
 }  // namespace
-
-std::span<const RowProductsOn> row_products_here() {
-  static const std::vector<RowProductsOn> kHere = [] {
-    std::vector<RowProductsOn> here{baseline::kRowProducts};
-#if defined(SH_RELIGHT_X86)
-    if (__builtin_cpu_supports("avx2")) here.push_back(avx2::kRowProducts);
-    if (__builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512dq") &&
-        __builtin_cpu_supports("avx512vl")) {
-      here.push_back(avx512::kRowProducts);
-    }
-#endif
-    return here;
-  }();
-  return kHere;
-}
 
 void require_light(const Transfer& transfer, const LightCoefficients& light) {
   if (light.degree > transfer.degree()) {
@@ -183,30 +186,27 @@ Eigen::Vector3f relight_vertex(const Transfer& transfer, std::size_t vertex, con
   require_diffuse(transfer);
   require_light(transfer, light);
   require_no_albedo(transfer);
-  const std::vector<float> values = in_float(light);
-  RowProducts rows = row_products(transfer, values);
   std::vector<float> room;
-  rows.transfer = transfer.row(vertex, room);
   Eigen::Vector3f radiance;
-  row_products_here().back().color(rows, 1, color.data(), radiance.data());
-  return transfer.emitted.empty() ? radiance : Eigen::Vector3f(radiance + transfer.emitted[vertex]);
+  sums_of(transfer.shape, transfer.row(vertex, room), 1, light_of(transfer, light), radiance.data());
+  finish(transfer, vertex, 1, &color, &radiance);
+  return radiance;
 }
 
 std::vector<float> relight_gray(const Transfer& transfer, const LightCoefficients& light) {
   require_diffuse(transfer);
   require_light(transfer, light);
   require_no_albedo(transfer);
-  const std::vector<float> values = in_float(light);
-  RowProducts all = row_products(transfer, values);
-  all.light_step = 0;
-  all.sums = 1;
+  std::vector<float> values = light_of(transfer, light);
+  values.resize(transfer.shape.count());
   std::vector<float> radiance(transfer.mesh.positions.size());
   if (!transfer.clusters.empty()) {
-    for_clustered(transfer, all, [&](std::size_t v, const Eigen::Vector3f& sums) { radiance[v] = sums[0]; });
+    for_clustered(transfer, values, [&](std::size_t v, const Eigen::Vector3f& sums) { radiance[v] = sums[0]; });
     return radiance;
   }
-  for_ranges(transfer, all, [&](const RowProducts& rows, std::size_t first, std::size_t n) {
-    row_products_here().back().gray(rows, n, &radiance[first]);
+  for_ranges(transfer, [&](std::size_t first, std::size_t count) {
+    batch::relight(transfer.degree(), count, batch::plain(transfer.row(first)), values.data(),
+                   batch::plain(&radiance[first]));
   });
   return radiance;
 }

@@ -1,6 +1,7 @@
 // Relighting: multiplies baked transfer vectors by the coefficients of a light, in several ways [Green 2003, "Rendering
-// SH Diffuse Surfaces"]. All ways read the rows in the order of the transfer file (prt/runtime/row_products.hpp), run
-// in parallel and give the same bits on every machine and for any number of threads. Single precision.
+// SH Diffuse Surfaces"]. All ways read the rows in the order of the transfer file (generated
+// drivers `relight*`), run in parallel and give the same bits on every machine and for any number of threads. Single
+// precision.
 //   a light of any color           relight: three sums a vertex
 //   white light                    relight under a light whose channels are equal: one sum a vertex, the same bits
 //   recolored                      any color a vertex in place of the albedo: recolored

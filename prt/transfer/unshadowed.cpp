@@ -1,10 +1,12 @@
 #include "prt/transfer/unshadowed.hpp"
 
-#include <cmath>
+#include <algorithm>
 #include <cstddef>
 #include <numbers>
 
-#include "numeric/oracle/zonal.hpp"
+#include "generated/cpp/cap.hpp"
+#include "generated/cpp/irradiance.hpp"
+#include "generated/cpp/zonal.hpp"
 #include "prt/basis.hpp"
 #include "prt/chunks.hpp"
 
@@ -12,39 +14,42 @@ namespace sh::prt {
 
 namespace {
 
-// (normals, bands^2): zonal functions about the normals, factors_l Y_lm(n).
-std::vector<float> about(const std::vector<Eigen::Vector3f>& normals, const std::vector<double>& factors) {
-  const auto degree = static_cast<int>(factors.size()) - 1;
+// (normals, bands^2): row(normal, numbers) for every normal.
+template <class Row>
+std::vector<float> for_normals(int degree, const std::vector<Eigen::Vector3f>& normals, const Row& row) {
   const std::size_t count = coefficient_count(degree);
   std::vector<float> transfer(normals.size() * count);
-  for_vertices(normals.size(), [&](std::size_t v) {
-    zonal_about(
-        degree, normals[v], [&](int l) { return factors[l]; }, transfer.data() + v * count);
+  at_degree(degree, [&](auto known) {
+    for_vertices(normals.size(), [&](std::size_t v) { row(known, normals[v], transfer.data() + v * count); });
   });
   return transfer;
 }
 
-std::vector<double> hemisphere_factors(int degree) {
-  std::vector<double> factors(degree + 1);
-  numeric::cap_zonal(degree, 1.0, factors.data());
-  for (int l = 0; l <= degree; ++l) factors[l] *= std::sqrt(4.0 * std::numbers::pi / (2 * l + 1));
-  return factors;
+// The zonal coefficients of the visible hemisphere.
+std::vector<float> hemisphere(int degree) {
+  std::vector<double> zonal(degree + 1);
+  at_degree(degree, [&](auto known) { sh::cap<known()>(1.0, zonal.data()); });
+  return {zonal.begin(), zonal.end()};
 }
 
 }  // namespace
 
 std::vector<float> unshadowed_transfer(int degree, const std::vector<Eigen::Vector3f>& normals) {
-  std::vector<double> factors;
-  for (int l = 0; l <= degree; ++l) factors.push_back(numeric::clamped_cosine_factor<double>(l) / std::numbers::pi);
-  return about(normals, factors);
+  return for_normals(degree, normals, [](auto known, const Eigen::Vector3f& n, float* row) {
+    sh::basis<known()>(n.x(), n.y(), n.z(), row);
+    sh::irradiance<known()>(row);
+    std::for_each(row, row + coefficient_count(known()), [](float& value) { value *= std::numbers::inv_pi_v<float>; });
+  });
 }
 
 std::vector<float> unshadowed_transfer(const TransferShape& shape, const Mesh& mesh) {
   if (shape.meets == Meets::kNothing) return {};
-  if (shape.meets == Meets::kOperator) {
-    return about(mesh.geometric_normals, hemisphere_factors(shape.function_degree()));
-  }
-  return unshadowed_transfer(shape.degree, mesh.normals);
+  if (shape.meets == Meets::kDot) return unshadowed_transfer(shape.degree, mesh.normals);
+  const std::vector<float> zonal = hemisphere(shape.function_degree());
+  return for_normals(shape.function_degree(), mesh.geometric_normals,
+                     [&](auto known, const Eigen::Vector3f& n, float* row) {
+                       sh::zonal<known()>(zonal.data(), n.x(), n.y(), n.z(), row);
+                     });
 }
 
 }  // namespace sh::prt

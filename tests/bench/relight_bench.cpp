@@ -7,7 +7,6 @@
 #include <string>
 
 #include "prt/runtime/relight.hpp"
-#include "prt/runtime/row_products.hpp"
 #include "tests/bench/harness.hpp"
 
 namespace {
@@ -111,7 +110,7 @@ void others(Table& table) {
 int main() {
   const tbb::global_control one_core(tbb::global_control::max_allowed_parallelism, 1);
   Table table;
-  table.section("Relighting, one core, " + std::string(sh::prt::row_products_here().back().instruction_set),
+  table.section("Relighting, one core",
                 "limit: reading and writing the same bytes; RGB light unless it says otherwise");
   targets(table);
   others(table);

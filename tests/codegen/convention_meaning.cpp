@@ -44,7 +44,7 @@ bool has_no_functions(const std::string& family) {
 }
 
 bool has_no_axes(const std::string& family) {
-  return family == "transfer_prepare" || family.starts_with("transfer_apply") ||
+  return family == "transfer_prepare" || family.starts_with("transfer_apply") || family.starts_with("relight") ||
          is_among(family, {"evaluate_prepare", "project_finish", "cap", "irradiance", "window_hann", "window_lanczos",
                            "window_lanczos2", "window_lanczos4", "window_gaussian", "window_laplacian", "rotate_z",
                            "rotate_apply", "lightmap_project", "lightmap_evaluate", "product", "product_full", "square",
@@ -56,7 +56,7 @@ bool is_shared(const std::string& family, const Definition& definition) {
 }
 
 bool needs_radiance(const std::string& family) {
-  return family.starts_with("transfer_") ||
+  return family.starts_with("transfer_") || family.starts_with("relight") ||
          is_among(family, {"irradiance", "product", "product_full", "square", "product_zonal", "triple"});
 }
 

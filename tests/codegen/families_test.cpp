@@ -54,6 +54,10 @@ TEST(TransferFamilies, AreExactAtEveryDegree) {
                {0, 1, 2, 3, 4, 5, 6});
 }
 
+TEST(RelightFamilies, AreExactUpToTheLargestDegree) {
+  expect_exact({"relight", "relight_rgb", "relight_colored"}, {0, 1, 4, 10, 20});
+}
+
 // The most multiplications and additions, by degree. Most are the best numbers that were known before: zxz needed 82,
 // 180, 318, 502, 744 operations at degrees 2 to 6 and 1880 at degree 9; looped: those of the first version with a loop.
 // The second recipe by quadrature saves additions if a fused instruction counts as one operation.

@@ -129,6 +129,32 @@ void check_triple(Check& check) {
   check.expect(check.call("triple", {{"a", a}, {"b", b}, {"c", c}}).at("integral")[0], total);
 }
 
+// The integral of transfer times light, channel by channel.
+void check_relight(Check& check, const std::string& family, const std::string& result, std::size_t transfer_channels,
+                   std::size_t light_channels) {
+  std::vector<std::vector<double>> transfers;
+  std::vector<std::vector<double>> lights;
+  const auto joined_channels = [&check](std::vector<std::vector<double>>& channels, std::size_t count) {
+    std::vector<double> all;
+    while (channels.size() < count) {
+      channels.push_back(check.coefficients());
+      all.insert(all.end(), channels.back().begin(), channels.back().end());
+    }
+    return all;
+  };
+  const auto transfer = joined_channels(transfers, transfer_channels);
+  const auto light = joined_channels(lights, light_channels);
+  const auto out = check.call(family, {{"transfer", transfer}, {"light", light}}).at(result);
+  for (std::size_t channel = 0; channel < light_channels; ++channel) {
+    double total = 0;
+    for (const auto& node : numeric::sphere_rule<double>(2 * check.degree)) {
+      const Vector3 s{node.x, node.y, node.z};
+      total += node.weight * check.value(transfers[channel % transfer_channels], s) * check.value(lights[channel], s);
+    }
+    check.expect(out.at(channel), total);
+  }
+}
+
 // Visibility and lights, prepared by transfer_prepare.
 struct Transfer {
   std::vector<double> visibility;
@@ -197,6 +223,9 @@ std::vector<Meaning> rotation_and_product_meanings() {
           {"square", [](Check& check) { check_product(check, "square", check.degree); }},
           {"product_zonal", check_product_zonal},
           {"triple", check_triple},
+          {"relight", [](Check& check) { check_relight(check, "relight", "value", 1, 1); }},
+          {"relight_rgb", [](Check& check) { check_relight(check, "relight_rgb", "rgb", 1, 3); }},
+          {"relight_colored", [](Check& check) { check_relight(check, "relight_colored", "rgb", 3, 3); }},
           {"transfer_prepare", [](Check& check) { check_transfer(check, "transfer_apply", 1); }},
           {"transfer_apply", [](Check& check) { check_transfer(check, "transfer_apply", 1); }},
           {"transfer_apply_rgb", [](Check& check) { check_transfer(check, "transfer_apply_rgb", 3); }},

@@ -7,6 +7,9 @@
 #include "generated/cpp/evaluate.hpp"
 #include "generated/cpp/evaluate_rgb.hpp"
 #include "generated/cpp/product.hpp"
+#include "generated/cpp/relight.hpp"
+#include "generated/cpp/relight_colored.hpp"
+#include "generated/cpp/relight_rgb.hpp"
 #include "generated/cpp/rotate.hpp"
 #include "generated/cpp/transfer_apply_rgb.hpp"
 #include "generated/cpp/transfer_glossy.hpp"
@@ -207,6 +210,36 @@ Subject<T> glossy_rgb_subject(int degree) {
       });
 }
 
+template <class T>
+Subject<T> relight_subject(int degree) {
+  return subject<T>(
+      "relight", degree, {Kind::kVector}, 1, {32, 32},
+      [degree](std::size_t n, const auto& in, Records<T> out) {
+        batch::relight(degree, n, in[0], samples_of<T>(degree), out);
+      },
+      []<int kDegree>(const auto& in, T* out) { *out = relight<kDegree>(in[0], samples_of<T>(kDegree)); });
+}
+
+template <class T>
+Subject<T> relight_rgb_subject(int degree) {
+  return subject<T>(
+      "relight_rgb", degree, {Kind::kVector}, 3, {32, 32},
+      [degree](std::size_t n, const auto& in, Records<T> out) {
+        batch::relight_rgb(degree, n, in[0], samples_of<T>(degree), out);
+      },
+      []<int kDegree>(const auto& in, T* out) { relight_rgb<kDegree>(in[0], samples_of<T>(kDegree), out); });
+}
+
+template <class T>
+Subject<T> relight_colored_subject(int degree) {
+  return subject<T>(
+      "relight_colored", degree, {Kind::kColors}, 3, {256, 256},
+      [degree](std::size_t n, const auto& in, Records<T> out) {
+        batch::relight_colored(degree, n, in[0], samples_of<T>(degree), out);
+      },
+      []<int kDegree>(const auto& in, T* out) { relight_colored<kDegree>(in[0], samples_of<T>(kDegree), out); });
+}
+
 }  // namespace
 
 template <class T>
@@ -224,6 +257,9 @@ std::vector<Subject<T>> subjects() {
     all.push_back(gradient_subject<T>(degree));
     all.push_back(evaluate_subject<T>(degree));
     all.push_back(evaluate_rgb_subject<T>(degree));
+    all.push_back(relight_subject<T>(degree));
+    all.push_back(relight_rgb_subject<T>(degree));
+    all.push_back(relight_colored_subject<T>(degree));
   }
   return all;
 }

@@ -84,6 +84,11 @@ Kernel transfer_apply(int degree, int channels, bool looped);
 /// samples serve all channels, and no channel is projected.
 Kernel transfer_glossy(int degree, int channels, bool looped);
 
+/// Relighting: the integral of transfer times light, the scalar product of their coefficients in ascending order
+/// [SloanKautzSnyder02, section 4.1]. channels: 1, or 3 for red, green and blue. Transfer of one channel serves all
+/// channels of the light; both arrays have as many channels otherwise.
+Kernel relight(int degree, int transfer_channels, int light_channels);
+
 /// The product term by term, from the entries of the Gaunt tensor.
 Kernel product_tensor(const ProductShape& shape, Factors factors);
 

@@ -1,5 +1,6 @@
 // Products: product(a, b), square(a), product_zonal(a, zonal) -> coefficients of the product on the same bands,
-// product_full(a, b) -> all of them, and triple(a, b, c) -> the integral of a b c. Against quadrature on the sphere,
+// product_full(a, b) -> all of them, triple(a, b, c) -> the integral of a b c, and relight(transfer, light) -> the integral
+// of their product, for each channel. Against quadrature on the sphere,
 // exact for the degree of the integrand, of the values of the oracle's basis at its nodes.
 #include <algorithm>
 #include <map>
@@ -60,6 +61,22 @@ void product(int degree, const Real* a, const Real* b, Real* out) {
   product(degree, degree, a, b, out);
 }
 
+// The integral of transfer times light for each channel of the light, from transfer of as many channels, or of one.
+auto relit(int transfer_channels, int light_channels) {
+  return [=](int degree, const auto* transfer, auto* out) {
+    using Real = std::remove_cvref_t<decltype(*transfer)>;
+    const auto& rule = cached_product_rule<Real>(degree, degree);
+    const Real* const light = transfer + transfer_channels * rule.factor;
+    for (int channel = 0; channel < light_channels; ++channel) {
+      const Real* const of_channel = transfer + (transfer_channels == 1 ? 0 : channel * rule.factor);
+      out[channel] = 0;
+      for (std::size_t k = 0; k < rule.weights.size(); ++k) {
+        out[channel] += rule.weights[k] * rule.value(k, of_channel) * rule.value(k, light + channel * rule.factor);
+      }
+    }
+  };
+}
+
 }  // namespace
 
 std::vector<ExactFamily> exact_product() {
@@ -77,6 +94,9 @@ std::vector<ExactFamily> exact_product() {
              }
              product(degree, in, zonal.data(), out);
            }},
+          {"relight", relit(1, 1)},
+          {"relight_rgb", relit(1, 3)},
+          {"relight_colored", relit(3, 3)},
           {"triple", [](int degree, const auto* in, auto* out) {
              using Real = std::remove_cvref_t<decltype(*in)>;
              const int count = coefficient_count(degree);
