@@ -127,10 +127,33 @@ Allowed allowed(const MaskOptions& options, const std::string& symmetries, const
 
 // --- making a mask
 
-// The knowledge about an entry; `first` is the place of its array among the flattened inputs.
+bool is_list(const std::string& text) {
+  return !text.empty() && text.find_first_not_of("0123456789,") == std::string::npos;
+}
+
+int parse_entry(const char* option, const std::string& item, int size) {
+  const bool digits = !item.empty() && item.size() < 6 && item.find_first_not_of("0123456789") == std::string::npos;
+  const int entry = digits ? std::stoi(item) : -1;
+  if (entry >= 0 && entry < size) return entry;
+  throw std::invalid_argument(std::string(option) + ": expected a number from 0 to " + std::to_string(size - 1) +
+                              " or a symmetry such as zonal, got '" + item + "'");
+}
+
+std::vector<int> parse_list(const char* option, const std::string& list, int size) {
+  std::vector<int> listed;
+  for (const std::string& item : split(list)) listed.push_back(parse_entry(option, item, size));
+  return listed;
+}
+
+// The knowledge about an entry; `first` is the place of its array among the flattened inputs; symmetries: or a list of
+// the entries that are not zero.
 KnownInput known_input(const Parameter& array, int entry, int first, const MaskOptions& options,
                        const std::string& symmetries) {
   const DegreeOrder c = coefficient(array, entry);
+  if (is_list(symmetries)) {
+    const bool listed = contains(parse_list("--left, --right", symmetries, entries(array)), entry % entries(array));
+    return {listed && allowed(options, "", c).free ? Kind::kFree : Kind::kZero, -1};
+  }
   const Allowed here = allowed(options, symmetries, c);
   if (!here.free) return {Kind::kZero, -1};
   if (here.mirrored == 0) return {};
@@ -140,28 +163,17 @@ KnownInput known_input(const Parameter& array, int entry, int first, const MaskO
   return {here.mirrored > 0 ? Kind::kSame : Kind::kOpposite, first + entry - 2 * c.order};
 }
 
-int parse_entry(const std::string& item, int size) {
-  const bool digits = !item.empty() && item.size() < 6 && item.find_first_not_of("0123456789") == std::string::npos;
-  const int entry = digits ? std::stoi(item) : -1;
-  if (entry >= 0 && entry < size) return entry;
-  throw std::invalid_argument("--outputs: expected a number from 0 to " + std::to_string(size - 1) +
-                              " or a symmetry such as zonal, got '" + item + "'");
-}
-
 // For every entry of a result: whether it is wanted.
 std::vector<bool> wanted_entries(const Parameter& result, const MaskOptions& options) {
   const int count = entries(result);
   const std::string& outputs = options.outputs;
-  const bool list = !outputs.empty() && outputs.find_first_not_of("0123456789,") == std::string::npos;
+  const bool list = is_list(outputs);
   if (count == 0 && !list && !outputs.empty()) {
     throw std::invalid_argument("--outputs: expected a list of entries, because " + result.name +
                                 " holds no coefficients, got " + outputs);
   }
   const int size = count > 0 ? count : result.size();
-  std::vector<int> listed;
-  for (const std::string& item : split(outputs)) {
-    if (list) listed.push_back(parse_entry(item, size));
-  }
+  const std::vector<int> listed = list ? parse_list("--outputs", outputs, size) : std::vector<int>();
   std::vector<bool> wanted;
   for (int entry = 0; entry < result.size(); ++entry) {
     const bool is_allowed = count == 0 || allowed(options, list ? "" : outputs, coefficient(result, entry)).free;

@@ -22,8 +22,9 @@ namespace sh::codegen {
 ///   hemisphere    if it has mirror-z: its values on the upper hemisphere determine it
 ///   mirror-xy     if f(y, x, z) = f(x, y, z)
 struct MaskOptions {
-  std::string left;     ///< symmetries of the first coefficient array: "zonal" or "mirror-x,mirror-y"
-  std::string right;    ///< symmetries of the second coefficient array
+  std::string left;     ///< the first coefficient array: symmetries, "zonal" or "mirror-x,mirror-y", or a list of the
+                        ///< entries that are not zero in any channel, "0,2,6"
+  std::string right;    ///< the same of the second coefficient array
   std::string outputs;  ///< the wanted results: symmetries of their functions, or a list of entries such as "0,2,6"
   std::vector<int> keep_bands;   ///< all other degrees are zero in every array and are not wanted
   std::vector<int> keep_orders;  ///< all other orders m are zero in every array and are not wanted

@@ -83,8 +83,10 @@ void dump(const std::string& stage, const std::string& kernel) {
 }
 
 void add_mask_options(CLI::App& command, MaskOptions& mask) {
-  command.add_option("--left", mask.left, "Symmetries of the first coefficient array, e.g. zonal or mirror-x,mirror-y");
-  command.add_option("--right", mask.right, "Symmetries of the second coefficient array");
+  command.add_option(
+      "--left", mask.left,
+      "Symmetries of the first coefficient array, e.g. zonal or mirror-x,mirror-y, or its nonzero entries, e.g. 0,2,6");
+  command.add_option("--right", mask.right, "The same of the second coefficient array");
   command.add_option("--keep-bands", mask.keep_bands, "Degrees l to keep (all others are zero), e.g. 0,1,2,4")
       ->delimiter(',');
   command

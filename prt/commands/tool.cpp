@@ -23,6 +23,9 @@ void add_commands(CLI::App& tool) {
         add_project_command, add_plan_command, add_reconstruct_command, add_study_command, add_compare_command}) {
     add(tool);
   }
+#if defined(SHFORGE_EMIT)
+  add_emit_command(tool);
+#endif
 }
 
 // Refuses what CLI11 takes for numbers: nan, inf, and what exceeds single precision.
@@ -39,6 +42,16 @@ void require_finite_numbers(CLI::App& tool) {
       if (option->get_type_name().starts_with("FLOAT")) option->check(flaw_of_number);
     }
   }
+}
+
+// "bake, relight or render"
+std::string command_names(CLI::App& tool) {
+  const std::vector<CLI::App*> commands = tool.get_subcommands({});
+  std::string names;
+  for (const CLI::App* command : commands) {
+    names += (names.empty() ? "" : command == commands.back() ? " or " : ", ") + command->get_name();
+  }
+  return names;
 }
 
 int run(int argc, char** argv) {
@@ -59,11 +72,8 @@ int run(int argc, char** argv) {
     return tool.exit(done);
   } catch (const CLI::ParseError& error) {
     if (!tool.get_subcommands().empty()) throw;
-    std::fprintf(
-        stderr,
-        "prt: expected a command (bake, relight, render, shader, info, project, reconstruct, plan, study or compare), "
-        "got `%s`\n",
-        sh::output::printable(argc > 1 ? argv[1] : "").c_str());
+    std::fprintf(stderr, "prt: expected a command (%s), got `%s`\n", command_names(tool).c_str(),
+                 sh::output::printable(argc > 1 ? argv[1] : "").c_str());
     return 2;
   }
 }

@@ -1,0 +1,42 @@
+#include "prt/emit/blocks.hpp"
+
+#include <cstring>
+
+#include "prt/transfer/checksum.hpp"
+
+namespace sh::prt {
+
+namespace {
+
+constexpr std::size_t kLine = 64;
+
+}  // namespace
+
+EmittedData::EmittedData(std::size_t vertices) : vertices_(vertices), bytes_(kLine, '\0') {}
+
+std::size_t EmittedData::add(const void* numbers, std::size_t size, std::size_t bytes) {
+  const std::size_t offset = bytes_.size();
+  const std::size_t all = emitted_blocks(vertices_) * kEmittedBlock * size * bytes;
+  bytes_.resize(offset + (all + kLine - 1) / kLine * kLine);
+  const char* from = static_cast<const char*>(numbers);
+  for (std::size_t v = 0; v < vertices_; ++v) {
+    for (std::size_t k = 0; k < size; ++k, from += bytes) {
+      const std::size_t place = (v / kEmittedBlock * size + k) * kEmittedBlock + v % kEmittedBlock;
+      std::memcpy(&bytes_[offset + place * bytes], from, bytes);
+    }
+  }
+  return offset;
+}
+
+std::uint64_t EmittedData::checksum() const {
+  return prt::checksum(bytes_.data() + sizeof(std::uint64_t), bytes_.size() - sizeof(std::uint64_t));
+}
+
+std::string EmittedData::file() const {
+  std::string file = bytes_;
+  const std::uint64_t sum = checksum();
+  std::memcpy(file.data(), &sum, sizeof sum);
+  return file;
+}
+
+}  // namespace sh::prt
