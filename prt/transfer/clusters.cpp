@@ -3,11 +3,14 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numeric>
 #include <span>
 #include <stdexcept>
+#include <tuple>
 #include <utility>
 
 #include "numeric/output/progress.hpp"
@@ -23,7 +26,11 @@ constexpr int kRounds = 40;          // at the end
 constexpr int kMostSplits = 24;      // twice as many as double one cluster to kMostClusters
 constexpr std::size_t kAround = 24;  // clusters to which a row may go from its own
 constexpr std::size_t kBlock = 64;   // rows at once
-constexpr double kLittle = 5e-4;     // of the error: a round that gains less is the last
+constexpr int kMoves = 6;            // of clusters to places where they are worth more
+constexpr int kRoundsOfMove = 6;
+constexpr std::size_t kPartMoved = 8;  // of the clusters, at once
+constexpr double kPartOfSplit = 0.5;   // of its error that a split may save
+constexpr double kLittle = 5e-4;       // of the error: a round that gains less is the last
 
 void check(const std::vector<float>& rows, std::size_t length, ClusterCounts counts) {
   if (counts.clusters < 1 || counts.clusters > kMostClusters || counts.vectors > kMostVectors) {
@@ -36,6 +43,10 @@ void check(const std::vector<float>& rows, std::size_t length, ClusterCounts cou
   if (!std::all_of(rows.begin(), rows.end(), [](float number) { return std::isfinite(number); })) {
     throw std::invalid_argument("clusters: a number is not finite");
   }
+}
+
+std::size_t most_rounds(std::uint32_t clusters) {
+  return static_cast<std::size_t>(kRoundsOfGrowth * std::bit_width(clusters) + kRounds + kMoves * kRoundsOfMove);
 }
 
 // Finds the nearest of some planes.
@@ -53,18 +64,30 @@ class PlanesAround {
     }
   }
 
-  void assign(const DoubleRows& rows, std::span<const std::uint32_t> members, std::vector<std::uint16_t>& home) const {
+  void assign(const DoubleRows& rows, std::span<const std::uint32_t> members, std::vector<std::uint16_t>& home,
+              std::vector<double>& gap) const {
     DoubleRows block(members.size(), rows.cols());
     for (std::size_t i = 0; i < members.size(); ++i) block.row(i) = rows.row(members[i]);
     const DoubleRows products = block * vectors_.transpose();
-    for (std::size_t i = 0; i < members.size(); ++i) home[members[i]] = some_[nearest(products.row(i))];
+    for (std::size_t i = 0; i < members.size(); ++i) {
+      const Nearest found = nearest(products.row(i));
+      home[members[i]] = some_[found.plane];
+      gap[members[i]] = found.gap;
+    }
   }
 
  private:
+  struct Nearest {
+    std::size_t plane;
+    double gap;  // to the second, in squared distance
+  };
+
   // Squared distances to the planes: |x - m|^2 - sum_k ((x - m) a_k)^2, less |x|^2.
   template <class Products>
-  [[nodiscard]] std::size_t nearest(const Products& products) const {
-    double least = std::numeric_limits<double>::infinity();
+  [[nodiscard]] Nearest nearest(const Products& products) const {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    double least = kInfinity;
+    double second = kInfinity;
     std::size_t best = 0;
     for (std::size_t i = 0; i < some_.size(); ++i) {
       const Eigen::Index first = i * of_mean_.cols();
@@ -74,11 +97,13 @@ class PlanesAround {
         distance -= along * along;
       }
       if (distance < least) {
-        least = distance;
+        second = std::exchange(least, distance);
         best = i;
+      } else {
+        second = std::min(second, distance);
       }
     }
-    return best;
+    return {best, second - least};
   }
 
   const std::vector<std::uint16_t>& some_;
@@ -90,7 +115,13 @@ class PlanesAround {
 class Clustering {
  public:
   Clustering(const DoubleRows& rows, ClusterCounts counts)
-      : rows_(rows), counts_(counts), home_(rows.rows(), 0), members_(1), planes_(1) {
+      : rows_(rows),
+        counts_(counts),
+        progress_("clusters", most_rounds(counts.clusters)),
+        home_(rows.rows(), 0),
+        gap_(rows.rows(), 0.0),
+        members_(1),
+        planes_(1) {
     counts_.clusters = static_cast<std::uint32_t>(std::min<std::size_t>(counts.clusters, rows.rows()));
     members_[0].resize(rows.rows());
     std::iota(members_[0].begin(), members_[0].end(), 0U);
@@ -98,21 +129,13 @@ class Clustering {
   }
 
   void run() {
-    output::Progress progress("clusters", counts_.clusters + kRounds);
     for (int time = 0; time < kMostSplits && planes_.size() < counts_.clusters && split_worst(); ++time) {
       for (int round = 0; round < kRoundsOfGrowth; ++round) improve();
     }
-    progress.advance(counts_.clusters);
-    double error = total_error();
-    for (int round = 0; round < kRounds; ++round) {
-      split_worst();  // in place of empty clusters
-      improve();
-      progress.advance();
-      const double before = std::exchange(error, total_error());
-      if (error >= (1.0 - kLittle) * before) break;
-    }
+    converge(kRounds);
+    move_least_useful();
     drop_empty();
-    progress.finish();
+    progress_.finish();
   }
 
   [[nodiscard]] const std::vector<Plane>& planes() const { return planes_; }
@@ -132,10 +155,64 @@ class Clustering {
     });
   }
 
+  void converge(int rounds) {
+    double error = total_error();
+    for (int round = 0; round < rounds; ++round) {
+      split_worst();  // in place of empty clusters
+      improve();
+      const double before = std::exchange(error, total_error());
+      if (error >= (1.0 - kLittle) * before) break;
+    }
+  }
+
+  // Takes clusters away where their rows lose least and splits the worst ones instead, as long as the error falls.
+  void move_least_useful() {
+    double error = total_error();
+    std::size_t count = planes_.size() / kPartMoved + 1;
+    for (int time = 0; time < kMoves && count > 0; ++time) {
+      const auto before = std::tuple(home_, members_, planes_, gap_);
+      if (!dissolve_least_useful(count)) break;
+      fit();
+      converge(kRoundsOfMove);
+      if (total_error() < error) {
+        error = total_error();
+      } else {
+        std::tie(home_, members_, planes_, gap_) = before;
+        count /= 2;
+      }
+    }
+  }
+
+  // Gives the rows of up to `count` clusters to the clusters next to them; false if none is less useful than a split.
+  bool dissolve_least_useful(std::size_t count) {
+    std::vector<std::pair<double, std::size_t>> useful;
+    std::vector<double> errors;
+    for (std::size_t c = 0; c < planes_.size(); ++c) {
+      double gaps = 0.0;
+      for (const std::uint32_t r : members_[c]) gaps += gap_[r];
+      useful.emplace_back(gaps, c);
+      errors.push_back(planes_[c].error);
+    }
+    std::sort(useful.begin(), useful.end());
+    std::sort(errors.begin(), errors.end(), std::greater<>());
+    bool any = false;
+    for (std::size_t i = 0; i < std::min(count, useful.size() / 2); ++i) {
+      const auto& [gaps, c] = useful[i];
+      if (gaps >= kPartOfSplit * errors[i] || around_[c].size() < 2) break;
+      std::vector<std::uint32_t>& next = members_[around_[c][1]];
+      next.insert(next.end(), members_[c].begin(), members_[c].end());
+      std::sort(next.begin(), next.end());
+      members_[c].clear();
+      any = true;
+    }
+    return any;
+  }
+
   void improve() {
     find_around();
     assign();
     fit();
+    progress_.advance();
   }
 
   // Gives every row to the cluster with the nearest plane among those around its own.
@@ -144,8 +221,8 @@ class Clustering {
       output::check_interrupt();
       const PlanesAround around(planes_, around_[c], counts_.vectors);
       for (std::size_t first = 0; first < members_[c].size(); first += kBlock) {
-        around.assign(rows_, std::span(members_[c]).subspan(first, std::min(kBlock, members_[c].size() - first)),
-                      home_);
+        around.assign(rows_, std::span(members_[c]).subspan(first, std::min(kBlock, members_[c].size() - first)), home_,
+                      gap_);
       }
     });
     for (std::vector<std::uint32_t>& members : members_) members.clear();
@@ -220,7 +297,9 @@ class Clustering {
 
   const DoubleRows& rows_;
   ClusterCounts counts_;
+  output::Progress progress_;
   std::vector<std::uint16_t> home_;                  // (rows) the cluster of each
+  std::vector<double> gap_;                          // (rows) what each would lose in the next best cluster
   std::vector<std::vector<std::uint32_t>> members_;  // rows of a cluster, ascending
   std::vector<Plane> planes_;
   std::vector<std::vector<std::uint16_t>> around_;

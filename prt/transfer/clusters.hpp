@@ -47,7 +47,8 @@ struct ClusterCounts {
 using RoundBasis = std::function<std::vector<float>(const std::vector<float>& basis)>;
 
 /// rows (receivers, length) -> clusters; fewer where the rows need no more. Splits the worst clusters until there are
-/// enough, and after each split gives every row to the cluster whose plane is nearest. The same bytes for any number of
+/// enough, and after each split gives every row to the cluster whose plane is nearest; at last moves the least useful
+/// clusters to where they are worth more. The same bytes for any number of
 /// threads. Shows progress. Throws std::invalid_argument for counts out of range, rows of another length, no rows and
 /// numbers that are not finite, output::Interrupted on request.
 Clusters clustered(const std::vector<float>& rows, std::size_t length, ClusterCounts counts,

@@ -61,27 +61,39 @@ bool is_same(const Clusters& a, const Clusters& b) {
   return a.basis == b.basis && a.cluster == b.cluster && a.weights == b.weights && a.error == b.error;
 }
 
+/// A weight of a vector is off by at most half a step of the largest weight; the vectors are at right angles.
+void expect_within_steps(const std::vector<float>& rows, const Clusters& clusters) {
+  const std::size_t length = clusters.length;
+  std::vector<float> back(length);
+  for (std::size_t r = 0; r < clusters.receivers(); ++r) {
+    clusters.row(r, back.data());
+    double lost = 0.0;
+    double bound = 0.0;
+    for (std::size_t i = 0; i < length; ++i) {
+      lost += std::pow(static_cast<double>(back[i]) - static_cast<double>(rows[r * length + i]), 2);
+      for (std::size_t k = 1; k <= clusters.vectors; ++k) {
+        bound += std::pow(static_cast<double>(clusters.basis_of(r)[k * length + i]) / 254.0, 2);
+      }
+    }
+    EXPECT_LE(std::sqrt(lost), 1.01 * std::sqrt(bound)) << length << ' ' << r;
+  }
+}
+
 TEST(Clusters, HoldRowsOfTheirPlanesToTheEightBits) {
   for (const std::size_t length : {6U, 25U, 300U}) {
     const std::vector<float> rows = rows_in_planes(400, length, 5, 3);
     const Clusters clusters = clustered(rows, length, {5, 3});
     EXPECT_EQ(clusters.count(), 5U) << length;
     for (std::size_t r = 0; r < 400; ++r) EXPECT_EQ(clusters.cluster[r], clusters.cluster[r % 5]) << length;
-    // A weight of a vector is off by at most half a step of the largest weight; the vectors are at right angles.
-    std::vector<float> back(length);
-    for (std::size_t r = 0; r < 400; ++r) {
-      clusters.row(r, back.data());
-      double lost = 0.0;
-      double bound = 0.0;
-      for (std::size_t i = 0; i < length; ++i) {
-        lost += std::pow(static_cast<double>(back[i]) - static_cast<double>(rows[r * length + i]), 2);
-        for (std::size_t k = 1; k <= 3; ++k) {
-          bound += std::pow(static_cast<double>(clusters.basis_of(r)[k * length + i]) / 254.0, 2);
-        }
-      }
-      EXPECT_LE(std::sqrt(lost), 1.01 * std::sqrt(bound)) << length << ' ' << r;
-    }
+    expect_within_steps(rows, clusters);
   }
+}
+
+TEST(Clusters, HoldRowsOfMoreDimensionsThanTheyAreSortedBy) {
+  const std::vector<float> rows = rows_in_planes(800, 300, 4, 40);  // 164 in all
+  const Clusters clusters = clustered(rows, 300, {4, 40});
+  EXPECT_EQ(clusters.count(), 4U);
+  expect_within_steps(rows, clusters);
 }
 
 TEST(Clusters, StateTheErrorOfTheirRows) {
