@@ -49,7 +49,8 @@ void run_emit(const EmitCommand& options) {
   EmitOptions emitted_options{name_of_file(options.file), needed_by(options, transfer.degree())};
   Emitted emitted;
   try {
-    emitted = emit_cpp(transfer, emitted_options);
+    emitted = options.language == "cpp" ? emit_cpp(transfer, emitted_options)
+                                        : emit_glsl(transfer, emitted_options, options.language == "glsl-es");
   } catch (const std::invalid_argument& flaw) {
     throw std::runtime_error(fmt::format("{}: {}", options.file, flaw.what()));
   }
@@ -76,8 +77,11 @@ void add_emit_command(CLI::App& tool) {
   auto options = std::make_shared<EmitCommand>();
   CLI::App& command = *tool.add_subcommand("emit", "write the run time of one transfer file as source code");
   command.add_option("FILE", options->file, "transfer file from `prt bake`")->required();
-  command.add_option("--lang", options->language, "language")->check(CLI::IsMember({"cpp"}));
-  command.add_option("-o,--output", options->folder, "folder to write relight.hpp and relight.bin to")->required();
+  command.add_option("--lang", options->language, "language")->check(CLI::IsMember({"cpp", "glsl", "glsl-es"}));
+  command
+      .add_option("-o,--output", options->folder,
+                  "folder to write relight.hpp (or relight.vert, relight.json) and relight.bin to")
+      ->required();
   command.add_option("--scene", options->scene,
                      "a scene whose lights are the only ones: coefficients that they lack cost nothing");
   command.add_option("--light-turns", options->turns, "later rotations of these lights")

@@ -27,12 +27,16 @@ struct EmittedCost {
 };
 
 struct Emitted {
-  std::vector<EmittedFile> files;  // relight.hpp, relight.bin
+  std::vector<EmittedFile> files;
   EmittedCost cost;
 };
 
 /// relight.hpp is C++17 that compiles alone, and gives the radiance of `prt relight` to rounding; relight.bin holds the
 /// numbers that it reads. Throws std::invalid_argument for a kind, degree or light that has no kernel.
 Emitted emit_cpp(const Transfer& transfer, const EmitOptions& options);
+
+/// relight.vert is a complete vertex shader, GLSL 4.50 core or ES 3.00; relight.bin holds its textures and attributes, and
+/// relight.json says where. Throws as emit_cpp.
+Emitted emit_glsl(const Transfer& transfer, const EmitOptions& options, bool es);
 
 }  // namespace sh::prt

@@ -1,74 +1,23 @@
 // The vertex shaders, run by Mesa with their outputs captured, against the relighting in C++.
-#include <epoxy/gl.h>
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
-#include <cstring>
 
 #include "numeric/glsl/egl_context.hpp"
 #include "prt/runtime/relight.hpp"
 #include "prt/runtime/vertex_shader.hpp"
 #include "tests/prt/lights.hpp"
 #include "tests/prt/rooms.hpp"
+#include "tests/prt/vertex_shader_run.hpp"
 
 namespace sh::prt::test {
 namespace {
-
-GLuint linked(const std::string& source) {
-  const GLuint program = glCreateProgram();
-  const GLuint shader = glCreateShader(GL_VERTEX_SHADER);
-  const bool is_es = source.rfind("#version 300 es", 0) == 0;
-  const GLuint fragment = glCreateShader(GL_FRAGMENT_SHADER);
-  const std::string nothing = std::string(is_es ? "#version 300 es\n" : "#version 450 core\n") + "void main() {}\n";
-  for (const auto& [stage, text] : {std::pair{shader, source}, {fragment, nothing}}) {
-    const char* pointer = text.c_str();
-    glShaderSource(stage, 1, &pointer, nullptr);
-    glCompileShader(stage);
-    glAttachShader(program, stage);
-  }
-  const char* output = "radiance";
-  glTransformFeedbackVaryings(program, 1, &output, GL_INTERLEAVED_ATTRIBS);
-  glLinkProgram(program);
-  GLint good = GL_FALSE;
-  glGetProgramiv(program, GL_LINK_STATUS, &good);
-  char log[512] = "";
-  glGetShaderInfoLog(shader, sizeof log, nullptr, static_cast<char*>(log));
-  EXPECT_EQ(good, GL_TRUE) << static_cast<const char*>(log);
-  return program;
-}
-
-void set_attribute(GLuint location, const std::vector<Eigen::Vector3f>& values) {
-  GLuint buffer = 0;
-  glGenBuffers(1, &buffer);
-  glBindBuffer(GL_ARRAY_BUFFER, buffer);
-  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(values.size() * sizeof values[0]), values.data(),
-               GL_STATIC_DRAW);
-  glVertexAttribPointer(location, 3, GL_FLOAT, GL_FALSE, 0, nullptr);
-  glEnableVertexAttribArray(location);
-}
 
 void set_transfer(std::vector<float> numbers) {
   constexpr GLsizei kWidth = 2048;
   const auto rows = static_cast<GLsizei>((numbers.size() + kWidth - 1) / kWidth);
   numbers.resize(static_cast<std::size_t>(rows) * kWidth);
-  GLuint texture = 0;
-  glGenTextures(1, &texture);
-  glBindTexture(GL_TEXTURE_2D, texture);
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_R32F, kWidth, rows, 0, GL_RED, GL_FLOAT, numbers.data());
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-}
-
-/// There is no window. The context needs a complete framebuffer although nothing is drawn.
-void bind_framebuffer() {
-  GLuint framebuffer = 0;
-  GLuint target = 0;
-  glGenFramebuffers(1, &framebuffer);
-  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-  glGenRenderbuffers(1, &target);
-  glBindRenderbuffer(GL_RENDERBUFFER, target);
-  glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, 1, 1);
-  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, target);
+  set_texture(0, GL_R32F, kWidth, rows, GL_FLOAT, numbers.data());
 }
 
 void set_light(GLuint program, const LightCoefficients& light, bool white) {
@@ -101,22 +50,7 @@ std::vector<Eigen::Vector3f> run(const Transfer& transfer, const LightCoefficien
   set_light(program, light, white);
   const Eigen::Matrix<float, 3, 3, Eigen::RowMajor> rows = turn.cast<float>();
   glUniform1fv(glGetUniformLocation(program, "rotation"), 9, rows.data());
-  bind_framebuffer();
-  GLuint captured = 0;
-  glGenBuffers(1, &captured);
-  glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, captured);
-  const auto bytes = static_cast<GLsizeiptr>(count * sizeof(Eigen::Vector3f));
-  glBufferData(GL_TRANSFORM_FEEDBACK_BUFFER, bytes, nullptr, GL_STREAM_READ);
-  glEnable(GL_RASTERIZER_DISCARD);
-  glBeginTransformFeedback(GL_POINTS);
-  glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(count));
-  glEndTransformFeedback();
-  std::vector<Eigen::Vector3f> radiance(count, Eigen::Vector3f::Constant(-1e9F));
-  const void* mapped = glMapBufferRange(GL_TRANSFORM_FEEDBACK_BUFFER, 0, bytes, GL_MAP_READ_BIT);
-  EXPECT_NE(mapped, nullptr);
-  if (mapped != nullptr) std::memcpy(radiance.front().data(), mapped, bytes);
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
-  return radiance;
+  return captured_radiance(count);
 }
 
 Transfer baked_torus(const TransferKind* kind, int degree) {

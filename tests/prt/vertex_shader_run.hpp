@@ -1,0 +1,93 @@
+// Vertex shaders run by Mesa, with their output `radiance` captured.
+#pragma once
+#include <epoxy/gl.h>
+#include <gtest/gtest.h>
+
+#include <Eigen/Core>
+#include <cstring>
+#include <string>
+#include <vector>
+
+namespace sh::prt::test {
+
+inline GLuint linked(const std::string& source) {
+  const GLuint program = glCreateProgram();
+  const GLuint shader = glCreateShader(GL_VERTEX_SHADER);
+  const bool is_es = source.rfind("#version 300 es", 0) == 0;
+  const GLuint fragment = glCreateShader(GL_FRAGMENT_SHADER);
+  const std::string nothing = std::string(is_es ? "#version 300 es\n" : "#version 450 core\n") + "void main() {}\n";
+  for (const auto& [stage, text] : {std::pair{shader, source}, {fragment, nothing}}) {
+    const char* pointer = text.c_str();
+    glShaderSource(stage, 1, &pointer, nullptr);
+    glCompileShader(stage);
+    glAttachShader(program, stage);
+  }
+  const char* output = "radiance";
+  glTransformFeedbackVaryings(program, 1, &output, GL_INTERLEAVED_ATTRIBS);
+  glLinkProgram(program);
+  GLint good = GL_FALSE;
+  glGetProgramiv(program, GL_LINK_STATUS, &good);
+  char log[512] = "";
+  glGetShaderInfoLog(shader, sizeof log, nullptr, static_cast<char*>(log));
+  EXPECT_EQ(good, GL_TRUE) << static_cast<const char*>(log);
+  return program;
+}
+
+/// values (vertices, components) in memory.
+inline void set_attribute(GLuint location, GLint components, const void* values, std::size_t bytes) {
+  GLuint buffer = 0;
+  glGenBuffers(1, &buffer);
+  glBindBuffer(GL_ARRAY_BUFFER, buffer);
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(bytes), values, GL_STATIC_DRAW);
+  glVertexAttribPointer(location, components, GL_FLOAT, GL_FALSE, 0, nullptr);
+  glEnableVertexAttribArray(location);
+}
+
+inline void set_attribute(GLuint location, const std::vector<Eigen::Vector3f>& values) {
+  set_attribute(location, 3, values.data(), values.size() * sizeof values[0]);
+}
+
+/// One channel, read without a filter, bound to a texture unit.
+inline void set_texture(GLuint unit, GLint format, GLsizei width, GLsizei height, GLenum type, const void* numbers) {
+  GLuint texture = 0;
+  glGenTextures(1, &texture);
+  glActiveTexture(GL_TEXTURE0 + unit);
+  glBindTexture(GL_TEXTURE_2D, texture);
+  glTexImage2D(GL_TEXTURE_2D, 0, format, width, height, 0, GL_RED, type, numbers);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+}
+
+/// There is no window. The context needs a complete framebuffer although nothing is drawn.
+inline void bind_framebuffer() {
+  GLuint framebuffer = 0;
+  GLuint target = 0;
+  glGenFramebuffers(1, &framebuffer);
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  glGenRenderbuffers(1, &target);
+  glBindRenderbuffer(GL_RENDERBUFFER, target);
+  glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, 1, 1);
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, target);
+}
+
+/// Draws the vertices as points and returns the output of each.
+inline std::vector<Eigen::Vector3f> captured_radiance(std::size_t count) {
+  bind_framebuffer();
+  GLuint captured = 0;
+  glGenBuffers(1, &captured);
+  glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, captured);
+  const auto bytes = static_cast<GLsizeiptr>(count * sizeof(Eigen::Vector3f));
+  glBufferData(GL_TRANSFORM_FEEDBACK_BUFFER, bytes, nullptr, GL_STREAM_READ);
+  glEnable(GL_RASTERIZER_DISCARD);
+  glBeginTransformFeedback(GL_POINTS);
+  glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(count));
+  glEndTransformFeedback();
+  std::vector<Eigen::Vector3f> radiance(count, Eigen::Vector3f::Constant(-1e9F));
+  const void* mapped = glMapBufferRange(GL_TRANSFORM_FEEDBACK_BUFFER, 0, bytes, GL_MAP_READ_BIT);
+  EXPECT_NE(mapped, nullptr);
+  if (mapped != nullptr) std::memcpy(radiance.front().data(), mapped, bytes);
+  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+  return radiance;
+}
+
+}  // namespace sh::prt::test
