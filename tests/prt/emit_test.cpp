@@ -7,7 +7,9 @@
 #include <cstdlib>
 #include <fstream>
 
+#include "prt/bake/compress.hpp"
 #include "tests/prt/emitted_cases.hpp"
+#include "tests/prt/glossy_meshes.hpp"
 #include "tests/prt/temporary_folder.hpp"
 
 namespace sh::prt::test {
@@ -141,6 +143,12 @@ TEST(Emitted, RefusesWhatHasNoKernel) {
   refused(random_transfer(kShadowed, 1, 0), {}, "without vertices");
   refused(stored(random_transfer(kShadowed, 2, 5), Element::kHalf, {0, 2, 6}), {1},
           "no coefficient that the lights have");
+  Transfer clustered = random_transfer(kShadowed, 2, 20);
+  compress(clustered, {3, 2});
+  refused(clustered, {}, "expected a bake without `compress`");
+  Transfer matrices = baked(statue(20.0F), &kGlossyInterreflected, 64, 1);
+  compress(matrices, {3, 2});
+  refused(matrices, {}, "expected a bake without `compress`");
 }
 
 }  // namespace
