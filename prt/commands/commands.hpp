@@ -29,6 +29,7 @@ void add_bake_command(CLI::App& tool);
 void add_relight_command(CLI::App& tool);
 void add_render_command(CLI::App& tool);
 void add_shader_command(CLI::App& tool);
+void add_fix_view_command(CLI::App& tool);
 void add_info_command(CLI::App& tool);
 void add_project_command(CLI::App& tool);
 void add_plan_command(CLI::App& tool);

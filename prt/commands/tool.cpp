@@ -18,9 +18,9 @@ void add_commands(CLI::App& tool) {
   using namespace sh::prt;
   tool.require_subcommand(1);
   tool.option_defaults()->always_capture_default();
-  for (const auto add :
-       {add_bake_command, add_relight_command, add_render_command, add_shader_command, add_info_command,
-        add_project_command, add_plan_command, add_reconstruct_command, add_study_command, add_compare_command}) {
+  for (const auto add : {add_bake_command, add_relight_command, add_render_command, add_shader_command,
+                         add_fix_view_command, add_info_command, add_project_command, add_plan_command,
+                         add_reconstruct_command, add_study_command, add_compare_command}) {
     add(tool);
   }
 #if defined(SHFORGE_EMIT)

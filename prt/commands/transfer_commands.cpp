@@ -1,4 +1,5 @@
 // `prt relight FILE -o out.ply`: exit radiance per vertex under a light, of a baked mesh or of a stage.
+// `prt fix-view FILE --eye X Y Z -o OUT`: glossy transfer seen from one point at rest.
 // `prt info FILE`: the header and counts of a transfer file as JSON.
 // `prt shader --kind DS --degree 4 > relight.vert`: a complete vertex shader that relights.
 #include <fmt/format.h>
@@ -6,6 +7,7 @@
 #include <filesystem>
 
 #include "prt/commands/subject.hpp"
+#include "prt/runtime/fixed_view.hpp"
 #include "prt/runtime/relight.hpp"
 #include "prt/runtime/vertex_shader.hpp"
 #include "prt/transfer/transfer_file.hpp"
@@ -87,6 +89,31 @@ void run_info(const std::string& file) {
   print_json(json);
 }
 
+struct FixViewCommand {
+  std::string file;
+  std::string output;
+  std::vector<double> eye;
+  int threads = 0;
+};
+
+void run_fix_view(const FixViewCommand& options) {
+  const Eigen::Vector3d eye(options.eye[0], options.eye[1], options.eye[2]);
+  if (!eye.allFinite()) throw std::invalid_argument("--eye: expected three finite numbers");
+  if (std::error_code none; std::filesystem::equivalent(options.file, options.output, none)) {
+    throw std::runtime_error(options.output + ": is the input; expected another name");
+  }
+  const Stopwatch stopwatch;
+  Transfer seen;
+  try {
+    seen = seen_from(read_transfer(options.file), eye);
+  } catch (const std::invalid_argument& flaw) {
+    throw std::runtime_error(fmt::format("{}: {}", options.file, flaw.what()));
+  }
+  write_transfer(options.output, seen);
+  report_time(stopwatch, fmt::format("{} vertices seen from {:.4g} {:.4g} {:.4g}, into {}", seen.mesh.positions.size(),
+                                     eye.x(), eye.y(), eye.z(), options.output));
+}
+
 struct ShaderCommand {
   std::string kind = "DS";
   int degree = 4;
@@ -112,6 +139,16 @@ void add_relight_command(CLI::App& tool) {
       ->expected(3);
   command.add_option("--frames", options->frames, "number of meshes in the time in which a stage moves");
   run_with_threads(command, options, run_relight);
+}
+
+void add_fix_view_command(CLI::App& tool) {
+  auto options = std::make_shared<FixViewCommand>();
+  CLI::App& command =
+      *tool.add_subcommand("fix-view", "write glossy transfer seen from one point: one dot product a frame");
+  command.add_option("FILE", options->file, "transfer file of a glossy kind")->required();
+  command.add_option("-o,--output", options->output, "transfer file to write, of the kind with bounces")->required();
+  command.add_option("--eye", options->eye, "X Y Z: the point")->required()->expected(3);
+  run_with_threads(command, options, run_fix_view);
 }
 
 void add_info_command(CLI::App& tool) {

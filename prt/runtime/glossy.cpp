@@ -174,16 +174,23 @@ Surface glossy_surface(const Transfer& transfer, TransferredRadiance reaching, s
   };
 }
 
-std::vector<Eigen::Vector3f> exit_radiance(const Transfer& transfer, const TransferredRadiance& reaching,
-                                           const Eigen::Vector3d& eye, const std::vector<Eigen::Vector3f>& albedo) {
+std::vector<Eigen::Vector3f> reflected_radiance(const Transfer& transfer, const TransferredRadiance& reaching,
+                                                const Eigen::Vector3d& eye,
+                                                const std::vector<Eigen::Vector3f>& albedo) {
   const Mesh& mesh = transfer.mesh;
   std::vector<Eigen::Vector3f> radiance(mesh.positions.size(), Eigen::Vector3f::Zero());
   for_vertices(mesh.positions.size(), [&](std::size_t v) {
     const Eigen::Vector3f to_eye = (eye - mesh.point(v)).stableNormalized().cast<float>();
     radiance[v] =
         exit_radiance(material_of(mesh, v, albedo[v]), reaching.degree(), reaching.at(v), mesh.normals[v], to_eye);
-    if (!transfer.emitted.empty()) radiance[v] += transfer.emitted[v];
   });
+  return radiance;
+}
+
+std::vector<Eigen::Vector3f> exit_radiance(const Transfer& transfer, const TransferredRadiance& reaching,
+                                           const Eigen::Vector3d& eye, const std::vector<Eigen::Vector3f>& albedo) {
+  std::vector<Eigen::Vector3f> radiance = reflected_radiance(transfer, reaching, eye, albedo);
+  for (std::size_t v = 0; v < transfer.emitted.size(); ++v) radiance[v] += transfer.emitted[v];
   return radiance;
 }
 

@@ -59,8 +59,12 @@ std::optional<SharpestLobe> sharpest_lobe(const Transfer& transfer);
 /// the result.
 Surface glossy_surface(const Transfer& transfer, TransferredRadiance reaching, std::vector<Eigen::Vector3f> albedo);
 
-/// Exit radiance of the vertices of `transfer` towards a point `eye` of the world, with the emitted light; `albedo`
+/// Exit radiance of the vertices of `transfer` towards a point `eye` of the world, without the emitted light; `albedo`
 /// (vertices) serves in place of the mesh's.
+std::vector<Eigen::Vector3f> reflected_radiance(const Transfer& transfer, const TransferredRadiance& reaching,
+                                                const Eigen::Vector3d& eye, const std::vector<Eigen::Vector3f>& albedo);
+
+/// The same with the emitted light.
 std::vector<Eigen::Vector3f> exit_radiance(const Transfer& transfer, const TransferredRadiance& reaching,
                                            const Eigen::Vector3d& eye, const std::vector<Eigen::Vector3f>& albedo);
 

@@ -131,5 +131,22 @@ TEST_F(GlossyTool, RefusesGlossyTransferWhereNoDirectionOfViewIsKnown) {
                  "a stage takes diffuse transfer");
 }
 
+TEST_F(GlossyTool, FixesTheView) {
+  const std::string file = folder->file("shadowed");
+  const std::string seen = folder->file("seen");
+  succeeded({"fix-view", file, "--eye", "3", "-2", "1", "-o", seen});
+  const Finished whole =
+      succeeded({"relight", file, "--eye", "3", "-2", "1", "--light", "overcast", "-o", folder->file("a.ply")});
+  const Finished rows = succeeded({"relight", seen, "--light", "overcast", "-o", folder->file("b.ply")});
+  const auto mean = [](const std::string& text) { return text.substr(text.find("mean exit radiance")); };
+  EXPECT_EQ(mean(whole.err), mean(rows.err));
+  EXPECT_EQ(printed({"info", seen})["kind"], "DI");
+  expect_refused({"fix-view", file, "-o", seen}, "--eye");
+  expect_refused({"fix-view", file, "--eye", "nan", "0", "0", "-o", seen}, "nan");
+  expect_refused({"fix-view", file, "--eye", "0", "0", "0", "-o", file}, "is the input");
+  expect_refused({"fix-view", seen, "--eye", "0", "0", "0", "-o", folder->file("c")}, "expected a glossy kind");
+  expect_refused({"fix-view", folder->file("none"), "--eye", "0", "0", "0", "-o", seen}, "none");
+}
+
 }  // namespace
 }  // namespace sh::prt::test
