@@ -85,7 +85,8 @@ void run(const Options& options) {
 
 void add_study_command(CLI::App& tool) {
   auto options = std::make_shared<Options>();
-  CLI::App& command = *tool.add_subcommand("study", "measure error against time: directions, degree, bounces, storage");
+  CLI::App& command = *tool.add_subcommand(
+      "study", "measure error against time: directions, degree, bounces, storage; of glossy scenes the run time");
   command.add_option("SCENE", options->scene, "a scene's JSON file, `demo` or `disc`, the embedded scenes")->required();
   command.add_option("--out", options->out, "folder for study.json and the charts; created if necessary")->required();
   command.add_flag("--quick", options->quick, "take a few seconds: fewer vertices and directions");

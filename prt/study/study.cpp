@@ -23,10 +23,6 @@ void check(const Scene& scene, const StudyOptions& options) {
     throw std::invalid_argument(
         fmt::format("most directions {}: expected {} to {}", most, StudyOptions::kLeastDirections, limit));
   }
-  if (scene.bake.kind->is_glossy()) {
-    throw std::invalid_argument(
-        fmt::format("{}: its transfer is {}; expected a diffuse kind for a study", scene.name, scene.bake.kind->word));
-  }
   if (options.vertices < 1) throw std::invalid_argument("vertices 0: at least one must be studied");
   if (!scene.mesh.mirror.empty()) {
     throw std::invalid_argument(
@@ -56,6 +52,23 @@ Study begin(const Scene& scene, const StudySetup& setup) {
   return study;
 }
 
+// All vertices are studied; there is no reference of rays.
+Study run_glossy_study(const Scene& scene, const StudyOptions& options,
+                       const std::function<void(const Study&)>& finished) {
+  const std::size_t vertices = scene.mesh.positions.size();
+  Study study{.scene = scene.name,
+              .instruction_set = options.instruction_set,
+              .vertices = vertices,
+              .faces = scene.mesh.faces.size(),
+              .studied = vertices,
+              .degree = scene.bake.degree,
+              .directions = options.bounce_directions,
+              .reference_directions = options.bounce_directions};
+  study.parts.push_back(study_glossy(scene, options));
+  finished(study);
+  return study;
+}
+
 Radiances shaded(const Transfer& transfer, const LightCoefficients& light, int degree) {
   Radiances radiances;
   for (const Eigen::Vector3f& radiance : relight(transfer, first_bands(light, degree))) {
@@ -78,6 +91,7 @@ Transfer shadowed(const StudySetup& setup, int degree, int directions) {
 
 Study run_study(const Scene& scene, const StudyOptions& options, const std::function<void(const Study&)>& finished) {
   check(scene, options);
+  if (scene.bake.kind->is_glossy()) return run_glossy_study(scene, options, finished);
   const StudySetup setup(scene, options);
   Study study = begin(scene, setup);
   for (const auto& part :

@@ -46,7 +46,8 @@ struct CoefficientError {
 };
 
 struct StudyPoint {
-  double at = 0.0;  // position on the axis of the part
+  double at = 0.0;         // position on the axis of the part
+  std::string label = {};  // beside the point in a chart; empty: its position
   RadianceError error = {};
   std::optional<RadianceError> exact_error = {};           // against the closed answer
   std::optional<CoefficientError> coefficient_error = {};  // of transfer vectors

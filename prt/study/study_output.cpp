@@ -27,6 +27,7 @@ Json to_json(const RadianceError& error, const Scene& scene) {
 
 Json to_json(const StudyPoint& point, const Scene& scene) {
   Json json = {{"at", point.at}, {"error", to_json(point.error, scene)}};
+  if (!point.label.empty()) json["label"] = point.label;
   if (point.exact_error) json["error_against_closed_answer"] = to_json(*point.exact_error, scene);
   if (point.coefficient_error) {
     json["coefficient_error"] = {{"rms", point.coefficient_error->rms}, {"largest", point.coefficient_error->largest}};
@@ -89,6 +90,7 @@ std::string hover(const StudySeries& series, const StudyPoint& point) {
 
 // The label of a point; only the first curve has labels.
 std::string label(const StudyPart& part, std::size_t curve, const StudyPoint& point) {
+  if (!point.label.empty()) return point.label;
   if (curve > 0) return "";
   if (part.name == "directions") return fmt::format("{}", point.at);
   if (part.name == "degrees" || part.name == "windows") return fmt::format("degree {}", point.at - 1.0);
@@ -103,7 +105,7 @@ ChartSeries curve(const StudyPart& part, std::size_t index, bool against_time) {
                       .marker = static_cast<output::Marker>(index % output::kMarkers),
                       .line = output::Line::kStraight};
   for (const StudyPoint& point : series.points) {
-    if (shown_error(point).rms > 0.0) {
+    if (shown_error(point).rms > 0.0 && (against_time || point.at > 0.0)) {
       line.points.push_back({against_time ? *point.seconds : point.at, shown_error(point).rms, hover(series, point),
                              label(part, index, point)});
     }
@@ -122,6 +124,7 @@ Chart chart_of(const Study& study, const StudyPart& part, bool against_time) {
   chart.height = 420;
   chart.legend = part.series.size() > 1;
   for (std::size_t i = 0; i < part.series.size(); ++i) chart.series.push_back(curve(part, i, against_time));
+  std::erase_if(chart.series, [](const ChartSeries& series) { return series.points.empty(); });
   return chart;
 }
 

@@ -18,13 +18,6 @@ namespace {
 constexpr int kClassifyDirections = 2048;  // enough to see whether a vertex is closed
 constexpr std::uint32_t kReferenceSeed = 0x5EED;
 
-// Windows are a separate part of the study.
-std::vector<Light> lights_of(const Scene& scene) {
-  std::vector<LightSpec> specs = scene.lights;
-  for (LightSpec& spec : specs) spec.window.reset();
-  return load_lights(specs, OnFlaw::kMend);
-}
-
 std::vector<float> unshadowed_rows(const StudySetup& setup, int degree) {
   std::vector<Eigen::Vector3f> normals;
   for (const std::uint32_t v : setup.part->vertices()) normals.push_back(setup.scene.mesh.normals[v]);
@@ -51,13 +44,6 @@ Fill gather_studied(const StudySetup& setup, const SharedDirections& directions,
 void fill_studied(const StudySetup& setup, const Fill& fill, std::size_t columns, std::vector<float>& rows) {
   fill.apply(rows.data(), columns, columns);
   rows.resize(setup.part->wanted() * columns);
-}
-
-// Processor time of this thread.
-double thread_seconds() {
-  timespec time{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
 TransferRows reference_rows(const StudySetup& setup) {
@@ -100,6 +86,18 @@ std::optional<Radiances> under_the_lights(const StudySetup& setup) {
 }
 
 }  // namespace
+
+std::vector<Light> lights_of(const Scene& scene) {
+  std::vector<LightSpec> specs = scene.lights;
+  for (LightSpec& spec : specs) spec.window.reset();
+  return load_lights(specs, OnFlaw::kMend);
+}
+
+double thread_seconds() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
 
 StudySetup::StudySetup(const Scene& studied_scene, const StudyOptions& study_options)
     : scene(studied_scene),

@@ -96,6 +96,12 @@ struct TimedRows {
 };
 TimedRows trace_rows(const StudySetup& setup, const BakeOptions& options);
 
+/// Processor time of this thread.
+double thread_seconds();
+
+/// The lights of a scene without their windows, which are a separate part.
+std::vector<Light> lights_of(const Scene& scene);
+
 // The parts of a study.
 /// Error and time against directions, with one curve for each sampler, at the scene's degree.
 StudyPart study_directions(const StudySetup& setup);
@@ -109,5 +115,7 @@ StudyPart study_storage(const StudySetup& setup);
 StudyPart study_windows(const StudySetup& setup);
 /// Pictures of the errors of few directions and of few degrees, from bakes of the whole mesh; no curves.
 StudyPart study_pictures(const StudySetup& setup);
+/// Error against run time and bytes for every representation of glossy transfer, the only part of a glossy scene.
+StudyPart study_glossy(const Scene& scene, const StudyOptions& options);
 
 }  // namespace sh::prt

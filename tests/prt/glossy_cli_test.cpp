@@ -121,7 +121,6 @@ TEST_F(GlossyTool, RefusesBakesThatGlossyTransferCannotHold) {
 TEST_F(GlossyTool, RefusesGlossyTransferWhereNoDirectionOfViewIsKnown) {
   const std::string file = folder->file("shadowed");
   expect_refused({"shader", "--kind", "GS"}, "--kind");
-  expect_refused({"study", folder->file("shadowed.json"), "--out", folder->file("s")}, "expected a diffuse kind");
   expect_refused({"compare", file, file, "-o", folder->file("c.png")}, "expected diffuse transfer");
   expect_refused({"render", file, "--local", "4", "-o", folder->file("x.png")}, "--local 4: glossy transfer");
   expect_refused({"relight", file, "--eye", "1", "2", "-o", folder->file("x.ply")}, "--eye");
