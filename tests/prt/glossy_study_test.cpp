@@ -20,6 +20,7 @@ const StudySeries& series_called(const StudyPart& part, const std::string& name)
 Study glossy_study() {
   Scene scene = scene_of(statue(12.0F), &kGlossyShadowed, 32, 4);
   scene.camera.position = {3.0, -4.0, 2.0};
+  scene.lights.emplace_back().type = LightType::kCieOvercast;
   StudyOptions options;
   options.bounce_directions = 64;
   return run_study(scene, options, [](const Study&) {});
@@ -41,7 +42,6 @@ TEST(GlossyStudy, OrdersRepresentationsByTheirError) {
   }
   EXPECT_GT(error("GS", 3), 10.0 * error("GI, view at rest", 3));
   EXPECT_GT(error("GU", 3), error("GS", 3));
-  EXPECT_GT(error("GI in clusters", 0), error("GI in clusters", 1));
   EXPECT_LT(error("GI in clusters", 1), error("GS", 3));
 }
 
