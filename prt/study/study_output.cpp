@@ -98,6 +98,8 @@ std::string label(const StudyPart& part, std::size_t curve, const StudyPoint& po
   return fmt::format("degree {}", std::sqrt(point.at / sizeof(float)) - 1.0);  // of the bytes of single precision
 }
 
+constexpr double kRounding = 1e-6;  // logarithmic axes would spend their length on errors of rounding
+
 ChartSeries curve(const StudyPart& part, std::size_t index, bool against_time) {
   const StudySeries& series = part.series[index];
   ChartSeries line = {.name = named(series),
@@ -105,7 +107,7 @@ ChartSeries curve(const StudyPart& part, std::size_t index, bool against_time) {
                       .marker = static_cast<output::Marker>(index % output::kMarkers),
                       .line = output::Line::kStraight};
   for (const StudyPoint& point : series.points) {
-    if (shown_error(point).rms > 0.0 && (against_time || point.at > 0.0)) {
+    if (shown_error(point).rms > kRounding && (against_time || point.at > 0.0)) {
       line.points.push_back({against_time ? *point.seconds : point.at, shown_error(point).rms, hover(series, point),
                              label(part, index, point)});
     }
