@@ -160,8 +160,14 @@ void to_block(const T* records, std::size_t count, std::size_t size, T* block) {
   } else if (size >= kSide<T>) {
     for (; i + kTaken<T> <= count; i += kTaken<T>) {
       for (std::size_t k = 0; k < size; k += kSide<T>) {
-        if (k + kSide < T >> size) k = size - kSide<T>;  // the last ones overlap those before
+        if (size < k + kSide<T>) k = size - kSide<T>;  // the last ones overlap those before
         spread_records(records + i * size + k, size, block + k * kBlock<T> + i);
+      }
+    }
+    for (; i + kSide<T> <= count; i += kSide<T>) {
+      for (std::size_t k = 0; k < size; k += kSide<T>) {
+        if (size < k + kSide<T>) k = size - kSide<T>;
+        transpose(records + i * size + k, size, block + k * kBlock<T> + i, kBlock<T>);
       }
     }
   }
@@ -180,7 +186,7 @@ void to_records(const T* block, std::size_t count, std::size_t size, T* records)
   } else if (size >= kSide<T>) {
     for (; i + kSide<T> <= count; i += kSide<T>) {
       for (std::size_t k = 0; k < size; k += kSide<T>) {
-        if (k + kSide < T >> size) k = size - kSide<T>;
+        if (size < k + kSide<T>) k = size - kSide<T>;
         transpose(block + k * kBlock<T> + i, kBlock<T>, records + i * size + k, size);
       }
     }

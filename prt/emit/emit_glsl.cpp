@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <stdexcept>
 
 #include "numeric/oracle/zonal.hpp"
 #include "prt/emit/parts.hpp"
@@ -15,6 +16,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kTextureWidth = 2048;
+constexpr std::size_t kTextureHeight = 16384;  // that OpenGL 4.5 promises
 constexpr std::size_t kAlignment = 64;
 constexpr std::string_view kFormats[] = {"R32F", "R16F", "R8_SNORM"};
 constexpr float kNormalized = 127.0F;  // R8_SNORM reads q / 127
@@ -65,6 +67,11 @@ class GlslEmitter {
   void add_texture(std::string_view name, Encoded encoded, const TransferShape& shape) {
     const std::size_t row = kTextureWidth * bytes_of(shape.storage.element);
     const std::size_t height = (encoded.data.size() + row - 1) / row;
+    if (height > kTextureHeight) {
+      throw std::invalid_argument(
+          fmt::format("a texture of {} numbers for {}: expected at most {}; bake a lower degree",
+                      encoded.data.size() / bytes_of(shape.storage.element), name, kTextureWidth * kTextureHeight));
+    }
     encoded.data.resize(height * row);
     json_["textures"].push_back({{"name", name},
                                  {"offset", add(encoded.data.data(), encoded.data.size())},

@@ -135,6 +135,11 @@ TEST(Emitted, IsTheSameEveryTime) {
   EXPECT_EQ(emit_cpp(transfer, {"a", {}}).files[1].bytes, emit_cpp(transfer, {"a", {}}).files[1].bytes);
 }
 
+TEST(Emitted, RefusesATextureThatGraphicsCardsNeedNotHave) {
+  const Transfer rows = random_transfer(kShadowed, kMaxDegree, 2048 * 16384 / 121 + 1);
+  EXPECT_NE(message_of([&] { emit_glsl(rows, {"a", {}}, true); }).find("expected at most 33554432"), std::string::npos);
+}
+
 TEST(Emitted, RefusesWhatHasNoKernel) {
   const auto refused = [](const Transfer& transfer, const std::vector<std::uint32_t>& light,
                           const std::string& reason) {
