@@ -6,7 +6,7 @@
 //   white light                    relight under a light whose channels are equal: one sum a vertex, the same bits
 //   recolored                      any color a vertex in place of the albedo: recolored
 //   gray                           one number a vertex, no color: relight_gray
-//   4 coefficients                 any of these under a light of degree 1, which ignores the transfer's higher bands
+//   4 coefficients                 any of these under a light of degree 1, which is zero in the higher bands
 #pragma once
 #include <Eigen/Core>
 #include <span>
