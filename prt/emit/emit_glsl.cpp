@@ -33,13 +33,13 @@ class GlslEmitter {
     const bool glossy = transfer_.kind->is_glossy();
     json_["vertices"] = transfer_.mesh.positions.size();
     define("COUNT", coefficient_count(transfer_.degree()));
-    if (transfer_.shape.meets != Meets::kNothing) add_texture("rows", rows_.encoded, rows_.shape);
+    if (transfer_.shape.meets != Meets::kNothing) add_texture(glossy ? "rows" : "transfer", rows_.encoded, rows_.shape);
     glossy ? add_glossy() : add_diffuse();
     add_attribute("position", 0, transfer_.mesh.positions);
     if (!transfer_.shape.holds_albedo) add_attribute("albedo", 1, transfer_.mesh.albedo);
     if (!transfer_.emitted.empty()) add_attribute("emitted", 3, transfer_.emitted);
     for (const auto& use : kernels_.all()) define_kernel(use);
-    const auto shader = text(glossy ? "glossy.vert" : "diffuse.vert");
+    const auto shader = text(glossy ? "glossy.vert" : "relight_rows.vert");
     return {{{"relight.vert", shader}, {"relight.bin", bytes_}, {"relight.json", json_.dump(2) + "\n"}},
             kernels_.cost()};
   }

@@ -37,8 +37,11 @@ std::string vertex_shader(const TransferKind& kind, int degree, bool white, Shad
                      degree, white ? "white" : "RGB");
   out += fmt::format("#define COUNT {}\n{}", shape.count(), white ? "#define WHITE\n" : "");
   if (kind.traces_rays()) {
-    out += fmt::format("#define CHANNELS {}\n", shape.channels);
-    return out.append(text_of("relight_rows.vert"));
+    const char* family = shape.channels == 3 ? "relight_colored" : white ? "relight" : "relight_rgb";
+    const std::string relight = fmt::format("{}_l{}", family, degree);
+    out += fmt::format("#define CHANNELS {}\n#define KEPT_COUNT COUNT\n#define KEPT(k) (k)\n#define RELIGHT {}\n{}",
+                       shape.channels, relight, shape.holds_albedo ? "" : "#define RECOLORABLE\n");
+    return out.append(text_of(relight + ".glsl")).append(text_of("relight_rows.vert"));
   }
   const std::string rotate = fmt::format("rotate_l{}", degree);
   const std::string irradiance = fmt::format("irradiance_evaluate_l{}", degree);
