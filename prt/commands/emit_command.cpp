@@ -58,13 +58,15 @@ void run_emit(const EmitCommand& options) {
   std::filesystem::create_directories(options.folder, failed);
   if (failed)
     throw std::runtime_error(fmt::format("{}: cannot make this folder: {}", options.folder, failed.message()));
+  const auto path_of = [&](const EmittedFile& file) {
+    return (std::filesystem::path(options.folder) / file.name).string();
+  };
   for (const EmittedFile& file : emitted.files) {
-    const std::string path = (std::filesystem::path(options.folder) / file.name).string();
-    if (std::error_code other; std::filesystem::equivalent(path, options.file, other)) {
-      throw std::runtime_error(path + ": is the input; expected another folder");
-    }
-    output::write_file(path, file.bytes);
-    fmt::print(stderr, "prt: {}: {} bytes\n", path, file.bytes.size());
+    output::require_no_input(path_of(file), {options.file, options.scene});
+  }
+  for (const EmittedFile& file : emitted.files) {
+    output::write_file(path_of(file), file.bytes);
+    fmt::print(stderr, "prt: {}: {} bytes\n", path_of(file), file.bytes.size());
   }
   fmt::print(stderr, "prt: {} operations a vertex for the light, {} without the mask\n", emitted.cost.operations,
              emitted.cost.unmasked);

@@ -6,6 +6,7 @@
 
 #include <filesystem>
 
+#include "numeric/output/atomic_file.hpp"
 #include "prt/commands/subject.hpp"
 #include "prt/runtime/fixed_view.hpp"
 #include "prt/runtime/relight.hpp"
@@ -99,9 +100,7 @@ struct FixViewCommand {
 void run_fix_view(const FixViewCommand& options) {
   const Eigen::Vector3d eye(options.eye[0], options.eye[1], options.eye[2]);
   if (!eye.allFinite()) throw std::invalid_argument("--eye: expected three finite numbers");
-  if (std::error_code none; std::filesystem::equivalent(options.file, options.output, none)) {
-    throw std::runtime_error(options.output + ": is the input; expected another name");
-  }
+  output::require_no_input(options.output, {options.file});
   const Stopwatch stopwatch;
   Transfer seen;
   try {

@@ -46,6 +46,11 @@ TEST(EmitTool, RefusesWithOneLineAndWritesNothing) {
   expect_refused({"emit", file, "-o", folder.file("run"), "--scene", folder.file("dark.json")}, "expected lights");
   expect_refused({"emit", file, "-o", folder.file("run"), "--light-turns", "up"}, "--light-turns");
   EXPECT_FALSE(std::filesystem::exists(folder.file("run")));
+  const std::string input = folder.file("relight.bin");
+  std::filesystem::copy_file(file, input);
+  expect_refused({"emit", input, "-o", folder.path().string()}, "expected an output that is not an input too");
+  EXPECT_EQ(read_all(input), read_all(file));
+  EXPECT_FALSE(std::filesystem::exists(folder.file("relight.hpp")));
 }
 
 }  // namespace

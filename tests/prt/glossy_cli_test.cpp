@@ -142,7 +142,7 @@ TEST_F(GlossyTool, FixesTheView) {
   EXPECT_EQ(printed({"info", seen})["kind"], "DI");
   expect_refused({"fix-view", file, "-o", seen}, "--eye");
   expect_refused({"fix-view", file, "--eye", "nan", "0", "0", "-o", seen}, "nan");
-  expect_refused({"fix-view", file, "--eye", "0", "0", "0", "-o", file}, "is the input");
+  expect_refused({"fix-view", file, "--eye", "0", "0", "0", "-o", file}, "expected an output that is not an input too");
   expect_refused({"fix-view", seen, "--eye", "0", "0", "0", "-o", folder->file("c")}, "expected a glossy kind");
   expect_refused({"fix-view", folder->file("none"), "--eye", "0", "0", "0", "-o", seen}, "none");
 }
