@@ -1,6 +1,7 @@
 #include "codegen/print/batch.hpp"
 
 #include <algorithm>
+#include <string_view>
 
 #include "codegen/print/batch_driver.hpp"
 #include "codegen/print/dialect.hpp"
@@ -10,7 +11,8 @@ namespace sh::codegen::print {
 namespace {
 
 // The files of codegen/runtime/: name and text.
-constexpr std::pair<const char*, const char*> kRuntime[] = {
+using namespace std::string_view_literals;
+constexpr std::pair<std::string_view, std::string_view> kRuntime[] = {
 #include "runtime.inc"
 };
 

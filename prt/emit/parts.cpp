@@ -10,6 +10,7 @@ namespace sh::prt {
 
 namespace {
 
+using namespace std::string_view_literals;
 constexpr std::pair<std::string_view, std::string_view> kTexts[] = {
 #include "emit_texts.inc"
 };
