@@ -29,6 +29,7 @@ StudyOptions study_options(const Options& options) {
     result.vertices = 250;
     result.most_directions = 4096;
     result.bounce_directions = 128;
+    result.paths = 512;
     result.picture_reference = 1024;
   }
   result.vertices = options.vertices.value_or(result.vertices);
@@ -66,6 +67,10 @@ void write(const std::string& folder, const Study& study, const Scene& scene) {
   const std::filesystem::path path(folder);
   write_pictures(path, study.parts.back(), scene);
   for (const StudyChart& chart : study_charts(study)) output::write_file((path / chart.file).string(), chart.svg);
+  if (const std::string table = table_csv(study); !table.empty()) {
+    output::write_file((path / "table.csv").string(), table);
+    output::write_file((path / "table.md").string(), table_markdown(study));
+  }
   output::write_file(study_file(path),
                      study_json(study, scene).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }

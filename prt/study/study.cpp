@@ -64,7 +64,7 @@ Study run_glossy_study(const Scene& scene, const StudyOptions& options,
               .degree = scene.bake.degree,
               .directions = options.bounce_directions,
               .reference_directions = options.bounce_directions};
-  study.parts.push_back(study_glossy(scene, options));
+  study.parts.push_back(study_runtime(scene, options));
   finished(study);
   return study;
 }
@@ -99,6 +99,8 @@ Study run_study(const Scene& scene, const StudyOptions& options, const std::func
     study.parts.push_back(part(setup));
     finished(study);
   }
+  study.parts.push_back(study_runtime(scene, options));
+  finished(study);
   return study;
 }
 

@@ -26,7 +26,8 @@ struct StudyOptions {
   std::size_t vertices = 1000;       // about this many are studied
   int most_directions = 65536;       // a power of two times kLeastDirections
   int picture_reference = 4096;      // of the whole mesh, for the pictures
-  int bounce_directions = 512;       // of the whole mesh, for the bounces
+  int bounce_directions = 512;       // of the whole mesh, for the bounces and the run time
+  int paths = 4096;                  // a pixel, of each of the two pictures of the reference of random paths
   std::string instruction_set = {};  // of the rays, see Tracer
   static constexpr int kLeastDirections = 256;
   static constexpr int kReferenceFactor = 4;  // the reference has this many times the most directions
@@ -51,8 +52,10 @@ struct StudyPoint {
   RadianceError error = {};
   std::optional<RadianceError> exact_error = {};           // against the closed answer
   std::optional<CoefficientError> coefficient_error = {};  // of transfer vectors
+  std::optional<double> path_error = {};  // of the picture against random paths (StudyPart::paths), rms over rms
   std::optional<double> seconds_a_vertex = {};
-  std::optional<double> seconds = {};  // for all vertices of the scene
+  std::optional<double> seconds = {};       // for all vertices of the scene
+  std::optional<double> bake_seconds = {};  // processor time of all threads; of a frame with light and view free
   std::optional<double> bytes_a_vertex = {};
   int passes = 1;
 };
@@ -71,12 +74,32 @@ struct ErrorField {
   RadianceError error;
 };
 
+/// Random paths of the scene with every bounce (prt/study/path_render.hpp), under its lights cut off at a degree.
+struct PathReference {
+  std::size_t pixels = 0;
+  int paths_a_pixel = 0;
+  int degree = 0;
+  double noise = 0.0;  // rms over rms, of the mean of all paths
+};
+
+/// A row of Table 1 of [SloanKautzSnyder02]: a kind of transfer of the whole mesh, and the times of a frame on one thread.
+struct TableRow {
+  std::string kind;   // in letters
+  std::string shape;  // of the numbers of a vertex
+  std::uint32_t directions = 0;
+  StudyPoint free = {};  // light and view free: times, bytes, errors
+  std::optional<double> seconds_fixed_light = {};
+  std::optional<double> seconds_fixed_view = {};
+};
+
 struct StudyPart {
   std::string name;
   std::string axis = {};       // the meaning of `at`
   std::string reference = {};  // the reference of the error
   std::vector<StudySeries> series = {};
   std::vector<ErrorField> fields = {};
+  std::optional<PathReference> paths = {};  // of the path errors
+  std::vector<TableRow> table = {};
 };
 
 struct Study {
@@ -111,7 +134,13 @@ struct StudyChart {
   std::string svg;
 };
 
-/// Charts of every part with errors above 0: error against its axis and, if time was measured, against time.
+/// Charts of every part with errors above 0: error against its axis and, where it was measured, against time; error
+/// against random paths against the time of a frame and of the bake.
 std::vector<StudyChart> study_charts(const Study& study);
+
+/// The tables of all parts as comma-separated values and as Markdown, with the columns of Table 1 of
+/// [SloanKautzSnyder02], bytes and errors; empty if no part has one. Rates are frames a second of all vertices.
+std::string table_csv(const Study& study);
+std::string table_markdown(const Study& study);
 
 }  // namespace sh::prt

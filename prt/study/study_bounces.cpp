@@ -5,7 +5,6 @@
 #include <tbb/enumerable_thread_specific.h>
 
 #include <algorithm>
-#include <ctime>
 
 #include "numeric/output/progress.hpp"
 #include "prt/bake/bounces.hpp"
@@ -21,8 +20,6 @@ namespace {
 constexpr double kConverged = 1e-7;  // of the largest radiance
 constexpr int kMostApplications = 2000;
 constexpr double kShownError = 1e-5;  // no points below
-
-double process_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 struct Direct {
   Panel radiance;  // (vertices, 3): light that leaves without bounces

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <nlohmann/json.hpp>
 
 #include "numeric/output/chart.hpp"
@@ -32,10 +33,12 @@ Json to_json(const StudyPoint& point, const Scene& scene) {
   if (point.coefficient_error) {
     json["coefficient_error"] = {{"rms", point.coefficient_error->rms}, {"largest", point.coefficient_error->largest}};
   }
+  if (point.path_error) json["error_against_paths"] = number(*point.path_error);
   if (point.bytes_a_vertex) json["bytes_a_vertex"] = *point.bytes_a_vertex;
   if (point.seconds) {
     json["passes"] = point.passes;
     json["time"] = {{"seconds_a_vertex", *point.seconds_a_vertex}, {"seconds_of_scene", *point.seconds}};
+    if (point.bake_seconds) json["time"]["seconds_of_bake"] = *point.bake_seconds;
   }
   return json;
 }
@@ -48,8 +51,18 @@ Json to_json(const StudySeries& series, const Scene& scene) {
   return json;
 }
 
+Json to_json(const PathReference& paths) {
+  return {
+      {"reference", fmt::format("random paths with every bounce, under the lights cut off at degree {}", paths.degree)},
+      {"error", "of the picture, all channels, over the root mean square of the paths; without their noise"},
+      {"pixels", paths.pixels},
+      {"paths_a_pixel", paths.paths_a_pixel},
+      {"noise", number(paths.noise)}};
+}
+
 Json to_json(const StudyPart& part, const Scene& scene) {
   Json json = {{"name", part.name}, {"axis", part.axis}, {"reference", part.reference}, {"series", Json::array()}};
+  if (part.paths) json["paths"] = to_json(*part.paths);
   for (const StudySeries& series : part.series) json["series"].push_back(to_json(series, scene));
   for (const ErrorField& field : part.fields) {
     json["pictures"].push_back(
@@ -100,32 +113,62 @@ std::string label(const StudyPart& part, std::size_t curve, const StudyPoint& po
 
 constexpr double kRounding = 1e-6;  // logarithmic axes would spend their length on errors of rounding
 
-ChartSeries curve(const StudyPart& part, std::size_t index, bool against_time) {
+// What a chart draws of a point; an error up to kRounding and no position are left out.
+struct ChartView {
+  std::string suffix;  // of the file's name
+  std::string against;
+  std::string x_label;
+  std::string y_label;
+  std::function<std::optional<double>(const StudyPoint&)> x;
+  std::function<std::optional<double>(const StudyPoint&)> y;
+};
+
+std::optional<double> error_of(const StudyPoint& point) { return shown_error(point).rms; }
+std::optional<double> path_error_of(const StudyPoint& point) { return point.path_error; }
+std::optional<double> seconds_of(const StudyPoint& point) { return point.seconds; }
+std::optional<double> bake_seconds_of(const StudyPoint& point) { return point.bake_seconds; }
+
+std::vector<ChartView> views_of(const StudyPart& part) {
+  const bool exact = all_points(part, [](const StudyPoint& point) { return point.exact_error.has_value(); });
+  const std::string error =
+      exact ? "error against the exact answer, relative rms" : "error of exit radiance, relative rms";
+  const std::string time = "processor time for the scene, seconds";
+  const auto at = [](const StudyPoint& point) { return std::optional(point.at); };
+  std::vector<ChartView> views = {{"", part.name, part.axis, error, at, error_of},
+                                  {"_time", "time, by " + part.name, time, error, seconds_of, error_of}};
+  if (part.paths) {
+    const std::string picture =
+        fmt::format("error against random paths, relative rms (noise {:.1g})", part.paths->noise);
+    views.push_back({"_paths", "the time of a frame", time, picture, seconds_of, path_error_of});
+    views.push_back({"_bake", "the time of the bake", "processor time of the bake, seconds", picture, bake_seconds_of,
+                     path_error_of});
+  }
+  return views;
+}
+
+ChartSeries curve(const StudyPart& part, std::size_t index, const ChartView& view) {
   const StudySeries& series = part.series[index];
   ChartSeries line = {.name = named(series),
                       .color = static_cast<int>(index % output::kChartColors),
                       .marker = static_cast<output::Marker>(index % output::kMarkers),
                       .line = output::Line::kStraight};
   for (const StudyPoint& point : series.points) {
-    if (shown_error(point).rms > kRounding && (against_time || point.at > 0.0)) {
-      line.points.push_back({against_time ? *point.seconds : point.at, shown_error(point).rms, hover(series, point),
-                             label(part, index, point)});
-    }
+    const double x = view.x(point).value_or(0.0);
+    const double y = view.y(point).value_or(0.0);
+    if (x > 0.0 && y > kRounding) line.points.push_back({x, y, hover(series, point), label(part, index, point)});
   }
   return line;
 }
 
-Chart chart_of(const Study& study, const StudyPart& part, bool against_time) {
+Chart chart_of(const Study& study, const StudyPart& part, const ChartView& view) {
   Chart chart;
-  chart.title = fmt::format("{}: error against {}{}", study.scene, against_time ? "time, by " : "", part.name);
-  chart.x.label = against_time ? "processor time for the scene, seconds" : part.axis;
-  chart.y.label = all_points(part, [](const StudyPoint& point) { return point.exact_error.has_value(); })
-                      ? "error against the exact answer, relative rms"
-                      : "error of exit radiance, relative rms";
+  chart.title = fmt::format("{}: error against {}", study.scene, view.against);
+  chart.x.label = view.x_label;
+  chart.y.label = view.y_label;
   chart.width = 640;
   chart.height = 420;
   chart.legend = part.series.size() > 1;
-  for (std::size_t i = 0; i < part.series.size(); ++i) chart.series.push_back(curve(part, i, against_time));
+  for (std::size_t i = 0; i < part.series.size(); ++i) chart.series.push_back(curve(part, i, view));
   std::erase_if(chart.series, [](const ChartSeries& series) { return series.points.empty(); });
   return chart;
 }
@@ -162,12 +205,9 @@ Json study_json(const Study& study, const Scene& scene) {
 std::vector<StudyChart> study_charts(const Study& study) {
   std::vector<StudyChart> charts;
   for (const StudyPart& part : study.parts) {
-    if (all_points(part, [](const StudyPoint& point) { return !(shown_error(point).rms > 0.0); })) continue;
-    for (const bool against_time : {false, true}) {
-      if (!against_time || all_points(part, [](const StudyPoint& point) { return point.seconds.has_value(); })) {
-        const Chart chart = chart_of(study, part, against_time);
-        charts.push_back({part.name + (against_time ? "_time.svg" : ".svg"), chart.title, chart_file(chart)});
-      }
+    for (const ChartView& view : views_of(part)) {
+      const Chart chart = chart_of(study, part, view);
+      if (!chart.series.empty()) charts.push_back({part.name + view.suffix + ".svg", chart.title, chart_file(chart)});
     }
   }
   return charts;

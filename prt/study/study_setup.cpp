@@ -85,6 +85,12 @@ std::optional<Radiances> under_the_lights(const StudySetup& setup) {
   return whole;
 }
 
+double seconds_of(clockid_t clock) {
+  timespec time{};
+  clock_gettime(clock, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
 }  // namespace
 
 std::vector<Light> lights_of(const Scene& scene) {
@@ -93,11 +99,8 @@ std::vector<Light> lights_of(const Scene& scene) {
   return load_lights(specs, OnFlaw::kMend);
 }
 
-double thread_seconds() {
-  timespec time{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
+double thread_seconds() { return seconds_of(CLOCK_THREAD_CPUTIME_ID); }
+double process_seconds() { return seconds_of(CLOCK_PROCESS_CPUTIME_ID); }
 
 StudySetup::StudySetup(const Scene& studied_scene, const StudyOptions& study_options)
     : scene(studied_scene),

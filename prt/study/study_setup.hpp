@@ -96,8 +96,9 @@ struct TimedRows {
 };
 TimedRows trace_rows(const StudySetup& setup, const BakeOptions& options);
 
-/// Processor time of this thread.
+/// Processor time of this thread, and of all threads.
 double thread_seconds();
+double process_seconds();
 
 /// The lights of a scene without their windows, which are a separate part.
 std::vector<Light> lights_of(const Scene& scene);
@@ -115,7 +116,8 @@ StudyPart study_storage(const StudySetup& setup);
 StudyPart study_windows(const StudySetup& setup);
 /// Pictures of the errors of few directions and of few degrees, from bakes of the whole mesh; no curves.
 StudyPart study_pictures(const StudySetup& setup);
-/// Error against run time and bytes for every representation of glossy transfer, the only part of a glossy scene.
-StudyPart study_glossy(const Scene& scene, const StudyOptions& options);
+/// Error against run time, bake time and bytes for every representation: diffuse, and glossy if the scene's kind is. The
+/// only part of a glossy scene.
+StudyPart study_runtime(const Scene& scene, const StudyOptions& options);
 
 }  // namespace sh::prt

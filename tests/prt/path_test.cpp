@@ -5,9 +5,10 @@
 
 #include "prt/runtime/glossy.hpp"
 #include "prt/runtime/relight.hpp"
+#include "prt/study/path_render.hpp"
 #include "tests/prt/glossy_meshes.hpp"
 #include "tests/prt/lights.hpp"
-#include "tests/prt/path_render.hpp"
+#include "tests/prt/reference_render.hpp"
 #include "tests/prt/rooms.hpp"
 
 namespace sh::prt::test {
@@ -55,7 +56,10 @@ void expect_within_noise(const Mesh& mesh, const Camera& camera, const LightCoef
                          const TransferKind& kind = kInterreflected) {
   constexpr PictureSize kSize{48, 32, 1};
   const Tracer tracer(mesh);
-  const PathPictures paths = path_render(mesh, tracer, light, camera, kSize, 128);
+  const Background sky = [&](const Eigen::Vector3f& direction) {
+    return Eigen::Vector3f(radiance(light, direction.cast<double>()).cast<float>());
+  };
+  const PathPictures paths = path_render(mesh, tracer, sky, camera, kSize, 128);
   const Transfer transfer = baked(mesh, &kind, kind.is_glossy() ? 512 : 1024, kind.is_glossy() ? 4 : light.degree);
   const Surface surface = kind.is_glossy() ? glossy_surface(transfer, TransferredRadiance(transfer, light), mesh.albedo)
                                            : diffuse_surface(mesh, relight(transfer, light));
@@ -65,7 +69,7 @@ void expect_within_noise(const Mesh& mesh, const Camera& camera, const LightCoef
   for (std::size_t i = 0; i < mean.radiance.size(); ++i) {
     mean.radiance[i] = 0.5F * (paths.first.radiance[i] + paths.second.radiance[i]);
   }
-  const double noise = 0.5 * difference(paths.first, paths.second).relative_rms;
+  const double noise = path_noise(paths);
   const PictureDifference found = difference(baked, mean);
   ASSERT_GT(found.pixels, 700U);
   EXPECT_LT(noise, 0.08);

@@ -61,7 +61,7 @@ class DiscStudy : public testing::Test {
  protected:
   static void SetUpTestSuite() {
     scene = new Scene(load_scene("disc", OnFlaw::kRefuse));
-    const StudyOptions options{.vertices = 300, .most_directions = 8192, .bounce_directions = 64};
+    const StudyOptions options{.vertices = 300, .most_directions = 8192, .bounce_directions = 64, .paths = 64};
     study = new Study(run_study(*scene, options, [](const Study&) {}));
   }
   static void TearDownTestSuite() {
@@ -238,7 +238,8 @@ TEST(StudyTool, WritesTheSameNumbersTwiceButForTimes) {
   EXPECT_TRUE(files.contains("directions.svg") && files.contains("directions_time.svg") &&
               files.contains("degrees.svg") && !files.contains("bounces.svg") && files.contains("study.json") &&
               files.contains("storage.svg") && files.contains("windows.svg") &&
-              files.contains("errors_directions.png") && files.contains("errors_degrees.png"));
+              files.contains("errors_directions.png") && files.contains("errors_degrees.png") &&
+              files.contains("table.csv") && files.contains("table.md"));
   EXPECT_EQ(files, files_in(folder.file("a/b")));
 }
 

@@ -1,27 +1,22 @@
-// A path tracer of a scene under an SH light: an independent, slow reference for bakes with bounces. It uses no vertex
-// but to interpolate albedo, emission and normals over a face. At the center of every pixel it follows random paths;
-//   radiance = sum over the surfaces of a path of (product of the albedos so far) * emission
-//            + (product of all albedos) * L(s) where the path leaves the scene in direction s.
-// Directions have the density of the cosine about the shading normal, or of the lobe about the mirrored direction: chance
-// decides by their reflectances. Paths end below the face, at backs of faces, and
-// by chance where they carry little light (Russian roulette [ArvoKirk90]).
-#pragma once
+#include "prt/study/path_render.hpp"
+
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <random>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
-#include "tests/prt/reference_render.hpp"
+#include "numeric/output/progress.hpp"
+#include "prt/chunks.hpp"
+#include "prt/mesh/corners.hpp"
 
 namespace sh::prt {
 
-/// Two pictures from independent paths; half of their difference is the noise of their mean.
-struct PathPictures {
-  Picture first;
-  Picture second;
-};
+namespace {
 
 struct Path {
   std::size_t pixel;
@@ -30,10 +25,13 @@ struct Path {
   Eigen::Vector3f direction;  // of the ray that came to the hit
 };
 
+// Of the mesh's extent: keeps a ray off the face that it starts from, above the rounding of positions.
+constexpr float kOffset = 1e-5F;
+
 class PathTracer {
  public:
-  PathTracer(const Mesh& mesh, const Tracer& tracer, const LightCoefficients& light)
-      : mesh_(mesh), tracer_(tracer), light_(light), offset_(1e-4F * bounding_box(mesh.positions).diagonal().norm()) {}
+  PathTracer(const Mesh& mesh, const Tracer& tracer, const Background& sky)
+      : mesh_(mesh), tracer_(tracer), sky_(sky), offset_(kOffset * bounding_box(mesh.positions).diagonal().norm()) {}
 
   /// Adds what the paths meet to the sums of their pixels.
   void follow(std::vector<Path> paths, std::mt19937& random, std::vector<Eigen::Vector3f>& sums) const {
@@ -60,8 +58,7 @@ class PathTracer {
       kept = 0;
       for (std::size_t i = 0; i < hits.size(); ++i) {
         if (hits[i].face == Hit::kNothing) {
-          const Eigen::Vector3f sky = radiance(light_, directions[i].cast<double>().normalized()).cast<float>();
-          sums[paths[i].pixel] += paths[i].throughput.cwiseProduct(sky);
+          sums[paths[i].pixel] += paths[i].throughput.cwiseProduct(sky_(directions[i].normalized()));
         } else if (flat(hits[i]).dot(directions[i]) < 0.0F) {
           paths[kept++] = {paths[i].pixel, hits[i], paths[i].throughput, directions[i]};
         }
@@ -119,19 +116,51 @@ class PathTracer {
 
   const Mesh& mesh_;
   const Tracer& tracer_;
-  const LightCoefficients& light_;
+  const Background& sky_;
   float offset_;
 };
 
-/// Each of the two pictures follows `paths` paths a pixel. The same bits for any number of threads.
-inline PathPictures path_render(const Mesh& mesh, const Tracer& tracer, const LightCoefficients& light,
-                                const Camera& camera, const PictureSize& size, int paths) {
+Picture black_picture(const PictureSize& size) {
   const auto pixels = static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
-  const Picture black{size.width, size.height, std::vector<Eigen::Vector3f>(pixels, Eigen::Vector3f::Zero()),
-                      std::vector<float>(pixels, 0.0F)};
-  PathPictures pictures{black, black};
-  const PathTracer from(mesh, tracer, light);
-  tbb::parallel_for(0, size.height, [&](int row) {
+  return {size.width, size.height, std::vector<Eigen::Vector3f>(pixels, Eigen::Vector3f::Zero()),
+          std::vector<float>(pixels, 0.0F)};
+}
+
+// Calls each(pixel) where the mesh covers both pictures; returns the root of the mean over pixels and channels of what it
+// returns, at least 0.
+template <class Each>
+double root_of_mean(const Picture& a, const Picture& b, const Each& each) {
+  double sum = 0.0;
+  double count = 0.0;
+  for (std::size_t i = 0; i < a.radiance.size(); ++i) {
+    if (a.coverage[i] < 1.0F || b.coverage[i] < 1.0F) continue;
+    sum += each(i);
+    count += 3.0;
+  }
+  return std::sqrt(std::max(sum, 0.0) / std::max(count, 1.0));
+}
+
+Eigen::Vector3d mean_of(const PathPictures& paths, std::size_t pixel) {
+  return 0.5 * (paths.first.radiance[pixel] + paths.second.radiance[pixel]).cast<double>();
+}
+
+// `root` over the rms of the mean of both pictures, where `other` covers them; NaN where that is 0.
+double relative(double root, const Picture& other, const PathPictures& paths) {
+  const double unit = root_of_mean(other, paths.first, [&](std::size_t i) { return mean_of(paths, i).squaredNorm(); });
+  return unit > 0.0 ? root / unit : std::numeric_limits<double>::quiet_NaN();
+}
+
+}  // namespace
+
+PathPictures path_render(const Mesh& mesh, const Tracer& tracer, const Background& sky, const Camera& camera,
+                         const PictureSize& size, int paths) {
+  require_picture_size(size);
+  if (size.samples != 1) throw std::invalid_argument("path_render takes one sample a pixel");
+  if (!mesh.mirror.empty()) throw std::invalid_argument("path_render does not follow mirrors; expected a mesh without");
+  PathPictures pictures{black_picture(size), black_picture(size)};
+  const PathTracer from(mesh, tracer, sky);
+  output::Progress progress("paths", static_cast<std::size_t>(size.height));
+  in_parallel(0, size.height, [&](int row) {
     RowOfRays rays;
     trace_row(tracer, camera, size, row, rays);
     std::mt19937 random(static_cast<unsigned>(row));
@@ -146,11 +175,28 @@ inline PathPictures path_render(const Mesh& mesh, const Tracer& tracer, const Li
       }
       from.follow(std::move(starts), random, picture->radiance);
     }
+    progress.advance();
   });
+  progress.finish();
   for (Picture* picture : {&pictures.first, &pictures.second}) {
     for (Eigen::Vector3f& radiance : picture->radiance) radiance /= static_cast<float>(paths);
   }
   return pictures;
+}
+
+double path_noise(const PathPictures& paths) {
+  const double noise = root_of_mean(paths.first, paths.second, [&](std::size_t i) {
+    return 0.25 * (paths.first.radiance[i] - paths.second.radiance[i]).cast<double>().squaredNorm();
+  });
+  return relative(noise, paths.first, paths);
+}
+
+double error_against_paths(const Picture& picture, const PathPictures& paths) {
+  const double error = root_of_mean(picture, paths.first, [&](std::size_t i) {
+    const Eigen::Vector3d value = picture.radiance[i].cast<double>();
+    return (value - paths.first.radiance[i].cast<double>()).dot(value - paths.second.radiance[i].cast<double>());
+  });
+  return relative(error, picture, paths);
 }
 
 }  // namespace sh::prt

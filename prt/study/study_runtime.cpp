@@ -1,0 +1,252 @@
+// The part of the study about the run time: error against the time of a frame and of the bake, for every representation
+// of a scene's transfer, with the light or the view free or at rest. All of them have the same rays, so that errors
+// against the best of them are those of the representation alone; errors against random paths are those of the picture.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "prt/bake/bake.hpp"
+#include "prt/bake/compress.hpp"
+#include "prt/chunks.hpp"
+#include "prt/runtime/fixed_view.hpp"
+#include "prt/runtime/glossy.hpp"
+#include "prt/runtime/relight.hpp"
+#include "prt/study/path_render.hpp"
+#include "prt/study/study_setup.hpp"
+
+namespace sh::prt {
+
+namespace {
+
+constexpr int kPasses = 5;
+constexpr int kDegree = 4;                      // of the reference and of the table
+constexpr PictureSize kPathPicture{64, 48, 1};  // enough pixels for an error
+
+/// The least processor time of some passes, on one thread.
+template <class Work>
+double least_seconds(const Work& work) {
+  double least = std::numeric_limits<double>::infinity();
+  on_threads(1, [&] {
+    for (int pass = 0; pass < kPasses; ++pass) {
+      const double start = thread_seconds();
+      work();
+      least = std::min(least, thread_seconds() - start);
+    }
+  });
+  return least;
+}
+
+Eigen::Vector3f black(const Eigen::Vector3f& /*direction*/) { return Eigen::Vector3f::Zero(); }
+
+Radiances in_double(const std::vector<Eigen::Vector3f>& radiance) {
+  Radiances values;
+  for (const Eigen::Vector3f& value : radiance) values.push_back(value.cast<double>());
+  return values;
+}
+
+double bytes_of_vertex(const Transfer& transfer) {
+  const std::size_t vertices = transfer.mesh.positions.size();
+  const bool matrices = transfer.kind->indirect != nullptr;
+  const std::size_t bytes =
+      transfer.shape.stored_bytes(vertices) + (matrices ? transfer.indirect_shape.stored_bytes(vertices) : 0);
+  return static_cast<double>(bytes) / static_cast<double>(vertices);
+}
+
+/// The numbers of a vertex as Table 1 of [SloanKautzSnyder02] writes them, and what is stored in their place.
+std::string shape_text(const Transfer& transfer) {
+  const auto matrix = [](const TransferShape& shape) {
+    return fmt::format("{}{}x{}", shape.channels == 1 ? "" : "3x", shape.rows(), shape.columns());
+  };
+  const std::size_t bands_squared = coefficient_count(transfer.degree());
+  if (!transfer.kind->is_glossy()) return fmt::format("{}{}", transfer.shape.channels == 1 ? "" : "3x", bands_squared);
+  const std::string direct = transfer.shape.meets == Meets::kNothing
+                                 ? "none"
+                                 : fmt::format("{0}x{0} from {1}", bands_squared, transfer.shape.columns());
+  return transfer.kind->indirect == nullptr ? direct : direct + " + " + matrix(transfer.indirect_shape);
+}
+
+struct Baked {
+  Transfer transfer;
+  double seconds;  // processor time of all threads
+};
+
+/// What a frame costs, and what it shows at the vertices and in a picture.
+struct Shown {
+  double seconds;
+  double bytes;  // a vertex, that it reads
+  Radiances at_vertices;
+  Surface surface;
+};
+
+class RuntimeStudy {
+ public:
+  RuntimeStudy(const Scene& scene, const StudyOptions& options)
+      : scene_(without_emission(scene)),
+        options_(options),
+        light_(project(lights_of(scene), kDegree)),
+        tracer_(scene_.mesh, 0, options.instruction_set),
+        paths_(path_render(scene_.mesh, tracer_, sky(), scene_.camera, kPathPicture, options.paths)),
+        best_(baked(scene.bake.kind->is_glossy() ? &kGlossyInterreflected : &kInterreflected, kDegree)),
+        reference_(free_frame(best_.transfer).at_vertices) {}
+
+  StudyPart run() {
+    part_.name = "runtime";
+    part_.axis = "bytes a vertex";
+    part_.reference = fmt::format("{}, degree {}, {} directions, single precision", best_.transfer.kind->word, kDegree,
+                                  options_.bounce_directions);
+    const std::vector<Eigen::Vector3f> covered = paths_.first.covered();
+    part_.paths = PathReference{covered.size(), 2 * options_.paths, kDegree, path_noise(paths_)};
+    add_kind(kShadowed);
+    add_kind(kInterreflected);
+    if (scene_.bake.kind->is_glossy()) {
+      for (const TransferKind* kind : {&kGlossyUnshadowed, &kGlossyShadowed, &kGlossyInterreflected}) add_kind(*kind);
+      add_clusters();
+    }
+    return std::move(part_);
+  }
+
+ private:
+  static Scene without_emission(Scene scene) {
+    scene.mesh.emission.clear();
+    scene.plan.mode = PlanMode::kNone;
+    return scene;
+  }
+
+  [[nodiscard]] Background sky() const {
+    return [this](const Eigen::Vector3f& direction) {
+      return Eigen::Vector3f(radiance(light_, direction.cast<double>()).cast<float>());
+    };
+  }
+
+  [[nodiscard]] Baked baked(const TransferKind* kind, int degree) const {
+    Scene scene = scene_;
+    scene.bake.kind = kind;
+    scene.bake.degree = degree;
+    scene.bake.directions = options_.bounce_directions;
+    const double start = process_seconds();
+    Transfer transfer = bake({std::move(scene), {.instruction_set = options_.instruction_set}});
+    return {std::move(transfer), process_seconds() - start};
+  }
+
+  // One curve for each mode, and the row of the table.
+  void add_kind(const TransferKind& kind) {
+    StudySeries free{.name = fmt::format("{}{}", kind.letters, kind.is_glossy() ? ", light and view free" : "")};
+    StudySeries fixed_light{.name = fmt::format("{}, light at rest", kind.letters)};
+    StudySeries fixed_view{.name = fmt::format("{}, view at rest", kind.letters)};
+    for (int degree = 1; degree <= kDegree; ++degree) {
+      const bool is_best = &kind == best_.transfer.kind && degree == kDegree;
+      const Baked found = is_best ? best_ : baked(&kind, degree);
+      free.points.push_back(free_point(found));
+      if (kind.is_glossy()) {
+        fixed_light.points.push_back(point(found.transfer, frame_of_fixed_light(found.transfer)));
+        fixed_view.points.push_back(point(found.transfer, frame_of_fixed_view(found.transfer)));
+      }
+      if (degree < kDegree) continue;
+      part_.table.push_back(row(found.transfer, free.points.back()));
+      if (!kind.is_glossy()) continue;
+      part_.table.back().seconds_fixed_light = fixed_light.points.back().seconds;
+      part_.table.back().seconds_fixed_view = fixed_view.points.back().seconds;
+    }
+    part_.series.push_back(std::move(free));
+    if (&kind != &kGlossyInterreflected) return;  // the curves of the others have the same times
+    part_.series.push_back(std::move(fixed_light));
+    part_.series.push_back(std::move(fixed_view));
+  }
+
+  void add_clusters() {
+    StudySeries series{.name = "GI in clusters, half V"};
+    for (const std::uint32_t vectors : {4U, 8U}) {
+      Baked clustered = best_;
+      const double start = process_seconds();
+      compress(clustered.transfer, {64, vectors});
+      clustered.seconds += process_seconds() - start;
+      series.points.push_back(free_point(clustered));
+      series.points.back().label = fmt::format("{} vectors", vectors);
+      part_.table.push_back(row(clustered.transfer, series.points.back()));
+      part_.table.back().shape += fmt::format(" in 64 clusters of {} vectors", vectors);
+    }
+    part_.series.push_back(std::move(series));
+  }
+
+  [[nodiscard]] TableRow row(const Transfer& transfer, const StudyPoint& free) const {
+    return {.kind = std::string(transfer.kind->letters),
+            .shape = shape_text(transfer),
+            .directions = transfer.directions,
+            .free = free};
+  }
+
+  [[nodiscard]] StudyPoint point(const Transfer& transfer, const Shown& frame) const {
+    const Picture picture = render(scene_.mesh, tracer_, frame.surface, scene_.camera, kPathPicture, black,
+                                   fmt::format("study: {}, degree {}", transfer.kind->letters, transfer.degree()));
+    return {.at = frame.bytes,
+            .label = fmt::format("degree {}", transfer.degree()),
+            .error = vertex_errors(scene_.mesh, scene_.camera, frame.at_vertices, reference_).error,
+            .path_error = error_against_paths(picture, paths_),
+            .seconds_a_vertex = frame.seconds / static_cast<double>(scene_.mesh.positions.size()),
+            .seconds = frame.seconds,
+            .bytes_a_vertex = frame.bytes,
+            .passes = kPasses};
+  }
+
+  [[nodiscard]] StudyPoint free_point(const Baked& found) const {
+    StudyPoint free = point(found.transfer, free_frame(found.transfer));
+    free.bake_seconds = found.seconds;
+    return free;
+  }
+
+  [[nodiscard]] LightCoefficients light(const Transfer& transfer) const {
+    return first_bands(light_, transfer.degree());
+  }
+
+  [[nodiscard]] std::vector<Eigen::Vector3f> towards_eye(const Transfer& transfer,
+                                                         const TransferredRadiance& reaching) const {
+    return exit_radiance(transfer, reaching, scene_.camera.position, transfer.mesh.albedo);
+  }
+
+  [[nodiscard]] Shown free_frame(const Transfer& transfer) const {
+    if (!transfer.kind->is_glossy()) return relit_frame(transfer);
+    const double seconds =
+        least_seconds([&] { return towards_eye(transfer, TransferredRadiance(transfer, light(transfer))); });
+    return shown(transfer, seconds, bytes_of_vertex(transfer));
+  }
+
+  [[nodiscard]] Shown frame_of_fixed_light(const Transfer& transfer) const {
+    const TransferredRadiance reaching(transfer, light(transfer));
+    const double seconds = least_seconds([&] { return towards_eye(transfer, reaching); });
+    return shown(transfer, seconds, static_cast<double>(3 * coefficient_count(transfer.degree()) * sizeof(float)));
+  }
+
+  [[nodiscard]] Shown frame_of_fixed_view(const Transfer& transfer) const {
+    return relit_frame(seen_from(transfer, scene_.camera.position));
+  }
+
+  [[nodiscard]] Shown relit_frame(const Transfer& transfer) const {
+    std::vector<Eigen::Vector3f> radiance(transfer.mesh.positions.size());
+    const double seconds = least_seconds([&] { relight_into(transfer, light(transfer), radiance); });
+    return {seconds, bytes_of_vertex(transfer), in_double(radiance), diffuse_surface(scene_.mesh, radiance)};
+  }
+
+  [[nodiscard]] Shown shown(const Transfer& transfer, double seconds, double bytes) const {
+    TransferredRadiance reaching(transfer, light(transfer));
+    Radiances values = in_double(towards_eye(transfer, reaching));
+    return {seconds, bytes, std::move(values), glossy_surface(transfer, std::move(reaching), transfer.mesh.albedo)};
+  }
+
+  Scene scene_;
+  const StudyOptions& options_;
+  LightCoefficients light_;
+  Tracer tracer_;
+  PathPictures paths_;
+  Baked best_;
+  Radiances reference_;
+  StudyPart part_;
+};
+
+}  // namespace
+
+StudyPart study_runtime(const Scene& scene, const StudyOptions& options) { return RuntimeStudy(scene, options).run(); }
+
+}  // namespace sh::prt
