@@ -17,9 +17,10 @@
 #include "prt/bake/fill_closed.hpp"
 #include "prt/bake/gray.hpp"
 #include "prt/basis.hpp"
+#include "prt/material/lobe.hpp"
+#include "prt/material/reflected.hpp"
 #include "prt/mesh/corners.hpp"
 #include "prt/rays/row_sums.hpp"
-#include "prt/transfer/lobe.hpp"
 #include "prt/transfer/visibility.hpp"
 #include "prt/zonal.hpp"
 
@@ -47,7 +48,9 @@ Weights weights_about(int degree, const Eigen::Vector3f& direction, const Factor
   return values;
 }
 
-std::size_t channels_of(const Mesh& mesh) { return is_gray(mesh.albedo) && is_gray(mesh.specular) ? 1 : 3; }
+std::size_t channels_of(const Mesh& mesh) {
+  return is_gray(mesh.albedo) && is_gray(mesh.specular) && is_gray(mesh.brdfs) ? 1 : 3;
+}
 
 class Bounces {
  public:
@@ -168,8 +171,8 @@ class Bounces {
   [[nodiscard]] bool is_open(std::size_t vertex) const { return !run_.open.empty() && run_.open[vertex] != 0; }
 
   // row (row_) = weights times the matrix of a vertex.
-  void weigh(const Weights& weights, std::size_t vertex, float* row) const {
-    sum_rows(term_.data() + vertex * size_, row_, in_order_.data(), count_, weights.data(), row);
+  void weigh(const float* weights, std::size_t vertex, float* row) const {
+    sum_rows(term_.data() + vertex * size_, row_, in_order_.data(), count_, weights, row);
   }
 
   void scale_channels(const Eigen::Vector3f& color, float* row) const {
@@ -184,10 +187,23 @@ class Bounces {
     std::vector<float> rows(vertices_ * row_);
     for_vertices(vertices_, [&](std::size_t v) {
       float* row = rows.data() + v * row_;
-      weigh(weights_about(degree_, mesh_.normals[v], [](int l) { return phong_factor(l, 1.0); }), v, row);
+      weigh(weights_about(degree_, mesh_.normals[v], [](int l) { return phong_factor(l, 1.0); }).data(), v, row);
       scale_channels(mesh_.albedo[v], row);
     });
     return rows;
+  }
+
+  // Adds the part of what the BRDF of a vertex sends to the eye to `row` (row_).
+  void add_reflected(std::uint32_t vertex, const Eigen::Vector3f& to_eye, float part, float* row) const {
+    const std::size_t number = mesh_.brdf[vertex] - std::size_t{1};
+    const auto colors = colors_of_parts(mesh_.brdfs.heads[number].is_measured, mesh_.albedo[vertex]);
+    for_reflected_lobes(mesh_.brdfs.table(number), colors, degree_, mesh_.normals[vertex], to_eye,
+                        [&](const Eigen::Vector3f& color, const float* weights) {
+                          alignas(64) std::array<float, kMostRow> lobe;
+                          weigh(weights, vertex, lobe.data());
+                          scale_channels(color, lobe.data());
+                          for (std::size_t i = 0; i < row_; ++i) row[i] += part * lobe[i];
+                        });
   }
 
   // Adds what leaves a hit against the ray to `row` (row_).
@@ -199,13 +215,17 @@ class Bounces {
     };
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t q = face[k];
+      if (!mesh_.brdf.empty() && mesh_.brdf[q] > 0) {
+        add_reflected(q, -ray.direction, parts[k], row);
+        continue;
+      }
       add(diffuse_rows.data() + q * row_, parts[k]);
       if (mesh_.specular.empty() || mesh_.specular[q].isZero(0.0F)) continue;
       const Eigen::Vector3f& normal = mesh_.normals[q];
       const Eigen::Vector3f mirrored = ray.direction - 2.0F * normal.dot(ray.direction) * normal;
       const float* factors = &lobes_[q * (degree_ + 1)];
       alignas(64) std::array<float, kMostRow> lobe;
-      weigh(weights_about(degree_, mirrored, [factors](int l) { return factors[l]; }), q, lobe.data());
+      weigh(weights_about(degree_, mirrored, [factors](int l) { return factors[l]; }).data(), q, lobe.data());
       scale_channels(mesh_.specular[q], lobe.data());
       add(lobe.data(), parts[k]);
     }

@@ -14,6 +14,12 @@ inline bool is_gray(const std::vector<Eigen::Vector3f>& colors) {
                      [](const Eigen::Vector3f& color) { return (color.array() == color.x()).all(); });
 }
 
+/// True if no BRDF has a color of its own.
+inline bool is_gray(const Reflectances& brdfs) {
+  return std::none_of(brdfs.heads.begin(), brdfs.heads.end(),
+                      [](const Reflectances::Head& head) { return head.is_measured; });
+}
+
 inline bool has_colored_mirrors(const Mesh& mesh) { return !is_gray(mesh.mirror); }
 
 /// The mesh as one channel has it.

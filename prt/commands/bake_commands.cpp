@@ -175,6 +175,12 @@ void report_bake(const Transfer& transfer, const BakeReport& report) {
     fmt::print(stderr, "prt: degree {} holds {:.2g} % of the lobe of exponent {:g} (in squares): it shows duller\n",
                transfer.degree(), 100.0 * lobe->share, lobe->exponent);
   }
+  const std::vector<double> shares = held_shares_of_brdfs(transfer);
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    if (shares[i] >= kLittleOfALobe) continue;
+    fmt::print(stderr, "prt: degree {} holds {:.2g} % of the BRDF `{}` to degree {} (in squares): it shows duller\n",
+               transfer.degree(), 100.0 * shares[i], transfer.mesh.brdfs.heads[i].name, kMaxDegree);
+  }
   fmt::print(stderr, "prt: {} rays traced, {:.0f} MiB at the most\n", report.rays,
              static_cast<double>(peak_memory()) / 1048576.0);
 }

@@ -87,6 +87,10 @@ void run_info(const std::string& file) {
   if (const auto lobe = sharpest_lobe(transfer)) {
     json["sharpest_lobe"] = {{"exponent", lobe->exponent}, {"share_that_the_degree_holds", lobe->share}};
   }
+  const std::vector<double> shares = held_shares_of_brdfs(transfer);
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    json["brdfs"][i]["share_that_the_degree_holds"] = shares[i];
+  }
   print_json(json);
 }
 

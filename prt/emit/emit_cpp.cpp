@@ -6,7 +6,7 @@
 #include "numeric/oracle/zonal.hpp"
 #include "prt/emit/blocks.hpp"
 #include "prt/emit/parts.hpp"
-#include "prt/transfer/lobe.hpp"
+#include "prt/material/lobe.hpp"
 #include "prt/zonal.hpp"
 
 namespace sh::prt {

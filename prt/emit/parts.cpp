@@ -19,6 +19,9 @@ constexpr std::pair<std::string_view, std::string_view> kTexts[] = {
 
 EmittedRows emitted_rows(const Transfer& transfer, const EmitOptions& options) {
   if (transfer.mesh.positions.empty()) throw std::invalid_argument("a transfer without vertices: nothing to emit");
+  if (!transfer.mesh.brdfs.heads.empty()) {
+    throw std::invalid_argument("tables of BRDFs have no emitted run time yet; expected lobes (`specular`, `exponent`)");
+  }
   if (!transfer.clusters.empty() || !transfer.indirect_clusters.empty()) {
     throw std::invalid_argument("rows in clusters have no emitted run time yet; expected a bake without `compress`");
   }

@@ -13,11 +13,13 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <optional>
 #include <set>
 #include <stdexcept>
 
 #include "numeric/output/srgb.hpp"
+#include "prt/material/microfacet.hpp"
 
 namespace sh::prt {
 
@@ -151,6 +153,11 @@ class Collector {
     return false;
   }
 
+  static bool has_textured_finish(const aiMaterial& material) {
+    constexpr std::array kTypes = {aiTextureType_UNKNOWN, aiTextureType_METALNESS, aiTextureType_DIFFUSE_ROUGHNESS};
+    return std::any_of(kTypes.begin(), kTypes.end(), [&](aiTextureType t) { return material.GetTextureCount(t) > 0; });
+  }
+
   // Null if the file has no material: for formats without materials the importer invents one.
   [[nodiscard]] const aiMaterial* material_of(const aiMesh& mesh) const {
     if (extension_ == ".ply" || extension_ == ".stl" || extension_ == ".off" ||
@@ -180,7 +187,20 @@ class Collector {
     return Eigen::Vector3f::Constant(material == nullptr && has_vertex_colors ? 1.0F : kDefaultAlbedo);
   }
 
-  [[nodiscard]] static Finish finish_of(const aiMaterial* material, const MaterialChange& change) {
+  // The surface model of glTF. Null where a texture gives its factors, which is not read.
+  std::shared_ptr<const Reflectance> brdf_of(const aiMaterial* material) {
+    const auto roughness = material_value<float>(material, AI_MATKEY_ROUGHNESS_FACTOR);
+    const auto metallic = material_value<float>(material, AI_MATKEY_METALLIC_FACTOR);
+    if (!is_linear_ || !roughness || !metallic || has_textured_finish(*material)) return nullptr;
+    const std::pair factors = {std::clamp(*roughness, 0.0F, 1.0F), std::clamp(*metallic, 0.0F, 1.0F)};
+    std::shared_ptr<const Reflectance>& known = brdfs_[factors];
+    if (known == nullptr) {
+      known = std::make_shared<Reflectance>(microfacet_reflectance(factors.first, factors.second));
+    }
+    return known;
+  }
+
+  [[nodiscard]] Finish finish_of(const aiMaterial* material, const MaterialChange& change) {
     Finish finish;
     if (const auto color = material_value<aiColor4D>(material, AI_MATKEY_COLOR_EMISSIVE)) {
       const float strength = material_value<float>(material, AI_MATKEY_EMISSIVE_INTENSITY).value_or(1.0F);
@@ -189,6 +209,7 @@ class Collector {
     }
     finish.emission = change.emission.value_or(finish.emission);
     if (change.reflection) finish.mirror = change.reflection->mirror;
+    finish.gloss.brdf = brdf_of(material);
     finish.gloss = change.gloss.value_or(finish.gloss);
     finish.is_two_sided =
         change.is_two_sided.value_or(material_value<int>(material, AI_MATKEY_TWOSIDED).value_or(0) != 0);
@@ -201,6 +222,7 @@ class Collector {
   bool is_linear_;
   std::set<const aiMaterial*> textured_;
   std::size_t meshes_of_many_colors_ = 0;
+  std::map<std::pair<float, float>, std::shared_ptr<const Reflectance>> brdfs_;  // by roughness and metallic
   ImportedMesh result_;
 };
 

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "prt/material/reflectance.hpp"
 #include "prt/mesh/frame.hpp"
 
 namespace sh::prt {
@@ -20,7 +21,7 @@ using Face = std::array<std::uint32_t, 3>;
 inline constexpr float kMaxExponent = 1e6F;
 
 /// Triangles, counterclockwise as seen from outside. All vertex arrays have one length, except that `emission`, `mirror`,
-/// and `specular` with `exponent`, are empty if the whole mesh has none. `remap` has one entry for each vertex of the mesh
+/// `specular` with `exponent`, and `brdf`, are empty if the whole mesh has none. `remap` has one entry for each vertex of the mesh
 /// files, in the order of the scene; several vertices of a file map to one vertex here if position, normal, albedo and
 /// finish agree. It is empty for a mesh made in code.
 struct Mesh {
@@ -32,8 +33,11 @@ struct Mesh {
   std::vector<Eigen::Vector3f> mirror;             // linear RGB reflectance of the front, 0..1
   std::vector<Eigen::Vector3f> specular;           // linear RGB reflectance of the glossy lobe of the front, 0..1
   std::vector<float> exponent;                     // of this lobe [Phong75], 0..kMaxExponent
+  std::vector<std::uint16_t> brdf;                 // 1 + number in `brdfs`: in place of the lobe and of diffuse
+                                                   // reflection for glossy transfer; 0: none
   std::vector<Face> faces;
   std::vector<std::uint32_t> remap;  // (vertices of the files) -> vertex, kNoVertex where no face used it
+  Reflectances brdfs;
   Frame frame;
 
   /// A vertex in the world, in the unit of the scene.
@@ -47,6 +51,12 @@ Eigen::AlignedBox<Scalar, 3> bounding_box(const std::vector<Eigen::Matrix<Scalar
   Eigen::AlignedBox<Scalar, 3> box;
   for (const Eigen::Matrix<Scalar, 3, 1>& position : positions) box.extend(position);
   return box;
+}
+
+/// Leaves the albedo, which is what diffuse transfer needs.
+inline void leave_out_brdfs(Mesh& mesh) {
+  mesh.brdf.clear();
+  mesh.brdfs = {};
 }
 
 /// All vertices in the world.

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,10 +17,11 @@
 namespace sh::prt {
 
 /// A lobe about the mirrored direction of view: the part `specular` of the light, cos^exponent of the angle between them
-/// [Phong75].
+/// [Phong75]; or a BRDF that takes the place of this lobe and of the diffuse reflection.
 struct Gloss {
   Eigen::Vector3f specular = Eigen::Vector3f::Zero();
   float exponent = 0.0F;
+  std::shared_ptr<const Reflectance> brdf;
   bool operator==(const Gloss&) const = default;
 };
 

@@ -38,6 +38,28 @@ std::vector<Eigen::Vector3f> spread(const std::vector<std::uint32_t>& finish_of_
   return is_zero ? std::vector<Eigen::Vector3f>() : values;
 }
 
+// The numbers of the BRDFs of finishes stay empty if there is none.
+void take_brdfs(const std::vector<std::uint32_t>& finish_of_vertex, const std::vector<Finish>& finishes, Mesh& mesh) {
+  std::vector<std::uint16_t> numbers;
+  for (const Finish& finish : finishes) {
+    const bool has_one = finish.gloss.brdf != nullptr;
+    numbers.push_back(has_one ? static_cast<std::uint16_t>(1 + mesh.brdfs.number_of(*finish.gloss.brdf)) : 0);
+  }
+  if (mesh.brdfs.heads.empty()) return;
+  for (const std::uint32_t finish : finish_of_vertex) mesh.brdf.push_back(numbers[finish]);
+}
+
+// The numbers of the vertices of `part` in `brdfs`, which gets the BRDFs that it lacks.
+std::vector<std::uint16_t> renumbered(const Mesh& part, Reflectances& brdfs) {
+  std::vector<std::uint16_t> numbers = {0};
+  for (std::size_t i = 0; i < part.brdfs.heads.size(); ++i) {
+    numbers.push_back(static_cast<std::uint16_t>(1 + brdfs.number_of(part.brdfs.at(i))));
+  }
+  std::vector<std::uint16_t> of_vertices;
+  for (const std::uint16_t number : part.brdf) of_vertices.push_back(numbers[number]);
+  return of_vertices;
+}
+
 template <class T>
 void append_all(std::vector<T>& to, const std::vector<T>& from) {
   to.insert(to.end(), from.begin(), from.end());
@@ -83,6 +105,7 @@ Mesh weld(const Soup& soup, std::size_t source_vertices) {
   for (std::size_t v = 0; v < mesh.specular.size(); ++v) {
     mesh.exponent.push_back(soup.finishes[finish_of_vertex[v]].gloss.exponent);
   }
+  take_brdfs(finish_of_vertex, soup.finishes, mesh);
   set_geometric_normals(mesh);
   return mesh;
 }
@@ -109,6 +132,7 @@ void append(Mesh& mesh, const Mesh& part) {
   append_all_or_zeros(mesh.mirror, first, part.mirror, part.positions.size(), black);
   append_all_or_zeros(mesh.specular, first, part.specular, part.positions.size(), black);
   append_all_or_zeros(mesh.exponent, first, part.exponent, part.positions.size(), 0.0F);
+  append_all_or_zeros(mesh.brdf, first, renumbered(part, mesh.brdfs), part.positions.size(), std::uint16_t{0});
   append_all(mesh.positions, part.positions);
   append_all(mesh.normals, part.normals);
   append_all(mesh.geometric_normals, part.geometric_normals);
@@ -122,6 +146,7 @@ void repeat_finish(Mesh& mesh, std::uint32_t vertex) {
     if (!values->empty()) values->push_back(Eigen::Vector3f((*values)[vertex]));
   }
   if (!mesh.exponent.empty()) mesh.exponent.push_back(float{mesh.exponent[vertex]});
+  if (!mesh.brdf.empty()) mesh.brdf.push_back(std::uint16_t{mesh.brdf[vertex]});
 }
 
 void add_backs(Mesh& mesh, const std::vector<std::uint8_t>& is_two_sided) {

@@ -15,9 +15,10 @@
 #include "prt/basis.hpp"
 #include "prt/chunks.hpp"
 #include "prt/kinds/kinds.hpp"
+#include "prt/material/lobe.hpp"
+#include "prt/material/reflected.hpp"
 #include "prt/runtime/lit_clusters.hpp"
 #include "prt/runtime/relight.hpp"
-#include "prt/transfer/lobe.hpp"
 #include "prt/transfer/visibility.hpp"
 #include "prt/zonal.hpp"
 
@@ -67,22 +68,18 @@ void add_clusters(const Clusters& clusters, const LightRows& light_rows, std::ve
   for_vertices(clusters.receivers(), [&](std::size_t v) { lit.add_to(v, values.data() + v * stride); });
 }
 
+Eigen::Vector3f summed(int degree, const float* lobe, const float* reaching) {
+  Eigen::Vector3f sums;
+  at_degree(degree, [&](auto known) { sh::relight_rgb<known()>(lobe, reaching, sums.data()); });
+  return sums;
+}
+
 // What a lobe about a direction gathers of every channel.
 template <class Factor>
 Eigen::Vector3f gathered(int degree, const Eigen::Vector3f& direction, const Factor& factor, const float* reaching) {
   std::array<float, kMostCoefficients> lobe;
   zonal_about(degree, direction, factor, lobe.data());
-  Eigen::Vector3f sums;
-  at_degree(degree, [&](auto known) { sh::relight_rgb<known()>(lobe.data(), reaching, sums.data()); });
-  return sums;
-}
-
-Material material_of(const Mesh& mesh, std::size_t vertex, const Eigen::Vector3f& albedo) {
-  Material material{albedo, Eigen::Vector3f::Zero(), 0.0F};
-  if (mesh.specular.empty()) return material;
-  material.specular = mesh.specular[vertex];
-  material.exponent = mesh.exponent[vertex];
-  return material;
+  return summed(degree, lobe.data(), reaching);
 }
 
 double diffuse_factor(int l) { return numeric::clamped_cosine_factor<double>(l) / std::numbers::pi; }
@@ -139,9 +136,30 @@ void TransferredRadiance::at(const Hit& hit, const Mesh& mesh, float* out) const
   }
 }
 
+Material material_of(const Mesh& mesh, std::size_t vertex, const Eigen::Vector3f& albedo) {
+  Material material{.albedo = albedo};
+  if (!mesh.specular.empty()) {
+    material.specular = mesh.specular[vertex];
+    material.exponent = mesh.exponent[vertex];
+  }
+  if (!mesh.brdf.empty() && mesh.brdf[vertex] > 0) {
+    const std::size_t number = mesh.brdf[vertex] - std::size_t{1};
+    material.brdf = mesh.brdfs.table(number);
+    material.is_measured = mesh.brdfs.heads[number].is_measured;
+  }
+  return material;
+}
+
 Eigen::Vector3f exit_radiance(const Material& material, int degree, const float* reaching,
                               const Eigen::Vector3f& normal, const Eigen::Vector3f& to_eye) {
   Eigen::Vector3f radiance = Eigen::Vector3f::Zero();
+  if (material.brdf != nullptr) {
+    for_reflected_lobes(material.brdf, colors_of_parts(material.is_measured, material.albedo), degree, normal, to_eye,
+                        [&](const Eigen::Vector3f& color, const float* lobe) {
+                          radiance += color.cwiseProduct(summed(degree, lobe, reaching));
+                        });
+    return radiance;
+  }
   if (!material.albedo.isZero(0.0F)) {
     radiance += material.albedo.cwiseProduct(gathered(degree, normal, diffuse_factor, reaching));
   }
@@ -163,6 +181,15 @@ std::optional<SharpestLobe> sharpest_lobe(const Transfer& transfer) {
     sharpest = {exponent, phong_share(transfer.degree(), exponent)};
   }
   return sharpest;
+}
+
+std::vector<double> held_shares_of_brdfs(const Transfer& transfer) {
+  std::vector<double> shares;
+  const Reflectances& brdfs = transfer.mesh.brdfs;
+  for (std::size_t i = 0; transfer.kind->is_glossy() && i < brdfs.heads.size(); ++i) {
+    shares.push_back(share_of_bands(brdfs.table(i), brdfs.heads[i].is_measured, transfer.degree()));
+  }
+  return shares;
 }
 
 Surface glossy_surface(const Transfer& transfer, TransferredRadiance reaching, std::vector<Eigen::Vector3f> albedo) {

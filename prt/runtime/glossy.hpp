@@ -35,12 +35,18 @@ class TransferredRadiance {
   std::vector<float> values_;
 };
 
-/// The reflection of a place on a surface: linear RGB reflectances, and the exponent of the glossy lobe.
+/// The reflection of a place on a surface: linear RGB reflectances, and the exponent of the glossy lobe; or the table of a
+/// BRDF, to which the albedo is the color of its parts (prt/material/reflectance.hpp).
 struct Material {
   Eigen::Vector3f albedo = Eigen::Vector3f::Zero();
   Eigen::Vector3f specular = Eigen::Vector3f::Zero();
   float exponent = 0.0F;
+  const float* brdf = nullptr;
+  bool is_measured = false;
 };
+
+/// The material of a vertex. `mesh` must outlive the result.
+Material material_of(const Mesh& mesh, std::size_t vertex, const Eigen::Vector3f& albedo);
 
 /// Exit radiance, linear RGB, W m^-2 sr^-1, where `reaching` (3, bands^2) reaches a surface. `normal` and `to_eye` are
 /// unit. Slightly negative where a band-limited product rings.
@@ -54,6 +60,9 @@ struct SharpestLobe {
   double share;
 };
 std::optional<SharpestLobe> sharpest_lobe(const Transfer& transfer);
+
+/// The part of each BRDF of the mesh that the degree of the transfer holds (reflectance.hpp); nothing for diffuse transfer.
+std::vector<double> held_shares_of_brdfs(const Transfer& transfer);
 
 /// What a picture shows, shaded at every hit; `albedo` (vertices) serves in place of the mesh's. `transfer` must outlive
 /// the result.

@@ -10,6 +10,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "prt/material/measured.hpp"
+#include "prt/material/microfacet.hpp"
 #include "prt/mesh/import_mesh.hpp"
 #include "prt/mesh/primitives.hpp"
 #include "prt/mesh/weld.hpp"
@@ -90,26 +92,64 @@ std::optional<Gloss> read_gloss(const JsonReader& reader) {
   const auto exponent = reader.find("exponent");
   if (!specular && !exponent) return std::nullopt;
   if (!specular || !exponent) reader.expected("`specular` and `exponent` together");
-  return Gloss{specular->vector_within(0.0F, 1.0F),
-               static_cast<float>(exponent->number(0.0, kMaxExponent, "an exponent from 0 to 1e6"))};
+  Gloss gloss;
+  gloss.specular = specular->vector_within(0.0F, 1.0F);
+  gloss.exponent = static_cast<float>(exponent->number(0.0, kMaxExponent, "an exponent from 0 to 1e6"));
+  return gloss;
 }
 
-MaterialChange read_material(const JsonReader& reader) {
+void require_alone(const JsonReader& reader, const std::string& name, const std::vector<std::string>& others) {
+  for (const std::string& other : others) {
+    if (reader.find(other)) reader.expected(fmt::format("`{}` or `{}`, not both", name, other));
+  }
+}
+
+Gloss gloss_of(Reflectance brdf) {
+  Gloss gloss;
+  gloss.brdf = std::make_shared<Reflectance>(std::move(brdf));
+  return gloss;
+}
+
+// The surface model of glTF over the albedo, or a file of a measured BRDF, which brings its own.
+void read_brdf(const JsonReader& reader, const std::string& folder, OnFlaw on_flaw, MaterialChange& change) {
+  const auto roughness = reader.find("roughness");
+  const auto metallic = reader.find("metallic");
+  const auto measured = reader.find("brdf");
+  if (metallic && !roughness) reader.expected("`roughness` beside `metallic`");
+  if (roughness) {
+    require_alone(reader, "roughness", {"specular", "brdf", "mirror"});
+    const auto part = [](const JsonReader& value) {
+      return static_cast<float>(value.number(0.0, 1.0, "a number from 0 to 1"));
+    };
+    change.gloss = gloss_of(microfacet_reflectance(part(*roughness), metallic ? part(*metallic) : 0.0F));
+  }
+  if (measured) {
+    require_alone(reader, "brdf", {"albedo", "mirror", "specular"});
+    MeasuredReflectance read = read_measured_reflectance(beside(folder, measured->text()));
+    for (const std::string& flaw : read.flaws) report_flaw(on_flaw, fmt::format("{}: {}", read.reflectance.name, flaw));
+    change.reflection = Reflection{.albedo = read.albedo};
+    change.gloss = gloss_of(std::move(read.reflectance));
+  }
+}
+
+MaterialChange read_material(const JsonReader& reader, const std::string& folder, OnFlaw on_flaw) {
   MaterialChange change;
   change.reflection = read_reflection(reader);
   change.gloss = read_gloss(reader);
+  read_brdf(reader, folder, on_flaw, change);
   reader.take("emission", change.emission, &JsonReader::vector_within, 0.0F, std::numeric_limits<float>::max());
   reader.take("sides", change.is_two_sided, [](const JsonReader& value) { return value.integer(1, 2) == 2; });
   return change;
 }
 
-MaterialChanges read_materials(const JsonReader& mesh) {
+MaterialChanges read_materials(const JsonReader& mesh, const std::string& folder, OnFlaw on_flaw) {
   MaterialChanges changes;
-  changes.all = read_material(mesh);
+  changes.all = read_material(mesh, folder, on_flaw);
   if (const auto materials = mesh.find("materials")) {
     for (const auto& [name, material] : materials->members()) {
-      material.allow({"albedo", "emission", "exponent", "mirror", "sides", "specular"});
-      changes.by_name[name] = read_material(material);
+      material.allow(
+          {"albedo", "brdf", "emission", "exponent", "metallic", "mirror", "roughness", "sides", "specular"});
+      changes.by_name[name] = read_material(material, folder, on_flaw);
     }
   }
   return changes;
@@ -210,8 +250,8 @@ Mesh finish_mesh(MeshPart part, const Frame& frame, OnFlaw on_flaw) {
 
 MeshPart read_mesh(const JsonReader& reader, const std::string& folder, OnFlaw on_flaw) {
   reader.allow({"file", "primitive", "segments", "transform", "up", "albedo", "mirror", "specular", "exponent",
-                "emission", "sides", "materials", "max_edge", "crease", "flip"});
-  const MaterialChanges changes = read_materials(reader);
+                "roughness", "metallic", "brdf", "emission", "sides", "materials", "max_edge", "crease", "flip"});
+  const MaterialChanges changes = read_materials(reader, folder, on_flaw);
   MeshPart part;
   part.crease_degrees = kDefaultCrease;
   Eigen::Affine3d map = Eigen::Affine3d::Identity();

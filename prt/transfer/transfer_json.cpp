@@ -235,6 +235,20 @@ std::string_view holds(const TransferShape& shape) {
                             : "cosine and 1/pi, not the albedo: exit radiance = albedo * sum_i T_i L_i";
 }
 
+Json to_json(const std::vector<Reflectances::Head>& heads) {
+  Json json = Json::array();
+  for (const Reflectances::Head& head : heads) json.push_back({{"name", head.name}, {"measured", head.is_measured}});
+  return json;
+}
+
+std::vector<Reflectances::Head> heads_from(const nlohmann::json& json) {
+  std::vector<Reflectances::Head> heads;
+  for (const nlohmann::json& head : json) {
+    heads.push_back({head.at("name").get<std::string>(), head.at("measured").get<bool>()});
+  }
+  return heads;
+}
+
 void put_shortfall(const Shortfall& missing, Json& header) {
   if (!missing.any()) return;
   header["complete"] = false;  // coarser than was asked for
@@ -288,6 +302,7 @@ std::string transfer_header(const Transfer& transfer) {
   put_shortfall(transfer.missing, header);
   if (!transfer.shape.storage.is_plain()) header["storage"] = to_json(transfer.shape.storage);
   if (!transfer.clusters.empty()) header["storage"]["error"] = transfer.clusters.error;
+  if (!transfer.mesh.brdfs.heads.empty()) header["brdfs"] = to_json(transfer.mesh.brdfs.heads);
   if (!transfer.plan.decisions.empty()) header["plan"] = to_json(transfer.plan);
   return header.dump(2, ' ', false, Json::error_handler_t::replace);  // names of files may be no UTF-8
 }
@@ -310,6 +325,7 @@ void take_header(const nlohmann::json& header, std::uint32_t version, TransferKi
   if (transfer.indirect_shape.storage.is_clustered()) {
     transfer.indirect_clusters.error = amount_from(header["indirect"].at("error"));
   }
+  if (header.contains("brdfs")) transfer.mesh.brdfs.heads = heads_from(header.at("brdfs"));
   if (header.contains("plan")) transfer.plan = plan_from(header.at("plan"));
   transfer.directions = whole_from<std::uint32_t>(header.at("directions"));
   if (header.contains("sampler")) {  // absent where no ray was traced, and in files older than the choice

@@ -77,23 +77,26 @@ struct Kind {
   Rows rows;
   Presence presence;
 };
-inline constexpr std::array<Kind, 17> kSections = {{{"position", kFloat, 3, Rows::kVertices, Presence::kAlways},
-                                                    {"normal", kFloat, 3, Rows::kVertices, Presence::kAlways},
-                                                    {"geonorm", kFloat, 3, Rows::kVertices, Presence::kAlways},
-                                                    {"albedo", kFloat, 3, Rows::kVertices, Presence::kAlways},
-                                                    {"face", kIndex, 3, Rows::kOther, Presence::kAlways},
-                                                    {"remap", kIndex, 1, Rows::kOther, Presence::kAlways},
-                                                    {"transfer", kFloat, 0, Rows::kStored, Presence::kAlways},
-                                                    {"emitted", kFloat, 3, Rows::kVertices, Presence::kOptional},
-                                                    {"scale", kFloat, 0, Rows::kOne, Presence::kOptional},
-                                                    {"mirror", kFloat, 3, Rows::kVertices, Presence::kOptional},
-                                                    {"specular", kFloat, 3, Rows::kVertices, Presence::kOptional},
-                                                    {"exponent", kFloat, 1, Rows::kVertices, Presence::kOptional},
-                                                    {"indirect", kHalf, 0, Rows::kStored, Presence::kAlways},
-                                                    {"cluster", kSmall, 1, Rows::kVertices, Presence::kAlways},
-                                                    {"weight", kByte, 0, Rows::kVertices, Presence::kAlways},
-                                                    {"icluster", kSmall, 1, Rows::kVertices, Presence::kAlways},
-                                                    {"iweight", kByte, 0, Rows::kVertices, Presence::kAlways}}};
+inline constexpr std::array<Kind, 19> kSections = {
+    {{"position", kFloat, 3, Rows::kVertices, Presence::kAlways},
+     {"normal", kFloat, 3, Rows::kVertices, Presence::kAlways},
+     {"geonorm", kFloat, 3, Rows::kVertices, Presence::kAlways},
+     {"albedo", kFloat, 3, Rows::kVertices, Presence::kAlways},
+     {"face", kIndex, 3, Rows::kOther, Presence::kAlways},
+     {"remap", kIndex, 1, Rows::kOther, Presence::kAlways},
+     {"transfer", kFloat, 0, Rows::kStored, Presence::kAlways},
+     {"emitted", kFloat, 3, Rows::kVertices, Presence::kOptional},
+     {"scale", kFloat, 0, Rows::kOne, Presence::kOptional},
+     {"mirror", kFloat, 3, Rows::kVertices, Presence::kOptional},
+     {"specular", kFloat, 3, Rows::kVertices, Presence::kOptional},
+     {"exponent", kFloat, 1, Rows::kVertices, Presence::kOptional},
+     {"brdf", kSmall, 1, Rows::kVertices, Presence::kOptional},
+     {"brdfrow", kFloat, even_count(kMaxDegree), Rows::kOther, Presence::kOptional},
+     {"indirect", kHalf, 0, Rows::kStored, Presence::kAlways},
+     {"cluster", kSmall, 1, Rows::kVertices, Presence::kAlways},
+     {"weight", kByte, 0, Rows::kVertices, Presence::kAlways},
+     {"icluster", kSmall, 1, Rows::kVertices, Presence::kAlways},
+     {"iweight", kByte, 0, Rows::kVertices, Presence::kAlways}}};
 
 constexpr bool is_weight(const Kind& kind) { return kind.name.ends_with("weight"); }
 constexpr bool is_of_clusters(const Kind& kind) { return is_weight(kind) || kind.name.ends_with("cluster"); }
@@ -141,6 +144,8 @@ void each_section(AnyTransfer& transfer, AnyEncoded& encoded, AnyEncoded& indire
   visit(transfer.mesh.mirror);
   visit(transfer.mesh.specular);
   visit(transfer.mesh.exponent);
+  visit(transfer.mesh.brdf);
+  visit(transfer.mesh.brdfs.rows);
   visit(indirect.data);
   visit(transfer.clusters.cluster);
   visit(transfer.clusters.weights);

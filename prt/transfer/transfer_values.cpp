@@ -22,6 +22,8 @@ bool is_reflectance(const Eigen::Vector3f& value) {
   return value.allFinite() && value.minCoeff() >= 0.0F && value.maxCoeff() <= 1.0F;
 }
 
+constexpr float kMaxReflectance = 1000.0F;  // no limit of nature, but far above all that a surface reflects
+
 bool is_exponent(float value) { return value >= 0.0F && value <= kMaxExponent; }
 
 bool names_vertices(const Mesh& mesh) {
@@ -60,6 +62,14 @@ std::string flaw_of_values(const Transfer& transfer) {
   if (!all(mesh.specular, is_reflectance)) return "a specular reflectance is not from 0 to 1";
   if (mesh.exponent.size() != mesh.specular.size() || !all(mesh.exponent, is_exponent)) {
     return "an exponent is not from 0 to 1e6";
+  }
+  const Reflectances& brdfs = mesh.brdfs;
+  if (brdfs.rows.size() != brdfs.heads.size() * kReflectanceTableSize || mesh.brdf.empty() != brdfs.heads.empty() ||
+      !all(mesh.brdf, [&](std::uint16_t number) { return number <= brdfs.heads.size(); })) {
+    return "it names a BRDF that is not there";
+  }
+  if (!all(brdfs.rows, [](float value) { return std::abs(value) <= kMaxReflectance; })) {
+    return "a coefficient of a BRDF is not from -1000 to 1000";
   }
   if (!all(transfer.coefficients, [](float value) { return std::isfinite(value); }) ||
       !all(transfer.indirect, [](float value) { return std::isfinite(value); }) || !all(transfer.emitted, is_finite)) {

@@ -34,7 +34,8 @@ void check_lengths(const Transfer& transfer) {
            : !transfer.indirect.empty()) ||
       (!transfer.emitted.empty() && transfer.emitted.size() != vertices) ||
       (!mesh.mirror.empty() && mesh.mirror.size() != vertices) ||
-      (!mesh.specular.empty() && mesh.specular.size() != vertices) || mesh.exponent.size() != mesh.specular.size()) {
+      (!mesh.specular.empty() && mesh.specular.size() != vertices) || mesh.exponent.size() != mesh.specular.size() ||
+      (!mesh.brdf.empty() && mesh.brdf.size() != vertices)) {
     throw std::invalid_argument("transfer: its arrays differ in length, expected one entry a vertex in each");
   }
 }

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "prt/basis.hpp"
+#include "prt/material/microfacet.hpp"
 #include "prt/mesh/corners.hpp"
 #include "prt/rays/directions.hpp"
 #include "prt/rays/gather.hpp"
@@ -46,7 +47,7 @@ std::vector<double> one_bounce(const Transfer& transfer, const TransferredRadian
     const std::array<float, 3> part = {1.0F - hit[0].u - hit[0].v, hit[0].u, hit[0].v};
     Eigen::Vector3f sent = Eigen::Vector3f::Zero();
     for (std::size_t k = 0; k < 3; ++k) {
-      const Material material{mesh.albedo[face[k]], mesh.specular[face[k]], mesh.exponent[face[k]]};
+      const Material material = material_of(mesh, face[k], mesh.albedo[face[k]]);
       sent += part[k] * exit_radiance(material, transfer.degree(), reaching.at(face[k]), mesh.normals[face[k]], -s);
     }
     std::vector<float> basis(count);
@@ -88,6 +89,20 @@ TEST(GlossyBounces, ReachEveryVertexAsTheRunTimeSendsThemFromEverySurface) {
 
 TEST(GlossyBounces, HaveOneChannelWhereAllIsGray) {
   expect_fixed_point(bowl(Eigen::Vector3f::Constant(0.7F), 3.0F), 2, 1);
+}
+
+TEST(GlossyBounces, FollowBrdfs) {
+  for (const bool is_measured : {false, true}) {
+    Mesh mesh = bowl({0.8F, 0.6F, 0.3F}, 12.0F);
+    Reflectance brdf = microfacet_reflectance(0.5F, 0.5F);
+    brdf.is_measured = is_measured;
+    mesh.brdfs.number_of(brdf);
+    for (const Eigen::Vector3f& specular : mesh.specular) mesh.brdf.push_back(specular.isZero() ? 0 : 1);
+    expect_fixed_point(mesh, 4, 3);
+    paint(mesh, Eigen::Vector3f::Constant(0.7F));
+    for (Eigen::Vector3f& specular : mesh.specular) specular.setZero();
+    expect_fixed_point(mesh, 2, is_measured ? 3 : 1);
+  }
 }
 
 TEST(GlossyBounces, AreThoseOfThreeChannelsWhereOneColorIsAlmostGray) {

@@ -1,9 +1,9 @@
 // Glossy transfer in pictures, in files, and where it is refused.
 #include <gtest/gtest.h>
 
+#include "prt/material/lobe.hpp"
 #include "prt/runtime/glossy.hpp"
 #include "prt/runtime/relight.hpp"
-#include "prt/transfer/lobe.hpp"
 #include "prt/transfer/transfer_file.hpp"
 #include "tests/prt/glossy_meshes.hpp"
 #include "tests/prt/lights.hpp"

@@ -1,4 +1,4 @@
-#include "prt/transfer/lobe.hpp"
+#include "prt/material/lobe.hpp"
 
 namespace sh::prt {
 

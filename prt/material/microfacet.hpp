@@ -1,0 +1,18 @@
+// The surface model of glTF: a diffuse base under a dielectric coat, or a metal, both rough [glTF 2.0, section 3.9 and
+// appendix B].
+//   facets     GGX (Trowbridge-Reitz) distribution, alpha = roughness^2 [WalterMarschnerLiTorrance07, equation 33]
+//   shadowing  Smith's, correlated in height [Heitz14, equation 99]
+//   Fresnel    F0 + (1-F0) (1 - v.h)^5 [Schlick94]; F0 = 0.04 for the coat, the base color for a metal
+//   base       albedo/pi (1-E(v)) (1-E(l)) / (1 - mean E), where the coat reflects E [KullaConty17]: a white base under a
+//              coat sends back all light, at any angle. The appendix weighs it by 1-F, which at grazing views sends
+//              more than arrives.
+#pragma once
+#include "prt/material/reflectance.hpp"
+
+namespace sh::prt {
+
+/// roughness and metallic 0..1, by quadrature to about 1e-4 of the largest coefficient. Roughness 0 is a perfect mirror,
+/// of which the bands remain.
+Reflectance microfacet_reflectance(float roughness, float metallic);
+
+}  // namespace sh::prt

@@ -1,0 +1,86 @@
+#include "prt/material/reflectance.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace sh::prt {
+
+namespace {
+
+constexpr std::size_t kRow = even_count(kMaxDegree);
+
+const float* row_of(const float* table, int view, std::size_t part) {
+  return table + (static_cast<std::size_t>(view) * kReflectionParts + part) * kRow;
+}
+
+// The weights of four neighbors at distances 0, 1, 2, 3 in the polynomial of degree 3 through them (Lagrange).
+std::array<float, 4> cubic_weights(float t) {
+  return {-(t - 1) * (t - 2) * (t - 3) / 6, t * (t - 2) * (t - 3) / 2, -t * (t - 1) * (t - 3) / 2,
+          t * (t - 1) * (t - 2) / 6};
+}
+
+}  // namespace
+
+std::array<Eigen::Vector3f, kReflectionParts> colors_of_parts(bool is_measured, const Eigen::Vector3f& albedo) {
+  if (is_measured) return {Eigen::Vector3f::UnitX(), Eigen::Vector3f::UnitY(), Eigen::Vector3f::UnitZ()};
+  return {albedo, Eigen::Vector3f::Ones(), Eigen::Vector3f::Zero()};
+}
+
+std::size_t Reflectances::number_of(const Reflectance& reflectance) {
+  for (std::size_t i = 0; i < heads.size(); ++i) {
+    if (at(i) == reflectance) return i;
+  }
+  heads.push_back({reflectance.name, reflectance.is_measured});
+  rows.insert(rows.end(), reflectance.table.begin(), reflectance.table.end());
+  return heads.size() - 1;
+}
+
+Reflectance Reflectances::at(std::size_t number) const {
+  return {heads[number].name, heads[number].is_measured, {table(number), table(number) + kReflectanceTableSize}};
+}
+
+void reflectance_at(const float* table, int degree, float cosine, float* out) {
+  constexpr float kStep = static_cast<float>(std::numbers::pi / 2) / (kViews - 1);
+  const float place = std::acos(std::clamp(cosine, 0.0F, 1.0F)) / kStep;
+  const int first = std::clamp(static_cast<int>(place) - 1, 0, kViews - 4);
+  const std::array<float, 4> weights = cubic_weights(place - static_cast<float>(first));
+  const std::size_t count = even_count(degree);
+  for (std::size_t part = 0; part < kReflectionParts; ++part) {
+    for (std::size_t i = 0; i < count; ++i, ++out) {
+      *out = 0.0F;
+      for (int k = 0; k < 4; ++k) *out += weights[static_cast<std::size_t>(k)] * row_of(table, first + k, part)[i];
+    }
+  }
+}
+
+double share_of_bands(const float* table, bool is_measured, int degree) {
+  const std::array<Eigen::Vector3f, kReflectionParts> colors =
+      colors_of_parts(is_measured, Eigen::Vector3f::Constant(0.5F));
+  double held = 0.0;
+  double all = 0.0;
+  for (Eigen::Index channel = 0; channel < 3; ++channel) {
+    for (std::size_t l = 0, i = 0; l <= kMaxDegree; ++l) {
+      for (std::size_t m = 0; m <= l; ++m, ++i) {
+        double sum = 0.0;
+        for (std::size_t part = 0; part < kReflectionParts; ++part) {
+          sum += static_cast<double>(colors[part][channel] * row_of(table, (kViews - 1) / 2, part)[i]);
+        }
+        all += sum * sum;
+        if (l <= static_cast<std::size_t>(degree)) held += sum * sum;
+      }
+    }
+  }
+  return all > 0.0 ? held / all : 1.0;
+}
+
+Eigen::Vector3d hemispherical_reflectance(const float* table, int view) {
+  const double constant = std::sqrt(4.0 * std::numbers::pi);  // the coefficient of constant light
+  Eigen::Vector3d values;
+  for (std::size_t part = 0; part < kReflectionParts; ++part) {
+    values[static_cast<Eigen::Index>(part)] = constant * static_cast<double>(row_of(table, view, part)[0]);
+  }
+  return values;
+}
+
+}  // namespace sh::prt

@@ -1,0 +1,47 @@
+// The lobes of a tabulated BRDF in the world: functions of the direction of light that a vertex sums its incident radiance
+// with.
+#pragma once
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <array>
+#include <cmath>
+
+#include "generated/cpp/rotate.hpp"
+#include "prt/basis.hpp"
+#include "prt/material/reflectance.hpp"
+
+namespace sh::prt {
+
+/// The rotation, row by row, from the frame of a surface to the world. `normal` and `to_eye` are unit. Where the eye stands
+/// over the surface in the direction of its normal, any rotation about the normal serves.
+inline std::array<float, 9> surface_frame(const Eigen::Vector3f& normal, const Eigen::Vector3f& to_eye) {
+  constexpr float kLeastSine = 1e-6F;
+  Eigen::Vector3f x = to_eye - normal.dot(to_eye) * normal;
+  x = x.norm() > kLeastSine ? (x.normalized() - normal.dot(x.normalized()) * normal).normalized().eval()
+                            : normal.unitOrthogonal();
+  const Eigen::Vector3f y = normal.cross(x);
+  return {x.x(), y.x(), normal.x(), x.y(), y.y(), normal.y(), x.z(), y.z(), normal.z()};
+}
+
+/// Calls visit(color, weights) for every part of a table that is not black; weights (bands^2) times the incident radiance
+/// is what this part sends to the eye.
+template <class Visit>
+void for_reflected_lobes(const float* table, const std::array<Eigen::Vector3f, kReflectionParts>& colors, int degree,
+                         const Eigen::Vector3f& normal, const Eigen::Vector3f& to_eye, const Visit& visit) {
+  std::array<float, kReflectionParts * even_count(kMaxDegree)> even;
+  reflectance_at(table, degree, normal.dot(to_eye), even.data());
+  const std::array<float, 9> frame = surface_frame(normal, to_eye);
+  std::array<float, coefficient_count(kMaxDegree)> weights;
+  for (std::size_t part = 0; part < kReflectionParts; ++part) {
+    if (colors[part].isZero(0.0F)) continue;
+    weights.fill(0.0F);
+    const float* from = even.data() + part * even_count(degree);
+    for (int l = 0; l <= degree; ++l) {
+      for (int m = 0; m <= l; ++m) weights[coefficient_index(l, m)] = *from++;
+    }
+    at_degree(degree, [&](auto known) { sh::rotate<known()>(frame.data(), weights.data(), weights.data()); });
+    visit(colors[part], weights.data());
+  }
+}
+
+}  // namespace sh::prt
