@@ -1,11 +1,14 @@
 // The command line of the tool `prt`: all commands, `--version`, and errors as one line.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <iterator>
 #include <limits>
+#include <string_view>
 
 #include "numeric/output/printable.hpp"
 #include "numeric/output/progress.hpp"
@@ -14,18 +17,37 @@
 
 namespace {
 
-void add_commands(CLI::App& tool) {
-  using namespace sh::prt;
+struct Command {
+  std::string_view name;
+  void (*add)(CLI::App&);
+};
+
+constexpr Command kCommands[] = {{"bake", sh::prt::add_bake_command},
+                                 {"relight", sh::prt::add_relight_command},
+                                 {"render", sh::prt::add_render_command},
+                                 {"shader", sh::prt::add_shader_command},
+                                 {"fix-view", sh::prt::add_fix_view_command},
+                                 {"info", sh::prt::add_info_command},
+                                 {"project", sh::prt::add_project_command},
+                                 {"plan", sh::prt::add_plan_command},
+                                 {"reconstruct", sh::prt::add_reconstruct_command},
+                                 {"study", sh::prt::add_study_command},
+#if defined(SHFORGE_EMIT)
+                                 {"emit", sh::prt::add_emit_command},
+#endif
+                                 {"compare", sh::prt::add_compare_command}};
+
+// The command that the first word names, or all of them, for the help and for messages.
+void add_commands(std::string_view first_word, CLI::App& tool) {
   tool.require_subcommand(1);
   tool.option_defaults()->always_capture_default();
-  for (const auto add : {add_bake_command, add_relight_command, add_render_command, add_shader_command,
-                         add_fix_view_command, add_info_command, add_project_command, add_plan_command,
-                         add_reconstruct_command, add_study_command, add_compare_command}) {
-    add(tool);
+  const auto* named = std::find_if(std::begin(kCommands), std::end(kCommands),
+                                   [&](const Command& command) { return command.name == first_word; });
+  if (named != std::end(kCommands)) {
+    named->add(tool);
+    return;
   }
-#if defined(SHFORGE_EMIT)
-  add_emit_command(tool);
-#endif
+  for (const Command& command : kCommands) command.add(tool);
 }
 
 // Refuses what CLI11 takes for numbers: nan, inf, and what exceeds single precision.
@@ -59,7 +81,7 @@ int run(int argc, char** argv) {
   sh::output::stop_on_interrupt();
   CLI::App tool("Precomputed radiance transfer with spherical harmonics: bake, relight, render.", "prt");
   tool.set_version_flag("--version", sh::output::version_of("prt"));
-  add_commands(tool);
+  add_commands(argc > 1 ? argv[1] : "", tool);
   require_finite_numbers(tool);
   if (argc == 1) {
     std::fputs(tool.help().c_str(), stderr);

@@ -1,9 +1,11 @@
 // Command lines of prt. Each byte stands for a word, so that a run of bytes is a command line with known options, files
 // and values, good and bad, in any order. The files that are read must be the same afterwards.
+#include <sys/stat.h>
 #include <tbb/global_control.h>
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 #include <map>
@@ -168,37 +170,47 @@ class Workplace {
     write_transfer("b.transfer", prt::test::baked(prt::test::primitive_mesh("box"), &prt::kInterreflected, 16, 1));
     write_transfer("g.transfer", prt::test::baked(prt::test::primitive_mesh("box"), &prt::kGlossyShadowed, 16, 1));
     std::filesystem::copy_file("a.transfer", "a.png");
-    files_ = contents();
+    for (const auto& entry : std::filesystem::directory_iterator(".")) {
+      const std::string name = entry.path().string();
+      files_[name] = {read_all(name), state_of(name)};
+    }
   }
 
   /// The files that are not as they were; makes them so again and removes new ones.
   std::vector<std::string> restore() {
-    const std::map<std::string, std::string> now = contents();
     std::vector<std::string> changed;
-    for (const auto& [name, bytes] : now) {
-      if (!files_.contains(name)) std::filesystem::remove(name);
+    std::vector<std::filesystem::path> added;
+    for (const auto& entry : std::filesystem::directory_iterator(".")) {
+      if (!files_.contains(entry.path().string())) added.push_back(entry.path());
     }
-    for (const auto& [name, bytes] : files_) {
-      if (const auto found = now.find(name); found != now.end() && found->second == bytes) continue;
-      write_all(name, bytes);
-      changed.push_back(std::filesystem::path(name).filename().string());
+    for (const std::filesystem::path& path : added) std::filesystem::remove(path);
+    for (auto& [name, file] : files_) {
+      if (state_of(name) == file.state) continue;
+      if (read_all(name) != file.bytes) changed.push_back(std::filesystem::path(name).filename().string());
+      write_all(name, file.bytes);
+      file.state = state_of(name);
     }
     return changed;
   }
 
  private:
-  static std::map<std::string, std::string> contents() {
-    std::map<std::string, std::string> all;
-    for (const auto& entry : std::filesystem::directory_iterator(".")) {
-      all[entry.path().string()] = read_all(entry.path().string());
-    }
-    return all;
+  // Tells whether anybody wrote to a file: its number in the file system, its size, and when it changed.
+  using State = std::array<std::int64_t, 4>;
+  static State state_of(const std::string& name) {
+    struct stat file {};
+    if (stat(name.c_str(), &file) != 0) return {};
+    return {static_cast<std::int64_t>(file.st_ino), file.st_size, file.st_ctim.tv_sec, file.st_ctim.tv_nsec};
   }
+
+  struct File {
+    std::string bytes;
+    State state;
+  };
 
   // One thread, so that an input always takes the same branches.
   tbb::global_control one_thread_{tbb::global_control::max_allowed_parallelism, 1};
   prt::test::TemporaryFolder folder_;
-  std::map<std::string, std::string> files_;
+  std::map<std::string, File> files_;
 };
 
 // Whether it is no number, one of at most 16, or far too large.
