@@ -2,9 +2,11 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <random>
 #include <stdexcept>
 #include <utility>
@@ -12,7 +14,9 @@
 
 #include "numeric/output/progress.hpp"
 #include "prt/chunks.hpp"
+#include "prt/material/reflected.hpp"
 #include "prt/mesh/corners.hpp"
+#include "prt/runtime/glossy.hpp"
 
 namespace sh::prt {
 
@@ -77,6 +81,8 @@ class PathTracer {
     const Eigen::Vector3f normal = interpolated(path.hit, mesh_, mesh_.normals).normalized();
     const Eigen::Vector3f albedo = interpolated(path.hit, mesh_, mesh_.albedo);
     const std::uint32_t corner = mesh_.faces[path.hit.face][0];
+    const Material material = material_of(mesh_, corner, albedo);
+    if (material.brdf != nullptr) return reflect_by_brdf(material, normal, path, random);
     const Eigen::Vector3f specular =
         mesh_.specular.empty() ? Eigen::Vector3f::Zero().eval() : Eigen::Vector3f(mesh_.specular[corner]);
     const float gloss = specular.maxCoeff();
@@ -94,6 +100,21 @@ class PathTracer {
     return power_direction(normal, 1.0F, random);
   }
 
+  // Directions are equally distributed over the hemisphere; a table holds BRDF times cosine to its highest degree.
+  static Eigen::Vector3f reflect_by_brdf(const Material& material, const Eigen::Vector3f& normal, Path& path,
+                                         std::mt19937& random) {
+    const Eigen::Vector3f next = power_direction(normal, 0.0F, random);
+    std::array<float, coefficient_count(kMaxDegree)> basis;
+    evaluate_basis(kMaxDegree, next.x(), next.y(), next.z(), basis.data());
+    Eigen::Vector3f reflected = Eigen::Vector3f::Zero();
+    for_reflected_lobes(material.brdf, colors_of_parts(material.is_measured, material.albedo), kMaxDegree, normal,
+                        -path.direction.normalized(), [&](const Eigen::Vector3f& color, const float* weights) {
+                          reflected += color * std::inner_product(basis.begin(), basis.end(), weights, 0.0F);
+                        });
+    path.throughput = 2.0F * std::numbers::pi_v<float> * path.throughput.cwiseProduct(reflected);
+    return next;
+  }
+
   // With the density (e+1) / (2 pi) cos^e about an axis.
   static Eigen::Vector3f power_direction(const Eigen::Vector3f& axis, float exponent, std::mt19937& random) {
     std::uniform_real_distribution<float> uniform(0.0F, 1.0F);
@@ -106,7 +127,7 @@ class PathTracer {
 
   static bool survives(Path& path, std::mt19937& random) {
     constexpr float kLittle = 0.2F;
-    const float most = path.throughput.maxCoeff();
+    const float most = path.throughput.cwiseAbs().maxCoeff();  // a table rings below 0
     if (most >= kLittle) return true;
     std::uniform_real_distribution<float> uniform(0.0F, kLittle);
     if (uniform(random) >= most) return false;

@@ -4,7 +4,7 @@
 //            + (product of all reflectances) * sky(s) where the path leaves the scene in direction s.
 // Directions have the density of the cosine about the shading normal, or of the lobe about the mirrored direction: chance
 // decides by their reflectances. Paths end below the face, at backs of faces, and by chance where they carry little light
-// (Russian roulette [ArvoKirk90]). Mirrors are not followed.
+// (Russian roulette [ArvoKirk90]). BRDFs have the bands of their tables. Mirrors are not followed.
 #pragma once
 #include "prt/rays/tracer.hpp"
 #include "prt/runtime/render.hpp"

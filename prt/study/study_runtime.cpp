@@ -13,6 +13,7 @@
 #include "prt/chunks.hpp"
 #include "prt/runtime/fixed_view.hpp"
 #include "prt/runtime/glossy.hpp"
+#include "prt/runtime/light_at_rest.hpp"
 #include "prt/runtime/relight.hpp"
 #include "prt/study/path_render.hpp"
 #include "prt/study/study_setup.hpp"
@@ -214,9 +215,9 @@ class RuntimeStudy {
   }
 
   [[nodiscard]] Shown frame_of_fixed_light(const Transfer& transfer) const {
-    const TransferredRadiance reaching(transfer, light(transfer));
-    const double seconds = least_seconds([&] { return towards_eye(transfer, reaching); });
-    return shown(transfer, seconds, static_cast<double>(3 * coefficient_count(transfer.degree()) * sizeof(float)));
+    const LightAtRest at_rest(transfer, TransferredRadiance(transfer, light(transfer)), transfer.mesh.albedo);
+    const double seconds = least_seconds([&] { return at_rest.exit_radiance(scene_.camera.position); });
+    return shown(transfer, seconds, static_cast<double>(at_rest.bytes_of_vertex()));
   }
 
   [[nodiscard]] Shown frame_of_fixed_view(const Transfer& transfer) const {

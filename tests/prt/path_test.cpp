@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "prt/material/microfacet.hpp"
 #include "prt/runtime/glossy.hpp"
 #include "prt/runtime/relight.hpp"
 #include "prt/study/path_render.hpp"
@@ -102,6 +103,15 @@ TEST(Paths, AgreeWithTheBakeOfAGlossyRoom) {
 TEST(Paths, AgreeWithTheBakeOfAGlossyBallInACorner) {
   const Camera camera{{1.6, -1.6, 1.0}, {-0.1, 0.1, -0.2}, {0.0, 0.0, 1.0}, 34.0F};
   expect_within_noise(shiny(ball_in_corner(0.08F, 20)), camera, frontal_light(), 0.03, kGlossyInterreflected);
+}
+
+// Degree 4 holds nearly all of a rough surface.
+TEST(Paths, AgreeWithTheBakeOfBrdfs) {
+  Mesh mesh = ball_in_corner(0.08F, 20);
+  mesh.brdfs.number_of(microfacet_reflectance(0.9F, 0.4F));
+  mesh.brdf.assign(mesh.positions.size(), 1);
+  const Camera camera{{1.6, -1.6, 1.0}, {-0.1, 0.1, -0.2}, {0.0, 0.0, 1.0}, 34.0F};
+  expect_within_noise(mesh, camera, frontal_light(), 0.03, kGlossyInterreflected);
 }
 
 TEST(Paths, AgreeWithTheBakeOfAColoredRoom) {
