@@ -36,6 +36,7 @@ void add_plan_command(CLI::App& tool);
 void add_reconstruct_command(CLI::App& tool);
 void add_study_command(CLI::App& tool);
 void add_compare_command(CLI::App& tool);
+void add_grid_command(CLI::App& tool);
 void add_emit_command(CLI::App& tool);  // where the generator is built
 
 /// A requested check found a difference: the tool exits 1.

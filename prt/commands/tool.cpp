@@ -35,6 +35,7 @@ constexpr Command kCommands[] = {{"bake", sh::prt::add_bake_command},
 #if defined(SHFORGE_EMIT)
                                  {"emit", sh::prt::add_emit_command},
 #endif
+                                 {"grid", sh::prt::add_grid_command},
                                  {"compare", sh::prt::add_compare_command}};
 
 // The command that the first word names, or all of them, for the help and for messages.

@@ -69,6 +69,16 @@ Soup make_cylinder(int segments) {
   return surface_of_revolution(segments, {bottom, side, top});
 }
 
+// A cylinder with a hole; its sides are smooth, its edges sharp.
+Soup make_ring(int segments) {
+  constexpr float kInner = 0.43F;
+  const Curve bottom = {{kInner, -0.5F, 0.0F, -1.0F}, {0.5F, -0.5F, 0.0F, -1.0F}};
+  const Curve outside = {{0.5F, -0.5F, 1.0F, 0.0F}, {0.5F, 0.5F, 1.0F, 0.0F}};
+  const Curve top = {{0.5F, 0.5F, 0.0F, 1.0F}, {kInner, 0.5F, 0.0F, 1.0F}};
+  const Curve inside = {{kInner, 0.5F, -1.0F, 0.0F}, {kInner, -0.5F, -1.0F, 0.0F}};
+  return surface_of_revolution(segments, {bottom, outside, top, inside});
+}
+
 Soup make_cone(int segments) {
   const float slope = 1.0F / std::sqrt(5.0F);
   const Curve bottom = {{0.0F, -0.5F, 0.0F, -1.0F}, {0.5F, -0.5F, 0.0F, -1.0F}};
@@ -123,9 +133,9 @@ struct Maker {
   Soup (*make)(int segments);
 };
 
-constexpr Maker kMakers[] = {{"arch", make_arch},         {"box", make_box},     {"cone", make_cone},
-                             {"cylinder", make_cylinder}, {"plane", make_plane}, {"sphere", make_sphere},
-                             {"stairs", make_stairs},     {"torus", make_torus}};
+constexpr Maker kMakers[] = {{"arch", make_arch},         {"box", make_box},       {"cone", make_cone},
+                             {"cylinder", make_cylinder}, {"plane", make_plane},   {"ring", make_ring},
+                             {"sphere", make_sphere},     {"stairs", make_stairs}, {"torus", make_torus}};
 
 }  // namespace
 

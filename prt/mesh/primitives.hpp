@@ -11,7 +11,7 @@
 
 namespace sh::prt {
 
-/// The names that make_primitive accepts: arch box cone cylinder plane sphere stairs torus.
+/// The names that make_primitive accepts: arch box cone cylinder plane ring sphere stairs torus.
 std::vector<std::string_view> primitive_names();
 
 /// The shape with linear RGB albedo 0.5, ready for transform() and weld(). `segments` is the number of sides of a full

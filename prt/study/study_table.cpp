@@ -19,7 +19,10 @@ const Cells kColumns = {
     "scene", "transfer type",         "transfer shape",       "directions",     "vertices", "preprocessing seconds",
     "rate",  "rate with light fixed", "rate with view fixed", "bytes a vertex", "error",    "error against paths"};
 
-std::string number(const std::optional<double>& value) { return value ? fmt::format("{:.3g}", *value) : ""; }
+std::string number(const std::optional<double>& value) {
+  if (!value || !std::isfinite(*value)) return "";
+  return *value < 1000.0 ? fmt::format("{:.3g}", *value) : fmt::format("{:.0f}", *value);
+}
 
 std::string rate(const std::optional<double>& seconds) {
   return seconds ? fmt::format("{:.{}f}", 1.0 / *seconds, *seconds > 0.1 ? 1 : 0) : "";

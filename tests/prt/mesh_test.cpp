@@ -46,6 +46,7 @@ TEST(Primitives, HaveTheVolumesOfTheirShapes) {
   EXPECT_NEAR(signed_volume(primitive_mesh("sphere", 256)), kPi / 6.0, 1e-3);
   EXPECT_NEAR(signed_volume(primitive_mesh("cylinder", 256)), kPi / 4.0, 1e-3);
   EXPECT_NEAR(signed_volume(primitive_mesh("cone", 256)), kPi / 12.0, 1e-3);
+  EXPECT_NEAR(signed_volume(primitive_mesh("ring", 256)), kPi * (0.25 - 0.43 * 0.43), 1e-3);
   EXPECT_NEAR(signed_volume(primitive_mesh("torus", 256)), 2.0 * kPi * kPi * 0.36 * 0.14 * 0.14, 1e-3);
   EXPECT_NEAR(signed_volume(primitive_mesh("arch", 256)), 1.0 - 0.6 * 0.6 - 0.5 * kPi * 0.09, 1e-3);
 }
