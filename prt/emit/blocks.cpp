@@ -14,12 +14,12 @@ constexpr std::size_t kLine = 64;
 
 EmittedData::EmittedData(std::size_t vertices) : vertices_(vertices), bytes_(kLine, '\0') {}
 
-std::size_t EmittedData::add(const void* numbers, std::size_t size, std::size_t bytes) {
+std::size_t EmittedData::add(const void* numbers, std::size_t size, std::size_t bytes, std::size_t rows) {
   const std::size_t offset = bytes_.size();
-  const std::size_t all = emitted_blocks(vertices_) * kEmittedBlock * size * bytes;
+  const std::size_t all = emitted_blocks(rows) * kEmittedBlock * size * bytes;
   bytes_.resize(offset + (all + kLine - 1) / kLine * kLine);
   const char* from = static_cast<const char*>(numbers);
-  for (std::size_t v = 0; v < vertices_; ++v) {
+  for (std::size_t v = 0; v < rows; ++v) {
     for (std::size_t k = 0; k < size; ++k, from += bytes) {
       const std::size_t place = (v / kEmittedBlock * size + k) * kEmittedBlock + v % kEmittedBlock;
       std::memcpy(&bytes_[offset + place * bytes], from, bytes);

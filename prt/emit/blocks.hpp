@@ -17,10 +17,11 @@ constexpr std::size_t emitted_blocks(std::size_t vertices) { return (vertices + 
 class EmittedData {
  public:
   explicit EmittedData(std::size_t vertices);
-  /// Appends a section and returns its offset. numbers (vertices, size) of `bytes` each, one vertex after the other.
-  std::size_t add(const void* numbers, std::size_t size, std::size_t bytes);
+  /// Appends a section and returns its offset. numbers (rows, size) of `bytes` each, one row after the other; its rows are
+  /// those of vertices, or of clusters.
+  std::size_t add(const void* numbers, std::size_t size, std::size_t bytes, std::size_t rows);
   std::size_t add(const std::vector<float>& numbers) {
-    return add(numbers.data(), numbers.size() / vertices_, sizeof(float));
+    return add(numbers.data(), numbers.size() / vertices_, sizeof(float), vertices_);
   }
   /// The file: the checksum of all that follows it, then the sections, each at a multiple of 64 bytes.
   [[nodiscard]] std::string file() const;

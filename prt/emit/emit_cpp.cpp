@@ -59,7 +59,20 @@ class CppEmitter {
   }
 
   std::size_t add(const Encoded& encoded, const TransferShape& shape) {
-    return data_.add(encoded.data.data(), shape.stored_length(), bytes_of(shape.storage.element));
+    const std::size_t rows = shape.stored_rows(transfer_.mesh.positions.size());
+    return data_.add(encoded.data.data(), shape.stored_length(), bytes_of(shape.storage.element), rows);
+  }
+
+  // The clusters of rows or of matrices; their basis is in the place of the rows.
+  void add_clusters(const Clusters& clusters, std::string_view prefix) {
+    if (clusters.empty()) return;
+    clustered_ += fmt::format("#define SH_EMITTED_{}CLUSTERS\n", prefix.empty() ? "" : "MATRIX_");
+    constant(fmt::format("k{}ClusterRows", prefix), clusters.count() * (1 + clusters.vectors));
+    constant(fmt::format("k{}Vectors", prefix), clusters.vectors);
+    const std::size_t vertices = clusters.receivers();
+    constant(fmt::format("k{}ClusterAt", prefix),
+             data_.add(clusters.cluster.data(), 1, sizeof clusters.cluster[0], vertices));
+    constant(fmt::format("k{}WeightsAt", prefix), data_.add(clusters.weights.data(), clusters.vectors, 1, vertices));
   }
 
   void add_rows() {
@@ -71,6 +84,7 @@ class CppEmitter {
     constants_ += fmt::format("inline constexpr std::size_t kKept[] = {{{}}};\n",
                               are_there ? fmt::format("{}", fmt::join(rows_.kept, ", ")) : "0");
     elements_ = element_of("kElement", rows_.shape);
+    add_clusters(transfer_.clusters, "");
     const std::vector<float>& scale = rows_.encoded.scale;
     if (transfer_.shape.meets == Meets::kDot) numbers("kScale", scale.empty() ? std::vector<float>{1.0F} : scale);
   }
@@ -97,7 +111,8 @@ class CppEmitter {
     }
     numbers("kCosine", cosine);
     if (kernels_.has("SH_EMITTED_PREPARE")) constant("kSamples", sample_count(degree));
-    if (transfer_.indirect.empty()) return;
+    if (!has_matrices(transfer_)) return;
+    add_clusters(transfer_.indirect_clusters, "Matrix");
     constant("kMatricesAt", add(emitted_matrices(transfer_), transfer_.indirect_shape));
     constant("kMatrixChannels", transfer_.indirect_shape.channels);
     elements_ += element_of("kMatrixElement", transfer_.indirect_shape);
@@ -115,16 +130,19 @@ class CppEmitter {
     std::string text = emitted_comment(transfer_, rows_, kernels_.cost());
     text += "//               relight.bin: blocks of 16 vertices, one number of all of them after the other\n";
     text += "#pragma once\n\n#include <cmath>\n#include <cstddef>\n#include <cstdint>\n#include <cstring>\n";
-    text += "#include <type_traits>\n";
+    text += clustered_.empty() ? "#include <type_traits>\n" : "#include <type_traits>\n#include <vector>\n";
     for (const auto& use : kernels_.all()) text += once(use.kernel);
     text.append("\n").append(emitted_text("lanes.hpp"));
     for (const auto& use : kernels_.all()) text += fmt::format("#define {} ::sh::{}\n", use.macro, use.kernel.function);
+    text += clustered_;
     text += fmt::format("\nnamespace sh_{} {{\n\nenum class Element {{ kSingle, kHalf, kByte }};\n{}{}", options_.name,
                         elements_, constants_);
     text.append(emitted_text("rows.hpp"));
+    if (!clustered_.empty()) text.append(emitted_text("clusters.hpp"));
     text.append(emitted_text(transfer_.kind->is_glossy() ? "glossy.hpp" : "diffuse.hpp"));
     text += fmt::format("\n}}  // namespace sh_{}\n\n", options_.name);
     for (const auto& use : kernels_.all()) text += fmt::format("#undef {}\n", use.macro);
+    if (!clustered_.empty()) text += "#undef SH_EMITTED_CLUSTERS\n#undef SH_EMITTED_MATRIX_CLUSTERS\n";
     return text;
   }
 
@@ -135,6 +153,7 @@ class CppEmitter {
   EmittedData data_;
   std::string constants_;
   std::string elements_;
+  std::string clustered_;  // macros of what is in clusters
 };
 
 }  // namespace

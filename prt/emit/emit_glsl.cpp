@@ -27,7 +27,11 @@ class GlslEmitter {
       : transfer_(transfer),
         rows_(emitted_rows(transfer, options)),
         kernels_(transfer, options, rows_, es ? "glsl-es" : "glsl"),
-        es_(es) {}
+        es_(es) {
+    if (transfer.shape.storage.is_clustered() || transfer.indirect_shape.storage.is_clustered()) {
+      throw std::invalid_argument("rows in clusters have no emitted shader yet; expected `--lang cpp`");
+    }
+  }
 
   Emitted run() {
     const bool glossy = transfer_.kind->is_glossy();

@@ -20,10 +20,8 @@ constexpr std::pair<std::string_view, std::string_view> kTexts[] = {
 EmittedRows emitted_rows(const Transfer& transfer, const EmitOptions& options) {
   if (transfer.mesh.positions.empty()) throw std::invalid_argument("a transfer without vertices: nothing to emit");
   if (!transfer.mesh.brdfs.heads.empty()) {
-    throw std::invalid_argument("tables of BRDFs have no emitted run time yet; expected lobes (`specular`, `exponent`)");
-  }
-  if (!transfer.clusters.empty() || !transfer.indirect_clusters.empty()) {
-    throw std::invalid_argument("rows in clusters have no emitted run time yet; expected a bake without `compress`");
+    throw std::invalid_argument(
+        "tables of BRDFs have no emitted run time yet; expected lobes (`specular`, `exponent`)");
   }
   EmittedRows rows;
   rows.shape = transfer.shape;
@@ -41,7 +39,8 @@ EmittedRows emitted_rows(const Transfer& transfer, const EmitOptions& options) {
   }
   rows.shape.storage.kept = rows.is_masked() ? rows.kept : std::vector<std::uint32_t>();
   rows.channels = rows.shape.storage.one_channel ? 1 : rows.shape.channels;
-  rows.encoded = encode(transfer.coefficients, rows.shape);
+  rows.encoded =
+      encode(rows.shape.storage.is_clustered() ? transfer.clusters.basis : transfer.coefficients, rows.shape);
   return rows;
 }
 
@@ -49,7 +48,8 @@ Encoded emitted_matrices(const Transfer& transfer) {
   if (transfer.indirect_shape.storage.element == Element::kByte) {
     throw std::invalid_argument("matrices of 8 bits: expected single or half precision");
   }
-  return encode(transfer.indirect, transfer.indirect_shape);
+  const bool is_clustered = transfer.indirect_shape.storage.is_clustered();
+  return encode(is_clustered ? transfer.indirect_clusters.basis : transfer.indirect, transfer.indirect_shape);
 }
 
 EmittedKernels::EmittedKernels(const Transfer& transfer, const EmitOptions& options, const EmittedRows& rows,
@@ -66,7 +66,7 @@ void EmittedKernels::add_diffuse() {
   Nonzero nonzero;
   if (rows_.is_masked()) nonzero = {rows_.kept, rows_.kept};
   const char* colored = rows_.channels == 3 ? "relight_colored" : "relight_rgb";
-  use("SH_EMITTED_RELIGHT", emitted_kernel(colored, degree_, language_, nonzero), 1);
+  use("SH_EMITTED_RELIGHT", emitted_kernel(colored, degree_, language_, nonzero), times_a_vertex(rows_.shape, 3));
   use("SH_EMITTED_RELIGHT_WHITE", emitted_kernel("relight", degree_, language_, nonzero));
 }
 
@@ -74,10 +74,11 @@ void EmittedKernels::add_glossy() {
   use("SH_EMITTED_ZONAL", emitted_kernel("zonal", degree_, language_));
   use("SH_EMITTED_GATHER", emitted_kernel("relight_rgb", degree_, language_));
   if (transfer_.shape.meets == Meets::kOperator) add_operator();
-  if (transfer_.indirect.empty()) return;
+  if (!has_matrices(transfer_)) return;
   const char* row = transfer_.indirect_shape.channels == 3 ? "relight_colored" : "relight_rgb";
   use("SH_EMITTED_MATRIX_ROW", emitted_kernel(row, degree_, language_, {options_.light, options_.light}),
-      static_cast<int>(coefficient_count(degree_)));
+      times_a_vertex(transfer_.indirect_shape, 3 * coefficient_count(degree_)) *
+          static_cast<int>(coefficient_count(degree_)));
 }
 
 // The quadrature with the light's samples, or the product with fewer coefficients, whichever has fewer operations.
@@ -87,14 +88,24 @@ void EmittedKernels::add_operator() {
     constexpr int kChannels = 3;
     EmittedKernel product = emitted_product(degree_, language_, {{}, options_.light});
     if (kChannels * product.operations < apply.operations) {
+      const int times = times_a_vertex(rows_.shape, kChannels * coefficient_count(degree_));
       use("SH_EMITTED_PRODUCT", product);
-      cost_.operations += kChannels * product.operations;
-      cost_.unmasked += apply.operations;
+      cost_.operations += times * kChannels * product.operations;
+      cost_.unmasked += times * apply.operations;
       return;
     }
   }
-  use("SH_EMITTED_APPLY", apply, 1);
+  use("SH_EMITTED_APPLY", apply, times_a_vertex(rows_.shape, 3 * coefficient_count(degree_)));
   use("SH_EMITTED_PREPARE", emitted_kernel("transfer_prepare", degree_, language_));
+}
+
+// How often a vertex runs the kernels of its rows: the light meets clusters beforehand, and a vertex mixes `numbers`.
+int EmittedKernels::times_a_vertex(const TransferShape& shape, std::size_t numbers) {
+  if (!shape.storage.is_clustered()) return 1;
+  const auto mixing = static_cast<int>(2 * shape.storage.vectors * numbers);
+  cost_.operations += mixing;
+  cost_.unmasked += mixing;
+  return 0;
 }
 
 void EmittedKernels::use(std::string_view macro, const EmittedKernel& kernel, int times_for_the_light) {
@@ -103,15 +114,25 @@ void EmittedKernels::use(std::string_view macro, const EmittedKernel& kernel, in
   all_.push_back({macro, kernel});
 }
 
+bool has_matrices(const Transfer& transfer) {
+  return !transfer.indirect.empty() || !transfer.indirect_clusters.empty();
+}
+
 std::string emitted_comment(const Transfer& transfer, const EmittedRows& rows, const EmittedCost& cost) {
   const PlanRecord& plan = transfer.plan;
   const std::size_t numbers = transfer.shape.meets == Meets::kNothing ? 0 : rows.channels * rows.kept.size();
+  const Storage& storage = transfer.shape.storage;
+  const std::string clusters =
+      storage.is_clustered()
+          ? fmt::format("{} weights and the number of a cluster a vertex; clusters of ", storage.vectors)
+          : "";
   std::string text = fmt::format(
       "// The run time of one transfer file: {} of degree {}, {} vertices.\n//\n"
       "// Generated by: prt emit; relight.bin holds its numbers.\n// Licence:      MIT-0; paste it anywhere.\n//\n"
-      "// Rows:         {} numbers a vertex, {} precision\n"
+      "// Rows:         {}{} numbers{}, {} precision\n"
       "// Cost:         {} operations a vertex for the light; {} without the mask\n",
-      transfer.kind->letters, transfer.degree(), transfer.mesh.positions.size(), numbers,
+      transfer.kind->letters, transfer.degree(), transfer.mesh.positions.size(), clusters, numbers,
+      storage.is_clustered() ? "" : " a vertex",
       kElementNames[static_cast<std::size_t>(transfer.shape.storage.element)], cost.operations, cost.unmasked);
   if (plan.budget > 0.0) {
     return text + fmt::format("// Error:        {:.2g} of the largest unshadowed radiance, as the bake's plan states\n",

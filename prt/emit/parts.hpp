@@ -25,6 +25,8 @@ struct EmittedRows {
 /// Throws std::invalid_argument if the rows keep no coefficient that the lights have.
 EmittedRows emitted_rows(const Transfer& transfer, const EmitOptions& options);
 
+bool has_matrices(const Transfer& transfer);
+
 /// The matrices of GI, as they are stored. Throws std::invalid_argument for 8 bits.
 Encoded emitted_matrices(const Transfer& transfer);
 
@@ -45,6 +47,7 @@ class EmittedKernels {
   void add_diffuse();
   void add_glossy();
   void add_operator();
+  int times_a_vertex(const TransferShape& shape, std::size_t numbers);
   void use(std::string_view macro, const EmittedKernel& kernel, int times_for_the_light = 0);
 
   const Transfer& transfer_;

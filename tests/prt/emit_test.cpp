@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "prt/bake/compress.hpp"
+#include "prt/material/microfacet.hpp"
 #include "tests/prt/emitted_cases.hpp"
 #include "tests/prt/glossy_meshes.hpp"
 #include "tests/prt/temporary_folder.hpp"
@@ -44,7 +45,7 @@ int main() {
     if (!run::is_data(bytes.data(), bytes.size()) || run::is_data(bytes.data(), bytes.size() - 1)) return 1;
     const auto light = read<float>("{0}.light");
     std::vector<float> radiance(3 * run::kVertices);
-    const auto prepared = run::prepared(light.data());
+    const auto prepared = run::prepared(run::data_of(bytes.data()), light.data());
     for (std::size_t block = 0; block < run::kBlocks; ++block) {{
       run::relight(run::data_of(bytes.data()), prepared, {1}radiance.data(), block, block + 1);
     }}
@@ -53,7 +54,8 @@ int main() {
                         one.name, glossy ? "eye, " : "");
     if (!glossy) {
       text += fmt::format(
-          R"(    run::relight_white(run::data_of(bytes.data()), run::prepared_white(light.data()), radiance.data());
+          R"(    const auto data = run::data_of(bytes.data());
+    run::relight_white(data, run::prepared_white(data, light.data()), radiance.data());
     write("{0}.white", radiance);
 )",
           one.name);
@@ -88,10 +90,34 @@ void expect_radiance_of_relighting(const TemporaryFolder& folder, const std::vec
   }
 }
 
+// Rows of one channel and of three, masked, of 8 bits; visibility; matrices; one cluster, without vectors, too.
+std::vector<EmittedCase> clustered_cases() {
+  std::vector<EmittedCase> all;
+  const auto add = [&](const char* name, Transfer transfer, ClusterCounts counts,
+                       std::vector<std::uint32_t> light = {}) {
+    compress(transfer, counts);
+    if (!transfer.shape.storage.is_clustered()) {  // files keep visibility in half precision then
+      transfer.coefficients = decode(encode(transfer.coefficients, transfer.shape), transfer.shape);
+    }
+    all.push_back({name, std::move(transfer), std::move(light)});
+  };
+  add("clusters", random_transfer(kShadowed, 4, 45), {3, 6});
+  add("clusters_colored_zonal", random_transfer(kInterreflected, 2, 37), {2, 5}, {0, 2, 6});
+  add("cluster", random_transfer(kShadowed, 1, 16), {1, 0});
+  add("clusters_of_one", random_transfer(kShadowed, 0, 1), {1, 1});
+  add("clusters_glossy", with_lobes(kGlossyShadowed, 4, 35), {2, 8});
+  add("clusters_bounces", with_lobes(kGlossyInterreflected, 2, 33, matrices(2, 3, Element::kSingle)), {3, 4});
+  add("clusters_bounces_gray", with_lobes(kGlossyInterreflected, 1, 18, matrices(1, 1, Element::kHalf)), {2, 2},
+      {0, 2});
+  return all;
+}
+
 // All run times are in one program, so that they do not disturb each other.
 TEST(EmittedCpp, GivesTheRadianceOfRelightingByEveryCompiler) {
   const TemporaryFolder folder;
-  const std::vector<EmittedCase> all = emitted_cases();
+  std::vector<EmittedCase> all = emitted_cases();
+  const std::vector<EmittedCase> clustered = clustered_cases();
+  all.insert(all.end(), clustered.begin(), clustered.end());
   for (const EmittedCase& one : all) {
     std::filesystem::create_directory(folder.file(one.name));
     for (const EmittedFile& file : emit_cpp(one.transfer, {one.name, one.light}).files) {
@@ -150,10 +176,14 @@ TEST(Emitted, RefusesWhatHasNoKernel) {
           "no coefficient that the lights have");
   Transfer clustered = random_transfer(kShadowed, 2, 20);
   compress(clustered, {3, 2});
-  refused(clustered, {}, "expected a bake without `compress`");
+  EXPECT_NE(message_of([&] { emit_glsl(clustered, {}, false); }).find("expected `--lang cpp`"), std::string::npos);
+  Transfer coated = random_transfer(kGlossyShadowed, 2, 20);
+  coated.mesh.brdfs.number_of(microfacet_reflectance(0.5F, 0.0F));
+  coated.mesh.brdf.assign(20, 1);
+  refused(coated, {}, "expected lobes (`specular`, `exponent`)");
   Transfer matrices = baked(statue(20.0F), &kGlossyInterreflected, 64, 1);
   compress(matrices, {3, 2});
-  refused(matrices, {}, "expected a bake without `compress`");
+  EXPECT_NE(message_of([&] { emit_glsl(matrices, {}, false); }).find("expected `--lang cpp`"), std::string::npos);
 }
 
 }  // namespace

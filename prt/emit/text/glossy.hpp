@@ -5,24 +5,16 @@ struct Light {
 #if defined(SH_EMITTED_PREPARE)
   float samples[3 * kSamples];
 #endif
+#if defined(SH_EMITTED_CLUSTERS)
+  std::vector<float> lit;  // (kClusterRows, 3, kCoefficients)
+#endif
+#if defined(SH_EMITTED_MATRIX_CLUSTERS)
+  std::vector<float> lit_matrices;  // (kMatrixClusterRows, 3, kCoefficients)
+#endif
 };
 
-/// light (3, kCoefficients): coefficients of the radiance, red, green, blue, in the axes of the mesh. Those outside of
-/// kLightKept have to be zero.
-inline Light prepared(const float* light) {
-  Light made{};
-  for (std::size_t i = 0; i < 3 * kCoefficients; ++i) made.values[i] = light[i];
-#if defined(SH_EMITTED_PREPARE)
-  for (std::size_t channel = 0; channel < 3; ++channel) {
-    SH_EMITTED_PREPARE(light + channel * kCoefficients, made.samples + channel * kSamples);
-  }
-#endif
-  return made;
-}
-
-/// The radiance that reaches the vertices of a block, (3, kCoefficients): visibility times light, projected, and the
-/// light that comes over other surfaces.
-inline void transferred(const Data& data, const Light& light, std::size_t block, sh::emitted::Lanes* out) {
+/// Visibility times light, projected, (3, kCoefficients), of a block of rows.
+inline void direct(const Data& data, const Light& light, std::size_t block, sh::emitted::Lanes* out) {
   using sh::emitted::Lanes;
 #if defined(SH_EMITTED_APPLY) || defined(SH_EMITTED_PRODUCT)
   Lanes visibility[kRow];
@@ -41,7 +33,12 @@ inline void transferred(const Data& data, const Light& light, std::size_t block,
   static_cast<void>(block);
   for (std::size_t i = 0; i < 3 * kCoefficients; ++i) out[i] = Lanes(light.values[i]);
 #endif
+}
+
 #if defined(SH_EMITTED_MATRIX_ROW)
+/// out (3, kCoefficients) += the matrices of a block of rows times the light.
+inline void add_indirect(const Data& data, const Light& light, std::size_t block, sh::emitted::Lanes* out) {
+  using sh::emitted::Lanes;
   constexpr std::size_t kSize = kMatrixChannels * kCoefficients * kCoefficients;
   for (std::size_t row = 0; row < kCoefficients; ++row) {
     Lanes entries[kMatrixChannels * kCoefficients];
@@ -58,6 +55,53 @@ inline void transferred(const Data& data, const Light& light, std::size_t block,
       out[channel * kCoefficients + row] = out[channel * kCoefficients + row] + rgb[channel];
     }
   }
+}
+#endif
+
+/// light (3, kCoefficients): coefficients of the radiance, red, green, blue, in the axes of the mesh. Those outside of
+/// kLightKept have to be zero.
+inline Light prepared(const Data& data, const float* light) {
+  Light made{};
+  for (std::size_t i = 0; i < 3 * kCoefficients; ++i) made.values[i] = light[i];
+#if defined(SH_EMITTED_PREPARE)
+  for (std::size_t channel = 0; channel < 3; ++channel) {
+    SH_EMITTED_PREPARE(light + channel * kCoefficients, made.samples + channel * kSamples);
+  }
+#endif
+#if defined(SH_EMITTED_CLUSTERS)
+  made.lit.resize(3 * kCoefficients * kClusterRows);
+  for (std::size_t block = 0; block * sh::emitted::kBlock < kClusterRows; ++block) {
+    sh::emitted::Lanes reaching[3 * kCoefficients];
+    direct(data, made, block, reaching);
+    keep<3 * kCoefficients>(reaching, block, kClusterRows, made.lit);
+  }
+#endif
+#if defined(SH_EMITTED_MATRIX_CLUSTERS)
+  made.lit_matrices.resize(3 * kCoefficients * kMatrixClusterRows);
+  for (std::size_t block = 0; block * sh::emitted::kBlock < kMatrixClusterRows; ++block) {
+    sh::emitted::Lanes reaching[3 * kCoefficients];
+    for (sh::emitted::Lanes& value : reaching) value = sh::emitted::Lanes(0.0F);
+    add_indirect(data, made, block, reaching);
+    keep<3 * kCoefficients>(reaching, block, kMatrixClusterRows, made.lit_matrices);
+  }
+#endif
+  static_cast<void>(data);
+  return made;
+}
+
+/// The radiance that reaches the vertices of a block, (3, kCoefficients): directly, and over other surfaces.
+inline void transferred(const Data& data, const Light& light, std::size_t block, sh::emitted::Lanes* out) {
+#if defined(SH_EMITTED_CLUSTERS)
+  for (std::size_t i = 0; i < 3 * kCoefficients; ++i) out[i] = sh::emitted::Lanes(0.0F);
+  add_mixed<3 * kCoefficients, kVectors>(data.bytes + kClusterAt, data.bytes + kWeightsAt, light.lit, block, out);
+#else
+  direct(data, light, block, out);
+#endif
+#if defined(SH_EMITTED_MATRIX_CLUSTERS)
+  add_mixed<3 * kCoefficients, kMatrixVectors>(data.bytes + kMatrixClusterAt, data.bytes + kMatrixWeightsAt,
+                                               light.lit_matrices, block, out);
+#elif defined(SH_EMITTED_MATRIX_ROW)
+  add_indirect(data, light, block, out);
 #endif
 }
 
