@@ -17,6 +17,7 @@
 #include "prt/runtime/relight.hpp"
 #include "prt/study/path_render.hpp"
 #include "prt/study/study_setup.hpp"
+#include "prt/transfer/storage.hpp"
 
 namespace sh::prt {
 
@@ -104,7 +105,9 @@ class RuntimeStudy {
     add_kind(kInterreflected);
     if (scene_.bake.kind->is_glossy()) {
       for (const TransferKind* kind : {&kGlossyUnshadowed, &kGlossyShadowed, &kGlossyInterreflected}) add_kind(*kind);
+      add_stored();
       add_clusters();
+      add_field();
     }
     return std::move(part_);
   }
@@ -157,6 +160,27 @@ class RuntimeStudy {
     part_.series.push_back(std::move(fixed_view));
   }
 
+  // Files round numbers; in memory they are single, so that the times are those of single precision.
+  void add_stored() {
+    StudySeries series{.name = "GI, V stored in half or 8 bits"};
+    for (const Element element : {Element::kHalf, Element::kByte}) {
+      Baked stored = best_;
+      Transfer& transfer = stored.transfer;
+      transfer.shape.storage.element = element;
+      transfer.coefficients = decode(encode(transfer.coefficients, transfer.shape), transfer.shape);
+      add_variant(series, stored, std::string(word_of(element, kElementNames)), ", V in ");
+    }
+    part_.series.push_back(std::move(series));
+  }
+
+  // A point, and a row of the table whose shape is followed by `before` and the label.
+  void add_variant(StudySeries& series, const Baked& variant, const std::string& label, const std::string& before) {
+    series.points.push_back(free_point(variant));
+    series.points.back().label = label;
+    part_.table.push_back(row(variant.transfer, series.points.back()));
+    part_.table.back().shape += before + label;
+  }
+
   void add_clusters() {
     StudySeries series{.name = "GI in clusters, half V"};
     for (const std::uint32_t vectors : {4U, 8U}) {
@@ -164,12 +188,17 @@ class RuntimeStudy {
       const double start = process_seconds();
       compress(clustered.transfer, {64, vectors});
       clustered.seconds += process_seconds() - start;
-      series.points.push_back(free_point(clustered));
-      series.points.back().label = fmt::format("{} vectors", vectors);
-      part_.table.push_back(row(clustered.transfer, series.points.back()));
-      part_.table.back().shape += fmt::format(" in 64 clusters of {} vectors", vectors);
+      add_variant(series, clustered, fmt::format("{} vectors", vectors), " in 64 clusters of ");
     }
     part_.series.push_back(std::move(series));
+  }
+
+  void add_field() {
+    const Baked direct = baked(&kGlossyShadowed, kDegree);
+    const VertexErrors errors =
+        vertex_errors(scene_.mesh, scene_.camera, free_frame(direct.transfer).at_vertices, reference_);
+    part_.fields.push_back({"bounces", fmt::format("{}: no bounces (GS) against all of them (GI)", scene_.name),
+                            errors.relative, errors.error});
   }
 
   [[nodiscard]] TableRow row(const Transfer& transfer, const StudyPoint& free) const {

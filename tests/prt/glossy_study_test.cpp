@@ -47,6 +47,10 @@ TEST(GlossyStudy, OrdersRepresentationsByTheirError) {
   EXPECT_GT(error("GS", 3), 10.0 * error("GI, view at rest", 3));
   EXPECT_GT(error("GU", 3), error("GS", 3));
   EXPECT_LT(error("GI in clusters", 1), error("GS", 3));
+  EXPECT_GT(error("GI, V stored", 0), 0.0);
+  EXPECT_LT(error("GI, V stored", 0), 1e-3) << "half";
+  EXPECT_GT(error("GI, V stored", 1), 2.0 * error("GI, V stored", 0)) << "8 bits";
+  EXPECT_LT(error("GI, V stored", 1), 2e-2);
 }
 
 TEST(GlossyStudy, ComparesWhatAPictureShowsWithRandomPaths) {
@@ -72,14 +76,14 @@ TEST(GlossyStudy, ComparesWhatAPictureShowsWithRandomPaths) {
 TEST(GlossyStudy, TabulatesTypesShapesBakesRatesAndErrors) {
   const Study study = glossy_study();
   const std::vector<TableRow>& table = study.parts.front().table;
-  ASSERT_EQ(table.size(), 7U);
-  const char* const kinds[] = {"DS", "DI", "GU", "GS", "GI", "GI", "GI"};
+  ASSERT_EQ(table.size(), 9U);
+  const char* const kinds[] = {"DS", "DI", "GU", "GS", "GI", "GI", "GI", "GI", "GI"};
   for (std::size_t i = 0; i < table.size(); ++i) {
     EXPECT_EQ(table[i].kind, kinds[i]);
     EXPECT_GT(table[i].free.bake_seconds.value(), 0.0);
     EXPECT_EQ(table[i].seconds_fixed_view.has_value(), i >= 2 && i <= 4) << "only the glossy ones have modes";
   }
-  EXPECT_GT(table[6].free.bake_seconds.value(), table[4].free.bake_seconds.value()) << "clusters come after the bake";
+  EXPECT_GT(table[8].free.bake_seconds.value(), table[4].free.bake_seconds.value()) << "clusters come after the bake";
   EXPECT_LT(table[4].seconds_fixed_light.value(), table[4].free.seconds.value());
   EXPECT_LT(table[4].seconds_fixed_view.value(), table[4].seconds_fixed_light.value());
   EXPECT_EQ(table[3].shape, "25x25 from 81");
@@ -146,9 +150,11 @@ TEST(GlossyStudy, CountsTheBytesAndTimesEveryFrame) {
   for (const StudySeries& series : study.parts.front().series) {
     for (const StudyPoint& point : series.points) EXPECT_GT(point.seconds.value(), 0.0) << series.name;
   }
-  const auto bytes = [&](const std::string& name) {
-    return series_called(study.parts.front(), name).points.at(3).bytes_a_vertex.value();
+  const auto bytes = [&](const std::string& name, std::size_t i = 3) {
+    return series_called(study.parts.front(), name).points.at(i).bytes_a_vertex.value();
   };
+  EXPECT_EQ(bytes("GI, V stored", 0), 81 * 2 + 625 * 2);
+  EXPECT_EQ(bytes("GI, V stored", 1), 81 + 625 * 2);
   EXPECT_EQ(bytes("GU"), 0.0);
   EXPECT_EQ(bytes("GS"), 81 * 4);
   EXPECT_EQ(bytes("GI, light and view free"), 81 * 4 + 625 * 2) << "gray: one channel";
@@ -188,6 +194,8 @@ TEST(GlossyStudy, WritesChartsByTheTool) {
   EXPECT_TRUE(json["parts"][0]["series"][0]["points"][3]["time"].contains("seconds_of_bake"));
   EXPECT_GT(json["parts"][0]["paths"]["noise"], 0.0);
   EXPECT_EQ(read_all(folder.file("s/table.csv")).find("scene,transfer type,transfer shape,directions,vertices,"), 0U);
+  EXPECT_EQ(json["parts"][0]["pictures"][0]["file"], "errors_bounces.png");
+  EXPECT_TRUE(std::filesystem::exists(folder.file("s/errors_bounces.png")));
   for (const char* chart : {"s/runtime.svg", "s/runtime_time.svg", "s/runtime_paths.svg", "s/runtime_bake.svg"}) {
     EXPECT_NE(read_all(folder.file(chart)).find("</svg>"), std::string::npos);
   }
