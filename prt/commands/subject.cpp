@@ -95,6 +95,15 @@ Subject::Subject(const SubjectOptions& options)
     throw std::runtime_error(
         fmt::format("{}: a stage takes diffuse transfer only; a glossy transfer file is needed alone", file_));
   }
+  if (options.sharp) {
+    if (!is_glossy_ || options.shading.white) {
+      throw std::runtime_error(fmt::format(
+          "{}: --sharp: expected glossy transfer and light in color; it adds to the lobes of surfaces", file_));
+    }
+    const Transfer& transfer = only_transfer();
+    sharp_.emplace([&](const Eigen::Vector3d& direction) { return sh::prt::radiance(chosen_.lights, direction); },
+                   shading_.degree_for(transfer.degree()), transfer.mesh);
+  }
   if (options.local.empty()) return;
   local_ = local_samples(options, *stage_.objects.front().transfer, is_stage_);
   if (!varies(chosen_.lights)) {
@@ -128,7 +137,15 @@ std::vector<Eigen::Vector3f> Subject::radiance(const std::vector<Pose>& poses, c
 
 Surface Subject::surface(const std::vector<Pose>& poses, const Mesh& mesh, const Eigen::Matrix3d& light_turn) const {
   if (!is_glossy_) return diffuse_surface(mesh, radiance(poses, light_turn, Eigen::Vector3d::Zero()));
-  return glossy_surface(only_transfer(), reaching(light_turn), shading_.albedo(only_transfer().mesh));
+  const Transfer& transfer = only_transfer();
+  MoreOfLobe more;
+  if (sharp_) {
+    more = [this, &transfer, back = light_turn.transpose().cast<float>().eval()](
+               const Hit& hit, float exponent, const Eigen::Vector3f& direction) -> Eigen::Vector3f {
+      return visibility_towards(transfer, hit, direction) * sharp_->at(exponent, back * direction);
+    };
+  }
+  return glossy_surface(transfer, reaching(light_turn), shading_.albedo(transfer.mesh), std::move(more));
 }
 
 std::vector<Eigen::Vector3f> Subject::local_radiance(const Eigen::Matrix3d& light_turn) const {

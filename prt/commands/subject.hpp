@@ -15,6 +15,7 @@
 #include "prt/runtime/local_relight.hpp"
 #include "prt/runtime/relight_stage.hpp"
 #include "prt/runtime/shading.hpp"
+#include "prt/runtime/sharp_layer.hpp"
 #include "prt/scene/stage.hpp"
 
 namespace sh::prt {
@@ -24,7 +25,8 @@ struct SubjectOptions {
   std::string transfers;  // folder of a stage's transfer files; empty: beside it
   LightOptions light;
   Shading shading;
-  std::string local;  // empty: light is sampled once, at each light's `from`; else a number of points, or octahedron
+  bool sharp = false;  // lobes show more of the light than the transfer holds
+  std::string local;   // empty: light is sampled once, at each light's `from`; else a number of points, or octahedron
 
   void add_to(CLI::App& command);
 };
@@ -71,6 +73,7 @@ class Subject {
   ChosenLight chosen_;
   StageLighting lighting_;
   std::optional<LightSamples> local_;  // of `--local`
+  std::optional<SharpLayer> sharp_;    // of `--sharp`
   std::set<std::string> told_;
 };
 

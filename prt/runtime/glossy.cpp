@@ -82,6 +82,10 @@ Eigen::Vector3f gathered(int degree, const Eigen::Vector3f& direction, const Fac
   return summed(degree, lobe.data(), reaching);
 }
 
+Eigen::Vector3f mirrored(const Eigen::Vector3f& normal, const Eigen::Vector3f& to_eye) {
+  return (2.0F * normal.dot(to_eye) * normal - to_eye).normalized();
+}
+
 double diffuse_factor(int l) { return numeric::clamped_cosine_factor<double>(l) / std::numbers::pi; }
 
 }  // namespace
@@ -164,10 +168,9 @@ Eigen::Vector3f exit_radiance(const Material& material, int degree, const float*
     radiance += material.albedo.cwiseProduct(gathered(degree, normal, diffuse_factor, reaching));
   }
   if (!material.specular.isZero(0.0F)) {
-    const Eigen::Vector3f mirrored = (2.0F * normal.dot(to_eye) * normal - to_eye).normalized();
     const auto exponent = static_cast<double>(material.exponent);
     const auto factor = [exponent](int l) { return phong_factor(l, exponent); };
-    radiance += material.specular.cwiseProduct(gathered(degree, mirrored, factor, reaching));
+    radiance += material.specular.cwiseProduct(gathered(degree, mirrored(normal, to_eye), factor, reaching));
   }
   return radiance;
 }
@@ -192,9 +195,10 @@ std::vector<double> held_shares_of_brdfs(const Transfer& transfer) {
   return shares;
 }
 
-Surface glossy_surface(const Transfer& transfer, TransferredRadiance reaching, std::vector<Eigen::Vector3f> albedo) {
-  return [&transfer, all = std::move(reaching), colors = std::move(albedo)](const Hit& hit,
-                                                                            const Eigen::Vector3f& direction) {
+Surface glossy_surface(const Transfer& transfer, TransferredRadiance reaching, std::vector<Eigen::Vector3f> albedo,
+                       MoreOfLobe more) {
+  return [&transfer, all = std::move(reaching), colors = std::move(albedo), more = std::move(more)](
+             const Hit& hit, const Eigen::Vector3f& direction) {
     const Mesh& mesh = transfer.mesh;
     std::array<float, kChannels * kMostCoefficients> between;
     all.at(hit, mesh, between.data());
@@ -202,6 +206,9 @@ Surface glossy_surface(const Transfer& transfer, TransferredRadiance reaching, s
     const Material material = material_of(mesh, mesh.faces[hit.face][0], interpolated(hit, mesh, colors));
     const Eigen::Vector3f normal = interpolated(hit, mesh, mesh.normals).normalized();
     Eigen::Vector3f radiance = exit_radiance(material, all.degree(), between.data(), normal, -direction);
+    if (more && material.brdf == nullptr && !material.specular.isZero(0.0F)) {
+      radiance += material.specular.cwiseProduct(more(hit, material.exponent, mirrored(normal, -direction)));
+    }
     if (!transfer.emitted.empty()) radiance += interpolated(hit, mesh, transfer.emitted);
     return radiance;
   };

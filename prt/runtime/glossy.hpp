@@ -7,6 +7,7 @@
 #pragma once
 #include <Eigen/Core>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -64,9 +65,13 @@ std::optional<SharpestLobe> sharpest_lobe(const Transfer& transfer);
 /// The part of each BRDF of the mesh that the degree of the transfer holds (reflectance.hpp); nothing for diffuse transfer.
 std::vector<double> held_shares_of_brdfs(const Transfer& transfer);
 
+/// Radiance that a lobe gathers besides, of linear RGB, about a unit direction at a place.
+using MoreOfLobe = std::function<Eigen::Vector3f(const Hit& hit, float exponent, const Eigen::Vector3f& direction)>;
+
 /// What a picture shows, shaded at every hit; `albedo` (vertices) serves in place of the mesh's. `transfer` must outlive
-/// the result.
-Surface glossy_surface(const Transfer& transfer, TransferredRadiance reaching, std::vector<Eigen::Vector3f> albedo);
+/// the result. more: empty, or the part of lobes that the transfer cannot hold (prt/runtime/sharp_layer.hpp).
+Surface glossy_surface(const Transfer& transfer, TransferredRadiance reaching, std::vector<Eigen::Vector3f> albedo,
+                       MoreOfLobe more = {});
 
 /// Exit radiance of the vertices of `transfer` towards a point `eye` of the world, without the emitted light; `albedo`
 /// (vertices) serves in place of the mesh's.

@@ -70,6 +70,40 @@ TEST_F(GlossyTool, BakesBouncesAndTellsTheirMatrices) {
   expect_refused({"render", file, "--recolor", "1", "0", "0", "-o", folder->file("b.png")}, "holds its albedo");
 }
 
+TEST_F(GlossyTool, ShowsMoreOfLobesThanTheTransferHolds) {
+  const auto picture = [&](const std::string& file, std::vector<std::string> more) {
+    std::vector<std::string> words = {
+        "render", folder->file(file), "--light", "overcast",         "--width", "24", "--height",
+        "16",     "--samples",        "1",       "--fixed-exposure", "1",       "-o", folder->file("sharp.png")};
+    words.insert(words.end(), more.begin(), more.end());
+    succeeded(words);
+    return read_all(folder->file("sharp.png"));
+  };
+  for (const char* file : {"shadowed", "unshadowed"}) EXPECT_NE(picture(file, {}), picture(file, {"--sharp"}));
+  EXPECT_EQ(picture("shadowed", {"--sharp"}), picture("shadowed", {"--sharp", "--threads", "1"}));
+  expect_refused({"render", folder->file("shadowed"), "--sharp", "--white", "-o", folder->file("b.png")},
+                 "--sharp: expected glossy transfer and light in color");
+  succeeded({"bake", folder->file("shadowed.json"), "--kind", "shadowed", "--degree", "1", "--directions", "16", "-o",
+             folder->file("diffuse")});
+  expect_refused({"render", folder->file("diffuse"), "--sharp", "-o", folder->file("b.png")},
+                 "--sharp: expected glossy transfer");
+}
+
+TEST_F(GlossyTool, BakesAndTellsBrdfs) {
+  write_all(folder->file("brdf.json"), scene_with(R"("albedo": [0.9, 0.7, 0.3], "roughness": 0.4, "metallic": 1)",
+                                                  R"("degree": 2, "directions": 64, "transfer": "glossy_shadowed")"));
+  succeeded({"bake", folder->file("brdf.json"), "-o", folder->file("brdf")});
+  const auto info = printed({"info", folder->file("brdf")});
+  ASSERT_EQ(info["brdfs"].size(), 1U);
+  EXPECT_EQ(info["brdfs"][0]["name"], "roughness 0.4, metallic 1");
+  EXPECT_GT(info["brdfs"][0]["share_that_the_degree_holds"], 0.1);
+  succeeded({"render", folder->file("brdf"), "--sharp", "--width", "24", "--height", "16", "--samples", "1", "-o",
+             folder->file("b.png")});
+  write_all(folder->file("brdf.json"), scene_with(R"("brdf": "none.binary")", R"("degree": 2)"));
+  expect_refused({"bake", folder->file("brdf.json"), "-o", folder->file("brdf2")},
+                 "none.binary: cannot read the measured BRDF: No such file or directory");
+}
+
 TEST_F(GlossyTool, SaysHowMuchOfALobeTheDegreeHolds) {
   write_all(folder->file("sharp.json"), scene_with(R"("albedo": [0, 0, 0], "specular": [1, 1, 1], "exponent": 1000)",
                                                    R"("degree": 2, "directions": 64, "transfer": "glossy_shadowed")"));
