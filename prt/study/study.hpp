@@ -80,6 +80,10 @@ struct PathReference {
   int paths_a_pixel = 0;
   int degree = 0;
   double noise = 0.0;  // rms over rms, of the mean of all paths
+  /// Under the lights themselves, of all degrees: the error of the best representation, and the noise. Empty if a light
+  /// is a point.
+  std::optional<double> uncut_error = {};
+  std::optional<double> uncut_noise = {};
 };
 
 /// A row of Table 1 of [SloanKautzSnyder02]: a kind of transfer of the whole mesh, and the times of a frame on one thread.

@@ -52,12 +52,17 @@ Json to_json(const StudySeries& series, const Scene& scene) {
 }
 
 Json to_json(const PathReference& paths) {
-  return {
+  Json json = {
       {"reference", fmt::format("random paths with every bounce, under the lights cut off at degree {}", paths.degree)},
       {"error", "of the picture, all channels, over the root mean square of the paths; without their noise"},
       {"pixels", paths.pixels},
       {"paths_a_pixel", paths.paths_a_pixel},
       {"noise", number(paths.noise)}};
+  if (paths.uncut_error) {
+    json["lights_of_every_degree"] = {{"error_of_the_best", number(*paths.uncut_error)},
+                                      {"noise", number(*paths.uncut_noise)}};
+  }
+  return json;
 }
 
 Json to_json(const StudyPart& part, const Scene& scene) {

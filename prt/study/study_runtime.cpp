@@ -101,6 +101,7 @@ class RuntimeStudy {
                                   options_.bounce_directions);
     const std::vector<Eigen::Vector3f> covered = paths_.first.covered();
     part_.paths = PathReference{covered.size(), 2 * options_.paths, kDegree, path_noise(paths_)};
+    add_uncut(*part_.paths);
     add_kind(kShadowed);
     add_kind(kInterreflected);
     if (scene_.bake.kind->is_glossy()) {
@@ -123,6 +124,20 @@ class RuntimeStudy {
     return [this](const Eigen::Vector3f& direction) {
       return Eigen::Vector3f(radiance(light_, direction.cast<double>()).cast<float>());
     };
+  }
+
+  void add_uncut(PathReference& reference) const {
+    if (has_point_light(scene_)) return;
+    const Background whole = [lights = lights_of(scene_)](const Eigen::Vector3f& direction) {
+      return radiance(lights, direction.cast<double>());
+    };
+    const PathPictures paths = path_render(scene_.mesh, tracer_, whole, scene_.camera, kPathPicture, options_.paths);
+    reference.uncut_error = error_against_paths(picture_of(free_frame(best_.transfer).surface, "the best"), paths);
+    reference.uncut_noise = path_noise(paths);
+  }
+
+  [[nodiscard]] Picture picture_of(const Surface& surface, const std::string& name) const {
+    return render(scene_.mesh, tracer_, surface, scene_.camera, kPathPicture, black, "study: " + name);
   }
 
   [[nodiscard]] Baked baked(const TransferKind* kind, int degree) const {
@@ -209,8 +224,8 @@ class RuntimeStudy {
   }
 
   [[nodiscard]] StudyPoint point(const Transfer& transfer, const Shown& frame) const {
-    const Picture picture = render(scene_.mesh, tracer_, frame.surface, scene_.camera, kPathPicture, black,
-                                   fmt::format("study: {}, degree {}", transfer.kind->letters, transfer.degree()));
+    const Picture picture =
+        picture_of(frame.surface, fmt::format("{}, degree {}", transfer.kind->letters, transfer.degree()));
     return {.at = frame.bytes,
             .label = fmt::format("degree {}", transfer.degree()),
             .error = vertex_errors(scene_.mesh, scene_.camera, frame.at_vertices, reference_).error,

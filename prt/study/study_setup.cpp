@@ -62,9 +62,7 @@ TransferRows reference_rows(const StudySetup& setup) {
 
 // Uses the radiance of the lights instead of the basis.
 std::optional<Radiances> under_the_lights(const StudySetup& setup) {
-  const bool has_point = std::any_of(setup.scene.lights.begin(), setup.scene.lights.end(),
-                                     [](const LightSpec& light) { return light.type == LightType::kDirectional; });
-  if (has_point) return std::nullopt;
+  if (has_point_light(setup.scene)) return std::nullopt;
   const std::vector<Light> lights = lights_of(setup.scene);
   const SharedDirections directions(make_directions(Sampler::kFibonacci, setup.reference_directions(), 0), 4,
                                     [&](const Eigen::Vector3f& d, float* out) {
@@ -101,6 +99,11 @@ std::vector<Light> lights_of(const Scene& scene) {
 
 double thread_seconds() { return seconds_of(CLOCK_THREAD_CPUTIME_ID); }
 double process_seconds() { return seconds_of(CLOCK_PROCESS_CPUTIME_ID); }
+
+bool has_point_light(const Scene& scene) {
+  return std::any_of(scene.lights.begin(), scene.lights.end(),
+                     [](const LightSpec& light) { return light.type == LightType::kDirectional; });
+}
 
 StudySetup::StudySetup(const Scene& studied_scene, const StudyOptions& study_options)
     : scene(studied_scene),

@@ -103,6 +103,9 @@ double process_seconds();
 /// The lights of a scene without their windows, which are a separate part.
 std::vector<Light> lights_of(const Scene& scene);
 
+/// Whether a light is a point, which has no radiance in a direction.
+bool has_point_light(const Scene& scene);
+
 // The parts of a study.
 /// Error and time against directions, with one curve for each sampler, at the scene's degree.
 StudyPart study_directions(const StudySetup& setup);

@@ -73,6 +73,28 @@ TEST(GlossyStudy, ComparesWhatAPictureShowsWithRandomPaths) {
   EXPECT_GT(error("DI", 3), 2.0 * error("GI, light and view free", 3)) << "diffuse transfer leaves lobes out";
 }
 
+// A constant light has no higher degree; a narrow one has most of its detail there, and a point has no radiance.
+TEST(GlossyStudy, SaysWhatTheCutOfTheLightCosts) {
+  Scene scene = scene_of(statue(12.0F), &kGlossyShadowed, 32, 4);
+  scene.camera.position = {3.0, -4.0, 2.0};
+  StudyOptions options;
+  options.bounce_directions = 64;
+  options.paths = 512;
+  const auto study_under = [&](const LightSpec& light) {
+    scene.lights = {light};
+    return run_study(scene, options, [](const Study&) {}).parts.front();
+  };
+  const auto best = [](const StudyPart& part) {
+    return series_called(part, "GI, light and view free").points.at(3).path_error.value();
+  };
+  const StudyPart constant = study_under({.type = LightType::kConstant});
+  EXPECT_NEAR(constant.paths->uncut_error.value(), best(constant), 1e-4);
+  EXPECT_NEAR(constant.paths->uncut_noise.value(), constant.paths->noise, 1e-4);
+  const StudyPart narrow = study_under({.type = LightType::kCap, .one_minus_cos = 0.02});
+  EXPECT_GT(narrow.paths->uncut_error.value(), 2.0 * best(narrow));
+  EXPECT_FALSE(study_under({.type = LightType::kDirectional}).paths->uncut_error.has_value());
+}
+
 TEST(GlossyStudy, TabulatesTypesShapesBakesRatesAndErrors) {
   const Study study = glossy_study();
   const std::vector<TableRow>& table = study.parts.front().table;
