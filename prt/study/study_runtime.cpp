@@ -3,18 +3,12 @@
 // against the best of them are those of the representation alone; errors against random paths are those of the picture.
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <limits>
-#include <optional>
+#include <string>
 #include <utility>
 
 #include "prt/bake/bake.hpp"
 #include "prt/bake/compress.hpp"
-#include "prt/chunks.hpp"
-#include "prt/runtime/fixed_view.hpp"
-#include "prt/runtime/glossy.hpp"
-#include "prt/runtime/light_at_rest.hpp"
-#include "prt/runtime/relight.hpp"
+#include "prt/study/frames.hpp"
 #include "prt/study/path_render.hpp"
 #include "prt/study/study_setup.hpp"
 #include "prt/transfer/storage.hpp"
@@ -23,39 +17,10 @@ namespace sh::prt {
 
 namespace {
 
-constexpr int kPasses = 5;
 constexpr int kDegree = 4;                      // of the reference and of the table
 constexpr PictureSize kPathPicture{64, 48, 1};  // enough pixels for an error
 
-/// The least processor time of some passes, on one thread.
-template <class Work>
-double least_seconds(const Work& work) {
-  double least = std::numeric_limits<double>::infinity();
-  on_threads(1, [&] {
-    for (int pass = 0; pass < kPasses; ++pass) {
-      const double start = thread_seconds();
-      work();
-      least = std::min(least, thread_seconds() - start);
-    }
-  });
-  return least;
-}
-
 Eigen::Vector3f black(const Eigen::Vector3f& /*direction*/) { return Eigen::Vector3f::Zero(); }
-
-Radiances in_double(const std::vector<Eigen::Vector3f>& radiance) {
-  Radiances values;
-  for (const Eigen::Vector3f& value : radiance) values.push_back(value.cast<double>());
-  return values;
-}
-
-double bytes_of_vertex(const Transfer& transfer) {
-  const std::size_t vertices = transfer.mesh.positions.size();
-  const bool matrices = transfer.kind->indirect != nullptr;
-  const std::size_t bytes =
-      transfer.shape.stored_bytes(vertices) + (matrices ? transfer.indirect_shape.stored_bytes(vertices) : 0);
-  return static_cast<double>(bytes) / static_cast<double>(vertices);
-}
 
 /// The numbers of a vertex as Table 1 of [SloanKautzSnyder02] writes them, and what is stored in their place.
 std::string shape_text(const Transfer& transfer) {
@@ -75,24 +40,17 @@ struct Baked {
   double seconds;  // processor time of all threads
 };
 
-/// What a frame costs, and what it shows at the vertices and in a picture.
-struct Shown {
-  double seconds;
-  double bytes;  // a vertex, that it reads
-  Radiances at_vertices;
-  Surface surface;
-};
-
 class RuntimeStudy {
  public:
   RuntimeStudy(const Scene& scene, const StudyOptions& options)
       : scene_(without_emission(scene)),
         options_(options),
         light_(project(lights_of(scene), kDegree)),
+        frames_(light_, scene.camera.position),
         tracer_(scene_.mesh, 0, options.instruction_set),
         paths_(path_render(scene_.mesh, tracer_, sky(), scene_.camera, kPathPicture, options.paths)),
         best_(baked(scene.bake.kind->is_glossy() ? &kGlossyInterreflected : &kInterreflected, kDegree)),
-        reference_(free_frame(best_.transfer).at_vertices) {}
+        reference_(frames_.free(best_.transfer).at_vertices) {}
 
   StudyPart run() {
     part_.name = "runtime";
@@ -132,7 +90,7 @@ class RuntimeStudy {
       return radiance(lights, direction.cast<double>());
     };
     const PathPictures paths = path_render(scene_.mesh, tracer_, whole, scene_.camera, kPathPicture, options_.paths);
-    reference.uncut_error = error_against_paths(picture_of(free_frame(best_.transfer).surface, "the best"), paths);
+    reference.uncut_error = error_against_paths(picture_of(frames_.free(best_.transfer).surface, "the best"), paths);
     reference.uncut_noise = path_noise(paths);
   }
 
@@ -160,8 +118,8 @@ class RuntimeStudy {
       const Baked found = is_best ? best_ : baked(&kind, degree);
       free.points.push_back(free_point(found));
       if (kind.is_glossy()) {
-        fixed_light.points.push_back(point(found.transfer, frame_of_fixed_light(found.transfer)));
-        fixed_view.points.push_back(point(found.transfer, frame_of_fixed_view(found.transfer)));
+        fixed_light.points.push_back(point(found.transfer, frames_.light_at_rest(found.transfer)));
+        fixed_view.points.push_back(point(found.transfer, frames_.view_at_rest(found.transfer)));
       }
       if (degree < kDegree) continue;
       part_.table.push_back(row(found.transfer, free.points.back()));
@@ -211,7 +169,7 @@ class RuntimeStudy {
   void add_field() {
     const Baked direct = baked(&kGlossyShadowed, kDegree);
     const VertexErrors errors =
-        vertex_errors(scene_.mesh, scene_.camera, free_frame(direct.transfer).at_vertices, reference_);
+        vertex_errors(scene_.mesh, scene_.camera, frames_.free(direct.transfer).at_vertices, reference_);
     part_.fields.push_back({"bounces", fmt::format("{}: no bounces (GS) against all of them (GI)", scene_.name),
                             errors.relative, errors.error});
   }
@@ -223,7 +181,7 @@ class RuntimeStudy {
             .free = free};
   }
 
-  [[nodiscard]] StudyPoint point(const Transfer& transfer, const Shown& frame) const {
+  [[nodiscard]] StudyPoint point(const Transfer& transfer, const ShownFrame& frame) const {
     const Picture picture =
         picture_of(frame.surface, fmt::format("{}, degree {}", transfer.kind->letters, transfer.degree()));
     return {.at = frame.bytes,
@@ -233,56 +191,19 @@ class RuntimeStudy {
             .seconds_a_vertex = frame.seconds / static_cast<double>(scene_.mesh.positions.size()),
             .seconds = frame.seconds,
             .bytes_a_vertex = frame.bytes,
-            .passes = kPasses};
+            .passes = kFramePasses};
   }
 
   [[nodiscard]] StudyPoint free_point(const Baked& found) const {
-    StudyPoint free = point(found.transfer, free_frame(found.transfer));
+    StudyPoint free = point(found.transfer, frames_.free(found.transfer));
     free.bake_seconds = found.seconds;
     return free;
-  }
-
-  [[nodiscard]] LightCoefficients light(const Transfer& transfer) const {
-    return first_bands(light_, transfer.degree());
-  }
-
-  [[nodiscard]] std::vector<Eigen::Vector3f> towards_eye(const Transfer& transfer,
-                                                         const TransferredRadiance& reaching) const {
-    return exit_radiance(transfer, reaching, scene_.camera.position, transfer.mesh.albedo);
-  }
-
-  [[nodiscard]] Shown free_frame(const Transfer& transfer) const {
-    if (!transfer.kind->is_glossy()) return relit_frame(transfer);
-    const double seconds =
-        least_seconds([&] { return towards_eye(transfer, TransferredRadiance(transfer, light(transfer))); });
-    return shown(transfer, seconds, bytes_of_vertex(transfer));
-  }
-
-  [[nodiscard]] Shown frame_of_fixed_light(const Transfer& transfer) const {
-    const LightAtRest at_rest(transfer, TransferredRadiance(transfer, light(transfer)), transfer.mesh.albedo);
-    const double seconds = least_seconds([&] { return at_rest.exit_radiance(scene_.camera.position); });
-    return shown(transfer, seconds, static_cast<double>(at_rest.bytes_of_vertex()));
-  }
-
-  [[nodiscard]] Shown frame_of_fixed_view(const Transfer& transfer) const {
-    return relit_frame(seen_from(transfer, scene_.camera.position));
-  }
-
-  [[nodiscard]] Shown relit_frame(const Transfer& transfer) const {
-    std::vector<Eigen::Vector3f> radiance(transfer.mesh.positions.size());
-    const double seconds = least_seconds([&] { relight_into(transfer, light(transfer), radiance); });
-    return {seconds, bytes_of_vertex(transfer), in_double(radiance), diffuse_surface(scene_.mesh, radiance)};
-  }
-
-  [[nodiscard]] Shown shown(const Transfer& transfer, double seconds, double bytes) const {
-    TransferredRadiance reaching(transfer, light(transfer));
-    Radiances values = in_double(towards_eye(transfer, reaching));
-    return {seconds, bytes, std::move(values), glossy_surface(transfer, std::move(reaching), transfer.mesh.albedo)};
   }
 
   Scene scene_;
   const StudyOptions& options_;
   LightCoefficients light_;
+  Frames frames_;
   Tracer tracer_;
   PathPictures paths_;
   Baked best_;
