@@ -17,8 +17,8 @@ namespace sh::prt {
 namespace {
 
 constexpr double kCoat = 0.04;  // F0 of a dielectric of index 1.5
-constexpr int kPolar = 64;      // nodes of the quadratures
-constexpr int kAround = 96;     // half a turn: the other half is its mirror image
+constexpr int kPolar = 40;      // nodes of the quadratures
+constexpr int kAround = 56;     // half a turn: the other half is its mirror image
 
 struct Node {
   Eigen::Vector3d direction;

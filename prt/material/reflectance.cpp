@@ -1,8 +1,11 @@
 #include "prt/material/reflectance.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 
 namespace sh::prt {
 
@@ -29,7 +32,12 @@ std::array<Eigen::Vector3f, kReflectionParts> colors_of_parts(bool is_measured, 
 
 std::size_t Reflectances::number_of(const Reflectance& reflectance) {
   for (std::size_t i = 0; i < heads.size(); ++i) {
-    if (at(i) == reflectance) return i;
+    const bool is_alike = heads[i].name == reflectance.name && heads[i].is_measured == reflectance.is_measured;
+    if (is_alike && at(i) == reflectance) return i;
+  }
+  if (heads.size() == kMostBrdfs) {
+    throw std::runtime_error(fmt::format(
+        "more than {} different BRDFs; expected fewer, such as one roughness for several materials", kMostBrdfs));
   }
   heads.push_back({reflectance.name, reflectance.is_measured});
   rows.insert(rows.end(), reflectance.table.begin(), reflectance.table.end());

@@ -25,6 +25,9 @@ constexpr std::size_t even_count(int degree) {
   return (static_cast<std::size_t>(degree) + 1) * (static_cast<std::size_t>(degree) + 2) / 2;
 }
 
+/// The most tables of a mesh, of 51,480 bytes each.
+inline constexpr std::size_t kMostBrdfs = 1000;
+
 /// (kViews, kReflectionParts, even_count(kMaxDegree)) coefficients.
 using ReflectanceTable = std::vector<float>;
 inline constexpr std::size_t kReflectanceTableSize = kViews * kReflectionParts * even_count(kMaxDegree);
@@ -50,7 +53,7 @@ struct Reflectances {
   ReflectanceTable rows;
 
   [[nodiscard]] const float* table(std::size_t number) const { return rows.data() + number * kReflectanceTableSize; }
-  /// The number of an equal one, which is added if there is none.
+  /// The number of an equal one, which is added if there is none. Throws std::runtime_error for more than kMostBrdfs.
   std::size_t number_of(const Reflectance& reflectance);
   [[nodiscard]] Reflectance at(std::size_t number) const;
 };

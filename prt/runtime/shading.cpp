@@ -18,6 +18,11 @@ void Shading::require_fit(const Transfer& transfer, int highest) const {
       throw std::invalid_argument(fmt::format("--recolor {}: expected an albedo from 0 to 1", channel));
     }
   }
+  const std::vector<Reflectances::Head>& brdfs = transfer.mesh.brdfs.heads;
+  if (!recolor.empty() && std::any_of(brdfs.begin(), brdfs.end(), [](const auto& head) { return head.is_measured; })) {
+    throw std::invalid_argument(
+        "--recolor: a measured BRDF brings its own colors; only other surfaces can be recolored");
+  }
   if (!recolor.empty() && transfer.kind->has_bounces()) {
     throw std::invalid_argument(
         "--recolor: transfer with bounces holds its albedo; only kinds without bounces can be recolored");

@@ -9,6 +9,7 @@
 #include "prt/runtime/fixed_view.hpp"
 #include "prt/runtime/glossy.hpp"
 #include "prt/runtime/relight.hpp"
+#include "prt/runtime/shading.hpp"
 #include "prt/scene/scene.hpp"
 #include "prt/transfer/transfer_file.hpp"
 #include "tests/prt/brdf_files.hpp"
@@ -148,6 +149,27 @@ TEST(BrdfBake, KeepsEnergyUnderConstantLightOnAConvexBody) {
       }
     }
   }
+}
+
+TEST(BrdfBake, OfMeasurementsCannotBeRecolored) {
+  Reflectance measured = microfacet_reflectance(0.5F, 0.0F);
+  const Shading red{.recolor = {1.0F, 0.0F, 0.0F}};
+  const auto coated = [&] { return baked(with_brdf(primitive_mesh("box"), measured), &kGlossyShadowed, 16, 1); };
+  EXPECT_EQ(message_of([&] { red.require_fit(coated(), 1); }), "");
+  measured.is_measured = true;
+  EXPECT_NE(message_of([&] { red.require_fit(coated(), 1); }).find("brings its own colors"), std::string::npos);
+}
+
+TEST(BrdfBake, AreAtMostAThousand) {
+  Reflectances brdfs;
+  Reflectance one{"one", false, ReflectanceTable(kReflectanceTableSize)};
+  for (std::size_t i = 0; i < kMostBrdfs; ++i) {
+    one.table[0] = static_cast<float>(i);
+    EXPECT_EQ(brdfs.number_of(one), i);
+  }
+  EXPECT_EQ(brdfs.number_of(one), kMostBrdfs - 1);
+  one.name = "another";
+  EXPECT_NE(message_of([&] { brdfs.number_of(one); }).find("more than 1000 different BRDFs"), std::string::npos);
 }
 
 TEST(BrdfBake, TakesNoPartInDiffuseKinds) {
