@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <filesystem>
 
@@ -99,6 +100,11 @@ Subject::Subject(const SubjectOptions& options)
     if (!is_glossy_ || options.shading.white) {
       throw std::runtime_error(fmt::format(
           "{}: --sharp: expected glossy transfer and light in color; it adds to the lobes of surfaces", file_));
+    }
+    const auto has_window = [](const Light& light) { return light.spec.window.has_value(); };
+    if (!options.light.window.window.empty() || std::any_of(chosen_.lights.begin(), chosen_.lights.end(), has_window)) {
+      throw std::runtime_error(
+          fmt::format("{}: --sharp: expected lights without a window, whose bands it completes", file_));
     }
     const Transfer& transfer = only_transfer();
     sharp_.emplace([&](const Eigen::Vector3d& direction) { return sh::prt::radiance(chosen_.lights, direction); },

@@ -12,8 +12,8 @@
 namespace sh::prt {
 
 /// roughness and metallic 0..1, by quadrature: largest error seen 4e-4 at views up to 75 degrees, 2e-3 near grazing view
-/// (Microfacet.IsTheModelOfGltf in the tests, 144 integrals). Roughness 0 is a perfect mirror,
-/// of which the bands remain.
+/// (Microfacet.IsTheModelOfGltf in the tests, 144 integrals). Roughness 0
+/// is a perfect mirror, of which the bands remain.
 Reflectance microfacet_reflectance(float roughness, float metallic);
 
 }  // namespace sh::prt

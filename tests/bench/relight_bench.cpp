@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <string>
 
+#include "prt/runtime/light_at_rest.hpp"
 #include "prt/runtime/relight.hpp"
 #include "tests/bench/harness.hpp"
 
@@ -13,11 +14,14 @@ namespace {
 
 using sh::bench::Buffer;
 using sh::bench::Table;
+using sh::prt::kGlossyShadowed;
 using sh::prt::kInterreflected;
 using sh::prt::kShadowed;
+using sh::prt::LightAtRest;
 using sh::prt::LightCoefficients;
 using sh::prt::Transfer;
 using sh::prt::TransferKind;
+using sh::prt::TransferredRadiance;
 
 constexpr double kNano = 1e9;
 constexpr double kMilli = 1e3;
@@ -105,6 +109,35 @@ void others(Table& table) {
   }
 }
 
+// Shadowed glossy transfer, where light and eye are free, and where one of them rests.
+void glossy(Table& table) {
+  constexpr std::size_t kVertices = 131'072;
+  constexpr int kDegree = 4;
+  Transfer transfer = made_up_transfer(&kGlossyShadowed, kDegree, kVertices);
+  transfer.mesh.normals.assign(kVertices, Eigen::Vector3f(0.36F, -0.48F, 0.8F));
+  transfer.mesh.specular.assign(kVertices, Eigen::Vector3f(0.5F, 0.4F, 0.3F));
+  transfer.mesh.exponent.assign(kVertices, 20.0F);
+  const LightCoefficients light = made_up_light(kDegree, false);
+  const LightAtRest at_rest(transfer, TransferredRadiance(transfer, light), transfer.mesh.albedo);
+  Eigen::Vector3d eye(3.0, 1.0, 2.0);
+  std::vector<Eigen::Vector3f> radiance;
+  const std::vector<double> t = sh::bench::least_times(
+      {[&] {
+         eye.x() += 0.01;
+         radiance = exit_radiance(transfer, TransferredRadiance(transfer, light), eye, transfer.mesh.albedo);
+       },
+       [&] {
+         eye.x() += 0.01;
+         radiance = at_rest.exit_radiance(eye);
+       }},
+      kPasses);
+  const double ns = kNano / static_cast<double>(kVertices);
+  table.ratio("GS, degree 4, light at rest, 131,072 vertices", "ns", t[1] * ns, t[0] * ns, "light free", 0.25);
+  const Times rows = measure({"", &kInterreflected, kDegree, kDegree, false, vertices_of(&kInterreflected, kDegree)});
+  const double row_ns = kNano / static_cast<double>(vertices_of(&kInterreflected, kDegree));
+  table.ratio("view at rest: DI, 3 x 25 coefficients", "ns", rows.ours * row_ns, rows.limit * row_ns, "memory", 1.25);
+}
+
 }  // namespace
 
 int main() {
@@ -114,6 +147,8 @@ int main() {
                 "limit: reading and writing the same bytes; RGB light unless it says otherwise");
   targets(table);
   others(table);
+  table.section("Glossy transfer, one core", "control: light and eye free, in the same run");
+  glossy(table);
   table.summary();
   return 0;
 }

@@ -5,6 +5,7 @@ file(MAKE_DIRECTORY ${SCRATCH}/out)
 file(CREATE_LINK ${BUILD_DIR} ${SCRATCH}/build SYMBOLIC)
 file(CREATE_LINK ${SOURCE_DIR}/generated ${SCRATCH}/generated SYMBOLIC)
 file(CREATE_LINK ${SOURCE_DIR}/tests ${SCRATCH}/tests SYMBOLIC)
+file(CREATE_LINK ${SOURCE_DIR}/prt ${SCRATCH}/prt SYMBOLIC)
 
 function(run command)
   execute_process(COMMAND sh -c "${command}" WORKING_DIRECTORY ${SCRATCH}

@@ -83,6 +83,8 @@ TEST_F(GlossyTool, ShowsMoreOfLobesThanTheTransferHolds) {
   EXPECT_EQ(picture("shadowed", {"--sharp"}), picture("shadowed", {"--sharp", "--threads", "1"}));
   expect_refused({"render", folder->file("shadowed"), "--sharp", "--white", "-o", folder->file("b.png")},
                  "--sharp: expected glossy transfer and light in color");
+  expect_refused({"render", folder->file("shadowed"), "--sharp", "--window", "hann", "-o", folder->file("b.png")},
+                 "--sharp: expected lights without a window");
   succeeded({"bake", folder->file("shadowed.json"), "--kind", "shadowed", "--degree", "1", "--directions", "16", "-o",
              folder->file("diffuse")});
   expect_refused({"render", folder->file("diffuse"), "--sharp", "-o", folder->file("b.png")},
