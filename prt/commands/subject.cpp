@@ -44,6 +44,17 @@ LightSamples samples_named(const std::string& local, const Mesh& mesh) {
   return samples_by_distance(points_of(mesh), k);
 }
 
+/// The lights; throws if `--sharp` would complete the bands that a window dampens.
+ChosenLight without_windows_if_sharp(ChosenLight chosen, const SubjectOptions& options) {
+  const auto has_window = [](const Light& light) { return light.spec.window.has_value(); };
+  if (options.sharp &&
+      (!options.light.window.window.empty() || std::any_of(chosen.lights.begin(), chosen.lights.end(), has_window))) {
+    throw std::runtime_error(
+        fmt::format("{}: --sharp: expected lights without a window, whose bands it completes", options.file));
+  }
+  return chosen;
+}
+
 /// The points of `--local`; throws if the option does not fit the transfer.
 LightSamples local_samples(const SubjectOptions& options, const Transfer& transfer, bool is_stage) {
   const auto refuse = [&](const char* why) {
@@ -83,7 +94,7 @@ Subject::Subject(const SubjectOptions& options)
       on_flaw_(on_flaw(options.light.strict)),
       shading_(options.shading),
       stage_(is_stage_ ? load_stage(options.file, options.transfers) : stage_of(read_transfer(options.file))),
-      chosen_(choose_light(options.light, stage_.lights)),
+      chosen_(without_windows_if_sharp(choose_light(options.light, stage_.lights), options)),
       lighting_(
           stage_, [&](int degree) { return project_windowed(chosen_.lights, degree, options.light.window); },
           shading_) {
@@ -100,11 +111,6 @@ Subject::Subject(const SubjectOptions& options)
     if (!is_glossy_ || options.shading.white) {
       throw std::runtime_error(fmt::format(
           "{}: --sharp: expected glossy transfer and light in color; it adds to the lobes of surfaces", file_));
-    }
-    const auto has_window = [](const Light& light) { return light.spec.window.has_value(); };
-    if (!options.light.window.window.empty() || std::any_of(chosen_.lights.begin(), chosen_.lights.end(), has_window)) {
-      throw std::runtime_error(
-          fmt::format("{}: --sharp: expected lights without a window, whose bands it completes", file_));
     }
     const Transfer& transfer = only_transfer();
     sharp_.emplace([&](const Eigen::Vector3d& direction) { return sh::prt::radiance(chosen_.lights, direction); },
