@@ -61,7 +61,8 @@ class Centred {
     const NodeId polar_t = build_.sub(one_, build_.add(across, across), "u");
     polar_ = {polar_t, doubled(polar_t)};
     if (degree_ >= kFirstSplit) {
-      const NodeId radius2 = build_.add(build_.mul(d_.x, d_.x), build_.mul(d_.y, d_.y), "r2");
+      const NodeId y2 = build_.mul(d_.y, d_.y), x2 = build_.mul(d_.x, d_.x);
+      const NodeId radius2 = build_.add(x2, y2, "r2");
       const NodeId split_t = build_.sub(z2_, radius2, "v");
       split_ = {split_t, doubled(split_t)};
     }

@@ -228,7 +228,8 @@ class Separable {
       const Value bc = of(b, shape_.b, n);
       const Value as = m == 0 ? Value{} : of(a, shape_.a, -m);
       const Value bs = n == 0 ? Value{} : of(b, shape_.b, -n);
-      Value c = build_.minus(build_.times(ac, bc), build_.times(as, bs));
+      const Value ss = build_.times(as, bs), cc = build_.times(ac, bc);
+      Value c = build_.minus(cc, ss);
       Value s = build_.times(as, bc);
       s = same_ && m == n ? build_.plus(s, s) : build_.plus(s, build_.times(ac, bs));
       if (m == 0 || n == 0 || (same_ && m != n)) {

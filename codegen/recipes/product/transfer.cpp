@@ -110,9 +110,10 @@ class Transfer {
     const auto [lobe_north, lobe_south] = poles_of(lobe, n_, pole_weight());
     const auto [vc, vs] = top_orders(visibility, 2 * n_);
     const auto [gc, gs] = top_orders(lobe, n_);
-    add_dots({build_.times(north, lobe_north), build_.times(south, lobe_south),
-              build_.minus(build_.times(vc, gc), build_.times(vs, gs)),
-              -build_.plus(build_.times(vs, gc), build_.times(vc, gs))});
+    const Value at_north = build_.times(north, lobe_north), at_south = build_.times(south, lobe_south);
+    const Value ss = build_.times(vs, gs), cc = build_.times(vc, gc), cosine = build_.minus(cc, ss);
+    const Value cs = build_.times(vc, gs), sc = build_.times(vs, gc), sine = -build_.plus(sc, cs);
+    add_dots({at_north, at_south, cosine, sine});
     for (const std::vector<Value>& dots : dots_) output(build_.balanced_sum(dots));
   }
 
