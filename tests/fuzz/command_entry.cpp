@@ -150,7 +150,14 @@ constexpr std::array kWords = {"bake",
                                "glossy_unshadowed",
                                "glossy_shadowed",
                                "g.transfer",
-                               "--eye"};
+                               "--eye",
+                               "fix-view",
+                               "grid",
+                               "--degrees",
+                               "--half-angles",
+                               "--direction",
+                               "--compress",
+                               "--sharp"};
 static_assert(kWords.size() <= 256);
 
 /// A folder with small files of every type; the tool runs in it.
@@ -223,9 +230,11 @@ bool is_small(const std::string& word) {
 // directions.
 bool is_quick(const std::vector<std::string>& words) {
   const auto has = [&](const char* word) { return std::find(words.begin(), words.end(), word) != words.end(); };
-  const bool draws = words.size() > 1 && (words[1] == "render" || words[1] == "compare");
-  const bool has_size = words.size() > 5 && words[2] == "--width" && words[4] == "--height";
-  return (!draws || (has_size && is_small(words[3]) && is_small(words[5]))) && (!has("a.obj") || has("--directions"));
+  const std::string command = words.size() > 1 ? words[1] : "";
+  const bool draws = command == "render" || command == "compare" || command == "grid";
+  const bool has_width = words.size() > 3 && words[2] == "--width" && is_small(words[3]);
+  const bool has_height = words.size() > 5 && words[4] == "--height" && is_small(words[5]);
+  return (!draws || (has_width && (has_height || command == "grid"))) && (!has("a.obj") || has("--directions"));
 }
 
 // Whether the words name the file as output and nowhere else. A stage reads the transfer files beside it, a.json a.obj.
