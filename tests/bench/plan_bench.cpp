@@ -1,8 +1,8 @@
 // What plans promise and what they cost: for error limits .1, .03 and .01, the stated error of `prt plan` against the
 // error measured with 16 times the directions over eight turns of the light, and the rays that the plan prints against
-// those that its bake traces. Minutes a scene. Usage: plan_bench [--keep FOLDER] [--directions N] [demo|real|room|gltf]...,
-// by default all. The folder keeps the bakes with 16 times the directions for the next run; N replaces the scene's
-// directions. Exit 0 if every measured error is at most the stated one, and every stated one at most 4 times it (with
+// those that its bake traces. Minutes a scene. Usage: plan_bench [--keep FOLDER] [--directions N] [--turns none|about_z|any]
+// [demo|real|room|gltf]..., by default all scenes. The folder keeps the bakes with 16 times the directions for the next
+// run; N and the turns of the light replace the scene's. Exit 0 if every measured error is at most the stated one, and every stated one at most 4 times it (with
 // bounces 6 times).
 #include <fmt/core.h>
 
@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -81,6 +82,7 @@ bool keeps_promise(const Scene& scene, const Transfer& reference, double error) 
 struct Options {
   std::string keep;    // folder, or empty
   int directions = 0;  // or the scene's
+  std::optional<LightTurns> turns;
   std::vector<std::string> words;
 };
 
@@ -92,6 +94,9 @@ Options options_of(int argc, char** argv) {
       options.keep = argv[++i];
     } else if (word == "--directions" && i + 1 < argc) {
       options.directions = std::stoi(argv[++i]);
+    } else if (word == "--turns" && i + 1 < argc) {
+      options.turns = value_called<LightTurns>(argv[++i], kLightTurnsNames);
+      if (!options.turns) throw std::invalid_argument("--turns: expected none, about_z or any");
     } else {
       options.words.push_back(word);
     }
@@ -112,6 +117,7 @@ Transfer reference_of(const std::string& word, const Scene& scene, const std::st
 bool measure(const std::string& word, const Options& options) {
   Scene scene = scene_called(word);
   if (options.directions > 0) scene.bake.directions = options.directions;
+  if (options.turns) scene.plan.turns = *options.turns;
   const Transfer reference = reference_of(word, scene, options.keep);
   fmt::print("{}: {} vertices, {}, {} directions against {}\n", word, scene.mesh.positions.size(),
              scene.bake.kind->word, scene.bake.directions, reference.directions);
