@@ -110,8 +110,7 @@ class Bounces {
       constexpr double kMiB = 1048576.0;
       throw std::runtime_error(
           fmt::format("{}: its bounces need {:.0f} MiB for a matrix at each of {} vertices, this machine has {:.0f}; "
-                      "expected fewer "
-                      "vertices, a lower degree, gray materials, or {}",
+                      "expected fewer vertices, a lower degree, gray materials, or {}",
                       run_.scene.name, needed / kMiB, vertices_, there / kMiB, kGlossyShadowed.word));
     }
   }
@@ -194,10 +193,9 @@ class Bounces {
   }
 
   // Adds the part of what the BRDF of a vertex sends to the eye to `row` (row_).
-  void add_reflected(std::uint32_t vertex, const Eigen::Vector3f& to_eye, float part, float* row) const {
-    const std::size_t number = mesh_.brdf[vertex] - std::size_t{1};
-    const auto colors = colors_of_parts(mesh_.brdfs.heads[number].is_measured, mesh_.albedo[vertex]);
-    for_reflected_lobes(mesh_.brdfs.table(number), colors, degree_, mesh_.normals[vertex], to_eye,
+  void add_reflected(const BrdfTable& brdf, std::uint32_t vertex, const Eigen::Vector3f& to_eye, float part,
+                     float* row) const {
+    for_reflected_lobes(brdf, mesh_.albedo[vertex], degree_, mesh_.normals[vertex], to_eye,
                         [&](const Eigen::Vector3f& color, const float* weights) {
                           alignas(64) std::array<float, kMostRow> lobe;
                           weigh(weights, vertex, lobe.data());
@@ -215,17 +213,16 @@ class Bounces {
     };
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t q = face[k];
-      if (!mesh_.brdf.empty() && mesh_.brdf[q] > 0) {
-        add_reflected(q, -ray.direction, parts[k], row);
+      if (const BrdfTable brdf = mesh_.brdf_of(q)) {
+        add_reflected(brdf, q, -ray.direction, parts[k], row);
         continue;
       }
       add(diffuse_rows.data() + q * row_, parts[k]);
       if (mesh_.specular.empty() || mesh_.specular[q].isZero(0.0F)) continue;
-      const Eigen::Vector3f& normal = mesh_.normals[q];
-      const Eigen::Vector3f mirrored = ray.direction - 2.0F * normal.dot(ray.direction) * normal;
+      const Eigen::Vector3f about = mirrored(ray.direction, mesh_.normals[q]);
       const float* factors = &lobes_[q * (degree_ + 1)];
       alignas(64) std::array<float, kMostRow> lobe;
-      weigh(weights_about(degree_, mirrored, [factors](int l) { return factors[l]; }).data(), q, lobe.data());
+      weigh(weights_about(degree_, about, [factors](int l) { return factors[l]; }).data(), q, lobe.data());
       scale_channels(mesh_.specular[q], lobe.data());
       add(lobe.data(), parts[k]);
     }

@@ -45,7 +45,8 @@ std::size_t Reflectances::number_of(const Reflectance& reflectance) {
 }
 
 Reflectance Reflectances::at(std::size_t number) const {
-  return {heads[number].name, heads[number].is_measured, {table(number), table(number) + kReflectanceTableSize}};
+  const auto [from, is_measured] = table(number);
+  return {heads[number].name, is_measured, {from, from + kReflectanceTableSize}};
 }
 
 void reflectance_at(const float* table, int degree, float cosine, float* out) {
@@ -62,9 +63,9 @@ void reflectance_at(const float* table, int degree, float cosine, float* out) {
   }
 }
 
-double share_of_bands(const float* table, bool is_measured, int degree) {
+double share_of_bands(const BrdfTable& table, int degree) {
   const std::array<Eigen::Vector3f, kReflectionParts> colors =
-      colors_of_parts(is_measured, Eigen::Vector3f::Constant(0.5F));
+      colors_of_parts(table.is_measured, Eigen::Vector3f::Constant(0.5F));
   double held = 0.0;
   double all = 0.0;
   for (Eigen::Index channel = 0; channel < 3; ++channel) {
@@ -72,7 +73,7 @@ double share_of_bands(const float* table, bool is_measured, int degree) {
       for (std::size_t m = 0; m <= l; ++m, ++i) {
         double sum = 0.0;
         for (std::size_t part = 0; part < kReflectionParts; ++part) {
-          sum += static_cast<double>(colors[part][channel] * row_of(table, (kViews - 1) / 2, part)[i]);
+          sum += static_cast<double>(colors[part][channel] * row_of(table.rows, (kViews - 1) / 2, part)[i]);
         }
         all += sum * sum;
         if (l <= static_cast<std::size_t>(degree)) held += sum * sum;

@@ -32,6 +32,13 @@ inline constexpr std::size_t kMostBrdfs = 1000;
 using ReflectanceTable = std::vector<float>;
 inline constexpr std::size_t kReflectanceTableSize = kViews * kReflectionParts * even_count(kMaxDegree);
 
+/// A table where it stands, or none.
+struct BrdfTable {
+  const float* rows = nullptr;
+  bool is_measured = false;
+  explicit operator bool() const { return rows != nullptr; }
+};
+
 /// The colors of the parts: albedo, white and black for a surface model; red, green and blue for a measured BRDF, which
 /// has no other color.
 std::array<Eigen::Vector3f, kReflectionParts> colors_of_parts(bool is_measured, const Eigen::Vector3f& albedo);
@@ -52,7 +59,9 @@ struct Reflectances {
   std::vector<Head> heads;
   ReflectanceTable rows;
 
-  [[nodiscard]] const float* table(std::size_t number) const { return rows.data() + number * kReflectanceTableSize; }
+  [[nodiscard]] BrdfTable table(std::size_t number) const {
+    return {rows.data() + number * kReflectanceTableSize, heads[number].is_measured};
+  }
   /// The number of an equal one, which is added if there is none. Throws std::runtime_error for more than kMostBrdfs.
   std::size_t number_of(const Reflectance& reflectance);
   [[nodiscard]] Reflectance at(std::size_t number) const;
@@ -64,7 +73,7 @@ void reflectance_at(const float* table, int degree, float cosine, float* out);
 
 /// The part of the function that the bands 0 .. degree hold, 0..1, in squares, when the eye is at 45 degrees; of all that
 /// kMaxDegree holds.
-double share_of_bands(const float* table, bool is_measured, int degree);
+double share_of_bands(const BrdfTable& table, int degree);
 
 /// The hemispherical reflectance under constant light, a number for each part, at a number of view: 1 = all is reflected.
 Eigen::Vector3d hemispherical_reflectance(const float* table, int view);

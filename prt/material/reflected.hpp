@@ -23,13 +23,14 @@ inline std::array<float, 9> surface_frame(const Eigen::Vector3f& normal, const E
   return {x.x(), y.x(), normal.x(), x.y(), y.y(), normal.y(), x.z(), y.z(), normal.z()};
 }
 
-/// Calls visit(color, weights) for every part of a table that is not black; weights (bands^2) times the incident radiance
+/// Calls visit(color, weights) for every part of a table, on a surface with this albedo, that is not black; weights (bands^2) times the incident radiance
 /// is what this part sends to the eye.
 template <class Visit>
-void for_reflected_lobes(const float* table, const std::array<Eigen::Vector3f, kReflectionParts>& colors, int degree,
+void for_reflected_lobes(const BrdfTable& table, const Eigen::Vector3f& albedo, int degree,
                          const Eigen::Vector3f& normal, const Eigen::Vector3f& to_eye, const Visit& visit) {
+  const std::array<Eigen::Vector3f, kReflectionParts> colors = colors_of_parts(table.is_measured, albedo);
   std::array<float, kReflectionParts * even_count(kMaxDegree)> even;
-  reflectance_at(table, degree, normal.dot(to_eye), even.data());
+  reflectance_at(table.rows, degree, normal.dot(to_eye), even.data());
   const std::array<float, 9> frame = surface_frame(normal, to_eye);
   std::array<float, coefficient_count(kMaxDegree)> weights;
   for (std::size_t part = 0; part < kReflectionParts; ++part) {

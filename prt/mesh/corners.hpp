@@ -1,4 +1,4 @@
-// Angles and normals of triangles, and vectors as bits, the keys by which welding compares vertices.
+// Angles and normals of triangles, directions that they mirror, and vectors as bits, the keys by which welding compares vertices.
 #pragma once
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -21,6 +21,11 @@ Eigen::Vector3f face_normal(const std::vector<Position>& positions, const Face& 
   const Eigen::Vector3d b = positions[face[1]].template cast<double>();
   const Eigen::Vector3d c = positions[face[2]].template cast<double>();
   return (b - a).cross(c - a).normalized().template cast<float>();
+}
+
+/// The unit direction of a ray that a surface with this unit normal mirrors.
+inline Eigen::Vector3f mirrored(const Eigen::Vector3f& direction, const Eigen::Vector3f& normal) {
+  return (direction - 2.0F * direction.dot(normal) * normal).normalized();
 }
 
 /// The angle at corner k = 0, 1, 2, in radians.

@@ -21,9 +21,9 @@ using Face = std::array<std::uint32_t, 3>;
 inline constexpr float kMaxExponent = 1e6F;
 
 /// Triangles, counterclockwise as seen from outside. All vertex arrays have one length, except that `emission`, `mirror`,
-/// `specular` with `exponent`, and `brdf`, are empty if the whole mesh has none. `remap` has one entry for each vertex of the mesh
-/// files, in the order of the scene; several vertices of a file map to one vertex here if position, normal, albedo and
-/// finish agree. It is empty for a mesh made in code.
+/// `specular` with `exponent`, and `brdf`, are empty if the whole mesh has none. `remap` has one entry for each vertex of
+/// the mesh files, in the order of the scene; several vertices of a file map to one vertex here if position, normal,
+/// albedo and finish agree. It is empty for a mesh made in code.
 struct Mesh {
   std::vector<Eigen::Vector3f> positions;          // in `frame`
   std::vector<Eigen::Vector3f> normals;            // unit; shading: weighs the cosine
@@ -42,6 +42,11 @@ struct Mesh {
 
   /// A vertex in the world, in the unit of the scene.
   [[nodiscard]] Eigen::Vector3d point(std::size_t vertex) const { return frame.world(positions[vertex]); }
+
+  /// The BRDF of a vertex, or none.
+  [[nodiscard]] BrdfTable brdf_of(std::size_t vertex) const {
+    return brdf.empty() || brdf[vertex] == 0 ? BrdfTable() : brdfs.table(brdf[vertex] - std::size_t{1});
+  }
 };
 
 inline constexpr std::uint32_t kNoVertex = 0xFFFFFFFFU;

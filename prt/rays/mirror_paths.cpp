@@ -11,10 +11,6 @@ namespace {
 
 constexpr float kRoundings = 32.0F;  // of the coordinates, off the mirror
 
-Eigen::Vector3f mirrored(const Eigen::Vector3f& direction, const Eigen::Vector3f& normal) {
-  return (direction - 2.0F * direction.dot(normal) * normal).normalized();
-}
-
 }  // namespace
 
 void MirrorPaths::follow(std::vector<Leg>& legs) const {

@@ -17,6 +17,7 @@
 #include "prt/kinds/kinds.hpp"
 #include "prt/material/lobe.hpp"
 #include "prt/material/reflected.hpp"
+#include "prt/mesh/corners.hpp"
 #include "prt/runtime/lit_clusters.hpp"
 #include "prt/runtime/relight.hpp"
 #include "prt/transfer/visibility.hpp"
@@ -82,10 +83,6 @@ Eigen::Vector3f gathered(int degree, const Eigen::Vector3f& direction, const Fac
   return summed(degree, lobe.data(), reaching);
 }
 
-Eigen::Vector3f mirrored(const Eigen::Vector3f& normal, const Eigen::Vector3f& to_eye) {
-  return (2.0F * normal.dot(to_eye) * normal - to_eye).normalized();
-}
-
 double diffuse_factor(int l) { return numeric::clamped_cosine_factor<double>(l) / std::numbers::pi; }
 
 }  // namespace
@@ -141,15 +138,10 @@ void TransferredRadiance::at(const Hit& hit, const Mesh& mesh, float* out) const
 }
 
 Material material_of(const Mesh& mesh, std::size_t vertex, const Eigen::Vector3f& albedo) {
-  Material material{.albedo = albedo};
+  Material material{.albedo = albedo, .brdf = mesh.brdf_of(vertex)};
   if (!mesh.specular.empty()) {
     material.specular = mesh.specular[vertex];
     material.exponent = mesh.exponent[vertex];
-  }
-  if (!mesh.brdf.empty() && mesh.brdf[vertex] > 0) {
-    const std::size_t number = mesh.brdf[vertex] - std::size_t{1};
-    material.brdf = mesh.brdfs.table(number);
-    material.is_measured = mesh.brdfs.heads[number].is_measured;
   }
   return material;
 }
@@ -157,8 +149,8 @@ Material material_of(const Mesh& mesh, std::size_t vertex, const Eigen::Vector3f
 Eigen::Vector3f exit_radiance(const Material& material, int degree, const float* reaching,
                               const Eigen::Vector3f& normal, const Eigen::Vector3f& to_eye) {
   Eigen::Vector3f radiance = Eigen::Vector3f::Zero();
-  if (material.brdf != nullptr) {
-    for_reflected_lobes(material.brdf, colors_of_parts(material.is_measured, material.albedo), degree, normal, to_eye,
+  if (material.brdf) {
+    for_reflected_lobes(material.brdf, material.albedo, degree, normal, to_eye,
                         [&](const Eigen::Vector3f& color, const float* lobe) {
                           radiance += color.cwiseProduct(summed(degree, lobe, reaching));
                         });
@@ -170,7 +162,7 @@ Eigen::Vector3f exit_radiance(const Material& material, int degree, const float*
   if (!material.specular.isZero(0.0F)) {
     const auto exponent = static_cast<double>(material.exponent);
     const auto factor = [exponent](int l) { return phong_factor(l, exponent); };
-    radiance += material.specular.cwiseProduct(gathered(degree, mirrored(normal, to_eye), factor, reaching));
+    radiance += material.specular.cwiseProduct(gathered(degree, mirrored(-to_eye, normal), factor, reaching));
   }
   return radiance;
 }
@@ -190,7 +182,7 @@ std::vector<double> held_shares_of_brdfs(const Transfer& transfer) {
   std::vector<double> shares;
   const Reflectances& brdfs = transfer.mesh.brdfs;
   for (std::size_t i = 0; transfer.kind->is_glossy() && i < brdfs.heads.size(); ++i) {
-    shares.push_back(share_of_bands(brdfs.table(i), brdfs.heads[i].is_measured, transfer.degree()));
+    shares.push_back(share_of_bands(brdfs.table(i), transfer.degree()));
   }
   return shares;
 }
@@ -206,8 +198,8 @@ Surface glossy_surface(const Transfer& transfer, TransferredRadiance reaching, s
     const Material material = material_of(mesh, mesh.faces[hit.face][0], interpolated(hit, mesh, colors));
     const Eigen::Vector3f normal = interpolated(hit, mesh, mesh.normals).normalized();
     Eigen::Vector3f radiance = exit_radiance(material, all.degree(), between.data(), normal, -direction);
-    if (more && material.brdf == nullptr && !material.specular.isZero(0.0F)) {
-      radiance += material.specular.cwiseProduct(more(hit, material.exponent, mirrored(normal, -direction)));
+    if (more && !material.brdf && !material.specular.isZero(0.0F)) {
+      radiance += material.specular.cwiseProduct(more(hit, material.exponent, mirrored(direction, normal)));
     }
     if (!transfer.emitted.empty()) radiance += interpolated(hit, mesh, transfer.emitted);
     return radiance;

@@ -42,8 +42,7 @@ struct Material {
   Eigen::Vector3f albedo = Eigen::Vector3f::Zero();
   Eigen::Vector3f specular = Eigen::Vector3f::Zero();
   float exponent = 0.0F;
-  const float* brdf = nullptr;
-  bool is_measured = false;
+  BrdfTable brdf = {};
 };
 
 /// The material of a vertex. `mesh` must outlive the result.

@@ -7,6 +7,7 @@
 #include "prt/basis.hpp"
 #include "prt/chunks.hpp"
 #include "prt/material/lobe.hpp"
+#include "prt/mesh/corners.hpp"
 
 namespace sh::prt {
 
@@ -14,8 +15,6 @@ namespace {
 
 constexpr std::size_t kLanes = batch::kBlock<float>;
 static_assert(kVerticesPerChunk % kLanes == 0, "a chunk is made of whole blocks");
-
-bool has_brdf(const Mesh& mesh, std::size_t vertex) { return !mesh.brdf.empty() && mesh.brdf[vertex] > 0; }
 
 // to (3, bands^2) in its lane of a block = specular times the lobe's factors times what arrives.
 void convolve(const Mesh& mesh, std::size_t vertex, int degree, const float* reaching, float* to) {
@@ -44,7 +43,7 @@ LightAtRest::LightAtRest(const Transfer& transfer, TransferredRadiance reaching,
   if (!mesh.specular.empty()) lobes_.resize(batch::blocked_size<float>(constant_.size(), size));
   for_vertices(constant_.size(), [&](std::size_t v) {
     if (!transfer.emitted.empty()) constant_[v] = transfer.emitted[v];
-    if (has_brdf(mesh, v)) return;
+    if (mesh.brdf_of(v)) return;
     const Eigen::Vector3f& normal = mesh.normals[v];
     constant_[v] += prt::exit_radiance(Material{.albedo = albedo_[v]}, degree, reaching_.at(v), normal, normal);
     if (lobes_.empty() || mesh.specular[v].isZero(0.0F)) return;
@@ -64,19 +63,17 @@ std::vector<Eigen::Vector3f> LightAtRest::exit_radiance(const Eigen::Vector3d& e
       return (local_eye - mesh.positions[v].cast<double>()).normalized().cast<float>().eval();
     };
     if (!lobes_.empty()) {
-      std::array<Eigen::Vector3f, kVerticesPerChunk> mirrored;
+      std::array<Eigen::Vector3f, kVerticesPerChunk> directions;
       std::array<Eigen::Vector3f, kVerticesPerChunk> sent;
       for (std::size_t v = range.first; v < range.last; ++v) {
-        const Eigen::Vector3f direction = to_eye(v);
-        const Eigen::Vector3f& normal = mesh.normals[v];
-        mirrored[v - range.first] = (2.0F * normal.dot(direction) * normal - direction).normalized();
+        directions[v - range.first] = mirrored(-to_eye(v), mesh.normals[v]);
       }
       batch::evaluate_rgb(degree, range.size(), batch::blocked(&lobes_[range.first * size]),
-                          batch::plain(mirrored[0].data()), batch::plain(sent[0].data()));
+                          batch::plain(directions[0].data()), batch::plain(sent[0].data()));
       for (std::size_t v = range.first; v < range.last; ++v) radiance[v] += sent[v - range.first];
     }
     for (std::size_t v = range.first; v < range.last && !mesh.brdf.empty(); ++v) {
-      if (!has_brdf(mesh, v)) continue;
+      if (!mesh.brdf_of(v)) continue;
       radiance[v] +=
           prt::exit_radiance(material_of(mesh, v, albedo_[v]), degree, reaching_.at(v), mesh.normals[v], to_eye(v));
     }

@@ -82,7 +82,7 @@ class PathTracer {
     const Eigen::Vector3f albedo = interpolated(path.hit, mesh_, mesh_.albedo);
     const std::uint32_t corner = mesh_.faces[path.hit.face][0];
     const Material material = material_of(mesh_, corner, albedo);
-    if (material.brdf != nullptr) return reflect_by_brdf(material, normal, path, random);
+    if (material.brdf) return reflect_by_brdf(material, normal, path, random);
     const Eigen::Vector3f specular =
         mesh_.specular.empty() ? Eigen::Vector3f::Zero().eval() : Eigen::Vector3f(mesh_.specular[corner]);
     const float gloss = specular.maxCoeff();
@@ -91,8 +91,7 @@ class PathTracer {
       std::uniform_real_distribution<float> uniform(0.0F, 1.0F);
       if (uniform(random) < glossy) {
         path.throughput = path.throughput.cwiseProduct(specular) / glossy;
-        const Eigen::Vector3f mirrored = path.direction - 2.0F * normal.dot(path.direction) * normal;
-        return power_direction(mirrored.normalized(), mesh_.exponent[corner], random);
+        return power_direction(mirrored(path.direction, normal), mesh_.exponent[corner], random);
       }
       path.throughput /= 1.0F - glossy;
     }
@@ -107,8 +106,8 @@ class PathTracer {
     std::array<float, coefficient_count(kMaxDegree)> basis;
     evaluate_basis(kMaxDegree, next.x(), next.y(), next.z(), basis.data());
     Eigen::Vector3f reflected = Eigen::Vector3f::Zero();
-    for_reflected_lobes(material.brdf, colors_of_parts(material.is_measured, material.albedo), kMaxDegree, normal,
-                        -path.direction.normalized(), [&](const Eigen::Vector3f& color, const float* weights) {
+    for_reflected_lobes(material.brdf, material.albedo, kMaxDegree, normal, -path.direction.normalized(),
+                        [&](const Eigen::Vector3f& color, const float* weights) {
                           reflected += color * std::inner_product(basis.begin(), basis.end(), weights, 0.0F);
                         });
     path.throughput = 2.0F * std::numbers::pi_v<float> * path.throughput.cwiseProduct(reflected);

@@ -217,7 +217,7 @@ TEST(Reflectance, TurnsWithTheSurface) {
     if (eye.dot(normal) < 0.0) eye = -eye;
     const std::vector<double> light = random_values<double>(3 * coefficient_count(4), 7);
     const std::vector<float> reaching(light.begin(), light.end());
-    Material material{.albedo = {0.7F, 0.5F, 0.2F}, .brdf = made.table.data()};
+    Material material{.albedo = {0.7F, 0.5F, 0.2F}, .brdf = {made.table.data()}};
     const Eigen::Vector3f seen = exit_radiance(material, 4, reaching.data(), normal.cast<float>(), eye.cast<float>());
     // The frame of the surface, where the integral is taken.
     const Eigen::Quaterniond to_world = Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), normal);
