@@ -18,8 +18,8 @@ longest() {
   esac
 }
 
-# For speed: short traces of allocations, a small quarantine. Leaks are found where test_fuzz replays the inputs.
-export ASAN_OPTIONS=malloc_context_size=2:quarantine_size_mb=8:detect_leaks=0
+# For speed: short traces of allocations, a small quarantine, memory as it comes. Leaks are found where test_fuzz replays the inputs.
+export ASAN_OPTIONS=malloc_context_size=2:quarantine_size_mb=8:max_malloc_fill_size=0:detect_leaks=0
 found=0
 for target in "$@"; do
   work=$build/fuzz/$target
