@@ -35,9 +35,12 @@ inline Vector load(const Half* from) {
   return reinterpret_cast<Vector>(
       _mm512_maskz_cvtph_ps(0xffff, _mm256_load_si256(reinterpret_cast<const __m256i*>(from))));
 #elif defined(__F16C__)
-  std::array<__m256, 2> wide{_mm256_cvtph_ps(_mm_load_si128(reinterpret_cast<const __m128i*>(from))),
-                             _mm256_cvtph_ps(_mm_load_si128(reinterpret_cast<const __m128i*>(from + kLanes / 2)))};
-  return *reinterpret_cast<const Vector*>(wide.data());
+  Vector wide;
+  auto* to = reinterpret_cast<float*>(&wide);
+  for (std::size_t i = 0; i < kLanes; i += 8) {
+    _mm256_store_ps(to + i, _mm256_cvtph_ps(_mm_load_si128(reinterpret_cast<const __m128i*>(from + i))));
+  }
+  return wide;
 #else
   Vector wide;  // no such conversion here: a cheaper one in its place
   for (std::size_t i = 0; i < kLanes; ++i) wide[i] = static_cast<float>(static_cast<std::uint16_t>(from[i]));
