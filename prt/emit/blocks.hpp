@@ -23,11 +23,15 @@ class EmittedData {
   std::size_t add(const std::vector<float>& numbers) {
     return add(numbers.data(), numbers.size() / vertices_, sizeof(float), vertices_);
   }
+  /// The same of numbers that are nobody's: they stay one after the other.
+  std::size_t add_shared(const std::vector<float>& numbers);
   /// The file: the checksum of all that follows it, then the sections, each at a multiple of 64 bytes.
   [[nodiscard]] std::string file() const;
   [[nodiscard]] std::uint64_t checksum() const;
 
  private:
+  char* append(std::size_t bytes);
+
   std::size_t vertices_;
   std::string bytes_;
 };

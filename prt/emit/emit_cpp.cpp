@@ -26,7 +26,8 @@ class CppEmitter {
       : transfer_(transfer),
         options_(options),
         rows_(emitted_rows(transfer, options)),
-        kernels_(transfer, options, rows_, "cpp"),
+        brdfs_(emitted_brdfs(transfer)),
+        kernels_(transfer, options, rows_, brdfs_, "cpp"),
         data_(transfer.mesh.positions.size()) {}
 
   Emitted run() {
@@ -35,9 +36,7 @@ class CppEmitter {
     constant("kCoefficients", coefficient_count(transfer_.degree()));
     add_rows();
     const bool glossy = transfer_.kind->is_glossy();
-    const std::vector<Eigen::Vector3f>& albedo = transfer_.mesh.albedo;
-    constant("kAlbedoAt",
-             !transfer_.shape.holds_albedo && (!glossy || any_above_zero(albedo)) ? data_.add(flat(albedo)) : 0);
+    if (!glossy) constant("kAlbedoAt", transfer_.shape.holds_albedo ? 0 : data_.add(flat(transfer_.mesh.albedo)));
     constant("kEmittedAt", transfer_.emitted.empty() ? 0 : data_.add(flat(transfer_.emitted)));
     if (glossy) add_glossy();
     const std::string file = data_.file();
@@ -49,6 +48,11 @@ class CppEmitter {
  private:
   void constant(std::string_view name, std::size_t value) {
     constants_ += fmt::format("inline constexpr std::size_t {} = {};\n", name, value);
+  }
+
+  // A section of colors, unless all are black.
+  void add_colors(std::string_view name, const std::vector<Eigen::Vector3f>& colors) {
+    constant(name, any_above_zero(colors) ? data_.add(flat(colors)) : 0);
   }
 
   // Floats with all digits.
@@ -91,12 +95,26 @@ class CppEmitter {
 
   void add_glossy() {
     const Mesh& mesh = transfer_.mesh;
-    const int degree = transfer_.degree();
-    constant("kBands", static_cast<std::size_t>(degree) + 1);
+    constant("kBands", static_cast<std::size_t>(transfer_.degree()) + 1);
     constant("kNormalAt", data_.add(flat(mesh.normals)));
     constant("kPositionAt", data_.add(flat(mesh.positions)));
-    const bool lobes = any_above_zero(mesh.specular);
-    constant("kSpecularAt", lobes ? data_.add(flat(mesh.specular)) : 0);
+    add_colors("kAlbedoAt", brdfs_.of_lobes(mesh.albedo));
+    if (kernels_.has("SH_EMITTED_ZONAL")) add_lobes();
+    if (kernels_.has("SH_EMITTED_ROTATE")) add_brdfs();
+    if (kernels_.has("SH_EMITTED_PREPARE")) constant("kSamples", sample_count(transfer_.degree()));
+    if (!has_matrices(transfer_)) return;
+    add_clusters(transfer_.indirect_clusters, "Matrix");
+    constant("kMatricesAt", add(emitted_matrices(transfer_), transfer_.indirect_shape));
+    constant("kMatrixChannels", transfer_.indirect_shape.channels);
+    elements_ += element_of("kMatrixElement", transfer_.indirect_shape);
+  }
+
+  void add_lobes() {
+    const Mesh& mesh = transfer_.mesh;
+    const int degree = transfer_.degree();
+    const std::vector<Eigen::Vector3f> specular = brdfs_.of_lobes(mesh.specular);
+    const bool lobes = any_above_zero(specular);
+    add_colors("kSpecularAt", specular);
     std::vector<float> lobe;
     for (std::size_t v = 0; lobes && v < mesh.exponent.size(); ++v) {
       for (int l = 0; l <= degree; ++l) {
@@ -110,12 +128,23 @@ class CppEmitter {
           static_cast<float>(zonal_unit(l) * numeric::clamped_cosine_factor<double>(l) / std::numbers::pi));
     }
     numbers("kCosine", cosine);
-    if (kernels_.has("SH_EMITTED_PREPARE")) constant("kSamples", sample_count(degree));
-    if (!has_matrices(transfer_)) return;
-    add_clusters(transfer_.indirect_clusters, "Matrix");
-    constant("kMatricesAt", add(emitted_matrices(transfer_), transfer_.indirect_shape));
-    constant("kMatrixChannels", transfer_.indirect_shape.channels);
-    elements_ += element_of("kMatrixElement", transfer_.indirect_shape);
+  }
+
+  void add_brdfs() {
+    constant("kViews", kViews);
+    constant("kEven", even_count(transfer_.degree()));
+    constant("kTablesAt", data_.add_shared(brdfs_.tables));
+    constant("kBrdfAt", data_.add(brdfs_.numbers.data(), 1, sizeof brdfs_.numbers[0], brdfs_.numbers.size()));
+    add_colors("kBaseAt", brdfs_.of_bases(transfer_.mesh.albedo));
+  }
+
+  // The loops over the vertices.
+  [[nodiscard]] std::string loops() const {
+    if (!transfer_.kind->is_glossy()) return std::string(emitted_text("diffuse.hpp"));
+    std::string text(emitted_text("glossy.hpp"));
+    if (kernels_.has("SH_EMITTED_ZONAL")) text.append(emitted_text("lobes.hpp"));
+    if (kernels_.has("SH_EMITTED_ROTATE")) text.append(emitted_text("brdfs.hpp"));
+    return text.append(emitted_text("glossy_relight.hpp"));
   }
 
   // The file of a kernel, unless another run time has brought it.
@@ -139,7 +168,7 @@ class CppEmitter {
                         elements_, constants_);
     text.append(emitted_text("rows.hpp"));
     if (!clustered_.empty()) text.append(emitted_text("clusters.hpp"));
-    text.append(emitted_text(transfer_.kind->is_glossy() ? "glossy.hpp" : "diffuse.hpp"));
+    text.append(loops());
     text += fmt::format("\n}}  // namespace sh_{}\n\n", options_.name);
     for (const auto& use : kernels_.all()) text += fmt::format("#undef {}\n", use.macro);
     if (!clustered_.empty()) text += "#undef SH_EMITTED_CLUSTERS\n#undef SH_EMITTED_MATRIX_CLUSTERS\n";
@@ -149,6 +178,7 @@ class CppEmitter {
   const Transfer& transfer_;
   const EmitOptions& options_;
   EmittedRows rows_;
+  EmittedBrdfs brdfs_;
   EmittedKernels kernels_;
   EmittedData data_;
   std::string constants_;

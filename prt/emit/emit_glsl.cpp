@@ -26,10 +26,14 @@ class GlslEmitter {
   GlslEmitter(const Transfer& transfer, const EmitOptions& options, bool es)
       : transfer_(transfer),
         rows_(emitted_rows(transfer, options)),
-        kernels_(transfer, options, rows_, es ? "glsl-es" : "glsl"),
+        brdfs_(emitted_brdfs(transfer)),
+        kernels_(transfer, options, rows_, brdfs_, es ? "glsl-es" : "glsl"),
         es_(es) {
     if (transfer.shape.storage.is_clustered() || transfer.indirect_shape.storage.is_clustered()) {
       throw std::invalid_argument("rows in clusters have no emitted shader yet; expected `--lang cpp`");
+    }
+    if (!brdfs_.numbers.empty()) {
+      throw std::invalid_argument("tables of BRDFs have no emitted shader yet; expected `--lang cpp`");
     }
   }
 
@@ -140,6 +144,7 @@ class GlslEmitter {
 
   const Transfer& transfer_;
   EmittedRows rows_;
+  EmittedBrdfs brdfs_;
   EmittedKernels kernels_;
   bool es_;
   Json json_;

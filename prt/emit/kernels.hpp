@@ -27,4 +27,7 @@ EmittedKernel emitted_kernel(const std::string& family, int degree, const std::s
 /// The product of a function of twice the degree and one of the degree, on the bands of the second.
 EmittedKernel emitted_product(int degree, const std::string& language, const Nonzero& nonzero);
 
+/// The rotation of a function that is even in y.
+EmittedKernel emitted_rotation(int degree, const std::string& language);
+
 }  // namespace sh::prt

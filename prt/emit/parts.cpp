@@ -19,10 +19,6 @@ constexpr std::pair<std::string_view, std::string_view> kTexts[] = {
 
 EmittedRows emitted_rows(const Transfer& transfer, const EmitOptions& options) {
   if (transfer.mesh.positions.empty()) throw std::invalid_argument("a transfer without vertices: nothing to emit");
-  if (!transfer.mesh.brdfs.heads.empty()) {
-    throw std::invalid_argument(
-        "tables of BRDFs have no emitted run time yet; expected lobes (`specular`, `exponent`)");
-  }
   EmittedRows rows;
   rows.shape = transfer.shape;
   rows.kept = transfer.shape.storage.kept;
@@ -53,8 +49,13 @@ Encoded emitted_matrices(const Transfer& transfer) {
 }
 
 EmittedKernels::EmittedKernels(const Transfer& transfer, const EmitOptions& options, const EmittedRows& rows,
-                               std::string language)
-    : transfer_(transfer), options_(options), rows_(rows), language_(std::move(language)), degree_(transfer.degree()) {
+                               const EmittedBrdfs& brdfs, std::string language)
+    : transfer_(transfer),
+      options_(options),
+      rows_(rows),
+      brdfs_(brdfs),
+      language_(std::move(language)),
+      degree_(transfer.degree()) {
   transfer.kind->is_glossy() ? add_glossy() : add_diffuse();
 }
 
@@ -71,7 +72,8 @@ void EmittedKernels::add_diffuse() {
 }
 
 void EmittedKernels::add_glossy() {
-  use("SH_EMITTED_ZONAL", emitted_kernel("zonal", degree_, language_));
+  if (!brdfs_.serve_all) use("SH_EMITTED_ZONAL", emitted_kernel("zonal", degree_, language_));
+  if (!brdfs_.numbers.empty()) use("SH_EMITTED_ROTATE", emitted_rotation(degree_, language_));
   use("SH_EMITTED_GATHER", emitted_kernel("relight_rgb", degree_, language_));
   if (transfer_.shape.meets == Meets::kOperator) add_operator();
   if (!has_matrices(transfer_)) return;

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "prt/emit/brdfs.hpp"
 #include "prt/emit/emit.hpp"
 #include "prt/emit/kernels.hpp"
 #include "prt/transfer/storage.hpp"
@@ -33,7 +34,8 @@ Encoded emitted_matrices(const Transfer& transfer);
 /// The kernels of a run time, each under the name by which its loops call it.
 class EmittedKernels {
  public:
-  EmittedKernels(const Transfer& transfer, const EmitOptions& options, const EmittedRows& rows, std::string language);
+  EmittedKernels(const Transfer& transfer, const EmitOptions& options, const EmittedRows& rows,
+                 const EmittedBrdfs& brdfs, std::string language);
 
   struct Use {
     std::string_view macro;
@@ -53,6 +55,7 @@ class EmittedKernels {
   const Transfer& transfer_;
   const EmitOptions& options_;
   const EmittedRows& rows_;
+  const EmittedBrdfs& brdfs_;
   std::string language_;
   int degree_;
   std::vector<Use> all_;

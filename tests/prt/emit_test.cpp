@@ -7,9 +7,7 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "prt/bake/compress.hpp"
-#include "prt/material/microfacet.hpp"
-#include "tests/prt/emitted_cases.hpp"
+#include "tests/prt/coated_cases.hpp"
 #include "tests/prt/glossy_meshes.hpp"
 #include "tests/prt/temporary_folder.hpp"
 
@@ -90,34 +88,13 @@ void expect_radiance_of_relighting(const TemporaryFolder& folder, const std::vec
   }
 }
 
-// Rows of one channel and of three, masked, of 8 bits; visibility; matrices; one cluster, without vectors, too.
-std::vector<EmittedCase> clustered_cases() {
-  std::vector<EmittedCase> all;
-  const auto add = [&](const char* name, Transfer transfer, ClusterCounts counts,
-                       std::vector<std::uint32_t> light = {}) {
-    compress(transfer, counts);
-    if (!transfer.shape.storage.is_clustered()) {  // files keep visibility in half precision then
-      transfer.coefficients = decode(encode(transfer.coefficients, transfer.shape), transfer.shape);
-    }
-    all.push_back({name, std::move(transfer), std::move(light)});
-  };
-  add("clusters", random_transfer(kShadowed, 4, 45), {3, 6});
-  add("clusters_colored_zonal", random_transfer(kInterreflected, 2, 37), {2, 5}, {0, 2, 6});
-  add("cluster", random_transfer(kShadowed, 1, 16), {1, 0});
-  add("clusters_of_one", random_transfer(kShadowed, 0, 1), {1, 1});
-  add("clusters_glossy", with_lobes(kGlossyShadowed, 4, 35), {2, 8});
-  add("clusters_bounces", with_lobes(kGlossyInterreflected, 2, 33, matrices(2, 3, Element::kSingle)), {3, 4});
-  add("clusters_bounces_gray", with_lobes(kGlossyInterreflected, 1, 18, matrices(1, 1, Element::kHalf)), {2, 2},
-      {0, 2});
-  return all;
-}
-
 // All run times are in one program, so that they do not disturb each other.
 TEST(EmittedCpp, GivesTheRadianceOfRelightingByEveryCompiler) {
   const TemporaryFolder folder;
   std::vector<EmittedCase> all = emitted_cases();
-  const std::vector<EmittedCase> clustered = clustered_cases();
-  all.insert(all.end(), clustered.begin(), clustered.end());
+  for (const std::vector<EmittedCase>& more : {clustered_cases(), coated_cases()}) {
+    all.insert(all.end(), more.begin(), more.end());
+  }
   for (const EmittedCase& one : all) {
     std::filesystem::create_directory(folder.file(one.name));
     for (const EmittedFile& file : emit_cpp(one.transfer, {one.name, one.light}).files) {
@@ -155,8 +132,38 @@ TEST(Emitted, HoldsOnlyTheColumnsThatTheLightNeeds) {
   EXPECT_EQ(size({}) - size({0, 2, 6}), 160U * 22U * 4U);
 }
 
+// 65 views of 6 numbers of 4 bytes a part, in lines of 64 bytes.
+TEST(Emitted, HoldsOnlyTheBrdfsAndPartsThatItsVerticesUse) {
+  const auto size = [](const Transfer& transfer) { return emit_cpp(transfer, {"a", {}}).files[1].bytes.size(); };
+  const Transfer plain = random_transfer(kGlossyUnshadowed, 2, 16);
+  Transfer black = plain;
+  for (Eigen::Vector3f& albedo : black.mesh.albedo) albedo.setZero();
+  constexpr std::size_t kNumbers = 64;  // 16 vertices, 2 bytes
+  constexpr std::size_t kColors = 16 * 3 * 4;
+  EXPECT_EQ(size(coated(plain, {0})), size(plain));
+  EXPECT_EQ(size(coated(plain, {1})), size(plain) + 3136 + kNumbers);
+  EXPECT_EQ(size(coated(plain, {3})), size(plain) + 3136 + kNumbers);
+  EXPECT_EQ(size(coated(black, {1})), size(plain) - kColors + 1600 + kNumbers);
+  EXPECT_EQ(size(coated(plain, {1, 2, 3})), size(plain) + 7 * 1560 + 24 + kNumbers);
+  EXPECT_EQ(size(coated(plain, {0, 2})), size(plain) + 4736 + kNumbers);
+}
+
+TEST(Emitted, HasOnlyTheKernelsOfItsMaterials) {
+  const auto has = [](const Transfer& transfer, const char* kernel) {
+    return emit_cpp(transfer, {"a", {}}).files[0].bytes.find(kernel) != std::string::npos;
+  };
+  const Transfer plain = random_transfer(kGlossyUnshadowed, 2, 16);
+  EXPECT_TRUE(has(plain, "zonal_l2"));
+  EXPECT_FALSE(has(plain, "rotate_"));
+  EXPECT_FALSE(has(coated(plain, {0}), "rotate_"));
+  EXPECT_FALSE(has(coated(plain, {1}), "zonal_l2"));
+  EXPECT_TRUE(has(coated(plain, {1}), "rotate_left_mirror_y_l2"));
+  EXPECT_TRUE(has(coated(plain, {0, 1}), "zonal_l2"));
+  EXPECT_TRUE(has(coated(plain, {0, 1}), "rotate_left_mirror_y_l2"));
+}
+
 TEST(Emitted, IsTheSameEveryTime) {
-  const Transfer transfer = random_transfer(kGlossyShadowed, 2, 20);
+  const Transfer transfer = coated(random_transfer(kGlossyShadowed, 2, 20), {0, 1, 2});
   EXPECT_EQ(emit_cpp(transfer, {"a", {}}).files[0].bytes, emit_cpp(transfer, {"a", {}}).files[0].bytes);
   EXPECT_EQ(emit_cpp(transfer, {"a", {}}).files[1].bytes, emit_cpp(transfer, {"a", {}}).files[1].bytes);
 }
@@ -177,10 +184,8 @@ TEST(Emitted, RefusesWhatHasNoKernel) {
   Transfer clustered = random_transfer(kShadowed, 2, 20);
   compress(clustered, {3, 2});
   EXPECT_NE(message_of([&] { emit_glsl(clustered, {}, false); }).find("expected `--lang cpp`"), std::string::npos);
-  Transfer coated = random_transfer(kGlossyShadowed, 2, 20);
-  coated.mesh.brdfs.number_of(microfacet_reflectance(0.5F, 0.0F));
-  coated.mesh.brdf.assign(20, 1);
-  refused(coated, {}, "expected lobes (`specular`, `exponent`)");
+  const Transfer brdfs = coated(random_transfer(kGlossyShadowed, 2, 20), {1});
+  EXPECT_NE(message_of([&] { emit_glsl(brdfs, {}, false); }).find("expected `--lang cpp`"), std::string::npos);
   Transfer matrices = baked(statue(20.0F), &kGlossyInterreflected, 64, 1);
   compress(matrices, {3, 2});
   EXPECT_NE(message_of([&] { emit_glsl(matrices, {}, false); }).find("expected `--lang cpp`"), std::string::npos);

@@ -105,75 +105,13 @@ inline void transferred(const Data& data, const Light& light, std::size_t block,
 #endif
 }
 
-/// The unit vectors that the vertices of a block mirror the direction to `eye` in.
-inline void mirrored(const Data& data, const float* eye, std::size_t block, const sh::emitted::Lanes* normal,
-                     sh::emitted::Lanes* out) {
-  using sh::emitted::Lanes;
-  Lanes position[3];
-  read_triple(data, kPositionAt, block, position);
-  for (std::size_t i = 0; i < sh::emitted::kBlock; ++i) {
-    float to_eye[3];
-    float length = 0.0F;
-    float cosine = 0.0F;
-    for (std::size_t k = 0; k < 3; ++k) {
-      to_eye[k] = eye[k] - position[k].at(i);
-      length += to_eye[k] * to_eye[k];
-    }
-    length = std::sqrt(length);
-    for (std::size_t k = 0; k < 3; ++k) {
-      to_eye[k] = length > 0.0F ? to_eye[k] / length : 0.0F;
-      cosine += to_eye[k] * normal[k].at(i);
-    }
-    float back[3];
-    length = 0.0F;
-    for (std::size_t k = 0; k < 3; ++k) {
-      back[k] = 2.0F * cosine * normal[k].at(i) - to_eye[k];
-      length += back[k] * back[k];
-    }
-    length = std::sqrt(length);
-    for (std::size_t k = 0; k < 3; ++k) out[k].set(i, length > 0.0F ? back[k] / length : 0.0F);
+/// The unit vector from a point to the eye; 0 where they are one.
+inline void direction_to(const float* eye, const float* from, float* out) {
+  float length = 0.0F;
+  for (std::size_t k = 0; k < 3; ++k) {
+    out[k] = eye[k] - from[k];
+    length += out[k] * out[k];
   }
-}
-
-/// Adds color times what a zonal function about `direction` gathers of the transferred radiance.
-inline void gather(const Data& data, std::size_t color_at, std::size_t block, const sh::emitted::Lanes* zonal,
-                   const sh::emitted::Lanes* direction, const sh::emitted::Lanes* reaching, sh::emitted::Lanes* rgb) {
-  using sh::emitted::Lanes;
-  Lanes lobe[kCoefficients];
-  SH_EMITTED_ZONAL(zonal, direction[0], direction[1], direction[2], lobe);
-  Lanes sums[3];
-  SH_EMITTED_GATHER(lobe, reaching, sums);
-  Lanes color[3];
-  read_triple(data, color_at, block, color);
-  for (std::size_t k = 0; k < 3; ++k) rgb[k] = rgb[k] + color[k] * sums[k];
-}
-
-/// Writes exit radiance towards `eye`, a point in the coordinates of the mesh, linear red, green, blue of each vertex, to
-/// radiance (kVertices, 3), for the vertices of the blocks first .. last - 1. Blocks depend on nothing else: threads may
-/// share them out.
-inline void relight(const Data& data, const Light& light, const float* eye, float* radiance, std::size_t first = 0,
-                    std::size_t last = kBlocks) {
-  using sh::emitted::Lanes;
-  for (std::size_t block = first; block < last; ++block) {
-    Lanes reaching[3 * kCoefficients];
-    transferred(data, light, block, reaching);
-    Lanes normal[3];
-    read_triple(data, kNormalAt, block, normal);
-    Lanes rgb[3] = {Lanes(0.0F), Lanes(0.0F), Lanes(0.0F)};
-    if constexpr (kAlbedoAt > 0) {
-      Lanes cosine[kBands];
-      for (std::size_t l = 0; l < kBands; ++l) cosine[l] = Lanes(kCosine[l]);
-      gather(data, kAlbedoAt, block, cosine, normal, reaching, rgb);
-    }
-    if constexpr (kSpecularAt > 0) {
-      Lanes lobe[kBands];
-      for (std::size_t l = 0; l < kBands; ++l) {
-        read_number<Element::kSingle>(data.bytes + kLobeAt, block, kBands, l, lobe[l]);
-      }
-      Lanes direction[3];
-      mirrored(data, eye, block, normal, direction);
-      gather(data, kSpecularAt, block, lobe, direction, reaching, rgb);
-    }
-    write_radiance(data, block, rgb, radiance);
-  }
+  length = std::sqrt(length);
+  for (std::size_t k = 0; k < 3; ++k) out[k] = length > 0.0F ? out[k] / length : 0.0F;
 }

@@ -95,5 +95,36 @@ class Lanes {
   }
 };
 
+/// What generated kernels with divisions, roots and choices need, lane by lane.
+struct Choice {
+  bool is_first[kBlock];
+};
+
+inline Choice operator<(const Lanes& a, const Lanes& b) {
+  Choice out;
+  for (std::size_t i = 0; i < kBlock; ++i) out.is_first[i] = a.at(i) < b.at(i);
+  return out;
+}
+
+inline Lanes select(const Choice& choice, const Lanes& first, const Lanes& second) {
+  Lanes out = second;
+  for (std::size_t i = 0; i < kBlock; ++i) {
+    if (choice.is_first[i]) out.set(i, first.at(i));
+  }
+  return out;
+}
+
+inline Lanes operator/(const Lanes& a, const Lanes& b) {
+  Lanes out = a;
+  for (std::size_t i = 0; i < kBlock; ++i) out.set(i, a.at(i) / b.at(i));
+  return out;
+}
+
+inline Lanes sqrt(const Lanes& a) {
+  Lanes out = a;
+  for (std::size_t i = 0; i < kBlock; ++i) out.set(i, std::sqrt(a.at(i)));
+  return out;
+}
+
 }  // namespace sh::emitted
 #endif
