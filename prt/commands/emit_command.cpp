@@ -81,8 +81,9 @@ void add_emit_command(CLI::App& tool) {
   command.add_option("FILE", options->file, "transfer file from `prt bake`")->required();
   command.add_option("--lang", options->language, "language")->check(CLI::IsMember({"cpp", "glsl", "glsl-es"}));
   command
-      .add_option("-o,--output", options->folder,
-                  "folder to write relight.hpp (or relight.vert, relight.json) and relight.bin to")
+      .add_option(
+          "-o,--output", options->folder,
+          "folder to write relight.hpp (or relight.vert, relight.json and, for clusters, lit.vert) and relight.bin to")
       ->required();
   command.add_option("--scene", options->scene,
                      "a scene whose lights are the only ones: coefficients that they lack cost nothing");

@@ -36,7 +36,8 @@ struct Emitted {
 Emitted emit_cpp(const Transfer& transfer, const EmitOptions& options);
 
 /// relight.vert is a complete vertex shader, GLSL 4.50 core or ES 3.00; relight.bin holds its textures and attributes, and
-/// relight.json says where. Throws as emit_cpp.
+/// relight.json says where. Where rows or matrices are in clusters, lit.vert or lit_matrices.vert meets them with the light,
+/// once a frame. Throws as emit_cpp.
 Emitted emit_glsl(const Transfer& transfer, const EmitOptions& options, bool es);
 
 }  // namespace sh::prt

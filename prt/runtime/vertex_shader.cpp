@@ -42,7 +42,7 @@ std::string vertex_shader(const TransferKind& kind, int degree, bool white, Shad
     const std::string relight = fmt::format("{}_l{}", family, degree);
     out += fmt::format("#define CHANNELS {}\n#define KEPT_COUNT COUNT\n#define KEPT(k) (k)\n#define RELIGHT {}\n{}",
                        shape.channels, relight, shape.holds_albedo ? "" : "#define RECOLORABLE\n");
-    return out.append(text_of(relight + ".glsl")).append(text_of("relight_rows.vert"));
+    return out.append(text_of(relight + ".glsl")).append(text_of("row_sums.glsl")).append(text_of("relight_rows.vert"));
   }
   const std::string rotate = fmt::format("rotate_l{}", degree);
   const std::string irradiance = fmt::format("irradiance_evaluate_l{}", degree);

@@ -1,56 +1,16 @@
-// Exit radiance of a vertex from its baked transfer vector. Below a #version line, with
-//   COUNT          coefficients of a channel, (degree+1)^2
-//   CHANNELS       that the texture has: 1 (serves all colors) or 3
-//   KEPT_COUNT     coefficients that the texture keeps; KEPT(k): the index of number k
-//   RELIGHT        the generated function relight_l<degree> (WHITE and one channel), relight_rgb_l<degree> (one channel)
-//                  or relight_colored_l<degree>, which stands above
-//   RECOLORABLE    defined: the transfer does not hold the albedo
-//   WHITE          defined: a light with one channel for all colors
-// defined; `prt shader` and `prt emit` write it all.
-#ifdef GL_ES
-precision highp float;
-precision highp int;
-precision highp sampler2D;
-#endif
 
+// Exit radiance of a vertex from what its row gives, row_sums above.
+//   RECOLORABLE    defined: the rows do not hold the albedo
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 albedo;  // linear RGB; read if RECOLORABLE
 layout(location = 3) in vec3 emitted;  // the section `emitted` of the file; disabled without it, which reads 0
 
-// The section `transfer` unchanged: one number a texel, 2048 wide, number i in column i % 2048 of row i / 2048. Nearest.
-uniform sampler2D transfer;
-// Coefficients KEPT(k) of the light's radiance in the object's own axes: turned by the inverse of its rotation, once an
-// object; times entry k of `light_factors` where `prt emit` writes them.
-#ifdef WHITE
-uniform float light[KEPT_COUNT];
-#else
-uniform vec3 light[KEPT_COUNT];  // red, green, blue
-#endif
 uniform mat4 to_clip;
 
 out vec3 radiance;  // linear; ringing may make it slightly negative
 
-float transfer_number(int i) { return texelFetch(transfer, ivec2(i % 2048, i / 2048), 0).r; }
-
 void main() {
-    float row[CHANNELS * COUNT];
-    float values[3 * COUNT];
-    for (int k = 0; k < KEPT_COUNT; ++k) {
-        vec3 incident = vec3(light[k]);
-        for (int c = 0; c < CHANNELS; ++c) {
-            row[c * COUNT + KEPT(k)] = transfer_number((gl_VertexID * CHANNELS + c) * KEPT_COUNT + k);
-        }
-        for (int c = 0; c < 3; ++c) values[c * COUNT + KEPT(k)] = incident[c];
-    }
-#if defined(WHITE) && CHANNELS == 1
-    float white[COUNT];
-    for (int i = 0; i < COUNT; ++i) white[i] = values[i];
-    radiance = vec3(RELIGHT(row, white));
-#else
-    float rgb[3];
-    RELIGHT(row, values, rgb);
-    radiance = vec3(rgb[0], rgb[1], rgb[2]);
-#endif
+    radiance = row_sums(gl_VertexID);
 #ifdef RECOLORABLE
     radiance *= albedo;
 #endif

@@ -25,7 +25,13 @@ inline std::vector<EmittedCase> clustered_cases() {
   add("clusters_colored_zonal", random_transfer(kInterreflected, 2, 37), {2, 5}, {0, 2, 6});
   add("cluster", random_transfer(kShadowed, 1, 16), {1, 0});
   add("clusters_of_one", random_transfer(kShadowed, 0, 1), {1, 1});
+  add("clusters_for_each", random_transfer(kShadowed, 2, 19), {19, 1});
+  Transfer emitting = random_transfer(kInterreflected, 1, 20);
+  emitting.emitted = emitting.mesh.albedo;
+  add("clusters_emitting", emitting, {2, 3});
   add("clusters_glossy", with_lobes(kGlossyShadowed, 4, 35), {2, 8});
+  add("clusters_glossy_constant", with_lobes(kGlossyShadowed, 0, 17), {2, 1});
+  add("clusters_glossy_zonal", with_lobes(kGlossyShadowed, 4, 20), {3, 2}, {0, 2, 6, 12, 20});
   add("clusters_bounces", with_lobes(kGlossyInterreflected, 2, 33, matrices(2, 3, Element::kSingle)), {3, 4});
   add("clusters_bounces_gray", with_lobes(kGlossyInterreflected, 1, 18, matrices(1, 1, Element::kHalf)), {2, 2},
       {0, 2});

@@ -6,7 +6,7 @@
 #include "prt/basis.hpp"
 #include "prt/emit/emit.hpp"
 #include "prt/transfer/visibility.hpp"
-#include "tests/prt/emitted_cases.hpp"
+#include "tests/prt/clustered_cases.hpp"
 #include "tests/prt/vertex_shader_run.hpp"
 
 namespace sh::prt::test {
@@ -36,7 +36,8 @@ void set_light(GLuint program, const EmittedCase& one, const nlohmann::json& jso
   }
 }
 
-void set_textures(GLuint program, const nlohmann::json& json, const std::string& bytes) {
+// Returns the number of the next free unit.
+GLuint set_textures(GLuint program, const nlohmann::json& json, const std::string& bytes) {
   GLuint unit = 0;
   for (const auto& texture : json.value("textures", nlohmann::json::array())) {
     const std::string format = texture["format"];
@@ -54,6 +55,23 @@ void set_textures(GLuint program, const nlohmann::json& json, const std::string&
     const std::string name = texture["name"];
     glUniform1i(glGetUniformLocation(program, name.c_str()), static_cast<GLint>(unit++));
   }
+  return unit;
+}
+
+// The texture that a shader of clusters writes, in a unit.
+void light_clusters(const EmittedCase& one, const std::string& source, const nlohmann::json& json,
+                    const nlohmann::json& lit, const std::string& bytes, GLuint unit) {
+  const GLuint program = linked(source, "lit");
+  glUseProgram(program);
+  set_textures(program, json, bytes);
+  set_light(program, one, json);
+  const GLsizei width = lit["width"];
+  const GLsizei height = lit["height"];
+  const GLuint buffer = captured(lit["rows"], lit["parts"], GLsizeiptr{16} * width * height);
+  glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, 0);
+  glBindBuffer(GL_PIXEL_UNPACK_BUFFER, buffer);
+  set_texture(unit, GL_RGBA32F, width, height, GL_FLOAT, nullptr, GL_RGBA);
+  glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
 }
 
 std::vector<Eigen::Vector3f> run(const EmittedCase& one, bool es) {
@@ -65,6 +83,13 @@ std::vector<Eigen::Vector3f> run(const EmittedCase& one, bool es) {
   GLuint vertices = 0;
   glGenVertexArrays(1, &vertices);
   glBindVertexArray(vertices);
+  const auto lit = json.value("lit", nlohmann::json::array());
+  const auto first_lit = static_cast<GLuint>(json.value("textures", nlohmann::json::array()).size());
+  for (std::size_t i = 0; i < lit.size(); ++i) {
+    const auto shader =
+        std::find_if(files.begin(), files.end(), [&](const auto& file) { return file.name == lit[i]["shader"]; });
+    light_clusters(one, shader->bytes, json, lit[i], bytes, first_lit + static_cast<GLuint>(i));
+  }
   const GLuint program = linked(files[0].bytes);
   glUseProgram(program);
   for (const auto& attribute : json["attributes"]) {
@@ -72,7 +97,11 @@ std::vector<Eigen::Vector3f> run(const EmittedCase& one, bool es) {
     set_attribute(attribute["location"], components, bytes.data() + attribute["offset"].get<std::size_t>(),
                   count * static_cast<std::size_t>(components) * sizeof(float));
   }
-  set_textures(program, json, bytes);
+  GLuint unit = set_textures(program, json, bytes);
+  for (const auto& texture : lit) {
+    const std::string name = texture["texture"];
+    glUniform1i(glGetUniformLocation(program, name.c_str()), static_cast<GLint>(unit++));
+  }
   set_light(program, one, json);
   const Eigen::Vector3f eye = kEye.cast<float>();
   glUniform3fv(glGetUniformLocation(program, "eye"), 1, eye.data());
@@ -81,9 +110,13 @@ std::vector<Eigen::Vector3f> run(const EmittedCase& one, bool es) {
 
 class EmittedGlsl : public testing::TestWithParam<bool> {};
 
-TEST_P(EmittedGlsl, GivesTheRadianceOfRelighting) {
-  for (const EmittedCase& one : emitted_cases()) expect_near(run(one, GetParam()), expected(one), one.name);
+void expect_radiance_of_relighting(const std::vector<EmittedCase>& all, bool es) {
+  for (const EmittedCase& one : all) expect_near(run(one, es), expected(one), one.name);
 }
+
+TEST_P(EmittedGlsl, GivesTheRadianceOfRelighting) { expect_radiance_of_relighting(emitted_cases(), GetParam()); }
+
+TEST_P(EmittedGlsl, GivesTheRadianceOfRowsInClusters) { expect_radiance_of_relighting(clustered_cases(), GetParam()); }
 
 INSTANTIATE_TEST_SUITE_P(Es, EmittedGlsl, testing::Bool());
 

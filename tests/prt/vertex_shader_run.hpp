@@ -1,4 +1,4 @@
-// Vertex shaders run by Mesa, with their output `radiance` captured.
+// Vertex shaders run by Mesa, with an output captured, `radiance` if no other.
 #pragma once
 #include <epoxy/gl.h>
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 
 namespace sh::prt::test {
 
-inline GLuint linked(const std::string& source) {
+inline GLuint linked(const std::string& source, const char* output = "radiance") {
   const GLuint program = glCreateProgram();
   const GLuint shader = glCreateShader(GL_VERTEX_SHADER);
   const bool is_es = source.rfind("#version 300 es", 0) == 0;
@@ -22,7 +22,6 @@ inline GLuint linked(const std::string& source) {
     glCompileShader(stage);
     glAttachShader(program, stage);
   }
-  const char* output = "radiance";
   glTransformFeedbackVaryings(program, 1, &output, GL_INTERLEAVED_ATTRIBS);
   glLinkProgram(program);
   GLint good = GL_FALSE;
@@ -47,13 +46,14 @@ inline void set_attribute(GLuint location, const std::vector<Eigen::Vector3f>& v
   set_attribute(location, 3, values.data(), values.size() * sizeof values[0]);
 }
 
-/// One channel, read without a filter, bound to a texture unit.
-inline void set_texture(GLuint unit, GLint format, GLsizei width, GLsizei height, GLenum type, const void* numbers) {
+/// One channel, or `channels`, read without a filter, bound to a texture unit.
+inline void set_texture(GLuint unit, GLint format, GLsizei width, GLsizei height, GLenum type, const void* numbers,
+                        GLenum channels = GL_RED) {
   GLuint texture = 0;
   glGenTextures(1, &texture);
   glActiveTexture(GL_TEXTURE0 + unit);
   glBindTexture(GL_TEXTURE_2D, texture);
-  glTexImage2D(GL_TEXTURE_2D, 0, format, width, height, 0, GL_RED, type, numbers);
+  glTexImage2D(GL_TEXTURE_2D, 0, format, width, height, 0, channels, type, numbers);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
 }
@@ -70,18 +70,25 @@ inline void bind_framebuffer() {
   glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, target);
 }
 
-/// Draws the vertices as points and returns the output of each.
-inline std::vector<Eigen::Vector3f> captured_radiance(std::size_t count) {
+/// Draws points, all of them in each instance, and returns a new buffer of the output of each, bound to
+/// GL_TRANSFORM_FEEDBACK_BUFFER.
+inline GLuint captured(GLsizei points, GLsizei instances, GLsizeiptr bytes) {
   bind_framebuffer();
-  GLuint captured = 0;
-  glGenBuffers(1, &captured);
-  glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, captured);
-  const auto bytes = static_cast<GLsizeiptr>(count * sizeof(Eigen::Vector3f));
+  GLuint buffer = 0;
+  glGenBuffers(1, &buffer);
+  glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, buffer);
   glBufferData(GL_TRANSFORM_FEEDBACK_BUFFER, bytes, nullptr, GL_STREAM_READ);
   glEnable(GL_RASTERIZER_DISCARD);
   glBeginTransformFeedback(GL_POINTS);
-  glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(count));
+  glDrawArraysInstanced(GL_POINTS, 0, points, instances);
   glEndTransformFeedback();
+  return buffer;
+}
+
+/// Draws the vertices as points and returns the output of each.
+inline std::vector<Eigen::Vector3f> captured_radiance(std::size_t count) {
+  const auto bytes = static_cast<GLsizeiptr>(count * sizeof(Eigen::Vector3f));
+  captured(static_cast<GLsizei>(count), 1, bytes);
   std::vector<Eigen::Vector3f> radiance(count, Eigen::Vector3f::Constant(-1e9F));
   const void* mapped = glMapBufferRange(GL_TRANSFORM_FEEDBACK_BUFFER, 0, bytes, GL_MAP_READ_BIT);
   EXPECT_NE(mapped, nullptr);

@@ -1,5 +1,5 @@
-// Exit radiance of a glossy vertex towards the eye. Above: COUNT, BANDS, COSINE, ZONAL, GATHER and, where the file has
-// them, ROW and APPLY with SAMPLES, or ROW and PRODUCT; MATRIX_CHANNELS and MATRIX_ROW.
+
+// Exit radiance of a glossy vertex towards the eye. Above: BANDS, COSINE, ZONAL, GATHER, and what reaches it.
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 albedo;    // linear RGB
 layout(location = 2) in vec3 normal;    // unit
@@ -7,19 +7,6 @@ layout(location = 3) in vec3 emitted;   // of the surfaces themselves; disabled 
 layout(location = 4) in vec3 specular;  // linear RGB reflectance of the lobe
 layout(location = 5) in float exponent;
 
-// Coefficients of the light's radiance, red, green, blue, in the axes of the mesh.
-uniform vec3 light[COUNT];
-#ifdef APPLY
-// What transfer_prepare makes of each channel of the light, one channel after the other.
-uniform vec4 samples[(3 * SAMPLES + 3) / 4];
-#endif
-#ifdef ROW
-// Number i of the section `rows` of relight.bin in column i % 2048 of row i / 2048. Nearest.
-uniform sampler2D rows;
-#endif
-#ifdef MATRIX_CHANNELS
-uniform sampler2D matrices;  // the same of the section `matrices`
-#endif
 uniform vec3 eye;  // in the coordinates of the mesh
 uniform mat4 to_clip;
 
@@ -27,42 +14,16 @@ out vec3 radiance;  // linear; ringing may make it slightly negative
 
 // The radiance that reaches the vertex.
 void transferred(out float reaching[3 * COUNT]) {
-    for (int i = 0; i < 3 * COUNT; ++i) reaching[i] = light[i % COUNT][i / COUNT];
-#ifdef ROW
-    float visibility[ROW];
-    for (int k = 0; k < ROW; ++k) {
-        int i = gl_VertexID * ROW + k;
-        visibility[k] = texelFetch(rows, ivec2(i % 2048, i / 2048), 0).r;
-    }
+#ifdef CLUSTER_ROWS
+    for (int i = 0; i < 3 * COUNT; ++i) reaching[i] = 0.0;
+    add_mixed(lit, CLUSTER_ROWS, cluster, weights, VECTORS, reaching);
+#else
+    direct(gl_VertexID, reaching);
 #endif
-#if defined(APPLY)
-    float of_light[3 * SAMPLES];
-    for (int i = 0; i < 3 * SAMPLES; ++i) of_light[i] = samples[i / 4][i % 4];
-    APPLY(visibility, of_light, reaching);
-#elif defined(PRODUCT)
-    for (int c = 0; c < 3; ++c) {
-        float of_light[COUNT];
-        float product[COUNT];
-        for (int i = 0; i < COUNT; ++i) of_light[i] = light[i][c];
-        PRODUCT(visibility, of_light, product);
-        for (int i = 0; i < COUNT; ++i) reaching[c * COUNT + i] = product[i];
-    }
-#endif
-#ifdef MATRIX_CHANNELS
-    float incident[3 * COUNT];
-    for (int i = 0; i < 3 * COUNT; ++i) incident[i] = light[i % COUNT][i / COUNT];
-    for (int row = 0; row < COUNT; ++row) {
-        float entries[MATRIX_CHANNELS * COUNT];
-        for (int c = 0; c < MATRIX_CHANNELS; ++c) {
-            for (int k = 0; k < COUNT; ++k) {
-                int i = ((gl_VertexID * MATRIX_CHANNELS + c) * COUNT + row) * COUNT + k;
-                entries[c * COUNT + k] = texelFetch(matrices, ivec2(i % 2048, i / 2048), 0).r;
-            }
-        }
-        float rgb[3];
-        MATRIX_ROW(entries, incident, rgb);
-        for (int c = 0; c < 3; ++c) reaching[c * COUNT + row] += rgb[c];
-    }
+#if defined(MATRIX_CLUSTER_ROWS)
+    add_mixed(lit_matrices, MATRIX_CLUSTER_ROWS, matrix_cluster, matrix_weights, MATRIX_VECTORS, reaching);
+#elif defined(MATRIX_CHANNELS)
+    add_indirect(gl_VertexID, reaching);
 #endif
 }
 
