@@ -2,49 +2,21 @@
 #include <fmt/format.h>
 
 #include <deque>
-#include <nlohmann/json.hpp>
 #include <numbers>
 #include <stdexcept>
 
 #include "numeric/oracle/zonal.hpp"
-#include "prt/emit/parts.hpp"
+#include "prt/emit/shaders.hpp"
 #include "prt/zonal.hpp"
 
 namespace sh::prt {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-constexpr std::size_t kTextureWidth = 2048;
-constexpr std::size_t kTextureHeight = 16384;  // that OpenGL 4.5 promises
-constexpr std::size_t kAlignment = 64;
-constexpr std::string_view kFormats[] = {"R32F", "R16F", "R8_SNORM"};
 constexpr float kNormalized = 127.0F;  // R8_SNORM reads q / 127
 
 // The most vec4s of a vertex that OpenGL ES 3.0 captures.
 constexpr std::size_t kCaptured = 15;
-
-/// A shader in the making: its kernels, the macros of its texts, and these files of prt/emit/text.
-struct Shader {
-  std::string file;
-  std::string functions;
-  std::string defines;
-  std::vector<std::string_view> texts;
-
-  template <class Value>
-  void define(std::string_view name, const Value& value) {
-    defines += fmt::format("#define {} {}\n", name, value);
-  }
-  // SH_EMITTED_RELIGHT -> RELIGHT.
-  void use(const EmittedKernels& kernels, std::string_view macro) {
-    for (const auto& use : kernels.all()) {
-      if (use.macro.substr(std::string_view("SH_EMITTED_").size()) != macro) continue;
-      functions += "\n" + use.kernel.text;
-      define(macro, use.kernel.function);
-    }
-  }
-};
 
 class GlslEmitter {
  public:
@@ -54,66 +26,23 @@ class GlslEmitter {
         brdfs_(emitted_brdfs(transfer)),
         kernels_(transfer, options, rows_, brdfs_, es ? "glsl-es" : "glsl"),
         es_(es) {
-    if (!brdfs_.numbers.empty()) {
-      throw std::invalid_argument("tables of BRDFs have no emitted shader yet; expected `--lang cpp`");
-    }
     relight_.define("COUNT", coefficient_count(transfer.degree()));
   }
 
   Emitted run() {
     const bool glossy = transfer_.kind->is_glossy();
-    json_["vertices"] = transfer_.mesh.positions.size();
+    data_.json["vertices"] = transfer_.mesh.positions.size();
     glossy ? add_glossy() : add_diffuse();
-    add_attribute("position", 0, transfer_.mesh.positions);
-    if (!transfer_.shape.holds_albedo) add_attribute("albedo", 1, transfer_.mesh.albedo);
-    if (!transfer_.emitted.empty()) add_attribute("emitted", 3, transfer_.emitted);
-    Emitted emitted{{{relight_.file, text(relight_)}, {"relight.bin", bytes_}}, kernels_.cost()};
-    emitted.files.push_back({"relight.json", json_.dump(2) + "\n"});
+    data_.add_attribute("position", 0, transfer_.mesh.positions);
+    if (!transfer_.shape.holds_albedo) data_.add_attribute("albedo", 1, transfer_.mesh.albedo);
+    if (!transfer_.emitted.empty()) data_.add_attribute("emitted", 3, transfer_.emitted);
+    Emitted emitted{{{relight_.file, text(relight_)}, {"relight.bin", data_.bytes()}}, kernels_.cost()};
+    emitted.files.push_back({"relight.json", data_.json.dump(2) + "\n"});
     for (const Shader& shader : lit_) emitted.files.push_back({shader.file, text(shader)});
     return emitted;
   }
 
  private:
-  std::size_t add(const void* data, std::size_t size) {
-    const std::size_t offset = bytes_.size();
-    bytes_.append(static_cast<const char*>(data), size);
-    bytes_.resize((bytes_.size() + kAlignment - 1) / kAlignment * kAlignment);
-    return offset;
-  }
-
-  static std::size_t height_of(std::string_view name, std::size_t texels) {
-    const std::size_t height = std::max<std::size_t>(1, (texels + kTextureWidth - 1) / kTextureWidth);
-    if (height <= kTextureHeight) return height;
-    throw std::invalid_argument(fmt::format("a texture of {} numbers for {}: expected at most {}; bake a lower degree",
-                                            texels, name, kTextureWidth * kTextureHeight));
-  }
-
-  void add_texture(std::string_view name, Element element, const void* numbers, std::size_t bytes) {
-    const std::size_t height = height_of(name, bytes / bytes_of(element));
-    std::string all(static_cast<const char*>(numbers), bytes);
-    all.resize(height * kTextureWidth * bytes_of(element));
-    json_["textures"].push_back({{"name", name},
-                                 {"offset", add(all.data(), all.size())},
-                                 {"format", kFormats[static_cast<std::size_t>(element)]},
-                                 {"width", kTextureWidth},
-                                 {"height", height}});
-  }
-
-  void add_texture(std::string_view name, const Encoded& encoded, const TransferShape& shape) {
-    add_texture(name, shape.storage.element, encoded.data.data(), encoded.data.size());
-  }
-
-  void add_numbers(std::string_view name, int location, int components, const std::vector<float>& numbers) {
-    json_["attributes"].push_back({{"name", name},
-                                   {"location", location},
-                                   {"components", components},
-                                   {"offset", add(numbers.data(), numbers.size() * sizeof(float))}});
-  }
-
-  void add_attribute(std::string_view name, int location, const std::vector<Eigen::Vector3f>& values) {
-    add_numbers(name, location, 3, flat(values));
-  }
-
   // The shader that meets the light with rows of clusters: relight_ itself where rows are those of vertices, else a
   // shader of its own, whose results relight_ mixes. prefix: "" or "matrix_".
   Shader& meeting(const Clusters& clusters, std::string_view prefix) {
@@ -133,16 +62,17 @@ class GlslEmitter {
     relight_.define(is_matrix ? "MATRIX_CLUSTER_ROWS" : "CLUSTER_ROWS", rows);
     relight_.define(is_matrix ? "MATRIX_VECTORS" : "VECTORS", clusters.vectors);
     const std::string texture = is_matrix ? "lit_matrices" : "lit";
-    json_["lit"].push_back({{"shader", lit.file},
-                            {"rows", rows},
-                            {"parts", parts},
-                            {"texture", texture},
-                            {"format", "RGBA32F"},
-                            {"width", kTextureWidth},
-                            {"height", height_of(texture, parts * part * rows)}});
-    add_texture(fmt::format("{}weights", prefix), Element::kByte, clusters.weights.data(), clusters.weights.size());
-    add_numbers(fmt::format("{}cluster", prefix), is_matrix ? 7 : 6, 1,
-                {clusters.cluster.begin(), clusters.cluster.end()});
+    data_.json["lit"].push_back({{"shader", lit.file},
+                                 {"rows", rows},
+                                 {"parts", parts},
+                                 {"texture", texture},
+                                 {"format", "RGBA32F"},
+                                 {"width", kTextureWidth},
+                                 {"height", ShaderData::height_of(texture, parts * part * rows)}});
+    data_.add_texture(fmt::format("{}weights", prefix), Element::kByte, clusters.weights.data(),
+                      clusters.weights.size());
+    data_.add_number(fmt::format("{}cluster", prefix), is_matrix ? 7 : 6,
+                     {clusters.cluster.begin(), clusters.cluster.end()});
     return lit_.emplace_back(std::move(lit));
   }
 
@@ -157,11 +87,11 @@ class GlslEmitter {
     shader.define("KEPT(k)", rows_.is_masked() ? "kept[k]" : "(k)");
     shader.use(kernels_, "RELIGHT");
     shader.texts = {"row_sums.glsl"};
-    add_texture("transfer", rows_.encoded, rows_.shape);
-    json_["light"] = rows_.kept;
+    data_.add_texture("transfer", rows_.encoded, rows_.shape);
+    data_.json["light"] = rows_.kept;
     std::vector<float> factors = rows_.encoded.scale;
     for (float& factor : factors) factor *= kNormalized;
-    if (!factors.empty()) json_["light_factors"] = factors;  // (channels, kept)
+    if (!factors.empty()) data_.json["light_factors"] = factors;  // (channels, kept)
     if (!lit_.empty()) {
       shader.texts.insert(shader.texts.end(), {"light_row_diffuse.glsl", "lit.glsl"});
       relight_.texts = {"clusters.glsl", "mixed_rows.glsl"};
@@ -171,32 +101,47 @@ class GlslEmitter {
   }
 
   void add_glossy() {
-    const Mesh& mesh = transfer_.mesh;
     add_rows();
     add_matrices();
     const bool meets_light = transfer_.clusters.empty() || !transfer_.indirect.empty();
     if (meets_light) relight_.texts.push_back("glossy_light.glsl");
     if (!lit_.empty()) relight_.texts.push_back("clusters.glsl");
     relight_.texts.push_back("glossy.vert");
-    add_attribute("normal", 2, mesh.normals);
+    data_.add_attribute("normal", 2, transfer_.mesh.normals);
     relight_.use(kernels_, "GATHER");
+    relight_.define("BANDS", transfer_.degree() + 1);
+    if (kernels_.has("SH_EMITTED_ZONAL")) add_lobes();
+    if (kernels_.has("SH_EMITTED_ROTATE")) add_brdfs();
+    relight_.texts.push_back("glossy_relight.vert");
+  }
+
+  void add_lobes() {
     const int degree = transfer_.degree();
-    relight_.define("BANDS", degree + 1);
     std::vector<double> cosine;
     for (int l = 0; l <= degree; ++l) {
       cosine.push_back(zonal_unit(l) * numeric::clamped_cosine_factor<double>(l) / std::numbers::pi);
     }
     relight_.define("COSINE", fmt::format("float[{}]({:.9e})", cosine.size(), fmt::join(cosine, ", ")));
     relight_.use(kernels_, "ZONAL");
-    if (mesh.specular.empty()) return;
-    add_attribute("specular", 4, mesh.specular);
-    add_numbers("exponent", 5, 1, mesh.exponent);
+    relight_.texts.push_back("lobes.glsl");
+    if (transfer_.mesh.specular.empty()) return;
+    data_.add_attribute("specular", 4, transfer_.mesh.specular);
+    data_.add_number("exponent", 5, transfer_.mesh.exponent);
+  }
+
+  void add_brdfs() {
+    relight_.define("VIEWS", kViews);
+    relight_.define("EVEN", even_count(transfer_.degree()));
+    relight_.use(kernels_, "ROTATE");
+    relight_.texts.push_back("brdfs.glsl");
+    data_.add_texture("tables", Element::kSingle, brdfs_.tables.data(), brdfs_.tables.size() * sizeof(float));
+    data_.add_number("brdf", 8, {brdfs_.numbers.begin(), brdfs_.numbers.end()});
   }
 
   void add_rows() {
     if (transfer_.shape.meets == Meets::kNothing) return;
     Shader& shader = meeting(transfer_.clusters, "");
-    add_texture("rows", rows_.encoded, rows_.shape);
+    data_.add_texture("rows", rows_.encoded, rows_.shape);
     shader.define("ROW", rows_.shape.columns());
     if (kernels_.has("SH_EMITTED_APPLY")) shader.define("SAMPLES", sample_count(transfer_.degree()));
     shader.use(kernels_, "APPLY");
@@ -207,7 +152,7 @@ class GlslEmitter {
   void add_matrices() {
     if (!has_matrices(transfer_)) return;
     Shader& shader = meeting(transfer_.indirect_clusters, "matrix_");
-    add_texture("matrices", emitted_matrices(transfer_), transfer_.indirect_shape);
+    data_.add_texture("matrices", emitted_matrices(transfer_), transfer_.indirect_shape);
     shader.define("MATRIX_CHANNELS", transfer_.indirect_shape.channels);
     shader.use(kernels_, "MATRIX_ROW");
     if (&shader != &relight_) shader.texts = {"glossy_light.glsl", "light_row_matrix.glsl", "lit.glsl"};
@@ -227,10 +172,9 @@ class GlslEmitter {
   EmittedBrdfs brdfs_;
   EmittedKernels kernels_;
   bool es_;
-  Json json_;
+  ShaderData data_;
   Shader relight_{"relight.vert", {}, {}, {}};
   std::deque<Shader> lit_;  // that the light meets clusters in
-  std::string bytes_;
 };
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include "prt/basis.hpp"
 #include "prt/emit/emit.hpp"
 #include "prt/transfer/visibility.hpp"
-#include "tests/prt/clustered_cases.hpp"
+#include "tests/prt/coated_cases.hpp"
 #include "tests/prt/vertex_shader_run.hpp"
 
 namespace sh::prt::test {
@@ -117,6 +117,8 @@ void expect_radiance_of_relighting(const std::vector<EmittedCase>& all, bool es)
 TEST_P(EmittedGlsl, GivesTheRadianceOfRelighting) { expect_radiance_of_relighting(emitted_cases(), GetParam()); }
 
 TEST_P(EmittedGlsl, GivesTheRadianceOfRowsInClusters) { expect_radiance_of_relighting(clustered_cases(), GetParam()); }
+
+TEST_P(EmittedGlsl, GivesTheRadianceOfBrdfs) { expect_radiance_of_relighting(coated_cases(), GetParam()); }
 
 INSTANTIATE_TEST_SUITE_P(Es, EmittedGlsl, testing::Bool());
 
