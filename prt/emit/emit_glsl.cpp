@@ -3,7 +3,6 @@
 
 #include <deque>
 #include <numbers>
-#include <stdexcept>
 
 #include "numeric/oracle/zonal.hpp"
 #include "prt/emit/shaders.hpp"
