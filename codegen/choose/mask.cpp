@@ -56,8 +56,11 @@ int entries(const Parameter& array) {
   return is_zonal(array) || is_by_degree_and_order(array.role) ? array.shape.back() : 0;
 }
 
+// The place of an entry in its channel.
+int in_channel(const Parameter& array, int entry) { return entry % std::max(1, entries(array)); }
+
 DegreeOrder coefficient(const Parameter& array, int entry) {
-  const int i = entry % std::max(1, entries(array));
+  const int i = in_channel(array, entry);
   return is_zonal(array) ? DegreeOrder{i, 0} : symbolic::degree_order(i);
 }
 
@@ -151,7 +154,7 @@ KnownInput known_input(const Parameter& array, int entry, int first, const MaskO
                        const std::string& symmetries) {
   const DegreeOrder c = coefficient(array, entry);
   if (is_list(symmetries)) {
-    const bool listed = contains(parse_list("--left, --right", symmetries, entries(array)), entry % entries(array));
+    const bool listed = contains(parse_list("--left, --right", symmetries, entries(array)), in_channel(array, entry));
     return {listed && allowed(options, "", c).free ? Kind::kFree : Kind::kZero, -1};
   }
   const Allowed here = allowed(options, symmetries, c);
