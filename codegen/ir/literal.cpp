@@ -70,7 +70,7 @@ template double nearest<double>(const ExactReal&);
 std::string decimal(double value) { return to_digits(value); }
 
 std::string decimal(float value) {
-  const std::string digits = to_digits(value);
+  std::string digits = to_digits(value);
   // Few digits may lie so near the middle of two floats that their double is the middle. With max_digits10 digits they
   // are ten times as near to the float.
   if (static_cast<float>(std::strtod(digits.c_str(), nullptr)) == value) return digits;

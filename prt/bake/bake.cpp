@@ -1,6 +1,7 @@
 #include "prt/bake/bake.hpp"
 
 #include <fmt/core.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +11,7 @@
 #include "numeric/output/progress.hpp"
 #include "prt/bake/compress.hpp"
 #include "prt/bake/estimate.hpp"
+#include "prt/bake/glossy_bounces.hpp"
 #include "prt/bake/gray.hpp"
 #include "prt/bake/steps.hpp"
 #include "prt/chunks.hpp"
@@ -19,6 +21,10 @@
 namespace sh::prt {
 
 namespace {
+
+double memory_of_machine() {
+  return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+}
 
 void check(const BakeJob& job) {
   const BakeOptions& options = job.scene.bake;
@@ -50,6 +56,7 @@ void check(const BakeJob& job) {
         "{}: its surfaces shine, and {} does not bounce their light; expected no emission, or a kind of {} or {}",
         job.scene.name, options.kind->word, kGlossyShadowed.word, kInterreflected.word));
   }
+  if (options.kind->indirect != nullptr) require_glossy_bounce_memory(job.scene, memory_of_machine());
   if (options.compress.clusters > kMostClusters || options.compress.vectors > kMostVectors) {
     throw std::invalid_argument(fmt::format("compress: expected 1 to {} clusters of 0 to {} vectors, got {} of {}",
                                             kMostClusters, kMostVectors, options.compress.clusters,

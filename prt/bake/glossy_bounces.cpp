@@ -2,7 +2,6 @@
 
 #include <fmt/core.h>
 #include <tbb/enumerable_thread_specific.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -67,7 +66,6 @@ class Bounces {
         hits_(vertices_),
         tracers_(
             [&run] { return Gatherer(run.scene.mesh, run.rays->starts, run.rays->tracer, run.rays->directions); }) {
-    require_memory();
     for (const float exponent : mesh_.exponent) {
       for (int l = 0; l <= degree_; ++l) {
         lobes_.push_back(static_cast<float>(phong_factor(l, static_cast<double>(exponent))));
@@ -103,18 +101,6 @@ class Bounces {
   }
 
  private:
-  void require_memory() const {
-    const auto needed = static_cast<double>(glossy_bounce_bytes(mesh_, degree_));
-    const double there = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
-    if (needed > there) {
-      constexpr double kMiB = 1048576.0;
-      throw std::runtime_error(
-          fmt::format("{}: its bounces need {:.0f} MiB for a matrix at each of {} vertices, this machine has {:.0f}; "
-                      "expected fewer vertices, a lower degree, gray materials, or {}",
-                      run_.scene.name, needed / kMiB, vertices_, there / kMiB, kGlossyShadowed.word));
-    }
-  }
-
   // term = G: column j is the visibility times Y_j.
   void take_direct() {
     term_.assign(vertices_ * size_, 0.0F);
@@ -332,6 +318,16 @@ std::size_t glossy_bounce_bytes(const Mesh& mesh, int degree) {
   constexpr std::size_t kTables = 4;  // the sum, two terms, the result
   const std::size_t count = coefficient_count(degree);
   return kTables * mesh.positions.size() * count * padded_row(channels_of(mesh) * count) * sizeof(float);
+}
+
+void require_glossy_bounce_memory(const Scene& scene, double there) {
+  const auto needed = static_cast<double>(glossy_bounce_bytes(scene.mesh, scene.bake.degree));
+  if (needed <= there) return;
+  constexpr double kMiB = 1048576.0;
+  throw std::runtime_error(
+      fmt::format("{}: its bounces need {:.0f} MiB for a matrix at each of {} vertices, this machine has {:.0f}; "
+                  "expected fewer vertices, a lower degree, gray materials, or {}",
+                  scene.name, needed / kMiB, scene.mesh.positions.size(), there / kMiB, kGlossyShadowed.word));
 }
 
 void add_glossy_bounces(BakeRun& run) { Bounces(run).solve(); }

@@ -14,11 +14,14 @@
 namespace sh::prt {
 
 /// In: visibility with shadows, and the Sight of every vertex. Out: Transfer::indirect. Throws std::runtime_error if the
-/// bounces do not shrink (closed rooms that lose hardly any light), or if their matrices need more memory than there is.
+/// bounces do not shrink (closed rooms that lose hardly any light).
 void add_glossy_bounces(BakeRun& run);
 
 /// The memory of its matrices; the hits of rays need more, as far as the memory for bounces allows.
 std::size_t glossy_bounce_bytes(const Mesh& mesh, int degree);
+
+/// Throws std::runtime_error if the matrices of a scene need more than `there`, the bytes of this machine.
+void require_glossy_bounce_memory(const Scene& scene, double there);
 
 inline constexpr BakeStep kGlossyBounceStep = {add_glossy_bounces, true, true};
 
