@@ -1,9 +1,9 @@
 // What plans promise and what they cost: for error limits .1, .03 and .01, the stated error of `prt plan` against the
 // error measured with 16 times the directions over eight turns of the light, and the rays that the plan prints against
-// those that its bake traces. Minutes a scene. Usage: plan_bench [--keep FOLDER] [--directions N] [--turns none|about_z|any]
-// [demo|real|room|gltf]..., by default all scenes. The folder keeps the bakes with 16 times the directions for the next
-// run; N and the turns of the light replace the scene's. Exit 0 if every measured error is at most the stated one, and every stated one at most 4 times it (with
-// bounces 6 times).
+// those that its bake traces. Minutes a scene. Usage: plan_bench [--keep FOLDER] [--directions N]
+// [--turns none|about_z|any] [demo|real|room|gltf]..., by default all scenes. The folder keeps the bakes with 16 times
+// the directions for the next run; N and the turns of the light replace the scene's. Exit 0 if every measured error is at
+// most the stated one, and every stated one at most 4 times it (with bounces 6 times).
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -96,7 +96,9 @@ Options options_of(int argc, char** argv) {
       options.directions = std::stoi(argv[++i]);
     } else if (word == "--turns" && i + 1 < argc) {
       options.turns = value_called<LightTurns>(argv[++i], kLightTurnsNames);
-      if (!options.turns) throw std::invalid_argument("--turns: expected none, about_z or any");
+      if (!options.turns) {
+        throw std::invalid_argument(fmt::format("--turns: expected none, about_z or any, got {}", argv[i]));
+      }
     } else {
       options.words.push_back(word);
     }

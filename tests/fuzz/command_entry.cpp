@@ -24,7 +24,8 @@ using prt::test::read_all;
 using prt::test::write_all;
 
 constexpr std::size_t kMostWords = 16;
-constexpr std::size_t kCommands = 9;  // the first words
+constexpr std::size_t kCommands = 9;     // the first words
+constexpr std::size_t kFirstWords = 11;  // the same, --help and --version
 
 // New words go to the end, so that the committed inputs keep their meaning.
 constexpr std::array kWords = {"bake",
@@ -227,11 +228,10 @@ bool is_small(const std::string& word) {
   return !(number > 16 && number < 1e6);
 }
 
-// Whether `prt` sets up the options of this command alone, or only says something.
-bool names_a_command(std::string_view word) {
-  constexpr std::array kNames = {"bake",    "relight",     "render",   "shader", "info",   "project",  "plan",
-                                 "compare", "reconstruct", "fix-view", "grid",   "--help", "--version"};
-  return std::find(kNames.begin(), kNames.end(), word) != kNames.end();
+// Whether a command line that says more than "no such command" begins with this word.
+bool may_begin(std::string_view word) {
+  const auto* const end = kWords.begin() + kFirstWords;
+  return std::find(kWords.begin(), end, word) != end || word == "fix-view" || word == "grid";
 }
 
 // A picture takes 16 rays for each pixel, of half a million unless its size is given; a mesh file alone takes 2,048
@@ -264,8 +264,7 @@ void run_command(std::string_view bytes) {
     if (number < kWords.size()) words.emplace_back(kWords[number]);
   }
   // All options of all commands are set up where none is named: most runs would only do that.
-  if (words.size() > 1 && !names_a_command(words[1]))
-    words[1] = kWords[static_cast<unsigned char>(bytes[0]) % kCommands];
+  if (words.size() > 1 && !may_begin(words[1])) words[1] = kWords[static_cast<unsigned char>(bytes[0]) % kCommands];
   if (!is_quick(words)) return;
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
