@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 #include <tbb/enumerable_thread_specific.h>
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -47,6 +48,12 @@ Weights weights_about(int degree, const Eigen::Vector3f& direction, const Factor
   return values;
 }
 
+// sum (count) += part times the values.
+void add(const float* values, std::size_t count, float part, float* sum) {
+  const auto length = static_cast<Eigen::Index>(count);
+  Eigen::Map<Eigen::ArrayXf>(sum, length) += part * Eigen::Map<const Eigen::ArrayXf>(values, length);
+}
+
 std::size_t channels_of(const Mesh& mesh) {
   return is_gray(mesh.albedo) && is_gray(mesh.specular) && is_gray(mesh.brdfs) ? 1 : 3;
 }
@@ -88,7 +95,8 @@ class Bounces {
       ++report.applications;
       for_chunks(vertices_, [&](std::size_t chunk) {
         const VertexRange range = chunk_range(chunk, vertices_);
-        for (std::size_t i = range.first * size_; i < range.last * size_; ++i) sum[i] += term_[i];
+        const std::size_t first = range.first * size_;
+        add(&term_[first], range.last * size_ - first, 1.0F, &sum[first]);
       });
       const double now = largest_of(term_);
       report.spectral_bound = before > 0.0 ? now / before : 0.0;
@@ -155,62 +163,44 @@ class Bounces {
 
   [[nodiscard]] bool is_open(std::size_t vertex) const { return !run_.open.empty() && run_.open[vertex] != 0; }
 
-  // row (row_) = weights times the matrix of a vertex.
-  void weigh(const float* weights, std::size_t vertex, float* row) const {
-    sum_rows(term_.data() + vertex * size_, row_, in_order_.data(), count_, weights, row);
-  }
-
-  void scale_channels(const Eigen::Vector3f& color, float* row) const {
+  // row (row_) += weights times the matrix of a vertex, each channel times its part of the color.
+  void add_weighed(const float* weights, std::size_t vertex, const Eigen::Vector3f& color, float* row) const {
+    alignas(64) std::array<float, kMostRow> sums;
+    sum_rows(term_.data() + vertex * size_, row_, in_order_.data(), count_, weights, sums.data());
     for (std::size_t c = 0; c < channels_; ++c) {
-      const float scale = color[static_cast<Eigen::Index>(c)];
-      std::for_each(row + c * count_, row + (c + 1) * count_, [scale](float& value) { value *= scale; });
+      add(sums.data() + c * count_, count_, color[static_cast<Eigen::Index>(c)], row + c * count_);
     }
   }
 
   // What leaves each vertex diffusely, (vertices, row_).
   [[nodiscard]] std::vector<float> diffuse() const {
-    std::vector<float> rows(vertices_ * row_);
+    std::vector<float> rows(vertices_ * row_, 0.0F);
     for_vertices(vertices_, [&](std::size_t v) {
-      float* row = rows.data() + v * row_;
-      weigh(weights_about(degree_, mesh_.normals[v], [](int l) { return phong_factor(l, 1.0); }).data(), v, row);
-      scale_channels(mesh_.albedo[v], row);
+      const Weights cosine = weights_about(degree_, mesh_.normals[v], [](int l) { return phong_factor(l, 1.0); });
+      add_weighed(cosine.data(), v, mesh_.albedo[v], rows.data() + v * row_);
     });
     return rows;
-  }
-
-  // Adds the part of what the BRDF of a vertex sends to the eye to `row` (row_).
-  void add_reflected(const BrdfTable& brdf, std::uint32_t vertex, const Eigen::Vector3f& to_eye, float part,
-                     float* row) const {
-    for_reflected_lobes(brdf, mesh_.albedo[vertex], degree_, mesh_.normals[vertex], to_eye,
-                        [&](const Eigen::Vector3f& color, const float* weights) {
-                          alignas(64) std::array<float, kMostRow> lobe;
-                          weigh(weights, vertex, lobe.data());
-                          scale_channels(color, lobe.data());
-                          for (std::size_t i = 0; i < row_; ++i) row[i] += part * lobe[i];
-                        });
   }
 
   // Adds what leaves a hit against the ray to `row` (row_).
   void add_exit(const BlockedAt& ray, const std::vector<float>& diffuse_rows, float* row) const {
     const Face& face = mesh_.faces[ray.hit.face];
     const std::array<float, 3> parts = {1.0F - ray.hit.u - ray.hit.v, ray.hit.u, ray.hit.v};
-    const auto add = [&](const float* sent, float part) {
-      for (std::size_t i = 0; i < row_; ++i) row[i] += part * sent[i];
-    };
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t q = face[k];
       if (const BrdfTable brdf = mesh_.brdf_of(q)) {
-        add_reflected(brdf, q, -ray.direction, parts[k], row);
+        for_reflected_lobes(brdf, mesh_.albedo[q], degree_, mesh_.normals[q], -ray.direction,
+                            [&](const Eigen::Vector3f& color, const float* weights) {
+                              add_weighed(weights, q, parts[k] * color, row);
+                            });
         continue;
       }
-      add(diffuse_rows.data() + q * row_, parts[k]);
+      add(&diffuse_rows[q * row_], row_, parts[k], row);
       if (mesh_.specular.empty() || mesh_.specular[q].isZero(0.0F)) continue;
       const Eigen::Vector3f about = mirrored(ray.direction, mesh_.normals[q]);
       const float* factors = &lobes_[q * (degree_ + 1)];
-      alignas(64) std::array<float, kMostRow> lobe;
-      weigh(weights_about(degree_, about, [factors](int l) { return factors[l]; }).data(), q, lobe.data());
-      scale_channels(mesh_.specular[q], lobe.data());
-      add(lobe.data(), parts[k]);
+      const Weights lobe = weights_about(degree_, about, [factors](int l) { return factors[l]; });
+      add_weighed(lobe.data(), q, parts[k] * mesh_.specular[q], row);
     }
   }
 
@@ -232,7 +222,7 @@ class Bounces {
       }
       for (std::size_t i = 0; i < count_; ++i) {
         sum_rows(leaving.data(), row_, in_order_.data(), some, &arriving[i * kRaysAtOnce], part.data());
-        for (std::size_t k = 0; k < row_; ++k) out[i * row_ + k] += part[k];
+        add(part.data(), row_, 1.0F, out + i * row_);
       }
     }
   }

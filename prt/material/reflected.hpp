@@ -23,8 +23,8 @@ inline std::array<float, 9> surface_frame(const Eigen::Vector3f& normal, const E
   return {x.x(), y.x(), normal.x(), x.y(), y.y(), normal.y(), x.z(), y.z(), normal.z()};
 }
 
-/// Calls visit(color, weights) for every part of a table, on a surface with this albedo, that is not black; weights (bands^2) times the incident radiance
-/// is what this part sends to the eye.
+/// Calls visit(color, weights) for every part of a table, on a surface with this albedo, that is not black; weights
+/// (bands^2) times the incident radiance is what this part sends to the eye.
 template <class Visit>
 void for_reflected_lobes(const BrdfTable& table, const Eigen::Vector3f& albedo, int degree,
                          const Eigen::Vector3f& normal, const Eigen::Vector3f& to_eye, const Visit& visit) {

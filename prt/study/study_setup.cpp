@@ -133,12 +133,13 @@ std::string StudySetup::all_degrees_name() const {
 
 Radiances StudySetup::relit(const TransferRows& rows, const LightCoefficients& lit_by, int degree) const {
   Radiances radiances(vertices.index.size(), Eigen::Vector3d::Zero());
+  const auto count = static_cast<Eigen::Index>(coefficient_count(degree));
+  const Eigen::Map<const Eigen::MatrixX3d> light_of_channels(lit_by.values.data(),
+                                                             static_cast<Eigen::Index>(lit_by.bands_squared()), 3);
   for (std::size_t i = 0; i < radiances.size(); ++i) {
-    const float* t = rows.row(i);
-    for (std::size_t k = 0; k < coefficient_count(degree); ++k) {
-      radiances[i] += static_cast<double>(t[k]) * Eigen::Vector3d(lit_by.at(0, k), lit_by.at(1, k), lit_by.at(2, k));
-    }
-    radiances[i] = radiances[i].cwiseProduct(scene.mesh.albedo[vertices.index[i]].cast<double>()).eval();
+    const Eigen::Map<const Eigen::VectorXf> row(rows.row(i), count);
+    const Eigen::Vector3d albedo = scene.mesh.albedo[vertices.index[i]].cast<double>();
+    radiances[i] = albedo.cwiseProduct(light_of_channels.topRows(count).transpose() * row.cast<double>());
   }
   return radiances;
 }
