@@ -51,6 +51,13 @@ void check(const BakeJob& job) {
                     "mirrors, or a diffuse kind",
                     job.scene.name));
   }
+  if (!options.kind->is_glossy() && !job.scene.normal_map_entry.empty()) {
+    throw std::invalid_argument(
+        fmt::format("{}: {} holds the cosine about the normals of vertices, which a normal map cannot turn; expected "
+                    "{}, {} or {}, or no normal map",
+                    job.scene.normal_map_entry, options.kind->word, kGlossyUnshadowed.word, kGlossyShadowed.word,
+                    kGlossyInterreflected.word));
+  }
   if (options.kind->indirect != nullptr && !mesh.emission.empty()) {
     throw std::invalid_argument(fmt::format(
         "{}: its surfaces shine, and {} does not bounce their light; expected no emission, or a kind of {} or {}",

@@ -135,7 +135,10 @@ void take_solution(const Panel& x, const BounceLayout& layout, Transfer& transfe
 void take_unshadowed(BakeRun& run) {
   run.transfer.scene = run.scene.name;
   run.transfer.mesh = run.scene.mesh;
-  if (!run.transfer.kind->is_glossy()) leave_out_brdfs(run.transfer.mesh);
+  if (!run.transfer.kind->is_glossy()) {
+    if (!run.scene.mesh.normal_map.empty()) report(run, "its normal maps are left out, which only glossy kinds show");
+    leave_out_gloss(run.transfer.mesh);
+  }
   run.transfer.shape = run.scene.bake.kind->traced_shape(run.scene.bake.degree);
   run.transfer.instruction_set = "any";
   run.transfer.coefficients = unshadowed_transfer(run.transfer.shape, run.scene.mesh);

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "numeric/oracle/quadrature.hpp"
+#include "prt/image/bilinear.hpp"
 
 namespace sh::prt {
 namespace {
@@ -25,16 +26,9 @@ Eigen::Vector3f blend(const Image& image, const Eigen::Vector2d& place, const Fr
   const auto column_of = [&](int column) {
     return frame.wraps ? (column + image.width) % image.width : std::clamp(column, frame.left, frame.right);
   };
-  const double column = std::floor(place.x() - 0.5);
-  const double row = std::floor(place.y() - 0.5);
-  const auto u = static_cast<float>(place.x() - 0.5 - column);
-  const auto v = static_cast<float>(place.y() - 0.5 - row);
-  const int left = column_of(static_cast<int>(column));
-  const int right = column_of(static_cast<int>(column) + 1);
-  const int top = std::clamp(static_cast<int>(row), frame.top, frame.bottom);
-  const int bottom = std::clamp(static_cast<int>(row) + 1, frame.top, frame.bottom);
-  return (1.0F - v) * ((1.0F - u) * image.at(left, top) + u * image.at(right, top)) +
-         v * ((1.0F - u) * image.at(left, bottom) + u * image.at(right, bottom));
+  return bilinear(place, [&](int column, int row) -> const Eigen::Vector3f& {
+    return image.at(column_of(column), std::clamp(row, frame.top, frame.bottom));
+  });
 }
 
 constexpr int kMostNodes = 48;  // along an edge, for a picture of one pixel

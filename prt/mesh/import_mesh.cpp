@@ -13,6 +13,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <map>
 #include <optional>
 #include <set>
@@ -20,12 +21,14 @@
 
 #include "numeric/output/srgb.hpp"
 #include "prt/material/microfacet.hpp"
+#include "prt/mesh/model_pictures.hpp"
 
 namespace sh::prt {
 
 namespace {
 
 constexpr int kMostHeaderLines = 1000;
+const Eigen::Vector2f kNoCoordinates = Eigen::Vector2f::Constant(std::numeric_limits<float>::quiet_NaN());
 
 Eigen::Vector3f to_eigen(const aiVector3D& v) { return {v.x, v.y, v.z}; }
 Eigen::Vector3f to_eigen(const aiColor4D& c) { return {c.r, c.g, c.b}; }
@@ -63,11 +66,13 @@ class Collector {
       : extension_(extension_of(path)),
         scene_(scene),
         changes_(changes),
+        pictures_(path, scene),
         is_linear_(extension_ == ".gltf" || extension_ == ".glb") {}
 
   ImportedMesh collect() {
     visit(*scene_.mRootNode, Eigen::Affine3d::Identity());
     list_unread();
+    result_.unread.insert(result_.unread.end(), pictures_.flaws().begin(), pictures_.flaws().end());
     result_.file_vertices = result_.soup.positions.size();
     result_.up = up_axis();
     if (std::all_of(result_.soup.normals.begin(), result_.soup.normals.end(),
@@ -99,10 +104,12 @@ class Collector {
     const MaterialChange change = changes_.of(name_of(material));
     const Eigen::Vector3f albedo = albedo_of(material, mesh.HasVertexColors(0));
     if (has_textures(material) && !change.reflection) textured_.insert(material);
+    const bool has_coordinates = mesh.HasTextureCoords(0);
     if (mesh.HasVertexColors(1)) ++meshes_of_many_colors_;
     for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
       part.positions.emplace_back(to_eigen(mesh.mVertices[v]).cast<double>());
       part.normals.push_back(mesh.HasNormals() ? to_eigen(mesh.mNormals[v]) : Eigen::Vector3f::Zero().eval());
+      part.texture.push_back(has_coordinates ? to_eigen(mesh.mTextureCoords[0][v]).head<2>() : kNoCoordinates);
       Eigen::Vector3f color = albedo;
       if (mesh.HasVertexColors(0)) color = color.cwiseProduct(linear(mesh.mColors[0][v]));
       part.albedo.push_back(change.reflection ? change.reflection->albedo : color.cwiseMax(0.0F).cwiseMin(1.0F).eval());
@@ -117,7 +124,9 @@ class Collector {
                                           .cwiseMax(bounding_box(part.positions).max().cwiseAbs())
                                           .maxCoeff();
     transform(part, map);
-    append(part, finish_of(material, change));
+    Finish finish = finish_of(material, change);
+    finish.normal_map = normal_map_of(material, change, has_coordinates);
+    append(part, finish);
   }
 
   void append(const Soup& part, const Finish& finish) {
@@ -131,6 +140,7 @@ class Collector {
     soup.positions.insert(soup.positions.end(), part.positions.begin(), part.positions.end());
     soup.normals.insert(soup.normals.end(), part.normals.begin(), part.normals.end());
     soup.albedo.insert(soup.albedo.end(), part.albedo.begin(), part.albedo.end());
+    soup.texture.insert(soup.texture.end(), part.texture.begin(), part.texture.end());
     for (const Face& face : part.faces) soup.faces.push_back({face[0] + first, face[1] + first, face[2] + first});
   }
 
@@ -143,11 +153,19 @@ class Collector {
       result_.unread.push_back(fmt::format("{} of its meshes have several sets of vertex colors (the first is read)",
                                            meshes_of_many_colors_));
     }
+    if (meshes_without_coordinates_ > 0) {
+      result_.unread.push_back(
+          fmt::format("{} of its meshes have normal maps without a first set of texture coordinates, or with a "
+                      "transform of them (not read)",
+                      meshes_without_coordinates_));
+    }
   }
 
-  static bool has_textures(const aiMaterial* material) {
+  // Besides normal maps of glTF.
+  [[nodiscard]] bool has_textures(const aiMaterial* material) const {
     if (material == nullptr) return false;
     for (int type = aiTextureType_DIFFUSE; type <= AI_TEXTURE_TYPE_MAX; ++type) {
+      if (is_linear_ && type == aiTextureType_NORMALS) continue;
       if (material->GetTextureCount(static_cast<aiTextureType>(type)) > 0) return true;
     }
     return false;
@@ -200,6 +218,19 @@ class Collector {
     return known;
   }
 
+  // That of the scene, else that of the file. Only glTF says how its maps are to be read, and on which coordinates.
+  std::shared_ptr<const NormalMap> normal_map_of(const aiMaterial* material, const MaterialChange& change,
+                                                 bool has_coordinates) {
+    if (change.normal_map != nullptr) return change.normal_map;
+    if (!is_linear_ || material == nullptr || material->GetTextureCount(aiTextureType_NORMALS) == 0) return nullptr;
+    const bool is_moved = material_value<aiUVTransform>(material, AI_MATKEY_UVTRANSFORM_NORMALS(0)).has_value();
+    if (!has_coordinates || is_moved || material_value<int>(material, AI_MATKEY_UVWSRC_NORMALS(0)).value_or(0) != 0) {
+      ++meshes_without_coordinates_;
+      return nullptr;
+    }
+    return pictures_.normal_map(*material);
+  }
+
   [[nodiscard]] Finish finish_of(const aiMaterial* material, const MaterialChange& change) {
     Finish finish;
     if (const auto color = material_value<aiColor4D>(material, AI_MATKEY_COLOR_EMISSIVE)) {
@@ -219,9 +250,11 @@ class Collector {
   std::string extension_;
   const aiScene& scene_;
   const MaterialChanges& changes_;
+  ModelPictures pictures_;
   bool is_linear_;
   std::set<const aiMaterial*> textured_;
   std::size_t meshes_of_many_colors_ = 0;
+  std::size_t meshes_without_coordinates_ = 0;
   std::map<std::pair<float, float>, std::shared_ptr<const Reflectance>> brdfs_;  // by roughness and metallic
   ImportedMesh result_;
 };

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "prt/material/normal_map.hpp"
 #include "prt/material/reflectance.hpp"
 #include "prt/mesh/frame.hpp"
 
@@ -21,7 +22,7 @@ using Face = std::array<std::uint32_t, 3>;
 inline constexpr float kMaxExponent = 1e6F;
 
 /// Triangles, counterclockwise as seen from outside. All vertex arrays have one length, except that `emission`, `mirror`,
-/// `specular` with `exponent`, and `brdf`, are empty if the whole mesh has none. `remap` has one entry for each vertex of
+/// `specular` with `exponent`, `brdf`, and `texture` with `normal_map`, are empty if the whole mesh has none. `remap` has one entry for each vertex of
 /// the mesh files, in the order of the scene; several vertices of a file map to one vertex here if position, normal,
 /// albedo and finish agree. It is empty for a mesh made in code.
 struct Mesh {
@@ -35,9 +36,12 @@ struct Mesh {
   std::vector<float> exponent;                     // of this lobe [Phong75], 0..kMaxExponent
   std::vector<std::uint16_t> brdf;                 // 1 + number in `brdfs`: in place of the lobe and of diffuse
                                                    // reflection for glossy transfer; 0: none
+  std::vector<Eigen::Vector2f> texture;            // coordinates (prt/material/normal_map.hpp)
+  std::vector<std::uint16_t> normal_map;           // 1 + number in `normal_maps`, for glossy transfer; 0: none
   std::vector<Face> faces;
   std::vector<std::uint32_t> remap;  // (vertices of the files) -> vertex, kNoVertex where no face used it
   Reflectances brdfs;
+  NormalMaps normal_maps;
   Frame frame;
 
   /// A vertex in the world, in the unit of the scene.
@@ -58,10 +62,13 @@ Eigen::AlignedBox<Scalar, 3> bounding_box(const std::vector<Eigen::Matrix<Scalar
   return box;
 }
 
-/// Leaves the albedo, which is what diffuse transfer needs.
-inline void leave_out_brdfs(Mesh& mesh) {
+/// Leaves out what only glossy transfer shows: BRDFs, in whose place the albedo remains, and normal maps.
+inline void leave_out_gloss(Mesh& mesh) {
   mesh.brdf.clear();
   mesh.brdfs = {};
+  mesh.texture.clear();
+  mesh.normal_map.clear();
+  mesh.normal_maps = {};
 }
 
 /// All vertices in the world.

@@ -18,7 +18,8 @@ std::vector<std::string_view> primitive_names();
 /// turn of a curved shape, at least 3. Throws std::invalid_argument for an unknown name.
 Soup make_primitive(std::string_view name, int segments = 48);
 
-/// Adds two faces with the flat normal; the corners are counterclockwise as seen from outside.
+/// Adds two faces with the flat normal; the corners are counterclockwise as seen from outside. Their texture coordinates
+/// are (0, 0), (1, 0), (1, 1), (0, 1).
 void add_quad(Soup& soup, const std::array<Eigen::Vector3f, 4>& corners);
 
 /// A point of a curve that turns about the z axis, with the normal there; unit length.
@@ -32,6 +33,7 @@ struct RingPoint {
 /// The points of a smooth part of the curve. The outside lies to its right in the (radius, z) plane, so that the curve
 /// runs upwards on the outer side.
 using Curve = std::vector<RingPoint>;
+/// Texture coordinates: u is the part of the turn, v the part of the points of a curve.
 Soup surface_of_revolution(int segments, const std::vector<Curve>& curves);
 
 /// An outline in the xz plane, counterclockwise with x to the right and z up, and triangles that cover it. An edge
@@ -41,7 +43,7 @@ struct Profile {
   std::vector<std::array<Eigen::Vector2f, 2>> edge_normals;  // at the start and end of edge i, points i to i+1
   std::vector<Face> triangles;
 };
-/// The solid over the outline from y = -1/2 to y = 1/2.
+/// The solid over the outline from y = -1/2 to y = 1/2, without texture coordinates.
 Soup extrude(const Profile& profile);
 
 }  // namespace sh::prt

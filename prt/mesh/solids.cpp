@@ -29,13 +29,19 @@ Eigen::Vector3f upright(const Eigen::Vector2f& point, float y) { return {point.x
 void add_quad(Soup& soup, const std::array<Eigen::Vector3f, 4>& corners) {
   const Eigen::Vector3f normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized();
   std::array<std::uint32_t, 4> v{};
-  for (std::size_t k = 0; k < 4; ++k) v[k] = add_vertex(soup, corners[k], normal);
+  for (std::size_t k = 0; k < 4; ++k) {
+    v[k] = add_vertex(soup, corners[k], normal);
+    soup.texture.emplace_back(k == 1 || k == 2 ? 1.0F : 0.0F, k >= 2 ? 1.0F : 0.0F);
+  }
   add_faces(soup, v[0], v[1], v[2], v[3]);
 }
 
 Soup surface_of_revolution(int segments, const std::vector<Curve>& curves) {
   Soup soup;
-  const auto turned = [&](const RingPoint& point, int segment) {
+  const auto turned = [&](const Curve& curve, std::size_t i, int segment) {
+    const RingPoint& point = curve[i];
+    soup.texture.emplace_back(static_cast<float>(segment) / static_cast<float>(segments),
+                              static_cast<float>(i) / static_cast<float>(curve.size() - 1));
     const float angle =
         2.0F * std::numbers::pi_v<float> * static_cast<float>(segment % segments) / static_cast<float>(segments);
     // Points on the axis coincide to the bit.
@@ -47,10 +53,10 @@ Soup surface_of_revolution(int segments, const std::vector<Curve>& curves) {
   for (const Curve& curve : curves) {
     for (std::size_t i = 1; i < curve.size(); ++i) {
       for (int segment = 0; segment < segments; ++segment) {
-        const std::uint32_t a = turned(curve[i - 1], segment);
-        const std::uint32_t b = turned(curve[i - 1], segment + 1);
-        const std::uint32_t c = turned(curve[i], segment + 1);
-        const std::uint32_t d = turned(curve[i], segment);
+        const std::uint32_t a = turned(curve, i - 1, segment);
+        const std::uint32_t b = turned(curve, i - 1, segment + 1);
+        const std::uint32_t c = turned(curve, i, segment + 1);
+        const std::uint32_t d = turned(curve, i, segment);
         add_faces(soup, a, b, c, d);
       }
     }

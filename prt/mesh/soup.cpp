@@ -27,6 +27,14 @@ struct Corner {
   float angle;
 };
 
+// Coordinates that are missing among others are not finite.
+void check_texture(const Soup& soup, std::size_t face, const std::string& name) {
+  const auto has_any = [&](std::uint32_t v) { return !soup.texture.empty() && soup.texture[v].allFinite(); };
+  if (std::all_of(soup.faces[face].begin(), soup.faces[face].end(), has_any)) return;
+  throw std::runtime_error(fmt::format(
+      "{}: face {} has a normal map, but no finite texture coordinates; expected both, or no normal map", name, face));
+}
+
 std::vector<Eigen::Vector3f> face_normals(const Soup& soup) {
   std::vector<Eigen::Vector3f> normals;
   normals.reserve(soup.faces.size());
@@ -84,6 +92,7 @@ void check(const Soup& soup, const std::string& name) {
       throw std::runtime_error(
           fmt::format("{}: face {} names vertex {}, but there are {} vertices", name, f, last, soup.positions.size()));
     }
+    if (soup.finishes[soup.finish_of(f)].normal_map != nullptr) check_texture(soup, f, name);
   }
 }
 
@@ -153,6 +162,7 @@ std::size_t complete_normals(Soup& soup, float crease_degrees) {
       corners.positions.push_back(soup.positions[v]);
       corners.normals.push_back(normal.norm() > 0.0F ? normal.normalized() : flat[f]);
       corners.albedo.push_back(soup.albedo[v]);
+      if (!soup.texture.empty()) corners.texture.push_back(soup.texture[v]);
       corners.source.push_back(soup.source.empty() ? v : soup.source[v]);
     }
     corners.faces.push_back(face);

@@ -31,6 +31,7 @@ struct Finish {
   Eigen::Vector3f emission = Eigen::Vector3f::Zero();
   Eigen::Vector3f mirror = Eigen::Vector3f::Zero();
   Gloss gloss;
+  std::shared_ptr<const NormalMap> normal_map;
   bool is_two_sided = false;  // both sides are fronts
   bool operator==(const Finish&) const = default;
 };
@@ -45,6 +46,7 @@ struct Reflection {
 struct MaterialChange {
   std::optional<Reflection> reflection;
   std::optional<Gloss> gloss;
+  std::shared_ptr<const NormalMap> normal_map;
   std::optional<Eigen::Vector3f> emission;
   std::optional<bool> is_two_sided;
 };
@@ -60,6 +62,7 @@ struct MaterialChanges {
       const MaterialChange& own = named->second;
       change.reflection = own.reflection ? own.reflection : change.reflection;
       change.gloss = own.gloss ? own.gloss : change.gloss;
+      change.normal_map = own.normal_map ? own.normal_map : change.normal_map;
       change.emission = own.emission ? own.emission : change.emission;
       change.is_two_sided = own.is_two_sided ? own.is_two_sided : change.is_two_sided;
     }
@@ -68,14 +71,15 @@ struct MaterialChanges {
 };
 
 /// Vertices may repeat. Positions are double, so that a place far from the origin does not cost the digits of the shape. `normals` and `albedo` are as long as `positions`; `normals` may be empty, then they are
-/// computed.
+/// computed. `texture` may be empty, too; only surfaces with a normal map use it.
 struct Soup {
   std::vector<Eigen::Vector3d> positions;
   std::vector<Eigen::Vector3f> normals;
-  std::vector<Eigen::Vector3f> albedo;  // linear RGB
-  std::vector<Face> faces;              // counterclockwise as seen from outside
-  std::vector<std::uint32_t> source;    // vertex of the file each vertex came from; empty: itself
-  std::vector<std::uint32_t> finish;    // (faces) into `finishes`; empty: every face has the first
+  std::vector<Eigen::Vector3f> albedo;   // linear RGB
+  std::vector<Eigen::Vector2f> texture;  // coordinates
+  std::vector<Face> faces;               // counterclockwise as seen from outside
+  std::vector<std::uint32_t> source;     // vertex of the file each vertex came from; empty: itself
+  std::vector<std::uint32_t> finish;     // (faces) into `finishes`; empty: every face has the first
   std::vector<Finish> finishes{Finish{}};
   double rounding = 0.0;  // largest error of a coordinate that single precision in the file brought, in its unit
 
@@ -86,7 +90,7 @@ struct Soup {
 void transform(Soup& soup, const Eigen::Affine3d& map);
 
 /// Throws std::runtime_error, one line that begins with `name`, if there are no vertices or no faces, if a face names a
-/// missing vertex, or if a coordinate is NaN or infinite.
+/// missing vertex, if a coordinate is NaN or infinite, or if a surface with a normal map has no texture coordinates.
 void check(const Soup& soup, const std::string& name);
 
 /// Drops faces without area (to rounding); returns how many.

@@ -151,6 +151,7 @@ class Splitter {
       mesh_.positions.emplace_back(middle_of(mesh_.positions[a], mesh_.positions[b]));
       mesh_.normals.push_back(normal.norm() > 1e-3F ? normal.normalized() : mesh_.normals[a]);
       mesh_.albedo.emplace_back(0.5F * (mesh_.albedo[a] + mesh_.albedo[b]));
+      if (!mesh_.texture.empty()) mesh_.texture.emplace_back(0.5F * (mesh_.texture[a] + mesh_.texture[b]));
       repeat_finish(mesh_, a);  // both ends of an edge have one finish
     }
     return entry->second;

@@ -38,26 +38,31 @@ std::vector<Eigen::Vector3f> spread(const std::vector<std::uint32_t>& finish_of_
   return is_zero ? std::vector<Eigen::Vector3f>() : values;
 }
 
-// The numbers of the BRDFs of finishes stay empty if there is none.
-void take_brdfs(const std::vector<std::uint32_t>& finish_of_vertex, const std::vector<Finish>& finishes, Mesh& mesh) {
+// (vertices) 1 + number of what table_of(finish) points to in `tables`, 0 for null; nothing if all are null.
+template <class Tables, class TableOf>
+std::vector<std::uint16_t> numbers_of(const std::vector<std::uint32_t>& finish_of_vertex,
+                                      const std::vector<Finish>& finishes, Tables& tables, const TableOf& table_of) {
   std::vector<std::uint16_t> numbers;
   for (const Finish& finish : finishes) {
-    const bool has_one = finish.gloss.brdf != nullptr;
-    numbers.push_back(has_one ? static_cast<std::uint16_t>(1 + mesh.brdfs.number_of(*finish.gloss.brdf)) : 0);
-  }
-  if (mesh.brdfs.heads.empty()) return;
-  for (const std::uint32_t finish : finish_of_vertex) mesh.brdf.push_back(numbers[finish]);
-}
-
-// The numbers of the vertices of `part` in `brdfs`, which gets the BRDFs that it lacks.
-std::vector<std::uint16_t> renumbered(const Mesh& part, Reflectances& brdfs) {
-  std::vector<std::uint16_t> numbers = {0};
-  for (std::size_t i = 0; i < part.brdfs.heads.size(); ++i) {
-    numbers.push_back(static_cast<std::uint16_t>(1 + brdfs.number_of(part.brdfs.at(i))));
+    const auto* table = table_of(finish);
+    numbers.push_back(table != nullptr ? static_cast<std::uint16_t>(1 + tables.number_of(*table)) : 0);
   }
   std::vector<std::uint16_t> of_vertices;
-  for (const std::uint16_t number : part.brdf) of_vertices.push_back(numbers[number]);
+  if (tables.heads.empty()) return of_vertices;
+  for (const std::uint32_t finish : finish_of_vertex) of_vertices.push_back(numbers[finish]);
   return of_vertices;
+}
+
+// The numbers of the vertices of a part, which refer to its own tables, in `all`, which gets the tables that it lacks.
+template <class Tables>
+std::vector<std::uint16_t> renumbered(const std::vector<std::uint16_t>& of_vertices, const Tables& own, Tables& all) {
+  std::vector<std::uint16_t> numbers = {0};
+  for (std::size_t i = 0; i < own.heads.size(); ++i) {
+    numbers.push_back(static_cast<std::uint16_t>(1 + all.number_of(own.at(i))));
+  }
+  std::vector<std::uint16_t> renumbered;
+  for (const std::uint16_t number : of_vertices) renumbered.push_back(numbers[number]);
+  return renumbered;
 }
 
 template <class T>
@@ -70,7 +75,7 @@ void append_all(std::vector<T>& to, const std::vector<T>& from) {
 Mesh weld(const Soup& soup, std::size_t source_vertices) {
   Mesh mesh;
   mesh.remap.assign(source_vertices, kNoVertex);
-  std::unordered_map<std::array<std::uint32_t, 10>, std::uint32_t, WordsHash> welded;
+  std::unordered_map<std::array<std::uint32_t, 12>, std::uint32_t, WordsHash> welded;
   welded.reserve(soup.positions.size());
   std::vector<std::uint32_t> finish_of_vertex;
   for (std::size_t f = 0; f < soup.faces.size(); ++f) {
@@ -78,18 +83,22 @@ Mesh weld(const Soup& soup, std::size_t source_vertices) {
     Face indices{};
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t v = face[k];
-      Eigen::Matrix<float, 9, 1> numbers;
-      numbers << soup.positions[v].cast<float>(), rounded(soup.normals[v]), soup.albedo[v];
-      std::array<std::uint32_t, 10> key{};
-      std::copy_n(bits_of(numbers).begin(), 9, key.begin());
-      key[9] = soup.finish_of(f);
+      const std::uint32_t finish = soup.finish_of(f);
+      const Eigen::Vector2f texture =
+          soup.finishes[finish].normal_map != nullptr ? soup.texture[v] : Eigen::Vector2f::Zero().eval();
+      Eigen::Matrix<float, 11, 1> numbers;
+      numbers << soup.positions[v].cast<float>(), rounded(soup.normals[v]), soup.albedo[v], texture;
+      std::array<std::uint32_t, 12> key{};
+      std::copy_n(bits_of(numbers).begin(), 11, key.begin());
+      key[11] = finish;
       const auto next = static_cast<std::uint32_t>(mesh.positions.size());
       const auto [entry, added] = welded.try_emplace(key, next);
       if (added) {
         mesh.positions.emplace_back(soup.positions[v].cast<float>());
         mesh.normals.push_back(soup.normals[v]);
         mesh.albedo.push_back(soup.albedo[v]);
-        finish_of_vertex.push_back(key[9]);
+        mesh.texture.push_back(texture);
+        finish_of_vertex.push_back(finish);
       }
       indices[k] = entry->second;
       if (source_vertices > 0) {
@@ -105,7 +114,11 @@ Mesh weld(const Soup& soup, std::size_t source_vertices) {
   for (std::size_t v = 0; v < mesh.specular.size(); ++v) {
     mesh.exponent.push_back(soup.finishes[finish_of_vertex[v]].gloss.exponent);
   }
-  take_brdfs(finish_of_vertex, soup.finishes, mesh);
+  mesh.brdf = numbers_of(finish_of_vertex, soup.finishes, mesh.brdfs,
+                         [](const Finish& finish) { return finish.gloss.brdf.get(); });
+  mesh.normal_map = numbers_of(finish_of_vertex, soup.finishes, mesh.normal_maps,
+                               [](const Finish& finish) { return finish.normal_map.get(); });
+  if (mesh.normal_map.empty()) mesh.texture.clear();
   set_geometric_normals(mesh);
   return mesh;
 }
@@ -132,7 +145,11 @@ void append(Mesh& mesh, const Mesh& part) {
   append_all_or_zeros(mesh.mirror, first, part.mirror, part.positions.size(), black);
   append_all_or_zeros(mesh.specular, first, part.specular, part.positions.size(), black);
   append_all_or_zeros(mesh.exponent, first, part.exponent, part.positions.size(), 0.0F);
-  append_all_or_zeros(mesh.brdf, first, renumbered(part, mesh.brdfs), part.positions.size(), std::uint16_t{0});
+  append_all_or_zeros(mesh.brdf, first, renumbered(part.brdf, part.brdfs, mesh.brdfs), part.positions.size(),
+                      std::uint16_t{0});
+  append_all_or_zeros(mesh.texture, first, part.texture, part.positions.size(), Eigen::Vector2f::Zero().eval());
+  append_all_or_zeros(mesh.normal_map, first, renumbered(part.normal_map, part.normal_maps, mesh.normal_maps),
+                      part.positions.size(), std::uint16_t{0});
   append_all(mesh.positions, part.positions);
   append_all(mesh.normals, part.normals);
   append_all(mesh.geometric_normals, part.geometric_normals);
@@ -146,7 +163,9 @@ void repeat_finish(Mesh& mesh, std::uint32_t vertex) {
     if (!values->empty()) values->push_back(Eigen::Vector3f((*values)[vertex]));
   }
   if (!mesh.exponent.empty()) mesh.exponent.push_back(float{mesh.exponent[vertex]});
-  if (!mesh.brdf.empty()) mesh.brdf.push_back(std::uint16_t{mesh.brdf[vertex]});
+  for (std::vector<std::uint16_t>* numbers : {&mesh.brdf, &mesh.normal_map}) {
+    if (!numbers->empty()) numbers->push_back(std::uint16_t{(*numbers)[vertex]});
+  }
 }
 
 void add_backs(Mesh& mesh, const std::vector<std::uint8_t>& is_two_sided) {
@@ -157,6 +176,7 @@ void add_backs(Mesh& mesh, const std::vector<std::uint8_t>& is_two_sided) {
       mesh.positions.emplace_back(Eigen::Vector3f(mesh.positions[front]));
       mesh.normals.emplace_back(-mesh.normals[front]);
       mesh.albedo.emplace_back(Eigen::Vector3f(mesh.albedo[front]));
+      if (!mesh.texture.empty()) mesh.texture.emplace_back(Eigen::Vector2f(mesh.texture[front]));
       repeat_finish(mesh, front);
     }
     return backs[front];

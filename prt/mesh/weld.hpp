@@ -11,7 +11,8 @@
 
 namespace sh::prt {
 
-/// One vertex for each position (exact bits), normal (to 1/8192), albedo and finish, in the order of first use by a
+/// One vertex for each position (exact bits), normal (to 1/8192), albedo, finish and, if it has a normal map, texture
+/// coordinates (exact bits), in the order of first use by a
 /// face; unused vertices are dropped. Faces keep their order. Precondition: the soup has passed check() and has
 /// normals. `source_vertices` is the number of vertices of the file and the length of the remap, which names the first
 /// vertex made from each; 0 for a soup made in code, which gets no remap.
@@ -24,7 +25,7 @@ void set_geometric_normals(Mesh& mesh);
 /// Appends `part` and its remap to `mesh`.
 void append(Mesh& mesh, const Mesh& part);
 
-/// Appends a copy of the emission and the mirror of a vertex, as far as the mesh has any.
+/// Appends a copy of the finish of a vertex, as far as the mesh has any.
 void repeat_finish(Mesh& mesh, std::uint32_t vertex);
 
 /// Gives every face with is_two_sided (faces) != 0 a back: the same triangle turned around, with its own vertices and

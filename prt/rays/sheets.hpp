@@ -18,7 +18,8 @@ struct Hit {
 };
 
 /// The value at a hit: (1-u-v) a + u b + v c, where a, b, c are the values at the corners of the face.
-inline Eigen::Vector3f interpolated(const Hit& hit, const Mesh& mesh, const std::vector<Eigen::Vector3f>& values) {
+template <class Value>
+Value interpolated(const Hit& hit, const Mesh& mesh, const std::vector<Value>& values) {
   const Face& face = mesh.faces[hit.face];
   return (1.0F - hit.u - hit.v) * values[face[0]] + hit.u * values[face[1]] + hit.v * values[face[2]];
 }

@@ -11,7 +11,7 @@ Transfer seen_from(const Transfer& glossy, const Eigen::Vector3d& eye) {
   seen.mesh = glossy.mesh;
   seen.mesh.specular.clear();
   seen.mesh.exponent.clear();
-  leave_out_brdfs(seen.mesh);
+  leave_out_gloss(seen.mesh);
   seen.directions = glossy.directions;
   seen.sampler = glossy.sampler;
   seen.seed = glossy.seed;

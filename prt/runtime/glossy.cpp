@@ -20,6 +20,7 @@
 #include "prt/mesh/corners.hpp"
 #include "prt/runtime/lit_clusters.hpp"
 #include "prt/runtime/relight.hpp"
+#include "prt/runtime/shading_normals.hpp"
 #include "prt/transfer/visibility.hpp"
 #include "prt/zonal.hpp"
 
@@ -189,14 +190,14 @@ std::vector<double> held_shares_of_brdfs(const Transfer& transfer) {
 
 Surface glossy_surface(const Transfer& transfer, TransferredRadiance reaching, std::vector<Eigen::Vector3f> albedo,
                        MoreOfLobe more) {
-  return [&transfer, all = std::move(reaching), colors = std::move(albedo), more = std::move(more)](
-             const Hit& hit, const Eigen::Vector3f& direction) {
+  return [&transfer, all = std::move(reaching), colors = std::move(albedo), more = std::move(more),
+          normals = ShadingNormals(transfer.mesh)](const Hit& hit, const Eigen::Vector3f& direction) {
     const Mesh& mesh = transfer.mesh;
     std::array<float, kChannels * kMostCoefficients> between;
     all.at(hit, mesh, between.data());
     // A face has one finish, but its vertices have their own colors.
     const Material material = material_of(mesh, mesh.faces[hit.face][0], interpolated(hit, mesh, colors));
-    const Eigen::Vector3f normal = interpolated(hit, mesh, mesh.normals).normalized();
+    const Eigen::Vector3f normal = normals.at(hit);
     Eigen::Vector3f radiance = exit_radiance(material, all.degree(), between.data(), normal, -direction);
     if (more && !material.brdf && !material.specular.isZero(0.0F)) {
       radiance += material.specular.cwiseProduct(more(hit, material.exponent, mirrored(direction, normal)));

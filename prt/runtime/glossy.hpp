@@ -3,7 +3,7 @@
 // the degree of the light, and exact). Where the bake has bounces, a matrix adds what other surfaces send. What leaves
 // towards the eye is this radiance, convolved with the lobe and evaluated at the mirrored direction of view (equation 12),
 // plus the same about the normal with the clamped cosine for the diffuse part. Since only the second step knows the normal,
-// it may be another one at every pixel.
+// it may be another one at every pixel: that of a normal map (prt/runtime/shading_normals.hpp).
 #pragma once
 #include <Eigen/Core>
 #include <cstddef>

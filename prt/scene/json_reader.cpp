@@ -40,9 +40,10 @@ nlohmann::json read_json(const std::string& file) {
   }
 }
 
+std::string JsonReader::place() const { return fmt::format("{}: {}", *file_, path_.empty() ? "/" : path_); }
+
 void JsonReader::expected(std::string_view what) const {
-  throw std::runtime_error(
-      fmt::format("{}: {}: expected {}, got {}", *file_, path_.empty() ? "/" : path_, what, quote(*value_)));
+  throw std::runtime_error(fmt::format("{}: expected {}, got {}", place(), what, quote(*value_)));
 }
 
 void JsonReader::allow(const std::vector<std::string_view>& keys) const {
@@ -65,7 +66,7 @@ JsonReader JsonReader::at(std::string_view key) const {
   if (!value_->is_object()) expected("an object");
   const std::optional<JsonReader> value = find(key);
   if (!value) {
-    throw std::runtime_error(fmt::format("{}: {}: the key `{}` is missing", *file_, path_.empty() ? "/" : path_, key));
+    throw std::runtime_error(fmt::format("{}: the key `{}` is missing", place(), key));
   }
   return *value;
 }

@@ -59,6 +59,8 @@ class JsonReader {
   [[nodiscard]] Eigen::Vector3d point() const;  // three numbers in double precision
   [[nodiscard]] double real() const;
 
+  /// `file: path`, with which messages begin.
+  [[nodiscard]] std::string place() const;
   [[noreturn]] void expected(std::string_view what) const;
 
  private:

@@ -67,6 +67,7 @@ ImportedMesh read_shape(const JsonReader& reader, const std::string& folder, con
     shape.soup.finishes[0].mirror = change.reflection->mirror;
   }
   shape.soup.finishes[0].gloss = change.gloss.value_or(Gloss());
+  shape.soup.finishes[0].normal_map = change.normal_map;
   shape.soup.finishes[0].emission = change.emission.value_or(Eigen::Vector3f::Zero());
   shape.soup.finishes[0].is_two_sided = change.is_two_sided.value_or(false);
   return shape;
@@ -137,6 +138,9 @@ MaterialChange read_material(const JsonReader& reader, const std::string& folder
   change.reflection = read_reflection(reader);
   change.gloss = read_gloss(reader);
   read_brdf(reader, folder, on_flaw, change);
+  if (const auto map = reader.find("normal_map")) {
+    change.normal_map = std::make_shared<NormalMap>(read_normal_map(beside(folder, map->text()), on_flaw));
+  }
   reader.take("emission", change.emission, &JsonReader::vector_within, 0.0F, std::numeric_limits<float>::max());
   reader.take("sides", change.is_two_sided, [](const JsonReader& value) { return value.integer(1, 2) == 2; });
   return change;
@@ -147,8 +151,8 @@ MaterialChanges read_materials(const JsonReader& mesh, const std::string& folder
   changes.all = read_material(mesh, folder, on_flaw);
   if (const auto materials = mesh.find("materials")) {
     for (const auto& [name, material] : materials->members()) {
-      material.allow(
-          {"albedo", "brdf", "emission", "exponent", "metallic", "mirror", "roughness", "sides", "specular"});
+      material.allow({"albedo", "brdf", "emission", "exponent", "metallic", "mirror", "normal_map", "roughness",
+                      "sides", "specular"});
       changes.by_name[name] = read_material(material, folder, on_flaw);
     }
   }
@@ -214,6 +218,14 @@ void report_rounding(const Soup& soup, const Frame& frame, const std::string& na
 
 }  // namespace
 
+std::vector<JsonReader> material_readers(const JsonReader& mesh) {
+  std::vector<JsonReader> readers = {mesh};
+  if (const auto materials = mesh.find("materials")) {
+    for (const auto& [name, material] : materials->members()) readers.push_back(material);
+  }
+  return readers;
+}
+
 Mesh finish_mesh(MeshPart part, const Frame& frame, OnFlaw on_flaw) {
   Soup& soup = part.soup;
   const std::string& name = part.name;
@@ -250,10 +262,16 @@ Mesh finish_mesh(MeshPart part, const Frame& frame, OnFlaw on_flaw) {
 
 MeshPart read_mesh(const JsonReader& reader, const std::string& folder, OnFlaw on_flaw) {
   reader.allow({"file", "primitive", "segments", "transform", "up", "albedo", "mirror", "specular", "exponent",
-                "roughness", "metallic", "brdf", "emission", "sides", "materials", "max_edge", "crease", "flip"});
+                "roughness", "metallic", "brdf", "normal_map", "emission", "sides", "materials", "max_edge", "crease",
+                "flip"});
   const MaterialChanges changes = read_materials(reader, folder, on_flaw);
   MeshPart part;
   part.crease_degrees = kDefaultCrease;
+  for (const JsonReader& material : material_readers(reader)) {
+    if (const auto map = material.find("normal_map"); map && part.normal_map_entry.empty()) {
+      part.normal_map_entry = map->place();
+    }
+  }
   Eigen::Affine3d map = Eigen::Affine3d::Identity();
   std::optional<UpAxis> up;
   bool is_flipped = false;

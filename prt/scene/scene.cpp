@@ -121,6 +121,11 @@ std::vector<std::string> files_of(const std::string& scene, const std::string& f
   std::vector<std::string> files{scene};
   for (const JsonReader& mesh : meshes.items()) {
     if (const auto file = mesh.find("file")) files.push_back(beside(folder, file->text()));
+    for (const JsonReader& material : material_readers(mesh)) {
+      for (const char* key : {"brdf", "normal_map"}) {
+        if (const auto file = material.find(key)) files.push_back(beside(folder, file->text()));
+      }
+    }
   }
   for (const LightSpec& light : lights) {
     if (!light.file.empty()) files.push_back(light.file);
@@ -154,6 +159,7 @@ Scene load_scene(const std::string& scene, OnFlaw on_flaw) {
   Eigen::AlignedBox3d box;
   for (const JsonReader& mesh : meshes.items()) {
     parts.push_back(read_mesh(mesh, folder, on_flaw));
+    if (result.normal_map_entry.empty()) result.normal_map_entry = parts.back().normal_map_entry;
     box.extend(bounding_box(parts.back().soup.positions));
   }
   result.mesh.frame = frame_around(box, scene);

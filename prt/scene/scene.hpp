@@ -30,6 +30,7 @@ struct Scene {
   BakeOptions bake;
   PlanOptions plan;                // made in code: none; from a file: lossy if the file has a plan, else exact
   std::optional<Disc> disc;        // only in the scene `disc`
+  std::string normal_map_entry;    // `file: path` of the first entry that asks for a normal map; empty: none
   std::vector<std::string> files;  // that it is read from: its own, meshes, pictures
 };
 

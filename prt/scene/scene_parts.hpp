@@ -44,9 +44,13 @@ struct MeshPart {
   Soup soup;
   std::size_t file_vertices = 0;
   float crease_degrees = 0.0F;
-  double max_edge = 0.0;  // 0: faces are not split
-  std::string name;       // in messages
+  double max_edge = 0.0;              // 0: faces are not split
+  std::string name;                   // in messages
+  std::string normal_map_entry = {};  // the first entry that asks for a normal map; empty: none
 };
+
+/// An entry of `meshes` and those of its `materials`: where a material may stand.
+std::vector<JsonReader> material_readers(const JsonReader& mesh);
 
 /// Reads one entry of `meshes` and checks it. Relative paths start in `folder`.
 MeshPart read_mesh(const JsonReader& reader, const std::string& folder, OnFlaw on_flaw);

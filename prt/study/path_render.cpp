@@ -17,6 +17,7 @@
 #include "prt/material/reflected.hpp"
 #include "prt/mesh/corners.hpp"
 #include "prt/runtime/glossy.hpp"
+#include "prt/runtime/shading_normals.hpp"
 
 namespace sh::prt {
 
@@ -35,7 +36,11 @@ constexpr float kOffset = 1e-5F;
 class PathTracer {
  public:
   PathTracer(const Mesh& mesh, const Tracer& tracer, const Background& sky)
-      : mesh_(mesh), tracer_(tracer), sky_(sky), offset_(kOffset * bounding_box(mesh.positions).diagonal().norm()) {}
+      : mesh_(mesh),
+        normals_(mesh),
+        tracer_(tracer),
+        sky_(sky),
+        offset_(kOffset * bounding_box(mesh.positions).diagonal().norm()) {}
 
   /// Adds what the paths meet to the sums of their pixels.
   void follow(std::vector<Path> paths, std::mt19937& random, std::vector<Eigen::Vector3f>& sums) const {
@@ -78,7 +83,7 @@ class PathTracer {
 
   // Takes the reflectance into the throughput; returns where the path goes on.
   [[nodiscard]] Eigen::Vector3f reflect(Path& path, std::mt19937& random) const {
-    const Eigen::Vector3f normal = interpolated(path.hit, mesh_, mesh_.normals).normalized();
+    const Eigen::Vector3f normal = normals_.at(path.hit);
     const Eigen::Vector3f albedo = interpolated(path.hit, mesh_, mesh_.albedo);
     const std::uint32_t corner = mesh_.faces[path.hit.face][0];
     const Material material = material_of(mesh_, corner, albedo);
@@ -135,6 +140,7 @@ class PathTracer {
   }
 
   const Mesh& mesh_;
+  ShadingNormals normals_;
   const Tracer& tracer_;
   const Background& sky_;
   float offset_;

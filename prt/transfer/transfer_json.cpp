@@ -9,6 +9,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <utility>
 
 #include "numeric/output/printable.hpp"
 #include "prt/transfer/transfer_file.hpp"
@@ -24,9 +25,11 @@ constexpr const char* kBadStorage = "transfer file whose JSON header names a sto
 // A whole number. The library would cut 2.5 to 2 and take -1 for 4294967295.
 template <class Whole>
 Whole whole_from(const nlohmann::json& json, Whole least = 0, Whole most = std::numeric_limits<Whole>::max()) {
-  const bool is_negative = json.is_number_integer() && !json.is_number_unsigned();
-  if (!json.is_number_integer() || (is_negative ? json.get<std::int64_t>() < static_cast<std::int64_t>(least)
-                                                : json.get<std::uint64_t>() > static_cast<std::uint64_t>(most))) {
+  const auto lies_within = [&](auto value) {
+    return std::cmp_less_equal(least, value) && std::cmp_less_equal(value, most);
+  };
+  if (!json.is_number_integer() ||
+      !(json.is_number_unsigned() ? lies_within(json.get<std::uint64_t>()) : lies_within(json.get<std::int64_t>()))) {
     throw std::invalid_argument(fmt::format(
         "transfer file whose JSON header has {}, expected a whole number from {} to {}", json.dump(), least, most));
   }
@@ -249,6 +252,26 @@ std::vector<Reflectances::Head> heads_from(const nlohmann::json& json) {
   return heads;
 }
 
+Json to_json(const std::vector<NormalMaps::Head>& heads) {
+  Json json = Json::array();
+  for (const NormalMaps::Head& head : heads) {
+    json.push_back({{"name", head.name}, {"width", head.width}, {"height", head.height}});
+  }
+  return json;
+}
+
+// No map has more than kMostTexels, so that no sum of their texels overflows.
+std::vector<NormalMaps::Head> map_heads_from(const nlohmann::json& json) {
+  constexpr int kLongest = static_cast<int>(NormalMaps::kMostTexels);
+  std::vector<NormalMaps::Head> heads;
+  for (const nlohmann::json& head : json) {
+    const auto width = whole_from<int>(head.at("width"), 1, kLongest);
+    const auto height = whole_from<int>(head.at("height"), 1, kLongest / width);
+    heads.push_back({head.at("name").get<std::string>(), width, height});
+  }
+  return heads;
+}
+
 void put_shortfall(const Shortfall& missing, Json& header) {
   if (!missing.any()) return;
   header["complete"] = false;  // coarser than was asked for
@@ -303,6 +326,7 @@ std::string transfer_header(const Transfer& transfer) {
   if (!transfer.shape.storage.is_plain()) header["storage"] = to_json(transfer.shape.storage);
   if (!transfer.clusters.empty()) header["storage"]["error"] = transfer.clusters.error;
   if (!transfer.mesh.brdfs.heads.empty()) header["brdfs"] = to_json(transfer.mesh.brdfs.heads);
+  if (!transfer.mesh.normal_maps.heads.empty()) header["normal_maps"] = to_json(transfer.mesh.normal_maps.heads);
   if (!transfer.plan.decisions.empty()) header["plan"] = to_json(transfer.plan);
   return header.dump(2, ' ', false, Json::error_handler_t::replace);  // names of files may be no UTF-8
 }
@@ -326,6 +350,7 @@ void take_header(const nlohmann::json& header, std::uint32_t version, TransferKi
     transfer.indirect_clusters.error = amount_from(header["indirect"].at("error"));
   }
   if (header.contains("brdfs")) transfer.mesh.brdfs.heads = heads_from(header.at("brdfs"));
+  if (header.contains("normal_maps")) transfer.mesh.normal_maps.heads = map_heads_from(header.at("normal_maps"));
   if (header.contains("plan")) transfer.plan = plan_from(header.at("plan"));
   transfer.directions = whole_from<std::uint32_t>(header.at("directions"));
   if (header.contains("sampler")) {  // absent where no ray was traced, and in files older than the choice

@@ -77,7 +77,7 @@ struct Kind {
   Rows rows;
   Presence presence;
 };
-inline constexpr std::array<Kind, 19> kSections = {
+inline constexpr std::array<Kind, 22> kSections = {
     {{"position", kFloat, 3, Rows::kVertices, Presence::kAlways},
      {"normal", kFloat, 3, Rows::kVertices, Presence::kAlways},
      {"geonorm", kFloat, 3, Rows::kVertices, Presence::kAlways},
@@ -92,6 +92,9 @@ inline constexpr std::array<Kind, 19> kSections = {
      {"exponent", kFloat, 1, Rows::kVertices, Presence::kOptional},
      {"brdf", kSmall, 1, Rows::kVertices, Presence::kOptional},
      {"brdfrow", kFloat, even_count(kMaxDegree), Rows::kOther, Presence::kOptional},
+     {"texture", kFloat, 2, Rows::kVertices, Presence::kOptional},
+     {"normmap", kSmall, 1, Rows::kVertices, Presence::kOptional},
+     {"normtex", kHalf, 3, Rows::kOther, Presence::kOptional},
      {"indirect", kHalf, 0, Rows::kStored, Presence::kAlways},
      {"cluster", kSmall, 1, Rows::kVertices, Presence::kAlways},
      {"weight", kByte, 0, Rows::kVertices, Presence::kAlways},
@@ -146,6 +149,9 @@ void each_section(AnyTransfer& transfer, AnyEncoded& encoded, AnyEncoded& indire
   visit(transfer.mesh.exponent);
   visit(transfer.mesh.brdf);
   visit(transfer.mesh.brdfs.rows);
+  visit(transfer.mesh.texture);
+  visit(transfer.mesh.normal_map);
+  visit(transfer.mesh.normal_maps.texels);
   visit(indirect.data);
   visit(transfer.clusters.cluster);
   visit(transfer.clusters.weights);

@@ -71,6 +71,18 @@ std::string flaw_of_values(const Transfer& transfer) {
   if (!all(brdfs.rows, [](float value) { return std::abs(value) <= kMaxReflectance; })) {
     return "a coefficient of a BRDF is not from -1000 to 1000";
   }
+  const NormalMaps& maps = mesh.normal_maps;
+  if (maps.texels.size() != 3 * maps.texel_count() || mesh.normal_map.empty() != maps.heads.empty() ||
+      mesh.texture.size() != mesh.normal_map.size() ||
+      !all(mesh.normal_map, [&](std::uint16_t number) { return number <= maps.heads.size(); })) {
+    return "it names a normal map that is not there";
+  }
+  if (!all(mesh.texture, [](const Eigen::Vector2f& value) { return value.allFinite(); })) {
+    return "a texture coordinate is not finite";
+  }
+  if (!all(maps.texels, [](Eigen::half value) { return std::abs(static_cast<float>(value)) <= 1.0F; })) {
+    return "a texel of a normal map is not from -1 to 1";
+  }
   if (!all(transfer.coefficients, [](float value) { return std::isfinite(value); }) ||
       !all(transfer.indirect, [](float value) { return std::isfinite(value); }) || !all(transfer.emitted, is_finite)) {
     return "a transfer coefficient is not finite";

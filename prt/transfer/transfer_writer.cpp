@@ -35,7 +35,9 @@ void check_lengths(const Transfer& transfer) {
       (!transfer.emitted.empty() && transfer.emitted.size() != vertices) ||
       (!mesh.mirror.empty() && mesh.mirror.size() != vertices) ||
       (!mesh.specular.empty() && mesh.specular.size() != vertices) || mesh.exponent.size() != mesh.specular.size() ||
-      (!mesh.brdf.empty() && mesh.brdf.size() != vertices)) {
+      (!mesh.brdf.empty() && mesh.brdf.size() != vertices) ||
+      (!mesh.normal_map.empty() && mesh.normal_map.size() != vertices) ||
+      mesh.texture.size() != mesh.normal_map.size()) {
     throw std::invalid_argument("transfer: its arrays differ in length, expected one entry a vertex in each");
   }
 }

@@ -172,7 +172,7 @@ TEST_F(Materials, ThatCannotBeAreRefused) {
        "/materials/green: expected the name of one of the mesh's materials (red, lamp), got {}"},
       {R"("file": "a.obj", "materials": {"red": {"colour": [1, 1, 1]}})",
        "/materials/red/colour: unknown key, expected one of albedo, brdf, emission, exponent, metallic, mirror, "
-       "roughness, "
+       "normal_map, roughness, "
        "sides, specular"}};
   for (const auto& [mesh, message] : cases) EXPECT_EQ(refusal("{" + std::string(mesh) + "}"), message);
 }

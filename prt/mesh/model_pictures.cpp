@@ -1,0 +1,40 @@
+#include "prt/mesh/model_pictures.hpp"
+
+#include <assimp/GltfMaterial.h>
+#include <assimp/scene.h>
+#include <fmt/core.h>
+
+#include <filesystem>
+#include <stdexcept>
+#include <string_view>
+
+namespace sh::prt {
+
+Image ModelPictures::read(const std::string& name, ColorSpace space) const {
+  const aiTexture* inside = scene_.GetEmbeddedTexture(name.c_str());
+  if (inside == nullptr) {
+    return read_image((std::filesystem::path(path_).parent_path() / name).string(), OnFlaw::kMend, space);
+  }
+  const std::string label = fmt::format("{}: picture {}", path_, name);
+  if (inside->mHeight != 0) throw std::runtime_error(label + ": cannot be read: it is neither PNG nor JPEG");
+  const std::string_view bytes(reinterpret_cast<const char*>(inside->pcData), inside->mWidth);
+  return bytes.starts_with("\xff\xd8") ? read_jpeg(label, bytes, space) : read_png(label, bytes, space, OnFlaw::kMend);
+}
+
+std::shared_ptr<const NormalMap> ModelPictures::normal_map(const aiMaterial& material) {
+  aiString name;
+  if (material.Get(AI_MATKEY_TEXTURE(aiTextureType_NORMALS, 0), name) != AI_SUCCESS) return nullptr;
+  float scale = 1.0F;
+  material.Get(AI_MATKEY_GLTF_TEXTURE_SCALE(aiTextureType_NORMALS, 0), scale);
+  const auto [entry, added] = normal_maps_.try_emplace({name.C_Str(), scale});
+  if (!added) return entry->second;
+  try {
+    entry->second =
+        std::make_shared<NormalMap>(normal_map_of(name.C_Str(), read(name.C_Str(), ColorSpace::kLinear), scale));
+  } catch (const std::runtime_error& error) {
+    flaws_.push_back(fmt::format("its normal map is left out: {}", error.what()));
+  }
+  return entry->second;
+}
+
+}  // namespace sh::prt
