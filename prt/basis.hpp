@@ -1,12 +1,12 @@
 // Calls of the generated kernels with a degree that is chosen at run time, and loops over bands.
 #pragma once
+#include <Eigen/Core>
 #include <array>
 #include <cstddef>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
-#include "generated/cpp/basis.hpp"
 #include "numeric/oracle/index.hpp"
 #include "prt/transfer/shape.hpp"
 
@@ -33,11 +33,14 @@ using BasisValues = std::array<double, std::size_t{kMaxDegree + 1} * (kMaxDegree
 
 using numeric::coefficient_index;
 
-/// out (bands^2) = Y_lm(direction), l = 0..degree; |direction| = 1, 0 <= degree <= kMaxDegree.
+/// out (bands^2) = Y_lm(direction), l = 0..degree; |direction| = 1, 0 <= degree <= kMaxDegree. T: float or double.
 template <class T>
-void evaluate_basis(int degree, T x, T y, T z, T* out) {
-  at_degree(degree, [&](auto known) { sh::basis<known()>(x, y, z, out); });
-}
+void evaluate_basis(int degree, T x, T y, T z, T* out);
+
+/// out (bands^2) = the coefficients of the function `in`, turned by the rotation matrix r: (R f)(s) = f(R^-1 s). `out` may be
+/// `in`. 0 <= degree <= kMaxDegree. T: float or double.
+template <class T>
+void rotate_function(int degree, const Eigen::Matrix3<T>& r, const T* in, T* out);
 
 /// c_lm *= factors_l for as many bands as there are factors.
 inline void scale_bands(const std::vector<double>& factors, double* c) {

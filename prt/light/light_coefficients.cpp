@@ -8,7 +8,6 @@
 #include <stdexcept>
 
 #include "generated/cpp/evaluate_rgb.hpp"
-#include "generated/cpp/rotate.hpp"
 #include "prt/basis.hpp"
 
 namespace sh::prt {
@@ -39,12 +38,9 @@ void accumulate(LightCoefficients& sum, const LightCoefficients& more) {
 LightCoefficients turned(const LightCoefficients& light, const Eigen::Matrix3d& r) {
   LightCoefficients out = light;
   if (r == Eigen::Matrix3d::Identity()) return out;
-  const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> rows = r;
-  at_degree(light.degree, [&](auto degree) {
-    for (int channel = 0; channel < 3; ++channel) {
-      sh::rotate<degree()>(rows.data(), &light.at(channel, 0), &out.at(channel, 0));
-    }
-  });
+  for (int channel = 0; channel < 3; ++channel) {
+    rotate_function(light.degree, r, &light.at(channel, 0), &out.at(channel, 0));
+  }
   return out;
 }
 

@@ -72,7 +72,7 @@ struct Reflectances {
 void reflectance_at(const float* table, int degree, float cosine, float* out);
 
 /// The part of the function that the bands 0 .. degree hold, 0..1, in squares, when the eye is at 45 degrees; of all that
-/// kMaxDegree holds.
+/// kMaxDegree holds. A surface model has albedo 0.5 here.
 double share_of_bands(const BrdfTable& table, int degree);
 
 /// The hemispherical reflectance under constant light, a number for each part, at a number of view: 1 = all is reflected.

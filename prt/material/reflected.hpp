@@ -6,21 +6,22 @@
 #include <array>
 #include <cmath>
 
-#include "generated/cpp/rotate.hpp"
 #include "prt/basis.hpp"
 #include "prt/material/reflectance.hpp"
 
 namespace sh::prt {
 
-/// The rotation, row by row, from the frame of a surface to the world. `normal` and `to_eye` are unit. Where the eye stands
+/// The rotation from the frame of a surface to the world. `normal` and `to_eye` are unit. Where the eye stands
 /// over the surface in the direction of its normal, any rotation about the normal serves.
-inline std::array<float, 9> surface_frame(const Eigen::Vector3f& normal, const Eigen::Vector3f& to_eye) {
+inline Eigen::Matrix3f surface_frame(const Eigen::Vector3f& normal, const Eigen::Vector3f& to_eye) {
   constexpr float kLeastSine = 1e-6F;
   Eigen::Vector3f x = to_eye - normal.dot(to_eye) * normal;
   x = x.norm() > kLeastSine ? (x.normalized() - normal.dot(x.normalized()) * normal).normalized().eval()
                             : normal.unitOrthogonal();
   const Eigen::Vector3f y = normal.cross(x);
-  return {x.x(), y.x(), normal.x(), x.y(), y.y(), normal.y(), x.z(), y.z(), normal.z()};
+  Eigen::Matrix3f frame;
+  frame << x, y, normal;
+  return frame;
 }
 
 /// Calls visit(color, weights) for every part of a table, on a surface with this albedo, that is not black; weights
@@ -31,7 +32,7 @@ void for_reflected_lobes(const BrdfTable& table, const Eigen::Vector3f& albedo, 
   const std::array<Eigen::Vector3f, kReflectionParts> colors = colors_of_parts(table.is_measured, albedo);
   std::array<float, kReflectionParts * even_count(kMaxDegree)> even;
   reflectance_at(table.rows, degree, normal.dot(to_eye), even.data());
-  const std::array<float, 9> frame = surface_frame(normal, to_eye);
+  const Eigen::Matrix3f frame = surface_frame(normal, to_eye);
   std::array<float, coefficient_count(kMaxDegree)> weights;
   for (std::size_t part = 0; part < kReflectionParts; ++part) {
     if (colors[part].isZero(0.0F)) continue;
@@ -40,7 +41,7 @@ void for_reflected_lobes(const BrdfTable& table, const Eigen::Vector3f& albedo, 
     for (int l = 0; l <= degree; ++l) {
       for (int m = 0; m <= l; ++m) weights[coefficient_index(l, m)] = *from++;
     }
-    at_degree(degree, [&](auto known) { sh::rotate<known()>(frame.data(), weights.data(), weights.data()); });
+    rotate_function(degree, frame, weights.data(), weights.data());
     visit(colors[part], weights.data());
   }
 }

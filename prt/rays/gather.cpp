@@ -8,7 +8,6 @@
 #include <numbers>
 #include <utility>
 
-#include "generated/cpp/rotate.hpp"
 #include "numeric/output/progress.hpp"
 #include "prt/basis.hpp"
 #include "prt/chunks.hpp"
@@ -109,8 +108,7 @@ void SharedDirections::sum(const std::vector<std::uint32_t>& chosen, std::size_t
 }
 
 void SharedDirections::turn(const Eigen::Matrix3f& frame, float* row) const {
-  const Eigen::Matrix<float, 3, 3, Eigen::RowMajor> rows = frame;
-  at_degree(degree_, [&](auto degree) { sh::rotate<degree()>(rows.data(), row, row); });
+  rotate_function<float>(degree_, frame, row, row);
 }
 
 // This order of operations keeps every bit of DU for an open vertex.

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <numbers>
 
+#include "generated/cpp/basis.hpp"
 #include "generated/cpp/cap.hpp"
 #include "generated/cpp/irradiance.hpp"
 #include "generated/cpp/zonal.hpp"

@@ -203,6 +203,24 @@ TEST(Reflectance, BelowTheHorizonIsThatOfGrazingView) {
 }
 
 // Light of degree 4 on a surface in any position, integrated in the world.
+// At 45 degrees: 0.5 x 4 + 1 = 3 at the constant, 4 at the last number; other views and the third part do not count.
+TEST(Reflectance, KnowsTheShareOfItsBands) {
+  ReflectanceTable table(kReflectanceTableSize, 7.0F);
+  EXPECT_EQ(share_of_bands({ReflectanceTable(kReflectanceTableSize, 0.0F).data(), false}, 0), 1.0);
+  constexpr std::size_t kCount = even_count(kMaxDegree);
+  float* const view = table.data() + std::size_t{(kViews - 1) / 2} * kReflectionParts * kCount;
+  std::fill_n(view, 2 * kCount, 0.0F);
+  view[0] = 4.0F;
+  view[kCount] = 1.0F;
+  view[kCount - 1] = 8.0F;
+  for (int degree = 0; degree < kMaxDegree; ++degree) {
+    EXPECT_DOUBLE_EQ(share_of_bands({table.data(), false}, degree), 9.0 / 25.0) << degree;
+  }
+  EXPECT_EQ(share_of_bands({table.data(), false}, kMaxDegree), 1.0);
+  // Of a measured one the parts are red, green and blue: 16 + 1 + 49 of 16 + 64 + 1 + 49 kCount.
+  EXPECT_DOUBLE_EQ(share_of_bands({table.data(), true}, 0), 66.0 / (81.0 + 49.0 * kCount));
+}
+
 TEST(Reflectance, TurnsWithTheSurface) {
   std::mt19937 random(5);
   std::normal_distribution<double> normal_distribution;
