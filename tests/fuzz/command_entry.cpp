@@ -245,12 +245,11 @@ bool is_quick(const std::vector<std::string>& words) {
   return (!draws || (has_width && (has_height || command == "grid"))) && (!has("a.obj") || has("--directions"));
 }
 
-// Whether the words name the file as output and nowhere else. A stage reads the transfer files beside it, a.json a.obj.
+// Whether the words name the file as output and nowhere else. The stage reads a.transfer, a.json reads a.obj.
 bool is_only_output(const std::string& file, const std::vector<std::string>& words) {
   const auto named = std::find(words.begin(), words.end(), file);
   const auto stage = std::find(words.begin(), words.end(), "stage.json");
-  const bool has_stage = stage != words.end() && (file != "stage.json" || stage != named);
-  const bool is_read = file.ends_with(".obj") || has_stage;
+  const bool is_read = file == "a.obj" || (file == "a.transfer" && stage != words.end());
   return named != words.end() && *std::prev(named) == "-o" && !is_read && std::count(named, words.end(), file) == 1;
 }
 
