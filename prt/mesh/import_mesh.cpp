@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <assimp/DefaultLogger.hpp>
 #include <assimp/Importer.hpp>
 #include <assimp/LogStream.hpp>
@@ -28,6 +29,9 @@ namespace sh::prt {
 namespace {
 
 constexpr int kMostHeaderLines = 1000;
+// The pictures of base color, and those of roughness and metallic part, as the importer names them.
+constexpr std::array kColors = {aiTextureType_BASE_COLOR};
+constexpr std::array kFacets = {aiTextureType_UNKNOWN, aiTextureType_METALNESS, aiTextureType_DIFFUSE_ROUGHNESS};
 const Eigen::Vector2f kNoCoordinates = Eigen::Vector2f::Constant(std::numeric_limits<float>::quiet_NaN());
 
 Eigen::Vector3f to_eigen(const aiVector3D& v) { return {v.x, v.y, v.z}; }
@@ -103,7 +107,7 @@ class Collector {
     const aiMaterial* material = material_of(mesh);
     const MaterialChange change = changes_.of(name_of(material));
     const Eigen::Vector3f albedo = albedo_of(material, mesh.HasVertexColors(0));
-    if (has_textures(material) && !change.reflection) textured_.insert(material);
+    if (has_unread_textures(material) && !change.reflection) textured_.insert(material);
     const bool has_coordinates = mesh.HasTextureCoords(0);
     if (mesh.HasVertexColors(1)) ++meshes_of_many_colors_;
     for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
@@ -125,7 +129,7 @@ class Collector {
                                           .maxCoeff();
     transform(part, map);
     Finish finish = finish_of(material, change);
-    finish.normal_map = normal_map_of(material, change, has_coordinates);
+    take_pictures(material, change, has_coordinates, finish);
     append(part, finish);
   }
 
@@ -153,27 +157,33 @@ class Collector {
       result_.unread.push_back(fmt::format("{} of its meshes have several sets of vertex colors (the first is read)",
                                            meshes_of_many_colors_));
     }
-    if (meshes_without_coordinates_ > 0) {
+    if (!misplaced_.empty()) {
       result_.unread.push_back(
-          fmt::format("{} of its meshes have normal maps without a first set of texture coordinates, or with a "
+          fmt::format("{} of its materials have textures without a first set of texture coordinates, or with a "
                       "transform of them (not read)",
-                      meshes_without_coordinates_));
+                      misplaced_.size()));
     }
   }
 
-  // Besides normal maps of glTF.
-  [[nodiscard]] bool has_textures(const aiMaterial* material) const {
+  // Besides those that take_pictures() reads.
+  [[nodiscard]] bool has_unread_textures(const aiMaterial* material) const {
     if (material == nullptr) return false;
     for (int type = aiTextureType_DIFFUSE; type <= AI_TEXTURE_TYPE_MAX; ++type) {
-      if (is_linear_ && type == aiTextureType_NORMALS) continue;
+      const bool is_read = type == aiTextureType_NORMALS || type == aiTextureType_DIFFUSE ||
+                           std::find(kColors.begin(), kColors.end(), type) != kColors.end() ||
+                           std::find(kFacets.begin(), kFacets.end(), type) != kFacets.end();
+      if (is_linear_ && is_read) continue;
       if (material->GetTextureCount(static_cast<aiTextureType>(type)) > 0) return true;
     }
     return false;
   }
 
-  static bool has_textured_finish(const aiMaterial& material) {
-    constexpr std::array kTypes = {aiTextureType_UNKNOWN, aiTextureType_METALNESS, aiTextureType_DIFFUSE_ROUGHNESS};
-    return std::any_of(kTypes.begin(), kTypes.end(), [&](aiTextureType t) { return material.GetTextureCount(t) > 0; });
+  // The first of the types of which the material has a picture.
+  template <class Types>
+  static std::optional<aiTextureType> type_among(const Types& types, const aiMaterial& material) {
+    const auto found = std::find_if(types.begin(), types.end(),
+                                    [&](aiTextureType type) { return material.GetTextureCount(type) > 0; });
+    return found == types.end() ? std::nullopt : std::optional(*found);
   }
 
   // Null if the file has no material: for formats without materials the importer invents one.
@@ -205,11 +215,11 @@ class Collector {
     return Eigen::Vector3f::Constant(material == nullptr && has_vertex_colors ? 1.0F : kDefaultAlbedo);
   }
 
-  // The surface model of glTF. Null where a texture gives its factors, which is not read.
+  // The surface model of glTF. Null where a texture gives its factors: vertices then have their own.
   std::shared_ptr<const Reflectance> brdf_of(const aiMaterial* material) {
     const auto roughness = material_value<float>(material, AI_MATKEY_ROUGHNESS_FACTOR);
     const auto metallic = material_value<float>(material, AI_MATKEY_METALLIC_FACTOR);
-    if (!is_linear_ || !roughness || !metallic || has_textured_finish(*material)) return nullptr;
+    if (!is_linear_ || !roughness || !metallic || type_among(kFacets, *material)) return nullptr;
     const std::pair factors = {std::clamp(*roughness, 0.0F, 1.0F), std::clamp(*metallic, 0.0F, 1.0F)};
     std::shared_ptr<const Reflectance>& known = brdfs_[factors];
     if (known == nullptr) {
@@ -218,17 +228,29 @@ class Collector {
     return known;
   }
 
-  // That of the scene, else that of the file. Only glTF says how its maps are to be read, and on which coordinates.
-  std::shared_ptr<const NormalMap> normal_map_of(const aiMaterial* material, const MaterialChange& change,
-                                                 bool has_coordinates) {
-    if (change.normal_map != nullptr) return change.normal_map;
-    if (!is_linear_ || material == nullptr || material->GetTextureCount(aiTextureType_NORMALS) == 0) return nullptr;
-    const bool is_moved = material_value<aiUVTransform>(material, AI_MATKEY_UVTRANSFORM_NORMALS(0)).has_value();
-    if (!has_coordinates || is_moved || material_value<int>(material, AI_MATKEY_UVWSRC_NORMALS(0)).value_or(0) != 0) {
-      ++meshes_without_coordinates_;
-      return nullptr;
+  // What the scene changes needs no picture of the file. Only glTF says how its pictures are to be read, and on which
+  // coordinates.
+  void take_pictures(const aiMaterial* material, const MaterialChange& change, bool has_coordinates, Finish& finish) {
+    finish.normal_map = change.normal_map;
+    if (!is_linear_ || material == nullptr) return;
+    const auto placed = [&](std::optional<aiTextureType> type) {
+      if (!type) return false;
+      const bool is_moved = material_value<aiUVTransform>(material, AI_MATKEY_UVTRANSFORM(*type, 0)).has_value();
+      const int set = material_value<int>(material, AI_MATKEY_UVWSRC(*type, 0)).value_or(0);
+      if (!has_coordinates || is_moved || set != 0) misplaced_.insert(material);
+      return has_coordinates && !is_moved && set == 0;
+    };
+    if (finish.normal_map == nullptr && placed(type_among(std::array{aiTextureType_NORMALS}, *material))) {
+      finish.normal_map = pictures_.normal_map(*material);
     }
-    return pictures_.normal_map(*material);
+    if (const auto type = type_among(kColors, *material); !change.reflection && placed(type)) {
+      finish.varied.albedo = pictures_.picture(*material, *type, ColorSpace::kOfFile);
+    }
+    if (const auto type = type_among(kFacets, *material); !change.gloss && placed(type)) {
+      finish.varied.facets = pictures_.picture(*material, *type, ColorSpace::kLinear);
+      finish.varied.roughness = material_value<float>(material, AI_MATKEY_ROUGHNESS_FACTOR).value_or(1.0F);
+      finish.varied.metallic = material_value<float>(material, AI_MATKEY_METALLIC_FACTOR).value_or(1.0F);
+    }
   }
 
   [[nodiscard]] Finish finish_of(const aiMaterial* material, const MaterialChange& change) {
@@ -253,8 +275,8 @@ class Collector {
   ModelPictures pictures_;
   bool is_linear_;
   std::set<const aiMaterial*> textured_;
+  std::set<const aiMaterial*> misplaced_;
   std::size_t meshes_of_many_colors_ = 0;
-  std::size_t meshes_without_coordinates_ = 0;
   std::map<std::pair<float, float>, std::shared_ptr<const Reflectance>> brdfs_;  // by roughness and metallic
   ImportedMesh result_;
 };

@@ -21,19 +21,34 @@ Image ModelPictures::read(const std::string& name, ColorSpace space) const {
   return bytes.starts_with("\xff\xd8") ? read_jpeg(label, bytes, space) : read_png(label, bytes, space, OnFlaw::kMend);
 }
 
+template <class Picture, class Make>
+std::shared_ptr<const Picture> ModelPictures::made(const std::string& name, const Make& make) {
+  try {
+    return std::make_shared<Picture>(make());
+  } catch (const std::runtime_error& error) {
+    flaws_.push_back(fmt::format("its picture {} is left out: {}", name, error.what()));
+    return nullptr;
+  }
+}
+
 std::shared_ptr<const NormalMap> ModelPictures::normal_map(const aiMaterial& material) {
   aiString name;
   if (material.Get(AI_MATKEY_TEXTURE(aiTextureType_NORMALS, 0), name) != AI_SUCCESS) return nullptr;
   float scale = 1.0F;
   material.Get(AI_MATKEY_GLTF_TEXTURE_SCALE(aiTextureType_NORMALS, 0), scale);
   const auto [entry, added] = normal_maps_.try_emplace({name.C_Str(), scale});
-  if (!added) return entry->second;
-  try {
-    entry->second =
-        std::make_shared<NormalMap>(normal_map_of(name.C_Str(), read(name.C_Str(), ColorSpace::kLinear), scale));
-  } catch (const std::runtime_error& error) {
-    flaws_.push_back(fmt::format("its normal map is left out: {}", error.what()));
+  if (added) {
+    entry->second = made<NormalMap>(
+        name.C_Str(), [&] { return normal_map_of(name.C_Str(), read(name.C_Str(), ColorSpace::kLinear), scale); });
   }
+  return entry->second;
+}
+
+std::shared_ptr<const Image> ModelPictures::picture(const aiMaterial& material, aiTextureType type, ColorSpace space) {
+  aiString name;
+  if (material.Get(AI_MATKEY_TEXTURE(type, 0), name) != AI_SUCCESS) return nullptr;
+  const auto [entry, added] = pictures_.try_emplace({name.C_Str(), space});
+  if (added) entry->second = made<Image>(name.C_Str(), [&] { return read(name.C_Str(), space); });
   return entry->second;
 }
 

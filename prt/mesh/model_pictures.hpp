@@ -22,15 +22,22 @@ class ModelPictures {
   /// The normal map of a material, with its scale; null if it has none, or one that cannot be read.
   std::shared_ptr<const NormalMap> normal_map(const aiMaterial& material);
 
+  /// Another picture of a material; null as above.
+  std::shared_ptr<const Image> picture(const aiMaterial& material, aiTextureType type, ColorSpace space);
+
   /// One line for each picture that could not be read.
   [[nodiscard]] const std::vector<std::string>& flaws() const { return flaws_; }
 
  private:
   [[nodiscard]] Image read(const std::string& name, ColorSpace space) const;
+  // What make() returns, or null with a flaw if it throws.
+  template <class Picture, class Make>
+  std::shared_ptr<const Picture> made(const std::string& name, const Make& make);
 
   const std::string& path_;
   const aiScene& scene_;
   std::map<std::pair<std::string, float>, std::shared_ptr<const NormalMap>> normal_maps_;  // by name and scale
+  std::map<std::pair<std::string, ColorSpace>, std::shared_ptr<const Image>> pictures_;
   std::vector<std::string> flaws_;
 };
 

@@ -32,7 +32,8 @@ void check_texture(const Soup& soup, std::size_t face, const std::string& name) 
   const auto has_any = [&](std::uint32_t v) { return !soup.texture.empty() && soup.texture[v].allFinite(); };
   if (std::all_of(soup.faces[face].begin(), soup.faces[face].end(), has_any)) return;
   throw std::runtime_error(fmt::format(
-      "{}: face {} has a normal map, but no finite texture coordinates; expected both, or no normal map", name, face));
+      "{}: face {} has a normal map or a texture, but no finite texture coordinates; expected both, or neither", name,
+      face));
 }
 
 std::vector<Eigen::Vector3f> face_normals(const Soup& soup) {
@@ -92,7 +93,7 @@ void check(const Soup& soup, const std::string& name) {
       throw std::runtime_error(
           fmt::format("{}: face {} names vertex {}, but there are {} vertices", name, f, last, soup.positions.size()));
     }
-    if (soup.finishes[soup.finish_of(f)].normal_map != nullptr) check_texture(soup, f, name);
+    if (soup.finishes[soup.finish_of(f)].has_pictures()) check_texture(soup, f, name);
   }
 }
 

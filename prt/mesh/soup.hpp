@@ -25,6 +25,17 @@ struct Gloss {
   bool operator==(const Gloss&) const = default;
 };
 
+/// Pictures at texture coordinates that vary a material; null where it does not vary.
+struct VariedMaterial {
+  std::shared_ptr<const Image> albedo;  // linear RGB, a factor of the albedo
+  std::shared_ptr<const Image>
+      facets;  // green times `roughness` and blue times `metallic`: see material/microfacet.hpp
+  float roughness = 1.0F;
+  float metallic = 1.0F;
+  [[nodiscard]] bool any() const { return albedo != nullptr || facets != nullptr; }
+  bool operator==(const VariedMaterial&) const = default;
+};
+
 /// The finish of a face. The front of a surface always emits `emission`, reflects the part `mirror` like a mirror, the
 /// part gloss.specular about the mirrored direction, and the part albedo diffusely.
 struct Finish {
@@ -32,7 +43,10 @@ struct Finish {
   Eigen::Vector3f mirror = Eigen::Vector3f::Zero();
   Gloss gloss;
   std::shared_ptr<const NormalMap> normal_map;
+  VariedMaterial varied;
   bool is_two_sided = false;  // both sides are fronts
+  /// Whether it needs texture coordinates.
+  [[nodiscard]] bool has_pictures() const { return normal_map != nullptr || varied.any(); }
   bool operator==(const Finish&) const = default;
 };
 
@@ -71,7 +85,7 @@ struct MaterialChanges {
 };
 
 /// Vertices may repeat. Positions are double, so that a place far from the origin does not cost the digits of the shape. `normals` and `albedo` are as long as `positions`; `normals` may be empty, then they are
-/// computed. `texture` may be empty, too; only surfaces with a normal map use it.
+/// computed. `texture` may be empty, too; only surfaces with pictures use it.
 struct Soup {
   std::vector<Eigen::Vector3d> positions;
   std::vector<Eigen::Vector3f> normals;
@@ -90,7 +104,7 @@ struct Soup {
 void transform(Soup& soup, const Eigen::Affine3d& map);
 
 /// Throws std::runtime_error, one line that begins with `name`, if there are no vertices or no faces, if a face names a
-/// missing vertex, if a coordinate is NaN or infinite, or if a surface with a normal map has no texture coordinates.
+/// missing vertex, if a coordinate is NaN or infinite, or if a surface with pictures has no texture coordinates.
 void check(const Soup& soup, const std::string& name);
 
 /// Drops faces without area (to rounding); returns how many.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <unordered_map>
 
 #include "prt/mesh/corners.hpp"
@@ -85,7 +86,7 @@ Mesh weld(const Soup& soup, std::size_t source_vertices) {
       const std::uint32_t v = face[k];
       const std::uint32_t finish = soup.finish_of(f);
       const Eigen::Vector2f texture =
-          soup.finishes[finish].normal_map != nullptr ? soup.texture[v] : Eigen::Vector2f::Zero().eval();
+          soup.finishes[finish].has_pictures() ? soup.texture[v] : Eigen::Vector2f::Zero().eval();
       Eigen::Matrix<float, 11, 1> numbers;
       numbers << soup.positions[v].cast<float>(), rounded(soup.normals[v]), soup.albedo[v], texture;
       std::array<std::uint32_t, 12> key{};
@@ -118,7 +119,8 @@ Mesh weld(const Soup& soup, std::size_t source_vertices) {
                          [](const Finish& finish) { return finish.gloss.brdf.get(); });
   mesh.normal_map = numbers_of(finish_of_vertex, soup.finishes, mesh.normal_maps,
                                [](const Finish& finish) { return finish.normal_map.get(); });
-  if (mesh.normal_map.empty()) mesh.texture.clear();
+  if (std::none_of(soup.finishes.begin(), soup.finishes.end(), std::mem_fn(&Finish::has_pictures)))
+    mesh.texture.clear();
   set_geometric_normals(mesh);
   return mesh;
 }

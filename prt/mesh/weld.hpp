@@ -11,7 +11,7 @@
 
 namespace sh::prt {
 
-/// One vertex for each position (exact bits), normal (to 1/8192), albedo, finish and, if it has a normal map, texture
+/// One vertex for each position (exact bits), normal (to 1/8192), albedo, finish and, if it has pictures, texture
 /// coordinates (exact bits), in the order of first use by a
 /// face; unused vertices are dropped. Faces keep their order. Precondition: the soup has passed check() and has
 /// normals. `source_vertices` is the number of vertices of the file and the length of the remap, which names the first

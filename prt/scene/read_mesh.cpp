@@ -14,6 +14,7 @@
 #include "prt/material/microfacet.hpp"
 #include "prt/mesh/import_mesh.hpp"
 #include "prt/mesh/primitives.hpp"
+#include "prt/mesh/varied_materials.hpp"
 #include "prt/mesh/weld.hpp"
 #include "prt/scene/scene_parts.hpp"
 
@@ -252,6 +253,7 @@ Mesh finish_mesh(MeshPart part, const Frame& frame, OnFlaw on_flaw) {
     origins = tessellate(
         mesh, [&](const Eigen::Vector3f&) { return limit; }, name);
   }
+  vary_materials(soup, origins, mesh);
   std::vector<std::uint8_t> is_two_sided;
   for (const std::uint32_t face : origins) {
     is_two_sided.push_back(soup.finishes[soup.finish_of(face)].is_two_sided ? 1 : 0);

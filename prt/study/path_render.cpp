@@ -85,7 +85,7 @@ class PathTracer {
   [[nodiscard]] Eigen::Vector3f reflect(Path& path, std::mt19937& random) const {
     const Eigen::Vector3f normal = normals_.at(path.hit);
     const Eigen::Vector3f albedo = interpolated(path.hit, mesh_, mesh_.albedo);
-    const std::uint32_t corner = mesh_.faces[path.hit.face][0];
+    const std::uint32_t corner = corner_of(path.hit, random);
     const Material material = material_of(mesh_, corner, albedo);
     if (material.brdf) return reflect_by_brdf(material, normal, path, random);
     const Eigen::Vector3f specular =
@@ -102,6 +102,14 @@ class PathTracer {
     }
     path.throughput = path.throughput.cwiseProduct(albedo);
     return power_direction(normal, 1.0F, random);
+  }
+
+  // The corner whose material the path meets: as often as it is near where the corners differ.
+  [[nodiscard]] std::uint32_t corner_of(const Hit& hit, std::mt19937& random) const {
+    const Face& face = mesh_.faces[hit.face];
+    if (has_one_brdf(mesh_, face)) return face[0];
+    const float at = std::uniform_real_distribution<float>(0.0F, 1.0F)(random);
+    return at < hit.u ? face[1] : at < hit.u + hit.v ? face[2] : face[0];
   }
 
   // Directions are equally distributed over the hemisphere; a table holds BRDF times cosine to its highest degree.

@@ -389,7 +389,7 @@ TEST_F(MapOfScene, OfAModelIsLeftOutWithAWarningWhereItCannotBeShown) {
   EXPECT_NE(said({{}, {"n.png"}}, "glossy_shadowed").find("without a first set of texture coordinates"),
             std::string::npos);
   const std::string missing = said({kUpright, {"none.png"}}, "glossy_shadowed");
-  EXPECT_NE(missing.find("a.gltf: its normal map is left out: "), std::string::npos) << missing;
+  EXPECT_NE(missing.find("a.gltf: its picture none.png is left out: "), std::string::npos) << missing;
   EXPECT_NE(missing.find("none.png"), std::string::npos) << missing;
   write_all(folder_.file("a.gltf"), square_with(material, {kUpright, {"none.png"}}));
   write_all(folder_.file("scene.json"), R"({"meshes": [{"file": "a.gltf"}]})");
@@ -411,7 +411,7 @@ TEST_F(MapOfScene, NeedsAGlossyKind) {
 TEST_F(MapOfScene, IsRefusedWithoutCoordinatesOrAPicture) {
   picture("a.exr", one_color(kFlat));
   EXPECT_EQ(refusal(R"("primitive": "arch", "normal_map": "a.exr")"),
-            "arch: face 0 has a normal map, but no finite texture coordinates; expected both, or no normal map");
+            "arch: face 0 has a normal map or a texture, but no finite texture coordinates; expected both, or neither");
   EXPECT_NE(refusal(R"("primitive": "plane", "normal_map": "none.png")").find("none.png"), std::string::npos);
   EXPECT_NE(refusal(R"("primitive": "plane", "normal_map": 1)").find("/meshes/0/normal_map: expected a string"),
             std::string::npos);
