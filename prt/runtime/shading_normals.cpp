@@ -47,7 +47,6 @@ ShadingNormals::ShadingNormals(const Mesh& mesh) : mesh_(mesh) {
   if (mesh.normal_map.empty()) return;
   for (auto& tangents : tangents_) tangents.assign(mesh.positions.size(), Eigen::Vector3f::Zero());
   for (const Face& face : mesh.faces) {
-    if (mesh.normal_map[face[0]] == 0) continue;
     const Layout layout = layout_of(mesh, face);
     for (std::size_t k = 0; k < 3; ++k) {
       tangents_[layout.is_mirrored ? 1 : 0][face[k]] +=
@@ -68,11 +67,10 @@ Eigen::Vector3f ShadingNormals::at(const Hit& hit) const {
 
 Eigen::Vector3f ShadingNormals::mapped(const Hit& hit, const Eigen::Vector3f& normal, std::size_t map) const {
   const Face& face = mesh_.faces[hit.face];
-  const Layout layout = layout_of(mesh_, face);
-  if (layout.along_u.isZero(0.0F)) return normal;
-  const Eigen::Vector3f x = perpendicular(interpolated(hit, mesh_, tangents_[layout.is_mirrored ? 1 : 0]), normal);
+  const bool is_mirrored = layout_of(mesh_, face).is_mirrored;
+  const Eigen::Vector3f x = perpendicular(interpolated(hit, mesh_, tangents_[is_mirrored ? 1 : 0]), normal);
   if (x.isZero(0.0F)) return normal;
-  const Eigen::Vector3f y = (layout.is_mirrored ? -1.0F : 1.0F) * normal.cross(x);
+  const Eigen::Vector3f y = (is_mirrored ? -1.0F : 1.0F) * normal.cross(x);
   const Eigen::Vector3f n = mesh_.normal_maps.normal(map, interpolated(hit, mesh_, mesh_.texture));
   return (n.x() * x + n.y() * y + n.z() * normal).normalized();
 }

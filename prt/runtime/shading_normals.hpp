@@ -17,7 +17,7 @@ class ShadingNormals {
   /// The mesh must outlive the result.
   explicit ShadingNormals(const Mesh& mesh);
 
-  /// Unit. Where texture coordinates give no direction, or texels no length, the map does not turn it.
+  /// Unit. Where the coordinates of no face around give a direction, or texels have no length, the map does not turn it.
   [[nodiscard]] Eigen::Vector3f at(const Hit& hit) const;
 
  private:

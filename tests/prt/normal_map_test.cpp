@@ -231,6 +231,13 @@ TEST(ShadingNormals, AreNotMappedWhereCoordinatesHaveNoAreaOrTexelsNoLength) {
   EXPECT_LT((ShadingNormals(empty).at({0, 0.2F, 0.3F, 1.0F}) - Eigen::Vector3f::UnitZ()).norm(), 1e-6F);
 }
 
+TEST(ShadingNormals, TakeTheFrameOfNeighborsWhereAFaceHasNoneOfItsOwn) {
+  Mesh mesh = mapped("plane", one_color(texel_of(kTilted)));
+  const std::uint32_t apart = mesh.faces[1][1] == mesh.faces[0][2] ? mesh.faces[1][2] : mesh.faces[1][1];
+  mesh.texture[apart] = 0.5F * (mesh.texture[mesh.faces[0][0]] + mesh.texture[mesh.faces[0][2]]);
+  EXPECT_LT((ShadingNormals(mesh).at({1, 0.2F, 0.3F, 1.0F}) - kTilted).norm(), 1e-3F);
+}
+
 TEST(ShadingNormals, OfABackAreThoseOfItsFrontMirrored) {
   Mesh mesh = mapped("plane", one_color(texel_of(kTilted)));
   const std::size_t faces = mesh.faces.size();
